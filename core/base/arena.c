@@ -1,0 +1,132 @@
+#include "base/arena.h"
+
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/checked.h"
+
+enum { BLOCK_MIN = 1 << 20, HEADER = ZR_ARENA_ALIGN };
+
+struct zr_arena_block {
+    struct zr_arena_block *next;
+    size_t capacity, used;
+};
+
+_Static_assert(sizeof(struct zr_arena_block) <= HEADER, "the header fits before the first allocation");
+
+static char *block_bytes(struct zr_arena_block *block)
+{
+    return (char *)block + HEADER;
+}
+
+void zr_arena_init(struct zr_arena *arena, size_t ceiling)
+{
+    *arena = (struct zr_arena){.ceiling = ceiling};
+}
+
+void zr_arena_reset(struct zr_arena *arena, size_t keep)
+{
+    struct zr_arena_block **link = &arena->first;
+    while (*link) {
+        struct zr_arena_block *block = *link;
+        if (block->capacity <= keep) {
+            keep -= block->capacity;
+            block->used = 0;
+            link = &block->next;
+        } else {
+            *link = block->next;
+            free(block);
+        }
+    }
+    arena->current = arena->first;
+    arena->used = 0;
+    arena->failed = false;
+}
+
+void zr_arena_free(struct zr_arena *arena)
+{
+    zr_arena_reset(arena, 0);
+}
+
+static void *fail(struct zr_arena *arena)
+{
+    arena->failed = true;
+    return NULL;
+}
+
+/* A block with room for `bytes` behind `current`: one that a reset left, or a
+ * new one, linked in so that no kept block is lost. */
+static struct zr_arena_block *next_block(struct zr_arena *arena, size_t bytes)
+{
+    struct zr_arena_block **link = arena->current ? &arena->current->next : &arena->first;
+    for (struct zr_arena_block **search = link; *search; search = &(*search)->next)
+        if ((*search)->capacity >= bytes) {
+            struct zr_arena_block *found = *search;
+            *search = found->next;
+            found->next = *link;
+            *link = found;
+            return found;
+        }
+    size_t capacity = bytes > BLOCK_MIN ? bytes : BLOCK_MIN;
+    struct zr_arena_block *block = aligned_alloc(ZR_ARENA_ALIGN, capacity + HEADER);
+    if (!block) return NULL;
+    *block = (struct zr_arena_block){.next = *link, .capacity = capacity};
+    *link = block;
+    return block;
+}
+
+void *zr_arena_alloc(struct zr_arena *arena, size_t count, size_t size)
+{
+    size_t bytes;
+    if (arena->failed || !zr_mul_size(count, size, &bytes)) return fail(arena);
+    if (bytes > arena->ceiling - arena->used) return fail(arena);
+    bytes = (bytes + ZR_ARENA_ALIGN - 1) & ~(size_t)(ZR_ARENA_ALIGN - 1);
+    if (bytes > arena->ceiling - arena->used) return fail(arena);
+
+    struct zr_arena_block *block = arena->current;
+    if (!block || bytes > block->capacity - block->used) {
+        block = next_block(arena, bytes);
+        if (!block) return fail(arena);
+        block->used = 0;
+        arena->current = block;
+    }
+    void *result = block_bytes(block) + block->used;
+    block->used += bytes;
+    arena->used += bytes;
+    return result;
+}
+
+void *zr_arena_zero(struct zr_arena *arena, size_t count, size_t size)
+{
+    void *result = zr_arena_alloc(arena, count, size);
+    if (result) memset(result, 0, count * size);
+    return result;
+}
+
+void *zr_arena_grow(struct zr_arena *arena, void *old, size_t count, size_t new_count, size_t size)
+{
+    size_t old_bytes, new_bytes;
+    if (arena->failed || !zr_mul_size(count, size, &old_bytes) || !zr_mul_size(new_count, size, &new_bytes))
+        return fail(arena);
+    size_t held = (old_bytes + ZR_ARENA_ALIGN - 1) & ~(size_t)(ZR_ARENA_ALIGN - 1);
+    struct zr_arena_block *block = arena->current;
+    if (old && new_bytes >= old_bytes && block && (char *)old + held == block_bytes(block) + block->used) {
+        if (new_bytes <= held) return old;
+        /* The newest allocation: what follows it, if it fits, is its own. */
+        size_t more = (new_bytes - held + ZR_ARENA_ALIGN - 1) & ~(size_t)(ZR_ARENA_ALIGN - 1);
+        if (more <= block->capacity - block->used && more <= arena->ceiling - arena->used) {
+            block->used += more;
+            arena->used += more;
+            return old;
+        }
+    }
+    void *result = zr_arena_alloc(arena, new_count, size);
+    if (result && old_bytes > 0) memcpy(result, old, old_bytes < new_bytes ? old_bytes : new_bytes);
+    return result;
+}
+
+bool zr_arena_ok(const struct zr_arena *arena)
+{
+    return !arena->failed;
+}

@@ -1,0 +1,45 @@
+/* arena.h - base: all memory of one request, given back in one step.
+ *
+ * Invariant: what was allocated plus what is asked never exceeds `ceiling`; once
+ * an allocation has failed, every later one fails too, so a stage may check
+ * zr_arena_ok once, at its end. Blocks survive zr_arena_reset: a worker that
+ * keeps its arena pays for first-touch page faults once.
+ * Not thread-safe: one arena belongs to one thread at a time.
+ */
+#ifndef ZR_ARENA_H
+#define ZR_ARENA_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+enum { ZR_ARENA_ALIGN = 64 };
+
+struct zr_arena_block;
+
+struct zr_arena {
+    size_t ceiling; /* bytes that one request may allocate */
+    size_t used;    /* bytes allocated since the last reset, padding included */
+    bool failed;
+    struct zr_arena_block *first, *current;
+};
+
+void zr_arena_init(struct zr_arena *arena, size_t ceiling);
+void zr_arena_free(struct zr_arena *arena);
+
+/* Empties the arena, clears a failure, and gives blocks beyond `keep` bytes back
+ * to the system. */
+void zr_arena_reset(struct zr_arena *arena, size_t keep);
+
+/* `count` objects of `size` bytes, aligned to ZR_ARENA_ALIGN, contents undefined.
+ * NULL once the arena has failed, also when count * size overflows. A count of 0
+ * gives a pointer that must not be read. */
+void *zr_arena_alloc(struct zr_arena *arena, size_t count, size_t size);
+void *zr_arena_zero(struct zr_arena *arena, size_t count, size_t size);
+
+/* A larger array with the first `count` objects of `old` (which may be NULL).
+ * In place where `old` was the newest allocation and its block has room. */
+void *zr_arena_grow(struct zr_arena *arena, void *old, size_t count, size_t new_count, size_t size);
+
+bool zr_arena_ok(const struct zr_arena *arena);
+
+#endif

@@ -1,0 +1,149 @@
+#include "base/team.h"
+
+#include <pthread.h>
+#include <stdatomic.h>
+#include <stdbool.h>
+#include <stdlib.h>
+
+enum { STACK_BYTES = 1 << 20 };
+
+/* Lives on the stack of its caller, who leaves only when `inside` is 0. */
+struct job {
+    void (*work)(void *);
+    void *context;
+    int inside; /* helpers that are in `work` now */
+    bool open;  /* false once anybody came back: nothing is left to claim */
+    struct job *next;
+};
+
+struct zr_team {
+    pthread_mutex_t lock;
+    pthread_cond_t job_came, helper_left;
+    struct job *jobs;
+    bool stopping;
+    int helper_count;
+    pthread_t helpers[];
+};
+
+static struct job *find_open_job(struct zr_team *team)
+{
+    for (struct job *job = team->jobs; job; job = job->next)
+        if (job->open) return job;
+    return NULL;
+}
+
+static void *help(void *argument)
+{
+    struct zr_team *team = argument;
+    pthread_mutex_lock(&team->lock);
+    while (!team->stopping) {
+        struct job *job = find_open_job(team);
+        if (!job) {
+            pthread_cond_wait(&team->job_came, &team->lock);
+            continue;
+        }
+        job->inside++;
+        pthread_mutex_unlock(&team->lock);
+        job->work(job->context);
+        pthread_mutex_lock(&team->lock);
+        job->open = false;
+        if (--job->inside == 0) pthread_cond_broadcast(&team->helper_left);
+    }
+    pthread_mutex_unlock(&team->lock);
+    return NULL;
+}
+
+struct zr_team *zr_team_create(int threads)
+{
+    if (threads < 1) threads = 1;
+    if (threads > ZR_TEAM_MAX) threads = ZR_TEAM_MAX;
+    struct zr_team *team = calloc(1, sizeof *team + sizeof(pthread_t) * (size_t)threads);
+    if (!team) return NULL;
+    pthread_mutex_init(&team->lock, NULL);
+    pthread_cond_init(&team->job_came, NULL);
+    pthread_cond_init(&team->helper_left, NULL);
+    pthread_attr_t attributes;
+    pthread_attr_init(&attributes);
+    pthread_attr_setstacksize(&attributes, STACK_BYTES);
+    int failure = 0;
+    while (team->helper_count < threads - 1 && !failure) {
+        failure = pthread_create(&team->helpers[team->helper_count], &attributes, help, team);
+        if (!failure) team->helper_count++;
+    }
+    pthread_attr_destroy(&attributes);
+    if (failure) {
+        zr_team_destroy(team);
+        return NULL;
+    }
+    return team;
+}
+
+void zr_team_destroy(struct zr_team *team)
+{
+    if (!team) return;
+    pthread_mutex_lock(&team->lock);
+    team->stopping = true;
+    pthread_cond_broadcast(&team->job_came);
+    pthread_mutex_unlock(&team->lock);
+    for (int i = 0; i < team->helper_count; i++) pthread_join(team->helpers[i], NULL);
+    pthread_cond_destroy(&team->helper_left);
+    pthread_cond_destroy(&team->job_came);
+    pthread_mutex_destroy(&team->lock);
+    free(team);
+}
+
+static void unlink_job(struct zr_team *team, struct job *job)
+{
+    struct job **link = &team->jobs;
+    while (*link != job) link = &(*link)->next;
+    *link = job->next;
+}
+
+void zr_team_run(struct zr_team *team, void (*work)(void *context), void *context)
+{
+    if (!team || team->helper_count == 0) {
+        work(context);
+        return;
+    }
+    struct job job = {.work = work, .context = context, .open = true};
+    pthread_mutex_lock(&team->lock);
+    /* Last in the row: the oldest job gets help first. */
+    struct job **link = &team->jobs;
+    while (*link) link = &(*link)->next;
+    *link = &job;
+    pthread_cond_broadcast(&team->job_came);
+    pthread_mutex_unlock(&team->lock);
+
+    work(context);
+
+    pthread_mutex_lock(&team->lock);
+    job.open = false;
+    while (job.inside > 0) pthread_cond_wait(&team->helper_left, &team->lock);
+    unlink_job(team, &job);
+    pthread_mutex_unlock(&team->lock);
+}
+
+struct ranges {
+    atomic_size_t next;
+    size_t count, grain;
+    void (*work)(void *context, size_t begin, size_t end);
+    void *context;
+};
+
+static void claim_ranges(void *argument)
+{
+    struct ranges *ranges = argument;
+    for (;;) {
+        size_t begin = atomic_fetch_add_explicit(&ranges->next, ranges->grain, memory_order_relaxed);
+        if (begin >= ranges->count) return;
+        size_t left = ranges->count - begin;
+        ranges->work(ranges->context, begin, begin + (left < ranges->grain ? left : ranges->grain));
+    }
+}
+
+void zr_team_ranges(struct zr_team *team, size_t count, size_t grain, void (*work)(void *context, size_t begin, size_t end),
+                    void *context)
+{
+    struct ranges ranges = {.count = count, .grain = grain, .work = work, .context = context};
+    zr_team_run(count > grain ? team : NULL, claim_ranges, &ranges);
+}

@@ -1,0 +1,75 @@
+/* vec.h - base: small vectors and matrices, passed by value.
+ *
+ * Sums go in the order written; the reference's order (llvmpipe) matters to the
+ * last bit wherever a result reaches a pixel, so each function states its own.
+ */
+#ifndef ZR_VEC_H
+#define ZR_VEC_H
+
+#include <math.h>
+#include <stdbool.h>
+
+typedef struct { float x, y, z; } zr_vec3;
+typedef struct { float x, y, z, w; } zr_vec4;
+
+/* Column-major, as OpenGL and glTF have it: m[column * 4 + row]. */
+typedef struct { float m[16]; } zr_mat4;
+
+static inline zr_vec3 zr_vec3_add(zr_vec3 a, zr_vec3 b) { return (zr_vec3){a.x + b.x, a.y + b.y, a.z + b.z}; }
+static inline zr_vec3 zr_vec3_sub(zr_vec3 a, zr_vec3 b) { return (zr_vec3){a.x - b.x, a.y - b.y, a.z - b.z}; }
+static inline zr_vec3 zr_vec3_scale(zr_vec3 a, float s) { return (zr_vec3){a.x * s, a.y * s, a.z * s}; }
+
+/* GL's order in Mesa's lighting: from z down to x. */
+static inline float zr_vec3_dot(zr_vec3 a, zr_vec3 b) { return (a.z * b.z + a.y * b.y) + a.x * b.x; }
+
+static inline zr_vec3 zr_vec3_cross(zr_vec3 a, zr_vec3 b)
+{
+    return (zr_vec3){a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+
+/* v * (1 / sqrt(v.v)); the zero vector stays zero. */
+static inline zr_vec3 zr_vec3_normalize(zr_vec3 v)
+{
+    float dot = zr_vec3_dot(v, v);
+    return dot > 0.0f ? zr_vec3_scale(v, 1.0f / sqrtf(dot)) : v;
+}
+
+static inline zr_vec4 zr_vec4_mul(zr_vec4 a, zr_vec4 b)
+{
+    return (zr_vec4){a.x * b.x, a.y * b.y, a.z * b.z, a.w * b.w};
+}
+
+static inline zr_mat4 zr_mat4_identity(void)
+{
+    return (zr_mat4){{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1}};
+}
+
+/* a·b, each sum from left to right (llvmpipe-rules, rule 1). */
+static inline zr_mat4 zr_mat4_mul(const zr_mat4 *a, const zr_mat4 *b)
+{
+    zr_mat4 out;
+    for (int column = 0; column < 4; column++)
+        for (int row = 0; row < 4; row++) {
+            const float *c = &b->m[column * 4];
+            out.m[column * 4 + row] =
+                ((a->m[row] * c[0] + a->m[4 + row] * c[1]) + a->m[8 + row] * c[2]) + a->m[12 + row] * c[3];
+        }
+    return out;
+}
+
+/* One row of m·v: ((x·m0 + y·m1) + z·m2) + w·m3 (llvmpipe-rules, rule 1). */
+static inline float zr_mat4_row(const zr_mat4 *m, int row, zr_vec4 v)
+{
+    return ((v.x * m->m[row] + v.y * m->m[4 + row]) + v.z * m->m[8 + row]) + v.w * m->m[12 + row];
+}
+
+static inline zr_vec4 zr_mat4_apply(const zr_mat4 *m, zr_vec4 v)
+{
+    return (zr_vec4){zr_mat4_row(m, 0, v), zr_mat4_row(m, 1, v), zr_mat4_row(m, 2, v), zr_mat4_row(m, 3, v)};
+}
+
+/* Inverse through cofactors in double. False where the determinant is zero or
+ * not finite. Reproducible: additions and products in a fixed order only. */
+bool zr_mat4_invert(const zr_mat4 *m, zr_mat4 *out);
+
+#endif

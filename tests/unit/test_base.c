@@ -1,0 +1,183 @@
+#include <math.h>
+#include <stdatomic.h>
+#include <string.h>
+
+#include "base/arena.h"
+#include "base/status.h"
+#include "base/team.h"
+#include "base/trig.h"
+#include "base/vec.h"
+#include "support/cmocka_all.h"
+
+static void arena_over_its_ceiling_fails_and_stays_failed(void **state)
+{
+    (void)state;
+    struct zr_arena arena;
+    zr_arena_init(&arena, 10000);
+    assert_non_null(zr_arena_alloc(&arena, 5000, 1));
+    assert_null(zr_arena_alloc(&arena, 5001, 1));
+    assert_null(zr_arena_alloc(&arena, 1, 1));
+    assert_false(zr_arena_ok(&arena));
+    zr_arena_reset(&arena, 0);
+    assert_true(zr_arena_ok(&arena));
+    assert_non_null(zr_arena_alloc(&arena, 9000, 1));
+    zr_arena_free(&arena);
+}
+
+static void arena_product_that_overflows_fails(void **state)
+{
+    (void)state;
+    struct zr_arena arena;
+    zr_arena_init(&arena, SIZE_MAX);
+    assert_null(zr_arena_alloc(&arena, SIZE_MAX / 2, 3));
+    assert_false(zr_arena_ok(&arena));
+    zr_arena_free(&arena);
+}
+
+static void arena_allocations_are_aligned_and_apart(void **state)
+{
+    (void)state;
+    struct zr_arena arena;
+    zr_arena_init(&arena, 1 << 24);
+    unsigned char *blocks[100];
+    for (size_t i = 0; i < 100; i++) {
+        blocks[i] = zr_arena_alloc(&arena, i * 997, 1);
+        assert_non_null(blocks[i]);
+        assert_int_equal((uintptr_t)blocks[i] % ZR_ARENA_ALIGN, 0);
+        memset(blocks[i], (int)i, i * 997);
+    }
+    for (size_t i = 0; i < 100; i++)
+        for (size_t k = 0; k < i * 997; k++) assert_int_equal(blocks[i][k], i);
+    zr_arena_free(&arena);
+}
+
+static void arena_newest_allocation_grows_in_place_and_others_are_copied(void **state)
+{
+    (void)state;
+    struct zr_arena arena;
+    zr_arena_init(&arena, 1 << 24);
+    char *first = zr_arena_alloc(&arena, 100, 1);
+    memset(first, 7, 100);
+    assert_ptr_equal(zr_arena_grow(&arena, first, 100, 5000, 1), first);
+    char *second = zr_arena_alloc(&arena, 10, 1);
+    assert_true(second >= first + 5000);
+    char *moved = zr_arena_grow(&arena, first, 5000, 6000, 1);
+    assert_ptr_not_equal(moved, first);
+    assert_int_equal(moved[99], 7);
+    zr_arena_free(&arena);
+}
+
+static void arena_reset_keeps_blocks_for_the_next_request(void **state)
+{
+    (void)state;
+    struct zr_arena arena;
+    zr_arena_init(&arena, 1 << 26);
+    void *block = zr_arena_alloc(&arena, 1 << 22, 1);
+    zr_arena_reset(&arena, 1 << 24);
+    assert_ptr_equal(zr_arena_alloc(&arena, 1 << 22, 1), block);
+    zr_arena_free(&arena);
+}
+
+static void error_keeps_first_status_and_counts_what_it_drops(void **state)
+{
+    (void)state;
+    struct zr_error error = {.count = 0};
+    assert_int_equal(zr_error_add(&error, ZR_BAD_SCENE, "/a", "one %d", 1), ZR_BAD_SCENE);
+    for (int i = 0; i < 30; i++) zr_error_add(&error, ZR_BAD_SYNTAX, NULL, "more");
+    assert_int_equal(error.status, ZR_BAD_SCENE);
+    assert_int_equal(error.count, 31);
+    assert_int_equal(zr_error_held(&error), ZR_ERROR_ITEMS);
+    assert_string_equal(error.items[0].pointer, "/a");
+    assert_string_equal(error.items[0].detail, "one 1");
+}
+
+static void error_text_too_long_is_cut_at_a_whole_character(void **state)
+{
+    (void)state;
+    char text[2 * ZR_DETAIL_SIZE + 2];
+    for (int shift = 0; shift < 2; shift++) {
+        size_t length = 0;
+        if (shift) text[length++] = 'a';
+        while (length + 2 < sizeof text) {
+            text[length++] = '\xc3';
+            text[length++] = '\xa9';
+        }
+        text[length] = '\0';
+        struct zr_error error = {.count = 0};
+        zr_error_add(&error, ZR_BAD_SCENE, NULL, "%s", text);
+        size_t kept = strlen(error.items[0].detail);
+        assert_true(kept >= ZR_DETAIL_SIZE - 4);
+        assert_int_equal((unsigned char)error.items[0].detail[kept - 1], 0xa9);
+    }
+}
+
+struct tally {
+    atomic_uint seen[10007];
+};
+
+static void tally_range(void *context, size_t begin, size_t end)
+{
+    struct tally *tally = context;
+    for (size_t i = begin; i < end; i++) atomic_fetch_add(&tally->seen[i], 1u);
+}
+
+static void team_ranges_visits_everything_once_with_any_number_of_threads(void **state)
+{
+    (void)state;
+    static struct tally tally;
+    const int threads[] = {1, 2, 7};
+    for (int t = 0; t < 3; t++) {
+        struct zr_team *team = zr_team_create(threads[t]);
+        assert_non_null(team);
+        for (int round = 0; round < 50; round++) {
+            memset(&tally, 0, sizeof tally);
+            zr_team_ranges(team, 10007, 13, tally_range, &tally);
+            for (int i = 0; i < 10007; i++) assert_int_equal(tally.seen[i], 1);
+        }
+        zr_team_destroy(team);
+    }
+}
+
+static void trig_agrees_with_libm(void **state)
+{
+    (void)state;
+    for (double x = -20.0; x < 20.0; x += 0.00371) {
+        assert_true(fabs(zr_sin(x) - sin(x)) < 3e-16);
+        assert_true(fabs(zr_cos(x) - cos(x)) < 3e-16);
+    }
+    for (double x = 0.01; x < 1.57; x += 0.0037) assert_true(fabs(zr_tan(x) / tan(x) - 1.0) < 1e-15);
+}
+
+static void matrix_times_its_inverse_is_the_identity(void **state)
+{
+    (void)state;
+    zr_mat4 m = {{2, 0.5f, 0, 0, -1, 3, 0.25f, 0, 0, 1, 1.5f, 0.125f, 4, -5, 6, 1}}, inverse;
+    assert_true(zr_mat4_invert(&m, &inverse));
+    zr_mat4 product = zr_mat4_mul(&m, &inverse), identity = zr_mat4_identity();
+    for (int i = 0; i < 16; i++) assert_true(fabsf(product.m[i] - identity.m[i]) < 1e-5f);
+}
+
+static void matrix_without_inverse_is_refused(void **state)
+{
+    (void)state;
+    zr_mat4 m = {{1, 2, 3, 4, 2, 4, 6, 8, 0, 0, 1, 0, 0, 0, 0, 1}}, inverse;
+    assert_false(zr_mat4_invert(&m, &inverse));
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(arena_over_its_ceiling_fails_and_stays_failed),
+        cmocka_unit_test(arena_product_that_overflows_fails),
+        cmocka_unit_test(arena_allocations_are_aligned_and_apart),
+        cmocka_unit_test(arena_newest_allocation_grows_in_place_and_others_are_copied),
+        cmocka_unit_test(arena_reset_keeps_blocks_for_the_next_request),
+        cmocka_unit_test(error_keeps_first_status_and_counts_what_it_drops),
+        cmocka_unit_test(error_text_too_long_is_cut_at_a_whole_character),
+        cmocka_unit_test(team_ranges_visits_everything_once_with_any_number_of_threads),
+        cmocka_unit_test(trig_agrees_with_libm),
+        cmocka_unit_test(matrix_times_its_inverse_is_the_identity),
+        cmocka_unit_test(matrix_without_inverse_is_refused),
+    };
+    return cmocka_run_group_tests_name("base", tests, NULL, NULL);
+}
