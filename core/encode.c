@@ -1,0 +1,122 @@
+/* encode.c - a frame -> the answer's bytes: each output for itself, then one archive. */
+#include "zraster.h"
+
+#include <stdio.h>
+
+#include "output/depth16.h"
+#include "output/info.h"
+#include "output/npy.h"
+#include "output/png.h"
+#include "output/zip.h"
+#include "scene/scene.h"
+#include "shade/frame.h"
+
+static const struct {
+    const char *name, *type;
+} FILE_NAMES[ZR_CHANNEL_COUNT][ZR_ENCODING_COUNT] = {
+    [ZR_CHANNEL_COLOR] = {[ZR_ENCODING_PNG] = {"color.png", "image/png"}},
+    [ZR_CHANNEL_DEPTH] = {[ZR_ENCODING_NPY] = {"depth.npy", "application/x-npy"},
+                          [ZR_ENCODING_PNG16] = {"depth.png", "image/png"}},
+    [ZR_CHANNEL_WINDOW_DEPTH] = {[ZR_ENCODING_NPY] = {"windowDepth.npy", "application/x-npy"}},
+    [ZR_CHANNEL_FACE_ID] = {[ZR_ENCODING_NPY] = {"faceId.npy", "application/x-npy"}},
+    [ZR_CHANNEL_INFO] = {[ZR_ENCODING_JSON] = {"info.json", "application/json"}}};
+
+/* What outputs leave for one another to report. */
+struct encoding {
+    struct zr_arena *arena;
+    const struct zr_scene *scene;
+    const struct zr_frame *frame;
+    const struct zr_cancel *cancel;
+    float depth_scale; /* 0: no 16-bit depth */
+    uint64_t misfits;
+    struct zr_warnings warnings;
+};
+
+static enum zr_status encode_color(const struct encoding *e, struct zr_buffer *out)
+{
+    struct zr_png png = {.kind = e->scene->background.w < 1.0f ? ZR_PNG_RGBA : ZR_PNG_RGB,
+                         .width = e->frame->width,
+                         .height = e->frame->height,
+                         .pixels = e->frame->color};
+    return zr_png_write(&png, e->cancel, out);
+}
+
+static enum zr_status encode_depth16(struct encoding *e, float asked_scale, struct zr_buffer *out)
+{
+    const struct zr_frame *frame = e->frame;
+    uint16_t *steps = zr_arena_alloc(e->arena, (size_t)frame->width * frame->height, sizeof *steps);
+    if (!steps) return ZR_NO_MEMORY;
+    e->depth_scale = zr_depth16_scale(frame, asked_scale);
+    e->misfits = zr_depth16_make(frame, e->depth_scale, steps);
+    char comment[96];
+    snprintf(comment, sizeof comment, "depth in scene units = value * %.9g; 0 where nothing is", (double)e->depth_scale);
+    struct zr_png png = {ZR_PNG_GREY16, frame->width, frame->height, steps, comment};
+    return zr_png_write(&png, e->cancel, out);
+}
+
+static enum zr_status encode_output(struct encoding *e, const struct zr_output *output, struct zr_buffer *out)
+{
+    const struct zr_frame *f = e->frame;
+    if (zr_is_cancelled(e->cancel)) return ZR_CANCELLED;
+    switch (output->channel) {
+    case ZR_CHANNEL_COLOR: return encode_color(e, out);
+    case ZR_CHANNEL_DEPTH:
+        if (output->encoding == ZR_ENCODING_PNG16) return encode_depth16(e, output->scale, out);
+        return zr_npy_write(ZR_NPY_FLOAT32, f->width, f->height, f->depth, out);
+    case ZR_CHANNEL_WINDOW_DEPTH: return zr_npy_write(ZR_NPY_FLOAT32, f->width, f->height, f->window_depth, out);
+    case ZR_CHANNEL_FACE_ID: return zr_npy_write(ZR_NPY_UINT32, f->width, f->height, f->face_id, out);
+    case ZR_CHANNEL_INFO: return zr_info_write(e->scene, f, e->depth_scale, e->misfits, &e->warnings, out);
+    case ZR_CHANNEL_COUNT: break;
+    }
+    return ZR_INTERNAL;
+}
+
+/* Pictures first, then the warnings that they gave rise to, then what reports them. */
+static enum zr_status encode_all(struct encoding *e, struct zr_zip_entry *entries)
+{
+    for (int reports = 0; reports < 2; reports++) {
+        for (uint32_t i = 0; i < e->scene->output_count; i++) {
+            const struct zr_output *output = &e->scene->outputs[i];
+            if ((output->channel == ZR_CHANNEL_INFO) != (reports == 1)) continue;
+            struct zr_buffer out = {.arena = e->arena};
+            enum zr_status status = encode_output(e, output, &out);
+            if (status != ZR_OK) return status;
+            entries[i] = (struct zr_zip_entry){FILE_NAMES[output->channel][output->encoding].name, out.bytes, out.size};
+        }
+        if (!reports) e->warnings = zr_warnings_make(e->arena, e->scene, &e->frame->counts, e->misfits);
+        if (!zr_arena_ok(e->arena)) return ZR_NO_MEMORY;
+    }
+    return ZR_OK;
+}
+
+static enum zr_status make_answer(struct encoding *e, struct zr_answer *answer)
+{
+    const struct zr_scene *scene = e->scene;
+    struct zr_zip_entry *entries = zr_arena_alloc(e->arena, scene->output_count, sizeof *entries);
+    if (!entries) return ZR_NO_MEMORY;
+    enum zr_status status = encode_all(e, entries);
+    if (status != ZR_OK) return status;
+    const char *warnings = zr_warnings_join(e->arena, &e->warnings);
+    if (scene->output_count == 1) {
+        const struct zr_output *output = &scene->outputs[0];
+        *answer = (struct zr_answer){FILE_NAMES[output->channel][output->encoding].type, entries[0].bytes,
+                                     entries[0].size, warnings};
+    } else {
+        struct zr_buffer out = {.arena = e->arena};
+        status = zr_zip_write(entries, scene->output_count, &out);
+        *answer = (struct zr_answer){"application/zip", out.bytes, out.size, warnings};
+    }
+    return status == ZR_OK && !zr_arena_ok(e->arena) ? ZR_NO_MEMORY : status;
+}
+
+enum zr_status zr_encode(struct zr_arena *arena, const struct zr_scene *scene, const struct zr_frame *frame,
+                         const struct zr_cancel *cancel, struct zr_answer *answer, struct zr_error *error)
+{
+    struct encoding encoding = {.arena = arena, .scene = scene, .frame = frame, .cancel = cancel};
+    enum zr_status status = make_answer(&encoding, answer);
+    if (status == ZR_NO_MEMORY)
+        zr_error_add(error, status, NULL, "encoding needs more than the %zu bytes a request may use", arena->ceiling);
+    if (status == ZR_CANCELLED) zr_error_add(error, status, NULL, "encoding was stopped before it was done");
+    if (status == ZR_INTERNAL) zr_error_add(error, status, NULL, "an image could not be written");
+    return status;
+}

@@ -1,0 +1,46 @@
+#include "geometry/builder.h"
+
+static const uint64_t COUNT_MAX = UINT32_MAX / 2;
+
+/* How many an array of `room` grows to for `more` beside `count`: at least by
+ * half, so that growth costs a constant share. 0: too many. */
+static uint64_t grown_room(uint32_t room, uint32_t count, uint64_t more)
+{
+    uint64_t wanted = (uint64_t)count + more;
+    if (wanted > COUNT_MAX) return 0;
+    uint64_t grown = (uint64_t)room + room / 2;
+    return grown < wanted ? wanted : grown < COUNT_MAX ? grown : COUNT_MAX;
+}
+
+static bool reserve(struct zr_arena *arena, void **array, uint32_t *room, uint32_t count, uint64_t more, size_t size)
+{
+    if (*room - count >= more) return true;
+    uint64_t wanted = grown_room(*room, count, more);
+    void *grown = wanted > 0 ? zr_arena_grow(arena, *array, count, wanted, size) : NULL;
+    if (!grown) {
+        arena->failed = true;
+        return false;
+    }
+    *array = grown;
+    *room = (uint32_t)wanted;
+    return true;
+}
+
+bool zr_builder_reserve(struct zr_builder *builder, uint64_t vertices, uint64_t colors, uint64_t triangles)
+{
+    struct zr_geometry *g = builder->geometry;
+    struct zr_arena *arena = builder->arena;
+    void *vertex_array = g->vertices, *front = g->front_colors, *back = g->back_colors, *triangle_array = g->triangles;
+    uint32_t back_room = builder->color_room;
+    bool ok = reserve(arena, &vertex_array, &builder->vertex_room, g->vertex_count, vertices, sizeof *g->vertices);
+    ok = ok && reserve(arena, &front, &builder->color_room, g->color_count, colors, sizeof *g->front_colors);
+    if (builder->separate_backs)
+        ok = ok && reserve(arena, &back, &back_room, g->color_count, colors, sizeof *g->back_colors);
+    ok = ok && reserve(arena, &triangle_array, &builder->triangle_room, g->triangle_count, triangles, sizeof *g->triangles);
+    if (!ok) return false;
+    g->vertices = vertex_array;
+    g->front_colors = front;
+    g->back_colors = builder->separate_backs ? back : front;
+    g->triangles = triangle_array;
+    return true;
+}

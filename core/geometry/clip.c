@@ -1,0 +1,87 @@
+#include "geometry/clip.h"
+
+#include <string.h>
+
+enum { PLANES = 6 };
+
+/* Each test is written so that NaN sets its bit. */
+unsigned zr_clip_outcode(zr_vec4 p)
+{
+    unsigned code = 0;
+    if (!(p.x <= p.w)) code |= 1u << 0;
+    if (!(p.x + p.w >= 0.0f)) code |= 1u << 1;
+    if (!(p.y <= p.w)) code |= 1u << 2;
+    if (!(p.y + p.w >= 0.0f)) code |= 1u << 3;
+    if (!(p.z + p.w >= 0.0f)) code |= 1u << 4;
+    if (!(p.z <= p.w)) code |= 1u << 5;
+    return code;
+}
+
+/* Four terms from left to right, zeros included: that is the reference's sum. */
+static float plane_distance(int plane, zr_vec4 p)
+{
+    static const zr_vec4 planes[PLANES] = {{-1, 0, 0, 1}, {1, 0, 0, 1}, {0, -1, 0, 1},
+                                           {0, 1, 0, 1},  {0, 0, 1, 1}, {0, 0, -1, 1}};
+    zr_vec4 n = planes[plane];
+    return ((p.x * n.x + p.y * n.y) + p.z * n.z) + p.w * n.w;
+}
+
+static float mix(float o, float i, float t)
+{
+    return o + t * (i - o);
+}
+
+static zr_vec4 mix4(zr_vec4 o, zr_vec4 i, float t)
+{
+    return (zr_vec4){mix(o.x, i.x, t), mix(o.y, i.y, t), mix(o.z, i.z, t), mix(o.w, i.w, t)};
+}
+
+/* Where the edge between two vertices on different sides meets the plane:
+ * measured from the end nearer to it, on a tie from the inner one. */
+static struct zr_clip_vertex cross_plane(const struct zr_clip_vertex *inside, float d_inside,
+                                         const struct zr_clip_vertex *outside, float d_outside)
+{
+    bool from_outside = -d_outside < d_inside;
+    const struct zr_clip_vertex *o = from_outside ? outside : inside, *i = from_outside ? inside : outside;
+    float d_o = from_outside ? d_outside : d_inside, d_i = from_outside ? d_inside : d_outside;
+    float t = -d_o / (d_i - d_o);
+    return (struct zr_clip_vertex){.position = mix4(o->position, i->position, t),
+                                   .front = mix4(o->front, i->front, t),
+                                   .back = mix4(o->back, i->back, t),
+                                   .eye_z = mix(o->eye_z, i->eye_z, t),
+                                   .eye_w = mix(o->eye_w, i->eye_w, t)};
+}
+
+static int clip_to_plane(int plane, const struct zr_clip_vertex *in, int count, struct zr_clip_vertex *out)
+{
+    int kept = 0;
+    const struct zr_clip_vertex *previous = &in[0];
+    float d_previous = plane_distance(plane, previous->position);
+    for (int i = 1; i <= count && kept + 2 <= ZR_CLIP_MAX; i++) {
+        const struct zr_clip_vertex *current = &in[i % count];
+        float d = plane_distance(plane, current->position);
+        bool inside = d >= 0.0f, previous_inside = d_previous >= 0.0f;
+        if (previous_inside) out[kept++] = *previous;
+        if (inside && !previous_inside) out[kept++] = cross_plane(current, d, previous, d_previous);
+        if (!inside && previous_inside) out[kept++] = cross_plane(previous, d_previous, current, d);
+        previous = current;
+        d_previous = d;
+    }
+    return kept;
+}
+
+int zr_clip_triangle(const struct zr_clip_vertex tri[3], unsigned outcodes, struct zr_clip_vertex out[ZR_CLIP_MAX])
+{
+    struct zr_clip_vertex buffers[2][ZR_CLIP_MAX];
+    const struct zr_clip_vertex *in = tri;
+    int count = 3, side = 0;
+    for (int plane = 0; plane < PLANES && count >= 3; plane++) {
+        if (!(outcodes >> plane & 1u)) continue;
+        count = clip_to_plane(plane, in, count, buffers[side]);
+        in = buffers[side];
+        side ^= 1;
+    }
+    if (count < 3) return 0;
+    memcpy(out, in, (size_t)count * sizeof *out);
+    return count;
+}

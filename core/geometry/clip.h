@@ -1,0 +1,33 @@
+/* clip.h - geometry: cuts clip-space triangles to the view volume.
+ *
+ * Space:  clip space, -w <= x,y,z <= w, before the perspective division.
+ * Why:    attributes are linear in clip space only; cut after the division
+ *         and they bend. A corner with w <= 0 has no window position at all.
+ * Exact:  as llvmpipe does it, to the last bit (llvmpipe's rules 2 and 3 in
+ *         tests/reference/RULES.md): float32, no guard band, planes in a fixed order.
+ */
+#ifndef ZR_CLIP_H
+#define ZR_CLIP_H
+
+#include "base/vec.h"
+
+enum { ZR_CLIP_MAX = 16 }; /* 3 corners, and 1 more for each of 6 planes; the rest for what rounding bends */
+
+/* A corner and everything that is interpolated along with it. */
+struct zr_clip_vertex {
+    zr_vec4 position;
+    zr_vec4 front, back; /* colours of the two sides */
+    float eye_z, eye_w;  /* homogeneous eye-space depth */
+};
+
+/* One bit for each plane that `p` is outside of: +x, -x, +y, -y, near, far from
+ * bit 0 up. NaN is outside of everything. */
+unsigned zr_clip_outcode(zr_vec4 p);
+
+/* Writes the visible part of `tri` to `out` as a fan (v[i-1], v[i], v[0]), winding
+ * kept, and returns its vertex count: 0, or 3..ZR_CLIP_MAX. `outcodes` is the OR of
+ * the three corners' outcodes: only those planes cut. `tri` and `out` must not overlap.
+ * Source: Sutherland & Hodgman, "Reentrant Polygon Clipping", 1974. */
+int zr_clip_triangle(const struct zr_clip_vertex tri[3], unsigned outcodes, struct zr_clip_vertex out[ZR_CLIP_MAX]);
+
+#endif

@@ -1,0 +1,129 @@
+#include "geometry/colors.h"
+
+#include "geometry/normals.h"
+
+/* What every colour of one mesh is made from. */
+struct palette {
+    const struct zr_scene *scene;
+    const struct zr_mesh *mesh;
+    const struct zr_lighting *lighting;
+    struct zr_normal_matrix to_eye;
+    const zr_vec3 *computed; /* normals of vertices; NULL where nothing needs them */
+    zr_vec4 *front, *back;
+};
+
+const struct zr_material *zr_material_of_face(const struct zr_scene *scene, const struct zr_mesh *mesh, uint32_t face)
+{
+    return &scene->materials[mesh->face_materials ? mesh->face_materials[face] : mesh->material];
+}
+
+bool zr_material_is_smooth(const struct zr_mesh *mesh, const struct zr_material *material)
+{
+    return material->shading == ZR_SHADING_GOURAUD || (material->shading == ZR_SHADING_UNLIT && mesh->colors);
+}
+
+static enum zr_color_layout choose_layout(const struct zr_scene *scene, const struct zr_mesh *mesh)
+{
+    bool smooth = false;
+    if (!mesh->face_materials)
+        smooth = zr_material_is_smooth(mesh, &scene->materials[mesh->material]);
+    else
+        for (uint32_t f = 0; f < mesh->face_count && !smooth; f++)
+            smooth = zr_material_is_smooth(mesh, zr_material_of_face(scene, mesh, f));
+    if (!smooth) return ZR_COLOR_PER_FACE;
+    bool shared = !mesh->face_materials && !mesh->face_colors && !mesh->normal_indices;
+    return shared ? ZR_COLOR_PER_VERTEX : ZR_COLOR_PER_CORNER;
+}
+
+static uint32_t layout_count(const struct zr_mesh *mesh, enum zr_color_layout layout)
+{
+    if (layout == ZR_COLOR_PER_FACE) return mesh->face_count;
+    return layout == ZR_COLOR_PER_VERTEX ? mesh->position_count : mesh->face_offsets[mesh->face_count];
+}
+
+uint32_t zr_colors_count(const struct zr_scene *scene, const struct zr_mesh *mesh)
+{
+    return layout_count(mesh, choose_layout(scene, mesh));
+}
+
+static void put(const struct palette *palette, uint32_t slot, const struct zr_material *material, zr_vec3 normal,
+                zr_vec4 base)
+{
+    struct zr_lit lit = {base, base};
+    if (material->shading != ZR_SHADING_UNLIT) lit = zr_light_point(palette->lighting, &palette->to_eye, normal, base);
+    palette->back[slot] = lit.back;
+    palette->front[slot] = lit.front; /* last: both may be one array, and then nothing shows its back */
+}
+
+static zr_vec3 corner_normal(const struct palette *palette, uint32_t vertex, uint32_t slot)
+{
+    const struct zr_mesh *mesh = palette->mesh;
+    zr_vec3 normal = {0, 0, 0};
+    if (mesh->normal_count > 0) normal = mesh->normals[mesh->normal_indices ? mesh->normal_indices[slot] : vertex];
+    bool given = normal.x != 0.0f || normal.y != 0.0f || normal.z != 0.0f;
+    return given || !palette->computed ? normal : palette->computed[vertex];
+}
+
+static void color_vertices(const struct palette *palette)
+{
+    const struct zr_mesh *mesh = palette->mesh;
+    const struct zr_material *material = &palette->scene->materials[mesh->material];
+    for (uint32_t v = 0; v < mesh->position_count; v++) {
+        zr_vec4 base = material->base_color;
+        if (mesh->colors) base = zr_vec4_mul(base, mesh->colors[v]);
+        put(palette, v, material, corner_normal(palette, v, 0), base);
+    }
+}
+
+/* Flat faces take the colour of their first vertex, and fill one slot only. */
+static void color_faces(const struct palette *palette, bool per_corner)
+{
+    const struct zr_mesh *mesh = palette->mesh;
+    for (uint32_t f = 0; f < mesh->face_count; f++) {
+        const struct zr_material *material = zr_material_of_face(palette->scene, mesh, f);
+        zr_vec4 base = material->base_color;
+        if (mesh->face_colors) base = zr_vec4_mul(base, mesh->face_colors[f]);
+        uint32_t begin = mesh->face_offsets[f], end = mesh->face_offsets[f + 1];
+        if (!zr_material_is_smooth(mesh, material)) {
+            if (mesh->colors) base = zr_vec4_mul(base, mesh->colors[mesh->indices[begin]]);
+            zr_vec3 normal = {0, 0, 0};
+            if (material->shading != ZR_SHADING_UNLIT) normal = zr_normal_of_face(mesh, f);
+            put(palette, per_corner ? begin : f, material, normal, base);
+            continue;
+        }
+        for (uint32_t slot = begin; slot < end; slot++) {
+            uint32_t vertex = mesh->indices[slot];
+            zr_vec4 color = mesh->colors ? zr_vec4_mul(base, mesh->colors[vertex]) : base;
+            put(palette, slot, material, corner_normal(palette, vertex, slot), color);
+        }
+    }
+}
+
+static bool needs_computed_normals(const struct zr_scene *scene, const struct zr_mesh *mesh)
+{
+    bool gouraud = false;
+    if (!mesh->face_materials) gouraud = scene->materials[mesh->material].shading == ZR_SHADING_GOURAUD;
+    for (uint32_t f = 0; mesh->face_materials && f < mesh->face_count && !gouraud; f++)
+        gouraud = zr_material_of_face(scene, mesh, f)->shading == ZR_SHADING_GOURAUD;
+    if (!gouraud || mesh->normal_count == 0) return gouraud;
+    for (uint32_t n = 0; n < mesh->normal_count; n++)
+        if (mesh->normals[n].x == 0.0f && mesh->normals[n].y == 0.0f && mesh->normals[n].z == 0.0f) return true;
+    return false;
+}
+
+struct zr_colors zr_colors_make(struct zr_arena *arena, const struct zr_scene *scene, const struct zr_mesh *mesh,
+                                const struct zr_lighting *lighting, const zr_mat4 *object_to_eye, zr_vec4 *front,
+                                zr_vec4 *back)
+{
+    enum zr_color_layout layout = choose_layout(scene, mesh);
+    struct zr_colors colors = {layout, layout_count(mesh, layout), front, back};
+    struct palette palette = {scene, mesh, lighting, zr_normal_matrix_make(object_to_eye), NULL, front, back};
+    if (layout != ZR_COLOR_PER_FACE && needs_computed_normals(scene, mesh))
+        palette.computed = zr_normals_of_vertices(arena, mesh);
+    if (!zr_arena_ok(arena)) return colors;
+    if (layout == ZR_COLOR_PER_VERTEX)
+        color_vertices(&palette);
+    else
+        color_faces(&palette, layout == ZR_COLOR_PER_CORNER);
+    return colors;
+}

@@ -1,0 +1,38 @@
+/* colors.h - geometry: the colours of one mesh's faces, vertices or corners.
+ *
+ * Each colour is lit here, once, in the coarsest layout that tells all of them
+ * apart; a triangle then refers to its colours by index, and one that has the same
+ * index three times is flat.
+ */
+#ifndef ZR_COLORS_H
+#define ZR_COLORS_H
+
+#include "geometry/light.h"
+
+enum zr_color_layout {
+    ZR_COLOR_PER_FACE,   /* one for face f at f */
+    ZR_COLOR_PER_VERTEX, /* one for position p at p */
+    ZR_COLOR_PER_CORNER  /* one for corner slot s of face_offsets at s */
+};
+
+struct zr_colors {
+    enum zr_color_layout layout;
+    uint32_t count;
+    zr_vec4 *front, *back; /* seen from the two sides; one array where no back is lit and seen */
+};
+
+const struct zr_material *zr_material_of_face(const struct zr_scene *scene, const struct zr_mesh *mesh, uint32_t face);
+
+/* True where the colour varies over a face of this material. */
+bool zr_material_is_smooth(const struct zr_mesh *mesh, const struct zr_material *material);
+
+/* How many colours zr_colors_make will write. */
+uint32_t zr_colors_count(const struct zr_scene *scene, const struct zr_mesh *mesh);
+
+/* Writes them to front[] and back[], which the caller gives room for. Fails only
+ * with the arena, which it takes computed normals from. */
+struct zr_colors zr_colors_make(struct zr_arena *arena, const struct zr_scene *scene, const struct zr_mesh *mesh,
+                                const struct zr_lighting *lighting, const zr_mat4 *object_to_eye, zr_vec4 *front,
+                                zr_vec4 *back);
+
+#endif

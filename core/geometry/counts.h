@@ -1,0 +1,24 @@
+/* counts.h - geometry: where polygons and triangles went.
+ *
+ * Every triangle handed in is counted in exactly one of outside, clipped, culled,
+ * zero_area and drawn_whole; the pieces of a clipped one are counted apart.
+ */
+#ifndef ZR_COUNTS_H
+#define ZR_COUNTS_H
+
+#include <stdint.h>
+
+struct zr_counts {
+    uint64_t polygons;            /* handed in */
+    uint64_t degenerate_polygons; /* without three distinct corners: dropped */
+    uint64_t concave_polygons;    /* drawn as fans, which covers too much */
+    uint64_t triangles;           /* after cutting polygons to fans */
+    uint64_t outside;             /* wholly outside the view volume */
+    uint64_t clipped;             /* cut by the view volume */
+    uint64_t culled;              /* one-sided and turned away */
+    uint64_t zero_area;           /* no area on the subpixel grid, or no place in the window */
+    uint64_t drawn_whole;         /* handed to the rasterizer uncut */
+    uint64_t drawn_pieces;        /* of clipped triangles, handed to the rasterizer */
+};
+
+#endif

@@ -1,0 +1,89 @@
+#include "geometry/geometry.h"
+
+#include "geometry/assemble.h"
+#include "geometry/clip.h"
+#include "geometry/colors.h"
+
+enum { VERTICES_A_RANGE = 4096 };
+
+/* Whether any polygon can show a lit back: only then do its colours differ. */
+static bool shows_backs(const struct zr_scene *scene)
+{
+    for (uint32_t i = 0; i < scene->material_count; i++)
+        if (scene->materials[i].double_sided && scene->materials[i].shading != ZR_SHADING_UNLIT) return true;
+    return false;
+}
+
+struct placing {
+    const struct zr_mesh *mesh;
+    zr_mat4 object_to_eye, object_to_clip;
+    struct zr_builder *builder;
+    struct zr_window_vertex *out;
+};
+
+/* Object space to clip space, and to the window for what is inside the volume. */
+static void place_vertices(void *argument, size_t begin, size_t end)
+{
+    const struct placing *placing = argument;
+    struct zr_builder *builder = placing->builder;
+    for (size_t i = begin; i < end; i++) {
+        zr_vec4 position = placing->mesh->positions[i];
+        zr_vec4 clip = zr_mat4_apply(&placing->object_to_clip, position);
+        unsigned outcode = zr_clip_outcode(clip);
+        struct zr_window_vertex *out = &placing->out[i];
+        out->eye_z = zr_mat4_row(&placing->object_to_eye, 2, position);
+        out->eye_w = zr_mat4_row(&placing->object_to_eye, 3, position);
+        if (outcode == 0 && !zr_viewport_apply(&builder->viewport, clip, out)) outcode = ZR_OUTCODE_UNPLACED;
+        builder->clip_positions[i] = clip;
+        builder->outcodes[i] = (uint8_t)outcode;
+    }
+}
+
+static enum zr_status build_instance(struct zr_builder *builder, struct zr_team *team, const struct zr_scene *scene,
+                                     const struct zr_camera *camera, const struct zr_lighting *lighting,
+                                     const struct zr_instance *instance, uint32_t first_face_id)
+{
+    struct zr_geometry *geometry = builder->geometry;
+    const struct zr_mesh *mesh = &scene->meshes[instance->mesh];
+    uint64_t triangles = mesh->face_offsets[mesh->face_count] - 2 * (uint64_t)mesh->face_count;
+    if (!zr_builder_reserve(builder, mesh->position_count, zr_colors_count(scene, mesh), triangles)) return ZR_NO_MEMORY;
+    builder->clip_positions = zr_arena_alloc(builder->arena, mesh->position_count, sizeof *builder->clip_positions);
+    builder->outcodes = zr_arena_alloc(builder->arena, mesh->position_count, sizeof *builder->outcodes);
+    if (!zr_arena_ok(builder->arena)) return ZR_NO_MEMORY;
+
+    struct placing placing = {.mesh = mesh, .builder = builder, .out = geometry->vertices + geometry->vertex_count};
+    placing.object_to_eye = zr_mat4_mul(&camera->world_to_eye, &instance->object_to_world);
+    placing.object_to_clip = zr_mat4_mul(&camera->projection, &placing.object_to_eye);
+    zr_team_ranges(team, mesh->position_count, VERTICES_A_RANGE, place_vertices, &placing);
+    builder->first_vertex = geometry->vertex_count;
+    geometry->vertex_count += mesh->position_count;
+
+    struct zr_colors colors = zr_colors_make(builder->arena, scene, mesh, lighting, &placing.object_to_eye,
+                                             geometry->front_colors + geometry->color_count,
+                                             geometry->back_colors + geometry->color_count);
+    builder->first_color = geometry->color_count;
+    geometry->color_count += colors.count;
+    if (!zr_arena_ok(builder->arena)) return ZR_NO_MEMORY;
+    return zr_assemble_mesh(builder, scene, mesh, colors.layout, first_face_id);
+}
+
+enum zr_status zr_geometry_build(struct zr_arena *arena, struct zr_team *team, const struct zr_scene *scene,
+                                 const struct zr_camera *camera, const struct zr_cancel *cancel,
+                                 struct zr_geometry *geometry)
+{
+    *geometry = (struct zr_geometry){.vertex_count = 0};
+    struct zr_builder builder = {.arena = arena, .cancel = cancel, .geometry = geometry};
+    builder.separate_backs = shows_backs(scene);
+    builder.viewport = zr_viewport_make(scene->width, scene->height);
+    struct zr_lighting lighting;
+    zr_lighting_make(arena, scene, &camera->world_to_eye, &lighting);
+
+    uint32_t face_id = 1;
+    for (uint32_t i = 0; i < scene->instance_count; i++) {
+        const struct zr_instance *instance = &scene->instances[i];
+        enum zr_status status = build_instance(&builder, team, scene, camera, &lighting, instance, face_id);
+        if (status != ZR_OK) return status;
+        face_id += scene->meshes[instance->mesh].face_count;
+    }
+    return zr_arena_ok(arena) ? ZR_OK : ZR_NO_MEMORY;
+}

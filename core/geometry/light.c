@@ -1,0 +1,69 @@
+#include "geometry/light.h"
+
+static zr_vec3 upper_row(const zr_mat4 *m, int row)
+{
+    return (zr_vec3){m->m[row], m->m[4 + row], m->m[8 + row]};
+}
+
+void zr_lighting_make(struct zr_arena *arena, const struct zr_scene *scene, const zr_mat4 *world_to_eye,
+                      struct zr_lighting *lighting)
+{
+    zr_vec3 *to_light = zr_arena_alloc(arena, scene->light_count, sizeof *to_light);
+    zr_vec3 *colors = zr_arena_alloc(arena, scene->light_count, sizeof *colors);
+    *lighting = (struct zr_lighting){.ambient = scene->ambient, .to_light = to_light, .colors = colors};
+    if (!zr_arena_ok(arena)) return;
+    lighting->count = scene->light_count;
+    for (uint32_t i = 0; i < scene->light_count; i++) {
+        const struct zr_light *light = &scene->lights[i];
+        zr_vec3 d = light->direction;
+        if (!light->camera_frame)
+            d = (zr_vec3){zr_vec3_dot(upper_row(world_to_eye, 0), d), zr_vec3_dot(upper_row(world_to_eye, 1), d),
+                          zr_vec3_dot(upper_row(world_to_eye, 2), d)};
+        to_light[i] = zr_vec3_normalize(zr_vec3_scale(d, -1.0f));
+        colors[i] = light->color;
+    }
+}
+
+/* Cofactors are the inverse transpose times the determinant: of it only the sign
+ * matters, since normals are normalised afterwards. */
+struct zr_normal_matrix zr_normal_matrix_make(const zr_mat4 *object_to_eye)
+{
+    zr_vec3 r0 = upper_row(object_to_eye, 0), r1 = upper_row(object_to_eye, 1), r2 = upper_row(object_to_eye, 2);
+    struct zr_normal_matrix n = {{zr_vec3_cross(r1, r2), zr_vec3_cross(r2, r0), zr_vec3_cross(r0, r1)}};
+    if (zr_vec3_dot(r0, n.rows[0]) < 0.0f)
+        for (int i = 0; i < 3; i++) n.rows[i] = zr_vec3_scale(n.rows[i], -1.0f);
+    return n;
+}
+
+static float clamp01(float v)
+{
+    return v < 0.0f ? 0.0f : v < 1.0f ? v : 1.0f;
+}
+
+static zr_vec3 modulate(zr_vec3 light, zr_vec4 base)
+{
+    return (zr_vec3){light.x * base.x, light.y * base.y, light.z * base.z};
+}
+
+static zr_vec4 clamped(zr_vec3 color, float alpha)
+{
+    return (zr_vec4){clamp01(color.x), clamp01(color.y), clamp01(color.z), clamp01(alpha)};
+}
+
+struct zr_lit zr_light_point(const struct zr_lighting *lighting, const struct zr_normal_matrix *to_eye, zr_vec3 normal,
+                             zr_vec4 base)
+{
+    zr_vec3 n = zr_vec3_normalize(normal); /* first: a tiny face would underflow below */
+    n = (zr_vec3){zr_vec3_dot(to_eye->rows[0], n), zr_vec3_dot(to_eye->rows[1], n), zr_vec3_dot(to_eye->rows[2], n)};
+    n = zr_vec3_normalize(n);
+    zr_vec3 front = modulate(lighting->ambient, base), back = front;
+    for (uint32_t i = 0; i < lighting->count; i++) {
+        float facing = zr_vec3_dot(n, lighting->to_light[i]);
+        zr_vec3 diffuse = modulate(lighting->colors[i], base);
+        if (facing > 0.0f)
+            front = zr_vec3_add(front, zr_vec3_scale(diffuse, facing));
+        else
+            back = zr_vec3_add(back, zr_vec3_scale(diffuse, -facing));
+    }
+    return (struct zr_lit){clamped(front, base.w), clamped(back, base.w)};
+}

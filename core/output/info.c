@@ -1,0 +1,207 @@
+#include "output/info.h"
+
+#include <cjson/cJSON.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* Pixels of one id, and the box that holds them: x1 and y1 exclusive. */
+struct patch {
+    uint64_t pixels;
+    uint32_t x0, y0, x1, y1;
+};
+
+/* cJSON remembers no failure; a NULL item is caught when the tree is printed, since
+ * adding it changes nothing and `ok` was cleared. */
+struct writer {
+    bool ok;
+};
+
+static cJSON *check(struct writer *w, cJSON *item)
+{
+    if (!item) w->ok = false;
+    return item;
+}
+
+/* The shortest decimal that reads back as the same float. */
+static cJSON *number(struct writer *w, float value)
+{
+    char text[32];
+    for (int digits = 6; digits <= 9; digits++) {
+        snprintf(text, sizeof text, "%.*g", digits, (double)value);
+        if (strtof(text, NULL) == value) break;
+    }
+    return check(w, cJSON_CreateRaw(text));
+}
+
+static void put(struct writer *w, cJSON *object, const char *key, cJSON *item)
+{
+    if (!item || !cJSON_AddItemToObject(object, key, item)) w->ok = false;
+}
+
+static void put_count(struct writer *w, cJSON *object, const char *key, uint64_t count)
+{
+    put(w, object, key, check(w, cJSON_CreateNumber((double)count)));
+}
+
+static cJSON *numbers(struct writer *w, const float *values, int count)
+{
+    cJSON *array = check(w, cJSON_CreateArray());
+    for (int i = 0; i < count; i++)
+        if (!cJSON_AddItemToArray(array, number(w, values[i]))) w->ok = false;
+    return array;
+}
+
+static cJSON *vec3(struct writer *w, zr_vec3 v)
+{
+    return numbers(w, (float[3]){v.x, v.y, v.z}, 3);
+}
+
+/* Pinhole intrinsics in pixels, (0, 0) at the top left corner; only where the
+ * projection is one. */
+static void put_intrinsics(struct writer *w, cJSON *object, const struct zr_frame *frame)
+{
+    const float *p = frame->camera.projection.m;
+    if (p[3] != 0.0f || p[7] != 0.0f || p[11] != -1.0f || p[15] != 0.0f) return;
+    float half_width = (float)frame->width * 0.5f, half_height = (float)frame->height * 0.5f;
+    const float rows[3][3] = {{p[0] * half_width, -p[4] * half_width, (1.0f - p[8]) * half_width},
+                              {-p[1] * half_height, p[5] * half_height, (1.0f + p[9]) * half_height},
+                              {0.0f, 0.0f, 1.0f}};
+    cJSON *k = check(w, cJSON_CreateArray());
+    for (int i = 0; i < 3; i++)
+        if (!cJSON_AddItemToArray(k, numbers(w, rows[i], 3))) w->ok = false;
+    put(w, object, "K", k);
+}
+
+static cJSON *camera_of(struct writer *w, const struct zr_frame *frame)
+{
+    const struct zr_camera *camera = &frame->camera;
+    cJSON *object = check(w, cJSON_CreateObject());
+    put(w, object, "worldToCamera", numbers(w, camera->world_to_eye.m, 16));
+    put(w, object, "projectionMatrix", numbers(w, camera->projection.m, 16));
+    put_intrinsics(w, object, frame);
+    if (camera->znear != 0.0f || camera->zfar != 0.0f) {
+        put(w, object, "znear", number(w, camera->znear));
+        put(w, object, "zfar", number(w, camera->zfar));
+    }
+    return object;
+}
+
+static cJSON *counts_of(struct writer *w, const struct zr_counts *c, uint64_t misfits)
+{
+    cJSON *object = check(w, cJSON_CreateObject());
+    put_count(w, object, "polygons", c->polygons);
+    put_count(w, object, "degeneratePolygons", c->degenerate_polygons);
+    put_count(w, object, "concavePolygons", c->concave_polygons);
+    put_count(w, object, "triangles", c->triangles);
+    put_count(w, object, "outside", c->outside);
+    put_count(w, object, "clipped", c->clipped);
+    put_count(w, object, "culled", c->culled);
+    put_count(w, object, "zeroArea", c->zero_area);
+    put_count(w, object, "drawnWhole", c->drawn_whole);
+    put_count(w, object, "drawnPieces", c->drawn_pieces);
+    put_count(w, object, "saturatedDepths", misfits);
+    return object;
+}
+
+static void extend(struct patch *patch, uint32_t x, uint32_t y, uint32_t x1, uint32_t y1, uint64_t pixels)
+{
+    if (patch->pixels == 0) *patch = (struct patch){0, x, y, x1, y1};
+    if (x < patch->x0) patch->x0 = x;
+    if (y < patch->y0) patch->y0 = y;
+    if (x1 > patch->x1) patch->x1 = x1;
+    if (y1 > patch->y1) patch->y1 = y1;
+    patch->pixels += pixels;
+}
+
+/* patches[id], id 0 being the background. */
+static struct patch *patches_of(struct zr_arena *arena, const struct zr_frame *frame, uint32_t face_count)
+{
+    struct patch *patches = zr_arena_zero(arena, (size_t)face_count + 1, sizeof *patches);
+    if (!patches) return NULL;
+    const uint32_t *id = frame->face_id;
+    for (uint32_t y = 0; y < frame->height; y++)
+        for (uint32_t x = 0; x < frame->width; x++) extend(&patches[*id++], x, y, x + 1, y + 1, 1);
+    return patches;
+}
+
+static void put_patch(struct writer *w, cJSON *object, const struct patch *patch)
+{
+    put_count(w, object, "pixels", patch->pixels);
+    if (patch->pixels == 0) return;
+    int box[4] = {(int)patch->x0, (int)patch->y0, (int)patch->x1, (int)patch->y1};
+    put(w, object, "box", check(w, cJSON_CreateIntArray(box, 4)));
+}
+
+static cJSON *faces_of(struct writer *w, const struct patch *patches, uint32_t face_count)
+{
+    cJSON *array = check(w, cJSON_CreateArray());
+    for (uint32_t id = 1; id <= face_count; id++) {
+        if (patches[id].pixels == 0) continue;
+        cJSON *face = check(w, cJSON_CreateObject());
+        put_count(w, face, "id", id);
+        put_patch(w, face, &patches[id]);
+        if (!cJSON_AddItemToArray(array, face)) w->ok = false;
+    }
+    return array;
+}
+
+static cJSON *meshes_of(struct writer *w, const struct zr_scene *scene, const struct patch *patches)
+{
+    cJSON *array = check(w, cJSON_CreateArray());
+    uint32_t id = 1;
+    for (uint32_t i = 0; i < scene->instance_count; i++) {
+        const struct zr_mesh *mesh = &scene->meshes[scene->instances[i].mesh];
+        cJSON *object = check(w, cJSON_CreateObject());
+        put(w, object, "name", check(w, cJSON_CreateString(mesh->name)));
+        put_count(w, object, "firstFaceId", id);
+        put_count(w, object, "faces", mesh->face_count);
+        struct patch all = {.pixels = 0};
+        for (uint32_t f = 0; f < mesh->face_count; f++, id++)
+            if (patches[id].pixels > 0)
+                extend(&all, patches[id].x0, patches[id].y0, patches[id].x1, patches[id].y1, patches[id].pixels);
+        put_patch(w, object, &all);
+        if (!cJSON_AddItemToArray(array, object)) w->ok = false;
+    }
+    return array;
+}
+
+static cJSON *build(struct writer *w, const struct zr_scene *scene, const struct zr_frame *frame, float depth_scale,
+                    uint64_t misfits, const struct zr_warnings *warnings, const struct patch *patches, uint32_t face_count)
+{
+    cJSON *root = check(w, cJSON_CreateObject());
+    cJSON *window = check(w, cJSON_CreateObject());
+    put_count(w, window, "width", frame->width);
+    put_count(w, window, "height", frame->height);
+    put(w, root, "window", window);
+    put(w, root, "camera", camera_of(w, frame));
+    if (frame->bounds.valid) {
+        cJSON *bounds = check(w, cJSON_CreateObject());
+        put(w, bounds, "min", vec3(w, frame->bounds.min));
+        put(w, bounds, "max", vec3(w, frame->bounds.max));
+        put(w, root, "bounds", bounds);
+    }
+    if (depth_scale > 0.0f) put(w, root, "depthScale", number(w, depth_scale));
+    put(w, root, "counts", counts_of(w, &frame->counts, misfits));
+    put_count(w, root, "backgroundPixels", patches[0].pixels);
+    put(w, root, "meshes", meshes_of(w, scene, patches));
+    if (face_count <= ZR_INFO_FACES_MAX) put(w, root, "faces", faces_of(w, patches, face_count));
+    put(w, root, "warnings", check(w, cJSON_CreateStringArray(warnings->texts, (int)warnings->count)));
+    return root;
+}
+
+enum zr_status zr_info_write(const struct zr_scene *scene, const struct zr_frame *frame, float depth_scale,
+                             uint64_t misfits, const struct zr_warnings *warnings, struct zr_buffer *out)
+{
+    uint32_t face_count = 0;
+    for (uint32_t i = 0; i < scene->instance_count; i++) face_count += scene->meshes[scene->instances[i].mesh].face_count;
+    const struct patch *patches = patches_of(out->arena, frame, face_count);
+    if (!patches) return ZR_NO_MEMORY;
+    struct writer w = {.ok = true};
+    cJSON *root = build(&w, scene, frame, depth_scale, misfits, warnings, patches, face_count);
+    char *text = w.ok ? cJSON_PrintUnformatted(root) : NULL;
+    cJSON_Delete(root);
+    bool ok = text && zr_buffer_add(out, text, strlen(text)) && zr_buffer_add(out, "\n", 1);
+    free(text);
+    return ok ? ZR_OK : ZR_NO_MEMORY;
+}

@@ -1,0 +1,22 @@
+/* warnings.h - output: what was drawn, but perhaps not as it was meant. */
+#ifndef ZR_WARNINGS_H
+#define ZR_WARNINGS_H
+
+#include "base/arena.h"
+#include "scene/scene.h"
+#include "shade/frame.h"
+
+struct zr_warnings {
+    uint32_t count;
+    const char **texts;
+};
+
+/* Of the scene as it was read, of where its polygons went, and of `misfits` pixels
+ * whose depth did not fit the PNG. `texts` lie in the arena. */
+struct zr_warnings zr_warnings_make(struct zr_arena *arena, const struct zr_scene *scene, const struct zr_counts *counts,
+                                    uint64_t misfits);
+
+/* One line, "; " between. "" where the arena has failed. */
+const char *zr_warnings_join(struct zr_arena *arena, const struct zr_warnings *warnings);
+
+#endif

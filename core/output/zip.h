@@ -1,0 +1,21 @@
+/* zip.h - output: several files as one, through libzip.
+ *
+ * Files are stored, not deflated: PNG is compressed already, and arrays are taken
+ * as they are. Time stamps are the format's earliest: the same files give the same bytes.
+ */
+#ifndef ZR_ZIP_H
+#define ZR_ZIP_H
+
+#include "base/status.h"
+#include "output/buffer.h"
+
+struct zr_zip_entry {
+    const char *name;
+    const void *bytes;
+    size_t size;
+};
+
+/* Appends the archive to `out`. */
+enum zr_status zr_zip_write(const struct zr_zip_entry *entries, size_t count, struct zr_buffer *out);
+
+#endif

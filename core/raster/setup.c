@@ -1,0 +1,48 @@
+#include "raster/setup.h"
+
+static int32_t min3(int32_t a, int32_t b, int32_t c)
+{
+    int32_t m = a < b ? a : b;
+    return m < c ? m : c;
+}
+
+static int32_t max3(int32_t a, int32_t b, int32_t c)
+{
+    int32_t m = a > b ? a : b;
+    return m > c ? m : c;
+}
+
+/* Shifts of negative numbers go down to the grid, as all compilers we build with do. */
+void zr_setup_box(const struct zr_window_vertex *vertices, const struct zr_triangle *triangle, int32_t box[4])
+{
+    const struct zr_window_vertex *v0 = &vertices[triangle->v[0]], *v1 = &vertices[triangle->v[1]],
+                                  *v2 = &vertices[triangle->v[2]];
+    box[0] = (min3(v0->sx, v1->sx, v2->sx) + ZR_SUBPIXELS - 1) >> ZR_SUBPIXEL_BITS;
+    box[1] = (min3(v0->sy, v1->sy, v2->sy) + ZR_SUBPIXELS - 1) >> ZR_SUBPIXEL_BITS;
+    box[2] = max3(v0->sx, v1->sx, v2->sx) >> ZR_SUBPIXEL_BITS;
+    box[3] = max3(v0->sy, v1->sy, v2->sy) >> ZR_SUBPIXEL_BITS;
+}
+
+/* Pixels exactly on an edge belong to it where it is a left or a bottom one. */
+static struct zr_edge edge_make(const struct zr_window_vertex *i, const struct zr_window_vertex *j)
+{
+    int64_t a = i->sy - j->sy, b = i->sx - j->sx;
+    int64_t bias = a < 0 || (a == 0 && b > 0) ? 1 : 0;
+    return (struct zr_edge){.a = -a * ZR_SUBPIXELS, .b = b * ZR_SUBPIXELS, .c = a * i->sx - b * i->sy + bias};
+}
+
+struct zr_setup zr_setup_make(const struct zr_window_vertex *vertices, const struct zr_triangle *triangle)
+{
+    const struct zr_window_vertex *v0 = &vertices[triangle->v[0]], *v1 = &vertices[triangle->v[1]],
+                                  *v2 = &vertices[triangle->v[2]];
+    struct zr_setup setup = {.edges = {edge_make(v0, v1), edge_make(v1, v2), edge_make(v2, v0)}};
+    struct zr_plane_basis basis = zr_plane_basis_make(v0, v1, v2);
+    setup.depth = zr_plane_make(&basis, v0->z, v1->z, v2->z);
+    int32_t box[4];
+    zr_setup_box(vertices, triangle, box);
+    setup.min_x = box[0];
+    setup.min_y = box[1];
+    setup.max_x = box[2];
+    setup.max_y = box[3];
+    return setup;
+}

@@ -1,0 +1,74 @@
+/* render.c - the pipeline, from top to bottom. */
+#include "zraster.h"
+
+#include "geometry/geometry.h"
+#include "raster/visibility.h"
+#include "scene/scene.h"
+#include "shade/frame.h"
+#include "shade/resolve.h"
+
+/* What the threads share while they draw. */
+struct drawing {
+    const struct zr_scene *scene;
+    const struct zr_geometry *geometry;
+    const struct zr_bins *bins;
+    const struct zr_frame *frame;
+    const struct zr_cancel *cancel;
+};
+
+static void draw_tiles(void *context, size_t begin, size_t end)
+{
+    const struct drawing *d = context;
+    struct zr_tile tile;
+    for (size_t number = begin; number < end; number++) {
+        if (!zr_visibility_tile(d->geometry, d->bins, (uint32_t)number, d->scene->width, d->scene->height, d->cancel, &tile))
+            return;
+        zr_resolve_tile(d->geometry, d->scene->background, &tile, d->frame);
+    }
+}
+
+/* The channels that the outputs are made of. */
+static enum zr_status make_frame(struct zr_arena *arena, const struct zr_scene *scene, struct zr_frame *frame)
+{
+    bool wanted[ZR_CHANNEL_COUNT] = {false};
+    for (uint32_t i = 0; i < scene->output_count; i++) wanted[scene->outputs[i].channel] = true;
+    size_t pixels = (size_t)scene->width * scene->height;
+    frame->width = scene->width;
+    frame->height = scene->height;
+    if (wanted[ZR_CHANNEL_COLOR]) frame->color = zr_arena_alloc(arena, pixels, 4);
+    if (wanted[ZR_CHANNEL_DEPTH]) frame->depth = zr_arena_alloc(arena, pixels, sizeof *frame->depth);
+    if (wanted[ZR_CHANNEL_WINDOW_DEPTH]) frame->window_depth = zr_arena_alloc(arena, pixels, sizeof *frame->window_depth);
+    if (wanted[ZR_CHANNEL_FACE_ID] || wanted[ZR_CHANNEL_INFO])
+        frame->face_id = zr_arena_alloc(arena, pixels, sizeof *frame->face_id);
+    return zr_arena_ok(arena) ? ZR_OK : ZR_NO_MEMORY;
+}
+
+static enum zr_status run_pipeline(struct zr_arena *arena, struct zr_team *team, const struct zr_scene *scene,
+                                   const struct zr_cancel *cancel, struct zr_frame *frame, struct zr_error *error)
+{
+    enum zr_status status;
+    struct zr_geometry geometry;
+    struct zr_bins bins;
+
+    frame->bounds = zr_bounds_of(scene);
+    if ((status = zr_camera_resolve(scene, &frame->bounds, &frame->camera, error)) != ZR_OK) return status;
+    if ((status = make_frame(arena, scene, frame)) != ZR_OK) return status;
+    if ((status = zr_geometry_build(arena, team, scene, &frame->camera, cancel, &geometry)) != ZR_OK) return status;
+    if ((status = zr_bins_build(arena, &geometry, scene->width, scene->height, &bins)) != ZR_OK) return status;
+    struct drawing drawing = {scene, &geometry, &bins, frame, cancel};
+    zr_team_ranges(team, (size_t)bins.columns * bins.rows, 1, draw_tiles, &drawing);
+    frame->counts = geometry.counts;
+    return zr_is_cancelled(cancel) ? ZR_CANCELLED : ZR_OK;
+}
+
+enum zr_status zr_render(struct zr_arena *arena, struct zr_team *team, const struct zr_scene *scene,
+                         const struct zr_cancel *cancel, const struct zr_frame **out, struct zr_error *error)
+{
+    struct zr_frame *frame = zr_arena_zero(arena, 1, sizeof *frame);
+    enum zr_status status = frame ? run_pipeline(arena, team, scene, cancel, frame, error) : ZR_NO_MEMORY;
+    if (status == ZR_NO_MEMORY)
+        zr_error_add(error, status, NULL, "rendering needs more than the %zu bytes a request may use", arena->ceiling);
+    if (status == ZR_CANCELLED) zr_error_add(error, status, NULL, "rendering was stopped before it was done");
+    *out = frame;
+    return status;
+}

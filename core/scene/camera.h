@@ -1,0 +1,33 @@
+/* camera.h - scene, last step: a view (pose, projection, fit) -> matrices.
+ *
+ * Space:  world -> eye (the camera looks along -z, y up) -> clip, as in GL.
+ * Exact:  a view given as matrices passes through untouched, so that the same
+ *         floats can be handed to glLoadMatrixf. Sines and tangents come from
+ *         base/trig.h, not libm, so that every machine gets the same bits.
+ */
+#ifndef ZR_CAMERA_H
+#define ZR_CAMERA_H
+
+#include "base/status.h"
+#include "scene/scene.h"
+
+/* Of world-space positions; empty where valid is false. */
+struct zr_bounds {
+    bool valid;
+    zr_vec3 min, max;
+};
+
+struct zr_camera {
+    zr_mat4 world_to_eye, projection;
+    float znear, zfar; /* distances in front of the camera; 0 and 0 with a projectionMatrix */
+};
+
+/* Points at infinity (w = 0) are left out. */
+struct zr_bounds zr_bounds_of(const struct zr_scene *scene);
+
+/* Fails with ZR_BAD_SCENE where the view has no solution (an eye on its target,
+ * an up along the view, a matrix without an inverse). */
+enum zr_status zr_camera_resolve(const struct zr_scene *scene, const struct zr_bounds *bounds, struct zr_camera *camera,
+                                 struct zr_error *error);
+
+#endif

@@ -1,0 +1,47 @@
+#include "scene/validate.h"
+
+#include <inttypes.h>
+
+static void check_side(const char *pointer, uint32_t side, const struct zr_limits *limits, struct zr_error *error)
+{
+    if (side < 1 || side > limits->window_side_max)
+        zr_error_add(error, ZR_BAD_SCENE, pointer, "%" PRIu32 " pixels; 1 to %" PRIu32 " are allowed", side,
+                     limits->window_side_max);
+}
+
+static void check_window(const struct zr_scene *scene, const struct zr_limits *limits, struct zr_error *error)
+{
+    size_t before = error->count;
+    check_side("/window/width", scene->width, limits, error);
+    check_side("/window/height", scene->height, limits, error);
+    if (error->count > before) return; /* so that the product below cannot overflow */
+    uint64_t images = 0, pixels = (uint64_t)scene->width * scene->height;
+    for (uint32_t i = 0; i < scene->output_count; i++)
+        images += scene->outputs[i].channel != ZR_CHANNEL_INFO;
+    if (images > 0 && pixels > limits->window_pixels_max / images)
+        zr_error_add(error, ZR_BAD_SCENE, "/window",
+                     "%" PRIu32 " x %" PRIu32 " pixels x %" PRIu64 " image outputs is more than the limit of %" PRIu64,
+                     scene->width, scene->height, images, limits->window_pixels_max);
+}
+
+static void check_geometry(const struct zr_scene *scene, struct zr_error *error)
+{
+    uint64_t faces = 0, corners = 0;
+    for (uint32_t i = 0; i < scene->instance_count && corners <= ZR_SCENE_CORNERS_MAX; i++) {
+        const struct zr_mesh *mesh = &scene->meshes[scene->instances[i].mesh];
+        faces += mesh->face_count;
+        if (mesh->face_count > 0) corners += mesh->face_offsets[mesh->face_count];
+    }
+    if (faces == 0) zr_error_add(error, ZR_BAD_SCENE, NULL, "no geometry: the scene has no face to draw");
+    if (corners > ZR_SCENE_CORNERS_MAX)
+        zr_error_add(error, ZR_BAD_SCENE, NULL, "the faces have more than the limit of %" PRIu64 " corners in all",
+                     ZR_SCENE_CORNERS_MAX);
+}
+
+enum zr_status zr_scene_validate(const struct zr_scene *scene, const struct zr_limits *limits, struct zr_error *error)
+{
+    size_t before = error->count;
+    check_window(scene, limits, error);
+    check_geometry(scene, error);
+    return error->count > before ? ZR_BAD_SCENE : ZR_OK;
+}

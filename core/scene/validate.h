@@ -1,0 +1,21 @@
+/* validate.h - scene, first step: what concerns a scene as a whole, whatever
+ * format it came in.
+ *
+ * Readers have checked each value by itself; here are the window against its
+ * limits, that there is something to draw, and that counts fit their types in
+ * every later stage.
+ */
+#ifndef ZR_VALIDATE_H
+#define ZR_VALIDATE_H
+
+#include "base/status.h"
+#include "scene/scene.h"
+#include "zraster.h"
+
+/* Corners over all instances; triangles are fewer, and both fit 32 bits with room. */
+#define ZR_SCENE_CORNERS_MAX (UINT64_C(1) << 31)
+
+/* ZR_OK, or ZR_BAD_SCENE with every fault found. */
+enum zr_status zr_scene_validate(const struct zr_scene *scene, const struct zr_limits *limits, struct zr_error *error);
+
+#endif

@@ -1,0 +1,25 @@
+/* frame.h - shade: what a rendering is, channel by channel.
+ *
+ * Row 0 is the top of the picture. Every channel is derived from the same
+ * samples, so that they always agree. A channel nobody asked for is NULL.
+ */
+#ifndef ZR_FRAME_H
+#define ZR_FRAME_H
+
+#include <stdint.h>
+
+#include "geometry/counts.h"
+#include "scene/camera.h"
+
+struct zr_frame {
+    uint32_t width, height;
+    uint8_t *color;      /* RGBA, 4 bytes a pixel */
+    float *depth;        /* +inf where nothing is */
+    float *window_depth; /* 1 where nothing is */
+    uint32_t *face_id;   /* 0 where nothing is */
+    struct zr_camera camera;
+    struct zr_bounds bounds;
+    struct zr_counts counts;
+};
+
+#endif

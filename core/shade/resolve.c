@@ -1,0 +1,162 @@
+#include "shade/resolve.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "raster/plane.h"
+
+/* Pixels of one row that belong to one triangle. */
+struct run {
+    int32_t x, y, count; /* window space, y up */
+    uint32_t owner;
+};
+
+/* A triangle's planes, kept while its runs are resolved. */
+struct surface {
+    uint32_t owner; /* 0: none yet */
+    bool flat;
+    uint32_t flat_color;
+    struct zr_plane oow, red, green, blue; /* colours times 1/w */
+    struct zr_plane eye_z, eye_w;          /* times 1/w */
+    float depth_min, depth_max;
+};
+
+/* Small triangles come back in every row of a tile: this many are remembered. */
+enum { SURFACES = 64 };
+
+/* Adding and taking away 1.5 * 2^23 rounds to an integer, ties to even: the float
+ * has no bits left for a fraction. Compiles to vector code, as rintf does not everywhere. */
+static inline float round_small(float v)
+{
+    return (v + 12582912.0f) - 12582912.0f;
+}
+
+static inline uint32_t color_byte(float value)
+{
+    value = value > 0.0f ? value : 0.0f;
+    value = value < 1.0f ? value : 1.0f;
+    return (uint32_t)(int32_t)round_small(value * 255.0f);
+}
+
+uint32_t zr_color_byte(float value)
+{
+    return color_byte(value);
+}
+
+/* As four bytes in memory: red, green, blue, alpha. */
+static inline uint32_t pack(uint32_t red, uint32_t green, uint32_t blue, uint32_t alpha)
+{
+#if __BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__
+    return red | green << 8 | blue << 16 | alpha << 24;
+#else
+    return red << 24 | green << 16 | blue << 8 | alpha;
+#endif
+}
+
+static float eye_depth(const struct zr_window_vertex *v)
+{
+    return -v->eye_z / v->eye_w;
+}
+
+static void make_surface(const struct zr_geometry *geometry, uint32_t owner, struct surface *surface)
+{
+    const struct zr_triangle *t = &geometry->triangles[owner - 1];
+    const struct zr_window_vertex *v0 = &geometry->vertices[t->v[0]], *v1 = &geometry->vertices[t->v[1]],
+                                  *v2 = &geometry->vertices[t->v[2]];
+    const zr_vec4 *colors = t->back ? geometry->back_colors : geometry->front_colors;
+    zr_vec4 c0 = colors[t->c[0]], c1 = colors[t->c[1]], c2 = colors[t->c[2]];
+    struct zr_plane_basis basis = zr_plane_basis_make(v0, v1, v2);
+    float w0 = v0->oow, w1 = v1->oow, w2 = v2->oow;
+    surface->owner = owner;
+    surface->flat = t->c[0] == t->c[1] && t->c[1] == t->c[2];
+    surface->flat_color = pack(color_byte(c0.x), color_byte(c0.y), color_byte(c0.z), 255);
+    surface->oow = zr_plane_make(&basis, w0, w1, w2);
+    surface->red = zr_plane_make(&basis, c0.x * w0, c1.x * w1, c2.x * w2);
+    surface->green = zr_plane_make(&basis, c0.y * w0, c1.y * w1, c2.y * w2);
+    surface->blue = zr_plane_make(&basis, c0.z * w0, c1.z * w1, c2.z * w2);
+    surface->eye_z = zr_plane_make(&basis, -v0->eye_z * w0, -v1->eye_z * w1, -v2->eye_z * w2);
+    surface->eye_w = zr_plane_make(&basis, v0->eye_w * w0, v1->eye_w * w1, v2->eye_w * w2);
+    float d0 = eye_depth(v0), d1 = eye_depth(v1), d2 = eye_depth(v2);
+    surface->depth_min = fminf(d0, fminf(d1, d2));
+    surface->depth_max = fmaxf(d0, fmaxf(d1, d2));
+}
+
+static void resolve_color(const struct surface *surface, const struct run *run, uint32_t *out)
+{
+    if (surface->flat) {
+        for (int32_t i = 0; i < run->count; i++) out[i] = surface->flat_color;
+        return;
+    }
+    const struct zr_plane w = surface->oow, r = surface->red, g = surface->green, b = surface->blue;
+    const float y = (float)run->y;
+    for (int32_t i = 0; i < run->count; i++) {
+        float x = (float)(run->x + i);
+        float reciprocal = 1.0f / zr_plane_at(&w, x, y);
+        uint32_t red = color_byte(zr_plane_at(&r, x, y) * reciprocal);
+        uint32_t green = color_byte(zr_plane_at(&g, x, y) * reciprocal);
+        uint32_t blue = color_byte(zr_plane_at(&b, x, y) * reciprocal);
+        out[i] = pack(red, green, blue, 255);
+    }
+}
+
+/* Kept within the depths of the vertices: the planes of a sliver lean so steeply
+ * that rounding alone could throw a pixel off the surface. NaN gives the nearest vertex. */
+static void resolve_depth(const struct surface *surface, const struct run *run, float *out)
+{
+    const struct zr_plane z = surface->eye_z, w = surface->eye_w;
+    const float y = (float)run->y, low = surface->depth_min, high = surface->depth_max;
+    for (int32_t i = 0; i < run->count; i++) {
+        float x = (float)(run->x + i);
+        float depth = zr_plane_at(&z, x, y) / zr_plane_at(&w, x, y);
+        depth = depth > low ? depth : low;
+        out[i] = depth < high ? depth : high;
+    }
+}
+
+static void resolve_nothing(const struct zr_frame *frame, uint32_t background, size_t pixel, int32_t count)
+{
+    uint32_t *color = (uint32_t *)(void *)frame->color;
+    for (int32_t i = 0; color && i < count; i++) color[pixel + (size_t)i] = background;
+    for (int32_t i = 0; frame->depth && i < count; i++) frame->depth[pixel + (size_t)i] = INFINITY;
+    if (frame->face_id) memset(frame->face_id + pixel, 0, (size_t)count * sizeof *frame->face_id);
+}
+
+static void resolve_run(const struct zr_geometry *geometry, const struct surface *surface, const struct run *run,
+                        const struct zr_frame *frame, size_t pixel)
+{
+    if (frame->color) resolve_color(surface, run, (uint32_t *)(void *)frame->color + pixel);
+    if (frame->depth) resolve_depth(surface, run, frame->depth + pixel);
+    if (!frame->face_id) return;
+    uint32_t face = geometry->triangles[run->owner - 1].face;
+    for (int32_t i = 0; i < run->count; i++) frame->face_id[pixel + (size_t)i] = face;
+}
+
+void zr_resolve_tile(const struct zr_geometry *geometry, zr_vec4 background, const struct zr_tile *tile,
+                     const struct zr_frame *frame)
+{
+    struct surface surfaces[SURFACES];
+    for (int i = 0; i < SURFACES; i++) surfaces[i].owner = 0;
+    uint32_t nothing =
+        pack(color_byte(background.x), color_byte(background.y), color_byte(background.z), color_byte(background.w));
+    for (int32_t row = 0; row < tile->height; row++) {
+        const uint32_t *owners = &tile->owner[row * ZR_TILE_SIZE];
+        struct run run = {.y = tile->y + row};
+        /* Window space has y up, pictures have row 0 on top. */
+        size_t line = (size_t)(frame->height - 1 - (uint32_t)run.y) * frame->width + (size_t)tile->x;
+        if (frame->window_depth)
+            memcpy(frame->window_depth + line, &tile->depth[row * ZR_TILE_SIZE], (size_t)tile->width * sizeof(float));
+        for (int32_t begin = 0, end; begin < tile->width; begin = end) {
+            run.owner = owners[begin];
+            for (end = begin + 1; end < tile->width && owners[end] == run.owner;) end++;
+            run.x = tile->x + begin;
+            run.count = end - begin;
+            if (run.owner == 0) {
+                resolve_nothing(frame, nothing, line + (size_t)begin, run.count);
+                continue;
+            }
+            struct surface *surface = &surfaces[run.owner % SURFACES];
+            if (surface->owner != run.owner) make_surface(geometry, run.owner, surface);
+            resolve_run(geometry, surface, &run, frame, line + (size_t)begin);
+        }
+    }
+}

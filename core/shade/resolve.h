@@ -1,0 +1,21 @@
+/* resolve.h - shade: the visibility of a tile -> its pixels in every channel.
+ *
+ * Colour and depth are planes over the window (raster/plane.h), made again for the
+ * triangles that are seen. Exact: colour follows the reference's rule 9.
+ */
+#ifndef ZR_RESOLVE_H
+#define ZR_RESOLVE_H
+
+#include "geometry/geometry.h"
+#include "raster/tile.h"
+#include "shade/frame.h"
+
+/* Writes the tile's part of each channel that `frame` has. One writer a pixel:
+ * different tiles may be resolved at once. */
+void zr_resolve_tile(const struct zr_geometry *geometry, zr_vec4 background, const struct zr_tile *tile,
+                     const struct zr_frame *frame);
+
+/* 0..1 -> 0..255, to the nearest, ties to even. NaN gives 0. */
+uint32_t zr_color_byte(float value);
+
+#endif

@@ -1,0 +1,86 @@
+/* zraster.h - the renderer, whole: bytes of a scene in, bytes of images out.
+ *
+ *     zr_scene_read    bytes    -> scene
+ *     zr_render        scene    -> frame      (core/render.c is the pipeline)
+ *     zr_encode        frame    -> answer
+ *
+ * Nothing here reads a file, a clock or the environment, keeps state between
+ * calls, or exits. Results live in the arena that was handed in, until its reset.
+ * Any number of threads may work at once, each with an arena of its own.
+ */
+#ifndef ZRASTER_H
+#define ZRASTER_H
+
+#include <stdatomic.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include "base/arena.h"
+#include "base/status.h"
+#include "base/team.h"
+#include "version.h"
+
+/* ---- limits: what one request may ask for ---- */
+
+struct zr_limits {
+    uint32_t json_depth_max;        /* nesting of arrays and objects */
+    uint32_t json_values_max;       /* cJSON takes about 64 bytes a value */
+    uint32_t window_side_max;       /* pixels */
+    uint64_t window_pixels_max;     /* pixels, summed over all outputs */
+    uint32_t polygon_vertices_max;
+    float coordinate_max;           /* magnitude of every number that is a place or a matrix entry */
+};
+
+struct zr_limits zr_limits_default(void);
+
+/* ---- a request: bytes, and what its URL says ---- */
+
+enum zr_format { ZR_FORMAT_JSON, ZR_FORMAT_OBJ, ZR_FORMAT_STL };
+
+struct zr_request {
+    enum zr_format format;
+    const char *bytes;
+    size_t size;
+    /* NULL: not given. One output instead of the scene's own. */
+    const char *channel, *encoding, *scale;
+    /* NULL: not given. For formats that hold a bare mesh and no view; refused with JSON. */
+    const char *preset, *width, *height, *shading;
+};
+
+/* ---- the three steps ---- */
+
+struct zr_scene; /* scene/scene.h */
+struct zr_frame; /* shade/frame.h */
+
+/* Raised by anybody, at any time, to end a request early: the step under way
+ * returns ZR_CANCELLED soon. */
+struct zr_cancel {
+    atomic_bool raised;
+};
+
+static inline bool zr_is_cancelled(const struct zr_cancel *cancel)
+{
+    return cancel && atomic_load_explicit(&cancel->raised, memory_order_relaxed);
+}
+
+struct zr_answer {
+    const char *content_type;
+    const void *bytes;
+    size_t size;
+    const char *warnings; /* one line of ASCII, "" where there are none */
+};
+
+/* Keeps pointers into request->bytes. On failure *error says what and where. */
+enum zr_status zr_scene_read(struct zr_arena *arena, const struct zr_request *request, const struct zr_limits *limits,
+                             const struct zr_scene **scene, struct zr_error *error);
+
+/* `team` may be NULL (one thread) and `cancel` may be NULL (never). The frame is
+ * the same, byte for byte, for every team. */
+enum zr_status zr_render(struct zr_arena *arena, struct zr_team *team, const struct zr_scene *scene,
+                         const struct zr_cancel *cancel, const struct zr_frame **frame, struct zr_error *error);
+
+/* One output: its bytes. Several: a ZIP of channel.extension. */
+enum zr_status zr_encode(struct zr_arena *arena, const struct zr_scene *scene, const struct zr_frame *frame,
+                         const struct zr_cancel *cancel, struct zr_answer *answer, struct zr_error *error);
+
+#endif

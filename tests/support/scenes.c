@@ -1,0 +1,47 @@
+#include "support/scenes.h"
+
+#include <string.h>
+
+#include "support/cmocka_all.h"
+
+void scene_of_triangles(struct test_scene *test, uint32_t width, uint32_t height, const zr_vec4 *positions,
+                        uint32_t triangles)
+{
+    assert_true(triangles <= TEST_TRIANGLES_MAX);
+    memset(test, 0, sizeof *test);
+    for (uint32_t i = 0; i <= triangles; i++) test->face_offsets[i] = 3 * i;
+    for (uint32_t i = 0; i < 3 * triangles; i++) test->indices[i] = i;
+    test->material = (struct zr_material){{1, 1, 1, 1}, ZR_SHADING_UNLIT, true};
+    test->mesh = (struct zr_mesh){.name = "test",
+                                  .position_count = 3 * triangles,
+                                  .positions = positions,
+                                  .face_count = triangles,
+                                  .face_offsets = test->face_offsets,
+                                  .indices = test->indices};
+    test->instance.object_to_world = zr_mat4_identity();
+    const enum zr_channel channels[4] = {ZR_CHANNEL_COLOR, ZR_CHANNEL_DEPTH, ZR_CHANNEL_WINDOW_DEPTH, ZR_CHANNEL_FACE_ID};
+    for (int i = 0; i < 4; i++) test->outputs[i] = (struct zr_output){channels[i], i ? ZR_ENCODING_NPY : ZR_ENCODING_PNG, 0};
+    test->scene = (struct zr_scene){.width = width,
+                                    .height = height,
+                                    .background = {0, 0, 0, 1},
+                                    .material_count = 1,
+                                    .mesh_count = 1,
+                                    .instance_count = 1,
+                                    .output_count = 4,
+                                    .materials = &test->material,
+                                    .meshes = &test->mesh,
+                                    .instances = &test->instance,
+                                    .outputs = test->outputs};
+    test->scene.view = (struct zr_view){.pose = ZR_POSE_MATRIX,
+                                        .world_to_camera = zr_mat4_identity(),
+                                        .projection = ZR_PROJECTION_MATRIX,
+                                        .projection_matrix = zr_mat4_identity()};
+}
+
+const struct zr_frame *scene_render(struct zr_arena *arena, struct zr_team *team, const struct zr_scene *scene)
+{
+    struct zr_error error = {.count = 0};
+    const struct zr_frame *frame = NULL;
+    assert_int_equal(zr_render(arena, team, scene, NULL, &frame, &error), ZR_OK);
+    return frame;
+}

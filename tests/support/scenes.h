@@ -1,0 +1,30 @@
+/* scenes.h - support: small scenes made in memory, for tests of one stage. */
+#ifndef ZR_TEST_SCENES_H
+#define ZR_TEST_SCENES_H
+
+#include "scene/scene.h"
+#include "shade/frame.h"
+#include "zraster.h"
+
+/* One mesh of triangles in clip space (all matrices are the identity), drawn unlit
+ * and from both sides. Points into itself: do not copy. Change what a test is about
+ * after scene_of_triangles. */
+struct test_scene {
+    struct zr_scene scene;
+    struct zr_mesh mesh;
+    struct zr_instance instance;
+    struct zr_material material;
+    struct zr_output outputs[4]; /* color, depth, windowDepth, faceId */
+    uint32_t face_offsets[4097], indices[4096 * 3];
+};
+
+enum { TEST_TRIANGLES_MAX = 4096 };
+
+/* 3 positions a triangle; `positions` must outlive the scene. */
+void scene_of_triangles(struct test_scene *test, uint32_t width, uint32_t height, const zr_vec4 *positions,
+                        uint32_t triangles);
+
+/* Renders, and fails the running test where that does not work. */
+const struct zr_frame *scene_render(struct zr_arena *arena, struct zr_team *team, const struct zr_scene *scene);
+
+#endif

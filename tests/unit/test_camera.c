@@ -1,0 +1,201 @@
+#include <math.h>
+#include <string.h>
+
+#include "scene/camera.h"
+#include "support/cmocka_all.h"
+#include "support/scenes.h"
+
+/* A box from (-1, -2, -3) to (3, 2, 1), as 4 triangles that touch all its corners. */
+static const zr_vec4 BOX[] = {{-1, -2, -3, 1}, {3, -2, -3, 1}, {3, 2, -3, 1}, {-1, 2, -3, 1}, {-1, -2, 1, 1}, {3, -2, 1, 1},
+                              {3, 2, 1, 1},    {-1, 2, 1, 1},  {3, 2, 1, 1},  {-1, 2, -3, 1}, {3, -2, 1, 1},  {3, -2, -3, 1}};
+
+static struct test_scene *box_scene(void)
+{
+    static struct test_scene test;
+    scene_of_triangles(&test, 400, 200, BOX, 4);
+    test.scene.view = (struct zr_view){.pose = ZR_POSE_PRESET, .preset = ZR_PRESET_FRONT, .up = {0, 1, 0},
+                                       .projection = ZR_PROJECTION_ORTHOGRAPHIC, .yfov_radians = 0.8f, .fit_padding = 0.05f};
+    return &test;
+}
+
+static struct zr_camera resolve(const struct test_scene *test)
+{
+    struct zr_camera camera;
+    struct zr_error error = {.count = 0};
+    struct zr_bounds bounds = zr_bounds_of(&test->scene);
+    assert_int_equal(zr_camera_resolve(&test->scene, &bounds, &camera, &error), ZR_OK);
+    return camera;
+}
+
+static zr_vec4 to_clip(const struct zr_camera *camera, zr_vec4 p)
+{
+    return zr_mat4_apply(&camera->projection, zr_mat4_apply(&camera->world_to_eye, p));
+}
+
+static void bounds_hold_every_point_but_those_at_infinity(void **state)
+{
+    (void)state;
+    zr_vec4 points[3] = {{2, 4, 6, 2}, {5, 5, 5, 0}, {-1, 0, 0, 1}};
+    static struct test_scene test;
+    scene_of_triangles(&test, 10, 10, points, 1);
+    struct zr_bounds bounds = zr_bounds_of(&test.scene);
+    assert_true(bounds.valid);
+    assert_true(bounds.min.x == -1 && bounds.max.x == 1 && bounds.max.y == 2 && bounds.max.z == 3);
+}
+
+static void preset_shows_the_side_that_it_names(void **state)
+{
+    (void)state;
+    /* What of x, y, z grows to the right, upwards, and towards the viewer. */
+    static const struct {
+        enum zr_preset preset;
+        zr_vec3 right, up, near;
+    } table[] = {{ZR_PRESET_FRONT, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}},   {ZR_PRESET_BACK, {-1, 0, 0}, {0, 1, 0}, {0, 0, -1}},
+                 {ZR_PRESET_LEFT, {0, 0, 1}, {0, 1, 0}, {-1, 0, 0}},   {ZR_PRESET_RIGHT, {0, 0, -1}, {0, 1, 0}, {1, 0, 0}},
+                 {ZR_PRESET_TOP, {1, 0, 0}, {0, 0, -1}, {0, 1, 0}},    {ZR_PRESET_BOTTOM, {1, 0, 0}, {0, 0, 1}, {0, -1, 0}}};
+    struct test_scene *test = box_scene();
+    for (size_t i = 0; i < sizeof table / sizeof *table; i++) {
+        test->scene.view.preset = table[i].preset;
+        struct zr_camera c = resolve(test);
+        const float *m = c.world_to_eye.m;
+        zr_vec3 rows[3] = {{m[0], m[4], m[8]}, {m[1], m[5], m[9]}, {m[2], m[6], m[10]}};
+        zr_vec3 want[3] = {table[i].right, table[i].up, table[i].near};
+        for (int k = 0; k < 3; k++) {
+            zr_vec3 d = zr_vec3_sub(rows[k], want[k]);
+            assert_true(zr_vec3_dot(d, d) < 1e-10f);
+        }
+    }
+}
+
+static void fit_fills_the_window_but_for_the_padding(void **state)
+{
+    (void)state;
+    struct test_scene *test = box_scene();
+    for (int projection = 0; projection < 2; projection++)
+        for (int preset = 0; preset < ZR_PRESET_COUNT; preset++) {
+            test->scene.view.projection = projection ? ZR_PROJECTION_PERSPECTIVE : ZR_PROJECTION_ORTHOGRAPHIC;
+            test->scene.view.preset = (enum zr_preset)preset;
+            struct zr_camera camera = resolve(test);
+            float farthest = 0.0f;
+            for (int i = 0; i < 12; i++) {
+                zr_vec4 p = to_clip(&camera, BOX[i]);
+                assert_true(p.w > 0.0f && fabsf(p.z) <= p.w);
+                farthest = fmaxf(farthest, fmaxf(fabsf(p.x), fabsf(p.y)) / p.w);
+            }
+            assert_true(fabsf(farthest - 0.9f) < 1e-4f); /* 5 % of the width on each side */
+        }
+}
+
+static void look_at_puts_the_target_in_the_centre(void **state)
+{
+    (void)state;
+    struct test_scene *test = box_scene();
+    struct zr_view *view = &test->scene.view;
+    view->pose = ZR_POSE_LOOK_AT;
+    view->projection = ZR_PROJECTION_PERSPECTIVE;
+    view->eye = (zr_vec3){5, 6, 7};
+    view->target = (zr_vec3){1, 0, -1};
+    struct zr_camera camera = resolve(test);
+    zr_vec4 target = to_clip(&camera, (zr_vec4){1, 0, -1, 1}), above = to_clip(&camera, (zr_vec4){1, 1, -1, 1});
+    assert_true(fabsf(target.x) < 1e-5f && fabsf(target.y) < 1e-5f && target.w > 0);
+    assert_true(above.y > 0.05f && fabsf(above.x) < 1e-5f);
+    assert_true(fabsf(target.w - sqrtf(16 + 36 + 64)) < 1e-4f); /* clip w is the depth */
+}
+
+static void look_at_without_direction_or_up_is_refused(void **state)
+{
+    (void)state;
+    struct test_scene *test = box_scene();
+    struct zr_view *view = &test->scene.view;
+    struct zr_bounds bounds = zr_bounds_of(&test->scene);
+    struct zr_camera camera;
+    struct zr_error error = {.count = 0};
+    view->pose = ZR_POSE_LOOK_AT;
+    view->eye = view->target = (zr_vec3){1, 2, 3};
+    assert_int_equal(zr_camera_resolve(&test->scene, &bounds, &camera, &error), ZR_BAD_SCENE);
+    assert_string_equal(error.items[0].pointer, "/view/eye");
+    error.count = 0;
+    view->eye = (zr_vec3){1, 9, 3};
+    assert_int_equal(zr_camera_resolve(&test->scene, &bounds, &camera, &error), ZR_BAD_SCENE);
+    assert_string_equal(error.items[0].pointer, "/view/up");
+}
+
+static void matrices_given_pass_through_untouched(void **state)
+{
+    (void)state;
+    struct test_scene *test = box_scene();
+    struct zr_view *view = &test->scene.view;
+    view->pose = ZR_POSE_MATRIX;
+    view->projection = ZR_PROJECTION_MATRIX;
+    for (int i = 0; i < 16; i++) {
+        view->world_to_camera.m[i] = 0.1f * (float)(i + 1);
+        view->projection_matrix.m[i] = 1.0f / (float)(i + 3);
+    }
+    struct zr_camera camera = resolve(test);
+    assert_memory_equal(&camera.world_to_eye, &view->world_to_camera, sizeof(zr_mat4));
+    assert_memory_equal(&camera.projection, &view->projection_matrix, sizeof(zr_mat4));
+}
+
+static void depth_range_given_is_kept_and_one_turned_round_is_refused(void **state)
+{
+    (void)state;
+    struct test_scene *test = box_scene();
+    struct zr_view *view = &test->scene.view;
+    view->has_znear = view->has_zfar = true;
+    view->znear = 0.5f;
+    view->zfar = 100.0f;
+    struct zr_camera camera = resolve(test);
+    assert_true(camera.znear == 0.5f && camera.zfar == 100.0f);
+    view->znear = 200.0f;
+    struct zr_bounds bounds = zr_bounds_of(&test->scene);
+    struct zr_error error = {.count = 0};
+    assert_int_equal(zr_camera_resolve(&test->scene, &bounds, &camera, &error), ZR_BAD_SCENE);
+}
+
+static void eye_inside_or_before_the_geometry_still_gives_a_camera(void **state)
+{
+    (void)state;
+    struct test_scene *test = box_scene();
+    struct zr_view *view = &test->scene.view;
+    view->pose = ZR_POSE_LOOK_AT;
+    view->projection = ZR_PROJECTION_PERSPECTIVE;
+    view->target = (zr_vec3){1, 0, -9};
+    const float eyes[] = {0.0f, -8.0f, -3.0f, 1.0f};
+    for (int i = 0; i < 4; i++) {
+        view->eye = (zr_vec3){1, 0, eyes[i]};
+        struct zr_camera camera = resolve(test);
+        assert_true(camera.znear > 0.0f && camera.zfar > camera.znear);
+        for (int k = 0; k < 16; k++) assert_true(isfinite(camera.projection.m[k]));
+    }
+}
+
+static void one_single_point_still_gives_a_camera(void **state)
+{
+    (void)state;
+    const zr_vec4 points[3] = {{7, 7, 7, 1}, {7, 7, 7, 1}, {7, 7, 7, 1}};
+    static struct test_scene test;
+    scene_of_triangles(&test, 10, 10, points, 1);
+    for (int projection = 0; projection < 2; projection++) {
+        test.scene.view = (struct zr_view){.pose = ZR_POSE_PRESET, .preset = ZR_PRESET_ISOMETRIC, .yfov_radians = 0.7f,
+                                           .projection = projection ? ZR_PROJECTION_PERSPECTIVE : ZR_PROJECTION_ORTHOGRAPHIC};
+        struct zr_camera camera = resolve(&test);
+        zr_vec4 p = to_clip(&camera, points[0]);
+        assert_true(p.w > 0.0f && fabsf(p.x) < 1e-5f && fabsf(p.z) <= p.w);
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(bounds_hold_every_point_but_those_at_infinity),
+        cmocka_unit_test(preset_shows_the_side_that_it_names),
+        cmocka_unit_test(fit_fills_the_window_but_for_the_padding),
+        cmocka_unit_test(look_at_puts_the_target_in_the_centre),
+        cmocka_unit_test(look_at_without_direction_or_up_is_refused),
+        cmocka_unit_test(matrices_given_pass_through_untouched),
+        cmocka_unit_test(depth_range_given_is_kept_and_one_turned_round_is_refused),
+        cmocka_unit_test(eye_inside_or_before_the_geometry_still_gives_a_camera),
+        cmocka_unit_test(one_single_point_still_gives_a_camera),
+    };
+    return cmocka_run_group_tests_name("camera", tests, NULL, NULL);
+}

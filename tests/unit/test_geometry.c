@@ -1,0 +1,271 @@
+/* The stages of geometry/: clip, viewport, normals, light, and the floor as a whole. */
+#include <math.h>
+
+#include "geometry/clip.h"
+#include "geometry/geometry.h"
+#include "geometry/light.h"
+#include "geometry/normals.h"
+#include "support/cmocka_all.h"
+#include "support/scenes.h"
+
+/* ---- clip ---- */
+
+static int clip(const zr_vec4 positions[3], struct zr_clip_vertex out[ZR_CLIP_MAX])
+{
+    struct zr_clip_vertex in[3] = {{.position = positions[0], .front = {1, 0, 0, 1}},
+                                   {.position = positions[1], .front = {0, 1, 0, 1}},
+                                   {.position = positions[2], .front = {0, 0, 1, 1}}};
+    unsigned any = 0;
+    for (int i = 0; i < 3; i++) any |= zr_clip_outcode(positions[i]);
+    return zr_clip_triangle(in, any, out);
+}
+
+static void clip_inside_keeps_the_triangle(void **state)
+{
+    (void)state;
+    const zr_vec4 p[3] = {{0, 0, 0, 1}, {0.5f, 0, 0, 1}, {0, 0.5f, 0, 1}};
+    struct zr_clip_vertex out[ZR_CLIP_MAX];
+    assert_int_equal(clip(p, out), 3);
+    for (int i = 0; i < 3; i++) assert_memory_equal(&out[i].position, &p[i], sizeof p[i]);
+}
+
+static void clip_corner_behind_eye_gives_quad_in_front(void **state)
+{
+    (void)state;
+    const zr_vec4 p[3] = {{0, 0.5f, 0, 1}, {-0.5f, 0, 0, 1}, {0, 0, -3, -2}};
+    struct zr_clip_vertex out[ZR_CLIP_MAX];
+    int count = clip(p, out);
+    assert_int_equal(count, 4);
+    for (int i = 0; i < count; i++) {
+        assert_true(out[i].position.w > 0.0f);
+        assert_true(out[i].position.z + out[i].position.w >= -1e-6f);
+    }
+}
+
+static void clip_wholly_outside_one_plane_gives_nothing(void **state)
+{
+    (void)state;
+    const zr_vec4 p[3] = {{2, 0, 0, 1}, {3, 0, 0, 1}, {2, 1, 0, 1}};
+    struct zr_clip_vertex out[ZR_CLIP_MAX];
+    assert_int_equal(clip(p, out), 0);
+}
+
+static void clip_by_all_planes_stays_within_room_and_volume(void **state)
+{
+    (void)state;
+    const zr_vec4 p[3] = {{-30, -20, -9, 1}, {40, -10, 3, 1}, {3, 50, 8, 1}};
+    struct zr_clip_vertex out[ZR_CLIP_MAX];
+    int count = clip(p, out);
+    assert_in_range(count, 3, ZR_CLIP_MAX);
+    for (int i = 0; i < count; i++) {
+        assert_true(fabsf(out[i].position.x) <= out[i].position.w * 1.00001f);
+        assert_true(fabsf(out[i].position.y) <= out[i].position.w * 1.00001f);
+        assert_true(fabsf(out[i].position.z) <= out[i].position.w * 1.00001f);
+    }
+}
+
+static void clip_interpolates_attributes_with_the_corner(void **state)
+{
+    (void)state;
+    const zr_vec4 p[3] = {{0, 0, 0, 1}, {2, 0, 0, 1}, {0, 1, 0, 1}};
+    struct zr_clip_vertex out[ZR_CLIP_MAX];
+    int count = clip(p, out), found = 0;
+    for (int i = 0; i < count; i++)
+        if (out[i].position.x == 1.0f && out[i].position.y == 0.0f) {
+            assert_true(out[i].front.x == 0.5f && out[i].front.y == 0.5f && out[i].front.z == 0.0f);
+            found++;
+        }
+    assert_int_equal(found, 1);
+}
+
+static void clip_outcode_of_nan_is_outside_of_everything(void **state)
+{
+    (void)state;
+    assert_int_equal(zr_clip_outcode((zr_vec4){NAN, NAN, NAN, NAN}), 63);
+    assert_int_equal(zr_clip_outcode((zr_vec4){0, 0, 0, 1}), 0);
+    assert_int_equal(zr_clip_outcode((zr_vec4){1, -1, 1, 1}), 0);
+}
+
+/* ---- viewport ---- */
+
+static void viewport_puts_corners_and_centre_where_gl_does(void **state)
+{
+    (void)state;
+    struct zr_viewport viewport = zr_viewport_make(64, 32);
+    struct zr_window_vertex v;
+    assert_true(zr_viewport_apply(&viewport, (zr_vec4){-1, -1, -1, 1}, &v));
+    assert_true(v.x == 0 && v.y == 0 && v.z == 0 && v.sx == -128 && v.sy == -128);
+    assert_true(zr_viewport_apply(&viewport, (zr_vec4){2, 2, 2, 2}, &v));
+    assert_true(v.x == 64 && v.y == 32 && v.z == 1 && v.oow == 0.5f && v.sx == 64 * 256 - 128);
+}
+
+static void viewport_snap_ties_go_to_even(void **state)
+{
+    (void)state;
+    struct zr_viewport viewport = {1, 1, 0.5f, 0.5f};
+    struct zr_window_vertex v;
+    assert_true(zr_viewport_apply(&viewport, (zr_vec4){0.5f / 256, 1.5f / 256, 0, 1}, &v));
+    assert_int_equal(v.sx, 0);
+    assert_int_equal(v.sy, 2);
+}
+
+static void viewport_without_a_place_is_refused(void **state)
+{
+    (void)state;
+    struct zr_viewport viewport = zr_viewport_make(64, 64);
+    struct zr_window_vertex v;
+    assert_false(zr_viewport_apply(&viewport, (zr_vec4){0, 0, 0, 0}, &v));
+    assert_false(zr_viewport_apply(&viewport, (zr_vec4){1e30f, 0, 0, 1e-30f}, &v));
+}
+
+/* ---- normals and light ---- */
+
+static struct zr_mesh quad_mesh(const zr_vec4 *positions, uint32_t count)
+{
+    static const uint32_t indices[] = {0, 1, 2, 3, 4, 5, 6, 7}, offsets[] = {0, 8};
+    static uint32_t whole[2];
+    whole[0] = offsets[0];
+    whole[1] = count;
+    return (struct zr_mesh){.name = "", .position_count = count, .positions = positions, .face_count = 1,
+                            .face_offsets = whole, .indices = indices};
+}
+
+static void normal_of_face_is_twice_its_area_towards_its_front(void **state)
+{
+    (void)state;
+    const zr_vec4 p[4] = {{0, 0, 5, 1}, {2, 0, 5, 1}, {2, 3, 5, 1}, {0, 3, 5, 1}};
+    struct zr_mesh mesh = quad_mesh(p, 4);
+    zr_vec3 n = zr_normal_of_face(&mesh, 0);
+    assert_true(n.x == 0 && n.y == 0 && n.z == 12);
+}
+
+static void normals_of_vertices_weigh_faces_by_area(void **state)
+{
+    (void)state;
+    /* A large face towards +z and a small one towards +x share the edge 0-1. */
+    const zr_vec4 p[4] = {{0, 0, 0, 1}, {0, 1, 0, 1}, {-4, 0, 0, 1}, {0, 0, -1, 1}};
+    const uint32_t indices[] = {0, 1, 2, 0, 3, 1}, offsets[] = {0, 3, 6};
+    struct zr_mesh mesh = {.position_count = 4, .positions = p, .face_count = 2, .face_offsets = offsets, .indices = indices};
+    struct zr_arena arena;
+    zr_arena_init(&arena, 1 << 20);
+    zr_vec3 *n = zr_normals_of_vertices(&arena, &mesh);
+    assert_true(fabsf(n[0].z / n[0].x - 4.0f) < 1e-5f);
+    assert_true(fabsf(zr_vec3_dot(n[0], n[0]) - 1.0f) < 1e-6f);
+    assert_true(n[2].z == 1.0f && n[3].x == 1.0f);
+    zr_arena_free(&arena);
+}
+
+static void face_with_a_dent_is_concave_and_a_hexagon_is_not(void **state)
+{
+    (void)state;
+    const zr_vec4 dent[4] = {{0, 0, 0, 1}, {2, 0, 0, 1}, {0.5f, 0.5f, 0, 1}, {0, 2, 0, 1}};
+    struct zr_mesh mesh = quad_mesh(dent, 4);
+    assert_true(zr_face_is_concave(&mesh, 0, zr_normal_of_face(&mesh, 0)));
+    const zr_vec4 hexagon[6] = {{2, 0, 0, 1}, {1, 1.7f, 0, 1}, {-1, 1.7f, 0, 1}, {-2, 0, 0, 1}, {-1, -1.7f, 0, 1}, {1, -1.7f, 0, 1}};
+    mesh = quad_mesh(hexagon, 6);
+    assert_false(zr_face_is_concave(&mesh, 0, zr_normal_of_face(&mesh, 0)));
+}
+
+static void light_follows_the_cosine_and_shows_on_one_side_only(void **state)
+{
+    (void)state;
+    const zr_vec3 to_light = {0, 0, 1}, color = {0.5f, 0.5f, 0.5f};
+    struct zr_lighting lighting = {.ambient = {0.25f, 0.25f, 0.25f}, .count = 1, .to_light = &to_light, .colors = &color};
+    zr_mat4 identity = zr_mat4_identity();
+    struct zr_normal_matrix matrix = zr_normal_matrix_make(&identity);
+    struct zr_lit lit = zr_light_point(&lighting, &matrix, (zr_vec3){0, 0, 7}, (zr_vec4){1, 0.5f, 0, 1});
+    assert_true(lit.front.x == 0.75f && lit.front.y == 0.375f && lit.front.z == 0.0f);
+    assert_true(lit.back.x == 0.25f && lit.back.y == 0.125f);
+    lit = zr_light_point(&lighting, &matrix, (zr_vec3){3, 0, 3}, (zr_vec4){1, 1, 1, 1});
+    assert_true(fabsf(lit.front.x - (0.25f + 0.5f * 0.70710678f)) < 1e-6f);
+}
+
+static void light_on_a_mirrored_instance_stays_outside(void **state)
+{
+    (void)state;
+    zr_mat4 mirror = zr_mat4_identity();
+    mirror.m[0] = -1;
+    struct zr_normal_matrix matrix = zr_normal_matrix_make(&mirror);
+    assert_true(matrix.rows[2].z > 0.0f && matrix.rows[0].x < 0.0f);
+}
+
+/* ---- the floor ---- */
+
+static struct zr_counts counts_of(const zr_vec4 *positions, uint32_t triangles, bool double_sided)
+{
+    static struct test_scene test;
+    scene_of_triangles(&test, 64, 64, positions, triangles);
+    test.material.double_sided = double_sided;
+    struct zr_arena arena;
+    zr_arena_init(&arena, 1 << 24);
+    struct zr_counts counts = scene_render(&arena, NULL, &test.scene)->counts;
+    zr_arena_free(&arena);
+    return counts;
+}
+
+static void geometry_counts_every_triangle_once(void **state)
+{
+    (void)state;
+    const zr_vec4 p[] = {
+        {0, 0, 0, 1},          {0.5f, 0, 0, 1},         {0, 0.5f, 0, 1},     /* drawn */
+        {0, 0, 0, 1},          {0, 0.5f, 0, 1},         {0.5f, 0, 0, 1},     /* culled */
+        {0, 0, 0, 1},          {0.5f, 0.5f, 0, 1},      {0.25f, 0.25f, 0, 1}, /* no area */
+        {0, 0, 0, 1},          {0, 0, 0, 1},            {0.25f, 0.25f, 0, 1}, /* two corners only */
+        {2, 0, 0, 1},          {3, 0, 0, 1},            {2, 1, 0, 1},        /* outside */
+        {0, 0, 0, 1},          {2, 0, 0, 1},            {0, 0.5f, 0, 1},     /* clipped */
+        {NAN, 0, 0, 1},        {0.5f, 0, 0, 1},         {0, 0.5f, 0, 1},     /* NaN from a matrix */
+    };
+    struct zr_counts c = counts_of(p, 7, false);
+    assert_int_equal(c.polygons, 7);
+    assert_int_equal(c.degenerate_polygons, 1);
+    assert_int_equal(c.triangles, 6);
+    assert_int_equal(c.drawn_whole, 1);
+    assert_int_equal(c.culled, 1);
+    assert_int_equal(c.zero_area, 1);
+    assert_int_equal(c.outside + c.clipped, 3);
+    assert_int_equal(c.drawn_pieces, 2);
+    assert_int_equal(c.outside + c.clipped + c.culled + c.zero_area + c.drawn_whole, c.triangles);
+}
+
+static void geometry_double_sided_draws_what_faces_away(void **state)
+{
+    (void)state;
+    const zr_vec4 p[] = {{0, 0, 0, 1}, {0, 0.5f, 0, 1}, {0.5f, 0, 0, 1}};
+    assert_int_equal(counts_of(p, 1, false).culled, 1);
+    assert_int_equal(counts_of(p, 1, true).drawn_whole, 1);
+}
+
+static void geometry_survives_points_at_infinity_and_the_zero_vertex(void **state)
+{
+    (void)state;
+    const zr_vec4 p[] = {{0, 0, 0, 0}, {0.5f, 0, 0, 1}, {0, 0.5f, 0, 1}, {1, 0, 0, 0},         {0, 1, 0, 0},
+                         {0, 0, 1, 0}, {0, 0, 0, 0},    {0, 0, 0, 0},    {INFINITY, 0, 0, 1}, {0, 0, 0, 1},
+                         {1, 1, 1, 1}, {1e30f, 1e30f, 0, 1e-30f}};
+    struct zr_counts c = counts_of(p, 4, true);
+    assert_int_equal(c.polygons, 4);
+    assert_int_equal(c.outside + c.clipped + c.culled + c.zero_area + c.drawn_whole, c.triangles);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(clip_inside_keeps_the_triangle),
+        cmocka_unit_test(clip_corner_behind_eye_gives_quad_in_front),
+        cmocka_unit_test(clip_wholly_outside_one_plane_gives_nothing),
+        cmocka_unit_test(clip_by_all_planes_stays_within_room_and_volume),
+        cmocka_unit_test(clip_interpolates_attributes_with_the_corner),
+        cmocka_unit_test(clip_outcode_of_nan_is_outside_of_everything),
+        cmocka_unit_test(viewport_puts_corners_and_centre_where_gl_does),
+        cmocka_unit_test(viewport_snap_ties_go_to_even),
+        cmocka_unit_test(viewport_without_a_place_is_refused),
+        cmocka_unit_test(normal_of_face_is_twice_its_area_towards_its_front),
+        cmocka_unit_test(normals_of_vertices_weigh_faces_by_area),
+        cmocka_unit_test(face_with_a_dent_is_concave_and_a_hexagon_is_not),
+        cmocka_unit_test(light_follows_the_cosine_and_shows_on_one_side_only),
+        cmocka_unit_test(light_on_a_mirrored_instance_stays_outside),
+        cmocka_unit_test(geometry_counts_every_triangle_once),
+        cmocka_unit_test(geometry_double_sided_draws_what_faces_away),
+        cmocka_unit_test(geometry_survives_points_at_infinity_and_the_zero_vertex),
+    };
+    return cmocka_run_group_tests_name("geometry", tests, NULL, NULL);
+}

@@ -1,0 +1,244 @@
+#include <cjson/cJSON.h>
+#include <math.h>
+#include <png.h>
+#include <string.h>
+#include <zip.h>
+
+#include "output/depth16.h"
+#include "output/npy.h"
+#include "output/png.h"
+#include "output/zip.h"
+#include "support/cmocka_all.h"
+#include "support/random.h"
+#include "support/scenes.h"
+
+static struct zr_arena arena;
+
+static int open_arena(void **state)
+{
+    (void)state;
+    zr_arena_init(&arena, 1 << 27);
+    return 0;
+}
+
+static int close_arena(void **state)
+{
+    (void)state;
+    zr_arena_free(&arena);
+    return 0;
+}
+
+/* What libpng's own reader makes of a file, in `format`. */
+static unsigned char *decode(const void *bytes, size_t size, png_uint_32 format, png_image *image)
+{
+    memset(image, 0, sizeof *image);
+    image->version = PNG_IMAGE_VERSION;
+    assert_true(png_image_begin_read_from_memory(image, bytes, size));
+    image->format = format;
+    unsigned char *pixels = zr_arena_alloc(&arena, PNG_IMAGE_SIZE(*image), 1);
+    assert_true(png_image_finish_read(image, NULL, pixels, 0, NULL));
+    return pixels;
+}
+
+static void png_gives_back_the_pixels_of_odd_sizes(void **state)
+{
+    (void)state;
+    struct random random = random_seeded(3);
+    static uint32_t pixels[97 * 61];
+    for (size_t i = 0; i < 97 * 61; i++) pixels[i] = (uint32_t)random_next(&random);
+    const uint32_t widths[] = {1, 2, 97, 5917}, heights[] = {5917, 3, 61, 1};
+    for (int i = 0; i < 4; i++)
+        for (int alpha = 0; alpha < 2; alpha++) {
+            struct zr_png png = {alpha ? ZR_PNG_RGBA : ZR_PNG_RGB, widths[i], heights[i], pixels, NULL};
+            struct zr_buffer out = {.arena = &arena};
+            assert_int_equal(zr_png_write(&png, NULL, &out), ZR_OK);
+            png_image image;
+            unsigned char *got = decode(out.bytes, out.size, alpha ? PNG_FORMAT_RGBA : PNG_FORMAT_RGB, &image);
+            assert_int_equal(image.width, widths[i]);
+            assert_int_equal(image.height, heights[i]);
+            const unsigned char *want = (const unsigned char *)pixels;
+            size_t channels = alpha ? 4 : 3;
+            for (size_t k = 0; k < (size_t)widths[i] * heights[i]; k++)
+                assert_memory_equal(got + k * channels, want + 4 * k, channels);
+        }
+}
+
+static void png_of_16_bits_is_grey_and_big_endian(void **state)
+{
+    (void)state;
+    const uint16_t steps[4] = {0, 1, 0x1234, 65535};
+    struct zr_png png = {ZR_PNG_GREY16, 2, 2, steps, "scale"};
+    struct zr_buffer out = {.arena = &arena};
+    assert_int_equal(zr_png_write(&png, NULL, &out), ZR_OK);
+    assert_int_equal(out.bytes[24], 16); /* IHDR: bits a channel */
+    assert_int_equal(out.bytes[25], 0);  /* grey */
+    png_image image;
+    unsigned char *got = decode(out.bytes, out.size, PNG_FORMAT_LINEAR_Y, &image);
+    /* The simplified reader takes 16-bit files as linear light already. */
+    assert_memory_equal(got, steps, sizeof steps);
+    assert_non_null(memmem(out.bytes, out.size, "tEXtComment\0scale", 17));
+}
+
+static void png_without_memory_or_cancelled_fails_cleanly(void **state)
+{
+    (void)state;
+    static uint32_t pixels[300 * 300];
+    struct zr_png png = {ZR_PNG_RGB, 300, 300, pixels, NULL};
+    int failures = 0;
+    for (size_t ceiling = 0; ceiling < 500000; ceiling += 5000) {
+        struct zr_arena small;
+        zr_arena_init(&small, ceiling);
+        struct zr_buffer out = {.arena = &small};
+        enum zr_status status = zr_png_write(&png, NULL, &out);
+        assert_true(status == ZR_OK || status == ZR_NO_MEMORY);
+        failures += status != ZR_OK;
+        zr_arena_free(&small);
+    }
+    assert_in_range(failures, 10, 99);
+    struct zr_cancel cancel = {.raised = true};
+    struct zr_buffer out = {.arena = &arena};
+    assert_int_equal(zr_png_write(&png, &cancel, &out), ZR_CANCELLED);
+}
+
+static void npy_has_the_header_that_numpy_writes(void **state)
+{
+    (void)state;
+    const float values[6] = {0, 1, 2, 3, 4, INFINITY};
+    struct zr_buffer out = {.arena = &arena};
+    assert_int_equal(zr_npy_write(ZR_NPY_FLOAT32, 3, 2, values, &out), ZR_OK);
+    assert_int_equal(out.size, 128 + 24);
+    assert_memory_equal(out.bytes, "\x93NUMPY\x01\x00\x76\x00", 10);
+    static const char dictionary[] = "{'descr': '<f4', 'fortran_order': False, 'shape': (2, 3), }  ";
+    assert_memory_equal(out.bytes + 10, dictionary, sizeof dictionary - 1);
+    assert_int_equal(out.bytes[127], '\n');
+    assert_memory_equal(out.bytes + 128, values, sizeof values);
+}
+
+static void zip_gives_back_its_files_and_is_the_same_every_time(void **state)
+{
+    (void)state;
+    const struct zr_zip_entry entries[2] = {{"a.bin", "hello", 5}, {"b.npy", "", 0}};
+    struct zr_buffer out = {.arena = &arena}, again = {.arena = &arena};
+    assert_int_equal(zr_zip_write(entries, 2, &out), ZR_OK);
+    assert_int_equal(zr_zip_write(entries, 2, &again), ZR_OK);
+    assert_int_equal(out.size, again.size);
+    assert_memory_equal(out.bytes, again.bytes, out.size);
+    zip_error_t error;
+    zip_error_init(&error);
+    zip_t *archive = zip_open_from_source(zip_source_buffer_create(out.bytes, out.size, 0, &error), ZIP_CHECKCONS, &error);
+    assert_non_null(archive);
+    assert_int_equal(zip_get_num_entries(archive, 0), 2);
+    char text[8];
+    zip_file_t *file = zip_fopen(archive, "a.bin", 0);
+    assert_int_equal(zip_fread(file, text, sizeof text), 5);
+    assert_memory_equal(text, "hello", 5);
+    zip_fclose(file);
+    zip_discard(archive);
+}
+
+static void depth16_counts_what_does_not_fit_and_never_wraps(void **state)
+{
+    (void)state;
+    float depth[6] = {INFINITY, 0.001f, 1.0f, 65.535f, 65.6f, -3.0f};
+    struct zr_frame frame = {.width = 6, .height = 1, .depth = depth};
+    uint16_t steps[6];
+    assert_int_equal(zr_depth16_make(&frame, 0.001f, steps), 2);
+    const uint16_t want[6] = {0, 1, 1000, 65535, 65535, 1};
+    assert_memory_equal(steps, want, sizeof want);
+}
+
+static void depth16_scale_left_open_fits_the_far_plane(void **state)
+{
+    (void)state;
+    float depth[2] = {10, 5};
+    struct zr_frame frame = {.width = 2, .height = 1, .depth = depth};
+    frame.camera.znear = 1;
+    frame.camera.zfar = 655.35f;
+    assert_true(fabsf(zr_depth16_scale(&frame, 0) - 0.01f) < 1e-6f);
+    assert_true(zr_depth16_scale(&frame, 0.5f) == 0.5f);
+    frame.camera.znear = frame.camera.zfar = 0; /* a projectionMatrix: no planes known */
+    assert_true(fabsf(zr_depth16_scale(&frame, 0) * 65535.0f - 10.0f) < 1e-4f);
+}
+
+static struct zr_answer answer_of(struct test_scene *test)
+{
+    struct zr_answer answer;
+    struct zr_error error = {.count = 0};
+    const struct zr_frame *frame = scene_render(&arena, NULL, &test->scene);
+    assert_int_equal(zr_encode(&arena, &test->scene, frame, NULL, &answer, &error), ZR_OK);
+    return answer;
+}
+
+static void info_counts_pixels_and_boxes_and_warns(void **state)
+{
+    (void)state;
+    const zr_vec4 p[] = {{-1, 0, 0, 1}, {0, 0, 0, 1}, {-1, 1, 0, 1}, {5, 5, 0, 1}, {6, 5, 0, 1}, {5, 6, 0, 1}};
+    static struct test_scene test;
+    scene_of_triangles(&test, 16, 16, p, 2);
+    const struct zr_output output = {ZR_CHANNEL_INFO, ZR_ENCODING_JSON, 0};
+    const char *const warnings[] = {"something odd"};
+    test.scene.outputs = &output;
+    test.scene.output_count = 1;
+    test.scene.warnings = warnings;
+    test.scene.warning_count = 1;
+    struct zr_answer answer = answer_of(&test);
+    assert_string_equal(answer.content_type, "application/json");
+    assert_string_equal(answer.warnings, "something odd");
+    cJSON *info = cJSON_ParseWithLength(answer.bytes, answer.size);
+    assert_non_null(info);
+    cJSON *face = cJSON_GetObjectItem(info, "faces")->child, *box = cJSON_GetObjectItem(face, "box");
+    assert_null(face->next); /* the other one is outside */
+    assert_true(cJSON_GetObjectItem(face, "id")->valuedouble == 1);
+    assert_true(cJSON_GetObjectItem(face, "pixels")->valuedouble == 28); /* of 8 x 8, half without the diagonal */
+    const double want[4] = {0, 1, 7, 8};
+    for (int i = 0; i < 4; i++) assert_true(cJSON_GetArrayItem(box, i)->valuedouble == want[i]);
+    assert_true(cJSON_GetObjectItem(info, "backgroundPixels")->valuedouble == 256 - 28);
+    assert_true(cJSON_GetObjectItem(cJSON_GetObjectItem(info, "counts"), "outside")->valuedouble == 1);
+    cJSON_Delete(info);
+}
+
+static void several_outputs_come_as_one_archive(void **state)
+{
+    (void)state;
+    const zr_vec4 p[] = {{-1, 0, 0, 1}, {0, 0, 0, 1}, {-1, 1, 0, 1}};
+    static struct test_scene test;
+    scene_of_triangles(&test, 16, 16, p, 1);
+    struct zr_answer answer = answer_of(&test);
+    assert_string_equal(answer.content_type, "application/zip");
+    zip_error_t error;
+    zip_error_init(&error);
+    zip_t *archive =
+        zip_open_from_source(zip_source_buffer_create(answer.bytes, answer.size, 0, &error), ZIP_CHECKCONS, &error);
+    assert_non_null(archive);
+    const char *const names[] = {"color.png", "depth.npy", "windowDepth.npy", "faceId.npy"};
+    for (zip_int64_t i = 0; i < 4; i++) assert_int_equal(zip_name_locate(archive, names[i], 0), i);
+    zip_discard(archive);
+}
+
+static void scene_that_shows_nothing_is_warned_of(void **state)
+{
+    (void)state;
+    const zr_vec4 p[] = {{-1, 0, 0, 1}, {-1, 1, 0, 1}, {0, 0, 0, 1}};
+    static struct test_scene test;
+    scene_of_triangles(&test, 16, 16, p, 1);
+    test.material.double_sided = false;
+    test.scene.output_count = 1;
+    assert_non_null(strstr(answer_of(&test).warnings, "faces away"));
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test_setup_teardown(png_gives_back_the_pixels_of_odd_sizes, open_arena, close_arena),
+        cmocka_unit_test_setup_teardown(png_of_16_bits_is_grey_and_big_endian, open_arena, close_arena),
+        cmocka_unit_test_setup_teardown(png_without_memory_or_cancelled_fails_cleanly, open_arena, close_arena),
+        cmocka_unit_test_setup_teardown(npy_has_the_header_that_numpy_writes, open_arena, close_arena),
+        cmocka_unit_test_setup_teardown(zip_gives_back_its_files_and_is_the_same_every_time, open_arena, close_arena),
+        cmocka_unit_test(depth16_counts_what_does_not_fit_and_never_wraps),
+        cmocka_unit_test(depth16_scale_left_open_fits_the_far_plane),
+        cmocka_unit_test_setup_teardown(info_counts_pixels_and_boxes_and_warns, open_arena, close_arena),
+        cmocka_unit_test_setup_teardown(several_outputs_come_as_one_archive, open_arena, close_arena),
+        cmocka_unit_test_setup_teardown(scene_that_shows_nothing_is_warned_of, open_arena, close_arena),
+    };
+    return cmocka_run_group_tests_name("output", tests, NULL, NULL);
+}

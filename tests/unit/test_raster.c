@@ -1,0 +1,191 @@
+#include <math.h>
+#include <string.h>
+
+#include "raster/halfspace.h"
+#include "raster/visibility.h"
+#include "support/cmocka_all.h"
+#include "support/random.h"
+#include "support/scenes.h"
+
+/* A vertex at window position x, y (pixels) and depth z. */
+static struct zr_window_vertex at(float x, float y, float z)
+{
+    return (struct zr_window_vertex){.x = x, .y = y, .z = z, .oow = 1, .sx = (int32_t)rintf((x - 0.5f) * 256),
+                                     .sy = (int32_t)rintf((y - 0.5f) * 256), .eye_w = 1};
+}
+
+/* Draws clockwise (y up) vertices into a tile at the origin; owner 1. */
+static void draw(struct zr_tile *tile, const struct zr_window_vertex v[3])
+{
+    struct zr_triangle triangle = {.v = {0, 1, 2}};
+    struct zr_setup setup = zr_setup_make(v, &triangle);
+    zr_halfspace_draw(tile, &setup, 1);
+}
+
+static struct zr_tile *cleared_tile(void)
+{
+    static struct zr_tile tile;
+    tile = (struct zr_tile){.width = ZR_TILE_SIZE, .height = ZR_TILE_SIZE};
+    for (int i = 0; i < ZR_TILE_SIZE * ZR_TILE_SIZE; i++) tile.depth[i] = 1.0f;
+    return &tile;
+}
+
+static int owned(const struct zr_tile *tile)
+{
+    int count = 0;
+    for (int i = 0; i < ZR_TILE_SIZE * ZR_TILE_SIZE; i++) count += tile->owner[i] != 0;
+    return count;
+}
+
+static void left_and_bottom_edges_belong_to_a_triangle_right_and_top_do_not(void **state)
+{
+    (void)state;
+    /* A square with corners on pixel centres, as two triangles that share a diagonal. */
+    const struct zr_window_vertex lower[3] = {at(2.5f, 2.5f, 0.5f), at(6.5f, 6.5f, 0.5f), at(6.5f, 2.5f, 0.5f)};
+    const struct zr_window_vertex upper[3] = {at(2.5f, 2.5f, 0.5f), at(2.5f, 6.5f, 0.5f), at(6.5f, 6.5f, 0.5f)};
+    struct zr_tile *tile = cleared_tile();
+    draw(tile, lower);
+    int alone = owned(tile);
+    draw(tile, upper);
+    assert_int_equal(owned(tile), 16);
+    assert_int_equal(tile->owner[2 * ZR_TILE_SIZE + 2], 1);
+    assert_int_equal(tile->owner[2 * ZR_TILE_SIZE + 6], 0);
+    assert_int_equal(tile->owner[6 * ZR_TILE_SIZE + 2], 0);
+    tile = cleared_tile();
+    draw(tile, upper);
+    assert_int_equal(alone + owned(tile), 16);
+}
+
+static void box_holds_the_pixel_centres_only(void **state)
+{
+    (void)state;
+    const struct zr_window_vertex v[3] = {at(2.6f, 2.6f, 0), at(3.4f, 3.4f, 0), at(3.4f, 2.6f, 0)};
+    struct zr_triangle triangle = {.v = {0, 1, 2}};
+    int32_t box[4];
+    zr_setup_box(v, &triangle, box);
+    assert_true(box[0] > box[2] && box[1] > box[3]); /* between the centres 2.5 and 3.5 */
+}
+
+static void nearer_depth_wins_and_the_earlier_triangle_keeps_a_tie(void **state)
+{
+    (void)state;
+    const zr_vec4 p[] = {{-1, -1, 0.5f, 1}, {3, -1, 0.5f, 1}, {-1, 3, 0.5f, 1}, {-1, -1, 0, 1}, {3, -1, 0, 1},
+                         {-1, 3, 0, 1},     {-1, -1, 0, 1},   {3, -1, 0, 1},    {-1, 3, 0, 1}};
+    static struct test_scene test;
+    scene_of_triangles(&test, 8, 8, p, 3);
+    struct zr_arena arena;
+    zr_arena_init(&arena, 1 << 24);
+    const struct zr_frame *frame = scene_render(&arena, NULL, &test.scene);
+    for (int i = 0; i < 64; i++) {
+        assert_int_equal(frame->face_id[i], 2);
+        assert_true(frame->window_depth[i] == 0.5f);
+    }
+    zr_arena_free(&arena);
+}
+
+static void what_lies_on_the_far_plane_is_behind_the_cleared_depth(void **state)
+{
+    (void)state;
+    const struct zr_window_vertex v[3] = {at(0, 0, 1), at(0, 60, 1), at(60, 0, 1)};
+    struct zr_tile *tile = cleared_tile();
+    draw(tile, v);
+    assert_int_equal(owned(tile), 0);
+}
+
+/* The kernel's two ways agree with the definition, E > 0 at every pixel for itself. */
+static void kernel_agrees_with_the_edge_functions_pixel_by_pixel(void **state)
+{
+    (void)state;
+    struct random random = random_seeded(5);
+    for (int round = 0; round < 4000; round++) {
+        float reach = round % 2 ? 40.0f : 900.0f; /* inside 32 bits, and beyond */
+        struct zr_window_vertex v[3];
+        for (int i = 0; i < 3; i++)
+            v[i] = at((float)random_range(&random, -(double)reach, (double)reach + 64),
+                      (float)random_range(&random, -(double)reach, (double)reach + 64), 0.25f);
+        int64_t area = (int64_t)(v[0].sx - v[1].sx) * (v[2].sy - v[0].sy) - (int64_t)(v[2].sx - v[0].sx) * (v[0].sy - v[1].sy);
+        if (area <= 0) continue;
+        struct zr_triangle triangle = {.v = {0, 1, 2}};
+        struct zr_setup setup = zr_setup_make(v, &triangle);
+        struct zr_tile *tile = cleared_tile();
+        zr_halfspace_draw(tile, &setup, 1);
+        for (int y = 0; y < ZR_TILE_SIZE; y++)
+            for (int x = 0; x < ZR_TILE_SIZE; x++) {
+                uint32_t inside = 1;
+                for (int k = 0; k < 3; k++)
+                    inside &= setup.edges[k].c + setup.edges[k].a * x + setup.edges[k].b * y > 0;
+                assert_int_equal(tile->owner[y * ZR_TILE_SIZE + x], inside);
+            }
+    }
+}
+
+static void depth_beyond_the_range_is_clamped_and_nan_is_the_far_plane(void **state)
+{
+    (void)state;
+    struct zr_tile *tile = cleared_tile();
+    const struct zr_window_vertex v[3] = {at(0, 0, -1), at(0, 60, -1), at(60, 0, -1)};
+    draw(tile, v);
+    assert_true(owned(tile) > 0 && tile->depth[0] == 0.0f);
+    tile = cleared_tile();
+    const struct zr_window_vertex n[3] = {at(0, 0, NAN), at(0, 60, 0), at(60, 0, 0)};
+    draw(tile, n);
+    assert_int_equal(owned(tile), 0);
+}
+
+static void bins_list_every_triangle_where_it_touches_in_order(void **state)
+{
+    (void)state;
+    struct random random = random_seeded(9);
+    enum { COUNT = 500 };
+    static struct zr_window_vertex vertices[COUNT * 3];
+    static struct zr_triangle triangles[COUNT];
+    for (uint32_t i = 0; i < COUNT; i++) {
+        double x = random_range(&random, 0, 300), y = random_range(&random, 0, 200), r = i % 10 ? 20 : 300;
+        for (uint32_t k = 0; k < 3; k++) {
+            float vx = (float)fmin(fmax(x + random_range(&random, -r, r), 0), 300);
+            float vy = (float)fmin(fmax(y + random_range(&random, -r, r), 0), 200);
+            vertices[3 * i + k] = at(vx, vy, 0);
+            triangles[i].v[k] = 3 * i + k;
+        }
+    }
+    struct zr_geometry geometry = {.vertices = vertices, .triangles = triangles, .triangle_count = COUNT};
+    struct zr_arena arena;
+    zr_arena_init(&arena, 1 << 24);
+    struct zr_bins bins;
+    assert_int_equal(zr_bins_build(&arena, &geometry, 300, 200, &bins), ZR_OK);
+    assert_int_equal(bins.columns, 5);
+    assert_int_equal(bins.rows, 4);
+    assert_in_range(bins.large_count, 1, COUNT - 1);
+    for (uint32_t i = 0; i < COUNT; i++) {
+        int32_t box[4];
+        zr_setup_box(vertices, &triangles[i], box);
+        bool large = false;
+        for (uint32_t k = 0; k < bins.large_count; k++) large |= bins.large[k] == i;
+        for (int32_t tile = 0; tile < 20 && !large; tile++) {
+            int32_t x = tile % 5 * ZR_TILE_SIZE, y = tile / 5 * ZR_TILE_SIZE;
+            int32_t x1 = x + ZR_TILE_SIZE < 300 ? x + ZR_TILE_SIZE : 300, y1 = y + ZR_TILE_SIZE < 200 ? y + ZR_TILE_SIZE : 200;
+            int touches = box[0] <= box[2] && box[1] <= box[3] && box[0] < x1 && box[2] >= x && box[1] < y1 && box[3] >= y;
+            int listed = 0;
+            for (uint32_t e = bins.offsets[tile]; e < bins.offsets[tile + 1]; e++) listed += bins.entries[e] == i;
+            assert_int_equal(listed, touches);
+        }
+    }
+    for (uint32_t tile = 0; tile < 20; tile++)
+        for (uint32_t e = bins.offsets[tile] + 1; e < bins.offsets[tile + 1]; e++)
+            assert_true(bins.entries[e] > bins.entries[e - 1]);
+    zr_arena_free(&arena);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(left_and_bottom_edges_belong_to_a_triangle_right_and_top_do_not),
+        cmocka_unit_test(box_holds_the_pixel_centres_only),
+        cmocka_unit_test(nearer_depth_wins_and_the_earlier_triangle_keeps_a_tie),
+        cmocka_unit_test(what_lies_on_the_far_plane_is_behind_the_cleared_depth),
+        cmocka_unit_test(kernel_agrees_with_the_edge_functions_pixel_by_pixel),
+        cmocka_unit_test(depth_beyond_the_range_is_clamped_and_nan_is_the_far_plane),
+        cmocka_unit_test(bins_list_every_triangle_where_it_touches_in_order),
+    };
+    return cmocka_run_group_tests_name("raster", tests, NULL, NULL);
+}

@@ -1,0 +1,221 @@
+/* From visibility to channels, and the pipeline as a whole. */
+#include <math.h>
+#include <string.h>
+
+#include "shade/resolve.h"
+#include "support/cmocka_all.h"
+#include "support/scenes.h"
+
+static void color_byte_rounds_to_nearest_even_and_clamps(void **state)
+{
+    (void)state;
+    for (int i = 0; i < 256; i++) assert_int_equal(zr_color_byte((float)i * (1.0f / 255.0f)), i);
+    assert_int_equal(zr_color_byte(0.5f), 128); /* 127.5 */
+    assert_int_equal(zr_color_byte(2.0f), 255);
+    assert_int_equal(zr_color_byte(-1.0f), 0);
+    assert_int_equal(zr_color_byte(NAN), 0);
+    assert_int_equal(zr_color_byte(INFINITY), 255);
+}
+
+static void row_0_is_the_top_of_the_picture(void **state)
+{
+    (void)state;
+    /* The upper half of the window, y up. */
+    const zr_vec4 p[] = {{-1, 0, 0, 1}, {1, 0, 0, 1}, {1, 1, 0, 1}, {-1, 0, 0, 1}, {1, 1, 0, 1}, {-1, 1, 0, 1}};
+    static struct test_scene test;
+    scene_of_triangles(&test, 10, 6, p, 2);
+    struct zr_arena arena;
+    zr_arena_init(&arena, 1 << 24);
+    const struct zr_frame *frame = scene_render(&arena, NULL, &test.scene);
+    for (int y = 0; y < 6; y++)
+        for (int x = 0; x < 10; x++) {
+            int i = y * 10 + x, covered = y < 3;
+            assert_int_equal(frame->face_id[i] != 0, covered);
+            assert_int_equal(frame->color[4 * i], covered ? 255 : 0);
+            assert_int_equal(frame->color[4 * i + 3], 255);
+            assert_true(frame->window_depth[i] == (covered ? 0.5f : 1.0f));
+            assert_int_equal(isinf(frame->depth[i]) != 0, !covered);
+        }
+    zr_arena_free(&arena);
+}
+
+static void colours_are_interpolated_in_perspective(void **state)
+{
+    (void)state;
+    /* From black at w = 1 on the left to white at w = 3 on the right: half way across
+     * the window 1/w is 2/3 and colour/w is 1/6, so the colour is 1/4. */
+    const zr_vec4 p[] = {{-1, -1, 0, 1}, {3, -3, 0, 3}, {3, 3, 0, 3}, {-1, -1, 0, 1}, {3, 3, 0, 3}, {-1, 1, 0, 1}};
+    const zr_vec4 c[] = {{0, 0, 0, 1}, {1, 1, 1, 1}, {1, 1, 1, 1}, {0, 0, 0, 1}, {1, 1, 1, 1}, {0, 0, 0, 1}};
+    static struct test_scene test;
+    scene_of_triangles(&test, 255, 9, p, 2);
+    test.mesh.colors = c;
+    struct zr_arena arena;
+    zr_arena_init(&arena, 1 << 24);
+    const struct zr_frame *frame = scene_render(&arena, NULL, &test.scene);
+    for (int y = 0; y < 9; y++) assert_in_range(frame->color[4 * (y * 255 + 127)], 63, 64);
+    zr_arena_free(&arena);
+}
+
+static void eye_depth_is_metric_in_both_projections(void **state)
+{
+    (void)state;
+    /* A floor that leads away from the camera: y = -1, z from -1 to -9. */
+    const zr_vec4 p[] = {{-9, -1, -1, 1}, {9, -1, -1, 1}, {9, -1, -9, 1}, {-9, -1, -1, 1}, {9, -1, -9, 1}, {-9, -1, -9, 1}};
+    static struct test_scene test;
+    struct zr_arena arena;
+    zr_arena_init(&arena, 1 << 24);
+    scene_of_triangles(&test, 64, 64, p, 2);
+    test.scene.view.projection = ZR_PROJECTION_PERSPECTIVE;
+    test.scene.view.yfov_radians = 1.5707963f;
+    const struct zr_frame *frame = scene_render(&arena, NULL, &test.scene);
+    for (int y = 36; y < 64; y++) {
+        double slope = ((double)y + 0.5 - 32.0) / 32.0; /* of the ray through the pixel's centre: depth 1 / slope */
+        float depth = frame->depth[y * 64 + 32];
+        if (1.0 / slope > 1.0 && 1.0 / slope < 9.0) assert_true(fabs((double)depth * slope - 1.0) < 1e-5);
+    }
+    const zr_vec4 wall[] = {{-1, -1, -2, 1}, {1, -1, -2, 1}, {1, 1, -6, 1}, {-1, -1, -2, 1}, {1, 1, -6, 1}, {-1, 1, -6, 1}};
+    scene_of_triangles(&test, 8, 64, wall, 2);
+    test.scene.view.projection = ZR_PROJECTION_ORTHOGRAPHIC;
+    test.scene.view.xmag = test.scene.view.ymag = 1.0f;
+    frame = scene_render(&arena, NULL, &test.scene);
+    for (int y = 0; y < 64; y++)
+        assert_true(fabsf(frame->depth[y * 8 + 4] - (6.0f - 4.0f * ((float)y + 0.5f) / 64.0f)) < 1e-4f);
+    zr_arena_free(&arena);
+}
+
+static void depth_of_slivers_stays_between_their_vertices(void **state)
+{
+    (void)state;
+    static zr_vec4 p[300];
+    for (int i = 0; i < 100; i++) {
+        float y = -1.0f + 0.02f * (float)i;
+        p[3 * i] = (zr_vec4){-1, y, -0.5f, 1};
+        p[3 * i + 1] = (zr_vec4){1, y + 1e-3f * (float)(i % 7), -0.2f, 1};
+        p[3 * i + 2] = (zr_vec4){0.1f, y + 6e-4f * (float)(i % 7), -0.9f, 1};
+    }
+    static struct test_scene test;
+    scene_of_triangles(&test, 1000, 1000, p, 100);
+    struct zr_arena arena;
+    zr_arena_init(&arena, 1 << 27);
+    const struct zr_frame *frame = scene_render(&arena, NULL, &test.scene);
+    int seen = 0;
+    for (int i = 0; i < 1000 * 1000; i++) {
+        if (frame->face_id[i] == 0) continue;
+        assert_true(frame->depth[i] >= 0.2f && frame->depth[i] <= 0.9f);
+        seen++;
+    }
+    assert_true(seen > 100);
+    zr_arena_free(&arena);
+}
+
+static void lit_backs_are_shown_where_both_sides_are_drawn(void **state)
+{
+    (void)state;
+    const zr_vec4 p[] = {{-1, -1, 0, 1}, {3, -1, 0, 1}, {-1, 3, 0, 1}};
+    const zr_vec4 away[] = {{-1, -1, 0, 1}, {-1, 3, 0, 1}, {3, -1, 0, 1}};
+    const struct zr_light headlight = {{0, 0, -1}, {1, 1, 1}, true};
+    static struct test_scene test;
+    struct zr_arena arena;
+    zr_arena_init(&arena, 1 << 24);
+    for (int turned = 0; turned < 2; turned++)
+        for (int shading = ZR_SHADING_FLAT; shading <= ZR_SHADING_GOURAUD; shading++) {
+            scene_of_triangles(&test, 4, 4, turned ? away : p, 1);
+            test.material.shading = (enum zr_shading)shading;
+            test.scene.lights = &headlight;
+            test.scene.light_count = 1;
+            const struct zr_frame *frame = scene_render(&arena, NULL, &test.scene);
+            assert_int_equal(frame->color[0], 255);
+        }
+    zr_arena_free(&arena);
+}
+
+static void two_meshes_with_clipping_keep_their_own_colours(void **state)
+{
+    (void)state;
+    /* Each mesh is cut by the window's border, so that pieces are added while there
+     * is another mesh to come. */
+    const zr_vec4 left[] = {{-3, -1, 0, 1}, {0, -1, 0, 1}, {0, 2, 0, 1}}, right[] = {{0, -1, 0, 1}, {3, -1, 0, 1}, {0, 2, 0, 1}};
+    const zr_vec4 red[] = {{1, 0, 0, 1}, {1, 0, 0, 1}, {1, 0, 0, 1}}, blue[] = {{0, 0, 1, 1}, {0, 0, 1, 1}, {0, 0, 1, 1}};
+    static struct test_scene a, b;
+    scene_of_triangles(&a, 32, 32, left, 1);
+    scene_of_triangles(&b, 32, 32, right, 1);
+    a.mesh.colors = red;
+    b.mesh.colors = blue;
+    const struct zr_mesh meshes[] = {a.mesh, b.mesh};
+    const struct zr_instance instances[] = {{0, zr_mat4_identity()}, {1, zr_mat4_identity()}};
+    a.scene.meshes = meshes;
+    a.scene.instances = instances;
+    a.scene.mesh_count = a.scene.instance_count = 2;
+    struct zr_arena arena;
+    zr_arena_init(&arena, 1 << 24);
+    const struct zr_frame *frame = scene_render(&arena, NULL, &a.scene);
+    assert_int_equal(frame->counts.clipped, 2);
+    const uint8_t *bottom = frame->color + (size_t)31 * 32 * 4;
+    for (int x = 0; x < 32; x++) {
+        assert_int_equal(bottom[4 * x], x < 16 ? 255 : 0);
+        assert_int_equal(bottom[4 * x + 2], x < 16 ? 0 : 255);
+        assert_int_equal(frame->face_id[31 * 32 + x], x < 16 ? 1 : 2);
+    }
+    zr_arena_free(&arena);
+}
+
+static void render_that_is_cancelled_says_so(void **state)
+{
+    (void)state;
+    const zr_vec4 p[] = {{-1, -1, 0, 1}, {3, -1, 0, 1}, {-1, 3, 0, 1}};
+    static struct test_scene test;
+    scene_of_triangles(&test, 64, 64, p, 1);
+    struct zr_arena arena;
+    zr_arena_init(&arena, 1 << 24);
+    struct zr_cancel cancel = {.raised = true};
+    struct zr_error error = {.count = 0};
+    const struct zr_frame *frame;
+    assert_int_equal(zr_render(&arena, NULL, &test.scene, &cancel, &frame, &error), ZR_CANCELLED);
+    assert_int_equal(error.count, 1);
+    zr_arena_free(&arena);
+}
+
+static void render_under_every_memory_ceiling_fails_cleanly_or_gives_the_picture(void **state)
+{
+    (void)state;
+    static zr_vec4 p[3 * 500];
+    for (int i = 0; i < 1500; i++) p[i] = (zr_vec4){(float)(i % 7) - 3, (float)(i % 5) - 2, 0, (float)(i % 3 + 1)};
+    static struct test_scene test;
+    scene_of_triangles(&test, 64, 64, p, 500);
+    test.material.shading = ZR_SHADING_GOURAUD;
+    int failures = 0, successes = 0;
+    for (size_t ceiling = 0; ceiling < 2000000; ceiling += 4000) {
+        struct zr_arena arena;
+        zr_arena_init(&arena, ceiling);
+        struct zr_error error = {.count = 0};
+        const struct zr_frame *frame;
+        enum zr_status status = zr_render(&arena, NULL, &test.scene, NULL, &frame, &error);
+        if (status == ZR_OK) {
+            assert_int_equal(frame->counts.polygons, 500);
+            successes++;
+        } else {
+            assert_int_equal(status, ZR_NO_MEMORY);
+            assert_int_equal(error.count, 1);
+            assert_int_equal(successes, 0);
+            failures++;
+        }
+        zr_arena_free(&arena);
+    }
+    assert_true(failures > 10 && successes > 10);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(color_byte_rounds_to_nearest_even_and_clamps),
+        cmocka_unit_test(row_0_is_the_top_of_the_picture),
+        cmocka_unit_test(colours_are_interpolated_in_perspective),
+        cmocka_unit_test(eye_depth_is_metric_in_both_projections),
+        cmocka_unit_test(depth_of_slivers_stays_between_their_vertices),
+        cmocka_unit_test(lit_backs_are_shown_where_both_sides_are_drawn),
+        cmocka_unit_test(two_meshes_with_clipping_keep_their_own_colours),
+        cmocka_unit_test(render_that_is_cancelled_says_so),
+        cmocka_unit_test(render_under_every_memory_ceiling_fails_cleanly_or_gives_the_picture),
+    };
+    return cmocka_run_group_tests_name("shade", tests, NULL, NULL);
+}
