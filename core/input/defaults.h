@@ -1,0 +1,22 @@
+/* defaults.h - input: what a scene is where nobody says otherwise. */
+#ifndef ZR_DEFAULTS_H
+#define ZR_DEFAULTS_H
+
+#include <stdbool.h>
+
+#include "scene/scene.h"
+
+#define ZR_FIT_PADDING 0.05f
+
+/* Window 640x480, white background, ambient light, one headlight, an isometric
+ * view fitted to the geometry, a colour image as the one output; no geometry. */
+void zr_scene_defaults(struct zr_scene *scene);
+
+/* The colour of what has a material of none, and no colours either (grey), or
+ * colours of its own (white, which leaves them as they are). */
+zr_vec4 zr_default_base_color(bool coloured);
+
+/* Smooth where normals or vertex colours ask for it. */
+enum zr_shading zr_default_shading(bool smooth);
+
+#endif

@@ -1,0 +1,25 @@
+/* input.h - input: bytes of each format -> zr_scene.
+ *
+ * The room where hostile bytes are stopped. Each reader checks syntax, types,
+ * finiteness, magnitude and index range itself, because it alone can say where
+ * in the input the fault is; what concerns the scene as a whole is checked
+ * afterwards by scene/validate.h. Readers never write to the input, and never
+ * read past bytes + size (no terminating zero is promised).
+ */
+#ifndef ZR_INPUT_H
+#define ZR_INPUT_H
+
+#include "scene/scene.h"
+#include "zraster.h"
+
+/* A scene in JSON (the contract: server/api/scene.schema.json). */
+enum zr_status zr_json_read(struct zr_arena *arena, const struct zr_request *request, const struct zr_limits *limits,
+                            struct zr_scene *scene, struct zr_error *error);
+
+/* Bare meshes: fill *mesh only. Errors name the line or the byte in `detail`. */
+enum zr_status zr_obj_read(struct zr_arena *arena, const char *bytes, size_t size, const struct zr_limits *limits,
+                           struct zr_mesh *mesh, struct zr_error *error);
+enum zr_status zr_stl_read(struct zr_arena *arena, const char *bytes, size_t size, const struct zr_limits *limits,
+                           struct zr_mesh *mesh, struct zr_error *error);
+
+#endif

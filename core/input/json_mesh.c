@@ -1,0 +1,130 @@
+#include "input/json_scene.h"
+
+#include <string.h>
+
+enum { NAME, MATERIAL, POSITIONS, NORMALS, COLORS, FACE_COLORS, FACES, DOUBLE_SIDED, SHADING, KEYS };
+static const char *const words[] = {"name",        "material", "positions", "normals", "colors",  "faceColors", "faces",
+                                    "doubleSided", "shading",  "texcoords", "lines",   "heights", "data"};
+static const struct zr_names keys = ZR_NAMES(KEYS, words);
+
+static const char *copy_text(struct zr_arena *arena, const char *text)
+{
+    size_t size = strlen(text) + 1;
+    char *copy = zr_arena_alloc(arena, size, 1);
+    return copy ? memcpy(copy, text, size) : "";
+}
+
+/* A list that must have one item for each of `wanted` things. */
+static bool read_count(struct zr_json *json, const struct zr_json_path *path, const cJSON *node, size_t wanted,
+                       const char *of)
+{
+    size_t count;
+    if (!zr_json_array(json, path, node, &count)) return false;
+    return count == wanted || zr_json_fault(json, path, "%zu items for %zu %s; one each is needed", count, wanted, of);
+}
+
+/* A list of colours, one for each; NULL where it is not given or not right. */
+static const zr_vec4 *read_colors(struct zr_builder *builder, const struct zr_json_path *path, const cJSON *node,
+                                  size_t wanted, const char *of)
+{
+    struct zr_json *json = &builder->json;
+    if (!node || !read_count(json, path, node, wanted, of)) return NULL;
+    zr_vec4 *colors = zr_arena_alloc(json->arena, wanted, sizeof *colors);
+    if (!colors || !zr_json_vec4_list(json, path, node, zr_json_color, colors)) return NULL;
+    zr_builder_note_alpha(builder, colors, wanted);
+    return colors;
+}
+
+static void read_positions(struct zr_json *json, const struct zr_json_path *path, const cJSON *node,
+                           struct zr_mesh *mesh)
+{
+    size_t count;
+    if (!zr_json_array(json, path, node, &count)) return;
+    zr_vec4 *positions = zr_arena_alloc(json->arena, count, sizeof *positions);
+    if (!positions) return;
+    zr_json_vec4_list(json, path, node, zr_json_position, positions);
+    mesh->position_count = (uint32_t)count;
+    mesh->positions = positions;
+}
+
+static void read_normals(struct zr_json *json, const struct zr_json_path *path, const cJSON *node, struct zr_mesh *mesh)
+{
+    if (!read_count(json, path, node, mesh->position_count, "positions")) return;
+    zr_vec3 *normals = zr_arena_alloc(json->arena, mesh->position_count, sizeof *normals);
+    if (!normals || !zr_json_vec3_list(json, path, node, normals)) return;
+    mesh->normal_count = mesh->position_count;
+    mesh->normals = normals;
+}
+
+/* Writes a face's corners to `indices`, which has room for all items of `node`. */
+static void read_face(struct zr_json *json, const struct zr_json_path *path, const cJSON *node, uint32_t positions,
+                      uint32_t *indices)
+{
+    size_t count, corner = 0;
+    if (!zr_json_array(json, path, node, &count)) return;
+    if (count < 3 || count > json->limits->polygon_vertices_max) {
+        zr_json_fault(json, path, "a face of %zu corners; 3 to %u are allowed", count,
+                      json->limits->polygon_vertices_max);
+        return;
+    }
+    for (const cJSON *item = node->child; item && !zr_json_full(json); item = item->next, corner++)
+        zr_json_index(json, ZR_JSON_ITEM(path, corner), item, positions, "positions", &indices[corner]);
+}
+
+static size_t count_corners(const cJSON *faces)
+{
+    size_t corners = 0;
+    for (const cJSON *face = faces->child; face; face = face->next)
+        for (const cJSON *corner = cJSON_IsArray(face) ? face->child : NULL; corner; corner = corner->next)
+            corners++;
+    return corners;
+}
+
+static void read_faces(struct zr_json *json, const struct zr_json_path *path, const cJSON *node, struct zr_mesh *mesh)
+{
+    size_t faces, face = 0;
+    if (!zr_json_array(json, path, node, &faces)) return;
+    uint32_t *offsets = zr_arena_alloc(json->arena, faces + 1, sizeof *offsets);
+    uint32_t *indices = zr_arena_alloc(json->arena, count_corners(node), sizeof *indices);
+    if (!zr_arena_ok(json->arena)) return;
+    uint32_t used = 0;
+    for (const cJSON *item = node->child; item && !zr_json_full(json); item = item->next, face++) {
+        size_t faults = json->error->count;
+        offsets[face] = used;
+        read_face(json, ZR_JSON_ITEM(path, face), item, mesh->position_count, indices + used);
+        if (json->error->count == faults) used += (uint32_t)cJSON_GetArraySize(item);
+    }
+    offsets[face] = used;
+    mesh->face_count = (uint32_t)face;
+    mesh->face_offsets = offsets;
+    mesh->indices = indices;
+}
+
+void zr_builder_read_mesh(struct zr_builder *builder, const struct zr_json_path *path, const cJSON *node,
+                          struct zr_mesh *mesh)
+{
+    struct zr_json *json = &builder->json;
+    const cJSON *found[KEYS];
+    *mesh = (struct zr_mesh){.name = ""};
+    if (!zr_json_object(json, path, node, &keys, found)) return;
+    const char *name;
+    if (found[NAME] && zr_json_string(json, ZR_JSON_KEY(path, words[NAME]), found[NAME], &name))
+        mesh->name = copy_text(json->arena, name);
+    for (int key = POSITIONS; key <= FACES; key += FACES - POSITIONS)
+        if (!found[key]) zr_json_fault(json, path, "%s is missing", words[key]);
+    struct zr_style style;
+    zr_builder_read_style(builder, path, found[MATERIAL], found[DOUBLE_SIDED], found[SHADING], &style);
+    if (!found[POSITIONS] || !found[FACES]) return;
+
+    size_t faults = json->error->count;
+    read_positions(json, ZR_JSON_KEY(path, words[POSITIONS]), found[POSITIONS], mesh);
+    if (json->error->count > faults && !mesh->positions) return; /* no count to hold the rest against */
+    if (found[NORMALS]) read_normals(json, ZR_JSON_KEY(path, words[NORMALS]), found[NORMALS], mesh);
+    mesh->colors =
+        read_colors(builder, ZR_JSON_KEY(path, words[COLORS]), found[COLORS], mesh->position_count, "positions");
+    read_faces(json, ZR_JSON_KEY(path, words[FACES]), found[FACES], mesh);
+    mesh->face_colors =
+        read_colors(builder, ZR_JSON_KEY(path, words[FACE_COLORS]), found[FACE_COLORS], mesh->face_count, "faces");
+    mesh->material =
+        zr_builder_variant(builder, &style, mesh->colors || mesh->face_colors, mesh->normals || mesh->colors);
+}

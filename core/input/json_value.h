@@ -1,0 +1,98 @@
+/* json_value.h - input: one cJSON node -> one checked value, or a complaint with
+ * a JSON Pointer to it.
+ *
+ * Every function returns false after reporting ZR_BAD_SCENE, so that a reader
+ * may go on with what else is there and report up to ZR_ERROR_ITEMS faults at
+ * once; loops over input stop at zr_json_full. Lists are walked along ->next.
+ */
+#ifndef ZR_JSON_VALUE_H
+#define ZR_JSON_VALUE_H
+
+#include <cjson/cJSON.h>
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include "base/arena.h"
+#include "base/status.h"
+#include "base/vec.h"
+#include "input/names.h"
+#include "zraster.h"
+
+struct zr_json {
+    struct zr_arena *arena;
+    const struct zr_limits *limits;
+    struct zr_error *error;
+};
+
+/* Where a reader is: a chain of links on the stack, written out (RFC 6901) only
+ * when something is wrong. `key` is NULL for an item of a list. */
+struct zr_json_path {
+    const struct zr_json_path *parent; /* NULL: the root */
+    const char *key;
+    size_t index;
+};
+
+#define ZR_JSON_KEY(parent, key)    (&(const struct zr_json_path){(parent), (key), 0})
+#define ZR_JSON_ITEM(parent, index) (&(const struct zr_json_path){(parent), NULL, (index)})
+
+/* Reports ZR_BAD_SCENE at `path` (NULL: the root); returns false. */
+bool zr_json_fault(struct zr_json *json, const struct zr_json_path *path, const char *format, ...)
+    __attribute__((format(printf, 3, 4)));
+
+/* As many faults as are kept: time to stop. */
+bool zr_json_full(const struct zr_json *json);
+
+/* found[i] becomes the member named keys->words[i], or NULL; keys->count of them.
+ * Unknown, unsupported and repeated keys are reported, and what is known is still
+ * filled in: false only where the node is no object. */
+bool zr_json_object(struct zr_json *json, const struct zr_json_path *path, const cJSON *node,
+                    const struct zr_names *keys, const cJSON **found);
+
+/* A list of any length. */
+bool zr_json_array(struct zr_json *json, const struct zr_json_path *path, const cJSON *node, size_t *count);
+
+/* A finite number, low <= *out <= high. */
+bool zr_json_number(struct zr_json *json, const struct zr_json_path *path, const cJSON *node, double low, double high,
+                    double *out);
+
+/* A number > 0 and <= coordinate_max, still > 0 as a float. */
+bool zr_json_positive(struct zr_json *json, const struct zr_json_path *path, const cJSON *node, float *out);
+
+/* A place along an axis: magnitude <= coordinate_max. */
+bool zr_json_coordinate(struct zr_json *json, const struct zr_json_path *path, const cJSON *node, float *out);
+
+/* A whole number, 0..UINT32_MAX. */
+bool zr_json_whole(struct zr_json *json, const struct zr_json_path *path, const cJSON *node, uint32_t *out);
+
+/* A whole number below `count`; `of` names what is counted ("positions"). */
+bool zr_json_index(struct zr_json *json, const struct zr_json_path *path, const cJSON *node, uint32_t count,
+                   const char *of, uint32_t *out);
+
+bool zr_json_bool(struct zr_json *json, const struct zr_json_path *path, const cJSON *node, bool *out);
+bool zr_json_string(struct zr_json *json, const struct zr_json_path *path, const cJSON *node, const char **out);
+
+/* One of the words: *out is its index, below names->count. */
+bool zr_json_choice(struct zr_json *json, const struct zr_json_path *path, const cJSON *node,
+                    const struct zr_names *names, int *out);
+
+bool zr_json_vec3(struct zr_json *json, const struct zr_json_path *path, const cJSON *node, zr_vec3 *out);
+
+/* Three coordinates, and w = 1; or four. */
+bool zr_json_position(struct zr_json *json, const struct zr_json_path *path, const cJSON *node, zr_vec4 *out);
+
+/* [r,g,b] or [r,g,b,a] of 0..1, or "#rrggbb", "#rrggbbaa"; alpha 1 where not given. */
+bool zr_json_color(struct zr_json *json, const struct zr_json_path *path, const cJSON *node, zr_vec4 *out);
+
+/* Four rows of four numbers, or sixteen numbers column by column. */
+bool zr_json_mat4(struct zr_json *json, const struct zr_json_path *path, const cJSON *node, zr_mat4 *out);
+
+/* Reads each item of a list to out[0], out[1], ... ; `node` must be a list and
+ * `out` must have room for it. */
+typedef bool (*zr_json_vec4_reader)(struct zr_json *json, const struct zr_json_path *path, const cJSON *node,
+                                    zr_vec4 *out);
+bool zr_json_vec4_list(struct zr_json *json, const struct zr_json_path *path, const cJSON *node,
+                       zr_json_vec4_reader read, zr_vec4 *out);
+bool zr_json_vec3_list(struct zr_json *json, const struct zr_json_path *path, const cJSON *node, zr_vec3 *out);
+
+#endif

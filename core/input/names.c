@@ -1,0 +1,30 @@
+#include "input/names.h"
+
+#include <stdio.h>
+#include <string.h>
+
+#include "scene/scene.h"
+
+static const char *const shadings[] = {"unlit", "flat", "gouraud", "phong", "normals"};
+static const char *const presets[] = {"front", "back", "left", "right", "top", "bottom", "isometric"};
+
+const struct zr_names zr_shading_names = ZR_NAMES(ZR_SHADING_GOURAUD + 1, shadings);
+const struct zr_names zr_preset_names = ZR_NAMES(ZR_PRESET_COUNT, presets);
+
+int zr_names_find(const struct zr_names *names, const char *word)
+{
+    for (int i = 0; i < names->all; i++)
+        if (strcmp(names->words[i], word) == 0) return i;
+    return -1;
+}
+
+struct zr_names_text zr_names_join(const struct zr_names *names)
+{
+    struct zr_names_text joined = {""};
+    size_t used = 0;
+    for (int i = 0; i < names->count && used < sizeof joined.text; i++) {
+        int length = snprintf(joined.text + used, sizeof joined.text - used, "%s%s", i ? ", " : "", names->words[i]);
+        used += (size_t)length;
+    }
+    return joined;
+}

@@ -1,0 +1,31 @@
+/* names.h - input: the words that a scene and a query may use. */
+#ifndef ZR_NAMES_H
+#define ZR_NAMES_H
+
+/* Words in the order of the enum that they name. Behind the `count` words that
+ * work come, up to `all`, those that the contract has and this version lacks, so
+ * that they are refused as such and not as misspelt. */
+struct zr_names {
+    int count, all;
+    const char *const *words;
+};
+
+/* Fills a struct zr_names from an array of words of which the first `works` work. */
+#define ZR_NAMES(works, array)                                                                                         \
+    {                                                                                                                  \
+        (works), (int)(sizeof(array) / sizeof((array)[0])), (array)                                                    \
+    }
+
+/* The index of a word, below `all`, or -1. Case matters. */
+int zr_names_find(const struct zr_names *names, const char *word);
+
+/* Those that work, for a message: "a, b, c". */
+struct zr_names_text {
+    char text[160];
+};
+struct zr_names_text zr_names_join(const struct zr_names *names);
+
+extern const struct zr_names zr_shading_names; /* enum zr_shading */
+extern const struct zr_names zr_preset_names;  /* enum zr_preset */
+
+#endif

@@ -1,0 +1,127 @@
+#include "input/number.h"
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum {
+    EXPONENT_MAX = 1000000, /* clamps what is written; far beyond any double, far within an int */
+    /* Between two doubles, the middle has at most 767 significant digits: more
+     * cannot change the rounding, except by being not all zero. */
+    DIGITS_KEPT = 770,
+    FAST_DIGITS = 19,  /* fit 64 bits */
+    FAST_EXPONENT = 22 /* 10^22 is the largest power of ten that a double holds exactly */
+};
+
+struct decimal {
+    bool negative;
+    const char *first, *last; /* significant digits, perhaps with a point among them; last is one past */
+    int digits;               /* count of them, saturated */
+    uint64_t mantissa;        /* valid while digits <= FAST_DIGITS */
+    int64_t exponent;         /* of the last digit */
+};
+
+static bool is_digit(const char *at, const char *end)
+{
+    return at < end && (unsigned char)(*at - '0') < 10;
+}
+
+/* Digits are taken into the mantissa as long as they fit; the caller counts. */
+static const char *read_digits(const char *at, const char *end, struct decimal *decimal)
+{
+    uint64_t mantissa = decimal->mantissa;
+    int digits = decimal->digits;
+    for (; is_digit(at, end); at++) {
+        if (digits == 0) {
+            if (*at == '0') continue;
+            decimal->first = at;
+        }
+        if (digits < FAST_DIGITS) mantissa = mantissa * 10 + (uint64_t)(*at - '0');
+        if (digits < EXPONENT_MAX) digits++;
+    }
+    decimal->mantissa = mantissa;
+    decimal->digits = digits;
+    return at;
+}
+
+static const char *read_exponent(const char *at, const char *end, int64_t *exponent)
+{
+    const char *digit = at + 1;
+    bool negative = digit < end && *digit == '-';
+    if (digit < end && (*digit == '-' || *digit == '+')) digit++;
+    if (!is_digit(digit, end)) return NULL;
+    int64_t value = 0;
+    for (; is_digit(digit, end); digit++)
+        if (value < EXPONENT_MAX) value = value * 10 + (*digit - '0');
+    *exponent += negative ? -value : value;
+    return digit;
+}
+
+/* Rewrites the number without a point, so that no locale matters. */
+static double convert_exactly(const struct decimal *decimal)
+{
+    char text[DIGITS_KEPT + 32];
+    size_t used = 0;
+    int64_t exponent = decimal->exponent;
+    bool rest = false;
+    for (const char *at = decimal->first; at < decimal->last; at++) {
+        if (*at == '.') continue;
+        if (used < DIGITS_KEPT) {
+            text[used++] = *at;
+        } else {
+            rest = rest || *at != '0';
+            exponent++;
+        }
+    }
+    if (rest) {
+        text[used++] = '1';
+        exponent--;
+    }
+    if (exponent > EXPONENT_MAX) exponent = EXPONENT_MAX;
+    if (exponent < -EXPONENT_MAX) exponent = -EXPONENT_MAX;
+    snprintf(text + used, sizeof text - used, "e%d", (int)exponent);
+    return strtod(text, NULL);
+}
+
+static double convert(const struct decimal *decimal)
+{
+    static const double powers[FAST_EXPONENT + 1] = {1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,
+                                                     1e8,  1e9,  1e10, 1e11, 1e12, 1e13, 1e14, 1e15,
+                                                     1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22};
+    if (decimal->digits == 0) return 0.0;
+    /* Both operands are exact, so that the one operation rounds once (Clinger 1990). */
+    if (decimal->digits <= FAST_DIGITS && decimal->mantissa <= (uint64_t)1 << 53 &&
+        decimal->exponent >= -FAST_EXPONENT && decimal->exponent <= FAST_EXPONENT) {
+        double mantissa = (double)decimal->mantissa;
+        return decimal->exponent < 0 ? mantissa / powers[-decimal->exponent] : mantissa * powers[decimal->exponent];
+    }
+    return convert_exactly(decimal);
+}
+
+const char *zr_number_read(const char *at, const char *end, double *value)
+{
+    struct decimal decimal = {.negative = at < end && *at == '-'};
+    if (at < end && (*at == '-' || *at == '+')) at++;
+    const char *whole = at;
+    at = read_digits(at, end, &decimal);
+    size_t written = (size_t)(at - whole);
+    decimal.last = at;
+    if (at < end && *at == '.') {
+        const char *fraction = at + 1;
+        at = read_digits(fraction, end, &decimal);
+        written += (size_t)(at - fraction);
+        decimal.exponent = -(int64_t)(at - fraction);
+        decimal.last = at;
+    }
+    if (written == 0) return NULL;
+    if (at < end && (*at == 'e' || *at == 'E')) {
+        at = read_exponent(at, end, &decimal.exponent);
+        if (!at) return NULL;
+    }
+    double magnitude = convert(&decimal);
+    *value = decimal.negative ? -magnitude : magnitude;
+    return at;
+}

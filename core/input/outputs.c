@@ -1,0 +1,105 @@
+#include "input/outputs.h"
+
+#include <float.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "input/number.h"
+#include "input/text.h"
+
+static const char *const channels[] = {"color",    "depth",    "windowDepth", "faceId",       "info",
+                                       "distance", "normals",  "instanceId",  "barycentrics", "position",
+                                       "texcoord", "coverage", "overdraw"};
+static const char *const encodings[] = {"png", "png16", "npy", "json", "pfm", "tiff"};
+
+const struct zr_names zr_channel_names = ZR_NAMES(ZR_CHANNEL_COUNT, channels);
+const struct zr_names zr_encoding_names = ZR_NAMES(ZR_ENCODING_COUNT, encodings);
+
+const enum zr_encoding *zr_channel_encodings(enum zr_channel channel, int *count)
+{
+    static const struct {
+        int count;
+        enum zr_encoding encodings[2];
+    } table[ZR_CHANNEL_COUNT] = {
+        [ZR_CHANNEL_COLOR] = {1, {ZR_ENCODING_PNG}},
+        [ZR_CHANNEL_DEPTH] = {2, {ZR_ENCODING_NPY, ZR_ENCODING_PNG16}},
+        [ZR_CHANNEL_WINDOW_DEPTH] = {1, {ZR_ENCODING_NPY}},
+        [ZR_CHANNEL_FACE_ID] = {1, {ZR_ENCODING_NPY}},
+        [ZR_CHANNEL_INFO] = {1, {ZR_ENCODING_JSON}},
+    };
+    *count = table[channel].count;
+    return table[channel].encodings;
+}
+
+bool zr_channel_has(enum zr_channel channel, enum zr_encoding encoding)
+{
+    int count;
+    const enum zr_encoding *allowed = zr_channel_encodings(channel, &count);
+    for (int i = 0; i < count; i++)
+        if (allowed[i] == encoding) return true;
+    return false;
+}
+
+struct zr_names_text zr_channel_encodings_join(enum zr_channel channel)
+{
+    int count;
+    const enum zr_encoding *allowed = zr_channel_encodings(channel, &count);
+    const char *words[ZR_ENCODING_COUNT];
+    for (int i = 0; i < count; i++)
+        words[i] = encodings[allowed[i]];
+    return zr_names_join(&(struct zr_names){count, count, words});
+}
+
+bool zr_outputs_clash(const struct zr_output *a, const struct zr_output *b)
+{
+    bool both_png = (a->encoding == ZR_ENCODING_PNG || a->encoding == ZR_ENCODING_PNG16) &&
+                    (b->encoding == ZR_ENCODING_PNG || b->encoding == ZR_ENCODING_PNG16);
+    return a->channel == b->channel && (a->encoding == b->encoding || both_png);
+}
+
+/* The index of a parameter's word, or -1 after reporting. */
+static int find_word(const char *parameter, const struct zr_names *names, const char *word, struct zr_error *error)
+{
+    int found = zr_names_find(names, word);
+    if (found >= 0 && found < names->count) return found;
+    zr_error_add(error, ZR_BAD_REQUEST, NULL, "query parameter %s: %s is %s; allowed: %s", parameter,
+                 zr_quote(word, strlen(word)).text, found < 0 ? "unknown" : "not supported in this version",
+                 zr_names_join(names).text);
+    return -1;
+}
+
+static enum zr_status read_scale(const char *text, struct zr_output *output, struct zr_error *error)
+{
+    double value;
+    const char *end = text + strlen(text);
+    if (output->encoding != ZR_ENCODING_PNG16)
+        return zr_error_add(error, ZR_BAD_REQUEST, NULL, "query parameter scale: only the encoding png16 has one");
+    if (zr_number_read(text, end, &value) != end || !(value <= (double)FLT_MAX) || !((float)value > 0.0f))
+        return zr_error_add(error, ZR_BAD_REQUEST, NULL, "query parameter scale: %s is not a number greater than 0",
+                            zr_quote(text, strlen(text)).text);
+    output->scale = (float)value;
+    return ZR_OK;
+}
+
+enum zr_status zr_output_of_query(const struct zr_request *request, struct zr_output *output, struct zr_error *error)
+{
+    *output = (struct zr_output){ZR_CHANNEL_COLOR, ZR_ENCODING_PNG, 0.0f};
+    if (request->channel) {
+        int channel = find_word("channel", &zr_channel_names, request->channel, error);
+        if (channel < 0) return ZR_BAD_REQUEST;
+        int count;
+        output->channel = (enum zr_channel)channel;
+        output->encoding = zr_channel_encodings(output->channel, &count)[0];
+    }
+    if (request->encoding) {
+        int encoding = zr_names_find(&zr_encoding_names, request->encoding);
+        if (encoding < 0 || encoding >= zr_encoding_names.count ||
+            !zr_channel_has(output->channel, (enum zr_encoding)encoding))
+            return zr_error_add(error, ZR_BAD_REQUEST, NULL,
+                                "query parameter encoding: %s is not one that the channel %s has; allowed: %s",
+                                zr_quote(request->encoding, strlen(request->encoding)).text, channels[output->channel],
+                                zr_channel_encodings_join(output->channel).text);
+        output->encoding = (enum zr_encoding)encoding;
+    }
+    return request->scale ? read_scale(request->scale, output, error) : ZR_OK;
+}

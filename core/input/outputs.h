@@ -1,0 +1,33 @@
+/* outputs.h - input: which channels there are, and in which encodings.
+ *
+ * Shared by the scene's "outputs" and the query's ?channel=&encoding=&scale=.
+ */
+#ifndef ZR_OUTPUTS_H
+#define ZR_OUTPUTS_H
+
+#include <stdbool.h>
+
+#include "base/status.h"
+#include "input/names.h"
+#include "scene/scene.h"
+#include "zraster.h"
+
+extern const struct zr_names zr_channel_names;  /* enum zr_channel */
+extern const struct zr_names zr_encoding_names; /* enum zr_encoding */
+
+/* The encodings of a channel, the default one first; *count of them. */
+const enum zr_encoding *zr_channel_encodings(enum zr_channel channel, int *count);
+bool zr_channel_has(enum zr_channel channel, enum zr_encoding encoding);
+
+/* The same as words, for a message. */
+struct zr_names_text zr_channel_encodings_join(enum zr_channel channel);
+
+/* Would both get the same file name in an archive (channel.extension)? */
+bool zr_outputs_clash(const struct zr_output *a, const struct zr_output *b);
+
+/* What the query asks for; only to be called where it asks for one of channel,
+ * encoding and scale. The channel is `color` where it names none. Fails with
+ * ZR_BAD_REQUEST. */
+enum zr_status zr_output_of_query(const struct zr_request *request, struct zr_output *output, struct zr_error *error);
+
+#endif

@@ -1,0 +1,143 @@
+/* A request -> a scene: picks the reader, puts a scene around a bare mesh, and
+ * lets the query have its say. */
+#include <string.h>
+
+#include "input/defaults.h"
+#include "input/input.h"
+#include "input/number.h"
+#include "input/outputs.h"
+#include "input/text.h"
+#include "scene/validate.h"
+
+enum { NOT_GIVEN = -1 };
+
+/* What the URL says, checked. */
+struct query {
+    bool has_output;
+    struct zr_output output;
+    int preset, shading; /* or NOT_GIVEN */
+    uint32_t width, height;
+};
+
+static void refuse_with_json(const char *parameter, const char *text, struct zr_error *error)
+{
+    if (text)
+        zr_error_add(error, ZR_BAD_REQUEST, NULL,
+                     "query parameter %s belongs to bodies that are a bare mesh; a scene says it in its own keys",
+                     parameter);
+}
+
+static void read_word(const char *parameter, const char *text, const struct zr_names *names, int *out,
+                      struct zr_error *error)
+{
+    *out = NOT_GIVEN;
+    if (!text) return;
+    int found = zr_names_find(names, text);
+    if (found >= 0 && found < names->count)
+        *out = found;
+    else
+        zr_error_add(error, ZR_BAD_REQUEST, NULL, "query parameter %s: %s is %s; allowed: %s", parameter,
+                     zr_quote(text, strlen(text)).text, found < 0 ? "unknown" : "not supported in this version",
+                     zr_names_join(names).text);
+}
+
+static void read_side(const char *parameter, const char *text, uint32_t most, uint32_t *out, struct zr_error *error)
+{
+    if (!text) return;
+    uint64_t value = 0;
+    const char *at = text;
+    for (; *at >= '0' && *at <= '9'; at++)
+        if (value <= UINT32_MAX) value = value * 10 + (uint64_t)(*at - '0');
+    if (*at == '\0' && value >= 1 && value <= most)
+        *out = (uint32_t)value;
+    else
+        zr_error_add(error, ZR_BAD_REQUEST, NULL, "query parameter %s: %s is not a whole number of pixels from 1 to %u",
+                     parameter, zr_quote(text, strlen(text)).text, most);
+}
+
+static enum zr_status read_query(const struct zr_request *request, const struct zr_limits *limits, struct query *query,
+                                 struct zr_error *error)
+{
+    query->has_output = request->channel || request->encoding || request->scale;
+    if (query->has_output) zr_output_of_query(request, &query->output, error);
+    if (request->format == ZR_FORMAT_JSON) {
+        refuse_with_json("preset", request->preset, error);
+        refuse_with_json("width", request->width, error);
+        refuse_with_json("height", request->height, error);
+        refuse_with_json("shading", request->shading, error);
+    } else {
+        read_word("preset", request->preset, &zr_preset_names, &query->preset, error);
+        read_word("shading", request->shading, &zr_shading_names, &query->shading, error);
+        read_side("width", request->width, limits->window_side_max, &query->width, error);
+        read_side("height", request->height, limits->window_side_max, &query->height, error);
+    }
+    return error->count > 0 ? error->status : ZR_OK;
+}
+
+/* A scene of one mesh, two-sided, since nobody said which side is meant. */
+static enum zr_status read_bare_mesh(struct zr_arena *arena, const struct zr_request *request,
+                                     const struct zr_limits *limits, const struct query *query, struct zr_scene *scene,
+                                     struct zr_error *error)
+{
+    struct zr_mesh *mesh = zr_arena_zero(arena, 1, sizeof *mesh);
+    struct zr_material *material = zr_arena_alloc(arena, 1, sizeof *material);
+    struct zr_instance *instance = zr_arena_alloc(arena, 1, sizeof *instance);
+    if (!zr_arena_ok(arena)) return ZR_NO_MEMORY;
+    enum zr_status status = request->format == ZR_FORMAT_OBJ
+                                ? zr_obj_read(arena, request->bytes, request->size, limits, mesh, error)
+                                : zr_stl_read(arena, request->bytes, request->size, limits, mesh, error);
+    if (status != ZR_OK) return status;
+    *material = (struct zr_material){zr_default_base_color(mesh->colors != NULL),
+                                     zr_default_shading(mesh->normal_count > 0 || mesh->colors), true};
+    if (query->shading != NOT_GIVEN) material->shading = (enum zr_shading)query->shading;
+    *instance = (struct zr_instance){0, zr_mat4_identity()};
+    scene->materials = material;
+    scene->meshes = mesh;
+    scene->instances = instance;
+    scene->material_count = scene->mesh_count = scene->instance_count = 1;
+    if (query->preset != NOT_GIVEN) scene->view.preset = (enum zr_preset)query->preset;
+    if (query->width) scene->width = query->width;
+    if (query->height) scene->height = query->height;
+    return ZR_OK;
+}
+
+static enum zr_status apply_output(struct zr_arena *arena, const struct query *query, struct zr_scene *scene)
+{
+    if (!query->has_output) return ZR_OK;
+    struct zr_output *output = zr_arena_alloc(arena, 1, sizeof *output);
+    if (!output) return ZR_NO_MEMORY;
+    *output = query->output;
+    scene->outputs = output;
+    scene->output_count = 1;
+    return ZR_OK;
+}
+
+static enum zr_status read_scene(struct zr_arena *arena, const struct zr_request *request,
+                                 const struct zr_limits *limits, struct zr_scene *scene, struct zr_error *error)
+{
+    struct query query = {.preset = NOT_GIVEN, .shading = NOT_GIVEN};
+    enum zr_status status = read_query(request, limits, &query, error);
+    if (status != ZR_OK) return status;
+    zr_scene_defaults(scene);
+    status = request->format == ZR_FORMAT_JSON ? zr_json_read(arena, request, limits, scene, error)
+                                               : read_bare_mesh(arena, request, limits, &query, scene, error);
+    if (status != ZR_OK) return status;
+    status = apply_output(arena, &query, scene);
+    return status == ZR_OK ? zr_scene_validate(scene, limits, error) : status;
+}
+
+enum zr_status zr_scene_read(struct zr_arena *arena, const struct zr_request *request, const struct zr_limits *limits,
+                             const struct zr_scene **scene, struct zr_error *error)
+{
+    struct zr_scene *made = zr_arena_alloc(arena, 1, sizeof *made);
+    struct zr_request body = *request;
+    if (body.size == 0) body.bytes = ""; /* no arithmetic on a null pointer */
+    enum zr_status status = made ? read_scene(arena, &body, limits, made, error) : ZR_NO_MEMORY;
+    if ((status == ZR_OK && !zr_arena_ok(arena)) || (status == ZR_NO_MEMORY && error->count == 0))
+        status =
+            zr_error_add(error, ZR_NO_MEMORY, NULL,
+                         "the scene needs more memory than the %zu bytes that one request may have", arena->ceiling);
+    if (status != ZR_OK) return status;
+    *scene = made;
+    return ZR_OK;
+}

@@ -1,0 +1,84 @@
+/* input_check.h - tests: one request read, and what came of it. */
+#ifndef ZR_TESTS_INPUT_CHECK_H
+#define ZR_TESTS_INPUT_CHECK_H
+
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include <cmocka.h>
+
+#include "guarded.h"
+#include "scene/scene.h"
+#include "zraster.h"
+
+struct reading {
+    struct zr_arena arena;
+    struct guarded body;
+    const struct zr_scene *scene; /* NULL where it failed */
+    enum zr_status status;
+    struct zr_error error;
+};
+
+/* Reads `request`, its bytes moved to a guard page. End with reading_free. */
+static inline struct reading *read_request(struct zr_request request, const void *bytes, size_t size,
+                                           struct zr_limits limits, size_t ceiling)
+{
+    struct reading *reading = calloc(1, sizeof *reading);
+    assert_non_null(reading);
+    zr_arena_init(&reading->arena, ceiling);
+    reading->body = guarded_copy(bytes, size);
+    request.bytes = reading->body.bytes;
+    request.size = size;
+    reading->status = zr_scene_read(&reading->arena, &request, &limits, &reading->scene, &reading->error);
+    return reading;
+}
+
+static inline struct reading *read_bytes(enum zr_format format, const void *bytes, size_t size)
+{
+    return read_request((struct zr_request){.format = format}, bytes, size, zr_limits_default(), (size_t)1 << 28);
+}
+
+static inline struct reading *read_text(enum zr_format format, const char *text)
+{
+    return read_bytes(format, text, strlen(text));
+}
+
+static inline void reading_free(struct reading *reading)
+{
+    zr_arena_free(&reading->arena);
+    guarded_free(&reading->body);
+    free(reading);
+}
+
+/* The first complaint must have this pointer, and this text in its detail. */
+static inline void assert_complaint(const struct reading *reading, enum zr_status status, const char *pointer,
+                                    const char *detail)
+{
+    assert_int_equal(reading->status, status);
+    assert_int_equal(reading->error.status, status);
+    assert_true(reading->error.count > 0);
+    assert_null(reading->scene);
+    assert_string_equal(reading->error.items[0].pointer, pointer);
+    if (!strstr(reading->error.items[0].detail, detail))
+        fail_msg("detail '%s' does not say '%s'", reading->error.items[0].detail, detail);
+}
+
+static inline void assert_read(const struct reading *reading)
+{
+    if (reading->status != ZR_OK) fail_msg("%s: %s", reading->error.items[0].pointer, reading->error.items[0].detail);
+    assert_non_null(reading->scene);
+    assert_int_equal(reading->error.count, 0);
+}
+
+/* Reads a text that must be refused. */
+static inline void refuses(enum zr_format format, const char *text, enum zr_status status, const char *pointer,
+                           const char *detail)
+{
+    struct reading *reading = read_text(format, text);
+    assert_complaint(reading, status, pointer, detail);
+    reading_free(reading);
+}
+
+#endif

@@ -1,0 +1,572 @@
+#include "input_check.h"
+
+#define TRIANGLE  "\"vertices\": [[0,0,0],[1,0,0],[0,1,0]]"
+#define POSITIONS "\"positions\": [[0,0,0],[1,0,0],[0,1,0],[1,1,0,2]]"
+#define POLYGONS  "\"polygons\": [{" TRIANGLE "}]"
+
+/* A scene with a polygon and the members `rest`. */
+static struct reading *read_rest(const char *rest)
+{
+    char text[4096];
+    snprintf(text, sizeof text, "{" POLYGONS "%s%s}", *rest ? ", " : "", rest);
+    return read_text(ZR_FORMAT_JSON, text);
+}
+
+static void refuses_rest(const char *rest, const char *pointer, const char *detail)
+{
+    struct reading *reading = read_rest(rest);
+    assert_complaint(reading, ZR_BAD_SCENE, pointer, detail);
+    reading_free(reading);
+}
+
+static void refuses_scene(const char *text, const char *pointer, const char *detail)
+{
+    refuses(ZR_FORMAT_JSON, text, ZR_BAD_SCENE, pointer, detail);
+}
+
+static struct reading *read_scene(const char *text)
+{
+    struct reading *reading = read_text(ZR_FORMAT_JSON, text);
+    assert_read(reading);
+    return reading;
+}
+
+static struct zr_view view_of(const char *view)
+{
+    char rest[1024];
+    snprintf(rest, sizeof rest, "\"view\": %s", view);
+    struct reading *reading = read_rest(rest);
+    assert_read(reading);
+    struct zr_view result = reading->scene->view;
+    reading_free(reading);
+    return result;
+}
+
+static void smallest_scene_has_defaults(void **state)
+{
+    (void)state;
+    struct reading *reading = read_rest("");
+    assert_read(reading);
+    const struct zr_scene *scene = reading->scene;
+    assert_int_equal(scene->width, 640);
+    assert_int_equal(scene->height, 480);
+    assert_true(scene->background.x == 1 && scene->background.w == 1 && scene->ambient.y == 0.2f);
+    assert_int_equal(scene->mesh_count, 1);
+    assert_int_equal(scene->instance_count, 1);
+    assert_int_equal(scene->light_count, 1);
+    assert_true(scene->lights[0].direction.z == -1 && scene->lights[0].color.x == 0.8f);
+    assert_int_equal(scene->output_count, 1);
+    assert_int_equal(scene->outputs[0].channel, ZR_CHANNEL_COLOR);
+    assert_int_equal(scene->warning_count, 0);
+    assert_int_equal(scene->view.pose, ZR_POSE_PRESET);
+    assert_int_equal(scene->view.preset, ZR_PRESET_ISOMETRIC);
+    assert_int_equal(scene->view.projection, ZR_PROJECTION_ORTHOGRAPHIC);
+    assert_true(scene->view.fit_padding == 0.05f);
+    const struct zr_material *material = &scene->materials[scene->meshes[0].face_materials[0]];
+    assert_true(material->base_color.x == 0.7f && !material->double_sided);
+    assert_int_equal(material->shading, ZR_SHADING_FLAT);
+    assert_string_equal(scene->meshes[0].name, "polygons");
+    reading_free(reading);
+}
+
+static void mesh_is_read_whole(void **state)
+{
+    (void)state;
+    struct reading *reading = read_scene(
+        "{\"materials\": [{\"name\": \"b\"}, {\"name\": \"a\", \"baseColorFactor\": [0.5, 0.25, 1], \"doubleSided\": "
+        "true}],"
+        "\"meshes\": [{\"name\": \"part \\u00e4\", \"material\": \"a\", " POSITIONS
+        ", \"normals\": [[0,0,1],[0,0,2],[0,0,3],[0,0,4]], \"colors\": [\"#ff0000\",[0,1,0],[0,0,1,1],\"#0000ffff\"],"
+        "\"faceColors\": [\"#00FF80\", [1,1,1]], \"faces\": [[0,1,2],[3,2,1,0]]}]}");
+    const struct zr_mesh *mesh = &reading->scene->meshes[0];
+    static const uint32_t indices[7] = {0, 1, 2, 3, 2, 1, 0};
+    assert_string_equal(mesh->name, "part \xC3\xA4");
+    assert_int_equal(mesh->position_count, 4);
+    assert_true(mesh->positions[2].w == 1 && mesh->positions[3].w == 2);
+    assert_int_equal(mesh->face_count, 2);
+    assert_int_equal(mesh->face_offsets[1], 3);
+    assert_int_equal(mesh->face_offsets[2], 7);
+    assert_memory_equal(mesh->indices, indices, sizeof indices);
+    assert_int_equal(mesh->normal_count, 4);
+    assert_true(mesh->normals[3].z == 4 && !mesh->normal_indices);
+    assert_true(mesh->colors[0].x == 1 && mesh->colors[0].y == 0 && mesh->colors[3].z == 1);
+    assert_true(mesh->face_colors[0].y == 255.0f * (1.0f / 255.0f) && mesh->face_colors[0].z == 128 * (1.0f / 255.0f));
+    const struct zr_material *material = &reading->scene->materials[mesh->material];
+    assert_true(material->base_color.x == 0.5f && material->base_color.w == 1 && material->double_sided);
+    assert_int_equal(material->shading, ZR_SHADING_GOURAUD);
+    reading_free(reading);
+}
+
+static void polygons_become_the_last_mesh(void **state)
+{
+    (void)state;
+    struct reading *reading = read_scene(
+        "{\"polygons\": [{" TRIANGLE ", \"color\": \"#ff0000\"}, {\"vertices\": [[5,0,0],[6,0,0],[6,1,0],[5,1,0]],"
+        "\"colors\": [[0,0,0],[0,0,0],[0,0,0],[0,0.5,0]], \"normals\": [[0,0,1],[0,0,1],[0,0,1],[0,0,7]]}, {" TRIANGLE
+        "}], \"meshes\": [{" POSITIONS ", \"faces\": [[0,1,2]]}]}");
+    assert_int_equal(reading->scene->mesh_count, 2);
+    assert_int_equal(reading->scene->instance_count, 2);
+    assert_int_equal(reading->scene->instances[1].mesh, 1);
+    const struct zr_mesh *mesh = &reading->scene->meshes[1];
+    const struct zr_material *materials = reading->scene->materials;
+    assert_int_equal(mesh->face_count, 3);
+    assert_int_equal(mesh->position_count, 10);
+    assert_int_equal(mesh->face_offsets[1], 3);
+    assert_int_equal(mesh->face_offsets[2], 7);
+    assert_int_equal(mesh->face_offsets[3], 10);
+    for (uint32_t i = 0; i < 10; i++)
+        assert_int_equal(mesh->indices[i], i);
+    assert_true(mesh->positions[3].x == 5);
+    assert_int_equal(mesh->normal_count, 10);
+    assert_true(mesh->normals[0].z == 0 && mesh->normals[6].z == 7 && mesh->normals[7].z == 0);
+    assert_true(mesh->colors[0].x == 1 && mesh->colors[6].y == 0.5f && mesh->colors[6].x == 0 &&
+                mesh->colors[9].z == 1);
+    assert_true(mesh->face_colors[0].x == 1 && mesh->face_colors[0].y == 0 && mesh->face_colors[1].y == 1);
+    assert_true(materials[mesh->face_materials[0]].base_color.x == 1);
+    assert_true(materials[mesh->face_materials[2]].base_color.x == 0.7f);
+    assert_int_equal(materials[mesh->face_materials[0]].shading, ZR_SHADING_FLAT);
+    assert_int_equal(materials[mesh->face_materials[1]].shading, ZR_SHADING_GOURAUD);
+    reading_free(reading);
+}
+
+static void looks_come_from_mesh_then_material_then_scene(void **state)
+{
+    (void)state;
+    struct reading *reading = read_scene(
+        "{\"shading\": \"unlit\", \"materials\": [{\"name\": \"m\", \"shading\": \"gouraud\", \"doubleSided\": true},"
+        "{\"name\": \"n\"}], \"polygons\": [{" TRIANGLE "}, {" TRIANGLE ", \"material\": \"m\"}, {" TRIANGLE
+        ", \"material\": \"m\", \"shading\": \"flat\", \"doubleSided\": false}, {" TRIANGLE
+        ", \"material\": \"n\"}, {" TRIANGLE ", \"material\": \"m\"}]}");
+    const uint32_t *index = reading->scene->meshes[0].face_materials;
+    const struct zr_material *materials = reading->scene->materials;
+    assert_int_equal(materials[index[0]].shading, ZR_SHADING_UNLIT);
+    assert_int_equal(materials[index[1]].shading, ZR_SHADING_GOURAUD);
+    assert_int_equal(materials[index[2]].shading, ZR_SHADING_FLAT);
+    assert_int_equal(materials[index[3]].shading, ZR_SHADING_UNLIT);
+    assert_true(materials[index[1]].double_sided && !materials[index[2]].double_sided);
+    assert_true(materials[index[3]].base_color.x == 1 && materials[index[0]].base_color.x == 0.7f);
+    assert_int_equal(index[1], index[4]);
+    assert_int_equal(reading->scene->material_count, 4);
+    reading_free(reading);
+}
+
+static void many_materials_all_find_their_names(void **state)
+{
+    (void)state;
+    enum { COUNT = 300 };
+    static char text[200000];
+    char *at = text + sprintf(text, "{\"materials\": [");
+    for (int i = 0; i < COUNT; i++)
+        at += sprintf(at, "%s{\"name\": \"m%d\", \"baseColorFactor\": [%.9g,0,0]}", i ? "," : "", i, i / 512.0);
+    at += sprintf(at, "], \"polygons\": [");
+    for (int i = 0; i < COUNT; i++)
+        at += sprintf(at, "%s{" TRIANGLE ", \"material\": \"m%d\"}", i ? "," : "", i);
+    sprintf(at, "]}");
+    struct reading *reading = read_scene(text);
+    assert_int_equal(reading->scene->material_count, COUNT);
+    for (int i = 0; i < COUNT; i++) {
+        uint32_t material = reading->scene->meshes[0].face_materials[i];
+        assert_true(reading->scene->materials[material].base_color.x == (float)i / 512.0f);
+    }
+    reading_free(reading);
+}
+
+static void bad_geometry_gives_pointer_to_it(void **state)
+{
+    (void)state;
+    refuses_scene("{\"meshes\": [{" POSITIONS ", \"faces\": [[0,1,2],[0,99,1]]}]}", "/meshes/0/faces/1/1",
+                  "index 99 of 4 positions");
+    refuses_scene("{\"meshes\": [{" POSITIONS ", \"faces\": [[0,1,-1]]}]}", "/meshes/0/faces/0/2", "index -1 of 4");
+    refuses_scene("{\"meshes\": [{" POSITIONS ", \"faces\": [[0,1,1.5]]}]}", "/meshes/0/faces/0/2",
+                  "not a whole number");
+    refuses_scene("{\"meshes\": [{" POSITIONS ", \"faces\": [[0,1,4294967296]]}]}", "/meshes/0/faces/0/2",
+                  "index 4294967296 of 4");
+    refuses_scene("{\"meshes\": [{" POSITIONS ", \"faces\": [[0,1,\"2\"]]}]}", "/meshes/0/faces/0/2",
+                  "expected an index, found a string");
+    refuses_scene("{\"meshes\": [{" POSITIONS ", \"faces\": [[0,1]]}]}", "/meshes/0/faces/0",
+                  "a face of 2 corners; 3 to 1024 are allowed");
+    refuses_scene("{\"meshes\": [{" POSITIONS ", \"faces\": [7]}]}", "/meshes/0/faces/0",
+                  "expected a list, found a number");
+    refuses_scene("{\"meshes\": [{" POSITIONS "}]}", "/meshes/0", "faces is missing");
+    refuses_scene("{\"meshes\": [{\"positions\": [[0,0]], \"faces\": []}]}", "/meshes/0/positions/0",
+                  "expected 3 or 4 numbers, found 2");
+    refuses_scene("{\"meshes\": [{\"positions\": [[0,0,1000001]], \"faces\": []}]}", "/meshes/0/positions/0/2",
+                  "1000001 is outside of -1000000 to 1000000");
+    refuses_scene("{\"meshes\": [{\"positions\": [[0,1e999,0]], \"faces\": []}]}", "/meshes/0/positions/0/1",
+                  "a number too large");
+    refuses_scene("{\"meshes\": [{" POSITIONS ", \"normals\": [[0,0,1]], \"faces\": [[0,1,2]]}]}", "/meshes/0/normals",
+                  "1 items for 4 positions");
+    refuses_scene("{\"meshes\": [{" POSITIONS ", \"faceColors\": [], \"faces\": [[0,1,2]]}]}", "/meshes/0/faceColors",
+                  "0 items for 1 faces");
+    refuses_scene("{\"polygons\": [{\"vertices\": [[0,0,0],[1,0,0]]}]}", "/polygons/0/vertices",
+                  "a polygon of 2 vertices");
+    refuses_scene("{\"polygons\": [{" TRIANGLE ", \"colors\": [[1,1,1]]}]}", "/polygons/0/colors",
+                  "1 items for 3 vertices");
+    refuses_scene("{\"polygons\": [{" TRIANGLE ", \"holes\": []}]}", "/polygons/0/holes",
+                  "not supported in this version");
+    refuses_scene("{\"polygons\": [3]}", "/polygons/0", "expected an object, found a number");
+    refuses_scene("{\"polygons\": [{}]}", "/polygons/0", "vertices is missing");
+}
+
+static void no_face_gives_no_geometry(void **state)
+{
+    (void)state;
+    refuses_scene("{}", "", "no geometry");
+    refuses_scene("{\"polygons\": []}", "", "no geometry");
+    refuses_scene("{\"meshes\": [{" POSITIONS ", \"faces\": []}]}", "", "no geometry");
+    refuses_scene("[]", "", "expected an object, found a list");
+}
+
+static void keys_are_checked_with_pointer_to_them(void **state)
+{
+    (void)state;
+    refuses_rest("\"nodez\": 1", "/nodez", "unknown key; known here: version, window");
+    refuses_rest("\"Window\": {}", "/Window", "unknown key");
+    refuses_rest("\"a/b~c\": 1", "/a~1b~0c", "unknown key");
+    refuses_rest("\"nodes\": []", "/nodes", "not supported in this version");
+    refuses_rest("\"fog\": {}", "/fog", "not supported in this version");
+    refuses_rest("\"shading\": \"flat\", \"shading\": \"flat\"", "/shading", "given twice");
+    refuses_rest("\"window\": {\"width\": 3, \"depth\": 4}", "/window/depth", "unknown key; known here: width, height");
+    refuses_scene("{\"polygons\": [{" TRIANGLE ", " TRIANGLE "}]}", "/polygons/0/vertices", "given twice");
+    refuses_scene("{\"polygons\": [{\"vertices\": [], " TRIANGLE ", \"colors\": [1,2,3]}]}", "/polygons/0/vertices",
+                  "given twice");
+}
+
+static void long_unknown_key_is_cut_at_a_character(void **state)
+{
+    (void)state;
+    static char rest[3000] = "\"";
+    for (int i = 0; i < 1000; i++)
+        strcat(rest, "\xC3\xA4");
+    strcat(rest, "\": 1");
+    struct reading *reading = read_rest(rest);
+    const char *pointer = reading->error.items[0].pointer;
+    size_t length = strlen(pointer);
+    assert_int_equal(reading->status, ZR_BAD_SCENE);
+    assert_true(length > 100 && length % 2 == 1 && pointer[0] == '/');
+    reading_free(reading);
+}
+
+static void several_faults_are_all_reported_up_to_the_limit(void **state)
+{
+    (void)state;
+    struct reading *reading = read_rest("\"shading\": 7, \"version\": 2, \"window\": {\"width\": 1.5}");
+    assert_int_equal(reading->status, ZR_BAD_SCENE);
+    assert_int_equal(reading->error.count, 3);
+    reading_free(reading);
+    static char text[100000] = "{\"polygons\": [0";
+    size_t used = strlen(text);
+    for (int i = 0; i < 10000; i++)
+        used += (size_t)sprintf(text + used, ",{}");
+    sprintf(text + used, "]}");
+    reading = read_text(ZR_FORMAT_JSON, text);
+    assert_int_equal(reading->error.count, ZR_ERROR_ITEMS);
+    assert_string_equal(reading->error.items[19].pointer, "/polygons/19");
+    reading_free(reading);
+}
+
+static void wrong_values_give_pointer_to_them(void **state)
+{
+    (void)state;
+    refuses_rest("\"version\": 2", "/version", "2; this is version 1");
+    refuses_rest("\"samples\": 4", "/samples", "only 1 is supported in this version");
+    refuses_rest("\"algorithm\": \"painter\"", "/algorithm", "not supported in this version; allowed: halfspace");
+    refuses_rest("\"colorManagement\": \"srgb\"", "/colorManagement", "not supported in this version; allowed: none");
+    refuses_rest("\"shading\": \"phong\"", "/shading", "not supported in this version; allowed: unlit, flat, gouraud");
+    refuses_rest("\"shading\": \"smooth\"", "/shading", "'smooth' is unknown; allowed: unlit, flat, gouraud");
+    refuses_rest("\"background\": \"red\"", "/background", "'red' is not a colour");
+    refuses_rest("\"background\": \"#12345\"", "/background", "'#12345' is not a colour");
+    refuses_rest("\"background\": \"#12345g\"", "/background", "'#12345g' is not a colour");
+    refuses_rest("\"background\": [1, 1]", "/background", "expected 3 or 4 numbers, found 2");
+    refuses_rest("\"background\": [1, 1, 1.5]", "/background/2", "1.5 is outside of 0 to 1");
+    refuses_rest("\"background\": null", "/background", "expected a colour, found null");
+    refuses_rest("\"materials\": [{}]", "/materials/0", "a material needs a name");
+    refuses_rest("\"materials\": [{\"name\": \"a\"}, {\"name\": \"b\"}, {\"name\": \"a\"}]", "/materials/2/name",
+                 "'a' is the name of material 0 already");
+    refuses_rest("\"materials\": [{\"name\": \"a\", \"doubleSided\": 1}]", "/materials/0/doubleSided",
+                 "expected true or false, found a number");
+    refuses_scene("{\"polygons\": [{" TRIANGLE ", \"material\": \"x\"}]}", "/polygons/0/material",
+                  "no material has the name 'x'");
+    refuses_rest("\"lights\": [{\"type\": \"point\"}]", "/lights/0/type", "not supported in this version");
+    refuses_rest("\"lights\": [{\"direction\": [0,0,1]}]", "/lights/0", "type is missing");
+    refuses_rest("\"lights\": [{\"type\": \"directional\", \"direction\": [0,0,0]}]", "/lights/0/direction",
+                 "a direction of no length");
+    refuses_rest("\"lights\": [{\"type\": \"directional\", \"direction\": [0,0,1], \"intensity\": -1}]",
+                 "/lights/0/intensity", "-1 is outside of 0 to 1000000");
+}
+
+static void what_this_version_does_may_be_said(void **state)
+{
+    (void)state;
+    struct reading *reading =
+        read_rest("\"version\": 1, \"samples\": 1, \"algorithm\": \"halfspace\", \"colorManagement\": \"none\"");
+    assert_read(reading);
+    reading_free(reading);
+}
+
+static void window_limits_are_named(void **state)
+{
+    (void)state;
+    refuses_rest("\"window\": {\"width\": 0}", "/window/width", "0 pixels; 1 to 8192 are allowed");
+    refuses_rest("\"window\": {\"height\": 8193}", "/window/height", "8193 pixels; 1 to 8192 are allowed");
+    refuses_rest("\"window\": {\"height\": 1.5}", "/window/height", "1.5 is not a whole number");
+    refuses_rest("\"window\": {\"width\": -1}", "/window/width", "-1 is outside of 0 to 4294967295");
+    refuses_rest("\"window\": {\"width\": 8192, \"height\": 4097}", "/window",
+                 "8192 x 4097 pixels x 1 image outputs is more than the limit of 33554432");
+    struct reading *reading = read_rest("\"window\": {\"width\": 8192, \"height\": 4096}, \"outputs\": "
+                                        "[{\"channel\": \"color\"}, {\"channel\": \"info\"}]");
+    assert_read(reading);
+    assert_int_equal(reading->scene->width, 8192);
+    reading_free(reading);
+    refuses_rest("\"window\": {\"width\": 8192, \"height\": 4096}, \"outputs\": [{\"channel\": \"color\"}, "
+                 "{\"channel\": \"depth\"}]",
+                 "/window", "2 image outputs");
+}
+
+static void lights_are_normalised_and_scaled(void **state)
+{
+    (void)state;
+    struct reading *reading =
+        read_rest("\"ambient\": [0, 0.5, 1], \"lights\": [{\"type\": \"directional\", \"direction\": [0,0,-4], "
+                  "\"color\": [1,0.5,0], "
+                  "\"intensity\": 2}, {\"type\": \"directional\", \"direction\": [3,4,0], \"frame\": \"camera\"}]");
+    assert_read(reading);
+    const struct zr_light *lights = reading->scene->lights;
+    assert_int_equal(reading->scene->light_count, 2);
+    assert_true(lights[0].direction.z == -1 && lights[0].color.x == 2 && lights[0].color.y == 1 &&
+                !lights[0].camera_frame);
+    assert_true(lights[1].direction.x == 3 * (1.0f / 5) && lights[1].color.z == 1 && lights[1].camera_frame);
+    assert_true(reading->scene->ambient.y == 0.5f);
+    reading_free(reading);
+    reading = read_rest("\"lights\": []");
+    assert_read(reading);
+    assert_int_equal(reading->scene->light_count, 0);
+    reading_free(reading);
+}
+
+static void views_are_read(void **state)
+{
+    (void)state;
+    struct zr_view view = view_of("{\"eye\": [1,2,3]}");
+    assert_int_equal(view.pose, ZR_POSE_LOOK_AT);
+    assert_int_equal(view.projection, ZR_PROJECTION_PERSPECTIVE);
+    assert_true(view.eye.z == 3 && view.target.x == 0 && view.up.y == 1);
+    assert_true(view.yfov_radians == (float)(45 * 3.14159265358979323846 / 180));
+    view = view_of("{\"preset\": \"left\", \"perspective\": {\"yfov\": 1}, \"znear\": 0.5, \"zfar\": 2, \"fit\": "
+                   "{\"padding\": 0.25}}");
+    assert_int_equal(view.preset, ZR_PRESET_LEFT);
+    assert_true(view.yfov_radians == 1 && view.has_znear && view.has_zfar && view.znear == 0.5f && view.zfar == 2);
+    assert_true(view.fit_padding == 0.25f);
+    view = view_of("{\"orthographic\": {\"xmag\": 2, \"ymag\": 3}, \"znear\": -5, \"convention\": \"opengl\"}");
+    assert_int_equal(view.pose, ZR_POSE_PRESET);
+    assert_true(view.xmag == 2 && view.ymag == 3 && view.znear == -5 && !view.has_zfar);
+    view = view_of("{\"eye\": [1,2,3], \"orthographic\": {}}");
+    assert_int_equal(view.projection, ZR_PROJECTION_ORTHOGRAPHIC);
+    assert_true(view.xmag == 0 && view.ymag == 0);
+}
+
+static void matrices_are_rows_nested_and_columns_flat(void **state)
+{
+    (void)state;
+    struct zr_view view = view_of("{\"worldToCamera\": [[1,0,0,7],[0,1,0,8],[0,0,1,9],[0,0,0,1]],"
+                                  "\"projectionMatrix\": [1,2,3,4, 5,6,7,8, 9,10,11,12, 13,14,15,16]}");
+    assert_int_equal(view.pose, ZR_POSE_MATRIX);
+    assert_int_equal(view.projection, ZR_PROJECTION_MATRIX);
+    assert_true(view.world_to_camera.m[12] == 7 && view.world_to_camera.m[14] == 9 && view.world_to_camera.m[3] == 0);
+    for (int i = 0; i < 16; i++)
+        assert_true(view.projection_matrix.m[i] == (float)(i + 1));
+    view = view_of("{\"cameraToWorld\": [[1,0,0,7],[0,1,0,8],[0,0,1,9],[0,0,0,1]]}");
+    assert_true(view.world_to_camera.m[12] == -7 && view.world_to_camera.m[14] == -9);
+    assert_int_equal(view.projection, ZR_PROJECTION_PERSPECTIVE);
+}
+
+static void bad_views_give_pointer_and_names(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *view, *pointer, *detail;
+    } cases[] = {
+        {"{\"eye\": [0,0,1], \"preset\": \"top\"}", "/view", "two poses: preset and eye"},
+        {"{\"target\": [0,0,1], \"preset\": \"top\"}", "/view", "two poses: preset and target"},
+        {"{\"preset\": \"top\", \"up\": [0,0,1]}", "/view/up", "belongs to the pose eye and target"},
+        {"{\"target\": [0,0,1]}", "/view", "target needs eye"},
+        {"{\"orthographic\": {}, \"perspective\": {\"yfov\": 1}}", "/view",
+         "two projections: perspective and orthographic"},
+        {"{\"perspective\": {}}", "/view/perspective", "yfov or yfovDegrees is missing"},
+        {"{\"perspective\": {\"yfov\": 1, \"yfovDegrees\": 9}}", "/view/perspective", "two angles"},
+        {"{\"perspective\": {\"yfovDegrees\": 180}}", "/view/perspective/yfovDegrees", "180: an angle between"},
+        {"{\"perspective\": {\"yfovDegrees\": 0}}", "/view/perspective/yfovDegrees", "0: an angle between"},
+        {"{\"perspective\": {\"yfov\": 3.2}}", "/view/perspective/yfov", "3.2 is outside"},
+        {"{\"perspective\": {\"yfov\": 3.14159265358979}}", "/view/perspective/yfov", "an angle between"},
+        {"{\"perspective\": {\"xfov\": 1}}", "/view/perspective/xfov", "not supported in this version"},
+        {"{\"orthographic\": {\"xmag\": 1}}", "/view/orthographic", "ymag is missing"},
+        {"{\"orthographic\": {\"xmag\": 0, \"ymag\": 1}}", "/view/orthographic/xmag", "0 is not greater than 0"},
+        {"{\"orthographic\": {\"xmag\": 1e-60, \"ymag\": 1}}", "/view/orthographic/xmag", "1e-60 is not greater"},
+        {"{\"eye\": [0,0,1], \"znear\": 0}", "/view/znear", "0 is not greater than 0"},
+        {"{\"eye\": [0,0,1], \"znear\": 2, \"zfar\": 2}", "/view/zfar", "2 is not beyond znear, 2"},
+        {"{\"projectionMatrix\": [1,0,0,0,0,1,0,0,0,0,1,0,0,0,0,1], \"znear\": 1}", "/view/znear", "planes of its own"},
+        {"{\"fit\": {\"padding\": 0.5}}", "/view/fit/padding", "0.5 is outside of 0 to 0.45"},
+        {"{\"cameraToWorld\": [[1,0,0,0],[0,1,0,0],[0,0,0,0],[0,0,0,1]]}", "/view/cameraToWorld", "no inverse"},
+        {"{\"worldToCamera\": [1,2,3]}", "/view/worldToCamera", "expected 16 numbers, found 3"},
+        {"{\"worldToCamera\": [[1,0,0,0]]}", "/view/worldToCamera", "expected 4 rows, found 1"},
+        {"{\"worldToCamera\": [[1,0,0,0],[1],[],[]]}", "/view/worldToCamera/1", "expected 4 numbers, found 1"},
+        {"{\"eye\": [0,\"0\",1]}", "/view/eye/1", "expected a number, found a string"},
+        {"{\"preset\": \"up\"}", "/view/preset", "allowed: front, back, left, right, top, bottom, isometric"},
+        {"{\"K\": []}", "/view/K", "not supported in this version"},
+        {"{\"azimuthDegrees\": 3}", "/view/azimuthDegrees", "not supported in this version"},
+        {"{\"convention\": \"opencv\"}", "/view/convention", "not supported in this version"},
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        char rest[512];
+        snprintf(rest, sizeof rest, "\"view\": %s", cases[i].view);
+        refuses_rest(rest, cases[i].pointer, cases[i].detail);
+    }
+}
+
+static void outputs_are_read(void **state)
+{
+    (void)state;
+    struct reading *reading =
+        read_rest("\"outputs\": [{\"channel\": \"color\"}, {\"channel\": \"depth\"}, {\"channel\": "
+                  "\"depth\", \"encoding\": \"png16\", \"scale\": 0.001}, {\"channel\": \"windowDepth\"},"
+                  "{\"channel\": \"faceId\"}, {\"channel\": \"info\", \"encoding\": \"json\"}]");
+    assert_read(reading);
+    const struct zr_output *outputs = reading->scene->outputs;
+    static const enum zr_encoding encodings[6] = {ZR_ENCODING_PNG, ZR_ENCODING_NPY, ZR_ENCODING_PNG16,
+                                                  ZR_ENCODING_NPY, ZR_ENCODING_NPY, ZR_ENCODING_JSON};
+    assert_int_equal(reading->scene->output_count, 6);
+    for (int i = 0; i < 6; i++)
+        assert_int_equal(outputs[i].encoding, encodings[i]);
+    assert_int_equal(outputs[3].channel, ZR_CHANNEL_WINDOW_DEPTH);
+    assert_true(outputs[2].scale == 0.001f);
+    reading_free(reading);
+}
+
+static void bad_outputs_give_pointer_and_what_is_allowed(void **state)
+{
+    (void)state;
+    refuses_rest("\"outputs\": []", "/outputs", "an empty list");
+    refuses_rest("\"outputs\": [{}]", "/outputs/0", "channel is missing");
+    refuses_rest("\"outputs\": [{\"channel\": \"normals\"}]", "/outputs/0/channel", "not supported in this version");
+    refuses_rest("\"outputs\": [{\"channel\": \"z\"}]", "/outputs/0/channel",
+                 "allowed: color, depth, windowDepth, faceId, info");
+    refuses_rest("\"outputs\": [{\"channel\": \"color\", \"encoding\": \"npy\"}]", "/outputs/0/encoding",
+                 "the channel color cannot be had as npy; allowed: png");
+    refuses_rest("\"outputs\": [{\"channel\": \"depth\", \"scale\": 1}]", "/outputs/0/scale",
+                 "only the encoding png16");
+    refuses_rest("\"outputs\": [{\"channel\": \"depth\", \"encoding\": \"png16\", \"scale\": 0}]", "/outputs/0/scale",
+                 "0 is not greater than 0");
+    refuses_rest("\"outputs\": [{\"channel\": \"depth\"}, {\"channel\": \"color\"}, {\"channel\": \"depth\"}]",
+                 "/outputs/2", "the same file name as /outputs/0: depth");
+}
+
+static void query_output_replaces_those_of_the_scene(void **state)
+{
+    (void)state;
+    static const char text[] = "{" POLYGONS ", \"outputs\": [{\"channel\": \"color\"}, {\"channel\": \"info\"}]}";
+    struct zr_request request = {.format = ZR_FORMAT_JSON, .channel = "faceId"};
+    struct reading *reading = read_request(request, text, strlen(text), zr_limits_default(), 1 << 20);
+    assert_read(reading);
+    assert_int_equal(reading->scene->output_count, 1);
+    assert_int_equal(reading->scene->outputs[0].channel, ZR_CHANNEL_FACE_ID);
+    assert_int_equal(reading->scene->outputs[0].encoding, ZR_ENCODING_NPY);
+    reading_free(reading);
+}
+
+static void query_of_bare_meshes_is_refused(void **state)
+{
+    (void)state;
+    static const struct {
+        struct zr_request request;
+        const char *detail;
+    } cases[] = {{{.preset = "top"}, "query parameter preset belongs to bodies that are a bare mesh"},
+                 {{.width = "4"}, "query parameter width belongs"},
+                 {{.height = "4"}, "query parameter height belongs"},
+                 {{.shading = "flat"}, "query parameter shading belongs"}};
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        struct reading *reading = read_request(cases[i].request, "{", 1, zr_limits_default(), 1 << 20);
+        assert_complaint(reading, ZR_BAD_REQUEST, "", cases[i].detail);
+        reading_free(reading);
+    }
+}
+
+static void alpha_gives_one_warning(void **state)
+{
+    (void)state;
+    static const char *const texts[] = {
+        "{\"polygons\": [{" TRIANGLE ", \"color\": \"#ff000080\"}, {" TRIANGLE ", \"color\": \"#ff000080\"}]}",
+        "{" POLYGONS ", \"materials\": [{\"name\": \"glass\", \"baseColorFactor\": [1,1,1,0.5]}]}",
+        "{\"polygons\": [{" TRIANGLE ", \"colors\": [[1,1,1],[1,1,1],[1,1,1,0]]}]}",
+        "{\"meshes\": [{" POSITIONS ", \"faces\": [[0,1,2]], \"faceColors\": [[0,0,0,0]]}]}"};
+    for (size_t i = 0; i < sizeof texts / sizeof texts[0]; i++) {
+        struct reading *reading = read_scene(texts[i]);
+        assert_int_equal(reading->scene->warning_count, 1);
+        assert_non_null(strstr(reading->scene->warnings[0], "transparency is not supported"));
+        reading_free(reading);
+    }
+    struct reading *reading = read_rest("\"background\": \"#ffffff00\"");
+    assert_read(reading);
+    assert_int_equal(reading->scene->warning_count, 0);
+    assert_true(reading->scene->background.w == 0);
+    reading_free(reading);
+}
+
+static void bad_json_gives_bad_syntax(void **state)
+{
+    (void)state;
+    refuses(ZR_FORMAT_JSON, "", ZR_BAD_SYNTAX, "", "line 1, column 1: expected a value, found the end of the text");
+    refuses(ZR_FORMAT_JSON, "{\"polygons\": [}", ZR_BAD_SYNTAX, "", "line 1, column 15");
+}
+
+static void small_arena_gives_no_memory_naming_the_ceiling(void **state)
+{
+    (void)state;
+    static const char text[] =
+        "{\"polygons\": [{" TRIANGLE ", \"color\": \"#ff0000\", \"colors\": [[1,1,1],[1,1,1],[1,1,1]], "
+        "\"normals\": [[0,0,1],[0,0,1],[0,0,1]]}], \"lights\": [], \"outputs\": [{\"channel\": \"depth\"}],"
+        "\"meshes\": [{\"name\": \"m\", " POSITIONS ", \"faces\": [[0,1,2]]}]}";
+    size_t enough = 0;
+    for (size_t ceiling = 0; ceiling < 65536 && !enough; ceiling += 64) {
+        struct reading *reading =
+            read_request((struct zr_request){.channel = "depth"}, text, strlen(text), zr_limits_default(), ceiling);
+        char detail[32];
+        snprintf(detail, sizeof detail, "the %zu bytes", ceiling);
+        if (reading->status == ZR_OK)
+            enough = ceiling;
+        else
+            assert_complaint(reading, ZR_NO_MEMORY, "", detail);
+        reading_free(reading);
+    }
+    assert_true(enough > 1024);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(smallest_scene_has_defaults),
+        cmocka_unit_test(mesh_is_read_whole),
+        cmocka_unit_test(polygons_become_the_last_mesh),
+        cmocka_unit_test(looks_come_from_mesh_then_material_then_scene),
+        cmocka_unit_test(many_materials_all_find_their_names),
+        cmocka_unit_test(bad_geometry_gives_pointer_to_it),
+        cmocka_unit_test(no_face_gives_no_geometry),
+        cmocka_unit_test(keys_are_checked_with_pointer_to_them),
+        cmocka_unit_test(long_unknown_key_is_cut_at_a_character),
+        cmocka_unit_test(several_faults_are_all_reported_up_to_the_limit),
+        cmocka_unit_test(wrong_values_give_pointer_to_them),
+        cmocka_unit_test(what_this_version_does_may_be_said),
+        cmocka_unit_test(window_limits_are_named),
+        cmocka_unit_test(lights_are_normalised_and_scaled),
+        cmocka_unit_test(views_are_read),
+        cmocka_unit_test(matrices_are_rows_nested_and_columns_flat),
+        cmocka_unit_test(bad_views_give_pointer_and_names),
+        cmocka_unit_test(outputs_are_read),
+        cmocka_unit_test(bad_outputs_give_pointer_and_what_is_allowed),
+        cmocka_unit_test(query_output_replaces_those_of_the_scene),
+        cmocka_unit_test(query_of_bare_meshes_is_refused),
+        cmocka_unit_test(alpha_gives_one_warning),
+        cmocka_unit_test(bad_json_gives_bad_syntax),
+        cmocka_unit_test(small_arena_gives_no_memory_naming_the_ceiling),
+    };
+    return cmocka_run_group_tests_name("json_scene", tests, NULL, NULL);
+}

@@ -1,0 +1,328 @@
+#include "input_check.h"
+
+#include "input/input.h"
+
+static const char triangle[] = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
+
+/* The three vertices above, and then `rest`. */
+static struct reading *read_rest(const char *rest)
+{
+    char text[2048];
+    snprintf(text, sizeof text, "%s%s", triangle, rest);
+    return read_text(ZR_FORMAT_OBJ, text);
+}
+
+static void refuses_rest(const char *rest, enum zr_status status, const char *detail)
+{
+    struct reading *reading = read_rest(rest);
+    assert_complaint(reading, status, "", detail);
+    reading_free(reading);
+}
+
+static void triangle_becomes_a_scene_with_defaults(void **state)
+{
+    (void)state;
+    struct reading *reading = read_rest("f 1 2 3");
+    assert_read(reading);
+    const struct zr_scene *scene = reading->scene;
+    const struct zr_mesh *mesh = &scene->meshes[0];
+    assert_int_equal(scene->width, 640);
+    assert_int_equal(scene->height, 480);
+    assert_int_equal(scene->instance_count, 1);
+    assert_int_equal(scene->light_count, 1);
+    assert_true(scene->lights[0].camera_frame);
+    assert_int_equal(scene->output_count, 1);
+    assert_int_equal(scene->view.preset, ZR_PRESET_ISOMETRIC);
+    assert_int_equal(scene->view.projection, ZR_PROJECTION_ORTHOGRAPHIC);
+    assert_true(scene->materials[0].double_sided);
+    assert_int_equal(scene->materials[0].shading, ZR_SHADING_FLAT);
+    assert_true(scene->materials[0].base_color.x == 0.7f);
+    assert_int_equal(mesh->position_count, 3);
+    assert_int_equal(mesh->face_count, 1);
+    assert_int_equal(mesh->face_offsets[1], 3);
+    assert_int_equal(mesh->indices[2], 2);
+    assert_true(mesh->positions[1].x == 1.0f && mesh->positions[1].w == 1.0f);
+    assert_int_equal(mesh->normal_count, 0);
+    assert_null(mesh->colors);
+    reading_free(reading);
+}
+
+static void query_replaces_defaults(void **state)
+{
+    (void)state;
+    static const char text[] = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+    struct zr_request request = {.format = ZR_FORMAT_OBJ,
+                                 .channel = "depth",
+                                 .encoding = "png16",
+                                 .scale = "0.5",
+                                 .preset = "top",
+                                 .width = "320",
+                                 .height = "200",
+                                 .shading = "unlit"};
+    struct reading *reading = read_request(request, text, strlen(text), zr_limits_default(), 1 << 20);
+    assert_read(reading);
+    assert_int_equal(reading->scene->width, 320);
+    assert_int_equal(reading->scene->height, 200);
+    assert_int_equal(reading->scene->view.preset, ZR_PRESET_TOP);
+    assert_int_equal(reading->scene->materials[0].shading, ZR_SHADING_UNLIT);
+    assert_int_equal(reading->scene->outputs[0].channel, ZR_CHANNEL_DEPTH);
+    assert_int_equal(reading->scene->outputs[0].encoding, ZR_ENCODING_PNG16);
+    assert_true(reading->scene->outputs[0].scale == 0.5f);
+    reading_free(reading);
+}
+
+static void wrong_query_gives_bad_request_naming_the_parameter(void **state)
+{
+    (void)state;
+    static const struct {
+        struct zr_request request;
+        const char *detail;
+    } cases[] = {
+        {{.format = ZR_FORMAT_OBJ, .channel = "colour"}, "channel: 'colour' is unknown; allowed: color, depth"},
+        {{.format = ZR_FORMAT_OBJ, .channel = "normals"}, "channel: 'normals' is not supported"},
+        {{.format = ZR_FORMAT_OBJ, .channel = "depth", .encoding = "png"}, "encoding: 'png' is not one"},
+        {{.format = ZR_FORMAT_OBJ, .channel = "depth", .scale = "2"}, "scale: only the encoding png16"},
+        {{.format = ZR_FORMAT_OBJ, .channel = "depth", .encoding = "png16", .scale = "0"}, "scale: '0' is not"},
+        {{.format = ZR_FORMAT_OBJ, .channel = "depth", .encoding = "png16", .scale = "nan"}, "scale: 'nan'"},
+        {{.format = ZR_FORMAT_OBJ, .channel = "depth", .encoding = "png16", .scale = "1e39"}, "scale: '1e39'"},
+        {{.format = ZR_FORMAT_OBJ, .preset = "up"}, "preset: 'up' is unknown; allowed: front"},
+        {{.format = ZR_FORMAT_OBJ, .shading = "phong"}, "shading: 'phong' is not supported"},
+        {{.format = ZR_FORMAT_OBJ, .width = "0"}, "width: '0'"},
+        {{.format = ZR_FORMAT_OBJ, .width = "-5"}, "width: '-5'"},
+        {{.format = ZR_FORMAT_OBJ, .height = "8193"}, "height: '8193' is not a whole number of pixels from 1 to 8192"},
+        {{.format = ZR_FORMAT_OBJ, .height = ""}, "height: ''"},
+        {{.format = ZR_FORMAT_OBJ, .height = "18446744073709551617"}, "height: '18446744073709551617'"},
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        struct reading *reading = read_request(cases[i].request, "", 0, zr_limits_default(), 1 << 20);
+        assert_complaint(reading, ZR_BAD_REQUEST, "", cases[i].detail);
+        reading_free(reading);
+    }
+}
+
+static void every_corner_form_is_read(void **state)
+{
+    (void)state;
+    struct reading *reading = read_rest("vt 0 0\nvt .5\nvt 1 1 0\nvn 0 0 1\nvn 0 1 0\n"
+                                        "f 1 2 3\nf 1/1 2/2 3/3\nf 1//1 2//1 3//2\nf 1/1/2 2/2/2 3/3/1\n");
+    assert_read(reading);
+    const struct zr_mesh *mesh = &reading->scene->meshes[0];
+    static const uint32_t normals[12] = {2, 2, 2, 2, 2, 2, 0, 0, 1, 1, 1, 0};
+    assert_int_equal(mesh->face_count, 4);
+    assert_int_equal(mesh->normal_count, 3);
+    assert_true(mesh->normals[2].x == 0 && mesh->normals[2].y == 0 && mesh->normals[2].z == 0);
+    for (size_t i = 0; i < 12; i++) {
+        assert_int_equal(mesh->indices[i], i % 3);
+        assert_int_equal(mesh->normal_indices[i], normals[i]);
+    }
+    assert_int_equal(reading->scene->materials[0].shading, ZR_SHADING_GOURAUD);
+    reading_free(reading);
+}
+
+static void normals_at_all_corners_need_no_zero_normal(void **state)
+{
+    (void)state;
+    struct reading *reading = read_rest("vn 0 0 1\nf 1//1 2//1 3//-1");
+    assert_read(reading);
+    assert_int_equal(reading->scene->meshes[0].normal_count, 1);
+    assert_int_equal(reading->scene->meshes[0].normal_indices[2], 0);
+    reading_free(reading);
+}
+
+static void negative_indices_count_back_from_here(void **state)
+{
+    (void)state;
+    struct reading *reading = read_rest("f -3 -2 -1\nv 5 5 5\nf -1 -2 -3\nf 4 1 2\n");
+    assert_read(reading);
+    static const uint32_t indices[9] = {0, 1, 2, 3, 2, 1, 3, 0, 1};
+    assert_memory_equal(reading->scene->meshes[0].indices, indices, sizeof indices);
+    reading_free(reading);
+}
+
+static void absolute_index_may_come_before_its_vertex(void **state)
+{
+    (void)state;
+    struct reading *reading = read_text(ZR_FORMAT_OBJ, "f 1 2 3\nv 0 0 0\nv 1 0 0\nv 0 1 0");
+    assert_read(reading);
+    reading_free(reading);
+}
+
+static void bad_indices_are_refused_with_their_line(void **state)
+{
+    (void)state;
+    refuses_rest("f 1 2 4\n", ZR_BAD_SCENE, "line 4: index 4 of 3 vertices");
+    refuses_rest("\n\nf 0 1 2\n", ZR_BAD_SCENE, "line 6: index 0 of 3 vertices");
+    refuses_rest("f -1 -2 -4\n", ZR_BAD_SCENE, "line 4: relative index -4, but 3 vertices so far");
+    refuses_rest("f 1 2 99999999999999999999999\n", ZR_BAD_SCENE, "of 3 vertices");
+    refuses_rest("f 1//1 2//1 3//1\n", ZR_BAD_SCENE, "line 4: index 1 of 0 normals");
+    refuses_rest("f -3 -2 -1\nf -4 -3 -2\nv 0 0 0", ZR_BAD_SCENE, "line 5: relative index -4");
+}
+
+static void several_bad_faces_are_all_reported(void **state)
+{
+    (void)state;
+    struct reading *reading = read_rest("f 1 2 4\nf 1 2\nf 1 2 3\nf 5 5 5\n");
+    assert_int_equal(reading->status, ZR_BAD_SCENE);
+    assert_int_equal(reading->error.count, 3);
+    assert_non_null(strstr(reading->error.items[1].detail, "line 5: a face of 2 corners"));
+    reading_free(reading);
+}
+
+static void bad_syntax_is_refused_with_its_line(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *rest, *detail;
+    } cases[] = {
+        {"f 1 2 x", "line 4: expected a corner: v, v/vt, v//vn or v/vt/vn, found 'x'"},
+        {"f 1 2 3/", "found '3/'"},
+        {"f 1 2 3//", "found '3//'"},
+        {"f 1 2 3/1/1/1", "found '3/1/1/1'"},
+        {"f 1 2 -", "found '-'"},
+        {"f 1 2 3.0", "found '3.0'"},
+        {"v 1 2", "line 4: expected 3, 4 or 6 numbers behind v, found 2"},
+        {"v 1 2 3 4 5", "found 5"},
+        {"v 1 2 3 4 5 6 7", "expected the end of the line, found '7'"},
+        {"v 1 2 z", "expected a number, found 'z'"},
+        {"v 1 2 3z", "expected a number, found '3z'"},
+        {"v 1 2 nan", "found 'nan'"},
+        {"v 1 2 -inf", "found '-inf'"},
+        {"v 0x10 2 3", "found '0x10'"},
+        {"vn 0 1", "expected 3 numbers behind vn, found 2"},
+        {"vt", "expected 1 to 3 numbers behind vt, found 0"},
+        {"vt a", "expected a number, found 'a'"},
+        {"vx 1 2 3", "expected a statement of OBJ, found 'vx'"},
+        {"hello", "found 'hello'"},
+        {"\xFF\xFE\x01 1", "found '?"
+                           "?"
+                           "?'"},
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++)
+        refuses_rest(cases[i].rest, ZR_BAD_SYNTAX, cases[i].detail);
+}
+
+static void limits_are_kept(void **state)
+{
+    (void)state;
+    refuses_rest("v 1e6 0 0\nv 1000001 0 0\nf 1 2 3", ZR_BAD_SCENE, "line 5: '1000001' is beyond the limit of 1000000");
+    refuses_rest("v 1e999 0 0\nf 1 2 3", ZR_BAD_SCENE, "line 4: '1e999' is beyond");
+    refuses_rest("v 0 0 0 1 1 2\nf 1 2 3", ZR_BAD_SCENE, "line 4: a colour component of 2 is outside of 0 to 1");
+    refuses_rest("f 1 2\n", ZR_BAD_SCENE, "line 4: a face of 2 corners; 3 to 1024 are allowed");
+    char text[8192] = "v 0 0 0\nf";
+    for (int i = 0; i < 1024; i++)
+        strcat(text, " 1");
+    struct reading *reading = read_text(ZR_FORMAT_OBJ, text);
+    assert_read(reading);
+    reading_free(reading);
+    strcat(text, " 1");
+    refuses(ZR_FORMAT_OBJ, text, ZR_BAD_SCENE, "", "line 2: a face of 1025 corners; 3 to 1024 are allowed");
+}
+
+static void no_face_gives_no_geometry(void **state)
+{
+    (void)state;
+    refuses(ZR_FORMAT_OBJ, "", ZR_BAD_SCENE, "", "no geometry");
+    refuses_rest("l 1 2\np 3", ZR_BAD_SCENE, "no geometry");
+    refuses(ZR_FORMAT_OBJ, "# f 1 2 3\n", ZR_BAD_SCENE, "", "no geometry");
+}
+
+static void layout_of_the_text_does_not_matter(void **state)
+{
+    (void)state;
+    static const char *const texts[] = {
+        "v 0 0 0\r\nv 1 0 0\r\nv 0 1 0\r\nf 1 2 3\r\n",
+        "\t v\t0  0\t0  \n\n \nv 1 0 0 # comment\nv 0 1 0\n  f 1\t2   3",
+        "v 0 \\\n0 0\nv 1 0 0\nv 0 1 0\nf 1 \\\r\n2 \\\n3",
+        "# a path C:\\\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf\\\n1 2 3 #1",
+        "v 0 0 0 1\nv 1 0 0 0.5\nv 0 1 0 1\nf 1 2 3",
+        "v +0 0. .0e1\nv 1 0 0\nv 0 1 0\nf 1 2 3",
+    };
+    for (size_t i = 0; i < sizeof texts / sizeof texts[0]; i++) {
+        struct reading *reading = read_text(ZR_FORMAT_OBJ, texts[i]);
+        assert_read(reading);
+        const struct zr_mesh *mesh = &reading->scene->meshes[0];
+        assert_int_equal(mesh->position_count, 3);
+        assert_true(mesh->positions[1].x == 1 && mesh->positions[1].w == 1 && mesh->positions[2].y == 1);
+        assert_int_equal(mesh->indices[0] * 100 + mesh->indices[1] * 10 + mesh->indices[2], 12);
+        reading_free(reading);
+    }
+}
+
+static void line_numbers_go_on_behind_joined_lines(void **state)
+{
+    (void)state;
+    refuses(ZR_FORMAT_OBJ, "v 0 \\\n0 \\\n0\nv x 0 0\n", ZR_BAD_SYNTAX, "", "line 4: expected a number, found 'x'");
+}
+
+static void other_statements_are_passed_over(void **state)
+{
+    (void)state;
+    static const char *const words[] = {
+        "bevel",      "bmat",   "bsp",   "bzp",    "c_interp", "call",      "cdc",  "cdp",    "con",    "csh",
+        "cstype",     "ctech",  "curv",  "curv2",  "d_interp", "deg",       "end",  "g",      "hole",   "l",
+        "lod",        "maplib", "mg",    "mtllib", "o",        "p",         "parm", "res",    "s",      "scrv",
+        "shadow_obj", "sp",     "stech", "step",   "surf",     "trace_obj", "trim", "usemap", "usemtl", "vp"};
+    for (size_t i = 0; i < sizeof words / sizeof words[0]; i++) {
+        char rest[64];
+        snprintf(rest, sizeof rest, "%s any thing\nf 1 2 3\n", words[i]);
+        struct reading *reading = read_rest(rest);
+        assert_read(reading);
+        reading_free(reading);
+    }
+}
+
+static void vertex_colors_are_read_and_white_elsewhere(void **state)
+{
+    (void)state;
+    struct reading *reading = read_rest("v 1 1 1 0.25 0.5 1\nf 1 2 3 4");
+    assert_read(reading);
+    const struct zr_mesh *mesh = &reading->scene->meshes[0];
+    assert_true(mesh->colors[0].x == 1 && mesh->colors[0].w == 1);
+    assert_true(mesh->colors[3].x == 0.25f && mesh->colors[3].y == 0.5f && mesh->colors[3].z == 1);
+    assert_true(reading->scene->materials[0].base_color.x == 1);
+    assert_int_equal(reading->scene->materials[0].shading, ZR_SHADING_GOURAUD);
+    reading_free(reading);
+}
+
+static void small_arena_gives_no_memory_naming_the_ceiling(void **state)
+{
+    (void)state;
+    static const char text[] = "v 0 0 0\nv 1 0 0\nv 0 1 0\nvn 0 0 1\nf 1//1 2//1 3//1";
+    size_t enough = 0;
+    for (size_t ceiling = 0; ceiling < 8192 && !enough; ceiling += 64) {
+        struct reading *reading = read_request((struct zr_request){.format = ZR_FORMAT_OBJ}, text, strlen(text),
+                                               zr_limits_default(), ceiling);
+        char detail[32];
+        snprintf(detail, sizeof detail, "the %zu bytes", ceiling);
+        if (reading->status == ZR_OK)
+            enough = ceiling;
+        else
+            assert_complaint(reading, ZR_NO_MEMORY, "", detail);
+        reading_free(reading);
+    }
+    assert_true(enough > 512);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(triangle_becomes_a_scene_with_defaults),
+        cmocka_unit_test(query_replaces_defaults),
+        cmocka_unit_test(wrong_query_gives_bad_request_naming_the_parameter),
+        cmocka_unit_test(every_corner_form_is_read),
+        cmocka_unit_test(normals_at_all_corners_need_no_zero_normal),
+        cmocka_unit_test(negative_indices_count_back_from_here),
+        cmocka_unit_test(absolute_index_may_come_before_its_vertex),
+        cmocka_unit_test(bad_indices_are_refused_with_their_line),
+        cmocka_unit_test(several_bad_faces_are_all_reported),
+        cmocka_unit_test(bad_syntax_is_refused_with_its_line),
+        cmocka_unit_test(limits_are_kept),
+        cmocka_unit_test(no_face_gives_no_geometry),
+        cmocka_unit_test(layout_of_the_text_does_not_matter),
+        cmocka_unit_test(line_numbers_go_on_behind_joined_lines),
+        cmocka_unit_test(other_statements_are_passed_over),
+        cmocka_unit_test(vertex_colors_are_read_and_white_elsewhere),
+        cmocka_unit_test(small_arena_gives_no_memory_naming_the_ceiling),
+    };
+    return cmocka_run_group_tests_name("obj", tests, NULL, NULL);
+}

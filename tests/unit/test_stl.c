@@ -1,0 +1,212 @@
+#include "input_check.h"
+
+#include <math.h>
+
+enum { MAX_TRIANGLES = 4, BYTES_MAX = 84 + 50 * MAX_TRIANGLES };
+
+#define FACET "facet normal 0 0 1\n outer loop\n  vertex 0 0 0\n  vertex 1 0 0\n  vertex 0 1.5 0\n endloop\nendfacet\n"
+
+/* As few bytes as a facet can have. */
+#define SHORTEST "facet normal 0 0 0 outer loop vertex 0 0 0 vertex 1 0 0 vertex 0 2 0 endloop endfacet "
+
+static void put_u32(unsigned char *at, uint32_t value)
+{
+    for (int i = 0; i < 4; i++)
+        at[i] = (unsigned char)(value >> (8 * i));
+}
+
+static void put_f32(unsigned char *at, float value)
+{
+    uint32_t bits;
+    memcpy(&bits, &value, sizeof bits);
+    put_u32(at, bits);
+}
+
+/* Triangle t has the coordinates 9t, 9t + 1, ... 9t + 8, and NaN for a normal. */
+static size_t make_binary(unsigned char *bytes, const char *header, uint32_t triangles)
+{
+    memset(bytes, 0, BYTES_MAX);
+    memcpy(bytes, header, strlen(header));
+    put_u32(bytes + 80, triangles);
+    for (uint32_t t = 0; t < triangles; t++)
+        for (uint32_t i = 0; i < 12; i++)
+            put_f32(bytes + 84 + t * 50 + i * 4, i < 3 ? NAN : (float)(9 * t + i - 3));
+    return 84 + (size_t)triangles * 50;
+}
+
+static void binary_gives_three_vertices_a_triangle(void **state)
+{
+    (void)state;
+    static const char *const headers[] = {"made by hand", "solid that is binary", ""};
+    unsigned char bytes[BYTES_MAX];
+    for (size_t h = 0; h < 3; h++) {
+        struct reading *reading = read_bytes(ZR_FORMAT_STL, bytes, make_binary(bytes, headers[h], 3));
+        assert_read(reading);
+        const struct zr_mesh *mesh = &reading->scene->meshes[0];
+        assert_int_equal(mesh->face_count, 3);
+        assert_int_equal(mesh->position_count, 9);
+        assert_int_equal(mesh->normal_count, 0);
+        assert_int_equal(mesh->face_offsets[3], 9);
+        for (uint32_t i = 0; i < 9; i++) {
+            assert_int_equal(mesh->indices[i], i);
+            assert_true(mesh->positions[i].x == (float)(3 * i) && mesh->positions[i].z == (float)(3 * i + 2));
+            assert_true(mesh->positions[i].w == 1.0f);
+        }
+        assert_true(reading->scene->materials[0].double_sided);
+        assert_int_equal(reading->scene->materials[0].shading, ZR_SHADING_FLAT);
+        reading_free(reading);
+    }
+}
+
+static void binary_of_another_size_gives_bad_syntax(void **state)
+{
+    (void)state;
+    unsigned char bytes[BYTES_MAX];
+    make_binary(bytes, "x", 2);
+    for (size_t size = 0; size < 200; size++) {
+        if (size == 184) continue;
+        struct reading *reading = read_bytes(ZR_FORMAT_STL, bytes, size);
+        char got[32];
+        snprintf(got, sizeof got, "got %zu", size);
+        assert_complaint(reading, ZR_BAD_SYNTAX, "", got);
+        assert_complaint(reading, ZR_BAD_SYNTAX, "",
+                         size < 84 ? "at least 84 bytes expected" : "184 bytes expected for 2 triangles");
+        reading_free(reading);
+    }
+}
+
+static void count_beyond_the_bytes_is_refused_before_allocating(void **state)
+{
+    (void)state;
+    unsigned char bytes[BYTES_MAX];
+    size_t size = make_binary(bytes, "x", 1);
+    put_u32(bytes + 80, UINT32_MAX);
+    struct reading *reading = read_bytes(ZR_FORMAT_STL, bytes, size);
+    assert_complaint(reading, ZR_BAD_SYNTAX, "", "214748364834 bytes expected for 4294967295 triangles, got 134");
+    assert_true(reading->arena.used < 8192);
+    reading_free(reading);
+}
+
+static void binary_without_triangles_gives_no_geometry(void **state)
+{
+    (void)state;
+    unsigned char bytes[BYTES_MAX];
+    struct reading *reading = read_bytes(ZR_FORMAT_STL, bytes, make_binary(bytes, "x", 0));
+    assert_complaint(reading, ZR_BAD_SCENE, "", "no geometry");
+    reading_free(reading);
+}
+
+static void place_out_of_range_gives_bad_scene_with_triangle(void **state)
+{
+    (void)state;
+    static const float values[] = {NAN, INFINITY, -INFINITY, 1.1e6f, -3e38f};
+    unsigned char bytes[BYTES_MAX];
+    for (size_t i = 0; i < sizeof values / sizeof values[0]; i++) {
+        size_t size = make_binary(bytes, "x", 2);
+        put_f32(bytes + 84 + 50 + 12 + 16, values[i]);
+        struct reading *reading = read_bytes(ZR_FORMAT_STL, bytes, size);
+        assert_complaint(reading, ZR_BAD_SCENE, "", "triangle 2 of 2, vertex 2: (");
+        assert_int_equal(reading->error.count, 1);
+        reading_free(reading);
+    }
+}
+
+static void ascii_gives_its_triangles(void **state)
+{
+    (void)state;
+    static const char *const texts[] = {
+        "solid a name of words\n" FACET FACET "endsolid a name of words\n",
+        "SOLID\r\nFacet Normal 0 0 1 Outer Loop Vertex 0 0 0 VERTEX 1 0 0 vertex 0 15e-1 0 EndLoop EndFacet\r\n" FACET
+        "ENDSOLID",
+        "\n  solid first\n" FACET "endsolid first\nsolid second\n" FACET "endsolid\n\n",
+        "solid\nfacet normal nan -nan(ind) nan\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1.5 0\nendloop\n"
+        "endfacet\n" FACET "endsolid",
+        "solid\n" SHORTEST SHORTEST "endsolid"};
+    for (size_t i = 0; i < sizeof texts / sizeof texts[0]; i++) {
+        struct reading *reading = read_text(ZR_FORMAT_STL, texts[i]);
+        assert_read(reading);
+        const struct zr_mesh *mesh = &reading->scene->meshes[0];
+        assert_int_equal(mesh->face_count, 2);
+        assert_int_equal(mesh->position_count, 6);
+        assert_true(mesh->positions[4].x == 1.0f && mesh->positions[5].y >= 1.5f && mesh->positions[5].w == 1.0f);
+        reading_free(reading);
+    }
+}
+
+static void every_prefix_of_ascii_is_refused_within_its_bytes(void **state)
+{
+    (void)state;
+    static const char text[] = "solid x\n" FACET "endsolid";
+    for (size_t size = 0; size < sizeof text - 1; size++) {
+        struct reading *reading = read_bytes(ZR_FORMAT_STL, text, size);
+        assert_int_equal(reading->status, ZR_BAD_SYNTAX);
+        reading_free(reading);
+    }
+    struct reading *whole = read_text(ZR_FORMAT_STL, text);
+    assert_read(whole);
+    reading_free(whole);
+}
+
+static void malformed_ascii_is_refused_with_its_line(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *text, *detail;
+    } cases[] = {
+        {"solid\n" FACET, "line 9: expected 'facet' or 'endsolid', found the end of the file"},
+        {"solid\nfacet normal 0 0 1\nouter loop\nvertex 0 0\nvertex", "line 5: expected a number, found 'vertex'"},
+        {"solid\nfacet normal 0 0 1\nouter lop", "line 3: expected 'loop', found 'lop'"},
+        {"solid\nfacet normal 0 0 1\nouter loop\nvertex 0 0 nan", "line 4: expected a number, found 'nan'"},
+        {"solid\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0x1", "line 4: expected a number, found '0x1'"},
+        {"solid\nfacet 0 0 1", "line 2: expected 'normal', found '0'"},
+        {"solid\nendsolid\nx", "line 3: expected 'solid', found 'x'"},
+        {"solid\nfacets", "line 2: expected 'facet' or 'endsolid', found 'facets'"},
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++)
+        refuses(ZR_FORMAT_STL, cases[i].text, ZR_BAD_SYNTAX, "", cases[i].detail);
+}
+
+static void ascii_out_of_range_gives_bad_scene_with_triangle(void **state)
+{
+    (void)state;
+    refuses(ZR_FORMAT_STL,
+            "solid\n" FACET "facet normal 0 0 1 outer loop\nvertex 0 1e7 0\nvertex 0 0 0 vertex 1 1 1 endloop endfacet "
+            "endsolid",
+            ZR_BAD_SCENE, "", "line 10: '1e7' in triangle 2 is beyond the limit of 1000000");
+    refuses(ZR_FORMAT_STL, "solid nothing\nendsolid", ZR_BAD_SCENE, "", "no geometry");
+}
+
+static void small_arena_gives_no_memory(void **state)
+{
+    (void)state;
+    unsigned char bytes[BYTES_MAX];
+    size_t size = make_binary(bytes, "x", MAX_TRIANGLES);
+    size_t enough = 0;
+    for (size_t ceiling = 0; ceiling < 8192 && !enough; ceiling += 64) {
+        struct reading *reading =
+            read_request((struct zr_request){.format = ZR_FORMAT_STL}, bytes, size, zr_limits_default(), ceiling);
+        if (reading->status == ZR_OK)
+            enough = ceiling;
+        else
+            assert_complaint(reading, ZR_NO_MEMORY, "", "more memory than the");
+        reading_free(reading);
+    }
+    assert_true(enough > 512);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(binary_gives_three_vertices_a_triangle),
+        cmocka_unit_test(binary_of_another_size_gives_bad_syntax),
+        cmocka_unit_test(count_beyond_the_bytes_is_refused_before_allocating),
+        cmocka_unit_test(binary_without_triangles_gives_no_geometry),
+        cmocka_unit_test(place_out_of_range_gives_bad_scene_with_triangle),
+        cmocka_unit_test(ascii_gives_its_triangles),
+        cmocka_unit_test(every_prefix_of_ascii_is_refused_within_its_bytes),
+        cmocka_unit_test(malformed_ascii_is_refused_with_its_line),
+        cmocka_unit_test(ascii_out_of_range_gives_bad_scene_with_triangle),
+        cmocka_unit_test(small_arena_gives_no_memory),
+    };
+    return cmocka_run_group_tests_name("stl", tests, NULL, NULL);
+}
