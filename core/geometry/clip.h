@@ -11,7 +11,7 @@
 
 #include "base/vec.h"
 
-enum { ZR_CLIP_MAX = 16 }; /* 3 corners, and 1 more for each of 6 planes; the rest for what rounding bends */
+enum { ZR_CLIP_MAX = 16 }; /* 3 corners, and 1 more for each of 6 planes; the rest is for what rounding bends */
 
 /* A corner and everything that is interpolated along with it. */
 struct zr_clip_vertex {

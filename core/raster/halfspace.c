@@ -60,14 +60,14 @@ static void cut_span(int64_t value, int64_t a, int32_t *x0, int32_t *x1)
 
 static void draw_span(struct zr_tile *tile, const struct zr_plane *plane, uint32_t owner, int32_t y, int32_t x0, int32_t x1)
 {
-    float *depth = &tile->depth[(y - tile->y) * ZR_TILE_SIZE - tile->x];
-    uint32_t *owners = &tile->owner[(y - tile->y) * ZR_TILE_SIZE - tile->x];
+    float *depth = &tile->depth[(y - tile->y) * ZR_TILE_SIZE + x0 - tile->x];
+    uint32_t *owners = &tile->owner[(y - tile->y) * ZR_TILE_SIZE + x0 - tile->x];
     const float a0 = plane->a0, dadx = plane->dadx, z_row = plane->dady * (float)y;
-    for (int32_t x = x0; x < x1; x++) {
-        float z = clamp_depth((a0 + dadx * (float)x) + z_row);
-        bool nearer = z < depth[x];
-        depth[x] = nearer ? z : depth[x];
-        owners[x] = nearer ? owner : owners[x];
+    for (int32_t i = 0; i < x1 - x0; i++) {
+        float z = clamp_depth((a0 + dadx * (float)(x0 + i)) + z_row);
+        bool nearer = z < depth[i];
+        depth[i] = nearer ? z : depth[i];
+        owners[i] = nearer ? owner : owners[i];
     }
 }
 
@@ -86,7 +86,7 @@ static void draw_large(struct zr_tile *tile, const struct zr_setup *setup, uint3
     for (int32_t y = area.y0; y < area.y1; y++) {
         int32_t x0 = area.x0, x1 = area.x1;
         for (int k = 0; k < count && x0 < x1; k++) cut_span(edge_at(cutting[k], x0, y), cutting[k]->a, &x0, &x1);
-        draw_span(tile, &setup->depth, owner, y, x0, x1);
+        if (x0 < x1) draw_span(tile, &setup->depth, owner, y, x0, x1);
     }
 }
 

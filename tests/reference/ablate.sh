@@ -1,0 +1,117 @@
+#!/bin/sh
+# Negative tests: breaks the renderer in the ways of ablations.txt, one at a time,
+# and fails unless zraster-verify sees each. Prints TAP.
+#
+#   tests/reference/ablate.sh [name ...]      from the project's top folder
+#
+# BUILD (build) is where the broken copies go; CC and CFLAGS are make's.
+set -u
+build=${BUILD:-build}/ablation
+base=$build/base
+table=tests/reference/ablations.txt
+seed=7 # the corner that clip-nine-corners loses is a rare one: this seed has it
+cores=$(getconf _NPROCESSORS_ONLN 2>/dev/null || echo 1)
+count=0
+failed=0
+unset MAKEFLAGS MFLAGS MAKELEVEL
+
+report() { # verdict, text
+    count=$((count + 1))
+    [ "$1" = ok ] || failed=$((failed + 1))
+    printf '%s %d - ablation %s\n' "$1" "$count" "$2"
+}
+
+compile() { # folder, flags to add
+    if [ -n "$2" ]; then
+        make -s -j "$cores" -C "$1" BUILD=build CFLAGS="${CFLAGS:--O2} $2" build/zraster-verify
+    else
+        make -s -j "$cores" -C "$1" BUILD=build CFLAGS="${CFLAGS:--O2}" build/zraster-verify
+    fi >"$1/make.log" 2>&1
+}
+
+# Objects of the last run are kept: the copies have the times of the originals.
+make_base() {
+    mkdir -p "$base/tests" || return 1
+    setting="${CC:-cc} ${CFLAGS:--O2}"
+    [ "$(cat "$base/setting" 2>/dev/null)" = "$setting" ] || rm -rf "$base/build"
+    printf '%s\n' "$setting" >"$base/setting"
+    rm -rf "$base/core" "$base/tests/reference" "$base/tests/support"
+    mkdir "$base/tests/support" || return 1
+    cp -a Makefile core "$base/" && cp -a tests/reference "$base/tests/" &&
+        cp -a tests/support/png.[ch] tests/support/random.h "$base/tests/support/" && compile "$base" ""
+}
+
+# The counts of the last line, as "coverage N depth N colour N".
+counts_of() {
+    sed -n 's/^total.* coverage \([0-9]*\) .* depth \([0-9]*\) .* colour \([0-9]*\) .*/coverage \1 depth \2 colour \3/p' "$1"
+}
+
+verify() { # folder, kind, triangles
+    "$1/build/zraster-verify" --seed $seed --kind "$2" --triangles "$3" --failures "$1/failures" >"$1/verify.log" 2>&1
+}
+
+# Without a change all must be equal, or a difference would prove nothing.
+check_base() {
+    while IFS='@' read -r name files change run shows; do
+        case $name in '#'* | '') continue ;; esac
+        # shellcheck disable=SC2086
+        set -- $run
+        verify "$base" "$1" "$2" || { report 'not ok' "none: $1 differs without any change"; return; }
+    done <$table
+    report ok 'none (all equal)'
+}
+
+change_files() { # folder, files, sed expression
+    for file in $2; do
+        cp "$1/core/$file" "$1/before" && sed -E -i "$3" "$1/core/$file" || return 1
+        cmp -s "$1/before" "$1/core/$file" && return 1
+    done
+    return 0
+}
+
+machine_fuses() {
+    case $(uname -m) in
+    x86_64) grep -qw fma /proc/cpuinfo ;;
+    aarch64) true ;;
+    *) false ;;
+    esac
+}
+
+check_row() { # name, files, change, kind, triangles, what must show
+    folder=$build/$1
+    flags=
+    rm -rf "$folder"
+    cp -a "$base" "$folder" || { report 'not ok' "$1: no copy"; return; }
+    if [ "$2" = flags ]; then
+        machine_fuses || { report ok "$1 # SKIP this machine has no fused multiply-add"; return; }
+        flags=$3
+        [ "$(uname -m)" = x86_64 ] || flags=${flags%-mfma}
+        rm -rf "$folder/build/core/geometry" "$folder/build/core/raster" "$folder/build/core/shade"
+    else
+        change_files "$folder" "$2" "$3" || { report 'not ok' "$1: the expression changes nothing in one of: $2"; return; }
+    fi
+    compile "$folder" "$flags" || { report 'not ok' "$1: does not compile, see $folder/make.log"; return; }
+    verify "$folder" "$4" "$5"
+    status=$?
+    counts=$(counts_of "$folder/verify.log")
+    shown=$(printf '%s\n' "$counts" | sed -n "s/.*$6 \([0-9]*\).*/\1/p")
+    if [ $status -eq 1 ] && [ "${shown:-0}" -gt 0 ]; then
+        report ok "$1 ($counts)"
+        rm -rf "$folder"
+    else
+        report 'not ok' "$1: exit status $status, $6 was to show: $counts"
+    fi
+}
+
+make_base || { echo "Bail out! the renderer does not compile, see $base/make.log"; exit 2; }
+check_base
+while IFS='@' read -r name files change run shows; do
+    case $name in '#'* | '') continue ;; esac
+    name=${name% } files=${files% } change=${change# } shows=${shows# }
+    files=${files# } change=${change% }
+    [ $# -eq 0 ] || case " $* " in *" $name "*) ;; *) continue ;; esac
+    kind=${run# } triangles=${kind#* }
+    check_row "$name" "$files" "$change" "${kind%% *}" "${triangles% }" "$shows" </dev/null
+done <$table
+echo "1..$count"
+[ $failed -eq 0 ]

@@ -1,0 +1,126 @@
+#include "reference/drawing.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+/* Both odd, and inverse to each other modulo 2^24. */
+static const uint32_t scatter = 0x9e3779u, gather = 0xb382c9u;
+
+zr_vec4 drawing_face_color(uint32_t number)
+{
+    uint32_t c = number * scatter;
+    return (zr_vec4){(float)(c & 255) / 255.0f, (float)(c >> 8 & 255) / 255.0f, (float)(c >> 16 & 255) / 255.0f, 1.0f};
+}
+
+uint32_t drawing_face_number(const uint8_t rgba[4])
+{
+    uint32_t c = rgba[0] | (uint32_t)rgba[1] << 8 | (uint32_t)rgba[2] << 16;
+    return c * gather & DRAWING_FACES_MAX;
+}
+
+void drawing_start(struct drawing *drawing, uint32_t width, uint32_t height)
+{
+    drawing->width = width;
+    drawing->height = height;
+    drawing->smooth = false;
+    drawing->modelview = drawing->projection = zr_mat4_identity();
+    drawing->position_count = drawing->face_count = drawing->corner_count = 0;
+}
+
+void drawing_free(struct drawing *drawing)
+{
+    free(drawing->positions);
+    free(drawing->colors);
+    free(drawing->face_offsets);
+    free(drawing->face_colors);
+    free(drawing->indices);
+    free(drawing->corner_positions);
+    free(drawing->corner_colors);
+    memset(drawing, 0, sizeof *drawing);
+}
+
+/* False, with *array as it was, where memory is short. */
+static bool widen(void *array, size_t count, size_t size)
+{
+    void *old, *wider;
+    memcpy(&old, array, sizeof old);
+    wider = realloc(old, count * size);
+    if (!wider) return false;
+    memcpy(array, &wider, sizeof wider);
+    return true;
+}
+
+uint32_t drawing_position(struct drawing *drawing, zr_vec4 position, zr_vec4 color)
+{
+    if (drawing->position_count == drawing->position_room) {
+        uint32_t room = drawing->position_room * 2 + 64;
+        if (!widen(&drawing->positions, room, sizeof *drawing->positions) ||
+            !widen(&drawing->colors, room, sizeof *drawing->colors)) {
+            drawing->failed = true;
+            return 0;
+        }
+        drawing->position_room = room;
+    }
+    drawing->positions[drawing->position_count] = position;
+    drawing->colors[drawing->position_count] = color;
+    return drawing->position_count++;
+}
+
+static bool have_room(struct drawing *drawing, uint32_t corners)
+{
+    if (drawing->face_count == drawing->face_room) {
+        uint32_t room = drawing->face_room * 2 + 64;
+        if (!widen(&drawing->face_offsets, room + 1, sizeof *drawing->face_offsets) ||
+            !widen(&drawing->face_colors, room, sizeof *drawing->face_colors))
+            return false;
+        drawing->face_room = room;
+    }
+    if (drawing->corner_room - drawing->corner_count < corners) {
+        uint32_t room = drawing->corner_room * 2 + corners + 64;
+        if (!widen(&drawing->indices, room, sizeof *drawing->indices) ||
+            !widen(&drawing->corner_positions, room, sizeof *drawing->corner_positions) ||
+            !widen(&drawing->corner_colors, room, sizeof *drawing->corner_colors))
+            return false;
+        drawing->corner_room = room;
+    }
+    return true;
+}
+
+void drawing_face(struct drawing *drawing, const uint32_t *indices, uint32_t count)
+{
+    if (drawing->failed || drawing->face_count == DRAWING_FACES_MAX || !have_room(drawing, count)) {
+        drawing->failed = true;
+        return;
+    }
+    memcpy(drawing->indices + drawing->corner_count, indices, count * sizeof *indices);
+    drawing->face_offsets[drawing->face_count] = drawing->corner_count;
+    drawing->face_colors[drawing->face_count] = drawing_face_color(drawing->face_count + 1);
+    drawing->corner_count += count;
+    drawing->face_offsets[++drawing->face_count] = drawing->corner_count;
+}
+
+void drawing_triangle(struct drawing *drawing, uint32_t a, uint32_t b, uint32_t c)
+{
+    drawing_face(drawing, (uint32_t[]){a, b, c}, 3);
+}
+
+uint32_t drawing_triangles(const struct drawing *drawing)
+{
+    return drawing->corner_count - 2 * drawing->face_count;
+}
+
+struct reference_arrays drawing_arrays(struct drawing *drawing, bool smooth)
+{
+    for (uint32_t face = 0; face < drawing->face_count; face++)
+        for (uint32_t c = drawing->face_offsets[face]; c < drawing->face_offsets[face + 1]; c++) {
+            drawing->corner_positions[c] = drawing->positions[drawing->indices[c]];
+            drawing->corner_colors[c] = smooth ? drawing->colors[drawing->indices[c]] : drawing->face_colors[face];
+        }
+    return (struct reference_arrays){.face_count = drawing->face_count,
+                                     .face_offsets = drawing->face_offsets,
+                                     .positions = drawing->corner_positions,
+                                     .colors = drawing->corner_colors,
+                                     .smooth = smooth,
+                                     .modelview = drawing->modelview,
+                                     .projection = drawing->projection};
+}

@@ -1,0 +1,55 @@
+/* generate.h - reference: random pictures, by kind.
+ *
+ * Each kind aims at one part of the arithmetic, and has a batch size of its own:
+ * few large polygons or many small ones, so that overlap does not hide them all.
+ * Never made, because the rules of llvmpipe do not cover them: infinity, NaN,
+ * magnitudes of 1e30 and more, denormals, the vertex (0, 0, 0, 0).
+ */
+#ifndef ZR_TEST_GENERATE_H
+#define ZR_TEST_GENERATE_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include "reference/drawing.h"
+#include "support/random.h"
+
+struct generator {
+    const char *name;
+    bool clips;         /* must make triangles that get clipped */
+    bool binary_window; /* sizes are powers of two, so that subpixel places are exact floats */
+    void (*fill)(struct drawing *drawing, struct random *r);
+};
+
+extern const struct generator generators[];
+extern const size_t generator_count;
+
+/* Picture number `frame` of a kind. The same arguments give the same picture,
+ * whatever was made before. */
+void generate(const struct generator *generator, uint64_t seed, uint64_t frame, struct drawing *drawing);
+
+/* ---- shared by the files of generators ---- */
+
+/* C leaves open which argument of a call is evaluated first, so no expression
+ * here may draw two numbers: compilers would make different pictures. */
+
+/* Spread evenly over powers of two: 2^low <= result < 2^(high + 1). */
+double random_power(struct random *r, int low, int high);
+/* The same, of either sign. */
+double random_signed_power(struct random *r, int low, int high);
+/* A vertex at (x, y, z) in normalized device coordinates, with its w. */
+uint32_t random_vertex(struct drawing *drawing, struct random *r, double x, double y, double z, double w);
+/* One anywhere in the box given. */
+uint32_t random_vertex_in(struct drawing *drawing, struct random *r, const double low[3], const double high[3],
+                          double w);
+
+/* generate_solid.c: polygons, coplanar duplicates, and scenes behind matrices. */
+void fill_coplanar(struct drawing *drawing, struct random *r);
+void fill_polygons(struct drawing *drawing, struct random *r);
+void fill_polygons_clipped(struct drawing *drawing, struct random *r);
+void fill_matrix_orthographic(struct drawing *drawing, struct random *r);
+void fill_matrix_perspective(struct drawing *drawing, struct random *r);
+void fill_matrix_any(struct drawing *drawing, struct random *r);
+
+#endif
