@@ -1,0 +1,42 @@
+/* answer.h - what goes back to a client: status, headers, bytes.
+ *
+ * Owns its bytes and the values of its headers. Starts as {0}; status 0 means
+ * that there is no answer yet.
+ */
+#ifndef ZRASTERD_ANSWER_H
+#define ZRASTERD_ANSWER_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+enum { ANSWER_HEADERS_MAX = 12, ANSWER_DETAIL_SIZE = 256 };
+
+struct answer_header {
+    const char *name; /* of static lifetime */
+    char *value;      /* malloc'd */
+};
+
+struct answer {
+    int status;
+    bool close; /* the connection ends after this */
+    char *bytes;
+    size_t size;
+    size_t header_count;
+    struct answer_header headers[ANSWER_HEADERS_MAX];
+    char detail[ANSWER_DETAIL_SIZE]; /* of an error, for the log; valid UTF-8 */
+};
+
+/* Adds a header; it is left out where memory is. */
+void answer_header(struct answer *answer, const char *name, const char *format, ...)
+    __attribute__((format(printf, 3, 4)));
+
+/* Hands `bytes` (malloc'd) over to the answer. */
+void answer_body(struct answer *answer, const char *content_type, char *bytes, size_t size);
+
+/* Writes the whole answer to a socket, as HTTP/1.1 with Connection: close, as
+ * far as it goes without waiting. */
+void answer_send(const struct answer *answer, int socket_fd);
+
+void answer_free(struct answer *answer);
+
+#endif

@@ -1,0 +1,322 @@
+#include "api.h"
+
+#include <inttypes.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <strings.h>
+#include <sys/random.h>
+
+#include <cjson/cJSON.h>
+
+#include "clock.h"
+#include "problem.h"
+#include "text.h"
+
+enum { WARNINGS_SIZE = 2048 };
+
+enum route { ROUTE_RENDER, ROUTE_HEALTH, ROUTE_READY, ROUTE_LIMITS };
+
+static const struct {
+    const char *path, *methods;
+    bool open_to_all; /* no token is asked for */
+} ROUTES[] = {
+    [ROUTE_RENDER] = {"/v1/render", "POST", false},
+    [ROUTE_HEALTH] = {"/healthz", "GET, HEAD", true},
+    [ROUTE_READY] = {"/readyz", "GET, HEAD", true},
+    [ROUTE_LIMITS] = {"/v1/limits", "GET, HEAD", false},
+};
+
+enum { ROUTE_COUNT = sizeof ROUTES / sizeof ROUTES[0] };
+
+static const struct {
+    const char *type;
+    enum zr_format format;
+} FORMATS[] = {
+    {"application/json", ZR_FORMAT_JSON},
+    {"model/obj", ZR_FORMAT_OBJ},
+    {"model/stl", ZR_FORMAT_STL},
+};
+
+#define FORMAT_NAMES "application/json, model/obj, model/stl"
+
+static const struct {
+    const char *name;
+    size_t offset; /* of a const char * in zr_request */
+} PARAMETERS[] = {
+    {"channel", offsetof(struct zr_request, channel)}, {"encoding", offsetof(struct zr_request, encoding)},
+    {"scale", offsetof(struct zr_request, scale)},     {"preset", offsetof(struct zr_request, preset)},
+    {"width", offsetof(struct zr_request, width)},     {"height", offsetof(struct zr_request, height)},
+    {"shading", offsetof(struct zr_request, shading)},
+};
+
+#define PARAMETER_NAMES "channel, encoding, scale, preset, width, height, shading"
+
+void api_init(struct api *api, const struct config *config, struct zr_team *team)
+{
+    api->config = config;
+    api->limits = config_limits(config);
+    api->team = team;
+    if (getrandom(&api->id_base, sizeof api->id_base, 0) != sizeof api->id_base) api->id_base = (uint64_t)clock_us();
+    atomic_init(&api->id_next, 0);
+}
+
+void api_request_free(struct api_request *request)
+{
+    free(request->query_values);
+    request->query_values = NULL;
+}
+
+void api_take_id(struct api *api, struct api_request *request, const char *client_id)
+{
+    static const char ALLOWED[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789._-";
+    size_t length = client_id ? strlen(client_id) : 0;
+    if (length >= 1 && length < API_ID_SIZE && strspn(client_id, ALLOWED) == length) {
+        memcpy(request->id, client_id, length + 1);
+        return;
+    }
+    uint64_t number = atomic_fetch_add(&api->id_next, 1);
+    snprintf(request->id, sizeof request->id, "%016" PRIx64 "-%06" PRIx64, api->id_base, number);
+}
+
+/* ---- opening: all that can be said before the body ---- */
+
+/* The time it takes depends on what the client sent, not on where it differs. */
+static bool token_matches(const char *token, const char *authorization)
+{
+    static const char SCHEME[] = "Bearer ";
+    if (!authorization || strncasecmp(authorization, SCHEME, sizeof SCHEME - 1) != 0) return false;
+    const char *given = authorization + sizeof SCHEME - 1;
+    given += strspn(given, " ");
+    size_t length = strlen(given), wanted = strlen(token);
+    volatile unsigned char difference = length != wanted;
+    for (size_t i = 0; i < length; i++)
+        difference = (unsigned char)(difference | (given[i] ^ token[wanted ? i % wanted : 0]));
+    return difference == 0;
+}
+
+static bool method_allowed(const char *methods, const char *method)
+{
+    size_t length = strlen(method);
+    for (const char *p = strstr(methods, method); p; p = strstr(p + 1, method))
+        if ((p == methods || p[-1] == ' ') && (p[length] == '\0' || p[length] == ',')) return length > 0;
+    return false;
+}
+
+/* "name=value&name=value" into request->render. */
+static bool read_query(struct api_request *request, struct answer *answer)
+{
+    if (!request->query || !*request->query) return true;
+    /* A decoded text is never longer, and every pair gives up its '=' or '&' for the final zeros. */
+    char *values = request->query_values = malloc(2 * strlen(request->query) + 2);
+    if (!values) {
+        api_refuse_busy(answer, 1, "out of memory");
+        return false;
+    }
+    for (const char *pair = request->query; *pair; pair += *pair == '&') {
+        size_t length = strcspn(pair, "&"), name_length = strcspn(pair, "=&");
+        const char *text = pair;
+        pair += length;
+        if (length == 0) continue;
+        char *name = values;
+        char *value = name + name_length + 1;
+        size_t value_length = name_length < length ? length - name_length - 1 : 0;
+        if (!text_percent_decode(name, text, name_length) ||
+            !text_percent_decode(value, text + length - value_length, value_length)) {
+            problem_answer(answer, 400, "query: a %%-escape is broken");
+            return false;
+        }
+        const char **field = NULL;
+        for (size_t i = 0; i < sizeof PARAMETERS / sizeof PARAMETERS[0]; i++)
+            if (strcmp(PARAMETERS[i].name, name) == 0)
+                field = (const char **)(void *)((char *)&request->render + PARAMETERS[i].offset);
+        if (!field || *field) {
+            problem_answer(answer, 400, "query: %s parameter '%.60s'; known: " PARAMETER_NAMES,
+                           field ? "duplicate" : "unknown", name);
+            return false;
+        }
+        *field = value;
+        values = value + value_length + 1;
+    }
+    return true;
+}
+
+static bool read_content_type(struct api_request *request, struct answer *answer)
+{
+    const char *type = request->content_type ? request->content_type : "";
+    size_t length = strcspn(type, "; \t");
+    for (size_t i = 0; i < sizeof FORMATS / sizeof FORMATS[0]; i++)
+        if (strlen(FORMATS[i].type) == length && strncasecmp(FORMATS[i].type, type, length) == 0) {
+            request->render.format = FORMATS[i].format;
+            return true;
+        }
+    answer_header(answer, "Accept-Post", FORMAT_NAMES);
+    if (*type)
+        problem_answer(answer, 415, "Content-Type '%.80s' is none of: " FORMAT_NAMES, type);
+    else
+        problem_answer(answer, 415, "Content-Type is missing; supported: " FORMAT_NAMES);
+    return false;
+}
+
+static enum api_next open_render(const struct api_load *load, struct api_request *request, struct answer *answer)
+{
+    const char *encoding = request->content_encoding;
+    if (load->draining) {
+        api_refuse_busy(answer, load->retry_after_s, "the service is going down");
+    } else if (encoding && *encoding && strcasecmp(encoding, "identity") != 0) {
+        answer_header(answer, "Accept-Encoding", "identity");
+        problem_answer(answer, 415, "Content-Encoding '%.80s' is not supported; supported: identity", encoding);
+    } else if (read_content_type(request, answer) && read_query(request, answer)) {
+        if (!load->queue_full) return API_RENDER;
+        api_refuse_busy(answer, load->retry_after_s, "the queue is full");
+    }
+    return API_ANSWERED;
+}
+
+static void answer_state(struct answer *answer, const char *state)
+{
+    char *text = NULL;
+    int length = asprintf(&text, "{\"status\":\"%s\"}\n", state);
+    answer->status = 200;
+    if (length > 0) answer_body(answer, "application/json", text, (size_t)length);
+    answer_header(answer, "Cache-Control", "no-store");
+}
+
+static void answer_limits(const struct api *api, struct answer *answer)
+{
+    cJSON *root = cJSON_CreateObject();
+    cJSON_AddStringToObject(root, "version", ZR_VERSION);
+    config_add_limits(api->config, cJSON_AddObjectToObject(root, "limits"));
+    char *text = cJSON_Print(root);
+    cJSON_Delete(root);
+    answer->status = 200;
+    if (text)
+        answer_body(answer, "application/json", text, strlen(text));
+    else
+        api_refuse_busy(answer, 1, "out of memory");
+}
+
+enum api_next api_open(const struct api *api, const struct api_load *load, struct api_request *request,
+                       struct answer *answer)
+{
+    size_t route = 0;
+    while (route < ROUTE_COUNT && strcmp(ROUTES[route].path, request->path) != 0)
+        route++;
+    const char *token = api->config->token;
+    if (*token && !(route < ROUTE_COUNT && ROUTES[route].open_to_all) &&
+        !token_matches(token, request->authorization)) {
+        answer_header(answer, "WWW-Authenticate", "Bearer realm=\"zraster\"");
+        problem_answer(answer, 401, "Authorization: Bearer with the right token is asked for");
+    } else if (route == ROUTE_COUNT) {
+        problem_answer(answer, 404, "there is no '%.100s' here; there are /v1/render, /v1/limits, /healthz, /readyz",
+                       request->path);
+    } else if (!method_allowed(ROUTES[route].methods, request->method)) {
+        answer_header(answer, "Allow", "%s", ROUTES[route].methods);
+        problem_answer(answer, 405, "%s takes %s", ROUTES[route].path, ROUTES[route].methods);
+    } else if (route == ROUTE_RENDER) {
+        return open_render(load, request, answer);
+    } else if (route == ROUTE_LIMITS) {
+        answer_limits(api, answer);
+    } else if (route == ROUTE_READY && (load->draining || load->queue_full)) {
+        api_refuse_busy(answer, load->retry_after_s,
+                        load->draining ? "the service is going down" : "the queue is full");
+    } else {
+        answer_state(answer, route == ROUTE_READY ? "ready" : "ok");
+    }
+    return API_ANSWERED;
+}
+
+/* ---- rendering ---- */
+
+static double ms_since(int64_t *mark_us)
+{
+    int64_t now = clock_us();
+    double ms = (double)(now - *mark_us) / 1000.0;
+    *mark_us = now;
+    return ms;
+}
+
+static void add_timing(struct answer *answer, const struct api_times *times)
+{
+    const struct {
+        const char *name;
+        double ms;
+    } steps[] = {{"parse", times->parse_ms},
+                 {"queue", times->queue_ms},
+                 {"render", times->render_ms},
+                 {"encode", times->encode_ms}};
+    char text[160] = "";
+    size_t used = 0;
+    for (size_t i = 0; i < sizeof steps / sizeof steps[0]; i++)
+        if (steps[i].ms >= 0)
+            used += (size_t)snprintf(text + used, sizeof text - used, "%s%s;dur=%.3f", used ? ", " : "", steps[i].name,
+                                     steps[i].ms);
+    if (used) answer_header(answer, "Server-Timing", "%s", text);
+}
+
+static enum zr_status run_steps(const struct api *api, const struct api_request *request, struct zr_arena *arena,
+                                const struct zr_cancel *cancel, struct api_times *times, struct zr_answer *result,
+                                struct zr_error *error)
+{
+    const struct zr_scene *scene = NULL;
+    const struct zr_frame *frame = NULL;
+    int64_t mark = clock_us();
+    enum zr_status status = zr_scene_read(arena, &request->render, &api->limits, &scene, error);
+    times->parse_ms = ms_since(&mark);
+    if (status != ZR_OK) return status;
+    status = zr_render(arena, api->team, scene, cancel, &frame, error);
+    times->render_ms = ms_since(&mark);
+    if (status != ZR_OK) return status;
+    status = zr_encode(arena, scene, frame, cancel, result, error);
+    times->encode_ms = ms_since(&mark);
+    return status;
+}
+
+/* The worker's arena is needed for the next request: the answer gets a copy. */
+static void answer_image(struct answer *answer, const struct zr_answer *result)
+{
+    char *copy = malloc(result->size ? result->size : 1);
+    if (!copy) {
+        api_refuse_busy(answer, 1, "out of memory");
+        return;
+    }
+    memcpy(copy, result->bytes, result->size);
+    answer->status = 200;
+    answer_body(answer, result->content_type, copy, result->size);
+    if (result->warnings && *result->warnings) {
+        char warnings[WARNINGS_SIZE];
+        text_to_ascii(warnings, sizeof warnings, result->warnings);
+        answer_header(answer, "Zraster-Warnings", "%s", warnings);
+    }
+}
+
+void api_render(const struct api *api, const struct api_request *request, struct zr_arena *arena,
+                const struct zr_cancel *cancel, struct api_times *times, struct answer *answer)
+{
+    struct zr_error error = {0};
+    struct zr_answer result = {0};
+    enum zr_status status = run_steps(api, request, arena, cancel, times, &result, &error);
+    if (status == ZR_OK) {
+        answer_image(answer, &result);
+    } else if (status == ZR_NO_MEMORY) {
+        api_refuse_busy(answer, 1, "the memory for one request is used up; see requestMemoryBytes in /v1/limits");
+    } else if (status == ZR_CANCELLED) {
+        problem_answer(answer, 504, "the render took longer than renderTimeoutMs, %" PRIu64 " ms",
+                       api->config->render_timeout_ms);
+    } else {
+        problem_answer_error(answer, problem_http_status(status), &error);
+    }
+    add_timing(answer, times);
+}
+
+void api_refuse_busy(struct answer *answer, unsigned retry_after_s, const char *detail)
+{
+    answer_header(answer, "Retry-After", "%u", retry_after_s ? retry_after_s : 1);
+    problem_answer(answer, 503, "%s", detail);
+}
+
+void api_finish(struct answer *answer, const char *request_id)
+{
+    answer_header(answer, "X-Request-Id", "%s", request_id);
+    answer_header(answer, "Zraster-Version", ZR_VERSION);
+}

@@ -1,0 +1,72 @@
+/* api.h - what the daemon answers to what: method, path, headers and bytes in,
+ * status, headers and bytes out. Knows no sockets and no threads.
+ *
+ *     api_open      headers       -> an answer at once, or API_RENDER
+ *     api_render    headers, body -> an answer
+ */
+#ifndef ZRASTERD_API_H
+#define ZRASTERD_API_H
+
+#include <stdatomic.h>
+#include <stdbool.h>
+#include <stddef.h>
+
+#include "answer.h"
+#include "config.h"
+#include "zraster.h"
+
+enum { API_ID_SIZE = 129 };
+
+/* Shared by all requests; read-only but for the counter. */
+struct api {
+    const struct config *config;
+    struct zr_limits limits;
+    struct zr_team *team;
+    uint64_t id_base; /* random, so that ids of two daemons differ */
+    atomic_uint_fast64_t id_next;
+};
+
+void api_init(struct api *api, const struct config *config, struct zr_team *team);
+
+/* The state of the daemon as a request meets it. */
+struct api_load {
+    bool draining, queue_full;
+    unsigned retry_after_s;
+};
+
+struct api_request {
+    char id[API_ID_SIZE];
+    const char *method, *path;
+    const char *query;                                           /* behind the '?', NULL where there is none */
+    const char *content_type, *content_encoding, *authorization; /* NULL where not sent */
+    struct zr_request render; /* by api_open; then `bytes` and `size` by the caller */
+    char *query_values;       /* what `render` points into */
+};
+
+void api_request_free(struct api_request *request);
+
+/* How long each step took; below 0: it did not run. */
+struct api_times {
+    double parse_ms, queue_ms, render_ms, encode_ms;
+};
+
+/* Keeps the client's id where it is 1..128 of [A-Za-z0-9._-], else makes one. */
+void api_take_id(struct api *api, struct api_request *request, const char *client_id);
+
+enum api_next { API_ANSWERED, API_RENDER };
+
+enum api_next api_open(const struct api *api, const struct api_load *load, struct api_request *request,
+                       struct answer *answer);
+
+/* Works in `arena`; the answer's bytes are a copy of their own. Thread-safe.
+ * times->queue_ms is given, the others are filled in. */
+void api_render(const struct api *api, const struct api_request *request, struct zr_arena *arena,
+                const struct zr_cancel *cancel, struct api_times *times, struct answer *answer);
+
+/* Answers with 503 and says when to come again. */
+void api_refuse_busy(struct answer *answer, unsigned retry_after_s, const char *detail);
+
+/* The headers that every answer has. Call once, last. */
+void api_finish(struct answer *answer, const char *request_id);
+
+#endif

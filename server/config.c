@@ -1,0 +1,269 @@
+#include "config.h"
+
+#include <ctype.h>
+#include <inttypes.h>
+#include <netdb.h>
+#include <stdbool.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+#include <cjson/cJSON.h>
+
+enum kind { TEXT, ADDRESS, NUMBER };
+
+enum { NAME_SIZE = 64 };
+
+struct setting {
+    const char *flag;
+    enum kind kind;
+    size_t offset;
+    bool is_limit; /* shown by /v1/limits */
+    uint64_t initial, min, max;
+    const char *text; /* the default of a TEXT */
+    const char *unit; /* "" where the name says it */
+    const char *help;
+};
+
+#define MIB      ((uint64_t)1 << 20)
+#define GIB      ((uint64_t)1 << 30)
+#define DAY_MS   ((uint64_t)86400000)
+#define AT(name) offsetof(struct config, name)
+
+/* Side and coordinates cannot be raised: the rasterizer's fixed point is proven up to these. */
+static const struct setting SETTINGS[] = {
+    {"address", ADDRESS, AT(address), false, 0, 0, 0, "127.0.0.1", "", "numeric address to listen on, IPv4 or IPv6"},
+    {"port", NUMBER, AT(port), false, 8080, 0, 65535, NULL, "", "port to listen on; 0: any that is free"},
+    {"token", TEXT, AT(token), false, 0, 0, 0, "", "",
+     "bearer token that clients must send; empty: none; better set by its variable, which ps does not show"},
+    {"workers", NUMBER, AT(workers), true, 0, 0, 256, NULL, "", "requests worked on at once; 0: one a core"},
+    {"threads", NUMBER, AT(threads), true, 0, 0, ZR_TEAM_MAX, NULL, "", "render threads, shared; 0: one a core"},
+    {"queue", NUMBER, AT(queue), true, 0, 0, 65536, NULL, "requests", "may wait for a worker; 0: 2 a worker"},
+    {"max-per-client", NUMBER, AT(max_per_client), true, 4, 0, 65536, NULL, "requests",
+     "in flight from one address; 0: no limit, for use behind a proxy"},
+    {"max-connections", NUMBER, AT(max_connections), true, 1024, 8, 65536, NULL, "", "connections open at once"},
+    {"body-max-bytes", NUMBER, AT(body_max_bytes), true, 64 * MIB, 1, 4 * GIB, NULL, "bytes", "of one request body"},
+    {"upload-memory-bytes", NUMBER, AT(upload_memory_bytes), true, 512 * MIB, 1, 1024 * GIB, NULL, "bytes",
+     "of all request bodies held at once"},
+    {"request-memory-bytes", NUMBER, AT(request_memory_bytes), true, GIB, MIB, 1024 * GIB, NULL, "bytes",
+     "that one render may allocate"},
+    {"keep-memory-bytes", NUMBER, AT(keep_memory_bytes), true, 64 * MIB, 0, 1024 * GIB, NULL, "bytes",
+     "that a worker keeps between requests"},
+    {"header-timeout-ms", NUMBER, AT(header_timeout_ms), true, 10000, 1, DAY_MS, NULL, "ms",
+     "for a whole request header to arrive"},
+    {"idle-timeout-ms", NUMBER, AT(idle_timeout_ms), true, 60000, 1, DAY_MS, NULL, "ms",
+     "a kept connection may stay silent"},
+    {"body-timeout-ms", NUMBER, AT(body_timeout_ms), true, 30000, 1, DAY_MS, NULL, "ms",
+     "for a whole request body to arrive"},
+    {"body-min-bytes-per-second", NUMBER, AT(body_min_bytes_per_second), true, 1024, 0, GIB, NULL, "bytes/s",
+     "a body must average after its first 5 s; 0: no limit"},
+    {"write-timeout-ms", NUMBER, AT(write_timeout_ms), true, 60000, 1, DAY_MS, NULL, "ms",
+     "for a client to take its whole answer"},
+    {"render-timeout-ms", NUMBER, AT(render_timeout_ms), true, 10000, 1, DAY_MS, NULL, "ms",
+     "a worker may spend on a request"},
+    {"drain-timeout-ms", NUMBER, AT(drain_timeout_ms), true, 30000, 0, DAY_MS, NULL, "ms",
+     "for work in flight to end after SIGTERM"},
+    {"json-depth-max", NUMBER, AT(json_depth_max), true, 0, 1, 512, NULL, "", "nesting of arrays and objects"},
+    {"json-values-max", NUMBER, AT(json_values_max), true, 0, 1, 1u << 30, NULL, "", "values in one JSON body"},
+    {"window-side-max", NUMBER, AT(window_side_max), true, 0, 1, 8192, NULL, "pixels", "width or height of an image"},
+    {"window-pixels-max", NUMBER, AT(window_pixels_max), true, 0, 1, GIB, NULL, "pixels", "summed over all outputs"},
+    {"polygon-vertices-max", NUMBER, AT(polygon_vertices_max), true, 0, 3, 65536, NULL, "", "vertices of one polygon"},
+    {"coordinate-max", NUMBER, AT(coordinate_max), true, 0, 1, 1000000, NULL, "", "magnitude of a coordinate"},
+};
+
+enum { SETTING_COUNT = sizeof SETTINGS / sizeof SETTINGS[0] };
+
+static uint64_t *number_at(struct config *config, const struct setting *setting)
+{
+    return (uint64_t *)(void *)((char *)config + setting->offset);
+}
+
+static uint64_t number_of(const struct config *config, const struct setting *setting)
+{
+    return *(const uint64_t *)(const void *)((const char *)config + setting->offset);
+}
+
+static void set_defaults(struct config *config)
+{
+    *config = (struct config){0};
+    for (size_t i = 0; i < SETTING_COUNT; i++) {
+        const struct setting *s = &SETTINGS[i];
+        if (s->kind != NUMBER)
+            snprintf((char *)config + s->offset, CONFIG_TEXT_SIZE, "%s", s->text);
+        else
+            *number_at(config, s) = s->initial;
+    }
+    struct zr_limits limits = zr_limits_default();
+    config->json_depth_max = limits.json_depth_max;
+    config->json_values_max = limits.json_values_max;
+    config->window_side_max = limits.window_side_max;
+    config->window_pixels_max = limits.window_pixels_max;
+    config->polygon_vertices_max = limits.polygon_vertices_max;
+    config->coordinate_max = (uint64_t)limits.coordinate_max;
+}
+
+static void variable_name(char name[NAME_SIZE], const char *flag)
+{
+    size_t used = (size_t)snprintf(name, NAME_SIZE, "ZRASTER_");
+    for (; *flag && used < NAME_SIZE - 1; flag++)
+        name[used++] = *flag == '-' ? '_' : (char)toupper((unsigned char)*flag);
+    name[used] = '\0';
+}
+
+static bool is_address(const char *text)
+{
+    struct addrinfo hints = {.ai_flags = AI_NUMERICHOST}, *address = NULL;
+    if (!*text || getaddrinfo(text, NULL, &hints, &address) != 0) return false;
+    freeaddrinfo(address);
+    return true;
+}
+
+static bool parse_number(const char *text, uint64_t *out)
+{
+    uint64_t value = 0;
+    for (const char *p = text; *p; p++) {
+        if (*p < '0' || *p > '9') return false;
+        if (__builtin_mul_overflow(value, 10u, &value) || __builtin_add_overflow(value, (uint64_t)(*p - '0'), &value))
+            return false;
+    }
+    *out = value;
+    return *text != '\0';
+}
+
+/* `name` is what the user wrote: the flag or the variable. */
+static bool set_value(struct config *config, const struct setting *s, const char *name, const char *value,
+                      char *message, size_t message_size)
+{
+    if (s->kind != NUMBER) {
+        if (strlen(value) >= CONFIG_TEXT_SIZE) {
+            snprintf(message, message_size, "%s: longer than the %d bytes that are allowed", name,
+                     CONFIG_TEXT_SIZE - 1);
+            return false;
+        }
+        if (s->kind == ADDRESS && !is_address(value)) {
+            snprintf(message, message_size, "%s: '%.100s' is not a numeric IPv4 or IPv6 address", name, value);
+            return false;
+        }
+        snprintf((char *)config + s->offset, CONFIG_TEXT_SIZE, "%s", value);
+        return true;
+    }
+    uint64_t number;
+    if (!parse_number(value, &number) || number < s->min || number > s->max) {
+        snprintf(message, message_size, "%s: '%.100s' is not a whole number from %" PRIu64 " to %" PRIu64 "%s%s", name,
+                 value, s->min, s->max, *s->unit ? " " : "", s->unit);
+        return false;
+    }
+    *number_at(config, s) = number;
+    return true;
+}
+
+static bool read_variables(struct config *config, char *message, size_t message_size)
+{
+    for (size_t i = 0; i < SETTING_COUNT; i++) {
+        char name[NAME_SIZE];
+        variable_name(name, SETTINGS[i].flag);
+        const char *value = getenv(name);
+        /* Compose files pass variables on as "" where they are not set. */
+        if (value && *value && !set_value(config, &SETTINGS[i], name, value, message, message_size)) return false;
+    }
+    return true;
+}
+
+static const struct setting *find_setting(const char *name, size_t length)
+{
+    for (size_t i = 0; i < SETTING_COUNT; i++)
+        if (strlen(SETTINGS[i].flag) == length && memcmp(SETTINGS[i].flag, name, length) == 0) return &SETTINGS[i];
+    return NULL;
+}
+
+static enum config_mode read_flags(struct config *config, int argc, char *const *argv, char *message,
+                                   size_t message_size)
+{
+    enum config_mode mode = CONFIG_SERVE;
+    for (int i = 1; i < argc; i++) {
+        const char *argument = argv[i];
+        if (strcmp(argument, "--help") == 0) return CONFIG_HELP;
+        if (strcmp(argument, "--version") == 0) return CONFIG_VERSION;
+        if (strcmp(argument, "--health") == 0) {
+            mode = CONFIG_HEALTH;
+            continue;
+        }
+        size_t length = strcspn(argument, "=");
+        const struct setting *s =
+            strncmp(argument, "--", 2) == 0 && length > 2 ? find_setting(argument + 2, length - 2) : NULL;
+        if (!s) {
+            snprintf(message, message_size, "unknown argument '%.100s'; --help lists what is known", argument);
+            return CONFIG_WRONG;
+        }
+        char name[NAME_SIZE];
+        snprintf(name, sizeof name, "--%s", s->flag);
+        const char *value = argument[length] == '=' ? argument + length + 1 : argv[++i];
+        if (!value) {
+            snprintf(message, message_size, "%s: a value is missing", name);
+            return CONFIG_WRONG;
+        }
+        if (!set_value(config, s, name, value, message, message_size)) return CONFIG_WRONG;
+    }
+    return mode;
+}
+
+enum config_mode config_read(struct config *config, int argc, char *const *argv, char *message, size_t message_size)
+{
+    set_defaults(config);
+    if (!read_variables(config, message, message_size)) return CONFIG_WRONG;
+    enum config_mode mode = read_flags(config, argc, argv, message, message_size);
+
+    long cores = sysconf(_SC_NPROCESSORS_ONLN);
+    uint64_t online = cores < 1 ? 1 : cores > ZR_TEAM_MAX ? ZR_TEAM_MAX : (uint64_t)cores;
+    if (config->workers == 0) config->workers = online;
+    if (config->threads == 0) config->threads = online;
+    if (config->queue == 0) config->queue = 2 * config->workers;
+    return mode;
+}
+
+struct zr_limits config_limits(const struct config *config)
+{
+    struct zr_limits limits = zr_limits_default();
+    limits.json_depth_max = (uint32_t)config->json_depth_max;
+    limits.json_values_max = (uint32_t)config->json_values_max;
+    limits.window_side_max = (uint32_t)config->window_side_max;
+    limits.window_pixels_max = config->window_pixels_max;
+    limits.polygon_vertices_max = (uint32_t)config->polygon_vertices_max;
+    limits.coordinate_max = (float)config->coordinate_max;
+    return limits;
+}
+
+void config_print_help(FILE *out)
+{
+    struct config defaults;
+    set_defaults(&defaults);
+    fprintf(out, "zrasterd " ZR_VERSION ": POST a scene to /v1/render, get images.\n\n"
+                 "usage: zrasterd [--flag=value | --flag value]...\n\n"
+                 "  --help, --version\n"
+                 "  --health    asks the daemon at --address and --port how it is; exits 0 if it is well, else 1\n\n"
+                 "Every flag is also a variable: ZRASTER_BODY_MAX_BYTES for --body-max-bytes. Flags come first.\n\n");
+    for (size_t i = 0; i < SETTING_COUNT; i++) {
+        const struct setting *s = &SETTINGS[i];
+        fprintf(out, "  --%s=%s\n      %s%s%s\n", s->flag, s->kind != NUMBER ? "TEXT" : "N", s->unit,
+                *s->unit ? " " : "", s->help);
+        if (s->kind != NUMBER)
+            fprintf(out, "      default: %s\n", *s->text ? s->text : "none");
+        else
+            fprintf(out, "      default: %" PRIu64 ", allowed: %" PRIu64 " to %" PRIu64 "\n", number_of(&defaults, s),
+                    s->min, s->max);
+    }
+}
+
+void config_add_limits(const struct config *config, struct cJSON *object)
+{
+    for (size_t i = 0; i < SETTING_COUNT; i++) {
+        const struct setting *s = &SETTINGS[i];
+        if (!s->is_limit) continue;
+        char name[NAME_SIZE];
+        size_t used = 0;
+        for (const char *p = s->flag; *p && used < NAME_SIZE - 1; p++)
+            name[used++] = *p == '-' && p[1] ? (char)toupper((unsigned char)*++p) : *p;
+        name[used] = '\0';
+        cJSON_AddNumberToObject(object, name, (double)number_of(config, s));
+    }
+}

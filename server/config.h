@@ -1,0 +1,50 @@
+/* config.h - every setting of the daemon, from one table.
+ *
+ * The table in config.c gives each setting its flag, default, unit, bounds and
+ * help line; the ZRASTER_* variable and the name in /v1/limits follow from the
+ * flag. A flag beats a variable, a variable beats the default.
+ */
+#ifndef ZRASTERD_CONFIG_H
+#define ZRASTERD_CONFIG_H
+
+#include <stddef.h>
+#include <stdint.h>
+#include <stdio.h>
+
+#include "zraster.h"
+
+struct cJSON;
+
+enum { CONFIG_TEXT_SIZE = 256 };
+
+/* Filled by config_read; afterwards nobody writes to it. */
+struct config {
+    char address[CONFIG_TEXT_SIZE]; /* numeric, IPv4 or IPv6 */
+    char token[CONFIG_TEXT_SIZE];   /* "": none is asked for; never shown */
+    uint64_t port;                  /* 0: any that is free */
+
+    uint64_t workers, threads, queue, max_per_client, max_connections;
+
+    uint64_t body_max_bytes, upload_memory_bytes, request_memory_bytes, keep_memory_bytes;
+
+    uint64_t header_timeout_ms, idle_timeout_ms, body_timeout_ms, body_min_bytes_per_second;
+    uint64_t write_timeout_ms, render_timeout_ms, drain_timeout_ms;
+
+    uint64_t json_depth_max, json_values_max, window_side_max, window_pixels_max, polygon_vertices_max;
+    uint64_t coordinate_max;
+};
+
+enum config_mode { CONFIG_SERVE, CONFIG_HELP, CONFIG_VERSION, CONFIG_HEALTH, CONFIG_WRONG };
+
+/* Reads flags and variables. CONFIG_WRONG: `message` names the setting, the
+ * value and what is allowed. */
+enum config_mode config_read(struct config *config, int argc, char *const *argv, char *message, size_t message_size);
+
+struct zr_limits config_limits(const struct config *config);
+
+void config_print_help(FILE *out);
+
+/* Adds every limit in force to `object`: bodyMaxBytes for --body-max-bytes. */
+void config_add_limits(const struct config *config, struct cJSON *object);
+
+#endif

@@ -1,0 +1,32 @@
+/* log.h - one JSON line a request, on standard error, in one write.
+ *
+ * What a client sent is untrusted: it is made valid UTF-8, bounded and escaped.
+ */
+#ifndef ZRASTERD_LOG_H
+#define ZRASTERD_LOG_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include "api.h"
+
+/* Texts that are NULL or "" are left out. */
+struct log_request {
+    const char *id, *remote, *method, *path, *query, *traceparent, *detail;
+    int status; /* 0: no answer was sent */
+    bool aborted;
+    uint64_t bytes_in, bytes_out;
+    double total_ms;
+    struct api_times times;
+};
+
+void log_request(const struct log_request *request);
+
+/* A line about the daemon itself. */
+void log_event(const char *level, const char *event, const char *detail);
+
+/* True for a well-formed W3C trace context: 00-<32 hex>-<16 hex>-<2 hex>. */
+bool log_is_traceparent(const char *text);
+
+#endif

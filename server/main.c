@@ -1,0 +1,95 @@
+/* zrasterd - the daemon: starts everything, waits for a signal, ends everything. */
+#include <malloc.h>
+#include <signal.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/resource.h>
+
+#include "api.h"
+#include "config.h"
+#include "health.h"
+#include "http.h"
+#include "log.h"
+
+enum { EXIT_USAGE = 2, SPARE_FILES = 64, MMAP_BYTES = 1 << 20 };
+
+/* Threads take their signal mask from the one that starts them, so this comes first. */
+static void block_signals(sigset_t *signals)
+{
+    sigemptyset(signals);
+    sigaddset(signals, SIGTERM);
+    sigaddset(signals, SIGINT);
+    pthread_sigmask(SIG_BLOCK, signals, NULL);
+    signal(SIGPIPE, SIG_IGN);
+}
+
+/* Memory must come down when nothing happens: few arenas, and large blocks go back at once. */
+static void tune_allocator(void)
+{
+    mallopt(M_ARENA_MAX, 2);
+    mallopt(M_MMAP_THRESHOLD, MMAP_BYTES);
+}
+
+/* A connection is a file; the usual soft limit of 1024 is below max-connections. */
+static void raise_file_limit(const struct config *config)
+{
+    struct rlimit limit;
+    rlim_t wanted = (rlim_t)config->max_connections + SPARE_FILES;
+    if (getrlimit(RLIMIT_NOFILE, &limit) != 0 || limit.rlim_cur >= wanted) return;
+    limit.rlim_cur = wanted < limit.rlim_max ? wanted : limit.rlim_max;
+    setrlimit(RLIMIT_NOFILE, &limit);
+    if (limit.rlim_cur < wanted)
+        log_event("warn", "file-limit", "fewer files may be open than max-connections asks for");
+}
+
+static int serve(const struct config *config)
+{
+    sigset_t signals;
+    char message[512];
+    struct api api;
+    block_signals(&signals);
+    tune_allocator();
+    raise_file_limit(config);
+    struct zr_team *team = zr_team_create((int)config->threads);
+    api_init(&api, config, team);
+    struct http *http = http_start(config, &api, message, sizeof message);
+    if (!http) {
+        fprintf(stderr, "zrasterd: %s\n", message);
+        zr_team_destroy(team);
+        return EXIT_FAILURE;
+    }
+    bool is_ipv6 = strchr(config->address, ':') != NULL;
+    printf("listening on http://%s%s%s:%u\n", is_ipv6 ? "[" : "", config->address, is_ipv6 ? "]" : "", http_port(http));
+    fflush(stdout);
+
+    int signal_number = 0;
+    sigwait(&signals, &signal_number);
+    log_event("info", "drain", signal_number == SIGINT ? "SIGINT" : "SIGTERM");
+    http_stop(http);
+    zr_team_destroy(team);
+    log_event("info", "stopped", NULL);
+    return EXIT_SUCCESS;
+}
+
+int main(int argc, char **argv)
+{
+    struct config config;
+    char message[512];
+    switch (config_read(&config, argc, argv, message, sizeof message)) {
+    case CONFIG_HELP:
+        config_print_help(stdout);
+        return EXIT_SUCCESS;
+    case CONFIG_VERSION:
+        puts("zrasterd " ZR_VERSION);
+        return EXIT_SUCCESS;
+    case CONFIG_HEALTH:
+        return health_check(&config) ? EXIT_SUCCESS : EXIT_FAILURE;
+    case CONFIG_WRONG:
+        fprintf(stderr, "zrasterd: %s\n", message);
+        return EXIT_USAGE;
+    case CONFIG_SERVE:
+        break;
+    }
+    return serve(&config);
+}

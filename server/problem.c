@@ -1,0 +1,120 @@
+#include "problem.h"
+
+#include <stdarg.h>
+#include <stdio.h>
+#include <string.h>
+
+#include <cjson/cJSON.h>
+
+#include "text.h"
+
+int problem_http_status(enum zr_status status)
+{
+    switch (status) {
+    case ZR_OK:
+        return 200;
+    case ZR_BAD_SYNTAX:
+        return 400;
+    case ZR_BAD_REQUEST:
+        return 400;
+    case ZR_BAD_SCENE:
+        return 422;
+    case ZR_NO_MEMORY:
+        return 503;
+    case ZR_CANCELLED:
+        return 504;
+    case ZR_INTERNAL:
+        return 500;
+    }
+    return 500;
+}
+
+const char *problem_title(int http_status)
+{
+    switch (http_status) {
+    case 200:
+        return "OK";
+    case 400:
+        return "Bad Request";
+    case 401:
+        return "Unauthorized";
+    case 404:
+        return "Not Found";
+    case 405:
+        return "Method Not Allowed";
+    case 408:
+        return "Request Timeout";
+    case 413:
+        return "Content Too Large";
+    case 414:
+        return "URI Too Long";
+    case 415:
+        return "Unsupported Media Type";
+    case 417:
+        return "Expectation Failed";
+    case 422:
+        return "Unprocessable Content";
+    case 429:
+        return "Too Many Requests";
+    case 431:
+        return "Request Header Fields Too Large";
+    case 501:
+        return "Not Implemented";
+    case 503:
+        return "Service Unavailable";
+    case 504:
+        return "Gateway Timeout";
+    default:
+        return "Internal Server Error";
+    }
+}
+
+static cJSON *new_problem(struct answer *answer, int http_status, const char *detail)
+{
+    answer->status = http_status;
+    text_to_utf8(answer->detail, sizeof answer->detail, detail);
+    cJSON *root = cJSON_CreateObject();
+    cJSON_AddStringToObject(root, "type", "about:blank");
+    cJSON_AddStringToObject(root, "title", problem_title(http_status));
+    cJSON_AddNumberToObject(root, "status", http_status);
+    cJSON_AddStringToObject(root, "detail", answer->detail);
+    return root;
+}
+
+/* Without memory for the text, the status alone has to do. */
+static void finish(struct answer *answer, cJSON *root)
+{
+    char *text = cJSON_PrintUnformatted(root);
+    cJSON_Delete(root);
+    answer_body(answer, "application/problem+json", text, text ? strlen(text) : 0);
+}
+
+void problem_answer(struct answer *answer, int http_status, const char *format, ...)
+{
+    char detail[ANSWER_DETAIL_SIZE];
+    va_list arguments;
+    va_start(arguments, format);
+    vsnprintf(detail, sizeof detail, format, arguments);
+    va_end(arguments);
+    finish(answer, new_problem(answer, http_status, detail));
+}
+
+void problem_answer_error(struct answer *answer, int http_status, const struct zr_error *error)
+{
+    size_t held = zr_error_held(error);
+    cJSON *root = new_problem(answer, http_status, held ? error->items[0].detail : problem_title(http_status));
+    if (held) {
+        cJSON *errors = cJSON_AddArrayToObject(root, "errors");
+        for (size_t i = 0; i < held; i++) {
+            char text[ZR_DETAIL_SIZE * 3];
+            cJSON *item = cJSON_CreateObject();
+            text_to_utf8(text, sizeof text, error->items[i].pointer);
+            cJSON_AddStringToObject(item, "pointer", text);
+            text_to_utf8(text, sizeof text, error->items[i].detail);
+            cJSON_AddStringToObject(item, "detail", text);
+            if (!cJSON_AddItemToArray(errors, item)) cJSON_Delete(item);
+        }
+        if (error->count > held) cJSON_AddNumberToObject(root, "errorCount", (double)error->count);
+    }
+    finish(answer, root);
+}

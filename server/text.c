@@ -1,0 +1,67 @@
+#include "text.h"
+
+#include <ctype.h>
+#include <string.h>
+
+/* Length of the character at `s`, 1..4, or 0 where the bytes are none: stray or
+ * missing continuations, overlong forms, surrogates, beyond U+10FFFF. */
+static size_t character_length(const unsigned char *s)
+{
+    if (s[0] < 0x80) return 1;
+    size_t length = s[0] >= 0xC2 && s[0] <= 0xDF ? 2 : (s[0] & 0xF0) == 0xE0 ? 3 : s[0] >= 0xF0 && s[0] <= 0xF4 ? 4 : 0;
+    for (size_t i = 1; i < length; i++)
+        if ((s[i] & 0xC0) != 0x80) return 0;
+    if (s[0] == 0xE0 && s[1] < 0xA0) return 0;
+    if (s[0] == 0xED && s[1] > 0x9F) return 0;
+    if (s[0] == 0xF0 && s[1] < 0x90) return 0;
+    if (s[0] == 0xF4 && s[1] > 0x8F) return 0;
+    return length;
+}
+
+void text_to_utf8(char *out, size_t size, const char *source)
+{
+    static const char REPLACEMENT[] = "\xEF\xBF\xBD";
+    size_t used = 0;
+    while (*source) {
+        size_t length = character_length((const unsigned char *)source);
+        const char *from = length ? source : REPLACEMENT;
+        size_t bytes = length ? length : sizeof REPLACEMENT - 1;
+        if (used + bytes >= size) break;
+        memcpy(out + used, from, bytes);
+        used += bytes;
+        source += length ? length : 1;
+    }
+    out[used] = '\0';
+}
+
+void text_to_ascii(char *out, size_t size, const char *source)
+{
+    size_t used = 0;
+    for (; *source && used + 1 < size; source++)
+        out[used++] = *source >= ' ' && *source <= '~' ? *source : '?';
+    out[used] = '\0';
+}
+
+static int hex_digit(char c)
+{
+    if (c >= '0' && c <= '9') return c - '0';
+    int lower = tolower((unsigned char)c);
+    return lower >= 'a' && lower <= 'f' ? lower - 'a' + 10 : -1;
+}
+
+bool text_percent_decode(char *out, const char *source, size_t length)
+{
+    for (size_t i = 0; i < length; i++) {
+        char c = source[i] == '+' ? ' ' : source[i];
+        if (c == '%') {
+            if (length - i < 3) return false;
+            int high = hex_digit(source[i + 1]), low = hex_digit(source[i + 2]);
+            if (high < 0 || low < 0 || (high == 0 && low == 0)) return false;
+            c = (char)(high * 16 + low);
+            i += 2;
+        }
+        *out++ = c;
+    }
+    *out = '\0';
+    return true;
+}

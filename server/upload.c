@@ -1,0 +1,42 @@
+#include "upload.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+enum { FIRST_CAPACITY = 16 << 10 };
+
+enum upload_status upload_add(struct upload *upload, struct upload_budget *budget, const char *bytes, size_t size,
+                              uint64_t expected)
+{
+    if (size > budget->body_max - upload->size) return UPLOAD_TOO_LARGE;
+    /* Only bytes that have come are held: room that is asked for costs nothing before it is written to. */
+    if (atomic_fetch_add(&budget->held, size) + size > budget->memory_max) {
+        atomic_fetch_sub(&budget->held, size);
+        return UPLOAD_NO_MEMORY;
+    }
+    size_t needed = upload->size + size;
+    if (needed > upload->capacity) {
+        size_t capacity = upload->capacity ? upload->capacity * 2 : FIRST_CAPACITY;
+        if (!upload->bytes && expected > 0) capacity = (size_t)expected;
+        if (capacity < needed) capacity = needed;
+        if (capacity > budget->body_max) capacity = budget->body_max;
+        char *grown = realloc(upload->bytes, capacity + 1);
+        if (!grown) {
+            atomic_fetch_sub(&budget->held, size);
+            return UPLOAD_NO_MEMORY;
+        }
+        upload->bytes = grown;
+        upload->capacity = capacity;
+    }
+    memcpy(upload->bytes + upload->size, bytes, size);
+    upload->size = needed;
+    upload->bytes[needed] = '\0';
+    return UPLOAD_OK;
+}
+
+void upload_free(struct upload *upload, struct upload_budget *budget)
+{
+    atomic_fetch_sub(&budget->held, upload->size);
+    free(upload->bytes);
+    *upload = (struct upload){0};
+}

@@ -1,0 +1,63 @@
+/* client.h - requests to a daemon: through libcurl, and as raw bytes. */
+#ifndef TEST_CLIENT_H
+#define TEST_CLIENT_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+#include "daemon.h"
+
+#define JSON_TYPE "Content-Type: application/json"
+
+/* The smallest good scene. */
+#define GOOD_SCENE "{\"polygons\":[{\"vertices\":[[0,0,0],[1,0,0],[0,1,0]]}]}"
+
+struct reply {
+    long status;   /* 0: no answer */
+    char *headers; /* as received, zero-terminated */
+    char *body;    /* zero-terminated beyond `size` */
+    size_t size;
+};
+
+/* A request in one step. `headers` ends with NULL and may be NULL; body NULL: none. */
+struct reply client_send(const struct daemon *daemon, const char *method, const char *target,
+                         const char *const *headers, const void *body, size_t size);
+
+/* POST /v1/render of a JSON scene. */
+struct reply client_render(const struct daemon *daemon, const char *scene);
+
+struct reply client_get(const struct daemon *daemon, const char *target);
+
+/* A POST whose body is sent chunked: `size` times the byte 'x'. */
+struct reply client_send_chunked(const struct daemon *daemon, const char *target, size_t size);
+
+void reply_free(struct reply *reply);
+
+/* The value of a header, "" where there is none; valid until the next call. */
+const char *reply_header(const struct reply *reply, const char *name);
+
+/* Status of a request, its reply thrown away. */
+long client_get_status(const struct daemon *daemon, const char *target);
+long client_render_status(const struct daemon *daemon, const char *scene);
+
+/* ---- raw ---- */
+
+int client_connect(const struct daemon *daemon);
+
+/* Sends `bytes` and reads until the daemon closes, at most `timeout_ms` of
+ * silence. Zero-terminated; free it. */
+char *client_raw(const struct daemon *daemon, const char *bytes, size_t size, int timeout_ms);
+
+/* Reads until the other side closes, `until` has come (NULL: never), or `timeout_ms` of silence. */
+char *client_read(int fd, const char *until, int timeout_ms);
+
+/* Status of the first answer in what was read, 0 where there is none; and how many answers there are. */
+int raw_status(const char *text);
+int raw_count(const char *text);
+
+/* ---- scenes ---- */
+
+/* `count` polygons that each fill a large window: some ms of work apiece. Free it. */
+char *scene_slow(int count);
+
+#endif

@@ -1,0 +1,370 @@
+/* What a client of the HTTP API meets: routes, types, parameters, headers. */
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/socket.h>
+#include <unistd.h>
+
+#include <cjson/cJSON.h>
+
+#include "client.h"
+#include "support/cmocka_all.h"
+
+#define TOKEN "s3cret-token"
+
+static struct daemon server, guarded;
+
+static const char TRIANGLE_OBJ[] = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+static const char TRIANGLE_STL[] = "solid t\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\n"
+                                   "vertex 0 1 0\nendloop\nendfacet\nendsolid t\n";
+
+static int start(void **state)
+{
+    (void)state;
+    server = daemon_start(NULL);
+    guarded = daemon_start((const char *const[]){"--token", TOKEN, NULL});
+    return 0;
+}
+
+static int stop(void **state)
+{
+    (void)state;
+    daemon_stop(&server);
+    daemon_stop(&guarded);
+    return 0;
+}
+
+/* POST with one content type (NULL: none). */
+static struct reply post(const char *target, const char *type, const char *body)
+{
+    return client_send(&server, "POST", target, (const char *const[]){type ? type : "Content-Type:", NULL}, body,
+                       strlen(body));
+}
+
+static long post_status(const char *target, const char *type, const char *body)
+{
+    struct reply reply = post(target, type, body);
+    long status = reply.status;
+    reply_free(&reply);
+    return status;
+}
+
+/* An error says what it is in RFC 9457's form. */
+static void assert_problem(struct reply *reply, int status, const char *in_detail)
+{
+    assert_int_equal(reply->status, status);
+    assert_string_equal(reply_header(reply, "Content-Type"), "application/problem+json");
+    cJSON *root = cJSON_Parse(reply->body);
+    assert_non_null(root);
+    assert_string_equal(cJSON_GetStringValue(cJSON_GetObjectItemCaseSensitive(root, "type")), "about:blank");
+    assert_true(strlen(cJSON_GetStringValue(cJSON_GetObjectItemCaseSensitive(root, "title"))) > 0);
+    assert_int_equal((int)cJSON_GetNumberValue(cJSON_GetObjectItemCaseSensitive(root, "status")), status);
+    const char *detail = cJSON_GetStringValue(cJSON_GetObjectItemCaseSensitive(root, "detail"));
+    if (!strstr(detail, in_detail)) fail_msg("'%s' is not in '%s'", in_detail, detail);
+    cJSON_Delete(root);
+    reply_free(reply);
+}
+
+static void scene_gives_png(void **state)
+{
+    (void)state;
+    struct reply reply = client_render(&server, GOOD_SCENE);
+    assert_int_equal(reply.status, 200);
+    assert_string_equal(reply_header(&reply, "Content-Type"), "image/png");
+    assert_int_equal(atol(reply_header(&reply, "Content-Length")), (long)reply.size);
+    assert_memory_equal(reply.body, "\x89PNG\r\n\x1a\n", 8);
+    reply_free(&reply);
+}
+
+static void same_scene_gives_same_bytes(void **state)
+{
+    (void)state;
+    struct reply a = client_render(&server, GOOD_SCENE), b = client_render(&server, GOOD_SCENE);
+    assert_int_equal(a.size, b.size);
+    assert_memory_equal(a.body, b.body, a.size);
+    reply_free(&a);
+    reply_free(&b);
+}
+
+static void render_says_how_long_each_step_took(void **state)
+{
+    (void)state;
+    struct reply reply = client_render(&server, GOOD_SCENE);
+    double parse = -1, queue = -1, render = -1, encode = -1;
+    assert_int_equal(sscanf(reply_header(&reply, "Server-Timing"),
+                            "parse;dur=%lf, queue;dur=%lf, render;dur=%lf, encode;dur=%lf", &parse, &queue, &render,
+                            &encode),
+                     4);
+    assert_true(parse >= 0 && queue >= 0 && render >= 0 && encode >= 0);
+    reply_free(&reply);
+    reply = client_render(&server, "{");
+    assert_int_equal(reply.status, 400);
+    assert_int_equal(strncmp(reply_header(&reply, "Server-Timing"), "parse;dur=", 10), 0);
+    assert_null(strstr(reply_header(&reply, "Server-Timing"), "render"));
+    reply_free(&reply);
+}
+
+static void meshes_are_rendered_with_parameters(void **state)
+{
+    (void)state;
+    assert_int_equal(post_status("/v1/render", "Content-Type: model/obj", TRIANGLE_OBJ), 200);
+    assert_int_equal(post_status("/v1/render", "Content-Type: model/stl", TRIANGLE_STL), 200);
+    struct reply reply = post("/v1/render?preset=top&width=64&height=32&channel=depth&encoding=npy",
+                              "Content-Type: model/obj; charset=utf-8", TRIANGLE_OBJ);
+    assert_int_equal(reply.status, 200);
+    assert_memory_equal(reply.body, "\x93NUMPY", 6);
+    reply_free(&reply);
+}
+
+static void parameters_are_percent_decoded(void **state)
+{
+    (void)state;
+    assert_int_equal(post_status("/v1/render?chan%6eel=d%65pth", "Content-Type: model/obj", TRIANGLE_OBJ), 200);
+    assert_int_equal(post_status("/v1/render?channel=%zz", "Content-Type: model/obj", TRIANGLE_OBJ), 400);
+    assert_int_equal(post_status("/v1/render?channel=%00", "Content-Type: model/obj", TRIANGLE_OBJ), 400);
+    assert_int_equal(post_status("/v1/render?channel=depth%", "Content-Type: model/obj", TRIANGLE_OBJ), 400);
+}
+
+static void unknown_parameter_is_named_with_the_known_ones(void **state)
+{
+    (void)state;
+    struct reply reply = post("/v1/render?colour=red", JSON_TYPE, GOOD_SCENE);
+    assert_problem(&reply, 400, "'colour'");
+    reply = post("/v1/render?colour=red", JSON_TYPE, GOOD_SCENE);
+    assert_problem(&reply, 400, "channel, encoding, scale, preset, width, height, shading");
+}
+
+static void duplicate_parameter_is_refused(void **state)
+{
+    (void)state;
+    struct reply reply = post("/v1/render?channel=depth&channel=depth", JSON_TYPE, GOOD_SCENE);
+    assert_problem(&reply, 400, "duplicate parameter 'channel'");
+}
+
+static void view_of_a_mesh_is_refused_with_json(void **state)
+{
+    (void)state;
+    assert_int_equal(post_status("/v1/render?preset=top", JSON_TYPE, GOOD_SCENE), 400);
+}
+
+static void content_types_are_matched_as_rfc_9110_says(void **state)
+{
+    (void)state;
+    assert_int_equal(post_status("/v1/render", "Content-Type: Application/JSON; charset=UTF-8", GOOD_SCENE), 200);
+    assert_int_equal(post_status("/v1/render", "Content-Type: application/json;x=y", GOOD_SCENE), 200);
+    assert_int_equal(post_status("/v1/render", "Content-Type: application/jsonx", GOOD_SCENE), 415);
+    struct reply reply = post("/v1/render", "Content-Type: text/plain", GOOD_SCENE);
+    assert_problem(&reply, 415, "application/json, model/obj, model/stl");
+    reply = post("/v1/render", NULL, GOOD_SCENE);
+    assert_problem(&reply, 415, "missing");
+}
+
+static void content_encoding_is_refused(void **state)
+{
+    (void)state;
+    const char *const headers[] = {JSON_TYPE, "Content-Encoding: br", NULL};
+    struct reply reply = client_send(&server, "POST", "/v1/render", headers, "x", 1);
+    assert_problem(&reply, 415, "'br'");
+}
+
+static void unknown_path_gives_404(void **state)
+{
+    (void)state;
+    struct reply reply = client_get(&server, "/v2/render");
+    assert_problem(&reply, 404, "/v2/render");
+    assert_int_equal(client_get_status(&server, "/v1/render/"), 404);
+}
+
+static void wrong_method_gives_405_with_allow(void **state)
+{
+    (void)state;
+    struct reply reply = client_get(&server, "/v1/render");
+    assert_string_equal(reply_header(&reply, "Allow"), "POST");
+    assert_problem(&reply, 405, "POST");
+    reply = client_send(&server, "DELETE", "/healthz", NULL, NULL, 0);
+    assert_string_equal(reply_header(&reply, "Allow"), "GET, HEAD");
+    assert_problem(&reply, 405, "GET, HEAD");
+}
+
+static void health_endpoints_answer_get_and_head(void **state)
+{
+    static const char *const PATHS[] = {"/healthz", "/readyz", "/v1/limits"};
+    (void)state;
+    for (size_t i = 0; i < 3; i++) {
+        struct reply get = client_get(&server, PATHS[i]);
+        struct reply head = client_send(&server, "HEAD", PATHS[i], NULL, NULL, 0);
+        assert_int_equal(get.status, 200);
+        assert_int_equal(head.status, 200);
+        assert_int_equal(head.size, 0);
+        assert_int_equal(atol(reply_header(&head, "Content-Length")), (long)get.size);
+        reply_free(&get);
+        reply_free(&head);
+    }
+}
+
+static void limits_lists_all_and_no_secret(void **state)
+{
+    (void)state;
+    struct reply reply = client_get(&server, "/v1/limits");
+    cJSON *root = cJSON_Parse(reply.body);
+    cJSON *limits = cJSON_GetObjectItemCaseSensitive(root, "limits");
+    assert_int_equal((int)cJSON_GetNumberValue(cJSON_GetObjectItemCaseSensitive(limits, "bodyMaxBytes")), 64 << 20);
+    assert_int_equal((int)cJSON_GetNumberValue(cJSON_GetObjectItemCaseSensitive(limits, "windowSideMax")), 8192);
+    assert_int_equal((int)cJSON_GetNumberValue(cJSON_GetObjectItemCaseSensitive(limits, "renderTimeoutMs")), 10000);
+    assert_null(cJSON_GetObjectItemCaseSensitive(limits, "token"));
+    cJSON_Delete(root);
+    reply_free(&reply);
+}
+
+static void request_id_is_echoed_where_it_is_safe(void **state)
+{
+    (void)state;
+    struct reply reply =
+        client_send(&server, "GET", "/healthz", (const char *const[]){"X-Request-Id: job_7.a-B", NULL}, NULL, 0);
+    assert_string_equal(reply_header(&reply, "X-Request-Id"), "job_7.a-B");
+    assert_string_not_equal(reply_header(&reply, "Zraster-Version"), "");
+    reply_free(&reply);
+    reply = client_send(&server, "GET", "/healthz", (const char *const[]){"X-Request-Id: a b\"", NULL}, NULL, 0);
+    char first[200];
+    snprintf(first, sizeof first, "%s", reply_header(&reply, "X-Request-Id"));
+    assert_true(strlen(first) >= 8);
+    assert_null(strchr(first, ' '));
+    reply_free(&reply);
+    reply = client_get(&server, "/nowhere");
+    assert_string_not_equal(reply_header(&reply, "X-Request-Id"), first);
+    assert_string_not_equal(reply_header(&reply, "X-Request-Id"), "");
+    reply_free(&reply);
+}
+
+static void expect_100_continue_gets_it(void **state)
+{
+    static const char REQUEST[] =
+        "POST /v1/render HTTP/1.1\r\nHost: a\r\n" JSON_TYPE "\r\nExpect: 100-continue\r\nContent-Length: 2\r\n\r\n";
+    (void)state;
+    int fd = client_connect(&server);
+    assert_true(send(fd, REQUEST, sizeof REQUEST - 1, 0) > 0);
+    char *text = client_read(fd, "\r\n\r\n", 5000);
+    assert_int_equal(raw_status(text), 100);
+    free(text);
+    assert_int_equal(send(fd, "{}", 2, 0), 2);
+    text = client_read(fd, "\r\n\r\n", 5000);
+    assert_int_equal(raw_status(text), 422);
+    free(text);
+    close(fd);
+}
+
+static void proxy_form_of_a_target_is_understood(void **state)
+{
+    static const char REQUEST[] = "GET http://a/healthz HTTP/1.1\r\nHost: a\r\nConnection: close\r\n\r\n";
+    (void)state;
+    char *text = client_raw(&server, REQUEST, sizeof REQUEST - 1, 5000);
+    assert_int_equal(raw_status(text), 200);
+    free(text);
+}
+
+static void token_is_asked_for_but_for_health(void **state)
+{
+    (void)state;
+    assert_int_equal(client_get_status(&guarded, "/healthz"), 200);
+    assert_int_equal(client_get_status(&guarded, "/readyz"), 200);
+    struct reply reply = client_render(&guarded, GOOD_SCENE);
+    assert_int_equal(strncmp(reply_header(&reply, "WWW-Authenticate"), "Bearer", 6), 0);
+    assert_problem(&reply, 401, "Bearer");
+    assert_int_equal(client_get_status(&guarded, "/v1/limits"), 401);
+    assert_int_equal(client_get_status(&guarded, "/nowhere"), 401);
+}
+
+static void wrong_tokens_are_refused_and_the_right_one_is_taken(void **state)
+{
+    static const char *const WRONG[] = {
+        "Authorization: Bearer",
+        "Authorization: Bearer s3cret-toke",
+        "Authorization: Bearer " TOKEN "x",
+        "Authorization: Bearer " TOKEN TOKEN,
+        "Authorization: Basic " TOKEN,
+        "Authorization: " TOKEN,
+    };
+    (void)state;
+    for (size_t i = 0; i < sizeof WRONG / sizeof WRONG[0]; i++) {
+        const char *const headers[] = {JSON_TYPE, WRONG[i], NULL};
+        struct reply reply = client_send(&guarded, "POST", "/v1/render", headers, GOOD_SCENE, strlen(GOOD_SCENE));
+        assert_int_equal(reply.status, 401);
+        reply_free(&reply);
+    }
+    const char *const headers[] = {JSON_TYPE, "authorization: bearer " TOKEN, NULL};
+    struct reply reply = client_send(&guarded, "POST", "/v1/render", headers, GOOD_SCENE, strlen(GOOD_SCENE));
+    assert_int_equal(reply.status, 200);
+    reply_free(&reply);
+    char *log = daemon_log(&guarded);
+    assert_null(strstr(log, TOKEN));
+    free(log);
+}
+
+static void log_line_is_json_and_tells_of_the_request(void **state)
+{
+    static const char TRACE[] = "00-0af7651916cd43dd8448eb211c80319c-b7ad6b7169203331-01";
+    (void)state;
+    const char *const headers[] = {JSON_TYPE, "X-Request-Id: log-test",
+                                   "traceparent: 00-0af7651916cd43dd8448eb211c80319c-b7ad6b7169203331-01", NULL};
+    struct reply reply = client_send(&server, "POST", "/v1/render?channel=x", headers, "{}", 2);
+    assert_true(reply.status >= 400);
+    char *line = daemon_wait_for_log(&server, "\"log-test\"");
+    assert_non_null(line);
+    cJSON *root = cJSON_ParseWithOpts(line, NULL, 1);
+    assert_non_null(root);
+    assert_string_equal(cJSON_GetStringValue(cJSON_GetObjectItemCaseSensitive(root, "method")), "POST");
+    assert_string_equal(cJSON_GetStringValue(cJSON_GetObjectItemCaseSensitive(root, "path")), "/v1/render");
+    assert_string_equal(cJSON_GetStringValue(cJSON_GetObjectItemCaseSensitive(root, "query")), "channel=x");
+    assert_string_equal(cJSON_GetStringValue(cJSON_GetObjectItemCaseSensitive(root, "remote")), "127.0.0.1");
+    assert_string_equal(cJSON_GetStringValue(cJSON_GetObjectItemCaseSensitive(root, "traceparent")), TRACE);
+    assert_true((long)cJSON_GetNumberValue(cJSON_GetObjectItemCaseSensitive(root, "status")) == reply.status);
+    assert_int_equal((int)cJSON_GetNumberValue(cJSON_GetObjectItemCaseSensitive(root, "bytesIn")), 2);
+    assert_true(cJSON_IsString(cJSON_GetObjectItemCaseSensitive(root, "detail")));
+    cJSON_Delete(root);
+    free(line);
+    reply_free(&reply);
+}
+
+static void log_line_of_hostile_path_is_json(void **state)
+{
+    static const char REQUEST[] =
+        "GET /\"\\\xff\xc0\xafmark?\x01=\xf0\x9f HTTP/1.1\r\nHost: a\r\nConnection: close\r\n\r\n";
+    (void)state;
+    free(client_raw(&server, REQUEST, sizeof REQUEST - 1, 5000));
+    char *line = daemon_wait_for_log(&server, "mark");
+    assert_non_null(line);
+    cJSON *root = cJSON_ParseWithOpts(line, NULL, 1);
+    assert_non_null(root);
+    assert_string_equal(cJSON_GetStringValue(cJSON_GetObjectItemCaseSensitive(root, "path")),
+                        "/\"\\\xEF\xBF\xBD\xEF\xBF\xBD\xEF\xBF\xBDmark");
+    cJSON_Delete(root);
+    free(line);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(scene_gives_png),
+        cmocka_unit_test(same_scene_gives_same_bytes),
+        cmocka_unit_test(render_says_how_long_each_step_took),
+        cmocka_unit_test(meshes_are_rendered_with_parameters),
+        cmocka_unit_test(parameters_are_percent_decoded),
+        cmocka_unit_test(unknown_parameter_is_named_with_the_known_ones),
+        cmocka_unit_test(duplicate_parameter_is_refused),
+        cmocka_unit_test(view_of_a_mesh_is_refused_with_json),
+        cmocka_unit_test(content_types_are_matched_as_rfc_9110_says),
+        cmocka_unit_test(content_encoding_is_refused),
+        cmocka_unit_test(unknown_path_gives_404),
+        cmocka_unit_test(wrong_method_gives_405_with_allow),
+        cmocka_unit_test(health_endpoints_answer_get_and_head),
+        cmocka_unit_test(limits_lists_all_and_no_secret),
+        cmocka_unit_test(request_id_is_echoed_where_it_is_safe),
+        cmocka_unit_test(expect_100_continue_gets_it),
+        cmocka_unit_test(proxy_form_of_a_target_is_understood),
+        cmocka_unit_test(token_is_asked_for_but_for_health),
+        cmocka_unit_test(wrong_tokens_are_refused_and_the_right_one_is_taken),
+        cmocka_unit_test(log_line_is_json_and_tells_of_the_request),
+        cmocka_unit_test(log_line_of_hostile_path_is_json),
+    };
+    return cmocka_run_group_tests(tests, start, stop);
+}

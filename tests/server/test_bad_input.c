@@ -1,0 +1,270 @@
+/* Whatever is sent, the answer says what is wrong, and the next request is served. */
+#include <dirent.h>
+#include <errno.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <cjson/cJSON.h>
+
+#include "client.h"
+#include "support/cmocka_all.h"
+
+enum { PATH_SIZE = 1024, LARGE_BODY = 100 * 1000 * 1000 };
+
+static struct daemon server;
+
+static int start(void **state)
+{
+    (void)state;
+    server = daemon_start(NULL);
+    return 0;
+}
+
+static int stop(void **state)
+{
+    (void)state;
+    daemon_stop(&server);
+    return 0;
+}
+
+static void assert_still_serves(void)
+{
+    assert_int_equal(client_render_status(&server, GOOD_SCENE), 200);
+}
+
+/* POSTs and wants a status, and each of `texts` (to NULL) in the answer's body. */
+static void assert_refused(const char *type, const char *body, size_t size, int status, const char *const *texts)
+{
+    struct reply reply = client_send(&server, "POST", "/v1/render", (const char *const[]){type, NULL}, body, size);
+    if (reply.status != status) fail_msg("wanted %d, got %ld for %.200s\n%s", status, reply.status, body, reply.body);
+    assert_string_equal(reply_header(&reply, "Content-Type"), "application/problem+json");
+    for (; texts && *texts; texts++)
+        if (!strstr(reply.body, *texts)) fail_msg("'%s' is not in %s", *texts, reply.body);
+    reply_free(&reply);
+    assert_still_serves();
+}
+
+static void assert_scene_refused(const char *scene, int status, const char *const *texts)
+{
+    assert_refused(JSON_TYPE, scene, strlen(scene), status, texts);
+}
+
+#define TEXTS(...)                                                                                                     \
+    (const char *const[])                                                                                              \
+    {                                                                                                                  \
+        __VA_ARGS__, NULL                                                                                              \
+    }
+
+/* ---- the JSON test suite ---- */
+
+static char *read_file(const char *path, size_t *size)
+{
+    FILE *in = fopen(path, "rb");
+    if (!in) return NULL;
+    fseek(in, 0, SEEK_END);
+    long length = ftell(in);
+    rewind(in);
+    char *bytes = calloc(1, (size_t)length + 1);
+    *size = bytes ? fread(bytes, 1, (size_t)length, in) : 0;
+    fclose(in);
+    return bytes;
+}
+
+static void check_suite_file(const char *folder, const char *name)
+{
+    char path[PATH_SIZE];
+    size_t size = 0;
+    snprintf(path, sizeof path, "%s/%s", folder, name);
+    char *bytes = read_file(path, &size);
+    assert_non_null(bytes);
+    struct reply reply =
+        client_send(&server, "POST", "/v1/render", (const char *const[]){JSON_TYPE, NULL}, bytes, size);
+    bool is_right =
+        name[0] == 'n' ? reply.status == 400 : reply.status > 0 && reply.status != 400 && reply.status < 500;
+    if (!is_right) fail_msg("%s: got %ld %s", name, reply.status, reply.body);
+    reply_free(&reply);
+    free(bytes);
+    assert_int_equal(client_get_status(&server, "/healthz"), 200);
+}
+
+static void json_test_suite_is_told_apart(void **state)
+{
+    (void)state;
+    const char *data = getenv("ZRASTER_DATA");
+    char folder[PATH_SIZE / 2];
+    snprintf(folder, sizeof folder, "%s/json-test-suite/test_parsing", data && *data ? data : "../shared/data");
+    DIR *listing = opendir(folder);
+    if (!listing) {
+        fprintf(stderr, "LEFT OUT: json_test_suite_is_told_apart: %s: %s (ZRASTER_DATA names the folder)\n", folder,
+                strerror(errno));
+        skip();
+    }
+    int refused = 0, taken = 0;
+    for (struct dirent *entry; (entry = readdir(listing));) {
+        if (strncmp(entry->d_name, "n_", 2) == 0)
+            refused++;
+        else if (strncmp(entry->d_name, "y_", 2) == 0)
+            taken++;
+        else
+            continue;
+        check_suite_file(folder, entry->d_name);
+    }
+    closedir(listing);
+    assert_true(refused > 100 && taken > 50);
+}
+
+/* ---- scenes ---- */
+
+static void index_out_of_range_gives_422_with_pointer(void **state)
+{
+    (void)state;
+    assert_scene_refused("{\"meshes\":[{\"positions\":[[0,0,0],[1,0,0],[0,1,0]],\"faces\":[[0,1,2],[0,1,99]]}]}", 422,
+                         TEXTS("\"/meshes/0/faces/1/2\"", "99"));
+}
+
+static void nan_gives_400(void **state)
+{
+    (void)state;
+    assert_scene_refused("{\"polygons\":[{\"vertices\":[[NaN,0,0],[1,0,0],[0,1,0]]}]}", 400, NULL);
+}
+
+static void infinite_number_gives_422(void **state)
+{
+    (void)state;
+    assert_scene_refused("{\"polygons\":[{\"vertices\":[[1e999,0,0],[1,0,0],[0,1,0]]}]}", 422, TEXTS("/polygons/0"));
+}
+
+static void empty_body_gives_400(void **state)
+{
+    (void)state;
+    assert_scene_refused("", 400, NULL);
+}
+
+static void scene_without_geometry_gives_422(void **state)
+{
+    (void)state;
+    assert_scene_refused("{\"polygons\":[]}", 422, NULL);
+}
+
+static void window_too_large_gives_422_with_limit_and_value(void **state)
+{
+    (void)state;
+    assert_scene_refused("{\"window\":{\"width\":100000,\"height\":100000},"
+                         "\"polygons\":[{\"vertices\":[[0,0,0],[1,0,0],[0,1,0]]}]}",
+                         422, TEXTS("100000", "8192"));
+}
+
+static void unknown_key_gives_422_with_pointer(void **state)
+{
+    (void)state;
+    assert_scene_refused("{\"polygons\":[{\"vertices\":[[0,0,0],[1,0,0],[0,1,0]],\"colr\":\"#ffffff\"}]}", 422,
+                         TEXTS("\"/polygons/0/colr\""));
+}
+
+static void wrong_type_gives_422_with_pointer(void **state)
+{
+    (void)state;
+    assert_scene_refused("{\"polygons\":[{\"vertices\":\"many\"}]}", 422, TEXTS("\"/polygons/0/vertices\""));
+}
+
+static void deep_json_is_refused(void **state)
+{
+    char scene[4096];
+    (void)state;
+    memset(scene, '[', 2000);
+    memset(scene + 2000, ']', 2000);
+    scene[4000] = '\0';
+    assert_scene_refused(scene, 422, NULL);
+}
+
+/* ---- bodies ---- */
+
+static void large_body_with_length_gives_413(void **state)
+{
+    (void)state;
+    char *body = malloc(LARGE_BODY);
+    assert_non_null(body);
+    memset(body, ' ', LARGE_BODY);
+    assert_refused(JSON_TYPE, body, LARGE_BODY, 413, TEXTS("bodyMaxBytes"));
+    free(body);
+}
+
+static void large_body_without_expect_gives_413(void **state)
+{
+    static const char HEAD[] =
+        "POST /v1/render HTTP/1.1\r\nHost: a\r\n" JSON_TYPE "\r\nContent-Length: 100000000\r\n\r\n";
+    (void)state;
+    char *request = malloc(sizeof HEAD - 1 + LARGE_BODY);
+    assert_non_null(request);
+    memcpy(request, HEAD, sizeof HEAD - 1);
+    memset(request + sizeof HEAD - 1, ' ', LARGE_BODY);
+    char *text = client_raw(&server, request, sizeof HEAD - 1 + LARGE_BODY, 5000);
+    assert_int_equal(raw_status(text), 413);
+    free(text);
+    text = client_raw(&server, request, sizeof HEAD - 1, 5000); /* the header alone must do */
+    assert_int_equal(raw_status(text), 413);
+    free(text);
+    free(request);
+    assert_still_serves();
+}
+
+static void large_chunked_body_gives_413(void **state)
+{
+    (void)state;
+    struct reply reply = client_send_chunked(&server, "/v1/render", LARGE_BODY);
+    assert_int_equal(reply.status, 413);
+    reply_free(&reply);
+    assert_still_serves();
+}
+
+static void truncated_stl_gives_400(void **state)
+{
+    /* The header, a count of 2 triangles, and half of one. */
+    char stl[80 + 4 + 25] = "binary";
+    (void)state;
+    stl[80] = 2;
+    assert_refused("Content-Type: model/stl", stl, sizeof stl, 400, NULL);
+}
+
+static void text_that_is_no_model_gives_400(void **state)
+{
+    static const char TEXT[] = "Dear server, please draw a house.\n";
+    (void)state;
+    assert_refused("Content-Type: model/stl", TEXT, sizeof TEXT - 1, 400, NULL);
+    assert_refused("Content-Type: model/obj", TEXT, sizeof TEXT - 1, 400, NULL);
+}
+
+static void broken_chunks_are_refused(void **state)
+{
+    static const char REQUEST[] = "POST /v1/render HTTP/1.1\r\nHost: a\r\n" JSON_TYPE
+                                  "\r\nTransfer-Encoding: chunked\r\n\r\nZZ\r\n{}\r\n0\r\n\r\n";
+    (void)state;
+    char *text = client_raw(&server, REQUEST, sizeof REQUEST - 1, 5000);
+    assert_int_equal(raw_status(text), 400);
+    free(text);
+    assert_still_serves();
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(json_test_suite_is_told_apart),
+        cmocka_unit_test(index_out_of_range_gives_422_with_pointer),
+        cmocka_unit_test(nan_gives_400),
+        cmocka_unit_test(infinite_number_gives_422),
+        cmocka_unit_test(empty_body_gives_400),
+        cmocka_unit_test(scene_without_geometry_gives_422),
+        cmocka_unit_test(window_too_large_gives_422_with_limit_and_value),
+        cmocka_unit_test(unknown_key_gives_422_with_pointer),
+        cmocka_unit_test(wrong_type_gives_422_with_pointer),
+        cmocka_unit_test(deep_json_is_refused),
+        cmocka_unit_test(large_body_with_length_gives_413),
+        cmocka_unit_test(large_body_without_expect_gives_413),
+        cmocka_unit_test(large_chunked_body_gives_413),
+        cmocka_unit_test(truncated_stl_gives_400),
+        cmocka_unit_test(text_that_is_no_model_gives_400),
+        cmocka_unit_test(broken_chunks_are_refused),
+    };
+    return cmocka_run_group_tests(tests, start, stop);
+}

@@ -1,0 +1,165 @@
+/* Flags, variables, and what the binary does besides serving. */
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "client.h"
+#include "support/cmocka_all.h"
+
+/* Runs with `arguments` (to NULL); its exit status and `texts` (to NULL) in its output must be these. */
+static void assert_run(const char *const *arguments, int status, const char *const *texts)
+{
+    char *output = NULL;
+    int got = daemon_run(arguments, &output);
+    if (got != status) fail_msg("wanted exit status %d, got %d: %s", status, got, output);
+    for (; *texts; texts++)
+        if (!strstr(output, *texts)) fail_msg("'%s' is not in: %s", *texts, output);
+    free(output);
+}
+
+#define LIST(...)                                                                                                      \
+    (const char *const[])                                                                                              \
+    {                                                                                                                  \
+        __VA_ARGS__, NULL                                                                                              \
+    }
+
+static void help_lists_every_flag(void **state)
+{
+    (void)state;
+    assert_run(LIST("--help"), 0,
+               LIST("--address", "--port", "--workers", "--threads", "--queue", "--max-per-client", "--max-connections",
+                    "--body-max-bytes", "--upload-memory-bytes", "--header-timeout-ms", "--idle-timeout-ms",
+                    "--body-timeout-ms", "--body-min-bytes-per-second", "--write-timeout-ms", "--render-timeout-ms",
+                    "--drain-timeout-ms", "--request-memory-bytes", "--keep-memory-bytes", "--token",
+                    "--json-depth-max", "--json-values-max", "--window-side-max", "--window-pixels-max",
+                    "--polygon-vertices-max", "--coordinate-max", "--health", "--version", "ZRASTER_"));
+}
+
+static void help_does_not_show_the_token(void **state)
+{
+    char *output = NULL;
+    (void)state;
+    setenv("ZRASTER_TOKEN", "hidden-token", 1);
+    assert_int_equal(daemon_run(LIST("--help"), &output), 0);
+    unsetenv("ZRASTER_TOKEN");
+    assert_null(strstr(output, "hidden-token"));
+    free(output);
+}
+
+static void version_is_printed(void **state)
+{
+    (void)state;
+    assert_run(LIST("--version"), 0, LIST("zrasterd 0."));
+}
+
+static void unknown_flag_exits_2_and_is_named(void **state)
+{
+    (void)state;
+    assert_run(LIST("--prot=80"), 2, LIST("'--prot=80'", "--help"));
+    assert_run(LIST("serve"), 2, LIST("'serve'"));
+    assert_run(LIST("--"), 2, LIST("'--'"));
+}
+
+static void bad_value_exits_2_and_says_what_is_allowed(void **state)
+{
+    (void)state;
+    assert_run(LIST("--port=65536"), 2, LIST("--port", "'65536'", "0 to 65535"));
+    assert_run(LIST("--port", "-1"), 2, LIST("--port", "'-1'"));
+    assert_run(LIST("--port="), 2, LIST("--port"));
+    assert_run(LIST("--workers=many"), 2, LIST("--workers", "'many'", "0 to 256"));
+    assert_run(LIST("--body-max-bytes=99999999999999999999"), 2, LIST("--body-max-bytes"));
+    assert_run(LIST("--render-timeout-ms"), 2, LIST("--render-timeout-ms", "missing"));
+    assert_run(LIST("--address=localhost"), 2, LIST("--address", "'localhost'", "numeric"));
+    assert_run(LIST("--window-side-max=8193"), 2, LIST("--window-side-max", "1 to 8192"));
+}
+
+static void bad_variable_exits_2_and_is_named(void **state)
+{
+    (void)state;
+    setenv("ZRASTER_QUEUE", "x", 1);
+    assert_run(LIST("--port=0"), 2, LIST("ZRASTER_QUEUE", "'x'"));
+    unsetenv("ZRASTER_QUEUE");
+}
+
+static void port_in_use_exits_1(void **state)
+{
+    (void)state;
+    struct daemon server = daemon_start(NULL);
+    char port[16];
+    snprintf(port, sizeof port, "%u", server.port);
+    assert_run(LIST("--port", port), 1, LIST("cannot listen", port));
+    daemon_stop(&server);
+}
+
+/* The value that /v1/limits shows. */
+static void assert_limit(const struct daemon *server, const char *text)
+{
+    struct reply reply = client_get(server, "/v1/limits");
+    if (!strstr(reply.body, text)) fail_msg("'%s' is not in %s", text, reply.body);
+    reply_free(&reply);
+}
+
+static void variable_is_read_and_flag_beats_it(void **state)
+{
+    (void)state;
+    setenv("ZRASTER_BODY_MAX_BYTES", "50", 1);
+    setenv("ZRASTER_QUEUE", "7", 1);
+    setenv("ZRASTER_WORKERS", "", 1);
+    struct daemon server = daemon_start(LIST("--queue", "9"));
+    unsetenv("ZRASTER_BODY_MAX_BYTES");
+    unsetenv("ZRASTER_QUEUE");
+    unsetenv("ZRASTER_WORKERS");
+    assert_limit(&server, "\"bodyMaxBytes\":\t50");
+    assert_limit(&server, "\"queue\":\t9");
+    assert_int_equal(client_render_status(&server, GOOD_SCENE), 413);
+    daemon_stop(&server);
+}
+
+static void queue_defaults_to_two_a_worker(void **state)
+{
+    (void)state;
+    struct daemon server = daemon_start(LIST("--workers=3"));
+    assert_limit(&server, "\"queue\":\t6");
+    daemon_stop(&server);
+}
+
+static void limits_of_the_renderer_are_settings(void **state)
+{
+    (void)state;
+    struct daemon server = daemon_start(LIST("--window-side-max=100"));
+    struct reply reply = client_render(&server, GOOD_SCENE); /* 640 x 480 */
+    assert_int_equal(reply.status, 422);
+    assert_non_null(strstr(reply.body, "100"));
+    reply_free(&reply);
+    daemon_stop(&server);
+}
+
+static void health_tells_whether_a_daemon_answers(void **state)
+{
+    (void)state;
+    struct daemon server = daemon_start(LIST("--token=anything"));
+    char port[16];
+    snprintf(port, sizeof port, "%u", server.port);
+    assert_run(LIST("--health", "--port", port), 0, LIST(""));
+    assert_run(LIST("--address=0.0.0.0", "--port", port, "--health"), 0, LIST(""));
+    daemon_stop(&server);
+    assert_run(LIST("--health", "--port", port), 1, LIST(""));
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(help_lists_every_flag),
+        cmocka_unit_test(help_does_not_show_the_token),
+        cmocka_unit_test(version_is_printed),
+        cmocka_unit_test(unknown_flag_exits_2_and_is_named),
+        cmocka_unit_test(bad_value_exits_2_and_says_what_is_allowed),
+        cmocka_unit_test(bad_variable_exits_2_and_is_named),
+        cmocka_unit_test(port_in_use_exits_1),
+        cmocka_unit_test(variable_is_read_and_flag_beats_it),
+        cmocka_unit_test(queue_defaults_to_two_a_worker),
+        cmocka_unit_test(limits_of_the_renderer_are_settings),
+        cmocka_unit_test(health_tells_whether_a_daemon_answers),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

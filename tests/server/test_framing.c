@@ -1,0 +1,265 @@
+/* Requests that two readers could read in two ways, and clients that are slow. */
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <time.h>
+#include <unistd.h>
+
+#include "client.h"
+#include "support/cmocka_all.h"
+
+#define POST   "POST /v1/render HTTP/1.1\r\nHost: a\r\n" JSON_TYPE "\r\n"
+#define SECOND "GET /healthz HTTP/1.1\r\nHost: a\r\n\r\n"
+
+enum { SILENCE_MS = 5000 };
+
+static struct daemon server;
+
+static int start(void **state)
+{
+    (void)state;
+    server = daemon_start((const char *const[]){"--header-timeout-ms=400", "--body-timeout-ms=500",
+                                                "--idle-timeout-ms=1500", "--max-per-client=0", NULL});
+    return 0;
+}
+
+static int stop(void **state)
+{
+    (void)state;
+    daemon_stop(&server);
+    return 0;
+}
+
+/* Refused with `status`, closed, and what follows on the connection is not answered. */
+static void assert_refused(const char *request, int status)
+{
+    char *text = client_raw(&server, request, strlen(request), SILENCE_MS);
+    if (raw_status(text) != status || strstr(text, "\"status\":\"ok\""))
+        fail_msg("wanted %d and nothing more for\n%.200s\ngot\n%.400s", status, request, text);
+    free(text);
+    assert_int_equal(client_get_status(&server, "/healthz"), 200);
+}
+
+static void two_content_lengths_are_refused(void **state)
+{
+    (void)state;
+    assert_refused(POST "Content-Length: 5\r\nContent-Length: 5\r\n\r\nhello" SECOND, 400);
+    assert_refused(POST "Content-Length: 5\r\nContent-Length: 42\r\n\r\nhello" SECOND, 400);
+    assert_refused("GET /healthz HTTP/1.1\r\nHost: a\r\nContent-Length: 1\r\nContent-Length: 1\r\n\r\na" SECOND, 400);
+}
+
+static void content_length_with_transfer_encoding_is_refused(void **state)
+{
+    (void)state;
+    assert_refused(POST "Content-Length: 5\r\nTransfer-Encoding: chunked\r\n\r\n0\r\n\r\n" SECOND, 400);
+    assert_refused(POST "Transfer-Encoding: chunked\r\nContent-Length: 5\r\n\r\n0\r\n\r\n" SECOND, 400);
+}
+
+static void unknown_transfer_encoding_gives_501(void **state)
+{
+    (void)state;
+    assert_refused(POST "Transfer-Encoding: xchunked\r\n\r\n0\r\n\r\n" SECOND, 501);
+    assert_refused(POST "Transfer-Encoding: gzip, chunked\r\n\r\n0\r\n\r\n" SECOND, 501);
+}
+
+static void two_transfer_encodings_are_refused(void **state)
+{
+    (void)state;
+    assert_refused(POST "Transfer-Encoding: chunked\r\nTransfer-Encoding: chunked\r\n\r\n0\r\n\r\n" SECOND, 400);
+}
+
+static void host_must_come_once(void **state)
+{
+    (void)state;
+    assert_refused("GET /healthz HTTP/1.1\r\nHost: a\r\nHost: b\r\n\r\n" SECOND, 400);
+    assert_refused("GET /healthz HTTP/1.1\r\n\r\n" SECOND, 400);
+}
+
+static void host_may_be_missing_in_http_1_0(void **state)
+{
+    static const char REQUEST[] = "GET /healthz HTTP/1.0\r\n\r\n";
+    (void)state;
+    char *text = client_raw(&server, REQUEST, sizeof REQUEST - 1, SILENCE_MS);
+    assert_int_equal(raw_status(text), 200);
+    free(text);
+}
+
+static void content_length_that_is_no_number_is_refused(void **state)
+{
+    static const char *const LENGTHS[] = {"5x", "-5", "+5", "0x5", "5, 5", "5 5", "five"};
+    char request[256];
+    (void)state;
+    for (size_t i = 0; i < sizeof LENGTHS / sizeof LENGTHS[0]; i++) {
+        snprintf(request, sizeof request, POST "Content-Length: %s\r\n\r\nhello" SECOND, LENGTHS[i]);
+        assert_refused(request, 400);
+    }
+}
+
+static void bad_bytes_in_headers_are_refused(void **state)
+{
+    (void)state;
+    assert_refused("GET /healthz HTTP/1.1\r\nHost: a\r\nX-A : b\r\n\r\n" SECOND, 400);
+    assert_refused("GET /healthz HTTP/1.1\r\nHost: a\r\nX(A): b\r\n\r\n" SECOND, 400);
+    assert_refused("GET /healthz HTTP/1.1\r\nHost: a\r\nX-A: b\x01\r\n\r\n" SECOND, 400);
+    assert_refused("GET /heal thz HTTP/1.1\r\nHost: a\r\n\r\n" SECOND, 400);
+    assert_refused("GET /healthz?a b HTTP/1.1\r\nHost: a\r\n\r\n" SECOND, 400);
+}
+
+/* `prefix`, `count` times 'a', the end of a header. */
+static void assert_large_refused(const char *prefix, size_t count, const char *suffix, int status)
+{
+    char *request = malloc(strlen(prefix) + count + strlen(suffix) + 1);
+    assert_non_null(request);
+    strcpy(request, prefix);
+    memset(request + strlen(prefix), 'a', count);
+    strcpy(request + strlen(prefix) + count, suffix);
+    assert_refused(request, status);
+    free(request);
+}
+
+static void header_too_large_gives_431(void **state)
+{
+    (void)state;
+    assert_large_refused("GET /healthz HTTP/1.1\r\nHost: a\r\nX-A: ", 33000, "\r\n\r\n", 431);
+    assert_large_refused("GET /healthz HTTP/1.1\r\nHost: a\r\nX-A: ", 300000, "\r\n\r\n", 431);
+}
+
+static void uri_too_large_gives_414(void **state)
+{
+    (void)state;
+    assert_large_refused("GET /", 33000, " HTTP/1.1\r\nHost: a\r\n\r\n", 414);
+    assert_large_refused("GET /healthz?a=", 33000, " HTTP/1.1\r\nHost: a\r\n\r\n", 414);
+    assert_large_refused("GET /", 300000, " HTTP/1.1\r\nHost: a\r\n\r\n", 414);
+}
+
+/* Sends a byte every 50 ms, so that the connection is never silent. */
+static void assert_dripping_ends_with_408(const char *begin, double within_s)
+{
+    struct timespec begun, now;
+    clock_gettime(CLOCK_MONOTONIC, &begun);
+    int fd = client_connect(&server);
+    assert_true(fd >= 0);
+    assert_true(write(fd, begin, strlen(begin)) > 0);
+    char *text = NULL;
+    for (int i = 0; i < 60; i++) {
+        free(text);
+        text = client_read(fd, NULL, 50);
+        if (*text) break;
+        assert_int_equal(write(fd, "a", 1), 1);
+    }
+    clock_gettime(CLOCK_MONOTONIC, &now);
+    assert_int_equal(raw_status(text), 408);
+    double took = (double)(now.tv_sec - begun.tv_sec) + (double)(now.tv_nsec - begun.tv_nsec) / 1e9;
+    assert_true(took < within_s);
+    free(text);
+    close(fd);
+}
+
+static void slow_header_gives_408(void **state)
+{
+    (void)state;
+    assert_dripping_ends_with_408("GET /healthz HTTP/1.1\r\nX-A: ", 1.5);
+}
+
+static void slow_body_gives_408(void **state)
+{
+    (void)state;
+    assert_dripping_ends_with_408(POST "Content-Length: 1000\r\n\r\n", 1.8);
+}
+
+static void body_below_its_least_speed_gives_408(void **state)
+{
+    static const char REQUEST[] = POST "Content-Length: 1000\r\n\r\n";
+    (void)state;
+    struct daemon other = daemon_start((const char *const[]){"--body-timeout-ms=60000", NULL});
+    int fd = client_connect(&other);
+    assert_true(write(fd, REQUEST, sizeof REQUEST - 1) > 0);
+    char *text = client_read(fd, NULL, 15000);
+    assert_int_equal(raw_status(text), 408);
+    free(text);
+    close(fd);
+    daemon_stop(&other);
+}
+
+static void slow_header_on_kept_connection_ends_it(void **state)
+{
+    (void)state;
+    int fd = client_connect(&server);
+    assert_true(write(fd, SECOND, strlen(SECOND)) > 0);
+    char *text = client_read(fd, "ok\"}", SILENCE_MS);
+    assert_int_equal(raw_status(text), 200);
+    free(text);
+    assert_true(write(fd, "GET /", 5) == 5);
+    text = client_read(fd, NULL, SILENCE_MS);
+    assert_int_equal(raw_status(text), 408);
+    free(text);
+    close(fd);
+}
+
+static void idle_connection_outlives_header_timeout_and_ends(void **state)
+{
+    (void)state;
+    int fd = client_connect(&server);
+    assert_true(write(fd, SECOND, strlen(SECOND)) > 0);
+    free(client_read(fd, "ok\"}", SILENCE_MS));
+    usleep(900 * 1000);
+    assert_true(write(fd, SECOND, strlen(SECOND)) > 0);
+    char *text = client_read(fd, "ok\"}", SILENCE_MS);
+    assert_int_equal(raw_status(text), 200);
+    free(text);
+    text = client_read(fd, NULL, SILENCE_MS);
+    assert_string_equal(text, "");
+    free(text);
+    close(fd);
+}
+
+static void kept_connection_answers_pipelined_requests(void **state)
+{
+    static const char REQUESTS[] = SECOND SECOND "POST /nowhere HTTP/1.1\r\nHost: a\r\nContent-Length: 3\r\n\r\nabc"
+                                                 "GET /healthz HTTP/1.1\r\nHost: a\r\nConnection: close\r\n\r\n";
+    (void)state;
+    char *text = client_raw(&server, REQUESTS, sizeof REQUESTS - 1, SILENCE_MS);
+    assert_int_equal(raw_count(text), 4);
+    free(text);
+}
+
+static void every_refusal_is_logged_with_its_status(void **state)
+{
+    (void)state;
+    static const char *const DETAILS[] = {
+        "\"status\":400,\"bytesIn\":0,\"bytesOut\":97", /* more than one Content-Length */
+        "\"status\":501",
+        "\"status\":431",
+        "\"status\":414",
+        "\"status\":408",
+    };
+    for (size_t i = 0; i < sizeof DETAILS / sizeof DETAILS[0]; i++) {
+        char *line = daemon_wait_for_log(&server, DETAILS[i]);
+        assert_non_null(line);
+        free(line);
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(two_content_lengths_are_refused),
+        cmocka_unit_test(content_length_with_transfer_encoding_is_refused),
+        cmocka_unit_test(unknown_transfer_encoding_gives_501),
+        cmocka_unit_test(two_transfer_encodings_are_refused),
+        cmocka_unit_test(host_must_come_once),
+        cmocka_unit_test(host_may_be_missing_in_http_1_0),
+        cmocka_unit_test(content_length_that_is_no_number_is_refused),
+        cmocka_unit_test(bad_bytes_in_headers_are_refused),
+        cmocka_unit_test(header_too_large_gives_431),
+        cmocka_unit_test(uri_too_large_gives_414),
+        cmocka_unit_test(slow_header_gives_408),
+        cmocka_unit_test(slow_body_gives_408),
+        cmocka_unit_test(body_below_its_least_speed_gives_408),
+        cmocka_unit_test(slow_header_on_kept_connection_ends_it),
+        cmocka_unit_test(idle_connection_outlives_header_timeout_and_ends),
+        cmocka_unit_test(kept_connection_answers_pipelined_requests),
+        cmocka_unit_test(every_refusal_is_logged_with_its_status),
+    };
+    return cmocka_run_group_tests(tests, start, stop);
+}

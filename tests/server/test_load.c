@@ -1,0 +1,322 @@
+/* More work than there is room for, clients that leave, and the end. */
+#include <pthread.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/socket.h>
+#include <time.h>
+#include <unistd.h>
+
+#include <curl/curl.h>
+
+#include "client.h"
+#include "support/cmocka_all.h"
+
+enum {
+    CLIENTS_MAX = 32,
+    FEW = 20,   /* polygons: some tenths of a second of work */
+    MANY = 4000 /* polygons: far beyond every deadline here */
+};
+
+/* One POST of `scene` on a thread of its own. */
+struct post {
+    const struct daemon *daemon;
+    const char *scene;
+    pthread_t thread;
+    struct reply reply;
+    bool has_retry_after;
+};
+
+static void *run_post(void *argument)
+{
+    struct post *post = argument;
+    post->reply = client_render(post->daemon, post->scene);
+    post->has_retry_after = atoi(reply_header(&post->reply, "Retry-After")) >= 1;
+    return NULL;
+}
+
+static void begin_posts(struct post *posts, size_t count, const struct daemon *daemon, const char *scene)
+{
+    for (size_t i = 0; i < count; i++) {
+        posts[i] = (struct post){.daemon = daemon, .scene = scene};
+        assert_int_equal(pthread_create(&posts[i].thread, NULL, run_post, &posts[i]), 0);
+    }
+}
+
+/* Waits for all; how many were answered with `status`. */
+static size_t end_posts(struct post *posts, size_t count, long status)
+{
+    size_t found = 0;
+    for (size_t i = 0; i < count; i++) {
+        pthread_join(posts[i].thread, NULL);
+        found += posts[i].reply.status == status;
+        reply_free(&posts[i].reply);
+    }
+    return found;
+}
+
+static double seconds(void)
+{
+    struct timespec now;
+    clock_gettime(CLOCK_MONOTONIC, &now);
+    return (double)now.tv_sec + (double)now.tv_nsec / 1e9;
+}
+
+/* Polls until `target` answers with `status`; false after some seconds. */
+static bool wait_for_status(const struct daemon *daemon, const char *target, long status)
+{
+    for (int i = 0; i < 1000; i++) {
+        if (client_get_status(daemon, target) == status) return true;
+        usleep(10000);
+    }
+    return false;
+}
+
+/* Sends a render and does not wait for its answer. */
+static int send_render(const struct daemon *daemon, const char *scene)
+{
+    char head[256];
+    int fd = client_connect(daemon);
+    assert_true(fd >= 0);
+    int length =
+        snprintf(head, sizeof head,
+                 "POST /v1/render HTTP/1.1\r\nHost: a\r\n" JSON_TYPE "\r\nContent-Length: %zu\r\n\r\n", strlen(scene));
+    assert_true(send(fd, head, (size_t)length, 0) == length);
+    for (size_t sent = 0, size = strlen(scene); sent < size;) {
+        ssize_t count = send(fd, scene + sent, size - sent, 0);
+        assert_true(count > 0);
+        sent += (size_t)count;
+    }
+    return fd;
+}
+
+static void full_queue_refuses_and_serves_the_others(void **state)
+{
+    (void)state;
+    struct daemon server = daemon_start(
+        (const char *const[]){"--workers=1", "--queue=2", "--max-per-client=0", "--render-timeout-ms=120000", NULL});
+    char *scene = scene_slow(FEW);
+    struct post posts[CLIENTS_MAX];
+    begin_posts(posts, CLIENTS_MAX, &server, scene);
+    size_t served = 0, refused = 0;
+    for (size_t i = 0; i < CLIENTS_MAX; i++) {
+        pthread_join(posts[i].thread, NULL);
+        served += posts[i].reply.status == 200;
+        refused += posts[i].reply.status == 503 && posts[i].has_retry_after;
+        reply_free(&posts[i].reply);
+    }
+    assert_int_equal(served + refused, CLIENTS_MAX);
+    assert_true(served >= 3 && refused >= 1);
+    free(scene);
+    daemon_stop(&server);
+}
+
+static void full_queue_answers_health_and_not_ready(void **state)
+{
+    (void)state;
+    struct daemon server = daemon_start(
+        (const char *const[]){"--workers=1", "--queue=1", "--max-per-client=0", "--render-timeout-ms=120000", NULL});
+    char *scene = scene_slow(MANY);
+    int clients[3]; /* one is worked on, one waits; the last is there in case the first was still waiting */
+    for (int i = 0; i < 3; i++, usleep(100000))
+        clients[i] = send_render(&server, scene);
+    assert_true(wait_for_status(&server, "/readyz", 503));
+    double begun = seconds();
+    assert_int_equal(client_get_status(&server, "/healthz"), 200);
+    assert_true(seconds() - begun < 1.0);
+    for (int i = 0; i < 3; i++)
+        close(clients[i]);
+    assert_true(wait_for_status(&server, "/readyz", 200));
+    free(scene);
+    daemon_stop(&server);
+}
+
+static void client_with_too_many_requests_gets_429(void **state)
+{
+    (void)state;
+    struct daemon server = daemon_start(
+        (const char *const[]){"--workers=1", "--queue=8", "--max-per-client=2", "--render-timeout-ms=120000", NULL});
+    char *scene = scene_slow(FEW);
+    struct post posts[8];
+    size_t served = 0, refused = 0;
+    begin_posts(posts, 8, &server, scene);
+    for (size_t i = 0; i < 8; i++) {
+        pthread_join(posts[i].thread, NULL);
+        served += posts[i].reply.status == 200;
+        refused += posts[i].reply.status == 429 && posts[i].has_retry_after;
+        reply_free(&posts[i].reply);
+    }
+    assert_int_equal(served + refused, 8);
+    assert_true(served >= 2 && refused >= 1);
+    assert_int_equal(client_render_status(&server, GOOD_SCENE), 200); /* all are over: the count is back */
+    free(scene);
+    daemon_stop(&server);
+}
+
+static void client_that_leaves_frees_the_worker(void **state)
+{
+    (void)state;
+    struct daemon server = daemon_start(
+        (const char *const[]){"--workers=1", "--queue=4", "--max-per-client=0", "--render-timeout-ms=120000", NULL});
+    char *scene = scene_slow(MANY);
+    int rendering = send_render(&server, scene), waiting = send_render(&server, scene);
+    usleep(200000);
+    close(rendering);
+    close(waiting);
+    double begun = seconds();
+    assert_int_equal(client_render_status(&server, GOOD_SCENE), 200);
+    assert_true(seconds() - begun < 5.0); /* under sanitizers; a worker that was not told is busy for far longer */
+    char *line = daemon_wait_for_log(&server, "the client left");
+    assert_non_null(line);
+    assert_non_null(strstr(line, "\"status\":0,\"aborted\":true"));
+    free(line);
+    free(scene);
+    daemon_stop(&server);
+}
+
+static void render_past_its_deadline_gives_504(void **state)
+{
+    (void)state;
+    struct daemon server = daemon_start((const char *const[]){"--render-timeout-ms=150", NULL});
+    char *scene = scene_slow(MANY);
+    struct reply reply = client_render(&server, scene);
+    assert_int_equal(reply.status, 504);
+    assert_string_equal(reply_header(&reply, "Content-Type"), "application/problem+json");
+    reply_free(&reply);
+    free(scene);
+    daemon_stop(&server);
+}
+
+static void request_memory_used_up_gives_503(void **state)
+{
+    (void)state;
+    struct daemon server = daemon_start((const char *const[]){"--request-memory-bytes=1048576", NULL});
+    char *scene = scene_slow(1);
+    struct reply reply = client_render(&server, scene);
+    assert_int_equal(reply.status, 503);
+    assert_true(atoi(reply_header(&reply, "Retry-After")) >= 1);
+    reply_free(&reply);
+    free(scene);
+    daemon_stop(&server);
+}
+
+static void upload_memory_used_up_gives_503(void **state)
+{
+    (void)state;
+    struct daemon server = daemon_start((const char *const[]){"--upload-memory-bytes=100000", NULL});
+    struct reply reply = client_send_chunked(&server, "/v1/render", 200000);
+    assert_int_equal(reply.status, 503);
+    reply_free(&reply);
+    assert_int_equal(client_render_status(&server, GOOD_SCENE), 200);
+    daemon_stop(&server);
+}
+
+static void reader_that_stops_is_cut_off(void **state)
+{
+    static const char REQUEST[] = "POST /v1/render?channel=depth&encoding=npy&width=4096&height=4096 HTTP/1.1\r\n"
+                                  "Host: a\r\nContent-Type: model/obj\r\nContent-Length: 33\r\n\r\n"
+                                  "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n\n";
+    (void)state;
+    struct daemon server =
+        daemon_start((const char *const[]){"--write-timeout-ms=300", "--render-timeout-ms=120000", NULL});
+    int fd = client_connect(&server);
+    assert_int_equal(send(fd, REQUEST, sizeof REQUEST - 1, 0), sizeof REQUEST - 1);
+    char *line = daemon_wait_for_log(&server, "\"aborted\":true");
+    assert_non_null(line);
+    assert_non_null(strstr(line, "\"status\":200"));
+    free(line);
+    close(fd);
+    daemon_stop(&server);
+}
+
+static void sigterm_lets_renders_in_flight_end(void **state)
+{
+    enum { IN_FLIGHT = 6 };
+    (void)state;
+    struct daemon server =
+        daemon_start((const char *const[]){"--workers=2", "--queue=8", "--max-per-client=0",
+                                           "--render-timeout-ms=120000", "--drain-timeout-ms=120000", NULL});
+    char *scene = scene_slow(FEW * 2);
+    struct post posts[IN_FLIGHT];
+    int kept = client_connect(&server);
+    static const char EARLY[] = "GET /healthz HTTP/1.1\r\nHost: a\r\n\r\n";
+    assert_true(send(kept, EARLY, sizeof EARLY - 1, 0) > 0);
+    free(client_read(kept, "ok\"}", 5000));
+    begin_posts(posts, IN_FLIGHT, &server, scene);
+    usleep(150000);
+    daemon_signal(&server);
+    usleep(50000);
+
+    int fresh = client_connect(&server);
+    assert_int_equal(fresh, -1);
+    static const char LATE[] = "POST /v1/render HTTP/1.1\r\nHost: a\r\n" JSON_TYPE "\r\nContent-Length: 2\r\n\r\n{}";
+    assert_true(send(kept, LATE, sizeof LATE - 1, MSG_NOSIGNAL) > 0);
+    char *text = client_read(kept, NULL, 20000);
+    assert_int_equal(raw_status(text), 503);
+    assert_non_null(strstr(text, "Retry-After: "));
+    assert_non_null(strstr(text, "Connection: close"));
+    free(text);
+    close(kept);
+
+    assert_int_equal(end_posts(posts, IN_FLIGHT, 200), IN_FLIGHT);
+    daemon_stop(&server);
+    free(scene);
+}
+
+static void drain_that_takes_too_long_is_cut_short(void **state)
+{
+    (void)state;
+    struct daemon server = daemon_start((const char *const[]){
+        "--workers=1", "--max-per-client=0", "--render-timeout-ms=120000", "--drain-timeout-ms=200", NULL});
+    char *scene = scene_slow(MANY);
+    struct post posts[3];
+    begin_posts(posts, 3, &server, scene);
+    usleep(300000);
+    daemon_stop(&server);
+    assert_int_equal(end_posts(posts, 3, 503), 3);
+    free(scene);
+}
+
+static void sigterm_with_uploads_and_idle_connections_ends(void **state)
+{
+    static const char HALF[] = "POST /v1/render HTTP/1.1\r\nHost: a\r\n" JSON_TYPE "\r\nContent-Length: 99\r\n\r\n{";
+    (void)state;
+    struct daemon server = daemon_start((const char *const[]){"--drain-timeout-ms=200", NULL});
+    int half = client_connect(&server), silent = client_connect(&server);
+    assert_true(send(half, HALF, sizeof HALF - 1, 0) > 0);
+    assert_int_equal(client_get_status(&server, "/healthz"), 200);
+    daemon_stop(&server);
+    close(half);
+    close(silent);
+}
+
+static int start_curl(void **state)
+{
+    (void)state;
+    return curl_global_init(CURL_GLOBAL_ALL) == CURLE_OK ? 0 : -1;
+}
+
+static int stop_curl(void **state)
+{
+    (void)state;
+    curl_global_cleanup();
+    return 0;
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(full_queue_refuses_and_serves_the_others),
+        cmocka_unit_test(full_queue_answers_health_and_not_ready),
+        cmocka_unit_test(client_with_too_many_requests_gets_429),
+        cmocka_unit_test(client_that_leaves_frees_the_worker),
+        cmocka_unit_test(render_past_its_deadline_gives_504),
+        cmocka_unit_test(request_memory_used_up_gives_503),
+        cmocka_unit_test(upload_memory_used_up_gives_503),
+        cmocka_unit_test(reader_that_stops_is_cut_off),
+        cmocka_unit_test(sigterm_lets_renders_in_flight_end),
+        cmocka_unit_test(drain_that_takes_too_long_is_cut_short),
+        cmocka_unit_test(sigterm_with_uploads_and_idle_connections_ends),
+    };
+    return cmocka_run_group_tests(tests, start_curl, stop_curl);
+}
