@@ -12,7 +12,7 @@
 #include "scene/scene.h"
 #include "zraster.h"
 
-/* A scene in JSON (the contract: server/api/scene.schema.json). */
+/* A scene in JSON (the contract: server/api/v1.md). */
 enum zr_status zr_json_read(struct zr_arena *arena, const struct zr_request *request, const struct zr_limits *limits,
                             struct zr_scene *scene, struct zr_error *error);
 

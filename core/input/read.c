@@ -48,11 +48,14 @@ static void read_side(const char *parameter, const char *text, uint32_t most, ui
     const char *at = text;
     for (; *at >= '0' && *at <= '9'; at++)
         if (value <= UINT32_MAX) value = value * 10 + (uint64_t)(*at - '0');
-    if (*at == '\0' && value >= 1 && value <= most)
-        *out = (uint32_t)value;
-    else
+    if (*at != '\0' || value < 1)
         zr_error_add(error, ZR_BAD_REQUEST, NULL, "query parameter %s: %s is not a whole number of pixels from 1 to %u",
                      parameter, zr_quote(text, strlen(text)).text, most);
+    else if (value > most) /* well-formed, but more than may be drawn: as in a scene */
+        zr_error_add(error, ZR_BAD_SCENE, NULL, "query parameter %s: %s pixels; 1 to %u are allowed", parameter,
+                     zr_quote(text, strlen(text)).text, most);
+    else
+        *out = (uint32_t)value;
 }
 
 static enum zr_status read_query(const struct zr_request *request, const struct zr_limits *limits, struct query *query,

@@ -61,31 +61,40 @@ struct extent {
     vec min, max;
 };
 
+static void include(struct extent *e, vec p)
+{
+    if (p.x < e->min.x) e->min.x = p.x;
+    if (p.y < e->min.y) e->min.y = p.y;
+    if (p.z < e->min.z) e->min.z = p.z;
+    if (p.x > e->max.x) e->max.x = p.x;
+    if (p.y > e->max.y) e->max.y = p.y;
+    if (p.z > e->max.z) e->max.z = p.z;
+}
+
+static const struct extent NOTHING = {{HUGE_VAL, HUGE_VAL, HUGE_VAL}, {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL}};
+
 /* Bounds of all points in axes of one's own; all zero where there is no point. */
 static struct extent extent_of(const struct zr_scene *scene, const struct frame_of_reference *f)
 {
-    struct extent e = {{HUGE_VAL, HUGE_VAL, HUGE_VAL}, {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL}};
+    struct extent e = NOTHING;
     struct point_walk walk = {.scene = scene};
     for (vec p; next_point(&walk, &p);) {
         vec from_eye = sub(p, f->eye);
         vec q = {dot(from_eye, f->right), dot(from_eye, f->up), dot(from_eye, f->back)};
-        e.min = (vec){fmin(e.min.x, q.x), fmin(e.min.y, q.y), fmin(e.min.z, q.z)};
-        e.max = (vec){fmax(e.max.x, q.x), fmax(e.max.y, q.y), fmax(e.max.z, q.z)};
+        include(&e, q);
     }
     return e.min.x <= e.max.x ? e : (struct extent){{0, 0, 0}, {0, 0, 0}};
 }
 
 struct zr_bounds zr_bounds_of(const struct zr_scene *scene)
 {
-    struct zr_bounds bounds = {.valid = false};
+    struct extent e = NOTHING;
     struct point_walk walk = {.scene = scene};
-    for (vec p; next_point(&walk, &p);) {
-        zr_vec3 q = {(float)p.x, (float)p.y, (float)p.z};
-        if (!bounds.valid) bounds = (struct zr_bounds){true, q, q};
-        bounds.min = (zr_vec3){fminf(bounds.min.x, q.x), fminf(bounds.min.y, q.y), fminf(bounds.min.z, q.z)};
-        bounds.max = (zr_vec3){fmaxf(bounds.max.x, q.x), fmaxf(bounds.max.y, q.y), fmaxf(bounds.max.z, q.z)};
-    }
-    return bounds;
+    for (vec p; next_point(&walk, &p);) include(&e, p);
+    if (!(e.min.x <= e.max.x)) return (struct zr_bounds){.valid = false};
+    return (struct zr_bounds){true,
+                              {(float)e.min.x, (float)e.min.y, (float)e.min.z},
+                              {(float)e.max.x, (float)e.max.y, (float)e.max.z}};
 }
 
 /* ---- pose ---- */
@@ -261,6 +270,10 @@ enum zr_status zr_camera_resolve(const struct zr_scene *scene, const struct zr_b
     struct extent extent;
     if (view->pose == ZR_POSE_MATRIX) {
         camera->world_to_eye = view->world_to_camera;
+        if (view->projection == ZR_PROJECTION_MATRIX) { /* nothing is left to the geometry */
+            camera->projection = view->projection_matrix;
+            return ZR_OK;
+        }
         struct frame_of_reference axes = matrix_axes(&view->world_to_camera);
         extent = shifted(extent_of(scene, &axes), &view->world_to_camera);
     } else {

@@ -58,27 +58,44 @@ static float eye_depth(const struct zr_window_vertex *v)
     return -v->eye_z / v->eye_w;
 }
 
-static void make_surface(const struct zr_geometry *geometry, uint32_t owner, struct surface *surface)
+static void make_color(const struct zr_geometry *geometry, const struct zr_triangle *t, const struct zr_plane_basis *basis,
+                       const float oow[3], struct surface *surface)
 {
-    const struct zr_triangle *t = &geometry->triangles[owner - 1];
-    const struct zr_window_vertex *v0 = &geometry->vertices[t->v[0]], *v1 = &geometry->vertices[t->v[1]],
-                                  *v2 = &geometry->vertices[t->v[2]];
     const zr_vec4 *colors = t->back ? geometry->back_colors : geometry->front_colors;
     zr_vec4 c0 = colors[t->c[0]], c1 = colors[t->c[1]], c2 = colors[t->c[2]];
-    struct zr_plane_basis basis = zr_plane_basis_make(v0, v1, v2);
-    float w0 = v0->oow, w1 = v1->oow, w2 = v2->oow;
-    surface->owner = owner;
     surface->flat = t->c[0] == t->c[1] && t->c[1] == t->c[2];
-    surface->flat_color = pack(color_byte(c0.x), color_byte(c0.y), color_byte(c0.z), 255);
-    surface->oow = zr_plane_make(&basis, w0, w1, w2);
-    surface->red = zr_plane_make(&basis, c0.x * w0, c1.x * w1, c2.x * w2);
-    surface->green = zr_plane_make(&basis, c0.y * w0, c1.y * w1, c2.y * w2);
-    surface->blue = zr_plane_make(&basis, c0.z * w0, c1.z * w1, c2.z * w2);
-    surface->eye_z = zr_plane_make(&basis, -v0->eye_z * w0, -v1->eye_z * w1, -v2->eye_z * w2);
-    surface->eye_w = zr_plane_make(&basis, v0->eye_w * w0, v1->eye_w * w1, v2->eye_w * w2);
-    float d0 = eye_depth(v0), d1 = eye_depth(v1), d2 = eye_depth(v2);
+    if (surface->flat) {
+        surface->flat_color = pack(color_byte(c0.x), color_byte(c0.y), color_byte(c0.z), 255);
+        return;
+    }
+    surface->oow = zr_plane_make(basis, oow[0], oow[1], oow[2]);
+    surface->red = zr_plane_make(basis, c0.x * oow[0], c1.x * oow[1], c2.x * oow[2]);
+    surface->green = zr_plane_make(basis, c0.y * oow[0], c1.y * oow[1], c2.y * oow[2]);
+    surface->blue = zr_plane_make(basis, c0.z * oow[0], c1.z * oow[1], c2.z * oow[2]);
+}
+
+static void make_depth(const struct zr_window_vertex *const v[3], const struct zr_plane_basis *basis, const float oow[3],
+                       struct surface *surface)
+{
+    surface->eye_z = zr_plane_make(basis, -v[0]->eye_z * oow[0], -v[1]->eye_z * oow[1], -v[2]->eye_z * oow[2]);
+    surface->eye_w = zr_plane_make(basis, v[0]->eye_w * oow[0], v[1]->eye_w * oow[1], v[2]->eye_w * oow[2]);
+    float d0 = eye_depth(v[0]), d1 = eye_depth(v[1]), d2 = eye_depth(v[2]);
     surface->depth_min = fminf(d0, fminf(d1, d2));
     surface->depth_max = fmaxf(d0, fmaxf(d1, d2));
+}
+
+/* Only what the frame's channels ask for: small triangles are set up as often as drawn. */
+static void make_surface(const struct zr_geometry *geometry, const struct zr_frame *frame, uint32_t owner,
+                         struct surface *surface)
+{
+    const struct zr_triangle *t = &geometry->triangles[owner - 1];
+    const struct zr_window_vertex *const v[3] = {&geometry->vertices[t->v[0]], &geometry->vertices[t->v[1]],
+                                                 &geometry->vertices[t->v[2]]};
+    const float oow[3] = {v[0]->oow, v[1]->oow, v[2]->oow};
+    struct zr_plane_basis basis = zr_plane_basis_make(v[0], v[1], v[2]);
+    surface->owner = owner;
+    if (frame->color) make_color(geometry, t, &basis, oow, surface);
+    if (frame->depth) make_depth(v, &basis, oow, surface);
 }
 
 static void resolve_color(const struct surface *surface, const struct run *run, uint32_t *out)
@@ -155,7 +172,7 @@ void zr_resolve_tile(const struct zr_geometry *geometry, zr_vec4 background, con
                 continue;
             }
             struct surface *surface = &surfaces[run.owner % SURFACES];
-            if (surface->owner != run.owner) make_surface(geometry, run.owner, surface);
+            if (surface->owner != run.owner) make_surface(geometry, frame, run.owner, surface);
             resolve_run(geometry, surface, &run, frame, line + (size_t)begin);
         }
     }

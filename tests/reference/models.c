@@ -156,21 +156,27 @@ static zr_mat4 perspective(double focal, double aspect, double n, double f)
     return m;
 }
 
+/* Where a drawing's camera stands. */
+static void place_camera(struct drawing *drawing, const struct sphere *sphere, size_t view, uint32_t width,
+                         uint32_t height)
+{
+    double distance = views[view].distance * sphere->radius;
+    drawing->width = width;
+    drawing->height = height;
+    drawing->modelview = look_at(sphere, views[view].towards, distance);
+    drawing->projection = perspective(2.5, (double)width / height, fmax(distance - sphere->radius, 0.4 * sphere->radius),
+                                      distance + sphere->radius);
+}
+
 static enum verdict check_views(struct harness *harness, struct drawing *drawing, const char *label,
                                 struct tally *tally)
 {
     struct sphere sphere = sphere_around(drawing);
     enum verdict worst = VERDICT_EQUAL;
     uint64_t number = 0;
-    for (size_t v = 0; v < sizeof views / sizeof *views; v++)
+    for (size_t v = 0; v < MODELS_VIEWS; v++)
         for (size_t w = 0; w < sizeof windows / sizeof *windows; w++) {
-            double distance = views[v].distance * sphere.radius;
-            drawing->width = windows[w][0];
-            drawing->height = windows[w][1];
-            drawing->modelview = look_at(&sphere, views[v].towards, distance);
-            drawing->projection =
-                perspective(2.5, (double)drawing->width / drawing->height,
-                            fmax(distance - sphere.radius, 0.4 * sphere.radius), distance + sphere.radius);
+            place_camera(drawing, &sphere, v, windows[w][0], windows[w][1]);
             enum verdict verdict = harness_check(harness, drawing, label, number++, tally);
             if (verdict > worst) worst = verdict;
         }
@@ -178,24 +184,53 @@ static enum verdict check_views(struct harness *harness, struct drawing *drawing
 }
 
 static enum verdict check_model(struct harness *harness, struct report *report, const char *name,
-                                const struct zr_mesh *mesh, struct tally *sum)
+                                struct drawing *drawing, struct tally *sum)
 {
-    struct drawing drawing = {0};
-    enum verdict worst = fill_drawing(mesh, &drawing) ? VERDICT_EQUAL : VERDICT_UNPROVED;
+    enum verdict worst = VERDICT_EQUAL;
     for (int smooth = 0; smooth < 2 && worst != VERDICT_UNPROVED; smooth++) {
         char label[80];
         struct tally tally = {0};
         snprintf(label, sizeof label, "%s-%s", name, smooth ? "smooth" : "flat");
-        drawing.smooth = smooth;
-        enum verdict verdict = check_views(harness, &drawing, label, &tally);
+        drawing->smooth = smooth;
+        enum verdict verdict = check_views(harness, drawing, label, &tally);
         if (verdict == VERDICT_EQUAL && (tally.comparison.visible == 0 || tally.clipped == 0))
             verdict = VERDICT_UNPROVED;
         report_line(report, label, verdict, &tally);
         tally_add(sum, &tally);
         if (verdict > worst) worst = verdict;
     }
-    drawing_free(&drawing);
     return worst;
+}
+
+/* *there tells a file that is missing from one that is no model. */
+static bool load(struct drawing *drawing, const char *directory, const char *name, bool *there)
+{
+    char path[600];
+    size_t size = 0;
+    snprintf(path, sizeof path, "%s/%s.obj", directory, name);
+    char *bytes = read_all(path, &size);
+    *there = bytes != NULL;
+    if (!bytes) {
+        fprintf(stderr, "LEFT OUT: model %s: %s: %s\n", name, path, strerror(errno));
+        return false;
+    }
+    struct zr_arena arena;
+    struct zr_mesh mesh = {0};
+    zr_arena_init(&arena, (size_t)1 << 30);
+    bool ok = mesh_read(&arena, bytes, size, &mesh) && fill_drawing(&mesh, drawing);
+    zr_arena_free(&arena);
+    free(bytes);
+    return ok;
+}
+
+bool models_drawing(struct drawing *drawing, const char *directory, const char *name, size_t view, uint32_t width,
+                    uint32_t height)
+{
+    bool there;
+    if (!load(drawing, directory, name, &there)) return false;
+    struct sphere sphere = sphere_around(drawing);
+    place_camera(drawing, &sphere, view, width, height);
+    return true;
 }
 
 enum verdict models_check(struct harness *harness, struct report *report, const char *directory, struct tally *sum)
@@ -203,23 +238,13 @@ enum verdict models_check(struct harness *harness, struct report *report, const 
     enum verdict worst = VERDICT_EQUAL;
     int drawn = 0;
     for (size_t i = 0; i < sizeof names / sizeof *names; i++) {
-        char path[600];
-        size_t size = 0;
-        snprintf(path, sizeof path, "%s/%s.obj", directory, names[i]);
-        char *bytes = read_all(path, &size);
-        if (!bytes) {
-            fprintf(stderr, "LEFT OUT: model %s: %s: %s\n", names[i], path, strerror(errno));
-            continue;
-        }
-        struct zr_arena arena;
-        struct zr_mesh mesh = {0};
-        zr_arena_init(&arena, (size_t)1 << 30);
+        struct drawing drawing = {0};
+        bool there;
         enum verdict verdict = VERDICT_DIFFERENT;
-        if (mesh_read(&arena, bytes, size, &mesh)) verdict = check_model(harness, report, names[i], &mesh, sum);
-        if (verdict > worst) worst = verdict;
-        drawn++;
-        zr_arena_free(&arena);
-        free(bytes);
+        if (load(&drawing, directory, names[i], &there)) verdict = check_model(harness, report, names[i], &drawing, sum);
+        if (there && verdict > worst) worst = verdict;
+        drawn += there;
+        drawing_free(&drawing);
     }
     return drawn ? worst : VERDICT_UNPROVED;
 }

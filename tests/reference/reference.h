@@ -27,7 +27,8 @@ struct reference_options {
 struct reference_arrays {
     uint32_t face_count;
     const uint32_t *face_offsets;      /* face_count + 1 */
-    const zr_vec4 *positions, *colors; /* one a corner */
+    const zr_vec4 *positions, *colors; /* one a corner, or, with `indices`, one a vertex */
+    const uint32_t *indices;           /* NULL, or one a corner: all faces are then triangles */
     bool smooth;                       /* false: flat; all corners of a face must have one colour */
     zr_mat4 modelview, projection;
 };

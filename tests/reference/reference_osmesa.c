@@ -176,7 +176,10 @@ static bool draw(void *state, const struct reference_arrays *arrays, struct refe
     glLoadMatrixf(arrays->modelview.m);
     glVertexPointer(4, GL_FLOAT, sizeof *arrays->positions, arrays->positions);
     glColorPointer(4, GL_FLOAT, sizeof *arrays->colors, arrays->colors);
-    draw_faces(arrays->face_offsets, arrays->face_count);
+    if (arrays->indices)
+        glDrawElements(GL_TRIANGLES, (GLsizei)(3 * arrays->face_count), GL_UNSIGNED_INT, arrays->indices);
+    else
+        draw_faces(arrays->face_offsets, arrays->face_count);
     glFinish();
     return gl_ok(error, "draw");
 }
