@@ -1,0 +1,133 @@
+# zraster: everything built lands in build/. `make help` lists the targets; V=1 shows the commands.
+
+BUILD := build
+CC ?= cc
+CFLAGS ?= -O3 -g
+OURS := -std=c11 -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wdouble-promotion -Wstrict-prototypes \
+	-Wmissing-prototypes -Wvla -ffp-contract=off -D_GNU_SOURCE -Icore -Iserver -Itests -pthread
+ifdef SAN
+OURS += -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer
+endif
+Q := $(if $(V),,@)
+JOBS := $(shell getconf _NPROCESSORS_ONLN 2>/dev/null || echo 1)
+
+CORE_LIBS := -lcjson -lpng -lzip -lm
+SERVER_LIBS := -lmicrohttpd
+CLIENT_LIBS := -lcurl -lcjson
+TEST_LIBS := -lcmocka -lcurl
+REFERENCE_LIBS := -lOSMesa
+
+# FILE=PACKAGE: what each kind of target wants on the machine, and the Debian package that has it.
+NEED_BUILD := cc=gcc stdlib.h=libc6-dev microhttpd.h=libmicrohttpd-dev cjson/cJSON.h=libcjson-dev png.h=libpng-dev \
+	zip.h=libzip-dev curl/curl.h=libcurl4-gnutls-dev
+NEED_TEST := cmocka.h=libcmocka-dev GL/osmesa.h=libosmesa6-dev
+NEED_DEMO := /usr/share/assimp/models/OBJ/spider.obj=assimp-testmodels
+
+# Data that is not in the repository, used where it is present: models/*.obj and json-test-suite/.
+DATA ?= ../shared/data
+
+objects = $(patsubst %.c,$(BUILD)/%.o,$(wildcard $(1)))
+core := $(call objects,core/*.c core/*/*.c)
+server := $(call objects,server/*.c)
+client := $(call objects,clients/*.c)
+support := $(call objects,tests/support/*.c)
+reference := $(call objects,tests/reference/*.c)
+bench := $(call objects,tests/bench/*.c)
+server_support := $(filter-out $(BUILD)/tests/server/test_%,$(call objects,tests/server/*.c))
+unit_tests := $(patsubst %.c,$(BUILD)/%,$(wildcard tests/unit/test_*.c tests/property/test_*.c))
+server_tests := $(patsubst %.c,$(BUILD)/%,$(wildcard tests/server/test_*.c))
+
+LINK = $(Q)$(CC) $(OURS) $(CFLAGS) $(LDFLAGS) -o $@ $(filter %.o %.a,$^)
+
+# ---- what people use ----
+
+.PHONY: all
+all: $(BUILD)/zrasterd $(BUILD)/zraster ## the daemon and the client (the default)
+
+.PHONY: demo
+demo: ## installs what is missing, builds, renders two scenes into build/demo/
+	@.ci/need $(NEED_BUILD) $(NEED_DEMO)
+	@$(MAKE) --no-print-directory -j$(JOBS) all
+	@clients/demo.sh $(BUILD)
+
+.PHONY: test
+test: ## installs what tests need and runs every test
+	@.ci/need $(NEED_BUILD) $(NEED_TEST)
+	@$(MAKE) --no-print-directory -j$(JOBS) tests
+	@CC="$(CC)" DATA="$(DATA)" tests/run.sh $(BUILD) unit server reference models ablations
+
+.PHONY: test-quick
+test-quick: ## unit and property tests, the server, and a short reference run
+	@.ci/need $(NEED_BUILD) $(NEED_TEST)
+	@$(MAKE) --no-print-directory -j$(JOBS) tests
+	@DATA="$(DATA)" REFERENCE_TRIANGLES=20000 tests/run.sh $(BUILD) unit server reference
+
+.PHONY: reference
+reference: ## the long comparison with OSMesa: 2 million triangles and more, and the models
+	@.ci/need $(NEED_BUILD) $(NEED_TEST)
+	@$(MAKE) --no-print-directory -j$(JOBS) $(BUILD)/zraster-verify
+	$(BUILD)/zraster-verify --triangles 2100000 --models $(DATA)/models
+
+.PHONY: bench
+bench: ## our times beside llvmpipe's, in one run
+	@.ci/need $(NEED_BUILD) $(NEED_TEST)
+	@$(MAKE) --no-print-directory -j$(JOBS) $(BUILD)/zrasterd $(BUILD)/zraster-bench
+	ZRASTERD=$(BUILD)/zrasterd $(BUILD)/zraster-bench --models $(DATA)/models
+
+.PHONY: tests
+tests: all $(unit_tests) $(server_tests) $(BUILD)/zraster-verify $(BUILD)/zraster-bench
+
+.PHONY: needs
+needs:
+	@echo $(NEED_BUILD) $(NEED_TEST)
+
+.PHONY: container
+container: ## builds the image, runs it hardened, and stops it; brings an engine of its own (root)
+	tests/container/test.sh $(BUILD)
+
+.PHONY: format
+format: ## runs clang-format over all sources
+	clang-format -i $$(git ls-files '*.c' '*.h')
+
+.PHONY: clean
+clean: ## removes build/
+	rm -rf $(BUILD)
+
+.PHONY: help
+help: ## this list
+	@sed -n 's/^\([a-z][a-z-]*\):.*## /\1\t/p' Makefile | expand -t 14
+
+# ---- programs ----
+
+$(BUILD)/libzraster.a: $(core)
+# Archives, so that each program links only what it calls.
+$(BUILD)/libsupport.a: $(support)
+$(BUILD)/%.a:
+	@rm -f $@
+	$(Q)$(AR) rcs $@ $^
+
+$(BUILD)/zrasterd: $(server) $(BUILD)/libzraster.a
+	$(LINK) $(SERVER_LIBS) $(CORE_LIBS)
+
+$(BUILD)/zraster: $(client)
+	$(LINK) $(CLIENT_LIBS)
+
+$(BUILD)/zraster-verify: $(reference) $(BUILD)/libsupport.a $(BUILD)/libzraster.a
+	$(LINK) $(REFERENCE_LIBS) $(CORE_LIBS)
+
+$(BUILD)/zraster-bench: $(bench) $(filter-out %/main.o,$(reference)) $(server_support) $(BUILD)/libsupport.a $(BUILD)/libzraster.a
+	$(LINK) $(REFERENCE_LIBS) $(TEST_LIBS) $(CORE_LIBS)
+
+$(unit_tests): $(BUILD)/%: $(BUILD)/%.o $(BUILD)/libsupport.a $(BUILD)/libzraster.a
+	$(LINK) $(TEST_LIBS) $(CORE_LIBS)
+
+$(server_tests): $(BUILD)/%: $(BUILD)/%.o $(server_support) $(BUILD)/libsupport.a $(BUILD)/libzraster.a
+	$(LINK) $(TEST_LIBS) $(CORE_LIBS)
+
+$(BUILD)/%.o: %.c
+	@mkdir -p $(@D)
+	$(Q)$(CC) $(OURS) $(CFLAGS) $(CPPFLAGS) -MMD -MP -c -o $@ $<
+
+.SECONDARY:
+-include $(patsubst %.o,%.d,$(core) $(server) $(client) $(support) $(reference) $(bench) $(server_support) \
+	$(addsuffix .o,$(unit_tests) $(server_tests)))

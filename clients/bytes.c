@@ -1,0 +1,92 @@
+#include "bytes.h"
+
+#include <errno.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+bool bytes_add(struct bytes *bytes, const void *data, size_t size)
+{
+    if (size > bytes->room - bytes->size) {
+        size_t room = bytes->room * 2 > bytes->size + size ? bytes->room * 2 : bytes->size + size + 65536;
+        char *grown = realloc(bytes->data, room);
+        if (!grown) return false;
+        bytes->data = grown;
+        bytes->room = room;
+    }
+    memcpy(bytes->data + bytes->size, data, size);
+    bytes->size += size;
+    return true;
+}
+
+void bytes_free(struct bytes *bytes)
+{
+    free(bytes->data);
+    *bytes = (struct bytes){NULL, 0, 0};
+}
+
+bool bytes_read(struct bytes *bytes, const char *path)
+{
+    FILE *file = strcmp(path, "-") == 0 ? stdin : fopen(path, "rb");
+    if (!file) return false;
+    char chunk[65536];
+    bool ok = true;
+    for (size_t got; ok && (got = fread(chunk, 1, sizeof chunk, file)) > 0;) ok = bytes_add(bytes, chunk, got);
+    int why = errno;
+    ok = ok && !ferror(file);
+    if (file != stdin) fclose(file);
+    errno = why;
+    return ok;
+}
+
+/* A device or a pipe is written to as it is; a rename would replace it by a file. */
+static bool is_special(const char *path)
+{
+    struct stat status;
+    return stat(path, &status) == 0 && !S_ISREG(status.st_mode);
+}
+
+static bool write_whole(const struct bytes *bytes, FILE *file)
+{
+    bool ok = fwrite(bytes->data ? bytes->data : "", 1, bytes->size, file) == bytes->size;
+    return fflush(file) == 0 && ok;
+}
+
+static bool write_beside(const struct bytes *bytes, const char *path)
+{
+    size_t size = strlen(path) + sizeof ".XXXXXX";
+    char *beside = malloc(size);
+    if (!beside) return false;
+    snprintf(beside, size, "%s.XXXXXX", path);
+    int descriptor = mkstemp(beside);
+    bool ok = descriptor >= 0;
+    if (ok) {
+        mode_t mask = umask(0);
+        umask(mask);
+        fchmod(descriptor, 0666 & ~mask); /* as fopen would have made it */
+        FILE *file = fdopen(descriptor, "wb");
+        ok = file && write_whole(bytes, file);
+        int why = errno;
+        ok = file && fclose(file) == 0 && ok;
+        ok = ok && rename(beside, path) == 0;
+        if (!ok) {
+            if (why == 0) why = errno;
+            unlink(beside);
+            errno = why;
+        }
+    }
+    free(beside);
+    return ok;
+}
+
+bool bytes_write(const struct bytes *bytes, const char *path)
+{
+    if (strcmp(path, "-") == 0) return write_whole(bytes, stdout);
+    if (!is_special(path)) return write_beside(bytes, path);
+    FILE *file = fopen(path, "wb");
+    if (!file) return false;
+    bool ok = write_whole(bytes, file);
+    return fclose(file) == 0 && ok;
+}
