@@ -1,0 +1,25 @@
+# Two stages: one that compiles, and an image of the daemon and the libraries it
+# loads, nothing else. No shell, no package manager, not root.
+FROM debian:bookworm-slim AS build
+RUN apt-get update && apt-get install -y --no-install-recommends \
+        gcc libc6-dev make libmicrohttpd-dev libcjson-dev libpng-dev libzip-dev \
+    && rm -rf /var/lib/apt/lists/*
+WORKDIR /src
+COPY Makefile ./
+COPY core core
+COPY server server
+RUN make -j"$(nproc)" CFLAGS=-O3 LDFLAGS=-s build/zrasterd
+# The daemon, and each library that it needs at the path where it looks for it.
+RUN mkdir -p /image && cp build/zrasterd /image/zrasterd \
+    && ldd build/zrasterd | grep -o '/[^ ]*' | xargs -I LIBRARY cp -L --parents LIBRARY /image/ \
+    && mkdir -p /image/usr/share/doc/zraster
+COPY LICENSE /image/usr/share/doc/zraster/
+
+FROM scratch
+COPY --from=build /image /
+USER 65532:65532
+ENV ZRASTER_ADDRESS=0.0.0.0 ZRASTER_PORT=8080
+EXPOSE 8080
+HEALTHCHECK --interval=10s --timeout=3s CMD ["/zrasterd", "--health"]
+STOPSIGNAL SIGTERM
+ENTRYPOINT ["/zrasterd"]

@@ -1,0 +1,110 @@
+#!/bin/sh
+# test.sh BUILD: builds the image as the Dockerfile says, runs it as a hardened container,
+# asks it for a picture, and stops it. Needs no engine on the machine: it unpacks Debian's
+# own into BUILD/container, starts it as a private daemon, and ends it by its own pid file.
+# Needs root and apt. Prints TAP; exits 1 on failure, and says loudly where it cannot run.
+set -u
+work=$(mkdir -p "$1/container" && cd "$1/container" && pwd)
+client=$(cd "$1" && pwd)/zraster
+engine=$work/engine
+state=$work/state
+socket=unix://$work/docker.sock
+count=0
+failed=0
+
+if [ "$(id -u)" != 0 ] || ! command -v apt-get >/dev/null; then
+    echo "LEFT OUT: the container test needs root and apt-get" >&2
+    echo "1..0 # SKIP needs root and apt-get"
+    exit 0
+fi
+
+check() { # text, command...
+    text=$1
+    shift
+    count=$((count + 1))
+    if "$@" >"$work/check.log" 2>&1; then
+        echo "ok $count - $text"
+    else
+        failed=$((failed + 1))
+        echo "not ok $count - $text"
+        tail -n 20 "$work/check.log" >&2
+    fi
+}
+
+docker() { "$engine/usr/bin/docker" -H "$socket" "$@"; }
+
+unpack_engine() {
+    [ -x "$engine/usr/sbin/dockerd" ] && return
+    mkdir -p "$work/debs" "$engine" && cd "$work/debs" || return 1
+    apt-get update >/dev/null && apt-get download docker.io containerd runc debootstrap libintl-perl >/dev/null 2>&1 ||
+        apt-get download docker.io containerd runc debootstrap >/dev/null || return 1
+    for deb in *.deb; do dpkg-deb -x "$deb" "$engine" || return 1; done
+    cd - >/dev/null || return 1
+}
+
+start_engine() {
+    mkdir -p "$state"
+    PATH=$engine/usr/sbin:$engine/usr/bin:$engine/sbin:$PATH "$engine/usr/sbin/dockerd" -H "$socket" \
+        --data-root "$state/data" --exec-root "$state/exec" --pidfile "$work/dockerd.pid" \
+        --bridge none --iptables=false --ip6tables=false >"$work/dockerd.log" 2>&1 &
+    tries=0
+    until docker version >/dev/null 2>&1; do
+        tries=$((tries + 1))
+        [ "$tries" -gt 60 ] && { tail -n 20 "$work/dockerd.log" >&2; return 1; }
+        sleep 0.5
+    done
+}
+
+stop_engine() {
+    docker rm -f zraster-test >/dev/null 2>&1
+    [ -f "$work/dockerd.pid" ] && kill "$(cat "$work/dockerd.pid")" 2>/dev/null && wait
+    umount "$state/exec/netns/default" 2>/dev/null
+    return 0
+}
+
+# debian:bookworm-slim, made here: a registry may be out of reach.
+make_base() {
+    docker image inspect debian:bookworm-slim >/dev/null 2>&1 && return
+    rm -rf "$work/base"
+    DEBOOTSTRAP_DIR=$engine/usr/share/debootstrap "$engine/usr/sbin/debootstrap" --variant=minbase bookworm "$work/base" \
+        "$(sed -n 's/^deb [^h]*\(http[^ ]*\).*/\1/p; s/^URIs: *\(http[^ ]*\).*/\1/p' /etc/apt/sources.list /etc/apt/sources.list.d/* 2>/dev/null | head -n 1)" \
+        >"$work/debootstrap.log" 2>&1 || return 1
+    cp -a /etc/apt/. "$work/base/etc/apt/"
+    tar -C "$work/base" -c . | docker import - debian:bookworm-slim >/dev/null && rm -rf "$work/base"
+}
+
+build_image() { DOCKER_BUILDKIT=1 docker build --network host -t zraster:test .; }
+
+run_hardened() {
+    docker run -d --name zraster-test --network host --read-only --cap-drop ALL --security-opt no-new-privileges \
+        --memory 256m --pids-limit 64 zraster:test --port 0 --address 127.0.0.1 >/dev/null || return 1
+    tries=0
+    until docker logs zraster-test 2>/dev/null | grep -q '^listening on '; do
+        tries=$((tries + 1))
+        [ "$tries" -gt 50 ] && { docker logs zraster-test; return 1; }
+        sleep 0.1
+    done
+}
+
+render_a_picture() {
+    server=$(docker logs zraster-test 2>/dev/null | sed -n 's/^listening on //p')
+    "$client" render clients/examples/solids.json --server "$server" --channel color -o "$work/solids.png" &&
+        head -c 8 "$work/solids.png" | od -An -tx1 | grep -q '89 50 4e 47'
+}
+
+is_not_root() { [ "$(docker inspect -f '{{.Config.User}}' zraster:test)" = 65532:65532 ]; }
+has_no_shell() { ! docker run --rm --network none --entrypoint /bin/sh zraster:test -c true; }
+is_small() { [ "$(docker image inspect -f '{{.Size}}' zraster:test)" -lt 20000000 ]; }
+drains() { docker stop -t 20 zraster-test >/dev/null && [ "$(docker inspect -f '{{.State.ExitCode}}' zraster-test)" = 0 ]; }
+
+trap stop_engine EXIT
+check "an engine starts" eval 'unpack_engine && start_engine'
+check "a base image is there" make_base
+check "the image builds" build_image
+check "the image is under 20 MB" is_small
+check "it does not run as root" is_not_root
+check "it has no shell" has_no_shell
+check "it starts read-only, without capabilities, in 256 MB" run_hardened
+check "it renders the example scene" render_a_picture
+check "docker stop drains it: exit status 0" drains
+[ "$failed" = 0 ]
