@@ -12,14 +12,14 @@ Q := $(if $(V),,@)
 JOBS := $(shell getconf _NPROCESSORS_ONLN 2>/dev/null || echo 1)
 
 CORE_LIBS := -lcjson -lpng -lzip -lm
-SERVER_LIBS := -lmicrohttpd
+SERVER_LIBS := -lmicrohttpd -lz
 CLIENT_LIBS := -lcurl -lcjson
-TEST_LIBS := -lcmocka -lcurl
+TEST_LIBS := -lcmocka -lcurl -lz
 REFERENCE_LIBS := -lOSMesa
 
 # FILE=PACKAGE: what each kind of target wants on the machine, and the Debian package that has it.
 NEED_BUILD := cc=gcc stdlib.h=libc6-dev microhttpd.h=libmicrohttpd-dev cjson/cJSON.h=libcjson-dev png.h=libpng-dev \
-	zip.h=libzip-dev curl/curl.h=libcurl4-gnutls-dev
+	zip.h=libzip-dev zlib.h=zlib1g-dev curl/curl.h=libcurl4-gnutls-dev
 NEED_TEST := cmocka.h=libcmocka-dev GL/osmesa.h=libosmesa6-dev
 NEED_DEMO := /usr/share/assimp/models/OBJ/spider.obj=assimp-testmodels
 
@@ -47,31 +47,31 @@ all: $(BUILD)/zrasterd $(BUILD)/zraster ## the daemon and the client (the defaul
 .PHONY: demo
 demo: ## installs what is missing, builds, renders two scenes into build/demo/
 	@.ci/need $(NEED_BUILD) $(NEED_DEMO)
-	@$(MAKE) --no-print-directory -j$(JOBS) all
+	@$(MAKE) -s -j$(JOBS) all
 	@clients/demo.sh $(BUILD)
 
 .PHONY: test
 test: ## installs what tests need and runs every test
 	@.ci/need $(NEED_BUILD) $(NEED_TEST)
-	@$(MAKE) --no-print-directory -j$(JOBS) tests
+	@$(MAKE) -s -j$(JOBS) tests
 	@CC="$(CC)" DATA="$(DATA)" tests/run.sh $(BUILD) unit server reference models ablations
 
 .PHONY: test-quick
 test-quick: ## unit and property tests, the server, and a short reference run
 	@.ci/need $(NEED_BUILD) $(NEED_TEST)
-	@$(MAKE) --no-print-directory -j$(JOBS) tests
+	@$(MAKE) -s -j$(JOBS) tests
 	@DATA="$(DATA)" REFERENCE_TRIANGLES=20000 tests/run.sh $(BUILD) unit server reference
 
 .PHONY: reference
 reference: ## the long comparison with OSMesa: 2 million triangles and more, and the models
 	@.ci/need $(NEED_BUILD) $(NEED_TEST)
-	@$(MAKE) --no-print-directory -j$(JOBS) $(BUILD)/zraster-verify
+	@$(MAKE) -s -j$(JOBS) $(BUILD)/zraster-verify
 	$(BUILD)/zraster-verify --triangles 2100000 --models $(DATA)/models
 
 .PHONY: bench
 bench: ## our times beside llvmpipe's, in one run
 	@.ci/need $(NEED_BUILD) $(NEED_TEST)
-	@$(MAKE) --no-print-directory -j$(JOBS) $(BUILD)/zrasterd $(BUILD)/zraster-bench
+	@$(MAKE) -s -j$(JOBS) $(BUILD)/zrasterd $(BUILD)/zraster-bench
 	ZRASTERD=$(BUILD)/zrasterd $(BUILD)/zraster-bench --models $(DATA)/models
 
 .PHONY: tests

@@ -10,10 +10,13 @@
 #include <cjson/cJSON.h>
 
 #include "clock.h"
+#include "gunzip.h"
 #include "problem.h"
 #include "text.h"
 
 enum { WARNINGS_SIZE = 2048 };
+
+static const char MEMORY_USED_UP[] = "the memory for one request is used up; see requestMemoryBytes in /v1/limits";
 
 enum route { ROUTE_RENDER, ROUTE_HEALTH, ROUTE_READY, ROUTE_LIMITS };
 
@@ -158,14 +161,23 @@ static bool read_content_type(struct api_request *request, struct answer *answer
     return false;
 }
 
-static enum api_next open_render(const struct api_load *load, struct api_request *request, struct answer *answer)
+static bool read_content_encoding(struct api_request *request, struct answer *answer)
 {
     const char *encoding = request->content_encoding;
+    if (!encoding || !*encoding || strcasecmp(encoding, "identity") == 0) return true;
+    request->gzip = strcasecmp(encoding, "gzip") == 0 || strcasecmp(encoding, "x-gzip") == 0;
+    if (request->gzip) return true;
+    answer_header(answer, "Accept-Encoding", "gzip, identity");
+    problem_answer(answer, 415, "Content-Encoding '%.80s' is not supported; supported: gzip, identity", encoding);
+    return false;
+}
+
+static enum api_next open_render(const struct api_load *load, struct api_request *request, struct answer *answer)
+{
     if (load->draining) {
         api_refuse_busy(answer, load->retry_after_s, "the service is going down");
-    } else if (encoding && *encoding && strcasecmp(encoding, "identity") != 0) {
-        answer_header(answer, "Accept-Encoding", "identity");
-        problem_answer(answer, 415, "Content-Encoding '%.80s' is not supported; supported: identity", encoding);
+    } else if (!read_content_encoding(request, answer)) {
+        return API_ANSWERED;
     } else if (read_content_type(request, answer) && read_query(request, answer)) {
         if (!load->queue_full) return API_RENDER;
         api_refuse_busy(answer, load->retry_after_s, "the queue is full");
@@ -254,14 +266,33 @@ static void add_timing(struct answer *answer, const struct api_times *times)
     if (used) answer_header(answer, "Server-Timing", "%s", text);
 }
 
-static enum zr_status run_steps(const struct api *api, const struct api_request *request, struct zr_arena *arena,
+/* The body as the renderer takes it. False: `answer` says why not. */
+static bool unpack_body(const struct api *api, const struct api_request *request, struct zr_arena *arena,
+                        struct zr_request *render, struct answer *answer)
+{
+    *render = request->render;
+    if (!request->gzip) return true;
+    size_t max = (size_t)api->config->body_max_bytes;
+    char *bytes = NULL;
+    switch (gunzip(arena, render->bytes, render->size, max, &bytes, &render->size)) {
+    case GUNZIP_OK: render->bytes = bytes; return true;
+    case GUNZIP_BROKEN: problem_answer(answer, 400, "the body is not what Content-Encoding says: no whole gzip"); break;
+    case GUNZIP_TOO_LARGE:
+        problem_answer(answer, 413, "the body inflates to more than bodyMaxBytes, %zu bytes", max);
+        break;
+    case GUNZIP_NO_MEMORY: api_refuse_busy(answer, 1, MEMORY_USED_UP); break;
+    }
+    return false;
+}
+
+static enum zr_status run_steps(const struct api *api, const struct zr_request *request, struct zr_arena *arena,
                                 const struct zr_cancel *cancel, struct api_times *times, struct zr_answer *result,
                                 struct zr_error *error)
 {
     const struct zr_scene *scene = NULL;
     const struct zr_frame *frame = NULL;
     int64_t mark = clock_us();
-    enum zr_status status = zr_scene_read(arena, &request->render, &api->limits, &scene, error);
+    enum zr_status status = zr_scene_read(arena, request, &api->limits, &scene, error);
     times->parse_ms = ms_since(&mark);
     if (status != ZR_OK) return status;
     status = zr_render(arena, api->team, scene, cancel, &frame, error);
@@ -295,11 +326,16 @@ void api_render(const struct api *api, const struct api_request *request, struct
 {
     struct zr_error error = {0};
     struct zr_answer result = {0};
-    enum zr_status status = run_steps(api, request, arena, cancel, times, &result, &error);
+    struct zr_request render;
+    int64_t mark = clock_us();
+    if (!unpack_body(api, request, arena, &render, answer)) return;
+    double unpack_ms = ms_since(&mark);
+    enum zr_status status = run_steps(api, &render, arena, cancel, times, &result, &error);
+    times->parse_ms += unpack_ms;
     if (status == ZR_OK) {
         answer_image(answer, &result);
     } else if (status == ZR_NO_MEMORY) {
-        api_refuse_busy(answer, 1, "the memory for one request is used up; see requestMemoryBytes in /v1/limits");
+        api_refuse_busy(answer, 1, MEMORY_USED_UP);
     } else if (status == ZR_CANCELLED) {
         problem_answer(answer, 504, "the render took longer than renderTimeoutMs, %" PRIu64 " ms",
                        api->config->render_timeout_ms);

@@ -6,6 +6,7 @@
 #include <unistd.h>
 
 #include <cjson/cJSON.h>
+#include <zlib.h>
 
 #include "client.h"
 #include "support/cmocka_all.h"
@@ -159,12 +160,84 @@ static void content_types_are_matched_as_rfc_9110_says(void **state)
     assert_problem(&reply, 415, "missing");
 }
 
-static void content_encoding_is_refused(void **state)
+static void unknown_content_encoding_is_refused(void **state)
 {
     (void)state;
     const char *const headers[] = {JSON_TYPE, "Content-Encoding: br", NULL};
     struct reply reply = client_send(&server, "POST", "/v1/render", headers, "x", 1);
     assert_problem(&reply, 415, "'br'");
+}
+
+/* As gzip(1) would make it; free it. */
+static unsigned char *gzipped(const void *bytes, size_t size, size_t *out_size)
+{
+    z_stream stream = {0};
+    assert_int_equal(deflateInit2(&stream, 9, Z_DEFLATED, MAX_WBITS + 16, 8, Z_DEFAULT_STRATEGY), Z_OK);
+    size_t room = deflateBound(&stream, size);
+    unsigned char *out = malloc(room), *in = malloc(size);
+    memcpy(in, bytes, size);
+    stream.next_in = in;
+    stream.avail_in = (uInt)size;
+    stream.next_out = out;
+    stream.avail_out = (uInt)room;
+    assert_int_equal(deflate(&stream, Z_FINISH), Z_STREAM_END);
+    *out_size = stream.total_out;
+    deflateEnd(&stream);
+    free(in);
+    return out;
+}
+
+static struct reply post_gzip(const struct daemon *daemon, const void *body, size_t size)
+{
+    return client_send(daemon, "POST", "/v1/render", (const char *const[]){JSON_TYPE, "Content-Encoding: gzip", NULL},
+                       body, size);
+}
+
+static void gzip_body_renders_the_same_picture(void **state)
+{
+    (void)state;
+    size_t size;
+    unsigned char *body = gzipped(GOOD_SCENE, strlen(GOOD_SCENE), &size);
+    struct reply plain = client_render(&server, GOOD_SCENE), packed = post_gzip(&server, body, size);
+    assert_int_equal(packed.status, 200);
+    assert_int_equal(packed.size, plain.size);
+    assert_memory_equal(packed.body, plain.body, plain.size);
+    reply_free(&plain);
+    reply_free(&packed);
+    free(body);
+}
+
+static void gzip_body_that_is_broken_gives_400(void **state)
+{
+    (void)state;
+    size_t size;
+    unsigned char *body = gzipped(GOOD_SCENE, strlen(GOOD_SCENE), &size);
+    for (size_t cut = 0; cut < size; cut += 7) {
+        struct reply reply = post_gzip(&server, body, cut);
+        assert_problem(&reply, 400, "gzip");
+    }
+    struct reply reply = post_gzip(&server, GOOD_SCENE, strlen(GOOD_SCENE));
+    assert_problem(&reply, 400, "gzip");
+    body[size - 6] ^= 1; /* the checksum */
+    reply = post_gzip(&server, body, size);
+    assert_problem(&reply, 400, "gzip");
+    free(body);
+}
+
+/* 80 MB of spaces in 80 kB. */
+static void gzip_body_that_inflates_beyond_the_limit_gives_413(void **state)
+{
+    (void)state;
+    size_t size, inflated = 80u << 20;
+    char *spaces = malloc(inflated);
+    memset(spaces, ' ', inflated);
+    unsigned char *body = gzipped(spaces, inflated, &size);
+    free(spaces);
+    assert_true(size < 1u << 20);
+    struct reply reply = post_gzip(&server, body, size);
+    assert_problem(&reply, 413, "bodyMaxBytes");
+    free(body);
+    assert_int_equal(client_render_status(&server, GOOD_SCENE), 200);
 }
 
 static void unknown_path_gives_404(void **state)
@@ -353,7 +426,10 @@ int main(void)
         cmocka_unit_test(duplicate_parameter_is_refused),
         cmocka_unit_test(view_of_a_mesh_is_refused_with_json),
         cmocka_unit_test(content_types_are_matched_as_rfc_9110_says),
-        cmocka_unit_test(content_encoding_is_refused),
+        cmocka_unit_test(unknown_content_encoding_is_refused),
+        cmocka_unit_test(gzip_body_renders_the_same_picture),
+        cmocka_unit_test(gzip_body_that_is_broken_gives_400),
+        cmocka_unit_test(gzip_body_that_inflates_beyond_the_limit_gives_413),
         cmocka_unit_test(unknown_path_gives_404),
         cmocka_unit_test(wrong_method_gives_405_with_allow),
         cmocka_unit_test(health_endpoints_answer_get_and_head),

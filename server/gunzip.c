@@ -1,0 +1,54 @@
+#include "gunzip.h"
+
+#include <stdint.h>
+#include <zlib.h>
+
+enum { FIRST_ROOM = 1 << 16, GZIP_FORMAT = 16 }; /* added to the window bits: gzip, not bare zlib */
+
+/* zlib counts in unsigned int: larger stretches are handed over in parts. */
+static uInt part(size_t size)
+{
+    return size < UINT32_MAX ? (uInt)size : UINT32_MAX;
+}
+
+static enum gunzip_status inflate_all(z_stream *stream, struct zr_arena *arena, size_t size, size_t max, char **out,
+                                      size_t *out_size)
+{
+    size_t room = 0, used = 0, left = size;
+    for (int code = Z_OK; code != Z_STREAM_END;) {
+        if (used == room) {
+            /* One byte beyond the limit tells a body that fits from one that does not. */
+            size_t wanted = room ? room * 2 : FIRST_ROOM;
+            if (wanted > max) wanted = max + 1;
+            if (wanted == room) return GUNZIP_TOO_LARGE;
+            char *grown = zr_arena_grow(arena, *out, used, wanted, 1);
+            if (!grown) return GUNZIP_NO_MEMORY;
+            *out = grown;
+            room = wanted;
+        }
+        stream->avail_in = part(left);
+        stream->avail_out = part(room - used);
+        stream->next_out = (Bytef *)*out + used;
+        uInt in_before = stream->avail_in, out_before = stream->avail_out;
+        code = inflate(stream, Z_NO_FLUSH);
+        left -= in_before - stream->avail_in;
+        used += out_before - stream->avail_out;
+        if (code == Z_MEM_ERROR) return GUNZIP_NO_MEMORY;
+        bool stuck = code == Z_BUF_ERROR && used < room;
+        if (stuck || (code != Z_OK && code != Z_BUF_ERROR && code != Z_STREAM_END)) return GUNZIP_BROKEN;
+    }
+    *out_size = used;
+    if (left > 0) return GUNZIP_BROKEN;
+    return used > max ? GUNZIP_TOO_LARGE : GUNZIP_OK;
+}
+
+enum gunzip_status gunzip(struct zr_arena *arena, const char *bytes, size_t size, size_t max, char **out,
+                          size_t *out_size)
+{
+    z_stream stream = {.next_in = (z_const Bytef *)(uintptr_t)bytes};
+    if (inflateInit2(&stream, MAX_WBITS + GZIP_FORMAT) != Z_OK) return GUNZIP_NO_MEMORY;
+    *out = NULL;
+    enum gunzip_status status = inflate_all(&stream, arena, size, max, out, out_size);
+    inflateEnd(&stream);
+    return status;
+}
