@@ -128,6 +128,5 @@ $(BUILD)/%.o: %.c
 	@mkdir -p $(@D)
 	$(Q)$(CC) $(OURS) $(CFLAGS) $(CPPFLAGS) -MMD -MP -c -o $@ $<
 
-.SECONDARY:
 -include $(patsubst %.o,%.d,$(core) $(server) $(client) $(support) $(reference) $(bench) $(server_support) \
 	$(addsuffix .o,$(unit_tests) $(server_tests)))

@@ -58,9 +58,10 @@ for part in "$@"; do
     models)
         if [ -d "$data/models" ]; then
             run reference-models "$build/zraster-verify" --tap --kind none --models "$data/models" --failures "$build/reference-failures"
+            ZRASTERD=$build/zrasterd run bunny-over-http "$build/zraster-bench" --check-only --models "$data/models"
         else
-            skipped=$((skipped + 4))
-            echo "LEFT OUT: stanford-bunny and teapot against OSMesa, flat and smooth: there is no $data/models"
+            skipped=$((skipped + 5))
+            echo "LEFT OUT: stanford-bunny and teapot against OSMesa, flat and smooth, and the bunny over HTTP: there is no $data/models"
         fi
         ;;
     ablations) run ablations env BUILD="$build" tests/reference/ablate.sh ;;
