@@ -47,7 +47,7 @@ struct zr_request {
     const char *preset, *width, *height, *shading;
 };
 
-/* ---- the three steps ---- */
+/* ---- the three steps, and a look ahead ---- */
 
 struct zr_scene; /* scene/scene.h */
 struct zr_frame; /* shade/frame.h */
@@ -63,6 +63,14 @@ static inline bool zr_is_cancelled(const struct zr_cancel *cancel)
     return cancel && atomic_load_explicit(&cancel->raised, memory_order_relaxed);
 }
 
+/* Work to be expected, each kind to be weighed by whoever knows the machine. */
+struct zr_cost {
+    double triangles;
+    double fragments;  /* pixels of all triangles, hidden ones too */
+    double pixels;     /* of all outputs */
+    double png_pixels; /* of those that are compressed */
+};
+
 struct zr_answer {
     const char *content_type;
     const void *bytes;
@@ -73,6 +81,10 @@ struct zr_answer {
 /* Keeps pointers into request->bytes. On failure *error says what and where. */
 enum zr_status zr_scene_read(struct zr_arena *arena, const struct zr_request *request, const struct zr_limits *limits,
                              const struct zr_scene **scene, struct zr_error *error);
+
+/* What rendering and encoding will cost, foreseen in well under a millisecond; of a
+ * large scene from a sample. */
+struct zr_cost zr_scene_cost(const struct zr_scene *scene);
 
 /* `team` may be NULL (one thread) and `cancel` may be NULL (never). The frame is
  * the same, byte for byte, for every team. */

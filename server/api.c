@@ -58,6 +58,7 @@ static const struct {
 void api_init(struct api *api, const struct config *config, struct zr_team *team)
 {
     api->config = config;
+    admission_calibrate(&api->admission);
     api->limits = config_limits(config);
     api->team = team;
     if (getrandom(&api->id_base, sizeof api->id_base, 0) != sizeof api->id_base) api->id_base = (uint64_t)clock_us();
@@ -172,15 +173,24 @@ static bool read_content_encoding(struct api_request *request, struct answer *an
     return false;
 }
 
+/* Why no render can be taken on now; NULL: one can. */
+static const char *busy_with(const struct api_load *load)
+{
+    if (load->draining) return "the service is going down";
+    if (load->queue_full) return "the queue is full";
+    return load->memory_short ? "the memory of the container is nearly used up" : NULL;
+}
+
 static enum api_next open_render(const struct api_load *load, struct api_request *request, struct answer *answer)
 {
     if (load->draining) {
-        api_refuse_busy(answer, load->retry_after_s, "the service is going down");
+        api_refuse_busy(answer, load->retry_after_s, busy_with(load));
     } else if (!read_content_encoding(request, answer)) {
         return API_ANSWERED;
     } else if (read_content_type(request, answer) && read_query(request, answer)) {
-        if (!load->queue_full) return API_RENDER;
-        api_refuse_busy(answer, load->retry_after_s, "the queue is full");
+        const char *busy = busy_with(load);
+        if (!busy) return API_RENDER;
+        api_refuse_busy(answer, load->retry_after_s, busy);
     }
     return API_ANSWERED;
 }
@@ -229,9 +239,8 @@ enum api_next api_open(const struct api *api, const struct api_load *load, struc
         return open_render(load, request, answer);
     } else if (route == ROUTE_LIMITS) {
         answer_limits(api, answer);
-    } else if (route == ROUTE_READY && (load->draining || load->queue_full)) {
-        api_refuse_busy(answer, load->retry_after_s,
-                        load->draining ? "the service is going down" : "the queue is full");
+    } else if (route == ROUTE_READY && busy_with(load)) {
+        api_refuse_busy(answer, load->retry_after_s, busy_with(load));
     } else {
         answer_state(answer, route == ROUTE_READY ? "ready" : "ok");
     }
@@ -285,6 +294,18 @@ static bool unpack_body(const struct api *api, const struct api_request *request
     return false;
 }
 
+static enum zr_status foresee(const struct api *api, const struct zr_scene *scene, struct api_times *times,
+                              struct zr_error *error)
+{
+    struct zr_cost cost = zr_scene_cost(scene);
+    times->foreseen_ms = admission_predict_ms(&api->admission, &cost);
+    if (times->foreseen_ms <= (double)api->config->cost_max_ms) return ZR_OK;
+    return zr_error_add(error, ZR_BAD_SCENE, NULL,
+                        "%.0f triangles that cover %.3g pixels are foreseen to take %.3g s, more than costMaxMs, %" PRIu64
+                        " ms",
+                        cost.triangles, cost.fragments, times->foreseen_ms * 1e-3, api->config->cost_max_ms);
+}
+
 static enum zr_status run_steps(const struct api *api, const struct zr_request *request, struct zr_arena *arena,
                                 const struct zr_cancel *cancel, struct api_times *times, struct zr_answer *result,
                                 struct zr_error *error)
@@ -293,6 +314,7 @@ static enum zr_status run_steps(const struct api *api, const struct zr_request *
     const struct zr_frame *frame = NULL;
     int64_t mark = clock_us();
     enum zr_status status = zr_scene_read(arena, request, &api->limits, &scene, error);
+    if (status == ZR_OK) status = foresee(api, scene, times, error);
     times->parse_ms = ms_since(&mark);
     if (status != ZR_OK) return status;
     status = zr_render(arena, api->team, scene, cancel, &frame, error);

@@ -11,6 +11,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 
+#include "admission.h"
 #include "answer.h"
 #include "config.h"
 #include "zraster.h"
@@ -21,6 +22,7 @@ enum { API_ID_SIZE = 129 };
 struct api {
     const struct config *config;
     struct zr_limits limits;
+    struct admission admission;
     struct zr_team *team;
     uint64_t id_base; /* random, so that ids of two daemons differ */
     atomic_uint_fast64_t id_next;
@@ -30,7 +32,7 @@ void api_init(struct api *api, const struct config *config, struct zr_team *team
 
 /* The state of the daemon as a request meets it. */
 struct api_load {
-    bool draining, queue_full;
+    bool draining, queue_full, memory_short;
     unsigned retry_after_s;
 };
 
@@ -46,10 +48,12 @@ struct api_request {
 
 void api_request_free(struct api_request *request);
 
-/* How long each step took; below 0: it did not run. */
+/* How long each step took, and what render and encode together were foreseen to
+ * take on one thread; below 0: it did not come to that. */
 struct api_times {
-    double parse_ms, queue_ms, render_ms, encode_ms;
+    double parse_ms, queue_ms, render_ms, encode_ms, foreseen_ms;
 };
+#define API_NO_TIMES ((struct api_times){-1, -1, -1, -1, -1})
 
 /* Keeps the client's id where it is 1..128 of [A-Za-z0-9._-], else makes one. */
 void api_take_id(struct api *api, struct api_request *request, const char *client_id);

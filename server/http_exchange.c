@@ -56,7 +56,7 @@ static void log_broken_header(const struct watch *watch)
         .status = watch->phase == WATCH_REFUSED ? 408 : 0,
         .aborted = watch->phase != WATCH_REFUSED,
         .total_ms = (double)(clock_ms() - watch->began_ms),
-        .times = {-1, -1, -1, -1},
+        .times = API_NO_TIMES,
         .detail = watch->phase == WATCH_REFUSED ? "the header came too slowly"
                                                 : "the request line was malformed or not whole",
     });
@@ -100,7 +100,7 @@ void *http_on_request_line(void *context, const char *target, struct MHD_Connect
     exchange->connection = connection;
     exchange->watch = watch_of(connection);
     exchange->began_us = clock_us();
-    exchange->times = (struct api_times){-1, -1, -1, -1};
+    exchange->times = API_NO_TIMES;
     exchange->target = strdup(target);
     if (!exchange->target || !exchange->watch) {
         free(exchange->target);
@@ -225,6 +225,7 @@ static void get_load(struct http *http, struct api_load *load)
 {
     load->draining = atomic_load(&http->draining);
     load->queue_full = queue_is_full(http->queue);
+    load->memory_short = admission_memory_is_short(http->api->config->cgroup);
     load->retry_after_s = queue_wait_estimate_s(http->queue);
 }
 

@@ -136,6 +136,29 @@ static bool one_round(int round, struct series *s, const struct daemon *daemon, 
     return ok;
 }
 
+/* A number of a JSON line; below 0 where it has none. */
+static double number_of(const char *line, const char *key)
+{
+    const char *at = strstr(line, key), *end = strchr(line, '\n');
+    return at && (!end || at < end) ? strtod(at + strlen(key), NULL) : -1.0;
+}
+
+/* What the daemon foresaw over what it took, the median of its log lines. */
+static double foresight(const struct daemon *daemon)
+{
+    static double ratios[ROUNDS];
+    int count = 0;
+    char *log = daemon_log(daemon);
+    for (const char *line = log; line && *line && count < ROUNDS;
+         line = strchr(line, '\n') ? strchr(line, '\n') + 1 : NULL) {
+        double foreseen = number_of(line, "\"foreseenMs\":");
+        double took = number_of(line, "\"renderMs\":") + number_of(line, "\"encodeMs\":");
+        if (foreseen > 0 && took > 0) ratios[count++] = foreseen / took;
+    }
+    free(log);
+    return count ? median(ratios, count) : 0.0;
+}
+
 static int measure(const struct drawing *drawing, const char *json, int threads)
 {
     static struct series s;
@@ -148,13 +171,15 @@ static int measure(const struct drawing *drawing, const char *json, int threads)
     for (int round = -3; ok && round < ROUNDS; round++)
         ok = one_round(round, &s, &daemon, json, reference, &arena, team, drawing);
     if (reference) reference_osmesa.close(reference);
+    double foreseen = foresight(&daemon);
     daemon_stop(&daemon);
     zr_team_destroy(team);
     zr_arena_free(&arena);
     if (!ok) return 1;
     double llvmpipe = median(s.llvmpipe, ROUNDS), core = median(s.core, ROUNDS), render = median(s.render, ROUNDS);
-    printf("%7d %10.2f %10.2f %8.2fx %10.2f %8.2fx %9.2f %9.2f %9.2f\n", threads, llvmpipe, core, llvmpipe / core, render,
-           llvmpipe / render, median(s.parse, ROUNDS), median(s.encode, ROUNDS), median(s.total, ROUNDS));
+    printf("%7d %10.2f %10.2f %8.2fx %10.2f %8.2fx %9.2f %9.2f %9.2f %8.2fx\n", threads, llvmpipe, core,
+           llvmpipe / core, render, llvmpipe / render, median(s.parse, ROUNDS), median(s.encode, ROUNDS),
+           median(s.total, ROUNDS), foreseen);
     return 0;
 }
 
@@ -205,14 +230,17 @@ int main(int count, char **arguments)
     if (status == 0 && !options.check_only) {
         printf("\nbunny, %u triangles, unlit smooth colours, both sides, %dx%d; medians of %d rounds, ms\n",
                drawing_triangles(&drawing), WIDTH, HEIGHT, ROUNDS);
-        printf("%7s %10s %10s %9s %10s %9s %9s %9s %9s\n", "threads", "llvmpipe", "zr_render", "ratio", "over HTTP",
-               "ratio", "parse", "encode", "in all");
+        printf("%7s %10s %10s %9s %10s %9s %9s %9s %9s %9s\n", "threads", "llvmpipe", "zr_render", "ratio", "over HTTP",
+               "ratio", "parse", "encode", "in all", "foreseen");
         const int threads[] = {1, 2};
         for (size_t i = 0; i < sizeof threads / sizeof *threads && status == 0; i++)
             status = in_child(&drawing, json, threads[i]);
-        printf("llvmpipe: clear, draw, finish. zr_render: the same into RGBA8, float depth and face ids. over HTTP: the\n"
-               "daemon's render step; in all: a POST of %.1f MB of JSON and an answer of PNG and NPY in a ZIP.\n",
-               (double)strlen(json) / 1e6);
+        printf(
+            "llvmpipe: clear, draw, finish. zr_render: the same into RGBA8, float depth and face ids. over HTTP: the\n"
+            "daemon's render step; in all: a POST of %.1f MB of JSON and an answer of PNG and NPY in a ZIP; foreseen: "
+            "what\n"
+            "the daemon expected render and encode to take on one thread, over what they took.\n",
+            (double)strlen(json) / 1e6);
     }
     free(json);
     drawing_free(&drawing);

@@ -29,7 +29,8 @@ static void print_vectors(FILE *out, const char *key, const zr_vec4 *v, uint32_t
 static void print_matrix(FILE *out, const char *key, const zr_mat4 *m)
 {
     fprintf(out, "\"%s\":[", key);
-    for (int i = 0; i < 16; i++) fprintf(out, "%s%.9g", i ? "," : "", (double)m->m[i]);
+    for (int i = 0; i < 16; i++)
+        fprintf(out, "%s%.9g", i ? "," : "", (double)m->m[i]);
     fputs("]", out);
 }
 
@@ -112,10 +113,14 @@ static bool take_apart(const struct reply *reply, uint32_t width, uint32_t heigh
     free(png);
     free(npy);
     bool ok = pixels && depths;
-    if (ok && rgba) *rgba = pixels;
-    else free(pixels);
-    if (ok && depth) *depth = depths;
-    else free(depths);
+    if (ok && rgba)
+        *rgba = pixels;
+    else
+        free(pixels);
+    if (ok && depth)
+        *depth = depths;
+    else
+        free(depths);
     return ok;
 }
 

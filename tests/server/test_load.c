@@ -27,6 +27,9 @@ struct post {
     bool has_retry_after;
 };
 
+/* Slow scenes are what these tests are about: none is refused for what it is foreseen to take. */
+#define LET_IN "--cost-max-ms=86400000"
+
 static void *run_post(void *argument)
 {
     struct post *post = argument;
@@ -93,8 +96,8 @@ static int send_render(const struct daemon *daemon, const char *scene)
 static void full_queue_refuses_and_serves_the_others(void **state)
 {
     (void)state;
-    struct daemon server = daemon_start(
-        (const char *const[]){"--workers=1", "--queue=2", "--max-per-client=0", "--render-timeout-ms=120000", NULL});
+    struct daemon server = daemon_start((const char *const[]){LET_IN, "--workers=1", "--queue=2", "--max-per-client=0",
+                                                              "--render-timeout-ms=120000", NULL});
     char *scene = scene_slow(FEW);
     struct post posts[CLIENTS_MAX];
     begin_posts(posts, CLIENTS_MAX, &server, scene);
@@ -114,8 +117,8 @@ static void full_queue_refuses_and_serves_the_others(void **state)
 static void full_queue_answers_health_and_not_ready(void **state)
 {
     (void)state;
-    struct daemon server = daemon_start(
-        (const char *const[]){"--workers=1", "--queue=1", "--max-per-client=0", "--render-timeout-ms=120000", NULL});
+    struct daemon server = daemon_start((const char *const[]){LET_IN, "--workers=1", "--queue=1", "--max-per-client=0",
+                                                              "--render-timeout-ms=120000", NULL});
     char *scene = scene_slow(MANY);
     int clients[3]; /* one is worked on, one waits; the last is there in case the first was still waiting */
     for (int i = 0; i < 3; i++, usleep(100000))
@@ -134,8 +137,8 @@ static void full_queue_answers_health_and_not_ready(void **state)
 static void client_with_too_many_requests_gets_429(void **state)
 {
     (void)state;
-    struct daemon server = daemon_start(
-        (const char *const[]){"--workers=1", "--queue=8", "--max-per-client=2", "--render-timeout-ms=120000", NULL});
+    struct daemon server = daemon_start((const char *const[]){LET_IN, "--workers=1", "--queue=8", "--max-per-client=2",
+                                                              "--render-timeout-ms=120000", NULL});
     char *scene = scene_slow(FEW);
     struct post posts[8];
     size_t served = 0, refused = 0;
@@ -156,8 +159,8 @@ static void client_with_too_many_requests_gets_429(void **state)
 static void client_that_leaves_frees_the_worker(void **state)
 {
     (void)state;
-    struct daemon server = daemon_start(
-        (const char *const[]){"--workers=1", "--queue=4", "--max-per-client=0", "--render-timeout-ms=120000", NULL});
+    struct daemon server = daemon_start((const char *const[]){LET_IN, "--workers=1", "--queue=4", "--max-per-client=0",
+                                                              "--render-timeout-ms=120000", NULL});
     char *scene = scene_slow(MANY);
     int rendering = send_render(&server, scene), waiting = send_render(&server, scene);
     usleep(200000);
@@ -177,7 +180,7 @@ static void client_that_leaves_frees_the_worker(void **state)
 static void render_past_its_deadline_gives_504(void **state)
 {
     (void)state;
-    struct daemon server = daemon_start((const char *const[]){"--render-timeout-ms=150", NULL});
+    struct daemon server = daemon_start((const char *const[]){LET_IN, "--render-timeout-ms=150", NULL});
     char *scene = scene_slow(MANY);
     struct reply reply = client_render(&server, scene);
     assert_int_equal(reply.status, 504);
@@ -190,7 +193,7 @@ static void render_past_its_deadline_gives_504(void **state)
 static void request_memory_used_up_gives_503(void **state)
 {
     (void)state;
-    struct daemon server = daemon_start((const char *const[]){"--request-memory-bytes=1048576", NULL});
+    struct daemon server = daemon_start((const char *const[]){LET_IN, "--request-memory-bytes=1048576", NULL});
     char *scene = scene_slow(1);
     struct reply reply = client_render(&server, scene);
     assert_int_equal(reply.status, 503);
@@ -203,7 +206,7 @@ static void request_memory_used_up_gives_503(void **state)
 static void upload_memory_used_up_gives_503(void **state)
 {
     (void)state;
-    struct daemon server = daemon_start((const char *const[]){"--upload-memory-bytes=100000", NULL});
+    struct daemon server = daemon_start((const char *const[]){LET_IN, "--upload-memory-bytes=100000", NULL});
     struct reply reply = client_send_chunked(&server, "/v1/render", 200000);
     assert_int_equal(reply.status, 503);
     reply_free(&reply);
@@ -218,7 +221,7 @@ static void reader_that_stops_is_cut_off(void **state)
                                   "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n\n";
     (void)state;
     struct daemon server =
-        daemon_start((const char *const[]){"--write-timeout-ms=300", "--render-timeout-ms=120000", NULL});
+        daemon_start((const char *const[]){LET_IN, "--write-timeout-ms=300", "--render-timeout-ms=120000", NULL});
     int fd = client_connect(&server);
     assert_int_equal(send(fd, REQUEST, sizeof REQUEST - 1, 0), sizeof REQUEST - 1);
     char *line = daemon_wait_for_log(&server, "\"aborted\":true");
@@ -234,7 +237,7 @@ static void sigterm_lets_renders_in_flight_end(void **state)
     enum { IN_FLIGHT = 6 };
     (void)state;
     struct daemon server =
-        daemon_start((const char *const[]){"--workers=2", "--queue=8", "--max-per-client=0",
+        daemon_start((const char *const[]){LET_IN, "--workers=2", "--queue=8", "--max-per-client=0",
                                            "--render-timeout-ms=120000", "--drain-timeout-ms=120000", NULL});
     char *scene = scene_slow(FEW * 2);
     struct post posts[IN_FLIGHT];
@@ -267,7 +270,7 @@ static void drain_that_takes_too_long_is_cut_short(void **state)
 {
     (void)state;
     struct daemon server = daemon_start((const char *const[]){
-        "--workers=1", "--max-per-client=0", "--render-timeout-ms=120000", "--drain-timeout-ms=200", NULL});
+        LET_IN, "--workers=1", "--max-per-client=0", "--render-timeout-ms=120000", "--drain-timeout-ms=200", NULL});
     char *scene = scene_slow(MANY);
     struct post posts[3];
     begin_posts(posts, 3, &server, scene);
@@ -281,7 +284,7 @@ static void sigterm_with_uploads_and_idle_connections_ends(void **state)
 {
     static const char HALF[] = "POST /v1/render HTTP/1.1\r\nHost: a\r\n" JSON_TYPE "\r\nContent-Length: 99\r\n\r\n{";
     (void)state;
-    struct daemon server = daemon_start((const char *const[]){"--drain-timeout-ms=200", NULL});
+    struct daemon server = daemon_start((const char *const[]){LET_IN, "--drain-timeout-ms=200", NULL});
     int half = client_connect(&server), silent = client_connect(&server);
     assert_true(send(half, HALF, sizeof HALF - 1, 0) > 0);
     assert_int_equal(client_get_status(&server, "/healthz"), 200);

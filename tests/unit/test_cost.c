@@ -1,0 +1,80 @@
+#include <math.h>
+
+#include "geometry/cost.h"
+#include "support/cmocka_all.h"
+#include "support/random.h"
+#include "support/scenes.h"
+
+static void whole_window_costs_its_pixels(void **state)
+{
+    (void)state;
+    const zr_vec4 p[] = {{-1, -1, 0, 1}, {1, -1, 0, 1}, {1, 1, 0, 1}, {-1, -1, 0, 1}, {1, 1, 0, 1}, {-1, 1, 0, 1}};
+    static struct test_scene test;
+    scene_of_triangles(&test, 200, 100, p, 2);
+    struct zr_cost cost = zr_scene_cost(&test.scene);
+    assert_true(cost.triangles == 2 && fabs(cost.fragments - 20000) < 1);
+    assert_true(cost.pixels == 80000 && cost.png_pixels == 20000); /* four outputs, one of them PNG */
+}
+
+static void only_what_is_in_the_window_counts(void **state)
+{
+    (void)state;
+    /* A triangle around the whole window, one beside it, one behind the eye. */
+    const zr_vec4 p[] = {{-9, -9, 0, 1}, {30, -9, 0, 1}, {-9, 30, 0, 1},  {5, 5, 0, 1},  {6, 5, 0, 1},
+                         {5, 6, 0, 1},   {0, 0, 0, -1}, {1, 0, 0, -1}, {0, 1, 0, -1}};
+    static struct test_scene test;
+    scene_of_triangles(&test, 100, 100, p, 3);
+    assert_true(fabs(zr_scene_cost(&test.scene).fragments - 10000) < 1);
+}
+
+static void what_faces_away_counts_only_where_it_is_drawn(void **state)
+{
+    (void)state;
+    const zr_vec4 p[] = {{-1, -1, 0, 1}, {-1, 1, 0, 1}, {1, -1, 0, 1}};
+    static struct test_scene test;
+    scene_of_triangles(&test, 100, 100, p, 1);
+    assert_true(fabs(zr_scene_cost(&test.scene).fragments - 5000) < 1);
+    test.material.double_sided = false;
+    assert_true(zr_scene_cost(&test.scene).fragments == 0);
+}
+
+static void sample_of_a_large_scene_is_near_the_truth(void **state)
+{
+    (void)state;
+    struct random random = random_seeded(3);
+    static zr_vec4 p[3 * TEST_TRIANGLES_MAX];
+    double truth = 0;
+    for (int t = 0; t < TEST_TRIANGLES_MAX; t++) {
+        double x = random_range(&random, -1, 0.9), y = random_range(&random, -1, 0.9), size = random_range(&random, 0, 0.1);
+        p[3 * t] = (zr_vec4){(float)x, (float)y, 0, 1};
+        p[3 * t + 1] = (zr_vec4){(float)(x + size), (float)y, 0, 1};
+        p[3 * t + 2] = (zr_vec4){(float)x, (float)(y + size), 0, 1};
+        truth += size * size / 2 * 500 * 500;
+    }
+    static struct test_scene test;
+    scene_of_triangles(&test, 1000, 1000, p, TEST_TRIANGLES_MAX);
+    assert_true(fabs(zr_scene_cost(&test.scene).fragments / truth - 1) < 0.1);
+}
+
+static void odd_numbers_cost_something_finite(void **state)
+{
+    (void)state;
+    const zr_vec4 p[] = {{0, 0, 0, 0}, {1, 0, 0, 0}, {0, 1, 0, 1}, {NAN, 0, 0, 1}, {1, 0, 0, 1}, {0, 1, 0, 1}};
+    static struct test_scene test;
+    scene_of_triangles(&test, 100, 100, p, 2);
+    assert_true(isfinite(zr_scene_cost(&test.scene).fragments));
+    test.scene.view.pose = ZR_POSE_LOOK_AT; /* the eye on its target: no camera */
+    assert_true(zr_scene_cost(&test.scene).fragments == 0);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(whole_window_costs_its_pixels),
+        cmocka_unit_test(only_what_is_in_the_window_counts),
+        cmocka_unit_test(what_faces_away_counts_only_where_it_is_drawn),
+        cmocka_unit_test(sample_of_a_large_scene_is_near_the_truth),
+        cmocka_unit_test(odd_numbers_cost_something_finite),
+    };
+    return cmocka_run_group_tests_name("cost", tests, NULL, NULL);
+}
