@@ -4,9 +4,12 @@ BUILD := build
 CC ?= cc
 CFLAGS ?= -O3 -g
 OURS := -std=c11 -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wdouble-promotion -Wstrict-prototypes \
-	-Wmissing-prototypes -Wvla -ffp-contract=off -D_GNU_SOURCE -Icore -Iserver -Itests -pthread
+	-Wmissing-prototypes -Wvla -D_GNU_SOURCE -Icore -Iserver -Itests -pthread
+# Behind the user's flags: without it the pixels are not the reference's.
+EXACT := -ffp-contract=off
+sanitizers := address,undefined
 ifdef SAN
-OURS += -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer
+OURS += -fsanitize=$(if $(filter thread,$(SAN)),thread,$(sanitizers)) -fno-sanitize-recover=all -fno-omit-frame-pointer
 endif
 Q := $(if $(V),,@)
 JOBS := $(shell getconf _NPROCESSORS_ONLN 2>/dev/null || echo 1)
@@ -54,13 +57,13 @@ demo: ## installs what is missing, builds, renders two scenes into build/demo/
 test: ## installs what tests need and runs every test
 	@.ci/need $(NEED_BUILD) $(NEED_TEST)
 	@$(MAKE) -s -j$(JOBS) tests
-	@CC="$(CC)" DATA="$(DATA)" tests/run.sh $(BUILD) unit server reference models ablations
+	@CC="$(CC)" DATA="$(DATA)" tests/run.sh $(BUILD) unit server clients reference models ablations
 
 .PHONY: test-quick
 test-quick: ## unit and property tests, the server, and a short reference run
 	@.ci/need $(NEED_BUILD) $(NEED_TEST)
 	@$(MAKE) -s -j$(JOBS) tests
-	@DATA="$(DATA)" REFERENCE_TRIANGLES=20000 tests/run.sh $(BUILD) unit server reference
+	@DATA="$(DATA)" REFERENCE_TRIANGLES=20000 tests/run.sh $(BUILD) unit server clients reference
 
 .PHONY: reference
 reference: ## the long comparison with OSMesa: 2 million triangles and more, and the models
@@ -126,7 +129,7 @@ $(server_tests): $(BUILD)/%: $(BUILD)/%.o $(server_support) $(BUILD)/libsupport.
 
 $(BUILD)/%.o: %.c
 	@mkdir -p $(@D)
-	$(Q)$(CC) $(OURS) $(CFLAGS) $(CPPFLAGS) -MMD -MP -c -o $@ $<
+	$(Q)$(CC) $(OURS) $(CFLAGS) $(CPPFLAGS) $(EXACT) -MMD -MP -c -o $@ $<
 
 -include $(patsubst %.o,%.d,$(core) $(server) $(client) $(support) $(reference) $(bench) $(server_support) \
 	$(addsuffix .o,$(unit_tests) $(server_tests)))

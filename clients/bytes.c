@@ -33,7 +33,8 @@ bool bytes_read(struct bytes *bytes, const char *path)
     if (!file) return false;
     char chunk[65536];
     bool ok = true;
-    for (size_t got; ok && (got = fread(chunk, 1, sizeof chunk, file)) > 0;) ok = bytes_add(bytes, chunk, got);
+    for (size_t got; ok && (got = fread(chunk, 1, sizeof chunk, file)) > 0;)
+        ok = bytes_add(bytes, chunk, got);
     int why = errno;
     ok = ok && !ferror(file);
     if (file != stdin) fclose(file);

@@ -24,23 +24,22 @@ struct options {
     char width[12], height[12];
 };
 
-static const char USAGE[] =
-    "usage: zraster render FILE [options]\n"
-    "\n"
-    "Sends a scene (.json) or a mesh (.obj, .stl) to zrasterd and saves what comes back.\n"
-    "FILE may be - for standard input, with --type.\n"
-    "\n"
-    "  -o FILE            where to save; - is standard output\n"
-    "                     (default: FILE's name with the ending of what came back)\n"
-    "  --channel NAME     color, depth, windowDepth, faceId or info\n"
-    "  --encoding NAME    png, npy, png16 or json; each channel has a default\n"
-    "  --scale UNITS      scene units a step of a 16-bit depth picture\n"
-    "  --preset NAME      front, back, left, right, top, bottom or isometric (meshes only)\n"
-    "  --shading NAME     unlit, flat or gouraud (meshes only)\n"
-    "  --size WxH         pixels, such as 800x600 (meshes only)\n"
-    "  --type TYPE        json, obj or stl, where the file's ending does not say\n"
-    "  --server URL       default: $ZRASTER_SERVER, else " DEFAULT_SERVER "\n"
-    "  --help, --version\n";
+static const char USAGE[] = "usage: zraster render FILE [options]\n"
+                            "\n"
+                            "Sends a scene (.json) or a mesh (.obj, .stl) to zrasterd and saves what comes back.\n"
+                            "FILE may be - for standard input, with --type.\n"
+                            "\n"
+                            "  -o FILE            where to save; - is standard output\n"
+                            "                     (default: FILE's name with the ending of what came back)\n"
+                            "  --channel NAME     color, depth, windowDepth, faceId or info\n"
+                            "  --encoding NAME    png, npy, png16 or json; each channel has a default\n"
+                            "  --scale UNITS      scene units a step of a 16-bit depth picture\n"
+                            "  --preset NAME      front, back, left, right, top, bottom or isometric (meshes only)\n"
+                            "  --shading NAME     unlit, flat or gouraud (meshes only)\n"
+                            "  --size WxH         pixels, such as 800x600 (meshes only)\n"
+                            "  --type TYPE        json, obj or stl, where the file's ending does not say\n"
+                            "  --server URL       default: $ZRASTER_SERVER, else " DEFAULT_SERVER "\n"
+                            "  --help, --version\n";
 
 /* ---- command line ---- */
 
@@ -66,8 +65,8 @@ static const char **slot_of(struct options *o, const char *flag)
     const struct {
         const char *flag;
         const char **slot;
-    } table[] = {{"-o", &o->out},           {"--channel", &o->channel}, {"--encoding", &o->encoding},
-                 {"--scale", &o->scale},    {"--preset", &o->preset},   {"--shading", &o->shading},
+    } table[] = {{"-o", &o->out},          {"--channel", &o->channel}, {"--encoding", &o->encoding},
+                 {"--scale", &o->scale},   {"--preset", &o->preset},   {"--shading", &o->shading},
                  {"--server", &o->server}, {"--type", &o->type}};
     for (size_t i = 0; i < sizeof table / sizeof *table; i++)
         if (strcmp(flag, table[i].flag) == 0) return table[i].slot;
@@ -89,7 +88,8 @@ static int parse_arguments(int count, char **arguments, struct options *options)
         if (i + 1 == count) return usage_error("a value is missing behind", flag);
         const char *value = arguments[++i];
         if (slot) *slot = value;
-        if (size && !parse_size(value, options)) return usage_error("--size takes WIDTHxHEIGHT, such as 800x600, not", value);
+        if (size && !parse_size(value, options))
+            return usage_error("--size takes WIDTHxHEIGHT, such as 800x600, not", value);
     }
     return options->file ? 0 : usage_error("which file? usage: zraster render FILE", "");
 }
@@ -97,8 +97,7 @@ static int parse_arguments(int count, char **arguments, struct options *options)
 /* NULL where the type is not known. */
 static const char *content_type(const struct options *options)
 {
-    static const char *const types[][2] = {
-        {"json", "application/json"}, {"obj", "model/obj"}, {"stl", "model/stl"}};
+    static const char *const types[][2] = {{"json", "application/json"}, {"obj", "model/obj"}, {"stl", "model/stl"}};
     const char *dot = strrchr(options->file, '.');
     const char *type = options->type ? options->type : dot ? dot + 1 : "";
     for (size_t i = 0; i < sizeof types / sizeof *types; i++)
@@ -126,10 +125,11 @@ static CURLU *make_url(const struct options *o)
 {
     CURLU *url = curl_url();
     bool ok = url && curl_url_set(url, CURLUPART_URL, o->server, CURLU_DEFAULT_SCHEME) == CURLUE_OK &&
-              curl_url_set(url, CURLUPART_PATH, "/v1/render", 0) == CURLUE_OK && add_parameter(url, "channel", o->channel) &&
-              add_parameter(url, "encoding", o->encoding) && add_parameter(url, "scale", o->scale) &&
-              add_parameter(url, "preset", o->preset) && add_parameter(url, "shading", o->shading) &&
-              add_parameter(url, "width", o->width) && add_parameter(url, "height", o->height);
+              curl_url_set(url, CURLUPART_PATH, "/v1/render", 0) == CURLUE_OK &&
+              add_parameter(url, "channel", o->channel) && add_parameter(url, "encoding", o->encoding) &&
+              add_parameter(url, "scale", o->scale) && add_parameter(url, "preset", o->preset) &&
+              add_parameter(url, "shading", o->shading) && add_parameter(url, "width", o->width) &&
+              add_parameter(url, "height", o->height);
     if (ok) return url;
     curl_url_cleanup(url);
     return NULL;
@@ -192,10 +192,8 @@ static bool post(const struct options *options, const char *type, const struct b
 /* FILE's name without folder and ending, and the ending of what came back. */
 static void default_name(const char *file, const char *type, char *out, size_t size)
 {
-    static const char *const endings[][2] = {{"image/png", "png"},
-                                             {"application/x-npy", "npy"},
-                                             {"application/json", "json"},
-                                             {"application/zip", "zip"}};
+    static const char *const endings[][2] = {
+        {"image/png", "png"}, {"application/x-npy", "npy"}, {"application/json", "json"}, {"application/zip", "zip"}};
     const char *slash = strrchr(file, '/'), *base = slash ? slash + 1 : file, *dot = strrchr(base, '.');
     const char *ending = "bin";
     for (size_t i = 0; i < sizeof endings / sizeof *endings; i++)

@@ -15,8 +15,8 @@ static const struct {
     const char *name, *type;
 } FILE_NAMES[ZR_CHANNEL_COUNT][ZR_ENCODING_COUNT] = {
     [ZR_CHANNEL_COLOR] = {[ZR_ENCODING_PNG] = {"color.png", "image/png"}},
-    [ZR_CHANNEL_DEPTH] = {[ZR_ENCODING_NPY] = {"depth.npy", "application/x-npy"},
-                          [ZR_ENCODING_PNG16] = {"depth.png", "image/png"}},
+    [ZR_CHANNEL_DEPTH] =
+        {[ZR_ENCODING_NPY] = {"depth.npy", "application/x-npy"}, [ZR_ENCODING_PNG16] = {"depth.png", "image/png"}},
     [ZR_CHANNEL_WINDOW_DEPTH] = {[ZR_ENCODING_NPY] = {"windowDepth.npy", "application/x-npy"}},
     [ZR_CHANNEL_FACE_ID] = {[ZR_ENCODING_NPY] = {"faceId.npy", "application/x-npy"}},
     [ZR_CHANNEL_INFO] = {[ZR_ENCODING_JSON] = {"info.json", "application/json"}}};
@@ -49,7 +49,8 @@ static enum zr_status encode_depth16(struct encoding *e, float asked_scale, stru
     e->depth_scale = zr_depth16_scale(frame, asked_scale);
     e->misfits = zr_depth16_make(frame, e->depth_scale, steps);
     char comment[96];
-    snprintf(comment, sizeof comment, "depth in scene units = value * %.9g; 0 where nothing is", (double)e->depth_scale);
+    snprintf(comment, sizeof comment, "depth in scene units = value * %.9g; 0 where nothing is",
+             (double)e->depth_scale);
     struct zr_png png = {ZR_PNG_GREY16, frame->width, frame->height, steps, comment};
     return zr_png_write(&png, e->cancel, out);
 }
@@ -59,14 +60,19 @@ static enum zr_status encode_output(struct encoding *e, const struct zr_output *
     const struct zr_frame *f = e->frame;
     if (zr_is_cancelled(e->cancel)) return ZR_CANCELLED;
     switch (output->channel) {
-    case ZR_CHANNEL_COLOR: return encode_color(e, out);
+    case ZR_CHANNEL_COLOR:
+        return encode_color(e, out);
     case ZR_CHANNEL_DEPTH:
         if (output->encoding == ZR_ENCODING_PNG16) return encode_depth16(e, output->scale, out);
         return zr_npy_write(ZR_NPY_FLOAT32, f->width, f->height, f->depth, out);
-    case ZR_CHANNEL_WINDOW_DEPTH: return zr_npy_write(ZR_NPY_FLOAT32, f->width, f->height, f->window_depth, out);
-    case ZR_CHANNEL_FACE_ID: return zr_npy_write(ZR_NPY_UINT32, f->width, f->height, f->face_id, out);
-    case ZR_CHANNEL_INFO: return zr_info_write(e->scene, f, e->depth_scale, e->misfits, &e->warnings, out);
-    case ZR_CHANNEL_COUNT: break;
+    case ZR_CHANNEL_WINDOW_DEPTH:
+        return zr_npy_write(ZR_NPY_FLOAT32, f->width, f->height, f->window_depth, out);
+    case ZR_CHANNEL_FACE_ID:
+        return zr_npy_write(ZR_NPY_UINT32, f->width, f->height, f->face_id, out);
+    case ZR_CHANNEL_INFO:
+        return zr_info_write(e->scene, f, e->depth_scale, e->misfits, &e->warnings, out);
+    case ZR_CHANNEL_COUNT:
+        break;
     }
     return ZR_INTERNAL;
 }

@@ -21,7 +21,8 @@ static void draw_tiles(void *context, size_t begin, size_t end)
     const struct drawing *d = context;
     struct zr_tile tile;
     for (size_t number = begin; number < end; number++) {
-        if (!zr_visibility_tile(d->geometry, d->bins, (uint32_t)number, d->scene->width, d->scene->height, d->cancel, &tile))
+        if (!zr_visibility_tile(d->geometry, d->bins, (uint32_t)number, d->scene->width, d->scene->height, d->cancel,
+                                &tile))
             return;
         zr_resolve_tile(d->geometry, d->scene->background, &tile, d->frame);
     }
@@ -31,13 +32,15 @@ static void draw_tiles(void *context, size_t begin, size_t end)
 static enum zr_status make_frame(struct zr_arena *arena, const struct zr_scene *scene, struct zr_frame *frame)
 {
     bool wanted[ZR_CHANNEL_COUNT] = {false};
-    for (uint32_t i = 0; i < scene->output_count; i++) wanted[scene->outputs[i].channel] = true;
+    for (uint32_t i = 0; i < scene->output_count; i++)
+        wanted[scene->outputs[i].channel] = true;
     size_t pixels = (size_t)scene->width * scene->height;
     frame->width = scene->width;
     frame->height = scene->height;
     if (wanted[ZR_CHANNEL_COLOR]) frame->color = zr_arena_alloc(arena, pixels, 4);
     if (wanted[ZR_CHANNEL_DEPTH]) frame->depth = zr_arena_alloc(arena, pixels, sizeof *frame->depth);
-    if (wanted[ZR_CHANNEL_WINDOW_DEPTH]) frame->window_depth = zr_arena_alloc(arena, pixels, sizeof *frame->window_depth);
+    if (wanted[ZR_CHANNEL_WINDOW_DEPTH])
+        frame->window_depth = zr_arena_alloc(arena, pixels, sizeof *frame->window_depth);
     if (wanted[ZR_CHANNEL_FACE_ID] || wanted[ZR_CHANNEL_INFO])
         frame->face_id = zr_arena_alloc(arena, pixels, sizeof *frame->face_id);
     return zr_arena_ok(arena) ? ZR_OK : ZR_NO_MEMORY;

@@ -5,7 +5,8 @@
  *     zr_encode        frame    -> answer
  *
  * Nothing here reads a file, a clock or the environment, keeps state between
- * calls, or exits. Results live in the arena that was handed in, until its reset.
+ * calls, or exits; the program must leave LC_NUMERIC as "C", as it is at start. Results
+ * live in the arena that was handed in, until its reset.
  * Any number of threads may work at once, each with an arena of its own.
  */
 #ifndef ZRASTER_H
@@ -23,12 +24,12 @@
 /* ---- limits: what one request may ask for ---- */
 
 struct zr_limits {
-    uint32_t json_depth_max;        /* nesting of arrays and objects */
-    uint32_t json_values_max;       /* cJSON takes about 64 bytes a value */
-    uint32_t window_side_max;       /* pixels */
-    uint64_t window_pixels_max;     /* pixels, summed over all outputs */
+    uint32_t json_depth_max;    /* nesting of arrays and objects */
+    uint32_t json_values_max;   /* cJSON takes about 64 bytes a value */
+    uint32_t window_side_max;   /* pixels */
+    uint64_t window_pixels_max; /* pixels, summed over all outputs */
     uint32_t polygon_vertices_max;
-    float coordinate_max;           /* magnitude of every number that is a place or a matrix entry */
+    float coordinate_max; /* magnitude of every number that is a place or a matrix entry */
 };
 
 struct zr_limits zr_limits_default(void);

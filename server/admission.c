@@ -18,9 +18,10 @@ static char *calibration_scene(int count, double size, const char *channel)
     size_t length = 0;
     FILE *out = open_memstream(&text, &length);
     if (!out) return NULL;
-    fprintf(out, "{\"window\":{\"width\":256,\"height\":256},\"outputs\":[{\"channel\":\"%s\"}],"
-                 "\"view\":{\"worldToCamera\":[1,0,0,0,0,1,0,0,0,0,1,0,0,0,0,1],"
-                 "\"projectionMatrix\":[1,0,0,0,0,1,0,0,0,0,1,0,0,0,0,1]},\"polygons\":[",
+    fprintf(out,
+            "{\"window\":{\"width\":256,\"height\":256},\"outputs\":[{\"channel\":\"%s\"}],"
+            "\"view\":{\"worldToCamera\":[1,0,0,0,0,1,0,0,0,0,1,0,0,0,0,1],"
+            "\"projectionMatrix\":[1,0,0,0,0,1,0,0,0,0,1,0,0,0,0,1]},\"polygons\":[",
             channel);
     for (int i = 0; i < count; i++) {
         double x = -1 + 1.9 * (i % 64) / 64.0, y = -1 + 1.9 * (i / 64 % 64) / 64.0, z = 0.9 - 1.8 * i / count;
@@ -64,7 +65,8 @@ static struct sample measure(struct zr_arena *arena, int count, double size, con
 {
     struct sample sample = {.render_ns = 1e12, .encode_ns = 1e12};
     char *text = calibration_scene(count, size, channel);
-    for (int i = 0; text && i < TRIALS; i++) time_once(arena, text, &sample);
+    for (int i = 0; text && i < TRIALS; i++)
+        time_once(arena, text, &sample);
     free(text);
     return sample;
 }

@@ -284,12 +284,18 @@ static bool unpack_body(const struct api *api, const struct api_request *request
     size_t max = (size_t)api->config->body_max_bytes;
     char *bytes = NULL;
     switch (gunzip(arena, render->bytes, render->size, max, &bytes, &render->size)) {
-    case GUNZIP_OK: render->bytes = bytes; return true;
-    case GUNZIP_BROKEN: problem_answer(answer, 400, "the body is not what Content-Encoding says: no whole gzip"); break;
+    case GUNZIP_OK:
+        render->bytes = bytes;
+        return true;
+    case GUNZIP_BROKEN:
+        problem_answer(answer, 400, "the body is not what Content-Encoding says: no whole gzip");
+        break;
     case GUNZIP_TOO_LARGE:
         problem_answer(answer, 413, "the body inflates to more than bodyMaxBytes, %zu bytes", max);
         break;
-    case GUNZIP_NO_MEMORY: api_refuse_busy(answer, 1, MEMORY_USED_UP); break;
+    case GUNZIP_NO_MEMORY:
+        api_refuse_busy(answer, 1, MEMORY_USED_UP);
+        break;
     }
     return false;
 }
@@ -300,10 +306,10 @@ static enum zr_status foresee(const struct api *api, const struct zr_scene *scen
     struct zr_cost cost = zr_scene_cost(scene);
     times->foreseen_ms = admission_predict_ms(&api->admission, &cost);
     if (times->foreseen_ms <= (double)api->config->cost_max_ms) return ZR_OK;
-    return zr_error_add(error, ZR_BAD_SCENE, NULL,
-                        "%.0f triangles that cover %.3g pixels are foreseen to take %.3g s, more than costMaxMs, %" PRIu64
-                        " ms",
-                        cost.triangles, cost.fragments, times->foreseen_ms * 1e-3, api->config->cost_max_ms);
+    return zr_error_add(
+        error, ZR_BAD_SCENE, NULL,
+        "%.0f triangles that cover %.3g pixels are foreseen to take %.3g s, more than costMaxMs, %" PRIu64 " ms",
+        cost.triangles, cost.fragments, times->foreseen_ms * 1e-3, api->config->cost_max_ms);
 }
 
 static enum zr_status run_steps(const struct api *api, const struct zr_request *request, struct zr_arena *arena,

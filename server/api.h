@@ -41,7 +41,7 @@ struct api_request {
     const char *method, *path;
     const char *query;                                           /* behind the '?', NULL where there is none */
     const char *content_type, *content_encoding, *authorization; /* NULL where not sent */
-    bool gzip;                /* by api_open: the body is compressed */
+    bool gzip;                                                   /* by api_open: the body is compressed */
     struct zr_request render; /* by api_open; then `bytes` and `size` by the caller */
     char *query_values;       /* what `render` points into */
 };

@@ -75,7 +75,7 @@ struct http_framing http_guard_check(struct MHD_Connection *connection, const ch
     /* HTTP/1.0 knows no Host; the health checks of some load balancers send none. */
     bool is_old = strcmp(version, "HTTP/1.0") == 0;
     bool host_ok = headers.hosts == 1 || (is_old && headers.hosts == 0);
-    struct http_framing framing = {.has_length = headers.lengths == 1, .is_chunked = headers.encodings == 1};
+    struct http_framing framing = {.is_chunked = headers.encodings == 1};
 
     if (strlen(target) > HTTP_URI_MAX)
         framing.status = 414, framing.detail = "the URI is longer than 32768 bytes";

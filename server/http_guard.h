@@ -14,7 +14,7 @@ enum { HTTP_URI_MAX = 32768, HTTP_HEADERS_MAX = 32768 };
 struct http_framing {
     int status; /* 0: fine, else the refusal's */
     const char *detail;
-    bool has_length, is_chunked, expects_continue;
+    bool is_chunked, expects_continue;
     uint64_t length;
 };
 

@@ -1,4 +1,5 @@
 /* zrasterd - the daemon: starts everything, waits for a signal, ends everything. */
+#include <inttypes.h>
 #include <malloc.h>
 #include <signal.h>
 #include <stdio.h>
@@ -52,6 +53,11 @@ static int serve(const struct config *config)
     tune_allocator();
     raise_file_limit(config);
     struct zr_team *team = zr_team_create((int)config->threads);
+    if (!team) {
+        fprintf(stderr, "zrasterd: %" PRIu64 " render threads cannot be had; --threads asks for fewer\n",
+                config->threads);
+        return EXIT_FAILURE;
+    }
     api_init(&api, config, team);
     struct http *http = http_start(config, &api, message, sizeof message);
     if (!http) {

@@ -49,9 +49,10 @@ for part in "$@"; do
     server)
         for test in "$build"/tests/server/test_*; do
             case $test in *.o | *.d) continue ;; esac
-            ZRASTERD=$build/zrasterd ZRASTER=$build/zraster ZRASTER_DATA=$data run "server-$(basename "$test")" "$test"
+            ZRASTERD=$build/zrasterd ZRASTER_DATA=$data run "server-$(basename "$test")" "$test"
         done
         ;;
+    clients) ZRASTERD=$build/zrasterd ZRASTER=$build/zraster run client tests/clients/test_client.sh ;;
     reference)
         run reference "$build/zraster-verify" --tap --triangles "${REFERENCE_TRIANGLES:-210000}" --failures "$build/reference-failures"
         ;;

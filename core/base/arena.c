@@ -126,6 +126,21 @@ void *zr_arena_grow(struct zr_arena *arena, void *old, size_t count, size_t new_
     return result;
 }
 
+bool zr_arena_charge(struct zr_arena *arena, size_t bytes)
+{
+    if (arena->failed || bytes > arena->ceiling - arena->used) {
+        arena->failed = true;
+        return false;
+    }
+    arena->used += bytes;
+    return true;
+}
+
+void zr_arena_refund(struct zr_arena *arena, size_t bytes)
+{
+    arena->used -= bytes;
+}
+
 bool zr_arena_ok(const struct zr_arena *arena)
 {
     return !arena->failed;

@@ -18,7 +18,7 @@ struct zr_arena_block;
 
 struct zr_arena {
     size_t ceiling; /* bytes that one request may allocate */
-    size_t used;    /* bytes allocated since the last reset, padding included */
+    size_t used;    /* bytes allocated since the last reset, padding and charges included */
     bool failed;
     struct zr_arena_block *first, *current;
 };
@@ -39,6 +39,11 @@ void *zr_arena_zero(struct zr_arena *arena, size_t count, size_t size);
 /* A larger array with the first `count` objects of `old` (which may be NULL).
  * In place where `old` was the newest allocation and its block has room. */
 void *zr_arena_grow(struct zr_arena *arena, void *old, size_t count, size_t new_count, size_t size);
+
+/* Counts `bytes` that a library holds elsewhere on the request's behalf, until they are
+ * refunded or the arena is reset. False, and the arena has failed, where they do not fit. */
+bool zr_arena_charge(struct zr_arena *arena, size_t bytes);
+void zr_arena_refund(struct zr_arena *arena, size_t bytes);
 
 bool zr_arena_ok(const struct zr_arena *arena);
 

@@ -9,9 +9,12 @@ static void trim_to_character(char *text, size_t size, int wanted)
 {
     if (wanted < 0 || (size_t)wanted < size) return;
     size_t end = strlen(text);
-    while (end > 0 && ((unsigned char)text[end - 1] & 0xC0u) == 0x80u) end--;
-    if (end > 0 && (unsigned char)text[end - 1] >= 0xC0u) end--;
-    else end = strlen(text);
+    while (end > 0 && ((unsigned char)text[end - 1] & 0xC0u) == 0x80u)
+        end--;
+    if (end > 0 && (unsigned char)text[end - 1] >= 0xC0u)
+        end--;
+    else
+        end = strlen(text);
     text[end] = '\0';
 }
 

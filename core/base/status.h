@@ -36,8 +36,8 @@ struct zr_error {
 
 /* Adds an item and returns `status`, so that `return zr_error_add(...)` reads as
  * one step. `pointer` may be NULL. Texts too long are cut at a whole character. */
-enum zr_status zr_error_add(struct zr_error *error, enum zr_status status, const char *pointer, const char *format,
-                            ...) __attribute__((format(printf, 4, 5)));
+enum zr_status zr_error_add(struct zr_error *error, enum zr_status status, const char *pointer, const char *format, ...)
+    __attribute__((format(printf, 4, 5)));
 
 /* The count of items that `items` really holds. */
 size_t zr_error_held(const struct zr_error *error);

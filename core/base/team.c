@@ -85,7 +85,8 @@ void zr_team_destroy(struct zr_team *team)
     team->stopping = true;
     pthread_cond_broadcast(&team->job_came);
     pthread_mutex_unlock(&team->lock);
-    for (int i = 0; i < team->helper_count; i++) pthread_join(team->helpers[i], NULL);
+    for (int i = 0; i < team->helper_count; i++)
+        pthread_join(team->helpers[i], NULL);
     pthread_cond_destroy(&team->helper_left);
     pthread_cond_destroy(&team->job_came);
     pthread_mutex_destroy(&team->lock);
@@ -95,7 +96,8 @@ void zr_team_destroy(struct zr_team *team)
 static void unlink_job(struct zr_team *team, struct job *job)
 {
     struct job **link = &team->jobs;
-    while (*link != job) link = &(*link)->next;
+    while (*link != job)
+        link = &(*link)->next;
     *link = job->next;
 }
 
@@ -109,7 +111,8 @@ void zr_team_run(struct zr_team *team, void (*work)(void *context), void *contex
     pthread_mutex_lock(&team->lock);
     /* Last in the row: the oldest job gets help first. */
     struct job **link = &team->jobs;
-    while (*link) link = &(*link)->next;
+    while (*link)
+        link = &(*link)->next;
     *link = &job;
     pthread_cond_broadcast(&team->job_came);
     pthread_mutex_unlock(&team->lock);
@@ -118,7 +121,8 @@ void zr_team_run(struct zr_team *team, void (*work)(void *context), void *contex
 
     pthread_mutex_lock(&team->lock);
     job.open = false;
-    while (job.inside > 0) pthread_cond_wait(&team->helper_left, &team->lock);
+    while (job.inside > 0)
+        pthread_cond_wait(&team->helper_left, &team->lock);
     unlink_job(team, &job);
     pthread_mutex_unlock(&team->lock);
 }
@@ -141,8 +145,8 @@ static void claim_ranges(void *argument)
     }
 }
 
-void zr_team_ranges(struct zr_team *team, size_t count, size_t grain, void (*work)(void *context, size_t begin, size_t end),
-                    void *context)
+void zr_team_ranges(struct zr_team *team, size_t count, size_t grain,
+                    void (*work)(void *context, size_t begin, size_t end), void *context)
 {
     struct ranges ranges = {.count = count, .grain = grain, .work = work, .context = context};
     zr_team_run(count > grain ? team : NULL, claim_ranges, &ranges);

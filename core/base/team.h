@@ -27,7 +27,7 @@ void zr_team_run(struct zr_team *team, void (*work)(void *context), void *contex
 
 /* Splits 0..count-1 into ranges of `grain` and calls work(context, begin, end) once
  * for each, on as many threads as are free, in no particular order. */
-void zr_team_ranges(struct zr_team *team, size_t count, size_t grain, void (*work)(void *context, size_t begin, size_t end),
-                    void *context);
+void zr_team_ranges(struct zr_team *team, size_t count, size_t grain,
+                    void (*work)(void *context, size_t begin, size_t end), void *context);
 
 #endif

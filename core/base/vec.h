@@ -6,32 +6,65 @@
 #ifndef ZR_VEC_H
 #define ZR_VEC_H
 
+#include <float.h>
 #include <math.h>
 #include <stdbool.h>
 
-typedef struct { float x, y, z; } zr_vec3;
-typedef struct { float x, y, z, w; } zr_vec4;
+/* The same bytes on every machine need float32 arithmetic as written. */
+_Static_assert(FLT_EVAL_METHOD == 0, "floats are evaluated as floats: on x86 that takes SSE");
+#ifdef __FAST_MATH__
+#error "zraster's pixels are exact: it cannot be built with -ffast-math or -Ofast"
+#endif
+
+typedef struct {
+    float x, y, z;
+} zr_vec3;
+typedef struct {
+    float x, y, z, w;
+} zr_vec4;
 
 /* Column-major, as OpenGL and glTF have it: m[column * 4 + row]. */
-typedef struct { float m[16]; } zr_mat4;
+typedef struct {
+    float m[16];
+} zr_mat4;
 
-static inline zr_vec3 zr_vec3_add(zr_vec3 a, zr_vec3 b) { return (zr_vec3){a.x + b.x, a.y + b.y, a.z + b.z}; }
-static inline zr_vec3 zr_vec3_sub(zr_vec3 a, zr_vec3 b) { return (zr_vec3){a.x - b.x, a.y - b.y, a.z - b.z}; }
-static inline zr_vec3 zr_vec3_scale(zr_vec3 a, float s) { return (zr_vec3){a.x * s, a.y * s, a.z * s}; }
+static inline zr_vec3 zr_vec3_add(zr_vec3 a, zr_vec3 b)
+{
+    return (zr_vec3){a.x + b.x, a.y + b.y, a.z + b.z};
+}
+static inline zr_vec3 zr_vec3_sub(zr_vec3 a, zr_vec3 b)
+{
+    return (zr_vec3){a.x - b.x, a.y - b.y, a.z - b.z};
+}
+static inline zr_vec3 zr_vec3_scale(zr_vec3 a, float s)
+{
+    return (zr_vec3){a.x * s, a.y * s, a.z * s};
+}
 
 /* GL's order in Mesa's lighting: from z down to x. */
-static inline float zr_vec3_dot(zr_vec3 a, zr_vec3 b) { return (a.z * b.z + a.y * b.y) + a.x * b.x; }
+static inline float zr_vec3_dot(zr_vec3 a, zr_vec3 b)
+{
+    return (a.z * b.z + a.y * b.y) + a.x * b.x;
+}
 
 static inline zr_vec3 zr_vec3_cross(zr_vec3 a, zr_vec3 b)
 {
     return (zr_vec3){a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 
-/* v * (1 / sqrt(v.v)); the zero vector stays zero. */
+/* v * (1 / sqrt(v.v)), as Mesa has it; the zero vector stays zero. Where the square
+ * leaves the range of float, v is first brought to a length near 1. */
 static inline zr_vec3 zr_vec3_normalize(zr_vec3 v)
 {
     float dot = zr_vec3_dot(v, v);
-    return dot > 0.0f ? zr_vec3_scale(v, 1.0f / sqrtf(dot)) : v;
+    if (!(dot > 1e-30f && dot < 1e30f)) {
+        float x = fabsf(v.x), y = fabsf(v.y), z = fabsf(v.z), largest = x > y ? x : y;
+        largest = largest > z ? largest : z;
+        if (!(largest > 0.0f) || !isfinite(largest)) return v;
+        v = (zr_vec3){v.x / largest, v.y / largest, v.z / largest};
+        dot = zr_vec3_dot(v, v);
+    }
+    return zr_vec3_scale(v, 1.0f / sqrtf(dot));
 }
 
 static inline zr_vec4 zr_vec4_mul(zr_vec4 a, zr_vec4 b)

@@ -74,7 +74,7 @@ static void clip_and_append(struct zr_builder *builder, const struct corners *co
         geometry->back_colors[geometry->color_count] = out[i].back;
         geometry->front_colors[geometry->color_count++] = out[i].front;
     }
-    uint64_t culled = geometry->counts.culled, zero_area = geometry->counts.zero_area;
+    const struct zr_counts before = geometry->counts;
     for (int i = 2; i < count; i++) {
         if (!placed[i - 1] || !placed[i] || !placed[0]) continue;
         uint32_t a = (uint32_t)i - 1, b = (uint32_t)i;
@@ -85,8 +85,10 @@ static void clip_and_append(struct zr_builder *builder, const struct corners *co
         }
         if (append_triangle(builder, piece, double_sided)) geometry->counts.drawn_pieces++;
     }
-    geometry->counts.culled = culled; /* pieces are counted with the triangle they come from */
-    geometry->counts.zero_area = zero_area;
+    /* The triangle is counted once, as clipped: what became of its pieces is counted apart. */
+    geometry->counts.culled_pieces += geometry->counts.culled - before.culled;
+    geometry->counts.culled = before.culled;
+    geometry->counts.zero_area = before.zero_area;
 }
 
 static void place_triangle(struct zr_builder *builder, const struct corners *corners, uint32_t face, bool double_sided)
@@ -104,7 +106,8 @@ static void place_triangle(struct zr_builder *builder, const struct corners *cor
         clip_and_append(builder, corners, any, face, double_sided);
     } else {
         struct zr_triangle triangle = {.c = {corners->color[0], corners->color[1], corners->color[2]}, .face = face};
-        for (int k = 0; k < 3; k++) triangle.v[k] = builder->first_vertex + corners->vertex[k];
+        for (int k = 0; k < 3; k++)
+            triangle.v[k] = builder->first_vertex + corners->vertex[k];
         if (append_triangle(builder, triangle, double_sided)) counts->drawn_whole++;
     }
 }
@@ -122,7 +125,8 @@ static bool same_place(const struct zr_mesh *mesh, uint32_t a, uint32_t b)
 static bool is_degenerate(const struct zr_mesh *mesh, const uint32_t *indices, uint32_t count)
 {
     uint32_t second = 1;
-    while (second < count && same_place(mesh, indices[0], indices[second])) second++;
+    while (second < count && same_place(mesh, indices[0], indices[second]))
+        second++;
     for (uint32_t i = second + 1; i < count; i++)
         if (!same_place(mesh, indices[0], indices[i]) && !same_place(mesh, indices[second], indices[i])) return false;
     return true;
@@ -158,8 +162,7 @@ static void cut_face(struct zr_builder *builder, const struct zr_scene *scene, c
         struct corners corners;
         for (int k = 0; k < 3; k++) {
             corners.vertex[k] = indices[order[k]];
-            corners.color[k] =
-                color_index(builder, layout, smooth, face, begin, begin + order[k], corners.vertex[k]);
+            corners.color[k] = color_index(builder, layout, smooth, face, begin, begin + order[k], corners.vertex[k]);
         }
         place_triangle(builder, &corners, face_id, material->double_sided);
     }

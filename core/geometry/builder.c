@@ -1,15 +1,13 @@
 #include "geometry/builder.h"
 
-static const uint64_t COUNT_MAX = UINT32_MAX / 2;
-
 /* How many an array of `room` grows to for `more` beside `count`: at least by
  * half, so that growth costs a constant share. 0: too many. */
 static uint64_t grown_room(uint32_t room, uint32_t count, uint64_t more)
 {
     uint64_t wanted = (uint64_t)count + more;
-    if (wanted > COUNT_MAX) return 0;
+    if (wanted > ZR_GEOMETRY_MAX) return 0;
     uint64_t grown = (uint64_t)room + room / 2;
-    return grown < wanted ? wanted : grown < COUNT_MAX ? grown : COUNT_MAX;
+    return grown < wanted ? wanted : grown < ZR_GEOMETRY_MAX ? grown : ZR_GEOMETRY_MAX;
 }
 
 static bool reserve(struct zr_arena *arena, void **array, uint32_t *room, uint32_t count, uint64_t more, size_t size)
@@ -36,7 +34,8 @@ bool zr_builder_reserve(struct zr_builder *builder, uint64_t vertices, uint64_t 
     ok = ok && reserve(arena, &front, &builder->color_room, g->color_count, colors, sizeof *g->front_colors);
     if (builder->separate_backs)
         ok = ok && reserve(arena, &back, &back_room, g->color_count, colors, sizeof *g->back_colors);
-    ok = ok && reserve(arena, &triangle_array, &builder->triangle_room, g->triangle_count, triangles, sizeof *g->triangles);
+    ok = ok &&
+         reserve(arena, &triangle_array, &builder->triangle_room, g->triangle_count, triangles, sizeof *g->triangles);
     if (!ok) return false;
     g->vertices = vertex_array;
     g->front_colors = front;

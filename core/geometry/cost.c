@@ -63,7 +63,8 @@ struct zr_cost zr_scene_cost(const struct zr_scene *scene)
     if (zr_camera_resolve(scene, &bounds, &camera, &ignored) != ZR_OK) return cost;
 
     uint64_t faces = 0, number = 0, measured = 0;
-    for (uint32_t i = 0; i < scene->instance_count; i++) faces += scene->meshes[scene->instances[i].mesh].face_count;
+    for (uint32_t i = 0; i < scene->instance_count; i++)
+        faces += scene->meshes[scene->instances[i].mesh].face_count;
     uint64_t step = faces / ZR_COST_SAMPLES + 1;
     struct zr_viewport viewport = zr_viewport_make(scene->width, scene->height);
     zr_mat4 world_to_clip = zr_mat4_mul(&camera.projection, &camera.world_to_eye);

@@ -19,6 +19,7 @@ struct zr_counts {
     uint64_t zero_area;           /* no area on the subpixel grid, or no place in the window */
     uint64_t drawn_whole;         /* handed to the rasterizer uncut */
     uint64_t drawn_pieces;        /* of clipped triangles, handed to the rasterizer */
+    uint64_t culled_pieces;       /* of clipped triangles, turned away */
 };
 
 #endif

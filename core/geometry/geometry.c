@@ -46,7 +46,8 @@ static enum zr_status build_instance(struct zr_builder *builder, struct zr_team 
     struct zr_geometry *geometry = builder->geometry;
     const struct zr_mesh *mesh = &scene->meshes[instance->mesh];
     uint64_t triangles = mesh->face_offsets[mesh->face_count] - 2 * (uint64_t)mesh->face_count;
-    if (!zr_builder_reserve(builder, mesh->position_count, zr_colors_count(scene, mesh), triangles)) return ZR_NO_MEMORY;
+    if (!zr_builder_reserve(builder, mesh->position_count, zr_colors_count(scene, mesh), triangles))
+        return ZR_NO_MEMORY;
     builder->clip_positions = zr_arena_alloc(builder->arena, mesh->position_count, sizeof *builder->clip_positions);
     builder->outcodes = zr_arena_alloc(builder->arena, mesh->position_count, sizeof *builder->outcodes);
     if (!zr_arena_ok(builder->arena)) return ZR_NO_MEMORY;
@@ -58,9 +59,9 @@ static enum zr_status build_instance(struct zr_builder *builder, struct zr_team 
     builder->first_vertex = geometry->vertex_count;
     geometry->vertex_count += mesh->position_count;
 
-    struct zr_colors colors = zr_colors_make(builder->arena, scene, mesh, lighting, &placing.object_to_eye,
-                                             geometry->front_colors + geometry->color_count,
-                                             geometry->back_colors + geometry->color_count);
+    struct zr_colors colors =
+        zr_colors_make(builder->arena, scene, mesh, lighting, &placing.object_to_eye,
+                       geometry->front_colors + geometry->color_count, geometry->back_colors + geometry->color_count);
     builder->first_color = geometry->color_count;
     geometry->color_count += colors.count;
     if (!zr_arena_ok(builder->arena)) return ZR_NO_MEMORY;

@@ -13,6 +13,10 @@
 #include "scene/camera.h"
 #include "zraster.h"
 
+/* Triangles, vertices and colours of a request: each fewer than this, so that four
+ * entries a triangle (raster/bins.h) can be counted in 32 bits. */
+#define ZR_GEOMETRY_MAX (UINT32_MAX / 4)
+
 /* Oriented so that the reference's area (rule 6) is positive. */
 struct zr_triangle {
     uint32_t v[3]; /* window vertices */

@@ -31,7 +31,8 @@ struct zr_normal_matrix zr_normal_matrix_make(const zr_mat4 *object_to_eye)
     zr_vec3 r0 = upper_row(object_to_eye, 0), r1 = upper_row(object_to_eye, 1), r2 = upper_row(object_to_eye, 2);
     struct zr_normal_matrix n = {{zr_vec3_cross(r1, r2), zr_vec3_cross(r2, r0), zr_vec3_cross(r0, r1)}};
     if (zr_vec3_dot(r0, n.rows[0]) < 0.0f)
-        for (int i = 0; i < 3; i++) n.rows[i] = zr_vec3_scale(n.rows[i], -1.0f);
+        for (int i = 0; i < 3; i++)
+            n.rows[i] = zr_vec3_scale(n.rows[i], -1.0f);
     return n;
 }
 

@@ -33,7 +33,8 @@ zr_vec3 *zr_normals_of_vertices(struct zr_arena *arena, const struct zr_mesh *me
             normals[vertex] = zr_vec3_add(normals[vertex], normal);
         }
     }
-    for (uint32_t i = 0; i < mesh->position_count; i++) normals[i] = zr_vec3_normalize(normals[i]);
+    for (uint32_t i = 0; i < mesh->position_count; i++)
+        normals[i] = zr_vec3_normalize(normals[i]);
     return normals;
 }
 

@@ -49,15 +49,15 @@ static void read_light(struct zr_json *json, const struct zr_json_path *path, co
     light->camera_frame = frame == FRAME_CAMERA;
 }
 
-void zr_builder_read_lights(struct zr_builder *builder, const struct zr_json_path *path, const cJSON *list)
+void zr_draft_read_lights(struct zr_draft *draft, const struct zr_json_path *path, const cJSON *list)
 {
-    struct zr_json *json = &builder->json;
+    struct zr_json *json = &draft->json;
     size_t count, number = 0;
     if (!zr_json_array(json, path, list, &count)) return;
     struct zr_light *lights = zr_arena_zero(json->arena, count, sizeof *lights);
     if (!lights) return;
     for (const cJSON *node = list->child; node && !zr_json_full(json); node = node->next, number++)
         read_light(json, ZR_JSON_ITEM(path, number), node, &lights[number]);
-    builder->scene->lights = lights;
-    builder->scene->light_count = (uint32_t)number;
+    draft->scene->lights = lights;
+    draft->scene->light_count = (uint32_t)number;
 }

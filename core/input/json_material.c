@@ -37,10 +37,10 @@ static int compare_name(const void *name, const void *given)
     return strcmp(name, ((const struct zr_given_material *)given)->name);
 }
 
-static void read_material(struct zr_builder *builder, const struct zr_json_path *path, const cJSON *node,
+static void read_material(struct zr_draft *draft, const struct zr_json_path *path, const cJSON *node,
                           struct zr_given_material *given)
 {
-    struct zr_json *json = &builder->json;
+    struct zr_json *json = &draft->json;
     const cJSON *found[KEYS];
     if (!zr_json_object(json, path, node, &keys, found)) return;
     if (!found[NAME])
@@ -49,56 +49,55 @@ static void read_material(struct zr_builder *builder, const struct zr_json_path 
         given->name = "";
     if (found[BASE_COLOR] &&
         zr_json_color(json, ZR_JSON_KEY(path, words[BASE_COLOR]), found[BASE_COLOR], &given->base_color))
-        zr_builder_note_alpha(builder, &given->base_color, 1);
+        zr_draft_note_alpha(draft, &given->base_color, 1);
     read_double_sided(json, path, found[DOUBLE_SIDED], &given->double_sided);
     read_shading(json, path, found[SHADING], &given->shading);
 }
 
-static void refuse_repeated_names(struct zr_builder *builder, const struct zr_json_path *path)
+static void refuse_repeated_names(struct zr_draft *draft, const struct zr_json_path *path)
 {
-    for (size_t i = 1; i < builder->given_count && !zr_json_full(&builder->json); i++) {
-        const struct zr_given_material *before = &builder->given[i - 1], *given = &builder->given[i];
+    for (size_t i = 1; i < draft->given_count && !zr_json_full(&draft->json); i++) {
+        const struct zr_given_material *before = &draft->given[i - 1], *given = &draft->given[i];
         if (strcmp(before->name, given->name) == 0)
-            zr_json_fault(&builder->json, ZR_JSON_KEY(ZR_JSON_ITEM(path, given->number), words[NAME]),
+            zr_json_fault(&draft->json, ZR_JSON_KEY(ZR_JSON_ITEM(path, given->number), words[NAME]),
                           "%s is the name of material %zu already", zr_quote(given->name, strlen(given->name)).text,
                           before->number);
     }
 }
 
-void zr_builder_read_materials(struct zr_builder *builder, const struct zr_json_path *path, const cJSON *list)
+void zr_draft_read_materials(struct zr_draft *draft, const struct zr_json_path *path, const cJSON *list)
 {
-    struct zr_json *json = &builder->json;
+    struct zr_json *json = &draft->json;
     size_t count = 0, i = 0;
     if (list && !zr_json_array(json, path, list, &count)) list = NULL;
-    builder->given = zr_arena_alloc(json->arena, count, sizeof *builder->given);
+    draft->given = zr_arena_alloc(json->arena, count, sizeof *draft->given);
     /* Behind the given ones come two of our own: for what has colours, and for what has none. */
-    builder->variants = zr_arena_alloc(json->arena, count + 2, LOOKS * sizeof *builder->variants);
+    draft->variants = zr_arena_alloc(json->arena, count + 2, LOOKS * sizeof *draft->variants);
     if (!zr_arena_ok(json->arena)) return;
     for (size_t v = 0; v < (count + 2) * LOOKS; v++)
-        builder->variants[v] = UINT32_MAX;
+        draft->variants[v] = UINT32_MAX;
     if (count == 0) return;
     size_t faults = json->error->count;
     for (const cJSON *node = list->child; node && !zr_json_full(json); node = node->next, i++) {
-        builder->given[i] = (struct zr_given_material){"", i, {1, 1, 1, 1}, ZR_UNSAID, ZR_UNSAID};
-        read_material(builder, ZR_JSON_ITEM(path, i), node, &builder->given[i]);
+        draft->given[i] = (struct zr_given_material){"", i, {1, 1, 1, 1}, ZR_UNSAID, ZR_UNSAID};
+        read_material(draft, ZR_JSON_ITEM(path, i), node, &draft->given[i]);
     }
-    builder->given_count = i;
-    qsort(builder->given, i, sizeof *builder->given, compare_given);
-    if (json->error->count == faults) refuse_repeated_names(builder, path);
+    draft->given_count = i;
+    qsort(draft->given, i, sizeof *draft->given, compare_given);
+    if (json->error->count == faults) refuse_repeated_names(draft, path);
 }
 
-void zr_builder_read_style(struct zr_builder *builder, const struct zr_json_path *path, const cJSON *material,
-                           const cJSON *double_sided, const cJSON *shading, struct zr_style *style)
+void zr_draft_read_style(struct zr_draft *draft, const struct zr_json_path *path, const cJSON *material,
+                         const cJSON *double_sided, const cJSON *shading, struct zr_style *style)
 {
-    struct zr_json *json = &builder->json;
+    struct zr_json *json = &draft->json;
     const char *name;
-    *style = (struct zr_style){builder->given_count, ZR_UNSAID, ZR_UNSAID};
+    *style = (struct zr_style){draft->given_count, ZR_UNSAID, ZR_UNSAID};
     if (material && zr_json_string(json, ZR_JSON_KEY(path, "material"), material, &name)) {
         const struct zr_given_material *given =
-            builder->given_count ? bsearch(name, builder->given, builder->given_count, sizeof *given, compare_name)
-                                 : NULL;
+            draft->given_count ? bsearch(name, draft->given, draft->given_count, sizeof *given, compare_name) : NULL;
         if (given)
-            style->given = (size_t)(given - builder->given);
+            style->given = (size_t)(given - draft->given);
         else
             zr_json_fault(json, ZR_JSON_KEY(path, "material"), "no material has the name %s",
                           zr_quote(name, strlen(name)).text);
@@ -107,18 +106,18 @@ void zr_builder_read_style(struct zr_builder *builder, const struct zr_json_path
     read_shading(json, path, shading, &style->shading);
 }
 
-static uint32_t add_material(struct zr_builder *builder, struct zr_material material)
+static uint32_t add_material(struct zr_draft *draft, struct zr_material material)
 {
-    if (builder->material_count == builder->material_room) {
-        size_t room = builder->material_room ? builder->material_room * 2 : MATERIALS_AT_FIRST;
+    if (draft->material_count == draft->material_room) {
+        size_t room = draft->material_room ? draft->material_room * 2 : MATERIALS_AT_FIRST;
         struct zr_material *more =
-            zr_arena_grow(builder->json.arena, builder->materials, builder->material_count, room, sizeof *more);
+            zr_arena_grow(draft->json.arena, draft->materials, draft->material_count, room, sizeof *more);
         if (!more) return 0;
-        builder->materials = more;
-        builder->material_room = room;
+        draft->materials = more;
+        draft->material_room = room;
     }
-    builder->materials[builder->material_count] = material;
-    return (uint32_t)builder->material_count++;
+    draft->materials[draft->material_count] = material;
+    return (uint32_t)draft->material_count++;
 }
 
 static int first_said(int a, int b, int c, int otherwise)
@@ -126,24 +125,24 @@ static int first_said(int a, int b, int c, int otherwise)
     return a != ZR_UNSAID ? a : b != ZR_UNSAID ? b : c != ZR_UNSAID ? c : otherwise;
 }
 
-uint32_t zr_builder_variant(struct zr_builder *builder, const struct zr_style *style, bool coloured, bool smooth)
+uint32_t zr_draft_variant(struct zr_draft *draft, const struct zr_style *style, bool coloured, bool smooth)
 {
-    if (!zr_arena_ok(builder->json.arena)) return 0;
-    bool has_given = style->given < builder->given_count;
+    if (!zr_arena_ok(draft->json.arena)) return 0;
+    bool has_given = style->given < draft->given_count;
     const struct zr_given_material none = {"", 0, zr_default_base_color(coloured), ZR_UNSAID, ZR_UNSAID};
-    const struct zr_given_material *given = has_given ? &builder->given[style->given] : &none;
+    const struct zr_given_material *given = has_given ? &draft->given[style->given] : &none;
     struct zr_material material = {
         given->base_color,
-        (enum zr_shading)first_said(style->shading, given->shading, builder->shading, (int)zr_default_shading(smooth)),
+        (enum zr_shading)first_said(style->shading, given->shading, draft->shading, (int)zr_default_shading(smooth)),
         first_said(style->double_sided, given->double_sided, ZR_UNSAID, false) != 0};
-    size_t base = has_given ? style->given : builder->given_count + coloured;
-    uint32_t *variant = &builder->variants[base * LOOKS + (size_t)material.shading * 2 + material.double_sided];
-    if (*variant == UINT32_MAX) *variant = add_material(builder, material);
+    size_t base = has_given ? style->given : draft->given_count + coloured;
+    uint32_t *variant = &draft->variants[base * LOOKS + (size_t)material.shading * 2 + material.double_sided];
+    if (*variant == UINT32_MAX) *variant = add_material(draft, material);
     return *variant;
 }
 
-void zr_builder_note_alpha(struct zr_builder *builder, const zr_vec4 *colors, size_t count)
+void zr_draft_note_alpha(struct zr_draft *draft, const zr_vec4 *colors, size_t count)
 {
-    for (size_t i = 0; i < count && !builder->transparent; i++)
-        builder->transparent = colors[i].w < 1.0f;
+    for (size_t i = 0; i < count && !draft->transparent; i++)
+        draft->transparent = colors[i].w < 1.0f;
 }

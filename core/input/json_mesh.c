@@ -24,14 +24,14 @@ static bool read_count(struct zr_json *json, const struct zr_json_path *path, co
 }
 
 /* A list of colours, one for each; NULL where it is not given or not right. */
-static const zr_vec4 *read_colors(struct zr_builder *builder, const struct zr_json_path *path, const cJSON *node,
+static const zr_vec4 *read_colors(struct zr_draft *draft, const struct zr_json_path *path, const cJSON *node,
                                   size_t wanted, const char *of)
 {
-    struct zr_json *json = &builder->json;
+    struct zr_json *json = &draft->json;
     if (!node || !read_count(json, path, node, wanted, of)) return NULL;
     zr_vec4 *colors = zr_arena_alloc(json->arena, wanted, sizeof *colors);
     if (!colors || !zr_json_vec4_list(json, path, node, zr_json_color, colors)) return NULL;
-    zr_builder_note_alpha(builder, colors, wanted);
+    zr_draft_note_alpha(draft, colors, wanted);
     return colors;
 }
 
@@ -100,10 +100,10 @@ static void read_faces(struct zr_json *json, const struct zr_json_path *path, co
     mesh->indices = indices;
 }
 
-void zr_builder_read_mesh(struct zr_builder *builder, const struct zr_json_path *path, const cJSON *node,
-                          struct zr_mesh *mesh)
+void zr_draft_read_mesh(struct zr_draft *draft, const struct zr_json_path *path, const cJSON *node,
+                        struct zr_mesh *mesh)
 {
-    struct zr_json *json = &builder->json;
+    struct zr_json *json = &draft->json;
     const cJSON *found[KEYS];
     *mesh = (struct zr_mesh){.name = ""};
     if (!zr_json_object(json, path, node, &keys, found)) return;
@@ -113,7 +113,7 @@ void zr_builder_read_mesh(struct zr_builder *builder, const struct zr_json_path 
     for (int key = POSITIONS; key <= FACES; key += FACES - POSITIONS)
         if (!found[key]) zr_json_fault(json, path, "%s is missing", words[key]);
     struct zr_style style;
-    zr_builder_read_style(builder, path, found[MATERIAL], found[DOUBLE_SIDED], found[SHADING], &style);
+    zr_draft_read_style(draft, path, found[MATERIAL], found[DOUBLE_SIDED], found[SHADING], &style);
     if (!found[POSITIONS] || !found[FACES]) return;
 
     size_t faults = json->error->count;
@@ -121,10 +121,9 @@ void zr_builder_read_mesh(struct zr_builder *builder, const struct zr_json_path 
     if (json->error->count > faults && !mesh->positions) return; /* no count to hold the rest against */
     if (found[NORMALS]) read_normals(json, ZR_JSON_KEY(path, words[NORMALS]), found[NORMALS], mesh);
     mesh->colors =
-        read_colors(builder, ZR_JSON_KEY(path, words[COLORS]), found[COLORS], mesh->position_count, "positions");
+        read_colors(draft, ZR_JSON_KEY(path, words[COLORS]), found[COLORS], mesh->position_count, "positions");
     read_faces(json, ZR_JSON_KEY(path, words[FACES]), found[FACES], mesh);
     mesh->face_colors =
-        read_colors(builder, ZR_JSON_KEY(path, words[FACE_COLORS]), found[FACE_COLORS], mesh->face_count, "faces");
-    mesh->material =
-        zr_builder_variant(builder, &style, mesh->colors || mesh->face_colors, mesh->normals || mesh->colors);
+        read_colors(draft, ZR_JSON_KEY(path, words[FACE_COLORS]), found[FACE_COLORS], mesh->face_count, "faces");
+    mesh->material = zr_draft_variant(draft, &style, mesh->colors || mesh->face_colors, mesh->normals || mesh->colors);
 }

@@ -49,10 +49,10 @@ static bool clashes(struct zr_json *json, const struct zr_json_path *path, const
     return false;
 }
 
-void zr_builder_read_outputs(struct zr_builder *builder, const struct zr_json_path *path, const cJSON *list)
+void zr_draft_read_outputs(struct zr_draft *draft, const struct zr_json_path *path, const cJSON *list)
 {
     enum { OUTPUTS_MAX = ZR_CHANNEL_COUNT * ZR_ENCODING_COUNT };
-    struct zr_json *json = &builder->json;
+    struct zr_json *json = &draft->json;
     size_t given, count = 0, number = 0;
     if (!zr_json_array(json, path, list, &given)) return;
     if (given == 0) {
@@ -67,6 +67,6 @@ void zr_builder_read_outputs(struct zr_builder *builder, const struct zr_json_pa
         if (read_output(json, at, node, &output) && !clashes(json, at, outputs, count, &output))
             outputs[count++] = output;
     }
-    builder->scene->outputs = outputs;
-    builder->scene->output_count = (uint32_t)count;
+    draft->scene->outputs = outputs;
+    draft->scene->output_count = (uint32_t)count;
 }

@@ -75,19 +75,18 @@ static bool is_per_vertex(struct zr_json *json, const struct zr_json_path *path,
            zr_json_fault(json, path, "%zu items for %zu vertices; one each is needed", count, vertices);
 }
 
-static void read_polygon(struct zr_builder *builder, const struct zr_json_path *path, const cJSON *node,
-                         struct soup *soup)
+static void read_polygon(struct zr_draft *draft, const struct zr_json_path *path, const cJSON *node, struct soup *soup)
 {
-    struct zr_json *json = &builder->json;
+    struct zr_json *json = &draft->json;
     const cJSON *found[KEYS];
     if (!zr_json_object(json, path, node, &keys, found)) return;
     struct zr_style style;
-    zr_builder_read_style(builder, path, found[MATERIAL], found[DOUBLE_SIDED], found[SHADING], &style);
+    zr_draft_read_style(draft, path, found[MATERIAL], found[DOUBLE_SIDED], found[SHADING], &style);
     if (found[COLOR] &&
         zr_json_color(json, ZR_JSON_KEY(path, words[COLOR]), found[COLOR], &soup->face_colors[soup->face]))
-        zr_builder_note_alpha(builder, &soup->face_colors[soup->face], 1);
+        zr_draft_note_alpha(draft, &soup->face_colors[soup->face], 1);
     soup->face_materials[soup->face] =
-        zr_builder_variant(builder, &style, found[COLOR] || found[COLORS], found[COLORS] || found[NORMALS]);
+        zr_draft_variant(draft, &style, found[COLOR] || found[COLORS], found[COLORS] || found[NORMALS]);
     if (!found[VERTICES]) {
         zr_json_fault(json, path, "vertices is missing");
         return;
@@ -99,16 +98,16 @@ static void read_polygon(struct zr_builder *builder, const struct zr_json_path *
     const struct zr_json_path *colors = ZR_JSON_KEY(path, words[COLORS]), *normals = ZR_JSON_KEY(path, words[NORMALS]);
     if (found[COLORS] && is_per_vertex(json, colors, found[COLORS], count) &&
         zr_json_vec4_list(json, colors, found[COLORS], zr_json_color, soup->colors + soup->vertex))
-        zr_builder_note_alpha(builder, soup->colors + soup->vertex, count);
+        zr_draft_note_alpha(draft, soup->colors + soup->vertex, count);
     if (found[NORMALS] && is_per_vertex(json, normals, found[NORMALS], count))
         zr_json_vec3_list(json, normals, found[NORMALS], soup->normals + soup->vertex);
     soup->vertex += (uint32_t)count;
 }
 
-void zr_builder_read_polygons(struct zr_builder *builder, const struct zr_json_path *path, const cJSON *list,
-                              struct zr_mesh *mesh)
+void zr_draft_read_polygons(struct zr_draft *draft, const struct zr_json_path *path, const cJSON *list,
+                            struct zr_mesh *mesh)
 {
-    struct zr_json *json = &builder->json;
+    struct zr_json *json = &draft->json;
     struct soup soup = {0};
     measure(&soup, list);
     *mesh = (struct zr_mesh){.name = "polygons"};
@@ -116,7 +115,7 @@ void zr_builder_read_polygons(struct zr_builder *builder, const struct zr_json_p
     size_t number = 0;
     for (const cJSON *node = list->child; node && !zr_json_full(json); node = node->next, number++) {
         soup.face_offsets[soup.face] = soup.vertex;
-        read_polygon(builder, ZR_JSON_ITEM(path, number), node, &soup);
+        read_polygon(draft, ZR_JSON_ITEM(path, number), node, &soup);
         soup.face++;
     }
     soup.face_offsets[soup.face] = soup.vertex;

@@ -2,7 +2,7 @@
  *
  * Materials: a scene's materials are what it says of itself; a drawn mesh needs
  * them resolved (base colour, shading, sidedness), where the mesh's own word goes
- * before the material's, and that before the scene's. zr_builder_variant makes
+ * before the material's, and that before the scene's. zr_draft_variant makes
  * each combination once, as it is first asked for.
  */
 #ifndef ZR_JSON_SCENE_H
@@ -21,7 +21,8 @@ struct zr_given_material {
     int shading, double_sided; /* or ZR_UNSAID */
 };
 
-struct zr_builder {
+/* A scene while its JSON is being read. */
+struct zr_draft {
     struct zr_json json;
     struct zr_scene *scene;
     int shading; /* the scene's own, or ZR_UNSAID */
@@ -38,36 +39,36 @@ struct zr_builder {
 
 /* What a mesh or a polygon says of its looks. */
 struct zr_style {
-    size_t given;              /* index into builder->given, or given_count: none */
+    size_t given;              /* index into draft->given, or given_count: none */
     int shading, double_sided; /* or ZR_UNSAID */
 };
 
 /* json_material.c. `list` may be NULL: no materials. */
-void zr_builder_read_materials(struct zr_builder *builder, const struct zr_json_path *path, const cJSON *list);
+void zr_draft_read_materials(struct zr_draft *draft, const struct zr_json_path *path, const cJSON *list);
 
 /* Any of the nodes may be NULL: not said. `path` is that of the mesh or polygon. */
-void zr_builder_read_style(struct zr_builder *builder, const struct zr_json_path *path, const cJSON *material,
-                           const cJSON *double_sided, const cJSON *shading, struct zr_style *style);
+void zr_draft_read_style(struct zr_draft *draft, const struct zr_json_path *path, const cJSON *material,
+                         const cJSON *double_sided, const cJSON *shading, struct zr_style *style);
 
 /* The index of the resolved material. coloured: the mesh has colours of its own;
  * smooth: it has normals or vertex colours. 0 once the arena has failed. */
-uint32_t zr_builder_variant(struct zr_builder *builder, const struct zr_style *style, bool coloured, bool smooth);
+uint32_t zr_draft_variant(struct zr_draft *draft, const struct zr_style *style, bool coloured, bool smooth);
 
 /* Notes colours that are not opaque. */
-void zr_builder_note_alpha(struct zr_builder *builder, const zr_vec4 *colors, size_t count);
+void zr_draft_note_alpha(struct zr_draft *draft, const zr_vec4 *colors, size_t count);
 
 /* json_mesh.c and json_polygons.c: fill one mesh each. Errors are in
- * builder->json.error, failures to allocate in its arena. */
-void zr_builder_read_mesh(struct zr_builder *builder, const struct zr_json_path *path, const cJSON *node,
-                          struct zr_mesh *mesh);
-void zr_builder_read_polygons(struct zr_builder *builder, const struct zr_json_path *path, const cJSON *list,
-                              struct zr_mesh *mesh);
+ * draft->json.error, failures to allocate in its arena. */
+void zr_draft_read_mesh(struct zr_draft *draft, const struct zr_json_path *path, const cJSON *node,
+                        struct zr_mesh *mesh);
+void zr_draft_read_polygons(struct zr_draft *draft, const struct zr_json_path *path, const cJSON *list,
+                            struct zr_mesh *mesh);
 
 /* json_view.c: over the defaults that scene->view already has. */
-void zr_builder_read_view(struct zr_builder *builder, const struct zr_json_path *path, const cJSON *node);
+void zr_draft_read_view(struct zr_draft *draft, const struct zr_json_path *path, const cJSON *node);
 
 /* json_light.c and json_outputs.c: the lists of these. */
-void zr_builder_read_lights(struct zr_builder *builder, const struct zr_json_path *path, const cJSON *list);
-void zr_builder_read_outputs(struct zr_builder *builder, const struct zr_json_path *path, const cJSON *list);
+void zr_draft_read_lights(struct zr_draft *draft, const struct zr_json_path *path, const cJSON *list);
+void zr_draft_read_outputs(struct zr_draft *draft, const struct zr_json_path *path, const cJSON *list);
 
 #endif

@@ -117,6 +117,10 @@ static void read_pose(struct reader *reader)
         reader->view->preset = (enum zr_preset)preset;
     }
     if (found[CAMERA_TO_WORLD]) read_camera_to_world(reader);
+    if (found[PROJECTION_MATRIX] && !look_at && !found[PRESET] && !found[CAMERA_TO_WORLD] && !found[WORLD_TO_CAMERA]) {
+        reader->view->pose = ZR_POSE_MATRIX; /* as in OpenGL: it alone leads from the world to clip space */
+        reader->view->world_to_camera = zr_mat4_identity();
+    }
     if (found[WORLD_TO_CAMERA]) {
         reader->view->pose = ZR_POSE_MATRIX;
         zr_json_mat4(reader->json, ZR_JSON_KEY(reader->path, words[WORLD_TO_CAMERA]), found[WORLD_TO_CAMERA],
@@ -227,9 +231,9 @@ static void read_fit(struct reader *reader)
         reader->view->fit_padding = (float)padding;
 }
 
-void zr_builder_read_view(struct zr_builder *builder, const struct zr_json_path *path, const cJSON *node)
+void zr_draft_read_view(struct zr_draft *draft, const struct zr_json_path *path, const cJSON *node)
 {
-    struct reader reader = {.json = &builder->json, .path = path, .view = &builder->scene->view};
+    struct reader reader = {.json = &draft->json, .path = path, .view = &draft->scene->view};
     if (!zr_json_object(reader.json, path, node, &keys, reader.found)) return;
     read_pose(&reader);
     read_projection(&reader);

@@ -11,8 +11,8 @@ struct patch {
     uint32_t x0, y0, x1, y1;
 };
 
-/* cJSON remembers no failure; a NULL item is caught when the tree is printed, since
- * adding it changes nothing and `ok` was cleared. */
+/* cJSON remembers no failure, and takes NULL for an item: so every item is checked here,
+ * and a tree that lacks one is not printed. */
 struct writer {
     bool ok;
 };
@@ -121,7 +121,8 @@ static struct patch *patches_of(struct zr_arena *arena, const struct zr_frame *f
     if (!patches) return NULL;
     const uint32_t *id = frame->face_id;
     for (uint32_t y = 0; y < frame->height; y++)
-        for (uint32_t x = 0; x < frame->width; x++) extend(&patches[*id++], x, y, x + 1, y + 1, 1);
+        for (uint32_t x = 0; x < frame->width; x++)
+            extend(&patches[*id++], x, y, x + 1, y + 1, 1);
     return patches;
 }
 
@@ -167,7 +168,8 @@ static cJSON *meshes_of(struct writer *w, const struct zr_scene *scene, const st
 }
 
 static cJSON *build(struct writer *w, const struct zr_scene *scene, const struct zr_frame *frame, float depth_scale,
-                    uint64_t misfits, const struct zr_warnings *warnings, const struct patch *patches, uint32_t face_count)
+                    uint64_t misfits, const struct zr_warnings *warnings, const struct patch *patches,
+                    uint32_t face_count)
 {
     cJSON *root = check(w, cJSON_CreateObject());
     cJSON *window = check(w, cJSON_CreateObject());
@@ -194,7 +196,8 @@ enum zr_status zr_info_write(const struct zr_scene *scene, const struct zr_frame
                              uint64_t misfits, const struct zr_warnings *warnings, struct zr_buffer *out)
 {
     uint32_t face_count = 0;
-    for (uint32_t i = 0; i < scene->instance_count; i++) face_count += scene->meshes[scene->instances[i].mesh].face_count;
+    for (uint32_t i = 0; i < scene->instance_count; i++)
+        face_count += scene->meshes[scene->instances[i].mesh].face_count;
     const struct patch *patches = patches_of(out->arena, frame, face_count);
     if (!patches) return ZR_NO_MEMORY;
     struct writer w = {.ok = true};

@@ -53,7 +53,8 @@ static void set_header(png_structp png, png_infop info, const struct zr_png *ima
     png_set_compression_strategy(png, 3 /* Z_RLE */);
     if (image->text) {
         char key[] = "Comment";
-        png_text text = {.compression = PNG_TEXT_COMPRESSION_NONE, .key = key, .text = (png_charp)(uintptr_t)image->text};
+        png_text text = {
+            .compression = PNG_TEXT_COMPRESSION_NONE, .key = key, .text = (png_charp)(uintptr_t)image->text};
         png_set_text(png, info, &text, 1);
     }
     png_write_info(png, info);
@@ -77,7 +78,8 @@ static bool write_rows(png_structp png, const struct zr_png *image, const struct
 
 enum zr_status zr_png_write(const struct zr_png *image, const struct zr_cancel *cancel, struct zr_buffer *out)
 {
-    png_structp png = png_create_write_struct_2(PNG_LIBPNG_VER_STRING, NULL, leave, ignore_warning, out, allocate, keep);
+    png_structp png =
+        png_create_write_struct_2(PNG_LIBPNG_VER_STRING, NULL, leave, ignore_warning, out, allocate, keep);
     if (!png) return ZR_NO_MEMORY;
     png_infop info = png_create_info_struct(png);
     /* Nothing that is set below is read after the jump; it lands here, once. */

@@ -19,22 +19,23 @@ __attribute__((format(printf, 3, 4))) static void add(struct zr_arena *arena, st
     warnings->texts[warnings->count++] = text;
 }
 
-struct zr_warnings zr_warnings_make(struct zr_arena *arena, const struct zr_scene *scene, const struct zr_counts *counts,
-                                    uint64_t misfits)
+struct zr_warnings zr_warnings_make(struct zr_arena *arena, const struct zr_scene *scene,
+                                    const struct zr_counts *counts, uint64_t misfits)
 {
     struct zr_warnings w = {0, zr_arena_alloc(arena, (size_t)scene->warning_count + OWN_MAX, sizeof *w.texts)};
     if (!w.texts) return w;
-    for (uint32_t i = 0; i < scene->warning_count; i++) w.texts[w.count++] = scene->warnings[i];
+    for (uint32_t i = 0; i < scene->warning_count; i++)
+        w.texts[w.count++] = scene->warnings[i];
     if (counts->degenerate_polygons > 0)
         add(arena, &w, "%" PRIu64 " of %" PRIu64 " polygons have fewer than three distinct corners and were dropped",
             counts->degenerate_polygons, counts->polygons);
     if (counts->concave_polygons > 0)
-        add(arena, &w, "%" PRIu64 " of %" PRIu64 " polygons are concave and were drawn as fans", counts->concave_polygons,
-            counts->polygons);
+        add(arena, &w, "%" PRIu64 " of %" PRIu64 " polygons are concave and were drawn as fans",
+            counts->concave_polygons, counts->polygons);
     if (misfits > 0) add(arena, &w, "the depth of %" PRIu64 " pixels does not fit 16 bits at this scale", misfits);
     if (counts->drawn_whole + counts->drawn_pieces > 0) return w;
-    if (counts->culled > 0)
-        add(arena, &w, "nothing is seen: every polygon in view faces away (doubleSided draws both sides)");
+    if (counts->culled + counts->culled_pieces > 0)
+        add(arena, &w, "nothing is seen: what is in view faces away (doubleSided draws both sides)");
     else if (counts->outside == counts->triangles && counts->triangles > 0)
         add(arena, &w, "nothing is seen: all geometry is outside the view");
     else
@@ -45,7 +46,8 @@ struct zr_warnings zr_warnings_make(struct zr_arena *arena, const struct zr_scen
 const char *zr_warnings_join(struct zr_arena *arena, const struct zr_warnings *warnings)
 {
     size_t size = 1;
-    for (uint32_t i = 0; i < warnings->count; i++) size += strlen(warnings->texts[i]) + 2;
+    for (uint32_t i = 0; i < warnings->count; i++)
+        size += strlen(warnings->texts[i]) + 2;
     char *joined = zr_arena_alloc(arena, size, 1);
     if (!joined) return "";
     char *end = joined;

@@ -3,7 +3,10 @@
 #include <stdint.h>
 #include <zip.h>
 
-enum { DOS_DATE_1980_01_01 = 0x21 };
+#include "base/checked.h"
+
+/* HEADERS_SIZE: what the format adds to a file with a short name, amply. */
+enum { DOS_DATE_1980_01_01 = 0x21, HEADERS_SIZE = 512 };
 
 static bool add_entries(zip_t *archive, const struct zr_zip_entry *entries, size_t count)
 {
@@ -22,17 +25,20 @@ static bool add_entries(zip_t *archive, const struct zr_zip_entry *entries, size
     return true;
 }
 
+/* Straight to the end of the buffer. */
 static bool copy_out(zip_source_t *source, struct zr_buffer *out)
 {
     zip_stat_t stat;
     if (zip_source_stat(source, &stat) != 0 || zip_source_open(source) != 0) return false;
-    unsigned char *bytes = zr_arena_alloc(out->arena, stat.size, 1);
-    bool ok = bytes && zip_source_read(source, bytes, stat.size) == (zip_int64_t)stat.size;
+    unsigned char *end = zr_buffer_room(out, stat.size);
+    bool ok = end && zip_source_read(source, end, stat.size) == (zip_int64_t)stat.size;
+    if (ok) out->size += stat.size;
     zip_source_close(source);
-    return ok && zr_buffer_add(out, bytes, stat.size);
+    return ok;
 }
 
-enum zr_status zr_zip_write(const struct zr_zip_entry *entries, size_t count, struct zr_buffer *out)
+/* The archive as libzip makes it, in memory of its own; NULL where that is short. */
+static zip_source_t *make_archive(const struct zr_zip_entry *entries, size_t count)
 {
     zip_error_t error;
     zip_error_init(&error);
@@ -41,12 +47,24 @@ enum zr_status zr_zip_write(const struct zr_zip_entry *entries, size_t count, st
     zip_error_fini(&error);
     if (!archive) {
         if (target) zip_source_free(target);
-        return ZR_NO_MEMORY;
+        return NULL;
     }
     zip_source_keep(target); /* outlives the archive, which writes into it as it closes */
-    bool ok = add_entries(archive, entries, count) && zip_close(archive) == 0;
-    if (!ok) zip_discard(archive);
-    ok = ok && copy_out(target, out);
+    if (add_entries(archive, entries, count) && zip_close(archive) == 0) return target;
+    zip_discard(archive);
     zip_source_free(target);
+    return NULL;
+}
+
+enum zr_status zr_zip_write(const struct zr_zip_entry *entries, size_t count, struct zr_buffer *out)
+{
+    size_t charged = 0;
+    for (size_t i = 0; i < count; i++)
+        if (!zr_add_size(charged, entries[i].size + HEADERS_SIZE, &charged)) return ZR_NO_MEMORY;
+    if (!zr_arena_charge(out->arena, charged)) return ZR_NO_MEMORY;
+    zip_source_t *archive = make_archive(entries, count);
+    bool ok = archive && copy_out(archive, out);
+    if (archive) zip_source_free(archive);
+    zr_arena_refund(out->arena, charged);
     return ok ? ZR_OK : ZR_NO_MEMORY;
 }

@@ -2,6 +2,10 @@
 
 #include <stdbool.h>
 
+/* From the first to the last pixel centre in a box whose vertices are at most 64 pixels
+ * apart: up to one pixel at each end holds no centre. */
+enum { SMALL_MAX = 62 };
+
 /* Pixels of one call, inside both the triangle's box and the tile. */
 struct area {
     int32_t x0, y0, x1, y1; /* window pixels, x1 and y1 exclusive */
@@ -19,8 +23,8 @@ static inline int64_t edge_at(const struct zr_edge *edge, int32_t x, int32_t y)
     return edge->c + edge->a * x + edge->b * y;
 }
 
-/* A triangle whose box is at most a tile wide and high has edge functions below
- * 2^30 inside its box: 32 bits hold them, and every pixel of the box is tried. */
+/* A triangle whose vertices are less than 64 pixels apart, 2^14 on the grid, has edge
+ * functions below 2 * 2^28 inside its box: 32 bits hold them, and every pixel is tried. */
 static void draw_small(struct zr_tile *tile, const struct zr_setup *setup, uint32_t owner, struct area area)
 {
     int32_t step[3], row_step[3], row[3];
@@ -43,7 +47,8 @@ static void draw_small(struct zr_tile *tile, const struct zr_setup *setup, uint3
             depth[i] = nearer ? z : depth[i];
             owners[i] = nearer ? owner : owners[i];
         }
-        for (int k = 0; k < 3; k++) row[k] += row_step[k];
+        for (int k = 0; k < 3; k++)
+            row[k] += row_step[k];
     }
 }
 
@@ -58,7 +63,8 @@ static void cut_span(int64_t value, int64_t a, int32_t *x0, int32_t *x1)
     *x1 = end < *x1 ? (int32_t)end : *x1;
 }
 
-static void draw_span(struct zr_tile *tile, const struct zr_plane *plane, uint32_t owner, int32_t y, int32_t x0, int32_t x1)
+static void draw_span(struct zr_tile *tile, const struct zr_plane *plane, uint32_t owner, int32_t y, int32_t x0,
+                      int32_t x1)
 {
     float *depth = &tile->depth[(y - tile->y) * ZR_TILE_SIZE + x0 - tile->x];
     uint32_t *owners = &tile->owner[(y - tile->y) * ZR_TILE_SIZE + x0 - tile->x];
@@ -85,7 +91,8 @@ static void draw_large(struct zr_tile *tile, const struct zr_setup *setup, uint3
     }
     for (int32_t y = area.y0; y < area.y1; y++) {
         int32_t x0 = area.x0, x1 = area.x1;
-        for (int k = 0; k < count && x0 < x1; k++) cut_span(edge_at(cutting[k], x0, y), cutting[k]->a, &x0, &x1);
+        for (int k = 0; k < count && x0 < x1; k++)
+            cut_span(edge_at(cutting[k], x0, y), cutting[k]->a, &x0, &x1);
         if (x0 < x1) draw_span(tile, &setup->depth, owner, y, x0, x1);
     }
 }
@@ -98,8 +105,7 @@ void zr_halfspace_draw(struct zr_tile *tile, const struct zr_setup *setup, uint3
     if (setup->max_x < area.x1) area.x1 = setup->max_x + 1;
     if (setup->max_y < area.y1) area.y1 = setup->max_y + 1;
     if (area.x0 >= area.x1 || area.y0 >= area.y1) return;
-    /* One pixel less than a tile: the box of the vertices may be wider than that of the pixel centres in it. */
-    bool small = setup->max_x - setup->min_x < ZR_TILE_SIZE - 2 && setup->max_y - setup->min_y < ZR_TILE_SIZE - 2;
+    bool small = setup->max_x - setup->min_x <= SMALL_MAX && setup->max_y - setup->min_y <= SMALL_MAX;
     if (small)
         draw_small(tile, setup, owner, area);
     else

@@ -18,7 +18,8 @@ struct zr_plane {
     float a0, dadx, dady;
 };
 
-static inline struct zr_plane_basis zr_plane_basis_make(const struct zr_window_vertex *v0, const struct zr_window_vertex *v1,
+static inline struct zr_plane_basis zr_plane_basis_make(const struct zr_window_vertex *v0,
+                                                        const struct zr_window_vertex *v1,
                                                         const struct zr_window_vertex *v2)
 {
     float dx01 = v0->x - v1->x, dy01 = v0->y - v1->y, dx20 = v2->x - v0->x, dy20 = v2->y - v0->y;

@@ -15,8 +15,8 @@ struct zr_tile {
     int32_t x, y;          /* lowest pixel */
     int32_t width, height; /* smaller at the window's upper and right border */
     /* [row * ZR_TILE_SIZE + column] */
-    float depth[ZR_TILE_SIZE * ZR_TILE_SIZE];       /* window depth, 1 where nothing is */
-    uint32_t owner[ZR_TILE_SIZE * ZR_TILE_SIZE];    /* 1 + number of the triangle, 0 where nothing is */
+    float depth[ZR_TILE_SIZE * ZR_TILE_SIZE];    /* window depth, 1 where nothing is */
+    uint32_t owner[ZR_TILE_SIZE * ZR_TILE_SIZE]; /* 1 + number of the triangle, 0 where nothing is */
 };
 
 #endif

@@ -8,7 +8,8 @@ enum { TRIANGLES_A_CANCEL_CHECK = 1024 };
 
 static void clear(struct zr_tile *tile)
 {
-    for (int i = 0; i < ZR_TILE_SIZE * ZR_TILE_SIZE; i++) tile->depth[i] = 1.0f;
+    for (int i = 0; i < ZR_TILE_SIZE * ZR_TILE_SIZE; i++)
+        tile->depth[i] = 1.0f;
     memset(tile->owner, 0, sizeof tile->owner);
 }
 
@@ -33,7 +34,8 @@ bool zr_visibility_tile(const struct zr_geometry *geometry, const struct zr_bins
 {
     place(tile, bins, number, width, height);
     clear(tile);
-    const uint32_t *small = bins->entries + bins->offsets[number], *small_end = bins->entries + bins->offsets[number + 1];
+    const uint32_t *small = bins->entries + bins->offsets[number],
+                   *small_end = bins->entries + bins->offsets[number + 1];
     const uint32_t *large = bins->large, *large_end = large + bins->large_count;
     for (uint32_t drawn = 0; small < small_end || large < large_end; drawn++) {
         if (drawn % TRIANGLES_A_CANCEL_CHECK == 0 && zr_is_cancelled(cancel)) return false;

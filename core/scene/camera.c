@@ -1,5 +1,6 @@
 #include "scene/camera.h"
 
+#include <float.h>
 #include <math.h>
 
 #include "base/trig.h"
@@ -13,10 +14,22 @@ struct frame_of_reference {
     vec right, up, back, eye;
 };
 
-static vec vec_of(zr_vec3 v) { return (vec){(double)v.x, (double)v.y, (double)v.z}; }
-static vec sub(vec a, vec b) { return (vec){a.x - b.x, a.y - b.y, a.z - b.z}; }
-static vec add_scaled(vec a, vec b, double s) { return (vec){a.x + b.x * s, a.y + b.y * s, a.z + b.z * s}; }
-static double dot(vec a, vec b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+static vec vec_of(zr_vec3 v)
+{
+    return (vec){(double)v.x, (double)v.y, (double)v.z};
+}
+static vec sub(vec a, vec b)
+{
+    return (vec){a.x - b.x, a.y - b.y, a.z - b.z};
+}
+static vec add_scaled(vec a, vec b, double s)
+{
+    return (vec){a.x + b.x * s, a.y + b.y * s, a.z + b.z * s};
+}
+static double dot(vec a, vec b)
+{
+    return a.x * b.x + a.y * b.y + a.z * b.z;
+}
 
 static vec cross(vec a, vec b)
 {
@@ -38,7 +51,12 @@ struct point_walk {
     uint32_t instance, position;
 };
 
-/* The next point that is not at infinity; false at the end. */
+static bool in_range(vec p)
+{
+    return fabs(p.x) <= (double)FLT_MAX && fabs(p.y) <= (double)FLT_MAX && fabs(p.z) <= (double)FLT_MAX;
+}
+
+/* The next point that is not at infinity, or as good as; false at the end. */
 static bool next_point(struct point_walk *walk, vec *out)
 {
     while (walk->instance < walk->scene->instance_count) {
@@ -46,10 +64,9 @@ static bool next_point(struct point_walk *walk, vec *out)
         const struct zr_mesh *mesh = &walk->scene->meshes[instance->mesh];
         while (walk->position < mesh->position_count) {
             zr_vec4 p = zr_mat4_apply(&instance->object_to_world, mesh->positions[walk->position++]);
-            if (p.w == 0.0f) continue;
             double w = (double)p.w;
             *out = (vec){(double)p.x / w, (double)p.y / w, (double)p.z / w};
-            return true;
+            if (w != 0.0 && in_range(*out)) return true;
         }
         walk->instance++;
         walk->position = 0;
@@ -90,11 +107,11 @@ struct zr_bounds zr_bounds_of(const struct zr_scene *scene)
 {
     struct extent e = NOTHING;
     struct point_walk walk = {.scene = scene};
-    for (vec p; next_point(&walk, &p);) include(&e, p);
+    for (vec p; next_point(&walk, &p);)
+        include(&e, p);
     if (!(e.min.x <= e.max.x)) return (struct zr_bounds){.valid = false};
-    return (struct zr_bounds){true,
-                              {(float)e.min.x, (float)e.min.y, (float)e.min.z},
-                              {(float)e.max.x, (float)e.max.y, (float)e.max.z}};
+    return (struct zr_bounds){
+        true, {(float)e.min.x, (float)e.min.y, (float)e.min.z}, {(float)e.max.x, (float)e.max.y, (float)e.max.z}};
 }
 
 /* ---- pose ---- */
@@ -104,9 +121,9 @@ static struct frame_of_reference preset_axes(enum zr_preset preset)
     static const struct {
         vec back, up;
     } table[ZR_PRESET_COUNT] = {
-        [ZR_PRESET_FRONT] = {{0, 0, 1}, {0, 1, 0}},   [ZR_PRESET_BACK] = {{0, 0, -1}, {0, 1, 0}},
-        [ZR_PRESET_LEFT] = {{-1, 0, 0}, {0, 1, 0}},   [ZR_PRESET_RIGHT] = {{1, 0, 0}, {0, 1, 0}},
-        [ZR_PRESET_TOP] = {{0, 1, 0}, {0, 0, -1}},    [ZR_PRESET_BOTTOM] = {{0, -1, 0}, {0, 0, 1}},
+        [ZR_PRESET_FRONT] = {{0, 0, 1}, {0, 1, 0}},    [ZR_PRESET_BACK] = {{0, 0, -1}, {0, 1, 0}},
+        [ZR_PRESET_LEFT] = {{-1, 0, 0}, {0, 1, 0}},    [ZR_PRESET_RIGHT] = {{1, 0, 0}, {0, 1, 0}},
+        [ZR_PRESET_TOP] = {{0, 1, 0}, {0, 0, -1}},     [ZR_PRESET_BOTTOM] = {{0, -1, 0}, {0, 0, 1}},
         [ZR_PRESET_ISOMETRIC] = {{1, 1, 1}, {0, 1, 0}}};
     struct frame_of_reference f = {.back = table[preset].back};
     normalize(&f.back);
@@ -121,7 +138,8 @@ static enum zr_status look_at_axes(const struct zr_view *view, struct frame_of_r
     f->eye = vec_of(view->eye);
     f->back = sub(f->eye, vec_of(view->target));
     if (!normalize(&f->back))
-        return zr_error_add(error, ZR_BAD_SCENE, "/view/eye", "the eye is at the target: there is no direction to look in");
+        return zr_error_add(error, ZR_BAD_SCENE, "/view/eye",
+                            "the eye is at the target: there is no direction to look in");
     f->right = cross(vec_of(view->up), f->back);
     if (!normalize(&f->right))
         return zr_error_add(error, ZR_BAD_SCENE, "/view/up", "up is zero or along the line of sight");
@@ -216,7 +234,8 @@ static enum zr_status depth_range(const struct zr_view *view, const struct exten
     camera->znear = (float)znear;
     camera->zfar = (float)zfar;
     if (!(camera->znear < camera->zfar))
-        return zr_error_add(error, ZR_BAD_SCENE, "/view", "znear %g and zfar %g leave no depth between them", znear, zfar);
+        return zr_error_add(error, ZR_BAD_SCENE, "/view", "znear %g and zfar %g leave no depth between them", znear,
+                            zfar);
     return ZR_OK;
 }
 
@@ -246,11 +265,13 @@ static enum zr_status project(const struct zr_scene *scene, const struct extent 
     if (status != ZR_OK) return status;
     double n = (double)camera->znear, f = (double)camera->zfar;
     if (view->projection == ZR_PROJECTION_PERSPECTIVE) {
-        camera->projection = perspective((double)view->yfov_radians, (double)scene->width / (double)scene->height, n, f);
+        camera->projection =
+            perspective((double)view->yfov_radians, (double)scene->width / (double)scene->height, n, f);
     } else {
         double xmag = (double)view->xmag, ymag = (double)view->ymag;
         if (!(xmag > 0.0) || !(ymag > 0.0))
-            grow_to_window(scene, fmax(fabs(e->min.x), fabs(e->max.x)), fmax(fabs(e->min.y), fabs(e->max.y)), &xmag, &ymag);
+            grow_to_window(scene, fmax(fabs(e->min.x), fabs(e->max.x)), fmax(fabs(e->min.y), fabs(e->max.y)), &xmag,
+                           &ymag);
         camera->projection = orthographic(xmag, ymag, n, f);
     }
     return ZR_OK;
@@ -262,8 +283,23 @@ static struct extent shifted(struct extent e, const zr_mat4 *m)
     return (struct extent){add_scaled(e.min, t, 1.0), add_scaled(e.max, t, 1.0)};
 }
 
-enum zr_status zr_camera_resolve(const struct zr_scene *scene, const struct zr_bounds *bounds, struct zr_camera *camera,
-                                 struct zr_error *error)
+static bool all_finite(const float *values, int count)
+{
+    for (int i = 0; i < count; i++)
+        if (!isfinite(values[i])) return false;
+    return true;
+}
+
+static enum zr_status check_finite(const struct zr_camera *camera, struct zr_error *error)
+{
+    if (all_finite(camera->world_to_eye.m, 16) && all_finite(camera->projection.m, 16) && isfinite(camera->znear) &&
+        isfinite(camera->zfar))
+        return ZR_OK;
+    return zr_error_add(error, ZR_BAD_SCENE, "/view", "the view leads beyond the range of numbers");
+}
+
+static enum zr_status resolve(const struct zr_scene *scene, const struct zr_bounds *bounds, struct zr_camera *camera,
+                              struct zr_error *error)
 {
     const struct zr_view *view = &scene->view;
     *camera = (struct zr_camera){.znear = 0.0f};
@@ -289,4 +325,11 @@ enum zr_status zr_camera_resolve(const struct zr_scene *scene, const struct zr_b
         extent = extent_of(scene, &axes);
     }
     return project(scene, &extent, camera, error);
+}
+
+enum zr_status zr_camera_resolve(const struct zr_scene *scene, const struct zr_bounds *bounds, struct zr_camera *camera,
+                                 struct zr_error *error)
+{
+    enum zr_status status = resolve(scene, bounds, camera, error);
+    return status == ZR_OK ? check_finite(camera, error) : status;
 }

@@ -22,11 +22,11 @@ struct zr_camera {
     float znear, zfar; /* distances in front of the camera; 0 and 0 with a projectionMatrix */
 };
 
-/* Points at infinity (w = 0) are left out. */
+/* Points at infinity (w = 0), or beyond the range of float, are left out. */
 struct zr_bounds zr_bounds_of(const struct zr_scene *scene);
 
-/* Fails with ZR_BAD_SCENE where the view has no solution (an eye on its target,
- * an up along the view, a matrix without an inverse). */
+/* Fails with ZR_BAD_SCENE where the view has no solution (an eye on its target, an
+ * up along the view), or where a matrix leaves the range of float. */
 enum zr_status zr_camera_resolve(const struct zr_scene *scene, const struct zr_bounds *bounds, struct zr_camera *camera,
                                  struct zr_error *error);
 

@@ -16,8 +16,8 @@
 #include "base/vec.h"
 
 enum zr_shading {
-    ZR_SHADING_UNLIT, /* colours as given, interpolated where given per vertex */
-    ZR_SHADING_FLAT,  /* one lit colour a polygon; its first vertex gives the colour */
+    ZR_SHADING_UNLIT,  /* colours as given, interpolated where given per vertex */
+    ZR_SHADING_FLAT,   /* one lit colour a polygon; its first vertex gives the colour */
     ZR_SHADING_GOURAUD /* lit at each vertex, interpolated */
 };
 
@@ -39,8 +39,8 @@ struct zr_mesh {
     const uint32_t *face_offsets; /* face_count + 1 */
     const uint32_t *indices;      /* into positions, one a corner */
 
-    uint32_t normal_count; /* 0: normals are computed */
-    const zr_vec3 *normals; /* any length; a zero normal is computed instead */
+    uint32_t normal_count;          /* 0: normals are computed */
+    const zr_vec3 *normals;         /* any length; a zero normal is computed instead */
     const uint32_t *normal_indices; /* one a corner; NULL: the corner's position index */
 
     const zr_vec4 *colors;      /* position_count, or NULL */
@@ -58,9 +58,9 @@ struct zr_instance {
 
 /* Light from one direction, as from the sun. */
 struct zr_light {
-    zr_vec3 direction;  /* the way the light travels; unit length */
-    zr_vec3 color;      /* times intensity */
-    bool camera_frame;  /* direction is in eye space (a headlight), else in world space */
+    zr_vec3 direction; /* the way the light travels; unit length */
+    zr_vec3 color;     /* times intensity */
+    bool camera_frame; /* direction is in eye space (a headlight), else in world space */
 };
 
 enum zr_pose { ZR_POSE_PRESET, ZR_POSE_LOOK_AT, ZR_POSE_MATRIX };
@@ -68,9 +68,9 @@ enum zr_pose { ZR_POSE_PRESET, ZR_POSE_LOOK_AT, ZR_POSE_MATRIX };
 enum zr_preset {
     ZR_PRESET_FRONT, /* the camera on +z, looks along -z; y is up */
     ZR_PRESET_BACK,
-    ZR_PRESET_LEFT,  /* the camera on -x */
+    ZR_PRESET_LEFT, /* the camera on -x */
     ZR_PRESET_RIGHT,
-    ZR_PRESET_TOP,   /* the camera on +y; -z is up in the picture */
+    ZR_PRESET_TOP, /* the camera on +y; -z is up in the picture */
     ZR_PRESET_BOTTOM,
     ZR_PRESET_ISOMETRIC, /* the camera on (1, 1, 1) */
     ZR_PRESET_COUNT

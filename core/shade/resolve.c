@@ -58,8 +58,8 @@ static float eye_depth(const struct zr_window_vertex *v)
     return -v->eye_z / v->eye_w;
 }
 
-static void make_color(const struct zr_geometry *geometry, const struct zr_triangle *t, const struct zr_plane_basis *basis,
-                       const float oow[3], struct surface *surface)
+static void make_color(const struct zr_geometry *geometry, const struct zr_triangle *t,
+                       const struct zr_plane_basis *basis, const float oow[3], struct surface *surface)
 {
     const zr_vec4 *colors = t->back ? geometry->back_colors : geometry->front_colors;
     zr_vec4 c0 = colors[t->c[0]], c1 = colors[t->c[1]], c2 = colors[t->c[2]];
@@ -74,14 +74,15 @@ static void make_color(const struct zr_geometry *geometry, const struct zr_trian
     surface->blue = zr_plane_make(basis, c0.z * oow[0], c1.z * oow[1], c2.z * oow[2]);
 }
 
-static void make_depth(const struct zr_window_vertex *const v[3], const struct zr_plane_basis *basis, const float oow[3],
-                       struct surface *surface)
+static void make_depth(const struct zr_window_vertex *const v[3], const struct zr_plane_basis *basis,
+                       const float oow[3], struct surface *surface)
 {
     surface->eye_z = zr_plane_make(basis, -v[0]->eye_z * oow[0], -v[1]->eye_z * oow[1], -v[2]->eye_z * oow[2]);
     surface->eye_w = zr_plane_make(basis, v[0]->eye_w * oow[0], v[1]->eye_w * oow[1], v[2]->eye_w * oow[2]);
     float d0 = eye_depth(v[0]), d1 = eye_depth(v[1]), d2 = eye_depth(v[2]);
-    surface->depth_min = fminf(d0, fminf(d1, d2));
-    surface->depth_max = fmaxf(d0, fmaxf(d1, d2));
+    float low = d0 < d1 ? d0 : d1, high = d0 > d1 ? d0 : d1;
+    surface->depth_min = low < d2 ? low : d2;
+    surface->depth_max = high > d2 ? high : d2;
 }
 
 /* Only what the frame's channels ask for: small triangles are set up as often as drawn. */
@@ -101,7 +102,8 @@ static void make_surface(const struct zr_geometry *geometry, const struct zr_fra
 static void resolve_color(const struct surface *surface, const struct run *run, uint32_t *out)
 {
     if (surface->flat) {
-        for (int32_t i = 0; i < run->count; i++) out[i] = surface->flat_color;
+        for (int32_t i = 0; i < run->count; i++)
+            out[i] = surface->flat_color;
         return;
     }
     const struct zr_plane w = surface->oow, r = surface->red, g = surface->green, b = surface->blue;
@@ -133,8 +135,10 @@ static void resolve_depth(const struct surface *surface, const struct run *run, 
 static void resolve_nothing(const struct zr_frame *frame, uint32_t background, size_t pixel, int32_t count)
 {
     uint32_t *color = (uint32_t *)(void *)frame->color;
-    for (int32_t i = 0; color && i < count; i++) color[pixel + (size_t)i] = background;
-    for (int32_t i = 0; frame->depth && i < count; i++) frame->depth[pixel + (size_t)i] = INFINITY;
+    for (int32_t i = 0; color && i < count; i++)
+        color[pixel + (size_t)i] = background;
+    for (int32_t i = 0; frame->depth && i < count; i++)
+        frame->depth[pixel + (size_t)i] = INFINITY;
     if (frame->face_id) memset(frame->face_id + pixel, 0, (size_t)count * sizeof *frame->face_id);
 }
 
@@ -145,14 +149,16 @@ static void resolve_run(const struct zr_geometry *geometry, const struct surface
     if (frame->depth) resolve_depth(surface, run, frame->depth + pixel);
     if (!frame->face_id) return;
     uint32_t face = geometry->triangles[run->owner - 1].face;
-    for (int32_t i = 0; i < run->count; i++) frame->face_id[pixel + (size_t)i] = face;
+    for (int32_t i = 0; i < run->count; i++)
+        frame->face_id[pixel + (size_t)i] = face;
 }
 
 void zr_resolve_tile(const struct zr_geometry *geometry, zr_vec4 background, const struct zr_tile *tile,
                      const struct zr_frame *frame)
 {
     struct surface surfaces[SURFACES];
-    for (int i = 0; i < SURFACES; i++) surfaces[i].owner = 0;
+    for (int i = 0; i < SURFACES; i++)
+        surfaces[i].owner = 0;
     uint32_t nothing =
         pack(color_byte(background.x), color_byte(background.y), color_byte(background.z), color_byte(background.w));
     for (int32_t row = 0; row < tile->height; row++) {
@@ -164,7 +170,8 @@ void zr_resolve_tile(const struct zr_geometry *geometry, zr_vec4 background, con
             memcpy(frame->window_depth + line, &tile->depth[row * ZR_TILE_SIZE], (size_t)tile->width * sizeof(float));
         for (int32_t begin = 0, end; begin < tile->width; begin = end) {
             run.owner = owners[begin];
-            for (end = begin + 1; end < tile->width && owners[end] == run.owner;) end++;
+            for (end = begin + 1; end < tile->width && owners[end] == run.owner;)
+                end++;
             run.x = tile->x + begin;
             run.count = end - begin;
             if (run.owner == 0) {

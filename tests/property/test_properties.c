@@ -61,10 +61,12 @@ static void triangles_that_share_an_edge_cover_each_pixel_exactly_once(void **st
         for (uint32_t t = 0; t < triangles; t++) { /* each alone, so that none hides another */
             scene_of_triangles(&test, width, height, positions + 3 * t, 1);
             const struct zr_frame *frame = scene_render(&arena, NULL, &test.scene);
-            for (uint32_t i = 0; i < width * height; i++) covered[i] = (uint8_t)(covered[i] + (frame->face_id[i] != 0));
+            for (uint32_t i = 0; i < width * height; i++)
+                covered[i] = (uint8_t)(covered[i] + (frame->face_id[i] != 0));
             zr_arena_reset(&arena, 1 << 28);
         }
-        for (uint32_t i = 0; i < width * height; i++) assert_int_equal(covered[i], 1);
+        for (uint32_t i = 0; i < width * height; i++)
+            assert_int_equal(covered[i], 1);
     }
 }
 
@@ -173,9 +175,11 @@ static void every_channel_tells_of_the_same_samples(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test_setup_teardown(triangles_that_share_an_edge_cover_each_pixel_exactly_once, open_arena, close_arena),
+        cmocka_unit_test_setup_teardown(triangles_that_share_an_edge_cover_each_pixel_exactly_once, open_arena,
+                                        close_arena),
         cmocka_unit_test_setup_teardown(any_number_of_threads_gives_the_same_bytes, open_arena, close_arena),
-        cmocka_unit_test_setup_teardown(whole_pixel_translation_moves_the_picture_and_changes_nothing, open_arena, close_arena),
+        cmocka_unit_test_setup_teardown(whole_pixel_translation_moves_the_picture_and_changes_nothing, open_arena,
+                                        close_arena),
         cmocka_unit_test_setup_teardown(every_channel_tells_of_the_same_samples, open_arena, close_arena),
     };
     return cmocka_run_group_tests_name("properties", tests, NULL, NULL);

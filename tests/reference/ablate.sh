@@ -23,7 +23,7 @@ report() { # verdict, text
 
 compile() { # folder, flags to add
     if [ -n "$2" ]; then
-        make -s -j "$cores" -C "$1" BUILD=build CFLAGS="${CFLAGS:--O2} $2" build/zraster-verify
+        make -s -j "$cores" -C "$1" BUILD=build CFLAGS="${CFLAGS:--O2}" EXACT="$2" build/zraster-verify
     else
         make -s -j "$cores" -C "$1" BUILD=build CFLAGS="${CFLAGS:--O2}" build/zraster-verify
     fi >"$1/make.log" 2>&1
@@ -91,6 +91,10 @@ check_row() { # name, files, change, kind, triangles, what must show
         change_files "$folder" "$2" "$3" || { report 'not ok' "$1: the expression changes nothing in one of: $2"; return; }
     fi
     compile "$folder" "$flags" || { report 'not ok' "$1: does not compile, see $folder/make.log"; return; }
+    if cmp -s "$base/build/zraster-verify" "$folder/build/zraster-verify"; then
+        report 'not ok' "$1: the program is the same as without the change"
+        return
+    fi
     verify "$folder" "$4" "$5"
     status=$?
     counts=$(counts_of "$folder/verify.log")

@@ -164,8 +164,8 @@ static void place_camera(struct drawing *drawing, const struct sphere *sphere, s
     drawing->width = width;
     drawing->height = height;
     drawing->modelview = look_at(sphere, views[view].towards, distance);
-    drawing->projection = perspective(2.5, (double)width / height, fmax(distance - sphere->radius, 0.4 * sphere->radius),
-                                      distance + sphere->radius);
+    drawing->projection = perspective(2.5, (double)width / height,
+                                      fmax(distance - sphere->radius, 0.4 * sphere->radius), distance + sphere->radius);
 }
 
 static enum verdict check_views(struct harness *harness, struct drawing *drawing, const char *label,
@@ -241,7 +241,8 @@ enum verdict models_check(struct harness *harness, struct report *report, const 
         struct drawing drawing = {0};
         bool there;
         enum verdict verdict = VERDICT_DIFFERENT;
-        if (load(&drawing, directory, names[i], &there)) verdict = check_model(harness, report, names[i], &drawing, sum);
+        if (load(&drawing, directory, names[i], &there))
+            verdict = check_model(harness, report, names[i], &drawing, sum);
         if (there && verdict > worst) worst = verdict;
         drawn += there;
         drawing_free(&drawing);

@@ -78,7 +78,8 @@ static void control_group_nearly_full_gives_503_until_it_is_not(void **state)
     assert_busy(&daemon);
     daemon_stop(&daemon);
     const char *const names[] = {"memory.max", "memory.current", "memory.stat"};
-    for (int i = 0; i < 3; i++) remove_file(folder, names[i]);
+    for (int i = 0; i < 3; i++)
+        remove_file(folder, names[i]);
     rmdir(folder);
 }
 

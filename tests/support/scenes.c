@@ -9,8 +9,10 @@ void scene_of_triangles(struct test_scene *test, uint32_t width, uint32_t height
 {
     assert_true(triangles <= TEST_TRIANGLES_MAX);
     memset(test, 0, sizeof *test);
-    for (uint32_t i = 0; i <= triangles; i++) test->face_offsets[i] = 3 * i;
-    for (uint32_t i = 0; i < 3 * triangles; i++) test->indices[i] = i;
+    for (uint32_t i = 0; i <= triangles; i++)
+        test->face_offsets[i] = 3 * i;
+    for (uint32_t i = 0; i < 3 * triangles; i++)
+        test->indices[i] = i;
     test->material = (struct zr_material){{1, 1, 1, 1}, ZR_SHADING_UNLIT, true};
     test->mesh = (struct zr_mesh){.name = "test",
                                   .position_count = 3 * triangles,
@@ -19,8 +21,10 @@ void scene_of_triangles(struct test_scene *test, uint32_t width, uint32_t height
                                   .face_offsets = test->face_offsets,
                                   .indices = test->indices};
     test->instance.object_to_world = zr_mat4_identity();
-    const enum zr_channel channels[4] = {ZR_CHANNEL_COLOR, ZR_CHANNEL_DEPTH, ZR_CHANNEL_WINDOW_DEPTH, ZR_CHANNEL_FACE_ID};
-    for (int i = 0; i < 4; i++) test->outputs[i] = (struct zr_output){channels[i], i ? ZR_ENCODING_NPY : ZR_ENCODING_PNG, 0};
+    const enum zr_channel channels[4] = {ZR_CHANNEL_COLOR, ZR_CHANNEL_DEPTH, ZR_CHANNEL_WINDOW_DEPTH,
+                                         ZR_CHANNEL_FACE_ID};
+    for (int i = 0; i < 4; i++)
+        test->outputs[i] = (struct zr_output){channels[i], i ? ZR_ENCODING_NPY : ZR_ENCODING_PNG, 0};
     test->scene = (struct zr_scene){.width = width,
                                     .height = height,
                                     .background = {0, 0, 0, 1},

@@ -47,7 +47,8 @@ static void arena_allocations_are_aligned_and_apart(void **state)
         memset(blocks[i], (int)i, i * 997);
     }
     for (size_t i = 0; i < 100; i++)
-        for (size_t k = 0; k < i * 997; k++) assert_int_equal(blocks[i][k], i);
+        for (size_t k = 0; k < i * 997; k++)
+            assert_int_equal(blocks[i][k], i);
     zr_arena_free(&arena);
 }
 
@@ -67,6 +68,19 @@ static void arena_newest_allocation_grows_in_place_and_others_are_copied(void **
     zr_arena_free(&arena);
 }
 
+static void arena_charge_counts_until_it_is_refunded(void **state)
+{
+    (void)state;
+    struct zr_arena arena;
+    zr_arena_init(&arena, 10000);
+    assert_true(zr_arena_charge(&arena, 6000));
+    zr_arena_refund(&arena, 6000);
+    assert_true(zr_arena_charge(&arena, 9000));
+    assert_null(zr_arena_alloc(&arena, 2000, 1));
+    assert_false(zr_arena_ok(&arena));
+    zr_arena_free(&arena);
+}
+
 static void arena_reset_keeps_blocks_for_the_next_request(void **state)
 {
     (void)state;
@@ -83,7 +97,8 @@ static void error_keeps_first_status_and_counts_what_it_drops(void **state)
     (void)state;
     struct zr_error error = {.count = 0};
     assert_int_equal(zr_error_add(&error, ZR_BAD_SCENE, "/a", "one %d", 1), ZR_BAD_SCENE);
-    for (int i = 0; i < 30; i++) zr_error_add(&error, ZR_BAD_SYNTAX, NULL, "more");
+    for (int i = 0; i < 30; i++)
+        zr_error_add(&error, ZR_BAD_SYNTAX, NULL, "more");
     assert_int_equal(error.status, ZR_BAD_SCENE);
     assert_int_equal(error.count, 31);
     assert_int_equal(zr_error_held(&error), ZR_ERROR_ITEMS);
@@ -118,7 +133,8 @@ struct tally {
 static void tally_range(void *context, size_t begin, size_t end)
 {
     struct tally *tally = context;
-    for (size_t i = begin; i < end; i++) atomic_fetch_add(&tally->seen[i], 1u);
+    for (size_t i = begin; i < end; i++)
+        atomic_fetch_add(&tally->seen[i], 1u);
 }
 
 static void team_ranges_visits_everything_once_with_any_number_of_threads(void **state)
@@ -132,20 +148,33 @@ static void team_ranges_visits_everything_once_with_any_number_of_threads(void *
         for (int round = 0; round < 50; round++) {
             memset(&tally, 0, sizeof tally);
             zr_team_ranges(team, 10007, 13, tally_range, &tally);
-            for (int i = 0; i < 10007; i++) assert_int_equal(tally.seen[i], 1);
+            for (int i = 0; i < 10007; i++)
+                assert_int_equal(tally.seen[i], 1);
         }
         zr_team_destroy(team);
     }
 }
 
-static void trig_agrees_with_libm(void **state)
+static void tangent_is_within_4_ulp_up_to_the_steepest(void **state)
 {
     (void)state;
-    for (double x = -20.0; x < 20.0; x += 0.00371) {
-        assert_true(fabs(zr_sin(x) - sin(x)) < 3e-16);
-        assert_true(fabs(zr_cos(x) - cos(x)) < 3e-16);
+    for (double x = 1e-9; x < 1.57; x = x < 1e-3 ? x * 1.1 : x + 0.00037)
+        assert_true(fabs(zr_tan(x) - tan(x)) <= 4 * (nextafter(tan(x), HUGE_VAL) - tan(x)));
+    for (double left = 0.001; left > 1e-12; left *= 0.7) {
+        double x = 1.57079632679489655800 - left;
+        assert_true(fabs(zr_tan(x) - tan(x)) <= 4 * (nextafter(tan(x), HUGE_VAL) - tan(x)));
     }
-    for (double x = 0.01; x < 1.57; x += 0.0037) assert_true(fabs(zr_tan(x) / tan(x) - 1.0) < 1e-15);
+}
+
+static void unit_vector_is_the_same_at_every_scale(void **state)
+{
+    (void)state;
+    for (float scale = 1e-37f; scale < 1e37f; scale *= 10.0f) {
+        zr_vec3 n = zr_vec3_normalize((zr_vec3){3 * scale, 0, 4 * scale});
+        assert_true(fabsf(n.x - 0.6f) < 1e-6f && n.y == 0.0f && fabsf(n.z - 0.8f) < 1e-6f);
+    }
+    zr_vec3 zero = zr_vec3_normalize((zr_vec3){0, 0, 0});
+    assert_true(zero.x == 0 && zero.y == 0 && zero.z == 0);
 }
 
 static void matrix_times_its_inverse_is_the_identity(void **state)
@@ -154,7 +183,8 @@ static void matrix_times_its_inverse_is_the_identity(void **state)
     zr_mat4 m = {{2, 0.5f, 0, 0, -1, 3, 0.25f, 0, 0, 1, 1.5f, 0.125f, 4, -5, 6, 1}}, inverse;
     assert_true(zr_mat4_invert(&m, &inverse));
     zr_mat4 product = zr_mat4_mul(&m, &inverse), identity = zr_mat4_identity();
-    for (int i = 0; i < 16; i++) assert_true(fabsf(product.m[i] - identity.m[i]) < 1e-5f);
+    for (int i = 0; i < 16; i++)
+        assert_true(fabsf(product.m[i] - identity.m[i]) < 1e-5f);
 }
 
 static void matrix_without_inverse_is_refused(void **state)
@@ -171,11 +201,13 @@ int main(void)
         cmocka_unit_test(arena_product_that_overflows_fails),
         cmocka_unit_test(arena_allocations_are_aligned_and_apart),
         cmocka_unit_test(arena_newest_allocation_grows_in_place_and_others_are_copied),
+        cmocka_unit_test(arena_charge_counts_until_it_is_refunded),
         cmocka_unit_test(arena_reset_keeps_blocks_for_the_next_request),
         cmocka_unit_test(error_keeps_first_status_and_counts_what_it_drops),
         cmocka_unit_test(error_text_too_long_is_cut_at_a_whole_character),
         cmocka_unit_test(team_ranges_visits_everything_once_with_any_number_of_threads),
-        cmocka_unit_test(trig_agrees_with_libm),
+        cmocka_unit_test(tangent_is_within_4_ulp_up_to_the_steepest),
+        cmocka_unit_test(unit_vector_is_the_same_at_every_scale),
         cmocka_unit_test(matrix_times_its_inverse_is_the_identity),
         cmocka_unit_test(matrix_without_inverse_is_refused),
     };

@@ -6,15 +6,20 @@
 #include "support/scenes.h"
 
 /* A box from (-1, -2, -3) to (3, 2, 1), as 4 triangles that touch all its corners. */
-static const zr_vec4 BOX[] = {{-1, -2, -3, 1}, {3, -2, -3, 1}, {3, 2, -3, 1}, {-1, 2, -3, 1}, {-1, -2, 1, 1}, {3, -2, 1, 1},
-                              {3, 2, 1, 1},    {-1, 2, 1, 1},  {3, 2, 1, 1},  {-1, 2, -3, 1}, {3, -2, 1, 1},  {3, -2, -3, 1}};
+static const zr_vec4 BOX[] = {{-1, -2, -3, 1}, {3, -2, -3, 1}, {3, 2, -3, 1}, {-1, 2, -3, 1},
+                              {-1, -2, 1, 1},  {3, -2, 1, 1},  {3, 2, 1, 1},  {-1, 2, 1, 1},
+                              {3, 2, 1, 1},    {-1, 2, -3, 1}, {3, -2, 1, 1}, {3, -2, -3, 1}};
 
 static struct test_scene *box_scene(void)
 {
     static struct test_scene test;
     scene_of_triangles(&test, 400, 200, BOX, 4);
-    test.scene.view = (struct zr_view){.pose = ZR_POSE_PRESET, .preset = ZR_PRESET_FRONT, .up = {0, 1, 0},
-                                       .projection = ZR_PROJECTION_ORTHOGRAPHIC, .yfov_radians = 0.8f, .fit_padding = 0.05f};
+    test.scene.view = (struct zr_view){.pose = ZR_POSE_PRESET,
+                                       .preset = ZR_PRESET_FRONT,
+                                       .up = {0, 1, 0},
+                                       .projection = ZR_PROJECTION_ORTHOGRAPHIC,
+                                       .yfov_radians = 0.8f,
+                                       .fit_padding = 0.05f};
     return &test;
 }
 
@@ -50,9 +55,10 @@ static void preset_shows_the_side_that_it_names(void **state)
     static const struct {
         enum zr_preset preset;
         zr_vec3 right, up, near;
-    } table[] = {{ZR_PRESET_FRONT, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}},   {ZR_PRESET_BACK, {-1, 0, 0}, {0, 1, 0}, {0, 0, -1}},
-                 {ZR_PRESET_LEFT, {0, 0, 1}, {0, 1, 0}, {-1, 0, 0}},   {ZR_PRESET_RIGHT, {0, 0, -1}, {0, 1, 0}, {1, 0, 0}},
-                 {ZR_PRESET_TOP, {1, 0, 0}, {0, 0, -1}, {0, 1, 0}},    {ZR_PRESET_BOTTOM, {1, 0, 0}, {0, 0, 1}, {0, -1, 0}}};
+    } table[] = {
+        {ZR_PRESET_FRONT, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {ZR_PRESET_BACK, {-1, 0, 0}, {0, 1, 0}, {0, 0, -1}},
+        {ZR_PRESET_LEFT, {0, 0, 1}, {0, 1, 0}, {-1, 0, 0}}, {ZR_PRESET_RIGHT, {0, 0, -1}, {0, 1, 0}, {1, 0, 0}},
+        {ZR_PRESET_TOP, {1, 0, 0}, {0, 0, -1}, {0, 1, 0}},  {ZR_PRESET_BOTTOM, {1, 0, 0}, {0, 0, 1}, {0, -1, 0}}};
     struct test_scene *test = box_scene();
     for (size_t i = 0; i < sizeof table / sizeof *table; i++) {
         test->scene.view.preset = table[i].preset;
@@ -165,8 +171,36 @@ static void eye_inside_or_before_the_geometry_still_gives_a_camera(void **state)
         view->eye = (zr_vec3){1, 0, eyes[i]};
         struct zr_camera camera = resolve(test);
         assert_true(camera.znear > 0.0f && camera.zfar > camera.znear);
-        for (int k = 0; k < 16; k++) assert_true(isfinite(camera.projection.m[k]));
+        for (int k = 0; k < 16; k++)
+            assert_true(isfinite(camera.projection.m[k]));
     }
+}
+
+static void view_beyond_the_range_of_numbers_is_refused(void **state)
+{
+    (void)state;
+    struct test_scene *test = box_scene();
+    struct zr_view *view = &test->scene.view;
+    struct zr_bounds bounds = zr_bounds_of(&test->scene);
+    for (int i = 0; i < 2; i++) {
+        struct zr_camera camera;
+        struct zr_error error = {.count = 0};
+        view->projection = i ? ZR_PROJECTION_PERSPECTIVE : ZR_PROJECTION_ORTHOGRAPHIC;
+        view->xmag = view->ymag = 1e-40f;
+        view->yfov_radians = 1e-42f;
+        assert_int_equal(zr_camera_resolve(&test->scene, &bounds, &camera, &error), ZR_BAD_SCENE);
+        assert_string_equal(error.items[0].pointer, "/view");
+    }
+}
+
+static void point_as_good_as_at_infinity_leaves_the_bounds_finite(void **state)
+{
+    (void)state;
+    const zr_vec4 points[3] = {{1, 2, 3, 1}, {1, 1, 1, 1e-40f}, {-1, 0, 0, 1}};
+    static struct test_scene test;
+    scene_of_triangles(&test, 10, 10, points, 1);
+    struct zr_bounds bounds = zr_bounds_of(&test.scene);
+    assert_true(bounds.max.x == 1 && bounds.max.y == 2 && bounds.max.z == 3);
 }
 
 static void one_single_point_still_gives_a_camera(void **state)
@@ -176,8 +210,11 @@ static void one_single_point_still_gives_a_camera(void **state)
     static struct test_scene test;
     scene_of_triangles(&test, 10, 10, points, 1);
     for (int projection = 0; projection < 2; projection++) {
-        test.scene.view = (struct zr_view){.pose = ZR_POSE_PRESET, .preset = ZR_PRESET_ISOMETRIC, .yfov_radians = 0.7f,
-                                           .projection = projection ? ZR_PROJECTION_PERSPECTIVE : ZR_PROJECTION_ORTHOGRAPHIC};
+        test.scene.view =
+            (struct zr_view){.pose = ZR_POSE_PRESET,
+                             .preset = ZR_PRESET_ISOMETRIC,
+                             .yfov_radians = 0.7f,
+                             .projection = projection ? ZR_PROJECTION_PERSPECTIVE : ZR_PROJECTION_ORTHOGRAPHIC};
         struct zr_camera camera = resolve(&test);
         zr_vec4 p = to_clip(&camera, points[0]);
         assert_true(p.w > 0.0f && fabsf(p.x) < 1e-5f && fabsf(p.z) <= p.w);
@@ -195,6 +232,8 @@ int main(void)
         cmocka_unit_test(matrices_given_pass_through_untouched),
         cmocka_unit_test(depth_range_given_is_kept_and_one_turned_round_is_refused),
         cmocka_unit_test(eye_inside_or_before_the_geometry_still_gives_a_camera),
+        cmocka_unit_test(view_beyond_the_range_of_numbers_is_refused),
+        cmocka_unit_test(point_as_good_as_at_infinity_leaves_the_bounds_finite),
         cmocka_unit_test(one_single_point_still_gives_a_camera),
     };
     return cmocka_run_group_tests_name("camera", tests, NULL, NULL);

@@ -20,8 +20,8 @@ static void only_what_is_in_the_window_counts(void **state)
 {
     (void)state;
     /* A triangle around the whole window, one beside it, one behind the eye. */
-    const zr_vec4 p[] = {{-9, -9, 0, 1}, {30, -9, 0, 1}, {-9, 30, 0, 1},  {5, 5, 0, 1},  {6, 5, 0, 1},
-                         {5, 6, 0, 1},   {0, 0, 0, -1}, {1, 0, 0, -1}, {0, 1, 0, -1}};
+    const zr_vec4 p[] = {{-9, -9, 0, 1}, {30, -9, 0, 1}, {-9, 30, 0, 1}, {5, 5, 0, 1}, {6, 5, 0, 1},
+                         {5, 6, 0, 1},   {0, 0, 0, -1},  {1, 0, 0, -1},  {0, 1, 0, -1}};
     static struct test_scene test;
     scene_of_triangles(&test, 100, 100, p, 3);
     assert_true(fabs(zr_scene_cost(&test.scene).fragments - 10000) < 1);
@@ -45,7 +45,8 @@ static void sample_of_a_large_scene_is_near_the_truth(void **state)
     static zr_vec4 p[3 * TEST_TRIANGLES_MAX];
     double truth = 0;
     for (int t = 0; t < TEST_TRIANGLES_MAX; t++) {
-        double x = random_range(&random, -1, 0.9), y = random_range(&random, -1, 0.9), size = random_range(&random, 0, 0.1);
+        double x = random_range(&random, -1, 0.9), y = random_range(&random, -1, 0.9),
+               size = random_range(&random, 0, 0.1);
         p[3 * t] = (zr_vec4){(float)x, (float)y, 0, 1};
         p[3 * t + 1] = (zr_vec4){(float)(x + size), (float)y, 0, 1};
         p[3 * t + 2] = (zr_vec4){(float)x, (float)(y + size), 0, 1};

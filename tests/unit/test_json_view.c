@@ -48,6 +48,17 @@ static void matrices_are_rows_nested_and_columns_flat(void **state)
     assert_int_equal(view.projection, ZR_PROJECTION_PERSPECTIVE);
 }
 
+static void projection_matrix_alone_leads_from_world_to_clip_space(void **state)
+{
+    (void)state;
+    struct zr_view view = view_of("{\"projectionMatrix\": [1,0,0,0, 0,1,0,0, 0,0,-1,0, 0,0,0,1]}");
+    zr_mat4 identity = zr_mat4_identity();
+    assert_int_equal(view.pose, ZR_POSE_MATRIX);
+    assert_memory_equal(&view.world_to_camera, &identity, sizeof identity);
+    view = view_of("{\"preset\": \"top\", \"projectionMatrix\": [1,0,0,0, 0,1,0,0, 0,0,-1,0, 0,0,0,1]}");
+    assert_int_equal(view.pose, ZR_POSE_PRESET);
+}
+
 static void bad_views_give_pointer_and_names(void **state)
 {
     (void)state;
@@ -163,6 +174,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(views_are_read),
         cmocka_unit_test(matrices_are_rows_nested_and_columns_flat),
+        cmocka_unit_test(projection_matrix_alone_leads_from_world_to_clip_space),
         cmocka_unit_test(bad_views_give_pointer_and_names),
         cmocka_unit_test(outputs_are_read),
         cmocka_unit_test(bad_outputs_give_pointer_and_what_is_allowed),

@@ -45,7 +45,8 @@ static void png_gives_back_the_pixels_of_odd_sizes(void **state)
     (void)state;
     struct random random = random_seeded(3);
     static uint32_t pixels[97 * 61];
-    for (size_t i = 0; i < 97 * 61; i++) pixels[i] = (uint32_t)random_next(&random);
+    for (size_t i = 0; i < 97 * 61; i++)
+        pixels[i] = (uint32_t)random_next(&random);
     const uint32_t widths[] = {1, 2, 97, 5917}, heights[] = {5917, 3, 61, 1};
     for (int i = 0; i < 4; i++)
         for (int alpha = 0; alpha < 2; alpha++) {
@@ -125,7 +126,8 @@ static void zip_gives_back_its_files_and_is_the_same_every_time(void **state)
     assert_memory_equal(out.bytes, again.bytes, out.size);
     zip_error_t error;
     zip_error_init(&error);
-    zip_t *archive = zip_open_from_source(zip_source_buffer_create(out.bytes, out.size, 0, &error), ZIP_CHECKCONS, &error);
+    zip_t *archive =
+        zip_open_from_source(zip_source_buffer_create(out.bytes, out.size, 0, &error), ZIP_CHECKCONS, &error);
     assert_non_null(archive);
     assert_int_equal(zip_get_num_entries(archive, 0), 2);
     char text[8];
@@ -191,7 +193,8 @@ static void info_counts_pixels_and_boxes_and_warns(void **state)
     assert_true(cJSON_GetObjectItem(face, "id")->valuedouble == 1);
     assert_true(cJSON_GetObjectItem(face, "pixels")->valuedouble == 28); /* of 8 x 8, half without the diagonal */
     const double want[4] = {0, 1, 7, 8};
-    for (int i = 0; i < 4; i++) assert_true(cJSON_GetArrayItem(box, i)->valuedouble == want[i]);
+    for (int i = 0; i < 4; i++)
+        assert_true(cJSON_GetArrayItem(box, i)->valuedouble == want[i]);
     assert_true(cJSON_GetObjectItem(info, "backgroundPixels")->valuedouble == 256 - 28);
     assert_true(cJSON_GetObjectItem(cJSON_GetObjectItem(info, "counts"), "outside")->valuedouble == 1);
     cJSON_Delete(info);
@@ -211,7 +214,8 @@ static void several_outputs_come_as_one_archive(void **state)
         zip_open_from_source(zip_source_buffer_create(answer.bytes, answer.size, 0, &error), ZIP_CHECKCONS, &error);
     assert_non_null(archive);
     const char *const names[] = {"color.png", "depth.npy", "windowDepth.npy", "faceId.npy"};
-    for (zip_int64_t i = 0; i < 4; i++) assert_int_equal(zip_name_locate(archive, names[i], 0), i);
+    for (zip_int64_t i = 0; i < 4; i++)
+        assert_int_equal(zip_name_locate(archive, names[i], 0), i);
     zip_discard(archive);
 }
 

@@ -10,8 +10,13 @@
 /* A vertex at window position x, y (pixels) and depth z. */
 static struct zr_window_vertex at(float x, float y, float z)
 {
-    return (struct zr_window_vertex){.x = x, .y = y, .z = z, .oow = 1, .sx = (int32_t)rintf((x - 0.5f) * 256),
-                                     .sy = (int32_t)rintf((y - 0.5f) * 256), .eye_w = 1};
+    return (struct zr_window_vertex){.x = x,
+                                     .y = y,
+                                     .z = z,
+                                     .oow = 1,
+                                     .sx = (int32_t)rintf((x - 0.5f) * 256),
+                                     .sy = (int32_t)rintf((y - 0.5f) * 256),
+                                     .eye_w = 1};
 }
 
 /* Draws clockwise (y up) vertices into a tile at the origin; owner 1. */
@@ -26,14 +31,16 @@ static struct zr_tile *cleared_tile(void)
 {
     static struct zr_tile tile;
     tile = (struct zr_tile){.width = ZR_TILE_SIZE, .height = ZR_TILE_SIZE};
-    for (int i = 0; i < ZR_TILE_SIZE * ZR_TILE_SIZE; i++) tile.depth[i] = 1.0f;
+    for (int i = 0; i < ZR_TILE_SIZE * ZR_TILE_SIZE; i++)
+        tile.depth[i] = 1.0f;
     return &tile;
 }
 
 static int owned(const struct zr_tile *tile)
 {
     int count = 0;
-    for (int i = 0; i < ZR_TILE_SIZE * ZR_TILE_SIZE; i++) count += tile->owner[i] != 0;
+    for (int i = 0; i < ZR_TILE_SIZE * ZR_TILE_SIZE; i++)
+        count += tile->owner[i] != 0;
     return count;
 }
 
@@ -92,28 +99,40 @@ static void what_lies_on_the_far_plane_is_behind_the_cleared_depth(void **state)
     assert_int_equal(owned(tile), 0);
 }
 
-/* The kernel's two ways agree with the definition, E > 0 at every pixel for itself. */
+/* The kernel's two ways agree with the definition, E > 0 at every pixel for itself: for
+ * triangles of a few pixels, around the size where the ways part, and up to the largest
+ * window, in tiles at its near and at its far end. */
 static void kernel_agrees_with_the_edge_functions_pixel_by_pixel(void **state)
 {
     (void)state;
     struct random random = random_seeded(5);
-    for (int round = 0; round < 4000; round++) {
-        float reach = round % 2 ? 40.0f : 900.0f; /* inside 32 bits, and beyond */
+    const double sizes[] = {4, 60, 61, 62, 63, 64, 65, 300, 8192};
+    for (int round = 0; round < 9000; round++) {
+        double size = sizes[round % 9], far = round % 2 ? 8192 - ZR_TILE_SIZE : 0;
+        double low = size < 8192 ? far + 32 - size / 2 : 0;
         struct zr_window_vertex v[3];
-        for (int i = 0; i < 3; i++)
-            v[i] = at((float)random_range(&random, -(double)reach, (double)reach + 64),
-                      (float)random_range(&random, -(double)reach, (double)reach + 64), 0.25f);
-        int64_t area = (int64_t)(v[0].sx - v[1].sx) * (v[2].sy - v[0].sy) - (int64_t)(v[2].sx - v[0].sx) * (v[0].sy - v[1].sy);
+        for (int i = 0; i < 3; i++) /* every other one reaches to the very end of its box */
+            v[i] = at((float)(low + (round % 4 < 2 ? random_range(&random, 0, size)
+                                     : i == 0      ? 0
+                                                   : size)),
+                      (float)(low + (round % 4 < 2 ? random_range(&random, 0, size)
+                                     : i == 1      ? 0
+                                                   : size)),
+                      0.25f);
+        int64_t area =
+            (int64_t)(v[0].sx - v[1].sx) * (v[2].sy - v[0].sy) - (int64_t)(v[2].sx - v[0].sx) * (v[0].sy - v[1].sy);
         if (area <= 0) continue;
         struct zr_triangle triangle = {.v = {0, 1, 2}};
         struct zr_setup setup = zr_setup_make(v, &triangle);
         struct zr_tile *tile = cleared_tile();
+        tile->x = tile->y = (int32_t)far;
         zr_halfspace_draw(tile, &setup, 1);
         for (int y = 0; y < ZR_TILE_SIZE; y++)
             for (int x = 0; x < ZR_TILE_SIZE; x++) {
                 uint32_t inside = 1;
                 for (int k = 0; k < 3; k++)
-                    inside &= setup.edges[k].c + setup.edges[k].a * x + setup.edges[k].b * y > 0;
+                    inside &=
+                        setup.edges[k].c + setup.edges[k].a * (x + tile->x) + setup.edges[k].b * (y + tile->y) > 0;
                 assert_int_equal(tile->owner[y * ZR_TILE_SIZE + x], inside);
             }
     }
@@ -160,13 +179,17 @@ static void bins_list_every_triangle_where_it_touches_in_order(void **state)
         int32_t box[4];
         zr_setup_box(vertices, &triangles[i], box);
         bool large = false;
-        for (uint32_t k = 0; k < bins.large_count; k++) large |= bins.large[k] == i;
+        for (uint32_t k = 0; k < bins.large_count; k++)
+            large |= bins.large[k] == i;
         for (int32_t tile = 0; tile < 20 && !large; tile++) {
             int32_t x = tile % 5 * ZR_TILE_SIZE, y = tile / 5 * ZR_TILE_SIZE;
-            int32_t x1 = x + ZR_TILE_SIZE < 300 ? x + ZR_TILE_SIZE : 300, y1 = y + ZR_TILE_SIZE < 200 ? y + ZR_TILE_SIZE : 200;
-            int touches = box[0] <= box[2] && box[1] <= box[3] && box[0] < x1 && box[2] >= x && box[1] < y1 && box[3] >= y;
+            int32_t x1 = x + ZR_TILE_SIZE < 300 ? x + ZR_TILE_SIZE : 300,
+                    y1 = y + ZR_TILE_SIZE < 200 ? y + ZR_TILE_SIZE : 200;
+            int touches =
+                box[0] <= box[2] && box[1] <= box[3] && box[0] < x1 && box[2] >= x && box[1] < y1 && box[3] >= y;
             int listed = 0;
-            for (uint32_t e = bins.offsets[tile]; e < bins.offsets[tile + 1]; e++) listed += bins.entries[e] == i;
+            for (uint32_t e = bins.offsets[tile]; e < bins.offsets[tile + 1]; e++)
+                listed += bins.entries[e] == i;
             assert_int_equal(listed, touches);
         }
     }

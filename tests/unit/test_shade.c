@@ -9,7 +9,8 @@
 static void color_byte_rounds_to_nearest_even_and_clamps(void **state)
 {
     (void)state;
-    for (int i = 0; i < 256; i++) assert_int_equal(zr_color_byte((float)i * (1.0f / 255.0f)), i);
+    for (int i = 0; i < 256; i++)
+        assert_int_equal(zr_color_byte((float)i * (1.0f / 255.0f)), i);
     assert_int_equal(zr_color_byte(0.5f), 128); /* 127.5 */
     assert_int_equal(zr_color_byte(2.0f), 255);
     assert_int_equal(zr_color_byte(-1.0f), 0);
@@ -52,7 +53,8 @@ static void colours_are_interpolated_in_perspective(void **state)
     struct zr_arena arena;
     zr_arena_init(&arena, 1 << 24);
     const struct zr_frame *frame = scene_render(&arena, NULL, &test.scene);
-    for (int y = 0; y < 9; y++) assert_in_range(frame->color[4 * (y * 255 + 127)], 63, 64);
+    for (int y = 0; y < 9; y++)
+        assert_in_range(frame->color[4 * (y * 255 + 127)], 63, 64);
     zr_arena_free(&arena);
 }
 
@@ -60,7 +62,8 @@ static void eye_depth_is_metric_in_both_projections(void **state)
 {
     (void)state;
     /* A floor that leads away from the camera: y = -1, z from -1 to -9. */
-    const zr_vec4 p[] = {{-9, -1, -1, 1}, {9, -1, -1, 1}, {9, -1, -9, 1}, {-9, -1, -1, 1}, {9, -1, -9, 1}, {-9, -1, -9, 1}};
+    const zr_vec4 p[] = {{-9, -1, -1, 1}, {9, -1, -1, 1}, {9, -1, -9, 1},
+                         {-9, -1, -1, 1}, {9, -1, -9, 1}, {-9, -1, -9, 1}};
     static struct test_scene test;
     struct zr_arena arena;
     zr_arena_init(&arena, 1 << 24);
@@ -73,7 +76,8 @@ static void eye_depth_is_metric_in_both_projections(void **state)
         float depth = frame->depth[y * 64 + 32];
         if (1.0 / slope > 1.0 && 1.0 / slope < 9.0) assert_true(fabs((double)depth * slope - 1.0) < 1e-5);
     }
-    const zr_vec4 wall[] = {{-1, -1, -2, 1}, {1, -1, -2, 1}, {1, 1, -6, 1}, {-1, -1, -2, 1}, {1, 1, -6, 1}, {-1, 1, -6, 1}};
+    const zr_vec4 wall[] = {{-1, -1, -2, 1}, {1, -1, -2, 1}, {1, 1, -6, 1},
+                            {-1, -1, -2, 1}, {1, 1, -6, 1},  {-1, 1, -6, 1}};
     scene_of_triangles(&test, 8, 64, wall, 2);
     test.scene.view.projection = ZR_PROJECTION_ORTHOGRAPHIC;
     test.scene.view.xmag = test.scene.view.ymag = 1.0f;
@@ -134,8 +138,10 @@ static void two_meshes_with_clipping_keep_their_own_colours(void **state)
     (void)state;
     /* Each mesh is cut by the window's border, so that pieces are added while there
      * is another mesh to come. */
-    const zr_vec4 left[] = {{-3, -1, 0, 1}, {0, -1, 0, 1}, {0, 2, 0, 1}}, right[] = {{0, -1, 0, 1}, {3, -1, 0, 1}, {0, 2, 0, 1}};
-    const zr_vec4 red[] = {{1, 0, 0, 1}, {1, 0, 0, 1}, {1, 0, 0, 1}}, blue[] = {{0, 0, 1, 1}, {0, 0, 1, 1}, {0, 0, 1, 1}};
+    const zr_vec4 left[] = {{-3, -1, 0, 1}, {0, -1, 0, 1}, {0, 2, 0, 1}},
+                  right[] = {{0, -1, 0, 1}, {3, -1, 0, 1}, {0, 2, 0, 1}};
+    const zr_vec4 red[] = {{1, 0, 0, 1}, {1, 0, 0, 1}, {1, 0, 0, 1}},
+                  blue[] = {{0, 0, 1, 1}, {0, 0, 1, 1}, {0, 0, 1, 1}};
     static struct test_scene a, b;
     scene_of_triangles(&a, 32, 32, left, 1);
     scene_of_triangles(&b, 32, 32, right, 1);
@@ -179,7 +185,8 @@ static void render_under_every_memory_ceiling_fails_cleanly_or_gives_the_picture
 {
     (void)state;
     static zr_vec4 p[3 * 500];
-    for (int i = 0; i < 1500; i++) p[i] = (zr_vec4){(float)(i % 7) - 3, (float)(i % 5) - 2, 0, (float)(i % 3 + 1)};
+    for (int i = 0; i < 1500; i++)
+        p[i] = (zr_vec4){(float)(i % 7) - 3, (float)(i % 5) - 2, 0, (float)(i % 3 + 1)};
     static struct test_scene test;
     scene_of_triangles(&test, 64, 64, p, 500);
     test.material.shading = ZR_SHADING_GOURAUD;
