@@ -171,6 +171,7 @@ static bool post(const struct options *options, const char *type, const struct b
         curl_easy_setopt(curl, CURLOPT_HEADERFUNCTION, receive_header);
         curl_easy_setopt(curl, CURLOPT_CONNECTTIMEOUT, (long)CONNECT_SECONDS);
         curl_easy_setopt(curl, CURLOPT_TIMEOUT, (long)TOTAL_SECONDS);
+        curl_easy_setopt(curl, CURLOPT_PROTOCOLS_STR, "http,https");
         curl_easy_setopt(curl, CURLOPT_USERAGENT, "zraster");
         curl_easy_setopt(curl, CURLOPT_ERRORBUFFER, why);
         code = curl_easy_perform(curl);
@@ -217,7 +218,9 @@ static int render(const struct options *options)
     } else if (post(options, type, &body, &answer, &status, answer_type)) {
         default_name(options->file, answer_type, name, sizeof name);
         if (options->out) snprintf(name, sizeof name, "%s", options->out);
-        if (status != 200)
+        if (status == 200 && bytes_same_file(options->file, name))
+            fprintf(stderr, "zraster: %s would overwrite its own input; -o names another file\n", name);
+        else if (status != 200)
             report_problem(stderr, options->file, status, &answer);
         else if (!bytes_write(&answer, name))
             fprintf(stderr, "zraster: cannot write %s: %s\n", name, strerror(errno));

@@ -89,7 +89,7 @@ static enum zr_status encode_all(struct encoding *e, struct zr_zip_entry *entrie
             if (status != ZR_OK) return status;
             entries[i] = (struct zr_zip_entry){FILE_NAMES[output->channel][output->encoding].name, out.bytes, out.size};
         }
-        if (!reports) e->warnings = zr_warnings_make(e->arena, e->scene, &e->frame->counts, e->misfits);
+        if (!reports) e->warnings = zr_warnings_make(e->arena, e->scene, e->frame, e->misfits);
         if (!zr_arena_ok(e->arena)) return ZR_NO_MEMORY;
     }
     return ZR_OK;

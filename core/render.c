@@ -14,17 +14,19 @@ struct drawing {
     const struct zr_bins *bins;
     const struct zr_frame *frame;
     const struct zr_cancel *cancel;
+    atomic_uint_fast64_t covered; /* pixels */
 };
 
 static void draw_tiles(void *context, size_t begin, size_t end)
 {
-    const struct drawing *d = context;
+    struct drawing *d = context;
     struct zr_tile tile;
     for (size_t number = begin; number < end; number++) {
         if (!zr_visibility_tile(d->geometry, d->bins, (uint32_t)number, d->scene->width, d->scene->height, d->cancel,
                                 &tile))
             return;
-        zr_resolve_tile(d->geometry, d->scene->background, &tile, d->frame);
+        uint32_t covered = zr_resolve_tile(d->geometry, d->scene->background, &tile, d->frame);
+        atomic_fetch_add_explicit(&d->covered, covered, memory_order_relaxed);
     }
 }
 
@@ -58,9 +60,10 @@ static enum zr_status run_pipeline(struct zr_arena *arena, struct zr_team *team,
     if ((status = make_frame(arena, scene, frame)) != ZR_OK) return status;
     if ((status = zr_geometry_build(arena, team, scene, &frame->camera, cancel, &geometry)) != ZR_OK) return status;
     if ((status = zr_bins_build(arena, &geometry, scene->width, scene->height, &bins)) != ZR_OK) return status;
-    struct drawing drawing = {scene, &geometry, &bins, frame, cancel};
+    struct drawing drawing = {scene, &geometry, &bins, frame, cancel, 0};
     zr_team_ranges(team, (size_t)bins.columns * bins.rows, 1, draw_tiles, &drawing);
     frame->counts = geometry.counts;
+    frame->covered_pixels = drawing.covered;
     return zr_is_cancelled(cancel) ? ZR_CANCELLED : ZR_OK;
 }
 

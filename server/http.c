@@ -21,7 +21,9 @@ enum {
     BACKLOG = 512,
     CONNECTION_MEMORY = 128 << 10, /* headers of 32 KiB, parsed, and an answer's, with room to spare */
     THREAD_STACK = 512 << 10,
-    CANCEL_MS = 2000 /* after a drain that took too long: for cancelled work to be answered */
+    CANCEL_MS = 2000, /* after a drain that took too long: for cancelled work to be answered */
+    GRACE_MS = 100,   /* at its begin: for what is on its way already to be read */
+    GRACE_STEP_MS = 5
 };
 
 static int listen_on(const struct config *config, unsigned *port, char *message, size_t message_size)
@@ -134,12 +136,36 @@ static bool wait_for_exchanges(struct http *http, uint64_t timeout_ms)
     return all_ended;
 }
 
+/* Connections that the kernel has made and nobody has accepted would be reset when the
+ * socket closes: they are taken in, and told that the service is going down. */
+static void take_backlog(struct http *http)
+{
+    struct sockaddr_storage address;
+    socklen_t size = sizeof address;
+    for (int fd; (fd = accept4(http->listen_fd, (struct sockaddr *)&address, &size, SOCK_NONBLOCK | SOCK_CLOEXEC)) >= 0;
+         size = sizeof address)
+        MHD_add_connection(http->daemon, fd, (struct sockaddr *)&address, size);
+}
+
+/* What was sent on an open connection before the end was known is heard: only then does
+ * it count as in flight. Nobody can tell how long to listen, so it is short. */
+static void listen_once_more(struct http *http)
+{
+    for (int ms = 0; ms < GRACE_MS; ms += GRACE_STEP_MS) {
+        const union MHD_DaemonInfo *info = MHD_get_daemon_info(http->daemon, MHD_DAEMON_INFO_CURRENT_CONNECTIONS);
+        if (!info || info->num_connections == 0) return;
+        nanosleep(&(struct timespec){.tv_nsec = GRACE_STEP_MS * 1000000L}, NULL);
+    }
+}
+
 void http_stop(struct http *http)
 {
     atomic_store(&http->draining, true);
     MHD_quiesce_daemon(http->daemon);
+    take_backlog(http);
     close(http->listen_fd);
     http->listen_fd = -1;
+    listen_once_more(http);
     bool ended = wait_for_exchanges(http, http->config->drain_timeout_ms);
     if (!ended) {
         log_event("warn", "drain-timeout", "what is in flight is cut short");
@@ -149,8 +175,7 @@ void http_stop(struct http *http)
     }
     if (!ended) watchdog_cut_short(http->watchdog, true);
     /* The workers must have resumed their connections: stopping with one suspended aborts. */
-    queue_destroy(http->queue);
-    http->queue = NULL;
+    queue_stop(http->queue); /* not destroyed: kept connections may still ask it */
     if (!ended) wait_for_exchanges(http, CANCEL_MS);
     MHD_stop_daemon(http->daemon);
     free_http(http);

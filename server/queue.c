@@ -1,11 +1,13 @@
 #include "queue.h"
 
+#include <malloc.h>
 #include <pthread.h>
 #include <stdlib.h>
 
 #include "clock.h"
 
-enum { STACK_BYTES = 1 << 20 };
+/* LARGE_BYTES: a request that used as much leaves memory worth giving back. */
+enum { STACK_BYTES = 1 << 20, LARGE_BYTES = 8 << 20 };
 
 struct queue {
     pthread_mutex_t lock;
@@ -44,7 +46,10 @@ static void *work(void *argument)
         int64_t began = clock_us();
         job->work(job, &arena);
         double took = (double)(clock_us() - began);
+        bool was_large = arena.used > LARGE_BYTES;
         zr_arena_reset(&arena, queue->options.keep_memory_bytes);
+        /* cJSON's trees lie in malloc's heap, which keeps what is freed below its end. */
+        if (was_large) malloc_trim(0);
         pthread_mutex_lock(&queue->lock);
         queue->running--;
         queue->work_us += (took - queue->work_us) / 8;
@@ -80,7 +85,7 @@ struct queue *queue_create(const struct queue_options *options)
 bool queue_push(struct queue *queue, struct queue_job *job)
 {
     pthread_mutex_lock(&queue->lock);
-    bool room = queue->waiting < queue->options.capacity;
+    bool room = !queue->stopping && queue->waiting < queue->options.capacity;
     if (room) {
         job->next = NULL;
         job->pushed_us = clock_us();
@@ -127,15 +132,21 @@ unsigned queue_wait_estimate_s(struct queue *queue)
     return seconds >= 59 ? 60 : 1 + (unsigned)seconds;
 }
 
-void queue_destroy(struct queue *queue)
+void queue_stop(struct queue *queue)
 {
-    if (!queue) return;
     pthread_mutex_lock(&queue->lock);
     queue->stopping = true;
     pthread_cond_broadcast(&queue->changed);
     pthread_mutex_unlock(&queue->lock);
     for (size_t i = 0; i < queue->worker_count; i++)
         pthread_join(queue->workers[i], NULL);
+    queue->worker_count = 0;
+}
+
+void queue_destroy(struct queue *queue)
+{
+    if (!queue) return;
+    queue_stop(queue);
     pthread_cond_destroy(&queue->changed);
     pthread_mutex_destroy(&queue->lock);
     free(queue);

@@ -42,7 +42,11 @@ bool queue_is_full(struct queue *queue);
 /* Seconds until a job that came now might be begun, 1..60, from how long the last ones took. */
 unsigned queue_wait_estimate_s(struct queue *queue);
 
-/* Works off what waits, ends the threads. */
+/* Works off what waits and ends the threads. From then on the queue takes nothing, but
+ * may still be asked. */
+void queue_stop(struct queue *queue);
+
+/* Stops it, where that is still to be done, and frees it. */
 void queue_destroy(struct queue *queue);
 
 #endif

@@ -10,6 +10,7 @@ struct palette {
     struct zr_normal_matrix to_eye;
     const zr_vec3 *computed; /* normals of vertices; NULL where nothing needs them */
     zr_vec4 *front, *back;
+    const struct zr_cancel *cancel;
 };
 
 const struct zr_material *zr_material_of_face(const struct zr_scene *scene, const struct zr_mesh *mesh, uint32_t face)
@@ -20,6 +21,15 @@ const struct zr_material *zr_material_of_face(const struct zr_scene *scene, cons
 bool zr_material_is_smooth(const struct zr_mesh *mesh, const struct zr_material *material)
 {
     return material->shading == ZR_SHADING_GOURAUD || (material->shading == ZR_SHADING_UNLIT && mesh->colors);
+}
+
+/* Light evaluations between two looks at the cancellation, about a millisecond's worth. */
+enum { EVALUATIONS_A_CANCEL_CHECK = 1 << 16 };
+
+/* Of points or faces, each lit by all lights. */
+static uint32_t points_a_cancel_check(const struct palette *palette)
+{
+    return EVALUATIONS_A_CANCEL_CHECK / (palette->lighting->count + 1) + 1;
 }
 
 static enum zr_color_layout choose_layout(const struct zr_scene *scene, const struct zr_mesh *mesh)
@@ -68,7 +78,9 @@ static void color_vertices(const struct palette *palette)
 {
     const struct zr_mesh *mesh = palette->mesh;
     const struct zr_material *material = &palette->scene->materials[mesh->material];
+    const uint32_t interval = points_a_cancel_check(palette);
     for (uint32_t v = 0; v < mesh->position_count; v++) {
+        if (v % interval == 0 && zr_is_cancelled(palette->cancel)) return;
         zr_vec4 base = material->base_color;
         if (mesh->colors) base = zr_vec4_mul(base, mesh->colors[v]);
         put(palette, v, material, corner_normal(palette, v, 0), base);
@@ -79,7 +91,9 @@ static void color_vertices(const struct palette *palette)
 static void color_faces(const struct palette *palette, bool per_corner)
 {
     const struct zr_mesh *mesh = palette->mesh;
+    const uint32_t interval = points_a_cancel_check(palette);
     for (uint32_t f = 0; f < mesh->face_count; f++) {
+        if (f % interval == 0 && zr_is_cancelled(palette->cancel)) return;
         const struct zr_material *material = zr_material_of_face(palette->scene, mesh, f);
         zr_vec4 base = material->base_color;
         if (mesh->face_colors) base = zr_vec4_mul(base, mesh->face_colors[f]);
@@ -111,13 +125,13 @@ static bool needs_computed_normals(const struct zr_scene *scene, const struct zr
     return false;
 }
 
-struct zr_colors zr_colors_make(struct zr_arena *arena, const struct zr_scene *scene, const struct zr_mesh *mesh,
-                                const struct zr_lighting *lighting, const zr_mat4 *object_to_eye, zr_vec4 *front,
-                                zr_vec4 *back)
+struct zr_colors zr_colors_make(struct zr_arena *arena, const struct zr_cancel *cancel, const struct zr_scene *scene,
+                                const struct zr_mesh *mesh, const struct zr_lighting *lighting,
+                                const zr_mat4 *object_to_eye, zr_vec4 *front, zr_vec4 *back)
 {
     enum zr_color_layout layout = choose_layout(scene, mesh);
     struct zr_colors colors = {layout, layout_count(mesh, layout), front, back};
-    struct palette palette = {scene, mesh, lighting, zr_normal_matrix_make(object_to_eye), NULL, front, back};
+    struct palette palette = {scene, mesh, lighting, zr_normal_matrix_make(object_to_eye), NULL, front, back, cancel};
     if (layout != ZR_COLOR_PER_FACE && needs_computed_normals(scene, mesh))
         palette.computed = zr_normals_of_vertices(arena, mesh);
     if (!zr_arena_ok(arena)) return colors;

@@ -8,6 +8,7 @@
 #define ZR_COLORS_H
 
 #include "geometry/light.h"
+#include "zraster.h"
 
 enum zr_color_layout {
     ZR_COLOR_PER_FACE,   /* one for face f at f */
@@ -30,9 +31,9 @@ bool zr_material_is_smooth(const struct zr_mesh *mesh, const struct zr_material 
 uint32_t zr_colors_count(const struct zr_scene *scene, const struct zr_mesh *mesh);
 
 /* Writes them to front[] and back[], which the caller gives room for. Fails only
- * with the arena, which it takes computed normals from. */
-struct zr_colors zr_colors_make(struct zr_arena *arena, const struct zr_scene *scene, const struct zr_mesh *mesh,
-                                const struct zr_lighting *lighting, const zr_mat4 *object_to_eye, zr_vec4 *front,
-                                zr_vec4 *back);
+ * with the arena, which it takes computed normals from. Cancelled, it returns early. */
+struct zr_colors zr_colors_make(struct zr_arena *arena, const struct zr_cancel *cancel, const struct zr_scene *scene,
+                                const struct zr_mesh *mesh, const struct zr_lighting *lighting,
+                                const zr_mat4 *object_to_eye, zr_vec4 *front, zr_vec4 *back);
 
 #endif

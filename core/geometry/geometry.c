@@ -60,7 +60,7 @@ static enum zr_status build_instance(struct zr_builder *builder, struct zr_team 
     geometry->vertex_count += mesh->position_count;
 
     struct zr_colors colors =
-        zr_colors_make(builder->arena, scene, mesh, lighting, &placing.object_to_eye,
+        zr_colors_make(builder->arena, builder->cancel, scene, mesh, lighting, &placing.object_to_eye,
                        geometry->front_colors + geometry->color_count, geometry->back_colors + geometry->color_count);
     builder->first_color = geometry->color_count;
     geometry->color_count += colors.count;

@@ -17,7 +17,9 @@ zr_vec3 zr_normal_of_face(const struct zr_mesh *mesh, uint32_t face);
  * the order of the faces. NULL where the arena has failed. */
 zr_vec3 *zr_normals_of_vertices(struct zr_arena *arena, const struct zr_mesh *mesh);
 
-/* True where some corner turns against the face's winding. */
+/* True where the face is no convex polygon: some corner turns against the winding, or the
+ * ring crosses itself or goes round more than once. `normal` is zr_normal_of_face's.
+ * Turns of less than 1e-4 radians are taken for rounding. */
 bool zr_face_is_concave(const struct zr_mesh *mesh, uint32_t face, zr_vec3 normal);
 
 #endif

@@ -54,6 +54,10 @@ void zr_draft_read_lights(struct zr_draft *draft, const struct zr_json_path *pat
     struct zr_json *json = &draft->json;
     size_t count, number = 0;
     if (!zr_json_array(json, path, list, &count)) return;
+    if (count > ZR_LIGHTS_MAX) {
+        zr_json_fault(json, path, "%zu lights; up to %d are allowed", count, ZR_LIGHTS_MAX);
+        return;
+    }
     struct zr_light *lights = zr_arena_zero(json->arena, count, sizeof *lights);
     if (!lights) return;
     for (const cJSON *node = list->child; node && !zr_json_full(json); node = node->next, number++)

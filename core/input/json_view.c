@@ -90,14 +90,26 @@ static void read_look_at(struct reader *reader)
         zr_json_vec3(reader->json, ZR_JSON_KEY(reader->path, words[UP]), reader->found[UP], &view->up);
 }
 
+/* A pose is a matrix that keeps points points. Whoever writes a flat one row by row has
+ * the translation in the bottom row, and is told so. */
+static bool read_pose_matrix(struct reader *reader, int key, zr_mat4 *out)
+{
+    const struct zr_json_path *path = ZR_JSON_KEY(reader->path, words[key]);
+    zr_mat4 inverse;
+    reader->view->pose = ZR_POSE_MATRIX;
+    if (!zr_json_mat4(reader->json, path, reader->found[key], out)) return false;
+    const float *m = out->m;
+    if (m[3] != 0.0f || m[7] != 0.0f || m[11] != 0.0f || m[15] != 1.0f)
+        return zr_json_fault(reader->json, path,
+                             "the bottom row is %.9g %.9g %.9g %.9g, not 0 0 0 1 (a flat list goes column by column)",
+                             (double)m[3], (double)m[7], (double)m[11], (double)m[15]);
+    return zr_mat4_invert(out, &inverse) || zr_json_fault(reader->json, path, "the matrix has no inverse");
+}
+
 static void read_camera_to_world(struct reader *reader)
 {
-    const struct zr_json_path *path = ZR_JSON_KEY(reader->path, words[CAMERA_TO_WORLD]);
     zr_mat4 matrix;
-    reader->view->pose = ZR_POSE_MATRIX;
-    if (zr_json_mat4(reader->json, path, reader->found[CAMERA_TO_WORLD], &matrix) &&
-        !zr_mat4_invert(&matrix, &reader->view->world_to_camera))
-        zr_json_fault(reader->json, path, "the matrix has no inverse");
+    if (read_pose_matrix(reader, CAMERA_TO_WORLD, &matrix)) zr_mat4_invert(&matrix, &reader->view->world_to_camera);
 }
 
 static void read_pose(struct reader *reader)
@@ -121,11 +133,7 @@ static void read_pose(struct reader *reader)
         reader->view->pose = ZR_POSE_MATRIX; /* as in OpenGL: it alone leads from the world to clip space */
         reader->view->world_to_camera = zr_mat4_identity();
     }
-    if (found[WORLD_TO_CAMERA]) {
-        reader->view->pose = ZR_POSE_MATRIX;
-        zr_json_mat4(reader->json, ZR_JSON_KEY(reader->path, words[WORLD_TO_CAMERA]), found[WORLD_TO_CAMERA],
-                     &reader->view->world_to_camera);
-    }
+    if (found[WORLD_TO_CAMERA]) read_pose_matrix(reader, WORLD_TO_CAMERA, &reader->view->world_to_camera);
 }
 
 static float radians(double degrees)

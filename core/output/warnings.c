@@ -19,9 +19,10 @@ __attribute__((format(printf, 3, 4))) static void add(struct zr_arena *arena, st
     warnings->texts[warnings->count++] = text;
 }
 
-struct zr_warnings zr_warnings_make(struct zr_arena *arena, const struct zr_scene *scene,
-                                    const struct zr_counts *counts, uint64_t misfits)
+struct zr_warnings zr_warnings_make(struct zr_arena *arena, const struct zr_scene *scene, const struct zr_frame *frame,
+                                    uint64_t misfits)
 {
+    const struct zr_counts *counts = &frame->counts;
     struct zr_warnings w = {0, zr_arena_alloc(arena, (size_t)scene->warning_count + OWN_MAX, sizeof *w.texts)};
     if (!w.texts) return w;
     for (uint32_t i = 0; i < scene->warning_count; i++)
@@ -33,13 +34,14 @@ struct zr_warnings zr_warnings_make(struct zr_arena *arena, const struct zr_scen
         add(arena, &w, "%" PRIu64 " of %" PRIu64 " polygons are concave and were drawn as fans",
             counts->concave_polygons, counts->polygons);
     if (misfits > 0) add(arena, &w, "the depth of %" PRIu64 " pixels does not fit 16 bits at this scale", misfits);
-    if (counts->drawn_whole + counts->drawn_pieces > 0) return w;
-    if (counts->culled + counts->culled_pieces > 0)
+    if (frame->covered_pixels > 0) return w;
+    bool drawn = counts->drawn_whole + counts->drawn_pieces > 0;
+    if (!drawn && counts->culled + counts->culled_pieces > 0)
         add(arena, &w, "nothing is seen: what is in view faces away (doubleSided draws both sides)");
     else if (counts->outside == counts->triangles && counts->triangles > 0)
         add(arena, &w, "nothing is seen: all geometry is outside the view");
     else
-        add(arena, &w, "nothing is seen: no polygon covers a pixel");
+        add(arena, &w, "nothing is seen: no polygon covers a pixel in front of the far plane");
     return w;
 }
 

@@ -13,8 +13,8 @@ struct zr_warnings {
 
 /* Of the scene as it was read, of where its polygons went, and of `misfits` pixels
  * whose depth did not fit the PNG. `texts` lie in the arena. */
-struct zr_warnings zr_warnings_make(struct zr_arena *arena, const struct zr_scene *scene,
-                                    const struct zr_counts *counts, uint64_t misfits);
+struct zr_warnings zr_warnings_make(struct zr_arena *arena, const struct zr_scene *scene, const struct zr_frame *frame,
+                                    uint64_t misfits);
 
 /* One line, "; " between. "" where the arena has failed. */
 const char *zr_warnings_join(struct zr_arena *arena, const struct zr_warnings *warnings);

@@ -36,10 +36,11 @@ static vec cross(vec a, vec b)
     return (vec){a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 
-static bool normalize(vec *v)
+/* False where `v` is shorter than `least`: too short to be a direction. */
+static bool normalize(vec *v, double least)
 {
     double length = sqrt(dot(*v, *v));
-    if (!(length > 1e-12)) return false;
+    if (!(length > least)) return false;
     *v = (vec){v->x / length, v->y / length, v->z / length};
     return true;
 }
@@ -126,9 +127,9 @@ static struct frame_of_reference preset_axes(enum zr_preset preset)
         [ZR_PRESET_TOP] = {{0, 1, 0}, {0, 0, -1}},     [ZR_PRESET_BOTTOM] = {{0, -1, 0}, {0, 0, 1}},
         [ZR_PRESET_ISOMETRIC] = {{1, 1, 1}, {0, 1, 0}}};
     struct frame_of_reference f = {.back = table[preset].back};
-    normalize(&f.back);
+    normalize(&f.back, 0.0);
     f.right = cross(table[preset].up, f.back);
-    normalize(&f.right);
+    normalize(&f.right, 0.0);
     f.up = cross(f.back, f.right);
     return f;
 }
@@ -137,24 +138,15 @@ static enum zr_status look_at_axes(const struct zr_view *view, struct frame_of_r
 {
     f->eye = vec_of(view->eye);
     f->back = sub(f->eye, vec_of(view->target));
-    if (!normalize(&f->back))
+    if (!normalize(&f->back, 0.0))
         return zr_error_add(error, ZR_BAD_SCENE, "/view/eye",
                             "the eye is at the target: there is no direction to look in");
-    f->right = cross(vec_of(view->up), f->back);
-    if (!normalize(&f->right))
+    vec up = vec_of(view->up);
+    f->right = normalize(&up, 0.0) ? cross(up, f->back) : up;
+    if (!normalize(&f->right, 1e-9))
         return zr_error_add(error, ZR_BAD_SCENE, "/view/up", "up is zero or along the line of sight");
     f->up = cross(f->back, f->right);
     return ZR_OK;
-}
-
-/* The rows of a world-to-eye matrix as axes, for measuring extents. With a matrix
- * that is not a rigid motion the rows are scaled, and so are extents in eye space. */
-static struct frame_of_reference matrix_axes(const zr_mat4 *m)
-{
-    const float *a = m->m;
-    return (struct frame_of_reference){.right = {(double)a[0], (double)a[4], (double)a[8]},
-                                       .up = {(double)a[1], (double)a[5], (double)a[9]},
-                                       .back = {(double)a[2], (double)a[6], (double)a[10]}};
 }
 
 static zr_mat4 matrix_of(const struct frame_of_reference *f)
@@ -215,13 +207,46 @@ static void fit_eye(const struct zr_scene *scene, const struct zr_bounds *bounds
 
 /* ---- depth range and projection ---- */
 
+/* Bounds of all points in eye space, by the very matrix and in the very floats that they
+ * are drawn with: far from the origin rounding moves them, and the view must hold them
+ * where they are, not where they should be. */
+static struct extent eye_extent(const struct zr_scene *scene, const zr_mat4 *world_to_eye)
+{
+    struct extent e = NOTHING;
+    for (uint32_t i = 0; i < scene->instance_count; i++) {
+        const struct zr_mesh *mesh = &scene->meshes[scene->instances[i].mesh];
+        zr_mat4 object_to_eye = zr_mat4_mul(world_to_eye, &scene->instances[i].object_to_world);
+        for (uint32_t k = 0; k < mesh->position_count; k++) {
+            zr_vec4 p = zr_mat4_apply(&object_to_eye, mesh->positions[k]);
+            double w = (double)p.w;
+            vec q = {(double)p.x / w, (double)p.y / w, (double)p.z / w};
+            if (w != 0.0 && in_range(q)) include(&e, q);
+        }
+    }
+    return e.min.x <= e.max.x ? e : (struct extent){{0, 0, 0}, {0, 0, 0}};
+}
+
+/* What rounding may add to a depth when projection and view become one matrix. */
+static double rounding_of(const struct zr_bounds *bounds, const zr_mat4 *world_to_eye)
+{
+    double largest = 0.0;
+    const zr_vec3 low = bounds->min, high = bounds->max;
+    const float corners[] = {low.x, low.y, low.z, high.x, high.y, high.z};
+    for (int i = 0; i < 6; i++)
+        largest = fmax(largest, fabs((double)corners[i]));
+    for (int i = 12; i < 15; i++)
+        largest = fmax(largest, fabs((double)world_to_eye->m[i]));
+    return 16.0 * (double)FLT_EPSILON * largest;
+}
+
 /* From the nearest and the farthest point, a little wider, so that geometry on
  * the very border is not cut by rounding. */
-static enum zr_status depth_range(const struct zr_view *view, const struct extent *e, struct zr_camera *camera,
-                                  struct zr_error *error)
+static enum zr_status depth_range(const struct zr_view *view, const struct extent *e, double rounding,
+                                  struct zr_camera *camera, struct zr_error *error)
 {
     double nearest = -e->max.z, farthest = -e->min.z;
     double margin = fmax(0.01 * (farthest - nearest), 1e-4 * fmax(fabs(nearest), fabs(farthest)));
+    margin = fmax(margin, rounding);
     if (!(margin > 0.0)) margin = 0.01;
     double zfar = view->has_zfar ? (double)view->zfar : farthest + margin;
     double znear = view->has_znear ? (double)view->znear : nearest - margin;
@@ -253,34 +278,30 @@ static zr_mat4 orthographic(double xmag, double ymag, double n, double f)
                       (float)((f + n) / (n - f)), 1}};
 }
 
-static enum zr_status project(const struct zr_scene *scene, const struct extent *e, struct zr_camera *camera,
+static enum zr_status project(const struct zr_scene *scene, const struct zr_bounds *bounds, struct zr_camera *camera,
                               struct zr_error *error)
 {
     const struct zr_view *view = &scene->view;
-    if (view->projection == ZR_PROJECTION_MATRIX) {
+    if (view->projection == ZR_PROJECTION_MATRIX) { /* nothing is left to the geometry */
         camera->projection = view->projection_matrix;
         return ZR_OK;
     }
-    enum zr_status status = depth_range(view, e, camera, error);
+    struct extent e = eye_extent(scene, &camera->world_to_eye);
+    double rounding = rounding_of(bounds, &camera->world_to_eye);
+    enum zr_status status = depth_range(view, &e, rounding, camera, error);
     if (status != ZR_OK) return status;
     double n = (double)camera->znear, f = (double)camera->zfar;
     if (view->projection == ZR_PROJECTION_PERSPECTIVE) {
         camera->projection =
             perspective((double)view->yfov_radians, (double)scene->width / (double)scene->height, n, f);
-    } else {
-        double xmag = (double)view->xmag, ymag = (double)view->ymag;
-        if (!(xmag > 0.0) || !(ymag > 0.0))
-            grow_to_window(scene, fmax(fabs(e->min.x), fabs(e->max.x)), fmax(fabs(e->min.y), fabs(e->max.y)), &xmag,
-                           &ymag);
-        camera->projection = orthographic(xmag, ymag, n, f);
+        return ZR_OK;
     }
+    double xmag = (double)view->xmag, ymag = (double)view->ymag;
+    if (!(xmag > 0.0) || !(ymag > 0.0))
+        grow_to_window(scene, fmax(fabs(e.min.x), fabs(e.max.x)) + rounding,
+                       fmax(fabs(e.min.y), fabs(e.max.y)) + rounding, &xmag, &ymag);
+    camera->projection = orthographic(xmag, ymag, n, f);
     return ZR_OK;
-}
-
-static struct extent shifted(struct extent e, const zr_mat4 *m)
-{
-    vec t = {(double)m->m[12], (double)m->m[13], (double)m->m[14]};
-    return (struct extent){add_scaled(e.min, t, 1.0), add_scaled(e.max, t, 1.0)};
 }
 
 static bool all_finite(const float *values, int count)
@@ -302,29 +323,17 @@ static enum zr_status resolve(const struct zr_scene *scene, const struct zr_boun
                               struct zr_error *error)
 {
     const struct zr_view *view = &scene->view;
-    *camera = (struct zr_camera){.znear = 0.0f};
-    struct extent extent;
-    if (view->pose == ZR_POSE_MATRIX) {
-        camera->world_to_eye = view->world_to_camera;
-        if (view->projection == ZR_PROJECTION_MATRIX) { /* nothing is left to the geometry */
-            camera->projection = view->projection_matrix;
-            return ZR_OK;
-        }
-        struct frame_of_reference axes = matrix_axes(&view->world_to_camera);
-        extent = shifted(extent_of(scene, &axes), &view->world_to_camera);
-    } else {
-        struct frame_of_reference axes = {.eye = {0, 0, 0}};
-        if (view->pose == ZR_POSE_PRESET) {
-            axes = preset_axes(view->preset);
-            fit_eye(scene, bounds, &axes);
-        } else {
-            enum zr_status status = look_at_axes(view, &axes, error);
-            if (status != ZR_OK) return status;
-        }
-        camera->world_to_eye = matrix_of(&axes);
-        extent = extent_of(scene, &axes);
+    struct frame_of_reference axes = {.eye = {0, 0, 0}};
+    *camera = (struct zr_camera){.world_to_eye = view->world_to_camera};
+    if (view->pose == ZR_POSE_PRESET) {
+        axes = preset_axes(view->preset);
+        fit_eye(scene, bounds, &axes);
+    } else if (view->pose == ZR_POSE_LOOK_AT) {
+        enum zr_status status = look_at_axes(view, &axes, error);
+        if (status != ZR_OK) return status;
     }
-    return project(scene, &extent, camera, error);
+    if (view->pose != ZR_POSE_MATRIX) camera->world_to_eye = matrix_of(&axes);
+    return project(scene, bounds, camera, error);
 }
 
 enum zr_status zr_camera_resolve(const struct zr_scene *scene, const struct zr_bounds *bounds, struct zr_camera *camera,

@@ -56,6 +56,8 @@ struct zr_instance {
     zr_mat4 object_to_world;
 };
 
+enum { ZR_LIGHTS_MAX = 1024 };
+
 /* Light from one direction, as from the sun. */
 struct zr_light {
     zr_vec3 direction; /* the way the light travels; unit length */

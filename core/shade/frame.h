@@ -20,6 +20,7 @@ struct zr_frame {
     struct zr_camera camera;
     struct zr_bounds bounds;
     struct zr_counts counts;
+    uint64_t covered_pixels; /* that belong to a polygon */
 };
 
 #endif

@@ -153,14 +153,15 @@ static void resolve_run(const struct zr_geometry *geometry, const struct surface
         frame->face_id[pixel + (size_t)i] = face;
 }
 
-void zr_resolve_tile(const struct zr_geometry *geometry, zr_vec4 background, const struct zr_tile *tile,
-                     const struct zr_frame *frame)
+uint32_t zr_resolve_tile(const struct zr_geometry *geometry, zr_vec4 background, const struct zr_tile *tile,
+                         const struct zr_frame *frame)
 {
     struct surface surfaces[SURFACES];
     for (int i = 0; i < SURFACES; i++)
         surfaces[i].owner = 0;
     uint32_t nothing =
         pack(color_byte(background.x), color_byte(background.y), color_byte(background.z), color_byte(background.w));
+    uint32_t covered = 0;
     for (int32_t row = 0; row < tile->height; row++) {
         const uint32_t *owners = &tile->owner[row * ZR_TILE_SIZE];
         struct run run = {.y = tile->y + row};
@@ -181,6 +182,8 @@ void zr_resolve_tile(const struct zr_geometry *geometry, zr_vec4 background, con
             struct surface *surface = &surfaces[run.owner % SURFACES];
             if (surface->owner != run.owner) make_surface(geometry, frame, run.owner, surface);
             resolve_run(geometry, surface, &run, frame, line + (size_t)begin);
+            covered += (uint32_t)run.count;
         }
     }
+    return covered;
 }

@@ -57,6 +57,9 @@ verdict "and is saved as one" [ "$(cat said)" = scene.npy ]
 check "info of a scene does not overwrite the scene" 0 "$client" render scene.json --channel info
 verdict "but gets another name" [ "$(cat said)" = scene.out.json ]
 verdict "and the scene is as it was" grep -q polygons scene.json
+check "an output that is the input is refused" 1 "$client" render scene.json -o ./scene.json
+verdict "and the scene is as it was" grep -q polygons scene.json
+check "other protocols than HTTP are refused" 1 "$client" render scene.json --server file:///etc/passwd
 check "- is standard output" 0 "$client" render scene.json -o -
 verdict "and nothing but the picture is on it" is_png said
 "$client" render - --type json -o piped.png <scene.json >said 2>complained

@@ -190,6 +190,30 @@ static void render_past_its_deadline_gives_504(void **state)
     daemon_stop(&server);
 }
 
+/* Work that is in the lights, not in the pixels, ends at the deadline too. */
+static void lighting_past_its_deadline_gives_504(void **state)
+{
+    enum { LIGHTS = 1000, FACES = 200000 };
+    (void)state;
+    struct daemon server = daemon_start((const char *const[]){LET_IN, "--render-timeout-ms=150", NULL});
+    char *scene = NULL;
+    size_t size = 0;
+    FILE *out = open_memstream(&scene, &size);
+    fputs("{\"lights\":[", out);
+    for (int i = 0; i < LIGHTS; i++)
+        fprintf(out, "%s{\"type\":\"directional\",\"direction\":[0,0,-1]}", i ? "," : "");
+    fputs("],\"meshes\":[{\"positions\":[[0,0,0],[1,0,0],[0,1,0]],\"faces\":[", out);
+    for (int i = 0; i < FACES; i++)
+        fputs(i ? ",[0,1,2]" : "[0,1,2]", out);
+    fputs("]}]}", out);
+    assert_int_equal(fclose(out), 0);
+    double begun = seconds();
+    assert_int_equal(client_render_status(&server, scene), 504);
+    assert_true(seconds() - begun < 10.0); /* under sanitizers; it would take far longer */
+    free(scene);
+    daemon_stop(&server);
+}
+
 static void request_memory_used_up_gives_503(void **state)
 {
     (void)state;
@@ -280,6 +304,88 @@ static void drain_that_takes_too_long_is_cut_short(void **state)
     free(scene);
 }
 
+/* Requests that come on kept connections while the daemon is on its way out: it must end
+ * well, whatever they meet. */
+static void sigterm_amid_requests_on_kept_connections_ends_well(void **state)
+{
+    enum { KEPT = 48, ROUNDS = 8 };
+    static const char HEALTH[] = "GET /readyz HTTP/1.1\r\nHost: a\r\n\r\n";
+    (void)state;
+    for (int round = 0; round < ROUNDS; round++) {
+        struct daemon server = daemon_start(NULL);
+        int kept[KEPT];
+        for (int i = 0; i < KEPT; i++) {
+            kept[i] = client_connect(&server);
+            assert_true(send(kept[i], HEALTH, sizeof HEALTH - 1, MSG_NOSIGNAL) > 0);
+            free(client_read(kept[i], "}", 5000));
+        }
+        for (int i = 0; i < KEPT; i++) {
+            if (i == KEPT / 2) daemon_signal(&server);
+            (void)!send(kept[i], HEALTH, sizeof HEALTH - 1, MSG_NOSIGNAL);
+        }
+        daemon_stop(&server); /* asserts exit status 0 */
+        for (int i = 0; i < KEPT; i++)
+            close(kept[i]);
+    }
+}
+
+/* Connections made before the signal get an answer, also those that nobody had accepted. */
+static void sigterm_answers_those_who_wait_to_be_accepted(void **state)
+{
+    enum { CLIENTS = 60, ROUNDS = 5 };
+    static const char HEALTH[] = "GET /readyz HTTP/1.1\r\nHost: a\r\nConnection: close\r\n\r\n";
+    (void)state;
+    for (int round = 0; round < ROUNDS; round++) {
+        struct daemon server = daemon_start((const char *const[]){"--max-per-client=0", NULL});
+        int waiting[CLIENTS];
+        for (int i = 0; i < CLIENTS; i++) {
+            waiting[i] = client_connect(&server);
+            assert_true(send(waiting[i], HEALTH, sizeof HEALTH - 1, MSG_NOSIGNAL) > 0);
+        }
+        daemon_signal(&server);
+        for (int i = 0; i < CLIENTS; i++) {
+            char *text = client_read(waiting[i], NULL, 5000);
+            int status = raw_status(text);
+            assert_true(status == 200 || status == 503);
+            free(text);
+            close(waiting[i]);
+        }
+        daemon_stop(&server);
+    }
+}
+
+/* 4 million values make a tree of hundreds of megabytes, outside of every arena. */
+static void memory_of_a_large_body_is_given_back(void **state)
+{
+    enum { VALUES = 2000000 };
+    (void)state;
+    struct daemon server = daemon_start((const char *const[]){"--workers=1", NULL});
+    char *body = malloc(2 * VALUES + 64), *end = body + sprintf(body, "{\"polygons\":[0");
+    for (int i = 0; i < VALUES; i++) {
+        *end++ = ',';
+        *end++ = '0';
+    }
+    strcpy(end, "]}");
+    assert_int_equal(client_render_status(&server, body), 422);
+    free(body);
+    long resident = 0;
+    for (int tries = 0; tries < 50; tries++) {
+        char path[64];
+        snprintf(path, sizeof path, "/proc/%d/statm", (int)server.pid);
+        FILE *file = fopen(path, "r");
+        assert_non_null(file);
+        assert_int_equal(fscanf(file, "%*d %ld", &resident), 1);
+        fclose(file);
+        resident *= sysconf(_SC_PAGESIZE) >> 10;
+        if (resident < 120 * 1024) break;
+        usleep(100000);
+    }
+#ifndef __SANITIZE_ADDRESS__ /* which keeps what is freed, to find its use */
+    assert_true(resident < 120 * 1024);
+#endif
+    daemon_stop(&server);
+}
+
 static void sigterm_with_uploads_and_idle_connections_ends(void **state)
 {
     static const char HALF[] = "POST /v1/render HTTP/1.1\r\nHost: a\r\n" JSON_TYPE "\r\nContent-Length: 99\r\n\r\n{";
@@ -314,11 +420,15 @@ int main(void)
         cmocka_unit_test(client_with_too_many_requests_gets_429),
         cmocka_unit_test(client_that_leaves_frees_the_worker),
         cmocka_unit_test(render_past_its_deadline_gives_504),
+        cmocka_unit_test(lighting_past_its_deadline_gives_504),
         cmocka_unit_test(request_memory_used_up_gives_503),
         cmocka_unit_test(upload_memory_used_up_gives_503),
         cmocka_unit_test(reader_that_stops_is_cut_off),
         cmocka_unit_test(sigterm_lets_renders_in_flight_end),
         cmocka_unit_test(drain_that_takes_too_long_is_cut_short),
+        cmocka_unit_test(sigterm_amid_requests_on_kept_connections_ends_well),
+        cmocka_unit_test(sigterm_answers_those_who_wait_to_be_accepted),
+        cmocka_unit_test(memory_of_a_large_body_is_given_back),
         cmocka_unit_test(sigterm_with_uploads_and_idle_connections_ends),
     };
     return cmocka_run_group_tests(tests, start_curl, stop_curl);

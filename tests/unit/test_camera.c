@@ -203,6 +203,56 @@ static void point_as_good_as_at_infinity_leaves_the_bounds_finite(void **state)
     assert_true(bounds.max.x == 1 && bounds.max.y == 2 && bounds.max.z == 3);
 }
 
+/* Rounding to float moves what is far from the origin: a fitted view must still show it. */
+static void fit_shows_small_flat_things_far_from_the_origin(void **state)
+{
+    (void)state;
+    const float places[][2] = {{30000, 10}, {30411, 10}, {308220, 100}, {1027.4f, 0.1f}, {1041.1f, 0.1f}, {10000, 1}};
+    static struct test_scene test;
+    struct zr_arena arena;
+    zr_arena_init(&arena, 1 << 24);
+    for (size_t i = 0; i < sizeof places / sizeof *places; i++)
+        for (int preset = 0; preset < ZR_PRESET_COUNT; preset++)
+            for (int projection = 0; projection < 2; projection++) {
+                float o = places[i][0], s = places[i][1];
+                /* Square to the axis that the preset looks along; for isometric, to z. */
+                bool along_x = preset == ZR_PRESET_LEFT || preset == ZR_PRESET_RIGHT;
+                bool along_y = preset == ZR_PRESET_TOP || preset == ZR_PRESET_BOTTOM;
+                zr_vec4 p[6];
+                const float corners[6][2] = {{-1, -1}, {1, -1}, {1, 1}, {-1, -1}, {1, 1}, {-1, 1}};
+                for (int k = 0; k < 6; k++) {
+                    float u = o + s * corners[k][0], v = o + s * corners[k][1];
+                    p[k] = along_x ? (zr_vec4){o, u, v, 1} : along_y ? (zr_vec4){u, o, v, 1} : (zr_vec4){u, v, o, 1};
+                }
+                scene_of_triangles(&test, 64, 64, p, 2);
+                test.scene.view =
+                    (struct zr_view){.pose = ZR_POSE_PRESET,
+                                     .preset = (enum zr_preset)preset,
+                                     .yfov_radians = 0.8f,
+                                     .fit_padding = 0.05f,
+                                     .projection = projection ? ZR_PROJECTION_PERSPECTIVE : ZR_PROJECTION_ORTHOGRAPHIC};
+                const struct zr_frame *frame = scene_render(&arena, NULL, &test.scene);
+                assert_int_equal(frame->counts.outside, 0);
+                assert_true(frame->covered_pixels > 1000); /* of 4096; a square seen askew fills the least */
+                zr_arena_reset(&arena, 1 << 24);
+            }
+    zr_arena_free(&arena);
+}
+
+static void up_may_be_of_any_length(void **state)
+{
+    (void)state;
+    struct test_scene *test = box_scene();
+    struct zr_view *view = &test->scene.view;
+    view->pose = ZR_POSE_LOOK_AT;
+    view->eye = (zr_vec3){5, 6, 7};
+    struct zr_camera want = resolve(test);
+    view->up = (zr_vec3){0, 1e-30f, 0};
+    struct zr_camera got = resolve(test);
+    for (int i = 0; i < 16; i++)
+        assert_true(fabsf(want.world_to_eye.m[i] - got.world_to_eye.m[i]) < 1e-6f);
+}
+
 static void one_single_point_still_gives_a_camera(void **state)
 {
     (void)state;
@@ -234,6 +284,8 @@ int main(void)
         cmocka_unit_test(eye_inside_or_before_the_geometry_still_gives_a_camera),
         cmocka_unit_test(view_beyond_the_range_of_numbers_is_refused),
         cmocka_unit_test(point_as_good_as_at_infinity_leaves_the_bounds_finite),
+        cmocka_unit_test(fit_shows_small_flat_things_far_from_the_origin),
+        cmocka_unit_test(up_may_be_of_any_length),
         cmocka_unit_test(one_single_point_still_gives_a_camera),
     };
     return cmocka_run_group_tests_name("camera", tests, NULL, NULL);

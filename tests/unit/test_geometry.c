@@ -162,16 +162,48 @@ static void normals_of_vertices_weigh_faces_by_area(void **state)
     zr_arena_free(&arena);
 }
 
-static void face_with_a_dent_is_concave_and_a_hexagon_is_not(void **state)
+static bool is_concave(const zr_vec4 *ring, uint32_t count)
+{
+    /* Whatever plane it lies in, and from either side. */
+    int concave = 0;
+    for (int plane = 0; plane < 3; plane++)
+        for (int turned = 0; turned < 2; turned++) {
+            zr_vec4 p[8];
+            for (uint32_t i = 0; i < count; i++) {
+                zr_vec4 q = ring[turned ? count - 1 - i : i];
+                p[i] = plane == 0 ? q : plane == 1 ? (zr_vec4){q.y, q.z, q.x, 1} : (zr_vec4){q.z, q.x, q.y, 1};
+            }
+            struct zr_mesh mesh = quad_mesh(p, count);
+            concave += zr_face_is_concave(&mesh, 0, zr_normal_of_face(&mesh, 0));
+        }
+    assert_true(concave == 0 || concave == 6);
+    return concave > 0;
+}
+
+static void faces_with_dents_or_crossings_are_concave_and_convex_ones_are_not(void **state)
 {
     (void)state;
     const zr_vec4 dent[4] = {{0, 0, 0, 1}, {2, 0, 0, 1}, {0.5f, 0.5f, 0, 1}, {0, 2, 0, 1}};
-    struct zr_mesh mesh = quad_mesh(dent, 4);
-    assert_true(zr_face_is_concave(&mesh, 0, zr_normal_of_face(&mesh, 0)));
+    assert_true(is_concave(dent, 4));
+    const zr_vec4 small_notch[6] = {{0, 0, 0, 1},    {1000, 0, 0, 1}, {1000, 1000, 0, 1},
+                                    {3, 1000, 0, 1}, {3, 997, 0, 1},  {0, 997, 0, 1}};
+    assert_true(is_concave(small_notch, 6));
+    const zr_vec4 bow_tie[4] = {{0, 0, 0, 1}, {1, 1, 0, 1}, {1, 0, 0, 1}, {0, 1, 0, 1}};
+    assert_true(is_concave(bow_tie, 4));
+    const zr_vec4 pentagram[5] = {
+        {0, 1, 0, 1}, {-0.59f, -0.81f, 0, 1}, {0.95f, 0.31f, 0, 1}, {-0.95f, 0.31f, 0, 1}, {0.59f, -0.81f, 0, 1}};
+    assert_true(is_concave(pentagram, 5));
+    const zr_vec4 square[4] = {{0, 0, 0, 1}, {1, 0, 0, 1}, {1, 1, 0, 1}, {0, 1, 0, 1}};
+    assert_false(is_concave(square, 4));
     const zr_vec4 hexagon[6] = {{2, 0, 0, 1},  {1, 1.7f, 0, 1},   {-1, 1.7f, 0, 1},
                                 {-2, 0, 0, 1}, {-1, -1.7f, 0, 1}, {1, -1.7f, 0, 1}};
-    mesh = quad_mesh(hexagon, 6);
-    assert_false(zr_face_is_concave(&mesh, 0, zr_normal_of_face(&mesh, 0)));
+    assert_false(is_concave(hexagon, 6));
+    /* Corners in the middle of edges, one of them twice, and a needle. */
+    const zr_vec4 midpoints[8] = {{0, 0, 0, 1}, {1, 0, 0, 1}, {2, 0, 0, 1}, {2, 1, 0, 1},
+                                  {2, 2, 0, 1}, {0, 2, 0, 1}, {0, 2, 0, 1}, {0, 1, 0, 1}};
+    assert_false(is_concave(midpoints, 8));
+    const zr_vec4 needle[4] = {{0, 0, 0, 1}, {1000, -0.5f, 0, 1}, {2000, 0, 0, 1}, {1000, 0.5f, 0, 1}};
+    assert_false(is_concave(needle, 4));
 }
 
 static void light_follows_the_cosine_and_shows_on_one_side_only(void **state)
@@ -270,7 +302,7 @@ int main(void)
         cmocka_unit_test(viewport_without_a_place_is_refused),
         cmocka_unit_test(normal_of_face_is_twice_its_area_towards_its_front),
         cmocka_unit_test(normals_of_vertices_weigh_faces_by_area),
-        cmocka_unit_test(face_with_a_dent_is_concave_and_a_hexagon_is_not),
+        cmocka_unit_test(faces_with_dents_or_crossings_are_concave_and_convex_ones_are_not),
         cmocka_unit_test(light_follows_the_cosine_and_shows_on_one_side_only),
         cmocka_unit_test(light_on_a_mirrored_instance_stays_outside),
         cmocka_unit_test(geometry_counts_every_triangle_once),

@@ -48,6 +48,17 @@ static void matrices_are_rows_nested_and_columns_flat(void **state)
     assert_int_equal(view.projection, ZR_PROJECTION_PERSPECTIVE);
 }
 
+static void pose_written_row_by_row_is_told_so(void **state)
+{
+    (void)state;
+    refuses_rest("\"view\": {\"cameraToWorld\": [1,0,0,5, 0,1,0,5, 0,0,1,5, 0,0,0,1]}", "/view/cameraToWorld",
+                 "the bottom row is 5 5 5 1, not 0 0 0 1 (a flat list goes column by column)");
+    refuses_rest("\"view\": {\"worldToCamera\": [2,0,0,0, 0,2,0,0, 0,0,2,0, 0,0,-6,2]}", "/view/worldToCamera",
+                 "the bottom row is 0 0 0 2");
+    refuses_rest("\"view\": {\"worldToCamera\": [0,0,0,0, 0,0,0,0, 0,0,0,0, 0,0,0,1]}", "/view/worldToCamera",
+                 "the matrix has no inverse");
+}
+
 static void projection_matrix_alone_leads_from_world_to_clip_space(void **state)
 {
     (void)state;
@@ -174,6 +185,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(views_are_read),
         cmocka_unit_test(matrices_are_rows_nested_and_columns_flat),
+        cmocka_unit_test(pose_written_row_by_row_is_told_so),
         cmocka_unit_test(projection_matrix_alone_leads_from_world_to_clip_space),
         cmocka_unit_test(bad_views_give_pointer_and_names),
         cmocka_unit_test(outputs_are_read),

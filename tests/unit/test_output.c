@@ -230,6 +230,29 @@ static void scene_that_shows_nothing_is_warned_of(void **state)
     assert_non_null(strstr(answer_of(&test).warnings, "faces away"));
 }
 
+static void picture_without_a_covered_pixel_is_warned_of_whatever_the_reason(void **state)
+{
+    (void)state;
+    const zr_vec4 between_pixels[] = {{0.001f, 0.001f, 0, 1}, {0.002f, 0.001f, 0, 1}, {0.001f, 0.002f, 0, 1}};
+    const zr_vec4 at_the_far_plane[] = {{-1, -1, 1, 1}, {1, -1, 1, 1}, {-1, 1, 1, 1}};
+    const zr_vec4 away_and_clipped[] = {{-3, -1, 0, 1}, {-1, 1, 0, 1}, {0, 0, 0, 1}};
+    const zr_vec4 outside[] = {{2, 2, 0, 1}, {3, 2, 0, 1}, {2, 3, 0, 1}};
+    const struct {
+        const zr_vec4 *positions;
+        const char *text;
+    } cases[] = {{between_pixels, "no polygon covers a pixel"},
+                 {at_the_far_plane, "no polygon covers a pixel"},
+                 {away_and_clipped, "faces away"},
+                 {outside, "outside the view"}};
+    static struct test_scene test;
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        scene_of_triangles(&test, 16, 16, cases[i].positions, 1);
+        test.material.double_sided = false;
+        test.scene.output_count = 1;
+        assert_non_null(strstr(answer_of(&test).warnings, cases[i].text));
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -242,6 +265,8 @@ int main(void)
         cmocka_unit_test(depth16_scale_left_open_fits_the_far_plane),
         cmocka_unit_test_setup_teardown(info_counts_pixels_and_boxes_and_warns, open_arena, close_arena),
         cmocka_unit_test_setup_teardown(several_outputs_come_as_one_archive, open_arena, close_arena),
+        cmocka_unit_test_setup_teardown(picture_without_a_covered_pixel_is_warned_of_whatever_the_reason, open_arena,
+                                        close_arena),
         cmocka_unit_test_setup_teardown(scene_that_shows_nothing_is_warned_of, open_arena, close_arena),
     };
     return cmocka_run_group_tests_name("output", tests, NULL, NULL);
