@@ -85,7 +85,7 @@ needs:
 	@echo $(NEED_BUILD) $(NEED_TEST)
 
 .PHONY: container
-container: ## builds the image, runs it hardened, and stops it; brings an engine of its own (root)
+container: all ## builds the image, runs it hardened, and stops it; brings an engine of its own (root)
 	tests/container/test.sh $(BUILD)
 
 .PHONY: format
