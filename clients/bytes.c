@@ -61,6 +61,28 @@ static bool write_whole(const struct bytes *bytes, FILE *file)
     return fflush(file) == 0 && ok;
 }
 
+/* As fopen would have made a new file; one that is there keeps its rights. */
+static mode_t mode_for(const char *path)
+{
+    struct stat status;
+    if (stat(path, &status) == 0) return status.st_mode & 0777;
+    mode_t mask = umask(0);
+    umask(mask);
+    return 0666 & ~mask;
+}
+
+static bool write_and_rename(const struct bytes *bytes, int descriptor, const char *beside, const char *path)
+{
+    fchmod(descriptor, mode_for(path));
+    FILE *file = fdopen(descriptor, "wb");
+    if (!file) {
+        close(descriptor);
+        return false;
+    }
+    bool ok = write_whole(bytes, file);
+    return fclose(file) == 0 && ok && rename(beside, path) == 0;
+}
+
 static bool write_beside(const struct bytes *bytes, const char *path)
 {
     size_t size = strlen(path) + sizeof ".XXXXXX";
@@ -68,22 +90,10 @@ static bool write_beside(const struct bytes *bytes, const char *path)
     if (!beside) return false;
     snprintf(beside, size, "%s.XXXXXX", path);
     int descriptor = mkstemp(beside);
-    bool ok = descriptor >= 0;
-    if (ok) {
-        mode_t mask = umask(0);
-        umask(mask);
-        fchmod(descriptor, 0666 & ~mask); /* as fopen would have made it */
-        FILE *file = fdopen(descriptor, "wb");
-        ok = file && write_whole(bytes, file);
-        int why = errno;
-        ok = file && fclose(file) == 0 && ok;
-        ok = ok && rename(beside, path) == 0;
-        if (!ok) {
-            if (why == 0) why = errno;
-            unlink(beside);
-            errno = why;
-        }
-    }
+    bool ok = descriptor >= 0 && write_and_rename(bytes, descriptor, beside, path);
+    int why = errno;
+    if (descriptor >= 0 && !ok) unlink(beside);
+    errno = why;
     free(beside);
     return ok;
 }
@@ -91,7 +101,12 @@ static bool write_beside(const struct bytes *bytes, const char *path)
 bool bytes_write(const struct bytes *bytes, const char *path)
 {
     if (strcmp(path, "-") == 0) return write_whole(bytes, stdout);
-    if (!is_special(path)) return write_beside(bytes, path);
+    if (!is_special(path)) {
+        char *target = realpath(path, NULL); /* of a link: a rename would replace the link itself */
+        bool written = write_beside(bytes, target ? target : path);
+        free(target);
+        return written;
+    }
     FILE *file = fopen(path, "wb");
     if (!file) return false;
     bool ok = write_whole(bytes, file);

@@ -218,7 +218,7 @@ static int render(const struct options *options)
     } else if (post(options, type, &body, &answer, &status, answer_type)) {
         default_name(options->file, answer_type, name, sizeof name);
         if (options->out) snprintf(name, sizeof name, "%s", options->out);
-        if (status == 200 && bytes_same_file(options->file, name))
+        if (status == 200 && strcmp(name, "-") != 0 && bytes_same_file(options->file, name))
             fprintf(stderr, "zraster: %s would overwrite its own input; -o names another file\n", name);
         else if (status != 200)
             report_problem(stderr, options->file, status, &answer);

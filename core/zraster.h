@@ -29,7 +29,7 @@ struct zr_limits {
     uint32_t window_side_max;   /* pixels */
     uint64_t window_pixels_max; /* pixels, summed over all outputs */
     uint32_t polygon_vertices_max;
-    float coordinate_max; /* magnitude of every number that is a place or a matrix entry */
+    float coordinate_max; /* magnitude of every number that is a place */
 };
 
 struct zr_limits zr_limits_default(void);
@@ -83,9 +83,9 @@ struct zr_answer {
 enum zr_status zr_scene_read(struct zr_arena *arena, const struct zr_request *request, const struct zr_limits *limits,
                              const struct zr_scene **scene, struct zr_error *error);
 
-/* What rendering and encoding will cost, foreseen in well under a millisecond; of a
- * large scene from a sample. */
-struct zr_cost zr_scene_cost(const struct zr_scene *scene);
+/* What rendering and encoding will cost, measured on up to `samples_max` polygons
+ * (UINT32_MAX: on all of them, which takes a fraction of the rendering's own time). */
+struct zr_cost zr_scene_cost(const struct zr_scene *scene, uint32_t samples_max);
 
 /* `team` may be NULL (one thread) and `cancel` may be NULL (never). The frame is
  * the same, byte for byte, for every team. */

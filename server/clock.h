@@ -1,4 +1,4 @@
-/* clock.h - the monotonic clock, for deadlines and durations. */
+/* clock.h - the monotonic clock, for deadlines and durations, and a thread's own. */
 #ifndef ZRASTERD_CLOCK_H
 #define ZRASTERD_CLOCK_H
 
@@ -9,6 +9,14 @@ static inline int64_t clock_us(void)
 {
     struct timespec now;
     clock_gettime(CLOCK_MONOTONIC, &now);
+    return (int64_t)now.tv_sec * 1000000 + now.tv_nsec / 1000;
+}
+
+/* Processor time that the calling thread has used: it stands still while others run. */
+static inline int64_t clock_thread_us(void)
+{
+    struct timespec now;
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
     return (int64_t)now.tv_sec * 1000000 + now.tv_nsec / 1000;
 }
 

@@ -35,10 +35,11 @@ static enum gunzip_status inflate_all(z_stream *stream, struct zr_arena *arena, 
         used += out_before - stream->avail_out;
         if (code == Z_MEM_ERROR) return GUNZIP_NO_MEMORY;
         bool stuck = code == Z_BUF_ERROR && used < room;
+        /* One member after the other: a gzip file may have several (RFC 1952, 2.2). */
+        if (code == Z_STREAM_END && left > 0) code = inflateReset(stream);
         if (stuck || (code != Z_OK && code != Z_BUF_ERROR && code != Z_STREAM_END)) return GUNZIP_BROKEN;
     }
     *out_size = used;
-    if (left > 0) return GUNZIP_BROKEN;
     return used > max ? GUNZIP_TOO_LARGE : GUNZIP_OK;
 }
 

@@ -8,7 +8,7 @@
 
 enum gunzip_status {
     GUNZIP_OK,
-    GUNZIP_BROKEN,    /* not gzip, cut short, a wrong checksum, or something behind it */
+    GUNZIP_BROKEN,    /* not gzip, cut short, a wrong checksum, or something else behind it */
     GUNZIP_TOO_LARGE, /* more than `max` bytes come out */
     GUNZIP_NO_MEMORY
 };

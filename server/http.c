@@ -136,15 +136,38 @@ static bool wait_for_exchanges(struct http *http, uint64_t timeout_ms)
     return all_ended;
 }
 
+/* Where libmicrohttpd takes no more connections: the answer goes out past it. What has come
+ * is read first, or closing would reset the connection under the answer. */
+static void turn_away(struct http *http, int fd)
+{
+    char bytes[4096];
+    struct answer answer = {0};
+    struct api_request nameless = {0};
+    api_take_id(http->api, &nameless, NULL);
+    api_refuse_busy(&answer, 1, "the service is going down");
+    api_finish(&answer, nameless.id);
+    for (int reads = 0; reads < BACKLOG && recv(fd, bytes, sizeof bytes, MSG_DONTWAIT) > 0; reads++)
+        continue;
+    answer_send(&answer, fd);
+    answer_free(&answer);
+    close(fd);
+}
+
 /* Connections that the kernel has made and nobody has accepted would be reset when the
  * socket closes: they are taken in, and told that the service is going down. */
 static void take_backlog(struct http *http)
 {
     struct sockaddr_storage address;
     socklen_t size = sizeof address;
+    uint64_t taken = 0; /* that libmicrohttpd's thread may not have counted yet */
     for (int fd; (fd = accept4(http->listen_fd, (struct sockaddr *)&address, &size, SOCK_NONBLOCK | SOCK_CLOEXEC)) >= 0;
-         size = sizeof address)
-        MHD_add_connection(http->daemon, fd, (struct sockaddr *)&address, size);
+         size = sizeof address) {
+        const union MHD_DaemonInfo *info = MHD_get_daemon_info(http->daemon, MHD_DAEMON_INFO_CURRENT_CONNECTIONS);
+        if (info && info->num_connections + ++taken < http->config->max_connections)
+            MHD_add_connection(http->daemon, fd, (struct sockaddr *)&address, size);
+        else
+            turn_away(http, fd);
+    }
 }
 
 /* What was sent on an open connection before the end was known is heard: only then does

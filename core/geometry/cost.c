@@ -1,9 +1,17 @@
-#include "geometry/cost.h"
+/* cost.c - geometry: how much work a scene is, counted before any of it is done.
+ *
+ * Space:  triangles are placed, clipped and measured in the window just as for drawing;
+ *         of a large scene a sample will do, one polygon out of each stretch of them, at a
+ *         place that no regular pattern in the scene can keep to. The same scene gives
+ *         the same cost.
+ */
+#include "zraster.h"
 
 #include "geometry/clip.h"
 #include "geometry/colors.h"
 #include "geometry/viewport.h"
 #include "scene/camera.h"
+#include "scene/scene.h"
 
 /* Pixels that the visible part of a triangle covers; below 0 where it faces away. */
 static double window_area(const struct zr_viewport *viewport, const zr_vec4 corners[3])
@@ -53,31 +61,53 @@ static void count_outputs(const struct zr_scene *scene, struct zr_cost *cost)
     }
 }
 
-struct zr_cost zr_scene_cost(const struct zr_scene *scene)
+/* Scattered numbers, the same on every machine (Steele's splitmix64). */
+static uint64_t scatter(uint64_t n)
+{
+    n = (n + 1) * 0x9e3779b97f4a7c15u;
+    n = (n ^ (n >> 30)) * 0xbf58476d1ce4e5b9u;
+    n = (n ^ (n >> 27)) * 0x94d049bb133111ebu;
+    return n ^ (n >> 31);
+}
+
+/* The area of all faces, from `samples` of them. */
+static double total_area(const struct zr_scene *scene, const struct zr_camera *camera, uint64_t faces, uint64_t samples)
+{
+    struct zr_viewport viewport = zr_viewport_make(scene->width, scene->height);
+    zr_mat4 world_to_clip = zr_mat4_mul(&camera->projection, &camera->world_to_eye), object_to_clip = world_to_clip;
+    const struct zr_mesh *mesh = NULL;
+    uint64_t first = 0, end = 0; /* the faces of `mesh`, counted over all instances */
+    uint32_t next_instance = 0;
+    double area = 0.0;
+    for (uint64_t k = 0; k < samples; k++) {
+        uint64_t begin = k * faces / samples, size = (k + 1) * faces / samples - begin;
+        uint64_t face = begin + scatter(k) % size;
+        while (face >= end) {
+            const struct zr_instance *instance = &scene->instances[next_instance++];
+            mesh = &scene->meshes[instance->mesh];
+            object_to_clip = zr_mat4_mul(&world_to_clip, &instance->object_to_world);
+            first = end;
+            end += mesh->face_count;
+        }
+        area += face_area(scene, mesh, (uint32_t)(face - first), &object_to_clip, &viewport);
+    }
+    return samples > 0 ? area * (double)faces / (double)samples : 0.0;
+}
+
+struct zr_cost zr_scene_cost(const struct zr_scene *scene, uint32_t samples_max)
 {
     struct zr_cost cost = {0};
     struct zr_camera camera;
     struct zr_error ignored = {.count = 0}; /* rendering will tell */
     struct zr_bounds bounds = zr_bounds_of(scene);
+    uint64_t faces = 0;
     count_outputs(scene, &cost);
-    if (zr_camera_resolve(scene, &bounds, &camera, &ignored) != ZR_OK) return cost;
-
-    uint64_t faces = 0, number = 0, measured = 0;
-    for (uint32_t i = 0; i < scene->instance_count; i++)
-        faces += scene->meshes[scene->instances[i].mesh].face_count;
-    uint64_t step = faces / ZR_COST_SAMPLES + 1;
-    struct zr_viewport viewport = zr_viewport_make(scene->width, scene->height);
-    zr_mat4 world_to_clip = zr_mat4_mul(&camera.projection, &camera.world_to_eye);
-    double area = 0.0;
     for (uint32_t i = 0; i < scene->instance_count; i++) {
         const struct zr_mesh *mesh = &scene->meshes[scene->instances[i].mesh];
-        zr_mat4 object_to_clip = zr_mat4_mul(&world_to_clip, &scene->instances[i].object_to_world);
+        faces += mesh->face_count;
         cost.triangles += (double)mesh->face_offsets[mesh->face_count] - 2.0 * (double)mesh->face_count;
-        uint64_t skip = (step - number % step) % step; /* to the next multiple, counted over all meshes */
-        for (uint64_t face = skip; face < mesh->face_count; face += step, measured++)
-            area += face_area(scene, mesh, (uint32_t)face, &object_to_clip, &viewport);
-        number += mesh->face_count;
     }
-    if (measured > 0) cost.fragments = area * (double)faces / (double)measured;
+    if (zr_camera_resolve(scene, &bounds, &camera, &ignored) == ZR_OK)
+        cost.fragments = total_area(scene, &camera, faces, faces < samples_max ? faces : samples_max);
     return cost;
 }

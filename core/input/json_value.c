@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "input/text.h"
+#include "scene/scene.h"
 
 enum { PATH_LINKS_MAX = 16, POINTER_ROOM = ZR_POINTER_SIZE + 8 };
 
@@ -254,7 +255,7 @@ bool zr_json_color(struct zr_json *json, const struct zr_json_path *path, const 
 
 bool zr_json_mat4(struct zr_json *json, const struct zr_json_path *path, const cJSON *node, zr_mat4 *out)
 {
-    double limit = (double)json->limits->coordinate_max;
+    double limit = (double)ZR_MATRIX_MAX;
     size_t count;
     if (!cJSON_IsArray(node)) return expect(json, path, node, false, "a matrix");
     if (!node->child || !cJSON_IsArray(node->child))

@@ -166,6 +166,19 @@ static double scene_size(const struct zr_bounds *bounds)
     return size > 0.0 ? size : 1.0;
 }
 
+/* Operations on the way to clip space that may each round by half an ulp, amply. */
+static const double ROUNDINGS = 16.0;
+
+static double largest_coordinate(const struct zr_bounds *bounds)
+{
+    const zr_vec3 low = bounds->min, high = bounds->max;
+    const float all[] = {low.x, low.y, low.z, high.x, high.y, high.z};
+    double largest = 0.0;
+    for (int i = 0; i < 6 && bounds->valid; i++)
+        largest = fmax(largest, fabs((double)all[i]));
+    return largest;
+}
+
 /* Half sizes of the window that holds half sizes x and y, with room around. */
 static void grow_to_window(const struct zr_scene *scene, double x, double y, double *xmag, double *ymag)
 {
@@ -176,7 +189,8 @@ static void grow_to_window(const struct zr_scene *scene, double x, double y, dou
 }
 
 /* How far back a perspective camera must stand on its axis to see every point. */
-static double fit_distance(const struct zr_scene *scene, const struct frame_of_reference *f, double size)
+static double fit_distance(const struct zr_scene *scene, const struct frame_of_reference *f, double size,
+                           double rounding)
 {
     double room = 1.0 - 2.0 * (double)scene->view.fit_padding;
     double tan_y = zr_tan((double)scene->view.yfov_radians * 0.5) * room;
@@ -185,7 +199,8 @@ static double fit_distance(const struct zr_scene *scene, const struct frame_of_r
     struct point_walk walk = {.scene = scene};
     for (vec p; next_point(&walk, &p);) {
         vec q = sub(p, f->eye);
-        double x = fabs(dot(q, f->right)), y = fabs(dot(q, f->up)), z = dot(q, f->back);
+        double x = fabs(dot(q, f->right)) + rounding, y = fabs(dot(q, f->up)) + rounding,
+               z = dot(q, f->back) + rounding;
         distance = fmax(distance, z + fmax(fmax(x / tan_x, y / tan_y), 0.05 * size));
     }
     return distance > 0.0 ? distance : size;
@@ -201,7 +216,9 @@ static void fit_eye(const struct zr_scene *scene, const struct zr_bounds *bounds
     struct extent e = extent_of(scene, f);
     f->eye = add_scaled(f->eye, f->right, (e.min.x + e.max.x) * 0.5);
     f->eye = add_scaled(f->eye, f->up, (e.min.y + e.max.y) * 0.5);
-    double back = scene->view.projection == ZR_PROJECTION_PERSPECTIVE ? fit_distance(scene, f, size) : e.max.z + size;
+    double rounding = ROUNDINGS * (double)FLT_EPSILON * largest_coordinate(bounds);
+    bool perspective = scene->view.projection == ZR_PROJECTION_PERSPECTIVE;
+    double back = perspective ? fit_distance(scene, f, size, rounding) : e.max.z + size;
     f->eye = add_scaled(f->eye, f->back, back);
 }
 
@@ -226,17 +243,13 @@ static struct extent eye_extent(const struct zr_scene *scene, const zr_mat4 *wor
     return e.min.x <= e.max.x ? e : (struct extent){{0, 0, 0}, {0, 0, 0}};
 }
 
-/* What rounding may add to a depth when projection and view become one matrix. */
+/* What rounding may add to a place in eye space when projection and view become one matrix. */
 static double rounding_of(const struct zr_bounds *bounds, const zr_mat4 *world_to_eye)
 {
-    double largest = 0.0;
-    const zr_vec3 low = bounds->min, high = bounds->max;
-    const float corners[] = {low.x, low.y, low.z, high.x, high.y, high.z};
-    for (int i = 0; i < 6; i++)
-        largest = fmax(largest, fabs((double)corners[i]));
+    double largest = largest_coordinate(bounds);
     for (int i = 12; i < 15; i++)
         largest = fmax(largest, fabs((double)world_to_eye->m[i]));
-    return 16.0 * (double)FLT_EPSILON * largest;
+    return ROUNDINGS * (double)FLT_EPSILON * largest;
 }
 
 /* From the nearest and the farthest point, a little wider, so that geometry on
@@ -304,16 +317,16 @@ static enum zr_status project(const struct zr_scene *scene, const struct zr_boun
     return ZR_OK;
 }
 
-static bool all_finite(const float *values, int count)
+static bool in_bounds(const zr_mat4 *matrix)
 {
-    for (int i = 0; i < count; i++)
-        if (!isfinite(values[i])) return false;
+    for (int i = 0; i < 16; i++)
+        if (!(fabsf(matrix->m[i]) <= ZR_MATRIX_MAX)) return false;
     return true;
 }
 
-static enum zr_status check_finite(const struct zr_camera *camera, struct zr_error *error)
+static enum zr_status check_range(const struct zr_camera *camera, struct zr_error *error)
 {
-    if (all_finite(camera->world_to_eye.m, 16) && all_finite(camera->projection.m, 16) && isfinite(camera->znear) &&
+    if (in_bounds(&camera->world_to_eye) && in_bounds(&camera->projection) && isfinite(camera->znear) &&
         isfinite(camera->zfar))
         return ZR_OK;
     return zr_error_add(error, ZR_BAD_SCENE, "/view", "the view leads beyond the range of numbers");
@@ -340,5 +353,5 @@ enum zr_status zr_camera_resolve(const struct zr_scene *scene, const struct zr_b
                                  struct zr_error *error)
 {
     enum zr_status status = resolve(scene, bounds, camera, error);
-    return status == ZR_OK ? check_finite(camera, error) : status;
+    return status == ZR_OK ? check_range(camera, error) : status;
 }

@@ -58,6 +58,10 @@ struct zr_instance {
 
 enum { ZR_LIGHTS_MAX = 1024 };
 
+/* Entries of matrices, given or resolved, stay below this in magnitude, so that two of
+ * them and a coordinate multiply to a float. */
+#define ZR_MATRIX_MAX 1e15f
+
 /* Light from one direction, as from the sun. */
 struct zr_light {
     zr_vec3 direction; /* the way the light travels; unit length */

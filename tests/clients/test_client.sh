@@ -59,6 +59,11 @@ verdict "but gets another name" [ "$(cat said)" = scene.out.json ]
 verdict "and the scene is as it was" grep -q polygons scene.json
 check "an output that is the input is refused" 1 "$client" render scene.json -o ./scene.json
 verdict "and the scene is as it was" grep -q polygons scene.json
+touch private.png && chmod 600 private.png && ln -s private.png link.png
+check "an output through a link is written" 0 "$client" render scene.json -o link.png
+verdict "where the link leads" is_png private.png
+verdict "and the link stays" [ -L link.png ]
+verdict "and so do the rights" [ "$(stat -c %a private.png)" = 600 ]
 check "other protocols than HTTP are refused" 1 "$client" render scene.json --server file:///etc/passwd
 check "- is standard output" 0 "$client" render scene.json -o -
 verdict "and nothing but the picture is on it" is_png said

@@ -207,6 +207,23 @@ static void gzip_body_renders_the_same_picture(void **state)
     free(body);
 }
 
+static void gzip_body_of_several_members_is_taken_whole(void **state)
+{
+    (void)state;
+    size_t first, second, half = strlen(GOOD_SCENE) / 2;
+    unsigned char *a = gzipped(GOOD_SCENE, half, &first);
+    unsigned char *b = gzipped(GOOD_SCENE + half, strlen(GOOD_SCENE) - half, &second);
+    unsigned char *both = malloc(first + second);
+    memcpy(both, a, first);
+    memcpy(both + first, b, second);
+    struct reply reply = post_gzip(&server, both, first + second);
+    assert_int_equal(reply.status, 200);
+    reply_free(&reply);
+    free(a);
+    free(b);
+    free(both);
+}
+
 static void gzip_body_that_is_broken_gives_400(void **state)
 {
     (void)state;
@@ -428,6 +445,7 @@ int main(void)
         cmocka_unit_test(content_types_are_matched_as_rfc_9110_says),
         cmocka_unit_test(unknown_content_encoding_is_refused),
         cmocka_unit_test(gzip_body_renders_the_same_picture),
+        cmocka_unit_test(gzip_body_of_several_members_is_taken_whole),
         cmocka_unit_test(gzip_body_that_is_broken_gives_400),
         cmocka_unit_test(gzip_body_that_inflates_beyond_the_limit_gives_413),
         cmocka_unit_test(unknown_path_gives_404),

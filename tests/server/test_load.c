@@ -336,7 +336,9 @@ static void sigterm_answers_those_who_wait_to_be_accepted(void **state)
     static const char HEALTH[] = "GET /readyz HTTP/1.1\r\nHost: a\r\nConnection: close\r\n\r\n";
     (void)state;
     for (int round = 0; round < ROUNDS; round++) {
-        struct daemon server = daemon_start((const char *const[]){"--max-per-client=0", NULL});
+        /* Every other time more of them than may be connected at once. */
+        struct daemon server = daemon_start((const char *const[]){
+            "--max-per-client=0", round % 2 ? "--max-connections=8" : "--max-connections=100", NULL});
         int waiting[CLIENTS];
         for (int i = 0; i < CLIENTS; i++) {
             waiting[i] = client_connect(&server);

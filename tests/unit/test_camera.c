@@ -207,7 +207,8 @@ static void point_as_good_as_at_infinity_leaves_the_bounds_finite(void **state)
 static void fit_shows_small_flat_things_far_from_the_origin(void **state)
 {
     (void)state;
-    const float places[][2] = {{30000, 10}, {30411, 10}, {308220, 100}, {1027.4f, 0.1f}, {1041.1f, 0.1f}, {10000, 1}};
+    const float places[][2] = {{30000, 10},     {30411, 10}, {308220, 100}, {1027.4f, 0.1f},
+                               {1041.1f, 0.1f}, {10000, 1},  {999000, 100}};
     static struct test_scene test;
     struct zr_arena arena;
     zr_arena_init(&arena, 1 << 24);

@@ -1,6 +1,5 @@
 #include <math.h>
 
-#include "geometry/cost.h"
 #include "support/cmocka_all.h"
 #include "support/random.h"
 #include "support/scenes.h"
@@ -11,7 +10,7 @@ static void whole_window_costs_its_pixels(void **state)
     const zr_vec4 p[] = {{-1, -1, 0, 1}, {1, -1, 0, 1}, {1, 1, 0, 1}, {-1, -1, 0, 1}, {1, 1, 0, 1}, {-1, 1, 0, 1}};
     static struct test_scene test;
     scene_of_triangles(&test, 200, 100, p, 2);
-    struct zr_cost cost = zr_scene_cost(&test.scene);
+    struct zr_cost cost = zr_scene_cost(&test.scene, 1024);
     assert_true(cost.triangles == 2 && fabs(cost.fragments - 20000) < 1);
     assert_true(cost.pixels == 80000 && cost.png_pixels == 20000); /* four outputs, one of them PNG */
 }
@@ -24,7 +23,7 @@ static void only_what_is_in_the_window_counts(void **state)
                          {5, 6, 0, 1},   {0, 0, 0, -1},  {1, 0, 0, -1},  {0, 1, 0, -1}};
     static struct test_scene test;
     scene_of_triangles(&test, 100, 100, p, 3);
-    assert_true(fabs(zr_scene_cost(&test.scene).fragments - 10000) < 1);
+    assert_true(fabs(zr_scene_cost(&test.scene, 1024).fragments - 10000) < 1);
 }
 
 static void what_faces_away_counts_only_where_it_is_drawn(void **state)
@@ -33,9 +32,9 @@ static void what_faces_away_counts_only_where_it_is_drawn(void **state)
     const zr_vec4 p[] = {{-1, -1, 0, 1}, {-1, 1, 0, 1}, {1, -1, 0, 1}};
     static struct test_scene test;
     scene_of_triangles(&test, 100, 100, p, 1);
-    assert_true(fabs(zr_scene_cost(&test.scene).fragments - 5000) < 1);
+    assert_true(fabs(zr_scene_cost(&test.scene, 1024).fragments - 5000) < 1);
     test.material.double_sided = false;
-    assert_true(zr_scene_cost(&test.scene).fragments == 0);
+    assert_true(zr_scene_cost(&test.scene, 1024).fragments == 0);
 }
 
 static void sample_of_a_large_scene_is_near_the_truth(void **state)
@@ -54,7 +53,27 @@ static void sample_of_a_large_scene_is_near_the_truth(void **state)
     }
     static struct test_scene test;
     scene_of_triangles(&test, 1000, 1000, p, TEST_TRIANGLES_MAX);
-    assert_true(fabs(zr_scene_cost(&test.scene).fragments / truth - 1) < 0.1);
+    assert_true(fabs(zr_scene_cost(&test.scene, 1024).fragments / truth - 1) < 0.1);
+}
+
+static void large_faces_at_regular_places_do_not_mislead_the_sample(void **state)
+{
+    (void)state;
+    static zr_vec4 p[3 * TEST_TRIANGLES_MAX];
+    const zr_vec4 large[3] = {{-1, -1, 0, 1}, {1, -1, 0, 1}, {-1, 1, 0, 1}};
+    static struct test_scene test;
+    for (int every = 2; every <= 8; every++) {
+        double truth = 0;
+        for (int t = 0; t < TEST_TRIANGLES_MAX; t++)
+            for (int k = 0; k < 3; k++) {
+                float size = t % every == 0 ? 1.0f : 0.01f;
+                p[3 * t + k] = (zr_vec4){large[k].x * size, large[k].y * size, 0, 1};
+                if (k == 0) truth += (double)size * (double)size * 5000;
+            }
+        scene_of_triangles(&test, 100, 100, p, TEST_TRIANGLES_MAX);
+        assert_true(fabs(zr_scene_cost(&test.scene, 1024).fragments / truth - 1) < 0.25);
+        assert_true(fabs(zr_scene_cost(&test.scene, UINT32_MAX).fragments / truth - 1) < 0.001);
+    }
 }
 
 static void odd_numbers_cost_something_finite(void **state)
@@ -63,9 +82,9 @@ static void odd_numbers_cost_something_finite(void **state)
     const zr_vec4 p[] = {{0, 0, 0, 0}, {1, 0, 0, 0}, {0, 1, 0, 1}, {NAN, 0, 0, 1}, {1, 0, 0, 1}, {0, 1, 0, 1}};
     static struct test_scene test;
     scene_of_triangles(&test, 100, 100, p, 2);
-    assert_true(isfinite(zr_scene_cost(&test.scene).fragments));
+    assert_true(isfinite(zr_scene_cost(&test.scene, 1024).fragments));
     test.scene.view.pose = ZR_POSE_LOOK_AT; /* the eye on its target: no camera */
-    assert_true(zr_scene_cost(&test.scene).fragments == 0);
+    assert_true(zr_scene_cost(&test.scene, 1024).fragments == 0);
 }
 
 int main(void)
@@ -75,6 +94,7 @@ int main(void)
         cmocka_unit_test(only_what_is_in_the_window_counts),
         cmocka_unit_test(what_faces_away_counts_only_where_it_is_drawn),
         cmocka_unit_test(sample_of_a_large_scene_is_near_the_truth),
+        cmocka_unit_test(large_faces_at_regular_places_do_not_mislead_the_sample),
         cmocka_unit_test(odd_numbers_cost_something_finite),
     };
     return cmocka_run_group_tests_name("cost", tests, NULL, NULL);
