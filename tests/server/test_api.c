@@ -212,7 +212,7 @@ static void gzip_body_of_several_members_is_taken_whole(void **state)
     (void)state;
     size_t first, second, half = strlen(GOOD_SCENE) / 2;
     unsigned char *a = gzipped(GOOD_SCENE, half, &first);
-    unsigned char *b = gzipped(GOOD_SCENE + half, strlen(GOOD_SCENE) - half, &second);
+    unsigned char *b = gzipped(&GOOD_SCENE[half], strlen(GOOD_SCENE) - half, &second);
     unsigned char *both = malloc(first + second);
     memcpy(both, a, first);
     memcpy(both + first, b, second);
