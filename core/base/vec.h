@@ -77,7 +77,7 @@ static inline zr_mat4 zr_mat4_identity(void)
     return (zr_mat4){{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1}};
 }
 
-/* a·b, each sum from left to right (llvmpipe-rules, rule 1). */
+/* a·b, each sum from left to right (tests/reference/RULES.md, rule 1). */
 static inline zr_mat4 zr_mat4_mul(const zr_mat4 *a, const zr_mat4 *b)
 {
     zr_mat4 out;
@@ -90,7 +90,7 @@ static inline zr_mat4 zr_mat4_mul(const zr_mat4 *a, const zr_mat4 *b)
     return out;
 }
 
-/* One row of m·v: ((x·m0 + y·m1) + z·m2) + w·m3 (llvmpipe-rules, rule 1). */
+/* One row of m·v: ((x·m0 + y·m1) + z·m2) + w·m3 (tests/reference/RULES.md, rule 1). */
 static inline float zr_mat4_row(const zr_mat4 *m, int row, zr_vec4 v)
 {
     return ((v.x * m->m[row] + v.y * m->m[4 + row]) + v.z * m->m[8 + row]) + v.w * m->m[12 + row];

@@ -30,7 +30,7 @@ static bool append_triangle(struct zr_builder *builder, struct zr_triangle trian
         geometry->counts.culled++;
         return false;
     }
-    if (area < 0) {
+    if (front) {
         uint32_t v = triangle.v[0], c = triangle.c[0];
         triangle.v[0] = triangle.v[1];
         triangle.c[0] = triangle.c[1];

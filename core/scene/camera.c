@@ -166,17 +166,17 @@ static double scene_size(const struct zr_bounds *bounds)
     return size > 0.0 ? size : 1.0;
 }
 
-/* Operations on the way to clip space that may each round by half an ulp, amply. */
-static const double ROUNDINGS = 16.0;
-
-static double largest_coordinate(const struct zr_bounds *bounds)
+/* What rounding may add to a place in eye space when projection and view become one matrix:
+ * some operations on the largest numbers there are, `moved` among them, each off by half an
+ * ulp at most. Sixteen are ample. */
+static double rounding_of(const struct zr_bounds *bounds, vec moved)
 {
     const zr_vec3 low = bounds->min, high = bounds->max;
     const float all[] = {low.x, low.y, low.z, high.x, high.y, high.z};
-    double largest = 0.0;
+    double largest = fmax(fabs(moved.x), fmax(fabs(moved.y), fabs(moved.z)));
     for (int i = 0; i < 6 && bounds->valid; i++)
         largest = fmax(largest, fabs((double)all[i]));
-    return largest;
+    return 16.0 * (double)FLT_EPSILON * largest;
 }
 
 /* Half sizes of the window that holds half sizes x and y, with room around. */
@@ -216,9 +216,8 @@ static void fit_eye(const struct zr_scene *scene, const struct zr_bounds *bounds
     struct extent e = extent_of(scene, f);
     f->eye = add_scaled(f->eye, f->right, (e.min.x + e.max.x) * 0.5);
     f->eye = add_scaled(f->eye, f->up, (e.min.y + e.max.y) * 0.5);
-    double rounding = ROUNDINGS * (double)FLT_EPSILON * largest_coordinate(bounds);
     bool perspective = scene->view.projection == ZR_PROJECTION_PERSPECTIVE;
-    double back = perspective ? fit_distance(scene, f, size, rounding) : e.max.z + size;
+    double back = perspective ? fit_distance(scene, f, size, rounding_of(bounds, f->eye)) : e.max.z + size;
     f->eye = add_scaled(f->eye, f->back, back);
 }
 
@@ -241,15 +240,6 @@ static struct extent eye_extent(const struct zr_scene *scene, const zr_mat4 *wor
         }
     }
     return e.min.x <= e.max.x ? e : (struct extent){{0, 0, 0}, {0, 0, 0}};
-}
-
-/* What rounding may add to a place in eye space when projection and view become one matrix. */
-static double rounding_of(const struct zr_bounds *bounds, const zr_mat4 *world_to_eye)
-{
-    double largest = largest_coordinate(bounds);
-    for (int i = 12; i < 15; i++)
-        largest = fmax(largest, fabs((double)world_to_eye->m[i]));
-    return ROUNDINGS * (double)FLT_EPSILON * largest;
 }
 
 /* From the nearest and the farthest point, a little wider, so that geometry on
@@ -300,7 +290,8 @@ static enum zr_status project(const struct zr_scene *scene, const struct zr_boun
         return ZR_OK;
     }
     struct extent e = eye_extent(scene, &camera->world_to_eye);
-    double rounding = rounding_of(bounds, &camera->world_to_eye);
+    const float *m = camera->world_to_eye.m;
+    double rounding = rounding_of(bounds, (vec){(double)m[12], (double)m[13], (double)m[14]});
     enum zr_status status = depth_range(view, &e, rounding, camera, error);
     if (status != ZR_OK) return status;
     double n = (double)camera->znear, f = (double)camera->zfar;

@@ -220,7 +220,6 @@ int main(int count, char **arguments)
     }
     if (!options.models) return usage();
     struct drawing drawing = {0};
-    drawing.smooth = true;
     if (!models_drawing(&drawing, options.models, "stanford-bunny", VIEW, WIDTH, HEIGHT)) return 1;
     drawing.smooth = true;
     char *json = scene_json(&drawing);

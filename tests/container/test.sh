@@ -2,7 +2,7 @@
 # test.sh BUILD: builds the image as the Dockerfile says, runs it as a hardened container,
 # asks it for a picture, and stops it. Needs no engine on the machine: it unpacks Debian's
 # own into BUILD/container, starts it as a private daemon, and ends it by its own pid file.
-# Needs root and apt. Prints TAP; exits 1 on failure, and says loudly where it cannot run.
+# Needs root and apt. Prints TAP; exits 1 on failure, and where it cannot run.
 set -u
 work=$(mkdir -p "$1/container" && cd "$1/container" && pwd)
 client=$(cd "$1" && pwd)/zraster
@@ -13,9 +13,8 @@ count=0
 failed=0
 
 if [ "$(id -u)" != 0 ] || ! command -v apt-get >/dev/null; then
-    echo "LEFT OUT: the container test needs root and apt-get" >&2
-    echo "1..0 # SKIP needs root and apt-get"
-    exit 0
+    echo "error: the container test needs root and apt-get; nothing was tested" >&2
+    exit 1
 fi
 
 check() { # text, command...

@@ -9,7 +9,7 @@ static const struct zr_output outputs[] = {{.channel = ZR_CHANNEL_COLOR, .encodi
                                            {.channel = ZR_CHANNEL_FACE_ID, .encoding = ZR_ENCODING_NPY}};
 
 /* Unlit, so that colours reach the pixels as they are, and double sided: with
- * culling on, Mesa's answer depends on its batches (llvmpipe-rules, rule 11). */
+ * culling on, Mesa's answer depends on its batches (RULES.md, rule 11). */
 static const struct zr_material material = {
     .base_color = {1, 1, 1, 1}, .shading = ZR_SHADING_UNLIT, .double_sided = true};
 

@@ -81,4 +81,20 @@ static inline void refuses(enum zr_format format, const char *text, enum zr_stat
     reading_free(reading);
 }
 
+/* Reads under every memory ceiling up to the first that is enough, which it returns: each
+ * smaller one must give ZR_NO_MEMORY and name itself. 0: none below `most` is. */
+static inline size_t smallest_ceiling(struct zr_request request, const void *bytes, size_t size, size_t most)
+{
+    for (size_t ceiling = 0; ceiling < most; ceiling += 64) {
+        struct reading *reading = read_request(request, bytes, size, zr_limits_default(), ceiling);
+        char detail[32];
+        snprintf(detail, sizeof detail, "the %zu bytes", ceiling);
+        bool enough = reading->status == ZR_OK;
+        if (!enough) assert_complaint(reading, ZR_NO_MEMORY, "", detail);
+        reading_free(reading);
+        if (enough) return ceiling;
+    }
+    return 0;
+}
+
 #endif

@@ -301,19 +301,7 @@ static void small_arena_gives_no_memory_naming_the_ceiling(void **state)
 {
     (void)state;
     static const char text[] = "v 0 0 0\nv 1 0 0\nv 0 1 0\nvn 0 0 1\nf 1//1 2//1 3//1";
-    size_t enough = 0;
-    for (size_t ceiling = 0; ceiling < 8192 && !enough; ceiling += 64) {
-        struct reading *reading = read_request((struct zr_request){.format = ZR_FORMAT_OBJ}, text, strlen(text),
-                                               zr_limits_default(), ceiling);
-        char detail[32];
-        snprintf(detail, sizeof detail, "the %zu bytes", ceiling);
-        if (reading->status == ZR_OK)
-            enough = ceiling;
-        else
-            assert_complaint(reading, ZR_NO_MEMORY, "", detail);
-        reading_free(reading);
-    }
-    assert_true(enough > 512);
+    assert_true(smallest_ceiling((struct zr_request){.format = ZR_FORMAT_OBJ}, text, strlen(text), 8192) > 512);
 }
 
 int main(void)
