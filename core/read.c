@@ -90,8 +90,9 @@ static enum zr_status read_bare_mesh(struct zr_arena *arena, const struct zr_req
                                 ? zr_obj_read(arena, request->bytes, request->size, limits, mesh, error)
                                 : zr_stl_read(arena, request->bytes, request->size, limits, mesh, error);
     if (status != ZR_OK) return status;
-    *material = (struct zr_material){zr_default_base_color(mesh->colors != NULL),
-                                     zr_default_shading(mesh->normal_count > 0 || mesh->colors), true};
+    *material = (struct zr_material){.base_color = zr_default_base_color(mesh->colors != NULL),
+                                     .shading = zr_default_shading(mesh->normal_count > 0 || mesh->colors),
+                                     .double_sided = true};
     if (query->shading != NOT_GIVEN) material->shading = (enum zr_shading)query->shading;
     *instance = (struct zr_instance){0, zr_mat4_identity()};
     scene->materials = material;

@@ -11,7 +11,8 @@
 struct drawing {
     const struct zr_scene *scene;
     const struct zr_geometry *geometry;
-    const struct zr_bins *bins;
+    const struct zr_bins *bins;       /* of production */
+    const struct zr_samples *samples; /* of the other algorithms, else NULL */
     const struct zr_frame *frame;
     const struct zr_cancel *cancel;
     atomic_uint_fast64_t covered; /* pixels */
@@ -22,8 +23,10 @@ static void draw_tiles(void *context, size_t begin, size_t end)
     struct drawing *d = context;
     struct zr_tile tile;
     for (size_t number = begin; number < end; number++) {
-        if (!zr_visibility_tile(d->geometry, d->bins, (uint32_t)number, d->scene->width, d->scene->height, d->cancel,
-                                &tile))
+        if (d->samples)
+            zr_visibility_load(d->samples, (uint32_t)number, &tile);
+        else if (!zr_visibility_tile(d->geometry, d->bins, (uint32_t)number, d->scene->width, d->scene->height,
+                                     d->cancel, &tile))
             return;
         uint32_t covered = zr_resolve_tile(d->geometry, d->scene->background, &tile, d->frame);
         atomic_fetch_add_explicit(&d->covered, covered, memory_order_relaxed);
@@ -53,15 +56,21 @@ static enum zr_status run_pipeline(struct zr_arena *arena, struct zr_team *team,
 {
     enum zr_status status;
     struct zr_geometry geometry;
-    struct zr_bins bins;
+    struct zr_bins bins = {.columns = 0};
+    struct zr_samples samples;
+    zr_visibility_fn *window_at_once = zr_visibility_of(scene->algorithm);
 
     frame->bounds = zr_bounds_of(scene);
     if ((status = zr_camera_resolve(scene, &frame->bounds, &frame->camera, error)) != ZR_OK) return status;
     if ((status = make_frame(arena, scene, frame)) != ZR_OK) return status;
     if ((status = zr_geometry_build(arena, team, scene, &frame->camera, cancel, &geometry)) != ZR_OK) return status;
-    if ((status = zr_bins_build(arena, &geometry, scene->width, scene->height, &bins)) != ZR_OK) return status;
-    struct drawing drawing = {scene, &geometry, &bins, frame, cancel, 0};
-    zr_team_ranges(team, (size_t)bins.columns * bins.rows, 1, draw_tiles, &drawing);
+    if (window_at_once)
+        status = zr_visibility_window(arena, &geometry, window_at_once, scene->width, scene->height, cancel, &samples);
+    else
+        status = zr_bins_build(arena, &geometry, scene->width, scene->height, &bins);
+    if (status != ZR_OK) return status;
+    struct drawing drawing = {scene, &geometry, &bins, window_at_once ? &samples : NULL, frame, cancel, 0};
+    zr_team_ranges(team, zr_tile_count(scene->width, scene->height), 1, draw_tiles, &drawing);
     frame->counts = geometry.counts;
     frame->covered_pixels = drawing.covered;
     return zr_is_cancelled(cancel) ? ZR_CANCELLED : ZR_OK;

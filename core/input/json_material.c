@@ -132,9 +132,10 @@ uint32_t zr_draft_variant(struct zr_draft *draft, const struct zr_style *style, 
     const struct zr_given_material none = {"", 0, zr_default_base_color(coloured), ZR_UNSAID, ZR_UNSAID};
     const struct zr_given_material *given = has_given ? &draft->given[style->given] : &none;
     struct zr_material material = {
-        given->base_color,
-        (enum zr_shading)first_said(style->shading, given->shading, draft->shading, (int)zr_default_shading(smooth)),
-        first_said(style->double_sided, given->double_sided, ZR_UNSAID, false) != 0};
+        .base_color = given->base_color,
+        .shading = (enum zr_shading)first_said(style->shading, given->shading, draft->shading,
+                                               (int)zr_default_shading(smooth)),
+        .double_sided = first_said(style->double_sided, given->double_sided, ZR_UNSAID, false) != 0};
     size_t base = has_given ? style->given : draft->given_count + coloured;
     uint32_t *variant = &draft->variants[base * LOOKS + (size_t)material.shading * 2 + material.double_sided];
     if (*variant == UINT32_MAX) *variant = add_material(draft, material);

@@ -1,17 +1,16 @@
 #include "raster/bins.h"
 
-#include "raster/setup.h"
+#include "raster/primitive.h"
 
 /* Inclusive; empty where x0 > x1 or y0 > y1. */
 struct tile_range {
     int32_t x0, y0, x1, y1;
 };
 
-static struct tile_range tiles_of(const struct zr_geometry *geometry, uint32_t triangle, uint32_t width,
-                                  uint32_t height)
+static struct tile_range tiles_of(const struct zr_geometry *geometry, uint32_t first, uint32_t width, uint32_t height)
 {
     int32_t box[4];
-    zr_setup_box(geometry->vertices, &geometry->triangles[triangle], box);
+    zr_primitive_box(geometry, first, box);
     /* Clipping leaves rounding: a vertex may stand a hair outside the window. */
     if (box[0] < 0) box[0] = 0;
     if (box[1] < 0) box[1] = 0;
@@ -35,7 +34,7 @@ enum zr_status zr_bins_build(struct zr_arena *arena, const struct zr_geometry *g
     uint32_t *offsets = zr_arena_zero(arena, (size_t)columns * rows + 1, sizeof *offsets);
     if (!offsets) return ZR_NO_MEMORY;
     uint32_t large_count = 0;
-    for (uint32_t i = 0; i < geometry->triangle_count; i++) {
+    for (uint32_t i = 0; i < geometry->triangle_count; i += zr_primitive_count(geometry, i)) {
         struct tile_range r = tiles_of(geometry, i, width, height);
         if (is_large(r)) {
             large_count++;
@@ -55,7 +54,7 @@ enum zr_status zr_bins_build(struct zr_arena *arena, const struct zr_geometry *g
     uint32_t *large = zr_arena_alloc(arena, large_count, sizeof *large);
     if (!zr_arena_ok(arena)) return ZR_NO_MEMORY;
     large_count = 0;
-    for (uint32_t i = 0; i < geometry->triangle_count; i++) {
+    for (uint32_t i = 0; i < geometry->triangle_count; i += zr_primitive_count(geometry, i)) {
         struct tile_range r = tiles_of(geometry, i, width, height);
         if (is_large(r)) {
             large[large_count++] = i;

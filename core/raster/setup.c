@@ -36,8 +36,7 @@ struct zr_setup zr_setup_make(const struct zr_window_vertex *vertices, const str
     const struct zr_window_vertex *v0 = &vertices[triangle->v[0]], *v1 = &vertices[triangle->v[1]],
                                   *v2 = &vertices[triangle->v[2]];
     struct zr_setup setup = {.edges = {edge_make(v0, v1), edge_make(v1, v2), edge_make(v2, v0)}};
-    struct zr_plane_basis basis = zr_plane_basis_make(v0, v1, v2);
-    setup.depth = zr_plane_make(&basis, v0->z, v1->z, v2->z);
+    setup.depth = zr_depth_make(vertices, triangle);
     int32_t box[4];
     zr_setup_box(vertices, triangle, box);
     setup.min_x = box[0];

@@ -6,7 +6,7 @@
 #ifndef ZR_SETUP_H
 #define ZR_SETUP_H
 
-#include "raster/plane.h"
+#include "raster/depth.h"
 
 /* Inside where c + a X + b Y > 0 for all three edges, at integer pixels X, Y. */
 struct zr_edge {
@@ -15,13 +15,25 @@ struct zr_edge {
 
 struct zr_setup {
     struct zr_edge edges[3];
-    struct zr_plane depth;
+    struct zr_depth depth;
     int32_t min_x, min_y, max_x, max_y; /* pixels whose centres the bounding box holds, inclusive */
 };
 
 /* The box alone. Empty (min > max) where no pixel centre lies inside. */
 void zr_setup_box(const struct zr_window_vertex *vertices, const struct zr_triangle *triangle, int32_t box[4]);
 
+/* Of a record that is a triangle. */
 struct zr_setup zr_setup_make(const struct zr_window_vertex *vertices, const struct zr_triangle *triangle);
+
+static inline int64_t zr_edge_at(const struct zr_edge *edge, int32_t x, int32_t y)
+{
+    return edge->c + edge->a * x + edge->b * y;
+}
+
+static inline bool zr_setup_covers(const struct zr_setup *setup, int32_t x, int32_t y)
+{
+    return zr_edge_at(&setup->edges[0], x, y) > 0 && zr_edge_at(&setup->edges[1], x, y) > 0 &&
+           zr_edge_at(&setup->edges[2], x, y) > 0;
+}
 
 #endif

@@ -7,6 +7,7 @@
 #ifndef ZR_TILE_H
 #define ZR_TILE_H
 
+#include <stddef.h>
 #include <stdint.h>
 
 enum { ZR_TILE_SIZE = 64 };
@@ -18,5 +19,11 @@ struct zr_tile {
     float depth[ZR_TILE_SIZE * ZR_TILE_SIZE];    /* window depth, 1 where nothing is */
     uint32_t owner[ZR_TILE_SIZE * ZR_TILE_SIZE]; /* 1 + number of the triangle, 0 where nothing is */
 };
+
+/* Tile 0 is at the window's lower left, then along the row. */
+static inline size_t zr_tile_count(uint32_t width, uint32_t height)
+{
+    return (size_t)((width + ZR_TILE_SIZE - 1) / ZR_TILE_SIZE) * ((height + ZR_TILE_SIZE - 1) / ZR_TILE_SIZE);
+}
 
 #endif

@@ -21,14 +21,25 @@ enum zr_shading {
     ZR_SHADING_GOURAUD /* lit at each vertex, interpolated */
 };
 
+/* How the edges of faces are drawn, as lines one pixel wide. */
+enum zr_outline {
+    ZR_OUTLINE_NONE,
+    ZR_OUTLINE_OWN,    /* in the colours of the face */
+    ZR_OUTLINE_COLORED /* all in outline_color */
+};
+
 struct zr_material {
     zr_vec4 base_color; /* multiplies the colours of faces and vertices */
     enum zr_shading shading;
     bool double_sided; /* false: polygons that turn away are not drawn */
+    bool hollow;       /* faces are not filled: a wireframe, where there is an outline */
+    enum zr_outline outline;
+    zr_vec4 outline_color;
 };
 
-/* Indexed polygons. Face f has the corners indices[face_offsets[f]] to
- * indices[face_offsets[f + 1] - 1], counter-clockwise seen from its front. */
+/* Indexed polygons and lines. Face f has the corners indices[face_offsets[f]] to
+ * indices[face_offsets[f + 1] - 1], counter-clockwise seen from its front; what is
+ * inside is decided by the odd-even rule over all of its rings. */
 struct zr_mesh {
     const char *name; /* UTF-8, "" where it has none */
 
@@ -38,6 +49,15 @@ struct zr_mesh {
     uint32_t face_count;
     const uint32_t *face_offsets; /* face_count + 1 */
     const uint32_t *indices;      /* into positions, one a corner */
+
+    /* Faces with holes. NULL: every face is one ring. Face f has the rings face_rings[f] to
+     * face_rings[f + 1] - 1, the outer one first; ring r has the corners indices[ring_offsets[r]] to
+     * indices[ring_offsets[r + 1] - 1], three or more. */
+    const uint32_t *face_rings;   /* face_count + 1 */
+    const uint32_t *ring_offsets; /* face_rings[face_count] + 1 */
+
+    uint32_t line_count;
+    const uint32_t *lines; /* into positions, two a line */
 
     uint32_t normal_count;          /* 0: normals are computed */
     const zr_vec3 *normals;         /* any length; a zero normal is computed instead */
@@ -49,6 +69,12 @@ struct zr_mesh {
     const uint32_t *face_materials; /* face_count, or NULL: all have `material` */
     uint32_t material;
 };
+
+/* What pixels are owned by: faces, and after them lines, one id each. */
+static inline uint64_t zr_mesh_ids(const struct zr_mesh *mesh)
+{
+    return (uint64_t)mesh->face_count + mesh->line_count;
+}
 
 /* A mesh, placed. */
 struct zr_instance {
@@ -101,6 +127,16 @@ struct zr_view {
     float fit_padding;        /* share of the window left free on each side */
 };
 
+/* The independent ways to decide who is seen (raster/): all give the same pixels. */
+enum zr_algorithm {
+    ZR_ALGORITHM_HALFSPACE, /* production: edge functions, tile by tile */
+    ZR_ALGORITHM_EDGELIST,
+    ZR_ALGORITHM_TRAPEZOID,
+    ZR_ALGORITHM_SCANLINE,
+    ZR_ALGORITHM_PAINTER,
+    ZR_ALGORITHM_COUNT
+};
+
 enum zr_channel {
     ZR_CHANNEL_COLOR,        /* RGB, or RGBA where the background is not opaque */
     ZR_CHANNEL_DEPTH,        /* eye-space depth along the view axis, scene units */
@@ -122,6 +158,7 @@ struct zr_scene {
     uint32_t width, height; /* pixels */
     zr_vec4 background;
     zr_vec3 ambient;
+    enum zr_algorithm algorithm;
     uint32_t material_count, mesh_count, instance_count, light_count, output_count, warning_count;
     const struct zr_material *materials;
     const struct zr_mesh *meshes;

@@ -13,7 +13,8 @@ void scene_of_triangles(struct test_scene *test, uint32_t width, uint32_t height
         test->face_offsets[i] = 3 * i;
     for (uint32_t i = 0; i < 3 * triangles; i++)
         test->indices[i] = i;
-    test->material = (struct zr_material){{1, 1, 1, 1}, ZR_SHADING_UNLIT, true};
+    test->material =
+        (struct zr_material){.base_color = {1, 1, 1, 1}, .shading = ZR_SHADING_UNLIT, .double_sided = true};
     test->mesh = (struct zr_mesh){.name = "test",
                                   .position_count = 3 * triangles,
                                   .positions = positions,

@@ -2,6 +2,7 @@
 #include <string.h>
 
 #include "raster/halfspace.h"
+#include "raster/oddeven.h"
 #include "raster/visibility.h"
 #include "support/cmocka_all.h"
 #include "support/random.h"
@@ -138,6 +139,37 @@ static void kernel_agrees_with_the_edge_functions_pixel_by_pixel(void **state)
     }
 }
 
+/* Corners on a coarse grid, so that many samples lie exactly on edges and corners. */
+static void odd_even_rule_covers_the_triangle_that_the_kernel_covers(void **state)
+{
+    (void)state;
+    struct random random = random_seeded(21);
+    static struct zr_tile by_edges;
+    for (int round = 0; round < 3000; round++) {
+        struct zr_window_vertex v[3];
+        double step = round % 3 ? 0.5 : 1.0 / 256, reach = round % 2 ? 64.0 : 12.0;
+        for (int k = 0; k < 3; k++) {
+            double x = floor(random_range(&random, -2, reach) / step) * step;
+            double y = floor(random_range(&random, -2, reach) / step) * step;
+            v[k] = at((float)x, (float)y, (float)random_range(&random, 0, 1));
+        }
+        int64_t area =
+            (int64_t)(v[0].sx - v[1].sx) * (v[2].sy - v[0].sy) - (int64_t)(v[2].sx - v[0].sx) * (v[0].sy - v[1].sy);
+        if (area == 0) continue;
+        struct zr_triangle triangle = {.v = {area < 0 ? 1 : 0, area < 0 ? 0 : 1, 2}};
+        struct zr_geometry geometry = {.vertices = v, .vertex_count = 3, .triangles = &triangle, .triangle_count = 1};
+        struct zr_tile *tile = cleared_tile();
+        by_edges = *tile;
+        struct zr_setup setup = zr_setup_make(v, &triangle);
+        zr_halfspace_draw(tile, &setup, 1);
+        struct zr_primitive primitive;
+        zr_primitive_make(&geometry, 0, ZR_TILE_SIZE, ZR_TILE_SIZE, &primitive);
+        zr_oddeven_draw(&geometry, &primitive, &by_edges);
+        assert_memory_equal(tile->owner, by_edges.owner, sizeof tile->owner);
+        assert_memory_equal(tile->depth, by_edges.depth, sizeof tile->depth);
+    }
+}
+
 static void depth_beyond_the_range_is_clamped_and_nan_is_the_far_plane(void **state)
 {
     (void)state;
@@ -207,6 +239,7 @@ int main(void)
         cmocka_unit_test(nearer_depth_wins_and_the_earlier_triangle_keeps_a_tie),
         cmocka_unit_test(what_lies_on_the_far_plane_is_behind_the_cleared_depth),
         cmocka_unit_test(kernel_agrees_with_the_edge_functions_pixel_by_pixel),
+        cmocka_unit_test(odd_even_rule_covers_the_triangle_that_the_kernel_covers),
         cmocka_unit_test(depth_beyond_the_range_is_clamped_and_nan_is_the_far_plane),
         cmocka_unit_test(bins_list_every_triangle_where_it_touches_in_order),
     };

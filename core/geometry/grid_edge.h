@@ -1,0 +1,23 @@
+/* grid_edge.h - geometry: an edge on the snapped grid, as the odd-even rule needs it.
+ *
+ * Space:  snapped coordinates (geometry/viewport.h), y up.
+ */
+#ifndef ZR_GRID_EDGE_H
+#define ZR_GRID_EDGE_H
+
+#include <stdbool.h>
+#include <stdint.h>
+
+struct zr_grid_edge {
+    int32_t x0, y0, x1, y1; /* y0 < y1 */
+};
+
+/* Between two points, in either order. False where it is level: such an edge passes no row of samples
+ * from below to above, so the odd-even rule never counts it. */
+static inline bool zr_grid_edge_make(int32_t ax, int32_t ay, int32_t bx, int32_t by, struct zr_grid_edge *edge)
+{
+    *edge = ay < by ? (struct zr_grid_edge){ax, ay, bx, by} : (struct zr_grid_edge){bx, by, ax, ay};
+    return ay != by;
+}
+
+#endif

@@ -1,0 +1,37 @@
+/* depth.h - raster: how deep a record lies at each sample.
+ *
+ * Space:  window space; depth is that of the z-buffer, 0 (near) to 1 (far).
+ * Exact:  the reference's rule 8: the plane of the unsnapped vertices, the offset of outlined
+ *         faces added after interpolation, and then clamped.
+ */
+#ifndef ZR_DEPTH_H
+#define ZR_DEPTH_H
+
+#include "raster/plane.h"
+
+struct zr_depth {
+    struct zr_plane plane;
+    float offset; /* 0 for all but faces that make room for their outlines */
+};
+
+static inline struct zr_depth zr_depth_make(const struct zr_window_vertex *vertices, const struct zr_triangle *record)
+{
+    const struct zr_window_vertex *v0 = &vertices[record->v[0]], *v1 = &vertices[record->v[1]],
+                                  *v2 = &vertices[record->v[2]];
+    struct zr_plane_basis basis = zr_plane_basis_make(v0, v1, v2);
+    return (struct zr_depth){.plane = zr_plane_make(&basis, v0->z, v1->z, v2->z)};
+}
+
+/* To 1 first, NaN with it, and then to 0. */
+static inline float zr_depth_clamp(float z)
+{
+    z = z < 1.0f ? z : 1.0f;
+    return z > 0.0f ? z : 0.0f;
+}
+
+static inline float zr_depth_at(const struct zr_depth *depth, int32_t x, int32_t y)
+{
+    return zr_depth_clamp(zr_plane_at(&depth->plane, (float)x, (float)y) + depth->offset);
+}
+
+#endif

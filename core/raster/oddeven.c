@@ -1,0 +1,110 @@
+#include "raster/oddeven.h"
+
+#include "raster/setup.h"
+
+_Static_assert(ZR_TILE_SIZE == 64, "a row of flags is a uint64_t");
+
+struct flags {
+    uint64_t rows[ZR_TILE_SIZE]; /* bit i: column i */
+};
+
+/* ---- coverage ---- */
+
+/* The first pixel whose centre is not left of the edge in row y. */
+static int64_t crossing(const struct zr_grid_edge *e, int64_t y)
+{
+    int64_t rise = (int64_t)e->y1 - e->y0, run = (int64_t)e->x1 - e->x0;
+    int64_t numerator = e->x0 * rise + run * (y * ZR_SUBPIXELS - e->y0), step = rise * ZR_SUBPIXELS;
+    int64_t quotient = numerator / step;
+    return quotient * step < numerator ? quotient + 1 : quotient;
+}
+
+static void flip(const struct zr_tile *tile, const struct zr_grid_edge *e, struct flags *flags)
+{
+    int32_t begin = (e->y0 + ZR_SUBPIXELS - 1) >> ZR_SUBPIXEL_BITS,
+            end = (e->y1 + ZR_SUBPIXELS - 1) >> ZR_SUBPIXEL_BITS;
+    if (begin < tile->y) begin = tile->y;
+    if (end > tile->y + tile->height) end = tile->y + tile->height;
+    for (int32_t y = begin; y < end; y++) {
+        int64_t column = crossing(e, y) - tile->x;
+        if (column < ZR_TILE_SIZE) flags->rows[y - tile->y] ^= ~UINT64_C(0) << (column > 0 ? column : 0);
+    }
+}
+
+static void cover(const struct zr_primitive *primitive, const struct zr_tile *tile, struct flags *flags)
+{
+    const struct zr_grid_edge *edges = zr_primitive_edges(primitive);
+    uint64_t columns = tile->width < ZR_TILE_SIZE ? (UINT64_C(1) << tile->width) - 1 : ~UINT64_C(0);
+    *flags = (struct flags){{0}};
+    for (uint32_t i = 0; i < primitive->edge_count; i++)
+        flip(tile, &edges[i], flags);
+    for (int32_t row = 0; row < tile->height; row++)
+        flags->rows[row] &= columns;
+}
+
+/* ---- depth ---- */
+
+static void put(struct zr_tile *tile, int32_t row, int32_t column, struct zr_hit hit)
+{
+    int32_t i = row * ZR_TILE_SIZE + column;
+    if (!(hit.depth < tile->depth[i])) return;
+    tile->depth[i] = hit.depth;
+    tile->owner[i] = hit.owner;
+}
+
+static int32_t lowest(uint64_t bits)
+{
+    return __builtin_ctzll(bits);
+}
+
+/* All that is still flagged sees this one record. */
+static void put_record(const struct zr_depth *depth, uint32_t owner, const struct flags *flags, struct zr_tile *tile)
+{
+    for (int32_t row = 0; row < tile->height; row++)
+        for (uint64_t bits = flags->rows[row]; bits; bits &= bits - 1) {
+            int32_t column = lowest(bits);
+            put(tile, row, column, (struct zr_hit){zr_depth_at(depth, tile->x + column, tile->y + row), owner});
+        }
+}
+
+/* Columns first..last of a tile, both within it. */
+static uint64_t column_bits(int32_t first, int32_t last)
+{
+    return (~UINT64_C(0) << first) & (~UINT64_C(0) >> (ZR_TILE_SIZE - 1 - last));
+}
+
+/* What one of a shape's triangles covers of the flagged samples sees it, and is then done with. */
+static void put_triangle(const struct zr_setup *setup, uint32_t owner, struct flags *flags, struct zr_tile *tile)
+{
+    int32_t x0 = setup->min_x > tile->x ? setup->min_x - tile->x : 0,
+            x1 = setup->max_x < tile->x + tile->width ? setup->max_x - tile->x : tile->width - 1;
+    int32_t y0 = setup->min_y > tile->y ? setup->min_y - tile->y : 0,
+            y1 = setup->max_y < tile->y + tile->height ? setup->max_y - tile->y : tile->height - 1;
+    if (x0 > x1) return;
+    uint64_t columns = column_bits(x0, x1);
+    for (int32_t row = y0; row <= y1; row++)
+        for (uint64_t bits = flags->rows[row] & columns; bits; bits &= bits - 1) {
+            int32_t column = lowest(bits), x = tile->x + column, y = tile->y + row;
+            if (!zr_setup_covers(setup, x, y)) continue;
+            flags->rows[row] &= ~(UINT64_C(1) << column);
+            put(tile, row, column, (struct zr_hit){zr_depth_at(&setup->depth, x, y), owner});
+        }
+}
+
+void zr_oddeven_draw(const struct zr_geometry *geometry, const struct zr_primitive *primitive, struct zr_tile *tile)
+{
+    struct flags flags;
+    cover(primitive, tile, &flags);
+    if (primitive->count == 1) {
+        put_record(&primitive->depth, primitive->first + 1, &flags, tile);
+        return;
+    }
+    for (uint32_t record = primitive->first; record < primitive->first + primitive->count; record++) {
+        struct zr_setup setup = zr_setup_make(geometry->vertices, &geometry->triangles[record]);
+        put_triangle(&setup, record + 1, &flags, tile);
+    }
+    /* Rounding where the view volume cuts the polygon may leave samples that no triangle covers. */
+    for (int32_t row = 0; row < tile->height; row++)
+        for (uint64_t bits = flags.rows[row]; bits; bits &= bits - 1)
+            put(tile, row, lowest(bits), zr_primitive_hit(geometry, primitive, tile->x + lowest(bits), tile->y + row));
+}

@@ -1,0 +1,96 @@
+#include "raster/primitive.h"
+
+#include "raster/setup.h"
+
+/* ---- box ---- */
+
+/* Shifts of negative numbers go down to the grid, as all compilers we build with do. */
+static int32_t first_centre(int32_t snapped)
+{
+    return (snapped + ZR_SUBPIXELS - 1) >> ZR_SUBPIXEL_BITS;
+}
+
+void zr_primitive_box(const struct zr_geometry *geometry, uint32_t first, int32_t box[4])
+{
+    const struct zr_triangle *record = &geometry->triangles[first];
+    if (record->shape == 0) {
+        zr_setup_box(geometry->vertices, record, box);
+        return;
+    }
+    const struct zr_shape *shape = &geometry->shapes[record->shape - 1];
+    box[0] = first_centre(shape->min_x);
+    box[1] = first_centre(shape->min_y);
+    box[2] = shape->max_x >> ZR_SUBPIXEL_BITS;
+    box[3] = shape->max_y >> ZR_SUBPIXEL_BITS;
+}
+
+static void cut_box(struct zr_primitive *primitive, const int32_t box[4], uint32_t width, uint32_t height)
+{
+    primitive->min_x = box[0] > 0 ? box[0] : 0;
+    primitive->min_y = box[1] > 0 ? box[1] : 0;
+    primitive->max_x = box[2] < (int32_t)width ? box[2] : (int32_t)width - 1;
+    primitive->max_y = box[3] < (int32_t)height ? box[3] : (int32_t)height - 1;
+}
+
+/* ---- edges ---- */
+
+static void add_edge(struct zr_primitive *primitive, const struct zr_window_vertex *a, const struct zr_window_vertex *b)
+{
+    struct zr_grid_edge edge;
+    if (zr_grid_edge_make(a->sx, a->sy, b->sx, b->sy, &edge)) primitive->own_edges[primitive->edge_count++] = edge;
+}
+
+void zr_primitive_make(const struct zr_geometry *geometry, uint32_t first, uint32_t width, uint32_t height,
+                       struct zr_primitive *primitive)
+{
+    const struct zr_triangle *record = &geometry->triangles[first];
+    int32_t box[4];
+    *primitive = (struct zr_primitive){.first = first, .count = zr_primitive_count(geometry, first)};
+    primitive->depth = zr_depth_make(geometry->vertices, record);
+    zr_primitive_box(geometry, first, box);
+    cut_box(primitive, box, width, height);
+    if (record->shape > 0) {
+        const struct zr_shape *shape = &geometry->shapes[record->shape - 1];
+        primitive->shape_edges = geometry->edges + shape->first_edge;
+        primitive->edge_count = shape->edge_count;
+        return;
+    }
+    const struct zr_window_vertex *v0 = &geometry->vertices[record->v[0]], *v1 = &geometry->vertices[record->v[1]],
+                                  *v2 = &geometry->vertices[record->v[2]];
+    add_edge(primitive, v0, v1);
+    add_edge(primitive, v1, v2);
+    add_edge(primitive, v2, v0);
+}
+
+/* ---- hit ---- */
+
+/* How far inside a triangle the sample lies, about in subpixels; below 0 outside of it. */
+static double margin_at(const struct zr_setup *setup, int32_t x, int32_t y)
+{
+    double least = 0.0;
+    for (int k = 0; k < 3; k++) {
+        const struct zr_edge *e = &setup->edges[k];
+        int64_t steepness = (e->a < 0 ? -e->a : e->a) + (e->b < 0 ? -e->b : e->b);
+        double margin = (double)zr_edge_at(e, x, y) / (double)steepness;
+        if (k == 0 || margin < least) least = margin;
+    }
+    return least;
+}
+
+struct zr_hit zr_primitive_hit(const struct zr_geometry *geometry, const struct zr_primitive *primitive, int32_t x,
+                               int32_t y)
+{
+    if (primitive->count == 1) return (struct zr_hit){zr_depth_at(&primitive->depth, x, y), primitive->first + 1};
+    struct zr_hit hit = {0.0f, 0};
+    double best = 0.0;
+    for (uint32_t record = primitive->first; record < primitive->first + primitive->count; record++) {
+        struct zr_setup setup = zr_setup_make(geometry->vertices, &geometry->triangles[record]);
+        bool inside = zr_setup_covers(&setup, x, y);
+        double margin = margin_at(&setup, x, y);
+        if (!inside && hit.owner != 0 && margin <= best) continue;
+        best = margin;
+        hit = (struct zr_hit){zr_depth_at(&setup.depth, x, y), record + 1};
+        if (inside) break;
+    }
+    return hit;
+}
