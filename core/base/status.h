@@ -19,7 +19,7 @@ enum zr_status {
     ZR_INTERNAL     /* our own fault */
 };
 
-enum { ZR_ERROR_ITEMS = 20, ZR_POINTER_SIZE = 160, ZR_DETAIL_SIZE = 200 };
+enum { ZR_ERROR_ITEMS = 20, ZR_POINTER_SIZE = 160, ZR_DETAIL_SIZE = 280 };
 
 struct zr_error_item {
     char pointer[ZR_POINTER_SIZE]; /* JSON Pointer; "" where none applies */

@@ -72,6 +72,11 @@ static inline zr_vec4 zr_vec4_mul(zr_vec4 a, zr_vec4 b)
     return (zr_vec4){a.x * b.x, a.y * b.y, a.z * b.z, a.w * b.w};
 }
 
+static inline bool zr_vec4_equal(zr_vec4 a, zr_vec4 b)
+{
+    return a.x == b.x && a.y == b.y && a.z == b.z && a.w == b.w;
+}
+
 static inline zr_mat4 zr_mat4_identity(void)
 {
     return (zr_mat4){{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1}};

@@ -43,3 +43,24 @@ bool zr_builder_reserve(struct zr_builder *builder, uint64_t vertices, uint64_t 
     g->triangles = triangle_array;
     return true;
 }
+
+bool zr_builder_reserve_shape(struct zr_builder *builder, uint64_t edges)
+{
+    struct zr_geometry *g = builder->geometry;
+    void *edge_array = g->edges, *shapes = g->shapes;
+    if (g->shape_count >= ZR_SHAPE_MASK - 1) builder->arena->failed = true;
+    if (!reserve(builder->arena, &edge_array, &builder->edge_room, g->edge_count, edges, sizeof *g->edges))
+        return false;
+    g->edges = edge_array;
+    if (!reserve(builder->arena, &shapes, &builder->shape_room, g->shape_count, 1, sizeof *g->shapes)) return false;
+    g->shapes = shapes;
+    return true;
+}
+
+uint32_t zr_builder_color(const struct zr_builder *builder, uint32_t face, bool smooth, uint32_t slot)
+{
+    const struct zr_mesh *mesh = builder->mesh;
+    if (builder->layout == ZR_COLOR_PER_FACE) return builder->first_color + face;
+    if (builder->layout == ZR_COLOR_PER_VERTEX) return builder->first_color + mesh->indices[slot];
+    return builder->first_color + (smooth ? slot : mesh->face_offsets[face]);
+}

@@ -3,6 +3,7 @@
 #define ZR_BUILDER_H
 
 #include "base/arena.h"
+#include "geometry/colors.h"
 #include "geometry/geometry.h"
 
 /* Beside the six plane bits: inside the volume, but without a place in the window. */
@@ -11,13 +12,19 @@ enum { ZR_OUTCODE_UNPLACED = 1 << 7 };
 struct zr_builder {
     struct zr_arena *arena;
     const struct zr_cancel *cancel;
+    const struct zr_scene *scene;
     struct zr_geometry *geometry;
     bool separate_backs;                             /* back_colors is an array of its own */
     uint32_t vertex_room, color_room, triangle_room; /* capacities of the geometry's arrays */
+    uint32_t shape_room, edge_room;
+    uint32_t outline_color; /* 1 + index of the colour that outlines had last, or 0 */
     struct zr_viewport viewport;
 
     /* of the instance under way */
-    uint32_t first_vertex, first_color;
+    const struct zr_mesh *mesh;
+    bool mirrored; /* placed by a matrix that turns windings around */
+    enum zr_color_layout layout;
+    uint32_t first_face_id, first_vertex, first_color;
     zr_vec4 *clip_positions; /* one a position */
     uint8_t *outcodes;
 };
@@ -25,5 +32,15 @@ struct zr_builder {
 /* Makes room for so many more of each. False where the arena has failed, or where
  * there would be more of them than indices can tell apart. */
 bool zr_builder_reserve(struct zr_builder *builder, uint64_t vertices, uint64_t colors, uint64_t triangles);
+bool zr_builder_reserve_shape(struct zr_builder *builder, uint64_t edges);
+
+/* The window vertex of a position. */
+static inline uint32_t zr_builder_vertex(const struct zr_builder *builder, uint32_t position)
+{
+    return builder->first_vertex + position;
+}
+
+/* The colour of a face at corner `slot` of its mesh. */
+uint32_t zr_builder_color(const struct zr_builder *builder, uint32_t face, bool smooth, uint32_t slot);
 
 #endif

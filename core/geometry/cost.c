@@ -13,42 +13,64 @@
 #include "scene/camera.h"
 #include "scene/scene.h"
 
-/* Pixels that the visible part of a triangle covers; below 0 where it faces away. */
-static double window_area(const struct zr_viewport *viewport, const zr_vec4 corners[3])
+/* What the triangles of one face cover, and the box around them. */
+struct measure {
+    const struct zr_viewport *viewport;
+    double area; /* pixels, those covered twice counted twice */
+    double net;  /* less those of triangles that face away */
+    double min_x, min_y, max_x, max_y;
+};
+
+static void include(struct measure *measure, const struct zr_window_vertex *v)
+{
+    measure->min_x = fmin(measure->min_x, (double)v->x);
+    measure->min_y = fmin(measure->min_y, (double)v->y);
+    measure->max_x = fmax(measure->max_x, (double)v->x);
+    measure->max_y = fmax(measure->max_y, (double)v->y);
+}
+
+/* Adds the visible part of a triangle. */
+static void add_triangle(struct measure *measure, const zr_vec4 corners[3])
 {
     struct zr_clip_vertex in[3] = {{.position = corners[0]}, {.position = corners[1]}, {.position = corners[2]}};
     struct zr_clip_vertex out[ZR_CLIP_MAX];
     unsigned o[3] = {zr_clip_outcode(corners[0]), zr_clip_outcode(corners[1]), zr_clip_outcode(corners[2])};
-    if (o[0] & o[1] & o[2]) return 0.0;
+    if (o[0] & o[1] & o[2]) return;
     int count = zr_clip_triangle(in, o[0] | o[1] | o[2], out);
     struct zr_window_vertex first, previous, current;
     double doubled = 0.0;
     for (int i = 0; i < count; i++) {
-        if (!zr_viewport_apply(viewport, out[i].position, &current)) return 0.0;
+        if (!zr_viewport_apply(measure->viewport, out[i].position, &current)) return;
+        include(measure, &current);
         if (i == 0) first = current;
         if (i >= 2)
             doubled += (double)(previous.x - first.x) * (double)(current.y - first.y) -
                        (double)(current.x - first.x) * (double)(previous.y - first.y);
         previous = current;
     }
-    return doubled * 0.5;
+    measure->area += fabs(doubled * 0.5);
+    measure->net += doubled * 0.5;
 }
 
+/* The fans of concave rings cover more than the face, but no more than their box. */
 static double face_area(const struct zr_scene *scene, const struct zr_mesh *mesh, uint32_t face,
                         const zr_mat4 *object_to_clip, const struct zr_viewport *viewport)
 {
-    uint32_t begin = mesh->face_offsets[face], end = mesh->face_offsets[face + 1];
-    bool double_sided = zr_material_of_face(scene, mesh, face)->double_sided;
-    zr_vec4 corners[3] = {zr_mat4_apply(object_to_clip, mesh->positions[mesh->indices[begin]]),
-                          zr_mat4_apply(object_to_clip, mesh->positions[mesh->indices[begin + 1]])};
-    double sum = 0.0;
-    for (uint32_t slot = begin + 2; slot < end; slot++) {
-        corners[2] = zr_mat4_apply(object_to_clip, mesh->positions[mesh->indices[slot]]);
-        double area = window_area(viewport, corners);
-        if (area > 0.0 || double_sided) sum += fabs(area);
-        corners[1] = corners[2];
+    struct zr_rings rings = zr_mesh_rings(mesh, face);
+    struct measure measure = {viewport, 0.0, 0.0, HUGE_VAL, HUGE_VAL, -HUGE_VAL, -HUGE_VAL};
+    for (uint32_t r = 0; r < rings.count; r++) {
+        const uint32_t *indices = mesh->indices + rings.offsets[r];
+        zr_vec4 corners[3] = {zr_mat4_apply(object_to_clip, mesh->positions[indices[0]]),
+                              zr_mat4_apply(object_to_clip, mesh->positions[indices[1]])};
+        for (uint32_t i = 2; i < rings.offsets[r + 1] - rings.offsets[r]; i++) {
+            corners[2] = zr_mat4_apply(object_to_clip, mesh->positions[indices[i]]);
+            add_triangle(&measure, corners);
+            corners[1] = corners[2];
+        }
     }
-    return sum;
+    bool turned_away = measure.net < 0.0 && !zr_material_of_face(scene, mesh, face)->double_sided;
+    if (!(measure.area > 0.0) || turned_away) return 0.0;
+    return fmin(measure.area, (measure.max_x - measure.min_x) * (measure.max_y - measure.min_y));
 }
 
 static void count_outputs(const struct zr_scene *scene, struct zr_cost *cost)
@@ -106,6 +128,7 @@ struct zr_cost zr_scene_cost(const struct zr_scene *scene, uint32_t samples_max)
         const struct zr_mesh *mesh = &scene->meshes[scene->instances[i].mesh];
         faces += mesh->face_count;
         cost.triangles += (double)mesh->face_offsets[mesh->face_count] - 2.0 * (double)mesh->face_count;
+        cost.triangles += (double)mesh->line_count;
     }
     if (zr_camera_resolve(scene, &bounds, &camera, &ignored) == ZR_OK)
         cost.fragments = total_area(scene, &camera, faces, faces < samples_max ? faces : samples_max);

@@ -11,7 +11,7 @@
 struct zr_counts {
     uint64_t polygons;            /* handed in */
     uint64_t degenerate_polygons; /* without three distinct corners: dropped */
-    uint64_t concave_polygons;    /* drawn as fans, which covers too much */
+    uint64_t concave_polygons;    /* by the odd-even rule: dents, crossings, holes */
     uint64_t triangles;           /* after cutting polygons to fans */
     uint64_t outside;             /* wholly outside the view volume */
     uint64_t clipped;             /* cut by the view volume */
@@ -20,6 +20,9 @@ struct zr_counts {
     uint64_t drawn_whole;         /* handed to the rasterizer uncut */
     uint64_t drawn_pieces;        /* of clipped triangles, handed to the rasterizer */
     uint64_t culled_pieces;       /* of clipped triangles, turned away */
+    uint64_t lines;               /* handed in; outlines are not counted */
+    uint64_t outside_lines;       /* wholly outside the view volume, or without a place in the window */
+    uint64_t clipped_lines;       /* cut by the view volume */
 };
 
 #endif

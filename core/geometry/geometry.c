@@ -41,12 +41,14 @@ static void place_vertices(void *argument, size_t begin, size_t end)
 
 static enum zr_status build_instance(struct zr_builder *builder, struct zr_team *team, const struct zr_scene *scene,
                                      const struct zr_camera *camera, const struct zr_lighting *lighting,
-                                     const struct zr_instance *instance, uint32_t first_face_id)
+                                     const struct zr_instance *instance)
 {
     struct zr_geometry *geometry = builder->geometry;
     const struct zr_mesh *mesh = &scene->meshes[instance->mesh];
-    uint64_t triangles = mesh->face_offsets[mesh->face_count] - 2 * (uint64_t)mesh->face_count;
-    if (!zr_builder_reserve(builder, mesh->position_count, zr_colors_count(scene, mesh), triangles))
+    uint64_t corners = mesh->face_offsets[mesh->face_count];
+    builder->mesh = mesh;
+    if (!zr_builder_reserve(builder, mesh->position_count, zr_colors_count(scene, mesh),
+                            corners - 2 * (uint64_t)mesh->face_count))
         return ZR_NO_MEMORY;
     builder->clip_positions = zr_arena_alloc(builder->arena, mesh->position_count, sizeof *builder->clip_positions);
     builder->outcodes = zr_arena_alloc(builder->arena, mesh->position_count, sizeof *builder->outcodes);
@@ -65,7 +67,8 @@ static enum zr_status build_instance(struct zr_builder *builder, struct zr_team 
     builder->first_color = geometry->color_count;
     geometry->color_count += colors.count;
     if (!zr_arena_ok(builder->arena)) return ZR_NO_MEMORY;
-    return zr_assemble_mesh(builder, scene, mesh, colors.layout, first_face_id);
+    builder->layout = colors.layout;
+    return zr_assemble_mesh(builder);
 }
 
 enum zr_status zr_geometry_build(struct zr_arena *arena, struct zr_team *team, const struct zr_scene *scene,
@@ -73,18 +76,18 @@ enum zr_status zr_geometry_build(struct zr_arena *arena, struct zr_team *team, c
                                  struct zr_geometry *geometry)
 {
     *geometry = (struct zr_geometry){.vertex_count = 0};
-    struct zr_builder builder = {.arena = arena, .cancel = cancel, .geometry = geometry};
+    struct zr_builder builder = {.arena = arena, .cancel = cancel, .scene = scene, .geometry = geometry};
     builder.separate_backs = shows_backs(scene);
     builder.viewport = zr_viewport_make(scene->width, scene->height);
     struct zr_lighting lighting;
     zr_lighting_make(arena, scene, &camera->world_to_eye, &lighting);
 
-    uint32_t face_id = 1;
+    builder.first_face_id = 1;
     for (uint32_t i = 0; i < scene->instance_count; i++) {
         const struct zr_instance *instance = &scene->instances[i];
-        enum zr_status status = build_instance(&builder, team, scene, camera, &lighting, instance, face_id);
+        enum zr_status status = build_instance(&builder, team, scene, camera, &lighting, instance);
         if (status != ZR_OK) return status;
-        face_id += scene->meshes[instance->mesh].face_count;
+        builder.first_face_id += (uint32_t)zr_mesh_ids(&scene->meshes[instance->mesh]);
     }
     return zr_arena_ok(arena) ? ZR_OK : ZR_NO_MEMORY;
 }

@@ -18,6 +18,9 @@
  * entries a record (raster/bins.h) can be counted in 32 bits. */
 #define ZR_GEOMETRY_MAX (UINT32_MAX / 4)
 
+/* Shapes: each has two triangles or more, and so there are fewer than half as many. */
+#define ZR_SHAPE_MASK (UINT32_MAX >> 3)
+
 /* A record: one thing with one plane for each of its attributes, and one owner of pixels.
  * Most are triangles, oriented so that the reference's area (rule 6) is positive. */
 struct zr_triangle {

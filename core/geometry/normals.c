@@ -11,7 +11,7 @@ static zr_vec3 corner(const struct zr_mesh *mesh, uint32_t slot)
  * the origin loses nothing. */
 zr_vec3 zr_normal_of_face(const struct zr_mesh *mesh, uint32_t face)
 {
-    uint32_t begin = mesh->face_offsets[face], end = mesh->face_offsets[face + 1];
+    uint32_t begin = mesh->face_offsets[face], end = zr_mesh_rings(mesh, face).offsets[1];
     zr_vec3 origin = corner(mesh, begin), sum = {0, 0, 0};
     zr_vec3 previous = zr_vec3_sub(corner(mesh, begin + 1), origin);
     for (uint32_t slot = begin + 2; slot < end; slot++) {

@@ -5,24 +5,14 @@
 #include "input/json_scene.h"
 #include "input/text.h"
 
-enum { SHADINGS = ZR_SHADING_GOURAUD + 1, LOOKS = SHADINGS * 2, MATERIALS_AT_FIRST = 16 };
+/* Looks that differ in more than the colour of their outlines. */
+enum { SHADINGS = ZR_SHADING_GOURAUD + 1, OUTLINES = ZR_OUTLINE_COLORED + 1, LOOKS = SHADINGS * OUTLINES * 2 * 2 };
+enum { MATERIALS_AT_FIRST = 16 };
 
-enum { NAME, BASE_COLOR, DOUBLE_SIDED, SHADING, KEYS };
-static const char *const words[] = {"name",      "baseColorFactor", "doubleSided", "shading",  "baseColorTexture",
-                                    "alphaMode", "alphaCutoff",     "diffuse",     "specular", "shininess",
-                                    "emissive"};
+enum { NAME, BASE_COLOR, LOOK, KEYS = LOOK + ZR_LOOK_KEYS };
+static const char *const words[] = {"name",        "baseColorFactor", ZR_LOOK_WORDS, "baseColorTexture", "alphaMode",
+                                    "alphaCutoff", "diffuse",         "specular",    "shininess",        "emissive"};
 static const struct zr_names keys = ZR_NAMES(KEYS, words);
-
-static void read_shading(struct zr_json *json, const struct zr_json_path *path, const cJSON *node, int *out)
-{
-    if (node) zr_json_choice(json, ZR_JSON_KEY(path, "shading"), node, &zr_shading_names, out);
-}
-
-static void read_double_sided(struct zr_json *json, const struct zr_json_path *path, const cJSON *node, int *out)
-{
-    bool value;
-    if (node && zr_json_bool(json, ZR_JSON_KEY(path, "doubleSided"), node, &value)) *out = value;
-}
 
 /* Equal names stay in the scene's order, so that the later one is the repetition. */
 static int compare_given(const void *left, const void *right)
@@ -50,8 +40,7 @@ static void read_material(struct zr_draft *draft, const struct zr_json_path *pat
     if (found[BASE_COLOR] &&
         zr_json_color(json, ZR_JSON_KEY(path, words[BASE_COLOR]), found[BASE_COLOR], &given->base_color))
         zr_draft_note_alpha(draft, &given->base_color, 1);
-    read_double_sided(json, path, found[DOUBLE_SIDED], &given->double_sided);
-    read_shading(json, path, found[SHADING], &given->shading);
+    zr_draft_read_look(draft, path, &found[LOOK], ZR_LOOK_KEYS, &given->look);
 }
 
 static void refuse_repeated_names(struct zr_draft *draft, const struct zr_json_path *path)
@@ -79,7 +68,7 @@ void zr_draft_read_materials(struct zr_draft *draft, const struct zr_json_path *
     if (count == 0) return;
     size_t faults = json->error->count;
     for (const cJSON *node = list->child; node && !zr_json_full(json); node = node->next, i++) {
-        draft->given[i] = (struct zr_given_material){"", i, {1, 1, 1, 1}, ZR_UNSAID, ZR_UNSAID};
+        draft->given[i] = (struct zr_given_material){"", i, {1, 1, 1, 1}, zr_look_unsaid};
         read_material(draft, ZR_JSON_ITEM(path, i), node, &draft->given[i]);
     }
     draft->given_count = i;
@@ -88,11 +77,11 @@ void zr_draft_read_materials(struct zr_draft *draft, const struct zr_json_path *
 }
 
 void zr_draft_read_style(struct zr_draft *draft, const struct zr_json_path *path, const cJSON *material,
-                         const cJSON *double_sided, const cJSON *shading, struct zr_style *style)
+                         const cJSON *const *look_nodes, struct zr_style *style)
 {
     struct zr_json *json = &draft->json;
     const char *name;
-    *style = (struct zr_style){draft->given_count, ZR_UNSAID, ZR_UNSAID};
+    style->given = draft->given_count;
     if (material && zr_json_string(json, ZR_JSON_KEY(path, "material"), material, &name)) {
         const struct zr_given_material *given =
             draft->given_count ? bsearch(name, draft->given, draft->given_count, sizeof *given, compare_name) : NULL;
@@ -102,8 +91,7 @@ void zr_draft_read_style(struct zr_draft *draft, const struct zr_json_path *path
             zr_json_fault(json, ZR_JSON_KEY(path, "material"), "no material has the name %s",
                           zr_quote(name, strlen(name)).text);
     }
-    read_double_sided(json, path, double_sided, &style->double_sided);
-    read_shading(json, path, shading, &style->shading);
+    zr_draft_read_look(draft, path, look_nodes, ZR_LOOK_KEYS, &style->look);
 }
 
 static uint32_t add_material(struct zr_draft *draft, struct zr_material material)
@@ -120,26 +108,37 @@ static uint32_t add_material(struct zr_draft *draft, struct zr_material material
     return (uint32_t)draft->material_count++;
 }
 
-static int first_said(int a, int b, int c, int otherwise)
+/* Where it is kept that the material has been made: NULL for one with a colour of its own for outlines. */
+static uint32_t *slot_of(const struct zr_draft *draft, size_t base, const struct zr_material *material, bool own_color)
 {
-    return a != ZR_UNSAID ? a : b != ZR_UNSAID ? b : c != ZR_UNSAID ? c : otherwise;
+    size_t look = (size_t)material->shading * OUTLINES + (size_t)material->outline;
+    return own_color ? NULL : &draft->variants[base * LOOKS + look * 4 + material->hollow * 2 + material->double_sided];
+}
+
+/* Of those with colours of their own only the last is remembered: neighbours mostly look alike. */
+static bool is_last(const struct zr_draft *draft, const struct zr_material *m)
+{
+    if (draft->material_count == 0) return false;
+    const struct zr_material *last = &draft->materials[draft->material_count - 1];
+    return last->shading == m->shading && last->double_sided == m->double_sided && last->hollow == m->hollow &&
+           last->outline == m->outline && zr_vec4_equal(last->base_color, m->base_color) &&
+           zr_vec4_equal(last->outline_color, m->outline_color);
 }
 
 uint32_t zr_draft_variant(struct zr_draft *draft, const struct zr_style *style, bool coloured, bool smooth)
 {
     if (!zr_arena_ok(draft->json.arena)) return 0;
     bool has_given = style->given < draft->given_count;
-    const struct zr_given_material none = {"", 0, zr_default_base_color(coloured), ZR_UNSAID, ZR_UNSAID};
+    const struct zr_given_material none = {"", 0, zr_default_base_color(coloured), zr_look_unsaid};
     const struct zr_given_material *given = has_given ? &draft->given[style->given] : &none;
-    struct zr_material material = {
-        .base_color = given->base_color,
-        .shading = (enum zr_shading)first_said(style->shading, given->shading, draft->shading,
-                                               (int)zr_default_shading(smooth)),
-        .double_sided = first_said(style->double_sided, given->double_sided, ZR_UNSAID, false) != 0};
-    size_t base = has_given ? style->given : draft->given_count + coloured;
-    uint32_t *variant = &draft->variants[base * LOOKS + (size_t)material.shading * 2 + material.double_sided];
-    if (*variant == UINT32_MAX) *variant = add_material(draft, material);
-    return *variant;
+    struct zr_look look = zr_look_over(&style->look, &given->look);
+    look = zr_look_over(&look, &draft->look);
+    struct zr_material material = zr_look_material(&look, given->base_color, smooth);
+    bool black = zr_vec4_equal(material.outline_color, (zr_vec4){0, 0, 0, 1});
+    uint32_t *slot = slot_of(draft, has_given ? style->given : draft->given_count + coloured, &material, !black);
+    if (!slot) return is_last(draft, &material) ? (uint32_t)draft->material_count - 1 : add_material(draft, material);
+    if (*slot == UINT32_MAX) *slot = add_material(draft, material);
+    return *slot;
 }
 
 void zr_draft_note_alpha(struct zr_draft *draft, const zr_vec4 *colors, size_t count)

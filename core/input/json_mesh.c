@@ -2,9 +2,9 @@
 
 #include <string.h>
 
-enum { NAME, MATERIAL, POSITIONS, NORMALS, COLORS, FACE_COLORS, FACES, DOUBLE_SIDED, SHADING, KEYS };
-static const char *const words[] = {"name",        "material", "positions", "normals", "colors",  "faceColors", "faces",
-                                    "doubleSided", "shading",  "texcoords", "lines",   "heights", "data"};
+enum { NAME, MATERIAL, POSITIONS, NORMALS, COLORS, FACE_COLORS, FACES, LINES, LOOK, KEYS = LOOK + ZR_LOOK_KEYS };
+static const char *const words[] = {"name",  "material", "positions",   "normals",   "colors",  "faceColors",
+                                    "faces", "lines",    ZR_LOOK_WORDS, "texcoords", "heights", "data"};
 static const struct zr_names keys = ZR_NAMES(KEYS, words);
 
 static const char *copy_text(struct zr_arena *arena, const char *text)
@@ -100,21 +100,44 @@ static void read_faces(struct zr_json *json, const struct zr_json_path *path, co
     mesh->indices = indices;
 }
 
+static void read_lines(struct zr_json *json, const struct zr_json_path *path, const cJSON *node, struct zr_mesh *mesh)
+{
+    size_t count, number = 0;
+    if (!zr_json_array(json, path, node, &count)) return;
+    uint32_t *lines = zr_arena_alloc(json->arena, count, 2 * sizeof *lines);
+    if (!lines) return;
+    for (const cJSON *item = node->child; item && !zr_json_full(json); item = item->next, number++) {
+        const struct zr_json_path *at = ZR_JSON_ITEM(path, number);
+        size_t ends;
+        if (!zr_json_array(json, at, item, &ends)) continue;
+        if (ends != 2) {
+            zr_json_fault(json, at, "a line of %zu ends; it has two", ends);
+            continue;
+        }
+        const cJSON *end = item->child;
+        for (size_t k = 0; k < 2; k++, end = end->next)
+            zr_json_index(json, ZR_JSON_ITEM(at, k), end, mesh->position_count, "positions", &lines[2 * number + k]);
+    }
+    mesh->line_count = (uint32_t)count;
+    mesh->lines = lines;
+}
+
 void zr_draft_read_mesh(struct zr_draft *draft, const struct zr_json_path *path, const cJSON *node,
                         struct zr_mesh *mesh)
 {
     struct zr_json *json = &draft->json;
     const cJSON *found[KEYS];
-    *mesh = (struct zr_mesh){.name = ""};
+    static const uint32_t no_faces[1] = {0};
+    *mesh = (struct zr_mesh){.name = "", .face_offsets = no_faces};
     if (!zr_json_object(json, path, node, &keys, found)) return;
     const char *name;
     if (found[NAME] && zr_json_string(json, ZR_JSON_KEY(path, words[NAME]), found[NAME], &name))
         mesh->name = copy_text(json->arena, name);
-    for (int key = POSITIONS; key <= FACES; key += FACES - POSITIONS)
-        if (!found[key]) zr_json_fault(json, path, "%s is missing", words[key]);
+    if (!found[POSITIONS]) zr_json_fault(json, path, "positions is missing");
+    if (!found[FACES] && !found[LINES]) zr_json_fault(json, path, "faces is missing, and so is lines");
     struct zr_style style;
-    zr_draft_read_style(draft, path, found[MATERIAL], found[DOUBLE_SIDED], found[SHADING], &style);
-    if (!found[POSITIONS] || !found[FACES]) return;
+    zr_draft_read_style(draft, path, found[MATERIAL], &found[LOOK], &style);
+    if (!found[POSITIONS] || (!found[FACES] && !found[LINES])) return;
 
     size_t faults = json->error->count;
     read_positions(json, ZR_JSON_KEY(path, words[POSITIONS]), found[POSITIONS], mesh);
@@ -122,7 +145,8 @@ void zr_draft_read_mesh(struct zr_draft *draft, const struct zr_json_path *path,
     if (found[NORMALS]) read_normals(json, ZR_JSON_KEY(path, words[NORMALS]), found[NORMALS], mesh);
     mesh->colors =
         read_colors(draft, ZR_JSON_KEY(path, words[COLORS]), found[COLORS], mesh->position_count, "positions");
-    read_faces(json, ZR_JSON_KEY(path, words[FACES]), found[FACES], mesh);
+    if (found[FACES]) read_faces(json, ZR_JSON_KEY(path, words[FACES]), found[FACES], mesh);
+    if (found[LINES]) read_lines(json, ZR_JSON_KEY(path, words[LINES]), found[LINES], mesh);
     mesh->face_colors =
         read_colors(draft, ZR_JSON_KEY(path, words[FACE_COLORS]), found[FACE_COLORS], mesh->face_count, "faces");
     mesh->material = zr_draft_variant(draft, &style, mesh->colors || mesh->face_colors, mesh->normals || mesh->colors);

@@ -11,8 +11,8 @@ enum {
     VERSION,
     WINDOW,
     BACKGROUND,
-    SHADING,
-    VIEW,
+    LOOK,
+    VIEW = LOOK + ZR_LOOK_DOUBLE_SIDED,
     AMBIENT,
     LIGHTS,
     MATERIALS,
@@ -24,9 +24,11 @@ enum {
     ALGORITHM,
     KEYS
 };
-static const char *const words[] = {"version", "window",    "background", "shading",  "view",    "ambient",
-                                    "lights",  "materials", "meshes",     "polygons", "outputs", "colorManagement",
-                                    "samples", "algorithm", "nodes",      "views",    "fog",     "turntable"};
+/* A scene's own look is one without sides: those are a body's. */
+static const char *const words[] = {"version", "window",          "background", "shading",   "fill",   "outline",
+                                    "view",    "ambient",         "lights",     "materials", "meshes", "polygons",
+                                    "outputs", "colorManagement", "samples",    "algorithm", "nodes",  "views",
+                                    "fog",     "turntable"};
 static const struct zr_names keys = ZR_NAMES(KEYS, words);
 
 static const char *const managements[] = {"none", "srgb"};
@@ -119,8 +121,7 @@ static void build(struct zr_draft *draft, const cJSON *root)
     if (found[WINDOW]) read_window(draft, found[WINDOW]);
     if (found[BACKGROUND])
         zr_json_color(json, ZR_JSON_KEY(NULL, words[BACKGROUND]), found[BACKGROUND], &draft->scene->background);
-    if (found[SHADING])
-        zr_json_choice(json, ZR_JSON_KEY(NULL, words[SHADING]), found[SHADING], &zr_shading_names, &draft->shading);
+    zr_draft_read_look(draft, NULL, &found[LOOK], ZR_LOOK_DOUBLE_SIDED, &draft->look);
     if (found[VIEW]) zr_draft_read_view(draft, ZR_JSON_KEY(NULL, words[VIEW]), found[VIEW]);
     if (found[AMBIENT]) read_ambient(draft, found[AMBIENT]);
     if (found[LIGHTS]) zr_draft_read_lights(draft, ZR_JSON_KEY(NULL, words[LIGHTS]), found[LIGHTS]);
@@ -150,7 +151,7 @@ enum zr_status zr_json_read(struct zr_arena *arena, const struct zr_request *req
     cJSON *root = cJSON_ParseWithLengthOpts(request->bytes, request->size, NULL, false);
     if (!root) return ZR_NO_MEMORY; /* the scan has seen that it is not for bad syntax */
 
-    struct zr_draft draft = {.json = {arena, limits, error}, .scene = scene, .shading = ZR_UNSAID};
+    struct zr_draft draft = {.json = {arena, limits, error}, .scene = scene, .look = zr_look_unsaid};
     build(&draft, root);
     cJSON_Delete(root);
     zr_arena_refund(arena, charged);

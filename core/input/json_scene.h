@@ -13,24 +13,32 @@
 
 enum { ZR_UNSAID = -1 };
 
+/* What any part of a scene may say of how faces look; ZR_UNSAID where it does not. */
+struct zr_look {
+    int shading, double_sided, fill;
+    int outline; /* 0, 1, or 2: in outline_color */
+    zr_vec4 outline_color;
+};
+
 /* A material as the scene has it, under its name. */
 struct zr_given_material {
     const char *name; /* in the cJSON tree */
     size_t number;    /* in the scene's list */
     zr_vec4 base_color;
-    int shading, double_sided; /* or ZR_UNSAID */
+    struct zr_look look;
 };
 
 /* A scene while its JSON is being read. */
 struct zr_draft {
     struct zr_json json;
     struct zr_scene *scene;
-    int shading; /* the scene's own, or ZR_UNSAID */
+    struct zr_look look; /* the scene's own */
 
     size_t given_count;
     struct zr_given_material *given; /* sorted by name */
 
-    uint32_t *variants; /* one for each combination: its index in `materials`, or UINT32_MAX */
+    uint32_t *variants; /* one for each combination without a colour of its own for outlines: its index in
+                         * `materials`, or UINT32_MAX */
     size_t material_count, material_room;
     struct zr_material *materials;
 
@@ -39,16 +47,32 @@ struct zr_draft {
 
 /* What a mesh or a polygon says of its looks. */
 struct zr_style {
-    size_t given;              /* index into draft->given, or given_count: none */
-    int shading, double_sided; /* or ZR_UNSAID */
+    size_t given; /* index into draft->given, or given_count: none */
+    struct zr_look look;
 };
 
 /* json_material.c. `list` may be NULL: no materials. */
 void zr_draft_read_materials(struct zr_draft *draft, const struct zr_json_path *path, const cJSON *list);
 
-/* Any of the nodes may be NULL: not said. `path` is that of the mesh or polygon. */
+/* json_look.c. The keys of a look have the same names wherever they may stand, and come one
+ * after the other in a reader's list of keys, in the order of this enum: nodes[] points to the first
+ * of them. Any may be NULL: not said. */
+enum { ZR_LOOK_SHADING, ZR_LOOK_FILL, ZR_LOOK_OUTLINE, ZR_LOOK_DOUBLE_SIDED, ZR_LOOK_KEYS };
+#define ZR_LOOK_WORDS "shading", "fill", "outline", "doubleSided"
+extern const struct zr_look zr_look_unsaid;
+void zr_draft_read_look(struct zr_draft *draft, const struct zr_json_path *path, const cJSON *const *nodes, int count,
+                        struct zr_look *look);
+
+/* What `first` leaves unsaid is as `second` says. */
+struct zr_look zr_look_over(const struct zr_look *first, const struct zr_look *second);
+
+/* The material that faces of this look have. */
+struct zr_material zr_look_material(const struct zr_look *look, zr_vec4 base_color, bool smooth);
+
+/* json_material.c. `material` and the nodes of the look may be NULL: not said. `path` is that of the mesh or
+ * polygon. */
 void zr_draft_read_style(struct zr_draft *draft, const struct zr_json_path *path, const cJSON *material,
-                         const cJSON *double_sided, const cJSON *shading, struct zr_style *style);
+                         const cJSON *const *look_nodes, struct zr_style *style);
 
 /* The index of the resolved material. coloured: the mesh has colours of its own;
  * smooth: it has normals or vertex colours. 0 once the arena has failed. */

@@ -100,6 +100,9 @@ static cJSON *counts_of(struct writer *w, const struct zr_counts *c, uint64_t mi
     put_count(w, object, "zeroArea", c->zero_area);
     put_count(w, object, "drawnWhole", c->drawn_whole);
     put_count(w, object, "drawnPieces", c->drawn_pieces);
+    put_count(w, object, "lines", c->lines);
+    put_count(w, object, "outsideLines", c->outside_lines);
+    put_count(w, object, "clippedLines", c->clipped_lines);
     put_count(w, object, "saturatedDepths", misfits);
     return object;
 }
@@ -157,8 +160,9 @@ static cJSON *meshes_of(struct writer *w, const struct zr_scene *scene, const st
         put(w, object, "name", check(w, cJSON_CreateString(mesh->name)));
         put_count(w, object, "firstFaceId", id);
         put_count(w, object, "faces", mesh->face_count);
+        if (mesh->line_count > 0) put_count(w, object, "lines", mesh->line_count);
         struct patch all = {.pixels = 0};
-        for (uint32_t f = 0; f < mesh->face_count; f++, id++)
+        for (uint64_t ids = zr_mesh_ids(mesh); ids > 0; ids--, id++)
             if (patches[id].pixels > 0)
                 extend(&all, patches[id].x0, patches[id].y0, patches[id].x1, patches[id].y1, patches[id].pixels);
         put_patch(w, object, &all);
@@ -197,7 +201,7 @@ enum zr_status zr_info_write(const struct zr_scene *scene, const struct zr_frame
 {
     uint32_t face_count = 0;
     for (uint32_t i = 0; i < scene->instance_count; i++)
-        face_count += scene->meshes[scene->instances[i].mesh].face_count;
+        face_count += (uint32_t)zr_mesh_ids(&scene->meshes[scene->instances[i].mesh]);
     const struct patch *patches = patches_of(out->arena, frame, face_count);
     if (!patches) return ZR_NO_MEMORY;
     struct writer w = {.ok = true};

@@ -5,7 +5,7 @@
 #include <stdio.h>
 #include <string.h>
 
-enum { OWN_MAX = 5, TEXT_SIZE = 128 };
+enum { OWN_MAX = 4, TEXT_SIZE = 128 };
 
 __attribute__((format(printf, 3, 4))) static void add(struct zr_arena *arena, struct zr_warnings *warnings,
                                                       const char *format, ...)
@@ -30,18 +30,16 @@ struct zr_warnings zr_warnings_make(struct zr_arena *arena, const struct zr_scen
     if (counts->degenerate_polygons > 0)
         add(arena, &w, "%" PRIu64 " of %" PRIu64 " polygons have fewer than three distinct corners and were dropped",
             counts->degenerate_polygons, counts->polygons);
-    if (counts->concave_polygons > 0)
-        add(arena, &w, "%" PRIu64 " of %" PRIu64 " polygons are concave and were drawn as fans",
-            counts->concave_polygons, counts->polygons);
     if (misfits > 0) add(arena, &w, "the depth of %" PRIu64 " pixels does not fit 16 bits at this scale", misfits);
     if (frame->covered_pixels > 0) return w;
     bool drawn = counts->drawn_whole + counts->drawn_pieces > 0;
     if (!drawn && counts->culled + counts->culled_pieces > 0)
         add(arena, &w, "nothing is seen: what is in view faces away (doubleSided draws both sides)");
-    else if (counts->outside == counts->triangles && counts->triangles > 0)
+    else if (counts->outside + counts->outside_lines == counts->triangles + counts->lines &&
+             counts->triangles + counts->lines > 0)
         add(arena, &w, "nothing is seen: all geometry is outside the view");
     else
-        add(arena, &w, "nothing is seen: no polygon covers a pixel in front of the far plane");
+        add(arena, &w, "nothing is seen: no pixel is covered in front of the far plane");
     return w;
 }
 

@@ -7,7 +7,8 @@
 #ifndef ZR_DEPTH_H
 #define ZR_DEPTH_H
 
-#include "raster/plane.h"
+#include "raster/depth_offset.h"
+#include "raster/line.h"
 
 struct zr_depth {
     struct zr_plane plane;
@@ -18,8 +19,16 @@ static inline struct zr_depth zr_depth_make(const struct zr_window_vertex *verti
 {
     const struct zr_window_vertex *v0 = &vertices[record->v[0]], *v1 = &vertices[record->v[1]],
                                   *v2 = &vertices[record->v[2]];
+    struct zr_depth depth = {.offset = 0.0f};
+    if (record->line) {
+        struct zr_line_basis line = zr_line_basis_make(v0, v1);
+        depth.plane = zr_line_plane_make(&line, v0->z, v1->z);
+        return depth;
+    }
     struct zr_plane_basis basis = zr_plane_basis_make(v0, v1, v2);
-    return (struct zr_depth){.plane = zr_plane_make(&basis, v0->z, v1->z, v2->z)};
+    depth.plane = zr_plane_make(&basis, v0->z, v1->z, v2->z);
+    if (record->pushed) depth.offset = zr_depth_offset(v0, v1, v2, 1.0f, 1.0f);
+    return depth;
 }
 
 /* To 1 first, NaN with it, and then to 0. */

@@ -10,9 +10,35 @@ static int32_t first_centre(int32_t snapped)
     return (snapped + ZR_SUBPIXELS - 1) >> ZR_SUBPIXEL_BITS;
 }
 
+/* Of a line's parallelogram; empty where it has none. */
+static void line_box(const struct zr_geometry *geometry, const struct zr_triangle *record, int32_t box[4])
+{
+    struct zr_line_corners c;
+    if (!zr_line_corners_make(&geometry->vertices[record->v[0]], &geometry->vertices[record->v[1]], &c)) {
+        box[0] = box[1] = 0;
+        box[2] = box[3] = -1;
+        return;
+    }
+    int32_t low[2] = {c.x[0], c.y[0]}, high[2] = {c.x[0], c.y[0]};
+    for (int k = 1; k < 4; k++) {
+        low[0] = c.x[k] < low[0] ? c.x[k] : low[0];
+        low[1] = c.y[k] < low[1] ? c.y[k] : low[1];
+        high[0] = c.x[k] > high[0] ? c.x[k] : high[0];
+        high[1] = c.y[k] > high[1] ? c.y[k] : high[1];
+    }
+    box[0] = first_centre(low[0]);
+    box[1] = first_centre(low[1]);
+    box[2] = high[0] >> ZR_SUBPIXEL_BITS;
+    box[3] = high[1] >> ZR_SUBPIXEL_BITS;
+}
+
 void zr_primitive_box(const struct zr_geometry *geometry, uint32_t first, int32_t box[4])
 {
     const struct zr_triangle *record = &geometry->triangles[first];
+    if (record->line) {
+        line_box(geometry, record, box);
+        return;
+    }
     if (record->shape == 0) {
         zr_setup_box(geometry->vertices, record, box);
         return;
@@ -34,10 +60,28 @@ static void cut_box(struct zr_primitive *primitive, const int32_t box[4], uint32
 
 /* ---- edges ---- */
 
-static void add_edge(struct zr_primitive *primitive, const struct zr_window_vertex *a, const struct zr_window_vertex *b)
+static void add_edge(struct zr_primitive *primitive, int32_t ax, int32_t ay, int32_t bx, int32_t by)
 {
     struct zr_grid_edge edge;
-    if (zr_grid_edge_make(a->sx, a->sy, b->sx, b->sy, &edge)) primitive->own_edges[primitive->edge_count++] = edge;
+    if (zr_grid_edge_make(ax, ay, bx, by, &edge)) primitive->own_edges[primitive->edge_count++] = edge;
+}
+
+static void add_triangle_edges(struct zr_primitive *primitive, const struct zr_window_vertex *vertices,
+                               const struct zr_triangle *record)
+{
+    for (int k = 0; k < 3; k++) {
+        const struct zr_window_vertex *a = &vertices[record->v[k]], *b = &vertices[record->v[(k + 1) % 3]];
+        add_edge(primitive, a->sx, a->sy, b->sx, b->sy);
+    }
+}
+
+static void add_line_edges(struct zr_primitive *primitive, const struct zr_window_vertex *vertices,
+                           const struct zr_triangle *record)
+{
+    struct zr_line_corners c;
+    if (!zr_line_corners_make(&vertices[record->v[0]], &vertices[record->v[1]], &c)) return;
+    for (int k = 0; k < 4; k++)
+        add_edge(primitive, c.x[k], c.y[k], c.x[(k + 1) % 4], c.y[(k + 1) % 4]);
 }
 
 void zr_primitive_make(const struct zr_geometry *geometry, uint32_t first, uint32_t width, uint32_t height,
@@ -55,11 +99,10 @@ void zr_primitive_make(const struct zr_geometry *geometry, uint32_t first, uint3
         primitive->edge_count = shape->edge_count;
         return;
     }
-    const struct zr_window_vertex *v0 = &geometry->vertices[record->v[0]], *v1 = &geometry->vertices[record->v[1]],
-                                  *v2 = &geometry->vertices[record->v[2]];
-    add_edge(primitive, v0, v1);
-    add_edge(primitive, v1, v2);
-    add_edge(primitive, v2, v0);
+    if (record->line)
+        add_line_edges(primitive, geometry->vertices, record);
+    else
+        add_triangle_edges(primitive, geometry->vertices, record);
 }
 
 /* ---- hit ---- */

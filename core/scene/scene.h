@@ -47,7 +47,7 @@ struct zr_mesh {
     const zr_vec4 *positions; /* object space; w = 1 where three were given */
 
     uint32_t face_count;
-    const uint32_t *face_offsets; /* face_count + 1 */
+    const uint32_t *face_offsets; /* face_count + 1, never NULL */
     const uint32_t *indices;      /* into positions, one a corner */
 
     /* Faces with holes. NULL: every face is one ring. Face f has the rings face_rings[f] to
@@ -69,6 +69,19 @@ struct zr_mesh {
     const uint32_t *face_materials; /* face_count, or NULL: all have `material` */
     uint32_t material;
 };
+
+/* The rings of a face: ring r of `count` has the corners offsets[r] .. offsets[r + 1] - 1. */
+struct zr_rings {
+    uint32_t count;
+    const uint32_t *offsets; /* count + 1 */
+};
+
+static inline struct zr_rings zr_mesh_rings(const struct zr_mesh *mesh, uint32_t face)
+{
+    if (!mesh->face_rings) return (struct zr_rings){1, mesh->face_offsets + face};
+    uint32_t first = mesh->face_rings[face];
+    return (struct zr_rings){mesh->face_rings[face + 1] - first, mesh->ring_offsets + first};
+}
 
 /* What pixels are owned by: faces, and after them lines, one id each. */
 static inline uint64_t zr_mesh_ids(const struct zr_mesh *mesh)

@@ -26,15 +26,16 @@ static void check_window(const struct zr_scene *scene, const struct zr_limits *l
 
 static void check_geometry(const struct zr_scene *scene, struct zr_error *error)
 {
-    uint64_t faces = 0, corners = 0;
+    uint64_t things = 0, corners = 0;
     for (uint32_t i = 0; i < scene->instance_count && corners <= ZR_SCENE_CORNERS_MAX; i++) {
         const struct zr_mesh *mesh = &scene->meshes[scene->instances[i].mesh];
-        faces += mesh->face_count;
-        if (mesh->face_count > 0) corners += mesh->face_offsets[mesh->face_count];
+        things += zr_mesh_ids(mesh);
+        corners += mesh->face_offsets[mesh->face_count] + 2 * (uint64_t)mesh->line_count;
     }
-    if (faces == 0) zr_error_add(error, ZR_BAD_SCENE, NULL, "no geometry: the scene has no face to draw");
+    if (things == 0) zr_error_add(error, ZR_BAD_SCENE, NULL, "no geometry: the scene has no face or line to draw");
     if (corners > ZR_SCENE_CORNERS_MAX)
-        zr_error_add(error, ZR_BAD_SCENE, NULL, "the faces have more than the limit of %" PRIu64 " corners in all",
+        zr_error_add(error, ZR_BAD_SCENE, NULL,
+                     "the faces and lines have more than the limit of %" PRIu64 " corners in all",
                      ZR_SCENE_CORNERS_MAX);
 }
 

@@ -3,7 +3,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "raster/plane.h"
+#include "raster/line.h"
 
 /* Pixels of one row that belong to one triangle. */
 struct run {
@@ -58,8 +58,30 @@ static float eye_depth(const struct zr_window_vertex *v)
     return -v->eye_z / v->eye_w;
 }
 
-static void make_color(const struct zr_geometry *geometry, const struct zr_triangle *t,
-                       const struct zr_plane_basis *basis, const float oow[3], struct surface *surface)
+/* What the planes of a record have in common: of a triangle's or of a line's. */
+struct basis {
+    bool is_line;
+    struct zr_plane_basis triangle;
+    struct zr_line_basis line;
+};
+
+static struct basis basis_make(const struct zr_triangle *t, const struct zr_window_vertex *const v[3])
+{
+    struct basis basis = {.is_line = t->line};
+    if (t->line)
+        basis.line = zr_line_basis_make(v[0], v[1]);
+    else
+        basis.triangle = zr_plane_basis_make(v[0], v[1], v[2]);
+    return basis;
+}
+
+static struct zr_plane plane_make(const struct basis *basis, float p0, float p1, float p2)
+{
+    return basis->is_line ? zr_line_plane_make(&basis->line, p0, p1) : zr_plane_make(&basis->triangle, p0, p1, p2);
+}
+
+static void make_color(const struct zr_geometry *geometry, const struct zr_triangle *t, const struct basis *basis,
+                       const float oow[3], struct surface *surface)
 {
     const zr_vec4 *colors = t->back ? geometry->back_colors : geometry->front_colors;
     zr_vec4 c0 = colors[t->c[0]], c1 = colors[t->c[1]], c2 = colors[t->c[2]];
@@ -68,17 +90,17 @@ static void make_color(const struct zr_geometry *geometry, const struct zr_trian
         surface->flat_color = pack(color_byte(c0.x), color_byte(c0.y), color_byte(c0.z), 255);
         return;
     }
-    surface->oow = zr_plane_make(basis, oow[0], oow[1], oow[2]);
-    surface->red = zr_plane_make(basis, c0.x * oow[0], c1.x * oow[1], c2.x * oow[2]);
-    surface->green = zr_plane_make(basis, c0.y * oow[0], c1.y * oow[1], c2.y * oow[2]);
-    surface->blue = zr_plane_make(basis, c0.z * oow[0], c1.z * oow[1], c2.z * oow[2]);
+    surface->oow = plane_make(basis, oow[0], oow[1], oow[2]);
+    surface->red = plane_make(basis, c0.x * oow[0], c1.x * oow[1], c2.x * oow[2]);
+    surface->green = plane_make(basis, c0.y * oow[0], c1.y * oow[1], c2.y * oow[2]);
+    surface->blue = plane_make(basis, c0.z * oow[0], c1.z * oow[1], c2.z * oow[2]);
 }
 
-static void make_depth(const struct zr_window_vertex *const v[3], const struct zr_plane_basis *basis,
-                       const float oow[3], struct surface *surface)
+static void make_depth(const struct zr_window_vertex *const v[3], const struct basis *basis, const float oow[3],
+                       struct surface *surface)
 {
-    surface->eye_z = zr_plane_make(basis, -v[0]->eye_z * oow[0], -v[1]->eye_z * oow[1], -v[2]->eye_z * oow[2]);
-    surface->eye_w = zr_plane_make(basis, v[0]->eye_w * oow[0], v[1]->eye_w * oow[1], v[2]->eye_w * oow[2]);
+    surface->eye_z = plane_make(basis, -v[0]->eye_z * oow[0], -v[1]->eye_z * oow[1], -v[2]->eye_z * oow[2]);
+    surface->eye_w = plane_make(basis, v[0]->eye_w * oow[0], v[1]->eye_w * oow[1], v[2]->eye_w * oow[2]);
     float d0 = eye_depth(v[0]), d1 = eye_depth(v[1]), d2 = eye_depth(v[2]);
     float low = d0 < d1 ? d0 : d1, high = d0 > d1 ? d0 : d1;
     surface->depth_min = low < d2 ? low : d2;
@@ -93,7 +115,7 @@ static void make_surface(const struct zr_geometry *geometry, const struct zr_fra
     const struct zr_window_vertex *const v[3] = {&geometry->vertices[t->v[0]], &geometry->vertices[t->v[1]],
                                                  &geometry->vertices[t->v[2]]};
     const float oow[3] = {v[0]->oow, v[1]->oow, v[2]->oow};
-    struct zr_plane_basis basis = zr_plane_basis_make(v[0], v[1], v[2]);
+    struct basis basis = basis_make(t, v);
     surface->owner = owner;
     if (frame->color) make_color(geometry, t, &basis, oow, surface);
     if (frame->depth) make_depth(v, &basis, oow, surface);

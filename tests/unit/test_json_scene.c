@@ -145,7 +145,7 @@ static void bad_geometry_gives_pointer_to_it(void **state)
                   "a face of 2 corners; 3 to 1024 are allowed");
     refuses_scene("{\"meshes\": [{" POSITIONS ", \"faces\": [7]}]}", "/meshes/0/faces/0",
                   "expected a list, found a number");
-    refuses_scene("{\"meshes\": [{" POSITIONS "}]}", "/meshes/0", "faces is missing");
+    refuses_scene("{\"meshes\": [{" POSITIONS "}]}", "/meshes/0", "faces is missing, and so is lines");
     refuses_scene("{\"meshes\": [{\"positions\": [[0,0]], \"faces\": []}]}", "/meshes/0/positions/0",
                   "expected 3 or 4 numbers, found 2");
     refuses_scene("{\"meshes\": [{\"positions\": [[0,0,1000001]], \"faces\": []}]}", "/meshes/0/positions/0/2",
@@ -160,8 +160,6 @@ static void bad_geometry_gives_pointer_to_it(void **state)
                   "a polygon of 2 vertices");
     refuses_scene("{\"polygons\": [{" TRIANGLE ", \"colors\": [[1,1,1]]}]}", "/polygons/0/colors",
                   "1 items for 3 vertices");
-    refuses_scene("{\"polygons\": [{" TRIANGLE ", \"holes\": []}]}", "/polygons/0/holes",
-                  "not supported in this version");
     refuses_scene("{\"polygons\": [3]}", "/polygons/0", "expected an object, found a number");
     refuses_scene("{\"polygons\": [{}]}", "/polygons/0", "vertices is missing");
 }

@@ -240,8 +240,8 @@ static void picture_without_a_covered_pixel_is_warned_of_whatever_the_reason(voi
     const struct {
         const zr_vec4 *positions;
         const char *text;
-    } cases[] = {{between_pixels, "no polygon covers a pixel"},
-                 {at_the_far_plane, "no polygon covers a pixel"},
+    } cases[] = {{between_pixels, "no pixel is covered"},
+                 {at_the_far_plane, "no pixel is covered"},
                  {away_and_clipped, "faces away"},
                  {outside, "outside the view"}};
     static struct test_scene test;

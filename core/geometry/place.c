@@ -1,0 +1,104 @@
+#include "geometry/place.h"
+
+#include "geometry/clip.h"
+
+/* Drops what has no area or shows its back and must not; of the rest, orients it
+ * as the reference does: rule 6, on snapped coordinates. True where it was kept. */
+static bool append_triangle(struct zr_builder *builder, struct zr_triangle triangle, const struct zr_part *part)
+{
+    struct zr_geometry *geometry = builder->geometry;
+    const struct zr_window_vertex *v0 = &geometry->vertices[triangle.v[0]], *v1 = &geometry->vertices[triangle.v[1]],
+                                  *v2 = &geometry->vertices[triangle.v[2]];
+    int64_t dx01 = v0->sx - v1->sx, dy01 = v0->sy - v1->sy, dx20 = v2->sx - v0->sx, dy20 = v2->sy - v0->sy;
+    int64_t area = dx01 * dy20 - dx20 * dy01;
+    if (area == 0) {
+        geometry->counts.zero_area++;
+        return false;
+    }
+    bool counter_clockwise = area<0, back = part->shape> 0 ? part->back : !counter_clockwise;
+    if (back && !part->double_sided) {
+        geometry->counts.culled++;
+        return false;
+    }
+    if (counter_clockwise) {
+        uint32_t v = triangle.v[0], c = triangle.c[0];
+        triangle.v[0] = triangle.v[1];
+        triangle.c[0] = triangle.c[1];
+        triangle.v[1] = v;
+        triangle.c[1] = c;
+    }
+    triangle.face = part->face;
+    triangle.back = back;
+    triangle.pushed = part->pushed;
+    triangle.shape = part->shape & ZR_SHAPE_MASK;
+    if (!zr_builder_reserve(builder, 0, 0, 1)) return false;
+    geometry->triangles[geometry->triangle_count++] = triangle;
+    return true;
+}
+
+static void clip_and_append(struct zr_builder *builder, const struct zr_corners *corners, unsigned outcodes,
+                            const struct zr_part *part)
+{
+    struct zr_geometry *geometry = builder->geometry;
+    struct zr_clip_vertex in[3], out[ZR_CLIP_MAX];
+    for (int k = 0; k < 3; k++) {
+        const struct zr_window_vertex *vertex = &geometry->vertices[builder->first_vertex + corners->vertex[k]];
+        in[k] = (struct zr_clip_vertex){.position = builder->clip_positions[corners->vertex[k]],
+                                        .front = geometry->front_colors[corners->color[k]],
+                                        .back = geometry->back_colors[corners->color[k]],
+                                        .eye_z = vertex->eye_z,
+                                        .eye_w = vertex->eye_w};
+    }
+    geometry->counts.clipped++;
+    int count = zr_clip_triangle(in, outcodes, out);
+    if (count == 0 || !zr_builder_reserve(builder, ZR_CLIP_MAX, ZR_CLIP_MAX, ZR_CLIP_MAX)) return;
+
+    bool flat = corners->color[0] == corners->color[1] && corners->color[1] == corners->color[2];
+    uint32_t vertex = geometry->vertex_count, color = flat ? corners->color[0] : geometry->color_count;
+    bool placed[ZR_CLIP_MAX];
+    for (int i = 0; i < count; i++) {
+        struct zr_window_vertex *new_vertex = &geometry->vertices[geometry->vertex_count++];
+        placed[i] = zr_viewport_apply(&builder->viewport, out[i].position, new_vertex);
+        new_vertex->eye_z = out[i].eye_z;
+        new_vertex->eye_w = out[i].eye_w;
+        if (flat) continue;
+        geometry->back_colors[geometry->color_count] = out[i].back;
+        geometry->front_colors[geometry->color_count++] = out[i].front;
+    }
+    const struct zr_counts before = geometry->counts;
+    for (int i = 2; i < count; i++) {
+        if (!placed[i - 1] || !placed[i] || !placed[0]) continue;
+        uint32_t a = (uint32_t)i - 1, b = (uint32_t)i;
+        struct zr_triangle piece = {.v = {vertex + a, vertex + b, vertex}, .c = {color, color, color}};
+        if (!flat) {
+            piece.c[0] = color + a;
+            piece.c[1] = color + b;
+        }
+        if (append_triangle(builder, piece, part)) geometry->counts.drawn_pieces++;
+    }
+    /* The triangle is counted once, as clipped: what became of its pieces is counted apart. */
+    geometry->counts.culled_pieces += geometry->counts.culled - before.culled;
+    geometry->counts.culled = before.culled;
+    geometry->counts.zero_area = before.zero_area;
+}
+
+void zr_place_triangle(struct zr_builder *builder, const struct zr_corners *corners, const struct zr_part *part)
+{
+    struct zr_counts *counts = &builder->geometry->counts;
+    const uint8_t *code = builder->outcodes;
+    unsigned c0 = code[corners->vertex[0]], c1 = code[corners->vertex[1]], c2 = code[corners->vertex[2]];
+    unsigned any = c0 | c1 | c2;
+    counts->triangles++;
+    if (c0 & c1 & c2 & ~(unsigned)ZR_OUTCODE_UNPLACED) {
+        counts->outside++;
+    } else if (any & ZR_OUTCODE_UNPLACED) {
+        counts->zero_area++;
+    } else if (any) {
+        clip_and_append(builder, corners, any, part);
+    } else {
+        struct zr_triangle triangle = {.c = {corners->color[0], corners->color[1], corners->color[2]}};
+        for (int k = 0; k < 3; k++)
+            triangle.v[k] = builder->first_vertex + corners->vertex[k];
+        if (append_triangle(builder, triangle, part)) counts->drawn_whole++;
+    }
+}

@@ -1,0 +1,159 @@
+#include "geometry/shape.h"
+
+#include "geometry/clip.h"
+
+/* ---- edges ---- */
+
+/* Edges while they are added, and twice the area that they enclose: above 0 counter-clockwise. */
+struct trace {
+    struct zr_builder *builder;
+    int64_t area;
+};
+
+static void add_edge(struct trace *trace, const struct zr_window_vertex *a, const struct zr_window_vertex *b)
+{
+    struct zr_geometry *geometry = trace->builder->geometry;
+    struct zr_grid_edge edge;
+    trace->area += (int64_t)a->sx * b->sy - (int64_t)b->sx * a->sy;
+    if (!zr_grid_edge_make(a->sx, a->sy, b->sx, b->sy, &edge) || !zr_builder_reserve_shape(trace->builder, 1)) return;
+    geometry->edges[geometry->edge_count++] = edge;
+}
+
+static bool is_whole(const struct zr_builder *builder, uint32_t begin, uint32_t end)
+{
+    unsigned any = 0;
+    for (uint32_t slot = begin; slot < end; slot++)
+        any |= builder->outcodes[builder->mesh->indices[slot]];
+    return any == 0;
+}
+
+static void add_whole_ring(struct trace *trace, uint32_t begin, uint32_t end)
+{
+    const struct zr_builder *builder = trace->builder;
+    const struct zr_window_vertex *vertices = builder->geometry->vertices + builder->first_vertex;
+    const uint32_t *indices = builder->mesh->indices;
+    for (uint32_t slot = begin; slot < end; slot++)
+        add_edge(trace, &vertices[indices[slot]], &vertices[indices[slot + 1 < end ? slot + 1 : begin]]);
+}
+
+/* What the view volume leaves of one triangle of a ring's fan. */
+static void add_clipped_triangle(struct trace *trace, const uint32_t corners[3])
+{
+    const struct zr_builder *builder = trace->builder;
+    struct zr_clip_vertex in[3] = {{.eye_w = 0}}, out[ZR_CLIP_MAX];
+    struct zr_window_vertex placed[ZR_CLIP_MAX];
+    unsigned all = ~0u, any = 0;
+    for (int k = 0; k < 3; k++) {
+        unsigned code = builder->outcodes[corners[k]];
+        all &= code;
+        any |= code;
+        in[k].position = builder->clip_positions[corners[k]];
+    }
+    if (all != 0 || any & ZR_OUTCODE_UNPLACED) return;
+    int count = zr_clip_triangle(in, any, out);
+    for (int i = 0; i < count; i++)
+        if (!zr_viewport_apply(&builder->viewport, out[i].position, &placed[i])) return;
+    for (int i = 0; i < count; i++)
+        add_edge(trace, &placed[i], &placed[i + 1 < count ? i + 1 : 0]);
+}
+
+/* Edges that two triangles of the fan share are added twice, which undoes them. */
+static void add_clipped_ring(struct trace *trace, uint32_t begin, uint32_t end)
+{
+    const uint32_t *indices = trace->builder->mesh->indices;
+    for (uint32_t slot = begin + 2; slot < end; slot++)
+        add_clipped_triangle(trace, (const uint32_t[3]){indices[slot - 1], indices[slot], indices[begin]});
+}
+
+static void add_ring(struct trace *trace, uint32_t begin, uint32_t end)
+{
+    if (is_whole(trace->builder, begin, end))
+        add_whole_ring(trace, begin, end);
+    else
+        add_clipped_ring(trace, begin, end);
+}
+
+/* The outer ring first: it tells which side is seen. A ring whose windings cancel out shows its front. */
+static bool add_outer_ring(struct zr_builder *builder, struct zr_rings rings)
+{
+    struct trace trace = {builder, 0};
+    add_ring(&trace, rings.offsets[0], rings.offsets[1]);
+    return trace.area != 0 && (trace.area < 0) != builder->mirrored;
+}
+
+bool zr_shape_shows_back(struct zr_builder *builder, uint32_t face)
+{
+    uint32_t edges = builder->geometry->edge_count;
+    bool back = add_outer_ring(builder, zr_mesh_rings(builder->mesh, face));
+    builder->geometry->edge_count = edges;
+    return back;
+}
+
+/* ---- the shape ---- */
+
+static struct zr_shape shape_of_edges(const struct zr_geometry *geometry, uint32_t first_edge)
+{
+    struct zr_shape shape = {.first_edge = first_edge, .edge_count = geometry->edge_count - first_edge};
+    for (uint32_t i = first_edge; i < geometry->edge_count; i++) {
+        const struct zr_grid_edge *e = &geometry->edges[i];
+        int32_t low = e->x0 < e->x1 ? e->x0 : e->x1, high = e->x0 < e->x1 ? e->x1 : e->x0;
+        if (i == first_edge || low < shape.min_x) shape.min_x = low;
+        if (i == first_edge || high > shape.max_x) shape.max_x = high;
+        if (i == first_edge || e->y0 < shape.min_y) shape.min_y = e->y0;
+        if (i == first_edge || e->y1 > shape.max_y) shape.max_y = e->y1;
+    }
+    return shape;
+}
+
+static const uint32_t (*zr_face_triangulate(struct zr_builder *builder, uint32_t face, uint32_t *count))[3]
+{
+    struct zr_rings rings = zr_mesh_rings(builder->mesh, face);
+    uint32_t corners = rings.offsets[rings.count] - rings.offsets[0];
+    uint32_t(*out)[3] = zr_arena_alloc(builder->arena, corners, sizeof *out);
+    *count = 0;
+    if (!out) return NULL;
+    for (uint32_t r = 0; r < rings.count; r++)
+        for (uint32_t i = rings.offsets[r] + 2; i < rings.offsets[r + 1]; i++) {
+            out[*count][0] = i - 1 - rings.offsets[0];
+            out[*count][1] = i - rings.offsets[0];
+            out[(*count)++][2] = rings.offsets[r] - rings.offsets[0];
+        }
+    return (const uint32_t(*)[3])out;
+}
+
+static void place_triangles(struct zr_builder *builder, uint32_t face, bool smooth, const struct zr_part *part)
+{
+    const struct zr_mesh *mesh = builder->mesh;
+    uint32_t begin = mesh->face_offsets[face], count;
+    const uint32_t(*triangles)[3] = zr_face_triangulate(builder, face, &count);
+    for (uint32_t i = 0; i < count; i++) {
+        struct zr_corners corners;
+        for (int k = 0; k < 3; k++) {
+            corners.vertex[k] = mesh->indices[begin + triangles[i][k]];
+            corners.color[k] = zr_builder_color(builder, face, smooth, begin + triangles[i][k]);
+        }
+        zr_place_triangle(builder, &corners, part);
+    }
+}
+
+void zr_shape_place(struct zr_builder *builder, uint32_t face, bool smooth, const struct zr_part *part)
+{
+    struct zr_geometry *geometry = builder->geometry;
+    struct zr_rings rings = zr_mesh_rings(builder->mesh, face);
+    uint32_t first_edge = geometry->edge_count, first_triangle = geometry->triangle_count;
+    struct zr_part own = *part;
+    own.back = add_outer_ring(builder, rings);
+    struct trace trace = {builder, 0};
+    for (uint32_t r = 1; r < rings.count; r++)
+        add_ring(&trace, rings.offsets[r], rings.offsets[r + 1]);
+    struct zr_shape shape = shape_of_edges(geometry, first_edge);
+    if (!zr_builder_reserve_shape(builder, 0)) return;
+    own.shape = geometry->shape_count + 1;
+    place_triangles(builder, face, smooth, &own);
+    shape.first_triangle = first_triangle;
+    shape.triangle_count = geometry->triangle_count - first_triangle;
+    if (shape.triangle_count > 0)
+        geometry->shapes[geometry->shape_count++] = shape;
+    else
+        geometry->edge_count = first_edge;
+}

@@ -1,0 +1,18 @@
+/* wire.h - geometry: outlines of faces, and lines, as records one pixel wide.
+ *
+ * Exact:  as the reference draws glPolygonMode(GL_LINE) and GL_LINES: an outline is clipped with
+ *         the polygon that it belongs to, a line by itself, and neither gets an edge along
+ *         the view volume.
+ */
+#ifndef ZR_WIRE_H
+#define ZR_WIRE_H
+
+#include "geometry/builder.h"
+
+/* The edges of a face's rings, as its material wants them. Failure is the arena's. */
+void zr_wire_outline(struct zr_builder *builder, uint32_t face, bool concave);
+
+/* The lines of the mesh under way, in their own colours, unlit. ZR_OK, ZR_CANCELLED or ZR_NO_MEMORY. */
+enum zr_status zr_wire_lines(struct zr_builder *builder);
+
+#endif

@@ -1,0 +1,147 @@
+/* Looks, lines and holes: what a scene says of how its faces are drawn. */
+#include "json_check.h"
+
+#define QUAD "\"vertices\": [[0,0,0],[9,0,0],[9,9,0],[0,9,0]]"
+#define HOLE "[[1,1,0],[2,1,0],[2,2,0]]"
+
+static const struct zr_material *material_of_first_face(const struct reading *reading)
+{
+    return &reading->scene->materials[reading->scene->meshes[0].face_materials[0]];
+}
+
+static void outline_alone_is_black_on_faces_and_their_own_colour_without(void **state)
+{
+    (void)state;
+    struct reading *reading = read_scene("{\"polygons\": [{" TRIANGLE ", \"outline\": true}]}");
+    const struct zr_material *material = material_of_first_face(reading);
+    assert_int_equal(material->outline, ZR_OUTLINE_COLORED);
+    assert_true(material->outline_color.x == 0 && material->outline_color.w == 1 && !material->hollow);
+    reading_free(reading);
+    reading = read_scene("{\"polygons\": [{" TRIANGLE ", \"outline\": true, \"fill\": false}]}");
+    material = material_of_first_face(reading);
+    assert_int_equal(material->outline, ZR_OUTLINE_OWN);
+    assert_true(material->hollow);
+    reading_free(reading);
+}
+
+static void outline_may_be_a_colour(void **state)
+{
+    (void)state;
+    struct reading *reading = read_scene("{\"polygons\": [{" TRIANGLE ", \"outline\": \"#ff0000\"},"
+                                         "{" TRIANGLE ", \"outline\": [0, 1, 0], \"fill\": false},"
+                                         "{" TRIANGLE ", \"outline\": [0, 1, 0], \"fill\": false}]}");
+    assert_read(reading);
+    const uint32_t *numbers = reading->scene->meshes[0].face_materials;
+    const struct zr_material *materials = reading->scene->materials;
+    assert_true(materials[numbers[0]].outline_color.x == 1 && !materials[numbers[0]].hollow);
+    assert_true(materials[numbers[1]].outline_color.y == 1 && materials[numbers[1]].hollow);
+    assert_int_equal(materials[numbers[1]].outline, ZR_OUTLINE_COLORED);
+    assert_int_equal(numbers[1], numbers[2]);
+    reading_free(reading);
+}
+
+static void nearest_word_on_looks_counts(void **state)
+{
+    (void)state;
+    struct reading *reading =
+        read_scene("{\"outline\": \"#0000ff\", \"fill\": false, \"shading\": \"unlit\","
+                   "\"materials\": [{\"name\": \"m\", \"outline\": false, \"doubleSided\": true}],"
+                   "\"polygons\": [{" TRIANGLE "}, {" TRIANGLE ", \"material\": \"m\"},"
+                   "{" TRIANGLE ", \"material\": \"m\", \"outline\": true, \"fill\": true, \"doubleSided\": false}]}");
+    assert_read(reading);
+    const uint32_t *numbers = reading->scene->meshes[0].face_materials;
+    const struct zr_material *scene_wide = &reading->scene->materials[numbers[0]],
+                             *by_material = &reading->scene->materials[numbers[1]],
+                             *by_polygon = &reading->scene->materials[numbers[2]];
+    assert_true(scene_wide->outline == ZR_OUTLINE_COLORED && scene_wide->outline_color.z == 1 && scene_wide->hollow);
+    assert_true(by_material->outline == ZR_OUTLINE_NONE && by_material->hollow && by_material->double_sided);
+    assert_true(by_polygon->outline == ZR_OUTLINE_COLORED && by_polygon->outline_color.z == 0);
+    assert_true(!by_polygon->hollow && !by_polygon->double_sided && by_polygon->shading == ZR_SHADING_UNLIT);
+    reading_free(reading);
+}
+
+static void looks_that_are_none_are_refused(void **state)
+{
+    (void)state;
+    refuses_rest("\"outline\": 3", "/outline", "true, false or a colour is needed");
+    refuses_rest("\"outline\": \"red\"", "/outline", "#rrggbb");
+    refuses_rest("\"fill\": \"no\"", "/fill", "expected true or false");
+    refuses_rest("\"doubleSided\": true", "/doubleSided", "unknown key");
+    refuses_scene("{\"polygons\": [{" TRIANGLE ", \"outline\": [1, 2, 3]}]}", "/polygons/0/outline/1", "outside");
+}
+
+static void lines_are_pairs_of_positions(void **state)
+{
+    (void)state;
+    struct reading *reading = read_scene("{\"meshes\": [{" POSITIONS ", \"lines\": [[0,1],[3,2]]}]}");
+    assert_read(reading);
+    const struct zr_mesh *mesh = &reading->scene->meshes[0];
+    static const uint32_t lines[4] = {0, 1, 3, 2};
+    assert_int_equal(mesh->face_count, 0);
+    assert_int_equal(mesh->face_offsets[0], 0);
+    assert_int_equal(mesh->line_count, 2);
+    assert_memory_equal(mesh->lines, lines, sizeof lines);
+    reading_free(reading);
+    refuses_scene("{\"meshes\": [{" POSITIONS ", \"lines\": [[0,1],[0,4]]}]}", "/meshes/0/lines/1/1", "index 4 of 4");
+    refuses_scene("{\"meshes\": [{" POSITIONS ", \"lines\": [[0,1,2]]}]}", "/meshes/0/lines/0", "a line of 3 ends");
+    refuses_scene("{\"meshes\": [{" POSITIONS ", \"lines\": [7]}]}", "/meshes/0/lines/0", "expected a list");
+    refuses_scene("{\"meshes\": [{" POSITIONS ", \"lines\": []}]}", "", "no geometry");
+}
+
+static void holes_become_rings_of_the_face(void **state)
+{
+    (void)state;
+    struct reading *reading = read_scene("{\"polygons\": [{" TRIANGLE "}, {" QUAD ", \"holes\": [" HOLE ", " HOLE "]},"
+                                         "{" TRIANGLE "}]}");
+    assert_read(reading);
+    const struct zr_mesh *mesh = &reading->scene->meshes[0];
+    static const uint32_t faces[4] = {0, 3, 13, 16}, face_rings[4] = {0, 1, 4, 5}, rings[6] = {0, 3, 7, 10, 13, 16};
+    assert_memory_equal(mesh->face_offsets, faces, sizeof faces);
+    assert_memory_equal(mesh->face_rings, face_rings, sizeof face_rings);
+    assert_memory_equal(mesh->ring_offsets, rings, sizeof rings);
+    assert_true(mesh->positions[8].x == 2 && mesh->positions[8].y == 1);
+    reading_free(reading);
+}
+
+static void colours_of_a_polygon_with_holes_count_all_its_vertices(void **state)
+{
+    (void)state;
+    struct reading *reading = read_scene("{\"polygons\": [{" TRIANGLE ", \"holes\": [" HOLE "], \"colors\":"
+                                         "[[1,0,0],[1,0,0],[1,0,0],[0,1,0],[0,1,0],[0,0,1]]}]}");
+    assert_read(reading);
+    assert_true(reading->scene->meshes[0].colors[5].z == 1);
+    reading_free(reading);
+    refuses_scene("{\"polygons\": [{" TRIANGLE ", \"holes\": [" HOLE "], \"colors\": [[1,0,0],[1,0,0],[1,0,0]]}]}",
+                  "/polygons/0/colors", "3 items for 6 vertices");
+}
+
+static void bad_holes_are_refused_with_pointer_to_them(void **state)
+{
+    (void)state;
+    refuses_scene("{\"polygons\": [{" QUAD ", \"holes\": [" HOLE ", [[0,0,0],[1,1,1]]]}]}", "/polygons/0/holes/1",
+                  "a ring of 2 vertices; 3 or more are needed");
+    refuses_scene("{\"polygons\": [{" QUAD ", \"holes\": 1}]}", "/polygons/0/holes", "expected a list");
+    refuses_scene("{\"polygons\": [{" QUAD ", \"holes\": [[0,1,2]]}]}", "/polygons/0/holes/0/0", "expected a list");
+    struct zr_limits limits = zr_limits_default();
+    limits.polygon_vertices_max = 6;
+    static const char text[] = "{\"polygons\": [{" QUAD ", \"holes\": [" HOLE "]}]}";
+    struct reading *reading =
+        read_request((struct zr_request){.format = ZR_FORMAT_JSON}, text, sizeof text - 1, limits, (size_t)1 << 20);
+    assert_complaint(reading, ZR_BAD_SCENE, "/polygons/0/holes/0", "a polygon of 7 vertices; 3 to 6 are allowed");
+    reading_free(reading);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(outline_alone_is_black_on_faces_and_their_own_colour_without),
+        cmocka_unit_test(outline_may_be_a_colour),
+        cmocka_unit_test(nearest_word_on_looks_counts),
+        cmocka_unit_test(looks_that_are_none_are_refused),
+        cmocka_unit_test(lines_are_pairs_of_positions),
+        cmocka_unit_test(holes_become_rings_of_the_face),
+        cmocka_unit_test(colours_of_a_polygon_with_holes_count_all_its_vertices),
+        cmocka_unit_test(bad_holes_are_refused_with_pointer_to_them),
+    };
+    return cmocka_run_group_tests_name("json_look", tests, NULL, NULL);
+}
