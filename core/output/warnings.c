@@ -41,7 +41,8 @@ struct zr_warnings zr_warnings_make(struct zr_arena *arena, const struct zr_scen
     else if (counts->outside == counts->triangles && counts->triangles > 0)
         add(arena, &w, "nothing is seen: all geometry is outside the view");
     else
-        add(arena, &w, "nothing is seen: no polygon covers a pixel in front of the far plane");
+        add(arena, &w, "nothing is seen: no polygon covers a pixel in front of the %s",
+            frame->base ? "base" : "far plane");
     return w;
 }
 

@@ -1,17 +1,8 @@
 #include "raster/visibility.h"
 
-#include <string.h>
-
 #include "raster/halfspace.h"
 
 enum { TRIANGLES_A_CANCEL_CHECK = 1024 };
-
-static void clear(struct zr_tile *tile)
-{
-    for (int i = 0; i < ZR_TILE_SIZE * ZR_TILE_SIZE; i++)
-        tile->depth[i] = 1.0f;
-    memset(tile->owner, 0, sizeof tile->owner);
-}
 
 static bool touches(const struct zr_tile *tile, const struct zr_geometry *geometry, uint32_t triangle)
 {
@@ -30,10 +21,11 @@ static void place(struct zr_tile *tile, const struct zr_bins *bins, uint32_t num
 
 /* The tile's own list and the large triangles, merged back into one order. */
 bool zr_visibility_tile(const struct zr_geometry *geometry, const struct zr_bins *bins, uint32_t number, uint32_t width,
-                        uint32_t height, const struct zr_cancel *cancel, struct zr_tile *tile)
+                        uint32_t height, const struct zr_base *base, const struct zr_cancel *cancel,
+                        struct zr_tile *tile)
 {
     place(tile, bins, number, width, height);
-    clear(tile);
+    zr_tile_begin(tile, base, width, height);
     const uint32_t *small = bins->entries + bins->offsets[number],
                    *small_end = bins->entries + bins->offsets[number + 1];
     const uint32_t *large = bins->large, *large_end = large + bins->large_count;
