@@ -124,6 +124,9 @@ $(BUILD)/zraster-bench: $(bench) $(filter-out %/main.o,$(reference)) $(server_su
 $(unit_tests): $(BUILD)/%: $(BUILD)/%.o $(BUILD)/libsupport.a $(BUILD)/libzraster.a
 	$(LINK) $(TEST_LIBS) $(CORE_LIBS)
 
+# Of the server's files, those that are plain functions from bytes to values are tested as units.
+$(BUILD)/tests/unit/test_multipart: $(BUILD)/server/multipart.o
+
 $(server_tests): $(BUILD)/%: $(BUILD)/%.o $(server_support) $(BUILD)/libsupport.a $(BUILD)/libzraster.a
 	$(LINK) $(TEST_LIBS) $(CORE_LIBS)
 

@@ -3,6 +3,7 @@
 
 #include "geometry/geometry.h"
 #include "raster/visibility.h"
+#include "scene/base_depth.h"
 #include "scene/scene.h"
 #include "shade/frame.h"
 #include "shade/resolve.h"
@@ -26,7 +27,7 @@ static void draw_tiles(void *context, size_t begin, size_t end)
         if (d->samples)
             zr_visibility_load(d->samples, (uint32_t)number, &tile);
         else if (!zr_visibility_tile(d->geometry, d->bins, (uint32_t)number, d->scene->width, d->scene->height,
-                                     d->cancel, &tile))
+                                     d->frame->base, d->cancel, &tile))
             return;
         uint32_t covered = zr_resolve_tile(d->geometry, d->scene->background, &tile, d->frame);
         atomic_fetch_add_explicit(&d->covered, covered, memory_order_relaxed);
@@ -63,9 +64,11 @@ static enum zr_status run_pipeline(struct zr_arena *arena, struct zr_team *team,
     frame->bounds = zr_bounds_of(scene);
     if ((status = zr_camera_resolve(scene, &frame->bounds, &frame->camera, error)) != ZR_OK) return status;
     if ((status = make_frame(arena, scene, frame)) != ZR_OK) return status;
+    if ((status = zr_base_place(arena, scene, &frame->camera, &frame->base, error)) != ZR_OK) return status;
     if ((status = zr_geometry_build(arena, team, scene, &frame->camera, cancel, &geometry)) != ZR_OK) return status;
     if (window_at_once)
-        status = zr_visibility_window(arena, &geometry, window_at_once, scene->width, scene->height, cancel, &samples);
+        status = zr_visibility_window(arena, &geometry, window_at_once, scene->width, scene->height, frame->base,
+                                      cancel, &samples);
     else
         status = zr_bins_build(arena, &geometry, scene->width, scene->height, &bins);
     if (status != ZR_OK) return status;

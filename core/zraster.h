@@ -38,10 +38,19 @@ struct zr_limits zr_limits_default(void);
 
 enum zr_format { ZR_FORMAT_JSON, ZR_FORMAT_OBJ, ZR_FORMAT_STL };
 
+/* Bytes that came beside a scene, which it asks for by {"asset": name}. */
+struct zr_asset {
+    const char *name;
+    const void *bytes;
+    size_t size;
+};
+
 struct zr_request {
     enum zr_format format;
     const char *bytes;
     size_t size;
+    const struct zr_asset *assets; /* no two of one name; formats other than JSON have none */
+    size_t asset_count;
     /* NULL: not given. One output instead of the scene's own. */
     const char *channel, *encoding, *scale;
     /* NULL: not given. For formats that hold a bare mesh and no view; refused with JSON. */
@@ -79,7 +88,7 @@ struct zr_answer {
     const char *warnings; /* one line of ASCII, "" where there are none */
 };
 
-/* Keeps pointers into request->bytes. On failure *error says what and where. */
+/* Keeps pointers into request->bytes and the assets. On failure *error says what and where. */
 enum zr_status zr_scene_read(struct zr_arena *arena, const struct zr_request *request, const struct zr_limits *limits,
                              const struct zr_scene **scene, struct zr_error *error);
 

@@ -9,15 +9,13 @@
 
 #include <cjson/cJSON.h>
 
+#include "body.h"
 #include "clock.h"
-#include "gunzip.h"
 #include "problem.h"
 #include "text.h"
 
 /* COST_SAMPLES: a sample that takes well under a millisecond. */
 enum { WARNINGS_SIZE = 2048, COST_SAMPLES = 1024 };
-
-static const char MEMORY_USED_UP[] = "the memory for one request is used up; see requestMemoryBytes in /v1/limits";
 
 enum route { ROUTE_RENDER, ROUTE_HEALTH, ROUTE_READY, ROUTE_LIMITS };
 
@@ -36,13 +34,15 @@ enum { ROUTE_COUNT = sizeof ROUTES / sizeof ROUTES[0] };
 static const struct {
     const char *type;
     enum zr_format format;
+    bool parts; /* the scene is one part of several */
 } FORMATS[] = {
-    {"application/json", ZR_FORMAT_JSON},
-    {"model/obj", ZR_FORMAT_OBJ},
-    {"model/stl", ZR_FORMAT_STL},
+    {"application/json", ZR_FORMAT_JSON, false},
+    {"model/obj", ZR_FORMAT_OBJ, false},
+    {"model/stl", ZR_FORMAT_STL, false},
+    {"multipart/form-data", ZR_FORMAT_JSON, true},
 };
 
-#define FORMAT_NAMES "application/json, model/obj, model/stl"
+#define FORMAT_NAMES "application/json, model/obj, model/stl, multipart/form-data"
 
 static const struct {
     const char *name;
@@ -152,8 +152,11 @@ static bool read_content_type(struct api_request *request, struct answer *answer
     size_t length = strcspn(type, "; \t");
     for (size_t i = 0; i < sizeof FORMATS / sizeof FORMATS[0]; i++)
         if (strlen(FORMATS[i].type) == length && strncasecmp(FORMATS[i].type, type, length) == 0) {
+            const char *fault;
             request->render.format = FORMATS[i].format;
-            return true;
+            if (!FORMATS[i].parts || multipart_boundary(type, request->boundary, &fault)) return true;
+            problem_answer(answer, 400, "%s", fault);
+            return false;
         }
     answer_header(answer, "Accept-Post", FORMAT_NAMES);
     if (*type)
@@ -276,31 +279,6 @@ static void add_timing(struct answer *answer, const struct api_times *times)
     if (used) answer_header(answer, "Server-Timing", "%s", text);
 }
 
-/* The body as the renderer takes it. False: `answer` says why not. */
-static bool unpack_body(const struct api *api, const struct api_request *request, struct zr_arena *arena,
-                        struct zr_request *render, struct answer *answer)
-{
-    *render = request->render;
-    if (!request->gzip) return true;
-    size_t max = (size_t)api->config->body_max_bytes;
-    char *bytes = NULL;
-    switch (gunzip(arena, render->bytes, render->size, max, &bytes, &render->size)) {
-    case GUNZIP_OK:
-        render->bytes = bytes;
-        return true;
-    case GUNZIP_BROKEN:
-        problem_answer(answer, 400, "the body is not what Content-Encoding says: no whole gzip");
-        break;
-    case GUNZIP_TOO_LARGE:
-        problem_answer(answer, 413, "the body inflates to more than bodyMaxBytes, %zu bytes", max);
-        break;
-    case GUNZIP_NO_MEMORY:
-        api_refuse_busy(answer, 1, MEMORY_USED_UP);
-        break;
-    }
-    return false;
-}
-
 /* A sample may mislead: before a scene is refused, all of it is measured. */
 static enum zr_status foresee(const struct api *api, const struct zr_scene *scene, struct api_times *times,
                               struct zr_error *error)
@@ -362,14 +340,14 @@ void api_render(const struct api *api, const struct api_request *request, struct
     struct zr_answer result = {0};
     struct zr_request render;
     int64_t mark = clock_us();
-    if (!unpack_body(api, request, arena, &render, answer)) return;
+    if (!body_unpack(request, (size_t)api->config->body_max_bytes, arena, &render, answer)) return;
     double unpack_ms = ms_since(&mark);
     enum zr_status status = run_steps(api, &render, arena, cancel, times, &result, &error);
     times->parse_ms += unpack_ms;
     if (status == ZR_OK) {
         answer_image(answer, &result);
     } else if (status == ZR_NO_MEMORY) {
-        api_refuse_busy(answer, 1, MEMORY_USED_UP);
+        api_refuse_busy(answer, 1, BODY_MEMORY_USED_UP);
     } else if (status == ZR_CANCELLED) {
         problem_answer(answer, 504, "the render took longer than renderTimeoutMs, %" PRIu64 " ms",
                        api->config->render_timeout_ms);

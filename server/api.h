@@ -14,6 +14,7 @@
 #include "admission.h"
 #include "answer.h"
 #include "config.h"
+#include "multipart.h"
 #include "zraster.h"
 
 enum { API_ID_SIZE = 129 };
@@ -42,6 +43,7 @@ struct api_request {
     const char *query;                                           /* behind the '?', NULL where there is none */
     const char *content_type, *content_encoding, *authorization; /* NULL where not sent */
     bool gzip;                                                   /* by api_open: the body is compressed */
+    char boundary[MULTIPART_BOUNDARY_SIZE];                      /* by api_open: of its parts; "": it has none */
     struct zr_request render; /* by api_open; then `bytes` and `size` by the caller */
     char *query_values;       /* what `render` points into */
 };

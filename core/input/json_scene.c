@@ -1,11 +1,16 @@
 #include "input/json_scene.h"
 
+#include <stdarg.h>
+#include <stdio.h>
+#include <string.h>
+
 #include "base/checked.h"
 #include "input/input.h"
 #include "input/json_scan.h"
+#include "input/text.h"
 
 /* What cJSON and the allocator take for a value, beside the bytes of its text. */
-enum { TREE_BYTES_A_VALUE = 80 };
+enum { TREE_BYTES_A_VALUE = 80, WARNING_SIZE = 160, WARNINGS_AT_FIRST = 8 };
 
 enum {
     VERSION,
@@ -22,13 +27,14 @@ enum {
     COLOR_MANAGEMENT,
     SAMPLES,
     ALGORITHM,
+    BASE,
     KEYS
 };
 /* A scene's own look is one without sides: those are a body's. */
-static const char *const words[] = {"version", "window",          "background", "shading",   "fill",   "outline",
-                                    "view",    "ambient",         "lights",     "materials", "meshes", "polygons",
-                                    "outputs", "colorManagement", "samples",    "algorithm", "nodes",  "views",
-                                    "fog",     "turntable"};
+static const char *const words[] = {
+    "version", "window",    "background", "shading", "fill",     "outline", "view",
+    "ambient", "lights",    "materials",  "meshes",  "polygons", "outputs", "colorManagement",
+    "samples", "algorithm", "base",       "nodes",   "views",    "fog",     "turntable"};
 static const struct zr_names keys = ZR_NAMES(KEYS, words);
 
 static const char *const managements[] = {"none", "srgb"};
@@ -102,14 +108,36 @@ static void read_meshes(struct zr_draft *draft, const cJSON *meshes, const cJSON
     draft->scene->mesh_count = draft->scene->instance_count = (uint32_t)number;
 }
 
+void zr_draft_warn(struct zr_draft *draft, const char *format, ...)
+{
+    struct zr_arena *arena = draft->json.arena;
+    if (draft->warning_count == draft->warning_room) {
+        size_t room = draft->warning_room ? draft->warning_room * 2 : WARNINGS_AT_FIRST;
+        const char **more = zr_arena_grow(arena, draft->warnings, draft->warning_count, room, sizeof *more);
+        if (!more) return;
+        draft->warnings = more;
+        draft->warning_room = room;
+    }
+    char *text = zr_arena_alloc(arena, WARNING_SIZE, 1);
+    if (!text) return;
+    va_list arguments;
+    va_start(arguments, format);
+    vsnprintf(text, WARNING_SIZE, format, arguments);
+    va_end(arguments);
+    draft->warnings[draft->warning_count++] = text;
+}
+
 static void finish(struct zr_draft *draft)
 {
-    static const char *const transparent[] = {"transparency is not supported in this version: drawn opaque"};
     draft->scene->materials = draft->materials;
     draft->scene->material_count = (uint32_t)draft->material_count;
-    if (!draft->transparent) return;
-    draft->scene->warnings = transparent;
-    draft->scene->warning_count = 1;
+    if (draft->transparent) zr_draft_warn(draft, "transparency is not supported in this version: drawn opaque");
+    for (size_t i = 0; i < draft->asset_count; i++)
+        if (!draft->assets_used[i])
+            zr_draft_warn(draft, "the asset %s is not used by the scene",
+                          zr_quote(draft->assets[i].name, strlen(draft->assets[i].name)).text);
+    draft->scene->warnings = draft->warnings;
+    draft->scene->warning_count = (uint32_t)draft->warning_count;
 }
 
 static void build(struct zr_draft *draft, const cJSON *root)
@@ -129,6 +157,7 @@ static void build(struct zr_draft *draft, const cJSON *root)
     zr_draft_read_materials(draft, ZR_JSON_KEY(NULL, words[MATERIALS]), found[MATERIALS]);
     if (!zr_arena_ok(json->arena)) return;
     read_meshes(draft, found[MESHES], found[POLYGONS]);
+    if (found[BASE]) zr_draft_read_base(draft, ZR_JSON_KEY(NULL, words[BASE]), found[BASE]);
     finish(draft);
 }
 
@@ -151,8 +180,13 @@ enum zr_status zr_json_read(struct zr_arena *arena, const struct zr_request *req
     cJSON *root = cJSON_ParseWithLengthOpts(request->bytes, request->size, NULL, false);
     if (!root) return ZR_NO_MEMORY; /* the scan has seen that it is not for bad syntax */
 
-    struct zr_draft draft = {.json = {arena, limits, error}, .scene = scene, .look = zr_look_unsaid};
-    build(&draft, root);
+    struct zr_draft draft = {.json = {arena, limits, error},
+                             .scene = scene,
+                             .look = zr_look_unsaid,
+                             .asset_count = request->asset_count,
+                             .assets = request->assets};
+    draft.assets_used = zr_arena_zero(arena, draft.asset_count, sizeof *draft.assets_used);
+    if (draft.assets_used) build(&draft, root);
     cJSON_Delete(root);
     zr_arena_refund(arena, charged);
     if (error->count > 0) return error->status;

@@ -43,6 +43,13 @@ struct zr_draft {
     struct zr_material *materials;
 
     bool transparent; /* some colour wants to be */
+
+    size_t asset_count;
+    const struct zr_asset *assets;
+    bool *assets_used;
+
+    size_t warning_count, warning_room;
+    const char **warnings;
 };
 
 /* What a mesh or a polygon says of its looks. */
@@ -94,5 +101,20 @@ void zr_draft_read_view(struct zr_draft *draft, const struct zr_json_path *path,
 /* json_light.c and json_outputs.c: the lists of these. */
 void zr_draft_read_lights(struct zr_draft *draft, const struct zr_json_path *path, const cJSON *list);
 void zr_draft_read_outputs(struct zr_draft *draft, const struct zr_json_path *path, const cJSON *list);
+
+/* json_bytes.c: what a data: URI, {"uri": one} or {"asset": name} stands for. In the arena
+ * or the request. */
+struct zr_given_bytes {
+    const void *bytes;
+    size_t size;
+};
+bool zr_draft_read_bytes(struct zr_draft *draft, const struct zr_json_path *path, const cJSON *node,
+                         struct zr_given_bytes *out);
+
+/* json_base.c. Needs the window, the background, the view and the meshes to be read. */
+void zr_draft_read_base(struct zr_draft *draft, const struct zr_json_path *path, const cJSON *node);
+
+/* Adds to the scene's warnings, cut to 160 bytes. */
+void zr_draft_warn(struct zr_draft *draft, const char *format, ...) __attribute__((format(printf, 2, 3)));
 
 #endif

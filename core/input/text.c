@@ -1,6 +1,8 @@
 #include "input/text.h"
 
+#include <stdarg.h>
 #include <stdbool.h>
+#include <stdio.h>
 #include <string.h>
 
 static bool in(char byte, unsigned char low, unsigned char high)
@@ -48,6 +50,14 @@ struct zr_quote zr_quote(const char *bytes, size_t size)
     }
     quote.text[used] = '\0';
     return quote;
+}
+
+void zr_reason_give(struct zr_reason *reason, const char *format, ...)
+{
+    va_list arguments;
+    va_start(arguments, format);
+    vsnprintf(reason->text, sizeof reason->text, format, arguments);
+    va_end(arguments);
 }
 
 struct zr_place zr_place_of(const char *bytes, size_t offset)

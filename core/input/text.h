@@ -16,6 +16,12 @@ struct zr_quote {
 };
 struct zr_quote zr_quote(const char *bytes, size_t size);
 
+/* Why bytes are refused, told to whoever knows where in the input they stood. */
+struct zr_reason {
+    char text[160];
+};
+void zr_reason_give(struct zr_reason *reason, const char *format, ...) __attribute__((format(printf, 2, 3)));
+
 /* Line and column of a byte, both from 1; columns count characters. */
 struct zr_place {
     size_t line, column;

@@ -117,15 +117,23 @@ static void extend(struct patch *patch, uint32_t x, uint32_t y, uint32_t x1, uin
     patch->pixels += pixels;
 }
 
-/* patches[id], id 0 being the background. */
+static uint32_t first_face_id(const struct zr_frame *frame)
+{
+    return frame->base ? frame->base->first_face_id : 1;
+}
+
+/* patches[1 + number of the face]; patches[0] is the background, and the last is the base,
+ * whose ids are none of the faces' (input/json_base.c refuses the others). */
 static struct patch *patches_of(struct zr_arena *arena, const struct zr_frame *frame, uint32_t face_count)
 {
-    struct patch *patches = zr_arena_zero(arena, (size_t)face_count + 1, sizeof *patches);
+    struct patch *patches = zr_arena_zero(arena, (size_t)face_count + 2, sizeof *patches);
     if (!patches) return NULL;
-    const uint32_t *id = frame->face_id;
+    const uint32_t *id = frame->face_id, first = first_face_id(frame);
     for (uint32_t y = 0; y < frame->height; y++)
-        for (uint32_t x = 0; x < frame->width; x++)
-            extend(&patches[*id++], x, y, x + 1, y + 1, 1);
+        for (uint32_t x = 0; x < frame->width; x++, id++) {
+            uint32_t number = *id - first; /* the base's smaller ids wrap to large numbers */
+            extend(&patches[*id == 0 ? 0 : 1 + (number < face_count ? number : face_count)], x, y, x + 1, y + 1, 1);
+        }
     return patches;
 }
 
@@ -137,20 +145,20 @@ static void put_patch(struct writer *w, cJSON *object, const struct patch *patch
     put(w, object, "box", check(w, cJSON_CreateIntArray(box, 4)));
 }
 
-static cJSON *faces_of(struct writer *w, const struct patch *patches, uint32_t face_count)
+static cJSON *faces_of(struct writer *w, const struct patch *patches, uint32_t face_count, uint32_t first)
 {
     cJSON *array = check(w, cJSON_CreateArray());
     for (uint32_t id = 1; id <= face_count; id++) {
         if (patches[id].pixels == 0) continue;
         cJSON *face = check(w, cJSON_CreateObject());
-        put_count(w, face, "id", id);
+        put_count(w, face, "id", first + (id - 1));
         put_patch(w, face, &patches[id]);
         if (!cJSON_AddItemToArray(array, face)) w->ok = false;
     }
     return array;
 }
 
-static cJSON *meshes_of(struct writer *w, const struct zr_scene *scene, const struct patch *patches)
+static cJSON *meshes_of(struct writer *w, const struct zr_scene *scene, const struct patch *patches, uint32_t first)
 {
     cJSON *array = check(w, cJSON_CreateArray());
     uint32_t id = 1;
@@ -158,7 +166,7 @@ static cJSON *meshes_of(struct writer *w, const struct zr_scene *scene, const st
         const struct zr_mesh *mesh = &scene->meshes[scene->instances[i].mesh];
         cJSON *object = check(w, cJSON_CreateObject());
         put(w, object, "name", check(w, cJSON_CreateString(mesh->name)));
-        put_count(w, object, "firstFaceId", id);
+        put_count(w, object, "firstFaceId", first + (id - 1));
         put_count(w, object, "faces", mesh->face_count);
         if (mesh->line_count > 0) put_count(w, object, "lines", mesh->line_count);
         struct patch all = {.pixels = 0};
@@ -190,8 +198,14 @@ static cJSON *build(struct writer *w, const struct zr_scene *scene, const struct
     if (depth_scale > 0.0f) put(w, root, "depthScale", number(w, depth_scale));
     put(w, root, "counts", counts_of(w, &frame->counts, misfits));
     put_count(w, root, "backgroundPixels", patches[0].pixels);
-    put(w, root, "meshes", meshes_of(w, scene, patches));
-    if (face_count <= ZR_INFO_FACES_MAX) put(w, root, "faces", faces_of(w, patches, face_count));
+    if (frame->base) {
+        cJSON *base = check(w, cJSON_CreateObject());
+        put_patch(w, base, &patches[face_count + 1]);
+        put(w, root, "base", base);
+    }
+    uint32_t first = first_face_id(frame);
+    put(w, root, "meshes", meshes_of(w, scene, patches, first));
+    if (face_count <= ZR_INFO_FACES_MAX) put(w, root, "faces", faces_of(w, patches, face_count, first));
     put(w, root, "warnings", check(w, cJSON_CreateStringArray(warnings->texts, (int)warnings->count)));
     return root;
 }

@@ -39,7 +39,7 @@ struct zr_warnings zr_warnings_make(struct zr_arena *arena, const struct zr_scen
              counts->triangles + counts->lines > 0)
         add(arena, &w, "nothing is seen: all geometry is outside the view");
     else
-        add(arena, &w, "nothing is seen: no pixel is covered in front of the far plane");
+        add(arena, &w, "nothing is seen: no pixel is covered in front of the %s", frame->base ? "base" : "far plane");
     return w;
 }
 

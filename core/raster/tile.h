@@ -10,13 +10,15 @@
 #include <stddef.h>
 #include <stdint.h>
 
+#include "scene/scene.h"
+
 enum { ZR_TILE_SIZE = 64 };
 
 struct zr_tile {
     int32_t x, y;          /* lowest pixel */
     int32_t width, height; /* smaller at the window's upper and right border */
     /* [row * ZR_TILE_SIZE + column] */
-    float depth[ZR_TILE_SIZE * ZR_TILE_SIZE];    /* window depth, 1 where nothing is */
+    float depth[ZR_TILE_SIZE * ZR_TILE_SIZE];    /* window depth; where nothing was drawn, see zr_tile_begin */
     uint32_t owner[ZR_TILE_SIZE * ZR_TILE_SIZE]; /* 1 + number of the triangle, 0 where nothing is */
 };
 
@@ -25,5 +27,13 @@ static inline size_t zr_tile_count(uint32_t width, uint32_t height)
 {
     return (size_t)((width + ZR_TILE_SIZE - 1) / ZR_TILE_SIZE) * ((height + ZR_TILE_SIZE - 1) / ZR_TILE_SIZE);
 }
+
+/* Puts tile `number` where it belongs in the window. */
+void zr_tile_place(struct zr_tile *tile, uint32_t number, uint32_t width, uint32_t height);
+
+/* What a placed tile holds before anything is drawn: no owner, and the depth that a
+ * fragment must be less than to be seen. That is 1, or the base's depth there; the next
+ * float above it, but no more than 1, where the scene wins ties. `base` may be NULL. */
+void zr_tile_begin(struct zr_tile *tile, const struct zr_base *base, uint32_t width, uint32_t height);
 
 #endif

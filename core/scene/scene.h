@@ -167,6 +167,18 @@ struct zr_output {
     float scale; /* png16: scene units a step; 0: the far plane is 65535 */
 };
 
+/* What was drawn before, here or elsewhere, and new geometry is drawn into: arrays of
+ * width * height, row 0 on top. What is NULL is as if nothing were there; readers see to
+ * it that no channel that the outputs ask for is. */
+struct zr_base {
+    const uint8_t *color;      /* RGBA, 4 bytes a pixel */
+    const float *window_depth; /* the z-buffer, 0..1, 1 where nothing is; NULL: made from depth */
+    const float *depth;        /* eye space, +inf where nothing is */
+    const uint32_t *face_id;   /* 0 where nothing is */
+    bool scene_wins_ties;      /* at equal depth the new geometry is seen, else the base is */
+    uint32_t first_face_id;    /* of the new geometry; at least 1 */
+};
+
 struct zr_scene {
     uint32_t width, height; /* pixels */
     zr_vec4 background;
@@ -180,6 +192,7 @@ struct zr_scene {
     const struct zr_output *outputs;
     const char *const *warnings; /* what input/ and scene/ found odd but drawable */
     struct zr_view view;
+    const struct zr_base *base; /* NULL: the geometry is all there is */
 };
 
 #endif

@@ -39,10 +39,29 @@ static void check_geometry(const struct zr_scene *scene, struct zr_error *error)
                      ZR_SCENE_CORNERS_MAX);
 }
 
+/* Where the base is seen, every channel that is asked for must come from it. */
+static void check_base(const struct zr_scene *scene, struct zr_error *error)
+{
+    const struct zr_base *base = scene->base;
+    if (!base) return;
+    bool color = false, depth = false, face_id = false;
+    for (uint32_t i = 0; i < scene->output_count; i++) {
+        enum zr_channel channel = scene->outputs[i].channel;
+        color |= channel == ZR_CHANNEL_COLOR;
+        depth |= channel == ZR_CHANNEL_DEPTH;
+        face_id |= channel == ZR_CHANNEL_FACE_ID || channel == ZR_CHANNEL_INFO;
+    }
+    if (color && !base->color) zr_error_add(error, ZR_BAD_SCENE, "/base/color", "missing: the output color needs it");
+    if (depth && !base->depth) zr_error_add(error, ZR_BAD_SCENE, "/base/depth", "missing: the output depth needs it");
+    if (face_id && !base->face_id)
+        zr_error_add(error, ZR_BAD_SCENE, "/base/faceId", "missing: the outputs faceId and info need it");
+}
+
 enum zr_status zr_scene_validate(const struct zr_scene *scene, const struct zr_limits *limits, struct zr_error *error)
 {
     size_t before = error->count;
     check_window(scene, limits, error);
     check_geometry(scene, error);
+    check_base(scene, error);
     return error->count > before ? ZR_BAD_SCENE : ZR_OK;
 }

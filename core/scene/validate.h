@@ -2,8 +2,8 @@
  * format it came in.
  *
  * Readers have checked each value by itself; here are the window against its
- * limits, that there is something to draw, and that counts fit their types in
- * every later stage.
+ * limits, that there is something to draw, that counts fit their types in
+ * every later stage, and that a base has what the outputs ask for.
  */
 #ifndef ZR_VALIDATE_H
 #define ZR_VALIDATE_H

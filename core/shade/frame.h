@@ -13,14 +13,15 @@
 
 struct zr_frame {
     uint32_t width, height;
-    uint8_t *color;      /* RGBA, 4 bytes a pixel */
-    float *depth;        /* +inf where nothing is */
-    float *window_depth; /* 1 where nothing is */
-    uint32_t *face_id;   /* 0 where nothing is */
+    uint8_t *color;             /* RGBA, 4 bytes a pixel */
+    float *depth;               /* +inf where nothing is */
+    float *window_depth;        /* 1 where nothing is */
+    uint32_t *face_id;          /* 0 where nothing is */
+    const struct zr_base *base; /* what is seen where no triangle is, its window_depth made; NULL: nothing */
     struct zr_camera camera;
     struct zr_bounds bounds;
     struct zr_counts counts;
-    uint64_t covered_pixels; /* that belong to a polygon */
+    uint64_t covered_pixels; /* that belong to a polygon, not to the base */
 };
 
 #endif

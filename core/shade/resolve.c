@@ -154,6 +154,17 @@ static void resolve_depth(const struct surface *surface, const struct run *run, 
     }
 }
 
+/* The base as it is; its depth in the tile is for the depth test only. */
+static void resolve_base(const struct zr_frame *frame, const struct zr_base *base, size_t pixel, int32_t count)
+{
+    size_t bytes = (size_t)count * 4;
+    if (frame->color && base->color) memcpy(frame->color + 4 * pixel, base->color + 4 * pixel, bytes);
+    if (frame->depth && base->depth) memcpy(frame->depth + pixel, base->depth + pixel, bytes);
+    if (frame->face_id && base->face_id) memcpy(frame->face_id + pixel, base->face_id + pixel, bytes);
+    if (frame->window_depth && base->window_depth)
+        memcpy(frame->window_depth + pixel, base->window_depth + pixel, bytes);
+}
+
 static void resolve_nothing(const struct zr_frame *frame, uint32_t background, size_t pixel, int32_t count)
 {
     uint32_t *color = (uint32_t *)(void *)frame->color;
@@ -162,6 +173,7 @@ static void resolve_nothing(const struct zr_frame *frame, uint32_t background, s
     for (int32_t i = 0; frame->depth && i < count; i++)
         frame->depth[pixel + (size_t)i] = INFINITY;
     if (frame->face_id) memset(frame->face_id + pixel, 0, (size_t)count * sizeof *frame->face_id);
+    if (frame->base) resolve_base(frame, frame->base, pixel, count);
 }
 
 static void resolve_run(const struct zr_geometry *geometry, const struct surface *surface, const struct run *run,
@@ -170,7 +182,7 @@ static void resolve_run(const struct zr_geometry *geometry, const struct surface
     if (frame->color) resolve_color(surface, run, (uint32_t *)(void *)frame->color + pixel);
     if (frame->depth) resolve_depth(surface, run, frame->depth + pixel);
     if (!frame->face_id) return;
-    uint32_t face = geometry->triangles[run->owner - 1].face;
+    uint32_t face = geometry->triangles[run->owner - 1].face + (frame->base ? frame->base->first_face_id - 1 : 0);
     for (int32_t i = 0; i < run->count; i++)
         frame->face_id[pixel + (size_t)i] = face;
 }

@@ -1,0 +1,59 @@
+#include "input/base64.h"
+
+#include <stdint.h>
+#include <string.h>
+
+enum { NONE = 0x80 };
+
+static void make_table(uint8_t table[256])
+{
+    static const char alphabet[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+    memset(table, NONE, 256);
+    for (uint8_t i = 0; i < 64; i++)
+        table[(unsigned char)alphabet[i]] = i;
+}
+
+/* The characters at text[from] and on that are in the alphabet. */
+static size_t count_good(const uint8_t table[256], const char *text, size_t from, size_t size)
+{
+    while (from < size && table[(unsigned char)text[from]] != NONE)
+        from++;
+    return from;
+}
+
+/* The last four characters: one or two of them may be '='. Returns the bytes, 0 where it fails. */
+static size_t decode_last(const uint8_t table[256], const char *text, unsigned char *out)
+{
+    size_t padding = text[3] != '=' ? 0 : text[2] != '=' ? 1 : 2;
+    uint32_t bits = 0, bad = 0;
+    for (size_t i = 0; i < 4; i++) {
+        uint8_t six = i < 4 - padding ? table[(unsigned char)text[i]] : 0;
+        bad |= six;
+        bits = bits << 6 | six;
+    }
+    if ((bad & NONE) || (bits & ((1u << 8 * padding) - 1)) != 0) return 0;
+    for (size_t i = 0; i < 3 - padding; i++)
+        out[i] = (unsigned char)(bits >> (16 - 8 * i));
+    return 3 - padding;
+}
+
+bool zr_base64_decode(const char *text, size_t size, unsigned char *out, size_t *used)
+{
+    uint8_t table[256];
+    make_table(table);
+    *used = 0;
+    if (size == 0) return true;
+    size_t at = 0;
+    for (; at + 4 < size; at += 4) {
+        const unsigned char *c = (const unsigned char *)text + at;
+        uint32_t a = table[c[0]], b = table[c[1]], d = table[c[2]], e = table[c[3]];
+        if ((a | b | d | e) & NONE) break;
+        uint32_t bits = a << 18 | b << 12 | d << 6 | e;
+        *out++ = (unsigned char)(bits >> 16);
+        *out++ = (unsigned char)(bits >> 8);
+        *out++ = (unsigned char)bits;
+    }
+    size_t last = at + 4 == size ? decode_last(table, text + at, out) : 0;
+    *used = last ? at / 4 * 3 + last : count_good(table, text, at, size);
+    return last > 0;
+}

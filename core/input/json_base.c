@@ -1,0 +1,194 @@
+/* A base: pictures of what was drawn before. Which of them the outputs need is not looked
+ * at here, since the query may still ask for other outputs (scene/validate.h). */
+#include <inttypes.h>
+#include <math.h>
+
+#include "input/json_scene.h"
+#include "input/npy_read.h"
+#include "input/png_read.h"
+
+enum { COLOR, WINDOW_DEPTH, DEPTH, FACE_ID, TIES, FIRST_FACE_ID, KEYS };
+static const char *const words[] = {"color", "windowDepth", "depth", "faceId", "ties", "firstFaceId"};
+static const struct zr_names keys = ZR_NAMES(KEYS, words);
+
+static const char *const sides[] = {"base", "scene"};
+static const struct zr_names side_names = ZR_NAMES(2, sides);
+
+struct reader {
+    struct zr_draft *draft;
+    const struct zr_json_path *path;
+    const cJSON *found[KEYS];
+    struct zr_given_bytes given[FACE_ID + 1];
+    struct zr_base *base;
+    uint64_t largest_id; /* in base->face_id */
+};
+
+/* The window, as far as it is right: zr_scene_validate reports one that is not. */
+static bool window_is_good(const struct zr_draft *draft)
+{
+    const struct zr_scene *scene = draft->scene;
+    const struct zr_limits *limits = draft->json.limits;
+    return scene->width >= 1 && scene->width <= limits->window_side_max && scene->height >= 1 &&
+           scene->height <= limits->window_side_max &&
+           (uint64_t)scene->width * scene->height <= limits->window_pixels_max;
+}
+
+static bool pixel_fault(struct reader *reader, int key, size_t pixel, const char *what)
+{
+    uint32_t width = reader->draft->scene->width;
+    return zr_json_fault(&reader->draft->json, ZR_JSON_KEY(reader->path, words[key]),
+                         "pixel (%zu, %zu), counted from the top left: %s", pixel % width, pixel / width, what);
+}
+
+static bool refuse(struct reader *reader, int key, enum zr_status status, const struct zr_reason *reason)
+{
+    if (status == ZR_BAD_SCENE)
+        zr_json_fault(&reader->draft->json, ZR_JSON_KEY(reader->path, words[key]), "%s", reason->text);
+    return status == ZR_OK;
+}
+
+static void *read_numbers(struct reader *reader, int key, enum zr_npy_wanted wanted)
+{
+    const struct zr_scene *scene = reader->draft->scene;
+    struct zr_reason reason;
+    void *values = NULL;
+    enum zr_status status = zr_npy_read(reader->draft->json.arena, reader->given[key].bytes, reader->given[key].size,
+                                        wanted, scene->width, scene->height, &values, &reason);
+    return refuse(reader, key, status, &reason) ? values : NULL;
+}
+
+static void read_color(struct reader *reader)
+{
+    const struct zr_scene *scene = reader->draft->scene;
+    struct zr_reason reason;
+    uint8_t *rgba = NULL;
+    enum zr_status status = zr_png_read(reader->draft->json.arena, reader->given[COLOR].bytes,
+                                        reader->given[COLOR].size, scene->width, scene->height, &rgba, &reason);
+    if (!refuse(reader, COLOR, status, &reason)) return;
+    reader->base->color = rgba;
+    uint8_t alpha = 255;
+    for (size_t i = 0; i < (size_t)scene->width * scene->height; i++)
+        alpha &= rgba[4 * i + 3];
+    if (alpha != 255 && scene->background.w >= 1.0f)
+        zr_draft_warn(reader->draft,
+                      "base.color is transparent in parts and the background is not: its alpha is left out");
+}
+
+static void read_window_depth(struct reader *reader)
+{
+    const float *depth = read_numbers(reader, WINDOW_DEPTH, ZR_NPY_WANTED_FLOAT32);
+    size_t pixels = (size_t)reader->draft->scene->width * reader->draft->scene->height;
+    for (size_t i = 0; depth && i < pixels; i++)
+        if (!(depth[i] >= 0.0f && depth[i] <= 1.0f)) {
+            pixel_fault(reader, WINDOW_DEPTH, i, isnan(depth[i]) ? "not a number" : "outside of 0 to 1");
+            return;
+        }
+    reader->base->window_depth = depth;
+}
+
+static void read_depth(struct reader *reader)
+{
+    float *depth = read_numbers(reader, DEPTH, ZR_NPY_WANTED_FLOAT32);
+    size_t pixels = (size_t)reader->draft->scene->width * reader->draft->scene->height;
+    for (size_t i = 0; depth && i < pixels; i++) {
+        if (isnan(depth[i])) depth[i] = INFINITY; /* either is nothing; ours is written */
+        if (depth[i] == -INFINITY) {
+            pixel_fault(reader, DEPTH, i, "-inf is no depth; +inf is where nothing is");
+            return;
+        }
+    }
+    reader->base->depth = depth;
+}
+
+/* Ids of the base may be anything but those that new faces get. */
+static void read_face_ids(struct reader *reader)
+{
+    const uint32_t *ids = read_numbers(reader, FACE_ID, ZR_NPY_WANTED_UINT32);
+    size_t pixels = (size_t)reader->draft->scene->width * reader->draft->scene->height;
+    for (size_t i = 0; ids && i < pixels; i++)
+        if (ids[i] > reader->largest_id) reader->largest_id = ids[i];
+    reader->base->face_id = ids;
+}
+
+static void refuse_shared_ids(struct reader *reader, uint64_t faces)
+{
+    const struct zr_base *base = reader->base;
+    size_t pixels = (size_t)reader->draft->scene->width * reader->draft->scene->height;
+    for (size_t i = 0; i < pixels; i++)
+        if (base->face_id[i] >= base->first_face_id && base->face_id[i] - base->first_face_id < faces) {
+            zr_json_fault(&reader->draft->json, ZR_JSON_KEY(reader->path, words[FIRST_FACE_ID]),
+                          "new faces would have the ids %" PRIu32 " to %" PRIu64 ", and base.faceId has %" PRIu32
+                          " already",
+                          base->first_face_id, base->first_face_id + faces - 1, base->face_id[i]);
+            return;
+        }
+}
+
+static void number_faces(struct reader *reader)
+{
+    const struct zr_scene *scene = reader->draft->scene;
+    struct zr_base *base = reader->base;
+    uint64_t faces = 0, first = reader->found[FIRST_FACE_ID] ? base->first_face_id : reader->largest_id + 1;
+    for (uint32_t i = 0; i < scene->instance_count; i++)
+        faces += scene->meshes[scene->instances[i].mesh].face_count;
+    if (first + faces > (uint64_t)UINT32_MAX + 1) {
+        zr_json_fault(&reader->draft->json, ZR_JSON_KEY(reader->path, words[FIRST_FACE_ID]),
+                      "ids from %" PRIu64 " on for %" PRIu64 " faces do not fit 32 bits", first, faces);
+        return;
+    }
+    base->first_face_id = (uint32_t)first;
+    if (reader->found[FIRST_FACE_ID] && base->face_id) refuse_shared_ids(reader, faces);
+}
+
+static void read_words(struct reader *reader)
+{
+    struct zr_json *json = &reader->draft->json;
+    struct zr_base *base = reader->base;
+    int side = 0;
+    if (reader->found[TIES])
+        zr_json_choice(json, ZR_JSON_KEY(reader->path, words[TIES]), reader->found[TIES], &side_names, &side);
+    base->scene_wins_ties = side == 1;
+    base->first_face_id = 1;
+    const struct zr_json_path *path = ZR_JSON_KEY(reader->path, words[FIRST_FACE_ID]);
+    if (reader->found[FIRST_FACE_ID] && zr_json_whole(json, path, reader->found[FIRST_FACE_ID], &base->first_face_id) &&
+        base->first_face_id == 0)
+        zr_json_fault(json, path, "0 is the id of nothing");
+}
+
+/* What is left open is fitted to the new geometry, and then it is not the base's view. */
+static void warn_of_fitted_view(struct zr_draft *draft)
+{
+    const struct zr_view *view = &draft->scene->view;
+    bool fitted_pose = view->pose == ZR_POSE_PRESET;
+    bool fitted_size = view->projection == ZR_PROJECTION_ORTHOGRAPHIC && !(view->xmag > 0.0f);
+    bool fitted_planes = view->projection != ZR_PROJECTION_MATRIX && !(view->has_znear && view->has_zfar);
+    if (fitted_pose || fitted_size || fitted_planes)
+        zr_draft_warn(draft, "the view's %s fitted to the new geometry, not to what base shows",
+                      fitted_pose   ? "pose is"
+                      : fitted_size ? "size is"
+                                    : "znear and zfar are");
+}
+
+void zr_draft_read_base(struct zr_draft *draft, const struct zr_json_path *path, const cJSON *node)
+{
+    struct zr_json *json = &draft->json;
+    struct reader reader = {.draft = draft, .path = path};
+    if (!zr_json_object(json, path, node, &keys, reader.found)) return;
+    reader.base = zr_arena_zero(json->arena, 1, sizeof *reader.base);
+    if (!reader.base) return;
+    read_words(&reader);
+    for (int key = COLOR; key <= FACE_ID; key++)
+        if (reader.found[key])
+            zr_draft_read_bytes(draft, ZR_JSON_KEY(path, words[key]), reader.found[key], &reader.given[key]);
+    if (!reader.found[WINDOW_DEPTH] && !reader.found[DEPTH])
+        zr_json_fault(json, path, "windowDepth is missing, or depth to make it from: nothing says what hides what");
+    if (json->error->count > 0 || !zr_arena_ok(json->arena) || !window_is_good(draft)) return;
+    if (reader.found[COLOR]) read_color(&reader);
+    if (reader.found[WINDOW_DEPTH]) read_window_depth(&reader);
+    if (reader.found[DEPTH]) read_depth(&reader);
+    if (reader.found[FACE_ID]) read_face_ids(&reader);
+    if (json->error->count > 0 || !zr_arena_ok(json->arena)) return;
+    number_faces(&reader);
+    warn_of_fitted_view(draft);
+    draft->scene->base = reader.base;
+}

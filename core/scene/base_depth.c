@@ -1,0 +1,41 @@
+#include "scene/base_depth.h"
+
+#include <math.h>
+
+/* The rows of the projection that make z and w of a point (0, 0, -depth). */
+struct rows {
+    double z_slope, z, w_slope, w;
+};
+
+static float window_depth(const struct rows *rows, float depth)
+{
+    if (depth == INFINITY) return 1.0f;
+    double w = rows->w - rows->w_slope * (double)depth;
+    double z = rows->z - rows->z_slope * (double)depth;
+    if (!(w > 0.0)) return 0.0f; /* not in front of the eye */
+    double window = 0.5 * (z / w) + 0.5;
+    return window > 0.0 ? window < 1.0 ? (float)window : 1.0f : 0.0f;
+}
+
+enum zr_status zr_base_place(struct zr_arena *arena, const struct zr_scene *scene, const struct zr_camera *camera,
+                             const struct zr_base **placed, struct zr_error *error)
+{
+    *placed = scene->base;
+    if (!scene->base || scene->base->window_depth || !scene->base->depth) return ZR_OK;
+    const float *m = camera->projection.m;
+    if (m[2] != 0.0f || m[6] != 0.0f || m[3] != 0.0f || m[7] != 0.0f)
+        return zr_error_add(error, ZR_BAD_SCENE, "/base/depth",
+                            "cannot be converted, since the z of this projectionMatrix depends on x and y: "
+                            "give windowDepth");
+    size_t pixels = (size_t)scene->width * scene->height;
+    struct zr_base *base = zr_arena_alloc(arena, 1, sizeof *base);
+    float *made = zr_arena_alloc(arena, pixels, sizeof *made);
+    if (!zr_arena_ok(arena)) return ZR_NO_MEMORY;
+    const struct rows rows = {(double)m[10], (double)m[14], (double)m[11], (double)m[15]};
+    for (size_t i = 0; i < pixels; i++)
+        made[i] = window_depth(&rows, scene->base->depth[i]);
+    *base = *scene->base;
+    base->window_depth = made;
+    *placed = base;
+    return ZR_OK;
+}

@@ -1,0 +1,81 @@
+#include "body.h"
+
+#include <string.h>
+#include <strings.h>
+
+#include "gunzip.h"
+#include "multipart.h"
+#include "problem.h"
+
+const char BODY_MEMORY_USED_UP[] = "the memory for one request is used up; see requestMemoryBytes in /v1/limits";
+
+/* The body without its Content-Encoding. False: `answer` says why not. */
+static bool decompress(const struct api_request *request, size_t max, struct zr_arena *arena, struct zr_request *render,
+                       struct answer *answer)
+{
+    if (!request->gzip) return true;
+    char *bytes = NULL;
+    switch (gunzip(arena, render->bytes, render->size, max, &bytes, &render->size)) {
+    case GUNZIP_OK:
+        render->bytes = bytes;
+        return true;
+    case GUNZIP_BROKEN:
+        problem_answer(answer, 400, "the body is not what Content-Encoding says: no whole gzip");
+        break;
+    case GUNZIP_TOO_LARGE:
+        problem_answer(answer, 413, "the body inflates to more than bodyMaxBytes, %zu bytes", max);
+        break;
+    case GUNZIP_NO_MEMORY:
+        api_refuse_busy(answer, 1, BODY_MEMORY_USED_UP);
+        break;
+    }
+    return false;
+}
+
+static bool is_json(const struct multipart_part *part)
+{
+    static const char JSON[] = "application/json";
+    size_t length = 0;
+    while (length < part->type_size && !strchr("; \t", part->type[length]))
+        length++;
+    return !part->type || (length == sizeof JSON - 1 && strncasecmp(part->type, JSON, length) == 0);
+}
+
+/* The part `scene` becomes the bytes, the others assets. Names lie in the arena. */
+static bool unpack_parts(const struct api_request *request, struct zr_arena *arena, struct zr_request *render,
+                         struct answer *answer)
+{
+    const char *fault;
+    struct multipart *parts = zr_arena_alloc(arena, 1, sizeof *parts);
+    struct zr_asset *assets = zr_arena_alloc(arena, MULTIPART_PARTS_MAX, sizeof *assets);
+    if (!parts || !assets) {
+        api_refuse_busy(answer, 1, BODY_MEMORY_USED_UP);
+        return false;
+    }
+    if (!multipart_parse(request->boundary, render->bytes, render->size, parts, &fault)) {
+        problem_answer(answer, 400, "multipart/form-data: %s", fault);
+        return false;
+    }
+    const struct multipart_part *scene = multipart_find(parts, "scene");
+    if (!scene || !is_json(scene)) {
+        problem_answer(answer, 400, "multipart/form-data: %s",
+                       scene ? "the part 'scene' has a Content-Type other than application/json"
+                             : "no part has the name 'scene'");
+        return false;
+    }
+    render->asset_count = 0;
+    for (const struct multipart_part *part = parts->parts; part < parts->parts + parts->count; part++)
+        if (part != scene) assets[render->asset_count++] = (struct zr_asset){part->name, part->bytes, part->size};
+    render->assets = assets;
+    render->bytes = scene->bytes;
+    render->size = scene->size;
+    return true;
+}
+
+bool body_unpack(const struct api_request *request, size_t max, struct zr_arena *arena, struct zr_request *render,
+                 struct answer *answer)
+{
+    *render = request->render;
+    return decompress(request, max, arena, render, answer) &&
+           (!request->boundary[0] || unpack_parts(request, arena, render, answer));
+}

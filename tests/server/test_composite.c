@@ -1,0 +1,198 @@
+/* Several parts in one request: a scene, and the pictures it is drawn into. */
+#include <stdio.h>
+#include <string.h>
+#include <zlib.h>
+
+#include "client.h"
+#include "support/cmocka_all.h"
+
+#define VIEW                                                                                                           \
+    "\"window\":{\"width\":120,\"height\":90},\"view\":{\"eye\":[1,2,3],\"znear\":1,\"zfar\":8},\"shading\":\"unlit\""
+#define FIRST  "{\"vertices\":[[-1,-1,0],[1,-1,0.5],[0,1,0]],\"color\":\"#cc3333\",\"doubleSided\":true}"
+#define SECOND "{\"vertices\":[[-1,1,0],[1,1,0.2],[0,-1,0.3]],\"color\":\"#3333cc\",\"doubleSided\":true}"
+#define INTO   ",\"base\":{\"color\":{\"asset\":\"picture\"},\"windowDepth\":{\"asset\":\"z-buffer\"}}"
+
+#define BOUNDARY "----zraster-test"
+#define TYPE     "Content-Type: multipart/form-data; boundary=" BOUNDARY
+
+static struct daemon server;
+
+static int start(void **state)
+{
+    (void)state;
+    server = daemon_start(NULL);
+    return 0;
+}
+
+static int stop(void **state)
+{
+    (void)state;
+    daemon_stop(&server);
+    return 0;
+}
+
+struct body {
+    char bytes[1 << 17];
+    size_t size;
+};
+
+static void add_part(struct body *body, const char *headers, const void *bytes, size_t size)
+{
+    body->size += (size_t)snprintf(body->bytes + body->size, sizeof body->bytes - body->size,
+                                   "--" BOUNDARY "\r\nContent-Disposition: form-data; %s\r\n\r\n", headers);
+    assert_true(body->size + size + 2 < sizeof body->bytes);
+    memcpy(body->bytes + body->size, bytes, size);
+    memcpy(body->bytes + body->size + size, "\r\n", 2);
+    body->size += size + 2;
+}
+
+static void end_parts(struct body *body)
+{
+    body->size += (size_t)snprintf(body->bytes + body->size, sizeof body->bytes - body->size, "--" BOUNDARY "--\r\n");
+}
+
+static struct reply send_body(const char *target, const char *const *headers, const void *bytes, size_t size)
+{
+    return client_send(&server, "POST", target, headers, bytes, size);
+}
+
+static struct reply send_parts(const char *target, const struct body *body)
+{
+    return send_body(target, (const char *const[]){TYPE, NULL}, body->bytes, body->size);
+}
+
+static struct reply send_scene(const char *target, const char *scene)
+{
+    return send_body(target, (const char *const[]){JSON_TYPE, NULL}, scene, strlen(scene));
+}
+
+/* The second polygon, and what the first one's picture was. */
+static void make_body(struct body *body)
+{
+    static const char scene[] = "{" VIEW INTO ",\"polygons\":[" SECOND "]}";
+    struct reply color = send_scene("/v1/render", "{" VIEW ",\"polygons\":[" FIRST "]}");
+    struct reply depth = send_scene("/v1/render?channel=windowDepth", "{" VIEW ",\"polygons\":[" FIRST "]}");
+    assert_int_equal(color.status, 200);
+    assert_int_equal(depth.status, 200);
+    body->size = 0;
+    add_part(body, "name=\"picture\"; filename=\"a.png\"\r\nContent-Type: image/png", color.body, color.size);
+    add_part(body, "name=scene\r\nContent-Type: application/json", scene, sizeof scene - 1);
+    add_part(body, "name=\"z-buffer\"", depth.body, depth.size);
+    end_parts(body);
+    reply_free(&color);
+    reply_free(&depth);
+}
+
+static void assert_is_whole(struct reply *reply, const char *target)
+{
+    struct reply whole = send_scene(target, "{" VIEW ",\"polygons\":[" FIRST "," SECOND "]}");
+    assert_int_equal(whole.status, 200);
+    if (reply->status != 200) fail_msg("%ld: %s", reply->status, reply->body);
+    assert_int_equal(reply->size, whole.size);
+    assert_memory_equal(reply->body, whole.body, whole.size);
+    reply_free(&whole);
+    reply_free(reply);
+}
+
+static void scene_drawn_into_its_parts_is_the_whole(void **state)
+{
+    (void)state;
+    static struct body body;
+    make_body(&body);
+    struct reply reply = send_parts("/v1/render", &body);
+    assert_string_equal(reply_header(&reply, "Zraster-Warnings"), "");
+    assert_is_whole(&reply, "/v1/render");
+    reply = send_parts("/v1/render?channel=windowDepth", &body);
+    assert_string_equal(reply_header(&reply, "Zraster-Warnings"), "");
+    assert_is_whole(&reply, "/v1/render?channel=windowDepth");
+}
+
+static void parts_may_be_compressed_together(void **state)
+{
+    (void)state;
+    static struct body body, packed;
+    make_body(&body);
+    z_stream stream = {.next_in = (Bytef *)body.bytes,
+                       .avail_in = (uInt)body.size,
+                       .next_out = (Bytef *)packed.bytes,
+                       .avail_out = sizeof packed.bytes};
+    assert_int_equal(deflateInit2(&stream, 9, Z_DEFLATED, MAX_WBITS + 16, 8, Z_DEFAULT_STRATEGY), Z_OK);
+    assert_int_equal(deflate(&stream, Z_FINISH), Z_STREAM_END);
+    packed.size = stream.total_out;
+    deflateEnd(&stream);
+    struct reply reply =
+        send_body("/v1/render", (const char *const[]){TYPE, "Content-Encoding: gzip", NULL}, packed.bytes, packed.size);
+    assert_is_whole(&reply, "/v1/render");
+}
+
+static void assert_refused(struct reply reply, long status, const char *text)
+{
+    if (reply.status != status || !strstr(reply.body, text)) fail_msg("%ld: %s", reply.status, reply.body);
+    assert_string_equal(reply_header(&reply, "Content-Type"), "application/problem+json");
+    reply_free(&reply);
+}
+
+static void broken_bodies_give_400(void **state)
+{
+    (void)state;
+    static struct body body;
+    assert_refused(send_body("/v1/render", (const char *const[]){"Content-Type: multipart/form-data", NULL}, "x", 1),
+                   400, "without a boundary");
+    assert_refused(send_body("/v1/render", (const char *const[]){TYPE, NULL}, GOOD_SCENE, strlen(GOOD_SCENE)), 400,
+                   "does not have the boundary");
+    body.size = 0;
+    add_part(&body, "name=other", GOOD_SCENE, strlen(GOOD_SCENE));
+    end_parts(&body);
+    assert_refused(send_parts("/v1/render", &body), 400, "no part has the name 'scene'");
+    body.size = 0;
+    add_part(&body, "name=scene\r\nContent-Type: model/obj", GOOD_SCENE, strlen(GOOD_SCENE));
+    end_parts(&body);
+    assert_refused(send_parts("/v1/render", &body), 400, "other than application/json");
+    make_body(&body);
+    body.size -= strlen("--" BOUNDARY "--\r\n");
+    assert_refused(send_parts("/v1/render", &body), 400, "closing boundary");
+}
+
+static void faults_of_the_scene_have_their_pointers(void **state)
+{
+    (void)state;
+    static const char scene[] = "{" VIEW INTO ",\"polygons\":[" SECOND "]}";
+    static struct body body;
+    body.size = 0;
+    add_part(&body, "name=scene", scene, sizeof scene - 1);
+    add_part(&body, "name=picture", "GIF89a", 6);
+    end_parts(&body);
+    assert_refused(send_parts("/v1/render", &body), 422, "\"pointer\":\"/base/windowDepth/asset\"");
+    assert_refused(send_scene("/v1/render", scene), 422, "\"pointer\":\"/base/color/asset\"");
+    body.size = 0;
+    add_part(&body, "name=scene", "{", 1);
+    end_parts(&body);
+    assert_refused(send_parts("/v1/render", &body), 400, "line 1");
+    assert_refused(send_parts("/v1/render?preset=top", &body), 400, "query parameter preset");
+}
+
+static void parts_that_nothing_asks_for_are_warned_of(void **state)
+{
+    (void)state;
+    static struct body body;
+    body.size = 0;
+    add_part(&body, "name=scene", GOOD_SCENE, strlen(GOOD_SCENE));
+    add_part(&body, "name=\"left over\"", "", 0);
+    end_parts(&body);
+    struct reply reply = send_parts("/v1/render", &body);
+    assert_int_equal(reply.status, 200);
+    assert_string_equal(reply_header(&reply, "Zraster-Warnings"), "the asset 'left over' is not used by the scene");
+    reply_free(&reply);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(scene_drawn_into_its_parts_is_the_whole),
+        cmocka_unit_test(parts_may_be_compressed_together),
+        cmocka_unit_test(broken_bodies_give_400),
+        cmocka_unit_test(faults_of_the_scene_have_their_pointers),
+        cmocka_unit_test(parts_that_nothing_asks_for_are_warned_of),
+    };
+    return cmocka_run_group_tests(tests, start, stop);
+}
