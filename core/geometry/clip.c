@@ -36,6 +36,15 @@ static zr_vec4 mix4(zr_vec4 o, zr_vec4 i, float t)
     return (zr_vec4){mix(o.x, i.x, t), mix(o.y, i.y, t), mix(o.z, i.z, t), mix(o.w, i.w, t)};
 }
 
+static inline struct zr_clip_vertex mix_vertex(const struct zr_clip_vertex *o, const struct zr_clip_vertex *i, float t)
+{
+    return (struct zr_clip_vertex){.position = mix4(o->position, i->position, t),
+                                   .front = mix4(o->front, i->front, t),
+                                   .back = mix4(o->back, i->back, t),
+                                   .eye_z = mix(o->eye_z, i->eye_z, t),
+                                   .eye_w = mix(o->eye_w, i->eye_w, t)};
+}
+
 /* Where the edge between two vertices on different sides meets the plane:
  * measured from the end nearer to it, on a tie from the inner one. */
 static struct zr_clip_vertex cross_plane(const struct zr_clip_vertex *inside, float d_inside,
@@ -44,12 +53,7 @@ static struct zr_clip_vertex cross_plane(const struct zr_clip_vertex *inside, fl
     bool from_outside = -d_outside < d_inside;
     const struct zr_clip_vertex *o = from_outside ? outside : inside, *i = from_outside ? inside : outside;
     float d_o = from_outside ? d_outside : d_inside, d_i = from_outside ? d_inside : d_outside;
-    float t = -d_o / (d_i - d_o);
-    return (struct zr_clip_vertex){.position = mix4(o->position, i->position, t),
-                                   .front = mix4(o->front, i->front, t),
-                                   .back = mix4(o->back, i->back, t),
-                                   .eye_z = mix(o->eye_z, i->eye_z, t),
-                                   .eye_w = mix(o->eye_w, i->eye_w, t)};
+    return mix_vertex(o, i, -d_o / (d_i - d_o));
 }
 
 static int clip_to_plane(int plane, const struct zr_clip_vertex *in, int count, struct zr_clip_vertex *out)
@@ -70,13 +74,32 @@ static int clip_to_plane(int plane, const struct zr_clip_vertex *in, int count, 
     return kept;
 }
 
-int zr_clip_triangle(const struct zr_clip_vertex tri[3], unsigned outcodes, struct zr_clip_vertex out[ZR_CLIP_MAX])
+/* What clip_to_plane will leave of the edges: bit i goes with the edge from vertex i to the next
+ * one. The edge along the plane, which starts where the polygon goes out, gets no bit. */
+static unsigned cut_edges(int plane, const struct zr_clip_vertex *in, int count, unsigned edges)
+{
+    unsigned left = 0;
+    int kept = 0;
+    bool inside = plane_distance(plane, in[0].position) >= 0.0f;
+    for (int i = 0; i < count && kept + 2 <= ZR_CLIP_MAX; i++) {
+        bool next_inside = plane_distance(plane, in[(i + 1) % count].position) >= 0.0f;
+        if (inside || next_inside) left |= (edges >> i & 1u) << kept;
+        kept += (inside ? 1 : 0) + (inside != next_inside ? 1 : 0);
+        inside = next_inside;
+    }
+    return left;
+}
+
+/* `edges` may be NULL. */
+static int clip_to_planes(const struct zr_clip_vertex tri[3], unsigned outcodes, unsigned *edges,
+                          struct zr_clip_vertex out[ZR_CLIP_MAX])
 {
     struct zr_clip_vertex buffers[2][ZR_CLIP_MAX];
     const struct zr_clip_vertex *in = tri;
     int count = 3, side = 0;
     for (int plane = 0; plane < PLANES && count >= 3; plane++) {
         if (!(outcodes >> plane & 1u)) continue;
+        if (edges) *edges = cut_edges(plane, in, count, *edges);
         count = clip_to_plane(plane, in, count, buffers[side]);
         in = buffers[side];
         side ^= 1;
@@ -84,4 +107,40 @@ int zr_clip_triangle(const struct zr_clip_vertex tri[3], unsigned outcodes, stru
     if (count < 3) return 0;
     memcpy(out, in, (size_t)count * sizeof *out);
     return count;
+}
+
+int zr_clip_triangle(const struct zr_clip_vertex tri[3], unsigned outcodes, struct zr_clip_vertex out[ZR_CLIP_MAX])
+{
+    return clip_to_planes(tri, outcodes, NULL, out);
+}
+
+int zr_clip_triangle_edges(const struct zr_clip_vertex tri[3], unsigned outcodes, unsigned *edges,
+                           struct zr_clip_vertex out[ZR_CLIP_MAX])
+{
+    return clip_to_planes(tri, outcodes, edges, out);
+}
+
+/* How much of the line, from its end at distance d towards the one at `other`, the plane cuts off. */
+static float cut_share(float d, float other, float share)
+{
+    if (!(d < 0.0f)) return share;
+    float t = d / (d - other);
+    return t > share ? t : share;
+}
+
+bool zr_clip_line(const struct zr_clip_vertex in[2], const unsigned outcodes[2], struct zr_clip_vertex out[2])
+{
+    if (outcodes[0] & outcodes[1]) return false;
+    float t0 = 0.0f, t1 = 0.0f;
+    for (int plane = 0; plane < PLANES; plane++) {
+        if (!((outcodes[0] | outcodes[1]) >> plane & 1u)) continue;
+        float d0 = plane_distance(plane, in[0].position), d1 = plane_distance(plane, in[1].position);
+        if (!isfinite(d0) || !isfinite(d1)) return false;
+        t0 = cut_share(d0, d1, t0);
+        t1 = cut_share(d1, d0, t1);
+    }
+    if (t0 + t1 >= 1.0f) return false;
+    out[0] = outcodes[0] ? mix_vertex(&in[0], &in[1], t0) : in[0];
+    out[1] = outcodes[1] ? mix_vertex(&in[1], &in[0], t1) : in[1];
+    return true;
 }
