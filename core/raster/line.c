@@ -1,0 +1,143 @@
+#include "raster/line.h"
+
+enum { X, Y, HALF_WIDTH = ZR_SUBPIXELS / 2 };
+
+/* A line as the rules below need it, by axis, so that one text serves both. */
+struct course {
+    float d[2]; /* from v1 to v0: against the direction of travel */
+    int major, minor;
+    float slope; /* minor over major */
+};
+
+/* One end, seen from the centre of the pixel that it lies in. */
+struct end {
+    float at[2];
+    float offset[2]; /* from the centre, -1/2 .. 1/2 */
+    bool ahead[2];   /* lies in the half of the pixel that the line travels towards */
+    bool in_diamond;
+};
+
+/* Zero counts as positive; which of two zeros is compared differs between the axes, as in
+ * the reference. */
+static bool is_ahead(int axis, float offset, float d)
+{
+    return axis == X ? (offset >= 0.0f) == (-d >= 0.0f) : (-offset >= 0.0f) == (d >= 0.0f);
+}
+
+static struct end end_make(const struct zr_window_vertex *v, const struct course *course, bool last)
+{
+    struct end end = {.at = {v->x, v->y}};
+    for (int axis = X; axis <= Y; axis++)
+        end.offset[axis] = end.at[axis] - floorf(end.at[axis]) - 0.5f;
+    /* On the border of two rows, and coming from the lower one: it is that one's upper border. */
+    float *minor = &end.offset[course->minor];
+    if (last && *minor == -0.5f && course->d[course->minor] < 0.0f) *minor = 0.5f;
+    for (int axis = X; axis <= Y; axis++)
+        end.ahead[axis] = is_ahead(axis, end.offset[axis], course->d[axis]);
+    end.in_diamond = fabsf(end.offset[X]) + fabsf(end.offset[Y]) < 0.5f;
+    return end;
+}
+
+/* Where the line, made longer, passes the pixel's centre column (or row): 0..1 inside the pixel. */
+static float crossing(const struct end *end, const struct course *course)
+{
+    float minor = end->at[course->minor];
+    return (minor - floorf(minor)) + end->offset[course->major] * course->slope;
+}
+
+/* Does the line leave the diamond of its first pixel? */
+static bool first_pixel_is_drawn(const struct end *end, const struct course *course)
+{
+    if (end->in_diamond) return true;
+    if (end->ahead[course->major]) return false;
+    if (!end->ahead[course->minor]) return true;
+    float c = crossing(end, course);
+    return c < 1.0f && c > 0.0f;
+}
+
+/* Has it left the diamond of its last one? */
+static bool last_pixel_is_drawn(const struct end *end, const struct course *course)
+{
+    if (end->in_diamond || !end->ahead[course->major]) return false;
+    if (end->ahead[course->minor]) return true;
+    float c = crossing(end, course);
+    return c < 1.0f && c >= 0.0f;
+}
+
+/* Half away from zero. */
+static int32_t snap(float window)
+{
+    float v = (window - 0.5f) * (float)ZR_SUBPIXELS;
+    return (int32_t)(v >= 0.0f ? v + 0.5f : v - 0.5f);
+}
+
+/* Does the fill rule alone give the end its pixel? `high` is the end farther up the major
+ * axis: it gets the pixel if that one's centre lies below, the other end if it lies above or
+ * on it. On the centre itself the reference is right about the first end of an x-major line only;
+ * so a y-major line down from a centre lacks its first pixel. (Mesa later put this right.) */
+static bool fill_rule_draws(float offset, const struct course *course, bool high, bool last)
+{
+    if (offset == 0.0f) return last || (course->major == X) != high;
+    return high == (offset > 0.0f);
+}
+
+/* The snapped end, by axis: where the fill rule does not do as `is_drawn` says, it is first
+ * moved back to the border of its pixel. */
+static void place_end(const struct end *end, const struct course *course, bool fill_draws, bool is_drawn,
+                      int32_t out[2])
+{
+    float move[2] = {0.0f, 0.0f}, offset = end->offset[course->major];
+    if (fill_draws != is_drawn) {
+        move[course->major] = course->d[course->major] < 0.0f ? -offset - 0.5f : -offset + 0.5f;
+        move[course->minor] = move[course->major] * course->slope;
+    }
+    for (int axis = X; axis <= Y; axis++)
+        out[axis] = snap(end->at[axis] + move[axis]);
+}
+
+static bool course_make(const struct zr_window_vertex *v0, const struct zr_window_vertex *v1, struct course *course)
+{
+    course->d[X] = v0->x - v1->x;
+    course->d[Y] = v0->y - v1->y;
+    if (!(course->d[X] * course->d[X] + course->d[Y] * course->d[Y] > 0.0f)) return false;
+    course->major = fabsf(course->d[X]) >= fabsf(course->d[Y]) ? X : Y;
+    course->minor = Y - course->major;
+    course->slope = course->d[course->minor] / course->d[course->major];
+    return true;
+}
+
+bool zr_line_corners_make(const struct zr_window_vertex *v0, const struct zr_window_vertex *v1,
+                          struct zr_line_corners *out)
+{
+    struct course course;
+    if (!course_make(v0, v1, &course)) return false;
+    bool rising = course.d[course.major] < 0.0f;
+    struct end first = end_make(v0, &course, false), last = end_make(v1, &course, true);
+    int32_t low[2], high[2];
+    bool fill_first = fill_rule_draws(first.offset[course.major], &course, !rising, false);
+    bool fill_last = fill_rule_draws(last.offset[course.major], &course, rising, true);
+    place_end(&first, &course, fill_first, first_pixel_is_drawn(&first, &course), rising ? low : high);
+    place_end(&last, &course, fill_last, last_pixel_is_drawn(&last, &course), rising ? high : low);
+    if (low[course.major] >= high[course.major]) return false;
+    if (course.major == X)
+        *out = (struct zr_line_corners){
+            .x = {high[X], low[X], low[X], high[X]},
+            .y = {high[Y] - HALF_WIDTH, low[Y] - HALF_WIDTH, low[Y] + HALF_WIDTH, high[Y] + HALF_WIDTH}};
+    else
+        *out = (struct zr_line_corners){
+            .x = {low[X] - HALF_WIDTH, high[X] - HALF_WIDTH, high[X] + HALF_WIDTH, low[X] + HALF_WIDTH},
+            .y = {low[Y], high[Y], high[Y], low[Y]}};
+    return true;
+}
+
+struct zr_line_basis zr_line_basis_make(const struct zr_window_vertex *v0, const struct zr_window_vertex *v1)
+{
+    struct zr_line_basis basis = {.x0 = v0->x - 0.5f, .y0 = v0->y - 0.5f};
+    float dx = v0->x - v1->x, dy = v0->y - v1->y;
+    basis.ooa = 1.0f / (dx * dx + dy * dy);
+    if (fabsf(dx) >= fabsf(dy))
+        basis.dx = dx * (1.0f + (dy / dx) * (dy / dx));
+    else
+        basis.dy = dy * (1.0f + (dx / dy) * (dx / dy));
+    return basis;
+}
