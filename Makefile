@@ -35,6 +35,7 @@ server := $(call objects,server/*.c)
 client := $(call objects,clients/*.c)
 support := $(call objects,tests/support/*.c)
 reference := $(call objects,tests/reference/*.c)
+lines := $(call objects,tests/reference/lines/*.c)
 bench := $(call objects,tests/bench/*.c)
 server_support := $(filter-out $(BUILD)/tests/server/test_%,$(call objects,tests/server/*.c))
 unit_tests := $(patsubst %.c,$(BUILD)/%,$(wildcard tests/unit/test_*.c tests/property/test_*.c))
@@ -78,7 +79,7 @@ bench: ## our times beside llvmpipe's, in one run
 	ZRASTERD=$(BUILD)/zrasterd $(BUILD)/zraster-bench --models $(DATA)/models
 
 .PHONY: tests
-tests: all $(unit_tests) $(server_tests) $(BUILD)/zraster-verify $(BUILD)/zraster-bench
+tests: all $(unit_tests) $(server_tests) $(BUILD)/zraster-verify $(BUILD)/zraster-verify-lines $(BUILD)/zraster-bench
 
 .PHONY: needs
 needs:
@@ -118,6 +119,9 @@ $(BUILD)/zraster: $(client)
 $(BUILD)/zraster-verify: $(reference) $(BUILD)/libsupport.a $(BUILD)/libzraster.a
 	$(LINK) $(REFERENCE_LIBS) $(CORE_LIBS)
 
+$(BUILD)/zraster-verify-lines: $(lines) $(BUILD)/tests/reference/reference_osmesa.o $(BUILD)/libzraster.a
+	$(LINK) $(REFERENCE_LIBS) $(CORE_LIBS)
+
 $(BUILD)/zraster-bench: $(bench) $(filter-out %/main.o,$(reference)) $(server_support) $(BUILD)/libsupport.a $(BUILD)/libzraster.a
 	$(LINK) $(REFERENCE_LIBS) $(TEST_LIBS) $(CORE_LIBS)
 
@@ -134,5 +138,5 @@ $(BUILD)/%.o: %.c
 	@mkdir -p $(@D)
 	$(Q)$(CC) $(OURS) $(CFLAGS) $(CPPFLAGS) $(EXACT) -MMD -MP -c -o $@ $<
 
--include $(patsubst %.o,%.d,$(core) $(server) $(client) $(support) $(reference) $(bench) $(server_support) \
+-include $(patsubst %.o,%.d,$(core) $(server) $(client) $(support) $(reference) $(lines) $(bench) $(server_support) \
 	$(addsuffix .o,$(unit_tests) $(server_tests)))

@@ -55,6 +55,8 @@ for part in "$@"; do
     clients) ZRASTERD=$build/zrasterd ZRASTER=$build/zraster run client tests/clients/test_client.sh ;;
     reference)
         run reference "$build/zraster-verify" --tap --triangles "${REFERENCE_TRIANGLES:-210000}" --failures "$build/reference-failures"
+        run reference-lines "$build/zraster-verify-lines" --primitives "${REFERENCE_LINES:-100000}"
+        run reference-line-faults "$build/zraster-verify-lines" --fault all --primitives 5000
         ;;
     models)
         if [ -d "$data/models" ]; then

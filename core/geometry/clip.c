@@ -36,7 +36,7 @@ static zr_vec4 mix4(zr_vec4 o, zr_vec4 i, float t)
     return (zr_vec4){mix(o.x, i.x, t), mix(o.y, i.y, t), mix(o.z, i.z, t), mix(o.w, i.w, t)};
 }
 
-static struct zr_clip_vertex mix_vertex(const struct zr_clip_vertex *o, const struct zr_clip_vertex *i, float t)
+static inline struct zr_clip_vertex mix_vertex(const struct zr_clip_vertex *o, const struct zr_clip_vertex *i, float t)
 {
     return (struct zr_clip_vertex){.position = mix4(o->position, i->position, t),
                                    .front = mix4(o->front, i->front, t),
@@ -56,52 +56,68 @@ static struct zr_clip_vertex cross_plane(const struct zr_clip_vertex *inside, fl
     return mix_vertex(o, i, -d_o / (d_i - d_o));
 }
 
-/* Bit i of *edges goes with the edge from vertex i to the next one. The edge along the
- * plane, which starts where the polygon goes out, gets no bit. */
-static int clip_to_plane(int plane, const struct zr_clip_vertex *in, int count, struct zr_clip_vertex *out,
-                         unsigned *edges)
+static int clip_to_plane(int plane, const struct zr_clip_vertex *in, int count, struct zr_clip_vertex *out)
 {
     int kept = 0;
-    unsigned kept_edges = 0;
     const struct zr_clip_vertex *previous = &in[0];
     float d_previous = plane_distance(plane, previous->position);
     for (int i = 1; i <= count && kept + 2 <= ZR_CLIP_MAX; i++) {
         const struct zr_clip_vertex *current = &in[i % count];
         float d = plane_distance(plane, current->position);
         bool inside = d >= 0.0f, previous_inside = d_previous >= 0.0f;
-        unsigned edge = *edges >> (i - 1) & 1u;
-        if (previous_inside || inside) kept_edges |= edge << kept;
         if (previous_inside) out[kept++] = *previous;
         if (inside && !previous_inside) out[kept++] = cross_plane(current, d, previous, d_previous);
         if (!inside && previous_inside) out[kept++] = cross_plane(previous, d_previous, current, d);
         previous = current;
         d_previous = d;
     }
-    *edges = kept_edges;
     return kept;
 }
 
-int zr_clip_triangle(const struct zr_clip_vertex tri[3], unsigned outcodes, struct zr_clip_vertex out[ZR_CLIP_MAX])
+/* What clip_to_plane will leave of the edges: bit i goes with the edge from vertex i to the next
+ * one. The edge along the plane, which starts where the polygon goes out, gets no bit. */
+static unsigned cut_edges(int plane, const struct zr_clip_vertex *in, int count, unsigned edges)
 {
-    unsigned edges = 0;
-    return zr_clip_triangle_edges(tri, outcodes, &edges, out);
+    unsigned left = 0;
+    int kept = 0;
+    bool inside = plane_distance(plane, in[0].position) >= 0.0f;
+    for (int i = 0; i < count && kept + 2 <= ZR_CLIP_MAX; i++) {
+        bool next_inside = plane_distance(plane, in[(i + 1) % count].position) >= 0.0f;
+        if (inside || next_inside) left |= (edges >> i & 1u) << kept;
+        kept += (inside ? 1 : 0) + (inside != next_inside ? 1 : 0);
+        inside = next_inside;
+    }
+    return left;
 }
 
-int zr_clip_triangle_edges(const struct zr_clip_vertex tri[3], unsigned outcodes, unsigned *edges,
-                           struct zr_clip_vertex out[ZR_CLIP_MAX])
+/* `edges` may be NULL. */
+static int clip_to_planes(const struct zr_clip_vertex tri[3], unsigned outcodes, unsigned *edges,
+                          struct zr_clip_vertex out[ZR_CLIP_MAX])
 {
     struct zr_clip_vertex buffers[2][ZR_CLIP_MAX];
     const struct zr_clip_vertex *in = tri;
     int count = 3, side = 0;
     for (int plane = 0; plane < PLANES && count >= 3; plane++) {
         if (!(outcodes >> plane & 1u)) continue;
-        count = clip_to_plane(plane, in, count, buffers[side], edges);
+        if (edges) *edges = cut_edges(plane, in, count, *edges);
+        count = clip_to_plane(plane, in, count, buffers[side]);
         in = buffers[side];
         side ^= 1;
     }
     if (count < 3) return 0;
     memcpy(out, in, (size_t)count * sizeof *out);
     return count;
+}
+
+int zr_clip_triangle(const struct zr_clip_vertex tri[3], unsigned outcodes, struct zr_clip_vertex out[ZR_CLIP_MAX])
+{
+    return clip_to_planes(tri, outcodes, NULL, out);
+}
+
+int zr_clip_triangle_edges(const struct zr_clip_vertex tri[3], unsigned outcodes, unsigned *edges,
+                           struct zr_clip_vertex out[ZR_CLIP_MAX])
+{
+    return clip_to_planes(tri, outcodes, edges, out);
 }
 
 /* How much of the line, from its end at distance d towards the one at `other`, the plane cuts off. */

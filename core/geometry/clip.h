@@ -3,8 +3,8 @@
  * Space:  clip space, -w <= x,y,z <= w, before the perspective division.
  * Why:    attributes are linear in clip space only; cut after the division
  *         and they bend. A corner with w <= 0 has no window position at all.
- * Exact:  as llvmpipe does it, to the last bit (llvmpipe's rules 2 and 3 in
- *         tests/reference/RULES.md): float32, no guard band, planes in a fixed order.
+ * Exact:  as llvmpipe does it, to the last bit (llvmpipe's rules 2, 3 and 13
+ *         in tests/reference/RULES.md): float32, no guard band, planes in a fixed order.
  */
 #ifndef ZR_CLIP_H
 #define ZR_CLIP_H

@@ -1,10 +1,10 @@
 /* outline.h - geometry: the edges of a triangle, or of what clipping left of it, as lines.
  *
  * Space:  window space.
- * Exact:  llvmpipe's glPolygonMode(GL_FRONT_AND_BACK, GL_LINE): the triangle is clipped as
- *         for filling, edges that the view volume made are left out, and each of the others
- *         is a line whose direction and place in the order matter (raster/line.h; of equal
- *         depths the earlier stays).
+ * Exact:  llvmpipe's glPolygonMode(GL_FRONT_AND_BACK, GL_LINE), the reference's rule 14: the
+ *         triangle is clipped as for filling, edges that the view volume made are left out,
+ *         and each of the others is a line whose direction (raster/line.h) and place in the
+ *         order matter: of equal depths the earlier stays.
  */
 #ifndef ZR_OUTLINE_H
 #define ZR_OUTLINE_H

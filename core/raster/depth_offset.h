@@ -7,7 +7,7 @@
  *         interpolation and before it is brought to 0..1. Not added to the plane's a0,
  *         which rounds differently. Lines and outlines are not pushed. Each piece of a
  *         clipped triangle has an offset of its own.
- * Exact:  llvmpipe's for a depth buffer of floats.
+ * Exact:  llvmpipe's for a depth buffer of floats (the reference's rule 15).
  */
 #ifndef ZR_DEPTH_OFFSET_H
 #define ZR_DEPTH_OFFSET_H

@@ -61,10 +61,10 @@ static bool last_pixel_is_drawn(const struct end *end, const struct course *cour
     if (end->in_diamond || !end->ahead[course->major]) return false;
     if (end->ahead[course->minor]) return true;
     float c = crossing(end, course);
-    return c < 1.0f && (c > 0.0f || (c == 0.0f && course->major == Y));
+    return c < 1.0f && c >= 0.0f;
 }
 
-/* Half away from zero. The sum is a float's: it rounds, too. */
+/* Half away from zero. */
 static int32_t snap(float window)
 {
     float v = (window - 0.5f) * (float)ZR_SUBPIXELS;

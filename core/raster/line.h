@@ -1,7 +1,7 @@
 /* line.h - raster: a line of width 1 -> the parallelogram that it covers, and its planes.
  *
  * Space:  window space, y up; corners on the snapped grid of geometry/viewport.h.
- * Exact:  as llvmpipe draws GL_LINES of width 1, to the last bit (the reference's rule 11).
+ * Exact:  as llvmpipe draws GL_LINES of width 1, to the last bit (the reference's rule 12).
  * Terms:  a line's major axis is the one it goes farther along, x where both are alike; the
  *         other one is minor. Its direction, v0 to v1, matters: of a chain of lines each
  *         pixel belongs to the line that leaves the diamond |x| + |y| < 1/2 around its centre.
