@@ -5,9 +5,19 @@
 #include "base/arena.h"
 #include "geometry/colors.h"
 #include "geometry/geometry.h"
+#include "geometry/triangulate.h"
 
 /* Beside the six plane bits: inside the volume, but without a place in the window. */
 enum { ZR_OUTCODE_UNPLACED = 1 << 7 };
+
+/* Scratch for faces that have to be triangulated, used again from face to face. */
+struct zr_cutting {
+    struct zr_triangulator triangulator;
+    uint32_t corner_room, ring_room;
+    zr_vec4 *points;          /* one a corner of the face */
+    uint32_t *offsets;        /* its rings */
+    uint32_t (*triangles)[3]; /* numbers of corners */
+};
 
 struct zr_builder {
     struct zr_arena *arena;
@@ -19,6 +29,7 @@ struct zr_builder {
     uint32_t shape_room, edge_room;
     uint32_t outline_color; /* 1 + index of the colour that outlines had last, or 0 */
     struct zr_viewport viewport;
+    struct zr_cutting cutting;
 
     /* of the instance under way */
     const struct zr_mesh *mesh;

@@ -17,9 +17,11 @@ zr_vec3 zr_normal_of_face(const struct zr_mesh *mesh, uint32_t face);
  * the order of the faces. NULL where the arena has failed. */
 zr_vec3 *zr_normals_of_vertices(struct zr_arena *arena, const struct zr_mesh *mesh);
 
-/* True where the face is no convex polygon: some corner turns against the winding, or the
- * ring crosses itself or goes round more than once. `normal` is zr_normal_of_face's.
- * Turns of less than 1e-4 radians are taken for rounding. */
-bool zr_face_is_concave(const struct zr_mesh *mesh, uint32_t face, zr_vec3 normal);
+/* True where the face is no convex polygon: some corner turns against the winding, or the ring crosses itself
+ * or goes round more than once. Computed in double against the Newell normal, without
+ * tolerance: a dent of one unit in the last place counts. Straight and repeated corners do not, as long as the
+ * turn comes out as 0 (along axes it does; elsewhere rounding of the corner itself may dent the face).
+ * Corners at infinity (w = 0) are taken as the points (x, y, z). */
+bool zr_face_is_concave(const struct zr_mesh *mesh, uint32_t face);
 
 #endif

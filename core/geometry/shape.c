@@ -105,32 +105,45 @@ static struct zr_shape shape_of_edges(const struct zr_geometry *geometry, uint32
     return shape;
 }
 
-static const uint32_t (*zr_face_triangulate(struct zr_builder *builder, uint32_t face, uint32_t *count))[3]
+/* The face's corners one after the other, as triangulation wants them. */
+static bool reserve_cutting(struct zr_builder *builder, uint32_t corners, uint32_t rings)
 {
-    struct zr_rings rings = zr_mesh_rings(builder->mesh, face);
-    uint32_t corners = rings.offsets[rings.count] - rings.offsets[0];
-    uint32_t(*out)[3] = zr_arena_alloc(builder->arena, corners, sizeof *out);
-    *count = 0;
-    if (!out) return NULL;
-    for (uint32_t r = 0; r < rings.count; r++)
-        for (uint32_t i = rings.offsets[r] + 2; i < rings.offsets[r + 1]; i++) {
-            out[*count][0] = i - 1 - rings.offsets[0];
-            out[*count][1] = i - rings.offsets[0];
-            out[(*count)++][2] = rings.offsets[r] - rings.offsets[0];
-        }
-    return (const uint32_t(*)[3])out;
+    struct zr_cutting *cutting = &builder->cutting;
+    if (!zr_triangulator_reserve(builder->arena, &cutting->triangulator, corners, rings)) return false;
+    if (corners <= cutting->corner_room && rings <= cutting->ring_room) return true;
+    if (corners > cutting->corner_room) cutting->corner_room = 2 * corners; /* the arena takes nothing back */
+    if (rings > cutting->ring_room) cutting->ring_room = 2 * rings;
+    size_t triangles = zr_triangulate_count_max(cutting->corner_room, cutting->ring_room);
+    cutting->points = zr_arena_alloc(builder->arena, cutting->corner_room, sizeof *cutting->points);
+    cutting->offsets = zr_arena_alloc(builder->arena, (size_t)cutting->ring_room + 1, sizeof *cutting->offsets);
+    cutting->triangles = zr_arena_alloc(builder->arena, triangles, sizeof *cutting->triangles);
+    return zr_arena_ok(builder->arena);
+}
+
+static uint32_t cut(struct zr_builder *builder, uint32_t face)
+{
+    const struct zr_mesh *mesh = builder->mesh;
+    struct zr_cutting *cutting = &builder->cutting;
+    struct zr_rings rings = zr_mesh_rings(mesh, face);
+    uint32_t begin = rings.offsets[0], corners = rings.offsets[rings.count] - begin;
+    if (!reserve_cutting(builder, corners, rings.count)) return 0;
+    for (uint32_t i = 0; i < corners; i++)
+        cutting->points[i] = mesh->positions[mesh->indices[begin + i]];
+    for (uint32_t r = 0; r <= rings.count; r++)
+        cutting->offsets[r] = rings.offsets[r] - begin;
+    return zr_triangulate(&cutting->triangulator, cutting->points, cutting->offsets, rings.count, cutting->triangles);
 }
 
 static void place_triangles(struct zr_builder *builder, uint32_t face, bool smooth, const struct zr_part *part)
 {
     const struct zr_mesh *mesh = builder->mesh;
-    uint32_t begin = mesh->face_offsets[face], count;
-    const uint32_t(*triangles)[3] = zr_face_triangulate(builder, face, &count);
+    uint32_t begin = mesh->face_offsets[face], count = cut(builder, face);
     for (uint32_t i = 0; i < count; i++) {
         struct zr_corners corners;
         for (int k = 0; k < 3; k++) {
-            corners.vertex[k] = mesh->indices[begin + triangles[i][k]];
-            corners.color[k] = zr_builder_color(builder, face, smooth, begin + triangles[i][k]);
+            uint32_t slot = begin + builder->cutting.triangles[i][k];
+            corners.vertex[k] = mesh->indices[slot];
+            corners.color[k] = zr_builder_color(builder, face, smooth, slot);
         }
         zr_place_triangle(builder, &corners, part);
     }

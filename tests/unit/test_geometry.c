@@ -164,19 +164,20 @@ static void normals_of_vertices_weigh_faces_by_area(void **state)
 
 static bool is_concave(const zr_vec4 *ring, uint32_t count)
 {
-    /* Whatever plane it lies in, and from either side. */
-    int concave = 0;
+    /* Whatever plane it lies in, from either side, and from each corner on. */
+    uint32_t concave = 0;
     for (int plane = 0; plane < 3; plane++)
-        for (int turned = 0; turned < 2; turned++) {
+        for (uint32_t turned = 0; turned < 2 * count; turned++) {
             zr_vec4 p[8];
             for (uint32_t i = 0; i < count; i++) {
-                zr_vec4 q = ring[turned ? count - 1 - i : i];
-                p[i] = plane == 0 ? q : plane == 1 ? (zr_vec4){q.y, q.z, q.x, 1} : (zr_vec4){q.z, q.x, q.y, 1};
+                uint32_t from = (i + turned / 2) % count;
+                zr_vec4 q = ring[turned % 2 ? count - 1 - from : from];
+                p[i] = plane == 0 ? q : plane == 1 ? (zr_vec4){q.y, q.z, q.x, q.w} : (zr_vec4){q.z, q.x, q.y, q.w};
             }
             struct zr_mesh mesh = quad_mesh(p, count);
-            concave += zr_face_is_concave(&mesh, 0, zr_normal_of_face(&mesh, 0));
+            concave += zr_face_is_concave(&mesh, 0);
         }
-    assert_true(concave == 0 || concave == 6);
+    assert_true(concave == 0 || concave == 6 * count);
     return concave > 0;
 }
 
@@ -204,6 +205,29 @@ static void faces_with_dents_or_crossings_are_concave_and_convex_ones_are_not(vo
     assert_false(is_concave(midpoints, 8));
     const zr_vec4 needle[4] = {{0, 0, 0, 1}, {1000, -0.5f, 0, 1}, {2000, 0, 0, 1}, {1000, 0.5f, 0, 1}};
     assert_false(is_concave(needle, 4));
+}
+
+static void faces_are_convex_only_if_they_are_exactly(void **state)
+{
+    (void)state;
+    const zr_vec4 dent[5] = {{0, 0, 0, 1}, {1, 0, 0, 1}, {1, 1, 0, 1}, {0.5f, 1.0f - 1e-6f, 0, 1}, {0, 1, 0, 1}};
+    assert_true(is_concave(dent, 5));
+    const zr_vec4 bulge[5] = {{0, 0, 0, 1}, {1, 0, 0, 1}, {1, 1, 0, 1}, {0.5f, 1.0f + 1e-6f, 0, 1}, {0, 1, 0, 1}};
+    assert_false(is_concave(bulge, 5));
+    const zr_vec4 repeated_dent[6] = {{2, 0, 0, 1}, {0.5f, 0.5f, 0, 1}, {0.5f, 0.5f, 0, 1},
+                                      {0, 2, 0, 1}, {0, 0, 0, 1},       {0, 0, 0, 1}};
+    assert_true(is_concave(repeated_dent, 6));
+    const zr_vec4 on_slanted_edge[5] = {{0, 0, 0, 1}, {2, 2, 0, 1}, {0, 4, 0, 1}, {-1, 3, 0, 1}, {-2, 2, 0, 1}};
+    assert_false(is_concave(on_slanted_edge, 5));
+    const zr_vec4 spike[5] = {{0, 0, 0, 1}, {3, 0, 0, 1}, {2, 0, 0, 1}, {2, 2, 0, 1}, {0, 2, 0, 1}};
+    assert_true(is_concave(spike, 5));
+    const zr_vec4 twice_round[8] = {{0, 0, 0, 1}, {1, 0, 0, 1}, {1, 1, 0, 1}, {0, 1, 0, 1},
+                                    {0, 0, 0, 1}, {1, 0, 0, 1}, {1, 1, 0, 1}, {0, 1, 0, 1}};
+    assert_true(is_concave(twice_round, 8));
+    const zr_vec4 one_line[4] = {{0, 0, 0, 1}, {1, 2, 0, 1}, {3, 6, 0, 1}, {2, 4, 0, 1}};
+    assert_false(is_concave(one_line, 4));
+    const zr_vec4 divided[4] = {{0, 0, 0, 1}, {2, 0, 0, 0.5f}, {2, 2, 0, 2}, {0, 4, 0, 1}};
+    assert_true(is_concave(divided, 4));
 }
 
 static void light_follows_the_cosine_and_shows_on_one_side_only(void **state)
@@ -303,6 +327,7 @@ int main(void)
         cmocka_unit_test(normal_of_face_is_twice_its_area_towards_its_front),
         cmocka_unit_test(normals_of_vertices_weigh_faces_by_area),
         cmocka_unit_test(faces_with_dents_or_crossings_are_concave_and_convex_ones_are_not),
+        cmocka_unit_test(faces_are_convex_only_if_they_are_exactly),
         cmocka_unit_test(light_follows_the_cosine_and_shows_on_one_side_only),
         cmocka_unit_test(light_on_a_mirrored_instance_stays_outside),
         cmocka_unit_test(geometry_counts_every_triangle_once),

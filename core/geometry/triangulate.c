@@ -1,0 +1,211 @@
+#include "geometry/triangulate.h"
+
+#include <string.h>
+
+typedef struct zr_node node;
+
+/* What is left of the face while triangles are cut from it. */
+struct cutter {
+    node *nodes;
+    uint32_t left; /* nodes of the loop */
+    uint32_t (*out)[3];
+    uint32_t count;
+    uint64_t visits;
+};
+
+enum { TRIANGLE = 3 };
+
+/* ---- sizes ---- */
+
+uint32_t zr_triangulate_nodes_max(uint32_t corners, uint32_t rings)
+{
+    uint64_t nodes = corners + 2 * (uint64_t)(rings > 0 ? rings - 1 : 0);
+    return nodes < UINT32_MAX ? (uint32_t)nodes : UINT32_MAX;
+}
+
+uint32_t zr_triangulate_count_max(uint32_t corners, uint32_t rings)
+{
+    uint32_t nodes = zr_triangulate_nodes_max(corners, rings);
+    return nodes > 2 ? nodes - 2 : 0;
+}
+
+bool zr_triangulator_reserve(struct zr_arena *arena, struct zr_triangulator *scratch, uint32_t corners, uint32_t rings)
+{
+    uint32_t nodes = zr_triangulate_nodes_max(corners, rings);
+    if (nodes > scratch->node_capacity) {
+        scratch->loops.nodes = zr_arena_alloc(arena, nodes, sizeof *scratch->loops.nodes);
+        scratch->node_capacity = scratch->loops.nodes ? nodes : 0;
+    }
+    if (rings > scratch->ring_capacity) {
+        scratch->loops.rightmost = zr_arena_alloc(arena, rings, sizeof *scratch->loops.rightmost);
+        scratch->ring_capacity = scratch->loops.rightmost ? rings : 0;
+    }
+    return zr_arena_ok(arena);
+}
+
+/* ---- ears ---- */
+
+/* Cuts corner b off. Corners that are one and the same, at the ends of a bridge, make no triangle:
+ * its edges cancel. */
+static void cut(struct cutter *t, uint32_t b)
+{
+    node *nodes = t->nodes, *at = &nodes[b];
+    uint32_t a = at->previous, c = at->next;
+    uint32_t i = nodes[a].corner, j = at->corner, k = nodes[c].corner;
+    bool left = zr_node_turn(&nodes[a], at, &nodes[c]) >= 0.0;
+    if (i != j && j != k && k != i)
+        memcpy(t->out[t->count++], (uint32_t[3]){i, left ? j : k, left ? k : j}, sizeof *t->out);
+    at->done = true;
+    t->left--;
+    nodes[a].next = c;
+    nodes[c].previous = a;
+    nodes[a].blocked = nodes[c].blocked = false;
+}
+
+/* Does an edge lead from p, in the same place as `at`, into the angle from b to c? */
+static bool enters(const node *nodes, const node *p, const node *at, const node *b, const node *c)
+{
+    const node *previous = &nodes[p->previous], *next = &nodes[p->next];
+    return (zr_node_turn(at, b, previous) > 0.0 && zr_node_turn(at, previous, c) > 0.0) ||
+           (zr_node_turn(at, b, next) > 0.0 && zr_node_turn(at, next, c) > 0.0);
+}
+
+/* Is p, which is in the box around the triangle, in its way? Of corners within it or on its edges
+ * only those that turn right, or do not turn, can be: a corner that turns left touches it from outside. */
+static bool is_in_the_way(const node *nodes, const node *p, const node *a, const node *b, const node *c)
+{
+    if (zr_node_turn(a, b, p) < 0.0 || zr_node_turn(b, c, p) < 0.0 || zr_node_turn(c, a, p) < 0.0) return false;
+    if (zr_node_is_at(p, a)) return enters(nodes, p, a, b, c);
+    if (zr_node_is_at(p, b)) return enters(nodes, p, b, c, a);
+    if (zr_node_is_at(p, c)) return enters(nodes, p, c, a, b);
+    return zr_node_turn(&nodes[p->previous], p, &nodes[p->next]) <= 0.0;
+}
+
+/* Goes back the way that it came, or stays in one place: nothing is lost with it. A spike that points
+ * outwards must go at once, lest one of its sides be taken for the side of an ear. */
+static bool is_spike(const node *nodes, uint32_t at)
+{
+    const node *b = &nodes[at], *a = &nodes[b->previous], *c = &nodes[b->next];
+    return zr_node_turn(a, b, c) == 0.0 && zr_node_along(a, b, c) <= 0.0;
+}
+
+static bool is_ear(struct cutter *t, uint32_t at)
+{
+    const node *nodes = t->nodes, *b = &nodes[at], *a = &nodes[b->previous], *c = &nodes[b->next];
+    if (!(zr_node_turn(a, b, c) > 0.0)) return is_spike(nodes, at);
+    double u0 = a->u < b->u ? a->u : b->u, u1 = a->u > b->u ? a->u : b->u;
+    double v0 = a->v < b->v ? a->v : b->v, v1 = a->v > b->v ? a->v : b->v;
+    u0 = c->u < u0 ? c->u : u0;
+    u1 = c->u > u1 ? c->u : u1;
+    v0 = c->v < v0 ? c->v : v0;
+    v1 = c->v > v1 ? c->v : v1;
+    for (const node *p = &nodes[c->next]; p != a; p = &nodes[p->next]) {
+        t->visits++;
+        if (p->u < u0 || p->u > u1 || p->v < v0 || p->v > v1) continue;
+        if (is_in_the_way(nodes, p, a, b, c)) return false;
+    }
+    return true;
+}
+
+/* Where no ear is left: the corner whose triangle is smallest, which may be a straight one. */
+static uint32_t least_bad(struct cutter *t, uint32_t at, double *area)
+{
+    uint32_t best = at, i = at;
+    do {
+        const node *b = &t->nodes[i];
+        double size = fabs(zr_node_turn(&t->nodes[b->previous], b, &t->nodes[b->next]));
+        if (i == at || size < *area) {
+            best = i;
+            *area = size;
+        }
+        t->visits++;
+        i = b->next;
+    } while (i != at);
+    return best;
+}
+
+/* Cuts spikes until there are none, and returns a corner that is left. */
+static uint32_t cut_spikes(struct cutter *t, uint32_t at)
+{
+    for (uint32_t passed = 0; passed < t->left && t->left > TRIANGLE; t->visits++) {
+        if (is_spike(t->nodes, at)) {
+            uint32_t previous = t->nodes[at].previous;
+            cut(t, at);
+            at = previous;
+            passed = 0;
+        } else {
+            at = t->nodes[at].next;
+            passed++;
+        }
+    }
+    return at;
+}
+
+/* Where to go on when the corner between a and c has been cut: over the next one, which keeps ears from
+ * becoming a fan. */
+static uint32_t after_cut(const node *nodes, uint32_t a, uint32_t c)
+{
+    return is_spike(nodes, a) ? a : is_spike(nodes, c) ? c : nodes[c].next;
+}
+
+/* Goes around and cuts ears. A corner that is no ear stays none until a neighbour goes; so it is where edges
+ * do not cross, and where they do, all corners are looked at once more before one is cut that
+ * is no ear. */
+static void cut_loop(struct cutter *t, uint32_t at)
+{
+    node *nodes = t->nodes;
+    t->left = 1;
+    for (uint32_t i = nodes[at].next; i != at; i = nodes[i].next)
+        t->left++;
+    at = cut_spikes(t, at);
+    bool again = true;
+    for (uint32_t missed = 0; t->left > TRIANGLE;) {
+        t->visits++;
+        if (nodes[at].blocked || !is_ear(t, at)) {
+            nodes[at].blocked = true;
+            at = nodes[at].next;
+            if (++missed < t->left) continue;
+            missed = 0;
+            double area = 0.0;
+            at = least_bad(t, at, &area);
+            if (area > 0.0 && again) {
+                again = false;
+                for (uint32_t i = 0; i < t->left; i++, at = nodes[at].next)
+                    nodes[at].blocked = false;
+                continue;
+            }
+        }
+        uint32_t a = nodes[at].previous, c = nodes[at].next;
+        cut(t, at);
+        at = after_cut(nodes, a, c);
+        missed = 0;
+    }
+    cut(t, at);
+    nodes[nodes[at].previous].done = nodes[nodes[at].next].done = true;
+}
+
+/* ---- the face ---- */
+
+static uint32_t cut_into_fans(const uint32_t *ring_offsets, uint32_t rings, uint32_t (*out)[3])
+{
+    uint32_t count = 0;
+    for (uint32_t r = 0; r < rings; r++)
+        for (uint32_t i = ring_offsets[r] + 2; i < ring_offsets[r + 1]; i++)
+            memcpy(out[count++], (uint32_t[3]){i - 1, i, ring_offsets[r]}, sizeof *out);
+    return count;
+}
+
+uint32_t zr_triangulate(struct zr_triangulator *scratch, const zr_vec4 *points, const uint32_t *ring_offsets,
+                        uint32_t rings, uint32_t (*out)[3])
+{
+    int axes[2];
+    struct zr_loops *loops = &scratch->loops;
+    loops->visits = 0;
+    if (!zr_loops_axes(points, ring_offsets, rings, axes)) return cut_into_fans(ring_offsets, rings, out);
+    zr_loops_join(loops, points, ring_offsets, rings, axes);
+    struct cutter cutter = {.nodes = loops->nodes, .out = out};
+    for (uint32_t i = 0; i < loops->node_count; i++)
+        if (!loops->nodes[i].done) cut_loop(&cutter, i);
+    loops->visits += cutter.visits;
+    return cutter.count;
+}
