@@ -29,14 +29,22 @@ uint32_t zr_triangulate_count_max(uint32_t corners, uint32_t rings)
     return nodes > 2 ? nodes - 2 : 0;
 }
 
+/* At least doubles, so that faces that grow one by one do not eat up the arena. */
+static uint32_t grown(uint32_t capacity, uint32_t wanted)
+{
+    return capacity > wanted / 2 && capacity <= UINT32_MAX / 2 ? 2 * capacity : wanted;
+}
+
 bool zr_triangulator_reserve(struct zr_arena *arena, struct zr_triangulator *scratch, uint32_t corners, uint32_t rings)
 {
     uint32_t nodes = zr_triangulate_nodes_max(corners, rings);
     if (nodes > scratch->node_capacity) {
+        nodes = grown(scratch->node_capacity, nodes);
         scratch->loops.nodes = zr_arena_alloc(arena, nodes, sizeof *scratch->loops.nodes);
         scratch->node_capacity = scratch->loops.nodes ? nodes : 0;
     }
     if (rings > scratch->ring_capacity) {
+        rings = grown(scratch->ring_capacity, rings);
         scratch->loops.rightmost = zr_arena_alloc(arena, rings, sizeof *scratch->loops.rightmost);
         scratch->ring_capacity = scratch->loops.rightmost ? rings : 0;
     }

@@ -147,6 +147,18 @@ static void triangulate_rings_of_fewer_than_three_corners_are_left_out(void **st
     assert_int_equal(zr_triangulate_count_max(2, 1), 0);
 }
 
+static void triangulate_scratch_that_grows_one_by_one_stays_small(void **state)
+{
+    (void)state;
+    struct zr_arena own;
+    struct zr_triangulator growing = {.node_capacity = 0};
+    zr_arena_init(&own, 1 << 20);
+    for (uint32_t corners = 3; corners <= CORNERS_MAX; corners++)
+        assert_true(zr_triangulator_reserve(&own, &growing, corners, corners / 3));
+    assert_true(own.used <= 4 * zr_triangulate_nodes_max(CORNERS_MAX, RINGS_MAX) * sizeof(struct zr_node));
+    zr_arena_free(&own);
+}
+
 static void triangulate_without_memory_is_refused(void **state)
 {
     (void)state;
@@ -389,6 +401,7 @@ int main(void)
         cmocka_unit_test(triangulate_dart_gives_its_two_triangles_on_its_side),
         cmocka_unit_test(triangulate_numbers_corners_as_offsets_do),
         cmocka_unit_test(triangulate_rings_of_fewer_than_three_corners_are_left_out),
+        cmocka_unit_test(triangulate_scratch_that_grows_one_by_one_stays_small),
         cmocka_unit_test(triangulate_without_memory_is_refused),
         cmocka_unit_test(triangulate_stars_gives_true_triangulations),
         cmocka_unit_test(triangulate_uncrossed_rings_gives_true_triangulations),
