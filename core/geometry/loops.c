@@ -61,6 +61,7 @@ bool zr_loops_axes(const zr_vec4 *points, const uint32_t *ring_offsets, uint32_t
             !add_normal(points, ring_offsets[r], ring_offsets[r + 1], r == 0 ? normal : others, size))
             return false;
     int axis = largest(normal), widest = largest(size);
+    if (!(size[widest] > 0.0)) return false;
     if (fabs(normal[axis]) < 1e-3 * size[widest]) axis = widest;
     bool behind = normal[axis] < 0.0;
     axes[behind] = (axis + 1) % 3;
@@ -137,7 +138,7 @@ static bool look_right(const struct zr_loops *t, const node *m, const node *n, u
         if (side == 0.0) side = upward ? zr_node_turn(p, q, n) : zr_node_turn(q, p, n);
         if (side < 0.0) continue;
         odd = !odd;
-        double u = q->v == m->v ? q->u : p->u + (m->v - p->v) * ((q->u - p->u) / (q->v - p->v));
+        double u = p->u + (m->v - p->v) * ((q->u - p->u) / (q->v - p->v));
         if (!upward || (*wall != NONE && u >= nearest)) continue;
         nearest = u;
         *wall = i;

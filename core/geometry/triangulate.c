@@ -29,14 +29,22 @@ uint32_t zr_triangulate_count_max(uint32_t corners, uint32_t rings)
     return nodes > 2 ? nodes - 2 : 0;
 }
 
+/* At least doubles, so that faces that grow one by one do not eat up the arena. */
+static uint32_t grown(uint32_t capacity, uint32_t wanted)
+{
+    return capacity > wanted / 2 && capacity <= UINT32_MAX / 2 ? 2 * capacity : wanted;
+}
+
 bool zr_triangulator_reserve(struct zr_arena *arena, struct zr_triangulator *scratch, uint32_t corners, uint32_t rings)
 {
     uint32_t nodes = zr_triangulate_nodes_max(corners, rings);
     if (nodes > scratch->node_capacity) {
+        nodes = grown(scratch->node_capacity, nodes);
         scratch->loops.nodes = zr_arena_alloc(arena, nodes, sizeof *scratch->loops.nodes);
         scratch->node_capacity = scratch->loops.nodes ? nodes : 0;
     }
     if (rings > scratch->ring_capacity) {
+        rings = grown(scratch->ring_capacity, rings);
         scratch->loops.rightmost = zr_arena_alloc(arena, rings, sizeof *scratch->loops.rightmost);
         scratch->ring_capacity = scratch->loops.rightmost ? rings : 0;
     }
@@ -108,37 +116,21 @@ static bool is_ear(struct cutter *t, uint32_t at)
 }
 
 /* Where no ear is left: the corner whose triangle is smallest, which may be a straight one. */
-static uint32_t least_bad(struct cutter *t, uint32_t at, double *area)
+static uint32_t least_bad(struct cutter *t, uint32_t at)
 {
+    double smallest = (double)INFINITY;
     uint32_t best = at, i = at;
     do {
         const node *b = &t->nodes[i];
-        double size = fabs(zr_node_turn(&t->nodes[b->previous], b, &t->nodes[b->next]));
-        if (i == at || size < *area) {
+        double area = fabs(zr_node_turn(&t->nodes[b->previous], b, &t->nodes[b->next]));
+        if (area < smallest) {
             best = i;
-            *area = size;
+            smallest = area;
         }
         t->visits++;
         i = b->next;
     } while (i != at);
     return best;
-}
-
-/* Cuts spikes until there are none, and returns a corner that is left. */
-static uint32_t cut_spikes(struct cutter *t, uint32_t at)
-{
-    for (uint32_t passed = 0; passed < t->left && t->left > TRIANGLE; t->visits++) {
-        if (is_spike(t->nodes, at)) {
-            uint32_t previous = t->nodes[at].previous;
-            cut(t, at);
-            at = previous;
-            passed = 0;
-        } else {
-            at = t->nodes[at].next;
-            passed++;
-        }
-    }
-    return at;
 }
 
 /* Where to go on when the corner between a and c has been cut: over the next one, which keeps ears from
@@ -148,32 +140,22 @@ static uint32_t after_cut(const node *nodes, uint32_t a, uint32_t c)
     return is_spike(nodes, a) ? a : is_spike(nodes, c) ? c : nodes[c].next;
 }
 
-/* Goes around and cuts ears. A corner that is no ear stays none until a neighbour goes; so it is where edges
- * do not cross, and where they do, all corners are looked at once more before one is cut that
- * is no ear. */
+/* Goes around and cuts ears. A corner that is no ear stays none until a neighbour goes: so it is where edges do
+ * not cross, and where they do, looking again has not been seen to make things better. */
 static void cut_loop(struct cutter *t, uint32_t at)
 {
     node *nodes = t->nodes;
     t->left = 1;
     for (uint32_t i = nodes[at].next; i != at; i = nodes[i].next)
         t->left++;
-    at = cut_spikes(t, at);
-    bool again = true;
-    for (uint32_t missed = 0; t->left > TRIANGLE;) {
+    uint32_t missed = 0;
+    while (t->left > TRIANGLE) {
         t->visits++;
         if (nodes[at].blocked || !is_ear(t, at)) {
             nodes[at].blocked = true;
             at = nodes[at].next;
             if (++missed < t->left) continue;
-            missed = 0;
-            double area = 0.0;
-            at = least_bad(t, at, &area);
-            if (area > 0.0 && again) {
-                again = false;
-                for (uint32_t i = 0; i < t->left; i++, at = nodes[at].next)
-                    nodes[at].blocked = false;
-                continue;
-            }
+            at = least_bad(t, at);
         }
         uint32_t a = nodes[at].previous, c = nodes[at].next;
         cut(t, at);

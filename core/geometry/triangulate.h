@@ -12,8 +12,8 @@
  *           zr_triangulate_nodes_max is spent on looking at corners; there is no recursion.
  *         Rings that do not touch or cross, nested as they may be, give a true triangulation of what
  *         is inside by parity: no triangles overlap, their areas sum up to its area. So does a hole that
- *         touches the ring around it in corners; where several touch each other, and where edges
- *         cross, triangles may overlap.
+ *         touches the ring around it in corners; where several touch each other (seldom), and where
+ *         edges cross, triangles may overlap.
  * Exact:  the predicates are sums and products of differences in double. For float32 coordinates the
  *         differences are exact unless exponents are more than 29 apart; products may round, and then a
  *         corner that is all but straight can be taken for the other kind: a sliver is cut otherwise.
@@ -30,7 +30,7 @@
 #include "base/arena.h"
 #include "geometry/loops.h"
 
-enum { ZR_TRIANGULATE_VISITS = 7 };
+enum { ZR_TRIANGULATE_VISITS = 5 };
 
 /* Scratch, used again from call to call. All zero to begin with; one thread's. */
 struct zr_triangulator {
@@ -48,12 +48,12 @@ uint32_t zr_triangulate_count_max(uint32_t corners, uint32_t rings);
  * arena, from which the scratch is taken, has failed. */
 bool zr_triangulator_reserve(struct zr_arena *arena, struct zr_triangulator *scratch, uint32_t corners, uint32_t rings);
 
-/* Ring r of `rings` has the corners ring_offsets[r] to ring_offsets[r + 1] - 1, in either direction;
+/* Ring r of `rings` (at least 1) has the corners ring_offsets[r] to ring_offsets[r + 1] - 1, in either direction;
  * offsets never fall, and the first need not be 0. Ring 0 gives the plane (its Newell normal) and the side that
  * triangles face; what is inside is told by nesting alone. Rings of fewer than 3 corners are left out. Where a corner
- * is at infinity (w = 0) or not finite, each ring becomes the fan (i - 1, i, first), as GL_POLYGON does. Writes triples
- * of corners to `out`, which has room for zr_triangulate_count_max, and returns their number. `scratch` has been
- * reserved for the face. Corners may repeat a place, never a number. */
+ * is at infinity (w = 0) or not finite, and where no ring has an area, each ring becomes the fan (i - 1, i, first), as
+ * with GL_POLYGON. Writes triples of corners to `out`, which has room for zr_triangulate_count_max, and returns their
+ * number. `scratch` has been reserved for the face. Corners may repeat a place, never a number. */
 uint32_t zr_triangulate(struct zr_triangulator *scratch, const zr_vec4 *points, const uint32_t *ring_offsets,
                         uint32_t rings, uint32_t (*out)[3]);
 

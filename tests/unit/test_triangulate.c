@@ -84,8 +84,6 @@ static void triangulate(const struct face *face, struct result *result)
     assert_sane(face, result);
     again.count = zr_triangulate(&scratch, points, face->ring_offsets, face->rings, again.triangles);
     assert_sane(face, &again);
-    /* Corners on a line have no plane: they may be cut in another order. */
-    if (area_of_triangles(face, result) == 0) return;
     assert_int_equal(again.count, result->count);
     assert_memory_equal(again.triangles, result->triangles, result->count * sizeof result->triangles[0]);
 }
@@ -147,6 +145,18 @@ static void triangulate_rings_of_fewer_than_three_corners_are_left_out(void **st
     assert_int_equal(out[0][0] + out[0][1] + out[0][2], 2 + 3 + 4);
     assert_int_equal(triangulate_points(points, offsets, 1, out), 0);
     assert_int_equal(zr_triangulate_count_max(2, 1), 0);
+}
+
+static void triangulate_scratch_that_grows_one_by_one_stays_small(void **state)
+{
+    (void)state;
+    struct zr_arena own;
+    struct zr_triangulator growing = {.node_capacity = 0};
+    zr_arena_init(&own, 1 << 20);
+    for (uint32_t corners = 3; corners <= CORNERS_MAX; corners++)
+        assert_true(zr_triangulator_reserve(&own, &growing, corners, corners / 3));
+    assert_true(own.used <= 4 * zr_triangulate_nodes_max(CORNERS_MAX, RINGS_MAX) * sizeof(struct zr_node));
+    zr_arena_free(&own);
 }
 
 static void triangulate_without_memory_is_refused(void **state)
@@ -323,16 +333,20 @@ static void triangulate_hole_that_touches_in_corners_gives_the_area(void **state
     assert_true(touching > 500);
 }
 
-static void triangulate_holes_that_touch_each_other_keeps_their_edges(void **state)
+/* Where rings touch from all sides the bridges can lie too badly for ears alone. */
+static void triangulate_holes_that_touch_each_other_rarely_overlaps(void **state)
 {
     (void)state;
     struct random random = random_seeded(9);
-    for (uint32_t i = 0; i < 500; i++) {
+    uint32_t overlapping = 0;
+    for (uint32_t i = 0; i < 2000; i++) {
         start(&face);
         add_star(&face, &random, 8, 8, 8, 4 + random_below(&random, 12));
         add_touching_triangles(&random, 10);
         triangulate(&face, &result);
+        overlapping += area_of_triangles(&face, &result) != area_by_nesting(&face);
     }
+    assert_true(overlapping <= 2000 / 500);
 }
 
 static void triangulate_point_at_infinity_gives_fans(void **state)
@@ -387,6 +401,7 @@ int main(void)
         cmocka_unit_test(triangulate_dart_gives_its_two_triangles_on_its_side),
         cmocka_unit_test(triangulate_numbers_corners_as_offsets_do),
         cmocka_unit_test(triangulate_rings_of_fewer_than_three_corners_are_left_out),
+        cmocka_unit_test(triangulate_scratch_that_grows_one_by_one_stays_small),
         cmocka_unit_test(triangulate_without_memory_is_refused),
         cmocka_unit_test(triangulate_stars_gives_true_triangulations),
         cmocka_unit_test(triangulate_uncrossed_rings_gives_true_triangulations),
@@ -396,7 +411,7 @@ int main(void)
         cmocka_unit_test(triangulate_corners_on_one_line_or_in_one_place_keeps_their_edges),
         cmocka_unit_test(triangulate_repeated_corners_and_spikes_keeps_the_area),
         cmocka_unit_test(triangulate_hole_that_touches_in_corners_gives_the_area),
-        cmocka_unit_test(triangulate_holes_that_touch_each_other_keeps_their_edges),
+        cmocka_unit_test(triangulate_holes_that_touch_each_other_rarely_overlaps),
         cmocka_unit_test(triangulate_point_at_infinity_gives_fans),
         cmocka_unit_test(triangulate_most_corners_stays_within_its_bound),
     };
