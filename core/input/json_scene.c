@@ -128,6 +128,8 @@ static void build(struct zr_draft *draft, const cJSON *root)
     zr_draft_read_materials(draft, ZR_JSON_KEY(NULL, words[MATERIALS]), found[MATERIALS]);
     if (!zr_arena_ok(json->arena)) return;
     read_meshes(draft, found[MESHES], found[POLYGONS]);
+    if (found[VIEW] && zr_arena_ok(json->arena))
+        zr_draft_find_fit_mesh(draft, ZR_JSON_KEY(NULL, words[VIEW]), found[VIEW]);
     finish(draft);
 }
 

@@ -21,7 +21,7 @@ int zr_names_find(const struct zr_names *names, const char *word);
 
 /* Those that work, for a message: "a, b, c". */
 struct zr_names_text {
-    char text[160];
+    char text[256];
 };
 struct zr_names_text zr_names_join(const struct zr_names *names);
 
