@@ -190,8 +190,8 @@ static enum zr_status fit_on_axis(const struct fitting *fitting, struct zr_axes 
 {
     const struct zr_opening *o = &fitting->opening;
     if (!(o->left < 0.0 && o->right > 0.0 && o->bottom < 0.0 && o->top > 0.0))
-        return zr_error_add(error, ZR_BAD_SCENE, "/view/distance",
-                            "cannot be fitted to this target: the principal point is outside of the window");
+        return zr_error_add(error, ZR_BAD_SCENE, "/view/target",
+                            "no distance shows what is around it: the principal point is outside of the window");
     double distance = -HUGE_VAL, rounding = fitting->rounding;
     struct point_walk walk = {.scene = fitting->scene, .fitted_only = true};
     for (zr_dvec3 p; next_point(&walk, &p);) {
