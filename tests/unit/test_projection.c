@@ -4,74 +4,13 @@
  * otherwise, the scene is a cube from -1 to 1, and the window 400 x 200: its middle is
  * (200, 100), and under a yfov of 90 degrees a place y above the axis and z in front of the
  * camera is 100 y / z pixels above the middle. */
-#include <math.h>
-
 #include <cjson/cJSON.h>
 
-#include "geometry/viewport.h"
-#include "json_check.h"
-#include "scene/camera.h"
+#include "view_check.h"
 
-#define CUBE                                                                                                           \
-    "{\"name\": \"cube\", \"positions\": [[-1,-1,-1],[1,-1,-1],[1,1,-1],[-1,1,-1],[-1,-1,1],[1,-1,1],[1,1,1],"         \
-    "[-1,1,1]], \"faces\": [[0,1,2]]}"
-/* A cube of half the size around (10, 0, 0). */
-#define NUT                                                                                                            \
-    "{\"name\": \"nut\", \"positions\": [[9.5,-0.5,-0.5],[10.5,-0.5,-0.5],[10.5,0.5,-0.5],[9.5,0.5,-0.5],"             \
-    "[9.5,-0.5,0.5],[10.5,-0.5,0.5],[10.5,0.5,0.5],[9.5,0.5,0.5]], \"faces\": [[0,1,2]]}"
-#define P90   "\"perspective\": {\"yfovDegrees\": 90}"
 #define O50   "\"orthographic\": {\"xmag\": 4, \"ymag\": 2}" /* 50 pixels a unit */
 #define EYE10 "\"eye\": [0,0,10]"
 #define SAME  "\"R\": [1,0,0, 0,1,0, 0,0,1]" /* X_camera = X_world, as OpenCV has it */
-
-struct shot {
-    struct reading *reading;
-    struct zr_camera camera;
-    enum zr_status status;
-    struct zr_error error;
-};
-
-static struct shot shoot(const char *window, const char *meshes, const char *view)
-{
-    char text[2048];
-    snprintf(text, sizeof text, "{\"window\": %s, \"meshes\": [%s], \"view\": {%s}}", window, meshes, view);
-    struct shot shot = {.reading = read_scene(text)};
-    struct zr_bounds bounds = zr_bounds_of(shot.reading->scene);
-    shot.status = zr_camera_resolve(shot.reading->scene, &bounds, &shot.camera, &shot.error);
-    return shot;
-}
-
-struct pixel {
-    double x, y;
-};
-
-static struct pixel pixel_of(const struct shot *shot, zr_vec3 point)
-{
-    const struct zr_scene *scene = shot->reading->scene;
-    zr_mat4 matrix = zr_mat4_mul(&shot->camera.projection, &shot->camera.world_to_eye);
-    struct zr_viewport viewport = zr_viewport_make(scene->width, scene->height);
-    struct zr_window_vertex vertex;
-    zr_viewport_apply(&viewport, zr_mat4_apply(&matrix, (zr_vec4){point.x, point.y, point.z, 1.0f}), &vertex);
-    return (struct pixel){(double)vertex.x, (double)scene->height - (double)vertex.y};
-}
-
-struct sight {
-    const char *view;
-    zr_vec3 point;
-    struct pixel pixel;
-};
-
-static void assert_seen(const char *window, const char *meshes, const struct sight *sights, size_t count)
-{
-    for (size_t i = 0; i < count; i++) {
-        struct shot shot = shoot(window, meshes, sights[i].view);
-        assert_int_equal(shot.status, ZR_OK);
-        struct pixel got = pixel_of(&shot, sights[i].point), want = sights[i].pixel;
-        if (!(fabs(got.x - want.x) < 1e-3) || !(fabs(got.y - want.y) < 1e-3))
-            fail_msg("%s: seen at %.6f %.6f, not %.6f %.6f", sights[i].view, got.x, got.y, want.x, want.y);
-        reading_free(shot.reading);
-    }
-}
 
 #define ASSERT_SEEN(sights) assert_seen(WINDOW, CUBE, sights, sizeof(sights) / sizeof *(sights))
 #define WINDOW              "{\"width\": 400, \"height\": 200}"
@@ -294,120 +233,6 @@ static void projection_matrix_leads_to_clip_space(void **state)
     ASSERT_SEEN(sights);
 }
 
-/* ---- fits, in a window of 40 x 20 ---- */
-
-#define SMALL "{\"width\": 40, \"height\": 20}"
-
-static void fitted_cube_touches_the_borders(void **state)
-{
-    (void)state;
-    static const struct sight sights[] = {
-        /* 5 % free above: 1 unit is 9 of the 10 pixels to the top. */
-        {"\"preset\": \"front\"", {1, 1, 1}, {29, 1}},
-        {"\"azimuthDegrees\": 0", {1, 1, 1}, {29, 1}},
-        {"\"direction\": [0,0,-1], \"fit\": {\"padding\": 0.25}", {1, 1, 1}, {25, 5}},
-        /* 90 degrees: 1 away from the near face, where y / z is 1; with half of the room, 2 away. */
-        {"\"preset\": \"front\", \"fit\": {\"padding\": 0}," P90, {1, 1, 1}, {30, 0}},
-        {"\"preset\": \"front\", \"fit\": {\"padding\": 0.25}," P90, {1, 1, 1}, {25, 5}},
-        {"\"preset\": \"front\", \"fit\": {\"padding\": 0.25}," P90, {1, 1, -1}, {22.5, 7.5}},
-        /* The target stays in the middle: the cube is from -2 to 0, and touches top and left. */
-        {"\"azimuthDegrees\": 0, \"target\": [1,0,0], \"fit\": {\"padding\": 0}," P90, {1, 1, 1}, {20, 0}},
-        {"\"azimuthDegrees\": 0, \"target\": [1,0,0], \"fit\": {\"padding\": 0}," P90, {-1, -1, 1}, {0, 20}},
-        {"\"azimuthDegrees\": 0, \"target\": [1,0,0], \"fit\": {\"padding\": 0}", {-1, -1, 1}, {0, 20}},
-    };
-    assert_seen(SMALL, CUBE, sights, sizeof sights / sizeof *sights);
-}
-
-/* fx = 10: x / z is seen from (0 - cx) / 10 to (40 - cx) / 10; cy = 10: y / z from -1 to 1, for which the eye
- * must be 1 away from the near face, at z = 2. */
-static void fitted_cube_is_seen_whole_wherever_the_principal_point_is(void **state)
-{
-    (void)state;
-#define K_AT(cx)                                                                                                       \
-    "\"preset\": \"front\", \"fit\": {\"padding\": 0}, \"intrinsics\": {\"fx\": 10, \"cx\": " cx ", \"cy\": 10}"
-    static const struct sight sights[] = {
-        {K_AT("20"), {1, 1, 1}, {30, 0}},
-        /* From -1 to 3: an eye at x = -2 would have the cube on the right border, one at 0 on the left, so -1. */
-        {K_AT("10"), {1, 1, 1}, {30, 0}},
-        {K_AT("10"), {-1, -1, 1}, {10, 20}},
-        /* From 1 to 5: only from x = -4 is the near right corner at 5 / 1 and the far left one at 3 / 3. */
-        {K_AT("-10"), {1, 1, 1}, {40, 0}},
-        {K_AT("-10"), {-1, 1, -1}, {0, 10 - 10.0 / 3}},
-        /* x - y / 2 counts, from -1.5 to 1.5 on the near face: seen from 5 to 35. */
-        {"\"preset\": \"front\", \"fit\": {\"padding\": 0}, \"K\": [10,5,20, 0,10,10, 0,0,1]", {1, -1, 1}, {35, 20}},
-        {"\"preset\": \"front\", \"fit\": {\"padding\": 0}, \"K\": [10,5,20, 0,10,10, 0,0,1]", {-1, 1, 1}, {5, 0}},
-    };
-    assert_seen(SMALL, CUBE, sights, sizeof sights / sizeof *sights);
-}
-
-static void fit_that_no_distance_gives_is_refused(void **state)
-{
-    (void)state;
-    struct shot shot =
-        shoot(SMALL, CUBE, "\"azimuthDegrees\": 0, \"target\": [0,0,0], \"intrinsics\": {\"fx\": 10, \"cx\": -1}");
-    assert_int_equal(shot.status, ZR_BAD_SCENE);
-    assert_string_equal(shot.error.items[0].pointer, "/view/target");
-    assert_non_null(strstr(shot.error.items[0].detail, "the principal point is outside of the window"));
-    reading_free(shot.reading);
-}
-
-static void fit_to_a_mesh_shows_it_alone_but_keeps_all_between_the_planes(void **state)
-{
-    (void)state;
-    static const struct sight sights[] = {
-        /* Half a unit is 8 of the 10 pixels to the top. */
-        {"\"preset\": \"front\", \"fit\": {\"mesh\": \"nut\", \"padding\": 0.1}", {10.5f, 0.5f, 0.5f}, {28, 2}},
-        {"\"preset\": \"front\", \"fit\": {\"mesh\": \"nut\", \"padding\": 0.1}", {9.5f, -0.5f, 0.5f}, {12, 18}},
-        {EYE10 ", \"orthographic\": {}, \"fit\": {\"mesh\": \"cube\", \"padding\": 0}", {1, 1, 1}, {30, 0}},
-        {"\"azimuthDegrees\": 0, \"fit\": {\"mesh\": \"nut\", \"padding\": 0}," P90, {10.5f, 0.5f, 0.5f}, {30, 0}},
-        {"\"azimuthDegrees\": 0, \"target\": [10,0,0], \"fit\": {\"mesh\": \"nut\", \"padding\": 0}," P90,
-         {10.5f, 0.5f, 0.5f},
-         {30, 0}},
-    };
-    assert_seen(SMALL, CUBE "," NUT, sights, sizeof sights / sizeof *sights);
-    /* From +x the nut hides the cube; from -x it is the other way round. */
-    static const char *const presets[] = {"right", "left"};
-    for (int i = 0; i < 4; i++) {
-        char view[128];
-        snprintf(view, sizeof view, "\"preset\": \"%s\", \"fit\": {\"mesh\": \"nut\"}%s", presets[i % 2],
-                 i < 2 ? "" : ",\"perspective\": {\"yfovDegrees\": 4}");
-        struct shot shot = shoot(SMALL, CUBE "," NUT, view);
-        const float *m = shot.camera.world_to_eye.m;
-        for (int x = -1; x <= 11; x += 12) { /* beyond both ends */
-            float depth = -(m[2] * (float)x + m[14]);
-            assert_true(shot.camera.znear < depth + 0.5f && shot.camera.zfar > depth - 0.5f && shot.camera.znear > 0);
-        }
-        reading_free(shot.reading);
-    }
-}
-
-static void azimuth_and_direction_fit_as_the_presets_do(void **state)
-{
-    (void)state;
-    static const char *const same[][3] = {
-        {"\"preset\": \"front\"", "\"azimuthDegrees\": 0", "\"direction\": [0,0,-3]"},
-        {"\"preset\": \"right\"", "\"azimuthDegrees\": 90", "\"direction\": [-1,0,0]"},
-        {"\"preset\": \"back\"", "\"azimuthDegrees\": -180", "\"direction\": [0,0,1]"},
-        {"\"preset\": \"left\"", "\"azimuthDegrees\": 270", "\"direction\": [1,0,0]"},
-        {"\"preset\": \"top\"", "\"elevationDegrees\": 90", "\"direction\": [0,-1,0]"},
-        {"\"preset\": \"bottom\"", "\"elevationDegrees\": -90", "\"direction\": [0,1,0]"}};
-    for (int i = 0; i < 12; i++) {
-        struct shot shots[3];
-        for (int k = 0; k < 3; k++) {
-            char view[128];
-            snprintf(view, sizeof view, "%s%s", same[i / 2][k], i % 2 ? "," P90 : "");
-            shots[k] = shoot(WINDOW, CUBE "," NUT, view);
-        }
-        for (int k = 1; k < 3; k++)
-            for (int e = 0; e < 16; e++) {
-                assert_true(shots[k].camera.world_to_eye.m[e] == shots[0].camera.world_to_eye.m[e]);
-                assert_true(shots[k].camera.projection.m[e] == shots[0].camera.projection.m[e]);
-            }
-        for (int k = 0; k < 3; k++)
-            reading_free(shots[k].reading);
-    }
-}
-
 /* ---- what is reported ---- */
 
 static void info_gives_back_the_k_that_was_given(void **state)
@@ -448,11 +273,6 @@ int main(void)
         cmocka_unit_test(fields_of_view_are_those_of_the_whole_window),
         cmocka_unit_test(intrinsics_are_pixels_from_the_corner_of_the_picture),
         cmocka_unit_test(projection_matrix_leads_to_clip_space),
-        cmocka_unit_test(fitted_cube_touches_the_borders),
-        cmocka_unit_test(fitted_cube_is_seen_whole_wherever_the_principal_point_is),
-        cmocka_unit_test(fit_that_no_distance_gives_is_refused),
-        cmocka_unit_test(fit_to_a_mesh_shows_it_alone_but_keeps_all_between_the_planes),
-        cmocka_unit_test(azimuth_and_direction_fit_as_the_presets_do),
         cmocka_unit_test(info_gives_back_the_k_that_was_given),
     };
     return cmocka_run_group_tests_name("projection", tests, NULL, NULL);
