@@ -9,7 +9,7 @@
 /* 0 < radians < pi/2; within 4 ulp of the true value. */
 double zr_tan(double radians);
 
-/* Any finite angle; within 1 ulp of the true values, and exact at multiples of 90. */
+/* Any finite angle; within 1.5 ulp of the true values, and exact at multiples of 90. */
 void zr_sine_cosine(double degrees, double *sine, double *cosine);
 
 #endif

@@ -31,6 +31,7 @@ static void fitted_cube_is_seen_whole_wherever_the_principal_point_is(void **sta
     (void)state;
 #define K_AT(cx)                                                                                                       \
     "\"preset\": \"front\", \"fit\": {\"padding\": 0}, \"intrinsics\": {\"fx\": 10, \"cx\": " cx ", \"cy\": 10}"
+#define SKEWED(cy) "\"preset\": \"front\", \"fit\": {\"padding\": 0}, \"K\": [20,10,20, 0,10," cy ", 0,0,1]"
     static const struct sight sights[] = {
         {K_AT("20"), {1, 1, 1}, {30, 0}},
         /* From -1 to 3: an eye at x = -2 would have the cube on the right border, one at 0 on the left, so -1. */
@@ -39,9 +40,13 @@ static void fitted_cube_is_seen_whole_wherever_the_principal_point_is(void **sta
         /* From 1 to 5: only from x = -4 is the near right corner at 5 / 1 and the far left one at 3 / 3. */
         {K_AT("-10"), {1, 1, 1}, {40, 0}},
         {K_AT("-10"), {-1, 1, -1}, {0, 10 - 10.0 / 3}},
-        /* x - y / 2 counts, from -1.5 to 1.5 on the near face: seen from 5 to 35. */
-        {"\"preset\": \"front\", \"fit\": {\"padding\": 0}, \"K\": [10,5,20, 0,10,10, 0,0,1]", {1, -1, 1}, {35, 20}},
-        {"\"preset\": \"front\", \"fit\": {\"padding\": 0}, \"K\": [10,5,20, 0,10,10, 0,0,1]", {-1, 1, 1}, {5, 0}},
+        /* fx = 20, skew = 10: x - y / 2 counts, from -1.5 to 1.5, seen from -1 to 1: so 1.5 from the near face. */
+        {SKEWED("10"), {1, -1, 1}, {40, 10 + 10 / 1.5}},
+        {SKEWED("10"), {-1, 1, 1}, {0, 10 - 10 / 1.5}},
+        /* y / z from -2 to 0: an eye at y = 1 would have the cube on the upper border, one at 2 on the lower, so
+         * 1.5, and x = 0.75 to be in the middle as before. */
+        {SKEWED("0"), {1, -1, 1}, {40, 10 * 2.5 / 1.5}},
+        {SKEWED("0"), {-1, 1, 1}, {0, 10 * 0.5 / 1.5}},
     };
     assert_seen(SMALL, CUBE, sights, sizeof sights / sizeof *sights);
 }

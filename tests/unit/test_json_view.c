@@ -281,6 +281,8 @@ static void fit_finds_its_mesh_by_name(void **state)
     refuses_scene(
         "{\"view\": {\"fit\": {\"mesh\": \"nut\"}}, \"meshes\": [" MESH("nut") ", " MESH("") ", " MESH("nut") "]}",
         "/view/fit/mesh", "two meshes have the name 'nut': 0 and 2");
+    refuses_scene("{\"view\": {\"fit\": {\"mesh\": \"\"}}, \"meshes\": [" MESH("") "]}", "/view/fit/mesh",
+                  "no mesh is named ''");
     refuses_scene("{\"view\": {\"fit\": {\"mesh\": \"nu\"}}, \"meshes\": [" MESH("nut") "]}", "/view/fit/mesh",
                   "no mesh is named 'nu'");
 #undef MESH
