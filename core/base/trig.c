@@ -49,9 +49,9 @@ double zr_tan(double radians)
     return 1.0 / tan_kernel((1.57079632679489655800 - radians) + 6.12323399573676603587e-17);
 }
 
-/* The turn is reduced in degrees, where that is exact, to 45 at most. What the
- * product with pi/180 rounds away is added to the sine; the cosine is too flat to feel it. fma is exact by definition,
- * so that it too is the same everywhere. */
+/* The turn is reduced in degrees, where that is exact, to 45 at most. What the product with
+ * pi/180 rounds away is added to the sine; the cosine is too flat to feel it. fma is exact by
+ * definition, so that it too is the same everywhere. */
 void zr_sine_cosine(double degrees, double *sine, double *cosine)
 {
     static const double unit = 0.017453292519943295;

@@ -56,10 +56,18 @@ static void grow_to_window(const struct zr_scene *scene, double x, double y, dou
 
 /* ---- depth range ---- */
 
+/* The nearest that a near plane of a perspective camera may be: some way before the far plane,
+ * so that depths can be told apart, but not beyond the one mesh that the camera has gone up to. */
+static double least_znear(const struct zr_view *view, const struct zr_extent *fitted, double zfar)
+{
+    double least = zfar * 1e-4, nearest = -fitted->max.z;
+    return view->fit_to_mesh && nearest > 0.0 ? fmin(least, 0.5 * nearest) : least;
+}
+
 /* From the nearest and the farthest point, a little wider, so that geometry on
  * the very border is not cut by rounding. */
-static enum zr_status depth_range(const struct zr_view *view, const struct zr_extent *e, double rounding,
-                                  struct zr_camera *camera, struct zr_error *error)
+static enum zr_status depth_range(const struct zr_view *view, const struct zr_extent *e, const struct zr_extent *fitted,
+                                  double rounding, struct zr_camera *camera, struct zr_error *error)
 {
     double nearest = -e->max.z, farthest = -e->min.z;
     double margin = fmax(0.01 * (farthest - nearest), 1e-4 * fmax(fabs(nearest), fabs(farthest)));
@@ -69,7 +77,7 @@ static enum zr_status depth_range(const struct zr_view *view, const struct zr_ex
     double znear = view->has_znear ? (double)view->znear : nearest - margin;
     if (zr_view_is_perspective(view)) {
         if (!(zfar > 0.0)) zfar = view->has_znear ? 2.0 * znear : 1.0; /* all is behind the eye */
-        if (!view->has_znear) znear = fmax(znear, zfar * 1e-4);
+        if (!view->has_znear) znear = fmax(znear, least_znear(view, fitted, zfar));
     }
     if (!(znear < zfar) && !view->has_zfar) zfar = znear + fmax(fabs(znear), 1.0);
     if (!(znear < zfar) && !view->has_znear) znear = zfar - fmax(fabs(zfar) * 0.5, 1e-3);
@@ -115,10 +123,11 @@ enum zr_status zr_camera_project(const struct zr_scene *scene, const struct zr_b
         camera->projection = view->projection_matrix;
         return ZR_OK;
     }
-    struct zr_extent e = zr_extent_in_eye_space(scene, &camera->world_to_eye, false);
+    struct zr_extent whole = zr_extent_in_eye_space(scene, &camera->world_to_eye, false), e = whole;
+    if (view->fit_to_mesh) e = zr_extent_in_eye_space(scene, &camera->world_to_eye, true);
     const float *m = camera->world_to_eye.m;
     zr_dvec3 moved = {(double)m[12], (double)m[13], (double)m[14]};
-    enum zr_status status = depth_range(view, &e, zr_rounding_of(bounds, moved), camera, error);
+    enum zr_status status = depth_range(view, &whole, &e, zr_rounding_of(bounds, moved), camera, error);
     if (status != ZR_OK) return status;
     double n = (double)camera->znear, f = (double)camera->zfar;
     if (zr_view_is_perspective(view)) {
@@ -127,7 +136,6 @@ enum zr_status zr_camera_project(const struct zr_scene *scene, const struct zr_b
         return ZR_OK;
     }
     double xmag = (double)view->xmag, ymag = (double)view->ymag, rounding = zr_rounding_of(fitted, moved);
-    if (view->fit_to_mesh) e = zr_extent_in_eye_space(scene, &camera->world_to_eye, true);
     if (!(xmag > 0.0) || !(ymag > 0.0))
         grow_to_window(scene, fmax(fabs(e.min.x), fabs(e.max.x)) + rounding,
                        fmax(fabs(e.min.y), fabs(e.max.y)) + rounding, &xmag, &ymag);

@@ -105,6 +105,24 @@ static void fit_to_a_mesh_shows_it_alone_but_keeps_all_between_the_planes(void *
     }
 }
 
+static void fit_to_a_tiny_mesh_is_not_cut_by_a_near_plane_made_for_a_large_scene(void **state)
+{
+    (void)state;
+#define TINY  "{\"name\": \"tiny\", \"positions\": [[0,0,0],[0.001,0,0],[0,0.001,0.001]], \"faces\": [[0,1,2]]}"
+#define LARGE "{\"positions\": [[-1000,0,-1000],[1000,0,-1000],[0,0,1000]], \"faces\": [[0,1,2]]}"
+    static const zr_vec4 corners[3] = {{0, 0, 0, 1}, {0.001f, 0, 0, 1}, {0, 0.001f, 0.001f, 1}};
+    struct shot shot = shoot(SMALL, TINY "," LARGE, "\"preset\": \"front\", \"fit\": {\"mesh\": \"tiny\"}," P90);
+    zr_mat4 matrix = zr_mat4_mul(&shot.camera.projection, &shot.camera.world_to_eye);
+    for (int i = 0; i < 3; i++) {
+        zr_vec4 p = zr_mat4_apply(&matrix, corners[i]);
+        assert_true(fabsf(p.x) <= p.w && fabsf(p.y) <= p.w && fabsf(p.z) <= p.w);
+    }
+    assert_true(shot.camera.zfar > 1000.0f);
+    reading_free(shot.reading);
+#undef LARGE
+#undef TINY
+}
+
 static void azimuth_and_direction_fit_as_the_presets_do(void **state)
 {
     (void)state;
@@ -139,6 +157,7 @@ int main(void)
         cmocka_unit_test(fitted_cube_is_seen_whole_wherever_the_principal_point_is),
         cmocka_unit_test(views_without_a_solution_are_refused),
         cmocka_unit_test(fit_to_a_mesh_shows_it_alone_but_keeps_all_between_the_planes),
+        cmocka_unit_test(fit_to_a_tiny_mesh_is_not_cut_by_a_near_plane_made_for_a_large_scene),
         cmocka_unit_test(azimuth_and_direction_fit_as_the_presets_do),
     };
     return cmocka_run_group_tests_name("fit", tests, NULL, NULL);
