@@ -3,7 +3,7 @@
 
 #include <math.h>
 
-/* How far R may be from a rotation: what six digits in a file may do, and no more. */
+/* How far R may be from a rotation: what four digits in a file may do, and no more. */
 static const double ROTATION_TOLERANCE = 1e-3;
 
 static const char *const conventions[] = {"opengl", "opencv"};
