@@ -1,5 +1,7 @@
 #include "base/trig.h"
 
+#include <math.h>
+
 /* Taylor series to x^17 and x^18: the next term is below 1e-18 on [-pi/4, pi/4]. */
 static double sin_kernel(double x)
 {
@@ -45,4 +47,19 @@ double zr_tan(double radians)
 {
     if (radians <= 0.78539816339744830962) return tan_kernel(radians);
     return 1.0 / tan_kernel((1.57079632679489655800 - radians) + 6.12323399573676603587e-17);
+}
+
+/* The turn is reduced in degrees, where that is exact, to 45 at most. What the product with
+ * pi/180 rounds away is added to the sine; the cosine is too flat to feel it. fma is exact by
+ * definition, so that it too is the same everywhere. */
+void zr_sine_cosine(double degrees, double *sine, double *cosine)
+{
+    static const double unit = 0.017453292519943295;
+    double turn = fmod(degrees, 360.0), quarters = rint(turn / 90.0), rest = turn - 90.0 * quarters;
+    double x = rest * unit, beyond = fma(rest, unit, -x);
+    double c = cos_kernel(x), s = sin_kernel(x) + beyond * c;
+    double sines[4] = {s, c, 0.0 - s, 0.0 - c};
+    int quarter = ((int)quarters + 4) % 4;
+    *sine = sines[quarter];
+    *cosine = sines[(quarter + 1) % 4];
 }

@@ -158,6 +158,8 @@ static void build(struct zr_draft *draft, const cJSON *root)
     if (!zr_arena_ok(json->arena)) return;
     read_meshes(draft, found[MESHES], found[POLYGONS]);
     if (found[BASE]) zr_draft_read_base(draft, ZR_JSON_KEY(NULL, words[BASE]), found[BASE]);
+    if (found[VIEW] && zr_arena_ok(json->arena))
+        zr_draft_find_fit_mesh(draft, ZR_JSON_KEY(NULL, words[VIEW]), found[VIEW]);
     finish(draft);
 }
 

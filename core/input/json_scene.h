@@ -98,6 +98,9 @@ void zr_draft_read_polygons(struct zr_draft *draft, const struct zr_json_path *p
 /* json_view.c: over the defaults that scene->view already has. */
 void zr_draft_read_view(struct zr_draft *draft, const struct zr_json_path *path, const cJSON *node);
 
+/* The mesh that a view is to be fitted to, by its name: once there are meshes. */
+void zr_draft_find_fit_mesh(struct zr_draft *draft, const struct zr_json_path *path, const cJSON *node);
+
 /* json_light.c and json_outputs.c: the lists of these. */
 void zr_draft_read_lights(struct zr_draft *draft, const struct zr_json_path *path, const cJSON *list);
 void zr_draft_read_outputs(struct zr_draft *draft, const struct zr_json_path *path, const cJSON *list);

@@ -1,254 +1,138 @@
 /* A view is one pose and one projection. Two of a kind are refused by name: to
  * follow one and drop the other would draw a wrong picture without a word. */
-#include "input/defaults.h"
-#include "input/json_scene.h"
+#include "input/json_view.h"
 
 #include <string.h>
 
-#define PI 3.14159265358979323846
+#include "input/json_scene.h"
+#include "input/text.h"
 
-enum {
-    EYE,
-    TARGET,
-    UP,
-    PRESET,
-    CAMERA_TO_WORLD,
-    WORLD_TO_CAMERA,
-    PERSPECTIVE,
-    ORTHOGRAPHIC,
-    PROJECTION_MATRIX,
-    ZNEAR,
-    ZFAR,
-    FIT,
-    CONVENTION,
-    KEYS
-};
-static const char *const words[] = {"eye",
-                                    "target",
-                                    "up",
-                                    "preset",
-                                    "cameraToWorld",
-                                    "worldToCamera",
-                                    "perspective",
-                                    "orthographic",
-                                    "projectionMatrix",
-                                    "znear",
-                                    "zfar",
-                                    "fit",
-                                    "convention",
-                                    "direction",
-                                    "azimuthDegrees",
-                                    "elevationDegrees",
-                                    "distance",
-                                    "intrinsics",
-                                    "K",
-                                    "R",
-                                    "t",
-                                    "pixelCenter",
-                                    "name",
-                                    "window"};
-static const struct zr_names keys = ZR_NAMES(KEYS, words);
+const char *const zr_view_words[] = {"eye",
+                                     "target",
+                                     "up",
+                                     "preset",
+                                     "direction",
+                                     "azimuthDegrees",
+                                     "elevationDegrees",
+                                     "distance",
+                                     "cameraToWorld",
+                                     "worldToCamera",
+                                     "R",
+                                     "t",
+                                     "convention",
+                                     "perspective",
+                                     "orthographic",
+                                     "intrinsics",
+                                     "K",
+                                     "pixelCenter",
+                                     "projectionMatrix",
+                                     "znear",
+                                     "zfar",
+                                     "fit",
+                                     "name",
+                                     "window"};
+static const struct zr_names keys = ZR_NAMES(ZR_VIEW_KEYS, zr_view_words);
 
-static const char *const conventions[] = {"opengl", "opencv"};
-static const struct zr_names convention_names = ZR_NAMES(1, conventions);
+enum { PADDING, MESH, FIT_KEYS };
+static const char *const fit_words[] = {"padding", "mesh"};
+static const struct zr_names fit_keys = ZR_NAMES(FIT_KEYS, fit_words);
 
-struct reader {
-    struct zr_json *json;
-    const struct zr_json_path *path;
-    const cJSON *found[KEYS];
-    struct zr_view *view;
-};
-
-/* Reports each further one of the keys, beside the first that is there. False
- * where there was more than one. */
-static bool at_most_one(struct reader *reader, const int *candidates, size_t count, const char *what)
+static bool read_row(struct zr_json *json, const struct zr_json_path *path, const cJSON *list, double limit,
+                     size_t count, double *out)
 {
-    int first = -1;
     bool good = true;
-    for (size_t i = 0; i < count; i++) {
-        if (!reader->found[candidates[i]]) continue;
-        if (first < 0)
-            first = candidates[i];
-        else
-            good = zr_json_fault(reader->json, reader->path, "two %s: %s and %s", what, words[first],
-                                 words[candidates[i]]);
+    size_t i = 0;
+    for (const cJSON *item = list->child; item; item = item->next, i++)
+        if (i < count) good = zr_json_number(json, ZR_JSON_ITEM(path, i), item, -limit, limit, &out[i]) && good;
+    if (i != count) return zr_json_fault(json, path, "expected %zu numbers, found %zu", count, i);
+    return good;
+}
+
+bool zr_view_read_rows(struct zr_json *json, const struct zr_json_path *path, const cJSON *node, double limit,
+                       double out[9])
+{
+    size_t count, length;
+    if (!zr_json_array(json, path, node, &count)) return false;
+    if (!cJSON_IsArray(node->child)) return read_row(json, path, node, limit, 9, out);
+    if (count != 3) return zr_json_fault(json, path, "expected 3 rows, found %zu", count);
+    bool good = true;
+    size_t i = 0;
+    for (const cJSON *row = node->child; row; row = row->next, i++) {
+        const struct zr_json_path *at = ZR_JSON_ITEM(path, i);
+        good = zr_json_array(json, at, row, &length) && read_row(json, at, row, limit, 3, &out[3 * i]) && good;
     }
     return good;
 }
 
-static void read_look_at(struct reader *reader)
-{
-    struct zr_view *view = reader->view;
-    view->pose = ZR_POSE_LOOK_AT;
-    if (!reader->found[EYE])
-        zr_json_fault(reader->json, reader->path, "target needs eye, which is missing");
-    else
-        zr_json_vec3(reader->json, ZR_JSON_KEY(reader->path, words[EYE]), reader->found[EYE], &view->eye);
-    if (reader->found[TARGET])
-        zr_json_vec3(reader->json, ZR_JSON_KEY(reader->path, words[TARGET]), reader->found[TARGET], &view->target);
-    if (reader->found[UP])
-        zr_json_vec3(reader->json, ZR_JSON_KEY(reader->path, words[UP]), reader->found[UP], &view->up);
-}
-
-/* A pose is a matrix that keeps points points. Whoever writes a flat one row by row has
- * the translation in the bottom row, and is told so. */
-static bool read_pose_matrix(struct reader *reader, int key, zr_mat4 *out)
-{
-    const struct zr_json_path *path = ZR_JSON_KEY(reader->path, words[key]);
-    zr_mat4 inverse;
-    reader->view->pose = ZR_POSE_MATRIX;
-    if (!zr_json_mat4(reader->json, path, reader->found[key], out)) return false;
-    const float *m = out->m;
-    if (m[3] != 0.0f || m[7] != 0.0f || m[11] != 0.0f || m[15] != 1.0f)
-        return zr_json_fault(reader->json, path,
-                             "the bottom row is %.9g %.9g %.9g %.9g, not 0 0 0 1 (a flat list goes column by column)",
-                             (double)m[3], (double)m[7], (double)m[11], (double)m[15]);
-    return zr_mat4_invert(out, &inverse) || zr_json_fault(reader->json, path, "the matrix has no inverse");
-}
-
-static void read_camera_to_world(struct reader *reader)
-{
-    zr_mat4 matrix;
-    if (read_pose_matrix(reader, CAMERA_TO_WORLD, &matrix)) zr_mat4_invert(&matrix, &reader->view->world_to_camera);
-}
-
-static void read_pose(struct reader *reader)
-{
-    static const int poses[] = {PRESET, EYE, CAMERA_TO_WORLD, WORLD_TO_CAMERA};
-    static const int poses_by_target[] = {PRESET, TARGET, CAMERA_TO_WORLD, WORLD_TO_CAMERA};
-    const cJSON *const *found = reader->found;
-    bool look_at = found[EYE] || found[TARGET];
-    if (!at_most_one(reader, found[EYE] ? poses : poses_by_target, 4, "poses")) return;
-    if (found[UP] && !look_at)
-        zr_json_fault(reader->json, ZR_JSON_KEY(reader->path, words[UP]), "belongs to the pose eye and target only");
-    if (look_at) read_look_at(reader);
-    if (found[PRESET]) {
-        int preset = 0;
-        zr_json_choice(reader->json, ZR_JSON_KEY(reader->path, words[PRESET]), found[PRESET], &zr_preset_names,
-                       &preset);
-        reader->view->preset = (enum zr_preset)preset;
-    }
-    if (found[CAMERA_TO_WORLD]) read_camera_to_world(reader);
-    if (found[PROJECTION_MATRIX] && !look_at && !found[PRESET] && !found[CAMERA_TO_WORLD] && !found[WORLD_TO_CAMERA]) {
-        reader->view->pose = ZR_POSE_MATRIX; /* as in OpenGL: it alone leads from the world to clip space */
-        reader->view->world_to_camera = zr_mat4_identity();
-    }
-    if (found[WORLD_TO_CAMERA]) read_pose_matrix(reader, WORLD_TO_CAMERA, &reader->view->world_to_camera);
-}
-
-static float radians(double degrees)
-{
-    return (float)(degrees * PI / 180);
-}
-
-static void read_perspective(struct reader *reader)
-{
-    enum { YFOV, YFOV_DEGREES, PERSPECTIVE_KEYS };
-    static const char *const members[] = {"yfov", "yfovDegrees", "xfov", "xfovDegrees"};
-    static const struct zr_names names = ZR_NAMES(PERSPECTIVE_KEYS, members);
-    struct zr_json *json = reader->json;
-    const struct zr_json_path *path = ZR_JSON_KEY(reader->path, words[PERSPECTIVE]);
-    const cJSON *found[PERSPECTIVE_KEYS];
-    size_t faults = json->error->count;
-    reader->view->projection = ZR_PROJECTION_PERSPECTIVE;
-    if (!zr_json_object(json, path, reader->found[PERSPECTIVE], &names, found)) return;
-    if (found[YFOV] && found[YFOV_DEGREES])
-        zr_json_fault(json, path, "two angles: yfov and yfovDegrees");
-    else if (found[YFOV] || found[YFOV_DEGREES]) {
-        int key = found[YFOV] ? YFOV : YFOV_DEGREES;
-        const struct zr_json_path *at = ZR_JSON_KEY(path, members[key]);
-        double angle;
-        if (!zr_json_number(json, at, found[key], 0, found[YFOV] ? PI : 180, &angle)) return;
-        float yfov = found[YFOV] ? (float)angle : radians(angle);
-        /* As floats: one that rounds to 0 or a half turn has no tangent to divide by. */
-        if (!(yfov > 0.0f) || !(yfov < (float)PI))
-            zr_json_fault(json, at, "%.9g: an angle between 0 and 180 degrees, both excluded, is needed", angle);
-        reader->view->yfov_radians = yfov;
-    } else if (json->error->count == faults) {
-        zr_json_fault(json, path, "yfov or yfovDegrees is missing");
-    }
-}
-
-static void read_orthographic(struct reader *reader)
-{
-    enum { XMAG, YMAG, ORTHOGRAPHIC_KEYS };
-    static const char *const members[] = {"xmag", "ymag"};
-    static const struct zr_names names = ZR_NAMES(ORTHOGRAPHIC_KEYS, members);
-    struct zr_json *json = reader->json;
-    const struct zr_json_path *path = ZR_JSON_KEY(reader->path, words[ORTHOGRAPHIC]);
-    const cJSON *found[ORTHOGRAPHIC_KEYS];
-    reader->view->projection = ZR_PROJECTION_ORTHOGRAPHIC;
-    if (!zr_json_object(json, path, reader->found[ORTHOGRAPHIC], &names, found)) return;
-    if (!found[XMAG] != !found[YMAG])
-        zr_json_fault(json, path, "%s is missing; give xmag and ymag, or neither to fit the geometry",
-                      found[XMAG] ? "ymag" : "xmag");
-    if (found[XMAG]) zr_json_positive(json, ZR_JSON_KEY(path, members[XMAG]), found[XMAG], &reader->view->xmag);
-    if (found[YMAG]) zr_json_positive(json, ZR_JSON_KEY(path, members[YMAG]), found[YMAG], &reader->view->ymag);
-}
-
-static void read_projection(struct reader *reader)
-{
-    static const int projections[] = {PERSPECTIVE, ORTHOGRAPHIC, PROJECTION_MATRIX};
-    struct zr_view *view = reader->view;
-    if (!at_most_one(reader, projections, 3, "projections")) return;
-    if (reader->found[PERSPECTIVE])
-        read_perspective(reader);
-    else if (reader->found[ORTHOGRAPHIC])
-        read_orthographic(reader);
-    else if (reader->found[PROJECTION_MATRIX]) {
-        view->projection = ZR_PROJECTION_MATRIX;
-        zr_json_mat4(reader->json, ZR_JSON_KEY(reader->path, words[PROJECTION_MATRIX]),
-                     reader->found[PROJECTION_MATRIX], &view->projection_matrix);
-    } else if (view->pose != ZR_POSE_PRESET) {
-        view->projection = ZR_PROJECTION_PERSPECTIVE;
-        view->yfov_radians = radians(45);
-    }
-}
-
-static bool read_plane(struct reader *reader, int key, float *out)
+static bool read_plane(struct zr_view_reader *reader, enum zr_view_key key, float *out)
 {
     const cJSON *node = reader->found[key];
-    const struct zr_json_path *path = ZR_JSON_KEY(reader->path, words[key]);
+    const struct zr_json_path *path = ZR_VIEW_PATH(reader, key);
     if (!node) return false;
-    if (reader->view->projection == ZR_PROJECTION_MATRIX)
+    switch (reader->view->projection) {
+    case ZR_PROJECTION_MATRIX:
         return zr_json_fault(reader->json, path, "projectionMatrix has planes of its own");
-    return reader->view->projection == ZR_PROJECTION_PERSPECTIVE ? zr_json_positive(reader->json, path, node, out)
-                                                                 : zr_json_coordinate(reader->json, path, node, out);
+    case ZR_PROJECTION_ORTHOGRAPHIC:
+        return zr_json_coordinate(reader->json, path, node, out);
+    case ZR_PROJECTION_PERSPECTIVE:
+    case ZR_PROJECTION_INTRINSICS:
+        break;
+    }
+    return zr_json_positive(reader->json, path, node, out);
 }
 
-static void read_planes(struct reader *reader)
+static void read_planes(struct zr_view_reader *reader)
 {
     struct zr_view *view = reader->view;
-    view->has_znear = read_plane(reader, ZNEAR, &view->znear);
-    view->has_zfar = read_plane(reader, ZFAR, &view->zfar);
+    view->has_znear = read_plane(reader, ZR_VIEW_ZNEAR, &view->znear);
+    view->has_zfar = read_plane(reader, ZR_VIEW_ZFAR, &view->zfar);
     if (view->has_znear && view->has_zfar && !(view->znear < view->zfar))
-        zr_json_fault(reader->json, ZR_JSON_KEY(reader->path, words[ZFAR]), "%.9g is not beyond znear, %.9g",
+        zr_json_fault(reader->json, ZR_VIEW_PATH(reader, ZR_VIEW_ZFAR), "%.9g is not beyond znear, %.9g",
                       (double)view->zfar, (double)view->znear);
 }
 
-static void read_fit(struct reader *reader)
+/* All but which mesh is meant: no mesh has been read yet. */
+static void read_fit(struct zr_view_reader *reader)
 {
-    enum { PADDING, FIT_KEYS };
-    static const char *const members[] = {"padding", "mesh"};
-    static const struct zr_names names = ZR_NAMES(FIT_KEYS, members);
-    const struct zr_json_path *path = ZR_JSON_KEY(reader->path, words[FIT]);
+    const struct zr_json_path *path = ZR_VIEW_PATH(reader, ZR_VIEW_FIT);
     const cJSON *found[FIT_KEYS];
+    const char *name;
     double padding;
-    if (!zr_json_object(reader->json, path, reader->found[FIT], &names, found) || !found[PADDING]) return;
-    if (zr_json_number(reader->json, ZR_JSON_KEY(path, members[PADDING]), found[PADDING], 0, 0.45, &padding))
+    if (!zr_json_object(reader->json, path, reader->found[ZR_VIEW_FIT], &fit_keys, found)) return;
+    if (found[MESH]) zr_json_string(reader->json, ZR_JSON_KEY(path, fit_words[MESH]), found[MESH], &name);
+    if (!found[PADDING]) return;
+    if (zr_json_number(reader->json, ZR_JSON_KEY(path, fit_words[PADDING]), found[PADDING], 0, 0.45, &padding))
         reader->view->fit_padding = (float)padding;
 }
 
 void zr_draft_read_view(struct zr_draft *draft, const struct zr_json_path *path, const cJSON *node)
 {
-    struct reader reader = {.json = &draft->json, .path = path, .view = &draft->scene->view};
+    struct zr_view_reader reader = {.json = &draft->json, .path = path, .view = &draft->scene->view};
     if (!zr_json_object(reader.json, path, node, &keys, reader.found)) return;
-    read_pose(&reader);
-    read_projection(&reader);
+    zr_view_read_pose(&reader);
+    zr_view_read_projection(&reader);
     read_planes(&reader);
-    if (reader.found[FIT]) read_fit(&reader);
-    int convention;
-    if (reader.found[CONVENTION])
-        zr_json_choice(reader.json, ZR_JSON_KEY(path, words[CONVENTION]), reader.found[CONVENTION], &convention_names,
-                       &convention);
+    if (reader.found[ZR_VIEW_FIT]) read_fit(&reader);
+}
+
+void zr_draft_find_fit_mesh(struct zr_draft *draft, const struct zr_json_path *path, const cJSON *node)
+{
+    const struct zr_scene *scene = draft->scene;
+    struct zr_view *view = &draft->scene->view;
+    const struct zr_json_path *fit_path = ZR_JSON_KEY(path, zr_view_words[ZR_VIEW_FIT]);
+    const cJSON *fit = cJSON_GetObjectItemCaseSensitive(node, zr_view_words[ZR_VIEW_FIT]);
+    const char *name = cJSON_GetStringValue(cJSON_GetObjectItemCaseSensitive(fit, fit_words[MESH]));
+    if (!name) return;
+    const struct zr_json_path *at = ZR_JSON_KEY(fit_path, fit_words[MESH]);
+    for (uint32_t i = 0; i < scene->mesh_count; i++) {
+        if (*name == '\0' || strcmp(scene->meshes[i].name, name) != 0) continue;
+        if (view->fit_to_mesh) {
+            zr_json_fault(&draft->json, at, "two meshes have the name %s: %u and %u", zr_quote(name, strlen(name)).text,
+                          view->fit_mesh, i);
+            return;
+        }
+        view->fit_to_mesh = true;
+        view->fit_mesh = i;
+    }
+    if (!view->fit_to_mesh) zr_json_fault(&draft->json, at, "no mesh is named %s", zr_quote(name, strlen(name)).text);
 }

@@ -63,9 +63,10 @@ static void put_intrinsics(struct writer *w, cJSON *object, const struct zr_fram
 {
     const float *p = frame->camera.projection.m;
     if (p[3] != 0.0f || p[7] != 0.0f || p[11] != -1.0f || p[15] != 0.0f) return;
-    float half_width = (float)frame->width * 0.5f, half_height = (float)frame->height * 0.5f;
-    const float rows[3][3] = {{p[0] * half_width, -p[4] * half_width, (1.0f - p[8]) * half_width},
-                              {-p[1] * half_height, p[5] * half_height, (1.0f + p[9]) * half_height},
+    double x = (double)frame->width * 0.5, y = (double)frame->height * 0.5;
+    double skew = 0.0 - (double)p[4], lean = 0.0 - (double)p[1]; /* from zero, so that no zero becomes -0 */
+    const float rows[3][3] = {{(float)((double)p[0] * x), (float)(skew * x), (float)((1.0 - (double)p[8]) * x)},
+                              {(float)(lean * y), (float)((double)p[5] * y), (float)((1.0 + (double)p[9]) * y)},
                               {0.0f, 0.0f, 1.0f}};
     cJSON *k = check(w, cJSON_CreateArray());
     for (int i = 0; i < 3; i++)

@@ -2,8 +2,10 @@
  *
  * Space:  world -> eye (the camera looks along -z, y up) -> clip, as in GL.
  * Exact:  a view given as matrices passes through untouched, so that the same
- *         floats can be handed to glLoadMatrixf. The tangent comes from
+ *         floats can be handed to glLoadMatrixf. Sines and tangents come from
  *         base/trig.h, not libm, so that every machine gets the same bits.
+ * Fits:   a pose that names no eye shows all of the geometry, or of one mesh of it; near
+ *         and far plane hold all of it in any case.
  */
 #ifndef ZR_CAMERA_H
 #define ZR_CAMERA_H
@@ -26,7 +28,7 @@ struct zr_camera {
 struct zr_bounds zr_bounds_of(const struct zr_scene *scene);
 
 /* Fails with ZR_BAD_SCENE where the view has no solution (an eye on its target, an
- * up along the view), or where an entry of a matrix is beyond
+ * up along the view, a target that a fitted distance cannot show), or where an entry of a matrix is beyond
  * ZR_MATRIX_MAX. */
 enum zr_status zr_camera_resolve(const struct zr_scene *scene, const struct zr_bounds *bounds, struct zr_camera *camera,
                                  struct zr_error *error);

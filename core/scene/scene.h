@@ -108,7 +108,13 @@ struct zr_light {
     bool camera_frame; /* direction is in eye space (a headlight), else in world space */
 };
 
-enum zr_pose { ZR_POSE_PRESET, ZR_POSE_LOOK_AT, ZR_POSE_MATRIX };
+enum zr_pose {
+    ZR_POSE_PRESET,    /* fitted to the geometry */
+    ZR_POSE_LOOK_AT,   /* eye, target, up */
+    ZR_POSE_DIRECTION, /* direction, up; fitted */
+    ZR_POSE_ORBIT,     /* azimuth and elevation around a target */
+    ZR_POSE_MATRIX
+};
 
 enum zr_preset {
     ZR_PRESET_FRONT, /* the camera on +z, looks along -z; y is up */
@@ -121,23 +127,43 @@ enum zr_preset {
     ZR_PRESET_COUNT
 };
 
-enum zr_projection { ZR_PROJECTION_PERSPECTIVE, ZR_PROJECTION_ORTHOGRAPHIC, ZR_PROJECTION_MATRIX };
+enum zr_projection {
+    ZR_PROJECTION_PERSPECTIVE,
+    ZR_PROJECTION_ORTHOGRAPHIC,
+    ZR_PROJECTION_INTRINSICS,
+    ZR_PROJECTION_MATRIX
+};
+
+/* A pinhole camera in pixels of the window; (0, 0) is the top left corner of the picture. A point
+ * x to the right, y down and z in front is seen at ((fx x + skew y) / z + cx, fy y / z + cy). */
+struct zr_intrinsics {
+    double fx, fy, skew;
+    bool has_cx, has_cy; /* else the middle of the window */
+    double cx, cy;
+};
 
 /* One pose and one projection, as asked for; resolved by scene/camera.h. */
 struct zr_view {
     enum zr_pose pose;
-    enum zr_preset preset; /* fitted to the geometry */
+    enum zr_preset preset;
     zr_vec3 eye, target, up;
-    zr_mat4 world_to_camera; /* eye space: the camera looks along -z, y is up */
+    zr_vec3 direction;                         /* the way the camera looks; any length */
+    double azimuth_degrees, elevation_degrees; /* of the camera, seen from the target: 0, 0 is the preset front */
+    bool has_target;                           /* orbit: else the centre of what is fitted to */
+    float distance;                            /* orbit: from the target; 0: fitted */
+    zr_mat4 world_to_camera;                   /* eye space: the camera looks along -z, y is up */
 
     enum zr_projection projection;
-    float yfov_radians; /* full angle */
-    float xmag, ymag;   /* half sizes; both 0: fitted to the geometry */
+    float yfov_radians, xfov_radians; /* full angles; the one that is not given is 0 */
+    float xmag, ymag;                 /* half sizes; both 0: fitted to the geometry */
+    struct zr_intrinsics intrinsics;
     zr_mat4 projection_matrix;
 
     bool has_znear, has_zfar; /* else taken from the bounds */
     float znear, zfar;        /* distances in front of the camera */
     float fit_padding;        /* share of the window left free on each side */
+    bool fit_to_mesh;         /* what is fitted is to hold only the instances of the mesh fit_mesh */
+    uint32_t fit_mesh;
 };
 
 /* The independent ways to decide who is seen (raster/): all give the same pixels. */

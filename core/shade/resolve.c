@@ -11,14 +11,21 @@ struct run {
     uint32_t owner;
 };
 
+/* As zr_plane, for depth in scene units. Nothing has to equal a reference here, and in float the
+ * way from the corner of the window to the triangle would cost some ulps, for a small or narrow
+ * triangle hundreds: what is left in double is how its corners were rounded. */
+struct depth_plane {
+    double a0, dadx, dady;
+};
+
 /* A triangle's planes, kept while its runs are resolved. */
 struct surface {
     uint32_t owner; /* 0: none yet */
     bool flat;
     uint32_t flat_color;
     struct zr_plane oow, red, green, blue; /* colours times 1/w */
-    struct zr_plane eye_z, eye_w;          /* times 1/w */
-    float depth_min, depth_max;
+    struct depth_plane eye_z, eye_w;       /* times 1/w */
+    double depth_min, depth_max;
 };
 
 /* Small triangles come back in every row of a tile: this many are remembered. */
@@ -96,15 +103,43 @@ static void make_color(const struct zr_geometry *geometry, const struct zr_trian
     surface->blue = plane_make(basis, c0.z * oow[0], c1.z * oow[1], c2.z * oow[2]);
 }
 
-static void make_depth(const struct zr_window_vertex *const v[3], const struct basis *basis, const float oow[3],
-                       struct surface *surface)
+static struct depth_plane depth_plane_make(const struct zr_window_vertex *const v[3], const double p[3])
 {
-    surface->eye_z = plane_make(basis, -v[0]->eye_z * oow[0], -v[1]->eye_z * oow[1], -v[2]->eye_z * oow[2]);
-    surface->eye_w = plane_make(basis, v[0]->eye_w * oow[0], v[1]->eye_w * oow[1], v[2]->eye_w * oow[2]);
+    double x0 = (double)v[0]->x, y0 = (double)v[0]->y;
+    double dx01 = x0 - (double)v[1]->x, dy01 = y0 - (double)v[1]->y;
+    double dx20 = (double)v[2]->x - x0, dy20 = (double)v[2]->y - y0;
+    double ooa = 1.0 / (dx01 * dy20 - dy01 * dx20), d01 = (p[0] - p[1]) * ooa, d20 = (p[2] - p[0]) * ooa;
+    double dadx = d01 * dy20 - d20 * dy01, dady = d20 * dx01 - d01 * dx20;
+    return (struct depth_plane){p[0] - (dadx * (x0 - 0.5) + dady * (y0 - 0.5)), dadx, dady};
+}
+
+/* A line's values vary along its major axis alone (raster/line.h). */
+static struct depth_plane depth_line_make(const struct zr_window_vertex *const v[3], const double p[3])
+{
+    double x0 = (double)v[0]->x, y0 = (double)v[0]->y, dx = x0 - (double)v[1]->x, dy = y0 - (double)v[1]->y;
+    bool along_x = fabs(dx) >= fabs(dy);
+    double dadx = along_x ? (p[0] - p[1]) / dx : 0.0, dady = along_x ? 0.0 : (p[0] - p[1]) / dy;
+    return (struct depth_plane){p[0] - (dadx * (x0 - 0.5) + dady * (y0 - 0.5)), dadx, dady};
+}
+
+static double depth_plane_at(const struct depth_plane *plane, double x, double y)
+{
+    return (plane->a0 + plane->dadx * x) + plane->dady * y;
+}
+
+static void make_depth(const struct zr_window_vertex *const v[3], bool is_line, struct surface *surface)
+{
+    double z[3], w[3];
+    for (int i = 0; i < 3; i++) {
+        z[i] = -(double)v[i]->eye_z * (double)v[i]->oow;
+        w[i] = (double)v[i]->eye_w * (double)v[i]->oow;
+    }
+    surface->eye_z = is_line ? depth_line_make(v, z) : depth_plane_make(v, z);
+    surface->eye_w = is_line ? depth_line_make(v, w) : depth_plane_make(v, w);
     float d0 = eye_depth(v[0]), d1 = eye_depth(v[1]), d2 = eye_depth(v[2]);
     float low = d0 < d1 ? d0 : d1, high = d0 > d1 ? d0 : d1;
-    surface->depth_min = low < d2 ? low : d2;
-    surface->depth_max = high > d2 ? high : d2;
+    surface->depth_min = (double)(low < d2 ? low : d2);
+    surface->depth_max = (double)(high > d2 ? high : d2);
 }
 
 /* Only what the frame's channels ask for: small triangles are set up as often as drawn. */
@@ -118,7 +153,7 @@ static void make_surface(const struct zr_geometry *geometry, const struct zr_fra
     struct basis basis = basis_make(t, v);
     surface->owner = owner;
     if (frame->color) make_color(geometry, t, &basis, oow, surface);
-    if (frame->depth) make_depth(v, &basis, oow, surface);
+    if (frame->depth) make_depth(v, t->line, surface);
 }
 
 static void resolve_color(const struct surface *surface, const struct run *run, uint32_t *out)
@@ -144,13 +179,13 @@ static void resolve_color(const struct surface *surface, const struct run *run, 
  * that rounding alone could throw a pixel off the surface. NaN gives the nearest vertex. */
 static void resolve_depth(const struct surface *surface, const struct run *run, float *out)
 {
-    const struct zr_plane z = surface->eye_z, w = surface->eye_w;
-    const float y = (float)run->y, low = surface->depth_min, high = surface->depth_max;
+    const struct depth_plane z = surface->eye_z, w = surface->eye_w;
+    const double y = (double)run->y, low = surface->depth_min, high = surface->depth_max;
     for (int32_t i = 0; i < run->count; i++) {
-        float x = (float)(run->x + i);
-        float depth = zr_plane_at(&z, x, y) / zr_plane_at(&w, x, y);
+        double x = (double)(run->x + i);
+        double depth = depth_plane_at(&z, x, y) / depth_plane_at(&w, x, y);
         depth = depth > low ? depth : low;
-        out[i] = depth < high ? depth : high;
+        out[i] = (float)(depth < high ? depth : high);
     }
 }
 

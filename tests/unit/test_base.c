@@ -1,3 +1,4 @@
+#include <float.h>
 #include <math.h>
 #include <stdatomic.h>
 #include <string.h>
@@ -8,6 +9,7 @@
 #include "base/trig.h"
 #include "base/vec.h"
 #include "support/cmocka_all.h"
+#include "support/random.h"
 
 static void arena_over_its_ceiling_fails_and_stays_failed(void **state)
 {
@@ -166,6 +168,54 @@ static void tangent_is_within_4_ulp_up_to_the_steepest(void **state)
     }
 }
 
+static double ulps(double got, long double want)
+{
+    double nearest = fabs((double)want), below = nearest - nextafter(nearest, 0);
+    return fabs((double)((long double)got - want)) / below;
+}
+
+/* libm in long double is the truth: it needs more bits than a double has. */
+static void sine_and_cosine_are_within_1_and_a_half_ulp(void **state)
+{
+    (void)state;
+    if (LDBL_MANT_DIG < 64) skip();
+    struct random random = random_seeded(5);
+    for (int i = 0; i < 100000; i++) {
+        double degrees = random_range(&random, 0, 45), sine, cosine, negative;
+        for (int halvings = i % 3 ? 0 : i % 40; halvings > 0; halvings--)
+            degrees *= 0.5;
+        long double radians = (long double)degrees * 3.14159265358979323846264338327950288L / 180;
+        zr_sine_cosine(degrees, &sine, &cosine);
+        assert_true(ulps(sine, sinl(radians)) <= 1.25);
+        assert_true(ulps(cosine, cosl(radians)) <= 1.5);
+        double again = cosine;
+        zr_sine_cosine(-degrees, &negative, &cosine);
+        assert_true(negative == -sine && cosine == again);
+    }
+}
+
+static void sine_and_cosine_repeat_themselves_each_quarter_and_full_turn(void **state)
+{
+    (void)state;
+    for (double degrees = -45.0; degrees <= 45.0; degrees += 0.0625) { /* exact in binary, and so are all sums */
+        double s, c, sine, cosine;
+        zr_sine_cosine(degrees, &s, &c);
+        const double sines[4] = {s, c, -s, -c};
+        for (int quarter = -400003; quarter < 400003; quarter += 1 + 9973 * (quarter < -4 || quarter > 8)) {
+            zr_sine_cosine(degrees + 90.0 * quarter, &sine, &cosine);
+            int at = (quarter % 4 + 4) % 4;
+            /* Half way between two quarters either side may do the work. */
+            double slack = fabs(degrees) == 45.0 ? 2e-16 : 0.0;
+            assert_true(fabs(sine - sines[at]) <= slack && fabs(cosine - sines[(at + 1) % 4]) <= slack);
+        }
+    }
+    double sine, cosine;
+    zr_sine_cosine(180.0, &sine, &cosine);
+    assert_true(sine == 0.0 && !signbit(sine) && cosine == -1.0);
+    zr_sine_cosine(-90.0, &sine, &cosine);
+    assert_true(sine == -1.0 && cosine == 0.0 && !signbit(cosine));
+}
+
 static void unit_vector_is_the_same_at_every_scale(void **state)
 {
     (void)state;
@@ -207,6 +257,8 @@ int main(void)
         cmocka_unit_test(error_text_too_long_is_cut_at_a_whole_character),
         cmocka_unit_test(team_ranges_visits_everything_once_with_any_number_of_threads),
         cmocka_unit_test(tangent_is_within_4_ulp_up_to_the_steepest),
+        cmocka_unit_test(sine_and_cosine_are_within_1_and_a_half_ulp),
+        cmocka_unit_test(sine_and_cosine_repeat_themselves_each_quarter_and_full_turn),
         cmocka_unit_test(unit_vector_is_the_same_at_every_scale),
         cmocka_unit_test(matrix_times_its_inverse_is_the_identity),
         cmocka_unit_test(matrix_without_inverse_is_refused),

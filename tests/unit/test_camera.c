@@ -77,9 +77,12 @@ static void fit_fills_the_window_but_for_the_padding(void **state)
 {
     (void)state;
     struct test_scene *test = box_scene();
-    for (int projection = 0; projection < 2; projection++)
+    static const enum zr_projection projections[] = {ZR_PROJECTION_ORTHOGRAPHIC, ZR_PROJECTION_PERSPECTIVE,
+                                                     ZR_PROJECTION_INTRINSICS};
+    test->scene.view.intrinsics = (struct zr_intrinsics){300, 350, 40, true, true, 520, 30}; /* outside of 400 x 200 */
+    for (int projection = 0; projection < 3; projection++)
         for (int preset = 0; preset < ZR_PRESET_COUNT; preset++) {
-            test->scene.view.projection = projection ? ZR_PROJECTION_PERSPECTIVE : ZR_PROJECTION_ORTHOGRAPHIC;
+            test->scene.view.projection = projections[projection];
             test->scene.view.preset = (enum zr_preset)preset;
             struct zr_camera camera = resolve(test);
             float farthest = 0.0f;
@@ -214,7 +217,7 @@ static void fit_shows_small_flat_things_far_from_the_origin(void **state)
     zr_arena_init(&arena, 1 << 24);
     for (size_t i = 0; i < sizeof places / sizeof *places; i++)
         for (int preset = 0; preset < ZR_PRESET_COUNT; preset++)
-            for (int projection = 0; projection < 2; projection++) {
+            for (int projection = 0; projection < 3; projection++) {
                 float o = places[i][0], s = places[i][1];
                 /* Square to the axis that the preset looks along; for isometric, to z. */
                 bool along_x = preset == ZR_PRESET_LEFT || preset == ZR_PRESET_RIGHT;
@@ -226,12 +229,12 @@ static void fit_shows_small_flat_things_far_from_the_origin(void **state)
                     p[k] = along_x ? (zr_vec4){o, u, v, 1} : along_y ? (zr_vec4){u, o, v, 1} : (zr_vec4){u, v, o, 1};
                 }
                 scene_of_triangles(&test, 64, 64, p, 2);
-                test.scene.view =
-                    (struct zr_view){.pose = ZR_POSE_PRESET,
-                                     .preset = (enum zr_preset)preset,
-                                     .yfov_radians = 0.8f,
-                                     .fit_padding = 0.05f,
-                                     .projection = projection ? ZR_PROJECTION_PERSPECTIVE : ZR_PROJECTION_ORTHOGRAPHIC};
+                test.scene.view = (struct zr_view){.pose = ZR_POSE_PRESET,
+                                                   .preset = (enum zr_preset)preset,
+                                                   .yfov_radians = 0.8f,
+                                                   .fit_padding = 0.05f,
+                                                   .intrinsics = {100, 90, 10, true, true, -20, 40},
+                                                   .projection = (enum zr_projection)projection};
                 const struct zr_frame *frame = scene_render(&arena, NULL, &test.scene);
                 assert_int_equal(frame->counts.outside, 0);
                 assert_true(frame->covered_pixels > 1000); /* of 4096; a square seen askew fills the least */

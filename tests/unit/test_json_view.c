@@ -78,17 +78,18 @@ static void bad_views_give_pointer_and_names(void **state)
     } cases[] = {
         {"{\"eye\": [0,0,1], \"preset\": \"top\"}", "/view", "two poses: preset and eye"},
         {"{\"target\": [0,0,1], \"preset\": \"top\"}", "/view", "two poses: preset and target"},
-        {"{\"preset\": \"top\", \"up\": [0,0,1]}", "/view/up", "belongs to the pose eye and target"},
-        {"{\"target\": [0,0,1]}", "/view", "target needs eye"},
+        {"{\"preset\": \"top\", \"up\": [0,0,1]}", "/view/up",
+         "belongs to the poses eye, direction and azimuthDegrees"},
+        {"{\"target\": [0,0,1]}", "/view", "target needs eye or azimuthDegrees, which is missing"},
         {"{\"orthographic\": {}, \"perspective\": {\"yfov\": 1}}", "/view",
          "two projections: perspective and orthographic"},
-        {"{\"perspective\": {}}", "/view/perspective", "yfov or yfovDegrees is missing"},
+        {"{\"perspective\": {}}", "/view/perspective",
+         "no angle; one of yfov, yfovDegrees, xfov, xfovDegrees is needed"},
         {"{\"perspective\": {\"yfov\": 1, \"yfovDegrees\": 9}}", "/view/perspective", "two angles"},
         {"{\"perspective\": {\"yfovDegrees\": 180}}", "/view/perspective/yfovDegrees", "180: an angle between"},
         {"{\"perspective\": {\"yfovDegrees\": 0}}", "/view/perspective/yfovDegrees", "0: an angle between"},
         {"{\"perspective\": {\"yfov\": 3.2}}", "/view/perspective/yfov", "3.2 is outside"},
         {"{\"perspective\": {\"yfov\": 3.14159265358979}}", "/view/perspective/yfov", "an angle between"},
-        {"{\"perspective\": {\"xfov\": 1}}", "/view/perspective/xfov", "not supported in this version"},
         {"{\"orthographic\": {\"xmag\": 1}}", "/view/orthographic", "ymag is missing"},
         {"{\"orthographic\": {\"xmag\": 0, \"ymag\": 1}}", "/view/orthographic/xmag", "0 is not greater than 0"},
         {"{\"orthographic\": {\"xmag\": 1e-60, \"ymag\": 1}}", "/view/orthographic/xmag", "1e-60 is not greater"},
@@ -102,15 +103,189 @@ static void bad_views_give_pointer_and_names(void **state)
         {"{\"worldToCamera\": [[1,0,0,0],[1],[],[]]}", "/view/worldToCamera/1", "expected 4 numbers, found 1"},
         {"{\"eye\": [0,\"0\",1]}", "/view/eye/1", "expected a number, found a string"},
         {"{\"preset\": \"up\"}", "/view/preset", "allowed: front, back, left, right, top, bottom, isometric"},
-        {"{\"K\": []}", "/view/K", "not supported in this version"},
-        {"{\"azimuthDegrees\": 3}", "/view/azimuthDegrees", "not supported in this version"},
-        {"{\"convention\": \"opencv\"}", "/view/convention", "not supported in this version"},
+        {"{\"name\": \"a\"}", "/view/name", "not supported in this version"},
+        {"{\"window\": {}}", "/view/window", "not supported in this version"},
+        {"{\"preset\": \"top\", \"direction\": [0,0,-1]}", "/view", "two poses: preset and direction"},
+        {"{\"eye\": [0,0,1], \"elevationDegrees\": 3}", "/view", "two poses: eye and elevationDegrees"},
+        {"{\"azimuthDegrees\": 1, \"cameraToWorld\": 3}", "/view", "two poses: azimuthDegrees and cameraToWorld"},
+        {"{\"worldToCamera\": 1, \"R\": 3}", "/view", "two poses: worldToCamera and R"},
+        {"{\"eye\": [0,0,1], \"distance\": 3}", "/view", "two poses: eye and distance"},
+        {"{\"eye\": [0,0,1], \"t\": [1,2,3]}", "/view", "two poses: eye and t"},
+        {"{\"direction\": [0,0,1], \"target\": [1,2,3]}", "/view", "two poses: direction and target"},
+        {"{\"R\": [1,0,0,0,1,0,0,0,1], \"target\": [1,2,3]}", "/view", "two poses: R and target"},
+        {"{\"distance\": 3}", "/view", "distance needs azimuthDegrees or elevationDegrees, which is missing"},
+        {"{\"t\": [0,0,3]}", "/view", "t needs R, which is missing"},
+        {"{\"up\": [0,0,3]}", "/view/up", "belongs to the poses eye"},
+        {"{\"R\": [1,0,0,0,1,0,0,0,1], \"up\": [0,0,3]}", "/view/up", "belongs to the poses eye"},
+        {"{\"direction\": [0,0,0]}", "/view/direction", "the direction is zero"},
+        {"{\"direction\": [0,1]}", "/view/direction", "expected 3 numbers, found 2"},
+        {"{\"azimuthDegrees\": \"3\"}", "/view/azimuthDegrees", "expected a number, found a string"},
+        {"{\"azimuthDegrees\": 2e6}", "/view/azimuthDegrees", "2000000 is outside of -1000000 to 1000000"},
+        {"{\"elevationDegrees\": 91}", "/view/elevationDegrees", "91 is outside of -90 to 90"},
+        {"{\"azimuthDegrees\": 3, \"distance\": 0}", "/view/distance", "0 is not greater than 0"},
+        {"{\"R\": [1,0,0,0,1,0,0,0]}", "/view/R", "expected 9 numbers, found 8"},
+        {"{\"R\": []}", "/view/R", "expected 9 numbers, found 0"},
+        {"{\"R\": 1}", "/view/R", "expected a list, found a number"},
+        {"{\"R\": [[1,0,0],[0,1,0]]}", "/view/R", "expected 3 rows, found 2"},
+        {"{\"R\": [[1,0,0],[0,1],[0,0,1]]}", "/view/R/1", "expected 3 numbers, found 2"},
+        {"{\"R\": [[1,0,0],3,[0,0,1]]}", "/view/R/1", "expected a list, found a number"},
+        {"{\"R\": [1,0,0,0,1,0,0,0,null]}", "/view/R/8", "expected a number, found null"},
+        {"{\"R\": [1,0,0,0,2,0,0,0,1]}", "/view/R", "not a rotation: row 1 has the length 2, not 1"},
+        {"{\"R\": [1,0,0,0,1,0,0,0,0]}", "/view/R", "not a rotation: row 2 has the length 0, not 1"},
+        {"{\"R\": [1,0,0,0,1,0.002,0,0,1]}", "/view/R", "not a rotation: rows 1 and 2 are not at right angles"},
+        {"{\"R\": [1,0,0,0,1,0,0,0,-1]}", "/view/R", "not a rotation but a reflection: its determinant is negative"},
+        {"{\"R\": [1,0,0,0,1,0,0,0,1], \"t\": [1,2]}", "/view/t", "expected 3 numbers, found 2"},
+        {"{\"convention\": \"opencv\"}", "/view/convention", "opencv belongs to cameraToWorld, worldToCamera and R"},
+        {"{\"convention\": \"opencv\", \"eye\": [0,0,1]}", "/view/convention", "no other pose has axes"},
+        {"{\"convention\": \"opencv\", \"preset\": \"top\"}", "/view/convention", "no other pose has axes"},
+        {"{\"convention\": \"opencv\", \"direction\": [0,0,1]}", "/view/convention", "no other pose has axes"},
+        {"{\"convention\": \"opencv\", \"azimuthDegrees\": 0}", "/view/convention", "no other pose has axes"},
+        {"{\"convention\": \"vulkan\", \"R\": [1,0,0,0,1,0,0,0,1]}", "/view/convention",
+         "'vulkan' is unknown; allowed: opengl, opencv"},
+        {"{\"perspective\": {\"xfov\": 1, \"yfov\": 1}}", "/view/perspective", "two angles: yfov and xfov"},
+        {"{\"perspective\": {\"xfov\": 1, \"xfovDegrees\": 1}}", "/view/perspective",
+         "two angles: xfov and xfovDegrees"},
+        {"{\"perspective\": {\"xfovDegrees\": 180}}", "/view/perspective/xfovDegrees", "180: an angle between"},
+        {"{\"perspective\": {\"xfov\": 3.2}}", "/view/perspective/xfov", "3.2 is outside"},
+        {"{\"intrinsics\": {\"fx\": 1}, \"K\": []}", "/view", "two projections: intrinsics and K"},
+        {"{\"perspective\": {}, \"K\": []}", "/view", "two projections: perspective and K"},
+        {"{\"K\": [], \"projectionMatrix\": []}", "/view", "two projections: K and projectionMatrix"},
+        {"{\"intrinsics\": {\"fy\": 1}}", "/view/intrinsics", "fx is missing"},
+        {"{\"intrinsics\": {\"fx\": 0}}", "/view/intrinsics/fx", "0 is no focal length in pixels: 1e-06 and more"},
+        {"{\"intrinsics\": {\"fx\": 1, \"fy\": -3}}", "/view/intrinsics/fy", "-3 is no focal length in pixels"},
+        {"{\"intrinsics\": {\"fx\": 2e9}}", "/view/intrinsics/fx", "2000000000 is outside"},
+        {"{\"intrinsics\": {\"fx\": 2, \"cx\": \"1\"}}", "/view/intrinsics/cx", "expected a number, found a string"},
+        {"{\"intrinsics\": {\"fx\": 2, \"k1\": 1}}", "/view/intrinsics/k1", "known here: fx, fy, cx, cy, skew"},
+        {"{\"intrinsics\": []}", "/view/intrinsics", "expected an object, found a list"},
+        {"{\"K\": [9,0,3,0,9,4,0,0]}", "/view/K", "expected 9 numbers, found 8"},
+        {"{\"K\": [9,0,0,0,9,0,3,4,1]}", "/view/K", "the last row is 3 4 1, not 0 0 1 (a flat list goes row by row)"},
+        {"{\"K\": [[9,0,3],[0.5,9,4],[0,0,1]]}", "/view/K", "the second row begins with 0.5, not 0"},
+        {"{\"K\": [0,0,3,0,9,4,0,0,1]}", "/view/K", "0 is no focal length"},
+        {"{\"K\": [9,0,3,0,-9,4,0,0,1]}", "/view/K", "-9 is no focal length"},
+        {"{\"pixelCenter\": 0}", "/view/pixelCenter", "belongs to intrinsics and K only"},
+        {"{\"perspective\": {\"yfov\": 1}, \"pixelCenter\": 0.5}", "/view/pixelCenter", "belongs to intrinsics and K"},
+        {"{\"intrinsics\": {\"fx\": 1}, \"pixelCenter\": 0.25}", "/view/pixelCenter", "0.25 is neither 0 nor 0.5"},
+        {"{\"intrinsics\": {\"fx\": 1}, \"pixelCenter\": 1}", "/view/pixelCenter", "1 is outside of 0 to 0.5"},
+        {"{\"intrinsics\": {\"fx\": 1}, \"znear\": -1}", "/view/znear", "-1 is not greater than 0"},
+        {"{\"fit\": {\"mesh\": 3}}", "/view/fit/mesh", "expected a string, found a number"},
+        {"{\"fit\": {\"mesh\": \"nut\"}}", "/view/fit/mesh", "no mesh is named 'nut'"},
+        {"{\"fit\": {\"mesh\": \"\"}}", "/view/fit/mesh", "no mesh is named ''"},
+        {"{\"eye\": [0,0,1], \"fit\": {\"mesh\": \"nut\"}}", "/view/fit/mesh", "no mesh is named 'nut'"},
     };
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
         char rest[512];
         snprintf(rest, sizeof rest, "\"view\": %s", cases[i].view);
         refuses_rest(rest, cases[i].pointer, cases[i].detail);
     }
+}
+
+static void poses_are_read(void **state)
+{
+    (void)state;
+    struct zr_view view = view_of("{\"direction\": [1,2,3]}");
+    assert_int_equal(view.pose, ZR_POSE_DIRECTION);
+    assert_int_equal(view.projection, ZR_PROJECTION_ORTHOGRAPHIC); /* fitted, as presets are */
+    assert_true(view.direction.y == 2 && view.up.y == 1);
+    view = view_of("{\"direction\": [0,-4,0]}"); /* no y can be up there: as in the preset top */
+    assert_true(view.up.x == 0 && view.up.y == 0 && view.up.z == -1);
+    view = view_of("{\"direction\": [0,4,0]}");
+    assert_true(view.up.x == 0 && view.up.y == 0 && view.up.z == 1);
+    view = view_of("{\"direction\": [0,-4,0], \"up\": [1,0,0]}");
+    assert_true(view.up.x == 1 && view.up.z == 0);
+    view = view_of("{\"azimuthDegrees\": -12.5}");
+    assert_int_equal(view.pose, ZR_POSE_ORBIT);
+    assert_int_equal(view.projection, ZR_PROJECTION_ORTHOGRAPHIC);
+    assert_true(view.azimuth_degrees == -12.5 && view.elevation_degrees == 0 && view.distance == 0 && !view.has_target);
+    view = view_of("{\"elevationDegrees\": 90, \"distance\": 3, \"target\": [1,2,3], \"up\": [0,0,2]}");
+    assert_int_equal(view.projection, ZR_PROJECTION_PERSPECTIVE); /* a distance asks for one */
+    assert_true(view.yfov_radians == (float)(45 * 3.14159265358979323846 / 180));
+    assert_true(view.elevation_degrees == 90 && view.distance == 3 && view.has_target && view.target.z == 3 &&
+                view.up.z == 2);
+}
+
+static void conventions_differ_in_the_axes_y_and_z_of_the_camera(void **state)
+{
+    (void)state;
+    /* X_camera = R X_world + t in opencv; the rows y and z change sign for opengl. */
+    static const float want[16] = {0, 0, 1, 0, 1, 0, 0, 0, 0, 1, 0, 0, 7, -8, -9, 1};
+    static const char *const same[] = {
+        "{\"R\": [[0,1,0],[0,0,-1],[-1,0,0]], \"t\": [7,8,9]}",
+        "{\"R\": [0,1,0, 0,0,-1, -1,0,0], \"t\": [7,8,9], \"convention\": \"opencv\"}",
+        "{\"R\": [0,1,0, 0,0,1, 1,0,0], \"t\": [7,-8,-9], \"convention\": \"opengl\"}",
+        "{\"worldToCamera\": [[0,1,0,7],[0,0,-1,8],[-1,0,0,9],[0,0,0,1]], \"convention\": \"opencv\"}",
+        "{\"worldToCamera\": [[0,1,0,7],[0,0,1,-8],[1,0,0,-9],[0,0,0,1]], \"convention\": \"opengl\"}",
+        "{\"cameraToWorld\": [[0,0,-1,9],[1,0,0,-7],[0,-1,0,8],[0,0,0,1]], \"convention\": \"opencv\"}",
+        "{\"cameraToWorld\": [[0,0,1,9],[1,0,0,-7],[0,1,0,8],[0,0,0,1]]}",
+    };
+    for (size_t i = 0; i < sizeof same / sizeof *same; i++) {
+        struct zr_view view = view_of(same[i]);
+        assert_int_equal(view.pose, ZR_POSE_MATRIX);
+        for (int k = 0; k < 16; k++)
+            assert_true(view.world_to_camera.m[k] == want[k]);
+    }
+    struct zr_view view = view_of("{\"R\": [1,0,0, 0,1,0, 0,0,1]}"); /* t is 0, and no zero is -0 */
+    static const float flipped[16] = {1, 0, 0, 0, 0, -1, 0, 0, 0, 0, -1, 0, 0, 0, 0, 1};
+    assert_memory_equal(view.world_to_camera.m, flipped, sizeof flipped);
+}
+
+static void convention_opengl_goes_with_every_pose_and_leaves_every_bit(void **state)
+{
+    (void)state;
+    static const char *const poses[] = {"\"preset\": \"top\"", "\"eye\": [0,0,1]", "\"direction\": [0,0,1]",
+                                        "\"azimuthDegrees\": 3", "\"znear\": 1"};
+    for (size_t i = 0; i < sizeof poses / sizeof *poses; i++) {
+        char text[128];
+        snprintf(text, sizeof text, "{%s, \"convention\": \"opengl\"}", poses[i]);
+        view_of(text);
+    }
+    struct zr_view view = view_of("{\"worldToCamera\": [0.1,0.2,0.3,0, 0.4,-0.0,0.6,0, -0.7,0.8,0.9,0, 1,2,3,1],"
+                                  "\"convention\": \"opengl\"}");
+    static const float want[16] = {0.1f, 0.2f, 0.3f, 0, 0.4f, -0.0f, 0.6f, 0, -0.7f, 0.8f, 0.9f, 0, 1, 2, 3, 1};
+    assert_memory_equal(view.world_to_camera.m, want, sizeof want);
+}
+
+static void projections_are_read(void **state)
+{
+    (void)state;
+    struct zr_view view = view_of("{\"eye\": [0,0,1], \"perspective\": {\"xfov\": 1.25}}");
+    assert_true(view.xfov_radians == 1.25f && view.yfov_radians == 0);
+    view = view_of("{\"perspective\": {\"xfovDegrees\": 90}}");
+    assert_true(view.xfov_radians == (float)(3.14159265358979323846 / 2) && view.yfov_radians == 0);
+    view = view_of("{\"intrinsics\": {\"fx\": 500}}");
+    assert_int_equal(view.projection, ZR_PROJECTION_INTRINSICS);
+    assert_int_equal(view.pose, ZR_POSE_PRESET);
+    assert_true(view.intrinsics.fx == 500 && view.intrinsics.fy == 500 && view.intrinsics.skew == 0);
+    assert_false(view.intrinsics.has_cx || view.intrinsics.has_cy);
+    view = view_of("{\"intrinsics\": {\"fx\": 500.25, \"fy\": 400, \"cx\": 0, \"cy\": -7, \"skew\": -2}}");
+    assert_true(view.intrinsics.fx == 500.25 && view.intrinsics.fy == 400 && view.intrinsics.skew == -2);
+    assert_true(view.intrinsics.has_cx && view.intrinsics.has_cy);
+    assert_true(view.intrinsics.cx == 0 && view.intrinsics.cy == -7);
+    static const char *const same[] = {"{\"K\": [[5,1,30],[0,6,40],[0,0,1]], \"pixelCenter\": 0.5}",
+                                       "{\"K\": [5,1,30, 0,6,40, 0,0,1]}",
+                                       "{\"K\": [5,1,29.5, 0,6,39.5, 0,0,1], \"pixelCenter\": 0}"};
+    for (size_t i = 0; i < sizeof same / sizeof *same; i++) {
+        struct zr_intrinsics k = view_of(same[i]).intrinsics;
+        assert_true(k.fx == 5 && k.skew == 1 && k.cx == 30 && k.fy == 6 && k.cy == 40 && k.has_cx && k.has_cy);
+    }
+}
+
+static void fit_finds_its_mesh_by_name(void **state)
+{
+    (void)state;
+#define MESH(name) "{\"name\": \"" name "\", " POSITIONS ", \"faces\": [[0,1,2]]}"
+    struct reading *reading =
+        read_scene("{\"view\": {\"fit\": {\"mesh\": \"nut\"}}, \"meshes\": [" MESH("bolt") ", " MESH("nut") "]}");
+    assert_true(reading->scene->view.fit_to_mesh);
+    assert_int_equal(reading->scene->view.fit_mesh, 1);
+    reading_free(reading);
+    refuses_scene(
+        "{\"view\": {\"fit\": {\"mesh\": \"nut\"}}, \"meshes\": [" MESH("nut") ", " MESH("") ", " MESH("nut") "]}",
+        "/view/fit/mesh", "two meshes have the name 'nut': 0 and 2");
+    refuses_scene("{\"view\": {\"fit\": {\"mesh\": \"\"}}, \"meshes\": [" MESH("") "]}", "/view/fit/mesh",
+                  "no mesh is named ''");
+    refuses_scene("{\"view\": {\"fit\": {\"mesh\": \"nu\"}}, \"meshes\": [" MESH("nut") "]}", "/view/fit/mesh",
+                  "no mesh is named 'nu'");
+#undef MESH
 }
 
 static void outputs_are_read(void **state)
@@ -188,6 +363,11 @@ int main(void)
         cmocka_unit_test(pose_written_row_by_row_is_told_so),
         cmocka_unit_test(projection_matrix_alone_leads_from_world_to_clip_space),
         cmocka_unit_test(bad_views_give_pointer_and_names),
+        cmocka_unit_test(poses_are_read),
+        cmocka_unit_test(conventions_differ_in_the_axes_y_and_z_of_the_camera),
+        cmocka_unit_test(convention_opengl_goes_with_every_pose_and_leaves_every_bit),
+        cmocka_unit_test(projections_are_read),
+        cmocka_unit_test(fit_finds_its_mesh_by_name),
         cmocka_unit_test(outputs_are_read),
         cmocka_unit_test(bad_outputs_give_pointer_and_what_is_allowed),
         cmocka_unit_test(query_output_replaces_those_of_the_scene),

@@ -1,0 +1,85 @@
+/* camera_parts.h - scene: what the files of the camera share; nobody else includes it.
+ *
+ *     pose.c         view            -> axes
+ *     fit.c          axes, geometry  -> where the eye stands
+ *     projection.c   view, geometry  -> projection, near and far plane
+ *
+ * Doubles inside, floats out: a view is resolved once a request.
+ */
+#ifndef ZR_CAMERA_PARTS_H
+#define ZR_CAMERA_PARTS_H
+
+#include <math.h>
+
+#include "scene/camera.h"
+
+typedef struct {
+    double x, y, z;
+} zr_dvec3;
+
+static inline zr_dvec3 zr_dvec3_of(zr_vec3 v)
+{
+    return (zr_dvec3){(double)v.x, (double)v.y, (double)v.z};
+}
+static inline zr_dvec3 zr_dvec3_sub(zr_dvec3 a, zr_dvec3 b)
+{
+    return (zr_dvec3){a.x - b.x, a.y - b.y, a.z - b.z};
+}
+static inline zr_dvec3 zr_dvec3_add_scaled(zr_dvec3 a, zr_dvec3 b, double s)
+{
+    return (zr_dvec3){a.x + b.x * s, a.y + b.y * s, a.z + b.z * s};
+}
+static inline double zr_dvec3_dot(zr_dvec3 a, zr_dvec3 b)
+{
+    return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+static inline zr_dvec3 zr_dvec3_cross(zr_dvec3 a, zr_dvec3 b)
+{
+    return (zr_dvec3){a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+
+/* A camera's place and its axes, of unit length, in world space. */
+struct zr_axes {
+    zr_dvec3 right, up, back, eye;
+};
+
+/* pose.c. Of any pose but ZR_POSE_MATRIX; the eye only of ZR_POSE_LOOK_AT. */
+enum zr_status zr_axes_of(const struct zr_view *view, struct zr_axes *axes, struct zr_error *error);
+zr_mat4 zr_axes_to_matrix(const struct zr_axes *axes);
+
+struct zr_extent {
+    zr_dvec3 min, max;
+};
+
+/* fit.c. Bounds of the points in eye space, by the very matrix and in the very floats that
+ * they are drawn with; all zero where there is no point. fitted_only: of the mesh that the
+ * view is fitted to, where it names one. */
+struct zr_extent zr_extent_in_eye_space(const struct zr_scene *scene, const zr_mat4 *world_to_eye, bool fitted_only);
+
+/* What rounding may add to a place in eye space when projection and view become one matrix. */
+double zr_rounding_of(const struct zr_bounds *bounds, zr_dvec3 moved);
+
+/* Puts the eye of a pose that leaves that to the geometry. `bounds` are those of what is
+ * fitted to. */
+enum zr_status zr_fit_eye(const struct zr_scene *scene, const struct zr_bounds *bounds, struct zr_axes *axes,
+                          struct zr_error *error);
+
+/* The bounds of what the view is fitted to; `whole` are those of the scene. */
+struct zr_bounds zr_fit_bounds(const struct zr_scene *scene, const struct zr_bounds *whole);
+
+/* What a perspective camera sees: (x - shear y) / depth from left to right, y / depth from bottom
+ * to top, in eye space. The padding of a fit is taken off. */
+struct zr_opening {
+    double left, right, bottom, top, shear;
+};
+
+/* projection.c */
+static inline bool zr_view_is_perspective(const struct zr_view *view)
+{
+    return view->projection == ZR_PROJECTION_PERSPECTIVE || view->projection == ZR_PROJECTION_INTRINSICS;
+}
+struct zr_opening zr_opening_of(const struct zr_scene *scene);
+enum zr_status zr_camera_project(const struct zr_scene *scene, const struct zr_bounds *bounds,
+                                 const struct zr_bounds *fitted, struct zr_camera *camera, struct zr_error *error);
+
+#endif

@@ -1,0 +1,243 @@
+/* Bounds, and where the eye must stand so that the window holds them. */
+#include <float.h>
+
+#include "scene/camera_parts.h"
+
+static bool is_fitted_to(const struct zr_view *view, uint32_t mesh)
+{
+    return !view->fit_to_mesh || view->fit_mesh == mesh;
+}
+
+static bool in_range(zr_dvec3 p)
+{
+    return fabs(p.x) <= (double)FLT_MAX && fabs(p.y) <= (double)FLT_MAX && fabs(p.z) <= (double)FLT_MAX;
+}
+
+/* False for what is at infinity, or as good as. */
+static bool place_of(zr_vec4 p, zr_dvec3 *out)
+{
+    double w = (double)p.w;
+    *out = (zr_dvec3){(double)p.x / w, (double)p.y / w, (double)p.z / w};
+    return w != 0.0 && in_range(*out);
+}
+
+/* ---- every point of a scene, in world space ---- */
+
+struct point_walk {
+    const struct zr_scene *scene;
+    bool fitted_only;
+    uint32_t instance, position;
+};
+
+/* False at the end. */
+static bool next_point(struct point_walk *walk, zr_dvec3 *out)
+{
+    const struct zr_scene *scene = walk->scene;
+    for (; walk->instance < scene->instance_count; walk->instance++, walk->position = 0) {
+        const struct zr_instance *instance = &scene->instances[walk->instance];
+        const struct zr_mesh *mesh = &scene->meshes[instance->mesh];
+        if (walk->fitted_only && !is_fitted_to(&scene->view, instance->mesh)) continue;
+        while (walk->position < mesh->position_count)
+            if (place_of(zr_mat4_apply(&instance->object_to_world, mesh->positions[walk->position++]), out))
+                return true;
+    }
+    return false;
+}
+
+/* ---- extents ---- */
+
+static const struct zr_extent NOTHING = {{HUGE_VAL, HUGE_VAL, HUGE_VAL}, {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL}};
+
+static void include(struct zr_extent *e, zr_dvec3 p)
+{
+    if (p.x < e->min.x) e->min.x = p.x;
+    if (p.y < e->min.y) e->min.y = p.y;
+    if (p.z < e->min.z) e->min.z = p.z;
+    if (p.x > e->max.x) e->max.x = p.x;
+    if (p.y > e->max.y) e->max.y = p.y;
+    if (p.z > e->max.z) e->max.z = p.z;
+}
+
+static struct zr_extent or_zero(struct zr_extent e)
+{
+    return e.min.x <= e.max.x ? e : (struct zr_extent){{0, 0, 0}, {0, 0, 0}};
+}
+
+/* A place from the eye, along the axes. */
+static zr_dvec3 along(const struct zr_axes *axes, zr_dvec3 p)
+{
+    zr_dvec3 q = zr_dvec3_sub(p, axes->eye);
+    return (zr_dvec3){zr_dvec3_dot(q, axes->right), zr_dvec3_dot(q, axes->up), zr_dvec3_dot(q, axes->back)};
+}
+
+static struct zr_extent extent_along(const struct zr_scene *scene, const struct zr_axes *axes, bool fitted_only)
+{
+    struct zr_extent e = NOTHING;
+    struct point_walk walk = {.scene = scene, .fitted_only = fitted_only};
+    for (zr_dvec3 p; next_point(&walk, &p);)
+        include(&e, along(axes, p));
+    return or_zero(e);
+}
+
+/* Far from the origin rounding moves points, and the view must hold them where they are,
+ * not where they should be. */
+struct zr_extent zr_extent_in_eye_space(const struct zr_scene *scene, const zr_mat4 *world_to_eye, bool fitted_only)
+{
+    struct zr_extent e = NOTHING;
+    for (uint32_t i = 0; i < scene->instance_count; i++) {
+        const struct zr_instance *instance = &scene->instances[i];
+        const struct zr_mesh *mesh = &scene->meshes[instance->mesh];
+        if (fitted_only && !is_fitted_to(&scene->view, instance->mesh)) continue;
+        zr_mat4 object_to_eye = zr_mat4_mul(world_to_eye, &instance->object_to_world);
+        for (uint32_t k = 0; k < mesh->position_count; k++) {
+            zr_dvec3 p;
+            if (place_of(zr_mat4_apply(&object_to_eye, mesh->positions[k]), &p)) include(&e, p);
+        }
+    }
+    return or_zero(e);
+}
+
+static struct zr_bounds bounds_of(const struct zr_scene *scene, bool fitted_only)
+{
+    struct zr_extent e = NOTHING;
+    struct point_walk walk = {.scene = scene, .fitted_only = fitted_only};
+    for (zr_dvec3 p; next_point(&walk, &p);)
+        include(&e, p);
+    if (!(e.min.x <= e.max.x)) return (struct zr_bounds){.valid = false};
+    return (struct zr_bounds){
+        true, {(float)e.min.x, (float)e.min.y, (float)e.min.z}, {(float)e.max.x, (float)e.max.y, (float)e.max.z}};
+}
+
+struct zr_bounds zr_bounds_of(const struct zr_scene *scene)
+{
+    return bounds_of(scene, false);
+}
+
+struct zr_bounds zr_fit_bounds(const struct zr_scene *scene, const struct zr_bounds *whole)
+{
+    return scene->view.fit_to_mesh ? bounds_of(scene, true) : *whole;
+}
+
+/* ---- fit ---- */
+
+static double size_of(const struct zr_bounds *bounds)
+{
+    zr_dvec3 diagonal = zr_dvec3_sub(zr_dvec3_of(bounds->max), zr_dvec3_of(bounds->min));
+    double size = bounds->valid ? sqrt(zr_dvec3_dot(diagonal, diagonal)) : 0.0;
+    return size > 0.0 ? size : 1.0;
+}
+
+/* Some operations on the largest numbers there are, `moved` among them, each off by half an
+ * ulp at most. Sixteen are ample. */
+double zr_rounding_of(const struct zr_bounds *bounds, zr_dvec3 moved)
+{
+    const zr_vec3 low = bounds->min, high = bounds->max;
+    const float all[] = {low.x, low.y, low.z, high.x, high.y, high.z};
+    double largest = fmax(fabs(moved.x), fmax(fabs(moved.y), fabs(moved.z)));
+    for (int i = 0; i < 6 && bounds->valid; i++)
+        largest = fmax(largest, fabs((double)all[i]));
+    return 16.0 * (double)FLT_EPSILON * largest;
+}
+
+/* What a fit is measured with. */
+struct fitting {
+    const struct zr_scene *scene;
+    struct zr_opening opening;
+    double size, rounding;
+};
+
+/* From a point at x along the axis, z towards the camera, it takes a distance of d with
+ * left (d - z) <= x - e <= right (d - z) to see the point from e: so e is from the largest
+ * x + right z - right d to the smallest x + left z - left d, and the least distance is where
+ * the two meet. */
+struct wedge {
+    double low, high; /* of x + right z, of x + left z */
+};
+
+static void widen(struct wedge *wedge, double x, double z, double left, double right, double rounding)
+{
+    wedge->low = fmax(wedge->low, x + right * z + rounding * (1.0 + fabs(right)));
+    wedge->high = fmin(wedge->high, x + left * z - rounding * (1.0 + fabs(left)));
+}
+
+/* Moves the eye sideways and back until the opening just holds every point. */
+static void fit_freely(const struct fitting *fitting, struct zr_axes *axes)
+{
+    const struct zr_opening *o = &fitting->opening;
+    struct wedge wide = {-HUGE_VAL, HUGE_VAL}, tall = {-HUGE_VAL, HUGE_VAL};
+    double nearest = -HUGE_VAL, rounding = fitting->rounding;
+    struct point_walk walk = {.scene = fitting->scene, .fitted_only = true};
+    for (zr_dvec3 p; next_point(&walk, &p);) {
+        zr_dvec3 q = along(axes, p);
+        widen(&wide, q.x - o->shear * q.y, q.z, o->left, o->right, rounding * (1.0 + fabs(o->shear)));
+        widen(&tall, q.y, q.z, o->bottom, o->top, rounding);
+        nearest = fmax(nearest, q.z + rounding);
+    }
+    double distance = fitting->size, x = 0.0, y = 0.0;
+    if (nearest > -HUGE_VAL) {
+        distance = fmax((wide.low - wide.high) / (o->right - o->left), (tall.low - tall.high) / (o->top - o->bottom));
+        distance = fmax(distance, nearest + 0.05 * fitting->size);
+        y = 0.5 * ((tall.low - o->top * distance) + (tall.high - o->bottom * distance));
+        x = 0.5 * ((wide.low - o->right * distance) + (wide.high - o->left * distance)) + o->shear * y;
+    }
+    axes->eye = zr_dvec3_add_scaled(axes->eye, axes->right, x);
+    axes->eye = zr_dvec3_add_scaled(axes->eye, axes->up, y);
+    axes->eye = zr_dvec3_add_scaled(axes->eye, axes->back, distance);
+}
+
+/* Moves the eye back only: what it turns around stays on its axis. */
+static enum zr_status fit_on_axis(const struct fitting *fitting, struct zr_axes *axes, struct zr_error *error)
+{
+    const struct zr_opening *o = &fitting->opening;
+    if (!(o->left < 0.0 && o->right > 0.0 && o->bottom < 0.0 && o->top > 0.0))
+        return zr_error_add(error, ZR_BAD_SCENE, "/view/target",
+                            "no distance shows what is around it: the principal point is outside of the window");
+    double distance = -HUGE_VAL, rounding = fitting->rounding;
+    struct point_walk walk = {.scene = fitting->scene, .fitted_only = true};
+    for (zr_dvec3 p; next_point(&walk, &p);) {
+        zr_dvec3 q = along(axes, p);
+        double x = q.x - o->shear * q.y, around = rounding * (1.0 + fabs(o->shear));
+        double wide = fmax((x + around) / o->right, (x - around) / o->left);
+        double tall = fmax((q.y + rounding) / o->top, (q.y - rounding) / o->bottom);
+        distance = fmax(distance, q.z + rounding + fmax(fmax(wide, tall), 0.05 * fitting->size));
+    }
+    axes->eye = zr_dvec3_add_scaled(axes->eye, axes->back, distance > 0.0 ? distance : fitting->size);
+    return ZR_OK;
+}
+
+/* Without perspective only the middle matters: the camera stands one diagonal of the bounds
+ * in front of the nearest point of the whole scene. */
+static void fit_parallel(const struct zr_scene *scene, double size, bool free, struct zr_axes *axes)
+{
+    struct zr_extent fitted = extent_along(scene, axes, true);
+    double nearest = scene->view.fit_to_mesh ? extent_along(scene, axes, false).max.z : fitted.max.z;
+    if (free) {
+        axes->eye = zr_dvec3_add_scaled(axes->eye, axes->right, (fitted.min.x + fitted.max.x) * 0.5);
+        axes->eye = zr_dvec3_add_scaled(axes->eye, axes->up, (fitted.min.y + fitted.max.y) * 0.5);
+    }
+    axes->eye = zr_dvec3_add_scaled(axes->eye, axes->back, nearest + size);
+}
+
+enum zr_status zr_fit_eye(const struct zr_scene *scene, const struct zr_bounds *bounds, struct zr_axes *axes,
+                          struct zr_error *error)
+{
+    const struct zr_view *view = &scene->view;
+    bool free = view->pose != ZR_POSE_ORBIT || !view->has_target;
+    zr_dvec3 min = zr_dvec3_of(bounds->min), max = zr_dvec3_of(bounds->max);
+    if (!free)
+        axes->eye = zr_dvec3_of(view->target);
+    else if (bounds->valid)
+        axes->eye = (zr_dvec3){(min.x + max.x) * 0.5, (min.y + max.y) * 0.5, (min.z + max.z) * 0.5};
+    if (view->pose == ZR_POSE_ORBIT && view->distance > 0.0f) {
+        axes->eye = zr_dvec3_add_scaled(axes->eye, axes->back, (double)view->distance);
+        return ZR_OK;
+    }
+    if (!zr_view_is_perspective(view)) {
+        fit_parallel(scene, size_of(bounds), free, axes);
+        return ZR_OK;
+    }
+    struct fitting fitting = {scene, zr_opening_of(scene), size_of(bounds), zr_rounding_of(bounds, axes->eye)};
+    if (!free) return fit_on_axis(&fitting, axes, error);
+    fit_freely(&fitting, axes);
+    return ZR_OK;
+}
