@@ -25,12 +25,13 @@ static bool append_triangle(struct zr_builder *builder, struct zr_triangle trian
         geometry->counts.zero_area++;
         return false;
     }
-    bool front = area < 0; /* counter-clockwise with y up */
+    bool counter_clockwise = area < 0; /* with y up */
+    bool front = counter_clockwise != builder->mirrored;
     if (!front && !double_sided) {
         geometry->counts.culled++;
         return false;
     }
-    if (front) {
+    if (counter_clockwise) {
         uint32_t v = triangle.v[0], c = triangle.c[0];
         triangle.v[0] = triangle.v[1];
         triangle.c[0] = triangle.c[1];

@@ -20,6 +20,7 @@ struct zr_builder {
     uint32_t first_vertex, first_color;
     zr_vec4 *clip_positions; /* one a position */
     uint8_t *outcodes;
+    bool mirrored; /* so that what went counter-clockwise goes clockwise */
 };
 
 /* Makes room for so many more of each. False where the arena has failed, or where

@@ -34,18 +34,24 @@ static double window_area(const struct zr_viewport *viewport, const zr_vec4 corn
     return doubled * 0.5;
 }
 
+/* How the faces of one instance get to the window. */
+struct placed {
+    zr_mat4 object_to_clip;
+    bool mirrored; /* a face that shows its front goes clockwise */
+};
+
 static double face_area(const struct zr_scene *scene, const struct zr_mesh *mesh, uint32_t face,
-                        const zr_mat4 *object_to_clip, const struct zr_viewport *viewport)
+                        const struct placed *placed, const struct zr_viewport *viewport)
 {
     uint32_t begin = mesh->face_offsets[face], end = mesh->face_offsets[face + 1];
     bool double_sided = zr_material_of_face(scene, mesh, face)->double_sided;
-    zr_vec4 corners[3] = {zr_mat4_apply(object_to_clip, mesh->positions[mesh->indices[begin]]),
-                          zr_mat4_apply(object_to_clip, mesh->positions[mesh->indices[begin + 1]])};
+    zr_vec4 corners[3] = {zr_mat4_apply(&placed->object_to_clip, mesh->positions[mesh->indices[begin]]),
+                          zr_mat4_apply(&placed->object_to_clip, mesh->positions[mesh->indices[begin + 1]])};
     double sum = 0.0;
     for (uint32_t slot = begin + 2; slot < end; slot++) {
-        corners[2] = zr_mat4_apply(object_to_clip, mesh->positions[mesh->indices[slot]]);
+        corners[2] = zr_mat4_apply(&placed->object_to_clip, mesh->positions[mesh->indices[slot]]);
         double area = window_area(viewport, corners);
-        if (area > 0.0 || double_sided) sum += fabs(area);
+        if ((placed->mirrored ? area < 0.0 : area > 0.0) || double_sided) sum += fabs(area);
         corners[1] = corners[2];
     }
     return sum;
@@ -74,7 +80,8 @@ static uint64_t scatter(uint64_t n)
 static double total_area(const struct zr_scene *scene, const struct zr_camera *camera, uint64_t faces, uint64_t samples)
 {
     struct zr_viewport viewport = zr_viewport_make(scene->width, scene->height);
-    zr_mat4 world_to_clip = zr_mat4_mul(&camera->projection, &camera->world_to_eye), object_to_clip = world_to_clip;
+    zr_mat4 world_to_clip = zr_mat4_mul(&camera->projection, &camera->world_to_eye);
+    struct placed placed = {.mirrored = false};
     const struct zr_mesh *mesh = NULL;
     uint64_t first = 0, end = 0; /* the faces of `mesh`, counted over all instances */
     uint32_t next_instance = 0;
@@ -85,11 +92,12 @@ static double total_area(const struct zr_scene *scene, const struct zr_camera *c
         while (face >= end) {
             const struct zr_instance *instance = &scene->instances[next_instance++];
             mesh = &scene->meshes[instance->mesh];
-            object_to_clip = zr_mat4_mul(&world_to_clip, &instance->object_to_world);
+            placed.object_to_clip = zr_mat4_mul(&world_to_clip, &instance->object_to_world);
+            placed.mirrored = zr_mat4_is_mirror(&instance->object_to_world);
             first = end;
             end += mesh->face_count;
         }
-        area += face_area(scene, mesh, (uint32_t)(face - first), &object_to_clip, &viewport);
+        area += face_area(scene, mesh, (uint32_t)(face - first), &placed, &viewport);
     }
     return samples > 0 ? area * (double)faces / (double)samples : 0.0;
 }
