@@ -1,5 +1,7 @@
 #include "input/json_scene.h"
 
+#include <stdio.h>
+
 #include "base/checked.h"
 #include "input/input.h"
 #include "input/json_scan.h"
@@ -22,6 +24,7 @@ enum {
     COLOR_MANAGEMENT,
     SAMPLES,
     ALGORITHM,
+    NODES,
     KEYS
 };
 static const char *const words[] = {"version", "window",    "background", "shading",  "view",    "ambient",
@@ -74,8 +77,9 @@ static void read_ambient(struct zr_draft *draft, const cJSON *node)
         draft->scene->ambient = (zr_vec3){color.x, color.y, color.z};
 }
 
-/* Meshes in their order, then all polygons as one more. */
-static void read_meshes(struct zr_draft *draft, const cJSON *meshes, const cJSON *polygons)
+/* Meshes in their order, then all polygons as one more. Returns how many meshes are placed
+ * by nodes, where there are nodes: all but the polygons. */
+static uint32_t read_meshes(struct zr_draft *draft, const cJSON *meshes, const cJSON *polygons)
 {
     struct zr_json *json = &draft->json;
     const struct zr_json_path *meshes_path = ZR_JSON_KEY(NULL, words[MESHES]);
@@ -85,29 +89,51 @@ static void read_meshes(struct zr_draft *draft, const cJSON *meshes, const cJSON
     if (polygons && !zr_json_array(json, polygons_path, polygons, &polygon_count)) polygons = NULL;
     if (polygon_count > 0) count++;
     struct zr_mesh *made = zr_arena_alloc(json->arena, count, sizeof *made);
-    struct zr_instance *instances = zr_arena_alloc(json->arena, count, sizeof *instances);
-    if (!zr_arena_ok(json->arena)) return;
+    if (!made) return 0;
 
     size_t number = 0;
     for (const cJSON *node = meshes ? meshes->child : NULL; node && !zr_json_full(json); node = node->next, number++)
         zr_draft_read_mesh(draft, ZR_JSON_ITEM(meshes_path, number), node, &made[number]);
+    uint32_t listed = (uint32_t)number;
     if (polygon_count > 0 && !zr_json_full(json))
         zr_draft_read_polygons(draft, polygons_path, polygons, &made[number++]);
-    for (size_t i = 0; i < number; i++)
-        instances[i] = (struct zr_instance){(uint32_t)i, zr_mat4_identity()};
     draft->scene->meshes = made;
-    draft->scene->instances = instances;
-    draft->scene->mesh_count = draft->scene->instance_count = (uint32_t)number;
+    draft->scene->mesh_count = (uint32_t)number;
+    return listed;
 }
 
-static void finish(struct zr_draft *draft)
+/* Where nodes have the say, they place the `listed` meshes; else each is where it is. The
+ * polygons always are. */
+static void place_meshes(struct zr_draft *draft, const cJSON *nodes, uint32_t listed)
 {
-    static const char *const transparent[] = {"transparency is not supported in this version: drawn opaque"};
+    struct zr_scene *scene = draft->scene;
+    uint32_t count = 0, next = nodes ? listed : 0;
+    struct zr_instance *instances =
+        nodes ? zr_draft_read_nodes(draft, ZR_JSON_KEY(NULL, words[NODES]), nodes, scene->meshes, listed, &count)
+              : zr_arena_alloc(draft->json.arena, scene->mesh_count, sizeof *instances);
+    if (!instances) return;
+    for (; next < scene->mesh_count; next++)
+        instances[count++] = (struct zr_instance){next, zr_mat4_identity()};
+    scene->instances = instances;
+    scene->instance_count = count;
+}
+
+/* `listed`: meshes that nodes may place. */
+static void finish(struct zr_draft *draft, uint32_t listed)
+{
+    enum { WARNINGS_MAX = 2, TEXT_SIZE = 96 };
+    const char **warnings = zr_arena_alloc(draft->json.arena, WARNINGS_MAX, sizeof *warnings);
+    char *unplaced = zr_arena_alloc(draft->json.arena, TEXT_SIZE, 1);
     draft->scene->materials = draft->materials;
     draft->scene->material_count = (uint32_t)draft->material_count;
-    if (!draft->transparent) return;
-    draft->scene->warnings = transparent;
-    draft->scene->warning_count = 1;
+    if (!warnings || !unplaced) return;
+    draft->scene->warnings = warnings;
+    if (draft->transparent)
+        warnings[draft->scene->warning_count++] = "transparency is not supported in this version: drawn opaque";
+    if (draft->unplaced_meshes == 0) return;
+    snprintf(unplaced, TEXT_SIZE, "%u of %u meshes are placed by no node and are not drawn", draft->unplaced_meshes,
+             listed);
+    warnings[draft->scene->warning_count++] = unplaced;
 }
 
 static void build(struct zr_draft *draft, const cJSON *root)
@@ -127,8 +153,10 @@ static void build(struct zr_draft *draft, const cJSON *root)
     if (found[OUTPUTS]) zr_draft_read_outputs(draft, ZR_JSON_KEY(NULL, words[OUTPUTS]), found[OUTPUTS]);
     zr_draft_read_materials(draft, ZR_JSON_KEY(NULL, words[MATERIALS]), found[MATERIALS]);
     if (!zr_arena_ok(json->arena)) return;
-    read_meshes(draft, found[MESHES], found[POLYGONS]);
-    finish(draft);
+    uint32_t listed = read_meshes(draft, found[MESHES], found[POLYGONS]);
+    if (!zr_arena_ok(json->arena) || zr_json_full(json)) return;
+    place_meshes(draft, found[NODES], listed);
+    finish(draft, listed);
 }
 
 /* cJSON allocates outside the arena: about what its tree will take is charged to it. */

@@ -34,7 +34,8 @@ struct zr_draft {
     size_t material_count, material_room;
     struct zr_material *materials;
 
-    bool transparent; /* some colour wants to be */
+    bool transparent;         /* some colour wants to be */
+    uint32_t unplaced_meshes; /* by any node */
 };
 
 /* What a mesh or a polygon says of its looks. */
@@ -63,6 +64,11 @@ void zr_draft_read_mesh(struct zr_draft *draft, const struct zr_json_path *path,
                         struct zr_mesh *mesh);
 void zr_draft_read_polygons(struct zr_draft *draft, const struct zr_json_path *path, const cJSON *list,
                             struct zr_mesh *mesh);
+
+/* json_nodes.c: the instances that nodes place, *count of them and room for one more; each
+ * mesh is one of meshes[0..mesh_count-1]. NULL where there was a fault, here or before. */
+struct zr_instance *zr_draft_read_nodes(struct zr_draft *draft, const struct zr_json_path *path, const cJSON *list,
+                                        const struct zr_mesh *meshes, uint32_t mesh_count, uint32_t *count);
 
 /* json_view.c: over the defaults that scene->view already has. */
 void zr_draft_read_view(struct zr_draft *draft, const struct zr_json_path *path, const cJSON *node);

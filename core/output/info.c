@@ -151,7 +151,7 @@ static cJSON *meshes_of(struct writer *w, const struct zr_scene *scene, const st
 {
     cJSON *array = check(w, cJSON_CreateArray());
     uint32_t id = 1;
-    for (uint32_t i = 0; i < scene->instance_count; i++) {
+    for (uint32_t i = 0; i < scene->instance_count && i < ZR_INFO_MESHES_MAX; i++) {
         const struct zr_mesh *mesh = &scene->meshes[scene->instances[i].mesh];
         cJSON *object = check(w, cJSON_CreateObject());
         put(w, object, "name", check(w, cJSON_CreateString(mesh->name)));
@@ -186,6 +186,7 @@ static cJSON *build(struct writer *w, const struct zr_scene *scene, const struct
     if (depth_scale > 0.0f) put(w, root, "depthScale", number(w, depth_scale));
     put(w, root, "counts", counts_of(w, &frame->counts, misfits));
     put_count(w, root, "backgroundPixels", patches[0].pixels);
+    put_count(w, root, "instances", scene->instance_count);
     put(w, root, "meshes", meshes_of(w, scene, patches));
     if (face_count <= ZR_INFO_FACES_MAX) put(w, root, "faces", faces_of(w, patches, face_count));
     put(w, root, "warnings", check(w, cJSON_CreateStringArray(warnings->texts, (int)warnings->count)));
