@@ -154,7 +154,8 @@ static void cut_face(struct zr_builder *builder, const struct zr_scene *scene, c
         counts->degenerate_polygons++;
         return;
     }
-    if (count > 3 && zr_face_is_concave(mesh, face, zr_normal_of_face(mesh, face))) counts->concave_polygons++;
+    if (count > 3 && !mesh->faces_are_fans && zr_face_is_concave(mesh, face, zr_normal_of_face(mesh, face)))
+        counts->concave_polygons++;
 
     const struct zr_material *material = zr_material_of_face(scene, mesh, face);
     bool smooth = zr_material_is_smooth(mesh, material);

@@ -92,7 +92,7 @@ void zr_draft_read_style(struct zr_draft *draft, const struct zr_json_path *path
 {
     struct zr_json *json = &draft->json;
     const char *name;
-    *style = (struct zr_style){draft->given_count, ZR_UNSAID, ZR_UNSAID};
+    *style = (struct zr_style){draft->given_count, ZR_UNSAID, ZR_UNSAID, false};
     if (material && zr_json_string(json, ZR_JSON_KEY(path, "material"), material, &name)) {
         const struct zr_given_material *given =
             draft->given_count ? bsearch(name, draft->given, draft->given_count, sizeof *given, compare_name) : NULL;
@@ -134,7 +134,7 @@ uint32_t zr_draft_variant(struct zr_draft *draft, const struct zr_style *style, 
     struct zr_material material = {
         given->base_color,
         (enum zr_shading)first_said(style->shading, given->shading, draft->shading, (int)zr_default_shading(smooth)),
-        first_said(style->double_sided, given->double_sided, ZR_UNSAID, false) != 0};
+        first_said(style->double_sided, given->double_sided, ZR_UNSAID, style->is_open) != 0};
     size_t base = has_given ? style->given : draft->given_count + coloured;
     uint32_t *variant = &draft->variants[base * LOOKS + (size_t)material.shading * 2 + material.double_sided];
     if (*variant == UINT32_MAX) *variant = add_material(draft, material);

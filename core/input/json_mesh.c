@@ -2,9 +2,10 @@
 
 #include <string.h>
 
-enum { NAME, MATERIAL, POSITIONS, NORMALS, COLORS, FACE_COLORS, FACES, DOUBLE_SIDED, SHADING, KEYS };
-static const char *const words[] = {"name",        "material", "positions", "normals", "colors",  "faceColors", "faces",
-                                    "doubleSided", "shading",  "texcoords", "lines",   "heights", "data"};
+enum { NAME, MATERIAL, POSITIONS, NORMALS, COLORS, FACE_COLORS, FACES, DOUBLE_SIDED, SHADING, HEIGHTS, KEYS };
+static const char *const words[] = {"name",       "material", "positions",   "normals", "colors",
+                                    "faceColors", "faces",    "doubleSided", "shading", "heights",
+                                    "texcoords",  "lines",    "data"};
 static const struct zr_names keys = ZR_NAMES(KEYS, words);
 
 static const char *copy_text(struct zr_arena *arena, const char *text)
@@ -110,20 +111,29 @@ void zr_draft_read_mesh(struct zr_draft *draft, const struct zr_json_path *path,
     const char *name;
     if (found[NAME] && zr_json_string(json, ZR_JSON_KEY(path, words[NAME]), found[NAME], &name))
         mesh->name = copy_text(json->arena, name);
-    for (int key = POSITIONS; key <= FACES; key += FACES - POSITIONS)
-        if (!found[key]) zr_json_fault(json, path, "%s is missing", words[key]);
+    for (int key = POSITIONS; key <= FACES; key += FACES - POSITIONS) {
+        if (!found[key] && !found[HEIGHTS]) zr_json_fault(json, path, "%s is missing", words[key]);
+        if (found[key] && found[HEIGHTS]) zr_json_fault(json, path, "two shapes: heights and %s", words[key]);
+    }
     struct zr_style style;
     zr_draft_read_style(draft, path, found[MATERIAL], found[DOUBLE_SIDED], found[SHADING], &style);
-    if (!found[POSITIONS] || !found[FACES]) return;
+    style.is_open = found[HEIGHTS] != NULL;
+    if (!found[HEIGHTS] && (!found[POSITIONS] || !found[FACES])) return;
 
-    size_t faults = json->error->count;
-    read_positions(json, ZR_JSON_KEY(path, words[POSITIONS]), found[POSITIONS], mesh);
-    if (json->error->count > faults && !mesh->positions) return; /* no count to hold the rest against */
+    const bool *holes = NULL;
+    if (found[HEIGHTS])
+        holes = zr_draft_read_heights(json, ZR_JSON_KEY(path, words[HEIGHTS]), found[HEIGHTS], mesh);
+    else
+        read_positions(json, ZR_JSON_KEY(path, words[POSITIONS]), found[POSITIONS], mesh);
+    if (!mesh->positions) return; /* no count to hold the rest against */
     if (found[NORMALS]) read_normals(json, ZR_JSON_KEY(path, words[NORMALS]), found[NORMALS], mesh);
     mesh->colors =
         read_colors(draft, ZR_JSON_KEY(path, words[COLORS]), found[COLORS], mesh->position_count, "positions");
-    read_faces(json, ZR_JSON_KEY(path, words[FACES]), found[FACES], mesh);
+    if (!found[HEIGHTS]) read_faces(json, ZR_JSON_KEY(path, words[FACES]), found[FACES], mesh);
+    if (!mesh->face_offsets) return;
     mesh->face_colors =
         read_colors(draft, ZR_JSON_KEY(path, words[FACE_COLORS]), found[FACE_COLORS], mesh->face_count, "faces");
-    mesh->material = zr_draft_variant(draft, &style, mesh->colors || mesh->face_colors, mesh->normals || mesh->colors);
+    mesh->material = zr_draft_variant(draft, &style, mesh->colors || mesh->face_colors,
+                                      mesh->normals || mesh->colors || found[HEIGHTS]);
+    if (holes) zr_heights_drop_holes(json->arena, holes, mesh);
 }

@@ -38,6 +38,7 @@ struct zr_mesh {
     uint32_t face_count;
     const uint32_t *face_offsets; /* face_count + 1 */
     const uint32_t *indices;      /* into positions, one a corner */
+    bool faces_are_fans;          /* cut as fans whatever their shape: cells of a grid have no dents */
 
     uint32_t normal_count;          /* 0: normals are computed */
     const zr_vec3 *normals;         /* any length; a zero normal is computed instead */

@@ -4,6 +4,7 @@
 
 #include "scene/nodes.h"
 #include "support/cmocka_all.h"
+#include "support/random.h"
 #include "support/scenes.h"
 
 enum { NONE = 999, NODES_MAX = 128, LONG = 100000 };
@@ -218,6 +219,73 @@ static void chain_is_placed_up_to_the_depth_limit(void **state)
     zr_arena_free(&arena);
 }
 
+/* What zr_nodes_place must come to, by plain recursion. */
+static void place_plainly(const struct zr_nodes *nodes, uint32_t number, zr_mat4 parent, struct zr_placement *out)
+{
+    const struct zr_node *node = &nodes->nodes[number];
+    zr_mat4 world = zr_mat4_mul(&parent, &node->local);
+    if (node->mesh != ZR_NODE_NO_MESH) out->instances[out->count++] = (struct zr_instance){node->mesh, world};
+    for (uint32_t i = 0; i < node->child_count; i++)
+        place_plainly(nodes, nodes->children[node->first_child + i], world, out);
+}
+
+/* Nodes in random order, each with children of higher rank only. */
+static struct tree *random_tree(struct random *random)
+{
+    enum { COUNT = 12 };
+    uint32_t number_of[COUNT], children[COUNT];
+    struct tree *tree = tree_new();
+    for (uint32_t i = 0; i < COUNT; i++) {
+        uint32_t place_at = random_below(random, i + 1);
+        number_of[i] = number_of[place_at];
+        number_of[place_at] = i;
+    }
+    uint32_t rank_of[COUNT];
+    for (uint32_t rank = 0; rank < COUNT; rank++)
+        rank_of[number_of[rank]] = rank;
+    for (uint32_t i = 0; i < COUNT; i++) {
+        uint32_t count = 0, higher = COUNT - 1 - rank_of[i];
+        while (higher > 0 && count < 3 && random_below(random, 3) > 0)
+            children[count++] = number_of[rank_of[i] + 1 + random_below(random, higher)];
+        children[count] = NONE;
+        add_node(tree, random_below(random, 2) ? i : NONE, children);
+        for (int k = 0; k < 16; k++)
+            tree->made[i].local.m[k] = k % 4 == 3 ? k == 15 : (float)random_range(random, -2, 2);
+    }
+    return tree;
+}
+
+static void random_hierarchies_are_placed_as_by_plain_recursion(void **state)
+{
+    (void)state;
+    struct random random = random_seeded(5);
+    uint32_t most = 0;
+    for (int round = 0; round < 300; round++) {
+        struct tree *tree = random_tree(&random);
+        const struct zr_nodes *nodes = &tree->nodes;
+        static struct zr_instance instances[20000];
+        struct zr_placement want = {.instances = instances};
+        for (uint32_t i = 0; i < nodes->count; i++) {
+            bool is_child = false;
+            for (uint32_t k = 0; k < nodes->child_count; k++)
+                is_child = is_child || nodes->children[k] == i;
+            if (!is_child) place_plainly(nodes, i, zr_mat4_identity(), &want);
+        }
+        struct zr_placement got = place(tree, want.count);
+        assert_int_equal(got.fault, ZR_NODES_GOOD);
+        assert_int_equal(got.count, want.count);
+        for (uint32_t i = 0; i < want.count; i++) {
+            assert_int_equal(got.instances[i].mesh, want.instances[i].mesh);
+            for (int k = 0; k < 16; k++)
+                assert_true(got.instances[i].object_to_world.m[k] == want.instances[i].object_to_world.m[k]);
+        }
+        if (want.count > 0) assert_int_equal(place(tree, want.count - 1).fault, ZR_NODES_TOO_MANY);
+        if (want.count > most) most = want.count;
+        tree_free(tree);
+    }
+    assert_true(most > 50);
+}
+
 static void every_memory_ceiling_fails_cleanly_or_places_all(void **state)
 {
     (void)state;
@@ -341,6 +409,32 @@ static void mirrors_are_told_by_the_determinant(void **state)
     assert_true(zr_mat4_is_mirror(&m));
 }
 
+/* Three matrices at their limits multiply to more than a float can hold. */
+static void matrices_at_their_limits_draw_something_or_nothing(void **state)
+{
+    (void)state;
+    struct random random = random_seeded(7);
+    zr_vec4 solid[12];
+    make_solid(solid);
+    static struct test_scene test;
+    struct zr_arena arena;
+    zr_arena_init(&arena, 1 << 25);
+    for (int round = 0; round < 200; round++) {
+        scene_of_triangles(&test, 24, 24, solid, 4);
+        light(&test, (enum zr_shading)(round % 3), round % 2);
+        zr_mat4 *matrices[3] = {&test.instance.object_to_world, &test.scene.view.world_to_camera,
+                                &test.scene.view.projection_matrix};
+        for (int m = 0; m < 3; m++)
+            for (int k = 0; k < 16; k++)
+                if (random_below(&random, 2)) matrices[m]->m[k] = ZR_MATRIX_MAX * (random_below(&random, 2) ? 1 : -1);
+        const struct zr_frame *frame = scene_render(&arena, NULL, &test.scene);
+        const struct zr_counts *c = &frame->counts;
+        assert_int_equal(c->outside + c->clipped + c->culled + c->zero_area + c->drawn_whole, c->triangles);
+        zr_arena_reset(&arena, 1 << 25);
+    }
+    zr_arena_free(&arena);
+}
+
 /* On a sphere that is stretched to twice its width, the normal (1, 0, 1) leans to (1/2, 0, 1):
  * light along z falls on it at an angle whose cosine is 1 / sqrt(5/4). */
 static void stretched_sphere_is_lit_by_the_normals_of_an_ellipsoid(void **state)
@@ -402,10 +496,12 @@ int main(void)
         cmocka_unit_test(paths_without_a_mesh_are_not_walked),
         cmocka_unit_test(matrix_out_of_range_names_the_node_that_leaves_it),
         cmocka_unit_test(chain_is_placed_up_to_the_depth_limit),
+        cmocka_unit_test(random_hierarchies_are_placed_as_by_plain_recursion),
         cmocka_unit_test(every_memory_ceiling_fails_cleanly_or_places_all),
         cmocka_unit_test(placed_mesh_equals_the_mesh_with_moved_vertices),
         cmocka_unit_test(mirrored_instance_keeps_its_fronts),
         cmocka_unit_test(mirrors_are_told_by_the_determinant),
+        cmocka_unit_test(matrices_at_their_limits_draw_something_or_nothing),
         cmocka_unit_test(stretched_sphere_is_lit_by_the_normals_of_an_ellipsoid),
         cmocka_unit_test(face_ids_count_over_instances),
     };
