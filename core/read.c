@@ -2,6 +2,7 @@
  * lets the query have its say. */
 #include <string.h>
 
+#include "geometry/viewport.h"
 #include "input/defaults.h"
 #include "input/input.h"
 #include "input/number.h"
@@ -116,6 +117,16 @@ static enum zr_status apply_output(struct zr_arena *arena, const struct query *q
     return ZR_OK;
 }
 
+/* Nodes can place a large mesh so often that to walk over its points would take minutes. What
+ * drawing will keep of each placed point must fit, and so it never comes to that. */
+static bool fits_memory(const struct zr_arena *arena, const struct zr_scene *scene)
+{
+    uint64_t points = 0;
+    for (uint32_t i = 0; i < scene->instance_count; i++)
+        points += scene->meshes[scene->instances[i].mesh].position_count;
+    return points <= (arena->ceiling - arena->used) / sizeof(struct zr_window_vertex);
+}
+
 static enum zr_status read_scene(struct zr_arena *arena, const struct zr_request *request,
                                  const struct zr_limits *limits, struct zr_scene *scene, struct zr_error *error)
 {
@@ -127,7 +138,8 @@ static enum zr_status read_scene(struct zr_arena *arena, const struct zr_request
                                                : read_bare_mesh(arena, request, limits, &query, scene, error);
     if (status != ZR_OK) return status;
     status = apply_output(arena, &query, scene);
-    return status == ZR_OK ? zr_scene_validate(scene, limits, error) : status;
+    if (status == ZR_OK) status = zr_scene_validate(scene, limits, error);
+    return status == ZR_OK && !fits_memory(arena, scene) ? ZR_NO_MEMORY : status;
 }
 
 enum zr_status zr_scene_read(struct zr_arena *arena, const struct zr_request *request, const struct zr_limits *limits,

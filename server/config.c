@@ -72,6 +72,7 @@ static const struct setting SETTINGS[] = {
     {"window-side-max", NUMBER, AT(window_side_max), true, 0, 1, 8192, NULL, "pixels", "width or height of an image"},
     {"window-pixels-max", NUMBER, AT(window_pixels_max), true, 0, 1, GIB, NULL, "pixels", "summed over all outputs"},
     {"polygon-vertices-max", NUMBER, AT(polygon_vertices_max), true, 0, 3, 65536, NULL, "", "vertices of one polygon"},
+    {"instances-max", NUMBER, AT(instances_max), true, 0, 1, 1u << 24, NULL, "", "meshes that nodes may place"},
     {"coordinate-max", NUMBER, AT(coordinate_max), true, 0, 1, 1000000, NULL, "", "magnitude of a coordinate"},
 };
 
@@ -103,6 +104,7 @@ static void set_defaults(struct config *config)
     config->window_side_max = limits.window_side_max;
     config->window_pixels_max = limits.window_pixels_max;
     config->polygon_vertices_max = limits.polygon_vertices_max;
+    config->instances_max = limits.instances_max;
     config->coordinate_max = (uint64_t)limits.coordinate_max;
 }
 
@@ -233,6 +235,7 @@ struct zr_limits config_limits(const struct config *config)
     limits.window_side_max = (uint32_t)config->window_side_max;
     limits.window_pixels_max = config->window_pixels_max;
     limits.polygon_vertices_max = (uint32_t)config->polygon_vertices_max;
+    limits.instances_max = (uint32_t)config->instances_max;
     limits.coordinate_max = (float)config->coordinate_max;
     return limits;
 }

@@ -1,5 +1,15 @@
 #include "base/vec.h"
 
+bool zr_mat4_is_mirror(const zr_mat4 *matrix)
+{
+    const float *f = matrix->m;
+    const double a[3] = {(double)f[0], (double)f[1], (double)f[2]}, b[3] = {(double)f[4], (double)f[5], (double)f[6]},
+                 c[3] = {(double)f[8], (double)f[9], (double)f[10]};
+    return a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) +
+               a[2] * (b[0] * c[1] - b[1] * c[0]) <
+           0.0;
+}
+
 bool zr_mat4_invert(const zr_mat4 *matrix, zr_mat4 *out)
 {
     double m[16];

@@ -106,6 +106,18 @@ static inline zr_vec4 zr_mat4_apply(const zr_mat4 *m, zr_vec4 v)
     return (zr_vec4){zr_mat4_row(m, 0, v), zr_mat4_row(m, 1, v), zr_mat4_row(m, 2, v), zr_mat4_row(m, 3, v)};
 }
 
+/* Every entry is a number of at most `limit` in magnitude. */
+static inline bool zr_mat4_is_within(const zr_mat4 *m, float limit)
+{
+    for (int i = 0; i < 16; i++)
+        if (!(fabsf(m->m[i]) <= limit)) return false;
+    return true;
+}
+
+/* True where the upper 3x3 turns a right hand into a left one: where its determinant,
+ * taken in double, is below zero. */
+bool zr_mat4_is_mirror(const zr_mat4 *m);
+
 /* Inverse through cofactors in double. False where the determinant is zero or
  * not finite. Reproducible: additions and products in a fixed order only. */
 bool zr_mat4_invert(const zr_mat4 *m, zr_mat4 *out);

@@ -33,11 +33,11 @@ struct zr_builder {
 
     /* of the instance under way */
     const struct zr_mesh *mesh;
-    bool mirrored; /* placed by a matrix that turns windings around */
     enum zr_color_layout layout;
     uint32_t first_face_id, first_vertex, first_color;
     zr_vec4 *clip_positions; /* one a position */
     uint8_t *outcodes;
+    bool mirrored; /* so that what went counter-clockwise goes clockwise */
 };
 
 /* Makes room for so many more of each. False where the arena has failed, or where

@@ -52,23 +52,30 @@ static void add_triangle(struct measure *measure, const zr_vec4 corners[3])
     measure->net += doubled * 0.5;
 }
 
+/* How the faces of one instance get to the window. */
+struct placed {
+    zr_mat4 object_to_clip;
+    bool mirrored; /* a face that shows its front goes clockwise */
+};
+
 /* The fans of concave rings cover more than the face, but no more than their box. */
 static double face_area(const struct zr_scene *scene, const struct zr_mesh *mesh, uint32_t face,
-                        const zr_mat4 *object_to_clip, const struct zr_viewport *viewport)
+                        const struct placed *placed, const struct zr_viewport *viewport)
 {
     struct zr_rings rings = zr_mesh_rings(mesh, face);
     struct measure measure = {viewport, 0.0, 0.0, HUGE_VAL, HUGE_VAL, -HUGE_VAL, -HUGE_VAL};
     for (uint32_t r = 0; r < rings.count; r++) {
         const uint32_t *indices = mesh->indices + rings.offsets[r];
-        zr_vec4 corners[3] = {zr_mat4_apply(object_to_clip, mesh->positions[indices[0]]),
-                              zr_mat4_apply(object_to_clip, mesh->positions[indices[1]])};
+        zr_vec4 corners[3] = {zr_mat4_apply(&placed->object_to_clip, mesh->positions[indices[0]]),
+                              zr_mat4_apply(&placed->object_to_clip, mesh->positions[indices[1]])};
         for (uint32_t i = 2; i < rings.offsets[r + 1] - rings.offsets[r]; i++) {
-            corners[2] = zr_mat4_apply(object_to_clip, mesh->positions[indices[i]]);
+            corners[2] = zr_mat4_apply(&placed->object_to_clip, mesh->positions[indices[i]]);
             add_triangle(&measure, corners);
             corners[1] = corners[2];
         }
     }
-    bool turned_away = measure.net < 0.0 && !zr_material_of_face(scene, mesh, face)->double_sided;
+    bool turned_away = (placed->mirrored ? measure.net > 0.0 : measure.net < 0.0) &&
+                       !zr_material_of_face(scene, mesh, face)->double_sided;
     if (!(measure.area > 0.0) || turned_away) return 0.0;
     return fmin(measure.area, (measure.max_x - measure.min_x) * (measure.max_y - measure.min_y));
 }
@@ -96,7 +103,8 @@ static uint64_t scatter(uint64_t n)
 static double total_area(const struct zr_scene *scene, const struct zr_camera *camera, uint64_t faces, uint64_t samples)
 {
     struct zr_viewport viewport = zr_viewport_make(scene->width, scene->height);
-    zr_mat4 world_to_clip = zr_mat4_mul(&camera->projection, &camera->world_to_eye), object_to_clip = world_to_clip;
+    zr_mat4 world_to_clip = zr_mat4_mul(&camera->projection, &camera->world_to_eye);
+    struct placed placed = {.mirrored = false};
     const struct zr_mesh *mesh = NULL;
     uint64_t first = 0, end = 0; /* the faces of `mesh`, counted over all instances */
     uint32_t next_instance = 0;
@@ -107,11 +115,12 @@ static double total_area(const struct zr_scene *scene, const struct zr_camera *c
         while (face >= end) {
             const struct zr_instance *instance = &scene->instances[next_instance++];
             mesh = &scene->meshes[instance->mesh];
-            object_to_clip = zr_mat4_mul(&world_to_clip, &instance->object_to_world);
+            placed.object_to_clip = zr_mat4_mul(&world_to_clip, &instance->object_to_world);
+            placed.mirrored = zr_mat4_is_mirror(&instance->object_to_world);
             first = end;
             end += mesh->face_count;
         }
-        area += face_area(scene, mesh, (uint32_t)(face - first), &object_to_clip, &viewport);
+        area += face_area(scene, mesh, (uint32_t)(face - first), &placed, &viewport);
     }
     return samples > 0 ? area * (double)faces / (double)samples : 0.0;
 }

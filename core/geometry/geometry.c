@@ -39,6 +39,24 @@ static void place_vertices(void *argument, size_t begin, size_t end)
     }
 }
 
+/* Room for what all instances are sure to fill, so that arrays need not move as they grow, and
+ * for the positions of one at a time. False where the arena has failed. */
+static bool make_room(struct zr_builder *builder, const struct zr_scene *scene)
+{
+    uint64_t vertices = 0, colors = 0;
+    uint32_t most = 0;
+    for (uint32_t i = 0; i < scene->instance_count; i++) {
+        const struct zr_mesh *mesh = &scene->meshes[scene->instances[i].mesh];
+        vertices += mesh->position_count;
+        colors += zr_colors_count(scene, mesh);
+        if (mesh->position_count > most) most = mesh->position_count;
+    }
+    if (!zr_builder_reserve(builder, vertices, colors, 0)) return false;
+    builder->clip_positions = zr_arena_alloc(builder->arena, most, sizeof *builder->clip_positions);
+    builder->outcodes = zr_arena_alloc(builder->arena, most, sizeof *builder->outcodes);
+    return zr_arena_ok(builder->arena);
+}
+
 static enum zr_status build_instance(struct zr_builder *builder, struct zr_team *team, const struct zr_scene *scene,
                                      const struct zr_camera *camera, const struct zr_lighting *lighting,
                                      const struct zr_instance *instance)
@@ -50,14 +68,12 @@ static enum zr_status build_instance(struct zr_builder *builder, struct zr_team 
     if (!zr_builder_reserve(builder, mesh->position_count, zr_colors_count(scene, mesh),
                             corners - 2 * (uint64_t)mesh->face_count))
         return ZR_NO_MEMORY;
-    builder->clip_positions = zr_arena_alloc(builder->arena, mesh->position_count, sizeof *builder->clip_positions);
-    builder->outcodes = zr_arena_alloc(builder->arena, mesh->position_count, sizeof *builder->outcodes);
-    if (!zr_arena_ok(builder->arena)) return ZR_NO_MEMORY;
 
     struct placing placing = {.mesh = mesh, .builder = builder, .out = geometry->vertices + geometry->vertex_count};
     placing.object_to_eye = zr_mat4_mul(&camera->world_to_eye, &instance->object_to_world);
     placing.object_to_clip = zr_mat4_mul(&camera->projection, &placing.object_to_eye);
     zr_team_ranges(team, mesh->position_count, VERTICES_A_RANGE, place_vertices, &placing);
+    builder->mirrored = zr_mat4_is_mirror(&instance->object_to_world);
     builder->first_vertex = geometry->vertex_count;
     geometry->vertex_count += mesh->position_count;
 
@@ -82,6 +98,7 @@ enum zr_status zr_geometry_build(struct zr_arena *arena, struct zr_team *team, c
     struct zr_lighting lighting;
     zr_lighting_make(arena, scene, &camera->world_to_eye, &lighting);
 
+    if (!make_room(&builder, scene)) return ZR_NO_MEMORY;
     builder.first_face_id = 1;
     for (uint32_t i = 0; i < scene->instance_count; i++) {
         const struct zr_instance *instance = &scene->instances[i];

@@ -130,7 +130,7 @@ static void number_faces(struct reader *reader)
     struct zr_base *base = reader->base;
     uint64_t faces = 0, first = reader->found[FIRST_FACE_ID] ? base->first_face_id : reader->largest_id + 1;
     for (uint32_t i = 0; i < scene->instance_count; i++)
-        faces += scene->meshes[scene->instances[i].mesh].face_count;
+        faces += zr_mesh_ids(&scene->meshes[scene->instances[i].mesh]);
     if (first + faces > (uint64_t)UINT32_MAX + 1) {
         zr_json_fault(&reader->draft->json, ZR_JSON_KEY(reader->path, words[FIRST_FACE_ID]),
                       "ids from %" PRIu64 " on for %" PRIu64 " faces do not fit 32 bits", first, faces);

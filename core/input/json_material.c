@@ -82,6 +82,7 @@ void zr_draft_read_style(struct zr_draft *draft, const struct zr_json_path *path
     struct zr_json *json = &draft->json;
     const char *name;
     style->given = draft->given_count;
+    style->is_open = false;
     if (material && zr_json_string(json, ZR_JSON_KEY(path, "material"), material, &name)) {
         const struct zr_given_material *given =
             draft->given_count ? bsearch(name, draft->given, draft->given_count, sizeof *given, compare_name) : NULL;
@@ -133,6 +134,7 @@ uint32_t zr_draft_variant(struct zr_draft *draft, const struct zr_style *style, 
     const struct zr_given_material *given = has_given ? &draft->given[style->given] : &none;
     struct zr_look look = zr_look_over(&style->look, &given->look);
     look = zr_look_over(&look, &draft->look);
+    if (look.double_sided == ZR_UNSAID) look.double_sided = style->is_open;
     struct zr_material material = zr_look_material(&look, given->base_color, smooth);
     bool black = zr_vec4_equal(material.outline_color, (zr_vec4){0, 0, 0, 1});
     uint32_t *slot = slot_of(draft, has_given ? style->given : draft->given_count + coloured, &material, !black);

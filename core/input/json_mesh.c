@@ -2,9 +2,21 @@
 
 #include <string.h>
 
-enum { NAME, MATERIAL, POSITIONS, NORMALS, COLORS, FACE_COLORS, FACES, LINES, LOOK, KEYS = LOOK + ZR_LOOK_KEYS };
-static const char *const words[] = {"name",  "material", "positions",   "normals",   "colors",  "faceColors",
-                                    "faces", "lines",    ZR_LOOK_WORDS, "texcoords", "heights", "data"};
+enum {
+    NAME,
+    MATERIAL,
+    POSITIONS,
+    NORMALS,
+    COLORS,
+    FACE_COLORS,
+    FACES,
+    LINES,
+    HEIGHTS,
+    LOOK,
+    KEYS = LOOK + ZR_LOOK_KEYS
+};
+static const char *const words[] = {"name",  "material", "positions", "normals",     "colors",    "faceColors",
+                                    "faces", "lines",    "heights",   ZR_LOOK_WORDS, "texcoords", "data"};
 static const struct zr_names keys = ZR_NAMES(KEYS, words);
 
 static const char *copy_text(struct zr_arena *arena, const char *text)
@@ -122,6 +134,19 @@ static void read_lines(struct zr_json *json, const struct zr_json_path *path, co
     mesh->lines = lines;
 }
 
+/* Either positions with faces, lines or both, or heights. */
+static void check_shape(struct zr_json *json, const struct zr_json_path *path, const cJSON *const *found)
+{
+    static const int others[] = {POSITIONS, FACES, LINES};
+    if (found[HEIGHTS]) {
+        for (size_t i = 0; i < sizeof others / sizeof *others; i++)
+            if (found[others[i]]) zr_json_fault(json, path, "two shapes: heights and %s", words[others[i]]);
+        return;
+    }
+    if (!found[POSITIONS]) zr_json_fault(json, path, "positions is missing");
+    if (!found[FACES] && !found[LINES]) zr_json_fault(json, path, "faces is missing, and so is lines");
+}
+
 void zr_draft_read_mesh(struct zr_draft *draft, const struct zr_json_path *path, const cJSON *node,
                         struct zr_mesh *mesh)
 {
@@ -133,21 +158,26 @@ void zr_draft_read_mesh(struct zr_draft *draft, const struct zr_json_path *path,
     const char *name;
     if (found[NAME] && zr_json_string(json, ZR_JSON_KEY(path, words[NAME]), found[NAME], &name))
         mesh->name = copy_text(json->arena, name);
-    if (!found[POSITIONS]) zr_json_fault(json, path, "positions is missing");
-    if (!found[FACES] && !found[LINES]) zr_json_fault(json, path, "faces is missing, and so is lines");
+    check_shape(json, path, found);
     struct zr_style style;
     zr_draft_read_style(draft, path, found[MATERIAL], &found[LOOK], &style);
-    if (!found[POSITIONS] || (!found[FACES] && !found[LINES])) return;
+    style.is_open = found[HEIGHTS] != NULL;
+    if (!found[HEIGHTS] && (!found[POSITIONS] || (!found[FACES] && !found[LINES]))) return;
 
-    size_t faults = json->error->count;
-    read_positions(json, ZR_JSON_KEY(path, words[POSITIONS]), found[POSITIONS], mesh);
-    if (json->error->count > faults && !mesh->positions) return; /* no count to hold the rest against */
+    const bool *holes = NULL;
+    if (found[HEIGHTS])
+        holes = zr_draft_read_heights(json, ZR_JSON_KEY(path, words[HEIGHTS]), found[HEIGHTS], mesh);
+    else
+        read_positions(json, ZR_JSON_KEY(path, words[POSITIONS]), found[POSITIONS], mesh);
+    if (!mesh->positions) return; /* no count to hold the rest against */
     if (found[NORMALS]) read_normals(json, ZR_JSON_KEY(path, words[NORMALS]), found[NORMALS], mesh);
     mesh->colors =
         read_colors(draft, ZR_JSON_KEY(path, words[COLORS]), found[COLORS], mesh->position_count, "positions");
-    if (found[FACES]) read_faces(json, ZR_JSON_KEY(path, words[FACES]), found[FACES], mesh);
-    if (found[LINES]) read_lines(json, ZR_JSON_KEY(path, words[LINES]), found[LINES], mesh);
+    if (found[FACES] && !found[HEIGHTS]) read_faces(json, ZR_JSON_KEY(path, words[FACES]), found[FACES], mesh);
+    if (found[LINES] && !found[HEIGHTS]) read_lines(json, ZR_JSON_KEY(path, words[LINES]), found[LINES], mesh);
     mesh->face_colors =
         read_colors(draft, ZR_JSON_KEY(path, words[FACE_COLORS]), found[FACE_COLORS], mesh->face_count, "faces");
-    mesh->material = zr_draft_variant(draft, &style, mesh->colors || mesh->face_colors, mesh->normals || mesh->colors);
+    mesh->material = zr_draft_variant(draft, &style, mesh->colors || mesh->face_colors,
+                                      mesh->normals || mesh->colors || found[HEIGHTS]);
+    if (holes) zr_heights_drop_holes(json->arena, holes, mesh);
 }

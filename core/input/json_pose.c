@@ -128,18 +128,11 @@ static void read_orbit(struct zr_view_reader *reader)
 
 /* ---- poses given as matrices ---- */
 
-/* A pose is a matrix that keeps points points. Whoever writes a flat one row by row has
- * the translation in the bottom row, and is told so. */
 static bool read_matrix(struct zr_view_reader *reader, enum zr_view_key key, zr_mat4 *out)
 {
     const struct zr_json_path *path = ZR_VIEW_PATH(reader, key);
     zr_mat4 inverse;
-    if (!zr_json_mat4(reader->json, path, reader->found[key], out)) return false;
-    const float *m = out->m;
-    if (m[3] != 0.0f || m[7] != 0.0f || m[11] != 0.0f || m[15] != 1.0f)
-        return zr_json_fault(reader->json, path,
-                             "the bottom row is %.9g %.9g %.9g %.9g, not 0 0 0 1 (a flat list goes column by column)",
-                             (double)m[3], (double)m[7], (double)m[11], (double)m[15]);
+    if (!zr_json_affine(reader->json, path, reader->found[key], out)) return false;
     return zr_mat4_invert(out, &inverse) || zr_json_fault(reader->json, path, "the matrix has no inverse");
 }
 

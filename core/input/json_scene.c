@@ -28,6 +28,7 @@ enum {
     SAMPLES,
     ALGORITHM,
     BASE,
+    NODES,
     KEYS
 };
 /* A scene's own look is one without sides: those are a body's. */
@@ -82,8 +83,9 @@ static void read_ambient(struct zr_draft *draft, const cJSON *node)
         draft->scene->ambient = (zr_vec3){color.x, color.y, color.z};
 }
 
-/* Meshes in their order, then all polygons as one more. */
-static void read_meshes(struct zr_draft *draft, const cJSON *meshes, const cJSON *polygons)
+/* Meshes in their order, then all polygons as one more. Returns how many meshes are placed
+ * by nodes, where there are nodes: all but the polygons. */
+static uint32_t read_meshes(struct zr_draft *draft, const cJSON *meshes, const cJSON *polygons)
 {
     struct zr_json *json = &draft->json;
     const struct zr_json_path *meshes_path = ZR_JSON_KEY(NULL, words[MESHES]);
@@ -93,19 +95,17 @@ static void read_meshes(struct zr_draft *draft, const cJSON *meshes, const cJSON
     if (polygons && !zr_json_array(json, polygons_path, polygons, &polygon_count)) polygons = NULL;
     if (polygon_count > 0) count++;
     struct zr_mesh *made = zr_arena_alloc(json->arena, count, sizeof *made);
-    struct zr_instance *instances = zr_arena_alloc(json->arena, count, sizeof *instances);
-    if (!zr_arena_ok(json->arena)) return;
+    if (!made) return 0;
 
     size_t number = 0;
     for (const cJSON *node = meshes ? meshes->child : NULL; node && !zr_json_full(json); node = node->next, number++)
         zr_draft_read_mesh(draft, ZR_JSON_ITEM(meshes_path, number), node, &made[number]);
+    uint32_t listed = (uint32_t)number;
     if (polygon_count > 0 && !zr_json_full(json))
         zr_draft_read_polygons(draft, polygons_path, polygons, &made[number++]);
-    for (size_t i = 0; i < number; i++)
-        instances[i] = (struct zr_instance){(uint32_t)i, zr_mat4_identity()};
     draft->scene->meshes = made;
-    draft->scene->instances = instances;
-    draft->scene->mesh_count = draft->scene->instance_count = (uint32_t)number;
+    draft->scene->mesh_count = (uint32_t)number;
+    return listed;
 }
 
 void zr_draft_warn(struct zr_draft *draft, const char *format, ...)
@@ -127,11 +127,30 @@ void zr_draft_warn(struct zr_draft *draft, const char *format, ...)
     draft->warnings[draft->warning_count++] = text;
 }
 
-static void finish(struct zr_draft *draft)
+/* Where nodes have the say, they place the `listed` meshes; else each is where it is. The
+ * polygons always are. */
+static void place_meshes(struct zr_draft *draft, const cJSON *nodes, uint32_t listed)
+{
+    struct zr_scene *scene = draft->scene;
+    uint32_t count = 0, next = nodes ? listed : 0;
+    struct zr_instance *instances =
+        nodes ? zr_draft_read_nodes(draft, ZR_JSON_KEY(NULL, words[NODES]), nodes, scene->meshes, listed, &count)
+              : zr_arena_alloc(draft->json.arena, scene->mesh_count, sizeof *instances);
+    if (!instances) return;
+    for (; next < scene->mesh_count; next++)
+        instances[count++] = (struct zr_instance){next, zr_mat4_identity()};
+    scene->instances = instances;
+    scene->instance_count = count;
+}
+
+/* `listed`: meshes that nodes may place. */
+static void finish(struct zr_draft *draft, uint32_t listed)
 {
     draft->scene->materials = draft->materials;
     draft->scene->material_count = (uint32_t)draft->material_count;
     if (draft->transparent) zr_draft_warn(draft, "transparency is not supported in this version: drawn opaque");
+    if (draft->unplaced_meshes > 0)
+        zr_draft_warn(draft, "%u of %u meshes are placed by no node and are not drawn", draft->unplaced_meshes, listed);
     for (size_t i = 0; i < draft->asset_count; i++)
         if (!draft->assets_used[i])
             zr_draft_warn(draft, "the asset %s is not used by the scene",
@@ -156,11 +175,13 @@ static void build(struct zr_draft *draft, const cJSON *root)
     if (found[OUTPUTS]) zr_draft_read_outputs(draft, ZR_JSON_KEY(NULL, words[OUTPUTS]), found[OUTPUTS]);
     zr_draft_read_materials(draft, ZR_JSON_KEY(NULL, words[MATERIALS]), found[MATERIALS]);
     if (!zr_arena_ok(json->arena)) return;
-    read_meshes(draft, found[MESHES], found[POLYGONS]);
+    uint32_t listed = read_meshes(draft, found[MESHES], found[POLYGONS]);
+    if (!zr_arena_ok(json->arena) || zr_json_full(json)) return;
+    place_meshes(draft, found[NODES], listed);
     if (found[BASE]) zr_draft_read_base(draft, ZR_JSON_KEY(NULL, words[BASE]), found[BASE]);
     if (found[VIEW] && zr_arena_ok(json->arena))
         zr_draft_find_fit_mesh(draft, ZR_JSON_KEY(NULL, words[VIEW]), found[VIEW]);
-    finish(draft);
+    finish(draft, listed);
 }
 
 /* cJSON allocates outside the arena: about what its tree will take is charged to it. */

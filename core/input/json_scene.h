@@ -50,12 +50,15 @@ struct zr_draft {
 
     size_t warning_count, warning_room;
     const char **warnings;
+
+    uint32_t unplaced_meshes; /* by any node */
 };
 
 /* What a mesh or a polygon says of its looks. */
 struct zr_style {
     size_t given; /* index into draft->given, or given_count: none */
     struct zr_look look;
+    bool is_open; /* an open surface: two-sided where nobody says otherwise */
 };
 
 /* json_material.c. `list` may be NULL: no materials. */
@@ -94,6 +97,19 @@ void zr_draft_read_mesh(struct zr_draft *draft, const struct zr_json_path *path,
                         struct zr_mesh *mesh);
 void zr_draft_read_polygons(struct zr_draft *draft, const struct zr_json_path *path, const cJSON *list,
                             struct zr_mesh *mesh);
+
+/* json_heights.c: fills positions and faces of a mesh from a grid, values that are null
+ * included; mesh->positions stays NULL where there was a fault. Returns a flag a position,
+ * true for a null, or NULL where there is none. Once everything else of the mesh is read,
+ * zr_heights_drop_holes takes away the cells that touch one, and positions left without a cell. */
+const bool *zr_draft_read_heights(struct zr_json *json, const struct zr_json_path *path, const cJSON *node,
+                                  struct zr_mesh *mesh);
+void zr_heights_drop_holes(struct zr_arena *arena, const bool *holes, struct zr_mesh *mesh);
+
+/* json_nodes.c: the instances that nodes place, *count of them and room for one more; each
+ * mesh is one of meshes[0..mesh_count-1]. NULL where there was a fault, here or before. */
+struct zr_instance *zr_draft_read_nodes(struct zr_draft *draft, const struct zr_json_path *path, const cJSON *list,
+                                        const struct zr_mesh *meshes, uint32_t mesh_count, uint32_t *count);
 
 /* json_view.c: over the defaults that scene->view already has. */
 void zr_draft_read_view(struct zr_draft *draft, const struct zr_json_path *path, const cJSON *node);

@@ -70,9 +70,14 @@ static const char *kind_of(const cJSON *node)
     return "null";
 }
 
+bool zr_json_expect(struct zr_json *json, const struct zr_json_path *path, const cJSON *node, const char *what)
+{
+    return zr_json_fault(json, path, "expected %s, found %s", what, kind_of(node));
+}
+
 static bool expect(struct zr_json *json, const struct zr_json_path *path, const cJSON *node, bool is, const char *what)
 {
-    return is || zr_json_fault(json, path, "expected %s, found %s", what, kind_of(node));
+    return is || zr_json_expect(json, path, node, what);
 }
 
 bool zr_json_object(struct zr_json *json, const struct zr_json_path *path, const cJSON *node,
@@ -205,6 +210,16 @@ bool zr_json_vec3(struct zr_json *json, const struct zr_json_path *path, const c
     return true;
 }
 
+bool zr_json_vec4(struct zr_json *json, const struct zr_json_path *path, const cJSON *node, zr_vec4 *out)
+{
+    double limit = (double)json->limits->coordinate_max;
+    size_t count;
+    float v[4] = {0};
+    if (!read_numbers(json, path, node, 4, 4, -limit, limit, v, &count)) return false;
+    *out = (zr_vec4){v[0], v[1], v[2], v[3]};
+    return true;
+}
+
 bool zr_json_position(struct zr_json *json, const struct zr_json_path *path, const cJSON *node, zr_vec4 *out)
 {
     double limit = (double)json->limits->coordinate_max;
@@ -271,6 +286,17 @@ bool zr_json_mat4(struct zr_json *json, const struct zr_json_path *path, const c
     }
     if (row != 4) return zr_json_fault(json, path, "expected 4 rows, found %zu", row);
     return good;
+}
+
+/* Whoever writes a flat one row by row has the translation in the bottom row, and is told so. */
+bool zr_json_affine(struct zr_json *json, const struct zr_json_path *path, const cJSON *node, zr_mat4 *out)
+{
+    if (!zr_json_mat4(json, path, node, out)) return false;
+    const float *m = out->m;
+    if (m[3] == 0.0f && m[7] == 0.0f && m[11] == 0.0f && m[15] == 1.0f) return true;
+    return zr_json_fault(json, path,
+                         "the bottom row is %.9g %.9g %.9g %.9g, not 0 0 0 1 (a flat list goes column by column)",
+                         (double)m[3], (double)m[7], (double)m[11], (double)m[15]);
 }
 
 bool zr_json_vec4_list(struct zr_json *json, const struct zr_json_path *path, const cJSON *node,

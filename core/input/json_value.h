@@ -40,6 +40,9 @@ struct zr_json_path {
 bool zr_json_fault(struct zr_json *json, const struct zr_json_path *path, const char *format, ...)
     __attribute__((format(printf, 3, 4)));
 
+/* Reports that `what` was expected and `node` found; returns false. */
+bool zr_json_expect(struct zr_json *json, const struct zr_json_path *path, const cJSON *node, const char *what);
+
 /* As many faults as are kept: time to stop. */
 bool zr_json_full(const struct zr_json *json);
 
@@ -78,6 +81,8 @@ bool zr_json_choice(struct zr_json *json, const struct zr_json_path *path, const
 
 bool zr_json_vec3(struct zr_json *json, const struct zr_json_path *path, const cJSON *node, zr_vec3 *out);
 
+bool zr_json_vec4(struct zr_json *json, const struct zr_json_path *path, const cJSON *node, zr_vec4 *out);
+
 /* Three coordinates, and w = 1; or four. */
 bool zr_json_position(struct zr_json *json, const struct zr_json_path *path, const cJSON *node, zr_vec4 *out);
 
@@ -86,6 +91,9 @@ bool zr_json_color(struct zr_json *json, const struct zr_json_path *path, const 
 
 /* Four rows of four numbers, or sixteen numbers column by column. */
 bool zr_json_mat4(struct zr_json *json, const struct zr_json_path *path, const cJSON *node, zr_mat4 *out);
+
+/* A matrix that keeps points points: its bottom row is 0 0 0 1. */
+bool zr_json_affine(struct zr_json *json, const struct zr_json_path *path, const cJSON *node, zr_mat4 *out);
 
 /* Reads each item of a list to out[0], out[1], ... ; `node` must be a list and
  * `out` must have room for it. */

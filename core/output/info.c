@@ -163,7 +163,7 @@ static cJSON *meshes_of(struct writer *w, const struct zr_scene *scene, const st
 {
     cJSON *array = check(w, cJSON_CreateArray());
     uint32_t id = 1;
-    for (uint32_t i = 0; i < scene->instance_count; i++) {
+    for (uint32_t i = 0; i < scene->instance_count && i < ZR_INFO_MESHES_MAX; i++) {
         const struct zr_mesh *mesh = &scene->meshes[scene->instances[i].mesh];
         cJSON *object = check(w, cJSON_CreateObject());
         put(w, object, "name", check(w, cJSON_CreateString(mesh->name)));
@@ -204,6 +204,7 @@ static cJSON *build(struct writer *w, const struct zr_scene *scene, const struct
         put_patch(w, base, &patches[face_count + 1]);
         put(w, root, "base", base);
     }
+    put_count(w, root, "instances", scene->instance_count);
     uint32_t first = first_face_id(frame);
     put(w, root, "meshes", meshes_of(w, scene, patches, first));
     if (face_count <= ZR_INFO_FACES_MAX) put(w, root, "faces", faces_of(w, patches, face_count, first));

@@ -9,8 +9,11 @@
 /* Faces are listed one by one up to this many polygons in the scene. */
 enum { ZR_INFO_FACES_MAX = 1000 };
 
-/* Appends JSON to `out`: window, camera, bounds, counts, pixels and boxes a mesh and a
- * face, warnings. `depth_scale` is 0 where no 16-bit depth was made. Needs frame->face_id. */
+/* Of the placed meshes, so many are listed, the first ones. */
+enum { ZR_INFO_MESHES_MAX = 1000 };
+
+/* Appends JSON to `out`: window, camera, bounds, counts, pixels and boxes a placed
+ * mesh and a face, warnings. `depth_scale` is 0 where no 16-bit depth was made. Needs frame->face_id. */
 enum zr_status zr_info_write(const struct zr_scene *scene, const struct zr_frame *frame, float depth_scale,
                              uint64_t misfits, const struct zr_warnings *warnings, struct zr_buffer *out);
 

@@ -2,17 +2,10 @@
 
 #include "scene/camera_parts.h"
 
-static bool in_bounds(const zr_mat4 *matrix)
-{
-    for (int i = 0; i < 16; i++)
-        if (!(fabsf(matrix->m[i]) <= ZR_MATRIX_MAX)) return false;
-    return true;
-}
-
 static enum zr_status check_range(const struct zr_camera *camera, struct zr_error *error)
 {
-    if (in_bounds(&camera->world_to_eye) && in_bounds(&camera->projection) && isfinite(camera->znear) &&
-        isfinite(camera->zfar))
+    if (zr_mat4_is_within(&camera->world_to_eye, ZR_MATRIX_MAX) &&
+        zr_mat4_is_within(&camera->projection, ZR_MATRIX_MAX) && isfinite(camera->znear) && isfinite(camera->zfar))
         return ZR_OK;
     return zr_error_add(error, ZR_BAD_SCENE, "/view", "the view leads beyond the range of numbers");
 }

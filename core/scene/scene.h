@@ -49,6 +49,7 @@ struct zr_mesh {
     uint32_t face_count;
     const uint32_t *face_offsets; /* face_count + 1, never NULL */
     const uint32_t *indices;      /* into positions, one a corner */
+    bool faces_are_fans;          /* cut as fans whatever their shape: cells of a grid have no dents */
 
     /* Faces with holes. NULL: every face is one ring. Face f has the rings face_rings[f] to
      * face_rings[f + 1] - 1, the outer one first; ring r has the corners indices[ring_offsets[r]] to

@@ -178,6 +178,74 @@ static void deep_json_is_refused(void **state)
     assert_scene_refused(scene, 422, NULL);
 }
 
+/* ---- hierarchies ---- */
+
+#define CORNER "\"meshes\":[{\"positions\":[[0,0,0],[1,0,0],[0,1,0]],\"faces\":[[0,1,2]]}]"
+
+static void assert_nodes_refused(const char *nodes, const char *const *texts)
+{
+    char scene[4096];
+    snprintf(scene, sizeof scene, "{" CORNER ",\"nodes\":[%s]}", nodes);
+    assert_scene_refused(scene, 422, texts);
+    assert_int_equal(client_get_status(&server, "/healthz"), 200);
+}
+
+static void nodes_in_a_circle_give_422_with_pointer(void **state)
+{
+    (void)state;
+    assert_nodes_refused("{\"mesh\":0,\"children\":[0]}", TEXTS("\"/nodes/0/children/0\"", "cycle"));
+    assert_nodes_refused("{\"mesh\":0,\"children\":[1]},{\"children\":[2]},{\"children\":[1]}",
+                         TEXTS("\"/nodes/2/children/0\"", "cycle"));
+}
+
+static void nodes_with_huge_matrices_give_422_with_pointer(void **state)
+{
+    (void)state;
+    assert_nodes_refused("{\"mesh\":0,\"matrix\":[1e300,0,0,0,0,1,0,0,0,0,1,0,0,0,0,1]}",
+                         TEXTS("\"/nodes/0/matrix/0\""));
+    assert_nodes_refused("{\"matrix\":[9e14,0,0,0,0,1,0,0,0,0,1,0,0,0,0,1],\"children\":[1]},"
+                         "{\"mesh\":0,\"scale\":[2,1,1]}",
+                         TEXTS("\"/nodes/1\"", "world space"));
+    /* Within the limits one by one, but no view holds it. */
+    assert_nodes_refused("{\"mesh\":0,\"matrix\":[9e14,0,0,0,0,9e14,0,0,0,0,9e14,0,9e14,9e14,9e14,1]},{\"mesh\":0}",
+                         TEXTS("\"/view\""));
+}
+
+/* `length` nodes, each with the next for a child `times` times; the last has a mesh. */
+static void assert_chain_refused(int length, int times, const char *const *texts)
+{
+    char *text = NULL;
+    size_t size = 0;
+    FILE *out = open_memstream(&text, &size);
+    assert_non_null(out);
+    fputs("{" CORNER ",\"nodes\":[", out);
+    for (int i = 1; i < length; i++) {
+        fprintf(out, "{\"children\":[%d", i);
+        for (int k = 1; k < times; k++)
+            fprintf(out, ",%d", i);
+        fputs("]},", out);
+    }
+    fputs("{\"mesh\":0}]}", out);
+    assert_int_equal(fclose(out), 0);
+    assert_refused(JSON_TYPE, text, size, 422, texts);
+    assert_int_equal(client_get_status(&server, "/healthz"), 200);
+    free(text);
+}
+
+static void nodes_that_multiply_give_422(void **state)
+{
+    (void)state;
+    assert_chain_refused(41, 2, TEXTS("\"/nodes\"", "100000 instances"));
+    assert_chain_refused(65, 2, TEXTS("\"/nodes\"", "100000 instances"));
+    assert_chain_refused(6, 1000, TEXTS("\"/nodes\"", "100000 instances"));
+}
+
+static void nodes_in_a_deep_chain_give_422(void **state)
+{
+    (void)state;
+    assert_chain_refused(100000, 1, TEXTS("nested too deep"));
+}
+
 /* ---- bodies ---- */
 
 static void large_body_with_length_gives_413(void **state)
@@ -259,6 +327,10 @@ int main(void)
         cmocka_unit_test(unknown_key_gives_422_with_pointer),
         cmocka_unit_test(wrong_type_gives_422_with_pointer),
         cmocka_unit_test(deep_json_is_refused),
+        cmocka_unit_test(nodes_in_a_circle_give_422_with_pointer),
+        cmocka_unit_test(nodes_with_huge_matrices_give_422_with_pointer),
+        cmocka_unit_test(nodes_that_multiply_give_422),
+        cmocka_unit_test(nodes_in_a_deep_chain_give_422),
         cmocka_unit_test(large_body_with_length_gives_413),
         cmocka_unit_test(large_body_without_expect_gives_413),
         cmocka_unit_test(large_chunked_body_gives_413),

@@ -5,6 +5,7 @@
 #include <zip.h>
 
 #include "output/depth16.h"
+#include "output/info.h"
 #include "output/npy.h"
 #include "output/png.h"
 #include "output/zip.h"
@@ -200,6 +201,33 @@ static void info_counts_pixels_and_boxes_and_warns(void **state)
     cJSON_Delete(info);
 }
 
+static void info_lists_the_first_thousand_instances(void **state)
+{
+    (void)state;
+    enum { PLACED = ZR_INFO_MESHES_MAX + 234 };
+    const zr_vec4 p[] = {{-1, 0, 0, 1}, {0, 0, 0, 1}, {-1, 1, 0, 1}};
+    static struct test_scene test;
+    static struct zr_instance instances[PLACED];
+    scene_of_triangles(&test, 16, 16, p, 1);
+    for (int i = 0; i < PLACED; i++)
+        instances[i] = test.instance;
+    const struct zr_output output = {ZR_CHANNEL_INFO, ZR_ENCODING_JSON, 0};
+    test.scene.outputs = &output;
+    test.scene.output_count = 1;
+    test.scene.instances = instances;
+    test.scene.instance_count = PLACED;
+    struct zr_answer answer = answer_of(&test);
+    cJSON *info = cJSON_ParseWithLength(answer.bytes, answer.size);
+    assert_non_null(info);
+    assert_true(cJSON_GetObjectItem(info, "instances")->valuedouble == PLACED);
+    const cJSON *meshes = cJSON_GetObjectItem(info, "meshes");
+    assert_int_equal(cJSON_GetArraySize(meshes), ZR_INFO_MESHES_MAX);
+    const cJSON *last = cJSON_GetArrayItem(meshes, ZR_INFO_MESHES_MAX - 1);
+    assert_true(cJSON_GetObjectItem(last, "firstFaceId")->valuedouble == ZR_INFO_MESHES_MAX);
+    assert_true(cJSON_GetObjectItem(meshes->child, "pixels")->valuedouble == 28); /* the first of all is seen */
+    cJSON_Delete(info);
+}
+
 static void several_outputs_come_as_one_archive(void **state)
 {
     (void)state;
@@ -264,6 +292,7 @@ int main(void)
         cmocka_unit_test(depth16_counts_what_does_not_fit_and_never_wraps),
         cmocka_unit_test(depth16_scale_left_open_fits_the_far_plane),
         cmocka_unit_test_setup_teardown(info_counts_pixels_and_boxes_and_warns, open_arena, close_arena),
+        cmocka_unit_test_setup_teardown(info_lists_the_first_thousand_instances, open_arena, close_arena),
         cmocka_unit_test_setup_teardown(several_outputs_come_as_one_archive, open_arena, close_arena),
         cmocka_unit_test_setup_teardown(picture_without_a_covered_pixel_is_warned_of_whatever_the_reason, open_arena,
                                         close_arena),

@@ -1,0 +1,157 @@
+#include "scene/nodes.h"
+
+/* What is known of a node once all that is below it is. */
+struct tally {
+    uint64_t instances; /* that one visit leads to, this node's own included; saturates */
+    uint32_t height;    /* levels from here down, this one included */
+    uint32_t useful;    /* children that lead to a mesh, the first so many of its part of placing.children */
+    enum { UNSEEN, OPEN, DONE } state;
+    bool is_child;
+};
+
+struct placing {
+    const struct zr_nodes *nodes;
+    struct tally *tallies;
+    uint32_t *children; /* as in nodes, but only those that lead to a mesh */
+    struct zr_placement *out;
+};
+
+static bool fail(struct placing *placing, enum zr_nodes_fault fault, uint32_t node, uint32_t child)
+{
+    placing->out->fault = fault;
+    placing->out->node = node;
+    placing->out->child = child;
+    return false;
+}
+
+static uint64_t add_saturating(uint64_t a, uint64_t b)
+{
+    uint64_t sum;
+    return __builtin_add_overflow(a, b, &sum) ? UINT64_MAX : sum;
+}
+
+/* ---- counting ---- */
+
+/* Sums up a node whose children are all done. */
+static bool tally_up(struct placing *placing, uint32_t number)
+{
+    const struct zr_node *node = &placing->nodes->nodes[number];
+    const uint32_t *children = placing->nodes->children + node->first_child;
+    uint32_t *useful = placing->children + node->first_child;
+    struct tally *tally = &placing->tallies[number];
+    tally->state = DONE;
+    tally->height = 1;
+    tally->instances = node->mesh != ZR_NODE_NO_MESH;
+    for (uint32_t i = 0; i < node->child_count; i++) {
+        const struct tally *child = &placing->tallies[children[i]];
+        if (child->instances == 0) continue;
+        useful[tally->useful++] = children[i];
+        tally->instances = add_saturating(tally->instances, child->instances);
+        if (child->height >= tally->height) tally->height = child->height + 1;
+    }
+    return tally->height <= ZR_NODES_DEPTH_MAX || fail(placing, ZR_NODES_TOO_DEEP, number, 0);
+}
+
+/* A node whose children are being looked at. */
+struct link {
+    uint32_t node, next_child;
+};
+
+/* Everything below `start`, children before parents. A child that is still open is an
+ * ancestor. `path` has room for every node. */
+static bool tally_below(struct placing *placing, uint32_t start, struct link *path)
+{
+    size_t depth = 0;
+    path[depth++] = (struct link){start, 0};
+    placing->tallies[start].state = OPEN;
+    while (depth > 0) {
+        struct link *link = &path[depth - 1];
+        const struct zr_node *node = &placing->nodes->nodes[link->node];
+        if (link->next_child == node->child_count) {
+            if (!tally_up(placing, link->node)) return false;
+            depth--;
+            continue;
+        }
+        uint32_t entry = link->next_child++, child = placing->nodes->children[node->first_child + entry];
+        struct tally *tally = &placing->tallies[child];
+        if (tally->state == OPEN) return fail(placing, ZR_NODES_CYCLE, link->node, entry);
+        if (tally->state == DONE) continue;
+        tally->state = OPEN;
+        path[depth++] = (struct link){child, 0};
+    }
+    return true;
+}
+
+/* From every node, not only from roots: in a circle there are none. */
+static bool tally_all(struct placing *placing, struct link *path, uint64_t *instances)
+{
+    const struct zr_nodes *nodes = placing->nodes;
+    for (uint32_t i = 0; i < nodes->child_count; i++)
+        placing->tallies[nodes->children[i]].is_child = true;
+    *instances = 0;
+    for (uint32_t i = 0; i < nodes->count; i++) {
+        const struct tally *tally = &placing->tallies[i];
+        if (tally->state == UNSEEN && !tally_below(placing, i, path)) return false;
+        if (!tally->is_child) *instances = add_saturating(*instances, tally->instances);
+    }
+    return true;
+}
+
+/* ---- placing ---- */
+
+/* A node on the way from a root, and where it is in this visit. */
+struct step {
+    uint32_t node, next_child;
+    zr_mat4 world;
+};
+
+/* Goes one step down, and places the mesh that is there. */
+static bool enter(struct placing *placing, struct step *path, size_t depth, uint32_t number)
+{
+    const struct zr_node *node = &placing->nodes->nodes[number];
+    struct zr_placement *out = placing->out;
+    struct step *step = &path[depth];
+    *step = (struct step){number, 0, node->local};
+    if (depth > 0) step->world = zr_mat4_mul(&path[depth - 1].world, &node->local);
+    if (!zr_mat4_is_within(&step->world, ZR_MATRIX_MAX)) return fail(placing, ZR_NODES_OUT_OF_RANGE, number, 0);
+    if (node->mesh != ZR_NODE_NO_MESH) out->instances[out->count++] = (struct zr_instance){node->mesh, step->world};
+    return true;
+}
+
+static bool place_below(struct placing *placing, uint32_t root)
+{
+    struct step path[ZR_NODES_DEPTH_MAX];
+    size_t depth = 0;
+    if (!enter(placing, path, depth++, root)) return false;
+    while (depth > 0) {
+        struct step *step = &path[depth - 1];
+        if (step->next_child == placing->tallies[step->node].useful) {
+            depth--;
+            continue;
+        }
+        uint32_t child = placing->children[placing->nodes->nodes[step->node].first_child + step->next_child++];
+        if (!enter(placing, path, depth++, child)) return false;
+    }
+    return true;
+}
+
+struct zr_placement zr_nodes_place(struct zr_arena *arena, const struct zr_nodes *nodes, uint32_t instances_max)
+{
+    struct zr_placement out = {.fault = ZR_NODES_GOOD};
+    struct placing placing = {.nodes = nodes,
+                              .tallies = zr_arena_zero(arena, nodes->count, sizeof *placing.tallies),
+                              .children = zr_arena_alloc(arena, nodes->child_count, sizeof *placing.children),
+                              .out = &out};
+    struct link *path = zr_arena_alloc(arena, nodes->count, sizeof *path);
+    uint64_t instances;
+    if (!zr_arena_ok(arena) || !tally_all(&placing, path, &instances)) return out;
+    if (instances > instances_max) {
+        fail(&placing, ZR_NODES_TOO_MANY, 0, 0);
+        return out;
+    }
+    out.instances = zr_arena_alloc(arena, (size_t)instances + 1, sizeof *out.instances);
+    if (!out.instances) return out;
+    for (uint32_t i = 0; i < nodes->count; i++)
+        if (!placing.tallies[i].is_child && placing.tallies[i].instances > 0 && !place_below(&placing, i)) break;
+    return out;
+}

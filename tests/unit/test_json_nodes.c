@@ -1,0 +1,282 @@
+/* The hierarchy of nodes as JSON has it. */
+#include "json_check.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+
+#include "scene/nodes.h"
+#include "shade/frame.h"
+
+#define MESHES                                                                                                         \
+    "\"meshes\": [{\"name\": \"a\", " POSITIONS ", \"faces\": [[0,1,2]]}, {\"name\": \"b\", " POSITIONS                \
+    ", \"faces\": [[0,1,2],[2,1,3]]}, {\"name\": \"twin\", " POSITIONS                                                 \
+    ", \"faces\": []}, {\"name\": \"twin\", " POSITIONS ", \"faces\": []}]"
+
+static const char *with_nodes(const char *nodes, const char *rest)
+{
+    static char text[8192];
+    snprintf(text, sizeof text, "{" MESHES ", \"nodes\": [%s]%s}", nodes, rest);
+    return text;
+}
+
+static void refuses_nodes(const char *nodes, const char *pointer, const char *detail)
+{
+    refuses_scene(with_nodes(nodes, ""), pointer, detail);
+}
+
+static void assert_matrix(const struct zr_scene *scene, uint32_t instance, zr_mat4 want)
+{
+    const zr_mat4 *got = &scene->instances[instance].object_to_world;
+    for (int i = 0; i < 16; i++)
+        if (got->m[i] != want.m[i])
+            fail_msg("entry %d of instance %u is %.9g, not %.9g", i, instance, (double)got->m[i], (double)want.m[i]);
+}
+
+static void nodes_place_meshes_and_polygons_come_last(void **state)
+{
+    (void)state;
+    struct reading *reading = read_scene(
+        with_nodes("{\"name\": \"arm\", \"mesh\": \"b\", \"translation\": [1,2,3], \"children\": [\"hand\", 2]},"
+                   "{\"mesh\": 0}, {\"name\": \"hand\", \"mesh\": 0, \"scale\": [2,2,2]}, {\"children\": [\"arm\"]}",
+                   ", " POLYGONS));
+    const struct zr_scene *scene = reading->scene;
+    const uint32_t meshes[5] = {0, 1, 0, 0, 4};
+    assert_int_equal(scene->mesh_count, 5);
+    assert_int_equal(scene->instance_count, 5);
+    for (uint32_t i = 0; i < 5; i++)
+        assert_int_equal(scene->instances[i].mesh, meshes[i]);
+    const zr_mat4 arm = {{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 1, 2, 3, 1}},
+                  hand = {{2, 0, 0, 0, 0, 2, 0, 0, 0, 0, 2, 0, 1, 2, 3, 1}};
+    assert_matrix(scene, 0, zr_mat4_identity());
+    assert_matrix(scene, 1, arm);
+    assert_matrix(scene, 2, hand);
+    assert_matrix(scene, 3, hand);
+    assert_matrix(scene, 4, zr_mat4_identity());
+    assert_int_equal(scene->warning_count, 1);
+    assert_string_equal(scene->warnings[0], "2 of 4 meshes are placed by no node and are not drawn");
+    reading_free(reading);
+}
+
+static void transformations_are_those_of_gltf(void **state)
+{
+    (void)state;
+    struct reading *reading =
+        read_scene(with_nodes("{\"mesh\": 0, \"matrix\": [1,2,3,0, 4,5,6,0, 7,8,9,0, 10,11,12,1]},"
+                              "{\"mesh\": 0, \"matrix\": [[1,4,7,10],[2,5,8,11],[3,6,9,12],[0,0,0,1]]},"
+                              "{\"mesh\": 0, \"translation\": [5,6,7], \"rotation\": [0,0,1,1], \"scale\": [2,3,-4]},"
+                              "{\"mesh\": 0, \"rotation\": [-0.5,-0.5,-0.5,-0.5]},"
+                              "{\"mesh\": 0, \"rotation\": [0.6,0,0,0.8]}, {\"mesh\": 0, \"scale\": [1,0,1]}",
+                              ""));
+    const zr_mat4 given = {{1, 2, 3, 0, 4, 5, 6, 0, 7, 8, 9, 0, 10, 11, 12, 1}};
+    assert_matrix(reading->scene, 0, given);
+    assert_matrix(reading->scene, 1, given);
+    /* A quarter turn about z after the scale: x to y, y to -x. */
+    assert_matrix(reading->scene, 2, (zr_mat4){{0, 2, 0, 0, -3, 0, 0, 0, 0, 0, -4, 0, 5, 6, 7, 1}});
+    /* A third of a turn about (1, 1, 1): x to y, y to z, z to x. */
+    assert_matrix(reading->scene, 3, (zr_mat4){{0, 1, 0, 0, 0, 0, 1, 0, 1, 0, 0, 0, 0, 0, 0, 1}});
+    /* cos = 0.8^2 - 0.6^2, sin = 2 * 0.8 * 0.6, about x. */
+    const float *turn = reading->scene->instances[4].object_to_world.m;
+    assert_true(turn[0] == 1 && fabsf(turn[5] - 0.28f) < 1e-7f && fabsf(turn[6] - 0.96f) < 1e-7f);
+    assert_true(fabsf(turn[9] + 0.96f) < 1e-7f && fabsf(turn[10] - 0.28f) < 1e-7f);
+    assert_matrix(reading->scene, 5, (zr_mat4){{1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1}});
+    reading_free(reading);
+}
+
+static void without_nodes_every_mesh_is_drawn_once(void **state)
+{
+    (void)state;
+    struct reading *reading = read_scene("{" MESHES ", " POLYGONS "}");
+    assert_int_equal(reading->scene->instance_count, 5);
+    assert_int_equal(reading->scene->instances[4].mesh, 4);
+    assert_int_equal(reading->scene->warning_count, 0);
+    reading_free(reading);
+}
+
+static void nodes_without_meshes_leave_the_polygons(void **state)
+{
+    (void)state;
+    struct reading *reading = read_scene("{\"nodes\": [{\"children\": [1]}, {}], " POLYGONS "}");
+    assert_int_equal(reading->scene->instance_count, 1);
+    assert_int_equal(reading->scene->warning_count, 0);
+    reading_free(reading);
+    reading = read_scene(with_nodes("", ", " POLYGONS));
+    assert_int_equal(reading->scene->instance_count, 1);
+    assert_string_equal(reading->scene->warnings[0], "4 of 4 meshes are placed by no node and are not drawn");
+    reading_free(reading);
+    refuses_nodes("", "", "no geometry");
+}
+
+static void bad_nodes_give_pointer_to_the_fault(void **state)
+{
+    (void)state;
+    refuses_scene("{" MESHES ", \"nodes\": {}}", "/nodes", "expected a list, found an object");
+    refuses_nodes("3", "/nodes/0", "expected an object, found a number");
+    refuses_nodes("{\"Mesh\": 0}", "/nodes/0/Mesh", "unknown key; known here: name, mesh, matrix");
+    refuses_nodes("{\"mesh\": 4}", "/nodes/0/mesh", "index 4 of 4 meshes");
+    refuses_nodes("{\"mesh\": 0.5}", "/nodes/0/mesh", "not a whole number");
+    refuses_nodes("{\"mesh\": null}", "/nodes/0/mesh", "expected an index or a name, found null");
+    refuses_nodes("{\"mesh\": \"c\"}", "/nodes/0/mesh", "no mesh has the name 'c'");
+    refuses_nodes("{\"mesh\": \"\"}", "/nodes/0/mesh", "no mesh has the name ''");
+    refuses_nodes("{\"mesh\": \"twin\"}", "/nodes/0/mesh", "'twin' is ambiguous: meshes 2 and 3 have this name");
+    refuses_nodes("{\"mesh\": 0, \"children\": 1}", "/nodes/0/children", "expected a list, found a number");
+    refuses_nodes("{\"mesh\": 0, \"children\": [1]}", "/nodes/0/children/0", "index 1 of 1 nodes");
+    refuses_nodes("{\"mesh\": 0, \"children\": [\"x\"]}", "/nodes/0/children/0", "no node has the name 'x'");
+    refuses_nodes("{\"mesh\": 0, \"children\": [\"x\"]}, {\"name\": \"x\"}, {\"name\": \"x\"}", "/nodes/0/children/0",
+                  "'x' is ambiguous: nodes 1 and 2");
+    refuses_nodes("{\"name\": 7}", "/nodes/0/name", "expected a string, found a number");
+    refuses_scene("{\"nodes\": [{\"mesh\": \"polygons\"}], " POLYGONS "}", "/nodes/0/mesh", "no mesh has the name");
+}
+
+static void names_that_nothing_refers_to_need_not_be_unique(void **state)
+{
+    (void)state;
+    struct reading *reading =
+        read_scene(with_nodes("{\"name\": \"n\", \"mesh\": 0}, {\"name\": \"n\", \"mesh\": 1}", ""));
+    assert_int_equal(reading->scene->instance_count, 2);
+    reading_free(reading);
+}
+
+static void bad_transformations_give_pointer_to_the_fault(void **state)
+{
+    (void)state;
+    refuses_nodes("{\"mesh\": 0, \"matrix\": [1,0,0,0, 0,1,0,0, 0,0,1,0, 0,0,0,1], \"rotation\": [0,0,0,1]}",
+                  "/nodes/0", "two transformations: matrix and rotation");
+    refuses_nodes("{\"mesh\": 0, \"matrix\": [1,0,0,4, 0,1,0,5, 0,0,1,6, 0,0,0,1]}", "/nodes/0/matrix",
+                  "the bottom row is 4 5 6 1, not 0 0 0 1");
+    refuses_nodes("{\"mesh\": 0, \"matrix\": [1,0,0]}", "/nodes/0/matrix", "expected 16 numbers, found 3");
+    refuses_nodes("{\"mesh\": 0, \"matrix\": [2e15,0,0,0, 0,1,0,0, 0,0,1,0, 0,0,0,1]}", "/nodes/0/matrix/0",
+                  "is outside of -");
+    refuses_nodes("{\"mesh\": 0, \"rotation\": [0,0,0,0]}", "/nodes/0/rotation", "a quaternion of no length");
+    refuses_nodes("{\"mesh\": 0, \"rotation\": [0,0,1]}", "/nodes/0/rotation", "expected 4 numbers, found 3");
+    refuses_nodes("{\"mesh\": 0, \"translation\": [0,0,2e6]}", "/nodes/0/translation/2", "outside of -1000000");
+    refuses_nodes("{\"mesh\": 0, \"scale\": 2}", "/nodes/0/scale", "expected a list of numbers, found a number");
+    refuses_nodes("{\"scale\": [1e6,1,1], \"children\": [1]}, {\"scale\": [1e6,1,1], \"children\": [2]},"
+                  "{\"scale\": [1e6,1,1], \"mesh\": 0}",
+                  "/nodes/2", "the matrix to world space has an entry beyond 1e+15");
+}
+
+static void cycles_give_pointer_to_the_child_that_closes_them(void **state)
+{
+    (void)state;
+    refuses_nodes("{\"mesh\": 0, \"children\": [0]}", "/nodes/0/children/0", "a cycle");
+    refuses_nodes("{\"mesh\": 0, \"children\": [1]}, {\"children\": [2]}, {\"children\": [3, \"two\"]},"
+                  "{\"name\": \"three\"}, {\"name\": \"two\", \"children\": [1]}",
+                  "/nodes/4/children/0", "a cycle");
+}
+
+/* Nodes of which each has the next for a child, `times` times, and the last a mesh. */
+static char *chain_scene(int length, int times)
+{
+    char *text = NULL;
+    size_t size = 0;
+    FILE *out = open_memstream(&text, &size);
+    fprintf(out, "{" MESHES ", \"nodes\": [");
+    for (int i = 0; i + 1 < length; i++) {
+        fprintf(out, "{\"children\": [%d", i + 1);
+        for (int k = 1; k < times; k++)
+            fprintf(out, ", %d", i + 1);
+        fprintf(out, "]},");
+    }
+    fprintf(out, "{\"mesh\": 1}]}");
+    fclose(out);
+    return text;
+}
+
+static void hierarchies_beyond_the_limits_are_refused_by_name(void **state)
+{
+    (void)state;
+    char *text = chain_scene(41, 2);
+    refuses_scene(text, "/nodes", "the nodes place more than the limit of 100000 instances");
+    free(text);
+    text = chain_scene(100000, 1);
+    refuses_scene(text, "/nodes/99743", "nested too deep: below this node are more than the limit of 255 levels");
+    free(text);
+    text = chain_scene(ZR_NODES_DEPTH_MAX, 1);
+    struct reading *reading = read_scene(text);
+    assert_int_equal(reading->scene->instance_count, 1);
+    reading_free(reading);
+    free(text);
+    text = chain_scene(13, 2);
+    struct zr_limits limits = zr_limits_default();
+    limits.instances_max = 4095;
+    reading = read_request((struct zr_request){.format = ZR_FORMAT_JSON}, text, strlen(text), limits, (size_t)1 << 28);
+    assert_complaint(reading, ZR_BAD_SCENE, "/nodes", "limit of 4095 instances");
+    reading_free(reading);
+    free(text);
+}
+
+static void points_placed_beyond_the_memory_are_refused_before_they_are_walked(void **state)
+{
+    (void)state;
+    char *text = chain_scene(17, 2); /* 65536 times 4 points of 32 bytes, and the instances themselves */
+    for (int mib = 12; mib <= 18; mib += 6) {
+        struct reading *reading = read_request((struct zr_request){.format = ZR_FORMAT_JSON}, text, strlen(text),
+                                               zr_limits_default(), (size_t)mib << 20);
+        assert_int_equal(reading->status, mib == 12 ? ZR_NO_MEMORY : ZR_OK);
+        reading_free(reading);
+    }
+    free(text);
+}
+
+static void small_arena_gives_no_memory_naming_the_ceiling(void **state)
+{
+    (void)state;
+    const char *text = with_nodes("{\"name\": \"n\", \"mesh\": \"a\", \"children\": [\"m\"]}, {\"name\": \"m\", "
+                                  "\"mesh\": 1}",
+                                  "");
+    assert_true(smallest_ceiling((struct zr_request){.channel = "depth"}, text, strlen(text), 65536) > 1024);
+}
+
+/* ---- pictures ---- */
+
+#define CUBE                                                                                                           \
+    "\"view\": {\"preset\": \"isometric\"}, \"window\": {\"width\": 64, \"height\": 64}, \"meshes\": "                 \
+    "[{\"positions\": "                                                                                                \
+    "[[-1,-1,-1],[1,-1,-1],[-1,1,-1],[1,1,-1],[-1,-1,1],[1,-1,1],[-1,1,1],[1,1,1]], \"faces\": [[1,3,7,5],"            \
+    "[0,4,6,2],[2,6,7,3],[0,1,5,4],[4,5,7,6],[0,2,3,1]]}], \"outputs\": [{\"channel\": \"faceId\"}]"
+
+/* A bit for each face that is seen, face 1 the lowest. */
+static unsigned faces_seen(const char *text)
+{
+    struct reading *reading = read_scene(text);
+    struct zr_error error = {.count = 0};
+    const struct zr_frame *frame;
+    assert_int_equal(zr_render(&reading->arena, NULL, reading->scene, NULL, &frame, &error), ZR_OK);
+    unsigned seen = 0;
+    for (int i = 0; i < 64 * 64; i++)
+        seen |= 1u << frame->face_id[i];
+    reading_free(reading);
+    return seen >> 1;
+}
+
+static void mirrored_cube_shows_its_outside(void **state)
+{
+    (void)state;
+    enum { RIGHT = 1, LEFT = 2, TOP = 4, NEAR = 16 };
+    assert_int_equal(faces_seen("{" CUBE "}"), RIGHT | TOP | NEAR);
+    assert_int_equal(faces_seen("{" CUBE ", \"nodes\": [{\"mesh\": 0}]}"), RIGHT | TOP | NEAR);
+    assert_int_equal(faces_seen("{" CUBE ", \"nodes\": [{\"mesh\": 0, \"scale\": [-1,1,1]}]}"), LEFT | TOP | NEAR);
+    assert_int_equal(
+        faces_seen("{" CUBE
+                   ", \"nodes\": [{\"scale\": [1,1,-1], \"children\": [1]}, {\"mesh\": 0, \"scale\": [1,1,-1]}]}"),
+        RIGHT | TOP | NEAR);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(nodes_place_meshes_and_polygons_come_last),
+        cmocka_unit_test(transformations_are_those_of_gltf),
+        cmocka_unit_test(without_nodes_every_mesh_is_drawn_once),
+        cmocka_unit_test(nodes_without_meshes_leave_the_polygons),
+        cmocka_unit_test(bad_nodes_give_pointer_to_the_fault),
+        cmocka_unit_test(names_that_nothing_refers_to_need_not_be_unique),
+        cmocka_unit_test(bad_transformations_give_pointer_to_the_fault),
+        cmocka_unit_test(cycles_give_pointer_to_the_child_that_closes_them),
+        cmocka_unit_test(hierarchies_beyond_the_limits_are_refused_by_name),
+        cmocka_unit_test(points_placed_beyond_the_memory_are_refused_before_they_are_walked),
+        cmocka_unit_test(small_arena_gives_no_memory_naming_the_ceiling),
+        cmocka_unit_test(mirrored_cube_shows_its_outside),
+    };
+    return cmocka_run_group_tests_name("json_nodes", tests, NULL, NULL);
+}

@@ -1,0 +1,509 @@
+/* Hierarchies, counted and expanded, and what their matrices do to pictures. */
+#include <math.h>
+#include <string.h>
+
+#include "scene/nodes.h"
+#include "support/cmocka_all.h"
+#include "support/random.h"
+#include "support/scenes.h"
+
+enum { NONE = 999, NODES_MAX = 128, LONG = 100000 };
+
+/* Nodes from a table: the mesh of each, or NONE, and its children up to NONE. */
+struct tree {
+    struct zr_arena arena;
+    struct zr_node made[NODES_MAX];
+    uint32_t children[2 * NODES_MAX];
+    struct zr_nodes nodes;
+};
+
+static struct tree *tree_new(void)
+{
+    struct tree *tree = test_calloc(1, sizeof *tree);
+    zr_arena_init(&tree->arena, (size_t)1 << 28);
+    tree->nodes.nodes = tree->made;
+    tree->nodes.children = tree->children;
+    return tree;
+}
+
+static void tree_free(struct tree *tree)
+{
+    zr_arena_free(&tree->arena);
+    test_free(tree);
+}
+
+static void add_node(struct tree *tree, uint32_t mesh, const uint32_t *children)
+{
+    struct zr_nodes *nodes = &tree->nodes;
+    struct zr_node *node = &tree->made[nodes->count++];
+    *node = (struct zr_node){zr_mat4_identity(), mesh == NONE ? ZR_NODE_NO_MESH : mesh, nodes->child_count, 0};
+    for (; *children != NONE; children++, node->child_count++)
+        tree->children[nodes->child_count++] = *children;
+}
+
+#define CHILDREN(...)                                                                                                  \
+    (const uint32_t[])                                                                                                 \
+    {                                                                                                                  \
+        __VA_ARGS__                                                                                                    \
+    }
+
+static void shift(struct tree *tree, uint32_t node, float x)
+{
+    tree->made[node].local.m[12] = x;
+}
+
+static struct zr_placement place(struct tree *tree, uint32_t instances_max)
+{
+    struct zr_placement placement = zr_nodes_place(&tree->arena, &tree->nodes, instances_max);
+    assert_true(zr_arena_ok(&tree->arena));
+    return placement;
+}
+
+static void nodes_are_placed_depth_first_in_listed_order(void **state)
+{
+    (void)state;
+    struct tree *tree = tree_new();
+    add_node(tree, 0, CHILDREN(4, 2, NONE));
+    add_node(tree, 1, CHILDREN(NONE)); /* a root, after the first one and all that is below it */
+    add_node(tree, 2, CHILDREN(3, NONE));
+    add_node(tree, 3, CHILDREN(NONE));
+    add_node(tree, 4, CHILDREN(3, NONE)); /* the same child again */
+    for (uint32_t i = 0; i < 5; i++)
+        shift(tree, i, (float)(1u << i));
+    struct zr_placement placement = place(tree, 6);
+    const uint32_t meshes[6] = {0, 4, 3, 2, 3, 1};
+    const float x[6] = {1, 17, 25, 5, 13, 2};
+    assert_int_equal(placement.fault, ZR_NODES_GOOD);
+    assert_int_equal(placement.count, 6);
+    for (int i = 0; i < 6; i++) {
+        assert_int_equal(placement.instances[i].mesh, meshes[i]);
+        assert_true(placement.instances[i].object_to_world.m[12] == x[i]);
+    }
+    assert_int_equal(place(tree, 5).fault, ZR_NODES_TOO_MANY);
+    tree_free(tree);
+}
+
+static void world_is_parent_times_local(void **state)
+{
+    (void)state;
+    struct tree *tree = tree_new();
+    add_node(tree, NONE, CHILDREN(1, NONE));
+    add_node(tree, 0, CHILDREN(NONE));
+    /* A quarter turn about z, then a step along the turned x. */
+    tree->made[0].local = (zr_mat4){{0, 1, 0, 0, -1, 0, 0, 0, 0, 0, 1, 0, 5, 0, 0, 1}};
+    shift(tree, 1, 2);
+    struct zr_placement placement = place(tree, 1);
+    zr_vec4 p = zr_mat4_apply(&placement.instances[0].object_to_world, (zr_vec4){1, 0, 0, 1});
+    assert_true(p.x == 5 && p.y == 3 && p.z == 0 && p.w == 1);
+    tree_free(tree);
+}
+
+static void cycle_is_told_by_the_entry_that_closes_it(void **state)
+{
+    (void)state;
+    struct tree *tree = tree_new();
+    add_node(tree, 0, CHILDREN(1, NONE));
+    add_node(tree, NONE, CHILDREN(3, 2, NONE));
+    add_node(tree, NONE, CHILDREN(3, 1, NONE));
+    add_node(tree, NONE, CHILDREN(NONE));
+    struct zr_placement placement = place(tree, 100);
+    assert_int_equal(placement.fault, ZR_NODES_CYCLE);
+    assert_int_equal(placement.node, 2);
+    assert_int_equal(placement.child, 1);
+    tree_free(tree);
+
+    tree = tree_new(); /* a circle without a root */
+    add_node(tree, 0, CHILDREN(1, NONE));
+    add_node(tree, 0, CHILDREN(0, NONE));
+    placement = place(tree, 100);
+    assert_int_equal(placement.fault, ZR_NODES_CYCLE);
+    assert_int_equal(placement.node, 1);
+    tree_free(tree);
+
+    tree = tree_new();
+    add_node(tree, 0, CHILDREN(NONE));
+    add_node(tree, 0, CHILDREN(0, 1, NONE)); /* itself */
+    placement = place(tree, 100);
+    assert_int_equal(placement.fault, ZR_NODES_CYCLE);
+    assert_int_equal(placement.node, 1);
+    assert_int_equal(placement.child, 1);
+    tree_free(tree);
+}
+
+/* `levels` nodes, each the child of the one before, twice. */
+static struct tree *doubling_chain(uint32_t levels, uint32_t mesh)
+{
+    struct tree *tree = tree_new();
+    for (uint32_t i = 0; i < levels; i++)
+        add_node(tree, NONE, CHILDREN(i + 1, i + 1, NONE));
+    add_node(tree, mesh, CHILDREN(NONE));
+    return tree;
+}
+
+static void doubling_chain_is_counted_without_being_walked(void **state)
+{
+    (void)state;
+    const uint32_t levels[] = {17, 40, 64, 100}; /* 2^64 and 2^100 are beyond the counter */
+    for (size_t i = 0; i < sizeof levels / sizeof levels[0]; i++) {
+        struct tree *tree = doubling_chain(levels[i], 0);
+        assert_int_equal(place(tree, 100000).fault, ZR_NODES_TOO_MANY);
+        assert_int_equal(place(tree, UINT32_MAX).fault, i == 0 ? ZR_NODES_GOOD : ZR_NODES_TOO_MANY);
+        tree_free(tree);
+    }
+    struct tree *tree = doubling_chain(16, 0);
+    struct zr_placement placement = place(tree, 1u << 16);
+    assert_int_equal(placement.fault, ZR_NODES_GOOD);
+    assert_int_equal(placement.count, 1u << 16);
+    tree_free(tree);
+}
+
+static void paths_without_a_mesh_are_not_walked(void **state)
+{
+    (void)state;
+    struct tree *tree = doubling_chain(100, NONE);
+    add_node(tree, 7, CHILDREN(0, NONE));
+    struct zr_placement placement = place(tree, 1);
+    assert_int_equal(placement.fault, ZR_NODES_GOOD);
+    assert_int_equal(placement.count, 1);
+    assert_int_equal(placement.instances[0].mesh, 7);
+    tree_free(tree);
+}
+
+static void matrix_out_of_range_names_the_node_that_leaves_it(void **state)
+{
+    (void)state;
+    struct tree *tree = tree_new();
+    add_node(tree, NONE, CHILDREN(1, NONE));
+    add_node(tree, NONE, CHILDREN(2, NONE));
+    add_node(tree, 0, CHILDREN(NONE));
+    for (uint32_t i = 0; i < 3; i++)
+        tree->made[i].local.m[0] = 1e7f;
+    struct zr_placement placement = place(tree, 10);
+    assert_int_equal(placement.fault, ZR_NODES_OUT_OF_RANGE);
+    assert_int_equal(placement.node, 2);
+    tree->made[2].local.m[0] = NAN;
+    assert_int_equal(place(tree, 10).node, 2);
+    tree->made[2].mesh = ZR_NODE_NO_MESH; /* then nothing is drawn there */
+    assert_int_equal(place(tree, 10).fault, ZR_NODES_GOOD);
+    tree_free(tree);
+}
+
+/* Each node is the child of the one before it, and the last has a mesh; or the other way
+ * round, so that what is below a node is done when that node is come to. */
+static struct zr_placement place_chain(struct zr_arena *arena, uint32_t length, bool forward)
+{
+    struct zr_node *made = zr_arena_alloc(arena, length, sizeof *made);
+    uint32_t *children = zr_arena_alloc(arena, length, sizeof *children), entries = 0;
+    uint32_t last = forward ? length - 1 : 0;
+    for (uint32_t i = 0; i < length; i++) {
+        made[i] = (struct zr_node){zr_mat4_identity(), i == last ? 0 : ZR_NODE_NO_MESH, entries, i != last};
+        if (i != last) children[entries++] = forward ? i + 1 : i - 1;
+    }
+    struct zr_nodes nodes = {length, entries, made, children};
+    return zr_nodes_place(arena, &nodes, 10);
+}
+
+static void chain_is_placed_up_to_the_depth_limit(void **state)
+{
+    (void)state;
+    struct zr_arena arena;
+    zr_arena_init(&arena, (size_t)1 << 28);
+    for (int forward = 0; forward < 2; forward++) {
+        struct zr_placement placement = place_chain(&arena, ZR_NODES_DEPTH_MAX, forward);
+        assert_int_equal(placement.fault, ZR_NODES_GOOD);
+        placement = place_chain(&arena, ZR_NODES_DEPTH_MAX + 1, forward);
+        assert_int_equal(placement.fault, ZR_NODES_TOO_DEEP);
+        assert_int_equal(placement.node, forward ? 0 : ZR_NODES_DEPTH_MAX);
+        assert_int_equal(place_chain(&arena, LONG, forward).fault, ZR_NODES_TOO_DEEP);
+    }
+    zr_arena_free(&arena);
+}
+
+/* What zr_nodes_place must come to, by plain recursion. */
+static void place_plainly(const struct zr_nodes *nodes, uint32_t number, zr_mat4 parent, struct zr_placement *out)
+{
+    const struct zr_node *node = &nodes->nodes[number];
+    zr_mat4 world = zr_mat4_mul(&parent, &node->local);
+    if (node->mesh != ZR_NODE_NO_MESH) out->instances[out->count++] = (struct zr_instance){node->mesh, world};
+    for (uint32_t i = 0; i < node->child_count; i++)
+        place_plainly(nodes, nodes->children[node->first_child + i], world, out);
+}
+
+/* Nodes in random order, each with children of higher rank only. */
+static struct tree *random_tree(struct random *random)
+{
+    enum { COUNT = 12 };
+    uint32_t number_of[COUNT], children[COUNT];
+    struct tree *tree = tree_new();
+    for (uint32_t i = 0; i < COUNT; i++) {
+        uint32_t place_at = random_below(random, i + 1);
+        number_of[i] = number_of[place_at];
+        number_of[place_at] = i;
+    }
+    uint32_t rank_of[COUNT];
+    for (uint32_t rank = 0; rank < COUNT; rank++)
+        rank_of[number_of[rank]] = rank;
+    for (uint32_t i = 0; i < COUNT; i++) {
+        uint32_t count = 0, higher = COUNT - 1 - rank_of[i];
+        while (higher > 0 && count < 3 && random_below(random, 3) > 0)
+            children[count++] = number_of[rank_of[i] + 1 + random_below(random, higher)];
+        children[count] = NONE;
+        add_node(tree, random_below(random, 2) ? i : NONE, children);
+        for (int k = 0; k < 16; k++)
+            tree->made[i].local.m[k] = k % 4 == 3 ? k == 15 : (float)random_range(random, -2, 2);
+    }
+    return tree;
+}
+
+static void random_hierarchies_are_placed_as_by_plain_recursion(void **state)
+{
+    (void)state;
+    struct random random = random_seeded(5);
+    uint32_t most = 0;
+    for (int round = 0; round < 300; round++) {
+        struct tree *tree = random_tree(&random);
+        const struct zr_nodes *nodes = &tree->nodes;
+        static struct zr_instance instances[20000];
+        struct zr_placement want = {.instances = instances};
+        for (uint32_t i = 0; i < nodes->count; i++) {
+            bool is_child = false;
+            for (uint32_t k = 0; k < nodes->child_count; k++)
+                is_child = is_child || nodes->children[k] == i;
+            if (!is_child) place_plainly(nodes, i, zr_mat4_identity(), &want);
+        }
+        struct zr_placement got = place(tree, want.count);
+        assert_int_equal(got.fault, ZR_NODES_GOOD);
+        assert_int_equal(got.count, want.count);
+        for (uint32_t i = 0; i < want.count; i++) {
+            assert_int_equal(got.instances[i].mesh, want.instances[i].mesh);
+            for (int k = 0; k < 16; k++)
+                assert_true(got.instances[i].object_to_world.m[k] == want.instances[i].object_to_world.m[k]);
+        }
+        if (want.count > 0) assert_int_equal(place(tree, want.count - 1).fault, ZR_NODES_TOO_MANY);
+        if (want.count > most) most = want.count;
+        tree_free(tree);
+    }
+    assert_true(most > 50);
+}
+
+static void every_memory_ceiling_fails_cleanly_or_places_all(void **state)
+{
+    (void)state;
+    struct tree *tree = doubling_chain(5, 0);
+    int failures = 0, successes = 0;
+    for (size_t ceiling = 0; ceiling < 8192; ceiling += 64) {
+        struct zr_arena arena;
+        zr_arena_init(&arena, ceiling);
+        struct zr_placement placement = zr_nodes_place(&arena, &tree->nodes, 100);
+        if (zr_arena_ok(&arena)) {
+            assert_int_equal(placement.count, 32);
+            successes++;
+        } else {
+            assert_int_equal(successes, 0);
+            failures++;
+        }
+        zr_arena_free(&arena);
+    }
+    assert_true(failures > 10 && successes > 10);
+    tree_free(tree);
+}
+
+/* ---- pictures ---- */
+
+/* A tetrahedron, its sides all turned the same way. */
+static void make_solid(zr_vec4 out[12])
+{
+    static const zr_vec4 corners[4] = {
+        {-0.5f, -0.5f, 0.25f, 1}, {0.5f, -0.25f, 0.25f, 1}, {0, 0.5f, 0.25f, 1}, {0.125f, 0, -0.5f, 1}};
+    static const int faces[4][3] = {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}};
+    for (int f = 0; f < 4; f++)
+        for (int k = 0; k < 3; k++)
+            out[3 * f + k] = corners[faces[f][k]];
+}
+
+static void light(struct test_scene *test, enum zr_shading shading, bool double_sided)
+{
+    static const struct zr_light lamp = {{-0.5f, -0.25f, 0.75f}, {0.75f, 0.5f, 1}, false};
+    test->material.shading = shading;
+    test->material.double_sided = double_sided;
+    test->scene.lights = &lamp;
+    test->scene.light_count = 1;
+    test->scene.ambient = (zr_vec3){0.125f, 0.125f, 0.125f};
+}
+
+static void assert_same_picture(const struct zr_frame *a, const struct zr_frame *b)
+{
+    size_t pixels = (size_t)a->width * a->height;
+    assert_memory_equal(a->color, b->color, pixels * 4);
+    assert_memory_equal(a->depth, b->depth, pixels * sizeof(float));
+    assert_memory_equal(a->window_depth, b->window_depth, pixels * sizeof(float));
+    assert_memory_equal(a->face_id, b->face_id, pixels * sizeof(uint32_t));
+    assert_memory_equal(&a->counts, &b->counts, sizeof a->counts);
+    assert_true(a->covered_pixels > 100);
+}
+
+/* Renders `solid` placed by `matrix` and `moved` as it is, one-sided and two-sided, with and
+ * without light, and wants the same bytes. */
+static void assert_placed_equals_moved(const zr_vec4 *solid, zr_mat4 matrix, const zr_vec4 *moved)
+{
+    static struct test_scene a, b;
+    struct zr_arena arena;
+    zr_arena_init(&arena, 1 << 25);
+    for (int shading = ZR_SHADING_UNLIT; shading <= ZR_SHADING_GOURAUD; shading++)
+        for (int double_sided = 0; double_sided < 2; double_sided++) {
+            scene_of_triangles(&a, 96, 80, solid, 4);
+            scene_of_triangles(&b, 96, 80, moved, 4);
+            a.instance.object_to_world = matrix;
+            light(&a, (enum zr_shading)shading, double_sided);
+            light(&b, (enum zr_shading)shading, double_sided);
+            const struct zr_frame *placed = scene_render(&arena, NULL, &a.scene);
+            assert_int_equal(placed->counts.culled + placed->counts.culled_pieces > 0, !double_sided);
+            assert_same_picture(placed, scene_render(&arena, NULL, &b.scene));
+            assert_true(zr_scene_cost(&a.scene, 100).fragments == zr_scene_cost(&b.scene, 100).fragments);
+            zr_arena_reset(&arena, 1 << 25);
+        }
+    zr_arena_free(&arena);
+}
+
+static void placed_mesh_equals_the_mesh_with_moved_vertices(void **state)
+{
+    (void)state;
+    zr_vec4 solid[12], moved[12];
+    make_solid(solid);
+    for (int i = 0; i < 12; i++)
+        moved[i] = (zr_vec4){solid[i].x * 2 + 0.25f, solid[i].y * 2 - 0.5f, solid[i].z * 2 - 0.125f, 1};
+    assert_placed_equals_moved(solid, (zr_mat4){{2, 0, 0, 0, 0, 2, 0, 0, 0, 0, 2, 0, 0.25f, -0.5f, -0.125f, 1}}, moved);
+}
+
+/* What the mirror makes of a mesh is the mesh reflected and, so that fronts stay fronts,
+ * its corners in the other direction. */
+static void mirrored_instance_keeps_its_fronts(void **state)
+{
+    (void)state;
+    zr_vec4 solid[12], moved[12];
+    make_solid(solid);
+    for (int i = 0; i < 12; i++) {
+        zr_vec4 p = solid[i % 3 == 2 ? i : i - i % 3 + 1 - i % 3];
+        moved[i] = (zr_vec4){-p.x + 0.25f, p.y, p.z, 1};
+    }
+    zr_mat4 mirror = zr_mat4_identity();
+    mirror.m[0] = -1;
+    mirror.m[12] = 0.25f;
+    assert_placed_equals_moved(solid, mirror, moved);
+}
+
+static void mirrors_are_told_by_the_determinant(void **state)
+{
+    (void)state;
+    zr_mat4 m = zr_mat4_identity();
+    assert_false(zr_mat4_is_mirror(&m));
+    m.m[5] = -1e-15f;
+    m.m[0] = 1e-15f;
+    m.m[10] = 1e-15f; /* too small for the product as a float */
+    assert_true(zr_mat4_is_mirror(&m));
+    m.m[0] = -1;
+    assert_false(zr_mat4_is_mirror(&m));
+    m.m[0] = 0;
+    assert_false(zr_mat4_is_mirror(&m));
+    m = (zr_mat4){{0, 1, 0, 0, 1, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1}}; /* x and y change places */
+    assert_true(zr_mat4_is_mirror(&m));
+}
+
+/* Three matrices at their limits multiply to more than a float can hold. */
+static void matrices_at_their_limits_draw_something_or_nothing(void **state)
+{
+    (void)state;
+    struct random random = random_seeded(7);
+    zr_vec4 solid[12];
+    make_solid(solid);
+    static struct test_scene test;
+    struct zr_arena arena;
+    zr_arena_init(&arena, 1 << 25);
+    for (int round = 0; round < 200; round++) {
+        scene_of_triangles(&test, 24, 24, solid, 4);
+        light(&test, (enum zr_shading)(round % 3), round % 2);
+        zr_mat4 *matrices[3] = {&test.instance.object_to_world, &test.scene.view.world_to_camera,
+                                &test.scene.view.projection_matrix};
+        for (int m = 0; m < 3; m++)
+            for (int k = 0; k < 16; k++)
+                if (random_below(&random, 2)) matrices[m]->m[k] = ZR_MATRIX_MAX * (random_below(&random, 2) ? 1 : -1);
+        const struct zr_frame *frame = scene_render(&arena, NULL, &test.scene);
+        const struct zr_counts *c = &frame->counts;
+        assert_int_equal(c->outside + c->clipped + c->culled + c->zero_area + c->drawn_whole, c->triangles);
+        zr_arena_reset(&arena, 1 << 25);
+    }
+    zr_arena_free(&arena);
+}
+
+/* On a sphere that is stretched to twice its width, the normal (1, 0, 1) leans to (1/2, 0, 1):
+ * light along z falls on it at an angle whose cosine is 1 / sqrt(5/4). */
+static void stretched_sphere_is_lit_by_the_normals_of_an_ellipsoid(void **state)
+{
+    (void)state;
+    const zr_vec4 facet[3] = {{-0.25f, -0.5f, 0, 1}, {0.25f, -0.5f, 0, 1}, {0, 0.5f, 0, 1}};
+    const zr_vec3 normals[3] = {{1, 0, 1}, {2, 0, 2}, {0.5f, 0, 0.5f}};
+    const struct zr_light headlight = {{0, 0, -1}, {1, 1, 1}, true};
+    static struct test_scene test;
+    scene_of_triangles(&test, 33, 33, facet, 1);
+    test.mesh.normals = normals;
+    test.mesh.normal_count = 3;
+    test.material = (struct zr_material){.base_color = {1, 0.5f, 1, 1}, .shading = ZR_SHADING_GOURAUD};
+    test.scene.lights = &headlight;
+    test.scene.light_count = 1;
+    test.instance.object_to_world.m[0] = 2;
+    struct zr_arena arena;
+    zr_arena_init(&arena, 1 << 24);
+    const struct zr_frame *frame = scene_render(&arena, NULL, &test.scene);
+    const uint8_t *middle = frame->color + (size_t)4 * (16 * 33 + 16);
+    assert_int_equal(middle[0], 228); /* 255 * 0.894427 = 228.08 */
+    assert_int_equal(middle[1], 114);
+    assert_true(frame->face_id[23 * 33 + 10] == 1); /* stretched: beyond the facet's own width */
+    zr_arena_free(&arena);
+}
+
+static void face_ids_count_over_instances(void **state)
+{
+    (void)state;
+    zr_vec4 solid[12];
+    make_solid(solid);
+    static struct test_scene test;
+    scene_of_triangles(&test, 64, 32, solid, 4);
+    struct zr_instance instances[3];
+    for (int i = 0; i < 3; i++) {
+        instances[i] = (struct zr_instance){0, zr_mat4_identity()};
+        instances[i].object_to_world.m[0] = 0.25f;
+        instances[i].object_to_world.m[12] = (float)i * 0.5f - 0.5f;
+    }
+    test.scene.instances = instances;
+    test.scene.instance_count = 3;
+    struct zr_arena arena;
+    zr_arena_init(&arena, 1 << 24);
+    const struct zr_frame *frame = scene_render(&arena, NULL, &test.scene);
+    for (uint32_t i = 0; i < 3; i++) {
+        uint32_t id = frame->face_id[16 * 64 + 16 * (i + 1)];
+        assert_in_range(id, 4 * i + 1, 4 * i + 4);
+    }
+    zr_arena_free(&arena);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(nodes_are_placed_depth_first_in_listed_order),
+        cmocka_unit_test(world_is_parent_times_local),
+        cmocka_unit_test(cycle_is_told_by_the_entry_that_closes_it),
+        cmocka_unit_test(doubling_chain_is_counted_without_being_walked),
+        cmocka_unit_test(paths_without_a_mesh_are_not_walked),
+        cmocka_unit_test(matrix_out_of_range_names_the_node_that_leaves_it),
+        cmocka_unit_test(chain_is_placed_up_to_the_depth_limit),
+        cmocka_unit_test(random_hierarchies_are_placed_as_by_plain_recursion),
+        cmocka_unit_test(every_memory_ceiling_fails_cleanly_or_places_all),
+        cmocka_unit_test(placed_mesh_equals_the_mesh_with_moved_vertices),
+        cmocka_unit_test(mirrored_instance_keeps_its_fronts),
+        cmocka_unit_test(mirrors_are_told_by_the_determinant),
+        cmocka_unit_test(matrices_at_their_limits_draw_something_or_nothing),
+        cmocka_unit_test(stretched_sphere_is_lit_by_the_normals_of_an_ellipsoid),
+        cmocka_unit_test(face_ids_count_over_instances),
+    };
+    return cmocka_run_group_tests_name("nodes", tests, NULL, NULL);
+}
