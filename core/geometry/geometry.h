@@ -21,7 +21,7 @@
 struct zr_triangle {
     uint32_t v[3]; /* window vertices */
     uint32_t c[3]; /* colours; all three the same: flat */
-    uint32_t face; /* the polygon's id: 1 + its number over all meshes */
+    uint32_t face; /* the polygon's id: 1 + its number over all instances */
     uint32_t back; /* 1: seen from behind, so its colours are the back ones */
 };
 
