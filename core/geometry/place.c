@@ -15,7 +15,8 @@ static bool append_triangle(struct zr_builder *builder, struct zr_triangle trian
         geometry->counts.zero_area++;
         return false;
     }
-    bool counter_clockwise = area<0, back = part->shape> 0 ? part->back : !counter_clockwise;
+    bool counter_clockwise = area < 0; /* with y up */
+    bool back = part->shape != 0 ? part->back : counter_clockwise == builder->mirrored;
     if (back && !part->double_sided) {
         geometry->counts.culled++;
         return false;

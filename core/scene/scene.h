@@ -99,7 +99,8 @@ struct zr_instance {
 enum { ZR_LIGHTS_MAX = 1024 };
 
 /* Entries of matrices, given or resolved, stay below this in magnitude, so that two of
- * them and a coordinate multiply to a float. */
+ * them and a coordinate multiply to a float. Three may not: geometry drops what infinities
+ * and NaN come of that. */
 #define ZR_MATRIX_MAX 1e15f
 
 /* Light from one direction, as from the sun. */
@@ -181,7 +182,7 @@ enum zr_channel {
     ZR_CHANNEL_COLOR,        /* RGB, or RGBA where the background is not opaque */
     ZR_CHANNEL_DEPTH,        /* eye-space depth along the view axis, scene units */
     ZR_CHANNEL_WINDOW_DEPTH, /* the z-buffer, 0..1 */
-    ZR_CHANNEL_FACE_ID,      /* 1 + number of the polygon, counted over all meshes in order */
+    ZR_CHANNEL_FACE_ID,      /* 1 + number of the polygon, counted over all instances in order */
     ZR_CHANNEL_INFO,         /* JSON: what was drawn and how */
     ZR_CHANNEL_COUNT
 };

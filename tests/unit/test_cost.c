@@ -37,6 +37,19 @@ static void what_faces_away_counts_only_where_it_is_drawn(void **state)
     assert_true(zr_scene_cost(&test.scene, 1024).fragments == 0);
 }
 
+static void mirrored_instance_counts_where_its_front_is_seen(void **state)
+{
+    (void)state;
+    const zr_vec4 p[] = {{-1, -1, 0, 1}, {1, -1, 0, 1}, {-1, 1, 0, 1}};
+    static struct test_scene test;
+    scene_of_triangles(&test, 100, 100, p, 1);
+    test.material.double_sided = false;
+    test.instance.object_to_world.m[0] = -1; /* one mirror leaves a front a front */
+    assert_true(fabs(zr_scene_cost(&test.scene, 1024).fragments - 5000) < 1);
+    test.instance.object_to_world.m[10] = -1; /* two are half a turn about y, which shows the back */
+    assert_true(zr_scene_cost(&test.scene, 1024).fragments == 0);
+}
+
 static void sample_of_a_large_scene_is_near_the_truth(void **state)
 {
     (void)state;
@@ -93,6 +106,7 @@ int main(void)
         cmocka_unit_test(whole_window_costs_its_pixels),
         cmocka_unit_test(only_what_is_in_the_window_counts),
         cmocka_unit_test(what_faces_away_counts_only_where_it_is_drawn),
+        cmocka_unit_test(mirrored_instance_counts_where_its_front_is_seen),
         cmocka_unit_test(sample_of_a_large_scene_is_near_the_truth),
         cmocka_unit_test(large_faces_at_regular_places_do_not_mislead_the_sample),
         cmocka_unit_test(odd_numbers_cost_something_finite),
