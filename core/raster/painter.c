@@ -26,16 +26,12 @@
 
 enum { PIECES_A_CANCEL_CHECK = 4096 };
 
-/* A piece that is tried, and what it is compared with next: what comes before that in the
- * list, or before it was cut, is known to be hidden nowhere by the piece. */
-struct link {
-    uint32_t piece, other;
-};
-
 struct painting {
     struct zr_pieces pieces;
-    uint32_t first; /* of the list */
-    struct link *chain;
+    uint32_t ranks;   /* 1 .. ranks - 1 */
+    uint32_t *firsts; /* by rank: its first piece in the list; 0: all are painted */
+    uint32_t *skips;  /* by rank without a piece: a higher one, with none in between that has one */
+    uint32_t *chain;  /* pieces that are tried, each hidden in part by the one before */
     uint32_t length, room;
 };
 
@@ -69,27 +65,65 @@ static bool sort(struct zr_pieces *pieces)
     return true;
 }
 
-static void make_list(struct painting *painting)
+static bool make_list(struct painting *painting)
 {
     struct zr_pieces *pieces = &painting->pieces;
-    painting->first = pieces->count > 1 ? 1 : 0;
+    painting->ranks = pieces->count;
+    painting->firsts = zr_arena_alloc(pieces->arena, painting->ranks, sizeof *painting->firsts);
+    painting->skips = zr_arena_alloc(pieces->arena, painting->ranks, sizeof *painting->skips);
+    if (!zr_arena_ok(pieces->arena)) return false;
     for (uint32_t i = 1; i < pieces->count; i++) {
         struct zr_piece *piece = &pieces->items[i];
         piece->order = piece->far;
+        piece->rank = i;
+        piece->clear = 1;
         piece->previous = i - 1;
         piece->next = i + 1 < pieces->count ? i + 1 : 0;
+        painting->firsts[i] = i;
+        painting->skips[i] = i + 1;
     }
+    return true;
+}
+
+/* The first piece in the list whose rank is not below `rank`, or 0. */
+static uint32_t first_from(struct painting *painting, uint32_t rank)
+{
+    uint32_t found = rank;
+    while (found < painting->ranks && painting->firsts[found] == 0)
+        found = painting->skips[found];
+    for (uint32_t next; rank < found; rank = next) { /* the shorter way for the next time */
+        next = painting->skips[rank];
+        painting->skips[rank] = found;
+    }
+    return found < painting->ranks ? painting->firsts[found] : 0;
 }
 
 /* Makes b follow a; 0 for either is the list's end. */
-static void link_up(struct painting *painting, uint32_t a, uint32_t b)
+static void link_up(struct zr_piece *items, uint32_t a, uint32_t b)
+{
+    if (a > 0) items[a].next = b;
+    if (b > 0) items[b].previous = a;
+}
+
+static void take_out(struct painting *painting, uint32_t piece)
 {
     struct zr_piece *items = painting->pieces.items;
-    if (a > 0)
-        items[a].next = b;
-    else
-        painting->first = b;
-    if (b > 0) items[b].previous = a;
+    uint32_t rank = items[piece].rank, next = items[piece].next;
+    if (painting->firsts[rank] == piece) painting->firsts[rank] = next > 0 && items[next].rank == rank ? next : 0;
+    link_up(items, items[piece].previous, next);
+}
+
+/* Parts take the place of the whole. */
+static void put_in_place(struct painting *painting, uint32_t whole, uint32_t first, uint32_t second)
+{
+    struct zr_piece *items = painting->pieces.items;
+    items[first].order = items[second].order = items[whole].order;
+    items[first].rank = items[second].rank = items[whole].rank;
+    items[first].clear = items[second].clear = items[whole].clear;
+    if (painting->firsts[items[whole].rank] == whole) painting->firsts[items[whole].rank] = first;
+    link_up(items, items[whole].previous, first);
+    link_up(items, first, second);
+    link_up(items, second, items[whole].next);
 }
 
 /* ---- the chain ---- */
@@ -98,49 +132,41 @@ static bool push(struct painting *painting, uint32_t piece)
 {
     if (painting->length == painting->room) {
         uint32_t room = painting->room > 0 ? 2 * painting->room : 64;
-        struct link *chain =
-            zr_arena_grow(painting->pieces.arena, painting->chain, painting->length, room, sizeof *chain);
+        uint32_t *chain = zr_arena_grow(painting->pieces.arena, painting->chain, painting->length, room, sizeof *chain);
         if (!chain) return false;
         painting->chain = chain;
         painting->room = room;
     }
-    painting->chain[painting->length++] = (struct link){piece, painting->first};
-    painting->pieces.items[piece].in_chain = 1;
+    painting->chain[painting->length++] = piece;
+    painting->pieces.items[piece].in_chain = true;
     return true;
 }
 
 static void shorten(struct painting *painting, uint32_t length)
 {
     while (painting->length > length)
-        painting->pieces.items[painting->chain[--painting->length].piece].in_chain = 0;
+        painting->pieces.items[painting->chain[--painting->length]].in_chain = false;
 }
 
 /* The last piece hides nothing of the rest. */
 static void paint_last(struct painting *painting)
 {
-    struct zr_pieces *pieces = &painting->pieces;
-    uint32_t piece = painting->chain[painting->length - 1].piece, next = pieces->items[piece].next;
-    zr_pieces_paint(pieces, piece);
+    uint32_t piece = painting->chain[painting->length - 1];
+    zr_pieces_paint(&painting->pieces, piece);
     shorten(painting, painting->length - 1);
-    link_up(painting, pieces->items[piece].previous, next);
-    zr_pieces_free(pieces, piece);
-    if (painting->length > 0) painting->chain[painting->length - 1].other = next;
+    take_out(painting, piece);
+    zr_pieces_free(&painting->pieces, piece);
 }
 
-/* Cuts the piece at `place` of the chain by another. The chain ends before it; its parts take its
- * place in the list, that which may be hidden first. */
+/* Cuts the piece at `place` of the chain by another. The chain ends before it, and the part that may be
+ * hidden comes first in the list. */
 static bool cut(struct painting *painting, uint32_t place, uint32_t other, bool nearer)
 {
-    struct zr_pieces *pieces = &painting->pieces;
-    uint32_t piece = painting->chain[place].piece, inside, rest;
+    uint32_t piece = painting->chain[place], inside, rest;
     shorten(painting, place);
-    if (!zr_pieces_split(pieces, piece, other, nearer, &inside, &rest)) return false;
-    pieces->items[inside].order = pieces->items[rest].order = pieces->items[piece].order;
-    link_up(painting, pieces->items[piece].previous, rest);
-    link_up(painting, rest, inside);
-    link_up(painting, inside, pieces->items[piece].next);
-    zr_pieces_free(pieces, piece);
-    if (place > 0) painting->chain[place - 1].other = rest;
+    if (!zr_pieces_split(&painting->pieces, piece, other, nearer, &inside, &rest)) return false;
+    put_in_place(painting, piece, rest, inside);
+    zr_pieces_free(&painting->pieces, piece);
     return true;
 }
 
@@ -150,7 +176,7 @@ static bool cut_cycle(struct painting *painting, uint32_t start)
     struct zr_pieces *pieces = &painting->pieces;
     uint32_t hidden = start;
     for (uint32_t place = painting->length; place-- > 0;) {
-        uint32_t piece = painting->chain[place].piece;
+        uint32_t piece = painting->chain[place];
         struct zr_overlap overlap = zr_pieces_compare(pieces, &pieces->items[piece], &pieces->items[hidden]);
         if (zr_is_cancelled(pieces->cancel)) return true;
         if (overlap.nearer < pieces->items[piece].size) return cut(painting, place, hidden, false);
@@ -167,28 +193,29 @@ static bool boxes_overlap(const struct zr_piece *p, const struct zr_piece *q)
     return p->min_x <= q->max_x && q->min_x <= p->max_x && p->min_y <= q->max_y && q->min_y <= p->max_y;
 }
 
-/* Goes on in the list to a piece that the last one hides in part. 0: there is none. */
+/* A piece that the last of the chain hides in part, or 0. What it is clear of is not looked at again. */
 static uint32_t find_hidden(struct painting *painting, struct zr_overlap *overlap)
 {
     const struct zr_pieces *pieces = &painting->pieces;
-    struct link *link = &painting->chain[painting->length - 1];
-    const struct zr_piece *p = &pieces->items[link->piece];
-    for (uint32_t steps = 1; link->other > 0; link->other = pieces->items[link->other].next, steps++) {
-        const struct zr_piece *q = &pieces->items[link->other];
+    struct zr_piece *p = &pieces->items[painting->chain[painting->length - 1]];
+    uint32_t steps = 0;
+    for (uint32_t number = first_from(painting, p->clear); number > 0; number = pieces->items[number].next) {
+        const struct zr_piece *q = &pieces->items[number];
         if (q->order < p->near) return 0;
-        if (steps % PIECES_A_CANCEL_CHECK == 0 && zr_is_cancelled(pieces->cancel)) return 0;
+        if (++steps % PIECES_A_CANCEL_CHECK == 0 && zr_is_cancelled(pieces->cancel)) return 0;
         if (q->far < p->near || q == p || !boxes_overlap(p, q)) continue;
+        p->clear = q->rank;
         *overlap = zr_pieces_compare(pieces, p, q);
-        if (overlap->nearer > 0) return link->other;
+        if (overlap->nearer > 0) return number;
     }
     return 0;
 }
 
 static enum zr_status paint(struct painting *painting)
 {
-    while (painting->first > 0) {
+    for (uint32_t first; (first = first_from(painting, 1)) > 0;) {
         struct zr_overlap overlap;
-        if (painting->length == 0 && !push(painting, painting->first)) return ZR_NO_MEMORY;
+        if (painting->length == 0 && !push(painting, first)) return ZR_NO_MEMORY;
         uint32_t hidden = find_hidden(painting, &overlap);
         if (zr_is_cancelled(painting->pieces.cancel)) return ZR_CANCELLED;
         bool ok = true;
@@ -211,7 +238,6 @@ enum zr_status zr_painter(struct zr_arena *arena, const struct zr_geometry *geom
     struct painting painting = {.room = 0};
     enum zr_status status = zr_pieces_make(arena, geometry, cancel, samples, &painting.pieces);
     if (status != ZR_OK) return status;
-    if (!sort(&painting.pieces)) return ZR_NO_MEMORY;
-    make_list(&painting);
+    if (!sort(&painting.pieces) || !make_list(&painting)) return ZR_NO_MEMORY;
     return paint(&painting);
 }

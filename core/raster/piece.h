@@ -24,9 +24,11 @@ struct zr_piece {
     uint16_t min_x, min_y, max_x, max_y;
     float near, far; /* of its samples' depths */
     /* the painter's own: */
-    float order;             /* pieces are listed by it; at least `far` */
+    float order;             /* at least `far`; pieces are listed by it, and so */
+    uint32_t rank;           /* by this; parts have both from the whole */
+    uint32_t clear;          /* nothing of a lower rank is hidden by the piece, or by a part of it */
     uint32_t previous, next; /* in the list; 0: none */
-    uint32_t in_chain;
+    bool in_chain;
 };
 
 /* All pieces and their spans; number 0 is none. What is given back is used again, so there
