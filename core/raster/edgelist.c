@@ -16,7 +16,8 @@
 struct lists {
     uint32_t *ends; /* of the list of row y, counted from the polygon's lowest row, at [y + 1] */
     int32_t *xs;
-    size_t room; /* of xs */
+    size_t room;         /* of xs */
+    struct zr_hit *hits; /* of a row */
 };
 
 struct rows {
@@ -104,12 +105,17 @@ static void sort(int32_t *xs, uint32_t count)
 
 /* ---- filling ---- */
 
+/* Between the first and the second x of row y's list, the third and the fourth, and so on. */
 static void fill_row(const struct zr_geometry *geometry, const struct zr_primitive *primitive, int32_t y,
-                     const int32_t *xs, uint32_t count, struct zr_samples *samples)
+                     const struct lists *lists, struct zr_samples *samples)
 {
-    for (uint32_t i = 0; i + 1 < count; i += 2)
-        for (int32_t x = xs[i]; x < xs[i + 1]; x++)
-            zr_samples_put(samples, x, y, zr_primitive_hit(geometry, primitive, x, y));
+    const uint32_t *ends = &lists->ends[y - primitive->min_y];
+    for (uint32_t i = ends[0]; i + 1 < ends[1]; i += 2) {
+        int32_t begin = lists->xs[i], end = lists->xs[i + 1];
+        if (begin < end) zr_primitive_hits(geometry, primitive, y, begin, end, lists->hits);
+        for (int32_t x = begin; x < end; x++)
+            zr_samples_put(samples, x, y, lists->hits[x - begin]);
+    }
 }
 
 static enum zr_status draw(struct zr_arena *arena, const struct zr_geometry *geometry,
@@ -122,7 +128,7 @@ static enum zr_status draw(struct zr_arena *arena, const struct zr_geometry *geo
         if (zr_is_cancelled(cancel)) return ZR_CANCELLED;
         const uint32_t *ends = &lists->ends[y - primitive->min_y];
         sort(lists->xs + ends[0], ends[1] - ends[0]);
-        fill_row(geometry, primitive, y, lists->xs + ends[0], ends[1] - ends[0], samples);
+        fill_row(geometry, primitive, y, lists, samples);
     }
     return ZR_OK;
 }
@@ -130,8 +136,9 @@ static enum zr_status draw(struct zr_arena *arena, const struct zr_geometry *geo
 enum zr_status zr_edgelist(struct zr_arena *arena, const struct zr_geometry *geometry, const struct zr_cancel *cancel,
                            struct zr_samples *samples)
 {
-    struct lists lists = {.ends = zr_arena_alloc(arena, (size_t)samples->height + 1, sizeof *lists.ends)};
-    if (!lists.ends) return ZR_NO_MEMORY;
+    struct lists lists = {.ends = zr_arena_alloc(arena, (size_t)samples->height + 1, sizeof *lists.ends),
+                          .hits = zr_arena_alloc(arena, samples->width, sizeof *lists.hits)};
+    if (!zr_arena_ok(arena)) return ZR_NO_MEMORY;
     struct zr_primitive primitive;
     for (uint32_t first = 0; first < geometry->triangle_count; first += primitive.count) {
         zr_primitive_make(geometry, first, samples->width, samples->height, &primitive);

@@ -65,9 +65,10 @@ void zr_pieces_free(struct zr_pieces *pieces, uint32_t number)
 
 /* ---- sample by sample ---- */
 
-static struct zr_hit hit_of(const struct zr_pieces *pieces, const struct zr_piece *piece, int32_t x, int32_t y)
+static void find_hits(const struct zr_pieces *pieces, const struct zr_piece *piece, int32_t y, int32_t begin,
+                      int32_t end, struct zr_hit *hits)
 {
-    return zr_primitive_hit(pieces->geometry, &pieces->primitives.items[piece->primitive], x, y);
+    zr_primitive_hits(pieces->geometry, &pieces->primitives.items[piece->primitive], y, begin, end, hits);
 }
 
 static bool is_nearer(struct zr_hit a, struct zr_hit b)
@@ -136,19 +137,28 @@ static void mark_row(const struct zr_primitive *primitive, int32_t y, bool *mark
 }
 
 /* What covers a sample, but is not nearer than what is there at the start, is never seen. */
-static bool add_row(struct zr_pieces *pieces, uint32_t number, uint32_t *last, int32_t y, bool *marks)
+static bool add_run(struct zr_pieces *pieces, uint32_t number, uint32_t *last, int32_t y, int32_t begin, int32_t end)
 {
-    const struct zr_primitive *primitive = &pieces->primitives.items[pieces->items[number].primitive];
     const float *start = pieces->samples->depth + (size_t)y * pieces->samples->width;
-    bool inside = false;
-    for (int32_t x = primitive->min_x; x <= primitive->max_x; x++) {
-        if (marks[x]) inside = !inside;
-        marks[x] = false;
-        if (!inside) continue;
-        float depth = zr_primitive_hit(pieces->geometry, primitive, x, y).depth;
+    find_hits(pieces, &pieces->items[number], y, begin, end, pieces->hits);
+    for (int32_t x = begin; x < end; x++) {
+        float depth = pieces->hits[x - begin].depth;
         if (depth < start[x] && !add(pieces, number, last, x, y, depth)) return false;
     }
-    marks[primitive->max_x + 1] = false;
+    return true;
+}
+
+static bool add_row(struct zr_pieces *pieces, uint32_t number, uint32_t *last, int32_t y)
+{
+    const struct zr_primitive *primitive = &pieces->primitives.items[pieces->items[number].primitive];
+    int32_t end = primitive->max_x + 1, begin = end; /* of the run that the sweep is in; `end`: in none */
+    for (int32_t x = primitive->min_x; x <= end; x++) {
+        bool ends = pieces->marks[x] || x == end;
+        pieces->marks[x] = false;
+        if (!ends) continue;
+        if (begin < x && !add_run(pieces, number, last, y, begin, x)) return false;
+        begin = begin < x ? end : x;
+    }
     return true;
 }
 
@@ -160,7 +170,9 @@ enum zr_status zr_pieces_make(struct zr_arena *arena, const struct zr_geometry *
     enum zr_status status =
         zr_primitives_make(arena, geometry, samples->width, samples->height, cancel, &pieces->primitives);
     if (status != ZR_OK) return status;
-    bool *marks = zr_arena_zero(arena, (size_t)samples->width + 1, sizeof *marks);
+    pieces->marks = zr_arena_zero(arena, (size_t)samples->width + 1, sizeof *pieces->marks);
+    pieces->hits = zr_arena_alloc(arena, samples->width, sizeof *pieces->hits);
+    pieces->other_hits = zr_arena_alloc(arena, samples->width, sizeof *pieces->other_hits);
     pieces->room = pieces->span_room = pieces->primitives.count + 1;
     pieces->items = zr_arena_zero(arena, pieces->room, sizeof *pieces->items);
     pieces->spans = zr_arena_zero(arena, pieces->span_room, sizeof *pieces->spans);
@@ -171,8 +183,8 @@ enum zr_status zr_pieces_make(struct zr_arena *arena, const struct zr_geometry *
         if (number == 0) return ZR_NO_MEMORY;
         for (int32_t y = primitive->min_y; y <= primitive->max_y; y++) {
             if (zr_is_cancelled(cancel)) return ZR_CANCELLED;
-            mark_row(primitive, y, marks);
-            if (!add_row(pieces, number, &last, y, marks)) return ZR_NO_MEMORY;
+            mark_row(primitive, y, pieces->marks);
+            if (!add_row(pieces, number, &last, y)) return ZR_NO_MEMORY;
         }
         if (pieces->items[number].size == 0) pieces->count--; /* the newest: its number is free again */
     }
@@ -181,19 +193,28 @@ enum zr_status zr_pieces_make(struct zr_arena *arena, const struct zr_geometry *
 
 /* ---- two pieces ---- */
 
+/* Adds what a run of samples says, up to where it is known that both are somewhere nearer. */
+static void compare_run(const struct zr_pieces *pieces, int32_t count, struct zr_overlap *overlap)
+{
+    for (int32_t k = 0; k < count && (overlap->nearer == 0 || overlap->farther == 0); k++) {
+        if (is_nearer(pieces->hits[k], pieces->other_hits[k]))
+            overlap->nearer++;
+        else
+            overlap->farther++;
+    }
+}
+
 struct zr_overlap zr_pieces_compare(const struct zr_pieces *pieces, const struct zr_piece *p, const struct zr_piece *q)
 {
     struct zr_overlap overlap = {0, 0};
     uint32_t a = p->first_span, b = q->first_span;
-    while (a > 0 && b > 0 && !zr_is_cancelled(pieces->cancel)) {
+    while (a > 0 && b > 0 && (overlap.nearer == 0 || overlap.farther == 0) && !zr_is_cancelled(pieces->cancel)) {
         const struct zr_span *s = &pieces->spans[a], *t = &pieces->spans[b];
         int32_t begin = s->begin > t->begin ? s->begin : t->begin, end = s->end < t->end ? s->end : t->end;
-        for (int32_t x = begin; s->y == t->y && x < end; x++) {
-            if (is_nearer(hit_of(pieces, p, x, s->y), hit_of(pieces, q, x, s->y)))
-                overlap.nearer++;
-            else
-                overlap.farther++;
-            if (overlap.nearer > 0 && overlap.farther > 0) return overlap;
+        if (s->y == t->y && begin < end) {
+            find_hits(pieces, p, s->y, begin, end, pieces->hits);
+            find_hits(pieces, q, s->y, begin, end, pieces->other_hits);
+            compare_run(pieces, end - begin, &overlap);
         }
         bool s_ends_first = s->y < t->y || (s->y == t->y && s->end < t->end);
         if (s_ends_first)
@@ -204,13 +225,21 @@ struct zr_overlap zr_pieces_compare(const struct zr_pieces *pieces, const struct
     return overlap;
 }
 
-/* The first span of q from *span on that does not end before the sample. */
-static bool holds(const struct zr_pieces *pieces, uint32_t *span, int32_t x, int32_t y)
+/* Marks those samples of p's run, whose hits are found, that lie in q, and are nearer where that is asked.
+ * Goes on from *span to the first of q's spans that does not end before the run. */
+static void mark_run(struct zr_pieces *pieces, const struct zr_span *run, uint32_t q, bool nearer, uint32_t *span)
 {
-    const struct zr_span *s = &pieces->spans[*span];
-    for (; *span > 0 && (s->y < y || (s->y == y && s->end <= x)); s = &pieces->spans[*span])
-        *span = s->next;
-    return *span > 0 && s->y == y && s->begin <= x;
+    for (int32_t x = run->begin; x < run->end; x++)
+        pieces->marks[x] = false;
+    const struct zr_span *t = &pieces->spans[*span];
+    for (; *span > 0 && (t->y < run->y || (t->y == run->y && t->end <= run->begin)); t = &pieces->spans[*span])
+        *span = t->next;
+    for (uint32_t s = *span; s > 0 && t->y == run->y && t->begin < run->end; s = t->next, t = &pieces->spans[s]) {
+        int32_t begin = t->begin > run->begin ? t->begin : run->begin, end = t->end < run->end ? t->end : run->end;
+        if (nearer) find_hits(pieces, &pieces->items[q], run->y, begin, end, pieces->other_hits);
+        for (int32_t x = begin; x < end; x++)
+            pieces->marks[x] = !nearer || is_nearer(pieces->hits[x - run->begin], pieces->other_hits[x - begin]);
+    }
 }
 
 bool zr_pieces_split(struct zr_pieces *pieces, uint32_t p, uint32_t q, bool nearer, uint32_t *inside, uint32_t *rest)
@@ -221,12 +250,11 @@ bool zr_pieces_split(struct zr_pieces *pieces, uint32_t p, uint32_t q, bool near
     for (uint32_t number = pieces->items[p].first_span, next; number > 0; number = next) {
         const struct zr_span span = pieces->spans[number]; /* the array may move */
         next = span.next;
+        find_hits(pieces, &pieces->items[p], span.y, span.begin, span.end, pieces->hits);
+        mark_run(pieces, &span, q, nearer, &in_q);
         for (int32_t x = span.begin; x < span.end; x++) {
-            struct zr_hit hit = hit_of(pieces, &pieces->items[p], x, span.y);
-            bool first = holds(pieces, &in_q, x, span.y) &&
-                         (!nearer || is_nearer(hit, hit_of(pieces, &pieces->items[q], x, span.y)));
-            int part = first ? 0 : 1;
-            if (!add(pieces, parts[part], &last[part], x, span.y, hit.depth)) return false;
+            int part = pieces->marks[x] ? 0 : 1;
+            if (!add(pieces, parts[part], &last[part], x, span.y, pieces->hits[x - span.begin].depth)) return false;
         }
     }
     *inside = parts[0];
@@ -240,10 +268,10 @@ void zr_pieces_paint(struct zr_pieces *pieces, uint32_t number)
     for (uint32_t s = piece->first_span; s > 0; s = pieces->spans[s].next) {
         const struct zr_span *span = &pieces->spans[s];
         size_t row = (size_t)span->y * pieces->samples->width;
+        find_hits(pieces, piece, span->y, span->begin, span->end, pieces->hits);
         for (int32_t x = span->begin; x < span->end; x++) {
-            struct zr_hit hit = hit_of(pieces, piece, x, span->y);
-            pieces->samples->depth[row + (size_t)x] = hit.depth;
-            pieces->samples->owner[row + (size_t)x] = hit.owner;
+            pieces->samples->depth[row + (size_t)x] = pieces->hits[x - span->begin].depth;
+            pieces->samples->owner[row + (size_t)x] = pieces->hits[x - span->begin].owner;
         }
     }
 }

@@ -39,6 +39,8 @@ struct zr_pieces {
     const struct zr_cancel *cancel;
     struct zr_samples *samples;
     struct zr_primitives primitives;
+    struct zr_hit *hits, *other_hits; /* of a row, */
+    bool *marks;                      /* and one column more */
     struct zr_piece *items;
     struct zr_span *spans;
     uint32_t count, room, free; /* of items; `free` chained by `next` */

@@ -57,6 +57,7 @@ struct sweep {
     uint32_t inside_count;
     uint32_t *places; /* by primitive: 1 + its place in `inside`, or 0 */
     struct layer *layers;
+    struct zr_hit *hits, *nearest; /* of an interval */
 };
 
 /* ---- the table ---- */
@@ -216,22 +217,21 @@ static uint32_t make_layers(struct sweep *sweep, int32_t y, int32_t begin, int32
     return kept;
 }
 
-/* The nearest of the layers there, and of equally near ones the earliest. */
-static struct zr_hit nearest(const struct sweep *sweep, uint32_t layers, int32_t x, int32_t y)
-{
-    struct zr_hit best = {2.0f, 0}; /* farther than all */
-    for (uint32_t i = 0; i < layers; i++) {
-        struct zr_hit hit = zr_primitive_hit(sweep->geometry, &sweep->primitives[sweep->layers[i].primitive], x, y);
-        if (hit.depth < best.depth || (hit.depth == best.depth && hit.owner < best.owner)) best = hit;
-    }
-    return best;
-}
-
+/* At each sample the nearest of the layers, and of equally near ones the earliest. One fills the interval. */
 static void resolve(struct sweep *sweep, int32_t y, int32_t begin, int32_t end)
 {
-    uint32_t layers = make_layers(sweep, y, begin, end);
-    for (int32_t x = begin; x < end && !zr_is_cancelled(sweep->cancel); x++)
-        zr_samples_put(sweep->samples, x, y, nearest(sweep, layers, x, y)); /* once a sample */
+    struct zr_hit *nearest = sweep->nearest, *hits = sweep->hits;
+    uint32_t count = make_layers(sweep, y, begin, end);
+    for (uint32_t i = 0; i < count && !zr_is_cancelled(sweep->cancel); i++) {
+        const struct zr_primitive *primitive = &sweep->primitives[sweep->layers[i].primitive];
+        zr_primitive_hits(sweep->geometry, primitive, y, begin, end, i == 0 ? nearest : hits);
+        for (int32_t k = 0; i > 0 && k < end - begin; k++)
+            if (hits[k].depth < nearest[k].depth ||
+                (hits[k].depth == nearest[k].depth && hits[k].owner < nearest[k].owner))
+                nearest[k] = hits[k];
+    }
+    for (int32_t x = begin; x < end; x++)
+        zr_samples_put(sweep->samples, x, y, nearest[x - begin]); /* once a sample */
 }
 
 static void sweep_row(struct sweep *sweep, int32_t y)
@@ -263,6 +263,8 @@ enum zr_status zr_scanline(struct zr_arena *arena, const struct zr_geometry *geo
     sweep.inside = zr_arena_alloc(arena, primitives.count, sizeof *sweep.inside);
     sweep.places = zr_arena_zero(arena, primitives.count, sizeof *sweep.places);
     sweep.layers = zr_arena_alloc(arena, primitives.count, sizeof *sweep.layers);
+    sweep.hits = zr_arena_alloc(arena, samples->width, sizeof *sweep.hits);
+    sweep.nearest = zr_arena_zero(arena, samples->width, sizeof *sweep.nearest);
     if (!zr_arena_ok(arena)) return ZR_NO_MEMORY;
     for (int32_t y = 0; y < (int32_t)samples->height; y++) {
         if (zr_is_cancelled(cancel)) return ZR_CANCELLED;

@@ -29,6 +29,7 @@ struct polygon {
     struct side *sides;    /* one an edge */
     struct side **passing; /* those that the row passes, from left to right */
     uint32_t passing_count, room;
+    struct zr_hit *hits; /* of a row */
 };
 
 /* ---- sides ---- */
@@ -132,12 +133,13 @@ static int32_t next_change(const struct polygon *polygon, int32_t y, int32_t end
 /* ---- trapezoids ---- */
 
 static void fill(const struct zr_geometry *geometry, const struct zr_primitive *primitive, int32_t y, int32_t left,
-                 int32_t right, struct zr_samples *samples)
+                 int32_t right, struct zr_hit *hits, struct zr_samples *samples)
 {
     if (left < 0) left = 0;
     if (right > (int32_t)samples->width) right = (int32_t)samples->width;
+    if (left < right) zr_primitive_hits(geometry, primitive, y, left, right, hits);
     for (int32_t x = left; x < right; x++)
-        zr_samples_put(samples, x, y, zr_primitive_hit(geometry, primitive, x, y));
+        zr_samples_put(samples, x, y, hits[x - left]);
 }
 
 /* Draws those that lie side by side from row y on, and returns the row where they end: `end`, or
@@ -148,7 +150,7 @@ static int32_t draw_trapezoids(const struct zr_geometry *geometry, const struct 
 {
     do {
         for (uint32_t i = 0; i + 1 < polygon->passing_count; i += 2)
-            fill(geometry, primitive, y, polygon->passing[i]->x, polygon->passing[i + 1]->x, samples);
+            fill(geometry, primitive, y, polygon->passing[i]->x, polygon->passing[i + 1]->x, polygon->hits, samples);
         for (uint32_t i = 0; i < polygon->passing_count; i++)
             step(polygon->passing[i]);
         y++;
@@ -173,8 +175,9 @@ static enum zr_status draw(struct zr_arena *arena, const struct zr_geometry *geo
 enum zr_status zr_trapezoid(struct zr_arena *arena, const struct zr_geometry *geometry, const struct zr_cancel *cancel,
                             struct zr_samples *samples)
 {
-    struct polygon polygon = {.beginning = zr_arena_alloc(arena, samples->height, sizeof *polygon.beginning)};
-    if (!polygon.beginning) return ZR_NO_MEMORY;
+    struct polygon polygon = {.beginning = zr_arena_alloc(arena, samples->height, sizeof *polygon.beginning),
+                              .hits = zr_arena_alloc(arena, samples->width, sizeof *polygon.hits)};
+    if (!zr_arena_ok(arena)) return ZR_NO_MEMORY;
     struct zr_primitive primitive;
     for (uint32_t first = 0; first < geometry->triangle_count; first += primitive.count) {
         zr_primitive_make(geometry, first, samples->width, samples->height, &primitive);
