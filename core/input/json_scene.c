@@ -41,9 +41,6 @@ static const struct zr_names keys = ZR_NAMES(KEYS, words);
 static const char *const managements[] = {"none", "srgb"};
 static const struct zr_names management_names = ZR_NAMES(1, managements);
 
-static const char *const algorithms[] = {"halfspace", "edgelist", "trapezoid", "scanline", "painter"};
-static const struct zr_names algorithm_names = ZR_NAMES(1, algorithms);
-
 /* Keys of which this version knows one value. */
 static void read_fixed(struct zr_json *json, const cJSON *const *found)
 {
@@ -58,8 +55,13 @@ static void read_fixed(struct zr_json *json, const cJSON *const *found)
     if (found[COLOR_MANAGEMENT])
         zr_json_choice(json, ZR_JSON_KEY(NULL, words[COLOR_MANAGEMENT]), found[COLOR_MANAGEMENT], &management_names,
                        &choice);
-    if (found[ALGORITHM])
-        zr_json_choice(json, ZR_JSON_KEY(NULL, words[ALGORITHM]), found[ALGORITHM], &algorithm_names, &choice);
+}
+
+static void read_algorithm(struct zr_draft *draft, const cJSON *node)
+{
+    int choice;
+    if (zr_json_choice(&draft->json, ZR_JSON_KEY(NULL, words[ALGORITHM]), node, &zr_algorithm_names, &choice))
+        draft->scene->algorithm = (enum zr_algorithm)choice;
 }
 
 static void read_window(struct zr_draft *draft, const cJSON *node)
@@ -165,6 +167,7 @@ static void build(struct zr_draft *draft, const cJSON *root)
     const cJSON *found[KEYS];
     if (!zr_json_object(json, NULL, root, &keys, found)) return;
     read_fixed(json, found);
+    if (found[ALGORITHM]) read_algorithm(draft, found[ALGORITHM]);
     if (found[WINDOW]) read_window(draft, found[WINDOW]);
     if (found[BACKGROUND])
         zr_json_color(json, ZR_JSON_KEY(NULL, words[BACKGROUND]), found[BACKGROUND], &draft->scene->background);

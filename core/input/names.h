@@ -25,7 +25,8 @@ struct zr_names_text {
 };
 struct zr_names_text zr_names_join(const struct zr_names *names);
 
-extern const struct zr_names zr_shading_names; /* enum zr_shading */
-extern const struct zr_names zr_preset_names;  /* enum zr_preset */
+extern const struct zr_names zr_shading_names;   /* enum zr_shading */
+extern const struct zr_names zr_preset_names;    /* enum zr_preset */
+extern const struct zr_names zr_algorithm_names; /* enum zr_algorithm */
 
 #endif

@@ -137,3 +137,33 @@ struct zr_hit zr_primitive_hit(const struct zr_geometry *geometry, const struct 
     }
     return hit;
 }
+
+/* Those of the samples that the record covers and none before it did. How many they are. */
+static int32_t hit_by_record(const struct zr_geometry *geometry, uint32_t record, int32_t y, int32_t x0, int32_t x1,
+                             struct zr_hit *hits)
+{
+    int32_t box[4], count = 0;
+    zr_setup_box(geometry->vertices, &geometry->triangles[record], box);
+    if (y < box[1] || y > box[3] || x1 <= box[0] || x0 > box[2]) return 0;
+    struct zr_setup setup = zr_setup_make(geometry->vertices, &geometry->triangles[record]);
+    for (int32_t x = x0 > box[0] ? x0 : box[0]; x < x1 && x <= box[2]; x++) {
+        if (hits[x - x0].owner != 0 || !zr_setup_covers(&setup, x, y)) continue;
+        hits[x - x0] = (struct zr_hit){zr_depth_at(&setup.depth, x, y), record + 1};
+        count++;
+    }
+    return count;
+}
+
+void zr_primitive_hits(const struct zr_geometry *geometry, const struct zr_primitive *primitive, int32_t y, int32_t x0,
+                       int32_t x1, struct zr_hit *hits)
+{
+    bool single = primitive->count == 1;
+    for (int32_t x = x0; x < x1; x++)
+        hits[x - x0] =
+            single ? (struct zr_hit){zr_depth_at(&primitive->depth, x, y), primitive->first + 1} : (struct zr_hit){0};
+    int32_t left = single ? 0 : x1 - x0;
+    for (uint32_t i = 0; i < primitive->count && left > 0; i++)
+        left -= hit_by_record(geometry, primitive->first + i, y, x0, x1, hits);
+    for (int32_t x = x0; x < x1 && left > 0; x++)
+        if (hits[x - x0].owner == 0) hits[x - x0] = zr_primitive_hit(geometry, primitive, x, y);
+}

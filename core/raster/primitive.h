@@ -54,4 +54,9 @@ static inline const struct zr_grid_edge *zr_primitive_edges(const struct zr_prim
 struct zr_hit zr_primitive_hit(const struct zr_geometry *geometry, const struct zr_primitive *primitive, int32_t x,
                                int32_t y);
 
+/* The same for the samples x0 .. x1 - 1 of row y, all covered, at once: each of a shape's many triangles is
+ * looked at once for all of them. hits[0] is that at x0. */
+void zr_primitive_hits(const struct zr_geometry *geometry, const struct zr_primitive *primitive, int32_t y, int32_t x0,
+                       int32_t x1, struct zr_hit *hits);
+
 #endif

@@ -87,6 +87,23 @@ static void same_scene_gives_same_bytes(void **state)
     reply_free(&b);
 }
 
+static void every_algorithm_gives_the_same_bytes(void **state)
+{
+    static const char *const words[] = {"halfspace", "edgelist", "trapezoid", "scanline", "painter"};
+    (void)state;
+    struct reply plain = client_render(&server, GOOD_SCENE);
+    for (size_t i = 0; i < sizeof words / sizeof words[0]; i++) {
+        char scene[256];
+        snprintf(scene, sizeof scene, "{\"algorithm\":\"%s\",%s", words[i], &GOOD_SCENE[1]);
+        struct reply reply = client_render(&server, scene);
+        assert_int_equal(reply.status, 200);
+        assert_int_equal(reply.size, plain.size);
+        assert_memory_equal(reply.body, plain.body, plain.size);
+        reply_free(&reply);
+    }
+    reply_free(&plain);
+}
+
 static void render_says_how_long_each_step_took(void **state)
 {
     (void)state;
@@ -436,6 +453,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(scene_gives_png),
         cmocka_unit_test(same_scene_gives_same_bytes),
+        cmocka_unit_test(every_algorithm_gives_the_same_bytes),
         cmocka_unit_test(render_says_how_long_each_step_took),
         cmocka_unit_test(meshes_are_rendered_with_parameters),
         cmocka_unit_test(parameters_are_percent_decoded),

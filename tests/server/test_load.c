@@ -214,6 +214,24 @@ static void lighting_past_its_deadline_gives_504(void **state)
     daemon_stop(&server);
 }
 
+/* The independent algorithms take no help and no short cuts: so they have to look at the clock. */
+static void every_algorithm_past_its_deadline_gives_504(void **state)
+{
+    static const char *const words[] = {"edgelist", "trapezoid", "scanline", "painter"};
+    (void)state;
+    struct daemon server = daemon_start((const char *const[]){LET_IN, "--render-timeout-ms=150", NULL});
+    char *slow = scene_slow(MANY), *scene;
+    for (size_t i = 0; i < sizeof words / sizeof words[0]; i++) {
+        assert_true(asprintf(&scene, "{\"algorithm\":\"%s\",%s", words[i], slow + 1) > 0);
+        double begun = seconds();
+        assert_int_equal(client_render_status(&server, scene), 504);
+        assert_true(seconds() - begun < 5.0); /* under sanitizers; all of it would take far longer */
+        free(scene);
+    }
+    free(slow);
+    daemon_stop(&server);
+}
+
 static void request_memory_used_up_gives_503(void **state)
 {
     (void)state;
@@ -423,6 +441,7 @@ int main(void)
         cmocka_unit_test(client_that_leaves_frees_the_worker),
         cmocka_unit_test(render_past_its_deadline_gives_504),
         cmocka_unit_test(lighting_past_its_deadline_gives_504),
+        cmocka_unit_test(every_algorithm_past_its_deadline_gives_504),
         cmocka_unit_test(request_memory_used_up_gives_503),
         cmocka_unit_test(upload_memory_used_up_gives_503),
         cmocka_unit_test(reader_that_stops_is_cut_off),

@@ -16,6 +16,7 @@ static void smallest_scene_has_defaults(void **state)
     assert_int_equal(scene->output_count, 1);
     assert_int_equal(scene->outputs[0].channel, ZR_CHANNEL_COLOR);
     assert_int_equal(scene->warning_count, 0);
+    assert_int_equal(scene->algorithm, ZR_ALGORITHM_HALFSPACE);
     assert_int_equal(scene->view.pose, ZR_POSE_PRESET);
     assert_int_equal(scene->view.preset, ZR_PRESET_ISOMETRIC);
     assert_int_equal(scene->view.projection, ZR_PROJECTION_ORTHOGRAPHIC);
@@ -225,7 +226,8 @@ static void wrong_values_give_pointer_to_them(void **state)
     (void)state;
     refuses_rest("\"version\": 2", "/version", "2; this is version 1");
     refuses_rest("\"samples\": 4", "/samples", "only 1 is supported in this version");
-    refuses_rest("\"algorithm\": \"painter\"", "/algorithm", "not supported in this version; allowed: halfspace");
+    refuses_rest("\"algorithm\": \"warnock\"", "/algorithm",
+                 "allowed: halfspace, edgelist, trapezoid, scanline, painter");
     refuses_rest("\"colorManagement\": \"srgb\"", "/colorManagement", "not supported in this version; allowed: none");
     refuses_rest("\"shading\": \"phong\"", "/shading", "not supported in this version; allowed: unlit, flat, gouraud");
     refuses_rest("\"shading\": \"smooth\"", "/shading", "'smooth' is unknown; allowed: unlit, flat, gouraud");
@@ -257,6 +259,20 @@ static void what_this_version_does_may_be_said(void **state)
         read_rest("\"version\": 1, \"samples\": 1, \"algorithm\": \"halfspace\", \"colorManagement\": \"none\"");
     assert_read(reading);
     reading_free(reading);
+}
+
+static void every_algorithm_is_chosen_by_its_name(void **state)
+{
+    static const char *const words[ZR_ALGORITHM_COUNT] = {"halfspace", "edgelist", "trapezoid", "scanline", "painter"};
+    (void)state;
+    for (int i = 0; i < ZR_ALGORITHM_COUNT; i++) {
+        char text[64];
+        snprintf(text, sizeof text, "\"algorithm\": \"%s\"", words[i]);
+        struct reading *reading = read_rest(text);
+        assert_read(reading);
+        assert_int_equal(reading->scene->algorithm, i);
+        reading_free(reading);
+    }
 }
 
 static void window_limits_are_named(void **state)
@@ -352,6 +368,7 @@ int main(void)
         cmocka_unit_test(several_faults_are_all_reported_up_to_the_limit),
         cmocka_unit_test(wrong_values_give_pointer_to_them),
         cmocka_unit_test(what_this_version_does_may_be_said),
+        cmocka_unit_test(every_algorithm_is_chosen_by_its_name),
         cmocka_unit_test(window_limits_are_named),
         cmocka_unit_test(lights_are_normalised_and_scaled),
         cmocka_unit_test(alpha_gives_one_warning),

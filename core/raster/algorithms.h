@@ -1,0 +1,29 @@
+/* algorithms.h - raster: the textbooks' ways to decide who is seen, beside production's.
+ *
+ * Each is a zr_visibility_fn (visibility.h) in a file of its own, whose head names its
+ * source. No two of them find an edge's crossing with a row of samples in the same way,
+ * and all ways are exact: integers only, one rule (primitive.h), the same samples.
+ */
+#ifndef ZR_ALGORITHMS_H
+#define ZR_ALGORITHMS_H
+
+#include "raster/visibility.h"
+
+zr_visibility_fn zr_edgelist, zr_trapezoid, zr_scanline, zr_painter;
+
+/* Of all that has pixels in its box. */
+struct zr_primitives {
+    uint32_t count;
+    struct zr_primitive *items; /* in the order of the records */
+};
+
+/* For those who look at all primitives at once. ZR_OK, ZR_CANCELLED or ZR_NO_MEMORY. */
+enum zr_status zr_primitives_make(struct zr_arena *arena, const struct zr_geometry *geometry, uint32_t width,
+                                  uint32_t height, const struct zr_cancel *cancel, struct zr_primitives *primitives);
+
+static inline bool zr_primitive_is_empty(const struct zr_primitive *primitive)
+{
+    return primitive->min_x > primitive->max_x || primitive->min_y > primitive->max_y;
+}
+
+#endif
