@@ -119,10 +119,12 @@ static bool compare_pixel(const struct difference *d, enum compare_bar bar, stru
     return bar == COMPARE_EXACT ? ulp == 0 && lsb == 0 : near;
 }
 
-uint64_t compare_pictures(const struct picture *want, const struct picture *got, uint32_t width, uint32_t height,
-                          enum compare_bar bar, struct nearness *nearness, struct comparison *sum)
+struct compare_missed compare_pictures(const struct picture *want, const struct picture *got, uint32_t width,
+                                       uint32_t height, enum compare_bar bar, struct nearness *nearness,
+                                       struct comparison *sum)
 {
-    uint64_t missed = 0, measured = 0;
+    struct compare_missed missed = {.count = 0};
+    uint64_t measured = 0;
     size_t pixels = (size_t)width * height;
     for (size_t i = 0; i < pixels; i++) {
         if (is_gap(want, i)) {
@@ -139,7 +141,9 @@ uint64_t compare_pictures(const struct picture *want, const struct picture *got,
                                         .x = (uint32_t)(i % width),
                                         .row = (uint32_t)(i / width),
                                         .nearness = measure ? nearness : NULL};
-        missed += !compare_pixel(&difference, bar, sum);
+        if (compare_pixel(&difference, bar, sum)) continue;
+        if (missed.count < COMPARE_MISSED_MAX) missed.pixels[missed.count] = i;
+        missed.count++;
     }
     return missed;
 }

@@ -47,10 +47,18 @@ struct comparison {
     uint32_t color_max_lsb;
 };
 
-/* Adds what it finds to *sum. Returns the count of pixels that miss the bar. `nearness` may be NULL
+/* The first pixels that miss the bar. */
+enum { COMPARE_MISSED_MAX = 5 };
+struct compare_missed {
+    uint64_t count;
+    size_t pixels[COMPARE_MISSED_MAX];
+};
+
+/* Adds what it finds to *sum. Returns the pixels that miss the bar. `nearness` may be NULL
  * for COMPARE_EXACT: then nothing is measured in pixels. */
-uint64_t compare_pictures(const struct picture *want, const struct picture *got, uint32_t width, uint32_t height,
-                          enum compare_bar bar, struct nearness *nearness, struct comparison *sum);
+struct compare_missed compare_pictures(const struct picture *want, const struct picture *got, uint32_t width,
+                                       uint32_t height, enum compare_bar bar, struct nearness *nearness,
+                                       struct comparison *sum);
 
 bool compare_pixel_equal(const struct picture *want, const struct picture *got, size_t pixel);
 

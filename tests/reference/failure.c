@@ -9,7 +9,7 @@
 #include "reference/report.h"
 #include "support/png.h"
 
-enum { PIXELS_SHOWN = 5, PATH_SIZE = 600 };
+enum { PATH_SIZE = 600 };
 
 static bool make_directories(const char *path)
 {
@@ -29,12 +29,11 @@ static bool make_directories(const char *path)
 
 static void print_pixels(const struct report_failure *failure)
 {
+    const struct compare_missed *missed = &failure->pictures->missed;
     uint32_t width = failure->scene->width;
-    size_t pixels = (size_t)width * failure->scene->height, shown = 0;
     const struct picture *sides[2] = {&failure->pictures->want, &failure->pictures->got};
-    for (size_t i = 0; i < pixels && shown < PIXELS_SHOWN; i++) {
-        if (compare_pixel_equal(sides[0], sides[1], i)) continue;
-        shown++;
+    for (size_t k = 0; k < missed->count && k < COMPARE_MISSED_MAX; k++) {
+        size_t i = missed->pixels[k];
         printf("# %s-%" PRIu64 ": pixel (%zu, %zu) of %" PRIu32 "x%" PRIu32 " from the top left\n", failure->label,
                failure->number, i % width, i / width, width, failure->scene->height);
         for (int side = 0; side < 2; side++) {

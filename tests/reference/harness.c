@@ -115,10 +115,10 @@ static enum verdict compare_sides(struct harness *harness, const struct zr_scene
     tally->clipped += frame->counts.clipped;
     tally->parity_faces += batches.parity_faces;
     struct nearness nearness = {.scene = scene, .camera = &frame->camera, .depth_rounding = rounding.depth};
-    uint64_t missed = compare_pictures(&out->want, &out->got, scene->width, scene->height, harness->options.bar,
-                                       &nearness, &tally->comparison);
+    out->missed = compare_pictures(&out->want, &out->got, scene->width, scene->height, harness->options.bar, &nearness,
+                                   &tally->comparison);
     nearness_free(&nearness);
-    return missed ? VERDICT_DIFFERENT : VERDICT_EQUAL;
+    return out->missed.count ? VERDICT_DIFFERENT : VERDICT_EQUAL;
 }
 
 /* ---- the smallest failing case ---- */

@@ -47,6 +47,7 @@ struct harness {
 struct harness_pictures {
     const struct zr_frame *frame; /* ours */
     struct picture want, got;
+    struct compare_missed missed;
 };
 
 /* False, explained on stderr, where there is no reference. harness_close in any case. */

@@ -8,12 +8,15 @@
 
 /* ---- a face in the window ---- */
 
+/* +x, -x, +y, -y, near, far. */
 static double plane_distance(const double v[4], int plane)
 {
-    return plane % 2 ? v[3] + v[plane / 2] : v[3] - v[plane / 2];
+    bool far_side = plane < 4 ? plane % 2 == 0 : plane == 5;
+    return far_side ? v[3] - v[plane / 2] : v[3] + v[plane / 2];
 }
 
-/* Sutherland & Hodgman 1974, all in double. */
+/* Sutherland & Hodgman 1974, all in double. The planes come in the reference's order (RULES.md, rule 3), so that
+ * the fan of what is left has its diagonals where the reference's pieces meet. */
 static int clip(double (*v)[4], int count)
 {
     for (int plane = 0; plane < 6 && count > 0; plane++) {
@@ -64,7 +67,8 @@ static void take_face(struct nearness *n, const struct zr_instance *instance, co
 {
     uint32_t begin = mesh->face_offsets[face], end = mesh->face_offsets[face + 1];
     for (uint32_t i = begin + 2; i < end; i++) {
-        const uint32_t slots[3] = {begin, i - 1, i};
+        const uint32_t fan[3] = {i - 1, i, begin}, whole[3] = {begin, begin + 1, begin + 2};
+        const uint32_t *slots = end - begin == 3 ? whole : fan;
         double v[NEARNESS_CORNERS_MAX + 1][4];
         for (int k = 0; k < 3; k++)
             batches_transform(n->camera, &instance->object_to_world, mesh->positions[mesh->indices[slots[k]]], v[k]);
@@ -140,6 +144,8 @@ struct near nearness_at(struct nearness *nearness, uint32_t owner, uint32_t x, u
         double edge = HUGE_VAL;
         for (int i = 0; i < piece->count; i++)
             edge = fmin(edge, segment_distance(piece->corners[i], piece->corners[(i + 1) % piece->count], sx, sy));
+        for (int i = 2; i < piece->count - 1; i++)
+            edge = fmin(edge, segment_distance(piece->corners[0], piece->corners[i], sx, sy));
         near.edge_px = fmin(near.edge_px, edge);
         bool inside = is_inside(piece, sx, sy);
         near.covered = near.covered || inside;

@@ -12,7 +12,8 @@
 #include "scene/camera.h"
 
 struct near {
-    double edge_px; /* to the nearest edge, lines where it was clipped included; HUGE_VAL: none in view */
+    double edge_px; /* to the nearest edge of its triangles, and of the pieces that clipping makes of them; HUGE_VAL:
+                     * none in view */
     bool covered;   /* inside one of its triangles */
     double depth;   /* of the triangle that it is inside of, or nearest to */
     double slope;   /* of that depth, a pixel, in the steepest direction */
