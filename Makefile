@@ -18,24 +18,33 @@ CORE_LIBS := -lcjson -lpng -lzip -lm
 SERVER_LIBS := -lmicrohttpd -lz
 CLIENT_LIBS := -lcurl -lcjson
 TEST_LIBS := -lcmocka -lcurl -lz
-REFERENCE_LIBS := -lOSMesa
+OSMESA_LIBS := -lOSMesa
+EGL_LIBS := -lEGL -lOpenGL
 
 # FILE=PACKAGE: what each kind of target wants on the machine, and the Debian package that has it.
 NEED_BUILD := cc=gcc stdlib.h=libc6-dev microhttpd.h=libmicrohttpd-dev cjson/cJSON.h=libcjson-dev png.h=libpng-dev \
 	zip.h=libzip-dev zlib.h=zlib1g-dev curl/curl.h=libcurl4-gnutls-dev
-NEED_TEST := cmocka.h=libcmocka-dev GL/osmesa.h=libosmesa6-dev
+NEED_EGL := EGL/eglext.h=libegl-dev -lOpenGL=libopengl-dev /usr/share/glvnd/egl_vendor.d/50_mesa.json=libegl-mesa0 \
+	/usr/share/drirc.d/00-mesa-defaults.conf=libgl1-mesa-dri
+NEED_TEST := cmocka.h=libcmocka-dev GL/osmesa.h=libosmesa6-dev $(NEED_EGL)
 NEED_DEMO := /usr/share/assimp/models/OBJ/spider.obj=assimp-testmodels
 
 # Data that is not in the repository, used where it is present: models/*.obj and json-test-suite/.
 DATA ?= ../shared/data
+# How the long comparison gets hold of Mesa: osmesa, or egl where Mesa has no OSMesa any more (from 25.1 on).
+REFERENCE ?= osmesa
+verify_osmesa := $(BUILD)/zraster-verify
+verify_egl := $(BUILD)/zraster-verify-egl
 
 objects = $(patsubst %.c,$(BUILD)/%.o,$(wildcard $(1)))
 core := $(call objects,core/*.c core/*/*.c)
 server := $(call objects,server/*.c)
 client := $(call objects,clients/*.c)
 support := $(call objects,tests/support/*.c)
-reference := $(call objects,tests/reference/*.c)
 lines := $(call objects,tests/reference/lines/*.c)
+# The reference behind two doors: OSMesa, and EGL without a surface, since Mesa 25.1 has no OSMesa.
+reference_doors := $(BUILD)/tests/reference/reference_osmesa.o $(BUILD)/tests/reference/reference_egl.o
+reference := $(filter-out $(reference_doors),$(call objects,tests/reference/*.c))
 bench := $(call objects,tests/bench/*.c)
 server_support := $(filter-out $(BUILD)/tests/server/test_%,$(call objects,tests/server/*.c))
 unit_tests := $(patsubst %.c,$(BUILD)/%,$(wildcard tests/unit/test_*.c tests/property/test_*.c))
@@ -67,10 +76,10 @@ test-quick: ## unit and property tests, the server, and a short reference run
 	@DATA="$(DATA)" REFERENCE_TRIANGLES=20000 tests/run.sh $(BUILD) unit server clients reference
 
 .PHONY: reference
-reference: ## the long comparison with OSMesa: 2 million triangles and more, and the models
-	@.ci/need $(NEED_BUILD) $(NEED_TEST)
-	@$(MAKE) -s -j$(JOBS) $(BUILD)/zraster-verify
-	$(BUILD)/zraster-verify --triangles 2100000 --models $(DATA)/models
+reference: ## the long comparison with Mesa, and build/reference/report.html about it; REFERENCE=egl: without OSMesa
+	@.ci/need $(NEED_BUILD) $(if $(filter egl,$(REFERENCE)),$(NEED_EGL),$(NEED_TEST)) $(NEED_DEMO)
+	@$(MAKE) -s -j$(JOBS) $(if $(filter egl,$(REFERENCE)),$(verify_egl),$(verify_osmesa) $(verify_egl))
+	@DATA="$(DATA)" tests/reference/all.sh $(BUILD) $(verify_$(REFERENCE)) $(if $(filter osmesa,$(REFERENCE)),$(verify_egl))
 
 .PHONY: bench
 bench: ## our times beside llvmpipe's, in one run
@@ -79,7 +88,8 @@ bench: ## our times beside llvmpipe's, in one run
 	ZRASTERD=$(BUILD)/zrasterd $(BUILD)/zraster-bench --models $(DATA)/models
 
 .PHONY: tests
-tests: all $(unit_tests) $(server_tests) $(BUILD)/zraster-verify $(BUILD)/zraster-verify-lines $(BUILD)/zraster-bench
+tests: all $(unit_tests) $(server_tests) $(BUILD)/zraster-verify $(BUILD)/zraster-verify-egl $(BUILD)/zraster-verify-lines \
+	$(BUILD)/zraster-bench
 
 .PHONY: needs
 needs:
@@ -116,14 +126,19 @@ $(BUILD)/zrasterd: $(server) $(BUILD)/libzraster.a
 $(BUILD)/zraster: $(client)
 	$(LINK) $(CLIENT_LIBS)
 
-$(BUILD)/zraster-verify: $(reference) $(BUILD)/libsupport.a $(BUILD)/libzraster.a
-	$(LINK) $(REFERENCE_LIBS) $(CORE_LIBS)
+$(BUILD)/zraster-verify: $(reference) $(BUILD)/tests/reference/reference_osmesa.o $(BUILD)/libsupport.a $(BUILD)/libzraster.a
+	$(LINK) $(OSMESA_LIBS) $(CORE_LIBS)
 
-$(BUILD)/zraster-verify-lines: $(lines) $(BUILD)/tests/reference/reference_osmesa.o $(BUILD)/libzraster.a
-	$(LINK) $(REFERENCE_LIBS) $(CORE_LIBS)
+$(BUILD)/zraster-verify-egl: $(reference) $(BUILD)/tests/reference/reference_egl.o $(BUILD)/libsupport.a $(BUILD)/libzraster.a
+	$(LINK) $(EGL_LIBS) $(CORE_LIBS)
 
-$(BUILD)/zraster-bench: $(bench) $(filter-out %/main.o,$(reference)) $(server_support) $(BUILD)/libsupport.a $(BUILD)/libzraster.a
-	$(LINK) $(REFERENCE_LIBS) $(TEST_LIBS) $(CORE_LIBS)
+$(BUILD)/zraster-verify-lines: $(lines) $(filter-out %/main.o,$(reference)) $(BUILD)/tests/reference/reference_osmesa.o \
+		$(BUILD)/libsupport.a $(BUILD)/libzraster.a
+	$(LINK) $(OSMESA_LIBS) $(CORE_LIBS)
+
+$(BUILD)/zraster-bench: $(bench) $(filter-out %/main.o,$(reference)) $(BUILD)/tests/reference/reference_osmesa.o \
+		$(server_support) $(BUILD)/libsupport.a $(BUILD)/libzraster.a
+	$(LINK) $(OSMESA_LIBS) $(TEST_LIBS) $(CORE_LIBS)
 
 $(unit_tests): $(BUILD)/%: $(BUILD)/%.o $(BUILD)/libsupport.a $(BUILD)/libzraster.a
 	$(LINK) $(TEST_LIBS) $(CORE_LIBS)
@@ -138,5 +153,5 @@ $(BUILD)/%.o: %.c
 	@mkdir -p $(@D)
 	$(Q)$(CC) $(OURS) $(CFLAGS) $(CPPFLAGS) $(EXACT) -MMD -MP -c -o $@ $<
 
--include $(patsubst %.o,%.d,$(core) $(server) $(client) $(support) $(reference) $(lines) $(bench) $(server_support) \
+-include $(patsubst %.o,%.d,$(core) $(server) $(client) $(support) $(reference) $(reference_doors) $(lines) $(bench) $(server_support) \
 	$(addsuffix .o,$(unit_tests) $(server_tests)))

@@ -7,6 +7,7 @@ set -u
 build=$1
 shift
 data=${DATA:-../shared/data}
+assimp=/usr/share/assimp/models
 logs=$build/test-logs
 rm -rf "$logs"
 mkdir -p "$logs"
@@ -38,6 +39,13 @@ run() {
     fi
 }
 
+# verify NAME PROGRAM ARGUMENT...: a comparison with the reference.
+verify() {
+    name=$1 program=$2
+    shift 2
+    run "$name" "$program" --tap --failures "$build/reference-failures" "$@"
+}
+
 for part in "$@"; do
     case $part in
     unit)
@@ -54,17 +62,30 @@ for part in "$@"; do
         ;;
     clients) ZRASTERD=$build/zrasterd ZRASTER=$build/zraster run client tests/clients/test_client.sh ;;
     reference)
-        run reference "$build/zraster-verify" --tap --triangles "${REFERENCE_TRIANGLES:-210000}" --failures "$build/reference-failures"
+        triangles=${REFERENCE_TRIANGLES:-210000}
+        verify reference "$build/zraster-verify" --triangles "$triangles"
+        verify reference-scenes "$build/zraster-verify" tests/scenes clients/examples
+        verify reference-egl "$build/zraster-verify-egl" --triangles $((triangles / 10)) tests/scenes clients/examples
+        verify reference-softpipe "$build/zraster-verify" --driver softpipe --triangles $((triangles / 20)) tests/scenes
+        verify reference-transform "$build/zraster-verify" --transform independent --triangles $((triangles / 10)) tests/scenes
         run reference-lines "$build/zraster-verify-lines" --primitives "${REFERENCE_LINES:-100000}"
         run reference-line-faults "$build/zraster-verify-lines" --fault all --primitives 5000
         ;;
     models)
         if [ -d "$data/models" ]; then
-            run reference-models "$build/zraster-verify" --tap --kind none --models "$data/models" --failures "$build/reference-failures"
+            verify reference-models "$build/zraster-verify" --kind none --models "$data/models"
+            verify reference-meshes "$build/zraster-verify" --preset all "$data/models/suzanne.obj" "$data/models/fandisk.obj"
             ZRASTERD=$build/zrasterd run bunny-over-http "$build/zraster-bench" --check-only --models "$data/models"
         else
-            skipped=$((skipped + 5))
-            echo "LEFT OUT: stanford-bunny and teapot against OSMesa, flat and smooth, and the bunny over HTTP: there is no $data/models"
+            skipped=$((skipped + 7))
+            echo "LEFT OUT: stanford-bunny and teapot against OSMesa, flat and smooth, suzanne and fandisk from all sides, and the bunny over HTTP: there is no $data/models"
+        fi
+        if [ -d "$assimp" ]; then
+            verify reference-assimp "$build/zraster-verify" --preset all "$assimp/OBJ/spider.obj" "$assimp/OBJ/concave_polygon.obj" \
+                "$assimp/STL/Wuson.stl" "$assimp/STL/sphereWithHole.stl"
+        else
+            skipped=$((skipped + 4))
+            echo "LEFT OUT: four meshes of assimp-testmodels: there is no $assimp"
         fi
         ;;
     ablations) run ablations env BUILD="$build" tests/reference/ablate.sh ;;

@@ -35,16 +35,18 @@ static double median(double *values, int count)
     return values[count / 2];
 }
 
-static struct reference_arrays indexed(const struct drawing *drawing)
+/* All triangles in one call, indexed, as a program that wants to be fast would. */
+static struct reference_arrays indexed(const struct drawing *drawing, struct reference_batch *batch)
 {
-    return (struct reference_arrays){.face_count = drawing->face_count,
-                                     .face_offsets = drawing->face_offsets,
-                                     .positions = drawing->positions,
-                                     .colors = drawing->colors,
+    *batch = (struct reference_batch){
+        .mode = REFERENCE_TRIANGLES, .count = drawing->corner_count, .modelview = &drawing->modelview, .smooth = true};
+    return (struct reference_arrays){.positions = drawing->positions,
+                                     .front = drawing->colors,
                                      .indices = drawing->indices,
-                                     .smooth = true,
-                                     .modelview = drawing->modelview,
-                                     .projection = drawing->projection};
+                                     .batch_count = 1,
+                                     .batches = batch,
+                                     .projection = drawing->projection,
+                                     .background = {0, 0, 0, 1}};
 }
 
 static struct daemon start_daemon(int threads)
@@ -54,12 +56,12 @@ static struct daemon start_daemon(int threads)
     return daemon_start((const char *const[]){"--workers=1", flag, NULL});
 }
 
-static void *open_reference(bool native, int threads, const struct drawing *drawing)
+static struct reference *open_reference(bool native, int threads, const struct drawing *drawing)
 {
     struct reference_error error = {""};
-    struct reference_options options = {.native = native, .threads = threads};
-    void *reference = reference_osmesa.open(&options, &error);
-    if (reference && reference_osmesa.resize(reference, drawing->width, drawing->height, &error)) return reference;
+    struct reference_options options = {.driver = "llvmpipe", .native = native, .threads = threads};
+    struct reference *reference = reference_open(&options, &error);
+    if (reference && reference_resize(reference, drawing->width, drawing->height, false, &error)) return reference;
     fprintf(stderr, "no reference: %s\n", error.text);
     return NULL;
 }
@@ -71,11 +73,12 @@ static int compare_with_reference(const struct drawing *drawing, const uint8_t *
     size_t pixels = (size_t)drawing->width * drawing->height, differing = 0, covered = 0;
     uint8_t *want_rgba = malloc(pixels * 4);
     float *want_depth = malloc(pixels * sizeof *want_depth);
-    struct reference_arrays arrays = indexed(drawing);
+    struct reference_batch batch;
+    struct reference_arrays arrays = indexed(drawing, &batch);
     struct reference_error error = {""};
-    void *reference = open_reference(false, 1, drawing);
-    bool ok = want_rgba && want_depth && reference && reference_osmesa.draw(reference, &arrays, &error) &&
-              reference_osmesa.read(reference, want_rgba, want_depth, &error);
+    struct reference *reference = open_reference(false, 1, drawing);
+    bool ok = want_rgba && want_depth && reference && reference_draw(reference, &arrays, &error) &&
+              reference_read(reference, want_rgba, want_depth, &error);
     for (size_t i = 0; ok && i < pixels; i++) {
         covered += want_depth[i] < 1.0f;
         bool equal = memcmp(want_rgba + 4 * i, rgba + 4 * i, 4) == 0 && compare_ulp(want_depth[i], depth[i]) == 0;
@@ -84,7 +87,7 @@ static int compare_with_reference(const struct drawing *drawing, const uint8_t *
                    i / drawing->width, want_rgba[4 * i], want_rgba[4 * i + 1], want_rgba[4 * i + 2],
                    (double)want_depth[i], rgba[4 * i], rgba[4 * i + 1], rgba[4 * i + 2], (double)depth[i]);
     }
-    if (reference) reference_osmesa.close(reference);
+    if (reference) reference_close(reference);
     free(want_rgba);
     free(want_depth);
     ok = ok && differing == 0 && covered > 0;
@@ -113,17 +116,21 @@ struct series {
     double core[ROUNDS], llvmpipe[ROUNDS], total[ROUNDS], parse[ROUNDS], render[ROUNDS], encode[ROUNDS];
 };
 
-static bool one_round(int round, struct series *s, const struct daemon *daemon, const char *json, void *reference,
-                      struct zr_arena *arena, struct zr_team *team, const struct drawing *drawing)
+static bool one_round(int round, struct series *s, const struct daemon *daemon, const char *json,
+                      struct reference *reference, struct zr_arena *arena, struct zr_team *team,
+                      const struct drawing *drawing)
 {
-    struct reference_arrays arrays = indexed(drawing);
+    struct reference_batch batch;
+    struct reference_arrays arrays = indexed(drawing, &batch);
     struct reference_error error = {""};
     struct http_times times;
     if (!render_over_http(daemon, json, drawing->width, drawing->height, NULL, NULL, &times)) return false;
+    struct subject subject;
+    subject_make(&subject, drawing);
     double begin = now_ms();
-    if (!reference_osmesa.draw(reference, &arrays, &error)) return false;
+    if (!reference_draw(reference, &arrays, &error)) return false;
     double middle = now_ms();
-    bool ok = subject_render(arena, team, drawing) != NULL;
+    bool ok = subject_render(arena, team, &subject.scene) != NULL;
     double end = now_ms();
     zr_arena_reset(arena, (size_t)1 << 30);
     if (round < 0) return ok; /* warming up */
@@ -166,11 +173,11 @@ static int measure(const struct drawing *drawing, const char *json, int threads)
     zr_arena_init(&arena, (size_t)1 << 30);
     struct zr_team *team = zr_team_create(threads);
     struct daemon daemon = start_daemon(threads);
-    void *reference = open_reference(true, threads, drawing);
+    struct reference *reference = open_reference(true, threads, drawing);
     bool ok = team && reference;
     for (int round = -3; ok && round < ROUNDS; round++)
         ok = one_round(round, &s, &daemon, json, reference, &arena, team, drawing);
-    if (reference) reference_osmesa.close(reference);
+    if (reference) reference_close(reference);
     double foreseen = foresight(&daemon);
     daemon_stop(&daemon);
     zr_team_destroy(team);

@@ -3,20 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Both odd, and inverse to each other modulo 2^24. */
-static const uint32_t scatter = 0x9e3779u, gather = 0xb382c9u;
-
-zr_vec4 drawing_face_color(uint32_t number)
-{
-    uint32_t c = number * scatter;
-    return (zr_vec4){(float)(c & 255) / 255.0f, (float)(c >> 8 & 255) / 255.0f, (float)(c >> 16 & 255) / 255.0f, 1.0f};
-}
-
-uint32_t drawing_face_number(const uint8_t rgba[4])
-{
-    uint32_t c = rgba[0] | (uint32_t)rgba[1] << 8 | (uint32_t)rgba[2] << 16;
-    return c * gather & DRAWING_FACES_MAX;
-}
+#include "reference/batches.h"
 
 void drawing_start(struct drawing *drawing, uint32_t width, uint32_t height)
 {
@@ -34,8 +21,6 @@ void drawing_free(struct drawing *drawing)
     free(drawing->face_offsets);
     free(drawing->face_colors);
     free(drawing->indices);
-    free(drawing->corner_positions);
-    free(drawing->corner_colors);
     memset(drawing, 0, sizeof *drawing);
 }
 
@@ -77,10 +62,7 @@ static bool have_room(struct drawing *drawing, uint32_t corners)
     }
     if (drawing->corner_room - drawing->corner_count < corners) {
         uint32_t room = drawing->corner_room * 2 + corners + 64;
-        if (!widen(&drawing->indices, room, sizeof *drawing->indices) ||
-            !widen(&drawing->corner_positions, room, sizeof *drawing->corner_positions) ||
-            !widen(&drawing->corner_colors, room, sizeof *drawing->corner_colors))
-            return false;
+        if (!widen(&drawing->indices, room, sizeof *drawing->indices)) return false;
         drawing->corner_room = room;
     }
     return true;
@@ -88,13 +70,13 @@ static bool have_room(struct drawing *drawing, uint32_t corners)
 
 void drawing_face(struct drawing *drawing, const uint32_t *indices, uint32_t count)
 {
-    if (drawing->failed || drawing->face_count == DRAWING_FACES_MAX || !have_room(drawing, count)) {
+    if (drawing->failed || drawing->face_count == BATCHES_OWNERS_MAX || !have_room(drawing, count)) {
         drawing->failed = true;
         return;
     }
     memcpy(drawing->indices + drawing->corner_count, indices, count * sizeof *indices);
     drawing->face_offsets[drawing->face_count] = drawing->corner_count;
-    drawing->face_colors[drawing->face_count] = drawing_face_color(drawing->face_count + 1);
+    drawing->face_colors[drawing->face_count] = batches_owner_color(drawing->face_count + 1);
     drawing->corner_count += count;
     drawing->face_offsets[++drawing->face_count] = drawing->corner_count;
 }
@@ -107,20 +89,4 @@ void drawing_triangle(struct drawing *drawing, uint32_t a, uint32_t b, uint32_t 
 uint32_t drawing_triangles(const struct drawing *drawing)
 {
     return drawing->corner_count - 2 * drawing->face_count;
-}
-
-struct reference_arrays drawing_arrays(struct drawing *drawing, bool smooth)
-{
-    for (uint32_t face = 0; face < drawing->face_count; face++)
-        for (uint32_t c = drawing->face_offsets[face]; c < drawing->face_offsets[face + 1]; c++) {
-            drawing->corner_positions[c] = drawing->positions[drawing->indices[c]];
-            drawing->corner_colors[c] = smooth ? drawing->colors[drawing->indices[c]] : drawing->face_colors[face];
-        }
-    return (struct reference_arrays){.face_count = drawing->face_count,
-                                     .face_offsets = drawing->face_offsets,
-                                     .positions = drawing->corner_positions,
-                                     .colors = drawing->corner_colors,
-                                     .smooth = smooth,
-                                     .modelview = drawing->modelview,
-                                     .projection = drawing->projection};
 }

@@ -1,7 +1,7 @@
-/* drawing.h - reference: one picture's worth of polygons, for both sides alike.
+/* drawing.h - reference: one picture's worth of polygons, as generators and models make them.
  *
- * Generators and models fill it; subject.c hands it to the renderer under test,
- * and drawing_arrays lays it out for the reference. Both get the same floats.
+ * Both sides get the same floats: subject_make puts a scene around the polygons, past
+ * input/, and the scene is what is compared.
  */
 #ifndef ZR_TEST_DRAWING_H
 #define ZR_TEST_DRAWING_H
@@ -10,13 +10,12 @@
 #include <stdint.h>
 
 #include "base/vec.h"
-#include "reference/reference.h"
 
 /* Indexed polygons as in struct zr_mesh, in memory of its own that is kept from
  * one picture to the next. `failed` is sticky: memory ran out. */
 struct drawing {
     uint32_t width, height;
-    bool smooth; /* compare colours per vertex; else each face has one colour, its number */
+    bool smooth; /* compare colours per vertex; else each face has one colour, that of its number */
     bool failed;
     zr_mat4 modelview, projection;
 
@@ -29,7 +28,6 @@ struct drawing {
 
     uint32_t corner_count, corner_room;
     uint32_t *indices;
-    zr_vec4 *corner_positions, *corner_colors; /* made by drawing_arrays */
 };
 
 /* Zero-initialise before the first use. */
@@ -43,16 +41,5 @@ void drawing_triangle(struct drawing *drawing, uint32_t a, uint32_t b, uint32_t 
 
 /* Triangles after cutting polygons to fans. */
 uint32_t drawing_triangles(const struct drawing *drawing);
-
-/* The corners one after the other, with colours per face or per vertex. Points
- * into the drawing, and stands until the next call for it. */
-struct reference_arrays drawing_arrays(struct drawing *drawing, bool smooth);
-
-/* Face number (from 1; 0 is the background) <-> a colour that 8 bits a channel
- * hold exactly. The numbers are scattered over the colours, so that neighbours
- * can be told apart by eye; number 0 is black. */
-enum { DRAWING_FACES_MAX = (1 << 24) - 1 };
-zr_vec4 drawing_face_color(uint32_t number);
-uint32_t drawing_face_number(const uint8_t rgba[4]);
 
 #endif

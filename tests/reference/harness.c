@@ -4,23 +4,26 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "reference/batches.h"
 #include "reference/report.h"
 #include "reference/subject.h"
-#include "shade/frame.h"
 
 enum { FAILURES_MAX = 3, ALONE_MAX = 8 };
+/* Beyond these no two transforms in float can be asked to agree: a corner may move by a step of the subpixel grid,
+ * or fewer than 16 bits of depth are left. */
+static const double rounding_max_px = 1.0 / 256.0, rounding_max_depth = 0x1p-16;
 static const size_t arena_ceiling = (size_t)4 << 30, arena_keep = (size_t)256 << 20;
 
-bool harness_open(struct harness *harness, const struct reference_backend *backend, int threads, const char *failures)
+bool harness_open(struct harness *harness, const struct harness_options *options)
 {
     memset(harness, 0, sizeof *harness);
     zr_arena_init(&harness->arena, arena_ceiling);
-    harness->backend = backend;
-    harness->failures = failures;
+    harness->options = *options;
     harness->failures_left = FAILURES_MAX;
     struct reference_error error = {""};
-    harness->reference = backend->open(&(struct reference_options){.native = false, .threads = threads}, &error);
-    harness->team = zr_team_create(threads > 0 ? threads : 1);
+    harness->reference = reference_open(
+        &(struct reference_options){.driver = options->driver, .native = false, .threads = options->threads}, &error);
+    harness->team = zr_team_create(options->threads > 0 ? options->threads : 1);
     if (!harness->reference) fprintf(stderr, "no reference: %s\n", error.text);
     if (!harness->team) fprintf(stderr, "no threads\n");
     return harness->reference && harness->team;
@@ -28,11 +31,11 @@ bool harness_open(struct harness *harness, const struct reference_backend *backe
 
 void harness_close(struct harness *harness)
 {
-    if (harness->reference) harness->backend->close(harness->reference);
+    reference_close(harness->reference);
     if (harness->team) zr_team_destroy(harness->team);
     zr_arena_free(&harness->arena);
-    drawing_free(&harness->single);
     free(harness->rgba);
+    free(harness->gaps);
     free(harness->depth);
     free(harness->owner);
 }
@@ -41,114 +44,155 @@ static bool make_room(struct harness *harness, size_t pixels)
 {
     if (pixels <= harness->room) return true;
     free(harness->rgba);
+    free(harness->gaps);
     free(harness->depth);
     free(harness->owner);
     harness->rgba = malloc(pixels * 4);
+    harness->gaps = malloc(pixels);
     harness->depth = malloc(pixels * sizeof *harness->depth);
     harness->owner = malloc(pixels * sizeof *harness->owner);
-    harness->room = harness->rgba && harness->depth && harness->owner ? pixels : 0;
+    harness->room = harness->rgba && harness->gaps && harness->depth && harness->owner ? pixels : 0;
     return harness->room > 0;
 }
 
-static bool draw_and_read(struct harness *harness, struct drawing *drawing, bool smooth)
+/* ---- the reference's side ---- */
+
+static bool draw_and_read(struct harness *harness, const struct zr_scene *scene, const struct batches *batches,
+                          bool with_depth)
 {
     struct reference_error error = {""};
-    struct reference_arrays arrays = drawing_arrays(drawing, smooth);
-    if (harness->backend->draw(harness->reference, &arrays, &error) &&
-        harness->backend->read(harness->reference, harness->rgba, harness->depth, &error))
+    if (reference_resize(harness->reference, scene->width, scene->height, batches->parity_faces > 0, &error) &&
+        reference_draw(harness->reference, &batches->arrays, &error) &&
+        reference_read(harness->reference, harness->rgba, with_depth ? harness->depth : NULL, &error) &&
+        (!with_depth || reference_read_gaps(harness->reference, harness->gaps, &error)))
         return true;
     fprintf(stderr, "reference: %s\n", error.text);
     return false;
 }
 
-/* Who owns a pixel is read from one colour a face; with colours per vertex that
- * takes a picture more. */
-static bool reference_render(struct harness *harness, struct drawing *drawing, struct picture *want)
+/* Who owns a pixel is read from one colour a face; then the scene is drawn as it looks. */
+static bool reference_render(struct harness *harness, const struct zr_scene *scene, const struct zr_frame *frame,
+                             struct batches *batches)
 {
-    size_t pixels = (size_t)drawing->width * drawing->height;
-    struct reference_error error = {""};
-    if (drawing->failed || !make_room(harness, pixels)) {
-        fprintf(stderr, "out of memory\n");
+    size_t pixels = (size_t)scene->width * scene->height;
+    struct zr_camera camera = frame->camera;
+    camera.projection.m[12] += (float)harness->options.perturbation;
+    struct batches_options options = {.purpose = BATCHES_OWNERS, .transformed = harness->options.transformed};
+    if (!make_room(harness, pixels) || !batches_make(&harness->arena, scene, &camera, &options, batches)) {
+        fprintf(stderr, "reference: out of memory, or too many faces\n");
         return false;
     }
-    if (!harness->backend->resize(harness->reference, drawing->width, drawing->height, &error)) {
-        fprintf(stderr, "reference: %s\n", error.text);
-        return false;
-    }
-    if (!draw_and_read(harness, drawing, false)) return false;
+    if (!draw_and_read(harness, scene, batches, false)) return false;
     for (size_t i = 0; i < pixels; i++)
-        harness->owner[i] = drawing_face_number(harness->rgba + i * 4);
-    if (drawing->smooth && !draw_and_read(harness, drawing, true)) return false;
-    *want = (struct picture){.rgba = harness->rgba, .depth = harness->depth, .owner = harness->owner};
-    return true;
+        harness->owner[i] = batches_owner_number(harness->rgba + i * 4);
+    options.purpose = BATCHES_COLORS;
+    return batches_make(&harness->arena, scene, &camera, &options, batches) &&
+           draw_and_read(harness, scene, batches, true);
 }
 
-/* Both pictures stand until the next call; tally->pictures tells whether both
- * sides gave one. */
-static enum verdict compare_sides(struct harness *harness, struct drawing *drawing, struct picture *want,
-                                  struct picture *got, struct tally *tally)
+/* ---- both ---- */
+
+/* Both pictures stand until the next call; out->frame tells whether both sides gave one. */
+static enum verdict compare_sides(struct harness *harness, const struct zr_scene *scene, struct tally *tally,
+                                  struct harness_pictures *out)
 {
-    if (!reference_render(harness, drawing, want)) return VERDICT_UNPROVED;
+    *out = (struct harness_pictures){.frame = NULL};
     zr_arena_reset(&harness->arena, arena_keep);
-    const struct zr_frame *frame = subject_render(&harness->arena, harness->team, drawing);
+    const struct zr_frame *frame = subject_render(&harness->arena, harness->team, scene);
     if (!frame) return VERDICT_DIFFERENT;
-    *got = (struct picture){.rgba = frame->color, .depth = frame->window_depth, .owner = frame->face_id};
-    tally->pictures++;
-    tally->triangles += drawing_triangles(drawing);
-    tally->clipped += frame->counts.clipped;
-    size_t pixels = (size_t)drawing->width * drawing->height;
-    return compare_pictures(want, got, pixels, &tally->comparison) ? VERDICT_DIFFERENT : VERDICT_EQUAL;
-}
-
-static void take_face(struct drawing *single, const struct drawing *from, uint32_t face)
-{
-    uint32_t first = from->face_offsets[face], count = from->face_offsets[face + 1] - first;
-    drawing_start(single, from->width, from->height);
-    single->smooth = from->smooth;
-    single->modelview = from->modelview;
-    single->projection = from->projection;
-    uint32_t *corners = malloc(count * sizeof *corners);
-    if (!corners) return;
-    for (uint32_t i = 0; i < count; i++) {
-        uint32_t index = from->indices[first + i];
-        corners[i] = drawing_position(single, from->positions[index], from->colors[index]);
+    struct batches batches;
+    if (!reference_render(harness, scene, frame, &batches)) return VERDICT_UNPROVED;
+    out->frame = frame;
+    out->want = (struct picture){harness->rgba, harness->depth, harness->owner, harness->gaps};
+    out->got = (struct picture){frame->color, frame->window_depth, frame->face_id, NULL};
+    struct rounding rounding = nearness_rounding(scene, &frame->camera);
+    if (harness->options.transformed && (rounding.px > rounding_max_px || rounding.depth > rounding_max_depth)) {
+        tally->left_out++;
+        return VERDICT_EQUAL;
     }
-    drawing_face(single, corners, count);
-    free(corners);
+    tally->pictures++;
+    tally->triangles += batches.triangles;
+    tally->clipped += frame->counts.clipped;
+    tally->parity_faces += batches.parity_faces;
+    struct nearness nearness = {.scene = scene, .camera = &frame->camera, .depth_rounding = rounding.depth};
+    out->missed = compare_pictures(&out->want, &out->got, scene->width, scene->height, harness->options.bar, &nearness,
+                                   &tally->comparison);
+    nearness_free(&nearness);
+    return out->missed.count ? VERDICT_DIFFERENT : VERDICT_EQUAL;
 }
 
-static uint32_t find_alone(struct harness *harness, const struct drawing *drawing, uint32_t alone[ALONE_MAX])
+/* ---- the smallest failing case ---- */
+
+/* The scene in the same view with one face only. Offsets of faces are absolute, so that the mesh
+ * of one face is a window on the arrays of all. */
+struct single {
+    struct zr_scene scene;
+    struct zr_mesh mesh;
+    struct zr_instance instance;
+};
+
+static void single_make(struct single *single, const struct zr_scene *scene, const struct zr_camera *camera,
+                        uint32_t instance, uint32_t face)
 {
-    enum { FACES_TRIED = 4096 };
-    uint32_t found = 0;
-    for (uint32_t face = 0; face < drawing->face_count && face < FACES_TRIED && found < ALONE_MAX; face++) {
-        struct picture want, got;
-        struct tally unused = {0};
-        take_face(&harness->single, drawing, face);
-        if (compare_sides(harness, &harness->single, &want, &got, &unused) == VERDICT_DIFFERENT)
-            alone[found++] = face + 1;
+    const struct zr_mesh *from = &scene->meshes[scene->instances[instance].mesh];
+    single->scene = *scene;
+    single->mesh = *from;
+    single->instance = (struct zr_instance){0, scene->instances[instance].object_to_world};
+    single->mesh.face_count = 1;
+    single->mesh.line_count = 0;
+    single->mesh.face_offsets = from->face_offsets + face;
+    if (from->face_rings) single->mesh.face_rings = from->face_rings + face;
+    if (from->face_colors) single->mesh.face_colors = from->face_colors + face;
+    if (from->face_materials) single->mesh.face_materials = from->face_materials + face;
+    single->scene.mesh_count = single->scene.instance_count = 1;
+    single->scene.meshes = &single->mesh;
+    single->scene.instances = &single->instance;
+    single->scene.view.pose = ZR_POSE_MATRIX;
+    single->scene.view.world_to_camera = camera->world_to_eye;
+    single->scene.view.projection = ZR_PROJECTION_MATRIX;
+    single->scene.view.projection_matrix = camera->projection;
+}
+
+/* Numbers of faces that differ when drawn alone. */
+static uint32_t find_alone(struct harness *harness, const struct zr_scene *scene, const struct zr_camera *camera,
+                           uint32_t alone[ALONE_MAX])
+{
+    enum { FACES_TRIED = 2048 };
+    uint32_t found = 0, tried = 0, owner = 1;
+    for (uint32_t i = 0; i < scene->instance_count; i++) {
+        const struct zr_mesh *mesh = &scene->meshes[scene->instances[i].mesh];
+        for (uint32_t face = 0; face < mesh->face_count && tried < FACES_TRIED && found < ALONE_MAX; face++, tried++) {
+            struct single single;
+            struct harness_pictures unused_pictures;
+            struct tally unused = {0};
+            single_make(&single, scene, camera, i, face);
+            if (compare_sides(harness, &single.scene, &unused, &unused_pictures) == VERDICT_DIFFERENT)
+                alone[found++] = owner + face;
+        }
+        owner += (uint32_t)zr_mesh_ids(mesh);
     }
     return found;
 }
 
-enum verdict harness_check(struct harness *harness, struct drawing *drawing, const char *label, uint64_t number,
-                           struct tally *tally)
+enum verdict harness_check(struct harness *harness, const struct zr_scene *scene, const char *label, uint64_t number,
+                           struct tally *tally, struct harness_pictures *pictures)
 {
-    struct picture want = {0}, got = {0};
-    uint64_t pictures = tally->pictures;
-    enum verdict verdict = compare_sides(harness, drawing, &want, &got, tally);
-    bool has_both = tally->pictures > pictures;
-    if (verdict != VERDICT_DIFFERENT || !has_both || harness->failures_left == 0) return verdict;
+    struct harness_pictures own;
+    if (!pictures) pictures = &own;
+    enum verdict verdict = compare_sides(harness, scene, tally, pictures);
+    if (verdict != VERDICT_DIFFERENT || !pictures->frame || harness->failures_left == 0) return verdict;
     harness->failures_left--;
-    uint32_t alone[ALONE_MAX], found = find_alone(harness, drawing, alone);
+    uint32_t alone[ALONE_MAX];
+    struct zr_camera camera = pictures->frame->camera;
+    uint32_t found = find_alone(harness, scene, &camera, alone);
     struct tally unused = {0};
-    if (compare_sides(harness, drawing, &want, &got, &unused) == VERDICT_DIFFERENT)
-        report_difference(&(struct report_failure){.directory = harness->failures,
+    if (compare_sides(harness, scene, &unused, pictures) == VERDICT_DIFFERENT)
+        report_difference(&(struct report_failure){.directory = harness->options.failures,
                                                    .label = label,
                                                    .number = number,
-                                                   .drawing = drawing,
-                                                   .want = &want,
-                                                   .got = &got,
+                                                   .scene = scene,
+                                                   .camera = &camera,
+                                                   .pictures = pictures,
                                                    .alone = alone,
                                                    .alone_count = found});
     return verdict;
@@ -159,5 +203,7 @@ void tally_add(struct tally *sum, const struct tally *more)
     sum->pictures += more->pictures;
     sum->triangles += more->triangles;
     sum->clipped += more->clipped;
+    sum->left_out += more->left_out;
+    sum->parity_faces += more->parity_faces;
     compare_add(&sum->comparison, &more->comparison);
 }

@@ -1,4 +1,4 @@
-/* harness.h - reference: draws a drawing on both sides and compares.
+/* harness.h - reference: draws a scene on both sides and compares.
  *
  * Two ways to fail are kept apart. The renderer under test is at fault: it
  * differs, or gives no picture. Or nothing was proved: the reference is missing,
@@ -8,40 +8,56 @@
 #define ZR_TEST_HARNESS_H
 
 #include "reference/compare.h"
-#include "reference/drawing.h"
 #include "reference/reference.h"
+#include "scene/scene.h"
+#include "shade/frame.h"
 #include "zraster.h"
 
 /* Also the exit status of the program; the larger one wins. */
 enum verdict { VERDICT_EQUAL = 0, VERDICT_DIFFERENT = 1, VERDICT_UNPROVED = 2 };
 
 struct tally {
-    uint64_t pictures, triangles, clipped;
+    uint64_t pictures, triangles, clipped, parity_faces;
+    uint64_t left_out; /* COMPARE_TRANSFORM: float itself is too coarse in them for its bar */
     struct comparison comparison;
 };
 
+struct harness_options {
+    const char *driver; /* "llvmpipe" or "softpipe" */
+    int threads;        /* that render, on both sides */
+    enum compare_bar bar;
+    bool transformed;     /* the reference gets clip-space positions (batches.h) */
+    double perturbation;  /* added to clip-space x on the reference's side: a comparison that must fail */
+    const char *failures; /* directory for pictures of what differs */
+};
+
 struct harness {
-    const struct reference_backend *backend;
-    void *reference;
+    struct harness_options options;
+    struct reference *reference;
     struct zr_arena arena;
     struct zr_team *team;
-    const char *failures; /* directory for pictures of what differs */
-    int failures_left;    /* how many may still be written */
-    size_t room;          /* pixels that the buffers below hold */
-    uint8_t *rgba;
+    int failures_left; /* how many may still be written */
+    size_t room;       /* pixels that the buffers below hold */
+    uint8_t *rgba, *gaps;
     float *depth;
     uint32_t *owner;
-    struct drawing single; /* one face at a time, to find the smallest failing case */
+};
+
+/* What both sides drew; stands until the harness's next picture. */
+struct harness_pictures {
+    const struct zr_frame *frame; /* ours */
+    struct picture want, got;
+    struct compare_missed missed;
 };
 
 /* False, explained on stderr, where there is no reference. harness_close in any case. */
-bool harness_open(struct harness *harness, const struct reference_backend *backend, int threads, const char *failures);
+bool harness_open(struct harness *harness, const struct harness_options *options);
 void harness_close(struct harness *harness);
 
 /* Adds to *tally. On the first few differences writes pictures and prints pixels;
- * `label` and `number` name them. */
-enum verdict harness_check(struct harness *harness, struct drawing *drawing, const char *label, uint64_t number,
-                           struct tally *tally);
+ * `label` and `number` name them. `pictures` may be NULL; its frame is NULL where a side drew nothing. */
+enum verdict harness_check(struct harness *harness, const struct zr_scene *scene, const char *label, uint64_t number,
+                           struct tally *tally, struct harness_pictures *pictures);
 
 void tally_add(struct tally *sum, const struct tally *more);
 

@@ -7,6 +7,8 @@
 #include <string.h>
 
 #include "input/input.h"
+#include "reference/page.h"
+#include "reference/subject.h"
 
 static const char *const names[] = {"stanford-bunny", "teapot"};
 
@@ -168,8 +170,8 @@ static void place_camera(struct drawing *drawing, const struct sphere *sphere, s
                                       fmax(distance - sphere->radius, 0.4 * sphere->radius), distance + sphere->radius);
 }
 
-static enum verdict check_views(struct harness *harness, struct drawing *drawing, const char *label,
-                                struct tally *tally)
+static enum verdict check_views(struct harness *harness, struct report *report, struct drawing *drawing,
+                                const char *label, struct tally *tally)
 {
     struct sphere sphere = sphere_around(drawing);
     enum verdict worst = VERDICT_EQUAL;
@@ -177,7 +179,11 @@ static enum verdict check_views(struct harness *harness, struct drawing *drawing
     for (size_t v = 0; v < MODELS_VIEWS; v++)
         for (size_t w = 0; w < sizeof windows / sizeof *windows; w++) {
             place_camera(drawing, &sphere, v, windows[w][0], windows[w][1]);
-            enum verdict verdict = harness_check(harness, drawing, label, number++, tally);
+            struct subject subject;
+            struct harness_pictures pictures;
+            subject_make(&subject, drawing);
+            enum verdict verdict = harness_check(harness, &subject.scene, label, number++, tally, &pictures);
+            if (report->page) page_picture(report->page, label, verdict, &pictures);
             if (verdict > worst) worst = verdict;
         }
     return worst;
@@ -192,7 +198,7 @@ static enum verdict check_model(struct harness *harness, struct report *report, 
         struct tally tally = {0};
         snprintf(label, sizeof label, "%s-%s", name, smooth ? "smooth" : "flat");
         drawing->smooth = smooth;
-        enum verdict verdict = check_views(harness, drawing, label, &tally);
+        enum verdict verdict = check_views(harness, report, drawing, label, &tally);
         if (verdict == VERDICT_EQUAL && (tally.comparison.visible == 0 || tally.clipped == 0))
             verdict = VERDICT_UNPROVED;
         report_line(report, label, verdict, &tally);

@@ -2,7 +2,7 @@
 #ifndef ZR_TEST_MODELS_H
 #define ZR_TEST_MODELS_H
 
-#include "reference/harness.h"
+#include "reference/drawing.h"
 #include "reference/report.h"
 
 /* The model NAME.obj of `directory`, with colours made from its normals, seen from

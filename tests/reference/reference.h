@@ -1,9 +1,11 @@
 /* reference.h - reference: the renderer that ours is held against.
  *
- * What it must be: Mesa's llvmpipe, drawing into a frame buffer object with
- * RGBA8 colour and 32-bit float depth; dither and culling off, depth test LESS,
- * cleared to opaque black and depth 1. How one gets hold of it differs, so each
- * way is a back end in a file of its own.
+ * What it must be: Mesa's llvmpipe (or softpipe, where that is asked for), drawing
+ * into a frame buffer object with RGBA8 colour and 32-bit float depth; dither off,
+ * depth test LESS, cleared to the background and depth 1.
+ * reference_gl.c draws, in plain GL. How one gets hold of a context differs, so each
+ * way is a back end in a file of its own, and a program is linked with one of them:
+ * reference_osmesa.c, reference_egl.c.
  * A reference that is missing, or is some other renderer, is a failure.
  */
 #ifndef ZR_TEST_REFERENCE_H
@@ -16,43 +18,84 @@
 #include "base/vec.h"
 
 struct reference_options {
+    const char *driver; /* "llvmpipe" or "softpipe" */
     /* false: generated code without fused multiply-add, which is what our own
      * arithmetic equals. true: all that the machine has, for benchmarks. */
     bool native;
     int threads; /* that rasterize; 0: the driver's choice */
 };
 
-/* Polygons, each corner written out. Faces with three corners are drawn as
- * triangles in the order given, larger ones as GL_POLYGON, all in face order. */
+enum reference_mode {
+    REFERENCE_TRIANGLES,
+    REFERENCE_POLYGON, /* one convex polygon */
+    REFERENCE_PARITY,  /* one polygon of any shape: the odd-even rule over its rings */
+    REFERENCE_LINES
+};
+
+/* A run of primitives of one mode, drawn with one state. Counts are of corners. */
+struct reference_batch {
+    enum reference_mode mode;
+    uint32_t first, count;
+    /* REFERENCE_PARITY: the fans of its rings, as triangles, whose parity tells what is inside; the
+     * triangles of first and count then tell depth and colour there, the first that covers a sample. */
+    uint32_t rings_first, rings_count;
+    const zr_mat4 *modelview;
+    bool smooth;    /* false: all corners of a primitive must have one colour */
+    bool two_sided; /* the back has the colours of `back` */
+    bool cull;      /* what shows its back is not drawn */
+    bool mirrored;  /* clockwise is the front */
+    bool outline;   /* edges instead of areas (glPolygonMode) */
+    bool pushed;    /* moved back by glPolygonOffset(1, 1), to make room for outlines */
+};
+
 struct reference_arrays {
-    uint32_t face_count;
-    const uint32_t *face_offsets;      /* face_count + 1 */
-    const zr_vec4 *positions, *colors; /* one a corner, or, with `indices`, one a vertex */
-    const uint32_t *indices;           /* NULL, or one a corner: all faces are then triangles */
-    bool smooth;                       /* false: flat; all corners of a face must have one colour */
-    zr_mat4 modelview, projection;
+    const zr_vec4 *positions, *front; /* one a corner, or, with `indices`, one a vertex */
+    const zr_vec4 *back;              /* NULL where no batch is two_sided */
+    const uint32_t *indices;          /* NULL, or one a corner */
+    uint32_t batch_count;
+    const struct reference_batch *batches; /* drawn in this order */
+    zr_mat4 projection;
+    zr_vec4 background;
 };
 
 struct reference_error {
     char text[200];
 };
 
+struct reference;
+
 /* One context a process and a thread. Functions that return false explain it in
- * *error; `state` is then good for close only. */
-struct reference_backend {
+ * *error; the reference is then good for closing only. */
+
+/* NULL on failure. Changes the environment of the process. */
+struct reference *reference_open(const struct reference_options *options, struct reference_error *error);
+void reference_close(struct reference *reference);
+
+/* Back end, renderer and version, for people. */
+const char *reference_name(const struct reference *reference);
+
+/* `parity`: batches of REFERENCE_PARITY are to come, which need a stencil buffer. */
+bool reference_resize(struct reference *reference, uint32_t width, uint32_t height, bool parity,
+                      struct reference_error *error);
+
+/* Clears, draws, and waits for the result. */
+bool reference_draw(struct reference *reference, const struct reference_arrays *arrays, struct reference_error *error);
+
+/* Of the last draw, row 0 on top: 4 bytes RGBA a pixel, and window depth 0..1. Either may be NULL. */
+bool reference_read(struct reference *reference, uint8_t *rgba, float *depth, struct reference_error *error);
+
+/* 1 where a polygon of any shape covers the sample and none of its triangles does, else 0. */
+bool reference_read_gaps(struct reference *reference, uint8_t *gaps, struct reference_error *error);
+
+/* ---- what a back end is ---- */
+
+struct reference_context {
     const char *name;
-    /* NULL on failure. Changes the environment of the process. */
-    void *(*open)(const struct reference_options *options, struct reference_error *error);
-    void (*close)(void *state);
-    const char *(*renderer)(void *state);
-    bool (*resize)(void *state, uint32_t width, uint32_t height, struct reference_error *error);
-    /* Clears, draws, and waits for the result. */
-    bool (*draw)(void *state, const struct reference_arrays *arrays, struct reference_error *error);
-    /* Of the last draw, row 0 on top: 4 bytes RGBA a pixel, and window depth
-     * 0..1. Either may be NULL. */
-    bool (*read)(void *state, uint8_t *rgba, float *depth, struct reference_error *error);
+    /* Makes a context current that needs no surface, or returns NULL. The environment is set. */
+    void *(*open)(struct reference_error *error);
+    void (*close)(void *context);
 };
 
-extern const struct reference_backend reference_osmesa;
+extern const struct reference_context reference_context;
 
 #endif

@@ -2,8 +2,6 @@
 
 #include <stdio.h>
 
-#include "shade/frame.h"
-
 static const struct zr_output outputs[] = {{.channel = ZR_CHANNEL_COLOR, .encoding = ZR_ENCODING_PNG},
                                            {.channel = ZR_CHANNEL_WINDOW_DEPTH, .encoding = ZR_ENCODING_NPY},
                                            {.channel = ZR_CHANNEL_FACE_ID, .encoding = ZR_ENCODING_NPY}};
@@ -13,35 +11,40 @@ static const struct zr_output outputs[] = {{.channel = ZR_CHANNEL_COLOR, .encodi
 static const struct zr_material material = {
     .base_color = {1, 1, 1, 1}, .shading = ZR_SHADING_UNLIT, .double_sided = true};
 
-const struct zr_frame *subject_render(struct zr_arena *arena, struct zr_team *team, const struct drawing *drawing)
+void subject_make(struct subject *subject, const struct drawing *drawing)
 {
-    struct zr_mesh mesh = {.name = "",
-                           .position_count = drawing->position_count,
-                           .positions = drawing->positions,
-                           .face_count = drawing->face_count,
-                           .face_offsets = drawing->face_offsets,
-                           .indices = drawing->indices,
-                           .colors = drawing->smooth ? drawing->colors : NULL,
-                           .face_colors = drawing->smooth ? NULL : drawing->face_colors};
-    struct zr_instance instance = {.mesh = 0, .object_to_world = zr_mat4_identity()};
-    struct zr_scene scene = {.width = drawing->width,
-                             .height = drawing->height,
-                             .background = {0, 0, 0, 1},
-                             .material_count = 1,
-                             .materials = &material,
-                             .mesh_count = 1,
-                             .meshes = &mesh,
-                             .instance_count = 1,
-                             .instances = &instance,
-                             .output_count = sizeof outputs / sizeof *outputs,
-                             .outputs = outputs,
-                             .view = {.pose = ZR_POSE_MATRIX,
-                                      .world_to_camera = drawing->modelview,
-                                      .projection = ZR_PROJECTION_MATRIX,
-                                      .projection_matrix = drawing->projection}};
+    subject->mesh = (struct zr_mesh){.name = "",
+                                     .position_count = drawing->position_count,
+                                     .positions = drawing->positions,
+                                     .face_count = drawing->face_count,
+                                     .face_offsets = drawing->face_offsets,
+                                     .indices = drawing->indices,
+                                     .colors = drawing->smooth ? drawing->colors : NULL,
+                                     .face_colors = drawing->smooth ? NULL : drawing->face_colors};
+    subject->instance = (struct zr_instance){.mesh = 0, .object_to_world = zr_mat4_identity()};
+    subject->scene = (struct zr_scene){.width = drawing->width,
+                                       .height = drawing->height,
+                                       .background = {0, 0, 0, 1},
+                                       .material_count = 1,
+                                       .materials = &material,
+                                       .mesh_count = 1,
+                                       .meshes = &subject->mesh,
+                                       .instance_count = 1,
+                                       .instances = &subject->instance,
+                                       .view = {.pose = ZR_POSE_MATRIX,
+                                                .world_to_camera = drawing->modelview,
+                                                .projection = ZR_PROJECTION_MATRIX,
+                                                .projection_matrix = drawing->projection}};
+}
+
+const struct zr_frame *subject_render(struct zr_arena *arena, struct zr_team *team, const struct zr_scene *scene)
+{
+    struct zr_scene asked = *scene;
+    asked.output_count = sizeof outputs / sizeof *outputs;
+    asked.outputs = outputs;
     struct zr_error error = {.status = ZR_OK};
     const struct zr_frame *frame = NULL;
-    enum zr_status status = zr_render(arena, team, &scene, NULL, &frame, &error);
+    enum zr_status status = zr_render(arena, team, &asked, NULL, &frame, &error);
     if (status == ZR_OK && frame && frame->color && frame->window_depth && frame->face_id) return frame;
     fprintf(stderr, "zr_render: status %d, %s\n", (int)status, error.count ? error.items[0].detail : "no frame");
     return NULL;

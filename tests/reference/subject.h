@@ -1,14 +1,24 @@
-/* subject.h - reference: the renderer under test, the real core, drawing a
- * drawing. The scene is built in memory, past input/, so that every float gets
- * there untouched. */
+/* subject.h - reference: the renderer under test, the real core. */
 #ifndef ZR_TEST_SUBJECT_H
 #define ZR_TEST_SUBJECT_H
 
 #include "reference/drawing.h"
+#include "scene/scene.h"
+#include "shade/frame.h"
 #include "zraster.h"
 
-/* The frame has color, window_depth and face_id, and stands until the arena's
- * next reset. NULL on failure, explained on stderr. */
-const struct zr_frame *subject_render(struct zr_arena *arena, struct zr_team *team, const struct drawing *drawing);
+/* A drawing as a scene, built in memory, so that every float gets there untouched.
+ * Points into itself and into the drawing: do not copy. */
+struct subject {
+    struct zr_scene scene;
+    struct zr_mesh mesh;
+    struct zr_instance instance;
+};
+
+void subject_make(struct subject *subject, const struct drawing *drawing);
+
+/* Renders color, window_depth and face_id, whatever the scene asks for. The frame stands until
+ * the arena's next reset. NULL on failure, explained on stderr. */
+const struct zr_frame *subject_render(struct zr_arena *arena, struct zr_team *team, const struct zr_scene *scene);
 
 #endif

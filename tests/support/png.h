@@ -1,12 +1,16 @@
-/* png.h - support: pictures that a failing test leaves for a person to look at. */
+/* png.h - support: pictures that tests leave for a person to look at. */
 #ifndef ZR_TEST_PNG_H
 #define ZR_TEST_PNG_H
 
 #include <stdbool.h>
+#include <stddef.h>
 #include <stdint.h>
 
 /* Writes width x height pixels of 4 bytes (RGBA, row 0 on top) to `path`. False
  * where that fails; says why on stderr. */
 bool png_file_write(const char *path, const uint8_t *rgba, uint32_t width, uint32_t height);
+
+/* The same into memory that is to be freed; NULL where that fails. */
+uint8_t *png_memory_write(const uint8_t *rgba, uint32_t width, uint32_t height, size_t *size);
 
 #endif

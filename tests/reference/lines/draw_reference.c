@@ -1,5 +1,5 @@
-/* The reference's own back end opens the context and reads the picture; only what is drawn
- * differs from the triangles there. */
+/* The reference opens the context and reads the picture; only what is drawn differs from the batches
+ * there. */
 #define GL_GLEXT_PROTOTYPES
 #include <GL/gl.h>
 #include <GL/glext.h>
@@ -9,13 +9,13 @@
 #include "reference/lines/batch.h"
 #include "reference/reference.h"
 
-static void *open_once(struct reference_error *error)
+static struct reference *open_once(struct reference_error *error)
 {
-    static void *state;
-    if (state) return state;
-    state = reference_osmesa.open(&(struct reference_options){.native = false, .threads = 1}, error);
-    if (state) printf("# reference: %s\n", reference_osmesa.renderer(state));
-    return state;
+    static struct reference *reference;
+    if (reference) return reference;
+    reference = reference_open(&(struct reference_options){.driver = "llvmpipe", .threads = 1}, error);
+    if (reference) printf("# reference: %s\n", reference_name(reference));
+    return reference;
 }
 
 static void set_sides(const struct batch *batch)
@@ -72,13 +72,13 @@ static void draw_runs(const struct batch *batch)
 bool draw_reference(const struct batch *batch, struct batch_picture *picture)
 {
     struct reference_error error = {""};
-    void *state = open_once(&error);
-    bool ok = state && reference_osmesa.resize(state, batch->width, batch->height, &error);
+    struct reference *reference = open_once(&error);
+    bool ok = reference && reference_resize(reference, batch->width, batch->height, false, &error);
     if (ok) {
         set_state(batch);
         draw_runs(batch);
         glFinish();
-        ok = reference_osmesa.read(state, picture->rgba, picture->depth, &error);
+        ok = reference_read(reference, picture->rgba, picture->depth, &error);
     }
     if (!ok) fprintf(stderr, "reference: %s\n", error.text);
     return ok;

@@ -1,0 +1,397 @@
+#include "reference/batches.h"
+
+#include "geometry/colors.h"
+#include "geometry/normals.h"
+#include "geometry/triangulate.h"
+#include "scene/scene.h"
+
+/* ---- owners as colours ---- */
+
+/* Both odd, and inverse to each other modulo 2^24. */
+static const uint32_t scatter = 0x9e3779u, gather = 0xb382c9u;
+
+zr_vec4 batches_owner_color(uint32_t number)
+{
+    uint32_t c = number * scatter;
+    return (zr_vec4){(float)(c & 255) / 255.0f, (float)(c >> 8 & 255) / 255.0f, (float)(c >> 16 & 255) / 255.0f, 1.0f};
+}
+
+uint32_t batches_owner_number(const uint8_t rgba[4])
+{
+    uint32_t c = rgba[0] | (uint32_t)rgba[1] << 8 | (uint32_t)rgba[2] << 16;
+    return c * gather & BATCHES_OWNERS_MAX;
+}
+
+/* ---- places ---- */
+
+static void apply_in_double(const zr_mat4 *m, double v[4])
+{
+    double out[4];
+    for (int row = 0; row < 4; row++)
+        out[row] = (double)m->m[row] * v[0] +
+                   ((double)m->m[4 + row] * v[1] + ((double)m->m[8 + row] * v[2] + (double)m->m[12 + row] * v[3]));
+    for (int row = 0; row < 4; row++)
+        v[row] = out[row];
+}
+
+void batches_transform(const struct zr_camera *camera, const zr_mat4 *object_to_world, zr_vec4 position, double clip[4])
+{
+    clip[0] = (double)position.x;
+    clip[1] = (double)position.y;
+    clip[2] = (double)position.z;
+    clip[3] = (double)position.w;
+    apply_in_double(object_to_world, clip);
+    apply_in_double(&camera->world_to_eye, clip);
+    apply_in_double(&camera->projection, clip);
+}
+
+bool batches_is_mirrored(const zr_mat4 *object_to_world)
+{
+    const float *m = object_to_world->m;
+    zr_vec3 x = {m[0], m[1], m[2]}, y = {m[4], m[5], m[6]}, z = {m[8], m[9], m[10]};
+    return zr_vec3_dot(zr_vec3_cross(x, y), z) < 0.0f;
+}
+
+/* ---- building ---- */
+
+struct builder {
+    struct zr_arena *arena;
+    const struct zr_scene *scene;
+    const struct zr_camera *camera;
+    struct batches_options options;
+    struct batches *out;
+    zr_vec4 *positions, *front, *back;
+    struct reference_batch *batches;
+    uint32_t corner_count, corner_room, batch_room;
+    uint32_t owner; /* of the first face of the instance under way */
+    struct zr_triangulator triangulator;
+};
+
+/* One instance of a mesh on its way, and one of its faces. */
+struct source {
+    const struct zr_mesh *mesh;
+    const struct zr_instance *instance;
+    const zr_mat4 *modelview;
+    struct zr_colors colors;
+    bool mirrored;
+    const struct zr_material *material; /* of the face under way */
+    bool smooth;
+    uint32_t face;
+};
+
+static bool reserve_corners(struct builder *b, uint64_t more)
+{
+    uint64_t wanted = b->corner_count + more;
+    if (wanted <= b->corner_room) return true;
+    if (wanted > INT32_MAX) return false;
+    uint32_t room = (uint32_t)(wanted + wanted / 2);
+    b->positions = zr_arena_grow(b->arena, b->positions, b->corner_count, room, sizeof *b->positions);
+    b->front = zr_arena_grow(b->arena, b->front, b->corner_count, room, sizeof *b->front);
+    b->back = zr_arena_grow(b->arena, b->back, b->corner_count, room, sizeof *b->back);
+    b->corner_room = room;
+    return zr_arena_ok(b->arena);
+}
+
+static bool same_state(const struct reference_batch *a, const struct reference_batch *b)
+{
+    return a->mode == b->mode && a->modelview == b->modelview && a->smooth == b->smooth &&
+           a->two_sided == b->two_sided && a->cull == b->cull && a->mirrored == b->mirrored &&
+           a->outline == b->outline && a->pushed == b->pushed;
+}
+
+/* Joins the batch before, where the mode allows it and the state is the same. */
+static bool append_batch(struct builder *b, const struct reference_batch *batch)
+{
+    struct reference_batch *last = b->out->arrays.batch_count ? &b->batches[b->out->arrays.batch_count - 1] : NULL;
+    bool joins = batch->mode == REFERENCE_TRIANGLES || batch->mode == REFERENCE_LINES;
+    if (joins && last && same_state(last, batch) && last->first + last->count == batch->first) {
+        last->count += batch->count;
+        return true;
+    }
+    if (b->out->arrays.batch_count == b->batch_room) {
+        uint32_t room = b->batch_room * 2 + 64;
+        b->batches = zr_arena_grow(b->arena, b->batches, b->batch_room, room, sizeof *b->batches);
+        if (!b->batches) return false;
+        b->batch_room = room;
+    }
+    b->batches[b->out->arrays.batch_count++] = *batch;
+    return true;
+}
+
+static zr_vec4 opaque(zr_vec4 color)
+{
+    color.w = 1.0f; /* what we draw is, whatever its colour says */
+    return color;
+}
+
+static void append_vertex(struct builder *b, const struct source *s, uint32_t vertex, zr_vec4 front, zr_vec4 back)
+{
+    uint32_t at = b->corner_count++;
+    zr_vec4 position = s->mesh->positions[vertex];
+    if (b->options.transformed) {
+        double clip[4];
+        batches_transform(b->camera, &s->instance->object_to_world, position, clip);
+        position = (zr_vec4){(float)clip[0], (float)clip[1], (float)clip[2], (float)clip[3]};
+    }
+    b->positions[at] = position;
+    b->front[at] = opaque(front);
+    b->back[at] = opaque(back);
+}
+
+/* Corner `slot` of the mesh's indices, in the colours of its face. */
+static void append_corner(struct builder *b, const struct source *s, uint32_t slot)
+{
+    uint32_t vertex = s->mesh->indices[slot];
+    if (b->options.purpose == BATCHES_OWNERS) {
+        zr_vec4 owner = batches_owner_color(b->owner + s->face);
+        append_vertex(b, s, vertex, owner, owner);
+        return;
+    }
+    uint32_t color = s->colors.layout == ZR_COLOR_PER_FACE     ? s->face
+                     : s->colors.layout == ZR_COLOR_PER_VERTEX ? vertex
+                     : s->smooth                               ? slot
+                                                               : s->mesh->face_offsets[s->face];
+    append_vertex(b, s, vertex, s->colors.front[color], s->colors.back[color]);
+}
+
+/* ---- faces ---- */
+
+bool batches_face_is_parity(const struct zr_mesh *mesh, uint32_t face)
+{
+    if (mesh->faces_are_fans) return false;
+    if (mesh->face_rings && mesh->face_rings[face + 1] - mesh->face_rings[face] > 1) return true;
+    return mesh->face_offsets[face + 1] - mesh->face_offsets[face] > 3 && zr_face_is_concave(mesh, face);
+}
+
+/* The fan (i - 1, i, 0), as GL_POLYGON has it. */
+static void append_fan(struct builder *b, const struct source *s, uint32_t begin, uint32_t end)
+{
+    for (uint32_t i = begin + 2; i < end; i++) {
+        append_corner(b, s, i - 1);
+        append_corner(b, s, i);
+        append_corner(b, s, begin);
+    }
+}
+
+/* Which side of the whole face is seen: the sign of the volume between the eye and the outer ring, which a
+ * corner behind the eye does not turn around. */
+static bool shows_back(const struct builder *b, const struct source *s)
+{
+    const struct zr_mesh *mesh = s->mesh;
+    struct zr_rings rings = zr_mesh_rings(mesh, s->face);
+    double first[4], last[4], next[4], volume = 0.0;
+    const uint32_t *indices = mesh->indices + rings.offsets[0];
+    batches_transform(b->camera, &s->instance->object_to_world, mesh->positions[indices[0]], first);
+    batches_transform(b->camera, &s->instance->object_to_world, mesh->positions[indices[1]], last);
+    for (uint32_t i = 2; i < rings.offsets[1] - rings.offsets[0]; i++) {
+        batches_transform(b->camera, &s->instance->object_to_world, mesh->positions[indices[i]], next);
+        volume += first[0] * (last[1] * next[3] - next[1] * last[3]) -
+                  first[1] * (last[0] * next[3] - next[0] * last[3]) +
+                  first[3] * (last[0] * next[1] - next[0] * last[1]);
+        for (int k = 0; k < 4; k++)
+            last[k] = next[k];
+    }
+    return volume != 0.0 && (volume < 0.0) != s->mirrored;
+}
+
+/* Colours of the side that is seen, on both sides: single pieces may be turned otherwise. */
+static void paint_both_sides(struct builder *b, uint32_t first, bool back)
+{
+    for (uint32_t i = first; i < b->corner_count; i++) {
+        if (back) b->front[i] = b->back[i];
+        b->back[i] = b->front[i];
+    }
+}
+
+static bool append_triangles(struct builder *b, const struct source *s)
+{
+    const struct zr_mesh *mesh = s->mesh;
+    struct zr_rings rings = zr_mesh_rings(mesh, s->face);
+    uint32_t begin = rings.offsets[0], corners = rings.offsets[rings.count] - begin;
+    zr_vec4 *points = zr_arena_alloc(b->arena, corners, sizeof *points);
+    uint32_t *offsets = zr_arena_alloc(b->arena, (size_t)rings.count + 1, sizeof *offsets);
+    uint32_t(*triangles)[3] =
+        zr_arena_alloc(b->arena, zr_triangulate_count_max(corners, rings.count), sizeof *triangles);
+    if (!zr_arena_ok(b->arena) || !zr_triangulator_reserve(b->arena, &b->triangulator, corners, rings.count))
+        return false;
+    for (uint32_t i = 0; i < corners; i++)
+        points[i] = mesh->positions[mesh->indices[begin + i]];
+    for (uint32_t r = 0; r <= rings.count; r++)
+        offsets[r] = rings.offsets[r] - begin;
+    uint32_t count = zr_triangulate(&b->triangulator, points, offsets, rings.count, triangles);
+    if (!reserve_corners(b, 3 * (uint64_t)count)) return false;
+    for (uint32_t i = 0; i < count; i++)
+        for (int k = 0; k < 3; k++)
+            append_corner(b, s, begin + triangles[i][k]);
+    return true;
+}
+
+static bool append_parity(struct builder *b, const struct source *s, struct reference_batch *batch)
+{
+    struct zr_rings rings = zr_mesh_rings(s->mesh, s->face);
+    bool back = shows_back(b, s);
+    if (back && batch->cull) return true;
+    if (!reserve_corners(b, 3 * (uint64_t)(rings.offsets[rings.count] - rings.offsets[0]))) return false;
+    batch->rings_first = b->corner_count;
+    for (uint32_t r = 0; r < rings.count; r++)
+        append_fan(b, s, rings.offsets[r], rings.offsets[r + 1]);
+    batch->rings_count = b->corner_count - batch->rings_first;
+    batch->first = b->corner_count;
+    if (!append_triangles(b, s)) return false;
+    batch->count = b->corner_count - batch->first;
+    paint_both_sides(b, batch->first, back);
+    batch->mode = REFERENCE_PARITY;
+    batch->cull = batch->two_sided = false;
+    b->out->parity_faces++;
+    return append_batch(b, batch);
+}
+
+static struct reference_batch state_of(const struct builder *b, const struct source *s)
+{
+    bool lit = s->material->shading != ZR_SHADING_UNLIT, owners = b->options.purpose == BATCHES_OWNERS;
+    return (struct reference_batch){.modelview = s->modelview,
+                                    .smooth = s->smooth && !owners,
+                                    .two_sided = lit && s->material->double_sided && !owners,
+                                    .cull = !s->material->double_sided,
+                                    .mirrored = s->mirrored};
+}
+
+static bool append_face(struct builder *b, const struct source *s)
+{
+    uint32_t begin = s->mesh->face_offsets[s->face], end = s->mesh->face_offsets[s->face + 1];
+    struct reference_batch batch = state_of(b, s);
+    b->out->triangles += end - begin - 2;
+    if (s->material->hollow) return true;
+    batch.pushed = s->material->outline != ZR_OUTLINE_NONE;
+    if (batches_face_is_parity(s->mesh, s->face)) return append_parity(b, s, &batch);
+    if (!reserve_corners(b, end - begin)) return false;
+    batch.mode = end - begin == 3 ? REFERENCE_TRIANGLES : REFERENCE_POLYGON;
+    batch.first = b->corner_count;
+    batch.count = end - begin;
+    for (uint32_t slot = begin; slot < end; slot++)
+        append_corner(b, s, slot);
+    return append_batch(b, &batch);
+}
+
+/* ---- outlines and lines ---- */
+
+/* One ring of a face, as a polygon of which only the edges are drawn. */
+static bool append_ring(struct builder *b, const struct source *s, uint32_t begin, uint32_t end, bool concave,
+                        bool back)
+{
+    struct reference_batch batch = state_of(b, s);
+    bool colored = s->material->outline == ZR_OUTLINE_COLORED && b->options.purpose == BATCHES_COLORS;
+    if (!reserve_corners(b, end - begin)) return false;
+    batch.mode = end - begin == 3 ? REFERENCE_TRIANGLES : REFERENCE_POLYGON;
+    batch.outline = true;
+    batch.first = b->corner_count;
+    batch.count = end - begin;
+    for (uint32_t slot = begin; slot < end; slot++)
+        if (colored)
+            append_vertex(b, s, s->mesh->indices[slot], s->material->outline_color, s->material->outline_color);
+        else
+            append_corner(b, s, slot);
+    if (colored) batch.smooth = batch.two_sided = false;
+    if (concave) {
+        paint_both_sides(b, batch.first, back);
+        batch.cull = batch.two_sided = false;
+    }
+    return append_batch(b, &batch);
+}
+
+static bool append_outline(struct builder *b, const struct source *s)
+{
+    struct zr_rings rings = zr_mesh_rings(s->mesh, s->face);
+    if (s->material->outline == ZR_OUTLINE_NONE) return true;
+    bool concave = batches_face_is_parity(s->mesh, s->face), back = concave && shows_back(b, s);
+    if (back && !s->material->double_sided) return true;
+    for (uint32_t r = 0; r < rings.count; r++)
+        if (!append_ring(b, s, rings.offsets[r], rings.offsets[r + 1], concave, back)) return false;
+    return true;
+}
+
+/* In the colours of their ends, unlit. */
+static bool append_lines(struct builder *b, const struct source *s)
+{
+    const struct zr_mesh *mesh = s->mesh;
+    bool owners = b->options.purpose == BATCHES_OWNERS;
+    struct reference_batch batch = {.mode = REFERENCE_LINES,
+                                    .modelview = s->modelview,
+                                    .smooth = mesh->colors && !owners,
+                                    .first = b->corner_count,
+                                    .count = 2 * mesh->line_count};
+    if (mesh->line_count == 0) return true;
+    if (!reserve_corners(b, batch.count)) return false;
+    b->out->triangles += mesh->line_count;
+    for (uint32_t i = 0; i < batch.count; i++) {
+        zr_vec4 color = b->scene->materials[mesh->material].base_color;
+        if (mesh->colors) color = zr_vec4_mul(color, mesh->colors[mesh->lines[i]]);
+        if (owners) color = batches_owner_color(b->owner + mesh->face_count + i / 2);
+        append_vertex(b, s, mesh->lines[i], color, color);
+    }
+    return append_batch(b, &batch);
+}
+
+/* ---- instances ---- */
+
+static bool make_colors(struct builder *b, struct source *s, const struct zr_lighting *lighting)
+{
+    if (b->options.purpose == BATCHES_OWNERS) return true;
+    uint32_t count = zr_colors_count(b->scene, s->mesh);
+    zr_vec4 *front = zr_arena_alloc(b->arena, count, sizeof *front);
+    zr_vec4 *back = zr_arena_alloc(b->arena, count, sizeof *back);
+    if (!zr_arena_ok(b->arena)) return false;
+    zr_mat4 object_to_eye = zr_mat4_mul(&b->camera->world_to_eye, &s->instance->object_to_world);
+    s->colors = zr_colors_make(b->arena, NULL, b->scene, s->mesh, lighting, &object_to_eye, front, back);
+    return zr_arena_ok(b->arena);
+}
+
+static bool for_each_face(struct builder *b, struct source *s, bool (*work)(struct builder *b, const struct source *s))
+{
+    for (s->face = 0; s->face < s->mesh->face_count; s->face++) {
+        s->material = zr_material_of_face(b->scene, s->mesh, s->face);
+        s->smooth = zr_material_is_smooth(s->mesh, s->material);
+        if (!work(b, s)) return false;
+    }
+    return true;
+}
+
+static bool append_instance(struct builder *b, const struct zr_instance *instance, const struct zr_lighting *lighting)
+{
+    const struct zr_mesh *mesh = &b->scene->meshes[instance->mesh];
+    zr_mat4 *modelview = zr_arena_alloc(b->arena, 1, sizeof *modelview);
+    if (!modelview) return false;
+    *modelview =
+        b->options.transformed ? zr_mat4_identity() : zr_mat4_mul(&b->camera->world_to_eye, &instance->object_to_world);
+    struct source source = {.mesh = mesh,
+                            .instance = instance,
+                            .modelview = modelview,
+                            .mirrored = batches_is_mirrored(&instance->object_to_world)};
+    if (b->owner + zr_mesh_ids(mesh) > (uint64_t)BATCHES_OWNERS_MAX + 1) return false;
+    if (!make_colors(b, &source, lighting)) return false;
+    if (!for_each_face(b, &source, append_face) || !for_each_face(b, &source, append_outline)) return false;
+    if (!append_lines(b, &source)) return false;
+    b->owner += (uint32_t)zr_mesh_ids(mesh);
+    return true;
+}
+
+bool batches_make(struct zr_arena *arena, const struct zr_scene *scene, const struct zr_camera *camera,
+                  const struct batches_options *options, struct batches *batches)
+{
+    *batches = (struct batches){.triangles = 0};
+    struct builder builder = {
+        .arena = arena, .scene = scene, .camera = camera, .options = *options, .out = batches, .owner = 1};
+    struct zr_lighting lighting;
+    zr_lighting_make(arena, scene, &camera->world_to_eye, &lighting);
+    if (!zr_arena_ok(arena)) return false;
+    for (uint32_t i = 0; i < scene->instance_count; i++)
+        if (!append_instance(&builder, &scene->instances[i], &lighting)) return false;
+    struct reference_arrays *arrays = &batches->arrays;
+    arrays->positions = builder.positions;
+    arrays->front = builder.front;
+    arrays->back = options->purpose == BATCHES_COLORS ? builder.back : NULL;
+    arrays->batches = builder.batches;
+    arrays->projection = options->transformed ? zr_mat4_identity() : camera->projection;
+    arrays->background = options->purpose == BATCHES_COLORS ? scene->background : (zr_vec4){0, 0, 0, 1};
+    return true;
+}

@@ -1,0 +1,54 @@
+/* batches.h - reference: a scene -> what GL draws.
+ *
+ * Made from the scene itself, not from our triangles: object-space positions, a
+ * modelview matrix an instance, faces as triangles and polygons. Only colours are
+ * ours: lit by our own equations, handed over as unlit colours of corners, so that the
+ * comparison is about what happens to them afterwards.
+ */
+#ifndef ZR_TEST_BATCHES_H
+#define ZR_TEST_BATCHES_H
+
+#include "reference/reference.h"
+#include "scene/camera.h"
+#include "zraster.h"
+
+enum batches_purpose {
+    BATCHES_COLORS, /* as the scene looks */
+    BATCHES_OWNERS  /* each face and line in a flat colour of its own, batches_owner_color, on black */
+};
+
+struct batches_options {
+    enum batches_purpose purpose;
+    bool transformed; /* positions brought to clip space here, in double, and GL's matrices left at identity */
+};
+
+struct batches {
+    struct reference_arrays arrays;
+    uint64_t triangles;    /* of faces cut to triangles; a line counts as one */
+    uint32_t parity_faces; /* drawn by the odd-even rule */
+};
+
+/* Points into the arena. False where the arena has failed, or where the scene has more faces than there are
+ * colours (BATCHES_OWNERS_MAX). */
+bool batches_make(struct zr_arena *arena, const struct zr_scene *scene, const struct zr_camera *camera,
+                  const struct batches_options *options, struct batches *batches);
+
+/* A face or line's number (from 1; 0 is the background) <-> a colour that 8 bits a
+ * channel hold exactly. The numbers are scattered over the colours, so that neighbours
+ * can be told apart by eye; number 0 is black. */
+enum { BATCHES_OWNERS_MAX = (1 << 24) - 1 };
+zr_vec4 batches_owner_color(uint32_t number);
+uint32_t batches_owner_number(const uint8_t rgba[4]);
+
+/* True where the face is drawn by the odd-even rule, on both sides alike. */
+bool batches_face_is_parity(const struct zr_mesh *mesh, uint32_t face);
+
+/* True where the instance turns clockwise into counter-clockwise. */
+bool batches_is_mirrored(const zr_mat4 *object_to_world);
+
+/* projection * world_to_eye * object_to_world * position, one matrix after the other, in double and from the right:
+ * the same place as ours and GL's, reached by another way. */
+void batches_transform(const struct zr_camera *camera, const zr_mat4 *object_to_world, zr_vec4 position,
+                       double clip[4]);
+
+#endif

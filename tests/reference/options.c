@@ -1,0 +1,144 @@
+#include "reference/options.h"
+
+#include <errno.h>
+#include <getopt.h>
+#include <stdlib.h>
+#include <string.h>
+
+const char options_usage[] =
+    "usage: zraster-verify [options] [SCENE.json | MESH.obj | MESH.stl | FOLDER ...]\n"
+    "Renders scenes with zraster and with Mesa and compares all pixels; without a file, random polygons.\n"
+    "  --triangles N       random polygons, over all kinds, counted as fans (200000)\n"
+    "  --seed S            other polygons (1)\n"
+    "  --kind NAME         one kind only; 'none' for no random polygons, 'list' to list them\n"
+    "  --models DIR        also stanford-bunny.obj and teapot.obj from DIR, in perspective, cut by the window\n"
+    "  --preset NAME       the view of bare meshes: front, ... isometric, or 'all' (isometric)\n"
+    "  --driver NAME       llvmpipe: everything is equal. softpipe, a second opinion: where another face owns a\n"
+    "                      pixel, an edge within 1/256 px or an equal depth explains it (llvmpipe)\n"
+    "  --transform NAME    reference: GL multiplies the matrices. independent: GL gets positions that were\n"
+    "                      transformed in double, one matrix after the other: at most one pixel in a million has\n"
+    "                      another owner, each within 1/256 px of an edge, depth within 1 ulp + 0.1 px of slope\n"
+    "  --threads N         that render, on both sides (1)\n"
+    "  --failures DIR      where pictures of differences go (build/reference-failures)\n"
+    "  --pictures DIR      got, want and diff pictures of all files, equal or not\n"
+    "  --page FILE         a section of the report page, and FILE.row, its line of the summary\n"
+    "  --title TEXT        the section's heading\n"
+    "  --perturb X         adds X to clip-space x on the reference's side, to see the comparison fail\n"
+    "  --tap               one TAP line a kind, a model or a file\n"
+    "  --quiet             the total only\n"
+    "Exit status: 0 all equal, or explained as said above; 1 differences; 2 bad usage, no reference, a named file\n"
+    "that cannot be read, or nothing to compare.\n";
+
+static bool parse_number(const char *text, uint64_t low, uint64_t high, uint64_t *out)
+{
+    char *end;
+    errno = 0;
+    unsigned long long value = strtoull(text, &end, 10);
+    if (errno || end == text || *end || text[0] == '-' || value < low || value > high) return false;
+    *out = value;
+    return true;
+}
+
+static bool parse_driver(const char *text, struct harness_options *harness)
+{
+    harness->driver = text;
+    if (strcmp(text, "softpipe") == 0) harness->bar = COMPARE_SECOND_OPINION;
+    return strcmp(text, "softpipe") == 0 || strcmp(text, "llvmpipe") == 0;
+}
+
+static bool parse_transform(const char *text, struct harness_options *harness)
+{
+    harness->transformed = strcmp(text, "independent") == 0;
+    if (harness->transformed) harness->bar = COMPARE_TRANSFORM;
+    return harness->transformed || strcmp(text, "reference") == 0;
+}
+
+static bool parse_perturbation(const char *text, struct harness_options *harness)
+{
+    char *end;
+    harness->perturbation = strtod(text, &end);
+    return end != text && !*end;
+}
+
+/* What one option says; `option` is the character that getopt_long gives. */
+static bool take(struct options *options, int option, const char *text)
+{
+    uint64_t threads = 1;
+    switch (option) {
+    case 't':
+        options->random = true;
+        return parse_number(text, 1, 1000000000, &options->triangles);
+    case 's':
+        return parse_number(text, 0, UINT64_MAX, &options->seed);
+    case 'j':
+        if (!parse_number(text, 1, ZR_TEAM_MAX, &threads)) return false;
+        options->harness.threads = (int)threads;
+        return true;
+    case 'k':
+        options->kind = text;
+        options->random = strcmp(text, "none") != 0;
+        return true;
+    case 'd':
+        return parse_driver(text, &options->harness);
+    case 'x':
+        return parse_transform(text, &options->harness);
+    case 'z':
+        return parse_perturbation(text, &options->harness);
+    case 'm':
+        options->models = text;
+        return true;
+    case 'v':
+        options->preset = text;
+        return true;
+    case 'f':
+        options->harness.failures = text;
+        return true;
+    case 'i':
+        options->pictures = text;
+        return true;
+    case 'g':
+        options->page = text;
+        return true;
+    case 'l':
+        options->title = text;
+        return true;
+    case 'p':
+        options->style = REPORT_TAP;
+        return true;
+    case 'q':
+        options->style = REPORT_QUIET;
+        return true;
+    default:
+        return false;
+    }
+}
+
+bool options_parse(int argc, char **argv, struct options *options)
+{
+    static const struct option known[] = {
+        {"triangles", required_argument, NULL, 't'}, {"seed", required_argument, NULL, 's'},
+        {"kind", required_argument, NULL, 'k'},      {"models", required_argument, NULL, 'm'},
+        {"preset", required_argument, NULL, 'v'},    {"driver", required_argument, NULL, 'd'},
+        {"transform", required_argument, NULL, 'x'}, {"threads", required_argument, NULL, 'j'},
+        {"failures", required_argument, NULL, 'f'},  {"pictures", required_argument, NULL, 'i'},
+        {"page", required_argument, NULL, 'g'},      {"title", required_argument, NULL, 'l'},
+        {"perturb", required_argument, NULL, 'z'},   {"tap", no_argument, NULL, 'p'},
+        {"quiet", no_argument, NULL, 'q'},           {NULL, 0, NULL, 0}};
+    *options =
+        (struct options){.triangles = 200000,
+                         .seed = 1,
+                         .preset = "isometric",
+                         .title = "Comparison",
+                         .harness = {.driver = "llvmpipe", .threads = 1, .failures = "build/reference-failures"}};
+    int option;
+    bool said_kind = false;
+    while ((option = getopt_long(argc, argv, "", known, NULL)) != -1) {
+        if (!take(options, option, optarg)) return false;
+        said_kind = said_kind || option == 'k';
+    }
+    options->path_count = argc - optind;
+    options->paths = argv + optind;
+    if (options->path_count == 0 && !said_kind) options->random = true;
+    bool two_bars = options->harness.transformed && strcmp(options->harness.driver, "softpipe") == 0;
+    return !two_bars && (options->random || options->path_count > 0 || options->models);
+}

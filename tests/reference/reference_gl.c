@@ -1,0 +1,320 @@
+/* Drawing in plain GL 2.1 with frame buffer objects, whoever made the context. */
+#define GL_GLEXT_PROTOTYPES
+#include <GL/gl.h>
+#include <GL/glext.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "reference/reference.h"
+
+struct reference {
+    void *context;
+    char name[160];
+    uint32_t width, height;
+    bool stencil;
+    GLuint frame_buffer, color, depth;
+    GLuint two_sided; /* the program that brings a colour for each side */
+    uint8_t *row;     /* of the widest attachment */
+};
+
+/* Stencil bits. A gap is inside by the odd-even rule and in none of the triangles. */
+enum { INSIDE = 1, GAP = 2 };
+
+/* Asked by the leak sanitizer, where there is one: Mesa keeps what it made once a
+ * process, even after its context is gone. */
+const char *__lsan_default_suppressions(void);
+const char *__lsan_default_suppressions(void)
+{
+    return "leak:libOSMesa.so\nleak:libEGL\nleak:libGLdispatch\nleak:_dri.so\nleak:libgallium\nleak:libLLVM";
+}
+
+static bool failed(struct reference_error *error, const char *what)
+{
+    GLenum code = glGetError();
+    snprintf(error->text, sizeof error->text, "%s: %s (GL error 0x%04x)", reference_context.name, what, code);
+    return false;
+}
+
+static bool gl_ok(struct reference_error *error, const char *what)
+{
+    GLenum code = glGetError();
+    if (code == GL_NO_ERROR) return true;
+    snprintf(error->text, sizeof error->text, "%s: %s gave GL error 0x%04x", reference_context.name, what, code);
+    return false;
+}
+
+/* ---- opening ---- */
+
+static void set_environment(const struct reference_options *options)
+{
+    /* "avx" would leave fused multiply-add on; SSE4.1 has none. On machines other
+     * than x86 Mesa ignores it. */
+    if (options->native)
+        unsetenv("GALLIUM_OVERRIDE_CPU_CAPS");
+    else
+        setenv("GALLIUM_OVERRIDE_CPU_CAPS", "sse4.1", 1);
+    setenv("GALLIUM_DRIVER", options->driver, 1);
+    unsetenv("LP_NUM_THREADS");
+    if (options->threads > 0) {
+        char text[16];
+        /* llvmpipe counts helpers: with 0 of them the caller rasterizes. */
+        snprintf(text, sizeof text, "%d", options->threads == 1 ? 0 : options->threads);
+        setenv("LP_NUM_THREADS", text, 1);
+    }
+}
+
+static void set_state(void)
+{
+    glDisable(GL_DITHER);
+    glEnable(GL_DEPTH_TEST);
+    glDepthFunc(GL_LESS);
+    glClearDepth(1.0);
+    glClearStencil(0);
+    glPolygonOffset(1.0f, 1.0f);
+    glEnable(GL_VERTEX_PROGRAM_TWO_SIDE);
+    glEnableClientState(GL_VERTEX_ARRAY);
+    glEnableClientState(GL_COLOR_ARRAY);
+    glPixelStorei(GL_PACK_ALIGNMENT, 1);
+}
+
+/* The colours of the two sides, unlit, as fixed functions cannot have them. What ftransform()
+ * gives equals the fixed functions' position to the last bit: GL promises it. */
+static GLuint make_two_sided(void)
+{
+    static const char *const source = "#version 110\n"
+                                      "void main()\n"
+                                      "{\n"
+                                      "    gl_Position = ftransform();\n"
+                                      "    gl_FrontColor = gl_Color;\n"
+                                      "    gl_BackColor = gl_MultiTexCoord0;\n"
+                                      "}\n";
+    GLint linked = 0;
+    GLuint shader = glCreateShader(GL_VERTEX_SHADER), program = glCreateProgram();
+    glShaderSource(shader, 1, &source, NULL);
+    glCompileShader(shader);
+    glAttachShader(program, shader);
+    glLinkProgram(program);
+    glDeleteShader(shader);
+    glGetProgramiv(program, GL_LINK_STATUS, &linked);
+    if (linked) return program;
+    glDeleteProgram(program);
+    return 0;
+}
+
+struct reference *reference_open(const struct reference_options *options, struct reference_error *error)
+{
+    set_environment(options);
+    struct reference *reference = calloc(1, sizeof *reference);
+    if (!reference) return NULL;
+    reference->context = reference_context.open(error);
+    if (!reference->context) {
+        free(reference);
+        return NULL;
+    }
+    const char *renderer = (const char *)glGetString(GL_RENDERER), *version = (const char *)glGetString(GL_VERSION);
+    snprintf(reference->name, sizeof reference->name, "%s; %s; %s", reference_context.name, renderer ? renderer : "?",
+             version ? version : "?");
+    if (!renderer || !strstr(renderer, options->driver)) {
+        snprintf(error->text, sizeof error->text, "the renderer is not %s but %s", options->driver, reference->name);
+        reference_close(reference);
+        return NULL;
+    }
+    set_state();
+    reference->two_sided = make_two_sided();
+    if (!reference->two_sided) {
+        failed(error, "no program for two-sided colours");
+        reference_close(reference);
+        return NULL;
+    }
+    return reference;
+}
+
+void reference_close(struct reference *reference)
+{
+    if (!reference) return;
+    reference_context.close(reference->context);
+    free(reference->row);
+    free(reference);
+}
+
+const char *reference_name(const struct reference *reference)
+{
+    return reference->name;
+}
+
+/* ---- the frame buffer object ---- */
+
+bool reference_resize(struct reference *reference, uint32_t width, uint32_t height, bool parity,
+                      struct reference_error *error)
+{
+    if (reference->width == width && reference->height == height && reference->stencil == parity) return true;
+    uint8_t *row = realloc(reference->row, (size_t)width * 4);
+    if (!row) return failed(error, "out of memory");
+    reference->row = row;
+    glDeleteFramebuffers(1, &reference->frame_buffer);
+    glDeleteRenderbuffers(1, &reference->color);
+    glDeleteRenderbuffers(1, &reference->depth);
+    glGenFramebuffers(1, &reference->frame_buffer);
+    glGenRenderbuffers(1, &reference->color);
+    glGenRenderbuffers(1, &reference->depth);
+    glBindRenderbuffer(GL_RENDERBUFFER, reference->color);
+    glRenderbufferStorage(GL_RENDERBUFFER, GL_RGBA8, (GLsizei)width, (GLsizei)height);
+    glBindRenderbuffer(GL_RENDERBUFFER, reference->depth);
+    glRenderbufferStorage(GL_RENDERBUFFER, parity ? GL_DEPTH32F_STENCIL8 : GL_DEPTH_COMPONENT32F, (GLsizei)width,
+                          (GLsizei)height);
+    glBindFramebuffer(GL_FRAMEBUFFER, reference->frame_buffer);
+    glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, reference->color);
+    glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, reference->depth);
+    if (parity) glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_STENCIL_ATTACHMENT, GL_RENDERBUFFER, reference->depth);
+    if (glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
+        return failed(error, "no frame buffer object with RGBA8 and 32-bit float depth");
+    glViewport(0, 0, (GLsizei)width, (GLsizei)height);
+    reference->width = width;
+    reference->height = height;
+    reference->stencil = parity;
+    return gl_ok(error, "resize");
+}
+
+/* ---- drawing ---- */
+
+static void enable(GLenum what, bool on)
+{
+    if (on)
+        glEnable(what);
+    else
+        glDisable(what);
+}
+
+static void draw_corners(const struct reference_arrays *arrays, GLenum mode, uint32_t first, uint32_t count)
+{
+    if (count == 0) return;
+    if (arrays->indices)
+        glDrawElements(mode, (GLsizei)count, GL_UNSIGNED_INT, arrays->indices + first);
+    else
+        glDrawArrays(mode, (GLint)first, (GLsizei)count);
+}
+
+static void write_pixels(bool on)
+{
+    GLboolean mask = on ? GL_TRUE : GL_FALSE;
+    glColorMask(mask, mask, mask, mask);
+    glDepthMask(mask);
+    enable(GL_DEPTH_TEST, on);
+}
+
+/* The parity of the rings' fans, triangle by triangle, in one stencil bit; then the triangles where it
+ * is set, each clearing it, so that the first decides. What is left is marked as a gap. */
+static void draw_parity(const struct reference_arrays *arrays, const struct reference_batch *batch)
+{
+    glEnable(GL_STENCIL_TEST);
+    write_pixels(false);
+    glDisable(GL_CULL_FACE);
+    glStencilMask(INSIDE);
+    glStencilFunc(GL_ALWAYS, 0, INSIDE);
+    glStencilOp(GL_KEEP, GL_INVERT, GL_INVERT);
+    draw_corners(arrays, GL_TRIANGLES, batch->rings_first, batch->rings_count);
+
+    write_pixels(true);
+    enable(GL_CULL_FACE, batch->cull);
+    glStencilFunc(GL_EQUAL, INSIDE, INSIDE);
+    glStencilOp(GL_KEEP, GL_ZERO, GL_ZERO);
+    draw_corners(arrays, GL_TRIANGLES, batch->first, batch->count);
+
+    write_pixels(false); /* culled triangles leave no gaps */
+    glDisable(GL_CULL_FACE);
+    draw_corners(arrays, GL_TRIANGLES, batch->first, batch->count);
+    glStencilMask(INSIDE | GAP);
+    glStencilFunc(GL_EQUAL, INSIDE | GAP, INSIDE);
+    glStencilOp(GL_KEEP, GL_REPLACE, GL_REPLACE);
+    draw_corners(arrays, GL_TRIANGLES, batch->rings_first, batch->rings_count);
+    glStencilMask(INSIDE);
+    glStencilFunc(GL_EQUAL, INSIDE, INSIDE);
+    glStencilOp(GL_KEEP, GL_ZERO, GL_ZERO);
+    draw_corners(arrays, GL_TRIANGLES, batch->rings_first, batch->rings_count);
+    write_pixels(true);
+    glDisable(GL_STENCIL_TEST);
+}
+
+static void draw_batch(const struct reference *reference, const struct reference_arrays *arrays,
+                       const struct reference_batch *batch)
+{
+    static const GLenum modes[] = {
+        [REFERENCE_TRIANGLES] = GL_TRIANGLES, [REFERENCE_POLYGON] = GL_POLYGON, [REFERENCE_LINES] = GL_LINES};
+    glShadeModel(batch->smooth ? GL_SMOOTH : GL_FLAT);
+    glFrontFace(batch->mirrored ? GL_CW : GL_CCW);
+    glPolygonMode(GL_FRONT_AND_BACK, batch->outline ? GL_LINE : GL_FILL);
+    enable(GL_CULL_FACE, batch->cull);
+    enable(GL_POLYGON_OFFSET_FILL, batch->pushed);
+    glUseProgram(batch->two_sided ? reference->two_sided : 0);
+    if (batch->mode == REFERENCE_PARITY)
+        draw_parity(arrays, batch);
+    else
+        draw_corners(arrays, modes[batch->mode], batch->first, batch->count);
+}
+
+bool reference_draw(struct reference *reference, const struct reference_arrays *arrays, struct reference_error *error)
+{
+    const zr_mat4 *modelview = NULL;
+    glClearColor(arrays->background.x, arrays->background.y, arrays->background.z, arrays->background.w);
+    glStencilMask(INSIDE | GAP);
+    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | (reference->stencil ? GL_STENCIL_BUFFER_BIT : 0u));
+    glMatrixMode(GL_PROJECTION);
+    glLoadMatrixf(arrays->projection.m);
+    glMatrixMode(GL_MODELVIEW);
+    glVertexPointer(4, GL_FLOAT, sizeof *arrays->positions, arrays->positions);
+    glColorPointer(4, GL_FLOAT, sizeof *arrays->front, arrays->front);
+    if (arrays->back) {
+        glEnableClientState(GL_TEXTURE_COORD_ARRAY);
+        glTexCoordPointer(4, GL_FLOAT, sizeof *arrays->back, arrays->back);
+    }
+    for (uint32_t i = 0; i < arrays->batch_count; i++) {
+        const struct reference_batch *batch = &arrays->batches[i];
+        if (batch->modelview != modelview) glLoadMatrixf(batch->modelview->m);
+        modelview = batch->modelview;
+        draw_batch(reference, arrays, batch);
+    }
+    glDisableClientState(GL_TEXTURE_COORD_ARRAY);
+    glFinish();
+    return gl_ok(error, "draw");
+}
+
+/* ---- reading ---- */
+
+/* GL's row 0 is the bottom. */
+static void flip(const struct reference *reference, void *pixels, size_t pixel_bytes)
+{
+    size_t row_bytes = reference->width * pixel_bytes;
+    for (uint32_t y = 0; y < reference->height / 2; y++) {
+        char *a = (char *)pixels + y * row_bytes, *b = (char *)pixels + (reference->height - 1 - y) * row_bytes;
+        memcpy(reference->row, a, row_bytes);
+        memcpy(a, b, row_bytes);
+        memcpy(b, reference->row, row_bytes);
+    }
+}
+
+bool reference_read(struct reference *reference, uint8_t *rgba, float *depth, struct reference_error *error)
+{
+    GLsizei width = (GLsizei)reference->width, height = (GLsizei)reference->height;
+    if (rgba) {
+        glReadPixels(0, 0, width, height, GL_RGBA, GL_UNSIGNED_BYTE, rgba);
+        flip(reference, rgba, 4);
+    }
+    if (depth) {
+        glReadPixels(0, 0, width, height, GL_DEPTH_COMPONENT, GL_FLOAT, depth);
+        flip(reference, depth, sizeof *depth);
+    }
+    return gl_ok(error, "read");
+}
+
+bool reference_read_gaps(struct reference *reference, uint8_t *gaps, struct reference_error *error)
+{
+    size_t pixels = (size_t)reference->width * reference->height;
+    memset(gaps, 0, pixels);
+    if (!reference->stencil) return true;
+    glReadPixels(0, 0, (GLsizei)reference->width, (GLsizei)reference->height, GL_STENCIL_INDEX, GL_UNSIGNED_BYTE, gaps);
+    flip(reference, gaps, 1);
+    for (size_t i = 0; i < pixels; i++)
+        gaps[i] = gaps[i] & GAP ? 1 : 0;
+    return gl_ok(error, "read");
+}

@@ -1,0 +1,175 @@
+#include "reference/scene_files.h"
+
+#include <dirent.h>
+#include <errno.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <strings.h>
+#include <sys/stat.h>
+
+#include "input/names.h"
+#include "reference/page.h"
+
+enum { PATH_SIZE = 1000, LABEL_SIZE = 100 };
+static const size_t scene_ceiling = (size_t)2 << 30;
+static const char all_presets[] = "all";
+
+/* What is to be done with each file. */
+struct checking {
+    struct harness *harness;
+    struct report *report;
+    const struct scene_files_options *options;
+    struct tally *sum;
+    bool is_folder; /* the file was not named by itself */
+};
+
+static bool format_of(const char *path, enum zr_format *format)
+{
+    static const struct {
+        const char *suffix;
+        enum zr_format format;
+    } known[] = {{".json", ZR_FORMAT_JSON}, {".obj", ZR_FORMAT_OBJ}, {".stl", ZR_FORMAT_STL}};
+    const char *dot = strrchr(path, '.');
+    for (size_t i = 0; dot && i < sizeof known / sizeof *known; i++)
+        if (strcasecmp(dot, known[i].suffix) == 0) {
+            *format = known[i].format;
+            return true;
+        }
+    return false;
+}
+
+/* All of a file, or NULL. */
+static char *read_all(const char *path, size_t *size)
+{
+    FILE *file = fopen(path, "rb");
+    char *bytes = NULL;
+    long length = -1;
+    if (file && fseek(file, 0, SEEK_END) == 0) length = ftell(file);
+    if (length >= 0) bytes = malloc((size_t)length + 1);
+    if (bytes) {
+        rewind(file);
+        *size = fread(bytes, 1, (size_t)length, file);
+    }
+    if (file) fclose(file);
+    return bytes;
+}
+
+/* The file's own name, without its folder and its suffix. */
+static void name_of(const char *path, char name[LABEL_SIZE])
+{
+    const char *slash = strrchr(path, '/'), *base = slash ? slash + 1 : path, *dot = strrchr(base, '.');
+    snprintf(name, LABEL_SIZE, "%.*s", (int)(dot ? dot - base : (long)strlen(base)), base);
+}
+
+/* ---- one file ---- */
+
+static enum verdict refused(const struct checking *c, const char *path, const struct zr_error *error)
+{
+    char reason[ZR_POINTER_SIZE + ZR_DETAIL_SIZE + 4];
+    snprintf(reason, sizeof reason, "%s%s%s", error->items[0].pointer, error->items[0].pointer[0] ? ": " : "",
+             error->items[0].detail);
+    report_refused(c->report, path, reason);
+    return c->is_folder ? VERDICT_EQUAL : VERDICT_UNPROVED;
+}
+
+static enum verdict check_view(const struct checking *c, const struct zr_scene *scene, const char *name,
+                               uint64_t number, struct tally *tally)
+{
+    struct harness_pictures pictures;
+    enum verdict verdict = harness_check(c->harness, scene, name, number, tally, &pictures);
+    if (c->report->page) page_picture(c->report->page, name, verdict, &pictures);
+    if (c->options->pictures && pictures.frame) report_pictures(c->options->pictures, name, number, &pictures);
+    return verdict;
+}
+
+/* One scene, or one mesh from each view wanted. */
+static enum verdict check_bytes(const struct checking *c, struct zr_arena *arena, struct zr_request *request,
+                                const char *path)
+{
+    char name[LABEL_SIZE];
+    struct tally tally = {0};
+    enum verdict worst = VERDICT_EQUAL;
+    struct zr_limits limits = zr_limits_default();
+    bool all = request->format != ZR_FORMAT_JSON && strcmp(c->options->preset, all_presets) == 0;
+    name_of(path, name);
+    for (int preset = 0; preset < (all ? zr_preset_names.count : 1); preset++) {
+        struct zr_error error = {.status = ZR_OK};
+        const struct zr_scene *scene;
+        if (all) request->preset = zr_preset_names.words[preset];
+        zr_arena_reset(arena, scene_ceiling);
+        if (zr_scene_read(arena, request, &limits, &scene, &error) != ZR_OK) return refused(c, path, &error);
+        enum verdict verdict = check_view(c, scene, name, (uint64_t)preset, &tally);
+        if (verdict > worst) worst = verdict;
+    }
+    tally_add(c->sum, &tally);
+    if (tally.left_out > 0) report_left_out(c->report, name, tally.left_out);
+    if (worst == VERDICT_EQUAL && tally.left_out > 0 && tally.pictures == 0) return worst;
+    if (worst == VERDICT_EQUAL && tally.comparison.visible == 0) worst = VERDICT_UNPROVED;
+    report_line(c->report, name, worst, &tally);
+    return worst;
+}
+
+static enum verdict check_file(const struct checking *c, const char *path, enum zr_format format)
+{
+    struct zr_request request = {.format = format};
+    struct zr_arena arena;
+    if (format != ZR_FORMAT_JSON) request.preset = c->options->preset;
+    char *bytes = read_all(path, &request.size);
+    if (!bytes) {
+        fprintf(stderr, "%s: %s\n", path, strerror(errno));
+        return VERDICT_UNPROVED;
+    }
+    request.bytes = bytes;
+    zr_arena_init(&arena, scene_ceiling);
+    enum verdict verdict = check_bytes(c, &arena, &request, path);
+    zr_arena_free(&arena);
+    free(bytes);
+    return verdict;
+}
+
+/* ---- folders ---- */
+
+static enum verdict check_path(const struct checking *c, const char *path);
+
+static enum verdict check_folder(const struct checking *c, const char *path)
+{
+    struct checking inside = *c;
+    struct dirent **entries;
+    enum verdict worst = VERDICT_EQUAL;
+    int count = scandir(path, &entries, NULL, alphasort);
+    inside.is_folder = true;
+    for (int i = 0; i < count; i++) {
+        char below[PATH_SIZE];
+        int length = snprintf(below, sizeof below, "%s/%s", path, entries[i]->d_name);
+        if (entries[i]->d_name[0] != '.' && length < PATH_SIZE) {
+            enum verdict verdict = check_path(&inside, below);
+            if (verdict > worst) worst = verdict;
+        }
+        free(entries[i]);
+    }
+    if (count >= 0) free(entries);
+    return worst;
+}
+
+static enum verdict check_path(const struct checking *c, const char *path)
+{
+    struct stat status;
+    enum zr_format format;
+    if (stat(path, &status) == 0 && S_ISDIR(status.st_mode)) return check_folder(c, path);
+    if (format_of(path, &format)) return check_file(c, path, format);
+    if (c->is_folder) return VERDICT_EQUAL; /* something else, which lies there too */
+    fprintf(stderr, "%s: not a .json, .obj or .stl\n", path);
+    return VERDICT_UNPROVED;
+}
+
+enum verdict scene_files_check(struct harness *harness, struct report *report, const char *path,
+                               const struct scene_files_options *options, struct tally *sum)
+{
+    struct checking checking = {harness, report, options, sum, false};
+    int before = report->count + report->refused;
+    enum verdict verdict = check_path(&checking, path);
+    bool found = report->count + report->refused > before;
+    if (!found) fprintf(stderr, "%s: no scene and no mesh\n", path);
+    return verdict == VERDICT_EQUAL && !found ? VERDICT_UNPROVED : verdict;
+}
