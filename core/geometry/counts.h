@@ -23,6 +23,7 @@ struct zr_counts {
     uint64_t lines;               /* handed in; outlines are not counted */
     uint64_t outside_lines;       /* wholly outside the view volume, or without a place in the window */
     uint64_t clipped_lines;       /* cut by the view volume */
+    uint64_t clipped_outlines;    /* triangles of outlined faces that were cut */
 };
 
 #endif

@@ -81,6 +81,7 @@ static void draw_triangle(struct zr_builder *builder, const struct pen *pen, con
     }
     if (all != 0 || any & ZR_OUTCODE_UNPLACED) return;
     if (any != 0) {
+        geometry->counts.clipped_outlines++;
         struct zr_clip_vertex in[3], out[ZR_CLIP_MAX];
         for (int k = 0; k < 3; k++)
             in[k] = corner_of(builder, positions[k], ends[k].color);

@@ -12,6 +12,9 @@ void drawing_start(struct drawing *drawing, uint32_t width, uint32_t height)
     drawing->smooth = false;
     drawing->modelview = drawing->projection = zr_mat4_identity();
     drawing->position_count = drawing->face_count = drawing->corner_count = 0;
+    drawing->ring_count = drawing->line_count = 0;
+    drawing->outline = ZR_OUTLINE_NONE;
+    drawing->hollow = false;
 }
 
 void drawing_free(struct drawing *drawing)
@@ -19,6 +22,9 @@ void drawing_free(struct drawing *drawing)
     free(drawing->positions);
     free(drawing->colors);
     free(drawing->face_offsets);
+    free(drawing->face_rings);
+    free(drawing->ring_offsets);
+    free(drawing->lines);
     free(drawing->face_colors);
     free(drawing->indices);
     memset(drawing, 0, sizeof *drawing);
@@ -51,14 +57,24 @@ uint32_t drawing_position(struct drawing *drawing, zr_vec4 position, zr_vec4 col
     return drawing->position_count++;
 }
 
-static bool have_room(struct drawing *drawing, uint32_t corners)
+static bool have_face_room(struct drawing *drawing)
 {
-    if (drawing->face_count == drawing->face_room) {
-        uint32_t room = drawing->face_room * 2 + 64;
-        if (!widen(&drawing->face_offsets, room + 1, sizeof *drawing->face_offsets) ||
-            !widen(&drawing->face_colors, room, sizeof *drawing->face_colors))
-            return false;
-        drawing->face_room = room;
+    uint32_t room = drawing->face_room * 2 + 64;
+    if (drawing->face_count < drawing->face_room) return true;
+    if (!widen(&drawing->face_offsets, room + 1, sizeof *drawing->face_offsets) ||
+        !widen(&drawing->face_rings, room + 1, sizeof *drawing->face_rings) ||
+        !widen(&drawing->face_colors, room, sizeof *drawing->face_colors))
+        return false;
+    drawing->face_room = room;
+    return true;
+}
+
+static bool have_ring_room(struct drawing *drawing, uint32_t corners)
+{
+    if (drawing->ring_count == drawing->ring_room) {
+        uint32_t room = drawing->ring_room * 2 + 64;
+        if (!widen(&drawing->ring_offsets, room + 1, sizeof *drawing->ring_offsets)) return false;
+        drawing->ring_room = room;
     }
     if (drawing->corner_room - drawing->corner_count < corners) {
         uint32_t room = drawing->corner_room * 2 + corners + 64;
@@ -70,15 +86,43 @@ static bool have_room(struct drawing *drawing, uint32_t corners)
 
 void drawing_face(struct drawing *drawing, const uint32_t *indices, uint32_t count)
 {
-    if (drawing->failed || drawing->face_count == BATCHES_OWNERS_MAX || !have_room(drawing, count)) {
+    if (drawing->failed || drawing->face_count == BATCHES_OWNERS_MAX || !have_face_room(drawing)) {
+        drawing->failed = true;
+        return;
+    }
+    drawing->face_offsets[drawing->face_count] = drawing->corner_count;
+    drawing->face_rings[drawing->face_count] = drawing->ring_count;
+    drawing->face_colors[drawing->face_count] = batches_owner_color(drawing->face_count + 1);
+    drawing->face_count++;
+    drawing_hole(drawing, indices, count);
+}
+
+void drawing_hole(struct drawing *drawing, const uint32_t *indices, uint32_t count)
+{
+    if (drawing->failed || !have_ring_room(drawing, count)) {
         drawing->failed = true;
         return;
     }
     memcpy(drawing->indices + drawing->corner_count, indices, count * sizeof *indices);
-    drawing->face_offsets[drawing->face_count] = drawing->corner_count;
-    drawing->face_colors[drawing->face_count] = batches_owner_color(drawing->face_count + 1);
+    drawing->ring_offsets[drawing->ring_count] = drawing->corner_count;
     drawing->corner_count += count;
-    drawing->face_offsets[++drawing->face_count] = drawing->corner_count;
+    drawing->ring_offsets[++drawing->ring_count] = drawing->corner_count;
+    drawing->face_offsets[drawing->face_count] = drawing->corner_count;
+    drawing->face_rings[drawing->face_count] = drawing->ring_count;
+}
+
+void drawing_line(struct drawing *drawing, uint32_t a, uint32_t b)
+{
+    uint32_t room = drawing->line_room * 2 + 64;
+    if (drawing->line_count == drawing->line_room) {
+        if (drawing->failed || !widen(&drawing->lines, 2 * (size_t)room, sizeof *drawing->lines)) {
+            drawing->failed = true;
+            return;
+        }
+        drawing->line_room = room;
+    }
+    drawing->lines[2 * drawing->line_count] = a;
+    drawing->lines[2 * drawing->line_count++ + 1] = b;
 }
 
 void drawing_triangle(struct drawing *drawing, uint32_t a, uint32_t b, uint32_t c)
@@ -88,5 +132,5 @@ void drawing_triangle(struct drawing *drawing, uint32_t a, uint32_t b, uint32_t 
 
 uint32_t drawing_triangles(const struct drawing *drawing)
 {
-    return drawing->corner_count - 2 * drawing->face_count;
+    return drawing->corner_count - 2 * drawing->ring_count + drawing->line_count;
 }

@@ -1,4 +1,4 @@
-/* drawing.h - reference: one picture's worth of polygons, as generators and models make them.
+/* drawing.h - reference: one picture's worth of polygons and lines, as generators and models make them.
  *
  * Both sides get the same floats: subject_make puts a scene around the polygons, past
  * input/, and the scene is what is compared.
@@ -9,9 +9,9 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-#include "base/vec.h"
+#include "scene/scene.h"
 
-/* Indexed polygons as in struct zr_mesh, in memory of its own that is kept from
+/* Indexed polygons and lines as in struct zr_mesh, in memory of its own that is kept from
  * one picture to the next. `failed` is sticky: memory ran out. */
 struct drawing {
     uint32_t width, height;
@@ -24,7 +24,17 @@ struct drawing {
 
     uint32_t face_count, face_room;
     uint32_t *face_offsets; /* face_count + 1 */
+    uint32_t *face_rings;   /* face_count + 1 */
     zr_vec4 *face_colors;
+
+    uint32_t ring_count, ring_room;
+    uint32_t *ring_offsets; /* ring_count + 1 */
+
+    uint32_t line_count, line_room;
+    uint32_t *lines; /* two positions each */
+
+    enum zr_outline outline;
+    bool hollow; /* outlines alone */
 
     uint32_t corner_count, corner_room;
     uint32_t *indices;
@@ -37,9 +47,12 @@ void drawing_free(struct drawing *drawing);
 /* Returns the position's index. */
 uint32_t drawing_position(struct drawing *drawing, zr_vec4 position, zr_vec4 color);
 void drawing_face(struct drawing *drawing, const uint32_t *indices, uint32_t count);
+/* One more ring of the last face. */
+void drawing_hole(struct drawing *drawing, const uint32_t *indices, uint32_t count);
+void drawing_line(struct drawing *drawing, uint32_t a, uint32_t b);
 void drawing_triangle(struct drawing *drawing, uint32_t a, uint32_t b, uint32_t c);
 
-/* Triangles after cutting polygons to fans. */
+/* Triangles after cutting polygons to fans; a line counts as one. */
 uint32_t drawing_triangles(const struct drawing *drawing);
 
 #endif

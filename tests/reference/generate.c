@@ -249,6 +249,13 @@ const struct generator generators[] = {
     {"matrix-orthographic", true, false, fill_matrix_orthographic},
     {"matrix-perspective", true, false, fill_matrix_perspective},
     {"matrix-any", true, false, fill_matrix_any},
+    {"shapes", false, false, fill_shapes},
+    {"shapes-clipped", true, false, fill_shapes_clipped},
+    {"outlines", false, false, fill_outlines},
+    {"outlines-clipped", true, false, fill_outlines_clipped},
+    {"hidden-lines", true, false, fill_hidden_lines},
+    {"lines", false, false, fill_lines},
+    {"lines-clipped", true, false, fill_lines_clipped},
 };
 const size_t generator_count = sizeof generators / sizeof *generators;
 

@@ -52,4 +52,13 @@ void fill_matrix_orthographic(struct drawing *drawing, struct random *r);
 void fill_matrix_perspective(struct drawing *drawing, struct random *r);
 void fill_matrix_any(struct drawing *drawing, struct random *r);
 
+/* generate_shapes.c: polygons of any shape, outlines and lines. */
+void fill_shapes(struct drawing *drawing, struct random *r);
+void fill_shapes_clipped(struct drawing *drawing, struct random *r);
+void fill_outlines(struct drawing *drawing, struct random *r);
+void fill_outlines_clipped(struct drawing *drawing, struct random *r);
+void fill_hidden_lines(struct drawing *drawing, struct random *r);
+void fill_lines(struct drawing *drawing, struct random *r);
+void fill_lines_clipped(struct drawing *drawing, struct random *r);
+
 #endif

@@ -112,7 +112,8 @@ static enum verdict compare_sides(struct harness *harness, const struct zr_scene
     }
     tally->pictures++;
     tally->triangles += batches.triangles;
-    tally->clipped += frame->counts.clipped;
+    const struct zr_counts *counts = &frame->counts;
+    tally->clipped += counts->clipped + counts->clipped_lines + counts->clipped_outlines;
     tally->parity_faces += batches.parity_faces;
     struct nearness nearness = {.scene = scene, .camera = &frame->camera, .depth_rounding = rounding.depth};
     out->missed = compare_pictures(&out->want, &out->got, scene->width, scene->height, harness->options.bar, &nearness,

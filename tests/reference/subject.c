@@ -6,19 +6,28 @@ static const struct zr_output outputs[] = {{.channel = ZR_CHANNEL_COLOR, .encodi
                                            {.channel = ZR_CHANNEL_WINDOW_DEPTH, .encoding = ZR_ENCODING_NPY},
                                            {.channel = ZR_CHANNEL_FACE_ID, .encoding = ZR_ENCODING_NPY}};
 
-/* Unlit, so that colours reach the pixels as they are, and double sided: with
- * culling on, Mesa's answer depends on its batches (RULES.md, rule 11). */
-static const struct zr_material material = {
-    .base_color = {1, 1, 1, 1}, .shading = ZR_SHADING_UNLIT, .double_sided = true};
-
 void subject_make(struct subject *subject, const struct drawing *drawing)
 {
+    static const uint32_t no_faces[1] = {0};
+    /* Unlit, so that colours reach the pixels as they are, and double sided: with
+     * culling on, Mesa's answer depends on its batches (RULES.md, rule 11). */
+    subject->material = (struct zr_material){.base_color = {1, 1, 1, 1},
+                                             .shading = ZR_SHADING_UNLIT,
+                                             .double_sided = true,
+                                             .hollow = drawing->hollow,
+                                             .outline = drawing->outline,
+                                             .outline_color = {0.25f, 0.5f, 0.125f, 1}};
+    bool holes = drawing->ring_count > drawing->face_count;
     subject->mesh = (struct zr_mesh){.name = "",
                                      .position_count = drawing->position_count,
                                      .positions = drawing->positions,
                                      .face_count = drawing->face_count,
-                                     .face_offsets = drawing->face_offsets,
+                                     .face_offsets = drawing->face_count > 0 ? drawing->face_offsets : no_faces,
                                      .indices = drawing->indices,
+                                     .face_rings = holes ? drawing->face_rings : NULL,
+                                     .ring_offsets = holes ? drawing->ring_offsets : NULL,
+                                     .line_count = drawing->line_count,
+                                     .lines = drawing->lines,
                                      .colors = drawing->smooth ? drawing->colors : NULL,
                                      .face_colors = drawing->smooth ? NULL : drawing->face_colors};
     subject->instance = (struct zr_instance){.mesh = 0, .object_to_world = zr_mat4_identity()};
@@ -26,7 +35,7 @@ void subject_make(struct subject *subject, const struct drawing *drawing)
                                        .height = drawing->height,
                                        .background = {0, 0, 0, 1},
                                        .material_count = 1,
-                                       .materials = &material,
+                                       .materials = &subject->material,
                                        .mesh_count = 1,
                                        .meshes = &subject->mesh,
                                        .instance_count = 1,
