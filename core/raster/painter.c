@@ -229,7 +229,7 @@ static enum zr_status paint(struct painting *painting)
             ok = push(painting, hidden);
         if (!ok) return ZR_NO_MEMORY;
     }
-    return ZR_OK;
+    return zr_is_cancelled(painting->pieces.cancel) ? ZR_CANCELLED : ZR_OK;
 }
 
 enum zr_status zr_painter(struct zr_arena *arena, const struct zr_geometry *geometry, const struct zr_cancel *cancel,

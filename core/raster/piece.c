@@ -247,7 +247,8 @@ bool zr_pieces_split(struct zr_pieces *pieces, uint32_t p, uint32_t q, bool near
     uint32_t primitive = pieces->items[p].primitive, in_q = pieces->items[q].first_span;
     uint32_t last[2] = {0, 0}, parts[2] = {new_piece(pieces, primitive), new_piece(pieces, primitive)};
     if (parts[0] == 0 || parts[1] == 0) return false;
-    for (uint32_t number = pieces->items[p].first_span, next; number > 0; number = next) {
+    for (uint32_t number = pieces->items[p].first_span, next; number > 0 && !zr_is_cancelled(pieces->cancel);
+         number = next) {
         const struct zr_span span = pieces->spans[number]; /* the array may move */
         next = span.next;
         find_hits(pieces, &pieces->items[p], span.y, span.begin, span.end, pieces->hits);
@@ -265,7 +266,7 @@ bool zr_pieces_split(struct zr_pieces *pieces, uint32_t p, uint32_t q, bool near
 void zr_pieces_paint(struct zr_pieces *pieces, uint32_t number)
 {
     const struct zr_piece *piece = &pieces->items[number];
-    for (uint32_t s = piece->first_span; s > 0; s = pieces->spans[s].next) {
+    for (uint32_t s = piece->first_span; s > 0 && !zr_is_cancelled(pieces->cancel); s = pieces->spans[s].next) {
         const struct zr_span *span = &pieces->spans[s];
         size_t row = (size_t)span->y * pieces->samples->width;
         find_hits(pieces, piece, span->y, span->begin, span->end, pieces->hits);

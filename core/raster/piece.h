@@ -32,7 +32,7 @@ struct zr_piece {
 };
 
 /* All pieces and their spans; number 0 is none. What is given back is used again, so there
- * are never more spans than samples. */
+ * are never more spans than samples. Where `cancel` is raised, what works on them ends early, half done. */
 struct zr_pieces {
     struct zr_arena *arena;
     const struct zr_geometry *geometry;

@@ -18,6 +18,8 @@
  */
 #include "raster/algorithms.h"
 
+enum { EDGES_A_CANCEL_CHECK = 1024 };
+
 /* An edge in the table. */
 struct entry {
     uint32_t primitive, edge;
@@ -134,8 +136,8 @@ static struct passing make_passing(const struct sweep *sweep, struct entry entry
     return passing;
 }
 
-/* Those of the row below that go on, and those that begin here. */
-static bool enter_row(struct zr_arena *arena, const struct table *table, int32_t y, struct sweep *sweep)
+/* Drops those that end here; the others go on to row y. */
+static void step_row(int32_t y, struct sweep *sweep)
 {
     size_t kept = 0;
     for (size_t i = 0; i < sweep->passing_count; i++) {
@@ -145,17 +147,23 @@ static bool enter_row(struct zr_arena *arena, const struct table *table, int32_t
         walk(edge);
         sweep->passing[kept++] = *edge;
     }
-    size_t count = kept + table->begins[y + 1] - table->begins[y];
+    sweep->passing_count = kept;
+}
+
+static enum zr_status begin_edges(struct zr_arena *arena, const struct table *table, int32_t y, struct sweep *sweep)
+{
+    size_t count = sweep->passing_count + table->begins[y + 1] - table->begins[y];
     if (count > sweep->passing_room) {
         size_t room = count > 2 * sweep->passing_room ? count : 2 * sweep->passing_room;
-        sweep->passing = zr_arena_grow(arena, sweep->passing, kept, room, sizeof *sweep->passing);
-        if (!sweep->passing) return false;
+        sweep->passing = zr_arena_grow(arena, sweep->passing, sweep->passing_count, room, sizeof *sweep->passing);
+        if (!sweep->passing) return ZR_NO_MEMORY;
         sweep->passing_room = room;
     }
-    for (size_t i = table->begins[y]; i < table->begins[y + 1]; i++)
-        sweep->passing[kept++] = make_passing(sweep, table->entries[i], y);
-    sweep->passing_count = kept;
-    return true;
+    for (size_t i = table->begins[y]; i < table->begins[y + 1]; i++) {
+        if (i % EDGES_A_CANCEL_CHECK == 0 && zr_is_cancelled(sweep->cancel)) return ZR_CANCELLED;
+        sweep->passing[sweep->passing_count++] = make_passing(sweep, table->entries[i], y);
+    }
+    return ZR_OK;
 }
 
 /* Hangs each edge on its column: that sorts them. What ends right of the window needs no end. */
@@ -196,7 +204,7 @@ static struct layer make_layer(const struct sweep *sweep, uint32_t number, int32
     const struct zr_primitive *primitive = &sweep->primitives[number];
     if (primitive->count > 1) return (struct layer){number, 0.0f, 1.0f};
     float left = zr_primitive_hit(sweep->geometry, primitive, begin, y).depth,
-          right = zr_primitive_hit(sweep->geometry, primitive, end - 1, y).depth;
+          right = end - begin > 1 ? zr_primitive_hit(sweep->geometry, primitive, end - 1, y).depth : left;
     return (struct layer){number, left < right ? left : right, left < right ? right : left};
 }
 
@@ -268,7 +276,8 @@ enum zr_status zr_scanline(struct zr_arena *arena, const struct zr_geometry *geo
     if (!zr_arena_ok(arena)) return ZR_NO_MEMORY;
     for (int32_t y = 0; y < (int32_t)samples->height; y++) {
         if (zr_is_cancelled(cancel)) return ZR_CANCELLED;
-        if (!enter_row(arena, &table, y, &sweep)) return ZR_NO_MEMORY;
+        step_row(y, &sweep);
+        if ((status = begin_edges(arena, &table, y, &sweep)) != ZR_OK) return status;
         if (sweep.passing_count == 0) continue;
         sort_row(&sweep);
         sweep_row(&sweep, y);
