@@ -1,0 +1,103 @@
+/* Every scene of tests/scenes and clients/examples, by every algorithm and by several threads: the same bytes. */
+#include <dirent.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "support/cmocka_all.h"
+#include "support/scenes.h"
+
+enum { PATH_SIZE = 600, SCENE_BYTES_MAX = 1 << 20 };
+
+static const size_t ceiling = (size_t)1 << 29;
+static struct zr_arena arena;
+static char bytes[SCENE_BYTES_MAX];
+static const struct zr_output outputs[] = {{ZR_CHANNEL_COLOR, ZR_ENCODING_PNG, 0},
+                                           {ZR_CHANNEL_DEPTH, ZR_ENCODING_NPY, 0},
+                                           {ZR_CHANNEL_WINDOW_DEPTH, ZR_ENCODING_NPY, 0},
+                                           {ZR_CHANNEL_FACE_ID, ZR_ENCODING_NPY, 0}};
+
+static struct zr_scene read_file(const char *path)
+{
+    FILE *file = fopen(path, "rb");
+    if (!file) fail_msg("%s: not there; tests run from the project's top folder", path);
+    struct zr_request request = {.format = ZR_FORMAT_JSON, .bytes = bytes};
+    request.size = fread(bytes, 1, sizeof bytes, file);
+    fclose(file);
+    struct zr_limits limits = zr_limits_default();
+    struct zr_error error = {.count = 0};
+    const struct zr_scene *scene;
+    if (zr_scene_read(&arena, &request, &limits, &scene, &error) != ZR_OK)
+        fail_msg("%s: %s %s", path, error.items[0].pointer, error.items[0].detail);
+    struct zr_scene all = *scene;
+    all.outputs = outputs;
+    all.output_count = sizeof outputs / sizeof *outputs;
+    return all;
+}
+
+static void assert_same(const struct zr_frame *want, const struct zr_frame *got, const char *path)
+{
+    size_t pixels = (size_t)want->width * want->height;
+    bool same = memcmp(got->face_id, want->face_id, pixels * 4) == 0 &&
+                memcmp(got->window_depth, want->window_depth, pixels * 4) == 0 &&
+                memcmp(got->depth, want->depth, pixels * 4) == 0 && memcmp(got->color, want->color, pixels * 4) == 0;
+    if (!same) fail_msg("%s: other bytes", path);
+}
+
+static void check_file(const char *path, struct zr_team *team)
+{
+    zr_arena_init(&arena, ceiling);
+    struct zr_scene scene = read_file(path);
+    scene.algorithm = ZR_ALGORITHM_HALFSPACE;
+    const struct zr_frame *want = scene_render(&arena, NULL, &scene);
+    assert_true(want->covered_pixels > 0);
+    assert_same(want, scene_render(&arena, team, &scene), path);
+    for (int a = ZR_ALGORITHM_EDGELIST; a < ZR_ALGORITHM_COUNT; a++) {
+        scene.algorithm = (enum zr_algorithm)a;
+        assert_same(want, scene_render(&arena, team, &scene), path);
+    }
+    zr_arena_free(&arena);
+}
+
+static int is_scene(const struct dirent *entry)
+{
+    const char *dot = strrchr(entry->d_name, '.');
+    return dot && strcmp(dot, ".json") == 0;
+}
+
+static int check_folder(const char *folder)
+{
+    struct dirent **entries;
+    struct zr_team *team = zr_team_create(3);
+    int count = scandir(folder, &entries, is_scene, alphasort);
+    for (int i = 0; i < count; i++) {
+        char path[PATH_SIZE];
+        snprintf(path, sizeof path, "%s/%s", folder, entries[i]->d_name);
+        check_file(path, team);
+        free(entries[i]);
+    }
+    if (count >= 0) free(entries);
+    zr_team_destroy(team);
+    return count;
+}
+
+static void scenes_of_the_collection_give_the_same_bytes_by_every_algorithm_and_team(void **state)
+{
+    (void)state;
+    assert_true(check_folder("tests/scenes") > 30);
+}
+
+static void examples_give_the_same_bytes_by_every_algorithm_and_team(void **state)
+{
+    (void)state;
+    assert_true(check_folder("clients/examples") > 0);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(scenes_of_the_collection_give_the_same_bytes_by_every_algorithm_and_team),
+        cmocka_unit_test(examples_give_the_same_bytes_by_every_algorithm_and_team),
+    };
+    return cmocka_run_group_tests_name("scene_files", tests, NULL, NULL);
+}
