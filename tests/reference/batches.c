@@ -3,8 +3,11 @@
 #include "geometry/colors.h"
 #include "geometry/normals.h"
 #include "scene/scene.h"
+#if __has_include("geometry/triangulate.h")
+#include "geometry/triangulate.h"
+#endif
 
-/* Until core/geometry draws concave faces by the odd-even rule, both sides draw their fan. */
+/* Until core/geometry draws concave faces and holes by the odd-even rule, both sides draw their fan. */
 enum { CONCAVE_BY_PARITY = 0 };
 
 /* ---- owners as colours ---- */
@@ -150,12 +153,20 @@ static void append_corner(struct builder *b, const struct source *s, uint32_t sl
 
 /* ---- faces ---- */
 
+static bool is_concave(const struct zr_mesh *mesh, uint32_t face)
+{
+#ifdef ZR_TRIANGULATE_H
+    return zr_face_is_concave(mesh, face);
+#else
+    return zr_face_is_concave(mesh, face, zr_normal_of_face(mesh, face));
+#endif
+}
+
 bool batches_face_is_parity(const struct zr_mesh *mesh, uint32_t face)
 {
     if (!CONCAVE_BY_PARITY) return false;
     if (mesh->face_rings && mesh->face_rings[face + 1] - mesh->face_rings[face] > 1) return true;
-    return mesh->face_offsets[face + 1] - mesh->face_offsets[face] > 3 &&
-           zr_face_is_concave(mesh, face, zr_normal_of_face(mesh, face));
+    return mesh->face_offsets[face + 1] - mesh->face_offsets[face] > 3 && is_concave(mesh, face);
 }
 
 /* The fan (i - 1, i, 0), as GL_POLYGON has it. */
@@ -168,22 +179,57 @@ static void append_fan(struct builder *b, const struct source *s, uint32_t begin
     }
 }
 
+#ifdef ZR_TRIANGULATE_H
+/* The triangles that core/geometry cuts the face into, in its order: they decide which plane a sample has. */
+static bool append_cut(struct builder *b, const struct source *s, const uint32_t *ring_offsets, uint32_t rings)
+{
+    uint32_t begin = ring_offsets[0], corners = ring_offsets[rings] - begin;
+    uint32_t most = zr_triangulate_count_max(corners, rings);
+    struct zr_triangulator scratch = {.node_capacity = 0};
+    zr_vec4 *points = zr_arena_alloc(b->arena, corners, sizeof *points);
+    uint32_t *offsets = zr_arena_alloc(b->arena, rings + (size_t)1, sizeof *offsets);
+    uint32_t(*triangles)[3] = zr_arena_alloc(b->arena, most, sizeof *triangles);
+    if (!zr_triangulator_reserve(b->arena, &scratch, corners, rings) || !zr_arena_ok(b->arena)) return false;
+    for (uint32_t i = 0; i < corners; i++)
+        points[i] = s->mesh->positions[s->mesh->indices[begin + i]];
+    for (uint32_t ring = 0; ring <= rings; ring++)
+        offsets[ring] = ring_offsets[ring] - begin;
+    uint32_t count = zr_triangulate(&scratch, points, offsets, rings, triangles);
+    if (!reserve_corners(b, 3 * (uint64_t)count)) return false;
+    for (uint32_t i = 0; i < 3 * count; i++)
+        append_corner(b, s, begin + triangles[i / 3][i % 3]);
+    return true;
+}
+#else
+static bool append_cut(struct builder *b, const struct source *s, const uint32_t *ring_offsets, uint32_t rings)
+{
+    append_fan(b, s, ring_offsets[0], ring_offsets[rings]);
+    return true;
+}
+#endif
+
 static bool append_parity(struct builder *b, const struct source *s, struct reference_batch *batch)
 {
     const struct zr_mesh *mesh = s->mesh;
-    uint32_t begin = mesh->face_offsets[s->face], end = mesh->face_offsets[s->face + 1];
+    uint32_t begin = mesh->face_offsets[s->face], end = mesh->face_offsets[s->face + 1], rings = 1;
+    const uint32_t *ring_offsets = mesh->face_offsets + s->face;
+    if (mesh->face_rings) {
+        rings = mesh->face_rings[s->face + 1] - mesh->face_rings[s->face];
+        ring_offsets = mesh->ring_offsets + mesh->face_rings[s->face];
+    }
     if (!reserve_corners(b, 6 * (uint64_t)(end - begin))) return false;
+    batch->mode = REFERENCE_PARITY;
     batch->rings_first = b->corner_count;
-    if (mesh->face_rings)
-        for (uint32_t ring = mesh->face_rings[s->face]; ring < mesh->face_rings[s->face + 1]; ring++)
-            append_fan(b, s, mesh->ring_offsets[ring], mesh->ring_offsets[ring + 1]);
-    else
-        append_fan(b, s, begin, end);
+    for (uint32_t ring = 0; ring < rings; ring++)
+        append_fan(b, s, ring_offsets[ring], ring_offsets[ring + 1]);
     batch->rings_count = b->corner_count - batch->rings_first;
     batch->first = b->corner_count;
-    append_fan(b, s, begin, end);
+    bool convex = !batches_face_is_parity(mesh, s->face); /* options.all_parity: as GL_POLYGON would cut it */
+    if (convex)
+        append_fan(b, s, begin, end);
+    else if (!append_cut(b, s, ring_offsets, rings))
+        return false;
     batch->count = b->corner_count - batch->first;
-    batch->mode = REFERENCE_PARITY;
     b->out->parity_faces++;
     return append_batch(b, batch);
 }
@@ -200,7 +246,8 @@ static bool append_face(struct builder *b, const struct source *s)
                                     .mirrored = s->mirrored};
     if (b->options.purpose == BATCHES_OWNERS) batch.two_sided = false;
     b->out->triangles += end - begin - 2;
-    if (batches_face_is_parity(s->mesh, s->face)) return append_parity(b, s, &batch);
+    bool parity = batches_face_is_parity(s->mesh, s->face) || (b->options.all_parity && end - begin > 3);
+    if (parity) return append_parity(b, s, &batch);
     if (!reserve_corners(b, end - begin)) return false;
     batch.first = b->corner_count;
     batch.count = end - begin;

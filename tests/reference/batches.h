@@ -20,6 +20,7 @@ enum batches_purpose {
 struct batches_options {
     enum batches_purpose purpose;
     bool transformed; /* positions brought to clip space here, in double, and GL's matrices left at identity */
+    bool all_parity;  /* convex polygons of more than three corners are drawn by the odd-even rule too */
 };
 
 struct batches {

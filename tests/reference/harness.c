@@ -77,7 +77,9 @@ static bool reference_render(struct harness *harness, const struct zr_scene *sce
     size_t pixels = (size_t)scene->width * scene->height;
     struct zr_camera camera = frame->camera;
     camera.projection.m[12] += (float)harness->options.perturbation;
-    struct batches_options options = {.purpose = BATCHES_OWNERS, .transformed = harness->options.transformed};
+    struct batches_options options = {.purpose = BATCHES_OWNERS,
+                                      .transformed = harness->options.transformed,
+                                      .all_parity = harness->options.all_parity};
     if (!make_room(harness, pixels) || !batches_make(&harness->arena, scene, &camera, &options, batches)) {
         fprintf(stderr, "reference: out of memory, or too many faces\n");
         return false;

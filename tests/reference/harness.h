@@ -26,6 +26,7 @@ struct harness_options {
     const char *driver; /* "llvmpipe" or "softpipe" */
     int threads;        /* that render, on both sides */
     enum compare_bar bar;
+    bool all_parity;      /* the reference draws convex polygons by the odd-even rule too (batches.h) */
     bool transformed;     /* the reference gets clip-space positions (batches.h) */
     double perturbation;  /* added to clip-space x on the reference's side: a comparison that must fail */
     const char *failures; /* directory for pictures of what differs */
