@@ -65,6 +65,7 @@ for part in "$@"; do
         triangles=${REFERENCE_TRIANGLES:-210000}
         verify reference "$build/zraster-verify" --triangles "$triangles"
         verify reference-scenes "$build/zraster-verify" tests/scenes clients/examples
+        verify reference-parity "$build/zraster-verify" --parity --kind polygons-clipped --triangles $((triangles / 20)) tests/scenes/many-corners.json
         verify reference-egl "$build/zraster-verify-egl" --triangles $((triangles / 10)) tests/scenes clients/examples
         verify reference-softpipe "$build/zraster-verify" --driver softpipe --triangles $((triangles / 20)) tests/scenes
         verify reference-transform "$build/zraster-verify" --transform independent --triangles $((triangles / 10)) tests/scenes

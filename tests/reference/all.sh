@@ -35,9 +35,9 @@ part 'Scenes, one case each' "$verify" $scenes
 part 'Random polygons' "$verify" --triangles 2100000
 [ -n "$meshes" ] && part 'Models from seven sides' "$verify" --preset all $meshes
 [ -d "$data/models" ] && part 'Models cut by the window' "$verify" --kind none --models "$data/models"
-[ -n "$egl" ] && part 'The same through EGL' "$egl" --triangles 200000 $scenes
-part 'A second opinion: softpipe' "$verify" --driver softpipe --triangles 200000 $scenes $(present "$data/models/suzanne.obj")
-part 'A transform of its own' "$verify" --transform independent --triangles 1000000 $scenes $meshes
+[ -n "$egl" ] && part 'The same through EGL' "$egl" --plain --triangles 200000 $scenes
+part 'A second opinion: softpipe' "$verify" --driver softpipe --plain --triangles 200000 $scenes $(present "$data/models/suzanne.obj")
+part 'A transform of its own' "$verify" --transform independent --plain --triangles 1000000 $scenes $meshes
 
 if [ $worst -eq 0 ]; then verdict='<span class="good">all is well</span>'; else verdict='<span class="bad">not all is well</span>'; fi
 {

@@ -64,7 +64,6 @@ struct builder {
     struct reference_batch *batches;
     uint32_t corner_count, corner_room, batch_room;
     uint32_t owner; /* of the first face of the instance under way */
-    struct zr_triangulator triangulator;
 };
 
 /* One instance of a mesh on its way, and one of its faces. */
@@ -203,26 +202,32 @@ static void paint_both_sides(struct builder *b, uint32_t first, bool back)
     }
 }
 
-static bool append_triangles(struct builder *b, const struct source *s)
+bool batches_cut_face(struct zr_arena *arena, const struct zr_mesh *mesh, uint32_t face, struct batches_cut *cut)
 {
-    const struct zr_mesh *mesh = s->mesh;
-    struct zr_rings rings = zr_mesh_rings(mesh, s->face);
+    struct zr_rings rings = zr_mesh_rings(mesh, face);
+    struct zr_triangulator triangulator = {.node_capacity = 0};
     uint32_t begin = rings.offsets[0], corners = rings.offsets[rings.count] - begin;
-    zr_vec4 *points = zr_arena_alloc(b->arena, corners, sizeof *points);
-    uint32_t *offsets = zr_arena_alloc(b->arena, (size_t)rings.count + 1, sizeof *offsets);
-    uint32_t(*triangles)[3] =
-        zr_arena_alloc(b->arena, zr_triangulate_count_max(corners, rings.count), sizeof *triangles);
-    if (!zr_arena_ok(b->arena) || !zr_triangulator_reserve(b->arena, &b->triangulator, corners, rings.count))
-        return false;
+    zr_vec4 *points = zr_arena_alloc(arena, corners, sizeof *points);
+    uint32_t *offsets = zr_arena_alloc(arena, (size_t)rings.count + 1, sizeof *offsets);
+    cut->triangles = zr_arena_alloc(arena, zr_triangulate_count_max(corners, rings.count), sizeof *cut->triangles);
+    if (!zr_arena_ok(arena) || !zr_triangulator_reserve(arena, &triangulator, corners, rings.count)) return false;
     for (uint32_t i = 0; i < corners; i++)
         points[i] = mesh->positions[mesh->indices[begin + i]];
     for (uint32_t r = 0; r <= rings.count; r++)
         offsets[r] = rings.offsets[r] - begin;
-    uint32_t count = zr_triangulate(&b->triangulator, points, offsets, rings.count, triangles);
-    if (!reserve_corners(b, 3 * (uint64_t)count)) return false;
-    for (uint32_t i = 0; i < count; i++)
+    cut->count = zr_triangulate(&triangulator, points, offsets, rings.count, cut->triangles);
+    return true;
+}
+
+static bool append_triangles(struct builder *b, const struct source *s)
+{
+    struct batches_cut cut;
+    uint32_t begin = s->mesh->face_offsets[s->face];
+    if (!batches_cut_face(b->arena, s->mesh, s->face, &cut) || !reserve_corners(b, 3 * (uint64_t)cut.count))
+        return false;
+    for (uint32_t i = 0; i < cut.count; i++)
         for (int k = 0; k < 3; k++)
-            append_corner(b, s, begin + triangles[i][k]);
+            append_corner(b, s, begin + cut.triangles[i][k]);
     return true;
 }
 
@@ -246,6 +251,21 @@ static bool append_parity(struct builder *b, const struct source *s, struct refe
     return append_batch(b, batch);
 }
 
+/* A convex polygon as GL_POLYGON would cut it, by parity: it must change nothing. */
+static bool append_fan_by_parity(struct builder *b, const struct source *s, struct reference_batch *batch)
+{
+    uint32_t begin = s->mesh->face_offsets[s->face], end = s->mesh->face_offsets[s->face + 1];
+    if (!reserve_corners(b, 6 * (uint64_t)(end - begin))) return false;
+    batch->mode = REFERENCE_PARITY;
+    batch->rings_first = b->corner_count;
+    append_fan(b, s, begin, end);
+    batch->first = b->corner_count;
+    batch->rings_count = batch->count = batch->first - batch->rings_first;
+    append_fan(b, s, begin, end);
+    b->out->parity_faces++;
+    return append_batch(b, batch);
+}
+
 static struct reference_batch state_of(const struct builder *b, const struct source *s)
 {
     bool lit = s->material->shading != ZR_SHADING_UNLIT, owners = b->options.purpose == BATCHES_OWNERS;
@@ -264,6 +284,7 @@ static bool append_face(struct builder *b, const struct source *s)
     if (s->material->hollow) return true;
     batch.pushed = s->material->outline != ZR_OUTLINE_NONE;
     if (batches_face_is_parity(s->mesh, s->face)) return append_parity(b, s, &batch);
+    if (b->options.all_parity && end - begin > 3) return append_fan_by_parity(b, s, &batch);
     if (!reserve_corners(b, end - begin)) return false;
     batch.mode = end - begin == 3 ? REFERENCE_TRIANGLES : REFERENCE_POLYGON;
     batch.first = b->corner_count;

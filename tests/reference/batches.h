@@ -20,6 +20,7 @@ enum batches_purpose {
 struct batches_options {
     enum batches_purpose purpose;
     bool transformed; /* positions brought to clip space here, in double, and GL's matrices left at identity */
+    bool all_parity;  /* convex polygons of more than three corners are drawn by the odd-even rule too */
 };
 
 struct batches {
@@ -42,6 +43,14 @@ uint32_t batches_owner_number(const uint8_t rgba[4]);
 
 /* True where the face is drawn by the odd-even rule, on both sides alike. */
 bool batches_face_is_parity(const struct zr_mesh *mesh, uint32_t face);
+
+/* The triangles that a face which is no convex one is cut into, by its corners: those of core/geometry, which
+ * decide which plane a sample takes. False where the arena has failed. */
+struct batches_cut {
+    uint32_t count;
+    uint32_t (*triangles)[3];
+};
+bool batches_cut_face(struct zr_arena *arena, const struct zr_mesh *mesh, uint32_t face, struct batches_cut *cut);
 
 /* True where the instance turns clockwise into counter-clockwise. */
 bool batches_is_mirrored(const zr_mat4 *object_to_world);

@@ -18,6 +18,7 @@
 struct generator {
     const char *name;
     bool clips;         /* must make triangles that get clipped */
+    bool wires;         /* outlines or lines: for the exact comparison alone */
     bool binary_window; /* sizes are powers of two, so that subpixel places are exact floats */
     void (*fill)(struct drawing *drawing, struct random *r);
 };

@@ -77,7 +77,9 @@ static bool reference_render(struct harness *harness, const struct zr_scene *sce
     size_t pixels = (size_t)scene->width * scene->height;
     struct zr_camera camera = frame->camera;
     camera.projection.m[12] += (float)harness->options.perturbation;
-    struct batches_options options = {.purpose = BATCHES_OWNERS, .transformed = harness->options.transformed};
+    struct batches_options options = {.purpose = BATCHES_OWNERS,
+                                      .transformed = harness->options.transformed,
+                                      .all_parity = harness->options.all_parity};
     if (!make_room(harness, pixels) || !batches_make(&harness->arena, scene, &camera, &options, batches)) {
         fprintf(stderr, "reference: out of memory, or too many faces\n");
         return false;
@@ -91,6 +93,16 @@ static bool reference_render(struct harness *harness, const struct zr_scene *sce
 }
 
 /* ---- both ---- */
+
+/* Outlines and lines end where rounding says: they are for the exact comparison alone. */
+static bool has_wires(const struct zr_scene *scene)
+{
+    for (uint32_t i = 0; i < scene->material_count; i++)
+        if (scene->materials[i].outline != ZR_OUTLINE_NONE) return true;
+    for (uint32_t i = 0; i < scene->mesh_count; i++)
+        if (scene->meshes[i].line_count > 0) return true;
+    return false;
+}
 
 /* Both pictures stand until the next call; out->frame tells whether both sides gave one. */
 static enum verdict compare_sides(struct harness *harness, const struct zr_scene *scene, struct tally *tally,
@@ -106,7 +118,8 @@ static enum verdict compare_sides(struct harness *harness, const struct zr_scene
     out->want = (struct picture){harness->rgba, harness->depth, harness->owner, harness->gaps};
     out->got = (struct picture){frame->color, frame->window_depth, frame->face_id, NULL};
     struct rounding rounding = nearness_rounding(scene, &frame->camera);
-    if (harness->options.transformed && (rounding.px > rounding_max_px || rounding.depth > rounding_max_depth)) {
+    bool too_coarse = rounding.px > rounding_max_px || rounding.depth > rounding_max_depth;
+    if ((harness->options.transformed && too_coarse) || (harness->options.bar != COMPARE_EXACT && has_wires(scene))) {
         tally->left_out++;
         return VERDICT_EQUAL;
     }
@@ -115,7 +128,8 @@ static enum verdict compare_sides(struct harness *harness, const struct zr_scene
     const struct zr_counts *counts = &frame->counts;
     tally->clipped += counts->clipped + counts->clipped_lines + counts->clipped_outlines;
     tally->parity_faces += batches.parity_faces;
-    struct nearness nearness = {.scene = scene, .camera = &frame->camera, .depth_rounding = rounding.depth};
+    struct nearness nearness = {
+        .scene = scene, .camera = &frame->camera, .arena = &harness->arena, .depth_rounding = rounding.depth};
     out->missed = compare_pictures(&out->want, &out->got, scene->width, scene->height, harness->options.bar, &nearness,
                                    &tally->comparison);
     nearness_free(&nearness);

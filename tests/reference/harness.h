@@ -18,7 +18,7 @@ enum verdict { VERDICT_EQUAL = 0, VERDICT_DIFFERENT = 1, VERDICT_UNPROVED = 2 };
 
 struct tally {
     uint64_t pictures, triangles, clipped, parity_faces;
-    uint64_t left_out; /* COMPARE_TRANSFORM: float itself is too coarse in them for its bar */
+    uint64_t left_out; /* of bars that are not exact: float itself is too coarse, or there are outlines or lines */
     struct comparison comparison;
 };
 
@@ -26,6 +26,7 @@ struct harness_options {
     const char *driver; /* "llvmpipe" or "softpipe" */
     int threads;        /* that render, on both sides */
     enum compare_bar bar;
+    bool all_parity;      /* the reference draws convex polygons by the odd-even rule too (batches.h) */
     bool transformed;     /* the reference gets clip-space positions (batches.h) */
     double perturbation;  /* added to clip-space x on the reference's side: a comparison that must fail */
     const char *failures; /* directory for pictures of what differs */

@@ -20,7 +20,16 @@ static enum verdict worse(enum verdict a, enum verdict b)
 
 static bool is_wanted(const struct options *options, size_t i)
 {
+    if (generators[i].wires && options->harness.bar != COMPARE_EXACT) return false;
     return options->random && (!options->kind || strcmp(options->kind, generators[i].name) == 0);
+}
+
+/* A picture that shows something: one of each kind goes on the page. */
+static bool is_rich(const struct harness_pictures *pictures)
+{
+    const struct zr_frame *frame = pictures->frame;
+    if (!frame || frame->width < 90) return false;
+    return frame->covered_pixels * 20 > (uint64_t)frame->width * frame->height;
 }
 
 static enum verdict check_kind(struct harness *harness, struct report *report, const struct generator *generator,
@@ -42,7 +51,7 @@ static enum verdict check_kind(struct harness *harness, struct report *report, c
         subject_make(&subject, &drawing);
         enum verdict verdict = harness_check(harness, &subject.scene, generator->name, frame, tally, &pictures);
         worst = worse(worst, verdict);
-        bool worth_showing = drawing.smooth && drawing.width > 90 && !shown;
+        bool worth_showing = drawing.smooth && !shown && is_rich(&pictures);
         if (report->page && worth_showing) page_picture(report->page, generator->name, verdict, &pictures);
         shown = shown || worth_showing;
         if (!pictures.frame) break; /* one side gave no picture: the next ones would not either */
@@ -77,7 +86,11 @@ static enum verdict check_all(struct harness *harness, const struct options *opt
     const struct scene_files_options files = {options->preset, options->pictures};
     struct tally total = {0};
     if (options->page)
-        report.page = page_open(options->page, options->title, reference_name(harness->reference), report.bar);
+        report.page = page_open(&(struct page_options){.path = options->page,
+                                                       .title = options->title,
+                                                       .renderer = reference_name(harness->reference),
+                                                       .bar = report.bar,
+                                                       .plain = options->plain});
     enum verdict worst = check_random(harness, &report, options, &total);
     if (options->models) worst = worse(worst, models_check(harness, &report, options->models, &total));
     for (int i = 0; i < options->path_count; i++)

@@ -43,7 +43,7 @@ static int clip(double (*v)[4], int count)
     return count;
 }
 
-static void add_piece(struct nearness *n, double (*v)[4], int count)
+static void add_piece(struct nearness *n, double (*v)[4], int count, bool edges_only)
 {
     count = clip(v, count);
     if (count < 3) return;
@@ -56,6 +56,7 @@ static void add_piece(struct nearness *n, double (*v)[4], int count)
     }
     struct nearness_piece *piece = &n->pieces[n->count++];
     piece->count = count;
+    piece->edges_only = edges_only;
     for (int i = 0; i < count; i++) {
         piece->corners[i][0] = (v[i][0] / v[i][3] + 1.0) * 0.5 * n->scene->width;
         piece->corners[i][1] = (v[i][1] / v[i][3] + 1.0) * 0.5 * n->scene->height;
@@ -63,17 +64,37 @@ static void add_piece(struct nearness *n, double (*v)[4], int count)
     }
 }
 
-static void take_face(struct nearness *n, const struct zr_instance *instance, const struct zr_mesh *mesh, uint32_t face)
+static void take_triangle(struct nearness *n, const struct zr_instance *instance, const struct zr_mesh *mesh,
+                          const uint32_t slots[3], bool edges_only)
 {
-    uint32_t begin = mesh->face_offsets[face], end = mesh->face_offsets[face + 1];
+    double v[NEARNESS_CORNERS_MAX + 1][4];
+    for (int k = 0; k < 3; k++)
+        batches_transform(n->camera, &instance->object_to_world, mesh->positions[mesh->indices[slots[k]]], v[k]);
+    add_piece(n, v, 3, edges_only);
+}
+
+static void take_fan(struct nearness *n, const struct zr_instance *instance, const struct zr_mesh *mesh, uint32_t begin,
+                     uint32_t end, bool edges_only)
+{
     for (uint32_t i = begin + 2; i < end; i++) {
         const uint32_t fan[3] = {i - 1, i, begin}, whole[3] = {begin, begin + 1, begin + 2};
-        const uint32_t *slots = end - begin == 3 ? whole : fan;
-        double v[NEARNESS_CORNERS_MAX + 1][4];
-        for (int k = 0; k < 3; k++)
-            batches_transform(n->camera, &instance->object_to_world, mesh->positions[mesh->indices[slots[k]]], v[k]);
-        add_piece(n, v, 3);
+        take_triangle(n, instance, mesh, end - begin == 3 ? whole : fan, edges_only);
     }
+}
+
+static void take_face(struct nearness *n, const struct zr_instance *instance, const struct zr_mesh *mesh, uint32_t face)
+{
+    struct zr_rings rings = zr_mesh_rings(mesh, face);
+    uint32_t begin = rings.offsets[0];
+    bool parity = batches_face_is_parity(mesh, face);
+    struct batches_cut cut = {.count = 0};
+    if (parity && !batches_cut_face(n->arena, mesh, face, &cut)) return;
+    for (uint32_t i = 0; i < cut.count; i++) {
+        const uint32_t *t = cut.triangles[i];
+        take_triangle(n, instance, mesh, (const uint32_t[]){begin + t[0], begin + t[1], begin + t[2]}, false);
+    }
+    for (uint32_t r = 0; r < rings.count; r++)
+        take_fan(n, instance, mesh, rings.offsets[r], rings.offsets[r + 1], parity);
 }
 
 static void take_owner(struct nearness *n, uint32_t owner)
@@ -147,6 +168,7 @@ struct near nearness_at(struct nearness *nearness, uint32_t owner, uint32_t x, u
         for (int i = 2; i < piece->count - 1; i++)
             edge = fmin(edge, segment_distance(piece->corners[0], piece->corners[i], sx, sy));
         near.edge_px = fmin(near.edge_px, edge);
+        if (piece->edges_only) continue;
         bool inside = is_inside(piece, sx, sy);
         near.covered = near.covered || inside;
         double outside = inside ? 0.0 : edge;

@@ -10,6 +10,7 @@
 #include <stdint.h>
 
 #include "scene/camera.h"
+#include "zraster.h"
 
 struct near {
     double edge_px; /* to the nearest edge of its triangles, and of the pieces that clipping makes of them; HUGE_VAL:
@@ -24,14 +25,16 @@ struct near {
 enum { NEARNESS_CORNERS_MAX = 9 };
 struct nearness_piece {
     int count;
+    bool edges_only; /* of the fan that parity counts: it has no depth of its own */
     double corners[NEARNESS_CORNERS_MAX][3];
 };
 
-/* Keeps the face that was asked for last. All zero but for the first three to begin with. */
+/* Keeps the face that was asked for last. All zero but for the first four to begin with. */
 struct nearness {
     const struct zr_scene *scene;
     const struct zr_camera *camera;
-    double depth_rounding; /* as nearness_rounding says; used by those who compare */
+    struct zr_arena *arena; /* for the triangles of faces that are not convex */
+    double depth_rounding;  /* as nearness_rounding says; used by those who compare */
     uint32_t owner, count, room;
     struct nearness_piece *pieces;
 };

@@ -18,11 +18,14 @@ const char options_usage[] =
     "  --transform NAME    reference: GL multiplies the matrices. independent: GL gets positions that were\n"
     "                      transformed in double, one matrix after the other: at most one pixel in a million has\n"
     "                      another owner, each within 1/256 px of an edge, depth within 1 ulp + 0.1 px of slope\n"
+    "  --parity            the reference draws convex polygons as it does concave ones, by the odd-even rule in its\n"
+    "                      stencil buffer, to see that this way is exact\n"
     "  --threads N         that render, on both sides (1)\n"
     "  --failures DIR      where pictures of differences go (build/reference-failures)\n"
     "  --pictures DIR      got, want and diff pictures of all files, equal or not\n"
     "  --page FILE         a section of the report page, and FILE.row, its line of the summary\n"
     "  --title TEXT        the section's heading\n"
+    "  --plain             no pictures in the section but of differences\n"
     "  --perturb X         adds X to clip-space x on the reference's side, to see the comparison fail\n"
     "  --tap               one TAP line a kind, a model or a file\n"
     "  --quiet             the total only\n"
@@ -102,6 +105,12 @@ static bool take(struct options *options, int option, const char *text)
     case 'l':
         options->title = text;
         return true;
+    case 'o':
+        options->harness.all_parity = true;
+        return true;
+    case 'n':
+        options->plain = true;
+        return true;
     case 'p':
         options->style = REPORT_TAP;
         return true;
@@ -123,6 +132,7 @@ bool options_parse(int argc, char **argv, struct options *options)
         {"failures", required_argument, NULL, 'f'},  {"pictures", required_argument, NULL, 'i'},
         {"page", required_argument, NULL, 'g'},      {"title", required_argument, NULL, 'l'},
         {"perturb", required_argument, NULL, 'z'},   {"tap", no_argument, NULL, 'p'},
+        {"plain", no_argument, NULL, 'n'},           {"parity", no_argument, NULL, 'o'},
         {"quiet", no_argument, NULL, 'q'},           {NULL, 0, NULL, 0}};
     *options =
         (struct options){.triangles = 200000,

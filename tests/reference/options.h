@@ -9,6 +9,7 @@ struct options {
     const char *kind;              /* NULL: all */
     const char *models, *pictures; /* NULL: none */
     const char *page, *title;      /* NULL: no page */
+    bool plain;                    /* the page has pictures of differences only */
     const char *preset;            /* of bare meshes */
     struct harness_options harness;
     enum report_style style;

@@ -10,8 +10,15 @@
 
 struct page;
 
-/* NULL, explained on stderr, where there is no memory. `renderer` is the reference's name. */
-struct page *page_open(const char *path, const char *title, const char *renderer, enum compare_bar bar);
+struct page_options {
+    const char *path, *title;
+    const char *renderer; /* the reference's name */
+    enum compare_bar bar;
+    bool plain; /* pictures of differences only */
+};
+
+/* Ends the program where there is no memory. */
+struct page *page_open(const struct page_options *options);
 /* Writes the files; false, explained on stderr, where that fails. `page` may be NULL. */
 bool page_close(struct page *page, enum verdict verdict, const struct tally *total);
 

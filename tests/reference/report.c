@@ -67,9 +67,10 @@ void report_refused(struct report *report, const char *name, const char *reason)
 
 void report_left_out(struct report *report, const char *name, uint64_t pictures)
 {
-    char reason[160];
+    char reason[200];
     snprintf(reason, sizeof reason,
-             "%" PRIu64 " pictures: float may move corners by 1/256 px there, or leaves fewer than 16 bits of depth",
+             "%" PRIu64 " pictures: outlines and lines are for the exact comparison, and float may move corners by "
+             "1/256 px or leave fewer than 16 bits of depth",
              pictures);
     report->refused++;
     if (report->page) page_refused(report->page, name, reason);
