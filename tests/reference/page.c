@@ -152,27 +152,40 @@ static void put_base64(FILE *out, const uint8_t *bytes, size_t size)
     }
 }
 
-/* The mean of factor x factor pixels each; what is left over at the right and the bottom is cut off. */
-static uint8_t *shrink(const uint8_t *rgba, uint32_t width, uint32_t factor, uint32_t out_width, uint32_t out_height)
+/* What a block of factor x factor pixels becomes. */
+enum shrinking {
+    MEAN,
+    BRIGHTEST /* of a picture of differences: one pixel in a thousand must not vanish */
+};
+
+static void shrink_block(const uint8_t *block, uint32_t width, uint32_t factor, enum shrinking shrinking,
+                         uint8_t out[4])
 {
-    uint8_t *out = malloc((size_t)out_width * out_height * 4);
-    for (size_t i = 0; out && i < (size_t)out_width * out_height * 4; i++) {
-        size_t channel = i % 4, x = i / 4 % out_width * factor, y = i / 4 / out_width * factor;
-        uint32_t sum = 0;
-        for (size_t k = 0; k < (size_t)factor * factor; k++)
-            sum += rgba[((y + k / factor) * width + x + k % factor) * 4 + channel];
-        out[i] = (uint8_t)((sum + factor * factor / 2) / (factor * factor));
+    uint32_t sums[4] = {0, 0, 0, 0}, most = 0, count = factor * factor;
+    for (size_t k = 0; k < count; k++) {
+        const uint8_t *pixel = block + (k / factor * width + k % factor) * 4;
+        uint32_t brightness = (uint32_t)pixel[0] + pixel[1] + pixel[2];
+        for (int channel = 0; channel < 4; channel++)
+            sums[channel] += pixel[channel];
+        if (shrinking == BRIGHTEST && brightness >= most) memcpy(out, pixel, 4);
+        most = brightness > most ? brightness : most;
     }
-    return out;
+    for (int channel = 0; shrinking == MEAN && channel < 4; channel++)
+        out[channel] = (uint8_t)((sums[channel] + count / 2) / count);
 }
 
-static void put_picture(FILE *out, const char *label, const uint8_t *rgba, uint32_t width, uint32_t height)
+static void put_picture(FILE *out, const char *label, const uint8_t *rgba, uint32_t width, uint32_t height,
+                        enum shrinking shrinking)
 {
     uint32_t factor = (width + THUMBNAIL_WIDTH - 1) / THUMBNAIL_WIDTH;
     if (height < factor) factor = 1;
+    uint32_t small_width = width / factor, small_height = height / factor;
     size_t size = 0;
-    uint8_t *small = rgba ? shrink(rgba, width, factor, width / factor, height / factor) : NULL;
-    uint8_t *png = small ? png_memory_write(small, width / factor, height / factor, &size) : NULL;
+    uint8_t *small = malloc((size_t)small_width * small_height * 4);
+    for (size_t i = 0; small && rgba && i < (size_t)small_width * small_height; i++)
+        shrink_block(rgba + (i / small_width * width + i % small_width) * factor * 4, width, factor, shrinking,
+                     small + 4 * i);
+    uint8_t *png = small && rgba ? png_memory_write(small, small_width, small_height, &size) : NULL;
     if (png) {
         fprintf(out, "<img alt=\"%s\" title=\"%s\" src=\"data:image/png;base64,", label, label);
         put_base64(out, png, size);
@@ -201,12 +214,13 @@ void page_picture(struct page *page, const char *caption, enum verdict verdict, 
         snprintf(page->caption, sizeof page->caption, "%s", caption);
         fputs("<figure>", out);
     }
-    put_picture(out, "ours", pictures->got.rgba, width, height);
+    put_picture(out, "ours", pictures->got.rgba, width, height, MEAN);
     if (verdict == VERDICT_EQUAL) return;
     uint8_t *difference = report_difference_picture(pictures);
-    put_picture(out, "the reference", pictures->want.rgba, width, height);
-    put_picture(out, "the difference", difference, width, height);
-    fputs("<p class=\"soft\">ours, the reference, the difference</p>", out);
+    put_picture(out, "the reference", pictures->want.rgba, width, height, MEAN);
+    put_picture(out, "the difference", difference, width, height, BRIGHTEST);
+    fputs("<p class=\"soft\">ours, the reference, the difference: red another face, yellow depth, cyan colour</p>",
+          out);
     free(difference);
 }
 

@@ -170,6 +170,6 @@ enum verdict scene_files_check(struct harness *harness, struct report *report, c
     int before = report->count + report->refused;
     enum verdict verdict = check_path(&checking, path);
     bool found = report->count + report->refused > before;
-    if (!found) fprintf(stderr, "%s: no scene and no mesh\n", path);
+    if (verdict == VERDICT_EQUAL && !found) fprintf(stderr, "%s: no scene and no mesh\n", path);
     return verdict == VERDICT_EQUAL && !found ? VERDICT_UNPROVED : verdict;
 }
