@@ -45,13 +45,6 @@ void batches_transform(const struct zr_camera *camera, const zr_mat4 *object_to_
     apply_in_double(&camera->projection, clip);
 }
 
-bool batches_is_mirrored(const zr_mat4 *object_to_world)
-{
-    const float *m = object_to_world->m;
-    zr_vec3 x = {m[0], m[1], m[2]}, y = {m[4], m[5], m[6]}, z = {m[8], m[9], m[10]};
-    return zr_vec3_dot(zr_vec3_cross(x, y), z) < 0.0f;
-}
-
 /* ---- building ---- */
 
 struct builder {
@@ -387,7 +380,7 @@ static bool append_instance(struct builder *b, const struct zr_instance *instanc
     struct source source = {.mesh = mesh,
                             .instance = instance,
                             .modelview = modelview,
-                            .mirrored = batches_is_mirrored(&instance->object_to_world)};
+                            .mirrored = zr_mat4_is_mirror(&instance->object_to_world)};
     if (b->owner + zr_mesh_ids(mesh) > (uint64_t)BATCHES_OWNERS_MAX + 1) return false;
     if (!make_colors(b, &source, lighting)) return false;
     if (!for_each_face(b, &source, append_face) || !for_each_face(b, &source, append_outline)) return false;

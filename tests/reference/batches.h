@@ -52,9 +52,6 @@ struct batches_cut {
 };
 bool batches_cut_face(struct zr_arena *arena, const struct zr_mesh *mesh, uint32_t face, struct batches_cut *cut);
 
-/* True where the instance turns clockwise into counter-clockwise. */
-bool batches_is_mirrored(const zr_mat4 *object_to_world);
-
 /* projection * world_to_eye * object_to_world * position, one matrix after the other, in double and from the right:
  * the same place as ours and GL's, reached by another way. */
 void batches_transform(const struct zr_camera *camera, const zr_mat4 *object_to_world, zr_vec4 position,
