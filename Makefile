@@ -35,6 +35,7 @@ DATA ?= ../shared/data
 REFERENCE ?= osmesa
 verify_osmesa := $(BUILD)/zraster-verify
 verify_egl := $(BUILD)/zraster-verify-egl
+verify_lines := $(BUILD)/zraster-verify-lines
 
 objects = $(patsubst %.c,$(BUILD)/%.o,$(wildcard $(1)))
 core := $(call objects,core/*.c core/*/*.c)
@@ -73,13 +74,21 @@ test: ## installs what tests need and runs every test
 test-quick: ## unit and property tests, the server, and a short reference run
 	@.ci/need $(NEED_BUILD) $(NEED_TEST)
 	@$(MAKE) -s -j$(JOBS) tests
-	@DATA="$(DATA)" REFERENCE_TRIANGLES=20000 tests/run.sh $(BUILD) unit server clients reference
+	@DATA="$(DATA)" REFERENCE_TRIANGLES=20000 REFERENCE_LINES=20000 tests/run.sh $(BUILD) unit server clients reference
 
 .PHONY: reference
 reference: ## the long comparison with Mesa, and build/reference/report.html about it; REFERENCE=egl: without OSMesa
 	@.ci/need $(NEED_BUILD) $(if $(filter egl,$(REFERENCE)),$(NEED_EGL),$(NEED_TEST)) $(NEED_DEMO)
-	@$(MAKE) -s -j$(JOBS) $(if $(filter egl,$(REFERENCE)),$(verify_egl),$(verify_osmesa) $(verify_egl))
+	@$(MAKE) -s -j$(JOBS) $(if $(filter egl,$(REFERENCE)),$(verify_egl),$(verify_osmesa) $(verify_egl) $(verify_lines))
+	@$(if $(filter osmesa,$(REFERENCE)),$(verify_lines) --primitives 300000)
 	@DATA="$(DATA)" tests/reference/all.sh $(BUILD) $(verify_$(REFERENCE)) $(if $(filter osmesa,$(REFERENCE)),$(verify_egl))
+
+.PHONY: algorithms
+algorithms: ## the five algorithms against one another: 100 000 triangles and 40 000 polygons
+	@.ci/need $(NEED_BUILD) $(NEED_TEST)
+	@$(MAKE) -s -j$(JOBS) $(BUILD)/tests/property/test_algorithms $(BUILD)/tests/property/test_polygons
+	ALGORITHM_TRIANGLES=100000 $(BUILD)/tests/property/test_algorithms
+	ALGORITHM_TRIANGLES=100000 $(BUILD)/tests/property/test_polygons
 
 .PHONY: bench
 bench: ## our times beside llvmpipe's, in one run
