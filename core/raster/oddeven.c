@@ -19,14 +19,18 @@ static int64_t crossing(const struct zr_grid_edge *e, int64_t y)
     return quotient * step < numerator ? quotient + 1 : quotient;
 }
 
+/* Most edges of a large polygon pass a tile by: only those through it need to be divided out. */
 static void flip(const struct zr_tile *tile, const struct zr_grid_edge *e, struct flags *flags)
 {
+    int32_t left = tile->x * ZR_SUBPIXELS, right = (tile->x + ZR_TILE_SIZE - 1) * ZR_SUBPIXELS;
+    if (e->x0 > right && e->x1 > right) return;
+    bool whole = e->x0 <= left && e->x1 <= left;
     int32_t begin = (e->y0 + ZR_SUBPIXELS - 1) >> ZR_SUBPIXEL_BITS,
             end = (e->y1 + ZR_SUBPIXELS - 1) >> ZR_SUBPIXEL_BITS;
     if (begin < tile->y) begin = tile->y;
     if (end > tile->y + tile->height) end = tile->y + tile->height;
     for (int32_t y = begin; y < end; y++) {
-        int64_t column = crossing(e, y) - tile->x;
+        int64_t column = whole ? 0 : crossing(e, y) - tile->x;
         if (column < ZR_TILE_SIZE) flags->rows[y - tile->y] ^= ~UINT64_C(0) << (column > 0 ? column : 0);
     }
 }
@@ -100,6 +104,9 @@ void zr_oddeven_draw(const struct zr_geometry *geometry, const struct zr_primiti
         return;
     }
     for (uint32_t record = primitive->first; record < primitive->first + primitive->count; record++) {
+        int32_t box[4];
+        zr_setup_box(geometry->vertices, &geometry->triangles[record], box);
+        if (!zr_tile_touches(tile, box)) continue;
         struct zr_setup setup = zr_setup_make(geometry->vertices, &geometry->triangles[record]);
         put_triangle(&setup, record + 1, &flags, tile);
     }

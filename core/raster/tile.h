@@ -28,6 +28,12 @@ static inline size_t zr_tile_count(uint32_t width, uint32_t height)
     return (size_t)((width + ZR_TILE_SIZE - 1) / ZR_TILE_SIZE) * ((height + ZR_TILE_SIZE - 1) / ZR_TILE_SIZE);
 }
 
+/* Whether a box of pixels (min x, min y, max x, max y) has one of the tile's. */
+static inline bool zr_tile_touches(const struct zr_tile *tile, const int32_t box[4])
+{
+    return box[0] < tile->x + tile->width && box[1] < tile->y + tile->height && box[2] >= tile->x && box[3] >= tile->y;
+}
+
 /* Puts tile `number` where it belongs in the window. */
 void zr_tile_place(struct zr_tile *tile, uint32_t number, uint32_t width, uint32_t height);
 

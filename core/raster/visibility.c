@@ -9,13 +9,6 @@ enum { PRIMITIVES_A_CANCEL_CHECK = 1024 };
 
 /* ---- tile by tile ---- */
 
-static bool touches(const struct zr_tile *tile, const struct zr_geometry *geometry, uint32_t first)
-{
-    int32_t box[4];
-    zr_primitive_box(geometry, first, box);
-    return box[0] < tile->x + tile->width && box[1] < tile->y + tile->height && box[2] >= tile->x && box[3] >= tile->y;
-}
-
 static void draw(const struct zr_geometry *geometry, uint32_t first, uint32_t width, uint32_t height,
                  struct zr_tile *tile)
 {
@@ -44,7 +37,9 @@ bool zr_visibility_tile(const struct zr_geometry *geometry, const struct zr_bins
         if (drawn % PRIMITIVES_A_CANCEL_CHECK == 0 && zr_is_cancelled(cancel)) return false;
         bool take_small = large == large_end || (small < small_end && *small < *large);
         uint32_t first = take_small ? *small++ : *large++;
-        if (take_small || touches(tile, geometry, first)) draw(geometry, first, width, height, tile);
+        int32_t box[4];
+        if (!take_small) zr_primitive_box(geometry, first, box);
+        if (take_small || zr_tile_touches(tile, box)) draw(geometry, first, width, height, tile);
     }
     return true;
 }
