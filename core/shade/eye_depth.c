@@ -44,8 +44,7 @@ static struct zr_eye_depth line_depth(const struct zr_window_vertex *const v[3])
 
 /* ---- triangles ---- */
 
-/* Three directions, or places, in the rows of zr_source_instance: a corner of the triangle, and the ways from
- * it to the two others. */
+/* In the rows of zr_source_instance: one corner of the triangle, and the ways from there to the others. */
 struct corners {
     double first[ZR_SOURCE_ROWS], d1[ZR_SOURCE_ROWS], d2[ZR_SOURCE_ROWS];
 };
@@ -69,10 +68,11 @@ static inline void cross(const double a[3], const double b[3], double out[3])
     out[2] = a[0] * b[1] - a[1] * b[0];
 }
 
-/* The plane over the window of the value in row `r`. With c the corners in x, y, w of clip space and p their
- * values it is s . sum of p_i (c_j x c_k), where s = (x, y, 1) is the sample from -1 to 1; here it is
- * written by differences from the first corner, `normal` being d1 x d2, and times the width
- * and the height of the window, so that s is whole numbers. */
+/* The value in row `r` as a plane over the window, times what is the same for all rows. With c the corners in
+ * x, y, w of clip space, p their values, and s = (x, y, 1) the sample, -1 to 1 over the window, it is
+ * the sum of p_i (c_j x c_k), times s. That cancels where a triangle is small, and is written here by
+ * differences: p0 (d1 x d2) + c0 x (p2 d1 - p1 d2). And it is multiplied by width and height, which
+ * makes s whole numbers. `normal` is d1 x d2. */
 static inline struct zr_eye_plane value_plane(const struct corners *c, const double normal[3], int r, double width,
                                               double height)
 {
@@ -85,9 +85,9 @@ static inline struct zr_eye_plane value_plane(const struct corners *c, const dou
     return (struct zr_eye_plane){(one + x * (1.0 - width)) + y * (1.0 - height), 2.0 * x, 2.0 * y};
 }
 
-/* What the ray can meet: all of the mesh's triangle, also where that goes a hair beyond the view volume. Where the
- * corners give no range, because one is not in front of the eye or not at a finite place,
- * a range around what is in the window. */
+/* What the ray can meet: all of the mesh's triangle, and not only the piece of it that clipping left, for a
+ * sample may lie a hair beyond that. Corners behind the eye or at infinity give no range; then the
+ * piece does, with so much room that only what is seen from its edge could be kept from its depth. */
 static inline void make_range(const struct corners *c, const struct zr_window_vertex *const v[3],
                               struct zr_eye_depth *out)
 {

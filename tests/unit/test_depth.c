@@ -87,7 +87,7 @@ static double analytic_depth(const struct place corners[3], const struct ray *ra
 static double margin_of(const struct place corners[3], uint32_t column, uint32_t row)
 {
     const double sample[3] = {(double)column + 0.5, (double)row + 0.5, 1.0};
-    double least = INFINITY, side[3];
+    double least = HUGE_VAL, side[3];
     for (int k = 0; k < 3; k++) {
         cross(corners[k].window, corners[(k + 1) % 3].window, side);
         double turn = dot(side, corners[(k + 2) % 3].window);
@@ -114,7 +114,7 @@ struct body {
 
 static void assert_among_corners(double depth, const struct place corners[3])
 {
-    double low = INFINITY, high = -INFINITY;
+    double low = HUGE_VAL, high = -HUGE_VAL;
     for (int k = 0; k < 3; k++) {
         if (!(corners[k].window[2] > 0.0)) return;
         low = fmin(low, -corners[k].eye[2]);
@@ -131,7 +131,7 @@ static bool check_pixel(const struct zr_frame *frame, const struct body *body, u
     uint32_t first = body->one_face ? 0 : number % faces, end = body->one_face ? body->triangles : first + 1;
     const zr_mat4 *object_to_world = &body->instances[number / faces].object_to_world;
     struct place owner[3] = {{{0}, {0}}}, corners[3];
-    double margin = -INFINITY;
+    double margin = -HUGE_VAL;
     for (uint32_t t = first; t < end; t++) {
         for (int k = 0; k < 3; k++)
             corners[k] = place_of(frame, object_to_world, body->corners[3 * t + (uint32_t)k]);
