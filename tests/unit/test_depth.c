@@ -330,7 +330,7 @@ static void depth_of_instances_is_analytic(void **state)
     static const struct zr_instance balls[3] = {
         {0, {{0.36f, 0.48f, -0.8f, 0, -0.4f, 0.3f, 0, 0, 0.72f, 0.96f, 0.9f, 0, -0.6f, 0.1f, -0.2f, 1}}},
         {0, {{-0.31f, 0.2f, 0.1f, 0, 0.2f, 0.33f, 0.1f, 0, 0, -0.1f, 0.7f, 0, 0.9f, -0.4f, 0.3f, 1}}},
-        {0, {{0.1f, 0, 0, 0, 0, 0.1f, 0, 0, 0, 0, 0.1f, 0, 0.3f, 0.6f, 1.3f, 1}}}};
+        {0, {{0, 0, 0.1f, 0, 0.1f, 0, 0, 0, 0, 0.1f, 0, 0, 0.3f, 0.6f, 1.3f, 1}}}};
     const struct body body = {make_ball(2.5f), BALL_TRIANGLES, false, balls};
     scene_of_triangles(&test, 1, 1, body.corners, body.triangles);
     const struct zr_mesh meshes[2] = {test.mesh, {.name = "", .face_offsets = &zero}};
