@@ -57,6 +57,15 @@ bool zr_builder_reserve_shape(struct zr_builder *builder, uint64_t edges)
     return true;
 }
 
+bool zr_builder_reserve_cut(struct zr_builder *builder)
+{
+    struct zr_sources *sources = &builder->geometry->sources;
+    void *cuts = sources->cuts;
+    if (!reserve(builder->arena, &cuts, &builder->cut_room, sources->cut_count, 1, sizeof *sources->cuts)) return false;
+    sources->cuts = cuts;
+    return true;
+}
+
 uint32_t zr_builder_color(const struct zr_builder *builder, uint32_t face, bool smooth, uint32_t slot)
 {
     const struct zr_mesh *mesh = builder->mesh;

@@ -26,7 +26,7 @@ struct zr_builder {
     struct zr_geometry *geometry;
     bool separate_backs;                             /* back_colors is an array of its own */
     uint32_t vertex_room, color_room, triangle_room; /* capacities of the geometry's arrays */
-    uint32_t shape_room, edge_room;
+    uint32_t shape_room, edge_room, cut_room;
     uint32_t outline_color; /* 1 + index of the colour that outlines had last, or 0 */
     struct zr_viewport viewport;
     struct zr_cutting cutting;
@@ -44,6 +44,7 @@ struct zr_builder {
  * there would be more of them than indices can tell apart. */
 bool zr_builder_reserve(struct zr_builder *builder, uint64_t vertices, uint64_t colors, uint64_t triangles);
 bool zr_builder_reserve_shape(struct zr_builder *builder, uint64_t edges);
+bool zr_builder_reserve_cut(struct zr_builder *builder);
 
 /* The window vertex of a position. */
 static inline uint32_t zr_builder_vertex(const struct zr_builder *builder, uint32_t position)

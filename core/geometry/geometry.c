@@ -52,6 +52,8 @@ static bool make_room(struct zr_builder *builder, const struct zr_scene *scene)
         if (mesh->position_count > most) most = mesh->position_count;
     }
     if (!zr_builder_reserve(builder, vertices, colors, 0)) return false;
+    struct zr_sources *sources = &builder->geometry->sources;
+    sources->instances = zr_arena_alloc(builder->arena, scene->instance_count, sizeof *sources->instances);
     builder->clip_positions = zr_arena_alloc(builder->arena, most, sizeof *builder->clip_positions);
     builder->outcodes = zr_arena_alloc(builder->arena, most, sizeof *builder->outcodes);
     return zr_arena_ok(builder->arena);
@@ -75,6 +77,8 @@ static enum zr_status build_instance(struct zr_builder *builder, struct zr_team 
     zr_team_ranges(team, mesh->position_count, VERTICES_A_RANGE, place_vertices, &placing);
     builder->mirrored = zr_mat4_is_mirror(&instance->object_to_world);
     builder->first_vertex = geometry->vertex_count;
+    geometry->sources.instances[geometry->sources.instance_count++] =
+        zr_source_instance_make(camera, &instance->object_to_world, mesh, builder->first_vertex);
     geometry->vertex_count += mesh->position_count;
 
     struct zr_colors colors =

@@ -10,6 +10,7 @@
 #include "base/team.h"
 #include "geometry/counts.h"
 #include "geometry/grid_edge.h"
+#include "geometry/source.h"
 #include "geometry/viewport.h"
 #include "scene/camera.h"
 #include "zraster.h"
@@ -49,6 +50,7 @@ struct zr_geometry {
     struct zr_triangle *triangles;
     struct zr_shape *shapes;
     struct zr_grid_edge *edges;
+    struct zr_sources sources; /* of the triangles */
     struct zr_counts counts;
 };
 

@@ -53,6 +53,7 @@ static void clip_and_append(struct zr_builder *builder, const struct zr_corners 
     geometry->counts.clipped++;
     int count = zr_clip_triangle(in, outcodes, out);
     if (count == 0 || !zr_builder_reserve(builder, ZR_CLIP_MAX, ZR_CLIP_MAX, ZR_CLIP_MAX)) return;
+    if (!zr_builder_reserve_cut(builder)) return;
 
     bool flat = corners->color[0] == corners->color[1] && corners->color[1] == corners->color[2];
     uint32_t vertex = geometry->vertex_count, color = flat ? corners->color[0] : geometry->color_count;
@@ -66,6 +67,8 @@ static void clip_and_append(struct zr_builder *builder, const struct zr_corners 
         geometry->back_colors[geometry->color_count] = out[i].back;
         geometry->front_colors[geometry->color_count++] = out[i].front;
     }
+    geometry->sources.cuts[geometry->sources.cut_count++] =
+        (struct zr_source_cut){vertex, {corners->vertex[0], corners->vertex[1], corners->vertex[2]}};
     const struct zr_counts before = geometry->counts;
     for (int i = 2; i < count; i++) {
         if (!placed[i - 1] || !placed[i] || !placed[0]) continue;

@@ -1,21 +1,14 @@
 #include "shade/resolve.h"
 
-#include <math.h>
 #include <string.h>
 
 #include "raster/line.h"
+#include "shade/eye_depth.h"
 
 /* Pixels of one row that belong to one triangle. */
 struct run {
     int32_t x, y, count; /* window space, y up */
     uint32_t owner;
-};
-
-/* As zr_plane, for depth in scene units. Nothing has to equal a reference here, and in float the
- * way from the corner of the window to the triangle would cost some ulps, for a small or narrow
- * triangle hundreds: what is left in double is how its corners were rounded. */
-struct depth_plane {
-    double a0, dadx, dady;
 };
 
 /* A triangle's planes, kept while its runs are resolved. */
@@ -24,12 +17,11 @@ struct surface {
     bool flat;
     uint32_t flat_color;
     struct zr_plane oow, red, green, blue; /* colours times 1/w */
-    struct depth_plane eye_z, eye_w;       /* times 1/w */
-    double depth_min, depth_max;
+    struct zr_eye_depth eye_depth;
 };
 
 /* Small triangles come back in every row of a tile: this many are remembered. */
-enum { SURFACES = 64 };
+enum { SURFACES = 256 };
 
 /* Adding and taking away 1.5 * 2^23 rounds to an integer, ties to even: the float
  * has no bits left for a fraction. Compiles to vector code, as rintf does not everywhere. */
@@ -60,11 +52,6 @@ static inline uint32_t pack(uint32_t red, uint32_t green, uint32_t blue, uint32_
 #endif
 }
 
-static float eye_depth(const struct zr_window_vertex *v)
-{
-    return -v->eye_z / v->eye_w;
-}
-
 /* What the planes of a record have in common: of a triangle's or of a line's. */
 struct basis {
     bool is_line;
@@ -87,8 +74,7 @@ static struct zr_plane plane_make(const struct basis *basis, float p0, float p1,
     return basis->is_line ? zr_line_plane_make(&basis->line, p0, p1) : zr_plane_make(&basis->triangle, p0, p1, p2);
 }
 
-static void make_color(const struct zr_geometry *geometry, const struct zr_triangle *t, const struct basis *basis,
-                       const float oow[3], struct surface *surface)
+static void make_color(const struct zr_geometry *geometry, const struct zr_triangle *t, struct surface *surface)
 {
     const zr_vec4 *colors = t->back ? geometry->back_colors : geometry->front_colors;
     zr_vec4 c0 = colors[t->c[0]], c1 = colors[t->c[1]], c2 = colors[t->c[2]];
@@ -97,49 +83,14 @@ static void make_color(const struct zr_geometry *geometry, const struct zr_trian
         surface->flat_color = pack(color_byte(c0.x), color_byte(c0.y), color_byte(c0.z), 255);
         return;
     }
-    surface->oow = plane_make(basis, oow[0], oow[1], oow[2]);
-    surface->red = plane_make(basis, c0.x * oow[0], c1.x * oow[1], c2.x * oow[2]);
-    surface->green = plane_make(basis, c0.y * oow[0], c1.y * oow[1], c2.y * oow[2]);
-    surface->blue = plane_make(basis, c0.z * oow[0], c1.z * oow[1], c2.z * oow[2]);
-}
-
-static struct depth_plane depth_plane_make(const struct zr_window_vertex *const v[3], const double p[3])
-{
-    double x0 = (double)v[0]->x, y0 = (double)v[0]->y;
-    double dx01 = x0 - (double)v[1]->x, dy01 = y0 - (double)v[1]->y;
-    double dx20 = (double)v[2]->x - x0, dy20 = (double)v[2]->y - y0;
-    double ooa = 1.0 / (dx01 * dy20 - dy01 * dx20), d01 = (p[0] - p[1]) * ooa, d20 = (p[2] - p[0]) * ooa;
-    double dadx = d01 * dy20 - d20 * dy01, dady = d20 * dx01 - d01 * dx20;
-    return (struct depth_plane){p[0] - (dadx * (x0 - 0.5) + dady * (y0 - 0.5)), dadx, dady};
-}
-
-/* A line's values vary along its major axis alone (raster/line.h). */
-static struct depth_plane depth_line_make(const struct zr_window_vertex *const v[3], const double p[3])
-{
-    double x0 = (double)v[0]->x, y0 = (double)v[0]->y, dx = x0 - (double)v[1]->x, dy = y0 - (double)v[1]->y;
-    bool along_x = fabs(dx) >= fabs(dy);
-    double dadx = along_x ? (p[0] - p[1]) / dx : 0.0, dady = along_x ? 0.0 : (p[0] - p[1]) / dy;
-    return (struct depth_plane){p[0] - (dadx * (x0 - 0.5) + dady * (y0 - 0.5)), dadx, dady};
-}
-
-static double depth_plane_at(const struct depth_plane *plane, double x, double y)
-{
-    return (plane->a0 + plane->dadx * x) + plane->dady * y;
-}
-
-static void make_depth(const struct zr_window_vertex *const v[3], bool is_line, struct surface *surface)
-{
-    double z[3], w[3];
-    for (int i = 0; i < 3; i++) {
-        z[i] = -(double)v[i]->eye_z * (double)v[i]->oow;
-        w[i] = (double)v[i]->eye_w * (double)v[i]->oow;
-    }
-    surface->eye_z = is_line ? depth_line_make(v, z) : depth_plane_make(v, z);
-    surface->eye_w = is_line ? depth_line_make(v, w) : depth_plane_make(v, w);
-    float d0 = eye_depth(v[0]), d1 = eye_depth(v[1]), d2 = eye_depth(v[2]);
-    float low = d0 < d1 ? d0 : d1, high = d0 > d1 ? d0 : d1;
-    surface->depth_min = (double)(low < d2 ? low : d2);
-    surface->depth_max = (double)(high > d2 ? high : d2);
+    const struct zr_window_vertex *const v[3] = {&geometry->vertices[t->v[0]], &geometry->vertices[t->v[1]],
+                                                 &geometry->vertices[t->v[2]]};
+    const float oow[3] = {v[0]->oow, v[1]->oow, v[2]->oow};
+    const struct basis basis = basis_make(t, v);
+    surface->oow = plane_make(&basis, oow[0], oow[1], oow[2]);
+    surface->red = plane_make(&basis, c0.x * oow[0], c1.x * oow[1], c2.x * oow[2]);
+    surface->green = plane_make(&basis, c0.y * oow[0], c1.y * oow[1], c2.y * oow[2]);
+    surface->blue = plane_make(&basis, c0.z * oow[0], c1.z * oow[1], c2.z * oow[2]);
 }
 
 /* Only what the frame's channels ask for: small triangles are set up as often as drawn. */
@@ -147,13 +98,9 @@ static void make_surface(const struct zr_geometry *geometry, const struct zr_fra
                          struct surface *surface)
 {
     const struct zr_triangle *t = &geometry->triangles[owner - 1];
-    const struct zr_window_vertex *const v[3] = {&geometry->vertices[t->v[0]], &geometry->vertices[t->v[1]],
-                                                 &geometry->vertices[t->v[2]]};
-    const float oow[3] = {v[0]->oow, v[1]->oow, v[2]->oow};
-    struct basis basis = basis_make(t, v);
     surface->owner = owner;
-    if (frame->color) make_color(geometry, t, &basis, oow, surface);
-    if (frame->depth) make_depth(v, t->line, surface);
+    if (frame->color) make_color(geometry, t, surface);
+    if (frame->depth) zr_eye_depth_make(geometry, t, frame->width, frame->height, &surface->eye_depth);
 }
 
 static void resolve_color(const struct surface *surface, const struct run *run, uint32_t *out)
@@ -175,18 +122,11 @@ static void resolve_color(const struct surface *surface, const struct run *run, 
     }
 }
 
-/* Kept within the depths of the vertices: the planes of a sliver lean so steeply
- * that rounding alone could throw a pixel off the surface. NaN gives the nearest vertex. */
 static void resolve_depth(const struct surface *surface, const struct run *run, float *out)
 {
-    const struct depth_plane z = surface->eye_z, w = surface->eye_w;
-    const double y = (double)run->y, low = surface->depth_min, high = surface->depth_max;
-    for (int32_t i = 0; i < run->count; i++) {
-        double x = (double)(run->x + i);
-        double depth = depth_plane_at(&z, x, y) / depth_plane_at(&w, x, y);
-        depth = depth > low ? depth : low;
-        out[i] = (float)(depth < high ? depth : high);
-    }
+    const struct zr_eye_depth depth = surface->eye_depth;
+    for (int32_t i = 0; i < run->count; i++)
+        out[i] = zr_eye_depth_at(&depth, run->x + i, run->y);
 }
 
 /* The base as it is; its depth in the tile is for the depth test only. */
