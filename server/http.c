@@ -22,7 +22,7 @@ enum {
     CONNECTION_MEMORY = 128 << 10, /* headers of 32 KiB, parsed, and an answer's, with room to spare */
     THREAD_STACK = 512 << 10,
     CANCEL_MS = 2000, /* after a drain that took too long: for cancelled work to be answered */
-    GRACE_MS = 100,   /* at its begin: for what is on its way already to be read */
+    GRACE_MS = 1000,  /* at its begin: for what is on its way already to be read */
     GRACE_STEP_MS = 5
 };
 
