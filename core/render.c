@@ -57,7 +57,7 @@ static enum zr_status run_pipeline(struct zr_arena *arena, struct zr_team *team,
 {
     enum zr_status status;
     struct zr_geometry geometry;
-    struct zr_bins bins = {.columns = 0};
+    struct zr_bins bins = {.offsets = NULL};
     struct zr_samples samples;
     zr_visibility_fn *window_at_once = zr_visibility_of(scene->algorithm);
 
@@ -70,7 +70,7 @@ static enum zr_status run_pipeline(struct zr_arena *arena, struct zr_team *team,
         status = zr_visibility_window(arena, &geometry, window_at_once, scene->width, scene->height, frame->base,
                                       cancel, &samples);
     else
-        status = zr_bins_build(arena, &geometry, scene->width, scene->height, &bins);
+        status = zr_bins_build(arena, &geometry, scene->width, scene->height, cancel, &bins);
     if (status != ZR_OK) return status;
     struct drawing drawing = {scene, &geometry, &bins, window_at_once ? &samples : NULL, frame, cancel, 0};
     zr_team_ranges(team, zr_tile_count(scene->width, scene->height), 1, draw_tiles, &drawing);

@@ -15,11 +15,10 @@
 #include "scene/camera.h"
 #include "zraster.h"
 
-/* Records, vertices and colours of a request: each fewer than this, so that four
- * entries a record (raster/bins.h) can be counted in 32 bits. */
+/* Records, vertices and colours of a request: each no more than this, so that sums of some are within 32 bits. */
 #define ZR_GEOMETRY_MAX (UINT32_MAX / 4)
 
-/* Shapes: each has two triangles or more, and so there are fewer than half as many. */
+/* Shapes of a request: fewer than this, so that a record's 29 bits number them. */
 #define ZR_SHAPE_MASK (UINT32_MAX >> 3)
 
 /* A record: one thing with one plane for each of its attributes, and one owner of pixels.

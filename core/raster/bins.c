@@ -1,73 +1,102 @@
 #include "raster/bins.h"
 
+#include "raster/line_draw.h"
 #include "raster/primitive.h"
 
-/* Inclusive; empty where x0 > x1 or y0 > y1. */
-struct tile_range {
-    int32_t x0, y0, x1, y1;
+enum { PRIMITIVES_A_CANCEL_CHECK = 4096 };
+
+/* Two passes: without `entries` they are counted, with them they are filled in. */
+struct binning {
+    const struct zr_geometry *geometry;
+    uint32_t width, height, columns;
+    size_t *offsets;             /* by tile: so many entries, or where the next one goes */
+    uint32_t *entries, *large;   /* or NULL */
+    uint32_t large_count, first; /* first record of the primitive under way */
 };
 
-static struct tile_range tiles_of(const struct zr_geometry *geometry, uint32_t first, uint32_t width, uint32_t height)
+static void add_to_tile(void *context, uint32_t column, uint32_t row)
+{
+    struct binning *b = context;
+    size_t *offset = &b->offsets[(size_t)row * b->columns + column];
+    if (b->entries) b->entries[*offset] = b->first;
+    ++*offset;
+}
+
+static void add_large(struct binning *b)
+{
+    if (b->large) b->large[b->large_count] = b->first;
+    b->large_count++;
+}
+
+static void add_box(struct binning *b)
 {
     int32_t box[4];
-    zr_primitive_box(geometry, first, box);
+    zr_primitive_box(b->geometry, b->first, box);
     /* Clipping leaves rounding: a vertex may stand a hair outside the window. */
     if (box[0] < 0) box[0] = 0;
     if (box[1] < 0) box[1] = 0;
-    if (box[2] >= (int32_t)width) box[2] = (int32_t)width - 1;
-    if (box[3] >= (int32_t)height) box[3] = (int32_t)height - 1;
-    if (box[0] > box[2] || box[1] > box[3]) return (struct tile_range){0, 0, -1, -1};
-    return (struct tile_range){box[0] / ZR_TILE_SIZE, box[1] / ZR_TILE_SIZE, box[2] / ZR_TILE_SIZE,
-                               box[3] / ZR_TILE_SIZE};
-}
-
-static bool is_large(struct tile_range r)
-{
-    return (r.x1 - r.x0 + 1) * (r.y1 - r.y0 + 1) > ZR_BIN_TILES;
-}
-
-/* A counting sort: counts, then offsets, then entries, each in the order of the triangles. */
-enum zr_status zr_bins_build(struct zr_arena *arena, const struct zr_geometry *geometry, uint32_t width,
-                             uint32_t height, struct zr_bins *bins)
-{
-    uint32_t columns = (width + ZR_TILE_SIZE - 1) / ZR_TILE_SIZE, rows = (height + ZR_TILE_SIZE - 1) / ZR_TILE_SIZE;
-    uint32_t *offsets = zr_arena_zero(arena, (size_t)columns * rows + 1, sizeof *offsets);
-    if (!offsets) return ZR_NO_MEMORY;
-    uint32_t large_count = 0;
-    for (uint32_t i = 0; i < geometry->triangle_count; i += zr_primitive_count(geometry, i)) {
-        struct tile_range r = tiles_of(geometry, i, width, height);
-        if (is_large(r)) {
-            large_count++;
-            continue;
-        }
-        for (int32_t y = r.y0; y <= r.y1; y++)
-            for (int32_t x = r.x0; x <= r.x1; x++)
-                offsets[(uint32_t)y * columns + (uint32_t)x]++;
+    if (box[2] >= (int32_t)b->width) box[2] = (int32_t)b->width - 1;
+    if (box[3] >= (int32_t)b->height) box[3] = (int32_t)b->height - 1;
+    if (box[0] > box[2] || box[1] > box[3]) return;
+    for (int k = 0; k < 4; k++)
+        box[k] /= ZR_TILE_SIZE;
+    if ((box[2] - box[0] + 1) * (box[3] - box[1] + 1) > ZR_BIN_TILES) {
+        add_large(b);
+        return;
     }
-    uint32_t total = 0;
-    for (uint32_t i = 0; i <= columns * rows; i++) {
-        uint32_t count = offsets[i];
-        offsets[i] = total; /* where the next entry of this tile goes */
+    for (int32_t y = box[1]; y <= box[3]; y++)
+        for (int32_t x = box[0]; x <= box[2]; x++)
+            add_to_tile(b, (uint32_t)x, (uint32_t)y);
+}
+
+/* A line touches few of the tiles in its box, so it is never large. */
+static void add_line(struct binning *b, const struct zr_triangle *record)
+{
+    struct zr_line_corners line;
+    if (zr_line_corners_make(&b->geometry->vertices[record->v[0]], &b->geometry->vertices[record->v[1]], &line))
+        zr_line_tiles(&line, b->width, b->height, add_to_tile, b);
+}
+
+/* False where it was cancelled. */
+static bool add_all(struct binning *b, const struct zr_cancel *cancel)
+{
+    const struct zr_geometry *geometry = b->geometry;
+    uint32_t done = 0;
+    for (b->first = 0; b->first < geometry->triangle_count; b->first += zr_primitive_count(geometry, b->first)) {
+        const struct zr_triangle *record = &geometry->triangles[b->first];
+        if (done++ % PRIMITIVES_A_CANCEL_CHECK == 0 && zr_is_cancelled(cancel)) return false;
+        if (record->line)
+            add_line(b, record);
+        else
+            add_box(b);
+    }
+    return true;
+}
+
+/* A counting sort: counts, then offsets, then entries, each in the order of the records. */
+enum zr_status zr_bins_build(struct zr_arena *arena, const struct zr_geometry *geometry, uint32_t width,
+                             uint32_t height, const struct zr_cancel *cancel, struct zr_bins *bins)
+{
+    uint32_t columns = (width + ZR_TILE_SIZE - 1) / ZR_TILE_SIZE;
+    size_t tiles = zr_tile_count(width, height), total = 0;
+    struct binning binning = {.geometry = geometry, .width = width, .height = height, .columns = columns};
+    binning.offsets = zr_arena_zero(arena, tiles + 1, sizeof *binning.offsets);
+    if (!binning.offsets) return ZR_NO_MEMORY;
+    if (!add_all(&binning, cancel)) return ZR_CANCELLED;
+    for (size_t i = 0; i <= tiles; i++) {
+        size_t count = binning.offsets[i];
+        binning.offsets[i] = total;
         total += count;
     }
-    uint32_t *entries = zr_arena_alloc(arena, total, sizeof *entries);
-    uint32_t *large = zr_arena_alloc(arena, large_count, sizeof *large);
+    binning.entries = zr_arena_alloc(arena, total, sizeof *binning.entries);
+    binning.large = zr_arena_alloc(arena, binning.large_count, sizeof *binning.large);
     if (!zr_arena_ok(arena)) return ZR_NO_MEMORY;
-    large_count = 0;
-    for (uint32_t i = 0; i < geometry->triangle_count; i += zr_primitive_count(geometry, i)) {
-        struct tile_range r = tiles_of(geometry, i, width, height);
-        if (is_large(r)) {
-            large[large_count++] = i;
-            continue;
-        }
-        for (int32_t y = r.y0; y <= r.y1; y++)
-            for (int32_t x = r.x0; x <= r.x1; x++)
-                entries[offsets[(uint32_t)y * columns + (uint32_t)x]++] = i;
-    }
+    binning.large_count = 0;
+    if (!add_all(&binning, cancel)) return ZR_CANCELLED;
     /* Each offset has moved to the end of its tile, which is the begin of the next. */
-    for (uint32_t i = columns * rows; i > 0; i--)
-        offsets[i] = offsets[i - 1];
-    offsets[0] = 0;
-    *bins = (struct zr_bins){columns, rows, offsets, entries, large, large_count};
+    for (size_t i = tiles; i > 0; i--)
+        binning.offsets[i] = binning.offsets[i - 1];
+    binning.offsets[0] = 0;
+    *bins = (struct zr_bins){binning.offsets, binning.entries, binning.large, binning.large_count};
     return ZR_OK;
 }

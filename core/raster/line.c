@@ -127,7 +127,38 @@ bool zr_line_corners_make(const struct zr_window_vertex *v0, const struct zr_win
         *out = (struct zr_line_corners){
             .x = {low[X] - HALF_WIDTH, high[X] - HALF_WIDTH, high[X] + HALF_WIDTH, low[X] + HALF_WIDTH},
             .y = {low[Y], high[Y], high[Y], low[Y]}};
+    out->along_x = course.major == X;
+    for (int axis = X; axis <= Y; axis++) {
+        out->low[axis] = low[axis];
+        out->high[axis] = high[axis];
+    }
     return true;
+}
+
+static int64_t divide_down(int64_t numerator, int64_t denominator)
+{
+    int64_t quotient = numerator / denominator;
+    return quotient * denominator > numerator ? quotient - 1 : quotient;
+}
+
+/* One side of the parallelogram, half a pixel below the middle, at the column's centre; the other one is a pixel
+ * above, so one centre lies between. A centre on the side itself is inside where it is a left or a
+ * bottom one (rule 7): of a rising line that is the upper one, else the lower. */
+int32_t zr_line_pixel(const struct zr_line_corners *line, int32_t at)
+{
+    int major = line->along_x ? X : Y, minor = Y - major;
+    int64_t run = (int64_t)line->high[major] - line->low[major], rise = (int64_t)line->high[minor] - line->low[minor];
+    int64_t side = (line->low[minor] - HALF_WIDTH) * run + rise * ((int64_t)at * ZR_SUBPIXELS - line->low[major]);
+    int64_t step = run * ZR_SUBPIXELS;
+    bool upper_counts = line->along_x && rise > 0;
+    return (int32_t)(upper_counts ? divide_down(side, step) + 1 : -divide_down(-side, step));
+}
+
+void zr_line_range(const struct zr_line_corners *line, int32_t *first, int32_t *last)
+{
+    int major = line->along_x ? X : Y;
+    *first = (line->low[major] + ZR_SUBPIXELS - 1) >> ZR_SUBPIXEL_BITS;
+    *last = ((line->high[major] + ZR_SUBPIXELS - 1) >> ZR_SUBPIXEL_BITS) - 1;
 }
 
 struct zr_line_basis zr_line_basis_make(const struct zr_window_vertex *v0, const struct zr_window_vertex *v1)

@@ -15,6 +15,8 @@
  * (row, where y is major) of pixel centres between the ends has one centre inside. */
 struct zr_line_corners {
     int32_t x[4], y[4];
+    bool along_x;            /* the major axis */
+    int32_t low[2], high[2]; /* x, y of the ends of its middle, the lower along the major axis first */
 };
 
 /* The parallelogram's pixels are those that rule 7's four edges keep. False where there are
@@ -41,5 +43,12 @@ static inline struct zr_plane zr_line_plane_make(const struct zr_line_basis *bas
     float dadx = d * basis->dx * basis->ooa, dady = d * basis->dy * basis->ooa;
     return (struct zr_plane){p0 - (dadx * basis->x0 + dady * basis->y0), dadx, dady};
 }
+
+/* The one pixel that the line has in column `at`, where x is major, or in row `at`: its row or column. Only for
+ * columns (rows) whose centre lies between the ends, the lower end included and the higher one not. */
+int32_t zr_line_pixel(const struct zr_line_corners *line, int32_t at);
+
+/* The columns (rows) that the line has pixels in: first to last, none where first > last. */
+void zr_line_range(const struct zr_line_corners *line, int32_t *first, int32_t *last);
 
 #endif

@@ -48,14 +48,6 @@ static void cover(const struct zr_primitive *primitive, const struct zr_tile *ti
 
 /* ---- depth ---- */
 
-static void put(struct zr_tile *tile, int32_t row, int32_t column, struct zr_hit hit)
-{
-    int32_t i = row * ZR_TILE_SIZE + column;
-    if (!(hit.depth < tile->depth[i])) return;
-    tile->depth[i] = hit.depth;
-    tile->owner[i] = hit.owner;
-}
-
 static int32_t lowest(uint64_t bits)
 {
     return __builtin_ctzll(bits);
@@ -66,8 +58,8 @@ static void put_record(const struct zr_depth *depth, uint32_t owner, const struc
 {
     for (int32_t row = 0; row < tile->height; row++)
         for (uint64_t bits = flags->rows[row]; bits; bits &= bits - 1) {
-            int32_t column = lowest(bits);
-            put(tile, row, column, (struct zr_hit){zr_depth_at(depth, tile->x + column, tile->y + row), owner});
+            int32_t x = tile->x + lowest(bits), y = tile->y + row;
+            zr_tile_put(tile, x, y, zr_depth_at(depth, x, y), owner);
         }
 }
 
@@ -91,7 +83,7 @@ static void put_triangle(const struct zr_setup *setup, uint32_t owner, struct fl
             int32_t column = lowest(bits), x = tile->x + column, y = tile->y + row;
             if (!zr_setup_covers(setup, x, y)) continue;
             flags->rows[row] &= ~(UINT64_C(1) << column);
-            put(tile, row, column, (struct zr_hit){zr_depth_at(&setup->depth, x, y), owner});
+            zr_tile_put(tile, x, y, zr_depth_at(&setup->depth, x, y), owner);
         }
 }
 
@@ -112,6 +104,9 @@ void zr_oddeven_draw(const struct zr_geometry *geometry, const struct zr_primiti
     }
     /* Rounding where the view volume cuts the polygon may leave samples that no triangle covers. */
     for (int32_t row = 0; row < tile->height; row++)
-        for (uint64_t bits = flags.rows[row]; bits; bits &= bits - 1)
-            put(tile, row, lowest(bits), zr_primitive_hit(geometry, primitive, tile->x + lowest(bits), tile->y + row));
+        for (uint64_t bits = flags.rows[row]; bits; bits &= bits - 1) {
+            int32_t x = tile->x + lowest(bits), y = tile->y + row;
+            struct zr_hit hit = zr_primitive_hit(geometry, primitive, x, y);
+            zr_tile_put(tile, x, y, hit.depth, hit.owner);
+        }
 }

@@ -1,4 +1,4 @@
-/* oddeven.h - raster: polygons of any shape, and lines, into one tile, by the odd-even rule.
+/* oddeven.h - raster: polygons of any shape into one tile, by the odd-even rule.
  *
  * Each edge flips the samples on its right in the rows that it passes; what is left flipped
  * when all edges are through is inside (Ackland & Weste, "The Edge Flag Algorithm", 1981). A tile is

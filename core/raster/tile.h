@@ -28,6 +28,15 @@ static inline size_t zr_tile_count(uint32_t width, uint32_t height)
     return (size_t)((width + ZR_TILE_SIZE - 1) / ZR_TILE_SIZE) * ((height + ZR_TILE_SIZE - 1) / ZR_TILE_SIZE);
 }
 
+/* The z-buffer: what is drawn at pixel x, y of the tile is seen where it is nearer than what is there. */
+static inline void zr_tile_put(struct zr_tile *tile, int32_t x, int32_t y, float depth, uint32_t owner)
+{
+    int32_t i = (y - tile->y) * ZR_TILE_SIZE + x - tile->x;
+    if (!(depth < tile->depth[i])) return;
+    tile->depth[i] = depth;
+    tile->owner[i] = owner;
+}
+
 /* Whether a box of pixels (min x, min y, max x, max y) has one of the tile's. */
 static inline bool zr_tile_touches(const struct zr_tile *tile, const int32_t box[4])
 {

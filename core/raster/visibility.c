@@ -3,6 +3,7 @@
 #include <string.h>
 
 #include "raster/halfspace.h"
+#include "raster/line_draw.h"
 #include "raster/oddeven.h"
 
 enum { PRIMITIVES_A_CANCEL_CHECK = 1024 };
@@ -13,7 +14,11 @@ static void draw(const struct zr_geometry *geometry, uint32_t first, uint32_t wi
                  struct zr_tile *tile)
 {
     const struct zr_triangle *record = &geometry->triangles[first];
-    if (record->shape == 0 && !record->line) {
+    if (record->line) {
+        zr_line_draw(geometry, first, tile);
+        return;
+    }
+    if (record->shape == 0) {
         struct zr_setup setup = zr_setup_make(geometry->vertices, record);
         zr_halfspace_draw(tile, &setup, first + 1);
         return;

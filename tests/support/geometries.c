@@ -86,7 +86,7 @@ static enum zr_status draw_tiles(struct zr_arena *arena, const struct zr_geometr
     size_t pixels = (size_t)samples->width * samples->height;
     samples->depth = zr_arena_alloc(arena, pixels, sizeof *samples->depth);
     samples->owner = zr_arena_alloc(arena, pixels, sizeof *samples->owner);
-    enum zr_status status = zr_bins_build(arena, geometry, samples->width, samples->height, &bins);
+    enum zr_status status = zr_bins_build(arena, geometry, samples->width, samples->height, NULL, &bins);
     for (uint32_t t = 0; status == ZR_OK && t < zr_tile_count(samples->width, samples->height); t++) {
         zr_visibility_tile(geometry, &bins, t, samples->width, samples->height, NULL, NULL, &tile);
         for (int32_t y = 0; y < tile.height; y++)

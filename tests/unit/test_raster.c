@@ -170,6 +170,47 @@ static void odd_even_rule_covers_the_triangle_that_the_kernel_covers(void **stat
     }
 }
 
+/* Lines in all directions, on centres and corners too, in a window of three by two tiles. */
+static void lines_have_the_pixels_of_their_parallelogram_in_the_tiles_that_list_them(void **state)
+{
+    (void)state;
+    enum { WIDTH = 150, HEIGHT = 100, TILES = 6 };
+    struct random random = random_seeded(23);
+    static struct zr_tile by_edges, by_pixels;
+    struct zr_arena arena;
+    zr_arena_init(&arena, 1 << 20);
+    int drawn = 0;
+    for (int round = 0; round < 4000; round++) {
+        struct zr_window_vertex v[2];
+        double step = round % 3 == 0 ? 0.5 : 1.0 / 512;
+        for (int k = 0; k < 2; k++) {
+            double x = floor(random_range(&random, 0, WIDTH) / step) * step;
+            double y = floor(random_range(&random, 0, HEIGHT) / step) * step;
+            if (k == 1 && round % 5 == 0) x = (double)v[0].x;
+            if (k == 1 && round % 7 == 0) y = (double)v[0].y;
+            v[k] = at((float)x, (float)y, (float)random_range(&random, 0, 1));
+        }
+        struct zr_triangle record = {.v = {0, 1, 1}, .line = 1};
+        struct zr_geometry geometry = {.vertices = v, .vertex_count = 2, .triangles = &record, .triangle_count = 1};
+        struct zr_bins bins;
+        struct zr_primitive primitive;
+        zr_arena_reset(&arena, 1 << 20);
+        assert_int_equal(zr_bins_build(&arena, &geometry, WIDTH, HEIGHT, NULL, &bins), ZR_OK);
+        zr_primitive_make(&geometry, 0, WIDTH, HEIGHT, &primitive);
+        for (uint32_t number = 0; number < TILES; number++) {
+            zr_tile_place(&by_edges, number, WIDTH, HEIGHT);
+            zr_tile_begin(&by_edges, NULL, WIDTH, HEIGHT);
+            zr_oddeven_draw(&geometry, &primitive, &by_edges);
+            assert_true(zr_visibility_tile(&geometry, &bins, number, WIDTH, HEIGHT, NULL, NULL, &by_pixels));
+            assert_memory_equal(by_pixels.owner, by_edges.owner, sizeof by_edges.owner);
+            assert_memory_equal(by_pixels.depth, by_edges.depth, sizeof by_edges.depth);
+            drawn += owned(&by_edges);
+        }
+    }
+    assert_true(drawn > 100000);
+    zr_arena_free(&arena);
+}
+
 static void depth_beyond_the_range_is_clamped_and_nan_is_the_far_plane(void **state)
 {
     (void)state;
@@ -203,9 +244,8 @@ static void bins_list_every_triangle_where_it_touches_in_order(void **state)
     struct zr_arena arena;
     zr_arena_init(&arena, 1 << 24);
     struct zr_bins bins;
-    assert_int_equal(zr_bins_build(&arena, &geometry, 300, 200, &bins), ZR_OK);
-    assert_int_equal(bins.columns, 5);
-    assert_int_equal(bins.rows, 4);
+    assert_int_equal(zr_bins_build(&arena, &geometry, 300, 200, NULL, &bins), ZR_OK);
+    assert_int_equal(zr_tile_count(300, 200), 20);
     assert_in_range(bins.large_count, 1, COUNT - 1);
     for (uint32_t i = 0; i < COUNT; i++) {
         int32_t box[4];
@@ -220,13 +260,13 @@ static void bins_list_every_triangle_where_it_touches_in_order(void **state)
             int touches =
                 box[0] <= box[2] && box[1] <= box[3] && box[0] < x1 && box[2] >= x && box[1] < y1 && box[3] >= y;
             int listed = 0;
-            for (uint32_t e = bins.offsets[tile]; e < bins.offsets[tile + 1]; e++)
+            for (size_t e = bins.offsets[tile]; e < bins.offsets[tile + 1]; e++)
                 listed += bins.entries[e] == i;
             assert_int_equal(listed, touches);
         }
     }
     for (uint32_t tile = 0; tile < 20; tile++)
-        for (uint32_t e = bins.offsets[tile] + 1; e < bins.offsets[tile + 1]; e++)
+        for (size_t e = bins.offsets[tile] + 1; e < bins.offsets[tile + 1]; e++)
             assert_true(bins.entries[e] > bins.entries[e - 1]);
     zr_arena_free(&arena);
 }
@@ -240,6 +280,7 @@ int main(void)
         cmocka_unit_test(what_lies_on_the_far_plane_is_behind_the_cleared_depth),
         cmocka_unit_test(kernel_agrees_with_the_edge_functions_pixel_by_pixel),
         cmocka_unit_test(odd_even_rule_covers_the_triangle_that_the_kernel_covers),
+        cmocka_unit_test(lines_have_the_pixels_of_their_parallelogram_in_the_tiles_that_list_them),
         cmocka_unit_test(depth_beyond_the_range_is_clamped_and_nan_is_the_far_plane),
         cmocka_unit_test(bins_list_every_triangle_where_it_touches_in_order),
     };
