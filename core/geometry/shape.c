@@ -1,5 +1,7 @@
 #include "geometry/shape.h"
 
+#include <stdlib.h>
+
 #include "geometry/clip.h"
 
 /* ---- edges ---- */
@@ -8,6 +10,7 @@
 struct trace {
     struct zr_builder *builder;
     int64_t area;
+    bool clipped;
 };
 
 static void add_edge(struct trace *trace, const struct zr_window_vertex *a, const struct zr_window_vertex *b)
@@ -61,6 +64,7 @@ static void add_clipped_triangle(struct trace *trace, const uint32_t corners[3])
 static void add_clipped_ring(struct trace *trace, uint32_t begin, uint32_t end)
 {
     const uint32_t *indices = trace->builder->mesh->indices;
+    trace->clipped = true;
     for (uint32_t slot = begin + 2; slot < end; slot++)
         add_clipped_triangle(trace, (const uint32_t[3]){indices[slot - 1], indices[slot], indices[begin]});
 }
@@ -74,19 +78,45 @@ static void add_ring(struct trace *trace, uint32_t begin, uint32_t end)
 }
 
 /* The outer ring first: it tells which side is seen. A ring whose windings cancel out shows its front. */
-static bool add_outer_ring(struct zr_builder *builder, struct zr_rings rings)
+static bool add_outer_ring(struct trace *trace, struct zr_rings rings)
 {
-    struct trace trace = {builder, 0};
-    add_ring(&trace, rings.offsets[0], rings.offsets[1]);
-    return trace.area != 0 && (trace.area < 0) != builder->mirrored;
+    add_ring(trace, rings.offsets[0], rings.offsets[1]);
+    return trace->area != 0 && (trace->area < 0) != trace->builder->mirrored;
 }
 
 bool zr_shape_shows_back(struct zr_builder *builder, uint32_t face)
 {
     uint32_t edges = builder->geometry->edge_count;
-    bool back = add_outer_ring(builder, zr_mesh_rings(builder->mesh, face));
+    struct trace trace = {.builder = builder};
+    bool back = add_outer_ring(&trace, zr_mesh_rings(builder->mesh, face));
     builder->geometry->edge_count = edges;
     return back;
+}
+
+/* By value, so that equal edges come together. */
+static int compare_edges(const void *left, const void *right)
+{
+    const struct zr_grid_edge *a = left, *b = right;
+    if (a->y0 != b->y0) return a->y0 < b->y0 ? -1 : 1;
+    if (a->x0 != b->x0) return a->x0 < b->x0 ? -1 : 1;
+    if (a->y1 != b->y1) return a->y1 < b->y1 ? -1 : 1;
+    return a->x1 < b->x1 ? -1 : a->x1 > b->x1;
+}
+
+/* Two of the same edge undo one another: of a ring that was clipped triangle by triangle most go. */
+static void drop_pairs(struct zr_geometry *geometry, uint32_t first)
+{
+    struct zr_grid_edge *edges = geometry->edges;
+    uint32_t kept = first;
+    if (geometry->edge_count - first < 2) return;
+    qsort(edges + first, geometry->edge_count - first, sizeof *edges, compare_edges);
+    for (uint32_t i = first; i < geometry->edge_count; i++) {
+        if (kept > first && compare_edges(&edges[kept - 1], &edges[i]) == 0)
+            kept--;
+        else
+            edges[kept++] = edges[i];
+    }
+    geometry->edge_count = kept;
 }
 
 /* ---- the shape ---- */
@@ -155,12 +185,13 @@ void zr_shape_place(struct zr_builder *builder, uint32_t face, bool smooth, cons
     struct zr_rings rings = zr_mesh_rings(builder->mesh, face);
     uint32_t first_edge = geometry->edge_count, first_triangle = geometry->triangle_count;
     struct zr_part own = *part;
-    own.back = add_outer_ring(builder, rings);
-    struct trace trace = {builder, 0};
+    struct trace trace = {.builder = builder};
+    own.back = add_outer_ring(&trace, rings);
     for (uint32_t r = 1; r < rings.count; r++)
         add_ring(&trace, rings.offsets[r], rings.offsets[r + 1]);
-    struct zr_shape shape = shape_of_edges(geometry, first_edge);
     if (!zr_builder_reserve_shape(builder, 0)) return;
+    if (trace.clipped) drop_pairs(geometry, first_edge);
+    struct zr_shape shape = shape_of_edges(geometry, first_edge);
     own.shape = geometry->shape_count + 1;
     place_triangles(builder, face, smooth, &own);
     shape.first_triangle = first_triangle;
