@@ -61,8 +61,8 @@ static enum zr_status run_pipeline(struct zr_arena *arena, struct zr_team *team,
     struct zr_samples samples;
     zr_visibility_fn *window_at_once = zr_visibility_of(scene->algorithm);
 
-    frame->bounds = zr_bounds_of(scene);
-    if ((status = zr_camera_resolve(scene, &frame->bounds, &frame->camera, error)) != ZR_OK) return status;
+    frame->bounds = zr_bounds_of(scene, cancel);
+    if ((status = zr_camera_resolve(scene, &frame->bounds, cancel, &frame->camera, error)) != ZR_OK) return status;
     if ((status = make_frame(arena, scene, frame)) != ZR_OK) return status;
     if ((status = zr_base_place(arena, scene, &frame->camera, &frame->base, error)) != ZR_OK) return status;
     if ((status = zr_geometry_build(arena, team, scene, &frame->camera, cancel, &geometry)) != ZR_OK) return status;

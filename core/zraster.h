@@ -76,8 +76,8 @@ static inline bool zr_is_cancelled(const struct zr_cancel *cancel)
 
 /* Work to be expected, each kind to be weighed by whoever knows the machine. */
 struct zr_cost {
-    double triangles;
-    double fragments;  /* pixels of all triangles, hidden ones too */
+    double triangles;  /* and what takes as long: points without faces, cuts of concave faces, visits of tiles */
+    double fragments;  /* pixels of all triangles, hidden ones too; those of lines and concave faces take longer */
     double pixels;     /* of all outputs */
     double png_pixels; /* of those that are compressed */
 };
@@ -93,9 +93,10 @@ struct zr_answer {
 enum zr_status zr_scene_read(struct zr_arena *arena, const struct zr_request *request, const struct zr_limits *limits,
                              const struct zr_scene **scene, struct zr_error *error);
 
-/* What rendering and encoding will cost, measured on up to `samples_max` polygons
- * (UINT32_MAX: on all of them, which takes a fraction of the rendering's own time). */
-struct zr_cost zr_scene_cost(const struct zr_scene *scene, uint32_t samples_max);
+/* What rendering and encoding will cost: all placed points are walked over, and up to `samples_max` polygons and
+ * lines measured (UINT32_MAX: all of them, which takes a fraction of the rendering's own time). `cancel` may be
+ * NULL; cancelled, it returns early with too little. */
+struct zr_cost zr_scene_cost(const struct zr_scene *scene, uint32_t samples_max, const struct zr_cancel *cancel);
 
 /* `team` may be NULL (one thread) and `cancel` may be NULL (never). The frame is
  * the same, byte for byte, for every team. */

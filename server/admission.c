@@ -48,7 +48,7 @@ static bool time_once(struct zr_arena *arena, const char *text, struct sample *s
     struct zr_answer answer;
     zr_arena_reset(arena, 0); /* pages of memory are touched for the first time, as by a request that grows */
     if (zr_scene_read(arena, &request, &limits, &scene, &error) != ZR_OK) return false;
-    sample->cost = zr_scene_cost(scene, UINT32_MAX);
+    sample->cost = zr_scene_cost(scene, UINT32_MAX, NULL);
     int64_t begin = clock_thread_us();
     bool ok = zr_render(arena, NULL, scene, NULL, &frame, &error) == ZR_OK;
     int64_t middle = clock_thread_us();

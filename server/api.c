@@ -281,19 +281,20 @@ static void add_timing(struct answer *answer, const struct api_times *times)
 }
 
 /* A sample may mislead: before a scene is refused, all of it is measured. */
-static enum zr_status foresee(const struct api *api, const struct zr_scene *scene, struct api_times *times,
-                              struct zr_error *error)
+static enum zr_status foresee(const struct api *api, const struct zr_scene *scene, const struct zr_cancel *cancel,
+                              struct api_times *times, struct zr_error *error)
 {
     const uint32_t samples[] = {COST_SAMPLES, COST_SAMPLES_ALL};
     struct zr_cost cost = {0};
     for (int i = 0; i < 2; i++) {
-        cost = zr_scene_cost(scene, samples[i]);
+        cost = zr_scene_cost(scene, samples[i], cancel);
         times->foreseen_ms = admission_predict_ms(&api->admission, &cost);
         if (times->foreseen_ms <= (double)api->config->cost_max_ms) return ZR_OK;
     }
     return zr_error_add(
         error, ZR_BAD_SCENE, NULL,
-        "%.0f triangles that cover %.3g pixels are foreseen to take %.3g s, more than costMaxMs, %" PRIu64 " ms",
+        "work like that of %.0f triangles and %.3g pixels is foreseen to take %.3g s, more than costMaxMs, %" PRIu64
+        " ms",
         cost.triangles, cost.fragments, times->foreseen_ms * 1e-3, api->config->cost_max_ms);
 }
 
@@ -305,7 +306,7 @@ static enum zr_status run_steps(const struct api *api, const struct zr_request *
     const struct zr_frame *frame = NULL;
     int64_t mark = clock_us();
     enum zr_status status = zr_scene_read(arena, request, &api->limits, &scene, error);
-    if (status == ZR_OK) status = foresee(api, scene, times, error);
+    if (status == ZR_OK) status = foresee(api, scene, cancel, times, error);
     times->parse_ms = ms_since(&mark);
     if (status != ZR_OK) return status;
     status = zr_render(arena, api->team, scene, cancel, &frame, error);

@@ -5,7 +5,9 @@
 #include "geometry/shape.h"
 #include "geometry/wire.h"
 
-enum { FACES_A_CANCEL_CHECK = 1024 };
+/* Looks at the flag of cancellation are so many corners squared apart, which is what cutting faces may take:
+ * some milliseconds. */
+enum { WORK_A_CANCEL_CHECK = 1 << 20 };
 
 static bool same_place(const struct zr_mesh *mesh, uint32_t a, uint32_t b)
 {
@@ -90,12 +92,19 @@ static bool has_outlines(const struct zr_builder *builder)
 
 static enum zr_status for_each_face(struct zr_builder *builder, void (*work)(struct zr_builder *builder, uint32_t face))
 {
+    const uint32_t *offsets = builder->mesh->face_offsets;
+    uint64_t done = 0;
     for (uint32_t face = 0; face < builder->mesh->face_count; face++) {
-        if (face % FACES_A_CANCEL_CHECK == 0 && zr_is_cancelled(builder->cancel)) return ZR_CANCELLED;
+        uint64_t corners = offsets[face + 1] - offsets[face];
+        done += corners * corners;
+        if (done >= WORK_A_CANCEL_CHECK) {
+            if (zr_is_cancelled(builder->cancel)) return ZR_CANCELLED;
+            done = 0;
+        }
         work(builder, face);
         if (!zr_arena_ok(builder->arena)) return ZR_NO_MEMORY;
     }
-    return ZR_OK;
+    return zr_is_cancelled(builder->cancel) ? ZR_CANCELLED : ZR_OK;
 }
 
 enum zr_status zr_assemble_mesh(struct zr_builder *builder)

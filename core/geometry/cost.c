@@ -9,9 +9,25 @@
 
 #include "geometry/clip.h"
 #include "geometry/colors.h"
+#include "geometry/normals.h"
 #include "geometry/viewport.h"
 #include "scene/camera.h"
 #include "scene/scene.h"
+
+/* What other work takes, in triangles (T) and fragments (F): to a factor of two or three, for what is foreseen is
+ * to keep out what takes a hundred times too long. */
+static const double POINT_T = 0.4;             /* placed without a face */
+static const double LINE_T = 1.5;              /* beside its pixels, and again in each tile */
+static const double LINE_PIXEL_F = 10.0;       /* one column or row */
+static const double CUT_T = 1.0 / 80.0;        /* triangulation: a corner times a corner */
+static const double SHAPE_PIXEL_F = 10.0;      /* decided by the odd-even rule */
+static const double SHAPE_OVERLAP_F = 0.2;     /* a sample looked up in one of a shape's triangles */
+static const double SHAPE_VISIT_T = 1.0 / 8.0; /* an edge or a triangle of a shape, met by a tile */
+static const double LARGE_VISIT_T = 1.0 / 8.0; /* a large triangle, met by a tile */
+enum { TILE = 64, TILES_OF_SMALL = 4 };
+
+/* How many times longer the other algorithms take; the painter has no bound, but for its deadline. */
+static const double TIMES[ZR_ALGORITHM_COUNT] = {1.0, 2.0, 2.0, 4.0, 8.0};
 
 /* What the triangles of one face cover, and the box around them. */
 struct measure {
@@ -58,26 +74,90 @@ struct placed {
     bool mirrored; /* a face that shows its front goes clockwise */
 };
 
-/* The fans of concave rings cover more than the face, but no more than their box. */
-static double face_area(const struct zr_scene *scene, const struct zr_mesh *mesh, uint32_t face,
-                        const struct placed *placed, const struct zr_viewport *viewport)
+static zr_vec4 corner_of(const struct zr_mesh *mesh, const struct placed *placed, uint32_t position)
 {
-    struct zr_rings rings = zr_mesh_rings(mesh, face);
-    struct measure measure = {viewport, 0.0, 0.0, HUGE_VAL, HUGE_VAL, -HUGE_VAL, -HUGE_VAL};
+    return zr_mat4_apply(&placed->object_to_clip, mesh->positions[position]);
+}
+
+static void measure_fans(struct measure *measure, const struct zr_mesh *mesh, struct zr_rings rings,
+                         const struct placed *placed)
+{
     for (uint32_t r = 0; r < rings.count; r++) {
         const uint32_t *indices = mesh->indices + rings.offsets[r];
-        zr_vec4 corners[3] = {zr_mat4_apply(&placed->object_to_clip, mesh->positions[indices[0]]),
-                              zr_mat4_apply(&placed->object_to_clip, mesh->positions[indices[1]])};
+        zr_vec4 corners[3] = {corner_of(mesh, placed, indices[0]), corner_of(mesh, placed, indices[1])};
         for (uint32_t i = 2; i < rings.offsets[r + 1] - rings.offsets[r]; i++) {
-            corners[2] = zr_mat4_apply(&placed->object_to_clip, mesh->positions[indices[i]]);
-            add_triangle(&measure, corners);
+            corners[2] = corner_of(mesh, placed, indices[i]);
+            add_triangle(measure, corners);
             corners[1] = corners[2];
         }
     }
-    bool turned_away = (placed->mirrored ? measure.net > 0.0 : measure.net < 0.0) &&
-                       !zr_material_of_face(scene, mesh, face)->double_sided;
-    if (!(measure.area > 0.0) || turned_away) return 0.0;
-    return fmin(measure.area, (measure.max_x - measure.min_x) * (measure.max_y - measure.min_y));
+}
+
+/* Tiles that a box of pixels touches. */
+static double tiles_of(double width, double height)
+{
+    return (width / TILE + 1.0) * (height / TILE + 1.0);
+}
+
+static void add_line(struct zr_cost *cost, const struct zr_viewport *viewport, const zr_vec4 ends[2])
+{
+    const unsigned codes[2] = {zr_clip_outcode(ends[0]), zr_clip_outcode(ends[1])};
+    const struct zr_clip_vertex in[2] = {{.position = ends[0]}, {.position = ends[1]}};
+    struct zr_clip_vertex out[2];
+    struct zr_window_vertex a, b;
+    cost->triangles += LINE_T;
+    if (codes[0] & codes[1] || !zr_clip_line(in, codes, out)) return;
+    if (!zr_viewport_apply(viewport, out[0].position, &a) || !zr_viewport_apply(viewport, out[1].position, &b)) return;
+    double length = fmax(fabs((double)a.x - (double)b.x), fabs((double)a.y - (double)b.y));
+    cost->fragments += LINE_PIXEL_F * length;
+    cost->triangles += LINE_T * length / TILE;
+}
+
+static void add_outline(struct zr_cost *cost, const struct zr_mesh *mesh, struct zr_rings rings,
+                        const struct placed *placed, const struct zr_viewport *viewport)
+{
+    for (uint32_t r = 0; r < rings.count; r++) {
+        const uint32_t *indices = mesh->indices + rings.offsets[r];
+        uint32_t count = rings.offsets[r + 1] - rings.offsets[r];
+        zr_vec4 ends[2] = {corner_of(mesh, placed, indices[count - 1])};
+        for (uint32_t i = 0; i < count; i++) {
+            ends[1] = corner_of(mesh, placed, indices[i]);
+            add_line(cost, viewport, ends);
+            ends[0] = ends[1];
+        }
+    }
+}
+
+/* The fans of concave rings cover more than the face, but no more than their box. */
+static void add_filled(struct zr_cost *cost, const struct zr_scene *scene, const struct measure *measure, bool shape,
+                       double corners)
+{
+    double width = measure->max_x - measure->min_x, height = measure->max_y - measure->min_y;
+    double pixels = fmin(measure->area, width * height), tiles = tiles_of(width, height);
+    if (shape) {
+        cost->fragments += SHAPE_PIXEL_F * pixels + SHAPE_OVERLAP_F * measure->area;
+        cost->triangles += SHAPE_VISIT_T * tiles * corners;
+        return;
+    }
+    cost->fragments += pixels;
+    if (tiles > TILES_OF_SMALL)
+        cost->triangles += LARGE_VISIT_T * (corners - 2.0) * tiles_of((double)scene->width, (double)scene->height);
+}
+
+static void add_face(struct zr_cost *cost, const struct zr_scene *scene, const struct zr_mesh *mesh, uint32_t face,
+                     const struct placed *placed, const struct zr_viewport *viewport)
+{
+    struct zr_rings rings = zr_mesh_rings(mesh, face);
+    const struct zr_material *material = zr_material_of_face(scene, mesh, face);
+    struct measure measure = {viewport, 0.0, 0.0, HUGE_VAL, HUGE_VAL, -HUGE_VAL, -HUGE_VAL};
+    uint32_t corners = rings.offsets[rings.count] - rings.offsets[0];
+    if (material->outline != ZR_OUTLINE_NONE) add_outline(cost, mesh, rings, placed, viewport);
+    if (material->hollow) return;
+    measure_fans(&measure, mesh, rings, placed);
+    bool shape = rings.count > 1 || (corners > 3 && !mesh->faces_are_fans && zr_face_is_concave(mesh, face));
+    if (shape) cost->triangles += CUT_T * (double)corners * (double)corners;
+    bool turned_away = (placed->mirrored ? measure.net > 0.0 : measure.net < 0.0) && !material->double_sided;
+    if (measure.area > 0.0 && !turned_away) add_filled(cost, scene, &measure, shape, (double)corners);
 }
 
 static void count_outputs(const struct zr_scene *scene, struct zr_cost *cost)
@@ -99,47 +179,60 @@ static uint64_t scatter(uint64_t n)
     return n ^ (n >> 31);
 }
 
-/* The area of all faces, from `samples` of them. */
-static double total_area(const struct zr_scene *scene, const struct zr_camera *camera, uint64_t faces, uint64_t samples)
+/* Of all faces and lines, from `samples` of them. */
+static struct zr_cost measure_sample(const struct zr_scene *scene, const struct zr_camera *camera, uint64_t things,
+                                     uint64_t samples)
 {
     struct zr_viewport viewport = zr_viewport_make(scene->width, scene->height);
     zr_mat4 world_to_clip = zr_mat4_mul(&camera->projection, &camera->world_to_eye);
     struct placed placed = {.mirrored = false};
     const struct zr_mesh *mesh = NULL;
-    uint64_t first = 0, end = 0; /* the faces of `mesh`, counted over all instances */
+    uint64_t first = 0, end = 0; /* the faces and lines of `mesh`, counted over all instances */
     uint32_t next_instance = 0;
-    double area = 0.0;
+    struct zr_cost sum = {0};
     for (uint64_t k = 0; k < samples; k++) {
-        uint64_t begin = k * faces / samples, size = (k + 1) * faces / samples - begin;
-        uint64_t face = begin + scatter(k) % size;
-        while (face >= end) {
+        uint64_t begin = k * things / samples, size = (k + 1) * things / samples - begin;
+        uint64_t thing = begin + scatter(k) % size;
+        while (thing >= end) {
             const struct zr_instance *instance = &scene->instances[next_instance++];
             mesh = &scene->meshes[instance->mesh];
             placed.object_to_clip = zr_mat4_mul(&world_to_clip, &instance->object_to_world);
             placed.mirrored = zr_mat4_is_mirror(&instance->object_to_world);
             first = end;
-            end += mesh->face_count;
+            end += zr_mesh_ids(mesh);
         }
-        area += face_area(scene, mesh, (uint32_t)(face - first), &placed, &viewport);
+        uint32_t number = (uint32_t)(thing - first);
+        if (number < mesh->face_count) {
+            add_face(&sum, scene, mesh, number, &placed, &viewport);
+            continue;
+        }
+        const uint32_t *line = mesh->lines + 2 * (size_t)(number - mesh->face_count);
+        const zr_vec4 ends[2] = {corner_of(mesh, &placed, line[0]), corner_of(mesh, &placed, line[1])};
+        add_line(&sum, &viewport, ends);
     }
-    return samples > 0 ? area * (double)faces / (double)samples : 0.0;
+    double scale = samples > 0 ? (double)things / (double)samples : 0.0;
+    return (struct zr_cost){.triangles = sum.triangles * scale, .fragments = sum.fragments * scale};
 }
 
-struct zr_cost zr_scene_cost(const struct zr_scene *scene, uint32_t samples_max)
+struct zr_cost zr_scene_cost(const struct zr_scene *scene, uint32_t samples_max, const struct zr_cancel *cancel)
 {
     struct zr_cost cost = {0};
     struct zr_camera camera;
     struct zr_error ignored = {.count = 0}; /* rendering will tell */
-    struct zr_bounds bounds = zr_bounds_of(scene);
-    uint64_t faces = 0;
+    struct zr_bounds bounds = zr_bounds_of(scene, cancel);
+    uint64_t things = 0;
+    double points = 0.0;
     count_outputs(scene, &cost);
     for (uint32_t i = 0; i < scene->instance_count; i++) {
         const struct zr_mesh *mesh = &scene->meshes[scene->instances[i].mesh];
-        faces += mesh->face_count;
+        things += zr_mesh_ids(mesh);
+        points += (double)mesh->position_count;
         cost.triangles += (double)mesh->face_offsets[mesh->face_count] - 2.0 * (double)mesh->face_count;
-        cost.triangles += (double)mesh->line_count;
     }
-    if (zr_camera_resolve(scene, &bounds, &camera, &ignored) == ZR_OK)
-        cost.fragments = total_area(scene, &camera, faces, faces < samples_max ? faces : samples_max);
+    cost.triangles += POINT_T * fmax(points - 3.0 * cost.triangles, 0.0);
+    if (zr_camera_resolve(scene, &bounds, cancel, &camera, &ignored) != ZR_OK) return cost;
+    struct zr_cost measured = measure_sample(scene, &camera, things, things < samples_max ? things : samples_max);
+    cost.triangles = (cost.triangles + measured.triangles) * TIMES[scene->algorithm];
+    cost.fragments = measured.fragments * TIMES[scene->algorithm];
     return cost;
 }

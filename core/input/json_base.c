@@ -159,7 +159,8 @@ static void read_words(struct reader *reader)
 static void warn_of_fitted_view(struct zr_draft *draft)
 {
     const struct zr_view *view = &draft->scene->view;
-    bool fitted_pose = view->pose == ZR_POSE_PRESET;
+    bool fitted_pose = view->pose == ZR_POSE_PRESET || view->pose == ZR_POSE_DIRECTION ||
+                       (view->pose == ZR_POSE_ORBIT && !(view->has_target && view->distance > 0.0f));
     bool fitted_size = view->projection == ZR_PROJECTION_ORTHOGRAPHIC && !(view->xmag > 0.0f);
     bool fitted_planes = view->projection != ZR_PROJECTION_MATRIX && !(view->has_znear && view->has_zfar);
     if (fitted_pose || fitted_size || fitted_planes)

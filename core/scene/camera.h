@@ -12,6 +12,7 @@
 
 #include "base/status.h"
 #include "scene/scene.h"
+#include "zraster.h"
 
 /* Of world-space positions; empty where valid is false. */
 struct zr_bounds {
@@ -24,13 +25,14 @@ struct zr_camera {
     float znear, zfar; /* distances in front of the camera; 0 and 0 with a projectionMatrix */
 };
 
-/* Points at infinity (w = 0), or beyond the range of float, are left out. */
-struct zr_bounds zr_bounds_of(const struct zr_scene *scene);
+/* Points at infinity (w = 0), or beyond the range of float, are left out. Walks over all placed points, as
+ * zr_camera_resolve does some times more; cancelled, both return early, with what they have. */
+struct zr_bounds zr_bounds_of(const struct zr_scene *scene, const struct zr_cancel *cancel);
 
 /* Fails with ZR_BAD_SCENE where the view has no solution (an eye on its target, an
  * up along the view, a target that a fitted distance cannot show), or where an entry of a matrix is beyond
  * ZR_MATRIX_MAX. */
-enum zr_status zr_camera_resolve(const struct zr_scene *scene, const struct zr_bounds *bounds, struct zr_camera *camera,
-                                 struct zr_error *error);
+enum zr_status zr_camera_resolve(const struct zr_scene *scene, const struct zr_bounds *bounds,
+                                 const struct zr_cancel *cancel, struct zr_camera *camera, struct zr_error *error);
 
 #endif

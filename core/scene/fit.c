@@ -25,17 +25,19 @@ static bool place_of(zr_vec4 p, zr_dvec3 *out)
 
 struct point_walk {
     const struct zr_scene *scene;
+    const struct zr_cancel *cancel;
     bool fitted_only;
     uint32_t instance, position;
 };
 
-/* False at the end. */
+/* False at the end, and where it was cancelled. */
 static bool next_point(struct point_walk *walk, zr_dvec3 *out)
 {
     const struct zr_scene *scene = walk->scene;
     for (; walk->instance < scene->instance_count; walk->instance++, walk->position = 0) {
         const struct zr_instance *instance = &scene->instances[walk->instance];
         const struct zr_mesh *mesh = &scene->meshes[instance->mesh];
+        if (walk->position == 0 && zr_is_cancelled(walk->cancel)) return false;
         if (walk->fitted_only && !is_fitted_to(&scene->view, instance->mesh)) continue;
         while (walk->position < mesh->position_count)
             if (place_of(zr_mat4_apply(&instance->object_to_world, mesh->positions[walk->position++]), out))
@@ -70,10 +72,11 @@ static zr_dvec3 along(const struct zr_axes *axes, zr_dvec3 p)
     return (zr_dvec3){zr_dvec3_dot(q, axes->right), zr_dvec3_dot(q, axes->up), zr_dvec3_dot(q, axes->back)};
 }
 
-static struct zr_extent extent_along(const struct zr_scene *scene, const struct zr_axes *axes, bool fitted_only)
+static struct zr_extent extent_along(const struct zr_scene *scene, const struct zr_cancel *cancel,
+                                     const struct zr_axes *axes, bool fitted_only)
 {
     struct zr_extent e = NOTHING;
-    struct point_walk walk = {.scene = scene, .fitted_only = fitted_only};
+    struct point_walk walk = {.scene = scene, .cancel = cancel, .fitted_only = fitted_only};
     for (zr_dvec3 p; next_point(&walk, &p);)
         include(&e, along(axes, p));
     return or_zero(e);
@@ -81,10 +84,11 @@ static struct zr_extent extent_along(const struct zr_scene *scene, const struct 
 
 /* Far from the origin rounding moves points, and the view must hold them where they are,
  * not where they should be. */
-struct zr_extent zr_extent_in_eye_space(const struct zr_scene *scene, const zr_mat4 *world_to_eye, bool fitted_only)
+struct zr_extent zr_extent_in_eye_space(const struct zr_scene *scene, const struct zr_cancel *cancel,
+                                        const zr_mat4 *world_to_eye, bool fitted_only)
 {
     struct zr_extent e = NOTHING;
-    for (uint32_t i = 0; i < scene->instance_count; i++) {
+    for (uint32_t i = 0; i < scene->instance_count && !zr_is_cancelled(cancel); i++) {
         const struct zr_instance *instance = &scene->instances[i];
         const struct zr_mesh *mesh = &scene->meshes[instance->mesh];
         if (fitted_only && !is_fitted_to(&scene->view, instance->mesh)) continue;
@@ -97,10 +101,10 @@ struct zr_extent zr_extent_in_eye_space(const struct zr_scene *scene, const zr_m
     return or_zero(e);
 }
 
-static struct zr_bounds bounds_of(const struct zr_scene *scene, bool fitted_only)
+static struct zr_bounds bounds_of(const struct zr_scene *scene, const struct zr_cancel *cancel, bool fitted_only)
 {
     struct zr_extent e = NOTHING;
-    struct point_walk walk = {.scene = scene, .fitted_only = fitted_only};
+    struct point_walk walk = {.scene = scene, .cancel = cancel, .fitted_only = fitted_only};
     for (zr_dvec3 p; next_point(&walk, &p);)
         include(&e, p);
     if (!(e.min.x <= e.max.x)) return (struct zr_bounds){.valid = false};
@@ -108,14 +112,15 @@ static struct zr_bounds bounds_of(const struct zr_scene *scene, bool fitted_only
         true, {(float)e.min.x, (float)e.min.y, (float)e.min.z}, {(float)e.max.x, (float)e.max.y, (float)e.max.z}};
 }
 
-struct zr_bounds zr_bounds_of(const struct zr_scene *scene)
+struct zr_bounds zr_bounds_of(const struct zr_scene *scene, const struct zr_cancel *cancel)
 {
-    return bounds_of(scene, false);
+    return bounds_of(scene, cancel, false);
 }
 
-struct zr_bounds zr_fit_bounds(const struct zr_scene *scene, const struct zr_bounds *whole)
+struct zr_bounds zr_fit_bounds(const struct zr_scene *scene, const struct zr_bounds *whole,
+                               const struct zr_cancel *cancel)
 {
-    return scene->view.fit_to_mesh ? bounds_of(scene, true) : *whole;
+    return scene->view.fit_to_mesh ? bounds_of(scene, cancel, true) : *whole;
 }
 
 /* ---- fit ---- */
@@ -142,6 +147,7 @@ double zr_rounding_of(const struct zr_bounds *bounds, zr_dvec3 moved)
 /* What a fit is measured with. */
 struct fitting {
     const struct zr_scene *scene;
+    const struct zr_cancel *cancel;
     struct zr_opening opening;
     double size, rounding;
 };
@@ -166,7 +172,7 @@ static void fit_freely(const struct fitting *fitting, struct zr_axes *axes)
     const struct zr_opening *o = &fitting->opening;
     struct wedge wide = {-HUGE_VAL, HUGE_VAL}, tall = {-HUGE_VAL, HUGE_VAL};
     double nearest = -HUGE_VAL, rounding = fitting->rounding;
-    struct point_walk walk = {.scene = fitting->scene, .fitted_only = true};
+    struct point_walk walk = {.scene = fitting->scene, .cancel = fitting->cancel, .fitted_only = true};
     for (zr_dvec3 p; next_point(&walk, &p);) {
         zr_dvec3 q = along(axes, p);
         widen(&wide, q.x - o->shear * q.y, q.z, o->left, o->right, rounding * (1.0 + fabs(o->shear)));
@@ -193,7 +199,7 @@ static enum zr_status fit_on_axis(const struct fitting *fitting, struct zr_axes 
         return zr_error_add(error, ZR_BAD_SCENE, "/view/target",
                             "no distance shows what is around it: the principal point is outside of the window");
     double distance = -HUGE_VAL, rounding = fitting->rounding;
-    struct point_walk walk = {.scene = fitting->scene, .fitted_only = true};
+    struct point_walk walk = {.scene = fitting->scene, .cancel = fitting->cancel, .fitted_only = true};
     for (zr_dvec3 p; next_point(&walk, &p);) {
         zr_dvec3 q = along(axes, p);
         double x = q.x - o->shear * q.y, around = rounding * (1.0 + fabs(o->shear));
@@ -207,10 +213,11 @@ static enum zr_status fit_on_axis(const struct fitting *fitting, struct zr_axes 
 
 /* Without perspective only the middle matters: the camera stands one diagonal of the bounds
  * in front of the nearest point of the whole scene. */
-static void fit_parallel(const struct zr_scene *scene, double size, bool free, struct zr_axes *axes)
+static void fit_parallel(const struct zr_scene *scene, const struct zr_cancel *cancel, double size, bool free,
+                         struct zr_axes *axes)
 {
-    struct zr_extent fitted = extent_along(scene, axes, true);
-    double nearest = scene->view.fit_to_mesh ? extent_along(scene, axes, false).max.z : fitted.max.z;
+    struct zr_extent fitted = extent_along(scene, cancel, axes, true);
+    double nearest = scene->view.fit_to_mesh ? extent_along(scene, cancel, axes, false).max.z : fitted.max.z;
     if (free) {
         axes->eye = zr_dvec3_add_scaled(axes->eye, axes->right, (fitted.min.x + fitted.max.x) * 0.5);
         axes->eye = zr_dvec3_add_scaled(axes->eye, axes->up, (fitted.min.y + fitted.max.y) * 0.5);
@@ -218,8 +225,8 @@ static void fit_parallel(const struct zr_scene *scene, double size, bool free, s
     axes->eye = zr_dvec3_add_scaled(axes->eye, axes->back, nearest + size);
 }
 
-enum zr_status zr_fit_eye(const struct zr_scene *scene, const struct zr_bounds *bounds, struct zr_axes *axes,
-                          struct zr_error *error)
+enum zr_status zr_fit_eye(const struct zr_scene *scene, const struct zr_bounds *bounds, const struct zr_cancel *cancel,
+                          struct zr_axes *axes, struct zr_error *error)
 {
     const struct zr_view *view = &scene->view;
     bool free = view->pose != ZR_POSE_ORBIT || !view->has_target;
@@ -233,10 +240,10 @@ enum zr_status zr_fit_eye(const struct zr_scene *scene, const struct zr_bounds *
         return ZR_OK;
     }
     if (!zr_view_is_perspective(view)) {
-        fit_parallel(scene, size_of(bounds), free, axes);
+        fit_parallel(scene, cancel, size_of(bounds), free, axes);
         return ZR_OK;
     }
-    struct fitting fitting = {scene, zr_opening_of(scene), size_of(bounds), zr_rounding_of(bounds, axes->eye)};
+    struct fitting fitting = {scene, cancel, zr_opening_of(scene), size_of(bounds), zr_rounding_of(bounds, axes->eye)};
     if (!free) return fit_on_axis(&fitting, axes, error);
     fit_freely(&fitting, axes);
     return ZR_OK;

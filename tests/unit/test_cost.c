@@ -10,8 +10,8 @@ static void whole_window_costs_its_pixels(void **state)
     const zr_vec4 p[] = {{-1, -1, 0, 1}, {1, -1, 0, 1}, {1, 1, 0, 1}, {-1, -1, 0, 1}, {1, 1, 0, 1}, {-1, 1, 0, 1}};
     static struct test_scene test;
     scene_of_triangles(&test, 200, 100, p, 2);
-    struct zr_cost cost = zr_scene_cost(&test.scene, 1024);
-    assert_true(cost.triangles == 2 && fabs(cost.fragments - 20000) < 1);
+    struct zr_cost cost = zr_scene_cost(&test.scene, 1024, NULL);
+    assert_true(cost.triangles >= 2 && cost.triangles < 10 && fabs(cost.fragments - 20000) < 1);
     assert_true(cost.pixels == 80000 && cost.png_pixels == 20000); /* four outputs, one of them PNG */
 }
 
@@ -23,7 +23,7 @@ static void only_what_is_in_the_window_counts(void **state)
                          {5, 6, 0, 1},   {0, 0, 0, -1},  {1, 0, 0, -1},  {0, 1, 0, -1}};
     static struct test_scene test;
     scene_of_triangles(&test, 100, 100, p, 3);
-    assert_true(fabs(zr_scene_cost(&test.scene, 1024).fragments - 10000) < 1);
+    assert_true(fabs(zr_scene_cost(&test.scene, 1024, NULL).fragments - 10000) < 1);
 }
 
 static void what_faces_away_counts_only_where_it_is_drawn(void **state)
@@ -32,9 +32,9 @@ static void what_faces_away_counts_only_where_it_is_drawn(void **state)
     const zr_vec4 p[] = {{-1, -1, 0, 1}, {-1, 1, 0, 1}, {1, -1, 0, 1}};
     static struct test_scene test;
     scene_of_triangles(&test, 100, 100, p, 1);
-    assert_true(fabs(zr_scene_cost(&test.scene, 1024).fragments - 5000) < 1);
+    assert_true(fabs(zr_scene_cost(&test.scene, 1024, NULL).fragments - 5000) < 1);
     test.material.double_sided = false;
-    assert_true(zr_scene_cost(&test.scene, 1024).fragments == 0);
+    assert_true(zr_scene_cost(&test.scene, 1024, NULL).fragments == 0);
 }
 
 static void mirrored_instance_counts_where_its_front_is_seen(void **state)
@@ -45,9 +45,9 @@ static void mirrored_instance_counts_where_its_front_is_seen(void **state)
     scene_of_triangles(&test, 100, 100, p, 1);
     test.material.double_sided = false;
     test.instance.object_to_world.m[0] = -1; /* one mirror leaves a front a front */
-    assert_true(fabs(zr_scene_cost(&test.scene, 1024).fragments - 5000) < 1);
+    assert_true(fabs(zr_scene_cost(&test.scene, 1024, NULL).fragments - 5000) < 1);
     test.instance.object_to_world.m[10] = -1; /* two are half a turn about y, which shows the back */
-    assert_true(zr_scene_cost(&test.scene, 1024).fragments == 0);
+    assert_true(zr_scene_cost(&test.scene, 1024, NULL).fragments == 0);
 }
 
 static void sample_of_a_large_scene_is_near_the_truth(void **state)
@@ -66,7 +66,7 @@ static void sample_of_a_large_scene_is_near_the_truth(void **state)
     }
     static struct test_scene test;
     scene_of_triangles(&test, 1000, 1000, p, TEST_TRIANGLES_MAX);
-    assert_true(fabs(zr_scene_cost(&test.scene, 1024).fragments / truth - 1) < 0.1);
+    assert_true(fabs(zr_scene_cost(&test.scene, 1024, NULL).fragments / truth - 1) < 0.1);
 }
 
 static void large_faces_at_regular_places_do_not_mislead_the_sample(void **state)
@@ -84,8 +84,8 @@ static void large_faces_at_regular_places_do_not_mislead_the_sample(void **state
                 if (k == 0) truth += (double)size * (double)size * 5000;
             }
         scene_of_triangles(&test, 100, 100, p, TEST_TRIANGLES_MAX);
-        assert_true(fabs(zr_scene_cost(&test.scene, 1024).fragments / truth - 1) < 0.25);
-        assert_true(fabs(zr_scene_cost(&test.scene, UINT32_MAX).fragments / truth - 1) < 0.001);
+        assert_true(fabs(zr_scene_cost(&test.scene, 1024, NULL).fragments / truth - 1) < 0.25);
+        assert_true(fabs(zr_scene_cost(&test.scene, UINT32_MAX, NULL).fragments / truth - 1) < 0.001);
     }
 }
 
@@ -95,9 +95,54 @@ static void odd_numbers_cost_something_finite(void **state)
     const zr_vec4 p[] = {{0, 0, 0, 0}, {1, 0, 0, 0}, {0, 1, 0, 1}, {NAN, 0, 0, 1}, {1, 0, 0, 1}, {0, 1, 0, 1}};
     static struct test_scene test;
     scene_of_triangles(&test, 100, 100, p, 2);
-    assert_true(isfinite(zr_scene_cost(&test.scene, 1024).fragments));
+    assert_true(isfinite(zr_scene_cost(&test.scene, 1024, NULL).fragments));
     test.scene.view.pose = ZR_POSE_LOOK_AT; /* the eye on its target: no camera */
-    assert_true(zr_scene_cost(&test.scene, 1024).fragments == 0);
+    assert_true(zr_scene_cost(&test.scene, 1024, NULL).fragments == 0);
+}
+
+/* The scene of one square over a quarter of the window, as a mesh of its own kind. */
+static struct zr_cost cost_of_square(bool dented, bool outlined, uint32_t lines)
+{
+    static struct test_scene test;
+    static const zr_vec4 positions[5] = {
+        {-1, -1, 0, 1}, {0, -1, 0, 1}, {0, 0, 0, 1}, {-0.5f, -0.25f, 0, 1}, {-1, 0, 0, 1}};
+    static const uint32_t ends[2] = {0, 2};
+    scene_of_triangles(&test, 200, 200, positions, 1);
+    test.mesh.position_count = 5;
+    test.face_offsets[1] = dented ? 5 : 4;
+    for (uint32_t i = 0; i < 5; i++)
+        test.indices[i] = !dented && i == 3 ? 4 : i;
+    test.mesh.line_count = lines;
+    test.mesh.lines = ends;
+    test.material.outline = outlined ? ZR_OUTLINE_COLORED : ZR_OUTLINE_NONE;
+    return zr_scene_cost(&test.scene, UINT32_MAX, NULL);
+}
+
+static void dents_outlines_and_lines_cost_more_than_a_plain_face(void **state)
+{
+    (void)state;
+    struct zr_cost plain = cost_of_square(false, false, 0), dented = cost_of_square(true, false, 0);
+    struct zr_cost outlined = cost_of_square(false, true, 0), crossed = cost_of_square(false, false, 1);
+    assert_true(fabs(plain.fragments - 10000) < 1 && plain.triangles >= 2 && plain.triangles < 10);
+    assert_true(dented.fragments > 4 * plain.fragments && dented.triangles > plain.triangles);
+    assert_true(outlined.fragments > plain.fragments + 3 * 100 && outlined.triangles > plain.triangles);
+    assert_true(crossed.fragments > plain.fragments + 100 && crossed.triangles > plain.triangles);
+}
+
+static void points_without_faces_and_other_algorithms_cost_too(void **state)
+{
+    (void)state;
+    static struct test_scene test;
+    static zr_vec4 positions[10000];
+    for (int i = 0; i < 10000; i++)
+        positions[i] = (zr_vec4){i % 3 == 1, i % 3 == 2, 0, 1};
+    scene_of_triangles(&test, 100, 100, positions, 1);
+    double alone = zr_scene_cost(&test.scene, UINT32_MAX, NULL).triangles;
+    test.mesh.position_count = 10000;
+    double among_points = zr_scene_cost(&test.scene, UINT32_MAX, NULL).triangles;
+    assert_true(among_points > alone + 1000);
+    test.scene.algorithm = ZR_ALGORITHM_PAINTER;
+    assert_true(zr_scene_cost(&test.scene, UINT32_MAX, NULL).triangles > 2 * among_points);
 }
 
 int main(void)
@@ -109,6 +154,8 @@ int main(void)
         cmocka_unit_test(mirrored_instance_counts_where_its_front_is_seen),
         cmocka_unit_test(sample_of_a_large_scene_is_near_the_truth),
         cmocka_unit_test(large_faces_at_regular_places_do_not_mislead_the_sample),
+        cmocka_unit_test(dents_outlines_and_lines_cost_more_than_a_plain_face),
+        cmocka_unit_test(points_without_faces_and_other_algorithms_cost_too),
         cmocka_unit_test(odd_numbers_cost_something_finite),
     };
     return cmocka_run_group_tests_name("cost", tests, NULL, NULL);

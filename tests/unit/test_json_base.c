@@ -372,6 +372,11 @@ static void what_may_be_meant_otherwise_is_warned_of(void **state)
         const char *head, *warning;
     } cases[] = {
         {"{\"background\":[0,0,0,0]", "pose is fitted"},
+        {"{\"view\":{\"direction\":[0,0,-1]}", "pose is fitted"},
+        {"{\"view\":{\"azimuthDegrees\":10}", "pose is fitted"},
+        {"{\"view\":{\"azimuthDegrees\":10,\"distance\":3}", "pose is fitted"},
+        {"{\"view\":{\"azimuthDegrees\":10,\"distance\":3,\"target\":[0,0,0],\"znear\":1}",
+         "znear and zfar are fitted"},
         {"{\"view\":{\"eye\":[0,0,2],\"znear\":1}", "znear and zfar are fitted"},
         {"{\"view\":{\"eye\":[0,0,2],\"orthographic\":{},\"znear\":1,\"zfar\":3}", "size is fitted"},
         {"{\"view\":{\"eye\":[0,0,2],\"znear\":1,\"zfar\":3}", "base.color is transparent in parts"},

@@ -109,7 +109,7 @@ static void cells_that_touch_a_hole_are_left_out_with_all_that_is_theirs(void **
         assert_true(mesh->colors[i].z == (kept[i] >= 10 ? 1.0f : (float)(kept[i] * 0.1)));
     }
     assert_true(mesh->face_colors[0].y == 0.5f && mesh->face_colors[1].y == 0.25f);
-    struct zr_bounds bounds = zr_bounds_of(reading->scene);
+    struct zr_bounds bounds = zr_bounds_of(reading->scene, NULL);
     assert_true(bounds.min.x == 2 && bounds.min.z == 2 && bounds.max.z == 11);
     reading_free(reading);
 }
