@@ -12,7 +12,12 @@
 #include "geometry/clip.h"
 #include "geometry/viewport.h"
 
-enum { ZR_OUTLINE_FRONT = 1, ZR_OUTLINE_BACK = 2, ZR_OUTLINE_BOTH = 3 };
+enum {
+    ZR_OUTLINE_FRONT = 1,
+    ZR_OUTLINE_BACK = 2,
+    ZR_OUTLINE_BOTH = 3,
+    ZR_OUTLINE_MIRRORED_FRONT = 4 /* clockwise is the front: what has no area counts as back there too */
+};
 
 struct zr_outline_line {
     uint8_t from, to;

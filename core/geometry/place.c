@@ -2,6 +2,25 @@
 
 #include "geometry/clip.h"
 
+static double length_squared(double x, double y)
+{
+    return x * x + y * y;
+}
+
+bool zr_place_is_thin(const struct zr_window_vertex *v0, const struct zr_window_vertex *v1,
+                      const struct zr_window_vertex *v2)
+{
+    const double width = 1.0 / 64.0, grid = (double)ZR_SUBPIXELS;
+    double x1 = (double)v1->x - (double)v0->x, y1 = (double)v1->y - (double)v0->y;
+    double x2 = (double)v2->x - (double)v0->x, y2 = (double)v2->y - (double)v0->y;
+    double snapped_x1 = v1->sx - v0->sx, snapped_y1 = v1->sy - v0->sy;
+    double snapped_x2 = v2->sx - v0->sx, snapped_y2 = v2->sy - v0->sy;
+    double area = fabs(x1 * y2 - x2 * y1);
+    double snapped_area = fabs(snapped_x1 * snapped_y2 - snapped_x2 * snapped_y1) / (grid * grid);
+    double longest = fmax(length_squared(x1, y1), fmax(length_squared(x2, y2), length_squared(x2 - x1, y2 - y1)));
+    return fmin(area, snapped_area) < width * sqrt(longest);
+}
+
 /* Drops what has no area or shows its back and must not; of the rest, orients it
  * as the reference does: rule 6, on snapped coordinates. True where it was kept. */
 static bool append_triangle(struct zr_builder *builder, struct zr_triangle triangle, const struct zr_part *part)
@@ -11,7 +30,7 @@ static bool append_triangle(struct zr_builder *builder, struct zr_triangle trian
                                   *v2 = &geometry->vertices[triangle.v[2]];
     int64_t dx01 = v0->sx - v1->sx, dy01 = v0->sy - v1->sy, dx20 = v2->sx - v0->sx, dy20 = v2->sy - v0->sy;
     int64_t area = dx01 * dy20 - dx20 * dy01;
-    if (area == 0) {
+    if (area == 0 || (part->skip_thin && zr_place_is_thin(v0, v1, v2))) {
         geometry->counts.zero_area++;
         return false;
     }

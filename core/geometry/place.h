@@ -19,7 +19,12 @@ struct zr_part {
     bool pushed;    /* back, to make room for an outline */
     uint32_t shape; /* 1 + number of the shape that the face is, or 0 */
     bool back;      /* of a shape: which side is seen; triangles by themselves tell by their winding */
+    bool skip_thin; /* leave out what zr_place_is_thin says */
 };
+
+/* True where a triangle in the window is narrower than a sixty-fourth of a pixel, or is so on the snapped grid. */
+bool zr_place_is_thin(const struct zr_window_vertex *v0, const struct zr_window_vertex *v1,
+                      const struct zr_window_vertex *v2);
 
 /* Appends up to ZR_CLIP_MAX records. Failure is the arena's. */
 void zr_place_triangle(struct zr_builder *builder, const struct zr_corners *corners, const struct zr_part *part);

@@ -6,10 +6,9 @@
 
 /* ---- edges ---- */
 
-/* Edges while they are added, and twice the area that they enclose: above 0 counter-clockwise. */
+/* Edges while they are added. */
 struct trace {
     struct zr_builder *builder;
-    int64_t area;
     bool clipped;
 };
 
@@ -17,7 +16,6 @@ static void add_edge(struct trace *trace, const struct zr_window_vertex *a, cons
 {
     struct zr_geometry *geometry = trace->builder->geometry;
     struct zr_grid_edge edge;
-    trace->area += (int64_t)a->sx * b->sy - (int64_t)b->sx * a->sy;
     if (!zr_grid_edge_make(a->sx, a->sy, b->sx, b->sy, &edge) || !zr_builder_reserve_shape(trace->builder, 1)) return;
     geometry->edges[geometry->edge_count++] = edge;
 }
@@ -77,20 +75,25 @@ static void add_ring(struct trace *trace, uint32_t begin, uint32_t end)
         add_clipped_ring(trace, begin, end);
 }
 
-/* The outer ring first: it tells which side is seen. A ring whose windings cancel out shows its front. */
-static bool add_outer_ring(struct trace *trace, struct zr_rings rings)
+/* By the volume between the eye and the outer ring, triangle by triangle of its fan: of the whole ring, so that it
+ * does not depend on what the window cuts off, and of homogeneous places, so that corners behind the eye do
+ * not turn it around. A ring whose windings cancel out shows its front. */
+bool zr_shape_shows_back(const struct zr_builder *builder, uint32_t face)
 {
-    add_ring(trace, rings.offsets[0], rings.offsets[1]);
-    return trace->area != 0 && (trace->area < 0) != trace->builder->mirrored;
-}
-
-bool zr_shape_shows_back(struct zr_builder *builder, uint32_t face)
-{
-    uint32_t edges = builder->geometry->edge_count;
-    struct trace trace = {.builder = builder};
-    bool back = add_outer_ring(&trace, zr_mesh_rings(builder->mesh, face));
-    builder->geometry->edge_count = edges;
-    return back;
+    struct zr_rings rings = zr_mesh_rings(builder->mesh, face);
+    const uint32_t *indices = builder->mesh->indices + rings.offsets[0];
+    const zr_vec4 *places = builder->clip_positions;
+    zr_vec4 a = places[indices[0]], b = places[indices[1]];
+    double volume = 0.0;
+    for (uint32_t i = 2; i < rings.offsets[1] - rings.offsets[0]; i++) {
+        zr_vec4 c = places[indices[i]];
+        double x = (double)b.y * (double)c.w - (double)c.y * (double)b.w;
+        double y = (double)b.x * (double)c.w - (double)c.x * (double)b.w;
+        double w = (double)b.x * (double)c.y - (double)c.x * (double)b.y;
+        volume += ((double)a.x * x - (double)a.y * y) + (double)a.w * w;
+        b = c;
+    }
+    return volume != 0.0 && (volume < 0.0) != builder->mirrored;
 }
 
 /* By value, so that equal edges come together. */
@@ -164,10 +167,11 @@ static uint32_t cut(struct zr_builder *builder, uint32_t face)
     return zr_triangulate(&cutting->triangulator, cutting->points, cutting->offsets, rings.count, cutting->triangles);
 }
 
-static void place_triangles(struct zr_builder *builder, uint32_t face, bool smooth, const struct zr_part *part)
+static void place_triangles(struct zr_builder *builder, uint32_t face, bool smooth, const struct zr_part *part,
+                            uint32_t count)
 {
     const struct zr_mesh *mesh = builder->mesh;
-    uint32_t begin = mesh->face_offsets[face], count = cut(builder, face);
+    uint32_t begin = mesh->face_offsets[face];
     for (uint32_t i = 0; i < count; i++) {
         struct zr_corners corners;
         for (int k = 0; k < 3; k++) {
@@ -186,14 +190,18 @@ void zr_shape_place(struct zr_builder *builder, uint32_t face, bool smooth, cons
     uint32_t first_edge = geometry->edge_count, first_triangle = geometry->triangle_count;
     struct zr_part own = *part;
     struct trace trace = {.builder = builder};
-    own.back = add_outer_ring(&trace, rings);
-    for (uint32_t r = 1; r < rings.count; r++)
+    own.back = zr_shape_shows_back(builder, face);
+    for (uint32_t r = 0; r < rings.count; r++)
         add_ring(&trace, rings.offsets[r], rings.offsets[r + 1]);
     if (!zr_builder_reserve_shape(builder, 0)) return;
     if (trace.clipped) drop_pairs(geometry, first_edge);
     struct zr_shape shape = shape_of_edges(geometry, first_edge);
     own.shape = geometry->shape_count + 1;
-    place_triangles(builder, face, smooth, &own);
+    uint32_t cuts = cut(builder, face);
+    own.skip_thin = true;
+    place_triangles(builder, face, smooth, &own, cuts);
+    own.skip_thin = false;
+    if (geometry->triangle_count == first_triangle) place_triangles(builder, face, smooth, &own, cuts);
     shape.first_triangle = first_triangle;
     shape.triangle_count = geometry->triangle_count - first_triangle;
     if (shape.triangle_count > 0)

@@ -232,6 +232,78 @@ static void planar_polygons_of_any_shape_have_the_depth_of_their_plane(void **st
     }
 }
 
+/* Corners on pixel centres and one more on each edge, as near to it as floats are: triangles that are all but
+ * flat lie along the edges, and must tell nothing. */
+static void corners_on_edges_neither_lose_samples_nor_bend_the_depth(void **state)
+{
+    (void)state;
+    enum { SIDE = 64 };
+    static struct polygon polygon;
+    struct random random = random_seeded(35);
+    for (int round = 0; round < 2000; round++) {
+        double a = random_range(&random, -0.4, 0.4), b = random_range(&random, -0.4, 0.4), x[5], y[5];
+        uint32_t corners = 4 + random_below(&random, 2);
+        polygon_start(&polygon, SIDE, SIDE);
+        for (uint32_t i = 0; i < corners; i++) {
+            x[i] = (2.0 * (random_below(&random, SIDE) + 0.5) / SIDE - 1) * 0.98;
+            y[i] = (2.0 * (random_below(&random, SIDE) + 0.5) / SIDE - 1) * 0.98;
+            if (round % 2) {
+                x[i] /= 0.98;
+                y[i] /= 0.98;
+            }
+        }
+        for (uint32_t i = 0; i < corners; i++) {
+            uint32_t next = (i + 1) % corners;
+            double t = random_range(&random, 0.1, 0.9), mx = x[i] + t * (x[next] - x[i]),
+                   my = y[i] + t * (y[next] - y[i]);
+            add_corner(&polygon, (float)x[i], (float)y[i], (float)(a * x[i] + b * y[i]), 1);
+            add_corner(&polygon, (float)mx, (float)my, (float)(a * mx + b * my), 1);
+        }
+        end_ring(&polygon);
+        assert_int_equal(check(&polygon), 0);
+        const struct zr_frame *frame = draw(&polygon);
+        for (uint32_t v = 0; v < SIDE; v++)
+            for (uint32_t u = 0; u < SIDE; u++) {
+                size_t i = (size_t)(SIDE - 1 - v) * SIDE + u;
+                double want = 0.5 + 0.5 * (a * (2 * (u + 0.5) / SIDE - 1) + b * (2 * (v + 0.5) / SIDE - 1));
+                if (frame->face_id[i] == 0 || fabs((double)frame->window_depth[i] - want) < 1e-4) continue;
+                fail_msg("round %d, pixel %u, %u: depth %.9g, not %.9g", round, u, v, (double)frame->window_depth[i],
+                         want);
+            }
+        zr_arena_reset(&arena, (size_t)1 << 28);
+    }
+}
+
+/* A bow tie whose left wing is the larger one: one-sided, it shows the side that the whole of it tells. */
+static void side_of_a_polygon_does_not_depend_on_what_the_window_cuts_off(void **state)
+{
+    (void)state;
+    static struct polygon polygon;
+    const float ring[4][2] = {{-2, 2}, {2, -1}, {2, 1}, {-2, -2}};
+    int sides = 0;
+    for (int turned = 0; turned < 2; turned++) {
+        int seen[3];
+        for (int zoom = 0; zoom < 3; zoom++) { /* all of it, the left wing, the right one */
+            const float middle[3] = {0, -1.5f, 1.5f}, half[3] = {3, 0.6f, 0.6f};
+            polygon_start(&polygon, 64, 64);
+            polygon.test.material.double_sided = false;
+            for (int i = 0; i < 4; i++) {
+                const float *at = ring[turned ? 3 - i : i];
+                add_corner(&polygon, (at[0] - middle[zoom]) / half[zoom], at[1] / half[zoom], 0, 1);
+            }
+            end_ring(&polygon);
+            const struct zr_frame *frame = draw(&polygon);
+            seen[zoom] = 0;
+            for (int i = 0; i < 64 * 64; i++)
+                seen[zoom] += frame->face_id[i] != 0;
+            zr_arena_reset(&arena, (size_t)1 << 28);
+        }
+        assert_true((seen[0] > 0) == (seen[1] > 0) && (seen[0] > 0) == (seen[2] > 0));
+        sides += seen[0] > 0;
+    }
+    assert_int_equal(sides, 1);
+}
+
 /* ---- by every algorithm ---- */
 
 enum { FACES_MAX = 24, SCENE_CORNERS = FACES_MAX * 60 + 64 };
@@ -331,6 +403,8 @@ int main(void)
         cmocka_unit_test(polygon_of_1024_corners_follows_the_odd_even_rule),
         cmocka_unit_test(check_sees_one_subpixel),
         cmocka_unit_test(planar_polygons_of_any_shape_have_the_depth_of_their_plane),
+        cmocka_unit_test(corners_on_edges_neither_lose_samples_nor_bend_the_depth),
+        cmocka_unit_test(side_of_a_polygon_does_not_depend_on_what_the_window_cuts_off),
         cmocka_unit_test(shapes_outlines_and_lines_give_the_same_bytes_by_every_algorithm),
     };
     return cmocka_run_group_tests_name("polygons", tests, open_arena, close_arena);

@@ -1,7 +1,9 @@
 #include "reference/batches.h"
 
+#include "geometry/clip.h"
 #include "geometry/colors.h"
 #include "geometry/normals.h"
+#include "geometry/place.h"
 #include "geometry/triangulate.h"
 #include "scene/scene.h"
 
@@ -55,7 +57,7 @@ struct builder {
     struct batches *out;
     zr_vec4 *positions, *front, *back;
     struct reference_batch *batches;
-    uint32_t corner_count, corner_room, batch_room;
+    uint32_t corner_count, corner_room, batch_room, thin_room;
     uint32_t owner; /* of the first face of the instance under way */
 };
 
@@ -212,15 +214,58 @@ bool batches_cut_face(struct zr_arena *arena, const struct zr_mesh *mesh, uint32
     return true;
 }
 
+static void append_thin(struct builder *b, const struct zr_window_vertex *v0, const struct zr_window_vertex *v1,
+                        const struct zr_window_vertex *v2)
+{
+    struct batches *out = b->out;
+    if (!zr_place_is_thin(v0, v1, v2)) return;
+    if (out->thin_count == b->thin_room) {
+        uint32_t room = b->thin_room * 2 + 64;
+        out->thin = zr_arena_grow(b->arena, out->thin, b->thin_room, room, sizeof *out->thin);
+        if (!out->thin) return;
+        b->thin_room = room;
+    }
+    const struct zr_window_vertex *v[3] = {v0, v1, v2};
+    for (int k = 0; k < 3; k++) {
+        out->thin[out->thin_count].x[k] = v[k]->sx;
+        out->thin[out->thin_count].y[k] = v[k]->sy;
+    }
+    out->thin_count++;
+}
+
+/* Pieces of a shape's triangle that the core finds too thin to tell a plane. */
+static void find_thin(struct builder *b, const struct source *s, const uint32_t slots[3])
+{
+    struct zr_viewport viewport = zr_viewport_make(b->scene->width, b->scene->height);
+    zr_mat4 object_to_eye = zr_mat4_mul(&b->camera->world_to_eye, &s->instance->object_to_world);
+    zr_mat4 object_to_clip = zr_mat4_mul(&b->camera->projection, &object_to_eye);
+    struct zr_clip_vertex in[3] = {{.eye_w = 0}}, out[ZR_CLIP_MAX];
+    struct zr_window_vertex v[ZR_CLIP_MAX];
+    unsigned any = 0;
+    for (int k = 0; k < 3; k++) {
+        in[k].position = zr_mat4_apply(&object_to_clip, s->mesh->positions[s->mesh->indices[slots[k]]]);
+        any |= zr_clip_outcode(in[k].position);
+        out[k] = in[k];
+    }
+    int count = any ? zr_clip_triangle(in, any, out) : 3;
+    for (int i = 0; i < count; i++)
+        if (!zr_viewport_apply(&viewport, out[i].position, &v[i])) return;
+    for (int i = 2; i < count; i++)
+        append_thin(b, &v[i - 1], &v[i], &v[0]);
+}
+
 static bool append_triangles(struct builder *b, const struct source *s)
 {
     struct batches_cut cut;
     uint32_t begin = s->mesh->face_offsets[s->face];
     if (!batches_cut_face(b->arena, s->mesh, s->face, &cut) || !reserve_corners(b, 3 * (uint64_t)cut.count))
         return false;
-    for (uint32_t i = 0; i < cut.count; i++)
+    for (uint32_t i = 0; i < cut.count; i++) {
+        const uint32_t *t = cut.triangles[i], slots[3] = {begin + t[0], begin + t[1], begin + t[2]};
+        find_thin(b, s, slots);
         for (int k = 0; k < 3; k++)
-            append_corner(b, s, begin + cut.triangles[i][k]);
+            append_corner(b, s, slots[k]);
+    }
     return true;
 }
 

@@ -23,8 +23,15 @@ struct batches_options {
     bool all_parity;  /* convex polygons of more than three corners are drawn by the odd-even rule too */
 };
 
+/* A piece of a shape's triangle that ours finds too thin to tell a plane (geometry/place.h), on the snapped grid. */
+struct batches_thin {
+    int32_t x[3], y[3];
+};
+
 struct batches {
     struct reference_arrays arrays;
+    uint32_t thin_count;
+    struct batches_thin *thin;
     uint64_t triangles;    /* of faces cut to triangles; a line counts as one */
     uint32_t parity_faces; /* drawn by the odd-even rule */
 };
@@ -43,6 +50,9 @@ uint32_t batches_owner_number(const uint8_t rgba[4]);
 
 /* True where the face is drawn by the odd-even rule, on both sides alike. */
 bool batches_face_is_parity(const struct zr_mesh *mesh, uint32_t face);
+
+/* Sets gaps[pixel], row 0 on top, where thin pieces cover a sample: there ours takes another plane. */
+void batches_mark_thin(const struct batches *batches, uint32_t width, uint32_t height, uint8_t *gaps);
 
 /* The triangles that a face which is no convex one is cut into, by its corners: those of core/geometry, which
  * decide which plane a sample takes. False where the arena has failed. */

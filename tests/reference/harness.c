@@ -88,8 +88,11 @@ static bool reference_render(struct harness *harness, const struct zr_scene *sce
     for (size_t i = 0; i < pixels; i++)
         harness->owner[i] = batches_owner_number(harness->rgba + i * 4);
     options.purpose = BATCHES_COLORS;
-    return batches_make(&harness->arena, scene, &camera, &options, batches) &&
-           draw_and_read(harness, scene, batches, true);
+    if (!batches_make(&harness->arena, scene, &camera, &options, batches) ||
+        !draw_and_read(harness, scene, batches, true))
+        return false;
+    batches_mark_thin(batches, scene->width, scene->height, harness->gaps);
+    return true;
 }
 
 /* ---- both ---- */
