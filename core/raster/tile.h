@@ -19,7 +19,7 @@ struct zr_tile {
     int32_t width, height; /* smaller at the window's upper and right border */
     /* [row * ZR_TILE_SIZE + column] */
     float depth[ZR_TILE_SIZE * ZR_TILE_SIZE];    /* window depth; where nothing was drawn, see zr_tile_begin */
-    uint32_t owner[ZR_TILE_SIZE * ZR_TILE_SIZE]; /* 1 + number of the triangle, 0 where nothing is */
+    uint32_t owner[ZR_TILE_SIZE * ZR_TILE_SIZE]; /* 1 + number of the record, 0 where nothing is */
 };
 
 /* Tile 0 is at the window's lower left, then along the row. */
