@@ -24,7 +24,7 @@ static int append_piece(const struct zr_window_vertex *vertices, const struct pi
 {
     static const int from[3] = {2, 0, 1}, to[3] = {0, 1, 2};
     float a = area(&vertices[piece->corner[0]], &vertices[piece->corner[1]], &vertices[piece->corner[2]]);
-    if (!(faces & (a > 0.0f ? ZR_OUTLINE_FRONT : ZR_OUTLINE_BACK))) return 0;
+    if (!(faces & (a > 0.0f ? ZR_SIDE_FRONT : ZR_SIDE_BACK))) return 0;
     int count = 0;
     for (int k = 0; k < 3; k++) {
         if (!piece->draws[k]) continue;

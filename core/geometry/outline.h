@@ -12,7 +12,7 @@
 #include "geometry/clip.h"
 #include "geometry/viewport.h"
 
-enum { ZR_OUTLINE_FRONT = 1, ZR_OUTLINE_BACK = 2, ZR_OUTLINE_BOTH = 3 };
+enum { ZR_SIDE_FRONT = 1, ZR_SIDE_BACK = 2, ZR_SIDE_BOTH = 3 };
 
 struct zr_outline_line {
     uint8_t from, to;

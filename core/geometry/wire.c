@@ -112,11 +112,11 @@ static struct pen pen_of(struct zr_builder *builder, uint32_t face, const struct
 {
     struct pen pen = {.face = builder->first_face_id + face, .mirrored = builder->mirrored};
     pen.flat = material->outline == ZR_OUTLINE_COLORED || !zr_material_is_smooth(builder->mesh, material);
-    pen.sides = material->double_sided ? ZR_OUTLINE_BOTH : builder->mirrored ? ZR_OUTLINE_BACK : ZR_OUTLINE_FRONT;
+    pen.sides = material->double_sided ? ZR_SIDE_BOTH : builder->mirrored ? ZR_SIDE_BACK : ZR_SIDE_FRONT;
     if (concave) {
         pen.whole = true;
         pen.back = zr_shape_shows_back(builder, face);
-        pen.sides = pen.back && !material->double_sided ? 0 : ZR_OUTLINE_BOTH;
+        pen.sides = pen.back && !material->double_sided ? 0 : ZR_SIDE_BOTH;
     }
     return pen;
 }
