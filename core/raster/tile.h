@@ -22,10 +22,16 @@ struct zr_tile {
     uint32_t owner[ZR_TILE_SIZE * ZR_TILE_SIZE]; /* 1 + number of the record, 0 where nothing is */
 };
 
+/* Tiles that it takes for so many pixels in a row or a column. */
+static inline uint32_t zr_tile_across(uint32_t pixels)
+{
+    return (pixels + ZR_TILE_SIZE - 1) / ZR_TILE_SIZE;
+}
+
 /* Tile 0 is at the window's lower left, then along the row. */
 static inline size_t zr_tile_count(uint32_t width, uint32_t height)
 {
-    return (size_t)((width + ZR_TILE_SIZE - 1) / ZR_TILE_SIZE) * ((height + ZR_TILE_SIZE - 1) / ZR_TILE_SIZE);
+    return (size_t)zr_tile_across(width) * zr_tile_across(height);
 }
 
 /* Whether a box of pixels (min x, min y, max x, max y) has one of the tile's. */

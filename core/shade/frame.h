@@ -21,7 +21,7 @@ struct zr_frame {
     struct zr_camera camera;
     struct zr_bounds bounds;
     struct zr_counts counts;
-    uint64_t covered_pixels; /* that belong to a polygon, not to the base */
+    uint64_t covered_pixels; /* that belong to a record, not to the base */
 };
 
 #endif
