@@ -2,7 +2,8 @@
  *
  * Nothing is copied but names: parts point into the body. What two readers could read in
  * two ways is refused: bare line feeds, folded headers, a backslash in a name, two parts of
- * one name, a boundary with something behind it, transfer encodings.
+ * one name, a boundary with something behind it, transfer encodings that would change the bytes
+ * (binary, 8bit and 7bit leave them as they are).
  * Source: RFC 7578 (form-data), RFC 2046 section 5.1 (multipart), RFC 9110 section 5.6.
  */
 #ifndef ZRASTERD_MULTIPART_H

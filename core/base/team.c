@@ -101,7 +101,8 @@ static void unlink_job(struct zr_team *team, struct job *job)
     *link = job->next;
 }
 
-void zr_team_run(struct zr_team *team, void (*work)(void *context), void *context)
+/* Calls work(context) on this thread and on every helper that is free, and returns when all of them are back. */
+static void run(struct zr_team *team, void (*work)(void *context), void *context)
 {
     if (!team || team->helper_count == 0) {
         work(context);
@@ -149,5 +150,5 @@ void zr_team_ranges(struct zr_team *team, size_t count, size_t grain,
                     void (*work)(void *context, size_t begin, size_t end), void *context)
 {
     struct ranges ranges = {.count = count, .grain = grain, .work = work, .context = context};
-    zr_team_run(count > grain ? team : NULL, claim_ranges, &ranges);
+    run(count > grain ? team : NULL, claim_ranges, &ranges);
 }

@@ -3,7 +3,7 @@
  * A team is shared: any number of callers may run jobs at once, each takes part
  * in its own, and helpers that are idle join whichever job is open. So one
  * request alone uses every core, and many requests share them, with no setting.
- * Invariant: `work` gets its share from an atomic counter of its own, so that it
+ * Invariant: each takes ranges from an atomic counter of the job's own, so that it
  * does not matter how many come to help, or when. Threads wait on a condition
  * variable; nothing spins.
  */
@@ -21,12 +21,9 @@ struct zr_team;
 struct zr_team *zr_team_create(int threads);
 void zr_team_destroy(struct zr_team *team);
 
-/* Calls work(context) on this thread and on every helper that is free, and
- * returns when all of them are back. Thread-safe. `team` may be NULL. */
-void zr_team_run(struct zr_team *team, void (*work)(void *context), void *context);
-
 /* Splits 0..count-1 into ranges of `grain` and calls work(context, begin, end) once
- * for each, on as many threads as are free, in no particular order. */
+ * for each, on this thread and on every helper that is free, in no particular order.
+ * Returns when all of them are back. Thread-safe. `team` may be NULL. */
 void zr_team_ranges(struct zr_team *team, size_t count, size_t grain,
                     void (*work)(void *context, size_t begin, size_t end), void *context);
 

@@ -73,3 +73,20 @@ uint32_t zr_builder_color(const struct zr_builder *builder, uint32_t face, bool 
     if (builder->layout == ZR_COLOR_PER_VERTEX) return builder->first_color + mesh->indices[slot];
     return builder->first_color + (smooth ? slot : mesh->face_offsets[face]);
 }
+
+bool zr_builder_append_clipped(struct zr_builder *builder, const struct zr_clip_vertex *corners, int count, bool flat,
+                               bool placed[ZR_CLIP_MAX])
+{
+    struct zr_geometry *geometry = builder->geometry;
+    if (!zr_builder_reserve(builder, (uint64_t)count, flat ? 0 : (uint64_t)count, 0)) return false;
+    for (int i = 0; i < count; i++) {
+        struct zr_window_vertex *vertex = &geometry->vertices[geometry->vertex_count++];
+        placed[i] = zr_viewport_apply(&builder->viewport, corners[i].position, vertex);
+        vertex->eye_z = corners[i].eye_z;
+        vertex->eye_w = corners[i].eye_w;
+        if (flat) continue;
+        geometry->back_colors[geometry->color_count] = corners[i].back;
+        geometry->front_colors[geometry->color_count++] = corners[i].front;
+    }
+    return true;
+}

@@ -3,6 +3,7 @@
 #define ZR_BUILDER_H
 
 #include "base/arena.h"
+#include "geometry/clip.h"
 #include "geometry/colors.h"
 #include "geometry/geometry.h"
 #include "geometry/triangulate.h"
@@ -54,5 +55,40 @@ static inline uint32_t zr_builder_vertex(const struct zr_builder *builder, uint3
 
 /* The colour of a face at corner `slot` of its mesh. */
 uint32_t zr_builder_color(const struct zr_builder *builder, uint32_t face, bool smooth, uint32_t slot);
+
+/* Planes that some of the positions are outside of, ZR_OUTCODE_UNPLACED with them, and planes that all are outside of.
+ */
+struct zr_outcodes {
+    unsigned any, all;
+};
+
+static inline struct zr_outcodes zr_builder_outcodes(const struct zr_builder *builder, const uint32_t *positions,
+                                                     int count)
+{
+    struct zr_outcodes codes = {0, ~(unsigned)ZR_OUTCODE_UNPLACED};
+    for (int k = 0; k < count; k++) {
+        codes.any |= builder->outcodes[positions[k]];
+        codes.all &= builder->outcodes[positions[k]];
+    }
+    return codes;
+}
+
+/* Everything of a corner that clipping interpolates. */
+static inline struct zr_clip_vertex zr_builder_clip_vertex(const struct zr_builder *builder, uint32_t position,
+                                                           uint32_t color)
+{
+    const struct zr_geometry *geometry = builder->geometry;
+    const struct zr_window_vertex *vertex = &geometry->vertices[zr_builder_vertex(builder, position)];
+    return (struct zr_clip_vertex){.position = builder->clip_positions[position],
+                                   .front = geometry->front_colors[color],
+                                   .back = geometry->back_colors[color],
+                                   .eye_z = vertex->eye_z,
+                                   .eye_w = vertex->eye_w};
+}
+
+/* Appends what clipping left: `count` vertices, and, where they are not `flat`, as many colours, both behind what
+ * the geometry has. placed[i]: whether vertex i has a place in the window. False where the arena has failed. */
+bool zr_builder_append_clipped(struct zr_builder *builder, const struct zr_clip_vertex *corners, int count, bool flat,
+                               bool placed[ZR_CLIP_MAX]);
 
 #endif

@@ -1,7 +1,7 @@
 /* colors.h - geometry: the colours of one mesh's faces, vertices or corners.
  *
  * Each colour is lit here, once, in the coarsest layout that tells all of them
- * apart; a triangle then refers to its colours by index, and one that has the same
+ * apart; a record then refers to its colours by index, and one that has the same
  * index three times is flat.
  */
 #ifndef ZR_COLORS_H

@@ -1,7 +1,8 @@
-/* counts.h - geometry: where polygons and triangles went.
+/* counts.h - geometry: where polygons, triangles and lines went.
  *
  * Every triangle handed in is counted in exactly one of outside, clipped, culled,
- * zero_area and drawn_whole; the pieces of a clipped one are counted apart.
+ * zero_area and drawn_whole; the pieces of a clipped one are counted apart. So are lines, of
+ * which those not outside are drawn, and outlines.
  */
 #ifndef ZR_COUNTS_H
 #define ZR_COUNTS_H
@@ -12,7 +13,7 @@ struct zr_counts {
     uint64_t polygons;            /* handed in */
     uint64_t degenerate_polygons; /* without three distinct corners: dropped */
     uint64_t concave_polygons;    /* by the odd-even rule: dents, crossings, holes */
-    uint64_t triangles;           /* after cutting polygons to fans */
+    uint64_t triangles;           /* that polygons were cut into, as fans or by their ears */
     uint64_t outside;             /* wholly outside the view volume */
     uint64_t clipped;             /* cut by the view volume */
     uint64_t culled;              /* one-sided and turned away */

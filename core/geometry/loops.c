@@ -2,7 +2,7 @@
 
 #include <string.h>
 
-typedef struct zr_node node;
+typedef struct zr_loop_corner node;
 
 #define NONE UINT32_MAX
 enum { RING_MIN = 3, BRIDGES_IN_PLACE = 16 };
@@ -92,7 +92,7 @@ static void join_ring(node *nodes, uint32_t start, bool hole)
     uint32_t i = start;
     do {
         nodes[i].joined = true;
-        area += zr_node_turn(&nodes[start], &nodes[i], &nodes[nodes[i].next]);
+        area += zr_loop_corner_turn(&nodes[start], &nodes[i], &nodes[nodes[i].next]);
         i = nodes[i].next;
     } while (i != start);
     if (hole ? area <= 0.0 : area >= 0.0) return;
@@ -111,14 +111,15 @@ static void join_ring(node *nodes, uint32_t start, bool hole)
 static bool faces(const node *nodes, const node *corner, const node *to)
 {
     const node *previous = &nodes[corner->previous], *next = &nodes[corner->next];
-    for (int i = 0; i < BRIDGES_IN_PLACE && zr_node_is_at(previous, corner); i++)
+    for (int i = 0; i < BRIDGES_IN_PLACE && zr_loop_corner_is_at(previous, corner); i++)
         previous = &nodes[previous->previous];
-    for (int i = 0; i < BRIDGES_IN_PLACE && zr_node_is_at(next, corner); i++)
+    for (int i = 0; i < BRIDGES_IN_PLACE && zr_loop_corner_is_at(next, corner); i++)
         next = &nodes[next->next];
-    double bend = zr_node_turn(previous, corner, next);
-    if (bend > 0.0) return zr_node_turn(corner, next, to) >= 0.0 && zr_node_turn(corner, to, previous) >= 0.0;
-    if (bend == 0.0 && zr_node_along(previous, corner, next) < 0.0) return false;
-    return !(zr_node_turn(corner, previous, to) > 0.0 && zr_node_turn(corner, to, next) > 0.0);
+    double bend = zr_loop_corner_turn(previous, corner, next);
+    if (bend > 0.0)
+        return zr_loop_corner_turn(corner, next, to) >= 0.0 && zr_loop_corner_turn(corner, to, previous) >= 0.0;
+    if (bend == 0.0 && zr_loop_corner_along(previous, corner, next) < 0.0) return false;
+    return !(zr_loop_corner_turn(corner, previous, to) > 0.0 && zr_loop_corner_turn(corner, to, next) > 0.0);
 }
 
 /* Looks from `m` towards +u, or where it touches something, from as little as can be next to it on the edge to
@@ -134,8 +135,8 @@ static bool look_right(const struct zr_loops *t, const node *m, const node *n, u
         const node *p = &nodes[i], *q = &nodes[p->next];
         bool upward = from_below ? p->v < m->v : p->v <= m->v;
         if (!p->joined || upward == (from_below ? q->v < m->v : q->v <= m->v)) continue;
-        double side = upward ? zr_node_turn(p, q, m) : zr_node_turn(q, p, m);
-        if (side == 0.0) side = upward ? zr_node_turn(p, q, n) : zr_node_turn(q, p, n);
+        double side = upward ? zr_loop_corner_turn(p, q, m) : zr_loop_corner_turn(q, p, m);
+        if (side == 0.0) side = upward ? zr_loop_corner_turn(p, q, n) : zr_loop_corner_turn(q, p, n);
         if (side < 0.0) continue;
         odd = !odd;
         double u = p->u + (m->v - p->v) * ((q->u - p->u) / (q->v - p->v));
@@ -166,10 +167,10 @@ static uint32_t seen_from(const struct zr_loops *t, const node *m, uint32_t wall
     for (uint32_t i = 0; i < t->node_count; i++) {
         const node *r = &nodes[i];
         if (!r->joined || r->u < m->u || (above ? r->v < m->v : r->v > m->v)) continue;
-        double beyond = zr_node_turn(m, far, r);
-        if ((above ? beyond > 0.0 : beyond < 0.0) || zr_node_turn(p, q, r) < 0.0) continue;
+        double beyond = zr_loop_corner_turn(m, far, r);
+        if ((above ? beyond > 0.0 : beyond < 0.0) || zr_loop_corner_turn(p, q, r) < 0.0) continue;
         if (best != NONE && !is_nearer(m, r, &nodes[best])) continue;
-        if (faces(nodes, r, zr_node_is_at(r, m) ? &nodes[m->next] : m)) best = i;
+        if (faces(nodes, r, zr_loop_corner_is_at(r, m) ? &nodes[m->next] : m)) best = i;
     }
     return best != NONE ? best : end;
 }

@@ -14,7 +14,7 @@
 #include "base/vec.h"
 
 /* A corner of a loop; corners at the ends of a bridge are there more than once. */
-struct zr_node {
+struct zr_loop_corner {
     double u, v;
     uint32_t corner, previous, next;
     bool joined;  /* part of a loop: not of a ring that is still to come */
@@ -23,25 +23,27 @@ struct zr_node {
 };
 
 struct zr_loops {
-    struct zr_node *nodes;
+    struct zr_loop_corner *nodes;
     uint32_t *rightmost; /* scratch: one node for each ring */
     uint32_t node_count;
     uint64_t visits; /* nodes looked at: what the work is measured by */
 };
 
 /* Twice the area of a, b, c: positive where they turn to the left. */
-static inline double zr_node_turn(const struct zr_node *a, const struct zr_node *b, const struct zr_node *c)
+static inline double zr_loop_corner_turn(const struct zr_loop_corner *a, const struct zr_loop_corner *b,
+                                         const struct zr_loop_corner *c)
 {
     return (b->u - a->u) * (c->v - a->v) - (b->v - a->v) * (c->u - a->u);
 }
 
 /* Positive where the way from a over b to c goes on, negative where it goes back. */
-static inline double zr_node_along(const struct zr_node *a, const struct zr_node *b, const struct zr_node *c)
+static inline double zr_loop_corner_along(const struct zr_loop_corner *a, const struct zr_loop_corner *b,
+                                          const struct zr_loop_corner *c)
 {
     return (b->u - a->u) * (c->u - b->u) + (b->v - a->v) * (c->v - b->v);
 }
 
-static inline bool zr_node_is_at(const struct zr_node *a, const struct zr_node *b)
+static inline bool zr_loop_corner_is_at(const struct zr_loop_corner *a, const struct zr_loop_corner *b)
 {
     return a->u == b->u && a->v == b->v;
 }

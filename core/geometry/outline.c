@@ -24,9 +24,7 @@ static int append_piece(const struct zr_window_vertex *vertices, const struct pi
 {
     static const int from[3] = {2, 0, 1}, to[3] = {0, 1, 2};
     float a = area(&vertices[piece->corner[0]], &vertices[piece->corner[1]], &vertices[piece->corner[2]]);
-    unsigned sides = a > 0.0f   ? ZR_OUTLINE_FRONT
-                     : a < 0.0f ? ZR_OUTLINE_BACK | ZR_OUTLINE_MIRRORED_FRONT
-                                : ZR_OUTLINE_BACK;
+    unsigned sides = a > 0.0f ? ZR_SIDE_FRONT : a < 0.0f ? ZR_SIDE_BACK | ZR_SIDE_MIRRORED_FRONT : ZR_SIDE_BACK;
     if (!(faces & sides)) return 0;
     int count = 0;
     for (int k = 0; k < 3; k++) {

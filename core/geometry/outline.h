@@ -13,10 +13,10 @@
 #include "geometry/viewport.h"
 
 enum {
-    ZR_OUTLINE_FRONT = 1,
-    ZR_OUTLINE_BACK = 2,
-    ZR_OUTLINE_BOTH = 3,
-    ZR_OUTLINE_MIRRORED_FRONT = 4 /* clockwise is the front: what has no area counts as back there too */
+    ZR_SIDE_FRONT = 1,
+    ZR_SIDE_BACK = 2,
+    ZR_SIDE_BOTH = 3,
+    ZR_SIDE_MIRRORED_FRONT = 4 /* clockwise is the front: what has no area counts as back there too */
 };
 
 struct zr_outline_line {

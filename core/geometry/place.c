@@ -1,7 +1,5 @@
 #include "geometry/place.h"
 
-#include "geometry/clip.h"
-
 static double length_squared(double x, double y)
 {
     return x * x + y * y;
@@ -61,31 +59,16 @@ static void clip_and_append(struct zr_builder *builder, const struct zr_corners 
 {
     struct zr_geometry *geometry = builder->geometry;
     struct zr_clip_vertex in[3], out[ZR_CLIP_MAX];
-    for (int k = 0; k < 3; k++) {
-        const struct zr_window_vertex *vertex = &geometry->vertices[builder->first_vertex + corners->vertex[k]];
-        in[k] = (struct zr_clip_vertex){.position = builder->clip_positions[corners->vertex[k]],
-                                        .front = geometry->front_colors[corners->color[k]],
-                                        .back = geometry->back_colors[corners->color[k]],
-                                        .eye_z = vertex->eye_z,
-                                        .eye_w = vertex->eye_w};
-    }
+    for (int k = 0; k < 3; k++)
+        in[k] = zr_builder_clip_vertex(builder, corners->vertex[k], corners->color[k]);
     geometry->counts.clipped++;
     int count = zr_clip_triangle(in, outcodes, out);
-    if (count == 0 || !zr_builder_reserve(builder, ZR_CLIP_MAX, ZR_CLIP_MAX, ZR_CLIP_MAX)) return;
-    if (!zr_builder_reserve_cut(builder)) return;
+    if (count == 0 || !zr_builder_reserve_cut(builder)) return;
 
     bool flat = corners->color[0] == corners->color[1] && corners->color[1] == corners->color[2];
     uint32_t vertex = geometry->vertex_count, color = flat ? corners->color[0] : geometry->color_count;
     bool placed[ZR_CLIP_MAX];
-    for (int i = 0; i < count; i++) {
-        struct zr_window_vertex *new_vertex = &geometry->vertices[geometry->vertex_count++];
-        placed[i] = zr_viewport_apply(&builder->viewport, out[i].position, new_vertex);
-        new_vertex->eye_z = out[i].eye_z;
-        new_vertex->eye_w = out[i].eye_w;
-        if (flat) continue;
-        geometry->back_colors[geometry->color_count] = out[i].back;
-        geometry->front_colors[geometry->color_count++] = out[i].front;
-    }
+    if (!zr_builder_append_clipped(builder, out, count, flat, placed)) return;
     geometry->sources.cuts[geometry->sources.cut_count++] =
         (struct zr_source_cut){vertex, {corners->vertex[0], corners->vertex[1], corners->vertex[2]}};
     const struct zr_counts before = geometry->counts;
@@ -108,16 +91,14 @@ static void clip_and_append(struct zr_builder *builder, const struct zr_corners 
 void zr_place_triangle(struct zr_builder *builder, const struct zr_corners *corners, const struct zr_part *part)
 {
     struct zr_counts *counts = &builder->geometry->counts;
-    const uint8_t *code = builder->outcodes;
-    unsigned c0 = code[corners->vertex[0]], c1 = code[corners->vertex[1]], c2 = code[corners->vertex[2]];
-    unsigned any = c0 | c1 | c2;
+    struct zr_outcodes codes = zr_builder_outcodes(builder, corners->vertex, 3);
     counts->triangles++;
-    if (c0 & c1 & c2 & ~(unsigned)ZR_OUTCODE_UNPLACED) {
+    if (codes.all) {
         counts->outside++;
-    } else if (any & ZR_OUTCODE_UNPLACED) {
+    } else if (codes.any & ZR_OUTCODE_UNPLACED) {
         counts->zero_area++;
-    } else if (any) {
-        clip_and_append(builder, corners, any, part);
+    } else if (codes.any) {
+        clip_and_append(builder, corners, codes.any, part);
     } else {
         struct zr_triangle triangle = {.c = {corners->color[0], corners->color[1], corners->color[2]}};
         for (int k = 0; k < 3; k++)

@@ -2,7 +2,7 @@
 
 #include <string.h>
 
-typedef struct zr_node node;
+typedef struct zr_loop_corner node;
 
 /* What is left of the face while triangles are cut from it. */
 struct cutter {
@@ -60,7 +60,7 @@ static void cut(struct cutter *t, uint32_t b)
     node *nodes = t->nodes, *at = &nodes[b];
     uint32_t a = at->previous, c = at->next;
     uint32_t i = nodes[a].corner, j = at->corner, k = nodes[c].corner;
-    bool left = zr_node_turn(&nodes[a], at, &nodes[c]) >= 0.0;
+    bool left = zr_loop_corner_turn(&nodes[a], at, &nodes[c]) >= 0.0;
     if (i != j && j != k && k != i)
         memcpy(t->out[t->count++], (uint32_t[3]){i, left ? j : k, left ? k : j}, sizeof *t->out);
     at->done = true;
@@ -74,19 +74,20 @@ static void cut(struct cutter *t, uint32_t b)
 static bool enters(const node *nodes, const node *p, const node *at, const node *b, const node *c)
 {
     const node *previous = &nodes[p->previous], *next = &nodes[p->next];
-    return (zr_node_turn(at, b, previous) > 0.0 && zr_node_turn(at, previous, c) > 0.0) ||
-           (zr_node_turn(at, b, next) > 0.0 && zr_node_turn(at, next, c) > 0.0);
+    return (zr_loop_corner_turn(at, b, previous) > 0.0 && zr_loop_corner_turn(at, previous, c) > 0.0) ||
+           (zr_loop_corner_turn(at, b, next) > 0.0 && zr_loop_corner_turn(at, next, c) > 0.0);
 }
 
 /* Is p, which is in the box around the triangle, in its way? Of corners within it or on its edges
  * only those that turn right, or do not turn, can be: a corner that turns left touches it from outside. */
 static bool is_in_the_way(const node *nodes, const node *p, const node *a, const node *b, const node *c)
 {
-    if (zr_node_turn(a, b, p) < 0.0 || zr_node_turn(b, c, p) < 0.0 || zr_node_turn(c, a, p) < 0.0) return false;
-    if (zr_node_is_at(p, a)) return enters(nodes, p, a, b, c);
-    if (zr_node_is_at(p, b)) return enters(nodes, p, b, c, a);
-    if (zr_node_is_at(p, c)) return enters(nodes, p, c, a, b);
-    return zr_node_turn(&nodes[p->previous], p, &nodes[p->next]) <= 0.0;
+    if (zr_loop_corner_turn(a, b, p) < 0.0 || zr_loop_corner_turn(b, c, p) < 0.0 || zr_loop_corner_turn(c, a, p) < 0.0)
+        return false;
+    if (zr_loop_corner_is_at(p, a)) return enters(nodes, p, a, b, c);
+    if (zr_loop_corner_is_at(p, b)) return enters(nodes, p, b, c, a);
+    if (zr_loop_corner_is_at(p, c)) return enters(nodes, p, c, a, b);
+    return zr_loop_corner_turn(&nodes[p->previous], p, &nodes[p->next]) <= 0.0;
 }
 
 /* Goes back the way that it came, or stays in one place: nothing is lost with it. A spike that points
@@ -94,13 +95,13 @@ static bool is_in_the_way(const node *nodes, const node *p, const node *a, const
 static bool is_spike(const node *nodes, uint32_t at)
 {
     const node *b = &nodes[at], *a = &nodes[b->previous], *c = &nodes[b->next];
-    return zr_node_turn(a, b, c) == 0.0 && zr_node_along(a, b, c) <= 0.0;
+    return zr_loop_corner_turn(a, b, c) == 0.0 && zr_loop_corner_along(a, b, c) <= 0.0;
 }
 
 static bool is_ear(struct cutter *t, uint32_t at)
 {
     const node *nodes = t->nodes, *b = &nodes[at], *a = &nodes[b->previous], *c = &nodes[b->next];
-    if (!(zr_node_turn(a, b, c) > 0.0)) return is_spike(nodes, at);
+    if (!(zr_loop_corner_turn(a, b, c) > 0.0)) return is_spike(nodes, at);
     double u0 = a->u < b->u ? a->u : b->u, u1 = a->u > b->u ? a->u : b->u;
     double v0 = a->v < b->v ? a->v : b->v, v1 = a->v > b->v ? a->v : b->v;
     u0 = c->u < u0 ? c->u : u0;
@@ -122,7 +123,7 @@ static uint32_t least_bad(struct cutter *t, uint32_t at)
     uint32_t best = at, i = at;
     do {
         const node *b = &t->nodes[i];
-        double area = fabs(zr_node_turn(&t->nodes[b->previous], b, &t->nodes[b->next]));
+        double area = fabs(zr_loop_corner_turn(&t->nodes[b->previous], b, &t->nodes[b->next]));
         if (area < smallest) {
             best = i;
             smallest = area;

@@ -29,6 +29,19 @@ struct zr_window_vertex {
     float eye_z, eye_w; /* homogeneous eye-space depth, for the depth channel */
 };
 
+/* The first pixel whose centre is at a snapped coordinate or behind it.
+ * Shifts of negative numbers go down to the grid, as all compilers we build with do. */
+static inline int32_t zr_viewport_first_centre(int32_t snapped)
+{
+    return (snapped + ZR_SUBPIXELS - 1) >> ZR_SUBPIXEL_BITS;
+}
+
+/* The last one that is not behind it. */
+static inline int32_t zr_viewport_last_centre(int32_t snapped)
+{
+    return snapped >> ZR_SUBPIXEL_BITS;
+}
+
 struct zr_viewport zr_viewport_make(uint32_t width, uint32_t height);
 
 /* Fills all of `out` but eye_z and eye_w from a vertex inside the view volume.

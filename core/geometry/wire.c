@@ -23,36 +23,19 @@ static void append_line(struct zr_builder *builder, struct end from, struct end 
                                                                            .line = true};
 }
 
-/* Everything of a corner that clipping interpolates. */
-static struct zr_clip_vertex corner_of(const struct zr_builder *builder, uint32_t position, uint32_t color)
+/* Appends what clipping left as ends of lines, whose colours are their own unless `color` is that of them all. False
+ * where one has no place in the window, or the arena has failed. */
+static bool append_ends(struct zr_builder *builder, const struct zr_clip_vertex *corners, int count,
+                        const uint32_t *color, struct end *ends)
 {
-    const struct zr_geometry *geometry = builder->geometry;
-    const struct zr_window_vertex *vertex = &geometry->vertices[zr_builder_vertex(builder, position)];
-    return (struct zr_clip_vertex){.position = builder->clip_positions[position],
-                                   .front = geometry->front_colors[color],
-                                   .back = geometry->back_colors[color],
-                                   .eye_z = vertex->eye_z,
-                                   .eye_w = vertex->eye_w};
-}
-
-/* Appends what clipping left: count vertices, and, unless `color` is all of theirs, their colours. False where
- * one has no place in the window, or the arena has failed. */
-static bool append_corners(struct zr_builder *builder, const struct zr_clip_vertex *corners, int count,
-                           const uint32_t *color, struct end *ends)
-{
-    struct zr_geometry *geometry = builder->geometry;
-    if (!zr_builder_reserve(builder, (uint64_t)count, (uint64_t)count, 0)) return false;
+    uint32_t vertex = builder->geometry->vertex_count, own_color = builder->geometry->color_count;
+    bool placed[ZR_CLIP_MAX], all_placed = true;
+    if (!zr_builder_append_clipped(builder, corners, count, color != NULL, placed)) return false;
     for (int i = 0; i < count; i++) {
-        struct zr_window_vertex *vertex = &geometry->vertices[geometry->vertex_count];
-        if (!zr_viewport_apply(&builder->viewport, corners[i].position, vertex)) return false;
-        vertex->eye_z = corners[i].eye_z;
-        vertex->eye_w = corners[i].eye_w;
-        ends[i] = (struct end){geometry->vertex_count++, color ? *color : geometry->color_count};
-        if (color) continue;
-        geometry->back_colors[geometry->color_count] = corners[i].back;
-        geometry->front_colors[geometry->color_count++] = corners[i].front;
+        ends[i] = (struct end){vertex + (uint32_t)i, color ? *color : own_color + (uint32_t)i};
+        all_placed = all_placed && placed[i];
     }
-    return true;
+    return all_placed;
 }
 
 /* ---- outlines ---- */
@@ -72,25 +55,22 @@ static void draw_triangle(struct zr_builder *builder, const struct pen *pen, con
     struct zr_window_vertex vertices[ZR_CLIP_MAX];
     struct end corners[ZR_CLIP_MAX];
     struct zr_outline_line lines[ZR_CLIP_MAX];
-    unsigned all = ~0u, any = 0;
+    const struct zr_outcodes codes = zr_builder_outcodes(builder, positions, 3);
     int count = 3;
-    for (int k = 0; k < 3; k++) {
-        all &= builder->outcodes[positions[k]];
-        any |= builder->outcodes[positions[k]];
+    for (int k = 0; k < 3; k++)
         corners[k] = ends[k];
-    }
-    if (all != 0 || any & ZR_OUTCODE_UNPLACED) return;
-    if (any != 0) {
+    if (codes.all || codes.any & ZR_OUTCODE_UNPLACED) return;
+    if (codes.any) {
         geometry->counts.clipped_outlines++;
         struct zr_clip_vertex in[3], out[ZR_CLIP_MAX];
         for (int k = 0; k < 3; k++)
-            in[k] = corner_of(builder, positions[k], ends[k].color);
-        count = zr_clip_triangle_edges(in, any, &edges, out);
-        if (!append_corners(builder, out, count, pen->flat ? &ends[0].color : NULL, corners)) return;
+            in[k] = zr_builder_clip_vertex(builder, positions[k], ends[k].color);
+        count = zr_clip_triangle_edges(in, codes.any, &edges, out);
+        if (!append_ends(builder, out, count, pen->flat ? &ends[0].color : NULL, corners)) return;
     }
     for (int i = 0; i < count; i++)
         vertices[i] = geometry->vertices[corners[i].vertex];
-    count = zr_outline_make(vertices, count, edges, any != 0, pen->sides, lines);
+    count = zr_outline_make(vertices, count, edges, codes.any != 0, pen->sides, lines);
     for (int i = 0; i < count; i++)
         append_line(builder, corners[lines[i].from], corners[lines[i].to], pen->face,
                     pen->whole ? pen->back : lines[i].back != pen->mirrored);
@@ -112,13 +92,11 @@ static struct pen pen_of(struct zr_builder *builder, uint32_t face, const struct
 {
     struct pen pen = {.face = builder->first_face_id + face, .mirrored = builder->mirrored};
     pen.flat = material->outline == ZR_OUTLINE_COLORED || !zr_material_is_smooth(builder->mesh, material);
-    pen.sides = material->double_sided ? ZR_OUTLINE_BOTH
-                : builder->mirrored    ? ZR_OUTLINE_MIRRORED_FRONT
-                                       : ZR_OUTLINE_FRONT;
+    pen.sides = material->double_sided ? ZR_SIDE_BOTH : builder->mirrored ? ZR_SIDE_MIRRORED_FRONT : ZR_SIDE_FRONT;
     if (concave) {
         pen.whole = true;
         pen.back = zr_shape_shows_back(builder, face);
-        pen.sides = pen.back && !material->double_sided ? 0 : ZR_OUTLINE_BOTH;
+        pen.sides = pen.back && !material->double_sided ? 0 : ZR_SIDE_BOTH;
     }
     return pen;
 }
@@ -172,19 +150,20 @@ static void place_line(struct zr_builder *builder, const uint32_t positions[2], 
                        uint32_t face)
 {
     struct zr_counts *counts = &builder->geometry->counts;
-    const unsigned codes[2] = {builder->outcodes[positions[0]], builder->outcodes[positions[1]]};
+    const struct zr_outcodes codes = zr_builder_outcodes(builder, positions, 2);
     struct end ends[2] = {given[0], given[1]};
     counts->lines++;
-    if (codes[0] & codes[1] || (codes[0] | codes[1]) & ZR_OUTCODE_UNPLACED) {
+    if (codes.all || codes.any & ZR_OUTCODE_UNPLACED) {
         counts->outside_lines++;
         return;
     }
-    if (codes[0] | codes[1]) {
-        const struct zr_clip_vertex in[2] = {corner_of(builder, positions[0], given[0].color),
-                                             corner_of(builder, positions[1], given[1].color)};
+    if (codes.any) {
+        const unsigned own[2] = {builder->outcodes[positions[0]], builder->outcodes[positions[1]]};
+        const struct zr_clip_vertex in[2] = {zr_builder_clip_vertex(builder, positions[0], given[0].color),
+                                             zr_builder_clip_vertex(builder, positions[1], given[1].color)};
         struct zr_clip_vertex out[2];
         bool flat = given[0].color == given[1].color;
-        if (!zr_clip_line(in, codes, out) || !append_corners(builder, out, 2, flat ? &given[0].color : NULL, ends)) {
+        if (!zr_clip_line(in, own, out) || !append_ends(builder, out, 2, flat ? &given[0].color : NULL, ends)) {
             counts->outside_lines++;
             return;
         }

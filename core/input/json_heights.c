@@ -131,8 +131,8 @@ static bool make_cells(struct zr_arena *arena, const struct grid *grid, struct z
     return true;
 }
 
-const bool *zr_draft_read_heights(struct zr_json *json, const struct zr_json_path *path, const cJSON *node,
-                                  struct zr_mesh *mesh)
+const bool *zr_json_read_heights(struct zr_json *json, const struct zr_json_path *path, const cJSON *node,
+                                 struct zr_mesh *mesh)
 {
     const cJSON *found[KEYS] = {node, NULL, NULL};
     const struct zr_json_path *values = cJSON_IsObject(node) ? ZR_JSON_KEY(path, words[VALUES]) : path;

@@ -166,7 +166,7 @@ void zr_draft_read_mesh(struct zr_draft *draft, const struct zr_json_path *path,
 
     const bool *holes = NULL;
     if (found[HEIGHTS])
-        holes = zr_draft_read_heights(json, ZR_JSON_KEY(path, words[HEIGHTS]), found[HEIGHTS], mesh);
+        holes = zr_json_read_heights(json, ZR_JSON_KEY(path, words[HEIGHTS]), found[HEIGHTS], mesh);
     else
         read_positions(json, ZR_JSON_KEY(path, words[POSITIONS]), found[POSITIONS], mesh);
     if (!mesh->positions) return; /* no count to hold the rest against */

@@ -102,8 +102,8 @@ void zr_draft_read_polygons(struct zr_draft *draft, const struct zr_json_path *p
  * included; mesh->positions stays NULL where there was a fault. Returns a flag a position,
  * true for a null, or NULL where there is none. Once everything else of the mesh is read,
  * zr_heights_drop_holes takes away the cells that touch one, and positions left without a cell. */
-const bool *zr_draft_read_heights(struct zr_json *json, const struct zr_json_path *path, const cJSON *node,
-                                  struct zr_mesh *mesh);
+const bool *zr_json_read_heights(struct zr_json *json, const struct zr_json_path *path, const cJSON *node,
+                                 struct zr_mesh *mesh);
 void zr_heights_drop_holes(struct zr_arena *arena, const bool *holes, struct zr_mesh *mesh);
 
 /* json_nodes.c: the instances that nodes place, *count of them and room for one more; each

@@ -1,8 +1,10 @@
 /* algorithms.h - raster: the textbooks' ways to decide who is seen, beside production's.
  *
  * Each is a zr_visibility_fn (visibility.h) in a file of its own, whose head names its
- * source. No two of them find an edge's crossing with a row of samples in the same way,
- * and all ways are exact: integers only, one rule (primitive.h), the same samples.
+ * source. No two of these four find an edge's crossings with the rows of samples in the same
+ * way: one division a row, steps of whole columns and parts, a walk by the sign of an integer,
+ * bisection. (Production's half-spaces look for none, and its oddeven.c divides too, in code of
+ * its own.) All ways are exact: integers only, one rule (primitive.h), the same samples.
  */
 #ifndef ZR_ALGORITHMS_H
 #define ZR_ALGORITHMS_H

@@ -25,8 +25,7 @@ static void flip(const struct zr_tile *tile, const struct zr_grid_edge *e, struc
     int32_t left = tile->x * ZR_SUBPIXELS, right = (tile->x + ZR_TILE_SIZE - 1) * ZR_SUBPIXELS;
     if (e->x0 > right && e->x1 > right) return;
     bool whole = e->x0 <= left && e->x1 <= left;
-    int32_t begin = (e->y0 + ZR_SUBPIXELS - 1) >> ZR_SUBPIXEL_BITS,
-            end = (e->y1 + ZR_SUBPIXELS - 1) >> ZR_SUBPIXEL_BITS;
+    int32_t begin = zr_viewport_first_centre(e->y0), end = zr_viewport_first_centre(e->y1);
     if (begin < tile->y) begin = tile->y;
     if (end > tile->y + tile->height) end = tile->y + tile->height;
     for (int32_t y = begin; y < end; y++) {

@@ -171,19 +171,20 @@ static bool cut(struct painting *painting, uint32_t place, uint32_t other, bool 
 }
 
 /* The last piece hides a part of `start`, with which the chain has come round. */
-static bool cut_cycle(struct painting *painting, uint32_t start)
+static enum zr_status cut_cycle(struct painting *painting, uint32_t start)
 {
     struct zr_pieces *pieces = &painting->pieces;
     uint32_t hidden = start;
     for (uint32_t place = painting->length; place-- > 0;) {
         uint32_t piece = painting->chain[place];
         struct zr_overlap overlap = zr_pieces_compare(pieces, &pieces->items[piece], &pieces->items[hidden]);
-        if (zr_is_cancelled(pieces->cancel)) return true;
-        if (overlap.nearer < pieces->items[piece].size) return cut(painting, place, hidden, false);
-        assert(piece != start);
+        if (zr_is_cancelled(pieces->cancel)) return ZR_CANCELLED;
+        if (overlap.nearer < pieces->items[piece].size)
+            return cut(painting, place, hidden, false) ? ZR_OK : ZR_NO_MEMORY;
+        assert(piece != start); /* as the head of this file shows: one before reaches beyond the next */
         hidden = piece;
     }
-    return true;
+    return ZR_INTERNAL;
 }
 
 /* ---- painting ---- */
@@ -218,16 +219,16 @@ static enum zr_status paint(struct painting *painting)
         if (painting->length == 0 && !push(painting, first)) return ZR_NO_MEMORY;
         uint32_t hidden = find_hidden(painting, &overlap);
         if (zr_is_cancelled(painting->pieces.cancel)) return ZR_CANCELLED;
-        bool ok = true;
+        enum zr_status status = ZR_OK;
         if (hidden == 0)
             paint_last(painting);
         else if (overlap.farther > 0)
-            ok = cut(painting, painting->length - 1, hidden, true);
+            status = cut(painting, painting->length - 1, hidden, true) ? ZR_OK : ZR_NO_MEMORY;
         else if (painting->pieces.items[hidden].in_chain)
-            ok = cut_cycle(painting, hidden);
+            status = cut_cycle(painting, hidden);
         else
-            ok = push(painting, hidden);
-        if (!ok) return ZR_NO_MEMORY;
+            status = push(painting, hidden) ? ZR_OK : ZR_NO_MEMORY;
+        if (status != ZR_OK) return status;
     }
     return zr_is_cancelled(painting->pieces.cancel) ? ZR_CANCELLED : ZR_OK;
 }

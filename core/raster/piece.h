@@ -32,7 +32,8 @@ struct zr_piece {
 };
 
 /* All pieces and their spans; number 0 is none. What is given back is used again, so there
- * are never more spans than samples. Where `cancel` is raised, what works on them ends early, half done. */
+ * are never more spans than samples that the primitives cover, each counted by itself; while a piece is cut, its
+ * own and those of its parts. Where `cancel` is raised, what works on them ends early, half done. */
 struct zr_pieces {
     struct zr_arena *arena;
     const struct zr_geometry *geometry;
@@ -60,7 +61,7 @@ struct zr_overlap {
 struct zr_overlap zr_pieces_compare(const struct zr_pieces *pieces, const struct zr_piece *p, const struct zr_piece *q);
 
 /* Two new pieces: what of p lies in q, and where `nearer` is said is nearer than q as well; and the
- * rest. p's spans are given back. False where the arena has failed. */
+ * rest. p stays as it was, for the caller to free. False where the arena has failed. */
 bool zr_pieces_split(struct zr_pieces *pieces, uint32_t p, uint32_t q, bool nearer, uint32_t *inside, uint32_t *rest);
 
 /* Writes its samples over what is there. */

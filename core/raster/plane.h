@@ -1,6 +1,6 @@
 /* plane.h - raster: a value that varies linearly over the window.
  *
- * Space:  window space, from the unsnapped vertices of an oriented triangle.
+ * Space:  window space, from the unsnapped vertices: here of an oriented triangle, in line.h of a line.
  * Exact:  the reference's rule 8. z, 1/w and every attribute times 1/w are such planes.
  */
 #ifndef ZR_PLANE_H

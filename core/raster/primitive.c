@@ -4,12 +4,6 @@
 
 /* ---- box ---- */
 
-/* Shifts of negative numbers go down to the grid, as all compilers we build with do. */
-static int32_t first_centre(int32_t snapped)
-{
-    return (snapped + ZR_SUBPIXELS - 1) >> ZR_SUBPIXEL_BITS;
-}
-
 /* Of a line's parallelogram; empty where it has none. */
 static void line_box(const struct zr_geometry *geometry, const struct zr_triangle *record, int32_t box[4])
 {
@@ -26,10 +20,10 @@ static void line_box(const struct zr_geometry *geometry, const struct zr_triangl
         high[0] = c.x[k] > high[0] ? c.x[k] : high[0];
         high[1] = c.y[k] > high[1] ? c.y[k] : high[1];
     }
-    box[0] = first_centre(low[0]);
-    box[1] = first_centre(low[1]);
-    box[2] = high[0] >> ZR_SUBPIXEL_BITS;
-    box[3] = high[1] >> ZR_SUBPIXEL_BITS;
+    box[0] = zr_viewport_first_centre(low[0]);
+    box[1] = zr_viewport_first_centre(low[1]);
+    box[2] = zr_viewport_last_centre(high[0]);
+    box[3] = zr_viewport_last_centre(high[1]);
 }
 
 void zr_primitive_box(const struct zr_geometry *geometry, uint32_t first, int32_t box[4])
@@ -44,10 +38,10 @@ void zr_primitive_box(const struct zr_geometry *geometry, uint32_t first, int32_
         return;
     }
     const struct zr_shape *shape = &geometry->shapes[record->shape - 1];
-    box[0] = first_centre(shape->min_x);
-    box[1] = first_centre(shape->min_y);
-    box[2] = shape->max_x >> ZR_SUBPIXEL_BITS;
-    box[3] = shape->max_y >> ZR_SUBPIXEL_BITS;
+    box[0] = zr_viewport_first_centre(shape->min_x);
+    box[1] = zr_viewport_first_centre(shape->min_y);
+    box[2] = zr_viewport_last_centre(shape->max_x);
+    box[3] = zr_viewport_last_centre(shape->max_y);
 }
 
 static void cut_box(struct zr_primitive *primitive, const int32_t box[4], uint32_t width, uint32_t height)

@@ -12,15 +12,14 @@ static int32_t max3(int32_t a, int32_t b, int32_t c)
     return m > c ? m : c;
 }
 
-/* Shifts of negative numbers go down to the grid, as all compilers we build with do. */
 void zr_setup_box(const struct zr_window_vertex *vertices, const struct zr_triangle *triangle, int32_t box[4])
 {
     const struct zr_window_vertex *v0 = &vertices[triangle->v[0]], *v1 = &vertices[triangle->v[1]],
                                   *v2 = &vertices[triangle->v[2]];
-    box[0] = (min3(v0->sx, v1->sx, v2->sx) + ZR_SUBPIXELS - 1) >> ZR_SUBPIXEL_BITS;
-    box[1] = (min3(v0->sy, v1->sy, v2->sy) + ZR_SUBPIXELS - 1) >> ZR_SUBPIXEL_BITS;
-    box[2] = max3(v0->sx, v1->sx, v2->sx) >> ZR_SUBPIXEL_BITS;
-    box[3] = max3(v0->sy, v1->sy, v2->sy) >> ZR_SUBPIXEL_BITS;
+    box[0] = zr_viewport_first_centre(min3(v0->sx, v1->sx, v2->sx));
+    box[1] = zr_viewport_first_centre(min3(v0->sy, v1->sy, v2->sy));
+    box[2] = zr_viewport_last_centre(max3(v0->sx, v1->sx, v2->sx));
+    box[3] = zr_viewport_last_centre(max3(v0->sy, v1->sy, v2->sy));
 }
 
 /* Pixels exactly on an edge belong to it where it is a left or a bottom one. */

@@ -19,13 +19,19 @@ struct zr_tile {
     int32_t width, height; /* smaller at the window's upper and right border */
     /* [row * ZR_TILE_SIZE + column] */
     float depth[ZR_TILE_SIZE * ZR_TILE_SIZE];    /* window depth; where nothing was drawn, see zr_tile_begin */
-    uint32_t owner[ZR_TILE_SIZE * ZR_TILE_SIZE]; /* 1 + number of the triangle, 0 where nothing is */
+    uint32_t owner[ZR_TILE_SIZE * ZR_TILE_SIZE]; /* 1 + number of the record, 0 where nothing is */
 };
+
+/* Tiles that it takes for so many pixels in a row or a column. */
+static inline uint32_t zr_tile_across(uint32_t pixels)
+{
+    return (pixels + ZR_TILE_SIZE - 1) / ZR_TILE_SIZE;
+}
 
 /* Tile 0 is at the window's lower left, then along the row. */
 static inline size_t zr_tile_count(uint32_t width, uint32_t height)
 {
-    return (size_t)((width + ZR_TILE_SIZE - 1) / ZR_TILE_SIZE) * ((height + ZR_TILE_SIZE - 1) / ZR_TILE_SIZE);
+    return (size_t)zr_tile_across(width) * zr_tile_across(height);
 }
 
 /* The z-buffer: what is drawn at pixel x, y of the tile is seen where it is nearer than what is there. */

@@ -12,7 +12,8 @@
 #include "scene/scene.h"
 #include "zraster.h"
 
-/* Corners over all instances; triangles are fewer, and both fit 32 bits with room. */
+/* Corners over all instances. Triangles are fewer, but for faces with holes, which have less than 5/3 as many
+ * (triangulate.h): both fit 32 bits. */
 #define ZR_SCENE_CORNERS_MAX (UINT64_C(1) << 31)
 
 /* ZR_OK, or ZR_BAD_SCENE with every fault found. */

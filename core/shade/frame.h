@@ -17,11 +17,11 @@ struct zr_frame {
     float *depth;               /* +inf where nothing is */
     float *window_depth;        /* 1 where nothing is */
     uint32_t *face_id;          /* 0 where nothing is */
-    const struct zr_base *base; /* what is seen where no triangle is, its window_depth made; NULL: nothing */
+    const struct zr_base *base; /* what is seen where no record is, its window_depth made; NULL: nothing */
     struct zr_camera camera;
     struct zr_bounds bounds;
     struct zr_counts counts;
-    uint64_t covered_pixels; /* that belong to a polygon, not to the base */
+    uint64_t covered_pixels; /* that belong to a record, not to the base */
 };
 
 #endif

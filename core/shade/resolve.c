@@ -5,13 +5,13 @@
 #include "raster/line.h"
 #include "shade/eye_depth.h"
 
-/* Pixels of one row that belong to one triangle. */
+/* Pixels of one row that belong to one record. */
 struct run {
     int32_t x, y, count; /* window space, y up */
     uint32_t owner;
 };
 
-/* A triangle's planes, kept while its runs are resolved. */
+/* A record's planes, kept while its runs are resolved. */
 struct surface {
     uint32_t owner; /* 0: none yet */
     bool flat;
@@ -20,7 +20,7 @@ struct surface {
     struct zr_eye_depth eye_depth;
 };
 
-/* Small triangles come back in every row of a tile: this many are remembered. */
+/* Small records come back in every row of a tile: this many are remembered. */
 enum { SURFACES = 256 };
 
 /* Adding and taking away 1.5 * 2^23 rounds to an integer, ties to even: the float
@@ -93,7 +93,7 @@ static void make_color(const struct zr_geometry *geometry, const struct zr_trian
     surface->blue = plane_make(&basis, c0.z * oow[0], c1.z * oow[1], c2.z * oow[2]);
 }
 
-/* Only what the frame's channels ask for: small triangles are set up as often as drawn. */
+/* Only what the frame's channels ask for: small records are set up as often as drawn. */
 static void make_surface(const struct zr_geometry *geometry, const struct zr_frame *frame, uint32_t owner,
                          struct surface *surface)
 {

@@ -1,7 +1,7 @@
 /* resolve.h - shade: the visibility of a tile -> its pixels in every channel.
  *
  * Colour and depth are planes over the window (raster/plane.h), made again for the
- * triangles that are seen. Exact: colour follows the reference's rule 9.
+ * records that are seen. Exact: colour follows the reference's rule 9.
  */
 #ifndef ZR_RESOLVE_H
 #define ZR_RESOLVE_H
@@ -11,7 +11,7 @@
 #include "shade/frame.h"
 
 /* Writes the tile's part of each channel that `frame` has, and returns how many of its
- * pixels belong to a triangle. One writer a pixel: different tiles may be resolved at once. */
+ * pixels belong to a record. One writer a pixel: different tiles may be resolved at once. */
 uint32_t zr_resolve_tile(const struct zr_geometry *geometry, zr_vec4 background, const struct zr_tile *tile,
                          const struct zr_frame *frame);
 

@@ -5,13 +5,14 @@
 #include <string.h>
 
 #include "support/cmocka_all.h"
+#include "support/files.h"
 #include "support/scenes.h"
 
-enum { PATH_SIZE = 600, SCENE_BYTES_MAX = 1 << 20 };
+enum { PATH_SIZE = 600 };
 
 static const size_t ceiling = (size_t)1 << 29;
 static struct zr_arena arena;
-static char bytes[SCENE_BYTES_MAX];
+static char *bytes; /* the scene points into them */
 static const struct zr_output outputs[] = {{ZR_CHANNEL_COLOR, ZR_ENCODING_PNG, 0},
                                            {ZR_CHANNEL_DEPTH, ZR_ENCODING_NPY, 0},
                                            {ZR_CHANNEL_WINDOW_DEPTH, ZR_ENCODING_NPY, 0},
@@ -19,11 +20,10 @@ static const struct zr_output outputs[] = {{ZR_CHANNEL_COLOR, ZR_ENCODING_PNG, 0
 
 static struct zr_scene read_file(const char *path)
 {
-    FILE *file = fopen(path, "rb");
-    if (!file) fail_msg("%s: not there; tests run from the project's top folder", path);
-    struct zr_request request = {.format = ZR_FORMAT_JSON, .bytes = bytes};
-    request.size = fread(bytes, 1, sizeof bytes, file);
-    fclose(file);
+    struct zr_request request = {.format = ZR_FORMAT_JSON};
+    bytes = file_read(path, &request.size);
+    if (!bytes) fail_msg("%s: not there; tests run from the project's top folder", path);
+    request.bytes = bytes;
     struct zr_limits limits = zr_limits_default();
     struct zr_error error = {.count = 0};
     const struct zr_scene *scene;
@@ -57,6 +57,7 @@ static void check_file(const char *path, struct zr_team *team)
         assert_same(want, scene_render(&arena, team, &scene), path);
     }
     zr_arena_free(&arena);
+    free(bytes);
 }
 
 static int is_scene(const struct dirent *entry)
@@ -69,6 +70,7 @@ static int check_folder(const char *folder)
 {
     struct dirent **entries;
     struct zr_team *team = zr_team_create(3);
+    assert_non_null(team);
     int count = scandir(folder, &entries, is_scene, alphasort);
     for (int i = 0; i < count; i++) {
         char path[PATH_SIZE];

@@ -38,7 +38,7 @@ make_base() {
     rm -rf "$base/core" "$base/tests/reference" "$base/tests/scenes" "$base/tests/support"
     mkdir "$base/tests/support" || return 1
     cp -a Makefile core "$base/" && cp -a tests/reference tests/scenes "$base/tests/" &&
-        cp -a tests/support/png.[ch] tests/support/random.h "$base/tests/support/" && compile "$base" ""
+        cp -a tests/support/files.[ch] tests/support/png.[ch] tests/support/random.h "$base/tests/support/" && compile "$base" ""
 }
 
 # The counts of the last line, as "coverage N depth N colour N".

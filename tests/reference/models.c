@@ -9,6 +9,7 @@
 #include "input/input.h"
 #include "reference/page.h"
 #include "reference/subject.h"
+#include "support/files.h"
 
 static const char *const names[] = {"stanford-bunny", "teapot"};
 
@@ -19,22 +20,6 @@ static const struct {
 } views[] = {{{0, 0, 1}, 3.0}, {{1, 1, 1}, 3.5}, {{0.5, 0.3, 0.8}, 0.75}};
 
 static const uint32_t windows[][2] = {{1920, 1080}, {509, 383}};
-
-/* All of a file, or NULL. */
-static char *read_all(const char *path, size_t *size)
-{
-    FILE *file = fopen(path, "rb");
-    char *bytes = NULL;
-    long length = -1;
-    if (file && fseek(file, 0, SEEK_END) == 0) length = ftell(file);
-    if (length >= 0) bytes = malloc((size_t)length + 1);
-    if (bytes) {
-        rewind(file);
-        *size = fread(bytes, 1, (size_t)length, file);
-    }
-    if (file) fclose(file);
-    return bytes;
-}
 
 static bool mesh_read(struct zr_arena *arena, const char *bytes, size_t size, struct zr_mesh *mesh)
 {
@@ -214,7 +199,7 @@ static bool load(struct drawing *drawing, const char *directory, const char *nam
     char path[600];
     size_t size = 0;
     snprintf(path, sizeof path, "%s/%s.obj", directory, name);
-    char *bytes = read_all(path, &size);
+    char *bytes = file_read(path, &size);
     *there = bytes != NULL;
     if (!bytes) {
         fprintf(stderr, "LEFT OUT: model %s: %s: %s\n", name, path, strerror(errno));

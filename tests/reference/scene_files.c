@@ -10,6 +10,7 @@
 
 #include "input/names.h"
 #include "reference/page.h"
+#include "support/files.h"
 
 enum { PATH_SIZE = 1000, LABEL_SIZE = 100 };
 static const size_t scene_ceiling = (size_t)2 << 30;
@@ -37,22 +38,6 @@ static bool format_of(const char *path, enum zr_format *format)
             return true;
         }
     return false;
-}
-
-/* All of a file, or NULL. */
-static char *read_all(const char *path, size_t *size)
-{
-    FILE *file = fopen(path, "rb");
-    char *bytes = NULL;
-    long length = -1;
-    if (file && fseek(file, 0, SEEK_END) == 0) length = ftell(file);
-    if (length >= 0) bytes = malloc((size_t)length + 1);
-    if (bytes) {
-        rewind(file);
-        *size = fread(bytes, 1, (size_t)length, file);
-    }
-    if (file) fclose(file);
-    return bytes;
 }
 
 /* The file's own name, without its folder and its suffix. */
@@ -115,7 +100,7 @@ static enum verdict check_file(const struct checking *c, const char *path, enum 
     struct zr_request request = {.format = format};
     struct zr_arena arena;
     if (format != ZR_FORMAT_JSON) request.preset = c->options->preset;
-    char *bytes = read_all(path, &request.size);
+    char *bytes = file_read(path, &request.size);
     if (!bytes) {
         fprintf(stderr, "%s: %s\n", path, strerror(errno));
         return VERDICT_UNPROVED;

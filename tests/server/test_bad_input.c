@@ -9,6 +9,7 @@
 
 #include "client.h"
 #include "support/cmocka_all.h"
+#include "support/files.h"
 
 enum { PATH_SIZE = 1024, LARGE_BODY = 100 * 1000 * 1000 };
 
@@ -58,25 +59,12 @@ static void assert_scene_refused(const char *scene, int status, const char *cons
 
 /* ---- the JSON test suite ---- */
 
-static char *read_file(const char *path, size_t *size)
-{
-    FILE *in = fopen(path, "rb");
-    if (!in) return NULL;
-    fseek(in, 0, SEEK_END);
-    long length = ftell(in);
-    rewind(in);
-    char *bytes = calloc(1, (size_t)length + 1);
-    *size = bytes ? fread(bytes, 1, (size_t)length, in) : 0;
-    fclose(in);
-    return bytes;
-}
-
 static void check_suite_file(const char *folder, const char *name)
 {
     char path[PATH_SIZE];
     size_t size = 0;
     snprintf(path, sizeof path, "%s/%s", folder, name);
-    char *bytes = read_file(path, &size);
+    char *bytes = file_read(path, &size);
     assert_non_null(bytes);
     struct reply reply =
         client_send(&server, "POST", "/v1/render", (const char *const[]){JSON_TYPE, NULL}, bytes, size);

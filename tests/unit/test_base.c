@@ -227,6 +227,23 @@ static void unit_vector_is_the_same_at_every_scale(void **state)
     assert_true(zero.x == 0 && zero.y == 0 && zero.z == 0);
 }
 
+static void vector_whose_square_leaves_the_range_still_has_a_direction(void **state)
+{
+    (void)state;
+    const float least = 0x1p-149f, most = FLT_MAX;
+    const zr_vec3 small = zr_vec3_normalize((zr_vec3){0, -least, 0}),
+                  large = zr_vec3_normalize((zr_vec3){most, 0, -most}),
+                  mixed = zr_vec3_normalize((zr_vec3){least, most, 1});
+    assert_true(small.x == 0 && small.y == -1 && small.z == 0);
+    assert_true(fabsf(large.x - sqrtf(0.5f)) < 1e-6f && large.y == 0 && large.z == -large.x);
+    assert_true(mixed.x == 0 && mixed.y == 1 && mixed.z < 1e-37f);
+    /* What has none stays what it is. */
+    zr_vec3 endless = zr_vec3_normalize((zr_vec3){1, INFINITY, 0}),
+            unknown = zr_vec3_normalize((zr_vec3){NAN, NAN, NAN});
+    assert_true(endless.x == 1 && isinf(endless.y) && endless.z == 0);
+    assert_true(isnan(unknown.x) && isnan(unknown.y) && isnan(unknown.z));
+}
+
 static void matrix_times_its_inverse_is_the_identity(void **state)
 {
     (void)state;
@@ -260,6 +277,7 @@ int main(void)
         cmocka_unit_test(sine_and_cosine_are_within_1_and_a_half_ulp),
         cmocka_unit_test(sine_and_cosine_repeat_themselves_each_quarter_and_full_turn),
         cmocka_unit_test(unit_vector_is_the_same_at_every_scale),
+        cmocka_unit_test(vector_whose_square_leaves_the_range_still_has_a_direction),
         cmocka_unit_test(matrix_times_its_inverse_is_the_identity),
         cmocka_unit_test(matrix_without_inverse_is_refused),
     };

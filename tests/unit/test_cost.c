@@ -89,6 +89,36 @@ static void large_faces_at_regular_places_do_not_mislead_the_sample(void **state
     }
 }
 
+/* A square of half the window's side, with one of a quarter in it or beside it that turns the same way or the other. */
+static void face_of_two_rings_costs_what_it_covers_at_least_and_its_box_at_most(void **state)
+{
+    (void)state;
+    zr_vec4 p[] = {{-0.5f, -0.5f, 0, 1},   {0.5f, -0.5f, 0, 1},   {0.5f, 0.5f, 0, 1},   {-0.5f, 0.5f, 0, 1},
+                   {-0.25f, -0.25f, 0, 1}, {0.25f, -0.25f, 0, 1}, {0.25f, 0.25f, 0, 1}, {-0.25f, 0.25f, 0, 1}};
+    static const uint32_t same_way[8] = {0, 1, 2, 3, 4, 5, 6, 7}, other_way[8] = {0, 1, 2, 3, 7, 6, 5, 4},
+                          offsets[2] = {0, 8}, face_rings[2] = {0, 2}, ring_offsets[3] = {0, 4, 8};
+    static struct test_scene test;
+    for (int round = 0; round < 4; round++) {
+        bool in_it = round < 2;
+        for (int i = 4; i < 8 && round == 2; i++)
+            p[i].x += 0.75f;
+        scene_of_triangles(&test, 100, 100, p, 1);
+        test.mesh.position_count = 8;
+        test.mesh.face_offsets = offsets;
+        test.mesh.face_rings = face_rings;
+        test.mesh.ring_offsets = ring_offsets;
+        test.mesh.indices = round % 2 ? other_way : same_way;
+        test.material.double_sided = false;
+        double fragments = zr_scene_cost(&test.scene, 1024, NULL).fragments;
+        double low = in_it ? 1875 : 3125, high = in_it ? 2500 : 3750; /* pixels, which take some eight times longer */
+        assert_true(fragments > 8 * (low - 1) && fragments < 8.5 * (high + 1));
+        test.instance.object_to_world.m[0] = test.instance.object_to_world.m[10] = -1; /* its back is seen */
+        assert_true(zr_scene_cost(&test.scene, 1024, NULL).fragments == 0);
+        test.material.double_sided = true;
+        assert_true(fabs(zr_scene_cost(&test.scene, 1024, NULL).fragments - fragments) < 1);
+    }
+}
+
 static void odd_numbers_cost_something_finite(void **state)
 {
     (void)state;
@@ -156,6 +186,7 @@ int main(void)
         cmocka_unit_test(large_faces_at_regular_places_do_not_mislead_the_sample),
         cmocka_unit_test(dents_outlines_and_lines_cost_more_than_a_plain_face),
         cmocka_unit_test(points_without_faces_and_other_algorithms_cost_too),
+        cmocka_unit_test(face_of_two_rings_costs_what_it_covers_at_least_and_its_box_at_most),
         cmocka_unit_test(odd_numbers_cost_something_finite),
     };
     return cmocka_run_group_tests_name("cost", tests, NULL, NULL);

@@ -8,6 +8,7 @@
 
 #include "guarded.h"
 #include "input/json_scan.h"
+#include "support/files.h"
 
 static struct zr_error error;
 static size_t values;
@@ -210,12 +211,12 @@ static void number_longer_than_cjson_reads_gives_bad_scene(void **state)
 
 static struct guarded load(const char *path)
 {
-    static char bytes[1 << 20];
-    FILE *file = fopen(path, "rb");
-    if (!file) fail_msg("cannot read %s", path);
-    size_t size = fread(bytes, 1, sizeof bytes, file);
-    fclose(file);
-    return guarded_copy(bytes, size);
+    size_t size = 0;
+    char *bytes = file_read(path, &size);
+    if (!bytes) fail_msg("cannot read %s", path);
+    struct guarded copy = guarded_copy(bytes, size);
+    free(bytes);
+    return copy;
 }
 
 static void json_test_suite_is_judged_as_its_names_say(void **state)

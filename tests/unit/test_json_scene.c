@@ -315,6 +315,29 @@ static void lights_are_normalised_and_scaled(void **state)
     reading_free(reading);
 }
 
+static struct reading *read_lights(uint32_t count)
+{
+    static const char light[] = "{\"type\": \"directional\", \"direction\": [0,0,-1]},";
+    static char text[(ZR_LIGHTS_MAX + 1) * sizeof light + 100];
+    char *end = stpcpy(text, "{" POLYGONS ", \"lights\": [");
+    for (uint32_t i = 0; i < count; i++)
+        end = stpcpy(end, light);
+    strcpy(end - 1, "]}"); /* over the last comma */
+    return read_text(ZR_FORMAT_JSON, text);
+}
+
+static void lights_are_up_to_1024(void **state)
+{
+    (void)state;
+    struct reading *reading = read_lights(1024);
+    assert_read(reading);
+    assert_int_equal(reading->scene->light_count, 1024);
+    reading_free(reading);
+    reading = read_lights(1025);
+    assert_complaint(reading, ZR_BAD_SCENE, "/lights", "1025 lights; up to 1024 are allowed");
+    reading_free(reading);
+}
+
 static void alpha_gives_one_warning(void **state)
 {
     (void)state;
@@ -371,6 +394,7 @@ int main(void)
         cmocka_unit_test(every_algorithm_is_chosen_by_its_name),
         cmocka_unit_test(window_limits_are_named),
         cmocka_unit_test(lights_are_normalised_and_scaled),
+        cmocka_unit_test(lights_are_up_to_1024),
         cmocka_unit_test(alpha_gives_one_warning),
         cmocka_unit_test(bad_json_gives_bad_syntax),
         cmocka_unit_test(small_arena_gives_no_memory_naming_the_ceiling),

@@ -379,9 +379,9 @@ static void outline_of_a_whole_triangle_starts_with_its_last_edge(void **state)
     (void)state;
     const struct zr_window_vertex v[3] = {at(0, 0), at(4, 0), at(0, 4)};
     struct zr_outline_line lines[ZR_CLIP_MAX];
-    int count = zr_outline_make(v, 3, 7, false, ZR_OUTLINE_BOTH, lines);
+    int count = zr_outline_make(v, 3, 7, false, ZR_SIDE_BOTH, lines);
     assert_lines(lines, count, (const uint8_t[][2]){{2, 0}, {0, 1}, {1, 2}}, 3);
-    count = zr_outline_make(v, 3, 7, true, ZR_OUTLINE_BOTH, lines);
+    count = zr_outline_make(v, 3, 7, true, ZR_SIDE_BOTH, lines);
     assert_lines(lines, count, (const uint8_t[][2]){{0, 1}, {1, 2}, {2, 0}}, 3);
 }
 
@@ -390,7 +390,7 @@ static void outline_of_a_clipped_triangle_goes_round_it_without_the_edge_along_t
     (void)state;
     const struct zr_window_vertex v[4] = {at(0, 0), at(4, 0), at(4, 2), at(0, 4)};
     struct zr_outline_line lines[ZR_CLIP_MAX];
-    int count = zr_outline_make(v, 4, 0xd, true, ZR_OUTLINE_BOTH, lines);
+    int count = zr_outline_make(v, 4, 0xd, true, ZR_SIDE_BOTH, lines);
     assert_lines(lines, count, (const uint8_t[][2]){{0, 1}, {2, 3}, {3, 0}}, 3);
 }
 
@@ -410,14 +410,14 @@ static void outline_culls_by_side_and_takes_no_area_for_a_back_with_the_colours_
     const struct zr_window_vertex front[3] = {at(0, 0), at(4, 0), at(0, 4)}, back[3] = {at(0, 0), at(0, 4), at(4, 0)},
                                   flat[3] = {at(0, 0), at(4, 4), at(2, 2)};
     struct zr_outline_line lines[ZR_CLIP_MAX];
-    assert_int_equal(zr_outline_make(front, 3, 7, false, ZR_OUTLINE_FRONT, lines), 3);
+    assert_int_equal(zr_outline_make(front, 3, 7, false, ZR_SIDE_FRONT, lines), 3);
     assert_false(lines[0].back);
-    assert_int_equal(zr_outline_make(front, 3, 7, false, ZR_OUTLINE_BACK, lines), 0);
-    assert_int_equal(zr_outline_make(back, 3, 7, false, ZR_OUTLINE_FRONT, lines), 0);
-    assert_int_equal(zr_outline_make(back, 3, 7, false, ZR_OUTLINE_BACK, lines), 3);
+    assert_int_equal(zr_outline_make(front, 3, 7, false, ZR_SIDE_BACK, lines), 0);
+    assert_int_equal(zr_outline_make(back, 3, 7, false, ZR_SIDE_FRONT, lines), 0);
+    assert_int_equal(zr_outline_make(back, 3, 7, false, ZR_SIDE_BACK, lines), 3);
     assert_true(lines[0].back);
-    assert_int_equal(zr_outline_make(flat, 3, 7, false, ZR_OUTLINE_FRONT, lines), 0);
-    assert_int_equal(zr_outline_make(flat, 3, 7, false, ZR_OUTLINE_BACK, lines), 3);
+    assert_int_equal(zr_outline_make(flat, 3, 7, false, ZR_SIDE_FRONT, lines), 0);
+    assert_int_equal(zr_outline_make(flat, 3, 7, false, ZR_SIDE_BACK, lines), 3);
     assert_false(lines[0].back);
 }
 

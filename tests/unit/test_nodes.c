@@ -235,7 +235,7 @@ static struct tree *random_tree(struct random *random)
     struct tree *tree = tree_new();
     for (uint32_t i = 0; i < COUNT; i++) {
         uint32_t place_at = random_below(random, i + 1);
-        number_of[i] = number_of[place_at];
+        if (place_at < i) number_of[i] = number_of[place_at];
         number_of[place_at] = i;
     }
     uint32_t rank_of[COUNT];

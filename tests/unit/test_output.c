@@ -172,6 +172,50 @@ static struct zr_answer answer_of(struct test_scene *test)
     return answer;
 }
 
+static void depth_as_png16_has_steps_of_its_scale_and_warns_of_what_does_not_fit(void **state)
+{
+    (void)state;
+    const zr_vec4 p[] = {{-1, 0, -0.5f, 1}, {0, 0, -0.5f, 1}, {-1, 1, -0.5f, 1},
+                         {0, -1, -6, 1},    {1, -1, -6, 1},   {1, 0, -6, 1}};
+    const struct {
+        float scale;
+        uint16_t steps[3]; /* where nothing is, and of the two faces */
+        const char *comment;
+        bool fits;
+    } cases[] = {{0.25f, {0, 2, 24}, "depth in scene units = value * 0.25; 0 where nothing is", true},
+                 {0.00005f, {0, 10000, 65535}, "depth in scene units = value * 4.99999987e-05;", false},
+                 {0,
+                  {0, 5461, 65535},
+                  "depth in scene units = value * 9.15541314e-05;",
+                  true}}; /* 6 / 65535: there is no far plane */
+    static struct test_scene test;
+    scene_of_triangles(&test, 16, 16, p, 2);
+    test.scene.view.projection_matrix.m[10] = 0.125f;
+    const struct zr_frame *frame = scene_render(&arena, NULL, &test.scene);
+    uint32_t pixels[3] = {0, 0, 0};
+    for (int i = 0; i < 256; i++)
+        pixels[frame->face_id[i]]++;
+    assert_true(pixels[0] > 0 && pixels[1] == 28 && pixels[2] > 0);
+    test.scene.output_count = 1;
+    for (size_t c = 0; c < sizeof cases / sizeof *cases; c++) {
+        const struct zr_output output = {ZR_CHANNEL_DEPTH, ZR_ENCODING_PNG16, cases[c].scale};
+        struct zr_answer answer;
+        struct zr_error error = {.count = 0};
+        test.scene.outputs = &output;
+        assert_int_equal(zr_encode(&arena, &test.scene, frame, NULL, &answer, &error), ZR_OK);
+        assert_string_equal(answer.content_type, "image/png");
+        png_image image;
+        const unsigned char *bytes = decode(answer.bytes, answer.size, PNG_FORMAT_LINEAR_Y, &image);
+        assert_true(image.width == 16 && image.height == 16);
+        for (int i = 0; i < 256; i++)
+            assert_memory_equal(bytes + 2 * i, &cases[c].steps[frame->face_id[i]], 2);
+        assert_non_null(memmem(answer.bytes, answer.size, cases[c].comment, strlen(cases[c].comment)));
+        char warning[96];
+        snprintf(warning, sizeof warning, "the depth of %u pixels does not fit 16 bits at this scale", pixels[2]);
+        assert_string_equal(answer.warnings, cases[c].fits ? "" : warning);
+    }
+}
+
 static void info_counts_pixels_and_boxes_and_warns(void **state)
 {
     (void)state;
@@ -258,6 +302,19 @@ static void scene_that_shows_nothing_is_warned_of(void **state)
     assert_non_null(strstr(answer_of(&test).warnings, "faces away"));
 }
 
+static void polygons_without_three_distinct_corners_are_warned_of(void **state)
+{
+    (void)state;
+    const zr_vec4 p[] = {{-1, 0, 0, 1}, {0, 0, 0, 1}, {-1, 1, 0, 1}, {0, 0, 0, 1}, {1, 0, 0, 1},
+                         {0, 0, 0, 1},  {1, 1, 0, 1}, {1, 1, 0, 1},  {1, 1, 0, 1}};
+    static struct test_scene test;
+    scene_of_triangles(&test, 16, 16, p, 3);
+    assert_string_equal(answer_of(&test).warnings,
+                        "2 of 3 polygons have fewer than three distinct corners and were dropped");
+    scene_of_triangles(&test, 16, 16, p, 1);
+    assert_string_equal(answer_of(&test).warnings, "");
+}
+
 static void picture_without_a_covered_pixel_is_warned_of_whatever_the_reason(void **state)
 {
     (void)state;
@@ -291,7 +348,10 @@ int main(void)
         cmocka_unit_test_setup_teardown(zip_gives_back_its_files_and_is_the_same_every_time, open_arena, close_arena),
         cmocka_unit_test(depth16_counts_what_does_not_fit_and_never_wraps),
         cmocka_unit_test(depth16_scale_left_open_fits_the_far_plane),
+        cmocka_unit_test_setup_teardown(depth_as_png16_has_steps_of_its_scale_and_warns_of_what_does_not_fit,
+                                        open_arena, close_arena),
         cmocka_unit_test_setup_teardown(info_counts_pixels_and_boxes_and_warns, open_arena, close_arena),
+        cmocka_unit_test_setup_teardown(polygons_without_three_distinct_corners_are_warned_of, open_arena, close_arena),
         cmocka_unit_test_setup_teardown(info_lists_the_first_thousand_instances, open_arena, close_arena),
         cmocka_unit_test_setup_teardown(several_outputs_come_as_one_archive, open_arena, close_arena),
         cmocka_unit_test_setup_teardown(picture_without_a_covered_pixel_is_warned_of_whatever_the_reason, open_arena,

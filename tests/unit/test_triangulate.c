@@ -155,7 +155,7 @@ static void triangulate_scratch_that_grows_one_by_one_stays_small(void **state)
     zr_arena_init(&own, 1 << 20);
     for (uint32_t corners = 3; corners <= CORNERS_MAX; corners++)
         assert_true(zr_triangulator_reserve(&own, &growing, corners, corners / 3));
-    assert_true(own.used <= 4 * zr_triangulate_nodes_max(CORNERS_MAX, RINGS_MAX) * sizeof(struct zr_node));
+    assert_true(own.used <= 4 * zr_triangulate_nodes_max(CORNERS_MAX, RINGS_MAX) * sizeof(struct zr_loop_corner));
     zr_arena_free(&own);
 }
 

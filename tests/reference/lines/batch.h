@@ -25,7 +25,7 @@ struct batch {
     enum batch_chain chain;
     bool smooth;         /* else each primitive has one colour: its number, or, lines, its last corner's */
     bool sided;          /* outlines: one colour for the front and one for the back, by facing */
-    unsigned faces;      /* outlines: enum ZR_OUTLINE_FRONT and BACK; not culled */
+    unsigned faces;      /* outlines: ZR_SIDE_FRONT, _BACK or _BOTH; not culled */
     float factor, units; /* filled: the offset */
     uint32_t count;      /* primitives, each of 2, 3 or more corners, one after the other */
     uint32_t offsets[BATCH_PRIMITIVES + 1];

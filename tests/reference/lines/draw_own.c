@@ -187,10 +187,10 @@ static int outline(const struct drawer *drawer, const struct zr_window_vertex *v
     unsigned faces = drawer->batch->faces;
     if (drawer->fault == FAULT_ORDER) clipped = true;
     if (drawer->fault == FAULT_EDGES_OF_PLANES) edges = ~0u;
-    if (drawer->fault == FAULT_CULL_AREA && faces != ZR_OUTLINE_BOTH) {
-        int left = zr_outline_make(vertices, count, edges, clipped, ZR_OUTLINE_BOTH, lines), kept = 0;
+    if (drawer->fault == FAULT_CULL_AREA && faces != ZR_SIDE_BOTH) {
+        int left = zr_outline_make(vertices, count, edges, clipped, ZR_SIDE_BOTH, lines), kept = 0;
         for (int i = 0; i < left; i++)
-            if (lines[i].back == (faces == ZR_OUTLINE_BACK)) lines[kept++] = lines[i];
+            if (lines[i].back == (faces == ZR_SIDE_BACK)) lines[kept++] = lines[i];
         return kept;
     }
     return zr_outline_make(vertices, count, edges, clipped, faces, lines);

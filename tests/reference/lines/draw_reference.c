@@ -39,8 +39,8 @@ static void set_state(const struct batch *batch)
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     glShadeModel(batch->smooth ? GL_SMOOTH : GL_FLAT);
     glPolygonMode(GL_FRONT_AND_BACK, batch->mode == BATCH_OUTLINES ? GL_LINE : GL_FILL);
-    (batch->faces == ZR_OUTLINE_BOTH ? glDisable : glEnable)(GL_CULL_FACE);
-    glCullFace(batch->faces == ZR_OUTLINE_FRONT ? GL_BACK : GL_FRONT);
+    (batch->faces == ZR_SIDE_BOTH ? glDisable : glEnable)(GL_CULL_FACE);
+    glCullFace(batch->faces == ZR_SIDE_FRONT ? GL_BACK : GL_FRONT);
     (batch->mode == BATCH_FILLED ? glEnable : glDisable)(GL_POLYGON_OFFSET_FILL);
     glPolygonOffset(batch->factor, batch->units);
     set_sides(batch);

@@ -265,9 +265,9 @@ static void choose_state(struct batch *batch, struct random *r)
     batch->smooth = random_below(r, 2);
     batch->chain = random_below(r, 2) ? CHAIN_STRIP : CHAIN_LOOP;
     batch->sided = batch->mode == BATCH_OUTLINES && random_below(r, 6) == 0;
-    batch->faces = ZR_OUTLINE_BOTH;
+    batch->faces = ZR_SIDE_BOTH;
     if (batch->mode == BATCH_OUTLINES && random_below(r, 3) == 0)
-        batch->faces = random_below(r, 2) ? ZR_OUTLINE_FRONT : ZR_OUTLINE_BACK;
+        batch->faces = random_below(r, 2) ? ZR_SIDE_FRONT : ZR_SIDE_BACK;
     batch->factor = factors[random_below(r, 5)];
     batch->units = units[random_below(r, 5)];
 }
