@@ -138,15 +138,15 @@ static enum store_status read_whole(struct store *store, const char *name, int f
     size_t size = (size_t)info->st_size;
     *bytes = zr_arena_alloc(arena, size, 1);
     if (!*bytes) return STORE_NO_MEMORY;
-    if (!store_file_read(fd, *bytes, size) && errno != 0) {
+    bool whole = store_file_read(fd, *bytes, size);
+    if (!whole && errno != 0) {
         int cause = errno;
         log_event("error", "asset-unreadable", strerror(cause));
         errno = cause;
         return STORE_FAILED;
     }
-    /* A file that became shorter while it was read shows here as well. */
-    store_name(*bytes, size, found);
-    if (strcmp(found, name) != 0) {
+    if (whole) store_name(*bytes, size, found);
+    if (!whole || strcmp(found, name) != 0) {
         remove_broken(store, name, info);
         return STORE_MISSING;
     }

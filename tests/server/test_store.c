@@ -11,6 +11,7 @@
 #include <sys/file.h>
 #include <sys/mount.h>
 #include <sys/resource.h>
+#include <sys/socket.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -211,13 +212,12 @@ struct spoiler {
     atomic_bool stop;
 };
 
-static void *cut_and_grow(void *argument)
+static void *cut_again_and_again(void *argument)
 {
     struct spoiler *spoiler = argument;
     while (!atomic_load(&spoiler->stop)) {
         (void)!truncate(spoiler->file.path, 100);
-        (void)!truncate(spoiler->file.path, 1 << 22);
-        usleep(200);
+        usleep(1000);
     }
     return NULL;
 }
@@ -233,7 +233,7 @@ static void file_that_shrinks_while_it_is_read_never_harms(void **state)
     struct asset_name name = asset_post(&server, bytes, SIZE, 201);
     struct spoiler spoiler = {.file = folder_file(&folder, name.text)};
     pthread_t thread;
-    assert_int_equal(pthread_create(&thread, NULL, cut_and_grow, &spoiler), 0);
+    assert_int_equal(pthread_create(&thread, NULL, cut_again_and_again, &spoiler), 0);
     for (int i = 0; i < ROUNDS; i++) {
         struct reply put = asset_put(&server, name.text, bytes, SIZE);
         assert_in_range(put.status, 200, 201);
@@ -251,6 +251,31 @@ static void file_that_shrinks_while_it_is_read_never_harms(void **state)
     daemon_stop(&server);
     folder_remove(&folder);
     free(bytes);
+}
+
+static void file_that_is_cut_while_it_is_read_is_missing(void **state)
+{
+    (void)state;
+    const off_t size = 128 << 20;
+    struct folder folder = folder_make();
+    struct daemon server = assets_start(&folder, NULL);
+    struct folder file = folder_file(&folder, ABC_NAME);
+    for (int ms = 1; ms <= 64; ms *= 4) {
+        write_file(&file, "", 0);
+        assert_int_equal(truncate(file.path, size), 0);
+        int fd = client_connect(&server);
+        static const char request[] = "GET /v1/assets/" ABC_NAME " HTTP/1.1\r\nHost: a\r\n\r\n";
+        assert_int_equal(send(fd, request, sizeof request - 1, 0), sizeof request - 1);
+        usleep((useconds_t)ms * 1000);
+        (void)!truncate(file.path, 1000);
+        char *answer = client_read(fd, "kept under this name", 30000);
+        assert_int_equal(raw_status(answer), 404);
+        assert_false(has_file(&folder, ABC_NAME));
+        free(answer);
+        close(fd);
+    }
+    daemon_stop(&server);
+    folder_remove(&folder);
 }
 
 /* ---- many at once ---- */
@@ -500,6 +525,7 @@ int main(void)
         cmocka_unit_test(files_that_are_none_of_ours_do_no_harm),
         cmocka_unit_test(broken_file_is_found_removed_and_healed),
         cmocka_unit_test(file_that_shrinks_while_it_is_read_never_harms),
+        cmocka_unit_test(file_that_is_cut_while_it_is_read_is_missing),
         cmocka_unit_test(same_assets_put_at_once_are_new_once),
         cmocka_unit_test(different_assets_put_at_once_are_all_kept),
         cmocka_unit_test(bound_holds_while_many_put_at_once),
