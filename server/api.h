@@ -48,9 +48,9 @@ struct api_request {
     const char *if_none_match;                                   /* likewise */
     bool gzip;                                                   /* by api_open: the body is compressed */
     char boundary[MULTIPART_BOUNDARY_SIZE];                      /* by api_open: of its parts; "": it has none */
-    const char
-        *asset;     /* by api_open: in `path`, the name of the one that this is about; "": a new one; NULL: a render */
-    bool has_asset; /* by api_open: If-None-Match says that the client has it */
+    /* By api_open, in `path`: the name of the asset that this is about; "": a new one; NULL: a render. */
+    const char *asset;
+    bool has_asset;           /* by api_open: If-None-Match says that the client has it */
     struct zr_request render; /* by api_open; then `bytes` and `size` by the caller */
     char *query_values;       /* what `render` points into */
 };

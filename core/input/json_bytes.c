@@ -27,10 +27,9 @@ static bool read_stored(struct zr_draft *draft, const struct zr_json_path *path,
     if (strspn(sha256, "0123456789abcdef") != DIGITS || sha256[DIGITS] != '\0')
         return zr_json_fault(json, path, "expected sha256: and 64 lower-case hexadecimal digits");
     if (!draft->stored.read)
-        return zr_json_fault(
-            json, path,
-            "no assets are kept here (zrasterd keeps them with --assets-dir); send the bytes as a part "
-            "of a multipart/form-data request or in a data: URI");
+        return zr_json_fault(json, path,
+                             "no assets are kept here, that takes zrasterd --assets-dir; send the bytes as a "
+                             "part of a multipart/form-data request");
     if (draft->stored.read(draft->stored.context, sha256, json->arena, &out->bytes, &out->size)) return true;
     if (!zr_arena_ok(json->arena)) return false;
     return zr_json_fault(json, path, "no asset is kept under this hash; upload it with PUT /v1/assets/%s", sha256);
