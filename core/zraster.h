@@ -13,6 +13,7 @@
 #define ZRASTER_H
 
 #include <stdatomic.h>
+#include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
 
@@ -46,12 +47,21 @@ struct zr_asset {
     size_t size;
 };
 
+/* Bytes that are kept somewhere under their SHA-256, which a scene asks for by {"asset":
+ * "sha256:..."}. `read` is given 64 lower-case hexadecimal digits and a final zero; it puts the
+ * bytes into the arena, and returns false where there are none or the arena has failed. */
+struct zr_stored {
+    bool (*read)(void *context, const char *sha256, struct zr_arena *arena, const void **bytes, size_t *size);
+    void *context;
+};
+
 struct zr_request {
     enum zr_format format;
     const char *bytes;
     size_t size;
     const struct zr_asset *assets; /* no two of one name; formats other than JSON have none */
     size_t asset_count;
+    struct zr_stored stored; /* read may be NULL: nothing is kept */
     /* NULL: not given. One output instead of the scene's own. */
     const char *channel, *encoding, *scale;
     /* NULL: not given. For formats that hold a bare mesh and no view; refused with JSON. */

@@ -18,9 +18,9 @@ struct answer_header {
 
 struct answer {
     int status;
-    bool close; /* the connection ends after this */
-    char *bytes;
-    size_t size;
+    bool close;  /* the connection ends after this */
+    char *bytes; /* NULL: none are sent */
+    size_t size; /* without bytes: as Content-Length tells it, to HEAD and with 304 */
     size_t header_count;
     struct answer_header headers[ANSWER_HEADERS_MAX];
     char detail[ANSWER_DETAIL_SIZE]; /* of an error, for the log; valid UTF-8 */

@@ -9,6 +9,7 @@
 
 #include <cjson/cJSON.h>
 
+#include "assets.h"
 #include "body.h"
 #include "clock.h"
 #include "problem.h"
@@ -18,16 +19,15 @@
  * has polygons; of those that nodes place again and again, enough. */
 enum { WARNINGS_SIZE = 2048, COST_SAMPLES = 1024, COST_SAMPLES_ALL = 1 << 22 };
 
-enum route { ROUTE_RENDER, ROUTE_HEALTH, ROUTE_READY, ROUTE_LIMITS };
+enum route { ROUTE_RENDER, ROUTE_HEALTH, ROUTE_READY, ROUTE_LIMITS, ROUTE_ASSETS, ROUTE_ASSET };
 
 static const struct {
-    const char *path, *methods;
-    bool open_to_all; /* no token is asked for */
+    const char *path, *methods; /* a path that ends with a slash: and all below it */
+    bool open_to_all;           /* no token is asked for */
 } ROUTES[] = {
-    [ROUTE_RENDER] = {"/v1/render", "POST", false},
-    [ROUTE_HEALTH] = {"/healthz", "GET, HEAD", true},
-    [ROUTE_READY] = {"/readyz", "GET, HEAD", true},
-    [ROUTE_LIMITS] = {"/v1/limits", "GET, HEAD", false},
+    [ROUTE_RENDER] = {"/v1/render", "POST", false}, [ROUTE_HEALTH] = {"/healthz", "GET, HEAD", true},
+    [ROUTE_READY] = {"/readyz", "GET, HEAD", true}, [ROUTE_LIMITS] = {"/v1/limits", "GET, HEAD", false},
+    [ROUTE_ASSETS] = {"/v1/assets", "POST", false}, [ROUTE_ASSET] = {ASSETS_PATH, "GET, HEAD, PUT", false},
 };
 
 enum { ROUTE_COUNT = sizeof ROUTES / sizeof ROUTES[0] };
@@ -57,9 +57,10 @@ static const struct {
 
 #define PARAMETER_NAMES "channel, encoding, scale, preset, width, height, shading"
 
-void api_init(struct api *api, const struct config *config, struct zr_team *team)
+void api_init(struct api *api, const struct config *config, struct zr_team *team, struct store *store)
 {
     api->config = config;
+    api->store = store;
     admission_calibrate(&api->admission);
     api->limits = config_limits(config);
     api->team = team;
@@ -178,7 +179,7 @@ static bool read_content_encoding(struct api_request *request, struct answer *an
     return false;
 }
 
-/* Why no render can be taken on now; NULL: one can. */
+/* Why no work can be taken on now; NULL: one can. */
 static const char *busy_with(const struct api_load *load)
 {
     if (load->draining) return "the service is going down";
@@ -186,15 +187,22 @@ static const char *busy_with(const struct api_load *load)
     return load->memory_short ? "the memory of the container is nearly used up" : NULL;
 }
 
-static enum api_next open_render(const struct api_load *load, struct api_request *request, struct answer *answer)
+static bool open_render(struct api_request *request, struct answer *answer)
+{
+    return read_content_type(request, answer) && read_query(request, answer);
+}
+
+/* What is done by a worker. */
+static enum api_next open_work(const struct api *api, const struct api_load *load, enum route route,
+                               struct api_request *request, struct answer *answer)
 {
     if (load->draining) {
         api_refuse_busy(answer, load->retry_after_s, busy_with(load));
     } else if (!read_content_encoding(request, answer)) {
         return API_ANSWERED;
-    } else if (read_content_type(request, answer) && read_query(request, answer)) {
+    } else if (route == ROUTE_RENDER ? open_render(request, answer) : assets_open(api, request, answer)) {
         const char *busy = busy_with(load);
-        if (!busy) return API_RENDER;
+        if (!busy) return API_WORK;
         api_refuse_busy(answer, load->retry_after_s, busy);
     }
     return API_ANSWERED;
@@ -223,25 +231,35 @@ static void answer_limits(const struct api *api, struct answer *answer)
         api_refuse_busy(answer, 1, "out of memory");
 }
 
+static size_t find_route(const char *path)
+{
+    size_t route = 0;
+    for (; route < ROUTE_COUNT; route++) {
+        const char *known = ROUTES[route].path;
+        size_t length = strlen(known);
+        if (known[length - 1] == '/' ? strncmp(known, path, length) == 0 : strcmp(known, path) == 0) break;
+    }
+    return route;
+}
+
 enum api_next api_open(const struct api *api, const struct api_load *load, struct api_request *request,
                        struct answer *answer)
 {
-    size_t route = 0;
-    while (route < ROUTE_COUNT && strcmp(ROUTES[route].path, request->path) != 0)
-        route++;
+    size_t route = find_route(request->path);
     const char *token = api->config->token;
     if (*token && !(route < ROUTE_COUNT && ROUTES[route].open_to_all) &&
         !token_matches(token, request->authorization)) {
         answer_header(answer, "WWW-Authenticate", "Bearer realm=\"zraster\"");
         problem_answer(answer, 401, "Authorization: Bearer with the right token is asked for");
     } else if (route == ROUTE_COUNT) {
-        problem_answer(answer, 404, "there is no '%.100s' here; there are /v1/render, /v1/limits, /healthz, /readyz",
+        problem_answer(answer, 404,
+                       "there is no '%.100s' here; there are /v1/render, /v1/assets, /v1/limits, /healthz, /readyz",
                        request->path);
     } else if (!method_allowed(ROUTES[route].methods, request->method)) {
         answer_header(answer, "Allow", "%s", ROUTES[route].methods);
         problem_answer(answer, 405, "%s takes %s", ROUTES[route].path, ROUTES[route].methods);
-    } else if (route == ROUTE_RENDER) {
-        return open_render(load, request, answer);
+    } else if (route == ROUTE_RENDER || route == ROUTE_ASSETS || route == ROUTE_ASSET) {
+        return open_work(api, load, (enum route)route, request, answer);
     } else if (route == ROUTE_LIMITS) {
         answer_limits(api, answer);
     } else if (route == ROUTE_READY && busy_with(load)) {
@@ -317,17 +335,21 @@ static enum zr_status run_steps(const struct api *api, const struct zr_request *
     return status;
 }
 
-/* The worker's arena is needed for the next request: the answer gets a copy. */
-static void answer_image(struct answer *answer, const struct zr_answer *result)
+void api_answer_copy(struct answer *answer, const char *content_type, const void *bytes, size_t size)
 {
-    char *copy = malloc(result->size ? result->size : 1);
+    char *copy = malloc(size ? size : 1);
     if (!copy) {
         api_refuse_busy(answer, 1, "out of memory");
         return;
     }
-    memcpy(copy, result->bytes, result->size);
+    memcpy(copy, bytes, size);
     answer->status = 200;
-    answer_body(answer, result->content_type, copy, result->size);
+    answer_body(answer, content_type, copy, size);
+}
+
+static void answer_image(struct answer *answer, const struct zr_answer *result)
+{
+    api_answer_copy(answer, result->content_type, result->bytes, result->size);
     if (result->warnings && *result->warnings) {
         char warnings[WARNINGS_SIZE];
         text_to_ascii(warnings, sizeof warnings, result->warnings);
@@ -335,16 +357,17 @@ static void answer_image(struct answer *answer, const struct zr_answer *result)
     }
 }
 
-void api_render(const struct api *api, const struct api_request *request, struct zr_arena *arena,
-                const struct zr_cancel *cancel, struct api_times *times, struct answer *answer)
+static void render(const struct api *api, const struct api_request *request, struct zr_arena *arena,
+                   const struct zr_cancel *cancel, struct api_times *times, struct answer *answer)
 {
     struct zr_error error = {0};
     struct zr_answer result = {0};
-    struct zr_request render;
+    struct zr_request unpacked;
     int64_t mark = clock_us();
-    if (!body_unpack(request, (size_t)api->config->body_max_bytes, arena, &render, answer)) return;
+    if (!body_unpack(request, (size_t)api->config->body_max_bytes, arena, &unpacked, answer)) return;
+    unpacked.stored = assets_stored(api);
     double unpack_ms = ms_since(&mark);
-    enum zr_status status = run_steps(api, &render, arena, cancel, times, &result, &error);
+    enum zr_status status = run_steps(api, &unpacked, arena, cancel, times, &result, &error);
     times->parse_ms += unpack_ms;
     if (status == ZR_OK) {
         answer_image(answer, &result);
@@ -357,6 +380,15 @@ void api_render(const struct api *api, const struct api_request *request, struct
         problem_answer_error(answer, problem_http_status(status), &error);
     }
     add_timing(answer, times);
+}
+
+void api_work(const struct api *api, const struct api_request *request, struct zr_arena *arena,
+              const struct zr_cancel *cancel, struct api_times *times, struct answer *answer)
+{
+    if (request->asset)
+        assets_work(api, request, arena, answer);
+    else
+        render(api, request, arena, cancel, times, answer);
 }
 
 void api_refuse_busy(struct answer *answer, unsigned retry_after_s, const char *detail)

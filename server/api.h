@@ -1,8 +1,8 @@
 /* api.h - what the daemon answers to what: method, path, headers and bytes in,
  * status, headers and bytes out. Knows no sockets and no threads.
  *
- *     api_open      headers       -> an answer at once, or API_RENDER
- *     api_render    headers, body -> an answer
+ *     api_open    headers       -> an answer at once, or API_WORK
+ *     api_work    headers, body -> an answer, on a worker: it takes long, or waits for the disk
  */
 #ifndef ZRASTERD_API_H
 #define ZRASTERD_API_H
@@ -15,21 +15,24 @@
 #include "answer.h"
 #include "config.h"
 #include "multipart.h"
+#include "store.h"
 #include "zraster.h"
 
 enum { API_ID_SIZE = 129 };
 
-/* Shared by all requests; read-only but for the counter. */
+/* Shared by all requests; read-only but for the counter and what the store does inside. */
 struct api {
     const struct config *config;
     struct zr_limits limits;
     struct admission admission;
     struct zr_team *team;
-    uint64_t id_base; /* random, so that ids of two daemons differ */
+    struct store *store; /* NULL: no assets are kept */
+    uint64_t id_base;    /* random, so that ids of two daemons differ */
     atomic_uint_fast64_t id_next;
 };
 
-void api_init(struct api *api, const struct config *config, struct zr_team *team);
+/* `store` may be NULL. */
+void api_init(struct api *api, const struct config *config, struct zr_team *team, struct store *store);
 
 /* The state of the daemon as a request meets it. */
 struct api_load {
@@ -42,8 +45,12 @@ struct api_request {
     const char *method, *path;
     const char *query;                                           /* behind the '?', NULL where there is none */
     const char *content_type, *content_encoding, *authorization; /* NULL where not sent */
+    const char *if_none_match;                                   /* likewise */
     bool gzip;                                                   /* by api_open: the body is compressed */
     char boundary[MULTIPART_BOUNDARY_SIZE];                      /* by api_open: of its parts; "": it has none */
+    /* By api_open, in `path`: the name of the asset that this is about; "": a new one; NULL: a render. */
+    const char *asset;
+    bool has_asset;           /* by api_open: If-None-Match says that the client has it */
     struct zr_request render; /* by api_open; then `bytes` and `size` by the caller */
     char *query_values;       /* what `render` points into */
 };
@@ -60,15 +67,18 @@ struct api_times {
 /* Keeps the client's id where it is 1..128 of [A-Za-z0-9._-], else makes one. */
 void api_take_id(struct api *api, struct api_request *request, const char *client_id);
 
-enum api_next { API_ANSWERED, API_RENDER };
+enum api_next { API_ANSWERED, API_WORK };
 
 enum api_next api_open(const struct api *api, const struct api_load *load, struct api_request *request,
                        struct answer *answer);
 
 /* Works in `arena`; the answer's bytes are a copy of their own. Thread-safe.
  * times->queue_ms is given, the others are filled in. */
-void api_render(const struct api *api, const struct api_request *request, struct zr_arena *arena,
-                const struct zr_cancel *cancel, struct api_times *times, struct answer *answer);
+void api_work(const struct api *api, const struct api_request *request, struct zr_arena *arena,
+              const struct zr_cancel *cancel, struct api_times *times, struct answer *answer);
+
+/* 200 with a copy of the bytes: the arena they lie in is needed for the next request. */
+void api_answer_copy(struct answer *answer, const char *content_type, const void *bytes, size_t size);
 
 /* Answers with 503 and says when to come again. */
 void api_refuse_busy(struct answer *answer, unsigned retry_after_s, const char *detail);

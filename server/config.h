@@ -19,14 +19,15 @@ enum { CONFIG_TEXT_SIZE = 256 };
 
 /* Filled by config_read; afterwards nobody writes to it. */
 struct config {
-    char address[CONFIG_TEXT_SIZE]; /* numeric, IPv4 or IPv6 */
-    char token[CONFIG_TEXT_SIZE];   /* "": none is asked for; never shown */
-    char cgroup[CONFIG_TEXT_SIZE];  /* the folder where the kernel tells of memory */
-    uint64_t port;                  /* 0: any that is free */
+    char address[CONFIG_TEXT_SIZE];    /* numeric, IPv4 or IPv6 */
+    char token[CONFIG_TEXT_SIZE];      /* "": none is asked for; never shown */
+    char cgroup[CONFIG_TEXT_SIZE];     /* the folder where the kernel tells of memory */
+    char assets_dir[CONFIG_TEXT_SIZE]; /* "": no assets are kept */
+    uint64_t port;                     /* 0: any that is free */
 
     uint64_t workers, threads, queue, max_per_client, max_connections;
 
-    uint64_t body_max_bytes, upload_memory_bytes, request_memory_bytes, keep_memory_bytes;
+    uint64_t body_max_bytes, upload_memory_bytes, request_memory_bytes, keep_memory_bytes, assets_max_bytes;
 
     uint64_t header_timeout_ms, idle_timeout_ms, body_timeout_ms, body_min_bytes_per_second;
     uint64_t write_timeout_ms, render_timeout_ms, drain_timeout_ms, cost_max_ms;

@@ -176,13 +176,31 @@ void http_on_completed(void *context, struct MHD_Connection *connection, void **
 
 /* ---- answers ---- */
 
+static ssize_t no_bytes(void *context, uint64_t position, char *bytes, size_t size)
+{
+    (void)context, (void)position, (void)bytes, (void)size;
+    return MHD_CONTENT_READER_END_WITH_ERROR;
+}
+
+/* Takes the bytes. */
+static struct MHD_Response *create_response(struct answer *answer)
+{
+    struct MHD_Response *response;
+    if (answer->bytes || answer->size == 0)
+        return MHD_create_response_from_buffer(answer->size, answer->bytes, MHD_RESPMEM_MUST_FREE);
+    /* A length that is told and not sent: nobody reads. */
+    response = MHD_create_response_from_callback(answer->size, 1, no_bytes, NULL, NULL);
+    answer->size = 0;
+    return response;
+}
+
 /* Hands the answer over to libmicrohttpd. */
 static enum MHD_Result reply(struct exchange *exchange)
 {
     struct http *http = exchange->http;
     struct answer *answer = &exchange->answer;
     if (!watchdog_enter(http->watchdog, exchange->watch, WATCH_WRITE, exchange)) return MHD_NO;
-    struct MHD_Response *response = MHD_create_response_from_buffer(answer->size, answer->bytes, MHD_RESPMEM_MUST_FREE);
+    struct MHD_Response *response = create_response(answer);
     if (!response) return MHD_NO;
     answer->bytes = NULL; /* the response's now */
     api_finish(answer, exchange->request.id);
@@ -249,7 +267,7 @@ static void work(struct queue_job *job, struct zr_arena *arena)
     watchdog_work_begins(http->watchdog, exchange->watch);
     bool cancelled = atomic_load(&exchange->cancel.raised);
     if (!cancelled)
-        api_render(http->api, &exchange->request, arena, &exchange->cancel, &exchange->times, &exchange->answer);
+        api_work(http->api, &exchange->request, arena, &exchange->cancel, &exchange->times, &exchange->answer);
     if (atomic_load(&http->cut_short) && (cancelled || exchange->answer.status == 504)) {
         answer_free(&exchange->answer);
         api_refuse_busy(&exchange->answer, 1, "the service went down");
@@ -312,6 +330,7 @@ static void open_exchange(struct exchange *exchange, const char *method)
     exchange->request.content_type = header(exchange, "Content-Type");
     exchange->request.content_encoding = header(exchange, "Content-Encoding");
     exchange->request.authorization = header(exchange, "Authorization");
+    exchange->request.if_none_match = header(exchange, "If-None-Match");
     const char *trace = header(exchange, "traceparent");
     if (trace && log_is_traceparent(trace)) snprintf(exchange->traceparent, TRACEPARENT_SIZE, "%s", trace);
     api_take_id(http->api, &exchange->request, header(exchange, "X-Request-Id"));

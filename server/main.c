@@ -12,6 +12,7 @@
 #include "health.h"
 #include "http.h"
 #include "log.h"
+#include "store.h"
 
 enum { EXIT_USAGE = 2, SPARE_FILES = 64, MMAP_BYTES = 1 << 20 };
 
@@ -23,6 +24,7 @@ static void block_signals(sigset_t *signals)
     sigaddset(signals, SIGINT);
     pthread_sigmask(SIG_BLOCK, signals, NULL);
     signal(SIGPIPE, SIG_IGN);
+    signal(SIGXFSZ, SIG_IGN); /* an asset beyond the limit on files is refused, not our end */
 }
 
 /* Memory must come down when nothing happens: few arenas, and large blocks go back at once. */
@@ -58,10 +60,16 @@ static int serve(const struct config *config)
                 config->threads);
         return EXIT_FAILURE;
     }
-    api_init(&api, config, team);
-    struct http *http = http_start(config, &api, message, sizeof message);
+    struct store *store = NULL;
+    struct http *http = NULL;
+    if (*config->assets_dir) store = store_open(config->assets_dir, config->assets_max_bytes, message, sizeof message);
+    if (store || !*config->assets_dir) {
+        api_init(&api, config, team, store);
+        http = http_start(config, &api, message, sizeof message);
+    }
     if (!http) {
         fprintf(stderr, "zrasterd: %s\n", message);
+        store_close(store);
         zr_team_destroy(team);
         return EXIT_FAILURE;
     }
@@ -73,6 +81,7 @@ static int serve(const struct config *config)
     sigwait(&signals, &signal_number);
     log_event("info", "drain", signal_number == SIGINT ? "SIGINT" : "SIGTERM");
     http_stop(http);
+    store_close(store);
     zr_team_destroy(team);
     log_event("info", "stopped", NULL);
     return EXIT_SUCCESS;

@@ -38,6 +38,8 @@ const char *problem_title(int http_status)
         return "Bad Request";
     case 401:
         return "Unauthorized";
+    case 403:
+        return "Forbidden";
     case 404:
         return "Not Found";
     case 405:
@@ -64,6 +66,8 @@ const char *problem_title(int http_status)
         return "Service Unavailable";
     case 504:
         return "Gateway Timeout";
+    case 507:
+        return "Insufficient Storage";
     default:
         return "Internal Server Error";
     }

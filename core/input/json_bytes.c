@@ -1,4 +1,4 @@
-/* Bytes that a scene brings along: in a data: URI, or beside it under a name. */
+/* Bytes that a scene brings along: in a data: URI, or beside it under a name; and those kept under their hash. */
 #include <string.h>
 
 #include "input/data_uri.h"
@@ -19,14 +19,29 @@ static bool read_uri(struct zr_draft *draft, const struct zr_json_path *path, co
     return status == ZR_OK;
 }
 
+static bool read_stored(struct zr_draft *draft, const struct zr_json_path *path, const char *sha256,
+                        struct zr_given_bytes *out)
+{
+    enum { DIGITS = 64 };
+    struct zr_json *json = &draft->json;
+    if (strspn(sha256, "0123456789abcdef") != DIGITS || sha256[DIGITS] != '\0')
+        return zr_json_fault(json, path, "expected sha256: and 64 lower-case hexadecimal digits");
+    if (!draft->stored.read)
+        return zr_json_fault(json, path,
+                             "no assets are kept here, that takes zrasterd --assets-dir; send the bytes as a "
+                             "part of a multipart/form-data request");
+    if (draft->stored.read(draft->stored.context, sha256, json->arena, &out->bytes, &out->size)) return true;
+    if (!zr_arena_ok(json->arena)) return false;
+    return zr_json_fault(json, path, "no asset is kept under this hash; upload it with PUT /v1/assets/%s", sha256);
+}
+
 static bool read_asset(struct zr_draft *draft, const struct zr_json_path *path, const cJSON *node,
                        struct zr_given_bytes *out)
 {
     static const char STORED[] = "sha256:";
     const char *name;
     if (!zr_json_string(&draft->json, path, node, &name)) return false;
-    if (strncmp(name, STORED, sizeof STORED - 1) == 0)
-        return zr_json_fault(&draft->json, path, "assets by their hash are not supported in this version");
+    if (strncmp(name, STORED, sizeof STORED - 1) == 0) return read_stored(draft, path, name + sizeof STORED - 1, out);
     for (size_t i = 0; i < draft->asset_count; i++)
         if (strcmp(draft->assets[i].name, name) == 0) {
             draft->assets_used[i] = true;

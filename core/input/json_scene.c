@@ -210,7 +210,8 @@ enum zr_status zr_json_read(struct zr_arena *arena, const struct zr_request *req
                              .scene = scene,
                              .look = zr_look_unsaid,
                              .asset_count = request->asset_count,
-                             .assets = request->assets};
+                             .assets = request->assets,
+                             .stored = request->stored};
     draft.assets_used = zr_arena_zero(arena, draft.asset_count, sizeof *draft.assets_used);
     if (draft.assets_used) build(&draft, root);
     cJSON_Delete(root);

@@ -47,6 +47,7 @@ struct zr_draft {
     size_t asset_count;
     const struct zr_asset *assets;
     bool *assets_used;
+    struct zr_stored stored;
 
     size_t warning_count, warning_room;
     const char **warnings;
@@ -121,8 +122,8 @@ void zr_draft_find_fit_mesh(struct zr_draft *draft, const struct zr_json_path *p
 void zr_draft_read_lights(struct zr_draft *draft, const struct zr_json_path *path, const cJSON *list);
 void zr_draft_read_outputs(struct zr_draft *draft, const struct zr_json_path *path, const cJSON *list);
 
-/* json_bytes.c: what a data: URI, {"uri": one} or {"asset": name} stands for. In the arena
- * or the request. */
+/* json_bytes.c: what a data: URI, {"uri": one}, {"asset": name} or {"asset": "sha256:..."} stands for.
+ * In the arena or the request. */
 struct zr_given_bytes {
     const void *bytes;
     size_t size;

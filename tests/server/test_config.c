@@ -32,8 +32,8 @@ static void help_lists_every_flag(void **state)
                     "--body-timeout-ms", "--body-min-bytes-per-second", "--write-timeout-ms", "--render-timeout-ms",
                     "--drain-timeout-ms", "--request-memory-bytes", "--keep-memory-bytes", "--token",
                     "--json-depth-max", "--json-values-max", "--window-side-max", "--window-pixels-max",
-                    "--polygon-vertices-max", "--instances-max", "--coordinate-max", "--health", "--version",
-                    "ZRASTER_"));
+                    "--polygon-vertices-max", "--assets-dir", "--assets-max-bytes", "--instances-max",
+                    "--coordinate-max", "--health", "--version", "ZRASTER_"));
 }
 
 static void help_does_not_show_the_token(void **state)

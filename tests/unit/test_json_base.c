@@ -22,6 +22,8 @@ enum { WIDTH = 4, HEIGHT = 2, PIXELS = WIDTH * HEIGHT, ASSETS = 5 };
     "\"outputs\":[{\"channel\":\"color\"},{\"channel\":\"windowDepth\"},{\"channel\":\"depth\"},"                      \
     "{\"channel\":\"faceId\"},{\"channel\":\"info\"}]"
 #define BASE(members) "\"base\":{" members "}"
+#define HASH_C        "cccccccccccccccccccccccccccccccccccccccccccccccccccccccccccccccc"
+#define HASH_W        "0123456789abcdef0123456789abcdef0123456789abcdef0123456789abcdef"
 
 /* Four pixels behind the polygon and one at its depth; three in front or with nothing. */
 static const float WINDOW_DEPTH[PIXELS] = {0, 0.25f, 0.5f, 0.75f, 1, 0.500001f, 0.9f, 0.49999f};
@@ -296,7 +298,9 @@ static void bases_that_are_not_one_are_refused_where_it_shows(void **state)
         {HEAD BASE("\"windowDepth\":{\"asset\":7}") "}", "/base/windowDepth/asset", "expected a string"},
         {HEAD BASE("\"windowDepth\":{\"asset\":\"z\"}") "}", "/base/windowDepth/asset", "has the name 'z'"},
         {HEAD BASE("\"windowDepth\":{\"asset\":\"sha256:00\"}") "}", "/base/windowDepth/asset",
-         "not supported in this version"},
+         "64 lower-case hexadecimal digits"},
+        {HEAD BASE("\"windowDepth\":{\"asset\":\"sha256:" HASH_W "\"}") "}", "/base/windowDepth/asset",
+         "no assets are kept here"},
         {HEAD BASE("\"windowDepth\":{\"url\":\"x\"}") "}", "/base/windowDepth/url", "unknown key"},
         {HEAD BASE("\"windowDepth\":\"http://a/b.npy\"") "}", "/base/windowDepth", "nothing is fetched"},
         {HEAD BASE("\"windowDepth\":{\"uri\":\"data:;base64,Zm9\"}") "}", "/base/windowDepth/uri", "cut short"},
@@ -359,6 +363,60 @@ static void data_uris_do_as_well_as_assets(void **state)
         struct reading *reading = read_good(text);
         assert_seen(render(reading), "...####.");
         assert_warned(reading->scene, "the asset 'c' is not used");
+        reading_free(reading);
+    }
+}
+
+/* Keeps the first two assets, as copies in the request's arena. */
+static bool read_kept(void *context, const char *sha256, struct zr_arena *into, const void **bytes, size_t *size)
+{
+    assert_ptr_equal(context, assets);
+    const struct zr_asset *kept = strcmp(sha256, HASH_C) == 0 ? &assets[0] : &assets[1];
+    if (kept == &assets[1] && strcmp(sha256, HASH_W) != 0) return false;
+    void *copy = zr_arena_alloc(into, kept->size, 1);
+    if (!copy) return false;
+    memcpy(copy, kept->bytes, kept->size);
+    *bytes = copy;
+    *size = kept->size;
+    return true;
+}
+
+static const struct zr_request KEPT = {.format = ZR_FORMAT_JSON, .stored = {read_kept, assets}};
+
+#define KEPT_SCENE(color, depth)                                                                                       \
+    HEAD "\"outputs\":[{\"channel\":\"color\"},{\"channel\":\"windowDepth\"}]," BASE(                                  \
+        "\"color\":{\"asset\":\"sha256:" color "\"},\"windowDepth\":{\"asset\":\"sha256:" depth "\"}") "}"
+
+static void assets_are_found_by_their_hash(void **state)
+{
+    (void)state;
+    static const char text[] = KEPT_SCENE(HASH_C, HASH_W);
+    const float want[PIXELS] = {0, 0.25f, 0.5f, 0.5f, 0.5f, 0.5f, 0.5f, 0.49999f};
+    struct reading *reading = read_request(KEPT, text, sizeof text - 1, zr_limits_default(), (size_t)1 << 26);
+    assert_read(reading);
+    assert_memory_equal(render(reading)->window_depth, want, sizeof want);
+    reading_free(reading);
+    assert_in_range(smallest_ceiling(KEPT, text, sizeof text - 1, 1 << 18), 10000, 1 << 18);
+}
+
+static void unknown_hashes_are_refused_each_where_it_stands(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *text, *pointer, *detail;
+    } cases[] = {
+        {KEPT_SCENE(HASH_C, HASH_C "0"), "/base/windowDepth/asset", "64 lower-case"},
+        {KEPT_SCENE("C" HASH_C, HASH_W), "/base/color/asset", "64 lower-case"},
+        {KEPT_SCENE("", HASH_W), "/base/color/asset", "64 lower-case"},
+        {KEPT_SCENE("0123456789ABCDEF0123456789abcdef0123456789abcdef0123456789abcdef", HASH_W), "/base/color/asset",
+         "64 lower-case"},
+        {KEPT_SCENE("f123456789abcdef0123456789abcdef0123456789abcdef0123456789abcdef", HASH_W), "/base/color/asset",
+         "PUT /v1/assets/f123456789abcdef0123456789abcdef0123456789abcdef0123456789abcdef"},
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        const char *text = cases[i].text;
+        struct reading *reading = read_request(KEPT, text, strlen(text), zr_limits_default(), (size_t)1 << 26);
+        assert_complaint(reading, ZR_BAD_SCENE, cases[i].pointer, cases[i].detail);
         reading_free(reading);
     }
 }
@@ -432,6 +490,8 @@ int main(void)
         cmocka_unit_test(picture_of_another_size_is_refused),
         cmocka_unit_test(window_beyond_its_limits_is_refused_for_itself),
         cmocka_unit_test(data_uris_do_as_well_as_assets),
+        cmocka_unit_test(assets_are_found_by_their_hash),
+        cmocka_unit_test(unknown_hashes_are_refused_each_where_it_stands),
         cmocka_unit_test(what_may_be_meant_otherwise_is_warned_of),
         cmocka_unit_test(geometry_hidden_by_the_base_is_warned_of),
         cmocka_unit_test(memory_that_is_short_is_said_so),

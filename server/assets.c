@@ -1,0 +1,145 @@
+#include "assets.h"
+
+#include <errno.h>
+#include <inttypes.h>
+#include <stdio.h>
+#include <string.h>
+#include <strings.h>
+
+#include "body.h"
+#include "problem.h"
+
+/* "*", or a list of entity tags: a quote can only stand around one. RFC 9110, 13.1.2. */
+static bool is_among(const char *tags, const char *name)
+{
+    char wanted[STORE_NAME_SIZE + 2];
+    if (!tags) return false;
+    snprintf(wanted, sizeof wanted, "\"%s\"", name);
+    return strcmp(tags, "*") == 0 || strstr(tags, wanted);
+}
+
+bool assets_open(const struct api *api, struct api_request *request, struct answer *answer)
+{
+    static const char FORM[] = "multipart/form-data";
+    bool is_new = strcmp(request->method, "POST") == 0;
+    const char *name = is_new ? "" : request->path + sizeof ASSETS_PATH - 1;
+    if (!api->store) {
+        problem_answer(answer, 404, "no assets are kept here; start zrasterd with --assets-dir=DIRECTORY for that");
+        return false;
+    }
+    if (!is_new && !store_is_name(name)) {
+        problem_answer(answer, 404, "an asset's name is its SHA-256, 64 lower-case hexadecimal digits");
+        return false;
+    }
+    if (request->content_type && strncasecmp(request->content_type, FORM, sizeof FORM - 1) == 0) {
+        problem_answer(answer, 415, "an asset is the body itself, not a part of %s", FORM);
+        return false;
+    }
+    request->asset = name;
+    request->has_asset = is_among(request->if_none_match, name);
+    return true;
+}
+
+/* ---- uploads ---- */
+
+static void answer_kept(struct answer *answer, const char *name, size_t size, bool is_new)
+{
+    char text[STORE_NAME_SIZE + 64];
+    int length = snprintf(text, sizeof text, "{\"sha256\":\"%s\",\"size\":%zu}\n", name, size);
+    api_answer_copy(answer, "application/json", text, (size_t)length);
+    if (answer->status != 200) return;
+    answer_header(answer, "Location", ASSETS_PATH "%s", name);
+    if (is_new) answer->status = 201;
+}
+
+static void put(const struct api *api, const struct api_request *request, struct zr_arena *arena, struct answer *answer)
+{
+    struct zr_request body;
+    char name[STORE_NAME_SIZE];
+    if (!body_unpack(request, (size_t)api->config->body_max_bytes, arena, &body, answer)) return;
+    store_name(body.bytes, body.size, name);
+    if (*request->asset && strcmp(request->asset, name) != 0) {
+        problem_answer(answer, 422, "the body's SHA-256 is %s, not %s", name, request->asset);
+        return;
+    }
+    enum store_status status = store_put(api->store, name, body.bytes, body.size);
+    switch (status) {
+    case STORE_TOO_LARGE:
+        problem_answer(answer, 413, "the asset has %zu bytes; assetsMaxBytes, for all together, is %" PRIu64, body.size,
+                       api->config->assets_max_bytes);
+        break;
+    case STORE_DISK_FULL:
+        problem_answer(answer, 507, "there is no room for the asset: %s", strerror(errno));
+        break;
+    case STORE_READ_ONLY:
+        problem_answer(answer, 403, "assets cannot be written here: %s", strerror(errno));
+        break;
+    case STORE_FAILED:
+        problem_answer(answer, 500, "the asset could not be written: %s", strerror(errno));
+        break;
+    default:
+        answer_kept(answer, name, body.size, status == STORE_NEW);
+        break;
+    }
+}
+
+/* ---- downloads ---- */
+
+static void answer_there(struct answer *answer, const char *name, const void *bytes, size_t size, bool has_asset)
+{
+    static const char TYPE[] = "application/octet-stream";
+    if (bytes)
+        api_answer_copy(answer, TYPE, bytes, size);
+    else
+        answer_body(answer, TYPE, NULL, size);
+    if (bytes && answer->status != 200) return;
+    answer->status = has_asset ? 304 : 200;
+    /* What is under a hash never changes. */
+    answer_header(answer, "ETag", "\"%s\"", name);
+    answer_header(answer, "Cache-Control", "public, max-age=31536000, immutable");
+    answer_header(answer, "X-Content-Type-Options", "nosniff");
+}
+
+static void get(const struct api *api, const struct api_request *request, struct zr_arena *arena, struct answer *answer)
+{
+    const void *bytes = NULL;
+    size_t size = 0;
+    bool wants_bytes = strcmp(request->method, "GET") == 0 && !request->has_asset;
+    enum store_status status = wants_bytes ? store_read(api->store, request->asset, arena, &bytes, &size)
+                                           : store_look(api->store, request->asset, &size);
+    switch (status) {
+    case STORE_THERE:
+        answer_there(answer, request->asset, bytes, size, request->has_asset);
+        break;
+    case STORE_NO_MEMORY:
+        api_refuse_busy(answer, 1, BODY_MEMORY_USED_UP);
+        break;
+    case STORE_FAILED:
+        problem_answer(answer, 500, "the asset could not be read: %s", strerror(errno));
+        break;
+    default:
+        problem_answer(answer, 404, "no asset is kept under this name");
+        break;
+    }
+}
+
+void assets_work(const struct api *api, const struct api_request *request, struct zr_arena *arena,
+                 struct answer *answer)
+{
+    if (strcmp(request->method, "GET") == 0 || strcmp(request->method, "HEAD") == 0)
+        get(api, request, arena, answer);
+    else
+        put(api, request, arena, answer);
+}
+
+/* ---- for scenes ---- */
+
+static bool read_stored(void *context, const char *sha256, struct zr_arena *arena, const void **bytes, size_t *size)
+{
+    return store_read(context, sha256, arena, bytes, size) == STORE_THERE;
+}
+
+struct zr_stored assets_stored(const struct api *api)
+{
+    return (struct zr_stored){api->store ? read_stored : NULL, api->store};
+}

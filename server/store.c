@@ -1,0 +1,386 @@
+#include "store.h"
+
+#include <dirent.h>
+#include <errno.h>
+#include <fcntl.h>
+#include <pthread.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+#include <nettle/base16.h>
+#include <nettle/sha2.h>
+
+#include "log.h"
+#include "store_file.h"
+#include "store_index.h"
+
+/* Counted a file at least, as disks do: it bounds how many files there can be, too. */
+enum { BLOCK_BYTES = 4096 };
+
+struct store {
+    int directory;
+    uint64_t max_bytes;
+    pthread_mutex_t lock; /* of all below; held while names are made and taken away, not while bytes move */
+    pthread_cond_t room_made;
+    struct store_index index;
+    uint64_t promised; /* bytes of files that are being written */
+};
+
+/* ---- names ---- */
+
+bool store_is_name(const char *text)
+{
+    return strspn(text, "0123456789abcdef") == STORE_NAME_SIZE - 1 && text[STORE_NAME_SIZE - 1] == '\0';
+}
+
+void store_name(const void *bytes, size_t size, char name[STORE_NAME_SIZE])
+{
+    struct sha256_ctx context;
+    uint8_t digest[SHA256_DIGEST_SIZE];
+    sha256_init(&context);
+    sha256_update(&context, size, bytes);
+    sha256_digest(&context, sizeof digest, digest);
+    base16_encode_update(name, sizeof digest, digest);
+    name[STORE_NAME_SIZE - 1] = '\0';
+}
+
+/* ---- what is there ---- */
+
+static uint64_t bytes_on_disk(uint64_t size)
+{
+    uint64_t blocks = size / BLOCK_BYTES + (size % BLOCK_BYTES != 0);
+    return (blocks ? blocks : 1) * BLOCK_BYTES;
+}
+
+static struct timespec now(void)
+{
+    struct timespec time;
+    clock_gettime(CLOCK_REALTIME, &time);
+    return time;
+}
+
+static bool is_later(struct timespec a, struct timespec b)
+{
+    return a.tv_sec != b.tv_sec ? a.tv_sec > b.tv_sec : a.tv_nsec > b.tv_nsec;
+}
+
+/* The file may have come from another daemon, and may be new to this one. */
+static void note_use(struct store *store, const char *name, int fd, const struct stat *info)
+{
+    struct timespec used = now();
+    pthread_mutex_lock(&store->lock);
+    struct store_entry *entry = store_index_find(&store->index, name);
+    if (entry)
+        store_index_touch(&store->index, entry, used);
+    else
+        (void)store_index_add(&store->index, name, bytes_on_disk((uint64_t)info->st_size), used);
+    pthread_mutex_unlock(&store->lock);
+    (void)futimens(fd, (struct timespec[]){used, used}); /* where it may not be written, the order is lost at the end */
+}
+
+/* Somebody took its file away, unless it is there again by now. */
+static void forget(struct store *store, const char *name)
+{
+    struct stat info;
+    pthread_mutex_lock(&store->lock);
+    struct store_entry *entry = store_index_find(&store->index, name);
+    if (entry && fstatat(store->directory, name, &info, AT_SYMLINK_NOFOLLOW) != 0 && errno == ENOENT)
+        store_index_remove(&store->index, entry);
+    pthread_mutex_unlock(&store->lock);
+}
+
+/* Removes the file that was opened as `info` tells, and not one that has taken its place since. */
+static void remove_broken(struct store *store, const char *name, const struct stat *info)
+{
+    struct stat present;
+    pthread_mutex_lock(&store->lock);
+    bool replaced = fstatat(store->directory, name, &present, AT_SYMLINK_NOFOLLOW) == 0 &&
+                    (present.st_dev != info->st_dev || present.st_ino != info->st_ino);
+    struct store_entry *entry = replaced ? NULL : store_index_find(&store->index, name);
+    if (!replaced) unlinkat(store->directory, name, 0);
+    if (entry) store_index_remove(&store->index, entry);
+    pthread_mutex_unlock(&store->lock);
+    log_event("error", "asset-broken", name);
+}
+
+/* -1 and errno; ENOENT where there is none. */
+static int open_asset(struct store *store, const char *name, struct stat *info)
+{
+    int fd = store_file_open(store->directory, name, info);
+    if (fd >= 0) return fd;
+    if (errno == ELOOP) errno = ENOENT;
+    int cause = errno;
+    if (cause == ENOENT)
+        forget(store, name);
+    else
+        log_event("error", "asset-unreadable", strerror(cause));
+    errno = cause;
+    return -1;
+}
+
+enum store_status store_look(struct store *store, const char *name, size_t *size)
+{
+    struct stat info;
+    int fd = open_asset(store, name, &info);
+    if (fd < 0) return errno == ENOENT ? STORE_MISSING : STORE_FAILED;
+    note_use(store, name, fd, &info);
+    close(fd);
+    *size = (size_t)info.st_size;
+    return STORE_THERE;
+}
+
+static enum store_status read_whole(struct store *store, const char *name, int fd, const struct stat *info,
+                                    struct zr_arena *arena, void **bytes)
+{
+    char found[STORE_NAME_SIZE];
+    size_t size = (size_t)info->st_size;
+    *bytes = zr_arena_alloc(arena, size, 1);
+    if (!*bytes) return STORE_NO_MEMORY;
+    bool whole = store_file_read(fd, *bytes, size);
+    if (!whole && errno != 0) {
+        int cause = errno;
+        log_event("error", "asset-unreadable", strerror(cause));
+        errno = cause;
+        return STORE_FAILED;
+    }
+    if (whole) store_name(*bytes, size, found);
+    if (!whole || strcmp(found, name) != 0) {
+        remove_broken(store, name, info);
+        return STORE_MISSING;
+    }
+    note_use(store, name, fd, info);
+    return STORE_THERE;
+}
+
+enum store_status store_read(struct store *store, const char *name, struct zr_arena *arena, const void **bytes,
+                             size_t *size)
+{
+    struct stat info;
+    void *read = NULL;
+    int fd = open_asset(store, name, &info);
+    if (fd < 0) return errno == ENOENT ? STORE_MISSING : STORE_FAILED;
+    enum store_status status = read_whole(store, name, fd, &info, arena, &read);
+    close(fd);
+    *bytes = read;
+    *size = (size_t)info.st_size;
+    return status;
+}
+
+/* ---- room ---- */
+
+/* With the lock held. Takes away the file that was not used for longest. False, and errno. */
+static bool evict(struct store *store)
+{
+    struct stat info;
+    struct store_entry *oldest = store_index_oldest(&store->index);
+    /* Another daemon may have used it since. */
+    if (fstatat(store->directory, oldest->name, &info, AT_SYMLINK_NOFOLLOW) == 0 &&
+        is_later(info.st_mtim, oldest->used)) {
+        store_index_touch(&store->index, oldest, info.st_mtim);
+        return true;
+    }
+    if (unlinkat(store->directory, oldest->name, 0) != 0 && errno != ENOENT) return false;
+    store_index_remove(&store->index, oldest);
+    return true;
+}
+
+/* Promises `bytes`, no more than the store may hold. Those who write now are waited for where
+ * their files and this one do not go together. False, and errno. */
+static bool make_room(struct store *store, uint64_t bytes)
+{
+    bool made = true;
+    pthread_mutex_lock(&store->lock);
+    while (store->promised + bytes > store->max_bytes)
+        pthread_cond_wait(&store->room_made, &store->lock);
+    while (made && store->index.bytes + store->promised + bytes > store->max_bytes)
+        made = evict(store);
+    if (made) store->promised += bytes;
+    pthread_mutex_unlock(&store->lock);
+    return made;
+}
+
+/* ---- putting ---- */
+
+static enum store_status status_of_errno(void)
+{
+    switch (errno) {
+    case ENOSPC:
+    case EDQUOT:
+    case EFBIG:
+        return STORE_DISK_FULL;
+    case EROFS:
+    case EACCES:
+    case EPERM:
+        return STORE_READ_ONLY;
+    default:
+        return STORE_FAILED;
+    }
+}
+
+/* With the lock held: a file of that name is known, and there. */
+static bool is_present(struct store *store, const char *name)
+{
+    struct stat info;
+    struct store_entry *entry = store_index_find(&store->index, name);
+    if (!entry) return false;
+    if (fstatat(store->directory, name, &info, AT_SYMLINK_NOFOLLOW) == 0) return true;
+    store_index_remove(&store->index, entry);
+    return false;
+}
+
+/* With the lock held. The temporary file gets its name, or goes where another was faster. */
+static enum store_status publish(struct store *store, const char *temporary, const char *name, uint64_t bytes,
+                                 struct timespec used)
+{
+    bool there = is_present(store, name);
+    if (!there && renameat(store->directory, temporary, store->directory, name) == 0) {
+        (void)store_index_add(&store->index, name, bytes, used); /* no memory: as if another daemon had put it there */
+        return STORE_NEW;
+    }
+    enum store_status status = there ? STORE_THERE : status_of_errno();
+    int cause = errno;
+    unlinkat(store->directory, temporary, 0);
+    errno = cause;
+    return status;
+}
+
+static enum store_status write_promised(struct store *store, const char *name, const void *bytes, size_t size,
+                                        uint64_t promised)
+{
+    char temporary[STORE_TEMPORARY_SIZE];
+    struct timespec used = now();
+    int fd;
+    bool written = store_file_write(store->directory, bytes, size, used, temporary, &fd);
+    enum store_status status = written ? STORE_NEW : status_of_errno();
+    int cause = errno;
+    pthread_mutex_lock(&store->lock);
+    if (written) {
+        status = publish(store, temporary, name, promised, used);
+        cause = errno;
+    }
+    store->promised -= promised;
+    pthread_cond_broadcast(&store->room_made);
+    pthread_mutex_unlock(&store->lock);
+    if (written) close(fd);
+    /* A name that a crash loses is sent again: no reason to refuse. */
+    if (status == STORE_NEW) (void)fsync(store->directory);
+    errno = cause;
+    return status;
+}
+
+/* True where the name has a file of that size; one of another size is broken, and goes. */
+static bool is_kept(struct store *store, const char *name, size_t size)
+{
+    struct stat info;
+    int fd = open_asset(store, name, &info);
+    if (fd < 0) return false;
+    bool whole = (uint64_t)info.st_size == size;
+    if (whole)
+        note_use(store, name, fd, &info);
+    else
+        remove_broken(store, name, &info);
+    close(fd);
+    return whole;
+}
+
+enum store_status store_put(struct store *store, const char *name, const void *bytes, size_t size)
+{
+    uint64_t promised = bytes_on_disk(size);
+    if (promised > store->max_bytes) return STORE_TOO_LARGE;
+    if (is_kept(store, name, size)) return STORE_THERE;
+    if (!make_room(store, promised)) return status_of_errno();
+    return write_promised(store, name, bytes, size, promised);
+}
+
+/* ---- the beginning and the end ---- */
+
+struct found {
+    char name[STORE_NAME_SIZE];
+    uint64_t bytes;
+    struct timespec used;
+};
+
+static int compare_use(const void *a, const void *b)
+{
+    struct timespec first = ((const struct found *)a)->used, second = ((const struct found *)b)->used;
+    return is_later(first, second) - is_later(second, first);
+}
+
+/* The assets that lie there, and *count of them; temporary files go. NULL, and errno. Free it. */
+static struct found *find_assets(struct store *store, DIR *listing, size_t *count)
+{
+    size_t room = 64;
+    struct found *found = malloc(room * sizeof *found);
+    struct stat info;
+    for (struct dirent *file; found && (file = readdir(listing));) {
+        if (store_file_is_temporary(file->d_name)) store_file_sweep(store->directory, file->d_name);
+        if (!store_is_name(file->d_name) || fstatat(store->directory, file->d_name, &info, AT_SYMLINK_NOFOLLOW) != 0 ||
+            !S_ISREG(info.st_mode))
+            continue;
+        if (*count == room) {
+            struct found *grown = reallocarray(found, room *= 2, sizeof *found);
+            if (!grown) free(found);
+            found = grown;
+        }
+        if (!found) break;
+        struct found *one = &found[(*count)++];
+        *one = (struct found){.bytes = bytes_on_disk((uint64_t)info.st_size), .used = info.st_mtim};
+        memcpy(one->name, file->d_name, STORE_NAME_SIZE);
+    }
+    return found;
+}
+
+static bool fill_index(struct store *store)
+{
+    int fd = openat(store->directory, ".", O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    DIR *listing = fd < 0 ? NULL : fdopendir(fd);
+    if (!listing) {
+        if (fd >= 0) close(fd);
+        return false;
+    }
+    size_t count = 0;
+    struct found *found = find_assets(store, listing, &count);
+    closedir(listing);
+    if (!found) return false;
+    qsort(found, count, sizeof *found, compare_use);
+    bool added = true;
+    for (size_t i = 0; added && i < count; i++)
+        added = store_index_add(&store->index, found[i].name, found[i].bytes, found[i].used);
+    free(found);
+    return added;
+}
+
+struct store *store_open(const char *directory, uint64_t max_bytes, char *message, size_t message_size)
+{
+    struct store *store = calloc(1, sizeof *store);
+    if (!store) {
+        snprintf(message, message_size, "out of memory");
+        return NULL;
+    }
+    store->max_bytes = max_bytes;
+    store_index_init(&store->index);
+    pthread_mutex_init(&store->lock, NULL);
+    pthread_cond_init(&store->room_made, NULL);
+    store->directory = open(directory, O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    if (store->directory < 0 || !fill_index(store)) {
+        snprintf(message, message_size, "--assets-dir: cannot use '%.200s': %s", directory, strerror(errno));
+        store_close(store);
+        return NULL;
+    }
+    if (faccessat(store->directory, ".", W_OK, AT_EACCESS) != 0) log_event("warn", "assets-read-only", strerror(errno));
+    while (store->index.bytes > max_bytes && evict(store))
+        continue;
+    return store;
+}
+
+void store_close(struct store *store)
+{
+    if (!store) return;
+    store_index_free(&store->index);
+    if (store->directory >= 0) close(store->directory);
+    pthread_cond_destroy(&store->room_made);
+    pthread_mutex_destroy(&store->lock);
+    free(store);
+}

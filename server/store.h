@@ -1,0 +1,58 @@
+/* store.h - assets on disk, each under the SHA-256 of its bytes.
+ *
+ * One directory, flat, a file an asset. Files come whole: written under a temporary name,
+ * synced and renamed; a crash leaves a temporary file at most, which the next start removes.
+ * What they take is bounded, in whole blocks of 4096 bytes: where room is needed, those that were
+ * not used for longest go. A file's time of modification is when it was used last, so the order
+ * outlives the process. Bytes are read, not mapped, and their hash is checked each time:
+ * whatever happens to a file afterwards, the bytes stay, and a broken file is removed.
+ * Several daemons may share a directory: the files are the truth, what is known of them in
+ * memory a hint, so each bounds what it knows of. Whatever else lies there is left alone.
+ * Thread-safe.
+ */
+#ifndef ZRASTERD_STORE_H
+#define ZRASTERD_STORE_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include "base/arena.h"
+
+enum { STORE_NAME_SIZE = 64 + 1 }; /* lower-case hexadecimal digits and a final zero */
+
+/* True for 64 lower-case hexadecimal digits. No other name may be given to the functions below. */
+bool store_is_name(const char *text);
+
+/* The name of these bytes. */
+void store_name(const void *bytes, size_t size, char name[STORE_NAME_SIZE]);
+
+struct store;
+
+/* NULL: `message` says why not. */
+struct store *store_open(const char *directory, uint64_t max_bytes, char *message, size_t message_size);
+void store_close(struct store *store);
+
+enum store_status {
+    STORE_NEW,
+    STORE_THERE,
+    STORE_MISSING,
+    STORE_TOO_LARGE, /* for all of the store */
+    STORE_DISK_FULL, /* these three: errno says more */
+    STORE_READ_ONLY,
+    STORE_FAILED,
+    STORE_NO_MEMORY
+};
+
+/* Keeps a copy of `bytes`, whose name it must be. Waits for the disk. */
+enum store_status store_put(struct store *store, const char *name, const void *bytes, size_t size);
+
+/* STORE_THERE, and the bytes lie in the arena, proven to be those of that name; or STORE_MISSING,
+ * STORE_FAILED, or STORE_NO_MEMORY of the arena. */
+enum store_status store_read(struct store *store, const char *name, struct zr_arena *arena, const void **bytes,
+                             size_t *size);
+
+/* A look at its file, not at its bytes. Counts as a use. STORE_THERE, STORE_MISSING or STORE_FAILED. */
+enum store_status store_look(struct store *store, const char *name, size_t *size);
+
+#endif

@@ -1,0 +1,46 @@
+/* store_index.h - what a store holds, as far as is known: which files, how large, used when.
+ *
+ * A balanced tree by name and a list by use. Does no I/O and takes no lock. Starts with
+ * store_index_init.
+ */
+#ifndef ZRASTERD_STORE_INDEX_H
+#define ZRASTERD_STORE_INDEX_H
+
+#include <stdbool.h>
+#include <stdint.h>
+#include <sys/queue.h>
+#include <time.h>
+
+#include "store.h"
+
+struct store_entry {
+    char name[STORE_NAME_SIZE];
+    uint64_t bytes; /* on disk */
+    struct timespec used;
+    TAILQ_ENTRY(store_entry) by_use;
+};
+
+struct store_index {
+    void *by_name;                               /* tsearch's tree of entries */
+    TAILQ_HEAD(store_order, store_entry) by_use; /* least recently used first */
+    uint64_t bytes;                              /* of all entries */
+};
+
+void store_index_init(struct store_index *index);
+void store_index_free(struct store_index *index);
+
+/* NULL where there is none. */
+struct store_entry *store_index_find(const struct store_index *index, const char *name);
+
+/* As the one that was used last; `name` must not be there yet. False: no memory. */
+bool store_index_add(struct store_index *index, const char *name, uint64_t bytes, struct timespec used);
+
+/* Makes it the one that was used last. */
+void store_index_touch(struct store_index *index, struct store_entry *entry, struct timespec used);
+
+void store_index_remove(struct store_index *index, struct store_entry *entry);
+
+/* The one that was not used for longest, NULL where there is none. */
+struct store_entry *store_index_oldest(const struct store_index *index);
+
+#endif

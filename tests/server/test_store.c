@@ -1,0 +1,540 @@
+/* The directory of assets: what it holds, what becomes of it, and who works in it. */
+#include <errno.h>
+#include <fcntl.h>
+#include <pthread.h>
+#include <sched.h>
+#include <signal.h>
+#include <stdatomic.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/file.h>
+#include <sys/mount.h>
+#include <sys/resource.h>
+#include <sys/socket.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include "assets.h"
+#include "support/cmocka_all.h"
+
+#define LIST(...)                                                                                                      \
+    (const char *const[])                                                                                              \
+    {                                                                                                                  \
+        __VA_ARGS__, NULL                                                                                              \
+    }
+
+/* Many at once, and none refused for it. */
+#define CROWD "--max-per-client=0", "--queue=64", "--workers=8"
+
+static void write_file(const struct folder *file, const void *bytes, size_t size)
+{
+    int fd = open(file->path, O_WRONLY | O_CREAT | O_TRUNC, 0600);
+    assert_true(fd >= 0);
+    assert_int_equal(write(fd, bytes, size), size);
+    close(fd);
+}
+
+static bool has_file(const struct folder *folder, const char *name)
+{
+    struct stat info;
+    return lstat(folder_file(folder, name).path, &info) == 0;
+}
+
+static void assert_logged(const struct daemon *daemon, const char *text)
+{
+    char *line = daemon_wait_for_log(daemon, text);
+    assert_non_null(line);
+    free(line);
+}
+
+/* One block on disk, its own for each number. */
+static struct asset_name post_number(const struct daemon *daemon, int number, long status)
+{
+    char text[32];
+    int length = snprintf(text, sizeof text, "asset %d", number);
+    return asset_post(daemon, text, (size_t)length, status);
+}
+
+static void assert_is_number(const struct daemon *daemon, const char *name, int number)
+{
+    char text[32];
+    int length = snprintf(text, sizeof text, "asset %d", number);
+    struct reply reply = asset_get(daemon, name);
+    assert_int_equal(reply.status, 200);
+    assert_int_equal(reply.size, length);
+    assert_string_equal(reply.body, text);
+    reply_free(&reply);
+}
+
+/* ---- room ---- */
+
+static void least_recently_used_makes_room(void **state)
+{
+    (void)state;
+    struct folder folder = folder_make();
+    struct daemon server = assets_start(&folder, LIST("--assets-max-bytes=12288"));
+    struct asset_name names[6];
+    for (int i = 0; i < 3; i++)
+        names[i] = post_number(&server, i, 201);
+    assert_is_number(&server, names[0].text, 0); /* each way to use one counts */
+    post_number(&server, 1, 200);
+    names[3] = post_number(&server, 3, 201);
+    assert_int_equal(asset_status(&server, names[2].text), 404);
+    assert_false(has_file(&folder, names[2].text));
+    names[4] = post_number(&server, 4, 201);
+    assert_int_equal(asset_status(&server, names[0].text), 404);
+    assert_is_number(&server, names[1].text, 1);
+    assert_is_number(&server, names[3].text, 3);
+    assert_is_number(&server, names[4].text, 4);
+    char large[8193] = "";
+    asset_post(&server, large, 8193, 201); /* three blocks */
+    assert_int_equal(folder_count(&folder), 1);
+    daemon_stop(&server);
+    folder_remove(&folder);
+}
+
+static void assets_and_their_order_outlive_a_restart(void **state)
+{
+    (void)state;
+    struct folder folder = folder_make();
+    struct asset_name names[4];
+    struct daemon server = assets_start(&folder, LIST("--assets-max-bytes=12288"));
+    for (int i = 0; i < 3; i++)
+        names[i] = post_number(&server, i, 201);
+    assert_is_number(&server, names[0].text, 0);
+    daemon_stop(&server);
+    server = assets_start(&folder, LIST("--assets-max-bytes=12288"));
+    names[3] = post_number(&server, 3, 201);
+    assert_int_equal(asset_status(&server, names[1].text), 404);
+    assert_is_number(&server, names[2].text, 2);
+    assert_is_number(&server, names[0].text, 0);
+    assert_is_number(&server, names[3].text, 3);
+    daemon_stop(&server);
+    server = assets_start(&folder, LIST("--assets-max-bytes=8192")); /* less than there is */
+    assert_int_equal(folder_count(&folder), 2);
+    assert_int_equal(asset_status(&server, names[2].text), 404);
+    assert_is_number(&server, names[0].text, 0);
+    daemon_stop(&server);
+    folder_remove(&folder);
+}
+
+/* ---- what else may lie there ---- */
+
+static void only_temporary_files_that_nobody_works_on_are_removed(void **state)
+{
+    (void)state;
+    struct folder folder = folder_make();
+    const char *const foreign[] = {"README", ".zraster-upload-0123456789abcde", ".zraster-upload-0123456789abcdefg",
+                                   ".zraster-upload-0123456789abcdeX", "upload-0123456789abcdef"};
+    for (size_t i = 0; i < sizeof foreign / sizeof *foreign; i++) {
+        struct folder file = folder_file(&folder, foreign[i]);
+        write_file(&file, "x", 1);
+    }
+    struct folder left = folder_file(&folder, ".zraster-upload-0123456789abcdef");
+    struct folder held = folder_file(&folder, ".zraster-upload-fedcba9876543210");
+    write_file(&left, "half", 4);
+    write_file(&held, "half", 4);
+    int fd = open(held.path, O_RDONLY);
+    assert_int_equal(flock(fd, LOCK_EX), 0);
+    struct daemon server = assets_start(&folder, NULL);
+    assert_false(has_file(&folder, strrchr(left.path, '/') + 1));
+    assert_int_equal(folder_count(&folder), 6);
+    daemon_stop(&server);
+    close(fd);
+    server = assets_start(&folder, NULL);
+    assert_false(has_file(&folder, strrchr(held.path, '/') + 1));
+    assert_int_equal(folder_count(&folder), 5);
+    daemon_stop(&server);
+    folder_remove(&folder);
+}
+
+static void files_that_are_none_of_ours_do_no_harm(void **state)
+{
+    (void)state;
+    char link[ASSET_NAME_SIZE], pipe[ASSET_NAME_SIZE], directory[ASSET_NAME_SIZE];
+    struct folder folder = folder_make(), outside = folder_make();
+    struct folder secret = folder_file(&outside, "secret");
+    write_file(&secret, "abc", 3);
+    memset(pipe, '1', 64), memset(link, '2', 64), memset(directory, '3', 64);
+    pipe[64] = link[64] = directory[64] = '\0';
+    assert_int_equal(symlink(secret.path, folder_file(&folder, ABC_NAME).path), 0);
+    assert_int_equal(symlink("/dev/zero", folder_file(&folder, link).path), 0);
+    assert_int_equal(mkfifo(folder_file(&folder, pipe).path, 0600), 0);
+    assert_int_equal(mkdir(folder_file(&folder, EMPTY_NAME).path, 0700), 0);
+    assert_int_equal(mkdir(folder_file(&folder, directory).path, 0700), 0);
+    struct daemon server = assets_start(&folder, NULL);
+    const char *const names[] = {ABC_NAME, link, pipe, EMPTY_NAME, directory};
+    for (size_t i = 0; i < 5; i++)
+        assert_int_equal(asset_status(&server, names[i]), 404);
+    assert_problem(asset_put(&server, EMPTY_NAME, "", 0), 500, "Is a directory");
+    assert_int_equal(folder_count(&folder), 5); /* and nothing is left of the attempt */
+    asset_post(&server, "abc", 3, 201);         /* in the link's place, not through it */
+    assert_int_equal(asset_status(&server, ABC_NAME), 200);
+    assert_true(has_file(&outside, "secret"));
+    daemon_stop(&server);
+    folder_remove(&folder);
+    folder_remove(&outside);
+}
+
+/* ---- files that change ---- */
+
+static void broken_file_is_found_removed_and_healed(void **state)
+{
+    (void)state;
+    struct folder folder = folder_make();
+    struct daemon server = assets_start(&folder, NULL);
+    struct folder file = folder_file(&folder, ABC_NAME);
+    const char *const broken[] = {"abd", "ab", "abcd", ""};
+    asset_post(&server, "abc", 3, 201);
+    for (size_t i = 0; i < 4; i++) {
+        write_file(&file, broken[i], strlen(broken[i]));
+        assert_int_equal(asset_status(&server, ABC_NAME), 404);
+        assert_false(has_file(&folder, ABC_NAME));
+        asset_post(&server, "abc", 3, 201);
+        assert_int_equal(asset_status(&server, ABC_NAME), 200);
+    }
+    assert_logged(&server, "asset-broken");
+    assert_int_equal(truncate(file.path, 2), 0); /* sent again before anybody asked for it */
+    asset_post(&server, "abc", 3, 201);
+    assert_int_equal(asset_status(&server, ABC_NAME), 200);
+    assert_int_equal(unlink(file.path), 0);
+    assert_int_equal(asset_status(&server, ABC_NAME), 404);
+    asset_post(&server, "abc", 3, 201);
+    assert_int_equal(unlink(file.path), 0);
+    asset_post(&server, "abc", 3, 201);
+    daemon_stop(&server);
+    folder_remove(&folder);
+}
+
+struct spoiler {
+    struct folder file;
+    atomic_bool stop;
+};
+
+static void *cut_again_and_again(void *argument)
+{
+    struct spoiler *spoiler = argument;
+    while (!atomic_load(&spoiler->stop)) {
+        (void)!truncate(spoiler->file.path, 100);
+        usleep(1000);
+    }
+    return NULL;
+}
+
+static void file_that_shrinks_while_it_is_read_never_harms(void **state)
+{
+    (void)state;
+    enum { SIZE = 1 << 22, ROUNDS = 12 };
+    struct folder folder = folder_make();
+    struct daemon server = assets_start(&folder, NULL);
+    char *bytes = malloc(SIZE);
+    memset(bytes, 'z', SIZE);
+    struct asset_name name = asset_post(&server, bytes, SIZE, 201);
+    struct spoiler spoiler = {.file = folder_file(&folder, name.text)};
+    pthread_t thread;
+    assert_int_equal(pthread_create(&thread, NULL, cut_again_and_again, &spoiler), 0);
+    for (int i = 0; i < ROUNDS; i++) {
+        struct reply put = asset_put(&server, name.text, bytes, SIZE);
+        assert_in_range(put.status, 200, 201);
+        reply_free(&put);
+        struct reply got = asset_get(&server, name.text);
+        if (got.status == 200)
+            assert_memory_equal(got.body, bytes, SIZE);
+        else
+            assert_int_equal(got.status, 404);
+        reply_free(&got);
+    }
+    atomic_store(&spoiler.stop, true);
+    pthread_join(thread, NULL);
+    assert_int_equal(client_get_status(&server, "/healthz"), 200);
+    daemon_stop(&server);
+    folder_remove(&folder);
+    free(bytes);
+}
+
+static void file_that_is_cut_while_it_is_read_is_missing(void **state)
+{
+    (void)state;
+    const off_t size = 128 << 20;
+    struct folder folder = folder_make();
+    struct daemon server = assets_start(&folder, NULL);
+    struct folder file = folder_file(&folder, ABC_NAME);
+    for (int ms = 1; ms <= 64; ms *= 4) {
+        write_file(&file, "", 0);
+        assert_int_equal(truncate(file.path, size), 0);
+        int fd = client_connect(&server);
+        static const char request[] = "GET /v1/assets/" ABC_NAME " HTTP/1.1\r\nHost: a\r\n\r\n";
+        assert_int_equal(send(fd, request, sizeof request - 1, 0), sizeof request - 1);
+        usleep((useconds_t)ms * 1000);
+        (void)!truncate(file.path, 1000);
+        char *answer = client_read(fd, "kept under this name", 30000);
+        assert_int_equal(raw_status(answer), 404);
+        assert_false(has_file(&folder, ABC_NAME));
+        free(answer);
+        close(fd);
+    }
+    daemon_stop(&server);
+    folder_remove(&folder);
+}
+
+/* ---- many at once ---- */
+
+enum { CLIENTS = 12, EACH = 15 };
+
+struct client {
+    const struct daemon *daemon;
+    pthread_t thread;
+    int first; /* its numbers, from here on */
+    int created, kept, lost;
+    struct asset_name names[EACH];
+};
+
+static void *put_and_get(void *argument)
+{
+    struct client *client = argument;
+    for (int i = 0; i < EACH; i++) {
+        char text[32];
+        int length = snprintf(text, sizeof text, "asset %d", client->first + i);
+        struct reply reply = client_send(client->daemon, "POST", "/v1/assets", NULL, text, (size_t)length);
+        client->created += reply.status == 201;
+        client->kept += reply.status == 200;
+        (void)!sscanf(reply.body, "{\"sha256\":\"%64[0-9a-f]\"", client->names[i].text);
+        reply_free(&reply);
+        reply = asset_get(client->daemon, client->names[i].text);
+        client->lost += reply.status == 404;
+        if (reply.status == 200 && strcmp(reply.body, text) != 0) client->created = -1000;
+        reply_free(&reply);
+    }
+    return NULL;
+}
+
+/* All clients at once; what they count, added up. */
+static struct client run_clients(struct client *clients, const struct daemon *a, const struct daemon *b, bool same)
+{
+    struct client sum = {.created = 0};
+    for (int i = 0; i < CLIENTS; i++) {
+        clients[i] = (struct client){.daemon = i % 2 ? a : b, .first = same ? 0 : i * EACH};
+        assert_int_equal(pthread_create(&clients[i].thread, NULL, put_and_get, &clients[i]), 0);
+    }
+    for (int i = 0; i < CLIENTS; i++) {
+        pthread_join(clients[i].thread, NULL);
+        sum.created += clients[i].created;
+        sum.kept += clients[i].kept;
+        sum.lost += clients[i].lost;
+    }
+    return sum;
+}
+
+static void same_assets_put_at_once_are_new_once(void **state)
+{
+    (void)state;
+    static struct client clients[CLIENTS];
+    struct folder folder = folder_make();
+    struct daemon server = assets_start(&folder, LIST(CROWD));
+    struct client sum = run_clients(clients, &server, &server, true);
+    assert_int_equal(sum.created, EACH);
+    assert_int_equal(sum.kept, (CLIENTS - 1) * EACH);
+    assert_int_equal(sum.lost, 0);
+    assert_int_equal(folder_count(&folder), EACH);
+    daemon_stop(&server);
+    folder_remove(&folder);
+}
+
+static void different_assets_put_at_once_are_all_kept(void **state)
+{
+    (void)state;
+    static struct client clients[CLIENTS];
+    struct folder folder = folder_make();
+    struct daemon server = assets_start(&folder, LIST(CROWD));
+    struct client sum = run_clients(clients, &server, &server, false);
+    assert_int_equal(sum.created, CLIENTS * EACH);
+    assert_int_equal(sum.lost, 0);
+    assert_int_equal(folder_count(&folder), CLIENTS * EACH);
+    for (int i = 0; i < CLIENTS; i++)
+        for (int k = 0; k < EACH; k++)
+            assert_is_number(&server, clients[i].names[k].text, i * EACH + k);
+    daemon_stop(&server);
+    folder_remove(&folder);
+}
+
+static void bound_holds_while_many_put_at_once(void **state)
+{
+    (void)state;
+    static struct client clients[CLIENTS];
+    struct folder folder = folder_make();
+    struct daemon server = assets_start(&folder, LIST(CROWD, "--assets-max-bytes=12288"));
+    struct client sum = run_clients(clients, &server, &server, false);
+    assert_int_equal(sum.created, CLIENTS * EACH);
+    assert_int_equal(folder_count(&folder), 3);
+    daemon_stop(&server);
+    folder_remove(&folder);
+}
+
+/* ---- two daemons ---- */
+
+static void two_daemons_share_a_directory(void **state)
+{
+    (void)state;
+    static struct client clients[CLIENTS];
+    struct folder folder = folder_make();
+    struct daemon a = assets_start(&folder, LIST(CROWD)), b = assets_start(&folder, LIST(CROWD));
+    struct asset_name name = asset_post(&a, "abc", 3, 201);
+    assert_int_equal(asset_status(&b, name.text), 200);
+    asset_post(&b, "abc", 3, 200);
+    struct client sum = run_clients(clients, &a, &b, true);
+    assert_int_equal(sum.created + sum.kept, CLIENTS * EACH);
+    assert_int_equal(sum.lost, 0);
+    sum = run_clients(clients, &a, &b, false);
+    assert_int_equal(sum.created + sum.kept, CLIENTS * EACH);
+    assert_int_equal(sum.lost, 0);
+    assert_int_equal(folder_count(&folder), CLIENTS * EACH + 1);
+    daemon_stop(&a);
+    daemon_stop(&b);
+    folder_remove(&folder);
+}
+
+static void daemon_spares_what_another_has_used(void **state)
+{
+    (void)state;
+    struct folder folder = folder_make();
+    struct daemon a = assets_start(&folder, LIST("--assets-max-bytes=8192"));
+    struct asset_name first = post_number(&a, 1, 201), second = post_number(&a, 2, 201);
+    struct daemon b = assets_start(&folder, LIST("--assets-max-bytes=8192"));
+    assert_is_number(&b, first.text, 1);
+    post_number(&a, 3, 201);
+    assert_int_equal(asset_status(&b, second.text), 404);
+    assert_is_number(&a, first.text, 1);
+    post_number(&b, 4, 201); /* b had both of the first two in mind: one is gone, and it notices */
+    assert_int_equal(client_get_status(&b, "/healthz"), 200);
+    daemon_stop(&a);
+    daemon_stop(&b);
+    folder_remove(&folder);
+}
+
+/* ---- disks that do not take it ---- */
+
+static void assert_full_and_well(struct daemon *server, const struct folder *folder)
+{
+    enum { SIZE = 200000 };
+    char *bytes = calloc(1, SIZE);
+    for (int i = 0; i < 3; i++) {
+        assert_problem(client_send(server, "POST", "/v1/assets", NULL, bytes, SIZE), 507, "no room");
+        assert_int_equal(folder_count(folder), 1); /* nothing is left of it */
+    }
+    assert_int_equal(asset_status(server, ABC_NAME), 200);
+    asset_post(server, "abc", 3, 200);
+    free(bytes);
+}
+
+static void file_beyond_the_system_limit_gives_507(void **state)
+{
+    (void)state;
+    struct folder folder = folder_make();
+    struct rlimit before, low;
+    assert_int_equal(getrlimit(RLIMIT_FSIZE, &before), 0);
+    low = (struct rlimit){100000, before.rlim_max};
+    assert_int_equal(setrlimit(RLIMIT_FSIZE, &low), 0);
+    struct daemon server = assets_start(&folder, NULL);
+    assert_int_equal(setrlimit(RLIMIT_FSIZE, &before), 0);
+    asset_post(&server, "abc", 3, 201);
+    assert_full_and_well(&server, &folder);
+    daemon_stop(&server);
+    folder_remove(&folder);
+}
+
+/* A small file system that nobody else sees. False: not allowed. */
+static bool mount_small(const struct folder *folder)
+{
+    return unshare(CLONE_NEWNS) == 0 && mount(NULL, "/", NULL, MS_REC | MS_PRIVATE, NULL) == 0 &&
+           mount("none", folder->path, "tmpfs", 0, "size=64k") == 0;
+}
+
+static void full_disk_gives_507(void **state)
+{
+    (void)state;
+    struct folder folder = folder_make();
+    if (!mount_small(&folder)) {
+        fprintf(stderr, "LEFT OUT: a full disk: mounting a small one needs root (%s)\n", strerror(errno));
+        folder_remove(&folder);
+        skip();
+    }
+    struct daemon server = assets_start(&folder, NULL);
+    asset_post(&server, "abc", 3, 201);
+    assert_full_and_well(&server, &folder);
+    daemon_stop(&server);
+    assert_int_equal(umount(folder.path), 0);
+    folder_remove(&folder);
+}
+
+/* Root may write everywhere but on a disk that is mounted so. */
+static bool make_read_only(const struct folder *folder, bool on)
+{
+    if (geteuid() != 0) return chmod(folder->path, on ? 0500 : 0700) == 0;
+    if (!on) return umount(folder->path) == 0;
+    return mount("none", folder->path, "tmpfs", MS_REMOUNT | MS_RDONLY, "size=64k") == 0;
+}
+
+static void read_only_directory_serves_what_it_has(void **state)
+{
+    (void)state;
+    struct folder folder = folder_make();
+    if (geteuid() == 0 && !mount_small(&folder)) {
+        fprintf(stderr, "LEFT OUT: a read-only directory: root cannot mount one here (%s)\n", strerror(errno));
+        folder_remove(&folder);
+        skip();
+    }
+    struct folder file = folder_file(&folder, ABC_NAME);
+    write_file(&file, "abc", 3);
+    assert_true(make_read_only(&folder, true));
+    struct daemon server = assets_start(&folder, LIST("--assets-max-bytes=4096"));
+    assert_logged(&server, "assets-read-only");
+    assert_int_equal(asset_status(&server, ABC_NAME), 200);
+    asset_post(&server, "abc", 3, 200);
+    assert_problem(client_send(&server, "POST", "/v1/assets", NULL, "other", 5), 403, "cannot be written");
+    assert_int_equal(asset_status(&server, ABC_NAME), 200);
+    daemon_stop(&server);
+    assert_true(make_read_only(&folder, false));
+    folder_remove(&folder);
+}
+
+static void directory_that_cannot_be_used_stops_the_start(void **state)
+{
+    (void)state;
+    struct folder folder = folder_make();
+    struct folder file = folder_file(&folder, "file");
+    write_file(&file, "", 0);
+    const struct {
+        const char *path, *text;
+    } cases[] = {{"/does/not/exist", "No such file or directory"}, {file.path, "Not a directory"}};
+    for (size_t i = 0; i < 2; i++) {
+        char *output = NULL;
+        assert_int_equal(daemon_run(LIST("--port=0", "--assets-dir", cases[i].path), &output), 1);
+        if (!strstr(output, "--assets-dir") || !strstr(output, cases[i].text)) fail_msg("%s", output);
+        free(output);
+    }
+    folder_remove(&folder);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(least_recently_used_makes_room),
+        cmocka_unit_test(assets_and_their_order_outlive_a_restart),
+        cmocka_unit_test(only_temporary_files_that_nobody_works_on_are_removed),
+        cmocka_unit_test(files_that_are_none_of_ours_do_no_harm),
+        cmocka_unit_test(broken_file_is_found_removed_and_healed),
+        cmocka_unit_test(file_that_shrinks_while_it_is_read_never_harms),
+        cmocka_unit_test(file_that_is_cut_while_it_is_read_is_missing),
+        cmocka_unit_test(same_assets_put_at_once_are_new_once),
+        cmocka_unit_test(different_assets_put_at_once_are_all_kept),
+        cmocka_unit_test(bound_holds_while_many_put_at_once),
+        cmocka_unit_test(two_daemons_share_a_directory),
+        cmocka_unit_test(daemon_spares_what_another_has_used),
+        cmocka_unit_test(file_beyond_the_system_limit_gives_507),
+        cmocka_unit_test(full_disk_gives_507),
+        cmocka_unit_test(read_only_directory_serves_what_it_has),
+        cmocka_unit_test(directory_that_cannot_be_used_stops_the_start),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
