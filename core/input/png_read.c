@@ -10,13 +10,17 @@
 enum { SIGNATURE = 8, IHDR_NAME = 12, WIDTH = 16, HEIGHT = 20, BITS = 24, HEAD = 33 };
 
 /* More than any chunk that is kept: a palette and its alpha. */
-enum { CHUNK_BYTES_MAX = 4096 };
+enum { CHUNK_BYTES_MAX = 4096, PUSHED = 4096 };
 
-struct source {
+/* What libpng calls back with. The file is pushed through it, so that it stops with the last row: asked for the
+ * rows itself, it would go on to inflate whatever follows them, however much that is. */
+struct reading {
     struct zr_arena *arena;
     struct zr_reason *reason;
-    const unsigned char *at;
-    size_t left;
+    uint32_t width, height;
+    uint8_t *rgba;
+    int passes;
+    bool done;
 };
 
 static void ignore_warning(png_structp png, png_const_charp message)
@@ -27,30 +31,21 @@ static void ignore_warning(png_structp png, png_const_charp message)
 
 static void leave(png_structp png, png_const_charp message)
 {
-    struct source *source = png_get_error_ptr(png);
-    zr_reason_give(source->reason, "a broken PNG: %s", message);
+    struct reading *reading = png_get_error_ptr(png);
+    zr_reason_give(reading->reason, "a broken PNG: %s", message);
     png_longjmp(png, 1);
 }
 
 static png_voidp allocate(png_structp png, png_alloc_size_t size)
 {
-    struct source *source = png_get_mem_ptr(png);
-    return zr_arena_alloc(source->arena, size, 1);
+    struct reading *reading = png_get_mem_ptr(png);
+    return zr_arena_alloc(reading->arena, size, 1);
 }
 
 static void keep(png_structp png, png_voidp pointer)
 {
     (void)png; /* the arena gives it back */
     (void)pointer;
-}
-
-static void give(png_structp png, png_bytep out, size_t size)
-{
-    struct source *source = png_get_io_ptr(png);
-    if (size > source->left) png_error(png, "it ends too early");
-    memcpy(out, source->at, size);
-    source->at += size;
-    source->left -= size;
 }
 
 static uint32_t big_endian(const unsigned char *at)
@@ -95,20 +90,61 @@ static int set_transforms(png_structp png, png_infop info)
     return passes;
 }
 
-static void read_rows(png_structp png, png_infop info, uint32_t width, uint32_t height, uint8_t *rgba)
+static void begin_rows(png_structp png, png_infop info)
 {
-    int passes = set_transforms(png, info);
-    if (png_get_rowbytes(png, info) != (size_t)width * 4) png_error(png, "its rows are not RGBA");
-    for (int pass = 0; pass < passes; pass++)
-        for (uint32_t y = 0; y < height; y++)
-            png_read_row(png, rgba + (size_t)y * width * 4, NULL);
-    png_read_end(png, NULL);
+    struct reading *reading = png_get_progressive_ptr(png);
+    reading->passes = set_transforms(png, info);
+    if (png_get_rowbytes(png, info) != (size_t)reading->width * 4) png_error(png, "its rows are not RGBA");
 }
 
-/* Chunks beside the picture are passed over unread: text and profiles may be packed. */
+static void take_row(png_structp png, png_bytep row, png_uint_32 number, int pass)
+{
+    struct reading *reading = png_get_progressive_ptr(png);
+    if (number < reading->height)
+        png_progressive_combine_row(png, reading->rgba + (size_t)number * reading->width * 4, row);
+    reading->done = pass + 1 >= reading->passes && number + 1 >= reading->height;
+}
+
+/* In parts, and no more once the last row is there: what comes behind it is neither read nor inflated. */
+static void push(png_structp png, png_infop info, const unsigned char *bytes, size_t size,
+                 const struct reading *reading)
+{
+    unsigned char part[PUSHED];
+    for (size_t at = 0; at < size && !reading->done; at += PUSHED) {
+        size_t count = size - at < PUSHED ? size - at : PUSHED;
+        memcpy(part, bytes + at, count); /* libpng wants bytes that it may write to */
+        png_process_data(png, info, part, count);
+    }
+}
+
+static bool is_wanted(const unsigned char *name)
+{
+    static const char wanted[][5] = {"IHDR", "PLTE", "tRNS", "IDAT"};
+    for (size_t i = 0; i < sizeof wanted / sizeof *wanted; i++)
+        if (memcmp(name, wanted[i], 4) == 0) return true;
+    return false;
+}
+
+/* Chunk by chunk. Those beside the picture are passed over: text and profiles may be large, or packed. */
+static void push_chunks(png_structp png, png_infop info, const unsigned char *bytes, size_t size,
+                        const struct reading *reading)
+{
+    enum { LENGTH_AND_NAME = 8, FRAME = 12 };
+    push(png, info, bytes, SIGNATURE, reading);
+    for (size_t at = SIGNATURE; !reading->done;) {
+        if (size - at < LENGTH_AND_NAME) png_error(png, "it ends too early");
+        size_t length = big_endian(bytes + at), left = size - at;
+        bool idat = memcmp(bytes + at + 4, "IDAT", 4) == 0, whole = length <= left && left - length >= FRAME;
+        if (!whole && !idat) png_error(png, "it ends too early");
+        if (!idat && length > CHUNK_BYTES_MAX && is_wanted(bytes + at + 4)) png_error(png, "a chunk is too large");
+        size_t chunk = whole ? length + FRAME : left;
+        if (is_wanted(bytes + at + 4)) push(png, info, bytes + at, chunk, reading);
+        at += chunk;
+    }
+}
+
 static void set_bounds(png_structp png, uint32_t width, uint32_t height)
 {
-    png_set_keep_unknown_chunks(png, PNG_HANDLE_CHUNK_NEVER, NULL, -1);
     png_set_user_limits(png, width, height);
     png_set_chunk_malloc_max(png, CHUNK_BYTES_MAX);
     png_set_chunk_cache_max(png, 1); /* 0 would be no limit; 1 leaves room for none */
@@ -118,11 +154,11 @@ enum zr_status zr_png_read(struct zr_arena *arena, const void *bytes, size_t siz
                            uint8_t **rgba, struct zr_reason *reason)
 {
     if (!check_head(bytes, size, width, height, reason)) return ZR_BAD_SCENE;
-    struct source source = {arena, reason, bytes, size};
-    *rgba = zr_arena_alloc(arena, (size_t)width * height, 4);
+    *rgba = zr_arena_zero(arena, (size_t)width * height, 4);
     if (!*rgba) return ZR_NO_MEMORY;
+    struct reading reading = {.arena = arena, .reason = reason, .width = width, .height = height, .rgba = *rgba};
     png_structp png =
-        png_create_read_struct_2(PNG_LIBPNG_VER_STRING, &source, leave, ignore_warning, &source, allocate, keep);
+        png_create_read_struct_2(PNG_LIBPNG_VER_STRING, &reading, leave, ignore_warning, &reading, allocate, keep);
     if (!png) return ZR_NO_MEMORY;
     png_infop info = png_create_info_struct(png);
     /* Nothing that is set below is read after the jump; it lands here, once. */
@@ -130,10 +166,9 @@ enum zr_status zr_png_read(struct zr_arena *arena, const void *bytes, size_t siz
         png_destroy_read_struct(&png, &info, NULL);
         return zr_arena_ok(arena) ? ZR_BAD_SCENE : ZR_NO_MEMORY;
     }
-    png_set_read_fn(png, &source, give);
     set_bounds(png, width, height);
-    png_read_info(png, info);
-    read_rows(png, info, width, height, *rgba);
+    png_set_progressive_read_fn(png, &reading, begin_rows, take_row, NULL);
+    push_chunks(png, info, bytes, size, &reading);
     png_destroy_read_struct(&png, &info, NULL);
     return ZR_OK;
 }
