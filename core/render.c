@@ -87,6 +87,7 @@ enum zr_status zr_render(struct zr_arena *arena, struct zr_team *team, const str
     if (status == ZR_NO_MEMORY)
         zr_error_add(error, status, NULL, "rendering needs more than the %zu bytes a request may use", arena->ceiling);
     if (status == ZR_CANCELLED) zr_error_add(error, status, NULL, "rendering was stopped before it was done");
+    if (status == ZR_INTERNAL) zr_error_add(error, status, NULL, "it could not be decided who is seen");
     *out = frame;
     return status;
 }

@@ -103,10 +103,10 @@ struct zr_answer {
 enum zr_status zr_scene_read(struct zr_arena *arena, const struct zr_request *request, const struct zr_limits *limits,
                              const struct zr_scene **scene, struct zr_error *error);
 
-/* What rendering and encoding will cost: all placed points are walked over, and up to `samples_max` polygons and
- * lines measured (UINT32_MAX: all of them, which takes a fraction of the rendering's own time). `cancel` may be
- * NULL; cancelled, it returns early with too little. */
-struct zr_cost zr_scene_cost(const struct zr_scene *scene, uint32_t samples_max, const struct zr_cancel *cancel);
+/* What rendering and encoding will cost: all placed points are walked over, and polygons and lines measured, up to
+ * about `corners_max` corners of them (UINT32_MAX: all, which takes a fraction of the rendering's own time).
+ * `cancel` may be NULL; cancelled, it returns early with too little. */
+struct zr_cost zr_scene_cost(const struct zr_scene *scene, uint32_t corners_max, const struct zr_cancel *cancel);
 
 /* `team` may be NULL (one thread) and `cancel` may be NULL (never). The frame is
  * the same, byte for byte, for every team. */

@@ -15,9 +15,9 @@
 #include "problem.h"
 #include "text.h"
 
-/* COST_SAMPLES: a sample that takes well under a millisecond. COST_SAMPLES_ALL: more than a body
- * has polygons; of those that nodes place again and again, enough. */
-enum { WARNINGS_SIZE = 2048, COST_SAMPLES = 1024, COST_SAMPLES_ALL = 1 << 22 };
+/* Corners that are measured to foresee the work. COST_CORNERS: in well under a millisecond. COST_CORNERS_MORE: in
+ * about half a second, for scenes that would be refused; more than most have. */
+enum { WARNINGS_SIZE = 2048, COST_CORNERS = 4096, COST_CORNERS_MORE = 1 << 22 };
 
 enum route { ROUTE_RENDER, ROUTE_HEALTH, ROUTE_READY, ROUTE_LIMITS, ROUTE_ASSETS, ROUTE_ASSET };
 
@@ -302,7 +302,7 @@ static void add_timing(struct answer *answer, const struct api_times *times)
 static enum zr_status foresee(const struct api *api, const struct zr_scene *scene, const struct zr_cancel *cancel,
                               struct api_times *times, struct zr_error *error)
 {
-    const uint32_t samples[] = {COST_SAMPLES, COST_SAMPLES_ALL};
+    const uint32_t samples[] = {COST_CORNERS, COST_CORNERS_MORE};
     struct zr_cost cost = {0};
     for (int i = 0; i < 2; i++) {
         cost = zr_scene_cost(scene, samples[i], cancel);

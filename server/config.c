@@ -75,7 +75,7 @@ static const struct setting SETTINGS[] = {
     {"json-values-max", NUMBER, AT(json_values_max), true, 0, 1, 1u << 30, NULL, "", "values in one JSON body"},
     {"window-side-max", NUMBER, AT(window_side_max), true, 0, 1, 8192, NULL, "pixels", "width or height of an image"},
     {"window-pixels-max", NUMBER, AT(window_pixels_max), true, 0, 1, GIB, NULL, "pixels", "summed over all outputs"},
-    {"polygon-vertices-max", NUMBER, AT(polygon_vertices_max), true, 0, 3, 65536, NULL, "", "vertices of one polygon"},
+    {"polygon-vertices-max", NUMBER, AT(polygon_vertices_max), true, 0, 3, 8192, NULL, "", "vertices of one polygon"},
     {"instances-max", NUMBER, AT(instances_max), true, 0, 1, 1u << 24, NULL, "", "meshes that nodes may place"},
     {"coordinate-max", NUMBER, AT(coordinate_max), true, 0, 1, 1000000, NULL, "", "magnitude of a coordinate"},
 };

@@ -180,8 +180,8 @@ static uint64_t scatter(uint64_t n)
 }
 
 /* Of all faces and lines, from `samples` of them. */
-static struct zr_cost measure_sample(const struct zr_scene *scene, const struct zr_camera *camera, uint64_t things,
-                                     uint64_t samples)
+static struct zr_cost measure_sample(const struct zr_scene *scene, const struct zr_camera *camera,
+                                     const struct zr_cancel *cancel, uint64_t things, uint64_t samples)
 {
     struct zr_viewport viewport = zr_viewport_make(scene->width, scene->height);
     zr_mat4 world_to_clip = zr_mat4_mul(&camera->projection, &camera->world_to_eye);
@@ -190,7 +190,7 @@ static struct zr_cost measure_sample(const struct zr_scene *scene, const struct 
     uint64_t first = 0, end = 0; /* the faces and lines of `mesh`, counted over all instances */
     uint32_t next_instance = 0;
     struct zr_cost sum = {0};
-    for (uint64_t k = 0; k < samples; k++) {
+    for (uint64_t k = 0; k < samples && !zr_is_cancelled(cancel); k++) {
         uint64_t begin = k * things / samples, size = (k + 1) * things / samples - begin;
         uint64_t thing = begin + scatter(k) % size;
         while (thing >= end) {
@@ -214,24 +214,26 @@ static struct zr_cost measure_sample(const struct zr_scene *scene, const struct 
     return (struct zr_cost){.triangles = sum.triangles * scale, .fragments = sum.fragments * scale};
 }
 
-struct zr_cost zr_scene_cost(const struct zr_scene *scene, uint32_t samples_max, const struct zr_cancel *cancel)
+struct zr_cost zr_scene_cost(const struct zr_scene *scene, uint32_t corners_max, const struct zr_cancel *cancel)
 {
     struct zr_cost cost = {0};
     struct zr_camera camera;
     struct zr_error ignored = {.count = 0}; /* rendering will tell */
     struct zr_bounds bounds = zr_bounds_of(scene, cancel);
-    uint64_t things = 0;
+    uint64_t things = 0, corners = 0;
     double points = 0.0;
     count_outputs(scene, &cost);
     for (uint32_t i = 0; i < scene->instance_count; i++) {
         const struct zr_mesh *mesh = &scene->meshes[scene->instances[i].mesh];
         things += zr_mesh_ids(mesh);
+        corners += mesh->face_offsets[mesh->face_count] + 2 * (uint64_t)mesh->line_count;
         points += (double)mesh->position_count;
         cost.triangles += (double)mesh->face_offsets[mesh->face_count] - 2.0 * (double)mesh->face_count;
     }
     cost.triangles += POINT_T * fmax(points - 3.0 * cost.triangles, 0.0);
     if (zr_camera_resolve(scene, &bounds, cancel, &camera, &ignored) != ZR_OK) return cost;
-    struct zr_cost measured = measure_sample(scene, &camera, things, things < samples_max ? things : samples_max);
+    uint64_t samples = corners > corners_max ? (uint64_t)corners_max * things / corners : things;
+    struct zr_cost measured = measure_sample(scene, &camera, cancel, things, samples > 0 || things == 0 ? samples : 1);
     cost.triangles = (cost.triangles + measured.triangles) * TIMES[scene->algorithm];
     cost.fragments = measured.fragments * TIMES[scene->algorithm];
     return cost;

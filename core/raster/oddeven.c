@@ -86,6 +86,25 @@ static void put_triangle(const struct zr_setup *setup, uint32_t owner, struct fl
         }
 }
 
+/* Where the view volume cuts the polygon, or its triangles are thin, samples are left that none of them covers.
+ * Runs of them are told at once. */
+static void put_rest(const struct zr_geometry *geometry, const struct zr_primitive *primitive,
+                     const struct flags *flags, struct zr_tile *tile)
+{
+    struct zr_hit hits[ZR_TILE_SIZE];
+    for (int32_t row = 0; row < tile->height; row++)
+        for (uint64_t bits = flags->rows[row]; bits;) {
+            int32_t begin = lowest(bits), count = 1;
+            while (begin + count < ZR_TILE_SIZE && bits >> (begin + count) & 1u)
+                count++;
+            bits &= ~column_bits(begin, begin + count - 1);
+            int32_t x = tile->x + begin, y = tile->y + row;
+            zr_primitive_hits(geometry, primitive, y, x, x + count, hits);
+            for (int32_t i = 0; i < count; i++)
+                zr_tile_put(tile, x + i, y, hits[i].depth, hits[i].owner);
+        }
+}
+
 void zr_oddeven_draw(const struct zr_geometry *geometry, const struct zr_primitive *primitive, struct zr_tile *tile)
 {
     struct flags flags;
@@ -101,11 +120,5 @@ void zr_oddeven_draw(const struct zr_geometry *geometry, const struct zr_primiti
         struct zr_setup setup = zr_setup_make(geometry->vertices, &geometry->triangles[record]);
         put_triangle(&setup, record + 1, &flags, tile);
     }
-    /* Rounding where the view volume cuts the polygon may leave samples that no triangle covers. */
-    for (int32_t row = 0; row < tile->height; row++)
-        for (uint64_t bits = flags.rows[row]; bits; bits &= bits - 1) {
-            int32_t x = tile->x + lowest(bits), y = tile->y + row;
-            struct zr_hit hit = zr_primitive_hit(geometry, primitive, x, y);
-            zr_tile_put(tile, x, y, hit.depth, hit.owner);
-        }
+    put_rest(geometry, primitive, &flags, tile);
 }

@@ -6,7 +6,8 @@
 #include "raster/line_draw.h"
 #include "raster/oddeven.h"
 
-enum { PRIMITIVES_A_CANCEL_CHECK = 1024 };
+/* Primitives, or edges and triangles of shapes: less than a millisecond of work. */
+enum { PARTS_A_CANCEL_CHECK = 1024 };
 
 /* ---- tile by tile ---- */
 
@@ -28,6 +29,12 @@ static void draw(const struct zr_geometry *geometry, uint32_t first, uint32_t wi
     zr_oddeven_draw(geometry, &primitive, tile);
 }
 
+static uint32_t parts_of(const struct zr_geometry *geometry, uint32_t first)
+{
+    uint32_t shape = geometry->triangles[first].shape;
+    return shape > 0 ? geometry->shapes[shape - 1].edge_count + geometry->shapes[shape - 1].triangle_count : 1;
+}
+
 /* The tile's own list and the large primitives, merged back into one order. */
 bool zr_visibility_tile(const struct zr_geometry *geometry, const struct zr_bins *bins, uint32_t number, uint32_t width,
                         uint32_t height, const struct zr_base *base, const struct zr_cancel *cancel,
@@ -38,10 +45,15 @@ bool zr_visibility_tile(const struct zr_geometry *geometry, const struct zr_bins
     const uint32_t *small = bins->entries + bins->offsets[number],
                    *small_end = bins->entries + bins->offsets[number + 1];
     const uint32_t *large = bins->large, *large_end = large + bins->large_count;
-    for (uint32_t drawn = 0; small < small_end || large < large_end; drawn++) {
-        if (drawn % PRIMITIVES_A_CANCEL_CHECK == 0 && zr_is_cancelled(cancel)) return false;
+    uint64_t parts = PARTS_A_CANCEL_CHECK;
+    while (small < small_end || large < large_end) {
+        if (parts >= PARTS_A_CANCEL_CHECK) {
+            if (zr_is_cancelled(cancel)) return false;
+            parts = 0;
+        }
         bool take_small = large == large_end || (small < small_end && *small < *large);
         uint32_t first = take_small ? *small++ : *large++;
+        parts += parts_of(geometry, first);
         int32_t box[4];
         if (!take_small) zr_primitive_box(geometry, first, box);
         if (take_small || zr_tile_touches(tile, box)) draw(geometry, first, width, height, tile);
