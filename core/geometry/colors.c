@@ -20,7 +20,8 @@ const struct zr_material *zr_material_of_face(const struct zr_scene *scene, cons
 
 bool zr_material_is_smooth(const struct zr_mesh *mesh, const struct zr_material *material)
 {
-    return material->shading == ZR_SHADING_GOURAUD || (material->shading == ZR_SHADING_UNLIT && mesh->colors);
+    return material->shading == ZR_SHADING_GOURAUD ||
+           (material->shading == ZR_SHADING_UNLIT && mesh->colors && !material->plain);
 }
 
 /* Light evaluations between two looks at the cancellation, about a millisecond's worth. */

@@ -6,7 +6,7 @@
 #include "input/text.h"
 
 /* Looks that differ in more than the colour of their outlines. */
-enum { SHADINGS = ZR_SHADING_GOURAUD + 1, OUTLINES = ZR_OUTLINE_COLORED + 1, LOOKS = SHADINGS * OUTLINES * 2 * 2 };
+enum { SHADINGS = ZR_SHADING_GOURAUD + 1, OUTLINES = ZR_OUTLINE_COLORED + 1, LOOKS = SHADINGS * OUTLINES * 2 * 2 * 2 };
 enum { MATERIALS_AT_FIRST = 16 };
 
 enum { NAME, BASE_COLOR, LOOK, KEYS = LOOK + ZR_LOOK_KEYS };
@@ -82,7 +82,7 @@ void zr_draft_read_style(struct zr_draft *draft, const struct zr_json_path *path
     struct zr_json *json = &draft->json;
     const char *name;
     style->given = draft->given_count;
-    style->is_open = false;
+    style->is_open = style->is_plain = false;
     if (material && zr_json_string(json, ZR_JSON_KEY(path, "material"), material, &name)) {
         const struct zr_given_material *given =
             draft->given_count ? bsearch(name, draft->given, draft->given_count, sizeof *given, compare_name) : NULL;
@@ -113,7 +113,8 @@ static uint32_t add_material(struct zr_draft *draft, struct zr_material material
 static uint32_t *slot_of(const struct zr_draft *draft, size_t base, const struct zr_material *material, bool own_color)
 {
     size_t look = (size_t)material->shading * OUTLINES + (size_t)material->outline;
-    return own_color ? NULL : &draft->variants[base * LOOKS + look * 4 + material->hollow * 2 + material->double_sided];
+    look = look * 8 + material->plain * 4 + material->hollow * 2 + material->double_sided;
+    return own_color ? NULL : &draft->variants[base * LOOKS + look];
 }
 
 /* Of those with colours of their own only the last is remembered: neighbours mostly look alike. */
@@ -122,7 +123,7 @@ static bool is_last(const struct zr_draft *draft, const struct zr_material *m)
     if (draft->material_count == 0) return false;
     const struct zr_material *last = &draft->materials[draft->material_count - 1];
     return last->shading == m->shading && last->double_sided == m->double_sided && last->hollow == m->hollow &&
-           last->outline == m->outline && zr_vec4_equal(last->base_color, m->base_color) &&
+           last->plain == m->plain && last->outline == m->outline && zr_vec4_equal(last->base_color, m->base_color) &&
            zr_vec4_equal(last->outline_color, m->outline_color);
 }
 
@@ -136,6 +137,7 @@ uint32_t zr_draft_variant(struct zr_draft *draft, const struct zr_style *style, 
     look = zr_look_over(&look, &draft->look);
     if (look.double_sided == ZR_UNSAID) look.double_sided = style->is_open;
     struct zr_material material = zr_look_material(&look, given->base_color, smooth);
+    material.plain = style->is_plain && material.shading == ZR_SHADING_UNLIT;
     bool black = zr_vec4_equal(material.outline_color, (zr_vec4){0, 0, 0, 1});
     uint32_t *slot = slot_of(draft, has_given ? style->given : draft->given_count + coloured, &material, !black);
     if (!slot) return is_last(draft, &material) ? (uint32_t)draft->material_count - 1 : add_material(draft, material);

@@ -111,6 +111,7 @@ static void read_polygon(struct zr_draft *draft, const struct zr_json_path *path
     if (found[COLOR] &&
         zr_json_color(json, ZR_JSON_KEY(path, words[COLOR]), found[COLOR], &soup->face_colors[soup->face]))
         zr_draft_note_alpha(draft, &soup->face_colors[soup->face], 1);
+    style.is_plain = !found[COLORS];
     soup->face_materials[soup->face] =
         zr_draft_variant(draft, &style, found[COLOR] || found[COLORS], found[COLORS] || found[NORMALS]);
     if (!found[VERTICES]) {

@@ -142,7 +142,8 @@ static bool check_rotation(struct zr_json *json, const struct zr_json_path *path
         for (int k = i; k < 3; k++) {
             const double *a = &r[3 * i], *b = &r[3 * k];
             double product = a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-            if (fabs(product - (i == k)) <= ROTATION_TOLERANCE) continue;
+            if (i == k ? fabs(sqrt(product) - 1.0) <= ROTATION_TOLERANCE : fabs(product) <= ROTATION_TOLERANCE)
+                continue;
             if (i == k)
                 return zr_json_fault(json, path, "not a rotation: row %d has the length %.6g, not 1", i, sqrt(product));
             return zr_json_fault(json, path, "not a rotation: rows %d and %d are not at right angles", i, k);

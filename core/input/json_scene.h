@@ -59,7 +59,8 @@ struct zr_draft {
 struct zr_style {
     size_t given; /* index into draft->given, or given_count: none */
     struct zr_look look;
-    bool is_open; /* an open surface: two-sided where nobody says otherwise */
+    bool is_plain; /* has no colours of its own, whatever others of its mesh have */
+    bool is_open;  /* an open surface: two-sided where nobody says otherwise */
 };
 
 /* json_material.c. `list` may be NULL: no materials. */

@@ -32,6 +32,7 @@ struct zr_material {
     zr_vec4 base_color; /* multiplies the colours of faces and vertices */
     enum zr_shading shading;
     bool double_sided; /* false: polygons that turn away are not drawn */
+    bool plain;        /* unlit: its faces have one colour each, though others of their mesh have one a vertex */
     bool hollow;       /* faces are not filled: a wireframe, where there is an outline */
     enum zr_outline outline;
     zr_vec4 outline_color;

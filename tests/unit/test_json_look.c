@@ -1,6 +1,8 @@
 /* Looks, lines and holes: what a scene says of how its faces are drawn. */
 #include "json_check.h"
 
+#include "shade/frame.h"
+
 #define QUAD "\"vertices\": [[0,0,0],[9,0,0],[9,9,0],[0,9,0]]"
 #define HOLE "[[1,1,0],[2,1,0],[2,2,0]]"
 
@@ -131,6 +133,31 @@ static void bad_holes_are_refused_with_pointer_to_them(void **state)
     reading_free(reading);
 }
 
+/* A grey face, and far from it one with colours: its pixels must be what they are without the other. */
+static void colours_of_one_polygon_do_not_change_another(void **state)
+{
+    (void)state;
+    static const char one[] =
+        "{\"shading\": \"unlit\", \"window\": {\"width\": 96, \"height\": 70}, \"view\": {\"eye\": "
+        "[-0.375,-1,3], \"znear\": 0.1, \"zfar\": 10, \"perspective\": {\"yfovDegrees\": 50}},"
+        "\"polygons\": [{\"vertices\": [[0.44804,0.625,0.75],[0.125,1.26,0.75],[-0.23071,0.625,0.75],"
+        "[0.125,-0.01,0.75]], \"doubleSided\": true}%s]}";
+    static const char *const others[] = {
+        "", ", {\"vertices\": [[5,5,-5],[6,5,-5],[5,6,-5]], \"colors\": [\"#ff0000\",\"#ff0000\",\"#ff0000\"]}"};
+    uint8_t bytes[2][96 * 70 * 4];
+    for (int i = 0; i < 2; i++) {
+        char text[1024];
+        snprintf(text, sizeof text, one, others[i]);
+        struct reading *reading = read_scene(text);
+        struct zr_error error = {.count = 0};
+        const struct zr_frame *frame;
+        assert_int_equal(zr_render(&reading->arena, NULL, reading->scene, NULL, &frame, &error), ZR_OK);
+        memcpy(bytes[i], frame->color, sizeof bytes[i]);
+        reading_free(reading);
+    }
+    assert_memory_equal(bytes[0], bytes[1], sizeof bytes[0]);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -141,6 +168,7 @@ int main(void)
         cmocka_unit_test(lines_are_pairs_of_positions),
         cmocka_unit_test(holes_become_rings_of_the_face),
         cmocka_unit_test(colours_of_a_polygon_with_holes_count_all_its_vertices),
+        cmocka_unit_test(colours_of_one_polygon_do_not_change_another),
         cmocka_unit_test(bad_holes_are_refused_with_pointer_to_them),
     };
     return cmocka_run_group_tests_name("json_look", tests, NULL, NULL);
