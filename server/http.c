@@ -154,29 +154,36 @@ static void turn_away(struct http *http, int fd)
 }
 
 /* Connections that the kernel has made and nobody has accepted would be reset when the
- * socket closes: they are taken in, and told that the service is going down. */
-static void take_backlog(struct http *http)
+ * socket closes: they are taken in, and told that the service is going down. True where libmicrohttpd
+ * got some, which its thread may not have looked at yet. */
+static bool take_backlog(struct http *http)
 {
+    bool any_added = false;
     struct sockaddr_storage address;
     socklen_t size = sizeof address;
     uint64_t taken = 0; /* that libmicrohttpd's thread may not have counted yet */
     for (int fd; (fd = accept4(http->listen_fd, (struct sockaddr *)&address, &size, SOCK_NONBLOCK | SOCK_CLOEXEC)) >= 0;
          size = sizeof address) {
         const union MHD_DaemonInfo *info = MHD_get_daemon_info(http->daemon, MHD_DAEMON_INFO_CURRENT_CONNECTIONS);
-        if (info && info->num_connections + ++taken < http->config->max_connections)
+        if (info && info->num_connections + ++taken < http->config->max_connections) {
             MHD_add_connection(http->daemon, fd, (struct sockaddr *)&address, size);
-        else
+            any_added = true;
+        } else {
             turn_away(http, fd);
+        }
     }
+    return any_added;
 }
 
 /* What was sent on an open connection before the end was known is heard: only then does
- * it count as in flight. Nobody can tell how long to listen, so it is short. */
-static void listen_once_more(struct http *http)
+ * it count as in flight. Nobody can tell how long to listen, so it is short. some_to_come: connections
+ * have been added that are not counted yet. */
+static void listen_once_more(struct http *http, bool some_to_come)
 {
     for (int ms = 0; ms < GRACE_MS; ms += GRACE_STEP_MS) {
         const union MHD_DaemonInfo *info = MHD_get_daemon_info(http->daemon, MHD_DAEMON_INFO_CURRENT_CONNECTIONS);
-        if (!info || info->num_connections == 0) return;
+        if (!info || (info->num_connections == 0 && !some_to_come)) return;
+        if (info->num_connections > 0) some_to_come = false;
         nanosleep(&(struct timespec){.tv_nsec = GRACE_STEP_MS * 1000000L}, NULL);
     }
 }
@@ -185,10 +192,10 @@ void http_stop(struct http *http)
 {
     atomic_store(&http->draining, true);
     MHD_quiesce_daemon(http->daemon);
-    take_backlog(http);
-    close(http->listen_fd);
-    http->listen_fd = -1;
-    listen_once_more(http);
+    bool some_to_come = take_backlog(http);
+    shutdown(http->listen_fd,
+             SHUT_RD); /* takes no more; closed at the end, for libmicrohttpd's thread may still ask it */
+    listen_once_more(http, some_to_come);
     bool ended = wait_for_exchanges(http, http->config->drain_timeout_ms);
     if (!ended) {
         log_event("warn", "drain-timeout", "what is in flight is cut short");
