@@ -38,7 +38,17 @@ verify_egl := $(BUILD)/zraster-verify-egl
 verify_lines := $(BUILD)/zraster-verify-lines
 
 objects = $(patsubst %.c,$(BUILD)/%.o,$(wildcard $(1)))
-core := $(call objects,core/*.c core/*/*.c)
+# Kernels are compiled once for each instruction set of the target, which is chosen when the program starts.
+target := $(firstword $(subst -, ,$(shell $(CC) -dumpmachine)))
+isas_x86_64 := scalar avx512
+isas_aarch64 := scalar neon
+isas := $(or $(isas_$(target)),scalar)
+# No flag for scalar, sse2 and neon: the target has them. Integers wrap in lanes that nobody reads.
+kernel_avx2 := -mavx2 -mbmi2
+kernel_avx512 := -mavx512f -mavx512bw -mavx512dq -mavx512vl -mbmi2 -mprefer-vector-width=512
+kernels := $(basename $(wildcard core/*/*_kernel.c))
+kernel_objects := $(foreach isa,$(isas),$(kernels:%=$(BUILD)/%.$(isa).o))
+core := $(filter-out %_kernel.o,$(call objects,core/*.c core/*/*.c)) $(kernel_objects)
 server := $(call objects,server/*.c)
 client := $(call objects,clients/*.c)
 support := $(call objects,tests/support/*.c)
@@ -161,6 +171,14 @@ $(server_tests): $(BUILD)/%: $(BUILD)/%.o $(server_support) $(BUILD)/libsupport.
 $(BUILD)/%.o: %.c
 	@mkdir -p $(@D)
 	$(Q)$(CC) $(OURS) $(CFLAGS) $(CPPFLAGS) $(EXACT) -MMD -MP -c -o $@ $<
+
+upper = $(shell echo $(1) | tr a-z A-Z)
+define kernel_rule
+$(BUILD)/%_kernel.$(1).o: %_kernel.c
+	@mkdir -p $$(@D)
+	$$(Q)$$(CC) $$(OURS) $$(CFLAGS) $$(CPPFLAGS) $$(EXACT) $(kernel_$(1)) -fwrapv -DZR_KERNEL_$(call upper,$(1)) -MMD -MP -c -o $$@ $$<
+endef
+$(foreach isa,$(isas),$(eval $(call kernel_rule,$(isa))))
 
 -include $(patsubst %.o,%.d,$(core) $(server) $(client) $(support) $(reference) $(reference_doors) $(lines) $(bench) $(server_support) \
 	$(addsuffix .o,$(unit_tests) $(server_tests)))

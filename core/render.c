@@ -12,8 +12,9 @@
 struct drawing {
     const struct zr_scene *scene;
     const struct zr_geometry *geometry;
-    const struct zr_bins *bins;       /* of production */
+    const struct zr_visible *visible; /* of production */
     const struct zr_samples *samples; /* of the other algorithms, else NULL */
+    zr_paint_fn *paint;
     const struct zr_frame *frame;
     const struct zr_cancel *cancel;
     atomic_uint_fast64_t covered; /* pixels */
@@ -26,10 +27,9 @@ static void draw_tiles(void *context, size_t begin, size_t end)
     for (size_t number = begin; number < end; number++) {
         if (d->samples)
             zr_visibility_load(d->samples, (uint32_t)number, &tile);
-        else if (!zr_visibility_tile(d->geometry, d->bins, (uint32_t)number, d->scene->width, d->scene->height,
-                                     d->frame->base, d->cancel, &tile))
+        else if (!zr_visibility_tile(d->visible, (uint32_t)number, d->frame->base, d->cancel, &tile))
             return;
-        uint32_t covered = zr_resolve_tile(d->geometry, d->scene->background, &tile, d->frame);
+        uint32_t covered = zr_resolve_tile(d->geometry, d->paint, d->scene->background, &tile, d->frame);
         atomic_fetch_add_explicit(&d->covered, covered, memory_order_relaxed);
     }
 }
@@ -57,7 +57,7 @@ static enum zr_status run_pipeline(struct zr_arena *arena, struct zr_team *team,
 {
     enum zr_status status;
     struct zr_geometry geometry;
-    struct zr_bins bins = {.offsets = NULL};
+    struct zr_visible visible;
     struct zr_samples samples;
     zr_visibility_fn *window_at_once = zr_visibility_of(scene->algorithm);
 
@@ -65,14 +65,21 @@ static enum zr_status run_pipeline(struct zr_arena *arena, struct zr_team *team,
     if ((status = zr_camera_resolve(scene, &frame->bounds, cancel, &frame->camera, error)) != ZR_OK) return status;
     if ((status = make_frame(arena, scene, frame)) != ZR_OK) return status;
     if ((status = zr_base_place(arena, scene, &frame->camera, &frame->base, error)) != ZR_OK) return status;
-    if ((status = zr_geometry_build(arena, team, scene, &frame->camera, cancel, &geometry)) != ZR_OK) return status;
+    status = zr_geometry_build(arena, team, scene, &frame->camera, cancel, window_at_once != NULL, &geometry);
+    if (status != ZR_OK) return status;
     if (window_at_once)
         status = zr_visibility_window(arena, &geometry, window_at_once, scene->width, scene->height, frame->base,
                                       cancel, &samples);
     else
-        status = zr_bins_build(arena, &geometry, scene->width, scene->height, cancel, &bins);
+        status = zr_visible_make(arena, team, &geometry, scene->width, scene->height, cancel, &visible);
     if (status != ZR_OK) return status;
-    struct drawing drawing = {scene, &geometry, &bins, window_at_once ? &samples : NULL, frame, cancel, 0};
+    struct drawing drawing = {.scene = scene,
+                              .geometry = &geometry,
+                              .visible = &visible,
+                              .samples = window_at_once ? &samples : NULL,
+                              .paint = zr_paint_of(zr_team_isa(team)),
+                              .frame = frame,
+                              .cancel = cancel};
     zr_team_ranges(team, zr_tile_count(scene->width, scene->height), 1, draw_tiles, &drawing);
     frame->counts = geometry.counts;
     frame->covered_pixels = drawing.covered;

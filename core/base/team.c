@@ -21,6 +21,7 @@ struct zr_team {
     pthread_cond_t job_came, helper_left;
     struct job *jobs;
     bool stopping;
+    enum zr_isa isa;
     int helper_count;
     pthread_t helpers[];
 };
@@ -55,10 +56,16 @@ static void *help(void *argument)
 
 struct zr_team *zr_team_create(int threads)
 {
+    return zr_team_create_for(threads, zr_isa_best());
+}
+
+struct zr_team *zr_team_create_for(int threads, enum zr_isa isa)
+{
     if (threads < 1) threads = 1;
     if (threads > ZR_TEAM_MAX) threads = ZR_TEAM_MAX;
     struct zr_team *team = calloc(1, sizeof *team + sizeof(pthread_t) * (size_t)threads);
     if (!team) return NULL;
+    team->isa = isa;
     pthread_mutex_init(&team->lock, NULL);
     pthread_cond_init(&team->job_came, NULL);
     pthread_cond_init(&team->helper_left, NULL);
@@ -91,6 +98,16 @@ void zr_team_destroy(struct zr_team *team)
     pthread_cond_destroy(&team->job_came);
     pthread_mutex_destroy(&team->lock);
     free(team);
+}
+
+int zr_team_size(const struct zr_team *team)
+{
+    return team ? team->helper_count + 1 : 1;
+}
+
+enum zr_isa zr_team_isa(const struct zr_team *team)
+{
+    return team ? team->isa : zr_isa_best();
 }
 
 static void unlink_job(struct zr_team *team, struct job *job)
@@ -128,27 +145,48 @@ static void run(struct zr_team *team, void (*work)(void *context), void *context
     pthread_mutex_unlock(&team->lock);
 }
 
-struct ranges {
+struct shares {
     atomic_size_t next;
+    atomic_int workers; /* that have begun */
     size_t count, grain;
+    void (*work)(void *context, int worker, size_t begin, size_t end);
+    void *context;
+};
+
+static void claim_shares(void *argument)
+{
+    struct shares *shares = argument;
+    int worker = atomic_fetch_add_explicit(&shares->workers, 1, memory_order_relaxed);
+    for (;;) {
+        size_t begin = atomic_fetch_add_explicit(&shares->next, shares->grain, memory_order_relaxed);
+        if (begin >= shares->count) return;
+        size_t left = shares->count - begin;
+        shares->work(shares->context, worker, begin, begin + (left < shares->grain ? left : shares->grain));
+    }
+}
+
+void zr_team_shares(struct zr_team *team, size_t count, size_t grain,
+                    void (*work)(void *context, int worker, size_t begin, size_t end), void *context)
+{
+    struct shares shares = {.count = count, .grain = grain, .work = work, .context = context};
+    run(count > grain ? team : NULL, claim_shares, &shares);
+}
+
+struct ranges {
     void (*work)(void *context, size_t begin, size_t end);
     void *context;
 };
 
-static void claim_ranges(void *argument)
+static void work_on_range(void *argument, int worker, size_t begin, size_t end)
 {
     struct ranges *ranges = argument;
-    for (;;) {
-        size_t begin = atomic_fetch_add_explicit(&ranges->next, ranges->grain, memory_order_relaxed);
-        if (begin >= ranges->count) return;
-        size_t left = ranges->count - begin;
-        ranges->work(ranges->context, begin, begin + (left < ranges->grain ? left : ranges->grain));
-    }
+    (void)worker;
+    ranges->work(ranges->context, begin, end);
 }
 
 void zr_team_ranges(struct zr_team *team, size_t count, size_t grain,
                     void (*work)(void *context, size_t begin, size_t end), void *context)
 {
-    struct ranges ranges = {.count = count, .grain = grain, .work = work, .context = context};
-    run(count > grain ? team : NULL, claim_ranges, &ranges);
+    struct ranges ranges = {work, context};
+    zr_team_shares(team, count, grain, work_on_range, &ranges);
 }

@@ -12,19 +12,34 @@
 
 #include <stddef.h>
 
+#include "base/isa.h"
+
 enum { ZR_TEAM_MAX = 256 };
 
 struct zr_team;
 
 /* `threads` counts the caller too: 1 makes a team without helpers. Clamped to
- * 1..ZR_TEAM_MAX. NULL where threads or memory cannot be had. */
+ * 1..ZR_TEAM_MAX. NULL where threads or memory cannot be had. The kernels that it runs
+ * are those of the best instruction set, or of one that is available. */
 struct zr_team *zr_team_create(int threads);
+struct zr_team *zr_team_create_for(int threads, enum zr_isa isa);
 void zr_team_destroy(struct zr_team *team);
+
+/* How many can work at once, the caller among them. `team` may be NULL: 1. */
+int zr_team_size(const struct zr_team *team);
+
+/* Of a team that is NULL, the best. */
+enum zr_isa zr_team_isa(const struct zr_team *team);
 
 /* Splits 0..count-1 into ranges of `grain` and calls work(context, begin, end) once
  * for each, on this thread and on every helper that is free, in no particular order.
  * Returns when all of them are back. Thread-safe. `team` may be NULL. */
 void zr_team_ranges(struct zr_team *team, size_t count, size_t grain,
                     void (*work)(void *context, size_t begin, size_t end), void *context);
+
+/* The same for work that keeps notes of its own: `worker` is 0 .. zr_team_size(team) - 1, and no two threads have the
+ * same one at the same time. */
+void zr_team_shares(struct zr_team *team, size_t count, size_t grain,
+                    void (*work)(void *context, int worker, size_t begin, size_t end), void *context);
 
 #endif

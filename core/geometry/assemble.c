@@ -1,6 +1,6 @@
 #include "geometry/assemble.h"
 
-#include "geometry/normals.h"
+#include "geometry/face.h"
 #include "geometry/place.h"
 #include "geometry/shape.h"
 #include "geometry/wire.h"
@@ -8,26 +8,6 @@
 /* Looks at the flag of cancellation are so many corners squared apart, which is what cutting faces may take:
  * some milliseconds. */
 enum { WORK_A_CANCEL_CHECK = 1 << 20 };
-
-static bool same_place(const struct zr_mesh *mesh, uint32_t a, uint32_t b)
-{
-    const zr_vec4 *p = &mesh->positions[a], *q = &mesh->positions[b];
-    return a == b || (p->x == q->x && p->y == q->y && p->z == q->z && p->w == q->w);
-}
-
-/* Fewer than three distinct corners. What merely has no area is left to the
- * subpixel grid, where the reference decides it too. */
-static bool is_degenerate(const struct zr_mesh *mesh, uint32_t face)
-{
-    const uint32_t *indices = mesh->indices + mesh->face_offsets[face];
-    uint32_t count = mesh->face_offsets[face + 1] - mesh->face_offsets[face];
-    uint32_t second = 1;
-    while (second < count && same_place(mesh, indices[0], indices[second]))
-        second++;
-    for (uint32_t i = second + 1; i < count; i++)
-        if (!same_place(mesh, indices[0], indices[i]) && !same_place(mesh, indices[second], indices[i])) return false;
-    return true;
-}
 
 /* A triangle keeps the order of its corners; a larger polygon becomes the fan
  * (i-1, i, 0), as GL_POLYGON does in the reference (rule 10). */
@@ -46,24 +26,17 @@ static void place_fan(struct zr_builder *builder, uint32_t face, bool smooth, co
     }
 }
 
-static bool is_concave(const struct zr_mesh *mesh, uint32_t face)
-{
-    if (mesh->faces_are_fans) return false;
-    uint32_t count = mesh->face_offsets[face + 1] - mesh->face_offsets[face];
-    return zr_mesh_rings(mesh, face).count > 1 || (count > 3 && zr_face_is_concave(mesh, face));
-}
-
 static void place_face(struct zr_builder *builder, uint32_t face)
 {
     const struct zr_mesh *mesh = builder->mesh;
     const struct zr_material *material = zr_material_of_face(builder->scene, mesh, face);
     struct zr_counts *counts = &builder->geometry->counts;
     counts->polygons++;
-    if (is_degenerate(mesh, face)) {
+    if (zr_face_is_degenerate(mesh, face)) {
         counts->degenerate_polygons++;
         return;
     }
-    bool concave = is_concave(mesh, face), smooth = zr_material_is_smooth(mesh, material);
+    bool concave = zr_face_is_shape(mesh, face), smooth = zr_material_is_smooth(mesh, material);
     counts->concave_polygons += concave;
     if (material->hollow) return;
     struct zr_part part = {.face = builder->first_face_id + face,
@@ -77,7 +50,7 @@ static void place_face(struct zr_builder *builder, uint32_t face)
 
 static void outline_face(struct zr_builder *builder, uint32_t face)
 {
-    if (!is_degenerate(builder->mesh, face)) zr_wire_outline(builder, face, is_concave(builder->mesh, face));
+    if (!zr_face_is_degenerate(builder->mesh, face)) zr_wire_outline(builder, face, zr_face_is_shape(builder->mesh, face));
 }
 
 static bool has_outlines(const struct zr_builder *builder)
@@ -90,10 +63,99 @@ static bool has_outlines(const struct zr_builder *builder)
     return false;
 }
 
+/* ---- faces that need not be written out ---- */
+
+/* Faces begin .. end - 1, all in one material. */
+struct run {
+    uint32_t begin, end;
+    const struct zr_material *material;
+};
+
+/* Convex, wholly in view, filled, and without an outline to make room for. */
+static bool face_is_plain(const struct zr_builder *builder, const struct zr_fans *fans, uint32_t face)
+{
+    const struct zr_mesh *mesh = builder->mesh;
+    if (fans->is_other && fans->is_other[face]) return false;
+    unsigned any = 0;
+    if (builder->any_outcodes)
+        for (uint32_t slot = mesh->face_offsets[face]; slot < mesh->face_offsets[face + 1]; slot++)
+            any |= builder->outcodes[mesh->indices[slot]];
+    return any == 0;
+}
+
+static enum zr_batch_colors colors_of_run(const struct zr_builder *builder, const struct zr_material *material)
+{
+    const struct zr_colors *colors = &builder->colors;
+    if (colors->given && colors->layout == ZR_COLOR_PER_FACE && colors->of_first_corner)
+        return ZR_BATCH_PER_FIRST_CORNER;
+    if (colors->layout == ZR_COLOR_PER_FACE) return ZR_BATCH_PER_FACE;
+    if (colors->layout == ZR_COLOR_PER_VERTEX) return ZR_BATCH_PER_VERTEX;
+    return zr_material_is_smooth(builder->mesh, material) ? ZR_BATCH_PER_CORNER : ZR_BATCH_PER_FIRST_SLOT;
+}
+
+static bool add_run(struct zr_builder *builder, const struct zr_fans *fans, const struct run *run)
+{
+    const struct zr_mesh *mesh = builder->mesh;
+    struct zr_counts *counts = &builder->geometry->counts;
+    uint32_t first = zr_fans_first(mesh, run->begin), end = zr_fans_first(mesh, run->end);
+    const uint32_t *corners = fans->corners ? fans->corners : mesh->indices;
+    struct zr_batch batch = {.count = end - first,
+                             .plain = true,
+                             .mesh = mesh,
+                             .corners = corners + 3 * (size_t)first,
+                             .slots = fans->slots ? fans->slots + 3 * (size_t)first : NULL,
+                             .faces = fans->faces ? fans->faces + first : NULL,
+                             .first_face = run->begin,
+                             .first_id = builder->first_face_id,
+                             .first_vertex = builder->first_vertex,
+                             .colors = colors_of_run(builder, run->material),
+                             .front = builder->colors.front,
+                             .back = builder->colors.back,
+                             .mirrored = builder->mirrored,
+                             .double_sided = run->material->double_sided};
+    counts->polygons += run->end - run->begin;
+    counts->triangles += batch.count;
+    return zr_builder_add_written(builder) && zr_builder_add_batch(builder, batch);
+}
+
+/* Faces one after the other: runs of plain ones become batches, all others are written out. */
+static enum zr_status assemble_faces(struct zr_builder *builder, const struct zr_fans *fans)
+{
+    const struct zr_mesh *mesh = builder->mesh;
+    uint64_t done = 0;
+    for (struct run run = {.begin = 0}; run.begin < mesh->face_count; run.begin = run.end) {
+        run.end = run.begin;
+        run.material = zr_material_of_face(builder->scene, mesh, run.begin);
+        bool filled = !run.material->hollow && run.material->outline == ZR_OUTLINE_NONE;
+        bool all_plain = filled && !mesh->face_materials && !fans->is_other && !builder->any_outcodes;
+        if (all_plain) run.end = mesh->face_count;
+        while (run.end < mesh->face_count && filled && face_is_plain(builder, fans, run.end) &&
+               zr_material_of_face(builder->scene, mesh, run.end) == run.material)
+            run.end++;
+        if (run.end > run.begin) {
+            if (!add_run(builder, fans, &run)) return ZR_NO_MEMORY;
+            done += run.end - run.begin;
+        } else {
+            uint64_t corners = mesh->face_offsets[run.begin + 1] - mesh->face_offsets[run.begin];
+            if (!zr_builder_own_colors(builder)) return ZR_NO_MEMORY;
+            place_face(builder, run.end++);
+            done += corners * corners;
+        }
+        if (!zr_arena_ok(builder->arena)) return ZR_NO_MEMORY;
+        if (done < WORK_A_CANCEL_CHECK) continue;
+        if (zr_is_cancelled(builder->cancel)) return ZR_CANCELLED;
+        done = 0;
+    }
+    return ZR_OK;
+}
+
+/* ---- all faces, written out ---- */
+
 static enum zr_status for_each_face(struct zr_builder *builder, void (*work)(struct zr_builder *builder, uint32_t face))
 {
     const uint32_t *offsets = builder->mesh->face_offsets;
     uint64_t done = 0;
+    if (!zr_builder_own_colors(builder)) return ZR_NO_MEMORY;
     for (uint32_t face = 0; face < builder->mesh->face_count; face++) {
         uint64_t corners = offsets[face + 1] - offsets[face];
         done += corners * corners;
@@ -107,9 +169,21 @@ static enum zr_status for_each_face(struct zr_builder *builder, void (*work)(str
     return zr_is_cancelled(builder->cancel) ? ZR_CANCELLED : ZR_OK;
 }
 
+static enum zr_status fill_faces(struct zr_builder *builder)
+{
+    static const struct zr_fans none = {NULL, NULL, NULL, NULL};
+    if (builder->written) return for_each_face(builder, place_face);
+    const struct zr_mesh *mesh = builder->mesh;
+    if (zr_mesh_is_of_triangles(mesh)) return assemble_faces(builder, &none);
+    struct zr_fans *fans = &builder->fans[mesh - builder->scene->meshes];
+    if (!fans->corners && !zr_fans_make(builder->arena, builder->team, mesh, fans)) return ZR_NO_MEMORY;
+    return assemble_faces(builder, fans);
+}
+
 enum zr_status zr_assemble_mesh(struct zr_builder *builder)
 {
-    enum zr_status status = for_each_face(builder, place_face);
+    enum zr_status status = fill_faces(builder);
     if (status == ZR_OK && has_outlines(builder)) status = for_each_face(builder, outline_face);
-    return status == ZR_OK ? zr_wire_lines(builder) : status;
+    if (status == ZR_OK) status = zr_wire_lines(builder);
+    return status == ZR_OK && !zr_builder_add_written(builder) ? ZR_NO_MEMORY : status;
 }

@@ -29,8 +29,10 @@ bool zr_builder_reserve(struct zr_builder *builder, uint64_t vertices, uint64_t 
     struct zr_geometry *g = builder->geometry;
     struct zr_arena *arena = builder->arena;
     void *vertex_array = g->vertices, *front = g->front_colors, *back = g->back_colors, *triangle_array = g->triangles;
-    uint32_t back_room = builder->color_room;
+    void *eyes = g->eyes;
+    uint32_t back_room = builder->color_room, eye_room = builder->vertex_room;
     bool ok = reserve(arena, &vertex_array, &builder->vertex_room, g->vertex_count, vertices, sizeof *g->vertices);
+    ok = ok && reserve(arena, &eyes, &eye_room, g->vertex_count, vertices, sizeof *g->eyes);
     ok = ok && reserve(arena, &front, &builder->color_room, g->color_count, colors, sizeof *g->front_colors);
     if (builder->separate_backs)
         ok = ok && reserve(arena, &back, &back_room, g->color_count, colors, sizeof *g->back_colors);
@@ -38,6 +40,7 @@ bool zr_builder_reserve(struct zr_builder *builder, uint64_t vertices, uint64_t 
          reserve(arena, &triangle_array, &builder->triangle_room, g->triangle_count, triangles, sizeof *g->triangles);
     if (!ok) return false;
     g->vertices = vertex_array;
+    g->eyes = eyes;
     g->front_colors = front;
     g->back_colors = builder->separate_backs ? back : front;
     g->triangles = triangle_array;
@@ -66,11 +69,59 @@ bool zr_builder_reserve_cut(struct zr_builder *builder)
     return true;
 }
 
+bool zr_builder_add_batch(struct zr_builder *builder, struct zr_batch batch)
+{
+    struct zr_geometry *g = builder->geometry;
+    void *batches = g->batches;
+    if (batch.count == 0) return true;
+    if (batch.count > ZR_GEOMETRY_MAX - builder->next_number) builder->arena->failed = true;
+    if (!reserve(builder->arena, &batches, &builder->batch_room, g->batch_count, 1, sizeof *g->batches)) return false;
+    g->batches = batches;
+    batch.first = builder->next_number;
+    builder->next_number += batch.count;
+    g->batches[g->batch_count++] = batch;
+    return true;
+}
+
+static bool is_plain(const struct zr_triangle *record)
+{
+    return !record->line && !record->pushed && record->shape == 0;
+}
+
+bool zr_builder_add_written(struct zr_builder *builder)
+{
+    const struct zr_geometry *g = builder->geometry;
+    while (builder->batched_records < g->triangle_count) {
+        uint32_t begin = builder->batched_records, end = begin + 1;
+        bool plain = is_plain(&g->triangles[begin]);
+        while (end < g->triangle_count && is_plain(&g->triangles[end]) == plain)
+            end++;
+        struct zr_batch batch = {.count = end - begin, .written = true, .plain = plain, .first_record = begin};
+        if (!zr_builder_add_batch(builder, batch)) return false;
+        builder->batched_records = end;
+    }
+    return true;
+}
+
+bool zr_builder_own_colors(struct zr_builder *builder)
+{
+    struct zr_geometry *g = builder->geometry;
+    if (!builder->colors.given) return true;
+    uint32_t count = zr_colors_count(builder->scene, builder->mesh);
+    if (!zr_builder_reserve(builder, 0, count, 0)) return false;
+    builder->colors =
+        zr_colors_make(builder->arena, builder->team, builder->cancel, builder->scene, builder->mesh, builder->lighting,
+                       &builder->object_to_eye, g->front_colors + g->color_count, g->back_colors + g->color_count);
+    builder->first_color = g->color_count;
+    g->color_count += count;
+    return zr_arena_ok(builder->arena);
+}
+
 uint32_t zr_builder_color(const struct zr_builder *builder, uint32_t face, bool smooth, uint32_t slot)
 {
     const struct zr_mesh *mesh = builder->mesh;
-    if (builder->layout == ZR_COLOR_PER_FACE) return builder->first_color + face;
-    if (builder->layout == ZR_COLOR_PER_VERTEX) return builder->first_color + mesh->indices[slot];
+    if (builder->colors.layout == ZR_COLOR_PER_FACE) return builder->first_color + face;
+    if (builder->colors.layout == ZR_COLOR_PER_VERTEX) return builder->first_color + mesh->indices[slot];
     return builder->first_color + (smooth ? slot : mesh->face_offsets[face]);
 }
 
@@ -82,8 +133,7 @@ bool zr_builder_append_clipped(struct zr_builder *builder, const struct zr_clip_
     for (int i = 0; i < count; i++) {
         struct zr_window_vertex *vertex = &geometry->vertices[geometry->vertex_count++];
         placed[i] = zr_viewport_apply(&builder->viewport, corners[i].position, vertex);
-        vertex->eye_z = corners[i].eye_z;
-        vertex->eye_w = corners[i].eye_w;
+        geometry->eyes[geometry->vertex_count - 1] = (struct zr_eye){corners[i].eye_z, corners[i].eye_w};
         if (flat) continue;
         geometry->back_colors[geometry->color_count] = corners[i].back;
         geometry->front_colors[geometry->color_count++] = corners[i].front;

@@ -5,11 +5,10 @@
 #include "base/arena.h"
 #include "geometry/clip.h"
 #include "geometry/colors.h"
+#include "geometry/fans.h"
 #include "geometry/geometry.h"
+#include "geometry/transform.h"
 #include "geometry/triangulate.h"
-
-/* Beside the six plane bits: inside the volume, but without a place in the window. */
-enum { ZR_OUTCODE_UNPLACED = 1 << 7 };
 
 /* Scratch for faces that have to be triangulated, used again from face to face. */
 struct zr_cutting {
@@ -22,23 +21,29 @@ struct zr_cutting {
 
 struct zr_builder {
     struct zr_arena *arena;
+    struct zr_team *team;
     const struct zr_cancel *cancel;
     const struct zr_scene *scene;
     struct zr_geometry *geometry;
+    bool written;                                    /* all records are to be written out */
     bool separate_backs;                             /* back_colors is an array of its own */
     uint32_t vertex_room, color_room, triangle_room; /* capacities of the geometry's arrays */
-    uint32_t shape_room, edge_room, cut_room;
+    uint32_t shape_room, edge_room, cut_room, batch_room;
+    uint32_t next_number, batched_records; /* of the next batch; how many of geometry->triangles are in batches */
     uint32_t outline_color; /* 1 + index of the colour that outlines had last, or 0 */
     struct zr_viewport viewport;
     struct zr_cutting cutting;
+    struct zr_fans *fans; /* one a mesh of the scene */
 
     /* of the instance under way */
     const struct zr_mesh *mesh;
-    enum zr_color_layout layout;
+    struct zr_colors colors;
+    const struct zr_lighting *lighting;
     uint32_t first_face_id, first_vertex, first_color;
-    zr_vec4 *clip_positions; /* one a position */
-    uint8_t *outcodes;
-    bool mirrored; /* so that what went counter-clockwise goes clockwise */
+    zr_mat4 object_to_eye, object_to_clip;
+    uint8_t *outcodes;     /* one a position */
+    unsigned any_outcodes; /* the OR of all */
+    bool mirrored;         /* so that what went counter-clockwise goes clockwise */
 };
 
 /* Makes room for so many more of each. False where the arena has failed, or where
@@ -47,14 +52,38 @@ bool zr_builder_reserve(struct zr_builder *builder, uint64_t vertices, uint64_t 
 bool zr_builder_reserve_shape(struct zr_builder *builder, uint64_t edges);
 bool zr_builder_reserve_cut(struct zr_builder *builder);
 
+/* Appends a batch, numbered behind those that are there; batch.first need not be filled. False where the arena has
+ * failed. */
+bool zr_builder_add_batch(struct zr_builder *builder, struct zr_batch batch);
+
+/* Batches for the records that have been written out since the last call. */
+bool zr_builder_add_written(struct zr_builder *builder);
+
 /* The window vertex of a position. */
 static inline uint32_t zr_builder_vertex(const struct zr_builder *builder, uint32_t position)
 {
     return builder->first_vertex + position;
 }
 
-/* The colour of a face at corner `slot` of its mesh. */
+/* Sees to it that the colours of the instance under way are among the geometry's, where records that are written out
+ * find them. False where the arena has failed. */
+bool zr_builder_own_colors(struct zr_builder *builder);
+
+/* The geometry's colour of a face at corner `slot` of its mesh; zr_builder_own_colors has been called. */
 uint32_t zr_builder_color(const struct zr_builder *builder, uint32_t face, bool smooth, uint32_t slot);
+
+/* A position in clip space. */
+static inline zr_vec4 zr_builder_clip_position(const struct zr_builder *builder, uint32_t position)
+{
+    return zr_mat4_apply(&builder->object_to_clip, builder->mesh->positions[position]);
+}
+
+/* A position's homogeneous depth in eye space. */
+static inline struct zr_eye zr_builder_eye(const struct zr_builder *builder, uint32_t position)
+{
+    zr_vec4 p = builder->mesh->positions[position];
+    return (struct zr_eye){zr_mat4_row(&builder->object_to_eye, 2, p), zr_mat4_row(&builder->object_to_eye, 3, p)};
+}
 
 /* Planes that some of the positions are outside of, ZR_OUTCODE_UNPLACED with them, and planes that all are outside of.
  */
@@ -78,12 +107,12 @@ static inline struct zr_clip_vertex zr_builder_clip_vertex(const struct zr_build
                                                            uint32_t color)
 {
     const struct zr_geometry *geometry = builder->geometry;
-    const struct zr_window_vertex *vertex = &geometry->vertices[zr_builder_vertex(builder, position)];
-    return (struct zr_clip_vertex){.position = builder->clip_positions[position],
+    const struct zr_eye eye = zr_builder_eye(builder, position);
+    return (struct zr_clip_vertex){.position = zr_builder_clip_position(builder, position),
                                    .front = geometry->front_colors[color],
                                    .back = geometry->back_colors[color],
-                                   .eye_z = vertex->eye_z,
-                                   .eye_w = vertex->eye_w};
+                                   .eye_z = eye.z,
+                                   .eye_w = eye.w};
 }
 
 /* Appends what clipping left: `count` vertices, and, where they are not `flat`, as many colours, both behind what

@@ -10,6 +10,7 @@ struct palette {
     struct zr_normal_matrix to_eye;
     const zr_vec3 *computed; /* normals of vertices; NULL where nothing needs them */
     zr_vec4 *front, *back;
+    bool per_corner; /* else faces are flat, all of them */
     const struct zr_cancel *cancel;
 };
 
@@ -24,13 +25,13 @@ bool zr_material_is_smooth(const struct zr_mesh *mesh, const struct zr_material 
            (material->shading == ZR_SHADING_UNLIT && mesh->colors && !material->plain);
 }
 
-/* Light evaluations between two looks at the cancellation, about a millisecond's worth. */
-enum { EVALUATIONS_A_CANCEL_CHECK = 1 << 16 };
+/* Light evaluations of a range, between two looks at the cancellation: less than a millisecond's worth. */
+enum { EVALUATIONS_A_RANGE = 1 << 14 };
 
 /* Of points or faces, each lit by all lights. */
-static uint32_t points_a_cancel_check(const struct palette *palette)
+static uint32_t points_a_range(const struct palette *palette)
 {
-    return EVALUATIONS_A_CANCEL_CHECK / (palette->lighting->count + 1) + 1;
+    return EVALUATIONS_A_RANGE / (palette->lighting->count + 1) + 1;
 }
 
 static enum zr_color_layout choose_layout(const struct zr_scene *scene, const struct zr_mesh *mesh)
@@ -75,13 +76,13 @@ static zr_vec3 corner_normal(const struct palette *palette, uint32_t vertex, uin
     return given || !palette->computed ? normal : palette->computed[vertex];
 }
 
-static void color_vertices(const struct palette *palette)
+static void color_vertices(void *context, size_t begin, size_t end)
 {
+    const struct palette *palette = context;
     const struct zr_mesh *mesh = palette->mesh;
     const struct zr_material *material = &palette->scene->materials[mesh->material];
-    const uint32_t interval = points_a_cancel_check(palette);
-    for (uint32_t v = 0; v < mesh->position_count; v++) {
-        if (v % interval == 0 && zr_is_cancelled(palette->cancel)) return;
+    if (zr_is_cancelled(palette->cancel)) return;
+    for (uint32_t v = (uint32_t)begin; v < end; v++) {
         zr_vec4 base = material->base_color;
         if (mesh->colors) base = zr_vec4_mul(base, mesh->colors[v]);
         put(palette, v, material, corner_normal(palette, v, 0), base);
@@ -89,12 +90,12 @@ static void color_vertices(const struct palette *palette)
 }
 
 /* Flat faces take the colour of their first vertex, and fill one slot only. */
-static void color_faces(const struct palette *palette, bool per_corner)
+static void color_faces(void *context, size_t range_begin, size_t range_end)
 {
+    const struct palette *palette = context;
     const struct zr_mesh *mesh = palette->mesh;
-    const uint32_t interval = points_a_cancel_check(palette);
-    for (uint32_t f = 0; f < mesh->face_count; f++) {
-        if (f % interval == 0 && zr_is_cancelled(palette->cancel)) return;
+    if (zr_is_cancelled(palette->cancel)) return;
+    for (uint32_t f = (uint32_t)range_begin; f < range_end; f++) {
         const struct zr_material *material = zr_material_of_face(palette->scene, mesh, f);
         zr_vec4 base = material->base_color;
         if (mesh->face_colors) base = zr_vec4_mul(base, mesh->face_colors[f]);
@@ -103,7 +104,7 @@ static void color_faces(const struct palette *palette, bool per_corner)
             if (mesh->colors) base = zr_vec4_mul(base, mesh->colors[mesh->indices[begin]]);
             zr_vec3 normal = {0, 0, 0};
             if (material->shading != ZR_SHADING_UNLIT) normal = zr_normal_of_face(mesh, f);
-            put(palette, per_corner ? begin : f, material, normal, base);
+            put(palette, palette->per_corner ? begin : f, material, normal, base);
             continue;
         }
         for (uint32_t slot = begin; slot < end; slot++) {
@@ -126,19 +127,48 @@ static bool needs_computed_normals(const struct zr_scene *scene, const struct zr
     return false;
 }
 
-struct zr_colors zr_colors_make(struct zr_arena *arena, const struct zr_cancel *cancel, const struct zr_scene *scene,
-                                const struct zr_mesh *mesh, const struct zr_lighting *lighting,
-                                const zr_mat4 *object_to_eye, zr_vec4 *front, zr_vec4 *back)
+static bool changes_nothing(const struct zr_material *material)
+{
+    const zr_vec4 white = {1, 1, 1, 1};
+    return material->shading == ZR_SHADING_UNLIT && zr_vec4_equal(material->base_color, white);
+}
+
+bool zr_colors_are_given(const struct zr_scene *scene, const struct zr_mesh *mesh, struct zr_colors *colors)
+{
+    const struct zr_material *material = &scene->materials[mesh->material];
+    bool one_source = (mesh->colors != NULL) != (mesh->face_colors != NULL);
+    if (mesh->face_materials || !changes_nothing(material) || !one_source) return false;
+    bool smooth = zr_material_is_smooth(mesh, material);
+    const zr_vec4 *given = mesh->colors ? mesh->colors : mesh->face_colors;
+    *colors = (struct zr_colors){.layout = smooth ? ZR_COLOR_PER_VERTEX : ZR_COLOR_PER_FACE,
+                                 .given = true,
+                                 .of_first_corner = !smooth && mesh->colors,
+                                 .front = given,
+                                 .back = given};
+    return true;
+}
+
+struct zr_colors zr_colors_make(struct zr_arena *arena, struct zr_team *team, const struct zr_cancel *cancel,
+                                const struct zr_scene *scene, const struct zr_mesh *mesh,
+                                const struct zr_lighting *lighting, const zr_mat4 *object_to_eye, zr_vec4 *front,
+                                zr_vec4 *back)
 {
     enum zr_color_layout layout = choose_layout(scene, mesh);
-    struct zr_colors colors = {layout, layout_count(mesh, layout), front, back};
-    struct palette palette = {scene, mesh, lighting, zr_normal_matrix_make(object_to_eye), NULL, front, back, cancel};
+    struct zr_colors colors = {.layout = layout, .front = front, .back = back};
+    struct palette palette = {.scene = scene,
+                              .mesh = mesh,
+                              .lighting = lighting,
+                              .to_eye = zr_normal_matrix_make(object_to_eye),
+                              .front = front,
+                              .back = back,
+                              .per_corner = layout == ZR_COLOR_PER_CORNER,
+                              .cancel = cancel};
     if (layout != ZR_COLOR_PER_FACE && needs_computed_normals(scene, mesh))
         palette.computed = zr_normals_of_vertices(arena, mesh);
     if (!zr_arena_ok(arena)) return colors;
     if (layout == ZR_COLOR_PER_VERTEX)
-        color_vertices(&palette);
+        zr_team_ranges(team, mesh->position_count, points_a_range(&palette), color_vertices, &palette);
     else
-        color_faces(&palette, layout == ZR_COLOR_PER_CORNER);
+        zr_team_ranges(team, mesh->face_count, points_a_range(&palette), color_faces, &palette);
     return colors;
 }

@@ -7,6 +7,7 @@
 #ifndef ZR_COLORS_H
 #define ZR_COLORS_H
 
+#include "base/team.h"
 #include "geometry/light.h"
 #include "zraster.h"
 
@@ -18,8 +19,9 @@ enum zr_color_layout {
 
 struct zr_colors {
     enum zr_color_layout layout;
-    uint32_t count;
-    zr_vec4 *front, *back; /* seen from the two sides; one array where no back is lit and seen */
+    bool given;                  /* the arrays are the mesh's own, */
+    bool of_first_corner;        /* and with ZR_COLOR_PER_FACE are those of vertices: a face has that of its first */
+    const zr_vec4 *front, *back; /* seen from the two sides; one array where no back is lit and seen */
 };
 
 const struct zr_material *zr_material_of_face(const struct zr_scene *scene, const struct zr_mesh *mesh, uint32_t face);
@@ -30,10 +32,15 @@ bool zr_material_is_smooth(const struct zr_mesh *mesh, const struct zr_material 
 /* How many colours zr_colors_make will write. */
 uint32_t zr_colors_count(const struct zr_scene *scene, const struct zr_mesh *mesh);
 
+/* True where the mesh has the colours as they are to be seen, unlit and of one material that changes nothing: then
+ * *colors says where. A mesh of a million triangles has 18 MB of them, not to be copied. */
+bool zr_colors_are_given(const struct zr_scene *scene, const struct zr_mesh *mesh, struct zr_colors *colors);
+
 /* Writes them to front[] and back[], which the caller gives room for. Fails only
  * with the arena, which it takes computed normals from. Cancelled, it returns early. */
-struct zr_colors zr_colors_make(struct zr_arena *arena, const struct zr_cancel *cancel, const struct zr_scene *scene,
-                                const struct zr_mesh *mesh, const struct zr_lighting *lighting,
-                                const zr_mat4 *object_to_eye, zr_vec4 *front, zr_vec4 *back);
+struct zr_colors zr_colors_make(struct zr_arena *arena, struct zr_team *team, const struct zr_cancel *cancel,
+                                const struct zr_scene *scene, const struct zr_mesh *mesh,
+                                const struct zr_lighting *lighting, const zr_mat4 *object_to_eye, zr_vec4 *front,
+                                zr_vec4 *back);
 
 #endif

@@ -1,8 +1,8 @@
 #include "geometry/geometry.h"
 
+#include <stdatomic.h>
+
 #include "geometry/assemble.h"
-#include "geometry/clip.h"
-#include "geometry/colors.h"
 
 enum { VERTICES_A_RANGE = 4096 };
 
@@ -15,98 +15,95 @@ static bool shows_backs(const struct zr_scene *scene)
 }
 
 struct placing {
-    const struct zr_mesh *mesh;
-    zr_mat4 object_to_eye, object_to_clip;
     struct zr_builder *builder;
     struct zr_window_vertex *out;
+    zr_transform_fn *transform;
+    atomic_uint any_outcodes;
 };
 
-/* Object space to clip space, and to the window for what is inside the volume. */
 static void place_vertices(void *argument, size_t begin, size_t end)
 {
-    const struct placing *placing = argument;
+    struct placing *placing = argument;
     struct zr_builder *builder = placing->builder;
-    for (size_t i = begin; i < end; i++) {
-        zr_vec4 position = placing->mesh->positions[i];
-        zr_vec4 clip = zr_mat4_apply(&placing->object_to_clip, position);
-        unsigned outcode = zr_clip_outcode(clip);
-        struct zr_window_vertex *out = &placing->out[i];
-        out->eye_z = zr_mat4_row(&placing->object_to_eye, 2, position);
-        out->eye_w = zr_mat4_row(&placing->object_to_eye, 3, position);
-        if (outcode == 0 && !zr_viewport_apply(&builder->viewport, clip, out)) outcode = ZR_OUTCODE_UNPLACED;
-        builder->clip_positions[i] = clip;
-        builder->outcodes[i] = (uint8_t)outcode;
-    }
+    unsigned any =
+        placing->transform(&builder->object_to_clip, &builder->viewport, builder->mesh->positions + begin, end - begin,
+                           placing->out + begin, builder->outcodes + begin);
+    if (any) atomic_fetch_or_explicit(&placing->any_outcodes, any, memory_order_relaxed);
 }
 
 /* Room for what all instances are sure to fill, so that arrays need not move as they grow, and
- * for the positions of one at a time. False where the arena has failed. */
+ * for the outcodes of one at a time. False where the arena has failed. */
 static bool make_room(struct zr_builder *builder, const struct zr_scene *scene)
 {
     uint64_t vertices = 0, colors = 0;
     uint32_t most = 0;
+    struct zr_colors given;
     for (uint32_t i = 0; i < scene->instance_count; i++) {
         const struct zr_mesh *mesh = &scene->meshes[scene->instances[i].mesh];
         vertices += mesh->position_count;
-        colors += zr_colors_count(scene, mesh);
+        if (!zr_colors_are_given(scene, mesh, &given)) colors += zr_colors_count(scene, mesh);
         if (mesh->position_count > most) most = mesh->position_count;
     }
     if (!zr_builder_reserve(builder, vertices, colors, 0)) return false;
     struct zr_sources *sources = &builder->geometry->sources;
     sources->instances = zr_arena_alloc(builder->arena, scene->instance_count, sizeof *sources->instances);
-    builder->clip_positions = zr_arena_alloc(builder->arena, most, sizeof *builder->clip_positions);
     builder->outcodes = zr_arena_alloc(builder->arena, most, sizeof *builder->outcodes);
+    builder->fans = zr_arena_zero(builder->arena, scene->mesh_count, sizeof *builder->fans);
     return zr_arena_ok(builder->arena);
 }
 
-static enum zr_status build_instance(struct zr_builder *builder, struct zr_team *team, const struct zr_scene *scene,
-                                     const struct zr_camera *camera, const struct zr_lighting *lighting,
+/* The mesh's own colours where they will do, else made for this instance. */
+static bool make_colors(struct zr_builder *builder)
+{
+    builder->colors = (struct zr_colors){.given = true};
+    return zr_colors_are_given(builder->scene, builder->mesh, &builder->colors) || zr_builder_own_colors(builder);
+}
+
+static enum zr_status build_instance(struct zr_builder *builder, const struct zr_camera *camera,
                                      const struct zr_instance *instance)
 {
     struct zr_geometry *geometry = builder->geometry;
-    const struct zr_mesh *mesh = &scene->meshes[instance->mesh];
-    uint64_t corners = mesh->face_offsets[mesh->face_count];
+    const struct zr_mesh *mesh = &builder->scene->meshes[instance->mesh];
     builder->mesh = mesh;
-    if (!zr_builder_reserve(builder, mesh->position_count, zr_colors_count(scene, mesh),
-                            corners - 2 * (uint64_t)mesh->face_count))
-        return ZR_NO_MEMORY;
+    if (!zr_builder_reserve(builder, mesh->position_count, 0, 0)) return ZR_NO_MEMORY;
 
-    struct placing placing = {.mesh = mesh, .builder = builder, .out = geometry->vertices + geometry->vertex_count};
-    placing.object_to_eye = zr_mat4_mul(&camera->world_to_eye, &instance->object_to_world);
-    placing.object_to_clip = zr_mat4_mul(&camera->projection, &placing.object_to_eye);
-    zr_team_ranges(team, mesh->position_count, VERTICES_A_RANGE, place_vertices, &placing);
+    builder->object_to_eye = zr_mat4_mul(&camera->world_to_eye, &instance->object_to_world);
+    builder->object_to_clip = zr_mat4_mul(&camera->projection, &builder->object_to_eye);
+    struct placing placing = {.builder = builder,
+                              .out = geometry->vertices + geometry->vertex_count,
+                              .transform = zr_transform_of(zr_team_isa(builder->team))};
+    zr_team_ranges(builder->team, mesh->position_count, VERTICES_A_RANGE, place_vertices, &placing);
+    builder->any_outcodes = placing.any_outcodes;
     builder->mirrored = zr_mat4_is_mirror(&instance->object_to_world);
     builder->first_vertex = geometry->vertex_count;
     geometry->sources.instances[geometry->sources.instance_count++] =
         zr_source_instance_make(camera, &instance->object_to_world, mesh, builder->first_vertex);
     geometry->vertex_count += mesh->position_count;
-
-    struct zr_colors colors =
-        zr_colors_make(builder->arena, builder->cancel, scene, mesh, lighting, &placing.object_to_eye,
-                       geometry->front_colors + geometry->color_count, geometry->back_colors + geometry->color_count);
-    builder->first_color = geometry->color_count;
-    geometry->color_count += colors.count;
-    if (!zr_arena_ok(builder->arena)) return ZR_NO_MEMORY;
-    builder->layout = colors.layout;
-    return zr_assemble_mesh(builder);
+    return make_colors(builder) ? zr_assemble_mesh(builder) : ZR_NO_MEMORY;
 }
 
 enum zr_status zr_geometry_build(struct zr_arena *arena, struct zr_team *team, const struct zr_scene *scene,
-                                 const struct zr_camera *camera, const struct zr_cancel *cancel,
+                                 const struct zr_camera *camera, const struct zr_cancel *cancel, bool written,
                                  struct zr_geometry *geometry)
 {
     *geometry = (struct zr_geometry){.vertex_count = 0};
-    struct zr_builder builder = {.arena = arena, .cancel = cancel, .scene = scene, .geometry = geometry};
+    struct zr_lighting lighting;
+    struct zr_builder builder = {.arena = arena,
+                                 .team = team,
+                                 .cancel = cancel,
+                                 .scene = scene,
+                                 .geometry = geometry,
+                                 .written = written,
+                                 .lighting = &lighting};
     builder.separate_backs = shows_backs(scene);
     builder.viewport = zr_viewport_make(scene->width, scene->height);
-    struct zr_lighting lighting;
     zr_lighting_make(arena, scene, &camera->world_to_eye, &lighting);
 
     if (!make_room(&builder, scene)) return ZR_NO_MEMORY;
     builder.first_face_id = 1;
     for (uint32_t i = 0; i < scene->instance_count; i++) {
         const struct zr_instance *instance = &scene->instances[i];
-        enum zr_status status = build_instance(&builder, team, scene, camera, &lighting, instance);
+        enum zr_status status = build_instance(&builder, camera, instance);
         if (status != ZR_OK) return status;
         builder.first_face_id += (uint32_t)zr_mesh_ids(&scene->meshes[instance->mesh]);
     }

@@ -11,8 +11,8 @@ bool zr_place_is_thin(const struct zr_window_vertex *v0, const struct zr_window_
     const double width = 1.0 / 64.0, grid = (double)ZR_SUBPIXELS;
     double x1 = (double)v1->x - (double)v0->x, y1 = (double)v1->y - (double)v0->y;
     double x2 = (double)v2->x - (double)v0->x, y2 = (double)v2->y - (double)v0->y;
-    double snapped_x1 = v1->sx - v0->sx, snapped_y1 = v1->sy - v0->sy;
-    double snapped_x2 = v2->sx - v0->sx, snapped_y2 = v2->sy - v0->sy;
+    double snapped_x1 = zr_snapped_x(v1) - zr_snapped_x(v0), snapped_y1 = zr_snapped_y(v1) - zr_snapped_y(v0);
+    double snapped_x2 = zr_snapped_x(v2) - zr_snapped_x(v0), snapped_y2 = zr_snapped_y(v2) - zr_snapped_y(v0);
     double area = fabs(x1 * y2 - x2 * y1);
     double snapped_area = fabs(snapped_x1 * snapped_y2 - snapped_x2 * snapped_y1) / (grid * grid);
     double longest = fmax(length_squared(x1, y1), fmax(length_squared(x2, y2), length_squared(x2 - x1, y2 - y1)));
@@ -26,8 +26,7 @@ static bool append_triangle(struct zr_builder *builder, struct zr_triangle trian
     struct zr_geometry *geometry = builder->geometry;
     const struct zr_window_vertex *v0 = &geometry->vertices[triangle.v[0]], *v1 = &geometry->vertices[triangle.v[1]],
                                   *v2 = &geometry->vertices[triangle.v[2]];
-    int64_t dx01 = v0->sx - v1->sx, dy01 = v0->sy - v1->sy, dx20 = v2->sx - v0->sx, dy20 = v2->sy - v0->sy;
-    int64_t area = dx01 * dy20 - dx20 * dy01;
+    int64_t area = zr_window_area(v0, v1, v2);
     if (area == 0 || (part->skip_thin && zr_place_is_thin(v0, v1, v2))) {
         geometry->counts.zero_area++;
         return false;

@@ -16,7 +16,7 @@ static void add_edge(struct trace *trace, const struct zr_window_vertex *a, cons
 {
     struct zr_geometry *geometry = trace->builder->geometry;
     struct zr_grid_edge edge;
-    if (!zr_grid_edge_make(a->sx, a->sy, b->sx, b->sy, &edge) || !zr_builder_reserve_shape(trace->builder, 1)) return;
+    if (!zr_grid_edge_make(zr_snapped_x(a), zr_snapped_y(a), zr_snapped_x(b), zr_snapped_y(b), &edge) || !zr_builder_reserve_shape(trace->builder, 1)) return;
     geometry->edges[geometry->edge_count++] = edge;
 }
 
@@ -48,7 +48,7 @@ static void add_clipped_triangle(struct trace *trace, const uint32_t corners[3])
         unsigned code = builder->outcodes[corners[k]];
         all &= code;
         any |= code;
-        in[k].position = builder->clip_positions[corners[k]];
+        in[k].position = zr_builder_clip_position(builder, corners[k]);
     }
     if (all != 0 || any & ZR_OUTCODE_UNPLACED) return;
     int count = zr_clip_triangle(in, any, out);
@@ -82,11 +82,10 @@ bool zr_shape_shows_back(const struct zr_builder *builder, uint32_t face)
 {
     struct zr_rings rings = zr_mesh_rings(builder->mesh, face);
     const uint32_t *indices = builder->mesh->indices + rings.offsets[0];
-    const zr_vec4 *places = builder->clip_positions;
-    zr_vec4 a = places[indices[0]], b = places[indices[1]];
+    zr_vec4 a = zr_builder_clip_position(builder, indices[0]), b = zr_builder_clip_position(builder, indices[1]);
     double volume = 0.0;
     for (uint32_t i = 2; i < rings.offsets[1] - rings.offsets[0]; i++) {
-        zr_vec4 c = places[indices[i]];
+        zr_vec4 c = zr_builder_clip_position(builder, indices[i]);
         double x = (double)b.y * (double)c.w - (double)c.y * (double)b.w;
         double y = (double)b.x * (double)c.w - (double)c.x * (double)b.w;
         double w = (double)b.x * (double)c.y - (double)c.x * (double)b.y;

@@ -74,6 +74,7 @@ struct zr_source zr_source_of(const struct zr_sources *sources, const uint32_t v
     const struct zr_mesh *mesh = source.instance->mesh;
     uint32_t first = source.instance->first_vertex;
     const uint32_t *cut = vertices[0] - first < mesh->position_count ? NULL : cut_of(sources, vertices[0])->corners;
+    source.is_cut = cut != NULL;
     for (int k = 0; k < 3; k++)
         source.corners[k] = &mesh->positions[cut ? cut[k] : vertices[k] - first];
     return source;

@@ -40,6 +40,7 @@ struct zr_sources {
 struct zr_source {
     const struct zr_source_instance *instance;
     const zr_vec4 *corners[3]; /* object space */
+    bool is_cut;               /* the record is a piece of the triangle */
 };
 
 /* The floats of scene and camera, multiplied in double. */

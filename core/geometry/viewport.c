@@ -6,21 +6,11 @@ struct zr_viewport zr_viewport_make(uint32_t width, uint32_t height)
     return (struct zr_viewport){half_width, half_height, half_width, half_height};
 }
 
-/* To the nearest, ties to even, and nothing else: rintf in the default mode. */
-static float snap(float window)
-{
-    return rintf((window - 0.5f) * (float)ZR_SUBPIXELS);
-}
-
 bool zr_viewport_apply(const struct zr_viewport *viewport, zr_vec4 clip, struct zr_window_vertex *out)
 {
     out->oow = 1.0f / clip.w;
     out->x = clip.x * out->oow * viewport->scale_x + viewport->trans_x;
     out->y = clip.y * out->oow * viewport->scale_y + viewport->trans_y;
     out->z = clip.z * out->oow * 0.5f + 0.5f;
-    float sx = snap(out->x), sy = snap(out->y);
-    bool placed = fabsf(sx) < (float)ZR_SNAP_MAX && fabsf(sy) < (float)ZR_SNAP_MAX;
-    out->sx = placed ? (int32_t)sx : 0;
-    out->sy = placed ? (int32_t)sy : 0;
-    return placed;
+    return fabsf(zr_viewport_snap(out->x)) < (float)ZR_SNAP_MAX && fabsf(zr_viewport_snap(out->y)) < (float)ZR_SNAP_MAX;
 }

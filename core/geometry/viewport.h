@@ -23,11 +23,37 @@ struct zr_viewport {
     float scale_x, scale_y, trans_x, trans_y;
 };
 
+/* Sixteen bytes, so that kernels load one at once: snapping again is cheaper than fetching it. */
 struct zr_window_vertex {
     float x, y, z, oow; /* pixels, depth 0..1, and 1/w of clip space */
-    int32_t sx, sy;     /* snapped */
-    float eye_z, eye_w; /* homogeneous eye-space depth, for the depth channel */
 };
+
+/* To the nearest, ties to even, as rule 5 has it, where the result is below ZR_SNAP_MAX: a float from 2^23 on has
+ * no bits left for a fraction. Beyond, what comes out is beyond too. (rintf is a call, but for SSE4.1.) */
+static inline float zr_viewport_snap(float window)
+{
+    const float no_fraction = 12582912.0f; /* 1.5 * 2^23 */
+    return ((window - 0.5f) * (float)ZR_SUBPIXELS + no_fraction) - no_fraction;
+}
+
+/* Snapped coordinates of a vertex that has a place in the window. */
+static inline int32_t zr_snapped_x(const struct zr_window_vertex *vertex)
+{
+    return (int32_t)zr_viewport_snap(vertex->x);
+}
+static inline int32_t zr_snapped_y(const struct zr_window_vertex *vertex)
+{
+    return (int32_t)zr_viewport_snap(vertex->y);
+}
+
+/* The reference's area, rule 6: twice that of the snapped triangle, less than 0 where it goes counter-clockwise. */
+static inline int64_t zr_window_area(const struct zr_window_vertex *v0, const struct zr_window_vertex *v1,
+                                     const struct zr_window_vertex *v2)
+{
+    int64_t dx01 = zr_snapped_x(v0) - zr_snapped_x(v1), dy01 = zr_snapped_y(v0) - zr_snapped_y(v1);
+    int64_t dx20 = zr_snapped_x(v2) - zr_snapped_x(v0), dy20 = zr_snapped_y(v2) - zr_snapped_y(v0);
+    return dx01 * dy20 - dx20 * dy01;
+}
 
 /* The first pixel whose centre is at a snapped coordinate or behind it.
  * Shifts of negative numbers go down to the grid, as all compilers we build with do. */
@@ -44,8 +70,7 @@ static inline int32_t zr_viewport_last_centre(int32_t snapped)
 
 struct zr_viewport zr_viewport_make(uint32_t width, uint32_t height);
 
-/* Fills all of `out` but eye_z and eye_w from a vertex inside the view volume.
- * False where it has no place in the window (w = 0, overflow): not to be drawn. */
+/* Fills `out` from a vertex inside the view volume. False where it has no place in the window (w = 0, overflow): not to be drawn. */
 bool zr_viewport_apply(const struct zr_viewport *viewport, zr_vec4 clip, struct zr_window_vertex *out);
 
 #endif

@@ -12,10 +12,19 @@ struct end {
     uint32_t vertex, color;
 };
 
+/* The depth of a vertex that is a position's; those that clipping made have theirs. */
+static void own_eye(struct zr_builder *builder, uint32_t vertex)
+{
+    uint32_t position = vertex - builder->first_vertex;
+    if (position < builder->mesh->position_count) builder->geometry->eyes[vertex] = zr_builder_eye(builder, position);
+}
+
 static void append_line(struct zr_builder *builder, struct end from, struct end to, uint32_t face, bool back)
 {
     struct zr_geometry *geometry = builder->geometry;
     if (!zr_builder_reserve(builder, 0, 0, 1)) return;
+    own_eye(builder, from.vertex);
+    own_eye(builder, to.vertex);
     geometry->triangles[geometry->triangle_count++] = (struct zr_triangle){.v = {from.vertex, to.vertex, to.vertex},
                                                                            .c = {from.color, to.color, to.color},
                                                                            .face = face,

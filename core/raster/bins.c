@@ -1,102 +1,224 @@
 #include "raster/bins.h"
 
-#include "raster/line_draw.h"
-#include "raster/primitive.h"
+#include "geometry/face.h"
 
-enum { PRIMITIVES_A_CANCEL_CHECK = 4096 };
+enum { TRIANGLES_A_RANGE = 4096, SETUPS_A_RANGE = 64, BLOCKS_AT_ONCE = 256 };
 
-/* Two passes: without `entries` they are counted, with them they are filled in. */
-struct binning {
-    const struct zr_geometry *geometry;
-    uint32_t width, height, columns;
-    size_t *offsets;             /* by tile: so many entries, or where the next one goes */
-    uint32_t *entries, *large;   /* or NULL */
-    uint32_t large_count, first; /* first record of the primitive under way */
-};
+/* ---- lists ---- */
 
-static void add_to_tile(void *context, uint32_t column, uint32_t row)
+static bool refill(struct zr_binner *binner)
 {
-    struct binning *b = context;
-    size_t *offset = &b->offsets[(size_t)row * b->columns + column];
-    if (b->entries) b->entries[*offset] = b->first;
-    ++*offset;
+    struct zr_bins *bins = binner->bins;
+    pthread_mutex_lock(&bins->arena_lock);
+    binner->free = zr_arena_alloc(bins->arena, BLOCKS_AT_ONCE, sizeof(struct zr_bin_block));
+    pthread_mutex_unlock(&bins->arena_lock);
+    if (!binner->free) {
+        binner->failed = true;
+        return false;
+    }
+    binner->free_end = binner->free + BLOCKS_AT_ONCE * sizeof(struct zr_bin_block);
+    return true;
 }
 
-static void add_large(struct binning *b)
+struct zr_bin_block *zr_binner_block(struct zr_binner *binner, struct zr_bin *bin)
 {
-    if (b->large) b->large[b->large_count] = b->first;
-    b->large_count++;
+    if (binner->free == binner->free_end && (binner->failed || !refill(binner))) return NULL;
+    struct zr_bin_block *block = (void *)binner->free;
+    binner->free += sizeof *block;
+    block->next = NULL;
+    block->used = 0;
+    if (bin->last)
+        bin->last->next = block;
+    else
+        bin->first = block;
+    bin->last = block;
+    return block;
 }
 
-static void add_box(struct binning *b)
+/* ---- triangles that are not small ---- */
+
+void zr_binner_add_flat(struct zr_binner *binner, const struct zr_batch *batch, uint32_t number)
 {
-    int32_t box[4];
-    zr_primitive_box(b->geometry, b->first, box);
-    /* Clipping leaves rounding: a vertex may stand a hair outside the window. */
+    if (batch->written) return;
+    if (zr_face_is_degenerate(batch->mesh, zr_batch_face(batch, number - batch->first))) {
+        binner->counts.degenerate_polygons++;
+        binner->counts.triangles--; /* it was counted when the batch was made */
+    } else {
+        binner->counts.zero_area++;
+    }
+}
+
+static bool faces_away(const struct zr_batch *batch, const struct zr_triangle *record)
+{
+    return !batch->written && record->back && !batch->double_sided;
+}
+
+static bool cut_to_window(const struct zr_bins *bins, int32_t box[4])
+{
     if (box[0] < 0) box[0] = 0;
     if (box[1] < 0) box[1] = 0;
-    if (box[2] >= (int32_t)b->width) box[2] = (int32_t)b->width - 1;
-    if (box[3] >= (int32_t)b->height) box[3] = (int32_t)b->height - 1;
-    if (box[0] > box[2] || box[1] > box[3]) return;
+    if (box[2] >= (int32_t)bins->width) box[2] = (int32_t)bins->width - 1;
+    if (box[3] >= (int32_t)bins->height) box[3] = (int32_t)bins->height - 1;
+    return box[0] <= box[2] && box[1] <= box[3];
+}
+
+void zr_binner_add_spanning(struct zr_binner *binner, const struct zr_batch *batch, uint32_t number)
+{
+    const struct zr_bins *bins = binner->bins;
+    const struct zr_window_vertex *vertices = binner->geometry->vertices;
+    const struct zr_triangle record = zr_record_of(binner->geometry, batch, number).triangle;
+    int32_t box[4];
+    if (zr_window_area(&vertices[record.v[0]], &vertices[record.v[1]], &vertices[record.v[2]]) == 0) {
+        zr_binner_add_flat(binner, batch, number);
+        return;
+    }
+    if (faces_away(batch, &record)) {
+        binner->counts.culled++;
+        return;
+    }
+    binner->counts.drawn_whole += !batch->written;
+    zr_setup_box(vertices, &record, box);
+    if (!cut_to_window(bins, box)) return;
     for (int k = 0; k < 4; k++)
         box[k] /= ZR_TILE_SIZE;
     if ((box[2] - box[0] + 1) * (box[3] - box[1] + 1) > ZR_BIN_TILES) {
-        add_large(b);
+        zr_binner_add(binner, &binner->large, number);
         return;
     }
     for (int32_t y = box[1]; y <= box[3]; y++)
-        for (int32_t x = box[0]; x <= box[2]; x++)
-            add_to_tile(b, (uint32_t)x, (uint32_t)y);
+        for (int32_t x = box[0]; x <= box[2]; x++) {
+            size_t tile = (size_t)y * bins->columns + (size_t)x;
+            zr_binner_add(binner, zr_binner_bin(binner, tile, ZR_BIN_WIDE), number);
+        }
 }
 
-/* A line touches few of the tiles in its box, so it is never large. */
-static void add_line(struct binning *b, const struct zr_triangle *record)
+/* ---- threads ---- */
+
+/* A range of one batch. */
+struct share {
+    const struct zr_batch *batch;
+    uint32_t begin, end;
+};
+
+struct sorting {
+    struct zr_bins *bins;
+    const struct zr_cancel *cancel;
+    zr_binning_fn *sort;
+    uint32_t share_count;
+    struct share *shares;
+};
+
+static void sort_shares(void *context, int worker, size_t begin, size_t end)
 {
-    struct zr_line_corners line;
-    if (zr_line_corners_make(&b->geometry->vertices[record->v[0]], &b->geometry->vertices[record->v[1]], &line))
-        zr_line_tiles(&line, b->width, b->height, add_to_tile, b);
+    const struct sorting *s = context;
+    struct zr_binner *binner = &s->bins->workers[worker];
+    for (size_t i = begin; i < end; i++) {
+        if (zr_is_cancelled(s->cancel) || binner->failed) return;
+        s->sort(binner, s->shares[i].batch, s->shares[i].begin, s->shares[i].end);
+    }
 }
 
-/* False where it was cancelled. */
-static bool add_all(struct binning *b, const struct zr_cancel *cancel)
+static bool make_shares(struct zr_arena *arena, const struct zr_geometry *geometry, struct sorting *s)
 {
-    const struct zr_geometry *geometry = b->geometry;
-    uint32_t done = 0;
-    for (b->first = 0; b->first < geometry->triangle_count; b->first += zr_primitive_count(geometry, b->first)) {
-        const struct zr_triangle *record = &geometry->triangles[b->first];
-        if (done++ % PRIMITIVES_A_CANCEL_CHECK == 0 && zr_is_cancelled(cancel)) return false;
-        if (record->line)
-            add_line(b, record);
-        else
-            add_box(b);
+    size_t count = 0;
+    for (uint32_t i = 0; i < geometry->batch_count; i++)
+        if (geometry->batches[i].plain) count += (geometry->batches[i].count - 1) / TRIANGLES_A_RANGE + 1;
+    s->shares = zr_arena_alloc(arena, count, sizeof *s->shares);
+    if (!s->shares) return false;
+    for (uint32_t i = 0; i < geometry->batch_count; i++) {
+        const struct zr_batch *batch = &geometry->batches[i];
+        if (!batch->plain) continue;
+        for (uint32_t begin = 0; begin < batch->count; begin += TRIANGLES_A_RANGE) {
+            uint32_t left = batch->count - begin;
+            uint32_t end = begin + (left < TRIANGLES_A_RANGE ? left : TRIANGLES_A_RANGE);
+            s->shares[s->share_count++] = (struct share){batch, begin, end};
+        }
     }
     return true;
 }
 
-/* A counting sort: counts, then offsets, then entries, each in the order of the records. */
-enum zr_status zr_bins_build(struct zr_arena *arena, const struct zr_geometry *geometry, uint32_t width,
-                             uint32_t height, const struct zr_cancel *cancel, struct zr_bins *bins)
+static bool make_workers(struct zr_bins *bins, const struct zr_geometry *geometry)
 {
-    uint32_t columns = (width + ZR_TILE_SIZE - 1) / ZR_TILE_SIZE;
-    size_t tiles = zr_tile_count(width, height), total = 0;
-    struct binning binning = {.geometry = geometry, .width = width, .height = height, .columns = columns};
-    binning.offsets = zr_arena_zero(arena, tiles + 1, sizeof *binning.offsets);
-    if (!binning.offsets) return ZR_NO_MEMORY;
-    if (!add_all(&binning, cancel)) return ZR_CANCELLED;
-    for (size_t i = 0; i <= tiles; i++) {
-        size_t count = binning.offsets[i];
-        binning.offsets[i] = total;
-        total += count;
+    size_t tiles = zr_tile_count(bins->width, bins->height);
+    bins->workers = zr_arena_zero(bins->arena, (size_t)bins->worker_count, sizeof *bins->workers);
+    for (int i = 0; bins->workers && i < bins->worker_count; i++) {
+        bins->workers[i].bins = bins;
+        bins->workers[i].geometry = geometry;
+        bins->workers[i].tiles = zr_arena_zero(bins->arena, tiles * ZR_BIN_KINDS, sizeof *bins->workers[i].tiles);
     }
-    binning.entries = zr_arena_alloc(arena, total, sizeof *binning.entries);
-    binning.large = zr_arena_alloc(arena, binning.large_count, sizeof *binning.large);
-    if (!zr_arena_ok(arena)) return ZR_NO_MEMORY;
-    binning.large_count = 0;
-    if (!add_all(&binning, cancel)) return ZR_CANCELLED;
-    /* Each offset has moved to the end of its tile, which is the begin of the next. */
-    for (size_t i = tiles; i > 0; i--)
-        binning.offsets[i] = binning.offsets[i - 1];
-    binning.offsets[0] = 0;
-    *bins = (struct zr_bins){binning.offsets, binning.entries, binning.large, binning.large_count};
+    return zr_arena_ok(bins->arena);
+}
+
+/* ---- large triangles ---- */
+
+struct setting_up {
+    const struct zr_geometry *geometry;
+    struct zr_bins *bins;
+};
+
+static void set_up(void *context, size_t begin, size_t end)
+{
+    const struct setting_up *s = context;
+    for (size_t i = begin; i < end; i++) {
+        struct zr_large *large = &s->bins->large[i];
+        const struct zr_batch *batch = zr_batch_of(s->geometry, large->number);
+        const struct zr_triangle record = zr_record_of(s->geometry, batch, large->number).triangle;
+        large->setup = zr_setup_make(s->geometry->vertices, &record);
+    }
+}
+
+static bool gather_large(struct zr_bins *bins)
+{
+    size_t count = 0;
+    for (int i = 0; i < bins->worker_count; i++)
+        for (const struct zr_bin_block *block = bins->workers[i].large.first; block; block = block->next)
+            count += block->used;
+    bins->large = zr_arena_alloc(bins->arena, count, sizeof *bins->large);
+    if (!bins->large) return false;
+    for (int i = 0; i < bins->worker_count; i++)
+        for (const struct zr_bin_block *block = bins->workers[i].large.first; block; block = block->next)
+            for (uint32_t k = 0; k < block->used; k++)
+                bins->large[bins->large_count++].number = block->words[k];
+    return true;
+}
+
+static void add_counts(struct zr_counts *sum, const struct zr_counts *counts)
+{
+    sum->degenerate_polygons += counts->degenerate_polygons;
+    sum->triangles += counts->triangles; /* less than none: those of degenerate polygons, modulo 2^64 */
+    sum->culled += counts->culled;
+    sum->zero_area += counts->zero_area;
+    sum->drawn_whole += counts->drawn_whole;
+}
+
+static enum zr_status build(struct zr_team *team, struct zr_geometry *geometry, const struct zr_cancel *cancel,
+                            struct zr_bins *bins)
+{
+    static zr_binning_fn *const kernels[ZR_ISA_COUNT] = ZR_KERNELS(zr_binning);
+    struct sorting sorting = {.bins = bins, .cancel = cancel, .sort = kernels[zr_team_isa(team)]};
+    if (!make_workers(bins, geometry) || !make_shares(bins->arena, geometry, &sorting)) return ZR_NO_MEMORY;
+    zr_team_shares(team, sorting.share_count, 1, sort_shares, &sorting);
+    for (int i = 0; i < bins->worker_count; i++) {
+        if (bins->workers[i].failed) return ZR_NO_MEMORY;
+        add_counts(&geometry->counts, &bins->workers[i].counts);
+    }
+    if (zr_is_cancelled(cancel)) return ZR_CANCELLED;
+    if (!gather_large(bins)) return ZR_NO_MEMORY;
+    struct setting_up setting_up = {geometry, bins};
+    zr_team_ranges(team, bins->large_count, SETUPS_A_RANGE, set_up, &setting_up);
     return ZR_OK;
+}
+
+enum zr_status zr_bins_build(struct zr_arena *arena, struct zr_team *team, struct zr_geometry *geometry,
+                             uint32_t width, uint32_t height, const struct zr_cancel *cancel, struct zr_bins *bins)
+{
+    *bins = (struct zr_bins){.arena = arena,
+                             .width = width,
+                             .height = height,
+                             .columns = zr_tile_across(width),
+                             .worker_count = zr_team_size(team)};
+    pthread_mutex_init(&bins->arena_lock, NULL);
+    enum zr_status status = build(team, geometry, cancel, bins);
+    pthread_mutex_destroy(&bins->arena_lock);
+    return status;
 }

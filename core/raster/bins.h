@@ -1,27 +1,118 @@
-/* bins.h - raster: which primitives each tile has to look at, in order.
+/* bins.h - raster: which triangles each tile has to look at.
  *
- * A primitive that touches up to ZR_BIN_TILES tiles is listed in each of them; a
- * larger one goes into one list that every tile goes through. A line is listed in the
- * tiles that it passes through. So memory is bounded by the primitives, and by the length of lines.
+ * Space:  window space, y up; boxes are of pixel centres.
+ * How:    threads go through the batches and sort triangles into tiles, each into lists of its own, so none
+ *         waits for another; the order in a list means nothing (tile.h: zr_tile_put). What shows
+ *         its back and must not, has no area, or holds no pixel centre is dropped here, many at once.
+ *         - Tiny ones, of 2x2 pixel centres at most, are drawn then and there, into fragments: 12 bytes each.
+ *         - Small ones, of up to 64 pixels, are listed by their number in the tiles that they touch: 4 bytes each.
+ *         - Wide ones that touch few tiles are listed likewise, apart.
+ *         - Large ones are set up once, and every tile goes through them.
  */
 #ifndef ZR_BINS_H
 #define ZR_BINS_H
 
+#include <pthread.h>
+
+#include "base/isa.h"
+#include "geometry/geometry.h"
+#include "raster/setup.h"
 #include "raster/tile.h"
 
-#include "base/arena.h"
-#include "geometry/geometry.h"
-
-enum { ZR_BIN_TILES = 4 };
-struct zr_bins {
-    const size_t *offsets;   /* one a tile (raster/tile.h) and one more, into entries */
-    const uint32_t *entries; /* first records of primitives, ascending within a tile */
-    const uint32_t *large;   /* ascending */
-    uint32_t large_count;
+enum {
+    ZR_BIN_WORDS = 60,            /* of a block, which takes 256 bytes */
+    ZR_BIN_TILES = 16,            /* that a wide triangle is listed in at most */
+    ZR_BIN_SMALL_SPAN = 64 * 256, /* on the snapped grid: edge functions then fit 32 bits, with room to spare */
+    ZR_FRAGMENT_WORDS = 3
 };
 
-/* Primitives that hold no pixel centre are in none. ZR_OK, ZR_CANCELLED, or ZR_NO_MEMORY where the arena failed. */
-enum zr_status zr_bins_build(struct zr_arena *arena, const struct zr_geometry *geometry, uint32_t width,
-                             uint32_t height, const struct zr_cancel *cancel, struct zr_bins *bins);
+/* A sample of a tiny triangle. Its depth is less than 1. */
+struct zr_fragment {
+    uint32_t pixel; /* in zr_tile.depth */
+    float depth;
+    uint32_t owner;
+};
+
+struct zr_bin_block {
+    struct zr_bin_block *next;
+    uint32_t used; /* words */
+    uint32_t words[ZR_BIN_WORDS];
+};
+
+struct zr_bin {
+    struct zr_bin_block *first, *last;
+};
+
+enum zr_bin_kind { ZR_BIN_SMALL, ZR_BIN_WIDE, ZR_BIN_FRAGMENTS, ZR_BIN_KINDS };
+
+/* What one thread sorts into. */
+struct zr_binner {
+    struct zr_bins *bins;
+    const struct zr_geometry *geometry;
+    struct zr_bin *tiles; /* [tile * ZR_BIN_KINDS + kind] */
+    struct zr_bin large;  /* numbers */
+    char *free, *free_end; /* room for blocks */
+    bool failed;
+    struct zr_counts counts;
+};
+
+struct zr_large {
+    struct zr_setup setup;
+    uint32_t number;
+};
+
+struct zr_bins {
+    struct zr_arena *arena;
+    pthread_mutex_t arena_lock;
+    uint32_t width, height, columns;
+    int worker_count;
+    struct zr_binner *workers;
+    uint32_t large_count;
+    struct zr_large *large;
+};
+
+/* Adds what became of the triangles to geometry->counts. ZR_OK, ZR_CANCELLED or ZR_NO_MEMORY. */
+enum zr_status zr_bins_build(struct zr_arena *arena, struct zr_team *team, struct zr_geometry *geometry,
+                             uint32_t width, uint32_t height, const struct zr_cancel *cancel, struct zr_bins *bins);
+
+/* ---- for the kernel ---- */
+
+/* Sorts the records begin .. end - 1 of a plain batch, counted from its first. */
+typedef void zr_binning_fn(struct zr_binner *binner, const struct zr_batch *batch, uint32_t begin, uint32_t end);
+
+zr_binning_fn zr_binning_scalar, zr_binning_sse2, zr_binning_avx2, zr_binning_avx512, zr_binning_neon;
+
+/* One that is not small, in 64 bits. */
+void zr_binner_add_spanning(struct zr_binner *binner, const struct zr_batch *batch, uint32_t number);
+
+/* One without area, which may be no triangle at all. */
+void zr_binner_add_flat(struct zr_binner *binner, const struct zr_batch *batch, uint32_t number);
+
+/* A new last block; NULL, and the binner has failed, where there is no memory. */
+struct zr_bin_block *zr_binner_block(struct zr_binner *binner, struct zr_bin *bin);
+
+/* Room for `words` more, in one piece; NULL where the binner has failed. */
+static inline uint32_t *zr_binner_room(struct zr_binner *binner, struct zr_bin *bin, uint32_t words)
+{
+    struct zr_bin_block *block = bin->last;
+    if (__builtin_expect(!block || block->used + words > ZR_BIN_WORDS, 0)) {
+        block = zr_binner_block(binner, bin);
+        if (!block) return NULL;
+    }
+    uint32_t *room = block->words + block->used;
+    block->used += words;
+    return room;
+}
+
+static inline void zr_binner_add(struct zr_binner *binner, struct zr_bin *bin, uint32_t number)
+{
+    uint32_t *room = zr_binner_room(binner, bin, 1);
+    if (room) *room = number;
+}
+
+static inline struct zr_bin *zr_binner_bin(const struct zr_binner *binner, size_t tile, enum zr_bin_kind kind)
+{
+    return &binner->tiles[tile * ZR_BIN_KINDS + kind];
+}
 
 #endif

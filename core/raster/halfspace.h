@@ -1,18 +1,45 @@
-/* halfspace.h - raster: the kernel. One triangle into one tile.
+/* halfspace.h - raster: the kernel. Triangles into one tile.
  *
  * Half-space rasterization: a sample is inside where all three edge functions are
- * positive (Pineda, "A Parallel Algorithm for Polygon Rasterization", 1988). This file
- * alone holds the inner loops; a version for another instruction set replaces it
- * behind this function and must give the same bytes.
+ * positive (Pineda, "A Parallel Algorithm for Polygon Rasterization", 1988). halfspace_kernel.c
+ * alone holds the inner loops.
  */
 #ifndef ZR_HALFSPACE_H
 #define ZR_HALFSPACE_H
 
+#include "base/isa.h"
 #include "raster/setup.h"
 #include "raster/tile.h"
 
-/* Where the triangle is nearer than tile->depth, writes its depth and `owner`. At
- * equal depth the earlier triangle stays. */
-void zr_halfspace_draw(struct zr_tile *tile, const struct zr_setup *setup, uint32_t owner);
+struct zr_halfspace {
+    /* Clears a placed tile: no owner, depth 1. */
+    void (*clear)(struct zr_tile *tile);
+
+    /* Where the triangle, of any size, is seen (zr_tile_put), writes its depth and `owner`. */
+    void (*draw)(struct zr_tile *tile, const struct zr_setup *setup, uint32_t owner);
+
+    /* The same for small triangles (bins.h), by their numbers, many at once. */
+    void (*draw_small)(struct zr_tile *tile, const struct zr_geometry *geometry, const uint32_t *numbers,
+                       uint32_t count);
+};
+
+const struct zr_halfspace *zr_halfspace_of(enum zr_isa isa);
+
+extern const struct zr_halfspace zr_halfspace_scalar, zr_halfspace_sse2, zr_halfspace_avx2, zr_halfspace_avx512,
+    zr_halfspace_neon;
+
+/* The least and the greatest that a plane's depth has at samples x0..x1, y0..y1: no bounds, but values that it has
+ * at corners, since rounding is monotone. NaN where some are. */
+struct zr_depth_range {
+    float near, far;
+};
+
+static inline struct zr_depth_range zr_depth_range_of(const struct zr_depth *depth, int32_t x0, int32_t y0, int32_t x1,
+                                                      int32_t y1)
+{
+    bool right = depth->plane.dadx > 0.0f, up = depth->plane.dady > 0.0f;
+    return (struct zr_depth_range){zr_depth_at(depth, right ? x0 : x1, up ? y0 : y1),
+                                   zr_depth_at(depth, right ? x1 : x0, up ? y1 : y0)};
+}
 
 #endif

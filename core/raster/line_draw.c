@@ -10,7 +10,7 @@ static int32_t least(int32_t a, int32_t b)
     return a < b ? a : b;
 }
 
-void zr_line_draw(const struct zr_geometry *geometry, uint32_t record, struct zr_tile *tile)
+void zr_line_draw(const struct zr_geometry *geometry, uint32_t record, uint32_t owner, struct zr_tile *tile)
 {
     const struct zr_triangle *line = &geometry->triangles[record];
     struct zr_line_corners corners;
@@ -26,7 +26,7 @@ void zr_line_draw(const struct zr_geometry *geometry, uint32_t record, struct zr
         int32_t across = zr_line_pixel(&corners, at);
         if (across < side || across >= side + side_size) continue;
         int32_t x = corners.along_x ? at : across, y = corners.along_x ? across : at;
-        zr_tile_put(tile, x, y, zr_depth_at(&depth, x, y), record + 1);
+        zr_tile_put(tile, x, y, zr_depth_at(&depth, x, y), owner);
     }
 }
 

@@ -110,7 +110,7 @@ void zr_oddeven_draw(const struct zr_geometry *geometry, const struct zr_primiti
     struct flags flags;
     cover(primitive, tile, &flags);
     if (primitive->count == 1) {
-        put_record(&primitive->depth, primitive->first + 1, &flags, tile);
+        put_record(&primitive->depth, primitive->first + primitive->shift + 1, &flags, tile);
         return;
     }
     for (uint32_t record = primitive->first; record < primitive->first + primitive->count; record++) {
@@ -118,7 +118,7 @@ void zr_oddeven_draw(const struct zr_geometry *geometry, const struct zr_primiti
         zr_setup_box(geometry->vertices, &geometry->triangles[record], box);
         if (!zr_tile_touches(tile, box)) continue;
         struct zr_setup setup = zr_setup_make(geometry->vertices, &geometry->triangles[record]);
-        put_triangle(&setup, record + 1, &flags, tile);
+        put_triangle(&setup, record + primitive->shift + 1, &flags, tile);
     }
     put_rest(geometry, primitive, &flags, tile);
 }

@@ -65,7 +65,7 @@ static void add_triangle_edges(struct zr_primitive *primitive, const struct zr_w
 {
     for (int k = 0; k < 3; k++) {
         const struct zr_window_vertex *a = &vertices[record->v[k]], *b = &vertices[record->v[(k + 1) % 3]];
-        add_edge(primitive, a->sx, a->sy, b->sx, b->sy);
+        add_edge(primitive, zr_snapped_x(a), zr_snapped_y(a), zr_snapped_x(b), zr_snapped_y(b));
     }
 }
 
@@ -117,7 +117,7 @@ static double margin_at(const struct zr_setup *setup, int32_t x, int32_t y)
 struct zr_hit zr_primitive_hit(const struct zr_geometry *geometry, const struct zr_primitive *primitive, int32_t x,
                                int32_t y)
 {
-    if (primitive->count == 1) return (struct zr_hit){zr_depth_at(&primitive->depth, x, y), primitive->first + 1};
+    if (primitive->count == 1) return (struct zr_hit){zr_depth_at(&primitive->depth, x, y), primitive->first + primitive->shift + 1};
     struct zr_hit hit = {0.0f, 0};
     double best = 0.0;
     for (uint32_t record = primitive->first; record < primitive->first + primitive->count; record++) {
@@ -126,15 +126,15 @@ struct zr_hit zr_primitive_hit(const struct zr_geometry *geometry, const struct 
         double margin = margin_at(&setup, x, y);
         if (!inside && hit.owner != 0 && margin <= best) continue;
         best = margin;
-        hit = (struct zr_hit){zr_depth_at(&setup.depth, x, y), record + 1};
+        hit = (struct zr_hit){zr_depth_at(&setup.depth, x, y), record + primitive->shift + 1};
         if (inside) break;
     }
     return hit;
 }
 
 /* Those of the samples that the record covers and none before it did. How many they are. */
-static int32_t hit_by_record(const struct zr_geometry *geometry, uint32_t record, int32_t y, int32_t x0, int32_t x1,
-                             struct zr_hit *hits)
+static int32_t hit_by_record(const struct zr_geometry *geometry, uint32_t record, uint32_t owner, int32_t y, int32_t x0,
+                             int32_t x1, struct zr_hit *hits)
 {
     int32_t box[4], count = 0;
     zr_setup_box(geometry->vertices, &geometry->triangles[record], box);
@@ -142,7 +142,7 @@ static int32_t hit_by_record(const struct zr_geometry *geometry, uint32_t record
     struct zr_setup setup = zr_setup_make(geometry->vertices, &geometry->triangles[record]);
     for (int32_t x = x0 > box[0] ? x0 : box[0]; x < x1 && x <= box[2]; x++) {
         if (hits[x - x0].owner != 0 || !zr_setup_covers(&setup, x, y)) continue;
-        hits[x - x0] = (struct zr_hit){zr_depth_at(&setup.depth, x, y), record + 1};
+        hits[x - x0] = (struct zr_hit){zr_depth_at(&setup.depth, x, y), owner};
         count++;
     }
     return count;
@@ -154,10 +154,10 @@ void zr_primitive_hits(const struct zr_geometry *geometry, const struct zr_primi
     bool single = primitive->count == 1;
     for (int32_t x = x0; x < x1; x++)
         hits[x - x0] =
-            single ? (struct zr_hit){zr_depth_at(&primitive->depth, x, y), primitive->first + 1} : (struct zr_hit){0};
+            single ? (struct zr_hit){zr_depth_at(&primitive->depth, x, y), primitive->first + primitive->shift + 1} : (struct zr_hit){0};
     int32_t left = single ? 0 : x1 - x0;
     for (uint32_t i = 0; i < primitive->count && left > 0; i++)
-        left -= hit_by_record(geometry, primitive->first + i, y, x0, x1, hits);
+        left -= hit_by_record(geometry, primitive->first + i, primitive->first + i + primitive->shift + 1, y, x0, x1, hits);
     for (int32_t x = x0; x < x1 && left > 0; x++)
         if (hits[x - x0].owner == 0) hits[x - x0] = zr_primitive_hit(geometry, primitive, x, y);
 }

@@ -16,18 +16,18 @@ void zr_setup_box(const struct zr_window_vertex *vertices, const struct zr_trian
 {
     const struct zr_window_vertex *v0 = &vertices[triangle->v[0]], *v1 = &vertices[triangle->v[1]],
                                   *v2 = &vertices[triangle->v[2]];
-    box[0] = zr_viewport_first_centre(min3(v0->sx, v1->sx, v2->sx));
-    box[1] = zr_viewport_first_centre(min3(v0->sy, v1->sy, v2->sy));
-    box[2] = zr_viewport_last_centre(max3(v0->sx, v1->sx, v2->sx));
-    box[3] = zr_viewport_last_centre(max3(v0->sy, v1->sy, v2->sy));
+    box[0] = zr_viewport_first_centre(min3(zr_snapped_x(v0), zr_snapped_x(v1), zr_snapped_x(v2)));
+    box[1] = zr_viewport_first_centre(min3(zr_snapped_y(v0), zr_snapped_y(v1), zr_snapped_y(v2)));
+    box[2] = zr_viewport_last_centre(max3(zr_snapped_x(v0), zr_snapped_x(v1), zr_snapped_x(v2)));
+    box[3] = zr_viewport_last_centre(max3(zr_snapped_y(v0), zr_snapped_y(v1), zr_snapped_y(v2)));
 }
 
 /* Pixels exactly on an edge belong to it where it is a left or a bottom one. */
 static struct zr_edge edge_make(const struct zr_window_vertex *i, const struct zr_window_vertex *j)
 {
-    int64_t a = i->sy - j->sy, b = i->sx - j->sx;
+    int64_t a = zr_snapped_y(i) - zr_snapped_y(j), b = zr_snapped_x(i) - zr_snapped_x(j);
     int64_t bias = a < 0 || (a == 0 && b > 0) ? 1 : 0;
-    return (struct zr_edge){.a = -a * ZR_SUBPIXELS, .b = b * ZR_SUBPIXELS, .c = a * i->sx - b * i->sy + bias};
+    return (struct zr_edge){.a = -a * ZR_SUBPIXELS, .b = b * ZR_SUBPIXELS, .c = a * zr_snapped_x(i) - b * zr_snapped_y(i) + bias};
 }
 
 struct zr_setup zr_setup_make(const struct zr_window_vertex *vertices, const struct zr_triangle *triangle)

@@ -36,14 +36,16 @@ static void load_row(float *out, const float *depth, int32_t count, bool ties_to
 void zr_tile_begin(struct zr_tile *tile, const struct zr_base *base, uint32_t width, uint32_t height)
 {
     memset(tile->owner, 0, sizeof tile->owner);
+    tile->far = 1.0f;
+    tile->is_empty = false;
     if (base && base->window_depth) {
         for (int32_t row = 0; row < tile->height; row++) {
             /* Window space has y up, pictures have row 0 on top. */
             size_t line = (size_t)(height - 1 - (uint32_t)(tile->y + row)) * width + (size_t)tile->x;
-            load_row(&tile->depth[row * ZR_TILE_SIZE], base->window_depth + line, tile->width, base->scene_wins_ties);
+            load_row(&tile->depth[row * ZR_TILE_STRIDE], base->window_depth + line, tile->width, base->scene_wins_ties);
         }
         return;
     }
-    for (int i = 0; i < ZR_TILE_SIZE * ZR_TILE_SIZE; i++)
+    for (int i = 0; i < ZR_TILE_STRIDE * ZR_TILE_SIZE; i++)
         tile->depth[i] = 1.0f;
 }

@@ -12,14 +12,18 @@
 
 #include "scene/scene.h"
 
-enum { ZR_TILE_SIZE = 64 };
+/* A row has room behind it for what vectors that begin in it write beyond its end: no lane need be masked
+ * for the tile's sake. It also keeps rows from falling on each other's cache lines. */
+enum { ZR_TILE_SIZE = 64, ZR_TILE_STRIDE = ZR_TILE_SIZE + 16 };
 
 struct zr_tile {
     int32_t x, y;          /* lowest pixel */
     int32_t width, height; /* smaller at the window's upper and right border */
-    /* [row * ZR_TILE_SIZE + column] */
-    float depth[ZR_TILE_SIZE * ZR_TILE_SIZE];    /* window depth; where nothing was drawn, see zr_tile_begin */
-    uint32_t owner[ZR_TILE_SIZE * ZR_TILE_SIZE]; /* 1 + number of the record, 0 where nothing is */
+    float far;             /* no sample is deeper */
+    bool is_empty;         /* nothing is drawn, and nothing below is defined */
+    /* [row * ZR_TILE_STRIDE + column] */
+    float depth[ZR_TILE_STRIDE * ZR_TILE_SIZE];    /* window depth; where nothing was drawn, see zr_tile_begin */
+    uint32_t owner[ZR_TILE_STRIDE * ZR_TILE_SIZE]; /* 1 + number of the record, 0 where nothing is */
 };
 
 /* Tiles that it takes for so many pixels in a row or a column. */
@@ -34,11 +38,13 @@ static inline size_t zr_tile_count(uint32_t width, uint32_t height)
     return (size_t)zr_tile_across(width) * zr_tile_across(height);
 }
 
-/* The z-buffer: what is drawn at pixel x, y of the tile is seen where it is nearer than what is there. */
+/* The z-buffer: what is drawn at pixel x, y of the tile is seen where it is nearer than what is there, or as near and
+ * earlier in the scene. That is what drawing in order and keeping the nearest gives (GL's LESS), so records may
+ * come in any order, from any thread, and the same one is seen. What was there before any of them stays at equal depth. */
 static inline void zr_tile_put(struct zr_tile *tile, int32_t x, int32_t y, float depth, uint32_t owner)
 {
-    int32_t i = (y - tile->y) * ZR_TILE_SIZE + x - tile->x;
-    if (!(depth < tile->depth[i])) return;
+    int32_t i = (y - tile->y) * ZR_TILE_STRIDE + x - tile->x;
+    if (!(depth < tile->depth[i] || (depth == tile->depth[i] && owner < tile->owner[i]))) return;
     tile->depth[i] = depth;
     tile->owner[i] = owner;
 }

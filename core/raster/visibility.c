@@ -2,31 +2,135 @@
 
 #include <string.h>
 
-#include "raster/halfspace.h"
 #include "raster/line_draw.h"
 #include "raster/oddeven.h"
 
-/* Primitives, or edges and triangles of shapes: less than a millisecond of work. */
+/* Triangles, or edges and triangles of shapes: less than a millisecond of work. */
 enum { PARTS_A_CANCEL_CHECK = 1024 };
 
-/* ---- tile by tile ---- */
+/* ---- sorting ---- */
 
-static void draw(const struct zr_geometry *geometry, uint32_t first, uint32_t width, uint32_t height,
-                 struct zr_tile *tile)
+enum zr_status zr_visible_make(struct zr_arena *arena, struct zr_team *team, struct zr_geometry *geometry,
+                               uint32_t width, uint32_t height, const struct zr_cancel *cancel,
+                               struct zr_visible *visible)
 {
-    const struct zr_triangle *record = &geometry->triangles[first];
+    visible->geometry = geometry;
+    visible->halfspace = zr_halfspace_of(zr_team_isa(team));
+    enum zr_status status = zr_bins_build(arena, team, geometry, width, height, cancel, &visible->bins);
+    if (status != ZR_OK) return status;
+    return zr_others_build(arena, geometry, width, height, cancel, &visible->others);
+}
+
+/* ---- large triangles ---- */
+
+enum { SORTED_AT_ONCE = 128 };
+
+/* A triangle that touches the tile, by the nearest depth that it has there. */
+struct candidate {
+    float near;
+    const struct zr_large *large;
+};
+
+static void draw_sorted(const struct zr_visible *visible, struct candidate *candidates, int count,
+                        struct zr_tile *tile)
+{
+    for (int i = 0; i < count; i++)
+        visible->halfspace->draw(tile, &candidates[i].large->setup, candidates[i].large->number + 1);
+}
+
+static void insert(struct candidate *candidates, int count, struct candidate candidate)
+{
+    int i = count;
+    for (; i > 0 && candidates[i - 1].near > candidate.near; i--)
+        candidates[i] = candidates[i - 1];
+    candidates[i] = candidate;
+}
+
+/* Nearest first, so that most of what is behind is never tried sample by sample. */
+static bool draw_large(const struct zr_visible *visible, const struct zr_cancel *cancel, struct zr_tile *tile)
+{
+    const struct zr_bins *bins = &visible->bins;
+    struct candidate candidates[SORTED_AT_ONCE];
+    const int32_t x1 = tile->x + tile->width - 1, y1 = tile->y + tile->height - 1;
+    int count = 0;
+    for (uint32_t i = 0; i < bins->large_count; i++) {
+        const struct zr_setup *setup = &bins->large[i].setup;
+        if (i % PARTS_A_CANCEL_CHECK == 0 && zr_is_cancelled(cancel)) return false;
+        if (!zr_tile_touches(tile, (const int32_t[4]){setup->min_x, setup->min_y, setup->max_x, setup->max_y})) continue;
+        float near = zr_depth_range_of(&setup->depth, tile->x, tile->y, x1, y1).near;
+        if (near > tile->far) continue;
+        insert(candidates, count++, (struct candidate){near, &bins->large[i]});
+        if (count < SORTED_AT_ONCE) continue;
+        draw_sorted(visible, candidates, count, tile);
+        count = 0;
+    }
+    draw_sorted(visible, candidates, count, tile);
+    return true;
+}
+
+/* ---- what is listed ---- */
+
+static void draw_wide(const struct zr_visible *visible, uint32_t number, struct zr_tile *tile)
+{
+    const struct zr_geometry *geometry = visible->geometry;
+    const struct zr_triangle record = zr_record_of(geometry, zr_batch_of(geometry, number), number).triangle;
+    struct zr_setup setup = zr_setup_make(geometry->vertices, &record);
+    visible->halfspace->draw(tile, &setup, number + 1);
+}
+
+static void draw_fragments(const struct zr_bin_block *block, struct zr_tile *tile)
+{
+    for (uint32_t i = 0; i < block->used; i += ZR_FRAGMENT_WORDS) {
+        struct zr_fragment f;
+        memcpy(&f, block->words + i, sizeof f);
+        float depth = tile->depth[f.pixel];
+        if (!(f.depth < depth || (f.depth == depth && f.owner < tile->owner[f.pixel]))) continue;
+        tile->depth[f.pixel] = f.depth;
+        tile->owner[f.pixel] = f.owner;
+    }
+}
+
+static void draw_block(const struct zr_visible *visible, enum zr_bin_kind kind, const struct zr_bin_block *block,
+                       struct zr_tile *tile)
+{
+    if (kind == ZR_BIN_FRAGMENTS) draw_fragments(block, tile);
+    if (kind == ZR_BIN_SMALL) visible->halfspace->draw_small(tile, visible->geometry, block->words, block->used);
+    for (uint32_t i = 0; kind == ZR_BIN_WIDE && i < block->used; i++)
+        draw_wide(visible, block->words[i], tile);
+}
+
+static bool draw_bins(const struct zr_visible *visible, uint32_t number, const struct zr_cancel *cancel,
+                      struct zr_tile *tile)
+{
+    static const enum zr_bin_kind largest_first[ZR_BIN_KINDS] = {ZR_BIN_WIDE, ZR_BIN_SMALL, ZR_BIN_FRAGMENTS};
+    for (int k = 0; k < ZR_BIN_KINDS; k++)
+        for (int i = 0; i < visible->bins.worker_count; i++) {
+            const struct zr_bin *bin = zr_binner_bin(&visible->bins.workers[i], number, largest_first[k]);
+            for (const struct zr_bin_block *block = bin->first; block; block = block->next) {
+                if (zr_is_cancelled(cancel)) return false;
+                draw_block(visible, largest_first[k], block, tile);
+            }
+        }
+    return true;
+}
+
+/* ---- shapes, lines, pushed triangles ---- */
+
+static void draw_other(const struct zr_visible *visible, struct zr_other other, struct zr_tile *tile)
+{
+    const struct zr_geometry *geometry = visible->geometry;
+    const struct zr_triangle *record = &geometry->triangles[other.first];
     if (record->line) {
-        zr_line_draw(geometry, first, tile);
-        return;
-    }
-    if (record->shape == 0) {
+        zr_line_draw(geometry, other.first, other.first + other.shift + 1, tile);
+    } else if (record->shape == 0) {
         struct zr_setup setup = zr_setup_make(geometry->vertices, record);
-        zr_halfspace_draw(tile, &setup, first + 1);
-        return;
+        visible->halfspace->draw(tile, &setup, other.first + other.shift + 1);
+    } else {
+        struct zr_primitive primitive;
+        zr_primitive_make(geometry, other.first, visible->bins.width, visible->bins.height, &primitive);
+        primitive.shift = other.shift;
+        zr_oddeven_draw(geometry, &primitive, tile);
     }
-    struct zr_primitive primitive;
-    zr_primitive_make(geometry, first, width, height, &primitive);
-    zr_oddeven_draw(geometry, &primitive, tile);
 }
 
 static uint32_t parts_of(const struct zr_geometry *geometry, uint32_t first)
@@ -35,30 +139,58 @@ static uint32_t parts_of(const struct zr_geometry *geometry, uint32_t first)
     return shape > 0 ? geometry->shapes[shape - 1].edge_count + geometry->shapes[shape - 1].triangle_count : 1;
 }
 
-/* The tile's own list and the large primitives, merged back into one order. */
-bool zr_visibility_tile(const struct zr_geometry *geometry, const struct zr_bins *bins, uint32_t number, uint32_t width,
-                        uint32_t height, const struct zr_base *base, const struct zr_cancel *cancel,
-                        struct zr_tile *tile)
+static bool draw_list(const struct zr_visible *visible, const struct zr_other *others, size_t count, bool may_miss,
+                      const struct zr_cancel *cancel, struct zr_tile *tile)
 {
-    zr_tile_place(tile, number, width, height);
-    zr_tile_begin(tile, base, width, height);
-    const uint32_t *small = bins->entries + bins->offsets[number],
-                   *small_end = bins->entries + bins->offsets[number + 1];
-    const uint32_t *large = bins->large, *large_end = large + bins->large_count;
     uint64_t parts = PARTS_A_CANCEL_CHECK;
-    while (small < small_end || large < large_end) {
+    for (size_t i = 0; i < count; i++) {
         if (parts >= PARTS_A_CANCEL_CHECK) {
             if (zr_is_cancelled(cancel)) return false;
             parts = 0;
         }
-        bool take_small = large == large_end || (small < small_end && *small < *large);
-        uint32_t first = take_small ? *small++ : *large++;
-        parts += parts_of(geometry, first);
         int32_t box[4];
-        if (!take_small) zr_primitive_box(geometry, first, box);
-        if (take_small || zr_tile_touches(tile, box)) draw(geometry, first, width, height, tile);
+        parts += parts_of(visible->geometry, others[i].first);
+        if (may_miss) zr_primitive_box(visible->geometry, others[i].first, box);
+        if (!may_miss || zr_tile_touches(tile, box)) draw_other(visible, others[i], tile);
     }
     return true;
+}
+
+static bool draw_others(const struct zr_visible *visible, uint32_t number, const struct zr_cancel *cancel,
+                        struct zr_tile *tile)
+{
+    const struct zr_others *others = &visible->others;
+    if (others->count == 0) return true;
+    size_t begin = others->offsets[number], end = others->offsets[number + 1];
+    return draw_list(visible, others->entries + begin, end - begin, false, cancel, tile) &&
+           draw_list(visible, others->large, others->large_count, true, cancel, tile);
+}
+
+/* ---- a tile ---- */
+
+static bool has_anything(const struct zr_visible *visible, uint32_t number)
+{
+    const struct zr_others *others = &visible->others;
+    if (visible->bins.large_count > 0) return true;
+    for (int i = 0; i < visible->bins.worker_count; i++)
+        for (int kind = 0; kind < ZR_BIN_KINDS; kind++)
+            if (zr_binner_bin(&visible->bins.workers[i], number, (enum zr_bin_kind)kind)->first) return true;
+    return others->count > 0 && (others->large_count > 0 || others->offsets[number] < others->offsets[number + 1]);
+}
+
+bool zr_visibility_tile(const struct zr_visible *visible, uint32_t number, const struct zr_base *base,
+                        const struct zr_cancel *cancel, struct zr_tile *tile)
+{
+    const struct zr_bins *bins = &visible->bins;
+    zr_tile_place(tile, number, bins->width, bins->height);
+    tile->is_empty = !base && !has_anything(visible, number);
+    if (tile->is_empty) return !zr_is_cancelled(cancel);
+    if (base)
+        zr_tile_begin(tile, base, bins->width, bins->height);
+    else
+        visible->halfspace->clear(tile);
+    return draw_large(visible, cancel, tile) && draw_bins(visible, number, cancel, tile) &&
+           draw_others(visible, number, cancel, tile);
 }
 
 /* ---- the whole window ---- */
@@ -67,7 +199,7 @@ static void copy_rows(struct zr_samples *samples, const struct zr_tile *tile)
 {
     for (int32_t row = 0; row < tile->height; row++) {
         size_t at = (size_t)(tile->y + row) * samples->width + (size_t)tile->x;
-        memcpy(samples->depth + at, &tile->depth[row * ZR_TILE_SIZE], (size_t)tile->width * sizeof *samples->depth);
+        memcpy(samples->depth + at, &tile->depth[row * ZR_TILE_STRIDE], (size_t)tile->width * sizeof *samples->depth);
     }
 }
 
@@ -92,9 +224,10 @@ enum zr_status zr_visibility_window(struct zr_arena *arena, const struct zr_geom
 void zr_visibility_load(const struct zr_samples *samples, uint32_t number, struct zr_tile *tile)
 {
     zr_tile_place(tile, number, samples->width, samples->height);
+    tile->is_empty = false;
     for (int32_t row = 0; row < tile->height; row++) {
         size_t at = (size_t)(tile->y + row) * samples->width + (size_t)tile->x;
-        memcpy(&tile->depth[row * ZR_TILE_SIZE], samples->depth + at, (size_t)tile->width * sizeof *samples->depth);
-        memcpy(&tile->owner[row * ZR_TILE_SIZE], samples->owner + at, (size_t)tile->width * sizeof *samples->owner);
+        memcpy(&tile->depth[row * ZR_TILE_STRIDE], samples->depth + at, (size_t)tile->width * sizeof *samples->depth);
+        memcpy(&tile->owner[row * ZR_TILE_STRIDE], samples->owner + at, (size_t)tile->width * sizeof *samples->owner);
     }
 }

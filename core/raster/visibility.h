@@ -9,17 +9,31 @@
 #define ZR_VISIBILITY_H
 
 #include "raster/bins.h"
+#include "raster/halfspace.h"
+#include "raster/others.h"
 #include "raster/samples.h"
+
+/* All that tiles are drawn from. */
+struct zr_visible {
+    const struct zr_geometry *geometry;
+    const struct zr_halfspace *halfspace;
+    struct zr_bins bins;
+    struct zr_others others;
+};
+
+/* Sorts the geometry into tiles. ZR_OK, ZR_CANCELLED or ZR_NO_MEMORY. */
+enum zr_status zr_visible_make(struct zr_arena *arena, struct zr_team *team, struct zr_geometry *geometry,
+                               uint32_t width, uint32_t height, const struct zr_cancel *cancel,
+                               struct zr_visible *visible);
 
 /* Places tile `number` in the window, begins it (`base` may be NULL) and draws into it every
  * primitive that touches it. Reentrant: one tile, one thread. False where it was
  * cancelled: the tile is then incomplete. */
-bool zr_visibility_tile(const struct zr_geometry *geometry, const struct zr_bins *bins, uint32_t number, uint32_t width,
-                        uint32_t height, const struct zr_base *base, const struct zr_cancel *cancel,
-                        struct zr_tile *tile);
+bool zr_visibility_tile(const struct zr_visible *visible, uint32_t number, const struct zr_base *base,
+                        const struct zr_cancel *cancel, struct zr_tile *tile);
 
 /* Draws all primitives into samples that have been cleared: no owner, and the depth below which
- * something is seen. One thread. ZR_OK, ZR_CANCELLED or ZR_NO_MEMORY. */
+ * something is seen. One thread. ZR_OK, ZR_CANCELLED or ZR_NO_MEMORY. The geometry's records are all written out. */
 typedef enum zr_status zr_visibility_fn(struct zr_arena *arena, const struct zr_geometry *geometry,
                                         const struct zr_cancel *cancel, struct zr_samples *samples);
 

@@ -14,10 +14,10 @@ static double most(const double v[3])
     return high > v[2] ? high : v[2];
 }
 
-static void window_depths(const struct zr_window_vertex *const v[3], double out[3])
+static void eye_depths(const struct zr_eye eyes[3], double out[3])
 {
     for (int k = 0; k < 3; k++)
-        out[k] = -(double)v[k]->eye_z / (double)v[k]->eye_w;
+        out[k] = -(double)eyes[k].z / (double)eyes[k].w;
 }
 
 /* ---- lines ---- */
@@ -31,14 +31,14 @@ static struct zr_eye_plane line_plane(const struct zr_window_vertex *const v[3],
     return (struct zr_eye_plane){p0 - (dadx * (x0 - 0.5) + dady * (y0 - 0.5)), dadx, dady};
 }
 
-static struct zr_eye_depth line_depth(const struct zr_window_vertex *const v[3])
+static struct zr_eye_depth line_depth(const struct zr_window_vertex *const v[3], const struct zr_eye eyes[3])
 {
     double z[2], w[2], depths[3];
     for (int k = 0; k < 2; k++) {
-        z[k] = -(double)v[k]->eye_z * (double)v[k]->oow;
-        w[k] = (double)v[k]->eye_w * (double)v[k]->oow;
+        z[k] = -(double)eyes[k].z * (double)v[k]->oow;
+        w[k] = (double)eyes[k].w * (double)v[k]->oow;
     }
-    window_depths(v, depths);
+    eye_depths(eyes, depths);
     return (struct zr_eye_depth){line_plane(v, z[0], z[1]), line_plane(v, w[0], w[1]), least(depths), most(depths)};
 }
 
@@ -86,10 +86,9 @@ static inline struct zr_eye_plane value_plane(const struct corners *c, const dou
 }
 
 /* What the ray can meet: all of the mesh's triangle, and not only the piece of it that clipping left, for a
- * sample may lie a hair beyond that. Corners behind the eye or at infinity give no range; then the
- * piece does, with so much room that only what is seen from its edge could be kept from its depth. */
-static inline void make_range(const struct corners *c, const struct zr_window_vertex *const v[3],
-                              struct zr_eye_depth *out)
+ * sample may lie a hair beyond that. Corners behind the eye or at infinity give no range; then those of the
+ * piece do, where there is one, with so much room that only what is seen from its edge could be kept from its depth. */
+static inline void make_range(const struct corners *c, const struct zr_eye eyes[3], struct zr_eye_depth *out)
 {
     enum { W = ZR_SOURCE_W, DEPTH = ZR_SOURCE_EYE_DEPTH, EYE_W = ZR_SOURCE_EYE_W };
     const double w[3] = {c->first[W], c->first[W] + c->d1[W], c->first[W] + c->d2[W]};
@@ -97,7 +96,7 @@ static inline void make_range(const struct corners *c, const struct zr_window_ve
     double depths[3] = {c->first[DEPTH] / eye_w[0], (c->first[DEPTH] + c->d1[DEPTH]) / eye_w[1],
                         (c->first[DEPTH] + c->d2[DEPTH]) / eye_w[2]};
     bool in_front = least(w) > 0.0 && least(eye_w) > 0.0;
-    if (!in_front) window_depths(v, depths);
+    if (!in_front && eyes) eye_depths(eyes, depths);
     out->min = least(depths);
     out->max = most(depths);
     if (in_front) return;
@@ -110,8 +109,10 @@ void zr_eye_depth_make(const struct zr_geometry *geometry, const struct zr_trian
 {
     const struct zr_window_vertex *const v[3] = {&geometry->vertices[record->v[0]], &geometry->vertices[record->v[1]],
                                                  &geometry->vertices[record->v[2]]};
+    const struct zr_eye eyes[3] = {geometry->eyes[record->v[0]], geometry->eyes[record->v[1]],
+                                   geometry->eyes[record->v[2]]};
     if (record->line) {
-        *out = line_depth(v);
+        *out = line_depth(v, eyes);
         return;
     }
     struct zr_source source = zr_source_of(&geometry->sources, record->v);
@@ -123,5 +124,5 @@ void zr_eye_depth_make(const struct zr_geometry *geometry, const struct zr_trian
     cross(c.d1, c.d2, normal);
     out->depth = value_plane(&c, normal, ZR_SOURCE_EYE_DEPTH, (double)width, (double)height);
     out->one = value_plane(&c, normal, ZR_SOURCE_EYE_W, (double)width, (double)height);
-    make_range(&c, v, out);
+    make_range(&c, source.is_cut ? eyes : NULL, out);
 }

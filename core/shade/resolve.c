@@ -2,131 +2,52 @@
 
 #include <string.h>
 
-#include "raster/line.h"
 #include "shade/eye_depth.h"
 
-/* Pixels of one row that belong to one record. */
-struct run {
-    int32_t x, y, count; /* window space, y up */
-    uint32_t owner;
-};
-
-/* A record's planes, kept while its runs are resolved. */
+/* A record's depth, kept while its runs are resolved. */
 struct surface {
     uint32_t owner; /* 0: none yet */
-    bool flat;
-    uint32_t flat_color;
-    struct zr_plane oow, red, green, blue; /* colours times 1/w */
     struct zr_eye_depth eye_depth;
 };
 
 /* Small records come back in every row of a tile: this many are remembered. */
 enum { SURFACES = 256 };
 
-/* Adding and taking away 1.5 * 2^23 rounds to an integer, ties to even: the float
- * has no bits left for a fraction. Compiles to vector code, as rintf does not everywhere. */
-static inline float round_small(float v)
-{
-    return (v + 12582912.0f) - 12582912.0f;
-}
+/* Runs wait until the painter has some to paint side by side. */
+enum { RUNS = 4 * ZR_TILE_SIZE };
 
-static inline uint32_t color_byte(float value)
-{
-    value = value > 0.0f ? value : 0.0f;
-    value = value < 1.0f ? value : 1.0f;
-    return (uint32_t)(int32_t)round_small(value * 255.0f);
-}
-
-uint32_t zr_color_byte(float value)
-{
-    return color_byte(value);
-}
-
-/* As four bytes in memory: red, green, blue, alpha. */
-static inline uint32_t pack(uint32_t red, uint32_t green, uint32_t blue, uint32_t alpha)
-{
-#if __BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__
-    return red | green << 8 | blue << 16 | alpha << 24;
-#else
-    return red << 24 | green << 16 | blue << 8 | alpha;
-#endif
-}
-
-/* What the planes of a record have in common: of a triangle's or of a line's. */
-struct basis {
-    bool is_line;
-    struct zr_plane_basis triangle;
-    struct zr_line_basis line;
+/* What is kept from run to run of a tile. */
+struct resolver {
+    const struct zr_geometry *geometry;
+    const struct zr_frame *frame;
+    const struct zr_batch *batch; /* of the last record */
+    struct surface surfaces[SURFACES];
+    uint32_t run_count;
+    struct zr_run runs[RUNS];
 };
 
-static struct basis basis_make(const struct zr_triangle *t, const struct zr_window_vertex *const v[3])
+static const struct zr_batch *batch_of(struct resolver *r, uint32_t number)
 {
-    struct basis basis = {.is_line = t->line};
-    if (t->line)
-        basis.line = zr_line_basis_make(v[0], v[1]);
-    else
-        basis.triangle = zr_plane_basis_make(v[0], v[1], v[2]);
-    return basis;
+    if (!zr_batch_holds(r->batch, number)) r->batch = zr_batch_of(r->geometry, number);
+    return r->batch;
 }
 
-static struct zr_plane plane_make(const struct basis *basis, float p0, float p1, float p2)
+static const struct zr_eye_depth *eye_depth_of(struct resolver *r, uint32_t number)
 {
-    return basis->is_line ? zr_line_plane_make(&basis->line, p0, p1) : zr_plane_make(&basis->triangle, p0, p1, p2);
+    struct surface *surface = &r->surfaces[number % SURFACES];
+    if (surface->owner == number + 1) return &surface->eye_depth;
+    const struct zr_record record = zr_record_of(r->geometry, batch_of(r, number), number);
+    surface->owner = number + 1;
+    zr_eye_depth_make(r->geometry, &record.triangle, r->frame->width, r->frame->height, &surface->eye_depth);
+    return &surface->eye_depth;
 }
 
-static void make_color(const struct zr_geometry *geometry, const struct zr_triangle *t, struct surface *surface)
+static uint32_t face_of(struct resolver *r, uint32_t number)
 {
-    const zr_vec4 *colors = t->back ? geometry->back_colors : geometry->front_colors;
-    zr_vec4 c0 = colors[t->c[0]], c1 = colors[t->c[1]], c2 = colors[t->c[2]];
-    surface->flat = t->c[0] == t->c[1] && t->c[1] == t->c[2];
-    if (surface->flat) {
-        surface->flat_color = pack(color_byte(c0.x), color_byte(c0.y), color_byte(c0.z), 255);
-        return;
-    }
-    const struct zr_window_vertex *const v[3] = {&geometry->vertices[t->v[0]], &geometry->vertices[t->v[1]],
-                                                 &geometry->vertices[t->v[2]]};
-    const float oow[3] = {v[0]->oow, v[1]->oow, v[2]->oow};
-    const struct basis basis = basis_make(t, v);
-    surface->oow = plane_make(&basis, oow[0], oow[1], oow[2]);
-    surface->red = plane_make(&basis, c0.x * oow[0], c1.x * oow[1], c2.x * oow[2]);
-    surface->green = plane_make(&basis, c0.y * oow[0], c1.y * oow[1], c2.y * oow[2]);
-    surface->blue = plane_make(&basis, c0.z * oow[0], c1.z * oow[1], c2.z * oow[2]);
-}
-
-/* Only what the frame's channels ask for: small records are set up as often as drawn. */
-static void make_surface(const struct zr_geometry *geometry, const struct zr_frame *frame, uint32_t owner,
-                         struct surface *surface)
-{
-    const struct zr_triangle *t = &geometry->triangles[owner - 1];
-    surface->owner = owner;
-    if (frame->color) make_color(geometry, t, surface);
-    if (frame->depth) zr_eye_depth_make(geometry, t, frame->width, frame->height, &surface->eye_depth);
-}
-
-static void resolve_color(const struct surface *surface, const struct run *run, uint32_t *out)
-{
-    if (surface->flat) {
-        for (int32_t i = 0; i < run->count; i++)
-            out[i] = surface->flat_color;
-        return;
-    }
-    const struct zr_plane w = surface->oow, r = surface->red, g = surface->green, b = surface->blue;
-    const float y = (float)run->y;
-    for (int32_t i = 0; i < run->count; i++) {
-        float x = (float)(run->x + i);
-        float reciprocal = 1.0f / zr_plane_at(&w, x, y);
-        uint32_t red = color_byte(zr_plane_at(&r, x, y) * reciprocal);
-        uint32_t green = color_byte(zr_plane_at(&g, x, y) * reciprocal);
-        uint32_t blue = color_byte(zr_plane_at(&b, x, y) * reciprocal);
-        out[i] = pack(red, green, blue, 255);
-    }
-}
-
-static void resolve_depth(const struct surface *surface, const struct run *run, float *out)
-{
-    const struct zr_eye_depth depth = surface->eye_depth;
-    for (int32_t i = 0; i < run->count; i++)
-        out[i] = zr_eye_depth_at(&depth, run->x + i, run->y);
+    const struct zr_batch *batch = batch_of(r, number);
+    uint32_t t = number - batch->first;
+    if (batch->written) return r->geometry->triangles[batch->first_record + t].face;
+    return batch->first_id + zr_batch_face(batch, t);
 }
 
 /* The base as it is; its depth in the tile is for the depth test only. */
@@ -151,48 +72,101 @@ static void resolve_nothing(const struct zr_frame *frame, uint32_t background, s
     if (frame->base) resolve_base(frame, frame->base, pixel, count);
 }
 
-static void resolve_run(const struct zr_geometry *geometry, const struct surface *surface, const struct run *run,
-                        const struct zr_frame *frame, size_t pixel)
+static void resolve_run(struct resolver *r, const struct zr_run *run, size_t pixel)
 {
-    if (frame->color) resolve_color(surface, run, (uint32_t *)(void *)frame->color + pixel);
-    if (frame->depth) resolve_depth(surface, run, frame->depth + pixel);
-    if (!frame->face_id) return;
-    uint32_t face = geometry->triangles[run->owner - 1].face + (frame->base ? frame->base->first_face_id - 1 : 0);
-    for (int32_t i = 0; i < run->count; i++)
-        frame->face_id[pixel + (size_t)i] = face;
+    const struct zr_frame *frame = r->frame;
+    if (frame->depth) {
+        const struct zr_eye_depth depth = *eye_depth_of(r, run->number);
+        for (uint32_t i = 0; i < run->count; i++)
+            frame->depth[pixel + i] = zr_eye_depth_at(&depth, run->x + (int32_t)i, run->y);
+    }
+    if (frame->face_id) {
+        uint32_t face = face_of(r, run->number) + (frame->base ? frame->base->first_face_id - 1 : 0);
+        for (uint32_t i = 0; i < run->count; i++)
+            frame->face_id[pixel + i] = face;
+    }
 }
 
-uint32_t zr_resolve_tile(const struct zr_geometry *geometry, zr_vec4 background, const struct zr_tile *tile,
-                         const struct zr_frame *frame)
+/* Window space has y up, pictures have row 0 on top. */
+static size_t pixel_of_row(const struct zr_frame *frame, const struct zr_tile *tile, int32_t row)
 {
-    struct surface surfaces[SURFACES];
-    for (int i = 0; i < SURFACES; i++)
-        surfaces[i].owner = 0;
-    uint32_t nothing =
-        pack(color_byte(background.x), color_byte(background.y), color_byte(background.z), color_byte(background.w));
+    return (size_t)(frame->height - 1 - (uint32_t)(tile->y + row)) * frame->width + (size_t)tile->x;
+}
+
+static void paint_runs(struct resolver *r, zr_paint_fn *paint)
+{
+    if (r->run_count > 0) paint(r->geometry, r->runs, r->run_count);
+    r->run_count = 0;
+}
+
+/* How far the row is the owner's, from `begin` on. */
+static int32_t end_of_run(const uint32_t *owners, int32_t begin, int32_t width)
+{
+    int32_t end = begin + 1;
+    while (end < width && owners[end] == owners[begin])
+        end++;
+    return end;
+}
+
+static uint32_t resolve_row(struct resolver *r, const struct zr_tile *tile, int32_t row, uint32_t nothing)
+{
+    const struct zr_frame *frame = r->frame;
+    const uint32_t *owners = &tile->owner[row * ZR_TILE_STRIDE];
+    const size_t line = pixel_of_row(frame, tile, row);
+    uint32_t covered = 0;
+    if (frame->window_depth)
+        memcpy(frame->window_depth + line, &tile->depth[row * ZR_TILE_STRIDE], (size_t)tile->width * sizeof(float));
+    for (int32_t begin = 0, end; begin < tile->width; begin = end) {
+        end = end_of_run(owners, begin, tile->width);
+        size_t pixel = line + (size_t)begin;
+        if (owners[begin] == 0) {
+            resolve_nothing(frame, nothing, pixel, end - begin);
+            continue;
+        }
+        struct zr_run *run = &r->runs[r->run_count];
+        *run = (struct zr_run){.number = owners[begin] - 1,
+                               .x = tile->x + begin,
+                               .y = tile->y + row,
+                               .count = (uint32_t)(end - begin),
+                               .pixels = frame->color ? (uint32_t *)(void *)frame->color + pixel : NULL};
+        covered += run->count;
+        resolve_run(r, run, pixel);
+        r->run_count += frame->color != NULL;
+    }
+    return covered;
+}
+
+static void resolve_empty(const struct zr_frame *frame, const struct zr_tile *tile, uint32_t nothing)
+{
+    for (int32_t row = 0; row < tile->height; row++) {
+        size_t line = pixel_of_row(frame, tile, row);
+        resolve_nothing(frame, nothing, line, tile->width);
+        for (int32_t i = 0; frame->window_depth && i < tile->width; i++)
+            frame->window_depth[line + (size_t)i] = 1.0f;
+    }
+}
+
+uint32_t zr_resolve_tile(const struct zr_geometry *geometry, zr_paint_fn *paint, zr_vec4 background,
+                         const struct zr_tile *tile, const struct zr_frame *frame)
+{
+    uint32_t nothing = zr_color_pack(zr_color_byte(background.x), zr_color_byte(background.y),
+                                     zr_color_byte(background.z), zr_color_byte(background.w));
+    if (tile->is_empty) {
+        resolve_empty(frame, tile, nothing);
+        return 0;
+    }
+    struct resolver resolver;
+    resolver.geometry = geometry;
+    resolver.frame = frame;
+    resolver.batch = &geometry->batches[0];
+    resolver.run_count = 0;
+    for (int i = 0; frame->depth && i < SURFACES; i++)
+        resolver.surfaces[i].owner = 0;
     uint32_t covered = 0;
     for (int32_t row = 0; row < tile->height; row++) {
-        const uint32_t *owners = &tile->owner[row * ZR_TILE_SIZE];
-        struct run run = {.y = tile->y + row};
-        /* Window space has y up, pictures have row 0 on top. */
-        size_t line = (size_t)(frame->height - 1 - (uint32_t)run.y) * frame->width + (size_t)tile->x;
-        if (frame->window_depth)
-            memcpy(frame->window_depth + line, &tile->depth[row * ZR_TILE_SIZE], (size_t)tile->width * sizeof(float));
-        for (int32_t begin = 0, end; begin < tile->width; begin = end) {
-            run.owner = owners[begin];
-            for (end = begin + 1; end < tile->width && owners[end] == run.owner;)
-                end++;
-            run.x = tile->x + begin;
-            run.count = end - begin;
-            if (run.owner == 0) {
-                resolve_nothing(frame, nothing, line + (size_t)begin, run.count);
-                continue;
-            }
-            struct surface *surface = &surfaces[run.owner % SURFACES];
-            if (surface->owner != run.owner) make_surface(geometry, frame, run.owner, surface);
-            resolve_run(geometry, surface, &run, frame, line + (size_t)begin);
-            covered += (uint32_t)run.count;
-        }
+        if (resolver.run_count > RUNS - ZR_TILE_SIZE) paint_runs(&resolver, paint);
+        covered += resolve_row(&resolver, tile, row, nothing);
     }
+    paint_runs(&resolver, paint);
     return covered;
 }

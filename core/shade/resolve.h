@@ -6,16 +6,13 @@
 #ifndef ZR_RESOLVE_H
 #define ZR_RESOLVE_H
 
-#include "geometry/geometry.h"
 #include "raster/tile.h"
 #include "shade/frame.h"
+#include "shade/paint.h"
 
 /* Writes the tile's part of each channel that `frame` has, and returns how many of its
  * pixels belong to a record. One writer a pixel: different tiles may be resolved at once. */
-uint32_t zr_resolve_tile(const struct zr_geometry *geometry, zr_vec4 background, const struct zr_tile *tile,
-                         const struct zr_frame *frame);
-
-/* 0..1 -> 0..255, to the nearest, ties to even. NaN gives 0. */
-uint32_t zr_color_byte(float value);
+uint32_t zr_resolve_tile(const struct zr_geometry *geometry, zr_paint_fn *paint, zr_vec4 background,
+                         const struct zr_tile *tile, const struct zr_frame *frame);
 
 #endif

@@ -227,8 +227,8 @@ static void append_thin(struct builder *b, const struct zr_window_vertex *v0, co
     }
     const struct zr_window_vertex *v[3] = {v0, v1, v2};
     for (int k = 0; k < 3; k++) {
-        out->thin[out->thin_count].x[k] = v[k]->sx;
-        out->thin[out->thin_count].y[k] = v[k]->sy;
+        out->thin[out->thin_count].x[k] = zr_snapped_x(v[k]);
+        out->thin[out->thin_count].y[k] = zr_snapped_y(v[k]);
     }
     out->thin_count++;
 }
@@ -401,7 +401,7 @@ static bool make_colors(struct builder *b, struct source *s, const struct zr_lig
     zr_vec4 *back = zr_arena_alloc(b->arena, count, sizeof *back);
     if (!zr_arena_ok(b->arena)) return false;
     zr_mat4 object_to_eye = zr_mat4_mul(&b->camera->world_to_eye, &s->instance->object_to_world);
-    s->colors = zr_colors_make(b->arena, NULL, b->scene, s->mesh, lighting, &object_to_eye, front, back);
+    s->colors = zr_colors_make(b->arena, NULL, NULL, b->scene, s->mesh, lighting, &object_to_eye, front, back);
     return zr_arena_ok(b->arena);
 }
 

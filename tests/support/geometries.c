@@ -18,10 +18,7 @@ static uint32_t add_vertex(struct test_geometry *test, struct test_corner corner
     test->vertices[number] = (struct zr_window_vertex){.x = (float)corner.x / ZR_SUBPIXELS + 0.5f,
                                                        .y = (float)corner.y / ZR_SUBPIXELS + 0.5f,
                                                        .z = corner.z,
-                                                       .oow = 1,
-                                                       .sx = corner.x,
-                                                       .sy = corner.y,
-                                                       .eye_w = 1};
+                                                       .oow = 1};
     return number;
 }
 
@@ -79,21 +76,45 @@ bool geometry_end_shape(struct test_geometry *test)
     return false;
 }
 
+static bool is_plain(const struct zr_triangle *record)
+{
+    return !record->line && !record->pushed && record->shape == 0;
+}
+
+void geometry_batch(struct zr_geometry *geometry)
+{
+    geometry->batch_count = 0;
+    for (uint32_t i = 0; i < geometry->triangle_count; i++) {
+        bool plain = is_plain(&geometry->triangles[i]);
+        struct zr_batch *last = &geometry->batches[geometry->batch_count - 1];
+        if (geometry->batch_count > 0 && last->plain == plain)
+            last->count++;
+        else
+            geometry->batches[geometry->batch_count++] =
+                (struct zr_batch){.first = i, .count = 1, .written = true, .plain = plain, .first_record = i};
+    }
+}
+
 static enum zr_status draw_tiles(struct zr_arena *arena, const struct zr_geometry *geometry, struct zr_samples *samples)
 {
-    struct zr_bins bins;
+    struct zr_visible visible;
+    struct zr_geometry batched = *geometry;
+    struct zr_batch batches[TEST_RECORDS_MAX];
     struct zr_tile tile;
     size_t pixels = (size_t)samples->width * samples->height;
     samples->depth = zr_arena_alloc(arena, pixels, sizeof *samples->depth);
     samples->owner = zr_arena_alloc(arena, pixels, sizeof *samples->owner);
-    enum zr_status status = zr_bins_build(arena, geometry, samples->width, samples->height, NULL, &bins);
+    batched.batches = batches;
+    geometry_batch(&batched);
+    enum zr_status status =
+        zr_visible_make(arena, NULL, &batched, samples->width, samples->height, NULL, &visible);
     for (uint32_t t = 0; status == ZR_OK && t < zr_tile_count(samples->width, samples->height); t++) {
-        zr_visibility_tile(geometry, &bins, t, samples->width, samples->height, NULL, NULL, &tile);
+        zr_visibility_tile(&visible, t, NULL, NULL, &tile);
         for (int32_t y = 0; y < tile.height; y++)
             for (int32_t x = 0; x < tile.width; x++) {
                 size_t i = (size_t)(tile.y + y) * samples->width + (size_t)(tile.x + x);
-                samples->depth[i] = tile.depth[y * ZR_TILE_SIZE + x];
-                samples->owner[i] = tile.owner[y * ZR_TILE_SIZE + x];
+                samples->depth[i] = tile.is_empty ? 1.0f : tile.depth[y * ZR_TILE_STRIDE + x];
+                samples->owner[i] = tile.is_empty ? 0 : tile.owner[y * ZR_TILE_STRIDE + x];
             }
     }
     return status;

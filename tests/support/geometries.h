@@ -34,6 +34,9 @@ void geometry_add_ring(struct test_geometry *test, const struct test_corner *cor
 /* True where it has a record; else it is taken away again. */
 bool geometry_end_shape(struct test_geometry *test);
 
+/* Puts its records into batches, for which the caller has given room: one a record will do. */
+void geometry_batch(struct zr_geometry *geometry);
+
 /* Draws by any algorithm, production's too, into samples that start at depth 1. Fails the running test
  * where that does not work. */
 struct zr_samples geometry_draw(struct zr_arena *arena, const struct test_geometry *test, enum zr_algorithm algorithm,

@@ -96,9 +96,9 @@ static void viewport_puts_corners_and_centre_where_gl_does(void **state)
     struct zr_viewport viewport = zr_viewport_make(64, 32);
     struct zr_window_vertex v;
     assert_true(zr_viewport_apply(&viewport, (zr_vec4){-1, -1, -1, 1}, &v));
-    assert_true(v.x == 0 && v.y == 0 && v.z == 0 && v.sx == -128 && v.sy == -128);
+    assert_true(v.x == 0 && v.y == 0 && v.z == 0 && zr_snapped_x(&v) == -128 && zr_snapped_y(&v) == -128);
     assert_true(zr_viewport_apply(&viewport, (zr_vec4){2, 2, 2, 2}, &v));
-    assert_true(v.x == 64 && v.y == 32 && v.z == 1 && v.oow == 0.5f && v.sx == 64 * 256 - 128);
+    assert_true(v.x == 64 && v.y == 32 && v.z == 1 && v.oow == 0.5f && zr_snapped_x(&v) == 64 * 256 - 128);
 }
 
 static void viewport_snap_ties_go_to_even(void **state)
@@ -107,8 +107,8 @@ static void viewport_snap_ties_go_to_even(void **state)
     struct zr_viewport viewport = {1, 1, 0.5f, 0.5f};
     struct zr_window_vertex v;
     assert_true(zr_viewport_apply(&viewport, (zr_vec4){0.5f / 256, 1.5f / 256, 0, 1}, &v));
-    assert_int_equal(v.sx, 0);
-    assert_int_equal(v.sy, 2);
+    assert_int_equal(zr_snapped_x(&v), 0);
+    assert_int_equal(zr_snapped_y(&v), 2);
 }
 
 static void viewport_without_a_place_is_refused(void **state)

@@ -121,10 +121,10 @@ static void draw_window_line(struct drawer *drawer, const struct corner *c0, con
 {
     struct zr_window_vertex v0 = c0->window, v1 = c1->window;
     if (drawer->fault == FAULT_SNAPPED_FIRST) {
-        v0.x = (float)v0.sx / 256.0f + 0.5f;
-        v0.y = (float)v0.sy / 256.0f + 0.5f;
-        v1.x = (float)v1.sx / 256.0f + 0.5f;
-        v1.y = (float)v1.sy / 256.0f + 0.5f;
+        v0.x = (float)zr_snapped_x(&v0) / 256.0f + 0.5f;
+        v0.y = (float)zr_snapped_y(&v0) / 256.0f + 0.5f;
+        v1.x = (float)zr_snapped_x(&v1) / 256.0f + 0.5f;
+        v1.y = (float)zr_snapped_y(&v1) / 256.0f + 0.5f;
     }
     struct zr_line_corners corners;
     bool reversed = drawer->fault == FAULT_REVERSED;
@@ -232,7 +232,7 @@ static void draw_filled_piece(struct drawer *drawer, const struct corner *corner
     struct zr_window_vertex v[3] = {corners[0]->window, corners[1]->window, corners[2]->window};
     zr_vec4 c[3] = {corners[0]->color, corners[1]->color, corners[2]->color};
     int64_t area =
-        (int64_t)(v[0].sx - v[1].sx) * (v[2].sy - v[0].sy) - (int64_t)(v[0].sy - v[1].sy) * (v[2].sx - v[0].sx);
+        (int64_t)(zr_snapped_x(&v[0]) - zr_snapped_x(&v[1])) * (zr_snapped_y(&v[2]) - zr_snapped_y(&v[0])) - (int64_t)(zr_snapped_y(&v[0]) - zr_snapped_y(&v[1])) * (zr_snapped_x(&v[2]) - zr_snapped_x(&v[0]));
     if (area == 0 || !corners[0]->placed || !corners[1]->placed || !corners[2]->placed) return;
     if (area < 0) {
         v[0] = corners[1]->window;

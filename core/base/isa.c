@@ -1,0 +1,48 @@
+#include "base/isa.h"
+
+#include <string.h>
+
+static const char *const NAMES[ZR_ISA_COUNT] = {[ZR_ISA_SCALAR] = "scalar",
+                                                [ZR_ISA_SSE2] = "sse2",
+                                                [ZR_ISA_AVX2] = "avx2",
+                                                [ZR_ISA_AVX512] = "avx512",
+                                                [ZR_ISA_NEON] = "neon"};
+
+const char *zr_isa_name(enum zr_isa isa)
+{
+    return NAMES[isa];
+}
+
+bool zr_isa_find(const char *name, enum zr_isa *isa)
+{
+    for (int i = 0; i < ZR_ISA_COUNT; i++)
+        if (strcmp(name, NAMES[i]) == 0) {
+            *isa = (enum zr_isa)i;
+            return true;
+        }
+    return false;
+}
+
+bool zr_isa_is_available(enum zr_isa isa)
+{
+    if (isa == ZR_ISA_SCALAR) return true;
+#if defined __x86_64__
+    if (isa == ZR_ISA_SSE2) return true;
+    if (isa == ZR_ISA_AVX2) return __builtin_cpu_supports("avx2");
+    if (isa == ZR_ISA_AVX512)
+        return __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512bw") &&
+               __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512vl") &&
+               __builtin_cpu_supports("bmi2");
+#elif defined __aarch64__
+    if (isa == ZR_ISA_NEON) return true;
+#endif
+    return false;
+}
+
+enum zr_isa zr_isa_best(void)
+{
+    static const enum zr_isa by_width[] = {ZR_ISA_AVX512, ZR_ISA_AVX2, ZR_ISA_NEON, ZR_ISA_SSE2};
+    for (unsigned i = 0; i < sizeof by_width / sizeof *by_width; i++)
+        if (zr_isa_is_available(by_width[i])) return by_width[i];
+    return ZR_ISA_SCALAR;
+}

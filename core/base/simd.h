@@ -1,0 +1,60 @@
+/* simd.h - base: vectors of floats and integers, for kernels (*_kernel.c), which are compiled once for
+ * each instruction set.
+ *
+ * Types:   zr_vf, zr_vi hold ZR_LANES floats or int32_t, zr_vm one truth a lane. + - * / & | ^ << >>
+ *          work on them as on numbers, both operands being vectors (a shift's count is an int).
+ * Exact:   every operation here is IEEE's, lane by lane, so that each instruction set gives the
+ *          same bytes: no approximate reciprocal, no fused multiply-add.
+ * Each instruction set has a header in base/simd/, which defines all of:
+ *
+ *   zr_vf_set(a) zr_vi_set(a)          all lanes alike           zr_vf_ramp() zr_vi_ramp()   0, 1, 2 ...
+ *   zr_vf_load(p) zr_vi_load(p)        ZR_LANES from anywhere    zr_vf_store(p, v) zr_vi_store(p, v)
+ *   zr_vf_store_where(m, p, v), zr_vi_store_where: lanes of m only; the others may be read and written back
+ *   zr_vf_lt le eq(a, b), zr_vi_lt eq(a, b), zr_vm_and or andnot(a, b: a and not b), zr_vm_bits(m), zr_vm_of(bits)
+ *   zr_vf_select(m, a, b), zr_vi_select: a where m, else b
+ *   zr_vf_min(a, b): a < b ? a : b     zr_vf_max(a, b): a > b ? a : b     zr_vi_min, zr_vi_max
+ *   zr_vf_abs(a)  zr_vf_of(vi): int to float   zr_vi_round(vf): to the nearest, ties to even, where |v| < 2^22
+ *   zr_vi_bits_of(vf)  the same bits as integers
+ *   ZR_LOAD4(x, y, z, w, AT): lane i of x, y, z, w are the four floats at AT(i), a const float *
+ *   ZR_LOAD2(x, y, AT): the same of two floats
+ *   zr_vf_store4(p, x, y, z, w): the other way round, all to one place
+ */
+#ifndef ZR_SIMD_H
+#define ZR_SIMD_H
+
+#include <stdint.h>
+#include <string.h>
+
+#if defined ZR_KERNEL_SCALAR
+#include "base/simd/scalar.h"
+#elif defined ZR_KERNEL_AVX512
+#include "base/simd/avx512.h"
+#elif defined ZR_KERNEL_AVX2
+#include "base/simd/avx2.h"
+#elif defined ZR_KERNEL_SSE2
+#include "base/simd/sse2.h"
+#elif defined ZR_KERNEL_NEON
+#include "base/simd/neon.h"
+#else
+#error "kernels are compiled once for each instruction set, with one of ZR_KERNEL_*"
+#endif
+
+#define ZR_JOIN_(name, suffix) name##_##suffix
+#define ZR_JOIN(name, suffix) ZR_JOIN_(name, suffix)
+/* The name of a kernel, for the instruction set that is compiled for. */
+#define ZR_KERNEL(name) ZR_JOIN(name, ZR_SUFFIX)
+
+#define ZR_ALL_BITS ((1u << (ZR_LANES - 1) << 1) - 1u)
+#define ZR_ALL_LANES zr_vm_of(ZR_ALL_BITS)
+
+static inline int zr_lowest_bit(uint32_t bits)
+{
+    return __builtin_ctz(bits);
+}
+
+static inline int zr_vm_any(zr_vm m)
+{
+    return zr_vm_bits(m) != 0;
+}
+
+#endif

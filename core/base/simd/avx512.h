@@ -1,0 +1,191 @@
+/* avx512.h - base: base/simd.h for AVX-512 F, BW, DQ, VL. */
+#ifndef ZR_SIMD_AVX512_H
+#define ZR_SIMD_AVX512_H
+
+#include <immintrin.h>
+
+#define ZR_SUFFIX avx512
+enum { ZR_LANES = 16 };
+
+typedef float zr_vf __attribute__((vector_size(64)));
+typedef int32_t zr_vi __attribute__((vector_size(64)));
+typedef __mmask16 zr_vm;
+
+static inline zr_vf zr_vf_set(float a)
+{
+    return (zr_vf)_mm512_set1_ps(a);
+}
+static inline zr_vi zr_vi_set(int32_t a)
+{
+    return (zr_vi)_mm512_set1_epi32(a);
+}
+static inline zr_vi zr_vi_ramp(void)
+{
+    return (zr_vi){0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15};
+}
+static inline zr_vf zr_vf_ramp(void)
+{
+    return (zr_vf){0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15};
+}
+static inline zr_vf zr_vf_load(const float *p)
+{
+    return (zr_vf)_mm512_loadu_ps(p);
+}
+static inline zr_vi zr_vi_load(const void *p)
+{
+    return (zr_vi)_mm512_loadu_si512(p);
+}
+static inline void zr_vf_store(float *p, zr_vf v)
+{
+    _mm512_storeu_ps(p, (__m512)v);
+}
+static inline void zr_vi_store(void *p, zr_vi v)
+{
+    _mm512_storeu_si512(p, (__m512i)v);
+}
+static inline void zr_vf_store_where(zr_vm m, float *p, zr_vf v)
+{
+    _mm512_mask_storeu_ps(p, m, (__m512)v);
+}
+static inline void zr_vi_store_where(zr_vm m, void *p, zr_vi v)
+{
+    _mm512_mask_storeu_epi32(p, m, (__m512i)v);
+}
+static inline zr_vm zr_vf_lt(zr_vf a, zr_vf b)
+{
+    return _mm512_cmp_ps_mask((__m512)a, (__m512)b, _CMP_LT_OQ);
+}
+static inline zr_vm zr_vf_le(zr_vf a, zr_vf b)
+{
+    return _mm512_cmp_ps_mask((__m512)a, (__m512)b, _CMP_LE_OQ);
+}
+static inline zr_vm zr_vf_eq(zr_vf a, zr_vf b)
+{
+    return _mm512_cmp_ps_mask((__m512)a, (__m512)b, _CMP_EQ_OQ);
+}
+static inline zr_vm zr_vi_lt(zr_vi a, zr_vi b)
+{
+    return _mm512_cmplt_epi32_mask((__m512i)a, (__m512i)b);
+}
+static inline zr_vm zr_vi_eq(zr_vi a, zr_vi b)
+{
+    return _mm512_cmpeq_epi32_mask((__m512i)a, (__m512i)b);
+}
+static inline zr_vm zr_vm_and(zr_vm a, zr_vm b)
+{
+    return _kand_mask16(a, b);
+}
+static inline zr_vm zr_vm_or(zr_vm a, zr_vm b)
+{
+    return _kor_mask16(a, b);
+}
+static inline zr_vm zr_vm_andnot(zr_vm a, zr_vm b)
+{
+    return _kandn_mask16(b, a);
+}
+static inline uint32_t zr_vm_bits(zr_vm m)
+{
+    return _cvtmask16_u32(m);
+}
+static inline zr_vm zr_vm_of(uint32_t bits)
+{
+    return _cvtu32_mask16(bits);
+}
+static inline zr_vf zr_vf_select(zr_vm m, zr_vf a, zr_vf b)
+{
+    return (zr_vf)_mm512_mask_blend_ps(m, (__m512)b, (__m512)a);
+}
+static inline zr_vi zr_vi_select(zr_vm m, zr_vi a, zr_vi b)
+{
+    return (zr_vi)_mm512_mask_blend_epi32(m, (__m512i)b, (__m512i)a);
+}
+static inline zr_vf zr_vf_min(zr_vf a, zr_vf b)
+{
+    return (zr_vf)_mm512_min_ps((__m512)a, (__m512)b);
+}
+static inline zr_vf zr_vf_max(zr_vf a, zr_vf b)
+{
+    return (zr_vf)_mm512_max_ps((__m512)a, (__m512)b);
+}
+static inline zr_vi zr_vi_min(zr_vi a, zr_vi b)
+{
+    return (zr_vi)_mm512_min_epi32((__m512i)a, (__m512i)b);
+}
+static inline zr_vi zr_vi_max(zr_vi a, zr_vi b)
+{
+    return (zr_vi)_mm512_max_epi32((__m512i)a, (__m512i)b);
+}
+static inline zr_vf zr_vf_abs(zr_vf a)
+{
+    return (zr_vf)_mm512_abs_ps((__m512)a);
+}
+static inline zr_vf zr_vf_of(zr_vi a)
+{
+    return (zr_vf)_mm512_cvtepi32_ps((__m512i)a);
+}
+static inline zr_vi zr_vi_round(zr_vf a)
+{
+    return (zr_vi)_mm512_cvtps_epi32((__m512)a);
+}
+static inline zr_vi zr_vi_bits_of(zr_vf a)
+{
+    return (zr_vi)a;
+}
+
+/* Lanes i, i + 4, i + 8, i + 12 of four vectors of x, y, z, w each. */
+#define ZR_LOAD_EVERY_FOURTH(AT, i) \
+    _mm512_insertf32x4( \
+        _mm512_insertf32x4(_mm512_insertf32x4(_mm512_castps128_ps512(_mm_loadu_ps(AT(i))), _mm_loadu_ps(AT(i + 4)), 1), \
+                           _mm_loadu_ps(AT(i + 8)), 2), \
+        _mm_loadu_ps(AT(i + 12)), 3)
+
+#define ZR_LOAD4(x, y, z, w, AT) \
+    do { \
+        const __m512 a0 = ZR_LOAD_EVERY_FOURTH(AT, 0), a1 = ZR_LOAD_EVERY_FOURTH(AT, 1); \
+        const __m512 a2 = ZR_LOAD_EVERY_FOURTH(AT, 2), a3 = ZR_LOAD_EVERY_FOURTH(AT, 3); \
+        zr_transpose4(a0, a1, a2, a3, &(x), &(y), &(z), &(w)); \
+    } while (0)
+
+static inline void zr_transpose4(__m512 a0, __m512 a1, __m512 a2, __m512 a3, zr_vf *x, zr_vf *y, zr_vf *z, zr_vf *w)
+{
+    const __m512d low01 = (__m512d)_mm512_unpacklo_ps(a0, a1), high01 = (__m512d)_mm512_unpackhi_ps(a0, a1);
+    const __m512d low23 = (__m512d)_mm512_unpacklo_ps(a2, a3), high23 = (__m512d)_mm512_unpackhi_ps(a2, a3);
+    *x = (zr_vf)_mm512_unpacklo_pd(low01, low23);
+    *y = (zr_vf)_mm512_unpackhi_pd(low01, low23);
+    *z = (zr_vf)_mm512_unpacklo_pd(high01, high23);
+    *w = (zr_vf)_mm512_unpackhi_pd(high01, high23);
+}
+
+/* Two neighbours, x y x y. */
+#define ZR_LOAD_PAIR(AT, i) _mm_loadh_pi(_mm_castpd_ps(_mm_load_sd((const double *)(const void *)AT(i))), (const __m64 *)(const void *)AT((i) + 1))
+#define ZR_LOAD_PAIRS(AT, i) \
+    _mm512_insertf32x4(_mm512_insertf32x4(_mm512_insertf32x4(_mm512_castps128_ps512(ZR_LOAD_PAIR(AT, i)), \
+                                                             ZR_LOAD_PAIR(AT, i + 4), 1), \
+                                          ZR_LOAD_PAIR(AT, i + 8), 2), \
+                       ZR_LOAD_PAIR(AT, i + 12), 3)
+
+#define ZR_LOAD2(x, y, AT) \
+    do { \
+        const __m512 a0 = ZR_LOAD_PAIRS(AT, 0), a2 = ZR_LOAD_PAIRS(AT, 2); \
+        (x) = (zr_vf)_mm512_shuffle_ps(a0, a2, 0x88); \
+        (y) = (zr_vf)_mm512_shuffle_ps(a0, a2, 0xdd); \
+    } while (0)
+
+static inline void zr_vf_store4(float *p, zr_vf x, zr_vf y, zr_vf z, zr_vf w)
+{
+    const __m512d xy_low = (__m512d)_mm512_unpacklo_ps((__m512)x, (__m512)y);
+    const __m512d xy_high = (__m512d)_mm512_unpackhi_ps((__m512)x, (__m512)y);
+    const __m512d zw_low = (__m512d)_mm512_unpacklo_ps((__m512)z, (__m512)w);
+    const __m512d zw_high = (__m512d)_mm512_unpackhi_ps((__m512)z, (__m512)w);
+    const __m512 every[4] = {(__m512)_mm512_unpacklo_pd(xy_low, zw_low), (__m512)_mm512_unpackhi_pd(xy_low, zw_low),
+                             (__m512)_mm512_unpacklo_pd(xy_high, zw_high),
+                             (__m512)_mm512_unpackhi_pd(xy_high, zw_high)};
+    const __m512 a = _mm512_shuffle_f32x4(every[0], every[1], 0x44), b = _mm512_shuffle_f32x4(every[2], every[3], 0x44);
+    const __m512 c = _mm512_shuffle_f32x4(every[0], every[1], 0xee), d = _mm512_shuffle_f32x4(every[2], every[3], 0xee);
+    _mm512_storeu_ps(p, _mm512_shuffle_f32x4(a, b, 0x88));
+    _mm512_storeu_ps(p + 16, _mm512_shuffle_f32x4(a, b, 0xdd));
+    _mm512_storeu_ps(p + 32, _mm512_shuffle_f32x4(c, d, 0x88));
+    _mm512_storeu_ps(p + 48, _mm512_shuffle_f32x4(c, d, 0xdd));
+}
+
+#endif

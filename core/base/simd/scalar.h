@@ -1,0 +1,157 @@
+/* scalar.h - base: base/simd.h in plain C, one lane. */
+#ifndef ZR_SIMD_SCALAR_H
+#define ZR_SIMD_SCALAR_H
+
+#include <math.h>
+
+#define ZR_SUFFIX scalar
+enum { ZR_LANES = 1 };
+
+typedef float zr_vf;
+typedef int32_t zr_vi;
+typedef uint32_t zr_vm;
+
+static inline zr_vf zr_vf_set(float a)
+{
+    return a;
+}
+static inline zr_vi zr_vi_set(int32_t a)
+{
+    return a;
+}
+static inline zr_vi zr_vi_ramp(void)
+{
+    return 0;
+}
+static inline zr_vf zr_vf_ramp(void)
+{
+    return 0.0f;
+}
+static inline zr_vf zr_vf_load(const float *p)
+{
+    return *p;
+}
+static inline zr_vi zr_vi_load(const void *p)
+{
+    zr_vi v;
+    memcpy(&v, p, sizeof v);
+    return v;
+}
+static inline void zr_vf_store(float *p, zr_vf v)
+{
+    *p = v;
+}
+static inline void zr_vi_store(void *p, zr_vi v)
+{
+    memcpy(p, &v, sizeof v);
+}
+static inline void zr_vf_store_where(zr_vm m, float *p, zr_vf v)
+{
+    if (m) *p = v;
+}
+static inline void zr_vi_store_where(zr_vm m, void *p, zr_vi v)
+{
+    if (m) memcpy(p, &v, sizeof v);
+}
+static inline zr_vm zr_vf_lt(zr_vf a, zr_vf b)
+{
+    return a < b;
+}
+static inline zr_vm zr_vf_le(zr_vf a, zr_vf b)
+{
+    return a <= b;
+}
+static inline zr_vm zr_vf_eq(zr_vf a, zr_vf b)
+{
+    return a == b;
+}
+static inline zr_vm zr_vi_lt(zr_vi a, zr_vi b)
+{
+    return a < b;
+}
+static inline zr_vm zr_vi_eq(zr_vi a, zr_vi b)
+{
+    return a == b;
+}
+static inline zr_vm zr_vm_and(zr_vm a, zr_vm b)
+{
+    return a & b;
+}
+static inline zr_vm zr_vm_or(zr_vm a, zr_vm b)
+{
+    return a | b;
+}
+static inline zr_vm zr_vm_andnot(zr_vm a, zr_vm b)
+{
+    return a & ~b & 1u;
+}
+static inline uint32_t zr_vm_bits(zr_vm m)
+{
+    return m;
+}
+static inline zr_vm zr_vm_of(uint32_t bits)
+{
+    return bits & 1u;
+}
+static inline zr_vf zr_vf_select(zr_vm m, zr_vf a, zr_vf b)
+{
+    return m ? a : b;
+}
+static inline zr_vi zr_vi_select(zr_vm m, zr_vi a, zr_vi b)
+{
+    return m ? a : b;
+}
+static inline zr_vf zr_vf_min(zr_vf a, zr_vf b)
+{
+    return a < b ? a : b;
+}
+static inline zr_vf zr_vf_max(zr_vf a, zr_vf b)
+{
+    return a > b ? a : b;
+}
+static inline zr_vi zr_vi_min(zr_vi a, zr_vi b)
+{
+    return a < b ? a : b;
+}
+static inline zr_vi zr_vi_max(zr_vi a, zr_vi b)
+{
+    return a > b ? a : b;
+}
+static inline zr_vf zr_vf_abs(zr_vf a)
+{
+    return fabsf(a);
+}
+static inline zr_vf zr_vf_of(zr_vi a)
+{
+    return (float)a;
+}
+/* Out of range gives what the vectors of x86 give, though no kernel reads it. */
+static inline zr_vi zr_vi_round(zr_vf a)
+{
+    return fabsf(a) < 0x1p31f ? (int32_t)rintf(a) : INT32_MIN;
+}
+static inline zr_vi zr_vi_bits_of(zr_vf a)
+{
+    zr_vi bits;
+    memcpy(&bits, &a, sizeof bits);
+    return bits;
+}
+
+#define ZR_LOAD4(x, y, z, w, AT) \
+    do { \
+        const float *const at = AT(0); \
+        (x) = at[0], (y) = at[1], (z) = at[2], (w) = at[3]; \
+    } while (0)
+
+#define ZR_LOAD2(x, y, AT) \
+    do { \
+        const float *const at = AT(0); \
+        (x) = at[0], (y) = at[1]; \
+    } while (0)
+
+static inline void zr_vf_store4(float *p, zr_vf x, zr_vf y, zr_vf z, zr_vf w)
+{
+    p[0] = x, p[1] = y, p[2] = z, p[3] = w;
+}
+
+#endif

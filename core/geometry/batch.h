@@ -1,0 +1,108 @@
+/* batch.h - geometry: runs of records, and how a record's number leads to what it shows.
+ *
+ * Most records are triangles of a mesh as it is: they are never written out. A batch says where their
+ * corners stand, so that a record is the triangle's number and nothing else. Records that are more
+ * than that (pieces of clipped triangles, lines, parts of shapes) are written out as zr_triangle.
+ * Numbers keep the order of the scene, over all batches: of two records at the same depth
+ * the one with the smaller number is seen.
+ */
+#ifndef ZR_BATCH_H
+#define ZR_BATCH_H
+
+#include <stddef.h>
+
+#include "geometry/viewport.h"
+#include "scene/scene.h"
+
+struct zr_geometry;
+
+/* A record: one thing with one plane for each of its attributes, and one owner of pixels.
+ * Most are triangles, oriented so that the reference's area (rule 6) is positive. */
+struct zr_triangle {
+    uint32_t v[3];       /* window vertices; of a line two, v[2] being v[1] again */
+    uint32_t c[3];       /* colours; all three the same: flat */
+    uint32_t face;       /* id of the polygon or line: 1 + its number over all instances */
+    uint32_t back : 1;   /* seen from behind, so its colours are the back ones */
+    uint32_t line : 1;   /* from v[0] to v[1], one pixel wide */
+    uint32_t pushed : 1; /* moved back by a depth offset, so that outlines are seen on it */
+    uint32_t shape : 29; /* 0: the triangle is seen wherever it covers a sample. Else 1 + the number
+                          * of the shape that it is a part of */
+};
+
+/* How a triangle of a mesh finds its colours. */
+enum zr_batch_colors {
+    ZR_BATCH_PER_FACE,         /* flat: colour f for face f */
+    ZR_BATCH_PER_FIRST_CORNER, /* flat: that of the position of the face's first corner */
+    ZR_BATCH_PER_FIRST_SLOT,   /* flat: that of the first corner's slot in mesh->indices */
+    ZR_BATCH_PER_VERTEX,       /* smooth: that of each corner's position */
+    ZR_BATCH_PER_CORNER        /* smooth: that of each corner's slot in mesh->indices */
+};
+
+struct zr_batch {
+    uint32_t first, count; /* numbers of its records */
+
+    bool written;          /* records first_record, and so on, of the geometry */
+    bool plain;            /* all are triangles, neither pushed nor parts of shapes */
+    uint32_t first_record; /* where written */
+
+    /* Else, triangles of one instance of a mesh, all inside the view volume, in one material. */
+    const struct zr_mesh *mesh;
+    const uint32_t *corners; /* three a triangle: positions of the mesh */
+    const uint32_t *slots;   /* three a triangle, into mesh->indices; NULL: as in a mesh of triangles */
+    const uint32_t *faces;   /* of the mesh, one a triangle; NULL: first_face and those that follow */
+    uint32_t first_face;
+    uint32_t first_id;     /* of face 0 */
+    uint32_t first_vertex; /* of position 0 */
+    enum zr_batch_colors colors;
+    const zr_vec4 *front, *back; /* one array where no back is lit and seen */
+    bool mirrored, double_sided;
+};
+
+/* The face of triangle `t` of a batch that is not written. */
+static inline uint32_t zr_batch_face(const struct zr_batch *batch, uint32_t t)
+{
+    return batch->faces ? batch->faces[t] : batch->first_face + t;
+}
+
+/* Which colour corner `k`, 0..2, of triangle `t` has. */
+static inline uint32_t zr_batch_color(const struct zr_batch *batch, uint32_t t, int k)
+{
+    const struct zr_mesh *mesh = batch->mesh;
+    switch (batch->colors) {
+    case ZR_BATCH_PER_FACE:
+        return zr_batch_face(batch, t);
+    case ZR_BATCH_PER_FIRST_CORNER:
+        return mesh->indices[mesh->face_offsets[zr_batch_face(batch, t)]];
+    case ZR_BATCH_PER_FIRST_SLOT:
+        return mesh->face_offsets[zr_batch_face(batch, t)];
+    case ZR_BATCH_PER_VERTEX:
+        return batch->corners[3 * (size_t)t + (size_t)k];
+    case ZR_BATCH_PER_CORNER:
+        break;
+    }
+    return batch->slots ? batch->slots[3 * (size_t)t + (size_t)k] : 3 * batch->first_face + 3 * t + (uint32_t)k;
+}
+
+static inline bool zr_batch_is_smooth(const struct zr_batch *batch)
+{
+    return batch->colors == ZR_BATCH_PER_VERTEX || batch->colors == ZR_BATCH_PER_CORNER;
+}
+
+static inline bool zr_batch_holds(const struct zr_batch *batch, uint32_t number)
+{
+    return number - batch->first < batch->count;
+}
+
+/* The batch of a record. Takes the logarithm of their count; ask zr_batch_holds of the last one first. */
+const struct zr_batch *zr_batch_of(const struct zr_geometry *geometry, uint32_t number);
+
+/* A record as the shading of single pixels wants it: its colours, and its corners turned as rule 6 wants them. Where
+ * it is not written out, c[] counts from the batch's own front and back. */
+struct zr_record {
+    struct zr_triangle triangle;
+    const zr_vec4 *colors; /* of the side that is seen: triangle.c indexes it */
+};
+
+struct zr_record zr_record_of(const struct zr_geometry *geometry, const struct zr_batch *batch, uint32_t number);
+
+#endif

@@ -1,0 +1,49 @@
+#include "geometry/fans.h"
+
+#include "geometry/face.h"
+
+enum { FACES_A_RANGE = 1024 };
+
+struct fanning {
+    const struct zr_mesh *mesh;
+    uint32_t *corners, *slots, *faces;
+    bool *is_other;
+};
+
+static void make_fan(const struct fanning *f, uint32_t face)
+{
+    const struct zr_mesh *mesh = f->mesh;
+    uint32_t begin = mesh->face_offsets[face], count = mesh->face_offsets[face + 1] - begin;
+    size_t t = zr_fans_first(mesh, face);
+    for (uint32_t i = 2; i < count; i++, t++) {
+        const uint32_t fan[3] = {i - 1, i, 0}, whole[3] = {0, 1, 2}, *order = count == 3 ? whole : fan;
+        f->faces[t] = face;
+        for (int k = 0; k < 3; k++) {
+            f->slots[3 * t + (size_t)k] = begin + order[k];
+            f->corners[3 * t + (size_t)k] = mesh->indices[begin + order[k]];
+        }
+    }
+}
+
+static void make_fans(void *context, size_t begin, size_t end)
+{
+    const struct fanning *f = context;
+    for (uint32_t face = (uint32_t)begin; face < end; face++) {
+        f->is_other[face] = zr_face_is_degenerate(f->mesh, face) || zr_face_is_shape(f->mesh, face);
+        if (!f->is_other[face]) make_fan(f, face);
+    }
+}
+
+bool zr_fans_make(struct zr_arena *arena, struct zr_team *team, const struct zr_mesh *mesh, struct zr_fans *fans)
+{
+    size_t triangles = zr_fans_first(mesh, mesh->face_count);
+    struct fanning f = {.mesh = mesh,
+                        .corners = zr_arena_alloc(arena, triangles, 3 * sizeof *f.corners),
+                        .slots = zr_arena_alloc(arena, triangles, 3 * sizeof *f.slots),
+                        .faces = zr_arena_alloc(arena, triangles, sizeof *f.faces),
+                        .is_other = zr_arena_alloc(arena, mesh->face_count, sizeof *f.is_other)};
+    if (!zr_arena_ok(arena)) return false;
+    zr_team_ranges(team, mesh->face_count, FACES_A_RANGE, make_fans, &f);
+    *fans = (struct zr_fans){f.corners, f.slots, f.faces, f.is_other};
+    return true;
+}

@@ -1,0 +1,113 @@
+#include "geometry/transform.h"
+
+#include "base/simd.h"
+
+_Static_assert(sizeof(zr_vec4) == 4 * sizeof(float) && sizeof(struct zr_window_vertex) == 4 * sizeof(float),
+               "both are loaded and stored as four floats");
+
+/* What a group of lanes is transformed by. */
+struct course {
+    zr_vf m[16];
+    zr_vf scale_x, scale_y, trans_x, trans_y;
+};
+
+static inline struct course course_make(const zr_mat4 *m, const struct zr_viewport *viewport)
+{
+    struct course c;
+    for (int i = 0; i < 16; i++)
+        c.m[i] = zr_vf_set(m->m[i]);
+    c.scale_x = zr_vf_set(viewport->scale_x);
+    c.scale_y = zr_vf_set(viewport->scale_y);
+    c.trans_x = zr_vf_set(viewport->trans_x);
+    c.trans_y = zr_vf_set(viewport->trans_y);
+    return c;
+}
+
+/* As zr_mat4_row. */
+static inline zr_vf row(const struct course *c, int r, zr_vf x, zr_vf y, zr_vf z, zr_vf w)
+{
+    return ((x * c->m[r] + y * c->m[4 + r]) + z * c->m[8 + r]) + w * c->m[12 + r];
+}
+
+static inline zr_vi bit_where_not(zr_vm inside, int bit)
+{
+    return zr_vi_select(inside, zr_vi_set(0), zr_vi_set(1 << bit));
+}
+
+/* As zr_clip_outcode: NaN is outside of everything. */
+static inline zr_vi outcode_of(zr_vf x, zr_vf y, zr_vf z, zr_vf w)
+{
+    const zr_vf zero = zr_vf_set(0.0f);
+    return bit_where_not(zr_vf_le(x, w), 0) | bit_where_not(zr_vf_le(zero, x + w), 1) |
+           bit_where_not(zr_vf_le(y, w), 2) | bit_where_not(zr_vf_le(zero, y + w), 3) |
+           bit_where_not(zr_vf_le(zero, z + w), 4) | bit_where_not(zr_vf_le(z, w), 5);
+}
+
+/* As zr_viewport_snap. */
+static inline zr_vf snap(zr_vf window)
+{
+    const zr_vf no_fraction = zr_vf_set(12582912.0f);
+    return ((window - zr_vf_set(0.5f)) * zr_vf_set((float)ZR_SUBPIXELS) + no_fraction) - no_fraction;
+}
+
+static inline unsigned store_outcodes(zr_vi codes, uint8_t *out)
+{
+    int32_t each[ZR_LANES];
+    unsigned any = 0;
+    zr_vi_store(each, codes);
+    for (int i = 0; i < ZR_LANES; i++) {
+        out[i] = (uint8_t)each[i];
+        any |= (unsigned)each[i];
+    }
+    return any;
+}
+
+/* ZR_LANES of them. */
+static inline unsigned transform_group(const struct course *c, const zr_vec4 *positions, struct zr_window_vertex *out,
+                                       uint8_t *outcodes)
+{
+    zr_vf x, y, z, w;
+#define POSITION(i) (&positions[i].x)
+    ZR_LOAD4(x, y, z, w, POSITION);
+#undef POSITION
+    const zr_vf cx = row(c, 0, x, y, z, w), cy = row(c, 1, x, y, z, w), cz = row(c, 2, x, y, z, w),
+                cw = row(c, 3, x, y, z, w);
+    const zr_vf oow = zr_vf_set(1.0f) / cw, half = zr_vf_set(0.5f);
+    const zr_vf wx = cx * oow * c->scale_x + c->trans_x, wy = cy * oow * c->scale_y + c->trans_y;
+    const zr_vf wz = cz * oow * half + half;
+    zr_vf_store4(&out->x, wx, wy, wz, oow);
+
+    const zr_vf most = zr_vf_set((float)ZR_SNAP_MAX);
+    const zr_vm placed = zr_vm_and(zr_vf_lt(zr_vf_abs(snap(wx)), most), zr_vf_lt(zr_vf_abs(snap(wy)), most));
+    zr_vi codes = outcode_of(cx, cy, cz, cw);
+    const zr_vm inside = zr_vi_eq(codes, zr_vi_set(0));
+    if (zr_vm_bits(zr_vm_and(inside, placed)) == ZR_ALL_BITS) {
+        memset(outcodes, 0, ZR_LANES);
+        return 0;
+    }
+    codes |= zr_vi_select(zr_vm_andnot(inside, placed), zr_vi_set(ZR_OUTCODE_UNPLACED), zr_vi_set(0));
+    return store_outcodes(codes, outcodes);
+}
+
+unsigned ZR_KERNEL(zr_transform)(const zr_mat4 *object_to_clip, const struct zr_viewport *viewport,
+                                 const zr_vec4 *positions, size_t count, struct zr_window_vertex *out,
+                                 uint8_t *outcodes)
+{
+    const struct course course = course_make(object_to_clip, viewport);
+    unsigned any = 0;
+    size_t i = 0;
+    for (; i + ZR_LANES <= count; i += ZR_LANES)
+        any |= transform_group(&course, positions + i, out + i, outcodes + i);
+    if (i == count) return any;
+    /* What is left of a group. */
+    zr_vec4 in[ZR_LANES] = {{0, 0, 0, 1}};
+    struct zr_window_vertex last[ZR_LANES];
+    uint8_t codes[ZR_LANES];
+    memcpy(in, positions + i, (count - i) * sizeof *in);
+    transform_group(&course, in, last, codes);
+    memcpy(out + i, last, (count - i) * sizeof *out);
+    memcpy(outcodes + i, codes, count - i);
+    for (; i < count; i++)
+        any |= outcodes[i];
+    return any;
+}

@@ -1,0 +1,239 @@
+#include "raster/halfspace.h"
+
+#include "geometry/batch.h"
+#include "raster/triangle_simd.h"
+
+/* ---- rows of one triangle ---- */
+
+/* What a triangle is in a tile. Edges are negative outside; x0 .. y1 are samples of the tile, y1 the last row. */
+struct piece {
+    int32_t at[3], right[3], up[3]; /* of edges, at x0, y0 */
+    float a0, dadx, dady, offset;   /* depth */
+    int32_t x0, y0, x1, y1;
+    uint32_t owner;
+};
+
+/* Where lanes are seen, by zr_tile_put's rule, they are written. Lanes behind the end of a row fall into its room. */
+static inline void put(float *depth, uint32_t *owners, zr_vm inside, zr_vf z, zr_vi owner)
+{
+    const zr_vf old = zr_vf_load(depth);
+    const zr_vm earlier = zr_vm_and(zr_vf_eq(z, old), zr_vi_lt(owner, zr_vi_load(owners)));
+    const zr_vm seen = zr_vm_and(inside, zr_vm_or(zr_vf_lt(z, old), earlier));
+    zr_vf_store_where(seen, depth, z);
+    zr_vi_store_where(seen, owners, owner);
+}
+
+/* ZR_LANES columns, from the sample x on; those of `lanes` that the edges do not keep out. */
+static inline void draw_columns(struct zr_tile *tile, const struct piece *p, int32_t x, zr_vm lanes)
+{
+    const zr_vi below_zero = zr_vi_set(-1), owner = zr_vi_set((int32_t)p->owner), ramp = zr_vi_ramp();
+    const zr_vi skip = zr_vi_set(x - p->x0) + ramp;
+    const zr_vi up[3] = {zr_vi_set(p->up[0]), zr_vi_set(p->up[1]), zr_vi_set(p->up[2])};
+    zr_vi e[3];
+    for (int k = 0; k < 3; k++)
+        e[k] = zr_vi_set(p->at[k]) + zr_vi_set(p->right[k]) * skip;
+    const zr_vf column = zr_vf_set(p->a0) + zr_vf_set(p->dadx) * zr_vf_of(zr_vi_set(x) + ramp);
+    const zr_vf dady = zr_vf_set(p->dady), offset = zr_vf_set(p->offset);
+    size_t i = (size_t)(p->y0 - tile->y) * ZR_TILE_STRIDE + (size_t)(x - tile->x);
+    for (int32_t y = p->y0; y <= p->y1; y++, i += ZR_TILE_STRIDE) {
+        const zr_vm inside = zr_vm_and(lanes, zr_vi_lt(below_zero, e[0] | e[1] | e[2]));
+        const zr_vf z = zr_depth_clamp_v((column + dady * zr_vf_set((float)y)) + offset);
+        put(&tile->depth[i], &tile->owner[i], inside, z, owner);
+        for (int k = 0; k < 3; k++)
+            e[k] += up[k];
+    }
+}
+
+/* The same where no edge keeps any out. */
+static inline void fill_columns(struct zr_tile *tile, const struct piece *p, int32_t x, zr_vm lanes)
+{
+    const zr_vi owner = zr_vi_set((int32_t)p->owner), ramp = zr_vi_ramp();
+    const zr_vf column = zr_vf_set(p->a0) + zr_vf_set(p->dadx) * zr_vf_of(zr_vi_set(x) + ramp);
+    const zr_vf dady = zr_vf_set(p->dady), offset = zr_vf_set(p->offset);
+    size_t i = (size_t)(p->y0 - tile->y) * ZR_TILE_STRIDE + (size_t)(x - tile->x);
+    for (int32_t y = p->y0; y <= p->y1; y++, i += ZR_TILE_STRIDE) {
+        const zr_vf z = zr_depth_clamp_v((column + dady * zr_vf_set((float)y)) + offset);
+        put(&tile->depth[i], &tile->owner[i], lanes, z, owner);
+    }
+}
+
+/* ---- triangles of any size ---- */
+
+/* The edge in the piece's samples: 0, it cuts none off; 1, some; 2, all. What cuts some has its values there within
+ * 2^30, divided by the 256 that all its steps are multiples of; the floor of that has the same sign. */
+static int cut_by(const struct zr_edge *e, struct piece *p, int k)
+{
+    int32_t low_x = e->a > 0 ? p->x0 : p->x1, high_x = e->a > 0 ? p->x1 : p->x0;
+    int32_t low_y = e->b > 0 ? p->y0 : p->y1, high_y = e->b > 0 ? p->y1 : p->y0;
+    p->at[k] = p->right[k] = p->up[k] = 0;
+    if (zr_edge_at(e, high_x, high_y) <= 0) return 2;
+    if (zr_edge_at(e, low_x, low_y) > 0) return 0;
+    p->at[k] = (int32_t)((zr_edge_at(e, p->x0, p->y0) - 1) >> ZR_SUBPIXEL_BITS);
+    p->right[k] = (int32_t)(e->a / ZR_SUBPIXELS);
+    p->up[k] = (int32_t)(e->b / ZR_SUBPIXELS);
+    return 1;
+}
+
+static void draw(struct zr_tile *tile, const struct zr_setup *setup, uint32_t owner)
+{
+    struct piece p = {.a0 = setup->depth.plane.a0,
+                      .dadx = setup->depth.plane.dadx,
+                      .dady = setup->depth.plane.dady,
+                      .offset = setup->depth.offset,
+                      .x0 = setup->min_x > tile->x ? setup->min_x : tile->x,
+                      .y0 = setup->min_y > tile->y ? setup->min_y : tile->y,
+                      .x1 = setup->max_x < tile->x + tile->width ? setup->max_x : tile->x + tile->width - 1,
+                      .y1 = setup->max_y < tile->y + tile->height ? setup->max_y : tile->y + tile->height - 1,
+                      .owner = owner};
+    if (p.x0 > p.x1 || p.y0 > p.y1) return;
+    int cutting = 0;
+    for (int k = 0; k < 3; k++) {
+        int cut = cut_by(&setup->edges[k], &p, k);
+        if (cut == 2) return;
+        cutting += cut;
+    }
+    struct zr_depth_range range = zr_depth_range_of(&setup->depth, p.x0, p.y0, p.x1, p.y1);
+    if (range.near > tile->far) return;
+    for (int32_t x = p.x0; x <= p.x1; x += ZR_LANES) {
+        const zr_vm lanes = zr_vi_lt(zr_vi_set(x - p.x1 - 1) + zr_vi_ramp(), zr_vi_set(0));
+        if (cutting > 0)
+            draw_columns(tile, &p, x, lanes);
+        else
+            fill_columns(tile, &p, x, lanes);
+    }
+    bool whole = cutting == 0 && p.x0 == tile->x && p.y0 == tile->y && p.x1 - p.x0 + 1 == tile->width &&
+                 p.y1 - p.y0 + 1 == tile->height;
+    if (whole && range.far < tile->far) tile->far = range.far;
+}
+
+/* ---- small triangles ---- */
+
+/* ZR_LANES of them, set up. */
+struct group {
+    int32_t at[3][ZR_LANES], right[3][ZR_LANES], up[3][ZR_LANES];
+    float a0[ZR_LANES], dadx[ZR_LANES], dady[ZR_LANES];
+    int32_t x0[ZR_LANES], y0[ZR_LANES], x1[ZR_LANES], y1[ZR_LANES];
+};
+
+/* Where the corners of records stand. */
+struct corners {
+    const float *at[3][ZR_LANES];
+};
+
+static inline void set_up(const struct zr_tile *tile, const struct corners *corners, struct group *out)
+{
+    struct zr_corner_v c[3];
+#define CORNER_0(i) corners->at[0][i]
+#define CORNER_1(i) corners->at[1][i]
+#define CORNER_2(i) corners->at[2][i]
+    ZR_LOAD4(c[0].x, c[0].y, c[0].z, c[0].oow, CORNER_0);
+    ZR_LOAD4(c[1].x, c[1].y, c[1].z, c[1].oow, CORNER_1);
+    ZR_LOAD4(c[2].x, c[2].y, c[2].z, c[2].oow, CORNER_2);
+    struct zr_grid_v g[3];
+    for (int k = 0; k < 3; k++)
+        g[k] = zr_grid_of(c[k].x, c[k].y);
+    const zr_vm turned = zr_vi_lt(zr_area_v(g), zr_vi_set(0));
+    zr_swap_vi(turned, &g[0].x, &g[1].x);
+    zr_swap_vi(turned, &g[0].y, &g[1].y);
+    zr_swap_vf(turned, &c[0].x, &c[1].x);
+    zr_swap_vf(turned, &c[0].y, &c[1].y);
+    zr_swap_vf(turned, &c[0].z, &c[1].z);
+
+    const zr_vi up_to_centre = zr_vi_set(ZR_SUBPIXELS - 1);
+    const zr_vi min_x = zr_vi_min(zr_vi_min(g[0].x, g[1].x), g[2].x), min_y = zr_vi_min(zr_vi_min(g[0].y, g[1].y), g[2].y);
+    const zr_vi max_x = zr_vi_max(zr_vi_max(g[0].x, g[1].x), g[2].x), max_y = zr_vi_max(zr_vi_max(g[0].y, g[1].y), g[2].y);
+    const zr_vi x0 = zr_vi_max((min_x + up_to_centre) >> ZR_SUBPIXEL_BITS, zr_vi_set(tile->x));
+    const zr_vi y0 = zr_vi_max((min_y + up_to_centre) >> ZR_SUBPIXEL_BITS, zr_vi_set(tile->y));
+    zr_vi_store(out->x0, x0);
+    zr_vi_store(out->y0, y0);
+    zr_vi_store(out->x1, zr_vi_min(max_x >> ZR_SUBPIXEL_BITS, zr_vi_set(tile->x + tile->width - 1)));
+    zr_vi_store(out->y1, zr_vi_min(max_y >> ZR_SUBPIXEL_BITS, zr_vi_set(tile->y + tile->height - 1)));
+
+    const zr_vi subpixels = zr_vi_set(ZR_SUBPIXELS);
+    for (int k = 0; k < 3; k++) {
+        g[k].x -= x0 * subpixels;
+        g[k].y -= y0 * subpixels;
+    }
+    for (int k = 0; k < 3; k++) {
+        const struct zr_edge_v e = zr_edge_make_v(g[k], g[(k + 1) % 3]);
+        zr_vi_store(out->at[k], e.at);
+        zr_vi_store(out->right[k], e.right);
+        zr_vi_store(out->up[k], e.up);
+    }
+    const struct zr_basis_v basis = zr_basis_make_v(c);
+    const struct zr_plane_v plane = zr_plane_make_v(&basis, c[0].z, c[1].z, c[2].z);
+    zr_vf_store(out->a0, plane.a0);
+    zr_vf_store(out->dadx, plane.dadx);
+    zr_vf_store(out->dady, plane.dady);
+}
+
+/* Up to ZR_LANES numbers -> corners; what is missing has those of the first. */
+static inline const struct zr_batch *find_corners(const struct zr_geometry *geometry, const struct zr_batch *batch,
+                                                  const uint32_t *numbers, uint32_t count, struct corners *out)
+{
+    const float *vertices = &geometry->vertices[0].x;
+    for (uint32_t i = 0; i < ZR_LANES; i++) {
+        uint32_t number = numbers[i < count ? i : 0];
+        if (!zr_batch_holds(batch, number)) batch = zr_batch_of(geometry, number);
+        uint32_t t = number - batch->first, first = 0;
+        const uint32_t *v;
+        if (batch->written) {
+            v = geometry->triangles[batch->first_record + t].v;
+        } else {
+            v = batch->corners + 3 * (size_t)t;
+            first = batch->first_vertex;
+        }
+        for (int k = 0; k < 3; k++)
+            out->at[k][i] = vertices + 4 * (size_t)(first + v[k]);
+    }
+    return batch;
+}
+
+static void draw_group(struct zr_tile *tile, const struct group *g, const uint32_t *numbers, uint32_t count)
+{
+    for (uint32_t i = 0; i < count; i++) {
+        const struct piece p = {.at = {g->at[0][i], g->at[1][i], g->at[2][i]},
+                                .right = {g->right[0][i], g->right[1][i], g->right[2][i]},
+                                .up = {g->up[0][i], g->up[1][i], g->up[2][i]},
+                                .a0 = g->a0[i],
+                                .dadx = g->dadx[i],
+                                .dady = g->dady[i],
+                                .x0 = g->x0[i],
+                                .y0 = g->y0[i],
+                                .x1 = g->x1[i],
+                                .y1 = g->y1[i],
+                                .owner = numbers[i] + 1};
+        for (int32_t x = p.x0; x <= p.x1; x += ZR_LANES)
+            draw_columns(tile, &p, x, ZR_ALL_LANES);
+    }
+}
+
+static void draw_small(struct zr_tile *tile, const struct zr_geometry *geometry, const uint32_t *numbers,
+                       uint32_t count)
+{
+    const struct zr_batch *batch = &geometry->batches[0];
+    for (uint32_t done = 0; done < count; done += ZR_LANES) {
+        uint32_t some = count - done < ZR_LANES ? count - done : ZR_LANES;
+        struct corners corners;
+        struct group group;
+        batch = find_corners(geometry, batch, numbers + done, some, &corners);
+        set_up(tile, &corners, &group);
+        draw_group(tile, &group, numbers + done, some);
+    }
+}
+
+/* ---- */
+
+static void clear(struct zr_tile *tile)
+{
+    const zr_vf one = zr_vf_set(1.0f);
+    const zr_vi nobody = zr_vi_set(0);
+    for (int i = 0; i < ZR_TILE_STRIDE * ZR_TILE_SIZE; i += ZR_LANES) {
+        zr_vf_store(&tile->depth[i], one);
+        zr_vi_store(&tile->owner[i], nobody);
+    }
+    tile->far = 1.0f;
+    tile->is_empty = false;
+}
+
+const struct zr_halfspace ZR_KERNEL(zr_halfspace) = {clear, draw, draw_small};

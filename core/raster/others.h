@@ -1,0 +1,36 @@
+/* others.h - raster: which shapes, lines and pushed triangles each tile has to look at. All other
+ * triangles are in bins (bins.h).
+ *
+ * A primitive that touches up to ZR_OTHERS_TILES tiles is listed in each of them; a
+ * larger one goes into one list that every tile goes through. A line is listed in the
+ * tiles that it passes through. So memory is bounded by the primitives, and by the length of lines.
+ */
+#ifndef ZR_OTHERS_H
+#define ZR_OTHERS_H
+
+#include "raster/tile.h"
+
+#include "base/arena.h"
+#include "geometry/geometry.h"
+
+enum { ZR_OTHERS_TILES = 4 };
+
+/* A primitive: the first of its records, as it is written out, and how far the record's number is ahead of that (modulo
+ * 2^32). */
+struct zr_other {
+    uint32_t first, shift;
+};
+
+struct zr_others {
+    uint32_t count;                 /* of all; where 0, nothing else is defined */
+    const size_t *offsets;          /* one a tile (raster/tile.h) and one more, into entries */
+    const struct zr_other *entries; /* ascending within a tile */
+    const struct zr_other *large;   /* ascending */
+    uint32_t large_count;
+};
+
+/* Primitives that hold no pixel centre are in none. ZR_OK, ZR_CANCELLED, or ZR_NO_MEMORY where the arena failed. */
+enum zr_status zr_others_build(struct zr_arena *arena, const struct zr_geometry *geometry, uint32_t width,
+                               uint32_t height, const struct zr_cancel *cancel, struct zr_others *others);
+
+#endif

@@ -1,0 +1,108 @@
+/* triangle_simd.h - raster: ZR_LANES triangles at once, for kernels: corners, orientation, planes.
+ *
+ * Exact:  the reference's rules 5 (snapping), 6 (area, and which corners change places) and 8 (planes), as
+ *         viewport.h, place.c and plane.h have them for one.
+ */
+#ifndef ZR_TRIANGLE_SIMD_H
+#define ZR_TRIANGLE_SIMD_H
+
+#include "base/simd.h"
+#include "geometry/viewport.h"
+
+struct zr_corner_v {
+    zr_vf x, y, z, oow;
+};
+
+/* Snapped. */
+struct zr_grid_v {
+    zr_vi x, y;
+};
+
+static inline zr_vi zr_snap_v(zr_vf window)
+{
+    return zr_vi_round((window - zr_vf_set(0.5f)) * zr_vf_set((float)ZR_SUBPIXELS));
+}
+
+static inline struct zr_grid_v zr_grid_of(zr_vf x, zr_vf y)
+{
+    return (struct zr_grid_v){zr_snap_v(x), zr_snap_v(y)};
+}
+
+/* From the least to the greatest of three. */
+static inline zr_vi zr_span_v(zr_vi a, zr_vi b, zr_vi c)
+{
+    return zr_vi_max(zr_vi_max(a, b), c) - zr_vi_min(zr_vi_min(a, b), c);
+}
+
+/* Rule 6. Right where corners are less than ZR_BIN_SMALL_SPAN apart; else some number. */
+static inline zr_vi zr_area_v(const struct zr_grid_v g[3])
+{
+    return (g[0].x - g[1].x) * (g[2].y - g[0].y) - (g[2].x - g[0].x) * (g[0].y - g[1].y);
+}
+
+static inline void zr_swap_vf(zr_vm where, zr_vf *a, zr_vf *b)
+{
+    const zr_vf old = *a;
+    *a = zr_vf_select(where, *b, *a);
+    *b = zr_vf_select(where, old, *b);
+}
+
+static inline void zr_swap_vi(zr_vm where, zr_vi *a, zr_vi *b)
+{
+    const zr_vi old = *a;
+    *a = zr_vi_select(where, *b, *a);
+    *b = zr_vi_select(where, old, *b);
+}
+
+/* Rule 8: what all planes of a triangle share. */
+struct zr_basis_v {
+    zr_vf dx01, dy01, dx20, dy20, x0, y0;
+};
+
+struct zr_plane_v {
+    zr_vf a0, dadx, dady;
+};
+
+static inline struct zr_basis_v zr_basis_make_v(const struct zr_corner_v c[3])
+{
+    const zr_vf half = zr_vf_set(0.5f);
+    const zr_vf dx01 = c[0].x - c[1].x, dy01 = c[0].y - c[1].y, dx20 = c[2].x - c[0].x, dy20 = c[2].y - c[0].y;
+    const zr_vf ooa = zr_vf_set(1.0f) / (dx01 * dy20 - dy01 * dx20);
+    return (struct zr_basis_v){dx01 * ooa, dy01 * ooa, dx20 * ooa, dy20 * ooa, c[0].x - half, c[0].y - half};
+}
+
+static inline struct zr_plane_v zr_plane_make_v(const struct zr_basis_v *b, zr_vf p0, zr_vf p1, zr_vf p2)
+{
+    const zr_vf d01 = p0 - p1, d20 = p2 - p0;
+    const zr_vf dadx = d01 * b->dy20 - d20 * b->dy01, dady = d20 * b->dx01 - d01 * b->dx20;
+    return (struct zr_plane_v){p0 - (dadx * b->x0 + dady * b->y0), dadx, dady};
+}
+
+static inline zr_vf zr_plane_at_v(const struct zr_plane_v *p, zr_vf x, zr_vf y)
+{
+    return (p->a0 + p->dadx * x) + p->dady * y;
+}
+
+/* As zr_depth_clamp. */
+static inline zr_vf zr_depth_clamp_v(zr_vf z)
+{
+    return zr_vf_max(zr_vf_min(z, zr_vf_set(1.0f)), zr_vf_set(0.0f));
+}
+
+/* Rule 7: an edge function as a step a pixel to the right, a step a pixel up, and its value less 1 at a sample, so
+ * that what is inside is not negative. */
+struct zr_edge_v {
+    zr_vi right, up, at;
+};
+
+/* Of the edge from i to j, whose places are given from the sample. */
+static inline struct zr_edge_v zr_edge_make_v(struct zr_grid_v i, struct zr_grid_v j)
+{
+    const zr_vi zero = zr_vi_set(0), a = i.y - j.y, b = i.x - j.x;
+    const zr_vm keeps = zr_vm_or(zr_vi_lt(a, zero), zr_vm_and(zr_vi_eq(a, zero), zr_vi_lt(zero, b)));
+    const zr_vi less = zr_vi_select(keeps, zero, zr_vi_set(-1));
+    const zr_vi subpixels = zr_vi_set(ZR_SUBPIXELS);
+    return (struct zr_edge_v){(j.y - i.y) * subpixels, b * subpixels, a * i.x - b * i.y + less};
+}
+
+#endif

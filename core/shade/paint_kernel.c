@@ -1,0 +1,295 @@
+#include "shade/paint.h"
+
+#include "raster/bins.h"
+#include "raster/triangle_simd.h"
+
+/* Runs up to this length are painted side by side. */
+enum { SHORT_RUN = 4 };
+
+/* Runs of one colour, waiting until there are as many as lanes. */
+struct flat_queue {
+    uint32_t count;
+    const struct zr_run *runs[ZR_LANES];
+    const zr_vec4 *colors[ZR_LANES];
+};
+
+struct smooth_queue {
+    uint32_t count;
+    const struct zr_run *runs[ZR_LANES];
+    const struct zr_window_vertex *vertices[3][ZR_LANES];
+    const zr_vec4 *colors[3][ZR_LANES];
+};
+
+/* ---- bytes ---- */
+
+static inline zr_vi color_bytes(zr_vf value)
+{
+    value = zr_vf_min(zr_vf_max(value, zr_vf_set(0.0f)), zr_vf_set(1.0f));
+    return zr_vi_round(value * zr_vf_set(255.0f));
+}
+
+/* As zr_color_pack, opaque. */
+static inline zr_vi pack(zr_vf red, zr_vf green, zr_vf blue)
+{
+    const zr_vi r = color_bytes(red), g = color_bytes(green), b = color_bytes(blue);
+#if __BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__
+    return r | g << 8 | b << 16 | zr_vi_set(-0x1000000);
+#else
+    return r << 24 | g << 16 | b << 8 | zr_vi_set(255);
+#endif
+}
+
+/* ---- one colour ---- */
+
+static inline void fill(uint32_t *pixels, uint32_t count, uint32_t color)
+{
+    const zr_vi colors = zr_vi_set((int32_t)color);
+    uint32_t i = 0;
+    for (; i + ZR_LANES <= count; i += ZR_LANES)
+        zr_vi_store(pixels + i, colors);
+    for (; i < count; i++)
+        pixels[i] = color;
+}
+
+static void paint_flat(struct flat_queue *q)
+{
+    uint32_t packed[ZR_LANES];
+    zr_vf red, green, blue, alpha;
+    for (uint32_t i = q->count; i < ZR_LANES; i++)
+        q->colors[i] = q->colors[0];
+#define COLOR(i) (&q->colors[i]->x)
+    ZR_LOAD4(red, green, blue, alpha, COLOR);
+    (void)alpha;
+    zr_vi_store(packed, pack(red, green, blue));
+    for (uint32_t i = 0; i < q->count; i++)
+        fill(q->runs[i]->pixels, q->runs[i]->count, packed[i]);
+    q->count = 0;
+}
+
+/* ---- colours that vary ---- */
+
+struct planes {
+    struct zr_plane_v oow, red, green, blue;
+};
+
+struct color_v {
+    zr_vf red, green, blue;
+};
+
+static inline zr_vi paint_at(const struct planes *p, zr_vf x, zr_vf y)
+{
+    const zr_vf reciprocal = zr_vf_set(1.0f) / zr_plane_at_v(&p->oow, x, y);
+    return pack(zr_plane_at_v(&p->red, x, y) * reciprocal, zr_plane_at_v(&p->green, x, y) * reciprocal,
+                zr_plane_at_v(&p->blue, x, y) * reciprocal);
+}
+
+/* Rule 6: the corners 0 and 1 are to change places. Large triangles are measured one by one, in 64 bits. */
+static inline zr_vm turned_around(const struct smooth_queue *q, const struct zr_corner_v v[3])
+{
+    struct zr_grid_v g[3];
+    for (int k = 0; k < 3; k++)
+        g[k] = zr_grid_of(v[k].x, v[k].y);
+    const zr_vi area = zr_area_v(g), span = zr_vi_set(ZR_BIN_SMALL_SPAN);
+    const zr_vm wide = zr_vm_or(zr_vi_lt(span, zr_span_v(g[0].x, g[1].x, g[2].x)),
+                                zr_vi_lt(span, zr_span_v(g[0].y, g[1].y, g[2].y)));
+    uint32_t turned = zr_vm_bits(zr_vi_lt(area, zr_vi_set(0)));
+    for (uint32_t bits = zr_vm_bits(wide); bits; bits &= bits - 1) {
+        int i = zr_lowest_bit(bits);
+        turned &= ~(1u << i);
+        turned |= (uint32_t)(zr_window_area(q->vertices[0][i], q->vertices[1][i], q->vertices[2][i]) < 0) << i;
+    }
+    return zr_vm_of(turned);
+}
+
+static inline struct planes planes_make(const struct smooth_queue *q)
+{
+    struct zr_corner_v v[3];
+    struct color_v c[3];
+    zr_vf alpha;
+#define VERTEX_0(i) (&q->vertices[0][i]->x)
+#define VERTEX_1(i) (&q->vertices[1][i]->x)
+#define VERTEX_2(i) (&q->vertices[2][i]->x)
+#define COLOR_0(i) (&q->colors[0][i]->x)
+#define COLOR_1(i) (&q->colors[1][i]->x)
+#define COLOR_2(i) (&q->colors[2][i]->x)
+    ZR_LOAD4(v[0].x, v[0].y, v[0].z, v[0].oow, VERTEX_0);
+    ZR_LOAD4(v[1].x, v[1].y, v[1].z, v[1].oow, VERTEX_1);
+    ZR_LOAD4(v[2].x, v[2].y, v[2].z, v[2].oow, VERTEX_2);
+    ZR_LOAD4(c[0].red, c[0].green, c[0].blue, alpha, COLOR_0);
+    ZR_LOAD4(c[1].red, c[1].green, c[1].blue, alpha, COLOR_1);
+    ZR_LOAD4(c[2].red, c[2].green, c[2].blue, alpha, COLOR_2);
+    (void)alpha;
+    for (int k = 0; k < 3; k++) {
+        c[k].red = c[k].red * v[k].oow;
+        c[k].green = c[k].green * v[k].oow;
+        c[k].blue = c[k].blue * v[k].oow;
+    }
+    const zr_vm turned = turned_around(q, v);
+    zr_swap_vf(turned, &v[0].x, &v[1].x);
+    zr_swap_vf(turned, &v[0].y, &v[1].y);
+    zr_swap_vf(turned, &v[0].oow, &v[1].oow);
+    zr_swap_vf(turned, &c[0].red, &c[1].red);
+    zr_swap_vf(turned, &c[0].green, &c[1].green);
+    zr_swap_vf(turned, &c[0].blue, &c[1].blue);
+    const struct zr_basis_v basis = zr_basis_make_v(v);
+    return (struct planes){zr_plane_make_v(&basis, v[0].oow, v[1].oow, v[2].oow),
+                           zr_plane_make_v(&basis, c[0].red, c[1].red, c[2].red),
+                           zr_plane_make_v(&basis, c[0].green, c[1].green, c[2].green),
+                           zr_plane_make_v(&basis, c[0].blue, c[1].blue, c[2].blue)};
+}
+
+static inline void store_plane(float out[3][ZR_LANES], const struct zr_plane_v *plane)
+{
+    zr_vf_store(out[0], plane->a0);
+    zr_vf_store(out[1], plane->dadx);
+    zr_vf_store(out[2], plane->dady);
+}
+
+static inline struct zr_plane_v spread_plane(float in[3][ZR_LANES], uint32_t i)
+{
+    return (struct zr_plane_v){zr_vf_set(in[0][i]), zr_vf_set(in[1][i]), zr_vf_set(in[2][i])};
+}
+
+static inline void paint_long(const struct planes *p, const struct zr_run *run)
+{
+    const zr_vf y = zr_vf_set((float)run->y);
+    zr_vf x = zr_vf_set((float)run->x) + zr_vf_ramp();
+    uint32_t i = 0;
+    for (; i + ZR_LANES <= run->count; i += ZR_LANES, x = x + zr_vf_set((float)ZR_LANES))
+        zr_vi_store(run->pixels + i, paint_at(p, x, y));
+    if (i == run->count) return;
+    uint32_t rest[ZR_LANES];
+    zr_vi_store(rest, paint_at(p, x, y));
+    for (uint32_t k = 0; i < run->count; k++, i++)
+        run->pixels[i] = rest[k];
+}
+
+/* Pixel k of each short run, for all k. */
+static inline void paint_short(const struct planes *p, const struct smooth_queue *q, uint32_t longest)
+{
+    float xs[ZR_LANES], ys[ZR_LANES];
+    uint32_t packed[ZR_LANES];
+    for (uint32_t i = 0; i < ZR_LANES; i++) {
+        xs[i] = (float)q->runs[i]->x;
+        ys[i] = (float)q->runs[i]->y;
+    }
+    zr_vf x = zr_vf_load(xs);
+    const zr_vf y = zr_vf_load(ys);
+    for (uint32_t k = 0; k < longest; k++, x = x + zr_vf_set(1.0f)) {
+        zr_vi_store(packed, paint_at(p, x, y));
+        for (uint32_t i = 0; i < q->count; i++)
+            if (k < q->runs[i]->count && q->runs[i]->count <= SHORT_RUN) q->runs[i]->pixels[k] = packed[i];
+    }
+}
+
+static void paint_smooth(struct smooth_queue *q)
+{
+    for (uint32_t i = q->count; i < ZR_LANES; i++) {
+        q->runs[i] = q->runs[0];
+        for (int k = 0; k < 3; k++) {
+            q->vertices[k][i] = q->vertices[k][0];
+            q->colors[k][i] = q->colors[k][0];
+        }
+    }
+    const struct planes planes = planes_make(q);
+    uint32_t longest = 0, longer = 0;
+    for (uint32_t i = 0; i < q->count; i++) {
+        uint32_t count = q->runs[i]->count;
+        longer += count > SHORT_RUN;
+        if (count <= SHORT_RUN && count > longest) longest = count;
+    }
+    paint_short(&planes, q, longest);
+    float kept[4][3][ZR_LANES];
+    if (longer > 0) {
+        store_plane(kept[0], &planes.oow);
+        store_plane(kept[1], &planes.red);
+        store_plane(kept[2], &planes.green);
+        store_plane(kept[3], &planes.blue);
+    }
+    for (uint32_t i = 0; i < q->count && longer > 0; i++) {
+        if (q->runs[i]->count <= SHORT_RUN) continue;
+        const struct planes own = {spread_plane(kept[0], i), spread_plane(kept[1], i), spread_plane(kept[2], i),
+                                   spread_plane(kept[3], i)};
+        paint_long(&own, q->runs[i]);
+    }
+    q->count = 0;
+}
+
+/* ---- runs into queues ---- */
+
+struct painter {
+    const struct zr_geometry *geometry;
+    struct flat_queue flat;
+    struct smooth_queue smooth;
+};
+
+static inline void add_flat(struct painter *p, const struct zr_run *run, const zr_vec4 *color)
+{
+    struct flat_queue *q = &p->flat;
+    q->runs[q->count] = run;
+    q->colors[q->count++] = color;
+    if (q->count == ZR_LANES) paint_flat(q);
+}
+
+static inline void add_smooth(struct painter *p, const struct zr_run *run, const struct zr_window_vertex *const v[3],
+                              const zr_vec4 *const c[3])
+{
+    struct smooth_queue *q = &p->smooth;
+    for (int k = 0; k < 3; k++) {
+        q->vertices[k][q->count] = v[k];
+        q->colors[k][q->count] = c[k];
+    }
+    q->runs[q->count++] = run;
+    if (q->count == ZR_LANES) paint_smooth(q);
+}
+
+/* A record that is written out, or whose side must be known to know its colours. */
+static void add_record(struct painter *p, const struct zr_batch *batch, const struct zr_run *run)
+{
+    const struct zr_record record = zr_record_of(p->geometry, batch, run->number);
+    const struct zr_triangle *t = &record.triangle;
+    const zr_vec4 *colors = record.colors;
+    if (t->c[0] == t->c[1] && t->c[1] == t->c[2]) {
+        add_flat(p, run, &colors[t->c[0]]);
+    } else if (t->line) {
+        zr_paint_line(p->geometry, t, run);
+    } else {
+        const struct zr_window_vertex *vertices = p->geometry->vertices;
+        add_smooth(
+            p, run,
+            (const struct zr_window_vertex *const[3]){&vertices[t->v[0]], &vertices[t->v[1]], &vertices[t->v[2]]},
+            (const zr_vec4 *const[3]){&colors[t->c[0]], &colors[t->c[1]], &colors[t->c[2]]});
+    }
+}
+
+static inline void add_smooth_triangle(struct painter *p, const struct zr_batch *batch, const struct zr_run *run)
+{
+    uint32_t t = run->number - batch->first;
+    const uint32_t *corners = batch->corners + 3 * (size_t)t;
+    const struct zr_window_vertex *vertices = p->geometry->vertices + batch->first_vertex;
+    add_smooth(
+        p, run,
+        (const struct zr_window_vertex *const[3]){&vertices[corners[0]], &vertices[corners[1]], &vertices[corners[2]]},
+        (const zr_vec4 *const[3]){&batch->front[zr_batch_color(batch, t, 0)],
+                                  &batch->front[zr_batch_color(batch, t, 1)],
+                                  &batch->front[zr_batch_color(batch, t, 2)]});
+}
+
+void ZR_KERNEL(zr_paint)(const struct zr_geometry *geometry, const struct zr_run *runs, uint32_t count)
+{
+    struct painter painter;
+    painter.geometry = geometry;
+    painter.flat.count = painter.smooth.count = 0;
+    const struct zr_batch *batch = &geometry->batches[0];
+    for (const struct zr_run *run = runs; run < runs + count; run++) {
+        if (!zr_batch_holds(batch, run->number)) batch = zr_batch_of(geometry, run->number);
+        if (batch->written || batch->front != batch->back)
+            add_record(&painter, batch, run);
+        else if (zr_batch_is_smooth(batch))
+            add_smooth_triangle(&painter, batch, run);
+        else
+            add_flat(&painter, run, &batch->front[zr_batch_color(batch, run->number - batch->first, 0)]);
+    }
+    if (painter.flat.count > 0) paint_flat(&painter.flat);
+    if (painter.smooth.count > 0) paint_smooth(&painter.smooth);
+}
