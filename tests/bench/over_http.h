@@ -23,6 +23,4 @@ char *scene_json(const struct drawing *drawing);
 bool render_over_http(const struct daemon *daemon, const char *json, uint32_t width, uint32_t height, uint8_t **rgba,
                       float **depth, struct http_times *times);
 
-double now_ms(void);
-
 #endif
