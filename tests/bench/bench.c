@@ -1,5 +1,6 @@
 #include "bench/bench.h"
 
+#include <stdarg.h>
 #include <string.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -9,6 +10,17 @@ bool bench_wants(const struct bench *bench, const char *name)
     if (bench->only && !strstr(name, bench->only)) return false;
     if (!bench->list) return true;
     puts(name);
+    return false;
+}
+
+bool bench_complain(const char *format, ...)
+{
+    va_list arguments;
+    va_start(arguments, format);
+    fputs("zraster-bench: ", stderr);
+    vfprintf(stderr, format, arguments);
+    fputs("\n", stderr);
+    va_end(arguments);
     return false;
 }
 
@@ -57,8 +69,26 @@ bool bench_in_child(struct bench *bench,
     close(ends[0]);
     bool ok = child > 0 && waitpid(child, &status, 0) == child && WIFEXITED(status) && WEXITSTATUS(status) == 0;
     if (!ok) {
-        fprintf(stderr, "zraster-bench: a measurement ended with status 0x%x\n", (unsigned)status);
+        bench_complain("a measurement ended with status 0x%x", (unsigned)status);
         bench->results.failed = true;
     }
+    return ok;
+}
+
+bool bench_check_in_child(struct bench *bench,
+                          bool (*work)(const struct bench *bench, void *context, const struct sink *sink),
+                          void *context, bool wrong[BENCH_CHECKS_MAX])
+{
+    static int number = 0;
+    struct results found = {0};
+    bool ok = bench_in_child(bench, work, context, &found);
+    for (int i = 0; i < found.count; i++) {
+        const struct row *row = &found.rows[i];
+        if (wrong && i < BENCH_CHECKS_MAX) wrong[i] = row->wrong;
+        if (bench->check_only || row->wrong)
+            printf("%s %d - %s: %s\n", row->wrong ? "not ok" : "ok", ++number, row->work, row->note);
+        if (row->wrong) bench->results.failed = true;
+    }
+    results_free(&found);
     return ok;
 }

@@ -22,6 +22,9 @@ struct bench {
 /* Whether a row of this name is to be measured. Where names are only listed, prints it and says no. */
 bool bench_wants(const struct bench *bench, const char *name);
 
+/* A note of what failed where a measurement cannot go on; returns false. */
+bool bench_complain(const char *format, ...) __attribute__((format(printf, 1, 2)));
+
 /* Where a child's rows go. */
 struct sink {
     int fd;
@@ -33,5 +36,12 @@ void sink_row(const struct sink *sink, const struct row *row);
 bool bench_in_child(struct bench *bench,
                     bool (*work)(const struct bench *bench, void *context, const struct sink *sink), void *context,
                     struct results *rows);
+
+/* The same for a child that only compares: rows are told as TAP where they are wrong, or where that is all that was
+ * asked for. *wrong, which may be NULL, gets which of them are. */
+enum { BENCH_CHECKS_MAX = 16 };
+bool bench_check_in_child(struct bench *bench,
+                          bool (*work)(const struct bench *bench, void *context, const struct sink *sink),
+                          void *context, bool wrong[BENCH_CHECKS_MAX]);
 
 #endif

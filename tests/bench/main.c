@@ -9,6 +9,7 @@
 
 #include "bench/bench.h"
 #include "bench/machine.h"
+#include "bench/versus_libpng.h"
 #include "bench/versus_llvmpipe.h"
 
 static int usage(void)
@@ -56,6 +57,7 @@ int main(int count, char **arguments)
     if (!bench.check_only && !bench.list)
         printf("%s, %d cores, %s\n", machine_processor(), machine_cores(), machine_isa());
     versus_llvmpipe(&bench);
+    versus_libpng(&bench);
     if (!bench.check_only && !bench.list) {
         results_print_summary(&bench.results);
         if (!results_write(&bench.results, output)) bench.results.failed = true;

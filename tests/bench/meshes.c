@@ -25,6 +25,13 @@ static void look(struct drawing *drawing, uint32_t width, uint32_t height)
     drawing->projection = m;
 }
 
+void meshes_look(struct drawing *drawing, bool from_corner, float zoom, uint32_t width, uint32_t height)
+{
+    models_look(drawing, from_corner ? 1 : 0, width, height);
+    drawing->projection.m[0] *= zoom;
+    drawing->projection.m[5] *= zoom;
+}
+
 /* The point that is seen at x, y (-1 to 1 over the window), `distance` in front of the camera. */
 static zr_vec4 seen_at(const struct drawing *drawing, double x, double y, double distance)
 {
@@ -53,6 +60,8 @@ void meshes_fill(struct drawing *drawing, uint32_t width, uint32_t height, bool 
     }
 }
 
+static const float HALF_OF_THE_WINDOW = 1.3f;
+
 void meshes_cube(struct drawing *drawing, uint32_t width, uint32_t height)
 {
     static const uint32_t faces[6][4] = {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4},
@@ -66,11 +75,7 @@ void meshes_cube(struct drawing *drawing, uint32_t width, uint32_t height)
         drawing_triangle(drawing, faces[f][0], faces[f][1], faces[f][2]);
         drawing_triangle(drawing, faces[f][0], faces[f][2], faces[f][3]);
     }
-    enum { FROM_A_CORNER = 1 };
-    models_look(drawing, FROM_A_CORNER, width, height);
-    /* Half of the window. */
-    drawing->projection.m[0] *= 1.3f;
-    drawing->projection.m[5] *= 1.3f;
+    meshes_look(drawing, true, HALF_OF_THE_WINDOW, width, height);
 }
 
 /* ---- a ball with bumps ---- */

@@ -21,4 +21,7 @@ void meshes_polygons(struct drawing *drawing, uint32_t width, uint32_t height, u
 /* Each triangle into 4, new corners in the middles of edges, shared. */
 void meshes_subdivide(const struct drawing *coarse, struct drawing *fine);
 
+/* models_look from the front or from a corner, nearer: what is seen is `zoom` times as large. */
+void meshes_look(struct drawing *drawing, bool from_corner, float zoom, uint32_t width, uint32_t height);
+
 #endif

@@ -22,7 +22,7 @@ struct row {
     double side_ratio;
     struct bar side_bar;
     bool wrong;    /* the pictures differ: the times mean nothing */
-    char note[64]; /* what else to say of it; may be empty */
+    char note[80]; /* what else to say of it; may be empty */
 };
 
 struct results {

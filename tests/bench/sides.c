@@ -8,6 +8,7 @@ static const size_t ARENA_BYTES = (size_t)16 << 30;
 bool ours_open(struct ours *ours, int threads)
 {
     zr_arena_init(&ours->arena, ARENA_BYTES);
+    zr_arena_init(&ours->answers, ARENA_BYTES);
     ours->team = zr_team_create(threads);
     return ours->team != NULL;
 }
@@ -16,6 +17,7 @@ void ours_close(struct ours *ours)
 {
     zr_team_destroy(ours->team);
     zr_arena_free(&ours->arena);
+    zr_arena_free(&ours->answers);
 }
 
 void ours_take(struct ours *ours, const struct work *work, const struct variant *variant)
@@ -25,21 +27,36 @@ void ours_take(struct ours *ours, const struct work *work, const struct variant 
     ours->subject.material.double_sided = !variant->culled;
 }
 
+const struct zr_frame *ours_render(struct ours *ours, const struct zr_output *outputs, uint32_t count)
+{
+    struct zr_scene *scene = &ours->subject.scene;
+    struct zr_error error = {.status = ZR_OK};
+    const struct zr_frame *frame = NULL;
+    scene->outputs = outputs;
+    scene->output_count = count;
+    zr_arena_reset(&ours->arena, ARENA_BYTES);
+    enum zr_status status = zr_render(&ours->arena, ours->team, scene, NULL, &frame, &error);
+    if (status == ZR_OK && frame) return frame;
+    fprintf(stderr, "zr_render: status %d, %s\n", (int)status, error.count ? error.items[0].detail : "no frame");
+    return NULL;
+}
+
 const struct zr_frame *ours_draw(struct ours *ours, bool ids)
 {
     static const struct zr_output outputs[] = {{.channel = ZR_CHANNEL_COLOR, .encoding = ZR_ENCODING_PNG},
                                                {.channel = ZR_CHANNEL_WINDOW_DEPTH, .encoding = ZR_ENCODING_NPY},
                                                {.channel = ZR_CHANNEL_FACE_ID, .encoding = ZR_ENCODING_NPY}};
-    struct zr_scene *scene = &ours->subject.scene;
+    return ours_render(ours, outputs, ids ? 3 : 2);
+}
+
+bool ours_encode(struct ours *ours, const struct zr_frame *frame, struct zr_answer *answer)
+{
     struct zr_error error = {.status = ZR_OK};
-    const struct zr_frame *frame = NULL;
-    scene->outputs = outputs;
-    scene->output_count = ids ? 3 : 2;
-    zr_arena_reset(&ours->arena, ARENA_BYTES);
-    enum zr_status status = zr_render(&ours->arena, ours->team, scene, NULL, &frame, &error);
-    if (status == ZR_OK && frame && frame->color && frame->window_depth && (!ids || frame->face_id)) return frame;
-    fprintf(stderr, "zr_render: status %d, %s\n", (int)status, error.count ? error.items[0].detail : "no frame");
-    return NULL;
+    zr_arena_reset(&ours->answers, ARENA_BYTES);
+    enum zr_status status = zr_encode(&ours->answers, &ours->subject.scene, frame, NULL, answer, &error);
+    if (status == ZR_OK) return true;
+    fprintf(stderr, "zr_encode: status %d, %s\n", (int)status, error.count ? error.items[0].detail : "");
+    return false;
 }
 
 static bool complain(const struct reference_error *error)

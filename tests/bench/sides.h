@@ -8,7 +8,7 @@
 
 /* Our core, through zr_render: a scene in memory, an arena that stays warm, a team that stays. */
 struct ours {
-    struct zr_arena arena;
+    struct zr_arena arena, answers;
     struct zr_team *team;
     struct subject subject;
 };
@@ -21,6 +21,12 @@ void ours_take(struct ours *ours, const struct work *work, const struct variant 
 
 /* Colour and float depth, and face ids where asked for. It stands until the next one. NULL, explained on stderr. */
 const struct zr_frame *ours_draw(struct ours *ours, bool ids);
+
+/* The same with outputs of one's own. */
+const struct zr_frame *ours_render(struct ours *ours, const struct zr_output *outputs, uint32_t count);
+
+/* The last frame, with the outputs it was drawn for, encoded. It stands until the next one. */
+bool ours_encode(struct ours *ours, const struct zr_frame *frame, struct zr_answer *answer);
 
 /* Mesa's llvmpipe: a frame buffer object, all triangles in one indexed call, from buffer objects.
  *

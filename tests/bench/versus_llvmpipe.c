@@ -15,7 +15,7 @@ struct task {
     const struct work *work;
     int threads;
     bool wanted[WORK_VARIANTS_MAX][2]; /* without ids, and with them */
-    bool wrong[WORK_VARIANTS_MAX];
+    bool wrong[BENCH_CHECKS_MAX];
 };
 
 /* ---- is it the same picture? ---- */
@@ -61,27 +61,13 @@ static bool compare_variants(const struct bench *bench, void *context, const str
         if (!ok) break;
         size_t differing = count_differing(frame, rgba, depth, &covered);
         row.wrong = differing > 0 || covered == 0;
-        snprintf(row.note, sizeof row.note, "%zu of %zu pixels differ, %zu covered", differing, pixels, covered);
+        snprintf(row.note, sizeof row.note, "%zu of %zu pixels differ from OSMesa's, %zu covered", differing, pixels,
+                 covered);
         sink_row(sink, &row);
     }
     free(rgba);
     free(depth);
     return ok;
-}
-
-static void check(struct bench *bench, struct task *task)
-{
-    static int number = 0;
-    struct results found = {0};
-    bench_in_child(bench, compare_variants, task, &found);
-    for (int i = 0; i < found.count; i++) {
-        const struct row *row = &found.rows[i];
-        task->wrong[i] = row->wrong;
-        if (bench->check_only || row->wrong)
-            printf("%s %d - %s: %s from OSMesa's\n", row->wrong ? "not ok" : "ok", ++number, row->work, row->note);
-        if (bench->check_only && row->wrong) bench->results.failed = true;
-    }
-    results_free(&found);
 }
 
 /* ---- is it fast? ---- */
@@ -177,7 +163,7 @@ static void time_work(struct bench *bench, struct task *task)
     bool checked = false;
     for (task->threads = 1; task->threads <= THREADS_MAX; task->threads++) {
         if (!choose(bench, task)) continue;
-        if (!checked) check(bench, task);
+        if (!checked) bench_check_in_child(bench, compare_variants, task, task->wrong);
         checked = true;
         bench_in_child(bench, time_variants, task, NULL);
     }
@@ -186,14 +172,14 @@ static void time_work(struct bench *bench, struct task *task)
 void versus_llvmpipe(struct bench *bench)
 {
     if (!bench->check_only && !bench->list) results_print_heading("zr_render against llvmpipe: colour, float depth");
-    for (int i = 0; i < works_count(); i++) {
+    for (int i = 0; i < WORKS; i++) {
         struct work work;
-        if (!works_make(i, bench->models, &work)) {
+        if (!works_make((enum works)i, bench->models, &work)) {
             bench->results.failed = true;
         } else {
             struct task task = {.work = &work};
             if (bench->check_only)
-                check(bench, &task);
+                bench_check_in_child(bench, compare_variants, &task, task.wrong);
             else
                 time_work(bench, &task);
         }

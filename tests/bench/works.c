@@ -10,7 +10,10 @@
 
 enum shape { FILL_BACK_FIRST, FILL_FRONT_FIRST, BUNNY, DENSE_BUNNY, CUBE, POLYGONS };
 
-enum { FRONT_VIEW = 0, BALL_RINGS = 132, POLYGON_COUNT = 80000 };
+enum { BALL_RINGS = 132, POLYGON_COUNT = 80000 };
+
+/* From its feet to its ears it has two thirds of the window's height. */
+static const float ANIMAL_ZOOM = 1.3f;
 
 static const struct {
     const char *name;
@@ -18,21 +21,18 @@ static const struct {
     uint32_t width, height;
     enum work_culling culling;
     struct bar bars[WORK_SHADES];
-} works[] = {
-    {"fill back to front 1080p", FILL_BACK_FIRST, 1920, 1080, WORK_NOT_CULLED, {{14, 30}, {9, 20}}},
-    {"fill front to back 1080p", FILL_FRONT_FIRST, 1920, 1080, WORK_NOT_CULLED, {{14, 30}, {9, 20}}},
-    {"69 k 1080p", BUNNY, 1920, 1080, WORK_BAR_IF_CULLED, {{6, 10}, {4.5, 7}}},
-    {"69 k 512x512", BUNNY, 512, 512, WORK_BAR_IF_CULLED, {{9, 14}, {6.5, 10}}},
-    {"1.1 M 1080p", DENSE_BUNNY, 1920, 1080, WORK_BAR_ALWAYS, {{13, 22}, {8.5, 15}}},
-    {"1.1 M 512x512", DENSE_BUNNY, 512, 512, WORK_BAR_ALWAYS, {{17, 28}, {12, 20}}},
-    {"cube 256x256", CUBE, 256, 256, WORK_BAR_ALWAYS, {{3.5, 8}, {1.7, 5}}},
-    {"80 000 polygons 1080p", POLYGONS, 1920, 1080, WORK_BAR_IF_CULLED, {{0, 0}, {0, 0}}},
+} works[WORKS] = {
+    [WORK_FILL_BACK_FIRST] =
+        {"fill back to front 1080p", FILL_BACK_FIRST, 1920, 1080, WORK_NOT_CULLED, {{14, 30}, {9, 20}}},
+    [WORK_FILL_FRONT_FIRST] =
+        {"fill front to back 1080p", FILL_FRONT_FIRST, 1920, 1080, WORK_NOT_CULLED, {{14, 30}, {9, 20}}},
+    [WORK_BUNNY] = {"69 k 1080p", BUNNY, 1920, 1080, WORK_BAR_IF_CULLED, {{6, 10}, {4.5, 7}}},
+    [WORK_BUNNY_SMALL] = {"69 k 512x512", BUNNY, 512, 512, WORK_BAR_IF_CULLED, {{9, 14}, {6.5, 10}}},
+    [WORK_DENSE] = {"1.1 M 1080p", DENSE_BUNNY, 1920, 1080, WORK_BAR_ALWAYS, {{13, 22}, {8.5, 15}}},
+    [WORK_DENSE_SMALL] = {"1.1 M 512x512", DENSE_BUNNY, 512, 512, WORK_BAR_ALWAYS, {{17, 28}, {12, 20}}},
+    [WORK_CUBE] = {"cube 256x256", CUBE, 256, 256, WORK_BAR_ALWAYS, {{3.5, 8}, {1.7, 5}}},
+    [WORK_POLYGONS] = {"80 000 polygons 1080p", POLYGONS, 1920, 1080, WORK_BAR_IF_CULLED, {{0, 0}, {0, 0}}},
 };
-
-int works_count(void)
-{
-    return sizeof works / sizeof *works;
-}
 
 /* ---- shapes ---- */
 
@@ -41,11 +41,13 @@ static const char *make_animal(struct drawing *drawing, const char *directory, u
 {
     char path[600];
     snprintf(path, sizeof path, "%s/stanford-bunny.obj", directory);
-    if (access(path, R_OK) == 0)
-        return models_drawing(drawing, directory, "stanford-bunny", FRONT_VIEW, width, height) ? "bunny" : NULL;
-    meshes_ball(drawing, BALL_RINGS);
-    models_look(drawing, FRONT_VIEW, width, height);
-    return drawing->failed ? NULL : "generated ball";
+    bool there = access(path, R_OK) == 0;
+    if (!there)
+        meshes_ball(drawing, BALL_RINGS);
+    else if (!models_drawing(drawing, directory, "stanford-bunny", 0, width, height))
+        return NULL;
+    meshes_look(drawing, false, ANIMAL_ZOOM, width, height);
+    return drawing->failed ? NULL : there ? "bunny" : "generated ball";
 }
 
 static const char *make_dense_animal(struct drawing *drawing, const char *directory, uint32_t width, uint32_t height)
@@ -104,7 +106,7 @@ static bool cut_into_triangles(struct work *work)
     return true;
 }
 
-bool works_make(int number, const char *directory, struct work *work)
+bool works_make(enum works number, const char *directory, struct work *work)
 {
     *work = (struct work){.culling = works[number].culling, .bars = {works[number].bars[0], works[number].bars[1]}};
     const char *animal =

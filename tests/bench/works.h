@@ -27,11 +27,21 @@ struct variant {
     bool culled;
 };
 
-int works_count(void);
+enum works {
+    WORK_FILL_BACK_FIRST,
+    WORK_FILL_FRONT_FIRST,
+    WORK_BUNNY,
+    WORK_BUNNY_SMALL,
+    WORK_DENSE,
+    WORK_DENSE_SMALL,
+    WORK_CUBE,
+    WORK_POLYGONS,
+    WORKS
+};
 
 /* Without the models of `directory` there are generated ones of comparable size, and their names say so. False,
  * explained on stderr. works_free in any case. */
-bool works_make(int number, const char *directory, struct work *work);
+bool works_make(enum works number, const char *directory, struct work *work);
 void works_free(struct work *work);
 
 /* Culled ones first. */
