@@ -2,9 +2,9 @@
 
 #include "raster/line.h"
 
-zr_paint_fn *zr_paint_of(enum zr_isa isa)
+const struct zr_paint *zr_paint_of(enum zr_isa isa)
 {
-    static zr_paint_fn *const table[ZR_ISA_COUNT] = ZR_KERNELS(zr_paint);
+    static const struct zr_paint *const table[ZR_ISA_COUNT] = ZR_KERNELS(&zr_paint);
     return table[isa];
 }
 

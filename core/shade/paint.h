@@ -20,11 +20,19 @@ struct zr_run {
     uint32_t *pixels; /* RGBA, four bytes each, to be written */
 };
 
-typedef void zr_paint_fn(const struct zr_geometry *geometry, const struct zr_run *runs, uint32_t count);
+struct zr_paint {
+    void (*runs)(const struct zr_geometry *geometry, const struct zr_run *runs, uint32_t count);
 
-zr_paint_fn zr_paint_scalar, zr_paint_sse2, zr_paint_avx2, zr_paint_avx512, zr_paint_neon;
+    /* Where runs end in a row of a tile: bit i, where owners[i] is the last of its own among the first `width`. */
+    uint64_t (*ends)(const uint32_t *owners, int32_t width);
 
-zr_paint_fn *zr_paint_of(enum zr_isa isa);
+    /* `rows` rows of `width`, `stride` apart, of one value of four bytes. */
+    void (*fill)(void *pixels, uint32_t value, int32_t width, int32_t rows, ptrdiff_t stride);
+};
+
+extern const struct zr_paint zr_paint_scalar, zr_paint_sse2, zr_paint_avx2, zr_paint_avx512, zr_paint_neon;
+
+const struct zr_paint *zr_paint_of(enum zr_isa isa);
 
 /* 0..1 -> 0..255, to the nearest, ties to even. NaN gives 0. */
 uint32_t zr_color_byte(float value);

@@ -41,14 +41,11 @@ static inline zr_vi pack(zr_vf red, zr_vf green, zr_vf blue)
 
 /* ---- one colour ---- */
 
-static inline void fill(uint32_t *pixels, uint32_t count, uint32_t color)
+static inline void fill_run(uint32_t *pixels, uint32_t count, zr_vi colors)
 {
-    const zr_vi colors = zr_vi_set((int32_t)color);
-    uint32_t i = 0;
-    for (; i + ZR_LANES <= count; i += ZR_LANES)
-        zr_vi_store(pixels + i, colors);
-    for (; i < count; i++)
-        pixels[i] = color;
+    for (; count > ZR_LANES; count -= ZR_LANES, pixels += ZR_LANES)
+        zr_vi_store(pixels, colors);
+    zr_vi_store_first(pixels, colors, count);
 }
 
 static void paint_flat(struct flat_queue *q)
@@ -62,7 +59,7 @@ static void paint_flat(struct flat_queue *q)
     (void)alpha;
     zr_vi_store(packed, pack(red, green, blue));
     for (uint32_t i = 0; i < q->count; i++)
-        fill(q->runs[i]->pixels, q->runs[i]->count, packed[i]);
+        fill_run(q->runs[i]->pixels, q->runs[i]->count, zr_vi_set((int32_t)packed[i]));
     q->count = 0;
 }
 
@@ -155,13 +152,9 @@ static inline void paint_long(const struct planes *p, const struct zr_run *run)
     const zr_vf y = zr_vf_set((float)run->y);
     zr_vf x = zr_vf_set((float)run->x) + zr_vf_ramp();
     uint32_t i = 0;
-    for (; i + ZR_LANES <= run->count; i += ZR_LANES, x = x + zr_vf_set((float)ZR_LANES))
+    for (; i + ZR_LANES < run->count; i += ZR_LANES, x = x + zr_vf_set((float)ZR_LANES))
         zr_vi_store(run->pixels + i, paint_at(p, x, y));
-    if (i == run->count) return;
-    uint32_t rest[ZR_LANES];
-    zr_vi_store(rest, paint_at(p, x, y));
-    for (uint32_t k = 0; i < run->count; k++, i++)
-        run->pixels[i] = rest[k];
+    zr_vi_store_first(run->pixels + i, paint_at(p, x, y), run->count - i);
 }
 
 /* Pixel k of each short run, for all k. */
@@ -243,12 +236,10 @@ static inline void add_smooth(struct painter *p, const struct zr_run *run, const
     if (q->count == ZR_LANES) paint_smooth(q);
 }
 
-/* A record that is written out, or whose side must be known to know its colours. */
-static void add_record(struct painter *p, const struct zr_batch *batch, const struct zr_run *run)
+/* A record that is written out. */
+static inline void add_record(struct painter *p, const struct zr_run *run, const struct zr_triangle *t,
+                              const zr_vec4 *colors)
 {
-    const struct zr_record record = zr_record_of(p->geometry, batch, run->number);
-    const struct zr_triangle *t = &record.triangle;
-    const zr_vec4 *colors = record.colors;
     if (t->c[0] == t->c[1] && t->c[1] == t->c[2]) {
         add_flat(p, run, &colors[t->c[0]]);
     } else if (t->line) {
@@ -275,7 +266,7 @@ static inline void add_smooth_triangle(struct painter *p, const struct zr_batch 
                                   &batch->front[zr_batch_color(batch, t, 2)]});
 }
 
-void ZR_KERNEL(zr_paint)(const struct zr_geometry *geometry, const struct zr_run *runs, uint32_t count)
+static void paint_runs(const struct zr_geometry *geometry, const struct zr_run *runs, uint32_t count)
 {
     struct painter painter;
     painter.geometry = geometry;
@@ -283,13 +274,41 @@ void ZR_KERNEL(zr_paint)(const struct zr_geometry *geometry, const struct zr_run
     const struct zr_batch *batch = &geometry->batches[0];
     for (const struct zr_run *run = runs; run < runs + count; run++) {
         if (!zr_batch_holds(batch, run->number)) batch = zr_batch_of(geometry, run->number);
-        if (batch->written || batch->front != batch->back)
-            add_record(&painter, batch, run);
-        else if (zr_batch_is_smooth(batch))
+        uint32_t t = run->number - batch->first;
+        if (batch->written) {
+            const struct zr_triangle *record = &geometry->triangles[batch->first_record + t];
+            add_record(&painter, run, record, record->back ? geometry->back_colors : geometry->front_colors);
+        } else if (batch->front != batch->back) { /* its side must be known to know its colours */
+            const struct zr_record record = zr_record_of(geometry, batch, run->number);
+            add_record(&painter, run, &record.triangle, record.colors);
+        } else if (zr_batch_is_smooth(batch))
             add_smooth_triangle(&painter, batch, run);
         else
-            add_flat(&painter, run, &batch->front[zr_batch_color(batch, run->number - batch->first, 0)]);
+            add_flat(&painter, run, &batch->front[zr_batch_color(batch, t, 0)]);
     }
     if (painter.flat.count > 0) paint_flat(&painter.flat);
     if (painter.smooth.count > 0) paint_smooth(&painter.smooth);
 }
+
+/* ---- rows ---- */
+
+/* A row has room behind its end, so that the last vector may look one owner farther. */
+static uint64_t ends(const uint32_t *owners, int32_t width)
+{
+    uint64_t out = 0;
+    for (int32_t x = 0; x < width; x += ZR_LANES) {
+        const zr_vm same = zr_vi_eq(zr_vi_load(owners + x), zr_vi_load(owners + x + 1));
+        out |= (uint64_t)(zr_vm_bits(same) ^ ZR_ALL_BITS) << x;
+    }
+    const uint64_t last = UINT64_C(1) << (width - 1);
+    return (out & (last - 1)) | last;
+}
+
+static void fill(void *pixels, uint32_t value, int32_t width, int32_t rows, ptrdiff_t stride)
+{
+    const zr_vi values = zr_vi_set((int32_t)value);
+    for (int32_t row = 0; row < rows; row++)
+        fill_run((uint32_t *)pixels + row * stride, (uint32_t)width, values);
+}
+
+const struct zr_paint ZR_KERNEL(zr_paint) = {paint_runs, ends, fill};

@@ -10,6 +10,10 @@ struct surface {
     struct zr_eye_depth eye_depth;
 };
 
+/* As floats. */
+#define INFINITY_BITS UINT32_C(0x7f800000)
+#define ONE_BITS UINT32_C(0x3f800000)
+
 /* Small records come back in every row of a tile: this many are remembered. */
 enum { SURFACES = 256 };
 
@@ -20,6 +24,7 @@ enum { RUNS = 4 * ZR_TILE_SIZE };
 struct resolver {
     const struct zr_geometry *geometry;
     const struct zr_frame *frame;
+    const struct zr_paint *paint;
     const struct zr_batch *batch; /* of the last record */
     struct surface surfaces[SURFACES];
     uint32_t run_count;
@@ -61,15 +66,17 @@ static void resolve_base(const struct zr_frame *frame, const struct zr_base *bas
         memcpy(frame->window_depth + pixel, base->window_depth + pixel, bytes);
 }
 
-static void resolve_nothing(const struct zr_frame *frame, uint32_t background, size_t pixel, int32_t count)
+/* Where nothing is drawn, in `rows` rows from the pixel on, one above the other in the window, so one below the other
+ * in memory the other way round. */
+static void resolve_nothing(const struct zr_frame *frame, const struct zr_paint *paint, uint32_t background,
+                            size_t pixel, int32_t width, int32_t rows)
 {
-    uint32_t *color = (uint32_t *)(void *)frame->color;
-    for (int32_t i = 0; color && i < count; i++)
-        color[pixel + (size_t)i] = background;
-    for (int32_t i = 0; frame->depth && i < count; i++)
-        frame->depth[pixel + (size_t)i] = INFINITY;
-    if (frame->face_id) memset(frame->face_id + pixel, 0, (size_t)count * sizeof *frame->face_id);
-    if (frame->base) resolve_base(frame, frame->base, pixel, count);
+    const ptrdiff_t up = -(ptrdiff_t)frame->width;
+    if (frame->color) paint->fill(frame->color + 4 * pixel, background, width, rows, up);
+    if (frame->depth) paint->fill(frame->depth + pixel, INFINITY_BITS, width, rows, up);
+    if (frame->face_id) paint->fill(frame->face_id + pixel, 0, width, rows, up);
+    for (int32_t row = 0; frame->base && row < rows; row++)
+        resolve_base(frame, frame->base, pixel - (size_t)row * frame->width, width);
 }
 
 static void resolve_run(struct resolver *r, const struct zr_run *run, size_t pixel)
@@ -93,19 +100,10 @@ static size_t pixel_of_row(const struct zr_frame *frame, const struct zr_tile *t
     return (size_t)(frame->height - 1 - (uint32_t)(tile->y + row)) * frame->width + (size_t)tile->x;
 }
 
-static void paint_runs(struct resolver *r, zr_paint_fn *paint)
+static void paint_runs(struct resolver *r)
 {
-    if (r->run_count > 0) paint(r->geometry, r->runs, r->run_count);
+    if (r->run_count > 0) r->paint->runs(r->geometry, r->runs, r->run_count);
     r->run_count = 0;
-}
-
-/* How far the row is the owner's, from `begin` on. */
-static int32_t end_of_run(const uint32_t *owners, int32_t begin, int32_t width)
-{
-    int32_t end = begin + 1;
-    while (end < width && owners[end] == owners[begin])
-        end++;
-    return end;
 }
 
 static uint32_t resolve_row(struct resolver *r, const struct zr_tile *tile, int32_t row, uint32_t nothing)
@@ -116,11 +114,12 @@ static uint32_t resolve_row(struct resolver *r, const struct zr_tile *tile, int3
     uint32_t covered = 0;
     if (frame->window_depth)
         memcpy(frame->window_depth + line, &tile->depth[row * ZR_TILE_STRIDE], (size_t)tile->width * sizeof(float));
-    for (int32_t begin = 0, end; begin < tile->width; begin = end) {
-        end = end_of_run(owners, begin, tile->width);
+    int32_t begin = 0, end;
+    for (uint64_t ends = r->paint->ends(owners, tile->width); ends; ends &= ends - 1, begin = end) {
+        end = __builtin_ctzll(ends) + 1;
         size_t pixel = line + (size_t)begin;
         if (owners[begin] == 0) {
-            resolve_nothing(frame, nothing, pixel, end - begin);
+            resolve_nothing(frame, r->paint, nothing, pixel, end - begin, 1);
             continue;
         }
         struct zr_run *run = &r->runs[r->run_count];
@@ -136,37 +135,31 @@ static uint32_t resolve_row(struct resolver *r, const struct zr_tile *tile, int3
     return covered;
 }
 
-static void resolve_empty(const struct zr_frame *frame, const struct zr_tile *tile, uint32_t nothing)
-{
-    for (int32_t row = 0; row < tile->height; row++) {
-        size_t line = pixel_of_row(frame, tile, row);
-        resolve_nothing(frame, nothing, line, tile->width);
-        for (int32_t i = 0; frame->window_depth && i < tile->width; i++)
-            frame->window_depth[line + (size_t)i] = 1.0f;
-    }
-}
-
-uint32_t zr_resolve_tile(const struct zr_geometry *geometry, zr_paint_fn *paint, zr_vec4 background,
+uint32_t zr_resolve_tile(const struct zr_geometry *geometry, const struct zr_paint *paint, zr_vec4 background,
                          const struct zr_tile *tile, const struct zr_frame *frame)
 {
     uint32_t nothing = zr_color_pack(zr_color_byte(background.x), zr_color_byte(background.y),
                                      zr_color_byte(background.z), zr_color_byte(background.w));
     if (tile->is_empty) {
-        resolve_empty(frame, tile, nothing);
+        size_t pixel = pixel_of_row(frame, tile, 0);
+        resolve_nothing(frame, paint, nothing, pixel, tile->width, tile->height);
+        if (frame->window_depth)
+            paint->fill(frame->window_depth + pixel, ONE_BITS, tile->width, tile->height, -(ptrdiff_t)frame->width);
         return 0;
     }
     struct resolver resolver;
     resolver.geometry = geometry;
     resolver.frame = frame;
+    resolver.paint = paint;
     resolver.batch = &geometry->batches[0];
     resolver.run_count = 0;
     for (int i = 0; frame->depth && i < SURFACES; i++)
         resolver.surfaces[i].owner = 0;
     uint32_t covered = 0;
     for (int32_t row = 0; row < tile->height; row++) {
-        if (resolver.run_count > RUNS - ZR_TILE_SIZE) paint_runs(&resolver, paint);
+        if (resolver.run_count > RUNS - ZR_TILE_SIZE) paint_runs(&resolver);
         covered += resolve_row(&resolver, tile, row, nothing);
     }
-    paint_runs(&resolver, paint);
+    paint_runs(&resolver);
     return covered;
 }

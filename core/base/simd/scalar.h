@@ -53,6 +53,10 @@ static inline void zr_vi_store_where(zr_vm m, void *p, zr_vi v)
 {
     if (m) memcpy(p, &v, sizeof v);
 }
+static inline void zr_vi_store_first(void *p, zr_vi v, uint32_t n)
+{
+    if (n > 0) memcpy(p, &v, sizeof v);
+}
 static inline zr_vm zr_vf_lt(zr_vf a, zr_vf b)
 {
     return a < b;
