@@ -12,6 +12,7 @@
  *   zr_vf_store_where(m, p, v), zr_vi_store_where: lanes of m only; the others may be read and written back
  *   zr_vi_store_first(p, v, n): lanes 0 .. n - 1, n at most ZR_LANES, and nothing else is touched
  *   zr_vf_lt le eq(a, b), zr_vi_lt eq(a, b), zr_vm_and or andnot(a, b: a and not b), zr_vm_bits(m), zr_vm_of(bits)
+ *   zr_vf_lt_where eq_where(m, a, b), zr_vi_lt_where(m, a, b): m and the comparison, which AVX-512 does in one
  *   zr_vf_select(m, a, b), zr_vi_select: a where m, else b
  *   zr_vf_min(a, b): a < b ? a : b     zr_vf_max(a, b): a > b ? a : b     zr_vi_min, zr_vi_max
  *   zr_vf_abs(a)  zr_vf_of(vi): int to float   zr_vi_round(vf): to the nearest, ties to even, where |v| < 2^22

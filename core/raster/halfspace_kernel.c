@@ -20,14 +20,15 @@ static inline void put(float *depth, uint32_t *owners, zr_vm inside, zr_vf z, zr
 {
     const zr_vf old = zr_vf_load(depth);
     const zr_vi old_owner = zr_vi_load(owners);
-    const zr_vm earlier = zr_vm_and(zr_vf_eq(z, old), zr_vi_lt(owner, old_owner));
-    const zr_vm seen = zr_vm_and(inside, zr_vm_or(zr_vf_lt(z, old), earlier));
+    const zr_vm earlier = zr_vi_lt_where(zr_vf_eq_where(inside, z, old), owner, old_owner);
+    const zr_vm seen = zr_vm_or(zr_vf_lt_where(inside, z, old), earlier);
     zr_vf_store(depth, zr_vf_select(seen, z, old));
     zr_vi_store(owners, zr_vi_select(seen, owner, old_owner));
 }
 
-/* ZR_LANES columns from x on, which is a multiple of ZR_LANES: those of `lanes` that the edges do not keep out. */
-static inline void draw_columns(struct zr_tile *tile, const struct piece *p, int32_t x, zr_vm lanes)
+/* ZR_LANES columns from x on, which is a multiple of ZR_LANES: those of `lanes` that the edges do not keep out. Not
+ * `clamped`: the depth is known to be within 0..1, and without an offset. */
+static inline void draw_columns(struct zr_tile *tile, const struct piece *p, int32_t x, zr_vm lanes, bool clamped)
 {
     const zr_vi below_zero = zr_vi_set(-1), owner = zr_vi_set((int32_t)p->owner), ramp = zr_vi_ramp();
     const zr_vi skip = zr_vi_set(x - p->x0) + ramp;
@@ -40,8 +41,10 @@ static inline void draw_columns(struct zr_tile *tile, const struct piece *p, int
     zr_vf fy = zr_vf_set((float)p->y0);
     size_t i = (size_t)(p->y0 - tile->y) * ZR_TILE_STRIDE + (size_t)(x - tile->x);
     for (int32_t y = p->y0; y <= p->y1; y++, i += ZR_TILE_STRIDE, fy = fy + one) {
-        const zr_vm inside = zr_vm_and(lanes, zr_vi_lt(below_zero, e[0] | e[1] | e[2]));
-        put(&tile->depth[i], &tile->owner[i], inside, zr_depth_clamp_v((column + dady * fy) + offset), owner);
+        const zr_vm inside = zr_vi_lt_where(lanes, below_zero, e[0] | e[1] | e[2]);
+        zr_vf z = column + dady * fy;
+        if (clamped) z = zr_depth_clamp_v(z + offset);
+        put(&tile->depth[i], &tile->owner[i], inside, z, owner);
         for (int k = 0; k < 3; k++)
             e[k] += up[k];
     }
@@ -98,11 +101,11 @@ static inline struct blocks look_at_blocks(const struct zr_tile *tile, const str
     const zr_vf fx0 = zr_vf_of(x0), fx1 = zr_vf_of(x1), fy0 = zr_vf_of(y0), fy1 = zr_vf_of(y1);
     const zr_vf a0 = zr_vf_set(p->a0), dadx = zr_vf_set(p->dadx), dady = zr_vf_set(p->dady);
     const zr_vf offset = zr_vf_set(p->offset);
-    const zr_vf near_x = p->dadx > 0.0f ? fx0 : fx1, far_x = p->dadx > 0.0f ? fx1 : fx0;
-    const zr_vf near_y = p->dady > 0.0f ? fy0 : fy1, far_y = p->dady > 0.0f ? fy1 : fy0;
-    const zr_vf near = zr_depth_clamp_v(((a0 + dadx * near_x) + dady * near_y) + offset);
+    const struct zr_plane_v plane = {a0, dadx, dady};
+    const struct zr_range_v range = zr_plane_range_v(&plane, fx0, fy0, fx1, fy1);
+    const zr_vf near = zr_depth_clamp_v(range.near + offset);
     struct blocks out;
-    out.far = zr_depth_clamp_v(((a0 + dadx * far_x) + dady * far_y) + offset);
+    out.far = zr_depth_clamp_v(range.far + offset);
     const zr_vm touched = zr_vm_and(zr_vi_lt(x0, x1 + zr_vi_set(1)), zr_vi_lt(y0, y1 + zr_vi_set(1)));
     const zr_vm hidden = zr_vm_or(zr_vf_lt(zr_vf_load(tile->block_far + first), near), zr_vi_lt(most, zero));
     out.open = zr_vm_andnot(touched, hidden);
@@ -166,7 +169,7 @@ static inline void draw_blocks(struct zr_tile *tile, const struct piece *p, int 
             const zr_vi columns = zr_vi_set(x) + zr_vi_ramp();
             const zr_vm before = zr_vi_lt(columns, zr_vi_set(part.x0));
             const zr_vm lanes = zr_vm_andnot(zr_vi_lt(columns, zr_vi_set(part.x1 + 1)), before);
-            draw_columns(tile, &part, x, lanes);
+            draw_columns(tile, &part, x, lanes, true);
         }
     }
 }
@@ -205,6 +208,7 @@ struct group {
     int32_t at[3][ZR_LANES], right[3][ZR_LANES], up[3][ZR_LANES];
     float a0[ZR_LANES], dadx[ZR_LANES], dady[ZR_LANES];
     int32_t x0[ZR_LANES], y0[ZR_LANES], x1[ZR_LANES], y1[ZR_LANES];
+    uint32_t clamped; /* bit i: its depth may leave 0..1 at some sample of its box */
 };
 
 /* Where the corners of records stand. */
@@ -238,8 +242,10 @@ static inline void set_up(const struct zr_tile *tile, const struct corners *corn
     const zr_vi y0 = zr_vi_max((min_y + up_to_centre) >> ZR_SUBPIXEL_BITS, zr_vi_set(tile->y));
     zr_vi_store(out->x0, x0);
     zr_vi_store(out->y0, y0);
-    zr_vi_store(out->x1, zr_vi_min(max_x >> ZR_SUBPIXEL_BITS, zr_vi_set(tile->x + tile->width - 1)));
-    zr_vi_store(out->y1, zr_vi_min(max_y >> ZR_SUBPIXEL_BITS, zr_vi_set(tile->y + tile->height - 1)));
+    const zr_vi x1 = zr_vi_min(max_x >> ZR_SUBPIXEL_BITS, zr_vi_set(tile->x + tile->width - 1));
+    const zr_vi y1 = zr_vi_min(max_y >> ZR_SUBPIXEL_BITS, zr_vi_set(tile->y + tile->height - 1));
+    zr_vi_store(out->x1, x1);
+    zr_vi_store(out->y1, y1);
 
     const zr_vi subpixels = zr_vi_set(ZR_SUBPIXELS);
     for (int k = 0; k < 3; k++) {
@@ -257,6 +263,9 @@ static inline void set_up(const struct zr_tile *tile, const struct corners *corn
     zr_vf_store(out->a0, plane.a0);
     zr_vf_store(out->dadx, plane.dadx);
     zr_vf_store(out->dady, plane.dady);
+    const struct zr_range_v range = zr_plane_range_v(&plane, zr_vf_of(x0), zr_vf_of(y0), zr_vf_of(x1), zr_vf_of(y1));
+    const zr_vm within = zr_vm_and(zr_vf_le(zr_vf_set(0.0f), range.near), zr_vf_le(range.far, zr_vf_set(1.0f)));
+    out->clamped = ZR_ALL_BITS ^ zr_vm_bits(within);
 }
 
 /* Up to ZR_LANES numbers -> corners; what is missing has those of the first. */
@@ -283,6 +292,7 @@ static inline const struct zr_batch *find_corners(const struct zr_geometry *geom
 
 static void draw_group(struct zr_tile *tile, const struct group *g, const uint32_t *numbers, uint32_t count)
 {
+    const uint32_t clamped = g->clamped;
     for (uint32_t i = 0; i < count; i++) {
         const struct piece p = {.at = {g->at[0][i], g->at[1][i], g->at[2][i]},
                                 .right = {g->right[0][i], g->right[1][i], g->right[2][i]},
@@ -295,8 +305,12 @@ static void draw_group(struct zr_tile *tile, const struct group *g, const uint32
                                 .x1 = g->x1[i],
                                 .y1 = g->y1[i],
                                 .owner = numbers[i] + 1};
-        for (int32_t x = first_lane(p.x0); x <= p.x1; x += ZR_LANES)
-            draw_columns(tile, &p, x, ZR_ALL_LANES);
+        if (clamped >> i & 1u)
+            for (int32_t x = first_lane(p.x0); x <= p.x1; x += ZR_LANES)
+                draw_columns(tile, &p, x, ZR_ALL_LANES, true);
+        else
+            for (int32_t x = first_lane(p.x0); x <= p.x1; x += ZR_LANES)
+                draw_columns(tile, &p, x, ZR_ALL_LANES, false);
     }
 }
 

@@ -1,4 +1,4 @@
-/* paint.h - shade: the colours of runs of pixels. A kernel.
+/* paint.h - shade: the colours of a tile, run by run. A kernel.
  *
  * Exact:  the reference's rule 9: colours times 1/w are planes over the window, each pixel divides by the plane of
  *         1/w, and bytes are rounded to the nearest.
@@ -11,23 +11,27 @@
 
 #include "base/isa.h"
 #include "geometry/geometry.h"
+#include "raster/tile.h"
 
-/* Pixels of one row of a tile that belong to one record. */
+/* Pixels of one row that belong to one record, side by side in memory. */
 struct zr_run {
-    uint32_t number; /* of the record */
-    int32_t x, y;    /* of its first pixel, window space, y up */
+    int32_t x, y; /* of its first pixel, window space, y up */
     uint32_t count;
-    uint32_t *pixels; /* RGBA, four bytes each, to be written */
+    uint32_t *pixels; /* RGBA, four bytes each */
 };
 
 struct zr_paint {
-    void (*runs)(const struct zr_geometry *geometry, const struct zr_run *runs, uint32_t count);
+    /* The colours of a tile, and `nothing` where no record is seen. Pixel x, y of the tile is at pixels[y * stride
+     * + x]. Returns how many pixels belong to records. */
+    uint32_t (*tile)(const struct zr_geometry *geometry, const struct zr_tile *tile, uint32_t nothing,
+                     uint32_t *pixels, ptrdiff_t stride);
 
     /* Where runs end in a row of a tile: bit i, where owners[i] is the last of its own among the first `width`. */
     uint64_t (*ends)(const uint32_t *owners, int32_t width);
 
-    /* `rows` rows of `width`, `stride` apart, of one value of four bytes. */
-    void (*fill)(void *pixels, uint32_t value, int32_t width, int32_t rows, ptrdiff_t stride);
+    /* Rows of `width` values of four bytes, `stride` apart: all of one value, or those of a tile's array. */
+    void (*fill)(void *out, ptrdiff_t stride, int32_t width, int32_t rows, uint32_t value);
+    void (*copy)(void *out, ptrdiff_t stride, int32_t width, int32_t rows, const void *in);
 };
 
 extern const struct zr_paint zr_paint_scalar, zr_paint_sse2, zr_paint_avx2, zr_paint_avx512, zr_paint_neon;

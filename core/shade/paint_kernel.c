@@ -9,13 +9,14 @@ enum { SHORT_RUN = 4 };
 /* Runs of one colour, waiting until there are as many as lanes. */
 struct flat_queue {
     uint32_t count;
-    const struct zr_run *runs[ZR_LANES];
     const zr_vec4 *colors[ZR_LANES];
+    uint32_t *pixels[ZR_LANES];
+    uint32_t lengths[ZR_LANES];
 };
 
 struct smooth_queue {
     uint32_t count;
-    const struct zr_run *runs[ZR_LANES];
+    struct zr_run runs[ZR_LANES];
     const struct zr_window_vertex *vertices[3][ZR_LANES];
     const zr_vec4 *colors[3][ZR_LANES];
 };
@@ -59,7 +60,7 @@ static void paint_flat(struct flat_queue *q)
     (void)alpha;
     zr_vi_store(packed, pack(red, green, blue));
     for (uint32_t i = 0; i < q->count; i++)
-        fill_run(q->runs[i]->pixels, q->runs[i]->count, zr_vi_set((int32_t)packed[i]));
+        fill_run(q->pixels[i], q->lengths[i], zr_vi_set((int32_t)packed[i]));
     q->count = 0;
 }
 
@@ -163,15 +164,15 @@ static inline void paint_short(const struct planes *p, const struct smooth_queue
     float xs[ZR_LANES], ys[ZR_LANES];
     uint32_t packed[ZR_LANES];
     for (uint32_t i = 0; i < ZR_LANES; i++) {
-        xs[i] = (float)q->runs[i]->x;
-        ys[i] = (float)q->runs[i]->y;
+        xs[i] = (float)q->runs[i].x;
+        ys[i] = (float)q->runs[i].y;
     }
     zr_vf x = zr_vf_load(xs);
     const zr_vf y = zr_vf_load(ys);
     for (uint32_t k = 0; k < longest; k++, x = x + zr_vf_set(1.0f)) {
         zr_vi_store(packed, paint_at(p, x, y));
         for (uint32_t i = 0; i < q->count; i++)
-            if (k < q->runs[i]->count && q->runs[i]->count <= SHORT_RUN) q->runs[i]->pixels[k] = packed[i];
+            if (k < q->runs[i].count && q->runs[i].count <= SHORT_RUN) q->runs[i].pixels[k] = packed[i];
     }
 }
 
@@ -187,7 +188,7 @@ static void paint_smooth(struct smooth_queue *q)
     const struct planes planes = planes_make(q);
     uint32_t longest = 0, longer = 0;
     for (uint32_t i = 0; i < q->count; i++) {
-        uint32_t count = q->runs[i]->count;
+        uint32_t count = q->runs[i].count;
         longer += count > SHORT_RUN;
         if (count <= SHORT_RUN && count > longest) longest = count;
     }
@@ -200,10 +201,10 @@ static void paint_smooth(struct smooth_queue *q)
         store_plane(kept[3], &planes.blue);
     }
     for (uint32_t i = 0; i < q->count && longer > 0; i++) {
-        if (q->runs[i]->count <= SHORT_RUN) continue;
+        if (q->runs[i].count <= SHORT_RUN) continue;
         const struct planes own = {spread_plane(kept[0], i), spread_plane(kept[1], i), spread_plane(kept[2], i),
                                    spread_plane(kept[3], i)};
-        paint_long(&own, q->runs[i]);
+        paint_long(&own, &q->runs[i]);
     }
     q->count = 0;
 }
@@ -212,6 +213,7 @@ static void paint_smooth(struct smooth_queue *q)
 
 struct painter {
     const struct zr_geometry *geometry;
+    const struct zr_batch *batch; /* of the last record */
     struct flat_queue flat;
     struct smooth_queue smooth;
 };
@@ -219,8 +221,9 @@ struct painter {
 static inline void add_flat(struct painter *p, const struct zr_run *run, const zr_vec4 *color)
 {
     struct flat_queue *q = &p->flat;
-    q->runs[q->count] = run;
-    q->colors[q->count++] = color;
+    q->colors[q->count] = color;
+    q->pixels[q->count] = run->pixels;
+    q->lengths[q->count++] = run->count;
     if (q->count == ZR_LANES) paint_flat(q);
 }
 
@@ -232,7 +235,7 @@ static inline void add_smooth(struct painter *p, const struct zr_run *run, const
         q->vertices[k][q->count] = v[k];
         q->colors[k][q->count] = c[k];
     }
-    q->runs[q->count++] = run;
+    q->runs[q->count++] = *run;
     if (q->count == ZR_LANES) paint_smooth(q);
 }
 
@@ -245,55 +248,45 @@ static inline void add_record(struct painter *p, const struct zr_run *run, const
     } else if (t->line) {
         zr_paint_line(p->geometry, t, run);
     } else {
-        const struct zr_window_vertex *vertices = p->geometry->vertices;
-        add_smooth(
-            p, run,
-            (const struct zr_window_vertex *const[3]){&vertices[t->v[0]], &vertices[t->v[1]], &vertices[t->v[2]]},
-            (const zr_vec4 *const[3]){&colors[t->c[0]], &colors[t->c[1]], &colors[t->c[2]]});
+        const struct zr_window_vertex *v = p->geometry->vertices;
+        add_smooth(p, run, (const struct zr_window_vertex *const[3]){&v[t->v[0]], &v[t->v[1]], &v[t->v[2]]},
+                   (const zr_vec4 *const[3]){&colors[t->c[0]], &colors[t->c[1]], &colors[t->c[2]]});
     }
 }
 
-static inline void add_smooth_triangle(struct painter *p, const struct zr_batch *batch, const struct zr_run *run)
+static inline void add_smooth_triangle(struct painter *p, const struct zr_batch *batch, const struct zr_run *run,
+                                       uint32_t t)
 {
-    uint32_t t = run->number - batch->first;
     const uint32_t *corners = batch->corners + 3 * (size_t)t;
-    const struct zr_window_vertex *vertices = p->geometry->vertices + batch->first_vertex;
-    add_smooth(
-        p, run,
-        (const struct zr_window_vertex *const[3]){&vertices[corners[0]], &vertices[corners[1]], &vertices[corners[2]]},
-        (const zr_vec4 *const[3]){&batch->front[zr_batch_color(batch, t, 0)],
-                                  &batch->front[zr_batch_color(batch, t, 1)],
-                                  &batch->front[zr_batch_color(batch, t, 2)]});
+    const struct zr_window_vertex *v = p->geometry->vertices + batch->first_vertex;
+    add_smooth(p, run, (const struct zr_window_vertex *const[3]){&v[corners[0]], &v[corners[1]], &v[corners[2]]},
+               (const zr_vec4 *const[3]){&batch->front[zr_batch_color(batch, t, 0)],
+                                         &batch->front[zr_batch_color(batch, t, 1)],
+                                         &batch->front[zr_batch_color(batch, t, 2)]});
 }
 
-static void paint_runs(const struct zr_geometry *geometry, const struct zr_run *runs, uint32_t count)
+static inline void add_run(struct painter *p, uint32_t number, const struct zr_run *run)
 {
-    struct painter painter;
-    painter.geometry = geometry;
-    painter.flat.count = painter.smooth.count = 0;
-    const struct zr_batch *batch = &geometry->batches[0];
-    for (const struct zr_run *run = runs; run < runs + count; run++) {
-        if (!zr_batch_holds(batch, run->number)) batch = zr_batch_of(geometry, run->number);
-        uint32_t t = run->number - batch->first;
-        if (batch->written) {
-            const struct zr_triangle *record = &geometry->triangles[batch->first_record + t];
-            add_record(&painter, run, record, record->back ? geometry->back_colors : geometry->front_colors);
-        } else if (batch->front != batch->back) { /* its side must be known to know its colours */
-            const struct zr_record record = zr_record_of(geometry, batch, run->number);
-            add_record(&painter, run, &record.triangle, record.colors);
-        } else if (zr_batch_is_smooth(batch))
-            add_smooth_triangle(&painter, batch, run);
-        else
-            add_flat(&painter, run, &batch->front[zr_batch_color(batch, t, 0)]);
+    if (!zr_batch_holds(p->batch, number)) p->batch = zr_batch_of(p->geometry, number);
+    const struct zr_batch *batch = p->batch;
+    uint32_t t = number - batch->first;
+    if (batch->written) {
+        const struct zr_triangle *record = &p->geometry->triangles[batch->first_record + t];
+        add_record(p, run, record, record->back ? p->geometry->back_colors : p->geometry->front_colors);
+    } else if (batch->front != batch->back) { /* its side must be known to know its colours */
+        const struct zr_record record = zr_record_of(p->geometry, batch, number);
+        add_record(p, run, &record.triangle, record.colors);
+    } else if (zr_batch_is_smooth(batch)) {
+        add_smooth_triangle(p, batch, run, t);
+    } else {
+        add_flat(p, run, &batch->front[zr_batch_color(batch, t, 0)]);
     }
-    if (painter.flat.count > 0) paint_flat(&painter.flat);
-    if (painter.smooth.count > 0) paint_smooth(&painter.smooth);
 }
 
 /* ---- rows ---- */
 
 /* A row has room behind its end, so that the last vector may look one owner farther. */
-static uint64_t ends(const uint32_t *owners, int32_t width)
+static inline uint64_t find_ends(const uint32_t *owners, int32_t width)
 {
     uint64_t out = 0;
     for (int32_t x = 0; x < width; x += ZR_LANES) {
@@ -304,11 +297,58 @@ static uint64_t ends(const uint32_t *owners, int32_t width)
     return (out & (last - 1)) | last;
 }
 
-static void fill(void *pixels, uint32_t value, int32_t width, int32_t rows, ptrdiff_t stride)
+static uint64_t ends(const uint32_t *owners, int32_t width)
+{
+    return find_ends(owners, width);
+}
+
+static uint32_t paint_tile(const struct zr_geometry *geometry, const struct zr_tile *tile, uint32_t nothing,
+                           uint32_t *pixels, ptrdiff_t stride)
+{
+    struct painter painter;
+    painter.geometry = geometry;
+    painter.batch = &geometry->batches[0];
+    painter.flat.count = painter.smooth.count = 0;
+    const zr_vi nothings = zr_vi_set((int32_t)nothing);
+    uint32_t covered = 0;
+    for (int32_t y = 0; y < tile->height; y++, pixels += stride) {
+        const uint32_t *owners = &tile->owner[y * ZR_TILE_STRIDE];
+        int32_t begin = 0, end;
+        for (uint64_t bits = find_ends(owners, tile->width); bits; bits &= bits - 1, begin = end) {
+            end = __builtin_ctzll(bits) + 1;
+            if (owners[begin] == 0) {
+                fill_run(pixels + begin, (uint32_t)(end - begin), nothings);
+                continue;
+            }
+            const struct zr_run run = {tile->x + begin, tile->y + y, (uint32_t)(end - begin), pixels + begin};
+            covered += run.count;
+            add_run(&painter, owners[begin] - 1, &run);
+        }
+    }
+    if (painter.flat.count > 0) paint_flat(&painter.flat);
+    if (painter.smooth.count > 0) paint_smooth(&painter.smooth);
+    return covered;
+}
+
+/* ---- arrays ---- */
+
+static void fill(void *out, ptrdiff_t stride, int32_t width, int32_t rows, uint32_t value)
 {
     const zr_vi values = zr_vi_set((int32_t)value);
     for (int32_t row = 0; row < rows; row++)
-        fill_run((uint32_t *)pixels + row * stride, (uint32_t)width, values);
+        fill_run((uint32_t *)out + row * stride, (uint32_t)width, values);
 }
 
-const struct zr_paint ZR_KERNEL(zr_paint) = {paint_runs, ends, fill};
+static void copy(void *out, ptrdiff_t stride, int32_t width, int32_t rows, const void *in)
+{
+    for (int32_t row = 0; row < rows; row++) {
+        const uint32_t *from = (const uint32_t *)in + row * ZR_TILE_STRIDE;
+        uint32_t *to = (uint32_t *)out + row * stride;
+        int32_t x = 0;
+        for (; x + ZR_LANES <= width; x += ZR_LANES)
+            zr_vi_store(to + x, zr_vi_load(from + x));
+        zr_vi_store_first(to + x, zr_vi_load(from + x), (uint32_t)(width - x));
+    }
+}
+
+const struct zr_paint ZR_KERNEL(zr_paint) = {paint_tile, ends, fill, copy};

@@ -17,18 +17,12 @@ struct surface {
 /* Small records come back in every row of a tile: this many are remembered. */
 enum { SURFACES = 256 };
 
-/* Runs wait until the painter has some to paint side by side. */
-enum { RUNS = 4 * ZR_TILE_SIZE };
-
 /* What is kept from run to run of a tile. */
 struct resolver {
     const struct zr_geometry *geometry;
     const struct zr_frame *frame;
-    const struct zr_paint *paint;
     const struct zr_batch *batch; /* of the last record */
     struct surface surfaces[SURFACES];
-    uint32_t run_count;
-    struct zr_run runs[RUNS];
 };
 
 static const struct zr_batch *batch_of(struct resolver *r, uint32_t number)
@@ -66,100 +60,88 @@ static void resolve_base(const struct zr_frame *frame, const struct zr_base *bas
         memcpy(frame->window_depth + pixel, base->window_depth + pixel, bytes);
 }
 
-/* Where nothing is drawn, in `rows` rows from the pixel on, one above the other in the window, so one below the other
- * in memory the other way round. */
-static void resolve_nothing(const struct zr_frame *frame, const struct zr_paint *paint, uint32_t background,
-                            size_t pixel, int32_t width, int32_t rows)
+static void resolve_nothing(const struct zr_frame *frame, size_t pixel, int32_t count)
 {
-    const ptrdiff_t up = -(ptrdiff_t)frame->width;
-    if (frame->color) paint->fill(frame->color + 4 * pixel, background, width, rows, up);
-    if (frame->depth) paint->fill(frame->depth + pixel, INFINITY_BITS, width, rows, up);
-    if (frame->face_id) paint->fill(frame->face_id + pixel, 0, width, rows, up);
-    for (int32_t row = 0; frame->base && row < rows; row++)
-        resolve_base(frame, frame->base, pixel - (size_t)row * frame->width, width);
+    for (int32_t i = 0; frame->depth && i < count; i++)
+        frame->depth[pixel + (size_t)i] = INFINITY;
+    if (frame->face_id) memset(frame->face_id + pixel, 0, (size_t)count * sizeof *frame->face_id);
+    if (frame->base) resolve_base(frame, frame->base, pixel, count);
 }
 
-static void resolve_run(struct resolver *r, const struct zr_run *run, size_t pixel)
+static void resolve_run(struct resolver *r, uint32_t number, int32_t x, int32_t y, int32_t count, size_t pixel)
 {
     const struct zr_frame *frame = r->frame;
     if (frame->depth) {
-        const struct zr_eye_depth depth = *eye_depth_of(r, run->number);
-        for (uint32_t i = 0; i < run->count; i++)
-            frame->depth[pixel + i] = zr_eye_depth_at(&depth, run->x + (int32_t)i, run->y);
+        const struct zr_eye_depth depth = *eye_depth_of(r, number);
+        for (int32_t i = 0; i < count; i++)
+            frame->depth[pixel + (size_t)i] = zr_eye_depth_at(&depth, x + i, y);
     }
     if (frame->face_id) {
-        uint32_t face = face_of(r, run->number) + (frame->base ? frame->base->first_face_id - 1 : 0);
-        for (uint32_t i = 0; i < run->count; i++)
-            frame->face_id[pixel + i] = face;
+        uint32_t face = face_of(r, number) + (frame->base ? frame->base->first_face_id - 1 : 0);
+        for (int32_t i = 0; i < count; i++)
+            frame->face_id[pixel + (size_t)i] = face;
     }
 }
 
-/* Window space has y up, pictures have row 0 on top. */
-static size_t pixel_of_row(const struct zr_frame *frame, const struct zr_tile *tile, int32_t row)
+/* Depth and ids, and what the base has where nothing is drawn. */
+static void resolve_runs(const struct zr_geometry *geometry, const struct zr_paint *paint, const struct zr_tile *tile,
+                         const struct zr_frame *frame, size_t pixel)
 {
-    return (size_t)(frame->height - 1 - (uint32_t)(tile->y + row)) * frame->width + (size_t)tile->x;
-}
-
-static void paint_runs(struct resolver *r)
-{
-    if (r->run_count > 0) r->paint->runs(r->geometry, r->runs, r->run_count);
-    r->run_count = 0;
-}
-
-static uint32_t resolve_row(struct resolver *r, const struct zr_tile *tile, int32_t row, uint32_t nothing)
-{
-    const struct zr_frame *frame = r->frame;
-    const uint32_t *owners = &tile->owner[row * ZR_TILE_STRIDE];
-    const size_t line = pixel_of_row(frame, tile, row);
-    uint32_t covered = 0;
-    if (frame->window_depth)
-        memcpy(frame->window_depth + line, &tile->depth[row * ZR_TILE_STRIDE], (size_t)tile->width * sizeof(float));
-    int32_t begin = 0, end;
-    for (uint64_t ends = r->paint->ends(owners, tile->width); ends; ends &= ends - 1, begin = end) {
-        end = __builtin_ctzll(ends) + 1;
-        size_t pixel = line + (size_t)begin;
-        if (owners[begin] == 0) {
-            resolve_nothing(frame, r->paint, nothing, pixel, end - begin, 1);
-            continue;
+    struct resolver r;
+    r.geometry = geometry;
+    r.frame = frame;
+    r.batch = &geometry->batches[0];
+    for (int i = 0; frame->depth && i < SURFACES; i++)
+        r.surfaces[i].owner = 0;
+    for (int32_t y = 0; y < tile->height; y++, pixel -= frame->width) {
+        const uint32_t *owners = &tile->owner[y * ZR_TILE_STRIDE];
+        int32_t begin = 0, end;
+        for (uint64_t ends = paint->ends(owners, tile->width); ends; ends &= ends - 1, begin = end) {
+            end = __builtin_ctzll(ends) + 1;
+            if (owners[begin] == 0)
+                resolve_nothing(frame, pixel + (size_t)begin, end - begin);
+            else
+                resolve_run(&r, owners[begin] - 1, tile->x + begin, tile->y + y, end - begin, pixel + (size_t)begin);
         }
-        struct zr_run *run = &r->runs[r->run_count];
-        *run = (struct zr_run){.number = owners[begin] - 1,
-                               .x = tile->x + begin,
-                               .y = tile->y + row,
-                               .count = (uint32_t)(end - begin),
-                               .pixels = frame->color ? (uint32_t *)(void *)frame->color + pixel : NULL};
-        covered += run->count;
-        resolve_run(r, run, pixel);
-        r->run_count += frame->color != NULL;
     }
-    return covered;
+}
+
+static void resolve_empty(const struct zr_paint *paint, uint32_t nothing, const struct zr_tile *tile,
+                          const struct zr_frame *frame, size_t pixel)
+{
+    const ptrdiff_t up = -(ptrdiff_t)frame->width;
+    if (frame->color) paint->fill(frame->color + 4 * pixel, up, tile->width, tile->height, nothing);
+    if (frame->depth) paint->fill(frame->depth + pixel, up, tile->width, tile->height, INFINITY_BITS);
+    if (frame->face_id) paint->fill(frame->face_id + pixel, up, tile->width, tile->height, 0);
+    if (frame->window_depth) paint->fill(frame->window_depth + pixel, up, tile->width, tile->height, ONE_BITS);
+}
+
+static uint32_t count_owned(const struct zr_tile *tile)
+{
+    uint32_t count = 0;
+    for (int32_t y = 0; y < tile->height; y++)
+        for (int32_t x = 0; x < tile->width; x++)
+            count += tile->owner[y * ZR_TILE_STRIDE + x] != 0;
+    return count;
 }
 
 uint32_t zr_resolve_tile(const struct zr_geometry *geometry, const struct zr_paint *paint, zr_vec4 background,
                          const struct zr_tile *tile, const struct zr_frame *frame)
 {
-    uint32_t nothing = zr_color_pack(zr_color_byte(background.x), zr_color_byte(background.y),
-                                     zr_color_byte(background.z), zr_color_byte(background.w));
+    const uint32_t nothing = zr_color_pack(zr_color_byte(background.x), zr_color_byte(background.y),
+                                           zr_color_byte(background.z), zr_color_byte(background.w));
+    /* Of the tile's lowest row: window space has y up, pictures have row 0 on top. */
+    const size_t pixel = (size_t)(frame->height - 1 - (uint32_t)tile->y) * frame->width + (size_t)tile->x;
+    const ptrdiff_t up = -(ptrdiff_t)frame->width;
     if (tile->is_empty) {
-        size_t pixel = pixel_of_row(frame, tile, 0);
-        resolve_nothing(frame, paint, nothing, pixel, tile->width, tile->height);
-        if (frame->window_depth)
-            paint->fill(frame->window_depth + pixel, ONE_BITS, tile->width, tile->height, -(ptrdiff_t)frame->width);
+        resolve_empty(paint, nothing, tile, frame, pixel);
         return 0;
     }
-    struct resolver resolver;
-    resolver.geometry = geometry;
-    resolver.frame = frame;
-    resolver.paint = paint;
-    resolver.batch = &geometry->batches[0];
-    resolver.run_count = 0;
-    for (int i = 0; frame->depth && i < SURFACES; i++)
-        resolver.surfaces[i].owner = 0;
-    uint32_t covered = 0;
-    for (int32_t row = 0; row < tile->height; row++) {
-        if (resolver.run_count > RUNS - ZR_TILE_SIZE) paint_runs(&resolver);
-        covered += resolve_row(&resolver, tile, row, nothing);
-    }
-    paint_runs(&resolver);
+    uint32_t *color = (uint32_t *)(void *)frame->color;
+    uint32_t covered =
+        color ? paint->tile(geometry, tile, nothing, color + pixel, up) : count_owned(tile);
+    if (frame->window_depth)
+        paint->copy(frame->window_depth + pixel, up, tile->width, tile->height, tile->depth);
+    if (frame->depth || frame->face_id || frame->base) resolve_runs(geometry, paint, tile, frame, pixel);
     return covered;
 }

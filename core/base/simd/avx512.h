@@ -75,6 +75,18 @@ static inline zr_vm zr_vi_eq(zr_vi a, zr_vi b)
 {
     return _mm512_cmpeq_epi32_mask((__m512i)a, (__m512i)b);
 }
+static inline zr_vm zr_vf_lt_where(zr_vm m, zr_vf a, zr_vf b)
+{
+    return _mm512_mask_cmp_ps_mask(m, (__m512)a, (__m512)b, _CMP_LT_OQ);
+}
+static inline zr_vm zr_vf_eq_where(zr_vm m, zr_vf a, zr_vf b)
+{
+    return _mm512_mask_cmp_ps_mask(m, (__m512)a, (__m512)b, _CMP_EQ_OQ);
+}
+static inline zr_vm zr_vi_lt_where(zr_vm m, zr_vi a, zr_vi b)
+{
+    return _mm512_mask_cmplt_epi32_mask(m, (__m512i)a, (__m512i)b);
+}
 static inline zr_vm zr_vm_and(zr_vm a, zr_vm b)
 {
     return _kand_mask16(a, b);

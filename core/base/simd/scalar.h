@@ -77,6 +77,18 @@ static inline zr_vm zr_vi_eq(zr_vi a, zr_vi b)
 {
     return a == b;
 }
+static inline zr_vm zr_vf_lt_where(zr_vm m, zr_vf a, zr_vf b)
+{
+    return m && a < b;
+}
+static inline zr_vm zr_vf_eq_where(zr_vm m, zr_vf a, zr_vf b)
+{
+    return m && a == b;
+}
+static inline zr_vm zr_vi_lt_where(zr_vm m, zr_vi a, zr_vi b)
+{
+    return m && a < b;
+}
 static inline zr_vm zr_vm_and(zr_vm a, zr_vm b)
 {
     return a & b;
