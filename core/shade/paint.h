@@ -13,13 +13,6 @@
 #include "geometry/geometry.h"
 #include "raster/tile.h"
 
-/* Pixels of one row that belong to one record, side by side in memory. */
-struct zr_run {
-    int32_t x, y; /* of its first pixel, window space, y up */
-    uint32_t count;
-    uint32_t *pixels; /* RGBA, four bytes each */
-};
-
 struct zr_paint {
     /* The colours of a tile, and `nothing` where no record is seen. Pixel x, y of the tile is at pixels[y * stride
      * + x]. Returns how many pixels belong to records. */
@@ -44,7 +37,8 @@ uint32_t zr_color_byte(float value);
 /* Four bytes in memory: red, green, blue, alpha. */
 uint32_t zr_color_pack(uint32_t red, uint32_t green, uint32_t blue, uint32_t alpha);
 
-/* A line's run, for the kernel: planes that vary along its major axis alone. */
-void zr_paint_line(const struct zr_geometry *geometry, const struct zr_triangle *line, const struct zr_run *run);
+/* `count` pixels of a line, from x, y of the window on: planes that vary along its major axis alone. */
+void zr_paint_line(const struct zr_geometry *geometry, const struct zr_triangle *line, int32_t x, int32_t y,
+                   uint32_t *pixels, uint32_t count);
 
 #endif

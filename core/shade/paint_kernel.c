@@ -4,7 +4,7 @@
 #include "raster/triangle_simd.h"
 
 /* Runs up to this length are painted side by side. */
-enum { SHORT_RUN = 4 };
+enum { SHORT_RUN = 8 };
 
 /* Runs of one colour, waiting until there are as many as lanes. */
 struct flat_queue {
@@ -16,7 +16,9 @@ struct flat_queue {
 
 struct smooth_queue {
     uint32_t count;
-    struct zr_run runs[ZR_LANES];
+    float x[ZR_LANES], y[ZR_LANES]; /* of first pixels */
+    uint32_t lengths[ZR_LANES];
+    uint32_t *pixels[ZR_LANES];
     const struct zr_window_vertex *vertices[3][ZR_LANES];
     const zr_vec4 *colors[3][ZR_LANES];
 };
@@ -148,51 +150,56 @@ static inline struct zr_plane_v spread_plane(float in[3][ZR_LANES], uint32_t i)
     return (struct zr_plane_v){zr_vf_set(in[0][i]), zr_vf_set(in[1][i]), zr_vf_set(in[2][i])};
 }
 
-static inline void paint_long(const struct planes *p, const struct zr_run *run)
+static inline void paint_long(const struct planes *p, float first_x, float first_y, uint32_t *pixels, uint32_t count)
 {
-    const zr_vf y = zr_vf_set((float)run->y);
-    zr_vf x = zr_vf_set((float)run->x) + zr_vf_ramp();
-    uint32_t i = 0;
-    for (; i + ZR_LANES < run->count; i += ZR_LANES, x = x + zr_vf_set((float)ZR_LANES))
-        zr_vi_store(run->pixels + i, paint_at(p, x, y));
-    zr_vi_store_first(run->pixels + i, paint_at(p, x, y), run->count - i);
+    const zr_vf y = zr_vf_set(first_y);
+    zr_vf x = zr_vf_set(first_x) + zr_vf_ramp();
+    for (; count > ZR_LANES; count -= ZR_LANES, pixels += ZR_LANES, x = x + zr_vf_set((float)ZR_LANES))
+        zr_vi_store(pixels, paint_at(p, x, y));
+    zr_vi_store_first(pixels, paint_at(p, x, y), count);
 }
 
-/* Pixel k of each short run, for all k. */
-static inline void paint_short(const struct planes *p, const struct smooth_queue *q, uint32_t longest)
+/* The first n of four, n at most 4. */
+static inline void store_four(uint32_t *out, const uint32_t *four, uint32_t n)
 {
-    float xs[ZR_LANES], ys[ZR_LANES];
-    uint32_t packed[ZR_LANES];
-    for (uint32_t i = 0; i < ZR_LANES; i++) {
-        xs[i] = (float)q->runs[i].x;
-        ys[i] = (float)q->runs[i].y;
-    }
-    zr_vf x = zr_vf_load(xs);
-    const zr_vf y = zr_vf_load(ys);
-    for (uint32_t k = 0; k < longest; k++, x = x + zr_vf_set(1.0f)) {
-        zr_vi_store(packed, paint_at(p, x, y));
-        for (uint32_t i = 0; i < q->count; i++)
-            if (k < q->runs[i].count && q->runs[i].count <= SHORT_RUN) q->runs[i].pixels[k] = packed[i];
+    for (uint32_t i = 0; i < n; i += ZR_LANES)
+        zr_vi_store_first(out + i, zr_vi_load(four + i), n - i < ZR_LANES ? n - i : ZR_LANES);
+}
+
+/* Pixels `begin` .. begin + 3 of each run that is short and has them, at once: four vectors of all runs' pixels are
+ * turned into four pixels of each run, which are stored without asking how many they are. */
+static inline void paint_four(const struct planes *p, const struct smooth_queue *q, zr_vf x, zr_vf y, uint32_t begin)
+{
+    uint32_t fours[4 * ZR_LANES + ZR_LANES]; /* the last load looks behind the end */
+    zr_vi colors[4];
+    x = x + zr_vf_set((float)begin);
+    for (int k = 0; k < 4; k++, x = x + zr_vf_set(1.0f))
+        colors[k] = paint_at(p, x, y);
+    zr_vi_store4(fours, colors[0], colors[1], colors[2], colors[3]);
+    for (uint32_t i = 0; i < q->count; i++) {
+        const uint32_t length = q->lengths[i];
+        uint32_t left = length > begin && length <= SHORT_RUN ? length - begin : 0;
+        store_four(q->pixels[i] + begin, fours + 4 * (size_t)i, left < 4 ? left : 4);
     }
 }
 
 static void paint_smooth(struct smooth_queue *q)
 {
+    uint32_t longest = 0, longer = 0;
+    for (uint32_t i = 0; i < q->count; i++) {
+        const uint32_t count = q->lengths[i], in_short = count <= SHORT_RUN ? count : 0;
+        longer += in_short == 0;
+        longest = in_short > longest ? in_short : longest;
+    }
     for (uint32_t i = q->count; i < ZR_LANES; i++) {
-        q->runs[i] = q->runs[0];
         for (int k = 0; k < 3; k++) {
             q->vertices[k][i] = q->vertices[k][0];
             q->colors[k][i] = q->colors[k][0];
         }
     }
     const struct planes planes = planes_make(q);
-    uint32_t longest = 0, longer = 0;
-    for (uint32_t i = 0; i < q->count; i++) {
-        uint32_t count = q->runs[i].count;
-        longer += count > SHORT_RUN;
-        if (count <= SHORT_RUN && count > longest) longest = count;
-    }
-    paint_short(&planes, q, longest);
+    for (uint32_t begin = 0; begin < longest; begin += 4)
+        paint_four(&planes, q, zr_vf_load(q->x), zr_vf_load(q->y), begin);
     float kept[4][3][ZR_LANES];
     if (longer > 0) {
         store_plane(kept[0], &planes.oow);
@@ -201,10 +208,10 @@ static void paint_smooth(struct smooth_queue *q)
         store_plane(kept[3], &planes.blue);
     }
     for (uint32_t i = 0; i < q->count && longer > 0; i++) {
-        if (q->runs[i].count <= SHORT_RUN) continue;
+        if (q->lengths[i] <= SHORT_RUN) continue;
         const struct planes own = {spread_plane(kept[0], i), spread_plane(kept[1], i), spread_plane(kept[2], i),
                                    spread_plane(kept[3], i)};
-        paint_long(&own, &q->runs[i]);
+        paint_long(&own, q->x[i], q->y[i], q->pixels[i], q->lengths[i]);
     }
     q->count = 0;
 }
@@ -218,68 +225,68 @@ struct painter {
     struct smooth_queue smooth;
 };
 
-static inline void add_flat(struct painter *p, const struct zr_run *run, const zr_vec4 *color)
+/* What is added is never gathered in a struct first: it would be stored in parts and loaded whole, which waits (a
+ * fifth of the bunny's time, Gouraud). */
+static inline void add_flat(struct painter *p, uint32_t *pixels, uint32_t length, const zr_vec4 *color)
 {
     struct flat_queue *q = &p->flat;
     q->colors[q->count] = color;
-    q->pixels[q->count] = run->pixels;
-    q->lengths[q->count++] = run->count;
+    q->pixels[q->count] = pixels;
+    q->lengths[q->count++] = length;
     if (q->count == ZR_LANES) paint_flat(q);
 }
 
-static inline void add_smooth(struct painter *p, const struct zr_run *run, const struct zr_window_vertex *const v[3],
-                              const zr_vec4 *const c[3])
+static inline void add_smooth(struct painter *p, int32_t x, int32_t y, uint32_t *pixels, uint32_t length,
+                              const struct zr_window_vertex *vertices, const uint32_t v[3], const zr_vec4 *colors,
+                              const uint32_t c[3])
 {
     struct smooth_queue *q = &p->smooth;
     for (int k = 0; k < 3; k++) {
-        q->vertices[k][q->count] = v[k];
-        q->colors[k][q->count] = c[k];
+        q->vertices[k][q->count] = &vertices[v[k]];
+        q->colors[k][q->count] = &colors[c[k]];
     }
-    q->runs[q->count++] = *run;
+    q->x[q->count] = (float)x;
+    q->y[q->count] = (float)y;
+    q->pixels[q->count] = pixels;
+    q->lengths[q->count++] = length;
     if (q->count == ZR_LANES) paint_smooth(q);
 }
 
 /* A record that is written out. */
-static inline void add_record(struct painter *p, const struct zr_run *run, const struct zr_triangle *t,
-                              const zr_vec4 *colors)
+static void add_record(struct painter *p, int32_t x, int32_t y, uint32_t *pixels, uint32_t length,
+                       const struct zr_triangle *t, const zr_vec4 *colors)
 {
-    if (t->c[0] == t->c[1] && t->c[1] == t->c[2]) {
-        add_flat(p, run, &colors[t->c[0]]);
-    } else if (t->line) {
-        zr_paint_line(p->geometry, t, run);
-    } else {
-        const struct zr_window_vertex *v = p->geometry->vertices;
-        add_smooth(p, run, (const struct zr_window_vertex *const[3]){&v[t->v[0]], &v[t->v[1]], &v[t->v[2]]},
-                   (const zr_vec4 *const[3]){&colors[t->c[0]], &colors[t->c[1]], &colors[t->c[2]]});
-    }
+    if (t->c[0] == t->c[1] && t->c[1] == t->c[2])
+        add_flat(p, pixels, length, &colors[t->c[0]]);
+    else if (t->line)
+        zr_paint_line(p->geometry, t, x, y, pixels, length);
+    else
+        add_smooth(p, x, y, pixels, length, p->geometry->vertices, t->v, colors, t->c);
 }
 
-static inline void add_smooth_triangle(struct painter *p, const struct zr_batch *batch, const struct zr_run *run,
-                                       uint32_t t)
-{
-    const uint32_t *corners = batch->corners + 3 * (size_t)t;
-    const struct zr_window_vertex *v = p->geometry->vertices + batch->first_vertex;
-    add_smooth(p, run, (const struct zr_window_vertex *const[3]){&v[corners[0]], &v[corners[1]], &v[corners[2]]},
-               (const zr_vec4 *const[3]){&batch->front[zr_batch_color(batch, t, 0)],
-                                         &batch->front[zr_batch_color(batch, t, 1)],
-                                         &batch->front[zr_batch_color(batch, t, 2)]});
-}
-
-static inline void add_run(struct painter *p, uint32_t number, const struct zr_run *run)
+/* So many pixels from x, y of the window on. */
+static inline void add_run(struct painter *p, uint32_t number, int32_t x, int32_t y, uint32_t *pixels, uint32_t length)
 {
     if (!zr_batch_holds(p->batch, number)) p->batch = zr_batch_of(p->geometry, number);
     const struct zr_batch *batch = p->batch;
     uint32_t t = number - batch->first;
     if (batch->written) {
         const struct zr_triangle *record = &p->geometry->triangles[batch->first_record + t];
-        add_record(p, run, record, record->back ? p->geometry->back_colors : p->geometry->front_colors);
+        add_record(p, x, y, pixels, length, record,
+                   record->back ? p->geometry->back_colors : p->geometry->front_colors);
     } else if (batch->front != batch->back) { /* its side must be known to know its colours */
         const struct zr_record record = zr_record_of(p->geometry, batch, number);
-        add_record(p, run, &record.triangle, record.colors);
-    } else if (zr_batch_is_smooth(batch)) {
-        add_smooth_triangle(p, batch, run, t);
+        add_record(p, x, y, pixels, length, &record.triangle, record.colors);
+    } else if (batch->colors == ZR_BATCH_PER_VERTEX) {
+        const uint32_t *corners = batch->corners + 3 * (size_t)t;
+        add_smooth(p, x, y, pixels, length, p->geometry->vertices + batch->first_vertex, corners, batch->front, corners);
+    } else if (batch->colors == ZR_BATCH_PER_CORNER) {
+        const uint32_t slots[3] = {zr_batch_color(batch, t, 0), zr_batch_color(batch, t, 1),
+                                   zr_batch_color(batch, t, 2)};
+        add_smooth(p, x, y, pixels, length, p->geometry->vertices + batch->first_vertex,
+                   batch->corners + 3 * (size_t)t, batch->front, slots);
     } else {
-        add_flat(p, run, &batch->front[zr_batch_color(batch, t, 0)]);
+        add_flat(p, pixels, length, &batch->front[zr_batch_color(batch, t, 0)]);
     }
 }
 
@@ -320,9 +327,8 @@ static uint32_t paint_tile(const struct zr_geometry *geometry, const struct zr_t
                 fill_run(pixels + begin, (uint32_t)(end - begin), nothings);
                 continue;
             }
-            const struct zr_run run = {tile->x + begin, tile->y + y, (uint32_t)(end - begin), pixels + begin};
-            covered += run.count;
-            add_run(&painter, owners[begin] - 1, &run);
+            covered += (uint32_t)(end - begin);
+            add_run(&painter, owners[begin] - 1, tile->x + begin, tile->y + y, pixels + begin, (uint32_t)(end - begin));
         }
     }
     if (painter.flat.count > 0) paint_flat(&painter.flat);

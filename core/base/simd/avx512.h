@@ -143,6 +143,10 @@ static inline zr_vi zr_vi_round(zr_vf a)
 {
     return (zr_vi)_mm512_cvtps_epi32((__m512)a);
 }
+static inline zr_vf zr_vf_bits(zr_vi a)
+{
+    return (zr_vf)a;
+}
 static inline zr_vi zr_vi_bits_of(zr_vf a)
 {
     return (zr_vi)a;

@@ -146,6 +146,12 @@ static inline zr_vi zr_vi_round(zr_vf a)
 {
     return fabsf(a) < 0x1p31f ? (int32_t)rintf(a) : INT32_MIN;
 }
+static inline zr_vf zr_vf_bits(zr_vi a)
+{
+    zr_vf value;
+    memcpy(&value, &a, sizeof value);
+    return value;
+}
 static inline zr_vi zr_vi_bits_of(zr_vf a)
 {
     zr_vi bits;
