@@ -36,6 +36,7 @@ static void draw_tiles(void *context, size_t begin, size_t end)
             return;
         covered += zr_resolve_tile(d->geometry, d->paint, d->scene->background, &tile, d->frame);
     }
+    d->paint->stream_end();
     atomic_fetch_add_explicit(&d->covered, covered, memory_order_relaxed);
 }
 

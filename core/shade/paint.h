@@ -14,17 +14,21 @@
 #include "raster/tile.h"
 
 struct zr_paint {
-    /* The colours of a tile, and `nothing` where no record is seen. Pixel x, y of the tile is at pixels[y * stride
-     * + x]. Returns how many pixels belong to records. */
-    uint32_t (*tile)(const struct zr_geometry *geometry, const struct zr_tile *tile, uint32_t nothing,
-                     uint32_t *pixels, ptrdiff_t stride);
+    /* The tile's owners become colours, RGBA of four bytes: in place, so that the tile stays in the first-level cache.
+     * Where there are none, `nothing`, or what is behind the tile where that is not NULL: rows of pixels, `stride`
+     * bytes times four apart. Returns how many pixels belonged to records. */
+    uint32_t (*tile)(const struct zr_geometry *geometry, struct zr_tile *tile, uint32_t nothing, const void *behind,
+                     ptrdiff_t stride);
 
     /* Where runs end in a row of a tile: bit i, where owners[i] is the last of its own among the first `width`. */
     uint64_t (*ends)(const uint32_t *owners, int32_t width);
 
-    /* Rows of `width` values of four bytes, `stride` apart: all of one value, or those of a tile's array. */
-    void (*fill)(void *out, ptrdiff_t stride, int32_t width, int32_t rows, uint32_t value);
-    void (*copy)(void *out, ptrdiff_t stride, int32_t width, int32_t rows, const void *in);
+    /* Rows of `width` values of four bytes, `stride` apart: all of one value, or those of a tile's array. `streamed`:
+     * past the caches, which takes whole lines of them (resolve.c); what is written so is there for
+     * others after stream_end. */
+    void (*fill)(void *out, ptrdiff_t stride, int32_t width, int32_t rows, uint32_t value, bool streamed);
+    void (*copy)(void *out, ptrdiff_t stride, int32_t width, int32_t rows, const void *in, bool streamed);
+    void (*stream_end)(void);
 };
 
 extern const struct zr_paint zr_paint_scalar, zr_paint_sse2, zr_paint_avx2, zr_paint_avx512, zr_paint_neon;

@@ -53,7 +53,6 @@ static uint32_t face_of(struct resolver *r, uint32_t number)
 static void resolve_base(const struct zr_frame *frame, const struct zr_base *base, size_t pixel, int32_t count)
 {
     size_t bytes = (size_t)count * 4;
-    if (frame->color && base->color) memcpy(frame->color + 4 * pixel, base->color + 4 * pixel, bytes);
     if (frame->depth && base->depth) memcpy(frame->depth + pixel, base->depth + pixel, bytes);
     if (frame->face_id && base->face_id) memcpy(frame->face_id + pixel, base->face_id + pixel, bytes);
     if (frame->window_depth && base->window_depth)
@@ -83,7 +82,7 @@ static void resolve_run(struct resolver *r, uint32_t number, int32_t x, int32_t 
     }
 }
 
-/* Depth and ids, and what the base has where nothing is drawn. */
+/* Depth and ids, and what the base has of these where nothing is drawn. */
 static void resolve_runs(const struct zr_geometry *geometry, const struct zr_paint *paint, const struct zr_tile *tile,
                          const struct zr_frame *frame, size_t pixel)
 {
@@ -106,14 +105,29 @@ static void resolve_runs(const struct zr_geometry *geometry, const struct zr_pai
     }
 }
 
+/* From here on a frame is larger than the caches that it would fill, with nothing that is soon read again: written past
+ * them, the bunny takes 0.5 ms less, a mesh of a million triangles 4 ms. */
+enum { STREAMED_PIXELS = 1 << 19 };
+
+/* Rows of the tile are whole lines of the caches. */
+static bool is_streamed(const struct zr_frame *frame, const struct zr_tile *tile)
+{
+    const uint32_t line = 64 / 4;
+    return (uint64_t)frame->width * frame->height >= STREAMED_PIXELS && frame->width % line == 0 &&
+           tile->width == ZR_TILE_SIZE;
+}
+_Static_assert(ZR_ARENA_ALIGN == 64, "so are those of the first row");
+
 static void resolve_empty(const struct zr_paint *paint, uint32_t nothing, const struct zr_tile *tile,
                           const struct zr_frame *frame, size_t pixel)
 {
     const ptrdiff_t up = -(ptrdiff_t)frame->width;
-    if (frame->color) paint->fill(frame->color + 4 * pixel, up, tile->width, tile->height, nothing);
-    if (frame->depth) paint->fill(frame->depth + pixel, up, tile->width, tile->height, INFINITY_BITS);
-    if (frame->face_id) paint->fill(frame->face_id + pixel, up, tile->width, tile->height, 0);
-    if (frame->window_depth) paint->fill(frame->window_depth + pixel, up, tile->width, tile->height, ONE_BITS);
+    const int32_t width = tile->width, height = tile->height;
+    const bool streamed = is_streamed(frame, tile);
+    if (frame->color) paint->fill(frame->color + 4 * pixel, up, width, height, nothing, streamed);
+    if (frame->depth) paint->fill(frame->depth + pixel, up, width, height, INFINITY_BITS, streamed);
+    if (frame->face_id) paint->fill(frame->face_id + pixel, up, width, height, 0, streamed);
+    if (frame->window_depth) paint->fill(frame->window_depth + pixel, up, width, height, ONE_BITS, streamed);
 }
 
 static uint32_t count_owned(const struct zr_tile *tile)
@@ -126,7 +140,7 @@ static uint32_t count_owned(const struct zr_tile *tile)
 }
 
 uint32_t zr_resolve_tile(const struct zr_geometry *geometry, const struct zr_paint *paint, zr_vec4 background,
-                         const struct zr_tile *tile, const struct zr_frame *frame)
+                         struct zr_tile *tile, const struct zr_frame *frame)
 {
     const uint32_t nothing = zr_color_pack(zr_color_byte(background.x), zr_color_byte(background.y),
                                            zr_color_byte(background.z), zr_color_byte(background.w));
@@ -137,11 +151,15 @@ uint32_t zr_resolve_tile(const struct zr_geometry *geometry, const struct zr_pai
         resolve_empty(paint, nothing, tile, frame, pixel);
         return 0;
     }
-    uint32_t *color = (uint32_t *)(void *)frame->color;
-    uint32_t covered =
-        color ? paint->tile(geometry, tile, nothing, color + pixel, up) : count_owned(tile);
+    const bool streamed = is_streamed(frame, tile);
+    uint32_t covered = frame->color ? 0 : count_owned(tile);
     if (frame->window_depth)
-        paint->copy(frame->window_depth + pixel, up, tile->width, tile->height, tile->depth);
+        paint->copy(frame->window_depth + pixel, up, tile->width, tile->height, tile->depth, streamed);
     if (frame->depth || frame->face_id || frame->base) resolve_runs(geometry, paint, tile, frame, pixel);
+    if (frame->color) {
+        const uint8_t *base = frame->base ? frame->base->color : NULL;
+        covered = paint->tile(geometry, tile, nothing, base ? base + 4 * pixel : NULL, up);
+        paint->copy(frame->color + 4 * pixel, up, tile->width, tile->height, tile->owner, streamed);
+    }
     return covered;
 }
