@@ -178,6 +178,20 @@ static inline zr_vi zr_vi_bits_of(zr_vf a)
         (x) = at[0], (y) = at[1]; \
     } while (0)
 
+static inline void zr_load_corners(const float *vertices, const uint32_t *corners, zr_vf x[3], zr_vf y[3])
+{
+    for (int k = 0; k < 3; k++) {
+        x[k] = vertices[4 * (size_t)corners[k]];
+        y[k] = vertices[4 * (size_t)corners[k] + 1];
+    }
+}
+
+static inline uint32_t zr_vi_compress(void *p, zr_vm m, zr_vi v)
+{
+    if (m) memcpy(p, &v, sizeof v);
+    return m;
+}
+
 static inline void zr_vf_store4(float *p, zr_vf x, zr_vf y, zr_vf z, zr_vf w)
 {
     p[0] = x, p[1] = y, p[2] = z, p[3] = w;
