@@ -199,6 +199,11 @@ static inline void zr_transpose4(__m512 a0, __m512 a1, __m512 a2, __m512 a3, zr_
         (y) = (zr_vf)_mm512_shuffle_ps(a0, a2, 0xdd); \
     } while (0)
 
+static inline zr_vi zr_vi_gather(zr_vm m, const void *p, zr_vi i)
+{
+    return (zr_vi)_mm512_mask_i32gather_epi32(_mm512_setzero_si512(), m, (__m512i)i, p, 4);
+}
+
 /* Three vectors of x y z x y z ... -> one of x, one of y, one of z: lanes 0, 3, 6 ... of all three from `first` on. */
 static inline __m512i zr_every_third(__m512i a, __m512i b, __m512i c, int first)
 {
