@@ -79,7 +79,7 @@ static inline void put_fragments(struct zr_binner *binner, const struct samples 
         bits &= ~zr_vm_bits(here);
     }
 }
-_Static_assert(ZR_LANES <= ZR_BIN_VECTOR, "a block has room for a vector");
+_Static_assert((int)ZR_LANES <= (int)ZR_BIN_VECTOR, "a block has room for a vector");
 _Static_assert(ZR_TILE_SIZE == 1 << 6, "columns and rows of tiles are shifts");
 
 /* Draws ZR_LANES of them; of numbers that are not `valid` nothing is seen. */
