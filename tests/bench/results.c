@@ -10,7 +10,7 @@ static const char *const side_names[] = {[ROW_BYTES] = "bytes", [ROW_MEMORY] = "
 void results_free(struct results *results)
 {
     free(results->rows);
-    *results = (struct results){0};
+    *results = (struct results){.rows = NULL};
 }
 
 void results_add(struct results *results, const struct row *row)
@@ -156,7 +156,8 @@ bool results_write(const struct results *results, const char *path)
         fprintf(stderr, "%s: %s\n", path, strerror(errno));
         return false;
     }
-    fputs("{\"rows\": [", out);
+    fprintf(out, "{\"processor\": \"%s\", \"cores\": %d, \"isa\": \"%s\", \"renderer\": \"%s\",\n \"rows\": [",
+            results->processor, results->cores, results->isa, results->renderer);
     for (int i = 0; i < results->count; i++) {
         fputs(i ? ",\n  " : "\n  ", out);
         write_row(out, &results->rows[i]);

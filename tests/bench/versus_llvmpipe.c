@@ -158,11 +158,13 @@ static bool choose(const struct bench *bench, struct task *task)
     return any;
 }
 
-static void time_work(struct bench *bench, struct task *task)
+static void time_work(struct bench *bench, struct task *task, bool *heading)
 {
     bool checked = false;
     for (task->threads = 1; task->threads <= THREADS_MAX; task->threads++) {
         if (!choose(bench, task)) continue;
+        if (!*heading) results_print_heading("zr_render against llvmpipe: colour and float depth");
+        *heading = true;
         if (!checked) bench_check_in_child(bench, compare_variants, task, task->wrong);
         checked = true;
         bench_in_child(bench, time_variants, task, NULL);
@@ -171,7 +173,7 @@ static void time_work(struct bench *bench, struct task *task)
 
 void versus_llvmpipe(struct bench *bench)
 {
-    if (!bench->check_only && !bench->list) results_print_heading("zr_render against llvmpipe: colour, float depth");
+    bool heading = false;
     for (int i = 0; i < WORKS; i++) {
         struct work work;
         if (!works_make((enum works)i, bench->models, &work)) {
@@ -181,7 +183,7 @@ void versus_llvmpipe(struct bench *bench)
             if (bench->check_only)
                 bench_check_in_child(bench, compare_variants, &task, task.wrong);
             else
-                time_work(bench, &task);
+                time_work(bench, &task, &heading);
         }
         works_free(&work);
     }
