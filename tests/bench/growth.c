@@ -39,10 +39,10 @@ static void name_row(const struct bench *bench, const struct step *step, char *n
 {
     int i = step->number;
     if (step->of_pixels)
-        snprintf(name, size, "growth: %ux%u pixels, %s Gouraud culled 1T %s", sides[i], sides[i],
-                 works_animal(bench->models), machine_isa());
+        snprintf(name, size, "growth: %ux%u pixels, %s Gouraud 1T %s", sides[i], sides[i], works_animal(bench->models),
+                 machine_isa());
     else
-        snprintf(name, size, "growth: %s triangles, ball 1080p Gouraud culled 1T %s", counts[i].name, machine_isa());
+        snprintf(name, size, "growth: %s triangles, 1080p Gouraud 1T %s", counts[i].name, machine_isa());
 }
 
 /* ---- one size ---- */

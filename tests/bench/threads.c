@@ -28,7 +28,7 @@ static void name_row(const struct task *task, int shade, char *name, size_t size
     char drawn[80];
     struct variant variant = variant_of(task->work, shade);
     works_variant_name(task->work, &variant, drawn, sizeof drawn);
-    snprintf(name, size, "%d threads against 1: %.70s %s", task->threads, drawn, machine_isa());
+    snprintf(name, size, "%dT against 1T: %.70s %s", task->threads, drawn, machine_isa());
 }
 
 static bool run_round(struct ours *one, struct ours *more, struct series *one_ms, struct series *more_ms)

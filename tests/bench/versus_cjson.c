@@ -157,7 +157,7 @@ void versus_cjson(struct bench *bench)
             bench_check_in_child(bench, measure, &task, NULL);
             continue;
         }
-        if (!any) results_print_heading("zr_scene_read against cJSON_ParseWithLength and cJSON_Delete");
+        if (!any) results_print_heading("zr_scene_read against cJSON's parse and delete");
         any = true;
         bench_in_child(bench, measure, &task, NULL);
     }

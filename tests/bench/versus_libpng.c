@@ -109,7 +109,7 @@ static bool measure(const struct bench *bench, const struct task *task, struct o
     if (bench->check_only)
         snprintf(row->note, sizeof row->note, "read back by libpng, it is %sthe frame", row->wrong ? "not " : "");
     else
-        snprintf(row->note, sizeof row->note, "%zu / %zu KB", trial.our_bytes / 1000, trial.their_bytes / 1000);
+        snprintf(row->note, sizeof row->note, "%zu/%zu KB", trial.our_bytes / 1000, trial.their_bytes / 1000);
     return ok;
 }
 

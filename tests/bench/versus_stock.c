@@ -139,9 +139,8 @@ static bool measure(const struct bench *bench, void *context, const struct sink 
         .ours_ms = series_median(&trial.ours), .theirs_ms = series_median(&trial.theirs), .bar = http_bar};
     row.wrong = task->wrong[0];
     name_row(task, row.work, sizeof row.work);
-    snprintf(row.note, sizeof row.note, "parse %.1f render %.1f encode %.1f, foreseen %.1fx",
-             series_median(&trial.steps[PARSE]), series_median(&trial.steps[RENDER]),
-             series_median(&trial.steps[ENCODE]), foresight(&daemon));
+    snprintf(row.note, sizeof row.note, "%.1f + %.1f + %.1f, foreseen %.1fx", series_median(&trial.steps[PARSE]),
+             series_median(&trial.steps[RENDER]), series_median(&trial.steps[ENCODE]), foresight(&daemon));
     daemon_stop(&daemon);
     if (ok) sink_row(sink, &row);
     return ok;
@@ -160,7 +159,7 @@ void service_against_stock(struct bench *bench)
         if (!bench_wants(bench, name)) continue;
         bench_check_in_child(bench, compare, &task, task.wrong);
         if (bench->check_only) continue;
-        if (!checked) results_print_heading("the daemon against cJSON, llvmpipe, libpng in one process");
+        if (!checked) results_print_heading("daemon (parse + render + encode) against stock, no HTTP");
         checked = true;
         bench_in_child(bench, measure, &task, NULL);
     }
