@@ -63,8 +63,12 @@ static bool measure(const struct bench *bench, void *context, const struct sink 
     struct wire our_wire, their_wire;
     bench_path_of(bench, "bare_http", program, sizeof program);
     struct daemon daemon = daemon_start(NULL);
-    if (!wire_open(&our_wire, daemon.port) || !learn(&our_wire, program, &answer)) return false;
-    if (!process_start(&process, answer.arguments, false)) return bench_complain("%s cannot be run", program);
+    bool started = wire_open(&our_wire, daemon.port) && learn(&our_wire, program, &answer) &&
+                   process_start(&process, answer.arguments, false);
+    if (!started) {
+        daemon_stop(&daemon);
+        return bench_complain("%s cannot be run", program);
+    }
     bool ok = process_wait(&process, line, sizeof line) && wire_open(&their_wire, (unsigned)strtoul(line, NULL, 10));
     double round_ms = 0;
     for (int i = 0; ok && i < WARM_UP; i++) {

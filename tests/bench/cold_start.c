@@ -68,6 +68,15 @@ static bool run_theirs(const char *program, const struct work *work, struct seri
     return process_end(&process, 0) && ok;
 }
 
+/* A cache of shaders for the other side, whatever home directory there is. */
+static void keep_shaders(const struct bench *bench)
+{
+    char path[600];
+    bench_path_of(bench, "shaders", path, sizeof path);
+    setenv("MESA_SHADER_CACHE_DIR", path, 1);
+    setenv("MESA_SHADER_CACHE_DISABLE", "false", 1);
+}
+
 static bool measure(const struct bench *bench, void *context, const struct sink *sink)
 {
     static struct series ours, theirs;
@@ -77,6 +86,7 @@ static bool measure(const struct bench *bench, void *context, const struct sink 
     struct document document = document_indexed(&work->drawing, true);
     double round_ms = 0;
     bench_path_of(bench, "first_frame", program, sizeof program);
+    keep_shaders(bench);
     for (int i = 0; i < WARM_UP; i++) {
         double begin = now_ms();
         if (!run_theirs(program, work, &theirs) || !run_ours(daemon, &document, &ours)) return false;

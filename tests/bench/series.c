@@ -4,7 +4,7 @@
 #include <string.h>
 #include <time.h>
 
-enum { ROUNDS_MIN = 7, ROUNDS_MAX = 201, BUDGET_MS = 500 };
+enum { ROUNDS_MIN = 9, ROUNDS_MAX = 201, BUDGET_MS = 500 };
 
 double now_ms(void)
 {

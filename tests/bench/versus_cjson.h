@@ -5,7 +5,7 @@
 #include "bench/bench.h"
 
 /* The same triangles as a soup of polygons and as an indexed mesh; into an arena that is warm, and into a new one.
- * Memory is what reading took of the arena over the size of the arrays that the scene consists of. */
+ * Memory is the least that an arena must be allowed to hold, over the size of the arrays that the scene consists of. */
 void versus_cjson(struct bench *bench);
 
 #endif
