@@ -12,13 +12,16 @@
 #include "raster/tile.h"
 
 struct zr_halfspace {
-    /* Clears a placed tile: no owner, depth 1. */
-    void (*clear)(struct zr_tile *tile);
+    /* A placed tile without owners, depth 1: its blocks are only marked as such, and written when they are drawn to. */
+    void (*begin)(struct zr_tile *tile);
 
     /* Where the triangle, of any size, is seen (zr_tile_put), writes its depth and `owner`. */
     void (*draw)(struct zr_tile *tile, const struct zr_setup *setup, uint32_t owner);
 
-    /* The same for small triangles (bins.h), by their numbers, many at once. */
+    /* Writes what is only marked yet. Only `draw` may come before. */
+    void (*settle)(struct zr_tile *tile);
+
+    /* Draws small triangles (bins.h), by their numbers, many at once. */
     void (*draw_small)(struct zr_tile *tile, const struct zr_geometry *geometry, const uint32_t *numbers,
                        uint32_t count);
 };

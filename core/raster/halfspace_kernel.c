@@ -131,8 +131,24 @@ static inline struct piece part_of(const struct zr_tile *tile, const struct piec
     return part;
 }
 
-/* A block that is covered whole. */
-static inline void fill_block(struct zr_tile *tile, const struct piece *p, int block)
+static inline size_t first_of_block(int block)
+{
+    return (size_t)(block / ZR_BLOCK_COLUMNS * ZR_BLOCK_HEIGHT) * ZR_TILE_STRIDE +
+           (size_t)(block % ZR_BLOCK_COLUMNS * ZR_BLOCK_WIDTH);
+}
+
+static inline void write_block(struct zr_tile *tile, int block)
+{
+    size_t i = first_of_block(block);
+    for (int row = 0; row < ZR_BLOCK_HEIGHT; row++, i += ZR_TILE_STRIDE)
+        for (size_t v = 0; v < ZR_BLOCK_WIDTH; v += ZR_LANES) {
+            zr_vf_store(&tile->depth[i + v], zr_vf_set(1.0f));
+            zr_vi_store(&tile->owner[i + v], zr_vi_set(0));
+        }
+}
+
+/* A block that is covered whole. `first`: and has nothing in it that could be nearer. */
+static inline void fill_block(struct zr_tile *tile, const struct piece *p, int block, bool first)
 {
     const zr_vi owner = zr_vi_set((int32_t)p->owner);
     const int32_t column = block % ZR_BLOCK_COLUMNS * ZR_BLOCK_WIDTH, row = block / ZR_BLOCK_COLUMNS * ZR_BLOCK_HEIGHT;
@@ -142,35 +158,57 @@ static inline void fill_block(struct zr_tile *tile, const struct piece *p, int b
         const zr_vi x = zr_vi_set(tile->x + column + v * ZR_LANES) + zr_vi_ramp();
         across[v] = zr_vf_set(p->a0) + zr_vf_set(p->dadx) * zr_vf_of(x);
     }
-    size_t i = (size_t)row * ZR_TILE_STRIDE + (size_t)column;
+    size_t i = first_of_block(block);
     zr_vf fy = zr_vf_set((float)(tile->y + row));
     for (int32_t y = 0; y < ZR_BLOCK_HEIGHT; y++, i += ZR_TILE_STRIDE, fy = fy + zr_vf_set(1.0f)) {
         const zr_vf up = dady * fy;
-        for (size_t v = 0; v < ZR_BLOCK_WIDTH / ZR_LANES; v++)
-            put(&tile->depth[i + v * ZR_LANES], &tile->owner[i + v * ZR_LANES], ZR_ALL_LANES,
-                zr_depth_clamp_v((across[v] + up) + offset), owner);
+        for (size_t v = 0; v < ZR_BLOCK_WIDTH / ZR_LANES; v++) {
+            const zr_vf z = zr_depth_clamp_v((across[v] + up) + offset);
+            float *depth = &tile->depth[i + v * ZR_LANES];
+            uint32_t *owners = &tile->owner[i + v * ZR_LANES];
+            if (first) {
+                zr_vf_store(depth, z);
+                zr_vi_store(owners, owner);
+            } else {
+                put(depth, owners, ZR_ALL_LANES, z, owner);
+            }
+        }
+    }
+}
+
+static inline void draw_in_block(struct zr_tile *tile, const struct piece *p, int block)
+{
+    const struct piece part = part_of(tile, p, block);
+    for (int32_t x = first_lane(part.x0); x <= part.x1; x += ZR_LANES) {
+        const zr_vi columns = zr_vi_set(x) + zr_vi_ramp();
+        const zr_vm before = zr_vi_lt(columns, zr_vi_set(part.x0));
+        const zr_vm lanes = zr_vm_andnot(zr_vi_lt(columns, zr_vi_set(part.x1 + 1)), before);
+        draw_columns(tile, &part, x, lanes, true);
     }
 }
 
 static inline void draw_blocks(struct zr_tile *tile, const struct piece *p, int first)
 {
     const struct blocks blocks = look_at_blocks(tile, p, first);
-    const zr_vf far = zr_vf_load(tile->block_far + first);
-    const uint32_t filled = zr_vm_bits(blocks.filled);
-    zr_vf_store(tile->block_far + first, zr_vf_select(blocks.filled, zr_vf_min(blocks.far, far), far));
+    const zr_vf far = zr_vf_load(tile->block_far + first), one = zr_vf_set(1.0f);
+    const zr_vm unwritten = zr_vf_lt_where(blocks.open, one, far);
+    /* Where all of it is nearer than 1, which nothing that is not written yet is. */
+    const uint32_t fresh = zr_vm_bits(zr_vm_and(zr_vf_lt_where(blocks.filled, blocks.far, one), unwritten));
+    const uint32_t filled = zr_vm_bits(blocks.filled), marked = zr_vm_bits(unwritten);
+    const zr_vf written_far = zr_vf_select(unwritten, one, far);
+    zr_vf_store(tile->block_far + first, zr_vf_select(blocks.filled, zr_vf_min(blocks.far, written_far), written_far));
     for (uint32_t bits = zr_vm_bits(blocks.open); bits; bits &= bits - 1) {
+        const uint32_t bit = bits & -bits;
         const int block = first + zr_lowest_bit(bits);
-        if (filled & bits & -bits) {
-            fill_block(tile, p, block);
+        if (fresh & bit) {
+            fill_block(tile, p, block, true);
             continue;
         }
-        const struct piece part = part_of(tile, p, block);
-        for (int32_t x = first_lane(part.x0); x <= part.x1; x += ZR_LANES) {
-            const zr_vi columns = zr_vi_set(x) + zr_vi_ramp();
-            const zr_vm before = zr_vi_lt(columns, zr_vi_set(part.x0));
-            const zr_vm lanes = zr_vm_andnot(zr_vi_lt(columns, zr_vi_set(part.x1 + 1)), before);
-            draw_columns(tile, &part, x, lanes, true);
-        }
+        if (marked & bit) write_block(tile, block);
+        if (filled & bit)
+            fill_block(tile, p, block, false);
+        else
+            draw_in_block(tile, p, block);
     }
 }
 
@@ -330,18 +368,21 @@ static void draw_small(struct zr_tile *tile, const struct zr_geometry *geometry,
 
 /* ---- */
 
-static void clear(struct zr_tile *tile)
+static void begin(struct zr_tile *tile)
 {
-    const zr_vf one = zr_vf_set(1.0f);
-    const zr_vi nobody = zr_vi_set(0);
-    for (int i = 0; i < ZR_TILE_STRIDE * ZR_TILE_SIZE; i += ZR_LANES) {
-        zr_vf_store(&tile->depth[i], one);
-        zr_vi_store(&tile->owner[i], nobody);
-    }
     for (int i = 0; i < ZR_BLOCKS; i += ZR_LANES)
-        zr_vf_store(&tile->block_far[i], one);
+        zr_vf_store(&tile->block_far[i], zr_vf_set(ZR_BLOCK_UNWRITTEN));
     tile->far = 1.0f;
     tile->is_empty = false;
 }
 
-const struct zr_halfspace ZR_KERNEL(zr_halfspace) = {clear, draw, draw_small};
+static void settle(struct zr_tile *tile)
+{
+    for (int block = 0; block < ZR_BLOCKS; block++)
+        if (tile->block_far[block] == ZR_BLOCK_UNWRITTEN) {
+            write_block(tile, block);
+            tile->block_far[block] = 1.0f;
+        }
+}
+
+const struct zr_halfspace ZR_KERNEL(zr_halfspace) = {begin, draw, settle, draw_small};

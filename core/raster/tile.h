@@ -24,6 +24,9 @@ enum {
     ZR_BLOCKS = ZR_BLOCK_COLUMNS * (ZR_TILE_SIZE / ZR_BLOCK_HEIGHT)
 };
 
+/* In block_far: nothing was drawn to the block, and its samples are not written yet; as if their depths were 1. */
+#define ZR_BLOCK_UNWRITTEN 2.0f
+
 struct zr_tile {
     int32_t x, y;          /* lowest pixel */
     int32_t width, height; /* smaller at the window's upper and right border */

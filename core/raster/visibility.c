@@ -89,9 +89,8 @@ static void draw_fragments(const struct zr_fragments *block, struct zr_tile *til
     }
 }
 
-/* The largest first: they hide most. */
-static bool draw_bins(const struct zr_visible *visible, uint32_t number, const struct zr_cancel *cancel,
-                      struct zr_tile *tile)
+static bool draw_wide_ones(const struct zr_visible *visible, uint32_t number, const struct zr_cancel *cancel,
+                           struct zr_tile *tile)
 {
     for (int i = 0; i < visible->bins.worker_count; i++)
         for (const struct zr_bin_block *b = visible->bins.workers[i].tiles[number].wide.first; b; b = b->next) {
@@ -99,6 +98,12 @@ static bool draw_bins(const struct zr_visible *visible, uint32_t number, const s
             for (uint32_t k = 0; k < b->used; k++)
                 draw_wide(visible, b->numbers[k], tile);
         }
+    return true;
+}
+
+static bool draw_small_ones(const struct zr_visible *visible, uint32_t number, const struct zr_cancel *cancel,
+                            struct zr_tile *tile)
+{
     for (int i = 0; i < visible->bins.worker_count; i++)
         for (const struct zr_bin_block *b = visible->bins.workers[i].tiles[number].small.first; b; b = b->next) {
             if (zr_is_cancelled(cancel)) return false;
@@ -185,9 +190,11 @@ bool zr_visibility_tile(const struct zr_visible *visible, uint32_t number, const
     if (base)
         zr_tile_begin(tile, base, bins->width, bins->height);
     else
-        visible->halfspace->clear(tile);
-    return draw_large(visible, cancel, tile) && draw_bins(visible, number, cancel, tile) &&
-           draw_others(visible, number, cancel, tile);
+        visible->halfspace->begin(tile);
+    /* The largest first: they hide most, and they alone can leave parts of the tile unwritten. */
+    if (!draw_large(visible, cancel, tile) || !draw_wide_ones(visible, number, cancel, tile)) return false;
+    visible->halfspace->settle(tile);
+    return draw_small_ones(visible, number, cancel, tile) && draw_others(visible, number, cancel, tile);
 }
 
 /* ---- the whole window ---- */

@@ -29,26 +29,41 @@ static inline bool zr_batch_is_gathered(const struct zr_batch *batch)
            batch->mesh->position_count <= ZR_GATHERED_MOST;
 }
 
+/* The owners that colours were gathered for last: in the rows of large triangles they are the same again. */
+struct zr_flat_memory {
+    zr_vi owner, color;
+};
+
+/* Colours of the lanes that are owned. */
+static inline zr_vi zr_gather_flat(const struct zr_batch *batch, zr_vm owned, zr_vi owner)
+{
+    const zr_vi t = owner - zr_vi_set((int32_t)batch->first + 1), one = zr_vi_set(1);
+    const bool by_corner = batch->colors == ZR_BATCH_PER_FIRST_CORNER;
+    const zr_vi at = by_corner ? zr_vi_gather(owned, batch->corners, t * zr_vi_set(3))
+                               : t + zr_vi_set((int32_t)batch->first_face);
+    const zr_vi word = at * zr_vi_set(4);
+    return zr_color_pack_v(zr_vf_bits(zr_vi_gather(owned, batch->front, word)),
+                           zr_vf_bits(zr_vi_gather(owned, batch->front, word + one)),
+                           zr_vf_bits(zr_vi_gather(owned, batch->front, word + one + one)));
+}
+
 /* A row of such a batch, whose faces have one colour each: where triangles are small that is half the work of
  * going from run to run. Returns how many pixels are owned. */
-static inline uint32_t zr_paint_flat_row(const struct zr_batch *batch, uint32_t *owners, int32_t width, zr_vi nothings)
+static inline uint32_t zr_paint_flat_row(const struct zr_batch *batch, struct zr_flat_memory *memory, uint32_t *owners,
+                                         int32_t width, zr_vi nothings)
 {
-    const bool by_corner = batch->colors == ZR_BATCH_PER_FIRST_CORNER;
-    const zr_vi one = zr_vi_set(1), first = zr_vi_set((int32_t)batch->first + 1);
-    const zr_vi first_face = zr_vi_set((int32_t)batch->first_face);
     uint32_t covered = 0;
     for (int32_t x = 0; x < width; x += ZR_LANES) {
-        const zr_vi owner = zr_vi_load(owners + x), t = owner - first;
+        const zr_vi owner = zr_vi_load(owners + x);
         const zr_vm within = zr_vi_lt(zr_vi_ramp(), zr_vi_set(width - x));
         const zr_vm owned = zr_vi_lt_where(within, zr_vi_set(0), owner);
         zr_vi colors = nothings;
         if (zr_vm_any(owned)) {
-            const zr_vi at = by_corner ? zr_vi_gather(owned, batch->corners, t * zr_vi_set(3)) : t + first_face;
-            const zr_vi word = at * zr_vi_set(4);
-            const zr_vf red = zr_vf_bits(zr_vi_gather(owned, batch->front, word));
-            const zr_vf green = zr_vf_bits(zr_vi_gather(owned, batch->front, word + one));
-            const zr_vf blue = zr_vf_bits(zr_vi_gather(owned, batch->front, word + one + one));
-            colors = zr_vi_select(owned, zr_color_pack_v(red, green, blue), nothings);
+            if (zr_vm_bits(zr_vi_eq(owner, memory->owner)) != ZR_ALL_BITS) {
+                memory->color = zr_gather_flat(batch, owned, owner);
+                memory->owner = owner;
+            }
+            colors = zr_vi_select(owned, memory->color, nothings);
             covered += (uint32_t)__builtin_popcount(zr_vm_bits(owned));
         }
         zr_vi_store(owners + x, colors);

@@ -141,6 +141,7 @@ static uint32_t paint_tile(const struct zr_geometry *geometry, struct zr_tile *t
     p.runs.count = p.flat.runs.count = p.smooth.runs.count = 0;
     p.smooth.colors = NULL;
     struct backdrop backdrop = {.nothing = zr_vi_set((int32_t)nothing)};
+    struct zr_flat_memory memory = {zr_vi_set(0), zr_vi_set(0)};
     uint32_t covered = 0;
     for (int32_t y = 0; y < tile->height; y++) {
         uint32_t *owners = &tile->owner[y * ZR_TILE_STRIDE];
@@ -150,7 +151,7 @@ static uint32_t paint_tile(const struct zr_geometry *geometry, struct zr_tile *t
             covered += list_row(&p, owners, y, tile->width, &backdrop);
             if (p.runs.count > ZR_PAINT_RUNS - ZR_TILE_SIZE) paint_listed(&p);
         } else if (alone && !behind && !zr_batch_is_smooth(p.batch) && p.batch->colors != ZR_BATCH_PER_FIRST_SLOT) {
-            covered += zr_paint_flat_row(p.batch, owners, tile->width, backdrop.nothing);
+            covered += zr_paint_flat_row(p.batch, &memory, owners, tile->width, backdrop.nothing);
         } else {
             covered += paint_row(&p, owners, y, tile->width, &backdrop);
         }
