@@ -25,22 +25,38 @@ uint32_t zr_color_pack(uint32_t red, uint32_t green, uint32_t blue, uint32_t alp
 #endif
 }
 
-void zr_paint_line(const struct zr_geometry *geometry, const struct zr_triangle *line, int32_t x, int32_t y,
-                   uint32_t *pixels, uint32_t count)
+/* What the planes of a record have in common: of a triangle's or of a line's. */
+struct basis {
+    bool is_line;
+    struct zr_plane_basis triangle;
+    struct zr_line_basis line;
+};
+
+static struct zr_plane plane_make(const struct basis *basis, float p0, float p1, float p2)
 {
-    const zr_vec4 *colors = line->back ? geometry->back_colors : geometry->front_colors;
-    const struct zr_window_vertex *v0 = &geometry->vertices[line->v[0]], *v1 = &geometry->vertices[line->v[1]];
-    zr_vec4 c0 = colors[line->c[0]], c1 = colors[line->c[1]];
-    const struct zr_line_basis basis = zr_line_basis_make(v0, v1);
-    const struct zr_plane oow = zr_line_plane_make(&basis, v0->oow, v1->oow);
-    const struct zr_plane red = zr_line_plane_make(&basis, c0.x * v0->oow, c1.x * v1->oow);
-    const struct zr_plane green = zr_line_plane_make(&basis, c0.y * v0->oow, c1.y * v1->oow);
-    const struct zr_plane blue = zr_line_plane_make(&basis, c0.z * v0->oow, c1.z * v1->oow);
-    for (uint32_t i = 0; i < count; i++) {
-        float fx = (float)(x + (int32_t)i), fy = (float)y;
-        float reciprocal = 1.0f / zr_plane_at(&oow, fx, fy);
-        pixels[i] = zr_color_pack(zr_color_byte(zr_plane_at(&red, fx, fy) * reciprocal),
-                                  zr_color_byte(zr_plane_at(&green, fx, fy) * reciprocal),
-                                  zr_color_byte(zr_plane_at(&blue, fx, fy) * reciprocal), 255);
+    return basis->is_line ? zr_line_plane_make(&basis->line, p0, p1) : zr_plane_make(&basis->triangle, p0, p1, p2);
+}
+
+struct zr_surface zr_surface_make(const struct zr_geometry *geometry, const struct zr_batch *batch, uint32_t number)
+{
+    const struct zr_record record = zr_record_of(geometry, batch, number);
+    const struct zr_triangle *t = &record.triangle;
+    zr_vec4 c0 = record.colors[t->c[0]], c1 = record.colors[t->c[1]], c2 = record.colors[t->c[2]];
+    struct zr_surface surface = {.owner = number + 1, .flat = t->c[0] == t->c[1] && t->c[1] == t->c[2]};
+    if (surface.flat) {
+        surface.color = zr_color_pack(zr_color_byte(c0.x), zr_color_byte(c0.y), zr_color_byte(c0.z), 255);
+        return surface;
     }
+    const struct zr_window_vertex *v0 = &geometry->vertices[t->v[0]], *v1 = &geometry->vertices[t->v[1]],
+                                  *v2 = &geometry->vertices[t->v[2]];
+    struct basis basis = {.is_line = t->line};
+    if (t->line)
+        basis.line = zr_line_basis_make(v0, v1);
+    else
+        basis.triangle = zr_plane_basis_make(v0, v1, v2);
+    surface.oow = plane_make(&basis, v0->oow, v1->oow, v2->oow);
+    surface.red = plane_make(&basis, c0.x * v0->oow, c1.x * v1->oow, c2.x * v2->oow);
+    surface.green = plane_make(&basis, c0.y * v0->oow, c1.y * v1->oow, c2.y * v2->oow);
+    surface.blue = plane_make(&basis, c0.z * v0->oow, c1.z * v1->oow, c2.z * v2->oow);
+    return surface;
 }

@@ -2,15 +2,16 @@
  *
  * Exact:  the reference's rule 9: colours times 1/w are planes over the window, each pixel divides by the plane of
  *         1/w, and bytes are rounded to the nearest.
- * How:    planes are not kept from the drawing of visibility: only what is seen is set up, as many
- *         runs at once as there are lanes. Short runs are then painted side by side, one a lane; long ones one
- *         after the other, a pixel a lane.
+ * How:    planes are not kept from the drawing of visibility: only what is seen is set up. Rows of flat triangles are
+ *         looked up pixel by pixel, many at once; of smooth ones, short runs side by side, one a lane, and long ones
+ *         one after the other, a pixel a lane.
  */
 #ifndef ZR_PAINT_H
 #define ZR_PAINT_H
 
 #include "base/isa.h"
 #include "geometry/geometry.h"
+#include "raster/plane.h"
 #include "raster/tile.h"
 
 struct zr_paint {
@@ -41,8 +42,15 @@ uint32_t zr_color_byte(float value);
 /* Four bytes in memory: red, green, blue, alpha. */
 uint32_t zr_color_pack(uint32_t red, uint32_t green, uint32_t blue, uint32_t alpha);
 
-/* `count` pixels of a line, from x, y of the window on: planes that vary along its major axis alone. */
-void zr_paint_line(const struct zr_geometry *geometry, const struct zr_triangle *line, int32_t x, int32_t y,
-                   uint32_t *pixels, uint32_t count);
+/* What the pixels of one record are painted with. */
+struct zr_surface {
+    uint32_t owner; /* 1 + its number */
+    bool flat;
+    uint32_t color;                        /* flat: four bytes */
+    struct zr_plane oow, red, green, blue; /* else: 1/w, and colours times that */
+};
+
+/* Of a record of the batch, line or triangle. */
+struct zr_surface zr_surface_make(const struct zr_geometry *geometry, const struct zr_batch *batch, uint32_t number);
 
 #endif

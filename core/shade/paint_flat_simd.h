@@ -1,10 +1,8 @@
-/* paint_flat_simd.h - shade: records of one colour, for the paint kernel. */
+/* paint_flat_simd.h - shade: rows of triangles of one colour each, for the paint kernel. */
 #ifndef ZR_PAINT_FLAT_SIMD_H
 #define ZR_PAINT_FLAT_SIMD_H
 
 #include "shade/paint_simd.h"
-
-/* ---- rows ---- */
 
 /* Four words a colour: their numbers fit 32 bits. */
 enum { ZR_GATHERED_MOST = 1 << 28 };
@@ -25,7 +23,8 @@ static inline bool zr_row_is_of(const struct zr_batch *batch, const uint32_t *ow
 /* Whether colours can be gathered by the numbers of triangles. */
 static inline bool zr_batch_is_gathered(const struct zr_batch *batch)
 {
-    return !batch->written && batch->front == batch->back && !batch->faces && batch->count <= ZR_GATHERED_MOST &&
+    return !batch->written && batch->front == batch->back && batch->count <= ZR_GATHERED_MOST &&
+           batch->mesh->face_offsets[batch->mesh->face_count] <= ZR_GATHERED_MOST &&
            batch->mesh->position_count <= ZR_GATHERED_MOST;
 }
 
@@ -34,14 +33,23 @@ struct zr_flat_memory {
     zr_vi owner, color;
 };
 
+/* As zr_batch_color, of triangles t. */
+static inline zr_vi zr_flat_color(const struct zr_batch *batch, zr_vm owned, zr_vi t)
+{
+    if (batch->colors == ZR_BATCH_PER_FIRST_CORNER && !batch->faces)
+        return zr_vi_gather(owned, batch->corners, t * zr_vi_set(3));
+    const zr_vi face =
+        batch->faces ? zr_vi_gather(owned, batch->faces, t) : t + zr_vi_set((int32_t)batch->first_face);
+    if (batch->colors == ZR_BATCH_PER_FACE) return face;
+    const zr_vi slot = zr_vi_gather(owned, batch->mesh->face_offsets, face);
+    return batch->colors == ZR_BATCH_PER_FIRST_SLOT ? slot : zr_vi_gather(owned, batch->mesh->indices, slot);
+}
+
 /* Colours of the lanes that are owned. */
 static inline zr_vi zr_gather_flat(const struct zr_batch *batch, zr_vm owned, zr_vi owner)
 {
     const zr_vi t = owner - zr_vi_set((int32_t)batch->first + 1), one = zr_vi_set(1);
-    const bool by_corner = batch->colors == ZR_BATCH_PER_FIRST_CORNER;
-    const zr_vi at = by_corner ? zr_vi_gather(owned, batch->corners, t * zr_vi_set(3))
-                               : t + zr_vi_set((int32_t)batch->first_face);
-    const zr_vi word = at * zr_vi_set(4);
+    const zr_vi word = zr_flat_color(batch, owned, t) * zr_vi_set(4);
     return zr_color_pack_v(zr_vf_bits(zr_vi_gather(owned, batch->front, word)),
                            zr_vf_bits(zr_vi_gather(owned, batch->front, word + one)),
                            zr_vf_bits(zr_vi_gather(owned, batch->front, word + one + one)));
@@ -69,41 +77,6 @@ static inline uint32_t zr_paint_flat_row(const struct zr_batch *batch, struct zr
         zr_vi_store(owners + x, colors);
     }
     return covered;
-}
-
-/* ---- runs ---- */
-
-struct zr_flat_queue {
-    struct zr_runs runs;
-    const zr_vec4 *colors[ZR_PAINT_QUEUE];
-};
-
-static inline void zr_flat_add(struct zr_flat_queue *q, int32_t at, int32_t length, const zr_vec4 *color)
-{
-    __builtin_prefetch(color);
-    q->colors[q->runs.count] = color;
-    q->runs.at[q->runs.count] = at;
-    q->runs.length[q->runs.count++] = length;
-}
-
-/* All runs of the queue. */
-static inline void zr_flat_paint(struct zr_flat_queue *q, uint32_t *out)
-{
-    for (uint32_t first = 0; first < q->runs.count; first += ZR_LANES) {
-        const uint32_t left = q->runs.count - first, some = left < ZR_LANES ? left : ZR_LANES;
-        uint32_t packed[ZR_LANES];
-        zr_vf red, green, blue, alpha;
-        for (uint32_t i = some; i < ZR_LANES; i++)
-            q->colors[first + i] = q->colors[first];
-#define ZR_COLOR(i) (&q->colors[first + (i)]->x)
-        ZR_LOAD4(red, green, blue, alpha, ZR_COLOR);
-        (void)alpha;
-        zr_vi_store(packed, zr_color_pack_v(red, green, blue));
-        for (uint32_t i = 0; i < some; i++)
-            zr_fill_run(out + q->runs.at[first + i], (uint32_t)q->runs.length[first + i],
-                        zr_vi_set((int32_t)packed[i]));
-    }
-    q->runs.count = 0;
 }
 
 #endif

@@ -3,27 +3,47 @@
 #include "shade/paint_flat_simd.h"
 #include "shade/paint_smooth_simd.h"
 
+/* Records of long runs come back in the rows that follow: this many are remembered. */
+enum { SURFACES = 64 };
+
 struct painter {
     struct zr_canvas canvas;
-    const struct zr_batch *batch; /* of the last record */
-    struct zr_runs runs;          /* of `batch`, */
+    const struct zr_batch *batch;    /* of the last record */
+    struct zr_runs runs;             /* of `batch`, */
     int32_t numbers[ZR_PAINT_QUEUE]; /* and their records' numbers in it */
-    struct zr_flat_queue flat;
     struct zr_smooth_queue smooth;
+    struct zr_surface surfaces[SURFACES];
 };
 
 /* ---- run by run ---- */
 
-static void add_record(struct painter *p, int32_t at, int32_t length, const struct zr_triangle *t,
-                       const zr_vec4 *colors)
+static inline struct zr_plane_v spread_plane(const struct zr_plane *plane)
 {
-    if (t->c[0] == t->c[1] && t->c[1] == t->c[2])
-        zr_flat_add(&p->flat, at, length, &colors[t->c[0]]);
-    else if (t->line)
-        zr_paint_line(p->canvas.geometry, t, p->canvas.x + at % ZR_TILE_STRIDE, p->canvas.y + at / ZR_TILE_STRIDE,
-                      p->canvas.colors + at, (uint32_t)length);
+    return (struct zr_plane_v){zr_vf_set(plane->a0), zr_vf_set(plane->dadx), zr_vf_set(plane->dady)};
+}
+
+static void paint_long(const struct zr_surface *surface, int32_t first_x, int32_t first_y, uint32_t *pixels,
+                       uint32_t count)
+{
+    const struct zr_color_planes planes = {spread_plane(&surface->oow), spread_plane(&surface->red),
+                                           spread_plane(&surface->green), spread_plane(&surface->blue)};
+    const zr_vf y = zr_vf_set((float)first_y);
+    zr_vf x = zr_vf_set((float)first_x) + zr_vf_ramp();
+    for (; count > ZR_LANES; count -= ZR_LANES, pixels += ZR_LANES, x = x + zr_vf_set((float)ZR_LANES))
+        zr_vi_store(pixels, zr_color_at(&planes, x, y));
+    zr_vi_store_first(pixels, zr_color_at(&planes, x, y), count);
+}
+
+static void paint_surface(struct painter *p, uint32_t number, int32_t at, int32_t length)
+{
+    struct zr_surface *surface = &p->surfaces[number % SURFACES];
+    uint32_t *pixels = p->canvas.colors + at;
+    if (surface->owner != number + 1) *surface = zr_surface_make(p->canvas.geometry, p->batch, number);
+    if (surface->flat)
+        zr_fill_run(pixels, (uint32_t)length, zr_vi_set((int32_t)surface->color));
     else
-        zr_smooth_add(&p->smooth, &p->canvas, at, length, 0, t->v, colors, t->c);
+        paint_long(surface, p->canvas.x + at % ZR_TILE_STRIDE, p->canvas.y + at / ZR_TILE_STRIDE, pixels,
+                   (uint32_t)length);
 }
 
 static void add_run(struct painter *p, uint32_t number, int32_t at, int32_t length)
@@ -32,19 +52,23 @@ static void add_run(struct painter *p, uint32_t number, int32_t at, int32_t leng
     if (!zr_batch_holds(p->batch, number)) p->batch = zr_batch_of(geometry, number);
     const struct zr_batch *batch = p->batch;
     const uint32_t t = number - batch->first;
-    if (batch->written) {
-        const struct zr_triangle *record = &geometry->triangles[batch->first_record + t];
-        add_record(p, at, length, record, record->back ? geometry->back_colors : geometry->front_colors);
-    } else if (batch->front != batch->back) { /* its side must be known to know its colours */
-        const struct zr_record record = zr_record_of(geometry, batch, number);
-        add_record(p, at, length, &record.triangle, record.colors);
-    } else if (zr_batch_is_smooth(batch)) {
+    const struct zr_triangle *record = batch->written ? &geometry->triangles[batch->first_record + t] : NULL;
+    const bool sided = !record && batch->front != batch->back; /* its side must be known to know its colours */
+    const bool smooth =
+        record ? !record->line && (record->c[0] != record->c[1] || record->c[1] != record->c[2]) : zr_batch_is_smooth(batch);
+    if (!smooth || length > ZR_SHORT_RUN) {
+        paint_surface(p, number, at, length);
+    } else if (record) {
+        zr_smooth_add(&p->smooth, &p->canvas, at, length, 0, record->v,
+                      record->back ? geometry->back_colors : geometry->front_colors, record->c);
+    } else if (sided) {
+        const struct zr_record turned = zr_record_of(geometry, batch, number);
+        zr_smooth_add(&p->smooth, &p->canvas, at, length, 0, turned.triangle.v, turned.colors, turned.triangle.c);
+    } else {
         const uint32_t colors[3] = {zr_batch_color(batch, t, 0), zr_batch_color(batch, t, 1),
                                     zr_batch_color(batch, t, 2)};
         zr_smooth_add(&p->smooth, &p->canvas, at, length, batch->first_vertex, batch->corners + 3 * (size_t)t,
                       batch->front, colors);
-    } else {
-        zr_flat_add(&p->flat, at, length, &batch->front[zr_batch_color(batch, t, 0)]);
     }
 }
 
@@ -94,10 +118,14 @@ static inline uint32_t list_row(struct painter *p, uint32_t *owners, int32_t y, 
             paint_backdrop(backdrop, owners, begin, end);
             continue;
         }
+        covered += (uint32_t)(end - begin);
+        if (end - begin > ZR_SHORT_RUN) {
+            paint_surface(p, owners[begin] - 1, y * ZR_TILE_STRIDE + begin, end - begin);
+            continue;
+        }
         p->numbers[count] = (int32_t)(owners[begin] - first);
         p->runs.at[count] = y * ZR_TILE_STRIDE + begin;
         p->runs.length[count++] = end - begin;
-        covered += (uint32_t)(end - begin);
     }
     p->runs.count = count;
     return covered;
@@ -127,7 +155,6 @@ static uint32_t paint_row(struct painter *p, uint32_t *owners, int32_t y, int32_
         add_run(p, owners[begin] - 1, y * ZR_TILE_STRIDE + begin, end - begin);
         covered += (uint32_t)(end - begin);
     }
-    if (p->flat.runs.count > ZR_PAINT_RUNS - ZR_TILE_SIZE) zr_flat_paint(&p->flat, p->canvas.colors);
     if (p->smooth.runs.count > ZR_PAINT_RUNS - ZR_TILE_SIZE) zr_smooth_paint(&p->smooth, &p->canvas, false);
     return covered;
 }
@@ -138,26 +165,29 @@ static uint32_t paint_tile(const struct zr_geometry *geometry, struct zr_tile *t
     struct painter p;
     p.canvas = (struct zr_canvas){geometry, tile->x, tile->y, tile->owner}; /* rows are read before they are painted */
     p.batch = &geometry->batches[0];
-    p.runs.count = p.flat.runs.count = p.smooth.runs.count = 0;
+    p.runs.count = p.smooth.runs.count = 0;
+    for (int i = 0; i < SURFACES; i++)
+        p.surfaces[i].owner = 0;
     p.smooth.colors = NULL;
     struct backdrop backdrop = {.nothing = zr_vi_set((int32_t)nothing)};
+    const bool only_one = geometry->batch_count == 1; /* 8 us of a picture of 256 x 256 */
     struct zr_flat_memory memory = {zr_vi_set(0), zr_vi_set(0)};
     uint32_t covered = 0;
     for (int32_t y = 0; y < tile->height; y++) {
         uint32_t *owners = &tile->owner[y * ZR_TILE_STRIDE];
-        const bool alone = zr_batch_is_gathered(p.batch) && zr_row_is_of(p.batch, owners, tile->width);
+        const bool alone =
+            zr_batch_is_gathered(p.batch) && (only_one || zr_row_is_of(p.batch, owners, tile->width));
         if (behind) backdrop.row = (const uint32_t *)behind + y * stride;
-        if (alone && p.batch->colors == ZR_BATCH_PER_VERTEX) {
+        if (alone && zr_batch_is_smooth(p.batch)) {
             covered += list_row(&p, owners, y, tile->width, &backdrop);
             if (p.runs.count > ZR_PAINT_RUNS - ZR_TILE_SIZE) paint_listed(&p);
-        } else if (alone && !behind && !zr_batch_is_smooth(p.batch) && p.batch->colors != ZR_BATCH_PER_FIRST_SLOT) {
+        } else if (alone && !behind) {
             covered += zr_paint_flat_row(p.batch, &memory, owners, tile->width, backdrop.nothing);
         } else {
             covered += paint_row(&p, owners, y, tile->width, &backdrop);
         }
     }
     paint_listed(&p);
-    zr_flat_paint(&p.flat, p.canvas.colors);
     zr_smooth_paint(&p.smooth, &p.canvas, true);
     return covered;
 }

@@ -1,7 +1,6 @@
-/* paint_smooth_simd.h - shade: triangles whose colours vary, for the paint kernel.
+/* paint_smooth_simd.h - shade: short runs of triangles whose colours vary, for the paint kernel.
  *
- * As many runs as there are lanes are set up at once. Short ones are then painted side by side, one a lane; long ones
- * one after the other, a pixel a lane.
+ * As many runs as there are lanes are set up at once, and then painted side by side, one a lane.
  */
 #ifndef ZR_PAINT_SMOOTH_SIMD_H
 #define ZR_PAINT_SMOOTH_SIMD_H
@@ -10,7 +9,7 @@
 #include "raster/triangle_simd.h"
 #include "shade/paint_simd.h"
 
-/* Runs up to this length are painted side by side. */
+/* A short run has so many pixels at most. */
 enum { ZR_SHORT_RUN = 8 };
 
 struct zr_smooth_queue {
@@ -97,31 +96,7 @@ static inline zr_vi zr_color_at(const struct zr_color_planes *p, zr_vf x, zr_vf 
                            zr_plane_at_v(&p->blue, x, y) * reciprocal);
 }
 
-/* ---- long runs ---- */
-
-static inline void zr_keep_plane(float out[3][ZR_LANES], const struct zr_plane_v *plane)
-{
-    zr_vf_store(out[0], plane->a0);
-    zr_vf_store(out[1], plane->dadx);
-    zr_vf_store(out[2], plane->dady);
-}
-
-static inline struct zr_plane_v zr_spread_plane(float in[3][ZR_LANES], uint32_t i)
-{
-    return (struct zr_plane_v){zr_vf_set(in[0][i]), zr_vf_set(in[1][i]), zr_vf_set(in[2][i])};
-}
-
-static inline void zr_paint_long(const struct zr_color_planes *p, float first_x, float first_y, uint32_t *pixels,
-                                 uint32_t count)
-{
-    const zr_vf y = zr_vf_set(first_y);
-    zr_vf x = zr_vf_set(first_x) + zr_vf_ramp();
-    for (; count > ZR_LANES; count -= ZR_LANES, pixels += ZR_LANES, x = x + zr_vf_set((float)ZR_LANES))
-        zr_vi_store(pixels, zr_color_at(p, x, y));
-    zr_vi_store_first(pixels, zr_color_at(p, x, y), count);
-}
-
-/* ---- short runs ---- */
+/* ---- runs ---- */
 
 /* The first n of four, n at most 4. */
 static inline void zr_store_four(uint32_t *out, const uint32_t *four, uint32_t n)
@@ -157,29 +132,11 @@ static inline void zr_smooth_paint_group(const struct zr_smooth_queue *q, const 
     const zr_vi at = zr_vi_load(q->runs.at + first), lengths = zr_vi_load(q->runs.length + first);
     const zr_vi row = zr_quotient_v(at, ZR_TILE_STRIDE), column = at - row * zr_vi_set(ZR_TILE_STRIDE);
     const zr_vf x = zr_vf_of(column + zr_vi_set(canvas->x)), y = zr_vf_of(row + zr_vi_set(canvas->y));
-    const zr_vm valid = zr_vi_lt(zr_vi_ramp(), zr_vi_set((int32_t)count));
-    const zr_vm is_short = zr_vi_lt_where(valid, lengths, zr_vi_set(ZR_SHORT_RUN + 1));
-    const zr_vi short_lengths = zr_vi_select(is_short, lengths, zr_vi_set(0));
     for (int32_t begin = 0; begin < ZR_SHORT_RUN; begin += 4) {
-        const zr_vi left = short_lengths - zr_vi_set(begin);
+        const zr_vi left = lengths - zr_vi_set(begin);
         if (!zr_vm_any(zr_vi_lt(zr_vi_set(0), left))) break;
         zr_paint_four(&planes, x + zr_vf_set((float)begin), y, left, q->runs.at + first, count,
                       canvas->colors + begin);
-    }
-    uint32_t longer = zr_vm_bits(zr_vm_andnot(valid, is_short));
-    if (longer == 0) return;
-    float kept[4][3][ZR_LANES], xs[ZR_LANES], ys[ZR_LANES];
-    zr_keep_plane(kept[0], &planes.oow);
-    zr_keep_plane(kept[1], &planes.red);
-    zr_keep_plane(kept[2], &planes.green);
-    zr_keep_plane(kept[3], &planes.blue);
-    zr_vf_store(xs, x);
-    zr_vf_store(ys, y);
-    for (; longer; longer &= longer - 1) {
-        const uint32_t i = (uint32_t)zr_lowest_bit(longer);
-        const struct zr_color_planes own = {zr_spread_plane(kept[0], i), zr_spread_plane(kept[1], i),
-                                            zr_spread_plane(kept[2], i), zr_spread_plane(kept[3], i)};
-        zr_paint_long(&own, xs[i], ys[i], canvas->colors + q->runs.at[first + i], (uint32_t)q->runs.length[first + i]);
     }
 }
 
@@ -235,7 +192,7 @@ static inline void zr_smooth_add(struct zr_smooth_queue *q, const struct zr_canv
     q->runs.length[q->runs.count++] = length;
 }
 
-/* The runs of one batch that has a colour a vertex, by the numbers of their triangles in it: `runs` and `numbers` have
+/* The runs of one smooth batch, by the numbers of their triangles in it: `runs` and `numbers` have
  * room for a vector behind their ends. */
 static inline void zr_smooth_add_runs(struct zr_smooth_queue *q, const struct zr_canvas *canvas,
                                       const struct zr_batch *batch, const struct zr_runs *runs, const int32_t *numbers)
@@ -248,7 +205,11 @@ static inline void zr_smooth_add_runs(struct zr_smooth_queue *q, const struct zr
         const zr_vi word = zr_vi_load(numbers + i) * zr_vi_set(3);
         for (int k = 0; k < 3; k++) {
             const zr_vi corner = zr_vi_gather(valid, batch->corners, word + zr_vi_set(k));
-            zr_vi_store(q->color[k] + first + i, corner);
+            zr_vi color = corner;
+            if (batch->colors == ZR_BATCH_PER_CORNER)
+                color = batch->slots ? zr_vi_gather(valid, batch->slots, word + zr_vi_set(k))
+                                     : word + zr_vi_set((int32_t)(3 * batch->first_face) + k);
+            zr_vi_store(q->color[k] + first + i, color);
             zr_vi_store(q->vertex[k] + first + i, corner + zr_vi_set((int32_t)batch->first_vertex));
         }
         zr_vi_store(q->runs.at + first + i, zr_vi_load(runs->at + i));
