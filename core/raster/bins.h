@@ -21,8 +21,10 @@
 
 enum {
     ZR_BIN_WORDS = 44,            /* of a block, which takes 256 bytes, and has room for a vector behind its end */
-    ZR_BIN_FRAGMENTS_A_BLOCK = 64,
     ZR_BIN_VECTOR = 16,           /* lanes at most */
+    ZR_BIN_FRAGMENTS_A_BLOCK = 64,
+    ZR_BIN_FRAGMENTS_AT_ONCE = 4 * ZR_BIN_VECTOR, /* put there, and room for a vector behind them */
+    ZR_BIN_FRAGMENTS_ROOM = ZR_BIN_FRAGMENTS_A_BLOCK + ZR_BIN_FRAGMENTS_AT_ONCE + ZR_BIN_VECTOR,
     ZR_BIN_TILES = 16,            /* that a wide triangle is listed in at most */
     ZR_BIN_SMALL_SPAN = 64 * 256 /* on the snapped grid: edge functions then fit 32 bits, with room to spare */
 };
@@ -37,9 +39,9 @@ struct zr_bin_block {
 struct zr_fragments {
     struct zr_fragments *next;
     uint32_t used;
-    uint32_t pixels[ZR_BIN_FRAGMENTS_A_BLOCK + ZR_BIN_VECTOR]; /* in zr_tile.depth */
-    uint32_t owners[ZR_BIN_FRAGMENTS_A_BLOCK + ZR_BIN_VECTOR];
-    float depths[ZR_BIN_FRAGMENTS_A_BLOCK + ZR_BIN_VECTOR];
+    uint32_t pixels[ZR_BIN_FRAGMENTS_ROOM]; /* in zr_tile.depth */
+    uint32_t owners[ZR_BIN_FRAGMENTS_ROOM];
+    float depths[ZR_BIN_FRAGMENTS_ROOM];
 };
 
 struct zr_bin {
