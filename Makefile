@@ -40,11 +40,13 @@ verify_lines := $(BUILD)/zraster-verify-lines
 objects = $(patsubst %.c,$(BUILD)/%.o,$(wildcard $(1)))
 # Kernels are compiled once for each instruction set of the target, which is chosen when the program starts.
 target := $(firstword $(subst -, ,$(shell $(CC) -dumpmachine)))
-isas_x86_64 := scalar avx512
+isas_x86_64 := scalar sse2 avx2 avx512
 isas_aarch64 := scalar neon
 isas := $(or $(isas_$(target)),scalar)
-# No flag for scalar, sse2 and neon: the target has them. Integers wrap in lanes that nobody reads.
-kernel_avx2 := -mavx2 -mbmi2
+# They come behind the user's flags: -march=native must not put what came later into sse2 and avx2. scalar and neon are
+# what the target has anyway. Integers wrap in lanes that nobody reads.
+kernel_sse2 := -mno-sse3
+kernel_avx2 := -mavx2 -mbmi2 -mno-avx512f
 kernel_avx512 := -mavx512f -mavx512bw -mavx512dq -mavx512vl -mbmi2 -mprefer-vector-width=512
 kernels := $(basename $(wildcard core/*/*_kernel.c))
 kernel_objects := $(foreach isa,$(isas),$(kernels:%=$(BUILD)/%.$(isa).o))
