@@ -39,7 +39,9 @@ verify_lines := $(BUILD)/zraster-verify-lines
 
 objects = $(patsubst %.c,$(BUILD)/%.o,$(wildcard $(1)))
 # Kernels are compiled once for each instruction set of the target, which is chosen when the program starts.
-target := $(firstword $(subst -, ,$(shell $(CC) -dumpmachine)))
+# By the same macros as in core/base/isa.h.
+macros := $(shell $(CC) $(CFLAGS) -dM -E -x c /dev/null)
+target := $(firstword $(foreach name,x86_64 aarch64,$(if $(findstring __$(name)__,$(macros)),$(name))))
 isas_x86_64 := scalar sse2 avx2 avx512
 isas_aarch64 := scalar neon
 isas := $(or $(isas_$(target)),scalar)
