@@ -51,11 +51,12 @@ kernel_sse2 := -mno-sse3
 kernel_avx2 := -mavx2 -mbmi2 -mno-avx512f
 kernel_avx512 := -mavx512f -mavx512bw -mavx512dq -mavx512vl -mbmi2 -mprefer-vector-width=512
 kernels := $(basename $(wildcard core/*/*_kernel.c))
-kernel_objects := $(foreach isa,$(isas),$(kernels:%=$(BUILD)/%.$(isa).o))
+for_isas = $(foreach isa,$(isas),$(1:%=$(BUILD)/%.$(isa).o))
+kernel_objects := $(call for_isas,$(kernels))
 core := $(filter-out %_kernel.o,$(call objects,core/*.c core/*/*.c)) $(kernel_objects)
 server := $(call objects,server/*.c)
 client := $(call objects,clients/*.c)
-support := $(call objects,tests/support/*.c)
+support := $(filter-out %_kernel.o,$(call objects,tests/support/*.c)) $(call for_isas,tests/support/simd_kernel)
 lines := $(call objects,tests/reference/lines/*.c)
 # The reference behind two doors: OSMesa, and EGL without a surface, since Mesa 25.1 has no OSMesa.
 reference_doors := $(BUILD)/tests/reference/reference_osmesa.o $(BUILD)/tests/reference/reference_egl.o
