@@ -10,14 +10,17 @@
  *   zr_vf_set(a) zr_vi_set(a)          all lanes alike           zr_vf_ramp() zr_vi_ramp()   0, 1, 2 ...
  *   zr_vf_load(p) zr_vi_load(p)        ZR_LANES from anywhere    zr_vf_store(p, v) zr_vi_store(p, v)
  *   zr_vf_store_where(m, p, v), zr_vi_store_where: lanes of m only; the others may be read and written back
+ *   zr_vi_store_first(p, v, n): lanes 0 .. n - 1, n at most ZR_LANES, and nothing else is touched
+ *   zr_vi_stream(p, v): past the caches where the machine can, p being a multiple of the vector's size; zr_stream_end()
  *   zr_vf_lt le eq(a, b), zr_vi_lt eq(a, b), zr_vm_and or andnot(a, b: a and not b), zr_vm_bits(m), zr_vm_of(bits)
+ *   zr_vf_lt_where eq_where(m, a, b), zr_vi_lt_where(m, a, b): m and the comparison, which AVX-512 does in one
  *   zr_vf_select(m, a, b), zr_vi_select: a where m, else b
  *   zr_vf_min(a, b): a < b ? a : b     zr_vf_max(a, b): a > b ? a : b     zr_vi_min, zr_vi_max
  *   zr_vf_abs(a)  zr_vf_of(vi): int to float   zr_vi_round(vf): to the nearest, ties to even, where |v| < 2^22
- *   zr_vi_bits_of(vf)  the same bits as integers
+ *   zr_vi_bits_of(vf), zr_vf_bits(vi)  the same bits as integers, as floats
  *   ZR_LOAD4(x, y, z, w, AT): lane i of x, y, z, w are the four floats at AT(i), a const float *
  *   ZR_LOAD2(x, y, AT): the same of two floats
- *   zr_vf_store4(p, x, y, z, w): the other way round, all to one place
+ *   zr_vf_store4(p, x, y, z, w), zr_vi_store4: the other way round, all to one place
  */
 #ifndef ZR_SIMD_H
 #define ZR_SIMD_H
@@ -50,6 +53,11 @@
 static inline int zr_lowest_bit(uint32_t bits)
 {
     return __builtin_ctz(bits);
+}
+
+static inline void zr_vi_store4(void *p, zr_vi x, zr_vi y, zr_vi z, zr_vi w)
+{
+    zr_vf_store4(p, zr_vf_bits(x), zr_vf_bits(y), zr_vf_bits(z), zr_vf_bits(w));
 }
 
 static inline int zr_vm_any(zr_vm m)

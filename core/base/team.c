@@ -169,7 +169,12 @@ void zr_team_shares(struct zr_team *team, size_t count, size_t grain,
                     void (*work)(void *context, int worker, size_t begin, size_t end), void *context)
 {
     struct shares shares = {.count = count, .grain = grain, .work = work, .context = context};
-    run(count > grain ? team : NULL, claim_shares, &shares);
+    if (zr_team_size(team) > 1 && count > grain) {
+        run(team, claim_shares, &shares);
+        return;
+    }
+    for (size_t begin = 0; begin < count; begin += grain)
+        work(context, 0, begin, count - begin < grain ? count : begin + grain);
 }
 
 struct ranges {

@@ -72,6 +72,7 @@ static inline uint32_t zr_batch_color(const struct zr_batch *batch, uint32_t t, 
     case ZR_BATCH_PER_FACE:
         return zr_batch_face(batch, t);
     case ZR_BATCH_PER_FIRST_CORNER:
+        if (!batch->faces) return batch->corners[3 * (size_t)t];
         return mesh->indices[mesh->face_offsets[zr_batch_face(batch, t)]];
     case ZR_BATCH_PER_FIRST_SLOT:
         return mesh->face_offsets[zr_batch_face(batch, t)];

@@ -55,23 +55,25 @@ static inline struct box box_of(const struct sorter *s, const struct zr_grid_v g
 
 /* ---- tiny triangles ---- */
 
-/* Each into the tile that the sample lies in. */
-static inline void put_fragments(struct sorter *s, zr_vm seen, zr_vi x, zr_vi y, zr_vf depth, const uint32_t *numbers)
+/* The four samples that a tiny triangle may cover, of each lane: [sample * ZR_LANES + lane]. */
+struct samples {
+    uint32_t pixels[4 * ZR_LANES], tiles[4 * ZR_LANES];
+    float depths[4 * ZR_LANES];
+    uint64_t seen;
+};
+
+/* Each into the tile that it lies in. All in one loop: one end for the processor to guess, not four. */
+static inline void put_fragments(struct zr_binner *binner, const struct samples *samples, const uint32_t *numbers)
 {
-    uint32_t pixels[ZR_LANES], tiles[ZR_LANES];
-    float depths[ZR_LANES];
-    const zr_vi in_tile = zr_vi_set(ZR_TILE_SIZE - 1);
-    zr_vi_store(pixels, (y & in_tile) * zr_vi_set(ZR_TILE_STRIDE) + (x & in_tile));
-    zr_vi_store(tiles, (y >> 6) * zr_vi_set((int32_t)s->binner->bins->columns) + (x >> 6));
-    zr_vf_store(depths, depth);
-    for (uint32_t bits = zr_vm_bits(seen); bits; bits &= bits - 1) {
-        int i = zr_lowest_bit(bits);
-        struct zr_bin *bin = zr_binner_bin(s->binner, tiles[i], ZR_BIN_FRAGMENTS);
-        const struct zr_fragment fragment = {pixels[i], depths[i], numbers[i] + 1};
-        uint32_t *room = zr_binner_room(s->binner, bin, ZR_FRAGMENT_WORDS);
+    for (uint64_t bits = samples->seen; bits; bits &= bits - 1) {
+        const int i = __builtin_ctzll(bits);
+        struct zr_bin *bin = zr_binner_bin(binner, samples->tiles[i], ZR_BIN_FRAGMENTS);
+        const struct zr_fragment fragment = {samples->pixels[i], samples->depths[i], numbers[i % ZR_LANES] + 1};
+        uint32_t *room = zr_binner_room(binner, bin, ZR_FRAGMENT_WORDS);
         if (room) memcpy(room, &fragment, sizeof fragment);
     }
 }
+_Static_assert(4 * ZR_LANES <= 64, "a bit a sample");
 _Static_assert(ZR_TILE_SIZE == 1 << 6, "columns and rows of tiles are shifts");
 
 /* Draws ZR_LANES of them; of numbers that are not `valid` nothing is seen. */
@@ -102,7 +104,10 @@ static inline void draw_tiny(struct sorter *s, const uint32_t *numbers, zr_vm va
     const struct zr_edge_v e[3] = {zr_edge_make_v(g[0], g[1]), zr_edge_make_v(g[1], g[2]), zr_edge_make_v(g[2], g[0])};
     const struct zr_basis_v basis = zr_basis_make_v(c);
     const struct zr_plane_v plane = zr_plane_make_v(&basis, c[0].z, c[1].z, c[2].z);
-    const zr_vi one = zr_vi_set(1), below_zero = zr_vi_set(-1);
+    const zr_vi one = zr_vi_set(1), below_zero = zr_vi_set(-1), in_tile = zr_vi_set(ZR_TILE_SIZE - 1);
+    const zr_vi columns = zr_vi_set((int32_t)s->binner->bins->columns);
+    struct samples samples;
+    samples.seen = 0;
     for (int sample = 0; sample < 4; sample++) {
         const zr_vi x = sample & 1 ? box.x0 + one : box.x0, y = sample & 2 ? box.y0 + one : box.y0;
         zr_vi inside = zr_vi_set(0);
@@ -112,13 +117,17 @@ static inline void draw_tiny(struct sorter *s, const uint32_t *numbers, zr_vm va
             if (sample & 2) at += e[k].up;
             inside |= at;
         }
-        zr_vm seen = zr_vm_and(valid, zr_vi_lt(below_zero, inside));
+        zr_vm seen = zr_vi_lt_where(valid, below_zero, inside);
         if (sample & 1) seen = zr_vm_andnot(seen, zr_vi_lt(box.x1, x));
         if (sample & 2) seen = zr_vm_andnot(seen, zr_vi_lt(box.y1, y));
-        if (!zr_vm_any(seen)) continue;
         const zr_vf z = zr_depth_clamp_v(zr_plane_at_v(&plane, zr_vf_of(x), zr_vf_of(y)));
-        put_fragments(s, zr_vm_and(seen, zr_vf_lt(z, zr_vf_set(1.0f))), x, y, z, numbers);
+        seen = zr_vf_lt_where(seen, z, zr_vf_set(1.0f));
+        samples.seen |= (uint64_t)zr_vm_bits(seen) << (sample * ZR_LANES);
+        zr_vf_store(samples.depths + sample * ZR_LANES, z);
+        zr_vi_store(samples.pixels + sample * ZR_LANES, (y & in_tile) * zr_vi_set(ZR_TILE_STRIDE) + (x & in_tile));
+        zr_vi_store(samples.tiles + sample * ZR_LANES, (y >> 6) * columns + (x >> 6));
     }
+    put_fragments(s->binner, &samples, numbers);
 }
 
 static void flush_tiny(struct sorter *s)

@@ -13,18 +13,22 @@ struct piece {
     uint32_t owner;
 };
 
-/* Where lanes are seen, by zr_tile_put's rule, they are written. Lanes behind the end of a row fall into its room. */
+/* Where lanes are seen, by zr_tile_put's rule, they are written. Always at a multiple of ZR_LANES, and all lanes: what
+ * one triangle has stored the next one loads, and a load waits long for a store that is not the same whole vector
+ * (a third of the bunny's time). */
 static inline void put(float *depth, uint32_t *owners, zr_vm inside, zr_vf z, zr_vi owner)
 {
     const zr_vf old = zr_vf_load(depth);
-    const zr_vm earlier = zr_vm_and(zr_vf_eq(z, old), zr_vi_lt(owner, zr_vi_load(owners)));
-    const zr_vm seen = zr_vm_and(inside, zr_vm_or(zr_vf_lt(z, old), earlier));
-    zr_vf_store_where(seen, depth, z);
-    zr_vi_store_where(seen, owners, owner);
+    const zr_vi old_owner = zr_vi_load(owners);
+    const zr_vm earlier = zr_vi_lt_where(zr_vf_eq_where(inside, z, old), owner, old_owner);
+    const zr_vm seen = zr_vm_or(zr_vf_lt_where(inside, z, old), earlier);
+    zr_vf_store(depth, zr_vf_select(seen, z, old));
+    zr_vi_store(owners, zr_vi_select(seen, owner, old_owner));
 }
 
-/* ZR_LANES columns, from the sample x on; those of `lanes` that the edges do not keep out. */
-static inline void draw_columns(struct zr_tile *tile, const struct piece *p, int32_t x, zr_vm lanes)
+/* ZR_LANES columns from x on, which is a multiple of ZR_LANES: those of `lanes` that the edges do not keep out. Not
+ * `clamped`: the depth is known to be within 0..1, and without an offset. */
+static inline void draw_columns(struct zr_tile *tile, const struct piece *p, int32_t x, zr_vm lanes, bool clamped)
 {
     const zr_vi below_zero = zr_vi_set(-1), owner = zr_vi_set((int32_t)p->owner), ramp = zr_vi_ramp();
     const zr_vi skip = zr_vi_set(x - p->x0) + ramp;
@@ -33,28 +37,22 @@ static inline void draw_columns(struct zr_tile *tile, const struct piece *p, int
     for (int k = 0; k < 3; k++)
         e[k] = zr_vi_set(p->at[k]) + zr_vi_set(p->right[k]) * skip;
     const zr_vf column = zr_vf_set(p->a0) + zr_vf_set(p->dadx) * zr_vf_of(zr_vi_set(x) + ramp);
-    const zr_vf dady = zr_vf_set(p->dady), offset = zr_vf_set(p->offset);
+    const zr_vf dady = zr_vf_set(p->dady), offset = zr_vf_set(p->offset), one = zr_vf_set(1.0f);
+    zr_vf fy = zr_vf_set((float)p->y0);
     size_t i = (size_t)(p->y0 - tile->y) * ZR_TILE_STRIDE + (size_t)(x - tile->x);
-    for (int32_t y = p->y0; y <= p->y1; y++, i += ZR_TILE_STRIDE) {
-        const zr_vm inside = zr_vm_and(lanes, zr_vi_lt(below_zero, e[0] | e[1] | e[2]));
-        const zr_vf z = zr_depth_clamp_v((column + dady * zr_vf_set((float)y)) + offset);
+    for (int32_t y = p->y0; y <= p->y1; y++, i += ZR_TILE_STRIDE, fy = fy + one) {
+        const zr_vm inside = zr_vi_lt_where(lanes, below_zero, e[0] | e[1] | e[2]);
+        zr_vf z = column + dady * fy;
+        if (clamped) z = zr_depth_clamp_v(z + offset);
         put(&tile->depth[i], &tile->owner[i], inside, z, owner);
         for (int k = 0; k < 3; k++)
             e[k] += up[k];
     }
 }
 
-/* The same where no edge keeps any out. */
-static inline void fill_columns(struct zr_tile *tile, const struct piece *p, int32_t x, zr_vm lanes)
+static inline int32_t first_lane(int32_t x)
 {
-    const zr_vi owner = zr_vi_set((int32_t)p->owner), ramp = zr_vi_ramp();
-    const zr_vf column = zr_vf_set(p->a0) + zr_vf_set(p->dadx) * zr_vf_of(zr_vi_set(x) + ramp);
-    const zr_vf dady = zr_vf_set(p->dady), offset = zr_vf_set(p->offset);
-    size_t i = (size_t)(p->y0 - tile->y) * ZR_TILE_STRIDE + (size_t)(x - tile->x);
-    for (int32_t y = p->y0; y <= p->y1; y++, i += ZR_TILE_STRIDE) {
-        const zr_vf z = zr_depth_clamp_v((column + dady * zr_vf_set((float)y)) + offset);
-        put(&tile->depth[i], &tile->owner[i], lanes, z, owner);
-    }
+    return x & ~(ZR_LANES - 1);
 }
 
 /* ---- triangles of any size ---- */
@@ -72,6 +70,108 @@ static int cut_by(const struct zr_edge *e, struct piece *p, int k)
     p->right[k] = (int32_t)(e->a / ZR_SUBPIXELS);
     p->up[k] = (int32_t)(e->b / ZR_SUBPIXELS);
     return 1;
+}
+
+/* What is known of ZR_LANES blocks before any of their samples is looked at. */
+struct blocks {
+    zr_vm open;   /* some samples may be seen */
+    zr_vm filled; /* no edge, and no end of the piece, cuts it */
+    zr_vf far;    /* of the triangle in it */
+};
+
+/* Edges and depth grow or fall steadily, so that a block's corner has the extreme. Blocks that the piece ends in are
+ * cut to it first: their edges stay in the range of cut_by. */
+static inline struct blocks look_at_blocks(const struct zr_tile *tile, const struct piece *p, int first)
+{
+    const zr_vi number = zr_vi_set(first) + zr_vi_ramp();
+    const zr_vi x = (number & zr_vi_set(ZR_BLOCK_COLUMNS - 1)) * zr_vi_set(ZR_BLOCK_WIDTH) + zr_vi_set(tile->x);
+    const zr_vi y = (number >> 2) * zr_vi_set(ZR_BLOCK_HEIGHT) + zr_vi_set(tile->y);
+    const zr_vi x0 = zr_vi_max(x, zr_vi_set(p->x0)), x1 = zr_vi_min(x + zr_vi_set(ZR_BLOCK_WIDTH - 1), zr_vi_set(p->x1));
+    const zr_vi y0 = zr_vi_max(y, zr_vi_set(p->y0)), y1 = zr_vi_min(y + zr_vi_set(ZR_BLOCK_HEIGHT - 1), zr_vi_set(p->y1));
+    const zr_vi zero = zr_vi_set(0);
+    zr_vi least = zero, most = zero;
+    for (int k = 0; k < 3; k++) {
+        if ((p->right[k] | p->up[k]) == 0) continue;
+        const zr_vi right = zr_vi_set(p->right[k]), up = zr_vi_set(p->up[k]), at = zr_vi_set(p->at[k]);
+        const zr_vi left = (x0 - zr_vi_set(p->x0)) * right, far_right = (x1 - zr_vi_set(p->x0)) * right;
+        const zr_vi low = (y0 - zr_vi_set(p->y0)) * up, high = (y1 - zr_vi_set(p->y0)) * up;
+        least |= at + zr_vi_min(left, far_right) + zr_vi_min(low, high);
+        most |= at + zr_vi_max(left, far_right) + zr_vi_max(low, high);
+    }
+    const zr_vf fx0 = zr_vf_of(x0), fx1 = zr_vf_of(x1), fy0 = zr_vf_of(y0), fy1 = zr_vf_of(y1);
+    const zr_vf a0 = zr_vf_set(p->a0), dadx = zr_vf_set(p->dadx), dady = zr_vf_set(p->dady);
+    const zr_vf offset = zr_vf_set(p->offset);
+    const struct zr_plane_v plane = {a0, dadx, dady};
+    const struct zr_range_v range = zr_plane_range_v(&plane, fx0, fy0, fx1, fy1);
+    const zr_vf near = zr_depth_clamp_v(range.near + offset);
+    struct blocks out;
+    out.far = zr_depth_clamp_v(range.far + offset);
+    const zr_vm touched = zr_vm_and(zr_vi_lt(x0, x1 + zr_vi_set(1)), zr_vi_lt(y0, y1 + zr_vi_set(1)));
+    const zr_vm hidden = zr_vm_or(zr_vf_lt(zr_vf_load(tile->block_far + first), near), zr_vi_lt(most, zero));
+    out.open = zr_vm_andnot(touched, hidden);
+    const zr_vm whole = zr_vm_and(zr_vi_eq(x1 - x0, zr_vi_set(ZR_BLOCK_WIDTH - 1)),
+                                  zr_vi_eq(y1 - y0, zr_vi_set(ZR_BLOCK_HEIGHT - 1)));
+    out.filled = zr_vm_andnot(zr_vm_and(out.open, whole), zr_vi_lt(least, zero));
+    return out;
+}
+_Static_assert(ZR_BLOCK_COLUMNS == 1 << 2 && ZR_BLOCKS % ZR_LANES == 0, "rows of blocks are a shift, lanes divide them");
+
+/* The part of the piece that lies in a block. */
+static inline struct piece part_of(const struct zr_tile *tile, const struct piece *p, int block)
+{
+    struct piece part = *p;
+    const int32_t x = tile->x + block % ZR_BLOCK_COLUMNS * ZR_BLOCK_WIDTH;
+    const int32_t y = tile->y + block / ZR_BLOCK_COLUMNS * ZR_BLOCK_HEIGHT;
+    if (x > p->x0) part.x0 = x;
+    if (y > p->y0) part.y0 = y;
+    if (x + ZR_BLOCK_WIDTH - 1 < p->x1) part.x1 = x + ZR_BLOCK_WIDTH - 1;
+    if (y + ZR_BLOCK_HEIGHT - 1 < p->y1) part.y1 = y + ZR_BLOCK_HEIGHT - 1;
+    for (int k = 0; k < 3; k++)
+        part.at[k] += (part.x0 - p->x0) * p->right[k] + (part.y0 - p->y0) * p->up[k];
+    return part;
+}
+
+/* A block that is covered whole. */
+static inline void fill_block(struct zr_tile *tile, const struct piece *p, int block)
+{
+    const zr_vi owner = zr_vi_set((int32_t)p->owner);
+    const int32_t column = block % ZR_BLOCK_COLUMNS * ZR_BLOCK_WIDTH, row = block / ZR_BLOCK_COLUMNS * ZR_BLOCK_HEIGHT;
+    const zr_vf dady = zr_vf_set(p->dady), offset = zr_vf_set(p->offset);
+    zr_vf across[ZR_BLOCK_WIDTH / ZR_LANES];
+    for (int32_t v = 0; v < ZR_BLOCK_WIDTH / ZR_LANES; v++) {
+        const zr_vi x = zr_vi_set(tile->x + column + v * ZR_LANES) + zr_vi_ramp();
+        across[v] = zr_vf_set(p->a0) + zr_vf_set(p->dadx) * zr_vf_of(x);
+    }
+    size_t i = (size_t)row * ZR_TILE_STRIDE + (size_t)column;
+    zr_vf fy = zr_vf_set((float)(tile->y + row));
+    for (int32_t y = 0; y < ZR_BLOCK_HEIGHT; y++, i += ZR_TILE_STRIDE, fy = fy + zr_vf_set(1.0f)) {
+        const zr_vf up = dady * fy;
+        for (size_t v = 0; v < ZR_BLOCK_WIDTH / ZR_LANES; v++)
+            put(&tile->depth[i + v * ZR_LANES], &tile->owner[i + v * ZR_LANES], ZR_ALL_LANES,
+                zr_depth_clamp_v((across[v] + up) + offset), owner);
+    }
+}
+
+static inline void draw_blocks(struct zr_tile *tile, const struct piece *p, int first)
+{
+    const struct blocks blocks = look_at_blocks(tile, p, first);
+    const zr_vf far = zr_vf_load(tile->block_far + first);
+    const uint32_t filled = zr_vm_bits(blocks.filled);
+    zr_vf_store(tile->block_far + first, zr_vf_select(blocks.filled, zr_vf_min(blocks.far, far), far));
+    for (uint32_t bits = zr_vm_bits(blocks.open); bits; bits &= bits - 1) {
+        const int block = first + zr_lowest_bit(bits);
+        if (filled & bits & -bits) {
+            fill_block(tile, p, block);
+            continue;
+        }
+        const struct piece part = part_of(tile, p, block);
+        for (int32_t x = first_lane(part.x0); x <= part.x1; x += ZR_LANES) {
+            const zr_vi columns = zr_vi_set(x) + zr_vi_ramp();
+            const zr_vm before = zr_vi_lt(columns, zr_vi_set(part.x0));
+            const zr_vm lanes = zr_vm_andnot(zr_vi_lt(columns, zr_vi_set(part.x1 + 1)), before);
+            draw_columns(tile, &part, x, lanes, true);
+        }
+    }
 }
 
 static void draw(struct zr_tile *tile, const struct zr_setup *setup, uint32_t owner)
@@ -94,13 +194,8 @@ static void draw(struct zr_tile *tile, const struct zr_setup *setup, uint32_t ow
     }
     struct zr_depth_range range = zr_depth_range_of(&setup->depth, p.x0, p.y0, p.x1, p.y1);
     if (range.near > tile->far) return;
-    for (int32_t x = p.x0; x <= p.x1; x += ZR_LANES) {
-        const zr_vm lanes = zr_vi_lt(zr_vi_set(x - p.x1 - 1) + zr_vi_ramp(), zr_vi_set(0));
-        if (cutting > 0)
-            draw_columns(tile, &p, x, lanes);
-        else
-            fill_columns(tile, &p, x, lanes);
-    }
+    for (int first = 0; first < ZR_BLOCKS; first += ZR_LANES)
+        draw_blocks(tile, &p, first);
     bool whole = cutting == 0 && p.x0 == tile->x && p.y0 == tile->y && p.x1 - p.x0 + 1 == tile->width &&
                  p.y1 - p.y0 + 1 == tile->height;
     if (whole && range.far < tile->far) tile->far = range.far;
@@ -113,6 +208,7 @@ struct group {
     int32_t at[3][ZR_LANES], right[3][ZR_LANES], up[3][ZR_LANES];
     float a0[ZR_LANES], dadx[ZR_LANES], dady[ZR_LANES];
     int32_t x0[ZR_LANES], y0[ZR_LANES], x1[ZR_LANES], y1[ZR_LANES];
+    uint32_t clamped; /* bit i: its depth may leave 0..1 at some sample of its box */
 };
 
 /* Where the corners of records stand. */
@@ -146,8 +242,10 @@ static inline void set_up(const struct zr_tile *tile, const struct corners *corn
     const zr_vi y0 = zr_vi_max((min_y + up_to_centre) >> ZR_SUBPIXEL_BITS, zr_vi_set(tile->y));
     zr_vi_store(out->x0, x0);
     zr_vi_store(out->y0, y0);
-    zr_vi_store(out->x1, zr_vi_min(max_x >> ZR_SUBPIXEL_BITS, zr_vi_set(tile->x + tile->width - 1)));
-    zr_vi_store(out->y1, zr_vi_min(max_y >> ZR_SUBPIXEL_BITS, zr_vi_set(tile->y + tile->height - 1)));
+    const zr_vi x1 = zr_vi_min(max_x >> ZR_SUBPIXEL_BITS, zr_vi_set(tile->x + tile->width - 1));
+    const zr_vi y1 = zr_vi_min(max_y >> ZR_SUBPIXEL_BITS, zr_vi_set(tile->y + tile->height - 1));
+    zr_vi_store(out->x1, x1);
+    zr_vi_store(out->y1, y1);
 
     const zr_vi subpixels = zr_vi_set(ZR_SUBPIXELS);
     for (int k = 0; k < 3; k++) {
@@ -165,6 +263,9 @@ static inline void set_up(const struct zr_tile *tile, const struct corners *corn
     zr_vf_store(out->a0, plane.a0);
     zr_vf_store(out->dadx, plane.dadx);
     zr_vf_store(out->dady, plane.dady);
+    const struct zr_range_v range = zr_plane_range_v(&plane, zr_vf_of(x0), zr_vf_of(y0), zr_vf_of(x1), zr_vf_of(y1));
+    const zr_vm within = zr_vm_and(zr_vf_le(zr_vf_set(0.0f), range.near), zr_vf_le(range.far, zr_vf_set(1.0f)));
+    out->clamped = ZR_ALL_BITS ^ zr_vm_bits(within);
 }
 
 /* Up to ZR_LANES numbers -> corners; what is missing has those of the first. */
@@ -191,6 +292,7 @@ static inline const struct zr_batch *find_corners(const struct zr_geometry *geom
 
 static void draw_group(struct zr_tile *tile, const struct group *g, const uint32_t *numbers, uint32_t count)
 {
+    const uint32_t clamped = g->clamped;
     for (uint32_t i = 0; i < count; i++) {
         const struct piece p = {.at = {g->at[0][i], g->at[1][i], g->at[2][i]},
                                 .right = {g->right[0][i], g->right[1][i], g->right[2][i]},
@@ -203,8 +305,12 @@ static void draw_group(struct zr_tile *tile, const struct group *g, const uint32
                                 .x1 = g->x1[i],
                                 .y1 = g->y1[i],
                                 .owner = numbers[i] + 1};
-        for (int32_t x = p.x0; x <= p.x1; x += ZR_LANES)
-            draw_columns(tile, &p, x, ZR_ALL_LANES);
+        if (clamped >> i & 1u)
+            for (int32_t x = first_lane(p.x0); x <= p.x1; x += ZR_LANES)
+                draw_columns(tile, &p, x, ZR_ALL_LANES, true);
+        else
+            for (int32_t x = first_lane(p.x0); x <= p.x1; x += ZR_LANES)
+                draw_columns(tile, &p, x, ZR_ALL_LANES, false);
     }
 }
 
@@ -232,6 +338,8 @@ static void clear(struct zr_tile *tile)
         zr_vf_store(&tile->depth[i], one);
         zr_vi_store(&tile->owner[i], nobody);
     }
+    for (int i = 0; i < ZR_BLOCKS; i += ZR_LANES)
+        zr_vf_store(&tile->block_far[i], one);
     tile->far = 1.0f;
     tile->is_empty = false;
 }

@@ -37,6 +37,8 @@ void zr_tile_begin(struct zr_tile *tile, const struct zr_base *base, uint32_t wi
 {
     memset(tile->owner, 0, sizeof tile->owner);
     tile->far = 1.0f;
+    for (int i = 0; i < ZR_BLOCKS; i++)
+        tile->block_far[i] = 1.0f;
     tile->is_empty = false;
     if (base && base->window_depth) {
         for (int32_t row = 0; row < tile->height; row++) {

@@ -12,18 +12,28 @@
 
 #include "scene/scene.h"
 
-/* A row has room behind it for what vectors that begin in it write beyond its end: no lane need be masked
- * for the tile's sake. It also keeps rows from falling on each other's cache lines. */
+/* A row has room behind it, so that vectors may look beyond its end, and so that rows do not fall on
+ * each other's cache lines. */
 enum { ZR_TILE_SIZE = 64, ZR_TILE_STRIDE = ZR_TILE_SIZE + 16 };
+
+/* Blocks of a tile, each with a bound of its depths, so that what is hidden need not be tried sample by sample. */
+enum {
+    ZR_BLOCK_WIDTH = 16,
+    ZR_BLOCK_HEIGHT = 8,
+    ZR_BLOCK_COLUMNS = ZR_TILE_SIZE / ZR_BLOCK_WIDTH,
+    ZR_BLOCKS = ZR_BLOCK_COLUMNS * (ZR_TILE_SIZE / ZR_BLOCK_HEIGHT)
+};
 
 struct zr_tile {
     int32_t x, y;          /* lowest pixel */
     int32_t width, height; /* smaller at the window's upper and right border */
-    float far;             /* no sample is deeper */
     bool is_empty;         /* nothing is drawn, and nothing below is defined */
+    float far;             /* no sample is deeper */
+    /* [row of blocks * ZR_BLOCK_COLUMNS + column]: no sample of the block is deeper. */
+    float block_far[ZR_BLOCKS];
     /* [row * ZR_TILE_STRIDE + column] */
-    float depth[ZR_TILE_STRIDE * ZR_TILE_SIZE];    /* window depth; where nothing was drawn, see zr_tile_begin */
-    uint32_t owner[ZR_TILE_STRIDE * ZR_TILE_SIZE]; /* 1 + number of the record, 0 where nothing is */
+    _Alignas(64) float depth[ZR_TILE_STRIDE * ZR_TILE_SIZE]; /* window depth; where nothing was drawn, see zr_tile_begin */
+    _Alignas(64) uint32_t owner[ZR_TILE_STRIDE * ZR_TILE_SIZE]; /* 1 + number of the record, 0 where nothing is */
 };
 
 /* Tiles that it takes for so many pixels in a row or a column. */

@@ -83,6 +83,20 @@ static inline zr_vf zr_plane_at_v(const struct zr_plane_v *p, zr_vf x, zr_vf y)
     return (p->a0 + p->dadx * x) + p->dady * y;
 }
 
+/* The least and the greatest value at samples x0..x1, y0..y1: no bounds, but values at corners, since rounding
+ * is monotone. NaN where some are. */
+struct zr_range_v {
+    zr_vf near, far;
+};
+
+static inline struct zr_range_v zr_plane_range_v(const struct zr_plane_v *p, zr_vf x0, zr_vf y0, zr_vf x1, zr_vf y1)
+{
+    const zr_vf zero = zr_vf_set(0.0f);
+    const zr_vm right = zr_vf_lt(zero, p->dadx), up = zr_vf_lt(zero, p->dady);
+    return (struct zr_range_v){zr_plane_at_v(p, zr_vf_select(right, x0, x1), zr_vf_select(up, y0, y1)),
+                               zr_plane_at_v(p, zr_vf_select(right, x1, x0), zr_vf_select(up, y1, y0))};
+}
+
 /* As zr_depth_clamp. */
 static inline zr_vf zr_depth_clamp_v(zr_vf z)
 {

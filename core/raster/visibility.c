@@ -34,7 +34,7 @@ struct candidate {
 static void draw_sorted(const struct zr_visible *visible, struct candidate *candidates, int count,
                         struct zr_tile *tile)
 {
-    for (int i = 0; i < count; i++)
+    for (int i = 0; i < count && !(candidates[i].near > tile->far); i++)
         visible->halfspace->draw(tile, &candidates[i].large->setup, candidates[i].large->number + 1);
 }
 

@@ -14,7 +14,8 @@ static enum zr_status resolve(const struct zr_scene *scene, const struct zr_boun
                               const struct zr_cancel *cancel, struct zr_camera *camera, struct zr_error *error)
 {
     const struct zr_view *view = &scene->view;
-    const struct zr_bounds fitted = zr_fit_bounds(scene, bounds, cancel);
+    struct zr_bounds fitted = {.valid = false};
+    if (zr_view_needs_bounds(view)) fitted = zr_fit_bounds(scene, bounds, cancel);
     *camera = (struct zr_camera){.world_to_eye = view->world_to_camera};
     if (view->pose != ZR_POSE_MATRIX) {
         struct zr_axes axes;

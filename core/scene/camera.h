@@ -29,7 +29,13 @@ struct zr_camera {
  * zr_camera_resolve does some times more; cancelled, both return early, with what they have. */
 struct zr_bounds zr_bounds_of(const struct zr_scene *scene, const struct zr_cancel *cancel);
 
-/* Fails with ZR_BAD_SCENE where the view has no solution (an eye on its target, an
+/* False where the view is given as matrices: then geometry has no say in it. */
+static inline bool zr_view_needs_bounds(const struct zr_view *view)
+{
+    return view->pose != ZR_POSE_MATRIX || view->projection != ZR_PROJECTION_MATRIX;
+}
+
+/* `bounds` need not be defined where the view does not need them. Fails with ZR_BAD_SCENE where the view has no solution (an eye on its target, an
  * up along the view, a target that a fitted distance cannot show), or where an entry of a matrix is beyond
  * ZR_MATRIX_MAX. */
 enum zr_status zr_camera_resolve(const struct zr_scene *scene, const struct zr_bounds *bounds,

@@ -2,9 +2,9 @@
 
 #include "raster/line.h"
 
-zr_paint_fn *zr_paint_of(enum zr_isa isa)
+const struct zr_paint *zr_paint_of(enum zr_isa isa)
 {
-    static zr_paint_fn *const table[ZR_ISA_COUNT] = ZR_KERNELS(zr_paint);
+    static const struct zr_paint *const table[ZR_ISA_COUNT] = ZR_KERNELS(&zr_paint);
     return table[isa];
 }
 
@@ -25,7 +25,8 @@ uint32_t zr_color_pack(uint32_t red, uint32_t green, uint32_t blue, uint32_t alp
 #endif
 }
 
-void zr_paint_line(const struct zr_geometry *geometry, const struct zr_triangle *line, const struct zr_run *run)
+void zr_paint_line(const struct zr_geometry *geometry, const struct zr_triangle *line, int32_t x, int32_t y,
+                   uint32_t *pixels, uint32_t count)
 {
     const zr_vec4 *colors = line->back ? geometry->back_colors : geometry->front_colors;
     const struct zr_window_vertex *v0 = &geometry->vertices[line->v[0]], *v1 = &geometry->vertices[line->v[1]];
@@ -35,11 +36,11 @@ void zr_paint_line(const struct zr_geometry *geometry, const struct zr_triangle 
     const struct zr_plane red = zr_line_plane_make(&basis, c0.x * v0->oow, c1.x * v1->oow);
     const struct zr_plane green = zr_line_plane_make(&basis, c0.y * v0->oow, c1.y * v1->oow);
     const struct zr_plane blue = zr_line_plane_make(&basis, c0.z * v0->oow, c1.z * v1->oow);
-    for (uint32_t i = 0; i < run->count; i++) {
-        float x = (float)(run->x + (int32_t)i), y = (float)run->y;
-        float reciprocal = 1.0f / zr_plane_at(&oow, x, y);
-        run->pixels[i] = zr_color_pack(zr_color_byte(zr_plane_at(&red, x, y) * reciprocal),
-                                       zr_color_byte(zr_plane_at(&green, x, y) * reciprocal),
-                                       zr_color_byte(zr_plane_at(&blue, x, y) * reciprocal), 255);
+    for (uint32_t i = 0; i < count; i++) {
+        float fx = (float)(x + (int32_t)i), fy = (float)y;
+        float reciprocal = 1.0f / zr_plane_at(&oow, fx, fy);
+        pixels[i] = zr_color_pack(zr_color_byte(zr_plane_at(&red, fx, fy) * reciprocal),
+                                  zr_color_byte(zr_plane_at(&green, fx, fy) * reciprocal),
+                                  zr_color_byte(zr_plane_at(&blue, fx, fy) * reciprocal), 255);
     }
 }

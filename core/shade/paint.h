@@ -1,4 +1,4 @@
-/* paint.h - shade: the colours of runs of pixels. A kernel.
+/* paint.h - shade: the colours of a tile, run by run. A kernel.
  *
  * Exact:  the reference's rule 9: colours times 1/w are planes over the window, each pixel divides by the plane of
  *         1/w, and bytes are rounded to the nearest.
@@ -11,20 +11,29 @@
 
 #include "base/isa.h"
 #include "geometry/geometry.h"
+#include "raster/tile.h"
 
-/* Pixels of one row of a tile that belong to one record. */
-struct zr_run {
-    uint32_t number; /* of the record */
-    int32_t x, y;    /* of its first pixel, window space, y up */
-    uint32_t count;
-    uint32_t *pixels; /* RGBA, four bytes each, to be written */
+struct zr_paint {
+    /* The tile's owners become colours, RGBA of four bytes: in place, so that the tile stays in the first-level cache.
+     * Where there are none, `nothing`, or what is behind the tile where that is not NULL: rows of pixels, `stride`
+     * bytes times four apart. Returns how many pixels belonged to records. */
+    uint32_t (*tile)(const struct zr_geometry *geometry, struct zr_tile *tile, uint32_t nothing, const void *behind,
+                     ptrdiff_t stride);
+
+    /* Where runs end in a row of a tile: bit i, where owners[i] is the last of its own among the first `width`. */
+    uint64_t (*ends)(const uint32_t *owners, int32_t width);
+
+    /* Rows of `width` values of four bytes, `stride` apart: all of one value, or those of a tile's array. `streamed`:
+     * past the caches, which takes whole lines of them (resolve.c); what is written so is there for
+     * others after stream_end. */
+    void (*fill)(void *out, ptrdiff_t stride, int32_t width, int32_t rows, uint32_t value, bool streamed);
+    void (*copy)(void *out, ptrdiff_t stride, int32_t width, int32_t rows, const void *in, bool streamed);
+    void (*stream_end)(void);
 };
 
-typedef void zr_paint_fn(const struct zr_geometry *geometry, const struct zr_run *runs, uint32_t count);
+extern const struct zr_paint zr_paint_scalar, zr_paint_sse2, zr_paint_avx2, zr_paint_avx512, zr_paint_neon;
 
-zr_paint_fn zr_paint_scalar, zr_paint_sse2, zr_paint_avx2, zr_paint_avx512, zr_paint_neon;
-
-zr_paint_fn *zr_paint_of(enum zr_isa isa);
+const struct zr_paint *zr_paint_of(enum zr_isa isa);
 
 /* 0..1 -> 0..255, to the nearest, ties to even. NaN gives 0. */
 uint32_t zr_color_byte(float value);
@@ -32,7 +41,8 @@ uint32_t zr_color_byte(float value);
 /* Four bytes in memory: red, green, blue, alpha. */
 uint32_t zr_color_pack(uint32_t red, uint32_t green, uint32_t blue, uint32_t alpha);
 
-/* A line's run, for the kernel: planes that vary along its major axis alone. */
-void zr_paint_line(const struct zr_geometry *geometry, const struct zr_triangle *line, const struct zr_run *run);
+/* `count` pixels of a line, from x, y of the window on: planes that vary along its major axis alone. */
+void zr_paint_line(const struct zr_geometry *geometry, const struct zr_triangle *line, int32_t x, int32_t y,
+                   uint32_t *pixels, uint32_t count);
 
 #endif

@@ -10,11 +10,12 @@ struct surface {
     struct zr_eye_depth eye_depth;
 };
 
+/* As floats. */
+#define INFINITY_BITS UINT32_C(0x7f800000)
+#define ONE_BITS UINT32_C(0x3f800000)
+
 /* Small records come back in every row of a tile: this many are remembered. */
 enum { SURFACES = 256 };
-
-/* Runs wait until the painter has some to paint side by side. */
-enum { RUNS = 4 * ZR_TILE_SIZE };
 
 /* What is kept from run to run of a tile. */
 struct resolver {
@@ -22,8 +23,6 @@ struct resolver {
     const struct zr_frame *frame;
     const struct zr_batch *batch; /* of the last record */
     struct surface surfaces[SURFACES];
-    uint32_t run_count;
-    struct zr_run runs[RUNS];
 };
 
 static const struct zr_batch *batch_of(struct resolver *r, uint32_t number)
@@ -54,119 +53,113 @@ static uint32_t face_of(struct resolver *r, uint32_t number)
 static void resolve_base(const struct zr_frame *frame, const struct zr_base *base, size_t pixel, int32_t count)
 {
     size_t bytes = (size_t)count * 4;
-    if (frame->color && base->color) memcpy(frame->color + 4 * pixel, base->color + 4 * pixel, bytes);
     if (frame->depth && base->depth) memcpy(frame->depth + pixel, base->depth + pixel, bytes);
     if (frame->face_id && base->face_id) memcpy(frame->face_id + pixel, base->face_id + pixel, bytes);
     if (frame->window_depth && base->window_depth)
         memcpy(frame->window_depth + pixel, base->window_depth + pixel, bytes);
 }
 
-static void resolve_nothing(const struct zr_frame *frame, uint32_t background, size_t pixel, int32_t count)
+static void resolve_nothing(const struct zr_frame *frame, size_t pixel, int32_t count)
 {
-    uint32_t *color = (uint32_t *)(void *)frame->color;
-    for (int32_t i = 0; color && i < count; i++)
-        color[pixel + (size_t)i] = background;
     for (int32_t i = 0; frame->depth && i < count; i++)
         frame->depth[pixel + (size_t)i] = INFINITY;
     if (frame->face_id) memset(frame->face_id + pixel, 0, (size_t)count * sizeof *frame->face_id);
     if (frame->base) resolve_base(frame, frame->base, pixel, count);
 }
 
-static void resolve_run(struct resolver *r, const struct zr_run *run, size_t pixel)
+static void resolve_run(struct resolver *r, uint32_t number, int32_t x, int32_t y, int32_t count, size_t pixel)
 {
     const struct zr_frame *frame = r->frame;
     if (frame->depth) {
-        const struct zr_eye_depth depth = *eye_depth_of(r, run->number);
-        for (uint32_t i = 0; i < run->count; i++)
-            frame->depth[pixel + i] = zr_eye_depth_at(&depth, run->x + (int32_t)i, run->y);
+        const struct zr_eye_depth depth = *eye_depth_of(r, number);
+        for (int32_t i = 0; i < count; i++)
+            frame->depth[pixel + (size_t)i] = zr_eye_depth_at(&depth, x + i, y);
     }
     if (frame->face_id) {
-        uint32_t face = face_of(r, run->number) + (frame->base ? frame->base->first_face_id - 1 : 0);
-        for (uint32_t i = 0; i < run->count; i++)
-            frame->face_id[pixel + i] = face;
+        uint32_t face = face_of(r, number) + (frame->base ? frame->base->first_face_id - 1 : 0);
+        for (int32_t i = 0; i < count; i++)
+            frame->face_id[pixel + (size_t)i] = face;
     }
 }
 
-/* Window space has y up, pictures have row 0 on top. */
-static size_t pixel_of_row(const struct zr_frame *frame, const struct zr_tile *tile, int32_t row)
+/* Depth and ids, and what the base has of these where nothing is drawn. */
+static void resolve_runs(const struct zr_geometry *geometry, const struct zr_paint *paint, const struct zr_tile *tile,
+                         const struct zr_frame *frame, size_t pixel)
 {
-    return (size_t)(frame->height - 1 - (uint32_t)(tile->y + row)) * frame->width + (size_t)tile->x;
-}
-
-static void paint_runs(struct resolver *r, zr_paint_fn *paint)
-{
-    if (r->run_count > 0) paint(r->geometry, r->runs, r->run_count);
-    r->run_count = 0;
-}
-
-/* How far the row is the owner's, from `begin` on. */
-static int32_t end_of_run(const uint32_t *owners, int32_t begin, int32_t width)
-{
-    int32_t end = begin + 1;
-    while (end < width && owners[end] == owners[begin])
-        end++;
-    return end;
-}
-
-static uint32_t resolve_row(struct resolver *r, const struct zr_tile *tile, int32_t row, uint32_t nothing)
-{
-    const struct zr_frame *frame = r->frame;
-    const uint32_t *owners = &tile->owner[row * ZR_TILE_STRIDE];
-    const size_t line = pixel_of_row(frame, tile, row);
-    uint32_t covered = 0;
-    if (frame->window_depth)
-        memcpy(frame->window_depth + line, &tile->depth[row * ZR_TILE_STRIDE], (size_t)tile->width * sizeof(float));
-    for (int32_t begin = 0, end; begin < tile->width; begin = end) {
-        end = end_of_run(owners, begin, tile->width);
-        size_t pixel = line + (size_t)begin;
-        if (owners[begin] == 0) {
-            resolve_nothing(frame, nothing, pixel, end - begin);
-            continue;
+    struct resolver r;
+    r.geometry = geometry;
+    r.frame = frame;
+    r.batch = &geometry->batches[0];
+    for (int i = 0; frame->depth && i < SURFACES; i++)
+        r.surfaces[i].owner = 0;
+    for (int32_t y = 0; y < tile->height; y++, pixel -= frame->width) {
+        const uint32_t *owners = &tile->owner[y * ZR_TILE_STRIDE];
+        int32_t begin = 0, end;
+        for (uint64_t ends = paint->ends(owners, tile->width); ends; ends &= ends - 1, begin = end) {
+            end = __builtin_ctzll(ends) + 1;
+            if (owners[begin] == 0)
+                resolve_nothing(frame, pixel + (size_t)begin, end - begin);
+            else
+                resolve_run(&r, owners[begin] - 1, tile->x + begin, tile->y + y, end - begin, pixel + (size_t)begin);
         }
-        struct zr_run *run = &r->runs[r->run_count];
-        *run = (struct zr_run){.number = owners[begin] - 1,
-                               .x = tile->x + begin,
-                               .y = tile->y + row,
-                               .count = (uint32_t)(end - begin),
-                               .pixels = frame->color ? (uint32_t *)(void *)frame->color + pixel : NULL};
-        covered += run->count;
-        resolve_run(r, run, pixel);
-        r->run_count += frame->color != NULL;
-    }
-    return covered;
-}
-
-static void resolve_empty(const struct zr_frame *frame, const struct zr_tile *tile, uint32_t nothing)
-{
-    for (int32_t row = 0; row < tile->height; row++) {
-        size_t line = pixel_of_row(frame, tile, row);
-        resolve_nothing(frame, nothing, line, tile->width);
-        for (int32_t i = 0; frame->window_depth && i < tile->width; i++)
-            frame->window_depth[line + (size_t)i] = 1.0f;
     }
 }
 
-uint32_t zr_resolve_tile(const struct zr_geometry *geometry, zr_paint_fn *paint, zr_vec4 background,
-                         const struct zr_tile *tile, const struct zr_frame *frame)
+/* From here on a frame is larger than the caches that it would fill, with nothing that is soon read again: written past
+ * them, the bunny takes 0.5 ms less, a mesh of a million triangles 4 ms. */
+enum { STREAMED_PIXELS = 1 << 19 };
+
+/* Rows of the tile are whole lines of the caches. */
+static bool is_streamed(const struct zr_frame *frame, const struct zr_tile *tile)
 {
-    uint32_t nothing = zr_color_pack(zr_color_byte(background.x), zr_color_byte(background.y),
-                                     zr_color_byte(background.z), zr_color_byte(background.w));
+    const uint32_t line = 64 / 4;
+    return (uint64_t)frame->width * frame->height >= STREAMED_PIXELS && frame->width % line == 0 &&
+           tile->width == ZR_TILE_SIZE;
+}
+_Static_assert(ZR_ARENA_ALIGN == 64, "so are those of the first row");
+
+static void resolve_empty(const struct zr_paint *paint, uint32_t nothing, const struct zr_tile *tile,
+                          const struct zr_frame *frame, size_t pixel)
+{
+    const ptrdiff_t up = -(ptrdiff_t)frame->width;
+    const int32_t width = tile->width, height = tile->height;
+    const bool streamed = is_streamed(frame, tile);
+    if (frame->color) paint->fill(frame->color + 4 * pixel, up, width, height, nothing, streamed);
+    if (frame->depth) paint->fill(frame->depth + pixel, up, width, height, INFINITY_BITS, streamed);
+    if (frame->face_id) paint->fill(frame->face_id + pixel, up, width, height, 0, streamed);
+    if (frame->window_depth) paint->fill(frame->window_depth + pixel, up, width, height, ONE_BITS, streamed);
+}
+
+static uint32_t count_owned(const struct zr_tile *tile)
+{
+    uint32_t count = 0;
+    for (int32_t y = 0; y < tile->height; y++)
+        for (int32_t x = 0; x < tile->width; x++)
+            count += tile->owner[y * ZR_TILE_STRIDE + x] != 0;
+    return count;
+}
+
+uint32_t zr_resolve_tile(const struct zr_geometry *geometry, const struct zr_paint *paint, zr_vec4 background,
+                         struct zr_tile *tile, const struct zr_frame *frame)
+{
+    const uint32_t nothing = zr_color_pack(zr_color_byte(background.x), zr_color_byte(background.y),
+                                           zr_color_byte(background.z), zr_color_byte(background.w));
+    /* Of the tile's lowest row: window space has y up, pictures have row 0 on top. */
+    const size_t pixel = (size_t)(frame->height - 1 - (uint32_t)tile->y) * frame->width + (size_t)tile->x;
+    const ptrdiff_t up = -(ptrdiff_t)frame->width;
     if (tile->is_empty) {
-        resolve_empty(frame, tile, nothing);
+        resolve_empty(paint, nothing, tile, frame, pixel);
         return 0;
     }
-    struct resolver resolver;
-    resolver.geometry = geometry;
-    resolver.frame = frame;
-    resolver.batch = &geometry->batches[0];
-    resolver.run_count = 0;
-    for (int i = 0; frame->depth && i < SURFACES; i++)
-        resolver.surfaces[i].owner = 0;
-    uint32_t covered = 0;
-    for (int32_t row = 0; row < tile->height; row++) {
-        if (resolver.run_count > RUNS - ZR_TILE_SIZE) paint_runs(&resolver, paint);
-        covered += resolve_row(&resolver, tile, row, nothing);
+    const bool streamed = is_streamed(frame, tile);
+    uint32_t covered = frame->color ? 0 : count_owned(tile);
+    if (frame->window_depth)
+        paint->copy(frame->window_depth + pixel, up, tile->width, tile->height, tile->depth, streamed);
+    if (frame->depth || frame->face_id || frame->base) resolve_runs(geometry, paint, tile, frame, pixel);
+    if (frame->color) {
+        const uint8_t *base = frame->base ? frame->base->color : NULL;
+        covered = paint->tile(geometry, tile, nothing, base ? base + 4 * pixel : NULL, up);
+        paint->copy(frame->color + 4 * pixel, up, tile->width, tile->height, tile->owner, streamed);
     }
-    paint_runs(&resolver, paint);
     return covered;
 }

@@ -11,8 +11,8 @@
 #include "shade/paint.h"
 
 /* Writes the tile's part of each channel that `frame` has, and returns how many of its
- * pixels belong to a record. One writer a pixel: different tiles may be resolved at once. */
-uint32_t zr_resolve_tile(const struct zr_geometry *geometry, zr_paint_fn *paint, zr_vec4 background,
-                         const struct zr_tile *tile, const struct zr_frame *frame);
+ * pixels belong to a record. The tile is used up. One writer a pixel: different tiles may be resolved at once. */
+uint32_t zr_resolve_tile(const struct zr_geometry *geometry, const struct zr_paint *paint, zr_vec4 background,
+                         struct zr_tile *tile, const struct zr_frame *frame);
 
 #endif

@@ -219,9 +219,14 @@ bool models_drawing(struct drawing *drawing, const char *directory, const char *
 {
     bool there;
     if (!load(drawing, directory, name, &there)) return false;
+    models_look(drawing, view, width, height);
+    return true;
+}
+
+void models_look(struct drawing *drawing, size_t view, uint32_t width, uint32_t height)
+{
     struct sphere sphere = sphere_around(drawing);
     place_camera(drawing, &sphere, view, width, height);
-    return true;
 }
 
 enum verdict models_check(struct harness *harness, struct report *report, const char *directory, struct tally *sum)

@@ -12,6 +12,9 @@ enum { MODELS_VIEWS = 3 };
 bool models_drawing(struct drawing *drawing, const char *directory, const char *name, size_t view, uint32_t width,
                     uint32_t height);
 
+/* Looks at the whole drawing from `view`, in a window of this size. */
+void models_look(struct drawing *drawing, size_t view, uint32_t width, uint32_t height);
+
 /* Draws each model found in `directory`; one that is missing is named on stderr
  * and left out, but where none is there, nothing is proved. */
 enum verdict models_check(struct harness *harness, struct report *report, const char *directory, struct tally *sum);

@@ -40,12 +40,13 @@ struct reference_batch {
      * triangles of first and count then tell depth and colour there, the first that covers a sample. */
     uint32_t rings_first, rings_count;
     const zr_mat4 *modelview;
-    bool smooth;    /* false: all corners of a primitive must have one colour */
-    bool two_sided; /* the back has the colours of `back` */
-    bool cull;      /* what shows its back is not drawn */
-    bool mirrored;  /* clockwise is the front */
-    bool outline;   /* edges instead of areas (glPolygonMode) */
-    bool pushed;    /* moved back by glPolygonOffset(1, 1), to make room for outlines */
+    bool smooth;         /* false: all corners of a primitive must have one colour, but for first_provokes */
+    bool first_provokes; /* a flat triangle has the colour of its first corner, GL's own rule is the last */
+    bool two_sided;      /* the back has the colours of `back` */
+    bool cull;           /* what shows its back is not drawn */
+    bool mirrored;       /* clockwise is the front */
+    bool outline;        /* edges instead of areas (glPolygonMode) */
+    bool pushed;         /* moved back by glPolygonOffset(1, 1), to make room for outlines */
 };
 
 struct reference_arrays {
@@ -77,6 +78,11 @@ const char *reference_name(const struct reference *reference);
 /* `parity`: batches of REFERENCE_PARITY are to come, which need a stencil buffer. */
 bool reference_resize(struct reference *reference, uint32_t width, uint32_t height, bool parity,
                       struct reference_error *error);
+
+/* Copies positions, front colours and indices into buffer objects of the driver's own, where draws of these very
+ * arrays find them from now on: the fastest way that GL has. For benchmarks; `back` must be NULL. */
+bool reference_keep(struct reference *reference, const struct reference_arrays *arrays, uint32_t vertex_count,
+                    uint32_t index_count, struct reference_error *error);
 
 /* Clears, draws, and waits for the result. */
 bool reference_draw(struct reference *reference, const struct reference_arrays *arrays, struct reference_error *error);

@@ -14,8 +14,10 @@ struct reference {
     uint32_t width, height;
     bool stencil;
     GLuint frame_buffer, color, depth;
-    GLuint two_sided; /* the program that brings a colour for each side */
-    uint8_t *row;     /* of the widest attachment */
+    GLuint two_sided;    /* the program that brings a colour for each side */
+    uint8_t *row;        /* of the widest attachment */
+    GLuint buffers[3];   /* of what is kept: positions, front, indices */
+    const zr_vec4 *kept; /* whose positions these are; NULL: nothing is kept */
 };
 
 /* Stencil bits. A gap is inside by the odd-even rule and in none of the triangles. */
@@ -186,10 +188,52 @@ static void enable(GLenum what, bool on)
         glDisable(what);
 }
 
-static void draw_corners(const struct reference_arrays *arrays, GLenum mode, uint32_t first, uint32_t count)
+bool reference_keep(struct reference *reference, const struct reference_arrays *arrays, uint32_t vertex_count,
+                    uint32_t index_count, struct reference_error *error)
+{
+    const struct {
+        const void *bytes;
+        size_t size;
+    } parts[] = {{arrays->positions, vertex_count * sizeof *arrays->positions},
+                 {arrays->front, vertex_count * sizeof *arrays->front},
+                 {arrays->indices, index_count * sizeof *arrays->indices}};
+    glDeleteBuffers(3, reference->buffers);
+    glGenBuffers(3, reference->buffers);
+    for (int i = 0; i < 3; i++) {
+        glBindBuffer(GL_ARRAY_BUFFER, reference->buffers[i]);
+        glBufferData(GL_ARRAY_BUFFER, (GLsizeiptr)parts[i].size, parts[i].bytes, GL_STATIC_DRAW);
+    }
+    glBindBuffer(GL_ARRAY_BUFFER, 0);
+    reference->kept = arrays->positions;
+    return gl_ok(error, "keep");
+}
+
+static bool is_kept(const struct reference *reference, const struct reference_arrays *arrays)
+{
+    return reference->kept && reference->kept == arrays->positions;
+}
+
+static void point_at_arrays(const struct reference *reference, const struct reference_arrays *arrays)
+{
+    bool kept = is_kept(reference, arrays);
+    glBindBuffer(GL_ARRAY_BUFFER, kept ? reference->buffers[0] : 0);
+    glVertexPointer(4, GL_FLOAT, sizeof *arrays->positions, kept ? NULL : arrays->positions);
+    glBindBuffer(GL_ARRAY_BUFFER, kept ? reference->buffers[1] : 0);
+    glColorPointer(4, GL_FLOAT, sizeof *arrays->front, kept ? NULL : arrays->front);
+    glBindBuffer(GL_ARRAY_BUFFER, 0);
+    glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, kept ? reference->buffers[2] : 0);
+    if (!arrays->back) return;
+    glEnableClientState(GL_TEXTURE_COORD_ARRAY);
+    glTexCoordPointer(4, GL_FLOAT, sizeof *arrays->back, arrays->back);
+}
+
+static void draw_corners(const struct reference *reference, const struct reference_arrays *arrays, GLenum mode,
+                         uint32_t first, uint32_t count)
 {
     if (count == 0) return;
-    if (arrays->indices)
+    if (is_kept(reference, arrays))
+        glDrawElements(mode, (GLsizei)count, GL_UNSIGNED_INT, (const void *)(first * sizeof *arrays->indices));
+    else if (arrays->indices)
         glDrawElements(mode, (GLsizei)count, GL_UNSIGNED_INT, arrays->indices + first);
     else
         glDrawArrays(mode, (GLint)first, (GLsizei)count);
@@ -205,7 +249,8 @@ static void write_pixels(bool on)
 
 /* The parity of the rings' fans, triangle by triangle, in one stencil bit; then the triangles where it
  * is set, each clearing it, so that the first decides. What is left is marked as a gap. */
-static void draw_parity(const struct reference_arrays *arrays, const struct reference_batch *batch)
+static void draw_parity(const struct reference *reference, const struct reference_arrays *arrays,
+                        const struct reference_batch *batch)
 {
     glEnable(GL_STENCIL_TEST);
     write_pixels(false);
@@ -213,25 +258,25 @@ static void draw_parity(const struct reference_arrays *arrays, const struct refe
     glStencilMask(INSIDE);
     glStencilFunc(GL_ALWAYS, 0, INSIDE);
     glStencilOp(GL_KEEP, GL_INVERT, GL_INVERT);
-    draw_corners(arrays, GL_TRIANGLES, batch->rings_first, batch->rings_count);
+    draw_corners(reference, arrays, GL_TRIANGLES, batch->rings_first, batch->rings_count);
 
     write_pixels(true);
     enable(GL_CULL_FACE, batch->cull);
     glStencilFunc(GL_EQUAL, INSIDE, INSIDE);
     glStencilOp(GL_KEEP, GL_ZERO, GL_ZERO);
-    draw_corners(arrays, GL_TRIANGLES, batch->first, batch->count);
+    draw_corners(reference, arrays, GL_TRIANGLES, batch->first, batch->count);
 
     write_pixels(false); /* culled triangles leave no gaps */
     glDisable(GL_CULL_FACE);
-    draw_corners(arrays, GL_TRIANGLES, batch->first, batch->count);
+    draw_corners(reference, arrays, GL_TRIANGLES, batch->first, batch->count);
     glStencilMask(INSIDE | GAP);
     glStencilFunc(GL_EQUAL, INSIDE | GAP, INSIDE);
     glStencilOp(GL_KEEP, GL_REPLACE, GL_REPLACE);
-    draw_corners(arrays, GL_TRIANGLES, batch->rings_first, batch->rings_count);
+    draw_corners(reference, arrays, GL_TRIANGLES, batch->rings_first, batch->rings_count);
     glStencilMask(INSIDE);
     glStencilFunc(GL_EQUAL, INSIDE, INSIDE);
     glStencilOp(GL_KEEP, GL_ZERO, GL_ZERO);
-    draw_corners(arrays, GL_TRIANGLES, batch->rings_first, batch->rings_count);
+    draw_corners(reference, arrays, GL_TRIANGLES, batch->rings_first, batch->rings_count);
     write_pixels(true);
     glDisable(GL_STENCIL_TEST);
 }
@@ -242,15 +287,16 @@ static void draw_batch(const struct reference *reference, const struct reference
     static const GLenum modes[] = {
         [REFERENCE_TRIANGLES] = GL_TRIANGLES, [REFERENCE_POLYGON] = GL_POLYGON, [REFERENCE_LINES] = GL_LINES};
     glShadeModel(batch->smooth ? GL_SMOOTH : GL_FLAT);
+    glProvokingVertex(batch->first_provokes ? GL_FIRST_VERTEX_CONVENTION : GL_LAST_VERTEX_CONVENTION);
     glFrontFace(batch->mirrored ? GL_CW : GL_CCW);
     glPolygonMode(GL_FRONT_AND_BACK, batch->outline ? GL_LINE : GL_FILL);
     enable(GL_CULL_FACE, batch->cull);
     enable(GL_POLYGON_OFFSET_FILL, batch->pushed);
     glUseProgram(batch->two_sided ? reference->two_sided : 0);
     if (batch->mode == REFERENCE_PARITY)
-        draw_parity(arrays, batch);
+        draw_parity(reference, arrays, batch);
     else
-        draw_corners(arrays, modes[batch->mode], batch->first, batch->count);
+        draw_corners(reference, arrays, modes[batch->mode], batch->first, batch->count);
 }
 
 bool reference_draw(struct reference *reference, const struct reference_arrays *arrays, struct reference_error *error)
@@ -262,12 +308,7 @@ bool reference_draw(struct reference *reference, const struct reference_arrays *
     glMatrixMode(GL_PROJECTION);
     glLoadMatrixf(arrays->projection.m);
     glMatrixMode(GL_MODELVIEW);
-    glVertexPointer(4, GL_FLOAT, sizeof *arrays->positions, arrays->positions);
-    glColorPointer(4, GL_FLOAT, sizeof *arrays->front, arrays->front);
-    if (arrays->back) {
-        glEnableClientState(GL_TEXTURE_COORD_ARRAY);
-        glTexCoordPointer(4, GL_FLOAT, sizeof *arrays->back, arrays->back);
-    }
+    point_at_arrays(reference, arrays);
     for (uint32_t i = 0; i < arrays->batch_count; i++) {
         const struct reference_batch *batch = &arrays->batches[i];
         if (batch->modelview != modelview) glLoadMatrixf(batch->modelview->m);

@@ -51,6 +51,18 @@ static inline void zr_vi_store_where(zr_vm m, void *p, zr_vi v)
 {
     _mm512_mask_storeu_epi32(p, m, (__m512i)v);
 }
+static inline void zr_vi_store_first(void *p, zr_vi v, uint32_t n)
+{
+    _mm512_mask_storeu_epi32(p, (__mmask16)_bzhi_u32(0xffff, n), (__m512i)v);
+}
+static inline void zr_vi_stream(void *p, zr_vi v)
+{
+    _mm512_stream_si512(p, (__m512i)v);
+}
+static inline void zr_stream_end(void)
+{
+    _mm_sfence();
+}
 static inline zr_vm zr_vf_lt(zr_vf a, zr_vf b)
 {
     return _mm512_cmp_ps_mask((__m512)a, (__m512)b, _CMP_LT_OQ);
@@ -70,6 +82,18 @@ static inline zr_vm zr_vi_lt(zr_vi a, zr_vi b)
 static inline zr_vm zr_vi_eq(zr_vi a, zr_vi b)
 {
     return _mm512_cmpeq_epi32_mask((__m512i)a, (__m512i)b);
+}
+static inline zr_vm zr_vf_lt_where(zr_vm m, zr_vf a, zr_vf b)
+{
+    return _mm512_mask_cmp_ps_mask(m, (__m512)a, (__m512)b, _CMP_LT_OQ);
+}
+static inline zr_vm zr_vf_eq_where(zr_vm m, zr_vf a, zr_vf b)
+{
+    return _mm512_mask_cmp_ps_mask(m, (__m512)a, (__m512)b, _CMP_EQ_OQ);
+}
+static inline zr_vm zr_vi_lt_where(zr_vm m, zr_vi a, zr_vi b)
+{
+    return _mm512_mask_cmplt_epi32_mask(m, (__m512i)a, (__m512i)b);
 }
 static inline zr_vm zr_vm_and(zr_vm a, zr_vm b)
 {
@@ -126,6 +150,10 @@ static inline zr_vf zr_vf_of(zr_vi a)
 static inline zr_vi zr_vi_round(zr_vf a)
 {
     return (zr_vi)_mm512_cvtps_epi32((__m512)a);
+}
+static inline zr_vf zr_vf_bits(zr_vi a)
+{
+    return (zr_vf)a;
 }
 static inline zr_vi zr_vi_bits_of(zr_vf a)
 {

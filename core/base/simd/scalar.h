@@ -53,6 +53,17 @@ static inline void zr_vi_store_where(zr_vm m, void *p, zr_vi v)
 {
     if (m) memcpy(p, &v, sizeof v);
 }
+static inline void zr_vi_store_first(void *p, zr_vi v, uint32_t n)
+{
+    if (n > 0) memcpy(p, &v, sizeof v);
+}
+static inline void zr_vi_stream(void *p, zr_vi v)
+{
+    zr_vi_store(p, v);
+}
+static inline void zr_stream_end(void)
+{
+}
 static inline zr_vm zr_vf_lt(zr_vf a, zr_vf b)
 {
     return a < b;
@@ -72,6 +83,18 @@ static inline zr_vm zr_vi_lt(zr_vi a, zr_vi b)
 static inline zr_vm zr_vi_eq(zr_vi a, zr_vi b)
 {
     return a == b;
+}
+static inline zr_vm zr_vf_lt_where(zr_vm m, zr_vf a, zr_vf b)
+{
+    return m && a < b;
+}
+static inline zr_vm zr_vf_eq_where(zr_vm m, zr_vf a, zr_vf b)
+{
+    return m && a == b;
+}
+static inline zr_vm zr_vi_lt_where(zr_vm m, zr_vi a, zr_vi b)
+{
+    return m && a < b;
 }
 static inline zr_vm zr_vm_and(zr_vm a, zr_vm b)
 {
@@ -129,6 +152,12 @@ static inline zr_vf zr_vf_of(zr_vi a)
 static inline zr_vi zr_vi_round(zr_vf a)
 {
     return fabsf(a) < 0x1p31f ? (int32_t)rintf(a) : INT32_MIN;
+}
+static inline zr_vf zr_vf_bits(zr_vi a)
+{
+    zr_vf value;
+    memcpy(&value, &a, sizeof value);
+    return value;
 }
 static inline zr_vi zr_vi_bits_of(zr_vf a)
 {

@@ -1,0 +1,79 @@
+#include "bench/documents.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+
+static void print_xyz(FILE *out, const zr_vec4 *v)
+{
+    fprintf(out, "[%.7g,%.7g,%.7g]", (double)v->x, (double)v->y, (double)v->z);
+}
+
+static void print_matrix(FILE *out, const char *key, const zr_mat4 *m)
+{
+    fprintf(out, "\"%s\":[", key);
+    for (int i = 0; i < 16; i++)
+        fprintf(out, "%s%.9g", i ? "," : "", (double)m->m[i]);
+    fputs("]", out);
+}
+
+static void print_head(FILE *out, const struct drawing *drawing)
+{
+    fprintf(out, "{\"window\":{\"width\":%u,\"height\":%u},\"background\":\"#000000\",\"shading\":\"unlit\",\"view\":{",
+            drawing->width, drawing->height);
+    print_matrix(out, "worldToCamera", &drawing->modelview);
+    fputs(",", out);
+    print_matrix(out, "projectionMatrix", &drawing->projection);
+    fputs("},\"outputs\":[{\"channel\":\"color\"}],", out);
+}
+
+static struct document finish(FILE *out, struct document *document)
+{
+    if (fclose(out) == 0) return *document;
+    free(document->bytes);
+    return (struct document){NULL, 0};
+}
+
+struct document document_indexed(const struct drawing *drawing, bool colors)
+{
+    struct document document = {NULL, 0};
+    FILE *out = open_memstream(&document.bytes, &document.size);
+    if (!out) return document;
+    print_head(out, drawing);
+    fputs("\"meshes\":[{\"doubleSided\":true,\"positions\":[", out);
+    for (uint32_t i = 0; i < drawing->position_count; i++) {
+        if (i) fputs(",", out);
+        print_xyz(out, &drawing->positions[i]);
+    }
+    for (uint32_t i = 0; colors && i < drawing->position_count; i++) {
+        const zr_vec4 *c = &drawing->colors[i];
+        fprintf(out, "%s[%.3f,%.3f,%.3f]", i ? "," : "],\"colors\":[", (double)c->x, (double)c->y, (double)c->z);
+    }
+    fputs("],\"faces\":[", out);
+    for (uint32_t f = 0; f < drawing->face_count; f++) {
+        fputs(f ? ",[" : "[", out);
+        for (uint32_t c = drawing->face_offsets[f]; c < drawing->face_offsets[f + 1]; c++)
+            fprintf(out, "%s%u", c > drawing->face_offsets[f] ? "," : "", drawing->indices[c]);
+        fputs("]", out);
+    }
+    fputs("]}]}", out);
+    return finish(out, &document);
+}
+
+struct document document_soup(const struct drawing *drawing)
+{
+    struct document document = {NULL, 0};
+    FILE *out = open_memstream(&document.bytes, &document.size);
+    if (!out) return document;
+    print_head(out, drawing);
+    fputs("\"polygons\":[", out);
+    for (uint32_t f = 0; f < drawing->face_count; f++) {
+        fputs(f ? ",{\"vertices\":[" : "{\"vertices\":[", out);
+        for (uint32_t c = drawing->face_offsets[f]; c < drawing->face_offsets[f + 1]; c++) {
+            if (c > drawing->face_offsets[f]) fputs(",", out);
+            print_xyz(out, &drawing->positions[drawing->indices[c]]);
+        }
+        fputs("]}", out);
+    }
+    fputs("]}", out);
+    return finish(out, &document);
+}

@@ -1,0 +1,24 @@
+/* documents.h - bench: a drawing as scene JSON, in both forms that a client may choose.
+ *
+ * Numbers have up to 7 digits, as models have: sizes are those of what people send.
+ */
+#ifndef ZR_BENCH_DOCUMENTS_H
+#define ZR_BENCH_DOCUMENTS_H
+
+#include <stddef.h>
+
+#include "reference/drawing.h"
+
+/* NULL, or bytes to be freed, zero-terminated beyond `size`. */
+struct document {
+    char *bytes;
+    size_t size;
+};
+
+/* One mesh: positions, where asked for a colour each, and faces; unlit, both sides, on black; the colour PNG. */
+struct document document_indexed(const struct drawing *drawing, bool colors);
+
+/* The plain form: a list of polygons, each with its own vertices. */
+struct document document_soup(const struct drawing *drawing);
+
+#endif

@@ -1,0 +1,175 @@
+#include "bench/results.h"
+
+#include <errno.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+
+static const char *const side_names[] = {[ROW_BYTES] = "bytes", [ROW_MEMORY] = "memory"};
+
+void results_free(struct results *results)
+{
+    free(results->rows);
+    *results = (struct results){0};
+}
+
+void results_add(struct results *results, const struct row *row)
+{
+    if (results->count == results->room) {
+        int room = results->room * 2 + 64;
+        struct row *rows = realloc(results->rows, (size_t)room * sizeof *rows);
+        if (!rows) {
+            results->failed = true;
+            return;
+        }
+        results->rows = rows;
+        results->room = room;
+    }
+    results->rows[results->count++] = *row;
+}
+
+double row_ratio(const struct row *row)
+{
+    return row->theirs_ms > 0 && row->ours_ms > 0 ? row->theirs_ms / row->ours_ms : 0.0;
+}
+
+static bool has_bar(const struct row *row)
+{
+    return row->bar.must > 0 || row->side_bar.must > 0;
+}
+
+static bool reaches(const struct row *row, double least, double most)
+{
+    return (least <= 0 || row_ratio(row) >= least) && (most <= 0 || row->side_ratio <= most);
+}
+
+bool row_is_short(const struct row *row)
+{
+    return has_bar(row) && !reaches(row, row->bar.must, row->side_bar.must);
+}
+
+static bool has_goal(const struct row *row)
+{
+    return row->bar.goal > 0 || row->side_bar.goal > 0;
+}
+
+static const char *mark(const struct row *row)
+{
+    if (row->wrong) return "WRONG";
+    if (row_is_short(row)) return "SHORT";
+    if (has_goal(row) && reaches(row, row->bar.goal, row->side_bar.goal)) return "goal";
+    return has_bar(row) ? "ok" : "";
+}
+
+/* ---- the table ---- */
+
+static void print_number(double value, const char *unit, int width, int digits)
+{
+    char text[40] = "-";
+    if (value > 0) snprintf(text, sizeof text, "%.*f%s", digits, value, unit);
+    printf(" %*s", width, text);
+}
+
+void results_print_heading(const char *title)
+{
+    printf("\n%-66s %10s %10s %8s %7s %7s\n", title, "ours ms", "theirs ms", "ratio", "must", "goal");
+    fflush(stdout);
+}
+
+void results_print_row(const struct row *row)
+{
+    int digits = row->ours_ms < 1.0 ? 4 : row->ours_ms < 100.0 ? 3 : 1;
+    printf("%-66s", row->work);
+    print_number(row->ours_ms, "", 10, digits);
+    print_number(row->theirs_ms, "", 10, digits);
+    print_number(row_ratio(row), "x", 8, 2);
+    print_number(row->bar.must, "x", 7, row->bar.must < 2 ? 2 : 1);
+    print_number(row->bar.goal, "x", 7, row->bar.goal < 2 ? 2 : 1);
+    printf(" %-5s", mark(row));
+    if (row->side != ROW_TIME_ONLY) {
+        printf(" %s %.2fx", side_names[row->side], row->side_ratio);
+        if (row->side_bar.must > 0) printf(" (must %.2fx)", row->side_bar.must);
+    }
+    printf("%s%s\n", row->note[0] ? " " : "", row->note);
+    fflush(stdout);
+}
+
+void results_print_summary(const struct results *results)
+{
+    int bars = 0, musts = 0, goals = 0, goals_reached = 0, wrong = 0;
+    for (int i = 0; i < results->count; i++) {
+        const struct row *row = &results->rows[i];
+        wrong += row->wrong;
+        bars += has_bar(row);
+        musts += has_bar(row) && !row->wrong && !row_is_short(row);
+        goals += has_goal(row);
+        goals_reached += has_goal(row) && !row->wrong && reaches(row, row->bar.goal, row->side_bar.goal);
+    }
+    printf("\n%d rows: %d of %d reach what they must, %d of %d reach the goal, %d wrong%s\n", results->count, musts,
+           bars, goals_reached, goals, wrong, results->failed ? "; something could not run" : "");
+}
+
+/* ---- the file ---- */
+
+static void write_number(FILE *out, const char *key, double value)
+{
+    if (value > 0)
+        fprintf(out, ", \"%s\": %.6g", key, value);
+    else
+        fprintf(out, ", \"%s\": null", key);
+}
+
+static void write_row(FILE *out, const struct row *row)
+{
+    fprintf(out, "{\"work\": \"%s\"", row->work);
+    write_number(out, "ours_ms", row->ours_ms);
+    write_number(out, "theirs_ms", row->theirs_ms);
+    write_number(out, "ratio", row_ratio(row));
+    write_number(out, "must", row->bar.must);
+    write_number(out, "goal", row->bar.goal);
+    if (row->side != ROW_TIME_ONLY) {
+        char key[32];
+        snprintf(key, sizeof key, "%s_ratio", side_names[row->side]);
+        write_number(out, key, row->side_ratio);
+        snprintf(key, sizeof key, "%s_must", side_names[row->side]);
+        write_number(out, key, row->side_bar.must);
+        snprintf(key, sizeof key, "%s_goal", side_names[row->side]);
+        write_number(out, key, row->side_bar.goal);
+    }
+    fprintf(out, ", \"mark\": \"%s\"}", mark(row));
+}
+
+static void make_directories(const char *path)
+{
+    char part[600];
+    for (const char *slash = strchr(path, '/'); slash; slash = strchr(slash + 1, '/')) {
+        snprintf(part, sizeof part, "%.*s", (int)(slash - path), path);
+        if (part[0]) mkdir(part, 0777);
+    }
+}
+
+bool results_write(const struct results *results, const char *path)
+{
+    make_directories(path);
+    FILE *out = fopen(path, "w");
+    if (!out) {
+        fprintf(stderr, "%s: %s\n", path, strerror(errno));
+        return false;
+    }
+    fputs("{\"rows\": [", out);
+    for (int i = 0; i < results->count; i++) {
+        fputs(i ? ",\n  " : "\n  ", out);
+        write_row(out, &results->rows[i]);
+    }
+    fputs("\n]}\n", out);
+    if (fclose(out) == 0) return true;
+    fprintf(stderr, "%s: %s\n", path, strerror(errno));
+    return false;
+}
+
+int results_status(const struct results *results)
+{
+    for (int i = 0; i < results->count; i++)
+        if (results->rows[i].wrong) return 1;
+    return results->failed ? 1 : 0;
+}

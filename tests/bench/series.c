@@ -1,0 +1,41 @@
+#include "bench/series.h"
+
+#include <stdlib.h>
+#include <string.h>
+#include <time.h>
+
+enum { ROUNDS_MIN = 7, ROUNDS_MAX = 201, BUDGET_MS = 500 };
+
+double now_ms(void)
+{
+    struct timespec t;
+    clock_gettime(CLOCK_MONOTONIC, &t);
+    return (double)t.tv_sec * 1e3 + (double)t.tv_nsec * 1e-6;
+}
+
+void series_add(struct series *series, double ms)
+{
+    if (series->count < SERIES_MAX) series->ms[series->count++] = ms;
+}
+
+static int by_value(const void *a, const void *b)
+{
+    double d = *(const double *)a - *(const double *)b;
+    return (d > 0) - (d < 0);
+}
+
+double series_median(const struct series *series)
+{
+    struct series sorted = *series;
+    if (sorted.count == 0) return 0.0;
+    qsort(sorted.ms, (size_t)sorted.count, sizeof *sorted.ms, by_value);
+    return sorted.ms[sorted.count / 2];
+}
+
+int series_rounds(int asked, double round_ms)
+{
+    if (asked > 0) return asked < SERIES_MAX ? asked : SERIES_MAX;
+    double fit = BUDGET_MS / (round_ms > 0.01 ? round_ms : 0.01);
+    int rounds = fit < ROUNDS_MIN ? ROUNDS_MIN : fit > ROUNDS_MAX ? ROUNDS_MAX : (int)fit;
+    return rounds | 1;
+}

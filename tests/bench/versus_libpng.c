@@ -1,0 +1,152 @@
+#include "bench/versus_libpng.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "bench/machine.h"
+#include "bench/series.h"
+#include "bench/sides.h"
+#include "bench/stock_png.h"
+
+enum { WARM_UP = 2, THREADS_MAX = 2 };
+
+static const struct bar time_bar = {20, 40}, bytes_bar = {1.3, 0};
+
+static const struct picture_kind {
+    const char *name;
+    enum work_shade shade;
+    enum stock_pixels pixels;
+    struct zr_output output;
+} kinds[] = {{"flat RGB", WORK_FLAT, STOCK_RGB, {.channel = ZR_CHANNEL_COLOR, .encoding = ZR_ENCODING_PNG}},
+             {"smooth RGB", WORK_GOURAUD, STOCK_RGB, {.channel = ZR_CHANNEL_COLOR, .encoding = ZR_ENCODING_PNG}},
+             {"16-bit depth", WORK_FLAT, STOCK_GREY16, {.channel = ZR_CHANNEL_DEPTH, .encoding = ZR_ENCODING_PNG16}}};
+enum { KINDS = sizeof kinds / sizeof *kinds };
+
+struct task {
+    const struct work *work;
+    int threads;
+    bool wanted[KINDS];
+};
+
+static void name_row(const struct task *task, int kind, char *name, size_t size)
+{
+    snprintf(name, size, "PNG of %s %s %dT %s", task->work->name, kinds[kind].name, task->threads, machine_isa());
+}
+
+/* Colours as they are in the frame. Depth has its own unit, which the encoder alone knows: it has to be there where the
+ * frame has any, and to grow with it. */
+static bool is_right(const struct zr_frame *frame, const struct picture_kind *kind, const void *read)
+{
+    size_t pixels = (size_t)frame->width * frame->height;
+    const uint8_t *rgb = read;
+    const uint16_t *depth = read;
+    float nearest_step = 0, farthest_step = HUGE_VALF;
+    if (!read) return false;
+    for (size_t i = 0; i < pixels; i++) {
+        if (kind->pixels == STOCK_RGB) {
+            if (memcmp(rgb + 3 * i, frame->color + 4 * i, 3) != 0) return false;
+        } else if ((depth[i] > 0) != (frame->depth[i] < HUGE_VALF))
+            return false;
+        else if (depth[i] > 0) {
+            nearest_step = fmaxf(nearest_step, frame->depth[i] / ((float)depth[i] + 0.5f));
+            farthest_step = fminf(farthest_step, frame->depth[i] / ((float)depth[i] - 0.5f));
+        }
+    }
+    return kind->pixels == STOCK_RGB || nearest_step <= farthest_step * 1.00001f;
+}
+
+struct trial {
+    struct series ours, theirs;
+    size_t our_bytes, their_bytes;
+};
+
+static bool run_trial(int asked, struct ours *ours, const struct zr_frame *frame, const struct stock_image *image,
+                      struct stock_file *file, struct trial *trial)
+{
+    int rounds = asked;
+    for (int i = -WARM_UP; i < 0 || i < rounds; i++) {
+        struct zr_answer answer;
+        double begin = now_ms();
+        if (!stock_png_write(image, file)) return false;
+        double middle = now_ms();
+        if (!ours_encode(ours, frame, &answer)) return false;
+        double end = now_ms();
+        if (i < 0) {
+            rounds = series_rounds(asked, end - begin);
+            continue;
+        }
+        series_add(&trial->theirs, middle - begin);
+        series_add(&trial->ours, end - middle);
+        trial->our_bytes = answer.size;
+        trial->their_bytes = file->size;
+    }
+    return true;
+}
+
+static bool measure(const struct bench *bench, const struct task *task, struct ours *ours, int number, struct row *row)
+{
+    static struct trial trial;
+    const struct picture_kind *kind = &kinds[number];
+    struct stock_file file = {0};
+    struct zr_answer answer;
+    memset(&trial, 0, sizeof trial);
+    ours_take(ours, task->work, &(struct variant){kind->shade, true});
+    const struct zr_frame *frame = ours_render(ours, &kind->output, 1);
+    if (!frame || !ours_encode(ours, frame, &answer)) return false;
+    void *read = stock_png_read(answer.bytes, answer.size, kind->pixels, frame->width, frame->height);
+    const struct stock_image image = {kind->pixels, frame->width, frame->height, false, read};
+    name_row(task, number, row->work, sizeof row->work);
+    row->wrong = !is_right(frame, kind, read);
+    bool ok = !read || bench->check_only || run_trial(bench->rounds, ours, frame, &image, &file, &trial);
+    free(read);
+    free(file.bytes);
+    row->ours_ms = series_median(&trial.ours);
+    row->theirs_ms = series_median(&trial.theirs);
+    row->bar = time_bar;
+    row->side = ROW_BYTES;
+    row->side_bar = bytes_bar;
+    if (trial.their_bytes) row->side_ratio = (double)trial.our_bytes / (double)trial.their_bytes;
+    if (bench->check_only)
+        snprintf(row->note, sizeof row->note, "read back by libpng, it is %sthe frame", row->wrong ? "not " : "");
+    else
+        snprintf(row->note, sizeof row->note, "%zu / %zu KB", trial.our_bytes / 1000, trial.their_bytes / 1000);
+    return ok;
+}
+
+static bool measure_all(const struct bench *bench, void *context, const struct sink *sink)
+{
+    const struct task *task = context;
+    struct ours ours;
+    bool ok = ours_open(&ours, task->threads);
+    for (int i = 0; ok && i < KINDS; i++) {
+        struct row row = {.work = ""};
+        if (!task->wanted[i]) continue;
+        ok = measure(bench, task, &ours, i, &row);
+        if (ok) sink_row(sink, &row);
+    }
+    ours_close(&ours);
+    return ok;
+}
+
+void versus_libpng(struct bench *bench)
+{
+    struct work work;
+    struct task task = {.work = &work};
+    if (!works_make(WORK_BUNNY, bench->models, &work)) bench->results.failed = true;
+    bool any = false;
+    for (task.threads = 1; !bench->results.failed && task.threads <= THREADS_MAX; task.threads++) {
+        bool here = false;
+        for (int i = 0; i < KINDS; i++) {
+            char name[sizeof((struct row *)0)->work];
+            name_row(&task, i, name, sizeof name);
+            task.wanted[i] = bench_wants(bench, name);
+            here |= task.wanted[i];
+        }
+        if (here && bench->check_only) bench_check_in_child(bench, measure_all, &task, NULL);
+        if (!here || bench->check_only) continue;
+        if (!any) results_print_heading("zr_encode against libpng with its default settings");
+        any = true;
+        bench_in_child(bench, measure_all, &task, NULL);
+    }
+    works_free(&work);
+}

@@ -1,0 +1,188 @@
+#include "bench/versus_llvmpipe.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "bench/machine.h"
+#include "bench/series.h"
+#include "bench/sides.h"
+#include "reference/compare.h"
+
+enum { WARM_UP = 2, THREADS_MAX = 2 };
+
+/* What a child works on. */
+struct task {
+    const struct work *work;
+    int threads;
+    bool wanted[WORK_VARIANTS_MAX][2]; /* without ids, and with them */
+    bool wrong[BENCH_CHECKS_MAX];
+};
+
+/* ---- is it the same picture? ---- */
+
+static size_t count_differing(const struct zr_frame *frame, const uint8_t *rgba, const float *depth, size_t *covered)
+{
+    size_t differing = 0;
+    for (size_t i = 0; i < (size_t)frame->width * frame->height; i++) {
+        bool equal = memcmp(rgba + 4 * i, frame->color + 4 * i, 4) == 0 && depth[i] == frame->window_depth[i];
+        *covered += depth[i] < 1.0f;
+        if (!equal && differing++ < 3)
+            printf("# pixel %zu, %zu: want %02x%02x%02x depth %.9g, got %02x%02x%02x depth %.9g\n", i % frame->width,
+                   i / frame->width, rgba[4 * i], rgba[4 * i + 1], rgba[4 * i + 2], (double)depth[i],
+                   frame->color[4 * i], frame->color[4 * i + 1], frame->color[4 * i + 2],
+                   (double)frame->window_depth[i]);
+    }
+    return differing;
+}
+
+/* One row a variant, whose note tells what was found. */
+static bool compare_variants(const struct bench *bench, void *context, const struct sink *sink)
+{
+    (void)bench;
+    const struct task *task = context;
+    const struct drawing *drawing = &task->work->drawing;
+    size_t pixels = (size_t)drawing->width * drawing->height;
+    uint8_t *rgba = malloc(pixels * 4);
+    float *depth = malloc(pixels * sizeof *depth);
+    struct ours ours;
+    struct theirs theirs;
+    bool ok = rgba && depth && ours_open(&ours, THREADS_MAX) && theirs_open(&theirs, true, 1);
+    struct variant variants[WORK_VARIANTS_MAX];
+    int count = works_variants(task->work, variants);
+    for (int i = 0; ok && i < count; i++) {
+        struct row row = {.work = ""};
+        struct reference_error error = {""};
+        size_t covered = 0;
+        works_variant_name(task->work, &variants[i], row.work, sizeof row.work);
+        ours_take(&ours, task->work, &variants[i]);
+        const struct zr_frame *frame = ours_draw(&ours, false);
+        ok = frame && theirs_take(&theirs, task->work, &variants[i]) && theirs_draw(&theirs) &&
+             reference_read(theirs.reference, rgba, depth, &error);
+        if (!ok) break;
+        size_t differing = count_differing(frame, rgba, depth, &covered);
+        row.wrong = differing > 0 || covered == 0;
+        snprintf(row.note, sizeof row.note, "%zu of %zu pixels differ from OSMesa's, %zu covered", differing, pixels,
+                 covered);
+        sink_row(sink, &row);
+    }
+    free(rgba);
+    free(depth);
+    return ok;
+}
+
+/* ---- is it fast? ---- */
+
+struct trial {
+    struct series ours[2], theirs; /* ours without ids, and with them */
+};
+
+static bool run_round(struct ours *ours, struct theirs *theirs, const bool wanted[2], struct trial *trial)
+{
+    double begin = now_ms();
+    if (!theirs_draw(theirs)) return false;
+    series_add(&trial->theirs, now_ms() - begin);
+    for (int ids = 0; ids < 2; ids++) {
+        if (!wanted[ids]) continue;
+        begin = now_ms();
+        if (!ours_draw(ours, ids)) return false;
+        series_add(&trial->ours[ids], now_ms() - begin);
+    }
+    return true;
+}
+
+static bool run_trial(int asked, struct ours *ours, struct theirs *theirs, const bool wanted[2], struct trial *trial)
+{
+    double begin = now_ms(), round_ms = 0;
+    for (int i = 0; i < WARM_UP; i++) {
+        begin = now_ms();
+        if (!run_round(ours, theirs, wanted, trial)) return false;
+        round_ms = now_ms() - begin;
+    }
+    memset(trial, 0, sizeof *trial);
+    int rounds = series_rounds(asked, round_ms);
+    for (int i = 0; i < rounds; i++)
+        if (!run_round(ours, theirs, wanted, trial)) return false;
+    return true;
+}
+
+static void name_row(const struct task *task, const struct variant *variant, bool ids, struct row *row)
+{
+    char name[80];
+    works_variant_name(task->work, variant, name, sizeof name);
+    snprintf(row->work, sizeof row->work, "%s%s %dT %s", name, ids ? " ids" : "", task->threads, machine_isa());
+}
+
+static bool time_variants(const struct bench *bench, void *context, const struct sink *sink)
+{
+    const struct task *task = context;
+    struct ours ours;
+    struct theirs theirs;
+    struct variant variants[WORK_VARIANTS_MAX];
+    int count = works_variants(task->work, variants);
+    if (!ours_open(&ours, task->threads) || !theirs_open(&theirs, false, task->threads)) return false;
+    for (int i = 0; i < count; i++) {
+        static struct trial trial;
+        if (!task->wanted[i][0] && !task->wanted[i][1]) continue;
+        memset(&trial, 0, sizeof trial);
+        ours_take(&ours, task->work, &variants[i]);
+        if (!theirs_take(&theirs, task->work, &variants[i]) ||
+            !run_trial(bench->rounds, &ours, &theirs, task->wanted[i], &trial))
+            return false;
+        for (int ids = 0; ids < 2; ids++) {
+            if (!task->wanted[i][ids]) continue;
+            struct row row = {.ours_ms = series_median(&trial.ours[ids]),
+                              .theirs_ms = series_median(&trial.theirs),
+                              .wrong = task->wrong[i]};
+            struct bar bar = works_bar(task->work, &variants[i]);
+            if (!ids) row.bar = (struct bar){bar.must / machine_bar_divisor(), bar.goal / machine_bar_divisor()};
+            name_row(task, &variants[i], ids, &row);
+            sink_row(sink, &row);
+        }
+    }
+    return true;
+}
+
+/* Fills task->wanted; false where nothing is. */
+static bool choose(const struct bench *bench, struct task *task)
+{
+    struct variant variants[WORK_VARIANTS_MAX];
+    int count = works_variants(task->work, variants);
+    bool any = false;
+    for (int i = 0; i < count; i++)
+        for (int ids = 0; ids < 2; ids++) {
+            struct row row;
+            name_row(task, &variants[i], ids, &row);
+            task->wanted[i][ids] = bench_wants(bench, row.work);
+            any |= task->wanted[i][ids];
+        }
+    return any;
+}
+
+static void time_work(struct bench *bench, struct task *task)
+{
+    bool checked = false;
+    for (task->threads = 1; task->threads <= THREADS_MAX; task->threads++) {
+        if (!choose(bench, task)) continue;
+        if (!checked) bench_check_in_child(bench, compare_variants, task, task->wrong);
+        checked = true;
+        bench_in_child(bench, time_variants, task, NULL);
+    }
+}
+
+void versus_llvmpipe(struct bench *bench)
+{
+    if (!bench->check_only && !bench->list) results_print_heading("zr_render against llvmpipe: colour, float depth");
+    for (int i = 0; i < WORKS; i++) {
+        struct work work;
+        if (!works_make((enum works)i, bench->models, &work)) {
+            bench->results.failed = true;
+        } else {
+            struct task task = {.work = &work};
+            if (bench->check_only)
+                bench_check_in_child(bench, compare_variants, &task, task.wrong);
+            else
+                time_work(bench, &task);
+        }
+        works_free(&work);
+    }
+}
