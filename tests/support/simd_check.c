@@ -51,6 +51,7 @@ static void make_inputs(struct random *random, struct simd_inputs *in)
         in->m[k] = k % 64 < 16 ? 0 : k % 64 < 32 ? 1 : density > 1;
         in->n[k] = (int32_t)random_below(random, 2);
         in->order[k] = random_below(random, SIMD_COUNT);
+        in->first[k] = random_below(random, 17);
     }
     for (uint32_t k = 0; k < COUNT_OF(in->places); k++)
         in->places[k] = float_of(random_bits(random));
@@ -92,6 +93,9 @@ static void want_floats(const struct simd_inputs *in, struct simd_results *want,
     want->vf_lt[k] = a < b;
     want->vf_le[k] = a <= b;
     want->vf_eq[k] = a == b;
+    want->vf_lt_where[k] = in->m[k] && a < b;
+    want->vf_eq_where[k] = in->m[k] && a == b;
+    want->vf_bits[k] = float_of((uint32_t)in->i[k]);
     for (int c = 0; c < 4; c++)
         want->load4[c][k] = want->vf_store4[4 * k + c] = in->places[SIMD_APART * in->order[k] + (uint32_t)c];
     for (int c = 0; c < 2; c++)
@@ -121,6 +125,11 @@ static void want_ints(const struct simd_inputs *in, struct simd_results *want, i
     want->vi_select[k] = want->vi_store_where[k] = in->m[k] ? i : j;
     want->vi_lt[k] = i < j;
     want->vi_eq[k] = i == j;
+    want->vi_lt_where[k] = in->m[k] && i < j;
+    want->vi_store_first[k] = (uint32_t)(k % want->lanes) < in->first[k - k % want->lanes] ? i : j;
+    want->vi_stream[k] = i;
+    const int32_t four[4] = {i, j, wrap(u + v), wrap(u - v)};
+    memcpy(want->vi_store4 + 4 * k, four, sizeof four);
     want->vm_of[k] = in->m[k];
     want->vm_and[k] = in->m[k] && in->n[k];
     want->vm_or[k] = in->m[k] || in->n[k];
@@ -153,7 +162,9 @@ static const struct result results[] = {
     EXACT(vi_round),      EXACT(vi_bits_of),    EXACT(vi_select),      EXACT(vi_store_where), EXACT(vi_lt),
     EXACT(vi_eq),         EXACT(vm_and),        EXACT(vm_or),          EXACT(vm_andnot),      EXACT(vm_of),
     EXACT(vm_any),        EXACT(load4[0]),      EXACT(load4[1]),       EXACT(load4[2]),       EXACT(load4[3]),
-    EXACT(load2[0]),      EXACT(load2[1]),      EXACT(vf_store4),      EXACT(strayed)};
+    EXACT(load2[0]),      EXACT(load2[1]),      EXACT(vf_store4),      EXACT(strayed),        EXACT(vf_lt_where),
+    EXACT(vf_eq_where),   EXACT(vi_lt_where),   EXACT(vi_store_first), EXACT(vf_bits),        EXACT(vi_stream),
+    EXACT(vi_store4)};
 
 static uint32_t word_at(const struct simd_results *all, const struct result *result, size_t k)
 {

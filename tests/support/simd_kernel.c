@@ -38,6 +38,9 @@ static void run_floats(const struct simd_inputs *in, struct simd_results *out, i
     keep(zr_vf_lt(a, b), out->vf_lt + k);
     keep(zr_vf_le(a, b), out->vf_le + k);
     keep(zr_vf_eq(a, b), out->vf_eq + k);
+    keep(zr_vf_lt_where(mask_of(in->m + k), a, b), out->vf_lt_where + k);
+    keep(zr_vf_eq_where(mask_of(in->m + k), a, b), out->vf_eq_where + k);
+    zr_vf_store(out->vf_bits + k, zr_vf_bits(zr_vi_load(in->i + k)));
 }
 
 static void run_ints(const struct simd_inputs *in, struct simd_results *out, int k)
@@ -62,6 +65,9 @@ static void run_ints(const struct simd_inputs *in, struct simd_results *out, int
     zr_vi_store(out->vi_select + k, zr_vi_select(mask_of(in->m + k), i, j));
     keep(zr_vi_lt(i, j), out->vi_lt + k);
     keep(zr_vi_eq(i, j), out->vi_eq + k);
+    keep(zr_vi_lt_where(mask_of(in->m + k), i, j), out->vi_lt_where + k);
+    zr_vi_stream(out->vi_stream + k, i);
+    zr_vi_store4(out->vi_store4 + 4 * k, i, j, i + j, i - j);
 }
 
 static void run_masks(const struct simd_inputs *in, struct simd_results *out, int k)
@@ -92,6 +98,18 @@ static void run_store_where(const struct simd_inputs *in, struct simd_results *o
                       memcmp(ints, in->j + k, BYTES) != 0 || memcmp(ints + 2 * ZR_LANES, in->j + k, BYTES) != 0;
 }
 
+/* The same. */
+static void run_store_first(const struct simd_inputs *in, struct simd_results *out, int k)
+{
+    enum { BYTES = 4 * ZR_LANES };
+    int32_t ints[3 * ZR_LANES];
+    for (int i = 0; i < 3; i++)
+        memcpy(ints + i * ZR_LANES, in->j + k, BYTES);
+    zr_vi_store_first(ints + ZR_LANES, zr_vi_load(in->i + k), in->first[k] < ZR_LANES ? in->first[k] : ZR_LANES);
+    memcpy(out->vi_store_first + k, ints + ZR_LANES, BYTES);
+    out->strayed[k] |= memcmp(ints, in->j + k, BYTES) != 0 || memcmp(ints + 2 * ZR_LANES, in->j + k, BYTES) != 0;
+}
+
 static void run_places(const struct simd_inputs *in, struct simd_results *out, int k)
 {
     zr_vf x, y, z, w;
@@ -116,6 +134,8 @@ void ZR_KERNEL(simd_run)(const struct simd_inputs *in, struct simd_results *out)
         run_ints(in, out, k);
         run_masks(in, out, k);
         run_store_where(in, out, k);
+        run_store_first(in, out, k);
         run_places(in, out, k);
     }
+    zr_stream_end();
 }

@@ -51,15 +51,6 @@ static inline zr_vi zr_vi_select(zr_vm m, zr_vi a, zr_vi b)
 {
     return (zr_vi)zr_vf_select(m, (zr_vf)a, (zr_vf)b);
 }
-/* Whole vectors, where vmaskmov would do: the next load of them then need not wait for the cache. */
-static inline void zr_vf_store_where(zr_vm m, float *p, zr_vf v)
-{
-    zr_vf_store(p, zr_vf_select(m, v, zr_vf_load(p)));
-}
-static inline void zr_vi_store_where(zr_vm m, void *p, zr_vi v)
-{
-    zr_vi_store(p, zr_vi_select(m, v, zr_vi_load(p)));
-}
 static inline zr_vm zr_vf_lt(zr_vf a, zr_vf b)
 {
     return (zr_vm)_mm256_cmp_ps((__m256)a, (__m256)b, _CMP_LT_OQ);
@@ -80,17 +71,18 @@ static inline zr_vm zr_vi_eq(zr_vi a, zr_vi b)
 {
     return (zr_vm)_mm256_cmpeq_epi32((__m256i)a, (__m256i)b);
 }
-static inline zr_vm zr_vm_and(zr_vm a, zr_vm b)
+/* Lanes beyond are not touched, wherever they are. */
+static inline void zr_vi_store_first(void *p, zr_vi v, uint32_t n)
 {
-    return a & b;
+    _mm256_maskstore_epi32((int *)p, (__m256i)zr_vi_lt(zr_vi_ramp(), zr_vi_set((int32_t)n)), (__m256i)v);
 }
-static inline zr_vm zr_vm_or(zr_vm a, zr_vm b)
+static inline void zr_vi_stream(void *p, zr_vi v)
 {
-    return a | b;
+    _mm256_stream_si256((__m256i *)p, (__m256i)v);
 }
-static inline zr_vm zr_vm_andnot(zr_vm a, zr_vm b)
+static inline void zr_stream_end(void)
 {
-    return a & ~b;
+    _mm_sfence();
 }
 static inline uint32_t zr_vm_bits(zr_vm m)
 {
@@ -128,10 +120,6 @@ static inline zr_vf zr_vf_of(zr_vi a)
 static inline zr_vi zr_vi_round(zr_vf a)
 {
     return (zr_vi)_mm256_cvtps_epi32((__m256)a);
-}
-static inline zr_vi zr_vi_bits_of(zr_vf a)
-{
-    return (zr_vi)a;
 }
 
 /* Lanes i, i + 4 of two vectors of x, y, z, w each. */
@@ -176,5 +164,7 @@ static inline void zr_vf_store4(float *p, zr_vf x, zr_vf y, zr_vf z, zr_vf w)
     _mm256_storeu_ps(p + 16, _mm256_permute2f128_ps((__m256)a, (__m256)b, 0x31));
     _mm256_storeu_ps(p + 24, _mm256_permute2f128_ps((__m256)c, (__m256)d, 0x31));
 }
+
+#include "base/simd/vector_masks.h"
 
 #endif

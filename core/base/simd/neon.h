@@ -52,14 +52,27 @@ static inline zr_vi zr_vi_select(zr_vm m, zr_vi a, zr_vi b)
 {
     return (zr_vi)vbslq_s32((uint32x4_t)m, (int32x4_t)a, (int32x4_t)b);
 }
-static inline void zr_vf_store_where(zr_vm m, float *p, zr_vf v)
+static inline void zr_vi_store_first(void *p, zr_vi v, uint32_t n)
 {
-    zr_vf_store(p, zr_vf_select(m, v, zr_vf_load(p)));
+    if (n == ZR_LANES) {
+        zr_vi_store(p, v);
+        return;
+    }
+    uint8_t *to = (uint8_t *)p;
+    int32_t last = v[0];
+    if (n & 2) {
+        vst1_u8(to, vget_low_u8((uint8x16_t)v));
+        last = v[2];
+        to += 8;
+    }
+    if (n & 1) memcpy(to, &last, sizeof last);
 }
-static inline void zr_vi_store_where(zr_vm m, void *p, zr_vi v)
+/* stnp is a hint that no intrinsic gives. */
+static inline void zr_vi_stream(void *p, zr_vi v)
 {
-    zr_vi_store(p, zr_vi_select(m, v, zr_vi_load(p)));
+    zr_vi_store(p, v);
 }
+static inline void zr_stream_end(void) {}
 static inline zr_vm zr_vf_lt(zr_vf a, zr_vf b)
 {
     return (zr_vm)vcltq_f32((float32x4_t)a, (float32x4_t)b);
@@ -79,18 +92,6 @@ static inline zr_vm zr_vi_lt(zr_vi a, zr_vi b)
 static inline zr_vm zr_vi_eq(zr_vi a, zr_vi b)
 {
     return (zr_vm)vceqq_s32((int32x4_t)a, (int32x4_t)b);
-}
-static inline zr_vm zr_vm_and(zr_vm a, zr_vm b)
-{
-    return a & b;
-}
-static inline zr_vm zr_vm_or(zr_vm a, zr_vm b)
-{
-    return a | b;
-}
-static inline zr_vm zr_vm_andnot(zr_vm a, zr_vm b)
-{
-    return a & ~b;
 }
 static inline uint32_t zr_vm_bits(zr_vm m)
 {
@@ -131,10 +132,6 @@ static inline zr_vi zr_vi_round(zr_vf a)
 {
     return (zr_vi)vcvtnq_s32_f32((float32x4_t)a);
 }
-static inline zr_vi zr_vi_bits_of(zr_vf a)
-{
-    return (zr_vi)a;
-}
 
 #define ZR_LOAD4(x, y, z, w, AT)                                                                                       \
     zr_transpose4(vld1q_f32(AT(0)), vld1q_f32(AT(1)), vld1q_f32(AT(2)), vld1q_f32(AT(3)), &(x), &(y), &(z), &(w))
@@ -163,5 +160,7 @@ static inline void zr_vf_store4(float *p, zr_vf x, zr_vf y, zr_vf z, zr_vf w)
     const float32x4x4_t all = {{(float32x4_t)x, (float32x4_t)y, (float32x4_t)z, (float32x4_t)w}};
     vst4q_f32(p, all);
 }
+
+#include "base/simd/vector_masks.h"
 
 #endif

@@ -51,13 +51,30 @@ static inline zr_vf zr_vf_select(zr_vm m, zr_vf a, zr_vf b)
 {
     return (zr_vf)zr_vi_select(m, (zr_vi)a, (zr_vi)b);
 }
-static inline void zr_vf_store_where(zr_vm m, float *p, zr_vf v)
+/* maskmovdqu would write past the caches. */
+static inline void zr_vi_store_first(void *p, zr_vi v, uint32_t n)
 {
-    zr_vf_store(p, zr_vf_select(m, v, zr_vf_load(p)));
+    if (n == ZR_LANES) {
+        zr_vi_store(p, v);
+        return;
+    }
+    __m128i left = (__m128i)v;
+    char *to = (char *)p;
+    if (n & 2) {
+        _mm_storel_epi64((__m128i *)(void *)to, left);
+        left = _mm_unpackhi_epi64(left, left);
+        to += 8;
+    }
+    const int32_t last = _mm_cvtsi128_si32(left);
+    if (n & 1) memcpy(to, &last, sizeof last);
 }
-static inline void zr_vi_store_where(zr_vm m, void *p, zr_vi v)
+static inline void zr_vi_stream(void *p, zr_vi v)
 {
-    zr_vi_store(p, zr_vi_select(m, v, zr_vi_load(p)));
+    _mm_stream_si128((__m128i *)p, (__m128i)v);
+}
+static inline void zr_stream_end(void)
+{
+    _mm_sfence();
 }
 static inline zr_vm zr_vf_lt(zr_vf a, zr_vf b)
 {
@@ -78,18 +95,6 @@ static inline zr_vm zr_vi_lt(zr_vi a, zr_vi b)
 static inline zr_vm zr_vi_eq(zr_vi a, zr_vi b)
 {
     return (zr_vm)_mm_cmpeq_epi32((__m128i)a, (__m128i)b);
-}
-static inline zr_vm zr_vm_and(zr_vm a, zr_vm b)
-{
-    return a & b;
-}
-static inline zr_vm zr_vm_or(zr_vm a, zr_vm b)
-{
-    return a | b;
-}
-static inline zr_vm zr_vm_andnot(zr_vm a, zr_vm b)
-{
-    return a & ~b;
 }
 static inline uint32_t zr_vm_bits(zr_vm m)
 {
@@ -128,10 +133,6 @@ static inline zr_vi zr_vi_round(zr_vf a)
 {
     return (zr_vi)_mm_cvtps_epi32((__m128)a);
 }
-static inline zr_vi zr_vi_bits_of(zr_vf a)
-{
-    return (zr_vi)a;
-}
 
 static inline void zr_transpose4(__m128 a0, __m128 a1, __m128 a2, __m128 a3, zr_vf *x, zr_vf *y, zr_vf *z, zr_vf *w)
 {
@@ -163,5 +164,7 @@ static inline void zr_vf_store4(float *p, zr_vf x, zr_vf y, zr_vf z, zr_vf w)
     zr_vf_store(p + 8, c);
     zr_vf_store(p + 12, d);
 }
+
+#include "base/simd/vector_masks.h"
 
 #endif
