@@ -63,9 +63,9 @@ renderer := $(filter-out %_kernel.o,$(call objects,core/render.c $(patsubst %,co
 	$(kernel_objects)
 server := $(call objects,server/*.c)
 client := $(call objects,clients/*.c)
-support := $(filter-out %_kernel.o,$(call objects,tests/support/*.c)) $(call for_isas,tests/support/simd_kernel)
-cross := $(call objects,tests/cross/*.c tests/support/gallery.c tests/support/simd_check.c) \
-	$(call for_isas,tests/support/simd_kernel)
+support_kernels := $(call for_isas,$(basename $(wildcard tests/support/*_kernel.c)))
+support := $(filter-out %_kernel.o,$(call objects,tests/support/*.c)) $(support_kernels)
+cross := $(call objects,tests/cross/*.c tests/support/gallery.c tests/support/simd_check.c) $(support_kernels)
 lines := $(call objects,tests/reference/lines/*.c)
 # The reference behind two doors: OSMesa, and EGL without a surface, since Mesa 25.1 has no OSMesa.
 reference_doors := $(BUILD)/tests/reference/reference_osmesa.o $(BUILD)/tests/reference/reference_egl.o

@@ -8,7 +8,8 @@
 const char *const gallery_names[GALLERY_SCENES] = {
     "soup",     "soup of the tiny", "layers",   "ball, smooth",  "ball, flat, mirrored",
     "outlines", "wires and lines",  "polygons", "inside a ball", "layers into a base"};
-const uint32_t gallery_windows[GALLERY_WINDOWS][2] = {{1, 1}, {65, 1}, {333, 517}, {640, 480}};
+/* The last is large enough to be written past the caches. */
+const uint32_t gallery_windows[GALLERY_WINDOWS][2] = {{1, 1}, {65, 1}, {333, 517}, {640, 480}, {1024, 512}};
 const char *const gallery_channels[GALLERY_CHANNELS] = {"color", "depth", "window depth", "face id"};
 
 static const struct zr_output outputs[GALLERY_CHANNELS] = {{ZR_CHANNEL_COLOR, ZR_ENCODING_PNG, 0},
