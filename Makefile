@@ -27,31 +27,45 @@ NEED_BUILD := cc=gcc stdlib.h=libc6-dev microhttpd.h=libmicrohttpd-dev cjson/cJS
 NEED_EGL := EGL/eglext.h=libegl-dev -lOpenGL=libopengl-dev /usr/share/glvnd/egl_vendor.d/50_mesa.json=libegl-mesa0 \
 	/usr/share/drirc.d/00-mesa-defaults.conf=libgl1-mesa-dri
 NEED_TEST := cmocka.h=libcmocka-dev GL/osmesa.h=libosmesa6-dev $(NEED_EGL)
+NEED_CROSS := aarch64-linux-gnu-gcc=gcc-aarch64-linux-gnu /usr/aarch64-linux-gnu/include/stdlib.h=libc6-dev-arm64-cross \
+	qemu-aarch64=qemu-user
 NEED_DEMO := /usr/share/assimp/models/OBJ/spider.obj=assimp-testmodels
 
 # Data that is not in the repository, used where it is present: models/*.obj and json-test-suite/.
 DATA ?= ../shared/data
 # How the long comparison gets hold of Mesa: osmesa, or egl where Mesa has no OSMesa any more (from 25.1 on).
 REFERENCE ?= osmesa
+# For `make cross`, whose program is linked statically: qemu then needs nothing else of that machine.
+CROSS_CC ?= aarch64-linux-gnu-gcc
 verify_osmesa := $(BUILD)/zraster-verify
 verify_egl := $(BUILD)/zraster-verify-egl
 verify_lines := $(BUILD)/zraster-verify-lines
 
 objects = $(patsubst %.c,$(BUILD)/%.o,$(wildcard $(1)))
 # Kernels are compiled once for each instruction set of the target, which is chosen when the program starts.
-target := $(firstword $(subst -, ,$(shell $(CC) -dumpmachine)))
-isas_x86_64 := scalar avx512
+# By the same macros as in core/base/isa.h.
+macros := $(shell $(CC) $(CFLAGS) -dM -E -x c /dev/null)
+target := $(firstword $(foreach name,x86_64 aarch64,$(if $(findstring __$(name)__,$(macros)),$(name))))
+isas_x86_64 := scalar sse2 avx2 avx512
 isas_aarch64 := scalar neon
 isas := $(or $(isas_$(target)),scalar)
-# No flag for scalar, sse2 and neon: the target has them. Integers wrap in lanes that nobody reads.
-kernel_avx2 := -mavx2 -mbmi2
+# They come behind the user's flags: -march=native must not put what came later into sse2 and avx2. scalar and neon are
+# what the target has anyway. Integers wrap in lanes that nobody reads.
+kernel_sse2 := -mno-sse3
+kernel_avx2 := -mavx2 -mbmi2 -mno-avx512f
 kernel_avx512 := -mavx512f -mavx512bw -mavx512dq -mavx512vl -mbmi2 -mprefer-vector-width=512
 kernels := $(basename $(wildcard core/*/*_kernel.c))
-kernel_objects := $(foreach isa,$(isas),$(kernels:%=$(BUILD)/%.$(isa).o))
+for_isas = $(foreach isa,$(isas),$(1:%=$(BUILD)/%.$(isa).o))
+kernel_objects := $(call for_isas,$(kernels))
 core := $(filter-out %_kernel.o,$(call objects,core/*.c core/*/*.c)) $(kernel_objects)
+# The part of it that needs no library.
+renderer := $(filter-out %_kernel.o,$(call objects,core/render.c $(patsubst %,core/%/*.c,base scene geometry raster shade))) \
+	$(kernel_objects)
 server := $(call objects,server/*.c)
 client := $(call objects,clients/*.c)
-support := $(call objects,tests/support/*.c)
+support_kernels := $(call for_isas,$(basename $(wildcard tests/support/*_kernel.c)))
+support := $(filter-out %_kernel.o,$(call objects,tests/support/*.c)) $(support_kernels)
+cross := $(call objects,tests/cross/*.c tests/support/gallery.c tests/support/simd_check.c) $(support_kernels)
 lines := $(call objects,tests/reference/lines/*.c)
 # The reference behind two doors: OSMesa, and EGL without a surface, since Mesa 25.1 has no OSMesa.
 reference_doors := $(BUILD)/tests/reference/reference_osmesa.o $(BUILD)/tests/reference/reference_egl.o
@@ -101,6 +115,13 @@ algorithms: ## the five algorithms against one another: 100 000 triangles and 40
 	@$(MAKE) -s -j$(JOBS) $(BUILD)/tests/property/test_algorithms $(BUILD)/tests/property/test_polygons
 	ALGORITHM_TRIANGLES=100000 $(BUILD)/tests/property/test_algorithms
 	ALGORITHM_TRIANGLES=100000 $(BUILD)/tests/property/test_polygons
+
+.PHONY: cross
+cross: ## the renderer built for arm64 and run under qemu: the same bytes as here, by every instruction set
+	@.ci/need cc=gcc stdlib.h=libc6-dev $(NEED_CROSS)
+	@$(MAKE) -s -j$(JOBS) $(BUILD)/zraster-cross
+	@$(MAKE) -s -j$(JOBS) BUILD=$(BUILD)/arm64 SAN= CC="$(CROSS_CC)" CFLAGS=-O2 LDFLAGS=-static $(BUILD)/arm64/zraster-cross
+	@tests/cross/compare.sh $(BUILD)/zraster-cross "$(isas)" "qemu-aarch64 $(BUILD)/arm64/zraster-cross" "$(isas_aarch64)"
 
 .PHONY: bench
 bench: ## our times beside llvmpipe's, libpng's, cJSON's, in one run; ARGS="--only PNG", --rounds N, --list
@@ -157,6 +178,9 @@ $(BUILD)/zraster-verify-lines: $(lines) $(filter-out %/main.o,$(reference)) $(BU
 		$(BUILD)/libsupport.a $(BUILD)/libzraster.a
 	$(LINK) $(OSMESA_LIBS) $(CORE_LIBS)
 
+$(BUILD)/zraster-cross: $(cross) $(renderer)
+	$(LINK) -lm
+
 $(BUILD)/zraster-bench: $(bench) $(filter-out %/main.o,$(reference)) $(BUILD)/tests/reference/reference_osmesa.o \
 		$(server_support) $(BUILD)/libsupport.a $(BUILD)/libzraster.a
 	$(LINK) $(OSMESA_LIBS) $(TEST_LIBS) $(CORE_LIBS)
@@ -188,5 +212,5 @@ $(BUILD)/%_kernel.$(1).o: %_kernel.c
 endef
 $(foreach isa,$(isas),$(eval $(call kernel_rule,$(isa))))
 
--include $(patsubst %.o,%.d,$(core) $(server) $(client) $(support) $(reference) $(reference_doors) $(lines) $(bench) $(server_support) \
+-include $(patsubst %.o,%.d,$(core) $(server) $(client) $(support) $(reference) $(reference_doors) $(lines) $(bench) $(cross) $(server_support) \
 	$(addsuffix .o,$(unit_tests) $(server_tests) $(bench_alone)))

@@ -10,7 +10,7 @@
 
 #include <cjson/cJSON.h>
 
-enum kind { TEXT, ADDRESS, NUMBER };
+enum kind { TEXT, ADDRESS, ISA, NUMBER };
 
 enum { NAME_SIZE = 64 };
 
@@ -20,7 +20,7 @@ struct setting {
     size_t offset;
     bool is_limit; /* shown by /v1/limits */
     uint64_t initial, min, max;
-    const char *text; /* the default of a TEXT */
+    const char *text; /* the default of what is no NUMBER */
     const char *unit; /* "" where the name says it */
     const char *help;
 };
@@ -38,6 +38,9 @@ static const struct setting SETTINGS[] = {
      "bearer token that clients must send; empty: none; better set by its variable, which ps does not show"},
     {"workers", NUMBER, AT(workers), true, 0, 0, 256, NULL, "", "requests worked on at once; 0: one a core"},
     {"threads", NUMBER, AT(threads), true, 0, 0, ZR_TEAM_MAX, NULL, "", "render threads, shared; 0: one a core"},
+    {"isa", ISA, AT(isa), false, 0, 0, 0, "auto", "",
+     "instruction set to render with: scalar, sse2, avx2, avx512, neon, or auto: the widest that the machine has; "
+     "pixels are the same"},
     {"queue", NUMBER, AT(queue), true, 0, 0, 65536, NULL, "requests", "may wait for a worker; 0: 2 a worker"},
     {"max-per-client", NUMBER, AT(max_per_client), true, 4, 0, 65536, NULL, "requests",
      "in flight from one address; 0: no limit, for use behind a proxy"},
@@ -128,6 +131,21 @@ static bool is_address(const char *text)
     return true;
 }
 
+static bool is_isa(const char *text)
+{
+    enum zr_isa isa;
+    return strcmp(text, "auto") == 0 || (zr_isa_find(text, &isa) && zr_isa_is_available(isa));
+}
+
+/* "auto, scalar, sse2": what this machine has. */
+static void list_isas(char *out, size_t size)
+{
+    int used = snprintf(out, size, "auto");
+    for (int i = 0; i < ZR_ISA_COUNT && (size_t)used < size; i++)
+        if (zr_isa_is_available((enum zr_isa)i))
+            used += snprintf(out + used, size - (size_t)used, ", %s", zr_isa_name((enum zr_isa)i));
+}
+
 static bool parse_number(const char *text, uint64_t *out)
 {
     uint64_t value = 0;
@@ -141,22 +159,33 @@ static bool parse_number(const char *text, uint64_t *out)
 }
 
 /* `name` is what the user wrote: the flag or the variable. */
+static bool set_text(struct config *config, const struct setting *s, const char *name, const char *value, char *message,
+                     size_t message_size)
+{
+    if (strlen(value) >= CONFIG_TEXT_SIZE) {
+        snprintf(message, message_size, "%s: longer than the %d bytes that are allowed", name, CONFIG_TEXT_SIZE - 1);
+        return false;
+    }
+    if (s->kind == ADDRESS && !is_address(value)) {
+        snprintf(message, message_size, "%s: '%.100s' is not a numeric IPv4 or IPv6 address", name, value);
+        return false;
+    }
+    if (s->kind == ISA && !is_isa(value)) {
+        char known[NAME_SIZE];
+        list_isas(known, sizeof known);
+        snprintf(message, message_size, "%s: '%.100s' is no instruction set that this machine has; it has %s", name,
+                 value, known);
+        return false;
+    }
+    snprintf((char *)config + s->offset, CONFIG_TEXT_SIZE, "%s", value);
+    return true;
+}
+
+/* The same. */
 static bool set_value(struct config *config, const struct setting *s, const char *name, const char *value,
                       char *message, size_t message_size)
 {
-    if (s->kind != NUMBER) {
-        if (strlen(value) >= CONFIG_TEXT_SIZE) {
-            snprintf(message, message_size, "%s: longer than the %d bytes that are allowed", name,
-                     CONFIG_TEXT_SIZE - 1);
-            return false;
-        }
-        if (s->kind == ADDRESS && !is_address(value)) {
-            snprintf(message, message_size, "%s: '%.100s' is not a numeric IPv4 or IPv6 address", name, value);
-            return false;
-        }
-        snprintf((char *)config + s->offset, CONFIG_TEXT_SIZE, "%s", value);
-        return true;
-    }
+    if (s->kind != NUMBER) return set_text(config, s, name, value, message, message_size);
     uint64_t number;
     if (!parse_number(value, &number) || number < s->min || number > s->max) {
         snprintf(message, message_size, "%s: '%.100s' is not a whole number from %" PRIu64 " to %" PRIu64 "%s%s", name,
@@ -242,6 +271,12 @@ struct zr_limits config_limits(const struct config *config)
     limits.instances_max = (uint32_t)config->instances_max;
     limits.coordinate_max = (float)config->coordinate_max;
     return limits;
+}
+
+enum zr_isa config_isa(const struct config *config)
+{
+    enum zr_isa isa;
+    return zr_isa_find(config->isa, &isa) ? isa : zr_isa_best();
 }
 
 void config_print_help(FILE *out)

@@ -23,6 +23,7 @@ struct config {
     char token[CONFIG_TEXT_SIZE];      /* "": none is asked for; never shown */
     char cgroup[CONFIG_TEXT_SIZE];     /* the folder where the kernel tells of memory */
     char assets_dir[CONFIG_TEXT_SIZE]; /* "": no assets are kept */
+    char isa[CONFIG_TEXT_SIZE];        /* "auto", or an instruction set that this machine has */
     uint64_t port;                     /* 0: any that is free */
 
     uint64_t workers, threads, queue, max_per_client, max_connections;
@@ -43,6 +44,9 @@ enum config_mode { CONFIG_SERVE, CONFIG_HELP, CONFIG_VERSION, CONFIG_HEALTH, CON
 enum config_mode config_read(struct config *config, int argc, char *const *argv, char *message, size_t message_size);
 
 struct zr_limits config_limits(const struct config *config);
+
+/* What kernels are to be run for. */
+enum zr_isa config_isa(const struct config *config);
 
 void config_print_help(FILE *out);
 

@@ -54,7 +54,7 @@ static int serve(const struct config *config)
     block_signals(&signals);
     tune_allocator();
     raise_file_limit(config);
-    struct zr_team *team = zr_team_create((int)config->threads);
+    struct zr_team *team = zr_team_create_for((int)config->threads, config_isa(config));
     if (!team) {
         fprintf(stderr, "zrasterd: %" PRIu64 " render threads cannot be had; --threads asks for fewer\n",
                 config->threads);
@@ -73,6 +73,8 @@ static int serve(const struct config *config)
         zr_team_destroy(team);
         return EXIT_FAILURE;
     }
+    snprintf(message, sizeof message, "rendering with %s", zr_isa_name(zr_team_isa(team)));
+    log_event("info", "start", message);
     bool is_ipv6 = strchr(config->address, ':') != NULL;
     printf("listening on http://%s%s%s:%u\n", is_ipv6 ? "[" : "", config->address, is_ipv6 ? "]" : "", http_port(http));
     fflush(stdout);

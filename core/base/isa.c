@@ -28,7 +28,7 @@ bool zr_isa_is_available(enum zr_isa isa)
     if (isa == ZR_ISA_SCALAR) return true;
 #if defined __x86_64__
     if (isa == ZR_ISA_SSE2) return true;
-    if (isa == ZR_ISA_AVX2) return __builtin_cpu_supports("avx2");
+    if (isa == ZR_ISA_AVX2) return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("bmi2");
     if (isa == ZR_ISA_AVX512)
         return __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512bw") &&
                __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512vl") &&

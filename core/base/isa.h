@@ -22,7 +22,7 @@ enum zr_isa {
 #if defined __x86_64__
 #define ZR_KERNELS(name) \
     { \
-        [ZR_ISA_SCALAR] = name##_scalar, [ZR_ISA_SSE2] = NULL, [ZR_ISA_AVX2] = NULL, \
+        [ZR_ISA_SCALAR] = name##_scalar, [ZR_ISA_SSE2] = name##_sse2, [ZR_ISA_AVX2] = name##_avx2, \
         [ZR_ISA_AVX512] = name##_avx512, [ZR_ISA_NEON] = NULL \
     }
 #elif defined __aarch64__

@@ -1,4 +1,5 @@
-/* Every scene of tests/scenes and clients/examples, by every algorithm and by several threads: the same bytes. */
+/* Every scene of tests/scenes and clients/examples, by every algorithm, by several threads, and by every instruction
+ * set that the machine has: the same bytes. */
 #include <dirent.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -6,6 +7,7 @@
 
 #include "support/cmocka_all.h"
 #include "support/files.h"
+#include "support/geometries.h"
 #include "support/scenes.h"
 
 enum { PATH_SIZE = 600 };
@@ -35,26 +37,33 @@ static struct zr_scene read_file(const char *path)
     return all;
 }
 
-static void assert_same(const struct zr_frame *want, const struct zr_frame *got, const char *path)
+static void assert_same(const struct zr_frame *want, const struct zr_frame *got, const char *path, const char *by)
 {
     size_t pixels = (size_t)want->width * want->height;
     bool same = memcmp(got->face_id, want->face_id, pixels * 4) == 0 &&
                 memcmp(got->window_depth, want->window_depth, pixels * 4) == 0 &&
                 memcmp(got->depth, want->depth, pixels * 4) == 0 && memcmp(got->color, want->color, pixels * 4) == 0;
-    if (!same) fail_msg("%s: other bytes", path);
+    if (!same) fail_msg("%s: other bytes by %s", path, by);
 }
 
-static void check_file(const char *path, struct zr_team *team)
+/* One for each instruction set; NULL where the machine lacks it, which test_isas.c tells of. */
+struct teams {
+    struct zr_team *of[ZR_ISA_COUNT];
+};
+
+static void check_file(const char *path, const struct teams *teams)
 {
     zr_arena_init(&arena, ceiling);
     struct zr_scene scene = read_file(path);
     scene.algorithm = ZR_ALGORITHM_HALFSPACE;
     const struct zr_frame *want = scene_render(&arena, NULL, &scene);
     assert_true(want->covered_pixels > 0);
-    assert_same(want, scene_render(&arena, team, &scene), path);
+    for (int isa = 0; isa < ZR_ISA_COUNT; isa++)
+        if (teams->of[isa])
+            assert_same(want, scene_render(&arena, teams->of[isa], &scene), path, zr_isa_name((enum zr_isa)isa));
     for (int a = ZR_ALGORITHM_EDGELIST; a < ZR_ALGORITHM_COUNT; a++) {
         scene.algorithm = (enum zr_algorithm)a;
-        assert_same(want, scene_render(&arena, team, &scene), path);
+        assert_same(want, scene_render(&arena, teams->of[zr_isa_best()], &scene), path, algorithm_words[a]);
     }
     zr_arena_free(&arena);
     free(bytes);
@@ -69,27 +78,32 @@ static int is_scene(const struct dirent *entry)
 static int check_folder(const char *folder)
 {
     struct dirent **entries;
-    struct zr_team *team = zr_team_create(3);
-    assert_non_null(team);
+    struct teams teams = {{NULL}};
+    for (int isa = 0; isa < ZR_ISA_COUNT; isa++)
+        if (zr_isa_is_available((enum zr_isa)isa)) {
+            teams.of[isa] = zr_team_create_for(3, (enum zr_isa)isa);
+            assert_non_null(teams.of[isa]);
+        }
     int count = scandir(folder, &entries, is_scene, alphasort);
     for (int i = 0; i < count; i++) {
         char path[PATH_SIZE];
         snprintf(path, sizeof path, "%s/%s", folder, entries[i]->d_name);
-        check_file(path, team);
+        check_file(path, &teams);
         free(entries[i]);
     }
     if (count >= 0) free(entries);
-    zr_team_destroy(team);
+    for (int isa = 0; isa < ZR_ISA_COUNT; isa++)
+        zr_team_destroy(teams.of[isa]);
     return count;
 }
 
-static void scenes_of_the_collection_give_the_same_bytes_by_every_algorithm_and_team(void **state)
+static void scenes_of_the_collection_give_the_same_bytes_by_every_algorithm_and_instruction_set(void **state)
 {
     (void)state;
     assert_true(check_folder("tests/scenes") > 30);
 }
 
-static void examples_give_the_same_bytes_by_every_algorithm_and_team(void **state)
+static void examples_give_the_same_bytes_by_every_algorithm_and_instruction_set(void **state)
 {
     (void)state;
     assert_true(check_folder("clients/examples") > 0);
@@ -98,8 +112,8 @@ static void examples_give_the_same_bytes_by_every_algorithm_and_team(void **stat
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(scenes_of_the_collection_give_the_same_bytes_by_every_algorithm_and_team),
-        cmocka_unit_test(examples_give_the_same_bytes_by_every_algorithm_and_team),
+        cmocka_unit_test(scenes_of_the_collection_give_the_same_bytes_by_every_algorithm_and_instruction_set),
+        cmocka_unit_test(examples_give_the_same_bytes_by_every_algorithm_and_instruction_set),
     };
     return cmocka_run_group_tests_name("scene_files", tests, NULL, NULL);
 }

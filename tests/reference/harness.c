@@ -23,7 +23,7 @@ bool harness_open(struct harness *harness, const struct harness_options *options
     struct reference_error error = {""};
     harness->reference = reference_open(
         &(struct reference_options){.driver = options->driver, .native = false, .threads = options->threads}, &error);
-    harness->team = zr_team_create(options->threads > 0 ? options->threads : 1);
+    harness->team = zr_team_create_for(options->threads, options->isa);
     if (!harness->reference) fprintf(stderr, "no reference: %s\n", error.text);
     if (!harness->team) fprintf(stderr, "no threads\n");
     return harness->reference && harness->team;

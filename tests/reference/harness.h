@@ -25,6 +25,7 @@ struct tally {
 struct harness_options {
     const char *driver; /* "llvmpipe" or "softpipe" */
     int threads;        /* that render, on both sides */
+    enum zr_isa isa;    /* of our side */
     enum compare_bar bar;
     bool all_parity;      /* the reference draws convex polygons by the odd-even rule too (batches.h) */
     bool transformed;     /* the reference gets clip-space positions (batches.h) */

@@ -2,6 +2,7 @@
 
 #include <errno.h>
 #include <getopt.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -21,6 +22,7 @@ const char options_usage[] =
     "  --parity            the reference draws convex polygons as it does concave ones, by the odd-even rule in its\n"
     "                      stencil buffer, to see that this way is exact\n"
     "  --threads N         that render, on both sides (1)\n"
+    "  --isa NAME          kernels for scalar, sse2, avx2, avx512 or neon, where the machine has it (the widest)\n"
     "  --failures DIR      where pictures of differences go (build/reference-failures)\n"
     "  --pictures DIR      got, want and diff pictures of all files, equal or not\n"
     "  --page FILE         a section of the report page, and FILE.row, its line of the summary\n"
@@ -56,6 +58,13 @@ static bool parse_transform(const char *text, struct harness_options *harness)
     return harness->transformed || strcmp(text, "reference") == 0;
 }
 
+static bool parse_isa(const char *text, struct harness_options *harness)
+{
+    if (zr_isa_find(text, &harness->isa) && zr_isa_is_available(harness->isa)) return true;
+    fprintf(stderr, "zraster-verify: --isa: '%s' is no instruction set that this machine has\n", text);
+    return false;
+}
+
 static bool parse_perturbation(const char *text, struct harness_options *harness)
 {
     char *end;
@@ -77,6 +86,8 @@ static bool take(struct options *options, int option, const char *text)
         if (!parse_number(text, 1, ZR_TEAM_MAX, &threads)) return false;
         options->harness.threads = (int)threads;
         return true;
+    case 'a':
+        return parse_isa(text, &options->harness);
     case 'k':
         options->kind = text;
         options->random = strcmp(text, "none") != 0;
@@ -124,22 +135,31 @@ static bool take(struct options *options, int option, const char *text)
 
 bool options_parse(int argc, char **argv, struct options *options)
 {
-    static const struct option known[] = {
-        {"triangles", required_argument, NULL, 't'}, {"seed", required_argument, NULL, 's'},
-        {"kind", required_argument, NULL, 'k'},      {"models", required_argument, NULL, 'm'},
-        {"preset", required_argument, NULL, 'v'},    {"driver", required_argument, NULL, 'd'},
-        {"transform", required_argument, NULL, 'x'}, {"threads", required_argument, NULL, 'j'},
-        {"failures", required_argument, NULL, 'f'},  {"pictures", required_argument, NULL, 'i'},
-        {"page", required_argument, NULL, 'g'},      {"title", required_argument, NULL, 'l'},
-        {"perturb", required_argument, NULL, 'z'},   {"tap", no_argument, NULL, 'p'},
-        {"plain", no_argument, NULL, 'n'},           {"parity", no_argument, NULL, 'o'},
-        {"quiet", no_argument, NULL, 'q'},           {NULL, 0, NULL, 0}};
-    *options =
-        (struct options){.triangles = 200000,
-                         .seed = 1,
-                         .preset = "isometric",
-                         .title = "Comparison",
-                         .harness = {.driver = "llvmpipe", .threads = 1, .failures = "build/reference-failures"}};
+    static const struct option known[] = {{"triangles", required_argument, NULL, 't'},
+                                          {"seed", required_argument, NULL, 's'},
+                                          {"kind", required_argument, NULL, 'k'},
+                                          {"models", required_argument, NULL, 'm'},
+                                          {"preset", required_argument, NULL, 'v'},
+                                          {"driver", required_argument, NULL, 'd'},
+                                          {"transform", required_argument, NULL, 'x'},
+                                          {"threads", required_argument, NULL, 'j'},
+                                          {"isa", required_argument, NULL, 'a'},
+                                          {"failures", required_argument, NULL, 'f'},
+                                          {"pictures", required_argument, NULL, 'i'},
+                                          {"page", required_argument, NULL, 'g'},
+                                          {"title", required_argument, NULL, 'l'},
+                                          {"perturb", required_argument, NULL, 'z'},
+                                          {"tap", no_argument, NULL, 'p'},
+                                          {"plain", no_argument, NULL, 'n'},
+                                          {"parity", no_argument, NULL, 'o'},
+                                          {"quiet", no_argument, NULL, 'q'},
+                                          {NULL, 0, NULL, 0}};
+    *options = (struct options){
+        .triangles = 200000,
+        .seed = 1,
+        .preset = "isometric",
+        .title = "Comparison",
+        .harness = {.driver = "llvmpipe", .threads = 1, .isa = zr_isa_best(), .failures = "build/reference-failures"}};
     int option;
     bool said_kind = false;
     while ((option = getopt_long(argc, argv, "", known, NULL)) != -1) {

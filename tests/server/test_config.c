@@ -3,6 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/isa.h"
 #include "client.h"
 #include "support/cmocka_all.h"
 
@@ -33,7 +34,7 @@ static void help_lists_every_flag(void **state)
                     "--drain-timeout-ms", "--request-memory-bytes", "--keep-memory-bytes", "--token",
                     "--json-depth-max", "--json-values-max", "--window-side-max", "--window-pixels-max",
                     "--polygon-vertices-max", "--assets-dir", "--assets-max-bytes", "--instances-max",
-                    "--coordinate-max", "--health", "--version", "ZRASTER_"));
+                    "--coordinate-max", "--isa", "--health", "--version", "ZRASTER_"));
 }
 
 static void help_does_not_show_the_token(void **state)
@@ -80,6 +81,49 @@ static void bad_variable_exits_2_and_is_named(void **state)
     setenv("ZRASTER_QUEUE", "x", 1);
     assert_run(LIST("--port=0"), 2, LIST("ZRASTER_QUEUE", "'x'"));
     unsetenv("ZRASTER_QUEUE");
+}
+
+/* x86 has no neon, and ARM no avx2; both have scalar. */
+static void isa_that_is_unknown_or_not_there_exits_2_and_says_what_there_is(void **state)
+{
+    (void)state;
+    assert_run(LIST("--isa=mmx"), 2, LIST("--isa", "'mmx'", "auto, scalar"));
+    assert_run(LIST("--isa="), 2, LIST("--isa", "''"));
+    assert_run(LIST("--isa", "AVX2"), 2, LIST("--isa", "'AVX2'"));
+#if defined __aarch64__
+    assert_run(LIST("--isa=avx2"), 2, LIST("--isa", "'avx2'", "neon"));
+#else
+    assert_run(LIST("--isa=neon"), 2, LIST("--isa", "'neon'", "scalar"));
+#endif
+    setenv("ZRASTER_ISA", "mmx", 1);
+    assert_run(LIST("--port=0"), 2, LIST("ZRASTER_ISA", "'mmx'"));
+    unsetenv("ZRASTER_ISA");
+}
+
+static void assert_renders_with(const char *const *arguments, const char *isa)
+{
+    char line[64];
+    struct daemon server = daemon_start(arguments);
+    assert_int_equal(client_render_status(&server, GOOD_SCENE), 200);
+    char *log = daemon_log(&server);
+    snprintf(line, sizeof line, "\"rendering with %s\"", isa);
+    if (!strstr(log, line)) fail_msg("'%s' is not in: %s", line, log);
+    free(log);
+    daemon_stop(&server);
+}
+
+static void isa_is_named_at_the_start_and_auto_is_the_best(void **state)
+{
+    (void)state;
+    assert_renders_with(NULL, zr_isa_name(zr_isa_best()));
+    assert_renders_with(LIST("--isa=auto"), zr_isa_name(zr_isa_best()));
+    for (int i = 0; i < ZR_ISA_COUNT; i++)
+        if (zr_isa_is_available((enum zr_isa)i))
+            assert_renders_with(LIST("--isa", zr_isa_name((enum zr_isa)i)), zr_isa_name((enum zr_isa)i));
+    setenv("ZRASTER_ISA", "scalar", 1);
+    assert_renders_with(NULL, "scalar");
+    assert_renders_with(LIST("--isa=auto"), zr_isa_name(zr_isa_best()));
+    unsetenv("ZRASTER_ISA");
 }
 
 static void port_in_use_exits_1(void **state)
@@ -156,6 +200,8 @@ int main(void)
         cmocka_unit_test(unknown_flag_exits_2_and_is_named),
         cmocka_unit_test(bad_value_exits_2_and_says_what_is_allowed),
         cmocka_unit_test(bad_variable_exits_2_and_is_named),
+        cmocka_unit_test(isa_that_is_unknown_or_not_there_exits_2_and_says_what_there_is),
+        cmocka_unit_test(isa_is_named_at_the_start_and_auto_is_the_best),
         cmocka_unit_test(port_in_use_exits_1),
         cmocka_unit_test(variable_is_read_and_flag_beats_it),
         cmocka_unit_test(queue_defaults_to_two_a_worker),

@@ -47,6 +47,7 @@ const struct zr_frame *scene_render(struct zr_arena *arena, struct zr_team *team
 {
     struct zr_error error = {.count = 0};
     const struct zr_frame *frame = NULL;
-    assert_int_equal(zr_render(arena, team, scene, NULL, &frame, &error), ZR_OK);
+    enum zr_status status = zr_render(arena, team, scene, NULL, &frame, &error);
+    if (status != ZR_OK) fail_msg("status %d: %s", (int)status, error.count ? error.items[0].detail : "");
     return frame;
 }

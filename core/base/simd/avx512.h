@@ -2,7 +2,7 @@
 #ifndef ZR_SIMD_AVX512_H
 #define ZR_SIMD_AVX512_H
 
-#include <immintrin.h>
+#include "base/simd/x86.h"
 
 #define ZR_SUFFIX avx512
 enum { ZR_LANES = 16 };
@@ -184,8 +184,8 @@ static inline void zr_transpose4(__m512 a0, __m512 a1, __m512 a2, __m512 a3, zr_
     *w = (zr_vf)_mm512_unpackhi_pd(high01, high23);
 }
 
-/* Two neighbours, x y x y. */
-#define ZR_LOAD_PAIR(AT, i) _mm_loadh_pi(_mm_castpd_ps(_mm_load_sd((const double *)(const void *)AT(i))), (const __m64 *)(const void *)AT((i) + 1))
+/* Two neighbours, x y x y, in each quarter. */
+#define ZR_LOAD_PAIR(AT, i) zr_load_pair(AT(i), AT((i) + 1))
 #define ZR_LOAD_PAIRS(AT, i) \
     _mm512_insertf32x4(_mm512_insertf32x4(_mm512_insertf32x4(_mm512_castps128_ps512(ZR_LOAD_PAIR(AT, i)), \
                                                              ZR_LOAD_PAIR(AT, i + 4), 1), \

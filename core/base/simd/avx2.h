@@ -1,0 +1,170 @@
+/* avx2.h - base: base/simd.h for AVX2. */
+#ifndef ZR_SIMD_AVX2_H
+#define ZR_SIMD_AVX2_H
+
+#include "base/simd/x86.h"
+
+#define ZR_SUFFIX avx2
+enum { ZR_LANES = 8 };
+
+typedef float zr_vf __attribute__((vector_size(32)));
+typedef int32_t zr_vi __attribute__((vector_size(32)));
+typedef uint32_t zr_vm __attribute__((vector_size(32))); /* all bits of a lane, or none */
+
+static inline zr_vf zr_vf_set(float a)
+{
+    return (zr_vf)_mm256_set1_ps(a);
+}
+static inline zr_vi zr_vi_set(int32_t a)
+{
+    return (zr_vi)_mm256_set1_epi32(a);
+}
+static inline zr_vi zr_vi_ramp(void)
+{
+    return (zr_vi){0, 1, 2, 3, 4, 5, 6, 7};
+}
+static inline zr_vf zr_vf_ramp(void)
+{
+    return (zr_vf){0, 1, 2, 3, 4, 5, 6, 7};
+}
+static inline zr_vf zr_vf_load(const float *p)
+{
+    return (zr_vf)_mm256_loadu_ps(p);
+}
+static inline zr_vi zr_vi_load(const void *p)
+{
+    return (zr_vi)_mm256_loadu_si256((const __m256i *)p);
+}
+static inline void zr_vf_store(float *p, zr_vf v)
+{
+    _mm256_storeu_ps(p, (__m256)v);
+}
+static inline void zr_vi_store(void *p, zr_vi v)
+{
+    _mm256_storeu_si256((__m256i *)p, (__m256i)v);
+}
+static inline zr_vf zr_vf_select(zr_vm m, zr_vf a, zr_vf b)
+{
+    return (zr_vf)_mm256_blendv_ps((__m256)b, (__m256)a, (__m256)m);
+}
+static inline zr_vi zr_vi_select(zr_vm m, zr_vi a, zr_vi b)
+{
+    return (zr_vi)zr_vf_select(m, (zr_vf)a, (zr_vf)b);
+}
+static inline zr_vm zr_vf_lt(zr_vf a, zr_vf b)
+{
+    return (zr_vm)_mm256_cmp_ps((__m256)a, (__m256)b, _CMP_LT_OQ);
+}
+static inline zr_vm zr_vf_le(zr_vf a, zr_vf b)
+{
+    return (zr_vm)_mm256_cmp_ps((__m256)a, (__m256)b, _CMP_LE_OQ);
+}
+static inline zr_vm zr_vf_eq(zr_vf a, zr_vf b)
+{
+    return (zr_vm)_mm256_cmp_ps((__m256)a, (__m256)b, _CMP_EQ_OQ);
+}
+static inline zr_vm zr_vi_lt(zr_vi a, zr_vi b)
+{
+    return (zr_vm)_mm256_cmpgt_epi32((__m256i)b, (__m256i)a);
+}
+static inline zr_vm zr_vi_eq(zr_vi a, zr_vi b)
+{
+    return (zr_vm)_mm256_cmpeq_epi32((__m256i)a, (__m256i)b);
+}
+/* Lanes beyond are not touched, wherever they are. */
+static inline void zr_vi_store_first(void *p, zr_vi v, uint32_t n)
+{
+    _mm256_maskstore_epi32((int *)p, (__m256i)zr_vi_lt(zr_vi_ramp(), zr_vi_set((int32_t)n)), (__m256i)v);
+}
+static inline void zr_vi_stream(void *p, zr_vi v)
+{
+    _mm256_stream_si256((__m256i *)p, (__m256i)v);
+}
+static inline void zr_stream_end(void)
+{
+    _mm_sfence();
+}
+static inline uint32_t zr_vm_bits(zr_vm m)
+{
+    return (uint32_t)_mm256_movemask_ps((__m256)m);
+}
+static inline zr_vm zr_vm_of(uint32_t bits)
+{
+    const zr_vi own = {1, 2, 4, 8, 16, 32, 64, 128};
+    return zr_vi_eq(zr_vi_set((int32_t)bits) & own, own);
+}
+static inline zr_vf zr_vf_min(zr_vf a, zr_vf b)
+{
+    return (zr_vf)_mm256_min_ps((__m256)a, (__m256)b);
+}
+static inline zr_vf zr_vf_max(zr_vf a, zr_vf b)
+{
+    return (zr_vf)_mm256_max_ps((__m256)a, (__m256)b);
+}
+static inline zr_vi zr_vi_min(zr_vi a, zr_vi b)
+{
+    return (zr_vi)_mm256_min_epi32((__m256i)a, (__m256i)b);
+}
+static inline zr_vi zr_vi_max(zr_vi a, zr_vi b)
+{
+    return (zr_vi)_mm256_max_epi32((__m256i)a, (__m256i)b);
+}
+static inline zr_vf zr_vf_abs(zr_vf a)
+{
+    return (zr_vf)((zr_vi)a & zr_vi_set(INT32_MAX));
+}
+static inline zr_vf zr_vf_of(zr_vi a)
+{
+    return (zr_vf)_mm256_cvtepi32_ps((__m256i)a);
+}
+static inline zr_vi zr_vi_round(zr_vf a)
+{
+    return (zr_vi)_mm256_cvtps_epi32((__m256)a);
+}
+
+/* Lanes i, i + 4 of two vectors of x, y, z, w each. */
+#define ZR_LOAD_EVERY_FOURTH(AT, i)                                                                                    \
+    _mm256_insertf128_ps(_mm256_castps128_ps256(_mm_loadu_ps(AT(i))), _mm_loadu_ps(AT((i) + 4)), 1)
+
+#define ZR_LOAD4(x, y, z, w, AT)                                                                                       \
+    do {                                                                                                               \
+        const __m256 a0 = ZR_LOAD_EVERY_FOURTH(AT, 0), a1 = ZR_LOAD_EVERY_FOURTH(AT, 1);                               \
+        const __m256 a2 = ZR_LOAD_EVERY_FOURTH(AT, 2), a3 = ZR_LOAD_EVERY_FOURTH(AT, 3);                               \
+        zr_transpose4(a0, a1, a2, a3, &(x), &(y), &(z), &(w));                                                         \
+    } while (0)
+
+/* Four by four, in each half. */
+static inline void zr_transpose4(__m256 a0, __m256 a1, __m256 a2, __m256 a3, zr_vf *x, zr_vf *y, zr_vf *z, zr_vf *w)
+{
+    const __m256d low01 = (__m256d)_mm256_unpacklo_ps(a0, a1), high01 = (__m256d)_mm256_unpackhi_ps(a0, a1);
+    const __m256d low23 = (__m256d)_mm256_unpacklo_ps(a2, a3), high23 = (__m256d)_mm256_unpackhi_ps(a2, a3);
+    *x = (zr_vf)_mm256_unpacklo_pd(low01, low23);
+    *y = (zr_vf)_mm256_unpackhi_pd(low01, low23);
+    *z = (zr_vf)_mm256_unpacklo_pd(high01, high23);
+    *w = (zr_vf)_mm256_unpackhi_pd(high01, high23);
+}
+
+#define ZR_LOAD_PAIRS(AT, i)                                                                                           \
+    _mm256_insertf128_ps(_mm256_castps128_ps256(zr_load_pair(AT(i), AT((i) + 1))),                                     \
+                         zr_load_pair(AT((i) + 4), AT((i) + 5)), 1)
+
+#define ZR_LOAD2(x, y, AT)                                                                                             \
+    do {                                                                                                               \
+        const __m256 a0 = ZR_LOAD_PAIRS(AT, 0), a2 = ZR_LOAD_PAIRS(AT, 2);                                             \
+        (x) = (zr_vf)_mm256_shuffle_ps(a0, a2, 0x88);                                                                  \
+        (y) = (zr_vf)_mm256_shuffle_ps(a0, a2, 0xdd);                                                                  \
+    } while (0)
+
+static inline void zr_vf_store4(float *p, zr_vf x, zr_vf y, zr_vf z, zr_vf w)
+{
+    zr_vf a, b, c, d; /* lanes 0 and 4, 1 and 5, 2 and 6, 3 and 7 */
+    zr_transpose4((__m256)x, (__m256)y, (__m256)z, (__m256)w, &a, &b, &c, &d);
+    _mm256_storeu_ps(p, _mm256_permute2f128_ps((__m256)a, (__m256)b, 0x20));
+    _mm256_storeu_ps(p + 8, _mm256_permute2f128_ps((__m256)c, (__m256)d, 0x20));
+    _mm256_storeu_ps(p + 16, _mm256_permute2f128_ps((__m256)a, (__m256)b, 0x31));
+    _mm256_storeu_ps(p + 24, _mm256_permute2f128_ps((__m256)c, (__m256)d, 0x31));
+}
+
+#include "base/simd/vector_masks.h"
+
+#endif

@@ -1,0 +1,166 @@
+/* neon.h - base: base/simd.h for AArch64's Advanced SIMD. */
+#ifndef ZR_SIMD_NEON_H
+#define ZR_SIMD_NEON_H
+
+#include <arm_neon.h>
+
+#define ZR_SUFFIX neon
+enum { ZR_LANES = 4 };
+
+typedef float zr_vf __attribute__((vector_size(16)));
+typedef int32_t zr_vi __attribute__((vector_size(16)));
+typedef uint32_t zr_vm __attribute__((vector_size(16))); /* all bits of a lane, or none */
+
+static inline zr_vf zr_vf_set(float a)
+{
+    return (zr_vf)vdupq_n_f32(a);
+}
+static inline zr_vi zr_vi_set(int32_t a)
+{
+    return (zr_vi)vdupq_n_s32(a);
+}
+static inline zr_vi zr_vi_ramp(void)
+{
+    return (zr_vi){0, 1, 2, 3};
+}
+static inline zr_vf zr_vf_ramp(void)
+{
+    return (zr_vf){0, 1, 2, 3};
+}
+static inline zr_vf zr_vf_load(const float *p)
+{
+    return (zr_vf)vld1q_f32(p);
+}
+/* As bytes, which are never aligned to less than they should be. */
+static inline zr_vi zr_vi_load(const void *p)
+{
+    return (zr_vi)vld1q_u8((const uint8_t *)p);
+}
+static inline void zr_vf_store(float *p, zr_vf v)
+{
+    vst1q_f32(p, (float32x4_t)v);
+}
+static inline void zr_vi_store(void *p, zr_vi v)
+{
+    vst1q_u8((uint8_t *)p, (uint8x16_t)v);
+}
+static inline zr_vf zr_vf_select(zr_vm m, zr_vf a, zr_vf b)
+{
+    return (zr_vf)vbslq_f32((uint32x4_t)m, (float32x4_t)a, (float32x4_t)b);
+}
+static inline zr_vi zr_vi_select(zr_vm m, zr_vi a, zr_vi b)
+{
+    return (zr_vi)vbslq_s32((uint32x4_t)m, (int32x4_t)a, (int32x4_t)b);
+}
+static inline void zr_vi_store_first(void *p, zr_vi v, uint32_t n)
+{
+    if (n == ZR_LANES) {
+        zr_vi_store(p, v);
+        return;
+    }
+    uint8_t *to = (uint8_t *)p;
+    int32_t last = v[0];
+    if (n & 2) {
+        vst1_u8(to, vget_low_u8((uint8x16_t)v));
+        last = v[2];
+        to += 8;
+    }
+    if (n & 1) memcpy(to, &last, sizeof last);
+}
+/* stnp is a hint that no intrinsic gives. */
+static inline void zr_vi_stream(void *p, zr_vi v)
+{
+    zr_vi_store(p, v);
+}
+static inline void zr_stream_end(void) {}
+static inline zr_vm zr_vf_lt(zr_vf a, zr_vf b)
+{
+    return (zr_vm)vcltq_f32((float32x4_t)a, (float32x4_t)b);
+}
+static inline zr_vm zr_vf_le(zr_vf a, zr_vf b)
+{
+    return (zr_vm)vcleq_f32((float32x4_t)a, (float32x4_t)b);
+}
+static inline zr_vm zr_vf_eq(zr_vf a, zr_vf b)
+{
+    return (zr_vm)vceqq_f32((float32x4_t)a, (float32x4_t)b);
+}
+static inline zr_vm zr_vi_lt(zr_vi a, zr_vi b)
+{
+    return (zr_vm)vcltq_s32((int32x4_t)a, (int32x4_t)b);
+}
+static inline zr_vm zr_vi_eq(zr_vi a, zr_vi b)
+{
+    return (zr_vm)vceqq_s32((int32x4_t)a, (int32x4_t)b);
+}
+static inline uint32_t zr_vm_bits(zr_vm m)
+{
+    const zr_vm own = {1, 2, 4, 8};
+    return vaddvq_u32((uint32x4_t)(m & own));
+}
+static inline zr_vm zr_vm_of(uint32_t bits)
+{
+    const zr_vm own = {1, 2, 4, 8};
+    return (zr_vm)vtstq_u32(vdupq_n_u32(bits), (uint32x4_t)own);
+}
+/* Not vminq and vmaxq, which give NaN where either is, and order -0 and 0. */
+static inline zr_vf zr_vf_min(zr_vf a, zr_vf b)
+{
+    return zr_vf_select(zr_vf_lt(a, b), a, b);
+}
+static inline zr_vf zr_vf_max(zr_vf a, zr_vf b)
+{
+    return zr_vf_select(zr_vf_lt(b, a), a, b);
+}
+static inline zr_vi zr_vi_min(zr_vi a, zr_vi b)
+{
+    return (zr_vi)vminq_s32((int32x4_t)a, (int32x4_t)b);
+}
+static inline zr_vi zr_vi_max(zr_vi a, zr_vi b)
+{
+    return (zr_vi)vmaxq_s32((int32x4_t)a, (int32x4_t)b);
+}
+static inline zr_vf zr_vf_abs(zr_vf a)
+{
+    return (zr_vf)vabsq_f32((float32x4_t)a);
+}
+static inline zr_vf zr_vf_of(zr_vi a)
+{
+    return (zr_vf)vcvtq_f32_s32((int32x4_t)a);
+}
+static inline zr_vi zr_vi_round(zr_vf a)
+{
+    return (zr_vi)vcvtnq_s32_f32((float32x4_t)a);
+}
+
+#define ZR_LOAD4(x, y, z, w, AT)                                                                                       \
+    zr_transpose4(vld1q_f32(AT(0)), vld1q_f32(AT(1)), vld1q_f32(AT(2)), vld1q_f32(AT(3)), &(x), &(y), &(z), &(w))
+
+static inline void zr_transpose4(float32x4_t a0, float32x4_t a1, float32x4_t a2, float32x4_t a3, zr_vf *x, zr_vf *y,
+                                 zr_vf *z, zr_vf *w)
+{
+    const float64x2_t low01 = (float64x2_t)vzip1q_f32(a0, a1), high01 = (float64x2_t)vzip2q_f32(a0, a1);
+    const float64x2_t low23 = (float64x2_t)vzip1q_f32(a2, a3), high23 = (float64x2_t)vzip2q_f32(a2, a3);
+    *x = (zr_vf)vzip1q_f64(low01, low23);
+    *y = (zr_vf)vzip2q_f64(low01, low23);
+    *z = (zr_vf)vzip1q_f64(high01, high23);
+    *w = (zr_vf)vzip2q_f64(high01, high23);
+}
+
+#define ZR_LOAD2(x, y, AT)                                                                                             \
+    do {                                                                                                               \
+        const float32x4_t a0 = vcombine_f32(vld1_f32(AT(0)), vld1_f32(AT(1)));                                         \
+        const float32x4_t a2 = vcombine_f32(vld1_f32(AT(2)), vld1_f32(AT(3)));                                         \
+        (x) = (zr_vf)vuzp1q_f32(a0, a2);                                                                               \
+        (y) = (zr_vf)vuzp2q_f32(a0, a2);                                                                               \
+    } while (0)
+
+static inline void zr_vf_store4(float *p, zr_vf x, zr_vf y, zr_vf z, zr_vf w)
+{
+    const float32x4x4_t all = {{(float32x4_t)x, (float32x4_t)y, (float32x4_t)z, (float32x4_t)w}};
+    vst4q_f32(p, all);
+}
+
+#include "base/simd/vector_masks.h"
+
+#endif

@@ -1,0 +1,170 @@
+/* sse2.h - base: base/simd.h for any x86-64: SSE2, and nothing that came later. */
+#ifndef ZR_SIMD_SSE2_H
+#define ZR_SIMD_SSE2_H
+
+#include "base/simd/x86.h"
+
+#define ZR_SUFFIX sse2
+enum { ZR_LANES = 4 };
+
+typedef float zr_vf __attribute__((vector_size(16)));
+typedef int32_t zr_vi __attribute__((vector_size(16)));
+typedef uint32_t zr_vm __attribute__((vector_size(16))); /* all bits of a lane, or none */
+
+static inline zr_vf zr_vf_set(float a)
+{
+    return (zr_vf)_mm_set1_ps(a);
+}
+static inline zr_vi zr_vi_set(int32_t a)
+{
+    return (zr_vi)_mm_set1_epi32(a);
+}
+static inline zr_vi zr_vi_ramp(void)
+{
+    return (zr_vi){0, 1, 2, 3};
+}
+static inline zr_vf zr_vf_ramp(void)
+{
+    return (zr_vf){0, 1, 2, 3};
+}
+static inline zr_vf zr_vf_load(const float *p)
+{
+    return (zr_vf)_mm_loadu_ps(p);
+}
+static inline zr_vi zr_vi_load(const void *p)
+{
+    return (zr_vi)_mm_loadu_si128((const __m128i *)p);
+}
+static inline void zr_vf_store(float *p, zr_vf v)
+{
+    _mm_storeu_ps(p, (__m128)v);
+}
+static inline void zr_vi_store(void *p, zr_vi v)
+{
+    _mm_storeu_si128((__m128i *)p, (__m128i)v);
+}
+static inline zr_vi zr_vi_select(zr_vm m, zr_vi a, zr_vi b)
+{
+    return ((zr_vi)m & a) | (~(zr_vi)m & b);
+}
+static inline zr_vf zr_vf_select(zr_vm m, zr_vf a, zr_vf b)
+{
+    return (zr_vf)zr_vi_select(m, (zr_vi)a, (zr_vi)b);
+}
+/* maskmovdqu would write past the caches. */
+static inline void zr_vi_store_first(void *p, zr_vi v, uint32_t n)
+{
+    if (n == ZR_LANES) {
+        zr_vi_store(p, v);
+        return;
+    }
+    __m128i left = (__m128i)v;
+    char *to = (char *)p;
+    if (n & 2) {
+        _mm_storel_epi64((__m128i *)(void *)to, left);
+        left = _mm_unpackhi_epi64(left, left);
+        to += 8;
+    }
+    const int32_t last = _mm_cvtsi128_si32(left);
+    if (n & 1) memcpy(to, &last, sizeof last);
+}
+static inline void zr_vi_stream(void *p, zr_vi v)
+{
+    _mm_stream_si128((__m128i *)p, (__m128i)v);
+}
+static inline void zr_stream_end(void)
+{
+    _mm_sfence();
+}
+static inline zr_vm zr_vf_lt(zr_vf a, zr_vf b)
+{
+    return (zr_vm)_mm_cmplt_ps((__m128)a, (__m128)b);
+}
+static inline zr_vm zr_vf_le(zr_vf a, zr_vf b)
+{
+    return (zr_vm)_mm_cmple_ps((__m128)a, (__m128)b);
+}
+static inline zr_vm zr_vf_eq(zr_vf a, zr_vf b)
+{
+    return (zr_vm)_mm_cmpeq_ps((__m128)a, (__m128)b);
+}
+static inline zr_vm zr_vi_lt(zr_vi a, zr_vi b)
+{
+    return (zr_vm)_mm_cmplt_epi32((__m128i)a, (__m128i)b);
+}
+static inline zr_vm zr_vi_eq(zr_vi a, zr_vi b)
+{
+    return (zr_vm)_mm_cmpeq_epi32((__m128i)a, (__m128i)b);
+}
+static inline uint32_t zr_vm_bits(zr_vm m)
+{
+    return (uint32_t)_mm_movemask_ps((__m128)m);
+}
+static inline zr_vm zr_vm_of(uint32_t bits)
+{
+    const zr_vi own = {1, 2, 4, 8};
+    return zr_vi_eq(zr_vi_set((int32_t)bits) & own, own);
+}
+static inline zr_vf zr_vf_min(zr_vf a, zr_vf b)
+{
+    return (zr_vf)_mm_min_ps((__m128)a, (__m128)b);
+}
+static inline zr_vf zr_vf_max(zr_vf a, zr_vf b)
+{
+    return (zr_vf)_mm_max_ps((__m128)a, (__m128)b);
+}
+static inline zr_vi zr_vi_min(zr_vi a, zr_vi b)
+{
+    return zr_vi_select(zr_vi_lt(a, b), a, b);
+}
+static inline zr_vi zr_vi_max(zr_vi a, zr_vi b)
+{
+    return zr_vi_select(zr_vi_lt(b, a), a, b);
+}
+static inline zr_vf zr_vf_abs(zr_vf a)
+{
+    return (zr_vf)((zr_vi)a & zr_vi_set(INT32_MAX));
+}
+static inline zr_vf zr_vf_of(zr_vi a)
+{
+    return (zr_vf)_mm_cvtepi32_ps((__m128i)a);
+}
+static inline zr_vi zr_vi_round(zr_vf a)
+{
+    return (zr_vi)_mm_cvtps_epi32((__m128)a);
+}
+
+static inline void zr_transpose4(__m128 a0, __m128 a1, __m128 a2, __m128 a3, zr_vf *x, zr_vf *y, zr_vf *z, zr_vf *w)
+{
+    const __m128 low01 = _mm_unpacklo_ps(a0, a1), high01 = _mm_unpackhi_ps(a0, a1);
+    const __m128 low23 = _mm_unpacklo_ps(a2, a3), high23 = _mm_unpackhi_ps(a2, a3);
+    *x = (zr_vf)_mm_movelh_ps(low01, low23);
+    *y = (zr_vf)_mm_movehl_ps(low23, low01);
+    *z = (zr_vf)_mm_movelh_ps(high01, high23);
+    *w = (zr_vf)_mm_movehl_ps(high23, high01);
+}
+
+#define ZR_LOAD4(x, y, z, w, AT)                                                                                       \
+    zr_transpose4(_mm_loadu_ps(AT(0)), _mm_loadu_ps(AT(1)), _mm_loadu_ps(AT(2)), _mm_loadu_ps(AT(3)), &(x), &(y),      \
+                  &(z), &(w))
+
+#define ZR_LOAD2(x, y, AT)                                                                                             \
+    do {                                                                                                               \
+        const __m128 a0 = zr_load_pair(AT(0), AT(1)), a2 = zr_load_pair(AT(2), AT(3));                                 \
+        (x) = (zr_vf)_mm_shuffle_ps(a0, a2, 0x88);                                                                     \
+        (y) = (zr_vf)_mm_shuffle_ps(a0, a2, 0xdd);                                                                     \
+    } while (0)
+
+static inline void zr_vf_store4(float *p, zr_vf x, zr_vf y, zr_vf z, zr_vf w)
+{
+    zr_vf a, b, c, d; /* lanes 0, 1, 2, 3 */
+    zr_transpose4((__m128)x, (__m128)y, (__m128)z, (__m128)w, &a, &b, &c, &d);
+    zr_vf_store(p, a);
+    zr_vf_store(p + 4, b);
+    zr_vf_store(p + 8, c);
+    zr_vf_store(p + 12, d);
+}
+
+#include "base/simd/vector_masks.h"
+
+#endif

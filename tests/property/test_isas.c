@@ -1,0 +1,81 @@
+/* Any instruction set, and any number of threads, gives the bytes that plain C gives on one thread. */
+#include <string.h>
+
+#include "support/gallery.h"
+#include "support/isas.h"
+#include "support/scenes.h"
+
+static struct zr_arena arena;
+static const size_t ceiling = (size_t)1 << 29;
+
+static int open_arena(void **state)
+{
+    (void)state;
+    zr_arena_init(&arena, ceiling);
+    return 0;
+}
+
+static int close_arena(void **state)
+{
+    (void)state;
+    zr_arena_free(&arena);
+    return 0;
+}
+
+static void assert_same(const struct zr_frame *want, const struct zr_frame *got, const char *scene, int threads)
+{
+    size_t pixels = (size_t)want->width * want->height;
+    for (int c = 0; c < GALLERY_CHANNELS; c++) {
+        const uint32_t *w = gallery_channel(want, c), *g = gallery_channel(got, c);
+        if (memcmp(w, g, 4 * pixels) == 0) continue;
+        size_t i = 0;
+        while (w[i] == g[i])
+            i++;
+        fail_msg("%s, %u x %u, %d threads: %s at %zu, %zu is %08x, not %08x", scene, want->width, want->height, threads,
+                 gallery_channels[c], i % want->width, i / want->width, g[i], w[i]);
+    }
+}
+
+static void every_scene_in_every_window_has_the_bytes_of_plain_c(void **state)
+{
+    enum zr_isa isa = isa_under_test(state);
+    static const int threads[] = {1, 2, 7};
+    struct zr_team *plain = zr_team_create_for(1, ZR_ISA_SCALAR), *teams[3];
+    for (int t = 0; t < 3; t++)
+        teams[t] = zr_team_create_for(threads[t], isa);
+    for (int number = 0; number < GALLERY_SCENES; number++)
+        for (int w = 0; w < GALLERY_WINDOWS; w++) {
+            const uint32_t *size = gallery_windows[w];
+            const struct zr_scene *scene = gallery_scene(&arena, number, size[0], size[1]);
+            assert_non_null(scene);
+            const struct zr_frame *want = scene_render(&arena, plain, scene);
+            for (int t = 0; t < 3; t++)
+                assert_same(want, scene_render(&arena, teams[t], scene), gallery_names[number], threads[t]);
+            zr_arena_reset(&arena, ceiling);
+        }
+    for (int t = 0; t < 3; t++)
+        zr_team_destroy(teams[t]);
+    zr_team_destroy(plain);
+}
+
+/* A gallery that shows nothing would be the same everywhere. */
+static void every_scene_shows_much_in_large_windows(void **state)
+{
+    (void)state;
+    for (int number = 0; number < GALLERY_SCENES; number++) {
+        const struct zr_scene *scene = gallery_scene(&arena, number, 640, 480);
+        assert_non_null(scene);
+        const struct zr_frame *frame = scene_render(&arena, NULL, scene);
+        if (frame->covered_pixels < 20000) fail_msg("%s: %d pixels", gallery_names[number], (int)frame->covered_pixels);
+        zr_arena_reset(&arena, ceiling);
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        TEST_EACH_ISA(every_scene_in_every_window_has_the_bytes_of_plain_c),
+        cmocka_unit_test(every_scene_shows_much_in_large_windows),
+    };
+    return cmocka_run_group_tests_name("isas", tests, open_arena, close_arena);
+}

@@ -1,0 +1,44 @@
+/* isas.h - support: a test that is run for each instruction set of the target, under a name of its own.
+ *
+ *     TEST_EACH_ISA(f)               in the list of tests
+ *     isa_under_test(state)          in f
+ *
+ * Where the machine lacks one the test is skipped, aloud: it did not pass.
+ */
+#ifndef ZR_TEST_ISAS_H
+#define ZR_TEST_ISAS_H
+
+#include <stdio.h>
+
+#include "base/isa.h"
+#include "support/cmocka_all.h"
+
+static enum zr_isa isas_of_tests[] = {ZR_ISA_SCALAR, ZR_ISA_SSE2, ZR_ISA_AVX2, ZR_ISA_AVX512, ZR_ISA_NEON};
+
+#define TEST_WITH_ISA(f, isa, name)                                                                                    \
+    {                                                                                                                  \
+#f "_" name, f, NULL, NULL, &isas_of_tests[isa]                                                                \
+    }
+
+#if defined __x86_64__
+#define TEST_EACH_ISA(f)                                                                                               \
+    TEST_WITH_ISA(f, ZR_ISA_SCALAR, "scalar"), TEST_WITH_ISA(f, ZR_ISA_SSE2, "sse2"),                                  \
+        TEST_WITH_ISA(f, ZR_ISA_AVX2, "avx2"), TEST_WITH_ISA(f, ZR_ISA_AVX512, "avx512")
+#elif defined __aarch64__
+#define TEST_EACH_ISA(f) TEST_WITH_ISA(f, ZR_ISA_SCALAR, "scalar"), TEST_WITH_ISA(f, ZR_ISA_NEON, "neon")
+#else
+#define TEST_EACH_ISA(f) TEST_WITH_ISA(f, ZR_ISA_SCALAR, "scalar")
+#endif
+
+static inline enum zr_isa isa_under_test(void **state)
+{
+    enum zr_isa isa = *(enum zr_isa *)*state;
+    if (!zr_isa_is_available(isa)) {
+        fprintf(stderr, "LEFT OUT: this machine has no %s: whether it gives the same bytes is not known\n",
+                zr_isa_name(isa));
+        skip();
+    }
+    return isa;
+}
+
+#endif

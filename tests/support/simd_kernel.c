@@ -1,0 +1,141 @@
+#include "support/simd_kernel.h"
+
+#include "base/simd.h"
+
+_Static_assert(SIMD_COUNT % ZR_LANES == 0, "nothing is left of the last group");
+
+static zr_vm mask_of(const int32_t *truths)
+{
+    uint32_t bits = 0;
+    for (int i = 0; i < ZR_LANES; i++)
+        bits |= (uint32_t)truths[i] << i;
+    return zr_vm_of(bits);
+}
+
+static void keep(zr_vm m, int32_t *truths)
+{
+    uint32_t bits = zr_vm_bits(m);
+    for (int i = 0; i < ZR_LANES; i++)
+        truths[i] = (int32_t)(bits >> i & 1u);
+    if (bits & ~(uint32_t)ZR_ALL_BITS) truths[0] = -1; /* of lanes that there are not */
+}
+
+static void run_floats(const struct simd_inputs *in, struct simd_results *out, int k)
+{
+    const zr_vf a = zr_vf_load(in->a + k), b = zr_vf_load(in->b + k);
+    zr_vf_store(out->vf_set + k, zr_vf_set(in->a[k]));
+    zr_vf_store(out->vf_load + k, a);
+    zr_vf_store(out->vf_ramp + k, zr_vf_ramp());
+    zr_vf_store(out->vf_add + k, a + b);
+    zr_vf_store(out->vf_sub + k, a - b);
+    zr_vf_store(out->vf_mul + k, a * b);
+    zr_vf_store(out->vf_div + k, a / b);
+    zr_vf_store(out->vf_min + k, zr_vf_min(a, b));
+    zr_vf_store(out->vf_max + k, zr_vf_max(a, b));
+    zr_vf_store(out->vf_abs + k, zr_vf_abs(a));
+    zr_vf_store(out->vf_of + k, zr_vf_of(zr_vi_load(in->i + k)));
+    zr_vf_store(out->vf_select + k, zr_vf_select(mask_of(in->m + k), a, b));
+    keep(zr_vf_lt(a, b), out->vf_lt + k);
+    keep(zr_vf_le(a, b), out->vf_le + k);
+    keep(zr_vf_eq(a, b), out->vf_eq + k);
+    keep(zr_vf_lt_where(mask_of(in->m + k), a, b), out->vf_lt_where + k);
+    keep(zr_vf_eq_where(mask_of(in->m + k), a, b), out->vf_eq_where + k);
+    zr_vf_store(out->vf_bits + k, zr_vf_bits(zr_vi_load(in->i + k)));
+}
+
+static void run_ints(const struct simd_inputs *in, struct simd_results *out, int k)
+{
+    const zr_vi i = zr_vi_load(in->i + k), j = zr_vi_load(in->j + k);
+    zr_vi_store(out->vi_set + k, zr_vi_set(in->i[k]));
+    zr_vi_store(out->vi_ramp + k, zr_vi_ramp());
+    zr_vi_store(out->vi_add + k, i + j);
+    zr_vi_store(out->vi_sub + k, i - j);
+    zr_vi_store(out->vi_mul + k, i * j);
+    zr_vi_store(out->vi_and + k, i & j);
+    zr_vi_store(out->vi_or + k, i | j);
+    zr_vi_store(out->vi_xor + k, i ^ j);
+    zr_vi_store(out->vi_left_1 + k, i << 1);
+    zr_vi_store(out->vi_left_16 + k, i << 16);
+    zr_vi_store(out->vi_right_6 + k, i >> 6);
+    zr_vi_store(out->vi_right_31 + k, i >> 31);
+    zr_vi_store(out->vi_min + k, zr_vi_min(i, j));
+    zr_vi_store(out->vi_max + k, zr_vi_max(i, j));
+    zr_vi_store(out->vi_round + k, zr_vi_round(zr_vf_load(in->small + k)));
+    zr_vi_store(out->vi_bits_of + k, zr_vi_bits_of(zr_vf_load(in->a + k)));
+    zr_vi_store(out->vi_select + k, zr_vi_select(mask_of(in->m + k), i, j));
+    keep(zr_vi_lt(i, j), out->vi_lt + k);
+    keep(zr_vi_eq(i, j), out->vi_eq + k);
+    keep(zr_vi_lt_where(mask_of(in->m + k), i, j), out->vi_lt_where + k);
+    zr_vi_stream(out->vi_stream + k, i);
+    zr_vi_store4(out->vi_store4 + 4 * k, i, j, i + j, i - j);
+}
+
+static void run_masks(const struct simd_inputs *in, struct simd_results *out, int k)
+{
+    const zr_vm m = mask_of(in->m + k), n = mask_of(in->n + k);
+    keep(m, out->vm_of + k);
+    keep(zr_vm_and(m, n), out->vm_and + k);
+    keep(zr_vm_or(m, n), out->vm_or + k);
+    keep(zr_vm_andnot(m, n), out->vm_andnot + k);
+    keep(zr_vm_any(m) ? ZR_ALL_LANES : zr_vm_of(0), out->vm_any + k);
+}
+
+/* Into the middle of three vectors, which hold what is to stay. */
+static void run_store_where(const struct simd_inputs *in, struct simd_results *out, int k)
+{
+    enum { BYTES = 4 * ZR_LANES };
+    float floats[3 * ZR_LANES];
+    int32_t ints[3 * ZR_LANES];
+    for (int i = 0; i < 3; i++) {
+        memcpy(floats + i * ZR_LANES, in->b + k, BYTES);
+        memcpy(ints + i * ZR_LANES, in->j + k, BYTES);
+    }
+    zr_vf_store_where(mask_of(in->m + k), floats + ZR_LANES, zr_vf_load(in->a + k));
+    zr_vi_store_where(mask_of(in->m + k), ints + ZR_LANES, zr_vi_load(in->i + k));
+    memcpy(out->vf_store_where + k, floats + ZR_LANES, BYTES);
+    memcpy(out->vi_store_where + k, ints + ZR_LANES, BYTES);
+    out->strayed[k] = memcmp(floats, in->b + k, BYTES) != 0 || memcmp(floats + 2 * ZR_LANES, in->b + k, BYTES) != 0 ||
+                      memcmp(ints, in->j + k, BYTES) != 0 || memcmp(ints + 2 * ZR_LANES, in->j + k, BYTES) != 0;
+}
+
+/* The same. */
+static void run_store_first(const struct simd_inputs *in, struct simd_results *out, int k)
+{
+    enum { BYTES = 4 * ZR_LANES };
+    int32_t ints[3 * ZR_LANES];
+    for (int i = 0; i < 3; i++)
+        memcpy(ints + i * ZR_LANES, in->j + k, BYTES);
+    zr_vi_store_first(ints + ZR_LANES, zr_vi_load(in->i + k), in->first[k] < ZR_LANES ? in->first[k] : ZR_LANES);
+    memcpy(out->vi_store_first + k, ints + ZR_LANES, BYTES);
+    out->strayed[k] |= memcmp(ints, in->j + k, BYTES) != 0 || memcmp(ints + 2 * ZR_LANES, in->j + k, BYTES) != 0;
+}
+
+static void run_places(const struct simd_inputs *in, struct simd_results *out, int k)
+{
+    zr_vf x, y, z, w;
+#define PLACE(i) (in->places + SIMD_APART * in->order[k + (i)])
+    ZR_LOAD4(x, y, z, w, PLACE);
+    zr_vf_store(out->load4[0] + k, x);
+    zr_vf_store(out->load4[1] + k, y);
+    zr_vf_store(out->load4[2] + k, z);
+    zr_vf_store(out->load4[3] + k, w);
+    zr_vf_store4(out->vf_store4 + 4 * k, x, y, z, w);
+    ZR_LOAD2(x, y, PLACE);
+    zr_vf_store(out->load2[0] + k, x);
+    zr_vf_store(out->load2[1] + k, y);
+#undef PLACE
+}
+
+void ZR_KERNEL(simd_run)(const struct simd_inputs *in, struct simd_results *out)
+{
+    out->lanes = ZR_LANES;
+    for (int k = 0; k < SIMD_COUNT; k += ZR_LANES) {
+        run_floats(in, out, k);
+        run_ints(in, out, k);
+        run_masks(in, out, k);
+        run_store_where(in, out, k);
+        run_store_first(in, out, k);
+        run_places(in, out, k);
+    }
+    zr_stream_end();
+}

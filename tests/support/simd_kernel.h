@@ -1,0 +1,57 @@
+/* simd_kernel.h - support: every operation of base/simd.h on arrays, compiled for each instruction set as kernels are.
+ *
+ * Lane k of each result is what the operation makes of lane k of its operands.
+ */
+#ifndef ZR_TEST_SIMD_KERNEL_H
+#define ZR_TEST_SIMD_KERNEL_H
+
+#include <stdint.h>
+
+#include "base/isa.h"
+
+enum { SIMD_COUNT = 2048, SIMD_APART = 5 };
+
+/* Vectors need not be aligned: the first word sees to it that none is. */
+struct simd_inputs {
+    _Alignas(64) uint32_t out_of_line;
+    float a[SIMD_COUNT], b[SIMD_COUNT];
+    float small[SIMD_COUNT]; /* below 2^22 in magnitude */
+    int32_t i[SIMD_COUNT], j[SIMD_COUNT];
+    int32_t m[SIMD_COUNT], n[SIMD_COUNT]; /* truths: 0 or 1 */
+    uint32_t order[SIMD_COUNT];           /* 0 .. SIMD_COUNT - 1, of places */
+    uint32_t first[SIMD_COUNT];           /* 0 .. 16: that of its vector's lane 0 counts, cut to ZR_LANES */
+    float places[SIMD_COUNT * SIMD_APART];
+};
+
+/* Four bytes each: simd_check.c has a table of them. */
+struct simd_results {
+    _Alignas(64) uint32_t out_of_line;
+    float vf_set[SIMD_COUNT], vf_load[SIMD_COUNT], vf_ramp[SIMD_COUNT]; /* set: lane 0 of a, all over its vector */
+    float vf_add[SIMD_COUNT], vf_sub[SIMD_COUNT], vf_mul[SIMD_COUNT], vf_div[SIMD_COUNT];
+    float vf_min[SIMD_COUNT], vf_max[SIMD_COUNT], vf_abs[SIMD_COUNT], vf_of[SIMD_COUNT];
+    float vf_select[SIMD_COUNT], vf_store_where[SIMD_COUNT]; /* a where m, else b */
+    int32_t vf_lt[SIMD_COUNT], vf_le[SIMD_COUNT], vf_eq[SIMD_COUNT];
+    int32_t vf_lt_where[SIMD_COUNT], vf_eq_where[SIMD_COUNT], vi_lt_where[SIMD_COUNT]; /* m */
+    int32_t vi_set[SIMD_COUNT], vi_ramp[SIMD_COUNT];
+    int32_t vi_add[SIMD_COUNT], vi_sub[SIMD_COUNT], vi_mul[SIMD_COUNT];
+    int32_t vi_and[SIMD_COUNT], vi_or[SIMD_COUNT], vi_xor[SIMD_COUNT];
+    int32_t vi_left_1[SIMD_COUNT], vi_left_16[SIMD_COUNT], vi_right_6[SIMD_COUNT], vi_right_31[SIMD_COUNT];
+    int32_t vi_min[SIMD_COUNT], vi_max[SIMD_COUNT], vi_round[SIMD_COUNT], vi_bits_of[SIMD_COUNT];
+    int32_t vi_select[SIMD_COUNT], vi_store_where[SIMD_COUNT], vi_store_first[SIMD_COUNT]; /* i, else j */
+    float vf_bits[SIMD_COUNT];                                                             /* of i */
+    _Alignas(64) int32_t vi_stream[SIMD_COUNT];
+    int32_t vi_lt[SIMD_COUNT], vi_eq[SIMD_COUNT];
+    int32_t vm_and[SIMD_COUNT], vm_or[SIMD_COUNT], vm_andnot[SIMD_COUNT], vm_of[SIMD_COUNT]; /* of m and n; of m */
+    int32_t vm_any[SIMD_COUNT];                                                              /* of the vector's m */
+    float load4[4][SIMD_COUNT], load2[2][SIMD_COUNT];
+    float vf_store4[4 * SIMD_COUNT];   /* what load4 loaded */
+    int32_t vi_store4[4 * SIMD_COUNT]; /* i, j, i + j, i - j */
+    int32_t strayed[SIMD_COUNT]; /* not 0: a store_where wrote beside its vector, or a store_first beside its lanes */
+    int32_t lanes;
+};
+
+typedef void simd_run_fn(const struct simd_inputs *in, struct simd_results *out);
+
+simd_run_fn simd_run_scalar, simd_run_sse2, simd_run_avx2, simd_run_avx512, simd_run_neon;
+
+#endif

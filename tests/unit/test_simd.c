@@ -1,0 +1,39 @@
+/* The operations that kernels are written in: for each instruction set the same as plain C. */
+#include <stdio.h>
+
+#include "raster/halfspace.h"
+#include "support/cmocka_all.h"
+#include "support/isas.h"
+#include "support/simd_check.h"
+
+static void operations_are_those_of_plain_c_lane_by_lane(void **state)
+{
+    char message[400];
+    enum zr_isa isa = isa_under_test(state);
+    for (uint64_t seed = 1; seed <= 50; seed++)
+        if (!simd_check(isa, seed, message, sizeof message)) fail_msg("%s", message);
+}
+
+static void best_is_available_and_names_are_found(void **state)
+{
+    (void)state;
+    enum zr_isa found;
+    assert_true(zr_isa_is_available(ZR_ISA_SCALAR));
+    assert_true(zr_isa_is_available(zr_isa_best()));
+    for (int i = 0; i < ZR_ISA_COUNT; i++) {
+        assert_true(zr_isa_find(zr_isa_name((enum zr_isa)i), &found));
+        assert_int_equal(found, i);
+        if (zr_isa_is_available((enum zr_isa)i)) assert_non_null(zr_halfspace_of((enum zr_isa)i));
+    }
+    assert_false(zr_isa_find("auto", &found));
+    assert_false(zr_isa_find("", &found));
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        TEST_EACH_ISA(operations_are_those_of_plain_c_lane_by_lane),
+        cmocka_unit_test(best_is_available_and_names_are_found),
+    };
+    return cmocka_run_group_tests_name("simd", tests, NULL, NULL);
+}
