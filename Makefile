@@ -71,6 +71,8 @@ lines := $(call objects,tests/reference/lines/*.c)
 reference_doors := $(BUILD)/tests/reference/reference_osmesa.o $(BUILD)/tests/reference/reference_egl.o
 reference := $(filter-out $(reference_doors),$(call objects,tests/reference/*.c))
 bench := $(call objects,tests/bench/*.c)
+# What the bench runs on the other side, in processes that load nothing but what they need.
+bench_alone := $(patsubst %.c,$(BUILD)/%,$(wildcard tests/bench/alone/*.c))
 server_support := $(filter-out $(BUILD)/tests/server/test_%,$(call objects,tests/server/*.c))
 unit_tests := $(patsubst %.c,$(BUILD)/%,$(wildcard tests/unit/test_*.c tests/property/test_*.c))
 server_tests := $(patsubst %.c,$(BUILD)/%,$(wildcard tests/server/test_*.c))
@@ -122,14 +124,14 @@ cross: ## the renderer built for arm64 and run under qemu: the same bytes as her
 	@tests/cross/compare.sh $(BUILD)/zraster-cross "$(isas)" "qemu-aarch64 $(BUILD)/arm64/zraster-cross" "$(isas_aarch64)"
 
 .PHONY: bench
-bench: ## our times beside llvmpipe's, in one run
+bench: ## our times beside llvmpipe's, libpng's, cJSON's, in one run; ARGS="--only PNG", --rounds N, --list
 	@.ci/need $(NEED_BUILD) $(NEED_TEST)
-	@$(MAKE) -s -j$(JOBS) $(BUILD)/zrasterd $(BUILD)/zraster-bench
-	ZRASTERD=$(BUILD)/zrasterd $(BUILD)/zraster-bench --models $(DATA)/models
+	@$(MAKE) -s -j$(JOBS) $(BUILD)/zrasterd $(BUILD)/zraster-bench $(bench_alone)
+	@ZRASTERD=$(BUILD)/zrasterd $(BUILD)/zraster-bench --models $(DATA)/models --output $(BUILD)/bench/results.json $(ARGS)
 
 .PHONY: tests
 tests: all $(unit_tests) $(server_tests) $(BUILD)/zraster-verify $(BUILD)/zraster-verify-egl $(BUILD)/zraster-verify-lines \
-	$(BUILD)/zraster-bench
+	$(BUILD)/zraster-bench $(bench_alone)
 
 .PHONY: needs
 needs:
@@ -183,6 +185,12 @@ $(BUILD)/zraster-bench: $(bench) $(filter-out %/main.o,$(reference)) $(BUILD)/te
 		$(server_support) $(BUILD)/libsupport.a $(BUILD)/libzraster.a
 	$(LINK) $(OSMESA_LIBS) $(TEST_LIBS) $(CORE_LIBS)
 
+$(bench_alone): $(BUILD)/%: $(BUILD)/%.o
+$(BUILD)/tests/bench/alone/first_frame: $(BUILD)/tests/reference/reference_gl.o $(BUILD)/tests/reference/reference_osmesa.o
+	$(LINK) $(OSMESA_LIBS)
+$(BUILD)/tests/bench/alone/bare_http:
+	$(LINK) -lmicrohttpd
+
 $(unit_tests): $(BUILD)/%: $(BUILD)/%.o $(BUILD)/libsupport.a $(BUILD)/libzraster.a
 	$(LINK) $(TEST_LIBS) $(CORE_LIBS)
 
@@ -205,4 +213,4 @@ endef
 $(foreach isa,$(isas),$(eval $(call kernel_rule,$(isa))))
 
 -include $(patsubst %.o,%.d,$(core) $(server) $(client) $(support) $(reference) $(reference_doors) $(lines) $(bench) $(cross) $(server_support) \
-	$(addsuffix .o,$(unit_tests) $(server_tests)))
+	$(addsuffix .o,$(unit_tests) $(server_tests) $(bench_alone)))

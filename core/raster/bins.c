@@ -2,29 +2,33 @@
 
 #include "geometry/face.h"
 
-enum { TRIANGLES_A_RANGE = 4096, SETUPS_A_RANGE = 64, BLOCKS_AT_ONCE = 256 };
+enum { TRIANGLES_A_RANGE = 4096, SETUPS_A_RANGE = 64, BYTES_AT_ONCE = 1 << 16 };
 
 /* ---- lists ---- */
 
-static bool refill(struct zr_binner *binner)
+/* NULL, and the binner has failed, where there is no memory. */
+static void *take(struct zr_binner *binner, size_t size)
 {
     struct zr_bins *bins = binner->bins;
-    pthread_mutex_lock(&bins->arena_lock);
-    binner->free = zr_arena_alloc(bins->arena, BLOCKS_AT_ONCE, sizeof(struct zr_bin_block));
-    pthread_mutex_unlock(&bins->arena_lock);
-    if (!binner->free) {
-        binner->failed = true;
-        return false;
+    if (binner->failed) return NULL;
+    if ((size_t)(binner->free_end - binner->free) < size) {
+        pthread_mutex_lock(&bins->arena_lock);
+        binner->free = zr_arena_alloc(bins->arena, BYTES_AT_ONCE, 1);
+        pthread_mutex_unlock(&bins->arena_lock);
+        binner->failed = !binner->free;
+        if (binner->failed) return NULL;
+        binner->free_end = binner->free + BYTES_AT_ONCE;
     }
-    binner->free_end = binner->free + BLOCKS_AT_ONCE * sizeof(struct zr_bin_block);
-    return true;
+    void *taken = binner->free;
+    binner->free += size;
+    return taken;
 }
+_Static_assert(sizeof(struct zr_bin_block) == 256 && sizeof(struct zr_fragments) % 16 == 0, "all blocks are aligned");
 
 struct zr_bin_block *zr_binner_block(struct zr_binner *binner, struct zr_bin *bin)
 {
-    if (binner->free == binner->free_end && (binner->failed || !refill(binner))) return NULL;
-    struct zr_bin_block *block = (void *)binner->free;
-    binner->free += sizeof *block;
+    struct zr_bin_block *block = take(binner, sizeof *block);
+    if (!block) return NULL;
     block->next = NULL;
     block->used = 0;
     if (bin->last)
@@ -32,6 +36,20 @@ struct zr_bin_block *zr_binner_block(struct zr_binner *binner, struct zr_bin *bi
     else
         bin->first = block;
     bin->last = block;
+    return block;
+}
+
+struct zr_fragments *zr_binner_fragments(struct zr_binner *binner, struct zr_tile_bins *tile)
+{
+    struct zr_fragments *block = take(binner, sizeof *block);
+    if (!block) return NULL;
+    block->next = NULL;
+    block->used = 0;
+    if (tile->last)
+        tile->last->next = block;
+    else
+        tile->first = block;
+    tile->last = block;
     return block;
 }
 
@@ -88,7 +106,7 @@ void zr_binner_add_spanning(struct zr_binner *binner, const struct zr_batch *bat
     for (int32_t y = box[1]; y <= box[3]; y++)
         for (int32_t x = box[0]; x <= box[2]; x++) {
             size_t tile = (size_t)y * bins->columns + (size_t)x;
-            zr_binner_add(binner, zr_binner_bin(binner, tile, ZR_BIN_WIDE), number);
+            zr_binner_add(binner, &binner->tiles[tile].wide, number);
         }
 }
 
@@ -144,7 +162,7 @@ static bool make_workers(struct zr_bins *bins, const struct zr_geometry *geometr
     for (int i = 0; bins->workers && i < bins->worker_count; i++) {
         bins->workers[i].bins = bins;
         bins->workers[i].geometry = geometry;
-        bins->workers[i].tiles = zr_arena_zero(bins->arena, tiles * ZR_BIN_KINDS, sizeof *bins->workers[i].tiles);
+        bins->workers[i].tiles = zr_arena_zero(bins->arena, tiles, sizeof *bins->workers[i].tiles);
     }
     return zr_arena_ok(bins->arena);
 }
@@ -178,7 +196,7 @@ static bool gather_large(struct zr_bins *bins)
     for (int i = 0; i < bins->worker_count; i++)
         for (const struct zr_bin_block *block = bins->workers[i].large.first; block; block = block->next)
             for (uint32_t k = 0; k < block->used; k++)
-                bins->large[bins->large_count++].number = block->words[k];
+                bins->large[bins->large_count++].number = block->numbers[k];
     return true;
 }
 

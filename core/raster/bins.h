@@ -20,37 +20,44 @@
 #include "raster/tile.h"
 
 enum {
-    ZR_BIN_WORDS = 60,            /* of a block, which takes 256 bytes */
+    ZR_BIN_WORDS = 44,            /* of a block, which takes 256 bytes, and has room for a vector behind its end */
+    ZR_BIN_FRAGMENTS_A_BLOCK = 64,
+    ZR_BIN_VECTOR = 16,           /* lanes at most */
     ZR_BIN_TILES = 16,            /* that a wide triangle is listed in at most */
-    ZR_BIN_SMALL_SPAN = 64 * 256, /* on the snapped grid: edge functions then fit 32 bits, with room to spare */
-    ZR_FRAGMENT_WORDS = 3
-};
-
-/* A sample of a tiny triangle. Its depth is less than 1. */
-struct zr_fragment {
-    uint32_t pixel; /* in zr_tile.depth */
-    float depth;
-    uint32_t owner;
+    ZR_BIN_SMALL_SPAN = 64 * 256 /* on the snapped grid: edge functions then fit 32 bits, with room to spare */
 };
 
 struct zr_bin_block {
     struct zr_bin_block *next;
-    uint32_t used; /* words */
-    uint32_t words[ZR_BIN_WORDS];
+    uint32_t used;
+    uint32_t numbers[ZR_BIN_WORDS + ZR_BIN_VECTOR];
+};
+
+/* Samples of tiny triangles. Their depth is less than 1. */
+struct zr_fragments {
+    struct zr_fragments *next;
+    uint32_t used;
+    uint32_t pixels[ZR_BIN_FRAGMENTS_A_BLOCK + ZR_BIN_VECTOR]; /* in zr_tile.depth */
+    uint32_t owners[ZR_BIN_FRAGMENTS_A_BLOCK + ZR_BIN_VECTOR];
+    float depths[ZR_BIN_FRAGMENTS_A_BLOCK + ZR_BIN_VECTOR];
 };
 
 struct zr_bin {
     struct zr_bin_block *first, *last;
 };
 
-enum zr_bin_kind { ZR_BIN_SMALL, ZR_BIN_WIDE, ZR_BIN_FRAGMENTS, ZR_BIN_KINDS };
+/* What one thread has for one tile. */
+struct zr_tile_bins {
+    struct zr_bin small, wide;
+    struct zr_fragments *first, *last;
+};
 
 /* What one thread sorts into. */
 struct zr_binner {
     struct zr_bins *bins;
     const struct zr_geometry *geometry;
-    struct zr_bin *tiles; /* [tile * ZR_BIN_KINDS + kind] */
-    struct zr_bin large;  /* numbers */
+    struct zr_tile_bins *tiles;
+    struct zr_bin large;
     char *free, *free_end; /* room for blocks */
     bool failed;
     struct zr_counts counts;
@@ -90,29 +97,28 @@ void zr_binner_add_flat(struct zr_binner *binner, const struct zr_batch *batch, 
 
 /* A new last block; NULL, and the binner has failed, where there is no memory. */
 struct zr_bin_block *zr_binner_block(struct zr_binner *binner, struct zr_bin *bin);
+struct zr_fragments *zr_binner_fragments(struct zr_binner *binner, struct zr_tile_bins *tile);
 
-/* Room for `words` more, in one piece; NULL where the binner has failed. */
-static inline uint32_t *zr_binner_room(struct zr_binner *binner, struct zr_bin *bin, uint32_t words)
+/* A block with room for a vector of numbers; NULL where the binner has failed. */
+static inline struct zr_bin_block *zr_binner_room(struct zr_binner *binner, struct zr_bin *bin)
 {
     struct zr_bin_block *block = bin->last;
-    if (__builtin_expect(!block || block->used + words > ZR_BIN_WORDS, 0)) {
-        block = zr_binner_block(binner, bin);
-        if (!block) return NULL;
-    }
-    uint32_t *room = block->words + block->used;
-    block->used += words;
-    return room;
+    if (__builtin_expect(block && block->used <= ZR_BIN_WORDS, 1)) return block;
+    return zr_binner_block(binner, bin);
 }
 
 static inline void zr_binner_add(struct zr_binner *binner, struct zr_bin *bin, uint32_t number)
 {
-    uint32_t *room = zr_binner_room(binner, bin, 1);
-    if (room) *room = number;
+    struct zr_bin_block *block = zr_binner_room(binner, bin);
+    if (block) block->numbers[block->used++] = number;
 }
 
-static inline struct zr_bin *zr_binner_bin(const struct zr_binner *binner, size_t tile, enum zr_bin_kind kind)
+/* The same for fragments. */
+static inline struct zr_fragments *zr_binner_fragment_room(struct zr_binner *binner, struct zr_tile_bins *tile)
 {
-    return &binner->tiles[tile * ZR_BIN_KINDS + kind];
+    struct zr_fragments *block = tile->last;
+    if (__builtin_expect(block && block->used <= ZR_BIN_FRAGMENTS_A_BLOCK, 1)) return block;
+    return zr_binner_fragments(binner, tile);
 }
 
 #endif

@@ -13,7 +13,7 @@ struct sorter {
     const uint32_t *corners; /* of record 0 of the batch */
     size_t stride;          /* words from one record's corners to the next */
     zr_vi last_x, last_y;   /* of the window */
-    uint32_t tiny[QUEUE + ZR_LANES];
+    uint32_t tiny[QUEUE + 2 * ZR_LANES]; /* a vector is stored whole */
     uint32_t tiny_count;
 };
 
@@ -55,25 +55,31 @@ static inline struct box box_of(const struct sorter *s, const struct zr_grid_v g
 
 /* ---- tiny triangles ---- */
 
-/* The four samples that a tiny triangle may cover, of each lane: [sample * ZR_LANES + lane]. */
+/* One sample of each lane. */
 struct samples {
-    uint32_t pixels[4 * ZR_LANES], tiles[4 * ZR_LANES];
-    float depths[4 * ZR_LANES];
-    uint64_t seen;
+    zr_vm seen;
+    zr_vi tile, pixel;
+    zr_vf depth;
 };
 
-/* Each into the tile that it lies in. All in one loop: one end for the processor to guess, not four. */
-static inline void put_fragments(struct zr_binner *binner, const struct samples *samples, const uint32_t *numbers)
+/* Into the tiles that they lie in; nearly always that is one and the same. */
+static inline void put_fragments(struct zr_binner *binner, const struct samples *samples, zr_vi owners)
 {
-    for (uint64_t bits = samples->seen; bits; bits &= bits - 1) {
-        const int i = __builtin_ctzll(bits);
-        struct zr_bin *bin = zr_binner_bin(binner, samples->tiles[i], ZR_BIN_FRAGMENTS);
-        const struct zr_fragment fragment = {samples->pixels[i], samples->depths[i], numbers[i % ZR_LANES] + 1};
-        uint32_t *room = zr_binner_room(binner, bin, ZR_FRAGMENT_WORDS);
-        if (room) memcpy(room, &fragment, sizeof fragment);
+    uint32_t tiles[ZR_LANES];
+    zr_vi_store(tiles, samples->tile);
+    for (uint32_t bits = zr_vm_bits(samples->seen); bits;) {
+        const uint32_t number = tiles[zr_lowest_bit(bits)];
+        const zr_vm here = zr_vi_eq(samples->tile, zr_vi_set((int32_t)number));
+        const zr_vm put = zr_vm_and(here, zr_vm_of(bits));
+        struct zr_fragments *block = zr_binner_fragment_room(binner, &binner->tiles[number]);
+        if (!block) return;
+        zr_vi_compress(block->pixels + block->used, put, samples->pixel);
+        zr_vi_compress(block->depths + block->used, put, zr_vi_bits_of(samples->depth));
+        block->used += zr_vi_compress(block->owners + block->used, put, owners);
+        bits &= ~zr_vm_bits(here);
     }
 }
-_Static_assert(4 * ZR_LANES <= 64, "a bit a sample");
+_Static_assert((int)ZR_LANES <= (int)ZR_BIN_VECTOR, "a block has room for a vector");
 _Static_assert(ZR_TILE_SIZE == 1 << 6, "columns and rows of tiles are shifts");
 
 /* Draws ZR_LANES of them; of numbers that are not `valid` nothing is seen. */
@@ -106,8 +112,7 @@ static inline void draw_tiny(struct sorter *s, const uint32_t *numbers, zr_vm va
     const struct zr_plane_v plane = zr_plane_make_v(&basis, c[0].z, c[1].z, c[2].z);
     const zr_vi one = zr_vi_set(1), below_zero = zr_vi_set(-1), in_tile = zr_vi_set(ZR_TILE_SIZE - 1);
     const zr_vi columns = zr_vi_set((int32_t)s->binner->bins->columns);
-    struct samples samples;
-    samples.seen = 0;
+    const zr_vi owners = zr_vi_load(numbers) + one;
     for (int sample = 0; sample < 4; sample++) {
         const zr_vi x = sample & 1 ? box.x0 + one : box.x0, y = sample & 2 ? box.y0 + one : box.y0;
         zr_vi inside = zr_vi_set(0);
@@ -121,13 +126,11 @@ static inline void draw_tiny(struct sorter *s, const uint32_t *numbers, zr_vm va
         if (sample & 1) seen = zr_vm_andnot(seen, zr_vi_lt(box.x1, x));
         if (sample & 2) seen = zr_vm_andnot(seen, zr_vi_lt(box.y1, y));
         const zr_vf z = zr_depth_clamp_v(zr_plane_at_v(&plane, zr_vf_of(x), zr_vf_of(y)));
-        seen = zr_vf_lt_where(seen, z, zr_vf_set(1.0f));
-        samples.seen |= (uint64_t)zr_vm_bits(seen) << (sample * ZR_LANES);
-        zr_vf_store(samples.depths + sample * ZR_LANES, z);
-        zr_vi_store(samples.pixels + sample * ZR_LANES, (y & in_tile) * zr_vi_set(ZR_TILE_STRIDE) + (x & in_tile));
-        zr_vi_store(samples.tiles + sample * ZR_LANES, (y >> 6) * columns + (x >> 6));
+        struct samples samples = {.seen = zr_vf_lt_where(seen, z, zr_vf_set(1.0f)), .depth = z};
+        samples.tile = (y >> 6) * columns + (x >> 6);
+        samples.pixel = (y & in_tile) * zr_vi_set(ZR_TILE_STRIDE) + (x & in_tile);
+        put_fragments(s->binner, &samples, owners);
     }
-    put_fragments(s->binner, &samples, numbers);
 }
 
 static void flush_tiny(struct sorter *s)
@@ -146,20 +149,35 @@ static void flush_tiny(struct sorter *s)
 
 /* ---- small triangles ---- */
 
-static inline void list_small(struct sorter *s, uint32_t bits, const struct box *box, uint32_t first)
+/* Most lie in one tile, and most of a group's in the same one: these are listed at once. */
+static inline void list_small(struct sorter *s, zr_vm listed, const struct box *box, uint32_t first)
 {
-    int32_t x0[ZR_LANES], y0[ZR_LANES], x1[ZR_LANES], y1[ZR_LANES];
+    int32_t x0[ZR_LANES], y0[ZR_LANES], x1[ZR_LANES], y1[ZR_LANES], tiles[ZR_LANES];
     const uint32_t columns = s->binner->bins->columns;
-    zr_vi_store(x0, box->x0 >> 6);
-    zr_vi_store(y0, box->y0 >> 6);
-    zr_vi_store(x1, box->x1 >> 6);
-    zr_vi_store(y1, box->y1 >> 6);
-    for (; bits; bits &= bits - 1) {
+    const zr_vi vx0 = box->x0 >> 6, vy0 = box->y0 >> 6, vx1 = box->x1 >> 6, vy1 = box->y1 >> 6;
+    const zr_vi tile_v = vy0 * zr_vi_set((int32_t)columns) + vx0;
+    const zr_vi numbers = zr_vi_set((int32_t)first) + zr_vi_ramp();
+    const zr_vm inner = zr_vi_eq((vx0 ^ vx1) | (vy0 ^ vy1), zr_vi_set(0));
+    zr_vi_store(tiles, tile_v);
+    for (uint32_t bits = zr_vm_bits(zr_vm_and(listed, inner)); bits;) {
+        const uint32_t number = (uint32_t)tiles[zr_lowest_bit(bits)];
+        const zr_vm here = zr_vi_eq(tile_v, zr_vi_set((int32_t)number));
+        struct zr_bin_block *block = zr_binner_room(s->binner, &s->binner->tiles[number].small);
+        if (!block) return;
+        block->used += zr_vi_compress(block->numbers + block->used, zr_vm_and(here, zr_vm_of(bits)), numbers);
+        bits &= ~zr_vm_bits(here);
+    }
+    if (!zr_vm_any(zr_vm_andnot(listed, inner))) return;
+    zr_vi_store(x0, vx0);
+    zr_vi_store(y0, vy0);
+    zr_vi_store(x1, vx1);
+    zr_vi_store(y1, vy1);
+    for (uint32_t bits = zr_vm_bits(zr_vm_andnot(listed, inner)); bits; bits &= bits - 1) {
         int i = zr_lowest_bit(bits);
         for (int32_t y = y0[i]; y <= y1[i]; y++)
             for (int32_t x = x0[i]; x <= x1[i]; x++) {
                 size_t tile = (size_t)y * columns + (size_t)x;
-                zr_binner_add(s->binner, zr_binner_bin(s->binner, tile, ZR_BIN_SMALL), first + (uint32_t)i);
+                zr_binner_add(s->binner, &s->binner->tiles[tile].small, first + (uint32_t)i);
             }
     }
 }
@@ -184,16 +202,14 @@ static inline void count_flat(struct sorter *s, zr_vm flat, const zr_vf x[3], co
 }
 
 /* ZR_LANES triangles whose corners begin at `corners`, numbered from `first`. */
-static inline void sort_group(struct sorter *s, const uint32_t *corners, size_t stride, zr_vm valid, uint32_t first)
+static inline void sort_group(struct sorter *s, const uint32_t *corners, zr_vm valid, uint32_t first)
 {
     zr_vf x[3], y[3];
     struct zr_grid_v g[3];
     zr_vm small;
-#define CORNER(i) (s->vertices + 4 * (size_t)corners[(i)*stride])
-    for (int k = 0; k < 3; k++, corners++) {
-        ZR_LOAD2(x[k], y[k], CORNER);
+    zr_load_corners(s->vertices, corners, x, y);
+    for (int k = 0; k < 3; k++)
         g[k] = zr_grid_of(x[k], y[k]);
-    }
     const struct box box = box_of(s, g, &small);
     const zr_vi area = zr_area_v(g), zero = zr_vi_set(0);
     const zr_vm spanning = zr_vm_andnot(valid, small), flat = zr_vm_and(zr_vm_and(valid, small), zr_vi_eq(area, zero));
@@ -213,11 +229,17 @@ static inline void sort_group(struct sorter *s, const uint32_t *corners, size_t 
     const zr_vi width = box.x1 - box.x0, height = box.y1 - box.y0;
     drawn = zr_vm_andnot(drawn, zr_vi_lt(width | height, zero)); /* without a pixel centre */
     const zr_vm tiny = zr_vm_and(drawn, zr_vi_lt(zr_vi_max(width, height), zr_vi_set(2)));
-    for (uint32_t bits = zr_vm_bits(tiny); bits; bits &= bits - 1)
-        s->tiny[s->tiny_count++] = first + (uint32_t)zr_lowest_bit(bits);
-    const uint32_t listed = zr_vm_bits(zr_vm_andnot(drawn, tiny));
-    if (listed) list_small(s, listed, &box, first);
+    s->tiny_count += zr_vi_compress(s->tiny + s->tiny_count, tiny, zr_vi_set((int32_t)first) + zr_vi_ramp());
+    const zr_vm listed = zr_vm_andnot(drawn, tiny);
+    if (zr_vm_any(listed)) list_small(s, listed, &box, first);
     if (s->tiny_count >= QUEUE) flush_tiny(s);
+}
+
+/* A corner of each triangle of a group to come is asked for: its neighbours have the others. 6 % of a million triangles. */
+static inline void expect_group(const struct sorter *s, uint32_t t)
+{
+    for (uint32_t i = 0; i < ZR_LANES; i++)
+        __builtin_prefetch(corner_of(s, t + i, 0));
 }
 
 void ZR_KERNEL(zr_binning)(struct zr_binner *binner, const struct zr_batch *batch, uint32_t begin, uint32_t end)
@@ -239,14 +261,16 @@ void ZR_KERNEL(zr_binning)(struct zr_binner *binner, const struct zr_batch *batc
     const zr_vm all = ZR_ALL_LANES;
     uint32_t t = begin;
     if (s.stride == 3)
-        for (; t + ZR_LANES <= end; t += ZR_LANES)
-            sort_group(&s, s.corners + 3 * (size_t)t, 3, all, batch->first + t);
+        for (; t + ZR_LANES <= end; t += ZR_LANES) {
+            if (t + 4 * ZR_LANES <= end) expect_group(&s, t + 3 * ZR_LANES);
+            sort_group(&s, s.corners + 3 * (size_t)t, all, batch->first + t);
+        }
     for (; t < end; t += ZR_LANES) {
         /* What is left of a group, or records that stand apart. */
         uint32_t corners[3 * ZR_LANES], left = end - t < ZR_LANES ? end - t : ZR_LANES;
         for (uint32_t i = 0; i < ZR_LANES; i++)
             memcpy(corners + 3 * (size_t)i, s.corners + (t + (i < left ? i : 0)) * s.stride, 3 * sizeof *corners);
-        sort_group(&s, corners, 3, zr_vm_of((1u << (left - 1) << 1) - 1u), batch->first + t);
+        sort_group(&s, corners, zr_vm_of((1u << (left - 1) << 1) - 1u), batch->first + t);
     }
     flush_tiny(&s);
 }

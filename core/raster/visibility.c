@@ -78,39 +78,35 @@ static void draw_wide(const struct zr_visible *visible, uint32_t number, struct 
     visible->halfspace->draw(tile, &setup, number + 1);
 }
 
-static void draw_fragments(const struct zr_bin_block *block, struct zr_tile *tile)
+static void draw_fragments(const struct zr_fragments *block, struct zr_tile *tile)
 {
-    for (uint32_t i = 0; i < block->used; i += ZR_FRAGMENT_WORDS) {
-        struct zr_fragment f;
-        memcpy(&f, block->words + i, sizeof f);
-        float depth = tile->depth[f.pixel];
-        if (!(f.depth < depth || (f.depth == depth && f.owner < tile->owner[f.pixel]))) continue;
-        tile->depth[f.pixel] = f.depth;
-        tile->owner[f.pixel] = f.owner;
+    for (uint32_t i = 0; i < block->used; i++) {
+        const uint32_t pixel = block->pixels[i], owner = block->owners[i];
+        const float depth = block->depths[i], old = tile->depth[pixel];
+        if (!(depth < old || (depth == old && owner < tile->owner[pixel]))) continue;
+        tile->depth[pixel] = depth;
+        tile->owner[pixel] = owner;
     }
 }
 
-static void draw_block(const struct zr_visible *visible, enum zr_bin_kind kind, const struct zr_bin_block *block,
-                       struct zr_tile *tile)
-{
-    if (kind == ZR_BIN_FRAGMENTS) draw_fragments(block, tile);
-    if (kind == ZR_BIN_SMALL) visible->halfspace->draw_small(tile, visible->geometry, block->words, block->used);
-    for (uint32_t i = 0; kind == ZR_BIN_WIDE && i < block->used; i++)
-        draw_wide(visible, block->words[i], tile);
-}
-
+/* The largest first: they hide most. */
 static bool draw_bins(const struct zr_visible *visible, uint32_t number, const struct zr_cancel *cancel,
                       struct zr_tile *tile)
 {
-    static const enum zr_bin_kind largest_first[ZR_BIN_KINDS] = {ZR_BIN_WIDE, ZR_BIN_SMALL, ZR_BIN_FRAGMENTS};
-    for (int k = 0; k < ZR_BIN_KINDS; k++)
-        for (int i = 0; i < visible->bins.worker_count; i++) {
-            const struct zr_bin *bin = zr_binner_bin(&visible->bins.workers[i], number, largest_first[k]);
-            for (const struct zr_bin_block *block = bin->first; block; block = block->next) {
-                if (zr_is_cancelled(cancel)) return false;
-                draw_block(visible, largest_first[k], block, tile);
-            }
+    for (int i = 0; i < visible->bins.worker_count; i++)
+        for (const struct zr_bin_block *b = visible->bins.workers[i].tiles[number].wide.first; b; b = b->next) {
+            if (zr_is_cancelled(cancel)) return false;
+            for (uint32_t k = 0; k < b->used; k++)
+                draw_wide(visible, b->numbers[k], tile);
         }
+    for (int i = 0; i < visible->bins.worker_count; i++)
+        for (const struct zr_bin_block *b = visible->bins.workers[i].tiles[number].small.first; b; b = b->next) {
+            if (zr_is_cancelled(cancel)) return false;
+            visible->halfspace->draw_small(tile, visible->geometry, b->numbers, b->used);
+        }
+    for (int i = 0; i < visible->bins.worker_count; i++)
+        for (const struct zr_fragments *f = visible->bins.workers[i].tiles[number].first; f; f = f->next)
+            draw_fragments(f, tile);
     return true;
 }
 
@@ -172,9 +168,10 @@ static bool has_anything(const struct zr_visible *visible, uint32_t number)
 {
     const struct zr_others *others = &visible->others;
     if (visible->bins.large_count > 0) return true;
-    for (int i = 0; i < visible->bins.worker_count; i++)
-        for (int kind = 0; kind < ZR_BIN_KINDS; kind++)
-            if (zr_binner_bin(&visible->bins.workers[i], number, (enum zr_bin_kind)kind)->first) return true;
+    for (int i = 0; i < visible->bins.worker_count; i++) {
+        const struct zr_tile_bins *bins = &visible->bins.workers[i].tiles[number];
+        if (bins->wide.first || bins->small.first || bins->first) return true;
+    }
     return others->count > 0 && (others->large_count > 0 || others->offsets[number] < others->offsets[number + 1]);
 }
 

@@ -13,6 +13,13 @@ bool bench_wants(const struct bench *bench, const char *name)
     return false;
 }
 
+void bench_path_of(const struct bench *bench, const char *program, char *path, size_t size)
+{
+    const char *slash = strrchr(bench->program, '/');
+    snprintf(path, size, "%.*stests/bench/alone/%s", slash ? (int)(slash - bench->program + 1) : 0, bench->program,
+             program);
+}
+
 bool bench_complain(const char *format, ...)
 {
     va_list arguments;
@@ -80,14 +87,14 @@ bool bench_check_in_child(struct bench *bench,
                           void *context, bool wrong[BENCH_CHECKS_MAX])
 {
     static int number = 0;
-    struct results found = {0};
+    struct results found = {.rows = NULL};
     bool ok = bench_in_child(bench, work, context, &found);
     for (int i = 0; i < found.count; i++) {
         const struct row *row = &found.rows[i];
         if (wrong && i < BENCH_CHECKS_MAX) wrong[i] = row->wrong;
         if (bench->check_only || row->wrong)
             printf("%s %d - %s: %s\n", row->wrong ? "not ok" : "ok", ++number, row->work, row->note);
-        if (row->wrong) bench->results.failed = true;
+        if (row->wrong && bench->check_only) bench->results.failed = true; /* else its row says so */
     }
     results_free(&found);
     return ok;

@@ -7,6 +7,7 @@
 #define ZR_BENCH_BENCH_H
 
 #include <stdbool.h>
+#include <stddef.h>
 
 #include "bench/results.h"
 
@@ -21,6 +22,9 @@ struct bench {
 
 /* Whether a row of this name is to be measured. Where names are only listed, prints it and says no. */
 bool bench_wants(const struct bench *bench, const char *name);
+
+/* Of a program that stands alone, to be run: those of the folder `alone`, built beside this one. */
+void bench_path_of(const struct bench *bench, const char *program, char *path, size_t size);
 
 /* A note of what failed where a measurement cannot go on; returns false. */
 bool bench_complain(const char *format, ...) __attribute__((format(printf, 1, 2)));

@@ -1,6 +1,7 @@
 #include "bench/machine.h"
 
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
 
@@ -39,4 +40,10 @@ const char *machine_processor(void)
         if (sscanf(line, "model name : %127[^\n]", name) == 1) break;
     if (file) fclose(file);
     return name;
+}
+
+double machine_load(void)
+{
+    double load = -1.0;
+    return getloadavg(&load, 1) == 1 ? load : -1.0;
 }

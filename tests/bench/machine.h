@@ -13,4 +13,7 @@ int machine_cores(void);
 /* The processor's name; "unknown processor" where the system does not tell. */
 const char *machine_processor(void);
 
+/* How many processors were at work in the last minute; below 0 where the system does not tell. */
+double machine_load(void);
+
 #endif

@@ -3,12 +3,18 @@
  * Both sides of a row are timed in turns, after their results were compared. Times drift
  * from run to run and from machine to machine: the ratio is what counts.
  */
+#include <cjson/cJSON.h>
+#include <png.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "bench/bench.h"
+#include "bench/growth.h"
 #include "bench/machine.h"
+#include "bench/service.h"
+#include "bench/sides.h"
+#include "bench/versus_cjson.h"
 #include "bench/versus_libpng.h"
 #include "bench/versus_llvmpipe.h"
 
@@ -49,15 +55,51 @@ static bool read_options(int count, char **arguments, struct bench *bench, const
     return true;
 }
 
+/* A context names itself, and there is one a process. */
+static bool name_renderer(const struct bench *bench, void *context, const struct sink *sink)
+{
+    (void)bench, (void)context;
+    struct theirs theirs;
+    if (!theirs_open(&theirs, false, 1)) return false;
+    struct row row = {.work = ""};
+    snprintf(row.work, sizeof row.work, "%s", reference_name(theirs.reference));
+    sink_row(sink, &row);
+    return true;
+}
+
+static void introduce(struct bench *bench)
+{
+    struct results *results = &bench->results, names = {.rows = NULL};
+    results->processor = machine_processor();
+    results->cores = machine_cores();
+    results->isa = machine_isa();
+    if (bench_in_child(bench, name_renderer, NULL, &names) && names.count == 1)
+        memcpy(results->renderer, names.rows[0].work, sizeof results->renderer);
+    results_free(&names);
+    printf("%s, %d cores, %s\n%s\nlibpng %s, cJSON %s\n", results->processor, results->cores, results->isa,
+           results->renderer, png_get_libpng_ver(NULL), cJSON_Version());
+    if (machine_load() > 0.7)
+        printf("NOTE: others are at work here (load %.1f): rows of as many threads as cores suffer most\n",
+               machine_load());
+    fputs("Medians of both sides in turns; ratios are theirs over ours. T: threads. ids: face ids are written, too.\n",
+          stdout);
+}
+
 int main(int count, char **arguments)
 {
     struct bench bench = {.program = arguments[0], .models = ""};
     const char *output = "build/bench/results.json";
     if (!read_options(count, arguments, &bench, &output)) return usage();
-    if (!bench.check_only && !bench.list)
-        printf("%s, %d cores, %s\n", machine_processor(), machine_cores(), machine_isa());
+    if (!bench.check_only && !bench.list) introduce(&bench);
+    growth_floors(&bench);
     versus_llvmpipe(&bench);
+    growth_of_threads(&bench);
     versus_libpng(&bench);
+    versus_cjson(&bench);
+    service_against_stock(&bench);
+    service_against_bare_http(&bench);
+    service_cold_start(&bench);
+    growth_of_work(&bench);
     if (!bench.check_only && !bench.list) {
         results_print_summary(&bench.results);
         if (!results_write(&bench.results, output)) bench.results.failed = true;

@@ -10,7 +10,7 @@ static const char *const side_names[] = {[ROW_BYTES] = "bytes", [ROW_MEMORY] = "
 void results_free(struct results *results)
 {
     free(results->rows);
-    *results = (struct results){0};
+    *results = (struct results){.rows = NULL};
 }
 
 void results_add(struct results *results, const struct row *row)
@@ -72,23 +72,23 @@ static void print_number(double value, const char *unit, int width, int digits)
 
 void results_print_heading(const char *title)
 {
-    printf("\n%-66s %10s %10s %8s %7s %7s\n", title, "ours ms", "theirs ms", "ratio", "must", "goal");
+    printf("\n%-57s %9s %9s %8s %6s %6s\n", title, "ours ms", "theirs ms", "ratio", "must", "goal");
     fflush(stdout);
 }
 
 void results_print_row(const struct row *row)
 {
     int digits = row->ours_ms < 1.0 ? 4 : row->ours_ms < 100.0 ? 3 : 1;
-    printf("%-66s", row->work);
-    print_number(row->ours_ms, "", 10, digits);
-    print_number(row->theirs_ms, "", 10, digits);
+    printf("%-57s", row->work);
+    print_number(row->ours_ms, "", 9, digits);
+    print_number(row->theirs_ms, "", 9, digits);
     print_number(row_ratio(row), "x", 8, 2);
-    print_number(row->bar.must, "x", 7, row->bar.must < 2 ? 2 : 1);
-    print_number(row->bar.goal, "x", 7, row->bar.goal < 2 ? 2 : 1);
+    print_number(row->bar.must, "x", 6, row->bar.must < 2 ? 2 : 1);
+    print_number(row->bar.goal, "x", 6, row->bar.goal < 2 ? 2 : 1);
     printf(" %-5s", mark(row));
     if (row->side != ROW_TIME_ONLY) {
         printf(" %s %.2fx", side_names[row->side], row->side_ratio);
-        if (row->side_bar.must > 0) printf(" (must %.2fx)", row->side_bar.must);
+        if (row->side_bar.must > 0) printf(" (<= %.1fx)", row->side_bar.must);
     }
     printf("%s%s\n", row->note[0] ? " " : "", row->note);
     fflush(stdout);
@@ -136,7 +136,7 @@ static void write_row(FILE *out, const struct row *row)
         snprintf(key, sizeof key, "%s_goal", side_names[row->side]);
         write_number(out, key, row->side_bar.goal);
     }
-    fprintf(out, ", \"mark\": \"%s\"}", mark(row));
+    fprintf(out, ", \"mark\": \"%s\", \"note\": \"%s\"}", mark(row), row->note);
 }
 
 static void make_directories(const char *path)
@@ -156,7 +156,8 @@ bool results_write(const struct results *results, const char *path)
         fprintf(stderr, "%s: %s\n", path, strerror(errno));
         return false;
     }
-    fputs("{\"rows\": [", out);
+    fprintf(out, "{\"processor\": \"%s\", \"cores\": %d, \"isa\": \"%s\", \"renderer\": \"%s\",\n \"rows\": [",
+            results->processor, results->cores, results->isa, results->renderer);
     for (int i = 0; i < results->count; i++) {
         fputs(i ? ",\n  " : "\n  ", out);
         write_row(out, &results->rows[i]);

@@ -13,9 +13,11 @@ struct bar {
     double must, goal;
 };
 
+enum { ROW_NAME_SIZE = 96 };
+
 /* A cell. Ratios are theirs over ours: higher is better. Plain bytes, so that it goes through a pipe. */
 struct row {
-    char work[96];
+    char work[ROW_NAME_SIZE];
     double ours_ms, theirs_ms; /* theirs 0: nothing to be compared with */
     struct bar bar;
     enum row_side side;
@@ -26,6 +28,9 @@ struct row {
 };
 
 struct results {
+    const char *processor, *isa; /* what it was measured on, for the file */
+    int cores;
+    char renderer[ROW_NAME_SIZE];
     struct row *rows;
     int count, room;
     bool failed; /* something could not run */

@@ -4,7 +4,7 @@
 #include <string.h>
 #include <time.h>
 
-enum { ROUNDS_MIN = 7, ROUNDS_MAX = 201, BUDGET_MS = 500 };
+enum { ROUNDS_MIN = 9, ROUNDS_IF_SLOW = 7, SLOW_MS = 200, ROUNDS_MAX = 201, BUDGET_MS = 500 };
 
 double now_ms(void)
 {
@@ -36,6 +36,7 @@ int series_rounds(int asked, double round_ms)
 {
     if (asked > 0) return asked < SERIES_MAX ? asked : SERIES_MAX;
     double fit = BUDGET_MS / (round_ms > 0.01 ? round_ms : 0.01);
-    int rounds = fit < ROUNDS_MIN ? ROUNDS_MIN : fit > ROUNDS_MAX ? ROUNDS_MAX : (int)fit;
+    int least = round_ms > SLOW_MS ? ROUNDS_IF_SLOW : ROUNDS_MIN;
+    int rounds = fit < least ? least : fit > ROUNDS_MAX ? ROUNDS_MAX : (int)fit;
     return rounds | 1;
 }

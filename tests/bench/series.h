@@ -21,7 +21,7 @@ void series_add(struct series *series, double ms);
 double series_median(const struct series *series);
 
 /* How many rounds to time where one takes `round_ms`: `asked`, or, where that is 0, as many as fit into some
- * time, odd, at least 7. */
+ * time, odd, and at least 9, or 7 where a round is slow. */
 int series_rounds(int asked, double round_ms);
 
 #endif

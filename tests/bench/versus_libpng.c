@@ -109,7 +109,7 @@ static bool measure(const struct bench *bench, const struct task *task, struct o
     if (bench->check_only)
         snprintf(row->note, sizeof row->note, "read back by libpng, it is %sthe frame", row->wrong ? "not " : "");
     else
-        snprintf(row->note, sizeof row->note, "%zu / %zu KB", trial.our_bytes / 1000, trial.their_bytes / 1000);
+        snprintf(row->note, sizeof row->note, "%zu/%zu KB", trial.our_bytes / 1000, trial.their_bytes / 1000);
     return ok;
 }
 
@@ -137,7 +137,7 @@ void versus_libpng(struct bench *bench)
     for (task.threads = 1; !bench->results.failed && task.threads <= THREADS_MAX; task.threads++) {
         bool here = false;
         for (int i = 0; i < KINDS; i++) {
-            char name[sizeof((struct row *)0)->work];
+            char name[ROW_NAME_SIZE];
             name_row(&task, i, name, sizeof name);
             task.wanted[i] = bench_wants(bench, name);
             here |= task.wanted[i];

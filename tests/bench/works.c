@@ -36,18 +36,25 @@ static const struct {
 
 /* ---- shapes ---- */
 
-/* The bunny, or, where it is not there, a ball of as many triangles and about its size in the window. */
-static const char *make_animal(struct drawing *drawing, const char *directory, uint32_t width, uint32_t height)
+static const char bunny[] = "bunny", ball[] = "generated ball";
+
+const char *works_animal(const char *directory)
 {
     char path[600];
     snprintf(path, sizeof path, "%s/stanford-bunny.obj", directory);
-    bool there = access(path, R_OK) == 0;
-    if (!there)
+    return access(path, R_OK) == 0 ? bunny : ball;
+}
+
+/* The bunny, or, where it is not there, a ball of as many triangles and about its size in the window. */
+static const char *make_animal(struct drawing *drawing, const char *directory, uint32_t width, uint32_t height)
+{
+    const char *animal = works_animal(directory);
+    if (animal == ball)
         meshes_ball(drawing, BALL_RINGS);
     else if (!models_drawing(drawing, directory, "stanford-bunny", 0, width, height))
         return NULL;
     meshes_look(drawing, false, ANIMAL_ZOOM, width, height);
-    return drawing->failed ? NULL : there ? "bunny" : "generated ball";
+    return drawing->failed ? NULL : animal;
 }
 
 static const char *make_dense_animal(struct drawing *drawing, const char *directory, uint32_t width, uint32_t height)
@@ -118,6 +125,11 @@ bool works_make(enum works number, const char *directory, struct work *work)
     }
     fprintf(stderr, "zraster-bench: %s could not be made\n", works[number].name);
     return false;
+}
+
+void works_look(struct work *work, uint32_t width, uint32_t height)
+{
+    meshes_look(&work->drawing, false, ANIMAL_ZOOM, width, height);
 }
 
 void works_free(struct work *work)

@@ -39,10 +39,16 @@ enum works {
     WORKS
 };
 
+/* What the meshes are made of: "bunny", where the directory of models has it, else "generated ball". */
+const char *works_animal(const char *directory);
+
 /* Without the models of `directory` there are generated ones of comparable size, and their names say so. False,
  * explained on stderr. works_free in any case. */
 bool works_make(enum works number, const char *directory, struct work *work);
 void works_free(struct work *work);
+
+/* Looks at an animal in a window of another size. */
+void works_look(struct work *work, uint32_t width, uint32_t height);
 
 /* Culled ones first. */
 enum { WORK_VARIANTS_MAX = 4 };

@@ -14,7 +14,7 @@ struct reference {
     uint32_t width, height;
     bool stencil;
     GLuint frame_buffer, color, depth;
-    GLuint two_sided;    /* the program that brings a colour for each side */
+    GLuint two_sided;    /* the program that brings a colour for each side; 0: not made yet */
     uint8_t *row;        /* of the widest attachment */
     GLuint buffers[3];   /* of what is kept: positions, front, indices */
     const zr_vec4 *kept; /* whose positions these are; NULL: nothing is kept */
@@ -123,12 +123,6 @@ struct reference *reference_open(const struct reference_options *options, struct
         return NULL;
     }
     set_state();
-    reference->two_sided = make_two_sided();
-    if (!reference->two_sided) {
-        failed(error, "no program for two-sided colours");
-        reference_close(reference);
-        return NULL;
-    }
     return reference;
 }
 
@@ -299,9 +293,20 @@ static void draw_batch(const struct reference *reference, const struct reference
         draw_corners(reference, arrays, modes[batch->mode], batch->first, batch->count);
 }
 
+/* Made when it is first wanted: it takes some ms. */
+static bool have_two_sided(struct reference *reference, const struct reference_arrays *arrays,
+                           struct reference_error *error)
+{
+    for (uint32_t i = 0; i < arrays->batch_count && !reference->two_sided; i++)
+        if (arrays->batches[i].two_sided && !(reference->two_sided = make_two_sided()))
+            return failed(error, "no program for two-sided colours");
+    return true;
+}
+
 bool reference_draw(struct reference *reference, const struct reference_arrays *arrays, struct reference_error *error)
 {
     const zr_mat4 *modelview = NULL;
+    if (!have_two_sided(reference, arrays, error)) return false;
     glClearColor(arrays->background.x, arrays->background.y, arrays->background.z, arrays->background.w);
     glStencilMask(INSIDE | GAP);
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | (reference->stencil ? GL_STENCIL_BUFFER_BIT : 0u));

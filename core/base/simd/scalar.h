@@ -3,6 +3,7 @@
 #define ZR_SIMD_SCALAR_H
 
 #include <math.h>
+#include <stddef.h>
 
 #define ZR_SUFFIX scalar
 enum { ZR_LANES = 1 };
@@ -177,6 +178,27 @@ static inline zr_vi zr_vi_bits_of(zr_vf a)
         const float *const at = AT(0); \
         (x) = at[0], (y) = at[1]; \
     } while (0)
+
+static inline zr_vi zr_vi_gather(zr_vm m, const void *p, zr_vi i)
+{
+    zr_vi v = 0;
+    if (m) memcpy(&v, (const char *)p + 4 * (ptrdiff_t)i, sizeof v);
+    return v;
+}
+
+static inline void zr_load_corners(const float *vertices, const uint32_t *corners, zr_vf x[3], zr_vf y[3])
+{
+    for (int k = 0; k < 3; k++) {
+        x[k] = vertices[4 * (size_t)corners[k]];
+        y[k] = vertices[4 * (size_t)corners[k] + 1];
+    }
+}
+
+static inline uint32_t zr_vi_compress(void *p, zr_vm m, zr_vi v)
+{
+    if (m) memcpy(p, &v, sizeof v);
+    return m;
+}
 
 static inline void zr_vf_store4(float *p, zr_vf x, zr_vf y, zr_vf z, zr_vf w)
 {

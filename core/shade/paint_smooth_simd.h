@@ -1,0 +1,262 @@
+/* paint_smooth_simd.h - shade: triangles whose colours vary, for the paint kernel.
+ *
+ * As many runs as there are lanes are set up at once. Short ones are then painted side by side, one a lane; long ones
+ * one after the other, a pixel a lane.
+ */
+#ifndef ZR_PAINT_SMOOTH_SIMD_H
+#define ZR_PAINT_SMOOTH_SIMD_H
+
+#include "raster/bins.h"
+#include "raster/triangle_simd.h"
+#include "shade/paint_simd.h"
+
+/* Runs up to this length are painted side by side. */
+enum { ZR_SHORT_RUN = 8 };
+
+struct zr_smooth_queue {
+    struct zr_runs runs;
+    const zr_vec4 *colors;              /* that color[] counts from */
+    int32_t vertex[3][ZR_PAINT_QUEUE]; /* of the geometry */
+    int32_t color[3][ZR_PAINT_QUEUE];
+};
+
+/* ---- planes ---- */
+
+struct zr_color_planes {
+    struct zr_plane_v oow, red, green, blue;
+};
+
+struct zr_color_v {
+    zr_vf red, green, blue;
+};
+
+/* Rule 6: the corners 0 and 1 are to change places. Large triangles are measured one by one, in 64 bits. */
+static inline zr_vm zr_turned_v(const struct zr_smooth_queue *q, const struct zr_window_vertex *vertices,
+                                uint32_t first, const struct zr_corner_v v[3])
+{
+    struct zr_grid_v g[3];
+    for (int k = 0; k < 3; k++)
+        g[k] = zr_grid_of(v[k].x, v[k].y);
+    const zr_vi area = zr_area_v(g), span = zr_vi_set(ZR_BIN_SMALL_SPAN);
+    const zr_vm wide = zr_vm_or(zr_vi_lt(span, zr_span_v(g[0].x, g[1].x, g[2].x)),
+                                zr_vi_lt(span, zr_span_v(g[0].y, g[1].y, g[2].y)));
+    uint32_t turned = zr_vm_bits(zr_vi_lt(area, zr_vi_set(0)));
+    for (uint32_t bits = zr_vm_bits(wide); bits; bits &= bits - 1) {
+        const uint32_t i = (uint32_t)zr_lowest_bit(bits), k = first + i;
+        turned &= ~(1u << i);
+        turned |= (uint32_t)(zr_window_area(&vertices[q->vertex[0][k]], &vertices[q->vertex[1][k]],
+                                            &vertices[q->vertex[2][k]]) < 0)
+                  << i;
+    }
+    return zr_vm_of(turned);
+}
+
+/* Rule 9. */
+static inline struct zr_color_planes zr_color_planes_make(const struct zr_smooth_queue *q,
+                                                          const struct zr_window_vertex *vertices, uint32_t first)
+{
+    struct zr_corner_v v[3];
+    struct zr_color_v c[3];
+    zr_vf alpha;
+#define ZR_VERTEX_0(i) (&vertices[q->vertex[0][first + (i)]].x)
+#define ZR_VERTEX_1(i) (&vertices[q->vertex[1][first + (i)]].x)
+#define ZR_VERTEX_2(i) (&vertices[q->vertex[2][first + (i)]].x)
+#define ZR_COLOR_0(i) (&q->colors[q->color[0][first + (i)]].x)
+#define ZR_COLOR_1(i) (&q->colors[q->color[1][first + (i)]].x)
+#define ZR_COLOR_2(i) (&q->colors[q->color[2][first + (i)]].x)
+    ZR_LOAD4(v[0].x, v[0].y, v[0].z, v[0].oow, ZR_VERTEX_0);
+    ZR_LOAD4(v[1].x, v[1].y, v[1].z, v[1].oow, ZR_VERTEX_1);
+    ZR_LOAD4(v[2].x, v[2].y, v[2].z, v[2].oow, ZR_VERTEX_2);
+    ZR_LOAD4(c[0].red, c[0].green, c[0].blue, alpha, ZR_COLOR_0);
+    ZR_LOAD4(c[1].red, c[1].green, c[1].blue, alpha, ZR_COLOR_1);
+    ZR_LOAD4(c[2].red, c[2].green, c[2].blue, alpha, ZR_COLOR_2);
+    (void)alpha;
+    const zr_vm turned = zr_turned_v(q, vertices, first, v);
+    for (int k = 0; k < 3; k++) {
+        c[k].red = c[k].red * v[k].oow;
+        c[k].green = c[k].green * v[k].oow;
+        c[k].blue = c[k].blue * v[k].oow;
+    }
+    zr_swap_vf(turned, &v[0].x, &v[1].x);
+    zr_swap_vf(turned, &v[0].y, &v[1].y);
+    zr_swap_vf(turned, &v[0].oow, &v[1].oow);
+    zr_swap_vf(turned, &c[0].red, &c[1].red);
+    zr_swap_vf(turned, &c[0].green, &c[1].green);
+    zr_swap_vf(turned, &c[0].blue, &c[1].blue);
+    const struct zr_basis_v basis = zr_basis_make_v(v);
+    return (struct zr_color_planes){zr_plane_make_v(&basis, v[0].oow, v[1].oow, v[2].oow),
+                                    zr_plane_make_v(&basis, c[0].red, c[1].red, c[2].red),
+                                    zr_plane_make_v(&basis, c[0].green, c[1].green, c[2].green),
+                                    zr_plane_make_v(&basis, c[0].blue, c[1].blue, c[2].blue)};
+}
+
+static inline zr_vi zr_color_at(const struct zr_color_planes *p, zr_vf x, zr_vf y)
+{
+    const zr_vf reciprocal = zr_vf_set(1.0f) / zr_plane_at_v(&p->oow, x, y);
+    return zr_color_pack_v(zr_plane_at_v(&p->red, x, y) * reciprocal, zr_plane_at_v(&p->green, x, y) * reciprocal,
+                           zr_plane_at_v(&p->blue, x, y) * reciprocal);
+}
+
+/* ---- long runs ---- */
+
+static inline void zr_keep_plane(float out[3][ZR_LANES], const struct zr_plane_v *plane)
+{
+    zr_vf_store(out[0], plane->a0);
+    zr_vf_store(out[1], plane->dadx);
+    zr_vf_store(out[2], plane->dady);
+}
+
+static inline struct zr_plane_v zr_spread_plane(float in[3][ZR_LANES], uint32_t i)
+{
+    return (struct zr_plane_v){zr_vf_set(in[0][i]), zr_vf_set(in[1][i]), zr_vf_set(in[2][i])};
+}
+
+static inline void zr_paint_long(const struct zr_color_planes *p, float first_x, float first_y, uint32_t *pixels,
+                                 uint32_t count)
+{
+    const zr_vf y = zr_vf_set(first_y);
+    zr_vf x = zr_vf_set(first_x) + zr_vf_ramp();
+    for (; count > ZR_LANES; count -= ZR_LANES, pixels += ZR_LANES, x = x + zr_vf_set((float)ZR_LANES))
+        zr_vi_store(pixels, zr_color_at(p, x, y));
+    zr_vi_store_first(pixels, zr_color_at(p, x, y), count);
+}
+
+/* ---- short runs ---- */
+
+/* The first n of four, n at most 4. */
+static inline void zr_store_four(uint32_t *out, const uint32_t *four, uint32_t n)
+{
+    for (uint32_t i = 0; i < n; i += ZR_LANES)
+        zr_vi_store_first(out + i, zr_vi_load(four + i), n - i < ZR_LANES ? n - i : ZR_LANES);
+}
+
+/* Pixels `begin` .. begin + 3 of each run that is short and has them, at once: four vectors of all runs' pixels are
+ * turned into four pixels of each run, which are stored without asking how many they are. `lengths`, of the runs
+ * from pixel `begin` on; less than 1: none. */
+static inline void zr_paint_four(const struct zr_color_planes *p, zr_vf x, zr_vf y, zr_vi lengths, const int32_t *at,
+                                 uint32_t count, uint32_t *out)
+{
+    uint32_t fours[4 * ZR_LANES + ZR_LANES]; /* the last load looks behind the end */
+    int32_t left[ZR_LANES];
+    zr_vi colors[4];
+    for (int k = 0; k < 4; k++, x = x + zr_vf_set(1.0f))
+        colors[k] = zr_color_at(p, x, y);
+    zr_vi_store4(fours, colors[0], colors[1], colors[2], colors[3]);
+    zr_vi_store(left, zr_vi_max(zr_vi_min(lengths, zr_vi_set(4)), zr_vi_set(0)));
+    for (uint32_t i = 0; i < count; i++)
+        zr_store_four(out + at[i], fours + 4 * (size_t)i, (uint32_t)left[i]);
+}
+
+/* ---- the queue ---- */
+
+/* Runs `first` .. first + count - 1; a group of lanes at most. Lanes behind that hold any run. */
+static inline void zr_smooth_paint_group(const struct zr_smooth_queue *q, const struct zr_canvas *canvas,
+                                         uint32_t first, uint32_t count)
+{
+    const struct zr_color_planes planes = zr_color_planes_make(q, canvas->geometry->vertices, first);
+    const zr_vi at = zr_vi_load(q->runs.at + first), lengths = zr_vi_load(q->runs.length + first);
+    const zr_vi row = zr_quotient_v(at, ZR_TILE_STRIDE), column = at - row * zr_vi_set(ZR_TILE_STRIDE);
+    const zr_vf x = zr_vf_of(column + zr_vi_set(canvas->x)), y = zr_vf_of(row + zr_vi_set(canvas->y));
+    const zr_vm valid = zr_vi_lt(zr_vi_ramp(), zr_vi_set((int32_t)count));
+    const zr_vm is_short = zr_vi_lt_where(valid, lengths, zr_vi_set(ZR_SHORT_RUN + 1));
+    const zr_vi short_lengths = zr_vi_select(is_short, lengths, zr_vi_set(0));
+    for (int32_t begin = 0; begin < ZR_SHORT_RUN; begin += 4) {
+        const zr_vi left = short_lengths - zr_vi_set(begin);
+        if (!zr_vm_any(zr_vi_lt(zr_vi_set(0), left))) break;
+        zr_paint_four(&planes, x + zr_vf_set((float)begin), y, left, q->runs.at + first, count,
+                      canvas->colors + begin);
+    }
+    uint32_t longer = zr_vm_bits(zr_vm_andnot(valid, is_short));
+    if (longer == 0) return;
+    float kept[4][3][ZR_LANES], xs[ZR_LANES], ys[ZR_LANES];
+    zr_keep_plane(kept[0], &planes.oow);
+    zr_keep_plane(kept[1], &planes.red);
+    zr_keep_plane(kept[2], &planes.green);
+    zr_keep_plane(kept[3], &planes.blue);
+    zr_vf_store(xs, x);
+    zr_vf_store(ys, y);
+    for (; longer; longer &= longer - 1) {
+        const uint32_t i = (uint32_t)zr_lowest_bit(longer);
+        const struct zr_color_planes own = {zr_spread_plane(kept[0], i), zr_spread_plane(kept[1], i),
+                                            zr_spread_plane(kept[2], i), zr_spread_plane(kept[3], i)};
+        zr_paint_long(&own, xs[i], ys[i], canvas->colors + q->runs.at[first + i], (uint32_t)q->runs.length[first + i]);
+    }
+}
+
+static inline void zr_smooth_move(struct zr_smooth_queue *q, uint32_t from, uint32_t to)
+{
+    for (int k = 0; k < 3; k++) {
+        q->vertex[k][to] = q->vertex[k][from];
+        q->color[k][to] = q->color[k][from];
+    }
+    q->runs.at[to] = q->runs.at[from];
+    q->runs.length[to] = q->runs.length[from];
+}
+
+/* Full groups of lanes; what is left over waits for more, unless this is the end. */
+static inline void zr_smooth_paint(struct zr_smooth_queue *q, const struct zr_canvas *canvas, bool end)
+{
+    const uint32_t full = q->runs.count / ZR_LANES * ZR_LANES, left = q->runs.count - full;
+    for (uint32_t first = 0; first < full; first += ZR_LANES)
+        zr_smooth_paint_group(q, canvas, first, ZR_LANES);
+    q->runs.count = left;
+    if (end && left > 0) {
+        for (uint32_t i = left; i < ZR_LANES; i++)
+            zr_smooth_move(q, full, full + i);
+        zr_smooth_paint_group(q, canvas, full, left);
+        q->runs.count = 0;
+    }
+    for (uint32_t i = 0; full > 0 && i < q->runs.count; i++)
+        zr_smooth_move(q, full + i, i);
+}
+
+static inline void zr_smooth_expect(const struct zr_smooth_queue *q, const struct zr_window_vertex *vertices,
+                                    uint32_t i)
+{
+    for (int k = 0; k < 3; k++) {
+        __builtin_prefetch(&vertices[q->vertex[k][i]]);
+        __builtin_prefetch(&q->colors[q->color[k][i]]);
+    }
+}
+
+/* One run. Colours of other arrays than the last run's: what waits is painted first. */
+static inline void zr_smooth_add(struct zr_smooth_queue *q, const struct zr_canvas *canvas, int32_t at, int32_t length,
+                                 uint32_t first_vertex, const uint32_t v[3], const zr_vec4 *colors,
+                                 const uint32_t c[3])
+{
+    if (q->colors != colors) zr_smooth_paint(q, canvas, true);
+    q->colors = colors;
+    for (int k = 0; k < 3; k++) {
+        q->vertex[k][q->runs.count] = (int32_t)(first_vertex + v[k]);
+        q->color[k][q->runs.count] = (int32_t)c[k];
+    }
+    zr_smooth_expect(q, canvas->geometry->vertices, q->runs.count);
+    q->runs.at[q->runs.count] = at;
+    q->runs.length[q->runs.count++] = length;
+}
+
+/* The runs of one batch that has a colour a vertex, by the numbers of their triangles in it: `runs` and `numbers` have
+ * room for a vector behind their ends. */
+static inline void zr_smooth_add_runs(struct zr_smooth_queue *q, const struct zr_canvas *canvas,
+                                      const struct zr_batch *batch, const struct zr_runs *runs, const int32_t *numbers)
+{
+    if (q->colors != batch->front) zr_smooth_paint(q, canvas, true);
+    q->colors = batch->front;
+    const uint32_t first = q->runs.count;
+    for (uint32_t i = 0; i < runs->count; i += ZR_LANES) {
+        const zr_vm valid = zr_vi_lt(zr_vi_ramp(), zr_vi_set((int32_t)(runs->count - i)));
+        const zr_vi word = zr_vi_load(numbers + i) * zr_vi_set(3);
+        for (int k = 0; k < 3; k++) {
+            const zr_vi corner = zr_vi_gather(valid, batch->corners, word + zr_vi_set(k));
+            zr_vi_store(q->color[k] + first + i, corner);
+            zr_vi_store(q->vertex[k] + first + i, corner + zr_vi_set((int32_t)batch->first_vertex));
+        }
+        zr_vi_store(q->runs.at + first + i, zr_vi_load(runs->at + i));
+        zr_vi_store(q->runs.length + first + i, zr_vi_load(runs->length + i));
+    }
+    q->runs.count += runs->count;
+    for (uint32_t i = first; i < q->runs.count; i++)
+        zr_smooth_expect(q, canvas->geometry->vertices, i);
+}
+
+#endif

@@ -1,0 +1,19 @@
+/* growth.h - bench: our times as the work grows, and as threads do. Nobody else's: a row holds a time against what the
+ * smaller work, or one thread, lets expect.
+ */
+#ifndef ZR_BENCH_GROWTH_H
+#define ZR_BENCH_GROWTH_H
+
+#include "bench/bench.h"
+
+/* 1 k to 10 M triangles in one window, 256x256 to 8192x8192 pixels of one mesh, each on one thread: "theirs" is the
+ * next smaller one's time, in proportion; at most 1.1 times that. */
+void growth_of_work(struct bench *bench);
+
+/* 2 to all threads: "theirs" is one thread's time, in the same run. */
+void growth_of_threads(struct bench *bench);
+
+/* What no renderer can go below here: the buffers cleared, the pixels copied. */
+void growth_floors(struct bench *bench);
+
+#endif

@@ -1,0 +1,17 @@
+/* service.h - bench: the daemon, over HTTP. */
+#ifndef ZR_BENCH_SERVICE_H
+#define ZR_BENCH_SERVICE_H
+
+#include "bench/bench.h"
+
+/* The bunny as indexed JSON to a PNG, against the stock path (stock_path.h), on 1 and 2 threads; first the pixels of
+ * both are compared. The note tells what the daemon says of its steps. */
+void service_against_stock(struct bench *bench);
+
+/* The daemon's cheapest answer against libmicrohttpd alone, giving the same bytes. */
+void service_against_bare_http(struct bench *bench);
+
+/* From exec to the first PNG of a cube, against a process that opens OSMesa and reads back its first frame. */
+void service_cold_start(struct bench *bench);
+
+#endif

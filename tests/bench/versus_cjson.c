@@ -1,0 +1,189 @@
+#include "bench/versus_cjson.h"
+
+#include <cjson/cJSON.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "bench/documents.h"
+#include "bench/machine.h"
+#include "bench/series.h"
+#include "bench/works.h"
+#include "scene/scene.h"
+#include "zraster.h"
+
+enum { WARM_UP = 2, FORMS = 2 };
+
+static const size_t ARENA_BYTES = (size_t)4 << 30;
+static const struct bar time_bar = {12, 20}, memory_bar = {1.5, 1.1};
+static const char *const form_names[FORMS] = {"soup", "indexed"};
+
+struct task {
+    const struct work *work;
+    int form;
+    bool wanted[2]; /* a warm arena, a new one */
+};
+
+static void name_row(const struct task *task, bool fresh, char *name, size_t size)
+{
+    snprintf(name, size, "JSON of %u triangles, %s, %s arena 1T %s", task->work->drawing.face_count,
+             form_names[task->form], fresh ? "new" : "warm", machine_isa());
+}
+
+static size_t bytes_of(const void *array, size_t count, size_t size)
+{
+    return array ? count * size : 0;
+}
+
+/* What a scene of meshes cannot do without. */
+static size_t array_bytes(const struct zr_scene *scene)
+{
+    size_t sum = 0;
+    for (uint32_t i = 0; i < scene->mesh_count; i++) {
+        const struct zr_mesh *m = &scene->meshes[i];
+        size_t rings = m->face_rings ? m->face_rings[m->face_count] : 0;
+        sum += bytes_of(m->positions, m->position_count, sizeof *m->positions) +
+               bytes_of(m->colors, m->position_count, sizeof *m->colors) +
+               bytes_of(m->face_offsets, m->face_count + (size_t)1, sizeof *m->face_offsets) +
+               bytes_of(m->indices, m->face_offsets[m->face_count], sizeof *m->indices) +
+               bytes_of(m->face_rings, m->face_count + (size_t)1, sizeof *m->face_rings) +
+               bytes_of(m->ring_offsets, rings + 1, sizeof *m->ring_offsets) +
+               bytes_of(m->normals, m->normal_count, sizeof *m->normals) +
+               bytes_of(m->face_colors, m->face_count, sizeof *m->face_colors) +
+               bytes_of(m->face_materials, m->face_count, sizeof *m->face_materials);
+    }
+    return sum;
+}
+
+/* NULL on failure, of which nothing is said where memory alone was short. */
+static const struct zr_scene *read_scene(struct zr_arena *arena, const struct document *document)
+{
+    struct zr_limits limits = zr_limits_default();
+    struct zr_request request = {.format = ZR_FORMAT_JSON, .bytes = document->bytes, .size = document->size};
+    struct zr_error error = {.status = ZR_OK};
+    const struct zr_scene *scene = NULL;
+    enum zr_status status = zr_scene_read(arena, &request, &limits, &scene, &error);
+    if (status == ZR_OK) return scene;
+    if (status != ZR_NO_MEMORY) bench_complain("zr_scene_read: %s: %s", error.items[0].pointer, error.items[0].detail);
+    return NULL;
+}
+
+/* The lowest ceiling of an arena that it can be read under, to a hundredth: what is given back before the end
+ * counts, too. `most` is known to do. */
+static size_t least_memory(const struct document *document, size_t least, size_t most)
+{
+    while (most - least > most / 100) {
+        struct zr_arena arena;
+        size_t ceiling = least + (most - least) / 2;
+        zr_arena_init(&arena, ceiling);
+        bool enough = read_scene(&arena, document) != NULL;
+        zr_arena_free(&arena);
+        if (enough)
+            most = ceiling;
+        else
+            least = ceiling;
+    }
+    return most;
+}
+
+/* The same triangles, as many, with the same corners. */
+static bool is_right(const struct zr_scene *scene, const struct drawing *drawing)
+{
+    const struct zr_mesh *mesh = scene->meshes;
+    if (scene->mesh_count != 1 || mesh->face_count != drawing->face_count) return false;
+    if (mesh->face_offsets[mesh->face_count] != drawing->corner_count) return false;
+    for (uint32_t i = 0; i < drawing->corner_count; i++) {
+        zr_vec4 a = mesh->positions[mesh->indices[i]], b = drawing->positions[drawing->indices[i]];
+        if (fabsf(a.x - b.x) > 1e-5f || fabsf(a.y - b.y) > 1e-5f || fabsf(a.z - b.z) > 1e-5f) return false;
+    }
+    return true;
+}
+
+struct trial {
+    struct series ours[2], theirs;
+};
+
+static bool run_round(const struct task *task, const struct document *document, struct zr_arena *warm,
+                      struct trial *trial)
+{
+    double begin = now_ms();
+    cJSON *tree = cJSON_ParseWithLength(document->bytes, document->size);
+    cJSON_Delete(tree);
+    series_add(&trial->theirs, now_ms() - begin);
+    bool ok = tree != NULL;
+    for (int fresh = 0; ok && fresh < 2; fresh++) {
+        struct zr_arena cold;
+        if (!task->wanted[fresh]) continue;
+        zr_arena_init(&cold, ARENA_BYTES);
+        begin = now_ms();
+        if (!fresh) zr_arena_reset(warm, ARENA_BYTES);
+        ok = read_scene(fresh ? &cold : warm, document) != NULL;
+        if (fresh) zr_arena_free(&cold);
+        series_add(&trial->ours[fresh], now_ms() - begin);
+    }
+    return ok;
+}
+
+static bool measure(const struct bench *bench, void *context, const struct sink *sink)
+{
+    static struct trial trial;
+    const struct task *task = context;
+    const struct drawing *drawing = &task->work->drawing;
+    struct document document = task->form == 0 ? document_soup(drawing) : document_indexed(drawing, false);
+    struct zr_arena arena;
+    zr_arena_init(&arena, ARENA_BYTES);
+    const struct zr_scene *scene = document.bytes ? read_scene(&arena, &document) : NULL;
+    if (!scene) return false;
+    double needed = bench->check_only ? 0 : (double)least_memory(&document, arena.used - 1, ARENA_BYTES), round_ms = 0;
+    size_t arrays = array_bytes(scene);
+    bool wrong = !is_right(scene, drawing);
+    for (int i = 0; i < WARM_UP; i++) {
+        double begin = now_ms();
+        if (!run_round(task, &document, &arena, &trial)) return false;
+        round_ms = now_ms() - begin;
+    }
+    memset(&trial, 0, sizeof trial);
+    int rounds = bench->check_only ? 0 : series_rounds(bench->rounds, round_ms);
+    for (int i = 0; i < rounds; i++)
+        if (!run_round(task, &document, &arena, &trial)) return false;
+    for (int fresh = 0; fresh < 2; fresh++) {
+        struct row row = {.ours_ms = series_median(&trial.ours[fresh]),
+                          .theirs_ms = series_median(&trial.theirs),
+                          .side = ROW_MEMORY,
+                          .side_ratio = needed / (double)arrays,
+                          .wrong = wrong};
+        if (!fresh) row.bar = time_bar, row.side_bar = memory_bar;
+        name_row(task, fresh, row.work, sizeof row.work);
+        if (bench->check_only)
+            snprintf(row.note, sizeof row.note, "the scene has %sthe mesh's triangles", wrong ? "not " : "");
+        else
+            snprintf(row.note, sizeof row.note, "%.1f MB", (double)document.size / 1e6);
+        if (task->wanted[fresh]) sink_row(sink, &row);
+    }
+    zr_arena_free(&arena);
+    free(document.bytes);
+    return true;
+}
+
+void versus_cjson(struct bench *bench)
+{
+    struct work work;
+    struct task task = {.work = &work};
+    bool any = false;
+    if (!works_make(WORK_BUNNY, bench->models, &work)) bench->results.failed = true;
+    for (task.form = 0; task.form < FORMS && work.corners; task.form++) {
+        for (int fresh = 0; fresh < 2; fresh++) {
+            char name[ROW_NAME_SIZE];
+            name_row(&task, fresh, name, sizeof name);
+            task.wanted[fresh] = bench_wants(bench, name);
+        }
+        if (!task.wanted[0] && !task.wanted[1]) continue;
+        if (bench->check_only) {
+            bench_check_in_child(bench, measure, &task, NULL);
+            continue;
+        }
+        if (!any) results_print_heading("zr_scene_read against cJSON's parse and delete");
+        any = true;
+        bench_in_child(bench, measure, &task, NULL);
+    }
+    works_free(&work);
+}

@@ -1,0 +1,168 @@
+/* The daemon against the stock path. */
+#include <stdlib.h>
+#include <string.h>
+
+#include "bench/machine.h"
+#include "bench/series.h"
+#include "bench/service.h"
+#include "bench/stock_path.h"
+#include "bench/wire.h"
+#include "bench/works.h"
+#include "server/daemon.h"
+
+enum { WARM_UP = 2, THREADS_MAX = 2 };
+
+static const struct bar http_bar = {12, 20};
+
+struct task {
+    const struct work *work;
+    const struct document *document;
+    int threads;
+    bool wrong[BENCH_CHECKS_MAX];
+};
+
+static void name_row(const struct task *task, char *name, size_t size)
+{
+    snprintf(name, size, "HTTP: %s, indexed JSON to PNG %dT %s", task->work->name, task->threads, machine_isa());
+}
+
+/* Of one kind: what the daemon tells in Server-Timing. */
+enum step { PARSE, RENDER, ENCODE, STEPS };
+static const char *const step_names[STEPS] = {"parse;dur=", "render;dur=", "encode;dur="};
+
+struct trial {
+    struct series ours, theirs, steps[STEPS];
+};
+
+static bool ask(struct wire *wire, const struct document *document, struct trial *trial, struct wire_answer *answer)
+{
+    double begin = now_ms();
+    bool ok = wire_ask(wire, "POST", "/v1/render", document->bytes, document->size, answer) && answer->status == 200;
+    series_add(&trial->ours, now_ms() - begin);
+    for (int s = 0; ok && s < STEPS; s++) {
+        const char *at = strstr(answer->headers, step_names[s]);
+        series_add(&trial->steps[s], at ? strtod(at + strlen(step_names[s]), NULL) : 0.0);
+    }
+    return ok || bench_complain("the daemon answered %d", answer->status);
+}
+
+static struct daemon start_daemon(int threads)
+{
+    char flag[32];
+    snprintf(flag, sizeof flag, "--threads=%d", threads);
+    return daemon_start((const char *const[]){"--workers=1", flag, NULL});
+}
+
+/* ---- is it the same picture? ---- */
+
+static bool compare(const struct bench *bench, void *context, const struct sink *sink)
+{
+    (void)bench;
+    static struct trial trial;
+    const struct task *task = context;
+    const struct drawing *drawing = &task->work->drawing;
+    size_t bytes = (size_t)drawing->width * drawing->height * 3, differing = 0, covered = 0;
+    struct daemon daemon = start_daemon(task->threads);
+    struct stock_path path;
+    struct wire wire;
+    struct wire_answer answer = {0};
+    bool ok = wire_open(&wire, daemon.port) && ask(&wire, task->document, &trial, &answer) &&
+              stock_path_open(&path, true, 1, drawing) && stock_path_answer(&path, task->document);
+    daemon_stop(&daemon);
+    if (!ok) return false;
+    uint8_t *got = stock_png_read(answer.body, answer.size, STOCK_RGB, drawing->width, drawing->height);
+    uint8_t *want = stock_png_read(path.file.bytes, path.file.size, STOCK_RGB, drawing->width, drawing->height);
+    for (size_t i = 0; got && want && i < bytes; i += 3) {
+        differing += memcmp(got + i, want + i, 3) != 0;
+        covered += (want[i] | want[i + 1] | want[i + 2]) != 0;
+    }
+    struct row row = {.wrong = !got || !want || differing > 0 || covered == 0};
+    name_row(task, row.work, sizeof row.work);
+    snprintf(row.note, sizeof row.note, "%zu of %zu pixels differ from the stock path's, %zu covered", differing,
+             bytes / 3, covered);
+    sink_row(sink, &row);
+    free(got);
+    free(want);
+    wire_close(&wire);
+    stock_path_close(&path);
+    return true;
+}
+
+/* ---- is it fast? ---- */
+
+/* What the daemon foresaw over what it took, the median of its log lines. */
+static double foresight(const struct daemon *daemon)
+{
+    static struct series ratios;
+    char *log = daemon_log(daemon), *save = NULL;
+    for (char *line = log ? strtok_r(log, "\n", &save) : NULL; line; line = strtok_r(NULL, "\n", &save)) {
+        static const char *const keys[] = {"\"foreseenMs\":", "\"renderMs\":", "\"encodeMs\":"};
+        double ms[3] = {0};
+        for (int k = 0; k < 3; k++) {
+            const char *at = strstr(line, keys[k]);
+            if (at) ms[k] = strtod(at + strlen(keys[k]), NULL);
+        }
+        if (ms[0] > 0 && ms[1] + ms[2] > 0) series_add(&ratios, ms[0] / (ms[1] + ms[2]));
+    }
+    free(log);
+    return series_median(&ratios);
+}
+
+static bool run_round(struct wire *wire, struct stock_path *path, const struct document *document, struct trial *trial)
+{
+    struct wire_answer answer = {0};
+    double begin = now_ms();
+    if (!stock_path_answer(path, document)) return false;
+    series_add(&trial->theirs, now_ms() - begin);
+    return ask(wire, document, trial, &answer);
+}
+
+static bool measure(const struct bench *bench, void *context, const struct sink *sink)
+{
+    static struct trial trial;
+    const struct task *task = context;
+    struct daemon daemon = start_daemon(task->threads);
+    struct stock_path path;
+    struct wire wire;
+    bool ok = wire_open(&wire, daemon.port) && stock_path_open(&path, false, task->threads, &task->work->drawing);
+    double round_ms = 0;
+    for (int i = 0; ok && i < WARM_UP; i++) {
+        double begin = now_ms();
+        ok = run_round(&wire, &path, task->document, &trial);
+        round_ms = now_ms() - begin;
+    }
+    memset(&trial, 0, sizeof trial);
+    int rounds = series_rounds(bench->rounds, round_ms);
+    for (int i = 0; ok && i < rounds; i++)
+        ok = run_round(&wire, &path, task->document, &trial);
+    struct row row = {
+        .ours_ms = series_median(&trial.ours), .theirs_ms = series_median(&trial.theirs), .bar = http_bar};
+    row.wrong = task->wrong[0];
+    name_row(task, row.work, sizeof row.work);
+    snprintf(row.note, sizeof row.note, "%.1f + %.1f + %.1f, foreseen %.1fx", series_median(&trial.steps[PARSE]),
+             series_median(&trial.steps[RENDER]), series_median(&trial.steps[ENCODE]), foresight(&daemon));
+    daemon_stop(&daemon);
+    if (ok) sink_row(sink, &row);
+    return ok;
+}
+
+void service_against_stock(struct bench *bench)
+{
+    struct work work;
+    if (!works_make(WORK_BUNNY, bench->models, &work)) bench->results.failed = true;
+    struct document document = work.corners ? document_indexed(&work.drawing, true) : (struct document){NULL, 0};
+    struct task task = {.work = &work, .document = &document};
+    bool checked = false;
+    for (task.threads = 1; document.bytes && task.threads <= THREADS_MAX; task.threads++) {
+        char name[ROW_NAME_SIZE];
+        name_row(&task, name, sizeof name);
+        if (!bench_wants(bench, name)) continue;
+        bench_check_in_child(bench, compare, &task, task.wrong);
+        if (bench->check_only) continue;
+        if (!checked) results_print_heading("daemon (parse + render + encode) against stock, no HTTP");
+        checked = true;
+        bench_in_child(bench, measure, &task, NULL);
+    }
+    free(document.bytes);
+    works_free(&work);
+}
