@@ -53,6 +53,8 @@ static void make_inputs(struct random *random, struct simd_inputs *in)
         in->order[k] = random_below(random, SIMD_COUNT);
         in->first[k] = random_below(random, 17);
     }
+    for (uint32_t k = 0; k < COUNT_OF(in->corners); k++)
+        in->corners[k] = random_below(random, SIMD_COUNT);
     for (uint32_t k = 0; k < COUNT_OF(in->places); k++)
         in->places[k] = float_of(random_bits(random));
 }
@@ -138,6 +140,19 @@ static void want_ints(const struct simd_inputs *in, struct simd_results *want, i
         if (in->m[group + l]) want->vm_any[k] = 1;
 }
 
+static void want_gathers(const struct simd_inputs *in, struct simd_results *want, int k)
+{
+    if (in->m[k]) memcpy(&want->vi_gather[k], &in->places[in->order[k]], sizeof(int32_t));
+    for (int c = 0; c < 6; c++)
+        want->load_corners[c / 3][c % 3][k] = in->places[4 * in->corners[3 * k + c % 3] + (uint32_t)(c / 3)];
+    const int group = k - k % want->lanes;
+    for (int l = 0, before = 0; l < want->lanes; before += in->m[group + l++])
+        if (in->m[group + l]) {
+            want->vi_compressed[k]++;
+            if (before == k - group) want->vi_compress[k] = in->i[group + l];
+        }
+}
+
 /* ---- the comparison ---- */
 
 struct result {
@@ -152,19 +167,71 @@ struct result {
     }
 #define EXACT(name) RESULT(name, false)
 
-static const struct result results[] = {
-    EXACT(vf_set),        EXACT(vf_load),       EXACT(vf_ramp),        RESULT(vf_add, true),  RESULT(vf_sub, true),
-    RESULT(vf_mul, true), RESULT(vf_div, true), EXACT(vf_min),         EXACT(vf_max),         EXACT(vf_abs),
-    EXACT(vf_of),         EXACT(vf_select),     EXACT(vf_store_where), EXACT(vf_lt),          EXACT(vf_le),
-    EXACT(vf_eq),         EXACT(vi_set),        EXACT(vi_ramp),        EXACT(vi_add),         EXACT(vi_sub),
-    EXACT(vi_mul),        EXACT(vi_and),        EXACT(vi_or),          EXACT(vi_xor),         EXACT(vi_left_1),
-    EXACT(vi_left_16),    EXACT(vi_right_6),    EXACT(vi_right_31),    EXACT(vi_min),         EXACT(vi_max),
-    EXACT(vi_round),      EXACT(vi_bits_of),    EXACT(vi_select),      EXACT(vi_store_where), EXACT(vi_lt),
-    EXACT(vi_eq),         EXACT(vm_and),        EXACT(vm_or),          EXACT(vm_andnot),      EXACT(vm_of),
-    EXACT(vm_any),        EXACT(load4[0]),      EXACT(load4[1]),       EXACT(load4[2]),       EXACT(load4[3]),
-    EXACT(load2[0]),      EXACT(load2[1]),      EXACT(vf_store4),      EXACT(strayed),        EXACT(vf_lt_where),
-    EXACT(vf_eq_where),   EXACT(vi_lt_where),   EXACT(vi_store_first), EXACT(vf_bits),        EXACT(vi_stream),
-    EXACT(vi_store4)};
+static const struct result results[] = {EXACT(vf_set),
+                                        EXACT(vf_load),
+                                        EXACT(vf_ramp),
+                                        RESULT(vf_add, true),
+                                        RESULT(vf_sub, true),
+                                        RESULT(vf_mul, true),
+                                        RESULT(vf_div, true),
+                                        EXACT(vf_min),
+                                        EXACT(vf_max),
+                                        EXACT(vf_abs),
+                                        EXACT(vf_of),
+                                        EXACT(vf_select),
+                                        EXACT(vf_store_where),
+                                        EXACT(vf_lt),
+                                        EXACT(vf_le),
+                                        EXACT(vf_eq),
+                                        EXACT(vi_set),
+                                        EXACT(vi_ramp),
+                                        EXACT(vi_add),
+                                        EXACT(vi_sub),
+                                        EXACT(vi_mul),
+                                        EXACT(vi_and),
+                                        EXACT(vi_or),
+                                        EXACT(vi_xor),
+                                        EXACT(vi_left_1),
+                                        EXACT(vi_left_16),
+                                        EXACT(vi_right_6),
+                                        EXACT(vi_right_31),
+                                        EXACT(vi_min),
+                                        EXACT(vi_max),
+                                        EXACT(vi_round),
+                                        EXACT(vi_bits_of),
+                                        EXACT(vi_select),
+                                        EXACT(vi_store_where),
+                                        EXACT(vi_lt),
+                                        EXACT(vi_eq),
+                                        EXACT(vm_and),
+                                        EXACT(vm_or),
+                                        EXACT(vm_andnot),
+                                        EXACT(vm_of),
+                                        EXACT(vm_any),
+                                        EXACT(load4[0]),
+                                        EXACT(load4[1]),
+                                        EXACT(load4[2]),
+                                        EXACT(load4[3]),
+                                        EXACT(load2[0]),
+                                        EXACT(load2[1]),
+                                        EXACT(vf_store4),
+                                        EXACT(strayed),
+                                        EXACT(vf_lt_where),
+                                        EXACT(vf_eq_where),
+                                        EXACT(vi_lt_where),
+                                        EXACT(vi_store_first),
+                                        EXACT(vf_bits),
+                                        EXACT(vi_stream),
+                                        EXACT(vi_store4),
+                                        EXACT(vi_gather),
+                                        EXACT(vi_compress),
+                                        EXACT(vi_compressed),
+                                        EXACT(load_corners[0][0]),
+                                        EXACT(load_corners[0][1]),
+                                        EXACT(load_corners[0][2]),
+                                        EXACT(load_corners[1][0]),
+                                        EXACT(load_corners[1][1]),
+                                        EXACT(load_corners[1][2])};
 
 static uint32_t word_at(const struct simd_results *all, const struct result *result, size_t k)
 {
@@ -193,6 +260,7 @@ bool simd_check(enum zr_isa isa, uint64_t seed, char *message, size_t size)
     for (int k = 0; k < SIMD_COUNT; k++) {
         want_floats(&in, &want, k);
         want_ints(&in, &want, k);
+        want_gathers(&in, &want, k);
     }
     for (size_t r = 0; r < COUNT_OF(results); r++)
         for (size_t k = 0; k < results[r].count; k++) {

@@ -126,6 +126,29 @@ static void run_places(const struct simd_inputs *in, struct simd_results *out, i
 #undef PLACE
 }
 
+static void run_gathers(const struct simd_inputs *in, struct simd_results *out, int k)
+{
+    const zr_vm m = mask_of(in->m + k);
+    const zr_vi none = zr_vi_set(0), nowhere = zr_vi_set(INT32_MIN); /* far from everything: not to be read */
+    zr_vf x[3], y[3];
+    zr_vi_store(
+        out->vi_gather + k,
+        zr_vi_select(m, zr_vi_gather(m, in->places, zr_vi_select(m, zr_vi_load(in->order + k), nowhere)), none));
+    zr_load_corners(in->places, in->corners + 3 * k, x, y);
+    for (int c = 0; c < 3; c++) {
+        zr_vf_store(out->load_corners[0][c] + k, x[c]);
+        zr_vf_store(out->load_corners[1][c] + k, y[c]);
+    }
+    int32_t room[2 * ZR_LANES];
+    zr_vi_store(room + ZR_LANES, zr_vi_load(in->j + k));
+    const uint32_t count = zr_vi_compress(room, m, zr_vi_load(in->i + k));
+    for (uint32_t i = 0; i < ZR_LANES; i++) {
+        out->vi_compress[(uint32_t)k + i] = i < count ? room[i] : 0;
+        out->vi_compressed[(uint32_t)k + i] = (int32_t)count;
+    }
+    out->strayed[k] |= memcmp(room + ZR_LANES, in->j + k, 4 * ZR_LANES) != 0;
+}
+
 void ZR_KERNEL(simd_run)(const struct simd_inputs *in, struct simd_results *out)
 {
     out->lanes = ZR_LANES;
@@ -136,6 +159,7 @@ void ZR_KERNEL(simd_run)(const struct simd_inputs *in, struct simd_results *out)
         run_store_where(in, out, k);
         run_store_first(in, out, k);
         run_places(in, out, k);
+        run_gathers(in, out, k);
     }
     zr_stream_end();
 }

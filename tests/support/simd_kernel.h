@@ -21,6 +21,7 @@ struct simd_inputs {
     uint32_t order[SIMD_COUNT];           /* 0 .. SIMD_COUNT - 1, of places */
     uint32_t first[SIMD_COUNT];           /* 0 .. 16: that of its vector's lane 0 counts, cut to ZR_LANES */
     float places[SIMD_COUNT * SIMD_APART];
+    uint32_t corners[3 * SIMD_COUNT]; /* 0 .. SIMD_COUNT - 1, of fours of places */
 };
 
 /* Four bytes each: simd_check.c has a table of them. */
@@ -46,6 +47,10 @@ struct simd_results {
     float load4[4][SIMD_COUNT], load2[2][SIMD_COUNT];
     float vf_store4[4 * SIMD_COUNT];   /* what load4 loaded */
     int32_t vi_store4[4 * SIMD_COUNT]; /* i, j, i + j, i - j */
+    float load_corners[2][3][SIMD_COUNT];
+    int32_t vi_gather[SIMD_COUNT];     /* places[order], 0 where not m */
+    int32_t vi_compress[SIMD_COUNT];   /* of i and m; 0 in a vector's lanes behind those */
+    int32_t vi_compressed[SIMD_COUNT]; /* how many */
     int32_t strayed[SIMD_COUNT]; /* not 0: a store_where wrote beside its vector, or a store_first beside its lanes */
     int32_t lanes;
 };

@@ -155,6 +155,11 @@ static inline void zr_transpose4(__m256 a0, __m256 a1, __m256 a2, __m256 a3, zr_
         (y) = (zr_vf)_mm256_shuffle_ps(a0, a2, 0xdd);                                                                  \
     } while (0)
 
+static inline zr_vi zr_vi_gather(zr_vm m, const void *p, zr_vi i)
+{
+    return (zr_vi)_mm256_mask_i32gather_epi32(_mm256_setzero_si256(), (const int *)p, (__m256i)i, (__m256i)m, 4);
+}
+
 static inline void zr_vf_store4(float *p, zr_vf x, zr_vf y, zr_vf z, zr_vf w)
 {
     zr_vf a, b, c, d; /* lanes 0 and 4, 1 and 5, 2 and 6, 3 and 7 */

@@ -3,6 +3,7 @@
 #define ZR_SIMD_NEON_H
 
 #include <arm_neon.h>
+#include <stddef.h>
 
 #define ZR_SUFFIX neon
 enum { ZR_LANES = 4 };
@@ -154,6 +155,14 @@ static inline void zr_transpose4(float32x4_t a0, float32x4_t a1, float32x4_t a2,
         (x) = (zr_vf)vuzp1q_f32(a0, a2);                                                                               \
         (y) = (zr_vf)vuzp2q_f32(a0, a2);                                                                               \
     } while (0)
+
+static inline zr_vi zr_vi_gather(zr_vm m, const void *p, zr_vi i)
+{
+    int32_t lanes[ZR_LANES] = {0};
+    for (uint32_t bits = zr_vm_bits(m), k = 0; k < ZR_LANES; k++)
+        if (bits >> k & 1u) memcpy(&lanes[k], (const char *)p + 4 * (ptrdiff_t)i[k], sizeof lanes[k]);
+    return zr_vi_load(lanes);
+}
 
 static inline void zr_vf_store4(float *p, zr_vf x, zr_vf y, zr_vf z, zr_vf w)
 {

@@ -155,6 +155,14 @@ static inline void zr_transpose4(__m128 a0, __m128 a1, __m128 a2, __m128 a3, zr_
         (y) = (zr_vf)_mm_shuffle_ps(a0, a2, 0xdd);                                                                     \
     } while (0)
 
+static inline zr_vi zr_vi_gather(zr_vm m, const void *p, zr_vi i)
+{
+    int32_t lanes[ZR_LANES] = {0};
+    for (uint32_t bits = zr_vm_bits(m), k = 0; k < ZR_LANES; k++)
+        if (bits >> k & 1u) memcpy(&lanes[k], (const char *)p + 4 * (ptrdiff_t)i[k], sizeof lanes[k]);
+    return zr_vi_load(lanes);
+}
+
 static inline void zr_vf_store4(float *p, zr_vf x, zr_vf y, zr_vf z, zr_vf w)
 {
     zr_vf a, b, c, d; /* lanes 0, 1, 2, 3 */

@@ -1,5 +1,5 @@
-/* vector_masks.h - base: what follows in base/simd.h where a truth is all bits of a lane, or none: where zr_vm is a
- * vector. Included when the rest of an instruction set is there.
+/* vector_masks.h - base: what follows from the rest of base/simd.h where a truth is all bits of a lane, or none, and
+ * there are no instructions for it. Included at the end of such an instruction set's header.
  */
 #ifndef ZR_SIMD_VECTOR_MASKS_H
 #define ZR_SIMD_VECTOR_MASKS_H
@@ -36,6 +36,25 @@ static inline void zr_vf_store_where(zr_vm m, float *p, zr_vf v)
 static inline void zr_vi_store_where(zr_vm m, void *p, zr_vi v)
 {
     zr_vi_store(p, zr_vi_select(m, v, zr_vi_load(p)));
+}
+/* Every lane is stored, and the next one over it where it was not to be: no branch, and no table. */
+static inline uint32_t zr_vi_compress(void *p, zr_vm m, zr_vi v)
+{
+    const uint32_t bits = zr_vm_bits(m);
+    uint32_t count = 0;
+    for (int i = 0; i < ZR_LANES; i++) {
+        const int32_t lane = v[i];
+        memcpy((char *)p + 4 * (size_t)count, &lane, sizeof lane);
+        count += bits >> i & 1u;
+    }
+    return count;
+}
+static inline void zr_load_corners(const float *vertices, const uint32_t *corners, zr_vf x[3], zr_vf y[3])
+{
+#define ZR_CORNER(i) (vertices + 4 * (size_t)corners[3 * (i) + k])
+    for (int k = 0; k < 3; k++)
+        ZR_LOAD2(x[k], y[k], ZR_CORNER);
+#undef ZR_CORNER
 }
 static inline zr_vf zr_vf_bits(zr_vi a)
 {

@@ -3,6 +3,7 @@
 #define ZR_SIMD_X86_H
 
 #include <immintrin.h>
+#include <stddef.h>
 
 /* Two floats from p, two from q; neither need be aligned as double is. */
 static inline __m128 zr_load_pair(const float *p, const float *q)
