@@ -170,12 +170,6 @@ static inline void zr_vf_store4(float *p, zr_vf x, zr_vf y, zr_vf z, zr_vf w)
     _mm256_storeu_ps(p + 24, _mm256_permute2f128_ps((__m256)c, (__m256)d, 0x31));
 }
 
-#define ZR_HAS_GATHER
-static inline zr_vi zr_vi_gather(zr_vm m, const void *p, zr_vi i)
-{
-    return (zr_vi)_mm256_mask_i32gather_epi32(_mm256_setzero_si256(), p, (__m256i)i, (__m256i)m, 4);
-}
-
 #include "base/simd/vector_masks.h"
 
 #endif

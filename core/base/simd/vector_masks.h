@@ -65,6 +65,4 @@ static inline zr_vi zr_vi_bits_of(zr_vf a)
     return (zr_vi)a;
 }
 
-#include "base/simd/portable.h"
-
 #endif
