@@ -48,6 +48,8 @@ static bool make_room(struct zr_builder *builder, const struct zr_scene *scene)
     struct zr_sources *sources = &builder->geometry->sources;
     sources->instances = zr_arena_alloc(builder->arena, scene->instance_count, sizeof *sources->instances);
     builder->outcodes = zr_arena_alloc(builder->arena, most, sizeof *builder->outcodes);
+    builder->geometry->batches = zr_arena_zero(builder->arena, 1, sizeof *builder->geometry->batches);
+    builder->batch_room = 1;
     builder->fans = zr_arena_zero(builder->arena, scene->mesh_count, sizeof *builder->fans);
     return zr_arena_ok(builder->arena);
 }

@@ -39,7 +39,7 @@ struct zr_geometry {
     struct zr_window_vertex *vertices;
     struct zr_eye *eyes; /* one a vertex; only those of lines and of what clipping made are defined */
     zr_vec4 *front_colors, *back_colors;
-    struct zr_batch *batches;      /* by their numbers */
+    struct zr_batch *batches;      /* by their numbers; batches[0] is there even where there are none, and empty */
     struct zr_triangle *triangles; /* the records that are written out */
     struct zr_shape *shapes;
     struct zr_grid_edge *edges;

@@ -112,6 +112,7 @@ static void drawing_of_many_lines_and_walking_over_many_points_stop(void **state
     test.mesh.line_count = 0;
     test.scene.instances = instances;
     test.scene.instance_count = INSTANCES;
+    test.scene.view.pose = ZR_POSE_PRESET; /* fitted, for which all points are walked over */
     assert_ends_soon(&test.scene);
     zr_arena_free(&arena);
 }
