@@ -113,6 +113,15 @@ static bool set_hole(struct values *values, size_t place)
     return values->holes;
 }
 
+/* Behind a null, and the space behind that. */
+static const char *read_hole(struct values *values, const char *at, const char *end, size_t place)
+{
+    at = zr_row_skip_space(at, end);
+    if (end - at < 4 || memcmp(at, "null", 4) != 0 || !set_hole(values, place)) return NULL;
+    values->positions[place].z = 0.0f;
+    return zr_row_skip_space(at + 4, end);
+}
+
 /* A whole row; NULL where it is not plainly one. */
 static const char *read_row(struct values *values, const char *at, size_t first)
 {
@@ -122,16 +131,9 @@ static const char *read_row(struct values *values, const char *at, size_t first)
     if (*at != '[') return NULL;
     for (size_t column = 0; column < columns; column++) {
         float *z = &values->positions[first + column].z;
-        at = zr_row_skip_space(at + 1, end);
-        if (end - at > 4 && memcmp(at, "null", 4) == 0 && set_hole(values, first + column)) {
-            *z = 0.0f;
-            at += 4;
-        } else {
-            at = zr_row_number(at, end, -limit, limit, z);
-        }
-        if (!at) return NULL;
-        at = zr_row_skip_space(at, end);
-        if (at == end || *at != (column + 1 < columns ? ',' : ']')) return NULL;
+        const char *number = zr_row_next(at, end, -limit, limit, z);
+        at = number ? number : read_hole(values, at + 1, end, first + column);
+        if (!at || at == end || *at != (column + 1 < columns ? ',' : ']')) return NULL;
     }
     return at + 1;
 }
