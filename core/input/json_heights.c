@@ -51,6 +51,7 @@ static bool measure(struct zr_json *json, const struct zr_json_path *path, struc
         else if (count != grid->columns)
             good = zr_json_fault(json, at, "%zu values, but the first row has %zu", count, grid->columns);
     }
+    list->read = false; /* only passed over */
     if (good && (!zr_mul_size(grid->rows, grid->columns, &positions) || positions > POSITIONS_MAX))
         good = zr_json_fault(json, path, "more than the limit of %d values", (int)POSITIONS_MAX);
     return good;

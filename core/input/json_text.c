@@ -90,7 +90,7 @@ enum zr_status zr_json_text_close(struct zr_json *json, cJSON *root)
     struct zr_json_text *text = json->text;
     cJSON_Delete(root);
     zr_arena_refund(json->arena, text->charged);
-    bool good = root && json->error->count == 0 && zr_arena_ok(json->arena);
+    bool good = root && !text->malformed && json->error->count == 0 && zr_arena_ok(json->arena);
     for (size_t i = 0; i < text->lists.count; i++)
         good = good && text->lists.list[i].read;
     if (good) return ZR_OK;
