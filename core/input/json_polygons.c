@@ -118,17 +118,19 @@ static inline const char *value_of(const char *at, const char *end, const char *
 
 #define VALUE_OF(at, end, key) value_of((at), (end), "\"" key "\"", sizeof(key) + 1)
 
-/* Any member that is left to others: where it ends. */
+/* A member that only says how the polygon looks. Outlines are not among them: where they have colours, each is a
+ * material of its own. */
 static const char *read_look(struct plain *plain, const char *at, const char *end)
 {
-    if (plain->look && !plain->look_is_last) return NULL;
-    if (!plain->look) plain->look = at;
     size_t items, commas;
-    at = *at == '"' ? zr_json_skip_string(at + 1, end) : NULL;
-    at = at ? zr_row_skip_space(at, end) : end;
-    at = at < end && *at == ':' ? zr_json_skip(zr_row_skip_space(at + 1, end), end, &items, &commas) : NULL;
+    const char *value = VALUE_OF(at, end, "material");
+    if (!value) value = VALUE_OF(at, end, "doubleSided");
+    if (!value) value = VALUE_OF(at, end, "shading");
+    if (!value) value = VALUE_OF(at, end, "fill");
+    if (!value || (plain->look && !plain->look_is_last)) return NULL;
+    if (!plain->look) plain->look = at;
     plain->look_is_last = true;
-    return plain->look_end = at;
+    return plain->look_end = zr_json_skip(value, end, &items, &commas);
 }
 
 static const char *read_member(struct soup *soup, double limit, const char *at, const char *end, struct plain *plain)

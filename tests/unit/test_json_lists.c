@@ -6,6 +6,9 @@
 #include "input/json_scan.h"
 #include "json_check.h"
 
+#define FACES   "\"faces\":[[0,1,2]]"
+#define CORNERS "{\"vertices\":[[0,0,0],[1,0,0],[0,1,0]]"
+
 /* ---- texts ---- */
 
 struct text {
@@ -306,6 +309,43 @@ static void arrays_take_little_more_than_themselves(void **state)
     drop(&text);
 }
 
+/* A look that was seen before is not looked at again. What else is the same must be. */
+static void polygons_written_alike_are_alike(void **state)
+{
+    (void)state;
+    static const char *const rest[] = {
+        "\"doubleSided\":true", "\"holes\":[[[0.1,0.1,0],[0.2,0.1,0],[0.1,0.2,0]]],\"doubleSided\":true",
+        "\"material\":\"m\",\"holes\":[[[0.1,0.1,0],[0.2,0.1,0],[0.1,0.2,0]]],\"fill\":false",
+        "\"outline\":[1,0,0],\"shading\":\"unlit\"", "\"material\":\"m\",\"color\":[1,0,0],\"fill\":false"};
+    for (size_t i = 0; i < sizeof rest / sizeof *rest; i++) {
+        struct text text = {0};
+        add(&text, "{\"materials\":[{\"name\":\"m\"}],\"polygons\":[" CORNERS ",%s}", rest[i]);
+        for (int k = 1; k < 5; k++)
+            add(&text, k == 3 ? "," CORNERS "}" : "," CORNERS ",%s}", rest[i]);
+        add(&text, "]}");
+        struct reading *reading = read_bytes(ZR_FORMAT_JSON, text.bytes, text.size);
+        assert_read(reading);
+        const struct zr_mesh *mesh = &reading->scene->meshes[0];
+        bool has_hole = strstr(rest[i], "holes");
+        for (uint32_t face = 0; face < 5; face++) {
+            struct zr_rings rings = zr_mesh_rings(mesh, face);
+            const struct zr_material *material = &reading->scene->materials[mesh->face_materials[face]],
+                                     *first = &reading->scene->materials[mesh->face_materials[0]];
+            assert_int_equal(rings.count, face != 3 && has_hole ? 2 : 1);
+            if (face == 3) continue;
+            assert_memory_equal(&material->base_color, &first->base_color, sizeof first->base_color);
+            assert_int_equal(material->double_sided, first->double_sided);
+            assert_int_equal(material->hollow, first->hollow);
+            assert_int_equal(material->shading, first->shading);
+            assert_int_equal(material->outline, first->outline);
+            assert_int_equal(first->double_sided, strstr(rest[i], "doubleSided") != NULL);
+            assert_int_equal(first->hollow, strstr(rest[i], "fill") != NULL);
+        }
+        reading_free(reading);
+        drop(&text);
+    }
+}
+
 /* Cubes, planes: a value that takes cJSON 64 bytes counts, one that is a float does not. */
 static void numbers_in_large_lists_do_not_count_as_values(void **state)
 {
@@ -351,9 +391,6 @@ struct list_case {
     const char *pointer;               /* of the list */
     const char *bad, *inner, *detail;  /* a bad item, where in it, and what is said */
 };
-
-#define FACES   "\"faces\":[[0,1,2]]"
-#define CORNERS "{\"vertices\":[[0,0,0],[1,0,0],[0,1,0]]"
 
 static const struct list_case cases[] = {
     {"{\"meshes\":[{" FACES ",\"positions\":[", "[0.5,1.25,-3e-3]", "]}]}", "/meshes/0/positions", "[0,1,2e6]", "/2",
@@ -640,6 +677,7 @@ int main(void)
         cmocka_unit_test(every_spelling_gives_the_same_scene),
         cmocka_unit_test(positions_are_the_floats_of_what_strtod_gives),
         cmocka_unit_test(arrays_take_little_more_than_themselves),
+        cmocka_unit_test(polygons_written_alike_are_alike),
         cmocka_unit_test(numbers_in_large_lists_do_not_count_as_values),
         cmocka_unit_test(lists_too_deep_for_the_limit_are_refused),
         cmocka_unit_test(fault_anywhere_in_a_list_has_its_pointer),
