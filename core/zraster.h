@@ -25,10 +25,9 @@
 /* ---- limits: what one request may ask for ---- */
 
 struct zr_limits {
-    uint32_t json_depth_max; /* nesting of arrays and objects */
-    uint32_t
-        json_values_max; /* that cJSON sees, at 64 bytes each, at once: not those in large lists (input/json_scan.h),
-                          * of which the body's size and the arena's ceiling bound what they take */
+    uint32_t json_depth_max;    /* nesting of arrays and objects */
+    uint32_t json_values_max;   /* that cJSON sees at once, 64 bytes each: not those in large lists (json_scan.h), */
+                                /* which the body's size and the arena's ceiling bound */
     uint32_t window_side_max;   /* pixels */
     uint64_t window_pixels_max; /* pixels, summed over all outputs */
     uint32_t polygon_vertices_max;

@@ -2,7 +2,7 @@
 
 #include <string.h>
 
-enum { CHUNK = 16, LOOK_AHEAD = 3, CHUNKS_A_TALLY = 255, LISTS_AT_FIRST = 16 };
+enum { CHUNK = 16, LOOK_AHEAD = 3, CHUNKS_A_TALLY = 254, LISTS_AT_FIRST = 16 };
 
 /* ---- lists of rows of numbers ---- */
 
@@ -25,12 +25,14 @@ static chunk load(const void *at)
     return bytes;
 }
 
+/* The sum of 16 bytes, side by side in words: 16 additions one by one cost 3 ns a list, and polygons are short. */
 static size_t sum(chunk bytes)
 {
-    size_t total = 0;
-    for (int i = 0; i < CHUNK; i++)
-        total += bytes[i];
-    return total;
+    const uint64_t low = UINT64_C(0x00FF00FF00FF00FF), ones = UINT64_C(0x0001000100010001);
+    uint64_t half[2];
+    memcpy(half, &bytes, sizeof half);
+    uint64_t pairs = (half[0] & low) + (half[0] >> 8 & low) + (half[1] & low) + (half[1] >> 8 & low);
+    return (size_t)(pairs * ones >> 48);
 }
 
 static void flush(struct tally *tally, struct totals *totals)
@@ -41,12 +43,12 @@ static void flush(struct tally *tally, struct totals *totals)
     *tally = (struct tally){.chunks = 0};
 }
 
-/* `kept` is all ones where bytes count. A comparison gives -1 where it holds. */
-static void count(struct tally *tally, chunk bytes, chunk kept)
+/* A comparison gives -1 where it holds. */
+static inline void count(struct tally *tally, chunk bytes)
 {
-    tally->opens -= (chunk)(bytes == '[') & kept;
-    tally->closes -= (chunk)(bytes == ']') & kept;
-    tally->commas -= (chunk)(bytes == ',') & kept;
+    tally->opens -= (chunk)(bytes == '[');
+    tally->closes -= (chunk)(bytes == ']');
+    tally->commas -= (chunk)(bytes == ',');
     tally->chunks++;
 }
 
@@ -72,19 +74,20 @@ static size_t first_set(chunk bytes)
 }
 
 /* Counts up to the next byte that is odd, and returns it; or the end, as far as chunks go. */
-static const char *count_chunks(const char *at, const char *end, struct totals *totals)
+static inline const char *count_chunks(const char *at, const char *end, struct totals *totals)
 {
     static const uint8_t ones[2 * CHUNK] = {255, 255, 255, 255, 255, 255, 255, 255,
                                             255, 255, 255, 255, 255, 255, 255, 255};
     struct tally tally = {.chunks = 0};
     size_t odd = CHUNK;
-    for (; odd == CHUNK && end - at >= CHUNK + LOOK_AHEAD; at += odd) {
-        odd = first_set(find_odd(at));
-        count(&tally, load(at), load(ones + CHUNK - odd));
+    while (end - at >= CHUNK + LOOK_AHEAD && (odd = first_set(find_odd(at))) == CHUNK) {
+        count(&tally, load(at));
         if (tally.chunks == CHUNKS_A_TALLY) flush(&tally, totals);
+        at += CHUNK;
     }
+    if (odd < CHUNK) count(&tally, load(at) & load(ones + CHUNK - odd));
     flush(&tally, totals);
-    return at;
+    return odd < CHUNK ? at + odd : at;
 }
 
 /* What makes the count exact: the text begins with "[[", behind each ']' comes ",[" or the end, and there are
@@ -174,6 +177,8 @@ static bool escape_is(const char *at, const char *end, char letter)
 
 bool zr_json_key_is(const char *key, const char *key_end, const char *word)
 {
+    size_t length = strlen(word);
+    if ((size_t)(key_end - key) <= length) return (size_t)(key_end - key) == length && memcmp(key, word, length) == 0;
     for (; *word; word++) {
         if (key == key_end) return false;
         if (*key == *word)

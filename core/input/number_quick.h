@@ -114,6 +114,17 @@ static inline const char *zr_number_quick(const char *at, const char *end, doubl
 
 enum { ZR_QUICKER_BYTES = 32 };
 
+/* Which of the next 32 bytes are no digits; the first byte is bit 0. */
+static inline uint32_t zr_mark_others(const char *at)
+{
+    const __m128i nine = _mm_set1_epi8(9), zero = _mm_set1_epi8('0');
+    __m128i low = _mm_sub_epi8(_mm_loadu_si128((const __m128i *)(const void *)at), zero);
+    __m128i high = _mm_sub_epi8(_mm_loadu_si128((const __m128i *)(const void *)(at + 16)), zero);
+    uint32_t first = (uint32_t)_mm_movemask_epi8(_mm_cmpeq_epi8(_mm_max_epu8(low, nine), nine));
+    uint32_t second = (uint32_t)_mm_movemask_epi8(_mm_cmpeq_epi8(_mm_max_epu8(high, nine), nine));
+    return ~(first | second << 16);
+}
+
 /* The same for [-] digits . digits of at most 16 characters, where ZR_QUICKER_BYTES may be read. What comes behind is
  * the caller's to judge: only ',' or ']' is known to end the number. Where the next number begins depends on this one
  * through one load, not three in a row, and all digits are gathered in a word: 17 ns a number become 8. */
