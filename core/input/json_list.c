@@ -2,6 +2,10 @@
 
 #include <string.h>
 
+#ifdef __SSE2__
+#include <emmintrin.h>
+#endif
+
 enum { CHUNK = 16, LOOK_AHEAD = 3, CHUNKS_A_TALLY = 254, LISTS_AT_FIRST = 16 };
 
 /* ---- lists of rows of numbers ---- */
@@ -53,7 +57,7 @@ static inline void count(struct tally *tally, chunk bytes)
 }
 
 /* All ones where a row ends other than with "],[" or "], [", and where a string begins. */
-static chunk find_odd(const char *at)
+static inline chunk find_odd(const char *at)
 {
     chunk zero = load(at), one = load(at + 1), two = load(at + 2), three = load(at + 3);
     chunk next = (chunk)(one == ',') & ((chunk)(two == '[') | ((chunk)(two == ' ') & (chunk)(three == '[')));
@@ -61,15 +65,15 @@ static chunk find_odd(const char *at)
 }
 
 /* The place of the first byte that is not zero, or CHUNK. */
-static size_t first_set(chunk bytes)
+static inline size_t first_set(chunk bytes)
 {
-    uint64_t half[2];
-    memcpy(half, &bytes, sizeof half);
-    if ((half[0] | half[1]) == 0) return CHUNK;
-#if __BYTE_ORDER__ == __ORDER_BIG_ENDIAN__
-    return half[0] ? (size_t)__builtin_clzll(half[0]) / 8 : 8 + (size_t)__builtin_clzll(half[1]) / 8;
+#ifdef __SSE2__
+    return (size_t)__builtin_ctz((unsigned)_mm_movemask_epi8((__m128i)bytes) | 1u << CHUNK);
 #else
-    return half[0] ? (size_t)__builtin_ctzll(half[0]) / 8 : 8 + (size_t)__builtin_ctzll(half[1]) / 8;
+    size_t place = 0;
+    while (place < CHUNK && bytes[place] == 0)
+        place++;
+    return place;
 #endif
 }
 
@@ -217,6 +221,58 @@ static const char *skip_holes(const char *at, const char *end, struct zr_json_so
     return behind;
 }
 
+#ifdef __SSE2__
+/* Which of the next 16 bytes are brackets of lists, or quotes. */
+static inline uint64_t find_brackets(const char *at)
+{
+    chunk bytes = load(at);
+    return (uint64_t)(uint32_t)_mm_movemask_epi8(
+        (__m128i)((chunk)(bytes == ']') | (chunk)(bytes == '[') | (chunk)(bytes == '"')));
+}
+#endif
+
+/* As zr_json_skip_rows, for lists as short and as plain as most polygons': row by row, of at most 48 bytes each, in
+ * half the time. */
+static const char *skip_few_rows(const char *at, const char *end, size_t *rows)
+{
+    *rows = 0;
+#ifdef __SSE2__
+    enum { ROW = 3 * CHUNK };
+    if (end - at < 2 || *++at != '[') return NULL;
+    while (end - at > ROW + LOOK_AHEAD + 1) {
+        at++;
+        uint64_t brackets =
+            find_brackets(at) | find_brackets(at + CHUNK) << CHUNK | find_brackets(at + 2 * CHUNK) << 2 * CHUNK;
+        if (brackets == 0) return NULL;
+        at += __builtin_ctzll(brackets);
+        if (*at != ']') return NULL;
+        ++*rows;
+        if (at[1] == ']') return at + 2;
+        if (at[1] != ',') return NULL;
+        at += at[2] == ' ' ? 3 : 2;
+        if (*at != '[') return NULL;
+    }
+#else
+    (void)at, (void)end;
+#endif
+    return NULL;
+}
+
+/* Of a member that is plainly "vertices":[...]: as most are, and a third of the time that others take. */
+static inline const char *skip_plain_vertices(const char *at, const char *end, struct zr_json_soup *soup)
+{
+    static const char key[] = "vertices\":";
+    size_t rows, commas;
+    if (end - at < 16 || memcmp(at, key, sizeof key - 1) != 0) return NULL;
+    at += sizeof key - 1;
+    if (*at == ' ') at++;
+    if (*at != '[') return NULL;
+    const char *behind = skip_few_rows(at, end, &rows);
+    at = behind ? behind : zr_json_skip_rows(at, end, &rows, &commas);
+    if (at) soup->vertices += rows;
+    return at;
+}
+
 /* `at` is behind the opening quote of a key; returns behind the value. */
 static const char *skip_member(const char *at, const char *end, struct zr_json_soup *soup)
 {
@@ -254,7 +310,8 @@ static const char *skip_polygon(const char *at, const char *end, struct zr_json_
     if (at < end && *at == '}') return at + 1;
     for (;;) {
         if (at == end || *at != '"') return NULL;
-        at = skip_member(at + 1, end, soup);
+        const char *behind = skip_plain_vertices(at + 1, end, soup);
+        at = behind ? behind : skip_member(at + 1, end, soup);
         if (!at) return NULL;
         at = zr_json_skip_space(at, end);
         if (at == end) return NULL;
