@@ -221,43 +221,6 @@ static const char *skip_holes(const char *at, const char *end, struct zr_json_so
     return behind;
 }
 
-#ifdef __SSE2__
-/* Which of the next 16 bytes are brackets of lists, or quotes. */
-static inline uint64_t find_brackets(const char *at)
-{
-    chunk bytes = load(at);
-    return (uint64_t)(uint32_t)_mm_movemask_epi8(
-        (__m128i)((chunk)(bytes == ']') | (chunk)(bytes == '[') | (chunk)(bytes == '"')));
-}
-#endif
-
-/* As zr_json_skip_rows, for lists as short and as plain as most polygons': row by row, of at most 48 bytes each, in
- * half the time. */
-static const char *skip_few_rows(const char *at, const char *end, size_t *rows)
-{
-    *rows = 0;
-#ifdef __SSE2__
-    enum { ROW = 3 * CHUNK };
-    if (end - at < 2 || *++at != '[') return NULL;
-    while (end - at > ROW + LOOK_AHEAD + 1) {
-        at++;
-        uint64_t brackets =
-            find_brackets(at) | find_brackets(at + CHUNK) << CHUNK | find_brackets(at + 2 * CHUNK) << 2 * CHUNK;
-        if (brackets == 0) return NULL;
-        at += __builtin_ctzll(brackets);
-        if (*at != ']') return NULL;
-        ++*rows;
-        if (at[1] == ']') return at + 2;
-        if (at[1] != ',') return NULL;
-        at += at[2] == ' ' ? 3 : 2;
-        if (*at != '[') return NULL;
-    }
-#else
-    (void)at, (void)end;
-#endif
-    return NULL;
-}
-
 /* Of a member that is plainly "vertices":[...]: as most are, and a third of the time that others take. */
 static inline const char *skip_plain_vertices(const char *at, const char *end, struct zr_json_soup *soup)
 {
@@ -267,8 +230,7 @@ static inline const char *skip_plain_vertices(const char *at, const char *end, s
     at += sizeof key - 1;
     if (*at == ' ') at++;
     if (*at != '[') return NULL;
-    const char *behind = skip_few_rows(at, end, &rows);
-    at = behind ? behind : zr_json_skip_rows(at, end, &rows, &commas);
+    at = zr_json_skip_rows(at, end, &rows, &commas);
     if (at) soup->vertices += rows;
     return at;
 }
