@@ -55,7 +55,7 @@ ZR_INLINED const char *zr_row_next(const char *at, const char *end, double low, 
 const char *zr_row_any_three(const char *at, const char *end, double low, double high, zr_vec3 *out);
 
 /* The same inlined for their usual form. One after the other, since floats that are put into an array and taken out as
- * a vector wait for each other in memory: 2 ns a row. */
+ * a vector wait for each other in memory: 3 ns a row. */
 ZR_INLINED const char *zr_row_three(const char *at, const char *end, double low, double high, zr_vec3 *out)
 {
     if (at == end || *at != '[') return NULL;
@@ -115,7 +115,7 @@ const char *zr_row_any_indices(const char *at, const char *end, uint32_t count, 
                                size_t *used);
 
 /* The same inlined for rows of up to 32 bytes without spaces, of numbers with up to 7 digits: all ends are found at
- * once, so that no number waits for the one before. 7 ns an index become 5. */
+ * once, so that no number waits for the one before. A tenth of reading a mesh. */
 ZR_INLINED const char *zr_row_indices(const char *at, const char *end, uint32_t count, size_t most, uint32_t *out,
                                       size_t *used)
 {

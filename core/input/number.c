@@ -7,7 +7,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "input/number_quick.h"
 #include "input/number_round.h"
 
 enum {
@@ -32,17 +31,11 @@ static bool is_digit(const char *at, const char *end)
     return at < end && (unsigned char)(*at - '0') < 10;
 }
 
-/* Digits are taken into the mantissa as long as they fit; the caller counts. Eight at a time, as long as there
- * are eight: 17 digits behind a point are read in 20 ns, not 30. */
+/* Digits are taken into the mantissa as long as they fit; the caller counts. */
 static const char *read_digits(const char *at, const char *end, struct decimal *decimal)
 {
     uint64_t mantissa = decimal->mantissa;
     int digits = decimal->digits;
-    for (; digits > 0 && digits + 8 <= FAST_DIGITS; at += 8, digits += 8) {
-        uint64_t word = zr_eight_bytes(at, end);
-        if (zr_count_digits(word) < 8) break;
-        mantissa = mantissa * 100000000 + zr_digits_value(word, 8);
-    }
     for (; is_digit(at, end); at++) {
         if (digits == 0) {
             if (*at == '0') continue;
