@@ -221,7 +221,7 @@ static const char *skip_holes(const char *at, const char *end, struct zr_json_so
     return behind;
 }
 
-/* Of a member that is plainly "vertices":[...]: as most are, and a third of the time that others take. */
+/* Of a member that is plainly "vertices":[...]: as most are: 60 instructions around its rows, not 160. */
 static inline const char *skip_plain_vertices(const char *at, const char *end, struct zr_json_soup *soup)
 {
     static const char key[] = "vertices\":";
