@@ -1,9 +1,11 @@
 /* A grid of heights, z = f(x, y) -> positions and quads. */
-#include "input/json_scene.h"
-
 #include <stdint.h>
+#include <string.h>
 
 #include "base/checked.h"
+#include "input/json_rows.h"
+#include "input/json_scene.h"
+#include "input/json_text.h"
 
 enum { VALUES, X, Y, KEYS };
 static const char *const words[] = {"values", "x", "y"};
@@ -19,22 +21,37 @@ struct grid {
 
 /* ---- reading ---- */
 
-/* Rows and columns, which all rows must have alike. */
-static bool measure(struct zr_json *json, const struct zr_json_path *path, const cJSON *values, struct grid *grid)
+/* The columns of all rows, if the rows are alike; else not 2 or more, or no matter what. */
+static size_t guess_columns(const struct zr_json_list *list)
 {
-    size_t count, row = 0, positions;
-    bool good = zr_json_array(json, path, values, &grid->rows);
-    if (!good) return false;
+    size_t values = list->commas + 1;
+    return list->items >= 2 && values % list->items == 0 && values <= POSITIONS_MAX ? values / list->items : 0;
+}
+
+/* Rows and columns, which all rows must have alike. */
+static bool measure(struct zr_json *json, const struct zr_json_path *path, struct zr_json_list *list, struct grid *grid)
+{
+    size_t count, commas, positions;
+    bool good = true;
+    grid->rows = list->items;
     if (grid->rows < 2) return zr_json_fault(json, path, "rows: %zu; a grid needs 2 or more", grid->rows);
-    for (const cJSON *item = values->child; item && !zr_json_full(json); item = item->next, row++) {
-        const struct zr_json_path *at = ZR_JSON_ITEM(path, row);
-        if (!zr_json_array(json, at, item, &count)) return false;
-        if (row == 0) grid->columns = count;
+    struct zr_json_walk walk = zr_json_walk_begin(json, path, list);
+    while (zr_json_walk_on(&walk)) {
+        const struct zr_json_path *at = ZR_JSON_ITEM(path, walk.index);
+        if (*walk.at != '[') {
+            cJSON *item = zr_json_walk_parse(&walk);
+            if (item) zr_json_array(json, at, item, &count);
+            if (item) zr_json_walk_drop(&walk, item);
+            return false;
+        }
+        walk.behind = zr_json_skip(walk.at, json->text->end, &count, &commas);
+        if (walk.index == 0) grid->columns = count;
         if (count < 2)
             good = zr_json_fault(json, at, "values: %zu; a grid needs 2 or more in each row", count);
         else if (count != grid->columns)
             good = zr_json_fault(json, at, "%zu values, but the first row has %zu", count, grid->columns);
     }
+    list->read = false; /* only passed over */
     if (good && (!zr_mul_size(grid->rows, grid->columns, &positions) || positions > POSITIONS_MAX))
         good = zr_json_fault(json, path, "more than the limit of %d values", (int)POSITIONS_MAX);
     return good;
@@ -81,30 +98,96 @@ static float place(const float range[2], size_t index, size_t count)
     return (float)(((double)range[0] * (last - i) + (double)range[1] * i) / last);
 }
 
-/* Writes a position for each value, holes too. *holes gets a flag for each where there are any. */
-static bool read_values(struct zr_json *json, const struct zr_json_path *path, const cJSON *values,
-                        const struct grid *grid, zr_vec4 *positions, bool **holes)
+/* A grid while its values are read, holes too. */
+struct values {
+    struct zr_json *json;
+    struct grid grid;
+    zr_vec4 *positions; /* z only, as yet */
+    bool *holes;        /* NULL as long as there are none */
+};
+
+static bool set_hole(struct values *values, size_t place)
 {
-    size_t row = 0, next = 0;
-    bool good = true;
-    *holes = NULL;
-    for (const cJSON *list = values->child; list && !zr_json_full(json); list = list->next, row++) {
-        const struct zr_json_path *at = ZR_JSON_ITEM(path, row);
-        float y = place(grid->y, row, grid->rows), z;
-        size_t column = 0;
-        for (const cJSON *item = list->child; item && !zr_json_full(json); item = item->next, column++, next++) {
-            z = 0.0f;
-            if (cJSON_IsNull(item)) {
-                if (!*holes) *holes = zr_arena_zero(json->arena, grid->rows * grid->columns, sizeof **holes);
-                if (!*holes) return false;
-                (*holes)[next] = true;
-            } else {
-                good = zr_json_coordinate(json, ZR_JSON_ITEM(at, column), item, &z) && good;
-            }
-            positions[next] = (zr_vec4){place(grid->x, column, grid->columns), y, z, 1.0f};
-        }
+    if (!values->holes)
+        values->holes = zr_arena_zero(values->json->arena, values->grid.rows * values->grid.columns, sizeof(bool));
+    if (values->holes) values->holes[place] = true;
+    return values->holes;
+}
+
+/* Behind a null, and the space behind that. */
+static const char *read_hole(struct values *values, const char *at, const char *end, size_t place)
+{
+    at = zr_row_skip_space(at, end);
+    if (end - at < 4 || memcmp(at, "null", 4) != 0 || !set_hole(values, place)) return NULL;
+    values->positions[place].z = 0.0f;
+    return zr_row_skip_space(at + 4, end);
+}
+
+/* A whole row; NULL where it is not plainly one. */
+static const char *read_row(struct values *values, const char *at, size_t first)
+{
+    const char *end = values->json->text->end;
+    const double limit = (double)values->json->limits->coordinate_max;
+    const size_t columns = values->grid.columns;
+    if (*at != '[') return NULL;
+    for (size_t column = 0; column < columns; column++) {
+        float *z = &values->positions[first + column].z;
+        const char *number = zr_row_next(at, end, -limit, limit, z);
+        at = number ? number : read_hole(values, at + 1, end, first + column);
+        if (!at || at == end || *at != (column + 1 < columns ? ',' : ']')) return NULL;
     }
-    return good;
+    return at + 1;
+}
+
+/* The same with a complaint for each value that is none. */
+static void read_row_slowly(struct values *values, const struct zr_json_path *path, const cJSON *row, size_t first)
+{
+    size_t column = 0;
+    for (const cJSON *item = row->child; item && !zr_json_full(values->json); item = item->next, column++) {
+        float *z = &values->positions[first + column].z;
+        *z = 0.0f;
+        if (!cJSON_IsNull(item))
+            zr_json_coordinate(values->json, ZR_JSON_ITEM(path, column), item, z);
+        else if (!set_hole(values, first + column))
+            return;
+    }
+}
+
+/* The rows that are plainly of this many values; true where all are. */
+static bool read_plain(struct values *values, const struct zr_json_path *path, struct zr_json_list *list)
+{
+    struct zr_json_walk walk = zr_json_walk_begin(values->json, path, list);
+    while (zr_json_walk_on(&walk))
+        walk.behind = read_row(values, walk.at, walk.index * values->grid.columns);
+    return walk.index == list->items;
+}
+
+static bool read_measured(struct values *values, const struct zr_json_path *path, struct zr_json_list *list)
+{
+    struct zr_json_walk walk = zr_json_walk_begin(values->json, path, list);
+    size_t faults = values->json->error->count;
+    cJSON *item;
+    while (zr_json_walk_on(&walk)) {
+        size_t first = walk.index * values->grid.columns;
+        walk.behind = read_row(values, walk.at, first);
+        if (walk.behind || !(item = zr_json_walk_parse(&walk))) continue;
+        read_row_slowly(values, ZR_JSON_ITEM(path, walk.index), item, first);
+        zr_json_walk_drop(&walk, item);
+    }
+    return walk.index == list->items && values->json->error->count == faults;
+}
+
+/* Where each value stands, holes too. */
+static void place_values(const struct grid *grid, zr_vec4 *positions)
+{
+    for (size_t column = 0; column < grid->columns; column++)
+        positions[column].x = place(grid->x, column, grid->columns);
+    for (size_t row = 0; row < grid->rows; row++) {
+        zr_vec4 *position = positions + row * grid->columns;
+        float y = place(grid->y, row, grid->rows);
+        for (size_t column = 0; column < grid->columns; column++)
+            position[column] = (zr_vec4){positions[column].x, y, position[column].z, 1.0f};
+    }
 }
 
 /* A quad a cell, row by row, counter-clockwise as seen from +z whichever way the axes run. */
@@ -131,28 +214,43 @@ static bool make_cells(struct zr_arena *arena, const struct grid *grid, struct z
     return true;
 }
 
+/* Nearly always all rows are alike and plain, and read at once; else there is a fault, or a second way to say it. */
+static bool read_all(struct values *values, const struct zr_json_path *path, struct zr_json_list *list,
+                     const struct zr_json_path *grid_path, const cJSON *const *found)
+{
+    struct zr_json *json = values->json;
+    struct grid *grid = &values->grid;
+    *grid = (struct grid){.rows = list->items, .columns = guess_columns(list)};
+    bool plain = false;
+    if (grid->columns >= 2) {
+        values->positions = zr_arena_alloc(json->arena, grid->rows * grid->columns, sizeof *values->positions);
+        plain = values->positions && read_plain(values, path, list);
+    }
+    if (!plain && (!zr_arena_ok(json->arena) || !measure(json, path, list, grid))) return false;
+    if (!read_grid(json, grid_path, found, grid)) return false;
+    if (!plain && !values->positions) /* else it has the right size: the values are as many */
+        values->positions = zr_arena_alloc(json->arena, grid->rows * grid->columns, sizeof *values->positions);
+    return values->positions && (plain || read_measured(values, path, list));
+}
+
 const bool *zr_json_read_heights(struct zr_json *json, const struct zr_json_path *path, const cJSON *node,
                                  struct zr_mesh *mesh)
 {
     const cJSON *found[KEYS] = {node, NULL, NULL};
-    const struct zr_json_path *values = cJSON_IsObject(node) ? ZR_JSON_KEY(path, words[VALUES]) : path;
-    struct grid grid;
-    bool *holes;
+    const struct zr_json_path *at = cJSON_IsObject(node) ? ZR_JSON_KEY(path, words[VALUES]) : path;
+    struct values values = {.json = json};
     if (cJSON_IsObject(node)) {
         zr_json_object(json, path, node, &keys, found);
         if (!found[VALUES]) zr_json_fault(json, path, "values is missing");
     }
-    if (!found[VALUES] || !measure(json, values, found[VALUES], &grid) || !read_grid(json, path, found, &grid))
-        return NULL;
-    size_t count = grid.rows * grid.columns;
-    zr_vec4 *positions = zr_arena_alloc(json->arena, count, sizeof *positions);
-    if (!positions || !read_values(json, values, found[VALUES], &grid, positions, &holes) ||
-        !make_cells(json->arena, &grid, mesh))
-        return NULL;
-    mesh->position_count = (uint32_t)count;
-    mesh->positions = positions;
+    struct zr_json_list *list = found[VALUES] ? zr_json_large_list(json, at, found[VALUES]) : NULL;
+    if (!list || !read_all(&values, at, list, path, found)) return NULL;
+    place_values(&values.grid, values.positions);
+    if (!make_cells(json->arena, &values.grid, mesh)) return NULL;
+    mesh->position_count = (uint32_t)(values.grid.rows * values.grid.columns);
+    mesh->positions = values.positions;
     mesh->faces_are_fans = true;
-    return holes;
+    return values.holes;
 }
 
 /* ---- holes ---- */

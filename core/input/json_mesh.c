@@ -1,6 +1,8 @@
-#include "input/json_scene.h"
-
 #include <string.h>
+
+#include "input/json_rows.h"
+#include "input/json_scene.h"
+#include "input/json_text.h"
 
 enum {
     NAME,
@@ -27,12 +29,13 @@ static const char *copy_text(struct zr_arena *arena, const char *text)
 }
 
 /* A list that must have one item for each of `wanted` things. */
-static bool read_count(struct zr_json *json, const struct zr_json_path *path, const cJSON *node, size_t wanted,
-                       const char *of)
+static struct zr_json_list *list_for_each(struct zr_json *json, const struct zr_json_path *path, const cJSON *node,
+                                          size_t wanted, const char *of)
 {
-    size_t count;
-    if (!zr_json_array(json, path, node, &count)) return false;
-    return count == wanted || zr_json_fault(json, path, "%zu items for %zu %s; one each is needed", count, wanted, of);
+    struct zr_json_list *list = zr_json_large_list(json, path, node);
+    if (!list || list->items == wanted) return list;
+    zr_json_fault(json, path, "%zu items for %zu %s; one each is needed", list->items, wanted, of);
+    return NULL;
 }
 
 /* A list of colours, one for each; NULL where it is not given or not right. */
@@ -40,9 +43,19 @@ static const zr_vec4 *read_colors(struct zr_draft *draft, const struct zr_json_p
                                   size_t wanted, const char *of)
 {
     struct zr_json *json = &draft->json;
-    if (!node || !read_count(json, path, node, wanted, of)) return NULL;
-    zr_vec4 *colors = zr_arena_alloc(json->arena, wanted, sizeof *colors);
-    if (!colors || !zr_json_vec4_list(json, path, node, zr_json_color, colors)) return NULL;
+    struct zr_json_list *list = node ? list_for_each(json, path, node, wanted, of) : NULL;
+    zr_vec4 *colors = list ? zr_arena_alloc(json->arena, wanted, sizeof *colors) : NULL;
+    if (!colors) return NULL;
+    bool good = true;
+    cJSON *item;
+    struct zr_json_walk walk = zr_json_walk_begin(json, path, list);
+    for (zr_vec4 *color = colors; zr_json_walk_on(&walk); color++) {
+        walk.behind = zr_row_color(walk.at, json->text->end, color);
+        if (walk.behind || !(item = zr_json_walk_parse(&walk))) continue;
+        good = zr_json_color(json, ZR_JSON_ITEM(path, walk.index), item, color) && good;
+        zr_json_walk_drop(&walk, item);
+    }
+    if (!good || walk.index < wanted) return NULL;
     zr_draft_note_alpha(draft, colors, wanted);
     return colors;
 }
@@ -50,87 +63,118 @@ static const zr_vec4 *read_colors(struct zr_draft *draft, const struct zr_json_p
 static void read_positions(struct zr_json *json, const struct zr_json_path *path, const cJSON *node,
                            struct zr_mesh *mesh)
 {
-    size_t count;
-    if (!zr_json_array(json, path, node, &count)) return;
-    zr_vec4 *positions = zr_arena_alloc(json->arena, count, sizeof *positions);
+    struct zr_json_list *list = zr_json_large_list(json, path, node);
+    zr_vec4 *positions = list ? zr_arena_alloc(json->arena, list->items, sizeof *positions) : NULL;
     if (!positions) return;
-    zr_json_vec4_list(json, path, node, zr_json_position, positions);
-    mesh->position_count = (uint32_t)count;
+    const double limit = (double)json->limits->coordinate_max;
+    cJSON *item;
+    struct zr_json_walk walk = zr_json_walk_begin(json, path, list);
+    for (zr_vec4 *position = positions; zr_json_walk_on(&walk); position++) {
+        walk.behind = zr_row_position(walk.at, json->text->end, limit, position);
+        if (walk.behind || !(item = zr_json_walk_parse(&walk))) continue;
+        zr_json_position(json, ZR_JSON_ITEM(path, walk.index), item, position);
+        zr_json_walk_drop(&walk, item);
+    }
+    mesh->position_count = (uint32_t)list->items;
     mesh->positions = positions;
 }
 
 static void read_normals(struct zr_json *json, const struct zr_json_path *path, const cJSON *node, struct zr_mesh *mesh)
 {
-    if (!read_count(json, path, node, mesh->position_count, "positions")) return;
-    zr_vec3 *normals = zr_arena_alloc(json->arena, mesh->position_count, sizeof *normals);
-    if (!normals || !zr_json_vec3_list(json, path, node, normals)) return;
+    struct zr_json_list *list = list_for_each(json, path, node, mesh->position_count, "positions");
+    zr_vec3 *normals = list ? zr_arena_alloc(json->arena, list->items, sizeof *normals) : NULL;
+    if (!normals) return;
+    const double limit = (double)json->limits->coordinate_max;
+    cJSON *item;
+    struct zr_json_walk walk = zr_json_walk_begin(json, path, list);
+    for (zr_vec3 *normal = normals; zr_json_walk_on(&walk); normal++) {
+        walk.behind = zr_row_vec3(walk.at, json->text->end, limit, normal);
+        if (walk.behind || !(item = zr_json_walk_parse(&walk))) continue;
+        zr_json_vec3(json, ZR_JSON_ITEM(path, walk.index), item, normal);
+        zr_json_walk_drop(&walk, item);
+    }
     mesh->normal_count = mesh->position_count;
     mesh->normals = normals;
 }
 
-/* Writes a face's corners to `indices`, which has room for all items of `node`. */
-static void read_face(struct zr_json *json, const struct zr_json_path *path, const cJSON *node, uint32_t positions,
-                      uint32_t *indices)
+/* Writes a face's corners to `indices`, which has room for all items of `node`, and returns their count; 0 where
+ * there is a fault. */
+static size_t read_face(struct zr_json *json, const struct zr_json_path *path, const cJSON *node, uint32_t positions,
+                        uint32_t *indices)
 {
     size_t count, corner = 0;
-    if (!zr_json_array(json, path, node, &count)) return;
+    bool good = true;
+    if (!zr_json_array(json, path, node, &count)) return 0;
     if (count < 3 || count > json->limits->polygon_vertices_max) {
         zr_json_fault(json, path, "a face of %zu corners; 3 to %u are allowed", count,
                       json->limits->polygon_vertices_max);
-        return;
+        return 0;
     }
     for (const cJSON *item = node->child; item && !zr_json_full(json); item = item->next, corner++)
-        zr_json_index(json, ZR_JSON_ITEM(path, corner), item, positions, "positions", &indices[corner]);
-}
-
-static size_t count_corners(const cJSON *faces)
-{
-    size_t corners = 0;
-    for (const cJSON *face = faces->child; face; face = face->next)
-        for (const cJSON *corner = cJSON_IsArray(face) ? face->child : NULL; corner; corner = corner->next)
-            corners++;
-    return corners;
+        good = zr_json_index(json, ZR_JSON_ITEM(path, corner), item, positions, "positions", &indices[corner]) && good;
+    return good ? count : 0;
 }
 
 static void read_faces(struct zr_json *json, const struct zr_json_path *path, const cJSON *node, struct zr_mesh *mesh)
 {
-    size_t faces, face = 0;
-    if (!zr_json_array(json, path, node, &faces)) return;
-    uint32_t *offsets = zr_arena_alloc(json->arena, faces + 1, sizeof *offsets);
-    uint32_t *indices = zr_arena_alloc(json->arena, count_corners(node), sizeof *indices);
+    struct zr_json_list *list = zr_json_large_list(json, path, node);
+    if (!list) return;
+    uint32_t *offsets = zr_arena_alloc(json->arena, list->items + 1, sizeof *offsets);
+    /* A comma stands between any two corners, and between any two faces. */
+    size_t room = list->commas + 1, face = 0, used = 0, count;
+    uint32_t *indices = zr_arena_alloc(json->arena, room, sizeof *indices);
     if (!zr_arena_ok(json->arena)) return;
-    uint32_t used = 0;
-    for (const cJSON *item = node->child; item && !zr_json_full(json); item = item->next, face++) {
-        size_t faults = json->error->count;
-        offsets[face] = used;
-        read_face(json, ZR_JSON_ITEM(path, face), item, mesh->position_count, indices + used);
-        if (json->error->count == faults) used += (uint32_t)cJSON_GetArraySize(item);
+    const size_t most = json->limits->polygon_vertices_max;
+    cJSON *item;
+    struct zr_json_walk walk = zr_json_walk_begin(json, path, list);
+    for (; zr_json_walk_on(&walk); face++) {
+        count = 0;
+        offsets[face] = (uint32_t)used;
+        walk.behind = zr_row_indices(walk.at, json->text->end, mesh->position_count,
+                                     most < room - used ? most : room - used, indices + used, &count);
+        if (walk.behind && count < 3) walk.behind = NULL;
+        if (!walk.behind && (item = zr_json_walk_parse(&walk))) {
+            count = read_face(json, ZR_JSON_ITEM(path, walk.index), item, mesh->position_count, indices + used);
+            zr_json_walk_drop(&walk, item);
+        }
+        if (walk.behind) used += count;
     }
-    offsets[face] = used;
+    offsets[face] = (uint32_t)used;
     mesh->face_count = (uint32_t)face;
     mesh->face_offsets = offsets;
     mesh->indices = indices;
 }
 
+static void read_line(struct zr_json *json, const struct zr_json_path *path, const cJSON *node, uint32_t positions,
+                      uint32_t line[2])
+{
+    size_t ends;
+    if (!zr_json_array(json, path, node, &ends)) return;
+    if (ends != 2) {
+        zr_json_fault(json, path, "a line of %zu ends; it has two", ends);
+        return;
+    }
+    const cJSON *end = node->child;
+    for (size_t k = 0; k < 2; k++, end = end->next)
+        zr_json_index(json, ZR_JSON_ITEM(path, k), end, positions, "positions", &line[k]);
+}
+
 static void read_lines(struct zr_json *json, const struct zr_json_path *path, const cJSON *node, struct zr_mesh *mesh)
 {
-    size_t count, number = 0;
-    if (!zr_json_array(json, path, node, &count)) return;
-    uint32_t *lines = zr_arena_alloc(json->arena, count, 2 * sizeof *lines);
+    struct zr_json_list *list = zr_json_large_list(json, path, node);
+    uint32_t *lines = list ? zr_arena_alloc(json->arena, list->items, 2 * sizeof *lines) : NULL;
     if (!lines) return;
-    for (const cJSON *item = node->child; item && !zr_json_full(json); item = item->next, number++) {
-        const struct zr_json_path *at = ZR_JSON_ITEM(path, number);
-        size_t ends;
-        if (!zr_json_array(json, at, item, &ends)) continue;
-        if (ends != 2) {
-            zr_json_fault(json, at, "a line of %zu ends; it has two", ends);
-            continue;
-        }
-        const cJSON *end = item->child;
-        for (size_t k = 0; k < 2; k++, end = end->next)
-            zr_json_index(json, ZR_JSON_ITEM(at, k), end, mesh->position_count, "positions", &lines[2 * number + k]);
+    size_t ends = 0;
+    cJSON *item;
+    struct zr_json_walk walk = zr_json_walk_begin(json, path, list);
+    for (uint32_t *line = lines; zr_json_walk_on(&walk); line += 2) {
+        walk.behind = zr_row_indices(walk.at, json->text->end, mesh->position_count, 2, line, &ends);
+        if (walk.behind && ends < 2) walk.behind = NULL;
+        if (walk.behind || !(item = zr_json_walk_parse(&walk))) continue;
+        read_line(json, ZR_JSON_ITEM(path, walk.index), item, mesh->position_count, line);
+        zr_json_walk_drop(&walk, item);
     }
-    mesh->line_count = (uint32_t)count;
+    mesh->line_count = (uint32_t)list->items;
     mesh->lines = lines;
 }
 

@@ -5,6 +5,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "input/number.h"
 #include "input/text.h"
 
 enum { LEVELS_AT_FIRST = 1024, WORD_BITS = 64 };
@@ -15,6 +16,9 @@ static const char *const expected[] = {
     "a value",    "a value or ']'", "a key in double quotes", "a key in double quotes or '}'",
     "',' or ']'", "',' or '}'",     "the end of the text"};
 
+/* What becomes of the large lists of a scene. */
+enum lists { AS_ANY, SCANNED_UNCOUNTED, PASSED_OVER };
+
 enum limit { NO_LIMIT, TOO_DEEP, TOO_MANY, TOO_LONG, HOLDS_ZERO };
 
 struct scan {
@@ -24,7 +28,12 @@ struct scan {
     const struct zr_limits *limits;
     uint64_t *objects; /* a bit a level: is it an object? */
     size_t depth, levels, values;
-    enum limit limit; /* the first one passed, which counts only if the text is well-formed */
+    enum lists lists_are;
+    struct zr_json_lists *lists;
+    const char *key, *key_end;  /* of the member that is scanned, in quotes */
+    bool in_meshes, in_heights; /* of the root, and of a mesh there */
+    size_t uncounted;           /* the depth around a list whose values do not count, or 0 */
+    enum limit limit;           /* the first one passed, which counts only if the text is well-formed */
     const char *limit_at;
 };
 
@@ -32,11 +41,6 @@ struct scan {
 static bool is_plain(char byte)
 {
     return (unsigned char)byte >= 0x20 && (unsigned char)byte < 0x80 && byte != '"' && byte != '\\';
-}
-
-static bool is_space(char byte)
-{
-    return byte == ' ' || byte == '\n' || byte == '\r' || byte == '\t';
 }
 
 static bool is_digit(char byte)
@@ -163,7 +167,7 @@ static const char *scan_number(struct scan *scan, const char *at)
         at = scan_digits(scan, at);
         if (!at) return NULL;
     }
-    if (at - start > ZR_JSON_NUMBER_MAX) pass_limit(scan, start, TOO_LONG);
+    if (at - start > ZR_NUMBER_JSON_MAX) pass_limit(scan, start, TOO_LONG);
     return at;
 }
 
@@ -205,12 +209,46 @@ static enum expect after_value(const struct scan *scan)
 
 static void count_value(struct scan *scan, const char *at)
 {
+    if (scan->uncounted > 0) return;
     if (++scan->values > scan->limits->json_values_max) pass_limit(scan, at, TOO_MANY);
+}
+
+static bool key_is(const struct scan *scan, const char *word)
+{
+    return zr_json_key_is(scan->key, scan->key_end, word);
+}
+
+/* Is the value at `at` one of the large lists that json_scan.h names? */
+static bool is_large_list(struct scan *scan, const char *at, bool *polygons)
+{
+    static const char *const lists[] = {"positions", "faces", "normals", "colors", "faceColors", "lines", "heights"};
+    bool is_list = *at == '[';
+    *polygons = false;
+    if (scan->depth == 0 || scan->depth > 4 || !in_object(scan)) return false;
+    if (scan->depth == 1) {
+        scan->in_meshes = is_list && key_is(scan, "meshes");
+        return *polygons = is_list && key_is(scan, "polygons");
+    }
+    if (scan->depth == 3 && scan->in_meshes) {
+        scan->in_heights = *at == '{' && key_is(scan, "heights");
+        for (size_t i = 0; is_list && i < sizeof lists / sizeof *lists; i++)
+            if (key_is(scan, lists[i])) return true;
+    }
+    return scan->depth == 4 && scan->in_meshes && scan->in_heights && is_list && key_is(scan, "values");
 }
 
 static const char *scan_value(struct scan *scan, const char *at, enum expect *expect)
 {
+    bool polygons;
     count_value(scan, at);
+    if (scan->lists_are != AS_ANY && scan->uncounted == 0 && is_large_list(scan, at, &polygons)) {
+        if (scan->lists_are == PASSED_OVER) {
+            const char *behind = zr_json_list_add(scan->arena, scan->lists, at, scan->end, polygons, scan->depth + 1);
+            *expect = after_value(scan);
+            return behind ? behind : fail(scan, at, "a list with an end");
+        }
+        scan->uncounted = scan->depth;
+    }
     if (*at == '[' || *at == '{') {
         *expect = *at == '{' ? FIRST_KEY : FIRST_VALUE;
         return open_level(scan, at, *at == '{') ? at + 1 : NULL;
@@ -232,19 +270,12 @@ static const char *scan_value(struct scan *scan, const char *at, enum expect *ex
     return next;
 }
 
-static const char *skip_space(const struct scan *scan, const char *at)
-{
-    while (at < scan->end && is_space(*at))
-        at++;
-    return at;
-}
-
 /* `at` is behind a comma in a list. Most of a scene is lists of numbers: these
  * are gone through without a turn of the state machine for each. */
 static const char *scan_numbers(struct scan *scan, const char *at, enum expect *expect)
 {
     for (;;) {
-        at = skip_space(scan, at);
+        at = zr_json_skip_space(at, scan->end);
         *expect = VALUE;
         if (at == scan->end || (*at != '-' && !is_digit(*at))) return at;
         count_value(scan, at);
@@ -259,9 +290,11 @@ static const char *scan_numbers(struct scan *scan, const char *at, enum expect *
 static const char *scan_key(struct scan *scan, const char *at, enum expect *expect)
 {
     if (*at != '"') return fail(scan, at, expected[*expect]);
+    scan->key = at + 1;
     at = scan_string(scan, at + 1);
     if (!at) return NULL;
-    at = skip_space(scan, at);
+    scan->key_end = at - 1;
+    at = zr_json_skip_space(at, scan->end);
     if (at == scan->end || *at != ':') return fail(scan, at, "':' after a key");
     *expect = VALUE;
     return at + 1;
@@ -269,7 +302,7 @@ static const char *scan_key(struct scan *scan, const char *at, enum expect *expe
 
 static const char *close_level(struct scan *scan, const char *at, enum expect *expect)
 {
-    scan->depth--;
+    if (--scan->depth == scan->uncounted) scan->uncounted = 0;
     *expect = after_value(scan);
     return at + 1;
 }
@@ -277,7 +310,8 @@ static const char *close_level(struct scan *scan, const char *at, enum expect *e
 static bool scan_text(struct scan *scan)
 {
     enum expect expect = VALUE;
-    for (const char *at = skip_space(scan, scan->start); at; at = at ? skip_space(scan, at) : NULL) {
+    for (const char *at = zr_json_skip_space(scan->start, scan->end); at;
+         at = at ? zr_json_skip_space(at, scan->end) : NULL) {
         if (at == scan->end) return expect == END || fail(scan, at, expected[expect]);
         bool closing = expect == FIRST_VALUE || expect == NEXT_ITEM
                            ? *at == ']'
@@ -312,7 +346,7 @@ static enum zr_status report_limit(const struct scan *scan)
                  scan->limits->json_values_max);
         break;
     case TOO_LONG:
-        snprintf(what, sizeof what, "a number of more than %d characters", ZR_JSON_NUMBER_MAX);
+        snprintf(what, sizeof what, "a number of more than %d characters", ZR_NUMBER_JSON_MAX);
         break;
     default:
         snprintf(what, sizeof what, "U+0000 in a string");
@@ -322,20 +356,45 @@ static enum zr_status report_limit(const struct scan *scan)
     return zr_error_add(scan->error, ZR_BAD_SCENE, NULL, "line %zu, column %zu: %s", place.line, place.column, what);
 }
 
+static enum zr_status scan_all(struct scan *scan, struct zr_arena *arena, const char *bytes, size_t size,
+                               const struct zr_limits *limits, struct zr_error *error)
+{
+    uint64_t first_levels[LEVELS_AT_FIRST / WORD_BITS] = {0};
+    scan->start = bytes;
+    scan->end = bytes + size;
+    scan->arena = arena;
+    scan->error = error;
+    scan->limits = limits;
+    scan->objects = first_levels;
+    scan->levels = LEVELS_AT_FIRST;
+    if (size >= 3 && memcmp(bytes, "\xEF\xBB\xBF", 3) == 0)
+        return zr_error_add(error, ZR_BAD_SYNTAX, NULL, "line 1, column 1: expected a value, found a byte order mark");
+    if (!scan_text(scan)) return error->status;
+    return scan->limit == NO_LIMIT ? ZR_OK : report_limit(scan);
+}
+
 enum zr_status zr_json_scan(struct zr_arena *arena, const char *bytes, size_t size, const struct zr_limits *limits,
                             size_t *values, struct zr_error *error)
 {
-    uint64_t first_levels[LEVELS_AT_FIRST / WORD_BITS] = {0};
-    struct scan scan = {.start = bytes,
-                        .end = bytes + size,
-                        .arena = arena,
-                        .error = error,
-                        .limits = limits,
-                        .objects = first_levels,
-                        .levels = LEVELS_AT_FIRST};
-    if (size >= 3 && memcmp(bytes, "\xEF\xBB\xBF", 3) == 0)
-        return zr_error_add(error, ZR_BAD_SYNTAX, NULL, "line 1, column 1: expected a value, found a byte order mark");
-    if (!scan_text(&scan)) return error->status;
+    struct scan scan = {.lists_are = AS_ANY};
+    enum zr_status status = scan_all(&scan, arena, bytes, size, limits, error);
     *values = scan.values;
-    return scan.limit == NO_LIMIT ? ZR_OK : report_limit(&scan);
+    return status;
+}
+
+enum zr_status zr_json_scan_scene(struct zr_arena *arena, const char *bytes, size_t size,
+                                  const struct zr_limits *limits, struct zr_error *error)
+{
+    struct scan scan = {.lists_are = SCANNED_UNCOUNTED};
+    return scan_all(&scan, arena, bytes, size, limits, error);
+}
+
+enum zr_status zr_json_scan_around_lists(struct zr_arena *arena, const char *bytes, size_t size,
+                                         const struct zr_limits *limits, struct zr_json_lists *lists, size_t *values,
+                                         struct zr_error *error)
+{
+    struct scan scan = {.lists_are = PASSED_OVER, .lists = lists};
+    enum zr_status status = scan_all(&scan, arena, bytes, size, limits, error);
+    *values = scan.values;
+    return status;
 }

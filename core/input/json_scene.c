@@ -4,13 +4,11 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "base/checked.h"
 #include "input/input.h"
-#include "input/json_scan.h"
+#include "input/json_text.h"
 #include "input/text.h"
 
-/* What cJSON and the allocator take for a value, beside the bytes of its text. */
-enum { TREE_BYTES_A_VALUE = 80, WARNING_SIZE = 160, WARNINGS_AT_FIRST = 8 };
+enum { WARNING_SIZE = 160, WARNINGS_AT_FIRST = 8 };
 
 enum {
     VERSION,
@@ -92,10 +90,10 @@ static uint32_t read_meshes(struct zr_draft *draft, const cJSON *meshes, const c
     struct zr_json *json = &draft->json;
     const struct zr_json_path *meshes_path = ZR_JSON_KEY(NULL, words[MESHES]);
     const struct zr_json_path *polygons_path = ZR_JSON_KEY(NULL, words[POLYGONS]);
-    size_t count = 0, polygon_count = 0;
+    size_t count = 0;
     if (meshes && !zr_json_array(json, meshes_path, meshes, &count)) meshes = NULL;
-    if (polygons && !zr_json_array(json, polygons_path, polygons, &polygon_count)) polygons = NULL;
-    if (polygon_count > 0) count++;
+    struct zr_json_list *soup = polygons ? zr_json_large_list(json, polygons_path, polygons) : NULL;
+    if (soup && soup->items > 0) count++;
     struct zr_mesh *made = zr_arena_alloc(json->arena, count, sizeof *made);
     if (!made) return 0;
 
@@ -103,8 +101,8 @@ static uint32_t read_meshes(struct zr_draft *draft, const cJSON *meshes, const c
     for (const cJSON *node = meshes ? meshes->child : NULL; node && !zr_json_full(json); node = node->next, number++)
         zr_draft_read_mesh(draft, ZR_JSON_ITEM(meshes_path, number), node, &made[number]);
     uint32_t listed = (uint32_t)number;
-    if (polygon_count > 0 && !zr_json_full(json))
-        zr_draft_read_polygons(draft, polygons_path, polygons, &made[number++]);
+    if (soup && soup->items > 0 && !zr_json_full(json))
+        zr_draft_read_polygons(draft, polygons_path, soup, &made[number++]);
     draft->scene->meshes = made;
     draft->scene->mesh_count = (uint32_t)number;
     return listed;
@@ -187,35 +185,20 @@ static void build(struct zr_draft *draft, const cJSON *root)
     finish(draft, listed);
 }
 
-/* cJSON allocates outside the arena: about what its tree will take is charged to it. */
-static bool charge_tree(struct zr_arena *arena, size_t values, size_t size, size_t *bytes)
-{
-    return zr_mul_size(values, TREE_BYTES_A_VALUE, bytes) && zr_add_size(*bytes, size, bytes) &&
-           zr_arena_charge(arena, *bytes);
-}
-
 enum zr_status zr_json_read(struct zr_arena *arena, const struct zr_request *request, const struct zr_limits *limits,
                             struct zr_scene *scene, struct zr_error *error)
 {
     struct zr_limits parsed = *limits;
-    size_t values, charged;
     if (parsed.json_depth_max > CJSON_NESTING_LIMIT) parsed.json_depth_max = CJSON_NESTING_LIMIT;
-    enum zr_status status = zr_json_scan(arena, request->bytes, request->size, &parsed, &values, error);
-    if (status != ZR_OK) return status;
-    if (!charge_tree(arena, values, request->size, &charged)) return ZR_NO_MEMORY;
-    cJSON *root = cJSON_ParseWithLengthOpts(request->bytes, request->size, NULL, false);
-    if (!root) return ZR_NO_MEMORY; /* the scan has seen that it is not for bad syntax */
-
-    struct zr_draft draft = {.json = {arena, limits, error},
+    struct zr_json_text text = {.bytes = request->bytes};
+    struct zr_draft draft = {.json = {arena, &parsed, error, &text},
                              .scene = scene,
                              .look = zr_look_unsaid,
                              .asset_count = request->asset_count,
                              .assets = request->assets,
                              .stored = request->stored};
-    draft.assets_used = zr_arena_zero(arena, draft.asset_count, sizeof *draft.assets_used);
+    cJSON *root = zr_json_text_open(&draft.json, request->bytes, request->size);
+    draft.assets_used = root ? zr_arena_zero(arena, draft.asset_count, sizeof *draft.assets_used) : NULL;
     if (draft.assets_used) build(&draft, root);
-    cJSON_Delete(root);
-    zr_arena_refund(arena, charged);
-    if (error->count > 0) return error->status;
-    return zr_arena_ok(arena) ? ZR_OK : ZR_NO_MEMORY;
+    return zr_json_text_close(&draft.json, root);
 }

@@ -8,6 +8,7 @@
 #ifndef ZR_JSON_SCENE_H
 #define ZR_JSON_SCENE_H
 
+#include "input/json_list.h"
 #include "input/json_value.h"
 #include "scene/scene.h"
 
@@ -97,7 +98,7 @@ void zr_draft_note_alpha(struct zr_draft *draft, const zr_vec4 *colors, size_t c
  * draft->json.error, failures to allocate in its arena. */
 void zr_draft_read_mesh(struct zr_draft *draft, const struct zr_json_path *path, const cJSON *node,
                         struct zr_mesh *mesh);
-void zr_draft_read_polygons(struct zr_draft *draft, const struct zr_json_path *path, const cJSON *list,
+void zr_draft_read_polygons(struct zr_draft *draft, const struct zr_json_path *path, struct zr_json_list *list,
                             struct zr_mesh *mesh);
 
 /* json_heights.c: fills positions and faces of a mesh from a grid, values that are null

@@ -5,6 +5,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "input/json_text.h"
 #include "input/text.h"
 #include "scene/scene.h"
 
@@ -57,7 +58,7 @@ bool zr_json_fault(struct zr_json *json, const struct zr_json_path *path, const 
 
 bool zr_json_full(const struct zr_json *json)
 {
-    return json->error->count >= ZR_ERROR_ITEMS;
+    return json->error->count >= ZR_ERROR_ITEMS || json->text->malformed;
 }
 
 static const char *kind_of(const cJSON *node)
@@ -238,10 +239,9 @@ static int hex_digit(char c)
     return -1;
 }
 
-static bool read_hex_color(const char *text, zr_vec4 *out)
+bool zr_json_hex_color(const char *text, size_t length, zr_vec4 *out)
 {
-    size_t length = strlen(text);
-    if (text[0] != '#' || (length != 7 && length != 9)) return false;
+    if ((length != 7 && length != 9) || text[0] != '#') return false;
     float channels[4] = {0, 0, 0, 1.0f};
     for (size_t i = 0; i < (length - 1) / 2; i++) {
         int high = hex_digit(text[1 + 2 * i]), low = hex_digit(text[2 + 2 * i]);
@@ -257,7 +257,7 @@ bool zr_json_color(struct zr_json *json, const struct zr_json_path *path, const 
     static const char *const forms = "[r,g,b] or [r,g,b,a] of 0..1, \"#rrggbb\" or \"#rrggbbaa\"";
     if (cJSON_IsString(node)) {
         const char *text = node->valuestring;
-        return read_hex_color(text, out) ||
+        return zr_json_hex_color(text, strlen(text), out) ||
                zr_json_fault(json, path, "%s is not a colour: %s", zr_quote(text, strlen(text)).text, forms);
     }
     if (!cJSON_IsArray(node)) return zr_json_fault(json, path, "expected a colour, found %s: %s", kind_of(node), forms);

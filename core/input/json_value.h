@@ -19,10 +19,13 @@
 #include "input/names.h"
 #include "zraster.h"
 
+struct zr_json_text; /* json_text.h */
+
 struct zr_json {
     struct zr_arena *arena;
     const struct zr_limits *limits;
     struct zr_error *error;
+    struct zr_json_text *text;
 };
 
 /* Where a reader is: a chain of links on the stack, written out (RFC 6901) only
@@ -43,7 +46,7 @@ bool zr_json_fault(struct zr_json *json, const struct zr_json_path *path, const 
 /* Reports that `what` was expected and `node` found; returns false. */
 bool zr_json_expect(struct zr_json *json, const struct zr_json_path *path, const cJSON *node, const char *what);
 
-/* As many faults as are kept: time to stop. */
+/* As many faults as are kept, or the text is malformed after all: time to stop. */
 bool zr_json_full(const struct zr_json *json);
 
 /* found[i] becomes the member named keys->words[i], or NULL; keys->count of them.
@@ -88,6 +91,9 @@ bool zr_json_position(struct zr_json *json, const struct zr_json_path *path, con
 
 /* [r,g,b] or [r,g,b,a] of 0..1, or "#rrggbb", "#rrggbbaa"; alpha 1 where not given. */
 bool zr_json_color(struct zr_json *json, const struct zr_json_path *path, const cJSON *node, zr_vec4 *out);
+
+/* "#rrggbb" or "#rrggbbaa", of this length. */
+bool zr_json_hex_color(const char *text, size_t length, zr_vec4 *out);
 
 /* Four rows of four numbers, or sixteen numbers column by column. */
 bool zr_json_mat4(struct zr_json *json, const struct zr_json_path *path, const cJSON *node, zr_mat4 *out);

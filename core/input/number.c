@@ -7,6 +7,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "input/number_round.h"
+
 enum {
     EXPONENT_MAX = 1000000, /* clamps what is written; far beyond any double, far within an int */
     /* Between two doubles, the middle has at most 767 significant digits: more
@@ -98,6 +100,10 @@ static double convert(const struct decimal *decimal)
         double mantissa = (double)decimal->mantissa;
         return decimal->exponent < 0 ? mantissa / powers[-decimal->exponent] : mantissa * powers[decimal->exponent];
     }
+    double value;
+    if (decimal->digits <= FAST_DIGITS && decimal->exponent >= -EXPONENT_MAX && decimal->exponent <= EXPONENT_MAX &&
+        zr_number_round(decimal->mantissa, (int)decimal->exponent, &value))
+        return value;
     return convert_exactly(decimal);
 }
 
@@ -124,4 +130,14 @@ const char *zr_number_read(const char *at, const char *end, double *value)
     double magnitude = convert(&decimal);
     *value = decimal.negative ? -magnitude : magnitude;
     return at;
+}
+
+const char *zr_number_read_json(const char *at, const char *end, double *value)
+{
+    const char *behind = zr_number_read(at, end, value), *digit = at;
+    if (!behind || behind - at > ZR_NUMBER_JSON_MAX) return NULL;
+    if (*digit == '-') digit++;
+    if (!is_digit(digit, behind) || (*digit == '0' && is_digit(digit + 1, behind))) return NULL;
+    const char *point = memchr(digit, '.', (size_t)(behind - digit));
+    return point && !is_digit(point + 1, behind) ? NULL : behind;
 }

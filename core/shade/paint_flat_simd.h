@@ -23,7 +23,7 @@ static inline bool zr_row_is_of(const struct zr_batch *batch, const uint32_t *ow
 /* Whether colours can be gathered by the numbers of triangles. */
 static inline bool zr_batch_is_gathered(const struct zr_batch *batch)
 {
-    return !batch->written && batch->front == batch->back && batch->count <= ZR_GATHERED_MOST &&
+    return !batch->written && batch->front == batch->back && batch->count > 0 && batch->count <= ZR_GATHERED_MOST &&
            batch->mesh->face_offsets[batch->mesh->face_count] <= ZR_GATHERED_MOST &&
            batch->mesh->position_count <= ZR_GATHERED_MOST;
 }

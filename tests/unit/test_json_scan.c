@@ -8,6 +8,7 @@
 
 #include "guarded.h"
 #include "input/json_scan.h"
+#include "input/number.h"
 #include "support/files.h"
 
 static struct zr_error error;
@@ -203,9 +204,9 @@ static void number_longer_than_cjson_reads_gives_bad_scene(void **state)
 {
     (void)state;
     char text[80] = "0.";
-    memset(text + 2, '1', ZR_JSON_NUMBER_MAX - 2);
+    memset(text + 2, '1', ZR_NUMBER_JSON_MAX - 2);
     expect_status(text, ZR_OK);
-    text[ZR_JSON_NUMBER_MAX] = '1';
+    text[ZR_NUMBER_JSON_MAX] = '1';
     expect_status(text, ZR_BAD_SCENE);
 }
 

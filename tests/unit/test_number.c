@@ -8,6 +8,7 @@
 
 #include "guarded.h"
 #include "input/number.h"
+#include "input/number_quick.h"
 
 /* The value of a text that is a number to its end; at a guard page. */
 static double value_of(const char *text)
@@ -114,23 +115,122 @@ static void million_digits_are_read(void **state)
     free(text);
 }
 
-static void random_decimals_have_the_value_strtod_gives(void **state)
+static uint64_t next_random(void)
+{
+    static uint64_t seed = 88172645463325252u;
+    seed ^= seed << 13;
+    seed ^= seed >> 7;
+    seed ^= seed << 17;
+    return seed * 0x2545F4914F6CDD1Du;
+}
+
+static size_t below(size_t count)
+{
+    return (size_t)(next_random() >> 33) % count;
+}
+
+static size_t put_digits(char *text, size_t count)
+{
+    for (size_t i = 0; i < count; i++)
+        text[i] = (char)('0' + below(10));
+    return count;
+}
+
+/* Any number that JSON has, of every length up to the limit: short decimals most often. */
+static size_t put_random_number(char *text)
+{
+    size_t used = 0, kind = below(16);
+    if (below(2)) text[used++] = '-';
+    if (below(2))
+        text[used++] = '0';
+    else {
+        text[used++] = (char)('1' + below(9));
+        used += put_digits(text + used, below(kind < 12 ? 4 : 20));
+    }
+    if (below(8)) {
+        text[used++] = '.';
+        for (size_t zeros = below(4) ? 0 : below(13); zeros > 0; zeros--)
+            text[used++] = '0';
+        used += put_digits(text + used, 1 + below(kind < 12 ? 9 : 20));
+    }
+    if (below(4) == 0) {
+        used += (size_t)sprintf(text + used, "%c%s", below(2) ? 'e' : 'E', (const char *[]){"", "+", "-"}[below(3)]);
+        used += (size_t)sprintf(text + used, "%zu", below(kind < 12 ? 30 : 340));
+    }
+    return used;
+}
+
+/* The middle between two doubles to the last digit that fits, or a little beside it; or any double's 17 digits. */
+static size_t put_hard_number(char *text)
+{
+    uint64_t bits = next_random();
+    double value;
+    if (below(2)) bits = (bits & ~(UINT64_C(0x7FF) << 52)) | (uint64_t)(1023 - 40 + below(100)) << 52;
+    memcpy(&value, &bits, sizeof value);
+    if (!isfinite(value)) value = 1.5;
+    if (below(3)) return (size_t)sprintf(text, "%.*e", (int)(14 + below(5)), value);
+    uint64_t odd = (UINT64_C(1) << 53) + 2 * (next_random() >> 12) + 1;
+    return (size_t)sprintf(text, "%llu%s", (unsigned long long)odd, below(2) ? "" : ".000001");
+}
+
+static void check_all_ways(const char *text, size_t length)
+{
+    const char *end = text + length;
+    double want = strtod(text, NULL), got;
+    if (zr_number_read_json(text, end, &got) != end || bits_of(got) != bits_of(want)) fail_msg("%s: %a", text, got);
+    const char *behind = zr_number_quick(text, end, &got);
+    if (behind && (behind != end || bits_of(got) != bits_of(want))) fail_msg("quick: %s: %a", text, got);
+#ifdef __SSE2__
+    behind = zr_number_quicker(text, &got);
+    if (behind && *behind == ',' && (behind != end || bits_of(got) != bits_of(want)))
+        fail_msg("quicker: %s: %a", text, got);
+#endif
+}
+
+static void ten_million_random_numbers_have_the_value_strtod_gives(void **state)
 {
     (void)state;
-    uint64_t seed = 88172645463325252u;
-    char text[64];
-    for (int i = 0; i < 200000; i++) {
-        seed ^= seed << 13;
-        seed ^= seed >> 7;
-        seed ^= seed << 17;
-        int decimals = (int)(seed >> 59), exponent = (int)(seed >> 40 & 63) - 32;
-        if (i % 2)
-            snprintf(text, sizeof text, "%.*f", decimals % 12, (double)(int64_t)seed / 1e15);
-        else
-            snprintf(text, sizeof text, "%lld.%llue%d", (long long)seed >> 20, (unsigned long long)seed >> 44,
-                     exponent);
-        check(text);
+    char text[160];
+    for (int i = 0; i < 10000000; i++) {
+        size_t length = i % 8 ? put_random_number(text) : put_hard_number(text);
+        if (length > ZR_NUMBER_JSON_MAX) continue;
+        memset(text + length, ',', 32);
+        text[length + 32] = '\0';
+        check_all_ways(text, length);
     }
+}
+
+static void what_json_does_not_have_is_refused(void **state)
+{
+    (void)state;
+    static const char *const texts[] = {"",   "-",   "+1",  "01",  "-01",  "00",    "1.",   ".5",  "-.5", "1.e5",
+                                        "1e", "1e+", "1.-", "0x1", "00.5", "-00.5", "01e1", "Inf", "NaN", "--1"};
+    for (size_t i = 0; i < sizeof texts / sizeof texts[0]; i++) {
+        char padded[64];
+        size_t length = strlen(texts[i]);
+        struct guarded guarded = guarded_copy(texts[i], length);
+        double value;
+        const char *end = guarded.bytes + length, *behind = zr_number_read_json(guarded.bytes, end, &value);
+        if (behind == end && length > 0) fail_msg("'%s' is taken for a number", texts[i]);
+        behind = zr_number_quick(guarded.bytes, end, &value);
+        if (behind == end && length > 0) fail_msg("'%s' is quickly taken for a number", texts[i]);
+        guarded_free(&guarded);
+        snprintf(padded, sizeof padded, "%s,                                        ", texts[i]);
+#ifdef __SSE2__
+        behind = zr_number_quicker(padded, &value);
+        if (behind == padded + length) fail_msg("'%s' is more quickly taken for a number", texts[i]);
+#endif
+    }
+}
+
+static void number_of_64_characters_is_refused(void **state)
+{
+    (void)state;
+    char text[80] = "0.";
+    double value;
+    memset(text + 2, '3', 62);
+    assert_ptr_equal(zr_number_read_json(text, text + 63, &value), text + 63);
+    assert_null(zr_number_read_json(text, text + 64, &value));
 }
 
 static void what_is_no_number_is_refused(void **state)
@@ -159,7 +259,9 @@ int main(void)
         cmocka_unit_test(hard_roundings_have_the_value_strtod_gives),
         cmocka_unit_test(digit_a_thousand_places_on_decides_a_tie),
         cmocka_unit_test(million_digits_are_read),
-        cmocka_unit_test(random_decimals_have_the_value_strtod_gives),
+        cmocka_unit_test(ten_million_random_numbers_have_the_value_strtod_gives),
+        cmocka_unit_test(what_json_does_not_have_is_refused),
+        cmocka_unit_test(number_of_64_characters_is_refused),
         cmocka_unit_test(what_is_no_number_is_refused),
         cmocka_unit_test(number_ends_where_something_else_begins),
     };

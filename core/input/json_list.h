@@ -1,0 +1,71 @@
+/* json_list.h - input: the large lists of a scene, found and counted in its text without being read.
+ *
+ * Why:    nearly all of a large scene is lists of numbers. They stay text until the reader comes that knows
+ *         what they are, and goes from the text into the scene's arrays in one step (json_rows.h); cJSON gets
+ *         the small rest. So that the arrays have their size before the first number is read, lists
+ *         are counted where the scan passes them, at 8 GB/s, polygons at 3.
+ * Trust:  what is found here holds of every well-formed text. Whether it is well-formed, only readers see, or
+ *         zr_json_verify: of a malformed one an end may be NULL or in the wrong place, within the text always.
+ */
+#ifndef ZR_JSON_LIST_H
+#define ZR_JSON_LIST_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include "base/arena.h"
+
+/* How deep an item of the innermost list goes that a scene may have: /meshes/0/heights/values/0. */
+enum { ZR_JSON_LIST_DEPTH = 6 };
+
+/* What a list of polygons comes to. */
+struct zr_json_soup {
+    size_t vertices, rings;
+    bool has_holes, has_color, has_colors, has_normals; /* any polygon */
+};
+
+struct zr_json_list {
+    const char *at, *end; /* from its '[' to behind its ']' */
+    size_t items;
+    size_t commas;            /* in all of it, or more; not for polygons */
+    uint32_t depth;           /* levels of nesting around an item */
+    bool read;                /* all of it, strictly */
+    struct zr_json_soup soup; /* for polygons only */
+};
+
+struct zr_json_lists {
+    size_t count, room;
+    struct zr_json_list *list;
+};
+
+/* Adds the list that begins at `at`, which is '[', and returns behind it; NULL where it does not end, or the
+ * arena has failed. polygons: its items are those of a scene's "polygons". */
+const char *zr_json_list_add(struct zr_arena *arena, struct zr_json_lists *lists, const char *at, const char *end,
+                             bool polygons, size_t depth);
+
+/* Behind the value that begins at `at`, or NULL. Of a list or an object, *items becomes the count of items or members,
+ * *commas that of all commas between the two. */
+const char *zr_json_skip(const char *at, const char *end, size_t *items, size_t *commas);
+
+/* The same for a list whose items are lists of numbers, several times as fast; NULL also where it is anything else. */
+const char *zr_json_skip_rows(const char *at, const char *end, size_t *rows, size_t *commas);
+
+/* Adds up what polygons have; returns behind the list, and their count in *polygons. */
+const char *zr_json_skip_polygons(const char *at, const char *end, struct zr_json_soup *soup, size_t *polygons);
+
+/* Behind the closing quote of a string; `at` is behind the opening one. NULL where it has no end. */
+const char *zr_json_skip_string(const char *at, const char *end);
+
+/* Is the text of a key, from behind its opening quote to its closing one, this word of ASCII letters? As it is
+ * written or with escapes. */
+bool zr_json_key_is(const char *key, const char *key_end, const char *word);
+
+static inline const char *zr_json_skip_space(const char *at, const char *end)
+{
+    while (at < end && (*at == ' ' || *at == '\n' || *at == '\r' || *at == '\t'))
+        at++;
+    return at;
+}
+
+#endif

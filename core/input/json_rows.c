@@ -1,0 +1,64 @@
+#include "input/json_rows.h"
+
+const char *zr_row_number(const char *at, const char *end, double low, double high, float *out)
+{
+    double value;
+    const char *behind = zr_number_quick(at, end, &value);
+    if (!behind) behind = zr_number_read_json(at, end, &value);
+    if (!behind || !(value >= low && value <= high)) return NULL;
+    *out = (float)value;
+    return zr_row_skip_space(behind, end);
+}
+
+/* As zr_row_next, but not by the way that this row did not take. */
+static const char *read_next(const char *at, const char *end, double low, double high, float *out)
+{
+    at = zr_row_number(zr_row_skip_space(at + 1, end), end, low, high, out);
+    return at && at < end && (*at == ',' || *at == ']') ? at : NULL;
+}
+
+const char *zr_row_any_three(const char *at, const char *end, double low, double high, zr_vec3 *out)
+{
+    float x, y, z;
+    at = read_next(at, end, low, high, &x);
+    if (!at || *at != ',') return NULL;
+    at = read_next(at, end, low, high, &y);
+    if (!at || *at != ',') return NULL;
+    at = read_next(at, end, low, high, &z);
+    if (at) *out = (zr_vec3){x, y, z};
+    return at;
+}
+
+/* A whole number below `count`; in the form 1.0 or 1e3 it is one too. */
+static const char *read_index(const char *at, const char *end, uint32_t count, uint32_t *out)
+{
+    uint64_t word = zr_eight_bytes(at, end);
+    unsigned digits = zr_count_digits(word);
+    char behind = digits < 8 ? zr_byte_behind(word, digits) : '.';
+    if (digits == 0 || (digits > 1 && (char)word == '0') || behind == '.' || behind == 'e' || behind == 'E') {
+        double value;
+        at = zr_number_read_json(at, end, &value);
+        if (!at || !(value >= 0.0 && value < (double)count) || (double)(uint32_t)value != value) return NULL;
+        *out = (uint32_t)value;
+        return at;
+    }
+    *out = zr_digits_value(word, digits);
+    return *out < count ? at + digits : NULL;
+}
+
+const char *zr_row_any_indices(const char *at, const char *end, uint32_t count, size_t most, uint32_t *out,
+                               size_t *used)
+{
+    for (size_t i = 0; i < most; i++) {
+        at = read_index(zr_row_skip_space(at + 1, end), end, count, &out[i]);
+        if (!at) return NULL;
+        at = zr_row_skip_space(at, end);
+        if (at == end) return NULL;
+        if (*at == ']') {
+            *used = i + 1;
+            return at + 1;
+        }
+        if (*at != ',') return NULL;
+    }
+    return NULL;
+}

@@ -1,0 +1,54 @@
+#include "input/number_quick.h"
+
+#include "input/number_round.h"
+
+/* Clinger's numbers: both operands are exact, so that the one division rounds once. */
+#define EXACT_MANTISSA (UINT64_C(1) << 53)
+enum { EXACT_DECIMALS = 22, DIGITS = 19, WORDS = 3 };
+
+/* The sign is set without a branch, which would be guessed wrong every other time. */
+static bool convert(uint64_t mantissa, unsigned decimals, bool negative, double *value)
+{
+    static const double powers[EXACT_DECIMALS + 1] = {1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,
+                                                      1e8,  1e9,  1e10, 1e11, 1e12, 1e13, 1e14, 1e15,
+                                                      1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22};
+    double magnitude;
+    if (mantissa <= EXACT_MANTISSA && decimals <= EXACT_DECIMALS)
+        magnitude = (double)(int64_t)mantissa / powers[decimals];
+    else if (!zr_number_round(mantissa, -(int)decimals, &magnitude))
+        return false;
+    uint64_t bits;
+    memcpy(&bits, &magnitude, sizeof bits);
+    bits |= (uint64_t)negative << 63;
+    memcpy(value, &bits, sizeof bits);
+    return true;
+}
+
+const char *zr_number_quick(const char *at, const char *end, double *value)
+{
+    if (at == end) return NULL;
+    bool negative = *at == '-';
+    at += negative;
+    uint64_t word = zr_eight_bytes(at, end);
+    unsigned count = zr_count_digits(word), decimals = 0;
+    if (count - 1 > 6 || (count > 1 && (char)word == '0')) return NULL;
+    uint64_t mantissa = zr_digits_value(word, count);
+    unsigned room = mantissa == 0 ? DIGITS : DIGITS - count;
+    char behind = zr_byte_behind(word, count);
+    at += count;
+    if (behind == '.') {
+        unsigned more = 8;
+        at++;
+        for (int i = 0; i < WORDS && more == 8; i++) {
+            word = zr_eight_bytes(at + decimals, end);
+            more = zr_count_digits(word);
+            if (more > 0) mantissa = mantissa * zr_quick_scale(more) + zr_digits_value(word, more);
+            decimals += more;
+        }
+        if (decimals == 0 || more == 8 || decimals > room) return NULL;
+        behind = zr_byte_behind(word, more);
+        at += decimals;
+    }
+    if (behind == 'e' || behind == 'E') return NULL;
+    return convert(mantissa, decimals, negative, value) ? at : NULL;
+}
