@@ -2,7 +2,7 @@
  * lets the query have its say. */
 #include <string.h>
 
-#include "geometry/viewport.h"
+#include "geometry/geometry.h"
 #include "input/defaults.h"
 #include "input/input.h"
 #include "input/number.h"
@@ -124,7 +124,7 @@ static bool fits_memory(const struct zr_arena *arena, const struct zr_scene *sce
     uint64_t points = 0;
     for (uint32_t i = 0; i < scene->instance_count; i++)
         points += scene->meshes[scene->instances[i].mesh].position_count;
-    return points <= (arena->ceiling - arena->used) / sizeof(struct zr_window_vertex);
+    return points <= (arena->ceiling - arena->used) / (sizeof(struct zr_window_vertex) + sizeof(struct zr_eye));
 }
 
 static enum zr_status read_scene(struct zr_arena *arena, const struct zr_request *request,

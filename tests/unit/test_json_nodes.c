@@ -208,11 +208,11 @@ static void hierarchies_beyond_the_limits_are_refused_by_name(void **state)
 static void points_placed_beyond_the_memory_are_refused_before_they_are_walked(void **state)
 {
     (void)state;
-    char *text = chain_scene(17, 2); /* 65536 times 4 points of 32 bytes, and the instances themselves */
-    for (int mib = 12; mib <= 18; mib += 6) {
+    char *text = chain_scene(17, 2); /* 65536 times 4 points of 24 bytes, and the instances themselves */
+    for (int mib = 10; mib <= 16; mib += 6) {
         struct reading *reading = read_request((struct zr_request){.format = ZR_FORMAT_JSON}, text, strlen(text),
                                                zr_limits_default(), (size_t)mib << 20);
-        assert_int_equal(reading->status, mib == 12 ? ZR_NO_MEMORY : ZR_OK);
+        assert_int_equal(reading->status, mib == 10 ? ZR_NO_MEMORY : ZR_OK);
         reading_free(reading);
     }
     free(text);
