@@ -2,7 +2,7 @@
 
 #include "geometry/face.h"
 
-enum { TRIANGLES_A_RANGE = 4096, SETUPS_A_RANGE = 64, BYTES_AT_ONCE = 1 << 16 };
+enum { TRIANGLES_A_RANGE = 4096, BYTES_AT_ONCE = 1 << 16 };
 
 /* ---- lists ---- */
 
@@ -11,6 +11,7 @@ static void *take(struct zr_binner *binner, size_t size)
 {
     struct zr_bins *bins = binner->bins;
     if (binner->failed) return NULL;
+    size = (size + 15) & ~(size_t)15;
     if ((size_t)(binner->free_end - binner->free) < size) {
         pthread_mutex_lock(&bins->arena_lock);
         binner->free = zr_arena_alloc(bins->arena, BYTES_AT_ONCE, 1);
@@ -80,6 +81,22 @@ static bool cut_to_window(const struct zr_bins *bins, int32_t box[4])
     return box[0] <= box[2] && box[1] <= box[3];
 }
 
+static void add_wide(struct zr_binner *binner, struct zr_wide_bin *bin, const struct zr_wide *wide)
+{
+    if (!bin->last || bin->last->used == ZR_BIN_WIDE_A_BLOCK) {
+        struct zr_wide_block *block = take(binner, sizeof *block);
+        if (!block) return;
+        block->next = NULL;
+        block->used = 0;
+        if (bin->last)
+            bin->last->next = block;
+        else
+            bin->first = block;
+        bin->last = block;
+    }
+    bin->last->items[bin->last->used++] = wide;
+}
+
 void zr_binner_add_spanning(struct zr_binner *binner, const struct zr_batch *batch, uint32_t number)
 {
     const struct zr_bins *bins = binner->bins;
@@ -97,17 +114,18 @@ void zr_binner_add_spanning(struct zr_binner *binner, const struct zr_batch *bat
     binner->counts.drawn_whole += !batch->written;
     zr_setup_box(vertices, &record, box);
     if (!cut_to_window(bins, box)) return;
+    struct zr_wide *wide = take(binner, sizeof *wide);
+    if (!wide) return;
+    *wide = (struct zr_wide){zr_setup_make(vertices, &record), number + 1};
     for (int k = 0; k < 4; k++)
         box[k] /= ZR_TILE_SIZE;
     if ((box[2] - box[0] + 1) * (box[3] - box[1] + 1) > ZR_BIN_TILES) {
-        zr_binner_add(binner, &binner->large, number);
+        add_wide(binner, &binner->large, wide);
         return;
     }
     for (int32_t y = box[1]; y <= box[3]; y++)
-        for (int32_t x = box[0]; x <= box[2]; x++) {
-            size_t tile = (size_t)y * bins->columns + (size_t)x;
-            zr_binner_add(binner, &binner->tiles[tile].wide, number);
-        }
+        for (int32_t x = box[0]; x <= box[2]; x++)
+            add_wide(binner, &binner->tiles[(size_t)y * bins->columns + (size_t)x].wide, wide);
 }
 
 /* ---- threads ---- */
@@ -167,36 +185,19 @@ static bool make_workers(struct zr_bins *bins, const struct zr_geometry *geometr
     return zr_arena_ok(bins->arena);
 }
 
-/* ---- large triangles ---- */
-
-struct setting_up {
-    const struct zr_geometry *geometry;
-    struct zr_bins *bins;
-};
-
-static void set_up(void *context, size_t begin, size_t end)
-{
-    const struct setting_up *s = context;
-    for (size_t i = begin; i < end; i++) {
-        struct zr_large *large = &s->bins->large[i];
-        const struct zr_batch *batch = zr_batch_of(s->geometry, large->number);
-        const struct zr_triangle record = zr_record_of(s->geometry, batch, large->number).triangle;
-        large->setup = zr_setup_make(s->geometry->vertices, &record);
-    }
-}
-
+/* All threads' large triangles in one array. */
 static bool gather_large(struct zr_bins *bins)
 {
     size_t count = 0;
     for (int i = 0; i < bins->worker_count; i++)
-        for (const struct zr_bin_block *block = bins->workers[i].large.first; block; block = block->next)
+        for (const struct zr_wide_block *block = bins->workers[i].large.first; block; block = block->next)
             count += block->used;
     bins->large = zr_arena_alloc(bins->arena, count, sizeof *bins->large);
     if (!bins->large) return false;
     for (int i = 0; i < bins->worker_count; i++)
-        for (const struct zr_bin_block *block = bins->workers[i].large.first; block; block = block->next)
+        for (const struct zr_wide_block *block = bins->workers[i].large.first; block; block = block->next)
             for (uint32_t k = 0; k < block->used; k++)
-                bins->large[bins->large_count++].number = block->numbers[k];
+                bins->large[bins->large_count++] = block->items[k];
     return true;
 }
 
@@ -221,10 +222,7 @@ static enum zr_status build(struct zr_team *team, struct zr_geometry *geometry, 
         add_counts(&geometry->counts, &bins->workers[i].counts);
     }
     if (zr_is_cancelled(cancel)) return ZR_CANCELLED;
-    if (!gather_large(bins)) return ZR_NO_MEMORY;
-    struct setting_up setting_up = {geometry, bins};
-    zr_team_ranges(team, bins->large_count, SETUPS_A_RANGE, set_up, &setting_up);
-    return ZR_OK;
+    return gather_large(bins) ? ZR_OK : ZR_NO_MEMORY;
 }
 
 enum zr_status zr_bins_build(struct zr_arena *arena, struct zr_team *team, struct zr_geometry *geometry,

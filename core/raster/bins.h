@@ -6,8 +6,8 @@
  *         its back and must not, has no area, or holds no pixel centre is dropped here, many at once.
  *         - Tiny ones, of 2x2 pixel centres at most, are drawn then and there, into fragments: 12 bytes each.
  *         - Small ones, of up to 64 pixels, are listed by their number in the tiles that they touch: 4 bytes each.
- *         - Wide ones that touch few tiles are listed likewise, apart.
- *         - Large ones are set up once, and every tile goes through them.
+ *         - Wide ones are set up once. Those that touch few tiles are listed there; large ones are not, and every tile
+ *           goes through them.
  */
 #ifndef ZR_BINS_H
 #define ZR_BINS_H
@@ -22,6 +22,7 @@
 enum {
     ZR_BIN_WORDS = 44,            /* of a block, which takes 256 bytes, and has room for a vector behind its end */
     ZR_BIN_VECTOR = 16,           /* lanes at most */
+    ZR_BIN_WIDE_A_BLOCK = 6,      /* for blocks of 64 bytes */
     ZR_BIN_FRAGMENTS_A_BLOCK = 64,
     ZR_BIN_FRAGMENTS_AT_ONCE = 4 * ZR_BIN_VECTOR, /* put there, and room for a vector behind them */
     ZR_BIN_FRAGMENTS_ROOM = ZR_BIN_FRAGMENTS_A_BLOCK + ZR_BIN_FRAGMENTS_AT_ONCE + ZR_BIN_VECTOR,
@@ -48,9 +49,25 @@ struct zr_bin {
     struct zr_bin_block *first, *last;
 };
 
+struct zr_wide {
+    struct zr_setup setup;
+    uint32_t owner;
+};
+
+struct zr_wide_block {
+    struct zr_wide_block *next;
+    uint32_t used;
+    const struct zr_wide *items[ZR_BIN_WIDE_A_BLOCK];
+};
+
+struct zr_wide_bin {
+    struct zr_wide_block *first, *last;
+};
+
 /* What one thread has for one tile. */
 struct zr_tile_bins {
-    struct zr_bin small, wide;
+    struct zr_bin small;
+    struct zr_wide_bin wide;
     struct zr_fragments *first, *last;
 };
 
@@ -59,15 +76,10 @@ struct zr_binner {
     struct zr_bins *bins;
     const struct zr_geometry *geometry;
     struct zr_tile_bins *tiles;
-    struct zr_bin large;
+    struct zr_wide_bin large;
     char *free, *free_end; /* room for blocks */
     bool failed;
     struct zr_counts counts;
-};
-
-struct zr_large {
-    struct zr_setup setup;
-    uint32_t number;
 };
 
 struct zr_bins {
@@ -77,7 +89,7 @@ struct zr_bins {
     int worker_count;
     struct zr_binner *workers;
     uint32_t large_count;
-    struct zr_large *large;
+    const struct zr_wide **large;
 };
 
 /* Adds what became of the triangles to geometry->counts. ZR_OK, ZR_CANCELLED or ZR_NO_MEMORY. */

@@ -36,7 +36,7 @@ struct zr_tile {
     float block_far[ZR_BLOCKS];
     /* [row * ZR_TILE_STRIDE + column] */
     _Alignas(64) float depth[ZR_TILE_STRIDE * ZR_TILE_SIZE]; /* window depth; where nothing was drawn, see zr_tile_begin */
-    _Alignas(64) uint8_t apart[2048];
+    uint8_t apart[2048]; /* else a load of a depth would seem to want the owner that was stored 5 pages behind it */
     _Alignas(64) uint32_t owner[ZR_TILE_STRIDE * ZR_TILE_SIZE]; /* 1 + number of the record, 0 where nothing is */
 };
 

@@ -23,60 +23,58 @@ enum zr_status zr_visible_make(struct zr_arena *arena, struct zr_team *team, str
 
 /* ---- large triangles ---- */
 
-enum { SORTED_AT_ONCE = 128 };
+enum { CHOSEN_AT_ONCE = 128 };
 
-/* A triangle that touches the tile, by the nearest depth that it has there. */
-struct candidate {
-    float near;
-    const struct zr_large *large;
+/* Triangles that touch the tile, by the nearest depths that they have there. */
+struct candidates {
+    int count;
+    float near[CHOSEN_AT_ONCE];
+    const struct zr_wide *items[CHOSEN_AT_ONCE];
 };
 
-static void draw_sorted(const struct zr_visible *visible, struct candidate *candidates, int count,
-                        struct zr_tile *tile)
+static int nearest_of(const struct candidates *c)
 {
-    for (int i = 0; i < count && !(candidates[i].near > tile->far); i++)
-        visible->halfspace->draw(tile, &candidates[i].large->setup, candidates[i].large->number + 1);
+    int nearest = 0;
+    for (int i = 1; i < c->count; i++)
+        if (c->near[i] < c->near[nearest]) nearest = i;
+    return nearest;
 }
 
-static void insert(struct candidate *candidates, int count, struct candidate candidate)
+/* Nearest first, and only until what is left is hidden: most are never tried sample by sample, nor sorted. */
+static void draw_candidates(const struct zr_visible *visible, struct candidates *c, struct zr_tile *tile)
 {
-    int i = count;
-    for (; i > 0 && candidates[i - 1].near > candidate.near; i--)
-        candidates[i] = candidates[i - 1];
-    candidates[i] = candidate;
+    while (c->count > 0) {
+        const int i = nearest_of(c);
+        if (c->near[i] > tile->far) break;
+        visible->halfspace->draw(tile, &c->items[i]->setup, c->items[i]->owner);
+        c->count--;
+        c->near[i] = c->near[c->count];
+        c->items[i] = c->items[c->count];
+    }
+    c->count = 0;
 }
 
-/* Nearest first, so that most of what is behind is never tried sample by sample. */
 static bool draw_large(const struct zr_visible *visible, const struct zr_cancel *cancel, struct zr_tile *tile)
 {
     const struct zr_bins *bins = &visible->bins;
-    struct candidate candidates[SORTED_AT_ONCE];
     const int32_t x1 = tile->x + tile->width - 1, y1 = tile->y + tile->height - 1;
-    int count = 0;
+    struct candidates candidates;
+    candidates.count = 0;
     for (uint32_t i = 0; i < bins->large_count; i++) {
-        const struct zr_setup *setup = &bins->large[i].setup;
+        const struct zr_setup *setup = &bins->large[i]->setup;
         if (i % PARTS_A_CANCEL_CHECK == 0 && zr_is_cancelled(cancel)) return false;
         if (!zr_tile_touches(tile, (const int32_t[4]){setup->min_x, setup->min_y, setup->max_x, setup->max_y})) continue;
-        float near = zr_depth_range_of(&setup->depth, tile->x, tile->y, x1, y1).near;
+        const float near = zr_depth_range_of(&setup->depth, tile->x, tile->y, x1, y1).near;
         if (near > tile->far) continue;
-        insert(candidates, count++, (struct candidate){near, &bins->large[i]});
-        if (count < SORTED_AT_ONCE) continue;
-        draw_sorted(visible, candidates, count, tile);
-        count = 0;
+        candidates.near[candidates.count] = near;
+        candidates.items[candidates.count++] = bins->large[i];
+        if (candidates.count == CHOSEN_AT_ONCE) draw_candidates(visible, &candidates, tile);
     }
-    draw_sorted(visible, candidates, count, tile);
+    draw_candidates(visible, &candidates, tile);
     return true;
 }
 
 /* ---- what is listed ---- */
-
-static void draw_wide(const struct zr_visible *visible, uint32_t number, struct zr_tile *tile)
-{
-    const struct zr_geometry *geometry = visible->geometry;
-    const struct zr_triangle record = zr_record_of(geometry, zr_batch_of(geometry, number), number).triangle;
-    struct zr_setup setup = zr_setup_make(geometry->vertices, &record);
-    visible->halfspace->draw(tile, &setup, number + 1);
-}
 
 static void draw_fragments(const struct zr_fragments *block, struct zr_tile *tile)
 {
@@ -93,10 +91,10 @@ static bool draw_wide_ones(const struct zr_visible *visible, uint32_t number, co
                            struct zr_tile *tile)
 {
     for (int i = 0; i < visible->bins.worker_count; i++)
-        for (const struct zr_bin_block *b = visible->bins.workers[i].tiles[number].wide.first; b; b = b->next) {
+        for (const struct zr_wide_block *b = visible->bins.workers[i].tiles[number].wide.first; b; b = b->next) {
             if (zr_is_cancelled(cancel)) return false;
             for (uint32_t k = 0; k < b->used; k++)
-                draw_wide(visible, b->numbers[k], tile);
+                visible->halfspace->draw(tile, &b->items[k]->setup, b->items[k]->owner);
         }
     return true;
 }

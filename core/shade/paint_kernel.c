@@ -34,9 +34,14 @@ static void paint_long(const struct zr_surface *surface, int32_t first_x, int32_
     zr_vi_store_first(pixels, zr_color_at(&planes, x, y), count);
 }
 
+static struct zr_surface *surface_of(struct painter *p, uint32_t number)
+{
+    return &p->surfaces[number % SURFACES];
+}
+
 static void paint_surface(struct painter *p, uint32_t number, int32_t at, int32_t length)
 {
-    struct zr_surface *surface = &p->surfaces[number % SURFACES];
+    struct zr_surface *surface = surface_of(p, number);
     uint32_t *pixels = p->canvas.colors + at;
     if (surface->owner != number + 1) *surface = zr_surface_make(p->canvas.geometry, p->batch, number);
     if (surface->flat)
@@ -49,6 +54,11 @@ static void paint_surface(struct painter *p, uint32_t number, int32_t at, int32_
 static void add_run(struct painter *p, uint32_t number, int32_t at, int32_t length)
 {
     const struct zr_geometry *geometry = p->canvas.geometry;
+    const struct zr_surface *known = surface_of(p, number);
+    if (known->owner == number + 1 && (known->flat || length > ZR_SHORT_RUN)) {
+        paint_surface(p, number, at, length);
+        return;
+    }
     if (!zr_batch_holds(p->batch, number)) p->batch = zr_batch_of(geometry, number);
     const struct zr_batch *batch = p->batch;
     const uint32_t t = number - batch->first;
