@@ -187,7 +187,8 @@ static inline void draw_in_block(struct zr_tile *tile, const struct piece *p, in
     }
 }
 
-static inline void draw_blocks(struct zr_tile *tile, const struct piece *p, int first)
+/* Returns how many blocks it drew to, and in the upper half how many of these it was the first in, and all of it. */
+static inline uint32_t draw_blocks(struct zr_tile *tile, const struct piece *p, int first)
 {
     const struct blocks blocks = look_at_blocks(tile, p, first);
     const zr_vf far = zr_vf_load(tile->block_far + first), one = zr_vf_set(1.0f);
@@ -210,6 +211,7 @@ static inline void draw_blocks(struct zr_tile *tile, const struct piece *p, int 
         else
             draw_in_block(tile, p, block);
     }
+    return (uint32_t)__builtin_popcount(zr_vm_bits(blocks.open)) | (uint32_t)__builtin_popcount(fresh) << 16;
 }
 
 static void draw(struct zr_tile *tile, const struct zr_setup *setup, uint32_t owner)
@@ -232,8 +234,10 @@ static void draw(struct zr_tile *tile, const struct zr_setup *setup, uint32_t ow
     }
     struct zr_depth_range range = zr_depth_range_of(&setup->depth, p.x0, p.y0, p.x1, p.y1);
     if (range.near > tile->far) return;
+    uint32_t blocks = 0;
     for (int first = 0; first < ZR_BLOCKS; first += ZR_LANES)
-        draw_blocks(tile, &p, first);
+        blocks += draw_blocks(tile, &p, first);
+    if (blocks > 0) tile->only_owner = blocks >> 16 == ZR_BLOCKS ? owner : 0;
     bool whole = cutting == 0 && p.x0 == tile->x && p.y0 == tile->y && p.x1 - p.x0 + 1 == tile->width &&
                  p.y1 - p.y0 + 1 == tile->height;
     if (whole && range.far < tile->far) tile->far = range.far;
@@ -372,6 +376,7 @@ static void begin(struct zr_tile *tile)
 {
     for (int i = 0; i < ZR_BLOCKS; i += ZR_LANES)
         zr_vf_store(&tile->block_far[i], zr_vf_set(ZR_BLOCK_UNWRITTEN));
+    tile->only_owner = 0;
     tile->far = 1.0f;
     tile->is_empty = false;
 }

@@ -31,6 +31,7 @@ struct zr_tile {
     int32_t x, y;          /* lowest pixel */
     int32_t width, height; /* smaller at the window's upper and right border */
     bool is_empty;         /* nothing is drawn, and nothing below is defined */
+    uint32_t only_owner;   /* of all samples; 0: several, or nobody, or it was not seen to be one */
     float far;             /* no sample is deeper */
     /* [row of blocks * ZR_BLOCK_COLUMNS + column]: no sample of the block is deeper. */
     float block_far[ZR_BLOCKS];

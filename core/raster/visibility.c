@@ -167,15 +167,21 @@ static bool draw_others(const struct zr_visible *visible, uint32_t number, const
 
 /* ---- a tile ---- */
 
-static bool has_anything(const struct zr_visible *visible, uint32_t number)
+/* Besides large and wide triangles. */
+static bool has_more(const struct zr_visible *visible, uint32_t number)
 {
     const struct zr_others *others = &visible->others;
-    if (visible->bins.large_count > 0) return true;
-    for (int i = 0; i < visible->bins.worker_count; i++) {
-        const struct zr_tile_bins *bins = &visible->bins.workers[i].tiles[number];
-        if (bins->wide.first || bins->small.first || bins->first) return true;
-    }
+    for (int i = 0; i < visible->bins.worker_count; i++)
+        if (visible->bins.workers[i].tiles[number].small.first || visible->bins.workers[i].tiles[number].first) return true;
     return others->count > 0 && (others->large_count > 0 || others->offsets[number] < others->offsets[number + 1]);
+}
+
+static bool has_anything(const struct zr_visible *visible, uint32_t number)
+{
+    if (visible->bins.large_count > 0) return true;
+    for (int i = 0; i < visible->bins.worker_count; i++)
+        if (visible->bins.workers[i].tiles[number].wide.first) return true;
+    return has_more(visible, number);
 }
 
 bool zr_visibility_tile(const struct zr_visible *visible, uint32_t number, const struct zr_base *base,
@@ -192,6 +198,7 @@ bool zr_visibility_tile(const struct zr_visible *visible, uint32_t number, const
     /* The largest first: they hide most, and they alone can leave parts of the tile unwritten. */
     if (!draw_large(visible, cancel, tile) || !draw_wide_ones(visible, number, cancel, tile)) return false;
     visible->halfspace->settle(tile);
+    if (has_more(visible, number)) tile->only_owner = 0;
     return draw_small_ones(visible, number, cancel, tile) && draw_others(visible, number, cancel, tile);
 }
 
@@ -227,6 +234,7 @@ void zr_visibility_load(const struct zr_samples *samples, uint32_t number, struc
 {
     zr_tile_place(tile, number, samples->width, samples->height);
     tile->is_empty = false;
+    tile->only_owner = 0;
     for (int32_t row = 0; row < tile->height; row++) {
         size_t at = (size_t)(tile->y + row) * samples->width + (size_t)tile->x;
         memcpy(&tile->depth[row * ZR_TILE_STRIDE], samples->depth + at, (size_t)tile->width * sizeof *samples->depth);

@@ -156,6 +156,14 @@ uint32_t zr_resolve_tile(const struct zr_geometry *geometry, const struct zr_pai
     if (frame->window_depth)
         paint->copy(frame->window_depth + pixel, up, tile->width, tile->height, tile->depth, streamed);
     if (frame->depth || frame->face_id || frame->base) resolve_runs(geometry, paint, tile, frame, pixel);
+    if (frame->color && tile->only_owner) {
+        const uint32_t number = tile->only_owner - 1;
+        const struct zr_surface surface = zr_surface_make(geometry, zr_batch_of(geometry, number), number);
+        if (surface.flat) { /* a quarter of the time of large triangles */
+            paint->fill(frame->color + 4 * pixel, up, tile->width, tile->height, surface.color, streamed);
+            return (uint32_t)(tile->width * tile->height);
+        }
+    }
     if (frame->color) {
         const uint8_t *base = frame->base ? frame->base->color : NULL;
         covered = paint->tile(geometry, tile, nothing, base ? base + 4 * pixel : NULL, up);
