@@ -12,6 +12,9 @@
  * tiles. */
 enum { TILES_A_RANGE = 4 };
 
+/* Up to so many tiles, waking a helper takes longer than it saves. */
+enum { TILES_ALONE = 16 };
+
 /* What the threads share while they draw. */
 struct drawing {
     const struct zr_scene *scene;
@@ -91,7 +94,8 @@ static enum zr_status run_pipeline(struct zr_arena *arena, struct zr_team *team,
                               .paint = zr_paint_of(zr_team_isa(team)),
                               .frame = frame,
                               .cancel = cancel};
-    zr_team_ranges(team, zr_tile_count(scene->width, scene->height), TILES_A_RANGE, draw_tiles, &drawing);
+    const size_t tiles = zr_tile_count(scene->width, scene->height);
+    zr_team_ranges(tiles > TILES_ALONE ? team : NULL, tiles, TILES_A_RANGE, draw_tiles, &drawing);
     frame->counts = geometry.counts;
     frame->covered_pixels = drawing.covered;
     return zr_is_cancelled(cancel) ? ZR_CANCELLED : ZR_OK;
