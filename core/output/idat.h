@@ -1,0 +1,25 @@
+/* idat.h - output: pixels -> the zlib stream of a PNG, in parts that follow one another.
+ *
+ * A picture is cut into strips by its size alone, so that the stream is the same however many threads work on it; each
+ * strip is filtered and deflated for itself and ends on a whole byte, and is a part. Between the parts of one wave
+ * threads take strips as they come.
+ */
+#ifndef ZR_IDAT_H
+#define ZR_IDAT_H
+
+#include "output/filter.h"
+#include "zraster.h"
+
+struct zr_idat_image {
+    enum zr_layout layout;
+    uint32_t width, height; /* at least 1; width up to ZR_MATCHER_WIDTH_MAX */
+    const uint8_t *pixels;  /* rows follow one another without a gap */
+};
+
+/* Calls take(context, bytes, size) for each part, in order, on this thread; it may leave by longjmp. ZR_OK,
+ * ZR_NO_MEMORY or ZR_CANCELLED. `team` and `cancel` may be NULL. */
+enum zr_status zr_idat_make(const struct zr_idat_image *image, struct zr_arena *arena, struct zr_team *team,
+                            const struct zr_cancel *cancel,
+                            void (*take)(void *context, const uint8_t *bytes, size_t size), void *context);
+
+#endif
