@@ -1,7 +1,8 @@
 /* palette.h - output: the colours of a picture, where there are few of them.
  *
- * Colours that are not opaque come first, so that the file's list of alphas is short, then darker ones before
- * lighter ones: so neighbours on a shaded surface have neighbouring indices, and their differences are small.
+ * Dark colours come before light ones: neighbours on a shaded surface have neighbouring indices then, whose differences
+ * are small (bunny, flat: 184 KB, and 210 in the order of their appearance). Those that a few thousand pixels from all
+ * over the picture do not show come last, so that indices are known when pixels are first seen.
  */
 #ifndef ZR_PALETTE_H
 #define ZR_PALETTE_H

@@ -4,7 +4,6 @@
 #include <setjmp.h>
 
 #include "output/idat.h"
-#include "output/matcher.h"
 #include "output/palette.h"
 
 enum { ROWS_A_CANCEL_CHECK = 64 };
@@ -148,7 +147,7 @@ static bool write_rows(png_structp png, const struct writing *w)
 static enum zr_status write_small(png_structp png, png_infop info, const struct writing *w)
 {
     enum zr_layout layout = layout_of(w);
-    png_set_filter(png, PNG_FILTER_TYPE_BASE, w->palette ? PNG_FILTER_NONE : PNG_FILTER_UP);
+    png_set_filter(png, PNG_FILTER_TYPE_BASE, PNG_FILTER_UP);
     png_set_compression_level(png, 9);
     png_set_compression_strategy(png, 0 /* Z_DEFAULT_STRATEGY */);
     write_head(png, info, w);
@@ -188,7 +187,7 @@ enum zr_status zr_png_write(const struct zr_png *image, struct zr_team *team, co
     struct zr_palette palette;
     struct writing w = {.image = image, .cancel = cancel};
     if (zr_is_cancelled(cancel)) return ZR_CANCELLED;
-    if (image->width < 1 || image->height < 1 || image->width > ZR_MATCHER_WIDTH_MAX) return ZR_INTERNAL;
+    if (image->width < 1 || image->height < 1 || image->width > ZR_IDAT_WIDTH_MAX) return ZR_INTERNAL;
     if (image->kind != ZR_PNG_GREY16 &&
         zr_palette_make(&palette, out->arena, image->pixels, image->width, image->height, image->kind == ZR_PNG_RGB))
         w.palette = &palette;
