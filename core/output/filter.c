@@ -7,20 +7,20 @@
 
 /* ---- what is new in a row ---- */
 
-enum {
-    FIRST_STEP = 512
-}; /* memcmp's own loop does most of it: 0.2 ms of a picture of 1920x1080, and 0.6 in steps of 64 */
+/* memcmp's own loop does most of it: of 1920x1080 pixels 0.2 ms in these steps, 0.6 in steps of 64 only and 0.4 where
+ * the last 64 bytes are looked into too. */
+enum { STEP = 512, LAST_STEP = 64 };
 
 struct zr_span zr_filter_span(enum zr_layout layout, const uint8_t *row, const uint8_t *above, uint32_t width)
 {
     size_t pixel = zr_layout_memory(layout), size = width * pixel, begin = 0, end = size;
-    for (size_t step = FIRST_STEP; step > 0; step /= 8)
+    for (size_t step = STEP; step >= LAST_STEP; step /= STEP / LAST_STEP)
         while (begin + step <= size && memcmp(row + begin, above + begin, step) == 0)
             begin += step;
-    for (size_t step = FIRST_STEP; step > 0; step /= 8)
+    for (size_t step = STEP; step >= LAST_STEP; step /= STEP / LAST_STEP)
         while (end >= begin + step && memcmp(row + end - step, above + end - step, step) == 0)
             end -= step;
-    return (struct zr_span){(uint32_t)(begin / pixel), (uint32_t)((end + pixel - 1) / pixel)};
+    return (struct zr_span){(uint32_t)(begin / pixel), (uint32_t)(end / pixel)};
 }
 
 /* ---- differences ---- */

@@ -41,7 +41,7 @@ struct zr_span {
     uint32_t begin, end;
 };
 
-/* From the first pixel that differs from the one above to the last; empty where none does. */
+/* Outside of it all pixels are equal to those above; at its ends some may be, up to 64 bytes of them. */
 struct zr_span zr_filter_span(enum zr_layout layout, const uint8_t *row, const uint8_t *above, uint32_t width);
 
 /* Writes the filter's number and the row, 1 + width * zr_layout_file(layout) bytes, to `out` and adds them to `sum`.
