@@ -14,7 +14,7 @@ endif
 Q := $(if $(V),,@)
 JOBS := $(shell getconf _NPROCESSORS_ONLN 2>/dev/null || echo 1)
 
-CORE_LIBS := -lcjson -lpng -lzip -lm
+CORE_LIBS := -lcjson -lpng -lisal -lzip -lm
 SERVER_LIBS := -lmicrohttpd -lnettle -lz
 CLIENT_LIBS := -lcurl -lcjson
 TEST_LIBS := -lcmocka -lcurl -lz
@@ -23,10 +23,10 @@ EGL_LIBS := -lEGL -lOpenGL
 
 # FILE=PACKAGE: what each kind of target wants on the machine, and the Debian package that has it.
 NEED_BUILD := cc=gcc stdlib.h=libc6-dev microhttpd.h=libmicrohttpd-dev cjson/cJSON.h=libcjson-dev png.h=libpng-dev \
-	zip.h=libzip-dev zlib.h=zlib1g-dev nettle/sha2.h=nettle-dev curl/curl.h=libcurl4-gnutls-dev
+	isa-l/igzip_lib.h=libisal-dev zip.h=libzip-dev zlib.h=zlib1g-dev nettle/sha2.h=nettle-dev curl/curl.h=libcurl4-gnutls-dev
 NEED_EGL := EGL/eglext.h=libegl-dev -lOpenGL=libopengl-dev /usr/share/glvnd/egl_vendor.d/50_mesa.json=libegl-mesa0 \
 	/usr/share/drirc.d/00-mesa-defaults.conf=libgl1-mesa-dri
-NEED_TEST := cmocka.h=libcmocka-dev GL/osmesa.h=libosmesa6-dev $(NEED_EGL)
+NEED_TEST := cmocka.h=libcmocka-dev pngcheck=pngcheck GL/osmesa.h=libosmesa6-dev $(NEED_EGL)
 NEED_CROSS := aarch64-linux-gnu-gcc=gcc-aarch64-linux-gnu /usr/aarch64-linux-gnu/include/stdlib.h=libc6-dev-arm64-cross \
 	qemu-aarch64=qemu-user
 NEED_DEMO := /usr/share/assimp/models/OBJ/spider.obj=assimp-testmodels

@@ -20,7 +20,7 @@ enum { CONNECT_SECONDS = 10, TOTAL_SECONDS = 300 };
 
 struct options {
     const char *file, *out, *server, *type;
-    const char *channel, *encoding, *scale, *preset, *shading;
+    const char *channel, *encoding, *scale, *preset, *shading, *compress;
     char width[12], height[12];
 };
 
@@ -37,6 +37,7 @@ static const char USAGE[] = "usage: zraster render FILE [options]\n"
                             "  --preset NAME      front, back, left, right, top, bottom or isometric (meshes only)\n"
                             "  --shading NAME     unlit, flat or gouraud (meshes only)\n"
                             "  --size WxH         pixels, such as 800x600 (meshes only)\n"
+                            "  --compress HOW     fast (default) or small: PNGs of fewer bytes that take longer\n"
                             "  --type TYPE        json, obj or stl, where the file's ending does not say\n"
                             "  --server URL       default: $ZRASTER_SERVER, else " DEFAULT_SERVER "\n"
                             "  --help, --version\n";
@@ -67,7 +68,7 @@ static const char **slot_of(struct options *o, const char *flag)
         const char **slot;
     } table[] = {{"-o", &o->out},          {"--channel", &o->channel}, {"--encoding", &o->encoding},
                  {"--scale", &o->scale},   {"--preset", &o->preset},   {"--shading", &o->shading},
-                 {"--server", &o->server}, {"--type", &o->type}};
+                 {"--server", &o->server}, {"--type", &o->type},       {"--compress", &o->compress}};
     for (size_t i = 0; i < sizeof table / sizeof *table; i++)
         if (strcmp(flag, table[i].flag) == 0) return table[i].slot;
     return NULL;
@@ -129,7 +130,7 @@ static CURLU *make_url(const struct options *o)
               add_parameter(url, "channel", o->channel) && add_parameter(url, "encoding", o->encoding) &&
               add_parameter(url, "scale", o->scale) && add_parameter(url, "preset", o->preset) &&
               add_parameter(url, "shading", o->shading) && add_parameter(url, "width", o->width) &&
-              add_parameter(url, "height", o->height);
+              add_parameter(url, "height", o->height) && add_parameter(url, "compress", o->compress);
     if (ok) return url;
     curl_url_cleanup(url);
     return NULL;

@@ -24,6 +24,7 @@ static const struct {
 /* What outputs leave for one another to report. */
 struct encoding {
     struct zr_arena *arena;
+    struct zr_team *team;
     const struct zr_scene *scene;
     const struct zr_frame *frame;
     const struct zr_cancel *cancel;
@@ -37,8 +38,9 @@ static enum zr_status encode_color(const struct encoding *e, struct zr_buffer *o
     struct zr_png png = {.kind = e->scene->background.w < 1.0f ? ZR_PNG_RGBA : ZR_PNG_RGB,
                          .width = e->frame->width,
                          .height = e->frame->height,
-                         .pixels = e->frame->color};
-    return zr_png_write(&png, e->cancel, out);
+                         .pixels = e->frame->color,
+                         .compress = e->scene->compress};
+    return zr_png_write(&png, e->team, e->cancel, out);
 }
 
 static enum zr_status encode_depth16(struct encoding *e, float asked_scale, struct zr_buffer *out)
@@ -51,8 +53,8 @@ static enum zr_status encode_depth16(struct encoding *e, float asked_scale, stru
     char comment[96];
     snprintf(comment, sizeof comment, "depth in scene units = value * %.9g; 0 where nothing is",
              (double)e->depth_scale);
-    struct zr_png png = {ZR_PNG_GREY16, frame->width, frame->height, steps, comment};
-    return zr_png_write(&png, e->cancel, out);
+    struct zr_png png = {ZR_PNG_GREY16, frame->width, frame->height, steps, comment, e->scene->compress};
+    return zr_png_write(&png, e->team, e->cancel, out);
 }
 
 static enum zr_status encode_output(struct encoding *e, const struct zr_output *output, struct zr_buffer *out)
@@ -115,10 +117,11 @@ static enum zr_status make_answer(struct encoding *e, struct zr_answer *answer)
     return status == ZR_OK && !zr_arena_ok(e->arena) ? ZR_NO_MEMORY : status;
 }
 
-enum zr_status zr_encode(struct zr_arena *arena, const struct zr_scene *scene, const struct zr_frame *frame,
-                         const struct zr_cancel *cancel, struct zr_answer *answer, struct zr_error *error)
+enum zr_status zr_encode(struct zr_arena *arena, struct zr_team *team, const struct zr_scene *scene,
+                         const struct zr_frame *frame, const struct zr_cancel *cancel, struct zr_answer *answer,
+                         struct zr_error *error)
 {
-    struct encoding encoding = {.arena = arena, .scene = scene, .frame = frame, .cancel = cancel};
+    struct encoding encoding = {.arena = arena, .team = team, .scene = scene, .frame = frame, .cancel = cancel};
     enum zr_status status = make_answer(&encoding, answer);
     if (status == ZR_NO_MEMORY)
         zr_error_add(error, status, NULL, "encoding needs more than the %zu bytes a request may use", arena->ceiling);

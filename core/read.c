@@ -16,7 +16,7 @@ enum { NOT_GIVEN = -1 };
 struct query {
     bool has_output;
     struct zr_output output;
-    int preset, shading; /* or NOT_GIVEN */
+    int preset, shading, compress; /* or NOT_GIVEN */
     uint32_t width, height;
 };
 
@@ -64,6 +64,7 @@ static enum zr_status read_query(const struct zr_request *request, const struct 
 {
     query->has_output = request->channel || request->encoding || request->scale;
     if (query->has_output) zr_output_of_query(request, &query->output, error);
+    read_word("compress", request->compress, &zr_compress_names, &query->compress, error);
     if (request->format == ZR_FORMAT_JSON) {
         refuse_with_json("preset", request->preset, error);
         refuse_with_json("width", request->width, error);
@@ -130,13 +131,14 @@ static bool fits_memory(const struct zr_arena *arena, const struct zr_scene *sce
 static enum zr_status read_scene(struct zr_arena *arena, const struct zr_request *request,
                                  const struct zr_limits *limits, struct zr_scene *scene, struct zr_error *error)
 {
-    struct query query = {.preset = NOT_GIVEN, .shading = NOT_GIVEN};
+    struct query query = {.preset = NOT_GIVEN, .shading = NOT_GIVEN, .compress = NOT_GIVEN};
     enum zr_status status = read_query(request, limits, &query, error);
     if (status != ZR_OK) return status;
     zr_scene_defaults(scene);
     status = request->format == ZR_FORMAT_JSON ? zr_json_read(arena, request, limits, scene, error)
                                                : read_bare_mesh(arena, request, limits, &query, scene, error);
     if (status != ZR_OK) return status;
+    if (query.compress != NOT_GIVEN) scene->compress = (enum zr_compress)query.compress;
     status = apply_output(arena, &query, scene);
     if (status == ZR_OK) status = zr_scene_validate(scene, limits, error);
     return status == ZR_OK && !fits_memory(arena, scene) ? ZR_NO_MEMORY : status;

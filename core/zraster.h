@@ -65,6 +65,8 @@ struct zr_request {
     struct zr_stored stored; /* read may be NULL: nothing is kept */
     /* NULL: not given. One output instead of the scene's own. */
     const char *channel, *encoding, *scale;
+    /* NULL: not given, fast. "fast" or "small": how PNGs are compressed. */
+    const char *compress;
     /* NULL: not given. For formats that hold a bare mesh and no view; refused with JSON. */
     const char *preset, *width, *height, *shading;
 };
@@ -114,8 +116,9 @@ struct zr_cost zr_scene_cost(const struct zr_scene *scene, uint32_t corners_max,
 enum zr_status zr_render(struct zr_arena *arena, struct zr_team *team, const struct zr_scene *scene,
                          const struct zr_cancel *cancel, const struct zr_frame **frame, struct zr_error *error);
 
-/* One output: its bytes. Several: a ZIP of channel.extension. */
-enum zr_status zr_encode(struct zr_arena *arena, const struct zr_scene *scene, const struct zr_frame *frame,
+/* One output: its bytes. Several: a ZIP of channel.extension. `team` may be NULL (one thread); the bytes are the same
+ * for every team. */
+enum zr_status zr_encode(struct zr_arena *arena, struct zr_team *team, const struct zr_scene *scene, const struct zr_frame *frame,
                          const struct zr_cancel *cancel, struct zr_answer *answer, struct zr_error *error);
 
 #endif

@@ -52,7 +52,7 @@ static bool time_once(struct zr_arena *arena, const char *text, struct sample *s
     int64_t begin = clock_thread_us();
     bool ok = zr_render(arena, NULL, scene, NULL, &frame, &error) == ZR_OK;
     int64_t middle = clock_thread_us();
-    ok = ok && zr_encode(arena, scene, frame, NULL, &answer, &error) == ZR_OK;
+    ok = ok && zr_encode(arena, NULL, scene, frame, NULL, &answer, &error) == ZR_OK;
     int64_t end = clock_thread_us();
     double render = (double)(middle - begin) * 1e3, encode = (double)(end - middle) * 1e3;
     if (render < sample->render_ns) sample->render_ns = render;

@@ -52,10 +52,10 @@ static const struct {
     {"channel", offsetof(struct zr_request, channel)}, {"encoding", offsetof(struct zr_request, encoding)},
     {"scale", offsetof(struct zr_request, scale)},     {"preset", offsetof(struct zr_request, preset)},
     {"width", offsetof(struct zr_request, width)},     {"height", offsetof(struct zr_request, height)},
-    {"shading", offsetof(struct zr_request, shading)},
+    {"shading", offsetof(struct zr_request, shading)}, {"compress", offsetof(struct zr_request, compress)},
 };
 
-#define PARAMETER_NAMES "channel, encoding, scale, preset, width, height, shading"
+#define PARAMETER_NAMES "channel, encoding, scale, preset, width, height, shading, compress"
 
 void api_init(struct api *api, const struct config *config, struct zr_team *team, struct store *store)
 {
@@ -330,7 +330,7 @@ static enum zr_status run_steps(const struct api *api, const struct zr_request *
     status = zr_render(arena, api->team, scene, cancel, &frame, error);
     times->render_ms = ms_since(&mark);
     if (status != ZR_OK) return status;
-    status = zr_encode(arena, scene, frame, cancel, result, error);
+    status = zr_encode(arena, api->team, scene, frame, cancel, result, error);
     times->encode_ms = ms_since(&mark);
     return status;
 }

@@ -20,6 +20,7 @@ static const double POINT_T = 0.4;             /* placed without a face */
 static const double LINE_T = 1.5;              /* beside its pixels, and again in each tile */
 static const double LINE_PIXEL_F = 10.0;       /* one column or row */
 static const double CUT_T = 1.0 / 80.0;        /* triangulation: a corner times a corner */
+static const double SMALL_PNG_T = 30.0;        /* a pixel that is compressed well, of those compressed fast */
 static const double SHAPE_PIXEL_F = 10.0;      /* decided by the odd-even rule */
 static const double SHAPE_OVERLAP_F = 0.2;     /* a sample looked up in one of a shape's triangles */
 static const double SHAPE_VISIT_T = 1.0 / 8.0; /* an edge or a triangle of a shape, met by a tile */
@@ -163,10 +164,11 @@ static void add_face(struct zr_cost *cost, const struct zr_scene *scene, const s
 static void count_outputs(const struct zr_scene *scene, struct zr_cost *cost)
 {
     double pixels = (double)scene->width * (double)scene->height;
+    double png = scene->compress == ZR_COMPRESS_SMALL ? SMALL_PNG_T : 1.0;
     for (uint32_t i = 0; i < scene->output_count; i++) {
         enum zr_encoding encoding = scene->outputs[i].encoding;
         cost->pixels += pixels;
-        if (encoding == ZR_ENCODING_PNG || encoding == ZR_ENCODING_PNG16) cost->png_pixels += pixels;
+        if (encoding == ZR_ENCODING_PNG || encoding == ZR_ENCODING_PNG16) cost->png_pixels += pixels * png;
     }
 }
 

@@ -28,5 +28,6 @@ struct zr_names_text zr_names_join(const struct zr_names *names);
 extern const struct zr_names zr_shading_names;   /* enum zr_shading */
 extern const struct zr_names zr_preset_names;    /* enum zr_preset */
 extern const struct zr_names zr_algorithm_names; /* enum zr_algorithm */
+extern const struct zr_names zr_compress_names;  /* enum zr_compress */
 
 #endif

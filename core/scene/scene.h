@@ -190,6 +190,9 @@ enum zr_channel {
 
 enum zr_encoding { ZR_ENCODING_PNG, ZR_ENCODING_PNG16, ZR_ENCODING_NPY, ZR_ENCODING_JSON, ZR_ENCODING_COUNT };
 
+/* How PNGs are compressed: fast, or into fewer bytes for much more time (output/png.h). */
+enum zr_compress { ZR_COMPRESS_FAST, ZR_COMPRESS_SMALL, ZR_COMPRESS_COUNT };
+
 struct zr_output {
     enum zr_channel channel;
     enum zr_encoding encoding;
@@ -219,6 +222,7 @@ struct zr_scene {
     const struct zr_instance *instances;
     const struct zr_light *lights;
     const struct zr_output *outputs;
+    enum zr_compress compress; /* of all outputs that are PNGs */
     const char *const *warnings; /* what input/ and scene/ found odd but drawable */
     struct zr_view view;
     const struct zr_base *base; /* NULL: the geometry is all there is */

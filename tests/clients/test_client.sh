@@ -52,6 +52,8 @@ verdict "and it is a PNG" is_png "part one.png"
 verdict "of the usual size" [ "$(size_of_png 'part one.png')" = 640x480 ]
 check "size, preset and shading are passed on" 0 "$client" render "part one.stl" --size 320x200 --preset top --shading gouraud -o small.png
 verdict "and the picture has that size" [ "$(size_of_png small.png)" = 320x200 ]
+check "how to compress is passed on" 0 "$client" render "part one.stl" --size 320x200 --preset top --shading gouraud --compress small -o smaller.png
+verdict "and gives fewer bytes" [ "$(wc -c <smaller.png)" -lt "$(wc -c <small.png)" ]
 check "depth comes as an array" 0 "$client" render scene.json --channel depth
 verdict "and is saved as one" [ "$(cat said)" = scene.npy ]
 check "info of a scene does not overwrite the scene" 0 "$client" render scene.json --channel info
@@ -86,6 +88,6 @@ check "a broken size ends with 2" 2 "$client" render scene.json --size 640
 check "an unknown ending ends with 2" 2 "$client" render said
 check "no file ends with 2" 2 "$client" render
 check "help ends with 0" 0 "$client" --help
-verdict "and shows every option" eval 'for o in -o --channel --encoding --scale --preset --shading --size --type --server; do grep -q -e "^  $o " said || exit 1; done'
+verdict "and shows every option" eval 'for o in -o --channel --encoding --scale --preset --shading --compress --size --type --server; do grep -q -e "^  $o " said || exit 1; done'
 echo "1..$count"
 [ "$failed" = 0 ]

@@ -58,7 +58,7 @@ static struct picture draw(const char *text, const struct zr_asset *assets, size
         struct zr_scene one = *scene;
         one.outputs = &OUTPUTS[i];
         one.output_count = 1;
-        assert_int_equal(zr_encode(&arena, &one, frame, NULL, &picture.channels[i], &error), ZR_OK);
+        assert_int_equal(zr_encode(&arena, NULL, &one, frame, NULL, &picture.channels[i], &error), ZR_OK);
     }
     picture.covered = frame->covered_pixels;
     return picture;

@@ -37,9 +37,9 @@ static struct zr_asset assets[ASSETS];
 static struct zr_asset png_asset(const char *name, enum zr_png_kind kind, uint32_t width, uint32_t height)
 {
     static uint8_t large[64 * 64 * 4];
-    struct zr_png png = {kind, width, height, width == WIDTH ? colors : large, NULL};
+    struct zr_png png = {kind, width, height, width == WIDTH ? colors : large, NULL, ZR_COMPRESS_FAST};
     struct zr_buffer out = {.arena = &arena};
-    assert_int_equal(zr_png_write(&png, NULL, &out), ZR_OK);
+    assert_int_equal(zr_png_write(&png, NULL, NULL, &out), ZR_OK);
     return (struct zr_asset){name, out.bytes, out.size};
 }
 
@@ -209,7 +209,7 @@ static cJSON *info_of(struct reading *reading)
     const struct zr_frame *frame = render(reading);
     scene.outputs = &output;
     scene.output_count = 1;
-    assert_int_equal(zr_encode(&reading->arena, &scene, frame, NULL, &answer, &error), ZR_OK);
+    assert_int_equal(zr_encode(&reading->arena, NULL, &scene, frame, NULL, &answer, &error), ZR_OK);
     cJSON *info = cJSON_ParseWithLength(answer.bytes, answer.size);
     assert_non_null(info);
     return info;
@@ -461,7 +461,7 @@ static void geometry_hidden_by_the_base_is_warned_of(void **state)
     assert_read(reading);
     struct zr_error error = {.count = 0};
     struct zr_answer answer;
-    assert_int_equal(zr_encode(&reading->arena, reading->scene, render(reading), NULL, &answer, &error), ZR_OK);
+    assert_int_equal(zr_encode(&reading->arena, NULL, reading->scene, render(reading), NULL, &answer, &error), ZR_OK);
     assert_non_null(strstr(answer.warnings, "in front of the base"));
     reading_free(reading);
 }

@@ -329,12 +329,13 @@ static void query_output_replaces_those_of_the_scene(void **state)
 {
     (void)state;
     static const char text[] = "{" POLYGONS ", \"outputs\": [{\"channel\": \"color\"}, {\"channel\": \"info\"}]}";
-    struct zr_request request = {.format = ZR_FORMAT_JSON, .channel = "faceId"};
+    struct zr_request request = {.format = ZR_FORMAT_JSON, .channel = "faceId", .compress = "small"};
     struct reading *reading = read_request(request, text, strlen(text), zr_limits_default(), 1 << 20);
     assert_read(reading);
     assert_int_equal(reading->scene->output_count, 1);
     assert_int_equal(reading->scene->outputs[0].channel, ZR_CHANNEL_FACE_ID);
     assert_int_equal(reading->scene->outputs[0].encoding, ZR_ENCODING_NPY);
+    assert_int_equal(reading->scene->compress, ZR_COMPRESS_SMALL);
     reading_free(reading);
 }
 

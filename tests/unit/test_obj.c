@@ -87,6 +87,8 @@ static void wrong_query_gives_bad_request_naming_the_parameter(void **state)
         {{.format = ZR_FORMAT_OBJ, .channel = "depth", .encoding = "png16", .scale = "1e39"}, "scale: '1e39'"},
         {{.format = ZR_FORMAT_OBJ, .preset = "up"}, "preset: 'up' is unknown; allowed: front"},
         {{.format = ZR_FORMAT_OBJ, .shading = "phong"}, "shading: 'phong' is not supported"},
+        {{.format = ZR_FORMAT_OBJ, .compress = "best"}, "compress: 'best' is unknown; allowed: fast, small"},
+        {{.format = ZR_FORMAT_JSON, .compress = ""}, "compress: '' is unknown; allowed: fast, small"},
         {{.format = ZR_FORMAT_OBJ, .width = "0"}, "width: '0'"},
         {{.format = ZR_FORMAT_OBJ, .width = "-5"}, "width: '-5'"},
         {{.format = ZR_FORMAT_OBJ, .height = "9x"}, "height: '9x' is not a whole number of pixels from 1 to 8192"},

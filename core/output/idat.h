@@ -1,0 +1,28 @@
+/* idat.h - output: pixels -> the zlib stream of a PNG, in parts that follow one another.
+ *
+ * A picture is cut into strips by its size alone, so that the stream is the same however many threads work on it. Each
+ * strip is filtered and deflated for itself and ends on a whole byte; it is a part. Idle threads take strips as they
+ * come. Deflating is done by ISA-L at level 1. How it finds matches may depend on what the processor can do: between
+ * kinds of processors the decoded bytes are the same, and those of the stream need not be.
+ */
+#ifndef ZR_IDAT_H
+#define ZR_IDAT_H
+
+#include "output/filter.h"
+#include "zraster.h"
+
+enum { ZR_IDAT_WIDTH_MAX = 1 << 20 }; /* pixels */
+
+struct zr_idat_image {
+    enum zr_layout layout;
+    uint32_t width, height; /* at least 1 */
+    const uint8_t *pixels;  /* rows follow one another without a gap */
+};
+
+/* Calls take(context, bytes, size) for each part, in order, on this thread; it may leave by longjmp. ZR_OK,
+ * ZR_NO_MEMORY or ZR_CANCELLED. `team` and `cancel` may be NULL. */
+enum zr_status zr_idat_make(const struct zr_idat_image *image, struct zr_arena *arena, struct zr_team *team,
+                            const struct zr_cancel *cancel,
+                            void (*take)(void *context, const uint8_t *bytes, size_t size), void *context);
+
+#endif
