@@ -53,7 +53,7 @@ bool ours_encode(struct ours *ours, const struct zr_frame *frame, struct zr_answ
 {
     struct zr_error error = {.status = ZR_OK};
     zr_arena_reset(&ours->answers, ARENA_BYTES);
-    enum zr_status status = zr_encode(&ours->answers, &ours->subject.scene, frame, NULL, answer, &error);
+    enum zr_status status = zr_encode(&ours->answers, ours->team, &ours->subject.scene, frame, NULL, answer, &error);
     if (status == ZR_OK) return true;
     fprintf(stderr, "zr_encode: status %d, %s\n", (int)status, error.count ? error.items[0].detail : "");
     return false;
