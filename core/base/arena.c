@@ -40,7 +40,7 @@ void zr_arena_reset(struct zr_arena *arena, size_t keep)
         }
     }
     arena->current = arena->first;
-    arena->used = 0;
+    arena->used = arena->peak = 0;
     arena->failed = false;
 }
 
@@ -53,6 +53,12 @@ static void *fail(struct zr_arena *arena)
 {
     arena->failed = true;
     return NULL;
+}
+
+static void use(struct zr_arena *arena, size_t bytes)
+{
+    arena->used += bytes;
+    if (arena->used > arena->peak) arena->peak = arena->used;
 }
 
 /* A block with room for `bytes` behind `current`: one that a reset left, or a
@@ -93,7 +99,7 @@ void *zr_arena_alloc(struct zr_arena *arena, size_t count, size_t size)
     }
     void *result = block_bytes(block) + block->used;
     block->used += bytes;
-    arena->used += bytes;
+    use(arena, bytes);
     return result;
 }
 
@@ -117,7 +123,7 @@ void *zr_arena_grow(struct zr_arena *arena, void *old, size_t count, size_t new_
         size_t more = (new_bytes - held + ZR_ARENA_ALIGN - 1) & ~(size_t)(ZR_ARENA_ALIGN - 1);
         if (more <= block->capacity - block->used && more <= arena->ceiling - arena->used) {
             block->used += more;
-            arena->used += more;
+            use(arena, more);
             return old;
         }
     }
@@ -132,7 +138,7 @@ bool zr_arena_charge(struct zr_arena *arena, size_t bytes)
         arena->failed = true;
         return false;
     }
-    arena->used += bytes;
+    use(arena, bytes);
     return true;
 }
 

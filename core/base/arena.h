@@ -19,6 +19,7 @@ struct zr_arena_block;
 struct zr_arena {
     size_t ceiling; /* bytes that one request may allocate */
     size_t used;    /* bytes allocated since the last reset, padding and charges included */
+    size_t peak;    /* the most that `used` has been since then */
     bool failed;
     struct zr_arena_block *first, *current;
 };

@@ -67,24 +67,6 @@ static const struct zr_scene *read_scene(struct zr_arena *arena, const struct do
     return NULL;
 }
 
-/* The lowest ceiling of an arena that it can be read under, to a hundredth: what is given back before the end
- * counts, too. `most` is known to do. */
-static size_t least_memory(const struct document *document, size_t least, size_t most)
-{
-    while (most - least > most / 100) {
-        struct zr_arena arena;
-        size_t ceiling = least + (most - least) / 2;
-        zr_arena_init(&arena, ceiling);
-        bool enough = read_scene(&arena, document) != NULL;
-        zr_arena_free(&arena);
-        if (enough)
-            most = ceiling;
-        else
-            least = ceiling;
-    }
-    return most;
-}
-
 /* The same triangles, as many, with the same corners. */
 static bool is_right(const struct zr_scene *scene, const struct drawing *drawing)
 {
@@ -133,7 +115,7 @@ static bool measure(const struct bench *bench, void *context, const struct sink 
     zr_arena_init(&arena, ARENA_BYTES);
     const struct zr_scene *scene = document.bytes ? read_scene(&arena, &document) : NULL;
     if (!scene) return false;
-    double needed = bench->check_only ? 0 : (double)least_memory(&document, arena.used - 1, ARENA_BYTES), round_ms = 0;
+    double needed = (double)arena.peak, round_ms = 0;
     size_t arrays = array_bytes(scene);
     bool wrong = !is_right(scene, drawing);
     for (int i = 0; i < WARM_UP; i++) {
