@@ -118,7 +118,8 @@ enum zr_status zr_render(struct zr_arena *arena, struct zr_team *team, const str
 
 /* One output: its bytes. Several: a ZIP of channel.extension. `team` may be NULL (one thread); the bytes are the same
  * for every team. */
-enum zr_status zr_encode(struct zr_arena *arena, struct zr_team *team, const struct zr_scene *scene, const struct zr_frame *frame,
-                         const struct zr_cancel *cancel, struct zr_answer *answer, struct zr_error *error);
+enum zr_status zr_encode(struct zr_arena *arena, struct zr_team *team, const struct zr_scene *scene,
+                         const struct zr_frame *frame, const struct zr_cancel *cancel, struct zr_answer *answer,
+                         struct zr_error *error);
 
 #endif

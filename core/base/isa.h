@@ -20,20 +20,20 @@ enum zr_isa {
 
 /* Kernel `name` for each instruction set, indexed by enum zr_isa; NULL where the target has no such. */
 #if defined __x86_64__
-#define ZR_KERNELS(name) \
-    { \
-        [ZR_ISA_SCALAR] = name##_scalar, [ZR_ISA_SSE2] = name##_sse2, [ZR_ISA_AVX2] = name##_avx2, \
-        [ZR_ISA_AVX512] = name##_avx512, [ZR_ISA_NEON] = NULL \
+#define ZR_KERNELS(name)                                                                                               \
+    {                                                                                                                  \
+        [ZR_ISA_SCALAR] = name##_scalar, [ZR_ISA_SSE2] = name##_sse2, [ZR_ISA_AVX2] = name##_avx2,                     \
+        [ZR_ISA_AVX512] = name##_avx512, [ZR_ISA_NEON] = NULL                                                          \
     }
 #elif defined __aarch64__
-#define ZR_KERNELS(name) \
-    { \
-        [ZR_ISA_SCALAR] = name##_scalar, [ZR_ISA_NEON] = name##_neon \
+#define ZR_KERNELS(name)                                                                                               \
+    {                                                                                                                  \
+        [ZR_ISA_SCALAR] = name##_scalar, [ZR_ISA_NEON] = name##_neon                                                   \
     }
 #else
-#define ZR_KERNELS(name) \
-    { \
-        [ZR_ISA_SCALAR] = name##_scalar, [ZR_ISA_NEON] = NULL \
+#define ZR_KERNELS(name)                                                                                               \
+    {                                                                                                                  \
+        [ZR_ISA_SCALAR] = name##_scalar, [ZR_ISA_NEON] = NULL                                                          \
     }
 #endif
 

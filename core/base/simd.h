@@ -21,9 +21,9 @@
  *   ZR_LOAD4(x, y, z, w, AT): lane i of x, y, z, w are the four floats at AT(i), a const float *
  *   ZR_LOAD2(x, y, AT): the same of two floats
  *   zr_vi_gather(m, p, i): p[i] of four bytes, lane by lane; anything in lanes that are not m's
- *   zr_load_corners(vertices, corners, x, y): x[k], y[k] of lane i are the first two floats of vertices + 4 corners[3 i + k]
- *   zr_vi_compress(p, m, v): the lanes of m, one after the other; up to ZR_LANES words there may be written. Their count
- *   zr_vf_store4(p, x, y, z, w), zr_vi_store4: the other way round, all to one place
+ *   zr_load_corners(vertices, corners, x, y): x[k], y[k] of lane i are the first two floats of vertices + 4 corners[3 i
+ * + k] zr_vi_compress(p, m, v): the lanes of m, one after the other; up to ZR_LANES words there may be written. Their
+ * count zr_vf_store4(p, x, y, z, w), zr_vi_store4: the other way round, all to one place
  */
 #ifndef ZR_SIMD_H
 #define ZR_SIMD_H
@@ -46,11 +46,11 @@
 #endif
 
 #define ZR_JOIN_(name, suffix) name##_##suffix
-#define ZR_JOIN(name, suffix) ZR_JOIN_(name, suffix)
+#define ZR_JOIN(name, suffix)  ZR_JOIN_(name, suffix)
 /* The name of a kernel, for the instruction set that is compiled for. */
 #define ZR_KERNEL(name) ZR_JOIN(name, ZR_SUFFIX)
 
-#define ZR_ALL_BITS ((1u << (ZR_LANES - 1) << 1) - 1u)
+#define ZR_ALL_BITS  ((1u << (ZR_LANES - 1) << 1) - 1u)
 #define ZR_ALL_LANES zr_vm_of(ZR_ALL_BITS)
 
 static inline int zr_lowest_bit(uint32_t bits)

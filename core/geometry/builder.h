@@ -30,7 +30,7 @@ struct zr_builder {
     uint32_t vertex_room, color_room, triangle_room; /* capacities of the geometry's arrays */
     uint32_t shape_room, edge_room, cut_room, batch_room;
     uint32_t next_number, batched_records; /* of the next batch; how many of geometry->triangles are in batches */
-    uint32_t outline_color; /* 1 + index of the colour that outlines had last, or 0 */
+    uint32_t outline_color;                /* 1 + index of the colour that outlines had last, or 0 */
     struct zr_viewport viewport;
     struct zr_cutting cutting;
     struct zr_fans *fans; /* one a mesh of the scene */

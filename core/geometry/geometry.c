@@ -25,9 +25,8 @@ static void place_vertices(void *argument, size_t begin, size_t end)
 {
     struct placing *placing = argument;
     struct zr_builder *builder = placing->builder;
-    unsigned any =
-        placing->transform(&builder->object_to_clip, &builder->viewport, builder->mesh->positions + begin, end - begin,
-                           placing->out + begin, builder->outcodes + begin);
+    unsigned any = placing->transform(&builder->object_to_clip, &builder->viewport, builder->mesh->positions + begin,
+                                      end - begin, placing->out + begin, builder->outcodes + begin);
     if (any) atomic_fetch_or_explicit(&placing->any_outcodes, any, memory_order_relaxed);
 }
 

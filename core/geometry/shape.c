@@ -16,7 +16,9 @@ static void add_edge(struct trace *trace, const struct zr_window_vertex *a, cons
 {
     struct zr_geometry *geometry = trace->builder->geometry;
     struct zr_grid_edge edge;
-    if (!zr_grid_edge_make(zr_snapped_x(a), zr_snapped_y(a), zr_snapped_x(b), zr_snapped_y(b), &edge) || !zr_builder_reserve_shape(trace->builder, 1)) return;
+    if (!zr_grid_edge_make(zr_snapped_x(a), zr_snapped_y(a), zr_snapped_x(b), zr_snapped_y(b), &edge) ||
+        !zr_builder_reserve_shape(trace->builder, 1))
+        return;
     geometry->edges[geometry->edge_count++] = edge;
 }
 

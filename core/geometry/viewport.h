@@ -70,7 +70,8 @@ static inline int32_t zr_viewport_last_centre(int32_t snapped)
 
 struct zr_viewport zr_viewport_make(uint32_t width, uint32_t height);
 
-/* Fills `out` from a vertex inside the view volume. False where it has no place in the window (w = 0, overflow): not to be drawn. */
+/* Fills `out` from a vertex inside the view volume. False where it has no place in the window (w = 0, overflow): not to
+ * be drawn. */
 bool zr_viewport_apply(const struct zr_viewport *viewport, zr_vec4 clip, struct zr_window_vertex *out);
 
 #endif

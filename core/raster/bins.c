@@ -225,8 +225,8 @@ static enum zr_status build(struct zr_team *team, struct zr_geometry *geometry, 
     return gather_large(bins) ? ZR_OK : ZR_NO_MEMORY;
 }
 
-enum zr_status zr_bins_build(struct zr_arena *arena, struct zr_team *team, struct zr_geometry *geometry,
-                             uint32_t width, uint32_t height, const struct zr_cancel *cancel, struct zr_bins *bins)
+enum zr_status zr_bins_build(struct zr_arena *arena, struct zr_team *team, struct zr_geometry *geometry, uint32_t width,
+                             uint32_t height, const struct zr_cancel *cancel, struct zr_bins *bins)
 {
     *bins = (struct zr_bins){.arena = arena,
                              .width = width,

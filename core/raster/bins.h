@@ -20,13 +20,13 @@
 #include "raster/tile.h"
 
 enum {
-    ZR_BIN_WORDS = 44,            /* of a block, which takes 256 bytes, and has room for a vector behind its end */
-    ZR_BIN_VECTOR = 16,           /* lanes at most */
-    ZR_BIN_WIDE_A_BLOCK = 6,      /* for blocks of 64 bytes */
+    ZR_BIN_WORDS = 44,       /* of a block, which takes 256 bytes, and has room for a vector behind its end */
+    ZR_BIN_VECTOR = 16,      /* lanes at most */
+    ZR_BIN_WIDE_A_BLOCK = 6, /* for blocks of 64 bytes */
     ZR_BIN_FRAGMENTS_A_BLOCK = 64,
     ZR_BIN_FRAGMENTS_AT_ONCE = 4 * ZR_BIN_VECTOR, /* put there, and room for a vector behind them */
     ZR_BIN_FRAGMENTS_ROOM = ZR_BIN_FRAGMENTS_A_BLOCK + ZR_BIN_FRAGMENTS_AT_ONCE + ZR_BIN_VECTOR,
-    ZR_BIN_TILES = 16,            /* that a wide triangle is listed in at most */
+    ZR_BIN_TILES = 16,           /* that a wide triangle is listed in at most */
     ZR_BIN_SMALL_SPAN = 64 * 256 /* on the snapped grid: edge functions then fit 32 bits, with room to spare */
 };
 
@@ -93,8 +93,8 @@ struct zr_bins {
 };
 
 /* Adds what became of the triangles to geometry->counts. ZR_OK, ZR_CANCELLED or ZR_NO_MEMORY. */
-enum zr_status zr_bins_build(struct zr_arena *arena, struct zr_team *team, struct zr_geometry *geometry,
-                             uint32_t width, uint32_t height, const struct zr_cancel *cancel, struct zr_bins *bins);
+enum zr_status zr_bins_build(struct zr_arena *arena, struct zr_team *team, struct zr_geometry *geometry, uint32_t width,
+                             uint32_t height, const struct zr_cancel *cancel, struct zr_bins *bins);
 
 /* ---- for the kernel ---- */
 

@@ -9,10 +9,10 @@ enum { QUEUE = 4 * ZR_LANES };
 struct sorter {
     struct zr_binner *binner;
     const struct zr_batch *batch;
-    const float *vertices;  /* of position 0 */
-    const uint32_t *corners; /* of record 0 of the batch */
-    size_t stride;          /* words from one record's corners to the next */
-    zr_vi last_x, last_y;   /* of the window */
+    const float *vertices;               /* of position 0 */
+    const uint32_t *corners;             /* of record 0 of the batch */
+    size_t stride;                       /* words from one record's corners to the next */
+    zr_vi last_x, last_y;                /* of the window */
     uint32_t tiny[QUEUE + 2 * ZR_LANES]; /* a vector is stored whole */
     uint32_t tiny_count;
 };
@@ -226,7 +226,8 @@ static inline zr_vm has_twins(const zr_vf x[3], const zr_vf y[3])
 static inline void count_flat(struct sorter *s, zr_vm flat, const zr_vf x[3], const zr_vf y[3], uint32_t first)
 {
     const zr_vm twins = zr_vm_and(flat, has_twins(x, y));
-    if (!s->batch->written) s->binner->counts.zero_area += (uint64_t)__builtin_popcount(zr_vm_bits(zr_vm_andnot(flat, twins)));
+    if (!s->batch->written)
+        s->binner->counts.zero_area += (uint64_t)__builtin_popcount(zr_vm_bits(zr_vm_andnot(flat, twins)));
     for (uint32_t bits = zr_vm_bits(twins); bits; bits &= bits - 1)
         zr_binner_add_flat(s->binner, s->batch, first + (uint32_t)zr_lowest_bit(bits));
 }
@@ -265,7 +266,8 @@ static inline void sort_group(struct sorter *s, const uint32_t *corners, zr_vm v
     if (s->tiny_count >= QUEUE) flush_tiny(s);
 }
 
-/* A corner of each triangle of a group to come is asked for: its neighbours have the others. 6 % of a million triangles. */
+/* A corner of each triangle of a group to come is asked for: its neighbours have the others. 6 % of a million
+ * triangles. */
 static inline void expect_group(const struct sorter *s, uint32_t t)
 {
     for (uint32_t i = 0; i < ZR_LANES; i++)

@@ -86,8 +86,10 @@ static inline struct blocks look_at_blocks(const struct zr_tile *tile, const str
     const zr_vi number = zr_vi_set(first) + zr_vi_ramp();
     const zr_vi x = (number & zr_vi_set(ZR_BLOCK_COLUMNS - 1)) * zr_vi_set(ZR_BLOCK_WIDTH) + zr_vi_set(tile->x);
     const zr_vi y = (number >> 2) * zr_vi_set(ZR_BLOCK_HEIGHT) + zr_vi_set(tile->y);
-    const zr_vi x0 = zr_vi_max(x, zr_vi_set(p->x0)), x1 = zr_vi_min(x + zr_vi_set(ZR_BLOCK_WIDTH - 1), zr_vi_set(p->x1));
-    const zr_vi y0 = zr_vi_max(y, zr_vi_set(p->y0)), y1 = zr_vi_min(y + zr_vi_set(ZR_BLOCK_HEIGHT - 1), zr_vi_set(p->y1));
+    const zr_vi x0 = zr_vi_max(x, zr_vi_set(p->x0)),
+                x1 = zr_vi_min(x + zr_vi_set(ZR_BLOCK_WIDTH - 1), zr_vi_set(p->x1));
+    const zr_vi y0 = zr_vi_max(y, zr_vi_set(p->y0)),
+                y1 = zr_vi_min(y + zr_vi_set(ZR_BLOCK_HEIGHT - 1), zr_vi_set(p->y1));
     const zr_vi zero = zr_vi_set(0);
     zr_vi least = zero, most = zero;
     for (int k = 0; k < 3; k++) {
@@ -109,12 +111,13 @@ static inline struct blocks look_at_blocks(const struct zr_tile *tile, const str
     const zr_vm touched = zr_vm_and(zr_vi_lt(x0, x1 + zr_vi_set(1)), zr_vi_lt(y0, y1 + zr_vi_set(1)));
     const zr_vm hidden = zr_vm_or(zr_vf_lt(zr_vf_load(tile->block_far + first), near), zr_vi_lt(most, zero));
     out.open = zr_vm_andnot(touched, hidden);
-    const zr_vm whole = zr_vm_and(zr_vi_eq(x1 - x0, zr_vi_set(ZR_BLOCK_WIDTH - 1)),
-                                  zr_vi_eq(y1 - y0, zr_vi_set(ZR_BLOCK_HEIGHT - 1)));
+    const zr_vm whole =
+        zr_vm_and(zr_vi_eq(x1 - x0, zr_vi_set(ZR_BLOCK_WIDTH - 1)), zr_vi_eq(y1 - y0, zr_vi_set(ZR_BLOCK_HEIGHT - 1)));
     out.filled = zr_vm_andnot(zr_vm_and(out.open, whole), zr_vi_lt(least, zero));
     return out;
 }
-_Static_assert(ZR_BLOCK_COLUMNS == 1 << 2 && ZR_BLOCKS % ZR_LANES == 0, "rows of blocks are a shift, lanes divide them");
+_Static_assert(ZR_BLOCK_COLUMNS == 1 << 2 && ZR_BLOCKS % ZR_LANES == 0,
+               "rows of blocks are a shift, lanes divide them");
 
 /* The part of the piece that lies in a block. */
 static inline struct piece part_of(const struct zr_tile *tile, const struct piece *p, int block)
@@ -278,8 +281,10 @@ static inline void set_up(const struct zr_tile *tile, const struct corners *corn
     zr_swap_vf(turned, &c[0].z, &c[1].z);
 
     const zr_vi up_to_centre = zr_vi_set(ZR_SUBPIXELS - 1);
-    const zr_vi min_x = zr_vi_min(zr_vi_min(g[0].x, g[1].x), g[2].x), min_y = zr_vi_min(zr_vi_min(g[0].y, g[1].y), g[2].y);
-    const zr_vi max_x = zr_vi_max(zr_vi_max(g[0].x, g[1].x), g[2].x), max_y = zr_vi_max(zr_vi_max(g[0].y, g[1].y), g[2].y);
+    const zr_vi min_x = zr_vi_min(zr_vi_min(g[0].x, g[1].x), g[2].x),
+                min_y = zr_vi_min(zr_vi_min(g[0].y, g[1].y), g[2].y);
+    const zr_vi max_x = zr_vi_max(zr_vi_max(g[0].x, g[1].x), g[2].x),
+                max_y = zr_vi_max(zr_vi_max(g[0].y, g[1].y), g[2].y);
     const zr_vi x0 = zr_vi_max((min_x + up_to_centre) >> ZR_SUBPIXEL_BITS, zr_vi_set(tile->x));
     const zr_vi y0 = zr_vi_max((min_y + up_to_centre) >> ZR_SUBPIXEL_BITS, zr_vi_set(tile->y));
     zr_vi_store(out->x0, x0);

@@ -117,7 +117,8 @@ static double margin_at(const struct zr_setup *setup, int32_t x, int32_t y)
 struct zr_hit zr_primitive_hit(const struct zr_geometry *geometry, const struct zr_primitive *primitive, int32_t x,
                                int32_t y)
 {
-    if (primitive->count == 1) return (struct zr_hit){zr_depth_at(&primitive->depth, x, y), primitive->first + primitive->shift + 1};
+    if (primitive->count == 1)
+        return (struct zr_hit){zr_depth_at(&primitive->depth, x, y), primitive->first + primitive->shift + 1};
     struct zr_hit hit = {0.0f, 0};
     double best = 0.0;
     for (uint32_t record = primitive->first; record < primitive->first + primitive->count; record++) {
@@ -154,10 +155,12 @@ void zr_primitive_hits(const struct zr_geometry *geometry, const struct zr_primi
     bool single = primitive->count == 1;
     for (int32_t x = x0; x < x1; x++)
         hits[x - x0] =
-            single ? (struct zr_hit){zr_depth_at(&primitive->depth, x, y), primitive->first + primitive->shift + 1} : (struct zr_hit){0};
+            single ? (struct zr_hit){zr_depth_at(&primitive->depth, x, y), primitive->first + primitive->shift + 1}
+                   : (struct zr_hit){0};
     int32_t left = single ? 0 : x1 - x0;
     for (uint32_t i = 0; i < primitive->count && left > 0; i++)
-        left -= hit_by_record(geometry, primitive->first + i, primitive->first + i + primitive->shift + 1, y, x0, x1, hits);
+        left -=
+            hit_by_record(geometry, primitive->first + i, primitive->first + i + primitive->shift + 1, y, x0, x1, hits);
     for (int32_t x = x0; x < x1 && left > 0; x++)
         if (hits[x - x0].owner == 0) hits[x - x0] = zr_primitive_hit(geometry, primitive, x, y);
 }

@@ -17,7 +17,7 @@
 
 struct zr_primitive {
     uint32_t first, count; /* its records: geometry->triangles[first .. first + count - 1] */
-    uint32_t shift;        /* their numbers are so far ahead of that, modulo 2^32; 0 where all records are written out */
+    uint32_t shift; /* their numbers are so far ahead of that, modulo 2^32; 0 where all records are written out */
     uint32_t edge_count;
     const struct zr_grid_edge *shape_edges; /* NULL: own_edges */
     struct zr_grid_edge own_edges[4];       /* of a triangle or a line */

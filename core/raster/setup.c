@@ -27,7 +27,8 @@ static struct zr_edge edge_make(const struct zr_window_vertex *i, const struct z
 {
     int64_t a = zr_snapped_y(i) - zr_snapped_y(j), b = zr_snapped_x(i) - zr_snapped_x(j);
     int64_t bias = a < 0 || (a == 0 && b > 0) ? 1 : 0;
-    return (struct zr_edge){.a = -a * ZR_SUBPIXELS, .b = b * ZR_SUBPIXELS, .c = a * zr_snapped_x(i) - b * zr_snapped_y(i) + bias};
+    return (struct zr_edge){
+        .a = -a * ZR_SUBPIXELS, .b = b * ZR_SUBPIXELS, .c = a * zr_snapped_x(i) - b * zr_snapped_y(i) + bias};
 }
 
 struct zr_setup zr_setup_make(const struct zr_window_vertex *vertices, const struct zr_triangle *triangle)

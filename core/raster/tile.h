@@ -36,7 +36,8 @@ struct zr_tile {
     /* [row of blocks * ZR_BLOCK_COLUMNS + column]: no sample of the block is deeper. */
     float block_far[ZR_BLOCKS];
     /* [row * ZR_TILE_STRIDE + column] */
-    _Alignas(64) float depth[ZR_TILE_STRIDE * ZR_TILE_SIZE]; /* window depth; where nothing was drawn, see zr_tile_begin */
+    _Alignas(
+        64) float depth[ZR_TILE_STRIDE * ZR_TILE_SIZE]; /* window depth; where nothing was drawn, see zr_tile_begin */
     uint8_t apart[2048]; /* else a load of a depth would seem to want the owner that was stored 5 pages behind it */
     _Alignas(64) uint32_t owner[ZR_TILE_STRIDE * ZR_TILE_SIZE]; /* 1 + number of the record, 0 where nothing is */
 };
@@ -55,7 +56,8 @@ static inline size_t zr_tile_count(uint32_t width, uint32_t height)
 
 /* The z-buffer: what is drawn at pixel x, y of the tile is seen where it is nearer than what is there, or as near and
  * earlier in the scene. That is what drawing in order and keeping the nearest gives (GL's LESS), so records may
- * come in any order, from any thread, and the same one is seen. What was there before any of them stays at equal depth. */
+ * come in any order, from any thread, and the same one is seen. What was there before any of them stays at equal depth.
+ */
 static inline void zr_tile_put(struct zr_tile *tile, int32_t x, int32_t y, float depth, uint32_t owner)
 {
     int32_t i = (y - tile->y) * ZR_TILE_STRIDE + x - tile->x;

@@ -28,7 +28,8 @@ static inline struct zr_grid_v zr_grid_of(zr_vf x, zr_vf y)
     return (struct zr_grid_v){zr_snap_v(x), zr_snap_v(y)};
 }
 
-/* value / divisor, rounded down, of values of 0 .. 2^16 - 1 and divisors up to 2^7: the float quotient is near enough. */
+/* value / divisor, rounded down, of values of 0 .. 2^16 - 1 and divisors up to 2^7: the float quotient is near enough.
+ */
 static inline zr_vi zr_quotient_v(zr_vi value, int32_t divisor)
 {
     const zr_vf exact = (zr_vf_of(value) + zr_vf_set(0.5f)) * zr_vf_set(1.0f / (float)divisor);

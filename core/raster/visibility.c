@@ -63,7 +63,8 @@ static bool draw_large(const struct zr_visible *visible, const struct zr_cancel 
     for (uint32_t i = 0; i < bins->large_count; i++) {
         const struct zr_setup *setup = &bins->large[i]->setup;
         if (i % PARTS_A_CANCEL_CHECK == 0 && zr_is_cancelled(cancel)) return false;
-        if (!zr_tile_touches(tile, (const int32_t[4]){setup->min_x, setup->min_y, setup->max_x, setup->max_y})) continue;
+        if (!zr_tile_touches(tile, (const int32_t[4]){setup->min_x, setup->min_y, setup->max_x, setup->max_y}))
+            continue;
         const float near = zr_depth_range_of(&setup->depth, tile->x, tile->y, x1, y1).near;
         if (near > tile->far) continue;
         candidates.near[candidates.count] = near;
@@ -172,7 +173,8 @@ static bool has_more(const struct zr_visible *visible, uint32_t number)
 {
     const struct zr_others *others = &visible->others;
     for (int i = 0; i < visible->bins.worker_count; i++)
-        if (visible->bins.workers[i].tiles[number].small.first || visible->bins.workers[i].tiles[number].first) return true;
+        if (visible->bins.workers[i].tiles[number].small.first || visible->bins.workers[i].tiles[number].first)
+            return true;
     return others->count > 0 && (others->large_count > 0 || others->offsets[number] < others->offsets[number + 1]);
 }
 

@@ -35,9 +35,9 @@ static inline bool zr_view_needs_bounds(const struct zr_view *view)
     return view->pose != ZR_POSE_MATRIX || view->projection != ZR_PROJECTION_MATRIX;
 }
 
-/* `bounds` need not be defined where the view does not need them. Fails with ZR_BAD_SCENE where the view has no solution (an eye on its target, an
- * up along the view, a target that a fitted distance cannot show), or where an entry of a matrix is beyond
- * ZR_MATRIX_MAX. */
+/* `bounds` need not be defined where the view does not need them. Fails with ZR_BAD_SCENE where the view has no
+ * solution (an eye on its target, an up along the view, a target that a fitted distance cannot show), or where an entry
+ * of a matrix is beyond ZR_MATRIX_MAX. */
 enum zr_status zr_camera_resolve(const struct zr_scene *scene, const struct zr_bounds *bounds,
                                  const struct zr_cancel *cancel, struct zr_camera *camera, struct zr_error *error);
 

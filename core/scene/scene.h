@@ -222,7 +222,7 @@ struct zr_scene {
     const struct zr_instance *instances;
     const struct zr_light *lights;
     const struct zr_output *outputs;
-    enum zr_compress compress; /* of all outputs that are PNGs */
+    enum zr_compress compress;   /* of all outputs that are PNGs */
     const char *const *warnings; /* what input/ and scene/ found odd but drawable */
     struct zr_view view;
     const struct zr_base *base; /* NULL: the geometry is all there is */

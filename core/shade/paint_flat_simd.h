@@ -38,8 +38,7 @@ static inline zr_vi zr_flat_color(const struct zr_batch *batch, zr_vm owned, zr_
 {
     if (batch->colors == ZR_BATCH_PER_FIRST_CORNER && !batch->faces)
         return zr_vi_gather(owned, batch->corners, t * zr_vi_set(3));
-    const zr_vi face =
-        batch->faces ? zr_vi_gather(owned, batch->faces, t) : t + zr_vi_set((int32_t)batch->first_face);
+    const zr_vi face = batch->faces ? zr_vi_gather(owned, batch->faces, t) : t + zr_vi_set((int32_t)batch->first_face);
     if (batch->colors == ZR_BATCH_PER_FACE) return face;
     const zr_vi slot = zr_vi_gather(owned, batch->mesh->face_offsets, face);
     return batch->colors == ZR_BATCH_PER_FIRST_SLOT ? slot : zr_vi_gather(owned, batch->mesh->indices, slot);

@@ -64,8 +64,8 @@ static void add_run(struct painter *p, uint32_t number, int32_t at, int32_t leng
     const uint32_t t = number - batch->first;
     const struct zr_triangle *record = batch->written ? &geometry->triangles[batch->first_record + t] : NULL;
     const bool sided = !record && batch->front != batch->back; /* its side must be known to know its colours */
-    const bool smooth =
-        record ? !record->line && (record->c[0] != record->c[1] || record->c[1] != record->c[2]) : zr_batch_is_smooth(batch);
+    const bool smooth = record ? !record->line && (record->c[0] != record->c[1] || record->c[1] != record->c[2])
+                               : zr_batch_is_smooth(batch);
     if (!smooth || length > ZR_SHORT_RUN) {
         paint_surface(p, number, at, length);
     } else if (record) {
@@ -185,8 +185,7 @@ static uint32_t paint_tile(const struct zr_geometry *geometry, struct zr_tile *t
     uint32_t covered = 0;
     for (int32_t y = 0; y < tile->height; y++) {
         uint32_t *owners = &tile->owner[y * ZR_TILE_STRIDE];
-        const bool alone =
-            zr_batch_is_gathered(p.batch) && (only_one || zr_row_is_of(p.batch, owners, tile->width));
+        const bool alone = zr_batch_is_gathered(p.batch) && (only_one || zr_row_is_of(p.batch, owners, tile->width));
         if (behind) backdrop.row = (const uint32_t *)behind + y * stride;
         if (alone && zr_batch_is_smooth(p.batch)) {
             covered += list_row(&p, owners, y, tile->width, &backdrop);

@@ -14,7 +14,7 @@ enum { ZR_SHORT_RUN = 8 };
 
 struct zr_smooth_queue {
     struct zr_runs runs;
-    const zr_vec4 *colors;              /* that color[] counts from */
+    const zr_vec4 *colors;             /* that color[] counts from */
     int32_t vertex[3][ZR_PAINT_QUEUE]; /* of the geometry */
     int32_t color[3][ZR_PAINT_QUEUE];
 };
@@ -37,8 +37,8 @@ static inline zr_vm zr_turned_v(const struct zr_smooth_queue *q, const struct zr
     for (int k = 0; k < 3; k++)
         g[k] = zr_grid_of(v[k].x, v[k].y);
     const zr_vi area = zr_area_v(g), span = zr_vi_set(ZR_BIN_SMALL_SPAN);
-    const zr_vm wide = zr_vm_or(zr_vi_lt(span, zr_span_v(g[0].x, g[1].x, g[2].x)),
-                                zr_vi_lt(span, zr_span_v(g[0].y, g[1].y, g[2].y)));
+    const zr_vm wide =
+        zr_vm_or(zr_vi_lt(span, zr_span_v(g[0].x, g[1].x, g[2].x)), zr_vi_lt(span, zr_span_v(g[0].y, g[1].y, g[2].y)));
     uint32_t turned = zr_vm_bits(zr_vi_lt(area, zr_vi_set(0)));
     for (uint32_t bits = zr_vm_bits(wide); bits; bits &= bits - 1) {
         const uint32_t i = (uint32_t)zr_lowest_bit(bits), k = first + i;
@@ -60,9 +60,9 @@ static inline struct zr_color_planes zr_color_planes_make(const struct zr_smooth
 #define ZR_VERTEX_0(i) (&vertices[q->vertex[0][first + (i)]].x)
 #define ZR_VERTEX_1(i) (&vertices[q->vertex[1][first + (i)]].x)
 #define ZR_VERTEX_2(i) (&vertices[q->vertex[2][first + (i)]].x)
-#define ZR_COLOR_0(i) (&q->colors[q->color[0][first + (i)]].x)
-#define ZR_COLOR_1(i) (&q->colors[q->color[1][first + (i)]].x)
-#define ZR_COLOR_2(i) (&q->colors[q->color[2][first + (i)]].x)
+#define ZR_COLOR_0(i)  (&q->colors[q->color[0][first + (i)]].x)
+#define ZR_COLOR_1(i)  (&q->colors[q->color[1][first + (i)]].x)
+#define ZR_COLOR_2(i)  (&q->colors[q->color[2][first + (i)]].x)
     ZR_LOAD4(v[0].x, v[0].y, v[0].z, v[0].oow, ZR_VERTEX_0);
     ZR_LOAD4(v[1].x, v[1].y, v[1].z, v[1].oow, ZR_VERTEX_1);
     ZR_LOAD4(v[2].x, v[2].y, v[2].z, v[2].oow, ZR_VERTEX_2);
@@ -135,8 +135,7 @@ static inline void zr_smooth_paint_group(const struct zr_smooth_queue *q, const 
     for (int32_t begin = 0; begin < ZR_SHORT_RUN; begin += 4) {
         const zr_vi left = lengths - zr_vi_set(begin);
         if (!zr_vm_any(zr_vi_lt(zr_vi_set(0), left))) break;
-        zr_paint_four(&planes, x + zr_vf_set((float)begin), y, left, q->runs.at + first, count,
-                      canvas->colors + begin);
+        zr_paint_four(&planes, x + zr_vf_set((float)begin), y, left, q->runs.at + first, count, canvas->colors + begin);
     }
 }
 
@@ -178,8 +177,7 @@ static inline void zr_smooth_expect(const struct zr_smooth_queue *q, const struc
 
 /* One run. Colours of other arrays than the last run's: what waits is painted first. */
 static inline void zr_smooth_add(struct zr_smooth_queue *q, const struct zr_canvas *canvas, int32_t at, int32_t length,
-                                 uint32_t first_vertex, const uint32_t v[3], const zr_vec4 *colors,
-                                 const uint32_t c[3])
+                                 uint32_t first_vertex, const uint32_t v[3], const zr_vec4 *colors, const uint32_t c[3])
 {
     if (q->colors != colors) zr_smooth_paint(q, canvas, true);
     q->colors = colors;

@@ -12,7 +12,7 @@ struct surface {
 
 /* As floats. */
 #define INFINITY_BITS UINT32_C(0x7f800000)
-#define ONE_BITS UINT32_C(0x3f800000)
+#define ONE_BITS      UINT32_C(0x3f800000)
 
 /* Small records come back in every row of a tile: this many are remembered. */
 enum { SURFACES = 256 };

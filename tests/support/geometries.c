@@ -106,8 +106,7 @@ static enum zr_status draw_tiles(struct zr_arena *arena, const struct zr_geometr
     samples->owner = zr_arena_alloc(arena, pixels, sizeof *samples->owner);
     batched.batches = batches;
     geometry_batch(&batched);
-    enum zr_status status =
-        zr_visible_make(arena, NULL, &batched, samples->width, samples->height, NULL, &visible);
+    enum zr_status status = zr_visible_make(arena, NULL, &batched, samples->width, samples->height, NULL, &visible);
     for (uint32_t t = 0; status == ZR_OK && t < zr_tile_count(samples->width, samples->height); t++) {
         zr_visibility_tile(&visible, t, NULL, NULL, &tile);
         for (int32_t y = 0; y < tile.height; y++)

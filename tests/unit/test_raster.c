@@ -12,10 +12,7 @@
 /* A vertex at window position x, y (pixels) and depth z. */
 static struct zr_window_vertex at(float x, float y, float z)
 {
-    return (struct zr_window_vertex){.x = x,
-                                     .y = y,
-                                     .z = z,
-                                     .oow = 1};
+    return (struct zr_window_vertex){.x = x, .y = y, .z = z, .oow = 1};
 }
 
 /* Draws clockwise (y up) vertices into a tile; owner 1. */
@@ -254,7 +251,8 @@ static void depth_beyond_the_range_is_clamped_and_nan_is_the_far_plane(void **st
 }
 
 /* Each triangle that has pixels in a tile, and no other, leaves them there: the bins' four ways (fragments, small,
- * wide, large) against the edge functions of each triangle, for every instruction set, with one thread and with three. */
+ * wide, large) against the edge functions of each triangle, for every instruction set, with one thread and with three.
+ */
 static void bins_lose_no_triangle_and_invent_none(enum zr_isa isa, int threads)
 {
     struct random random = random_seeded(9);

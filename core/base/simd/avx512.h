@@ -161,17 +161,17 @@ static inline zr_vi zr_vi_bits_of(zr_vf a)
 }
 
 /* Lanes i, i + 4, i + 8, i + 12 of four vectors of x, y, z, w each. */
-#define ZR_LOAD_EVERY_FOURTH(AT, i) \
-    _mm512_insertf32x4( \
-        _mm512_insertf32x4(_mm512_insertf32x4(_mm512_castps128_ps512(_mm_loadu_ps(AT(i))), _mm_loadu_ps(AT(i + 4)), 1), \
-                           _mm_loadu_ps(AT(i + 8)), 2), \
-        _mm_loadu_ps(AT(i + 12)), 3)
+#define ZR_LOAD_EVERY_FOURTH(AT, i)                                                                                    \
+    _mm512_insertf32x4(_mm512_insertf32x4(_mm512_insertf32x4(_mm512_castps128_ps512(_mm_loadu_ps(AT(i))),              \
+                                                             _mm_loadu_ps(AT(i + 4)), 1),                              \
+                                          _mm_loadu_ps(AT(i + 8)), 2),                                                 \
+                       _mm_loadu_ps(AT(i + 12)), 3)
 
-#define ZR_LOAD4(x, y, z, w, AT) \
-    do { \
-        const __m512 a0 = ZR_LOAD_EVERY_FOURTH(AT, 0), a1 = ZR_LOAD_EVERY_FOURTH(AT, 1); \
-        const __m512 a2 = ZR_LOAD_EVERY_FOURTH(AT, 2), a3 = ZR_LOAD_EVERY_FOURTH(AT, 3); \
-        zr_transpose4(a0, a1, a2, a3, &(x), &(y), &(z), &(w)); \
+#define ZR_LOAD4(x, y, z, w, AT)                                                                                       \
+    do {                                                                                                               \
+        const __m512 a0 = ZR_LOAD_EVERY_FOURTH(AT, 0), a1 = ZR_LOAD_EVERY_FOURTH(AT, 1);                               \
+        const __m512 a2 = ZR_LOAD_EVERY_FOURTH(AT, 2), a3 = ZR_LOAD_EVERY_FOURTH(AT, 3);                               \
+        zr_transpose4(a0, a1, a2, a3, &(x), &(y), &(z), &(w));                                                         \
     } while (0)
 
 static inline void zr_transpose4(__m512 a0, __m512 a1, __m512 a2, __m512 a3, zr_vf *x, zr_vf *y, zr_vf *z, zr_vf *w)
@@ -186,17 +186,17 @@ static inline void zr_transpose4(__m512 a0, __m512 a1, __m512 a2, __m512 a3, zr_
 
 /* Two neighbours, x y x y, in each quarter. */
 #define ZR_LOAD_PAIR(AT, i) zr_load_pair(AT(i), AT((i) + 1))
-#define ZR_LOAD_PAIRS(AT, i) \
-    _mm512_insertf32x4(_mm512_insertf32x4(_mm512_insertf32x4(_mm512_castps128_ps512(ZR_LOAD_PAIR(AT, i)), \
-                                                             ZR_LOAD_PAIR(AT, i + 4), 1), \
-                                          ZR_LOAD_PAIR(AT, i + 8), 2), \
+#define ZR_LOAD_PAIRS(AT, i)                                                                                           \
+    _mm512_insertf32x4(_mm512_insertf32x4(_mm512_insertf32x4(_mm512_castps128_ps512(ZR_LOAD_PAIR(AT, i)),              \
+                                                             ZR_LOAD_PAIR(AT, i + 4), 1),                              \
+                                          ZR_LOAD_PAIR(AT, i + 8), 2),                                                 \
                        ZR_LOAD_PAIR(AT, i + 12), 3)
 
-#define ZR_LOAD2(x, y, AT) \
-    do { \
-        const __m512 a0 = ZR_LOAD_PAIRS(AT, 0), a2 = ZR_LOAD_PAIRS(AT, 2); \
-        (x) = (zr_vf)_mm512_shuffle_ps(a0, a2, 0x88); \
-        (y) = (zr_vf)_mm512_shuffle_ps(a0, a2, 0xdd); \
+#define ZR_LOAD2(x, y, AT)                                                                                             \
+    do {                                                                                                               \
+        const __m512 a0 = ZR_LOAD_PAIRS(AT, 0), a2 = ZR_LOAD_PAIRS(AT, 2);                                             \
+        (x) = (zr_vf)_mm512_shuffle_ps(a0, a2, 0x88);                                                                  \
+        (y) = (zr_vf)_mm512_shuffle_ps(a0, a2, 0xdd);                                                                  \
     } while (0)
 
 static inline zr_vi zr_vi_gather(zr_vm m, const void *p, zr_vi i)

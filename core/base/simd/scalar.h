@@ -62,9 +62,7 @@ static inline void zr_vi_stream(void *p, zr_vi v)
 {
     zr_vi_store(p, v);
 }
-static inline void zr_stream_end(void)
-{
-}
+static inline void zr_stream_end(void) {}
 static inline zr_vm zr_vf_lt(zr_vf a, zr_vf b)
 {
     return a < b;
@@ -167,16 +165,16 @@ static inline zr_vi zr_vi_bits_of(zr_vf a)
     return bits;
 }
 
-#define ZR_LOAD4(x, y, z, w, AT) \
-    do { \
-        const float *const at = AT(0); \
-        (x) = at[0], (y) = at[1], (z) = at[2], (w) = at[3]; \
+#define ZR_LOAD4(x, y, z, w, AT)                                                                                       \
+    do {                                                                                                               \
+        const float *const at = AT(0);                                                                                 \
+        (x) = at[0], (y) = at[1], (z) = at[2], (w) = at[3];                                                            \
     } while (0)
 
-#define ZR_LOAD2(x, y, AT) \
-    do { \
-        const float *const at = AT(0); \
-        (x) = at[0], (y) = at[1]; \
+#define ZR_LOAD2(x, y, AT)                                                                                             \
+    do {                                                                                                               \
+        const float *const at = AT(0);                                                                                 \
+        (x) = at[0], (y) = at[1];                                                                                      \
     } while (0)
 
 static inline zr_vi zr_vi_gather(zr_vm m, const void *p, zr_vi i)
