@@ -147,7 +147,7 @@ static void run(struct zr_team *team, void (*work)(void *context), void *context
 
 struct shares {
     atomic_size_t next;
-    atomic_int workers; /* that have begun */
+    atomic_int workers; /* that have claimed something */
     size_t count, grain;
     void (*work)(void *context, int worker, size_t begin, size_t end);
     void *context;
@@ -156,10 +156,11 @@ struct shares {
 static void claim_shares(void *argument)
 {
     struct shares *shares = argument;
-    int worker = atomic_fetch_add_explicit(&shares->workers, 1, memory_order_relaxed);
+    int worker = -1; /* none yet: those who come too late for work are nobody */
     for (;;) {
         size_t begin = atomic_fetch_add_explicit(&shares->next, shares->grain, memory_order_relaxed);
         if (begin >= shares->count) return;
+        if (worker < 0) worker = atomic_fetch_add_explicit(&shares->workers, 1, memory_order_relaxed);
         size_t left = shares->count - begin;
         shares->work(shares->context, worker, begin, begin + (left < shares->grain ? left : shares->grain));
     }

@@ -37,8 +37,8 @@ enum zr_isa zr_team_isa(const struct zr_team *team);
 void zr_team_ranges(struct zr_team *team, size_t count, size_t grain,
                     void (*work)(void *context, size_t begin, size_t end), void *context);
 
-/* The same for work that keeps notes of its own: `worker` is 0 .. zr_team_size(team) - 1, and no two threads have the
- * same one at the same time. */
+/* The same for work that keeps notes of its own: `worker` is less than zr_team_size(team), and than the number
+ * of ranges, and no two threads have the same one. */
 void zr_team_shares(struct zr_team *team, size_t count, size_t grain,
                     void (*work)(void *context, int worker, size_t begin, size_t end), void *context);
 

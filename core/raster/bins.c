@@ -215,7 +215,10 @@ static enum zr_status build(struct zr_team *team, struct zr_geometry *geometry, 
 {
     static zr_binning_fn *const kernels[ZR_ISA_COUNT] = ZR_KERNELS(zr_binning);
     struct sorting sorting = {.bins = bins, .cancel = cancel, .sort = kernels[zr_team_isa(team)]};
-    if (!make_workers(bins, geometry) || !make_shares(bins->arena, geometry, &sorting)) return ZR_NO_MEMORY;
+    if (!make_shares(bins->arena, geometry, &sorting)) return ZR_NO_MEMORY;
+    bins->worker_count = zr_team_size(team);
+    if ((uint32_t)bins->worker_count > sorting.share_count) bins->worker_count = (int)sorting.share_count;
+    if (!make_workers(bins, geometry)) return ZR_NO_MEMORY;
     zr_team_shares(team, sorting.share_count, 1, sort_shares, &sorting);
     for (int i = 0; i < bins->worker_count; i++) {
         if (bins->workers[i].failed) return ZR_NO_MEMORY;
@@ -231,8 +234,7 @@ enum zr_status zr_bins_build(struct zr_arena *arena, struct zr_team *team, struc
     *bins = (struct zr_bins){.arena = arena,
                              .width = width,
                              .height = height,
-                             .columns = zr_tile_across(width),
-                             .worker_count = zr_team_size(team)};
+                             .columns = zr_tile_across(width)};
     pthread_mutex_init(&bins->arena_lock, NULL);
     enum zr_status status = build(team, geometry, cancel, bins);
     pthread_mutex_destroy(&bins->arena_lock);

@@ -73,7 +73,7 @@ struct zr_tile_bins {
 
 /* What one thread sorts into. */
 struct zr_binner {
-    struct zr_bins *bins;
+    _Alignas(64) struct zr_bins *bins; /* no two threads' on one line of the cache */
     const struct zr_geometry *geometry;
     struct zr_tile_bins *tiles;
     struct zr_wide_bin large;
