@@ -9,6 +9,7 @@
 
 #include <cjson/cJSON.h>
 
+#include "admission.h"
 #include "assets.h"
 #include "body.h"
 #include "clock.h"
@@ -57,11 +58,12 @@ static const struct {
 
 #define PARAMETER_NAMES "channel, encoding, scale, preset, width, height, shading"
 
-void api_init(struct api *api, const struct config *config, struct zr_team *team, struct store *store)
+void api_init(struct api *api, const struct config *config, struct zr_team *team, struct foresight *foresight,
+              struct store *store)
 {
     api->config = config;
     api->store = store;
-    admission_calibrate(&api->admission);
+    api->foresight = foresight;
     api->limits = config_limits(config);
     api->team = team;
     if (getrandom(&api->id_base, sizeof api->id_base, 0) != sizeof api->id_base) api->id_base = (uint64_t)clock_us();
@@ -180,11 +182,12 @@ static bool read_content_encoding(struct api_request *request, struct answer *an
 }
 
 /* Why no work can be taken on now; NULL: one can. */
-static const char *busy_with(const struct api_load *load)
+static const char *busy_with(const struct api *api, const struct api_load *load)
 {
     if (load->draining) return "the service is going down";
     if (load->queue_full) return "the queue is full";
-    return load->memory_short ? "the memory of the container is nearly used up" : NULL;
+    if (!admission_memory_is_short(api->config->cgroup)) return NULL;
+    return "the memory of the container is nearly used up";
 }
 
 static bool open_render(struct api_request *request, struct answer *answer)
@@ -197,11 +200,11 @@ static enum api_next open_work(const struct api *api, const struct api_load *loa
                                struct api_request *request, struct answer *answer)
 {
     if (load->draining) {
-        api_refuse_busy(answer, load->retry_after_s, busy_with(load));
+        api_refuse_busy(answer, load->retry_after_s, busy_with(api, load));
     } else if (!read_content_encoding(request, answer)) {
         return API_ANSWERED;
     } else if (route == ROUTE_RENDER ? open_render(request, answer) : assets_open(api, request, answer)) {
-        const char *busy = busy_with(load);
+        const char *busy = busy_with(api, load);
         if (!busy) return API_WORK;
         api_refuse_busy(answer, load->retry_after_s, busy);
     }
@@ -262,10 +265,12 @@ enum api_next api_open(const struct api *api, const struct api_load *load, struc
         return open_work(api, load, (enum route)route, request, answer);
     } else if (route == ROUTE_LIMITS) {
         answer_limits(api, answer);
-    } else if (route == ROUTE_READY && busy_with(load)) {
-        api_refuse_busy(answer, load->retry_after_s, busy_with(load));
     } else {
-        answer_state(answer, route == ROUTE_READY ? "ready" : "ok");
+        const char *busy = route == ROUTE_READY ? busy_with(api, load) : NULL;
+        if (busy)
+            api_refuse_busy(answer, load->retry_after_s, busy);
+        else
+            answer_state(answer, route == ROUTE_READY ? "ready" : "ok");
     }
     return API_ANSWERED;
 }
@@ -300,20 +305,19 @@ static void add_timing(struct answer *answer, const struct api_times *times)
 
 /* A sample may mislead: before a scene is refused, all of it is measured. */
 static enum zr_status foresee(const struct api *api, const struct zr_scene *scene, const struct zr_cancel *cancel,
-                              struct api_times *times, struct zr_error *error)
+                              struct zr_cost *cost, struct api_times *times, struct zr_error *error)
 {
     const uint32_t samples[] = {COST_CORNERS, COST_CORNERS_MORE};
-    struct zr_cost cost = {0};
     for (int i = 0; i < 2; i++) {
-        cost = zr_scene_cost(scene, samples[i], cancel);
-        times->foreseen_ms = admission_predict_ms(&api->admission, &cost);
+        *cost = zr_scene_cost(scene, samples[i], cancel);
+        times->foreseen_ms = foresight_predict_ms(api->foresight, cost);
         if (times->foreseen_ms <= (double)api->config->cost_max_ms) return ZR_OK;
     }
     return zr_error_add(
         error, ZR_BAD_SCENE, NULL,
         "work like that of %.0f triangles and %.3g pixels is foreseen to take %.3g s, more than costMaxMs, %" PRIu64
         " ms",
-        cost.triangles, cost.fragments, times->foreseen_ms * 1e-3, api->config->cost_max_ms);
+        cost->triangles, cost->fragments, times->foreseen_ms * 1e-3, api->config->cost_max_ms);
 }
 
 static enum zr_status run_steps(const struct api *api, const struct zr_request *request, struct zr_arena *arena,
@@ -324,14 +328,19 @@ static enum zr_status run_steps(const struct api *api, const struct zr_request *
     const struct zr_frame *frame = NULL;
     int64_t mark = clock_us();
     enum zr_status status = zr_scene_read(arena, request, &api->limits, &scene, error);
-    if (status == ZR_OK) status = foresee(api, scene, cancel, times, error);
+    struct zr_cost cost = {0};
+    if (status == ZR_OK) status = foresee(api, scene, cancel, &cost, times, error);
     times->parse_ms = ms_since(&mark);
     if (status != ZR_OK) return status;
+    struct foresight_lap lap = foresight_start_lap(api->foresight);
     status = zr_render(arena, api->team, scene, cancel, &frame, error);
+    double render_ms = foresight_end_lap(api->foresight, &lap);
     times->render_ms = ms_since(&mark);
     if (status != ZR_OK) return status;
     status = zr_encode(arena, scene, frame, cancel, result, error);
+    double encode_ms = foresight_end_lap(api->foresight, &lap);
     times->encode_ms = ms_since(&mark);
+    if (status == ZR_OK) foresight_learn(api->foresight, &cost, render_ms, encode_ms);
     return status;
 }
 
@@ -385,10 +394,12 @@ static void render(const struct api *api, const struct api_request *request, str
 void api_work(const struct api *api, const struct api_request *request, struct zr_arena *arena,
               const struct zr_cancel *cancel, struct api_times *times, struct answer *answer)
 {
+    foresight_begin(api->foresight);
     if (request->asset)
         assets_work(api, request, arena, answer);
     else
         render(api, request, arena, cancel, times, answer);
+    foresight_end(api->foresight);
 }
 
 void api_refuse_busy(struct answer *answer, unsigned retry_after_s, const char *detail)

@@ -11,20 +11,20 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-#include "admission.h"
 #include "answer.h"
 #include "config.h"
+#include "foresight.h"
 #include "multipart.h"
 #include "store.h"
 #include "zraster.h"
 
 enum { API_ID_SIZE = 129 };
 
-/* Shared by all requests; read-only but for the counter and what the store does inside. */
+/* Shared by all requests; read-only but for the counter and what the store and foresight do inside. */
 struct api {
     const struct config *config;
     struct zr_limits limits;
-    struct admission admission;
+    struct foresight *foresight;
     struct zr_team *team;
     struct store *store; /* NULL: no assets are kept */
     uint64_t id_base;    /* random, so that ids of two daemons differ */
@@ -32,11 +32,12 @@ struct api {
 };
 
 /* `store` may be NULL. */
-void api_init(struct api *api, const struct config *config, struct zr_team *team, struct store *store);
+void api_init(struct api *api, const struct config *config, struct zr_team *team, struct foresight *foresight,
+              struct store *store);
 
 /* The state of the daemon as a request meets it. */
 struct api_load {
-    bool draining, queue_full, memory_short;
+    bool draining, queue_full;
     unsigned retry_after_s;
 };
 

@@ -243,7 +243,6 @@ static void get_load(struct http *http, struct api_load *load)
 {
     load->draining = atomic_load(&http->draining);
     load->queue_full = queue_is_full(http->queue);
-    load->memory_short = admission_memory_is_short(http->api->config->cgroup);
     load->retry_after_s = queue_wait_estimate_s(http->queue);
 }
 

@@ -51,8 +51,10 @@ static int serve(const struct config *config)
     sigset_t signals;
     char message[512];
     struct api api;
+    struct foresight foresight;
     block_signals(&signals);
     tune_allocator();
+    foresight_init(&foresight);
     raise_file_limit(config);
     struct zr_team *team = zr_team_create((int)config->threads);
     if (!team) {
@@ -64,13 +66,14 @@ static int serve(const struct config *config)
     struct http *http = NULL;
     if (*config->assets_dir) store = store_open(config->assets_dir, config->assets_max_bytes, message, sizeof message);
     if (store || !*config->assets_dir) {
-        api_init(&api, config, team, store);
+        api_init(&api, config, team, &foresight, store);
         http = http_start(config, &api, message, sizeof message);
     }
     if (!http) {
         fprintf(stderr, "zrasterd: %s\n", message);
         store_close(store);
         zr_team_destroy(team);
+        foresight_free(&foresight);
         return EXIT_FAILURE;
     }
     bool is_ipv6 = strchr(config->address, ':') != NULL;
@@ -83,6 +86,7 @@ static int serve(const struct config *config)
     http_stop(http);
     store_close(store);
     zr_team_destroy(team);
+    foresight_free(&foresight);
     log_event("info", "stopped", NULL);
     return EXIT_SUCCESS;
 }
