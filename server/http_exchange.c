@@ -239,10 +239,17 @@ static enum MHD_Result reply_early(struct exchange *exchange, const struct http_
     return MHD_YES;
 }
 
-static void get_load(struct http *http, struct api_load *load)
+/* As far as can be told before anybody has looked at the body. */
+static enum queue_lane lane_of(uint64_t body_bytes)
+{
+    return body_bytes > API_SMALL_BYTES ? QUEUE_LARGE : QUEUE_SMALL;
+}
+
+static void get_load(struct http *http, uint64_t body_bytes, struct api_load *load)
 {
     load->draining = atomic_load(&http->draining);
-    load->queue_full = queue_is_full(http->queue);
+    load->queue_full = queue_is_full(http->queue, lane_of(body_bytes));
+    load->large_queue_full = queue_is_full(http->queue, QUEUE_LARGE);
     load->retry_after_s = queue_wait_estimate_s(http->queue);
 }
 
@@ -258,15 +265,37 @@ static void finish_work(struct exchange *exchange)
     MHD_resume_connection(connection);
 }
 
+static enum api_next begin(struct exchange *exchange, struct zr_arena *arena)
+{
+    return api_work(exchange->http->api, &exchange->request, arena, &exchange->cancel, &exchange->times,
+                    &exchange->answer);
+}
+
+/* What is large goes from the express to the workers. True: it is not ours any more. */
+static bool put_back(struct exchange *exchange, struct zr_arena *arena)
+{
+    struct http *http = exchange->http;
+    watchdog_work_waits(http->watchdog, exchange->watch);
+    exchange->request.small_only = false;
+    if (atomic_load(&exchange->cancel.raised)) { /* just now: that has an answer, too */
+        begin(exchange, arena);
+        return false;
+    }
+    exchange->times = API_NO_TIMES;
+    if (queue_put_back(http->queue, &exchange->job)) return true;
+    api_refuse_busy(&exchange->answer, queue_wait_estimate_s(http->queue), "the queue is full");
+    return false;
+}
+
 static void work(struct queue_job *job, struct zr_arena *arena)
 {
     struct exchange *exchange = (struct exchange *)(void *)((char *)job - offsetof(struct exchange, job));
     struct http *http = exchange->http;
     exchange->times.queue_ms = (double)(clock_us() - job->pushed_us) / 1000.0;
     watchdog_work_begins(http->watchdog, exchange->watch);
+    exchange->request.small_only = job->on_express;
     bool cancelled = atomic_load(&exchange->cancel.raised);
-    if (!cancelled)
-        api_work(http->api, &exchange->request, arena, &exchange->cancel, &exchange->times, &exchange->answer);
+    if (!cancelled && begin(exchange, arena) == API_LARGE && put_back(exchange, arena)) return;
     if (atomic_load(&http->cut_short) && (cancelled || exchange->answer.status == 504)) {
         answer_free(&exchange->answer);
         api_refuse_busy(&exchange->answer, 1, "the service went down");
@@ -307,7 +336,7 @@ static enum MHD_Result begin_work(struct exchange *exchange)
     if (!watchdog_enter_work(http->watchdog, exchange->watch, &exchange->cancel)) return MHD_NO;
     /* First suspended, then pushed: a worker may be done before queue_push returns. */
     MHD_suspend_connection(exchange->connection);
-    if (!queue_push(http->queue, &exchange->job)) {
+    if (!queue_push(http->queue, &exchange->job, lane_of(exchange->upload.size))) {
         api_refuse_busy(&exchange->answer, queue_wait_estimate_s(http->queue), "the queue is full");
         finish_work(exchange);
     }
@@ -370,7 +399,7 @@ static enum MHD_Result begin_request(struct exchange *exchange, const char *meth
         answer->close = true;
         return reply(exchange);
     }
-    get_load(http, &load);
+    get_load(http, framing.length, &load);
     exchange->length = framing.length;
     if (framing.length > http->config->body_max_bytes) {
         problem_answer(answer, 413, "the body has %llu bytes; bodyMaxBytes is %llu", (unsigned long long)framing.length,
