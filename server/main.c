@@ -14,7 +14,7 @@
 #include "log.h"
 #include "store.h"
 
-enum { EXIT_USAGE = 2, SPARE_FILES = 64, MMAP_BYTES = 1 << 20 };
+enum { EXIT_USAGE = 2, SPARE_FILES = 64, MMAP_BYTES = 1 << 20, TRIM_BYTES = 8 << 20 };
 
 /* Threads take their signal mask from the one that starts them, so this comes first. */
 static void block_signals(sigset_t *signals)
@@ -27,11 +27,13 @@ static void block_signals(sigset_t *signals)
     signal(SIGXFSZ, SIG_IGN); /* an asset beyond the limit on files is refused, not our end */
 }
 
-/* Memory must come down when nothing happens: few arenas, and large blocks go back at once. */
+/* Memory must come down when nothing happens: few arenas, and large blocks go back at once. Heaps keep what a
+ * request of some size had in small blocks, until the queue is calm. */
 static void tune_allocator(void)
 {
     mallopt(M_ARENA_MAX, 2);
     mallopt(M_MMAP_THRESHOLD, MMAP_BYTES);
+    mallopt(M_TRIM_THRESHOLD, TRIM_BYTES);
 }
 
 /* A connection is a file; the usual soft limit of 1024 is below max-connections. */

@@ -17,21 +17,25 @@ struct lane {
 struct worker {
     struct queue *queue;
     pthread_t thread;
+    pthread_cond_t wake;
     bool is_express;
+    bool is_idle; /* in the stack of those who wait; who takes it out wakes it */
+    struct worker *below;
     struct zr_arena arena;
     size_t used; /* by its last jobs; older ones count less and less */
 };
 
 struct queue {
     pthread_mutex_t lock;
-    pthread_cond_t for_workers, for_express;
     struct queue_options options;
     struct lane lanes[QUEUE_LANES];
-    size_t running, idle; /* idle: workers that wait for a job, the express not counted */
-    double work_us;       /* moving average over the last jobs */
+    struct worker *idle;   /* a stack: who worked last is the first to be woken, for its memory is warm */
+    size_t running, woken; /* woken: workers on their way to a job */
+    double work_us;        /* moving average over the last jobs */
     bool express_busy, stopping;
     size_t worker_count;
-    struct worker workers[]; /* the express is the last */
+    struct worker *express; /* the last of the workers */
+    struct worker workers[];
 };
 
 /* ---- with the lock held ---- */
@@ -59,8 +63,8 @@ static struct queue_job *take_job(struct worker *worker)
     struct queue *queue = worker->queue;
     struct lane *small = &queue->lanes[QUEUE_SMALL], *large = &queue->lanes[QUEUE_LARGE];
     if (worker->is_express) {
-        /* Idle workers, who would not have to put anything back, are on their way to as many jobs. */
-        bool needed = queue->stopping || small->waiting + large->waiting > queue->idle;
+        /* Workers on their way, who would not have to put anything back, come to as many jobs. */
+        bool needed = queue->stopping || small->waiting + large->waiting > queue->woken;
         return small->first && needed ? take_first(small) : NULL;
     }
     if (small->first && (!large->first || small->first->pushed_us <= large->first->pushed_us)) return take_first(small);
@@ -73,22 +77,40 @@ static bool is_over(const struct worker *worker)
     return worker->queue->stopping && (worker->is_express || !worker->queue->express_busy);
 }
 
-static void wake(struct queue *queue)
+/* One more job is waiting. */
+static void wake_one(struct queue *queue)
 {
-    pthread_cond_signal(&queue->for_workers);
-    if (queue->lanes[QUEUE_SMALL].waiting + queue->lanes[QUEUE_LARGE].waiting > queue->idle)
-        pthread_cond_signal(&queue->for_express);
+    struct worker *worker = queue->idle;
+    if (worker) {
+        queue->idle = worker->below;
+        worker->is_idle = false;
+        queue->woken++;
+    }
+    pthread_cond_signal(worker ? &worker->wake : &queue->express->wake);
 }
 
-/* False once `until` has come. */
+static void wake_all(struct queue *queue)
+{
+    while (queue->idle)
+        wake_one(queue);
+    pthread_cond_signal(&queue->express->wake);
+}
+
+/* False once `until` has come, and nobody woke us. */
 static bool wait_for_job(struct worker *worker, const struct timespec *until)
 {
     struct queue *queue = worker->queue;
-    pthread_cond_t *changed = worker->is_express ? &queue->for_express : &queue->for_workers;
-    if (!worker->is_express) queue->idle++;
-    int status =
-        until ? pthread_cond_timedwait(changed, &queue->lock, until) : pthread_cond_wait(changed, &queue->lock);
-    if (!worker->is_express) queue->idle--;
+    if (!worker->is_express && !worker->is_idle) {
+        worker->is_idle = true;
+        worker->below = queue->idle;
+        queue->idle = worker;
+    }
+    int status = until ? pthread_cond_timedwait(&worker->wake, &queue->lock, until)
+                       : pthread_cond_wait(&worker->wake, &queue->lock);
+    if (!worker->is_express && !worker->is_idle) {
+        queue->woken--;
+        return true;
+    }
     return status != ETIMEDOUT;
 }
 
@@ -146,11 +168,25 @@ static void *work(void *argument)
         queue->running--;
         queue->work_us += (took - queue->work_us) / 8;
         if (worker->is_express) queue->express_busy = false;
-        if (worker->is_express && queue->stopping) pthread_cond_broadcast(&queue->for_workers);
+        if (worker->is_express && queue->stopping) wake_all(queue);
     }
     pthread_mutex_unlock(&queue->lock);
     zr_arena_free(&worker->arena);
     return NULL;
+}
+
+static void init_workers(struct queue *queue)
+{
+    pthread_condattr_t attributes;
+    pthread_condattr_init(&attributes);
+    pthread_condattr_setclock(&attributes, CLOCK_MONOTONIC);
+    queue->express = &queue->workers[queue->options.workers];
+    for (struct worker *worker = queue->workers; worker <= queue->express; worker++) {
+        worker->queue = queue;
+        worker->is_express = worker == queue->express;
+        pthread_cond_init(&worker->wake, &attributes);
+    }
+    pthread_condattr_destroy(&attributes);
 }
 
 static int start_threads(struct queue *queue)
@@ -160,10 +196,7 @@ static int start_threads(struct queue *queue)
     pthread_attr_setstacksize(&attributes, STACK_BYTES);
     int failure = 0;
     for (size_t i = 0; i <= queue->options.workers && !failure; i++) {
-        struct worker *worker = &queue->workers[i];
-        worker->queue = queue;
-        worker->is_express = i == queue->options.workers;
-        failure = pthread_create(&worker->thread, &attributes, work, worker);
+        failure = pthread_create(&queue->workers[i].thread, &attributes, work, &queue->workers[i]);
         if (!failure) queue->worker_count++;
     }
     pthread_attr_destroy(&attributes);
@@ -175,13 +208,8 @@ struct queue *queue_create(const struct queue_options *options)
     struct queue *queue = calloc(1, sizeof *queue + (options->workers + 1) * sizeof(struct worker));
     if (!queue) return NULL;
     queue->options = *options;
-    pthread_condattr_t attributes;
-    pthread_condattr_init(&attributes);
-    pthread_condattr_setclock(&attributes, CLOCK_MONOTONIC);
-    pthread_cond_init(&queue->for_workers, &attributes);
-    pthread_cond_init(&queue->for_express, &attributes);
-    pthread_condattr_destroy(&attributes);
     pthread_mutex_init(&queue->lock, NULL);
+    init_workers(queue);
     if (start_threads(queue) == 0) return queue;
     queue_destroy(queue);
     return NULL;
@@ -196,7 +224,7 @@ bool queue_push(struct queue *queue, struct queue_job *job, enum queue_lane lane
     if (room) {
         job->pushed_us = clock_us();
         append(&queue->lanes[lane], job);
-        wake(queue);
+        wake_one(queue);
     }
     pthread_mutex_unlock(&queue->lock);
     return room;
@@ -208,7 +236,7 @@ bool queue_put_back(struct queue *queue, struct queue_job *job)
     bool room = queue->lanes[QUEUE_LARGE].waiting < queue->options.capacity;
     if (room) {
         append(&queue->lanes[QUEUE_LARGE], job);
-        wake(queue);
+        wake_one(queue);
     }
     pthread_mutex_unlock(&queue->lock);
     return room;
@@ -254,8 +282,7 @@ void queue_stop(struct queue *queue)
 {
     pthread_mutex_lock(&queue->lock);
     queue->stopping = true;
-    pthread_cond_broadcast(&queue->for_workers);
-    pthread_cond_broadcast(&queue->for_express);
+    wake_all(queue);
     pthread_mutex_unlock(&queue->lock);
     for (size_t i = 0; i < queue->worker_count; i++)
         pthread_join(queue->workers[i].thread, NULL);
@@ -266,8 +293,8 @@ void queue_destroy(struct queue *queue)
 {
     if (!queue) return;
     queue_stop(queue);
-    pthread_cond_destroy(&queue->for_workers);
-    pthread_cond_destroy(&queue->for_express);
+    for (struct worker *worker = queue->workers; worker <= queue->express; worker++)
+        pthread_cond_destroy(&worker->wake);
     pthread_mutex_destroy(&queue->lock);
     free(queue);
 }
