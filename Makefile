@@ -196,6 +196,7 @@ $(unit_tests): $(BUILD)/%: $(BUILD)/%.o $(BUILD)/libsupport.a $(BUILD)/libzraste
 
 # Of the server's files, those that are plain functions from bytes to values are tested as units.
 $(BUILD)/tests/unit/test_multipart: $(BUILD)/server/multipart.o
+$(BUILD)/tests/unit/test_foresight: $(BUILD)/server/foresight.o
 
 $(server_tests): $(BUILD)/%: $(BUILD)/%.o $(server_support) $(BUILD)/libsupport.a $(BUILD)/libzraster.a
 	$(LINK) $(TEST_LIBS) $(CORE_LIBS)

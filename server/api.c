@@ -9,15 +9,12 @@
 
 #include <cjson/cJSON.h>
 
+#include "admission.h"
 #include "assets.h"
-#include "body.h"
 #include "clock.h"
 #include "problem.h"
+#include "rendering.h"
 #include "text.h"
-
-/* Corners that are measured to foresee the work. COST_CORNERS: in well under a millisecond. COST_CORNERS_MORE: in
- * about half a second, for scenes that would be refused; more than most have. */
-enum { WARNINGS_SIZE = 2048, COST_CORNERS = 4096, COST_CORNERS_MORE = 1 << 22 };
 
 enum route { ROUTE_RENDER, ROUTE_HEALTH, ROUTE_READY, ROUTE_LIMITS, ROUTE_ASSETS, ROUTE_ASSET };
 
@@ -57,11 +54,12 @@ static const struct {
 
 #define PARAMETER_NAMES "channel, encoding, scale, preset, width, height, shading, compress"
 
-void api_init(struct api *api, const struct config *config, struct zr_team *team, struct store *store)
+void api_init(struct api *api, const struct config *config, struct zr_team *team, struct foresight *foresight,
+              struct store *store)
 {
     api->config = config;
     api->store = store;
-    admission_calibrate(&api->admission);
+    api->foresight = foresight;
     api->limits = config_limits(config);
     api->team = team;
     if (getrandom(&api->id_base, sizeof api->id_base, 0) != sizeof api->id_base) api->id_base = (uint64_t)clock_us();
@@ -180,11 +178,12 @@ static bool read_content_encoding(struct api_request *request, struct answer *an
 }
 
 /* Why no work can be taken on now; NULL: one can. */
-static const char *busy_with(const struct api_load *load)
+static const char *busy_with(const struct api *api, const struct api_load *load)
 {
     if (load->draining) return "the service is going down";
     if (load->queue_full) return "the queue is full";
-    return load->memory_short ? "the memory of the container is nearly used up" : NULL;
+    if (!admission_memory_is_short(api->config->cgroup)) return NULL;
+    return "the memory of the container is nearly used up";
 }
 
 static bool open_render(struct api_request *request, struct answer *answer)
@@ -197,11 +196,11 @@ static enum api_next open_work(const struct api *api, const struct api_load *loa
                                struct api_request *request, struct answer *answer)
 {
     if (load->draining) {
-        api_refuse_busy(answer, load->retry_after_s, busy_with(load));
+        api_refuse_busy(answer, load->retry_after_s, busy_with(api, load));
     } else if (!read_content_encoding(request, answer)) {
         return API_ANSWERED;
     } else if (route == ROUTE_RENDER ? open_render(request, answer) : assets_open(api, request, answer)) {
-        const char *busy = busy_with(load);
+        const char *busy = busy_with(api, load);
         if (!busy) return API_WORK;
         api_refuse_busy(answer, load->retry_after_s, busy);
     }
@@ -262,77 +261,32 @@ enum api_next api_open(const struct api *api, const struct api_load *load, struc
         return open_work(api, load, (enum route)route, request, answer);
     } else if (route == ROUTE_LIMITS) {
         answer_limits(api, answer);
-    } else if (route == ROUTE_READY && busy_with(load)) {
-        api_refuse_busy(answer, load->retry_after_s, busy_with(load));
     } else {
-        answer_state(answer, route == ROUTE_READY ? "ready" : "ok");
+        /* Whoever asks whether we are ready will send what is large, too. */
+        bool full = load->queue_full || load->large_queue_full;
+        const struct api_load any = {load->draining, full, full, load->retry_after_s};
+        const char *busy = route == ROUTE_READY ? busy_with(api, &any) : NULL;
+        if (busy)
+            api_refuse_busy(answer, load->retry_after_s, busy);
+        else
+            answer_state(answer, route == ROUTE_READY ? "ready" : "ok");
     }
     return API_ANSWERED;
 }
 
-/* ---- rendering ---- */
+/* ---- working ---- */
 
-static double ms_since(int64_t *mark_us)
+enum api_next api_work(const struct api *api, const struct api_request *request, struct zr_arena *arena,
+                       const struct zr_cancel *cancel, struct api_times *times, struct answer *answer)
 {
-    int64_t now = clock_us();
-    double ms = (double)(now - *mark_us) / 1000.0;
-    *mark_us = now;
-    return ms;
-}
-
-static void add_timing(struct answer *answer, const struct api_times *times)
-{
-    const struct {
-        const char *name;
-        double ms;
-    } steps[] = {{"parse", times->parse_ms},
-                 {"queue", times->queue_ms},
-                 {"render", times->render_ms},
-                 {"encode", times->encode_ms}};
-    char text[160] = "";
-    size_t used = 0;
-    for (size_t i = 0; i < sizeof steps / sizeof steps[0]; i++)
-        if (steps[i].ms >= 0)
-            used += (size_t)snprintf(text + used, sizeof text - used, "%s%s;dur=%.3f", used ? ", " : "", steps[i].name,
-                                     steps[i].ms);
-    if (used) answer_header(answer, "Server-Timing", "%s", text);
-}
-
-/* A sample may mislead: before a scene is refused, all of it is measured. */
-static enum zr_status foresee(const struct api *api, const struct zr_scene *scene, const struct zr_cancel *cancel,
-                              struct api_times *times, struct zr_error *error)
-{
-    const uint32_t samples[] = {COST_CORNERS, COST_CORNERS_MORE};
-    struct zr_cost cost = {0};
-    for (int i = 0; i < 2; i++) {
-        cost = zr_scene_cost(scene, samples[i], cancel);
-        times->foreseen_ms = admission_predict_ms(&api->admission, &cost);
-        if (times->foreseen_ms <= (double)api->config->cost_max_ms) return ZR_OK;
-    }
-    return zr_error_add(
-        error, ZR_BAD_SCENE, NULL,
-        "work like that of %.0f triangles and %.3g pixels is foreseen to take %.3g s, more than costMaxMs, %" PRIu64
-        " ms",
-        cost.triangles, cost.fragments, times->foreseen_ms * 1e-3, api->config->cost_max_ms);
-}
-
-static enum zr_status run_steps(const struct api *api, const struct zr_request *request, struct zr_arena *arena,
-                                const struct zr_cancel *cancel, struct api_times *times, struct zr_answer *result,
-                                struct zr_error *error)
-{
-    const struct zr_scene *scene = NULL;
-    const struct zr_frame *frame = NULL;
-    int64_t mark = clock_us();
-    enum zr_status status = zr_scene_read(arena, request, &api->limits, &scene, error);
-    if (status == ZR_OK) status = foresee(api, scene, cancel, times, error);
-    times->parse_ms = ms_since(&mark);
-    if (status != ZR_OK) return status;
-    status = zr_render(arena, api->team, scene, cancel, &frame, error);
-    times->render_ms = ms_since(&mark);
-    if (status != ZR_OK) return status;
-    status = zr_encode(arena, api->team, scene, frame, cancel, result, error);
-    times->encode_ms = ms_since(&mark);
-    return status;
+    enum api_next next = API_ANSWERED;
+    foresight_begin(api->foresight);
+    if (request->asset)
+        assets_work(api, request, arena, answer);
+    else
+        next = rendering_work(api, request, arena, cancel, times, answer);
+    foresight_end(api->foresight);
+    return next;
 }
 
 void api_answer_copy(struct answer *answer, const char *content_type, const void *bytes, size_t size)
@@ -345,50 +299,6 @@ void api_answer_copy(struct answer *answer, const char *content_type, const void
     memcpy(copy, bytes, size);
     answer->status = 200;
     answer_body(answer, content_type, copy, size);
-}
-
-static void answer_image(struct answer *answer, const struct zr_answer *result)
-{
-    api_answer_copy(answer, result->content_type, result->bytes, result->size);
-    if (result->warnings && *result->warnings) {
-        char warnings[WARNINGS_SIZE];
-        text_to_ascii(warnings, sizeof warnings, result->warnings);
-        answer_header(answer, "Zraster-Warnings", "%s", warnings);
-    }
-}
-
-static void render(const struct api *api, const struct api_request *request, struct zr_arena *arena,
-                   const struct zr_cancel *cancel, struct api_times *times, struct answer *answer)
-{
-    struct zr_error error = {0};
-    struct zr_answer result = {0};
-    struct zr_request unpacked;
-    int64_t mark = clock_us();
-    if (!body_unpack(request, (size_t)api->config->body_max_bytes, arena, &unpacked, answer)) return;
-    unpacked.stored = assets_stored(api);
-    double unpack_ms = ms_since(&mark);
-    enum zr_status status = run_steps(api, &unpacked, arena, cancel, times, &result, &error);
-    times->parse_ms += unpack_ms;
-    if (status == ZR_OK) {
-        answer_image(answer, &result);
-    } else if (status == ZR_NO_MEMORY) {
-        api_refuse_busy(answer, 1, BODY_MEMORY_USED_UP);
-    } else if (status == ZR_CANCELLED) {
-        problem_answer(answer, 504, "the render took longer than renderTimeoutMs, %" PRIu64 " ms",
-                       api->config->render_timeout_ms);
-    } else {
-        problem_answer_error(answer, problem_http_status(status), &error);
-    }
-    add_timing(answer, times);
-}
-
-void api_work(const struct api *api, const struct api_request *request, struct zr_arena *arena,
-              const struct zr_cancel *cancel, struct api_times *times, struct answer *answer)
-{
-    if (request->asset)
-        assets_work(api, request, arena, answer);
-    else
-        render(api, request, arena, cancel, times, answer);
 }
 
 void api_refuse_busy(struct answer *answer, unsigned retry_after_s, const char *detail)

@@ -2,7 +2,8 @@
  * status, headers and bytes out. Knows no sockets and no threads.
  *
  *     api_open    headers       -> an answer at once, or API_WORK
- *     api_work    headers, body -> an answer, on a worker: it takes long, or waits for the disk
+ *     api_work    headers, body -> an answer, on a worker: it takes long, or waits for the disk;
+ *                                  or, where only small work was asked for, that it is large
  */
 #ifndef ZRASTERD_API_H
 #define ZRASTERD_API_H
@@ -11,20 +12,20 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-#include "admission.h"
 #include "answer.h"
 #include "config.h"
+#include "foresight.h"
 #include "multipart.h"
 #include "store.h"
 #include "zraster.h"
 
 enum { API_ID_SIZE = 129 };
 
-/* Shared by all requests; read-only but for the counter and what the store does inside. */
+/* Shared by all requests; read-only but for the counter and what the store and foresight do inside. */
 struct api {
     const struct config *config;
     struct zr_limits limits;
-    struct admission admission;
+    struct foresight *foresight;
     struct zr_team *team;
     struct store *store; /* NULL: no assets are kept */
     uint64_t id_base;    /* random, so that ids of two daemons differ */
@@ -32,11 +33,13 @@ struct api {
 };
 
 /* `store` may be NULL. */
-void api_init(struct api *api, const struct config *config, struct zr_team *team, struct store *store);
+void api_init(struct api *api, const struct config *config, struct zr_team *team, struct foresight *foresight,
+              struct store *store);
 
 /* The state of the daemon as a request meets it. */
 struct api_load {
-    bool draining, queue_full, memory_short;
+    bool draining;
+    bool queue_full, large_queue_full; /* for a body of this size, and for one that is large */
     unsigned retry_after_s;
 };
 
@@ -50,6 +53,7 @@ struct api_request {
     char boundary[MULTIPART_BOUNDARY_SIZE];                      /* by api_open: of its parts; "": it has none */
     /* By api_open, in `path`: the name of the asset that this is about; "": a new one; NULL: a render. */
     const char *asset;
+    bool small_only;          /* by the caller: what turns out to be large is not begun */
     bool has_asset;           /* by api_open: If-None-Match says that the client has it */
     struct zr_request render; /* by api_open; then `bytes` and `size` by the caller */
     char *query_values;       /* what `render` points into */
@@ -67,15 +71,19 @@ struct api_times {
 /* Keeps the client's id where it is 1..128 of [A-Za-z0-9._-], else makes one. */
 void api_take_id(struct api *api, struct api_request *request, const char *client_id);
 
-enum api_next { API_ANSWERED, API_WORK };
+/* API_LARGE: small_only was asked for, and is not so; there is no answer yet. */
+enum api_next { API_ANSWERED, API_WORK, API_LARGE };
+
+/* A body beyond this is no small request's, whatever is in it. */
+enum { API_SMALL_BYTES = 64 << 10 };
 
 enum api_next api_open(const struct api *api, const struct api_load *load, struct api_request *request,
                        struct answer *answer);
 
 /* Works in `arena`; the answer's bytes are a copy of their own. Thread-safe.
- * times->queue_ms is given, the others are filled in. */
-void api_work(const struct api *api, const struct api_request *request, struct zr_arena *arena,
-              const struct zr_cancel *cancel, struct api_times *times, struct answer *answer);
+ * times->queue_ms is given, the others are filled in. API_ANSWERED or API_LARGE. */
+enum api_next api_work(const struct api *api, const struct api_request *request, struct zr_arena *arena,
+                       const struct zr_cancel *cancel, struct api_times *times, struct answer *answer);
 
 /* 200 with a copy of the bytes: the arena they lie in is needed for the next request. */
 void api_answer_copy(struct answer *answer, const char *content_type, const void *bytes, size_t size);

@@ -1,4 +1,4 @@
-/* clock.h - the monotonic clock, for deadlines and durations, and a thread's own. */
+/* clock.h - the monotonic clock, for deadlines and durations, and the processor's. */
 #ifndef ZRASTERD_CLOCK_H
 #define ZRASTERD_CLOCK_H
 
@@ -12,11 +12,11 @@ static inline int64_t clock_us(void)
     return (int64_t)now.tv_sec * 1000000 + now.tv_nsec / 1000;
 }
 
-/* Processor time that the calling thread has used: it stands still while others run. */
-static inline int64_t clock_thread_us(void)
+/* Processor time that all threads have used: it stands still while other processes run. */
+static inline int64_t clock_process_us(void)
 {
     struct timespec now;
-    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
     return (int64_t)now.tv_sec * 1000000 + now.tv_nsec / 1000;
 }
 

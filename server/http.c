@@ -10,6 +10,7 @@
 
 #include "clock.h"
 #include "http_exchange.h"
+#include "http_work.h"
 #include "log.h"
 
 /* Up to 0.9.75 strictness 1 adds two checks, a missing Host and a space in the

@@ -9,37 +9,11 @@
 
 #include "clock.h"
 #include "http_guard.h"
+#include "http_work.h"
 #include "log.h"
 #include "problem.h"
 
-enum { METHOD_SIZE = 24, TRACEPARENT_SIZE = 56, DISCARD_MAX = 1 << 20 };
-
-/* What the next callback of libmicrohttpd means. */
-enum step {
-    STEP_HEADER,  /* the header is here, nothing of the body */
-    STEP_BODY,    /* bytes of the body, or, with none, its end */
-    STEP_DISCARD, /* as STEP_BODY, but the answer is made already */
-    STEP_REFUSED, /* the answer went out past libmicrohttpd; the rest is thrown away */
-    STEP_ANSWER   /* a worker made the answer */
-};
-
-struct exchange {
-    struct http *http;
-    struct MHD_Connection *connection;
-    struct watch *watch;
-    enum step step;
-    bool opened, replied;
-    char *target; /* path and query; a zero in between once the header is here */
-    char method[METHOD_SIZE], traceparent[TRACEPARENT_SIZE];
-    int64_t began_us;
-    uint64_t body_bytes, length; /* length: Content-Length, 0 where unknown */
-    struct api_request request;
-    struct answer answer;
-    struct upload upload;
-    struct queue_job job;
-    struct zr_cancel cancel;
-    struct api_times times;
-};
+enum { DISCARD_MAX = 1 << 20 };
 
 static struct watch *watch_of(struct MHD_Connection *connection)
 {
@@ -239,80 +213,12 @@ static enum MHD_Result reply_early(struct exchange *exchange, const struct http_
     return MHD_YES;
 }
 
-static void get_load(struct http *http, struct api_load *load)
+static void get_load(struct http *http, uint64_t body_bytes, struct api_load *load)
 {
     load->draining = atomic_load(&http->draining);
-    load->queue_full = queue_is_full(http->queue);
-    load->memory_short = admission_memory_is_short(http->api->config->cgroup);
+    load->queue_full = queue_is_full(http->queue, http_lane_of(body_bytes));
+    load->large_queue_full = queue_is_full(http->queue, QUEUE_LARGE);
     load->retry_after_s = queue_wait_estimate_s(http->queue);
-}
-
-/* ---- work ---- */
-
-/* The exchange belongs to libmicrohttpd's thread again. */
-static void finish_work(struct exchange *exchange)
-{
-    struct http *http = exchange->http;
-    struct MHD_Connection *connection = exchange->connection;
-    if (watchdog_leave_work(http->watchdog, exchange->watch)) answer_free(&exchange->answer);
-    upload_free(&exchange->upload, &http->uploads);
-    MHD_resume_connection(connection);
-}
-
-static void work(struct queue_job *job, struct zr_arena *arena)
-{
-    struct exchange *exchange = (struct exchange *)(void *)((char *)job - offsetof(struct exchange, job));
-    struct http *http = exchange->http;
-    exchange->times.queue_ms = (double)(clock_us() - job->pushed_us) / 1000.0;
-    watchdog_work_begins(http->watchdog, exchange->watch);
-    bool cancelled = atomic_load(&exchange->cancel.raised);
-    if (!cancelled)
-        api_work(http->api, &exchange->request, arena, &exchange->cancel, &exchange->times, &exchange->answer);
-    if (atomic_load(&http->cut_short) && (cancelled || exchange->answer.status == 504)) {
-        answer_free(&exchange->answer);
-        api_refuse_busy(&exchange->answer, 1, "the service went down");
-    }
-    finish_work(exchange);
-}
-
-static bool withdraw(void *context, void *owner)
-{
-    return queue_remove(((struct http *)context)->queue, &((struct exchange *)owner)->job);
-}
-
-static void release(void *context, void *owner)
-{
-    (void)context;
-    finish_work(owner);
-}
-
-static void expired(void *context, struct watch *watch, struct answer *answer)
-{
-    struct http *http = context;
-    struct exchange *exchange = watch->owner;
-    struct api_request nameless = {0};
-    if (!exchange) api_take_id(http->api, &nameless, NULL);
-    problem_answer(answer, 408, exchange ? "the body came too slowly" : "the header came too slowly");
-    api_finish(answer, exchange ? exchange->request.id : nameless.id);
-}
-
-const struct watchdog_calls HTTP_WATCHDOG_CALLS = {expired, withdraw, release};
-
-static enum MHD_Result begin_work(struct exchange *exchange)
-{
-    struct http *http = exchange->http;
-    exchange->request.render.bytes = exchange->upload.bytes ? exchange->upload.bytes : "";
-    exchange->request.render.size = exchange->upload.size;
-    exchange->step = STEP_ANSWER;
-    exchange->job.work = work;
-    if (!watchdog_enter_work(http->watchdog, exchange->watch, &exchange->cancel)) return MHD_NO;
-    /* First suspended, then pushed: a worker may be done before queue_push returns. */
-    MHD_suspend_connection(exchange->connection);
-    if (!queue_push(http->queue, &exchange->job)) {
-        api_refuse_busy(&exchange->answer, queue_wait_estimate_s(http->queue), "the queue is full");
-        finish_work(exchange);
-    }
-    return MHD_YES;
 }
 
 /* ---- requests ---- */
@@ -371,7 +277,7 @@ static enum MHD_Result begin_request(struct exchange *exchange, const char *meth
         answer->close = true;
         return reply(exchange);
     }
-    get_load(http, &load);
+    get_load(http, framing.length, &load);
     exchange->length = framing.length;
     if (framing.length > http->config->body_max_bytes) {
         problem_answer(answer, 413, "the body has %llu bytes; bodyMaxBytes is %llu", (unsigned long long)framing.length,
@@ -423,7 +329,7 @@ enum MHD_Result http_on_request(void *context, struct MHD_Connection *connection
     }
     switch (exchange->step) {
     case STEP_BODY:
-        return begin_work(exchange);
+        return http_begin_work(exchange);
     case STEP_DISCARD:
         return reply(exchange);
     case STEP_ANSWER:

@@ -14,7 +14,7 @@
 #include "log.h"
 #include "store.h"
 
-enum { EXIT_USAGE = 2, SPARE_FILES = 64, MMAP_BYTES = 1 << 20 };
+enum { EXIT_USAGE = 2, SPARE_FILES = 64, MMAP_BYTES = 1 << 20, TRIM_BYTES = 8 << 20 };
 
 /* Threads take their signal mask from the one that starts them, so this comes first. */
 static void block_signals(sigset_t *signals)
@@ -27,11 +27,13 @@ static void block_signals(sigset_t *signals)
     signal(SIGXFSZ, SIG_IGN); /* an asset beyond the limit on files is refused, not our end */
 }
 
-/* Memory must come down when nothing happens: few arenas, and large blocks go back at once. */
+/* Memory must come down when nothing happens: few arenas, and large blocks go back at once. Heaps keep what a
+ * request of some size had in small blocks, until the queue is calm. */
 static void tune_allocator(void)
 {
     mallopt(M_ARENA_MAX, 2);
     mallopt(M_MMAP_THRESHOLD, MMAP_BYTES);
+    mallopt(M_TRIM_THRESHOLD, TRIM_BYTES);
 }
 
 /* A connection is a file; the usual soft limit of 1024 is below max-connections. */
@@ -51,8 +53,10 @@ static int serve(const struct config *config)
     sigset_t signals;
     char message[512];
     struct api api;
+    struct foresight foresight;
     block_signals(&signals);
     tune_allocator();
+    foresight_init(&foresight);
     raise_file_limit(config);
     struct zr_team *team = zr_team_create_for((int)config->threads, config_isa(config));
     if (!team) {
@@ -64,13 +68,14 @@ static int serve(const struct config *config)
     struct http *http = NULL;
     if (*config->assets_dir) store = store_open(config->assets_dir, config->assets_max_bytes, message, sizeof message);
     if (store || !*config->assets_dir) {
-        api_init(&api, config, team, store);
+        api_init(&api, config, team, &foresight, store);
         http = http_start(config, &api, message, sizeof message);
     }
     if (!http) {
         fprintf(stderr, "zrasterd: %s\n", message);
         store_close(store);
         zr_team_destroy(team);
+        foresight_free(&foresight);
         return EXIT_FAILURE;
     }
     snprintf(message, sizeof message, "rendering with %s", zr_isa_name(zr_team_isa(team)));
@@ -85,6 +90,7 @@ static int serve(const struct config *config)
     http_stop(http);
     store_close(store);
     zr_team_destroy(team);
+    foresight_free(&foresight);
     log_event("info", "stopped", NULL);
     return EXIT_SUCCESS;
 }

@@ -1,7 +1,16 @@
-/* queue.h - a bounded queue and the threads that work it off.
+/* queue.h - two bounded queues, and the threads that work them off.
  *
- * A job is a member of what it works for. It belongs to the queue from
- * queue_push until its `work` is called or queue_remove has given it back.
+ * Fair to small jobs: what seems to be large waits in one queue, what seems to be small in
+ * another. Workers take the oldest job of both. One thread more, the express, takes small
+ * jobs alone, while every worker is busy: so a small one never waits until a large one ends,
+ * however many of those there are. A job that turns out to be large there goes to the large.
+ * Who runs shares the processors by the kernel's rules.
+ *
+ * A job is a member of what it works for. It belongs to the queue from queue_push until
+ * its `work` is called or queue_remove has given it back; and again from queue_put_back on.
+ *
+ * Memory: a thread keeps about what its last jobs used, up to keep_memory_bytes, so that pages are not
+ * touched for the first time again and again. After QUEUE_CALM_MS without a job all goes back to the system.
  */
 #ifndef ZRASTERD_QUEUE_H
 #define ZRASTERD_QUEUE_H
@@ -12,32 +21,41 @@
 
 #include "base/arena.h"
 
+enum { QUEUE_CALM_MS = 2000 };
+
+enum queue_lane { QUEUE_SMALL, QUEUE_LARGE, QUEUE_LANES };
+
 struct queue;
 
 struct queue_job {
     struct queue_job *next;
     int64_t pushed_us; /* by queue_push, on clock_us */
+    bool on_express;   /* by the queue: if it is large after all, queue_put_back */
     /* Called on a worker. The queue does not touch the job any more, so `work` may
      * hand it to others. What it has in the arena is gone when it returns. */
     void (*work)(struct queue_job *job, struct zr_arena *arena);
 };
 
 struct queue_options {
-    size_t workers;
-    size_t capacity; /* jobs that wait, beside those that are worked on */
+    size_t workers;  /* the express not counted */
+    size_t capacity; /* of each queue: jobs that wait, beside those that are worked on */
     size_t request_memory_bytes, keep_memory_bytes;
 };
 
 /* NULL where threads or memory cannot be had. */
 struct queue *queue_create(const struct queue_options *options);
 
-/* False, and the job stays the caller's, where the queue is full. */
-bool queue_push(struct queue *queue, struct queue_job *job);
+/* False, and the job stays the caller's, where this queue is full. */
+bool queue_push(struct queue *queue, struct queue_job *job, enum queue_lane lane);
+
+/* From `work`, of a job that is on the express: it is large, and a worker shall take it. True: it is not
+ * the caller's any more. False: the queue is full. */
+bool queue_put_back(struct queue *queue, struct queue_job *job);
 
 /* True: the job was still waiting and is the caller's again. False: a worker has it, or had it. */
 bool queue_remove(struct queue *queue, struct queue_job *job);
 
-bool queue_is_full(struct queue *queue);
+bool queue_is_full(struct queue *queue, enum queue_lane lane);
 
 /* Seconds until a job that came now might be begun, 1..60, from how long the last ones took. */
 unsigned queue_wait_estimate_s(struct queue *queue);

@@ -269,6 +269,13 @@ void watchdog_work_begins(struct watchdog *watchdog, struct watch *watch)
     pthread_mutex_unlock(&watchdog->lock);
 }
 
+void watchdog_work_waits(struct watchdog *watchdog, struct watch *watch)
+{
+    pthread_mutex_lock(&watchdog->lock);
+    watch->deadline_ms = INT64_MAX;
+    pthread_mutex_unlock(&watchdog->lock);
+}
+
 bool watchdog_leave_work(struct watchdog *watchdog, struct watch *watch)
 {
     pthread_mutex_lock(&watchdog->lock);

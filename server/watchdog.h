@@ -65,6 +65,9 @@ bool watchdog_enter_work(struct watchdog *watchdog, struct watch *watch, struct 
 /* A worker begins: the time for a render starts. */
 void watchdog_work_begins(struct watchdog *watchdog, struct watch *watch);
 
+/* It has given the work up, for another worker to begin again. */
+void watchdog_work_waits(struct watchdog *watchdog, struct watch *watch);
+
 /* Leaves WATCH_WORK: `cancel` is not touched any more. True where the client left meanwhile. */
 bool watchdog_leave_work(struct watchdog *watchdog, struct watch *watch);
 

@@ -99,6 +99,8 @@ int main(int count, char **arguments)
     service_against_stock(&bench);
     service_against_bare_http(&bench);
     service_cold_start(&bench);
+    service_beside_large(&bench);
+    service_memory(&bench);
     growth_of_work(&bench);
     if (!bench.check_only && !bench.list) {
         results_print_summary(&bench.results);

@@ -14,4 +14,10 @@ void service_against_bare_http(struct bench *bench);
 /* From exec to the first PNG of a cube, against a process that opens OSMesa and reads back its first frame. */
 void service_cold_start(struct bench *bench);
 
+/* A small request alone, beside a large one, and beside four of them; the note tells of the slowest. Nobody else's. */
+void service_beside_large(struct bench *bench);
+
+/* Bytes a pixel and a triangle, in notes. */
+void service_memory(struct bench *bench);
+
 #endif

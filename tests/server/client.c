@@ -176,6 +176,23 @@ char *client_read(int fd, const char *until, int timeout_ms)
     return text.bytes;
 }
 
+int client_begin_render(const struct daemon *daemon, const char *scene)
+{
+    char head[256];
+    int fd = client_connect(daemon);
+    assert_true(fd >= 0);
+    int length =
+        snprintf(head, sizeof head,
+                 "POST /v1/render HTTP/1.1\r\nHost: a\r\n" JSON_TYPE "\r\nContent-Length: %zu\r\n\r\n", strlen(scene));
+    assert_true(send(fd, head, (size_t)length, 0) == length);
+    for (size_t sent = 0, size = strlen(scene); sent < size;) {
+        ssize_t count = send(fd, scene + sent, size - sent, 0);
+        assert_true(count > 0);
+        sent += (size_t)count;
+    }
+    return fd;
+}
+
 char *client_raw(const struct daemon *daemon, const char *bytes, size_t size, int timeout_ms)
 {
     int fd = client_connect(daemon);

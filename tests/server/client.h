@@ -44,6 +44,9 @@ long client_render_status(const struct daemon *daemon, const char *scene);
 
 int client_connect(const struct daemon *daemon);
 
+/* Sends a render of a JSON scene and does not wait for its answer: the connection. */
+int client_begin_render(const struct daemon *daemon, const char *scene);
+
 /* Sends `bytes` and reads until the daemon closes, at most `timeout_ms` of
  * silence. Zero-terminated; free it. */
 char *client_raw(const struct daemon *daemon, const char *bytes, size_t size, int timeout_ms);

@@ -75,24 +75,6 @@ static bool wait_for_status(const struct daemon *daemon, const char *target, lon
     return false;
 }
 
-/* Sends a render and does not wait for its answer. */
-static int send_render(const struct daemon *daemon, const char *scene)
-{
-    char head[256];
-    int fd = client_connect(daemon);
-    assert_true(fd >= 0);
-    int length =
-        snprintf(head, sizeof head,
-                 "POST /v1/render HTTP/1.1\r\nHost: a\r\n" JSON_TYPE "\r\nContent-Length: %zu\r\n\r\n", strlen(scene));
-    assert_true(send(fd, head, (size_t)length, 0) == length);
-    for (size_t sent = 0, size = strlen(scene); sent < size;) {
-        ssize_t count = send(fd, scene + sent, size - sent, 0);
-        assert_true(count > 0);
-        sent += (size_t)count;
-    }
-    return fd;
-}
-
 static void full_queue_refuses_and_serves_the_others(void **state)
 {
     (void)state;
@@ -122,7 +104,7 @@ static void full_queue_answers_health_and_not_ready(void **state)
     char *scene = scene_slow(MANY);
     int clients[3]; /* one is worked on, one waits; the last is there in case the first was still waiting */
     for (int i = 0; i < 3; i++, usleep(100000))
-        clients[i] = send_render(&server, scene);
+        clients[i] = client_begin_render(&server, scene);
     assert_true(wait_for_status(&server, "/readyz", 503));
     double begun = seconds();
     assert_int_equal(client_get_status(&server, "/healthz"), 200);
@@ -162,7 +144,7 @@ static void client_that_leaves_frees_the_worker(void **state)
     struct daemon server = daemon_start((const char *const[]){LET_IN, "--workers=1", "--queue=4", "--max-per-client=0",
                                                               "--render-timeout-ms=120000", NULL});
     char *scene = scene_slow(MANY);
-    int rendering = send_render(&server, scene), waiting = send_render(&server, scene);
+    int rendering = client_begin_render(&server, scene), waiting = client_begin_render(&server, scene);
     usleep(200000);
     close(rendering);
     close(waiting);

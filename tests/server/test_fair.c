@@ -1,0 +1,167 @@
+/* Small requests beside large ones, and memory when all is over. */
+#include <errno.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/socket.h>
+#include <unistd.h>
+
+#include <curl/curl.h>
+
+#include "client.h"
+#include "support/cmocka_all.h"
+
+enum { LARGE_MAX = 8, SMALL = 20 };
+
+#define LET_IN "--cost-max-ms=86400000", "--render-timeout-ms=600000", "--max-per-client=0"
+
+/* A scene that takes seconds at the very least, drawn by one of the textbook's algorithms, for those are never
+ * in a hurry. Its body may look small. */
+static char *scene_large(bool small_body)
+{
+    char *slow = scene_slow(small_body ? 1000 : 4000), *scene = NULL;
+    assert_true(asprintf(&scene, "{\"algorithm\":\"edgelist\",%s", slow + 1) > 0);
+    assert_true((strlen(scene) < 64 << 10) == small_body);
+    free(slow);
+    return scene;
+}
+
+static void begin_large(const struct daemon *server, const char *scene, int *clients, int count)
+{
+    /* One by one, each out of the queue that it came into before the next comes. */
+    for (int i = 0; i < count; i++, usleep(100000))
+        clients[i] = client_begin_render(server, scene);
+}
+
+/* None has been answered. */
+static void end_large(const int *clients, int count)
+{
+    for (int i = 0; i < count; i++) {
+        char byte;
+        assert_true(recv(clients[i], &byte, 1, MSG_DONTWAIT) < 0 && (errno == EAGAIN || errno == EWOULDBLOCK));
+        close(clients[i]);
+    }
+}
+
+static void small_requests_are_served_while_large_ones_run_and_wait(void **state)
+{
+    (void)state;
+    for (int small_body = 0; small_body < 2; small_body++) {
+        struct daemon server = daemon_start((const char *const[]){LET_IN, "--workers=2", "--queue=8", NULL});
+        int clients[LARGE_MAX];
+        char *scene = scene_large(small_body);
+        begin_large(&server, scene, clients, 6);
+        for (int i = 0; i < SMALL; i++)
+            assert_int_equal(client_render_status(&server, GOOD_SCENE), 200);
+        end_large(clients, 6);
+        free(scene);
+        daemon_stop(&server);
+    }
+}
+
+static void small_requests_are_served_while_no_more_large_ones_are(void **state)
+{
+    (void)state;
+    struct daemon server = daemon_start((const char *const[]){LET_IN, "--workers=1", "--queue=1", NULL});
+    int clients[2];
+    char *scene = scene_large(true);
+    begin_large(&server, scene, clients, 2); /* one is worked on, one waits */
+    struct reply reply = client_render(&server, scene);
+    assert_int_equal(reply.status, 503);
+    assert_true(atoi(reply_header(&reply, "Retry-After")) >= 1);
+    reply_free(&reply);
+    assert_int_equal(client_get_status(&server, "/readyz"), 503);
+    assert_int_equal(client_render_status(&server, GOOD_SCENE), 200);
+    end_large(clients, 2);
+    free(scene);
+    daemon_stop(&server);
+}
+
+/* A request that the express puts back, at the moment when all has to end. */
+static void large_request_behind_another_is_answered_when_the_daemon_ends(void **state)
+{
+    (void)state;
+    struct daemon server = daemon_start((const char *const[]){LET_IN, "--workers=1", "--drain-timeout-ms=100", NULL});
+    int clients[3];
+    char *scene = scene_large(true);
+    for (int i = 0; i < 3; i++)
+        clients[i] = client_begin_render(&server, scene);
+    daemon_stop(&server);
+    for (int i = 0; i < 3; i++) {
+        char *text = client_read(clients[i], NULL, 5000);
+        assert_int_equal(raw_status(text), 503);
+        free(text);
+        close(clients[i]);
+    }
+    free(scene);
+}
+
+/* ---- memory ---- */
+
+/* A line of /proc/PID/status, KiB. */
+static long memory_kib(const struct daemon *server, const char *key)
+{
+    char path[64], line[128];
+    long kib = -1;
+    snprintf(path, sizeof path, "/proc/%d/status", (int)server->pid);
+    FILE *file = fopen(path, "r");
+    assert_non_null(file);
+    while (kib < 0 && fgets(line, sizeof line, file))
+        if (strncmp(line, key, strlen(key)) == 0) kib = atol(line + strlen(key));
+    fclose(file);
+    return kib;
+}
+
+/* A window of 25 million pixels, then an answer of some megabytes. */
+static void memory_goes_back_to_the_system_when_nothing_happens(void **state)
+{
+    enum { LARGE_KIB = 64 << 10, SPARE_KIB = 24 << 10, WAIT_MS = 20000, TICK_MS = 100 };
+#define WITH(side, output)                                                                                             \
+    "{\"window\":{\"width\":" side ",\"height\":" side "},\"outputs\":[" output                                        \
+    "],\"polygons\":[{\"vertices\":[[0,0,0],[1,0,0],[0,1,0]]}]}"
+    static const char *const large[] = {WITH("5000", "{\"channel\":\"color\"}"),
+                                        WITH("1024", "{\"channel\":\"depth\",\"encoding\":\"npy\"}")};
+#undef WITH
+    (void)state;
+    struct daemon server = daemon_start((const char *const[]){LET_IN, NULL});
+    for (int i = 0; i < 4; i++)
+        assert_int_equal(client_render_status(&server, GOOD_SCENE), 200);
+    long before = memory_kib(&server, "VmRSS:");
+    for (int i = 0; i < 2; i++)
+        assert_int_equal(client_render_status(&server, large[i]), 200);
+    assert_true(memory_kib(&server, "VmHWM:") > before + LARGE_KIB);
+#if !defined __SANITIZE_ADDRESS__ && !defined __SANITIZE_THREAD__ /* whose allocators keep what is freed */
+    long after = 0;
+    for (int waited = 0; waited < WAIT_MS; waited += TICK_MS) {
+        after = memory_kib(&server, "VmRSS:");
+        if (after < before + SPARE_KIB) break;
+        usleep(TICK_MS * 1000);
+    }
+    assert_true(after < before + SPARE_KIB);
+#endif
+    daemon_stop(&server);
+}
+
+static int start_curl(void **state)
+{
+    (void)state;
+    return curl_global_init(CURL_GLOBAL_ALL) == CURLE_OK ? 0 : -1;
+}
+
+static int stop_curl(void **state)
+{
+    (void)state;
+    curl_global_cleanup();
+    return 0;
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(small_requests_are_served_while_large_ones_run_and_wait),
+        cmocka_unit_test(small_requests_are_served_while_no_more_large_ones_are),
+        cmocka_unit_test(large_request_behind_another_is_answered_when_the_daemon_ends),
+        cmocka_unit_test(memory_goes_back_to_the_system_when_nothing_happens),
+    };
+    return cmocka_run_group_tests_name("fair", tests, start_curl, stop_curl);
+}

@@ -1,0 +1,127 @@
+/* server/foresight.c: what work will take, learned from what work took. */
+#include <math.h>
+
+#include "foresight.h"
+#include "support/cmocka_all.h"
+
+static const struct zr_cost picture = {
+    .triangles = 50000, .fragments = 500000, .pixels = 2000000, .png_pixels = 2000000};
+
+/* What the two steps would take if each kind took `factor` times what is first thought. */
+static void learn_times(struct foresight *foresight, const struct zr_cost *cost, double factor, int times)
+{
+    struct foresight fresh;
+    foresight_init(&fresh);
+    struct zr_cost render = *cost, encode = {.png_pixels = cost->png_pixels};
+    render.png_pixels = 0;
+    double render_ms = foresight_predict_ms(&fresh, &render) * factor;
+    double encode_ms = foresight_predict_ms(&fresh, &encode) * factor;
+    for (int i = 0; i < times; i++)
+        foresight_learn(foresight, cost, render_ms, encode_ms);
+    foresight_free(&fresh);
+}
+
+/* What is foreseen now over what was foreseen at first. */
+static double drift(struct foresight *foresight, const struct zr_cost *cost)
+{
+    struct foresight fresh;
+    foresight_init(&fresh);
+    double ratio = foresight_predict_ms(foresight, cost) / foresight_predict_ms(&fresh, cost);
+    foresight_free(&fresh);
+    return ratio;
+}
+
+static void few_requests_teach_what_the_machine_takes(void **state)
+{
+    static const double factors[] = {0.05, 0.5, 1.0, 4.0};
+    (void)state;
+    for (size_t i = 0; i < sizeof factors / sizeof factors[0]; i++) {
+        struct foresight foresight;
+        foresight_init(&foresight);
+        learn_times(&foresight, &picture, factors[i], 6);
+        double ratio = drift(&foresight, &picture) / factors[i];
+        assert_true(ratio > 0.67 && ratio < 1.5);
+        foresight_free(&foresight);
+    }
+}
+
+static void kind_that_is_not_in_a_request_is_left_alone(void **state)
+{
+    (void)state;
+    static const struct zr_cost png = {.png_pixels = 2000000}, triangles = {.triangles = 100000};
+    struct foresight foresight;
+    foresight_init(&foresight);
+    learn_times(&foresight, &png, 3.0, 10);
+    assert_true(fabs(drift(&foresight, &png) - 3.0) < 0.3);
+    assert_true(drift(&foresight, &triangles) == 1.0);
+    foresight_free(&foresight);
+}
+
+static void one_strange_request_moves_what_is_known_by_little(void **state)
+{
+    (void)state;
+    struct foresight foresight;
+    foresight_init(&foresight);
+    learn_times(&foresight, &picture, 1.0, 20);
+    learn_times(&foresight, &picture, 1000.0, 1);
+    double ratio = drift(&foresight, &picture);
+    assert_true(ratio > 1.0 && ratio < 1.5);
+    foresight_free(&foresight);
+}
+
+static void strange_requests_without_end_stay_within_bounds(void **state)
+{
+    (void)state;
+    struct foresight foresight;
+    foresight_init(&foresight);
+    learn_times(&foresight, &picture, 1e6, 1000);
+    assert_true(drift(&foresight, &picture) <= 8.0);
+    learn_times(&foresight, &picture, 1e-2, 1000); /* still long enough to teach */
+    assert_true(drift(&foresight, &picture) >= 1.0 / 65.0);
+    foresight_free(&foresight);
+}
+
+static void what_is_unknown_or_too_short_teaches_nothing(void **state)
+{
+    (void)state;
+    struct foresight foresight;
+    foresight_init(&foresight);
+    foresight_learn(&foresight, &picture, -1.0, -1.0);
+    foresight_learn(&foresight, &picture, 0.1, 0.1);
+    foresight_learn(&foresight, &(struct zr_cost){.pixels = 0}, 1000.0, 1000.0);
+    assert_true(drift(&foresight, &picture) == 1.0);
+    foresight_free(&foresight);
+}
+
+static void lap_of_a_request_that_others_overlap_is_unknown(void **state)
+{
+    (void)state;
+    struct foresight foresight;
+    foresight_init(&foresight);
+    foresight_begin(&foresight);
+    struct foresight_lap lap = foresight_start_lap(&foresight);
+    assert_true(foresight_end_lap(&foresight, &lap) >= 0.0);
+    foresight_begin(&foresight); /* another, and it is over before the lap is */
+    foresight_end(&foresight);
+    assert_true(foresight_end_lap(&foresight, &lap) == -1.0);
+    assert_true(foresight_end_lap(&foresight, &lap) >= 0.0);
+    foresight_begin(&foresight); /* another, and it goes on */
+    assert_true(foresight_end_lap(&foresight, &lap) == -1.0);
+    assert_true(foresight_end_lap(&foresight, &lap) == -1.0);
+    foresight_end(&foresight);
+    foresight_end(&foresight);
+    foresight_free(&foresight);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(few_requests_teach_what_the_machine_takes),
+        cmocka_unit_test(kind_that_is_not_in_a_request_is_left_alone),
+        cmocka_unit_test(one_strange_request_moves_what_is_known_by_little),
+        cmocka_unit_test(strange_requests_without_end_stay_within_bounds),
+        cmocka_unit_test(what_is_unknown_or_too_short_teaches_nothing),
+        cmocka_unit_test(lap_of_a_request_that_others_overlap_is_unknown),
+    };
+    return cmocka_run_group_tests_name("foresight", tests, NULL, NULL);
+}
