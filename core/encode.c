@@ -49,7 +49,7 @@ static enum zr_status encode_depth16(struct encoding *e, float asked_scale, stru
     uint16_t *steps = zr_arena_alloc(e->arena, (size_t)frame->width * frame->height, sizeof *steps);
     if (!steps) return ZR_NO_MEMORY;
     e->depth_scale = zr_depth16_scale(frame, asked_scale);
-    e->misfits = zr_depth16_make(frame, e->depth_scale, steps);
+    e->misfits = zr_depth16_make(e->team, frame, e->depth_scale, steps);
     char comment[96];
     snprintf(comment, sizeof comment, "depth in scene units = value * %.9g; 0 where nothing is",
              (double)e->depth_scale);

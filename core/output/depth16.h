@@ -6,13 +6,14 @@
 #ifndef ZR_DEPTH16_H
 #define ZR_DEPTH16_H
 
+#include "base/team.h"
 #include "shade/frame.h"
 
 /* Scene units a step: what was asked for, or, where that is 0, what makes the far plane
  * (without one: the deepest pixel) step 65535. */
 float zr_depth16_scale(const struct zr_frame *frame, float asked);
 
-/* Writes width * height steps; returns how many pixels did not fit. */
-uint64_t zr_depth16_make(const struct zr_frame *frame, float scale, uint16_t *out);
+/* Writes width * height steps; returns how many pixels did not fit. `team` may be NULL. */
+uint64_t zr_depth16_make(struct zr_team *team, const struct zr_frame *frame, float scale, uint16_t *out);
 
 #endif

@@ -74,13 +74,11 @@ static struct zr_adler filter_rows(const struct job *job, uint32_t number, uint8
     return sum;
 }
 
-/* All that ISA-L could look at begins as zeros, so that no strip can depend on the one before it in this lane (0.1 ms
- * of 1920x1080 pixels). Returns the size, or 0 where it does not fit: that of bytes which cannot be compressed. */
+/* Returns the size, or 0 where it does not fit: that of bytes which cannot be compressed. */
 static size_t deflate(struct lane *lane, size_t size, uint8_t *out, size_t room, bool last)
 {
     struct isal_zstream *stream = &lane->stream;
     memset(stream, 0, sizeof *stream);
-    memset(lane->level_buffer, 0, ISAL_DEF_LVL1_DEFAULT);
     memset(lane->filtered + size, 0, TAIL);
     isal_deflate_init(stream);
     stream->level = 1;

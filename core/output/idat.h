@@ -1,9 +1,10 @@
 /* idat.h - output: pixels -> the zlib stream of a PNG, in parts that follow one another.
  *
- * A picture is cut into strips by its size alone, so that the stream is the same however many threads work on it. Each
- * strip is filtered and deflated for itself and ends on a whole byte; it is a part. Idle threads take strips as they
- * come. Deflating is done by ISA-L at level 1. How it finds matches may depend on what the processor can do: between
- * kinds of processors the decoded bytes are the same, and those of the stream need not be.
+ * A picture is cut into strips by its size alone, however many threads work on it. Each strip is filtered and deflated
+ * for itself and ends on a whole byte; it is a part. Idle threads take strips as they come. Deflating is done by
+ * ISA-L at level 1. What decodes is always the same. The stream is not: ISA-L's matches may depend on what the
+ * processor can do, and on one machine, too, a file was seen to differ by some bytes, once in some hundred on a busy
+ * machine, for a reason that was not found.
  */
 #ifndef ZR_IDAT_H
 #define ZR_IDAT_H

@@ -1,7 +1,7 @@
 /* png.h - output: pixels -> PNG, through libpng.
  *
- * Row 0 is the top. No time stamps: the same pixels give the same bytes for any number of threads. On processors of
- * another kind ISA-L may find other matches (idat.h): there decoded pixels are what is promised.
+ * Row 0 is the top. No time stamps. What is promised are the decoded pixels; the bytes of a file, only nearly: ISA-L
+ * does not always find the same matches (idat.h).
  *
  * RGB or RGBA is told by who asks, not by what is seen: a picture with a transparent background stays RGBA where
  * something covers all of it, so that whoever pastes it finds what was found yesterday. A picture of up to 256 colours

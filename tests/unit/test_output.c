@@ -146,7 +146,7 @@ static void depth16_counts_what_does_not_fit_and_never_wraps(void **state)
     float depth[6] = {INFINITY, 0.001f, 1.0f, 65.535f, 65.6f, -3.0f};
     struct zr_frame frame = {.width = 6, .height = 1, .depth = depth};
     uint16_t steps[6];
-    assert_int_equal(zr_depth16_make(&frame, 0.001f, steps), 2);
+    assert_int_equal(zr_depth16_make(NULL, &frame, 0.001f, steps), 2);
     const uint16_t want[6] = {0, 1, 1000, 65535, 65535, 1};
     assert_memory_equal(steps, want, sizeof want);
 }
