@@ -2,7 +2,8 @@
 
 #include <math.h>
 
-enum { SMOOTH_SHARE = 3 }; /* one picture in so many has colours per vertex */
+/* One picture in so many has colours per vertex, one in so many those of first corners. */
+enum { SMOOTH_SHARE = 3, FIRST_CORNER_SHARE = 6 };
 
 double random_power(struct random *r, int low, int high)
 {
@@ -288,4 +289,5 @@ void generate(const struct generator *generator, uint64_t seed, uint64_t frame, 
     drawing_start(drawing, size[0], size[1]);
     generator->fill(drawing, &r);
     drawing->smooth = frame % SMOOTH_SHARE == SMOOTH_SHARE - 1;
+    drawing->first_corner = frame % FIRST_CORNER_SHARE == FIRST_CORNER_SHARE / 2;
 }

@@ -25,25 +25,29 @@ static double on_grid(double pixels, double step, uint32_t size)
     return fmax(0.0, fmin(floor(pixels / step) * step, size)) * 2.0 / size - 1.0;
 }
 
-/* Corners on multiples of `step` pixels, at most `reach` pixels apart along x and y. */
+/* Corners on multiples of `step` pixels, at most `reach` pixels apart along x and y; of some, an edge is level. */
 static void triangle_on_grid(struct drawing *drawing, struct random *r, double step, double reach, const double z[3])
 {
-    double x0 = random_range(r, -reach / 2, drawing->width), y0 = random_range(r, -reach / 2, drawing->height);
+    double x0 = random_range(r, -reach / 2, drawing->width), y0 = random_range(r, -reach / 2, drawing->height), y = 0;
+    bool level = random_below(r, 4) == 0;
     uint32_t v[3];
     for (int k = 0; k < 3; k++) {
-        double x = x0 + random_range(r, 0, reach), y = y0 + random_range(r, 0, reach);
+        double x = x0 + random_range(r, 0, reach), other_y = y0 + random_range(r, 0, reach);
+        if (k != 1 || !level) y = other_y;
         v[k] = random_vertex(drawing, r, on_grid(x, step, drawing->width), on_grid(y, step, drawing->height), z[k], 1);
     }
     drawing_triangle(drawing, v[0], v[1], v[2]);
 }
 
-/* At three depths, which do not vary: the earliest of all that lie there is seen, whatever its size. */
+/* At three depths, which do not vary: the earliest of all that lie there is seen, whatever its size. And at depth 1,
+ * where nothing is seen. */
 void fill_layers(struct drawing *drawing, struct random *r)
 {
     for (int i = 0; i < 400; i++) {
         uint32_t size = random_below(r, 64);
         double reach = size == 0 ? 500 : size < 4 ? 150 : size < 16 ? 40 : size < 32 ? 10 : 3;
-        double z = 0.25 * random_below(r, 3) - 0.25, step = random_below(r, 2) ? 0.5 : 1.0;
+        uint32_t layer = random_below(r, 7);
+        double z = layer == 6 ? 1 : 0.25 * (layer % 3) - 0.25, step = random_below(r, 2) ? 0.5 : 1.0;
         triangle_on_grid(drawing, r, step, reach, (const double[3]){z, z, z});
     }
 }
@@ -51,12 +55,15 @@ void fill_layers(struct drawing *drawing, struct random *r)
 /* Most reach over many tiles, and more of them than are sorted by their depth at a time. */
 void fill_crowd(struct drawing *drawing, struct random *r)
 {
+    bool perspective = random_below(r, 2);
     for (int i = 0; i < 300; i++) {
         double z = random_range(r, -0.8, 0.8), lean = random_below(r, 4) ? 0.02 : 0.19;
         const double low[3] = {-1, -1, z - lean}, high[3] = {1, 1, z + lean};
         uint32_t v[3];
-        for (int k = 0; k < 3; k++)
-            v[k] = random_vertex_in(drawing, r, low, high, 1);
+        for (int k = 0; k < 3; k++) {
+            double w = perspective ? random_power(r, -5, 1) : 1;
+            v[k] = random_vertex_in(drawing, r, low, high, w);
+        }
         drawing_triangle(drawing, v[0], v[1], v[2]);
     }
 }
