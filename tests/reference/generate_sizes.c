@@ -56,12 +56,12 @@ void fill_layers(struct drawing *drawing, struct random *r)
 void fill_crowd(struct drawing *drawing, struct random *r)
 {
     bool perspective = random_below(r, 2);
-    for (int i = 0; i < 300; i++) {
+    for (int i = 0; i < 600; i++) {
         double z = random_range(r, -0.8, 0.8), lean = random_below(r, 4) ? 0.02 : 0.19;
         const double low[3] = {-1, -1, z - lean}, high[3] = {1, 1, z + lean};
         uint32_t v[3];
         for (int k = 0; k < 3; k++) {
-            double w = perspective ? random_power(r, -5, 1) : 1;
+            double w = perspective ? random_power(r, -8, 6) : 1;
             v[k] = random_vertex_in(drawing, r, low, high, w);
         }
         drawing_triangle(drawing, v[0], v[1], v[2]);
