@@ -159,6 +159,10 @@ mkdir "$verdicts"
     check_base
     [ $# -ne 0 ] || check_perturbed
 } >"$verdicts/0000"
-for worker in $(seq "$cores"); do check_rows "$@" & done
+workers=0
+while [ $workers -lt "$cores" ]; do
+    check_rows "$@" &
+    workers=$((workers + 1))
+done
 wait
 cat "$verdicts"/[0-9][0-9][0-9][0-9] | awk '{ sub(/ - /, " " NR " - "); print } /^not ok/ { failed = 1 } END { print "1.." NR; exit failed }'
