@@ -43,12 +43,16 @@ verify_lines := $(BUILD)/zraster-verify-lines
 
 objects = $(patsubst %.c,$(BUILD)/%.o,$(wildcard $(1)))
 # Kernels are compiled once for each instruction set of the target, which is chosen when the program starts.
-# By the same macros as in core/base/isa.h.
+# By the compiler's own macros.
 macros := $(shell $(CC) $(CFLAGS) -dM -E -x c /dev/null)
 target := $(firstword $(foreach name,x86_64 aarch64,$(if $(findstring __$(name)__,$(macros)),$(name))))
 isas_x86_64 := scalar sse2 avx2 avx512
 isas_aarch64 := scalar neon
+# `make isas=avx2` builds these alone, which is quicker; what was built with others is to be built anew.
 isas := $(or $(isas_$(target)),scalar)
+comma := ,
+upper = $(shell echo $(1) | tr a-z A-Z)
+OURS += '-DZR_EACH_ISA(entry,name)=$(foreach isa,$(isas),entry($(call upper,$(isa))$(comma)$(isa)$(comma)name))'
 # They come behind the user's flags: -march=native must not put what came later into sse2 and avx2. scalar and neon are
 # what the target has anyway. Integers wrap in lanes that nobody reads.
 kernel_sse2 := -mno-sse3
@@ -205,7 +209,6 @@ $(BUILD)/%.o: %.c
 	@mkdir -p $(@D)
 	$(Q)$(CC) $(OURS) $(CFLAGS) $(CPPFLAGS) $(EXACT) -MMD -MP -c -o $@ $<
 
-upper = $(shell echo $(1) | tr a-z A-Z)
 define kernel_rule
 $(BUILD)/%_kernel.$(1).o: %_kernel.c
 	@mkdir -p $$(@D)

@@ -23,8 +23,12 @@ bool zr_isa_find(const char *name, enum zr_isa *isa)
     return false;
 }
 
+#define IS_COMPILED(upper, lower, value) [ZR_ISA_##upper] = value,
+
 bool zr_isa_is_available(enum zr_isa isa)
 {
+    static const bool compiled[ZR_ISA_COUNT] = {ZR_EACH_ISA(IS_COMPILED, true)};
+    if (!compiled[isa]) return false;
     if (isa == ZR_ISA_SCALAR) return true;
 #if defined __x86_64__
     if (isa == ZR_ISA_SSE2) return true;

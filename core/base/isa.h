@@ -18,24 +18,13 @@ enum zr_isa {
     ZR_ISA_COUNT
 };
 
-/* Kernel `name` for each instruction set, indexed by enum zr_isa; NULL where the target has no such. */
-#if defined __x86_64__
+/* Kernel `name` for each instruction set that the Makefile compiles kernels for, indexed by enum zr_isa; else NULL.
+ * ZR_EACH_ISA(entry, name), which comes from there, is entry(AVX2, avx2, name) of each. */
+#define ZR_KERNEL_ENTRY(upper, lower, name) [ZR_ISA_##upper] = name##_##lower,
 #define ZR_KERNELS(name)                                                                                               \
     {                                                                                                                  \
-        [ZR_ISA_SCALAR] = name##_scalar, [ZR_ISA_SSE2] = name##_sse2, [ZR_ISA_AVX2] = name##_avx2,                     \
-        [ZR_ISA_AVX512] = name##_avx512, [ZR_ISA_NEON] = NULL                                                          \
+        ZR_EACH_ISA(ZR_KERNEL_ENTRY, name)                                                                             \
     }
-#elif defined __aarch64__
-#define ZR_KERNELS(name)                                                                                               \
-    {                                                                                                                  \
-        [ZR_ISA_SCALAR] = name##_scalar, [ZR_ISA_NEON] = name##_neon                                                   \
-    }
-#else
-#define ZR_KERNELS(name)                                                                                               \
-    {                                                                                                                  \
-        [ZR_ISA_SCALAR] = name##_scalar, [ZR_ISA_NEON] = NULL                                                          \
-    }
-#endif
 
 /* "scalar", "sse2", "avx2", "avx512", "neon". */
 const char *zr_isa_name(enum zr_isa isa);

@@ -33,7 +33,7 @@ static uint32_t make_row(const float *depth, float scale, uint32_t width, uint16
         value = high ? STEP_MAX : value;
         value = nothing ? 0.0f : value;
         out[i] = (uint16_t)(int32_t)value;
-        misfits += !nothing & (low | high);
+        misfits += (uint32_t)((depth[i] != INFINITY) & (low | high));
     }
     return misfits;
 }

@@ -2,7 +2,7 @@
  *
  * Half-space rasterization: a sample is inside where all three edge functions are
  * positive (Pineda, "A Parallel Algorithm for Polygon Rasterization", 1988). halfspace_kernel.c
- * alone holds the inner loops.
+ * holds the loops over samples; those of tiny triangles are bins_kernel.c's.
  */
 #ifndef ZR_HALFSPACE_H
 #define ZR_HALFSPACE_H

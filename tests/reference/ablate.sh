@@ -4,35 +4,38 @@
 #
 #   tests/reference/ablate.sh [name ...]      from the project's top folder
 #
-# BUILD (build) is where the broken copies go; CC and CFLAGS are make's.
+# BUILD (build) is where the broken copies go; CC and CFLAGS are make's. As many at a time as there are cores.
 set -u
 build=${BUILD:-build}/ablation
 base=$build/base
 table=tests/reference/ablations.txt
 seed=7 # the corner that clip-nine-corners loses is a rare one: this seed has it
 cores=$(getconf _NPROCESSORS_ONLN 2>/dev/null || echo 1)
-count=0
-failed=0
 unset MAKEFLAGS MFLAGS MAKELEVEL
 
+# Kernels of all instruction sets come from one source, and test_isas holds them against each other: one will do.
+isa=scalar
+case $(uname -m) in
+x86_64) for name in sse2 avx2 avx512vl; do grep -qw $name /proc/cpuinfo && isa=${name%vl}; done ;;
+aarch64) isa=neon ;;
+esac
+
 report() { # verdict, text
-    count=$((count + 1))
-    [ "$1" = ok ] || failed=$((failed + 1))
-    printf '%s %d - ablation %s\n' "$1" "$count" "$2"
+    printf '%s - ablation %s\n' "$1" "$2"
 }
 
 compile() { # folder, flags to add
     if [ -n "$2" ]; then
-        make -s -j "$cores" -C "$1" BUILD=build CFLAGS="${CFLAGS:--O2}" EXACT="$2" build/zraster-verify
+        make -s -j "$cores" -C "$1" BUILD=build isas="$isa" CFLAGS="${CFLAGS:--O2}" EXACT="$2" build/zraster-verify
     else
-        make -s -j "$cores" -C "$1" BUILD=build CFLAGS="${CFLAGS:--O2}" build/zraster-verify
+        make -s -j "$cores" -C "$1" BUILD=build isas="$isa" CFLAGS="${CFLAGS:--O2}" build/zraster-verify
     fi >"$1/make.log" 2>&1
 }
 
 # Objects of the last run are kept: the copies have the times of the originals.
 make_base() {
     mkdir -p "$base/tests" || return 1
-    setting="${CC:-cc} ${CFLAGS:--O2}"
+    setting="${CC:-cc} ${CFLAGS:--O2} $isa"
     [ "$(cat "$base/setting" 2>/dev/null)" = "$setting" ] || rm -rf "$base/build"
     printf '%s\n' "$setting" >"$base/setting"
     rm -rf "$base/core" "$base/tests/reference" "$base/tests/scenes" "$base/tests/support"
@@ -58,11 +61,11 @@ verify() { # folder, NAME.json or KIND TRIANGLES, options
 
 # Without a change all must be equal, or a difference would prove nothing.
 check_base() {
-    while IFS='@' read -r name files change run shows; do
-        case $name in '#'* | '') continue ;; esac
+    sed '/^#/d; /^$/d' $table | cut -d@ -f4 | sort -u >"$base/runs"
+    while read -r run; do
         # shellcheck disable=SC2086
         verify "$base" $run || { report 'not ok' "none: $run differs without any change"; return; }
-    done <$table
+    done <"$base/runs"
     report ok 'none (all equal)'
 }
 
@@ -126,15 +129,40 @@ check_row() { # name, files, change, what is run, what must show
     fi
 }
 
+is_wanted() { # name, names that were asked for
+    wanted=$1
+    shift
+    [ $# -eq 0 ] && return 0
+    for name_asked in "$@"; do [ "$name_asked" = "$wanted" ] && return 0; done
+    return 1
+}
+
+# Of the rows that are wanted, those that nobody has taken yet; what each gives goes to a file of its own.
+check_rows() { # names
+    row=0
+    while IFS='@' read -r name files change run shows; do
+        case $name in '#'* | '') continue ;; esac
+        name=${name% } files=${files% } change=${change% } shows=${shows# }
+        files=${files# } change=${change# }
+        row=$((row + 1))
+        is_wanted "$name" "$@" || continue
+        mkdir "$verdicts/$row.taken" 2>/dev/null || continue
+        check_row "$name" "$files" "$change" "$run" "$shows" </dev/null >"$verdicts/$(printf %04d $row)"
+    done <$table
+}
+
 make_base || { echo "Bail out! the renderer does not compile, see $base/make.log"; exit 2; }
-check_base
-[ $# -ne 0 ] || check_perturbed
-while IFS='@' read -r name files change run shows; do
-    case $name in '#'* | '') continue ;; esac
-    name=${name% } files=${files% } change=${change# } shows=${shows# }
-    files=${files# } change=${change% }
-    [ $# -eq 0 ] || case " $* " in *" $name "*) ;; *) continue ;; esac
-    check_row "$name" "$files" "$change" "$run" "$shows" </dev/null
-done <$table
-echo "1..$count"
-[ $failed -eq 0 ]
+verdicts=$build/verdicts
+rm -rf "$verdicts"
+mkdir "$verdicts"
+{
+    check_base
+    [ $# -ne 0 ] || check_perturbed
+} >"$verdicts/0000"
+workers=0
+while [ $workers -lt "$cores" ]; do
+    check_rows "$@" &
+    workers=$((workers + 1))
+done
+wait
+cat "$verdicts"/[0-9][0-9][0-9][0-9] | awk '{ sub(/ - /, " " NR " - "); print } /^not ok/ { failed = 1 } END { print "1.." NR; exit failed }'

@@ -9,7 +9,7 @@ void drawing_start(struct drawing *drawing, uint32_t width, uint32_t height)
 {
     drawing->width = width;
     drawing->height = height;
-    drawing->smooth = false;
+    drawing->smooth = drawing->first_corner = false;
     drawing->modelview = drawing->projection = zr_mat4_identity();
     drawing->position_count = drawing->face_count = drawing->corner_count = 0;
     drawing->ring_count = drawing->line_count = 0;

@@ -15,7 +15,8 @@
  * one picture to the next. `failed` is sticky: memory ran out. */
 struct drawing {
     uint32_t width, height;
-    bool smooth; /* compare colours per vertex; else each face has one colour, that of its number */
+    bool smooth;       /* compare colours per vertex; else each face has one colour, that of its number, */
+    bool first_corner; /* or that of its first corner */
     bool failed;
     zr_mat4 modelview, projection;
 

@@ -2,7 +2,8 @@
 
 #include <math.h>
 
-enum { SMOOTH_SHARE = 3 }; /* one picture in so many has colours per vertex */
+/* One picture in so many has colours per vertex, one in so many those of first corners. */
+enum { SMOOTH_SHARE = 3, FIRST_CORNER_SHARE = 6 };
 
 double random_power(struct random *r, int low, int high)
 {
@@ -230,45 +231,63 @@ static void fill_huge(struct drawing *drawing, struct random *r)
 }
 
 const struct generator generators[] = {
-    {"large", false, false, false, fill_large},
-    {"small", false, false, false, fill_small},
-    {"slivers", false, false, false, fill_slivers},
-    {"mesh", false, false, false, fill_mesh},
-    {"subpixel", false, false, true, fill_subpixel},
-    {"pixel-aligned", false, false, true, fill_pixel_aligned},
-    {"pixel-aligned-odd", false, false, false, fill_pixel_aligned},
-    {"perspective", false, false, false, fill_perspective},
-    {"near-clipped", true, false, false, fill_near},
-    {"far-clipped", true, false, false, fill_far},
-    {"side-clipped", true, false, false, fill_side},
-    {"planes-clipped", true, false, false, fill_planes},
-    {"huge", true, false, false, fill_huge},
-    {"coplanar", false, false, false, fill_coplanar},
-    {"polygons", false, false, false, fill_polygons},
-    {"polygons-clipped", true, false, false, fill_polygons_clipped},
-    {"matrix-orthographic", true, false, false, fill_matrix_orthographic},
-    {"matrix-perspective", true, false, false, fill_matrix_perspective},
-    {"matrix-any", true, false, false, fill_matrix_any},
-    {"shapes", false, false, false, fill_shapes},
-    {"shapes-clipped", true, false, false, fill_shapes_clipped},
-    {"outlines", false, true, false, fill_outlines},
-    {"outlines-clipped", true, true, false, fill_outlines_clipped},
-    {"hidden-lines", true, true, false, fill_hidden_lines},
-    {"lines", false, true, false, fill_lines},
-    {"lines-clipped", true, true, false, fill_lines_clipped},
+    {"large", false, false, WINDOWS_ANY, fill_large},
+    {"small", false, false, WINDOWS_ANY, fill_small},
+    {"slivers", false, false, WINDOWS_ANY, fill_slivers},
+    {"mesh", false, false, WINDOWS_ANY, fill_mesh},
+    {"subpixel", false, false, WINDOWS_BINARY, fill_subpixel},
+    {"pixel-aligned", false, false, WINDOWS_BINARY, fill_pixel_aligned},
+    {"pixel-aligned-odd", false, false, WINDOWS_ANY, fill_pixel_aligned},
+    {"perspective", false, false, WINDOWS_ANY, fill_perspective},
+    {"near-clipped", true, false, WINDOWS_ANY, fill_near},
+    {"far-clipped", true, false, WINDOWS_ANY, fill_far},
+    {"side-clipped", true, false, WINDOWS_ANY, fill_side},
+    {"planes-clipped", true, false, WINDOWS_ANY, fill_planes},
+    {"huge", true, false, WINDOWS_ANY, fill_huge},
+    {"coplanar", false, false, WINDOWS_ANY, fill_coplanar},
+    {"polygons", false, false, WINDOWS_ANY, fill_polygons},
+    {"polygons-clipped", true, false, WINDOWS_ANY, fill_polygons_clipped},
+    {"matrix-orthographic", true, false, WINDOWS_ANY, fill_matrix_orthographic},
+    {"matrix-perspective", true, false, WINDOWS_ANY, fill_matrix_perspective},
+    {"matrix-any", true, false, WINDOWS_ANY, fill_matrix_any},
+    {"shapes", false, false, WINDOWS_ANY, fill_shapes},
+    {"shapes-clipped", true, false, WINDOWS_ANY, fill_shapes_clipped},
+    {"outlines", false, true, WINDOWS_ANY, fill_outlines},
+    {"outlines-clipped", true, true, WINDOWS_ANY, fill_outlines_clipped},
+    {"hidden-lines", true, true, WINDOWS_ANY, fill_hidden_lines},
+    {"lines", false, true, WINDOWS_ANY, fill_lines},
+    {"lines-clipped", true, true, WINDOWS_ANY, fill_lines_clipped},
+    {"tiny", false, false, WINDOWS_LARGE, fill_tiny},
+    {"layers", false, false, WINDOWS_LARGE, fill_layers},
+    {"crowd", false, false, WINDOWS_LARGE, fill_crowd},
+    {"aligned-wide", false, false, WINDOWS_BINARY, fill_aligned_wide},
 };
 const size_t generator_count = sizeof generators / sizeof *generators;
 
-void generate(const struct generator *generator, uint64_t seed, uint64_t frame, struct drawing *drawing)
+static const uint32_t *pick_window(enum windows windows, struct random *r)
 {
     static const uint32_t binary[][2] = {{128, 64}, {256, 256}, {64, 64}, {512, 128}, {16, 32}};
     static const uint32_t any[][2] = {{97, 61},   {300, 200}, {255, 129}, {128, 64},  {101, 200},
                                       {256, 256}, {33, 47},   {200, 199}, {130, 100}, {1, 7}};
+    static const uint32_t large[][2] = {{320, 256}, {437, 199}, {385, 319}};
+    switch (windows) {
+    case WINDOWS_BINARY:
+        return binary[random_below(r, sizeof binary / sizeof *binary)];
+    case WINDOWS_LARGE:
+        return large[random_below(r, sizeof large / sizeof *large)];
+    case WINDOWS_ANY:
+        break;
+    }
+    return any[random_below(r, sizeof any / sizeof *any)];
+}
+
+void generate(const struct generator *generator, uint64_t seed, uint64_t frame, struct drawing *drawing)
+{
     uint64_t kind = (uint64_t)(generator - generators);
     struct random r = random_seeded(seed ^ (kind << 56) ^ (frame << 8));
-    const uint32_t *size = generator->binary_window ? binary[random_below(&r, sizeof binary / sizeof *binary)]
-                                                    : any[random_below(&r, sizeof any / sizeof *any)];
+    const uint32_t *size = pick_window(generator->windows, &r);
     drawing_start(drawing, size[0], size[1]);
     generator->fill(drawing, &r);
     drawing->smooth = frame % SMOOTH_SHARE == SMOOTH_SHARE - 1;
+    drawing->first_corner = frame % FIRST_CORNER_SHARE == FIRST_CORNER_SHARE / 2;
 }

@@ -15,11 +15,17 @@
 #include "reference/drawing.h"
 #include "support/random.h"
 
+enum windows {
+    WINDOWS_ANY,
+    WINDOWS_BINARY, /* sizes are powers of two, so that subpixel places are exact floats */
+    WINDOWS_LARGE   /* more tiles than what touches few of them may touch */
+};
+
 struct generator {
     const char *name;
-    bool clips;         /* must make triangles that get clipped */
-    bool wires;         /* outlines or lines: for the exact comparison alone */
-    bool binary_window; /* sizes are powers of two, so that subpixel places are exact floats */
+    bool clips; /* must make triangles that get clipped */
+    bool wires; /* outlines or lines: for the exact comparison alone */
+    enum windows windows;
     void (*fill)(struct drawing *drawing, struct random *r);
 };
 
@@ -44,6 +50,12 @@ uint32_t random_vertex(struct drawing *drawing, struct random *r, double x, doub
 /* One anywhere in the box given. */
 uint32_t random_vertex_in(struct drawing *drawing, struct random *r, const double low[3], const double high[3],
                           double w);
+
+/* generate_sizes.c: what the renderer does in different ways by size, alone and over one another. */
+void fill_tiny(struct drawing *drawing, struct random *r);
+void fill_layers(struct drawing *drawing, struct random *r);
+void fill_crowd(struct drawing *drawing, struct random *r);
+void fill_aligned_wide(struct drawing *drawing, struct random *r);
 
 /* generate_solid.c: polygons, coplanar duplicates, and scenes behind matrices. */
 void fill_coplanar(struct drawing *drawing, struct random *r);

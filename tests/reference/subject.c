@@ -14,9 +14,11 @@ void subject_make(struct subject *subject, const struct drawing *drawing)
     subject->material = (struct zr_material){.base_color = {1, 1, 1, 1},
                                              .shading = ZR_SHADING_UNLIT,
                                              .double_sided = true,
+                                             .plain = drawing->first_corner,
                                              .hollow = drawing->hollow,
                                              .outline = drawing->outline,
                                              .outline_color = {0.25f, 0.5f, 0.125f, 1}};
+    bool per_vertex = drawing->smooth || drawing->first_corner;
     bool holes = drawing->ring_count > drawing->face_count;
     subject->mesh = (struct zr_mesh){.name = "",
                                      .position_count = drawing->position_count,
@@ -28,8 +30,8 @@ void subject_make(struct subject *subject, const struct drawing *drawing)
                                      .ring_offsets = holes ? drawing->ring_offsets : NULL,
                                      .line_count = drawing->line_count,
                                      .lines = drawing->lines,
-                                     .colors = drawing->smooth ? drawing->colors : NULL,
-                                     .face_colors = drawing->smooth ? NULL : drawing->face_colors};
+                                     .colors = per_vertex ? drawing->colors : NULL,
+                                     .face_colors = per_vertex ? NULL : drawing->face_colors};
     subject->instance = (struct zr_instance){.mesh = 0, .object_to_world = zr_mat4_identity()};
     subject->scene = (struct zr_scene){.width = drawing->width,
                                        .height = drawing->height,

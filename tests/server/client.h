@@ -60,7 +60,11 @@ int raw_count(const char *text);
 
 /* ---- scenes ---- */
 
-/* `count` polygons that each fill a large window: some ms of work apiece. Free it. */
-char *scene_slow(int count);
+/* For what writes every sample of every polygon, one by one and on one thread, and so stays slow however fast
+ * production becomes. */
+#define SLOW_ALGORITHM "edgelist"
+
+/* `count` polygons that each fill a large window: by SLOW_ALGORITHM some ms of work apiece. Free it. */
+char *scene_slow(const char *algorithm, int count);
 
 #endif

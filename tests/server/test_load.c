@@ -80,7 +80,7 @@ static void full_queue_refuses_and_serves_the_others(void **state)
     (void)state;
     struct daemon server = daemon_start((const char *const[]){LET_IN, "--workers=1", "--queue=2", "--max-per-client=0",
                                                               "--render-timeout-ms=120000", NULL});
-    char *scene = scene_slow(FEW);
+    char *scene = scene_slow(SLOW_ALGORITHM, FEW);
     struct post posts[CLIENTS_MAX];
     begin_posts(posts, CLIENTS_MAX, &server, scene);
     size_t served = 0, refused = 0;
@@ -101,7 +101,7 @@ static void full_queue_answers_health_and_not_ready(void **state)
     (void)state;
     struct daemon server = daemon_start((const char *const[]){LET_IN, "--workers=1", "--queue=1", "--max-per-client=0",
                                                               "--render-timeout-ms=120000", NULL});
-    char *scene = scene_slow(MANY);
+    char *scene = scene_slow(SLOW_ALGORITHM, MANY);
     int clients[3]; /* one is worked on, one waits; the last is there in case the first was still waiting */
     for (int i = 0; i < 3; i++, usleep(100000))
         clients[i] = client_begin_render(&server, scene);
@@ -121,7 +121,7 @@ static void client_with_too_many_requests_gets_429(void **state)
     (void)state;
     struct daemon server = daemon_start((const char *const[]){LET_IN, "--workers=1", "--queue=8", "--max-per-client=2",
                                                               "--render-timeout-ms=120000", NULL});
-    char *scene = scene_slow(FEW);
+    char *scene = scene_slow(SLOW_ALGORITHM, FEW);
     struct post posts[8];
     size_t served = 0, refused = 0;
     begin_posts(posts, 8, &server, scene);
@@ -143,7 +143,7 @@ static void client_that_leaves_frees_the_worker(void **state)
     (void)state;
     struct daemon server = daemon_start((const char *const[]){LET_IN, "--workers=1", "--queue=4", "--max-per-client=0",
                                                               "--render-timeout-ms=120000", NULL});
-    char *scene = scene_slow(MANY);
+    char *scene = scene_slow(SLOW_ALGORITHM, MANY);
     int rendering = client_begin_render(&server, scene), waiting = client_begin_render(&server, scene);
     usleep(200000);
     close(rendering);
@@ -163,7 +163,7 @@ static void render_past_its_deadline_gives_504(void **state)
 {
     (void)state;
     struct daemon server = daemon_start((const char *const[]){LET_IN, "--render-timeout-ms=150", NULL});
-    char *scene = scene_slow(MANY);
+    char *scene = scene_slow(SLOW_ALGORITHM, MANY);
     struct reply reply = client_render(&server, scene);
     assert_int_equal(reply.status, 504);
     assert_string_equal(reply_header(&reply, "Content-Type"), "application/problem+json");
@@ -202,15 +202,13 @@ static void every_algorithm_past_its_deadline_gives_504(void **state)
     static const char *const words[] = {"edgelist", "trapezoid", "scanline", "painter"};
     (void)state;
     struct daemon server = daemon_start((const char *const[]){LET_IN, "--render-timeout-ms=150", NULL});
-    char *slow = scene_slow(MANY), *scene;
     for (size_t i = 0; i < sizeof words / sizeof words[0]; i++) {
-        assert_true(asprintf(&scene, "{\"algorithm\":\"%s\",%s", words[i], slow + 1) > 0);
+        char *scene = scene_slow(words[i], MANY);
         double begun = seconds();
         assert_int_equal(client_render_status(&server, scene), 504);
         assert_true(seconds() - begun < 5.0); /* under sanitizers; all of it would take far longer */
         free(scene);
     }
-    free(slow);
     daemon_stop(&server);
 }
 
@@ -218,7 +216,7 @@ static void request_memory_used_up_gives_503(void **state)
 {
     (void)state;
     struct daemon server = daemon_start((const char *const[]){LET_IN, "--request-memory-bytes=1048576", NULL});
-    char *scene = scene_slow(1);
+    char *scene = scene_slow(SLOW_ALGORITHM, 1);
     struct reply reply = client_render(&server, scene);
     assert_int_equal(reply.status, 503);
     assert_true(atoi(reply_header(&reply, "Retry-After")) >= 1);
@@ -263,7 +261,7 @@ static void sigterm_lets_renders_in_flight_end(void **state)
     struct daemon server =
         daemon_start((const char *const[]){LET_IN, "--workers=2", "--queue=8", "--max-per-client=0",
                                            "--render-timeout-ms=120000", "--drain-timeout-ms=120000", NULL});
-    char *scene = scene_slow(FEW * 2);
+    char *scene = scene_slow(SLOW_ALGORITHM, FEW * 2);
     struct post posts[IN_FLIGHT];
     int kept = client_connect(&server);
     static const char EARLY[] = "GET /healthz HTTP/1.1\r\nHost: a\r\n\r\n";
@@ -293,12 +291,13 @@ static void sigterm_lets_renders_in_flight_end(void **state)
 static void drain_that_takes_too_long_is_cut_short(void **state)
 {
     (void)state;
-    struct daemon server = daemon_start((const char *const[]){
-        LET_IN, "--workers=1", "--max-per-client=0", "--render-timeout-ms=120000", "--drain-timeout-ms=200", NULL});
-    char *scene = scene_slow(MANY);
-    struct post posts[3];
+    struct daemon server =
+        daemon_start((const char *const[]){LET_IN, "--workers=1", "--queue=2", "--max-per-client=0",
+                                           "--render-timeout-ms=120000", "--drain-timeout-ms=200", NULL});
+    char *scene = scene_slow(SLOW_ALGORITHM, MANY);
+    struct post posts[3]; /* one is worked on, two wait */
     begin_posts(posts, 3, &server, scene);
-    usleep(300000);
+    assert_true(wait_for_status(&server, "/readyz", 503));
     daemon_stop(&server);
     assert_int_equal(end_posts(posts, 3, 503), 3);
     free(scene);

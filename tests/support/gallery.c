@@ -5,9 +5,17 @@
 
 #include "support/random.h"
 
-const char *const gallery_names[GALLERY_SCENES] = {
-    "soup",     "soup of the tiny", "layers",   "ball, smooth",  "ball, flat, mirrored",
-    "outlines", "wires and lines",  "polygons", "inside a ball", "layers into a base"};
+const char *const gallery_names[GALLERY_SCENES] = {"soup",
+                                                   "soup of the tiny",
+                                                   "layers",
+                                                   "ball, smooth",
+                                                   "ball, flat, mirrored",
+                                                   "outlines",
+                                                   "wires and lines",
+                                                   "polygons",
+                                                   "inside a ball",
+                                                   "layers into a base",
+                                                   "nothing into a base"};
 /* The last is large enough to be written past the caches. */
 const uint32_t gallery_windows[GALLERY_WINDOWS][2] = {{1, 1}, {65, 1}, {333, 517}, {640, 480}, {1024, 512}};
 const char *const gallery_channels[GALLERY_CHANNELS] = {"color", "depth", "window depth", "face id"};
@@ -276,14 +284,14 @@ static bool make_inside(struct set *s)
 }
 
 /* A base with steps in its depth, that are also depths of the layers. */
-static bool make_based(struct set *s)
+static bool make_base(struct set *s)
 {
     size_t pixels = (size_t)s->scene.width * s->scene.height;
     uint8_t *color = zr_arena_alloc(s->arena, pixels, 4);
     float *window_depth = zr_arena_alloc(s->arena, pixels, sizeof *window_depth);
     float *depth = zr_arena_alloc(s->arena, pixels, sizeof *depth);
     uint32_t *face_id = zr_arena_alloc(s->arena, pixels, sizeof *face_id);
-    if (!zr_arena_ok(s->arena) || !make_layers(s)) return false;
+    if (!zr_arena_ok(s->arena)) return false;
     for (size_t i = 0; i < pixels; i++) {
         size_t x = i % s->scene.width, y = i / s->scene.width, step = (x / 23 + y / 31) % 5;
         window_depth[i] = step == 4 ? 1.0f : 0.5f + 0.125f * (float)step;
@@ -300,6 +308,17 @@ static bool make_based(struct set *s)
                                .first_face_id = 10};
     s->scene.base = &s->base;
     return true;
+}
+
+static bool make_based(struct set *s)
+{
+    return make_base(s) && make_layers(s);
+}
+
+/* No record, and no batch of any. */
+static bool make_bare_base(struct set *s)
+{
+    return make_base(s) && mesh_begin(s, 1, 0, 0, 0);
 }
 
 /* ---- */
@@ -331,8 +350,8 @@ static void set_init(struct set *s, struct zr_arena *arena, uint32_t width, uint
 const struct zr_scene *gallery_scene(struct zr_arena *arena, int number, uint32_t width, uint32_t height)
 {
     static bool (*const make[GALLERY_SCENES])(struct set *) = {
-        make_large_soup, make_tiny_soup, make_layers,   make_smooth_ball, make_mirrored_ball,
-        make_outlines,   make_wires,     make_polygons, make_inside,      make_based};
+        make_large_soup, make_tiny_soup, make_layers, make_smooth_ball, make_mirrored_ball, make_outlines,
+        make_wires,      make_polygons,  make_inside, make_based,       make_bare_base};
     struct set *s = zr_arena_zero(arena, 1, sizeof *s);
     if (!s) return NULL;
     set_init(s, arena, width, height);

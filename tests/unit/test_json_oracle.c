@@ -1,0 +1,153 @@
+/* Texts with large lists, changed at random: of any the judgement that cJSON and the rules of the contract give. */
+#include <cjson/cJSON.h>
+#include <math.h>
+
+#include "input/json_scan.h"
+#include "json_texts.h"
+
+/* ---- an oracle: cJSON's tree, and the contract for meshes of positions and faces ---- */
+
+static bool is_place(const cJSON *node)
+{
+    return cJSON_IsNumber(node) && fabs(node->valuedouble) <= 1e6;
+}
+
+static bool is_row(const cJSON *row, size_t least, size_t most)
+{
+    size_t count = 0;
+    if (!cJSON_IsArray(row)) return false;
+    for (const cJSON *item = row->child; item; item = item->next, count++)
+        if (!is_place(item)) return false;
+    return count >= least && count <= most;
+}
+
+static bool is_face(const cJSON *row, size_t positions)
+{
+    if (!is_row(row, 3, 1024)) return false;
+    for (const cJSON *item = row->child; item; item = item->next)
+        if (item->valuedouble < 0 || item->valuedouble >= (double)positions ||
+            item->valuedouble != floor(item->valuedouble))
+            return false;
+    return true;
+}
+
+/* {"meshes":[{"positions":[...],"faces":[...]}]} with keys in any order, and some face to draw. */
+static bool oracle_accepts(const cJSON *root)
+{
+    const cJSON *meshes = cJSON_IsObject(root) && root->child && !root->child->next ? root->child : NULL;
+    if (!meshes || strcmp(meshes->string, "meshes") != 0 || !cJSON_IsArray(meshes)) return false;
+    size_t faces = 0;
+    for (const cJSON *mesh = meshes->child; mesh; mesh = mesh->next) {
+        const cJSON *positions = cJSON_GetObjectItemCaseSensitive(mesh, "positions");
+        const cJSON *list = cJSON_GetObjectItemCaseSensitive(mesh, "faces");
+        if (!cJSON_IsObject(mesh) || cJSON_GetArraySize(mesh) != 2 || !cJSON_IsArray(positions) || !cJSON_IsArray(list))
+            return false;
+        for (const cJSON *row = positions->child; row; row = row->next)
+            if (!is_row(row, 3, 4)) return false;
+        for (const cJSON *row = list->child; row; row = row->next, faces++)
+            if (!is_face(row, (size_t)cJSON_GetArraySize(positions))) return false;
+    }
+    return faces > 0;
+}
+
+static void mutate(struct text *text)
+{
+    static const char bytes[] = "0123456789-+.eE,,[]{}\":\\ \n\tnulltruefalse#\xFF\x01";
+    for (size_t changes = 1 + below(3); changes > 0 && text->size > 2; changes--) {
+        size_t at = below(text->size), length = 1 + below(12), from = below(text->size);
+        switch (below(4)) {
+        case 0:
+            text->bytes[at] = bytes[below(sizeof bytes - 1)];
+            break;
+        case 1: /* take away */
+            if (length > text->size - at) length = text->size - at;
+            memmove(text->bytes + at, text->bytes + at + length, text->size - at - length);
+            text->size -= length;
+            break;
+        case 2: /* copy over */
+            if (length > text->size - at) length = text->size - at;
+            if (length > text->size - from) length = text->size - from;
+            memmove(text->bytes + at, text->bytes + from, length);
+            break;
+        default: /* put in */
+            put(text, " ", 1);
+            memmove(text->bytes + at + 1, text->bytes + at, text->size - 1 - at);
+            text->bytes[at] = bytes[below(sizeof bytes - 1)];
+        }
+    }
+}
+
+static enum zr_status strict_scan(const struct text *text)
+{
+    struct zr_arena arena;
+    struct zr_error error = {.count = 0};
+    struct zr_limits limits = zr_limits_default();
+    size_t values;
+    zr_arena_init(&arena, (size_t)1 << 24);
+    enum zr_status status = zr_json_scan(&arena, text->bytes, text->size, &limits, &values, &error);
+    zr_arena_free(&arena);
+    return status;
+}
+
+static void random_changes_are_judged_as_by_cjson(void **state)
+{
+    (void)state;
+    int accepted = 0, refused = 0, malformed = 0;
+    for (int i = 0; i < 60000; i++) {
+        struct text text = {0};
+        size_t count = 1 + below(5);
+        add(&text, "{\"meshes\":[{\"positions\":[");
+        add_places(&text, count, 4);
+        add(&text, "],\"faces\":[[%zu,%zu,%zu],[0,0,0,0]]}]}", below(count), below(count), below(count));
+        mutate(&text);
+        struct reading *reading = read_bytes(ZR_FORMAT_JSON, text.bytes, text.size);
+        enum zr_status strict = strict_scan(&text);
+        if ((strict == ZR_BAD_SYNTAX) != (reading->status == ZR_BAD_SYNTAX))
+            fail_msg("%.*s: status %d, strictly %d", (int)text.size, text.bytes, reading->status, strict);
+        if (strict == ZR_OK) {
+            cJSON *root = cJSON_ParseWithLength(text.bytes, text.size);
+            bool accepts = oracle_accepts(root);
+            if (accepts != (reading->status == ZR_OK))
+                fail_msg("%.*s: status %d, the oracle %d", (int)text.size, text.bytes, reading->status, accepts);
+            assert_true(accepts || reading->status == ZR_BAD_SCENE);
+            cJSON_Delete(root);
+            accepted += accepts;
+            refused += !accepts;
+        }
+        malformed += strict == ZR_BAD_SYNTAX;
+        reading_free(reading);
+        drop(&text);
+    }
+    if (accepted < 1000 || refused < 1000 || malformed < 1000) fail_msg("%d %d %d", accepted, refused, malformed);
+}
+
+/* Of scenes with everything in them, the oracle knows the syntax only. */
+static void random_changes_to_whole_scenes_keep_syntax_strict(void **state)
+{
+    (void)state;
+    for (int i = 0; i < 20000; i++) {
+        struct text text = make_scene(1 + below(6));
+        if (i % 2) {
+            struct text other = respell(text.bytes, (enum spelling)(i / 2 % SPELLINGS));
+            drop(&text);
+            text = other;
+        }
+        mutate(&text);
+        struct reading *reading = read_bytes(ZR_FORMAT_JSON, text.bytes, text.size);
+        bool malformed = strict_scan(&text) == ZR_BAD_SYNTAX;
+        if (malformed != (reading->status == ZR_BAD_SYNTAX))
+            fail_msg("%.*s: status %d, malformed %d", (int)text.size, text.bytes, reading->status, malformed);
+        assert_true(reading->status != ZR_INTERNAL && reading->status != ZR_NO_MEMORY);
+        reading_free(reading);
+        drop(&text);
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(random_changes_are_judged_as_by_cjson),
+        cmocka_unit_test(random_changes_to_whole_scenes_keep_syntax_strict),
+    };
+    return cmocka_run_group_tests_name("json_oracle", tests, NULL, NULL);
+}
