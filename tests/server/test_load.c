@@ -298,6 +298,7 @@ static void drain_that_takes_too_long_is_cut_short(void **state)
     struct post posts[3]; /* one is worked on, two wait */
     begin_posts(posts, 3, &server, scene);
     assert_true(wait_for_status(&server, "/readyz", 503));
+    usleep(300000); /* not ready before the last of them has come */
     daemon_stop(&server);
     assert_int_equal(end_posts(posts, 3, 503), 3);
     free(scene);
