@@ -24,11 +24,11 @@ static void *take(struct zr_binner *binner, size_t size)
     binner->free += size;
     return taken;
 }
-_Static_assert(sizeof(struct zr_bin_block) == 256 && sizeof(struct zr_fragments) % 16 == 0, "all blocks are aligned");
+_Static_assert(sizeof(struct zr_bin_numbers) == 256, "as the header says");
 
-struct zr_bin_block *zr_binner_block(struct zr_binner *binner, struct zr_bin *bin)
+struct zr_bin_head *zr_binner_block(struct zr_binner *binner, struct zr_bin *bin, size_t size)
 {
-    struct zr_bin_block *block = take(binner, sizeof *block);
+    struct zr_bin_head *block = take(binner, size);
     if (!block) return NULL;
     block->next = NULL;
     block->used = 0;
@@ -37,20 +37,6 @@ struct zr_bin_block *zr_binner_block(struct zr_binner *binner, struct zr_bin *bi
     else
         bin->first = block;
     bin->last = block;
-    return block;
-}
-
-struct zr_fragments *zr_binner_fragments(struct zr_binner *binner, struct zr_tile_bins *tile)
-{
-    struct zr_fragments *block = take(binner, sizeof *block);
-    if (!block) return NULL;
-    block->next = NULL;
-    block->used = 0;
-    if (tile->last)
-        tile->last->next = block;
-    else
-        tile->first = block;
-    tile->last = block;
     return block;
 }
 
@@ -81,20 +67,11 @@ static bool cut_to_window(const struct zr_bins *bins, int32_t box[4])
     return box[0] <= box[2] && box[1] <= box[3];
 }
 
-static void add_wide(struct zr_binner *binner, struct zr_wide_bin *bin, const struct zr_wide *wide)
+static void add_wide(struct zr_binner *binner, struct zr_bin *bin, const struct zr_wide *wide)
 {
-    if (!bin->last || bin->last->used == ZR_BIN_WIDE_A_BLOCK) {
-        struct zr_wide_block *block = take(binner, sizeof *block);
-        if (!block) return;
-        block->next = NULL;
-        block->used = 0;
-        if (bin->last)
-            bin->last->next = block;
-        else
-            bin->first = block;
-        bin->last = block;
-    }
-    bin->last->items[bin->last->used++] = wide;
+    struct zr_bin_wides *block =
+        (struct zr_bin_wides *)zr_binner_room(binner, bin, ZR_BIN_WIDE_A_BLOCK - 1, sizeof *block);
+    if (block) block->items[block->head.used++] = wide;
 }
 
 void zr_binner_add_spanning(struct zr_binner *binner, const struct zr_batch *batch, uint32_t number)
@@ -190,14 +167,14 @@ static bool gather_large(struct zr_bins *bins)
 {
     size_t count = 0;
     for (int i = 0; i < bins->worker_count; i++)
-        for (const struct zr_wide_block *block = bins->workers[i].large.first; block; block = block->next)
+        for (const struct zr_bin_head *block = bins->workers[i].large.first; block; block = block->next)
             count += block->used;
     bins->large = zr_arena_alloc(bins->arena, count, sizeof *bins->large);
     if (!bins->large) return false;
     for (int i = 0; i < bins->worker_count; i++)
-        for (const struct zr_wide_block *block = bins->workers[i].large.first; block; block = block->next)
+        for (const struct zr_bin_head *block = bins->workers[i].large.first; block; block = block->next)
             for (uint32_t k = 0; k < block->used; k++)
-                bins->large[bins->large_count++] = block->items[k];
+                bins->large[bins->large_count++] = ((const struct zr_bin_wides *)block)->items[k];
     return true;
 }
 
@@ -231,10 +208,7 @@ static enum zr_status build(struct zr_team *team, struct zr_geometry *geometry, 
 enum zr_status zr_bins_build(struct zr_arena *arena, struct zr_team *team, struct zr_geometry *geometry, uint32_t width,
                              uint32_t height, const struct zr_cancel *cancel, struct zr_bins *bins)
 {
-    *bins = (struct zr_bins){.arena = arena,
-                             .width = width,
-                             .height = height,
-                             .columns = zr_tile_across(width)};
+    *bins = (struct zr_bins){.arena = arena, .width = width, .height = height, .columns = zr_tile_across(width)};
     pthread_mutex_init(&bins->arena_lock, NULL);
     enum zr_status status = build(team, geometry, cancel, bins);
     pthread_mutex_destroy(&bins->arena_lock);

@@ -30,23 +30,20 @@ enum {
     ZR_BIN_SMALL_SPAN = 64 * 256 /* on the snapped grid: edge functions then fit 32 bits, with room to spare */
 };
 
-struct zr_bin_block {
-    struct zr_bin_block *next;
+/* A list is a chain of blocks; what follows the head of each tells the kind of list. */
+struct zr_bin_head {
+    struct zr_bin_head *next;
     uint32_t used;
-    uint32_t numbers[ZR_BIN_WORDS + ZR_BIN_VECTOR];
-};
-
-/* Samples of tiny triangles. Their depth is less than 1. */
-struct zr_fragments {
-    struct zr_fragments *next;
-    uint32_t used;
-    uint32_t pixels[ZR_BIN_FRAGMENTS_ROOM]; /* in zr_tile.depth */
-    uint32_t owners[ZR_BIN_FRAGMENTS_ROOM];
-    float depths[ZR_BIN_FRAGMENTS_ROOM];
 };
 
 struct zr_bin {
-    struct zr_bin_block *first, *last;
+    struct zr_bin_head *first, *last;
+};
+
+/* Small triangles, by their numbers. */
+struct zr_bin_numbers {
+    struct zr_bin_head head;
+    uint32_t numbers[ZR_BIN_WORDS + ZR_BIN_VECTOR];
 };
 
 struct zr_wide {
@@ -54,21 +51,22 @@ struct zr_wide {
     uint32_t owner;
 };
 
-struct zr_wide_block {
-    struct zr_wide_block *next;
-    uint32_t used;
+struct zr_bin_wides {
+    struct zr_bin_head head;
     const struct zr_wide *items[ZR_BIN_WIDE_A_BLOCK];
 };
 
-struct zr_wide_bin {
-    struct zr_wide_block *first, *last;
+/* Samples of tiny triangles. Their depth is less than 1. */
+struct zr_bin_fragments {
+    struct zr_bin_head head;
+    uint32_t pixels[ZR_BIN_FRAGMENTS_ROOM]; /* in zr_tile.depth */
+    uint32_t owners[ZR_BIN_FRAGMENTS_ROOM];
+    float depths[ZR_BIN_FRAGMENTS_ROOM];
 };
 
 /* What one thread has for one tile. */
 struct zr_tile_bins {
-    struct zr_bin small;
-    struct zr_wide_bin wide;
-    struct zr_fragments *first, *last;
+    struct zr_bin small, wide, fragments;
 };
 
 /* What one thread sorts into. */
@@ -76,7 +74,7 @@ struct zr_binner {
     _Alignas(64) struct zr_bins *bins; /* no two threads' on one line of the cache */
     const struct zr_geometry *geometry;
     struct zr_tile_bins *tiles;
-    struct zr_wide_bin large;
+    struct zr_bin large;   /* wides */
     char *free, *free_end; /* room for blocks */
     bool failed;
     struct zr_counts counts;
@@ -109,30 +107,28 @@ void zr_binner_add_spanning(struct zr_binner *binner, const struct zr_batch *bat
 /* One without area, which may be no triangle at all. */
 void zr_binner_add_flat(struct zr_binner *binner, const struct zr_batch *batch, uint32_t number);
 
-/* A new last block; NULL, and the binner has failed, where there is no memory. */
-struct zr_bin_block *zr_binner_block(struct zr_binner *binner, struct zr_bin *bin);
-struct zr_fragments *zr_binner_fragments(struct zr_binner *binner, struct zr_tile_bins *tile);
+/* A new last block of so many bytes; NULL, and the binner has failed, where there is no memory. */
+struct zr_bin_head *zr_binner_block(struct zr_binner *binner, struct zr_bin *bin, size_t size);
 
-/* A block with room for a vector of numbers; NULL where the binner has failed. */
-static inline struct zr_bin_block *zr_binner_room(struct zr_binner *binner, struct zr_bin *bin)
+/* The last block where no more than `most` of it is used, else a new one. */
+static inline struct zr_bin_head *zr_binner_room(struct zr_binner *binner, struct zr_bin *bin, uint32_t most,
+                                                 size_t size)
 {
-    struct zr_bin_block *block = bin->last;
-    if (__builtin_expect(block && block->used <= ZR_BIN_WORDS, 1)) return block;
-    return zr_binner_block(binner, bin);
+    struct zr_bin_head *last = bin->last;
+    return __builtin_expect(last && last->used <= most, 1) ? last : zr_binner_block(binner, bin, size);
 }
 
-static inline void zr_binner_add(struct zr_binner *binner, struct zr_bin *bin, uint32_t number)
+/* Room for a vector of numbers, or NULL. */
+static inline struct zr_bin_numbers *zr_binner_numbers(struct zr_binner *binner, struct zr_bin *bin)
 {
-    struct zr_bin_block *block = zr_binner_room(binner, bin);
-    if (block) block->numbers[block->used++] = number;
+    return (struct zr_bin_numbers *)zr_binner_room(binner, bin, ZR_BIN_WORDS, sizeof(struct zr_bin_numbers));
 }
 
-/* The same for fragments. */
-static inline struct zr_fragments *zr_binner_fragment_room(struct zr_binner *binner, struct zr_tile_bins *tile)
+/* Room for ZR_BIN_FRAGMENTS_AT_ONCE, or NULL. */
+static inline struct zr_bin_fragments *zr_binner_fragments(struct zr_binner *binner, struct zr_bin *bin)
 {
-    struct zr_fragments *block = tile->last;
-    if (__builtin_expect(block && block->used <= ZR_BIN_FRAGMENTS_A_BLOCK, 1)) return block;
-    return zr_binner_fragments(binner, tile);
+    return (struct zr_bin_fragments *)zr_binner_room(binner, bin, ZR_BIN_FRAGMENTS_A_BLOCK,
+                                                     sizeof(struct zr_bin_fragments));
 }
 
 #endif

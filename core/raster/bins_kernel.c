@@ -62,8 +62,8 @@ struct samples {
     zr_vf depth;
 };
 
-static inline uint32_t put_there(struct zr_fragments *block, uint32_t used, zr_vm put, const struct samples *samples,
-                                 zr_vi owners)
+static inline uint32_t put_there(struct zr_bin_fragments *block, uint32_t used, zr_vm put,
+                                 const struct samples *samples, zr_vi owners)
 {
     zr_vi_compress(block->pixels + used, put, samples->pixel);
     zr_vi_compress(block->depths + used, put, zr_vi_bits_of(samples->depth));
@@ -78,9 +78,9 @@ static inline void put_apart(struct zr_binner *binner, const struct samples *sam
     for (uint32_t bits = zr_vm_bits(samples->seen); bits;) {
         const uint32_t number = tiles[zr_lowest_bit(bits)];
         const zr_vm here = zr_vi_eq(samples->tile, zr_vi_set((int32_t)number));
-        struct zr_fragments *block = zr_binner_fragment_room(binner, &binner->tiles[number]);
+        struct zr_bin_fragments *block = zr_binner_fragments(binner, &binner->tiles[number].fragments);
         if (!block) return;
-        block->used = put_there(block, block->used, zr_vm_and(here, zr_vm_of(bits)), samples, owners);
+        block->head.used = put_there(block, block->head.used, zr_vm_and(here, zr_vm_of(bits)), samples, owners);
         bits &= ~zr_vm_bits(here);
     }
 }
@@ -99,12 +99,12 @@ static inline void put_fragments(struct zr_binner *binner, const struct samples 
             put_apart(binner, &samples[i], owners);
         return;
     }
-    struct zr_fragments *block = zr_binner_fragment_room(binner, &binner->tiles[number]);
+    struct zr_bin_fragments *block = zr_binner_fragments(binner, &binner->tiles[number].fragments);
     if (!block) return;
-    uint32_t used = block->used;
+    uint32_t used = block->head.used;
     for (int i = 0; i < 4; i++)
         used = put_there(block, used, samples[i].seen, &samples[i], owners);
-    block->used = used;
+    block->head.used = used;
 }
 _Static_assert((int)ZR_LANES <= (int)ZR_BIN_VECTOR, "a block has room for a vector");
 _Static_assert(ZR_TILE_SIZE == 1 << 6, "columns and rows of tiles are shifts");
@@ -192,9 +192,9 @@ static inline void list_small(struct sorter *s, zr_vm listed, const struct box *
     for (uint32_t bits = zr_vm_bits(zr_vm_and(listed, inner)); bits;) {
         const uint32_t number = (uint32_t)tiles[zr_lowest_bit(bits)];
         const zr_vm here = zr_vi_eq(tile_v, zr_vi_set((int32_t)number));
-        struct zr_bin_block *block = zr_binner_room(s->binner, &s->binner->tiles[number].small);
+        struct zr_bin_numbers *block = zr_binner_numbers(s->binner, &s->binner->tiles[number].small);
         if (!block) return;
-        block->used += zr_vi_compress(block->numbers + block->used, zr_vm_and(here, zr_vm_of(bits)), numbers);
+        block->head.used += zr_vi_compress(block->numbers + block->head.used, zr_vm_and(here, zr_vm_of(bits)), numbers);
         bits &= ~zr_vm_bits(here);
     }
     if (!zr_vm_any(zr_vm_andnot(listed, inner))) return;
@@ -207,7 +207,9 @@ static inline void list_small(struct sorter *s, zr_vm listed, const struct box *
         for (int32_t y = y0[i]; y <= y1[i]; y++)
             for (int32_t x = x0[i]; x <= x1[i]; x++) {
                 size_t tile = (size_t)y * columns + (size_t)x;
-                zr_binner_add(s->binner, &s->binner->tiles[tile].small, first + (uint32_t)i);
+                struct zr_bin_numbers *block = zr_binner_numbers(s->binner, &s->binner->tiles[tile].small);
+                if (!block) return;
+                block->numbers[block->head.used++] = first + (uint32_t)i;
             }
     }
 }

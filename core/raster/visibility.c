@@ -77,9 +77,9 @@ static bool draw_large(const struct zr_visible *visible, const struct zr_cancel 
 
 /* ---- what is listed ---- */
 
-static void draw_fragments(const struct zr_fragments *block, struct zr_tile *tile)
+static void draw_fragments(const struct zr_bin_fragments *block, struct zr_tile *tile)
 {
-    for (uint32_t i = 0; i < block->used; i++) {
+    for (uint32_t i = 0; i < block->head.used; i++) {
         const uint32_t pixel = block->pixels[i], owner = block->owners[i];
         const float depth = block->depths[i], old = tile->depth[pixel];
         if (!(depth < old || (depth == old && owner < tile->owner[pixel]))) continue;
@@ -92,10 +92,11 @@ static bool draw_wide_ones(const struct zr_visible *visible, uint32_t number, co
                            struct zr_tile *tile)
 {
     for (int i = 0; i < visible->bins.worker_count; i++)
-        for (const struct zr_wide_block *b = visible->bins.workers[i].tiles[number].wide.first; b; b = b->next) {
+        for (const struct zr_bin_head *b = visible->bins.workers[i].tiles[number].wide.first; b; b = b->next) {
+            const struct zr_bin_wides *wides = (const struct zr_bin_wides *)b;
             if (zr_is_cancelled(cancel)) return false;
             for (uint32_t k = 0; k < b->used; k++)
-                visible->halfspace->draw(tile, &b->items[k]->setup, b->items[k]->owner);
+                visible->halfspace->draw(tile, &wides->items[k]->setup, wides->items[k]->owner);
         }
     return true;
 }
@@ -104,13 +105,14 @@ static bool draw_small_ones(const struct zr_visible *visible, uint32_t number, c
                             struct zr_tile *tile)
 {
     for (int i = 0; i < visible->bins.worker_count; i++)
-        for (const struct zr_bin_block *b = visible->bins.workers[i].tiles[number].small.first; b; b = b->next) {
+        for (const struct zr_bin_head *b = visible->bins.workers[i].tiles[number].small.first; b; b = b->next) {
             if (zr_is_cancelled(cancel)) return false;
-            visible->halfspace->draw_small(tile, visible->geometry, b->numbers, b->used);
+            visible->halfspace->draw_small(tile, visible->geometry, ((const struct zr_bin_numbers *)b)->numbers,
+                                           b->used);
         }
     for (int i = 0; i < visible->bins.worker_count; i++)
-        for (const struct zr_fragments *f = visible->bins.workers[i].tiles[number].first; f; f = f->next)
-            draw_fragments(f, tile);
+        for (const struct zr_bin_head *b = visible->bins.workers[i].tiles[number].fragments.first; b; b = b->next)
+            draw_fragments((const struct zr_bin_fragments *)b, tile);
     return true;
 }
 
@@ -173,7 +175,8 @@ static bool has_more(const struct zr_visible *visible, uint32_t number)
 {
     const struct zr_others *others = &visible->others;
     for (int i = 0; i < visible->bins.worker_count; i++)
-        if (visible->bins.workers[i].tiles[number].small.first || visible->bins.workers[i].tiles[number].first)
+        if (visible->bins.workers[i].tiles[number].small.first ||
+            visible->bins.workers[i].tiles[number].fragments.first)
             return true;
     return others->count > 0 && (others->large_count > 0 || others->offsets[number] < others->offsets[number + 1]);
 }
