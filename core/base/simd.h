@@ -9,7 +9,6 @@
  *
  *   zr_vf_set(a) zr_vi_set(a)          all lanes alike           zr_vf_ramp() zr_vi_ramp()   0, 1, 2 ...
  *   zr_vf_load(p) zr_vi_load(p)        ZR_LANES from anywhere    zr_vf_store(p, v) zr_vi_store(p, v)
- *   zr_vf_store_where(m, p, v), zr_vi_store_where: lanes of m only; the others may be read and written back
  *   zr_vi_store_first(p, v, n): lanes 0 .. n - 1, n at most ZR_LANES, and nothing else is touched
  *   zr_vi_stream(p, v): past the caches where the machine can, p being a multiple of the vector's size; zr_stream_end()
  *   zr_vf_lt le eq(a, b), zr_vi_lt eq(a, b), zr_vm_and or andnot(a, b: a and not b), zr_vm_bits(m), zr_vm_of(bits)

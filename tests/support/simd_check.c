@@ -91,7 +91,7 @@ static void want_floats(const struct simd_inputs *in, struct simd_results *want,
     want->vf_max[k] = a > b ? a : b;
     want->vf_abs[k] = fabsf(a);
     want->vf_of[k] = (float)in->i[k];
-    want->vf_select[k] = want->vf_store_where[k] = in->m[k] ? a : b;
+    want->vf_select[k] = in->m[k] ? a : b;
     want->vf_lt[k] = a < b;
     want->vf_le[k] = a <= b;
     want->vf_eq[k] = a == b;
@@ -124,7 +124,7 @@ static void want_ints(const struct simd_inputs *in, struct simd_results *want, i
     want->vi_max[k] = i > j ? i : j;
     want->vi_round[k] = nearest(in->small[k]);
     memcpy(&want->vi_bits_of[k], &in->a[k], sizeof(int32_t));
-    want->vi_select[k] = want->vi_store_where[k] = in->m[k] ? i : j;
+    want->vi_select[k] = in->m[k] ? i : j;
     want->vi_lt[k] = i < j;
     want->vi_eq[k] = i == j;
     want->vi_lt_where[k] = in->m[k] && i < j;
@@ -179,7 +179,6 @@ static const struct result results[] = {EXACT(vf_set),
                                         EXACT(vf_abs),
                                         EXACT(vf_of),
                                         EXACT(vf_select),
-                                        EXACT(vf_store_where),
                                         EXACT(vf_lt),
                                         EXACT(vf_le),
                                         EXACT(vf_eq),
@@ -200,7 +199,6 @@ static const struct result results[] = {EXACT(vf_set),
                                         EXACT(vi_round),
                                         EXACT(vi_bits_of),
                                         EXACT(vi_select),
-                                        EXACT(vi_store_where),
                                         EXACT(vi_lt),
                                         EXACT(vi_eq),
                                         EXACT(vm_and),

@@ -30,7 +30,7 @@ struct simd_results {
     float vf_set[SIMD_COUNT], vf_load[SIMD_COUNT], vf_ramp[SIMD_COUNT]; /* set: lane 0 of a, all over its vector */
     float vf_add[SIMD_COUNT], vf_sub[SIMD_COUNT], vf_mul[SIMD_COUNT], vf_div[SIMD_COUNT];
     float vf_min[SIMD_COUNT], vf_max[SIMD_COUNT], vf_abs[SIMD_COUNT], vf_of[SIMD_COUNT];
-    float vf_select[SIMD_COUNT], vf_store_where[SIMD_COUNT]; /* a where m, else b */
+    float vf_select[SIMD_COUNT]; /* a where m, else b */
     int32_t vf_lt[SIMD_COUNT], vf_le[SIMD_COUNT], vf_eq[SIMD_COUNT];
     int32_t vf_lt_where[SIMD_COUNT], vf_eq_where[SIMD_COUNT], vi_lt_where[SIMD_COUNT]; /* m */
     int32_t vi_set[SIMD_COUNT], vi_ramp[SIMD_COUNT];
@@ -38,7 +38,7 @@ struct simd_results {
     int32_t vi_and[SIMD_COUNT], vi_or[SIMD_COUNT], vi_xor[SIMD_COUNT];
     int32_t vi_left_1[SIMD_COUNT], vi_left_16[SIMD_COUNT], vi_right_6[SIMD_COUNT], vi_right_31[SIMD_COUNT];
     int32_t vi_min[SIMD_COUNT], vi_max[SIMD_COUNT], vi_round[SIMD_COUNT], vi_bits_of[SIMD_COUNT];
-    int32_t vi_select[SIMD_COUNT], vi_store_where[SIMD_COUNT], vi_store_first[SIMD_COUNT]; /* i, else j */
+    int32_t vi_select[SIMD_COUNT], vi_store_first[SIMD_COUNT]; /* i, else j */
     float vf_bits[SIMD_COUNT];                                                             /* of i */
     _Alignas(64) int32_t vi_stream[SIMD_COUNT];
     int32_t vi_lt[SIMD_COUNT], vi_eq[SIMD_COUNT];
@@ -51,7 +51,7 @@ struct simd_results {
     int32_t vi_gather[SIMD_COUNT];     /* places[order], 0 where not m */
     int32_t vi_compress[SIMD_COUNT];   /* of i and m; 0 in a vector's lanes behind those */
     int32_t vi_compressed[SIMD_COUNT]; /* how many */
-    int32_t strayed[SIMD_COUNT]; /* not 0: a store_where wrote beside its vector, or a store_first beside its lanes */
+    int32_t strayed[SIMD_COUNT]; /* not 0: a store_first wrote beside its lanes */
     int32_t lanes;
 };
 

@@ -43,14 +43,6 @@ static inline void zr_vi_store(void *p, zr_vi v)
 {
     _mm512_storeu_si512(p, (__m512i)v);
 }
-static inline void zr_vf_store_where(zr_vm m, float *p, zr_vf v)
-{
-    _mm512_mask_storeu_ps(p, m, (__m512)v);
-}
-static inline void zr_vi_store_where(zr_vm m, void *p, zr_vi v)
-{
-    _mm512_mask_storeu_epi32(p, m, (__m512i)v);
-}
 static inline void zr_vi_store_first(void *p, zr_vi v, uint32_t n)
 {
     _mm512_mask_storeu_epi32(p, (__mmask16)_bzhi_u32(0xffff, n), (__m512i)v);

@@ -46,14 +46,6 @@ static inline void zr_vi_store(void *p, zr_vi v)
 {
     memcpy(p, &v, sizeof v);
 }
-static inline void zr_vf_store_where(zr_vm m, float *p, zr_vf v)
-{
-    if (m) *p = v;
-}
-static inline void zr_vi_store_where(zr_vm m, void *p, zr_vi v)
-{
-    if (m) memcpy(p, &v, sizeof v);
-}
 static inline void zr_vi_store_first(void *p, zr_vi v, uint32_t n)
 {
     if (n > 0) memcpy(p, &v, sizeof v);

@@ -28,15 +28,6 @@ static inline zr_vm zr_vi_lt_where(zr_vm m, zr_vi a, zr_vi b)
 {
     return m & zr_vi_lt(a, b);
 }
-/* Whole vectors, also where there are masked stores: the next load of them then need not wait for the cache. */
-static inline void zr_vf_store_where(zr_vm m, float *p, zr_vf v)
-{
-    zr_vf_store(p, zr_vf_select(m, v, zr_vf_load(p)));
-}
-static inline void zr_vi_store_where(zr_vm m, void *p, zr_vi v)
-{
-    zr_vi_store(p, zr_vi_select(m, v, zr_vi_load(p)));
-}
 /* Every lane is stored, and the next one over it where it was not to be: no branch, and no table. */
 static inline uint32_t zr_vi_compress(void *p, zr_vm m, zr_vi v)
 {
