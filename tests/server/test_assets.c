@@ -7,6 +7,7 @@
 #include "assets.h"
 #include "support/base64.h"
 #include "support/cmocka_all.h"
+#include "support/png.h"
 
 static struct folder folder;
 static struct daemon server;
@@ -316,6 +317,13 @@ static struct picture keep_picture(struct reply reply, long status)
     return picture;
 }
 
+/* Byte for byte, or as pictures. */
+static bool same_answer(const struct reply *a, const struct reply *b)
+{
+    return (a->size == b->size && memcmp(a->body, b->body, a->size) == 0) ||
+           png_same_pixels(a->body, a->size, b->body, b->size);
+}
+
 static void scene_with_assets_is_drawn_as_with_data_uris(void **state)
 {
     (void)state;
@@ -327,10 +335,9 @@ static void scene_with_assets_is_drawn_as_with_data_uris(void **state)
         struct reply got = render(targets[i], color.stored, depth.stored);
         if (want.status != 200 || got.status != 200) fail_msg("%s\n%s", want.body, got.body);
         assert_string_equal(reply_header(&got, "Zraster-Warnings"), "");
-        assert_int_equal(got.size, want.size);
-        assert_memory_equal(got.body, want.body, want.size);
+        assert_true(same_answer(&got, &want));
         struct reply first = render_first(targets[i]);
-        assert_true(first.size != got.size || memcmp(first.body, got.body, got.size) != 0);
+        assert_false(same_answer(&first, &got));
         reply_free(&first);
         reply_free(&want);
         reply_free(&got);

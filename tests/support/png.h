@@ -13,4 +13,8 @@ bool png_file_write(const char *path, const uint8_t *rgba, uint32_t width, uint3
 /* The same into memory that is to be freed; NULL where that fails. */
 uint8_t *png_memory_write(const uint8_t *rgba, uint32_t width, uint32_t height, size_t *size);
 
+/* Whether two files decode to the same RGBA pixels. That is what a PNG promises: its bytes depend on where in memory it
+ * was deflated (core/output/idat.h). */
+bool png_same_pixels(const void *a, size_t a_size, const void *b, size_t b_size);
+
 #endif
