@@ -19,7 +19,7 @@ bool harness_open(struct harness *harness, const struct harness_options *options
     memset(harness, 0, sizeof *harness);
     zr_arena_init(&harness->arena, arena_ceiling);
     harness->options = *options;
-    harness->failures_left = FAILURES_MAX;
+    harness->failures_left = *options->failures ? FAILURES_MAX : 0;
     struct reference_error error = {""};
     harness->reference = reference_open(
         &(struct reference_options){.driver = options->driver, .native = false, .threads = options->threads}, &error);

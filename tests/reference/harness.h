@@ -30,7 +30,7 @@ struct harness_options {
     bool all_parity;      /* the reference draws convex polygons by the odd-even rule too (batches.h) */
     bool transformed;     /* the reference gets clip-space positions (batches.h) */
     double perturbation;  /* added to clip-space x on the reference's side: a comparison that must fail */
-    const char *failures; /* directory for pictures of what differs */
+    const char *failures; /* directory for pictures of what differs; empty: none */
 };
 
 struct harness {
