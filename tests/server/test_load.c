@@ -91,7 +91,7 @@ static void full_queue_refuses_and_serves_the_others(void **state)
         reply_free(&posts[i].reply);
     }
     assert_int_equal(served + refused, CLIENTS_MAX);
-    assert_true(served >= 3 && refused >= 1);
+    assert_true(served >= 2 && refused >= 1); /* two have room, even before the worker takes the first of them */
     free(scene);
     daemon_stop(&server);
 }
@@ -292,15 +292,17 @@ static void drain_that_takes_too_long_is_cut_short(void **state)
 {
     (void)state;
     struct daemon server =
-        daemon_start((const char *const[]){LET_IN, "--workers=1", "--queue=2", "--max-per-client=0",
+        daemon_start((const char *const[]){LET_IN, "--workers=1", "--queue=1", "--max-per-client=0",
                                            "--render-timeout-ms=120000", "--drain-timeout-ms=200", NULL});
     char *scene = scene_slow(SLOW_ALGORITHM, MANY);
-    struct post posts[3]; /* one is worked on, two wait */
-    begin_posts(posts, 3, &server, scene);
+    struct post posts[2]; /* one is worked on, one waits: both at once would find no room but for one */
+    begin_posts(&posts[0], 1, &server, scene);
+    usleep(300000);
+    begin_posts(&posts[1], 1, &server, scene);
     assert_true(wait_for_status(&server, "/readyz", 503));
     usleep(300000); /* not ready before the last of them has come */
     daemon_stop(&server);
-    assert_int_equal(end_posts(posts, 3, 503), 3);
+    assert_int_equal(end_posts(posts, 2, 503), 2);
     free(scene);
 }
 
