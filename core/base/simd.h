@@ -18,11 +18,11 @@
  *   zr_vf_abs(a)  zr_vf_of(vi): int to float   zr_vi_round(vf): to the nearest, ties to even, where |v| < 2^22
  *   zr_vi_bits_of(vf), zr_vf_bits(vi)  the same bits as integers, as floats
  *   ZR_LOAD4(x, y, z, w, AT): lane i of x, y, z, w are the four floats at AT(i), a const float *
- *   ZR_LOAD2(x, y, AT): the same of two floats
+ *   zr_vf_store4(p, x, y, z, w), zr_vi_store4: the other way round, all to one place
+ *   ZR_LOAD2(x, y, AT): as ZR_LOAD4, of two floats
  *   zr_vi_gather(m, p, i): p[i] of four bytes, lane by lane; anything in lanes that are not m's
- *   zr_load_corners(vertices, corners, x, y): x[k], y[k] of lane i are the first two floats of vertices + 4 corners[3 i
- * + k] zr_vi_compress(p, m, v): the lanes of m, one after the other; up to ZR_LANES words there may be written. Their
- * count zr_vf_store4(p, x, y, z, w), zr_vi_store4: the other way round, all to one place
+ *   zr_load_corners(vertices, corners, x, y): x[k], y[k] of lane i are the two floats at vertices + 4 corners[3 i + k]
+ *   zr_vi_compress(p, m, v): the lanes of m, one after the other, and their count; ZR_LANES words may be written
  */
 #ifndef ZR_SIMD_H
 #define ZR_SIMD_H

@@ -1,6 +1,7 @@
 #include "assets.h"
 
 #include <dirent.h>
+#include <fcntl.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -41,6 +42,14 @@ int folder_count(const struct folder *folder)
         count += !is_own_link(file->d_name);
     closedir(listing);
     return count;
+}
+
+void folder_write(const struct folder *file, const void *bytes, size_t size)
+{
+    int fd = open(file->path, O_WRONLY | O_CREAT | O_TRUNC, 0600);
+    assert_true(fd >= 0);
+    assert_int_equal(write(fd, bytes, size), size);
+    close(fd);
 }
 
 void folder_remove(const struct folder *folder)

@@ -19,6 +19,8 @@ struct folder folder_make(void);
 struct folder folder_file(const struct folder *folder, const char *name);
 /* How many files are in it, all kinds and hidden ones too. */
 int folder_count(const struct folder *folder);
+/* Writes the whole of a file in it, old or new. */
+void folder_write(const struct folder *file, const void *bytes, size_t size);
 /* With all files in it. */
 void folder_remove(const struct folder *folder);
 

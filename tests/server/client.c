@@ -116,6 +116,19 @@ struct reply client_send_chunked(const struct daemon *daemon, const char *target
     return reply;
 }
 
+int clients_setup(void **state)
+{
+    (void)state;
+    return curl_global_init(CURL_GLOBAL_ALL) == CURLE_OK ? 0 : -1;
+}
+
+int clients_teardown(void **state)
+{
+    (void)state;
+    curl_global_cleanup();
+    return 0;
+}
+
 void reply_free(struct reply *reply)
 {
     free(reply->headers);

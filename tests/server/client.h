@@ -31,6 +31,10 @@ struct reply client_get(const struct daemon *daemon, const char *target);
 /* A POST whose body is sent chunked: `size` times the byte 'x'. */
 struct reply client_send_chunked(const struct daemon *daemon, const char *target, size_t size);
 
+/* For a group of tests whose clients run in threads: libcurl starts by itself only where there is one. */
+int clients_setup(void **state);
+int clients_teardown(void **state);
+
 void reply_free(struct reply *reply);
 
 /* The value of a header, "" where there is none; valid until the next call. */

@@ -126,6 +126,7 @@ char *daemon_wait_for_log(const struct daemon *daemon, const char *text)
         if (line) return line;
         usleep(TICK_MS * 1000);
     }
+    fail_msg("the log has no '%s'", text);
     return NULL;
 }
 

@@ -13,6 +13,13 @@ struct daemon {
     int log_fd; /* its standard error: a file in memory */
 };
 
+/* Flags of a daemon, as an array that ends with NULL. */
+#define LIST(...)                                                                                                      \
+    (const char *const[])                                                                                              \
+    {                                                                                                                  \
+        __VA_ARGS__, NULL                                                                                              \
+    }
+
 /* The binary named by ZRASTERD, else build/zrasterd, with --port 0 and `flags`
  * (ends with NULL; may be NULL). Returns when it listens. */
 struct daemon daemon_start(const char *const *flags);
@@ -26,7 +33,8 @@ void daemon_stop(struct daemon *daemon);
 /* All that it wrote to standard error so far; free it. */
 char *daemon_log(const struct daemon *daemon);
 
-/* Waits until the log has a line with `text`; returns that line (free it), NULL after some seconds. */
+/* Waits until the log has a line with `text`; returns that line (free it). The running test fails where none comes in
+ * some seconds. */
 char *daemon_wait_for_log(const struct daemon *daemon, const char *text);
 
 /* Runs the binary with `arguments` to its end: exit status, and what it wrote to both outputs (free it). */

@@ -414,7 +414,6 @@ static void log_line_is_json_and_tells_of_the_request(void **state)
     struct reply reply = client_send(&server, "POST", "/v1/render?channel=x", headers, "{}", 2);
     assert_true(reply.status >= 400);
     char *line = daemon_wait_for_log(&server, "\"log-test\"");
-    assert_non_null(line);
     cJSON *root = cJSON_ParseWithOpts(line, NULL, 1);
     assert_non_null(root);
     assert_string_equal(cJSON_GetStringValue(cJSON_GetObjectItemCaseSensitive(root, "method")), "POST");
@@ -437,7 +436,6 @@ static void log_line_of_hostile_path_is_json(void **state)
     (void)state;
     free(client_raw(&server, REQUEST, sizeof REQUEST - 1, 5000));
     char *line = daemon_wait_for_log(&server, "mark");
-    assert_non_null(line);
     cJSON *root = cJSON_ParseWithOpts(line, NULL, 1);
     assert_non_null(root);
     assert_string_equal(cJSON_GetStringValue(cJSON_GetObjectItemCaseSensitive(root, "path")),

@@ -18,12 +18,6 @@ static void assert_run(const char *const *arguments, int status, const char *con
     free(output);
 }
 
-#define LIST(...)                                                                                                      \
-    (const char *const[])                                                                                              \
-    {                                                                                                                  \
-        __VA_ARGS__, NULL                                                                                              \
-    }
-
 static void help_lists_every_flag(void **state)
 {
     (void)state;

@@ -6,8 +6,6 @@
 #include <sys/socket.h>
 #include <unistd.h>
 
-#include <curl/curl.h>
-
 #include "client.h"
 #include "support/cmocka_all.h"
 
@@ -140,19 +138,6 @@ static void memory_goes_back_to_the_system_when_nothing_happens(void **state)
     daemon_stop(&server);
 }
 
-static int start_curl(void **state)
-{
-    (void)state;
-    return curl_global_init(CURL_GLOBAL_ALL) == CURLE_OK ? 0 : -1;
-}
-
-static int stop_curl(void **state)
-{
-    (void)state;
-    curl_global_cleanup();
-    return 0;
-}
-
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -161,5 +146,5 @@ int main(void)
         cmocka_unit_test(large_request_behind_another_is_answered_when_the_daemon_ends),
         cmocka_unit_test(memory_goes_back_to_the_system_when_nothing_happens),
     };
-    return cmocka_run_group_tests_name("fair", tests, start_curl, stop_curl);
+    return cmocka_run_group_tests_name("fair", tests, clients_setup, clients_teardown);
 }

@@ -7,8 +7,6 @@
 #include <time.h>
 #include <unistd.h>
 
-#include <curl/curl.h>
-
 #include "client.h"
 #include "support/cmocka_all.h"
 
@@ -152,7 +150,6 @@ static void client_that_leaves_frees_the_worker(void **state)
     assert_int_equal(client_render_status(&server, GOOD_SCENE), 200);
     assert_true(seconds() - begun < 5.0); /* under sanitizers; a worker that was not told is busy for far longer */
     char *line = daemon_wait_for_log(&server, "the client left");
-    assert_non_null(line);
     assert_non_null(strstr(line, "\"status\":0,\"aborted\":true"));
     free(line);
     free(scene);
@@ -247,7 +244,6 @@ static void reader_that_stops_is_cut_off(void **state)
     int fd = client_connect(&server);
     assert_int_equal(send(fd, REQUEST, sizeof REQUEST - 1, 0), sizeof REQUEST - 1);
     char *line = daemon_wait_for_log(&server, "\"aborted\":true");
-    assert_non_null(line);
     assert_non_null(strstr(line, "\"status\":200"));
     free(line);
     close(fd);
@@ -403,19 +399,6 @@ static void sigterm_with_uploads_and_idle_connections_ends(void **state)
     close(silent);
 }
 
-static int start_curl(void **state)
-{
-    (void)state;
-    return curl_global_init(CURL_GLOBAL_ALL) == CURLE_OK ? 0 : -1;
-}
-
-static int stop_curl(void **state)
-{
-    (void)state;
-    curl_global_cleanup();
-    return 0;
-}
-
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -436,5 +419,5 @@ int main(void)
         cmocka_unit_test(memory_of_a_large_body_is_given_back),
         cmocka_unit_test(sigterm_with_uploads_and_idle_connections_ends),
     };
-    return cmocka_run_group_tests(tests, start_curl, stop_curl);
+    return cmocka_run_group_tests(tests, clients_setup, clients_teardown);
 }

@@ -1,51 +1,24 @@
 /* The directory of assets: what it holds, what becomes of it, and who works in it. */
-#include <errno.h>
 #include <fcntl.h>
 #include <pthread.h>
-#include <sched.h>
-#include <signal.h>
 #include <stdatomic.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/file.h>
-#include <sys/mount.h>
-#include <sys/resource.h>
-#include <sys/socket.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
 #include "assets.h"
 #include "support/cmocka_all.h"
 
-#define LIST(...)                                                                                                      \
-    (const char *const[])                                                                                              \
-    {                                                                                                                  \
-        __VA_ARGS__, NULL                                                                                              \
-    }
-
 /* Many at once, and none refused for it. */
 #define CROWD "--max-per-client=0", "--queue=64", "--workers=8"
-
-static void write_file(const struct folder *file, const void *bytes, size_t size)
-{
-    int fd = open(file->path, O_WRONLY | O_CREAT | O_TRUNC, 0600);
-    assert_true(fd >= 0);
-    assert_int_equal(write(fd, bytes, size), size);
-    close(fd);
-}
 
 static bool has_file(const struct folder *folder, const char *name)
 {
     struct stat info;
     return lstat(folder_file(folder, name).path, &info) == 0;
-}
-
-static void assert_logged(const struct daemon *daemon, const char *text)
-{
-    char *line = daemon_wait_for_log(daemon, text);
-    assert_non_null(line);
-    free(line);
 }
 
 /* One block on disk, its own for each number. */
@@ -129,12 +102,12 @@ static void only_temporary_files_that_nobody_works_on_are_removed(void **state)
                                    ".zraster-upload-0123456789abcdeX", "upload-0123456789abcdef"};
     for (size_t i = 0; i < sizeof foreign / sizeof *foreign; i++) {
         struct folder file = folder_file(&folder, foreign[i]);
-        write_file(&file, "x", 1);
+        folder_write(&file, "x", 1);
     }
     struct folder left = folder_file(&folder, ".zraster-upload-0123456789abcdef");
     struct folder held = folder_file(&folder, ".zraster-upload-fedcba9876543210");
-    write_file(&left, "half", 4);
-    write_file(&held, "half", 4);
+    folder_write(&left, "half", 4);
+    folder_write(&held, "half", 4);
     int fd = open(held.path, O_RDONLY);
     assert_int_equal(flock(fd, LOCK_EX), 0);
     struct daemon server = assets_start(&folder, NULL);
@@ -155,7 +128,7 @@ static void files_that_are_none_of_ours_do_no_harm(void **state)
     char link[ASSET_NAME_SIZE], pipe[ASSET_NAME_SIZE], directory[ASSET_NAME_SIZE];
     struct folder folder = folder_make(), outside = folder_make();
     struct folder secret = folder_file(&outside, "secret");
-    write_file(&secret, "abc", 3);
+    folder_write(&secret, "abc", 3);
     memset(pipe, '1', 64), memset(link, '2', 64), memset(directory, '3', 64);
     pipe[64] = link[64] = directory[64] = '\0';
     assert_int_equal(symlink(secret.path, folder_file(&folder, ABC_NAME).path), 0);
@@ -188,13 +161,13 @@ static void broken_file_is_found_removed_and_healed(void **state)
     const char *const broken[] = {"abd", "ab", "abcd", ""};
     asset_post(&server, "abc", 3, 201);
     for (size_t i = 0; i < 4; i++) {
-        write_file(&file, broken[i], strlen(broken[i]));
+        folder_write(&file, broken[i], strlen(broken[i]));
         assert_int_equal(asset_status(&server, ABC_NAME), 404);
         assert_false(has_file(&folder, ABC_NAME));
         asset_post(&server, "abc", 3, 201);
         assert_int_equal(asset_status(&server, ABC_NAME), 200);
     }
-    assert_logged(&server, "asset-broken");
+    free(daemon_wait_for_log(&server, "asset-broken"));
     assert_int_equal(truncate(file.path, 2), 0); /* sent again before anybody asked for it */
     asset_post(&server, "abc", 3, 201);
     assert_int_equal(asset_status(&server, ABC_NAME), 200);
@@ -261,7 +234,7 @@ static void file_that_is_cut_while_it_is_read_is_missing(void **state)
     struct daemon server = assets_start(&folder, NULL);
     struct folder file = folder_file(&folder, ABC_NAME);
     for (int ms = 1; ms <= 64; ms *= 4) {
-        write_file(&file, "", 0);
+        folder_write(&file, "", 0);
         assert_int_equal(truncate(file.path, size), 0);
         int fd = client_connect(&server);
         static const char request[] = "GET /v1/assets/" ABC_NAME " HTTP/1.1\r\nHost: a\r\n\r\n";
@@ -412,110 +385,6 @@ static void daemon_spares_what_another_has_used(void **state)
     folder_remove(&folder);
 }
 
-/* ---- disks that do not take it ---- */
-
-static void assert_full_and_well(struct daemon *server, const struct folder *folder)
-{
-    enum { SIZE = 200000 };
-    char *bytes = calloc(1, SIZE);
-    for (int i = 0; i < 3; i++) {
-        assert_problem(client_send(server, "POST", "/v1/assets", NULL, bytes, SIZE), 507, "no room");
-        assert_int_equal(folder_count(folder), 1); /* nothing is left of it */
-    }
-    assert_int_equal(asset_status(server, ABC_NAME), 200);
-    asset_post(server, "abc", 3, 200);
-    free(bytes);
-}
-
-static void file_beyond_the_system_limit_gives_507(void **state)
-{
-    (void)state;
-    struct folder folder = folder_make();
-    struct rlimit before, low;
-    assert_int_equal(getrlimit(RLIMIT_FSIZE, &before), 0);
-    low = (struct rlimit){100000, before.rlim_max};
-    assert_int_equal(setrlimit(RLIMIT_FSIZE, &low), 0);
-    struct daemon server = assets_start(&folder, NULL);
-    assert_int_equal(setrlimit(RLIMIT_FSIZE, &before), 0);
-    asset_post(&server, "abc", 3, 201);
-    assert_full_and_well(&server, &folder);
-    daemon_stop(&server);
-    folder_remove(&folder);
-}
-
-/* A small file system that nobody else sees. False: not allowed. */
-static bool mount_small(const struct folder *folder)
-{
-    return unshare(CLONE_NEWNS) == 0 && mount(NULL, "/", NULL, MS_REC | MS_PRIVATE, NULL) == 0 &&
-           mount("none", folder->path, "tmpfs", 0, "size=64k") == 0;
-}
-
-static void full_disk_gives_507(void **state)
-{
-    (void)state;
-    struct folder folder = folder_make();
-    if (!mount_small(&folder)) {
-        fprintf(stderr, "LEFT OUT: a full disk: mounting a small one needs root (%s)\n", strerror(errno));
-        folder_remove(&folder);
-        skip();
-    }
-    struct daemon server = assets_start(&folder, NULL);
-    asset_post(&server, "abc", 3, 201);
-    assert_full_and_well(&server, &folder);
-    daemon_stop(&server);
-    assert_int_equal(umount(folder.path), 0);
-    folder_remove(&folder);
-}
-
-/* Root may write everywhere but on a disk that is mounted so. */
-static bool make_read_only(const struct folder *folder, bool on)
-{
-    if (geteuid() != 0) return chmod(folder->path, on ? 0500 : 0700) == 0;
-    if (!on) return umount(folder->path) == 0;
-    return mount("none", folder->path, "tmpfs", MS_REMOUNT | MS_RDONLY, "size=64k") == 0;
-}
-
-static void read_only_directory_serves_what_it_has(void **state)
-{
-    (void)state;
-    struct folder folder = folder_make();
-    if (geteuid() == 0 && !mount_small(&folder)) {
-        fprintf(stderr, "LEFT OUT: a read-only directory: root cannot mount one here (%s)\n", strerror(errno));
-        folder_remove(&folder);
-        skip();
-    }
-    struct folder file = folder_file(&folder, ABC_NAME);
-    write_file(&file, "abc", 3);
-    assert_true(make_read_only(&folder, true));
-    struct daemon server = assets_start(&folder, LIST("--assets-max-bytes=4096"));
-    assert_logged(&server, "assets-read-only");
-    assert_int_equal(asset_status(&server, ABC_NAME), 200);
-    asset_post(&server, "abc", 3, 200);
-    assert_problem(client_send(&server, "POST", "/v1/assets", NULL, "other", 5), 403, "cannot be written");
-    assert_int_equal(asset_status(&server, ABC_NAME), 200);
-    daemon_stop(&server);
-    assert_true(make_read_only(&folder, false));
-    folder_remove(&folder);
-}
-
-static void directory_that_cannot_be_used_stops_the_start(void **state)
-{
-    (void)state;
-    struct folder folder = folder_make();
-    struct folder file = folder_file(&folder, "file");
-    write_file(&file, "", 0);
-    const struct {
-        const char *path, *text;
-    } cases[] = {{"/does/not/exist", "No such file or directory"}, {file.path, "Not a directory"}};
-    for (size_t i = 0; i < 2; i++) {
-        char *output = NULL;
-        assert_int_equal(daemon_run(LIST("--port=0", "--assets-dir", cases[i].path), &output), 1);
-        if (!strstr(output, "--assets-dir") || !strstr(output, cases[i].text)) fail_msg("%s", output);
-        free(output);
-    }
-    folder_remove(&folder);
-}
-
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -531,10 +400,6 @@ int main(void)
         cmocka_unit_test(bound_holds_while_many_put_at_once),
         cmocka_unit_test(two_daemons_share_a_directory),
         cmocka_unit_test(daemon_spares_what_another_has_used),
-        cmocka_unit_test(file_beyond_the_system_limit_gives_507),
-        cmocka_unit_test(full_disk_gives_507),
-        cmocka_unit_test(read_only_directory_serves_what_it_has),
-        cmocka_unit_test(directory_that_cannot_be_used_stops_the_start),
     };
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    return cmocka_run_group_tests(tests, clients_setup, clients_teardown);
 }

@@ -11,6 +11,8 @@ typedef float zr_vf __attribute__((vector_size(32)));
 typedef int32_t zr_vi __attribute__((vector_size(32)));
 typedef uint32_t zr_vm __attribute__((vector_size(32))); /* all bits of a lane, or none */
 
+#include "base/simd/vector_compare.h"
+
 static inline zr_vf zr_vf_set(float a)
 {
     return (zr_vf)_mm256_set1_ps(a);
@@ -50,26 +52,6 @@ static inline zr_vf zr_vf_select(zr_vm m, zr_vf a, zr_vf b)
 static inline zr_vi zr_vi_select(zr_vm m, zr_vi a, zr_vi b)
 {
     return (zr_vi)zr_vf_select(m, (zr_vf)a, (zr_vf)b);
-}
-static inline zr_vm zr_vf_lt(zr_vf a, zr_vf b)
-{
-    return (zr_vm)_mm256_cmp_ps((__m256)a, (__m256)b, _CMP_LT_OQ);
-}
-static inline zr_vm zr_vf_le(zr_vf a, zr_vf b)
-{
-    return (zr_vm)_mm256_cmp_ps((__m256)a, (__m256)b, _CMP_LE_OQ);
-}
-static inline zr_vm zr_vf_eq(zr_vf a, zr_vf b)
-{
-    return (zr_vm)_mm256_cmp_ps((__m256)a, (__m256)b, _CMP_EQ_OQ);
-}
-static inline zr_vm zr_vi_lt(zr_vi a, zr_vi b)
-{
-    return (zr_vm)_mm256_cmpgt_epi32((__m256i)b, (__m256i)a);
-}
-static inline zr_vm zr_vi_eq(zr_vi a, zr_vi b)
-{
-    return (zr_vm)_mm256_cmpeq_epi32((__m256i)a, (__m256i)b);
 }
 /* Lanes beyond are not touched, wherever they are. */
 static inline void zr_vi_store_first(void *p, zr_vi v, uint32_t n)

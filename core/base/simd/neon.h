@@ -3,31 +3,11 @@
 #define ZR_SIMD_NEON_H
 
 #include <arm_neon.h>
-#include <stddef.h>
+
+#include "base/simd/bytes16.h"
 
 #define ZR_SUFFIX neon
-enum { ZR_LANES = 4 };
 
-typedef float zr_vf __attribute__((vector_size(16)));
-typedef int32_t zr_vi __attribute__((vector_size(16)));
-typedef uint32_t zr_vm __attribute__((vector_size(16))); /* all bits of a lane, or none */
-
-static inline zr_vf zr_vf_set(float a)
-{
-    return (zr_vf)vdupq_n_f32(a);
-}
-static inline zr_vi zr_vi_set(int32_t a)
-{
-    return (zr_vi)vdupq_n_s32(a);
-}
-static inline zr_vi zr_vi_ramp(void)
-{
-    return (zr_vi){0, 1, 2, 3};
-}
-static inline zr_vf zr_vf_ramp(void)
-{
-    return (zr_vf){0, 1, 2, 3};
-}
 static inline zr_vf zr_vf_load(const float *p)
 {
     return (zr_vf)vld1q_f32(p);
@@ -74,26 +54,6 @@ static inline void zr_vi_stream(void *p, zr_vi v)
     zr_vi_store(p, v);
 }
 static inline void zr_stream_end(void) {}
-static inline zr_vm zr_vf_lt(zr_vf a, zr_vf b)
-{
-    return (zr_vm)vcltq_f32((float32x4_t)a, (float32x4_t)b);
-}
-static inline zr_vm zr_vf_le(zr_vf a, zr_vf b)
-{
-    return (zr_vm)vcleq_f32((float32x4_t)a, (float32x4_t)b);
-}
-static inline zr_vm zr_vf_eq(zr_vf a, zr_vf b)
-{
-    return (zr_vm)vceqq_f32((float32x4_t)a, (float32x4_t)b);
-}
-static inline zr_vm zr_vi_lt(zr_vi a, zr_vi b)
-{
-    return (zr_vm)vcltq_s32((int32x4_t)a, (int32x4_t)b);
-}
-static inline zr_vm zr_vi_eq(zr_vi a, zr_vi b)
-{
-    return (zr_vm)vceqq_s32((int32x4_t)a, (int32x4_t)b);
-}
 static inline uint32_t zr_vm_bits(zr_vm m)
 {
     const zr_vm own = {1, 2, 4, 8};
@@ -155,14 +115,6 @@ static inline void zr_transpose4(float32x4_t a0, float32x4_t a1, float32x4_t a2,
         (x) = (zr_vf)vuzp1q_f32(a0, a2);                                                                               \
         (y) = (zr_vf)vuzp2q_f32(a0, a2);                                                                               \
     } while (0)
-
-static inline zr_vi zr_vi_gather(zr_vm m, const void *p, zr_vi i)
-{
-    int32_t lanes[ZR_LANES] = {0};
-    for (uint32_t bits = zr_vm_bits(m), k = 0; k < ZR_LANES; k++)
-        if (bits >> k & 1u) memcpy(&lanes[k], (const char *)p + 4 * (ptrdiff_t)i[k], sizeof lanes[k]);
-    return zr_vi_load(lanes);
-}
 
 static inline void zr_vf_store4(float *p, zr_vf x, zr_vf y, zr_vf z, zr_vf w)
 {

@@ -2,31 +2,11 @@
 #ifndef ZR_SIMD_SSE2_H
 #define ZR_SIMD_SSE2_H
 
+#include "base/simd/bytes16.h"
 #include "base/simd/x86.h"
 
 #define ZR_SUFFIX sse2
-enum { ZR_LANES = 4 };
 
-typedef float zr_vf __attribute__((vector_size(16)));
-typedef int32_t zr_vi __attribute__((vector_size(16)));
-typedef uint32_t zr_vm __attribute__((vector_size(16))); /* all bits of a lane, or none */
-
-static inline zr_vf zr_vf_set(float a)
-{
-    return (zr_vf)_mm_set1_ps(a);
-}
-static inline zr_vi zr_vi_set(int32_t a)
-{
-    return (zr_vi)_mm_set1_epi32(a);
-}
-static inline zr_vi zr_vi_ramp(void)
-{
-    return (zr_vi){0, 1, 2, 3};
-}
-static inline zr_vf zr_vf_ramp(void)
-{
-    return (zr_vf){0, 1, 2, 3};
-}
 static inline zr_vf zr_vf_load(const float *p)
 {
     return (zr_vf)_mm_loadu_ps(p);
@@ -75,26 +55,6 @@ static inline void zr_vi_stream(void *p, zr_vi v)
 static inline void zr_stream_end(void)
 {
     _mm_sfence();
-}
-static inline zr_vm zr_vf_lt(zr_vf a, zr_vf b)
-{
-    return (zr_vm)_mm_cmplt_ps((__m128)a, (__m128)b);
-}
-static inline zr_vm zr_vf_le(zr_vf a, zr_vf b)
-{
-    return (zr_vm)_mm_cmple_ps((__m128)a, (__m128)b);
-}
-static inline zr_vm zr_vf_eq(zr_vf a, zr_vf b)
-{
-    return (zr_vm)_mm_cmpeq_ps((__m128)a, (__m128)b);
-}
-static inline zr_vm zr_vi_lt(zr_vi a, zr_vi b)
-{
-    return (zr_vm)_mm_cmplt_epi32((__m128i)a, (__m128i)b);
-}
-static inline zr_vm zr_vi_eq(zr_vi a, zr_vi b)
-{
-    return (zr_vm)_mm_cmpeq_epi32((__m128i)a, (__m128i)b);
 }
 static inline uint32_t zr_vm_bits(zr_vm m)
 {
@@ -154,14 +114,6 @@ static inline void zr_transpose4(__m128 a0, __m128 a1, __m128 a2, __m128 a3, zr_
         (x) = (zr_vf)_mm_shuffle_ps(a0, a2, 0x88);                                                                     \
         (y) = (zr_vf)_mm_shuffle_ps(a0, a2, 0xdd);                                                                     \
     } while (0)
-
-static inline zr_vi zr_vi_gather(zr_vm m, const void *p, zr_vi i)
-{
-    int32_t lanes[ZR_LANES] = {0};
-    for (uint32_t bits = zr_vm_bits(m), k = 0; k < ZR_LANES; k++)
-        if (bits >> k & 1u) memcpy(&lanes[k], (const char *)p + 4 * (ptrdiff_t)i[k], sizeof lanes[k]);
-    return zr_vi_load(lanes);
-}
 
 static inline void zr_vf_store4(float *p, zr_vf x, zr_vf y, zr_vf z, zr_vf w)
 {

@@ -1,0 +1,43 @@
+/* bytes16.h - base: what the instruction sets of 16-byte vectors share. */
+#ifndef ZR_SIMD_BYTES16_H
+#define ZR_SIMD_BYTES16_H
+
+#include <stddef.h>
+#include <stdint.h>
+#include <string.h>
+
+enum { ZR_LANES = 4 };
+
+typedef float zr_vf __attribute__((vector_size(16)));
+typedef int32_t zr_vi __attribute__((vector_size(16)));
+typedef uint32_t zr_vm __attribute__((vector_size(16))); /* all bits of a lane, or none */
+
+static inline zr_vf zr_vf_set(float a)
+{
+    return (zr_vf){a, a, a, a};
+}
+static inline zr_vi zr_vi_set(int32_t a)
+{
+    return (zr_vi){a, a, a, a};
+}
+static inline zr_vi zr_vi_ramp(void)
+{
+    return (zr_vi){0, 1, 2, 3};
+}
+static inline zr_vf zr_vf_ramp(void)
+{
+    return (zr_vf){0, 1, 2, 3};
+}
+
+#include "base/simd/vector_compare.h"
+
+static inline uint32_t zr_vm_bits(zr_vm m);
+static inline zr_vi zr_vi_gather(zr_vm m, const void *p, zr_vi i)
+{
+    int32_t lanes[ZR_LANES] = {0};
+    for (uint32_t bits = zr_vm_bits(m), k = 0; k < ZR_LANES; k++)
+        if (bits >> k & 1u) memcpy(&lanes[k], (const char *)p + 4 * (ptrdiff_t)i[k], sizeof lanes[k]);
+    return (zr_vi){lanes[0], lanes[1], lanes[2], lanes[3]};
+}
+
+#endif
