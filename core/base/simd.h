@@ -10,6 +10,9 @@
  *   zr_vf_set(a) zr_vi_set(a)          all lanes alike           zr_vf_ramp() zr_vi_ramp()   0, 1, 2 ...
  *   zr_vf_load(p) zr_vi_load(p)        ZR_LANES from anywhere    zr_vf_store(p, v) zr_vi_store(p, v)
  *   zr_vi_store_first(p, v, n): lanes 0 .. n - 1, n at most ZR_LANES, and nothing else is touched
+ *   zr_vi_load_patch(p, stride), zr_vi_store_patch(p, stride, v): ZR_PATCH_ROWS rows of ZR_PATCH_COLUMNS words each,
+ *     `stride` words apart, lane 0 and those that follow being the first row
+ *   zr_vi_later(v, n): lane i is lane i - n of v, or anything where there is none; n is a constant, 1 .. 4
  *   zr_vi_stream(p, v): past the caches where the machine can, p being a multiple of the vector's size; zr_stream_end()
  *   zr_vf_lt le eq(a, b), zr_vi_lt eq(a, b), zr_vm_and or andnot(a, b: a and not b), zr_vm_bits(m), zr_vm_of(bits)
  *   zr_vf_lt_where eq_where(m, a, b), zr_vi_lt_where(m, a, b): m and the comparison, which AVX-512 does in one
@@ -27,6 +30,7 @@
 #ifndef ZR_SIMD_H
 #define ZR_SIMD_H
 
+#include <stddef.h>
 #include <stdint.h>
 #include <string.h>
 
@@ -43,6 +47,22 @@
 #else
 #error "kernels are compiled once for each instruction set, with one of ZR_KERNEL_*"
 #endif
+
+#ifndef ZR_PATCH_ROWS
+#define ZR_PATCH_ROWS 1
+static inline zr_vi zr_vi_load_patch(const uint32_t *p, size_t stride)
+{
+    (void)stride;
+    return zr_vi_load(p);
+}
+
+static inline void zr_vi_store_patch(uint32_t *p, size_t stride, zr_vi v)
+{
+    (void)stride;
+    zr_vi_store(p, v);
+}
+#endif
+enum { ZR_PATCH_COLUMNS = ZR_LANES / ZR_PATCH_ROWS };
 
 #define ZR_JOIN_(name, suffix) name##_##suffix
 #define ZR_JOIN(name, suffix)  ZR_JOIN_(name, suffix)

@@ -1,17 +1,19 @@
 #include "shade/paint.h"
 
 #include "shade/paint_flat_simd.h"
-#include "shade/paint_smooth_simd.h"
+#include "shade/paint_patches_simd.h"
 
 /* Records of long runs come back in the rows that follow: this many are remembered. */
 enum { SURFACES = 64 };
 
+/* Rows whose runs have so many pixels on average are painted run by run. */
+enum { LONG_RUN = 16 };
+
 struct painter {
     struct zr_canvas canvas;
-    const struct zr_batch *batch;    /* of the last record */
-    struct zr_runs runs;             /* of `batch`, */
-    int32_t numbers[ZR_PAINT_QUEUE]; /* and their records' numbers in it */
+    const struct zr_batch *batch; /* of the last record */
     struct zr_smooth_queue smooth;
+    struct zr_patches patches;
     struct zr_surface surfaces[SURFACES];
 };
 
@@ -101,13 +103,7 @@ static uint64_t ends(const uint32_t *owners, int32_t width)
     return find_ends(owners, width);
 }
 
-/* What is seen where there is no record. */
-struct backdrop {
-    zr_vi nothing;
-    const uint32_t *row; /* NULL: nothing */
-};
-
-static inline void paint_backdrop(const struct backdrop *backdrop, uint32_t *owners, int32_t begin, int32_t end)
+static inline void paint_backdrop(const struct zr_backdrop *backdrop, uint32_t *owners, int32_t begin, int32_t end)
 {
     if (backdrop->row)
         memcpy(owners + begin, backdrop->row + begin, 4 * (size_t)(end - begin));
@@ -115,48 +111,13 @@ static inline void paint_backdrop(const struct backdrop *backdrop, uint32_t *own
         zr_fill_run(owners + begin, (uint32_t)(end - begin), backdrop->nothing);
 }
 
-/* A row of a smooth batch alone: its runs are listed, to be looked up many at once. */
-static inline uint32_t list_row(struct painter *p, uint32_t *owners, int32_t y, int32_t width,
-                                const struct backdrop *backdrop)
-{
-    const uint32_t first = p->batch->first + 1;
-    uint32_t count = p->runs.count, covered = 0;
-    int32_t begin = 0, end;
-    for (uint64_t bits = find_ends(owners, width); bits; bits &= bits - 1, begin = end) {
-        end = __builtin_ctzll(bits) + 1;
-        if (owners[begin] == 0) {
-            paint_backdrop(backdrop, owners, begin, end);
-            continue;
-        }
-        covered += (uint32_t)(end - begin);
-        if (end - begin > ZR_SHORT_RUN) {
-            paint_surface(p, owners[begin] - 1, y * ZR_TILE_STRIDE + begin, end - begin);
-            continue;
-        }
-        p->numbers[count] = (int32_t)(owners[begin] - first);
-        p->runs.at[count] = y * ZR_TILE_STRIDE + begin;
-        p->runs.length[count++] = end - begin;
-    }
-    p->runs.count = count;
-    return covered;
-}
-
-static void paint_listed(struct painter *p)
-{
-    if (p->runs.count == 0) return;
-    zr_smooth_add_runs(&p->smooth, &p->canvas, p->batch, &p->runs, p->numbers);
-    p->runs.count = 0;
-    zr_smooth_paint(&p->smooth, &p->canvas, false);
-}
-
-/* A row of any owners. */
-static uint32_t paint_row(struct painter *p, uint32_t *owners, int32_t y, int32_t width,
-                          const struct backdrop *backdrop)
+/* A row of any owners, whose runs end where `ends` says. */
+static uint32_t paint_row(struct painter *p, uint32_t *owners, uint64_t ends, int32_t y,
+                          const struct zr_backdrop *backdrop)
 {
     uint32_t covered = 0;
     int32_t begin = 0, end;
-    paint_listed(p);
-    for (uint64_t bits = find_ends(owners, width); bits; bits &= bits - 1, begin = end) {
+    for (uint64_t bits = ends; bits; bits &= bits - 1, begin = end) {
         end = __builtin_ctzll(bits) + 1;
         if (owners[begin] == 0) {
             paint_backdrop(backdrop, owners, begin, end);
@@ -169,34 +130,63 @@ static uint32_t paint_row(struct painter *p, uint32_t *owners, int32_t y, int32_
     return covered;
 }
 
+/* Whether all owners of the rows are the last batch's, or nobody. */
+static bool is_alone(const struct painter *p, const uint32_t *owners, int32_t width, int32_t rows)
+{
+    if (!zr_batch_is_gathered(p->batch)) return false;
+    if (p->canvas.geometry->batch_count == 1) return true; /* 8 us of a picture of 256 x 256 */
+    for (int32_t row = 0; row < rows; row++)
+        if (!zr_row_is_of(p->batch, owners + row * ZR_TILE_STRIDE, width)) return false;
+    return true;
+}
+
+/* Rows `y` .. y + rows - 1, no more than a patch has. */
+static uint32_t paint_rows(struct painter *p, struct zr_flat_memory *memory, int32_t y, int32_t rows, int32_t width,
+                           const struct zr_backdrop *backdrop)
+{
+    uint32_t *owners = &p->canvas.colors[y * ZR_TILE_STRIDE], covered = 0;
+    const bool alone = is_alone(p, owners, width, rows), smooth = zr_batch_is_smooth(p->batch);
+    if (alone && !smooth && !backdrop->row) {
+        for (int32_t row = 0; row < rows; row++)
+            covered += zr_paint_flat_row(p->batch, memory, owners + row * ZR_TILE_STRIDE, width, backdrop->nothing);
+        return covered;
+    }
+    uint64_t ends[ZR_PATCH_ROWS];
+    int32_t runs = 0;
+    for (int32_t row = 0; row < rows; row++) {
+        ends[row] = find_ends(owners + row * ZR_TILE_STRIDE, width);
+        runs += __builtin_popcountll(ends[row]);
+    }
+    if (alone && smooth && runs * LONG_RUN > rows * width)
+        return zr_patches_add_rows(&p->patches, &p->canvas, p->batch, y, rows, width, backdrop);
+    struct zr_backdrop here = *backdrop;
+    for (int32_t row = 0; row < rows; row++) {
+        covered += paint_row(p, owners + row * ZR_TILE_STRIDE, ends[row], y + row, &here);
+        if (here.row) here.row += here.stride;
+    }
+    return covered;
+}
+
 static uint32_t paint_tile(const struct zr_geometry *geometry, struct zr_tile *tile, uint32_t nothing,
                            const void *behind, ptrdiff_t stride)
 {
     struct painter p;
     p.canvas = (struct zr_canvas){geometry, tile->x, tile->y, tile->owner}; /* rows are read before they are painted */
     p.batch = &geometry->batches[0];
-    p.runs.count = p.smooth.runs.count = 0;
+    p.smooth.runs.count = 0;
+    p.smooth.corners.colors = NULL;
     for (int i = 0; i < SURFACES; i++)
         p.surfaces[i].owner = 0;
-    p.smooth.colors = NULL;
-    struct backdrop backdrop = {.nothing = zr_vi_set((int32_t)nothing)};
-    const bool only_one = geometry->batch_count == 1; /* 8 us of a picture of 256 x 256 */
+    zr_patches_begin(&p.patches);
+    struct zr_backdrop backdrop = {zr_vi_set((int32_t)nothing), behind, stride};
     struct zr_flat_memory memory = {zr_vi_set(0), zr_vi_set(0)};
     uint32_t covered = 0;
-    for (int32_t y = 0; y < tile->height; y++) {
-        uint32_t *owners = &tile->owner[y * ZR_TILE_STRIDE];
-        const bool alone = zr_batch_is_gathered(p.batch) && (only_one || zr_row_is_of(p.batch, owners, tile->width));
-        if (behind) backdrop.row = (const uint32_t *)behind + y * stride;
-        if (alone && zr_batch_is_smooth(p.batch)) {
-            covered += list_row(&p, owners, y, tile->width, &backdrop);
-            if (p.runs.count > ZR_PAINT_RUNS - ZR_TILE_SIZE) paint_listed(&p);
-        } else if (alone && !behind) {
-            covered += zr_paint_flat_row(p.batch, &memory, owners, tile->width, backdrop.nothing);
-        } else {
-            covered += paint_row(&p, owners, y, tile->width, &backdrop);
-        }
+    for (int32_t y = 0; y < tile->height; y += ZR_PATCH_ROWS) {
+        const int32_t rows = tile->height - y < ZR_PATCH_ROWS ? tile->height - y : ZR_PATCH_ROWS;
+        covered += paint_rows(&p, &memory, y, rows, tile->width, &backdrop);
+        if (behind) backdrop.row += stride * rows;
     }
-    paint_listed(&p);
+    zr_patches_end(&p.patches, &p.canvas);
     zr_smooth_paint(&p.smooth, &p.canvas, true);
     return covered;
 }

@@ -23,6 +23,13 @@ struct zr_runs {
     int32_t length[ZR_PAINT_QUEUE]; /* pixels */
 };
 
+/* What is seen where there is no record. */
+struct zr_backdrop {
+    zr_vi nothing;
+    const uint32_t *row; /* of the tile, behind the one under work; NULL: nothing */
+    ptrdiff_t stride;
+};
+
 static inline zr_vi zr_color_bytes_v(zr_vf value)
 {
     value = zr_vf_min(zr_vf_max(value, zr_vf_set(0.0f)), zr_vf_set(1.0f));

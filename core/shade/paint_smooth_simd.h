@@ -12,12 +12,51 @@
 /* A short run has so many pixels at most. */
 enum { ZR_SHORT_RUN = 8 };
 
+/* Triangles that are known at a time, and room for a vector behind them. */
+enum { ZR_SMOOTH_MOST = 512, ZR_SMOOTH_ROOM = ZR_SMOOTH_MOST + ZR_LANES };
+
+/* Where the corners of triangles stand. */
+struct zr_smooth_corners {
+    const zr_vec4 *colors;             /* that color[] counts from */
+    int32_t vertex[3][ZR_SMOOTH_ROOM]; /* of the geometry */
+    int32_t color[3][ZR_SMOOTH_ROOM];
+};
+
 struct zr_smooth_queue {
     struct zr_runs runs;
-    const zr_vec4 *colors;             /* that color[] counts from */
-    int32_t vertex[3][ZR_PAINT_QUEUE]; /* of the geometry */
-    int32_t color[3][ZR_PAINT_QUEUE];
+    struct zr_smooth_corners corners;
 };
+
+/* ---- looking up ---- */
+
+static inline void zr_smooth_expect(const struct zr_smooth_corners *corners, const struct zr_window_vertex *vertices,
+                                    uint32_t i)
+{
+    for (int k = 0; k < 3; k++) {
+        __builtin_prefetch(&vertices[corners->vertex[k][i]]);
+        __builtin_prefetch(&corners->colors[corners->color[k][i]]);
+    }
+}
+
+/* Corners `first` .. first + ZR_LANES - 1 are those of triangles of a smooth batch whose backs have no colours of their
+ * own, by their numbers in it. */
+static inline void zr_smooth_look_up(struct zr_smooth_corners *corners, const struct zr_window_vertex *vertices,
+                                     const struct zr_batch *batch, zr_vi numbers, uint32_t first)
+{
+    const zr_vi word = numbers * zr_vi_set(3);
+    corners->colors = batch->front;
+    for (int k = 0; k < 3; k++) {
+        const zr_vi corner = zr_vi_gather(ZR_ALL_LANES, batch->corners, word + zr_vi_set(k));
+        zr_vi color = corner;
+        if (batch->colors == ZR_BATCH_PER_CORNER)
+            color = batch->slots ? zr_vi_gather(ZR_ALL_LANES, batch->slots, word + zr_vi_set(k))
+                                 : word + zr_vi_set((int32_t)(3 * batch->first_face) + k);
+        zr_vi_store(corners->color[k] + first, color);
+        zr_vi_store(corners->vertex[k] + first, corner + zr_vi_set((int32_t)batch->first_vertex));
+    }
+    for (uint32_t i = first; i < first + ZR_LANES; i++)
+        zr_smooth_expect(corners, vertices, i);
+}
 
 /* ---- planes ---- */
 
@@ -30,7 +69,7 @@ struct zr_color_v {
 };
 
 /* Rule 6: the corners 0 and 1 are to change places. Large triangles are measured one by one, in 64 bits. */
-static inline zr_vm zr_turned_v(const struct zr_smooth_queue *q, const struct zr_window_vertex *vertices,
+static inline zr_vm zr_turned_v(const struct zr_smooth_corners *corners, const struct zr_window_vertex *vertices,
                                 uint32_t first, const struct zr_corner_v v[3])
 {
     struct zr_grid_v g[3];
@@ -43,26 +82,26 @@ static inline zr_vm zr_turned_v(const struct zr_smooth_queue *q, const struct zr
     for (uint32_t bits = zr_vm_bits(wide); bits; bits &= bits - 1) {
         const uint32_t i = (uint32_t)zr_lowest_bit(bits), k = first + i;
         turned &= ~(1u << i);
-        turned |= (uint32_t)(zr_window_area(&vertices[q->vertex[0][k]], &vertices[q->vertex[1][k]],
-                                            &vertices[q->vertex[2][k]]) < 0)
+        turned |= (uint32_t)(zr_window_area(&vertices[corners->vertex[0][k]], &vertices[corners->vertex[1][k]],
+                                            &vertices[corners->vertex[2][k]]) < 0)
                   << i;
     }
     return zr_vm_of(turned);
 }
 
 /* Rule 9. */
-static inline struct zr_color_planes zr_color_planes_make(const struct zr_smooth_queue *q,
+static inline struct zr_color_planes zr_color_planes_make(const struct zr_smooth_corners *corners,
                                                           const struct zr_window_vertex *vertices, uint32_t first)
 {
     struct zr_corner_v v[3];
     struct zr_color_v c[3];
     zr_vf alpha;
-#define ZR_VERTEX_0(i) (&vertices[q->vertex[0][first + (i)]].x)
-#define ZR_VERTEX_1(i) (&vertices[q->vertex[1][first + (i)]].x)
-#define ZR_VERTEX_2(i) (&vertices[q->vertex[2][first + (i)]].x)
-#define ZR_COLOR_0(i)  (&q->colors[q->color[0][first + (i)]].x)
-#define ZR_COLOR_1(i)  (&q->colors[q->color[1][first + (i)]].x)
-#define ZR_COLOR_2(i)  (&q->colors[q->color[2][first + (i)]].x)
+#define ZR_VERTEX_0(i) (&vertices[corners->vertex[0][first + (i)]].x)
+#define ZR_VERTEX_1(i) (&vertices[corners->vertex[1][first + (i)]].x)
+#define ZR_VERTEX_2(i) (&vertices[corners->vertex[2][first + (i)]].x)
+#define ZR_COLOR_0(i)  (&corners->colors[corners->color[0][first + (i)]].x)
+#define ZR_COLOR_1(i)  (&corners->colors[corners->color[1][first + (i)]].x)
+#define ZR_COLOR_2(i)  (&corners->colors[corners->color[2][first + (i)]].x)
     ZR_LOAD4(v[0].x, v[0].y, v[0].z, v[0].oow, ZR_VERTEX_0);
     ZR_LOAD4(v[1].x, v[1].y, v[1].z, v[1].oow, ZR_VERTEX_1);
     ZR_LOAD4(v[2].x, v[2].y, v[2].z, v[2].oow, ZR_VERTEX_2);
@@ -70,7 +109,7 @@ static inline struct zr_color_planes zr_color_planes_make(const struct zr_smooth
     ZR_LOAD4(c[1].red, c[1].green, c[1].blue, alpha, ZR_COLOR_1);
     ZR_LOAD4(c[2].red, c[2].green, c[2].blue, alpha, ZR_COLOR_2);
     (void)alpha;
-    const zr_vm turned = zr_turned_v(q, vertices, first, v);
+    const zr_vm turned = zr_turned_v(corners, vertices, first, v);
     for (int k = 0; k < 3; k++) {
         c[k].red = c[k].red * v[k].oow;
         c[k].green = c[k].green * v[k].oow;
@@ -128,7 +167,7 @@ static inline void zr_paint_four(const struct zr_color_planes *p, zr_vf x, zr_vf
 static inline void zr_smooth_paint_group(const struct zr_smooth_queue *q, const struct zr_canvas *canvas,
                                          uint32_t first, uint32_t count)
 {
-    const struct zr_color_planes planes = zr_color_planes_make(q, canvas->geometry->vertices, first);
+    const struct zr_color_planes planes = zr_color_planes_make(&q->corners, canvas->geometry->vertices, first);
     const zr_vi at = zr_vi_load(q->runs.at + first), lengths = zr_vi_load(q->runs.length + first);
     const zr_vi row = zr_quotient_v(at, ZR_TILE_STRIDE), column = at - row * zr_vi_set(ZR_TILE_STRIDE);
     const zr_vf x = zr_vf_of(column + zr_vi_set(canvas->x)), y = zr_vf_of(row + zr_vi_set(canvas->y));
@@ -142,8 +181,8 @@ static inline void zr_smooth_paint_group(const struct zr_smooth_queue *q, const 
 static inline void zr_smooth_move(struct zr_smooth_queue *q, uint32_t from, uint32_t to)
 {
     for (int k = 0; k < 3; k++) {
-        q->vertex[k][to] = q->vertex[k][from];
-        q->color[k][to] = q->color[k][from];
+        q->corners.vertex[k][to] = q->corners.vertex[k][from];
+        q->corners.color[k][to] = q->corners.color[k][from];
     }
     q->runs.at[to] = q->runs.at[from];
     q->runs.length[to] = q->runs.length[from];
@@ -166,56 +205,19 @@ static inline void zr_smooth_paint(struct zr_smooth_queue *q, const struct zr_ca
         zr_smooth_move(q, full + i, i);
 }
 
-static inline void zr_smooth_expect(const struct zr_smooth_queue *q, const struct zr_window_vertex *vertices,
-                                    uint32_t i)
-{
-    for (int k = 0; k < 3; k++) {
-        __builtin_prefetch(&vertices[q->vertex[k][i]]);
-        __builtin_prefetch(&q->colors[q->color[k][i]]);
-    }
-}
-
 /* One run. Colours of other arrays than the last run's: what waits is painted first. */
 static inline void zr_smooth_add(struct zr_smooth_queue *q, const struct zr_canvas *canvas, int32_t at, int32_t length,
                                  uint32_t first_vertex, const uint32_t v[3], const zr_vec4 *colors, const uint32_t c[3])
 {
-    if (q->colors != colors) zr_smooth_paint(q, canvas, true);
-    q->colors = colors;
+    if (q->corners.colors != colors) zr_smooth_paint(q, canvas, true);
+    q->corners.colors = colors;
     for (int k = 0; k < 3; k++) {
-        q->vertex[k][q->runs.count] = (int32_t)(first_vertex + v[k]);
-        q->color[k][q->runs.count] = (int32_t)c[k];
+        q->corners.vertex[k][q->runs.count] = (int32_t)(first_vertex + v[k]);
+        q->corners.color[k][q->runs.count] = (int32_t)c[k];
     }
-    zr_smooth_expect(q, canvas->geometry->vertices, q->runs.count);
+    zr_smooth_expect(&q->corners, canvas->geometry->vertices, q->runs.count);
     q->runs.at[q->runs.count] = at;
     q->runs.length[q->runs.count++] = length;
-}
-
-/* The runs of one smooth batch, by the numbers of their triangles in it: `runs` and `numbers` have
- * room for a vector behind their ends. */
-static inline void zr_smooth_add_runs(struct zr_smooth_queue *q, const struct zr_canvas *canvas,
-                                      const struct zr_batch *batch, const struct zr_runs *runs, const int32_t *numbers)
-{
-    if (q->colors != batch->front) zr_smooth_paint(q, canvas, true);
-    q->colors = batch->front;
-    const uint32_t first = q->runs.count;
-    for (uint32_t i = 0; i < runs->count; i += ZR_LANES) {
-        const zr_vm valid = zr_vi_lt(zr_vi_ramp(), zr_vi_set((int32_t)(runs->count - i)));
-        const zr_vi word = zr_vi_load(numbers + i) * zr_vi_set(3);
-        for (int k = 0; k < 3; k++) {
-            const zr_vi corner = zr_vi_gather(valid, batch->corners, word + zr_vi_set(k));
-            zr_vi color = corner;
-            if (batch->colors == ZR_BATCH_PER_CORNER)
-                color = batch->slots ? zr_vi_gather(valid, batch->slots, word + zr_vi_set(k))
-                                     : word + zr_vi_set((int32_t)(3 * batch->first_face) + k);
-            zr_vi_store(q->color[k] + first + i, color);
-            zr_vi_store(q->vertex[k] + first + i, corner + zr_vi_set((int32_t)batch->first_vertex));
-        }
-        zr_vi_store(q->runs.at + first + i, zr_vi_load(runs->at + i));
-        zr_vi_store(q->runs.length + first + i, zr_vi_load(runs->length + i));
-    }
-    q->runs.count += runs->count;
-    for (uint32_t i = first; i < q->runs.count; i++)
-        zr_smooth_expect(q, canvas->geometry->vertices, i);
 }
 
 #endif

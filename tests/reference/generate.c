@@ -261,6 +261,7 @@ const struct generator generators[] = {
     {"layers", false, false, WINDOWS_LARGE, fill_layers},
     {"crowd", false, false, WINDOWS_LARGE, fill_crowd},
     {"aligned-wide", false, false, WINDOWS_BINARY, fill_aligned_wide},
+    {"dense", false, false, WINDOWS_LARGE, fill_dense},
 };
 const size_t generator_count = sizeof generators / sizeof *generators;
 

@@ -79,3 +79,31 @@ void fill_aligned_wide(struct drawing *drawing, struct random *r)
         triangle_on_grid(drawing, r, step, random_range(r, 65, 250), z);
     }
 }
+
+/* A sheet of triangles that share their corners, about as large as pixels: nearly each pixel shows another one. */
+static void add_sheet(struct drawing *drawing, struct random *r)
+{
+    enum { ACROSS = 40 };
+    uint32_t v[ACROSS][ACROSS];
+    const double step = random_range(r, 0.5, 3), size = step * ACROSS;
+    const double left = random_range(r, 1, drawing->width - size - 1),
+                 low = random_range(r, 1, drawing->height - size - 1);
+    for (int row = 0; row < ACROSS; row++)
+        for (int column = 0; column < ACROSS; column++) {
+            double x = left + step * (column + random_range(r, 0, 0.7)),
+                   y = low + step * (row + random_range(r, 0, 0.7));
+            double z = random_range(r, -0.9, 0.9), w = random_power(r, -1, 1);
+            v[row][column] = random_vertex(drawing, r, x * 2 / drawing->width - 1, y * 2 / drawing->height - 1, z, w);
+        }
+    for (int row = 0; row + 1 < ACROSS; row++)
+        for (int column = 0; column + 1 < ACROSS; column++) {
+            drawing_triangle(drawing, v[row][column], v[row][column + 1], v[row + 1][column]);
+            drawing_triangle(drawing, v[row + 1][column], v[row][column + 1], v[row + 1][column + 1]);
+        }
+}
+
+void fill_dense(struct drawing *drawing, struct random *r)
+{
+    for (int i = 0; i < 3; i++)
+        add_sheet(drawing, r);
+}

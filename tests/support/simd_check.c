@@ -140,6 +140,18 @@ static void want_ints(const struct simd_inputs *in, struct simd_results *want, i
         if (in->m[group + l]) want->vm_any[k] = 1;
 }
 
+/* Patches are of four columns where they have four words. */
+static void want_patches(const struct simd_inputs *in, struct simd_results *want, int k)
+{
+    static const int later[3] = {1, 3, 4};
+    const int lane = k % want->lanes, columns = want->lanes < 4 ? want->lanes : 4;
+    const int row = lane / columns, column = lane % columns;
+    for (int i = 0; i < 3; i++)
+        want->vi_later[i][k] = lane < later[i] ? 0 : in->i[k - later[i]];
+    want->vi_load_patch[k] = in->i[(k - lane) % SIMD_HALF + row * SIMD_STRIDE + column];
+    want->vi_store_patch[SIMD_APART * (k - lane) + row * SIMD_STRIDE + column] = in->i[k];
+}
+
 static void want_gathers(const struct simd_inputs *in, struct simd_results *want, int k)
 {
     if (in->m[k]) memcpy(&want->vi_gather[k], &in->places[in->order[k]], sizeof(int32_t));
@@ -221,6 +233,11 @@ static const struct result results[] = {EXACT(vf_set),
                                         EXACT(vf_bits),
                                         EXACT(vi_stream),
                                         EXACT(vi_store4),
+                                        EXACT(vi_later[0]),
+                                        EXACT(vi_later[1]),
+                                        EXACT(vi_later[2]),
+                                        EXACT(vi_load_patch),
+                                        EXACT(vi_store_patch),
                                         EXACT(vi_gather),
                                         EXACT(vi_compress),
                                         EXACT(vi_compressed),
@@ -252,6 +269,7 @@ bool simd_check(enum zr_isa isa, uint64_t seed, char *message, size_t size)
     make_inputs(&random, &in);
     memset(&got, 0x55, sizeof got);
     memset(got.strayed, 0, sizeof got.strayed);
+    memset(got.vi_store_patch, 0, sizeof got.vi_store_patch);
     memset(&want, 0, sizeof want);
     run[isa](&in, &got);
     want.lanes = got.lanes;
@@ -259,6 +277,7 @@ bool simd_check(enum zr_isa isa, uint64_t seed, char *message, size_t size)
         want_floats(&in, &want, k);
         want_ints(&in, &want, k);
         want_gathers(&in, &want, k);
+        want_patches(&in, &want, k);
     }
     for (size_t r = 0; r < COUNT_OF(results); r++)
         for (size_t k = 0; k < results[r].count; k++) {

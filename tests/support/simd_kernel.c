@@ -108,6 +108,16 @@ static void run_places(const struct simd_inputs *in, struct simd_results *out, i
 #undef PLACE
 }
 
+static void run_patches(const struct simd_inputs *in, struct simd_results *out, int k)
+{
+    const zr_vi i = zr_vi_load(in->i + k), lane = zr_vi_ramp();
+    zr_vi_store(out->vi_later[0] + k, zr_vi_select(zr_vi_lt(lane, zr_vi_set(1)), zr_vi_set(0), zr_vi_later(i, 1)));
+    zr_vi_store(out->vi_later[1] + k, zr_vi_select(zr_vi_lt(lane, zr_vi_set(3)), zr_vi_set(0), zr_vi_later(i, 3)));
+    zr_vi_store(out->vi_later[2] + k, zr_vi_select(zr_vi_lt(lane, zr_vi_set(4)), zr_vi_set(0), zr_vi_later(i, 4)));
+    zr_vi_store(out->vi_load_patch + k, zr_vi_load_patch((const uint32_t *)in->i + k % SIMD_HALF, SIMD_STRIDE));
+    zr_vi_store_patch((uint32_t *)out->vi_store_patch + SIMD_APART * k, SIMD_STRIDE, i);
+}
+
 static void run_gathers(const struct simd_inputs *in, struct simd_results *out, int k)
 {
     const zr_vm m = mask_of(in->m + k);
@@ -140,6 +150,7 @@ void ZR_KERNEL(simd_run)(const struct simd_inputs *in, struct simd_results *out)
         run_masks(in, out, k);
         run_store_first(in, out, k);
         run_places(in, out, k);
+        run_patches(in, out, k);
         run_gathers(in, out, k);
     }
     zr_stream_end();

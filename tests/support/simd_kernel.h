@@ -9,7 +9,7 @@
 
 #include "base/isa.h"
 
-enum { SIMD_COUNT = 2048, SIMD_APART = 5 };
+enum { SIMD_COUNT = 2048, SIMD_APART = 5, SIMD_HALF = SIMD_COUNT / 2, SIMD_STRIDE = 19 };
 
 /* Vectors need not be aligned: the first word sees to it that none is. */
 struct simd_inputs {
@@ -39,7 +39,7 @@ struct simd_results {
     int32_t vi_left_1[SIMD_COUNT], vi_left_16[SIMD_COUNT], vi_right_6[SIMD_COUNT], vi_right_31[SIMD_COUNT];
     int32_t vi_min[SIMD_COUNT], vi_max[SIMD_COUNT], vi_round[SIMD_COUNT], vi_bits_of[SIMD_COUNT];
     int32_t vi_select[SIMD_COUNT], vi_store_first[SIMD_COUNT]; /* i, else j */
-    float vf_bits[SIMD_COUNT];                                                             /* of i */
+    float vf_bits[SIMD_COUNT];                                 /* of i */
     _Alignas(64) int32_t vi_stream[SIMD_COUNT];
     int32_t vi_lt[SIMD_COUNT], vi_eq[SIMD_COUNT];
     int32_t vm_and[SIMD_COUNT], vm_or[SIMD_COUNT], vm_andnot[SIMD_COUNT], vm_of[SIMD_COUNT]; /* of m and n; of m */
@@ -48,10 +48,13 @@ struct simd_results {
     float vf_store4[4 * SIMD_COUNT];   /* what load4 loaded */
     int32_t vi_store4[4 * SIMD_COUNT]; /* i, j, i + j, i - j */
     float load_corners[2][3][SIMD_COUNT];
-    int32_t vi_gather[SIMD_COUNT];     /* places[order], 0 where not m */
-    int32_t vi_compress[SIMD_COUNT];   /* of i and m; 0 in a vector's lanes behind those */
-    int32_t vi_compressed[SIMD_COUNT]; /* how many */
-    int32_t strayed[SIMD_COUNT]; /* not 0: a store_first wrote beside its lanes */
+    int32_t vi_later[3][SIMD_COUNT];                 /* i, 1, 3 and 4 lanes later; 0 before that */
+    int32_t vi_load_patch[SIMD_COUNT];               /* of i, from k modulo SIMD_HALF on */
+    int32_t vi_store_patch[SIMD_COUNT * SIMD_APART]; /* i, from SIMD_APART * k on; 0 between */
+    int32_t vi_gather[SIMD_COUNT];                   /* places[order], 0 where not m */
+    int32_t vi_compress[SIMD_COUNT];                 /* of i and m; 0 in a vector's lanes behind those */
+    int32_t vi_compressed[SIMD_COUNT];               /* how many */
+    int32_t strayed[SIMD_COUNT];                     /* not 0: a store_first wrote beside its lanes */
     int32_t lanes;
 };
 

@@ -6,6 +6,7 @@
 
 #define ZR_SUFFIX avx2
 enum { ZR_LANES = 8 };
+#define ZR_PATCH_ROWS 2
 
 typedef float zr_vf __attribute__((vector_size(32)));
 typedef int32_t zr_vi __attribute__((vector_size(32)));
@@ -57,6 +58,20 @@ static inline zr_vi zr_vi_select(zr_vm m, zr_vi a, zr_vi b)
 static inline void zr_vi_store_first(void *p, zr_vi v, uint32_t n)
 {
     _mm256_maskstore_epi32((int *)p, (__m256i)zr_vi_lt(zr_vi_ramp(), zr_vi_set((int32_t)n)), (__m256i)v);
+}
+static inline zr_vi zr_vi_load_patch(const uint32_t *p, size_t stride)
+{
+    const __m128i r0 = _mm_loadu_si128((const __m128i *)p), r1 = _mm_loadu_si128((const __m128i *)(p + stride));
+    return (zr_vi)_mm256_inserti128_si256(_mm256_castsi128_si256(r0), r1, 1);
+}
+static inline void zr_vi_store_patch(uint32_t *p, size_t stride, zr_vi v)
+{
+    _mm_storeu_si128((__m128i *)p, _mm256_castsi256_si128((__m256i)v));
+    _mm_storeu_si128((__m128i *)(p + stride), _mm256_extracti128_si256((__m256i)v, 1));
+}
+static inline zr_vi zr_vi_later(zr_vi v, int n)
+{
+    return (zr_vi)_mm256_permutevar8x32_epi32((__m256i)v, (__m256i)(zr_vi_ramp() - zr_vi_set(n)));
 }
 static inline void zr_vi_stream(void *p, zr_vi v)
 {

@@ -6,6 +6,7 @@
 
 #define ZR_SUFFIX avx512
 enum { ZR_LANES = 16 };
+#define ZR_PATCH_ROWS 4
 
 typedef float zr_vf __attribute__((vector_size(64)));
 typedef int32_t zr_vi __attribute__((vector_size(64)));
@@ -47,6 +48,23 @@ static inline void zr_vi_store_first(void *p, zr_vi v, uint32_t n)
 {
     _mm512_mask_storeu_epi32(p, (__mmask16)_bzhi_u32(0xffff, n), (__m512i)v);
 }
+static inline zr_vi zr_vi_load_patch(const uint32_t *p, size_t stride)
+{
+    const __m128i r0 = _mm_loadu_si128((const __m128i *)p), r1 = _mm_loadu_si128((const __m128i *)(p + stride));
+    const __m128i r2 = _mm_loadu_si128((const __m128i *)(p + 2 * stride));
+    const __m128i r3 = _mm_loadu_si128((const __m128i *)(p + 3 * stride));
+    const __m256i low = _mm256_inserti128_si256(_mm256_castsi128_si256(r0), r1, 1);
+    const __m256i high = _mm256_inserti128_si256(_mm256_castsi128_si256(r2), r3, 1);
+    return (zr_vi)_mm512_inserti64x4(_mm512_castsi256_si512(low), high, 1);
+}
+static inline void zr_vi_store_patch(uint32_t *p, size_t stride, zr_vi v)
+{
+    _mm_storeu_si128((__m128i *)p, _mm512_castsi512_si128((__m512i)v));
+    _mm_storeu_si128((__m128i *)(p + stride), _mm512_extracti32x4_epi32((__m512i)v, 1));
+    _mm_storeu_si128((__m128i *)(p + 2 * stride), _mm512_extracti32x4_epi32((__m512i)v, 2));
+    _mm_storeu_si128((__m128i *)(p + 3 * stride), _mm512_extracti32x4_epi32((__m512i)v, 3));
+}
+#define zr_vi_later(v, n) ((zr_vi)_mm512_alignr_epi32((__m512i)(v), (__m512i)(v), 16 - (n)))
 static inline void zr_vi_stream(void *p, zr_vi v)
 {
     _mm512_stream_si512(p, (__m512i)v);

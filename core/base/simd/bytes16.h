@@ -29,6 +29,13 @@ static inline zr_vf zr_vf_ramp(void)
     return (zr_vf){0, 1, 2, 3};
 }
 
+static inline zr_vi zr_vi_later(zr_vi v, int n)
+{
+    return n == 1   ? (zr_vi){v[0], v[0], v[1], v[2]}
+           : n == 2 ? (zr_vi){v[0], v[1], v[0], v[1]}
+                    : (zr_vi){v[0], v[1], v[2], v[0]};
+}
+
 #include "base/simd/vector_compare.h"
 
 static inline uint32_t zr_vm_bits(zr_vm m);

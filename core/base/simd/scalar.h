@@ -50,6 +50,11 @@ static inline void zr_vi_store_first(void *p, zr_vi v, uint32_t n)
 {
     if (n > 0) memcpy(p, &v, sizeof v);
 }
+static inline zr_vi zr_vi_later(zr_vi v, int n)
+{
+    (void)n;
+    return v;
+}
 static inline void zr_vi_stream(void *p, zr_vi v)
 {
     zr_vi_store(p, v);
