@@ -81,7 +81,8 @@ server_support := $(filter-out $(BUILD)/tests/server/test_%,$(call objects,tests
 unit_tests := $(patsubst %.c,$(BUILD)/%,$(wildcard tests/unit/test_*.c tests/property/test_*.c))
 server_tests := $(patsubst %.c,$(BUILD)/%,$(wildcard tests/server/test_*.c))
 
-LINK = $(Q)$(CC) $(OURS) $(CFLAGS) $(LDFLAGS) -o $@ $(filter %.o %.a,$^)
+# Objects before archives, whatever the order that rules name them in.
+LINK = $(Q)$(CC) $(OURS) $(CFLAGS) $(LDFLAGS) -o $@ $(filter %.o,$^) $(filter %.a,$^)
 
 # ---- what people use ----
 
@@ -198,9 +199,10 @@ $(BUILD)/tests/bench/alone/bare_http:
 $(unit_tests): $(BUILD)/%: $(BUILD)/%.o $(BUILD)/libsupport.a $(BUILD)/libzraster.a
 	$(LINK) $(TEST_LIBS) $(CORE_LIBS)
 
-# Of the server's files, those that are plain functions from bytes to values are tested as units.
+# Of the server's files, those that can do without a daemon around them are tested as units.
 $(BUILD)/tests/unit/test_multipart: $(BUILD)/server/multipart.o
 $(BUILD)/tests/unit/test_foresight: $(BUILD)/server/foresight.o
+$(BUILD)/tests/unit/test_queue: $(BUILD)/server/queue.o
 
 $(server_tests): $(BUILD)/%: $(BUILD)/%.o $(server_support) $(BUILD)/libsupport.a $(BUILD)/libzraster.a
 	$(LINK) $(TEST_LIBS) $(CORE_LIBS)

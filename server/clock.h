@@ -25,4 +25,18 @@ static inline int64_t clock_ms(void)
     return clock_us() / 1000;
 }
 
+/* For waits that end on the monotonic clock, `ms` from now. */
+static inline struct timespec clock_after_ms(uint64_t ms)
+{
+    struct timespec until;
+    clock_gettime(CLOCK_MONOTONIC, &until);
+    until.tv_sec += (time_t)(ms / 1000);
+    until.tv_nsec += (long)(ms % 1000) * 1000000L;
+    if (until.tv_nsec >= 1000000000L) {
+        until.tv_sec++;
+        until.tv_nsec -= 1000000000L;
+    }
+    return until;
+}
+
 #endif

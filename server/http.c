@@ -22,6 +22,7 @@ enum {
     BACKLOG = 512,
     CONNECTION_MEMORY = 128 << 10, /* headers of 32 KiB, parsed, and an answer's, with room to spare */
     THREAD_STACK = 512 << 10,
+    QUEUE_CALM_MS = 2000,
     CANCEL_MS = 2000, /* after a drain that took too long: for cancelled work to be answered */
     GRACE_MS = 1000,  /* at its begin: for what is on its way already to be read */
     GRACE_STEP_MS = 5
@@ -103,6 +104,7 @@ struct http *http_start(const struct config *config, struct api *api, char *mess
             .capacity = (size_t)config->queue,
             .request_memory_bytes = (size_t)config->request_memory_bytes,
             .keep_memory_bytes = (size_t)config->keep_memory_bytes,
+            .calm_ms = QUEUE_CALM_MS,
         });
         http->watchdog = watchdog_create(config, &HTTP_WATCHDOG_CALLS, http);
         if (http->queue && http->watchdog) http->daemon = start_daemon(http);
@@ -120,14 +122,7 @@ unsigned http_port(const struct http *http)
 /* True once every exchange has ended; false when `timeout_ms` were not enough. */
 static bool wait_for_exchanges(struct http *http, uint64_t timeout_ms)
 {
-    struct timespec until;
-    clock_gettime(CLOCK_MONOTONIC, &until);
-    until.tv_sec += (time_t)(timeout_ms / 1000);
-    until.tv_nsec += (long)(timeout_ms % 1000) * 1000000L;
-    if (until.tv_nsec >= 1000000000L) {
-        until.tv_sec++;
-        until.tv_nsec -= 1000000000L;
-    }
+    const struct timespec until = clock_after_ms(timeout_ms);
     int timed_out = 0;
     pthread_mutex_lock(&http->lock);
     while (http->in_flight > 0 && !timed_out)

@@ -19,7 +19,7 @@ struct worker {
     pthread_t thread;
     pthread_cond_t wake;
     bool is_express;
-    bool is_idle; /* in the stack of those who wait; who takes it out wakes it */
+    bool is_idle; /* in the stack, and waiting: who else takes it out wakes it */
     struct worker *below;
     struct zr_arena arena;
     size_t used; /* by its last jobs; older ones count less and less */
@@ -96,21 +96,39 @@ static void wake_all(struct queue *queue)
     pthread_cond_signal(&queue->express->wake);
 }
 
+/* On top of the stack; or, where its memory went back, below all others: theirs is no colder. */
+static void join_idle(struct worker *worker)
+{
+    struct worker **link = &worker->queue->idle;
+    while (worker->used == 0 && *link)
+        link = &(*link)->below;
+    worker->below = *link;
+    *link = worker;
+    worker->is_idle = true;
+}
+
+static void leave_idle(struct worker *worker)
+{
+    struct worker **link = &worker->queue->idle;
+    while (*link != worker)
+        link = &(*link)->below;
+    *link = worker->below;
+    worker->is_idle = false;
+}
+
 /* False once `until` has come, and nobody woke us. */
 static bool wait_for_job(struct worker *worker, const struct timespec *until)
 {
     struct queue *queue = worker->queue;
-    if (!worker->is_express && !worker->is_idle) {
-        worker->is_idle = true;
-        worker->below = queue->idle;
-        queue->idle = worker;
-    }
+    if (!worker->is_express) join_idle(worker);
     int status = until ? pthread_cond_timedwait(&worker->wake, &queue->lock, until)
                        : pthread_cond_wait(&worker->wake, &queue->lock);
-    if (!worker->is_express && !worker->is_idle) {
+    if (worker->is_express) return status != ETIMEDOUT;
+    if (!worker->is_idle) {
         queue->woken--;
         return true;
     }
+    leave_idle(worker); /* who trims, or takes a job unasked, would not hear a wake and not count it off */
     return status != ETIMEDOUT;
 }
 
@@ -118,11 +136,9 @@ static bool wait_for_job(struct worker *worker, const struct timespec *until)
 static struct queue_job *next_job(struct worker *worker)
 {
     struct queue *queue = worker->queue;
-    struct timespec until;
+    const struct timespec until = clock_after_ms(queue->options.calm_ms);
     struct queue_job *job;
     bool calm = worker->used == 0;
-    clock_gettime(CLOCK_MONOTONIC, &until);
-    until.tv_sec += QUEUE_CALM_MS / 1000;
     while (!(job = take_job(worker)) && !is_over(worker)) {
         if (wait_for_job(worker, calm ? NULL : &until)) continue;
         calm = true;

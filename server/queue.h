@@ -10,7 +10,7 @@
  * its `work` is called or queue_remove has given it back; and again from queue_put_back on.
  *
  * Memory: a thread keeps about what its last jobs used, up to keep_memory_bytes, so that pages are not
- * touched for the first time again and again. After QUEUE_CALM_MS without a job all goes back to the system.
+ * touched for the first time again and again. After calm_ms without a job all goes back to the system.
  */
 #ifndef ZRASTERD_QUEUE_H
 #define ZRASTERD_QUEUE_H
@@ -20,8 +20,6 @@
 #include <stdint.h>
 
 #include "base/arena.h"
-
-enum { QUEUE_CALM_MS = 2000 };
 
 enum queue_lane { QUEUE_SMALL, QUEUE_LARGE, QUEUE_LANES };
 
@@ -40,6 +38,7 @@ struct queue_options {
     size_t workers;  /* the express not counted */
     size_t capacity; /* of each queue: jobs that wait, beside those that are worked on */
     size_t request_memory_bytes, keep_memory_bytes;
+    uint64_t calm_ms;
 };
 
 /* NULL where threads or memory cannot be had. */

@@ -119,14 +119,10 @@ static void wait_for_tick(struct watchdog *watchdog)
         pthread_cond_wait(&watchdog->changed, &watchdog->lock);
         return;
     }
-    int tick = TICK_MS;
+    uint64_t tick = TICK_MS;
     for (struct watch *watch = watchdog->first; watch; watch = watch->next)
         if (watch->phase == WATCH_WORK) tick = TICK_WORK_MS;
-    struct timespec until;
-    clock_gettime(CLOCK_MONOTONIC, &until);
-    until.tv_nsec += tick * 1000000L;
-    until.tv_sec += until.tv_nsec / 1000000000L;
-    until.tv_nsec %= 1000000000L;
+    const struct timespec until = clock_after_ms(tick);
     pthread_cond_timedwait(&watchdog->changed, &watchdog->lock, &until);
 }
 
