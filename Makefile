@@ -203,6 +203,8 @@ $(unit_tests): $(BUILD)/%: $(BUILD)/%.o $(BUILD)/libsupport.a $(BUILD)/libzraste
 $(BUILD)/tests/unit/test_multipart: $(BUILD)/server/multipart.o
 $(BUILD)/tests/unit/test_foresight: $(BUILD)/server/foresight.o
 $(BUILD)/tests/unit/test_queue: $(BUILD)/server/queue.o
+$(BUILD)/tests/unit/test_rendering: $(filter-out %/main.o,$(server)) $(server_support)
+$(BUILD)/tests/unit/test_rendering: TEST_LIBS += $(SERVER_LIBS)
 
 $(server_tests): $(BUILD)/%: $(BUILD)/%.o $(server_support) $(BUILD)/libsupport.a $(BUILD)/libzraster.a
 	$(LINK) $(TEST_LIBS) $(CORE_LIBS)

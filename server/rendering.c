@@ -144,7 +144,7 @@ enum api_next rendering_work(const struct api *api, const struct api_request *re
     unpacked.stored = (struct zr_stored){r.stored.read ? read_stored : NULL, &r};
     double unpack_ms = ms_since(&mark);
     enum zr_status status = run_steps(&r, &unpacked, &result, &error);
-    if (r.is_large && !zr_is_cancelled(cancel)) return API_LARGE;
+    if (r.is_large) return API_LARGE;
     times->parse_ms += unpack_ms;
     if (status == ZR_OK) {
         answer_image(answer, &result);
