@@ -189,6 +189,16 @@ char *client_read(int fd, const char *until, int timeout_ms)
     return text.bytes;
 }
 
+bool client_write(int fd, const char *bytes, size_t size)
+{
+    for (size_t sent = 0; sent < size;) {
+        ssize_t count = send(fd, bytes + sent, size - sent, MSG_NOSIGNAL);
+        if (count <= 0) return false;
+        sent += (size_t)count;
+    }
+    return true;
+}
+
 int client_begin_render(const struct daemon *daemon, const char *scene)
 {
     char head[256];
@@ -197,12 +207,8 @@ int client_begin_render(const struct daemon *daemon, const char *scene)
     int length =
         snprintf(head, sizeof head,
                  "POST /v1/render HTTP/1.1\r\nHost: a\r\n" JSON_TYPE "\r\nContent-Length: %zu\r\n\r\n", strlen(scene));
-    assert_true(send(fd, head, (size_t)length, 0) == length);
-    for (size_t sent = 0, size = strlen(scene); sent < size;) {
-        ssize_t count = send(fd, scene + sent, size - sent, 0);
-        assert_true(count > 0);
-        sent += (size_t)count;
-    }
+    assert_true(client_write(fd, head, (size_t)length));
+    assert_true(client_write(fd, scene, strlen(scene)));
     return fd;
 }
 
@@ -210,11 +216,7 @@ char *client_raw(const struct daemon *daemon, const char *bytes, size_t size, in
 {
     int fd = client_connect(daemon);
     assert_true(fd >= 0);
-    for (size_t sent = 0; sent < size;) {
-        ssize_t count = send(fd, bytes + sent, size - sent, MSG_NOSIGNAL);
-        if (count <= 0) break;
-        sent += (size_t)count;
-    }
+    client_write(fd, bytes, size); /* it may answer before it has read all, and close */
     char *text = client_read(fd, NULL, timeout_ms);
     close(fd);
     return text;

@@ -48,6 +48,9 @@ long client_render_status(const struct daemon *daemon, const char *scene);
 
 int client_connect(const struct daemon *daemon);
 
+/* Sends all of it; false, and no signal, where the other side takes no more. */
+bool client_write(int fd, const char *bytes, size_t size);
+
 /* Sends a render of a JSON scene and does not wait for its answer: the connection. */
 int client_begin_render(const struct daemon *daemon, const char *scene);
 

@@ -2,7 +2,6 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/socket.h>
 #include <unistd.h>
 
 #include <cjson/cJSON.h>
@@ -347,11 +346,11 @@ static void expect_100_continue_gets_it(void **state)
         "POST /v1/render HTTP/1.1\r\nHost: a\r\n" JSON_TYPE "\r\nExpect: 100-continue\r\nContent-Length: 2\r\n\r\n";
     (void)state;
     int fd = client_connect(&server);
-    assert_true(send(fd, REQUEST, sizeof REQUEST - 1, 0) > 0);
+    assert_true(client_write(fd, REQUEST, sizeof REQUEST - 1));
     char *text = client_read(fd, "\r\n\r\n", 5000);
     assert_int_equal(raw_status(text), 100);
     free(text);
-    assert_int_equal(send(fd, "{}", 2, 0), 2);
+    assert_true(client_write(fd, "{}", 2));
     text = client_read(fd, "\r\n\r\n", 5000);
     assert_int_equal(raw_status(text), 422);
     free(text);

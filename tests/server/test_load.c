@@ -3,7 +3,6 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/socket.h>
 #include <time.h>
 #include <unistd.h>
 
@@ -242,7 +241,7 @@ static void reader_that_stops_is_cut_off(void **state)
     struct daemon server =
         daemon_start((const char *const[]){LET_IN, "--write-timeout-ms=300", "--render-timeout-ms=120000", NULL});
     int fd = client_connect(&server);
-    assert_int_equal(send(fd, REQUEST, sizeof REQUEST - 1, 0), sizeof REQUEST - 1);
+    assert_true(client_write(fd, REQUEST, sizeof REQUEST - 1));
     char *line = daemon_wait_for_log(&server, "\"aborted\":true");
     assert_non_null(strstr(line, "\"status\":200"));
     free(line);
@@ -261,7 +260,7 @@ static void sigterm_lets_renders_in_flight_end(void **state)
     struct post posts[IN_FLIGHT];
     int kept = client_connect(&server);
     static const char EARLY[] = "GET /healthz HTTP/1.1\r\nHost: a\r\n\r\n";
-    assert_true(send(kept, EARLY, sizeof EARLY - 1, 0) > 0);
+    assert_true(client_write(kept, EARLY, sizeof EARLY - 1));
     free(client_read(kept, "ok\"}", 5000));
     begin_posts(posts, IN_FLIGHT, &server, scene);
     usleep(150000);
@@ -271,7 +270,7 @@ static void sigterm_lets_renders_in_flight_end(void **state)
     int fresh = client_connect(&server);
     assert_int_equal(fresh, -1);
     static const char LATE[] = "POST /v1/render HTTP/1.1\r\nHost: a\r\n" JSON_TYPE "\r\nContent-Length: 2\r\n\r\n{}";
-    assert_true(send(kept, LATE, sizeof LATE - 1, MSG_NOSIGNAL) > 0);
+    assert_true(client_write(kept, LATE, sizeof LATE - 1));
     char *text = client_read(kept, NULL, 20000);
     assert_int_equal(raw_status(text), 503);
     assert_non_null(strstr(text, "Retry-After: "));
@@ -314,12 +313,12 @@ static void sigterm_amid_requests_on_kept_connections_ends_well(void **state)
         int kept[KEPT];
         for (int i = 0; i < KEPT; i++) {
             kept[i] = client_connect(&server);
-            assert_true(send(kept[i], HEALTH, sizeof HEALTH - 1, MSG_NOSIGNAL) > 0);
+            assert_true(client_write(kept[i], HEALTH, sizeof HEALTH - 1));
             free(client_read(kept[i], "}", 5000));
         }
         for (int i = 0; i < KEPT; i++) {
             if (i == KEPT / 2) daemon_signal(&server);
-            (void)!send(kept[i], HEALTH, sizeof HEALTH - 1, MSG_NOSIGNAL);
+            client_write(kept[i], HEALTH, sizeof HEALTH - 1);
         }
         daemon_stop(&server); /* asserts exit status 0 */
         for (int i = 0; i < KEPT; i++)
@@ -340,7 +339,7 @@ static void sigterm_answers_those_who_wait_to_be_accepted(void **state)
         int waiting[CLIENTS];
         for (int i = 0; i < CLIENTS; i++) {
             waiting[i] = client_connect(&server);
-            assert_true(send(waiting[i], HEALTH, sizeof HEALTH - 1, MSG_NOSIGNAL) > 0);
+            assert_true(client_write(waiting[i], HEALTH, sizeof HEALTH - 1));
         }
         daemon_signal(&server);
         for (int i = 0; i < CLIENTS; i++) {
@@ -392,7 +391,7 @@ static void sigterm_with_uploads_and_idle_connections_ends(void **state)
     (void)state;
     struct daemon server = daemon_start((const char *const[]){LET_IN, "--drain-timeout-ms=200", NULL});
     int half = client_connect(&server), silent = client_connect(&server);
-    assert_true(send(half, HALF, sizeof HALF - 1, 0) > 0);
+    assert_true(client_write(half, HALF, sizeof HALF - 1));
     assert_int_equal(client_get_status(&server, "/healthz"), 200);
     daemon_stop(&server);
     close(half);
