@@ -48,15 +48,6 @@ const char *zr_json_list_add(struct zr_arena *arena, struct zr_json_lists *lists
  * *commas that of all commas between the two. */
 const char *zr_json_skip(const char *at, const char *end, size_t *items, size_t *commas);
 
-/* The same for a list whose items are lists of numbers, several times as fast; NULL also where it is anything else. */
-const char *zr_json_skip_rows(const char *at, const char *end, size_t *rows, size_t *commas);
-
-/* Adds up what polygons have; returns behind the list, and their count in *polygons. */
-const char *zr_json_skip_polygons(const char *at, const char *end, struct zr_json_soup *soup, size_t *polygons);
-
-/* Behind the closing quote of a string; `at` is behind the opening one. NULL where it has no end. */
-const char *zr_json_skip_string(const char *at, const char *end);
-
 /* Is the text of a key, from behind its opening quote to its closing one, this word of ASCII letters? As it is
  * written or with escapes. */
 bool zr_json_key_is(const char *key, const char *key_end, const char *word);

@@ -1,30 +1,25 @@
 #include "input/json_rows.h"
 
-const char *zr_row_number(const char *at, const char *end, double low, double high, float *out)
+const char *zr_row_any_next(const char *at, const char *end, double low, double high, float *out)
 {
     double value;
+    at = zr_row_skip_space(at + 1, end);
     const char *behind = zr_number_quick(at, end, &value);
     if (!behind) behind = zr_number_read_json(at, end, &value);
     if (!behind || !(value >= low && value <= high)) return NULL;
     *out = (float)value;
-    return zr_row_skip_space(behind, end);
-}
-
-/* As zr_row_next, but not by the way that this row did not take. */
-static const char *read_next(const char *at, const char *end, double low, double high, float *out)
-{
-    at = zr_row_number(zr_row_skip_space(at + 1, end), end, low, high, out);
-    return at && at < end && (*at == ',' || *at == ']') ? at : NULL;
+    behind = zr_row_skip_space(behind, end);
+    return behind < end && (*behind == ',' || *behind == ']') ? behind : NULL;
 }
 
 const char *zr_row_any_three(const char *at, const char *end, double low, double high, zr_vec3 *out)
 {
     float x, y, z;
-    at = read_next(at, end, low, high, &x);
+    at = zr_row_any_next(at, end, low, high, &x);
     if (!at || *at != ',') return NULL;
-    at = read_next(at, end, low, high, &y);
+    at = zr_row_any_next(at, end, low, high, &y);
     if (!at || *at != ',') return NULL;
-    at = read_next(at, end, low, high, &z);
+    at = zr_row_any_next(at, end, low, high, &z);
     if (at) *out = (zr_vec3){x, y, z};
     return at;
 }

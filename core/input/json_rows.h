@@ -21,9 +21,6 @@ static inline const char *zr_row_skip_space(const char *at, const char *end)
 /* Left to themselves, compilers call these for each number. */
 #define ZR_INLINED static inline __attribute__((always_inline))
 
-/* A number of whatever form, and the space behind it. */
-const char *zr_row_number(const char *at, const char *end, double low, double high, float *out);
-
 #ifdef __SSE2__
 /* The number behind `at` in its usual form; returns behind it, or NULL. ZR_QUICKER_BYTES + 2 may be read. */
 ZR_INLINED const char *zr_row_quicker(const char *at, double low, double high, float *out)
@@ -38,7 +35,10 @@ ZR_INLINED const char *zr_row_quicker(const char *at, double low, double high, f
 }
 #endif
 
-/* The number behind `at`, which is '[' or ','; returns at the ',' or ']' that follows. */
+/* The number behind `at`, which is '[' or ',', whatever its form; returns at the ',' or ']' that follows. */
+const char *zr_row_any_next(const char *at, const char *end, double low, double high, float *out);
+
+/* The same inlined for its usual form. */
 ZR_INLINED const char *zr_row_next(const char *at, const char *end, double low, double high, float *out)
 {
 #ifdef __SSE2__
@@ -47,8 +47,7 @@ ZR_INLINED const char *zr_row_next(const char *at, const char *end, double low, 
         if (behind && (*behind == ',' || *behind == ']')) return behind;
     }
 #endif
-    at = zr_row_number(zr_row_skip_space(at + 1, end), end, low, high, out);
-    return at && at < end && (*at == ',' || *at == ']') ? at : NULL;
+    return zr_row_any_next(at, end, low, high, out);
 }
 
 /* Three numbers behind `at`, which is '[', whatever their form; returns at the ',' or ']' that follows. */

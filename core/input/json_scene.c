@@ -190,7 +190,7 @@ enum zr_status zr_json_read(struct zr_arena *arena, const struct zr_request *req
 {
     struct zr_limits parsed = *limits;
     if (parsed.json_depth_max > CJSON_NESTING_LIMIT) parsed.json_depth_max = CJSON_NESTING_LIMIT;
-    struct zr_json_text text = {.bytes = request->bytes};
+    struct zr_json_text text = {0};
     struct zr_draft draft = {.json = {arena, &parsed, error, &text},
                              .scene = scene,
                              .look = zr_look_unsaid,
