@@ -12,6 +12,7 @@
 #include <curl/curl.h>
 
 #include "support/cmocka_all.h"
+#include "support/png.h"
 
 enum { TIMEOUT_S = 120 };
 
@@ -147,6 +148,12 @@ const char *reply_header(const struct reply *reply, const char *name)
             snprintf(value, sizeof value, "%.*s", (int)strcspn(start, "\r\n"), start);
         }
     return value;
+}
+
+bool reply_shows_same(const struct reply *a, const struct reply *b)
+{
+    return (a->size == b->size && memcmp(a->body, b->body, a->size) == 0) ||
+           png_same_pixels(a->body, a->size, b->body, b->size);
 }
 
 long client_get_status(const struct daemon *daemon, const char *target)

@@ -9,7 +9,7 @@
 #include "client.h"
 #include "support/cmocka_all.h"
 
-enum { LARGE_MAX = 8, SMALL = 20 };
+enum { LARGE = 6, SMALL = 20 };
 
 #define LET_IN "--cost-max-ms=86400000", "--render-timeout-ms=600000", "--max-per-client=0"
 
@@ -44,12 +44,12 @@ static void small_requests_are_served_while_large_ones_run_and_wait(void **state
     (void)state;
     for (int small_body = 0; small_body < 2; small_body++) {
         struct daemon server = daemon_start((const char *const[]){LET_IN, "--workers=2", "--queue=8", NULL});
-        int clients[LARGE_MAX];
+        int clients[LARGE];
         char *scene = scene_large(small_body);
-        begin_large(&server, scene, clients, 6);
+        begin_large(&server, scene, clients, LARGE);
         for (int i = 0; i < SMALL; i++)
             assert_int_equal(client_render_status(&server, GOOD_SCENE), 200);
-        end_large(clients, 6);
+        end_large(clients, LARGE);
         free(scene);
         daemon_stop(&server);
     }

@@ -30,6 +30,9 @@ static inline struct random random_seeded(uint64_t seed)
     return r;
 }
 
+/* random_seeded(1) for a static variable: {{RANDOM_STATE_1}}. */
+#define RANDOM_STATE_1 0x910a2dec89025cc1u, 0xbeeb8da1658eec67u, 0xf893a2eefb32555eu, 0x71c18690ee42c90bu
+
 static inline uint64_t random_rotate(uint64_t x, int k)
 {
     return (x << k) | (x >> (64 - k));

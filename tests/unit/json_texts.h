@@ -4,6 +4,7 @@
 #define ZR_TESTS_JSON_TEXTS_H
 
 #include "json_check.h"
+#include "support/random.h"
 
 #define FACES   "\"faces\":[[0,1,2]]"
 #define CORNERS "{\"vertices\":[[0,0,0],[1,0,0],[0,1,0]]"
@@ -43,14 +44,11 @@ static inline void drop(struct text *text)
     *text = (struct text){0};
 }
 
-static uint64_t seed = 88172645463325252u;
+static struct random numbers = {{RANDOM_STATE_1}};
 
 static inline size_t below(size_t count)
 {
-    seed ^= seed << 13;
-    seed ^= seed >> 7;
-    seed ^= seed << 17;
-    return (size_t)((seed * 0x2545F4914F6CDD1Du) >> 33) % count;
+    return random_below(&numbers, (uint32_t)count);
 }
 
 static inline double any_place(void)

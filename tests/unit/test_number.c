@@ -9,6 +9,7 @@
 #include "guarded.h"
 #include "input/number.h"
 #include "input/number_quick.h"
+#include "support/random.h"
 
 /* The value of a text that is a number to its end; at a guard page. */
 static double value_of(const char *text)
@@ -115,18 +116,11 @@ static void million_digits_are_read(void **state)
     free(text);
 }
 
-static uint64_t next_random(void)
-{
-    static uint64_t seed = 88172645463325252u;
-    seed ^= seed << 13;
-    seed ^= seed >> 7;
-    seed ^= seed << 17;
-    return seed * 0x2545F4914F6CDD1Du;
-}
+static struct random numbers = {{RANDOM_STATE_1}};
 
 static size_t below(size_t count)
 {
-    return (size_t)(next_random() >> 33) % count;
+    return random_below(&numbers, (uint32_t)count);
 }
 
 static size_t put_digits(char *text, size_t count)
@@ -163,13 +157,13 @@ static size_t put_random_number(char *text)
 /* The middle between two doubles to the last digit that fits, or a little beside it; or any double's 17 digits. */
 static size_t put_hard_number(char *text)
 {
-    uint64_t bits = next_random();
+    uint64_t bits = random_next(&numbers);
     double value;
     if (below(2)) bits = (bits & ~(UINT64_C(0x7FF) << 52)) | (uint64_t)(1023 - 40 + below(100)) << 52;
     memcpy(&value, &bits, sizeof value);
     if (!isfinite(value)) value = 1.5;
     if (below(3)) return (size_t)sprintf(text, "%.*e", (int)(14 + below(5)), value);
-    uint64_t odd = (UINT64_C(1) << 53) + 2 * (next_random() >> 12) + 1;
+    uint64_t odd = (UINT64_C(1) << 53) + 2 * (random_next(&numbers) >> 12) + 1;
     return (size_t)sprintf(text, "%llu%s", (unsigned long long)odd, below(2) ? "" : ".000001");
 }
 
