@@ -43,8 +43,9 @@ verify_lines := $(BUILD)/zraster-verify-lines
 
 objects = $(patsubst %.c,$(BUILD)/%.o,$(wildcard $(1)))
 # Kernels are compiled once for each instruction set of the target, which is chosen when the program starts.
-# By the compiler's own macros.
-macros := $(shell $(CC) $(CFLAGS) -dM -E -x c /dev/null)
+# By the compiler's own macros. On a bare machine there is none yet: what a target installs, the make that it calls next
+# finds, and this one is to build nothing itself.
+macros := $(shell $(CC) $(CFLAGS) -dM -E -x c /dev/null 2>/dev/null)
 target := $(firstword $(foreach name,x86_64 aarch64,$(if $(findstring __$(name)__,$(macros)),$(name))))
 isas_x86_64 := scalar sse2 avx2 avx512
 isas_aarch64 := scalar neon
@@ -124,9 +125,13 @@ algorithms: ## the five algorithms against one another: 100 000 triangles and 40
 .PHONY: cross
 cross: ## the renderer built for arm64 and run under qemu: the same bytes as here, by every instruction set
 	@.ci/need cc=gcc stdlib.h=libc6-dev $(NEED_CROSS)
-	@$(MAKE) -s -j$(JOBS) $(BUILD)/zraster-cross
-	@$(MAKE) -s -j$(JOBS) BUILD=$(BUILD)/arm64 SAN= CC="$(CROSS_CC)" CFLAGS=-O2 LDFLAGS=-static $(BUILD)/arm64/zraster-cross
-	@tests/cross/compare.sh $(BUILD)/zraster-cross "$(isas)" "qemu-aarch64 $(BUILD)/arm64/zraster-cross" "$(isas_aarch64)"
+	@$(MAKE) -s -j$(JOBS) BUILD=$(BUILD)/arm64 SAN= CC="$(CROSS_CC)" CFLAGS=-O2 LDFLAGS=-static isas="$(isas_aarch64)" \
+		$(BUILD)/arm64/zraster-cross
+	@$(MAKE) -s -j$(JOBS) compare-cross
+
+.PHONY: compare-cross
+compare-cross: $(BUILD)/zraster-cross
+	@tests/cross/compare.sh $< "$(isas)" "qemu-aarch64 $(BUILD)/arm64/zraster-cross" "$(isas_aarch64)"
 
 .PHONY: bench
 bench: ## our times beside llvmpipe's, libpng's, cJSON's, in one run; ARGS="--only PNG", --rounds N, --list
