@@ -60,7 +60,7 @@ static bool measure(const struct bench *bench, void *context, const struct sink 
     static struct answer answer;
     char program[600], line[64] = "";
     struct process process;
-    struct wire our_wire, their_wire;
+    struct wire our_wire, their_wire = {.fd = -1};
     bench_path_of(bench, "bare_http", program, sizeof program);
     struct daemon daemon = daemon_start(NULL);
     bool started = wire_open(&our_wire, daemon.port) && learn(&our_wire, program, &answer) &&

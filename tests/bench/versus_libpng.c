@@ -134,7 +134,7 @@ void versus_libpng(struct bench *bench)
     struct task task = {.work = &work};
     if (!works_make(WORK_BUNNY, bench->models, &work)) bench->results.failed = true;
     bool any = false;
-    for (task.threads = 1; !bench->results.failed && task.threads <= THREADS_MAX; task.threads++) {
+    for (task.threads = 1; work.corners && task.threads <= THREADS_MAX; task.threads++) {
         bool here = false;
         for (int i = 0; i < KINDS; i++) {
             char name[ROW_NAME_SIZE];

@@ -86,9 +86,8 @@ void geometry_batch(struct zr_geometry *geometry)
     geometry->batch_count = 0;
     for (uint32_t i = 0; i < geometry->triangle_count; i++) {
         bool plain = is_plain(&geometry->triangles[i]);
-        struct zr_batch *last = &geometry->batches[geometry->batch_count - 1];
-        if (geometry->batch_count > 0 && last->plain == plain)
-            last->count++;
+        if (geometry->batch_count > 0 && geometry->batches[geometry->batch_count - 1].plain == plain)
+            geometry->batches[geometry->batch_count - 1].count++;
         else
             geometry->batches[geometry->batch_count++] =
                 (struct zr_batch){.first = i, .count = 1, .written = true, .plain = plain, .first_record = i};

@@ -54,8 +54,8 @@ bool png_same_pixels(const void *a, size_t a_size, const void *b, size_t b_size)
 {
     png_image one, other;
     uint8_t *p = decode(a, a_size, &one), *q = decode(b, b_size, &other);
-    bool same = p && q && one.width == other.width && one.height == other.height &&
-                memcmp(p, q, PNG_IMAGE_SIZE(one)) == 0;
+    bool same =
+        p && q && one.width == other.width && one.height == other.height && memcmp(p, q, PNG_IMAGE_SIZE(one)) == 0;
     free(p);
     free(q);
     return same;
