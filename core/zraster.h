@@ -92,7 +92,7 @@ struct zr_cost {
     double triangles;  /* and what takes as long: points without faces, cuts of concave faces, visits of tiles */
     double fragments;  /* pixels of all triangles, hidden ones too; those of lines and concave faces take longer */
     double pixels;     /* of all outputs */
-    double png_pixels; /* of those that are compressed */
+    double png_pixels; /* of those that become PNGs; times what it takes longer where they are to be small */
 };
 
 struct zr_answer {

@@ -12,8 +12,8 @@
 enum zr_isa {
     ZR_ISA_SCALAR, /* plain C, for any machine */
     ZR_ISA_SSE2,
-    ZR_ISA_AVX2,
-    ZR_ISA_AVX512, /* F, BW, DQ and VL */
+    ZR_ISA_AVX2,   /* and BMI2 */
+    ZR_ISA_AVX512, /* F, BW, DQ and VL, and BMI2 */
     ZR_ISA_NEON,
     ZR_ISA_COUNT
 };

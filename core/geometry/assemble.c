@@ -72,7 +72,7 @@ struct run {
     const struct zr_material *material;
 };
 
-/* Convex, wholly in view, filled, and without an outline to make room for. */
+/* Convex and wholly in view. That its material fills it and wants no outline, which would need room, is seen before. */
 static bool face_is_plain(const struct zr_builder *builder, const struct zr_fans *fans, uint32_t face)
 {
     const struct zr_mesh *mesh = builder->mesh;

@@ -47,8 +47,8 @@ struct zr_geometry {
     struct zr_counts counts;
 };
 
-/* Everything points into the arena, and to the scene. With `written`, every record is written out, and one batch
- * holds them all: what algorithms take that know no batches. ZR_NO_MEMORY or ZR_CANCELLED, else ZR_OK. */
+/* Everything points into the arena, and to the scene. With `written`, every record is written out, so that
+ * record i is triangles[i]: what algorithms take that know no batches. ZR_NO_MEMORY or ZR_CANCELLED, else ZR_OK. */
 enum zr_status zr_geometry_build(struct zr_arena *arena, struct zr_team *team, const struct zr_scene *scene,
                                  const struct zr_camera *camera, const struct zr_cancel *cancel, bool written,
                                  struct zr_geometry *geometry);

@@ -11,7 +11,7 @@
 #include "raster/primitive.h"
 #include "raster/tile.h"
 
-/* Where the primitive covers a sample and is nearer than tile->depth, writes its depth and owner. */
+/* Where the primitive covers a sample and is seen (zr_tile_put), writes its depth and owner. */
 void zr_oddeven_draw(const struct zr_geometry *geometry, const struct zr_primitive *primitive, struct zr_tile *tile);
 
 #endif

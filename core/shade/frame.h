@@ -19,7 +19,7 @@ struct zr_frame {
     uint32_t *face_id;          /* 0 where nothing is */
     const struct zr_base *base; /* what is seen where no record is, its window_depth made; NULL: nothing */
     struct zr_camera camera;
-    struct zr_bounds bounds;
+    struct zr_bounds bounds; /* of the scene; looked for where the view needs them or info is asked for, else invalid */
     struct zr_counts counts;
     uint64_t covered_pixels; /* that belong to a record, not to the base */
 };

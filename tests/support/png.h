@@ -1,4 +1,4 @@
-/* png.h - support: pictures that tests leave for a person to look at. */
+/* png.h - support: PNG: pictures that tests leave for a person to look at, and whether two are the same. */
 #ifndef ZR_TEST_PNG_H
 #define ZR_TEST_PNG_H
 

@@ -1,4 +1,4 @@
-/* avx2.h - base: base/simd.h for AVX2. */
+/* avx2.h - base: base/simd.h for AVX2, and BMI2. */
 #ifndef ZR_SIMD_AVX2_H
 #define ZR_SIMD_AVX2_H
 

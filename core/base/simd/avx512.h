@@ -1,4 +1,4 @@
-/* avx512.h - base: base/simd.h for AVX-512 F, BW, DQ, VL. */
+/* avx512.h - base: base/simd.h for AVX-512 F, BW, DQ and VL, and BMI2. */
 #ifndef ZR_SIMD_AVX512_H
 #define ZR_SIMD_AVX512_H
 
