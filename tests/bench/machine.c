@@ -2,27 +2,18 @@
 
 #include <stdio.h>
 #include <stdlib.h>
-#include <string.h>
 #include <unistd.h>
+
+#include "base/isa.h"
 
 const char *machine_isa(void)
 {
-#if defined __x86_64__ || defined __i386__
-    __builtin_cpu_init();
-    if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512bw") && __builtin_cpu_supports("avx512dq") &&
-        __builtin_cpu_supports("avx512vl"))
-        return "avx512";
-    return __builtin_cpu_supports("avx2") ? "avx2" : "sse2";
-#elif defined __aarch64__
-    return "neon";
-#else
-    return "scalar";
-#endif
+    return zr_isa_name(zr_isa_best());
 }
 
 double machine_bar_divisor(void)
 {
-    return strcmp(machine_isa(), "avx512") == 0 ? 1.0 : 1.6;
+    return zr_isa_best() == ZR_ISA_AVX512 ? 1.0 : 1.6;
 }
 
 int machine_cores(void)

@@ -2,7 +2,7 @@
 #ifndef ZR_BENCH_MACHINE_H
 #define ZR_BENCH_MACHINE_H
 
-/* The instruction set that the core uses here: "avx512", "avx2", "sse2", "neon". The one place that says so. */
+/* The instruction set that the core uses here, such as "avx512". */
 const char *machine_isa(void);
 
 /* What a bar of the rendering, set for 512-bit vectors, is divided by here. */

@@ -28,7 +28,7 @@ void results_add(struct results *results, const struct row *row)
     results->rows[results->count++] = *row;
 }
 
-double row_ratio(const struct row *row)
+static double ratio_of(const struct row *row)
 {
     return row->theirs_ms > 0 && row->ours_ms > 0 ? row->theirs_ms / row->ours_ms : 0.0;
 }
@@ -40,10 +40,10 @@ static bool has_bar(const struct row *row)
 
 static bool reaches(const struct row *row, double least, double most)
 {
-    return (least <= 0 || row_ratio(row) >= least) && (most <= 0 || row->side_ratio <= most);
+    return (least <= 0 || ratio_of(row) >= least) && (most <= 0 || row->side_ratio <= most);
 }
 
-bool row_is_short(const struct row *row)
+static bool is_short(const struct row *row)
 {
     return has_bar(row) && !reaches(row, row->bar.must, row->side_bar.must);
 }
@@ -56,7 +56,7 @@ static bool has_goal(const struct row *row)
 static const char *mark(const struct row *row)
 {
     if (row->wrong) return "WRONG";
-    if (row_is_short(row)) return "SHORT";
+    if (is_short(row)) return "SHORT";
     if (has_goal(row) && reaches(row, row->bar.goal, row->side_bar.goal)) return "goal";
     return has_bar(row) ? "ok" : "";
 }
@@ -82,7 +82,7 @@ void results_print_row(const struct row *row)
     printf("%-57s", row->work);
     print_number(row->ours_ms, "", 9, digits);
     print_number(row->theirs_ms, "", 9, digits);
-    print_number(row_ratio(row), "x", 8, 2);
+    print_number(ratio_of(row), "x", 8, 2);
     print_number(row->bar.must, "x", 6, row->bar.must < 2 ? 2 : 1);
     print_number(row->bar.goal, "x", 6, row->bar.goal < 2 ? 2 : 1);
     printf(" %-5s", mark(row));
@@ -101,7 +101,7 @@ void results_print_summary(const struct results *results)
         const struct row *row = &results->rows[i];
         wrong += row->wrong;
         bars += has_bar(row);
-        musts += has_bar(row) && !row->wrong && !row_is_short(row);
+        musts += has_bar(row) && !row->wrong && !is_short(row);
         goals += has_goal(row);
         goals_reached += has_goal(row) && !row->wrong && reaches(row, row->bar.goal, row->side_bar.goal);
     }
@@ -124,7 +124,7 @@ static void write_row(FILE *out, const struct row *row)
     fprintf(out, "{\"work\": \"%s\"", row->work);
     write_number(out, "ours_ms", row->ours_ms);
     write_number(out, "theirs_ms", row->theirs_ms);
-    write_number(out, "ratio", row_ratio(row));
+    write_number(out, "ratio", ratio_of(row));
     write_number(out, "must", row->bar.must);
     write_number(out, "goal", row->bar.goal);
     if (row->side != ROW_TIME_ONLY) {

@@ -39,9 +39,6 @@ struct results {
 void results_free(struct results *results);
 void results_add(struct results *results, const struct row *row);
 
-double row_ratio(const struct row *row);
-bool row_is_short(const struct row *row);
-
 /* A line of the table as soon as it is known; a heading line first where one is due. */
 void results_print_heading(const char *title);
 void results_print_row(const struct row *row);

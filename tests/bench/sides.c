@@ -73,12 +73,6 @@ bool theirs_open(struct theirs *theirs, bool exact, int threads)
     return theirs->reference || complain(&error);
 }
 
-void theirs_close(struct theirs *theirs)
-{
-    reference_close(theirs->reference);
-    free(theirs->corners);
-}
-
 /* Corners of their own for all triangles. */
 static bool unshare(struct theirs *theirs, const struct work *work)
 {

@@ -43,9 +43,9 @@ struct theirs {
     struct reference_batch batch;
 };
 
-/* exact: as RULES.md says, to be compared with; else with all that the machine has, to be timed. */
+/* exact: as RULES.md says, to be compared with; else with all that the machine has, to be timed. It ends with the
+ * child that opened it. */
 bool theirs_open(struct theirs *theirs, bool exact, int threads);
-void theirs_close(struct theirs *theirs);
 bool theirs_take(struct theirs *theirs, const struct work *work, const struct variant *variant);
 bool theirs_draw(struct theirs *theirs);
 
