@@ -8,7 +8,8 @@
 #include "bench/wire.h"
 #include "server/daemon.h"
 
-enum { WARM_UP = 2, A_ROUND = 200, HEADERS_MAX = 16, TEXT_SIZE = 4096 };
+enum { OURS, THEIRS, SIDES };
+enum { A_ROUND = 200, HEADERS_MAX = 16, TEXT_SIZE = 4096 };
 
 static const char name[] = "HTTP: GET /healthz, one connection, mean of 200 requests";
 static const char target[] = "/healthz";
@@ -42,8 +43,8 @@ static bool learn(struct wire *wire, const char *program, struct answer *answer)
     return true;
 }
 
-/* Mean of a round's requests, ms. */
-static bool run_round(struct wire *wire, struct series *series)
+/* Adds the mean of many requests. */
+static bool ask_often(struct wire *wire, struct series *series)
 {
     struct wire_answer answer = {0};
     double begin = now_ms();
@@ -53,38 +54,36 @@ static bool run_round(struct wire *wire, struct series *series)
     return true;
 }
 
+static bool run_round(void *context, struct series *series)
+{
+    struct wire *wires = context;
+    return ask_often(&wires[OURS], &series[OURS]) && ask_often(&wires[THEIRS], &series[THEIRS]);
+}
+
 static bool measure(const struct bench *bench, void *context, const struct sink *sink)
 {
     (void)context;
-    static struct series ours, theirs;
+    static struct series series[SIDES];
     static struct answer answer;
     char program[600], line[64] = "";
     struct process process;
-    struct wire our_wire, their_wire = {.fd = -1};
+    struct wire wires[SIDES] = {{.fd = -1}, {.fd = -1}};
     bench_path_of(bench, "bare_http", program, sizeof program);
     struct daemon daemon = daemon_start(NULL);
-    bool started = wire_open(&our_wire, daemon.port) && learn(&our_wire, program, &answer) &&
+    bool started = wire_open(&wires[OURS], daemon.port) && learn(&wires[OURS], program, &answer) &&
                    process_start(&process, answer.arguments, false);
     if (!started) {
         daemon_stop(&daemon);
         return bench_complain("%s cannot be run", program);
     }
-    bool ok = process_wait(&process, line, sizeof line) && wire_open(&their_wire, (unsigned)strtoul(line, NULL, 10));
-    double round_ms = 0;
-    for (int i = 0; ok && i < WARM_UP; i++) {
-        double begin = now_ms();
-        ok = run_round(&our_wire, &ours) && run_round(&their_wire, &theirs);
-        round_ms = now_ms() - begin;
-    }
-    ours.count = theirs.count = 0;
-    int rounds = series_rounds(bench->rounds, round_ms);
-    for (int i = 0; ok && i < rounds; i++)
-        ok = run_round(&our_wire, &ours) && run_round(&their_wire, &theirs);
-    struct row row = {.ours_ms = series_median(&ours), .theirs_ms = series_median(&theirs)};
+    bool ok = process_wait(&process, line, sizeof line) &&
+              wire_open(&wires[THEIRS], (unsigned)strtoul(line, NULL, 10)) &&
+              series_run(series, SIDES, bench->rounds, run_round, wires);
+    struct row row = {.ours_ms = series_median(&series[OURS]), .theirs_ms = series_median(&series[THEIRS])};
     snprintf(row.work, sizeof row.work, "%s", name);
     if (ok) sink_row(sink, &row);
-    wire_close(&our_wire);
-    wire_close(&their_wire);
+    wire_close(&wires[OURS]);
+    wire_close(&wires[THEIRS]);
     daemon_stop(&daemon);
     return process_end(&process, 0) && ok;
 }

@@ -64,12 +64,6 @@ static char *make_large(unsigned port, double *alone_ms)
     return NULL;
 }
 
-static int by_size(const void *a, const void *b)
-{
-    double left = *(const double *)a, right = *(const double *)b;
-    return (left > right) - (left < right);
-}
-
 static bool any_runs(const struct large *larges, int count)
 {
     for (int i = 0; i < count; i++)
@@ -106,9 +100,7 @@ static bool measure_beside(struct wire *wire, const struct document *small, cons
     }
     if (!ok || series.count == 0) return false;
     row->ours_ms = series_median(&series);
-    qsort(series.ms, (size_t)series.count, sizeof series.ms[0], by_size);
-    int used =
-        snprintf(row->note, sizeof row->note, "99 of 100 within %.1f ms", series.ms[(series.count * 99 - 1) / 100]);
+    int used = snprintf(row->note, sizeof row->note, "99 of 100 within %.1f ms", series_percentile(&series, 99));
     if (count > 0)
         snprintf(row->note + used, sizeof row->note - (size_t)used, "; large: %.2g s alone, %.2g s", alone_ms / 1000,
                  longest / 1000);

@@ -13,7 +13,7 @@
 #include "bench/wire.h"
 #include "bench/works.h"
 
-enum { WARM_UP = 2 }; /* which also fills Mesa's cache of shaders */
+enum { OURS, THEIRS, SIDES };
 
 static const struct bar cold_bar = {2, 5};
 
@@ -77,30 +77,36 @@ static void keep_shaders(const struct bench *bench)
     setenv("MESA_SHADER_CACHE_DISABLE", "false", 1);
 }
 
+struct start {
+    const struct work *work;
+    const struct document *document;
+    const char *daemon, *program;
+};
+
+static bool run_round(void *context, struct series *series)
+{
+    const struct start *start = context;
+    return run_theirs(start->program, start->work, &series[THEIRS]) &&
+           run_ours(start->daemon, start->document, &series[OURS]);
+}
+
 static bool measure(const struct bench *bench, void *context, const struct sink *sink)
 {
-    static struct series ours, theirs;
+    static struct series series[SIDES];
     const struct work *work = context;
     char program[600];
-    const char *told = getenv("ZRASTERD"), *daemon = told && *told ? told : "build/zrasterd";
+    const char *told = getenv("ZRASTERD");
     struct document document = document_indexed(&work->drawing, true);
-    double round_ms = 0;
     bench_path_of(bench, "first_frame", program, sizeof program);
     keep_shaders(bench);
-    for (int i = 0; i < WARM_UP; i++) {
-        double begin = now_ms();
-        if (!run_theirs(program, work, &theirs) || !run_ours(daemon, &document, &ours)) return false;
-        round_ms = now_ms() - begin;
-    }
-    ours.count = theirs.count = 0;
-    int rounds = series_rounds(bench->rounds, round_ms);
-    for (int i = 0; i < rounds; i++)
-        if (!run_theirs(program, work, &theirs) || !run_ours(daemon, &document, &ours)) return false;
-    struct row row = {.ours_ms = series_median(&ours), .theirs_ms = series_median(&theirs), .bar = cold_bar};
+    struct start start = {work, &document, told && *told ? told : "build/zrasterd", program};
+    bool ok = document.bytes && series_run(series, SIDES, bench->rounds, run_round, &start);
+    struct row row = {
+        .ours_ms = series_median(&series[OURS]), .theirs_ms = series_median(&series[THEIRS]), .bar = cold_bar};
     name_row(work, row.work, sizeof row.work);
-    sink_row(sink, &row);
+    if (ok) sink_row(sink, &row);
     free(document.bytes);
-    return true;
+    return ok;
 }
 
 void service_cold_start(struct bench *bench)

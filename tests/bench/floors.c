@@ -5,8 +5,6 @@
 #include "bench/growth.h"
 #include "bench/series.h"
 
-enum { WARM_UP = 2 };
-
 enum floor { CLEAR_BOTH, CLEAR_COLOR, COPY_RGBA, COPY_RGB };
 
 static const struct {
@@ -20,45 +18,52 @@ static const struct {
               {"floor: memcpy of RGBA pixels, 1080p", COPY_RGBA, 1920 * 1080},
               {"floor: memcpy of RGB pixels, 1080p", COPY_RGB, 1920 * 1080}};
 
-static void run(enum floor floor, size_t pixels, int round, char *to, const char *from)
+struct buffers {
+    enum floor floor;
+    size_t pixels;
+    int value; /* another one each round */
+    char *to, *from;
+};
+
+static bool run_round(void *context, struct series *series)
 {
-    switch (floor) {
+    struct buffers *b = context;
+    double begin = now_ms();
+    b->value ^= 1;
+    switch (b->floor) {
     case CLEAR_BOTH:
-        memset(to + 4 * pixels, round, 4 * pixels);
-        memset(to, round, 4 * pixels);
+        memset(b->to + 4 * b->pixels, b->value, 4 * b->pixels);
+        memset(b->to, b->value, 4 * b->pixels);
         break;
     case CLEAR_COLOR:
-        memset(to, round, 4 * pixels);
+        memset(b->to, b->value, 4 * b->pixels);
         break;
     case COPY_RGBA:
-        memcpy(to, from, 4 * pixels);
+        memcpy(b->to, b->from, 4 * b->pixels);
         break;
     case COPY_RGB:
-        memcpy(to, from, 3 * pixels);
+        memcpy(b->to, b->from, 3 * b->pixels);
         break;
     }
-    __asm__ volatile("" : : "r"(to) : "memory"); /* somebody might look */
+    __asm__ volatile("" : : "r"(b->to) : "memory"); /* somebody might look */
+    series_add(series, now_ms() - begin);
+    return true;
 }
 
 static bool measure(const struct bench *bench, void *context, const struct sink *sink)
 {
     static struct series series;
     const size_t number = *(const size_t *)context, pixels = floors[number].pixels;
-    char *to = malloc(8 * pixels), *from = malloc(4 * pixels);
-    if (!to || !from) return false;
-    memset(from, 1, 4 * pixels);
-    int rounds = series_rounds(bench->rounds, 1.0);
-    for (int i = -WARM_UP; i < rounds; i++) {
-        double begin = now_ms();
-        run(floors[number].floor, pixels, i & 1, to, from);
-        if (i >= 0) series_add(&series, now_ms() - begin);
-    }
+    struct buffers buffers = {floors[number].floor, pixels, 0, malloc(8 * pixels), malloc(4 * pixels)};
+    if (!buffers.to || !buffers.from) return false;
+    memset(buffers.from, 1, 4 * pixels);
+    bool ok = series_run(&series, 1, bench->rounds, run_round, &buffers);
     struct row row = {.ours_ms = series_median(&series)};
     snprintf(row.work, sizeof row.work, "%s", floors[number].name);
-    sink_row(sink, &row);
-    free(to);
-    free(from);
-    return true;
+    if (ok) sink_row(sink, &row);
+    free(buffers.to);
+    free(buffers.from);
+    return ok;
 }
 
 void growth_floors(struct bench *bench)

@@ -1,14 +1,9 @@
 #include "bench/growth.h"
 
-#include <stdlib.h>
-#include <string.h>
-
 #include "bench/machine.h"
 #include "bench/meshes.h"
 #include "bench/series.h"
 #include "bench/sides.h"
-
-enum { WARM_UP = 2 };
 
 /* At most 1.1 times what is in proportion. */
 static const struct bar growth_bar = {1 / 1.1, 0};
@@ -47,22 +42,21 @@ static void name_row(const struct bench *bench, const struct step *step, char *n
 
 /* ---- one size ---- */
 
+static bool run_round(void *context, struct series *series)
+{
+    double begin = now_ms();
+    bool ok = ours_draw(context, false);
+    series_add(series, now_ms() - begin);
+    return ok;
+}
+
 static double time_of(const struct work *work, int asked)
 {
     static struct series series;
     struct ours ours;
-    double round_ms = 0;
-    series.count = 0;
     if (!ours_open(&ours, 1)) return 0.0;
     ours_take(&ours, work, &drawn);
-    bool ok = true;
-    for (int i = -WARM_UP, rounds = 0; ok && (i < 0 || i < rounds); i++) {
-        double begin = now_ms();
-        ok = ours_draw(&ours, false);
-        round_ms = now_ms() - begin;
-        if (i >= 0) series_add(&series, round_ms);
-        if (i == -1) rounds = series_rounds(asked, round_ms);
-    }
+    bool ok = series_run(&series, 1, asked, run_round, &ours);
     ours_close(&ours);
     return ok ? series_median(&series) : 0.0;
 }

@@ -2,7 +2,6 @@
  * of one, so that what it holds anyway does not count. Bodies and answers do.
  */
 #include <stdlib.h>
-#include <string.h>
 
 #include "bench/documents.h"
 #include "bench/meshes.h"

@@ -1,12 +1,11 @@
 /* More threads against one. */
-#include <string.h>
-
 #include "bench/growth.h"
 #include "bench/machine.h"
 #include "bench/series.h"
 #include "bench/sides.h"
 
-enum { WARM_UP = 2, THREADS_MAX = 64 };
+enum { ONE, MORE, SIDES };
+enum { THREADS_MAX = 64 };
 
 static const struct bar two_bar = {1.8, 1.95};
 
@@ -31,39 +30,30 @@ static void name_row(const struct task *task, int shade, char *name, size_t size
     snprintf(name, size, "%dT against 1T: %.70s %s", task->threads, drawn, machine_isa());
 }
 
-static bool run_round(struct ours *one, struct ours *more, struct series *one_ms, struct series *more_ms)
+static bool run_round(void *context, struct series *series)
 {
-    double begin = now_ms();
-    if (!ours_draw(one, false)) return false;
-    double middle = now_ms();
-    if (!ours_draw(more, false)) return false;
-    series_add(one_ms, middle - begin);
-    series_add(more_ms, now_ms() - middle);
+    struct ours *ours = context;
+    for (int side = ONE; side < SIDES; side++) {
+        double begin = now_ms();
+        if (!ours_draw(&ours[side], false)) return false;
+        series_add(&series[side], now_ms() - begin);
+    }
     return true;
 }
 
 static bool measure(const struct bench *bench, void *context, const struct sink *sink)
 {
-    static struct series one_ms, more_ms;
+    static struct series series[SIDES];
     const struct task *task = context;
-    struct ours one, more;
-    bool ok = ours_open(&one, 1) && ours_open(&more, task->threads);
+    struct ours ours[SIDES];
+    bool ok = ours_open(&ours[ONE], 1) && ours_open(&ours[MORE], task->threads);
     for (int shade = 0; ok && shade < WORK_SHADES; shade++) {
         struct variant variant = variant_of(task->work, shade);
-        double round_ms = 0;
         if (!task->wanted[shade]) continue;
-        ours_take(&one, task->work, &variant);
-        ours_take(&more, task->work, &variant);
-        for (int i = 0; ok && i < WARM_UP; i++) {
-            double begin = now_ms();
-            ok = run_round(&one, &more, &one_ms, &more_ms);
-            round_ms = now_ms() - begin;
-        }
-        one_ms.count = more_ms.count = 0;
-        int rounds = series_rounds(bench->rounds, round_ms);
-        for (int i = 0; ok && i < rounds; i++)
-            ok = run_round(&one, &more, &one_ms, &more_ms);
-        struct row row = {.ours_ms = series_median(&more_ms), .theirs_ms = series_median(&one_ms)};
+        for (int side = ONE; side < SIDES; side++)
+            ours_take(&ours[side], task->work, &variant);
+        ok = series_run(series, SIDES, bench->rounds, run_round, ours);
+        struct row row = {.ours_ms = series_median(&series[MORE]), .theirs_ms = series_median(&series[ONE])};
         if (task->threads == 2) row.bar = two_bar;
         name_row(task, shade, row.work, sizeof row.work);
         if (ok) sink_row(sink, &row);

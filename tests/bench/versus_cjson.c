@@ -2,7 +2,6 @@
 
 #include <cjson/cJSON.h>
 #include <stdlib.h>
-#include <string.h>
 
 #include "bench/documents.h"
 #include "bench/machine.h"
@@ -11,7 +10,8 @@
 #include "scene/scene.h"
 #include "zraster.h"
 
-enum { WARM_UP = 2, FORMS = 2 };
+enum { FORMS = 2 };
+enum { WARM, FRESH, THEIRS, SIDES }; /* ours in an arena that is warm, and in a new one; cJSON */
 
 static const size_t ARENA_BYTES = (size_t)4 << 30;
 static const struct bar time_bar = {12, 20}, memory_bar = {1.5, 1.1};
@@ -20,7 +20,7 @@ static const char *const form_names[FORMS] = {"soup", "indexed"};
 struct task {
     const struct work *work;
     int form;
-    bool wanted[2]; /* a warm arena, a new one */
+    bool wanted[2]; /* WARM, FRESH */
 };
 
 static void name_row(const struct task *task, bool fresh, char *name, size_t size)
@@ -80,56 +80,51 @@ static bool is_right(const struct zr_scene *scene, const struct drawing *drawing
     return true;
 }
 
-struct trial {
-    struct series ours[2], theirs;
+struct reading {
+    const struct task *task;
+    const struct document *document;
+    struct zr_arena warm;
 };
 
-static bool run_round(const struct task *task, const struct document *document, struct zr_arena *warm,
-                      struct trial *trial)
+static bool run_round(void *context, struct series *series)
 {
+    struct reading *reading = context;
+    const struct document *document = reading->document;
     double begin = now_ms();
     cJSON *tree = cJSON_ParseWithLength(document->bytes, document->size);
     cJSON_Delete(tree);
-    series_add(&trial->theirs, now_ms() - begin);
+    series_add(&series[THEIRS], now_ms() - begin);
     bool ok = tree != NULL;
-    for (int fresh = 0; ok && fresh < 2; fresh++) {
+    for (int fresh = WARM; ok && fresh <= FRESH; fresh++) {
         struct zr_arena cold;
-        if (!task->wanted[fresh]) continue;
+        if (!reading->task->wanted[fresh]) continue;
         zr_arena_init(&cold, ARENA_BYTES);
         begin = now_ms();
-        if (!fresh) zr_arena_reset(warm, ARENA_BYTES);
-        ok = read_scene(fresh ? &cold : warm, document) != NULL;
+        if (!fresh) zr_arena_reset(&reading->warm, ARENA_BYTES);
+        ok = read_scene(fresh ? &cold : &reading->warm, document) != NULL;
         if (fresh) zr_arena_free(&cold);
-        series_add(&trial->ours[fresh], now_ms() - begin);
+        series_add(&series[fresh], now_ms() - begin);
     }
     return ok;
 }
 
 static bool measure(const struct bench *bench, void *context, const struct sink *sink)
 {
-    static struct trial trial;
+    static struct series series[SIDES];
     const struct task *task = context;
     const struct drawing *drawing = &task->work->drawing;
     struct document document = task->form == 0 ? document_soup(drawing) : document_indexed(drawing, false);
-    struct zr_arena arena;
-    zr_arena_init(&arena, ARENA_BYTES);
-    const struct zr_scene *scene = document.bytes ? read_scene(&arena, &document) : NULL;
+    struct reading reading = {.task = task, .document = &document};
+    zr_arena_init(&reading.warm, ARENA_BYTES);
+    const struct zr_scene *scene = document.bytes ? read_scene(&reading.warm, &document) : NULL;
     if (!scene) return false;
-    double needed = (double)arena.peak, round_ms = 0;
+    double needed = (double)reading.warm.peak;
     size_t arrays = array_bytes(scene);
     bool wrong = !is_right(scene, drawing);
-    for (int i = 0; i < WARM_UP; i++) {
-        double begin = now_ms();
-        if (!run_round(task, &document, &arena, &trial)) return false;
-        round_ms = now_ms() - begin;
-    }
-    memset(&trial, 0, sizeof trial);
-    int rounds = bench->check_only ? 0 : series_rounds(bench->rounds, round_ms);
-    for (int i = 0; i < rounds; i++)
-        if (!run_round(task, &document, &arena, &trial)) return false;
-    for (int fresh = 0; fresh < 2; fresh++) {
-        struct row row = {.ours_ms = series_median(&trial.ours[fresh]),
-                          .theirs_ms = series_median(&trial.theirs),
+    if (!bench->check_only && !series_run(series, SIDES, bench->rounds, run_round, &reading)) return false;
+    for (int fresh = WARM; fresh <= FRESH; fresh++) {
+        struct row row = {.ours_ms = series_median(&series[fresh]),
+                          .theirs_ms = series_median(&series[THEIRS]),
                           .side = ROW_MEMORY,
                           .side_ratio = needed / (double)arrays,
                           .wrong = wrong};
@@ -141,7 +136,7 @@ static bool measure(const struct bench *bench, void *context, const struct sink 
             snprintf(row.note, sizeof row.note, "%.1f MB", (double)document.size / 1e6);
         if (task->wanted[fresh]) sink_row(sink, &row);
     }
-    zr_arena_free(&arena);
+    zr_arena_free(&reading.warm);
     free(document.bytes);
     return true;
 }

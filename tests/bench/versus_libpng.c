@@ -8,7 +8,8 @@
 #include "bench/sides.h"
 #include "bench/stock_png.h"
 
-enum { WARM_UP = 2, THREADS_MAX = 2 };
+enum { OURS, THEIRS, SIDES };
+enum { THREADS_MAX = 2 };
 
 static const struct bar time_bar = {20, 40}, bytes_bar = {1.3, 0};
 
@@ -55,61 +56,51 @@ static bool is_right(const struct zr_frame *frame, const struct picture_kind *ki
     return kind->pixels == STOCK_RGB || nearest_step <= farthest_step * 1.00001f;
 }
 
-struct trial {
-    struct series ours, theirs;
-    size_t our_bytes, their_bytes;
+/* One picture, by both. */
+struct writing {
+    struct ours *ours;
+    const struct zr_frame *frame;
+    struct zr_answer answer;
+    struct stock_image image;
+    struct stock_file file;
 };
 
-static bool run_trial(int asked, struct ours *ours, const struct zr_frame *frame, const struct stock_image *image,
-                      struct stock_file *file, struct trial *trial)
+static bool run_round(void *context, struct series *series)
 {
-    int rounds = asked;
-    for (int i = -WARM_UP; i < 0 || i < rounds; i++) {
-        struct zr_answer answer;
-        double begin = now_ms();
-        if (!stock_png_write(image, file)) return false;
-        double middle = now_ms();
-        if (!ours_encode(ours, frame, &answer)) return false;
-        double end = now_ms();
-        if (i < 0) {
-            rounds = series_rounds(asked, end - begin);
-            continue;
-        }
-        series_add(&trial->theirs, middle - begin);
-        series_add(&trial->ours, end - middle);
-        trial->our_bytes = answer.size;
-        trial->their_bytes = file->size;
-    }
+    struct writing *writing = context;
+    double begin = now_ms();
+    if (!stock_png_write(&writing->image, &writing->file)) return false;
+    double middle = now_ms();
+    if (!ours_encode(writing->ours, writing->frame, &writing->answer)) return false;
+    series_add(&series[THEIRS], middle - begin);
+    series_add(&series[OURS], now_ms() - middle);
     return true;
 }
 
 static bool measure(const struct bench *bench, const struct task *task, struct ours *ours, int number, struct row *row)
 {
-    static struct trial trial;
+    struct series series[SIDES] = {{.count = 0}, {.count = 0}};
     const struct picture_kind *kind = &kinds[number];
-    struct stock_file file = {0};
-    struct zr_answer answer;
-    memset(&trial, 0, sizeof trial);
     ours_take(ours, task->work, &(struct variant){kind->shade, true});
-    const struct zr_frame *frame = ours_render(ours, &kind->output, 1);
-    if (!frame || !ours_encode(ours, frame, &answer)) return false;
-    void *read = stock_png_read(answer.bytes, answer.size, kind->pixels, frame->width, frame->height);
-    const struct stock_image image = {kind->pixels, frame->width, frame->height, false, read};
+    struct writing w = {.ours = ours, .frame = ours_render(ours, &kind->output, 1)};
+    if (!w.frame || !ours_encode(ours, w.frame, &w.answer)) return false;
+    void *read = stock_png_read(w.answer.bytes, w.answer.size, kind->pixels, w.frame->width, w.frame->height);
+    w.image = (struct stock_image){kind->pixels, w.frame->width, w.frame->height, false, read};
     name_row(task, number, row->work, sizeof row->work);
-    row->wrong = !is_right(frame, kind, read);
-    bool ok = !read || bench->check_only || run_trial(bench->rounds, ours, frame, &image, &file, &trial);
+    row->wrong = !is_right(w.frame, kind, read);
+    bool ok = !read || bench->check_only || series_run(series, SIDES, bench->rounds, run_round, &w);
     free(read);
-    free(file.bytes);
-    row->ours_ms = series_median(&trial.ours);
-    row->theirs_ms = series_median(&trial.theirs);
+    free(w.file.bytes);
+    row->ours_ms = series_median(&series[OURS]);
+    row->theirs_ms = series_median(&series[THEIRS]);
     row->bar = time_bar;
     row->side = ROW_BYTES;
     row->side_bar = bytes_bar;
-    if (trial.their_bytes) row->side_ratio = (double)trial.our_bytes / (double)trial.their_bytes;
+    if (w.file.size) row->side_ratio = (double)w.answer.size / (double)w.file.size;
     if (bench->check_only)
         snprintf(row->note, sizeof row->note, "read back by libpng, it is %sthe frame", row->wrong ? "not " : "");
     else
-        snprintf(row->note, sizeof row->note, "%zu/%zu KB", trial.our_bytes / 1000, trial.their_bytes / 1000);
+        snprintf(row->note, sizeof row->note, "%zu/%zu KB", w.answer.size / 1000, w.file.size / 1000);
     return ok;
 }
 

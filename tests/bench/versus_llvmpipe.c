@@ -8,7 +8,7 @@
 #include "bench/sides.h"
 #include "reference/compare.h"
 
-enum { WARM_UP = 2, THREADS_MAX = 2 };
+enum { THREADS_MAX = 2 };
 
 /* What a child works on. */
 struct task {
@@ -72,36 +72,26 @@ static bool compare_variants(const struct bench *bench, void *context, const str
 
 /* ---- is it fast? ---- */
 
-struct trial {
-    struct series ours[2], theirs; /* ours without ids, and with them */
+enum { WITHOUT_IDS, WITH_IDS, THEIRS, SIDES };
+
+struct sides {
+    struct ours ours;
+    struct theirs theirs;
+    const bool *wanted; /* WITHOUT_IDS, WITH_IDS */
 };
 
-static bool run_round(struct ours *ours, struct theirs *theirs, const bool wanted[2], struct trial *trial)
+static bool run_round(void *context, struct series *series)
 {
+    struct sides *sides = context;
     double begin = now_ms();
-    if (!theirs_draw(theirs)) return false;
-    series_add(&trial->theirs, now_ms() - begin);
-    for (int ids = 0; ids < 2; ids++) {
-        if (!wanted[ids]) continue;
+    if (!theirs_draw(&sides->theirs)) return false;
+    series_add(&series[THEIRS], now_ms() - begin);
+    for (int ids = WITHOUT_IDS; ids <= WITH_IDS; ids++) {
+        if (!sides->wanted[ids]) continue;
         begin = now_ms();
-        if (!ours_draw(ours, ids)) return false;
-        series_add(&trial->ours[ids], now_ms() - begin);
+        if (!ours_draw(&sides->ours, ids == WITH_IDS)) return false;
+        series_add(&series[ids], now_ms() - begin);
     }
-    return true;
-}
-
-static bool run_trial(int asked, struct ours *ours, struct theirs *theirs, const bool wanted[2], struct trial *trial)
-{
-    double begin = now_ms(), round_ms = 0;
-    for (int i = 0; i < WARM_UP; i++) {
-        begin = now_ms();
-        if (!run_round(ours, theirs, wanted, trial)) return false;
-        round_ms = now_ms() - begin;
-    }
-    memset(trial, 0, sizeof *trial);
-    int rounds = series_rounds(asked, round_ms);
-    for (int i = 0; i < rounds; i++)
-        if (!run_round(ours, theirs, wanted, trial)) return false;
     return true;
 }
 
@@ -135,30 +125,30 @@ static void name_row(const struct task *task, const struct variant *variant, boo
 
 static bool time_variants(const struct bench *bench, void *context, const struct sink *sink)
 {
+    static struct series series[SIDES];
     const struct task *task = context;
-    struct ours ours;
-    struct theirs theirs;
+    struct sides sides;
     struct variant variants[WORK_VARIANTS_MAX];
     int count = works_variants(task->work, variants);
-    if (!ours_open(&ours, task->threads) || !theirs_open(&theirs, false, task->threads)) return false;
+    if (!ours_open(&sides.ours, task->threads) || !theirs_open(&sides.theirs, false, task->threads)) return false;
     for (int i = 0; i < count; i++) {
-        static struct trial trial;
-        if (!task->wanted[i][0] && !task->wanted[i][1]) continue;
-        memset(&trial, 0, sizeof trial);
-        ours_take(&ours, task->work, &variants[i]);
-        if (!theirs_take(&theirs, task->work, &variants[i]) ||
-            !run_trial(bench->rounds, &ours, &theirs, task->wanted[i], &trial))
+        sides.wanted = task->wanted[i];
+        if (!sides.wanted[WITHOUT_IDS] && !sides.wanted[WITH_IDS]) continue;
+        ours_take(&sides.ours, task->work, &variants[i]);
+        if (!theirs_take(&sides.theirs, task->work, &variants[i]) ||
+            !series_run(series, SIDES, bench->rounds, run_round, &sides))
             return false;
-        const struct zr_frame *frame = ours_draw(&ours, false);
-        bool alike = frame && is_alike(frame, &theirs);
-        for (int ids = 0; ids < 2; ids++) {
-            if (!task->wanted[i][ids]) continue;
-            struct row row = {.ours_ms = series_median(&trial.ours[ids]),
-                              .theirs_ms = series_median(&trial.theirs),
+        const struct zr_frame *frame = ours_draw(&sides.ours, false);
+        bool alike = frame && is_alike(frame, &sides.theirs);
+        for (int ids = WITHOUT_IDS; ids <= WITH_IDS; ids++) {
+            if (!sides.wanted[ids]) continue;
+            struct row row = {.ours_ms = series_median(&series[ids]),
+                              .theirs_ms = series_median(&series[THEIRS]),
                               .wrong = task->wrong[i] || !alike};
             struct bar bar = works_bar(task->work, &variants[i]);
-            if (!ids) row.bar = (struct bar){bar.must / machine_bar_divisor(), bar.goal / machine_bar_divisor()};
-            name_row(task, &variants[i], ids, &row);
+            if (ids == WITHOUT_IDS)
+                row.bar = (struct bar){bar.must / machine_bar_divisor(), bar.goal / machine_bar_divisor()};
+            name_row(task, &variants[i], ids == WITH_IDS, &row);
             sink_row(sink, &row);
         }
     }

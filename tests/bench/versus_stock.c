@@ -10,7 +10,7 @@
 #include "bench/works.h"
 #include "server/daemon.h"
 
-enum { WARM_UP = 2, THREADS_MAX = 2 };
+enum { THREADS_MAX = 2 };
 
 static const struct bar http_bar = {12, 20};
 
@@ -26,22 +26,18 @@ static void name_row(const struct task *task, char *name, size_t size)
     snprintf(name, size, "HTTP: %s, indexed JSON to PNG %dT %s", task->work->name, task->threads, machine_isa());
 }
 
-/* Of one kind: what the daemon tells in Server-Timing. */
-enum step { PARSE, RENDER, ENCODE, STEPS };
-static const char *const step_names[STEPS] = {"parse;dur=", "render;dur=", "encode;dur="};
+/* What a round takes: the daemon, what it tells of its steps in Server-Timing, and the stock path. */
+enum { OURS, PARSE, RENDER, ENCODE, THEIRS, TIMES };
+static const char *const step_names[] = {[PARSE] = "parse;dur=", [RENDER] = "render;dur=", [ENCODE] = "encode;dur="};
 
-struct trial {
-    struct series ours, theirs, steps[STEPS];
-};
-
-static bool ask(struct wire *wire, const struct document *document, struct trial *trial, struct wire_answer *answer)
+static bool ask(struct wire *wire, const struct document *document, struct series *series, struct wire_answer *answer)
 {
     double begin = now_ms();
     bool ok = wire_ask(wire, "POST", "/v1/render", document->bytes, document->size, answer) && answer->status == 200;
-    series_add(&trial->ours, now_ms() - begin);
-    for (int s = 0; ok && s < STEPS; s++) {
+    series_add(&series[OURS], now_ms() - begin);
+    for (int s = PARSE; ok && s <= ENCODE; s++) {
         const char *at = strstr(answer->headers, step_names[s]);
-        series_add(&trial->steps[s], at ? strtod(at + strlen(step_names[s]), NULL) : 0.0);
+        series_add(&series[s], at ? strtod(at + strlen(step_names[s]), NULL) : 0.0);
     }
     return ok || bench_complain("the daemon answered %d", answer->status);
 }
@@ -58,7 +54,7 @@ static struct daemon start_daemon(int threads)
 static bool compare(const struct bench *bench, void *context, const struct sink *sink)
 {
     (void)bench;
-    static struct trial trial;
+    static struct series series[TIMES];
     const struct task *task = context;
     const struct drawing *drawing = &task->work->drawing;
     size_t bytes = (size_t)drawing->width * drawing->height * 3, differing = 0, covered = 0;
@@ -66,7 +62,7 @@ static bool compare(const struct bench *bench, void *context, const struct sink 
     struct stock_path path;
     struct wire wire;
     struct wire_answer answer = {0};
-    bool ok = wire_open(&wire, daemon.port) && ask(&wire, task->document, &trial, &answer) &&
+    bool ok = wire_open(&wire, daemon.port) && ask(&wire, task->document, series, &answer) &&
               stock_path_open(&path, true, 1, drawing) && stock_path_answer(&path, task->document);
     daemon_stop(&daemon);
     if (!ok) return false;
@@ -108,39 +104,37 @@ static double foresight(const struct daemon *daemon)
     return series_median(&ratios);
 }
 
-static bool run_round(struct wire *wire, struct stock_path *path, const struct document *document, struct trial *trial)
+struct paths {
+    struct wire wire;
+    struct stock_path stock;
+    const struct document *document;
+};
+
+static bool run_round(void *context, struct series *series)
 {
+    struct paths *paths = context;
     struct wire_answer answer = {0};
     double begin = now_ms();
-    if (!stock_path_answer(path, document)) return false;
-    series_add(&trial->theirs, now_ms() - begin);
-    return ask(wire, document, trial, &answer);
+    if (!stock_path_answer(&paths->stock, paths->document)) return false;
+    series_add(&series[THEIRS], now_ms() - begin);
+    return ask(&paths->wire, paths->document, series, &answer);
 }
 
 static bool measure(const struct bench *bench, void *context, const struct sink *sink)
 {
-    static struct trial trial;
+    static struct series series[TIMES];
     const struct task *task = context;
     struct daemon daemon = start_daemon(task->threads);
-    struct stock_path path;
-    struct wire wire;
-    bool ok = wire_open(&wire, daemon.port) && stock_path_open(&path, false, task->threads, &task->work->drawing);
-    double round_ms = 0;
-    for (int i = 0; ok && i < WARM_UP; i++) {
-        double begin = now_ms();
-        ok = run_round(&wire, &path, task->document, &trial);
-        round_ms = now_ms() - begin;
-    }
-    memset(&trial, 0, sizeof trial);
-    int rounds = series_rounds(bench->rounds, round_ms);
-    for (int i = 0; ok && i < rounds; i++)
-        ok = run_round(&wire, &path, task->document, &trial);
+    struct paths paths = {.document = task->document};
+    bool ok = wire_open(&paths.wire, daemon.port) &&
+              stock_path_open(&paths.stock, false, task->threads, &task->work->drawing) &&
+              series_run(series, TIMES, bench->rounds, run_round, &paths);
     struct row row = {
-        .ours_ms = series_median(&trial.ours), .theirs_ms = series_median(&trial.theirs), .bar = http_bar};
+        .ours_ms = series_median(&series[OURS]), .theirs_ms = series_median(&series[THEIRS]), .bar = http_bar};
     row.wrong = task->wrong[0];
     name_row(task, row.work, sizeof row.work);
-    snprintf(row.note, sizeof row.note, "%.1f + %.1f + %.1f, foreseen %.1fx", series_median(&trial.steps[PARSE]),
-             series_median(&trial.steps[RENDER]), series_median(&trial.steps[ENCODE]), foresight(&daemon));
+    snprintf(row.note, sizeof row.note, "%.1f + %.1f + %.1f, foreseen %.1fx", series_median(&series[PARSE]),
+             series_median(&series[RENDER]), series_median(&series[ENCODE]), foresight(&daemon));
     daemon_stop(&daemon);
     if (ok) sink_row(sink, &row);
     return ok;
