@@ -91,6 +91,6 @@ static bool measure(const struct bench *bench, void *context, const struct sink 
 void service_against_bare_http(struct bench *bench)
 {
     if (bench->check_only || !bench_wants(bench, name)) return;
-    results_print_heading("the daemon against libmicrohttpd alone");
+    results_begin_table(&bench->results, "the daemon against libmicrohttpd alone");
     bench_in_child(bench, measure, NULL, NULL);
 }

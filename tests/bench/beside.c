@@ -102,8 +102,8 @@ static bool measure_beside(struct wire *wire, const struct document *small, cons
     row->ours_ms = series_median(&series);
     int used = snprintf(row->note, sizeof row->note, "99 of 100 within %.1f ms", series_percentile(&series, 99));
     if (count > 0)
-        snprintf(row->note + used, sizeof row->note - (size_t)used, "; large: %.2g s alone, %.2g s", alone_ms / 1000,
-                 longest / 1000);
+        snprintf(row->note + used, sizeof row->note - (size_t)used, "; a large one: %.2g s alone, %.2g s here",
+                 alone_ms / 1000, longest / 1000);
     return true;
 }
 
@@ -155,7 +155,7 @@ void service_beside_large(struct bench *bench)
     struct document document = work.corners ? document_indexed(&work.drawing, true) : (struct document){NULL, 0};
     task.small = &document;
     if (document.bytes) {
-        results_print_heading("a small request beside large ones");
+        results_begin_table(&bench->results, "a small request beside large ones");
         bench_in_child(bench, measure, &task, NULL);
     }
     free(document.bytes);

@@ -68,12 +68,10 @@ static bool measure(const struct bench *bench, void *context, const struct sink 
 
 void growth_floors(struct bench *bench)
 {
-    bool heading = false;
     if (bench->check_only) return;
     for (size_t i = 0; i < sizeof floors / sizeof *floors; i++) {
         if (!bench_wants(bench, floors[i].name)) continue;
-        if (!heading) results_print_heading("floors, on 1 thread");
-        heading = true;
+        results_begin_table(&bench->results, "floors, on 1 thread");
         bench_in_child(bench, measure, &i, NULL);
     }
 }

@@ -112,7 +112,6 @@ static bool measure(const struct bench *bench, void *context, const struct sink 
 
 void growth_of_work(struct bench *bench)
 {
-    bool heading = false;
     if (bench->check_only) return;
     for (int of_pixels = 0; of_pixels < 2; of_pixels++) {
         struct task task = {.of_pixels = of_pixels};
@@ -124,8 +123,8 @@ void growth_of_work(struct bench *bench)
             task.wanted[i] = bench_wants(bench, name);
             any |= task.wanted[i];
         }
-        if (any && !heading) results_print_heading("growth: \"theirs\" is the row above, in proportion");
-        heading |= any;
-        if (any) bench_in_child(bench, measure, &task, NULL);
+        if (!any) continue;
+        results_begin_table(&bench->results, "growth: \"theirs\" is the row above, in proportion");
+        bench_in_child(bench, measure, &task, NULL);
     }
 }

@@ -76,13 +76,12 @@ static void introduce(struct bench *bench)
     if (bench_in_child(bench, name_renderer, NULL, &names) && names.count == 1)
         memcpy(results->renderer, names.rows[0].work, sizeof results->renderer);
     results_free(&names);
-    printf("%s, %d cores, %s\n%s\nlibpng %s, cJSON %s\n", results->processor, results->cores, results->isa,
-           results->renderer, png_get_libpng_ver(NULL), cJSON_Version());
+    printf("%s, %d cores\nours: %s\ntheirs: %s, libpng %s, cJSON %s\n", results->processor, results->cores,
+           results->isa, results->renderer, png_get_libpng_ver(NULL), cJSON_Version());
     if (machine_load() > 0.7)
         printf("NOTE: others are at work here (load %.1f): rows of as many threads as cores suffer most\n",
                machine_load());
-    fputs("Medians of both sides in turns; ratios are theirs over ours. T: threads. ids: face ids are written, too.\n",
-          stdout);
+    results_print_legend();
 }
 
 int main(int count, char **arguments)

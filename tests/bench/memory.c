@@ -68,12 +68,10 @@ static bool measure(const struct bench *bench, void *context, const struct sink 
 
 void service_memory(struct bench *bench)
 {
-    bool heading = false;
     if (bench->check_only) return;
     for (enum kind kind = PIXELS; kind < KINDS; kind++) {
         if (!bench_wants(bench, names[kind])) continue;
-        if (!heading) results_print_heading("memory of the daemon");
-        heading = true;
+        results_begin_table(&bench->results, "memory of the daemon");
         bench_in_child(bench, measure, &kind, NULL);
     }
 }

@@ -5,7 +5,9 @@
 #include <string.h>
 #include <sys/stat.h>
 
-static const char *const side_names[] = {[ROW_BYTES] = "bytes", [ROW_MEMORY] = "memory"};
+static const struct {
+    const char *name, *of;
+} sides[] = {[ROW_BYTES] = {"bytes", "theirs"}, [ROW_MEMORY] = {"memory", "the scene's arrays"}};
 
 void results_free(struct results *results)
 {
@@ -25,7 +27,8 @@ void results_add(struct results *results, const struct row *row)
         results->rows = rows;
         results->room = room;
     }
-    results->rows[results->count++] = *row;
+    results->rows[results->count] = *row;
+    results->rows[results->count++].table = results->table;
 }
 
 static double ratio_of(const struct row *row)
@@ -70,27 +73,52 @@ static void print_number(double value, const char *unit, int width, int digits)
     printf(" %*s", width, text);
 }
 
-void results_print_heading(const char *title)
+void results_print_legend(void)
 {
-    printf("\n%-57s %9s %9s %8s %6s %6s\n", title, "ours ms", "theirs ms", "ratio", "must", "goal");
+    fputs("Times are medians, both sides in turns. ratio: theirs over ours, more is better; must: the ratio that has "
+          "to be\n"
+          "reached; goal: what we aim at. Marks: SHORT: must, or an \"at most\" behind it, is missed; ok: it is not; "
+          "goal:\n"
+          "the goal is reached, too; WRONG: the results differ, and the times mean nothing.\n"
+          "1T, 2T: threads. ids: face ids are written, too.\n",
+          stdout);
+}
+
+void results_begin_table(struct results *results, const char *heading)
+{
+    if (results->table && strcmp(results->table, heading) == 0) return;
+    results->table = heading;
+    printf("\n%-57s %9s %9s %8s %6s %6s mark\n", heading, "ours ms", "theirs ms", "ratio", "must", "goal");
     fflush(stdout);
+}
+
+/* What stands behind the mark; "" for most rows. */
+static void describe(const struct row *row, char *text, size_t size)
+{
+    int used = 0;
+    text[0] = '\0';
+    if (row->side != ROW_TIME_ONLY)
+        used = snprintf(text, size, "%s %.2fx of %s", sides[row->side].name, row->side_ratio, sides[row->side].of);
+    if (row->side_bar.must > 0)
+        used += snprintf(text + used, size - (size_t)used, " (at most %.1fx)", row->side_bar.must);
+    snprintf(text + used, size - (size_t)used, "%s%s", used > 0 && row->note[0] ? ", " : "", row->note);
 }
 
 void results_print_row(const struct row *row)
 {
     int digits = row->ours_ms < 1.0 ? 4 : row->ours_ms < 100.0 ? 3 : 1;
+    char rest[200];
+    describe(row, rest, sizeof rest);
     printf("%-57s", row->work);
     print_number(row->ours_ms, "", 9, digits);
     print_number(row->theirs_ms, "", 9, digits);
     print_number(ratio_of(row), "x", 8, 2);
-    print_number(row->bar.must, "x", 6, row->bar.must < 2 ? 2 : 1);
-    print_number(row->bar.goal, "x", 6, row->bar.goal < 2 ? 2 : 1);
-    printf(" %-5s", mark(row));
-    if (row->side != ROW_TIME_ONLY) {
-        printf(" %s %.2fx", side_names[row->side], row->side_ratio);
-        if (row->side_bar.must > 0) printf(" (<= %.1fx)", row->side_bar.must);
-    }
-    printf("%s%s\n", row->note[0] ? " " : "", row->note);
+    print_number(row->bar.must, "x", 6, 2);
+    print_number(row->bar.goal, "x", 6, 2);
+    if (rest[0])
+        printf(" %-5s %s\n", mark(row), rest);
+    else
+        printf("%s%s\n", mark(row)[0] ? " " : "", mark(row));
     fflush(stdout);
 }
 
@@ -119,9 +147,21 @@ static void write_number(FILE *out, const char *key, double value)
         fprintf(out, ", \"%s\": null", key);
 }
 
+/* Of ASCII, without control characters. */
+static void write_string(FILE *out, const char *key, const char *value)
+{
+    fprintf(out, "\"%s\": \"", key);
+    for (; *value; value++)
+        fprintf(out, *value == '"' || *value == '\\' ? "\\%c" : "%c", *value);
+    fputs("\"", out);
+}
+
 static void write_row(FILE *out, const struct row *row)
 {
-    fprintf(out, "{\"work\": \"%s\"", row->work);
+    fputs("{", out);
+    write_string(out, "table", row->table ? row->table : "");
+    fputs(", ", out);
+    write_string(out, "work", row->work);
     write_number(out, "ours_ms", row->ours_ms);
     write_number(out, "theirs_ms", row->theirs_ms);
     write_number(out, "ratio", ratio_of(row));
@@ -129,14 +169,18 @@ static void write_row(FILE *out, const struct row *row)
     write_number(out, "goal", row->bar.goal);
     if (row->side != ROW_TIME_ONLY) {
         char key[32];
-        snprintf(key, sizeof key, "%s_ratio", side_names[row->side]);
+        snprintf(key, sizeof key, "%s_ratio", sides[row->side].name);
         write_number(out, key, row->side_ratio);
-        snprintf(key, sizeof key, "%s_must", side_names[row->side]);
+        snprintf(key, sizeof key, "%s_must", sides[row->side].name);
         write_number(out, key, row->side_bar.must);
-        snprintf(key, sizeof key, "%s_goal", side_names[row->side]);
+        snprintf(key, sizeof key, "%s_goal", sides[row->side].name);
         write_number(out, key, row->side_bar.goal);
     }
-    fprintf(out, ", \"mark\": \"%s\", \"note\": \"%s\"}", mark(row), row->note);
+    fputs(", ", out);
+    write_string(out, "mark", mark(row));
+    fputs(", ", out);
+    write_string(out, "note", row->note);
+    fputs("}", out);
 }
 
 static void make_directories(const char *path)
@@ -156,8 +200,13 @@ bool results_write(const struct results *results, const char *path)
         fprintf(stderr, "%s: %s\n", path, strerror(errno));
         return false;
     }
-    fprintf(out, "{\"processor\": \"%s\", \"cores\": %d, \"isa\": \"%s\", \"renderer\": \"%s\",\n \"rows\": [",
-            results->processor, results->cores, results->isa, results->renderer);
+    fputs("{", out);
+    write_string(out, "processor", results->processor);
+    fprintf(out, ", \"cores\": %d, ", results->cores);
+    write_string(out, "isa", results->isa);
+    fputs(", ", out);
+    write_string(out, "renderer", results->renderer);
+    fputs(",\n \"rows\": [", out);
     for (int i = 0; i < results->count; i++) {
         fputs(i ? ",\n  " : "\n  ", out);
         write_row(out, &results->rows[i]);

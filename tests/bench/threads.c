@@ -63,7 +63,6 @@ static bool measure(const struct bench *bench, void *context, const struct sink 
 
 void growth_of_threads(struct bench *bench)
 {
-    bool heading = false;
     int cores = machine_cores() < THREADS_MAX ? machine_cores() : THREADS_MAX;
     if (bench->check_only) return;
     for (size_t i = 0; i < sizeof measured / sizeof *measured; i++) {
@@ -78,9 +77,9 @@ void growth_of_threads(struct bench *bench)
                 task.wanted[shade] = bench_wants(bench, name);
                 any |= task.wanted[shade];
             }
-            if (any && !heading) results_print_heading("threads: \"theirs\" is ours on 1 thread");
-            heading |= any;
-            if (any) bench_in_child(bench, measure, &task, NULL);
+            if (!any) continue;
+            results_begin_table(&bench->results, "threads: \"theirs\" is ours on 1 thread");
+            bench_in_child(bench, measure, &task, NULL);
         }
         works_free(&work);
     }

@@ -133,7 +133,7 @@ static bool measure(const struct bench *bench, void *context, const struct sink 
         if (bench->check_only)
             snprintf(row.note, sizeof row.note, "the scene has %sthe mesh's triangles", wrong ? "not " : "");
         else
-            snprintf(row.note, sizeof row.note, "%.1f MB", (double)document.size / 1e6);
+            snprintf(row.note, sizeof row.note, "%.1f MB of JSON", (double)document.size / 1e6);
         if (task->wanted[fresh]) sink_row(sink, &row);
     }
     zr_arena_free(&reading.warm);
@@ -145,7 +145,6 @@ void versus_cjson(struct bench *bench)
 {
     struct work work;
     struct task task = {.work = &work};
-    bool any = false;
     if (!works_make(WORK_BUNNY, bench->models, &work)) bench->results.failed = true;
     for (task.form = 0; task.form < FORMS && work.corners; task.form++) {
         for (int fresh = 0; fresh < 2; fresh++) {
@@ -158,8 +157,7 @@ void versus_cjson(struct bench *bench)
             bench_check_in_child(bench, measure, &task, NULL);
             continue;
         }
-        if (!any) results_print_heading("zr_scene_read against cJSON's parse and delete");
-        any = true;
+        results_begin_table(&bench->results, "zr_scene_read against cJSON's parse and delete");
         bench_in_child(bench, measure, &task, NULL);
     }
     works_free(&work);

@@ -100,7 +100,7 @@ static bool measure(const struct bench *bench, const struct task *task, struct o
     if (bench->check_only)
         snprintf(row->note, sizeof row->note, "read back by libpng, it is %sthe frame", row->wrong ? "not " : "");
     else
-        snprintf(row->note, sizeof row->note, "%zu/%zu KB", w.answer.size / 1000, w.file.size / 1000);
+        snprintf(row->note, sizeof row->note, "%zu KB, theirs %zu KB", w.answer.size / 1000, w.file.size / 1000);
     return ok;
 }
 
@@ -124,7 +124,6 @@ void versus_libpng(struct bench *bench)
     struct work work;
     struct task task = {.work = &work};
     if (!works_make(WORK_BUNNY, bench->models, &work)) bench->results.failed = true;
-    bool any = false;
     for (task.threads = 1; work.corners && task.threads <= THREADS_MAX; task.threads++) {
         bool here = false;
         for (int i = 0; i < KINDS; i++) {
@@ -135,8 +134,7 @@ void versus_libpng(struct bench *bench)
         }
         if (here && bench->check_only) bench_check_in_child(bench, measure_all, &task, NULL);
         if (!here || bench->check_only) continue;
-        if (!any) results_print_heading("zr_encode against libpng with its default settings");
-        any = true;
+        results_begin_table(&bench->results, "zr_encode against libpng with its default settings");
         bench_in_child(bench, measure_all, &task, NULL);
     }
     works_free(&work);

@@ -171,13 +171,12 @@ static bool choose(const struct bench *bench, struct task *task)
     return any;
 }
 
-static void time_work(struct bench *bench, struct task *task, bool *heading)
+static void time_work(struct bench *bench, struct task *task)
 {
     bool checked = false;
     for (task->threads = 1; task->threads <= THREADS_MAX; task->threads++) {
         if (!choose(bench, task)) continue;
-        if (!*heading) results_print_heading("zr_render against llvmpipe: colour and float depth");
-        *heading = true;
+        results_begin_table(&bench->results, "zr_render against llvmpipe: colour and float depth");
         if (!checked) bench_check_in_child(bench, compare_variants, task, task->wrong);
         checked = true;
         bench_in_child(bench, time_variants, task, NULL);
@@ -186,7 +185,6 @@ static void time_work(struct bench *bench, struct task *task, bool *heading)
 
 void versus_llvmpipe(struct bench *bench)
 {
-    bool heading = false;
     for (int i = 0; i < WORKS; i++) {
         struct work work;
         if (!works_make((enum works)i, bench->models, &work)) {
@@ -196,7 +194,7 @@ void versus_llvmpipe(struct bench *bench)
             if (bench->check_only)
                 bench_check_in_child(bench, compare_variants, &task, task.wrong);
             else
-                time_work(bench, &task, &heading);
+                time_work(bench, &task);
         }
         works_free(&work);
     }

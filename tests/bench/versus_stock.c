@@ -133,8 +133,9 @@ static bool measure(const struct bench *bench, void *context, const struct sink 
         .ours_ms = series_median(&series[OURS]), .theirs_ms = series_median(&series[THEIRS]), .bar = http_bar};
     row.wrong = task->wrong[0];
     name_row(task, row.work, sizeof row.work);
-    snprintf(row.note, sizeof row.note, "%.1f + %.1f + %.1f, foreseen %.1fx", series_median(&series[PARSE]),
-             series_median(&series[RENDER]), series_median(&series[ENCODE]), foresight(&daemon));
+    snprintf(row.note, sizeof row.note, "parse %.1f, render %.1f, encode %.1f ms; foreseen %.1fx of the last two",
+             series_median(&series[PARSE]), series_median(&series[RENDER]), series_median(&series[ENCODE]),
+             foresight(&daemon));
     daemon_stop(&daemon);
     if (ok) sink_row(sink, &row);
     return ok;
@@ -146,15 +147,13 @@ void service_against_stock(struct bench *bench)
     if (!works_make(WORK_BUNNY, bench->models, &work)) bench->results.failed = true;
     struct document document = work.corners ? document_indexed(&work.drawing, true) : (struct document){NULL, 0};
     struct task task = {.work = &work, .document = &document};
-    bool checked = false;
     for (task.threads = 1; document.bytes && task.threads <= THREADS_MAX; task.threads++) {
         char name[ROW_NAME_SIZE];
         name_row(&task, name, sizeof name);
         if (!bench_wants(bench, name)) continue;
         bench_check_in_child(bench, compare, &task, task.wrong);
         if (bench->check_only) continue;
-        if (!checked) results_print_heading("daemon (parse + render + encode) against stock, no HTTP");
-        checked = true;
+        results_begin_table(&bench->results, "the daemon, over HTTP, against stock parts in one process");
         bench_in_child(bench, measure, &task, NULL);
     }
     free(document.bytes);
