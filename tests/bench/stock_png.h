@@ -1,4 +1,4 @@
-/* stock_png.h - bench: PNG by libpng with its default settings, as most programs write it; and read back. */
+/* stock_png.h - bench: PNG by libpng with its default settings, as most programs write it. */
 #ifndef ZR_BENCH_STOCK_PNG_H
 #define ZR_BENCH_STOCK_PNG_H
 
@@ -26,8 +26,5 @@ struct stock_file {
 };
 
 bool stock_png_write(const struct stock_image *image, struct stock_file *file);
-
-/* The pixels of a PNG of this size, as STOCK_RGB or STOCK_GREY16, row 0 on top; free it. NULL where it is none. */
-void *stock_png_read(const void *bytes, size_t size, enum stock_pixels pixels, uint32_t width, uint32_t height);
 
 #endif

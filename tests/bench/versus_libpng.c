@@ -7,6 +7,7 @@
 #include "bench/series.h"
 #include "bench/sides.h"
 #include "bench/stock_png.h"
+#include "support/png.h"
 
 enum { OURS, THEIRS, SIDES };
 enum { THREADS_MAX = 2 };
@@ -32,6 +33,17 @@ struct task {
 static void name_row(const struct task *task, int kind, char *name, size_t size)
 {
     snprintf(name, size, "PNG of %s %s %dT %s", task->work->name, kinds[kind].name, task->threads, machine_isa());
+}
+
+/* NULL where it is none of the frame's size. */
+static void *read_picture(const struct zr_answer *answer, const struct picture_kind *kind, const struct zr_frame *frame)
+{
+    uint32_t width, height;
+    enum png_pixels pixels = kind->pixels == STOCK_RGB ? PNG_AS_RGB : PNG_AS_GREY16;
+    void *read = png_memory_read(answer->bytes, answer->size, pixels, &width, &height);
+    if (read && width == frame->width && height == frame->height) return read;
+    free(read);
+    return NULL;
 }
 
 /* Colours as they are in the frame. Depth has its own unit, which the encoder alone knows: it has to be there where the
@@ -84,7 +96,7 @@ static bool measure(const struct bench *bench, const struct task *task, struct o
     ours_take(ours, task->work, &(struct variant){kind->shade, true});
     struct writing w = {.ours = ours, .frame = ours_render(ours, &kind->output, 1)};
     if (!w.frame || !ours_encode(ours, w.frame, &w.answer)) return false;
-    void *read = stock_png_read(w.answer.bytes, w.answer.size, kind->pixels, w.frame->width, w.frame->height);
+    void *read = read_picture(&w.answer, kind, w.frame);
     w.image = (struct stock_image){kind->pixels, w.frame->width, w.frame->height, false, read};
     name_row(task, number, row->work, sizeof row->work);
     row->wrong = !is_right(w.frame, kind, read);
