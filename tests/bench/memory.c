@@ -60,8 +60,11 @@ static bool measure(const struct bench *bench, void *context, const struct sink 
     struct row row = {.work = ""};
     double added = more_units - units;
     snprintf(row.work, sizeof row.work, "%s", names[kind]);
-    snprintf(row.note, sizeof row.note, "%.1f bytes a %s, of which the body has %.1f", (more_bytes - bytes) / added,
-             kind == PIXELS ? "pixel" : "triangle", (more_body - body) / added);
+    int used = snprintf(row.note, sizeof row.note, "%.1f bytes a %s", (more_bytes - bytes) / added,
+                        kind == PIXELS ? "pixel" : "triangle");
+    if (kind == TRIANGLES)
+        snprintf(row.note + used, sizeof row.note - (size_t)used, ", of which the body has %.1f",
+                 (more_body - body) / added);
     sink_row(sink, &row);
     return true;
 }
