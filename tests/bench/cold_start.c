@@ -12,6 +12,7 @@
 #include "bench/service.h"
 #include "bench/wire.h"
 #include "bench/works.h"
+#include "server/daemon.h"
 
 enum { OURS, THEIRS, SIDES };
 
@@ -27,16 +28,16 @@ static bool is_png(const struct wire_answer *answer)
     return answer->status == 200 && answer->size > 8 && memcmp(answer->body, "\x89PNG\r\n\x1a\n", 8) == 0;
 }
 
-static bool run_ours(const char *daemon, const struct document *document, struct series *series)
+static bool run_ours(const char *binary, const struct document *document, struct series *series)
 {
-    const char *const arguments[] = {daemon, "--port", "0", NULL};
+    const char *const arguments[] = {binary, "--port", "0", NULL};
     struct process process;
     struct wire wire;
     struct wire_answer answer = {0};
     char line[128] = "";
     unsigned port = 0;
     double begin = now_ms();
-    if (!process_start(&process, arguments, true)) return bench_complain("%s cannot be run", daemon);
+    if (!process_start(&process, arguments, true)) return bench_complain("%s cannot be run", binary);
     bool ok = process_wait(&process, line, sizeof line) &&
               sscanf(line, "listening on http://127.0.0.1:%u", &port) == 1 && wire_open(&wire, port) &&
               wire_ask(&wire, "POST", "/v1/render", document->bytes, document->size, &answer) && is_png(&answer);
@@ -80,14 +81,14 @@ static void keep_shaders(const struct bench *bench)
 struct start {
     const struct work *work;
     const struct document *document;
-    const char *daemon, *program;
+    const char *binary, *program;
 };
 
 static bool run_round(void *context, struct series *series)
 {
     const struct start *start = context;
     return run_theirs(start->program, start->work, &series[THEIRS]) &&
-           run_ours(start->daemon, start->document, &series[OURS]);
+           run_ours(start->binary, start->document, &series[OURS]);
 }
 
 static bool measure(const struct bench *bench, void *context, const struct sink *sink)
@@ -95,11 +96,10 @@ static bool measure(const struct bench *bench, void *context, const struct sink 
     static struct series series[SIDES];
     const struct work *work = context;
     char program[600];
-    const char *told = getenv("ZRASTERD");
     struct document document = document_indexed(&work->drawing, true);
     bench_path_of(bench, "first_frame", program, sizeof program);
     keep_shaders(bench);
-    struct start start = {work, &document, told && *told ? told : "build/zrasterd", program};
+    struct start start = {work, &document, daemon_binary(), program};
     bool ok = document.bytes && series_run(series, SIDES, bench->rounds, run_round, &start);
     struct row row = {
         .ours_ms = series_median(&series[OURS]), .theirs_ms = series_median(&series[THEIRS]), .bar = cold_bar};

@@ -15,19 +15,6 @@ enum kind { PIXELS, TRIANGLES, KINDS };
 static const char *const names[KINDS] = {"HTTP: memory a pixel, 2048x2048 to 2048x4096, to PNG",
                                          "HTTP: memory a triangle, 125 k to 250 k, indexed JSON"};
 
-/* VmHWM in bytes; 0 where it is not told. */
-static double peak_of(const struct daemon *daemon)
-{
-    char path[64], line[128];
-    long kib = 0;
-    snprintf(path, sizeof path, "/proc/%d/status", (int)daemon->pid);
-    FILE *file = fopen(path, "r");
-    while (file && kib == 0 && fgets(line, sizeof line, file))
-        if (sscanf(line, "VmHWM: %ld", &kib) != 1) kib = 0;
-    if (file) fclose(file);
-    return (double)kib * 1024.0;
-}
-
 /* The most that a new daemon holds, with how many bytes of that in the body; 0 on failure. */
 static double peak_bytes(enum kind kind, bool twice, double *units, double *body_bytes)
 {
@@ -42,7 +29,7 @@ static double peak_bytes(enum kind kind, bool twice, double *units, double *body
     struct daemon daemon = daemon_start((const char *const[]){"--workers=1", "--threads=1", NULL});
     bool ok = document.bytes && wire_open(&wire, daemon.port) &&
               wire_ask(&wire, "POST", "/v1/render", document.bytes, document.size, &answer) && answer.status == 200;
-    double bytes = peak_of(&daemon);
+    double bytes = 1024.0 * (double)daemon_memory_kib(&daemon, "VmHWM:");
     if (document.bytes) wire_close(&wire);
     daemon_stop(&daemon);
     free(document.bytes);

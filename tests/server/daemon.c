@@ -15,7 +15,7 @@
 
 enum { FLAGS_MAX = 32, START_MS = 20000, STOP_MS = 60000, LOG_WAIT_MS = 10000, TICK_MS = 5, LOG_TAIL = 4000 };
 
-static const char *binary(void)
+const char *daemon_binary(void)
 {
     const char *path = getenv("ZRASTERD");
     return path && *path ? path : "build/zrasterd";
@@ -34,7 +34,7 @@ static char *read_all(int fd)
  * terminal or pipe of ours but the two that are given. */
 static void become_daemon(const char *const *arguments, int out, int err)
 {
-    const char *argv[FLAGS_MAX + 2] = {binary()};
+    const char *argv[FLAGS_MAX + 2] = {daemon_binary()};
     for (size_t i = 0; arguments && arguments[i] && i < FLAGS_MAX; i++)
         argv[i + 1] = arguments[i];
     dup2(out, STDOUT_FILENO);
@@ -48,7 +48,8 @@ static void fail_with_log(const struct daemon *daemon, const char *message)
 {
     char *log = daemon_log(daemon);
     size_t length = log ? strlen(log) : 0;
-    fprintf(stderr, "%s: %s\n%s\n", binary(), message, log ? log + (length > LOG_TAIL ? length - LOG_TAIL : 0) : "");
+    fprintf(stderr, "%s: %s\n%s\n", daemon_binary(), message,
+            log ? log + (length > LOG_TAIL ? length - LOG_TAIL : 0) : "");
     free(log);
     fail();
 }
@@ -108,6 +109,19 @@ void daemon_stop(struct daemon *daemon)
     }
     if (!WIFEXITED(status) || WEXITSTATUS(status) != 0) fail_with_log(daemon, "did not exit with 0");
     close(daemon->log_fd);
+}
+
+long daemon_memory_kib(const struct daemon *daemon, const char *key)
+{
+    char path[64], line[128];
+    long kib = -1;
+    snprintf(path, sizeof path, "/proc/%d/status", (int)daemon->pid);
+    FILE *file = fopen(path, "r");
+    assert_non_null(file);
+    while (kib < 0 && fgets(line, sizeof line, file))
+        if (strncmp(line, key, strlen(key)) == 0) kib = atol(line + strlen(key));
+    fclose(file);
+    return kib;
 }
 
 char *daemon_log(const struct daemon *daemon)

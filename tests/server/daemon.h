@@ -20,8 +20,10 @@ struct daemon {
         __VA_ARGS__, NULL                                                                                              \
     }
 
-/* The binary named by ZRASTERD, else build/zrasterd, with --port 0 and `flags`
- * (ends with NULL; may be NULL). Returns when it listens. */
+/* The binary: named by ZRASTERD, else build/zrasterd. */
+const char *daemon_binary(void);
+
+/* It, with --port 0 and `flags` (ends with NULL; may be NULL). Returns when it listens. */
 struct daemon daemon_start(const char *const *flags);
 
 /* Asks it to end. */
@@ -29,6 +31,9 @@ void daemon_signal(const struct daemon *daemon);
 
 /* Asks it to end and waits; its exit status must be 0, so a leak found by a sanitizer fails. */
 void daemon_stop(struct daemon *daemon);
+
+/* A line of /proc/PID/status, such as "VmHWM:", in KiB. */
+long daemon_memory_kib(const struct daemon *daemon, const char *key);
 
 /* All that it wrote to standard error so far; free it. */
 char *daemon_log(const struct daemon *daemon);

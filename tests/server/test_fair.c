@@ -94,20 +94,6 @@ static void large_request_behind_another_is_answered_when_the_daemon_ends(void *
 
 /* ---- memory ---- */
 
-/* A line of /proc/PID/status, KiB. */
-static long memory_kib(const struct daemon *server, const char *key)
-{
-    char path[64], line[128];
-    long kib = -1;
-    snprintf(path, sizeof path, "/proc/%d/status", (int)server->pid);
-    FILE *file = fopen(path, "r");
-    assert_non_null(file);
-    while (kib < 0 && fgets(line, sizeof line, file))
-        if (strncmp(line, key, strlen(key)) == 0) kib = atol(line + strlen(key));
-    fclose(file);
-    return kib;
-}
-
 /* A window of 25 million pixels, then an answer of some megabytes. */
 static void memory_goes_back_to_the_system_when_nothing_happens(void **state)
 {
@@ -122,14 +108,14 @@ static void memory_goes_back_to_the_system_when_nothing_happens(void **state)
     struct daemon server = daemon_start((const char *const[]){LET_IN, NULL});
     for (int i = 0; i < 4; i++)
         assert_int_equal(client_render_status(&server, GOOD_SCENE), 200);
-    long before = memory_kib(&server, "VmRSS:");
+    long before = daemon_memory_kib(&server, "VmRSS:");
     for (int i = 0; i < 2; i++)
         assert_int_equal(client_render_status(&server, large[i]), 200);
-    assert_true(memory_kib(&server, "VmHWM:") > before + LARGE_KIB);
+    assert_true(daemon_memory_kib(&server, "VmHWM:") > before + LARGE_KIB);
 #if !defined __SANITIZE_ADDRESS__ && !defined __SANITIZE_THREAD__ /* whose allocators keep what is freed */
     long after = 0;
     for (int waited = 0; waited < WAIT_MS; waited += TICK_MS) {
-        after = memory_kib(&server, "VmRSS:");
+        after = daemon_memory_kib(&server, "VmRSS:");
         if (after < before + SPARE_KIB) break;
         usleep(TICK_MS * 1000);
     }
