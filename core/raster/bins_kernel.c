@@ -22,33 +22,18 @@ static inline const float *corner_of(const struct sorter *s, uint32_t t, size_t 
     return s->vertices + 4 * (size_t)s->corners[t * s->stride + k];
 }
 
-static inline zr_vi centre_behind(zr_vi snapped)
-{
-    return (snapped + zr_vi_set(ZR_SUBPIXELS - 1)) >> ZR_SUBPIXEL_BITS;
-}
-
 /* Pixel centres of triangles, cut to the window. */
 struct box {
     zr_vi x0, y0, x1, y1;
 };
 
-static inline zr_vi least(const zr_vi v0, const zr_vi v1, const zr_vi v2)
-{
-    return zr_vi_min(zr_vi_min(v0, v1), v2);
-}
-
-static inline zr_vi most(const zr_vi v0, const zr_vi v1, const zr_vi v2)
-{
-    return zr_vi_max(zr_vi_max(v0, v1), v2);
-}
-
 static inline struct box box_of(const struct sorter *s, const struct zr_grid_v g[3], zr_vm *small)
 {
-    const zr_vi min_x = least(g[0].x, g[1].x, g[2].x), max_x = most(g[0].x, g[1].x, g[2].x);
-    const zr_vi min_y = least(g[0].y, g[1].y, g[2].y), max_y = most(g[0].y, g[1].y, g[2].y);
+    const zr_vi min_x = zr_least_v(g[0].x, g[1].x, g[2].x), max_x = zr_most_v(g[0].x, g[1].x, g[2].x);
+    const zr_vi min_y = zr_least_v(g[0].y, g[1].y, g[2].y), max_y = zr_most_v(g[0].y, g[1].y, g[2].y);
     const zr_vi zero = zr_vi_set(0);
     *small = zr_vi_lt(zr_vi_max(max_x - min_x, max_y - min_y), zr_vi_set(ZR_BIN_SMALL_SPAN));
-    return (struct box){zr_vi_max(centre_behind(min_x), zero), zr_vi_max(centre_behind(min_y), zero),
+    return (struct box){zr_vi_max(zr_centre_behind_v(min_x), zero), zr_vi_max(zr_centre_behind_v(min_y), zero),
                         zr_vi_min(max_x >> ZR_SUBPIXEL_BITS, s->last_x),
                         zr_vi_min(max_y >> ZR_SUBPIXEL_BITS, s->last_y)};
 }
@@ -121,15 +106,8 @@ static inline void draw_tiny(struct sorter *s, const uint32_t *numbers, zr_vm va
     ZR_LOAD4(c[2].x, c[2].y, c[2].z, c[2].oow, CORNER_2);
     struct zr_grid_v g[3];
     zr_vm small;
-    for (int k = 0; k < 3; k++)
-        g[k] = zr_grid_of(c[k].x, c[k].y);
-    const zr_vm turned = zr_vi_lt(zr_area_v(g), zr_vi_set(0));
+    zr_corners_orient_v(c, g);
     const struct box box = box_of(s, g, &small);
-    zr_swap_vi(turned, &g[0].x, &g[1].x);
-    zr_swap_vi(turned, &g[0].y, &g[1].y);
-    zr_swap_vf(turned, &c[0].x, &c[1].x);
-    zr_swap_vf(turned, &c[0].y, &c[1].y);
-    zr_swap_vf(turned, &c[0].z, &c[1].z);
     for (int k = 0; k < 3; k++) {
         g[k].x -= box.x0 * zr_vi_set(ZR_SUBPIXELS);
         g[k].y -= box.y0 * zr_vi_set(ZR_SUBPIXELS);

@@ -1,8 +1,8 @@
 /* halfspace.h - raster: the kernel. Triangles into one tile.
  *
  * Half-space rasterization: a sample is inside where all three edge functions are
- * positive (Pineda, "A Parallel Algorithm for Polygon Rasterization", 1988). halfspace_kernel.c
- * holds the loops over samples; those of tiny triangles are bins_kernel.c's.
+ * positive (Pineda, "A Parallel Algorithm for Polygon Rasterization", 1988). Those of
+ * small and tiny triangles are in small_kernel.c and bins_kernel.c.
  */
 #ifndef ZR_HALFSPACE_H
 #define ZR_HALFSPACE_H
@@ -20,10 +20,6 @@ struct zr_halfspace {
 
     /* Writes what is only marked yet. Only `draw` may come before. */
     void (*settle)(struct zr_tile *tile);
-
-    /* Draws small triangles (bins.h), by their numbers, many at once. */
-    void (*draw_small)(struct zr_tile *tile, const struct zr_geometry *geometry, const uint32_t *numbers,
-                       uint32_t count);
 };
 
 const struct zr_halfspace *zr_halfspace_of(enum zr_isa isa);

@@ -1,6 +1,6 @@
 #include "raster/halfspace.h"
 
-#include "geometry/batch.h"
+#include "raster/tile_simd.h"
 #include "raster/triangle_simd.h"
 
 /* ---- rows of one triangle ---- */
@@ -13,22 +13,8 @@ struct piece {
     uint32_t owner;
 };
 
-/* Where lanes are seen, by zr_tile_put's rule, they are written. Always at a multiple of ZR_LANES, and all lanes: what
- * one triangle has stored the next one loads, and a load waits long for a store that is not the same whole vector
- * (a third of the bunny's time). */
-static inline void put(float *depth, uint32_t *owners, zr_vm inside, zr_vf z, zr_vi owner)
-{
-    const zr_vf old = zr_vf_load(depth);
-    const zr_vi old_owner = zr_vi_load(owners);
-    const zr_vm earlier = zr_vi_lt_where(zr_vf_eq_where(inside, z, old), owner, old_owner);
-    const zr_vm seen = zr_vm_or(zr_vf_lt_where(inside, z, old), earlier);
-    zr_vf_store(depth, zr_vf_select(seen, z, old));
-    zr_vi_store(owners, zr_vi_select(seen, owner, old_owner));
-}
-
-/* ZR_LANES columns from x on, which is a multiple of ZR_LANES: those of `lanes` that the edges do not keep out. Not
- * `clamped`: the depth is known to be within 0..1, and without an offset. */
-static inline void draw_columns(struct zr_tile *tile, const struct piece *p, int32_t x, zr_vm lanes, bool clamped)
+/* ZR_LANES columns from x on, which is a multiple of ZR_LANES: those of `lanes` that the edges do not keep out. */
+static inline void draw_columns(struct zr_tile *tile, const struct piece *p, int32_t x, zr_vm lanes)
 {
     const zr_vi below_zero = zr_vi_set(-1), owner = zr_vi_set((int32_t)p->owner), ramp = zr_vi_ramp();
     const zr_vi skip = zr_vi_set(x - p->x0) + ramp;
@@ -42,9 +28,8 @@ static inline void draw_columns(struct zr_tile *tile, const struct piece *p, int
     size_t i = (size_t)(p->y0 - tile->y) * ZR_TILE_STRIDE + (size_t)(x - tile->x);
     for (int32_t y = p->y0; y <= p->y1; y++, i += ZR_TILE_STRIDE, fy = fy + one) {
         const zr_vm inside = zr_vi_lt_where(lanes, below_zero, e[0] | e[1] | e[2]);
-        zr_vf z = column + dady * fy;
-        if (clamped) z = zr_depth_clamp_v(z + offset);
-        put(&tile->depth[i], &tile->owner[i], inside, z, owner);
+        const zr_vf z = zr_depth_clamp_v((column + dady * fy) + offset);
+        zr_tile_put_v(&tile->depth[i], &tile->owner[i], inside, z, owner);
         for (int k = 0; k < 3; k++)
             e[k] += up[k];
     }
@@ -173,7 +158,7 @@ static inline void fill_block(struct zr_tile *tile, const struct piece *p, int b
                 zr_vf_store(depth, z);
                 zr_vi_store(owners, owner);
             } else {
-                put(depth, owners, ZR_ALL_LANES, z, owner);
+                zr_tile_put_v(depth, owners, ZR_ALL_LANES, z, owner);
             }
         }
     }
@@ -186,7 +171,7 @@ static inline void draw_in_block(struct zr_tile *tile, const struct piece *p, in
         const zr_vi columns = zr_vi_set(x) + zr_vi_ramp();
         const zr_vm before = zr_vi_lt(columns, zr_vi_set(part.x0));
         const zr_vm lanes = zr_vm_andnot(zr_vi_lt(columns, zr_vi_set(part.x1 + 1)), before);
-        draw_columns(tile, &part, x, lanes, true);
+        draw_columns(tile, &part, x, lanes);
     }
 }
 
@@ -246,135 +231,6 @@ static void draw(struct zr_tile *tile, const struct zr_setup *setup, uint32_t ow
     if (whole && range.far < tile->far) tile->far = range.far;
 }
 
-/* ---- small triangles ---- */
-
-/* ZR_LANES of them, set up. */
-struct group {
-    int32_t at[3][ZR_LANES], right[3][ZR_LANES], up[3][ZR_LANES];
-    float a0[ZR_LANES], dadx[ZR_LANES], dady[ZR_LANES];
-    int32_t x0[ZR_LANES], y0[ZR_LANES], x1[ZR_LANES], y1[ZR_LANES];
-    uint32_t clamped; /* bit i: its depth may leave 0..1 at some sample of its box */
-};
-
-/* Where the corners of records stand. */
-struct corners {
-    const float *at[3][ZR_LANES];
-};
-
-static inline void set_up(const struct zr_tile *tile, const struct corners *corners, struct group *out)
-{
-    struct zr_corner_v c[3];
-#define CORNER_0(i) corners->at[0][i]
-#define CORNER_1(i) corners->at[1][i]
-#define CORNER_2(i) corners->at[2][i]
-    ZR_LOAD4(c[0].x, c[0].y, c[0].z, c[0].oow, CORNER_0);
-    ZR_LOAD4(c[1].x, c[1].y, c[1].z, c[1].oow, CORNER_1);
-    ZR_LOAD4(c[2].x, c[2].y, c[2].z, c[2].oow, CORNER_2);
-    struct zr_grid_v g[3];
-    for (int k = 0; k < 3; k++)
-        g[k] = zr_grid_of(c[k].x, c[k].y);
-    const zr_vm turned = zr_vi_lt(zr_area_v(g), zr_vi_set(0));
-    zr_swap_vi(turned, &g[0].x, &g[1].x);
-    zr_swap_vi(turned, &g[0].y, &g[1].y);
-    zr_swap_vf(turned, &c[0].x, &c[1].x);
-    zr_swap_vf(turned, &c[0].y, &c[1].y);
-    zr_swap_vf(turned, &c[0].z, &c[1].z);
-
-    const zr_vi up_to_centre = zr_vi_set(ZR_SUBPIXELS - 1);
-    const zr_vi min_x = zr_vi_min(zr_vi_min(g[0].x, g[1].x), g[2].x),
-                min_y = zr_vi_min(zr_vi_min(g[0].y, g[1].y), g[2].y);
-    const zr_vi max_x = zr_vi_max(zr_vi_max(g[0].x, g[1].x), g[2].x),
-                max_y = zr_vi_max(zr_vi_max(g[0].y, g[1].y), g[2].y);
-    const zr_vi x0 = zr_vi_max((min_x + up_to_centre) >> ZR_SUBPIXEL_BITS, zr_vi_set(tile->x));
-    const zr_vi y0 = zr_vi_max((min_y + up_to_centre) >> ZR_SUBPIXEL_BITS, zr_vi_set(tile->y));
-    zr_vi_store(out->x0, x0);
-    zr_vi_store(out->y0, y0);
-    const zr_vi x1 = zr_vi_min(max_x >> ZR_SUBPIXEL_BITS, zr_vi_set(tile->x + tile->width - 1));
-    const zr_vi y1 = zr_vi_min(max_y >> ZR_SUBPIXEL_BITS, zr_vi_set(tile->y + tile->height - 1));
-    zr_vi_store(out->x1, x1);
-    zr_vi_store(out->y1, y1);
-
-    const zr_vi subpixels = zr_vi_set(ZR_SUBPIXELS);
-    for (int k = 0; k < 3; k++) {
-        g[k].x -= x0 * subpixels;
-        g[k].y -= y0 * subpixels;
-    }
-    for (int k = 0; k < 3; k++) {
-        const struct zr_edge_v e = zr_edge_make_v(g[k], g[(k + 1) % 3]);
-        zr_vi_store(out->at[k], e.at);
-        zr_vi_store(out->right[k], e.right);
-        zr_vi_store(out->up[k], e.up);
-    }
-    const struct zr_basis_v basis = zr_basis_make_v(c);
-    const struct zr_plane_v plane = zr_plane_make_v(&basis, c[0].z, c[1].z, c[2].z);
-    zr_vf_store(out->a0, plane.a0);
-    zr_vf_store(out->dadx, plane.dadx);
-    zr_vf_store(out->dady, plane.dady);
-    const struct zr_range_v range = zr_plane_range_v(&plane, zr_vf_of(x0), zr_vf_of(y0), zr_vf_of(x1), zr_vf_of(y1));
-    const zr_vm within = zr_vm_and(zr_vf_le(zr_vf_set(0.0f), range.near), zr_vf_le(range.far, zr_vf_set(1.0f)));
-    out->clamped = ZR_ALL_BITS ^ zr_vm_bits(within);
-}
-
-/* Up to ZR_LANES numbers -> corners; what is missing has those of the first. */
-static inline const struct zr_batch *find_corners(const struct zr_geometry *geometry, const struct zr_batch *batch,
-                                                  const uint32_t *numbers, uint32_t count, struct corners *out)
-{
-    const float *vertices = &geometry->vertices[0].x;
-    for (uint32_t i = 0; i < ZR_LANES; i++) {
-        uint32_t number = numbers[i < count ? i : 0];
-        if (!zr_batch_holds(batch, number)) batch = zr_batch_of(geometry, number);
-        uint32_t t = number - batch->first, first = 0;
-        const uint32_t *v;
-        if (batch->written) {
-            v = geometry->triangles[batch->first_record + t].v;
-        } else {
-            v = batch->corners + 3 * (size_t)t;
-            first = batch->first_vertex;
-        }
-        for (int k = 0; k < 3; k++)
-            out->at[k][i] = vertices + 4 * (size_t)(first + v[k]);
-    }
-    return batch;
-}
-
-static void draw_group(struct zr_tile *tile, const struct group *g, const uint32_t *numbers, uint32_t count)
-{
-    const uint32_t clamped = g->clamped;
-    for (uint32_t i = 0; i < count; i++) {
-        const struct piece p = {.at = {g->at[0][i], g->at[1][i], g->at[2][i]},
-                                .right = {g->right[0][i], g->right[1][i], g->right[2][i]},
-                                .up = {g->up[0][i], g->up[1][i], g->up[2][i]},
-                                .a0 = g->a0[i],
-                                .dadx = g->dadx[i],
-                                .dady = g->dady[i],
-                                .x0 = g->x0[i],
-                                .y0 = g->y0[i],
-                                .x1 = g->x1[i],
-                                .y1 = g->y1[i],
-                                .owner = numbers[i] + 1};
-        if (clamped >> i & 1u)
-            for (int32_t x = first_lane(p.x0); x <= p.x1; x += ZR_LANES)
-                draw_columns(tile, &p, x, ZR_ALL_LANES, true);
-        else
-            for (int32_t x = first_lane(p.x0); x <= p.x1; x += ZR_LANES)
-                draw_columns(tile, &p, x, ZR_ALL_LANES, false);
-    }
-}
-
-static void draw_small(struct zr_tile *tile, const struct zr_geometry *geometry, const uint32_t *numbers,
-                       uint32_t count)
-{
-    const struct zr_batch *batch = &geometry->batches[0];
-    for (uint32_t done = 0; done < count; done += ZR_LANES) {
-        uint32_t some = count - done < ZR_LANES ? count - done : ZR_LANES;
-        struct corners corners;
-        struct group group;
-        batch = find_corners(geometry, batch, numbers + done, some, &corners);
-        set_up(tile, &corners, &group);
-        draw_group(tile, &group, numbers + done, some);
-    }
-}
-
 /* ---- */
 
 static void begin(struct zr_tile *tile)
@@ -395,4 +251,4 @@ static void settle(struct zr_tile *tile)
         }
 }
 
-const struct zr_halfspace ZR_KERNEL(zr_halfspace) = {begin, draw, settle, draw_small};
+const struct zr_halfspace ZR_KERNEL(zr_halfspace) = {begin, draw, settle};

@@ -28,18 +28,14 @@ static inline struct zr_grid_v zr_grid_of(zr_vf x, zr_vf y)
     return (struct zr_grid_v){zr_snap_v(x), zr_snap_v(y)};
 }
 
-/* value / divisor, rounded down, of values of 0 .. 2^16 - 1 and divisors up to 2^7: the float quotient is near enough.
- */
-static inline zr_vi zr_quotient_v(zr_vi value, int32_t divisor)
+static inline zr_vi zr_least_v(zr_vi a, zr_vi b, zr_vi c)
 {
-    const zr_vf exact = (zr_vf_of(value) + zr_vf_set(0.5f)) * zr_vf_set(1.0f / (float)divisor);
-    return zr_vi_round(exact - zr_vf_set(0.5f));
+    return zr_vi_min(zr_vi_min(a, b), c);
 }
 
-/* From the least to the greatest of three. */
-static inline zr_vi zr_span_v(zr_vi a, zr_vi b, zr_vi c)
+static inline zr_vi zr_most_v(zr_vi a, zr_vi b, zr_vi c)
 {
-    return zr_vi_max(zr_vi_max(a, b), c) - zr_vi_min(zr_vi_min(a, b), c);
+    return zr_vi_max(zr_vi_max(a, b), c);
 }
 
 /* Rule 6. Right where corners are less than ZR_BIN_SMALL_SPAN apart; else some number. */
@@ -60,6 +56,25 @@ static inline void zr_swap_vi(zr_vm where, zr_vi *a, zr_vi *b)
     const zr_vi old = *a;
     *a = zr_vi_select(where, *b, *a);
     *b = zr_vi_select(where, old, *b);
+}
+
+/* Rules 5 and 6: snaps the corners, and turns those triangles whose area is negative. */
+static inline void zr_corners_orient_v(struct zr_corner_v c[3], struct zr_grid_v g[3])
+{
+    for (int k = 0; k < 3; k++)
+        g[k] = zr_grid_of(c[k].x, c[k].y);
+    const zr_vm turned = zr_vi_lt(zr_area_v(g), zr_vi_set(0));
+    zr_swap_vi(turned, &g[0].x, &g[1].x);
+    zr_swap_vi(turned, &g[0].y, &g[1].y);
+    zr_swap_vf(turned, &c[0].x, &c[1].x);
+    zr_swap_vf(turned, &c[0].y, &c[1].y);
+    zr_swap_vf(turned, &c[0].z, &c[1].z);
+}
+
+/* The first pixel centre that is not before a snapped coordinate. */
+static inline zr_vi zr_centre_behind_v(zr_vi snapped)
+{
+    return (snapped + zr_vi_set(ZR_SUBPIXELS - 1)) >> ZR_SUBPIXEL_BITS;
 }
 
 /* Rule 8: what all planes of a triangle share. */

@@ -16,6 +16,7 @@ enum zr_status zr_visible_make(struct zr_arena *arena, struct zr_team *team, str
 {
     visible->geometry = geometry;
     visible->halfspace = zr_halfspace_of(zr_team_isa(team));
+    visible->draw_small = zr_small_of(zr_team_isa(team));
     enum zr_status status = zr_bins_build(arena, team, geometry, width, height, cancel, &visible->bins);
     if (status != ZR_OK) return status;
     return zr_others_build(arena, geometry, width, height, cancel, &visible->others);
@@ -107,13 +108,16 @@ static bool draw_small_ones(const struct zr_visible *visible, uint32_t number, c
     for (int i = 0; i < visible->bins.worker_count; i++)
         for (const struct zr_bin_head *b = visible->bins.workers[i].tiles[number].small.first; b; b = b->next) {
             if (zr_is_cancelled(cancel)) return false;
-            visible->halfspace->draw_small(tile, visible->geometry, ((const struct zr_bin_numbers *)b)->numbers,
-                                           b->used);
+            visible->draw_small(tile, visible->geometry, ((const struct zr_bin_numbers *)b)->numbers, b->used);
         }
+    return true;
+}
+
+static void draw_tiny_ones(const struct zr_visible *visible, uint32_t number, struct zr_tile *tile)
+{
     for (int i = 0; i < visible->bins.worker_count; i++)
         for (const struct zr_bin_head *b = visible->bins.workers[i].tiles[number].fragments.first; b; b = b->next)
             draw_fragments((const struct zr_bin_fragments *)b, tile);
-    return true;
 }
 
 /* ---- shapes, lines, pushed triangles ---- */
@@ -204,7 +208,9 @@ bool zr_visibility_tile(const struct zr_visible *visible, uint32_t number, const
     if (!draw_large(visible, cancel, tile) || !draw_wide_ones(visible, number, cancel, tile)) return false;
     visible->halfspace->settle(tile);
     if (has_more(visible, number)) tile->only_owner = 0;
-    return draw_small_ones(visible, number, cancel, tile) && draw_others(visible, number, cancel, tile);
+    if (!draw_small_ones(visible, number, cancel, tile)) return false;
+    draw_tiny_ones(visible, number, tile);
+    return draw_others(visible, number, cancel, tile);
 }
 
 /* ---- the whole window ---- */

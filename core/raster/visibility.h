@@ -12,11 +12,13 @@
 #include "raster/halfspace.h"
 #include "raster/others.h"
 #include "raster/samples.h"
+#include "raster/small.h"
 
 /* All that tiles are drawn from. */
 struct zr_visible {
     const struct zr_geometry *geometry;
     const struct zr_halfspace *halfspace;
+    zr_small_fn *draw_small;
     struct zr_bins bins;
     struct zr_others others;
 };

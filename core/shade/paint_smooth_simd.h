@@ -27,6 +27,20 @@ struct zr_smooth_queue {
     struct zr_smooth_corners corners;
 };
 
+/* value / divisor, rounded down, of values of 0 .. 2^16 - 1 and divisors up to 2^7: the float quotient is near enough.
+ */
+static inline zr_vi zr_quotient_v(zr_vi value, int32_t divisor)
+{
+    const zr_vf exact = (zr_vf_of(value) + zr_vf_set(0.5f)) * zr_vf_set(1.0f / (float)divisor);
+    return zr_vi_round(exact - zr_vf_set(0.5f));
+}
+
+/* From the least to the greatest of three. */
+static inline zr_vi zr_span_v(zr_vi a, zr_vi b, zr_vi c)
+{
+    return zr_most_v(a, b, c) - zr_least_v(a, b, c);
+}
+
 /* ---- looking up ---- */
 
 static inline void zr_smooth_expect(const struct zr_smooth_corners *corners, const struct zr_window_vertex *vertices,
