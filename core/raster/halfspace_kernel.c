@@ -13,8 +13,9 @@ struct piece {
     uint32_t owner;
 };
 
-/* ZR_LANES columns from x on, which is a multiple of ZR_LANES: those of `lanes` that the edges do not keep out. */
-static inline void draw_columns(struct zr_tile *tile, const struct piece *p, int32_t x, zr_vm lanes)
+/* ZR_LANES columns from x on, which is a multiple of ZR_LANES: those of `lanes` that the edges do not keep out. Returns
+ * each column's farthest depth in the piece's rows. */
+static inline zr_vf draw_columns(struct zr_tile *tile, const struct piece *p, int32_t x, zr_vm lanes)
 {
     const zr_vi below_zero = zr_vi_set(-1), owner = zr_vi_set((int32_t)p->owner), ramp = zr_vi_ramp();
     const zr_vi skip = zr_vi_set(x - p->x0) + ramp;
@@ -24,15 +25,16 @@ static inline void draw_columns(struct zr_tile *tile, const struct piece *p, int
         e[k] = zr_vi_set(p->at[k]) + zr_vi_set(p->right[k]) * skip;
     const zr_vf column = zr_vf_set(p->a0) + zr_vf_set(p->dadx) * zr_vf_of(zr_vi_set(x) + ramp);
     const zr_vf dady = zr_vf_set(p->dady), offset = zr_vf_set(p->offset), one = zr_vf_set(1.0f);
-    zr_vf fy = zr_vf_set((float)p->y0);
+    zr_vf fy = zr_vf_set((float)p->y0), far = zr_vf_set(0.0f);
     size_t i = (size_t)(p->y0 - tile->y) * ZR_TILE_STRIDE + (size_t)(x - tile->x);
     for (int32_t y = p->y0; y <= p->y1; y++, i += ZR_TILE_STRIDE, fy = fy + one) {
         const zr_vm inside = zr_vi_lt_where(lanes, below_zero, e[0] | e[1] | e[2]);
         const zr_vf z = zr_depth_clamp_v((column + dady * fy) + offset);
-        zr_tile_put_v(&tile->depth[i], &tile->owner[i], inside, z, owner);
+        far = zr_vf_max(far, zr_tile_put_v(&tile->depth[i], &tile->owner[i], inside, z, owner));
         for (int k = 0; k < 3; k++)
             e[k] += up[k];
     }
+    return far;
 }
 
 static inline int32_t first_lane(int32_t x)
@@ -42,19 +44,20 @@ static inline int32_t first_lane(int32_t x)
 
 /* ---- triangles of any size ---- */
 
-/* The edge in the piece's samples: 0, it cuts none off; 1, some; 2, all. What cuts some has its values there within
- * 2^30, divided by the 256 that all its steps are multiples of; the floor of that has the same sign. */
-static int cut_by(const struct zr_edge *e, struct piece *p, int k)
+/* The edge in the piece's samples; false where it cuts off all of them. What cuts off some has its values there within
+ * 2^30, divided by the 256 that all its steps are multiples of; the floor of that has the same sign. What cuts off none
+ * is 0 all over. */
+static bool cut_by(const struct zr_edge *e, struct piece *p, int k)
 {
     int32_t low_x = e->a > 0 ? p->x0 : p->x1, high_x = e->a > 0 ? p->x1 : p->x0;
     int32_t low_y = e->b > 0 ? p->y0 : p->y1, high_y = e->b > 0 ? p->y1 : p->y0;
     p->at[k] = p->right[k] = p->up[k] = 0;
-    if (zr_edge_at(e, high_x, high_y) <= 0) return 2;
-    if (zr_edge_at(e, low_x, low_y) > 0) return 0;
+    if (zr_edge_at(e, high_x, high_y) <= 0) return false;
+    if (zr_edge_at(e, low_x, low_y) > 0) return true;
     p->at[k] = (int32_t)((zr_edge_at(e, p->x0, p->y0) - 1) >> ZR_SUBPIXEL_BITS);
     p->right[k] = (int32_t)(e->a / ZR_SUBPIXELS);
     p->up[k] = (int32_t)(e->b / ZR_SUBPIXELS);
-    return 1;
+    return true;
 }
 
 /* What is known of ZR_LANES blocks before any of their samples is looked at. */
@@ -164,15 +167,40 @@ static inline void fill_block(struct zr_tile *tile, const struct piece *p, int b
     }
 }
 
+static inline float farthest_of(zr_vf depths)
+{
+    float each[ZR_LANES], far = 0.0f;
+    zr_vf_store(each, depths);
+    for (int i = 0; i < ZR_LANES; i++)
+        far = each[i] > far ? each[i] : far;
+    return far;
+}
+
+/* Triangles that share an edge cover a block together: then it has a bound too (a fifth of the time of large ones,
+ * which clipping cuts to pieces). */
 static inline void draw_in_block(struct zr_tile *tile, const struct piece *p, int block)
 {
     const struct piece part = part_of(tile, p, block);
-    for (int32_t x = first_lane(part.x0); x <= part.x1; x += ZR_LANES) {
+    const int32_t begin = first_lane(part.x0);
+    zr_vf far = zr_vf_set(0.0f);
+    for (int32_t x = begin; x <= part.x1; x += ZR_LANES) {
         const zr_vi columns = zr_vi_set(x) + zr_vi_ramp();
         const zr_vm before = zr_vi_lt(columns, zr_vi_set(part.x0));
         const zr_vm lanes = zr_vm_andnot(zr_vi_lt(columns, zr_vi_set(part.x1 + 1)), before);
-        draw_columns(tile, &part, x, lanes);
+        far = zr_vf_max(far, draw_columns(tile, &part, x, lanes));
     }
+    const bool all =
+        part.y1 - part.y0 == ZR_BLOCK_HEIGHT - 1 && first_lane(part.x1) - begin == ZR_BLOCK_WIDTH - ZR_LANES;
+    if (all && !zr_vm_any(zr_vf_le(zr_vf_set(1.0f), far))) tile->block_far[block] = farthest_of(far);
+}
+
+/* Where all blocks have a bound, the tile has. Those that lie outside of the window never do. */
+static inline void bound_tile(struct zr_tile *tile)
+{
+    zr_vf far = zr_vf_load(tile->block_far);
+    for (int first = ZR_LANES; first < ZR_BLOCKS; first += ZR_LANES)
+        far = zr_vf_max(far, zr_vf_load(tile->block_far + first));
+    if (!zr_vm_any(zr_vf_le(zr_vf_set(tile->far), far))) tile->far = farthest_of(far);
 }
 
 /* Returns how many blocks it drew to, and in the upper half how many of these it was the first in, and all of it. */
@@ -214,21 +242,14 @@ static void draw(struct zr_tile *tile, const struct zr_setup *setup, uint32_t ow
                       .y1 = setup->max_y < tile->y + tile->height ? setup->max_y : tile->y + tile->height - 1,
                       .owner = owner};
     if (p.x0 > p.x1 || p.y0 > p.y1) return;
-    int cutting = 0;
-    for (int k = 0; k < 3; k++) {
-        int cut = cut_by(&setup->edges[k], &p, k);
-        if (cut == 2) return;
-        cutting += cut;
-    }
-    struct zr_depth_range range = zr_depth_range_of(&setup->depth, p.x0, p.y0, p.x1, p.y1);
-    if (range.near > tile->far) return;
+    for (int k = 0; k < 3; k++)
+        if (!cut_by(&setup->edges[k], &p, k)) return;
+    if (zr_depth_range_of(&setup->depth, p.x0, p.y0, p.x1, p.y1).near > tile->far) return;
     uint32_t blocks = 0;
     for (int first = 0; first < ZR_BLOCKS; first += ZR_LANES)
         blocks += draw_blocks(tile, &p, first);
     if (blocks > 0) tile->only_owner = blocks >> 16 == ZR_BLOCKS ? owner : 0;
-    bool whole = cutting == 0 && p.x0 == tile->x && p.y0 == tile->y && p.x1 - p.x0 + 1 == tile->width &&
-                 p.y1 - p.y0 + 1 == tile->height;
-    if (whole && range.far < tile->far) tile->far = range.far;
+    if (blocks > 0) bound_tile(tile);
 }
 
 /* ---- */
