@@ -46,15 +46,20 @@ static enum zr_status encode_color(const struct encoding *e, struct zr_buffer *o
 static enum zr_status encode_depth16(struct encoding *e, float asked_scale, struct zr_buffer *out)
 {
     const struct zr_frame *frame = e->frame;
-    uint16_t *steps = zr_arena_alloc(e->arena, (size_t)frame->width * frame->height, sizeof *steps);
-    if (!steps) return ZR_NO_MEMORY;
-    e->depth_scale = zr_depth16_scale(frame, asked_scale);
-    e->misfits = zr_depth16_make(e->team, frame, e->depth_scale, steps);
+    struct zr_depth16 depth16 = {
+        .frame = frame, .scale = zr_depth16_scale(frame, asked_scale), .row = zr_depth16_of(zr_team_isa(e->team))};
     char comment[96];
-    snprintf(comment, sizeof comment, "depth in scene units = value * %.9g; 0 where nothing is",
-             (double)e->depth_scale);
-    struct zr_png png = {ZR_PNG_GREY16, frame->width, frame->height, steps, comment, e->scene->compress};
-    return zr_png_write(&png, e->team, e->cancel, out);
+    snprintf(comment, sizeof comment, "depth in scene units = value * %.9g; 0 where nothing is", (double)depth16.scale);
+    const struct zr_png png = {.kind = ZR_PNG_GREY16,
+                               .width = frame->width,
+                               .height = frame->height,
+                               .rows = zr_depth16_rows(&depth16),
+                               .text = comment,
+                               .compress = e->scene->compress};
+    const enum zr_status status = zr_png_write(&png, e->team, e->cancel, out);
+    e->depth_scale = depth16.scale;
+    e->misfits = depth16.misfits;
+    return status;
 }
 
 static enum zr_status encode_output(struct encoding *e, const struct zr_output *output, struct zr_buffer *out)

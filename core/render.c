@@ -1,6 +1,8 @@
 /* render.c - the pipeline, from top to bottom. */
 #include "zraster.h"
 
+#include <string.h>
+
 #include "geometry/geometry.h"
 #include "raster/visibility.h"
 #include "scene/base_depth.h"
@@ -25,22 +27,38 @@ struct drawing {
     const struct zr_frame *frame;
     const struct zr_cancel *cancel;
     atomic_uint_fast64_t covered; /* pixels */
+    atomic_uint deepest;          /* the bits of a float that is not negative, which are as great as it is */
 };
+
+static void raise(atomic_uint *most, float value)
+{
+    uint32_t bits;
+    memcpy(&bits, &value, sizeof bits);
+    unsigned old = atomic_load_explicit(most, memory_order_relaxed);
+    while (bits > old &&
+           !atomic_compare_exchange_weak_explicit(most, &old, bits, memory_order_relaxed, memory_order_relaxed))
+        ;
+}
 
 static void draw_tiles(void *context, size_t begin, size_t end)
 {
     struct drawing *d = context;
     struct zr_tile tile;
     uint64_t covered = 0;
+    float deepest = 0.0f;
     for (size_t number = begin; number < end; number++) {
         if (d->samples)
             zr_visibility_load(d->samples, (uint32_t)number, &tile);
         else if (!zr_visibility_tile(d->visible, (uint32_t)number, d->frame->base, d->cancel, &tile))
             return;
-        covered += zr_resolve_tile(d->geometry, d->paint, d->scene->background, &tile, d->frame);
+        const struct zr_resolved resolved =
+            zr_resolve_tile(d->geometry, d->paint, d->scene->background, &tile, d->frame);
+        covered += resolved.covered;
+        if (resolved.deepest > deepest) deepest = resolved.deepest;
     }
     d->paint->stream_end();
     atomic_fetch_add_explicit(&d->covered, covered, memory_order_relaxed);
+    raise(&d->deepest, deepest);
 }
 
 static bool wants(const struct zr_scene *scene, enum zr_channel channel)
@@ -98,6 +116,8 @@ static enum zr_status run_pipeline(struct zr_arena *arena, struct zr_team *team,
     zr_team_ranges(tiles > TILES_ALONE ? team : NULL, tiles, TILES_A_RANGE, draw_tiles, &drawing);
     frame->counts = geometry.counts;
     frame->covered_pixels = drawing.covered;
+    const unsigned deepest = drawing.deepest;
+    memcpy(&frame->deepest, &deepest, sizeof frame->deepest);
     return zr_is_cancelled(cancel) ? ZR_CANCELLED : ZR_OK;
 }
 

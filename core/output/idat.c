@@ -28,6 +28,7 @@ struct strip {
 /* What one thread works with. */
 struct lane {
     uint8_t *filtered;
+    uint8_t *rows[2]; /* the last two that were made */
     uint8_t *level_buffer;
     struct isal_zstream stream;
 };
@@ -60,16 +61,30 @@ static uint32_t rows_of(const struct job *job, uint32_t number)
 
 /* ---- one strip ---- */
 
-static struct zr_adler filter_rows(const struct job *job, uint32_t number, uint8_t *out)
+static size_t row_size(const struct zr_idat_image *image)
+{
+    return (size_t)image->width * zr_layout_memory(image->layout);
+}
+
+static const uint8_t *row_at(const struct zr_idat_image *image, const struct lane *lane, uint32_t y, bool again)
+{
+    if (image->pixels) return image->pixels + y * row_size(image);
+    image->rows.make(image->rows.source, y, lane->rows[y % 2], again);
+    return lane->rows[y % 2];
+}
+
+static struct zr_adler filter_rows(const struct job *job, const struct lane *lane, uint32_t number)
 {
     const struct zr_idat_image *image = job->image;
-    size_t stride = (size_t)image->width * zr_layout_memory(image->layout);
-    uint32_t begin = number * job->strip_rows, end = begin + rows_of(job, number);
+    const uint32_t begin = number * job->strip_rows, end = begin + rows_of(job, number);
+    const uint8_t *above = begin > 0 ? row_at(image, lane, begin - 1, true) : job->zeros;
+    uint8_t *out = lane->filtered;
     struct zr_adler sum = {0, 0};
     for (uint32_t y = begin; y < end; y++) {
-        const uint8_t *row = image->pixels + y * stride;
-        zr_filter_row(image->layout, row, y > 0 ? row - stride : job->zeros, image->width, out, &sum);
+        const uint8_t *row = row_at(image, lane, y, false);
+        zr_filter_row(image->layout, row, above, image->width, out, &sum);
         out += filtered_size(image, 1);
+        above = row;
     }
     return sum;
 }
@@ -114,7 +129,7 @@ static void make_strip(const struct job *job, struct lane *lane, uint32_t number
     size_t size = filtered_size(job->image, rows_of(job, number)), head = number == 0 ? sizeof HEAD : 0;
     bool last = number == job->strip_count - 1;
     memcpy(strip->bytes, HEAD, head);
-    strip->sum = filter_rows(job, number, lane->filtered);
+    strip->sum = filter_rows(job, lane, number);
     strip->size = deflate(lane, size, strip->bytes + head, stored_size(size), last);
     if (strip->size == 0) strip->size = store(lane->filtered, size, strip->bytes + head, last);
     strip->size += head;
@@ -135,11 +150,13 @@ static void work(void *context, size_t lane, size_t end)
 
 /* ---- all of them ---- */
 
-static struct lane *make_lane(struct zr_arena *arena, size_t size)
+static struct lane *make_lane(struct zr_arena *arena, const struct zr_idat_image *image, size_t size)
 {
-    struct lane *lane = zr_arena_alloc(arena, 1, sizeof *lane);
+    struct lane *lane = zr_arena_zero(arena, 1, sizeof *lane);
     uint8_t *filtered = zr_arena_alloc(arena, size + TAIL, 1);
     uint8_t *level_buffer = zr_arena_alloc(arena, ISAL_DEF_LVL1_DEFAULT, 1);
+    for (int i = 0; lane && !image->pixels && i < 2; i++)
+        lane->rows[i] = zr_arena_alloc(arena, row_size(image), 1);
     if (!zr_arena_ok(arena)) return NULL;
     lane->filtered = filtered;
     lane->level_buffer = level_buffer;
@@ -147,7 +164,7 @@ static struct lane *make_lane(struct zr_arena *arena, size_t size)
 }
 
 /* All memory, since threads that share an arena must not allocate. */
-static struct job *make_job(const struct zr_idat_image *image, struct zr_arena *arena, bool alone,
+static struct job *make_job(const struct zr_idat_image *image, struct zr_arena *arena, uint32_t threads,
                             const struct zr_cancel *cancel)
 {
     struct job *job = zr_arena_alloc(arena, 1, sizeof *job);
@@ -161,8 +178,8 @@ static struct job *make_job(const struct zr_idat_image *image, struct zr_arena *
     size_t size = filtered_size(image, rows), room = stored_size(size) + sizeof HEAD + CHECK_SUM_BYTES;
     for (uint32_t i = 0; i < WAVE && i < job->strip_count; i++)
         job->strips[i].bytes = zr_arena_alloc(arena, room, 1);
-    for (uint32_t i = 0; i < (alone ? 1 : LANES) && i < job->strip_count; i++)
-        job->lanes[i] = make_lane(arena, size);
+    for (uint32_t i = 0; i < LANES && i < threads && i < job->strip_count; i++)
+        job->lanes[i] = make_lane(arena, image, size);
     return zr_arena_ok(arena) ? job : NULL;
 }
 
@@ -189,7 +206,7 @@ enum zr_status zr_idat_make(const struct zr_idat_image *image, struct zr_arena *
                             const struct zr_cancel *cancel,
                             void (*take)(void *context, const uint8_t *bytes, size_t size), void *context)
 {
-    struct job *job = make_job(image, arena, team == NULL, cancel);
+    struct job *job = make_job(image, arena, (uint32_t)zr_team_size(team), cancel);
     if (!job) return ZR_NO_MEMORY;
     struct zr_adler sum = zr_adler_begin();
     for (uint32_t next = 0; next < job->strip_count; next = job->wave_end) {

@@ -2,13 +2,14 @@
  *
  * A picture is cut into strips by its size alone, however many threads work on it. Each strip is filtered and deflated
  * for itself and ends on a whole byte; it is a part. Idle threads take strips as they come. Deflating is done by
- * ISA-L at level 1. What decodes is always the same. The stream is not: ISA-L's matches depend on what the processor can
- * do, and, in ISA-L 2.30, on where in memory its state lies: at one address in fifty it misses a match or two.
+ * ISA-L at level 1. What decodes is always the same. The stream is not: ISA-L's matches depend on what the processor
+ * can do, and, in ISA-L 2.30, on where in memory its state lies: at one address in fifty it misses a match or two.
  */
 #ifndef ZR_IDAT_H
 #define ZR_IDAT_H
 
 #include "output/filter.h"
+#include "output/rows.h"
 #include "zraster.h"
 
 enum { ZR_IDAT_WIDTH_MAX = 1 << 20 }; /* pixels */
@@ -16,7 +17,8 @@ enum { ZR_IDAT_WIDTH_MAX = 1 << 20 }; /* pixels */
 struct zr_idat_image {
     enum zr_layout layout;
     uint32_t width, height; /* at least 1 */
-    const uint8_t *pixels;  /* rows follow one another without a gap */
+    const uint8_t *pixels;  /* rows follow one another without a gap; where it is NULL: */
+    struct zr_rows rows;
 };
 
 /* Calls take(context, bytes, size) for each part, in order, on this thread; it may leave by longjmp. ZR_OK,

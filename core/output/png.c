@@ -120,7 +120,7 @@ static void write_part(void *png, const uint8_t *bytes, size_t size)
 static enum zr_status write_fast(png_structp png, png_infop info, const struct writing *w, struct zr_team *team)
 {
     struct zr_buffer *out = png_get_io_ptr(png);
-    const struct zr_idat_image image = {layout_of(w), w->image->width, w->image->height, pixels_of(w)};
+    const struct zr_idat_image image = {layout_of(w), w->image->width, w->image->height, pixels_of(w), w->image->rows};
     write_head(png, info, w);
     enum zr_status status = zr_idat_make(&image, out->arena, team, w->cancel, write_part, png);
     /* Not png_write_end: it wants the picture to have gone through libpng. */
@@ -133,11 +133,14 @@ static enum zr_status write_fast(png_structp png, png_infop info, const struct w
 /* False where it was cancelled. */
 static bool write_rows(png_structp png, const struct writing *w)
 {
-    size_t stride = (size_t)w->image->width * zr_layout_memory(layout_of(w));
-    const uint8_t *row = pixels_of(w);
-    for (uint32_t y = 0; y < w->image->height; y++, row += stride) {
+    const size_t stride = (size_t)w->image->width * zr_layout_memory(layout_of(w));
+    const struct zr_rows *rows = &w->image->rows;
+    const uint8_t *pixels = pixels_of(w);
+    uint8_t *made = pixels ? NULL : png_malloc(png, stride);
+    for (uint32_t y = 0; y < w->image->height; y++) {
         if (y % ROWS_A_CANCEL_CHECK == 0 && zr_is_cancelled(w->cancel)) return false;
-        png_write_row(png, row);
+        if (made) rows->make(rows->source, y, made, false);
+        png_write_row(png, made ? made : pixels + y * stride);
     }
     return true;
 }

@@ -15,6 +15,7 @@
 #define ZR_PNG_H
 
 #include "output/buffer.h"
+#include "output/rows.h"
 #include "scene/scene.h"
 #include "zraster.h"
 
@@ -27,8 +28,9 @@ enum zr_png_kind {
 struct zr_png {
     enum zr_png_kind kind;
     uint32_t width, height;
-    const void *pixels;
-    const char *text; /* a comment kept in the file, ASCII; NULL: none */
+    const void *pixels;  /* NULL: */
+    struct zr_rows rows; /* for ZR_PNG_GREY16 */
+    const char *text;    /* a comment kept in the file, ASCII; NULL: none */
     enum zr_compress compress;
 };
 

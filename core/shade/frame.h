@@ -22,6 +22,7 @@ struct zr_frame {
     struct zr_bounds bounds; /* of the scene; looked for where the view needs them or info is asked for, else invalid */
     struct zr_counts counts;
     uint64_t covered_pixels; /* that belong to a record, not to the base */
+    float deepest;           /* of `depth`, infinity left out; 0 where nothing is */
 };
 
 #endif

@@ -22,6 +22,7 @@ struct resolver {
     const struct zr_geometry *geometry;
     const struct zr_frame *frame;
     const struct zr_batch *batch; /* of the last record */
+    float deepest;
     struct surface surfaces[SURFACES];
 };
 
@@ -49,22 +50,31 @@ static uint32_t face_of(struct resolver *r, uint32_t number)
     return batch->first_id + zr_batch_face(batch, t);
 }
 
-/* The base as it is; its depth in the tile is for the depth test only. */
-static void resolve_base(const struct zr_frame *frame, const struct zr_base *base, size_t pixel, int32_t count)
+static inline void keep_depth(struct resolver *r, size_t pixel, float depth)
 {
+    r->frame->depth[pixel] = depth;
+    if (depth > r->deepest && depth < INFINITY) r->deepest = depth;
+}
+
+/* The base as it is; its depth in the tile is for the depth test only. */
+static void resolve_base(struct resolver *r, const struct zr_base *base, size_t pixel, int32_t count)
+{
+    const struct zr_frame *frame = r->frame;
     size_t bytes = (size_t)count * 4;
-    if (frame->depth && base->depth) memcpy(frame->depth + pixel, base->depth + pixel, bytes);
+    for (size_t i = pixel; frame->depth && base->depth && i < pixel + (size_t)count; i++)
+        keep_depth(r, i, base->depth[i]);
     if (frame->face_id && base->face_id) memcpy(frame->face_id + pixel, base->face_id + pixel, bytes);
     if (frame->window_depth && base->window_depth)
         memcpy(frame->window_depth + pixel, base->window_depth + pixel, bytes);
 }
 
-static void resolve_nothing(const struct zr_frame *frame, size_t pixel, int32_t count)
+static void resolve_nothing(struct resolver *r, size_t pixel, int32_t count)
 {
+    const struct zr_frame *frame = r->frame;
     for (int32_t i = 0; frame->depth && i < count; i++)
         frame->depth[pixel + (size_t)i] = INFINITY;
     if (frame->face_id) memset(frame->face_id + pixel, 0, (size_t)count * sizeof *frame->face_id);
-    if (frame->base) resolve_base(frame, frame->base, pixel, count);
+    if (frame->base) resolve_base(r, frame->base, pixel, count);
 }
 
 static void resolve_run(struct resolver *r, uint32_t number, int32_t x, int32_t y, int32_t count, size_t pixel)
@@ -73,7 +83,7 @@ static void resolve_run(struct resolver *r, uint32_t number, int32_t x, int32_t 
     if (frame->depth) {
         const struct zr_eye_depth depth = *eye_depth_of(r, number);
         for (int32_t i = 0; i < count; i++)
-            frame->depth[pixel + (size_t)i] = zr_eye_depth_at(&depth, x + i, y);
+            keep_depth(r, pixel + (size_t)i, zr_eye_depth_at(&depth, x + i, y));
     }
     if (frame->face_id) {
         uint32_t face = face_of(r, number) + (frame->base ? frame->base->first_face_id - 1 : 0);
@@ -82,14 +92,15 @@ static void resolve_run(struct resolver *r, uint32_t number, int32_t x, int32_t 
     }
 }
 
-/* Depth and ids, and what the base has of these where nothing is drawn. */
-static void resolve_runs(const struct zr_geometry *geometry, const struct zr_paint *paint, const struct zr_tile *tile,
-                         const struct zr_frame *frame, size_t pixel)
+/* Depth and ids, and what the base has of these where nothing is drawn. Returns the deepest. */
+static float resolve_runs(const struct zr_geometry *geometry, const struct zr_paint *paint, const struct zr_tile *tile,
+                          const struct zr_frame *frame, size_t pixel)
 {
     struct resolver r;
     r.geometry = geometry;
     r.frame = frame;
     r.batch = &geometry->batches[0];
+    r.deepest = 0.0f;
     for (int i = 0; frame->depth && i < SURFACES; i++)
         r.surfaces[i].owner = 0;
     for (int32_t y = 0; y < tile->height; y++, pixel -= frame->width) {
@@ -98,11 +109,12 @@ static void resolve_runs(const struct zr_geometry *geometry, const struct zr_pai
         for (uint64_t ends = paint->ends(owners, tile->width); ends; ends &= ends - 1, begin = end) {
             end = __builtin_ctzll(ends) + 1;
             if (owners[begin] == 0)
-                resolve_nothing(frame, pixel + (size_t)begin, end - begin);
+                resolve_nothing(&r, pixel + (size_t)begin, end - begin);
             else
                 resolve_run(&r, owners[begin] - 1, tile->x + begin, tile->y + y, end - begin, pixel + (size_t)begin);
         }
     }
+    return r.deepest;
 }
 
 /* From here on a frame is larger than the caches that it would fill, with nothing that is soon read again: written past
@@ -139,8 +151,8 @@ static uint32_t count_owned(const struct zr_tile *tile)
     return count;
 }
 
-uint32_t zr_resolve_tile(const struct zr_geometry *geometry, const struct zr_paint *paint, zr_vec4 background,
-                         struct zr_tile *tile, const struct zr_frame *frame)
+struct zr_resolved zr_resolve_tile(const struct zr_geometry *geometry, const struct zr_paint *paint, zr_vec4 background,
+                                   struct zr_tile *tile, const struct zr_frame *frame)
 {
     const uint32_t nothing = zr_color_pack(zr_color_byte(background.x), zr_color_byte(background.y),
                                            zr_color_byte(background.z), zr_color_byte(background.w));
@@ -149,25 +161,27 @@ uint32_t zr_resolve_tile(const struct zr_geometry *geometry, const struct zr_pai
     const ptrdiff_t up = -(ptrdiff_t)frame->width;
     if (tile->is_empty) {
         resolve_empty(paint, nothing, tile, frame, pixel);
-        return 0;
+        return (struct zr_resolved){0, 0.0f};
     }
     const bool streamed = is_streamed(frame, tile);
-    uint32_t covered = frame->color ? 0 : count_owned(tile);
+    struct zr_resolved resolved = {.covered = frame->color ? 0 : count_owned(tile)};
     if (frame->window_depth)
         paint->copy(frame->window_depth + pixel, up, tile->width, tile->height, tile->depth, streamed);
-    if (frame->depth || frame->face_id || frame->base) resolve_runs(geometry, paint, tile, frame, pixel);
+    if (frame->depth || frame->face_id || (frame->base && frame->window_depth))
+        resolved.deepest = resolve_runs(geometry, paint, tile, frame, pixel);
     if (frame->color && tile->only_owner) {
         const uint32_t number = tile->only_owner - 1;
         const struct zr_surface surface = zr_surface_make(geometry, zr_batch_of(geometry, number), number);
         if (surface.flat) { /* a quarter of the time of large triangles */
             paint->fill(frame->color + 4 * pixel, up, tile->width, tile->height, surface.color, streamed);
-            return (uint32_t)(tile->width * tile->height);
+            resolved.covered = (uint32_t)(tile->width * tile->height);
+            return resolved;
         }
     }
     if (frame->color) {
         const uint8_t *base = frame->base ? frame->base->color : NULL;
-        covered = paint->tile(geometry, tile, nothing, base ? base + 4 * pixel : NULL, up);
+        resolved.covered = paint->tile(geometry, tile, nothing, base ? base + 4 * pixel : NULL, up);
         paint->copy(frame->color + 4 * pixel, up, tile->width, tile->height, tile->owner, streamed);
     }
-    return covered;
+    return resolved;
 }

@@ -10,9 +10,15 @@
 #include "shade/frame.h"
 #include "shade/paint.h"
 
-/* Writes the tile's part of each channel that `frame` has, and returns how many of its
- * pixels belong to a record. The tile is used up. One writer a pixel: different tiles may be resolved at once. */
-uint32_t zr_resolve_tile(const struct zr_geometry *geometry, const struct zr_paint *paint, zr_vec4 background,
-                         struct zr_tile *tile, const struct zr_frame *frame);
+/* What a tile adds to what is known of all of the frame. */
+struct zr_resolved {
+    uint32_t covered; /* pixels that belong to a record */
+    float deepest;    /* of the depth channel, infinity left out; 0 where there is none */
+};
+
+/* Writes the tile's part of each channel that `frame` has. The tile is used up. One writer a pixel: different tiles may
+ * be resolved at once. */
+struct zr_resolved zr_resolve_tile(const struct zr_geometry *geometry, const struct zr_paint *paint, zr_vec4 background,
+                                   struct zr_tile *tile, const struct zr_frame *frame);
 
 #endif

@@ -37,7 +37,7 @@ static struct zr_asset assets[ASSETS];
 static struct zr_asset png_asset(const char *name, enum zr_png_kind kind, uint32_t width, uint32_t height)
 {
     static uint8_t large[64 * 64 * 4];
-    struct zr_png png = {kind, width, height, width == WIDTH ? colors : large, NULL, ZR_COMPRESS_FAST};
+    struct zr_png png = {.kind = kind, .width = width, .height = height, .pixels = width == WIDTH ? colors : large};
     struct zr_buffer out = {.arena = &arena};
     assert_int_equal(zr_png_write(&png, NULL, NULL, &out), ZR_OK);
     return (struct zr_asset){name, out.bytes, out.size};

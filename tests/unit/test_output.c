@@ -1,6 +1,7 @@
 #include <cjson/cJSON.h>
 #include <math.h>
 #include <png.h>
+#include <stdlib.h>
 #include <string.h>
 #include <zip.h>
 
@@ -10,6 +11,7 @@
 #include "output/png.h"
 #include "output/zip.h"
 #include "support/cmocka_all.h"
+#include "support/png.h"
 #include "support/random.h"
 #include "support/scenes.h"
 
@@ -52,7 +54,7 @@ static void png_gives_back_the_pixels_of_odd_sizes(void **state)
     for (int i = 0; i < 4; i++)
         for (int alpha = 0; alpha < 2; alpha++) {
             struct zr_png png = {
-                alpha ? ZR_PNG_RGBA : ZR_PNG_RGB, widths[i], heights[i], pixels, NULL, ZR_COMPRESS_FAST};
+                .kind = alpha ? ZR_PNG_RGBA : ZR_PNG_RGB, .width = widths[i], .height = heights[i], .pixels = pixels};
             struct zr_buffer out = {.arena = &arena};
             assert_int_equal(zr_png_write(&png, NULL, NULL, &out), ZR_OK);
             png_image image;
@@ -70,7 +72,7 @@ static void png_of_16_bits_is_grey_and_big_endian(void **state)
 {
     (void)state;
     const uint16_t steps[4] = {0, 1, 0x1234, 65535};
-    struct zr_png png = {ZR_PNG_GREY16, 2, 2, steps, "scale", ZR_COMPRESS_FAST};
+    struct zr_png png = {.kind = ZR_PNG_GREY16, .width = 2, .height = 2, .pixels = steps, .text = "scale"};
     struct zr_buffer out = {.arena = &arena};
     assert_int_equal(zr_png_write(&png, NULL, NULL, &out), ZR_OK);
     assert_int_equal(out.bytes[24], 16); /* IHDR: bits a channel */
@@ -86,7 +88,7 @@ static void png_without_memory_or_cancelled_fails_cleanly(void **state)
 {
     (void)state;
     static uint32_t pixels[300 * 300];
-    struct zr_png png = {ZR_PNG_RGB, 300, 300, pixels, NULL, ZR_COMPRESS_FAST};
+    struct zr_png png = {.kind = ZR_PNG_RGB, .width = 300, .height = 300, .pixels = pixels};
     int failures = 0;
     for (size_t ceiling = 0; ceiling < 2000000; ceiling += 20000) {
         struct zr_arena small;
@@ -143,19 +145,87 @@ static void zip_gives_back_its_files_and_is_the_same_every_time(void **state)
 static void depth16_counts_what_does_not_fit_and_never_wraps(void **state)
 {
     (void)state;
-    float depth[6] = {INFINITY, 0.001f, 1.0f, 65.535f, 65.6f, -3.0f};
-    struct zr_frame frame = {.width = 6, .height = 1, .depth = depth};
-    uint16_t steps[6];
-    assert_int_equal(zr_depth16_make(NULL, &frame, 0.001f, steps), 2);
-    const uint16_t want[6] = {0, 1, 1000, 65535, 65535, 1};
-    assert_memory_equal(steps, want, sizeof want);
+    static const float depth[6] = {INFINITY, 0.001f, 1.0f, 65.535f, 65.6f, -3.0f};
+    static const uint16_t want[6] = {0, 1, 1000, 65535, 65535, 1};
+    for (enum zr_isa isa = 0; isa < ZR_ISA_COUNT; isa++) {
+        uint16_t steps[6] = {7, 7, 7, 7, 7, 7};
+        if (!zr_isa_is_available(isa)) continue;
+        assert_int_equal(zr_depth16_of(isa)(depth, 0.001f, 6, steps), 2);
+        assert_memory_equal(steps, want, sizeof want);
+    }
+}
+
+/* Any bits at all, and much of it nothing, as in pictures. */
+static void depth16_is_the_same_from_each_instruction_set(void **state)
+{
+    (void)state;
+    enum { WIDTH = 1000 };
+    struct random random = random_seeded(5);
+    for (int round = 0; round < 200; round++) {
+        float depth[WIDTH];
+        uint16_t want[WIDTH];
+        const uint32_t begin = random_below(&random, WIDTH);
+        for (uint32_t x = 0; x < WIDTH; x++) {
+            const uint32_t bits = (uint32_t)random_next(&random);
+            memcpy(&depth[x], &bits, sizeof bits);
+            if (round % 2) depth[x] = (float)random_range(&random, 0, 70);
+            if (x - begin < 300) depth[x] = INFINITY;
+        }
+        const uint32_t misfits = zr_depth16_of(ZR_ISA_SCALAR)(depth, 0.001f, WIDTH, want);
+        assert_int_equal(want[begin], 0);
+        for (enum zr_isa isa = 0; isa < ZR_ISA_COUNT; isa++) {
+            uint16_t got[WIDTH];
+            if (!zr_isa_is_available(isa)) continue;
+            assert_int_equal(zr_depth16_of(isa)(depth, 0.001f, WIDTH, got), misfits);
+            assert_memory_equal(got, want, sizeof want);
+        }
+    }
+}
+
+/* Strips look at the row above theirs, which is made twice and counted once. */
+static void depth16_is_written_row_by_row(void **state)
+{
+    (void)state;
+    enum { WIDTH = 700, HEIGHT = 1200 };
+    float *depth = malloc(sizeof *depth * WIDTH * HEIGHT);
+    assert_non_null(depth);
+    for (size_t i = 0; i < (size_t)WIDTH * HEIGHT; i++)
+        depth[i] = i % 3 == 0 ? INFINITY : 0.01f * (float)(i % 7000);
+    const struct zr_frame frame = {.width = WIDTH, .height = HEIGHT, .depth = depth};
+    uint64_t misfits = 0;
+    for (size_t i = 0; i < (size_t)WIDTH * HEIGHT; i++)
+        misfits += i % 3 != 0 && (i % 7000 == 0 || i % 7000 > 6553);
+    static const enum zr_compress ways[] = {ZR_COMPRESS_FAST, ZR_COMPRESS_SMALL};
+    struct zr_team *team = zr_team_create(3);
+    for (int i = 0; i < 2; i++) {
+        struct zr_depth16 depth16 = {&frame, 0.001f, zr_depth16_of(zr_isa_best()), 0};
+        struct zr_buffer out = {.arena = &arena};
+        const struct zr_png png = {.kind = ZR_PNG_GREY16,
+                                   .width = WIDTH,
+                                   .height = HEIGHT,
+                                   .rows = zr_depth16_rows(&depth16),
+                                   .compress = ways[i]};
+        assert_int_equal(zr_png_write(&png, team, NULL, &out), ZR_OK);
+        assert_int_equal(depth16.misfits, misfits);
+        uint32_t width, height;
+        uint16_t *got = png_memory_read(out.bytes, out.size, PNG_AS_GREY16, &width, &height);
+        assert_non_null(got);
+        assert_int_equal(width, WIDTH);
+        for (uint32_t y = 0; y < HEIGHT; y++) {
+            uint16_t want[WIDTH];
+            depth16.row(depth + (size_t)y * WIDTH, 0.001f, WIDTH, want);
+            assert_memory_equal(got + (size_t)y * WIDTH, want, sizeof want);
+        }
+        free(got);
+    }
+    zr_team_destroy(team);
+    free(depth);
 }
 
 static void depth16_scale_left_open_fits_the_far_plane(void **state)
 {
     (void)state;
-    float depth[2] = {10, 5};
-    struct zr_frame frame = {.width = 2, .height = 1, .depth = depth};
+    struct zr_frame frame = {.deepest = 10};
     frame.camera.znear = 1;
     frame.camera.zfar = 655.35f;
     assert_true(fabsf(zr_depth16_scale(&frame, 0) - 0.01f) < 1e-6f);
@@ -348,6 +418,8 @@ int main(void)
         cmocka_unit_test_setup_teardown(npy_has_the_header_that_numpy_writes, open_arena, close_arena),
         cmocka_unit_test_setup_teardown(zip_gives_back_its_files_and_is_the_same_every_time, open_arena, close_arena),
         cmocka_unit_test(depth16_counts_what_does_not_fit_and_never_wraps),
+        cmocka_unit_test(depth16_is_the_same_from_each_instruction_set),
+        cmocka_unit_test(depth16_is_written_row_by_row),
         cmocka_unit_test(depth16_scale_left_open_fits_the_far_plane),
         cmocka_unit_test_setup_teardown(depth_as_png16_has_steps_of_its_scale_and_warns_of_what_does_not_fit,
                                         open_arena, close_arena),

@@ -177,7 +177,11 @@ static void pictures_of_every_kind_and_size_come_back(void **state)
                     zr_arena_reset(&arena, SIZE_MAX);
                     uint32_t width = SIZES[s][0], height = SIZES[s][1];
                     const void *pixels = draw((enum subject)subject, width, height);
-                    struct zr_png png = {(enum zr_png_kind)kind, width, height, pixels, NULL, (enum zr_compress)small};
+                    struct zr_png png = {.kind = (enum zr_png_kind)kind,
+                                         .width = width,
+                                         .height = height,
+                                         .pixels = pixels,
+                                         .compress = (enum zr_compress)small};
                     assert_round_trip(&png, NULL);
                 }
 }
@@ -194,7 +198,8 @@ static void up_to_256_colors_are_a_palette_and_257_are_not(void **state)
                  {ALPHA_MANY, ZR_PNG_RGBA, 6}, {FLAT, ZR_PNG_RGB, 3},        {NOISE, ZR_PNG_RGB, 2}};
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
         zr_arena_reset(&arena, SIZE_MAX);
-        struct zr_png png = {cases[i].kind, 999, 300, draw(cases[i].subject, 999, 300), NULL, ZR_COMPRESS_FAST};
+        struct zr_png png = {
+            .kind = cases[i].kind, .width = 999, .height = 300, .pixels = draw(cases[i].subject, 999, 300)};
         struct zr_buffer file = write_png(&png, NULL);
         assert_int_equal(color_type(&file), cases[i].type);
     }
@@ -208,8 +213,8 @@ static void pixels_are_the_same_for_every_team_and_whatever_memory_held(void **s
     for (int i = 0; i < 4; i++)
         for (int kind = 0; kind < 3; kind++) {
             zr_arena_reset(&arena, SIZE_MAX);
-            struct zr_png png = {(enum zr_png_kind)kind,        2000, 1531,
-                                 draw(subjects[i], 2000, 1531), NULL, ZR_COMPRESS_FAST};
+            struct zr_png png = {
+                .kind = (enum zr_png_kind)kind, .width = 2000, .height = 1531, .pixels = draw(subjects[i], 2000, 1531)};
             for (int t = 0; t < 4; t++)
                 assert_round_trip(&png, teams[t]);
         }
@@ -221,12 +226,12 @@ static void noise_hardly_grows_and_background_is_next_to_nothing(void **state)
 {
     (void)state;
     zr_arena_reset(&arena, SIZE_MAX);
-    struct zr_png noise = {ZR_PNG_RGB, 1920, 1080, draw(NOISE, 1920, 1080), NULL, ZR_COMPRESS_FAST};
+    struct zr_png noise = {.kind = ZR_PNG_RGB, .width = 1920, .height = 1080, .pixels = draw(NOISE, 1920, 1080)};
     size_t raw = 1080 * (1920 * 3 + 1);
     assert_in_range(write_png(&noise, NULL).size, raw / 2, raw + raw / 1000 + 1000);
-    struct zr_png flat = {ZR_PNG_RGB, 1920, 1080, draw(FLAT, 1920, 1080), NULL, ZR_COMPRESS_FAST};
+    struct zr_png flat = {.kind = ZR_PNG_RGB, .width = 1920, .height = 1080, .pixels = draw(FLAT, 1920, 1080)};
     assert_in_range(write_png(&flat, NULL).size, 100, 12000);
-    struct zr_png grey = {ZR_PNG_GREY16, 1920, 1080, flat.pixels, NULL, ZR_COMPRESS_FAST};
+    struct zr_png grey = {.kind = ZR_PNG_GREY16, .width = 1920, .height = 1080, .pixels = flat.pixels};
     assert_in_range(write_png(&grey, NULL).size, 100, 25000);
 }
 
@@ -236,8 +241,10 @@ static void small_is_smaller_than_fast(void **state)
     for (int kind = 0; kind < 3; kind++)
         for (int subject = FLAT; subject < SUBJECTS; subject++) { /* noise is what it is */
             zr_arena_reset(&arena, SIZE_MAX);
-            struct zr_png png = {(enum zr_png_kind)kind, 640, 480, draw((enum subject)subject, 640, 480), NULL,
-                                 ZR_COMPRESS_FAST};
+            struct zr_png png = {.kind = (enum zr_png_kind)kind,
+                                 .width = 640,
+                                 .height = 480,
+                                 .pixels = draw((enum subject)subject, 640, 480)};
             size_t fast = write_png(&png, NULL).size;
             png.compress = ZR_COMPRESS_SMALL;
             size_t small = write_png(&png, NULL).size;
@@ -298,7 +305,12 @@ static void what_is_cancelled_or_has_no_memory_ends_cleanly(void **state)
     struct zr_cancel cancel = {.raised = true};
     const uint32_t *pixels = draw(SHAPES, 1000, 900);
     for (int small = 0; small < 2; small++) {
-        struct zr_png png = {ZR_PNG_RGB, 1000, 900, pixels, "text", (enum zr_compress)small};
+        struct zr_png png = {.kind = ZR_PNG_RGB,
+                             .width = 1000,
+                             .height = 900,
+                             .pixels = pixels,
+                             .text = "text",
+                             .compress = (enum zr_compress)small};
         struct zr_buffer out = {.arena = &arena};
         assert_int_equal(zr_png_write(&png, team, &cancel, &out), ZR_CANCELLED);
         int failures = 0, successes = 0;
@@ -328,8 +340,12 @@ static void pngcheck_is_content(void **state)
         for (int kind = 0; kind < 3; kind++)
             for (int small = 0; small < 2; small++) {
                 zr_arena_reset(&arena, SIZE_MAX);
-                struct zr_png png = {(enum zr_png_kind)kind, 601, 500, draw((enum subject)subject, 601, 500), "a text",
-                                     (enum zr_compress)small};
+                struct zr_png png = {.kind = (enum zr_png_kind)kind,
+                                     .width = 601,
+                                     .height = 500,
+                                     .pixels = draw((enum subject)subject, 601, 500),
+                                     .text = "a text",
+                                     .compress = (enum zr_compress)small};
                 struct zr_buffer file = write_png(&png, NULL);
                 char path[] = "/tmp/zraster-test-XXXXXX", command[80];
                 int descriptor = mkstemp(path);
