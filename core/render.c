@@ -26,6 +26,7 @@ struct drawing {
     const struct zr_paint *paint;
     const struct zr_frame *frame;
     const struct zr_cancel *cancel;
+    uint8_t *occupied;            /* tiles that show anything */
     atomic_uint_fast64_t covered; /* pixels */
     atomic_uint deepest;          /* the bits of a float that is not negative, which are as great as it is */
 };
@@ -53,12 +54,30 @@ static void draw_tiles(void *context, size_t begin, size_t end)
             return;
         const struct zr_resolved resolved =
             zr_resolve_tile(d->geometry, d->paint, d->scene->background, &tile, d->frame);
+        d->occupied[number] = !tile.is_empty;
         covered += resolved.covered;
         if (resolved.deepest > deepest) deepest = resolved.deepest;
     }
     d->paint->stream_end();
     atomic_fetch_add_explicit(&d->covered, covered, memory_order_relaxed);
     raise(&d->deepest, deepest);
+}
+
+/* Row 0 is the top of the picture, tile 0 at its bottom. */
+static void find_reaches(const struct zr_frame *frame, const uint8_t *occupied)
+{
+    const uint32_t columns = zr_tile_across(frame->width);
+    for (uint32_t row = 0; row < frame->height; row++) {
+        const uint8_t *tiles = occupied + (size_t)((frame->height - 1 - row) / ZR_TILE_SIZE) * columns;
+        uint32_t begin = 0, end = columns;
+        while (begin < end && !tiles[begin])
+            begin++;
+        while (end > begin && !tiles[end - 1])
+            end--;
+        end *= ZR_TILE_SIZE;
+        frame->reaches[row] = (struct zr_reach){begin * ZR_TILE_SIZE, end < frame->width ? end : frame->width};
+        if (begin == columns) frame->reaches[row] = (struct zr_reach){0, 0};
+    }
 }
 
 static bool wants(const struct zr_scene *scene, enum zr_channel channel)
@@ -80,6 +99,7 @@ static enum zr_status make_frame(struct zr_arena *arena, const struct zr_scene *
         frame->window_depth = zr_arena_alloc(arena, pixels, sizeof *frame->window_depth);
     if (wants(scene, ZR_CHANNEL_FACE_ID) || wants(scene, ZR_CHANNEL_INFO))
         frame->face_id = zr_arena_alloc(arena, pixels, sizeof *frame->face_id);
+    frame->reaches = zr_arena_alloc(arena, frame->height, sizeof *frame->reaches);
     return zr_arena_ok(arena) ? ZR_OK : ZR_NO_MEMORY;
 }
 
@@ -105,20 +125,25 @@ static enum zr_status run_pipeline(struct zr_arena *arena, struct zr_team *team,
     else
         status = zr_visible_make(arena, team, &geometry, scene->width, scene->height, cancel, &visible);
     if (status != ZR_OK) return status;
+    const size_t tiles = zr_tile_count(scene->width, scene->height);
+    uint8_t *occupied = zr_arena_alloc(arena, tiles, 1);
+    if (!occupied) return ZR_NO_MEMORY;
     struct drawing drawing = {.scene = scene,
                               .geometry = &geometry,
                               .visible = &visible,
                               .samples = window_at_once ? &samples : NULL,
                               .paint = zr_paint_of(zr_team_isa(team)),
                               .frame = frame,
-                              .cancel = cancel};
-    const size_t tiles = zr_tile_count(scene->width, scene->height);
+                              .cancel = cancel,
+                              .occupied = occupied};
     zr_team_ranges(tiles > TILES_ALONE ? team : NULL, tiles, TILES_A_RANGE, draw_tiles, &drawing);
+    if (zr_is_cancelled(cancel)) return ZR_CANCELLED;
+    find_reaches(frame, occupied);
     frame->counts = geometry.counts;
     frame->covered_pixels = drawing.covered;
     const unsigned deepest = drawing.deepest;
     memcpy(&frame->deepest, &deepest, sizeof frame->deepest);
-    return zr_is_cancelled(cancel) ? ZR_CANCELLED : ZR_OK;
+    return ZR_OK;
 }
 
 enum zr_status zr_render(struct zr_arena *arena, struct zr_team *team, const struct zr_scene *scene,

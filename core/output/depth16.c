@@ -1,6 +1,7 @@
 #include "output/depth16.h"
 
 #include <math.h>
+#include <string.h>
 
 zr_depth16_fn *zr_depth16_of(enum zr_isa isa)
 {
@@ -20,7 +21,12 @@ static void make_row(void *source, uint32_t y, void *row, bool again)
 {
     struct zr_depth16 *d = source;
     const uint32_t width = d->frame->width;
-    const uint32_t misfits = d->row(d->frame->depth + (size_t)y * width, d->scale, width, row);
+    const struct zr_reach reach = d->frame->reaches ? d->frame->reaches[y] : (struct zr_reach){0, width};
+    const float *depth = d->frame->depth + (size_t)y * width;
+    uint16_t *out = row;
+    memset(out, 0, reach.begin * sizeof *out);
+    const uint32_t misfits = d->row(depth + reach.begin, d->scale, reach.end - reach.begin, out + reach.begin);
+    memset(out + reach.end, 0, (width - reach.end) * sizeof *out);
     if (!again && misfits > 0) atomic_fetch_add_explicit(&d->misfits, misfits, memory_order_relaxed);
 }
 

@@ -11,6 +11,7 @@
 #include <stdint.h>
 
 #include "base/arena.h"
+#include "base/reach.h"
 
 enum { ZR_PALETTE_MAX = 256 };
 
@@ -20,9 +21,9 @@ struct zr_palette {
     uint8_t *indices;                  /* one a pixel */
 };
 
-/* Of RGBA pixels, whose alpha counts as 255 if `opaque`. False, after a look at a few thousand pixels for most
- * pictures, where there are more than ZR_PALETTE_MAX colours, or the arena has failed. */
+/* Of RGBA pixels, whose alpha counts as 255 if `opaque`; `reaches` as in zr_png, or NULL. False, after a look at a few
+ * thousand pixels for most pictures, where there are more than ZR_PALETTE_MAX colours, or the arena has failed. */
 bool zr_palette_make(struct zr_palette *palette, struct zr_arena *arena, const uint8_t *pixels, uint32_t width,
-                     uint32_t height, bool opaque);
+                     uint32_t height, const struct zr_reach *reaches, bool opaque);
 
 #endif

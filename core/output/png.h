@@ -14,6 +14,7 @@
 #ifndef ZR_PNG_H
 #define ZR_PNG_H
 
+#include "base/reach.h"
 #include "output/buffer.h"
 #include "output/rows.h"
 #include "scene/scene.h"
@@ -30,7 +31,9 @@ struct zr_png {
     uint32_t width, height;
     const void *pixels;  /* NULL: */
     struct zr_rows rows; /* for ZR_PNG_GREY16 */
-    const char *text;    /* a comment kept in the file, ASCII; NULL: none */
+    const struct zr_reach
+        *reaches;     /* of each row: pixels outside of it are all the same, in all rows. NULL: not known */
+    const char *text; /* a comment kept in the file, ASCII; NULL: none */
     enum zr_compress compress;
 };
 

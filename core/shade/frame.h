@@ -8,6 +8,7 @@
 
 #include <stdint.h>
 
+#include "base/reach.h"
 #include "geometry/counts.h"
 #include "scene/camera.h"
 
@@ -21,8 +22,9 @@ struct zr_frame {
     struct zr_camera camera;
     struct zr_bounds bounds; /* of the scene; looked for where the view needs them or info is asked for, else invalid */
     struct zr_counts counts;
-    uint64_t covered_pixels; /* that belong to a record, not to the base */
-    float deepest;           /* of `depth`, infinity left out; 0 where nothing is */
+    uint64_t covered_pixels;  /* that belong to a record, not to the base */
+    struct zr_reach *reaches; /* of each row: outside of it nothing is, in no channel. NULL: not known */
+    float deepest;            /* of `depth`, infinity left out; 0 where nothing is */
 };
 
 #endif

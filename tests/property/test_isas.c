@@ -1,4 +1,5 @@
 /* Any instruction set, and any number of threads, gives the bytes that plain C gives on one thread. */
+#include <math.h>
 #include <string.h>
 
 #include "support/gallery.h"
@@ -71,11 +72,52 @@ static void every_scene_shows_much_in_large_windows(void **state)
     }
 }
 
+/* What a frame says of itself, looked up pixel by pixel. Returns how many pixels are out of reach. */
+static size_t check_reaches(const struct zr_frame *frame, const char *name)
+{
+    size_t outside = 0;
+    float deepest = 0.0f;
+    uint32_t nothing[GALLERY_CHANNELS] = {0};
+    for (uint32_t y = 0; y < frame->height; y++)
+        for (uint32_t x = 0; x < frame->width; x++) {
+            const size_t i = (size_t)y * frame->width + x;
+            if (frame->depth[i] < INFINITY && frame->depth[i] > deepest) deepest = frame->depth[i];
+            if (x >= frame->reaches[y].begin && x < frame->reaches[y].end) continue;
+            if (frame->face_id[i] != 0) fail_msg("%s: a face at %u, %u, out of reach", name, x, y);
+            for (int c = 0; c < GALLERY_CHANNELS; c++) {
+                const uint32_t *channel = gallery_channel(frame, c), value = channel[i];
+                if (outside == 0) nothing[c] = value;
+                if (value != nothing[c])
+                    fail_msg("%s: %s at %u, %u, out of reach, is %08x", name, gallery_channels[c], x, y, value);
+            }
+            outside++;
+        }
+    assert_true(frame->deepest == deepest);
+    return outside;
+}
+
+static void what_is_out_of_reach_is_nothing(void **state)
+{
+    (void)state;
+    size_t outside = 0;
+    struct zr_team *team = zr_team_create(2);
+    for (int number = 0; number < GALLERY_SCENES; number++)
+        for (int w = 0; w < GALLERY_WINDOWS; w++) {
+            const struct zr_scene *scene = gallery_scene(&arena, number, gallery_windows[w][0], gallery_windows[w][1]);
+            assert_non_null(scene);
+            outside += check_reaches(scene_render(&arena, team, scene), gallery_names[number]);
+            zr_arena_reset(&arena, ceiling);
+        }
+    zr_team_destroy(team);
+    assert_true(outside > 0);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         TEST_EACH_ISA(every_scene_in_every_window_has_the_bytes_of_plain_c),
         cmocka_unit_test(every_scene_shows_much_in_large_windows),
+        cmocka_unit_test(what_is_out_of_reach_is_nothing),
     };
     return cmocka_run_group_tests_name("isas", tests, open_arena, close_arena);
 }
