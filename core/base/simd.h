@@ -10,6 +10,7 @@
  *   zr_vf_set(a) zr_vi_set(a)          all lanes alike           zr_vf_ramp() zr_vi_ramp()   0, 1, 2 ...
  *   zr_vf_load(p) zr_vi_load(p)        ZR_LANES from anywhere    zr_vf_store(p, v) zr_vi_store(p, v)
  *   zr_vi_store_first(p, v, n): lanes 0 .. n - 1, n at most ZR_LANES, and nothing else is touched
+ *   zr_vi_store_where(p, m, v): the lanes of m; others may be written as they were
  *   zr_vi_load_patch(p, stride), zr_vi_store_patch(p, stride, v): ZR_PATCH_ROWS rows of ZR_PATCH_COLUMNS words each,
  *     `stride` words apart, lane 0 and those that follow being the first row
  *   zr_vi_later(v, n): lane i is lane i - n of v, or anything where there is none; n is a constant, 1 .. 4

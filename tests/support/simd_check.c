@@ -124,7 +124,7 @@ static void want_ints(const struct simd_inputs *in, struct simd_results *want, i
     want->vi_max[k] = i > j ? i : j;
     want->vi_round[k] = nearest(in->small[k]);
     memcpy(&want->vi_bits_of[k], &in->a[k], sizeof(int32_t));
-    want->vi_select[k] = in->m[k] ? i : j;
+    want->vi_select[k] = want->vi_store_where[k] = in->m[k] ? i : j;
     want->vi_lt[k] = i < j;
     want->vi_eq[k] = i == j;
     want->vi_lt_where[k] = in->m[k] && i < j;
@@ -230,6 +230,7 @@ static const struct result results[] = {EXACT(vf_set),
                                         EXACT(vf_eq_where),
                                         EXACT(vi_lt_where),
                                         EXACT(vi_store_first),
+                                        EXACT(vi_store_where),
                                         EXACT(vf_bits),
                                         EXACT(vi_stream),
                                         EXACT(vi_store4),

@@ -63,6 +63,8 @@ static void run_ints(const struct simd_inputs *in, struct simd_results *out, int
     zr_vi_store(out->vi_round + k, zr_vi_round(zr_vf_load(in->small + k)));
     zr_vi_store(out->vi_bits_of + k, zr_vi_bits_of(zr_vf_load(in->a + k)));
     zr_vi_store(out->vi_select + k, zr_vi_select(mask_of(in->m + k), i, j));
+    zr_vi_store(out->vi_store_where + k, j);
+    zr_vi_store_where(out->vi_store_where + k, mask_of(in->m + k), i);
     keep(zr_vi_lt(i, j), out->vi_lt + k);
     keep(zr_vi_eq(i, j), out->vi_eq + k);
     keep(zr_vi_lt_where(mask_of(in->m + k), i, j), out->vi_lt_where + k);

@@ -38,8 +38,8 @@ struct simd_results {
     int32_t vi_and[SIMD_COUNT], vi_or[SIMD_COUNT], vi_xor[SIMD_COUNT];
     int32_t vi_left_1[SIMD_COUNT], vi_left_16[SIMD_COUNT], vi_right_6[SIMD_COUNT], vi_right_31[SIMD_COUNT];
     int32_t vi_min[SIMD_COUNT], vi_max[SIMD_COUNT], vi_round[SIMD_COUNT], vi_bits_of[SIMD_COUNT];
-    int32_t vi_select[SIMD_COUNT], vi_store_first[SIMD_COUNT]; /* i, else j */
-    float vf_bits[SIMD_COUNT];                                 /* of i */
+    int32_t vi_select[SIMD_COUNT], vi_store_first[SIMD_COUNT], vi_store_where[SIMD_COUNT]; /* i, else j */
+    float vf_bits[SIMD_COUNT];                                                             /* of i */
     _Alignas(64) int32_t vi_stream[SIMD_COUNT];
     int32_t vi_lt[SIMD_COUNT], vi_eq[SIMD_COUNT];
     int32_t vm_and[SIMD_COUNT], vm_or[SIMD_COUNT], vm_andnot[SIMD_COUNT], vm_of[SIMD_COUNT]; /* of m and n; of m */

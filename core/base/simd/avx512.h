@@ -65,6 +65,10 @@ static inline void zr_vi_store_patch(uint32_t *p, size_t stride, zr_vi v)
     _mm_storeu_si128((__m128i *)(p + 3 * stride), _mm512_extracti32x4_epi32((__m512i)v, 3));
 }
 #define zr_vi_later(v, n) ((zr_vi)_mm512_alignr_epi32((__m512i)(v), (__m512i)(v), 16 - (n)))
+static inline void zr_vi_store_where(void *p, zr_vm m, zr_vi v)
+{
+    _mm512_mask_storeu_epi32(p, m, (__m512i)v);
+}
 static inline void zr_vi_stream(void *p, zr_vi v)
 {
     _mm512_stream_si512(p, (__m512i)v);

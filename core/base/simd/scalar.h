@@ -55,6 +55,10 @@ static inline zr_vi zr_vi_later(zr_vi v, int n)
     (void)n;
     return v;
 }
+static inline void zr_vi_store_where(void *p, zr_vm m, zr_vi v)
+{
+    if (m) zr_vi_store(p, v);
+}
 static inline void zr_vi_stream(void *p, zr_vi v)
 {
     zr_vi_store(p, v);

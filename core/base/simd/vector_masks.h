@@ -4,6 +4,10 @@
 #ifndef ZR_SIMD_VECTOR_MASKS_H
 #define ZR_SIMD_VECTOR_MASKS_H
 
+static inline void zr_vi_store_where(void *p, zr_vm m, zr_vi v)
+{
+    zr_vi_store(p, zr_vi_select(m, v, zr_vi_load(p)));
+}
 static inline zr_vm zr_vm_and(zr_vm a, zr_vm b)
 {
     return a & b;
