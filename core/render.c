@@ -125,6 +125,9 @@ static enum zr_status run_pipeline(struct zr_arena *arena, struct zr_team *team,
     else
         status = zr_visible_make(arena, team, &geometry, scene->width, scene->height, cancel, &visible);
     if (status != ZR_OK) return status;
+    const struct zr_paint *paint = zr_paint_of(zr_team_isa(team));
+    const size_t pixels = (size_t)scene->width * scene->height;
+    if (frame->color && (status = zr_paint_prepare(paint, arena, team, &geometry, pixels)) != ZR_OK) return status;
     const size_t tiles = zr_tile_count(scene->width, scene->height);
     uint8_t *occupied = zr_arena_alloc(arena, tiles, 1);
     if (!occupied) return ZR_NO_MEMORY;
@@ -132,7 +135,7 @@ static enum zr_status run_pipeline(struct zr_arena *arena, struct zr_team *team,
                               .geometry = &geometry,
                               .visible = &visible,
                               .samples = window_at_once ? &samples : NULL,
-                              .paint = zr_paint_of(zr_team_isa(team)),
+                              .paint = paint,
                               .frame = frame,
                               .cancel = cancel,
                               .occupied = occupied};

@@ -48,7 +48,8 @@ static inline zr_vi zr_flat_color(const struct zr_batch *batch, zr_vm owned, zr_
 static inline zr_vi zr_gather_flat(const struct zr_batch *batch, zr_vm owned, zr_vi owner)
 {
     const zr_vi t = owner - zr_vi_set((int32_t)batch->first + 1), one = zr_vi_set(1);
-    const zr_vi word = zr_flat_color(batch, owned, t) * zr_vi_set(4);
+    const zr_vi color = zr_flat_color(batch, owned, t), word = color * zr_vi_set(4);
+    if (batch->packed) return zr_vi_gather(owned, batch->packed, color);
     return zr_color_pack_v(zr_vf_bits(zr_vi_gather(owned, batch->front, word)),
                            zr_vf_bits(zr_vi_gather(owned, batch->front, word + one)),
                            zr_vf_bits(zr_vi_gather(owned, batch->front, word + one + one)));

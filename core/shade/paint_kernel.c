@@ -193,6 +193,21 @@ static uint32_t paint_tile(const struct zr_geometry *geometry, struct zr_tile *t
 
 /* ---- arrays ---- */
 
+static void pack(const zr_vec4 *colors, size_t count, uint32_t *out)
+{
+    zr_vf red, green, blue, alpha;
+    size_t i = 0;
+#define COLOR(k) (&colors[i + (k)].x)
+    for (; i + ZR_LANES <= count; i += ZR_LANES) {
+        ZR_LOAD4(red, green, blue, alpha, COLOR);
+        (void)alpha;
+        zr_vi_store(out + i, zr_color_pack_v(red, green, blue));
+    }
+#undef COLOR
+    for (; i < count; i++)
+        out[i] = zr_color_pack(zr_color_byte(colors[i].x), zr_color_byte(colors[i].y), zr_color_byte(colors[i].z), 255);
+}
+
 static void fill(void *out, ptrdiff_t stride, int32_t width, int32_t rows, uint32_t value, bool streamed)
 {
     const zr_vi values = zr_vi_set((int32_t)value);
@@ -221,4 +236,4 @@ static void copy(void *out, ptrdiff_t stride, int32_t width, int32_t rows, const
     }
 }
 
-const struct zr_paint ZR_KERNEL(zr_paint) = {paint_tile, ends, fill, copy, zr_stream_end};
+const struct zr_paint ZR_KERNEL(zr_paint) = {paint_tile, pack, ends, fill, copy, zr_stream_end};
