@@ -30,7 +30,7 @@ struct zr_patches {
     const struct zr_batch *batch; /* of all that waits */
 
     /* Patches, and the surfaces of what is seen in them. */
-    uint32_t surface_count, ready; /* ready: those that are set up */
+    uint32_t surface_count, ready; /* ready: how many of them are set up */
     uint32_t part_count, patch_count;
     uint32_t owners[ZR_PATCH_PARTS + ZR_LANES]; /* of parts, */
     uint16_t parts[ZR_PATCH_PARTS];             /* and their surfaces */
@@ -167,7 +167,7 @@ static inline uint32_t zr_patch_again(zr_vi owner, zr_vi later, int n)
 }
 
 /* Lanes whose owner is not that of the lane before, of the one above or of the one next to that: a triangle has one
- * such lane in the patch, seldom more, and its first lane is always one. */
+ * such lane in the patch, seldom more, and its first lane is always one. What is not owned must be 0. */
 static inline uint32_t zr_patch_firsts(zr_vi owner)
 {
     uint32_t again = zr_patch_again(owner, zr_vi_later(owner, 1), 1);
@@ -245,7 +245,7 @@ static inline uint32_t zr_patches_add_rows(struct zr_patches *p, const struct zr
         if (owned != ZR_ALL_BITS) zr_patch_back(here, owner, seen, within, x, backdrop);
         if (!owned) continue;
         covered += (uint32_t)__builtin_popcount(owned);
-        const uint32_t firsts = zr_patch_firsts(owner);
+        const uint32_t firsts = zr_patch_firsts(zr_vi_select(seen, owner, zr_vi_set(0)));
         if (__builtin_popcount(owned & firsts) >= ZR_PATCH_APART)
             zr_patch_add_pixels(p, canvas, at, owner, owned);
         else

@@ -80,7 +80,9 @@ void results_print_legend(void)
           "reached; goal: what we aim at. Marks: SHORT: must, or an \"at most\" behind it, is missed; ok: it is not; "
           "goal:\n"
           "the goal is reached, too; WRONG: the results differ, and the times mean nothing.\n"
-          "1T, 2T: threads. ids: face ids are written, too.\n",
+          "1T, 2T: threads. ids: face ids are written, too. first of a turn: that frame after the other side's ones, "
+          "which\n"
+          "emptied the caches; the ratio is that of the frames after it, as in a stream of them.\n",
           stdout);
 }
 

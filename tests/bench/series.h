@@ -25,7 +25,7 @@ double series_median(const struct series *series);
 /* What so many of a hundred do not exceed; 0 of an empty one. */
 double series_percentile(const struct series *series, int percent);
 
-/* Times both sides in turns: a round runs each of them once and adds what it took to `series`, of which there are
+/* Times both sides in turns: a round runs each of them and adds what it took to `series`, of which there are
  * `count`. What rounds add that only warm up is forgotten; then come as many as `asked`, or, where that is 0, as many
  * as fit into some time, odd, and at least 9, or 7 where a round is slow. False as soon as a round says so. */
 bool series_run(struct series *series, int count, int asked, bool (*round)(void *context, struct series *series),

@@ -419,7 +419,7 @@ int main(void)
         cmocka_unit_test_setup_teardown(zip_gives_back_its_files_and_is_the_same_every_time, open_arena, close_arena),
         cmocka_unit_test(depth16_counts_what_does_not_fit_and_never_wraps),
         cmocka_unit_test(depth16_is_the_same_from_each_instruction_set),
-        cmocka_unit_test(depth16_is_written_row_by_row),
+        cmocka_unit_test_setup_teardown(depth16_is_written_row_by_row, open_arena, close_arena),
         cmocka_unit_test(depth16_scale_left_open_fits_the_far_plane),
         cmocka_unit_test_setup_teardown(depth_as_png16_has_steps_of_its_scale_and_warns_of_what_does_not_fit,
                                         open_arena, close_arena),
