@@ -47,8 +47,9 @@ static enum zr_status encode_color(const struct encoding *e, struct zr_buffer *o
 static enum zr_status encode_depth16(struct encoding *e, float asked_scale, struct zr_buffer *out)
 {
     const struct zr_frame *frame = e->frame;
-    struct zr_depth16 depth16 = {
-        .frame = frame, .scale = zr_depth16_scale(frame, asked_scale), .row = zr_depth16_of(zr_team_isa(e->team))};
+    struct zr_depth16 depth16 = {.frame = frame,
+                                 .scale = zr_depth16_scale(frame, asked_scale),
+                                 .make_steps = zr_depth16_of(zr_team_isa(e->team))};
     char comment[96];
     snprintf(comment, sizeof comment, "depth in scene units = value * %.9g; 0 where nothing is", (double)depth16.scale);
     const struct zr_png png = {.kind = ZR_PNG_GREY16,

@@ -31,7 +31,7 @@ struct drawing {
     atomic_uint deepest;          /* the bits of a float that is not negative, which are as great as it is */
 };
 
-static void raise(atomic_uint *most, float value)
+static void raise_to(atomic_uint *most, float value)
 {
     uint32_t bits;
     memcpy(&bits, &value, sizeof bits);
@@ -60,7 +60,7 @@ static void draw_tiles(void *context, size_t begin, size_t end)
     }
     d->paint->stream_end();
     atomic_fetch_add_explicit(&d->covered, covered, memory_order_relaxed);
-    raise(&d->deepest, deepest);
+    raise_to(&d->deepest, deepest);
 }
 
 /* Row 0 is the top of the picture, tile 0 at its bottom. */

@@ -25,7 +25,7 @@ static void make_row(void *source, uint32_t y, void *row, bool again)
     const float *depth = d->frame->depth + (size_t)y * width;
     uint16_t *out = row;
     memset(out, 0, reach.begin * sizeof *out);
-    const uint32_t misfits = d->row(depth + reach.begin, d->scale, reach.end - reach.begin, out + reach.begin);
+    const uint32_t misfits = d->make_steps(depth + reach.begin, d->scale, reach.end - reach.begin, out + reach.begin);
     memset(out + reach.end, 0, (width - reach.end) * sizeof *out);
     if (!again && misfits > 0) atomic_fetch_add_explicit(&d->misfits, misfits, memory_order_relaxed);
 }

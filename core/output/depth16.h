@@ -27,7 +27,7 @@ zr_depth16_fn *zr_depth16_of(enum zr_isa isa);
 struct zr_depth16 {
     const struct zr_frame *frame;
     float scale;
-    zr_depth16_fn *row;
+    zr_depth16_fn *make_steps;
     atomic_uint_fast64_t misfits; /* pixels that did not fit, so far */
 };
 

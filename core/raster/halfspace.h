@@ -1,8 +1,8 @@
 /* halfspace.h - raster: the kernel. Triangles into one tile.
  *
  * Half-space rasterization: a sample is inside where all three edge functions are
- * positive (Pineda, "A Parallel Algorithm for Polygon Rasterization", 1988). Those of
- * small and tiny triangles are in small_kernel.c and bins_kernel.c.
+ * positive (Pineda, "A Parallel Algorithm for Polygon Rasterization", 1988). Small and
+ * tiny triangles have kernels of their own: small_kernel.c, bins_kernel.c.
  */
 #ifndef ZR_HALFSPACE_H
 #define ZR_HALFSPACE_H

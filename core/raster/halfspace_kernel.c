@@ -194,7 +194,7 @@ static inline void draw_in_block(struct zr_tile *tile, const struct piece *p, in
     if (all && !zr_vm_any(zr_vf_le(zr_vf_set(1.0f), far))) tile->block_far[block] = farthest_of(far);
 }
 
-/* Where all blocks have a bound, the tile has. Those that lie outside of the window never do. */
+/* Where all blocks have a bound, the tile has. */
 static inline void bound_tile(struct zr_tile *tile)
 {
     zr_vf far = zr_vf_load(tile->block_far);
@@ -258,6 +258,12 @@ static void begin(struct zr_tile *tile)
 {
     for (int i = 0; i < ZR_BLOCKS; i += ZR_LANES)
         zr_vf_store(&tile->block_far[i], zr_vf_set(ZR_BLOCK_UNWRITTEN));
+    const bool is_cut = tile->width < ZR_TILE_SIZE || tile->height < ZR_TILE_SIZE;
+    for (int block = 0; is_cut && block < ZR_BLOCKS; block++)
+        if (!zr_tile_has_block(tile, block)) {
+            write_block(tile, block);
+            tile->block_far[block] = 0.0f;
+        }
     tile->only_owner = 0;
     tile->far = 1.0f;
     tile->is_empty = false;

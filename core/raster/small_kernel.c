@@ -83,7 +83,8 @@ static inline const struct zr_batch *find_corners(const struct zr_geometry *geom
 
 /* ---- one triangle ---- */
 
-/* Triangle i, in ZR_LANES columns from x on, which is a multiple of ZR_LANES: its edges keep out what is not its own.
+/* Triangle i, in ZR_LANES columns from x on, which is a multiple of ZR_LANES: its edges keep out what is not its own,
+ * and columns beyond the window, since it lies inside of the view volume.
  * All that it is made of is spread over the lanes as it is loaded (a tenth of the time). Not `clamped`: its depth is
  * known to be within 0..1. */
 static inline void draw_columns(struct zr_tile *tile, const struct group *g, uint32_t i, int32_t x, zr_vi owner,

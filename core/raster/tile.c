@@ -38,17 +38,14 @@ void zr_tile_begin(struct zr_tile *tile, const struct zr_base *base, uint32_t wi
     memset(tile->owner, 0, sizeof tile->owner);
     tile->only_owner = 0;
     tile->far = 1.0f;
-    for (int i = 0; i < ZR_BLOCKS; i++)
-        tile->block_far[i] = 1.0f;
     tile->is_empty = false;
-    if (base && base->window_depth) {
-        for (int32_t row = 0; row < tile->height; row++) {
-            /* Window space has y up, pictures have row 0 on top. */
-            size_t line = (size_t)(height - 1 - (uint32_t)(tile->y + row)) * width + (size_t)tile->x;
-            load_row(&tile->depth[row * ZR_TILE_STRIDE], base->window_depth + line, tile->width, base->scene_wins_ties);
-        }
-        return;
-    }
+    for (int i = 0; i < ZR_BLOCKS; i++)
+        tile->block_far[i] = zr_tile_has_block(tile, i) ? 1.0f : 0.0f;
     for (int i = 0; i < ZR_TILE_STRIDE * ZR_TILE_SIZE; i++)
-        tile->depth[i] = 1.0f;
+        tile->depth[i] = 1.0f; /* beyond the window too, where whole blocks are looked at */
+    for (int32_t row = 0; base && base->window_depth && row < tile->height; row++) {
+        /* Window space has y up, pictures have row 0 on top. */
+        size_t line = (size_t)(height - 1 - (uint32_t)(tile->y + row)) * width + (size_t)tile->x;
+        load_row(&tile->depth[row * ZR_TILE_STRIDE], base->window_depth + line, tile->width, base->scene_wins_ties);
+    }
 }

@@ -33,7 +33,8 @@ struct zr_tile {
     bool is_empty;         /* nothing is drawn, and nothing below is defined */
     uint32_t only_owner;   /* of all samples; 0: several, or nobody, or it was not seen to be one */
     float far;             /* no sample is deeper */
-    /* [row of blocks * ZR_BLOCK_COLUMNS + column]: no sample of the block is deeper. */
+    /* [row of blocks * ZR_BLOCK_COLUMNS + column]: no sample of the block is deeper. 0 where the window ends before it.
+     */
     float block_far[ZR_BLOCKS];
     /* [row * ZR_TILE_STRIDE + column] */
     _Alignas(
@@ -41,6 +42,13 @@ struct zr_tile {
     uint8_t apart[2048]; /* else a load of a depth would seem to want the owner that was stored 5 pages behind it */
     _Alignas(64) uint32_t owner[ZR_TILE_STRIDE * ZR_TILE_SIZE]; /* 1 + number of the record, 0 where nothing is */
 };
+
+/* Whether any of a block lies in the window. */
+static inline bool zr_tile_has_block(const struct zr_tile *tile, int block)
+{
+    return block % ZR_BLOCK_COLUMNS * ZR_BLOCK_WIDTH < tile->width &&
+           block / ZR_BLOCK_COLUMNS * ZR_BLOCK_HEIGHT < tile->height;
+}
 
 /* Tiles that it takes for so many pixels in a row or a column. */
 static inline uint32_t zr_tile_across(uint32_t pixels)

@@ -4,10 +4,10 @@
 
 #include "base/simd.h"
 
-/* Where lanes are seen, by zr_tile_put's rule, they are written. Always at a multiple of ZR_LANES, and all lanes: what
- * one triangle has stored the next one loads, and a load waits long for a store that is not the same whole vector
- * (a third of the bunny's time). Owners are loaded where depths are the same only, which is seldom (4 % of the bunny).
- * Returns the depths that are there now. */
+/* Where lanes are seen, by zr_tile_put's rule, they are written: always at a multiple of ZR_LANES, and all lanes of
+ * depths, since what one triangle has stored the next one loads, and a load waits long for a store that is not the same
+ * whole vector (a third of the bunny's time). Owners are loaded where depths are the same only, which is seldom (4 % of
+ * the bunny). Returns the depths that are there now. */
 static inline zr_vf zr_tile_put_v(float *depth, uint32_t *owners, zr_vm inside, zr_vf z, zr_vi owner)
 {
     const zr_vf old = zr_vf_load(depth);

@@ -1,6 +1,6 @@
-/* paint_smooth_simd.h - shade: short runs of triangles whose colours vary, for the paint kernel.
- *
- * As many runs as there are lanes are set up at once, and then painted side by side, one a lane.
+/* paint_smooth_simd.h - shade: triangles whose colours vary, for the paint kernel: where their corners are, their
+ * planes, and short runs of them. As many runs as there are lanes are set up at once, and then painted side by side,
+ * one a lane.
  */
 #ifndef ZR_PAINT_SMOOTH_SIMD_H
 #define ZR_PAINT_SMOOTH_SIMD_H

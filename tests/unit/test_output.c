@@ -213,7 +213,7 @@ static void depth16_is_written_row_by_row(void **state)
         assert_int_equal(width, WIDTH);
         for (uint32_t y = 0; y < HEIGHT; y++) {
             uint16_t want[WIDTH];
-            depth16.row(depth + (size_t)y * WIDTH, 0.001f, WIDTH, want);
+            depth16.make_steps(depth + (size_t)y * WIDTH, 0.001f, WIDTH, want);
             assert_memory_equal(got + (size_t)y * WIDTH, want, sizeof want);
         }
         free(got);

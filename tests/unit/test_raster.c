@@ -237,6 +237,28 @@ static void lines_have_the_pixels_of_their_parallelogram_in_the_tiles_that_list_
     zr_arena_free(&arena);
 }
 
+/* Kernels look at whole blocks: a block that the window ends in must not be bounded by what memory held. */
+static void tile_begins_with_its_base_and_nothing_else(void **state)
+{
+    (void)state;
+    enum { WIDTH = 61, HEIGHT = 70 };
+    static float near[WIDTH * HEIGHT];
+    static struct zr_tile tile;
+    const struct zr_base base = {.window_depth = near};
+    for (int i = 0; i < WIDTH * HEIGHT; i++)
+        near[i] = 0.25f;
+    for (uint32_t number = 0; number < 2; number++) {
+        memset(&tile, 0xff, sizeof tile);
+        zr_tile_place(&tile, number, WIDTH, HEIGHT);
+        zr_tile_begin(&tile, &base, WIDTH, HEIGHT);
+        for (int y = 0; y < ZR_TILE_SIZE; y++)
+            for (int x = 0; x < ZR_TILE_STRIDE; x++) {
+                assert_true(tile.depth[y * ZR_TILE_STRIDE + x] == (x < WIDTH && y < tile.height ? 0.25f : 1.0f));
+                assert_int_equal(tile.owner[y * ZR_TILE_STRIDE + x], 0);
+            }
+    }
+}
+
 static void depth_beyond_the_range_is_clamped_and_nan_is_the_far_plane(void **state)
 {
     (void)state;
@@ -332,6 +354,7 @@ int main(void)
         cmocka_unit_test(kernel_agrees_with_the_edge_functions_pixel_by_pixel),
         cmocka_unit_test(odd_even_rule_covers_the_triangle_that_the_kernel_covers),
         cmocka_unit_test(lines_have_the_pixels_of_their_parallelogram_in_the_tiles_that_list_them),
+        cmocka_unit_test(tile_begins_with_its_base_and_nothing_else),
         cmocka_unit_test(depth_beyond_the_range_is_clamped_and_nan_is_the_far_plane),
         cmocka_unit_test(bins_lose_nothing_with_any_instruction_set),
     };
