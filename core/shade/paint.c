@@ -81,7 +81,7 @@ struct zr_surface zr_surface_make(const struct zr_geometry *geometry, const stru
     const struct zr_record record = zr_record_of(geometry, batch, number);
     const struct zr_triangle *t = &record.triangle;
     zr_vec4 c0 = record.colors[t->c[0]], c1 = record.colors[t->c[1]], c2 = record.colors[t->c[2]];
-    struct zr_surface surface = {.owner = number + 1, .flat = t->c[0] == t->c[1] && t->c[1] == t->c[2]};
+    struct zr_surface surface = {.flat = t->c[0] == t->c[1] && t->c[1] == t->c[2]};
     if (surface.flat) {
         surface.color = zr_color_pack(zr_color_byte(c0.x), zr_color_byte(c0.y), zr_color_byte(c0.z), 255);
         return surface;

@@ -52,7 +52,6 @@ uint32_t zr_color_pack(uint32_t red, uint32_t green, uint32_t blue, uint32_t alp
 
 /* What the pixels of one record are painted with. */
 struct zr_surface {
-    uint32_t owner; /* 1 + its number */
     bool flat;
     uint32_t color;                        /* flat: four bytes */
     struct zr_plane oow, red, green, blue; /* else: 1/w, and colours times that */

@@ -14,6 +14,7 @@ struct painter {
     const struct zr_batch *batch; /* of the last record */
     struct zr_smooth_queue smooth;
     struct zr_patches patches;
+    uint32_t surface_owners[SURFACES]; /* whose the surfaces are; 0: nobody's */
     struct zr_surface surfaces[SURFACES];
 };
 
@@ -36,16 +37,21 @@ static void paint_long(const struct zr_surface *surface, int32_t first_x, int32_
     zr_vi_store_first(pixels, zr_color_at(&planes, x, y), count);
 }
 
-static struct zr_surface *surface_of(struct painter *p, uint32_t number)
+/* Of a record of the last batch. */
+static const struct zr_surface *surface_of(struct painter *p, uint32_t number)
 {
-    return &p->surfaces[number % SURFACES];
+    const uint32_t place = number % SURFACES;
+    if (p->surface_owners[place] != number + 1) {
+        p->surfaces[place] = zr_surface_make(p->canvas.geometry, p->batch, number);
+        p->surface_owners[place] = number + 1;
+    }
+    return &p->surfaces[place];
 }
 
 static void paint_surface(struct painter *p, uint32_t number, int32_t at, int32_t length)
 {
-    struct zr_surface *surface = surface_of(p, number);
+    const struct zr_surface *surface = surface_of(p, number);
     uint32_t *pixels = p->canvas.colors + at;
-    if (surface->owner != number + 1) *surface = zr_surface_make(p->canvas.geometry, p->batch, number);
     if (surface->flat)
         zr_fill_run(pixels, (uint32_t)length, zr_vi_set((int32_t)surface->color));
     else
@@ -56,8 +62,8 @@ static void paint_surface(struct painter *p, uint32_t number, int32_t at, int32_
 static void add_run(struct painter *p, uint32_t number, int32_t at, int32_t length)
 {
     const struct zr_geometry *geometry = p->canvas.geometry;
-    const struct zr_surface *known = surface_of(p, number);
-    if (known->owner == number + 1 && (known->flat || length > ZR_SHORT_RUN)) {
+    const uint32_t place = number % SURFACES;
+    if (p->surface_owners[place] == number + 1 && (p->surfaces[place].flat || length > ZR_SHORT_RUN)) {
         paint_surface(p, number, at, length);
         return;
     }
@@ -111,19 +117,24 @@ static inline void paint_backdrop(const struct zr_backdrop *backdrop, uint32_t *
         zr_fill_run(owners + begin, (uint32_t)(end - begin), backdrop->nothing);
 }
 
-/* A row of any owners, whose runs end where `ends` says. */
+/* A row of any owners, whose runs end where `ends` says. All owners are loaded before any run is painted: a load waits
+ * long for a store that left out some lanes of what it loads (a tenth of a cube's time). */
 static uint32_t paint_row(struct painter *p, uint32_t *owners, uint64_t ends, int32_t y,
                           const struct zr_backdrop *backdrop)
 {
-    uint32_t covered = 0;
+    uint32_t run_owners[ZR_TILE_SIZE], covered = 0, run = 0;
     int32_t begin = 0, end;
+    for (uint64_t bits = ends; bits; bits &= bits - 1)
+        run_owners[run++] = owners[__builtin_ctzll(bits)];
+    run = 0;
     for (uint64_t bits = ends; bits; bits &= bits - 1, begin = end) {
+        const uint32_t owner = run_owners[run++];
         end = __builtin_ctzll(bits) + 1;
-        if (owners[begin] == 0) {
+        if (owner == 0) {
             paint_backdrop(backdrop, owners, begin, end);
             continue;
         }
-        add_run(p, owners[begin] - 1, y * ZR_TILE_STRIDE + begin, end - begin);
+        add_run(p, owner - 1, y * ZR_TILE_STRIDE + begin, end - begin);
         covered += (uint32_t)(end - begin);
     }
     if (p->smooth.runs.count > ZR_PAINT_RUNS - ZR_TILE_SIZE) zr_smooth_paint(&p->smooth, &p->canvas, false);
@@ -175,8 +186,7 @@ static uint32_t paint_tile(const struct zr_geometry *geometry, struct zr_tile *t
     p.batch = &geometry->batches[0];
     p.smooth.runs.count = 0;
     p.smooth.corners.colors = NULL;
-    for (int i = 0; i < SURFACES; i++)
-        p.surfaces[i].owner = 0;
+    memset(p.surface_owners, 0, sizeof p.surface_owners);
     zr_patches_begin(&p.patches);
     struct zr_backdrop backdrop = {zr_vi_set((int32_t)nothing), behind, stride};
     struct zr_flat_memory memory = {zr_vi_set(0), zr_vi_set(0)};
