@@ -63,23 +63,6 @@ static void draw_tiles(void *context, size_t begin, size_t end)
     raise_to(&d->deepest, deepest);
 }
 
-/* Row 0 is the top of the picture, tile 0 at its bottom. */
-static void find_reaches(const struct zr_frame *frame, const uint8_t *occupied)
-{
-    const uint32_t columns = zr_tile_across(frame->width);
-    for (uint32_t row = 0; row < frame->height; row++) {
-        const uint8_t *tiles = occupied + (size_t)((frame->height - 1 - row) / ZR_TILE_SIZE) * columns;
-        uint32_t begin = 0, end = columns;
-        while (begin < end && !tiles[begin])
-            begin++;
-        while (end > begin && !tiles[end - 1])
-            end--;
-        end *= ZR_TILE_SIZE;
-        frame->reaches[row] = (struct zr_reach){begin * ZR_TILE_SIZE, end < frame->width ? end : frame->width};
-        if (begin == columns) frame->reaches[row] = (struct zr_reach){0, 0};
-    }
-}
-
 static bool wants(const struct zr_scene *scene, enum zr_channel channel)
 {
     for (uint32_t i = 0; i < scene->output_count; i++)
@@ -141,7 +124,7 @@ static enum zr_status run_pipeline(struct zr_arena *arena, struct zr_team *team,
                               .occupied = occupied};
     zr_team_ranges(tiles > TILES_ALONE ? team : NULL, tiles, TILES_A_RANGE, draw_tiles, &drawing);
     if (zr_is_cancelled(cancel)) return ZR_CANCELLED;
-    find_reaches(frame, occupied);
+    zr_frame_find_reaches(frame, occupied);
     frame->counts = geometry.counts;
     frame->covered_pixels = drawing.covered;
     const unsigned deepest = drawing.deepest;

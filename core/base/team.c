@@ -127,13 +127,10 @@ static void wait_briefly(const atomic_int *inside)
         sched_yield();
 }
 
-/* Calls work(context) on this thread and on every helper that is free, and returns when all of them are back. */
+/* Calls work(context) on this thread and on every helper that is free, and returns when all of them are back. Of a team
+ * that has helpers. */
 static void run(struct zr_team *team, void (*work)(void *context), void *context)
 {
-    if (!team || team->helper_count == 0) {
-        work(context);
-        return;
-    }
     struct job job = {.work = work, .context = context, .open = true};
     pthread_mutex_lock(&team->lock);
     /* Last in the row: the oldest job gets help first. */

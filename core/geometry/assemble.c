@@ -112,6 +112,7 @@ static bool add_run(struct zr_builder *builder, const struct zr_fans *fans, cons
                              .colors = colors_of_run(builder, run->material),
                              .front = builder->colors.front,
                              .back = builder->colors.back,
+                             .color_count = builder->colors.count,
                              .mirrored = builder->mirrored,
                              .double_sided = run->material->double_sided};
     counts->polygons += run->end - run->begin;

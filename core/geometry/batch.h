@@ -55,7 +55,8 @@ struct zr_batch {
     uint32_t first_vertex; /* of position 0 */
     enum zr_batch_colors colors;
     const zr_vec4 *front, *back; /* one array where no back is lit and seen */
-    const uint32_t *packed;      /* that array as four bytes each (shade/paint.h); NULL: not made */
+    uint32_t color_count;        /* in each array: those of all the mesh */
+    const uint32_t *packed;      /* the one array as four bytes each (shade/paint.h); NULL: not made */
     bool mirrored, double_sided;
 };
 
@@ -83,23 +84,6 @@ static inline uint32_t zr_batch_color(const struct zr_batch *batch, uint32_t t, 
         break;
     }
     return batch->slots ? batch->slots[3 * (size_t)t + (size_t)k] : 3 * batch->first_face + 3 * t + (uint32_t)k;
-}
-
-/* How many colours there are, of all the mesh's triangles. */
-static inline size_t zr_batch_color_count(const struct zr_batch *batch)
-{
-    const struct zr_mesh *mesh = batch->mesh;
-    switch (batch->colors) {
-    case ZR_BATCH_PER_FACE:
-        return mesh->face_count;
-    case ZR_BATCH_PER_FIRST_CORNER:
-    case ZR_BATCH_PER_VERTEX:
-        return mesh->position_count;
-    case ZR_BATCH_PER_FIRST_SLOT:
-    case ZR_BATCH_PER_CORNER:
-        break;
-    }
-    return mesh->face_offsets[mesh->face_count];
 }
 
 static inline bool zr_batch_is_smooth(const struct zr_batch *batch)

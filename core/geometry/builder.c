@@ -74,7 +74,10 @@ bool zr_builder_add_batch(struct zr_builder *builder, struct zr_batch batch)
     struct zr_geometry *g = builder->geometry;
     void *batches = g->batches;
     if (batch.count == 0) return true;
-    if (batch.count > ZR_GEOMETRY_MAX - builder->next_number) builder->arena->failed = true;
+    if (batch.count > ZR_GEOMETRY_MAX - builder->next_number) {
+        builder->arena->failed = true;
+        return false;
+    }
     if (!reserve(builder->arena, &batches, &builder->batch_room, g->batch_count, 1, sizeof *g->batches)) return false;
     g->batches = batches;
     batch.first = builder->next_number;

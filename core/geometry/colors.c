@@ -144,7 +144,8 @@ bool zr_colors_are_given(const struct zr_scene *scene, const struct zr_mesh *mes
                                  .given = true,
                                  .of_first_corner = !smooth && mesh->colors,
                                  .front = given,
-                                 .back = given};
+                                 .back = given,
+                                 .count = mesh->colors ? mesh->position_count : mesh->face_count};
     return true;
 }
 
@@ -154,7 +155,7 @@ struct zr_colors zr_colors_make(struct zr_arena *arena, struct zr_team *team, co
                                 zr_vec4 *back)
 {
     enum zr_color_layout layout = choose_layout(scene, mesh);
-    struct zr_colors colors = {.layout = layout, .front = front, .back = back};
+    struct zr_colors colors = {.layout = layout, .front = front, .back = back, .count = layout_count(mesh, layout)};
     struct palette palette = {.scene = scene,
                               .mesh = mesh,
                               .lighting = lighting,

@@ -22,6 +22,7 @@ struct zr_colors {
     bool given;                  /* the arrays are the mesh's own, */
     bool of_first_corner;        /* and with ZR_COLOR_PER_FACE are those of vertices: a face has that of its first */
     const zr_vec4 *front, *back; /* seen from the two sides; one array where no back is lit and seen */
+    uint32_t count;              /* in each array */
 };
 
 const struct zr_material *zr_material_of_face(const struct zr_scene *scene, const struct zr_mesh *mesh, uint32_t face);

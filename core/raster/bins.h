@@ -24,8 +24,8 @@ enum {
     ZR_BIN_VECTOR = 16,      /* lanes at most */
     ZR_BIN_WIDE_A_BLOCK = 6, /* for blocks of 64 bytes */
     ZR_BIN_FRAGMENTS_A_BLOCK = 64,
-    ZR_BIN_FRAGMENTS_AT_ONCE = 4 * ZR_BIN_VECTOR, /* put there, and room for a vector behind them */
-    ZR_BIN_FRAGMENTS_ROOM = ZR_BIN_FRAGMENTS_A_BLOCK + ZR_BIN_FRAGMENTS_AT_ONCE + ZR_BIN_VECTOR,
+    ZR_BIN_FRAGMENTS_AT_ONCE = 4 * ZR_BIN_VECTOR, /* put there, each vector stored whole */
+    ZR_BIN_FRAGMENTS_ROOM = ZR_BIN_FRAGMENTS_A_BLOCK + ZR_BIN_FRAGMENTS_AT_ONCE,
     ZR_BIN_TILES = 16,           /* that a wide triangle is listed in at most */
     ZR_BIN_SMALL_SPAN = 64 * 256 /* on the snapped grid: edge functions then fit 32 bits, with room to spare */
 };

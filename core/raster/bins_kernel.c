@@ -9,11 +9,11 @@ enum { QUEUE = 4 * ZR_LANES };
 struct sorter {
     struct zr_binner *binner;
     const struct zr_batch *batch;
-    const float *vertices;               /* of position 0 */
-    const uint32_t *corners;             /* of record 0 of the batch */
-    size_t stride;                       /* words from one record's corners to the next */
-    zr_vi last_x, last_y;                /* of the window */
-    uint32_t tiny[QUEUE + 2 * ZR_LANES]; /* a vector is stored whole */
+    const float *vertices;           /* of position 0 */
+    const uint32_t *corners;         /* of record 0 of the batch */
+    size_t stride;                   /* words from one record's corners to the next */
+    zr_vi last_x, last_y;            /* of the window */
+    uint32_t tiny[QUEUE + ZR_LANES]; /* a vector is stored whole */
     uint32_t tiny_count;
 };
 

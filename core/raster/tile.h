@@ -66,12 +66,17 @@ static inline size_t zr_tile_count(uint32_t width, uint32_t height)
  * earlier in the scene. That is what drawing in order and keeping the nearest gives (GL's LESS), so records may
  * come in any order, from any thread, and the same one is seen. What was there before any of them stays at equal depth.
  */
-static inline void zr_tile_put(struct zr_tile *tile, int32_t x, int32_t y, float depth, uint32_t owner)
+static inline void zr_tile_put_at(struct zr_tile *tile, uint32_t i, float depth, uint32_t owner)
 {
-    int32_t i = (y - tile->y) * ZR_TILE_STRIDE + x - tile->x;
-    if (!(depth < tile->depth[i] || (depth == tile->depth[i] && owner < tile->owner[i]))) return;
+    const float old = tile->depth[i];
+    if (!(depth < old || (depth == old && owner < tile->owner[i]))) return;
     tile->depth[i] = depth;
     tile->owner[i] = owner;
+}
+
+static inline void zr_tile_put(struct zr_tile *tile, int32_t x, int32_t y, float depth, uint32_t owner)
+{
+    zr_tile_put_at(tile, (uint32_t)((y - tile->y) * ZR_TILE_STRIDE + x - tile->x), depth, owner);
 }
 
 /* Whether a box of pixels (min x, min y, max x, max y) has one of the tile's. */

@@ -80,13 +80,8 @@ static bool draw_large(const struct zr_visible *visible, const struct zr_cancel 
 
 static void draw_fragments(const struct zr_bin_fragments *block, struct zr_tile *tile)
 {
-    for (uint32_t i = 0; i < block->head.used; i++) {
-        const uint32_t pixel = block->pixels[i], owner = block->owners[i];
-        const float depth = block->depths[i], old = tile->depth[pixel];
-        if (!(depth < old || (depth == old && owner < tile->owner[pixel]))) continue;
-        tile->depth[pixel] = depth;
-        tile->owner[pixel] = owner;
-    }
+    for (uint32_t i = 0; i < block->head.used; i++)
+        zr_tile_put_at(tile, block->pixels[i], block->depths[i], block->owners[i]);
 }
 
 static bool draw_wide_ones(const struct zr_visible *visible, uint32_t number, const struct zr_cancel *cancel,

@@ -104,18 +104,26 @@ static inline void make_range(const struct corners *c, const struct zr_eye eyes[
     out->max *= out->max > 0.0 ? 1.5 : 0.5;
 }
 
+/* Of a line, or of a piece: others have none. */
+static void eyes_of(const struct zr_geometry *geometry, const struct zr_triangle *record, struct zr_eye out[3])
+{
+    for (int k = 0; k < 3; k++)
+        out[k] = geometry->eyes[record->v[k]];
+}
+
 void zr_eye_depth_make(const struct zr_geometry *geometry, const struct zr_triangle *record, uint32_t width,
                        uint32_t height, struct zr_eye_depth *out)
 {
     const struct zr_window_vertex *const v[3] = {&geometry->vertices[record->v[0]], &geometry->vertices[record->v[1]],
                                                  &geometry->vertices[record->v[2]]};
-    const struct zr_eye eyes[3] = {geometry->eyes[record->v[0]], geometry->eyes[record->v[1]],
-                                   geometry->eyes[record->v[2]]};
+    struct zr_eye eyes[3];
     if (record->line) {
+        eyes_of(geometry, record, eyes);
         *out = line_depth(v, eyes);
         return;
     }
-    struct zr_source source = zr_source_of(&geometry->sources, record->v);
+    const struct zr_source source = zr_source_of(&geometry->sources, record->v);
+    if (source.is_cut) eyes_of(geometry, record, eyes);
     struct corners c;
     double normal[3];
     place(source.instance, source.corners[0], (zr_vec4){0, 0, 0, 0}, c.first);

@@ -27,4 +27,7 @@ struct zr_frame {
     float deepest;            /* of `depth`, infinity left out; 0 where nothing is */
 };
 
+/* Fills in `reaches`, from which tiles show anything: tile 0 is at the window's lower left. */
+void zr_frame_find_reaches(const struct zr_frame *frame, const uint8_t *occupied);
+
 #endif

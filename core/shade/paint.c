@@ -30,8 +30,8 @@ enum zr_status zr_paint_prepare(const struct zr_paint *paint, struct zr_arena *a
     for (uint32_t i = 0; i < geometry->batch_count; i++) {
         struct zr_batch *batch = &geometry->batches[i];
         if (batch->written || zr_batch_is_smooth(batch) || batch->front != batch->back) continue;
-        const size_t count = zr_batch_color_count(batch);
-        if (last && last->front == batch->front && zr_batch_color_count(last) == count) {
+        const size_t count = batch->color_count;
+        if (last && last->front == batch->front && last->color_count == count) {
             batch->packed = last->packed;
             continue;
         }

@@ -5,9 +5,9 @@
 #include "base/simd.h"
 #include "shade/paint.h"
 
-/* So many runs are found at a time, then their corners and colours, then they are painted: by then, what was asked for
- * has come from memory (a third of the time of a mesh whose triangles are as small as pixels). */
-enum { ZR_PAINT_RUNS = 128, ZR_PAINT_QUEUE = 2 * ZR_PAINT_RUNS + 2 * ZR_LANES };
+/* So many runs wait at a time, and are then painted: by then, what was asked for has come from memory. A row adds no
+ * more than it has pixels; a group of lanes is filled up behind the last. */
+enum { ZR_PAINT_RUNS = 128, ZR_PAINT_QUEUE = ZR_PAINT_RUNS + ZR_LANES };
 
 /* A tile under work. */
 struct zr_canvas {

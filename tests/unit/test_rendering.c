@@ -53,6 +53,21 @@ static enum api_next work(struct service *service, const char *scene, bool cance
     return next;
 }
 
+/* Whether it is cancelled or not. */
+static void expect(struct service *service, const char *scene, enum api_next want)
+{
+    for (int cancelled = 0; cancelled < 2; cancelled++)
+        assert_int_equal(work(service, scene, cancelled), want);
+}
+
+static void expect_of_new_service(const char *scene, enum api_next want)
+{
+    struct service service;
+    service_open(&service);
+    expect(&service, scene, want);
+    service_close(&service);
+}
+
 /* Being told to stop meanwhile makes no other answer of it: one that is about what was left out. */
 static void request_for_a_large_asset_is_given_up_at_whatever_time_it_is_cancelled(void **state)
 {
@@ -64,31 +79,20 @@ static void request_for_a_large_asset_is_given_up_at_whatever_time_it_is_cancell
     store_name(bytes, sizeof bytes, name);
     assert_int_equal(store_put(service.api.store, name, bytes, sizeof bytes), STORE_NEW);
     snprintf(scene, sizeof scene, "{\"base\":{\"color\":{\"asset\":\"sha256:%s\"}}," POLYGONS "}", name);
-    for (int cancelled = 0; cancelled < 2; cancelled++)
-        assert_int_equal(work(&service, scene, cancelled), API_LARGE);
+    expect(&service, scene, API_LARGE);
     service_close(&service);
 }
 
 static void request_of_much_work_is_given_up_at_whatever_time_it_is_cancelled(void **state)
 {
     (void)state;
-    struct service service;
-    service_open(&service);
-    for (int cancelled = 0; cancelled < 2; cancelled++)
-        assert_int_equal(work(&service, "{\"window\":{\"width\":4000,\"height\":4000}," POLYGONS "}", cancelled),
-                         API_LARGE);
-    service_close(&service);
+    expect_of_new_service("{\"window\":{\"width\":4000,\"height\":4000}," POLYGONS "}", API_LARGE);
 }
 
 static void small_request_is_answered(void **state)
 {
     (void)state;
-    struct service service;
-    service_open(&service);
-    for (int cancelled = 0; cancelled < 2; cancelled++)
-        assert_int_equal(work(&service, "{\"window\":{\"width\":16,\"height\":16}," POLYGONS "}", cancelled),
-                         API_ANSWERED);
-    service_close(&service);
+    expect_of_new_service("{\"window\":{\"width\":16,\"height\":16}," POLYGONS "}", API_ANSWERED);
 }
 
 int main(void)
