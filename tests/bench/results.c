@@ -75,15 +75,15 @@ static void print_number(double value, const char *unit, int width, int digits)
 
 void results_print_legend(void)
 {
-    fputs("Times are medians, both sides in turns. ratio: theirs over ours, more is better; must: the ratio that has "
-          "to be\n"
-          "reached; goal: what we aim at. Marks: SHORT: must, or an \"at most\" behind it, is missed; ok: it is not; "
-          "goal:\n"
-          "the goal is reached, too; WRONG: the results differ, and the times mean nothing.\n"
-          "1T, 2T: threads. ids: face ids are written, too. first of a turn: that frame after the other side's ones, "
-          "which\n"
-          "emptied the caches; the ratio is that of the frames after it, as in a stream of them.\n",
-          stdout);
+    fputs(
+        "Times are medians, both sides in turns. ratio: theirs over ours, more is better; must: the ratio that has "
+        "to be\n"
+        "reached; goal: what we aim at. Marks: SHORT: must, or an \"at most\" behind it, is missed; ok: it is not; "
+        "goal:\n"
+        "the goal is reached, too; WRONG: the results differ, and the times mean nothing.\n"
+        "1T, 2T: threads. ids: face ids are written, too. frame after it: the same side's next one, whose caches the\n"
+        "other side has not emptied, as in a stream of frames.\n",
+        stdout);
 }
 
 void results_begin_table(struct results *results, const char *heading)
