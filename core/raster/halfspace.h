@@ -15,7 +15,8 @@ struct zr_halfspace {
     /* A placed tile without owners, depth 1: its blocks are only marked as such, and written when they are drawn to. */
     void (*begin)(struct zr_tile *tile);
 
-    /* Where the triangle, of any size, is seen (zr_tile_put), writes its depth and `owner`. */
+    /* Where the triangle, of any size, is seen (zr_tile_put), writes its depth and `owner`, and says so in
+     * block_owner. */
     void (*draw)(struct zr_tile *tile, const struct zr_setup *setup, uint32_t owner);
 
     /* Writes what is only marked yet. Only `draw` may come before. */

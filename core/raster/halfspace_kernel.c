@@ -203,16 +203,20 @@ static inline void bound_tile(struct zr_tile *tile)
     if (!zr_vm_any(zr_vf_le(zr_vf_set(tile->far), far))) tile->far = farthest_of(far);
 }
 
-/* Returns how many blocks it drew to, and in the upper half how many of these it was the first in, and all of it. */
-static inline uint32_t draw_blocks(struct zr_tile *tile, const struct piece *p, int first)
+/* Whether it drew to any. */
+static inline bool draw_blocks(struct zr_tile *tile, const struct piece *p, int first)
 {
     const struct blocks blocks = look_at_blocks(tile, p, first);
     const zr_vf far = zr_vf_load(tile->block_far + first), one = zr_vf_set(1.0f);
     const zr_vm unwritten = zr_vf_lt_where(blocks.open, one, far);
     /* Where all of it is nearer than 1, which nothing that is not written yet is. */
-    const uint32_t fresh = zr_vm_bits(zr_vm_and(zr_vf_lt_where(blocks.filled, blocks.far, one), unwritten));
+    const zr_vm first_there = zr_vm_and(zr_vf_lt_where(blocks.filled, blocks.far, one), unwritten);
+    const uint32_t fresh = zr_vm_bits(first_there);
     const uint32_t filled = zr_vm_bits(blocks.filled), marked = zr_vm_bits(unwritten);
     const zr_vf written_far = zr_vf_select(unwritten, one, far);
+    const zr_vi old = zr_vi_load(tile->block_owner + first), shared = zr_vi_max(old, zr_vi_set(ZR_BLOCK_SHARED));
+    const zr_vi owner = zr_vi_select(first_there, zr_vi_set((int32_t)p->owner), shared);
+    zr_vi_store(tile->block_owner + first, zr_vi_select(blocks.open, owner, old));
     zr_vf_store(tile->block_far + first, zr_vf_select(blocks.filled, zr_vf_min(blocks.far, written_far), written_far));
     for (uint32_t bits = zr_vm_bits(blocks.open); bits; bits &= bits - 1) {
         const uint32_t bit = bits & -bits;
@@ -227,7 +231,7 @@ static inline uint32_t draw_blocks(struct zr_tile *tile, const struct piece *p, 
         else
             draw_in_block(tile, p, block);
     }
-    return (uint32_t)__builtin_popcount(zr_vm_bits(blocks.open)) | (uint32_t)__builtin_popcount(fresh) << 16;
+    return zr_vm_any(blocks.open);
 }
 
 static void draw(struct zr_tile *tile, const struct zr_setup *setup, uint32_t owner)
@@ -245,11 +249,10 @@ static void draw(struct zr_tile *tile, const struct zr_setup *setup, uint32_t ow
     for (int k = 0; k < 3; k++)
         if (!cut_by(&setup->edges[k], &p, k)) return;
     if (zr_depth_range_of(&setup->depth, p.x0, p.y0, p.x1, p.y1).near > tile->far) return;
-    uint32_t blocks = 0;
+    bool drawn = false;
     for (int first = 0; first < ZR_BLOCKS; first += ZR_LANES)
-        blocks += draw_blocks(tile, &p, first);
-    if (blocks > 0) tile->only_owner = blocks >> 16 == ZR_BLOCKS ? owner : 0;
-    if (blocks > 0) bound_tile(tile);
+        drawn |= draw_blocks(tile, &p, first);
+    if (drawn) bound_tile(tile);
 }
 
 /* ---- */
@@ -264,7 +267,7 @@ static void begin(struct zr_tile *tile)
             write_block(tile, block);
             tile->block_far[block] = 0.0f;
         }
-    tile->only_owner = 0;
+    memset(tile->block_owner, 0, sizeof tile->block_owner);
     tile->far = 1.0f;
     tile->is_empty = false;
 }

@@ -2,9 +2,10 @@
  *
  * Exact:  the reference's rule 9: colours times 1/w are planes over the window, each pixel divides by the plane of
  *         1/w, and bytes are rounded to the nearest.
- * How:    planes are not kept from the drawing of visibility: only what is seen is set up. Rows of flat triangles are
- *         looked up pixel by pixel, many at once. Where a smooth mesh is alone, small squares of pixels
- *         are painted, a pixel a lane; else runs: short ones side by side, one a lane, long ones one after the other.
+ * How:    planes are not kept from the drawing of visibility: only what is seen is set up. Blocks of large triangles
+ *         are painted one by one. Elsewhere, rows of flat triangles are looked up pixel by pixel, many at once; where a
+ *         smooth mesh is alone, small squares of pixels are painted, a pixel a lane; else runs: short ones side by
+ *         side, one a lane, long ones one after the other.
  */
 #ifndef ZR_PAINT_H
 #define ZR_PAINT_H

@@ -1,21 +1,18 @@
 #include "shade/paint.h"
 
+#include "shade/paint_blocks_simd.h"
 #include "shade/paint_flat_simd.h"
 #include "shade/paint_patches_simd.h"
-
-/* Records of long runs come back in the rows that follow: this many are remembered. */
-enum { SURFACES = 64 };
 
 /* Rows whose runs have so many pixels on average are painted run by run. */
 enum { LONG_RUN = 16 };
 
 struct painter {
     struct zr_canvas canvas;
-    const struct zr_batch *batch; /* of the last record */
+    struct zr_surfaces surfaces;
+    struct zr_flat_memory flat;
     struct zr_smooth_queue smooth;
     struct zr_patches patches;
-    uint32_t surface_owners[SURFACES]; /* whose the surfaces are; 0: nobody's */
-    struct zr_surface surfaces[SURFACES];
 };
 
 /* ---- run by run ---- */
@@ -37,20 +34,8 @@ static void paint_long(const struct zr_surface *surface, int32_t first_x, int32_
     zr_vi_store_first(pixels, zr_color_at(&planes, x, y), count);
 }
 
-/* Of a record of the last batch. */
-static const struct zr_surface *surface_of(struct painter *p, uint32_t number)
+static void paint_surface(const struct painter *p, const struct zr_surface *surface, int32_t at, int32_t length)
 {
-    const uint32_t place = number % SURFACES;
-    if (p->surface_owners[place] != number + 1) {
-        p->surfaces[place] = zr_surface_make(p->canvas.geometry, p->batch, number);
-        p->surface_owners[place] = number + 1;
-    }
-    return &p->surfaces[place];
-}
-
-static void paint_surface(struct painter *p, uint32_t number, int32_t at, int32_t length)
-{
-    const struct zr_surface *surface = surface_of(p, number);
     uint32_t *pixels = p->canvas.colors + at;
     if (surface->flat)
         zr_fill_run(pixels, (uint32_t)length, zr_vi_set((int32_t)surface->color));
@@ -59,28 +44,27 @@ static void paint_surface(struct painter *p, uint32_t number, int32_t at, int32_
                    (uint32_t)length);
 }
 
-static void add_run(struct painter *p, uint32_t number, int32_t at, int32_t length)
+static void add_run(struct painter *p, uint32_t owner, int32_t at, int32_t length)
 {
     const struct zr_geometry *geometry = p->canvas.geometry;
-    const uint32_t place = number % SURFACES;
-    if (p->surface_owners[place] == number + 1 && (p->surfaces[place].flat || length > ZR_SHORT_RUN)) {
-        paint_surface(p, number, at, length);
+    const struct zr_surface *known = zr_surfaces_known(&p->surfaces, owner);
+    if (known && (known->flat || length > ZR_SHORT_RUN)) {
+        paint_surface(p, known, at, length);
         return;
     }
-    if (!zr_batch_holds(p->batch, number)) p->batch = zr_batch_of(geometry, number);
-    const struct zr_batch *batch = p->batch;
-    const uint32_t t = number - batch->first;
+    const struct zr_batch *batch = zr_surfaces_batch(&p->surfaces, owner);
+    const uint32_t t = owner - 1 - batch->first;
     const struct zr_triangle *record = batch->written ? &geometry->triangles[batch->first_record + t] : NULL;
     const bool sided = !record && batch->front != batch->back; /* its side must be known to know its colours */
     const bool smooth = record ? !record->line && (record->c[0] != record->c[1] || record->c[1] != record->c[2])
                                : zr_batch_is_smooth(batch);
     if (!smooth || length > ZR_SHORT_RUN) {
-        paint_surface(p, number, at, length);
+        paint_surface(p, zr_surfaces_of(&p->surfaces, owner), at, length);
     } else if (record) {
         zr_smooth_add(&p->smooth, &p->canvas, at, length, 0, record->v,
                       record->back ? geometry->back_colors : geometry->front_colors, record->c);
     } else if (sided) {
-        const struct zr_record turned = zr_record_of(geometry, batch, number);
+        const struct zr_record turned = zr_record_of(geometry, batch, owner - 1);
         zr_smooth_add(&p->smooth, &p->canvas, at, length, 0, turned.triangle.v, turned.colors, turned.triangle.c);
     } else {
         const uint32_t colors[3] = {zr_batch_color(batch, t, 0), zr_batch_color(batch, t, 1),
@@ -117,12 +101,21 @@ static inline void paint_backdrop(const struct zr_backdrop *backdrop, uint32_t *
         zr_fill_run(owners + begin, (uint32_t)(end - begin), backdrop->nothing);
 }
 
-/* A row of any owners, whose runs end where `ends` says. All owners are loaded before any run is painted: a load waits
- * long for a store that left out some lanes of what it loads (a tenth of a cube's time). */
-static uint32_t paint_row(struct painter *p, uint32_t *owners, uint64_t ends, int32_t y,
-                          const struct zr_backdrop *backdrop)
+/* A part of the tile: columns x and so on of the rows y and so on. */
+struct part {
+    int32_t x, y, width, rows;
+};
+
+static inline int32_t first_of(const struct part *part)
 {
-    uint32_t run_owners[ZR_TILE_SIZE], covered = 0, run = 0;
+    return part->y * ZR_TILE_STRIDE + part->x;
+}
+
+/* A row of any owners, whose runs end where `ends` says. All owners are loaded before any run is painted: a load waits
+ * long for a store that left out some lanes of what it loads. */
+static uint32_t paint_row(struct painter *p, int32_t first, uint64_t ends, const struct zr_backdrop *backdrop)
+{
+    uint32_t *owners = p->canvas.colors + first, run_owners[ZR_TILE_SIZE], covered = 0, run = 0;
     int32_t begin = 0, end;
     for (uint64_t bits = ends; bits; bits &= bits - 1)
         run_owners[run++] = owners[__builtin_ctzll(bits)];
@@ -134,46 +127,64 @@ static uint32_t paint_row(struct painter *p, uint32_t *owners, uint64_t ends, in
             paint_backdrop(backdrop, owners, begin, end);
             continue;
         }
-        add_run(p, owner - 1, y * ZR_TILE_STRIDE + begin, end - begin);
+        add_run(p, owner, first + begin, end - begin);
         covered += (uint32_t)(end - begin);
     }
     if (p->smooth.runs.count > ZR_PAINT_RUNS - ZR_TILE_SIZE) zr_smooth_paint(&p->smooth, &p->canvas, false);
     return covered;
 }
 
-/* Whether all owners of the rows are the last batch's, or nobody. */
-static bool is_alone(const struct painter *p, const uint32_t *owners, int32_t width, int32_t rows)
+/* Whether all owners of the part are the batch's, or nobody. */
+static bool is_alone(const struct painter *p, const struct zr_batch *batch, const struct part *part)
 {
-    if (!zr_batch_is_gathered(p->batch)) return false;
-    if (p->canvas.geometry->batch_count == 1) return true; /* 8 us of a picture of 256 x 256 */
-    for (int32_t row = 0; row < rows; row++)
-        if (!zr_row_is_of(p->batch, owners + row * ZR_TILE_STRIDE, width)) return false;
+    const uint32_t *owners = p->canvas.colors + first_of(part);
+    if (!zr_batch_is_gathered(batch)) return false;
+    if (p->canvas.geometry->batch_count == 1) return true;
+    for (int32_t row = 0; row < part->rows; row++)
+        if (!zr_row_is_of(batch, owners + row * ZR_TILE_STRIDE, part->width)) return false;
     return true;
 }
 
-/* Rows `y` .. y + rows - 1, no more than a patch has. */
-static uint32_t paint_rows(struct painter *p, struct zr_flat_memory *memory, int32_t y, int32_t rows, int32_t width,
-                           const struct zr_backdrop *backdrop)
+/* No more rows than a patch has. */
+static uint32_t paint_rows(struct painter *p, const struct part *part, const struct zr_backdrop *backdrop)
 {
-    uint32_t *owners = &p->canvas.colors[y * ZR_TILE_STRIDE], covered = 0;
-    const bool alone = is_alone(p, owners, width, rows), smooth = zr_batch_is_smooth(p->batch);
+    const struct zr_batch *batch = p->surfaces.batch;
+    const bool alone = is_alone(p, batch, part), smooth = zr_batch_is_smooth(batch);
+    uint32_t *owners = p->canvas.colors + first_of(part), covered = 0;
     if (alone && !smooth && !backdrop->row) {
-        for (int32_t row = 0; row < rows; row++)
-            covered += zr_paint_flat_row(p->batch, memory, owners + row * ZR_TILE_STRIDE, width, backdrop->nothing);
+        for (int32_t row = 0; row < part->rows; row++)
+            covered +=
+                zr_paint_flat_row(batch, &p->flat, owners + row * ZR_TILE_STRIDE, part->width, backdrop->nothing);
         return covered;
     }
     uint64_t ends[ZR_PATCH_ROWS];
     int32_t runs = 0;
-    for (int32_t row = 0; row < rows; row++) {
-        ends[row] = find_ends(owners + row * ZR_TILE_STRIDE, width);
+    for (int32_t row = 0; row < part->rows; row++) {
+        ends[row] = find_ends(owners + row * ZR_TILE_STRIDE, part->width);
         runs += __builtin_popcountll(ends[row]);
     }
-    if (alone && smooth && runs * LONG_RUN > rows * width)
-        return zr_patches_add_rows(&p->patches, &p->canvas, p->batch, y, rows, width, backdrop);
+    if (alone && smooth && runs * LONG_RUN > part->rows * part->width)
+        return zr_patches_add_rows(&p->patches, &p->canvas, batch, first_of(part), part->width, part->rows, backdrop);
     struct zr_backdrop here = *backdrop;
-    for (int32_t row = 0; row < rows; row++) {
-        covered += paint_row(p, owners + row * ZR_TILE_STRIDE, ends[row], y + row, &here);
+    for (int32_t row = 0; row < part->rows; row++) {
+        covered += paint_row(p, first_of(part) + row * ZR_TILE_STRIDE, ends[row], &here);
         if (here.row) here.row += here.stride;
+    }
+    return covered;
+}
+
+/* ---- the tile ---- */
+
+/* Blocks that nothing is known of, side by side. */
+static uint32_t paint_unknown(struct painter *p, const struct part *part, const struct zr_backdrop *backdrop)
+{
+    uint32_t covered = 0;
+    for (int32_t row = 0; row < part->rows; row += ZR_PATCH_ROWS) {
+        const int32_t rows = part->rows - row < ZR_PATCH_ROWS ? part->rows - row : ZR_PATCH_ROWS;
+        const struct part some = {part->x, part->y + row, part->width, rows};
+        struct zr_backdrop here = *backdrop;
+        if (here.row) here.row += here.stride * some.y + some.x;
+        covered += paint_rows(p, &some, &here);
     }
     return covered;
 }
@@ -183,18 +194,24 @@ static uint32_t paint_tile(const struct zr_geometry *geometry, struct zr_tile *t
 {
     struct painter p;
     p.canvas = (struct zr_canvas){geometry, tile->x, tile->y, tile->owner}; /* rows are read before they are painted */
-    p.batch = &geometry->batches[0];
-    p.smooth.runs.count = 0;
-    p.smooth.corners.colors = NULL;
-    memset(p.surface_owners, 0, sizeof p.surface_owners);
+    p.flat = (struct zr_flat_memory){zr_vi_set(0), zr_vi_set(0)};
+    zr_surfaces_begin(&p.surfaces, geometry);
+    zr_smooth_begin(&p.smooth);
     zr_patches_begin(&p.patches);
-    struct zr_backdrop backdrop = {zr_vi_set((int32_t)nothing), behind, stride};
-    struct zr_flat_memory memory = {zr_vi_set(0), zr_vi_set(0)};
+    const struct zr_backdrop backdrop = {zr_vi_set((int32_t)nothing), behind, stride};
     uint32_t covered = 0;
-    for (int32_t y = 0; y < tile->height; y += ZR_PATCH_ROWS) {
-        const int32_t rows = tile->height - y < ZR_PATCH_ROWS ? tile->height - y : ZR_PATCH_ROWS;
-        covered += paint_rows(&p, &memory, y, rows, tile->width, &backdrop);
-        if (behind) backdrop.row += stride * rows;
+    for (int block = 0; block < ZR_BLOCKS; block++) {
+        if (tile->block_owner[block] != ZR_BLOCK_UNKNOWN) {
+            covered += zr_paint_block(&p.surfaces, &p.canvas, block, tile->block_owner[block], backdrop.nothing);
+            continue;
+        }
+        struct part part = {block % ZR_BLOCK_COLUMNS * ZR_BLOCK_WIDTH, block / ZR_BLOCK_COLUMNS * ZR_BLOCK_HEIGHT,
+                            ZR_BLOCK_WIDTH, ZR_BLOCK_HEIGHT};
+        for (; part.x + part.width < ZR_TILE_SIZE && tile->block_owner[block + 1] == ZR_BLOCK_UNKNOWN; block++)
+            part.width += ZR_BLOCK_WIDTH;
+        if (part.width > tile->width - part.x) part.width = tile->width - part.x;
+        if (part.rows > tile->height - part.y) part.rows = tile->height - part.y;
+        if (part.width > 0) covered += paint_unknown(&p, &part, &backdrop);
     }
     zr_patches_end(&p.patches, &p.canvas);
     zr_smooth_paint(&p.smooth, &p.canvas, true);

@@ -208,7 +208,7 @@ static inline void zr_patches_make_room(struct zr_patches *p, const struct zr_ca
     if (p->surface_count == 0) memset(p->keys, 0, sizeof p->keys);
 }
 
-/* Lanes of the patch in column x of the tile that nobody owns show what is behind it. */
+/* Lanes of the patch, x columns behind the backdrop's first, that nobody owns show what is behind it. */
 static inline void zr_patch_back(uint32_t *to, zr_vi owner, zr_vm owned, zr_vm within, int32_t x,
                                  const struct zr_backdrop *backdrop)
 {
@@ -222,10 +222,10 @@ static inline void zr_patch_back(uint32_t *to, zr_vi owner, zr_vm owned, zr_vm w
     }
 }
 
-/* Rows `y` .. y + rows - 1, no more than a patch has, of a batch. What shows none becomes what is behind. Returns how
- * many pixels are owned. */
+/* `rows` rows, no more than a patch has, of a batch; `first` is the first pixel of the lowest one. What shows none
+ * becomes what is behind. Returns how many pixels are owned. */
 static inline uint32_t zr_patches_add_rows(struct zr_patches *p, const struct zr_canvas *canvas,
-                                           const struct zr_batch *batch, int32_t y, int32_t rows, int32_t width,
+                                           const struct zr_batch *batch, int32_t first, int32_t width, int32_t rows,
                                            const struct zr_backdrop *backdrop)
 {
     uint32_t covered = 0;
@@ -236,7 +236,7 @@ static inline uint32_t zr_patches_add_rows(struct zr_patches *p, const struct zr
     const zr_vi lane = zr_vi_ramp(), column = lane & zr_vi_set(ZR_PATCH_COLUMNS - 1);
     const zr_vm low = zr_vi_lt(lane, zr_vi_set(rows * ZR_PATCH_COLUMNS));
     for (int32_t x = 0; x < width; x += ZR_PATCH_COLUMNS) {
-        const int32_t at = y * ZR_TILE_STRIDE + x;
+        const int32_t at = first + x;
         uint32_t *here = canvas->colors + at;
         const zr_vi owner = zr_vi_load_patch(here, ZR_TILE_STRIDE);
         const zr_vm within = zr_vi_lt_where(low, column, zr_vi_set(width - x));

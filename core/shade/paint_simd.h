@@ -26,7 +26,7 @@ struct zr_runs {
 /* What is seen where there is no record. */
 struct zr_backdrop {
     zr_vi nothing;
-    const uint32_t *row; /* of the tile, behind the one under work; NULL: nothing */
+    const uint32_t *row; /* behind the first pixel under work; NULL: nothing */
     ptrdiff_t stride;
 };
 

@@ -142,11 +142,17 @@ static inline struct zr_color_planes zr_color_planes_make(const struct zr_smooth
                                     zr_plane_make_v(&basis, c[0].blue, c[1].blue, c[2].blue)};
 }
 
+/* Of 1/w, and colours times that. */
+static inline zr_vi zr_color_over_w(zr_vf oow, zr_vf red, zr_vf green, zr_vf blue)
+{
+    const zr_vf reciprocal = zr_vf_set(1.0f) / oow;
+    return zr_color_pack_v(red * reciprocal, green * reciprocal, blue * reciprocal);
+}
+
 static inline zr_vi zr_color_at(const struct zr_color_planes *p, zr_vf x, zr_vf y)
 {
-    const zr_vf reciprocal = zr_vf_set(1.0f) / zr_plane_at_v(&p->oow, x, y);
-    return zr_color_pack_v(zr_plane_at_v(&p->red, x, y) * reciprocal, zr_plane_at_v(&p->green, x, y) * reciprocal,
-                           zr_plane_at_v(&p->blue, x, y) * reciprocal);
+    return zr_color_over_w(zr_plane_at_v(&p->oow, x, y), zr_plane_at_v(&p->red, x, y), zr_plane_at_v(&p->green, x, y),
+                           zr_plane_at_v(&p->blue, x, y));
 }
 
 /* ---- runs ---- */
@@ -200,6 +206,12 @@ static inline void zr_smooth_move(struct zr_smooth_queue *q, uint32_t from, uint
     }
     q->runs.at[to] = q->runs.at[from];
     q->runs.length[to] = q->runs.length[from];
+}
+
+static inline void zr_smooth_begin(struct zr_smooth_queue *q)
+{
+    q->runs.count = 0;
+    q->corners.colors = NULL;
 }
 
 /* Full groups of lanes; what is left over waits for more, unless this is the end. */

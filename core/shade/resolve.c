@@ -151,6 +151,16 @@ static uint32_t count_owned(const struct zr_tile *tile)
     return count;
 }
 
+/* Who owns all of the tile; 0: several, or nobody, or it is not known. */
+static uint32_t only_owner_of(const struct zr_tile *tile)
+{
+    const uint32_t owner = tile->block_owner[0];
+    bool others = owner >= ZR_BLOCK_SHARED;
+    for (int block = 1; block < ZR_BLOCKS; block++)
+        others |= tile->block_owner[block] != owner;
+    return others ? 0 : owner;
+}
+
 struct zr_resolved zr_resolve_tile(const struct zr_geometry *geometry, const struct zr_paint *paint, zr_vec4 background,
                                    struct zr_tile *tile, const struct zr_frame *frame)
 {
@@ -169,8 +179,9 @@ struct zr_resolved zr_resolve_tile(const struct zr_geometry *geometry, const str
         paint->copy(frame->window_depth + pixel, up, tile->width, tile->height, tile->depth, streamed);
     if (frame->depth || frame->face_id || (frame->base && frame->window_depth))
         resolved.deepest = resolve_runs(geometry, paint, tile, frame, pixel);
-    if (frame->color && tile->only_owner) {
-        const uint32_t number = tile->only_owner - 1;
+    const uint32_t only_owner = frame->color ? only_owner_of(tile) : 0;
+    if (only_owner > 0) {
+        const uint32_t number = only_owner - 1;
         const struct zr_surface surface = zr_surface_make(geometry, zr_batch_of(geometry, number), number);
         if (surface.flat) { /* a quarter of the time of large triangles */
             paint->fill(frame->color + 4 * pixel, up, tile->width, tile->height, surface.color, streamed);
