@@ -22,7 +22,7 @@ enum zr_status zr_visible_make(struct zr_arena *arena, struct zr_team *team, str
     return zr_others_build(arena, geometry, width, height, cancel, &visible->others);
 }
 
-/* ---- large triangles ---- */
+/* ---- large and wide triangles ---- */
 
 enum { CHOSEN_AT_ONCE = 128 };
 
@@ -55,23 +55,36 @@ static void draw_candidates(const struct zr_visible *visible, struct candidates 
     c->count = 0;
 }
 
-static bool draw_large(const struct zr_visible *visible, const struct zr_cancel *cancel, struct zr_tile *tile)
+static void add_candidate(const struct zr_visible *visible, const struct zr_wide *wide, struct candidates *c,
+                          struct zr_tile *tile)
+{
+    const struct zr_setup *setup = &wide->setup;
+    if (!zr_tile_touches(tile, (const int32_t[4]){setup->min_x, setup->min_y, setup->max_x, setup->max_y})) return;
+    const int32_t x1 = tile->x + tile->width - 1, y1 = tile->y + tile->height - 1;
+    const float near = zr_depth_range_of(&setup->depth, tile->x, tile->y, x1, y1).near;
+    if (near > tile->far) return;
+    c->near[c->count] = near;
+    c->items[c->count++] = wide;
+    if (c->count == CHOSEN_AT_ONCE) draw_candidates(visible, c, tile);
+}
+
+/* Those that every tile goes through, and those that are listed in this one: the back of a cube then costs half. */
+static bool draw_wide_ones(const struct zr_visible *visible, uint32_t number, const struct zr_cancel *cancel,
+                           struct zr_tile *tile)
 {
     const struct zr_bins *bins = &visible->bins;
-    const int32_t x1 = tile->x + tile->width - 1, y1 = tile->y + tile->height - 1;
     struct candidates candidates;
     candidates.count = 0;
     for (uint32_t i = 0; i < bins->large_count; i++) {
-        const struct zr_setup *setup = &bins->large[i]->setup;
         if (i % PARTS_A_CANCEL_CHECK == 0 && zr_is_cancelled(cancel)) return false;
-        if (!zr_tile_touches(tile, (const int32_t[4]){setup->min_x, setup->min_y, setup->max_x, setup->max_y}))
-            continue;
-        const float near = zr_depth_range_of(&setup->depth, tile->x, tile->y, x1, y1).near;
-        if (near > tile->far) continue;
-        candidates.near[candidates.count] = near;
-        candidates.items[candidates.count++] = bins->large[i];
-        if (candidates.count == CHOSEN_AT_ONCE) draw_candidates(visible, &candidates, tile);
+        add_candidate(visible, bins->large[i], &candidates, tile);
     }
+    for (int i = 0; i < bins->worker_count; i++)
+        for (const struct zr_bin_head *b = bins->workers[i].tiles[number].wide.first; b; b = b->next) {
+            if (zr_is_cancelled(cancel)) return false;
+            for (uint32_t k = 0; k < b->used; k++)
+                add_candidate(visible, ((const struct zr_bin_wides *)b)->items[k], &candidates, tile);
+        }
     draw_candidates(visible, &candidates, tile);
     return true;
 }
@@ -82,19 +95,6 @@ static void draw_fragments(const struct zr_bin_fragments *block, struct zr_tile 
 {
     for (uint32_t i = 0; i < block->head.used; i++)
         zr_tile_put_at(tile, block->pixels[i], block->depths[i], block->owners[i]);
-}
-
-static bool draw_wide_ones(const struct zr_visible *visible, uint32_t number, const struct zr_cancel *cancel,
-                           struct zr_tile *tile)
-{
-    for (int i = 0; i < visible->bins.worker_count; i++)
-        for (const struct zr_bin_head *b = visible->bins.workers[i].tiles[number].wide.first; b; b = b->next) {
-            const struct zr_bin_wides *wides = (const struct zr_bin_wides *)b;
-            if (zr_is_cancelled(cancel)) return false;
-            for (uint32_t k = 0; k < b->used; k++)
-                visible->halfspace->draw(tile, &wides->items[k]->setup, wides->items[k]->owner);
-        }
-    return true;
 }
 
 static bool draw_small_ones(const struct zr_visible *visible, uint32_t number, const struct zr_cancel *cancel,
@@ -200,7 +200,7 @@ bool zr_visibility_tile(const struct zr_visible *visible, uint32_t number, const
     else
         visible->halfspace->begin(tile);
     /* The largest first: they hide most, and they alone can leave parts of the tile unwritten. */
-    if (!draw_large(visible, cancel, tile) || !draw_wide_ones(visible, number, cancel, tile)) return false;
+    if (!draw_wide_ones(visible, number, cancel, tile)) return false;
     visible->halfspace->settle(tile);
     if (has_more(visible, number)) zr_tile_forget_owners(tile);
     if (!draw_small_ones(visible, number, cancel, tile)) return false;
