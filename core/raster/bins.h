@@ -20,9 +20,9 @@
 #include "raster/tile.h"
 
 enum {
-    ZR_BIN_WORDS = 44,       /* of a block, which takes 256 bytes, and has room for a vector behind its end */
-    ZR_BIN_VECTOR = 16,      /* lanes at most */
-    ZR_BIN_WIDE_A_BLOCK = 6, /* for blocks of 64 bytes */
+    ZR_BIN_VECTOR = 16,          /* lanes at most */
+    ZR_BIN_NUMBERS_A_BLOCK = 60, /* for blocks of 256 bytes */
+    ZR_BIN_WIDE_A_BLOCK = 6,     /* of 64 bytes */
     ZR_BIN_FRAGMENTS_A_BLOCK = 64,
     ZR_BIN_FRAGMENTS_AT_ONCE = 4 * ZR_BIN_VECTOR, /* put there, each vector stored whole */
     ZR_BIN_FRAGMENTS_ROOM = ZR_BIN_FRAGMENTS_A_BLOCK + ZR_BIN_FRAGMENTS_AT_ONCE,
@@ -43,7 +43,7 @@ struct zr_bin {
 /* Small triangles, by their numbers. */
 struct zr_bin_numbers {
     struct zr_bin_head head;
-    uint32_t numbers[ZR_BIN_WORDS + ZR_BIN_VECTOR];
+    uint32_t numbers[ZR_BIN_NUMBERS_A_BLOCK];
 };
 
 struct zr_wide {
@@ -118,10 +118,11 @@ static inline struct zr_bin_head *zr_binner_room(struct zr_binner *binner, struc
     return __builtin_expect(last && last->used <= most, 1) ? last : zr_binner_block(binner, bin, size);
 }
 
-/* Room for a vector of numbers, or NULL. */
+/* Room for one number, or NULL. */
 static inline struct zr_bin_numbers *zr_binner_numbers(struct zr_binner *binner, struct zr_bin *bin)
 {
-    return (struct zr_bin_numbers *)zr_binner_room(binner, bin, ZR_BIN_WORDS, sizeof(struct zr_bin_numbers));
+    return (struct zr_bin_numbers *)zr_binner_room(binner, bin, ZR_BIN_NUMBERS_A_BLOCK - 1,
+                                                   sizeof(struct zr_bin_numbers));
 }
 
 /* Room for ZR_BIN_FRAGMENTS_AT_ONCE, or NULL. */

@@ -2,19 +2,21 @@
 
 #include "raster/triangle_simd.h"
 
-/* Numbers wait here until there are enough to be set up at once; room for a group more than that. The oldest go
- * first: their stores are done by then, which loads would wait for. */
+/* Triangles wait in queues until there are enough of them; a vector more has room. What is done with them then depends
+ * on where they lie, which the processor cannot guess: it does not have to wait for their corners to know it (a
+ * fifth of sorting the bunny). */
 enum { QUEUE = 4 * ZR_LANES };
 
 struct sorter {
     struct zr_binner *binner;
     const struct zr_batch *batch;
-    const float *vertices;           /* of position 0 */
-    const uint32_t *corners;         /* of record 0 of the batch */
-    size_t stride;                   /* words from one record's corners to the next */
-    zr_vi last_x, last_y;            /* of the window */
-    uint32_t tiny[QUEUE + ZR_LANES]; /* a vector is stored whole */
-    uint32_t tiny_count;
+    const float *vertices;   /* of position 0 */
+    const uint32_t *corners; /* of record 0 of the batch */
+    size_t stride;           /* words from one record's corners to the next */
+    zr_vi last_x, last_y;    /* of the window */
+    uint32_t tiny_count, small_count;
+    uint32_t tiny[QUEUE + ZR_LANES], small[QUEUE + ZR_LANES];           /* by their numbers */
+    uint32_t small_low[QUEUE + ZR_LANES], small_high[QUEUE + ZR_LANES]; /* tiles that they touch: row << 16 | column */
 };
 
 static inline const float *corner_of(const struct sorter *s, uint32_t t, size_t k)
@@ -157,39 +159,35 @@ static void flush_tiny(struct sorter *s)
 
 /* ---- small triangles ---- */
 
-/* Most lie in one tile, and most of a group's in the same one: these are listed at once. */
-static inline void list_small(struct sorter *s, zr_vm listed, const struct box *box, uint32_t first)
+static inline void list_in(struct zr_binner *binner, uint32_t tile, uint32_t number)
 {
-    int32_t x0[ZR_LANES], y0[ZR_LANES], x1[ZR_LANES], y1[ZR_LANES], tiles[ZR_LANES];
+    struct zr_bin_numbers *block = zr_binner_numbers(binner, &binner->tiles[tile].small);
+    if (block) block->numbers[block->head.used++] = number;
+}
+
+static void flush_small(struct sorter *s)
+{
     const uint32_t columns = s->binner->bins->columns;
-    const zr_vi vx0 = box->x0 >> 6, vy0 = box->y0 >> 6, vx1 = box->x1 >> 6, vy1 = box->y1 >> 6;
-    const zr_vi tile_v = vy0 * zr_vi_set((int32_t)columns) + vx0;
-    const zr_vi numbers = zr_vi_set((int32_t)first) + zr_vi_ramp();
-    const zr_vm inner = zr_vi_eq((vx0 ^ vx1) | (vy0 ^ vy1), zr_vi_set(0));
-    zr_vi_store(tiles, tile_v);
-    for (uint32_t bits = zr_vm_bits(zr_vm_and(listed, inner)); bits;) {
-        const uint32_t number = (uint32_t)tiles[zr_lowest_bit(bits)];
-        const zr_vm here = zr_vi_eq(tile_v, zr_vi_set((int32_t)number));
-        struct zr_bin_numbers *block = zr_binner_numbers(s->binner, &s->binner->tiles[number].small);
-        if (!block) return;
-        block->head.used += zr_vi_compress(block->numbers + block->head.used, zr_vm_and(here, zr_vm_of(bits)), numbers);
-        bits &= ~zr_vm_bits(here);
+    for (uint32_t i = 0; i < s->small_count; i++) {
+        const uint32_t low = s->small_low[i], high = s->small_high[i];
+        if (__builtin_expect(low == high, 1)) {
+            list_in(s->binner, (low >> 16) * columns + (low & 0xffff), s->small[i]);
+            continue;
+        }
+        for (uint32_t y = low >> 16; y <= high >> 16; y++)
+            for (uint32_t x = low & 0xffff; x <= (high & 0xffff); x++)
+                list_in(s->binner, y * columns + x, s->small[i]);
     }
-    if (!zr_vm_any(zr_vm_andnot(listed, inner))) return;
-    zr_vi_store(x0, vx0);
-    zr_vi_store(y0, vy0);
-    zr_vi_store(x1, vx1);
-    zr_vi_store(y1, vy1);
-    for (uint32_t bits = zr_vm_bits(zr_vm_andnot(listed, inner)); bits; bits &= bits - 1) {
-        int i = zr_lowest_bit(bits);
-        for (int32_t y = y0[i]; y <= y1[i]; y++)
-            for (int32_t x = x0[i]; x <= x1[i]; x++) {
-                size_t tile = (size_t)y * columns + (size_t)x;
-                struct zr_bin_numbers *block = zr_binner_numbers(s->binner, &s->binner->tiles[tile].small);
-                if (!block) return;
-                block->numbers[block->head.used++] = first + (uint32_t)i;
-            }
-    }
+    s->small_count = 0;
+}
+
+static inline void add_small(struct sorter *s, zr_vm listed, const struct box *box, uint32_t first)
+{
+    const uint32_t count = s->small_count;
+    zr_vi_compress(s->small_low + count, listed, (box->y0 >> 6) << 16 | box->x0 >> 6);
+    zr_vi_compress(s->small_high + count, listed, (box->y1 >> 6) << 16 | box->x1 >> 6);
+    s->small_count += zr_vi_compress(s->small + count, listed, zr_vi_set((int32_t)first) + zr_vi_ramp());
+    if (s->small_count >= QUEUE) flush_small(s);
 }
 
 /* ---- all of a group ---- */
@@ -242,7 +240,7 @@ static inline void sort_group(struct sorter *s, const uint32_t *corners, zr_vm v
     const zr_vm tiny = zr_vm_and(drawn, zr_vi_lt(zr_vi_max(width, height), zr_vi_set(2)));
     s->tiny_count += zr_vi_compress(s->tiny + s->tiny_count, tiny, zr_vi_set((int32_t)first) + zr_vi_ramp());
     const zr_vm listed = zr_vm_andnot(drawn, tiny);
-    if (zr_vm_any(listed)) list_small(s, listed, &box, first);
+    if (zr_vm_any(listed)) add_small(s, listed, &box, first);
     if (s->tiny_count >= QUEUE) flush_tiny(s);
 }
 
@@ -285,4 +283,5 @@ void ZR_KERNEL(zr_binning)(struct zr_binner *binner, const struct zr_batch *batc
         sort_group(&s, corners, zr_vm_of((1u << (left - 1) << 1) - 1u), batch->first + t);
     }
     flush_tiny(&s);
+    flush_small(&s);
 }
