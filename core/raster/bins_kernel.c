@@ -2,10 +2,11 @@
 
 #include "raster/triangle_simd.h"
 
-/* Triangles wait in queues until there are enough of them; a vector more has room. What is done with them then depends
- * on where they lie, which the processor cannot guess: it does not have to wait for their corners to know it (a
- * fifth of sorting the bunny). */
-enum { QUEUE = 4 * ZR_LANES };
+/* So many triangles are looked at before those of them that are tiny or small are drawn or listed. What is done with
+ * these depends on where they lie, which the processor cannot guess: so it need not wait for corners to know it (a
+ * fifth of sorting the bunny). A queue has room for what is left of the part before, and for a vector behind its end.
+ */
+enum { PART = 512, QUEUE = PART + 2 * ZR_LANES };
 
 struct sorter {
     struct zr_binner *binner;
@@ -15,8 +16,8 @@ struct sorter {
     size_t stride;           /* words from one record's corners to the next */
     zr_vi last_x, last_y;    /* of the window */
     uint32_t tiny_count, small_count;
-    uint32_t tiny[QUEUE + ZR_LANES], small[QUEUE + ZR_LANES];           /* by their numbers */
-    uint32_t small_low[QUEUE + ZR_LANES], small_high[QUEUE + ZR_LANES]; /* tiles that they touch: row << 16 | column */
+    uint32_t tiny[QUEUE], small[QUEUE];           /* by their numbers */
+    uint32_t small_low[QUEUE], small_high[QUEUE]; /* tiles that they touch: row << 16 | column */
 };
 
 static inline const float *corner_of(const struct sorter *s, uint32_t t, size_t k)
@@ -143,18 +144,24 @@ static inline void draw_tiny(struct sorter *s, const uint32_t *numbers, zr_vm va
     put_fragments(s->binner, samples, valid, zr_vi_eq(apart, zr_vi_set(0)), owners);
 }
 
-static void flush_tiny(struct sorter *s)
+/* Full groups. The rest waits for more. */
+static void draw_tiny_ones(struct sorter *s)
 {
     uint32_t done = 0;
     for (; s->tiny_count - done >= ZR_LANES; done += ZR_LANES)
         draw_tiny(s, s->tiny + done, ZR_ALL_LANES);
-    uint32_t left = s->tiny_count - done;
-    s->tiny_count = 0;
+    s->tiny_count -= done;
+    memmove(s->tiny, s->tiny + done, s->tiny_count * sizeof *s->tiny);
+}
+
+/* At the end. */
+static void draw_last_tiny_ones(struct sorter *s)
+{
+    const uint32_t left = s->tiny_count;
     if (left == 0) return;
-    uint32_t rest[ZR_LANES];
-    for (uint32_t i = 0; i < ZR_LANES; i++)
-        rest[i] = s->tiny[done + (i < left ? i : 0)];
-    draw_tiny(s, rest, zr_vm_of((1u << left) - 1u));
+    for (uint32_t i = left; i < ZR_LANES; i++)
+        s->tiny[i] = s->tiny[0];
+    draw_tiny(s, s->tiny, zr_vm_of((1u << left) - 1u));
 }
 
 /* ---- small triangles ---- */
@@ -165,7 +172,7 @@ static inline void list_in(struct zr_binner *binner, uint32_t tile, uint32_t num
     if (block) block->numbers[block->head.used++] = number;
 }
 
-static void flush_small(struct sorter *s)
+static void list_small_ones(struct sorter *s)
 {
     const uint32_t columns = s->binner->bins->columns;
     for (uint32_t i = 0; i < s->small_count; i++) {
@@ -187,7 +194,6 @@ static inline void add_small(struct sorter *s, zr_vm listed, const struct box *b
     zr_vi_compress(s->small_low + count, listed, (box->y0 >> 6) << 16 | box->x0 >> 6);
     zr_vi_compress(s->small_high + count, listed, (box->y1 >> 6) << 16 | box->x1 >> 6);
     s->small_count += zr_vi_compress(s->small + count, listed, zr_vi_set((int32_t)first) + zr_vi_ramp());
-    if (s->small_count >= QUEUE) flush_small(s);
 }
 
 /* ---- all of a group ---- */
@@ -241,7 +247,6 @@ static inline void sort_group(struct sorter *s, const uint32_t *corners, zr_vm v
     s->tiny_count += zr_vi_compress(s->tiny + s->tiny_count, tiny, zr_vi_set((int32_t)first) + zr_vi_ramp());
     const zr_vm listed = zr_vm_andnot(drawn, tiny);
     if (zr_vm_any(listed)) add_small(s, listed, &box, first);
-    if (s->tiny_count >= QUEUE) flush_tiny(s);
 }
 
 /* A corner of each triangle of a group to come is asked for: its neighbours have the others. 6 % of a million
@@ -252,36 +257,46 @@ static inline void expect_group(const struct sorter *s, uint32_t t)
         __builtin_prefetch(corner_of(s, t + i, 0));
 }
 
+/* Records begin .. end - 1, of a range that ends at `last`. */
+static void sort_part(struct sorter *s, uint32_t begin, uint32_t end, uint32_t last)
+{
+    uint32_t t = begin;
+    if (s->stride == 3)
+        for (; t + ZR_LANES <= end; t += ZR_LANES) {
+            if (t + 4 * ZR_LANES <= last) expect_group(s, t + 3 * ZR_LANES);
+            sort_group(s, s->corners + 3 * (size_t)t, ZR_ALL_LANES, s->batch->first + t);
+        }
+    for (; t < end; t += ZR_LANES) {
+        /* What is left of a group, or records that stand apart. */
+        uint32_t corners[3 * ZR_LANES], left = end - t < ZR_LANES ? end - t : ZR_LANES;
+        for (uint32_t i = 0; i < ZR_LANES; i++)
+            memcpy(corners + 3 * (size_t)i, s->corners + (t + (i < left ? i : 0)) * s->stride, 3 * sizeof *corners);
+        sort_group(s, corners, zr_vm_of((1u << (left - 1) << 1) - 1u), s->batch->first + t);
+    }
+}
+
 void ZR_KERNEL(zr_binning)(struct zr_binner *binner, const struct zr_batch *batch, uint32_t begin, uint32_t end)
 {
     const struct zr_geometry *geometry = binner->geometry;
-    struct sorter s = {.binner = binner,
-                       .batch = batch,
-                       .vertices = &geometry->vertices[0].x,
-                       .corners = batch->corners,
-                       .stride = 3,
-                       .last_x = zr_vi_set((int32_t)binner->bins->width - 1),
-                       .last_y = zr_vi_set((int32_t)binner->bins->height - 1)};
+    struct sorter s; /* its queues are not cleared: a batch may be a single triangle */
+    s.binner = binner;
+    s.batch = batch;
+    s.vertices = &geometry->vertices[0].x;
+    s.corners = batch->corners;
+    s.stride = 3;
+    s.last_x = zr_vi_set((int32_t)binner->bins->width - 1);
+    s.last_y = zr_vi_set((int32_t)binner->bins->height - 1);
+    s.tiny_count = s.small_count = 0;
     if (batch->written) {
         s.corners = geometry->triangles[batch->first_record].v;
         s.stride = sizeof(struct zr_triangle) / sizeof(uint32_t);
     } else {
         s.vertices = &geometry->vertices[batch->first_vertex].x;
     }
-    const zr_vm all = ZR_ALL_LANES;
-    uint32_t t = begin;
-    if (s.stride == 3)
-        for (; t + ZR_LANES <= end; t += ZR_LANES) {
-            if (t + 4 * ZR_LANES <= end) expect_group(&s, t + 3 * ZR_LANES);
-            sort_group(&s, s.corners + 3 * (size_t)t, all, batch->first + t);
-        }
-    for (; t < end; t += ZR_LANES) {
-        /* What is left of a group, or records that stand apart. */
-        uint32_t corners[3 * ZR_LANES], left = end - t < ZR_LANES ? end - t : ZR_LANES;
-        for (uint32_t i = 0; i < ZR_LANES; i++)
-            memcpy(corners + 3 * (size_t)i, s.corners + (t + (i < left ? i : 0)) * s.stride, 3 * sizeof *corners);
-        sort_group(&s, corners, zr_vm_of((1u << (left - 1) << 1) - 1u), batch->first + t);
+    for (uint32_t part = begin; part < end; part += PART) {
+        sort_part(&s, part, end - part < PART ? end : part + PART, end);
+        draw_tiny_ones(&s);
+        list_small_ones(&s);
     }
-    flush_tiny(&s);
-    flush_small(&s);
+    draw_last_tiny_ones(&s);
 }
