@@ -4,7 +4,7 @@ BUILD := build
 CC ?= cc
 CFLAGS ?= -O3 -g
 OURS := -std=c11 -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wdouble-promotion -Wstrict-prototypes \
-	-Wmissing-prototypes -Wvla -D_GNU_SOURCE -Icore -Iserver -Itests -pthread
+	-Wmissing-prototypes -Werror=implicit-function-declaration -Wvla -D_GNU_SOURCE -Icore -Iserver -Itests -pthread
 # Behind the user's flags: without it the pixels are not the reference's.
 EXACT := -ffp-contract=off
 sanitizers := address,undefined

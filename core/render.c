@@ -8,6 +8,7 @@
 #include "scene/base_depth.h"
 #include "scene/scene.h"
 #include "shade/frame.h"
+#include "shade/paint.h"
 #include "shade/resolve.h"
 
 /* Each claim of a range waits for all that was stored before to be written: 0.4 ms of a large picture, with single
@@ -23,7 +24,7 @@ struct drawing {
     const struct zr_geometry *geometry;
     const struct zr_visible *visible; /* of production */
     const struct zr_samples *samples; /* of the other algorithms, else NULL */
-    const struct zr_paint *paint;
+    enum zr_isa isa;
     const struct zr_frame *frame;
     const struct zr_cancel *cancel;
     uint8_t *occupied;            /* tiles that show anything */
@@ -52,13 +53,12 @@ static void draw_tiles(void *context, size_t begin, size_t end)
             zr_visibility_load(d->samples, (uint32_t)number, &tile);
         else if (!zr_visibility_tile(d->visible, (uint32_t)number, d->frame->base, d->cancel, &tile))
             return;
-        const struct zr_resolved resolved =
-            zr_resolve_tile(d->geometry, d->paint, d->scene->background, &tile, d->frame);
+        const struct zr_resolved resolved = zr_resolve_tile(d->geometry, d->isa, d->scene->background, &tile, d->frame);
         d->occupied[number] = !tile.is_empty;
         covered += resolved.covered;
         if (resolved.deepest > deepest) deepest = resolved.deepest;
     }
-    d->paint->stream_end();
+    zr_paint_of(d->isa)->stream_end();
     atomic_fetch_add_explicit(&d->covered, covered, memory_order_relaxed);
     raise_to(&d->deepest, deepest);
 }
@@ -108,9 +108,9 @@ static enum zr_status run_pipeline(struct zr_arena *arena, struct zr_team *team,
     else
         status = zr_visible_make(arena, team, &geometry, scene->width, scene->height, cancel, &visible);
     if (status != ZR_OK) return status;
-    const struct zr_paint *paint = zr_paint_of(zr_team_isa(team));
+    const enum zr_isa isa = zr_team_isa(team);
     const size_t pixels = (size_t)scene->width * scene->height;
-    if (frame->color && (status = zr_paint_prepare(paint, arena, team, &geometry, pixels)) != ZR_OK) return status;
+    if (frame->color && (status = zr_paint_prepare(isa, arena, team, &geometry, pixels)) != ZR_OK) return status;
     const size_t tiles = zr_tile_count(scene->width, scene->height);
     uint8_t *occupied = zr_arena_alloc(arena, tiles, 1);
     if (!occupied) return ZR_NO_MEMORY;
@@ -118,7 +118,7 @@ static enum zr_status run_pipeline(struct zr_arena *arena, struct zr_team *team,
                               .geometry = &geometry,
                               .visible = &visible,
                               .samples = window_at_once ? &samples : NULL,
-                              .paint = paint,
+                              .isa = isa,
                               .frame = frame,
                               .cancel = cancel,
                               .occupied = occupied};

@@ -1,5 +1,11 @@
 #include "shade/eye_depth.h"
 
+const struct zr_eye_depths *zr_eye_depths_of(enum zr_isa isa)
+{
+    static const struct zr_eye_depths *const table[ZR_ISA_COUNT] = ZR_KERNELS(&zr_eye_depths);
+    return table[isa];
+}
+
 /* ---- depths of corners ---- */
 
 static double least(const double v[3])
@@ -111,6 +117,27 @@ static void eyes_of(const struct zr_geometry *geometry, const struct zr_triangle
         out[k] = geometry->eyes[record->v[k]];
 }
 
+/* `eyes`: NULL where the triangle was not cut. */
+static void triangle_depth(const struct zr_source_instance *instance, const zr_vec4 *const corners[3],
+                           const struct zr_eye *eyes, uint32_t width, uint32_t height, struct zr_eye_depth *out)
+{
+    struct corners c;
+    double normal[3];
+    place(instance, corners[0], (zr_vec4){0, 0, 0, 0}, c.first);
+    place(instance, corners[1], *corners[0], c.d1);
+    place(instance, corners[2], *corners[0], c.d2);
+    cross(c.d1, c.d2, normal);
+    out->depth = value_plane(&c, normal, ZR_SOURCE_EYE_DEPTH, (double)width, (double)height);
+    out->one = value_plane(&c, normal, ZR_SOURCE_EYE_W, (double)width, (double)height);
+    make_range(&c, eyes, out);
+}
+
+void zr_eye_depth_of_corners(const struct zr_source_instance *instance, const zr_vec4 *const corners[3], uint32_t width,
+                             uint32_t height, struct zr_eye_depth *out)
+{
+    triangle_depth(instance, corners, NULL, width, height, out);
+}
+
 void zr_eye_depth_make(const struct zr_geometry *geometry, const struct zr_triangle *record, uint32_t width,
                        uint32_t height, struct zr_eye_depth *out)
 {
@@ -124,13 +151,5 @@ void zr_eye_depth_make(const struct zr_geometry *geometry, const struct zr_trian
     }
     const struct zr_source source = zr_source_of(&geometry->sources, record->v);
     if (source.is_cut) eyes_of(geometry, record, eyes);
-    struct corners c;
-    double normal[3];
-    place(source.instance, source.corners[0], (zr_vec4){0, 0, 0, 0}, c.first);
-    place(source.instance, source.corners[1], *source.corners[0], c.d1);
-    place(source.instance, source.corners[2], *source.corners[0], c.d2);
-    cross(c.d1, c.d2, normal);
-    out->depth = value_plane(&c, normal, ZR_SOURCE_EYE_DEPTH, (double)width, (double)height);
-    out->one = value_plane(&c, normal, ZR_SOURCE_EYE_W, (double)width, (double)height);
-    make_range(&c, source.is_cut ? eyes : NULL, out);
+    triangle_depth(source.instance, source.corners, source.is_cut ? eyes : NULL, width, height, out);
 }

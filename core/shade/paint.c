@@ -23,7 +23,7 @@ static void pack_range(void *context, size_t begin, size_t end)
     p->paint->pack(p->colors + begin, end - begin, p->out + begin);
 }
 
-enum zr_status zr_paint_prepare(const struct zr_paint *paint, struct zr_arena *arena, struct zr_team *team,
+enum zr_status zr_paint_prepare(enum zr_isa isa, struct zr_arena *arena, struct zr_team *team,
                                 struct zr_geometry *geometry, uint64_t pixels)
 {
     const struct zr_batch *last = NULL; /* that was packed */
@@ -38,7 +38,7 @@ enum zr_status zr_paint_prepare(const struct zr_paint *paint, struct zr_arena *a
         if (count * PIXELS_A_COLOR > pixels) continue;
         uint32_t *out = zr_arena_alloc(arena, count, sizeof *out);
         if (!out) return ZR_NO_MEMORY;
-        struct packing packing = {paint, batch->front, out};
+        struct packing packing = {zr_paint_of(isa), batch->front, out};
         zr_team_ranges(team, count, COLORS_A_RANGE, pack_range, &packing);
         batch->packed = out;
         last = batch;

@@ -22,6 +22,9 @@ struct zr_paint {
     uint32_t (*tile)(const struct zr_geometry *geometry, struct zr_tile *tile, uint32_t nothing, const void *behind,
                      ptrdiff_t stride);
 
+    /* How many pixels belong to records. */
+    uint32_t (*count)(const struct zr_tile *tile);
+
     /* Colours as four bytes each, opaque. */
     void (*pack)(const zr_vec4 *colors, size_t count, uint32_t *out);
 
@@ -42,7 +45,7 @@ const struct zr_paint *zr_paint_of(enum zr_isa isa);
 
 /* Packs the colours of flat batches that have few of them for so many pixels: each is then looked up in one place, and
  * not in three (0.2 ms of the bunny at 1920x1080). ZR_OK or ZR_NO_MEMORY. */
-enum zr_status zr_paint_prepare(const struct zr_paint *paint, struct zr_arena *arena, struct zr_team *team,
+enum zr_status zr_paint_prepare(enum zr_isa isa, struct zr_arena *arena, struct zr_team *team,
                                 struct zr_geometry *geometry, uint64_t pixels);
 
 /* 0..1 -> 0..255, to the nearest, ties to even. NaN gives 0. */

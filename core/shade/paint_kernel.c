@@ -218,6 +218,18 @@ static uint32_t paint_tile(const struct zr_geometry *geometry, struct zr_tile *t
     return covered;
 }
 
+static uint32_t count(const struct zr_tile *tile)
+{
+    uint32_t owned = 0;
+    for (int32_t y = 0; y < tile->height; y++)
+        for (int32_t x = 0; x < tile->width; x += ZR_LANES) {
+            const zr_vm within = zr_vi_lt(zr_vi_ramp(), zr_vi_set(tile->width - x));
+            const zr_vi owners = zr_vi_load(&tile->owner[y * ZR_TILE_STRIDE + x]);
+            owned += (uint32_t)__builtin_popcount(zr_vm_bits(zr_vi_lt_where(within, zr_vi_set(0), owners)));
+        }
+    return owned;
+}
+
 /* ---- arrays ---- */
 
 static void pack(const zr_vec4 *colors, size_t count, uint32_t *out)
@@ -263,4 +275,4 @@ static void copy(void *out, ptrdiff_t stride, int32_t width, int32_t rows, const
     }
 }
 
-const struct zr_paint ZR_KERNEL(zr_paint) = {paint_tile, pack, ends, fill, copy, zr_stream_end};
+const struct zr_paint ZR_KERNEL(zr_paint) = {paint_tile, count, pack, ends, fill, copy, zr_stream_end};

@@ -2,20 +2,12 @@
 
 #include <string.h>
 
-#include "shade/eye_depth.h"
-
-/* A record's depth, kept while its runs are resolved. */
-struct surface {
-    uint32_t owner; /* 0: none yet */
-    struct zr_eye_depth eye_depth;
-};
+#include "shade/depths.h"
+#include "shade/paint.h"
 
 /* As floats. */
 #define INFINITY_BITS UINT32_C(0x7f800000)
 #define ONE_BITS      UINT32_C(0x3f800000)
-
-/* Small records come back in every row of a tile: this many are remembered. */
-enum { SURFACES = 256 };
 
 /* What is kept from run to run of a tile. */
 struct resolver {
@@ -23,23 +15,12 @@ struct resolver {
     const struct zr_frame *frame;
     const struct zr_batch *batch; /* of the last record */
     float deepest;
-    struct surface surfaces[SURFACES];
 };
 
 static const struct zr_batch *batch_of(struct resolver *r, uint32_t number)
 {
     if (!zr_batch_holds(r->batch, number)) r->batch = zr_batch_of(r->geometry, number);
     return r->batch;
-}
-
-static const struct zr_eye_depth *eye_depth_of(struct resolver *r, uint32_t number)
-{
-    struct surface *surface = &r->surfaces[number % SURFACES];
-    if (surface->owner == number + 1) return &surface->eye_depth;
-    const struct zr_record record = zr_record_of(r->geometry, batch_of(r, number), number);
-    surface->owner = number + 1;
-    zr_eye_depth_make(r->geometry, &record.triangle, r->frame->width, r->frame->height, &surface->eye_depth);
-    return &surface->eye_depth;
 }
 
 static uint32_t face_of(struct resolver *r, uint32_t number)
@@ -71,28 +52,20 @@ static void resolve_base(struct resolver *r, const struct zr_base *base, size_t 
 static void resolve_nothing(struct resolver *r, size_t pixel, int32_t count)
 {
     const struct zr_frame *frame = r->frame;
-    for (int32_t i = 0; frame->depth && i < count; i++)
-        frame->depth[pixel + (size_t)i] = INFINITY;
     if (frame->face_id) memset(frame->face_id + pixel, 0, (size_t)count * sizeof *frame->face_id);
     if (frame->base) resolve_base(r, frame->base, pixel, count);
 }
 
-static void resolve_run(struct resolver *r, uint32_t number, int32_t x, int32_t y, int32_t count, size_t pixel)
+static void resolve_run(struct resolver *r, uint32_t number, int32_t count, size_t pixel)
 {
     const struct zr_frame *frame = r->frame;
-    if (frame->depth) {
-        const struct zr_eye_depth depth = *eye_depth_of(r, number);
-        for (int32_t i = 0; i < count; i++)
-            keep_depth(r, pixel + (size_t)i, zr_eye_depth_at(&depth, x + i, y));
-    }
-    if (frame->face_id) {
-        uint32_t face = face_of(r, number) + (frame->base ? frame->base->first_face_id - 1 : 0);
-        for (int32_t i = 0; i < count; i++)
-            frame->face_id[pixel + (size_t)i] = face;
-    }
+    if (!frame->face_id) return;
+    uint32_t face = face_of(r, number) + (frame->base ? frame->base->first_face_id - 1 : 0);
+    for (int32_t i = 0; i < count; i++)
+        frame->face_id[pixel + (size_t)i] = face;
 }
 
-/* Depth and ids, and what the base has of these where nothing is drawn. Returns the deepest. */
+/* Ids, and what the base has of them and of depth where nothing is drawn. Returns the deepest that came from there. */
 static float resolve_runs(const struct zr_geometry *geometry, const struct zr_paint *paint, const struct zr_tile *tile,
                           const struct zr_frame *frame, size_t pixel)
 {
@@ -101,8 +74,6 @@ static float resolve_runs(const struct zr_geometry *geometry, const struct zr_pa
     r.frame = frame;
     r.batch = &geometry->batches[0];
     r.deepest = 0.0f;
-    for (int i = 0; frame->depth && i < SURFACES; i++)
-        r.surfaces[i].owner = 0;
     for (int32_t y = 0; y < tile->height; y++, pixel -= frame->width) {
         const uint32_t *owners = &tile->owner[y * ZR_TILE_STRIDE];
         int32_t begin = 0, end;
@@ -111,7 +82,7 @@ static float resolve_runs(const struct zr_geometry *geometry, const struct zr_pa
             if (owners[begin] == 0)
                 resolve_nothing(&r, pixel + (size_t)begin, end - begin);
             else
-                resolve_run(&r, owners[begin] - 1, tile->x + begin, tile->y + y, end - begin, pixel + (size_t)begin);
+                resolve_run(&r, owners[begin] - 1, end - begin, pixel + (size_t)begin);
         }
     }
     return r.deepest;
@@ -142,15 +113,6 @@ static void resolve_empty(const struct zr_paint *paint, uint32_t nothing, const 
     if (frame->window_depth) paint->fill(frame->window_depth + pixel, up, width, height, ONE_BITS, streamed);
 }
 
-static uint32_t count_owned(const struct zr_tile *tile)
-{
-    uint32_t count = 0;
-    for (int32_t y = 0; y < tile->height; y++)
-        for (int32_t x = 0; x < tile->width; x++)
-            count += tile->owner[y * ZR_TILE_STRIDE + x] != 0;
-    return count;
-}
-
 /* Who owns all of the tile; 0: several, or nobody, or it is not known. */
 static uint32_t only_owner_of(const struct zr_tile *tile)
 {
@@ -161,9 +123,10 @@ static uint32_t only_owner_of(const struct zr_tile *tile)
     return others ? 0 : owner;
 }
 
-struct zr_resolved zr_resolve_tile(const struct zr_geometry *geometry, const struct zr_paint *paint, zr_vec4 background,
+struct zr_resolved zr_resolve_tile(const struct zr_geometry *geometry, enum zr_isa isa, zr_vec4 background,
                                    struct zr_tile *tile, const struct zr_frame *frame)
 {
+    const struct zr_paint *paint = zr_paint_of(isa);
     const uint32_t nothing = zr_color_pack(zr_color_byte(background.x), zr_color_byte(background.y),
                                            zr_color_byte(background.z), zr_color_byte(background.w));
     /* Of the tile's lowest row: window space has y up, pictures have row 0 on top. */
@@ -174,11 +137,18 @@ struct zr_resolved zr_resolve_tile(const struct zr_geometry *geometry, const str
         return (struct zr_resolved){0, 0.0f};
     }
     const bool streamed = is_streamed(frame, tile);
-    struct zr_resolved resolved = {.covered = frame->color ? 0 : count_owned(tile)};
+    struct zr_resolved resolved = {.covered = frame->color ? 0 : paint->count(tile)};
     if (frame->window_depth)
         paint->copy(frame->window_depth + pixel, up, tile->width, tile->height, tile->depth, streamed);
-    if (frame->depth || frame->face_id || (frame->base && frame->window_depth))
-        resolved.deepest = resolve_runs(geometry, paint, tile, frame, pixel);
+    if (frame->depth) {
+        resolved.deepest =
+            zr_depths_tile(geometry, zr_eye_depths_of(isa), paint->ends, frame->width, frame->height, tile);
+        paint->copy(frame->depth + pixel, up, tile->width, tile->height, tile->depth, streamed);
+    }
+    if (frame->face_id || (frame->base && (frame->depth || frame->window_depth))) {
+        const float deepest = resolve_runs(geometry, paint, tile, frame, pixel);
+        if (deepest > resolved.deepest) resolved.deepest = deepest;
+    }
     const uint32_t only_owner = frame->color ? only_owner_of(tile) : 0;
     if (only_owner > 0) {
         const uint32_t number = only_owner - 1;

@@ -93,6 +93,7 @@ int main(int count, char **arguments)
     growth_floors(&bench);
     versus_llvmpipe(&bench);
     growth_of_threads(&bench);
+    growth_of_channels(&bench);
     versus_libpng(&bench);
     versus_cjson(&bench);
     service_against_stock(&bench);

@@ -55,6 +55,8 @@ static void make_inputs(struct random *random, struct simd_inputs *in)
     }
     for (uint32_t k = 0; k < COUNT_OF(in->corners); k++)
         in->corners[k] = random_below(random, SIMD_COUNT);
+    for (uint32_t k = 0; k < SIMD_COUNT; k++)
+        in->doubles[k] = (double)float_of(random_bits(random)) * (1.0 + 0x1p-40);
     for (uint32_t k = 0; k < COUNT_OF(in->places); k++)
         in->places[k] = float_of(random_bits(random));
 }
@@ -165,6 +167,18 @@ static void want_gathers(const struct simd_inputs *in, struct simd_results *want
         }
 }
 
+static void want_doubles(const struct simd_inputs *in, struct simd_results *want, int k)
+{
+    const double a = (double)in->a[k], b = (double)in->b[k];
+    want->vd_set[k] = in->a[k - k % want->doubles];
+    want->vd_min[k] = a < b ? in->a[k] : in->b[k];
+    want->vd_max[k] = a > b ? in->a[k] : in->b[k];
+    want->vd_lost[k] = (float)(a * b - (double)(in->a[k] * in->b[k]));
+    want->vd_div[k] = (float)((a + 1.0) / b);
+    want->vd_store[k] = (float)(a - b);
+    want->vd_gather[k] = (float)in->doubles[in->order[k]];
+}
+
 /* ---- the comparison ---- */
 
 struct result {
@@ -226,6 +240,13 @@ static const struct result results[] = {EXACT(vf_set),
                                         EXACT(load2[1]),
                                         EXACT(vf_store4),
                                         EXACT(strayed),
+                                        RESULT(vd_set, true),
+                                        RESULT(vd_min, true),
+                                        RESULT(vd_max, true),
+                                        RESULT(vd_lost, true),
+                                        RESULT(vd_div, true),
+                                        RESULT(vd_store, true),
+                                        RESULT(vd_gather, true),
                                         EXACT(vf_lt_where),
                                         EXACT(vf_eq_where),
                                         EXACT(vi_lt_where),
@@ -274,11 +295,13 @@ bool simd_check(enum zr_isa isa, uint64_t seed, char *message, size_t size)
     memset(&want, 0, sizeof want);
     run[isa](&in, &got);
     want.lanes = got.lanes;
+    want.doubles = got.doubles;
     for (int k = 0; k < SIMD_COUNT; k++) {
         want_floats(&in, &want, k);
         want_ints(&in, &want, k);
         want_gathers(&in, &want, k);
         want_patches(&in, &want, k);
+        want_doubles(&in, &want, k);
     }
     for (size_t r = 0; r < COUNT_OF(results); r++)
         for (size_t k = 0; k < results[r].count; k++) {

@@ -143,9 +143,28 @@ static void run_gathers(const struct simd_inputs *in, struct simd_results *out, 
     out->strayed[k] |= memcmp(room + ZR_LANES, in->j + k, 4 * ZR_LANES) != 0;
 }
 
+static void run_doubles(const struct simd_inputs *in, struct simd_results *out, int k)
+{
+    const zr_vd a = zr_vd_widen(in->a + k), b = zr_vd_widen(in->b + k);
+    float products[ZR_DOUBLES];
+    double stored[ZR_DOUBLES];
+    for (int i = 0; i < ZR_DOUBLES; i++)
+        products[i] = in->a[k + i] * in->b[k + i];
+    zr_vd_store(stored, a - b);
+    for (int i = 0; i < ZR_DOUBLES; i++)
+        out->vd_store[k + i] = (float)stored[i];
+    zr_vd_narrow(out->vd_set + k, zr_vd_set((double)in->a[k]));
+    zr_vd_narrow(out->vd_min + k, zr_vd_min(a, b));
+    zr_vd_narrow(out->vd_max + k, zr_vd_max(a, b));
+    zr_vd_narrow(out->vd_lost + k, a * b - zr_vd_widen(products));
+    zr_vd_narrow(out->vd_div + k, (a + zr_vd_set(1.0)) / b);
+    zr_vd_narrow(out->vd_gather + k, zr_vd_gather(in->doubles, (const int32_t *)in->order + k));
+}
+
 void ZR_KERNEL(simd_run)(const struct simd_inputs *in, struct simd_results *out)
 {
     out->lanes = ZR_LANES;
+    out->doubles = ZR_DOUBLES;
     for (int k = 0; k < SIMD_COUNT; k += ZR_LANES) {
         run_floats(in, out, k);
         run_ints(in, out, k);
@@ -155,5 +174,7 @@ void ZR_KERNEL(simd_run)(const struct simd_inputs *in, struct simd_results *out)
         run_patches(in, out, k);
         run_gathers(in, out, k);
     }
+    for (int k = 0; k < SIMD_COUNT; k += ZR_DOUBLES)
+        run_doubles(in, out, k);
     zr_stream_end();
 }

@@ -22,6 +22,7 @@ struct simd_inputs {
     uint32_t first[SIMD_COUNT];           /* 0 .. 16: that of its vector's lane 0 counts, cut to ZR_LANES */
     float places[SIMD_COUNT * SIMD_APART];
     uint32_t corners[3 * SIMD_COUNT]; /* 0 .. SIMD_COUNT - 1, of fours of places */
+    double doubles[SIMD_COUNT];
 };
 
 /* Four bytes each: simd_check.c has a table of them. */
@@ -54,8 +55,11 @@ struct simd_results {
     int32_t vi_gather[SIMD_COUNT];                   /* places[order], 0 where not m */
     int32_t vi_compress[SIMD_COUNT];                 /* of i and m; 0 in a vector's lanes behind those */
     int32_t vi_compressed[SIMD_COUNT];               /* how many */
-    int32_t strayed[SIMD_COUNT];                     /* not 0: a store_first wrote beside its lanes */
-    int32_t lanes;
+    /* In double, as floats. lost: what a product of floats would lose. set: lane 0 of all ZR_DOUBLES. */
+    float vd_set[SIMD_COUNT], vd_min[SIMD_COUNT], vd_max[SIMD_COUNT], vd_lost[SIMD_COUNT], vd_div[SIMD_COUNT];
+    float vd_store[SIMD_COUNT], vd_gather[SIMD_COUNT]; /* doubles[order] */
+    int32_t strayed[SIMD_COUNT];                       /* not 0: a store_first wrote beside its lanes */
+    int32_t lanes, doubles;
 };
 
 typedef void simd_run_fn(const struct simd_inputs *in, struct simd_results *out);

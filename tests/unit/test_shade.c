@@ -2,7 +2,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "shade/resolve.h"
+#include "shade/paint.h"
 #include "support/cmocka_all.h"
 #include "support/scenes.h"
 

@@ -167,6 +167,38 @@ static inline void zr_vf_store4(float *p, zr_vf x, zr_vf y, zr_vf z, zr_vf w)
     _mm256_storeu_ps(p + 24, _mm256_permute2f128_ps((__m256)c, (__m256)d, 0x31));
 }
 
+typedef double zr_vd __attribute__((vector_size(32)));
+enum { ZR_DOUBLES = 4 };
+
+static inline zr_vd zr_vd_set(double a)
+{
+    return (zr_vd)_mm256_set1_pd(a);
+}
+static inline void zr_vd_store(double *p, zr_vd v)
+{
+    _mm256_storeu_pd(p, (__m256d)v);
+}
+static inline zr_vd zr_vd_widen(const float *p)
+{
+    return (zr_vd)_mm256_cvtps_pd(_mm_loadu_ps(p));
+}
+static inline void zr_vd_narrow(float *p, zr_vd v)
+{
+    _mm_storeu_ps(p, _mm256_cvtpd_ps((__m256d)v));
+}
+static inline zr_vd zr_vd_min(zr_vd a, zr_vd b)
+{
+    return (zr_vd)_mm256_min_pd((__m256d)a, (__m256d)b);
+}
+static inline zr_vd zr_vd_max(zr_vd a, zr_vd b)
+{
+    return (zr_vd)_mm256_max_pd((__m256d)a, (__m256d)b);
+}
+static inline zr_vd zr_vd_gather(const double *p, const int32_t *i)
+{
+    return (zr_vd)_mm256_i32gather_pd(p, _mm_loadu_si128((const __m128i *)(const void *)i), 8);
+}
+
 #include "base/simd/vector_masks.h"
 
 #endif

@@ -218,6 +218,38 @@ static inline zr_vi zr_vi_gather(zr_vm m, const void *p, zr_vi i)
     return (zr_vi)_mm512_mask_i32gather_epi32(_mm512_setzero_si512(), m, (__m512i)i, p, 4);
 }
 
+typedef double zr_vd __attribute__((vector_size(64)));
+enum { ZR_DOUBLES = 8 };
+
+static inline zr_vd zr_vd_set(double a)
+{
+    return (zr_vd)_mm512_set1_pd(a);
+}
+static inline void zr_vd_store(double *p, zr_vd v)
+{
+    _mm512_storeu_pd(p, (__m512d)v);
+}
+static inline zr_vd zr_vd_widen(const float *p)
+{
+    return (zr_vd)_mm512_cvtps_pd(_mm256_loadu_ps(p));
+}
+static inline void zr_vd_narrow(float *p, zr_vd v)
+{
+    _mm256_storeu_ps(p, _mm512_cvtpd_ps((__m512d)v));
+}
+static inline zr_vd zr_vd_min(zr_vd a, zr_vd b)
+{
+    return (zr_vd)_mm512_min_pd((__m512d)a, (__m512d)b);
+}
+static inline zr_vd zr_vd_max(zr_vd a, zr_vd b)
+{
+    return (zr_vd)_mm512_max_pd((__m512d)a, (__m512d)b);
+}
+static inline zr_vd zr_vd_gather(const double *p, const int32_t *i)
+{
+    return (zr_vd)_mm512_i32gather_pd(_mm256_loadu_si256((const __m256i *)(const void *)i), p, 8);
+}
+
 /* Three vectors of x y z x y z ... -> one of x, one of y, one of z: lanes 0, 3, 6 ... of all three from `first` on. */
 static inline __m512i zr_every_third(__m512i a, __m512i b, __m512i c, int first)
 {

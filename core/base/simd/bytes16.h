@@ -39,6 +39,18 @@ static inline zr_vi zr_vi_later(zr_vi v, int n)
 #include "base/simd/vector_compare.h"
 
 static inline uint32_t zr_vm_bits(zr_vm m);
+typedef double zr_vd __attribute__((vector_size(16)));
+enum { ZR_DOUBLES = 2 };
+
+static inline zr_vd zr_vd_set(double a)
+{
+    return (zr_vd){a, a};
+}
+static inline zr_vd zr_vd_gather(const double *p, const int32_t *i)
+{
+    return (zr_vd){p[i[0]], p[i[1]]};
+}
+
 static inline zr_vi zr_vi_gather(zr_vm m, const void *p, zr_vi i)
 {
     int32_t lanes[ZR_LANES] = {0};

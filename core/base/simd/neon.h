@@ -122,6 +122,27 @@ static inline void zr_vf_store4(float *p, zr_vf x, zr_vf y, zr_vf z, zr_vf w)
     vst4q_f32(p, all);
 }
 
+static inline void zr_vd_store(double *p, zr_vd v)
+{
+    vst1q_f64(p, (float64x2_t)v);
+}
+static inline zr_vd zr_vd_widen(const float *p)
+{
+    return (zr_vd)vcvt_f64_f32(vld1_f32(p));
+}
+static inline void zr_vd_narrow(float *p, zr_vd v)
+{
+    vst1_f32(p, vcvt_f32_f64((float64x2_t)v));
+}
+static inline zr_vd zr_vd_min(zr_vd a, zr_vd b)
+{
+    return (zr_vd)vbslq_f64(vcltq_f64((float64x2_t)a, (float64x2_t)b), (float64x2_t)a, (float64x2_t)b);
+}
+static inline zr_vd zr_vd_max(zr_vd a, zr_vd b)
+{
+    return (zr_vd)vbslq_f64(vcgtq_f64((float64x2_t)a, (float64x2_t)b), (float64x2_t)a, (float64x2_t)b);
+}
+
 #include "base/simd/vector_masks.h"
 
 #endif

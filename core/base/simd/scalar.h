@@ -178,6 +178,38 @@ static inline zr_vi zr_vi_bits_of(zr_vf a)
         (x) = at[0], (y) = at[1];                                                                                      \
     } while (0)
 
+typedef double zr_vd;
+enum { ZR_DOUBLES = 1 };
+
+static inline zr_vd zr_vd_set(double a)
+{
+    return a;
+}
+static inline void zr_vd_store(double *p, zr_vd v)
+{
+    *p = v;
+}
+static inline zr_vd zr_vd_widen(const float *p)
+{
+    return (double)*p;
+}
+static inline void zr_vd_narrow(float *p, zr_vd v)
+{
+    *p = (float)v;
+}
+static inline zr_vd zr_vd_min(zr_vd a, zr_vd b)
+{
+    return a < b ? a : b;
+}
+static inline zr_vd zr_vd_max(zr_vd a, zr_vd b)
+{
+    return a > b ? a : b;
+}
+static inline zr_vd zr_vd_gather(const double *p, const int32_t *i)
+{
+    return p[*i];
+}
+
 static inline zr_vi zr_vi_gather(zr_vm m, const void *p, zr_vi i)
 {
     zr_vi v = 0;

@@ -125,6 +125,27 @@ static inline void zr_vf_store4(float *p, zr_vf x, zr_vf y, zr_vf z, zr_vf w)
     zr_vf_store(p + 12, d);
 }
 
+static inline void zr_vd_store(double *p, zr_vd v)
+{
+    _mm_storeu_pd(p, (__m128d)v);
+}
+static inline zr_vd zr_vd_widen(const float *p)
+{
+    return (zr_vd)_mm_cvtps_pd(_mm_castsi128_ps(_mm_loadl_epi64((const __m128i *)(const void *)p)));
+}
+static inline void zr_vd_narrow(float *p, zr_vd v)
+{
+    _mm_storel_epi64((__m128i *)(void *)p, _mm_castps_si128(_mm_cvtpd_ps((__m128d)v)));
+}
+static inline zr_vd zr_vd_min(zr_vd a, zr_vd b)
+{
+    return (zr_vd)_mm_min_pd((__m128d)a, (__m128d)b);
+}
+static inline zr_vd zr_vd_max(zr_vd a, zr_vd b)
+{
+    return (zr_vd)_mm_max_pd((__m128d)a, (__m128d)b);
+}
+
 #include "base/simd/vector_masks.h"
 
 #endif

@@ -9,7 +9,7 @@
 #include "raster/plane.h"
 #include "raster/setup.h"
 #include "reference/lines/batch.h"
-#include "shade/resolve.h"
+#include "shade/paint.h"
 
 const char *const fault_names[FAULT_COUNT] = {
     "none",       "reversed",        "snapped-first", "inclusive", "plane-swapped",   "plane-short",  "clip-one-by-one",

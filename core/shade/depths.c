@@ -1,0 +1,149 @@
+#include "shade/depths.h"
+
+#include <string.h>
+
+enum {
+    BAND_MOST = ZR_EYE_BAND * ZR_TILE_SIZE,
+    DEPTHS = 2 * BAND_MOST, /* that are remembered */
+    KEYS = 1024,
+    WAITING = 64 /* that are made together */
+};
+
+struct depths {
+    const struct zr_geometry *geometry;
+    const struct zr_eye_depths *kernel;
+    uint32_t width, height;
+
+    /* Of the last record. */
+    const struct zr_batch *batch;
+    const struct zr_source_instance *batch_instance; /* where it is not written out; NULL: not looked for */
+
+    /* Depths that are made, and behind them those of triangles that wait: all of one instance. */
+    uint32_t count, waiting;
+    const struct zr_source_instance *instance;
+    uint32_t vertices[WAITING][3];
+    const zr_vec4 *corners[WAITING + 16][3];
+    uint32_t owners[KEYS]; /* whose number is known */
+    uint16_t numbers[KEYS];
+    struct zr_eye_depth depths[DEPTHS];
+};
+
+static void forget(struct depths *d)
+{
+    memset(d->owners, 0, sizeof d->owners);
+    d->depths[0] = zr_eye_depth_nothing();
+    d->count = 1;
+}
+
+static void make_waiting(struct depths *d)
+{
+    const struct zr_window_vertex *vertices = d->geometry->vertices;
+    for (uint32_t i = 0; i < d->waiting; i++) {
+        const uint32_t *v = d->vertices[i];
+        const zr_vec4 **corners = d->corners[i], *old = corners[0];
+        if (zr_window_area(&vertices[v[0]], &vertices[v[1]], &vertices[v[2]]) >= 0) continue;
+        corners[0] = corners[1];
+        corners[1] = old;
+    }
+    d->kernel->make(d->instance, d->corners, d->waiting, d->width, d->height, d->depths + d->count);
+    d->count += d->waiting;
+    d->waiting = 0;
+}
+
+/* One of an instance's triangles. What it is made of is asked for: a sixth of a million triangles' time. */
+static void add_triangle(struct depths *d, const struct zr_source_instance *instance, const uint32_t vertices[3],
+                         const zr_vec4 *const corners[3])
+{
+    if (d->waiting == WAITING || d->instance != instance) make_waiting(d);
+    d->instance = instance;
+    for (int k = 0; k < 3; k++) {
+        __builtin_prefetch(corners[k]);
+        __builtin_prefetch(&d->geometry->vertices[vertices[k]]);
+        d->vertices[d->waiting][k] = vertices[k];
+        d->corners[d->waiting][k] = corners[k];
+    }
+    d->waiting++;
+}
+
+static void add_record(struct depths *d, const struct zr_triangle *record)
+{
+    if (!record->line) {
+        const struct zr_source source = zr_source_of(&d->geometry->sources, record->v);
+        if (!source.is_cut) {
+            add_triangle(d, source.instance, record->v, source.corners);
+            return;
+        }
+    }
+    make_waiting(d);
+    zr_eye_depth_make(d->geometry, record, d->width, d->height, &d->depths[d->count++]);
+}
+
+static void add(struct depths *d, uint32_t number)
+{
+    if (!zr_batch_holds(d->batch, number)) {
+        d->batch = zr_batch_of(d->geometry, number);
+        d->batch_instance = NULL;
+    }
+    const struct zr_batch *batch = d->batch;
+    const uint32_t t = number - batch->first;
+    if (batch->written) {
+        add_record(d, &d->geometry->triangles[batch->first_record + t]);
+        return;
+    }
+    const uint32_t *v = batch->corners + 3 * (size_t)t, first = batch->first_vertex;
+    const uint32_t vertices[3] = {first + v[0], first + v[1], first + v[2]};
+    const zr_vec4 *positions = batch->mesh->positions;
+    const zr_vec4 *const corners[3] = {positions + v[0], positions + v[1], positions + v[2]};
+    if (!d->batch_instance) d->batch_instance = zr_source_of(&d->geometry->sources, vertices).instance;
+    add_triangle(d, d->batch_instance, vertices, corners);
+}
+
+static int32_t number_of(struct depths *d, uint32_t owner)
+{
+    const uint32_t key = owner % KEYS;
+    if (d->owners[key] != owner) {
+        add(d, owner - 1);
+        d->owners[key] = owner;
+        d->numbers[key] = (uint16_t)(d->count + d->waiting - 1);
+    }
+    return d->numbers[key];
+}
+
+static void find_runs(struct depths *d, const uint32_t *owners, uint64_t ends, struct zr_eye_runs *out)
+{
+    int32_t *number = out->numbers;
+    out->ends = ends;
+    for (; ends; ends &= ends - 1) {
+        const uint32_t owner = owners[__builtin_ctzll(ends)];
+        *number++ = owner > 0 ? number_of(d, owner) : 0;
+    }
+}
+
+float zr_depths_tile(const struct zr_geometry *geometry, const struct zr_eye_depths *kernel,
+                     uint64_t (*ends)(const uint32_t *owners, int32_t width), uint32_t width, uint32_t height,
+                     struct zr_tile *tile)
+{
+    struct depths d;
+    float deepest = 0.0f;
+    d.geometry = geometry;
+    d.kernel = kernel;
+    d.width = width;
+    d.height = height;
+    d.batch = &geometry->batches[0];
+    d.batch_instance = d.instance = NULL;
+    d.waiting = 0;
+    forget(&d);
+    for (int32_t y = 0; y < tile->height; y += ZR_EYE_BAND) {
+        const int32_t rows = tile->height - y < ZR_EYE_BAND ? tile->height - y : ZR_EYE_BAND;
+        struct zr_eye_runs runs[ZR_EYE_BAND];
+        if (d.count + BAND_MOST > DEPTHS) forget(&d);
+        for (int32_t row = 0; row < rows; row++) {
+            const uint32_t *owners = &tile->owner[(y + row) * ZR_TILE_STRIDE];
+            find_runs(&d, owners, ends(owners, tile->width), &runs[row]);
+        }
+        make_waiting(&d);
+        const float deep = kernel->fill(d.depths, runs, rows, tile->x, tile->y + y, &tile->depth[y * ZR_TILE_STRIDE]);
+        deepest = deep > deepest ? deep : deepest;
+    }
+    return deepest;
+}
