@@ -82,6 +82,11 @@ static inline int zr_lowest_bit(uint32_t bits)
     return __builtin_ctz(bits);
 }
 
+static inline int zr_highest_bit(uint32_t bits)
+{
+    return 31 - __builtin_clz(bits);
+}
+
 static inline void zr_vi_store4(void *p, zr_vi x, zr_vi y, zr_vi z, zr_vi w)
 {
     zr_vf_store4(p, zr_vf_bits(x), zr_vf_bits(y), zr_vf_bits(z), zr_vf_bits(w));

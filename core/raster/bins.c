@@ -3,6 +3,7 @@
 #include "geometry/face.h"
 
 enum { TRIANGLES_A_RANGE = 4096, BYTES_AT_ONCE = 1 << 16 };
+_Static_assert(TRIANGLES_A_RANGE < 1 << ZR_BIN_OWNER_BITS, "as the kernel wants it");
 
 /* ---- lists ---- */
 

@@ -4,7 +4,7 @@
  * How:    threads go through the batches and sort triangles into tiles, each into lists of its own, so none
  *         waits for another; the order in a list means nothing (tile.h: zr_tile_put). What shows
  *         its back and must not, has no area, or holds no pixel centre is dropped here, many at once.
- *         - Tiny ones, of 2x2 pixel centres at most, are drawn then and there, into fragments: 12 bytes each.
+ *         - Tiny ones, of 2x2 pixel centres at most, are drawn then and there, into fragments: 8 bytes each.
  *         - Small ones, of up to 64 pixels, are listed by their number in the tiles that they touch: 4 bytes each.
  *         - Wide ones are set up once. Those that touch few tiles are listed there; large ones are not, and every tile
  *           goes through them.
@@ -26,6 +26,7 @@ enum {
     ZR_BIN_FRAGMENTS_A_BLOCK = 64,
     ZR_BIN_FRAGMENTS_AT_ONCE = 4 * ZR_BIN_VECTOR, /* put there, each vector stored whole */
     ZR_BIN_FRAGMENTS_ROOM = ZR_BIN_FRAGMENTS_A_BLOCK + ZR_BIN_FRAGMENTS_AT_ONCE,
+    ZR_BIN_OWNER_BITS = 19,
     ZR_BIN_TILES = 16,           /* that a wide triangle is listed in at most */
     ZR_BIN_SMALL_SPAN = 64 * 256 /* on the snapped grid: edge functions then fit 32 bits, with room to spare */
 };
@@ -59,10 +60,11 @@ struct zr_bin_wides {
 /* Samples of tiny triangles. Their depth is less than 1. */
 struct zr_bin_fragments {
     struct zr_bin_head head;
-    uint32_t pixels[ZR_BIN_FRAGMENTS_ROOM]; /* in zr_tile.depth */
-    uint32_t owners[ZR_BIN_FRAGMENTS_ROOM];
+    uint32_t first_owner;
+    uint32_t places[ZR_BIN_FRAGMENTS_ROOM]; /* pixel in zr_tile.depth << ZR_BIN_OWNER_BITS | owner - first_owner */
     float depths[ZR_BIN_FRAGMENTS_ROOM];
 };
+_Static_assert(ZR_TILE_STRIDE *ZR_TILE_SIZE <= 1 << (32 - ZR_BIN_OWNER_BITS), "a pixel and an owner fit a word");
 
 /* What one thread has for one tile. */
 struct zr_tile_bins {
@@ -96,7 +98,7 @@ enum zr_status zr_bins_build(struct zr_arena *arena, struct zr_team *team, struc
 
 /* ---- for the kernel ---- */
 
-/* Sorts the records begin .. end - 1 of a plain batch, counted from its first. */
+/* Sorts the records begin .. end - 1 of a plain batch, counted from its first: fewer than 1 << ZR_BIN_OWNER_BITS. */
 typedef void zr_binning_fn(struct zr_binner *binner, const struct zr_batch *batch, uint32_t begin, uint32_t end);
 
 zr_binning_fn zr_binning_scalar, zr_binning_sse2, zr_binning_avx2, zr_binning_avx512, zr_binning_neon;
@@ -125,11 +127,18 @@ static inline struct zr_bin_numbers *zr_binner_numbers(struct zr_binner *binner,
                                                    sizeof(struct zr_bin_numbers));
 }
 
-/* Room for ZR_BIN_FRAGMENTS_AT_ONCE, or NULL. */
-static inline struct zr_bin_fragments *zr_binner_fragments(struct zr_binner *binner, struct zr_bin *bin)
+/* Room for ZR_BIN_FRAGMENTS_AT_ONCE of owners first .. last, which are less than 1 << ZR_BIN_OWNER_BITS; or NULL. */
+static inline struct zr_bin_fragments *zr_binner_fragments(struct zr_binner *binner, struct zr_bin *bin, uint32_t first,
+                                                           uint32_t last)
 {
-    return (struct zr_bin_fragments *)zr_binner_room(binner, bin, ZR_BIN_FRAGMENTS_A_BLOCK,
-                                                     sizeof(struct zr_bin_fragments));
+    struct zr_bin_fragments *block = (struct zr_bin_fragments *)bin->last;
+    if (__builtin_expect(block && block->head.used <= ZR_BIN_FRAGMENTS_A_BLOCK && first >= block->first_owner &&
+                             last - block->first_owner < 1u << ZR_BIN_OWNER_BITS,
+                         1))
+        return block;
+    block = (struct zr_bin_fragments *)zr_binner_block(binner, bin, sizeof *block);
+    if (block) block->first_owner = first;
+    return block;
 }
 
 #endif

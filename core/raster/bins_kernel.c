@@ -46,37 +46,48 @@ static inline struct box box_of(const struct sorter *s, const struct zr_grid_v g
 /* One sample of each lane. */
 struct samples {
     zr_vm seen;
-    zr_vi tile, pixel;
+    zr_vi tile, pixel; /* pixel: in its upper bits, as in zr_bin_fragments */
     zr_vf depth;
 };
 
-static inline uint32_t put_there(struct zr_bin_fragments *block, uint32_t used, zr_vm put,
-                                 const struct samples *samples, zr_vi owners)
+/* Of a group of triangles. */
+struct owners {
+    zr_vi all;
+    uint32_t first, last;
+};
+
+static inline void put_there(struct zr_bin_fragments *block, zr_vm put, const struct samples *samples,
+                             const struct owners *owners)
 {
-    zr_vi_compress(block->pixels + used, put, samples->pixel);
-    zr_vi_compress(block->depths + used, put, zr_vi_bits_of(samples->depth));
-    return used + zr_vi_compress(block->owners + used, put, owners);
+    const zr_vi owner = owners->all - zr_vi_set((int32_t)block->first_owner);
+    zr_vi_compress(block->places + block->head.used, put, samples->pixel | owner);
+    block->head.used += zr_vi_compress(block->depths + block->head.used, put, zr_vi_bits_of(samples->depth));
+}
+
+static inline struct zr_bin_fragments *block_of(struct zr_binner *binner, uint32_t tile, const struct owners *owners)
+{
+    return zr_binner_fragments(binner, &binner->tiles[tile].fragments, owners->first, owners->last);
 }
 
 /* Into the tiles that they lie in, one after the other. */
-static inline void put_apart(struct zr_binner *binner, const struct samples *samples, zr_vi owners)
+static inline void put_apart(struct zr_binner *binner, const struct samples *samples, const struct owners *owners)
 {
     uint32_t tiles[ZR_LANES];
     zr_vi_store(tiles, samples->tile);
     for (uint32_t bits = zr_vm_bits(samples->seen); bits;) {
         const uint32_t number = tiles[zr_lowest_bit(bits)];
         const zr_vm here = zr_vi_eq(samples->tile, zr_vi_set((int32_t)number));
-        struct zr_bin_fragments *block = zr_binner_fragments(binner, &binner->tiles[number].fragments);
+        struct zr_bin_fragments *block = block_of(binner, number, owners);
         if (!block) return;
-        block->head.used = put_there(block, block->head.used, zr_vm_and(here, zr_vm_of(bits)), samples, owners);
+        put_there(block, zr_vm_and(here, zr_vm_of(bits)), samples, owners);
         bits &= ~zr_vm_bits(here);
     }
 }
 
-/* The samples of a group. Nearly always its triangles are neighbours, and all lie in one tile: that is asked once (a
+/* The samples of a group. Mostly its triangles are neighbours, and all lie in one tile: that is asked once (a
  * seventh of a million triangles). `inner`: the lanes whose samples share a tile. */
 static inline void put_fragments(struct zr_binner *binner, const struct samples samples[4], zr_vm valid, zr_vm inner,
-                                 zr_vi owners)
+                                 const struct owners *owners)
 {
     uint32_t tiles[ZR_LANES];
     zr_vi_store(tiles, samples[0].tile);
@@ -87,12 +98,10 @@ static inline void put_fragments(struct zr_binner *binner, const struct samples 
             put_apart(binner, &samples[i], owners);
         return;
     }
-    struct zr_bin_fragments *block = zr_binner_fragments(binner, &binner->tiles[number].fragments);
+    struct zr_bin_fragments *block = block_of(binner, number, owners);
     if (!block) return;
-    uint32_t used = block->head.used;
     for (int i = 0; i < 4; i++)
-        used = put_there(block, used, samples[i].seen, &samples[i], owners);
-    block->head.used = used;
+        put_there(block, samples[i].seen, &samples[i], owners);
 }
 _Static_assert((int)ZR_LANES <= (int)ZR_BIN_VECTOR, "a block has room for a vector");
 _Static_assert(ZR_TILE_SIZE == 1 << 6, "columns and rows of tiles are shifts");
@@ -120,7 +129,8 @@ static inline void draw_tiny(struct sorter *s, const uint32_t *numbers, zr_vm va
     const struct zr_plane_v plane = zr_plane_make_v(&basis, c[0].z, c[1].z, c[2].z);
     const zr_vi one = zr_vi_set(1), below_zero = zr_vi_set(-1), in_tile = zr_vi_set(ZR_TILE_SIZE - 1);
     const zr_vi columns = zr_vi_set((int32_t)s->binner->bins->columns);
-    const zr_vi owners = zr_vi_load(numbers) + one;
+    struct owners owners = {.all = zr_vi_load(numbers) + one, .first = numbers[0] + 1};
+    owners.last = numbers[zr_highest_bit(zr_vm_bits(valid))] + 1;
     struct samples samples[4];
     for (int sample = 0; sample < 4; sample++) {
         const zr_vi x = sample & 1 ? box.x0 + one : box.x0, y = sample & 2 ? box.y0 + one : box.y0;
@@ -138,10 +148,10 @@ static inline void draw_tiny(struct sorter *s, const uint32_t *numbers, zr_vm va
         samples[sample].seen = zr_vf_lt_where(seen, z, zr_vf_set(1.0f));
         samples[sample].depth = z;
         samples[sample].tile = (y >> 6) * columns + (x >> 6);
-        samples[sample].pixel = (y & in_tile) * zr_vi_set(ZR_TILE_STRIDE) + (x & in_tile);
+        samples[sample].pixel = ((y & in_tile) * zr_vi_set(ZR_TILE_STRIDE) + (x & in_tile)) << ZR_BIN_OWNER_BITS;
     }
     const zr_vi apart = ((box.x0 ^ box.x1) | (box.y0 ^ box.y1)) >> 6;
-    put_fragments(s->binner, samples, valid, zr_vi_eq(apart, zr_vi_set(0)), owners);
+    put_fragments(s->binner, samples, valid, zr_vi_eq(apart, zr_vi_set(0)), &owners);
 }
 
 /* Full groups. The rest waits for more. */

@@ -93,8 +93,10 @@ static bool draw_wide_ones(const struct zr_visible *visible, uint32_t number, co
 
 static void draw_fragments(const struct zr_bin_fragments *block, struct zr_tile *tile)
 {
-    for (uint32_t i = 0; i < block->head.used; i++)
-        zr_tile_put_at(tile, block->pixels[i], block->depths[i], block->owners[i]);
+    for (uint32_t i = 0; i < block->head.used; i++) {
+        const uint32_t place = block->places[i], owner = place & ((1u << ZR_BIN_OWNER_BITS) - 1);
+        zr_tile_put_at(tile, place >> ZR_BIN_OWNER_BITS, block->depths[i], block->first_owner + owner);
+    }
 }
 
 static bool draw_small_ones(const struct zr_visible *visible, uint32_t number, const struct zr_cancel *cancel,

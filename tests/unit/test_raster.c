@@ -344,6 +344,50 @@ static void bins_lose_nothing_with_any_instruction_set(void **state)
             bins_lose_no_triangle_and_invent_none((enum zr_isa)isa, threads);
 }
 
+/* Fragments tell their owners from the first of their block, in fewer bits than an owner has: here a tile has a few of
+ * the first triangles and a few of the last, and the other tile has more between them than these bits count. */
+static void fragments_of_far_apart_owners_keep_them(void **state)
+{
+    (void)state;
+    enum { PIXELS = ZR_TILE_SIZE * ZR_TILE_SIZE, FEW = 20, COUNT = (1 << ZR_BIN_OWNER_BITS) + 2 * FEW + 100 };
+    static struct zr_window_vertex
+        vertices[2 * 3 * PIXELS]; /* a triangle a pixel, of the one tile, then of the other */
+    static struct zr_triangle triangles[COUNT];
+    static struct zr_tile tile;
+    struct zr_batch batch;
+    for (uint32_t i = 0; i < 2 * PIXELS; i++) {
+        const float x = (float)(i % ZR_TILE_SIZE + i / PIXELS * ZR_TILE_SIZE), y = (float)(i % PIXELS / ZR_TILE_SIZE);
+        vertices[3 * i] = at(x + 0.125f, y + 0.125f, 0.5f);
+        vertices[3 * i + 1] = at(x + 0.875f, y + 0.125f, 0.5f);
+        vertices[3 * i + 2] = at(x + 0.5f, y + 0.875f, 0.5f);
+    }
+    for (uint32_t i = 0; i < COUNT; i++)
+        for (uint32_t k = 0; k < 3; k++)
+            triangles[i].v[k] = 3 * (i < FEW || i >= COUNT - FEW ? i % PIXELS : PIXELS + i % PIXELS) + k;
+    struct zr_geometry geometry = {.vertices = vertices,
+                                   .vertex_count = 2 * 3 * PIXELS,
+                                   .triangles = triangles,
+                                   .triangle_count = COUNT,
+                                   .batches = &batch};
+    geometry_batch(&geometry);
+    for (int threads = 1; threads <= 3; threads += 2) {
+        struct zr_arena arena;
+        struct zr_visible visible;
+        struct zr_team *team = zr_team_create(threads);
+        zr_arena_init(&arena, 1 << 27);
+        assert_int_equal(zr_visible_make(&arena, team, &geometry, 2 * ZR_TILE_SIZE, ZR_TILE_SIZE, NULL, &visible),
+                         ZR_OK);
+        assert_true(zr_visibility_tile(&visible, 0, NULL, NULL, &tile));
+        for (uint32_t p = 0; p < PIXELS; p++) {
+            const uint32_t last = p - (COUNT - FEW) % PIXELS;
+            const uint32_t want = p < FEW ? p + 1 : last < FEW ? COUNT - FEW + last + 1 : 0;
+            assert_int_equal(owner_at(&tile, (int32_t)(p % ZR_TILE_SIZE), (int32_t)(p / ZR_TILE_SIZE)), want);
+        }
+        zr_arena_free(&arena);
+        zr_team_destroy(team);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -357,6 +401,7 @@ int main(void)
         cmocka_unit_test(tile_begins_with_its_base_and_nothing_else),
         cmocka_unit_test(depth_beyond_the_range_is_clamped_and_nan_is_the_far_plane),
         cmocka_unit_test(bins_lose_nothing_with_any_instruction_set),
+        cmocka_unit_test(fragments_of_far_apart_owners_keep_them),
     };
     return cmocka_run_group_tests_name("raster", tests, NULL, NULL);
 }
