@@ -98,7 +98,8 @@ enum zr_status zr_bins_build(struct zr_arena *arena, struct zr_team *team, struc
 
 /* ---- for the kernel ---- */
 
-/* Sorts the records begin .. end - 1 of a plain batch, counted from its first: fewer than 1 << ZR_BIN_OWNER_BITS. */
+/* Sorts the records begin .. end - 1 of a plain batch, counted from its first; end - begin is less than
+ * 1 << ZR_BIN_OWNER_BITS. */
 typedef void zr_binning_fn(struct zr_binner *binner, const struct zr_batch *batch, uint32_t begin, uint32_t end);
 
 zr_binning_fn zr_binning_scalar, zr_binning_sse2, zr_binning_avx2, zr_binning_avx512, zr_binning_neon;
@@ -127,7 +128,8 @@ static inline struct zr_bin_numbers *zr_binner_numbers(struct zr_binner *binner,
                                                    sizeof(struct zr_bin_numbers));
 }
 
-/* Room for ZR_BIN_FRAGMENTS_AT_ONCE of owners first .. last, which are less than 1 << ZR_BIN_OWNER_BITS; or NULL. */
+/* Room for ZR_BIN_FRAGMENTS_AT_ONCE of owners first .. last, or NULL; last - first is less than 1 << ZR_BIN_OWNER_BITS.
+ */
 static inline struct zr_bin_fragments *zr_binner_fragments(struct zr_binner *binner, struct zr_bin *bin, uint32_t first,
                                                            uint32_t last)
 {

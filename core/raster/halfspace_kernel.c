@@ -214,9 +214,8 @@ static inline bool draw_blocks(struct zr_tile *tile, const struct piece *p, int 
     const uint32_t fresh = zr_vm_bits(first_there);
     const uint32_t filled = zr_vm_bits(blocks.filled), marked = zr_vm_bits(unwritten);
     const zr_vf written_far = zr_vf_select(unwritten, one, far);
-    const zr_vi old = zr_vi_load(tile->block_owner + first), shared = zr_vi_max(old, zr_vi_set(ZR_BLOCK_SHARED));
-    const zr_vi owner = zr_vi_select(first_there, zr_vi_set((int32_t)p->owner), shared);
-    zr_vi_store(tile->block_owner + first, zr_vi_select(blocks.open, owner, old));
+    const zr_vi owner = zr_vi_select(first_there, zr_vi_set((int32_t)p->owner), zr_vi_set(ZR_BLOCK_SHARED));
+    zr_vi_store(tile->block_owner + first, zr_vi_select(blocks.open, owner, zr_vi_load(tile->block_owner + first)));
     zr_vf_store(tile->block_far + first, zr_vf_select(blocks.filled, zr_vf_min(blocks.far, written_far), written_far));
     for (uint32_t bits = zr_vm_bits(blocks.open); bits; bits &= bits - 1) {
         const uint32_t bit = bits & -bits;
@@ -268,6 +267,7 @@ static void begin(struct zr_tile *tile)
             tile->block_far[block] = 0.0f;
         }
     memset(tile->block_owner, 0, sizeof tile->block_owner);
+    tile->knows_owners = true;
     tile->far = 1.0f;
     tile->is_empty = false;
 }

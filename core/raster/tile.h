@@ -27,8 +27,8 @@ enum {
 /* In block_far: nothing was drawn to the block, and its samples are not written yet; as if their depths were 1. */
 #define ZR_BLOCK_UNWRITTEN 2.0f
 
-/* In block_owner, above all owners: several large triangles may be seen in the block; anything may, over a base too. */
-enum { ZR_BLOCK_SHARED = INT32_MAX - 1, ZR_BLOCK_UNKNOWN = INT32_MAX };
+/* In block_owner, above all owners: several large triangles may be seen in the block. */
+enum { ZR_BLOCK_SHARED = INT32_MAX };
 
 struct zr_tile {
     int32_t x, y;          /* lowest pixel */
@@ -38,7 +38,8 @@ struct zr_tile {
     /* [row of blocks * ZR_BLOCK_COLUMNS + column]: no sample of the block is deeper. 0 where the window ends before it.
      */
     float block_far[ZR_BLOCKS];
-    uint32_t block_owner[ZR_BLOCKS]; /* of all its samples; 0: nobody */
+    bool knows_owners;               /* of all blocks; else block_owner means nothing */
+    uint32_t block_owner[ZR_BLOCKS]; /* of all its samples; 0: nobody; or ZR_BLOCK_SHARED */
     /* [row * ZR_TILE_STRIDE + column] */
     _Alignas(
         64) float depth[ZR_TILE_STRIDE * ZR_TILE_SIZE]; /* window depth; where nothing was drawn, see zr_tile_begin */
@@ -51,13 +52,6 @@ static inline bool zr_tile_has_block(const struct zr_tile *tile, int block)
 {
     return block % ZR_BLOCK_COLUMNS * ZR_BLOCK_WIDTH < tile->width &&
            block / ZR_BLOCK_COLUMNS * ZR_BLOCK_HEIGHT < tile->height;
-}
-
-/* Owners are from here on written without saying so. */
-static inline void zr_tile_forget_owners(struct zr_tile *tile)
-{
-    for (int block = 0; block < ZR_BLOCKS; block++)
-        tile->block_owner[block] = ZR_BLOCK_UNKNOWN;
 }
 
 /* Tiles that it takes for so many pixels in a row or a column. */

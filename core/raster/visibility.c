@@ -204,7 +204,7 @@ bool zr_visibility_tile(const struct zr_visible *visible, uint32_t number, const
     /* The largest first: they hide most, and they alone can leave parts of the tile unwritten. */
     if (!draw_wide_ones(visible, number, cancel, tile)) return false;
     visible->halfspace->settle(tile);
-    if (has_more(visible, number)) zr_tile_forget_owners(tile);
+    if (has_more(visible, number)) tile->knows_owners = false;
     if (!draw_small_ones(visible, number, cancel, tile)) return false;
     draw_tiny_ones(visible, number, tile);
     return draw_others(visible, number, cancel, tile);
@@ -242,7 +242,7 @@ void zr_visibility_load(const struct zr_samples *samples, uint32_t number, struc
 {
     zr_tile_place(tile, number, samples->width, samples->height);
     tile->is_empty = false;
-    zr_tile_forget_owners(tile);
+    tile->knows_owners = false;
     for (int32_t row = 0; row < tile->height; row++) {
         size_t at = (size_t)(tile->y + row) * samples->width + (size_t)tile->x;
         memcpy(&tile->depth[row * ZR_TILE_STRIDE], samples->depth + at, (size_t)tile->width * sizeof *samples->depth);

@@ -60,11 +60,12 @@ struct zr_eye_runs {
 };
 
 struct zr_eye_depths {
-    /* As zr_eye_depth_of_corners, of `count` triangles of one instance. There is room for 16 more in `corners`. */
+    /* As zr_eye_depth_of_corners, of `count` triangles of one instance. `corners` has room for 16
+     * more, which may be written. */
     void (*make)(const struct zr_source_instance *instance, const zr_vec4 *(*corners)[3], uint32_t count,
                  uint32_t width, uint32_t height, struct zr_eye_depth *out);
 
-    /* As zr_eye_depth_at, of the pixels of up to ZR_EYE_BAND rows of a tile, from x, y on: out has a tile's stride.
+    /* As zr_eye_depth_at, of the ZR_TILE_SIZE pixels of up to ZR_EYE_BAND rows, from x, y on: out has a tile's stride.
      * depths[0] is that of nothing, as behind a row's last run. Returns the greatest that is not infinite, or 0. */
     float (*fill)(const struct zr_eye_depth *depths, const struct zr_eye_runs *runs, int32_t rows, int32_t x, int32_t y,
                   float *out);

@@ -100,11 +100,11 @@ static inline zr_vd most(const zr_vd v[3])
 enum { DEPTH_DOUBLES = 8 };
 _Static_assert(sizeof(struct zr_eye_depth) == DEPTH_DOUBLES * sizeof(double), "nothing but doubles");
 
-/* ZR_DOUBLES triangles. Returns in `fronts` what is positive where all corners are in front of the eye: elsewhere
- * the range is not what it has to be. */
+/* ZR_DOUBLES triangles. `fronts`: where one of both is not positive, a corner is not in front of the eye, and the range
+ * is not what it has to be. */
 static inline void make_some(const struct zr_source_instance *instance, const struct points *points, int first,
                              double width, double height, double out[DEPTH_DOUBLES][ZR_DOUBLES],
-                             double fronts[ZR_DOUBLES])
+                             double fronts[2][ZR_DOUBLES])
 {
     struct corners c;
     zr_vd normal[3], w[3], eye_w[3], depths[3];
@@ -121,7 +121,8 @@ static inline void make_some(const struct zr_source_instance *instance, const st
                                       one.dadx, one.dady,   least(depths), most(depths)};
     for (int i = 0; i < DEPTH_DOUBLES; i++)
         zr_vd_store(out[i], all[i]);
-    zr_vd_store(fronts, zr_vd_min(least(w), least(eye_w)));
+    zr_vd_store(fronts[0], least(w));
+    zr_vd_store(fronts[1], least(eye_w));
 }
 
 static void make(const struct zr_source_instance *instance, const zr_vec4 *(*corners)[3], uint32_t count,
@@ -133,7 +134,7 @@ static void make(const struct zr_source_instance *instance, const zr_vec4 *(*cor
         struct points points;
         load_points(corners + group, &points);
         for (uint32_t first = 0; first < ZR_LANES && group + first < count; first += ZR_DOUBLES) {
-            double some[DEPTH_DOUBLES][ZR_DOUBLES], fronts[ZR_DOUBLES];
+            double some[DEPTH_DOUBLES][ZR_DOUBLES], fronts[2][ZR_DOUBLES];
             make_some(instance, &points, (int)first, (double)width, (double)height, some, fronts);
             for (uint32_t i = 0; i < ZR_DOUBLES && group + first + i < count; i++) {
                 const uint32_t k = group + first + i;
@@ -141,7 +142,8 @@ static void make(const struct zr_source_instance *instance, const zr_vec4 *(*cor
                 for (int d = 0; d < DEPTH_DOUBLES; d++)
                     each[d] = some[d][i];
                 memcpy(&out[k], each, sizeof each);
-                if (!(fronts[i] > 0.0)) zr_eye_depth_of_corners(instance, corners[k], width, height, &out[k]);
+                if (!(fronts[0][i] > 0.0 && fronts[1][i] > 0.0))
+                    zr_eye_depth_of_corners(instance, corners[k], width, height, &out[k]);
             }
         }
     }

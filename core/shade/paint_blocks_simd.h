@@ -81,7 +81,7 @@ static inline uint32_t zr_paint_shared(struct zr_surfaces *surfaces, zr_vf x, fl
     return covered;
 }
 
-/* `owner`: the block's, but not ZR_BLOCK_UNKNOWN. Returns how many pixels are owned. */
+/* `owner`: what the tile knows of the block's. Returns how many pixels are owned. */
 static inline uint32_t zr_paint_block(struct zr_surfaces *surfaces, const struct zr_canvas *canvas, int block,
                                       uint32_t owner, zr_vi nothing)
 {

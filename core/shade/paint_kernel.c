@@ -101,16 +101,6 @@ static inline void paint_backdrop(const struct zr_backdrop *backdrop, uint32_t *
         zr_fill_run(owners + begin, (uint32_t)(end - begin), backdrop->nothing);
 }
 
-/* A part of the tile: columns x and so on of the rows y and so on. */
-struct part {
-    int32_t x, y, width, rows;
-};
-
-static inline int32_t first_of(const struct part *part)
-{
-    return part->y * ZR_TILE_STRIDE + part->x;
-}
-
 /* A row of any owners, whose runs end where `ends` says. All owners are loaded before any run is painted: a load waits
  * long for a store that left out some lanes of what it loads. */
 static uint32_t paint_row(struct painter *p, int32_t first, uint64_t ends, const struct zr_backdrop *backdrop)
@@ -134,40 +124,41 @@ static uint32_t paint_row(struct painter *p, int32_t first, uint64_t ends, const
     return covered;
 }
 
-/* Whether all owners of the part are the batch's, or nobody. */
-static bool is_alone(const struct painter *p, const struct zr_batch *batch, const struct part *part)
+/* Whether all owners of the rows are the batch's, or nobody. */
+static bool is_alone(const struct painter *p, const struct zr_batch *batch, const uint32_t *owners, int32_t width,
+                     int32_t rows)
 {
-    const uint32_t *owners = p->canvas.colors + first_of(part);
     if (!zr_batch_is_gathered(batch)) return false;
     if (p->canvas.geometry->batch_count == 1) return true;
-    for (int32_t row = 0; row < part->rows; row++)
-        if (!zr_row_is_of(batch, owners + row * ZR_TILE_STRIDE, part->width)) return false;
+    for (int32_t row = 0; row < rows; row++)
+        if (!zr_row_is_of(batch, owners + row * ZR_TILE_STRIDE, width)) return false;
     return true;
 }
 
-/* No more rows than a patch has. */
-static uint32_t paint_rows(struct painter *p, const struct part *part, const struct zr_backdrop *backdrop)
+/* `rows` rows from `y` on, no more than a patch has. */
+static uint32_t paint_rows(struct painter *p, int32_t y, int32_t rows, int32_t width,
+                           const struct zr_backdrop *backdrop)
 {
-    const struct zr_batch *batch = p->surfaces.batch;
-    const bool alone = is_alone(p, batch, part), smooth = zr_batch_is_smooth(batch);
-    uint32_t *owners = p->canvas.colors + first_of(part), covered = 0;
+    const int32_t first = y * ZR_TILE_STRIDE;
+    const struct zr_batch *batch = p->surfaces.batch; /* it may well be the only one here, too */
+    uint32_t *owners = p->canvas.colors + first, covered = 0;
+    const bool alone = is_alone(p, batch, owners, width, rows), smooth = zr_batch_is_smooth(batch);
     if (alone && !smooth && !backdrop->row) {
-        for (int32_t row = 0; row < part->rows; row++)
-            covered +=
-                zr_paint_flat_row(batch, &p->flat, owners + row * ZR_TILE_STRIDE, part->width, backdrop->nothing);
+        for (int32_t row = 0; row < rows; row++)
+            covered += zr_paint_flat_row(batch, &p->flat, owners + row * ZR_TILE_STRIDE, width, backdrop->nothing);
         return covered;
     }
     uint64_t ends[ZR_PATCH_ROWS];
     int32_t runs = 0;
-    for (int32_t row = 0; row < part->rows; row++) {
-        ends[row] = find_ends(owners + row * ZR_TILE_STRIDE, part->width);
+    for (int32_t row = 0; row < rows; row++) {
+        ends[row] = find_ends(owners + row * ZR_TILE_STRIDE, width);
         runs += __builtin_popcountll(ends[row]);
     }
-    if (alone && smooth && runs * LONG_RUN > part->rows * part->width)
-        return zr_patches_add_rows(&p->patches, &p->canvas, batch, first_of(part), part->width, part->rows, backdrop);
+    if (alone && smooth && runs * LONG_RUN > rows * width)
+        return zr_patches_add_rows(&p->patches, &p->canvas, batch, first, width, rows, backdrop);
     struct zr_backdrop here = *backdrop;
-    for (int32_t row = 0; row < part->rows; row++) {
-        covered += paint_row(p, first_of(part) + row * ZR_TILE_STRIDE, ends[row], &here);
+    for (int32_t row = 0; row < rows; row++) {
+        covered += paint_row(p, first + row * ZR_TILE_STRIDE, ends[row], &here);
         if (here.row) here.row += here.stride;
     }
     return covered;
@@ -175,17 +166,16 @@ static uint32_t paint_rows(struct painter *p, const struct part *part, const str
 
 /* ---- the tile ---- */
 
-/* Blocks that nothing is known of, side by side. */
-static uint32_t paint_unknown(struct painter *p, const struct part *part, const struct zr_backdrop *backdrop)
+static uint32_t paint_all_rows(struct painter *p, const struct zr_tile *tile, struct zr_backdrop backdrop)
 {
     uint32_t covered = 0;
-    for (int32_t row = 0; row < part->rows; row += ZR_PATCH_ROWS) {
-        const int32_t rows = part->rows - row < ZR_PATCH_ROWS ? part->rows - row : ZR_PATCH_ROWS;
-        const struct part some = {part->x, part->y + row, part->width, rows};
-        struct zr_backdrop here = *backdrop;
-        if (here.row) here.row += here.stride * some.y + some.x;
-        covered += paint_rows(p, &some, &here);
+    for (int32_t y = 0; y < tile->height; y += ZR_PATCH_ROWS) {
+        const int32_t rows = tile->height - y < ZR_PATCH_ROWS ? tile->height - y : ZR_PATCH_ROWS;
+        covered += paint_rows(p, y, rows, tile->width, &backdrop);
+        if (backdrop.row) backdrop.row += backdrop.stride * rows;
     }
+    zr_patches_end(&p->patches, &p->canvas);
+    zr_smooth_paint(&p->smooth, &p->canvas, true);
     return covered;
 }
 
@@ -193,28 +183,16 @@ static uint32_t paint_tile(const struct zr_geometry *geometry, struct zr_tile *t
                            const void *behind, ptrdiff_t stride)
 {
     struct painter p;
+    const struct zr_backdrop backdrop = {zr_vi_set((int32_t)nothing), behind, stride};
+    uint32_t covered = 0;
     p.canvas = (struct zr_canvas){geometry, tile->x, tile->y, tile->owner}; /* rows are read before they are painted */
     p.flat = (struct zr_flat_memory){zr_vi_set(0), zr_vi_set(0)};
     zr_surfaces_begin(&p.surfaces, geometry);
     zr_smooth_begin(&p.smooth);
     zr_patches_begin(&p.patches);
-    const struct zr_backdrop backdrop = {zr_vi_set((int32_t)nothing), behind, stride};
-    uint32_t covered = 0;
-    for (int block = 0; block < ZR_BLOCKS; block++) {
-        if (tile->block_owner[block] != ZR_BLOCK_UNKNOWN) {
-            covered += zr_paint_block(&p.surfaces, &p.canvas, block, tile->block_owner[block], backdrop.nothing);
-            continue;
-        }
-        struct part part = {block % ZR_BLOCK_COLUMNS * ZR_BLOCK_WIDTH, block / ZR_BLOCK_COLUMNS * ZR_BLOCK_HEIGHT,
-                            ZR_BLOCK_WIDTH, ZR_BLOCK_HEIGHT};
-        for (; part.x + part.width < ZR_TILE_SIZE && tile->block_owner[block + 1] == ZR_BLOCK_UNKNOWN; block++)
-            part.width += ZR_BLOCK_WIDTH;
-        if (part.width > tile->width - part.x) part.width = tile->width - part.x;
-        if (part.rows > tile->height - part.y) part.rows = tile->height - part.y;
-        if (part.width > 0) covered += paint_unknown(&p, &part, &backdrop);
-    }
-    zr_patches_end(&p.patches, &p.canvas);
-    zr_smooth_paint(&p.smooth, &p.canvas, true);
+    if (!tile->knows_owners) return paint_all_rows(&p, tile, backdrop);
+    for (int block = 0; block < ZR_BLOCKS; block++)
+        covered += zr_paint_block(&p.surfaces, &p.canvas, block, tile->block_owner[block], backdrop.nothing);
     return covered;
 }
 

@@ -187,8 +187,8 @@ static inline void zr_patch_add_parts(struct zr_patches *p, int32_t at, zr_vi ow
     p->patches[p->patch_count++] = (struct zr_patch){at, (uint16_t)owned, (uint16_t)parts};
 }
 
-/* They are looked up when they are painted: by then their corners have come from memory (a twentieth of a million
- * triangles' time). */
+/* They are looked up when they are painted: by then the numbers of their corners have come from memory (a twentieth of
+ * a million triangles' time). */
 static inline void zr_patch_add_pixels(struct zr_patches *p, const struct zr_canvas *canvas, int32_t at, zr_vi owner,
                                        uint32_t owned)
 {

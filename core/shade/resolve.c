@@ -117,7 +117,7 @@ static void resolve_empty(const struct zr_paint *paint, uint32_t nothing, const 
 static uint32_t only_owner_of(const struct zr_tile *tile)
 {
     const uint32_t owner = tile->block_owner[0];
-    bool others = owner >= ZR_BLOCK_SHARED;
+    bool others = !tile->knows_owners || owner == ZR_BLOCK_SHARED;
     for (int block = 1; block < ZR_BLOCKS; block++)
         others |= tile->block_owner[block] != owner;
     return others ? 0 : owner;

@@ -12,7 +12,7 @@ enum { ZR_SURFACES = 64 };
 
 struct zr_surfaces {
     const struct zr_geometry *geometry;
-    const struct zr_batch *batch; /* of the record that was asked for last */
+    const struct zr_batch *batch; /* of the record that was asked for last; at first the first one */
     uint32_t owners[ZR_SURFACES]; /* whose the surfaces are; 0: nobody's */
     struct zr_surface surfaces[ZR_SURFACES];
 };
