@@ -118,6 +118,7 @@ struct sorting {
     struct zr_bins *bins;
     const struct zr_cancel *cancel;
     zr_binning_fn *sort;
+    uint64_t triangle_count;
     uint32_t share_count;
     struct share *shares;
 };
@@ -142,6 +143,7 @@ static bool make_shares(struct zr_arena *arena, const struct zr_geometry *geomet
     for (uint32_t i = 0; i < geometry->batch_count; i++) {
         const struct zr_batch *batch = &geometry->batches[i];
         if (!batch->plain) continue;
+        s->triangle_count += batch->count;
         for (uint32_t begin = 0; begin < batch->count; begin += TRIANGLES_A_RANGE) {
             uint32_t left = batch->count - begin;
             uint32_t end = begin + (left < TRIANGLES_A_RANGE ? left : TRIANGLES_A_RANGE);
@@ -194,6 +196,8 @@ static enum zr_status build(struct zr_team *team, struct zr_geometry *geometry, 
     static zr_binning_fn *const kernels[ZR_ISA_COUNT] = ZR_KERNELS(zr_binning);
     struct sorting sorting = {.bins = bins, .cancel = cancel, .sort = kernels[zr_team_isa(team)]};
     if (!make_shares(bins->arena, geometry, &sorting)) return ZR_NO_MEMORY;
+    /* A few are sorted before a helper is awake (a fifth of a cube's time on two threads). */
+    if (sorting.triangle_count <= TRIANGLES_A_RANGE) team = NULL;
     bins->worker_count = zr_team_size(team);
     if ((uint32_t)bins->worker_count > sorting.share_count) bins->worker_count = (int)sorting.share_count;
     if (!make_workers(bins, geometry)) return ZR_NO_MEMORY;

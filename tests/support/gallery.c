@@ -113,7 +113,7 @@ static bool triangles_begin(struct set *s, uint32_t triangles)
  * twentieth reaches over the whole window. */
 static bool make_soup(struct set *s, double small, double large)
 {
-    enum { TRIANGLES = 3000 };
+    enum { TRIANGLES = 5000 }; /* enough for several threads to sort */
     if (!triangles_begin(s, TRIANGLES)) return false;
     for (uint32_t t = 0; t < TRIANGLES; t++) {
         const zr_vec4 centre = any_point(&s->random, 1.2, 0);

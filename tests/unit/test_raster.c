@@ -278,7 +278,7 @@ static void depth_beyond_the_range_is_clamped_and_nan_is_the_far_plane(void **st
 static void bins_lose_no_triangle_and_invent_none(enum zr_isa isa, int threads)
 {
     struct random random = random_seeded(9);
-    enum { COUNT = 500, WIDTH = 700, HEIGHT = 400 };
+    enum { ALL_SIZES = 500, COUNT = 5000, WIDTH = 700, HEIGHT = 400 }; /* enough for several threads */
     static const double reach[] = {1, 2, 5, 20, 60, 150, 700};
     static struct zr_window_vertex vertices[COUNT * 3];
     static struct zr_triangle triangles[COUNT];
@@ -292,7 +292,8 @@ static void bins_lose_no_triangle_and_invent_none(enum zr_isa isa, int threads)
             depth[y][x] = 1.0f;
         }
     for (uint32_t i = 0; i < COUNT; i++) {
-        double x = random_range(&random, 0, WIDTH), y = random_range(&random, 0, HEIGHT), r = reach[i % 7];
+        double x = random_range(&random, 0, WIDTH), y = random_range(&random, 0, HEIGHT),
+               r = reach[i % (i < ALL_SIZES ? 7 : 3)];
         for (uint32_t k = 0; k < 3; k++) {
             float vx = (float)fmin(fmax(x + random_range(&random, -r, r), 0), WIDTH);
             float vy = (float)fmin(fmax(y + random_range(&random, -r, r), 0), HEIGHT);
@@ -324,6 +325,7 @@ static void bins_lose_no_triangle_and_invent_none(enum zr_isa isa, int threads)
     geometry_batch(&geometry);
     assert_int_equal(zr_visible_make(&arena, team, &geometry, WIDTH, HEIGHT, NULL, &visible), ZR_OK);
     assert_in_range(visible.bins.large_count, 1, COUNT - 1);
+    assert_int_equal(visible.bins.worker_count, threads > 1 ? 2 : 1);
     for (uint32_t number = 0; number < zr_tile_count(WIDTH, HEIGHT); number++) {
         assert_true(zr_visibility_tile(&visible, number, NULL, NULL, &tile));
         for (int y = 0; y < tile.height; y++)
