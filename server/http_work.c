@@ -31,7 +31,7 @@ static bool put_back(struct exchange *exchange, struct zr_arena *arena)
     watchdog_work_waits(http->watchdog, exchange->watch);
     exchange->request.small_only = false;
     if (atomic_load(&exchange->cancel.raised)) { /* just now: that has an answer, too */
-        zr_arena_reset(arena, SIZE_MAX); /* an inflated body is not to count twice */
+        zr_arena_reset(arena, SIZE_MAX);         /* an inflated body is not to count twice */
         begin(exchange, arena);
         return false;
     }

@@ -28,9 +28,9 @@
  *   zr_load_corners(vertices, corners, x, y): x[k], y[k] of lane i are the two floats at vertices + 4 corners[3 i + k]
  *   zr_vi_compress(p, m, v): the lanes of m, one after the other, and their count; ZR_LANES words may be written
  *
- * zr_vd holds ZR_DOUBLES doubles, half as many, and + - * / work on them, too:
+ * zr_vd holds ZR_DOUBLES doubles, half as many or one, and + - * / work on them, too:
  *   zr_vd_set(a)  zr_vd_store(p, v)    as of floats              zr_vd_min, zr_vd_max
- *   zr_vd_widen(p)  zr_vd_narrow(p, v) from floats, to floats    zr_vd_gather(p, i): p[i[k]], all lanes; i is an int32_t *
+ *   zr_vd_widen(p)  zr_vd_narrow(p, v) from floats, to floats    zr_vd_gather(p, i): p[i[k]], all lanes, of int32_t i[]
  */
 #ifndef ZR_SIMD_H
 #define ZR_SIMD_H

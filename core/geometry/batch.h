@@ -96,8 +96,15 @@ static inline bool zr_batch_holds(const struct zr_batch *batch, uint32_t number)
     return number - batch->first < batch->count;
 }
 
-/* The batch of a record. Takes the logarithm of their count; ask zr_batch_holds of the last one first. */
+/* The batch of a record. Takes the logarithm of their count. */
 const struct zr_batch *zr_batch_of(const struct zr_geometry *geometry, uint32_t number);
+
+/* The same where it is most often the batch of the record before. */
+static inline const struct zr_batch *zr_batch_next(const struct zr_geometry *geometry, const struct zr_batch *last,
+                                                   uint32_t number)
+{
+    return zr_batch_holds(last, number) ? last : zr_batch_of(geometry, number);
+}
 
 /* A record as the shading of single pixels wants it: its colours, and its corners turned as rule 6 wants them. Where
  * it is not written out, c[] counts from the batch's own front and back. */

@@ -64,7 +64,7 @@ struct zr_bin_fragments {
     uint32_t places[ZR_BIN_FRAGMENTS_ROOM]; /* pixel in zr_tile.depth << ZR_BIN_OWNER_BITS | owner - first_owner */
     float depths[ZR_BIN_FRAGMENTS_ROOM];
 };
-_Static_assert(ZR_TILE_STRIDE *ZR_TILE_SIZE <= 1 << (32 - ZR_BIN_OWNER_BITS), "a pixel and an owner fit a word");
+_Static_assert(1 << (32 - ZR_BIN_OWNER_BITS) >= ZR_TILE_SIZE * ZR_TILE_STRIDE, "a pixel and an owner fit a word");
 
 /* What one thread has for one tile. */
 struct zr_tile_bins {

@@ -66,7 +66,7 @@ static inline const struct zr_batch *find_corners(const struct zr_geometry *geom
     const float *vertices = &geometry->vertices[0].x;
     for (uint32_t i = 0; i < ZR_LANES; i++) {
         uint32_t number = numbers[i < count ? i : 0];
-        if (!zr_batch_holds(batch, number)) batch = zr_batch_of(geometry, number);
+        batch = zr_batch_next(geometry, batch, number);
         uint32_t t = number - batch->first, first = 0;
         const uint32_t *v;
         if (batch->written) {

@@ -22,7 +22,7 @@ struct depths {
     uint32_t count, waiting;
     const struct zr_source_instance *instance;
     uint32_t vertices[WAITING][3];
-    const zr_vec4 *corners[WAITING + 16][3];
+    const zr_vec4 *corners[WAITING + ZR_EYE_ROOM][3];
     uint32_t owners[KEYS]; /* whose number is known */
     uint16_t numbers[KEYS];
     struct zr_eye_depth depths[DEPTHS];
@@ -65,26 +65,36 @@ static void add_triangle(struct depths *d, const struct zr_source_instance *inst
     d->waiting++;
 }
 
+/* The piece of a triangle that was cut, which nothing waits for. */
+static void make_piece(struct depths *d, const struct zr_triangle *record, const struct zr_source *source)
+{
+    struct zr_eye_depth *depth = &d->depths[d->count++];
+    memcpy(d->corners[0], source->corners, sizeof d->corners[0]);
+    if (d->kernel->make(source->instance, d->corners, 1, d->width, d->height, depth) > 0)
+        zr_eye_depth_take_piece(d->geometry, record, depth);
+}
+
 static void add_record(struct depths *d, const struct zr_triangle *record)
 {
-    if (!record->line) {
-        const struct zr_source source = zr_source_of(&d->geometry->sources, record->v);
-        if (!source.is_cut) {
-            add_triangle(d, source.instance, record->v, source.corners);
-            return;
-        }
+    if (record->line) {
+        make_waiting(d);
+        d->depths[d->count++] = zr_eye_depth_of_line(d->geometry, record);
+        return;
     }
-    make_waiting(d);
-    zr_eye_depth_make(d->geometry, record, d->width, d->height, &d->depths[d->count++]);
+    const struct zr_source source = zr_source_of(&d->geometry->sources, record->v);
+    if (source.is_cut) {
+        make_waiting(d);
+        make_piece(d, record, &source);
+    } else {
+        add_triangle(d, source.instance, record->v, source.corners);
+    }
 }
 
 static void add(struct depths *d, uint32_t number)
 {
-    if (!zr_batch_holds(d->batch, number)) {
-        d->batch = zr_batch_of(d->geometry, number);
-        d->batch_instance = NULL;
-    }
-    const struct zr_batch *batch = d->batch;
+    const struct zr_batch *batch = zr_batch_next(d->geometry, d->batch, number);
+    if (batch != d->batch) d->batch_instance = NULL;
+    d->batch = batch;
     const uint32_t t = number - batch->first;
     if (batch->written) {
         add_record(d, &d->geometry->triangles[batch->first_record + t]);

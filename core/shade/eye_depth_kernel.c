@@ -1,7 +1,6 @@
 #include "shade/eye_depth.h"
 
 #include "base/simd.h"
-#include "raster/tile.h"
 
 /* ---- many triangles ---- */
 
@@ -26,7 +25,7 @@ static inline void load_points(const zr_vec4 *(*corners)[3], struct points *out)
 #undef CORNER
 }
 
-/* As in eye_depth.c, where what follows is explained, of ZR_DOUBLES triangles. */
+/* Of ZR_DOUBLES triangles, in the rows of zr_source_instance: one corner, and the ways from there to the others. */
 struct corners {
     zr_vd first[ROWS], d1[ROWS], d2[ROWS];
 };
@@ -43,6 +42,8 @@ static inline void place(const struct zr_source_instance *instance, const zr_vd 
                  p[3] * zr_vd_set(m[3][r]);
 }
 
+/* Ways are taken in object space, where differences are exact or nearly so: a triangle may be small and far from
+ * everything's origin. */
 static inline void place_corners(const struct zr_source_instance *instance, const struct points *points, int first,
                                  struct corners *c)
 {
@@ -65,6 +66,10 @@ static inline void cross(const zr_vd a[3], const zr_vd b[3], zr_vd out[3])
     out[2] = a[0] * b[1] - a[1] * b[0];
 }
 
+/* The values in row `r` as planes over the window, times what is the same for all rows. With c the corners in x, y, w
+ * of clip space, p their values, and s = (x, y, 1) the sample, -1 to 1 over the window, such a plane is the sum of p_i
+ * (c_j x c_k), times s. That cancels where a triangle is small, and is written here by differences: p0 (d1 x d2) + c0 x
+ * (p2 d1 - p1 d2). And it is multiplied by width and height, which makes s whole numbers. `normal` is d1 x d2. */
 static inline struct planes value_planes(const struct corners *c, const zr_vd normal[3], int r, double width,
                                          double height)
 {
@@ -100,8 +105,9 @@ static inline zr_vd most(const zr_vd v[3])
 enum { DEPTH_DOUBLES = 8 };
 _Static_assert(sizeof(struct zr_eye_depth) == DEPTH_DOUBLES * sizeof(double), "nothing but doubles");
 
-/* ZR_DOUBLES triangles. `fronts`: where one of both is not positive, a corner is not in front of the eye, and the range
- * is not what it has to be. */
+/* ZR_DOUBLES triangles. What a ray can meet is all of the mesh's triangle, and not only the piece of it that clipping
+ * left, for a sample may lie a hair beyond that. `fronts`: where one of both is not positive, a corner is behind the
+ * eye or at infinity, and gives no range. */
 static inline void make_some(const struct zr_source_instance *instance, const struct points *points, int first,
                              double width, double height, double out[DEPTH_DOUBLES][ZR_DOUBLES],
                              double fronts[2][ZR_DOUBLES])
@@ -125,9 +131,10 @@ static inline void make_some(const struct zr_source_instance *instance, const st
     zr_vd_store(fronts[1], least(eye_w));
 }
 
-static void make(const struct zr_source_instance *instance, const zr_vec4 *(*corners)[3], uint32_t count,
-                 uint32_t width, uint32_t height, struct zr_eye_depth *out)
+static uint32_t make(const struct zr_source_instance *instance, const zr_vec4 *(*corners)[3], uint32_t count,
+                     uint32_t width, uint32_t height, struct zr_eye_depth *out)
 {
+    uint32_t behind = 0;
     for (uint32_t i = count; count > 0 && i < count + ZR_LANES - 1; i++)
         memcpy(corners[i], corners[0], sizeof corners[i]);
     for (uint32_t group = 0; group < count; group += ZR_LANES) {
@@ -137,17 +144,20 @@ static void make(const struct zr_source_instance *instance, const zr_vec4 *(*cor
             double some[DEPTH_DOUBLES][ZR_DOUBLES], fronts[2][ZR_DOUBLES];
             make_some(instance, &points, (int)first, (double)width, (double)height, some, fronts);
             for (uint32_t i = 0; i < ZR_DOUBLES && group + first + i < count; i++) {
-                const uint32_t k = group + first + i;
+                struct zr_eye_depth *depth = &out[group + first + i];
                 double each[DEPTH_DOUBLES];
                 for (int d = 0; d < DEPTH_DOUBLES; d++)
                     each[d] = some[d][i];
-                memcpy(&out[k], each, sizeof each);
-                if (!(fronts[0][i] > 0.0 && fronts[1][i] > 0.0))
-                    zr_eye_depth_of_corners(instance, corners[k], width, height, &out[k]);
+                memcpy(depth, each, sizeof each);
+                if (fronts[0][i] > 0.0 && fronts[1][i] > 0.0) continue;
+                zr_eye_depth_widen(depth);
+                behind++;
             }
         }
     }
+    return behind;
 }
+_Static_assert((int)ZR_LANES <= (int)ZR_EYE_ROOM, "a group has room");
 
 /* ---- many samples ---- */
 

@@ -17,15 +17,9 @@ struct resolver {
     float deepest;
 };
 
-static const struct zr_batch *batch_of(struct resolver *r, uint32_t number)
-{
-    if (!zr_batch_holds(r->batch, number)) r->batch = zr_batch_of(r->geometry, number);
-    return r->batch;
-}
-
 static uint32_t face_of(struct resolver *r, uint32_t number)
 {
-    const struct zr_batch *batch = batch_of(r, number);
+    const struct zr_batch *batch = r->batch = zr_batch_next(r->geometry, r->batch, number);
     uint32_t t = number - batch->first;
     if (batch->written) return r->geometry->triangles[batch->first_record + t].face;
     return batch->first_id + zr_batch_face(batch, t);
@@ -113,16 +107,6 @@ static void resolve_empty(const struct zr_paint *paint, uint32_t nothing, const 
     if (frame->window_depth) paint->fill(frame->window_depth + pixel, up, width, height, ONE_BITS, streamed);
 }
 
-/* Who owns all of the tile; 0: several, or nobody, or it is not known. */
-static uint32_t only_owner_of(const struct zr_tile *tile)
-{
-    const uint32_t owner = tile->block_owner[0];
-    bool others = !tile->knows_owners || owner == ZR_BLOCK_SHARED;
-    for (int block = 1; block < ZR_BLOCKS; block++)
-        others |= tile->block_owner[block] != owner;
-    return others ? 0 : owner;
-}
-
 struct zr_resolved zr_resolve_tile(const struct zr_geometry *geometry, enum zr_isa isa, zr_vec4 background,
                                    struct zr_tile *tile, const struct zr_frame *frame)
 {
@@ -148,16 +132,6 @@ struct zr_resolved zr_resolve_tile(const struct zr_geometry *geometry, enum zr_i
     if (frame->face_id || (frame->base && (frame->depth || frame->window_depth))) {
         const float deepest = resolve_runs(geometry, paint, tile, frame, pixel);
         if (deepest > resolved.deepest) resolved.deepest = deepest;
-    }
-    const uint32_t only_owner = frame->color ? only_owner_of(tile) : 0;
-    if (only_owner > 0) {
-        const uint32_t number = only_owner - 1;
-        const struct zr_surface surface = zr_surface_make(geometry, zr_batch_of(geometry, number), number);
-        if (surface.flat) { /* a quarter of the time of large triangles */
-            paint->fill(frame->color + 4 * pixel, up, tile->width, tile->height, surface.color, streamed);
-            resolved.covered = (uint32_t)(tile->width * tile->height);
-            return resolved;
-        }
     }
     if (frame->color) {
         const uint8_t *base = frame->base ? frame->base->color : NULL;

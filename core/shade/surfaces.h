@@ -26,8 +26,7 @@ static inline void zr_surfaces_begin(struct zr_surfaces *s, const struct zr_geom
 
 static inline const struct zr_batch *zr_surfaces_batch(struct zr_surfaces *s, uint32_t owner)
 {
-    if (!zr_batch_holds(s->batch, owner - 1)) s->batch = zr_batch_of(s->geometry, owner - 1);
-    return s->batch;
+    return s->batch = zr_batch_next(s->geometry, s->batch, owner - 1);
 }
 
 /* NULL where it is not remembered. */

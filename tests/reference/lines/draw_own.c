@@ -231,8 +231,8 @@ static void draw_filled_piece(struct drawer *drawer, const struct corner *corner
 {
     struct zr_window_vertex v[3] = {corners[0]->window, corners[1]->window, corners[2]->window};
     zr_vec4 c[3] = {corners[0]->color, corners[1]->color, corners[2]->color};
-    int64_t area =
-        (int64_t)(zr_snapped_x(&v[0]) - zr_snapped_x(&v[1])) * (zr_snapped_y(&v[2]) - zr_snapped_y(&v[0])) - (int64_t)(zr_snapped_y(&v[0]) - zr_snapped_y(&v[1])) * (zr_snapped_x(&v[2]) - zr_snapped_x(&v[0]));
+    int64_t area = (int64_t)(zr_snapped_x(&v[0]) - zr_snapped_x(&v[1])) * (zr_snapped_y(&v[2]) - zr_snapped_y(&v[0])) -
+                   (int64_t)(zr_snapped_y(&v[0]) - zr_snapped_y(&v[1])) * (zr_snapped_x(&v[2]) - zr_snapped_x(&v[0]));
     if (area == 0 || !corners[0]->placed || !corners[1]->placed || !corners[2]->placed) return;
     if (area < 0) {
         v[0] = corners[1]->window;
