@@ -1,5 +1,6 @@
 #include "geometry/transform.h"
 
+#include "base/expect.h"
 #include "base/simd.h"
 
 _Static_assert(sizeof(zr_vec4) == 4 * sizeof(float) && sizeof(struct zr_window_vertex) == 4 * sizeof(float),
@@ -96,8 +97,12 @@ unsigned ZR_KERNEL(zr_transform)(const zr_mat4 *object_to_clip, const struct zr_
     const struct course course = course_make(object_to_clip, viewport);
     unsigned any = 0;
     size_t i = 0;
-    for (; i + ZR_LANES <= count; i += ZR_LANES)
+    for (; i + ZR_LANES <= count; i += ZR_LANES) {
+        /* A quarter of the time of vertices. */
+        zr_expect(positions + i, ZR_PAGE, ZR_LANES * sizeof *positions);
+        zr_expect_written(out + i, ZR_PAGE, ZR_LANES * sizeof *out);
         any |= transform_group(&course, positions + i, out + i, outcodes + i);
+    }
     if (i == count) return any;
     /* What is left of a group. */
     zr_vec4 in[ZR_LANES] = {{0, 0, 0, 1}};

@@ -1,5 +1,6 @@
 #include "raster/bins.h"
 
+#include "base/expect.h"
 #include "raster/triangle_simd.h"
 
 /* So many triangles are looked at before those of them that are tiny or small are drawn or listed. What is done with
@@ -274,7 +275,9 @@ static void sort_part(struct sorter *s, uint32_t begin, uint32_t end, uint32_t l
     if (s->stride == 3)
         for (; t + ZR_LANES <= end; t += ZR_LANES) {
             if (t + 4 * ZR_LANES <= last) expect_group(s, t + 3 * ZR_LANES);
-            sort_group(s, s->corners + 3 * (size_t)t, ZR_ALL_LANES, s->batch->first + t);
+            const uint32_t *corners = s->corners + 3 * (size_t)t;
+            zr_expect(corners, ZR_PAGE, 3 * ZR_LANES * sizeof *corners); /* 4 % of them */
+            sort_group(s, corners, ZR_ALL_LANES, s->batch->first + t);
         }
     for (; t < end; t += ZR_LANES) {
         /* What is left of a group, or records that stand apart. */
