@@ -18,12 +18,11 @@ const struct zr_batch *zr_batch_of(const struct zr_geometry *geometry, uint32_t 
 struct zr_record zr_record_of(const struct zr_geometry *geometry, const struct zr_batch *batch, uint32_t number)
 {
     uint32_t t = number - batch->first;
-    struct zr_record record;
     if (batch->written) {
-        record.triangle = geometry->triangles[batch->first_record + t];
-        record.colors = record.triangle.back ? geometry->back_colors : geometry->front_colors;
-        return record;
+        const struct zr_triangle *written = &geometry->triangles[batch->first_record + t];
+        return (struct zr_record){*written, written->back ? geometry->back_colors : geometry->front_colors};
     }
+    struct zr_record record;
     record.triangle = (struct zr_triangle){.face = batch->first_id + zr_batch_face(batch, t)};
     for (int k = 0; k < 3; k++) {
         record.triangle.v[k] = batch->first_vertex + batch->corners[3 * (size_t)t + (size_t)k];

@@ -12,14 +12,14 @@
 #include "raster/tile.h"
 
 struct zr_halfspace {
-    /* A placed tile without owners, depth 1: its blocks are only marked as such, and written when they are drawn to. */
+    /* A placed tile without owners, depth 1: nothing is written yet (zr_tile.unwritten). */
     void (*begin)(struct zr_tile *tile);
 
-    /* Where the triangle, of any size, is seen (zr_tile_put), writes its depth and `owner`, and says so in
-     * block_owner. */
+    /* Where the triangle, of any size, is seen (zr_tile_put), makes the depth its own, and the owner `owner`. Says so
+     * in block_owner, and writes no block that nothing else is seen in. */
     void (*draw)(struct zr_tile *tile, const struct zr_setup *setup, uint32_t owner);
 
-    /* Writes what is only marked yet. Only `draw` may come before. */
+    /* Writes what is not written yet. Only `draw` may come before. */
     void (*settle)(struct zr_tile *tile);
 };
 

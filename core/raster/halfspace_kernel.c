@@ -8,14 +8,14 @@
 /* What a triangle is in a tile. Edges are negative outside; x0 .. y1 are samples of the tile, y1 the last row. */
 struct piece {
     int32_t at[3], right[3], up[3]; /* of edges, at x0, y0 */
-    float a0, dadx, dady, offset;   /* depth */
+    const struct zr_depth *depth;
     int32_t x0, y0, x1, y1;
     uint32_t owner;
 };
 
-/* ZR_LANES columns from x on, which is a multiple of ZR_LANES: those of `lanes` that the edges do not keep out. Returns
- * each column's farthest depth in the piece's rows. */
-static inline zr_vf draw_columns(struct zr_tile *tile, const struct piece *p, int32_t x, zr_vm lanes)
+/* ZR_LANES columns from x on, which is a multiple of ZR_LANES: those of `lanes` that the edges do not keep out.
+ * `fresh`: nothing is written there yet. Returns each column's farthest depth in the piece's rows. */
+static inline zr_vf draw_columns(struct zr_tile *tile, const struct piece *p, int32_t x, zr_vm lanes, bool fresh)
 {
     const zr_vi below_zero = zr_vi_set(-1), owner = zr_vi_set((int32_t)p->owner), ramp = zr_vi_ramp();
     const zr_vi skip = zr_vi_set(x - p->x0) + ramp;
@@ -23,14 +23,14 @@ static inline zr_vf draw_columns(struct zr_tile *tile, const struct piece *p, in
     zr_vi e[3];
     for (int k = 0; k < 3; k++)
         e[k] = zr_vi_set(p->at[k]) + zr_vi_set(p->right[k]) * skip;
-    const zr_vf column = zr_vf_set(p->a0) + zr_vf_set(p->dadx) * zr_vf_of(zr_vi_set(x) + ramp);
-    const zr_vf dady = zr_vf_set(p->dady), offset = zr_vf_set(p->offset), one = zr_vf_set(1.0f);
+    const struct zr_depth_columns columns = zr_depth_columns_of(p->depth, x);
     zr_vf fy = zr_vf_set((float)p->y0), far = zr_vf_set(0.0f);
     size_t i = (size_t)(p->y0 - tile->y) * ZR_TILE_STRIDE + (size_t)(x - tile->x);
-    for (int32_t y = p->y0; y <= p->y1; y++, i += ZR_TILE_STRIDE, fy = fy + one) {
+    for (int32_t y = p->y0; y <= p->y1; y++, i += ZR_TILE_STRIDE, fy = fy + zr_vf_set(1.0f)) {
         const zr_vm inside = zr_vi_lt_where(lanes, below_zero, e[0] | e[1] | e[2]);
-        const zr_vf z = zr_depth_clamp_v((column + dady * fy) + offset);
-        far = zr_vf_max(far, zr_tile_put_v(&tile->depth[i], &tile->owner[i], inside, z, owner));
+        const zr_vf z = zr_depth_columns_at(&columns, fy);
+        far = zr_vf_max(far, fresh ? zr_tile_put_first_v(&tile->depth[i], &tile->owner[i], inside, z, owner)
+                                   : zr_tile_put_v(&tile->depth[i], &tile->owner[i], inside, z, owner));
         for (int k = 0; k < 3; k++)
             e[k] += up[k];
     }
@@ -63,7 +63,8 @@ static bool cut_by(const struct zr_edge *e, struct piece *p, int k)
 /* What is known of ZR_LANES blocks before any of their samples is looked at. */
 struct blocks {
     zr_vm open;   /* some samples may be seen */
-    zr_vm filled; /* no edge, and no end of the piece, cuts it */
+    zr_vm whole;  /* and no end of the piece cuts it, */
+    zr_vm filled; /* nor an edge */
     zr_vf far;    /* of the triangle in it */
 };
 
@@ -89,9 +90,9 @@ static inline struct blocks look_at_blocks(const struct zr_tile *tile, const str
         most |= at + zr_vi_max(left, far_right) + zr_vi_max(low, high);
     }
     const zr_vf fx0 = zr_vf_of(x0), fx1 = zr_vf_of(x1), fy0 = zr_vf_of(y0), fy1 = zr_vf_of(y1);
-    const zr_vf a0 = zr_vf_set(p->a0), dadx = zr_vf_set(p->dadx), dady = zr_vf_set(p->dady);
-    const zr_vf offset = zr_vf_set(p->offset);
-    const struct zr_plane_v plane = {a0, dadx, dady};
+    const struct zr_plane *of = &p->depth->plane;
+    const struct zr_plane_v plane = {zr_vf_set(of->a0), zr_vf_set(of->dadx), zr_vf_set(of->dady)};
+    const zr_vf offset = zr_vf_set(p->depth->offset);
     const struct zr_range_v range = zr_plane_range_v(&plane, fx0, fy0, fx1, fy1);
     const zr_vf near = zr_depth_clamp_v(range.near + offset);
     struct blocks out;
@@ -101,7 +102,8 @@ static inline struct blocks look_at_blocks(const struct zr_tile *tile, const str
     out.open = zr_vm_andnot(touched, hidden);
     const zr_vm whole =
         zr_vm_and(zr_vi_eq(x1 - x0, zr_vi_set(ZR_BLOCK_WIDTH - 1)), zr_vi_eq(y1 - y0, zr_vi_set(ZR_BLOCK_HEIGHT - 1)));
-    out.filled = zr_vm_andnot(zr_vm_and(out.open, whole), zr_vi_lt(least, zero));
+    out.whole = zr_vm_and(out.open, whole);
+    out.filled = zr_vm_andnot(out.whole, zr_vi_lt(least, zero));
     return out;
 }
 _Static_assert(ZR_BLOCK_COLUMNS == 1 << 2 && ZR_BLOCKS % ZR_LANES == 0,
@@ -122,63 +124,33 @@ static inline struct piece part_of(const struct zr_tile *tile, const struct piec
     return part;
 }
 
-static inline size_t first_of_block(int block)
-{
-    return (size_t)(block / ZR_BLOCK_COLUMNS * ZR_BLOCK_HEIGHT) * ZR_TILE_STRIDE +
-           (size_t)(block % ZR_BLOCK_COLUMNS * ZR_BLOCK_WIDTH);
-}
-
-static inline void write_block(struct zr_tile *tile, int block)
-{
-    size_t i = first_of_block(block);
-    for (int row = 0; row < ZR_BLOCK_HEIGHT; row++, i += ZR_TILE_STRIDE)
-        for (size_t v = 0; v < ZR_BLOCK_WIDTH; v += ZR_LANES) {
-            zr_vf_store(&tile->depth[i + v], zr_vf_set(1.0f));
-            zr_vi_store(&tile->owner[i + v], zr_vi_set(0));
-        }
-}
-
-/* A block that is covered whole. `first`: and has nothing in it that could be nearer. */
-static inline void fill_block(struct zr_tile *tile, const struct piece *p, int block, bool first)
+/* A block that is covered whole, and has something in it that could be nearer. */
+static inline void fill_block(struct zr_tile *tile, const struct piece *p, int block)
 {
     const zr_vi owner = zr_vi_set((int32_t)p->owner);
     const int32_t column = block % ZR_BLOCK_COLUMNS * ZR_BLOCK_WIDTH, row = block / ZR_BLOCK_COLUMNS * ZR_BLOCK_HEIGHT;
-    const zr_vf dady = zr_vf_set(p->dady), offset = zr_vf_set(p->offset);
-    zr_vf across[ZR_BLOCK_WIDTH / ZR_LANES];
-    for (int32_t v = 0; v < ZR_BLOCK_WIDTH / ZR_LANES; v++) {
-        const zr_vi x = zr_vi_set(tile->x + column + v * ZR_LANES) + zr_vi_ramp();
-        across[v] = zr_vf_set(p->a0) + zr_vf_set(p->dadx) * zr_vf_of(x);
-    }
-    size_t i = first_of_block(block);
-    zr_vf fy = zr_vf_set((float)(tile->y + row));
-    for (int32_t y = 0; y < ZR_BLOCK_HEIGHT; y++, i += ZR_TILE_STRIDE, fy = fy + zr_vf_set(1.0f)) {
-        const zr_vf up = dady * fy;
-        for (size_t v = 0; v < ZR_BLOCK_WIDTH / ZR_LANES; v++) {
-            const zr_vf z = zr_depth_clamp_v((across[v] + up) + offset);
-            float *depth = &tile->depth[i + v * ZR_LANES];
-            uint32_t *owners = &tile->owner[i + v * ZR_LANES];
-            if (first) {
-                zr_vf_store(depth, z);
-                zr_vi_store(owners, owner);
-            } else {
-                zr_tile_put_v(depth, owners, ZR_ALL_LANES, z, owner);
-            }
-        }
+    for (int32_t v = 0; v < ZR_BLOCK_WIDTH; v += ZR_LANES) {
+        const struct zr_depth_columns columns = zr_depth_columns_of(p->depth, tile->x + column + v);
+        size_t i = zr_block_first(block) + (size_t)v;
+        zr_vf fy = zr_vf_set((float)(tile->y + row));
+        for (int32_t y = 0; y < ZR_BLOCK_HEIGHT; y++, i += ZR_TILE_STRIDE, fy = fy + zr_vf_set(1.0f))
+            zr_tile_put_v(&tile->depth[i], &tile->owner[i], ZR_ALL_LANES, zr_depth_columns_at(&columns, fy), owner);
     }
 }
 
 static inline float farthest_of(zr_vf depths)
 {
-    float each[ZR_LANES], far = 0.0f;
+    float each[ZR_LANES];
     zr_vf_store(each, depths);
-    for (int i = 0; i < ZR_LANES; i++)
-        far = each[i] > far ? each[i] : far;
-    return far;
+    for (int half = ZR_LANES / 2; half > 0; half /= 2)
+        for (int i = 0; i < half; i++)
+            each[i] = each[i] > each[i + half] ? each[i] : each[i + half];
+    return each[0];
 }
 
 /* Triangles that share an edge cover a block together: then it has a bound too (a fifth of the time of large ones,
  * which clipping cuts to pieces). */
-static inline void draw_in_block(struct zr_tile *tile, const struct piece *p, int block)
+static inline void draw_in_block(struct zr_tile *tile, const struct piece *p, int block, bool fresh)
 {
     const struct piece part = part_of(tile, p, block);
     const int32_t begin = first_lane(part.x0);
@@ -187,7 +159,7 @@ static inline void draw_in_block(struct zr_tile *tile, const struct piece *p, in
         const zr_vi columns = zr_vi_set(x) + zr_vi_ramp();
         const zr_vm before = zr_vi_lt(columns, zr_vi_set(part.x0));
         const zr_vm lanes = zr_vm_andnot(zr_vi_lt(columns, zr_vi_set(part.x1 + 1)), before);
-        far = zr_vf_max(far, draw_columns(tile, &part, x, lanes));
+        far = zr_vf_max(far, draw_columns(tile, &part, x, lanes, fresh));
     }
     const bool all =
         part.y1 - part.y0 == ZR_BLOCK_HEIGHT - 1 && first_lane(part.x1) - begin == ZR_BLOCK_WIDTH - ZR_LANES;
@@ -203,42 +175,48 @@ static inline void bound_tile(struct zr_tile *tile)
     if (!zr_vm_any(zr_vf_le(zr_vf_set(tile->far), far))) tile->far = farthest_of(far);
 }
 
+/* Blocks, a bit each, so that single samples of them can be drawn. */
+static inline void write_blocks(struct zr_tile *tile, uint32_t blocks)
+{
+    for (uint32_t bits = blocks & tile->unwritten; bits; bits &= bits - 1)
+        zr_block_write(tile, zr_lowest_bit(bits));
+    tile->unwritten &= ~blocks;
+}
+
 /* Whether it drew to any. */
 static inline bool draw_blocks(struct zr_tile *tile, const struct piece *p, int first)
 {
     const struct blocks blocks = look_at_blocks(tile, p, first);
     const zr_vf far = zr_vf_load(tile->block_far + first), one = zr_vf_set(1.0f);
-    const zr_vm unwritten = zr_vf_lt_where(blocks.open, one, far);
-    /* Where all of it is nearer than 1, which nothing that is not written yet is. */
-    const zr_vm first_there = zr_vm_and(zr_vf_lt_where(blocks.filled, blocks.far, one), unwritten);
-    const uint32_t fresh = zr_vm_bits(first_there);
-    const uint32_t filled = zr_vm_bits(blocks.filled), marked = zr_vm_bits(unwritten);
-    const zr_vf written_far = zr_vf_select(unwritten, one, far);
-    const zr_vi owner = zr_vi_select(first_there, zr_vi_set((int32_t)p->owner), zr_vi_set(ZR_BLOCK_SHARED));
-    zr_vi_store(tile->block_owner + first, zr_vi_select(blocks.open, owner, zr_vi_load(tile->block_owner + first)));
-    zr_vf_store(tile->block_far + first, zr_vf_select(blocks.filled, zr_vf_min(blocks.far, written_far), written_far));
-    for (uint32_t bits = zr_vm_bits(blocks.open); bits; bits &= bits - 1) {
+    const zr_vi owners = zr_vi_load(tile->block_owner + first);
+    const zr_vm nobodys = zr_vm_and(zr_vm_of(tile->unwritten >> first & ZR_ALL_BITS), zr_vi_eq(owners, zr_vi_set(0)));
+    /* Where it is nearer than nothing all over. */
+    const zr_vm alone = zr_vm_and(zr_vf_lt_where(blocks.filled, blocks.far, one), nobodys);
+    const uint32_t filled = zr_vm_bits(blocks.filled), owned = zr_vm_bits(alone);
+    const uint32_t shared = zr_vm_bits(blocks.open) & ~owned, fresh = zr_vm_bits(zr_vm_and(blocks.whole, nobodys));
+    write_blocks(tile, (shared & ~fresh) << first);
+    tile->unwritten &= ~(shared << first);
+    const zr_vi owner = zr_vi_select(alone, zr_vi_set((int32_t)p->owner), zr_vi_set(ZR_BLOCK_SHARED));
+    zr_vi_store(tile->block_owner + first, zr_vi_select(blocks.open, owner, owners));
+    zr_vf_store(tile->block_far + first, zr_vf_select(blocks.filled, zr_vf_min(blocks.far, far), far));
+    for (uint32_t bits = owned; bits; bits &= bits - 1)
+        tile->block_depth[first + zr_lowest_bit(bits)] = *p->depth;
+    for (uint32_t bits = shared; bits; bits &= bits - 1) {
         const uint32_t bit = bits & -bits;
         const int block = first + zr_lowest_bit(bits);
-        if (fresh & bit) {
-            fill_block(tile, p, block, true);
-            continue;
-        }
-        if (marked & bit) write_block(tile, block);
-        if (filled & bit)
-            fill_block(tile, p, block, false);
+        if (fresh & bit)
+            draw_in_block(tile, p, block, true);
+        else if (filled & bit)
+            fill_block(tile, p, block);
         else
-            draw_in_block(tile, p, block);
+            draw_in_block(tile, p, block, false);
     }
     return zr_vm_any(blocks.open);
 }
 
 static void draw(struct zr_tile *tile, const struct zr_setup *setup, uint32_t owner)
 {
-    struct piece p = {.a0 = setup->depth.plane.a0,
-                      .dadx = setup->depth.plane.dadx,
-                      .dady = setup->depth.plane.dady,
-                      .offset = setup->depth.offset,
+    struct piece p = {.depth = &setup->depth,
                       .x0 = setup->min_x > tile->x ? setup->min_x : tile->x,
                       .y0 = setup->min_y > tile->y ? setup->min_y : tile->y,
                       .x1 = setup->max_x < tile->x + tile->width ? setup->max_x : tile->x + tile->width - 1,
@@ -258,27 +236,18 @@ static void draw(struct zr_tile *tile, const struct zr_setup *setup, uint32_t ow
 
 static void begin(struct zr_tile *tile)
 {
-    for (int i = 0; i < ZR_BLOCKS; i += ZR_LANES)
-        zr_vf_store(&tile->block_far[i], zr_vf_set(ZR_BLOCK_UNWRITTEN));
-    const bool is_cut = tile->width < ZR_TILE_SIZE || tile->height < ZR_TILE_SIZE;
-    for (int block = 0; is_cut && block < ZR_BLOCKS; block++)
-        if (!zr_tile_has_block(tile, block)) {
-            write_block(tile, block);
-            tile->block_far[block] = 0.0f;
-        }
+    for (int block = 0; block < ZR_BLOCKS; block++)
+        tile->block_far[block] = zr_tile_has_block(tile, block) ? 1.0f : 0.0f;
     memset(tile->block_owner, 0, sizeof tile->block_owner);
     tile->knows_owners = true;
+    tile->unwritten = UINT32_MAX;
     tile->far = 1.0f;
     tile->is_empty = false;
 }
 
 static void settle(struct zr_tile *tile)
 {
-    for (int block = 0; block < ZR_BLOCKS; block++)
-        if (tile->block_far[block] == ZR_BLOCK_UNWRITTEN) {
-            write_block(tile, block);
-            tile->block_far[block] = 1.0f;
-        }
+    write_blocks(tile, UINT32_MAX);
 }
 
 const struct zr_halfspace ZR_KERNEL(zr_halfspace) = {begin, draw, settle};

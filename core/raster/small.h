@@ -7,8 +7,8 @@
 #include "geometry/geometry.h"
 #include "raster/tile.h"
 
-/* Where the triangles, given by their numbers, are seen (zr_tile_put), writes depths and owners. Nothing of the tile
- * may be only marked any more (zr_halfspace.settle). */
+/* Where the triangles, given by their numbers, are seen (zr_tile_put), writes depths and owners. All of the tile
+ * must be written (zr_halfspace.settle). */
 typedef void zr_small_fn(struct zr_tile *tile, const struct zr_geometry *geometry, const uint32_t *numbers,
                          uint32_t count);
 

@@ -37,6 +37,7 @@ void zr_tile_begin(struct zr_tile *tile, const struct zr_base *base, uint32_t wi
 {
     memset(tile->owner, 0, sizeof tile->owner);
     tile->knows_owners = false;
+    tile->unwritten = 0;
     tile->far = 1.0f;
     tile->is_empty = false;
     for (int i = 0; i < ZR_BLOCKS; i++)

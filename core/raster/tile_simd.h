@@ -1,8 +1,10 @@
-/* tile_simd.h - raster: the z-buffer, ZR_LANES samples at once, for kernels. */
+/* tile_simd.h - raster: the z-buffer, ZR_LANES samples at once, and blocks of it, for kernels. */
 #ifndef ZR_TILE_SIMD_H
 #define ZR_TILE_SIMD_H
 
 #include "base/simd.h"
+#include "raster/tile.h"
+#include "raster/triangle_simd.h"
 
 /* Where lanes are seen, by zr_tile_put's rule, they are written: always at a multiple of ZR_LANES, and all lanes of
  * depths, since what one triangle has stored the next one loads, and a load waits long for a store that is not the same
@@ -18,6 +20,75 @@ static inline zr_vf zr_tile_put_v(float *depth, uint32_t *owners, zr_vm inside, 
     zr_vf_store(depth, nearest);
     zr_vi_store_where(owners, seen, owner);
     return nearest;
+}
+
+/* The same where nothing is written yet. */
+static inline zr_vf zr_tile_put_first_v(float *depth, uint32_t *owners, zr_vm inside, zr_vf z, zr_vi owner)
+{
+    const zr_vf one = zr_vf_set(1.0f);
+    const zr_vm seen = zr_vf_lt_where(inside, z, one);
+    const zr_vf nearest = zr_vf_select(seen, z, one);
+    zr_vf_store(depth, nearest);
+    zr_vi_store(owners, zr_vi_select(seen, owner, zr_vi_set(0)));
+    return nearest;
+}
+
+/* ---- blocks ---- */
+
+static inline size_t zr_block_first(int block)
+{
+    return (size_t)(block / ZR_BLOCK_COLUMNS * ZR_BLOCK_HEIGHT) * ZR_TILE_STRIDE +
+           (size_t)(block % ZR_BLOCK_COLUMNS * ZR_BLOCK_WIDTH);
+}
+
+/* The depth of ZR_LANES columns of a plane, row by row. */
+struct zr_depth_columns {
+    zr_vf across, dady, offset;
+};
+
+static inline struct zr_depth_columns zr_depth_columns_of(const struct zr_depth *depth, int32_t x)
+{
+    const zr_vf columns = zr_vf_of(zr_vi_set(x) + zr_vi_ramp());
+    return (struct zr_depth_columns){zr_vf_set(depth->plane.a0) + zr_vf_set(depth->plane.dadx) * columns,
+                                     zr_vf_set(depth->plane.dady), zr_vf_set(depth->offset)};
+}
+
+static inline zr_vf zr_depth_columns_at(const struct zr_depth_columns *c, zr_vf y)
+{
+    return zr_depth_clamp_v((c->across + c->dady * y) + c->offset);
+}
+
+/* The depths of a block that is not written, to rows of `out`, `stride` apart. */
+static inline void zr_block_write_depths(const struct zr_tile *tile, int block, float *out, ptrdiff_t stride,
+                                         bool streamed)
+{
+    static const struct zr_depth nobodys = {.plane = {.a0 = 1.0f}};
+    const struct zr_depth *depth = tile->block_owner[block] > 0 ? &tile->block_depth[block] : &nobodys;
+    const int32_t x = tile->x + block % ZR_BLOCK_COLUMNS * ZR_BLOCK_WIDTH;
+    const int32_t y = tile->y + block / ZR_BLOCK_COLUMNS * ZR_BLOCK_HEIGHT;
+    for (int32_t v = 0; v < ZR_BLOCK_WIDTH; v += ZR_LANES) {
+        const struct zr_depth_columns columns = zr_depth_columns_of(depth, x + v);
+        zr_vf fy = zr_vf_set((float)y);
+        float *to = out + v;
+        for (int row = 0; row < ZR_BLOCK_HEIGHT; row++, to += stride, fy = fy + zr_vf_set(1.0f)) {
+            const zr_vf z = zr_depth_columns_at(&columns, fy);
+            if (streamed)
+                zr_vi_stream(to, zr_vi_bits_of(z));
+            else
+                zr_vf_store(to, z);
+        }
+    }
+}
+
+/* Both of its arrays in the tile. */
+static inline void zr_block_write(struct zr_tile *tile, int block)
+{
+    const size_t first = zr_block_first(block);
+    const zr_vi owner = zr_vi_set((int32_t)tile->block_owner[block]);
+    zr_block_write_depths(tile, block, tile->depth + first, ZR_TILE_STRIDE, false);
+    for (size_t row = 0; row < ZR_BLOCK_HEIGHT; row++)
+        for (size_t v = 0; v < ZR_BLOCK_WIDTH; v += ZR_LANES)
+            zr_vi_store(&tile->owner[first + row * ZR_TILE_STRIDE + v], owner);
 }
 
 #endif

@@ -29,8 +29,8 @@ enum zr_status zr_visible_make(struct zr_arena *arena, struct zr_team *team, str
                                struct zr_visible *visible);
 
 /* Places tile `number` in the window, begins it (`base` may be NULL) and draws into it every
- * primitive that touches it. Reentrant: one tile, one thread. False where it was
- * cancelled: the tile is then incomplete. */
+ * primitive that touches it. Blocks may be left that are known and not written (zr_tile.unwritten). Reentrant: one
+ * tile, one thread. False where it was cancelled: the tile is then incomplete. */
 bool zr_visibility_tile(const struct zr_visible *visible, uint32_t number, const struct zr_base *base,
                         const struct zr_cancel *cancel, struct zr_tile *tile);
 

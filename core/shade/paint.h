@@ -15,13 +15,28 @@
 #include "raster/plane.h"
 #include "raster/tile.h"
 
+/* Where a tile lies in a channel, whose values have four bytes each. */
+struct zr_rows {
+    uint32_t *first;  /* of its lowest row */
+    ptrdiff_t stride; /* to the next row above */
+    bool streamed;    /* past the caches, which takes whole lines of them (resolve.c). What is written so is there for
+                         others after stream_end. */
+};
+
 struct zr_paint {
     /* The tile's owners become colours, RGBA of four bytes: in place, so that the tile stays in the first-level cache.
      * Where there are none, `nothing`, or what is behind the tile where that is not NULL: rows of pixels, `stride`
-     * bytes times four apart; the tile then must not know its blocks' owners. Returns how many pixels belonged to
-     * records. */
+     * bytes times four apart. Returns how many pixels belonged to records. */
     uint32_t (*tile)(const struct zr_geometry *geometry, struct zr_tile *tile, uint32_t nothing, const void *behind,
                      ptrdiff_t stride);
+
+    /* The same of a tile that knows the owners of its blocks, of which none is cut, into a frame; nothing is behind it.
+     */
+    uint32_t (*blocks)(const struct zr_geometry *geometry, const struct zr_tile *tile, uint32_t nothing,
+                       const struct zr_rows *out);
+
+    /* The depths of a tile. Where some are not written, none of its blocks is cut. */
+    void (*depths)(const struct zr_tile *tile, const struct zr_rows *out);
 
     /* How many pixels belong to records. */
     uint32_t (*count)(const struct zr_tile *tile);
@@ -32,11 +47,9 @@ struct zr_paint {
     /* Where runs end in a row of a tile: bit i, where owners[i] is the last of its own among the first `width`. */
     uint64_t (*ends)(const uint32_t *owners, int32_t width);
 
-    /* Rows of `width` values of four bytes, `stride` apart: all of one value, or those of a tile's array. `streamed`:
-     * past the caches, which takes whole lines of them (resolve.c); what is written so is there for
-     * others after stream_end. */
-    void (*fill)(void *out, ptrdiff_t stride, int32_t width, int32_t rows, uint32_t value, bool streamed);
-    void (*copy)(void *out, ptrdiff_t stride, int32_t width, int32_t rows, const void *in, bool streamed);
+    /* All of one value, or those of a tile's array. */
+    void (*fill)(const struct zr_rows *out, int32_t width, int32_t height, uint32_t value);
+    void (*copy)(const struct zr_rows *out, int32_t width, int32_t height, const void *in);
     void (*stream_end)(void);
 };
 

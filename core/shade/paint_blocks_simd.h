@@ -9,7 +9,6 @@
 
 /* What a record paints in ZR_LANES columns. */
 struct zr_hue {
-    uint32_t owner;
     bool flat;
     zr_vi color;     /* flat */
     zr_vf across[4]; /* else: planes of 1/w and of colours times that, but for what grows with y, */
@@ -25,7 +24,6 @@ static inline void zr_hue_add_plane(struct zr_hue *hue, int k, const struct zr_p
 static inline void zr_hue_take(struct zr_surfaces *surfaces, uint32_t owner, zr_vf x, struct zr_hue *hue)
 {
     const struct zr_surface *surface = zr_surfaces_of(surfaces, owner);
-    hue->owner = owner;
     hue->flat = surface->flat;
     if (surface->flat) {
         hue->color = zr_vi_set((int32_t)surface->color);
@@ -44,60 +42,89 @@ static inline zr_vi zr_hue_at(const struct zr_hue *hue, float y)
                            hue->across[2] + zr_vf_set(hue->up[2] * y), hue->across[3] + zr_vf_set(hue->up[3] * y));
 }
 
-/* ZR_LANES columns of a block, from x on. `pixels` is the first of the lowest row, which is at y in the window. All of
- * them are the owner's, or nobody's where that is 0. */
-static inline void zr_paint_own(struct zr_surfaces *surfaces, uint32_t owner, zr_vf x, float y, uint32_t *pixels,
-                                zr_vi nothing)
+static inline void zr_rows_put(const struct zr_rows *rows, uint32_t *to, zr_vi values)
 {
-    struct zr_hue hue;
-    hue.flat = true;
-    hue.color = nothing;
-    if (owner > 0) zr_hue_take(surfaces, owner, x, &hue);
-    for (int row = 0; row < ZR_BLOCK_HEIGHT; row++, pixels += ZR_TILE_STRIDE, y += 1.0f)
-        zr_vi_store(pixels, zr_hue_at(&hue, y));
+    if (rows->streamed)
+        zr_vi_stream(to, values);
+    else
+        zr_vi_store(to, values);
 }
 
-/* Those of several owners. Returns how many pixels are owned. */
-static inline uint32_t zr_paint_shared(struct zr_surfaces *surfaces, zr_vf x, float y, uint32_t *pixels, zr_vi nothing)
+/* ZR_LANES columns of a block. */
+struct zr_block_part {
+    zr_vf x; /* in the window */
+    float y; /* of the lowest row */
+    zr_vi nothing;
+    struct zr_rows out; /* from its first pixel on */
+};
+
+/* All of them are the owner's, or nobody's where that is 0. */
+static inline void zr_paint_own(struct zr_surfaces *surfaces, uint32_t owner, const struct zr_block_part *part)
 {
-    struct zr_hue hues[2]; /* of a row's first owner, and of its last: most often it has two, and the next row, too */
-    uint32_t covered = 0;
-    hues[0].owner = hues[1].owner = 0;
-    for (int row = 0; row < ZR_BLOCK_HEIGHT; row++, pixels += ZR_TILE_STRIDE, y += 1.0f) {
-        const zr_vi owners = zr_vi_load(pixels);
-        uint32_t left = ZR_ALL_BITS ^ zr_vm_bits(zr_vi_eq(owners, zr_vi_set(0)));
-        struct zr_hue *hue = &hues[0];
-        zr_vi colors = nothing;
-        covered += (uint32_t)__builtin_popcount(left);
-        for (; left; hue = &hues[1]) {
-            const uint32_t owner = pixels[zr_lowest_bit(left)];
-            const zr_vm here = zr_vi_eq(owners, zr_vi_set((int32_t)owner));
-            if (hue->owner != owner) zr_hue_take(surfaces, owner, x, hue);
-            colors = zr_vi_select(here, zr_hue_at(hue, y), colors);
-            left &= ~zr_vm_bits(here);
-        }
-        zr_vi_store(pixels, colors);
+    struct zr_hue hue;
+    uint32_t *to = part->out.first;
+    float y = part->y;
+    hue.flat = true;
+    hue.color = part->nothing;
+    if (owner > 0) zr_hue_take(surfaces, owner, part->x, &hue);
+    for (int row = 0; row < ZR_BLOCK_HEIGHT; row++, to += part->out.stride, y += 1.0f)
+        zr_rows_put(&part->out, to, zr_hue_at(&hue, y));
+}
+
+/* One of owners that are not all 0. */
+static inline uint32_t zr_owner_among(const zr_vi rows[ZR_BLOCK_HEIGHT])
+{
+    _Alignas(64) uint32_t each[ZR_LANES];
+    zr_vi most = rows[0];
+    for (int row = 1; row < ZR_BLOCK_HEIGHT; row++)
+        most = zr_vi_max(most, rows[row]);
+    const uint32_t nobodys = zr_vm_bits(zr_vi_eq(most, zr_vi_set(0)));
+    zr_vi_store(each, most);
+    return nobodys == ZR_ALL_BITS ? 0 : each[zr_lowest_bit(nobodys ^ ZR_ALL_BITS)];
+}
+
+/* They are those of several, and `owners` the first of them. Returns how many pixels are owned. */
+static inline uint32_t zr_paint_shared(struct zr_surfaces *surfaces, const uint32_t *owners,
+                                       const struct zr_block_part *part)
+{
+    zr_vi left[ZR_BLOCK_HEIGHT], colors[ZR_BLOCK_HEIGHT];
+    uint32_t *to = part->out.first, owner, covered = 0;
+    for (int row = 0; row < ZR_BLOCK_HEIGHT; row++) {
+        left[row] = zr_vi_load(owners + row * ZR_TILE_STRIDE);
+        colors[row] = part->nothing;
+        covered += ZR_LANES - (uint32_t)__builtin_popcount(zr_vm_bits(zr_vi_eq(left[row], zr_vi_set(0))));
     }
+    while ((owner = zr_owner_among(left)) > 0) {
+        struct zr_hue hue;
+        float y = part->y;
+        zr_hue_take(surfaces, owner, part->x, &hue);
+        for (int row = 0; row < ZR_BLOCK_HEIGHT; row++, y += 1.0f) {
+            const zr_vm here = zr_vi_eq(left[row], zr_vi_set((int32_t)owner));
+            if (!hue.flat && !zr_vm_any(here)) continue;
+            colors[row] = zr_vi_select(here, zr_hue_at(&hue, y), colors[row]);
+            left[row] = zr_vi_select(here, zr_vi_set(0), left[row]);
+        }
+    }
+    for (int row = 0; row < ZR_BLOCK_HEIGHT; row++, to += part->out.stride)
+        zr_rows_put(&part->out, to, colors[row]);
     return covered;
 }
 
-/* `owner`: what the tile knows of the block's. Returns how many pixels are owned. */
-static inline uint32_t zr_paint_block(struct zr_surfaces *surfaces, const struct zr_canvas *canvas, int block,
-                                      uint32_t owner, zr_vi nothing)
+/* Returns how many pixels are owned. */
+static inline uint32_t zr_paint_block(struct zr_surfaces *surfaces, const struct zr_tile *tile, int block,
+                                      zr_vi nothing, const struct zr_rows *out)
 {
-    const int32_t row = block / ZR_BLOCK_COLUMNS * ZR_BLOCK_HEIGHT;
-    const float y = (float)(canvas->y + row);
-    uint32_t covered = 0;
-    for (int v = 0; v < ZR_BLOCK_WIDTH / ZR_LANES; v++) {
-        const int32_t column = block % ZR_BLOCK_COLUMNS * ZR_BLOCK_WIDTH + v * ZR_LANES;
-        const zr_vf x = zr_vf_of(zr_vi_set(canvas->x + column) + zr_vi_ramp());
-        uint32_t *pixels = canvas->colors + row * ZR_TILE_STRIDE + column;
-        if (owner == ZR_BLOCK_SHARED) {
-            covered += zr_paint_shared(surfaces, x, y, pixels, nothing);
-        } else {
-            zr_paint_own(surfaces, owner, x, y, pixels, nothing);
-            covered += owner > 0 ? ZR_LANES * ZR_BLOCK_HEIGHT : 0;
-        }
+    const int32_t column = block % ZR_BLOCK_COLUMNS * ZR_BLOCK_WIDTH, row = block / ZR_BLOCK_COLUMNS * ZR_BLOCK_HEIGHT;
+    const uint32_t owner = tile->block_owner[block];
+    uint32_t covered = owner > 0 && owner != ZR_BLOCK_SHARED ? ZR_BLOCK_WIDTH * ZR_BLOCK_HEIGHT : 0;
+    struct zr_block_part part = {.y = (float)(tile->y + row), .nothing = nothing, .out = *out};
+    part.out.first += row * out->stride + column;
+    for (int v = 0; v < ZR_BLOCK_WIDTH; v += ZR_LANES, part.out.first += ZR_LANES) {
+        part.x = zr_vf_of(zr_vi_set(tile->x + column + v) + zr_vi_ramp());
+        if (owner == ZR_BLOCK_SHARED)
+            covered += zr_paint_shared(surfaces, tile->owner + row * ZR_TILE_STRIDE + column + v, &part);
+        else
+            zr_paint_own(surfaces, owner, &part);
     }
     return covered;
 }

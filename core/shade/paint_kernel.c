@@ -1,5 +1,7 @@
 #include "shade/paint.h"
 
+#include "base/expect.h"
+#include "raster/tile_simd.h"
 #include "shade/paint_blocks_simd.h"
 #include "shade/paint_flat_simd.h"
 #include "shade/paint_patches_simd.h"
@@ -169,7 +171,10 @@ static uint32_t paint_rows(struct painter *p, int32_t y, int32_t rows, int32_t w
 static uint32_t paint_all_rows(struct painter *p, const struct zr_tile *tile, struct zr_backdrop backdrop)
 {
     uint32_t covered = 0;
+    struct zr_flat_expected expected = {.batch = p->surfaces.batch};
+    const bool is_expected = zr_flat_is_expected(expected.batch);
     for (int32_t y = 0; y < tile->height; y += ZR_PATCH_ROWS) {
+        if (is_expected) zr_flat_expect(&expected, tile, y, y + ZR_PATCH_ROWS);
         const int32_t rows = tile->height - y < ZR_PATCH_ROWS ? tile->height - y : ZR_PATCH_ROWS;
         covered += paint_rows(p, y, rows, tile->width, &backdrop);
         if (backdrop.row) backdrop.row += backdrop.stride * rows;
@@ -184,15 +189,23 @@ static uint32_t paint_tile(const struct zr_geometry *geometry, struct zr_tile *t
 {
     struct painter p;
     const struct zr_backdrop backdrop = {zr_vi_set((int32_t)nothing), behind, stride};
-    uint32_t covered = 0;
     p.canvas = (struct zr_canvas){geometry, tile->x, tile->y, tile->owner}; /* rows are read before they are painted */
     p.flat = (struct zr_flat_memory){zr_vi_set(0), zr_vi_set(0)};
     zr_surfaces_begin(&p.surfaces, geometry);
     zr_smooth_begin(&p.smooth);
     zr_patches_begin(&p.patches);
-    if (!tile->knows_owners) return paint_all_rows(&p, tile, backdrop);
+    return paint_all_rows(&p, tile, backdrop);
+}
+
+static uint32_t paint_blocks(const struct zr_geometry *geometry, const struct zr_tile *tile, uint32_t nothing,
+                             const struct zr_rows *out)
+{
+    struct zr_surfaces surfaces;
+    uint32_t covered = 0;
+    zr_surfaces_begin(&surfaces, geometry);
     for (int block = 0; block < ZR_BLOCKS; block++)
-        covered += zr_paint_block(&p.surfaces, &p.canvas, block, tile->block_owner[block], backdrop.nothing);
+        if (zr_tile_has_block(tile, block))
+            covered += zr_paint_block(&surfaces, tile, block, zr_vi_set((int32_t)nothing), out);
     return covered;
 }
 
@@ -216,6 +229,7 @@ static void pack(const zr_vec4 *colors, size_t count, uint32_t *out)
     size_t i = 0;
 #define COLOR(k) (&colors[i + (k)].x)
     for (; i + ZR_LANES <= count; i += ZR_LANES) {
+        zr_expect(colors + i, ZR_PAGE, ZR_LANES * sizeof *colors);
         ZR_LOAD4(red, green, blue, alpha, COLOR);
         (void)alpha;
         zr_vi_store(out + i, zr_color_pack_v(red, green, blue));
@@ -225,27 +239,26 @@ static void pack(const zr_vec4 *colors, size_t count, uint32_t *out)
         out[i] = zr_color_pack(zr_color_byte(colors[i].x), zr_color_byte(colors[i].y), zr_color_byte(colors[i].z), 255);
 }
 
-static void fill(void *out, ptrdiff_t stride, int32_t width, int32_t rows, uint32_t value, bool streamed)
+static void fill(const struct zr_rows *out, int32_t width, int32_t height, uint32_t value)
 {
     const zr_vi values = zr_vi_set((int32_t)value);
-    for (int32_t row = 0; row < rows; row++) {
-        uint32_t *to = (uint32_t *)out + row * stride;
-        if (streamed)
+    uint32_t *to = out->first;
+    for (int32_t y = 0; y < height; y++, to += out->stride)
+        if (out->streamed)
             for (int32_t x = 0; x < width; x += ZR_LANES)
                 zr_vi_stream(to + x, values);
         else
             zr_fill_run(to, (uint32_t)width, values);
-    }
 }
 
-static void copy(void *out, ptrdiff_t stride, int32_t width, int32_t rows, const void *in, bool streamed)
+static void copy(const struct zr_rows *out, int32_t width, int32_t height, const void *in)
 {
-    for (int32_t row = 0; row < rows; row++) {
-        const uint32_t *from = (const uint32_t *)in + row * ZR_TILE_STRIDE;
-        uint32_t *to = (uint32_t *)out + row * stride;
+    const uint32_t *from = in;
+    uint32_t *to = out->first;
+    for (int32_t y = 0; y < height; y++, from += ZR_TILE_STRIDE, to += out->stride) {
         int32_t x = 0;
         for (; x + ZR_LANES <= width; x += ZR_LANES)
-            if (streamed)
+            if (out->streamed)
                 zr_vi_stream(to + x, zr_vi_load(from + x));
             else
                 zr_vi_store(to + x, zr_vi_load(from + x));
@@ -253,4 +266,22 @@ static void copy(void *out, ptrdiff_t stride, int32_t width, int32_t rows, const
     }
 }
 
-const struct zr_paint ZR_KERNEL(zr_paint) = {paint_tile, count, pack, ends, fill, copy, zr_stream_end};
+static void depths(const struct zr_tile *tile, const struct zr_rows *out)
+{
+    if (tile->unwritten == 0) {
+        copy(out, tile->width, tile->height, tile->depth);
+        return;
+    }
+    for (int block = 0; block < ZR_BLOCKS; block++) {
+        if (!zr_tile_has_block(tile, block)) continue;
+        struct zr_rows to = *out;
+        to.first += block / ZR_BLOCK_COLUMNS * ZR_BLOCK_HEIGHT * to.stride + block % ZR_BLOCK_COLUMNS * ZR_BLOCK_WIDTH;
+        if (tile->unwritten >> block & 1)
+            zr_block_write_depths(tile, block, (float *)to.first, to.stride, to.streamed);
+        else
+            copy(&to, ZR_BLOCK_WIDTH, ZR_BLOCK_HEIGHT, tile->depth + zr_block_first(block));
+    }
+}
+
+const struct zr_paint ZR_KERNEL(zr_paint) = {paint_tile, paint_blocks, depths, count,        pack,
+                                             ends,       fill,         copy,   zr_stream_end};

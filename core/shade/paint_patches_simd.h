@@ -159,6 +159,7 @@ static inline void zr_patch_find_surfaces(struct zr_patches *p, uint32_t begin)
         p->keys[key] = owner;
         p->surfaces[key] = (uint16_t)surface;
         p->numbers[p->surface_count] = (int32_t)(owner - first);
+        __builtin_prefetch(p->batch->corners + 3 * (size_t)(owner - first));
         p->surface_count += !known;
         p->parts[i] = (uint16_t)surface;
     }

@@ -28,6 +28,13 @@ static void draw(struct zr_tile *tile, const struct zr_window_vertex v[3])
     draw_with(zr_halfspace_of(zr_isa_best()), tile, v);
 }
 
+/* With all samples written. */
+static void draw_tile(const struct zr_visible *visible, uint32_t number, struct zr_tile *tile)
+{
+    assert_true(zr_visibility_tile(visible, number, NULL, NULL, tile));
+    if (!tile->is_empty) visible->halfspace->settle(tile);
+}
+
 /* At the origin. */
 static struct zr_tile *cleared_tile(void)
 {
@@ -228,7 +235,7 @@ static void lines_have_the_pixels_of_their_parallelogram_in_the_tiles_that_list_
             zr_tile_place(&by_edges, number, WIDTH, HEIGHT);
             zr_tile_begin(&by_edges, NULL, WIDTH, HEIGHT);
             zr_oddeven_draw(&geometry, &primitive, &by_edges);
-            assert_true(zr_visibility_tile(&visible, number, NULL, NULL, &by_pixels));
+            draw_tile(&visible, number, &by_pixels);
             assert_tiles_equal(&by_pixels, &by_edges);
             drawn += owned(&by_edges);
         }
@@ -327,7 +334,7 @@ static void bins_lose_no_triangle_and_invent_none(enum zr_isa isa, int threads)
     assert_in_range(visible.bins.large_count, 1, COUNT - 1);
     assert_int_equal(visible.bins.worker_count, threads > 1 ? 2 : 1);
     for (uint32_t number = 0; number < zr_tile_count(WIDTH, HEIGHT); number++) {
-        assert_true(zr_visibility_tile(&visible, number, NULL, NULL, &tile));
+        draw_tile(&visible, number, &tile);
         for (int y = 0; y < tile.height; y++)
             for (int x = 0; x < tile.width; x++) {
                 assert_int_equal(owner_at(&tile, x, y), want[tile.y + y][tile.x + x]);
@@ -379,7 +386,7 @@ static void fragments_of_far_apart_owners_keep_them(void **state)
         zr_arena_init(&arena, 1 << 27);
         assert_int_equal(zr_visible_make(&arena, team, &geometry, 2 * ZR_TILE_SIZE, ZR_TILE_SIZE, NULL, &visible),
                          ZR_OK);
-        assert_true(zr_visibility_tile(&visible, 0, NULL, NULL, &tile));
+        draw_tile(&visible, 0, &tile);
         for (uint32_t p = 0; p < PIXELS; p++) {
             const uint32_t last = p - (COUNT - FEW) % PIXELS;
             const uint32_t want = p < FEW ? p + 1 : last < FEW ? COUNT - FEW + last + 1 : 0;
