@@ -15,6 +15,13 @@ const struct zr_batch *zr_batch_of(const struct zr_geometry *geometry, uint32_t 
     return &geometry->batches[low];
 }
 
+uint32_t zr_face_id(const struct zr_geometry *geometry, const struct zr_batch *batch, uint32_t number)
+{
+    const uint32_t t = number - batch->first;
+    return batch->written ? geometry->triangles[batch->first_record + t].face
+                          : batch->first_id + zr_batch_face(batch, t);
+}
+
 struct zr_record zr_record_of(const struct zr_geometry *geometry, const struct zr_batch *batch, uint32_t number)
 {
     uint32_t t = number - batch->first;
@@ -23,7 +30,7 @@ struct zr_record zr_record_of(const struct zr_geometry *geometry, const struct z
         return (struct zr_record){*written, written->back ? geometry->back_colors : geometry->front_colors};
     }
     struct zr_record record;
-    record.triangle = (struct zr_triangle){.face = batch->first_id + zr_batch_face(batch, t)};
+    record.triangle = (struct zr_triangle){.face = zr_face_id(geometry, batch, number)};
     for (int k = 0; k < 3; k++) {
         record.triangle.v[k] = batch->first_vertex + batch->corners[3 * (size_t)t + (size_t)k];
         record.triangle.c[k] = zr_batch_color(batch, t, k);

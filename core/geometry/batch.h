@@ -113,6 +113,9 @@ struct zr_record {
     const zr_vec4 *colors; /* of the side that is seen: triangle.c indexes it */
 };
 
+/* Id of the face of a record. */
+uint32_t zr_face_id(const struct zr_geometry *geometry, const struct zr_batch *batch, uint32_t number);
+
 struct zr_record zr_record_of(const struct zr_geometry *geometry, const struct zr_batch *batch, uint32_t number);
 
 #endif

@@ -247,6 +247,7 @@ void zr_visibility_load(const struct zr_samples *samples, uint32_t number, struc
     zr_tile_place(tile, number, samples->width, samples->height);
     tile->is_empty = false;
     tile->knows_owners = false;
+    tile->unwritten = 0;
     for (int32_t row = 0; row < tile->height; row++) {
         size_t at = (size_t)(tile->y + row) * samples->width + (size_t)tile->x;
         memcpy(&tile->depth[row * ZR_TILE_STRIDE], samples->depth + at, (size_t)tile->width * sizeof *samples->depth);

@@ -15,6 +15,20 @@
 #include "raster/plane.h"
 #include "raster/tile.h"
 
+/* What the pixels of one record are painted with. */
+struct zr_surface {
+    bool flat;
+    uint32_t color;                        /* flat: four bytes */
+    struct zr_plane oow, red, green, blue; /* else: 1/w, and colours times that */
+};
+
+/* Of a record of the batch, line or triangle. */
+typedef struct zr_surface zr_surface_fn(const struct zr_geometry *geometry, const struct zr_batch *batch,
+                                        uint32_t number);
+
+zr_surface_fn zr_surface_make;
+zr_surface_fn zr_surface_of_face; /* flat: the id of its face, as if that were a colour */
+
 /* Where a tile lies in a channel, whose values have four bytes each. */
 struct zr_rows {
     uint32_t *first;  /* of its lowest row */
@@ -31,9 +45,13 @@ struct zr_paint {
                      ptrdiff_t stride);
 
     /* The same of a tile that knows the owners of its blocks, of which none is cut, into a frame; nothing is behind it.
-     */
-    uint32_t (*blocks)(const struct zr_geometry *geometry, const struct zr_tile *tile, uint32_t nothing,
-                       const struct zr_rows *out);
+     * What each record is painted with is `make`'s to say. */
+    uint32_t (*blocks)(const struct zr_geometry *geometry, const struct zr_tile *tile, zr_surface_fn *make,
+                       uint32_t nothing, const struct zr_rows *out);
+
+    /* The ids of a tile's faces, and 0 where nothing is, to `out`, laid out as the tile's arrays. `add` is added to
+     * those of faces. */
+    void (*faces)(const struct zr_geometry *geometry, const struct zr_tile *tile, uint32_t add, void *out);
 
     /* The depths of a tile. Where some are not written, none of its blocks is cut. */
     void (*depths)(const struct zr_tile *tile, const struct zr_rows *out);
@@ -67,15 +85,5 @@ uint32_t zr_color_byte(float value);
 
 /* Four bytes in memory: red, green, blue, alpha. */
 uint32_t zr_color_pack(uint32_t red, uint32_t green, uint32_t blue, uint32_t alpha);
-
-/* What the pixels of one record are painted with. */
-struct zr_surface {
-    bool flat;
-    uint32_t color;                        /* flat: four bytes */
-    struct zr_plane oow, red, green, blue; /* else: 1/w, and colours times that */
-};
-
-/* Of a record of the batch, line or triangle. */
-struct zr_surface zr_surface_make(const struct zr_geometry *geometry, const struct zr_batch *batch, uint32_t number);
 
 #endif

@@ -3,6 +3,7 @@
 #include "base/expect.h"
 #include "raster/tile_simd.h"
 #include "shade/paint_blocks_simd.h"
+#include "shade/paint_faces_simd.h"
 #include "shade/paint_flat_simd.h"
 #include "shade/paint_patches_simd.h"
 
@@ -191,22 +192,35 @@ static uint32_t paint_tile(const struct zr_geometry *geometry, struct zr_tile *t
     const struct zr_backdrop backdrop = {zr_vi_set((int32_t)nothing), behind, stride};
     p.canvas = (struct zr_canvas){geometry, tile->x, tile->y, tile->owner}; /* rows are read before they are painted */
     p.flat = (struct zr_flat_memory){zr_vi_set(0), zr_vi_set(0)};
-    zr_surfaces_begin(&p.surfaces, geometry);
+    zr_surfaces_begin(&p.surfaces, geometry, zr_surface_make);
     zr_smooth_begin(&p.smooth);
     zr_patches_begin(&p.patches);
     return paint_all_rows(&p, tile, backdrop);
 }
 
-static uint32_t paint_blocks(const struct zr_geometry *geometry, const struct zr_tile *tile, uint32_t nothing,
-                             const struct zr_rows *out)
+static uint32_t paint_blocks(const struct zr_geometry *geometry, const struct zr_tile *tile, zr_surface_fn *make,
+                             uint32_t nothing, const struct zr_rows *out)
 {
     struct zr_surfaces surfaces;
     uint32_t covered = 0;
-    zr_surfaces_begin(&surfaces, geometry);
+    zr_surfaces_begin(&surfaces, geometry, make);
     for (int block = 0; block < ZR_BLOCKS; block++)
         if (zr_tile_has_block(tile, block))
             covered += zr_paint_block(&surfaces, tile, block, zr_vi_set((int32_t)nothing), out);
     return covered;
+}
+
+static void paint_faces(const struct zr_geometry *geometry, const struct zr_tile *tile, uint32_t add, void *out)
+{
+    const struct zr_batch *batch = &geometry->batches[0];
+    uint32_t *ids = out;
+    for (int32_t y = 0; y < tile->height; y++, ids += ZR_TILE_STRIDE) {
+        const uint32_t *owners = &tile->owner[y * ZR_TILE_STRIDE];
+        if (!batch->written && zr_row_is_of(batch, owners, tile->width))
+            zr_paint_faces_alone(batch, add, owners, tile->width, ids);
+        else
+            batch = zr_paint_faces_mixed(geometry, batch, add, owners, find_ends(owners, tile->width), ids);
+    }
 }
 
 static uint32_t count(const struct zr_tile *tile)
@@ -283,5 +297,5 @@ static void depths(const struct zr_tile *tile, const struct zr_rows *out)
     }
 }
 
-const struct zr_paint ZR_KERNEL(zr_paint) = {paint_tile, paint_blocks, depths, count,        pack,
-                                             ends,       fill,         copy,   zr_stream_end};
+const struct zr_paint ZR_KERNEL(zr_paint) = {paint_tile, paint_blocks, paint_faces, depths, count,
+                                             pack,       ends,         fill,        copy,   zr_stream_end};

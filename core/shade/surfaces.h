@@ -12,14 +12,16 @@ enum { ZR_SURFACES = 64 };
 
 struct zr_surfaces {
     const struct zr_geometry *geometry;
+    zr_surface_fn *make;
     const struct zr_batch *batch; /* of the record that was asked for last; at first the first one */
     uint32_t owners[ZR_SURFACES]; /* whose the surfaces are; 0: nobody's */
     struct zr_surface surfaces[ZR_SURFACES];
 };
 
-static inline void zr_surfaces_begin(struct zr_surfaces *s, const struct zr_geometry *geometry)
+static inline void zr_surfaces_begin(struct zr_surfaces *s, const struct zr_geometry *geometry, zr_surface_fn *make)
 {
     s->geometry = geometry;
+    s->make = make;
     s->batch = &geometry->batches[0];
     memset(s->owners, 0, sizeof s->owners);
 }
@@ -39,7 +41,7 @@ static inline const struct zr_surface *zr_surfaces_of(struct zr_surfaces *s, uin
 {
     const uint32_t place = owner % ZR_SURFACES;
     if (s->owners[place] != owner) {
-        s->surfaces[place] = zr_surface_make(s->geometry, zr_surfaces_batch(s, owner), owner - 1);
+        s->surfaces[place] = s->make(s->geometry, zr_surfaces_batch(s, owner), owner - 1);
         s->owners[place] = owner;
     }
     return &s->surfaces[place];

@@ -266,6 +266,33 @@ static void tile_begins_with_its_base_and_nothing_else(void **state)
     }
 }
 
+/* The tile is a thread's, and another's picture was in it before. */
+static void tile_of_decided_samples_is_all_of_them(void **state)
+{
+    (void)state;
+    enum { WIDTH = 70, HEIGHT = 66 };
+    static float depth[WIDTH * HEIGHT];
+    static uint32_t owner[WIDTH * HEIGHT];
+    static struct zr_tile tile;
+    const struct zr_samples samples = {.width = WIDTH, .height = HEIGHT, .depth = depth, .owner = owner};
+    for (uint32_t i = 0; i < WIDTH * HEIGHT; i++) {
+        depth[i] = (float)i / (WIDTH * HEIGHT);
+        owner[i] = i + 1;
+    }
+    for (uint32_t number = 0; number < 4; number++) {
+        memset(&tile, 0xff, sizeof tile);
+        zr_visibility_load(&samples, number, &tile);
+        assert_int_equal(tile.unwritten, 0);
+        assert_false(tile.knows_owners);
+        for (int y = 0; y < tile.height; y++)
+            for (int x = 0; x < tile.width; x++) {
+                const int i = (tile.y + y) * WIDTH + tile.x + x;
+                assert_true(depth_at(&tile, x, y) == depth[i]);
+                assert_int_equal(owner_at(&tile, x, y), owner[i]);
+            }
+    }
+}
+
 static void depth_beyond_the_range_is_clamped_and_nan_is_the_far_plane(void **state)
 {
     (void)state;
@@ -408,6 +435,7 @@ int main(void)
         cmocka_unit_test(odd_even_rule_covers_the_triangle_that_the_kernel_covers),
         cmocka_unit_test(lines_have_the_pixels_of_their_parallelogram_in_the_tiles_that_list_them),
         cmocka_unit_test(tile_begins_with_its_base_and_nothing_else),
+        cmocka_unit_test(tile_of_decided_samples_is_all_of_them),
         cmocka_unit_test(depth_beyond_the_range_is_clamped_and_nan_is_the_far_plane),
         cmocka_unit_test(bins_lose_nothing_with_any_instruction_set),
         cmocka_unit_test(fragments_of_far_apart_owners_keep_them),
