@@ -35,6 +35,10 @@ static inline zr_vf zr_tile_put_first_v(float *depth, uint32_t *owners, zr_vm in
 
 /* ---- blocks ---- */
 
+/* Vectors across a block. What is streamed must be written row by row: past the caches go whole lines, or each write is
+ * one of its own. */
+enum { ZR_BLOCK_PARTS = ZR_BLOCK_WIDTH / ZR_LANES };
+
 static inline size_t zr_block_first(int block)
 {
     return (size_t)(block / ZR_BLOCK_COLUMNS * ZR_BLOCK_HEIGHT) * ZR_TILE_STRIDE +
@@ -66,18 +70,18 @@ static inline void zr_block_write_depths(const struct zr_tile *tile, int block, 
     const struct zr_depth *depth = tile->block_owner[block] > 0 ? &tile->block_depth[block] : &nobodys;
     const int32_t x = tile->x + block % ZR_BLOCK_COLUMNS * ZR_BLOCK_WIDTH;
     const int32_t y = tile->y + block / ZR_BLOCK_COLUMNS * ZR_BLOCK_HEIGHT;
-    for (int32_t v = 0; v < ZR_BLOCK_WIDTH; v += ZR_LANES) {
-        const struct zr_depth_columns columns = zr_depth_columns_of(depth, x + v);
-        zr_vf fy = zr_vf_set((float)y);
-        float *to = out + v;
-        for (int row = 0; row < ZR_BLOCK_HEIGHT; row++, to += stride, fy = fy + zr_vf_set(1.0f)) {
-            const zr_vf z = zr_depth_columns_at(&columns, fy);
+    struct zr_depth_columns columns[ZR_BLOCK_PARTS];
+    zr_vf fy = zr_vf_set((float)y);
+    for (int v = 0; v < ZR_BLOCK_PARTS; v++)
+        columns[v] = zr_depth_columns_of(depth, x + v * ZR_LANES);
+    for (int row = 0; row < ZR_BLOCK_HEIGHT; row++, out += stride, fy = fy + zr_vf_set(1.0f))
+        for (int v = 0; v < ZR_BLOCK_PARTS; v++) {
+            const zr_vf z = zr_depth_columns_at(&columns[v], fy);
             if (streamed)
-                zr_vi_stream(to, zr_vi_bits_of(z));
+                zr_vi_stream(out + v * ZR_LANES, zr_vi_bits_of(z));
             else
-                zr_vf_store(to, z);
+                zr_vf_store(out + v * ZR_LANES, z);
         }
-    }
 }
 
 /* Both of its arrays in the tile. */

@@ -4,6 +4,7 @@
 #ifndef ZR_PAINT_BLOCKS_SIMD_H
 #define ZR_PAINT_BLOCKS_SIMD_H
 
+#include "raster/tile_simd.h"
 #include "shade/paint_smooth_simd.h"
 #include "shade/surfaces.h"
 
@@ -21,18 +22,22 @@ static inline void zr_hue_add_plane(struct zr_hue *hue, int k, const struct zr_p
     hue->up[k] = plane->dady;
 }
 
-static inline void zr_hue_take(struct zr_surfaces *surfaces, uint32_t owner, zr_vf x, struct zr_hue *hue)
+static inline void zr_hue_add_planes(struct zr_hue *hue, const struct zr_surface *surface, zr_vf x)
 {
-    const struct zr_surface *surface = zr_surfaces_of(surfaces, owner);
-    hue->flat = surface->flat;
-    if (surface->flat) {
-        hue->color = zr_vi_set((int32_t)surface->color);
-        return;
-    }
     zr_hue_add_plane(hue, 0, &surface->oow, x);
     zr_hue_add_plane(hue, 1, &surface->red, x);
     zr_hue_add_plane(hue, 2, &surface->green, x);
     zr_hue_add_plane(hue, 3, &surface->blue, x);
+}
+
+static inline void zr_hue_take(struct zr_surfaces *surfaces, uint32_t owner, zr_vf x, struct zr_hue *hue)
+{
+    const struct zr_surface *surface = zr_surfaces_of(surfaces, owner);
+    hue->flat = surface->flat;
+    if (surface->flat)
+        hue->color = zr_vi_set((int32_t)surface->color);
+    else
+        zr_hue_add_planes(hue, surface, x);
 }
 
 static inline zr_vi zr_hue_at(const struct zr_hue *hue, float y)
@@ -50,31 +55,46 @@ static inline void zr_rows_put(const struct zr_rows *rows, uint32_t *to, zr_vi v
         zr_vi_store(to, values);
 }
 
-/* ZR_LANES columns of a block. */
-struct zr_block_part {
-    zr_vf x; /* in the window */
-    float y; /* of the lowest row */
+/* A block under work. */
+struct zr_block {
+    zr_vf x[ZR_BLOCK_PARTS]; /* of its columns, in the window */
+    float y;                 /* of its lowest row */
     zr_vi nothing;
     struct zr_rows out; /* from its first pixel on */
 };
 
-/* All of them are the owner's, or nobody's where that is 0. */
-static inline void zr_paint_own(struct zr_surfaces *surfaces, uint32_t owner, const struct zr_block_part *part)
+static inline void zr_paint_alike(const struct zr_block *block, zr_vi color)
 {
-    struct zr_hue hue;
-    uint32_t *to = part->out.first;
-    float y = part->y;
-    hue.flat = true;
-    hue.color = part->nothing;
-    if (owner > 0) zr_hue_take(surfaces, owner, part->x, &hue);
-    for (int row = 0; row < ZR_BLOCK_HEIGHT; row++, to += part->out.stride, y += 1.0f)
-        zr_rows_put(&part->out, to, zr_hue_at(&hue, y));
+    uint32_t *to = block->out.first;
+    for (int row = 0; row < ZR_BLOCK_HEIGHT; row++, to += block->out.stride)
+        for (int v = 0; v < ZR_BLOCK_PARTS; v++)
+            zr_rows_put(&block->out, to + v * ZR_LANES, color);
+}
+
+/* All of it is the owner's. */
+static inline void zr_paint_own(struct zr_surfaces *surfaces, uint32_t owner, const struct zr_block *block)
+{
+    const struct zr_surface *surface = zr_surfaces_of(surfaces, owner);
+    struct zr_hue hues[ZR_BLOCK_PARTS];
+    uint32_t *to = block->out.first;
+    float y = block->y;
+    if (surface->flat) {
+        zr_paint_alike(block, zr_vi_set((int32_t)surface->color));
+        return;
+    }
+    for (int v = 0; v < ZR_BLOCK_PARTS; v++) {
+        hues[v].flat = false;
+        zr_hue_add_planes(&hues[v], surface, block->x[v]);
+    }
+    for (int row = 0; row < ZR_BLOCK_HEIGHT; row++, to += block->out.stride, y += 1.0f)
+        for (int v = 0; v < ZR_BLOCK_PARTS; v++)
+            zr_rows_put(&block->out, to + v * ZR_LANES, zr_hue_at(&hues[v], y));
 }
 
 /* One of owners that are not all 0. */
 static inline uint32_t zr_owner_among(const zr_vi rows[ZR_BLOCK_HEIGHT])
 {
-    _Alignas(64) uint32_t each[ZR_LANES];
+    uint32_t each[ZR_LANES];
     zr_vi most = rows[0];
     for (int row = 1; row < ZR_BLOCK_HEIGHT; row++)
         most = zr_vi_max(most, rows[row]);
@@ -83,21 +103,21 @@ static inline uint32_t zr_owner_among(const zr_vi rows[ZR_BLOCK_HEIGHT])
     return nobodys == ZR_ALL_BITS ? 0 : each[zr_lowest_bit(nobodys ^ ZR_ALL_BITS)];
 }
 
-/* They are those of several, and `owners` the first of them. Returns how many pixels are owned. */
-static inline uint32_t zr_paint_shared(struct zr_surfaces *surfaces, const uint32_t *owners,
-                                       const struct zr_block_part *part)
+/* Columns of several owners, `owners` being the first of them. Returns how many pixels are owned. */
+static inline uint32_t zr_color_columns(struct zr_surfaces *surfaces, const uint32_t *owners, zr_vf x, float first_y,
+                                        zr_vi nothing, zr_vi colors[ZR_BLOCK_HEIGHT])
 {
-    zr_vi left[ZR_BLOCK_HEIGHT], colors[ZR_BLOCK_HEIGHT];
-    uint32_t *to = part->out.first, owner, covered = 0;
+    zr_vi left[ZR_BLOCK_HEIGHT];
+    uint32_t owner, covered = 0;
     for (int row = 0; row < ZR_BLOCK_HEIGHT; row++) {
         left[row] = zr_vi_load(owners + row * ZR_TILE_STRIDE);
-        colors[row] = part->nothing;
+        colors[row] = nothing;
         covered += ZR_LANES - (uint32_t)__builtin_popcount(zr_vm_bits(zr_vi_eq(left[row], zr_vi_set(0))));
     }
     while ((owner = zr_owner_among(left)) > 0) {
         struct zr_hue hue;
-        float y = part->y;
-        zr_hue_take(surfaces, owner, part->x, &hue);
+        float y = first_y;
+        zr_hue_take(surfaces, owner, x, &hue);
         for (int row = 0; row < ZR_BLOCK_HEIGHT; row++, y += 1.0f) {
             const zr_vm here = zr_vi_eq(left[row], zr_vi_set((int32_t)owner));
             if (!hue.flat && !zr_vm_any(here)) continue;
@@ -105,28 +125,41 @@ static inline uint32_t zr_paint_shared(struct zr_surfaces *surfaces, const uint3
             left[row] = zr_vi_select(here, zr_vi_set(0), left[row]);
         }
     }
-    for (int row = 0; row < ZR_BLOCK_HEIGHT; row++, to += part->out.stride)
-        zr_rows_put(&part->out, to, colors[row]);
+    return covered;
+}
+
+/* It is that of several. Returns how many pixels are owned. */
+static inline uint32_t zr_paint_shared(struct zr_surfaces *surfaces, const uint32_t *owners,
+                                       const struct zr_block *block)
+{
+    zr_vi colors[ZR_BLOCK_PARTS][ZR_BLOCK_HEIGHT];
+    uint32_t *to = block->out.first, covered = 0;
+    for (int v = 0; v < ZR_BLOCK_PARTS; v++)
+        covered += zr_color_columns(surfaces, owners + v * ZR_LANES, block->x[v], block->y, block->nothing, colors[v]);
+    for (int row = 0; row < ZR_BLOCK_HEIGHT; row++, to += block->out.stride)
+        for (int v = 0; v < ZR_BLOCK_PARTS; v++)
+            zr_rows_put(&block->out, to + v * ZR_LANES, colors[v][row]);
     return covered;
 }
 
 /* Returns how many pixels are owned. */
-static inline uint32_t zr_paint_block(struct zr_surfaces *surfaces, const struct zr_tile *tile, int block,
+static inline uint32_t zr_paint_block(struct zr_surfaces *surfaces, const struct zr_tile *tile, int number,
                                       zr_vi nothing, const struct zr_rows *out)
 {
-    const int32_t column = block % ZR_BLOCK_COLUMNS * ZR_BLOCK_WIDTH, row = block / ZR_BLOCK_COLUMNS * ZR_BLOCK_HEIGHT;
-    const uint32_t owner = tile->block_owner[block];
-    uint32_t covered = owner > 0 && owner != ZR_BLOCK_SHARED ? ZR_BLOCK_WIDTH * ZR_BLOCK_HEIGHT : 0;
-    struct zr_block_part part = {.y = (float)(tile->y + row), .nothing = nothing, .out = *out};
-    part.out.first += row * out->stride + column;
-    for (int v = 0; v < ZR_BLOCK_WIDTH; v += ZR_LANES, part.out.first += ZR_LANES) {
-        part.x = zr_vf_of(zr_vi_set(tile->x + column + v) + zr_vi_ramp());
-        if (owner == ZR_BLOCK_SHARED)
-            covered += zr_paint_shared(surfaces, tile->owner + row * ZR_TILE_STRIDE + column + v, &part);
-        else
-            zr_paint_own(surfaces, owner, &part);
+    const int32_t column = number % ZR_BLOCK_COLUMNS * ZR_BLOCK_WIDTH,
+                  row = number / ZR_BLOCK_COLUMNS * ZR_BLOCK_HEIGHT;
+    const uint32_t owner = tile->block_owner[number];
+    struct zr_block block = {.y = (float)(tile->y + row), .nothing = nothing, .out = *out};
+    block.out.first += row * out->stride + column;
+    for (int v = 0; v < ZR_BLOCK_PARTS; v++)
+        block.x[v] = zr_vf_of(zr_vi_set(tile->x + column + v * ZR_LANES) + zr_vi_ramp());
+    if (owner == ZR_BLOCK_SHARED) return zr_paint_shared(surfaces, &tile->owner[zr_block_first(number)], &block);
+    if (owner == 0) {
+        zr_paint_alike(&block, nothing);
+        return 0;
     }
-    return covered;
+    zr_paint_own(surfaces, owner, &block);
+    return ZR_BLOCK_WIDTH * ZR_BLOCK_HEIGHT;
 }
 
 #endif
