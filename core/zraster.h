@@ -116,8 +116,8 @@ struct zr_cost zr_scene_cost(const struct zr_scene *scene, uint32_t corners_max,
 enum zr_status zr_render(struct zr_arena *arena, struct zr_team *team, const struct zr_scene *scene,
                          const struct zr_cancel *cancel, const struct zr_frame **frame, struct zr_error *error);
 
-/* One output: its bytes. Several: a ZIP of channel.extension. `team` may be NULL (one thread); the bytes are the same
- * for every team. */
+/* One output: its bytes. Several: a ZIP of channel.extension. `team` may be NULL (one thread); what
+ * decodes is the same for every team, and the bytes nearly always (output/png.h). */
 enum zr_status zr_encode(struct zr_arena *arena, struct zr_team *team, const struct zr_scene *scene,
                          const struct zr_frame *frame, const struct zr_cancel *cancel, struct zr_answer *answer,
                          struct zr_error *error);

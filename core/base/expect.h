@@ -10,7 +10,7 @@
 
 enum { ZR_CACHE_LINE = 64, ZR_PAGE = 4096 };
 
-/* `bytes` bytes, `ahead` behind p. */
+/* Prefetches `bytes` bytes, which begin `ahead` bytes beyond p. */
 static inline void zr_expect(const void *p, size_t ahead, size_t bytes)
 {
     for (size_t at = 0; at < bytes; at += ZR_CACHE_LINE)

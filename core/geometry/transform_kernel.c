@@ -98,7 +98,7 @@ unsigned ZR_KERNEL(zr_transform)(const zr_mat4 *object_to_clip, const struct zr_
     unsigned any = 0;
     size_t i = 0;
     for (; i + ZR_LANES <= count; i += ZR_LANES) {
-        /* A quarter of the time of vertices. */
+        /* Worth a quarter of the time of many vertices. */
         zr_expect(positions + i, ZR_PAGE, ZR_LANES * sizeof *positions);
         zr_expect_written(out + i, ZR_PAGE, ZR_LANES * sizeof *out);
         any |= transform_group(&course, positions + i, out + i, outcodes + i);

@@ -276,7 +276,7 @@ static void sort_part(struct sorter *s, uint32_t begin, uint32_t end, uint32_t l
         for (; t + ZR_LANES <= end; t += ZR_LANES) {
             if (t + 4 * ZR_LANES <= last) expect_group(s, t + 3 * ZR_LANES);
             const uint32_t *corners = s->corners + 3 * (size_t)t;
-            zr_expect(corners, ZR_PAGE, 3 * ZR_LANES * sizeof *corners); /* 4 % of them */
+            zr_expect(corners, ZR_PAGE, 3 * ZR_LANES * sizeof *corners); /* 4 % of sorting */
             sort_group(s, corners, ZR_ALL_LANES, s->batch->first + t);
         }
     for (; t < end; t += ZR_LANES) {

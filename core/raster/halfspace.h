@@ -15,11 +15,11 @@ struct zr_halfspace {
     /* A placed tile without owners, depth 1: nothing is written yet (zr_tile.unwritten). */
     void (*begin)(struct zr_tile *tile);
 
-    /* Where the triangle, of any size, is seen (zr_tile_put), makes the depth its own, and the owner `owner`. Says so
-     * in block_owner, and writes no block that nothing else is seen in. */
+    /* Where the triangle, of any size, is seen (zr_tile_put), makes the depth its own, and the owner `owner`. A block
+     * that it covers whole, before anything else is drawn there, is not written, but told of in block_owner. */
     void (*draw)(struct zr_tile *tile, const struct zr_setup *setup, uint32_t owner);
 
-    /* Writes what is not written yet. Only `draw` may come before. */
+    /* Writes what is not written yet, of any tile. */
     void (*settle)(struct zr_tile *tile);
 };
 

@@ -183,14 +183,15 @@ static inline void write_blocks(struct zr_tile *tile, uint32_t blocks)
     tile->unwritten &= ~blocks;
 }
 
-/* Whether it drew to any. */
+/* Blocks `first` and so on: those that the triangle has alone are only told so, to others it is drawn. False where it
+ * is seen in none. */
 static inline bool draw_blocks(struct zr_tile *tile, const struct piece *p, int first)
 {
     const struct blocks blocks = look_at_blocks(tile, p, first);
     const zr_vf far = zr_vf_load(tile->block_far + first), one = zr_vf_set(1.0f);
     const zr_vi owners = zr_vi_load(tile->block_owner + first);
     const zr_vm nobodys = zr_vm_and(zr_vm_of(tile->unwritten >> first & ZR_ALL_BITS), zr_vi_eq(owners, zr_vi_set(0)));
-    /* Where it is nearer than nothing all over. */
+    /* Where it is nearer than 1 all over, and nothing else is seen yet. */
     const zr_vm alone = zr_vm_and(zr_vf_lt_where(blocks.filled, blocks.far, one), nobodys);
     const uint32_t filled = zr_vm_bits(blocks.filled), owned = zr_vm_bits(alone);
     const uint32_t shared = zr_vm_bits(blocks.open) & ~owned, fresh = zr_vm_bits(zr_vm_and(blocks.whole, nobodys));

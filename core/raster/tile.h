@@ -25,7 +25,7 @@ enum {
     ZR_BLOCKS = ZR_BLOCK_COLUMNS * (ZR_TILE_SIZE / ZR_BLOCK_HEIGHT)
 };
 
-/* In block_owner, above all owners: several large triangles may be seen in the block. */
+/* In block_owner, above all owners: several large triangles may be seen in the block, or one and nothing. */
 enum { ZR_BLOCK_SHARED = INT32_MAX };
 
 struct zr_tile {

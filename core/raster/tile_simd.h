@@ -22,7 +22,7 @@ static inline zr_vf zr_tile_put_v(float *depth, uint32_t *owners, zr_vm inside, 
     return nearest;
 }
 
-/* The same where nothing is written yet. */
+/* The same where nothing is written yet: lanes where it is not seen become nobody's. */
 static inline zr_vf zr_tile_put_first_v(float *depth, uint32_t *owners, zr_vm inside, zr_vf z, zr_vi owner)
 {
     const zr_vf one = zr_vf_set(1.0f);
@@ -84,7 +84,7 @@ static inline void zr_block_write_depths(const struct zr_tile *tile, int block, 
         }
 }
 
-/* Both of its arrays in the tile. */
+/* Its depths and its owners, to the tile. */
 static inline void zr_block_write(struct zr_tile *tile, int block)
 {
     const size_t first = zr_block_first(block);

@@ -95,7 +95,7 @@ static bool draw_wide_ones(const struct zr_visible *visible, uint32_t number, co
 /* The next block is asked for before it is needed: a quarter of the time that this takes. */
 static void draw_fragments(const struct zr_bin_fragments *block, struct zr_tile *tile)
 {
-    zr_expect(block->head.next, 0, sizeof *block);
+    if (block->head.next) zr_expect(block->head.next, 0, sizeof *block);
     for (uint32_t i = 0; i < block->head.used; i++) {
         const uint32_t place = block->places[i], owner = place & ((1u << ZR_BIN_OWNER_BITS) - 1);
         zr_tile_put_at(tile, place >> ZR_BIN_OWNER_BITS, block->depths[i], block->first_owner + owner);

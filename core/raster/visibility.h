@@ -48,7 +48,7 @@ enum zr_status zr_visibility_window(struct zr_arena *arena, const struct zr_geom
                                     const struct zr_base *base, const struct zr_cancel *cancel,
                                     struct zr_samples *samples);
 
-/* Tile `number` of a window whose samples are decided. */
+/* Tile `number` of a window whose samples are decided: all of them are written. */
 void zr_visibility_load(const struct zr_samples *samples, uint32_t number, struct zr_tile *tile);
 
 #endif

@@ -56,7 +56,7 @@ struct zr_paint {
     /* The depths of a tile. Where some are not written, none of its blocks is cut. */
     void (*depths)(const struct zr_tile *tile, const struct zr_rows *out);
 
-    /* How many pixels belong to records. */
+    /* How many pixels belong to records. All of the tile is written. */
     uint32_t (*count)(const struct zr_tile *tile);
 
     /* Colours as four bytes each, opaque. */

@@ -12,8 +12,8 @@
 struct zr_hue {
     bool flat;
     zr_vi color;     /* flat */
-    zr_vf across[4]; /* else: planes of 1/w and of colours times that, but for what grows with y, */
-    float up[4];     /* a pixel */
+    zr_vf across[4]; /* else: planes of 1/w and of colours times that, at y = 0 */
+    float up[4];     /* and by how much they grow with y */
 };
 
 static inline void zr_hue_add_plane(struct zr_hue *hue, int k, const struct zr_plane *plane, zr_vf x)
@@ -71,7 +71,7 @@ static inline void zr_paint_alike(const struct zr_block *block, zr_vi color)
             zr_rows_put(&block->out, to + v * ZR_LANES, color);
 }
 
-/* All of it is the owner's. */
+/* A block that is all the owner's. */
 static inline void zr_paint_own(struct zr_surfaces *surfaces, uint32_t owner, const struct zr_block *block)
 {
     const struct zr_surface *surface = zr_surfaces_of(surfaces, owner);
@@ -128,7 +128,7 @@ static inline uint32_t zr_color_columns(struct zr_surfaces *surfaces, const uint
     return covered;
 }
 
-/* It is that of several. Returns how many pixels are owned. */
+/* A block of several owners, or of one and nobody. Returns how many pixels are owned. */
 static inline uint32_t zr_paint_shared(struct zr_surfaces *surfaces, const uint32_t *owners,
                                        const struct zr_block *block)
 {

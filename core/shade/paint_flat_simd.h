@@ -55,59 +55,6 @@ static inline zr_vi zr_gather_flat(const struct zr_batch *batch, zr_vm owned, zr
                            zr_vf_bits(zr_vi_gather(owned, batch->front, word + one + one)));
 }
 
-/* ---- what will be looked up ---- */
-
-/* Where colours are many and not packed, each is two waits for memory: for a triangle's corner, and for the colour of
- * that. They are asked for so many rows ahead (a twentieth of a million triangles' time; where the caches hold them, it
- * takes longer than it saves). */
-enum { ZR_CORNERS_AHEAD = 8, ZR_COLORS_AHEAD = 4, ZR_COLORS_EXPECTED = 1 << 17 };
-
-struct zr_flat_expected {
-    const struct zr_batch *batch; /* of all of them */
-    uint32_t counts[ZR_CORNERS_AHEAD];
-    uint32_t triangles[ZR_CORNERS_AHEAD]
-                      [ZR_TILE_SIZE + ZR_LANES]; /* that the rows show; row y is y % ZR_CORNERS_AHEAD */
-};
-
-static inline bool zr_flat_is_expected(const struct zr_batch *batch)
-{
-    return !batch->written && !batch->packed && batch->color_count >= ZR_COLORS_EXPECTED &&
-           batch->colors == ZR_BATCH_PER_FIRST_CORNER && !batch->faces;
-}
-
-static inline void zr_flat_expect_corners(struct zr_flat_expected *e, int32_t y, const uint32_t *owners, int32_t width)
-{
-    uint32_t *triangles = e->triangles[y % ZR_CORNERS_AHEAD], count = 0;
-    const zr_vi first = zr_vi_set((int32_t)e->batch->first + 1), most = zr_vi_set((int32_t)e->batch->count);
-    for (int32_t x = 0; x < width; x += ZR_LANES) {
-        const zr_vi owner = zr_vi_load(owners + x), t = owner - first;
-        const zr_vm repeated = zr_vi_eq(owner, zr_vi_load(owners + x + 1));
-        const zr_vm there = zr_vi_lt_where(zr_vi_lt(zr_vi_set(-1), t), t, most);
-        count += zr_vi_compress(triangles + count, zr_vm_andnot(there, repeated), t);
-    }
-    for (uint32_t i = 0; i < count; i++)
-        __builtin_prefetch(e->batch->corners + 3 * (size_t)triangles[i]);
-    e->counts[y % ZR_CORNERS_AHEAD] = count;
-}
-
-static inline void zr_flat_expect_colors(const struct zr_flat_expected *e, int32_t y)
-{
-    const uint32_t *triangles = e->triangles[y % ZR_CORNERS_AHEAD];
-    for (uint32_t i = 0; i < e->counts[y % ZR_CORNERS_AHEAD]; i++)
-        __builtin_prefetch(e->batch->front + e->batch->corners[3 * (size_t)triangles[i]]);
-}
-
-/* Before rows `begin` .. `end` - 1 of the tile are painted. */
-static inline void zr_flat_expect(struct zr_flat_expected *e, const struct zr_tile *tile, int32_t begin, int32_t end)
-{
-    for (int32_t y = begin > 0 ? begin : -ZR_CORNERS_AHEAD; y < end; y++) {
-        const int32_t corners = y + ZR_CORNERS_AHEAD, colors = y + ZR_COLORS_AHEAD;
-        if (corners < tile->height)
-            zr_flat_expect_corners(e, corners, &tile->owner[corners * ZR_TILE_STRIDE], tile->width);
-        if (colors >= 0 && colors < tile->height) zr_flat_expect_colors(e, colors);
-    }
-}
-
 /* A row of such a batch, whose faces have one colour each: where triangles are small that is half the work of
  * going from run to run. Returns how many pixels are owned. */
 static inline uint32_t zr_paint_flat_row(const struct zr_batch *batch, struct zr_flat_memory *memory, uint32_t *owners,

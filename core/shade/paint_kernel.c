@@ -172,10 +172,7 @@ static uint32_t paint_rows(struct painter *p, int32_t y, int32_t rows, int32_t w
 static uint32_t paint_all_rows(struct painter *p, const struct zr_tile *tile, struct zr_backdrop backdrop)
 {
     uint32_t covered = 0;
-    struct zr_flat_expected expected = {.batch = p->surfaces.batch};
-    const bool is_expected = zr_flat_is_expected(expected.batch);
     for (int32_t y = 0; y < tile->height; y += ZR_PATCH_ROWS) {
-        if (is_expected) zr_flat_expect(&expected, tile, y, y + ZR_PATCH_ROWS);
         const int32_t rows = tile->height - y < ZR_PATCH_ROWS ? tile->height - y : ZR_PATCH_ROWS;
         covered += paint_rows(p, y, rows, tile->width, &backdrop);
         if (backdrop.row) backdrop.row += backdrop.stride * rows;
