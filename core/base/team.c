@@ -35,8 +35,8 @@ static struct job *find_open_job(struct zr_team *team)
     return NULL;
 }
 
-/* Who asked for help soon asks again: a picture is several jobs. To sleep and be woken in between takes 20 us each (6 %
- * of the bunny at 512x512). Others may have the processor meanwhile. The lock is given up. */
+/* Who asked for help soon asks again: a picture is several jobs. To sleep and be woken in between takes 20 us each time
+ * (6 % of the bunny at 512x512). Others may have the processor meanwhile. The lock is given up. */
 static void linger(struct zr_team *team)
 {
     const unsigned jobs_ever = atomic_load_explicit(&team->jobs_ever, memory_order_relaxed);

@@ -4,8 +4,8 @@
  * in its own, and helpers that are idle join whichever job is open. So one
  * request alone uses every core, and many requests share them, with no setting.
  * Invariant: each takes ranges from an atomic counter of the job's own, so that it
- * does not matter how many come to help, or when. Threads wait on a condition
- * variable; nothing spins.
+ * does not matter how many come to help, or when. Threads wait on a condition variable; before, for some
+ * hundred microseconds at most, they look out for what comes next, and let others have the processor.
  */
 #ifndef ZR_TEAM_H
 #define ZR_TEAM_H
