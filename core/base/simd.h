@@ -23,10 +23,13 @@
  *   zr_vi_bits_of(vf), zr_vf_bits(vi)  the same bits as integers, as floats
  *   ZR_LOAD4(x, y, z, w, AT): lane i of x, y, z, w are the four floats at AT(i), a const float *
  *   zr_vf_store4(p, x, y, z, w), zr_vi_store4: the other way round, all to one place
- *   ZR_LOAD2(x, y, AT): as ZR_LOAD4, of two floats
  *   zr_vi_gather(m, p, i): p[i] of four bytes, lane by lane; anything in lanes that are not m's
- *   zr_load_corners(vertices, corners, x, y): x[k], y[k] of lane i are the two floats at vertices + 4 corners[3 i + k]
  *   zr_vi_compress(p, m, v): the lanes of m, one after the other, and their count; ZR_LANES words may be written
+ *
+ * zr_vp holds two int16_t a lane, x in the lower half of its word and y in the upper; + - & << >> work half by half:
+ *   zr_vp_pack(low, high): of int32_t x, y, x, y ..., half of the lanes in either vector; the nearest that fits
+ *   zr_load_corners(vertices, corners, low, high): the same of floats; of lane i those at vertices + 4 corners[3 i + k]
+ *   zr_vp_min(a, b), zr_vp_max         zr_vp_cross(a, b): a.x b.y - a.y b.x, where no half is -32768
  *
  * zr_vd holds ZR_DOUBLES doubles, half as many or one, and + - * / work on them, too:
  *   zr_vd_set(a)  zr_vd_store(p, v)    as of floats              zr_vd_min, zr_vd_max
@@ -67,6 +70,15 @@ static inline void zr_vi_store_patch(uint32_t *p, size_t stride, zr_vi v)
     zr_vi_store(p, v);
 }
 #endif
+
+#ifndef ZR_HAS_CROSS
+static inline zr_vi zr_vp_cross(zr_vp a, zr_vp b)
+{
+    const zr_vi ax = (zr_vi)a << 16 >> 16, ay = (zr_vi)a >> 16, bx = (zr_vi)b << 16 >> 16, by = (zr_vi)b >> 16;
+    return ax * by - ay * bx;
+}
+#endif
+
 enum { ZR_PATCH_COLUMNS = ZR_LANES / ZR_PATCH_ROWS };
 
 #define ZR_JOIN_(name, suffix) name##_##suffix
@@ -85,6 +97,12 @@ static inline int zr_lowest_bit(uint32_t bits)
 static inline int zr_highest_bit(uint32_t bits)
 {
     return 31 - __builtin_clz(bits);
+}
+
+/* The first `count` lanes, or all where there are no more than that. */
+static inline zr_vm zr_vm_first(uint32_t count)
+{
+    return zr_vm_of(count < ZR_LANES ? (1u << count) - 1u : ZR_ALL_BITS);
 }
 
 static inline void zr_vi_store4(void *p, zr_vi x, zr_vi y, zr_vi z, zr_vi w)

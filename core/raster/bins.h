@@ -4,7 +4,8 @@
  * How:    threads go through the batches and sort triangles into tiles, each into lists of its own, so none
  *         waits for another; the order in a list means nothing (tile.h: zr_tile_put). What shows
  *         its back and must not, has no area, or holds no pixel centre is dropped here, many at once.
- *         - Tiny ones, of 2x2 pixel centres at most, are drawn then and there, into fragments: 8 bytes each.
+ *         - Tiny ones, of 2x2 pixel centres at most, are drawn then and there (tiny_simd.h), into fragments: 8 bytes
+ * each.
  *         - Small ones, of up to 64 pixels, are listed by their number in the tiles that they touch: 4 bytes each.
  *         - Wide ones are set up once. Those that touch few tiles are listed there; large ones are not, and every tile
  *           goes through them.

@@ -58,6 +58,14 @@ static inline void zr_swap_vi(zr_vm where, zr_vi *a, zr_vi *b)
     *b = zr_vi_select(where, old, *b);
 }
 
+/* Of corners 0 and 1, all that planes of the third and the first two depend on. */
+static inline void zr_corners_swap_v(zr_vm where, struct zr_corner_v c[3])
+{
+    zr_swap_vf(where, &c[0].x, &c[1].x);
+    zr_swap_vf(where, &c[0].y, &c[1].y);
+    zr_swap_vf(where, &c[0].z, &c[1].z);
+}
+
 /* Rules 5 and 6: snaps the corners, and turns those triangles whose area is negative. */
 static inline void zr_corners_orient_v(struct zr_corner_v c[3], struct zr_grid_v g[3])
 {
@@ -66,9 +74,7 @@ static inline void zr_corners_orient_v(struct zr_corner_v c[3], struct zr_grid_v
     const zr_vm turned = zr_vi_lt(zr_area_v(g), zr_vi_set(0));
     zr_swap_vi(turned, &g[0].x, &g[1].x);
     zr_swap_vi(turned, &g[0].y, &g[1].y);
-    zr_swap_vf(turned, &c[0].x, &c[1].x);
-    zr_swap_vf(turned, &c[0].y, &c[1].y);
-    zr_swap_vf(turned, &c[0].z, &c[1].z);
+    zr_corners_swap_v(turned, c);
 }
 
 /* The first pixel centre that is not before a snapped coordinate. */

@@ -34,6 +34,19 @@ static uint32_t random_bits(struct random *random)
     return (uint32_t)(random_next(random) >> 32);
 }
 
+/* Of halves that are not -32768. */
+static int32_t random_pair(struct random *random)
+{
+    static const int16_t odd_halves[] = {0, 1, -1, 255, -256, 32767, -32767};
+    int16_t halves[2];
+    for (int i = 0; i < 2; i++)
+        halves[i] = random_below(random, 4) == 0 ? odd_halves[random_below(random, COUNT_OF(odd_halves))]
+                                                 : (int16_t)((int32_t)random_below(random, 65535) - 32767);
+    int32_t pair;
+    memcpy(&pair, halves, sizeof pair);
+    return pair;
+}
+
 /* All pairs of odd ones first, then any. */
 static void make_inputs(struct random *random, struct simd_inputs *in)
 {
@@ -52,6 +65,8 @@ static void make_inputs(struct random *random, struct simd_inputs *in)
         in->n[k] = (int32_t)random_below(random, 2);
         in->order[k] = random_below(random, SIMD_COUNT);
         in->first[k] = random_below(random, 17);
+        in->p[k] = random_pair(random);
+        in->q[k] = random_pair(random);
     }
     for (uint32_t k = 0; k < COUNT_OF(in->corners); k++)
         in->corners[k] = random_below(random, SIMD_COUNT);
@@ -102,8 +117,6 @@ static void want_floats(const struct simd_inputs *in, struct simd_results *want,
     want->vf_bits[k] = float_of((uint32_t)in->i[k]);
     for (int c = 0; c < 4; c++)
         want->load4[c][k] = want->vf_store4[4 * k + c] = in->places[SIMD_APART * in->order[k] + (uint32_t)c];
-    for (int c = 0; c < 2; c++)
-        want->load2[c][k] = want->load4[c][k];
 }
 
 static void want_ints(const struct simd_inputs *in, struct simd_results *want, int k)
@@ -154,11 +167,50 @@ static void want_patches(const struct simd_inputs *in, struct simd_results *want
     want->vi_store_patch[SIMD_APART * (k - lane) + row * SIMD_STRIDE + column] = in->i[k];
 }
 
+static int32_t pair_of(int32_t x, int32_t y)
+{
+    return wrap((uint32_t)x % 65536u + (uint32_t)y % 65536u * 65536u);
+}
+
+static int32_t in_units(int32_t value, double unit)
+{
+    return (int32_t)floor(value / unit);
+}
+
+static int32_t low_half(int32_t pair)
+{
+    const int32_t half = (int32_t)((uint32_t)pair % 65536u);
+    return half < 32768 ? half : half - 65536;
+}
+
+static int32_t saturated(int32_t value)
+{
+    return value < -32768 ? -32768 : value > 32767 ? 32767 : value;
+}
+
+static void want_pairs(const struct simd_inputs *in, struct simd_results *want, int k)
+{
+    const int32_t p[2] = {low_half(in->p[k]), in_units(in->p[k], 65536.0)};
+    const int32_t q[2] = {low_half(in->q[k]), in_units(in->q[k], 65536.0)};
+    want->vp_add[k] = pair_of(p[0] + q[0], p[1] + q[1]);
+    want->vp_sub[k] = pair_of(p[0] - q[0], p[1] - q[1]);
+    want->vp_left_8[k] = pair_of(p[0] * 256, p[1] * 256);
+    want->vp_right_8[k] = pair_of(in_units(p[0], 256.0), in_units(p[1], 256.0));
+    want->vp_min[k] = pair_of(p[0] < q[0] ? p[0] : q[0], p[1] < q[1] ? p[1] : q[1]);
+    want->vp_max[k] = pair_of(p[0] > q[0] ? p[0] : q[0], p[1] > q[1] ? p[1] : q[1]);
+    want->vp_cross[k] = p[0] * q[1] - p[1] * q[0];
+}
+
 static void want_gathers(const struct simd_inputs *in, struct simd_results *want, int k)
 {
     if (in->m[k]) memcpy(&want->vi_gather[k], &in->places[in->order[k]], sizeof(int32_t));
-    for (int c = 0; c < 6; c++)
-        want->load_corners[c / 3][c % 3][k] = in->places[4 * in->corners[3 * k + c % 3] + (uint32_t)(c / 3)];
+    for (int c = 0; c < 3; c++) {
+        int32_t xy[2];
+        memcpy(xy, in->places + 4 * in->corners[3 * k + c], sizeof xy);
+        want->load_corners[0][c][k] = pair_of(xy[0] & 0xffff, xy[1] & 0xffff);
+        want->load_corners[1][c][k] = pair_of(in_units(xy[0], 65536.0), in_units(xy[1], 65536.0));
+        want->load_corners[2][c][k] = pair_of(saturated(in_units(xy[0], 32768.0)), saturated(in_units(xy[1], 32768.0)));
+    }
     const int group = k - k % want->lanes;
     for (int l = 0, before = 0; l < want->lanes; before += in->m[group + l++])
         if (in->m[group + l]) {
@@ -236,8 +288,6 @@ static const struct result results[] = {EXACT(vf_set),
                                         EXACT(load4[1]),
                                         EXACT(load4[2]),
                                         EXACT(load4[3]),
-                                        EXACT(load2[0]),
-                                        EXACT(load2[1]),
                                         EXACT(vf_store4),
                                         EXACT(strayed),
                                         RESULT(vd_set, true),
@@ -268,7 +318,17 @@ static const struct result results[] = {EXACT(vf_set),
                                         EXACT(load_corners[0][2]),
                                         EXACT(load_corners[1][0]),
                                         EXACT(load_corners[1][1]),
-                                        EXACT(load_corners[1][2])};
+                                        EXACT(load_corners[1][2]),
+                                        EXACT(load_corners[2][0]),
+                                        EXACT(load_corners[2][1]),
+                                        EXACT(load_corners[2][2]),
+                                        EXACT(vp_add),
+                                        EXACT(vp_sub),
+                                        EXACT(vp_left_8),
+                                        EXACT(vp_right_8),
+                                        EXACT(vp_min),
+                                        EXACT(vp_max),
+                                        EXACT(vp_cross)};
 
 static uint32_t word_at(const struct simd_results *all, const struct result *result, size_t k)
 {
@@ -299,6 +359,7 @@ bool simd_check(enum zr_isa isa, uint64_t seed, char *message, size_t size)
     for (int k = 0; k < SIMD_COUNT; k++) {
         want_floats(&in, &want, k);
         want_ints(&in, &want, k);
+        want_pairs(&in, &want, k);
         want_gathers(&in, &want, k);
         want_patches(&in, &want, k);
         want_doubles(&in, &want, k);

@@ -104,9 +104,6 @@ static void run_places(const struct simd_inputs *in, struct simd_results *out, i
     zr_vf_store(out->load4[2] + k, z);
     zr_vf_store(out->load4[3] + k, w);
     zr_vf_store4(out->vf_store4 + 4 * k, x, y, z, w);
-    ZR_LOAD2(x, y, PLACE);
-    zr_vf_store(out->load2[0] + k, x);
-    zr_vf_store(out->load2[1] + k, y);
 #undef PLACE
 }
 
@@ -124,14 +121,16 @@ static void run_gathers(const struct simd_inputs *in, struct simd_results *out, 
 {
     const zr_vm m = mask_of(in->m + k);
     const zr_vi none = zr_vi_set(0), nowhere = zr_vi_set(INT32_MIN); /* far from everything: not to be read */
-    zr_vf x[3], y[3];
+    zr_vf low[3], high[3];
     zr_vi_store(
         out->vi_gather + k,
         zr_vi_select(m, zr_vi_gather(m, in->places, zr_vi_select(m, zr_vi_load(in->order + k), nowhere)), none));
-    zr_load_corners(in->places, in->corners + 3 * k, x, y);
+    zr_load_corners(in->places, in->corners + 3 * k, low, high);
     for (int c = 0; c < 3; c++) {
-        zr_vf_store(out->load_corners[0][c] + k, x[c]);
-        zr_vf_store(out->load_corners[1][c] + k, y[c]);
+        const zr_vi a = zr_vi_bits_of(low[c]), b = zr_vi_bits_of(high[c]);
+        zr_vi_store(out->load_corners[0][c] + k, (zr_vi)zr_vp_pack(a << 16 >> 16, b << 16 >> 16));
+        zr_vi_store(out->load_corners[1][c] + k, (zr_vi)zr_vp_pack(a >> 16, b >> 16));
+        zr_vi_store(out->load_corners[2][c] + k, (zr_vi)zr_vp_pack(a >> 15, b >> 15));
     }
     int32_t room[2 * ZR_LANES];
     zr_vi_store(room + ZR_LANES, zr_vi_load(in->j + k));
@@ -141,6 +140,18 @@ static void run_gathers(const struct simd_inputs *in, struct simd_results *out, 
         out->vi_compressed[(uint32_t)k + i] = (int32_t)count;
     }
     out->strayed[k] |= memcmp(room + ZR_LANES, in->j + k, 4 * ZR_LANES) != 0;
+}
+
+static void run_pairs(const struct simd_inputs *in, struct simd_results *out, int k)
+{
+    const zr_vp p = (zr_vp)zr_vi_load(in->p + k), q = (zr_vp)zr_vi_load(in->q + k);
+    zr_vi_store(out->vp_add + k, (zr_vi)(p + q));
+    zr_vi_store(out->vp_sub + k, (zr_vi)(p - q));
+    zr_vi_store(out->vp_left_8 + k, (zr_vi)(p << 8));
+    zr_vi_store(out->vp_right_8 + k, (zr_vi)(p >> 8));
+    zr_vi_store(out->vp_min + k, (zr_vi)zr_vp_min(p, q));
+    zr_vi_store(out->vp_max + k, (zr_vi)zr_vp_max(p, q));
+    zr_vi_store(out->vp_cross + k, zr_vp_cross(p, q));
 }
 
 static void run_doubles(const struct simd_inputs *in, struct simd_results *out, int k)
@@ -173,6 +184,7 @@ void ZR_KERNEL(simd_run)(const struct simd_inputs *in, struct simd_results *out)
         run_places(in, out, k);
         run_patches(in, out, k);
         run_gathers(in, out, k);
+        run_pairs(in, out, k);
     }
     for (int k = 0; k < SIMD_COUNT; k += ZR_DOUBLES)
         run_doubles(in, out, k);

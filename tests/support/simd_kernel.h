@@ -21,7 +21,8 @@ struct simd_inputs {
     uint32_t order[SIMD_COUNT];           /* 0 .. SIMD_COUNT - 1, of places */
     uint32_t first[SIMD_COUNT];           /* 0 .. 16: that of its vector's lane 0 counts, cut to ZR_LANES */
     float places[SIMD_COUNT * SIMD_APART];
-    uint32_t corners[3 * SIMD_COUNT]; /* 0 .. SIMD_COUNT - 1, of fours of places */
+    uint32_t corners[3 * SIMD_COUNT];     /* 0 .. SIMD_COUNT - 1, of fours of places */
+    int32_t p[SIMD_COUNT], q[SIMD_COUNT]; /* pairs; no half is -32768 */
     double doubles[SIMD_COUNT];
 };
 
@@ -45,16 +46,18 @@ struct simd_results {
     int32_t vi_lt[SIMD_COUNT], vi_eq[SIMD_COUNT];
     int32_t vm_and[SIMD_COUNT], vm_or[SIMD_COUNT], vm_andnot[SIMD_COUNT], vm_of[SIMD_COUNT]; /* of m and n; of m */
     int32_t vm_any[SIMD_COUNT];                                                              /* of the vector's m */
-    float load4[4][SIMD_COUNT], load2[2][SIMD_COUNT];
-    float vf_store4[4 * SIMD_COUNT];   /* what load4 loaded */
-    int32_t vi_store4[4 * SIMD_COUNT]; /* i, j, i + j, i - j */
-    float load_corners[2][3][SIMD_COUNT];
-    int32_t vi_later[3][SIMD_COUNT];                 /* i, 1, 3 and 4 lanes later; 0 before that */
-    int32_t vi_load_patch[SIMD_COUNT];               /* of i, from k modulo SIMD_HALF on */
-    int32_t vi_store_patch[SIMD_COUNT * SIMD_APART]; /* i, from SIMD_APART * k on; 0 between */
-    int32_t vi_gather[SIMD_COUNT];                   /* places[order], 0 where not m */
-    int32_t vi_compress[SIMD_COUNT];                 /* of i and m; 0 in a vector's lanes behind those */
-    int32_t vi_compressed[SIMD_COUNT];               /* how many */
+    float load4[4][SIMD_COUNT];
+    float vf_store4[4 * SIMD_COUNT];        /* what load4 loaded */
+    int32_t vi_store4[4 * SIMD_COUNT];      /* i, j, i + j, i - j */
+    int32_t load_corners[3][3][SIMD_COUNT]; /* pairs of bits 0 .. 15, 16 .. 31, and 15 .. 31, which saturate */
+    int32_t vp_add[SIMD_COUNT], vp_sub[SIMD_COUNT], vp_left_8[SIMD_COUNT], vp_right_8[SIMD_COUNT];
+    int32_t vp_min[SIMD_COUNT], vp_max[SIMD_COUNT], vp_cross[SIMD_COUNT]; /* of p and q */
+    int32_t vi_later[3][SIMD_COUNT];                                      /* i, 1, 3 and 4 lanes later; 0 before that */
+    int32_t vi_load_patch[SIMD_COUNT];                                    /* of i, from k modulo SIMD_HALF on */
+    int32_t vi_store_patch[SIMD_COUNT * SIMD_APART];                      /* i, from SIMD_APART * k on; 0 between */
+    int32_t vi_gather[SIMD_COUNT];                                        /* places[order], 0 where not m */
+    int32_t vi_compress[SIMD_COUNT];   /* of i and m; 0 in a vector's lanes behind those */
+    int32_t vi_compressed[SIMD_COUNT]; /* how many */
     /* In double, as floats. lost: what a product of floats would lose. set: lane 0 of all ZR_DOUBLES. */
     float vd_set[SIMD_COUNT], vd_min[SIMD_COUNT], vd_max[SIMD_COUNT], vd_lost[SIMD_COUNT], vd_div[SIMD_COUNT];
     float vd_store[SIMD_COUNT], vd_gather[SIMD_COUNT]; /* doubles[order] */

@@ -10,6 +10,7 @@ enum { ZR_LANES = 8 };
 
 typedef float zr_vf __attribute__((vector_size(32)));
 typedef int32_t zr_vi __attribute__((vector_size(32)));
+typedef int16_t zr_vp __attribute__((vector_size(32)));
 typedef uint32_t zr_vm __attribute__((vector_size(32))); /* all bits of a lane, or none */
 
 #include "base/simd/vector_compare.h"
@@ -141,16 +142,28 @@ static inline void zr_transpose4(__m256 a0, __m256 a1, __m256 a2, __m256 a3, zr_
     *w = (zr_vf)_mm256_unpackhi_pd(high01, high23);
 }
 
+/* Pairs i, i + 1, i + 4, i + 5, as zr_vp_pack wants them. */
 #define ZR_LOAD_PAIRS(AT, i)                                                                                           \
     _mm256_insertf128_ps(_mm256_castps128_ps256(zr_load_pair(AT(i), AT((i) + 1))),                                     \
                          zr_load_pair(AT((i) + 4), AT((i) + 5)), 1)
 
-#define ZR_LOAD2(x, y, AT)                                                                                             \
-    do {                                                                                                               \
-        const __m256 a0 = ZR_LOAD_PAIRS(AT, 0), a2 = ZR_LOAD_PAIRS(AT, 2);                                             \
-        (x) = (zr_vf)_mm256_shuffle_ps(a0, a2, 0x88);                                                                  \
-        (y) = (zr_vf)_mm256_shuffle_ps(a0, a2, 0xdd);                                                                  \
-    } while (0)
+static inline zr_vp zr_vp_pack(zr_vi low, zr_vi high)
+{
+    return (zr_vp)_mm256_packs_epi32((__m256i)low, (__m256i)high);
+}
+static inline zr_vp zr_vp_min(zr_vp a, zr_vp b)
+{
+    return (zr_vp)_mm256_min_epi16((__m256i)a, (__m256i)b);
+}
+static inline zr_vp zr_vp_max(zr_vp a, zr_vp b)
+{
+    return (zr_vp)_mm256_max_epi16((__m256i)a, (__m256i)b);
+}
+static inline zr_vi zr_vp_cross(zr_vp a, zr_vp b)
+{
+    const __m256i y_x = _mm256_or_si256(_mm256_slli_epi32((__m256i)b, 16), _mm256_srli_epi32((__m256i)b, 16));
+    return (zr_vi)_mm256_madd_epi16((__m256i)a, _mm256_sign_epi16(y_x, _mm256_set1_epi32((int32_t)0xffff0001)));
+}
 
 static inline zr_vi zr_vi_gather(zr_vm m, const void *p, zr_vi i)
 {

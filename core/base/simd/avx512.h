@@ -10,6 +10,7 @@ enum { ZR_LANES = 16 };
 
 typedef float zr_vf __attribute__((vector_size(64)));
 typedef int32_t zr_vi __attribute__((vector_size(64)));
+typedef int16_t zr_vp __attribute__((vector_size(64)));
 typedef __mmask16 zr_vm;
 
 static inline zr_vf zr_vf_set(float a)
@@ -198,21 +199,6 @@ static inline void zr_transpose4(__m512 a0, __m512 a1, __m512 a2, __m512 a3, zr_
     *w = (zr_vf)_mm512_unpackhi_pd(high01, high23);
 }
 
-/* Two neighbours, x y x y, in each quarter. */
-#define ZR_LOAD_PAIR(AT, i) zr_load_pair(AT(i), AT((i) + 1))
-#define ZR_LOAD_PAIRS(AT, i)                                                                                           \
-    _mm512_insertf32x4(_mm512_insertf32x4(_mm512_insertf32x4(_mm512_castps128_ps512(ZR_LOAD_PAIR(AT, i)),              \
-                                                             ZR_LOAD_PAIR(AT, i + 4), 1),                              \
-                                          ZR_LOAD_PAIR(AT, i + 8), 2),                                                 \
-                       ZR_LOAD_PAIR(AT, i + 12), 3)
-
-#define ZR_LOAD2(x, y, AT)                                                                                             \
-    do {                                                                                                               \
-        const __m512 a0 = ZR_LOAD_PAIRS(AT, 0), a2 = ZR_LOAD_PAIRS(AT, 2);                                             \
-        (x) = (zr_vf)_mm512_shuffle_ps(a0, a2, 0x88);                                                                  \
-        (y) = (zr_vf)_mm512_shuffle_ps(a0, a2, 0xdd);                                                                  \
-    } while (0)
-
 static inline zr_vi zr_vi_gather(zr_vm m, const void *p, zr_vi i)
 {
     return (zr_vi)_mm512_mask_i32gather_epi32(_mm512_setzero_si512(), m, (__m512i)i, p, 4);
@@ -250,28 +236,45 @@ static inline zr_vd zr_vd_gather(const double *p, const int32_t *i)
     return (zr_vd)_mm512_i32gather_pd(_mm256_loadu_si256((const __m256i *)(const void *)i), p, 8);
 }
 
-/* Three vectors of x y z x y z ... -> one of x, one of y, one of z: lanes 0, 3, 6 ... of all three from `first` on. */
+/* Three vectors of x y z x y z ... -> one of x, one of y, one of z: lanes 0, 3, 6 ... of all three from `first` on, in
+ * the order of zr_vp_pack. */
 static inline __m512i zr_every_third(__m512i a, __m512i b, __m512i c, int first)
 {
-    const zr_vi ramp = zr_vi_ramp(), lane = ramp * 3 + first;
+    const zr_vi order = {0, 1, 4, 5, 8, 9, 12, 13, 2, 3, 6, 7, 10, 11, 14, 15}, lane = order * 3 + first;
     const __m512i ab = _mm512_permutex2var_epi32(a, (__m512i)lane, b);
     return _mm512_mask_permutexvar_epi32(ab, _mm512_cmpgt_epi32_mask((__m512i)lane, _mm512_set1_epi32(31)),
                                          (__m512i)(lane - 32), c);
 }
 
 /* Gathers of pairs: half the time of as many loads, whose addresses and joints are instructions of their own. */
-static inline void zr_load_corners(const float *vertices, const uint32_t *corners, zr_vf x[3], zr_vf y[3])
+static inline void zr_load_corners(const float *vertices, const uint32_t *corners, zr_vf low[3], zr_vf high[3])
 {
     const __m512i a = _mm512_loadu_si512(corners), b = _mm512_loadu_si512(corners + 16);
     const __m512i c = _mm512_loadu_si512(corners + 32);
-    const __m512i evens = (__m512i)(zr_vi_ramp() * 2), odds = (__m512i)(zr_vi_ramp() * 2 + 1);
     for (int k = 0; k < 3; k++) {
         const __m512i at = _mm512_slli_epi32(zr_every_third(a, b, c, k), 1); /* pairs of floats */
-        const __m512 low = (__m512)_mm512_i32gather_epi64(_mm512_castsi512_si256(at), vertices, 8);
-        const __m512 high = (__m512)_mm512_i32gather_epi64(_mm512_extracti64x4_epi64(at, 1), vertices, 8);
-        x[k] = (zr_vf)_mm512_permutex2var_ps(low, evens, high);
-        y[k] = (zr_vf)_mm512_permutex2var_ps(low, odds, high);
+        low[k] = (zr_vf)_mm512_i32gather_epi64(_mm512_castsi512_si256(at), vertices, 8);
+        high[k] = (zr_vf)_mm512_i32gather_epi64(_mm512_extracti64x4_epi64(at, 1), vertices, 8);
     }
+}
+
+static inline zr_vp zr_vp_pack(zr_vi low, zr_vi high)
+{
+    return (zr_vp)_mm512_packs_epi32((__m512i)low, (__m512i)high);
+}
+static inline zr_vp zr_vp_min(zr_vp a, zr_vp b)
+{
+    return (zr_vp)_mm512_min_epi16((__m512i)a, (__m512i)b);
+}
+static inline zr_vp zr_vp_max(zr_vp a, zr_vp b)
+{
+    return (zr_vp)_mm512_max_epi16((__m512i)a, (__m512i)b);
+}
+static inline zr_vi zr_vp_cross(zr_vp a, zr_vp b)
+{
+    const __m512i y_x = _mm512_rol_epi32((__m512i)b, 16);
+    const __m512i turned = _mm512_mask_sub_epi16(y_x, 0xaaaaaaaa, _mm512_setzero_si512(), y_x); /* y, -x */
+    return (zr_vi)_mm512_madd_epi16((__m512i)a, turned);
 }
 
 static inline uint32_t zr_vi_compress(void *p, zr_vm m, zr_vi v)

@@ -10,6 +10,7 @@ enum { ZR_LANES = 4 };
 
 typedef float zr_vf __attribute__((vector_size(16)));
 typedef int32_t zr_vi __attribute__((vector_size(16)));
+typedef int16_t zr_vp __attribute__((vector_size(16)));
 typedef uint32_t zr_vm __attribute__((vector_size(16))); /* all bits of a lane, or none */
 
 static inline zr_vf zr_vf_set(float a)

@@ -108,14 +108,20 @@ static inline void zr_transpose4(float32x4_t a0, float32x4_t a1, float32x4_t a2,
     *w = (zr_vf)vzip2q_f64(high01, high23);
 }
 
-#define ZR_LOAD2(x, y, AT)                                                                                             \
-    do {                                                                                                               \
-        const float32x4_t a0 = vcombine_f32(vld1_f32(AT(0)), vld1_f32(AT(1)));                                         \
-        const float32x4_t a2 = vcombine_f32(vld1_f32(AT(2)), vld1_f32(AT(3)));                                         \
-        (x) = (zr_vf)vuzp1q_f32(a0, a2);                                                                               \
-        (y) = (zr_vf)vuzp2q_f32(a0, a2);                                                                               \
-    } while (0)
+#define ZR_LOAD_PAIRS(AT, i) vcombine_f32(vld1_f32(AT(i)), vld1_f32(AT((i) + 1)))
 
+static inline zr_vp zr_vp_pack(zr_vi low, zr_vi high)
+{
+    return (zr_vp)vcombine_s16(vqmovn_s32((int32x4_t)low), vqmovn_s32((int32x4_t)high));
+}
+static inline zr_vp zr_vp_min(zr_vp a, zr_vp b)
+{
+    return (zr_vp)vminq_s16((int16x8_t)a, (int16x8_t)b);
+}
+static inline zr_vp zr_vp_max(zr_vp a, zr_vp b)
+{
+    return (zr_vp)vmaxq_s16((int16x8_t)a, (int16x8_t)b);
+}
 static inline void zr_vf_store4(float *p, zr_vf x, zr_vf y, zr_vf z, zr_vf w)
 {
     const float32x4x4_t all = {{(float32x4_t)x, (float32x4_t)y, (float32x4_t)z, (float32x4_t)w}};

@@ -10,6 +10,7 @@ enum { ZR_LANES = 1 };
 
 typedef float zr_vf;
 typedef int32_t zr_vi;
+typedef int16_t zr_vp __attribute__((vector_size(4)));
 typedef uint32_t zr_vm;
 
 static inline zr_vf zr_vf_set(float a)
@@ -172,12 +173,6 @@ static inline zr_vi zr_vi_bits_of(zr_vf a)
         (x) = at[0], (y) = at[1], (z) = at[2], (w) = at[3];                                                            \
     } while (0)
 
-#define ZR_LOAD2(x, y, AT)                                                                                             \
-    do {                                                                                                               \
-        const float *const at = AT(0);                                                                                 \
-        (x) = at[0], (y) = at[1];                                                                                      \
-    } while (0)
-
 typedef double zr_vd;
 enum { ZR_DOUBLES = 1 };
 
@@ -217,12 +212,27 @@ static inline zr_vi zr_vi_gather(zr_vm m, const void *p, zr_vi i)
     return v;
 }
 
-static inline void zr_load_corners(const float *vertices, const uint32_t *corners, zr_vf x[3], zr_vf y[3])
+static inline void zr_load_corners(const float *vertices, const uint32_t *corners, zr_vf low[3], zr_vf high[3])
 {
     for (int k = 0; k < 3; k++) {
-        x[k] = vertices[4 * (size_t)corners[k]];
-        y[k] = vertices[4 * (size_t)corners[k] + 1];
+        low[k] = vertices[4 * (size_t)corners[k]];
+        high[k] = vertices[4 * (size_t)corners[k] + 1];
     }
+}
+
+static inline zr_vp zr_vp_pack(zr_vi low, zr_vi high)
+{
+    const zr_vi least = INT16_MIN, most = INT16_MAX;
+    const zr_vi x = zr_vi_max(least, zr_vi_min(low, most)), y = zr_vi_max(least, zr_vi_min(high, most));
+    return (zr_vp)(y << 16 | (x & 0xffff));
+}
+static inline zr_vp zr_vp_min(zr_vp a, zr_vp b)
+{
+    return (zr_vp){a[0] < b[0] ? a[0] : b[0], a[1] < b[1] ? a[1] : b[1]};
+}
+static inline zr_vp zr_vp_max(zr_vp a, zr_vp b)
+{
+    return (zr_vp){a[0] > b[0] ? a[0] : b[0], a[1] > b[1] ? a[1] : b[1]};
 }
 
 static inline uint32_t zr_vi_compress(void *p, zr_vm m, zr_vi v)

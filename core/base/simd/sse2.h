@@ -108,12 +108,26 @@ static inline void zr_transpose4(__m128 a0, __m128 a1, __m128 a2, __m128 a3, zr_
     zr_transpose4(_mm_loadu_ps(AT(0)), _mm_loadu_ps(AT(1)), _mm_loadu_ps(AT(2)), _mm_loadu_ps(AT(3)), &(x), &(y),      \
                   &(z), &(w))
 
-#define ZR_LOAD2(x, y, AT)                                                                                             \
-    do {                                                                                                               \
-        const __m128 a0 = zr_load_pair(AT(0), AT(1)), a2 = zr_load_pair(AT(2), AT(3));                                 \
-        (x) = (zr_vf)_mm_shuffle_ps(a0, a2, 0x88);                                                                     \
-        (y) = (zr_vf)_mm_shuffle_ps(a0, a2, 0xdd);                                                                     \
-    } while (0)
+#define ZR_LOAD_PAIRS(AT, i) zr_load_pair(AT(i), AT((i) + 1))
+
+static inline zr_vp zr_vp_pack(zr_vi low, zr_vi high)
+{
+    return (zr_vp)_mm_packs_epi32((__m128i)low, (__m128i)high);
+}
+static inline zr_vp zr_vp_min(zr_vp a, zr_vp b)
+{
+    return (zr_vp)_mm_min_epi16((__m128i)a, (__m128i)b);
+}
+static inline zr_vp zr_vp_max(zr_vp a, zr_vp b)
+{
+    return (zr_vp)_mm_max_epi16((__m128i)a, (__m128i)b);
+}
+static inline zr_vi zr_vp_cross(zr_vp a, zr_vp b)
+{
+    const __m128i y_x = _mm_or_si128(_mm_slli_epi32((__m128i)b, 16), _mm_srli_epi32((__m128i)b, 16));
+    const __m128i upper = _mm_set1_epi32((int32_t)0xffff0000);
+    return (zr_vi)_mm_madd_epi16((__m128i)a, _mm_sub_epi16(_mm_xor_si128(y_x, upper), upper)); /* y, -x */
+}
 
 static inline void zr_vf_store4(float *p, zr_vf x, zr_vf y, zr_vf z, zr_vf w)
 {

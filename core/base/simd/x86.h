@@ -5,6 +5,8 @@
 #include <immintrin.h>
 #include <stddef.h>
 
+#define ZR_HAS_CROSS /* madd: pairs multiplied and added */
+
 /* Two floats from p, two from q; neither need be aligned as double is. */
 static inline __m128 zr_load_pair(const float *p, const float *q)
 {

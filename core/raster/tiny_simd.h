@@ -1,0 +1,215 @@
+/* tiny_simd.h - raster: triangles that hold 2x2 pixel centres at most, many at once, for the kernel that sorts.
+ *
+ * How:    in three steps with a queue before each of the last two, so that their vectors are full: a triangle is found
+ *         to be tiny (zr_tiny_add), the samples that it covers are found (zr_tiny_cover), and these are given their
+ * depth (zr_tiny_draw). Six of ten samples that could be covered are not, of a million triangles even more: no corner
+ *         and no depth is looked at for them (a fifth of sorting).
+ * Space:  a queued triangle stands on the snapped grid, seen from the pixel centre of its lower left sample. All its
+ *         coordinates fit 16 bits, and both of a place are one word.
+ * Exact:  the reference's rules 6 (area, and which corners change places), 7 (edges) and 8 (depth).
+ */
+#ifndef ZR_TINY_SIMD_H
+#define ZR_TINY_SIMD_H
+
+#include "raster/bins.h"
+#include "raster/triangle_simd.h"
+
+/* So many are queued at most before zr_tiny_draw empties the queues. */
+enum { ZR_TINY_ROOM = 512 };
+
+/* Where a batch's corners are. */
+struct zr_corners {
+    const float *vertices;   /* of position 0 */
+    const uint32_t *corners; /* of record 0 of the batch */
+    size_t stride;           /* words from one record's corners to the next */
+    uint32_t first;          /* number of record 0 */
+};
+
+static inline const float *zr_corner_at(const struct zr_corners *c, uint32_t t, size_t k)
+{
+    return c->vertices + 4 * (size_t)c->corners[t * c->stride + k];
+}
+
+/* What follows a queue's end may be written, a vector at a time. */
+struct zr_tiny {
+    uint32_t count, sample_count;
+    uint32_t numbers[ZR_TINY_ROOM + ZR_LANES];
+    uint32_t places[ZR_TINY_ROOM + ZR_LANES]; /* of the lower left sample: y << 16 | x */
+    /* Pairs of 16 bits, as zr_vp: corner 0, and the ways from it to corners 1 and 2. */
+    uint32_t corner[ZR_TINY_ROOM + ZR_LANES], way1[ZR_TINY_ROOM + ZR_LANES], way2[ZR_TINY_ROOM + ZR_LANES];
+    /* Samples that are covered; the upper bit of a place: corners 0 and 1 change places. */
+    uint32_t sample_numbers[4 * ZR_TINY_ROOM + 2 * ZR_LANES], sample_places[4 * ZR_TINY_ROOM + 2 * ZR_LANES];
+};
+
+/* ---- which samples are covered ---- */
+
+static inline void zr_tiny_add(struct zr_tiny *tiny, zr_vm which, zr_vi numbers, zr_vp place, zr_vp corner, zr_vp way1,
+                               zr_vp way2)
+{
+    const uint32_t count = tiny->count;
+    zr_vi_compress(tiny->places + count, which, (zr_vi)place);
+    zr_vi_compress(tiny->corner + count, which, (zr_vi)corner);
+    zr_vi_compress(tiny->way1 + count, which, (zr_vi)way1);
+    zr_vi_compress(tiny->way2 + count, which, (zr_vi)way2);
+    tiny->count += zr_vi_compress(tiny->numbers + count, which, numbers);
+}
+
+static inline void zr_tiny_swap(zr_vm where, zr_vp *a, zr_vp *b)
+{
+    const zr_vp old = *a;
+    *a = (zr_vp)zr_vi_select(where, (zr_vi)*b, (zr_vi)*a);
+    *b = (zr_vp)zr_vi_select(where, (zr_vi)old, (zr_vi)*b);
+}
+
+/* Rule 7, as zr_edge_make_v has it. An edge's way is b in the lower half of a word and a in the upper: those that keep
+ * what is on them (a < 0, or a = 0 and b > 0) are no more than INT16_MAX. */
+static inline struct zr_edge_v zr_tiny_edge(zr_vp i, zr_vp j)
+{
+    const zr_vi way = (zr_vi)(i - j), less = (zr_vi_set(INT16_MAX) - way) >> 31;
+    return (struct zr_edge_v){(zr_vi_set(0) - (way >> 16)) << ZR_SUBPIXEL_BITS, way << 16 >> (16 - ZR_SUBPIXEL_BITS),
+                              zr_vp_cross(j, i) + less};
+}
+
+/* ZR_LANES triangles, which may have a sample of theirs. */
+struct zr_tiny_group {
+    struct zr_edge_v edges[3];
+    zr_vi numbers, places; /* of the lower left samples, as they are queued */
+};
+
+/* Queues the samples so far right of the lower left ones, and so far up, where there are any and they are covered. */
+static inline void zr_tiny_add_samples(struct zr_tiny *tiny, const struct zr_tiny_group *group, zr_vm there, int right,
+                                       int up)
+{
+    const uint32_t count = tiny->sample_count;
+    zr_vi inside = zr_vi_set(0);
+    for (int k = 0; k < 3; k++) {
+        zr_vi at = group->edges[k].at;
+        if (right) at += group->edges[k].right;
+        if (up) at += group->edges[k].up;
+        inside |= at;
+    }
+    const zr_vm covered = zr_vi_lt_where(there, zr_vi_set(-1), inside);
+    zr_vi_compress(tiny->sample_places + count, covered, group->places + zr_vi_set(up << 16 | right));
+    tiny->sample_count += zr_vi_compress(tiny->sample_numbers + count, covered, group->numbers);
+}
+
+/* Those from `from` on, ZR_LANES of which `valid` are. `last`: the window's last place. */
+static inline void zr_tiny_cover_group(struct zr_tiny *tiny, uint32_t from, zr_vm valid, zr_vi last)
+{
+    const zr_vi zero = zr_vi_set(0), place = zr_vi_load(tiny->places + from), beyond = last - place;
+    const zr_vp way1 = (zr_vp)zr_vi_load(tiny->way1 + from), way2 = (zr_vp)zr_vi_load(tiny->way2 + from);
+    const zr_vm turned = zr_vi_lt(zr_vp_cross(way2, way1), zero);
+    zr_vp c[3] = {(zr_vp)zr_vi_load(tiny->corner + from)};
+    c[1] = c[0] + way1;
+    c[2] = c[0] + way2;
+    zr_tiny_swap(turned, &c[0], &c[1]);
+    const struct zr_tiny_group group = {
+        .edges = {zr_tiny_edge(c[0], c[1]), zr_tiny_edge(c[1], c[2]), zr_tiny_edge(c[2], c[0])},
+        .numbers = zr_vi_load(tiny->numbers + from),
+        .places = place | zr_vi_select(turned, zr_vi_set(INT32_MIN), zero)};
+    const zr_vm to_right = zr_vm_andnot(valid, zr_vi_eq(beyond & zr_vi_set(0xffff), zero));
+    const zr_vm upwards = zr_vi_lt(zr_vi_set(0xffff), beyond);
+    zr_tiny_add_samples(tiny, &group, valid, 0, 0);
+    zr_tiny_add_samples(tiny, &group, to_right, 1, 0);
+    zr_tiny_add_samples(tiny, &group, zr_vm_and(valid, upwards), 0, 1);
+    zr_tiny_add_samples(tiny, &group, zr_vm_and(to_right, upwards), 1, 1);
+}
+
+static inline void zr_tiny_cover(struct zr_tiny *tiny, zr_vi last)
+{
+    for (uint32_t from = 0; from < tiny->count; from += ZR_LANES)
+        zr_tiny_cover_group(tiny, from, zr_vm_first(tiny->count - from), last);
+    tiny->count = 0;
+}
+
+/* ---- what is seen there ---- */
+
+/* A sample a lane. */
+struct zr_tiny_samples {
+    zr_vm seen;
+    zr_vi tile, word; /* word: as in zr_bin_fragments */
+    zr_vf depth;
+};
+
+static inline void zr_tiny_put(struct zr_bin_fragments *block, zr_vm put, const struct zr_tiny_samples *samples)
+{
+    const zr_vi words = samples->word - zr_vi_set((int32_t)block->first_owner);
+    zr_vi_compress(block->places + block->head.used, put, words);
+    block->head.used += zr_vi_compress(block->depths + block->head.used, put, zr_vi_bits_of(samples->depth));
+}
+
+/* Owners that may come. */
+struct zr_tiny_owners {
+    uint32_t first, last;
+};
+
+/* Into the tiles that they lie in, which is mostly one. */
+static inline void zr_tiny_put_all(struct zr_binner *binner, const struct zr_tiny_samples *samples,
+                                   const struct zr_tiny_owners *owners)
+{
+    uint32_t tiles[ZR_LANES];
+    zr_vi_store(tiles, samples->tile);
+    for (uint32_t bits = zr_vm_bits(samples->seen); bits;) {
+        const uint32_t number = tiles[zr_lowest_bit(bits)];
+        const zr_vm here = zr_vm_and(zr_vm_of(bits), zr_vi_eq(samples->tile, zr_vi_set((int32_t)number)));
+        struct zr_bin_fragments *block =
+            zr_binner_fragments(binner, &binner->tiles[number].fragments, owners->first, owners->last);
+        if (!block) return;
+        zr_tiny_put(block, here, samples);
+        bits &= ~zr_vm_bits(here);
+    }
+}
+
+static inline void zr_tiny_draw_group(const uint32_t *numbers, const uint32_t *places, zr_vm valid,
+                                      const struct zr_corners *corners, struct zr_binner *binner,
+                                      const struct zr_tiny_owners *owners)
+{
+    struct zr_corner_v c[3];
+#define ZR_TINY_CORNER_0(i) zr_corner_at(corners, numbers[i] - corners->first, 0)
+#define ZR_TINY_CORNER_1(i) zr_corner_at(corners, numbers[i] - corners->first, 1)
+#define ZR_TINY_CORNER_2(i) zr_corner_at(corners, numbers[i] - corners->first, 2)
+    ZR_LOAD4(c[0].x, c[0].y, c[0].z, c[0].oow, ZR_TINY_CORNER_0);
+    ZR_LOAD4(c[1].x, c[1].y, c[1].z, c[1].oow, ZR_TINY_CORNER_1);
+    ZR_LOAD4(c[2].x, c[2].y, c[2].z, c[2].oow, ZR_TINY_CORNER_2);
+#undef ZR_TINY_CORNER_0
+#undef ZR_TINY_CORNER_1
+#undef ZR_TINY_CORNER_2
+    const zr_vi place = zr_vi_load(places), in_tile = zr_vi_set(ZR_TILE_SIZE - 1);
+    const zr_vi x = place & zr_vi_set(0xffff), y = place >> 16 & zr_vi_set(INT16_MAX);
+    zr_corners_swap_v(zr_vi_lt(place, zr_vi_set(0)), c);
+    const struct zr_basis_v basis = zr_basis_make_v(c);
+    const struct zr_plane_v plane = zr_plane_make_v(&basis, c[0].z, c[1].z, c[2].z);
+    struct zr_tiny_samples samples;
+    samples.depth = zr_depth_clamp_v(zr_plane_at_v(&plane, zr_vf_of(x), zr_vf_of(y)));
+    samples.seen = zr_vf_lt_where(valid, samples.depth, zr_vf_set(1.0f));
+    samples.tile = (y >> 6) * zr_vi_set((int32_t)binner->bins->columns) + (x >> 6);
+    samples.word = (((y & in_tile) * zr_vi_set(ZR_TILE_STRIDE) + (x & in_tile)) << ZR_BIN_OWNER_BITS) +
+                   zr_vi_load(numbers) + zr_vi_set(1);
+    zr_tiny_put_all(binner, &samples, owners);
+}
+_Static_assert((int)ZR_LANES <= (int)ZR_BIN_VECTOR, "a block has room for a vector");
+_Static_assert(ZR_TILE_SIZE == 1 << 6, "columns and rows of tiles are shifts");
+
+/* Full groups; what is left waits for more, unless this `is_end`. */
+static inline void zr_tiny_draw(struct zr_tiny *tiny, bool is_end, const struct zr_corners *corners,
+                                struct zr_binner *binner, const struct zr_tiny_owners *owners)
+{
+    uint32_t *numbers = tiny->sample_numbers, *places = tiny->sample_places, done = 0;
+    for (; tiny->sample_count - done >= ZR_LANES; done += ZR_LANES)
+        zr_tiny_draw_group(numbers + done, places + done, ZR_ALL_LANES, corners, binner, owners);
+    const uint32_t left = tiny->sample_count - done;
+    for (uint32_t i = 0; i < left; i++) {
+        numbers[i] = numbers[done + i];
+        places[i] = places[done + i];
+    }
+    tiny->sample_count = left;
+    if (!is_end || left == 0) return;
+    for (uint32_t i = left; i < ZR_LANES; i++) {
+        numbers[i] = numbers[0];
+        places[i] = places[0];
+    }
+    zr_tiny_draw_group(numbers, places, zr_vm_first(left), corners, binner, owners);
+    tiny->sample_count = 0;
+}
+
+#endif
