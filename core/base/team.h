@@ -3,9 +3,10 @@
  * A team is shared: any number of callers may run jobs at once, each takes part
  * in its own, and helpers that are idle join whichever job is open. So one
  * request alone uses every core, and many requests share them, with no setting.
- * Invariant: each takes ranges from an atomic counter of the job's own, so that it
- * does not matter how many come to help, or when. Threads wait on a condition variable; before, for some
- * hundred microseconds at most, they look out for what comes next, and let others have the processor.
+ * Invariant: each takes ranges from an atomic counter of the job's own, many at first and one by one at
+ * the end, so that it does not matter how many come to help, or when. Threads wait on a condition variable;
+ * before, for some hundred microseconds at most, they look out for what comes next, and let others have the
+ * processor.
  */
 #ifndef ZR_TEAM_H
 #define ZR_TEAM_H
@@ -33,7 +34,7 @@ enum zr_isa zr_team_isa(const struct zr_team *team);
 
 /* Splits 0..count-1 into ranges of `grain` and calls work(context, begin, end) once
  * for each, on this thread and on every helper that is free, in no particular order.
- * Returns when all of them are back. Thread-safe. `team` may be NULL. */
+ * Returns when all of them are back, and what they stored is there for any thread. Thread-safe. `team` may be NULL. */
 void zr_team_ranges(struct zr_team *team, size_t count, size_t grain,
                     void (*work)(void *context, size_t begin, size_t end), void *context);
 

@@ -1,9 +1,9 @@
 /* tiny_simd.h - raster: triangles that hold 2x2 pixel centres at most, many at once, for the kernel that sorts.
  *
- * How:    in three steps with a queue before each of the last two, so that their vectors are full: a triangle is found
- *         to be tiny (zr_tiny_add), the samples that it covers are found (zr_tiny_cover), and these are given their
- * depth (zr_tiny_draw). Six of ten samples that could be covered are not, of a million triangles even more: no corner
- *         and no depth is looked at for them (a fifth of sorting).
+ * How:    in three steps with a queue before each of the last two, so that their vectors are full: a triangle is
+ *         found to be tiny (zr_tiny_add), the samples that it covers are found (zr_tiny_cover), and these are
+ *         given their depth (zr_tiny_draw). Of the samples that its box holds, most are not covered: for those no
+ *         corner and no depth is looked at (a tenth of the time of a million triangles).
  * Space:  a queued triangle stands on the snapped grid, seen from the pixel centre of its lower left sample. All its
  *         coordinates fit 16 bits, and both of a place are one word.
  * Exact:  the reference's rules 6 (area, and which corners change places), 7 (edges) and 8 (depth).

@@ -33,8 +33,8 @@ zr_surface_fn zr_surface_of_face; /* flat: the id of its face, as if that were a
 struct zr_rows {
     uint32_t *first;  /* of its lowest row */
     ptrdiff_t stride; /* to the next row above */
-    bool streamed;    /* past the caches, which takes whole lines of them (resolve.c). What is written so is there for
-                         others after stream_end. */
+    bool streamed;    /* past the caches, which takes whole lines of them (resolve.c). Others see what is written so
+                         as zr_vi_stream says. */
 };
 
 struct zr_paint {
@@ -68,7 +68,6 @@ struct zr_paint {
     /* All of one value, or those of a tile's array. */
     void (*fill)(const struct zr_rows *out, int32_t width, int32_t height, uint32_t value);
     void (*copy)(const struct zr_rows *out, int32_t width, int32_t height, const void *in);
-    void (*stream_end)(void);
 };
 
 extern const struct zr_paint zr_paint_scalar, zr_paint_sse2, zr_paint_avx2, zr_paint_avx512, zr_paint_neon;

@@ -295,4 +295,4 @@ static void depths(const struct zr_tile *tile, const struct zr_rows *out)
 }
 
 const struct zr_paint ZR_KERNEL(zr_paint) = {paint_tile, paint_blocks, paint_faces, depths, count,
-                                             pack,       ends,         fill,        copy,   zr_stream_end};
+                                             pack,       ends,         fill,        copy};

@@ -188,5 +188,4 @@ void ZR_KERNEL(simd_run)(const struct simd_inputs *in, struct simd_results *out)
     }
     for (int k = 0; k < SIMD_COUNT; k += ZR_DOUBLES)
         run_doubles(in, out, k);
-    zr_stream_end();
 }

@@ -129,12 +129,13 @@ static void error_text_too_long_is_cut_at_a_whole_character(void **state)
 }
 
 struct tally {
-    atomic_uint seen[10007];
+    atomic_uint seen[10007], strange_ranges;
 };
 
 static void tally_range(void *context, size_t begin, size_t end)
 {
     struct tally *tally = context;
+    if (begin % 13 != 0 || (end - begin != 13 && end != 10007)) atomic_fetch_add(&tally->strange_ranges, 1u);
     for (size_t i = begin; i < end; i++)
         atomic_fetch_add(&tally->seen[i], 1u);
 }
@@ -150,6 +151,7 @@ static void team_ranges_visits_everything_once_with_any_number_of_threads(void *
         for (int round = 0; round < 50; round++) {
             memset(&tally, 0, sizeof tally);
             zr_team_ranges(team, 10007, 13, tally_range, &tally);
+            assert_int_equal(tally.strange_ranges, 0);
             for (int i = 0; i < 10007; i++)
                 assert_int_equal(tally.seen[i], 1);
         }

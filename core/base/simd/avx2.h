@@ -78,10 +78,6 @@ static inline void zr_vi_stream(void *p, zr_vi v)
 {
     _mm256_stream_si256((__m256i *)p, (__m256i)v);
 }
-static inline void zr_stream_end(void)
-{
-    _mm_sfence();
-}
 static inline uint32_t zr_vm_bits(zr_vm m)
 {
     return (uint32_t)_mm256_movemask_ps((__m256)m);

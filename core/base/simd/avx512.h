@@ -74,10 +74,6 @@ static inline void zr_vi_stream(void *p, zr_vi v)
 {
     _mm512_stream_si512(p, (__m512i)v);
 }
-static inline void zr_stream_end(void)
-{
-    _mm_sfence();
-}
 static inline zr_vm zr_vf_lt(zr_vf a, zr_vf b)
 {
     return _mm512_cmp_ps_mask((__m512)a, (__m512)b, _CMP_LT_OQ);

@@ -53,7 +53,6 @@ static inline void zr_vi_stream(void *p, zr_vi v)
 {
     zr_vi_store(p, v);
 }
-static inline void zr_stream_end(void) {}
 static inline uint32_t zr_vm_bits(zr_vm m)
 {
     const zr_vm own = {1, 2, 4, 8};

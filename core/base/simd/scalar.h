@@ -64,7 +64,6 @@ static inline void zr_vi_stream(void *p, zr_vi v)
 {
     zr_vi_store(p, v);
 }
-static inline void zr_stream_end(void) {}
 static inline zr_vm zr_vf_lt(zr_vf a, zr_vf b)
 {
     return a < b;

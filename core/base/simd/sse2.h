@@ -52,10 +52,6 @@ static inline void zr_vi_stream(void *p, zr_vi v)
 {
     _mm_stream_si128((__m128i *)p, (__m128i)v);
 }
-static inline void zr_stream_end(void)
-{
-    _mm_sfence();
-}
 static inline uint32_t zr_vm_bits(zr_vm m)
 {
     return (uint32_t)_mm_movemask_ps((__m128)m);
