@@ -36,6 +36,7 @@ struct zr_bin_head *zr_binner_block(struct zr_binner *binner, struct zr_bin *bin
     zr_expect_written(binner->free, 0, size);
     block->next = NULL;
     block->used = 0;
+    bin->block_count++;
     if (bin->last)
         bin->last->next = block;
     else
@@ -146,6 +147,7 @@ static bool make_shares(struct zr_arena *arena, const struct zr_geometry *geomet
     for (uint32_t i = 0; i < geometry->batch_count; i++) {
         const struct zr_batch *batch = &geometry->batches[i];
         if (!batch->plain) continue;
+        s->bins->painted_early |= batch->painted_early;
         s->triangle_count += batch->count;
         for (uint32_t begin = 0; begin < batch->count; begin += TRIANGLES_A_RANGE) {
             uint32_t left = batch->count - begin;
@@ -199,6 +201,8 @@ static enum zr_status build(struct zr_team *team, struct zr_geometry *geometry, 
     static zr_binning_fn *const kernels[ZR_ISA_COUNT] = ZR_KERNELS(zr_binning);
     struct sorting sorting = {.bins = bins, .cancel = cancel, .sort = kernels[zr_team_isa(team)]};
     if (!make_shares(bins->arena, geometry, &sorting)) return ZR_NO_MEMORY;
+    bins->fragments_size =
+        bins->painted_early ? sizeof(struct zr_bin_fragments) : offsetof(struct zr_bin_fragments, colors);
     /* A few are sorted before a helper is awake (a fifth of a cube's time on two threads). */
     if (sorting.triangle_count <= TRIANGLES_A_RANGE) team = NULL;
     bins->worker_count = zr_team_size(team);

@@ -5,7 +5,7 @@
  *         waits for another; the order in a list means nothing (tile.h: zr_tile_put). What shows
  *         its back and must not, has no area, or holds no pixel centre is dropped here, many at once.
  *         - Tiny ones, of 2x2 pixel centres at most, are drawn then and there (tiny_simd.h), into fragments: 8 bytes
- * each.
+ *           each, and 4 for its colour where the batch is painted early.
  *         - Small ones, of up to 64 pixels, are listed by their number in the tiles that they touch: 4 bytes each.
  *         - Wide ones are set up once. Those that touch few tiles are listed there; large ones are not, and every tile
  *           goes through them.
@@ -40,6 +40,7 @@ struct zr_bin_head {
 
 struct zr_bin {
     struct zr_bin_head *first, *last;
+    uint32_t block_count;
 };
 
 /* Small triangles, by their numbers. */
@@ -64,6 +65,7 @@ struct zr_bin_fragments {
     uint32_t first_owner;
     uint32_t places[ZR_BIN_FRAGMENTS_ROOM]; /* pixel in zr_tile.depth << ZR_BIN_OWNER_BITS | owner - first_owner */
     float depths[ZR_BIN_FRAGMENTS_ROOM];
+    uint32_t colors[ZR_BIN_FRAGMENTS_ROOM]; /* as zr_tile.color; only where zr_bins.painted_early */
 };
 _Static_assert(1 << (32 - ZR_BIN_OWNER_BITS) >= ZR_TILE_SIZE * ZR_TILE_STRIDE, "a pixel and an owner fit a word");
 
@@ -87,6 +89,8 @@ struct zr_bins {
     struct zr_arena *arena;
     pthread_mutex_t arena_lock;
     uint32_t width, height, columns;
+    bool painted_early;    /* some batch is */
+    size_t fragments_size; /* of a block */
     int worker_count;
     struct zr_binner *workers;
     uint32_t large_count;
@@ -139,7 +143,7 @@ static inline struct zr_bin_fragments *zr_binner_fragments(struct zr_binner *bin
                              last - block->first_owner < 1u << ZR_BIN_OWNER_BITS,
                          1))
         return block;
-    block = (struct zr_bin_fragments *)zr_binner_block(binner, bin, sizeof *block);
+    block = (struct zr_bin_fragments *)zr_binner_block(binner, bin, binner->bins->fragments_size);
     if (block) block->first_owner = first;
     return block;
 }

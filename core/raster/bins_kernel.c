@@ -202,7 +202,7 @@ void ZR_KERNEL(zr_binning)(struct zr_binner *binner, const struct zr_batch *batc
     struct sorter s; /* its queues are not cleared: a batch may be a single triangle */
     s.binner = binner;
     s.batch = batch;
-    s.corners = (struct zr_corners){&geometry->vertices[0].x, batch->corners, 3, batch->first};
+    s.corners = (struct zr_corners){&geometry->vertices[0].x, batch->corners, 3};
     if (batch->written) {
         s.corners.corners = geometry->triangles[batch->first_record].v;
         s.corners.stride = sizeof(struct zr_triangle) / sizeof(uint32_t);
@@ -212,13 +212,13 @@ void ZR_KERNEL(zr_binning)(struct zr_binner *binner, const struct zr_batch *batc
     const zr_vi last = zr_vi_set((int32_t)((binner->bins->height - 1) << 16 | (binner->bins->width - 1)));
     s.last = (zr_vp)last;
     s.tiny.count = s.tiny.sample_count = s.small_count = 0;
-    const struct zr_tiny_owners owners = {batch->first + begin + 1, batch->first + end};
+    const struct zr_tiny_target target = {batch, &s.corners, binner, batch->first + begin + 1, batch->first + end};
     for (uint32_t part = begin; part < end; part += PART) {
         const uint32_t part_end = end - part < PART ? end : part + PART;
         snap_part(&s, part, part_end, end);
         sort_part(&s, part, part_end);
         zr_tiny_cover(&s.tiny, last);
-        zr_tiny_draw(&s.tiny, part_end == end, &s.corners, binner, &owners);
+        zr_tiny_draw(&s.tiny, part_end == end, &target);
         list_small_ones(&s);
     }
 }

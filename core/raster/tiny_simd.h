@@ -13,6 +13,7 @@
 
 #include "raster/bins.h"
 #include "raster/triangle_simd.h"
+#include "shade/paint_tiny_simd.h"
 
 /* So many are queued at most before zr_tiny_draw empties the queues. */
 enum { ZR_TINY_ROOM = 512 };
@@ -22,13 +23,20 @@ struct zr_corners {
     const float *vertices;   /* of position 0 */
     const uint32_t *corners; /* of record 0 of the batch */
     size_t stride;           /* words from one record's corners to the next */
-    uint32_t first;          /* number of record 0 */
 };
 
 static inline const float *zr_corner_at(const struct zr_corners *c, uint32_t t, size_t k)
 {
     return c->vertices + 4 * (size_t)c->corners[t * c->stride + k];
 }
+
+/* Where the triangles of a batch that are drawn come from, and where they go. */
+struct zr_tiny_target {
+    const struct zr_batch *batch;
+    const struct zr_corners *corners;
+    struct zr_binner *binner;
+    uint32_t first_owner, last_owner; /* of those that may come */
+};
 
 /* What follows a queue's end may be written, a vector at a time. */
 struct zr_tiny {
@@ -129,45 +137,44 @@ struct zr_tiny_samples {
     zr_vm seen;
     zr_vi tile, word; /* word: as in zr_bin_fragments */
     zr_vf depth;
+    zr_vi color; /* 0: not known */
 };
 
-static inline void zr_tiny_put(struct zr_bin_fragments *block, zr_vm put, const struct zr_tiny_samples *samples)
+static inline void zr_tiny_put(struct zr_bin_fragments *block, zr_vm put, const struct zr_tiny_samples *samples,
+                               bool with_colors)
 {
     const zr_vi words = samples->word - zr_vi_set((int32_t)block->first_owner);
     zr_vi_compress(block->places + block->head.used, put, words);
+    if (with_colors) zr_vi_compress(block->colors + block->head.used, put, samples->color);
     block->head.used += zr_vi_compress(block->depths + block->head.used, put, zr_vi_bits_of(samples->depth));
 }
 
-/* Owners that may come. */
-struct zr_tiny_owners {
-    uint32_t first, last;
-};
-
 /* Into the tiles that they lie in, which is mostly one. */
-static inline void zr_tiny_put_all(struct zr_binner *binner, const struct zr_tiny_samples *samples,
-                                   const struct zr_tiny_owners *owners)
+static inline void zr_tiny_put_all(const struct zr_tiny_target *target, const struct zr_tiny_samples *samples)
 {
+    struct zr_binner *binner = target->binner;
     uint32_t tiles[ZR_LANES];
     zr_vi_store(tiles, samples->tile);
     for (uint32_t bits = zr_vm_bits(samples->seen); bits;) {
         const uint32_t number = tiles[zr_lowest_bit(bits)];
         const zr_vm here = zr_vm_and(zr_vm_of(bits), zr_vi_eq(samples->tile, zr_vi_set((int32_t)number)));
         struct zr_bin_fragments *block =
-            zr_binner_fragments(binner, &binner->tiles[number].fragments, owners->first, owners->last);
+            zr_binner_fragments(binner, &binner->tiles[number].fragments, target->first_owner, target->last_owner);
         if (!block) return;
-        zr_tiny_put(block, here, samples);
+        zr_tiny_put(block, here, samples, binner->bins->painted_early);
         bits &= ~zr_vm_bits(here);
     }
 }
 
 static inline void zr_tiny_draw_group(const uint32_t *numbers, const uint32_t *places, zr_vm valid,
-                                      const struct zr_corners *corners, struct zr_binner *binner,
-                                      const struct zr_tiny_owners *owners)
+                                      const struct zr_tiny_target *target)
 {
+    const struct zr_corners *corners = target->corners;
+    const struct zr_batch *batch = target->batch;
     struct zr_corner_v c[3];
-#define ZR_TINY_CORNER_0(i) zr_corner_at(corners, numbers[i] - corners->first, 0)
-#define ZR_TINY_CORNER_1(i) zr_corner_at(corners, numbers[i] - corners->first, 1)
-#define ZR_TINY_CORNER_2(i) zr_corner_at(corners, numbers[i] - corners->first, 2)
+#define ZR_TINY_CORNER_0(i) zr_corner_at(corners, numbers[i] - batch->first, 0)
+#define ZR_TINY_CORNER_1(i) zr_corner_at(corners, numbers[i] - batch->first, 1)
+#define ZR_TINY_CORNER_2(i) zr_corner_at(corners, numbers[i] - batch->first, 2)
     ZR_LOAD4(c[0].x, c[0].y, c[0].z, c[0].oow, ZR_TINY_CORNER_0);
     ZR_LOAD4(c[1].x, c[1].y, c[1].z, c[1].oow, ZR_TINY_CORNER_1);
     ZR_LOAD4(c[2].x, c[2].y, c[2].z, c[2].oow, ZR_TINY_CORNER_2);
@@ -175,28 +182,30 @@ static inline void zr_tiny_draw_group(const uint32_t *numbers, const uint32_t *p
 #undef ZR_TINY_CORNER_1
 #undef ZR_TINY_CORNER_2
     const zr_vi place = zr_vi_load(places), in_tile = zr_vi_set(ZR_TILE_SIZE - 1);
-    const zr_vi x = place & zr_vi_set(0xffff), y = place >> 16 & zr_vi_set(INT16_MAX);
-    zr_corners_swap_v(zr_vi_lt(place, zr_vi_set(0)), c);
+    const zr_vi column = place & zr_vi_set(0xffff), row = place >> 16 & zr_vi_set(INT16_MAX);
+    const zr_vf x = zr_vf_of(column), y = zr_vf_of(row);
+    const zr_vm turned = zr_vi_lt(place, zr_vi_set(0));
+    struct zr_tiny_samples samples = {.color = zr_vi_set(0)};
+    if (batch->painted_early) samples.color = zr_tiny_colors(batch, numbers, turned, c, x, y);
+    zr_corners_swap_v(turned, c);
     const struct zr_basis_v basis = zr_basis_make_v(c);
     const struct zr_plane_v plane = zr_plane_make_v(&basis, c[0].z, c[1].z, c[2].z);
-    struct zr_tiny_samples samples;
-    samples.depth = zr_depth_clamp_v(zr_plane_at_v(&plane, zr_vf_of(x), zr_vf_of(y)));
+    samples.depth = zr_depth_clamp_v(zr_plane_at_v(&plane, x, y));
     samples.seen = zr_vf_lt_where(valid, samples.depth, zr_vf_set(1.0f));
-    samples.tile = (y >> 6) * zr_vi_set((int32_t)binner->bins->columns) + (x >> 6);
-    samples.word = (((y & in_tile) * zr_vi_set(ZR_TILE_STRIDE) + (x & in_tile)) << ZR_BIN_OWNER_BITS) +
+    samples.tile = (row >> 6) * zr_vi_set((int32_t)target->binner->bins->columns) + (column >> 6);
+    samples.word = (((row & in_tile) * zr_vi_set(ZR_TILE_STRIDE) + (column & in_tile)) << ZR_BIN_OWNER_BITS) +
                    zr_vi_load(numbers) + zr_vi_set(1);
-    zr_tiny_put_all(binner, &samples, owners);
+    zr_tiny_put_all(target, &samples);
 }
 _Static_assert((int)ZR_LANES <= (int)ZR_BIN_VECTOR, "a block has room for a vector");
 _Static_assert(ZR_TILE_SIZE == 1 << 6, "columns and rows of tiles are shifts");
 
 /* Full groups; what is left waits for more, unless this `is_end`. */
-static inline void zr_tiny_draw(struct zr_tiny *tiny, bool is_end, const struct zr_corners *corners,
-                                struct zr_binner *binner, const struct zr_tiny_owners *owners)
+static inline void zr_tiny_draw(struct zr_tiny *tiny, bool is_end, const struct zr_tiny_target *target)
 {
     uint32_t *numbers = tiny->sample_numbers, *places = tiny->sample_places, done = 0;
     for (; tiny->sample_count - done >= ZR_LANES; done += ZR_LANES)
-        zr_tiny_draw_group(numbers + done, places + done, ZR_ALL_LANES, corners, binner, owners);
+        zr_tiny_draw_group(numbers + done, places + done, ZR_ALL_LANES, target);
     const uint32_t left = tiny->sample_count - done;
     for (uint32_t i = 0; i < left; i++) {
         numbers[i] = numbers[done + i];
@@ -208,7 +217,7 @@ static inline void zr_tiny_draw(struct zr_tiny *tiny, bool is_end, const struct 
         numbers[i] = numbers[0];
         places[i] = places[0];
     }
-    zr_tiny_draw_group(numbers, places, zr_vm_first(left), corners, binner, owners);
+    zr_tiny_draw_group(numbers, places, zr_vm_first(left), target);
     tiny->sample_count = 0;
 }
 

@@ -9,6 +9,9 @@
 /* Triangles, or edges and triangles of shapes: less than a millisecond of work. */
 enum { PARTS_A_CANCEL_CHECK = 1024 };
 
+/* Of fragments: so many pixels are sooner painted than set aside and put back. */
+enum { BLOCKS_WITH_COLORS = 4 };
+
 /* ---- sorting ---- */
 
 enum zr_status zr_visible_make(struct zr_arena *arena, struct zr_team *team, struct zr_geometry *geometry,
@@ -93,12 +96,15 @@ static bool draw_wide_ones(const struct zr_visible *visible, uint32_t number, co
 /* ---- what is listed ---- */
 
 /* The next block is asked for before it is needed: a quarter of the time that this takes. */
-static void draw_fragments(const struct zr_bin_fragments *block, struct zr_tile *tile)
+static void draw_fragments(const struct zr_bins *bins, const struct zr_bin_fragments *block, struct zr_tile *tile)
 {
-    if (block->head.next) zr_expect(block->head.next, 0, sizeof *block);
+    const bool has_colors = tile->has_colors;
+    if (block->head.next) zr_expect(block->head.next, 0, bins->fragments_size);
     for (uint32_t i = 0; i < block->head.used; i++) {
-        const uint32_t place = block->places[i], owner = place & ((1u << ZR_BIN_OWNER_BITS) - 1);
-        zr_tile_put_at(tile, place >> ZR_BIN_OWNER_BITS, block->depths[i], block->first_owner + owner);
+        const uint32_t place = block->places[i] >> ZR_BIN_OWNER_BITS;
+        const uint32_t owner = block->places[i] & ((1u << ZR_BIN_OWNER_BITS) - 1);
+        const bool seen = zr_tile_put_at(tile, place, block->depths[i], block->first_owner + owner);
+        if (has_colors && seen) tile->color[place] = block->colors[i];
     }
 }
 
@@ -115,9 +121,11 @@ static bool draw_small_ones(const struct zr_visible *visible, uint32_t number, c
 
 static void draw_tiny_ones(const struct zr_visible *visible, uint32_t number, struct zr_tile *tile)
 {
-    for (int i = 0; i < visible->bins.worker_count; i++)
-        for (const struct zr_bin_head *b = visible->bins.workers[i].tiles[number].fragments.first; b; b = b->next)
-            draw_fragments((const struct zr_bin_fragments *)b, tile);
+    const struct zr_bins *bins = &visible->bins;
+    if (tile->has_colors) memset(tile->color, 0, sizeof tile->color);
+    for (int i = 0; i < bins->worker_count; i++)
+        for (const struct zr_bin_head *b = bins->workers[i].tiles[number].fragments.first; b; b = b->next)
+            draw_fragments(bins, (const struct zr_bin_fragments *)b, tile);
 }
 
 /* ---- shapes, lines, pushed triangles ---- */
@@ -174,15 +182,29 @@ static bool draw_others(const struct zr_visible *visible, uint32_t number, const
 
 /* ---- a tile ---- */
 
+static bool has_others(const struct zr_visible *visible, uint32_t number)
+{
+    const struct zr_others *others = &visible->others;
+    return others->count > 0 && (others->large_count > 0 || others->offsets[number] < others->offsets[number + 1]);
+}
+
 /* Besides large and wide triangles. */
 static bool has_more(const struct zr_visible *visible, uint32_t number)
 {
-    const struct zr_others *others = &visible->others;
     for (int i = 0; i < visible->bins.worker_count; i++)
         if (visible->bins.workers[i].tiles[number].small.first ||
             visible->bins.workers[i].tiles[number].fragments.first)
             return true;
-    return others->count > 0 && (others->large_count > 0 || others->offsets[number] < others->offsets[number + 1]);
+    return has_others(visible, number);
+}
+
+/* Whether the colours of fragments are kept: there are enough of them to earn that, and nothing is drawn over them. */
+static bool keeps_colors(const struct zr_visible *visible, uint32_t number)
+{
+    uint32_t blocks = 0;
+    for (int i = 0; visible->bins.painted_early && i < visible->bins.worker_count; i++)
+        blocks += visible->bins.workers[i].tiles[number].fragments.block_count;
+    return blocks >= BLOCKS_WITH_COLORS && !has_others(visible, number);
 }
 
 static bool has_anything(const struct zr_visible *visible, uint32_t number)
@@ -198,6 +220,7 @@ bool zr_visibility_tile(const struct zr_visible *visible, uint32_t number, const
 {
     const struct zr_bins *bins = &visible->bins;
     zr_tile_place(tile, number, bins->width, bins->height);
+    tile->has_colors = false;
     tile->is_empty = !base && !has_anything(visible, number);
     if (tile->is_empty) return !zr_is_cancelled(cancel);
     if (base)
@@ -210,6 +233,7 @@ bool zr_visibility_tile(const struct zr_visible *visible, uint32_t number, const
     visible->halfspace->settle(tile);
     tile->knows_owners = false;
     if (!draw_small_ones(visible, number, cancel, tile)) return false;
+    tile->has_colors = keeps_colors(visible, number);
     draw_tiny_ones(visible, number, tile);
     return draw_others(visible, number, cancel, tile);
 }
@@ -245,7 +269,7 @@ enum zr_status zr_visibility_window(struct zr_arena *arena, const struct zr_geom
 void zr_visibility_load(const struct zr_samples *samples, uint32_t number, struct zr_tile *tile)
 {
     zr_tile_place(tile, number, samples->width, samples->height);
-    tile->is_empty = false;
+    tile->is_empty = tile->has_colors = false;
     tile->knows_owners = false;
     tile->unwritten = 0;
     for (int32_t row = 0; row < tile->height; row++) {

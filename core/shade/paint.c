@@ -29,6 +29,7 @@ enum zr_status zr_paint_prepare(enum zr_isa isa, struct zr_arena *arena, struct 
     const struct zr_batch *last = NULL; /* that was packed */
     for (uint32_t i = 0; i < geometry->batch_count; i++) {
         struct zr_batch *batch = &geometry->batches[i];
+        batch->painted_early = zr_batch_is_painted_early(batch);
         if (batch->written || zr_batch_is_smooth(batch) || batch->front != batch->back) continue;
         const size_t count = batch->color_count;
         if (last && last->front == batch->front && last->color_count == count) {

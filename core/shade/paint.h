@@ -29,6 +29,26 @@ typedef struct zr_surface zr_surface_fn(const struct zr_geometry *geometry, cons
 zr_surface_fn zr_surface_make;
 zr_surface_fn zr_surface_of_face; /* flat: the id of its face, as if that were a colour */
 
+/* Four words a colour: their numbers fit 32 bits. */
+enum { ZR_GATHERED_MOST = 1 << 28 };
+
+/* Whether colours can be gathered by the numbers of triangles. */
+static inline bool zr_batch_is_gathered(const struct zr_batch *batch)
+{
+    return !batch->written && batch->front == batch->back && batch->count > 0 && batch->count <= ZR_GATHERED_MOST &&
+           batch->mesh->face_offsets[batch->mesh->face_count] <= ZR_GATHERED_MOST &&
+           batch->mesh->position_count <= ZR_GATHERED_MOST;
+}
+
+/* Whether tiny triangles are painted while they are sorted: their corners are at hand then, and those of neighbours in
+ * the mesh stand together, while later each pixel asks memory for its own (a tenth of the time of a million smooth
+ * triangles). Flat ones ask for the same either way; and where backs are drawn too, half of what would be painted is
+ * hidden. */
+static inline bool zr_batch_is_painted_early(const struct zr_batch *batch)
+{
+    return zr_batch_is_gathered(batch) && zr_batch_is_smooth(batch) && !batch->double_sided;
+}
+
 /* Where a tile lies in a channel, whose values have four bytes each. */
 struct zr_rows {
     uint32_t *first;  /* of its lowest row */

@@ -4,9 +4,6 @@
 
 #include "shade/paint_simd.h"
 
-/* Four words a colour: their numbers fit 32 bits. */
-enum { ZR_GATHERED_MOST = 1 << 28 };
-
 /* Whether the owners of a row are the batch's, or nobody. */
 static inline bool zr_row_is_of(const struct zr_batch *batch, const uint32_t *owners, int32_t width)
 {
@@ -18,14 +15,6 @@ static inline bool zr_row_is_of(const struct zr_batch *batch, const uint32_t *ow
         if (zr_vm_any(zr_vm_andnot(within, zr_vm_or(inside, zr_vi_eq(owner, zr_vi_set(0)))))) return false;
     }
     return true;
-}
-
-/* Whether colours can be gathered by the numbers of triangles. */
-static inline bool zr_batch_is_gathered(const struct zr_batch *batch)
-{
-    return !batch->written && batch->front == batch->back && batch->count > 0 && batch->count <= ZR_GATHERED_MOST &&
-           batch->mesh->face_offsets[batch->mesh->face_count] <= ZR_GATHERED_MOST &&
-           batch->mesh->position_count <= ZR_GATHERED_MOST;
 }
 
 /* The owners that colours were gathered for last: in the rows of large triangles they are the same again. */

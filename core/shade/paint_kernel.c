@@ -182,6 +182,34 @@ static uint32_t paint_all_rows(struct painter *p, const struct zr_tile *tile, st
     return covered;
 }
 
+/* Takes pixels whose colours are known out of the owners, so that they are painted as if they were nobody's. Returns
+ * how many there are. */
+static uint32_t take_known(struct zr_tile *tile)
+{
+    uint32_t known = 0;
+    for (int32_t y = 0; y < tile->height; y++)
+        for (int32_t x = 0; x < tile->width; x += ZR_LANES) {
+            const int32_t at = y * ZR_TILE_STRIDE + x;
+            const zr_vm unknown = zr_vi_eq(zr_vi_load(tile->color + at), zr_vi_set(0));
+            const uint32_t bits = zr_vm_bits(unknown) ^ ZR_ALL_BITS;
+            if (!bits) continue;
+            known += (uint32_t)__builtin_popcount(bits);
+            zr_vi_store(tile->owner + at, zr_vi_select(unknown, zr_vi_load(tile->owner + at), zr_vi_set(0)));
+        }
+    return known;
+}
+
+static void put_known(struct zr_tile *tile)
+{
+    for (int32_t y = 0; y < tile->height; y++)
+        for (int32_t x = 0; x < tile->width; x += ZR_LANES) {
+            const int32_t at = y * ZR_TILE_STRIDE + x;
+            const zr_vi color = zr_vi_load(tile->color + at);
+            const zr_vm unknown = zr_vi_eq(color, zr_vi_set(0));
+            zr_vi_store(tile->owner + at, zr_vi_select(unknown, zr_vi_load(tile->owner + at), color));
+        }
+}
+
 static uint32_t paint_tile(const struct zr_geometry *geometry, struct zr_tile *tile, uint32_t nothing,
                            const void *behind, ptrdiff_t stride)
 {
@@ -192,7 +220,10 @@ static uint32_t paint_tile(const struct zr_geometry *geometry, struct zr_tile *t
     zr_surfaces_begin(&p.surfaces, geometry, zr_surface_make);
     zr_smooth_begin(&p.smooth);
     zr_patches_begin(&p.patches);
-    return paint_all_rows(&p, tile, backdrop);
+    if (!tile->has_colors) return paint_all_rows(&p, tile, backdrop);
+    const uint32_t known = take_known(tile), others = paint_all_rows(&p, tile, backdrop);
+    put_known(tile);
+    return known + others;
 }
 
 static uint32_t paint_blocks(const struct zr_geometry *geometry, const struct zr_tile *tile, zr_surface_fn *make,

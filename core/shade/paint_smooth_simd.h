@@ -103,7 +103,27 @@ static inline zr_vm zr_turned_v(const struct zr_smooth_corners *corners, const s
     return zr_vm_of(turned);
 }
 
-/* Rule 9. */
+/* Rule 9, of corners and their colours. */
+static inline struct zr_color_planes zr_color_planes_of(zr_vm turned, struct zr_corner_v v[3], struct zr_color_v c[3])
+{
+    for (int k = 0; k < 3; k++) {
+        c[k].red = c[k].red * v[k].oow;
+        c[k].green = c[k].green * v[k].oow;
+        c[k].blue = c[k].blue * v[k].oow;
+    }
+    zr_swap_vf(turned, &v[0].x, &v[1].x);
+    zr_swap_vf(turned, &v[0].y, &v[1].y);
+    zr_swap_vf(turned, &v[0].oow, &v[1].oow);
+    zr_swap_vf(turned, &c[0].red, &c[1].red);
+    zr_swap_vf(turned, &c[0].green, &c[1].green);
+    zr_swap_vf(turned, &c[0].blue, &c[1].blue);
+    const struct zr_basis_v basis = zr_basis_make_v(v);
+    return (struct zr_color_planes){zr_plane_make_v(&basis, v[0].oow, v[1].oow, v[2].oow),
+                                    zr_plane_make_v(&basis, c[0].red, c[1].red, c[2].red),
+                                    zr_plane_make_v(&basis, c[0].green, c[1].green, c[2].green),
+                                    zr_plane_make_v(&basis, c[0].blue, c[1].blue, c[2].blue)};
+}
+
 static inline struct zr_color_planes zr_color_planes_make(const struct zr_smooth_corners *corners,
                                                           const struct zr_window_vertex *vertices, uint32_t first)
 {
@@ -123,23 +143,7 @@ static inline struct zr_color_planes zr_color_planes_make(const struct zr_smooth
     ZR_LOAD4(c[1].red, c[1].green, c[1].blue, alpha, ZR_COLOR_1);
     ZR_LOAD4(c[2].red, c[2].green, c[2].blue, alpha, ZR_COLOR_2);
     (void)alpha;
-    const zr_vm turned = zr_turned_v(corners, vertices, first, v);
-    for (int k = 0; k < 3; k++) {
-        c[k].red = c[k].red * v[k].oow;
-        c[k].green = c[k].green * v[k].oow;
-        c[k].blue = c[k].blue * v[k].oow;
-    }
-    zr_swap_vf(turned, &v[0].x, &v[1].x);
-    zr_swap_vf(turned, &v[0].y, &v[1].y);
-    zr_swap_vf(turned, &v[0].oow, &v[1].oow);
-    zr_swap_vf(turned, &c[0].red, &c[1].red);
-    zr_swap_vf(turned, &c[0].green, &c[1].green);
-    zr_swap_vf(turned, &c[0].blue, &c[1].blue);
-    const struct zr_basis_v basis = zr_basis_make_v(v);
-    return (struct zr_color_planes){zr_plane_make_v(&basis, v[0].oow, v[1].oow, v[2].oow),
-                                    zr_plane_make_v(&basis, c[0].red, c[1].red, c[2].red),
-                                    zr_plane_make_v(&basis, c[0].green, c[1].green, c[2].green),
-                                    zr_plane_make_v(&basis, c[0].blue, c[1].blue, c[2].blue)};
+    return zr_color_planes_of(zr_turned_v(corners, vertices, first, v), v, c);
 }
 
 /* Of 1/w, and colours times that. */

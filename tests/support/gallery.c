@@ -15,6 +15,7 @@ const char *const gallery_names[GALLERY_SCENES] = {"soup",
                                                    "polygons",
                                                    "inside a ball",
                                                    "layers into a base",
+                                                   "balls, smooth and one-sided",
                                                    "nothing into a base"};
 /* The last is large enough to be written past the caches. */
 const uint32_t gallery_windows[GALLERY_WINDOWS][2] = {{1, 1}, {65, 1}, {333, 517}, {640, 480}, {1024, 512}};
@@ -222,6 +223,18 @@ static bool make_mirrored_ball(struct set *s)
     return true;
 }
 
+/* The triangles of the one behind are as small as pixels: they are painted early (shade/paint.h). */
+static bool make_smooth_balls(struct set *s)
+{
+    zr_mat4 *behind = &s->instances[1].object_to_world;
+    s->scene.instance_count = 2;
+    behind->m[0] = behind->m[5] = behind->m[10] = 0.3f;
+    behind->m[12] = 1.3f;
+    if (!make_ball(s, 48, 5)) return false;
+    s->material.double_sided = false;
+    return true;
+}
+
 static bool make_outlines(struct set *s)
 {
     if (!make_ball(s, 12, 5)) return false;
@@ -351,7 +364,7 @@ const struct zr_scene *gallery_scene(struct zr_arena *arena, int number, uint32_
 {
     static bool (*const make[GALLERY_SCENES])(struct set *) = {
         make_large_soup, make_tiny_soup, make_layers, make_smooth_ball, make_mirrored_ball, make_outlines,
-        make_wires,      make_polygons,  make_inside, make_based,       make_bare_base};
+        make_wires,      make_polygons,  make_inside, make_based,       make_smooth_balls,  make_bare_base};
     struct set *s = zr_arena_zero(arena, 1, sizeof *s);
     if (!s) return NULL;
     set_init(s, arena, width, height);

@@ -2,8 +2,10 @@
 #include <math.h>
 #include <string.h>
 
+#include "raster/visibility.h"
 #include "shade/paint.h"
-#include "support/cmocka_all.h"
+#include "support/isas.h"
+#include "support/random.h"
 #include "support/scenes.h"
 
 static void color_byte_rounds_to_nearest_even_and_clamps(void **state)
@@ -165,6 +167,89 @@ static void two_meshes_with_clipping_keep_their_own_colours(void **state)
     zr_arena_free(&arena);
 }
 
+/* ---- triangles as small as pixels ---- */
+
+enum { SHEET = 40, SHEET_FACES = SHEET * SHEET, SHEET_WINDOW = 48 };
+
+/* Of quadrilaterals, or each of them as two triangles, all of which show their front. In perspective: its rows reach
+ * back. */
+static void make_sheet(struct test_scene *test, bool quads, zr_vec4 *p, zr_vec4 *colors, zr_vec4 *face_colors)
+{
+    static const int triangles[6] = {0, 1, 2, 0, 2, 3};
+    const uint32_t corners = quads ? 4 : 6;
+    struct random random = random_seeded(11);
+    zr_vec4 grid[SHEET + 1][SHEET + 1];
+    for (int row = 0; row <= SHEET; row++)
+        for (int column = 0; column <= SHEET; column++) {
+            const float w = 1.0f + 0.02f * (float)row;
+            const float x = (float)column / SHEET * 1.8f - 0.9f, y = (float)row / SHEET * 1.8f - 0.9f;
+            grid[row][column] = (zr_vec4){x * w, y * w, 0.5f * w, w};
+        }
+    uint32_t n = 0;
+    for (int i = 0; i < SHEET_FACES; i++) {
+        const int row = i / SHEET, column = i % SHEET;
+        const zr_vec4 four[4] = {grid[row][column], grid[row][column + 1], grid[row + 1][column + 1],
+                                 grid[row + 1][column]};
+        for (uint32_t k = 0; k < corners; k++, n++) {
+            p[n] = four[quads ? (int)k : triangles[k]];
+            colors[n] = (zr_vec4){(float)random_range(&random, 0, 1), (float)random_range(&random, 0, 1), 0.5f, 1};
+        }
+    }
+    const uint32_t faces = quads ? SHEET_FACES : 2 * SHEET_FACES, each = n / faces;
+    scene_of_triangles(test, SHEET_WINDOW, SHEET_WINDOW, p, n / 3);
+    for (uint32_t f = 0; f < faces; f++) {
+        test->face_offsets[f + 1] = each * (f + 1);
+        face_colors[f] = (zr_vec4){1, (float)(f % 7) / 7, (float)(f % 3) / 3, 1};
+    }
+    test->mesh.face_count = faces;
+    test->mesh.position_count = n;
+    test->mesh.faces_are_fans = quads; /* rounded, one or the other is not convex */
+    test->mesh.colors = colors;
+}
+
+/* Pixels of tile 0 that are painted while triangles are sorted. */
+static uint32_t count_early(struct zr_arena *arena, struct zr_team *team, const struct zr_scene *scene)
+{
+    struct zr_camera camera;
+    struct zr_geometry geometry;
+    struct zr_visible visible;
+    struct zr_error error = {.count = 0};
+    struct zr_tile *tile = zr_arena_alloc(arena, 1, sizeof *tile);
+    assert_int_equal(zr_camera_resolve(scene, NULL, NULL, &camera, &error), ZR_OK);
+    assert_int_equal(zr_geometry_build(arena, team, scene, &camera, NULL, false, &geometry), ZR_OK);
+    assert_int_equal(zr_paint_prepare(zr_team_isa(team), arena, team, &geometry, SHEET_WINDOW * SHEET_WINDOW), ZR_OK);
+    assert_int_equal(zr_visible_make(arena, team, &geometry, SHEET_WINDOW, SHEET_WINDOW, NULL, &visible), ZR_OK);
+    assert_true(zr_visibility_tile(&visible, 0, NULL, NULL, tile));
+    uint32_t early = 0;
+    for (uint32_t i = 0; tile->has_colors && i < ZR_TILE_STRIDE * SHEET_WINDOW; i++)
+        early += tile->color[i] != 0;
+    return early;
+}
+
+/* Backs that there are not make no difference, but that nothing is painted early where they would be drawn. */
+static void tiny_triangles_are_painted_early_as_they_would_be_later(void **state)
+{
+    struct zr_team *team = zr_team_create_for(2, isa_under_test(state));
+    static struct test_scene test;
+    static zr_vec4 p[6 * SHEET_FACES], colors[6 * SHEET_FACES], face_colors[2 * SHEET_FACES];
+    struct zr_arena arena;
+    zr_arena_init(&arena, 1 << 26);
+    for (int way = 0; way < 3; way++) { /* colours of vertices; of corners; of the corners of quadrilaterals */
+        make_sheet(&test, way == 2, p, colors, face_colors);
+        if (way > 0) test.mesh.face_colors = face_colors;
+        const struct zr_frame *late = scene_render(&arena, team, &test.scene);
+        assert_int_equal(count_early(&arena, team, &test.scene), 0);
+        test.material.double_sided = false;
+        const struct zr_frame *early = scene_render(&arena, team, &test.scene);
+        assert_true(count_early(&arena, team, &test.scene) > SHEET_WINDOW * SHEET_WINDOW / 2);
+        assert_int_equal(early->covered_pixels, late->covered_pixels);
+        assert_memory_equal(early->color, late->color, 4 * SHEET_WINDOW * SHEET_WINDOW);
+        zr_arena_reset(&arena, 1 << 26);
+    }
+    zr_arena_free(&arena);
+    zr_team_destroy(team);
+}
+
 static void render_that_is_cancelled_says_so(void **state)
 {
     (void)state;
@@ -221,6 +306,7 @@ int main(void)
         cmocka_unit_test(depth_of_slivers_stays_between_their_vertices),
         cmocka_unit_test(lit_backs_are_shown_where_both_sides_are_drawn),
         cmocka_unit_test(two_meshes_with_clipping_keep_their_own_colours),
+        TEST_EACH_ISA(tiny_triangles_are_painted_early_as_they_would_be_later),
         cmocka_unit_test(render_that_is_cancelled_says_so),
         cmocka_unit_test(render_under_every_memory_ceiling_fails_cleanly_or_gives_the_picture),
     };
