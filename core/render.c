@@ -11,8 +11,8 @@
 #include "shade/paint.h"
 #include "shade/resolve.h"
 
-/* Each claim of ranges waits for all that was stored before to be written: 0.4 ms of a large picture, with single
- * tiles. */
+/* Each claim waits for all that was stored before to be written; of single tiles there are too many at the end (3 % of
+ * the bunny at 512x512 on two threads). */
 enum { TILES_A_RANGE = 2 };
 
 /* Up to so many tiles, waking a helper takes longer than it saves. */

@@ -14,13 +14,15 @@
  *   zr_vi_load_patch(p, stride), zr_vi_store_patch(p, stride, v): ZR_PATCH_ROWS rows of ZR_PATCH_COLUMNS words each,
  *     `stride` words apart, lane 0 and those that follow being the first row
  *   zr_vi_later(v, n): lane i is lane i - n of v, or anything where there is none; n is a constant, 1 .. 4
- *   zr_vi_stream(p, v): past the caches where the machine can, p being a multiple of the vector's size. Others see it
- * when the thread's share of a job is over (team.h) zr_vf_lt le eq(a, b), zr_vi_lt eq(a, b), zr_vm_and or andnot(a, b:
- * a and not b), zr_vm_bits(m), zr_vm_of(bits) zr_vf_lt_where eq_where(m, a, b), zr_vi_lt_where(m, a, b): m and the
- * comparison, which AVX-512 does in one zr_vf_select(m, a, b), zr_vi_select: a where m, else b zr_vf_min(a, b): a < b ?
- * a : b     zr_vf_max(a, b): a > b ? a : b     zr_vi_min, zr_vi_max zr_vf_abs(a)  zr_vf_of(vi): int to float
- * zr_vi_round(vf): to the nearest, ties to even, where |v| < 2^22 zr_vi_bits_of(vf), zr_vf_bits(vi)  the same bits as
- * integers, as floats ZR_LOAD4(x, y, z, w, AT): lane i of x, y, z, w are the four floats at AT(i), a const float *
+ *   zr_vi_stream(p, v): past the caches where the machine can, p being a multiple of the vector's size; others see it
+ *     as team.h says
+ *   zr_vf_lt le eq(a, b), zr_vi_lt eq(a, b), zr_vm_and or andnot(a, b: a and not b), zr_vm_bits(m), zr_vm_of(bits)
+ *   zr_vf_lt_where eq_where(m, a, b), zr_vi_lt_where(m, a, b): m and the comparison, which AVX-512 does in one
+ *   zr_vf_select(m, a, b), zr_vi_select: a where m, else b
+ *   zr_vf_min(a, b): a < b ? a : b     zr_vf_max(a, b): a > b ? a : b     zr_vi_min, zr_vi_max
+ *   zr_vf_abs(a)  zr_vf_of(vi): int to float   zr_vi_round(vf): to the nearest, ties to even, where |v| < 2^22
+ *   zr_vi_bits_of(vf), zr_vf_bits(vi)  the same bits as integers, as floats
+ *   ZR_LOAD4(x, y, z, w, AT): lane i of x, y, z, w are the four floats at AT(i), a const float *
  *   zr_vf_store4(p, x, y, z, w), zr_vi_store4: the other way round, all to one place
  *   zr_vi_gather(m, p, i): p[i] of four bytes, lane by lane; anything in lanes that are not m's
  *   zr_vi_compress(p, m, v): the lanes of m, one after the other, and their count; ZR_LANES words may be written
@@ -28,7 +30,8 @@
  * zr_vp holds two int16_t a lane, x in the lower half of its word and y in the upper; + - & << >> work half by half:
  *   zr_vp_pack(low, high): of int32_t x, y, x, y ..., half of the lanes in either vector; the nearest that fits
  *   zr_load_corners(vertices, corners, low, high): the same of floats; of lane i those at vertices + 4 corners[3 i + k]
- *   zr_vp_min(a, b), zr_vp_max         zr_vp_cross(a, b): a.x b.y - a.y b.x, where no half is -32768
+ *   zr_vp_min(a, b), zr_vp_max         zr_vp_cross(a, b): a.x b.y - a.y b.x; some number where a
+ *     half is -32768
  *
  * zr_vd holds ZR_DOUBLES doubles, half as many or one, and + - * / work on them, too:
  *   zr_vd_set(a)  zr_vd_store(p, v)    as of floats              zr_vd_min, zr_vd_max

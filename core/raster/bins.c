@@ -147,7 +147,7 @@ static bool make_shares(struct zr_arena *arena, const struct zr_geometry *geomet
     for (uint32_t i = 0; i < geometry->batch_count; i++) {
         const struct zr_batch *batch = &geometry->batches[i];
         if (!batch->plain) continue;
-        s->bins->painted_early |= batch->painted_early;
+        s->bins->has_colors |= batch->painted_early;
         s->triangle_count += batch->count;
         for (uint32_t begin = 0; begin < batch->count; begin += TRIANGLES_A_RANGE) {
             uint32_t left = batch->count - begin;
@@ -202,7 +202,7 @@ static enum zr_status build(struct zr_team *team, struct zr_geometry *geometry, 
     struct sorting sorting = {.bins = bins, .cancel = cancel, .sort = kernels[zr_team_isa(team)]};
     if (!make_shares(bins->arena, geometry, &sorting)) return ZR_NO_MEMORY;
     bins->fragments_size =
-        bins->painted_early ? sizeof(struct zr_bin_fragments) : offsetof(struct zr_bin_fragments, colors);
+        bins->has_colors ? sizeof(struct zr_bin_fragments) : offsetof(struct zr_bin_fragments, colors);
     /* A few are sorted before a helper is awake (a fifth of a cube's time on two threads). */
     if (sorting.triangle_count <= TRIANGLES_A_RANGE) team = NULL;
     bins->worker_count = zr_team_size(team);

@@ -24,9 +24,8 @@ enum {
     ZR_BIN_VECTOR = 16,          /* lanes at most */
     ZR_BIN_NUMBERS_A_BLOCK = 60, /* for blocks of 256 bytes */
     ZR_BIN_WIDE_A_BLOCK = 6,     /* of 64 bytes */
-    ZR_BIN_FRAGMENTS_A_BLOCK = 64,
-    ZR_BIN_FRAGMENTS_AT_ONCE = 4 * ZR_BIN_VECTOR, /* put there, each vector stored whole */
-    ZR_BIN_FRAGMENTS_ROOM = ZR_BIN_FRAGMENTS_A_BLOCK + ZR_BIN_FRAGMENTS_AT_ONCE,
+    ZR_BIN_FRAGMENTS_A_BLOCK = 112,
+    ZR_BIN_FRAGMENTS_ROOM = ZR_BIN_FRAGMENTS_A_BLOCK + ZR_BIN_VECTOR, /* the last vector is stored whole */
     ZR_BIN_OWNER_BITS = 19,
     ZR_BIN_TILES = 16,           /* that a wide triangle is listed in at most */
     ZR_BIN_SMALL_SPAN = 64 * 256 /* on the snapped grid: edge functions then fit 32 bits, with room to spare */
@@ -65,7 +64,7 @@ struct zr_bin_fragments {
     uint32_t first_owner;
     uint32_t places[ZR_BIN_FRAGMENTS_ROOM]; /* pixel in zr_tile.depth << ZR_BIN_OWNER_BITS | owner - first_owner */
     float depths[ZR_BIN_FRAGMENTS_ROOM];
-    uint32_t colors[ZR_BIN_FRAGMENTS_ROOM]; /* as zr_tile.color; only where zr_bins.painted_early */
+    uint32_t colors[ZR_BIN_FRAGMENTS_ROOM]; /* as zr_tile.color; only where zr_bins.has_colors */
 };
 _Static_assert(1 << (32 - ZR_BIN_OWNER_BITS) >= ZR_TILE_SIZE * ZR_TILE_STRIDE, "a pixel and an owner fit a word");
 
@@ -89,7 +88,7 @@ struct zr_bins {
     struct zr_arena *arena;
     pthread_mutex_t arena_lock;
     uint32_t width, height, columns;
-    bool painted_early;    /* some batch is */
+    bool has_colors;       /* of fragments: some batch is painted early */
     size_t fragments_size; /* of a block */
     int worker_count;
     struct zr_binner *workers;
@@ -133,7 +132,7 @@ static inline struct zr_bin_numbers *zr_binner_numbers(struct zr_binner *binner,
                                                    sizeof(struct zr_bin_numbers));
 }
 
-/* Room for ZR_BIN_FRAGMENTS_AT_ONCE of owners first .. last, or NULL; last - first is less than 1 << ZR_BIN_OWNER_BITS.
+/* Room for ZR_BIN_VECTOR of owners first .. last, or NULL; last - first is less than 1 << ZR_BIN_OWNER_BITS.
  */
 static inline struct zr_bin_fragments *zr_binner_fragments(struct zr_binner *binner, struct zr_bin *bin, uint32_t first,
                                                            uint32_t last)

@@ -141,7 +141,7 @@ static inline void sort_group(struct sorter *s, uint32_t at, zr_vm valid, uint32
     const zr_vp none = (zr_vp)zero, way1 = (zr_vp)zr_vi_load(s->way1 + at), way2 = (zr_vp)zr_vi_load(s->way2 + at);
     const zr_vp least = zr_vp_min(zr_vp_min(way1, way2), none), most = zr_vp_max(zr_vp_max(way1, way2), none);
     const zr_vm small = zr_vm_and(valid, has_none(most - least, (uint16_t)-ZR_BIN_SMALL_SPAN));
-    const zr_vi area = zr_vp_cross(way2, way1);
+    const zr_vi area = zr_vp_cross(way2, way1); /* some number where a way is too far: not a small one's */
     const zr_vm spanning = zr_vm_andnot(valid, small), flat = zr_vm_and(small, zr_vi_eq(area, zero));
     const zr_vm shown = shown_of(s, zr_vm_andnot(small, flat), area);
     if (zr_vm_any(zr_vm_or(flat, spanning))) add_others(s, zr_vm_bits(flat), zr_vm_bits(spanning), first);

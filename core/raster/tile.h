@@ -49,7 +49,8 @@ struct zr_tile {
     uint8_t apart[2048]; /* else a load of a depth would seem to want the owner that was stored 5 pages behind it */
     _Alignas(64) uint32_t owner[ZR_TILE_STRIDE * ZR_TILE_SIZE]; /* 1 + number of the record, 0 where nothing is */
     bool has_colors;                                            /* else color means nothing */
-    _Alignas(64) uint32_t color[ZR_TILE_STRIDE * ZR_TILE_SIZE]; /* RGBA in four bytes; 0 where it is to be found */
+    _Alignas(
+        64) uint32_t color[ZR_TILE_STRIDE * ZR_TILE_SIZE]; /* RGBA in four bytes, opaque; 0 where it is to be found */
 };
 
 _Static_assert(ZR_BLOCKS == 32, "a bit each");

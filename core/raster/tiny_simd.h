@@ -1,12 +1,16 @@
-/* tiny_simd.h - raster: triangles that hold 2x2 pixel centres at most, many at once, for the kernel that sorts.
+/* tiny_simd.h - raster: triangles that hold 2x2 of the window's pixel centres at most, many at once, for the kernel
+ * that sorts.
  *
  * How:    in three steps with a queue before each of the last two, so that their vectors are full: a triangle is
  *         found to be tiny (zr_tiny_add), the samples that it covers are found (zr_tiny_cover), and these are
  *         given their depth (zr_tiny_draw). Of the samples that its box holds, most are not covered: for those no
  *         corner and no depth is looked at (a tenth of the time of a million triangles).
- * Space:  a queued triangle stands on the snapped grid, seen from the pixel centre of its lower left sample. All its
- *         coordinates fit 16 bits, and both of a place are one word.
+ * Space:  a queued triangle stands on the snapped grid, seen from the pixel centre of its lower left sample in the
+ *         window. It is a small one (ZR_BIN_SMALL_SPAN), if cut by the window's end: its coordinates fit 16 bits, and
+ *         both of a place are one word.
  * Exact:  the reference's rules 6 (area, and which corners change places), 7 (edges) and 8 (depth).
+ * Why:    shade's word is asked for here, a floor above: what is painted early (shade/paint.h) is painted from
+ *         corners that are loaded for its depth.
  */
 #ifndef ZR_TINY_SIMD_H
 #define ZR_TINY_SIMD_H
@@ -161,7 +165,7 @@ static inline void zr_tiny_put_all(const struct zr_tiny_target *target, const st
         struct zr_bin_fragments *block =
             zr_binner_fragments(binner, &binner->tiles[number].fragments, target->first_owner, target->last_owner);
         if (!block) return;
-        zr_tiny_put(block, here, samples, binner->bins->painted_early);
+        zr_tiny_put(block, here, samples, binner->bins->has_colors);
         bits &= ~zr_vm_bits(here);
     }
 }
@@ -198,6 +202,7 @@ static inline void zr_tiny_draw_group(const uint32_t *numbers, const uint32_t *p
     zr_tiny_put_all(target, &samples);
 }
 _Static_assert((int)ZR_LANES <= (int)ZR_BIN_VECTOR, "a block has room for a vector");
+_Static_assert(ZR_SNAP_MAX / ZR_SUBPIXELS < INT16_MAX, "a place in the window, and a bit, fit a word");
 _Static_assert(ZR_TILE_SIZE == 1 << 6, "columns and rows of tiles are shifts");
 
 /* Full groups; what is left waits for more, unless this `is_end`. */

@@ -9,8 +9,9 @@
 /* Triangles, or edges and triangles of shapes: less than a millisecond of work. */
 enum { PARTS_A_CANCEL_CHECK = 1024 };
 
-/* Of fragments: so many pixels are sooner painted than set aside and put back. */
-enum { BLOCKS_WITH_COLORS = 4 };
+/* Of fragments: so many pixels are sooner painted than set aside and put back. A guess, for it counts all threads' and
+ * all batches' blocks, whether they are full or have colours, or not; only time depends on it. */
+enum { BLOCKS_WITH_COLORS = 3 };
 
 /* ---- sorting ---- */
 
@@ -202,7 +203,7 @@ static bool has_more(const struct zr_visible *visible, uint32_t number)
 static bool keeps_colors(const struct zr_visible *visible, uint32_t number)
 {
     uint32_t blocks = 0;
-    for (int i = 0; visible->bins.painted_early && i < visible->bins.worker_count; i++)
+    for (int i = 0; visible->bins.has_colors && i < visible->bins.worker_count; i++)
         blocks += visible->bins.workers[i].tiles[number].fragments.block_count;
     return blocks >= BLOCKS_WITH_COLORS && !has_others(visible, number);
 }

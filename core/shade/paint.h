@@ -2,7 +2,8 @@
  *
  * Exact:  the reference's rule 9: colours times 1/w are planes over the window, each pixel divides by the plane of
  *         1/w, and bytes are rounded to the nearest.
- * How:    planes are not kept from the drawing of visibility: only what is seen is set up. Blocks of large triangles
+ * How:    planes are not kept from the drawing of visibility: only what is seen is set up, but for tiny triangles that
+ *         are painted early. Blocks of large triangles
  *         are painted one by one. Elsewhere, rows of flat triangles are looked up pixel by pixel, many at once; where a
  *         smooth mesh is alone, small squares of pixels are painted, a pixel a lane; else runs: short ones side by
  *         side, one a lane, long ones one after the other.
@@ -94,8 +95,9 @@ extern const struct zr_paint zr_paint_scalar, zr_paint_sse2, zr_paint_avx2, zr_p
 
 const struct zr_paint *zr_paint_of(enum zr_isa isa);
 
-/* Packs the colours of flat batches that have few of them for so many pixels: each is then looked up in one place, and
- * not in three (0.2 ms of the bunny at 1920x1080). ZR_OK or ZR_NO_MEMORY. */
+/* Before the geometry is sorted: says which batches are painted early, and packs the colours of flat batches that have
+ * few of them for so many pixels: each is then looked up in one place, and not in three (0.2 ms of the bunny at
+ * 1920x1080). ZR_OK or ZR_NO_MEMORY. */
 enum zr_status zr_paint_prepare(enum zr_isa isa, struct zr_arena *arena, struct zr_team *team,
                                 struct zr_geometry *geometry, uint64_t pixels);
 

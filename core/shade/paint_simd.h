@@ -36,7 +36,7 @@ static inline zr_vi zr_color_bytes_v(zr_vf value)
     return zr_vi_round(value * zr_vf_set(255.0f));
 }
 
-/* As zr_color_pack, opaque. */
+/* As zr_color_pack, opaque: never 0. */
 static inline zr_vi zr_color_pack_v(zr_vf red, zr_vf green, zr_vf blue)
 {
     const zr_vi r = zr_color_bytes_v(red), g = zr_color_bytes_v(green), b = zr_color_bytes_v(blue);

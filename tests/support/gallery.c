@@ -223,12 +223,13 @@ static bool make_mirrored_ball(struct set *s)
     return true;
 }
 
-/* The triangles of the one behind are as small as pixels: they are painted early (shade/paint.h). */
+/* The triangles of the second are as small as pixels: they are painted early (shade/paint.h). */
 static bool make_smooth_balls(struct set *s)
 {
     zr_mat4 *behind = &s->instances[1].object_to_world;
     s->scene.instance_count = 2;
-    behind->m[0] = behind->m[5] = behind->m[10] = 0.3f;
+    behind->m[5] = behind->m[10] = 0.3f;
+    behind->m[0] = -0.3f; /* mirrored */
     behind->m[12] = 1.3f;
     if (!make_ball(s, 48, 5)) return false;
     s->material.double_sided = false;
