@@ -250,6 +250,44 @@ static void tiny_triangles_are_painted_early_as_they_would_be_later(void **state
     zr_team_destroy(team);
 }
 
+/* Two sheets, one of them flat: in the same place the first is seen, else the nearer one. */
+static void early_colours_give_way_to_what_is_seen(void **state)
+{
+    struct zr_team *team = zr_team_create_for(2, isa_under_test(state));
+    static struct test_scene test;
+    static zr_vec4 p[6 * SHEET_FACES], nearer[6 * SHEET_FACES], colors[6 * SHEET_FACES], face_colors[2 * SHEET_FACES];
+    make_sheet(&test, false, p, colors, face_colors);
+    test.material.double_sided = false;
+    memcpy(nearer, p, sizeof p);
+    for (int i = 0; i < 6 * SHEET_FACES; i++)
+        nearer[i].z *= 0.5f;
+    struct zr_mesh flat = test.mesh;
+    flat.colors = NULL;
+    flat.face_colors = face_colors;
+    const struct zr_instance instances[2] = {{0, zr_mat4_identity()}, {1, zr_mat4_identity()}};
+    struct zr_arena arena;
+    zr_arena_init(&arena, 1 << 26);
+    enum { SMOOTH_FIRST, FLAT_FIRST, FLAT_NEARER };
+    for (int way = SMOOTH_FIRST; way <= FLAT_NEARER; way++) {
+        flat.positions = way == FLAT_NEARER ? nearer : p;
+        const struct zr_mesh seen = way == SMOOTH_FIRST ? test.mesh : flat;
+        const struct zr_mesh meshes[2] = {way == FLAT_FIRST ? flat : test.mesh, way == FLAT_FIRST ? test.mesh : flat};
+        test.scene.instances = instances;
+        test.scene.meshes = &seen;
+        test.scene.mesh_count = test.scene.instance_count = 1;
+        const struct zr_frame *alone = scene_render(&arena, team, &test.scene);
+        test.scene.meshes = meshes;
+        test.scene.mesh_count = test.scene.instance_count = 2;
+        const struct zr_frame *both = scene_render(&arena, team, &test.scene);
+        assert_int_equal(both->covered_pixels, alone->covered_pixels);
+        assert_int_equal(count_early(&arena, team, &test.scene), way == SMOOTH_FIRST ? both->covered_pixels : 0);
+        assert_memory_equal(both->color, alone->color, 4 * SHEET_WINDOW * SHEET_WINDOW);
+        zr_arena_reset(&arena, 1 << 26);
+    }
+    zr_arena_free(&arena);
+    zr_team_destroy(team);
+}
+
 static void render_that_is_cancelled_says_so(void **state)
 {
     (void)state;
@@ -307,6 +345,7 @@ int main(void)
         cmocka_unit_test(lit_backs_are_shown_where_both_sides_are_drawn),
         cmocka_unit_test(two_meshes_with_clipping_keep_their_own_colours),
         TEST_EACH_ISA(tiny_triangles_are_painted_early_as_they_would_be_later),
+        TEST_EACH_ISA(early_colours_give_way_to_what_is_seen),
         cmocka_unit_test(render_that_is_cancelled_says_so),
         cmocka_unit_test(render_under_every_memory_ceiling_fails_cleanly_or_gives_the_picture),
     };
