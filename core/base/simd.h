@@ -30,8 +30,8 @@
  * zr_vp holds two int16_t a lane, x in the lower half of its word and y in the upper; + - & << >> work half by half:
  *   zr_vp_pack(low, high): of int32_t x, y, x, y ..., half of the lanes in either vector; the nearest that fits
  *   zr_load_corners(vertices, corners, low, high): the same of floats; of lane i those at vertices + 4 corners[3 i + k]
- *   zr_vp_min(a, b), zr_vp_max         zr_vp_cross(a, b): a.x b.y - a.y b.x; some number where a
- *     half is -32768
+ *   zr_vp_min(a, b), zr_vp_max
+ *   zr_vp_cross(a, b): a.x b.y - a.y b.x; some number where a half is -32768
  *
  * zr_vd holds ZR_DOUBLES doubles, half as many or one, and + - * / work on them, too:
  *   zr_vd_set(a)  zr_vd_store(p, v)    as of floats              zr_vd_min, zr_vd_max

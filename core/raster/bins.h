@@ -5,7 +5,7 @@
  *         waits for another; the order in a list means nothing (tile.h: zr_tile_put). What shows
  *         its back and must not, has no area, or holds no pixel centre is dropped here, many at once.
  *         - Tiny ones, of 2x2 pixel centres at most, are drawn then and there (tiny_simd.h), into fragments: 8 bytes
- *           each, and 4 for its colour where the batch is painted early.
+ *           each, and 4 for a colour where a batch is painted early.
  *         - Small ones, of up to 64 pixels, are listed by their number in the tiles that they touch: 4 bytes each.
  *         - Wide ones are set up once. Those that touch few tiles are listed there; large ones are not, and every tile
  *           goes through them.
@@ -132,8 +132,7 @@ static inline struct zr_bin_numbers *zr_binner_numbers(struct zr_binner *binner,
                                                    sizeof(struct zr_bin_numbers));
 }
 
-/* Room for ZR_BIN_VECTOR of owners first .. last, or NULL; last - first is less than 1 << ZR_BIN_OWNER_BITS.
- */
+/* Room for ZR_BIN_VECTOR of owners first .. last, or NULL; last - first is less than 1 << ZR_BIN_OWNER_BITS. */
 static inline struct zr_bin_fragments *zr_binner_fragments(struct zr_binner *binner, struct zr_bin *bin, uint32_t first,
                                                            uint32_t last)
 {

@@ -209,15 +209,14 @@ void ZR_KERNEL(zr_binning)(struct zr_binner *binner, const struct zr_batch *batc
     } else {
         s.corners.vertices = &geometry->vertices[batch->first_vertex].x;
     }
-    const zr_vi last = zr_vi_set((int32_t)((binner->bins->height - 1) << 16 | (binner->bins->width - 1)));
-    s.last = (zr_vp)last;
+    s.last = (zr_vp)zr_vi_set((int32_t)((binner->bins->height - 1) << 16 | (binner->bins->width - 1)));
     s.tiny.count = s.tiny.sample_count = s.small_count = 0;
     const struct zr_tiny_target target = {batch, &s.corners, binner, batch->first + begin + 1, batch->first + end};
     for (uint32_t part = begin; part < end; part += PART) {
         const uint32_t part_end = end - part < PART ? end : part + PART;
         snap_part(&s, part, part_end, end);
         sort_part(&s, part, part_end);
-        zr_tiny_cover(&s.tiny, last);
+        zr_tiny_cover(&s.tiny, (zr_vi)s.last);
         zr_tiny_draw(&s.tiny, part_end == end, &target);
         list_small_ones(&s);
     }

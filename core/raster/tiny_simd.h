@@ -49,7 +49,7 @@ struct zr_tiny {
     uint32_t places[ZR_TINY_ROOM + ZR_LANES]; /* of the lower left sample: y << 16 | x */
     /* Pairs of 16 bits, as zr_vp: corner 0, and the ways from it to corners 1 and 2. */
     uint32_t corner[ZR_TINY_ROOM + ZR_LANES], way1[ZR_TINY_ROOM + ZR_LANES], way2[ZR_TINY_ROOM + ZR_LANES];
-    /* Samples that are covered; the upper bit of a place: corners 0 and 1 change places. */
+    /* Samples that are covered; where the upper bit of a place is set, corners 0 and 1 change places. */
     uint32_t sample_numbers[4 * ZR_TINY_ROOM + 2 * ZR_LANES], sample_places[4 * ZR_TINY_ROOM + 2 * ZR_LANES];
 };
 
@@ -66,13 +66,6 @@ static inline void zr_tiny_add(struct zr_tiny *tiny, zr_vm which, zr_vi numbers,
     tiny->count += zr_vi_compress(tiny->numbers + count, which, numbers);
 }
 
-static inline void zr_tiny_swap(zr_vm where, zr_vp *a, zr_vp *b)
-{
-    const zr_vp old = *a;
-    *a = (zr_vp)zr_vi_select(where, (zr_vi)*b, (zr_vi)*a);
-    *b = (zr_vp)zr_vi_select(where, (zr_vi)old, (zr_vi)*b);
-}
-
 /* Rule 7, as zr_edge_make_v has it. An edge's way is b in the lower half of a word and a in the upper: those that keep
  * what is on them (a < 0, or a = 0 and b > 0) are no more than INT16_MAX. */
 static inline struct zr_edge_v zr_tiny_edge(zr_vp i, zr_vp j)
@@ -82,7 +75,7 @@ static inline struct zr_edge_v zr_tiny_edge(zr_vp i, zr_vp j)
                               zr_vp_cross(j, i) + less};
 }
 
-/* ZR_LANES triangles, which may have a sample of theirs. */
+/* ZR_LANES triangles. */
 struct zr_tiny_group {
     struct zr_edge_v edges[3];
     zr_vi numbers, places; /* of the lower left samples, as they are queued */
@@ -111,14 +104,13 @@ static inline void zr_tiny_cover_group(struct zr_tiny *tiny, uint32_t from, zr_v
     const zr_vi zero = zr_vi_set(0), place = zr_vi_load(tiny->places + from), beyond = last - place;
     const zr_vp way1 = (zr_vp)zr_vi_load(tiny->way1 + from), way2 = (zr_vp)zr_vi_load(tiny->way2 + from);
     const zr_vm turned = zr_vi_lt(zr_vp_cross(way2, way1), zero);
-    zr_vp c[3] = {(zr_vp)zr_vi_load(tiny->corner + from)};
-    c[1] = c[0] + way1;
-    c[2] = c[0] + way2;
-    zr_tiny_swap(turned, &c[0], &c[1]);
-    const struct zr_tiny_group group = {
-        .edges = {zr_tiny_edge(c[0], c[1]), zr_tiny_edge(c[1], c[2]), zr_tiny_edge(c[2], c[0])},
-        .numbers = zr_vi_load(tiny->numbers + from),
-        .places = place | zr_vi_select(turned, zr_vi_set(INT32_MIN), zero)};
+    zr_vi corner0 = zr_vi_load(tiny->corner + from), corner1 = (zr_vi)((zr_vp)corner0 + way1);
+    const zr_vp c2 = (zr_vp)corner0 + way2;
+    zr_swap_vi(turned, &corner0, &corner1);
+    const zr_vp c0 = (zr_vp)corner0, c1 = (zr_vp)corner1;
+    const struct zr_tiny_group group = {.edges = {zr_tiny_edge(c0, c1), zr_tiny_edge(c1, c2), zr_tiny_edge(c2, c0)},
+                                        .numbers = zr_vi_load(tiny->numbers + from),
+                                        .places = place | zr_vi_select(turned, zr_vi_set(INT32_MIN), zero)};
     const zr_vm to_right = zr_vm_andnot(valid, zr_vi_eq(beyond & zr_vi_set(0xffff), zero));
     const zr_vm upwards = zr_vi_lt(zr_vi_set(0xffff), beyond);
     zr_tiny_add_samples(tiny, &group, valid, 0, 0);

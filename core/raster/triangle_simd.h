@@ -58,7 +58,7 @@ static inline void zr_swap_vi(zr_vm where, zr_vi *a, zr_vi *b)
     *b = zr_vi_select(where, old, *b);
 }
 
-/* Of corners 0 and 1, all that planes of the third and the first two depend on. */
+/* Corners 0 and 1 change places, all but their 1/w, which depth does not depend on. */
 static inline void zr_corners_swap_v(zr_vm where, struct zr_corner_v c[3])
 {
     zr_swap_vf(where, &c[0].x, &c[1].x);

@@ -199,6 +199,7 @@ static uint32_t take_known(struct zr_tile *tile)
     return known;
 }
 
+/* Puts their colours over what was painted there instead. */
 static void put_known(struct zr_tile *tile)
 {
     for (int32_t y = 0; y < tile->height; y++)

@@ -103,7 +103,7 @@ static inline zr_vm zr_turned_v(const struct zr_smooth_corners *corners, const s
     return zr_vm_of(turned);
 }
 
-/* Rule 9, of corners and their colours. */
+/* Rule 9, of corners as they stand in the mesh, and their colours; of those that are `turned` two change places. */
 static inline struct zr_color_planes zr_color_planes_of(zr_vm turned, struct zr_corner_v v[3], struct zr_color_v c[3])
 {
     for (int k = 0; k < 3; k++) {
@@ -124,6 +124,7 @@ static inline struct zr_color_planes zr_color_planes_of(zr_vm turned, struct zr_
                                     zr_plane_make_v(&basis, c[0].blue, c[1].blue, c[2].blue)};
 }
 
+/* Of triangles `first` .. first + ZR_LANES - 1. */
 static inline struct zr_color_planes zr_color_planes_make(const struct zr_smooth_corners *corners,
                                                           const struct zr_window_vertex *vertices, uint32_t first)
 {
