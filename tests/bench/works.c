@@ -113,12 +113,36 @@ static bool cut_into_triangles(struct work *work)
     return true;
 }
 
+static void *copied(struct zr_arena *arena, const void *array, size_t count, size_t size)
+{
+    void *copy = zr_arena_alloc(arena, count, size);
+    if (copy) memcpy(copy, array, count * size);
+    return copy;
+}
+
+/* Into the arena: memory of a request is in pages of another size than what malloc gives. */
+static bool settle(struct work *work)
+{
+    struct drawing made = work->drawing, *d = &work->drawing;
+    uint32_t *made_corners = work->corners;
+    zr_arena_init(&work->arena, SIZE_MAX);
+    d->positions = copied(&work->arena, made.positions, made.position_count, sizeof *made.positions);
+    d->colors = copied(&work->arena, made.colors, made.position_count, sizeof *made.colors);
+    d->indices = copied(&work->arena, made.indices, made.corner_count, sizeof *made.indices);
+    work->corners = copied(&work->arena, made_corners, work->corner_count, sizeof *made_corners);
+    free(made.positions);
+    free(made.colors);
+    free(made.indices);
+    free(made_corners);
+    return zr_arena_ok(&work->arena);
+}
+
 bool works_make(enum works number, const char *directory, struct work *work)
 {
     *work = (struct work){.culling = works[number].culling, .bars = {works[number].bars[0], works[number].bars[1]}};
     const char *animal =
         make_shape(works[number].shape, &work->drawing, directory, works[number].width, works[number].height);
-    if (animal && cut_into_triangles(work)) {
+    if (animal && cut_into_triangles(work) && settle(work)) {
         work->drawing.smooth = true;
         snprintf(work->name, sizeof work->name, "%s%s%s", animal, animal[0] ? " " : "", works[number].name);
         return true;
@@ -134,6 +158,11 @@ void works_look(struct work *work, uint32_t width, uint32_t height)
 
 void works_free(struct work *work)
 {
+    if (work->arena.ceiling > 0) {
+        work->drawing.positions = work->drawing.colors = NULL;
+        work->drawing.indices = work->corners = NULL;
+        zr_arena_free(&work->arena);
+    }
     drawing_free(&work->drawing);
     free(work->corners);
     *work = (struct work){.name = ""};

@@ -2,6 +2,7 @@
 #ifndef ZR_BENCH_WORKS_H
 #define ZR_BENCH_WORKS_H
 
+#include "base/arena.h"
 #include "bench/results.h"
 #include "reference/drawing.h"
 
@@ -19,6 +20,9 @@ struct work {
 
     /* The faces as triangles, as GL takes them: those of three corners as they are, others as fans (i-1, i, 0). */
     uint32_t *corners, corner_count;
+
+    /* What both sides read of the drawing and the corners: where the service has the arrays of a request. */
+    struct zr_arena arena;
 };
 
 /* One way to draw a work. */
