@@ -1,5 +1,6 @@
 /* small.h - raster: small triangles (bins.h) into one tile. A kernel: as many are set up at once as there are lanes,
- * and then drawn one after the other, row by row. */
+ * and then drawn one after the other, row by row. What those cover that hold 4x4 samples at most is found at once,
+ * too. */
 #ifndef ZR_SMALL_H
 #define ZR_SMALL_H
 

@@ -107,3 +107,17 @@ void fill_dense(struct drawing *drawing, struct random *r)
     for (int i = 0; i < 3; i++)
         add_sheet(drawing, r);
 }
+
+/* Each of which covers four samples across and up at most, or a few more, on the grid of pixels and off it, and at the
+ * ends of tiles. */
+void fill_patches(struct drawing *drawing, struct random *r)
+{
+    static const double steps[] = {1.0 / 512, 1.0 / 16, 0.5, 1};
+    const double reach = random_range(r, 2, 4.5), step = steps[random_below(r, sizeof steps / sizeof *steps)];
+    for (int i = 0; i < 3000; i++) {
+        double near = random_range(r, -0.9, 0.9), lean = random_below(r, 8) ? 0.05 : 0, z[3];
+        for (int k = 0; k < 3; k++)
+            z[k] = near + lean * random_range(r, -1, 1);
+        triangle_on_grid(drawing, r, step, reach, z);
+    }
+}
