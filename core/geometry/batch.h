@@ -87,6 +87,22 @@ static inline uint32_t zr_batch_color(const struct zr_batch *batch, uint32_t t, 
     return batch->slots ? batch->slots[3 * (size_t)t + (size_t)k] : 3 * batch->first_face + 3 * t + (uint32_t)k;
 }
 
+/* Where the colour of triangle 0 is looked up first, and how many bytes farther that of each one behind it. */
+struct zr_batch_lookup {
+    uintptr_t first;
+    size_t step;
+};
+
+static inline struct zr_batch_lookup zr_batch_lookup(const struct zr_batch *batch)
+{
+    if (batch->written) return (struct zr_batch_lookup){(uintptr_t)batch, 0};
+    if (batch->colors != ZR_BATCH_PER_FACE || batch->faces)
+        return (struct zr_batch_lookup){(uintptr_t)batch->corners, 3 * sizeof *batch->corners};
+    if (batch->packed)
+        return (struct zr_batch_lookup){(uintptr_t)(batch->packed + batch->first_face), sizeof *batch->packed};
+    return (struct zr_batch_lookup){(uintptr_t)(batch->front + batch->first_face), sizeof *batch->front};
+}
+
 static inline bool zr_batch_is_smooth(const struct zr_batch *batch)
 {
     return batch->colors == ZR_BATCH_PER_VERTEX || batch->colors == ZR_BATCH_PER_CORNER;

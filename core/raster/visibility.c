@@ -96,16 +96,24 @@ static bool draw_wide_ones(const struct zr_visible *visible, uint32_t number, co
 
 /* ---- what is listed ---- */
 
-/* The next block is asked for before it is needed: a quarter of the time that this takes. */
-static void draw_fragments(const struct zr_bins *bins, const struct zr_bin_fragments *block, struct zr_tile *tile)
+/* The next block is asked for before it is needed (a quarter of the time that this takes), and so is what painting will
+ * look up first: with a million triangles each pixel has a place in memory of its own (4 % of their time). */
+static void draw_fragments(const struct zr_visible *visible, const struct zr_bin_fragments *block, struct zr_tile *tile)
 {
     const bool has_colors = tile->has_colors;
-    if (block->head.next) zr_expect(block->head.next, 0, bins->fragments_size);
+    const uint32_t first_number = block->first_owner - 1;
+    const struct zr_batch *batch = zr_batch_of(visible->geometry, first_number); /* of most of them */
+    const struct zr_batch_lookup lookup = zr_batch_lookup(batch);
+    const uintptr_t first = lookup.first + lookup.step * (first_number - batch->first);
+    if (block->head.next) zr_expect(block->head.next, 0, visible->bins.fragments_size);
     for (uint32_t i = 0; i < block->head.used; i++) {
         const uint32_t place = block->places[i] >> ZR_BIN_OWNER_BITS;
         const uint32_t owner = block->places[i] & ((1u << ZR_BIN_OWNER_BITS) - 1);
-        const bool seen = zr_tile_put_at(tile, place, block->depths[i], block->first_owner + owner);
-        if (has_colors && seen) tile->color[place] = block->colors[i];
+        if (!zr_tile_put_at(tile, place, block->depths[i], block->first_owner + owner)) continue;
+        if (has_colors)
+            tile->color[place] = block->colors[i];
+        else
+            __builtin_prefetch((const void *)(first + lookup.step * owner));
     }
 }
 
@@ -126,7 +134,7 @@ static void draw_tiny_ones(const struct zr_visible *visible, uint32_t number, st
     if (tile->has_colors) memset(tile->color, 0, sizeof tile->color);
     for (int i = 0; i < bins->worker_count; i++)
         for (const struct zr_bin_head *b = bins->workers[i].tiles[number].fragments.first; b; b = b->next)
-            draw_fragments(bins, (const struct zr_bin_fragments *)b, tile);
+            draw_fragments(visible, (const struct zr_bin_fragments *)b, tile);
 }
 
 /* ---- shapes, lines, pushed triangles ---- */
