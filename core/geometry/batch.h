@@ -58,7 +58,7 @@ struct zr_batch {
     uint32_t color_count;        /* in each array: those of all the mesh */
     const uint32_t *packed;      /* the one array as four bytes each (shade/paint.h); NULL: not made */
     bool mirrored, double_sided;
-    bool painted_early; /* tiny triangles get their colours while they are sorted (shade/paint.h) */
+    bool painted_early; /* tiny and small triangles get their colours when they are drawn (shade/paint.h) */
 };
 
 /* The face of triangle `t` of a batch that is not written. */

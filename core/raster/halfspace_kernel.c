@@ -30,7 +30,7 @@ static inline zr_vf draw_columns(struct zr_tile *tile, const struct piece *p, in
         const zr_vm inside = zr_vi_lt_where(lanes, below_zero, e[0] | e[1] | e[2]);
         const zr_vf z = zr_depth_columns_at(&columns, fy);
         far = zr_vf_max(far, fresh ? zr_tile_put_first_v(&tile->depth[i], &tile->owner[i], inside, z, owner)
-                                   : zr_tile_put_v(&tile->depth[i], &tile->owner[i], inside, z, owner));
+                                   : zr_tile_put_v(&tile->depth[i], &tile->owner[i], inside, z, owner).nearest);
         for (int k = 0; k < 3; k++)
             e[k] += up[k];
     }

@@ -6,11 +6,17 @@
 #include "raster/tile.h"
 #include "raster/triangle_simd.h"
 
+/* What became of ZR_LANES samples. */
+struct zr_put_v {
+    zr_vm seen;
+    zr_vf nearest; /* the depths that are there now */
+};
+
 /* Where lanes are seen, by zr_tile_put's rule, they are written: always at a multiple of ZR_LANES, and all lanes of
  * depths, since what one triangle has stored the next one loads, and a load waits long for a store that is not the same
  * whole vector (a third of the bunny's time). Owners are loaded where depths are the same only, which is seldom (4 % of
- * the bunny). Returns the depths that are there now. */
-static inline zr_vf zr_tile_put_v(float *depth, uint32_t *owners, zr_vm inside, zr_vf z, zr_vi owner)
+ * the bunny). */
+static inline struct zr_put_v zr_tile_put_v(float *depth, uint32_t *owners, zr_vm inside, zr_vf z, zr_vi owner)
 {
     const zr_vf old = zr_vf_load(depth);
     const zr_vm ties = zr_vf_eq_where(inside, z, old);
@@ -19,10 +25,10 @@ static inline zr_vf zr_tile_put_v(float *depth, uint32_t *owners, zr_vm inside, 
     const zr_vf nearest = zr_vf_select(seen, z, old);
     zr_vf_store(depth, nearest);
     zr_vi_store_where(owners, seen, owner);
-    return nearest;
+    return (struct zr_put_v){seen, nearest};
 }
 
-/* The same where nothing is written yet: lanes where it is not seen become nobody's. */
+/* The same where nothing is written yet: lanes where it is not seen become nobody's. Returns the depths. */
 static inline zr_vf zr_tile_put_first_v(float *depth, uint32_t *owners, zr_vm inside, zr_vf z, zr_vi owner)
 {
     const zr_vf one = zr_vf_set(1.0f);

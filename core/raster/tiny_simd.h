@@ -17,7 +17,7 @@
 
 #include "raster/bins.h"
 #include "raster/triangle_simd.h"
-#include "shade/paint_tiny_simd.h"
+#include "shade/paint_early_simd.h"
 
 /* So many are queued at most before zr_tiny_draw empties the queues. */
 enum { ZR_TINY_ROOM = 512 };
@@ -182,7 +182,10 @@ static inline void zr_tiny_draw_group(const uint32_t *numbers, const uint32_t *p
     const zr_vf x = zr_vf_of(column), y = zr_vf_of(row);
     const zr_vm turned = zr_vi_lt(place, zr_vi_set(0));
     struct zr_tiny_samples samples = {.color = zr_vi_set(0)};
-    if (batch->painted_early) samples.color = zr_tiny_colors(batch, numbers, turned, c, x, y);
+    if (batch->painted_early) {
+        const struct zr_color_planes colors = zr_early_planes(batch, numbers, turned, c);
+        samples.color = zr_color_at(&colors, x, y);
+    }
     zr_corners_swap_v(turned, c);
     const struct zr_basis_v basis = zr_basis_make_v(c);
     const struct zr_plane_v plane = zr_plane_make_v(&basis, c[0].z, c[1].z, c[2].z);

@@ -66,8 +66,8 @@ static inline void zr_corners_swap_v(zr_vm where, struct zr_corner_v c[3])
     zr_swap_vf(where, &c[0].z, &c[1].z);
 }
 
-/* Rules 5 and 6: snaps the corners, and turns those triangles whose area is negative. */
-static inline void zr_corners_orient_v(struct zr_corner_v c[3], struct zr_grid_v g[3])
+/* Rules 5 and 6: snaps the corners, and turns those triangles whose area is negative. Returns which. */
+static inline zr_vm zr_corners_orient_v(struct zr_corner_v c[3], struct zr_grid_v g[3])
 {
     for (int k = 0; k < 3; k++)
         g[k] = zr_grid_of(c[k].x, c[k].y);
@@ -75,6 +75,7 @@ static inline void zr_corners_orient_v(struct zr_corner_v c[3], struct zr_grid_v
     zr_swap_vi(turned, &g[0].x, &g[1].x);
     zr_swap_vi(turned, &g[0].y, &g[1].y);
     zr_corners_swap_v(turned, c);
+    return turned;
 }
 
 /* The first pixel centre that is not before a snapped coordinate. */

@@ -9,9 +9,10 @@
 /* Triangles, or edges and triangles of shapes: less than a millisecond of work. */
 enum { PARTS_A_CANCEL_CHECK = 1024 };
 
-/* Of fragments: so many pixels are sooner painted than set aside and put back. A guess, for it counts all threads' and
- * all batches' blocks, whether they are full or have colours, or not; only time depends on it. */
-enum { BLOCKS_WITH_COLORS = 3 };
+/* Of fragments, and of small triangles, which are very small where a tile has so many: fewer pixels are sooner painted
+ * than set aside and put back. A guess, for it counts all threads' and all batches' blocks, whether they are full or
+ * have colours, or not; only time depends on it. */
+enum { BLOCKS_WITH_COLORS = 3, SMALL_BLOCKS_WITH_COLORS = 9 };
 
 /* ---- sorting ---- */
 
@@ -131,7 +132,6 @@ static bool draw_small_ones(const struct zr_visible *visible, uint32_t number, c
 static void draw_tiny_ones(const struct zr_visible *visible, uint32_t number, struct zr_tile *tile)
 {
     const struct zr_bins *bins = &visible->bins;
-    if (tile->has_colors) memset(tile->color, 0, sizeof tile->color);
     for (int i = 0; i < bins->worker_count; i++)
         for (const struct zr_bin_head *b = bins->workers[i].tiles[number].fragments.first; b; b = b->next)
             draw_fragments(visible, (const struct zr_bin_fragments *)b, tile);
@@ -207,13 +207,15 @@ static bool has_more(const struct zr_visible *visible, uint32_t number)
     return has_others(visible, number);
 }
 
-/* Whether the colours of fragments are kept: there are enough of them to earn that, and nothing is drawn over them. */
+/* Whether early colours are kept: there are enough of them to earn that, and nothing is drawn over them. */
 static bool keeps_colors(const struct zr_visible *visible, uint32_t number)
 {
-    uint32_t blocks = 0;
-    for (int i = 0; visible->bins.has_colors && i < visible->bins.worker_count; i++)
-        blocks += visible->bins.workers[i].tiles[number].fragments.block_count;
-    return blocks >= BLOCKS_WITH_COLORS && !has_others(visible, number);
+    uint32_t fragments = 0, small = 0;
+    for (int i = 0; visible->bins.has_colors && i < visible->bins.worker_count; i++) {
+        fragments += visible->bins.workers[i].tiles[number].fragments.block_count;
+        small += visible->bins.workers[i].tiles[number].small.block_count;
+    }
+    return (fragments >= BLOCKS_WITH_COLORS || small >= SMALL_BLOCKS_WITH_COLORS) && !has_others(visible, number);
 }
 
 static bool has_anything(const struct zr_visible *visible, uint32_t number)
@@ -241,8 +243,9 @@ bool zr_visibility_tile(const struct zr_visible *visible, uint32_t number, const
     if (!has_more(visible, number) && zr_tile_has_whole_blocks(tile)) return true;
     visible->halfspace->settle(tile);
     tile->knows_owners = false;
-    if (!draw_small_ones(visible, number, cancel, tile)) return false;
     tile->has_colors = keeps_colors(visible, number);
+    if (tile->has_colors) memset(tile->color, 0, sizeof tile->color);
+    if (!draw_small_ones(visible, number, cancel, tile)) return false;
     draw_tiny_ones(visible, number, tile);
     return draw_others(visible, number, cancel, tile);
 }

@@ -223,7 +223,8 @@ static bool make_mirrored_ball(struct set *s)
     return true;
 }
 
-/* The triangles of the second are as small as pixels: they are painted early (shade/paint.h). */
+/* The triangles of the second are as small as pixels, and in some windows those of the first as small as stamps: they
+ * are painted early (shade/paint.h). */
 static bool make_smooth_balls(struct set *s)
 {
     zr_mat4 *behind = &s->instances[1].object_to_world;
@@ -231,7 +232,7 @@ static bool make_smooth_balls(struct set *s)
     behind->m[5] = behind->m[10] = 0.3f;
     behind->m[0] = -0.3f; /* mirrored */
     behind->m[12] = 1.3f;
-    if (!make_ball(s, 48, 5)) return false;
+    if (!make_ball(s, 72, 5)) return false;
     s->material.double_sided = false;
     return true;
 }

@@ -167,9 +167,10 @@ static void two_meshes_with_clipping_keep_their_own_colours(void **state)
     zr_arena_free(&arena);
 }
 
-/* ---- triangles as small as pixels ---- */
+/* ---- triangles that are painted early ---- */
 
-enum { SHEET = 40, SHEET_FACES = SHEET * SHEET, SHEET_WINDOW = 48 };
+/* As small as pixels in the one window, and as small as stamps in the other. */
+enum { SHEET = 40, SHEET_FACES = SHEET * SHEET, SHEET_WINDOW = 48, SHEET_WINDOW_OF_STAMPS = 150 };
 
 /* Of quadrilaterals, or each of them as two triangles, all of which show their front. In perspective: its rows reach
  * back. */
@@ -217,19 +218,20 @@ static uint32_t count_early(struct zr_arena *arena, struct zr_team *team, const 
     struct zr_tile *tile = zr_arena_alloc(arena, 1, sizeof *tile);
     assert_int_equal(zr_camera_resolve(scene, NULL, NULL, &camera, &error), ZR_OK);
     assert_int_equal(zr_geometry_build(arena, team, scene, &camera, NULL, false, &geometry), ZR_OK);
-    assert_int_equal(zr_paint_prepare(zr_team_isa(team), arena, team, &geometry, SHEET_WINDOW * SHEET_WINDOW), ZR_OK);
-    assert_int_equal(zr_visible_make(arena, team, &geometry, SHEET_WINDOW, SHEET_WINDOW, NULL, &visible), ZR_OK);
+    const uint32_t width = scene->width, height = scene->height;
+    assert_int_equal(zr_paint_prepare(zr_team_isa(team), arena, team, &geometry, width * height), ZR_OK);
+    assert_int_equal(zr_visible_make(arena, team, &geometry, width, height, NULL, &visible), ZR_OK);
     assert_true(zr_visibility_tile(&visible, 0, NULL, NULL, tile));
     uint32_t early = 0;
-    for (uint32_t i = 0; tile->has_colors && i < ZR_TILE_STRIDE * SHEET_WINDOW; i++)
+    for (int32_t i = 0; tile->has_colors && i < ZR_TILE_STRIDE * tile->height; i++)
         early += tile->color[i] != 0;
     return early;
 }
 
 /* Backs that there are not make no difference, but that nothing is painted early where they would be drawn. */
-static void tiny_triangles_are_painted_early_as_they_would_be_later(void **state)
+static void assert_early_is_late(enum zr_isa isa, uint32_t window, uint32_t least)
 {
-    struct zr_team *team = zr_team_create_for(2, isa_under_test(state));
+    struct zr_team *team = zr_team_create_for(2, isa);
     static struct test_scene test;
     static zr_vec4 p[6 * SHEET_FACES], colors[6 * SHEET_FACES], face_colors[2 * SHEET_FACES];
     struct zr_arena arena;
@@ -237,17 +239,30 @@ static void tiny_triangles_are_painted_early_as_they_would_be_later(void **state
     for (int way = 0; way < 3; way++) { /* colours of vertices; of corners; of the corners of quadrilaterals */
         make_sheet(&test, way == 2, p, colors, face_colors);
         if (way > 0) test.mesh.face_colors = face_colors;
+        test.scene.width = test.scene.height = window;
         const struct zr_frame *late = scene_render(&arena, team, &test.scene);
         assert_int_equal(count_early(&arena, team, &test.scene), 0);
         test.material.double_sided = false;
         const struct zr_frame *early = scene_render(&arena, team, &test.scene);
-        assert_true(count_early(&arena, team, &test.scene) > SHEET_WINDOW * SHEET_WINDOW / 2);
+        assert_true(count_early(&arena, team, &test.scene) >= least);
         assert_int_equal(early->covered_pixels, late->covered_pixels);
-        assert_memory_equal(early->color, late->color, 4 * SHEET_WINDOW * SHEET_WINDOW);
+        assert_memory_equal(early->color, late->color, (size_t)4 * window * window);
         zr_arena_reset(&arena, 1 << 26);
     }
     zr_arena_free(&arena);
     zr_team_destroy(team);
+}
+
+static void tiny_triangles_are_painted_early_as_they_would_be_later(void **state)
+{
+    assert_early_is_late(isa_under_test(state), SHEET_WINDOW, SHEET_WINDOW * SHEET_WINDOW / 2);
+}
+
+/* Without vectors there are no stamps. */
+static void small_triangles_are_painted_early_as_they_would_be_later(void **state)
+{
+    const enum zr_isa isa = isa_under_test(state);
+    assert_early_is_late(isa, SHEET_WINDOW_OF_STAMPS, isa == ZR_ISA_SCALAR ? 0 : ZR_TILE_SIZE * ZR_TILE_SIZE / 2);
 }
 
 /* Two sheets, one of them flat: in the same place the first is seen, else the nearer one. */
@@ -345,6 +360,7 @@ int main(void)
         cmocka_unit_test(lit_backs_are_shown_where_both_sides_are_drawn),
         cmocka_unit_test(two_meshes_with_clipping_keep_their_own_colours),
         TEST_EACH_ISA(tiny_triangles_are_painted_early_as_they_would_be_later),
+        TEST_EACH_ISA(small_triangles_are_painted_early_as_they_would_be_later),
         TEST_EACH_ISA(early_colours_give_way_to_what_is_seen),
         cmocka_unit_test(render_that_is_cancelled_says_so),
         cmocka_unit_test(render_under_every_memory_ceiling_fails_cleanly_or_gives_the_picture),

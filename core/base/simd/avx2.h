@@ -161,6 +161,10 @@ static inline zr_vi zr_vp_cross(zr_vp a, zr_vp b)
     return (zr_vi)_mm256_madd_epi16((__m256i)a, _mm256_sign_epi16(y_x, _mm256_set1_epi32((int32_t)0xffff0001)));
 }
 
+static inline zr_vf zr_vf_pick(zr_vf v, zr_vi i)
+{
+    return (zr_vf)_mm256_permutevar8x32_ps((__m256)v, (__m256i)i);
+}
 static inline zr_vi zr_vi_gather(zr_vm m, const void *p, zr_vi i)
 {
     return (zr_vi)_mm256_mask_i32gather_epi32(_mm256_setzero_si256(), (const int *)p, (__m256i)i, (__m256i)m, 4);

@@ -195,9 +195,18 @@ static inline void zr_transpose4(__m512 a0, __m512 a1, __m512 a2, __m512 a3, zr_
     *w = (zr_vf)_mm512_unpackhi_pd(high01, high23);
 }
 
+static inline zr_vf zr_vf_pick(zr_vf v, zr_vi i)
+{
+    return (zr_vf)_mm512_permutexvar_ps((__m512i)i, (__m512)v);
+}
 static inline zr_vi zr_vi_gather(zr_vm m, const void *p, zr_vi i)
 {
     return (zr_vi)_mm512_mask_i32gather_epi32(_mm512_setzero_si512(), m, (__m512i)i, p, 4);
+}
+
+static inline void zr_vi_scatter(void *p, zr_vi i, zr_vi v)
+{
+    _mm512_i32scatter_epi32(p, (__m512i)i, (__m512i)v, 4);
 }
 
 typedef double zr_vd __attribute__((vector_size(64)));

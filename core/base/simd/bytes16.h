@@ -52,6 +52,11 @@ static inline zr_vd zr_vd_gather(const double *p, const int32_t *i)
     return (zr_vd){p[i[0]], p[i[1]]};
 }
 
+static inline zr_vf zr_vf_pick(zr_vf v, zr_vi i)
+{
+    return (zr_vf){v[i[0]], v[i[1]], v[i[2]], v[i[3]]};
+}
+
 static inline zr_vi zr_vi_gather(zr_vm m, const void *p, zr_vi i)
 {
     int32_t lanes[ZR_LANES] = {0};

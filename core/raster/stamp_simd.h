@@ -1,0 +1,40 @@
+/* stamp_simd.h - raster: what triangles cover of a stamp, many at once, for kernels.
+ *
+ * A stamp is four samples across and up: all that a triangle of a fine mesh covers lies in one. Its samples are bits,
+ * ZR_STAMP * row + column.
+ * Exact:  the reference's rule 7.
+ */
+#ifndef ZR_STAMP_SIMD_H
+#define ZR_STAMP_SIMD_H
+
+#include "raster/triangle_simd.h"
+
+enum { ZR_STAMP = 4, ZR_STAMP_SAMPLES = ZR_STAMP * ZR_STAMP, ZR_STAMP_ROW = (1 << ZR_STAMP) - 1 };
+enum { ZR_HAS_STAMPS = (int)ZR_LANES >= (int)ZR_STAMP };
+_Static_assert((int)ZR_STAMP_SAMPLES <= 31, "a bit a sample");
+
+/* Edges at the stamp's first sample. */
+static inline zr_vi zr_stamp_covered(const struct zr_edge_v edges[3])
+{
+    zr_vi row[3], outside = zr_vi_set(0);
+    for (int k = 0; k < 3; k++)
+        row[k] = edges[k].at + (edges[k].right + edges[k].up) * zr_vi_set(ZR_STAMP - 1);
+    for (int y = 0; y < ZR_STAMP; y++) { /* from the last sample to the first */
+        zr_vi at[3] = {row[0], row[1], row[2]};
+        for (int x = 0; x < ZR_STAMP; x++) {
+            outside = outside + outside - ((at[0] | at[1] | at[2]) >> 31);
+            for (int k = 0; k < 3; k++)
+                at[k] -= edges[k].right;
+        }
+        for (int k = 0; k < 3; k++)
+            row[k] -= edges[k].up;
+    }
+    return ~outside & zr_vi_set((1 << ZR_STAMP_SAMPLES) - 1);
+}
+
+static inline uint32_t zr_stamp_row(uint32_t covered, int row)
+{
+    return covered >> (ZR_STAMP * row) & ZR_STAMP_ROW;
+}
+
+#endif
