@@ -26,7 +26,6 @@
  *   zr_vf_store4(p, x, y, z, w), zr_vi_store4: the other way round, all to one place
  *   zr_vf_pick(v, i): lane k is lane i[k] of v, i being 0 .. ZR_LANES - 1
  *   zr_vi_gather(m, p, i): p[i] of four bytes, lane by lane; anything in lanes that are not m's
- *   zr_vi_scatter(p, i, v): the other way round, all lanes; of those that go to one place, some
  *   zr_vi_compress(p, m, v): the lanes of m, one after the other, and their count; ZR_LANES words may be written
  *
  * zr_vp holds two int16_t a lane, x in the lower half of its word and y in the upper; + - & << >> work half by half:

@@ -1,7 +1,7 @@
-/* small.h - raster: small triangles (bins.h) into one tile. A kernel: as many are set up at once as there are lanes,
- * and then drawn one after the other, row by row. What those cover that lie in a stamp (stamp_simd.h) is found at
- * once, too; where the tile has colours and they are to be painted early (shade/paint.h), they get theirs: what else is
- * drawn loses them. */
+/* small.h - raster: small triangles (bins.h) into one tile. A kernel: as many are set up at once as there are lanes.
+ * Those in stamps (stamp_simd.h) are then drawn sample by sample, others one after the other, row by row. Where the
+ * tile has colours, what is seen gets one if its batch is painted early (shade/paint.h) and it is in a stamp, and loses
+ * it else. */
 #ifndef ZR_SMALL_H
 #define ZR_SMALL_H
 

@@ -13,16 +13,12 @@ struct group {
     float a0[ZR_LANES], dadx[ZR_LANES], dady[ZR_LANES];
     int32_t x0[ZR_LANES], y0[ZR_LANES], x1[ZR_LANES], y1[ZR_LANES]; /* what they cover is between these */
 
-    /* Of those in stamps, which begin at x0, y0. */
-    uint32_t covered[ZR_LANES];
-    float rise[ZR_STAMP][ZR_LANES]; /* dady times y of a row */
+    uint32_t covered[ZR_LANES]; /* of those in stamps, which begin at x0, y0; else 0 */
 
     /* A bit each. */
     uint32_t turned;   /* corners 0 and 1 have changed places (rule 6) */
     uint32_t clamped;  /* depth may leave 0..1 at some sample of the box */
-    uint32_t in_stamp; /* the box lies in a stamp, and depth does stay within 0..1. What is covered is found for all at
-                        * once, and no loop depends on how many rows that is, which the processor cannot guess (a fifth
-                        * of what small triangles of the bunny take at 512x512) */
+    uint32_t in_stamp; /* the box lies in a stamp, and depth does stay within 0..1 */
 };
 
 /* Where the corners of records stand. */
@@ -41,19 +37,6 @@ static inline void load_corners(const struct corners *corners, struct zr_corner_
 #undef CORNER_0
 #undef CORNER_1
 #undef CORNER_2
-}
-
-/* Rises, and which samples are covered. */
-static inline void set_up_stamps(zr_vm in_stamp, const struct zr_edge_v edges[3], zr_vf dady, zr_vf y0,
-                                 struct group *out)
-{
-    /* Where few of a group are, guessing which costs more than it saves (4 % of what the bunny takes at 1920x1080). */
-    const uint32_t which = zr_vm_bits(in_stamp);
-    out->in_stamp = 4 * __builtin_popcount(which) < 3 * (int)ZR_LANES ? 0 : which;
-    if (out->in_stamp == 0) return;
-    zr_vi_store(out->covered, zr_stamp_covered(edges));
-    for (int row = 0; row < ZR_STAMP; row++)
-        zr_vf_store(out->rise[row], dady * (y0 + zr_vf_set((float)row)));
 }
 
 static inline void set_up(const struct zr_tile *tile, const struct corners *corners, struct group *out)
@@ -93,10 +76,12 @@ static inline void set_up(const struct zr_tile *tile, const struct corners *corn
     const struct zr_range_v range = zr_plane_range_v(&plane, zr_vf_of(x0), zr_vf_of(y0), zr_vf_of(x1), zr_vf_of(y1));
     const zr_vm within = zr_vm_and(zr_vf_le(zr_vf_set(0.0f), range.near), zr_vf_le(range.far, zr_vf_set(1.0f)));
     out->clamped = ZR_ALL_BITS ^ zr_vm_bits(within);
-    out->in_stamp = 0;
-    if (!has_stamps) return;
-    const zr_vm spans = zr_vi_lt(zr_vi_set(ZR_STAMP - 1), zr_vi_max(x1 - x0, y1 - y0));
-    set_up_stamps(zr_vm_andnot(within, spans), edges, plane.dady, zr_vf_of(y0), out);
+    const zr_vm spans = zr_vi_lt(zr_vi_set(has_stamps ? ZR_STAMP - 1 : -1), zr_vi_max(x1 - x0, y1 - y0));
+    const zr_vm in_stamp = zr_vm_andnot(within, spans);
+    out->in_stamp = zr_vm_bits(in_stamp);
+    /* Where few are in stamps, setting these apart takes longer than it saves (4 % of the bunny at 1920x1080). */
+    if (4 * __builtin_popcount(out->in_stamp) < 3 * (int)ZR_LANES) out->in_stamp = 0;
+    if (out->in_stamp) zr_vi_store(out->covered, zr_vi_select(in_stamp, zr_stamp_covered(edges), zr_vi_set(0)));
 }
 
 /* True where the batch is not written and holds all of the numbers. */
@@ -169,35 +154,7 @@ static inline void draw_columns(struct zr_tile *tile, const struct group *g, uin
     }
 }
 
-/* What triangle i has of its stamp there, whose first column is so far from x: before it where the stamp goes on
- * `behind` an end of vectors. Returns which samples of the stamp are seen. */
-static inline uint32_t draw_stamp_columns(struct zr_tile *tile, const struct group *g, uint32_t i, int32_t x,
-                                          uint32_t distance, bool behind, zr_vi owner, bool colored)
-{
-    const zr_vf column = zr_vf_set(g->a0[i]) + zr_vf_set(g->dadx[i]) * zr_vf_of(zr_vi_set(x) + zr_vi_ramp());
-    size_t at = (size_t)(g->y0[i] - tile->y) * ZR_TILE_STRIDE + (size_t)(x - tile->x);
-    uint32_t seen = 0;
-    for (int row = 0; row < ZR_STAMP; row++, at += ZR_TILE_STRIDE) {
-        const uint32_t covered = zr_stamp_row(g->covered[i], row);
-        const zr_vm inside = zr_vm_of((behind ? covered >> distance : covered << distance) & ZR_ALL_BITS);
-        const struct zr_put_v put =
-            zr_tile_put_v(&tile->depth[at], &tile->owner[at], inside, column + zr_vf_set(g->rise[row][i]), owner);
-        const uint32_t bits = zr_vm_bits(put.seen);
-        seen |= (behind ? bits << distance : bits >> distance) << (ZR_STAMP * row);
-        if (colored) zr_vi_store_where(&tile->color[at], put.seen, zr_vi_set(0));
-    }
-    return seen;
-}
-
-static inline uint32_t draw_stamp(struct zr_tile *tile, const struct group *g, uint32_t i, zr_vi owner, bool colored)
-{
-    const int32_t first = g->x0[i], x = first & ~(ZR_LANES - 1), next = x + ZR_LANES;
-    const uint32_t seen = draw_stamp_columns(tile, g, i, x, (uint32_t)(first - x), false, owner, colored);
-    if (__builtin_expect(g->x1[i] < next, 1)) return seen;
-    return seen | draw_stamp_columns(tile, g, i, next, (uint32_t)(next - first), true, owner, colored);
-}
-
-static inline void draw_any(struct zr_tile *tile, const struct group *g, uint32_t i, zr_vi owner, bool colored)
+static inline void draw_triangle(struct zr_tile *tile, const struct group *g, uint32_t i, zr_vi owner, bool colored)
 {
     if (g->clamped >> i & 1u)
         for (int32_t x = g->x0[i] & ~(ZR_LANES - 1); x <= g->x1[i]; x += ZR_LANES)
@@ -209,48 +166,65 @@ static inline void draw_any(struct zr_tile *tile, const struct group *g, uint32_
 
 /* ---- a group ---- */
 
-static inline zr_vi owner_of(const uint32_t *numbers, uint32_t i)
+/* Those of the first `count` that are not in stamps. */
+static inline void draw_one_by_one(struct zr_tile *tile, const struct group *g, const uint32_t *numbers, uint32_t count,
+                                   bool colored)
 {
-    return zr_vi_set((int32_t)(numbers[i] + 1));
-}
-
-static inline void draw_each(struct zr_tile *tile, const struct group *g, const uint32_t *numbers, uint32_t count,
-                             bool colored)
-{
-    for (uint32_t i = 0; i < count; i++)
-        if (g->in_stamp >> i & 1u)
-            draw_stamp(tile, g, i, owner_of(numbers, i), colored);
-        else
-            draw_any(tile, g, i, owner_of(numbers, i), colored);
-}
-
-/* Not in the same function as what is drawn most: that would lose registers (a fiftieth of the bunny's time). */
-__attribute__((noinline)) static void draw_colorless_group(struct zr_tile *tile, const struct group *g,
-                                                           const uint32_t *numbers, uint32_t count)
-{
-    draw_each(tile, g, numbers, count, true);
-}
-
-/* Of a batch that is painted early: what is seen of those in stamps is painted when all are drawn, and so these are
- * drawn last. A seventh of the time of the smooth bunny at 512x512. */
-__attribute__((noinline)) static void draw_painted_group(struct zr_tile *tile, const struct group *g,
-                                                         const struct corners *corners, const struct zr_batch *batch,
-                                                         const uint32_t *numbers, uint32_t count)
-{
-    const uint32_t all = ZR_ALL_BITS >> (ZR_LANES - count), in_stamp = g->in_stamp & all;
-    uint32_t seen[ZR_LANES] = {0};
-    struct zr_corner_v c[3];
-    load_corners(corners, c);
-    const struct zr_color_planes planes = zr_early_planes(batch, numbers, zr_vm_of(g->turned), c);
-    for (uint32_t bits = all & ~in_stamp; bits; bits &= bits - 1) {
+    for (uint32_t bits = ZR_ALL_BITS >> (ZR_LANES - count) & ~g->in_stamp; bits; bits &= bits - 1) {
         const uint32_t i = (uint32_t)zr_lowest_bit(bits);
-        draw_any(tile, g, i, owner_of(numbers, i), true);
+        draw_triangle(tile, g, i, zr_vi_set((int32_t)(numbers[i] + 1)), colored);
     }
-    for (uint32_t bits = in_stamp; bits; bits &= bits - 1) {
-        const uint32_t i = (uint32_t)zr_lowest_bit(bits);
-        seen[i] = draw_stamp(tile, g, i, owner_of(numbers, i), false);
+}
+
+/* Those in stamps, sample by sample: most cover two or three. All that a sample needs is made for many at once, and no
+ * loop depends on how many rows or columns a triangle has, which the processor cannot guess (a fifth of the time of
+ * small triangles of the bunny at 512x512). Where there are planes, samples have colours. */
+static inline void draw_stamps(struct zr_tile *tile, const struct group *g, const uint32_t *numbers,
+                               const struct zr_color_planes *planes, bool colored)
+{
+    uint32_t samples[ZR_STAMP_LIST], at[ZR_LANES], owners[ZR_LANES], colors[ZR_LANES] = {0};
+    float depths[ZR_LANES];
+    const uint32_t count = zr_stamp_list(g->covered, samples);
+    const zr_vf left = zr_vf_of(zr_vi_load(g->x0)), low = zr_vf_of(zr_vi_load(g->y0));
+    const zr_vf tile_x = zr_vf_set((float)tile->x), tile_y = zr_vf_set((float)tile->y);
+    const zr_vf owner = zr_vf_bits(zr_vi_load(numbers) + zr_vi_set(1));
+    const struct zr_plane_v depth = {zr_vf_load(g->a0), zr_vf_load(g->dadx), zr_vf_load(g->dady)};
+    for (uint32_t i = 0; i < count; i += ZR_LANES) {
+        const zr_vi sample = zr_vi_load(samples + i), lane = sample >> 4;
+        const zr_vi column = sample & zr_vi_set(ZR_STAMP - 1), row = sample >> 2 & zr_vi_set(ZR_STAMP - 1);
+        const zr_vf x = zr_vf_pick(left, lane) + zr_vf_of(column), y = zr_vf_pick(low, lane) + zr_vf_of(row);
+        const struct zr_plane_v plane = zr_plane_pick(&depth, lane);
+        zr_vf_store(depths, zr_plane_at_v(&plane, x, y));
+        zr_vi_store(at, zr_vi_round((y - tile_y) * zr_vf_set(ZR_TILE_STRIDE) + (x - tile_x)));
+        zr_vi_store(owners, zr_vi_bits_of(zr_vf_pick(owner, lane)));
+        if (planes) zr_vi_store(colors, zr_early_colors(planes, lane, x, y));
+        const uint32_t some = count - i < ZR_LANES ? count - i : ZR_LANES;
+        for (uint32_t k = 0; k < some; k++) {
+            const bool seen = zr_tile_put_at(tile, at[k], depths[k], owners[k]);
+            if (colored && seen) tile->color[at[k]] = colors[k];
+        }
     }
-    zr_early_paint(tile, &planes, zr_vi_load(g->x0), zr_vi_load(g->y0), seen);
+}
+_Static_assert(ZR_STAMP == 1 << 2 && ZR_STAMP_SAMPLES == 1 << 4, "rows and triangles are shifts");
+
+/* Not in the same function as what is drawn most: that would lose registers (a fiftieth of the bunny's time). planes:
+ * of the group, where it is painted early. */
+__attribute__((noinline)) static void draw_colored_group(struct zr_tile *tile, const struct group *g,
+                                                         const uint32_t *numbers, uint32_t count,
+                                                         const struct zr_color_planes *planes)
+{
+    draw_one_by_one(tile, g, numbers, count, true);
+    if (!g->in_stamp) return;
+    if (planes)
+        draw_stamps(tile, g, numbers, planes, true);
+    else
+        draw_stamps(tile, g, numbers, NULL, true);
+}
+
+static inline void draw_group(struct zr_tile *tile, const struct group *g, const uint32_t *numbers, uint32_t count)
+{
+    draw_one_by_one(tile, g, numbers, count, false);
+    if (g->in_stamp) draw_stamps(tile, g, numbers, NULL, false);
 }
 
 void ZR_KERNEL(zr_small)(struct zr_tile *tile, const struct zr_geometry *geometry, const uint32_t *numbers,
@@ -275,11 +249,15 @@ void ZR_KERNEL(zr_small)(struct zr_tile *tile, const struct zr_geometry *geometr
             batch = find_mixed_corners(geometry, batch, here, &corners);
         }
         set_up(tile, &corners, &group);
-        if (is_painted && group.in_stamp)
-            draw_painted_group(tile, &group, &corners, batch, here, some);
-        else if (tile->has_colors)
-            draw_colorless_group(tile, &group, here, some);
-        else
-            draw_each(tile, &group, here, some, false);
+        if (is_painted && group.in_stamp) {
+            struct zr_corner_v c[3];
+            load_corners(&corners, c);
+            const struct zr_color_planes planes = zr_early_planes(batch, here, zr_vm_of(group.turned), c);
+            draw_colored_group(tile, &group, here, some, &planes);
+        } else if (tile->has_colors) {
+            draw_colored_group(tile, &group, here, some, NULL);
+        } else {
+            draw_group(tile, &group, here, some);
+        }
     }
 }

@@ -9,7 +9,7 @@
 
 #include "raster/triangle_simd.h"
 
-enum { ZR_STAMP = 4, ZR_STAMP_SAMPLES = ZR_STAMP * ZR_STAMP, ZR_STAMP_ROW = (1 << ZR_STAMP) - 1 };
+enum { ZR_STAMP = 4, ZR_STAMP_SAMPLES = ZR_STAMP * ZR_STAMP };
 enum { ZR_HAS_STAMPS = (int)ZR_LANES >= (int)ZR_STAMP };
 _Static_assert((int)ZR_STAMP_SAMPLES <= 31, "a bit a sample");
 
@@ -32,9 +32,18 @@ static inline zr_vi zr_stamp_covered(const struct zr_edge_v edges[3])
     return ~outside & zr_vi_set((1 << ZR_STAMP_SAMPLES) - 1);
 }
 
-static inline uint32_t zr_stamp_row(uint32_t covered, int row)
+/* Lists what ZR_LANES triangles cover: triangle * ZR_STAMP_SAMPLES + sample. Returns how many there are; the last one
+ * fills the vector that it is in. */
+enum { ZR_STAMP_LIST = ZR_STAMP_SAMPLES * ZR_LANES + 2 * ZR_LANES };
+static inline uint32_t zr_stamp_list(const uint32_t covered[ZR_LANES], uint32_t samples[ZR_STAMP_LIST])
 {
-    return covered >> (ZR_STAMP * row) & ZR_STAMP_ROW;
+    uint32_t count = 0;
+    for (uint32_t i = 0; i < ZR_LANES; i++)
+        for (uint32_t s = 0; s < ZR_STAMP_SAMPLES; s += ZR_LANES)
+            count += zr_vi_compress(samples + count, zr_vm_of(covered[i] >> s & ZR_ALL_BITS),
+                                    zr_vi_set((int32_t)(i * ZR_STAMP_SAMPLES + s)) + zr_vi_ramp());
+    if (count > 0) zr_vi_store(samples + count, zr_vi_set((int32_t)samples[count - 1]));
+    return count;
 }
 
 #endif

@@ -262,7 +262,7 @@ const struct generator generators[] = {
     {"crowd", false, false, WINDOWS_LARGE, fill_crowd},
     {"aligned-wide", false, false, WINDOWS_BINARY, fill_aligned_wide},
     {"dense", false, false, WINDOWS_LARGE, fill_dense},
-    {"patches", false, false, WINDOWS_ANY, fill_patches},
+    {"stamps", false, false, WINDOWS_ANY, fill_stamps},
 };
 const size_t generator_count = sizeof generators / sizeof *generators;
 

@@ -57,7 +57,7 @@ void fill_layers(struct drawing *drawing, struct random *r);
 void fill_crowd(struct drawing *drawing, struct random *r);
 void fill_aligned_wide(struct drawing *drawing, struct random *r);
 void fill_dense(struct drawing *drawing, struct random *r);
-void fill_patches(struct drawing *drawing, struct random *r);
+void fill_stamps(struct drawing *drawing, struct random *r);
 
 /* generate_solid.c: polygons, coplanar duplicates, and scenes behind matrices. */
 void fill_coplanar(struct drawing *drawing, struct random *r);

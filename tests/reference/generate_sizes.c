@@ -108,9 +108,9 @@ void fill_dense(struct drawing *drawing, struct random *r)
         add_sheet(drawing, r);
 }
 
-/* Each of which covers four samples across and up at most, or a few more, on the grid of pixels and off it, and at the
- * ends of tiles. */
-void fill_patches(struct drawing *drawing, struct random *r)
+/* As large as a stamp, which is four samples across and up, or a little larger, on the grid of pixels and off it, and
+ * at the ends of tiles. */
+void fill_stamps(struct drawing *drawing, struct random *r)
 {
     static const double steps[] = {1.0 / 512, 1.0 / 16, 0.5, 1};
     const double reach = random_range(r, 2, 4.5), step = steps[random_below(r, sizeof steps / sizeof *steps)];

@@ -127,8 +127,6 @@ static void run_gathers(const struct simd_inputs *in, struct simd_results *out, 
         zr_vi_select(m, zr_vi_gather(m, in->places, zr_vi_select(m, zr_vi_load(in->order + k), nowhere)), none));
     zr_vf_store(out->vf_pick + k,
                 zr_vf_pick(zr_vf_load(in->a + k), zr_vi_load(in->order + k) & zr_vi_set(ZR_LANES - 1)));
-    zr_vi_scatter(out->vi_scatter + SIMD_APART * k, (zr_vi_set(ZR_LANES - 1) - zr_vi_ramp()) * zr_vi_set(SIMD_APART),
-                  zr_vi_load(in->i + k));
     zr_load_corners(in->places, in->corners + 3 * k, low, high);
     for (int c = 0; c < 3; c++) {
         const zr_vi a = zr_vi_bits_of(low[c]), b = zr_vi_bits_of(high[c]);

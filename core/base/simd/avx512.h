@@ -204,11 +204,6 @@ static inline zr_vi zr_vi_gather(zr_vm m, const void *p, zr_vi i)
     return (zr_vi)_mm512_mask_i32gather_epi32(_mm512_setzero_si512(), m, (__m512i)i, p, 4);
 }
 
-static inline void zr_vi_scatter(void *p, zr_vi i, zr_vi v)
-{
-    _mm512_i32scatter_epi32(p, (__m512i)i, (__m512i)v, 4);
-}
-
 typedef double zr_vd __attribute__((vector_size(64)));
 enum { ZR_DOUBLES = 8 };
 

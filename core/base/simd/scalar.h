@@ -204,10 +204,6 @@ static inline zr_vd zr_vd_gather(const double *p, const int32_t *i)
     return p[*i];
 }
 
-static inline void zr_vi_scatter(void *p, zr_vi i, zr_vi v)
-{
-    memcpy((char *)p + 4 * (ptrdiff_t)i, &v, sizeof v);
-}
 static inline zr_vf zr_vf_pick(zr_vf v, zr_vi i)
 {
     (void)i;

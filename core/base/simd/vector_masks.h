@@ -32,14 +32,6 @@ static inline zr_vm zr_vi_lt_where(zr_vm m, zr_vi a, zr_vi b)
 {
     return m & zr_vi_lt(a, b);
 }
-static inline void zr_vi_scatter(void *p, zr_vi i, zr_vi v)
-{
-    for (int k = 0; k < ZR_LANES; k++) {
-        const int32_t lane = v[k];
-        memcpy((char *)p + 4 * (ptrdiff_t)i[k], &lane, sizeof lane);
-    }
-}
-
 /* Every lane is stored, and the next one over it where it was not to be: no branch, and no table. */
 static inline uint32_t zr_vi_compress(void *p, zr_vm m, zr_vi v)
 {
