@@ -108,7 +108,7 @@ void *zr_arena_alloc(struct zr_arena *arena, size_t count, size_t size)
 {
     size_t bytes;
     if (arena->failed || !zr_mul_size(count, size, &bytes)) return fail(arena);
-    if (bytes > arena->ceiling - arena->used) return fail(arena);
+    if (bytes > SIZE_MAX - ZR_ARENA_ALIGN) return fail(arena);
     bytes = rounded_up(bytes, ZR_ARENA_ALIGN);
     if (bytes > arena->ceiling - arena->used) return fail(arena);
 
@@ -135,7 +135,8 @@ void *zr_arena_zero(struct zr_arena *arena, size_t count, size_t size)
 void *zr_arena_grow(struct zr_arena *arena, void *old, size_t count, size_t new_count, size_t size)
 {
     size_t old_bytes, new_bytes;
-    if (arena->failed || !zr_mul_size(count, size, &old_bytes) || !zr_mul_size(new_count, size, &new_bytes))
+    if (arena->failed || !zr_mul_size(count, size, &old_bytes) || !zr_mul_size(new_count, size, &new_bytes) ||
+        new_bytes > SIZE_MAX - ZR_ARENA_ALIGN)
         return fail(arena);
     size_t held = rounded_up(old_bytes, ZR_ARENA_ALIGN);
     struct zr_arena_block *block = arena->current;

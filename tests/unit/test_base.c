@@ -54,6 +54,31 @@ static void arena_allocations_are_aligned_and_apart(void **state)
     zr_arena_free(&arena);
 }
 
+/* About the sizes of the system's pages. */
+static void arena_large_blocks_are_whole_and_too_large_ones_fail(void **state)
+{
+    (void)state;
+    static const size_t pages[] = {1 << 20, 2 << 20, 6 << 20};
+    struct zr_arena arena;
+    zr_arena_init(&arena, SIZE_MAX);
+    for (size_t i = 0; i < sizeof pages / sizeof *pages; i++)
+        for (size_t bytes = pages[i] - 129; bytes <= pages[i] + 129; bytes += 43) {
+            unsigned char *block = zr_arena_alloc(&arena, bytes, 1);
+            assert_non_null(block);
+            assert_int_equal((uintptr_t)block % ZR_ARENA_ALIGN, 0);
+            block[0] = block[bytes - 1] = 1;
+            zr_arena_reset(&arena, bytes % 2 ? 0 : SIZE_MAX);
+        }
+    for (size_t less = 0; less < 2 << 20; less += 12345) {
+        assert_null(zr_arena_alloc(&arena, SIZE_MAX - less, 1));
+        zr_arena_reset(&arena, 0);
+        void *newest = zr_arena_alloc(&arena, 100, 1);
+        assert_null(zr_arena_grow(&arena, newest, 100, SIZE_MAX - less, 1));
+        zr_arena_reset(&arena, 0);
+    }
+    zr_arena_free(&arena);
+}
+
 static void arena_newest_allocation_grows_in_place_and_others_are_copied(void **state)
 {
     (void)state;
@@ -269,6 +294,7 @@ int main(void)
         cmocka_unit_test(arena_over_its_ceiling_fails_and_stays_failed),
         cmocka_unit_test(arena_product_that_overflows_fails),
         cmocka_unit_test(arena_allocations_are_aligned_and_apart),
+        cmocka_unit_test(arena_large_blocks_are_whole_and_too_large_ones_fail),
         cmocka_unit_test(arena_newest_allocation_grows_in_place_and_others_are_copied),
         cmocka_unit_test(arena_charge_counts_until_it_is_refunded),
         cmocka_unit_test(arena_reset_keeps_blocks_for_the_next_request),
