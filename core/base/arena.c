@@ -72,7 +72,11 @@ static struct zr_arena_block *block_make(size_t bytes)
 {
     if (bytes > SIZE_MAX - HEADER - HUGE_PAGE) return NULL;
     const size_t least = (bytes > BLOCK_MIN ? bytes : BLOCK_MIN) + HEADER;
+#ifdef MADV_HUGEPAGE
     const size_t align = least < HUGE_PAGE ? ZR_ARENA_ALIGN : HUGE_PAGE, size = rounded_up(least, align);
+#else
+    const size_t align = ZR_ARENA_ALIGN, size = rounded_up(least, align);
+#endif
     struct zr_arena_block *block = aligned_alloc(align, size);
     if (!block) return NULL;
 #ifdef MADV_HUGEPAGE

@@ -87,7 +87,13 @@ static inline uint32_t zr_batch_color(const struct zr_batch *batch, uint32_t t, 
     return batch->slots ? batch->slots[3 * (size_t)t + (size_t)k] : 3 * batch->first_face + 3 * t + (uint32_t)k;
 }
 
-/* Where the colour of triangle 0 is looked up first, and how many bytes farther that of each one behind it. */
+static inline bool zr_batch_is_smooth(const struct zr_batch *batch)
+{
+    return batch->colors == ZR_BATCH_PER_VERTEX || batch->colors == ZR_BATCH_PER_CORNER;
+}
+
+/* Where painting looks first for the colours of triangle 0, and how many bytes farther for those of each one behind it.
+ */
 struct zr_batch_lookup {
     uintptr_t first;
     size_t step;
@@ -95,17 +101,18 @@ struct zr_batch_lookup {
 
 static inline struct zr_batch_lookup zr_batch_lookup(const struct zr_batch *batch)
 {
-    if (batch->written) return (struct zr_batch_lookup){(uintptr_t)batch, 0};
-    if (batch->colors != ZR_BATCH_PER_FACE || batch->faces)
-        return (struct zr_batch_lookup){(uintptr_t)batch->corners, 3 * sizeof *batch->corners};
-    if (batch->packed)
-        return (struct zr_batch_lookup){(uintptr_t)(batch->packed + batch->first_face), sizeof *batch->packed};
-    return (struct zr_batch_lookup){(uintptr_t)(batch->front + batch->first_face), sizeof *batch->front};
-}
-
-static inline bool zr_batch_is_smooth(const struct zr_batch *batch)
-{
-    return batch->colors == ZR_BATCH_PER_VERTEX || batch->colors == ZR_BATCH_PER_CORNER;
+    const size_t word = sizeof(uint32_t);
+    if (batch->written) return (struct zr_batch_lookup){(uintptr_t)batch, 0}; /* which is at hand: nothing to ask for */
+    if (!zr_batch_is_smooth(batch)) {
+        if (batch->faces) return (struct zr_batch_lookup){(uintptr_t)batch->faces, word};
+        if (batch->colors == ZR_BATCH_PER_FIRST_SLOT)
+            return (struct zr_batch_lookup){(uintptr_t)(batch->mesh->face_offsets + batch->first_face), word};
+        if (batch->colors == ZR_BATCH_PER_FACE && batch->packed)
+            return (struct zr_batch_lookup){(uintptr_t)(batch->packed + batch->first_face), word};
+        if (batch->colors == ZR_BATCH_PER_FACE)
+            return (struct zr_batch_lookup){(uintptr_t)(batch->front + batch->first_face), sizeof *batch->front};
+    }
+    return (struct zr_batch_lookup){(uintptr_t)batch->corners, 3 * word};
 }
 
 static inline bool zr_batch_holds(const struct zr_batch *batch, uint32_t number)

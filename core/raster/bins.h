@@ -88,7 +88,7 @@ struct zr_bins {
     struct zr_arena *arena;
     pthread_mutex_t arena_lock;
     uint32_t width, height, columns;
-    bool has_colors;       /* of fragments: some batch is painted early */
+    bool has_colors;       /* some batch is painted early: fragments have colours, and tiles may keep some */
     size_t fragments_size; /* of a block */
     int worker_count;
     struct zr_binner *workers;

@@ -11,14 +11,15 @@
 struct group {
     _Alignas(64) int32_t at[3][ZR_LANES], right[3][ZR_LANES], up[3][ZR_LANES]; /* of edges, at x0, y0 */
     float a0[ZR_LANES], dadx[ZR_LANES], dady[ZR_LANES];
-    int32_t x0[ZR_LANES], y0[ZR_LANES], x1[ZR_LANES], y1[ZR_LANES]; /* what they cover is between these */
+    int32_t x0[ZR_LANES], y0[ZR_LANES], x1[ZR_LANES], y1[ZR_LANES]; /* what they cover is between these;
+                                                                     * a stamp begins at x0, y0 */
 
-    uint32_t covered[ZR_LANES]; /* of those in stamps, which begin at x0, y0; else 0 */
+    uint32_t covered[ZR_LANES]; /* where any are in stamps: what those cover, and 0 of others */
 
     /* A bit each. */
     uint32_t turned;   /* corners 0 and 1 have changed places (rule 6) */
     uint32_t clamped;  /* depth may leave 0..1 at some sample of the box */
-    uint32_t in_stamp; /* the box lies in a stamp, and depth does stay within 0..1 */
+    uint32_t in_stamp; /* the box lies in a stamp, and depth does stay within 0..1; none where few are so */
 };
 
 /* Where the corners of records stand. */
@@ -47,12 +48,15 @@ static inline void set_up(const struct zr_tile *tile, const struct corners *corn
     out->turned = zr_vm_bits(zr_corners_orient_v(c, g));
 
     const zr_vi last_x = zr_vi_set(tile->x + tile->width - 1), last_y = zr_vi_set(tile->y + tile->height - 1);
-    const zr_vi x0 = zr_vi_max(zr_centre_behind_v(zr_least_v(g[0].x, g[1].x, g[2].x)), zr_vi_set(tile->x));
+    zr_vi x0 = zr_vi_max(zr_centre_behind_v(zr_least_v(g[0].x, g[1].x, g[2].x)), zr_vi_set(tile->x));
     zr_vi y0 = zr_vi_max(zr_centre_behind_v(zr_least_v(g[0].y, g[1].y, g[2].y)), zr_vi_set(tile->y));
     const zr_vi x1 = zr_vi_min(zr_most_v(g[0].x, g[1].x, g[2].x) >> ZR_SUBPIXEL_BITS, last_x);
     const zr_vi y1 = zr_vi_min(zr_most_v(g[0].y, g[1].y, g[2].y) >> ZR_SUBPIXEL_BITS, last_y);
-    const bool has_stamps = ZR_HAS_STAMPS && tile->height >= ZR_STAMP;
-    if (has_stamps) y0 = zr_vi_min(y0, last_y - zr_vi_set(ZR_STAMP - 1)); /* a stamp ends in the tile */
+    const bool has_stamps = ZR_HAS_STAMPS && tile->width >= ZR_STAMP && tile->height >= ZR_STAMP;
+    if (has_stamps) { /* they end in the tile */
+        x0 = zr_vi_min(x0, last_x - zr_vi_set(ZR_STAMP - 1));
+        y0 = zr_vi_min(y0, last_y - zr_vi_set(ZR_STAMP - 1));
+    }
     zr_vi_store(out->x0, x0);
     zr_vi_store(out->y0, y0);
     zr_vi_store(out->x1, x1);
@@ -76,9 +80,9 @@ static inline void set_up(const struct zr_tile *tile, const struct corners *corn
     const struct zr_range_v range = zr_plane_range_v(&plane, zr_vf_of(x0), zr_vf_of(y0), zr_vf_of(x1), zr_vf_of(y1));
     const zr_vm within = zr_vm_and(zr_vf_le(zr_vf_set(0.0f), range.near), zr_vf_le(range.far, zr_vf_set(1.0f)));
     out->clamped = ZR_ALL_BITS ^ zr_vm_bits(within);
-    const zr_vm spans = zr_vi_lt(zr_vi_set(has_stamps ? ZR_STAMP - 1 : -1), zr_vi_max(x1 - x0, y1 - y0));
+    const zr_vm spans = zr_vi_lt(zr_vi_set(ZR_STAMP - 1), zr_vi_max(x1 - x0, y1 - y0));
     const zr_vm in_stamp = zr_vm_andnot(within, spans);
-    out->in_stamp = zr_vm_bits(in_stamp);
+    out->in_stamp = has_stamps ? zr_vm_bits(in_stamp) : 0;
     /* Where few are in stamps, setting these apart takes longer than it saves (4 % of the bunny at 1920x1080). */
     if (4 * __builtin_popcount(out->in_stamp) < 3 * (int)ZR_LANES) out->in_stamp = 0;
     if (out->in_stamp) zr_vi_store(out->covered, zr_vi_select(in_stamp, zr_stamp_covered(edges), zr_vi_set(0)));
@@ -178,7 +182,8 @@ static inline void draw_one_by_one(struct zr_tile *tile, const struct group *g, 
 
 /* Those in stamps, sample by sample: most cover two or three. All that a sample needs is made for many at once, and no
  * loop depends on how many rows or columns a triangle has, which the processor cannot guess (a fifth of the time of
- * small triangles of the bunny at 512x512). Where there are planes, samples have colours. */
+ * small triangles of the bunny at 512x512). colored: the tile keeps colours; what is seen gets that
+ * of its planes, or 0 where there are none. */
 static inline void draw_stamps(struct zr_tile *tile, const struct group *g, const uint32_t *numbers,
                                const struct zr_color_planes *planes, bool colored)
 {
@@ -236,7 +241,7 @@ void ZR_KERNEL(zr_small)(struct zr_tile *tile, const struct zr_geometry *geometr
         uint32_t last[ZR_LANES];
         struct corners corners;
         struct group group;
-        if (some < ZR_LANES) { /* what is missing is the first once more */
+        if (some < ZR_LANES) { /* what is missing is the first once more, which is not seen twice */
             for (uint32_t i = 0; i < ZR_LANES; i++)
                 last[i] = here[i < some ? i : 0];
             here = last;

@@ -1,8 +1,7 @@
 /* stamp_simd.h - raster: what triangles cover of a stamp, many at once, for kernels.
  *
- * A stamp is four samples across and up: all that a triangle of a fine mesh covers lies in one. Its samples are bits,
- * ZR_STAMP * row + column.
- * Exact:  the reference's rule 7.
+ * A stamp is four samples across and up: what a triangle of a fine mesh covers mostly lies in one. Its samples are
+ * bits, ZR_STAMP * row + column. Exact:  the reference's rule 7.
  */
 #ifndef ZR_STAMP_SIMD_H
 #define ZR_STAMP_SIMD_H
@@ -10,10 +9,10 @@
 #include "raster/triangle_simd.h"
 
 enum { ZR_STAMP = 4, ZR_STAMP_SAMPLES = ZR_STAMP * ZR_STAMP };
-enum { ZR_HAS_STAMPS = (int)ZR_LANES >= (int)ZR_STAMP };
+enum { ZR_HAS_STAMPS = (int)ZR_LANES >= (int)ZR_STAMP }; /* of one sample at a time there is nothing to gain */
 _Static_assert((int)ZR_STAMP_SAMPLES <= 31, "a bit a sample");
 
-/* Edges at the stamp's first sample. */
+/* The samples that are covered, a bit each. Edges are those at the stamp's first sample. */
 static inline zr_vi zr_stamp_covered(const struct zr_edge_v edges[3])
 {
     zr_vi row[3], outside = zr_vi_set(0);
@@ -33,8 +32,8 @@ static inline zr_vi zr_stamp_covered(const struct zr_edge_v edges[3])
 }
 
 /* Lists what ZR_LANES triangles cover: triangle * ZR_STAMP_SAMPLES + sample. Returns how many there are; the last one
- * fills the vector that it is in. */
-enum { ZR_STAMP_LIST = ZR_STAMP_SAMPLES * ZR_LANES + 2 * ZR_LANES };
+ * is repeated behind itself, for a whole vector. */
+enum { ZR_STAMP_LIST = ZR_STAMP_SAMPLES * ZR_LANES + ZR_LANES };
 static inline uint32_t zr_stamp_list(const uint32_t covered[ZR_LANES], uint32_t samples[ZR_STAMP_LIST])
 {
     uint32_t count = 0;

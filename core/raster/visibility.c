@@ -9,9 +9,10 @@
 /* Triangles, or edges and triangles of shapes: less than a millisecond of work. */
 enum { PARTS_A_CANCEL_CHECK = 1024 };
 
-/* Of fragments, and of small triangles, which are very small where a tile has so many: fewer pixels are sooner painted
- * than set aside and put back. A guess, for it counts all threads' and all batches' blocks, whether they are full or
- * have colours, or not; only time depends on it. */
+/* Blocks of a tile's fragments, or of its small triangles, from which on it keeps early colours: fewer pixels are
+ * sooner painted than set aside and put back, and where there are fewer small triangles they are larger than stamps. A
+ * guess, for it counts all threads' and all batches' blocks, whether they are full or have colours, or not; only time
+ * depends on it. */
 enum { BLOCKS_WITH_COLORS = 3, SMALL_BLOCKS_WITH_COLORS = 9 };
 
 /* ---- sorting ---- */
@@ -98,7 +99,8 @@ static bool draw_wide_ones(const struct zr_visible *visible, uint32_t number, co
 /* ---- what is listed ---- */
 
 /* The next block is asked for before it is needed (a quarter of the time that this takes), and so is what painting will
- * look up first: with a million triangles each pixel has a place in memory of its own (4 % of their time). */
+ * look up first: with a million triangles each pixel has a place in memory of its own (4 % of the time of these). What
+ * has its colour is not looked up. */
 static void draw_fragments(const struct zr_visible *visible, const struct zr_bin_fragments *block, struct zr_tile *tile)
 {
     const bool has_colors = tile->has_colors;

@@ -40,11 +40,11 @@ static inline bool zr_batch_is_gathered(const struct zr_batch *batch)
            batch->mesh->position_count <= ZR_GATHERED_MOST;
 }
 
-/* Whether tiny triangles are painted while they are sorted, and small ones that lie in stamps when they are drawn:
- * their corners are at hand then, and those of neighbours in the mesh stand together, while later each pixel asks
- * memory for its own (a tenth of the time of a million smooth triangles), and triangles must be found again that were
- * just set up (a quarter of the bunny's at 512x512). Flat ones ask for the same either way; and where backs are drawn
- * too, half of what would be painted is hidden. */
+/* Whether tiny triangles are painted while they are sorted, and small ones that lie in stamps when they are drawn, in
+ * tiles that keep colours (visibility.c): their corners are at hand then, and those of neighbours in the mesh stand
+ * together, while later each pixel asks memory for its own (a tenth of the time of a million smooth triangles), and
+ * triangles must be found again that were just set up (a quarter of the bunny's at 512x512). Flat ones ask for the same
+ * either way; and where backs are drawn too, half of what would be painted is hidden. */
 static inline bool zr_batch_is_painted_early(const struct zr_batch *batch)
 {
     return zr_batch_is_gathered(batch) && zr_batch_is_smooth(batch) && !batch->double_sided;

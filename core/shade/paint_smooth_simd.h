@@ -1,4 +1,4 @@
-/* paint_smooth_simd.h - shade: triangles whose colours vary, for the paint kernel: where their corners are, their
+/* paint_smooth_simd.h - shade: triangles whose colours vary, for the kernels that paint: where their corners are, their
  * planes, and short runs of them. As many runs as there are lanes are set up at once, and then painted side by side,
  * one a lane.
  */

@@ -262,17 +262,19 @@ static void tiny_triangles_are_painted_early_as_they_would_be_later(void **state
 static void small_triangles_are_painted_early_as_they_would_be_later(void **state)
 {
     const enum zr_isa isa = isa_under_test(state);
-    assert_early_is_late(isa, SHEET_WINDOW_OF_STAMPS, isa == ZR_ISA_SCALAR ? 0 : ZR_TILE_SIZE * ZR_TILE_SIZE / 2);
+    const bool has_stamps = isa != ZR_ISA_SCALAR;
+    assert_early_is_late(isa, SHEET_WINDOW_OF_STAMPS, has_stamps ? ZR_TILE_SIZE * ZR_TILE_SIZE / 2 : 0);
 }
 
 /* Two sheets, one of them flat: in the same place the first is seen, else the nearer one. */
-static void early_colours_give_way_to_what_is_seen(void **state)
+static void assert_early_gives_way(enum zr_isa isa, uint32_t window)
 {
-    struct zr_team *team = zr_team_create_for(2, isa_under_test(state));
+    struct zr_team *team = zr_team_create_for(2, isa);
     static struct test_scene test;
     static zr_vec4 p[6 * SHEET_FACES], nearer[6 * SHEET_FACES], colors[6 * SHEET_FACES], face_colors[2 * SHEET_FACES];
     make_sheet(&test, false, p, colors, face_colors);
     test.material.double_sided = false;
+    test.scene.width = test.scene.height = window;
     memcpy(nearer, p, sizeof p);
     for (int i = 0; i < 6 * SHEET_FACES; i++)
         nearer[i].z *= 0.5f;
@@ -295,10 +297,63 @@ static void early_colours_give_way_to_what_is_seen(void **state)
         test.scene.mesh_count = test.scene.instance_count = 2;
         const struct zr_frame *both = scene_render(&arena, team, &test.scene);
         assert_int_equal(both->covered_pixels, alone->covered_pixels);
-        assert_int_equal(count_early(&arena, team, &test.scene), way == SMOOTH_FIRST ? both->covered_pixels : 0);
-        assert_memory_equal(both->color, alone->color, 4 * SHEET_WINDOW * SHEET_WINDOW);
+        const uint32_t early = count_early(&arena, team, &test.scene);
+        if (window == SHEET_WINDOW)
+            assert_int_equal(early, way == SMOOTH_FIRST ? both->covered_pixels : 0);
+        else if (way != SMOOTH_FIRST)
+            assert_int_equal(early, 0);
+        assert_memory_equal(both->color, alone->color, (size_t)4 * window * window);
         zr_arena_reset(&arena, 1 << 26);
     }
+    zr_arena_free(&arena);
+    zr_team_destroy(team);
+}
+
+static void early_colours_give_way_to_what_is_seen(void **state)
+{
+    assert_early_gives_way(isa_under_test(state), SHEET_WINDOW);
+    assert_early_gives_way(isa_under_test(state), SHEET_WINDOW_OF_STAMPS);
+}
+
+/* Before the sheet, of its own mesh and of another: too large for a stamp, and small. */
+static void early_colours_give_way_to_larger_triangles(void **state)
+{
+    enum { LARGER = 40 };
+    struct zr_team *team = zr_team_create_for(2, isa_under_test(state));
+    static struct test_scene test;
+    static zr_vec4 p[6 * SHEET_FACES], colors[6 * SHEET_FACES], face_colors[2 * SHEET_FACES];
+    struct random random = random_seeded(3);
+    struct zr_arena arena;
+    zr_arena_init(&arena, 1 << 26);
+    make_sheet(&test, false, p, colors, face_colors);
+    test.scene.width = test.scene.height = SHEET_WINDOW_OF_STAMPS;
+    for (int i = 0; i < LARGER; i++) { /* every 5th triangle of the sheet's middle: in all groups */
+        zr_vec4 *corner = p + 3 * (SHEET_FACES / 2 + 5 * i);
+        const float x = (float)random_range(&random, -0.9, 0.7), y = (float)random_range(&random, -0.9, 0.7);
+        corner[0] = (zr_vec4){x, y, -0.5f, 1};
+        corner[1] = (zr_vec4){x + 0.12f, y, -0.5f, 1};
+        corner[2] = (zr_vec4){x, y + 0.12f, -0.5f, 1};
+    }
+    struct zr_mesh other = test.mesh;
+    other.positions = p + 3 * (SHEET_FACES / 2);
+    other.face_count = 5 * LARGER;
+    other.position_count = 3 * other.face_count;
+    other.colors = NULL;
+    other.face_colors = face_colors;
+    zr_mat4 moved = zr_mat4_identity();
+    moved.m[12] = 0.05f;
+    moved.m[14] = -0.1f;
+    const struct zr_mesh meshes[2] = {test.mesh, other};
+    const struct zr_instance instances[2] = {{0, zr_mat4_identity()}, {1, moved}};
+    test.scene.meshes = meshes;
+    test.scene.instances = instances;
+    test.scene.mesh_count = test.scene.instance_count = 2;
+    const struct zr_frame *late = scene_render(&arena, team, &test.scene);
+    assert_int_equal(count_early(&arena, team, &test.scene), 0);
+    test.material.double_sided = false;
+    const struct zr_frame *early = scene_render(&arena, team, &test.scene);
+    if (isa_under_test(state) != ZR_ISA_SCALAR) assert_true(count_early(&arena, team, &test.scene) > 0);
+    assert_memory_equal(early->color, late->color, 4 * SHEET_WINDOW_OF_STAMPS * SHEET_WINDOW_OF_STAMPS);
     zr_arena_free(&arena);
     zr_team_destroy(team);
 }
@@ -362,6 +417,7 @@ int main(void)
         TEST_EACH_ISA(tiny_triangles_are_painted_early_as_they_would_be_later),
         TEST_EACH_ISA(small_triangles_are_painted_early_as_they_would_be_later),
         TEST_EACH_ISA(early_colours_give_way_to_what_is_seen),
+        TEST_EACH_ISA(early_colours_give_way_to_larger_triangles),
         cmocka_unit_test(render_that_is_cancelled_says_so),
         cmocka_unit_test(render_under_every_memory_ceiling_fails_cleanly_or_gives_the_picture),
     };
