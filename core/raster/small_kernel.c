@@ -182,8 +182,8 @@ static inline void draw_one_by_one(struct zr_tile *tile, const struct group *g, 
 
 /* Those in stamps, sample by sample: most cover two or three. All that a sample needs is made for many at once, and no
  * loop depends on how many rows or columns a triangle has, which the processor cannot guess (a fifth of the time of
- * small triangles of the bunny at 512x512). colored: the tile keeps colours; what is seen gets that
- * of its planes, or 0 where there are none. */
+ * small triangles of the bunny at 512x512). colored: the tile keeps colours; what is seen gets that of its planes, or 0
+ * where there are none. */
 static inline void draw_stamps(struct zr_tile *tile, const struct group *g, const uint32_t *numbers,
                                const struct zr_color_planes *planes, bool colored)
 {

@@ -1,7 +1,8 @@
 /* stamp_simd.h - raster: what triangles cover of a stamp, many at once, for kernels.
  *
- * A stamp is four samples across and up: what a triangle of a fine mesh covers mostly lies in one. Its samples are
- * bits, ZR_STAMP * row + column. Exact:  the reference's rule 7.
+ * Space:  a stamp is four samples across and up: what a triangle of a fine mesh covers mostly lies in one. Its samples
+ *         are bits, ZR_STAMP * row + column.
+ * Exact:  the reference's rule 7.
  */
 #ifndef ZR_STAMP_SIMD_H
 #define ZR_STAMP_SIMD_H

@@ -113,6 +113,12 @@ static inline zr_vf zr_plane_at_v(const struct zr_plane_v *p, zr_vf x, zr_vf y)
     return (p->a0 + p->dadx * x) + p->dady * y;
 }
 
+/* Each lane has the plane of the lane that it names. */
+static inline struct zr_plane_v zr_plane_pick(const struct zr_plane_v *p, zr_vi lane)
+{
+    return (struct zr_plane_v){zr_vf_pick(p->a0, lane), zr_vf_pick(p->dadx, lane), zr_vf_pick(p->dady, lane)};
+}
+
 /* The least and the greatest value at samples x0..x1, y0..y1: no bounds, but values at corners, since rounding
  * is monotone. NaN where some are. */
 struct zr_range_v {

@@ -61,8 +61,7 @@ struct zr_rows {
 struct zr_paint {
     /* The tile's owners become colours, RGBA of four bytes: in place, so that the tile stays in the first-level cache.
      * Where there are none, `nothing`, or what is behind the tile where that is not NULL: rows of pixels, `stride`
-     * bytes times four apart. Colours that the tile knows already stay. Returns how many
-     * pixels belonged to records. */
+     * bytes times four apart. Colours that the tile knows already stay. Returns how many pixels belonged to records. */
     uint32_t (*tile)(const struct zr_geometry *geometry, struct zr_tile *tile, uint32_t nothing, const void *behind,
                      ptrdiff_t stride);
 

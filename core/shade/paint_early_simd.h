@@ -4,13 +4,6 @@
 
 #include "shade/paint_smooth_simd.h"
 
-/* Which colour corner k of triangle t has. */
-static inline uint32_t zr_early_color(const struct zr_batch *batch, uint32_t t, uint32_t k)
-{
-    if (batch->colors == ZR_BATCH_PER_VERTEX) return batch->corners[3 * (size_t)t + k];
-    return batch->slots ? batch->slots[3 * (size_t)t + k] : 3 * (batch->first_face + t) + k;
-}
-
 /* Of triangles by their numbers. v: the corners as they stand in the mesh; those that are `turned` change places
  * (rule 6). */
 static inline struct zr_color_planes zr_early_planes(const struct zr_batch *batch, const uint32_t *numbers,
@@ -19,9 +12,9 @@ static inline struct zr_color_planes zr_early_planes(const struct zr_batch *batc
     struct zr_corner_v corners[3] = {v[0], v[1], v[2]};
     struct zr_color_v c[3];
     zr_vf alpha;
-#define ZR_EARLY_COLOR_0(i) (&batch->front[zr_early_color(batch, numbers[i] - batch->first, 0)].x)
-#define ZR_EARLY_COLOR_1(i) (&batch->front[zr_early_color(batch, numbers[i] - batch->first, 1)].x)
-#define ZR_EARLY_COLOR_2(i) (&batch->front[zr_early_color(batch, numbers[i] - batch->first, 2)].x)
+#define ZR_EARLY_COLOR_0(i) (&batch->front[zr_batch_corner_color(batch, numbers[i] - batch->first, 0)].x)
+#define ZR_EARLY_COLOR_1(i) (&batch->front[zr_batch_corner_color(batch, numbers[i] - batch->first, 1)].x)
+#define ZR_EARLY_COLOR_2(i) (&batch->front[zr_batch_corner_color(batch, numbers[i] - batch->first, 2)].x)
     ZR_LOAD4(c[0].red, c[0].green, c[0].blue, alpha, ZR_EARLY_COLOR_0);
     ZR_LOAD4(c[1].red, c[1].green, c[1].blue, alpha, ZR_EARLY_COLOR_1);
     ZR_LOAD4(c[2].red, c[2].green, c[2].blue, alpha, ZR_EARLY_COLOR_2);
@@ -32,12 +25,7 @@ static inline struct zr_color_planes zr_early_planes(const struct zr_batch *batc
     return zr_color_planes_of(turned, corners, c);
 }
 
-static inline struct zr_plane_v zr_plane_pick(const struct zr_plane_v *p, zr_vi lane)
-{
-    return (struct zr_plane_v){zr_vf_pick(p->a0, lane), zr_vf_pick(p->dadx, lane), zr_vf_pick(p->dady, lane)};
-}
-
-/* Each pixel has the planes of a lane of its own. */
+/* Of pixels x, y, each with the planes of the lane that it names. */
 static inline zr_vi zr_early_colors(const struct zr_color_planes *planes, zr_vi lane, zr_vf x, zr_vf y)
 {
     const struct zr_color_planes p = {zr_plane_pick(&planes->oow, lane), zr_plane_pick(&planes->red, lane),
