@@ -24,6 +24,9 @@
  *   zr_vi_bits_of(vf), zr_vf_bits(vi)  the same bits as integers, as floats
  *   ZR_LOAD4(x, y, z, w, AT): lane i of x, y, z, w are the four floats at AT(i), a const float *
  *   zr_vf_store4(p, x, y, z, w), zr_vi_store4: the other way round, all to one place
+ *   zr_vf_load_fours(p, &x, &y, &z, &w), zr_vf_store_fours(p, x, y, z, w): ZR_LANES fours from p on, to p on, in an
+ *     order of lanes of their own, which is one transposition; zr_vf_stream_fours: as zr_vi_stream
+ *   zr_transpose4(a, b, c, d, &x, &y, &z, &w): 4 by 4 floats, in each 16 bytes by themselves
  *   zr_vf_pick(v, i): lane k is lane i[k] of v, i being 0 .. ZR_LANES - 1
  *   zr_vi_gather(m, p, i): p[i] of four bytes, lane by lane; anything in lanes that are not m's
  *   zr_vi_compress(p, m, v): the lanes of m, one after the other, and their count; ZR_LANES words may be written
@@ -111,6 +114,28 @@ static inline zr_vm zr_vm_first(uint32_t count)
 static inline void zr_vi_store4(void *p, zr_vi x, zr_vi y, zr_vi z, zr_vi w)
 {
     zr_vf_store4(p, zr_vf_bits(x), zr_vf_bits(y), zr_vf_bits(z), zr_vf_bits(w));
+}
+
+static inline void zr_vf_load_fours(const float *p, zr_vf *x, zr_vf *y, zr_vf *z, zr_vf *w)
+{
+    zr_transpose4(zr_vf_load(p), zr_vf_load(p + ZR_LANES), zr_vf_load(p + 2 * ZR_LANES), zr_vf_load(p + 3 * ZR_LANES),
+                  x, y, z, w);
+}
+
+static inline void zr_vf_store_fours(float *p, zr_vf x, zr_vf y, zr_vf z, zr_vf w)
+{
+    zr_vf v[4];
+    zr_transpose4(x, y, z, w, &v[0], &v[1], &v[2], &v[3]);
+    for (int i = 0; i < 4; i++)
+        zr_vf_store(p + i * ZR_LANES, v[i]);
+}
+
+static inline void zr_vf_stream_fours(float *p, zr_vf x, zr_vf y, zr_vf z, zr_vf w)
+{
+    zr_vf v[4];
+    zr_transpose4(x, y, z, w, &v[0], &v[1], &v[2], &v[3]);
+    for (int i = 0; i < 4; i++)
+        zr_vi_stream(p + i * ZR_LANES, zr_vi_bits_of(v[i]));
 }
 
 static inline int zr_vm_any(zr_vm m)

@@ -59,6 +59,52 @@ static void every_scene_in_every_window_has_the_bytes_of_plain_c(void **state)
     zr_team_destroy(plain);
 }
 
+/* The same scene, but the corners of its mesh are so far apart, and so many, that vertices are written past the caches.
+ */
+static const struct zr_scene *spread_out(const struct zr_scene *scene)
+{
+    enum { APART = 10 };
+    const struct zr_mesh *old = &scene->meshes[0];
+    const uint32_t count = old->position_count * APART, corners = old->face_offsets[old->face_count];
+    struct zr_scene *out = zr_arena_alloc(&arena, 1, sizeof *out);
+    struct zr_mesh *mesh = zr_arena_alloc(&arena, 1, sizeof *mesh);
+    zr_vec4 *positions = zr_arena_zero(&arena, count, sizeof *positions);
+    zr_vec4 *colors = zr_arena_zero(&arena, count, sizeof *colors);
+    uint32_t *indices = zr_arena_alloc(&arena, corners, sizeof *indices);
+    assert_true(zr_arena_ok(&arena) && scene->mesh_count == 1 && count >= 1 << 17);
+    for (uint32_t i = 0; i < old->position_count; i++) {
+        positions[APART * i] = old->positions[i];
+        colors[APART * i] = old->colors[i];
+    }
+    for (uint32_t i = 0; i < corners; i++)
+        indices[i] = APART * old->indices[i];
+    *mesh = *old;
+    mesh->position_count = count;
+    mesh->positions = positions;
+    mesh->colors = colors;
+    mesh->indices = indices;
+    *out = *scene;
+    out->meshes = mesh;
+    return out;
+}
+
+static void so_has_a_mesh_of_many_vertices(void **state)
+{
+    enum zr_isa isa = isa_under_test(state);
+    struct zr_team *plain = zr_team_create_for(1, ZR_ISA_SCALAR);
+    for (int number = 0; number < 2; number++) { /* the soups */
+        const struct zr_scene *near = gallery_scene(&arena, number, 640, 480), *far = spread_out(near);
+        const struct zr_frame *want = scene_render(&arena, plain, near);
+        for (int threads = 1; threads <= 3; threads++) {
+            struct zr_team *team = zr_team_create_for(threads, isa);
+            assert_same(want, scene_render(&arena, team, far), gallery_names[number], threads);
+            zr_team_destroy(team);
+        }
+        zr_arena_reset(&arena, ceiling);
+    }
+    zr_team_destroy(plain);
+}
+
 /* A gallery that shows nothing would be the same everywhere; all but its last scene must show something. */
 static void every_scene_shows_much_in_large_windows(void **state)
 {
@@ -116,6 +162,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         TEST_EACH_ISA(every_scene_in_every_window_has_the_bytes_of_plain_c),
+        TEST_EACH_ISA(so_has_a_mesh_of_many_vertices),
         cmocka_unit_test(every_scene_shows_much_in_large_windows),
         cmocka_unit_test(what_is_out_of_reach_is_nothing),
     };

@@ -117,6 +117,11 @@ static void want_floats(const struct simd_inputs *in, struct simd_results *want,
     want->vf_bits[k] = float_of((uint32_t)in->i[k]);
     for (int c = 0; c < 4; c++)
         want->load4[c][k] = want->vf_store4[4 * k + c] = in->places[SIMD_APART * in->order[k] + (uint32_t)c];
+    uint32_t four[4];
+    memcpy(four, in->places + 4 * k + 1, sizeof four);
+    four[0] ^= four[3];
+    memcpy(want->vf_store_fours + 4 * k, four, sizeof four);
+    memcpy(want->vf_stream_fours + 4 * k, four, sizeof four);
 }
 
 static void want_ints(const struct simd_inputs *in, struct simd_results *want, int k)
@@ -291,6 +296,8 @@ static const struct result results[] = {EXACT(vf_set),
                                         EXACT(load4[2]),
                                         EXACT(load4[3]),
                                         EXACT(vf_store4),
+                                        EXACT(vf_store_fours),
+                                        EXACT(vf_stream_fours),
                                         EXACT(strayed),
                                         RESULT(vd_set, true),
                                         RESULT(vd_min, true),

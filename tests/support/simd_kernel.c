@@ -105,6 +105,10 @@ static void run_places(const struct simd_inputs *in, struct simd_results *out, i
     zr_vf_store(out->load4[3] + k, w);
     zr_vf_store4(out->vf_store4 + 4 * k, x, y, z, w);
 #undef PLACE
+    zr_vf_load_fours(in->places + 4 * k + 1, &x, &y, &z, &w);
+    const zr_vf mixed = zr_vf_bits(zr_vi_bits_of(x) ^ zr_vi_bits_of(w));
+    zr_vf_store_fours(out->vf_store_fours + 4 * k, mixed, y, z, w);
+    zr_vf_stream_fours(out->vf_stream_fours + 4 * k, mixed, y, z, w);
 }
 
 static void run_patches(const struct simd_inputs *in, struct simd_results *out, int k)

@@ -47,8 +47,10 @@ struct simd_results {
     int32_t vm_and[SIMD_COUNT], vm_or[SIMD_COUNT], vm_andnot[SIMD_COUNT], vm_of[SIMD_COUNT]; /* of m and n; of m */
     int32_t vm_any[SIMD_COUNT];                                                              /* of the vector's m */
     float load4[4][SIMD_COUNT];
-    float vf_store4[4 * SIMD_COUNT];        /* what load4 loaded */
-    int32_t vi_store4[4 * SIMD_COUNT];      /* i, j, i + j, i - j */
+    float vf_store4[4 * SIMD_COUNT];                    /* what load4 loaded */
+    _Alignas(64) float vf_stream_fours[4 * SIMD_COUNT]; /* places from 4 k + 1 on, bits of x exclusively or w's */
+    float vf_store_fours[4 * SIMD_COUNT];               /* the same */
+    int32_t vi_store4[4 * SIMD_COUNT];                  /* i, j, i + j, i - j */
     int32_t load_corners[3][3][SIMD_COUNT]; /* pairs of bits 0 .. 15, 16 .. 31, and 15 .. 31, which saturate */
     int32_t vp_add[SIMD_COUNT], vp_sub[SIMD_COUNT], vp_left_8[SIMD_COUNT], vp_right_8[SIMD_COUNT];
     int32_t vp_min[SIMD_COUNT], vp_max[SIMD_COUNT], vp_cross[SIMD_COUNT]; /* of p and q */

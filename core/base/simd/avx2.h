@@ -124,14 +124,16 @@ static inline zr_vi zr_vi_round(zr_vf a)
     do {                                                                                                               \
         const __m256 a0 = ZR_LOAD_EVERY_FOURTH(AT, 0), a1 = ZR_LOAD_EVERY_FOURTH(AT, 1);                               \
         const __m256 a2 = ZR_LOAD_EVERY_FOURTH(AT, 2), a3 = ZR_LOAD_EVERY_FOURTH(AT, 3);                               \
-        zr_transpose4(a0, a1, a2, a3, &(x), &(y), &(z), &(w));                                                         \
+        zr_transpose4((zr_vf)a0, (zr_vf)a1, (zr_vf)a2, (zr_vf)a3, &(x), &(y), &(z), &(w));                             \
     } while (0)
 
 /* Four by four, in each half. */
-static inline void zr_transpose4(__m256 a0, __m256 a1, __m256 a2, __m256 a3, zr_vf *x, zr_vf *y, zr_vf *z, zr_vf *w)
+static inline void zr_transpose4(zr_vf a0, zr_vf a1, zr_vf a2, zr_vf a3, zr_vf *x, zr_vf *y, zr_vf *z, zr_vf *w)
 {
-    const __m256d low01 = (__m256d)_mm256_unpacklo_ps(a0, a1), high01 = (__m256d)_mm256_unpackhi_ps(a0, a1);
-    const __m256d low23 = (__m256d)_mm256_unpacklo_ps(a2, a3), high23 = (__m256d)_mm256_unpackhi_ps(a2, a3);
+    const __m256d low01 = (__m256d)_mm256_unpacklo_ps((__m256)a0, (__m256)a1);
+    const __m256d high01 = (__m256d)_mm256_unpackhi_ps((__m256)a0, (__m256)a1);
+    const __m256d low23 = (__m256d)_mm256_unpacklo_ps((__m256)a2, (__m256)a3);
+    const __m256d high23 = (__m256d)_mm256_unpackhi_ps((__m256)a2, (__m256)a3);
     *x = (zr_vf)_mm256_unpacklo_pd(low01, low23);
     *y = (zr_vf)_mm256_unpackhi_pd(low01, low23);
     *z = (zr_vf)_mm256_unpacklo_pd(high01, high23);
@@ -173,7 +175,7 @@ static inline zr_vi zr_vi_gather(zr_vm m, const void *p, zr_vi i)
 static inline void zr_vf_store4(float *p, zr_vf x, zr_vf y, zr_vf z, zr_vf w)
 {
     zr_vf a, b, c, d; /* lanes 0 and 4, 1 and 5, 2 and 6, 3 and 7 */
-    zr_transpose4((__m256)x, (__m256)y, (__m256)z, (__m256)w, &a, &b, &c, &d);
+    zr_transpose4(x, y, z, w, &a, &b, &c, &d);
     _mm256_storeu_ps(p, _mm256_permute2f128_ps((__m256)a, (__m256)b, 0x20));
     _mm256_storeu_ps(p + 8, _mm256_permute2f128_ps((__m256)c, (__m256)d, 0x20));
     _mm256_storeu_ps(p + 16, _mm256_permute2f128_ps((__m256)a, (__m256)b, 0x31));

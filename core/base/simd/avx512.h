@@ -182,13 +182,15 @@ static inline zr_vi zr_vi_bits_of(zr_vf a)
     do {                                                                                                               \
         const __m512 a0 = ZR_LOAD_EVERY_FOURTH(AT, 0), a1 = ZR_LOAD_EVERY_FOURTH(AT, 1);                               \
         const __m512 a2 = ZR_LOAD_EVERY_FOURTH(AT, 2), a3 = ZR_LOAD_EVERY_FOURTH(AT, 3);                               \
-        zr_transpose4(a0, a1, a2, a3, &(x), &(y), &(z), &(w));                                                         \
+        zr_transpose4((zr_vf)a0, (zr_vf)a1, (zr_vf)a2, (zr_vf)a3, &(x), &(y), &(z), &(w));                             \
     } while (0)
 
-static inline void zr_transpose4(__m512 a0, __m512 a1, __m512 a2, __m512 a3, zr_vf *x, zr_vf *y, zr_vf *z, zr_vf *w)
+static inline void zr_transpose4(zr_vf a0, zr_vf a1, zr_vf a2, zr_vf a3, zr_vf *x, zr_vf *y, zr_vf *z, zr_vf *w)
 {
-    const __m512d low01 = (__m512d)_mm512_unpacklo_ps(a0, a1), high01 = (__m512d)_mm512_unpackhi_ps(a0, a1);
-    const __m512d low23 = (__m512d)_mm512_unpacklo_ps(a2, a3), high23 = (__m512d)_mm512_unpackhi_ps(a2, a3);
+    const __m512d low01 = (__m512d)_mm512_unpacklo_ps((__m512)a0, (__m512)a1);
+    const __m512d high01 = (__m512d)_mm512_unpackhi_ps((__m512)a0, (__m512)a1);
+    const __m512d low23 = (__m512d)_mm512_unpacklo_ps((__m512)a2, (__m512)a3);
+    const __m512d high23 = (__m512d)_mm512_unpackhi_ps((__m512)a2, (__m512)a3);
     *x = (zr_vf)_mm512_unpacklo_pd(low01, low23);
     *y = (zr_vf)_mm512_unpackhi_pd(low01, low23);
     *z = (zr_vf)_mm512_unpacklo_pd(high01, high23);

@@ -94,13 +94,14 @@ static inline zr_vi zr_vi_round(zr_vf a)
 }
 
 #define ZR_LOAD4(x, y, z, w, AT)                                                                                       \
-    zr_transpose4(vld1q_f32(AT(0)), vld1q_f32(AT(1)), vld1q_f32(AT(2)), vld1q_f32(AT(3)), &(x), &(y), &(z), &(w))
+    zr_transpose4(zr_vf_load(AT(0)), zr_vf_load(AT(1)), zr_vf_load(AT(2)), zr_vf_load(AT(3)), &(x), &(y), &(z), &(w))
 
-static inline void zr_transpose4(float32x4_t a0, float32x4_t a1, float32x4_t a2, float32x4_t a3, zr_vf *x, zr_vf *y,
-                                 zr_vf *z, zr_vf *w)
+static inline void zr_transpose4(zr_vf a0, zr_vf a1, zr_vf a2, zr_vf a3, zr_vf *x, zr_vf *y, zr_vf *z, zr_vf *w)
 {
-    const float64x2_t low01 = (float64x2_t)vzip1q_f32(a0, a1), high01 = (float64x2_t)vzip2q_f32(a0, a1);
-    const float64x2_t low23 = (float64x2_t)vzip1q_f32(a2, a3), high23 = (float64x2_t)vzip2q_f32(a2, a3);
+    const float64x2_t low01 = (float64x2_t)vzip1q_f32((float32x4_t)a0, (float32x4_t)a1);
+    const float64x2_t high01 = (float64x2_t)vzip2q_f32((float32x4_t)a0, (float32x4_t)a1);
+    const float64x2_t low23 = (float64x2_t)vzip1q_f32((float32x4_t)a2, (float32x4_t)a3);
+    const float64x2_t high23 = (float64x2_t)vzip2q_f32((float32x4_t)a2, (float32x4_t)a3);
     *x = (zr_vf)vzip1q_f64(low01, low23);
     *y = (zr_vf)vzip2q_f64(low01, low23);
     *z = (zr_vf)vzip1q_f64(high01, high23);

@@ -172,6 +172,11 @@ static inline zr_vi zr_vi_bits_of(zr_vf a)
         (x) = at[0], (y) = at[1], (z) = at[2], (w) = at[3];                                                            \
     } while (0)
 
+static inline void zr_transpose4(zr_vf a0, zr_vf a1, zr_vf a2, zr_vf a3, zr_vf *x, zr_vf *y, zr_vf *z, zr_vf *w)
+{
+    *x = a0, *y = a1, *z = a2, *w = a3;
+}
+
 typedef double zr_vd;
 enum { ZR_DOUBLES = 1 };
 

@@ -90,10 +90,10 @@ static inline zr_vi zr_vi_round(zr_vf a)
     return (zr_vi)_mm_cvtps_epi32((__m128)a);
 }
 
-static inline void zr_transpose4(__m128 a0, __m128 a1, __m128 a2, __m128 a3, zr_vf *x, zr_vf *y, zr_vf *z, zr_vf *w)
+static inline void zr_transpose4(zr_vf a0, zr_vf a1, zr_vf a2, zr_vf a3, zr_vf *x, zr_vf *y, zr_vf *z, zr_vf *w)
 {
-    const __m128 low01 = _mm_unpacklo_ps(a0, a1), high01 = _mm_unpackhi_ps(a0, a1);
-    const __m128 low23 = _mm_unpacklo_ps(a2, a3), high23 = _mm_unpackhi_ps(a2, a3);
+    const __m128 low01 = _mm_unpacklo_ps((__m128)a0, (__m128)a1), high01 = _mm_unpackhi_ps((__m128)a0, (__m128)a1);
+    const __m128 low23 = _mm_unpacklo_ps((__m128)a2, (__m128)a3), high23 = _mm_unpackhi_ps((__m128)a2, (__m128)a3);
     *x = (zr_vf)_mm_movelh_ps(low01, low23);
     *y = (zr_vf)_mm_movehl_ps(low23, low01);
     *z = (zr_vf)_mm_movelh_ps(high01, high23);
@@ -101,8 +101,7 @@ static inline void zr_transpose4(__m128 a0, __m128 a1, __m128 a2, __m128 a3, zr_
 }
 
 #define ZR_LOAD4(x, y, z, w, AT)                                                                                       \
-    zr_transpose4(_mm_loadu_ps(AT(0)), _mm_loadu_ps(AT(1)), _mm_loadu_ps(AT(2)), _mm_loadu_ps(AT(3)), &(x), &(y),      \
-                  &(z), &(w))
+    zr_transpose4(zr_vf_load(AT(0)), zr_vf_load(AT(1)), zr_vf_load(AT(2)), zr_vf_load(AT(3)), &(x), &(y), &(z), &(w))
 
 #define ZR_LOAD_PAIRS(AT, i) zr_load_pair(AT(i), AT((i) + 1))
 
@@ -128,7 +127,7 @@ static inline zr_vi zr_vp_cross(zr_vp a, zr_vp b)
 static inline void zr_vf_store4(float *p, zr_vf x, zr_vf y, zr_vf z, zr_vf w)
 {
     zr_vf a, b, c, d; /* lanes 0, 1, 2, 3 */
-    zr_transpose4((__m128)x, (__m128)y, (__m128)z, (__m128)w, &a, &b, &c, &d);
+    zr_transpose4(x, y, z, w, &a, &b, &c, &d);
     zr_vf_store(p, a);
     zr_vf_store(p + 4, b);
     zr_vf_store(p + 8, c);
