@@ -22,29 +22,11 @@ struct group {
     uint32_t in_stamp; /* the box lies in a stamp, and depth does stay within 0..1; none where few are so */
 };
 
-/* Where the corners of records stand. */
-struct corners {
-    const float *at[3][ZR_LANES];
-};
-
-static inline void load_corners(const struct corners *corners, struct zr_corner_v c[3])
+/* v: the corners as they stand in the mesh. */
+static inline void set_up(const struct zr_tile *tile, const struct zr_corner_v v[3], struct group *out)
 {
-#define CORNER_0(i) corners->at[0][i]
-#define CORNER_1(i) corners->at[1][i]
-#define CORNER_2(i) corners->at[2][i]
-    ZR_LOAD4(c[0].x, c[0].y, c[0].z, c[0].oow, CORNER_0);
-    ZR_LOAD4(c[1].x, c[1].y, c[1].z, c[1].oow, CORNER_1);
-    ZR_LOAD4(c[2].x, c[2].y, c[2].z, c[2].oow, CORNER_2);
-#undef CORNER_0
-#undef CORNER_1
-#undef CORNER_2
-}
-
-static inline void set_up(const struct zr_tile *tile, const struct corners *corners, struct group *out)
-{
-    struct zr_corner_v c[3];
+    struct zr_corner_v c[3] = {v[0], v[1], v[2]};
     struct zr_grid_v g[3];
-    load_corners(corners, c);
     out->turned = zr_vm_bits(zr_corners_orient_v(c, g));
 
     const zr_vi last_x = zr_vi_set(tile->x + tile->width - 1), last_y = zr_vi_set(tile->y + tile->height - 1);
@@ -97,34 +79,46 @@ static inline bool is_of_mesh(const struct zr_batch *batch, const uint32_t *numb
 }
 
 /* ZR_LANES numbers of a batch that is not written -> corners. */
-static inline void find_corners(const struct zr_geometry *geometry, const struct zr_batch *batch,
-                                const uint32_t *numbers, struct corners *out)
+static inline void load_corners(const struct zr_geometry *geometry, const struct zr_batch *batch,
+                                const uint32_t *numbers, struct zr_corner_v v[3])
 {
     const float *vertices = &geometry->vertices[batch->first_vertex].x;
-    for (uint32_t i = 0; i < ZR_LANES; i++)
-        for (size_t k = 0; k < 3; k++)
-            out->at[k][i] = vertices + 4 * (size_t)batch->corners[3 * (size_t)(numbers[i] - batch->first) + k];
+#define CORNER(i, k) (vertices + 4 * (size_t)batch->corners[3 * (size_t)(numbers[i] - batch->first) + (k)])
+#define CORNER_0(i)  CORNER(i, 0)
+#define CORNER_1(i)  CORNER(i, 1)
+#define CORNER_2(i)  CORNER(i, 2)
+    ZR_LOAD4(v[0].x, v[0].y, v[0].z, v[0].oow, CORNER_0);
+    ZR_LOAD4(v[1].x, v[1].y, v[1].z, v[1].oow, CORNER_1);
+    ZR_LOAD4(v[2].x, v[2].y, v[2].z, v[2].oow, CORNER_2);
+#undef CORNER_0
+#undef CORNER_1
+#undef CORNER_2
+#undef CORNER
 }
 
 /* Of any batches. Returns the last one's. */
-static inline const struct zr_batch *find_mixed_corners(const struct zr_geometry *geometry,
+static inline const struct zr_batch *load_mixed_corners(const struct zr_geometry *geometry,
                                                         const struct zr_batch *batch, const uint32_t *numbers,
-                                                        struct corners *out)
+                                                        struct zr_corner_v v[3])
 {
-    const float *vertices = &geometry->vertices[0].x;
+    const float *places[3][ZR_LANES];
     for (uint32_t i = 0; i < ZR_LANES; i++) {
         batch = zr_batch_next(geometry, batch, numbers[i]);
-        uint32_t t = numbers[i] - batch->first, first = 0;
-        const uint32_t *v;
-        if (batch->written) {
-            v = geometry->triangles[batch->first_record + t].v;
-        } else {
-            v = batch->corners + 3 * (size_t)t;
-            first = batch->first_vertex;
-        }
+        const uint32_t t = numbers[i] - batch->first;
+        const uint32_t *corners = batch->corners + 3 * (size_t)t, first = batch->written ? 0 : batch->first_vertex;
+        if (batch->written) corners = geometry->triangles[batch->first_record + t].v;
         for (int k = 0; k < 3; k++)
-            out->at[k][i] = vertices + 4 * (size_t)(first + v[k]);
+            places[k][i] = &geometry->vertices[first + corners[k]].x;
     }
+#define CORNER_0(i) places[0][i]
+#define CORNER_1(i) places[1][i]
+#define CORNER_2(i) places[2][i]
+    ZR_LOAD4(v[0].x, v[0].y, v[0].z, v[0].oow, CORNER_0);
+    ZR_LOAD4(v[1].x, v[1].y, v[1].z, v[1].oow, CORNER_1);
+    ZR_LOAD4(v[2].x, v[2].y, v[2].z, v[2].oow, CORNER_2);
+#undef CORNER_0
+#undef CORNER_1
+#undef CORNER_2
     return batch;
 }
 
@@ -239,7 +233,7 @@ void ZR_KERNEL(zr_small)(struct zr_tile *tile, const struct zr_geometry *geometr
     for (uint32_t done = 0; done < count; done += ZR_LANES) {
         const uint32_t some = count - done < ZR_LANES ? count - done : ZR_LANES, *here = numbers + done;
         uint32_t last[ZR_LANES];
-        struct corners corners;
+        struct zr_corner_v v[3];
         struct group group;
         if (some < ZR_LANES) { /* what is missing is the first once more, which is not seen twice */
             for (uint32_t i = 0; i < ZR_LANES; i++)
@@ -248,16 +242,14 @@ void ZR_KERNEL(zr_small)(struct zr_tile *tile, const struct zr_geometry *geometr
         }
         bool is_painted = false;
         if (is_of_mesh(batch, here)) {
-            find_corners(geometry, batch, here, &corners);
+            load_corners(geometry, batch, here, v);
             is_painted = tile->has_colors && batch->painted_early;
         } else {
-            batch = find_mixed_corners(geometry, batch, here, &corners);
+            batch = load_mixed_corners(geometry, batch, here, v);
         }
-        set_up(tile, &corners, &group);
+        set_up(tile, v, &group);
         if (is_painted && group.in_stamp) {
-            struct zr_corner_v c[3];
-            load_corners(&corners, c);
-            const struct zr_color_planes planes = zr_early_planes(batch, here, zr_vm_of(group.turned), c);
+            const struct zr_color_planes planes = zr_early_planes(batch, here, zr_vm_of(group.turned), v);
             draw_colored_group(tile, &group, here, some, &planes);
         } else if (tile->has_colors) {
             draw_colored_group(tile, &group, here, some, NULL);
