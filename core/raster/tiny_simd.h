@@ -1,10 +1,11 @@
 /* tiny_simd.h - raster: triangles that hold 2x2 of the window's pixel centres at most, many at once, for the kernel
  * that sorts.
  *
- * How:    in three steps with a queue before each of the last two, so that their vectors are full: a triangle is
- *         found to be tiny (zr_tiny_add), the samples that it covers are found (zr_tiny_cover), and these are
- *         given their depth (zr_tiny_draw). Of the samples that its box holds, most are not covered: for those no
- *         corner and no depth is looked at (a tenth of the time of a million triangles).
+ * How:    in four steps with a queue before each of the others: a triangle is found to be tiny (zr_tiny_add), the
+ *         samples that it covers are found (zr_tiny_cover), these are given their depth, and put into their tiles
+ *         (both zr_tiny_draw). So vectors are full; of the samples that a box holds, most are not covered, and for
+ *         those no corner and no depth is looked at (a tenth of the time of a million triangles); and of how many
+ *         tiles a vector's samples are, the processor cannot guess, but finds out before the depths (3 %).
  * Space:  a queued triangle stands on the snapped grid, seen from the pixel centre of its lower left sample in the
  *         window. It is a small one (ZR_BIN_SMALL_SPAN), if cut by the window's end: its coordinates fit 16 bits, and
  *         both of a place are one word.
@@ -42,6 +43,8 @@ struct zr_tiny_target {
     uint32_t first_owner, last_owner; /* of those that may come */
 };
 
+enum { ZR_TINY_SAMPLES_ROOM = 4 * ZR_TINY_ROOM + 2 * ZR_LANES };
+
 /* What follows a queue's end may be written, a vector at a time. */
 struct zr_tiny {
     uint32_t count, sample_count;
@@ -50,7 +53,11 @@ struct zr_tiny {
     /* Pairs of 16 bits, as zr_vp: corner 0, and the ways from it to corners 1 and 2. */
     uint32_t corner[ZR_TINY_ROOM + ZR_LANES], way1[ZR_TINY_ROOM + ZR_LANES], way2[ZR_TINY_ROOM + ZR_LANES];
     /* Samples that are covered; where the upper bit of a place is set, corners 0 and 1 change places. */
-    uint32_t sample_numbers[4 * ZR_TINY_ROOM + 2 * ZR_LANES], sample_places[4 * ZR_TINY_ROOM + 2 * ZR_LANES];
+    uint32_t sample_numbers[ZR_TINY_SAMPLES_ROOM], sample_places[ZR_TINY_SAMPLES_ROOM];
+    /* The same samples, with a depth: as zr_tiny_samples, group by group. */
+    uint32_t seen[ZR_TINY_SAMPLES_ROOM / ZR_LANES];
+    uint32_t tiles[ZR_TINY_SAMPLES_ROOM], words[ZR_TINY_SAMPLES_ROOM], colors[ZR_TINY_SAMPLES_ROOM];
+    float depths[ZR_TINY_SAMPLES_ROOM];
 };
 
 /* ---- which samples are covered ---- */
@@ -162,8 +169,8 @@ static inline void zr_tiny_put_all(const struct zr_tiny_target *target, const st
     }
 }
 
-static inline void zr_tiny_draw_group(const uint32_t *numbers, const uint32_t *places, zr_vm valid,
-                                      const struct zr_tiny_target *target)
+static inline struct zr_tiny_samples zr_tiny_draw_group(const uint32_t *numbers, const uint32_t *places, zr_vm valid,
+                                                        const struct zr_tiny_target *target)
 {
     const struct zr_corners *corners = target->corners;
     const struct zr_batch *batch = target->batch;
@@ -194,31 +201,53 @@ static inline void zr_tiny_draw_group(const uint32_t *numbers, const uint32_t *p
     samples.tile = (row >> 6) * zr_vi_set((int32_t)target->binner->bins->columns) + (column >> 6);
     samples.word = (((row & in_tile) * zr_vi_set(ZR_TILE_STRIDE) + (column & in_tile)) << ZR_BIN_OWNER_BITS) +
                    zr_vi_load(numbers) + zr_vi_set(1);
-    zr_tiny_put_all(target, &samples);
+    return samples;
 }
 _Static_assert((int)ZR_LANES <= (int)ZR_BIN_VECTOR, "a block has room for a vector");
 _Static_assert(ZR_SNAP_MAX / ZR_SUBPIXELS < INT16_MAX, "a place in the window, and a bit, fit a word");
 _Static_assert(ZR_TILE_SIZE == 1 << 6, "columns and rows of tiles are shifts");
 
+static inline void zr_tiny_keep(struct zr_tiny *tiny, uint32_t from, const struct zr_tiny_samples *samples)
+{
+    tiny->seen[from / ZR_LANES] = zr_vm_bits(samples->seen);
+    zr_vi_store(tiny->tiles + from, samples->tile);
+    zr_vi_store(tiny->words + from, samples->word);
+    zr_vi_store(tiny->colors + from, samples->color);
+    zr_vf_store(tiny->depths + from, samples->depth);
+}
+
+static inline struct zr_tiny_samples zr_tiny_kept(const struct zr_tiny *tiny, uint32_t from)
+{
+    return (struct zr_tiny_samples){.seen = zr_vm_of(tiny->seen[from / ZR_LANES]),
+                                    .tile = zr_vi_load(tiny->tiles + from),
+                                    .word = zr_vi_load(tiny->words + from),
+                                    .depth = zr_vf_load(tiny->depths + from),
+                                    .color = zr_vi_load(tiny->colors + from)};
+}
+
 /* Full groups; what is left waits for more, unless this `is_end`. */
 static inline void zr_tiny_draw(struct zr_tiny *tiny, bool is_end, const struct zr_tiny_target *target)
 {
-    uint32_t *numbers = tiny->sample_numbers, *places = tiny->sample_places, done = 0;
-    for (; tiny->sample_count - done >= ZR_LANES; done += ZR_LANES)
-        zr_tiny_draw_group(numbers + done, places + done, ZR_ALL_LANES, target);
-    const uint32_t left = tiny->sample_count - done;
-    for (uint32_t i = 0; i < left; i++) {
-        numbers[i] = numbers[done + i];
-        places[i] = places[done + i];
-    }
-    tiny->sample_count = left;
-    if (!is_end || left == 0) return;
-    for (uint32_t i = left; i < ZR_LANES; i++) {
+    uint32_t *numbers = tiny->sample_numbers, *places = tiny->sample_places;
+    const uint32_t count = tiny->sample_count, left = is_end ? 0 : count % ZR_LANES, end = count - left;
+    for (uint32_t i = count; i % ZR_LANES != 0; i++) { /* what is missing in the last group is the first once more */
         numbers[i] = numbers[0];
         places[i] = places[0];
     }
-    zr_tiny_draw_group(numbers, places, zr_vm_first(left), target);
-    tiny->sample_count = 0;
+    for (uint32_t from = 0; from < end; from += ZR_LANES) {
+        const struct zr_tiny_samples samples =
+            zr_tiny_draw_group(numbers + from, places + from, zr_vm_first(end - from), target);
+        zr_tiny_keep(tiny, from, &samples);
+    }
+    for (uint32_t from = 0; from < end; from += ZR_LANES) {
+        const struct zr_tiny_samples samples = zr_tiny_kept(tiny, from);
+        zr_tiny_put_all(target, &samples);
+    }
+    for (uint32_t i = 0; i < left; i++) {
+        numbers[i] = numbers[end + i];
+        places[i] = places[end + i];
+    }
+    tiny->sample_count = left;
 }
 
 #endif
