@@ -51,17 +51,18 @@ static inline zr_vf snap(zr_vf window)
     return ((window - zr_vf_set(0.5f)) * zr_vf_set((float)ZR_SUBPIXELS) + no_fraction) - no_fraction;
 }
 
-/* Where fours are loaded from and stored to, lanes have an order of their own: places in memory are found by storing
- * fours. */
+/* Lanes are in the order of fours: where each belongs is found by storing such. */
 static inline unsigned store_outcodes(zr_vi codes, uint8_t *out)
 {
-    uint32_t fours[4 * ZR_LANES];
+    float fours[4 * ZR_LANES];
     unsigned any = 0;
     const zr_vf each = zr_vf_bits(codes);
-    zr_vf_store_fours((float *)(void *)fours, each, each, each, each);
+    zr_vf_store_fours(fours, each, each, each, each);
     for (size_t i = 0; i < ZR_LANES; i++) {
-        out[i] = (uint8_t)fours[4 * i];
-        any |= fours[4 * i];
+        uint32_t code;
+        memcpy(&code, &fours[4 * i], sizeof code);
+        out[i] = (uint8_t)code;
+        any |= code;
     }
     return any;
 }

@@ -14,9 +14,9 @@ enum { COUNT = 3000, ODD = 17 };
 
 static zr_vec4 positions[COUNT];
 
-static const float odd[ODD] = {0.0f,     -0.0f,     1.0f,    -1.0f,    0x1.fffffep-1f, -0x1.000002p0f,
-                               INFINITY, -INFINITY, NAN,     FLT_MAX,  -FLT_MAX,       0x1p-149f,
-                               0x1p-127f, -0x1p-130f, 0x1p64f, -0x1p64f, 2.0f};
+static const float odd[ODD] = {0.0f,      -0.0f,    1.0f,    -1.0f,    0x1.fffffep-1f, -0x1.000002p0f, INFINITY,
+                               -INFINITY, NAN,      FLT_MAX, -FLT_MAX, 0x1p-149f,      0x1p-127f,      -0x1p-130f,
+                               0x1p64f,   -0x1p64f, 2.0f};
 
 /* Mostly inside; some beside a plane of the volume, some with numbers that few expect. */
 static void make_positions(struct random *random)
