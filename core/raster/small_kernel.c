@@ -87,9 +87,7 @@ static inline void load_corners(const struct zr_geometry *geometry, const struct
 #define CORNER_0(i)  CORNER(i, 0)
 #define CORNER_1(i)  CORNER(i, 1)
 #define CORNER_2(i)  CORNER(i, 2)
-    ZR_LOAD4(v[0].x, v[0].y, v[0].z, v[0].oow, CORNER_0);
-    ZR_LOAD4(v[1].x, v[1].y, v[1].z, v[1].oow, CORNER_1);
-    ZR_LOAD4(v[2].x, v[2].y, v[2].z, v[2].oow, CORNER_2);
+    ZR_LOAD_CORNERS(v, CORNER_0, CORNER_1, CORNER_2);
 #undef CORNER_0
 #undef CORNER_1
 #undef CORNER_2
@@ -113,9 +111,7 @@ static inline const struct zr_batch *load_mixed_corners(const struct zr_geometry
 #define CORNER_0(i) places[0][i]
 #define CORNER_1(i) places[1][i]
 #define CORNER_2(i) places[2][i]
-    ZR_LOAD4(v[0].x, v[0].y, v[0].z, v[0].oow, CORNER_0);
-    ZR_LOAD4(v[1].x, v[1].y, v[1].z, v[1].oow, CORNER_1);
-    ZR_LOAD4(v[2].x, v[2].y, v[2].z, v[2].oow, CORNER_2);
+    ZR_LOAD_CORNERS(v, CORNER_0, CORNER_1, CORNER_2);
 #undef CORNER_0
 #undef CORNER_1
 #undef CORNER_2

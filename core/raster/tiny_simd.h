@@ -178,9 +178,7 @@ static inline struct zr_tiny_samples zr_tiny_draw_group(const uint32_t *numbers,
 #define ZR_TINY_CORNER_0(i) zr_corner_at(corners, numbers[i] - batch->first, 0)
 #define ZR_TINY_CORNER_1(i) zr_corner_at(corners, numbers[i] - batch->first, 1)
 #define ZR_TINY_CORNER_2(i) zr_corner_at(corners, numbers[i] - batch->first, 2)
-    ZR_LOAD4(c[0].x, c[0].y, c[0].z, c[0].oow, ZR_TINY_CORNER_0);
-    ZR_LOAD4(c[1].x, c[1].y, c[1].z, c[1].oow, ZR_TINY_CORNER_1);
-    ZR_LOAD4(c[2].x, c[2].y, c[2].z, c[2].oow, ZR_TINY_CORNER_2);
+    ZR_LOAD_CORNERS(c, ZR_TINY_CORNER_0, ZR_TINY_CORNER_1, ZR_TINY_CORNER_2);
 #undef ZR_TINY_CORNER_0
 #undef ZR_TINY_CORNER_1
 #undef ZR_TINY_CORNER_2

@@ -13,6 +13,14 @@ struct zr_corner_v {
     zr_vf x, y, z, oow;
 };
 
+/* Lane i of corner k has the four floats at AT_k(i), as ZR_LOAD4 has it. */
+#define ZR_LOAD_CORNERS(c, AT_0, AT_1, AT_2)                                                                           \
+    do {                                                                                                               \
+        ZR_LOAD4((c)[0].x, (c)[0].y, (c)[0].z, (c)[0].oow, AT_0);                                                      \
+        ZR_LOAD4((c)[1].x, (c)[1].y, (c)[1].z, (c)[1].oow, AT_1);                                                      \
+        ZR_LOAD4((c)[2].x, (c)[2].y, (c)[2].z, (c)[2].oow, AT_2);                                                      \
+    } while (0)
+
 /* Snapped. */
 struct zr_grid_v {
     zr_vi x, y;

@@ -137,9 +137,7 @@ static inline struct zr_color_planes zr_color_planes_make(const struct zr_smooth
 #define ZR_COLOR_0(i)  (&corners->colors[corners->color[0][first + (i)]].x)
 #define ZR_COLOR_1(i)  (&corners->colors[corners->color[1][first + (i)]].x)
 #define ZR_COLOR_2(i)  (&corners->colors[corners->color[2][first + (i)]].x)
-    ZR_LOAD4(v[0].x, v[0].y, v[0].z, v[0].oow, ZR_VERTEX_0);
-    ZR_LOAD4(v[1].x, v[1].y, v[1].z, v[1].oow, ZR_VERTEX_1);
-    ZR_LOAD4(v[2].x, v[2].y, v[2].z, v[2].oow, ZR_VERTEX_2);
+    ZR_LOAD_CORNERS(v, ZR_VERTEX_0, ZR_VERTEX_1, ZR_VERTEX_2);
     ZR_LOAD4(c[0].red, c[0].green, c[0].blue, alpha, ZR_COLOR_0);
     ZR_LOAD4(c[1].red, c[1].green, c[1].blue, alpha, ZR_COLOR_1);
     ZR_LOAD4(c[2].red, c[2].green, c[2].blue, alpha, ZR_COLOR_2);
