@@ -7,7 +7,7 @@
 
 #include "clock.h"
 
-enum { STACK_BYTES = 1 << 20, CALM_KEEP_BYTES = 1 << 20 };
+enum { STACK_BYTES = 1 << 20 };
 
 struct lane {
     struct queue_job *first;
@@ -144,7 +144,7 @@ static struct queue_job *next_job(struct worker *worker)
         calm = true;
         worker->used = 0;
         pthread_mutex_unlock(&queue->lock);
-        zr_arena_reset(&worker->arena, CALM_KEEP_BYTES);
+        zr_arena_reset(&worker->arena, 0);
         malloc_trim(0); /* bodies, answers and what libraries had: the heap keeps what is freed below its end */
         pthread_mutex_lock(&queue->lock);
     }
@@ -157,13 +157,15 @@ static struct queue_job *next_job(struct worker *worker)
 
 /* ---- threads ---- */
 
-/* Blocks of an arena are not filled to their ends, so somewhat more than was used is kept. */
+/* Blocks of an arena are not filled to their ends, so somewhat more than was used is kept, and one block at least: a
+ * new one costs a small request more than its picture does. */
 static void reset_arena(struct worker *worker)
 {
     size_t used = worker->arena.used, older = worker->used - worker->used / 8;
     worker->used = used > older ? used : older;
     if (worker->used == 0) worker->used = 1; /* something was done: libraries may have memory */
-    size_t keep = worker->used + worker->used / 2 + CALM_KEEP_BYTES, most = worker->queue->options.keep_memory_bytes;
+    const size_t keep = worker->used + worker->used / 2 + ZR_ARENA_BLOCK;
+    const size_t most = worker->queue->options.keep_memory_bytes;
     zr_arena_reset(&worker->arena, keep < most ? keep : most);
 }
 

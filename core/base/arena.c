@@ -11,7 +11,7 @@
 #define MADV_HUGEPAGE MADV_NORMAL /* a system that has one size of pages */
 #endif
 
-enum { HUGE_PAGE = 2 << 20, HEADER = ZR_ARENA_ALIGN };
+enum { HEADER = ZR_ARENA_ALIGN };
 
 struct zr_arena_block {
     struct zr_arena_block *next;
@@ -74,9 +74,9 @@ static size_t rounded_up(size_t bytes, size_t unit)
 /* With room for `bytes` at least. NULL where the system has no more. */
 static struct zr_arena_block *block_make(size_t bytes)
 {
-    if (bytes > SIZE_MAX - HEADER - HUGE_PAGE) return NULL;
-    const size_t size = rounded_up(HEADER + bytes, HUGE_PAGE);
-    struct zr_arena_block *block = aligned_alloc(HUGE_PAGE, size);
+    if (bytes > SIZE_MAX - HEADER - ZR_ARENA_BLOCK) return NULL;
+    const size_t size = rounded_up(HEADER + bytes, ZR_ARENA_BLOCK);
+    struct zr_arena_block *block = aligned_alloc(ZR_ARENA_BLOCK, size);
     if (!block) return NULL;
     /* So that the processor looks up 2 MB at a time, and not 4 KB: 5 % of a million triangles, and what comes after
      * other work is up to 16 % faster. The system may refuse. */

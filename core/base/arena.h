@@ -3,8 +3,9 @@
  * Invariant: what was allocated plus what is asked never exceeds `ceiling`; once
  * an allocation has failed, every later one fails too, so a stage may check
  * zr_arena_ok once, at its end. Blocks survive zr_arena_reset: a worker that
- * keeps its arena pays for first-touch page faults once. Blocks are whole pages of
- * 2 MB where the system has them: a process may hold as much beyond `used` for each.
+ * keeps its arena pays for first-touch page faults once. Blocks are multiples of
+ * ZR_ARENA_BLOCK, in pages of that size where the system has them: a process may hold as
+ * much beyond `used` for each.
  * Not thread-safe: one arena belongs to one thread at a time.
  */
 #ifndef ZR_ARENA_H
@@ -13,7 +14,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-enum { ZR_ARENA_ALIGN = 64 };
+enum { ZR_ARENA_ALIGN = 64, ZR_ARENA_BLOCK = 2 << 20 };
 
 struct zr_arena_block;
 
