@@ -71,8 +71,9 @@ struct clip_v {
     zr_vf x, y, z, w;
 };
 
-/* True only where all are inside and have a place in the window, and nearly always then: what is said of most vertices
- * takes few comparisons (a third of the time of the bunny's, with the order of fours). */
+/* True only where all are inside and have a place in the window, and mostly then (not in the far corner of a window of
+ * 8192x8192): few comparisons, and no outcodes (a third of the time of the bunny's vertices, with the order of fours).
+ */
 static inline bool are_plain(const struct clip_v *clip, zr_vf wx, zr_vf wy, zr_vf wz)
 {
     const zr_vf most = zr_vf_set((float)(ZR_SNAP_MAX / ZR_SUBPIXELS - 1));

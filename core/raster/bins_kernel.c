@@ -9,6 +9,16 @@
  */
 enum { PART = ZR_TINY_ROOM, QUEUE = PART + ZR_LANES };
 
+/* Small triangles of a part, by their numbers: those that touch one tile, and those that touch several. They are apart,
+ * since the processor cannot guess which they are (1 to 3 % of the bunny at 512x512). */
+struct in_one_tile {
+    uint32_t count, numbers[QUEUE], tiles[QUEUE];
+};
+struct in_several_tiles {
+    uint32_t count, numbers[QUEUE];
+    uint32_t low[QUEUE], high[QUEUE]; /* row << 16 | column */
+};
+
 struct sorter {
     struct zr_binner *binner;
     const struct zr_batch *batch;
@@ -18,9 +28,8 @@ struct sorter {
      * the ways from it to corners 1 and 2, on the snapped grid. */
     uint32_t pixel[PART], beyond[PART], way1[PART], way2[PART];
     struct zr_tiny tiny;
-    /* Small ones, by their numbers: those of one tile, and those that touch several. */
-    uint32_t inner_count, inner[QUEUE], inner_tile[QUEUE];
-    uint32_t cut_count, cut[QUEUE], cut_low[QUEUE], cut_high[QUEUE]; /* from tile to tile: row << 16 | column */
+    struct in_one_tile in_one;
+    struct in_several_tiles in_several;
 };
 _Static_assert(PART % ZR_LANES == 0, "a part's arrays have room for its last group");
 
@@ -32,31 +41,34 @@ static inline void list_in(struct zr_binner *binner, uint32_t tile, uint32_t num
     if (block) block->numbers[block->head.used++] = number;
 }
 
-/* Apart, since the processor cannot guess which are cut (1 to 3 % of the bunny at 512x512). */
 static void list_small_ones(struct sorter *s)
 {
-    for (uint32_t i = 0; i < s->inner_count; i++)
-        list_in(s->binner, s->inner_tile[i], s->inner[i]);
-    for (uint32_t i = 0; i < s->cut_count; i++) {
-        const uint32_t low = s->cut_low[i], high = s->cut_high[i], columns = s->binner->bins->columns;
+    const struct in_one_tile *one = &s->in_one;
+    const struct in_several_tiles *several = &s->in_several;
+    for (uint32_t i = 0; i < one->count; i++)
+        list_in(s->binner, one->tiles[i], one->numbers[i]);
+    for (uint32_t i = 0; i < several->count; i++) {
+        const uint32_t low = several->low[i], high = several->high[i], columns = s->binner->bins->columns;
         for (uint32_t y = low >> 16; y <= high >> 16; y++)
             for (uint32_t x = low & 0xffff; x <= (high & 0xffff); x++)
-                list_in(s->binner, y * columns + x, s->cut[i]);
+                list_in(s->binner, y * columns + x, several->numbers[i]);
     }
-    s->inner_count = s->cut_count = 0;
+    s->in_one.count = s->in_several.count = 0;
 }
 
 static inline void add_small(struct sorter *s, zr_vm listed, zr_vp first, zr_vp last, zr_vi numbers)
 {
-    const uint32_t inner_count = s->inner_count, cut_count = s->cut_count;
+    struct in_one_tile *one = &s->in_one;
+    struct in_several_tiles *several = &s->in_several;
+    const uint32_t one_count = one->count, several_count = several->count;
     const zr_vi low = (zr_vi)(first >> 6), high = (zr_vi)(last >> 6);
     const zr_vi tile = (low >> 16) * zr_vi_set((int32_t)s->binner->bins->columns) + (low & zr_vi_set(0xffff));
-    const zr_vm one = zr_vi_eq(low, high), inner = zr_vm_and(listed, one), cut = zr_vm_andnot(listed, one);
-    zr_vi_compress(s->inner_tile + inner_count, inner, tile);
-    s->inner_count += zr_vi_compress(s->inner + inner_count, inner, numbers);
-    zr_vi_compress(s->cut_low + cut_count, cut, low);
-    zr_vi_compress(s->cut_high + cut_count, cut, high);
-    s->cut_count += zr_vi_compress(s->cut + cut_count, cut, numbers);
+    const zr_vm same = zr_vi_eq(low, high), in_one = zr_vm_and(listed, same), in_several = zr_vm_andnot(listed, same);
+    zr_vi_compress(one->tiles + one_count, in_one, tile);
+    one->count += zr_vi_compress(one->numbers + one_count, in_one, numbers);
+    zr_vi_compress(several->low + several_count, in_several, low);
+    zr_vi_compress(several->high + several_count, in_several, high);
+    several->count += zr_vi_compress(several->numbers + several_count, in_several, numbers);
 }
 _Static_assert(ZR_TILE_SIZE == 1 << 6, "columns and rows of tiles are shifts");
 
@@ -213,7 +225,7 @@ void ZR_KERNEL(zr_binning)(struct zr_binner *binner, const struct zr_batch *batc
         s.corners.vertices = &geometry->vertices[batch->first_vertex].x;
     }
     s.last = (zr_vp)zr_vi_set((int32_t)((binner->bins->height - 1) << 16 | (binner->bins->width - 1)));
-    s.tiny.count = s.tiny.sample_count = s.inner_count = s.cut_count = 0;
+    s.tiny.count = s.tiny.sample_count = s.in_one.count = s.in_several.count = 0;
     const struct zr_tiny_target target = {batch, &s.corners, binner, batch->first + begin + 1, batch->first + end};
     for (uint32_t part = begin; part < end; part += PART) {
         const uint32_t part_end = end - part < PART ? end : part + PART;

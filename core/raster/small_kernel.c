@@ -103,8 +103,9 @@ static inline const struct zr_batch *load_mixed_corners(const struct zr_geometry
     for (uint32_t i = 0; i < ZR_LANES; i++) {
         batch = zr_batch_next(geometry, batch, numbers[i]);
         const uint32_t t = numbers[i] - batch->first;
-        const uint32_t *corners = batch->corners + 3 * (size_t)t, first = batch->written ? 0 : batch->first_vertex;
-        if (batch->written) corners = geometry->triangles[batch->first_record + t].v;
+        const uint32_t *corners =
+            batch->written ? geometry->triangles[batch->first_record + t].v : batch->corners + 3 * (size_t)t;
+        const uint32_t first = batch->written ? 0 : batch->first_vertex;
         for (int k = 0; k < 3; k++)
             places[k][i] = &geometry->vertices[first + corners[k]].x;
     }

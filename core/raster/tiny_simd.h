@@ -1,11 +1,11 @@
 /* tiny_simd.h - raster: triangles that hold 2x2 of the window's pixel centres at most, many at once, for the kernel
  * that sorts.
  *
- * How:    in four steps with a queue before each of the others: a triangle is found to be tiny (zr_tiny_add), the
- *         samples that it covers are found (zr_tiny_cover), these are given their depth, and put into their tiles
- *         (both zr_tiny_draw). So vectors are full; of the samples that a box holds, most are not covered, and for
- *         those no corner and no depth is looked at (a tenth of the time of a million triangles); and of how many
- *         tiles a vector's samples are, the processor cannot guess, but finds out before the depths (3 %).
+ * How:    in four steps, each of which queues what it finds for the next one: a triangle is tiny (zr_tiny_add), it
+ *         covers a sample (zr_tiny_cover), the sample has a depth, and goes into its tile (both zr_tiny_draw). So
+ *         vectors are full; of the samples that a box holds, most are not covered, and for these no corner and no
+ *         depth is looked at (a tenth of the time of a million triangles). In how many tiles a vector's samples lie,
+ *         the processor cannot guess: when it finds out, no corners and no depths wait for it any more (3 %).
  * Space:  a queued triangle stands on the snapped grid, seen from the pixel centre of its lower left sample in the
  *         window. It is a small one (ZR_BIN_SMALL_SPAN), if cut by the window's end: its coordinates fit 16 bits, and
  *         both of a place are one word.
@@ -43,6 +43,7 @@ struct zr_tiny_target {
     uint32_t first_owner, last_owner; /* of those that may come */
 };
 
+/* Four of each triangle, those that waited for more, and a vector behind the end. */
 enum { ZR_TINY_SAMPLES_ROOM = 4 * ZR_TINY_ROOM + 2 * ZR_LANES };
 
 /* What follows a queue's end may be written, a vector at a time. */
@@ -54,8 +55,9 @@ struct zr_tiny {
     uint32_t corner[ZR_TINY_ROOM + ZR_LANES], way1[ZR_TINY_ROOM + ZR_LANES], way2[ZR_TINY_ROOM + ZR_LANES];
     /* Samples that are covered; where the upper bit of a place is set, corners 0 and 1 change places. */
     uint32_t sample_numbers[ZR_TINY_SAMPLES_ROOM], sample_places[ZR_TINY_SAMPLES_ROOM];
-    /* The same samples, with a depth: as zr_tiny_samples, group by group. */
-    uint32_t seen[ZR_TINY_SAMPLES_ROOM / ZR_LANES];
+    /* The same samples when they have a depth: as zr_tiny_samples, but a word of bits a group for those that are seen.
+     */
+    uint32_t seen_bits[ZR_TINY_SAMPLES_ROOM / ZR_LANES];
     uint32_t tiles[ZR_TINY_SAMPLES_ROOM], words[ZR_TINY_SAMPLES_ROOM], colors[ZR_TINY_SAMPLES_ROOM];
     float depths[ZR_TINY_SAMPLES_ROOM];
 };
@@ -207,7 +209,7 @@ _Static_assert(ZR_TILE_SIZE == 1 << 6, "columns and rows of tiles are shifts");
 
 static inline void zr_tiny_keep(struct zr_tiny *tiny, uint32_t from, const struct zr_tiny_samples *samples)
 {
-    tiny->seen[from / ZR_LANES] = zr_vm_bits(samples->seen);
+    tiny->seen_bits[from / ZR_LANES] = zr_vm_bits(samples->seen);
     zr_vi_store(tiny->tiles + from, samples->tile);
     zr_vi_store(tiny->words + from, samples->word);
     zr_vi_store(tiny->colors + from, samples->color);
@@ -216,7 +218,7 @@ static inline void zr_tiny_keep(struct zr_tiny *tiny, uint32_t from, const struc
 
 static inline struct zr_tiny_samples zr_tiny_kept(const struct zr_tiny *tiny, uint32_t from)
 {
-    return (struct zr_tiny_samples){.seen = zr_vm_of(tiny->seen[from / ZR_LANES]),
+    return (struct zr_tiny_samples){.seen = zr_vm_of(tiny->seen_bits[from / ZR_LANES]),
                                     .tile = zr_vi_load(tiny->tiles + from),
                                     .word = zr_vi_load(tiny->words + from),
                                     .depth = zr_vf_load(tiny->depths + from),

@@ -59,19 +59,21 @@ static void every_scene_in_every_window_has_the_bytes_of_plain_c(void **state)
     zr_team_destroy(plain);
 }
 
-/* The same scene, but the corners of its mesh are so far apart, and so many, that vertices are written past the caches.
- */
+/* The same picture, but the corners of its mesh are so far apart, and so many, that vertices are written past the
+ * caches; and it is drawn twice at one place, the second time from vertices that begin in the middle of a line of the
+ * cache. */
 static const struct zr_scene *spread_out(const struct zr_scene *scene)
 {
     enum { APART = 10 };
     const struct zr_mesh *old = &scene->meshes[0];
-    const uint32_t count = old->position_count * APART, corners = old->face_offsets[old->face_count];
+    const uint32_t count = old->position_count * APART + 1, corners = old->face_offsets[old->face_count];
     struct zr_scene *out = zr_arena_alloc(&arena, 1, sizeof *out);
     struct zr_mesh *mesh = zr_arena_alloc(&arena, 1, sizeof *mesh);
+    struct zr_instance *instances = zr_arena_alloc(&arena, 2, sizeof *instances);
     zr_vec4 *positions = zr_arena_zero(&arena, count, sizeof *positions);
     zr_vec4 *colors = zr_arena_zero(&arena, count, sizeof *colors);
     uint32_t *indices = zr_arena_alloc(&arena, corners, sizeof *indices);
-    assert_true(zr_arena_ok(&arena) && scene->mesh_count == 1 && count >= 1 << 17);
+    assert_true(zr_arena_ok(&arena) && scene->mesh_count == 1 && scene->instance_count == 1 && count >= 1 << 17);
     for (uint32_t i = 0; i < old->position_count; i++) {
         positions[APART * i] = old->positions[i];
         colors[APART * i] = old->colors[i];
@@ -83,8 +85,11 @@ static const struct zr_scene *spread_out(const struct zr_scene *scene)
     mesh->positions = positions;
     mesh->colors = colors;
     mesh->indices = indices;
+    instances[0] = instances[1] = scene->instances[0];
     *out = *scene;
     out->meshes = mesh;
+    out->instances = instances;
+    out->instance_count = 2;
     return out;
 }
 

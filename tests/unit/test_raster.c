@@ -424,6 +424,39 @@ static void fragments_of_far_apart_owners_keep_them(void **state)
     }
 }
 
+/* As many samples as tiny triangles can have, in as many of these as are queued at once, and more. */
+static void tiny_triangles_of_four_samples_are_all_drawn(void **state)
+{
+    (void)state;
+    enum { COUNT = TEST_TRIANGLES_MAX, SIDE = 256, APART = 4, ROW = SIDE / APART };
+    static const float corners[3][2] = {{0.6f, 1.4f}, {3.4f, 1.4f}, {2.0f, 3.4f}}; /* around four pixel centres */
+    static zr_vec4 positions[3 * COUNT];
+    static struct test_scene test;
+    struct zr_arena arena;
+    zr_arena_init(&arena, (size_t)1 << 26);
+    for (size_t i = 0; i < 3 * (size_t)COUNT; i++) {
+        const float x = (float)(i / 3 % ROW * APART) + corners[i % 3][0];
+        const float y = (float)(i / 3 / ROW * APART) + corners[i % 3][1];
+        positions[i] = (zr_vec4){x / (SIDE / 2) - 1.0f, y / (SIDE / 2) - 1.0f, 0, 1};
+    }
+    scene_of_triangles(&test, SIDE, SIDE, positions, COUNT);
+    for (int isa = 0; isa < ZR_ISA_COUNT; isa++) {
+        if (!zr_isa_is_available((enum zr_isa)isa)) continue;
+        struct zr_team *team = zr_team_create_for(1, (enum zr_isa)isa);
+        const struct zr_frame *frame = scene_render(&arena, team, &test.scene);
+        assert_int_equal(frame->covered_pixels, 4 * COUNT);
+        for (uint32_t y = 0; y < SIDE; y++)
+            for (uint32_t x = 0; x < SIDE; x++) {
+                const uint32_t id = frame->face_id[(SIDE - 1 - y) * SIDE + x];
+                const bool inside = (x % APART == 1 || x % APART == 2) && (y % APART == 1 || y % APART == 2);
+                assert_int_equal(id, inside ? y / APART * ROW + x / APART + 1 : 0);
+            }
+        zr_team_destroy(team);
+        zr_arena_reset(&arena, 0);
+    }
+    zr_arena_free(&arena);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -439,6 +472,7 @@ int main(void)
         cmocka_unit_test(depth_beyond_the_range_is_clamped_and_nan_is_the_far_plane),
         cmocka_unit_test(bins_lose_nothing_with_any_instruction_set),
         cmocka_unit_test(fragments_of_far_apart_owners_keep_them),
+        cmocka_unit_test(tiny_triangles_of_four_samples_are_all_drawn),
     };
     return cmocka_run_group_tests_name("raster", tests, NULL, NULL);
 }
