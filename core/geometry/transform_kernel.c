@@ -89,16 +89,16 @@ static inline unsigned transform_group(const struct course *c, const zr_vec4 *po
                                        uint8_t *outcodes, bool streamed)
 {
     zr_vf x, y, z, w;
-    zr_vf_load_fours(&positions->x, &x, &y, &z, &w);
+    zr_vf_load_fours((const float *)positions, &x, &y, &z, &w);
     const struct clip_v clip = {row(c, 0, x, y, z, w), row(c, 1, x, y, z, w), row(c, 2, x, y, z, w),
                                 row(c, 3, x, y, z, w)};
     const zr_vf oow = zr_vf_set(1.0f) / clip.w, half = zr_vf_set(0.5f);
     const zr_vf wx = clip.x * oow * c->scale_x + c->trans_x, wy = clip.y * oow * c->scale_y + c->trans_y;
     const zr_vf wz = clip.z * oow * half + half;
     if (streamed)
-        zr_vf_stream_fours(&out->x, wx, wy, wz, oow);
+        zr_vf_stream_fours((float *)out, wx, wy, wz, oow);
     else
-        zr_vf_store_fours(&out->x, wx, wy, wz, oow);
+        zr_vf_store_fours((float *)out, wx, wy, wz, oow);
     if (__builtin_expect(are_plain(&clip, wx, wy, wz), 1)) {
         memset(outcodes, 0, ZR_LANES);
         return 0;
