@@ -66,7 +66,16 @@ static bool is_later(struct timespec a, struct timespec b)
     return a.tv_sec != b.tv_sec ? a.tv_sec > b.tv_sec : a.tv_nsec > b.tv_nsec;
 }
 
-/* The file may have come from another daemon, and may be new to this one. */
+/* With the lock held: the file that was opened as `info` tells still has that name. */
+static bool is_still_there(const struct store *store, const char *name, const struct stat *info)
+{
+    struct stat present;
+    return fstatat(store->directory, name, &present, AT_SYMLINK_NOFOLLOW) == 0 && present.st_dev == info->st_dev &&
+           present.st_ino == info->st_ino;
+}
+
+/* The file may have come from another daemon, and be new to this one; or have made room since it was opened, and then
+ * it counts no more. */
 static void note_use(struct store *store, const char *name, int fd, const struct stat *info)
 {
     struct timespec used = now();
@@ -74,7 +83,7 @@ static void note_use(struct store *store, const char *name, int fd, const struct
     struct store_entry *entry = store_index_find(&store->index, name);
     if (entry)
         store_index_touch(&store->index, entry, used);
-    else
+    else if (is_still_there(store, name, info))
         (void)store_index_add(&store->index, name, bytes_on_disk((uint64_t)info->st_size), used);
     pthread_mutex_unlock(&store->lock);
     (void)futimens(fd, (struct timespec[]){used, used}); /* where it may not be written, the order is lost at the end */
