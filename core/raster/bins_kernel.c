@@ -175,8 +175,8 @@ static inline void sort_group(struct sorter *s, uint32_t at, zr_vm valid, uint32
 }
 _Static_assert((ZR_BIN_SMALL_SPAN & (ZR_BIN_SMALL_SPAN - 1)) == 0, "what is no less has one of the bits from it on");
 
-/* A corner of every second triangle of a group to come is asked for: neighbours have the others. 7 % of a million
- * triangles. */
+/* A corner of every second triangle of a group to come is asked for: neighbours have the others. 6 % of a million
+ * triangles; all corners 0, or half as far ahead, are 2 % slower. */
 static inline void expect_group(const struct sorter *s, uint32_t t)
 {
     for (uint32_t i = 0; i < ZR_LANES; i += 2)
