@@ -62,6 +62,16 @@ static inline bool zr_tile_has_block(const struct zr_tile *tile, int block)
            block / ZR_BLOCK_COLUMNS * ZR_BLOCK_HEIGHT < tile->height;
 }
 
+/* The same of all blocks, a bit each. */
+static inline uint32_t zr_tile_blocks(const struct zr_tile *tile)
+{
+    const int32_t columns = (tile->width + ZR_BLOCK_WIDTH - 1) / ZR_BLOCK_WIDTH;
+    const int32_t rows = (tile->height + ZR_BLOCK_HEIGHT - 1) / ZR_BLOCK_HEIGHT;
+    const uint32_t first_of_rows = UINT32_C(0x11111111) >> (ZR_BLOCKS - ZR_BLOCK_COLUMNS * rows);
+    return first_of_rows * ((1u << columns) - 1);
+}
+_Static_assert(ZR_BLOCK_COLUMNS == 4, "a row of blocks is a hexadecimal digit");
+
 /* Whether none is cut by the window's end. */
 static inline bool zr_tile_has_whole_blocks(const struct zr_tile *tile)
 {

@@ -5,6 +5,7 @@
 #define ZR_PAINT_BLOCKS_SIMD_H
 
 #include "raster/tile_simd.h"
+#include "shade/paint_neighbors_simd.h"
 #include "shade/paint_smooth_simd.h"
 #include "shade/surfaces.h"
 
@@ -55,6 +56,48 @@ static inline void zr_rows_put(const struct zr_rows *rows, uint32_t *to, zr_vi v
         zr_vi_store(to, values);
 }
 
+/* From a tile's first pixel on -> from a block's. */
+static inline struct zr_rows zr_rows_of_block(const struct zr_rows *out, int block)
+{
+    struct zr_rows rows = *out;
+    rows.first += block / ZR_BLOCK_COLUMNS * ZR_BLOCK_HEIGHT * out->stride + block % ZR_BLOCK_COLUMNS * ZR_BLOCK_WIDTH;
+    return rows;
+}
+
+/* ---- blocks of one colour ---- */
+
+static inline void zr_paint_alike(const struct zr_rows *out, zr_vi color)
+{
+    uint32_t *to = out->first;
+    for (int row = 0; row < ZR_BLOCK_HEIGHT; row++, to += out->stride)
+        for (int v = 0; v < ZR_BLOCK_PARTS; v++)
+            zr_rows_put(out, to + v * ZR_LANES, color);
+}
+
+/* Blocks `first` and so on: a bit for each that is all nobody's or a flat owner's, and what colour it has. */
+static inline uint32_t zr_blocks_alike(struct zr_surfaces *surfaces, struct zr_neighbors *neighbors,
+                                       const struct zr_tile *tile, int first, uint32_t colors[ZR_LANES])
+{
+    const zr_vi owners = zr_vi_load(tile->block_owner + first);
+    const uint32_t nobodys = zr_vm_bits(zr_vi_eq(owners, zr_vi_set(0)));
+    uint32_t alike = nobodys, left = ~(nobodys | zr_vm_bits(zr_vi_eq(owners, zr_vi_set(ZR_BLOCK_SHARED))));
+    zr_vi color = zr_vi_set((int32_t)neighbors->nothing);
+    for (left &= ZR_ALL_BITS; left;) {
+        const uint32_t owner = tile->block_owner[first + zr_lowest_bit(left)];
+        const zr_vm here = zr_vi_eq(owners, zr_vi_set((int32_t)owner));
+        const struct zr_surface *surface = zr_surfaces_of(surfaces, owner);
+        left &= ~zr_vm_bits(here);
+        zr_neighbors_add(neighbors, owner, surface);
+        if (!surface->flat) continue;
+        color = zr_vi_select(here, zr_vi_set((int32_t)surface->color), color);
+        alike |= zr_vm_bits(here);
+    }
+    zr_vi_store(colors, color);
+    return alike;
+}
+
+/* ---- the others ---- */
+
 /* A block under work. */
 struct zr_block {
     zr_vf x[ZR_BLOCK_PARTS]; /* of its columns, in the window */
@@ -63,25 +106,13 @@ struct zr_block {
     struct zr_rows out; /* from its first pixel on */
 };
 
-static inline void zr_paint_alike(const struct zr_block *block, zr_vi color)
-{
-    uint32_t *to = block->out.first;
-    for (int row = 0; row < ZR_BLOCK_HEIGHT; row++, to += block->out.stride)
-        for (int v = 0; v < ZR_BLOCK_PARTS; v++)
-            zr_rows_put(&block->out, to + v * ZR_LANES, color);
-}
-
-/* A block that is all the owner's. */
+/* A block that is all the owner's, who is not flat. */
 static inline void zr_paint_own(struct zr_surfaces *surfaces, uint32_t owner, const struct zr_block *block)
 {
     const struct zr_surface *surface = zr_surfaces_of(surfaces, owner);
     struct zr_hue hues[ZR_BLOCK_PARTS];
     uint32_t *to = block->out.first;
     float y = block->y;
-    if (surface->flat) {
-        zr_paint_alike(block, zr_vi_set((int32_t)surface->color));
-        return;
-    }
     for (int v = 0; v < ZR_BLOCK_PARTS; v++) {
         hues[v].flat = false;
         zr_hue_add_planes(&hues[v], surface, block->x[v]);
@@ -128,38 +159,40 @@ static inline uint32_t zr_color_columns(struct zr_surfaces *surfaces, const uint
     return covered;
 }
 
-/* A block of several owners, or of one and nobody. Returns how many pixels are owned. */
-static inline uint32_t zr_paint_shared(struct zr_surfaces *surfaces, const uint32_t *owners,
-                                       const struct zr_block *block)
+/* Columns of several owners, or of one and nobody, `owners` being the first of them. Returns how many pixels are owned.
+ */
+static inline uint32_t zr_color_shared(struct zr_surfaces *surfaces, struct zr_neighbors *neighbors,
+                                       const uint32_t *owners, zr_vf x, const struct zr_block *block,
+                                       zr_vi colors[ZR_BLOCK_HEIGHT])
 {
-    zr_vi colors[ZR_BLOCK_PARTS][ZR_BLOCK_HEIGHT];
-    uint32_t *to = block->out.first, covered = 0;
-    for (int v = 0; v < ZR_BLOCK_PARTS; v++)
-        covered += zr_color_columns(surfaces, owners + v * ZR_LANES, block->x[v], block->y, block->nothing, colors[v]);
-    for (int row = 0; row < ZR_BLOCK_HEIGHT; row++, to += block->out.stride)
-        for (int v = 0; v < ZR_BLOCK_PARTS; v++)
-            zr_rows_put(&block->out, to + v * ZR_LANES, colors[v][row]);
-    return covered;
+    uint32_t covered;
+    if (zr_neighbors_color(neighbors, surfaces, owners, colors, &covered)) return covered;
+    return zr_color_columns(surfaces, owners, x, block->y, block->nothing, colors);
 }
 
-/* Returns how many pixels are owned. */
-static inline uint32_t zr_paint_block(struct zr_surfaces *surfaces, const struct zr_tile *tile, int number,
-                                      zr_vi nothing, const struct zr_rows *out)
+/* Returns how many pixels are owned of a block that is not of one colour. */
+static inline uint32_t zr_paint_block(struct zr_surfaces *surfaces, struct zr_neighbors *neighbors,
+                                      const struct zr_tile *tile, int number, const struct zr_rows *out)
 {
     const int32_t column = number % ZR_BLOCK_COLUMNS * ZR_BLOCK_WIDTH,
                   row = number / ZR_BLOCK_COLUMNS * ZR_BLOCK_HEIGHT;
-    const uint32_t owner = tile->block_owner[number];
-    struct zr_block block = {.y = (float)(tile->y + row), .nothing = nothing, .out = *out};
-    block.out.first += row * out->stride + column;
+    const uint32_t owner = tile->block_owner[number], *owners = &tile->owner[zr_block_first(number)];
+    struct zr_block block = {
+        .y = (float)(tile->y + row), .nothing = zr_vi_set((int32_t)neighbors->nothing), .out = *out};
+    zr_vi colors[ZR_BLOCK_PARTS][ZR_BLOCK_HEIGHT];
+    uint32_t *to = out->first, covered = 0;
     for (int v = 0; v < ZR_BLOCK_PARTS; v++)
         block.x[v] = zr_vf_of(zr_vi_set(tile->x + column + v * ZR_LANES) + zr_vi_ramp());
-    if (owner == ZR_BLOCK_SHARED) return zr_paint_shared(surfaces, &tile->owner[zr_block_first(number)], &block);
-    if (owner == 0) {
-        zr_paint_alike(&block, nothing);
-        return 0;
+    if (owner != ZR_BLOCK_SHARED) {
+        zr_paint_own(surfaces, owner, &block);
+        return ZR_BLOCK_WIDTH * ZR_BLOCK_HEIGHT;
     }
-    zr_paint_own(surfaces, owner, &block);
-    return ZR_BLOCK_WIDTH * ZR_BLOCK_HEIGHT;
+    for (int v = 0; v < ZR_BLOCK_PARTS; v++)
+        covered += zr_color_shared(surfaces, neighbors, owners + v * ZR_LANES, block.x[v], &block, colors[v]);
+    for (int line = 0; line < ZR_BLOCK_HEIGHT; line++, to += out->stride)
+        for (int v = 0; v < ZR_BLOCK_PARTS; v++)
+            zr_rows_put(out, to + v * ZR_LANES, colors[v][line]);
+    return covered;
 }
 
 #endif

@@ -231,11 +231,22 @@ static uint32_t paint_blocks(const struct zr_geometry *geometry, const struct zr
                              uint32_t nothing, const struct zr_rows *out)
 {
     struct zr_surfaces surfaces;
-    uint32_t covered = 0;
+    struct zr_neighbors neighbors = zr_neighbors_begin(nothing);
+    const uint32_t blocks = zr_tile_blocks(tile);
+    uint32_t alike = 0, covered = 0, colors[ZR_BLOCKS];
     zr_surfaces_begin(&surfaces, geometry, make);
-    for (int block = 0; block < ZR_BLOCKS; block++)
-        if (zr_tile_has_block(tile, block))
-            covered += zr_paint_block(&surfaces, tile, block, zr_vi_set((int32_t)nothing), out);
+    for (int first = 0; first < ZR_BLOCKS; first += ZR_LANES)
+        alike |= zr_blocks_alike(&surfaces, &neighbors, tile, first, colors + first) << first;
+    for (uint32_t bits = blocks & alike; bits; bits &= bits - 1) {
+        const int block = zr_lowest_bit(bits);
+        const struct zr_rows rows = zr_rows_of_block(out, block);
+        zr_paint_alike(&rows, zr_vi_set((int32_t)colors[block]));
+        covered += tile->block_owner[block] > 0 ? ZR_BLOCK_WIDTH * ZR_BLOCK_HEIGHT : 0;
+    }
+    for (uint32_t bits = blocks & ~alike; bits; bits &= bits - 1) {
+        const struct zr_rows rows = zr_rows_of_block(out, zr_lowest_bit(bits));
+        covered += zr_paint_block(&surfaces, &neighbors, tile, zr_lowest_bit(bits), &rows);
+    }
     return covered;
 }
 
