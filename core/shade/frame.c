@@ -2,18 +2,26 @@
 
 #include "raster/tile.h"
 
+/* Of one row of tiles. */
+static struct zr_reach reach_of(const uint8_t *occupied, uint32_t columns, uint32_t width)
+{
+    uint32_t begin = 0, end = columns;
+    while (begin < end && !occupied[begin])
+        begin++;
+    while (end > begin && !occupied[end - 1])
+        end--;
+    if (begin == end) return (struct zr_reach){0, 0};
+    end *= ZR_TILE_SIZE;
+    return (struct zr_reach){begin * ZR_TILE_SIZE, end < width ? end : width};
+}
+
 void zr_frame_find_reaches(const struct zr_frame *frame, const uint8_t *occupied)
 {
     const uint32_t columns = zr_tile_across(frame->width);
-    for (uint32_t row = 0; row < frame->height; row++) {
-        const uint8_t *tiles = occupied + (size_t)((frame->height - 1 - row) / ZR_TILE_SIZE) * columns;
-        uint32_t begin = 0, end = columns;
-        while (begin < end && !tiles[begin])
-            begin++;
-        while (end > begin && !tiles[end - 1])
-            end--;
-        end *= ZR_TILE_SIZE;
-        frame->reaches[row] = (struct zr_reach){begin * ZR_TILE_SIZE, end < frame->width ? end : frame->width};
-        if (begin == columns) frame->reaches[row] = (struct zr_reach){0, 0};
+    struct zr_reach reach = {0, 0};
+    for (uint32_t y = 0; y < frame->height; y++) {
+        if (y % ZR_TILE_SIZE == 0)
+            reach = reach_of(occupied + (size_t)(y / ZR_TILE_SIZE) * columns, columns, frame->width);
+        frame->reaches[frame->height - 1 - y] = reach;
     }
 }

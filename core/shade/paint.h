@@ -58,6 +58,8 @@ struct zr_rows {
                          as zr_vi_stream says. */
 };
 
+struct zr_surfaces;
+
 struct zr_paint {
     /* The tile's owners become colours, RGBA of four bytes: in place, so that the tile stays in the first-level cache.
      * Where there are none, `nothing`, or what is behind the tile where that is not NULL: rows of pixels, `stride`
@@ -66,9 +68,9 @@ struct zr_paint {
                      ptrdiff_t stride);
 
     /* The same of a tile that knows the owners of its blocks, of which none is cut, into a frame; nothing is behind it.
-     * What each record is painted with is `make`'s to say. */
-    uint32_t (*blocks)(const struct zr_geometry *geometry, const struct zr_tile *tile, zr_surface_fn *make,
-                       uint32_t nothing, const struct zr_rows *out);
+     * What each record is painted with is the surfaces' to say (surfaces.h). */
+    uint32_t (*blocks)(struct zr_surfaces *surfaces, const struct zr_tile *tile, uint32_t nothing,
+                       const struct zr_rows *out);
 
     /* The ids of a tile's faces, and 0 where nothing is, to `out`, laid out as the tile's arrays. `add` is added to
      * those of faces. */

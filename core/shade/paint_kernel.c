@@ -227,16 +227,14 @@ static uint32_t paint_tile(const struct zr_geometry *geometry, struct zr_tile *t
     return known + others;
 }
 
-static uint32_t paint_blocks(const struct zr_geometry *geometry, const struct zr_tile *tile, zr_surface_fn *make,
-                             uint32_t nothing, const struct zr_rows *out)
+static uint32_t paint_blocks(struct zr_surfaces *surfaces, const struct zr_tile *tile, uint32_t nothing,
+                             const struct zr_rows *out)
 {
-    struct zr_surfaces surfaces;
     struct zr_neighbors neighbors = zr_neighbors_begin(nothing);
     const uint32_t blocks = zr_tile_blocks(tile);
     uint32_t alike = 0, covered = 0, colors[ZR_BLOCKS];
-    zr_surfaces_begin(&surfaces, geometry, make);
     for (int first = 0; first < ZR_BLOCKS; first += ZR_LANES)
-        alike |= zr_blocks_alike(&surfaces, &neighbors, tile, first, colors + first) << first;
+        alike |= zr_blocks_alike(surfaces, &neighbors, tile, first, colors + first) << first;
     for (uint32_t bits = blocks & alike; bits; bits &= bits - 1) {
         const int block = zr_lowest_bit(bits);
         const struct zr_rows rows = zr_rows_of_block(out, block);
@@ -245,7 +243,7 @@ static uint32_t paint_blocks(const struct zr_geometry *geometry, const struct zr
     }
     for (uint32_t bits = blocks & ~alike; bits; bits &= bits - 1) {
         const struct zr_rows rows = zr_rows_of_block(out, zr_lowest_bit(bits));
-        covered += zr_paint_block(&surfaces, &neighbors, tile, zr_lowest_bit(bits), &rows);
+        covered += zr_paint_block(surfaces, &neighbors, tile, zr_lowest_bit(bits), &rows);
     }
     return covered;
 }

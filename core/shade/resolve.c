@@ -97,7 +97,9 @@ static void resolve_faces(const struct zr_geometry *geometry, const struct zr_pa
 {
     const struct zr_rows rows = rows_of(frame, tile, frame->face_id);
     if (tile->knows_owners) {
-        paint->blocks(geometry, tile, zr_surface_of_face, 0, &rows);
+        struct zr_surfaces surfaces;
+        zr_surfaces_begin(&surfaces, geometry, zr_surface_of_face);
+        paint->blocks(&surfaces, tile, 0, &rows);
         return;
     }
     void *ids = tile->depth; /* which is no longer needed */
@@ -106,19 +108,19 @@ static void resolve_faces(const struct zr_geometry *geometry, const struct zr_pa
 }
 
 /* Returns how many pixels are covered. */
-static uint32_t resolve_color(const struct zr_geometry *geometry, const struct zr_paint *paint, uint32_t nothing,
+static uint32_t resolve_color(struct zr_surfaces *surfaces, const struct zr_paint *paint, uint32_t nothing,
                               struct zr_tile *tile, const struct zr_frame *frame)
 {
     const struct zr_rows rows = rows_of(frame, tile, frame->color);
-    if (tile->knows_owners) return paint->blocks(geometry, tile, zr_surface_make, nothing, &rows);
+    if (tile->knows_owners) return paint->blocks(surfaces, tile, nothing, &rows);
     const uint8_t *behind = frame->base ? frame->base->color : NULL;
     if (behind) behind += 4 * lowest_pixel_of(frame, tile);
-    const uint32_t covered = paint->tile(geometry, tile, nothing, behind, rows.stride);
+    const uint32_t covered = paint->tile(surfaces->geometry, tile, nothing, behind, rows.stride);
     paint->copy(&rows, tile->width, tile->height, tile->owner);
     return covered;
 }
 
-struct zr_resolved zr_resolve_tile(const struct zr_geometry *geometry, enum zr_isa isa, zr_vec4 background,
+struct zr_resolved zr_resolve_tile(struct zr_surfaces *surfaces, enum zr_isa isa, zr_vec4 background,
                                    struct zr_tile *tile, const struct zr_frame *frame)
 {
     const struct zr_paint *paint = zr_paint_of(isa);
@@ -137,12 +139,12 @@ struct zr_resolved zr_resolve_tile(const struct zr_geometry *geometry, enum zr_i
         paint->depths(tile, &rows);
     }
     if (frame->depth || !frame->color) zr_halfspace_of(isa)->settle(tile); /* these look at every sample */
-    if (frame->depth) resolved.deepest = resolve_depth(geometry, isa, tile, frame);
-    if (frame->face_id) resolve_faces(geometry, paint, tile, frame);
+    if (frame->depth) resolved.deepest = resolve_depth(surfaces->geometry, isa, tile, frame);
+    if (frame->face_id) resolve_faces(surfaces->geometry, paint, tile, frame);
     if (frame->base) {
         const float deepest = resolve_base_runs(paint, tile, frame, lowest_pixel_of(frame, tile));
         if (deepest > resolved.deepest) resolved.deepest = deepest;
     }
-    resolved.covered = frame->color ? resolve_color(geometry, paint, nothing, tile, frame) : paint->count(tile);
+    resolved.covered = frame->color ? resolve_color(surfaces, paint, nothing, tile, frame) : paint->count(tile);
     return resolved;
 }

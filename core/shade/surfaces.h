@@ -1,5 +1,5 @@
-/* surfaces.h - shade: the surfaces of a tile's records. Those of large triangles come back row by row, and block by
- * block: the last ones are remembered.
+/* surfaces.h - shade: the surfaces of a geometry's records. Those of large triangles come back row by row, block by
+ * block, and tile by tile: the last ones are remembered.
  */
 #ifndef ZR_SURFACES_H
 #define ZR_SURFACES_H
