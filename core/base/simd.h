@@ -29,6 +29,7 @@
  *   zr_transpose4(a, b, c, d, &x, &y, &z, &w): 4 by 4 floats, in each 16 bytes by themselves
  *   zr_vf_pick(v, i): lane k is lane i[k] of v, i being 0 .. ZR_LANES - 1
  *   zr_vi_gather(m, p, i): p[i] of four bytes, lane by lane; anything in lanes that are not m's
+ *   zr_vf_gather_fours(m, p, i, &x, &y, &z): the same of p[4 i], p[4 i + 1] and p[4 i + 2]
  *   zr_vi_compress(p, m, v): the lanes of m, one after the other, and their count; ZR_LANES words may be written
  *
  * zr_vp holds two int16_t a lane, x in the lower half of its word and y in the upper; + - & << >> work half by half:
@@ -82,6 +83,16 @@ static inline zr_vi zr_vp_cross(zr_vp a, zr_vp b)
 {
     const zr_vi ax = (zr_vi)a << 16 >> 16, ay = (zr_vi)a >> 16, bx = (zr_vi)b << 16 >> 16, by = (zr_vi)b >> 16;
     return ax * by - ay * bx;
+}
+#endif
+
+#ifndef ZR_HAS_GATHER_FOURS
+static inline void zr_vf_gather_fours(zr_vm m, const float *p, zr_vi i, zr_vf *x, zr_vf *y, zr_vf *z)
+{
+    const zr_vi four = i * zr_vi_set(4);
+    *x = zr_vf_bits(zr_vi_gather(m, p, four));
+    *y = zr_vf_bits(zr_vi_gather(m, p + 1, four));
+    *z = zr_vf_bits(zr_vi_gather(m, p + 2, four));
 }
 #endif
 

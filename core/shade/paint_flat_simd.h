@@ -36,12 +36,11 @@ static inline zr_vi zr_flat_color(const struct zr_batch *batch, zr_vm owned, zr_
 /* Colours of the lanes that are owned. */
 static inline zr_vi zr_gather_flat(const struct zr_batch *batch, zr_vm owned, zr_vi owner)
 {
-    const zr_vi t = owner - zr_vi_set((int32_t)batch->first + 1), one = zr_vi_set(1);
-    const zr_vi color = zr_flat_color(batch, owned, t), word = color * zr_vi_set(4);
+    const zr_vi t = owner - zr_vi_set((int32_t)batch->first + 1), color = zr_flat_color(batch, owned, t);
+    zr_vf red, green, blue;
     if (batch->packed) return zr_vi_gather(owned, batch->packed, color);
-    return zr_color_pack_v(zr_vf_bits(zr_vi_gather(owned, batch->front, word)),
-                           zr_vf_bits(zr_vi_gather(owned, batch->front, word + one)),
-                           zr_vf_bits(zr_vi_gather(owned, batch->front, word + one + one)));
+    zr_vf_gather_fours(owned, &batch->front->x, color, &red, &green, &blue);
+    return zr_color_pack_v(red, green, blue);
 }
 
 /* A row of such a batch, whose faces have one colour each: where triangles are small that is half the work of

@@ -211,6 +211,8 @@ static void want_gathers(const struct simd_inputs *in, struct simd_results *want
     const int lane = k % want->lanes;
     want->vf_pick[k] = in->a[k - lane + (int)in->order[k] % want->lanes];
     if (in->m[k]) memcpy(&want->vi_gather[k], &in->places[in->order[k]], sizeof(int32_t));
+    for (uint32_t c = 0; c < 3 && in->m[k]; c++)
+        want->vf_gather_fours[c][k] = in->places[4 * in->corners[k] + c];
     for (int c = 0; c < 3; c++) {
         int32_t xy[2];
         memcpy(xy, in->places + 4 * in->corners[3 * k + c], sizeof xy);
@@ -320,6 +322,9 @@ static const struct result results[] = {EXACT(vf_set),
                                         EXACT(vi_load_patch),
                                         EXACT(vi_store_patch),
                                         EXACT(vi_gather),
+                                        EXACT(vf_gather_fours[0]),
+                                        EXACT(vf_gather_fours[1]),
+                                        EXACT(vf_gather_fours[2]),
                                         EXACT(vf_pick),
                                         EXACT(vi_compress),
                                         EXACT(vi_compressed),
