@@ -29,7 +29,7 @@
  *   zr_transpose4(a, b, c, d, &x, &y, &z, &w): 4 by 4 floats, in each 16 bytes by themselves
  *   zr_vf_pick(v, i): lane k is lane i[k] of v, i being 0 .. ZR_LANES - 1
  *   zr_vi_gather(m, p, i): p[i] of four bytes, lane by lane; anything in lanes that are not m's
- *   zr_vf_gather_fours(m, p, i, &x, &y, &z): the same of p[4 i], p[4 i + 1] and p[4 i + 2]
+ *   zr_vf_gather_fours(m, p, i, &x, &y, &z): the same of p[4 i], p[4 i + 1] and p[4 i + 2], where i < 2^29
  *   zr_vi_compress(p, m, v): the lanes of m, one after the other, and their count; ZR_LANES words may be written
  *
  * zr_vp holds two int16_t a lane, x in the lower half of its word and y in the upper; + - & << >> work half by half:

@@ -62,12 +62,12 @@ static bool cut_by(const struct zr_edge *e, struct piece *p, int k)
 
 /* What is known of ZR_LANES blocks before any of their samples is looked at. */
 struct blocks {
-    zr_vm open;   /* some samples may be seen */
-    zr_vm whole;  /* and no end of the piece cuts it, */
-    zr_vm filled; /* nor an edge */
-    zr_vm plain;  /* whole, and the triangle's plane lies between 0 and 1 all over, and has no offset */
-    zr_vm cut[3]; /* by the edge, or all of it lies outside */
-    zr_vf far;    /* of the triangle in it */
+    zr_vm open;      /* some samples may be seen */
+    zr_vm whole;     /* and no end of the piece cuts it, */
+    zr_vm filled;    /* nor an edge */
+    zr_vm unclamped; /* whole, and the triangle's plane lies between 0 and 1 all over, and has no offset */
+    zr_vm cut[3];    /* by the edge; says something of whole blocks only */
+    zr_vf far;       /* of the triangle in it */
 };
 
 /* Edges and depth grow or fall steadily, so that a block's corner has the extreme. Blocks that the piece ends in are
@@ -108,7 +108,7 @@ static inline struct blocks look_at_blocks(const struct zr_tile *tile, const str
     out.whole = zr_vm_and(out.open, whole);
     out.filled = zr_vm_andnot(out.whole, zr_vm_or(out.cut[0], zr_vm_or(out.cut[1], out.cut[2])));
     const zr_vm between = zr_vm_and(zr_vf_lt(zr_vf_set(0.0f), range.near), zr_vf_lt(range.far, zr_vf_set(1.0f)));
-    out.plain = zr_vm_and(out.whole, zr_vm_and(between, zr_vf_eq(offset, zr_vf_set(0.0f))));
+    out.unclamped = zr_vm_and(out.whole, zr_vm_and(between, zr_vf_eq(offset, zr_vf_set(0.0f))));
     return out;
 }
 _Static_assert(ZR_BLOCK_COLUMNS == 1 << 2 && ZR_BLOCKS % ZR_LANES == 0,
@@ -158,8 +158,8 @@ static inline void bound_block(struct zr_tile *tile, int block, zr_vf far)
     if (!zr_vm_any(zr_vf_le(zr_vf_set(1.0f), far))) tile->block_far[block] = farthest_of(far);
 }
 
-/* A plain block that this edge alone cuts: most of those that are drawn of a large triangle are so (a twelfth of the
- * time of a cube at 256x256). */
+/* An unclamped block that `edge` alone cuts: most of those that are drawn of a large triangle are so (a twelfth of the
+ * time of a cube at 256x256). A fresh one gets no bound: of its samples at least one lies outside. */
 static inline void draw_beside_edge(struct zr_tile *tile, const struct piece *p, int block, int edge, bool fresh)
 {
     const zr_vi owner = zr_vi_set((int32_t)p->owner), right = zr_vi_set(p->right[edge]), up = zr_vi_set(p->up[edge]);
@@ -228,11 +228,11 @@ static inline uint32_t cut_once(const zr_vm cut[3])
     return (by0 ^ by1 ^ by2) & ~(by0 & by1 & by2);
 }
 
-/* Of blocks `first` and so on, those that the triangle is drawn to. fresh: nothing is written there yet. */
+/* Draws the triangle to `shared`, bits of blocks from `first` on. fresh: nothing is written there yet. */
 static inline void draw_shared(struct zr_tile *tile, const struct piece *p, int first, const struct blocks *blocks,
                                uint32_t shared, uint32_t fresh)
 {
-    const uint32_t beside = zr_vm_bits(blocks->plain) & cut_once(blocks->cut), filled = zr_vm_bits(blocks->filled);
+    const uint32_t beside = zr_vm_bits(blocks->unclamped) & cut_once(blocks->cut), filled = zr_vm_bits(blocks->filled);
     const uint32_t by1 = zr_vm_bits(blocks->cut[1]), by2 = zr_vm_bits(blocks->cut[2]);
     for (uint32_t bits = shared; bits; bits &= bits - 1) {
         const uint32_t bit = bits & -bits;

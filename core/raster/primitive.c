@@ -89,7 +89,7 @@ void zr_primitive_make(const struct zr_geometry *geometry, uint32_t first, uint3
     cut_box(primitive, box, width, height);
     if (record->shape > 0) {
         const struct zr_shape *shape = &geometry->shapes[record->shape - 1];
-        primitive->shape_edges = geometry->edges + shape->first_edge;
+        if (shape->edge_count > 0) primitive->shape_edges = geometry->edges + shape->first_edge;
         primitive->edge_count = shape->edge_count;
         return;
     }

@@ -55,14 +55,7 @@ struct zr_tile {
 
 _Static_assert(ZR_BLOCKS == 32, "a bit each");
 
-/* Whether any of a block lies in the window. */
-static inline bool zr_tile_has_block(const struct zr_tile *tile, int block)
-{
-    return block % ZR_BLOCK_COLUMNS * ZR_BLOCK_WIDTH < tile->width &&
-           block / ZR_BLOCK_COLUMNS * ZR_BLOCK_HEIGHT < tile->height;
-}
-
-/* The same of all blocks, a bit each. */
+/* Blocks of which any part lies in the window, a bit each. */
 static inline uint32_t zr_tile_blocks(const struct zr_tile *tile)
 {
     const int32_t columns = (tile->width + ZR_BLOCK_WIDTH - 1) / ZR_BLOCK_WIDTH;

@@ -11,8 +11,7 @@ static struct zr_reach reach_of(const uint8_t *occupied, uint32_t columns, uint3
     while (end > begin && !occupied[end - 1])
         end--;
     if (begin == end) return (struct zr_reach){0, 0};
-    end *= ZR_TILE_SIZE;
-    return (struct zr_reach){begin * ZR_TILE_SIZE, end < width ? end : width};
+    return (struct zr_reach){begin * ZR_TILE_SIZE, end < columns ? end * ZR_TILE_SIZE : width};
 }
 
 void zr_frame_find_reaches(const struct zr_frame *frame, const uint8_t *occupied)

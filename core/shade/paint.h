@@ -67,8 +67,8 @@ struct zr_paint {
     uint32_t (*tile)(const struct zr_geometry *geometry, struct zr_tile *tile, uint32_t nothing, const void *behind,
                      ptrdiff_t stride);
 
-    /* The same of a tile that knows the owners of its blocks, of which none is cut, into a frame; nothing is behind it.
-     * What each record is painted with is the surfaces' to say (surfaces.h). */
+    /* The same of a tile that knows the owners of its blocks, of which the window cuts none, into a frame; nothing is
+     * behind it. Records are painted with `surfaces` (surfaces.h). */
     uint32_t (*blocks)(struct zr_surfaces *surfaces, const struct zr_tile *tile, uint32_t nothing,
                        const struct zr_rows *out);
 

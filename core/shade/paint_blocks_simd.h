@@ -80,9 +80,10 @@ static inline uint32_t zr_blocks_alike(struct zr_surfaces *surfaces, struct zr_n
 {
     const zr_vi owners = zr_vi_load(tile->block_owner + first);
     const uint32_t nobodys = zr_vm_bits(zr_vi_eq(owners, zr_vi_set(0)));
-    uint32_t alike = nobodys, left = ~(nobodys | zr_vm_bits(zr_vi_eq(owners, zr_vi_set(ZR_BLOCK_SHARED))));
+    const uint32_t shared = zr_vm_bits(zr_vi_eq(owners, zr_vi_set(ZR_BLOCK_SHARED)));
+    uint32_t alike = nobodys, left = ZR_ALL_BITS & ~(nobodys | shared);
     zr_vi color = zr_vi_set((int32_t)neighbors->nothing);
-    for (left &= ZR_ALL_BITS; left;) {
+    while (left) {
         const uint32_t owner = tile->block_owner[first + zr_lowest_bit(left)];
         const zr_vm here = zr_vi_eq(owners, zr_vi_set((int32_t)owner));
         const struct zr_surface *surface = zr_surfaces_of(surfaces, owner);
@@ -170,7 +171,7 @@ static inline uint32_t zr_color_shared(struct zr_surfaces *surfaces, struct zr_n
     return zr_color_columns(surfaces, owners, x, block->y, block->nothing, colors);
 }
 
-/* Returns how many pixels are owned of a block that is not of one colour. */
+/* A block that is shared, or all of an owner who is not flat. Returns how many pixels are owned. */
 static inline uint32_t zr_paint_block(struct zr_surfaces *surfaces, struct zr_neighbors *neighbors,
                                       const struct zr_tile *tile, int number, const struct zr_rows *out)
 {

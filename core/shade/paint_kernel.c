@@ -324,10 +324,9 @@ static void depths(const struct zr_tile *tile, const struct zr_rows *out)
         copy(out, tile->width, tile->height, tile->depth);
         return;
     }
-    for (int block = 0; block < ZR_BLOCKS; block++) {
-        if (!zr_tile_has_block(tile, block)) continue;
-        struct zr_rows to = *out;
-        to.first += block / ZR_BLOCK_COLUMNS * ZR_BLOCK_HEIGHT * to.stride + block % ZR_BLOCK_COLUMNS * ZR_BLOCK_WIDTH;
+    for (uint32_t bits = zr_tile_blocks(tile); bits; bits &= bits - 1) {
+        const int block = zr_lowest_bit(bits);
+        const struct zr_rows to = zr_rows_of_block(out, block);
         if (tile->unwritten >> block & 1)
             zr_block_write_depths(tile, block, (float *)to.first, to.stride, to.streamed);
         else

@@ -9,7 +9,7 @@
 #include "shade/surfaces.h"
 
 struct zr_neighbors {
-    bool given_up;  /* some of the tile's owners are no neighbours, or not flat */
+    bool given_up;  /* some of the tile's owners are no neighbours, or not flat, or of the colour `unknown` */
     uint32_t first; /* owner of lane 0; UINT32_MAX: nobody is known yet */
     zr_vi colors;   /* `unknown` where it was not looked up */
     uint32_t nothing, unknown;
@@ -17,22 +17,22 @@ struct zr_neighbors {
 
 static inline struct zr_neighbors zr_neighbors_begin(uint32_t nothing)
 {
-    const uint32_t unknown = nothing ^ 1u << 31;
+    const uint32_t unknown = nothing ^ (1u << 31); /* hardly a face's: these are opaque, and no id is so great */
     return (struct zr_neighbors){false, UINT32_MAX, zr_vi_set((int32_t)unknown), nothing, unknown};
 }
 
 /* Gives up where it is too far away from the others, or its colour would mean something else. */
 static inline void zr_neighbors_add(struct zr_neighbors *n, uint32_t owner, const struct zr_surface *surface)
 {
-    if (n->first == UINT32_MAX) n->first = owner > ZR_LANES / 2 ? owner - ZR_LANES / 2 : 0;
+    if (n->first == UINT32_MAX) n->first = owner < ZR_LANES ? 0 : owner - ZR_LANES / 2;
     const uint32_t lane = owner - n->first;
     n->given_up = n->given_up || lane >= ZR_LANES || !surface->flat || surface->color == n->unknown;
     const zr_vm here = zr_vi_eq(zr_vi_ramp(), zr_vi_set((int32_t)lane));
     n->colors = zr_vi_select(here, zr_vi_set((int32_t)surface->color), n->colors);
 }
 
-/* Colours of ZR_LANES columns of a block, `owners` being the first of them, as far as they are known. Returns an owner
- * whose colour is not, or 0. */
+/* Colours of ZR_LANES columns of a block, `owners` being the first of them, as far as they are known, and how many
+ * pixels are owned. Returns an owner whose colour is not known, or 0. */
 static inline uint32_t zr_neighbors_look_up(const struct zr_neighbors *n, const uint32_t *owners,
                                             zr_vi colors[ZR_BLOCK_HEIGHT], uint32_t *covered)
 {

@@ -25,7 +25,13 @@ static int close_arena(void **state)
 
 static void assert_same(const struct zr_frame *want, const struct zr_frame *got, const char *scene, int threads)
 {
-    size_t pixels = (size_t)want->width * want->height;
+    size_t pixels = (size_t)want->width * want->height, covered = 0;
+    for (size_t i = 0; i < pixels; i++)
+        covered += got->face_id[i] > 0;
+    if (!got->base) assert_int_equal(got->covered_pixels, covered);
+    assert_int_equal(got->covered_pixels, want->covered_pixels);
+    assert_true(got->deepest == want->deepest);
+    assert_memory_equal(got->reaches, want->reaches, want->height * sizeof *want->reaches);
     for (int c = 0; c < GALLERY_CHANNELS; c++) {
         const uint32_t *w = gallery_channel(want, c), *g = gallery_channel(got, c);
         if (memcmp(w, g, 4 * pixels) == 0) continue;

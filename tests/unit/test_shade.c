@@ -358,6 +358,33 @@ static void early_colours_give_way_to_larger_triangles(void **state)
     zr_team_destroy(team);
 }
 
+/* Colours of blocks are looked up in a table whose empty places have a colour, too: the background's, with the other
+ * half of all alphas. It may be a face's. */
+static void faces_may_have_any_colour_beside_any_background(void **state)
+{
+    const zr_vec4 p[] = {{-1, -1, 0, 1}, {1, -1, 0, 1}, {-1, 1, 0, 1}, {1, -1, 0, 1}, {1, 0.5f, 0, 1}, {-1, 1, 0, 1}};
+    const zr_vec4 faces[] = {{1, 0, 0, 1}, {0, 0, 1, 1}};
+    static struct test_scene test;
+    scene_of_triangles(&test, 64, 64, p, 2);
+    test.mesh.face_colors = faces;
+    test.scene.background = (zr_vec4){1, 0, 0, 127.0f / 255.0f};
+    struct zr_arena arena;
+    zr_arena_init(&arena, 1 << 24);
+    struct zr_team *team = zr_team_create_for(1, isa_under_test(state));
+    const struct zr_frame *frame = scene_render(&arena, team, &test.scene);
+    uint64_t covered = 0;
+    for (size_t i = 0; i < 64 * 64; i++) {
+        static const uint8_t colors[][4] = {{255, 0, 0, 127}, {255, 0, 0, 255}, {0, 0, 255, 255}};
+        assert_in_range(frame->face_id[i], 0, 2);
+        assert_memory_equal(frame->color + 4 * i, colors[frame->face_id[i]], 4);
+        covered += frame->face_id[i] > 0;
+    }
+    assert_in_range(covered, 3000, 4000);
+    assert_int_equal(frame->covered_pixels, covered);
+    zr_team_destroy(team);
+    zr_arena_free(&arena);
+}
+
 static void render_that_is_cancelled_says_so(void **state)
 {
     (void)state;
@@ -418,6 +445,7 @@ int main(void)
         TEST_EACH_ISA(small_triangles_are_painted_early_as_they_would_be_later),
         TEST_EACH_ISA(early_colours_give_way_to_what_is_seen),
         TEST_EACH_ISA(early_colours_give_way_to_larger_triangles),
+        TEST_EACH_ISA(faces_may_have_any_colour_beside_any_background),
         cmocka_unit_test(render_that_is_cancelled_says_so),
         cmocka_unit_test(render_under_every_memory_ceiling_fails_cleanly_or_gives_the_picture),
     };
