@@ -16,6 +16,7 @@
  *   zr_vi_later(v, n): lane i is lane i - n of v, or anything where there is none; n is a constant, 1 .. 4
  *   zr_vi_stream(p, v): past the caches where the machine can, p being a multiple of the vector's size; others see it
  *     as team.h says
+ *   zr_vi_put(p, v, streamed): zr_vi_stream, or zr_vi_store
  *   zr_vf_lt le eq(a, b), zr_vi_lt eq(a, b), zr_vm_and or andnot(a, b: a and not b), zr_vm_bits(m), zr_vm_of(bits)
  *   zr_vf_lt_where eq_where(m, a, b), zr_vi_lt_where(m, a, b): m and the comparison, which AVX-512 does in one
  *   zr_vf_select(m, a, b), zr_vi_select: a where m, else b
@@ -45,6 +46,7 @@
 #ifndef ZR_SIMD_H
 #define ZR_SIMD_H
 
+#include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
 #include <string.h>
@@ -120,6 +122,14 @@ static inline int zr_highest_bit(uint32_t bits)
 static inline zr_vm zr_vm_first(uint32_t count)
 {
     return zr_vm_of(count < ZR_LANES ? (1u << count) - 1u : ZR_ALL_BITS);
+}
+
+static inline void zr_vi_put(void *p, zr_vi v, bool streamed)
+{
+    if (streamed)
+        zr_vi_stream(p, v);
+    else
+        zr_vi_store(p, v);
 }
 
 static inline void zr_vi_store4(void *p, zr_vi x, zr_vi y, zr_vi z, zr_vi w)

@@ -285,6 +285,7 @@ static void draw(struct zr_tile *tile, const struct zr_setup *setup, uint32_t ow
     for (int k = 0; k < 3; k++)
         if (!cut_by(&setup->edges[k], &p, k)) return;
     if (zr_depth_range_of(&setup->depth, p.x0, p.y0, p.x1, p.y1).near > tile->far) return;
+    /* Blocks below the piece and above it are not looked at. */
     const int lowest = (p.y0 - tile->y) / ZR_BLOCK_HEIGHT * ZR_BLOCK_COLUMNS;
     const int end = ((p.y1 - tile->y) / ZR_BLOCK_HEIGHT + 1) * ZR_BLOCK_COLUMNS;
     bool drawn = false;

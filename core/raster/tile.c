@@ -40,8 +40,9 @@ void zr_tile_begin(struct zr_tile *tile, const struct zr_base *base, uint32_t wi
     tile->unwritten = 0;
     tile->far = 1.0f;
     tile->is_empty = false;
+    const uint32_t blocks = zr_tile_blocks(tile);
     for (int i = 0; i < ZR_BLOCKS; i++)
-        tile->block_far[i] = zr_tile_blocks(tile) >> i & 1 ? 1.0f : 0.0f;
+        tile->block_far[i] = blocks >> i & 1 ? 1.0f : 0.0f;
     for (int i = 0; i < ZR_TILE_STRIDE * ZR_TILE_SIZE; i++)
         tile->depth[i] = 1.0f; /* beyond the window too, where whole blocks are looked at */
     for (int32_t row = 0; base && base->window_depth && row < tile->height; row++) {

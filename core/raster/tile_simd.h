@@ -68,14 +68,6 @@ static inline zr_vf zr_depth_columns_at(const struct zr_depth_columns *c, zr_vf 
     return zr_depth_clamp_v((c->across + c->dady * y) + c->offset);
 }
 
-static inline void zr_depth_put(float *to, zr_vf depth, bool streamed)
-{
-    if (streamed)
-        zr_vi_stream(to, zr_vi_bits_of(depth));
-    else
-        zr_vf_store(to, depth);
-}
-
 /* The depths of a block that is not written, to rows of `out`, `stride` apart. Nobody's are not worked out (1 % of the
  * bunny at 512x512). */
 static inline void zr_block_write_depths(const struct zr_tile *tile, int block, float *out, ptrdiff_t stride,
@@ -84,7 +76,7 @@ static inline void zr_block_write_depths(const struct zr_tile *tile, int block, 
     if (tile->block_owner[block] == 0) {
         for (int row = 0; row < ZR_BLOCK_HEIGHT; row++, out += stride)
             for (int v = 0; v < ZR_BLOCK_PARTS; v++)
-                zr_depth_put(out + v * ZR_LANES, zr_vf_set(1.0f), streamed);
+                zr_vi_put(out + v * ZR_LANES, zr_vi_bits_of(zr_vf_set(1.0f)), streamed);
         return;
     }
     const int32_t x = tile->x + block % ZR_BLOCK_COLUMNS * ZR_BLOCK_WIDTH;
@@ -95,7 +87,7 @@ static inline void zr_block_write_depths(const struct zr_tile *tile, int block, 
         columns[v] = zr_depth_columns_of(&tile->block_depth[block], x + v * ZR_LANES);
     for (int row = 0; row < ZR_BLOCK_HEIGHT; row++, out += stride, fy = fy + zr_vf_set(1.0f))
         for (int v = 0; v < ZR_BLOCK_PARTS; v++)
-            zr_depth_put(out + v * ZR_LANES, zr_depth_columns_at(&columns[v], fy), streamed);
+            zr_vi_put(out + v * ZR_LANES, zr_vi_bits_of(zr_depth_columns_at(&columns[v], fy)), streamed);
 }
 
 /* Its depths and its owners, to the tile. */

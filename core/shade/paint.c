@@ -80,9 +80,6 @@ static struct zr_plane plane_make(const struct basis *basis, float p0, float p1,
 
 struct zr_surface zr_surface_make(const struct zr_geometry *geometry, const struct zr_batch *batch, uint32_t number)
 {
-    if (batch->packed) /* a thirtieth of the time of a cube */
-        return (struct zr_surface){.flat = true,
-                                   .color = batch->packed[zr_batch_color(batch, number - batch->first, 0)]};
     const struct zr_record record = zr_record_of(geometry, batch, number);
     const struct zr_triangle *t = &record.triangle;
     zr_vec4 c0 = record.colors[t->c[0]], c1 = record.colors[t->c[1]], c2 = record.colors[t->c[2]];

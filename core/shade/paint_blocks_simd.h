@@ -48,14 +48,6 @@ static inline zr_vi zr_hue_at(const struct zr_hue *hue, float y)
                            hue->across[2] + zr_vf_set(hue->up[2] * y), hue->across[3] + zr_vf_set(hue->up[3] * y));
 }
 
-static inline void zr_rows_put(const struct zr_rows *rows, uint32_t *to, zr_vi values)
-{
-    if (rows->streamed)
-        zr_vi_stream(to, values);
-    else
-        zr_vi_store(to, values);
-}
-
 /* From a tile's first pixel on -> from a block's. */
 static inline struct zr_rows zr_rows_of_block(const struct zr_rows *out, int block)
 {
@@ -71,7 +63,7 @@ static inline void zr_paint_alike(const struct zr_rows *out, zr_vi color)
     uint32_t *to = out->first;
     for (int row = 0; row < ZR_BLOCK_HEIGHT; row++, to += out->stride)
         for (int v = 0; v < ZR_BLOCK_PARTS; v++)
-            zr_rows_put(out, to + v * ZR_LANES, color);
+            zr_vi_put(to + v * ZR_LANES, color, out->streamed);
 }
 
 /* Blocks `first` and so on: a bit for each that is all nobody's or a flat owner's, and what colour it has. */
@@ -120,7 +112,7 @@ static inline void zr_paint_own(struct zr_surfaces *surfaces, uint32_t owner, co
     }
     for (int row = 0; row < ZR_BLOCK_HEIGHT; row++, to += block->out.stride, y += 1.0f)
         for (int v = 0; v < ZR_BLOCK_PARTS; v++)
-            zr_rows_put(&block->out, to + v * ZR_LANES, zr_hue_at(&hues[v], y));
+            zr_vi_put(to + v * ZR_LANES, zr_hue_at(&hues[v], y), block->out.streamed);
 }
 
 /* One of owners that are not all 0. */
@@ -192,7 +184,7 @@ static inline uint32_t zr_paint_block(struct zr_surfaces *surfaces, struct zr_ne
         covered += zr_color_shared(surfaces, neighbors, owners + v * ZR_LANES, block.x[v], &block, colors[v]);
     for (int line = 0; line < ZR_BLOCK_HEIGHT; line++, to += out->stride)
         for (int v = 0; v < ZR_BLOCK_PARTS; v++)
-            zr_rows_put(out, to + v * ZR_LANES, colors[v][line]);
+            zr_vi_put(to + v * ZR_LANES, colors[v][line], out->streamed);
     return covered;
 }
 

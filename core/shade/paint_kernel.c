@@ -310,10 +310,7 @@ static void copy(const struct zr_rows *out, int32_t width, int32_t height, const
     for (int32_t y = 0; y < height; y++, from += ZR_TILE_STRIDE, to += out->stride) {
         int32_t x = 0;
         for (; x + ZR_LANES <= width; x += ZR_LANES)
-            if (out->streamed)
-                zr_vi_stream(to + x, zr_vi_load(from + x));
-            else
-                zr_vi_store(to + x, zr_vi_load(from + x));
+            zr_vi_put(to + x, zr_vi_load(from + x), out->streamed);
         if (x < width) zr_vi_store_first(to + x, zr_vi_load(from + x), (uint32_t)(width - x));
     }
 }
