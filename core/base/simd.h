@@ -32,6 +32,7 @@
  *   zr_vi_gather(m, p, i): p[i] of four bytes, lane by lane; anything in lanes that are not m's
  *   zr_vf_gather_fours(m, p, i, &x, &y, &z): the same of p[4 i], p[4 i + 1] and p[4 i + 2], where i < 2^29
  *   zr_vi_compress(p, m, v): the lanes of m, one after the other, and their count; ZR_LANES words may be written
+ *   zr_vi_list_bits(p, bits, first): first + i of each bit i, likewise; bits above ZR_LANES are 0
  *
  * zr_vp holds two int16_t a lane, x in the lower half of its word and y in the upper; + - & << >> work half by half:
  *   zr_vp_pack(low, high): of int32_t x, y, x, y ..., half of the lanes in either vector; the nearest that fits
@@ -85,6 +86,13 @@ static inline zr_vi zr_vp_cross(zr_vp a, zr_vp b)
 {
     const zr_vi ax = (zr_vi)a << 16 >> 16, ay = (zr_vi)a >> 16, bx = (zr_vi)b << 16 >> 16, by = (zr_vi)b >> 16;
     return ax * by - ay * bx;
+}
+#endif
+
+#ifndef ZR_HAS_LIST_BITS
+static inline uint32_t zr_vi_list_bits(void *p, uint32_t bits, int32_t first)
+{
+    return zr_vi_compress(p, zr_vm_of(bits), zr_vi_set(first) + zr_vi_ramp());
 }
 #endif
 

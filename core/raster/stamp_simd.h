@@ -40,8 +40,8 @@ static inline uint32_t zr_stamp_list(const uint32_t covered[ZR_LANES], uint32_t 
     uint32_t count = 0;
     for (uint32_t i = 0; i < ZR_LANES; i++)
         for (uint32_t s = 0; s < ZR_STAMP_SAMPLES; s += ZR_LANES)
-            count += zr_vi_compress(samples + count, zr_vm_of(covered[i] >> s & ZR_ALL_BITS),
-                                    zr_vi_set((int32_t)(i * ZR_STAMP_SAMPLES + s)) + zr_vi_ramp());
+            count +=
+                zr_vi_list_bits(samples + count, covered[i] >> s & ZR_ALL_BITS, (int32_t)(i * ZR_STAMP_SAMPLES + s));
     if (count > 0) zr_vi_store(samples + count, zr_vi_set((int32_t)samples[count - 1]));
     return count;
 }

@@ -223,8 +223,10 @@ static void want_gathers(const struct simd_inputs *in, struct simd_results *want
     const int group = k - k % want->lanes;
     for (int l = 0, before = 0; l < want->lanes; before += in->m[group + l++])
         if (in->m[group + l]) {
-            want->vi_compressed[k]++;
-            if (before == k - group) want->vi_compress[k] = in->i[group + l];
+            want->vi_listed[k] = ++want->vi_compressed[k];
+            if (before != k - group) continue;
+            want->vi_compress[k] = in->i[group + l];
+            want->vi_list_bits[k] = (int32_t)in->order[group] + l;
         }
 }
 
@@ -328,6 +330,8 @@ static const struct result results[] = {EXACT(vf_set),
                                         EXACT(vf_pick),
                                         EXACT(vi_compress),
                                         EXACT(vi_compressed),
+                                        EXACT(vi_list_bits),
+                                        EXACT(vi_listed),
                                         EXACT(load_corners[0][0]),
                                         EXACT(load_corners[0][1]),
                                         EXACT(load_corners[0][2]),

@@ -145,10 +145,16 @@ static void run_gathers(const struct simd_inputs *in, struct simd_results *out, 
     }
     int32_t room[2 * ZR_LANES];
     zr_vi_store(room + ZR_LANES, zr_vi_load(in->j + k));
-    const uint32_t count = zr_vi_compress(room, m, zr_vi_load(in->i + k));
+    uint32_t count = zr_vi_compress(room, m, zr_vi_load(in->i + k));
     for (uint32_t i = 0; i < ZR_LANES; i++) {
         out->vi_compress[(uint32_t)k + i] = i < count ? room[i] : 0;
         out->vi_compressed[(uint32_t)k + i] = (int32_t)count;
+    }
+    out->strayed[k] |= memcmp(room + ZR_LANES, in->j + k, 4 * ZR_LANES) != 0;
+    count = zr_vi_list_bits(room, zr_vm_bits(m), (int32_t)in->order[k]);
+    for (uint32_t i = 0; i < ZR_LANES; i++) {
+        out->vi_list_bits[(uint32_t)k + i] = i < count ? room[i] : 0;
+        out->vi_listed[(uint32_t)k + i] = (int32_t)count;
     }
     out->strayed[k] |= memcmp(room + ZR_LANES, in->j + k, 4 * ZR_LANES) != 0;
 }

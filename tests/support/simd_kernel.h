@@ -62,6 +62,8 @@ struct simd_results {
     float vf_pick[SIMD_COUNT];            /* a, of lane order % lanes of the same vector */
     int32_t vi_compress[SIMD_COUNT];      /* of i and m; 0 in a vector's lanes behind those */
     int32_t vi_compressed[SIMD_COUNT];    /* how many */
+    int32_t vi_list_bits[SIMD_COUNT];     /* of m, from order of a vector's lane 0 on; 0 behind those */
+    int32_t vi_listed[SIMD_COUNT];
     /* In double, as floats. lost: what a product of floats would lose. set: lane 0 of all ZR_DOUBLES. */
     float vd_set[SIMD_COUNT], vd_min[SIMD_COUNT], vd_max[SIMD_COUNT], vd_lost[SIMD_COUNT], vd_div[SIMD_COUNT];
     float vd_store[SIMD_COUNT], vd_gather[SIMD_COUNT]; /* doubles[order] */

@@ -182,6 +182,36 @@ static inline void zr_vf_store4(float *p, zr_vf x, zr_vf y, zr_vf z, zr_vf w)
     _mm256_storeu_ps(p + 24, _mm256_permute2f128_ps((__m256)c, (__m256)d, 0x31));
 }
 
+/* By mask, a byte a lane: the lanes of the mask, one after the other. Lane by lane, without the table, a million
+ * triangles took a sixth longer. */
+#define ZR_HAS_LIST_BITS
+#define ZR_HAS_COMPRESS
+#define ZR_FRONT_LANE(m, i)                                                                                            \
+    ((uint64_t)((m) >> (i)&1u ? (i) : 0u) << (8 * __builtin_popcount((m) & ((1u << (i)) - 1u)) & 63))
+#define ZR_FRONT(m)                                                                                                    \
+    (ZR_FRONT_LANE(m, 0u) | ZR_FRONT_LANE(m, 1u) | ZR_FRONT_LANE(m, 2u) | ZR_FRONT_LANE(m, 3u) |                       \
+     ZR_FRONT_LANE(m, 4u) | ZR_FRONT_LANE(m, 5u) | ZR_FRONT_LANE(m, 6u) | ZR_FRONT_LANE(m, 7u))
+#define ZR_FRONTS_4(m)  ZR_FRONT(m), ZR_FRONT((m) + 1u), ZR_FRONT((m) + 2u), ZR_FRONT((m) + 3u)
+#define ZR_FRONTS_16(m) ZR_FRONTS_4(m), ZR_FRONTS_4((m) + 4u), ZR_FRONTS_4((m) + 8u), ZR_FRONTS_4((m) + 12u)
+#define ZR_FRONTS_64(m) ZR_FRONTS_16(m), ZR_FRONTS_16((m) + 16u), ZR_FRONTS_16((m) + 32u), ZR_FRONTS_16((m) + 48u)
+static const uint64_t zr_fronts[256] = {ZR_FRONTS_64(0u), ZR_FRONTS_64(64u), ZR_FRONTS_64(128u), ZR_FRONTS_64(192u)};
+
+static inline zr_vi zr_front_of(uint32_t bits)
+{
+    return (zr_vi)_mm256_cvtepu8_epi32(_mm_loadl_epi64((const __m128i *)&zr_fronts[bits]));
+}
+static inline uint32_t zr_vi_compress(void *p, zr_vm m, zr_vi v)
+{
+    const uint32_t bits = zr_vm_bits(m);
+    zr_vi_store(p, (zr_vi)_mm256_permutevar8x32_epi32((__m256i)v, (__m256i)zr_front_of(bits)));
+    return (uint32_t)__builtin_popcount(bits);
+}
+static inline uint32_t zr_vi_list_bits(void *p, uint32_t bits, int32_t first)
+{
+    zr_vi_store(p, zr_front_of(bits) + zr_vi_set(first));
+    return (uint32_t)__builtin_popcount(bits);
+}
+
 typedef double zr_vd __attribute__((vector_size(32)));
 enum { ZR_DOUBLES = 4 };
 

@@ -32,6 +32,7 @@ static inline zr_vm zr_vi_lt_where(zr_vm m, zr_vi a, zr_vi b)
 {
     return m & zr_vi_lt(a, b);
 }
+#ifndef ZR_HAS_COMPRESS
 /* Every lane is stored, and the next one over it where it was not to be: no branch, and no table. */
 static inline uint32_t zr_vi_compress(void *p, zr_vm m, zr_vi v)
 {
@@ -44,6 +45,7 @@ static inline uint32_t zr_vi_compress(void *p, zr_vm m, zr_vi v)
     }
     return count;
 }
+#endif
 static inline void zr_load_corners(const float *vertices, const uint32_t *corners, zr_vf low[3], zr_vf high[3])
 {
 #define ZR_CORNER(i) (vertices + 4 * (size_t)corners[3 * (i) + k])
