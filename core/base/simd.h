@@ -30,7 +30,8 @@
  *   zr_transpose4(a, b, c, d, &x, &y, &z, &w): 4 by 4 floats, in each 16 bytes by themselves
  *   zr_vf_pick(v, i): lane k is lane i[k] of v, i being 0 .. ZR_LANES - 1
  *   zr_vi_gather(m, p, i): p[i] of four bytes, lane by lane; anything in lanes that are not m's
- *   zr_vf_gather_fours(m, p, i, &x, &y, &z): the same of p[4 i], p[4 i + 1] and p[4 i + 2], where i < 2^29
+ *   zr_vf_gather_fours(p, i, &x, &y, &z): p[4 i], p[4 i + 1] and p[4 i + 2], all lanes, where i < 2^29; p[4 i + 3] may
+ *     be read
  *   zr_vi_compress(p, m, v): the lanes of m, one after the other, and their count; ZR_LANES words may be written
  *   zr_vi_list_bits(p, bits, first): first + i of each bit i, likewise; bits above ZR_LANES are 0
  *
@@ -97,12 +98,15 @@ static inline uint32_t zr_vi_list_bits(void *p, uint32_t bits, int32_t first)
 #endif
 
 #ifndef ZR_HAS_GATHER_FOURS
-static inline void zr_vf_gather_fours(zr_vm m, const float *p, zr_vi i, zr_vf *x, zr_vf *y, zr_vf *z)
+static inline void zr_vf_gather_fours(const float *p, zr_vi i, zr_vf *x, zr_vf *y, zr_vf *z)
 {
-    const zr_vi four = i * zr_vi_set(4);
-    *x = zr_vf_bits(zr_vi_gather(m, p, four));
-    *y = zr_vf_bits(zr_vi_gather(m, p + 1, four));
-    *z = zr_vf_bits(zr_vi_gather(m, p + 2, four));
+    int32_t places[ZR_LANES];
+    zr_vf w;
+    zr_vi_store(places, i);
+#define ZR_PLACE(k) (p + 4 * (size_t)places[k])
+    ZR_LOAD4(*x, *y, *z, w, ZR_PLACE);
+#undef ZR_PLACE
+    (void)w;
 }
 #endif
 

@@ -13,7 +13,7 @@ enum { LONG_RUN = 16 };
 struct painter {
     struct zr_canvas canvas;
     struct zr_surfaces surfaces;
-    struct zr_flat_memory flat;
+    struct zr_flat_rows flat;
     struct zr_smooth_queue smooth;
     struct zr_patches patches;
 };
@@ -144,12 +144,12 @@ static uint32_t paint_rows(struct painter *p, int32_t y, int32_t rows, int32_t w
 {
     const int32_t first = y * ZR_TILE_STRIDE;
     const struct zr_batch *batch = p->surfaces.batch; /* it may well be the only one here, too */
-    uint32_t *owners = p->canvas.colors + first, covered = 0;
+    uint32_t *owners = p->canvas.colors + first;
     const bool alone = is_alone(p, batch, owners, width, rows), smooth = zr_batch_is_smooth(batch);
     if (alone && !smooth && !backdrop->row) {
         for (int32_t row = 0; row < rows; row++)
-            covered += zr_paint_flat_row(batch, &p->flat, owners + row * ZR_TILE_STRIDE, width, backdrop->nothing);
-        return covered;
+            zr_flat_add(&p->flat, batch, owners + row * ZR_TILE_STRIDE);
+        return 0; /* counted when they are painted */
     }
     uint64_t ends[ZR_PATCH_ROWS];
     int32_t runs = 0;
@@ -160,6 +160,7 @@ static uint32_t paint_rows(struct painter *p, int32_t y, int32_t rows, int32_t w
     if (alone && smooth && runs * LONG_RUN > rows * width)
         return zr_patches_add_rows(&p->patches, &p->canvas, batch, first, width, rows, backdrop);
     struct zr_backdrop here = *backdrop;
+    uint32_t covered = 0;
     for (int32_t row = 0; row < rows; row++) {
         covered += paint_row(p, first + row * ZR_TILE_STRIDE, ends[row], &here);
         if (here.row) here.row += here.stride;
@@ -177,6 +178,7 @@ static uint32_t paint_all_rows(struct painter *p, const struct zr_tile *tile, st
         covered += paint_rows(p, y, rows, tile->width, &backdrop);
         if (backdrop.row) backdrop.row += backdrop.stride * rows;
     }
+    covered += zr_flat_end(&p->flat);
     zr_patches_end(&p->patches, &p->canvas);
     zr_smooth_paint(&p->smooth, &p->canvas, true);
     return covered;
@@ -217,7 +219,7 @@ static uint32_t paint_tile(const struct zr_geometry *geometry, struct zr_tile *t
     struct painter p;
     const struct zr_backdrop backdrop = {zr_vi_set((int32_t)nothing), behind, stride};
     p.canvas = (struct zr_canvas){geometry, tile->x, tile->y, tile->owner}; /* rows are read before they are painted */
-    p.flat = (struct zr_flat_memory){zr_vi_set(0), zr_vi_set(0)};
+    zr_flat_begin(&p.flat, tile->width, backdrop.nothing);
     zr_surfaces_begin(&p.surfaces, geometry, zr_surface_make);
     zr_smooth_begin(&p.smooth);
     zr_patches_begin(&p.patches);

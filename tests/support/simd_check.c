@@ -211,7 +211,7 @@ static void want_gathers(const struct simd_inputs *in, struct simd_results *want
     const int lane = k % want->lanes;
     want->vf_pick[k] = in->a[k - lane + (int)in->order[k] % want->lanes];
     if (in->m[k]) memcpy(&want->vi_gather[k], &in->places[in->order[k]], sizeof(int32_t));
-    for (uint32_t c = 0; c < 3 && in->m[k]; c++)
+    for (uint32_t c = 0; c < 3; c++)
         want->vf_gather_fours[c][k] = in->places[4 * in->corners[k] + c];
     for (int c = 0; c < 3; c++) {
         int32_t xy[2];

@@ -129,11 +129,10 @@ static void run_gathers(const struct simd_inputs *in, struct simd_results *out, 
     zr_vi_store(
         out->vi_gather + k,
         zr_vi_select(m, zr_vi_gather(m, in->places, zr_vi_select(m, zr_vi_load(in->order + k), nowhere)), none));
-    const zr_vi four = zr_vi_select(m, zr_vi_load(in->corners + k), nowhere);
     zr_vf xyz[3];
-    zr_vf_gather_fours(m, in->places, four, &xyz[0], &xyz[1], &xyz[2]);
+    zr_vf_gather_fours(in->places, zr_vi_load(in->corners + k), &xyz[0], &xyz[1], &xyz[2]);
     for (int c = 0; c < 3; c++)
-        zr_vf_store(out->vf_gather_fours[c] + k, zr_vf_select(m, xyz[c], zr_vf_set(0.0f)));
+        zr_vf_store(out->vf_gather_fours[c] + k, xyz[c]);
     zr_vf_store(out->vf_pick + k,
                 zr_vf_pick(zr_vf_load(in->a + k), zr_vi_load(in->order + k) & zr_vi_set(ZR_LANES - 1)));
     zr_load_corners(in->places, in->corners + 3 * k, low, high);
