@@ -2,8 +2,21 @@
 
 #include <stdlib.h>
 #include <string.h>
+#include <sys/mman.h>
 
-enum { FIRST_CAPACITY = 16 << 10 };
+enum { FIRST_CAPACITY = 16 << 10, PAGE = 4096, POPULATED_LEAST = 256 << 10 };
+
+/* The system is asked for pages of a large body many at a time, for as much again as has come: one by one, as they are
+ * written to, a body of 3 MB waits 1.5 ms longer for them. It may refuse. */
+static void populate(struct upload *upload, size_t needed)
+{
+    if (needed <= upload->populated || upload->capacity < POPULATED_LEAST) return;
+    const size_t end = needed < upload->capacity / 2 ? 2 * needed : upload->capacity;
+    const uintptr_t from = (uintptr_t)(upload->bytes + upload->populated + PAGE - 1) & ~(uintptr_t)(PAGE - 1);
+    const uintptr_t to = (uintptr_t)(upload->bytes + end) & ~(uintptr_t)(PAGE - 1);
+    if (from < to) madvise((void *)from, to - from, MADV_POPULATE_WRITE);
+    upload->populated = end;
+}
 
 enum upload_status upload_add(struct upload *upload, struct upload_budget *budget, const char *bytes, size_t size,
                               uint64_t expected)
@@ -28,6 +41,7 @@ enum upload_status upload_add(struct upload *upload, struct upload_budget *budge
         upload->bytes = grown;
         upload->capacity = capacity;
     }
+    populate(upload, needed);
     memcpy(upload->bytes + upload->size, bytes, size);
     upload->size = needed;
     upload->bytes[needed] = '\0';

@@ -124,6 +124,33 @@ static void memory_goes_back_to_the_system_when_nothing_happens(void **state)
     daemon_stop(&server);
 }
 
+static void what_is_announced_and_has_not_come_takes_no_memory(void **state)
+{
+    enum { BODIES = 32, SENT = 300000, SENT_KIB = BODIES * SENT >> 10, SPARE_KIB = 16 << 10, TICKS = 100 };
+    static const char HEADER[] =
+        "POST /v1/render HTTP/1.1\r\nHost: a\r\n" JSON_TYPE "\r\nContent-Length: 50000000\r\n\r\n";
+    static char spaces[SENT];
+    (void)state;
+    struct daemon server = daemon_start((const char *const[]){LET_IN, NULL});
+    const long before = daemon_memory_kib(&server, "VmRSS:");
+    int senders[BODIES];
+    memset(spaces, ' ', sizeof spaces);
+    for (int i = 0; i < BODIES; i++) {
+        senders[i] = client_connect(&server);
+        assert_true(client_write(senders[i], HEADER, sizeof HEADER - 1) && client_write(senders[i], spaces, SENT));
+    }
+    long grown = 0;
+    for (int tick = 0; tick < TICKS && grown < SENT_KIB; tick++, usleep(100000))
+        grown = daemon_memory_kib(&server, "VmRSS:") - before;
+    assert_true(grown >= SENT_KIB);
+#if !defined __SANITIZE_ADDRESS__ && !defined __SANITIZE_THREAD__
+    assert_true(grown < 2 * SENT_KIB + SPARE_KIB);
+#endif
+    for (int i = 0; i < BODIES; i++)
+        close(senders[i]);
+    daemon_stop(&server);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -131,6 +158,7 @@ int main(void)
         cmocka_unit_test(small_requests_are_served_while_no_more_large_ones_are),
         cmocka_unit_test(large_request_behind_another_is_answered_when_the_daemon_ends),
         cmocka_unit_test(memory_goes_back_to_the_system_when_nothing_happens),
+        cmocka_unit_test(what_is_announced_and_has_not_come_takes_no_memory),
     };
     return cmocka_run_group_tests_name("fair", tests, clients_setup, clients_teardown);
 }
