@@ -4,14 +4,15 @@
 #include <string.h>
 #include <sys/mman.h>
 
-enum { FIRST_CAPACITY = 16 << 10, PAGE = 4096, POPULATED_LEAST = 256 << 10 };
+enum { FIRST_CAPACITY = 16 << 10, PAGE = 4096, LARGE = 256 << 10, AHEAD = 256 << 10 };
 
-/* The system is asked for pages of a large body many at a time, for as much again as has come: one by one, as they are
- * written to, a body of 3 MB waits 1.5 ms longer for them. It may refuse. */
+/* The system is asked for pages of a large body many at a time, for as much again as has come, but for AHEAD at most:
+ * one by one, as they are written to, a body of 3 MB waits 1.5 ms longer for them. It may refuse. */
 static void populate(struct upload *upload, size_t needed)
 {
-    if (needed <= upload->populated || upload->capacity < POPULATED_LEAST) return;
-    const size_t end = needed < upload->capacity / 2 ? 2 * needed : upload->capacity;
+    if (needed <= upload->populated || upload->capacity < LARGE) return;
+    const size_t ahead = needed < AHEAD ? needed : AHEAD;
+    const size_t end = upload->capacity - needed > ahead ? needed + ahead : upload->capacity;
     const uintptr_t from = (uintptr_t)(upload->bytes + upload->populated + PAGE - 1) & ~(uintptr_t)(PAGE - 1);
     const uintptr_t to = (uintptr_t)(upload->bytes + end) & ~(uintptr_t)(PAGE - 1);
     if (from < to) madvise((void *)from, to - from, MADV_POPULATE_WRITE);
@@ -22,7 +23,7 @@ enum upload_status upload_add(struct upload *upload, struct upload_budget *budge
                               uint64_t expected)
 {
     if (size > budget->body_max - upload->size) return UPLOAD_TOO_LARGE;
-    /* Only bytes that have come are held: room that is asked for costs nothing before it is written to. */
+    /* Only bytes that have come are held: room that is asked for costs next to nothing before it is written to. */
     if (atomic_fetch_add(&budget->held, size) + size > budget->memory_max) {
         atomic_fetch_sub(&budget->held, size);
         return UPLOAD_NO_MEMORY;

@@ -17,7 +17,7 @@ struct upload_budget {
 struct upload {
     char *bytes; /* `size` bytes and a final zero; NULL before the first */
     size_t size, capacity;
-    size_t populated; /* bytes whose pages are there, or were asked for */
+    size_t populated; /* bytes whose pages were asked for */
 };
 
 enum upload_status { UPLOAD_OK, UPLOAD_TOO_LARGE, UPLOAD_NO_MEMORY };

@@ -33,7 +33,7 @@
  *   zr_vf_gather_fours(p, i, &x, &y, &z): p[4 i], p[4 i + 1] and p[4 i + 2], all lanes, where i < 2^29; p[4 i + 3] may
  *     be read
  *   zr_vi_compress(p, m, v): the lanes of m, one after the other, and their count; ZR_LANES words may be written
- *   zr_vi_list_bits(p, bits, first): first + i of each bit i, likewise; bits above ZR_LANES are 0
+ *   zr_vi_list_bits(p, bits, first): first + i of each bit i, likewise; bits from ZR_LANES on are 0
  *
  * zr_vp holds two int16_t a lane, x in the lower half of its word and y in the upper; + - & << >> work half by half:
  *   zr_vp_pack(low, high): of int32_t x, y, x, y ..., half of the lanes in either vector; the nearest that fits

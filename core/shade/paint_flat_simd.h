@@ -17,13 +17,13 @@ static inline bool zr_row_is_of(const struct zr_batch *batch, const uint32_t *ow
     return true;
 }
 
-/* So many rows wait for their colours, which were asked for when the row was added: a tenth of the time of a million
- * triangles, and of that four rows, not one, are a third. */
+/* So many rows wait for their colours, which were asked for when the row was added. With one row that saves 7 to 13 %
+ * of a million triangles' time, with four another 3 to 5 %. */
 enum { ZR_FLAT_ROWS = 4 };
 
 struct zr_flat_row {
     uint32_t *owners;
-    int32_t colors[ZR_TILE_SIZE]; /* their numbers; where some lanes of a vector have no owner, 0 */
+    int32_t numbers[ZR_TILE_SIZE]; /* of their colours; 0 in lanes without an owner, beside some that have one */
 };
 
 /* Rows of one batch, in a ring. */
@@ -43,7 +43,7 @@ static inline void zr_flat_begin(struct zr_flat_rows *flat, int32_t width, zr_vi
     flat->added = flat->painted = flat->covered = 0;
 }
 
-/* Of ZR_LANES owners in a row of this width, from x on. */
+/* Which lanes have an owner within a row of this width, from x on. */
 static inline zr_vm zr_owned_of(zr_vi owners, int32_t x, int32_t width)
 {
     return zr_vi_lt_where(zr_vi_lt(zr_vi_ramp(), zr_vi_set(width - x)), zr_vi_set(0), owners);
@@ -60,29 +60,29 @@ static inline zr_vi zr_flat_color(const struct zr_batch *batch, zr_vm owned, zr_
     return batch->colors == ZR_BATCH_PER_FIRST_SLOT ? slot : zr_vi_gather(owned, batch->mesh->indices, slot);
 }
 
-/* Where the colours of the lanes that are owned are. Large triangles have the same owners again and again. */
-static inline void zr_flat_ask(const struct zr_batch *batch, const uint32_t *owners, int32_t width, int32_t *colors)
+/* The numbers of a row's colours, which are asked for. Large triangles have the same owners again and again. */
+static inline void zr_flat_ask(const struct zr_batch *batch, const uint32_t *owners, int32_t width, int32_t *numbers)
 {
     const zr_vi first = zr_vi_set((int32_t)batch->first + 1);
-    zr_vi last = zr_vi_set(0), color = zr_vi_set(0);
+    zr_vi last_owner = zr_vi_set(0), number = zr_vi_set(0);
     for (int32_t x = 0; x < width; x += ZR_LANES) {
         const zr_vi owner = zr_vi_load(owners + x);
         const zr_vm owned = zr_owned_of(owner, x, width);
         if (!zr_vm_any(owned)) continue;
-        const bool known = zr_vm_bits(zr_vi_eq(owner, last)) == ZR_ALL_BITS;
-        if (!known) color = zr_vi_select(owned, zr_flat_color(batch, owned, owner - first), zr_vi_set(0));
-        zr_vi_store(colors + x, color);
+        const bool known = zr_vm_bits(zr_vi_eq(owner, last_owner)) == ZR_ALL_BITS;
+        if (!known) number = zr_vi_select(owned, zr_flat_color(batch, owned, owner - first), zr_vi_set(0));
+        zr_vi_store(numbers + x, number);
         for (int i = 0; !known && !batch->packed && i < ZR_LANES; i++)
-            __builtin_prefetch(batch->front + colors[x + i]);
-        last = owner;
+            __builtin_prefetch(batch->front + numbers[x + i]);
+        last_owner = owner;
     }
 }
 
-static inline zr_vi zr_flat_look_up(const struct zr_batch *batch, zr_vi color)
+static inline zr_vi zr_flat_look_up(const struct zr_batch *batch, zr_vi number)
 {
     zr_vf red, green, blue;
-    if (batch->packed) return zr_vi_gather(ZR_ALL_LANES, batch->packed, color);
-    zr_vf_gather_fours(&batch->front->x, color, &red, &green, &blue);
+    if (batch->packed) return zr_vi_gather(ZR_ALL_LANES, batch->packed, number);
+    zr_vf_gather_fours(&batch->front->x, number, &red, &green, &blue);
     return zr_color_pack_v(red, green, blue);
 }
 
@@ -90,17 +90,17 @@ static inline zr_vi zr_flat_look_up(const struct zr_batch *batch, zr_vi color)
 static inline void zr_flat_paint(struct zr_flat_rows *flat)
 {
     const struct zr_flat_row *row = &flat->rows[flat->painted++ % ZR_FLAT_ROWS];
-    zr_vi last = zr_vi_set(-1), seen = zr_vi_set(0);
+    zr_vi last_number = zr_vi_set(-1), color = zr_vi_set(0);
     for (int32_t x = 0; x < flat->width; x += ZR_LANES) {
         const zr_vm owned = zr_owned_of(zr_vi_load(row->owners + x), x, flat->width);
         zr_vi painted = flat->nothings;
         if (zr_vm_any(owned)) {
-            const zr_vi color = zr_vi_load(row->colors + x);
-            if (zr_vm_bits(zr_vi_eq(color, last)) != ZR_ALL_BITS) {
-                seen = zr_flat_look_up(flat->batch, color);
-                last = color;
+            const zr_vi number = zr_vi_load(row->numbers + x);
+            if (zr_vm_bits(zr_vi_eq(number, last_number)) != ZR_ALL_BITS) {
+                color = zr_flat_look_up(flat->batch, number);
+                last_number = number;
             }
-            painted = zr_vi_select(owned, seen, painted);
+            painted = zr_vi_select(owned, color, painted);
             flat->covered += (uint32_t)__builtin_popcount(zr_vm_bits(owned));
         }
         zr_vi_store(row->owners + x, painted);
@@ -124,7 +124,7 @@ static inline void zr_flat_add(struct zr_flat_rows *flat, const struct zr_batch 
     struct zr_flat_row *row = &flat->rows[flat->added++ % ZR_FLAT_ROWS];
     flat->batch = batch;
     row->owners = owners;
-    zr_flat_ask(batch, owners, flat->width, row->colors);
+    zr_flat_ask(batch, owners, flat->width, row->numbers);
 }
 
 #endif

@@ -186,8 +186,7 @@ static inline void zr_vf_store4(float *p, zr_vf x, zr_vf y, zr_vf z, zr_vf w)
  * triangles took a sixth longer. */
 #define ZR_HAS_LIST_BITS
 #define ZR_HAS_COMPRESS
-#define ZR_FRONT_LANE(m, i)                                                                                            \
-    ((uint64_t)((m) >> (i)&1u ? (i) : 0u) << (8 * __builtin_popcount((m) & ((1u << (i)) - 1u)) & 63))
+#define ZR_FRONT_LANE(m, i) ((uint64_t)((m) >> (i)&1u ? (i) : 0u) << (8 * __builtin_popcount((m) & ((1u << (i)) - 1u))))
 #define ZR_FRONT(m)                                                                                                    \
     (ZR_FRONT_LANE(m, 0u) | ZR_FRONT_LANE(m, 1u) | ZR_FRONT_LANE(m, 2u) | ZR_FRONT_LANE(m, 3u) |                       \
      ZR_FRONT_LANE(m, 4u) | ZR_FRONT_LANE(m, 5u) | ZR_FRONT_LANE(m, 6u) | ZR_FRONT_LANE(m, 7u))
