@@ -10,7 +10,8 @@
  * next smaller one's time, in proportion; at most 1.1 times that. */
 void growth_of_work(struct bench *bench);
 
-/* 2 to all threads: "theirs" is one thread's time, in the same run. */
+/* 2 to all threads: "theirs" is one thread's time, in the same run; and as many pictures at once, each on one thread.
+ */
 void growth_of_threads(struct bench *bench);
 
 /* Depth in scene units instead of the window's, whose time, in the same run, is "theirs". */

@@ -1,10 +1,11 @@
-/* More threads against one. */
+/* More threads against one, and beside it as many pictures at once, each on one thread. */
+#include "bench/at_once.h"
 #include "bench/growth.h"
 #include "bench/machine.h"
 #include "bench/series.h"
 #include "bench/sides.h"
 
-enum { ONE, MORE, SIDES };
+enum { ONE, MORE, AT_ONCE, SIDES };
 enum { THREADS_MAX = 64 };
 
 static const struct bar two_bar = {1.8, 1.95};
@@ -14,7 +15,12 @@ static const enum works measured[] = {WORK_FILL_BACK_FIRST, WORK_FILL_FRONT_FIRS
 struct task {
     const struct work *work;
     int threads;
-    bool wanted[WORK_SHADES];
+    bool wanted[WORK_SHADES][SIDES];
+};
+
+struct renderers {
+    struct ours ours[AT_ONCE];
+    struct at_once *at_once;
 };
 
 static struct variant variant_of(const struct work *work, int shade)
@@ -22,43 +28,77 @@ static struct variant variant_of(const struct work *work, int shade)
     return (struct variant){(enum work_shade)shade, work->culling != WORK_NOT_CULLED};
 }
 
-static void name_row(const struct task *task, int shade, char *name, size_t size)
+static void name_row(const struct task *task, int shade, int side, char *name, size_t size)
 {
+    const char *threads = side == AT_ONCE ? "x1T" : "T";
     char drawn[80];
     struct variant variant = variant_of(task->work, shade);
     works_variant_name(task->work, &variant, drawn, sizeof drawn);
-    snprintf(name, size, "%dT against 1T: %.70s %s", task->threads, drawn, machine_isa());
+    snprintf(name, size, "%d%s against 1T: %.60s %s", task->threads, threads, drawn, machine_isa());
 }
 
 static bool run_round(void *context, struct series *series)
 {
-    struct ours *ours = context;
-    for (int side = ONE; side < SIDES; side++) {
+    struct renderers *renderers = context;
+    for (int side = ONE; side < AT_ONCE; side++) {
         double begin = now_ms();
-        if (!ours_draw(&ours[side], false)) return false;
+        if (!ours_draw(&renderers->ours[side], false)) return false;
         series_add(&series[side], now_ms() - begin);
     }
-    return true;
+    double took_ms = at_once_draw(renderers->at_once);
+    series_add(&series[AT_ONCE], took_ms);
+    return took_ms >= 0;
+}
+
+/* The time of one picture on one thread, and of what is measured against it: of pictures at once, that of all divided
+ * by their number. */
+static struct row make_row(const struct task *task, int shade, int side, const struct series *series)
+{
+    const int pictures = side == AT_ONCE ? task->threads : 1;
+    struct row row = {.ours_ms = series_median(&series[side]) / pictures, .theirs_ms = series_median(&series[ONE])};
+    if (side == MORE && task->threads == 2) row.bar = two_bar;
+    if (side == AT_ONCE)
+        snprintf(row.note, sizeof row.note, "%d pictures at once: what the machine lets %d threads do", pictures,
+                 pictures);
+    name_row(task, shade, side, row.work, sizeof row.work);
+    return row;
 }
 
 static bool measure(const struct bench *bench, void *context, const struct sink *sink)
 {
     static struct series series[SIDES];
     const struct task *task = context;
-    struct ours ours[SIDES];
-    bool ok = ours_open(&ours[ONE], 1) && ours_open(&ours[MORE], task->threads);
+    struct renderers renderers = {.at_once = at_once_open(task->threads)};
+    bool ok =
+        ours_open(&renderers.ours[ONE], 1) && ours_open(&renderers.ours[MORE], task->threads) && renderers.at_once;
     for (int shade = 0; ok && shade < WORK_SHADES; shade++) {
         struct variant variant = variant_of(task->work, shade);
-        if (!task->wanted[shade]) continue;
-        for (int side = ONE; side < SIDES; side++)
-            ours_take(&ours[side], task->work, &variant);
-        ok = series_run(series, SIDES, bench->rounds, run_round, ours);
-        struct row row = {.ours_ms = series_median(&series[MORE]), .theirs_ms = series_median(&series[ONE])};
-        if (task->threads == 2) row.bar = two_bar;
-        name_row(task, shade, row.work, sizeof row.work);
-        if (ok) sink_row(sink, &row);
+        if (!task->wanted[shade][MORE] && !task->wanted[shade][AT_ONCE]) continue;
+        for (int side = ONE; side < AT_ONCE; side++)
+            ours_take(&renderers.ours[side], task->work, &variant);
+        at_once_take(renderers.at_once, task->work, &variant);
+        ok = series_run(series, SIDES, bench->rounds, run_round, &renderers);
+        for (int side = MORE; ok && side < SIDES; side++) {
+            struct row row = make_row(task, shade, side, series);
+            if (task->wanted[shade][side]) sink_row(sink, &row);
+        }
     }
     return ok;
+}
+
+/* Notes which rows are wanted. False where none is. */
+static bool choose_rows(const struct bench *bench, struct task *task)
+{
+    bool any = false;
+    for (int shade = 0; shade < WORK_SHADES; shade++) {
+        for (int side = MORE; side < SIDES; side++) {
+            char name[ROW_NAME_SIZE];
+            name_row(task, shade, side, name, sizeof name);
+            task->wanted[shade][side] = bench_wants(bench, name);
+            any |= task->wanted[shade][side];
+        }
+    }
+    return any;
 }
 
 void growth_of_threads(struct bench *bench)
@@ -70,14 +110,7 @@ void growth_of_threads(struct bench *bench)
         struct task task = {.work = &work};
         if (!works_make(measured[i], bench->models, &work)) bench->results.failed = true;
         for (task.threads = 2; work.corners && task.threads <= cores; task.threads *= 2) {
-            bool any = false;
-            for (int shade = 0; shade < WORK_SHADES; shade++) {
-                char name[ROW_NAME_SIZE];
-                name_row(&task, shade, name, sizeof name);
-                task.wanted[shade] = bench_wants(bench, name);
-                any |= task.wanted[shade];
-            }
-            if (!any) continue;
+            if (!choose_rows(bench, &task)) continue;
             results_begin_table(&bench->results, "threads: \"theirs\" is ours on 1 thread");
             bench_in_child(bench, measure, &task, NULL);
         }
