@@ -13,12 +13,15 @@ static bool in_range(zr_dvec3 p)
     return fabs(p.x) <= (double)FLT_MAX && fabs(p.y) <= (double)FLT_MAX && fabs(p.z) <= (double)FLT_MAX;
 }
 
-/* False for what is at infinity, or as good as. */
-static bool place_of(zr_vec4 p, zr_dvec3 *out)
+/* False for what is at infinity, or as good as. Mostly w is 1, and divisions are half of the time of a walk. */
+static inline bool place_of(zr_vec4 p, zr_dvec3 *out)
 {
-    double w = (double)p.w;
-    *out = (zr_dvec3){(double)p.x / w, (double)p.y / w, (double)p.z / w};
-    return w != 0.0 && in_range(*out);
+    *out = (zr_dvec3){(double)p.x, (double)p.y, (double)p.z};
+    if (p.w != 1.0f) {
+        const double w = (double)p.w;
+        *out = (zr_dvec3){out->x / w, out->y / w, out->z / w};
+    }
+    return p.w != 0.0f && in_range(*out);
 }
 
 /* ---- every point of a scene, in world space ---- */
@@ -27,22 +30,34 @@ struct point_walk {
     const struct zr_scene *scene;
     const struct zr_cancel *cancel;
     bool fitted_only;
-    uint32_t instance, position;
+    uint32_t instance;             /* the next one */
+    const zr_mat4 *to_world;       /* of the one under way, */
+    const zr_vec4 *position, *end; /* and what is left of it */
 };
 
 /* False at the end, and where it was cancelled. */
-static bool next_point(struct point_walk *walk, zr_dvec3 *out)
+static bool next_instance(struct point_walk *walk)
 {
     const struct zr_scene *scene = walk->scene;
-    for (; walk->instance < scene->instance_count; walk->instance++, walk->position = 0) {
-        const struct zr_instance *instance = &scene->instances[walk->instance];
+    while (walk->instance < scene->instance_count && !zr_is_cancelled(walk->cancel)) {
+        const struct zr_instance *instance = &scene->instances[walk->instance++];
         const struct zr_mesh *mesh = &scene->meshes[instance->mesh];
-        if (walk->position == 0 && zr_is_cancelled(walk->cancel)) return false;
         if (walk->fitted_only && !is_fitted_to(&scene->view, instance->mesh)) continue;
-        while (walk->position < mesh->position_count)
-            if (place_of(zr_mat4_apply(&instance->object_to_world, mesh->positions[walk->position++]), out))
-                return true;
+        walk->to_world = &instance->object_to_world;
+        walk->position = mesh->positions;
+        walk->end = mesh->positions + mesh->position_count;
+        return true;
     }
+    return false;
+}
+
+/* False at the end, and where it was cancelled. */
+static inline bool next_point(struct point_walk *walk, zr_dvec3 *out)
+{
+    do {
+        while (walk->position < walk->end)
+            if (place_of(zr_mat4_apply(walk->to_world, *walk->position++), out)) return true;
+    } while (next_instance(walk));
     return false;
 }
 

@@ -31,7 +31,7 @@ enum zr_status zr_paint_prepare(enum zr_isa isa, struct zr_arena *arena, struct 
     for (uint32_t i = 0; i < geometry->batch_count; i++) {
         struct zr_batch *batch = &geometry->batches[i];
         batch->painted_early = zr_batch_is_painted_early(batch);
-        if (batch->written || zr_batch_is_smooth(batch) || batch->front != batch->back) continue;
+        if (batch->written || zr_batch_is_smooth(batch) || zr_batch_is_sided(batch)) continue;
         const size_t count = batch->color_count;
         if (last && last->front == batch->front && last->color_count == count) {
             batch->packed = last->packed;

@@ -35,9 +35,15 @@ enum { ZR_GATHERED_MOST = 1 << 28 };
 /* Whether colours can be gathered by the numbers of triangles. */
 static inline bool zr_batch_is_gathered(const struct zr_batch *batch)
 {
-    return !batch->written && batch->front == batch->back && batch->count > 0 && batch->count <= ZR_GATHERED_MOST &&
+    return !batch->written && batch->count > 0 && batch->count <= ZR_GATHERED_MOST &&
            batch->mesh->face_offsets[batch->mesh->face_count] <= ZR_GATHERED_MOST &&
            batch->mesh->position_count <= ZR_GATHERED_MOST;
+}
+
+/* Whether backs are drawn, in colours of their own: then a triangle's side must be known to know its colours. */
+static inline bool zr_batch_is_sided(const struct zr_batch *batch)
+{
+    return batch->double_sided && batch->front != batch->back;
 }
 
 /* Whether tiny triangles are painted while they are sorted, and small ones that lie in stamps when they are drawn, in

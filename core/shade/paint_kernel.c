@@ -58,22 +58,19 @@ static void add_run(struct painter *p, uint32_t owner, int32_t at, int32_t lengt
     const struct zr_batch *batch = zr_surfaces_batch(&p->surfaces, owner);
     const uint32_t t = owner - 1 - batch->first;
     const struct zr_triangle *record = batch->written ? &geometry->triangles[batch->first_record + t] : NULL;
-    const bool sided = !record && batch->front != batch->back; /* its side must be known to know its colours */
     const bool smooth = record ? !record->line && (record->c[0] != record->c[1] || record->c[1] != record->c[2])
                                : zr_batch_is_smooth(batch);
     if (!smooth || length > ZR_SHORT_RUN) {
         paint_surface(p, zr_surfaces_of(&p->surfaces, owner), at, length);
     } else if (record) {
-        zr_smooth_add(&p->smooth, &p->canvas, at, length, 0, record->v,
-                      record->back ? geometry->back_colors : geometry->front_colors, record->c);
-    } else if (sided) {
-        const struct zr_record turned = zr_record_of(geometry, batch, owner - 1);
-        zr_smooth_add(&p->smooth, &p->canvas, at, length, 0, turned.triangle.v, turned.colors, turned.triangle.c);
+        const zr_vec4 *colors = record->back ? geometry->back_colors : geometry->front_colors;
+        const struct zr_smooth_sides sides = {colors, colors, false};
+        zr_smooth_add(&p->smooth, &p->canvas, at, length, 0, record->v, sides, record->c);
     } else {
         const uint32_t colors[3] = {zr_batch_color(batch, t, 0), zr_batch_color(batch, t, 1),
                                     zr_batch_color(batch, t, 2)};
         zr_smooth_add(&p->smooth, &p->canvas, at, length, batch->first_vertex, batch->corners + 3 * (size_t)t,
-                      batch->front, colors);
+                      zr_smooth_sides_of(batch), colors);
     }
 }
 
@@ -219,7 +216,7 @@ static uint32_t paint_tile(const struct zr_geometry *geometry, struct zr_tile *t
     struct painter p;
     const struct zr_backdrop backdrop = {zr_vi_set((int32_t)nothing), behind, stride};
     p.canvas = (struct zr_canvas){geometry, tile->x, tile->y, tile->owner}; /* rows are read before they are painted */
-    zr_flat_begin(&p.flat, tile->width, backdrop.nothing);
+    zr_flat_begin(&p.flat, geometry->vertices, tile->width, backdrop.nothing);
     zr_surfaces_begin(&p.surfaces, geometry, zr_surface_make);
     zr_smooth_begin(&p.smooth);
     zr_patches_begin(&p.patches);

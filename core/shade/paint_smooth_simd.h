@@ -5,7 +5,6 @@
 #ifndef ZR_PAINT_SMOOTH_SIMD_H
 #define ZR_PAINT_SMOOTH_SIMD_H
 
-#include "raster/bins.h"
 #include "raster/triangle_simd.h"
 #include "shade/paint_simd.h"
 
@@ -15,9 +14,15 @@ enum { ZR_SHORT_RUN = 8 };
 /* Triangles that are known at a time, and room for a vector behind them. */
 enum { ZR_SMOOTH_MOST = 512, ZR_SMOOTH_ROOM = ZR_SMOOTH_MOST + ZR_LANES };
 
+/* Colours of fronts and of backs: one array where backs have none of their own. mirrored: as in zr_batch. */
+struct zr_smooth_sides {
+    const zr_vec4 *front, *back;
+    bool mirrored;
+};
+
 /* Where the corners of triangles stand. */
 struct zr_smooth_corners {
-    const zr_vec4 *colors;             /* that color[] counts from */
+    struct zr_smooth_sides sides;      /* that color[] counts from */
     int32_t vertex[3][ZR_SMOOTH_ROOM]; /* of the geometry */
     int32_t color[3][ZR_SMOOTH_ROOM];
 };
@@ -35,12 +40,6 @@ static inline zr_vi zr_quotient_v(zr_vi value, int32_t divisor)
     return zr_vi_round(exact - zr_vf_set(0.5f));
 }
 
-/* From the least to the greatest of three. */
-static inline zr_vi zr_span_v(zr_vi a, zr_vi b, zr_vi c)
-{
-    return zr_most_v(a, b, c) - zr_least_v(a, b, c);
-}
-
 /* ---- looking up ---- */
 
 static inline void zr_smooth_expect(const struct zr_smooth_corners *corners, const struct zr_window_vertex *vertices,
@@ -48,17 +47,22 @@ static inline void zr_smooth_expect(const struct zr_smooth_corners *corners, con
 {
     for (int k = 0; k < 3; k++) {
         __builtin_prefetch(&vertices[corners->vertex[k][i]]);
-        __builtin_prefetch(&corners->colors[corners->color[k][i]]);
+        __builtin_prefetch(&corners->sides.front[corners->color[k][i]]);
+        __builtin_prefetch(&corners->sides.back[corners->color[k][i]]);
     }
 }
 
-/* Corners `first` .. first + ZR_LANES - 1 are those of triangles of a smooth batch whose backs have no colours of their
- * own, by their numbers in it. */
+static inline struct zr_smooth_sides zr_smooth_sides_of(const struct zr_batch *batch)
+{
+    return (struct zr_smooth_sides){batch->front, batch->back, batch->mirrored};
+}
+
+/* Corners `first` .. first + ZR_LANES - 1 are those of triangles of a smooth batch, by their numbers in it. */
 static inline void zr_smooth_look_up(struct zr_smooth_corners *corners, const struct zr_window_vertex *vertices,
                                      const struct zr_batch *batch, zr_vi numbers, uint32_t first)
 {
     const zr_vi word = numbers * zr_vi_set(3);
-    corners->colors = batch->front;
+    corners->sides = zr_smooth_sides_of(batch);
     for (int k = 0; k < 3; k++) {
         const zr_vi corner = zr_vi_gather(ZR_ALL_LANES, batch->corners, word + zr_vi_set(k));
         zr_vi color = corner;
@@ -82,27 +86,6 @@ struct zr_color_v {
     zr_vf red, green, blue;
 };
 
-/* Rule 6: the corners 0 and 1 are to change places. Large triangles are measured one by one, in 64 bits. */
-static inline zr_vm zr_turned_v(const struct zr_smooth_corners *corners, const struct zr_window_vertex *vertices,
-                                uint32_t first, const struct zr_corner_v v[3])
-{
-    struct zr_grid_v g[3];
-    for (int k = 0; k < 3; k++)
-        g[k] = zr_grid_of(v[k].x, v[k].y);
-    const zr_vi area = zr_area_v(g), span = zr_vi_set(ZR_BIN_SMALL_SPAN);
-    const zr_vm wide =
-        zr_vm_or(zr_vi_lt(span, zr_span_v(g[0].x, g[1].x, g[2].x)), zr_vi_lt(span, zr_span_v(g[0].y, g[1].y, g[2].y)));
-    uint32_t turned = zr_vm_bits(zr_vi_lt(area, zr_vi_set(0)));
-    for (uint32_t bits = zr_vm_bits(wide); bits; bits &= bits - 1) {
-        const uint32_t i = (uint32_t)zr_lowest_bit(bits), k = first + i;
-        turned &= ~(1u << i);
-        turned |= (uint32_t)(zr_window_area(&vertices[corners->vertex[0][k]], &vertices[corners->vertex[1][k]],
-                                            &vertices[corners->vertex[2][k]]) < 0)
-                  << i;
-    }
-    return zr_vm_of(turned);
-}
-
 /* Rule 9, of corners as they stand in the mesh, and their colours; of those that are `turned` two change places. */
 static inline struct zr_color_planes zr_color_planes_of(zr_vm turned, struct zr_corner_v v[3], struct zr_color_v c[3])
 {
@@ -124,25 +107,47 @@ static inline struct zr_color_planes zr_color_planes_of(zr_vm turned, struct zr_
                                     zr_plane_make_v(&basis, c[0].blue, c[1].blue, c[2].blue)};
 }
 
+/* The colours of triangles `first` .. first + ZR_LANES - 1, of the side that each shows: the front is what goes
+ * counter-clockwise, or clockwise in a mirror. */
+static inline void zr_smooth_load_colors(const struct zr_smooth_corners *corners, uint32_t first, zr_vm turned,
+                                         struct zr_color_v c[3])
+{
+    const struct zr_smooth_sides *sides = &corners->sides;
+    const zr_vec4 *const of_side[2] = {sides->mirrored ? sides->front : sides->back,
+                                       sides->mirrored ? sides->back : sides->front};
+    const uint32_t turned_bits = zr_vm_bits(turned);
+    zr_vf alpha;
+#define ZR_COLOR(i, k) (&of_side[turned_bits >> (i)&1u][corners->color[k][first + (i)]].x)
+#define ZR_COLOR_0(i)  ZR_COLOR(i, 0)
+#define ZR_COLOR_1(i)  ZR_COLOR(i, 1)
+#define ZR_COLOR_2(i)  ZR_COLOR(i, 2)
+    ZR_LOAD4(c[0].red, c[0].green, c[0].blue, alpha, ZR_COLOR_0);
+    ZR_LOAD4(c[1].red, c[1].green, c[1].blue, alpha, ZR_COLOR_1);
+    ZR_LOAD4(c[2].red, c[2].green, c[2].blue, alpha, ZR_COLOR_2);
+#undef ZR_COLOR_0
+#undef ZR_COLOR_1
+#undef ZR_COLOR_2
+#undef ZR_COLOR
+    (void)alpha;
+}
+
 /* Of triangles `first` .. first + ZR_LANES - 1. */
 static inline struct zr_color_planes zr_color_planes_make(const struct zr_smooth_corners *corners,
                                                           const struct zr_window_vertex *vertices, uint32_t first)
 {
     struct zr_corner_v v[3];
     struct zr_color_v c[3];
-    zr_vf alpha;
 #define ZR_VERTEX_0(i) (&vertices[corners->vertex[0][first + (i)]].x)
 #define ZR_VERTEX_1(i) (&vertices[corners->vertex[1][first + (i)]].x)
 #define ZR_VERTEX_2(i) (&vertices[corners->vertex[2][first + (i)]].x)
-#define ZR_COLOR_0(i)  (&corners->colors[corners->color[0][first + (i)]].x)
-#define ZR_COLOR_1(i)  (&corners->colors[corners->color[1][first + (i)]].x)
-#define ZR_COLOR_2(i)  (&corners->colors[corners->color[2][first + (i)]].x)
     ZR_LOAD_CORNERS(v, ZR_VERTEX_0, ZR_VERTEX_1, ZR_VERTEX_2);
-    ZR_LOAD4(c[0].red, c[0].green, c[0].blue, alpha, ZR_COLOR_0);
-    ZR_LOAD4(c[1].red, c[1].green, c[1].blue, alpha, ZR_COLOR_1);
-    ZR_LOAD4(c[2].red, c[2].green, c[2].blue, alpha, ZR_COLOR_2);
-    (void)alpha;
-    return zr_color_planes_of(zr_turned_v(corners, vertices, first, v), v, c);
+#undef ZR_VERTEX_0
+#undef ZR_VERTEX_1
+#undef ZR_VERTEX_2
+    const zr_vm turned =
+        zr_turned_v(vertices, corners->vertex[0] + first, corners->vertex[1] + first, corners->vertex[2] + first, v);
+    zr_smooth_load_colors(corners, first, turned, c);
+    return zr_color_planes_of(turned, v, c);
 }
 
 /* Of 1/w, and colours times that. */
@@ -214,7 +219,7 @@ static inline void zr_smooth_move(struct zr_smooth_queue *q, uint32_t from, uint
 static inline void zr_smooth_begin(struct zr_smooth_queue *q)
 {
     q->runs.count = 0;
-    q->corners.colors = NULL;
+    q->corners.sides = (struct zr_smooth_sides){NULL, NULL, false};
 }
 
 /* Full groups of lanes; what is left over waits for more, unless this is the end. */
@@ -236,10 +241,13 @@ static inline void zr_smooth_paint(struct zr_smooth_queue *q, const struct zr_ca
 
 /* One run. Colours of other arrays than the last run's: what waits is painted first. */
 static inline void zr_smooth_add(struct zr_smooth_queue *q, const struct zr_canvas *canvas, int32_t at, int32_t length,
-                                 uint32_t first_vertex, const uint32_t v[3], const zr_vec4 *colors, const uint32_t c[3])
+                                 uint32_t first_vertex, const uint32_t v[3], struct zr_smooth_sides sides,
+                                 const uint32_t c[3])
 {
-    if (q->corners.colors != colors) zr_smooth_paint(q, canvas, true);
-    q->corners.colors = colors;
+    const struct zr_smooth_sides *last = &q->corners.sides;
+    if (last->front != sides.front || last->back != sides.back || last->mirrored != sides.mirrored)
+        zr_smooth_paint(q, canvas, true);
+    q->corners.sides = sides;
     for (int k = 0; k < 3; k++) {
         q->corners.vertex[k][q->runs.count] = (int32_t)(first_vertex + v[k]);
         q->corners.color[k][q->runs.count] = (int32_t)c[k];
