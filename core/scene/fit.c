@@ -13,7 +13,7 @@ static bool in_range(zr_dvec3 p)
     return fabs(p.x) <= (double)FLT_MAX && fabs(p.y) <= (double)FLT_MAX && fabs(p.z) <= (double)FLT_MAX;
 }
 
-/* False for what is at infinity, or as good as. Mostly w is 1, and divisions are half of the time of a walk. */
+/* False for what is at infinity, or as good as. */
 static inline bool place_of(zr_vec4 p, zr_dvec3 *out)
 {
     *out = (zr_dvec3){(double)p.x, (double)p.y, (double)p.z};
@@ -24,15 +24,20 @@ static inline bool place_of(zr_vec4 p, zr_dvec3 *out)
     return p.w != 0.0f && in_range(*out);
 }
 
-/* ---- every point of a scene, in world space ---- */
+/* ---- every point of a scene ---- */
+
+enum { POINTS_AT_ONCE = 64 };
 
 struct point_walk {
     const struct zr_scene *scene;
     const struct zr_cancel *cancel;
     bool fitted_only;
-    uint32_t instance;             /* the next one */
-    const zr_mat4 *to_world;       /* of the one under way, */
-    const zr_vec4 *position, *end; /* and what is left of it */
+    const zr_mat4 *world_to_eye; /* NULL: points are in world space */
+    uint32_t instance;           /* the next one */
+    zr_mat4 place;               /* of the one under way, */
+    const zr_vec4 *begin, *end;  /* and those of its positions that are not placed yet */
+    uint32_t placed_count, used; /* the next points */
+    zr_vec4 placed[POINTS_AT_ONCE];
 };
 
 /* False at the end, and where it was cancelled. */
@@ -43,21 +48,42 @@ static bool next_instance(struct point_walk *walk)
         const struct zr_instance *instance = &scene->instances[walk->instance++];
         const struct zr_mesh *mesh = &scene->meshes[instance->mesh];
         if (walk->fitted_only && !is_fitted_to(&scene->view, instance->mesh)) continue;
-        walk->to_world = &instance->object_to_world;
-        walk->position = mesh->positions;
+        walk->place = instance->object_to_world;
+        if (walk->world_to_eye) walk->place = zr_mat4_mul(walk->world_to_eye, &instance->object_to_world);
+        walk->begin = mesh->positions;
         walk->end = mesh->positions + mesh->position_count;
         return true;
     }
     return false;
 }
 
+/* A loop of its own is what compilers make vectors of (with the case w = 1, half of the time of a walk). */
+static void place_all(const zr_mat4 *m, const zr_vec4 *positions, uint32_t count, zr_vec4 *out)
+{
+    for (uint32_t i = 0; i < count; i++)
+        out[i] = zr_mat4_apply(m, positions[i]);
+}
+
+/* False at the end, and where it was cancelled. */
+static bool place_more(struct point_walk *walk)
+{
+    while (walk->begin == walk->end)
+        if (!next_instance(walk)) return false;
+    const size_t left = (size_t)(walk->end - walk->begin);
+    walk->placed_count = left < POINTS_AT_ONCE ? (uint32_t)left : POINTS_AT_ONCE;
+    walk->used = 0;
+    place_all(&walk->place, walk->begin, walk->placed_count, walk->placed);
+    walk->begin += walk->placed_count;
+    return true;
+}
+
 /* False at the end, and where it was cancelled. */
 static inline bool next_point(struct point_walk *walk, zr_dvec3 *out)
 {
     do {
-        while (walk->position < walk->end)
-            if (place_of(zr_mat4_apply(walk->to_world, *walk->position++), out)) return true;
-    } while (next_instance(walk));
+        while (walk->used < walk->placed_count)
+            if (place_of(walk->placed[walk->used++], out)) return true;
+    } while (place_more(walk));
     return false;
 }
 
@@ -97,31 +123,28 @@ static struct zr_extent extent_along(const struct zr_scene *scene, const struct 
     return or_zero(e);
 }
 
+static struct zr_extent extent_of(struct point_walk *walk)
+{
+    struct zr_extent e = NOTHING;
+    for (zr_dvec3 p; next_point(walk, &p);)
+        include(&e, p);
+    return e;
+}
+
 /* Far from the origin rounding moves points, and the view must hold them where they are,
  * not where they should be. */
 struct zr_extent zr_extent_in_eye_space(const struct zr_scene *scene, const struct zr_cancel *cancel,
                                         const zr_mat4 *world_to_eye, bool fitted_only)
 {
-    struct zr_extent e = NOTHING;
-    for (uint32_t i = 0; i < scene->instance_count && !zr_is_cancelled(cancel); i++) {
-        const struct zr_instance *instance = &scene->instances[i];
-        const struct zr_mesh *mesh = &scene->meshes[instance->mesh];
-        if (fitted_only && !is_fitted_to(&scene->view, instance->mesh)) continue;
-        zr_mat4 object_to_eye = zr_mat4_mul(world_to_eye, &instance->object_to_world);
-        for (uint32_t k = 0; k < mesh->position_count; k++) {
-            zr_dvec3 p;
-            if (place_of(zr_mat4_apply(&object_to_eye, mesh->positions[k]), &p)) include(&e, p);
-        }
-    }
-    return or_zero(e);
+    struct point_walk walk = {
+        .scene = scene, .cancel = cancel, .fitted_only = fitted_only, .world_to_eye = world_to_eye};
+    return or_zero(extent_of(&walk));
 }
 
 static struct zr_bounds bounds_of(const struct zr_scene *scene, const struct zr_cancel *cancel, bool fitted_only)
 {
-    struct zr_extent e = NOTHING;
     struct point_walk walk = {.scene = scene, .cancel = cancel, .fitted_only = fitted_only};
-    for (zr_dvec3 p; next_point(&walk, &p);)
-        include(&e, p);
+    const struct zr_extent e = extent_of(&walk);
     if (!(e.min.x <= e.max.x)) return (struct zr_bounds){.valid = false};
     return (struct zr_bounds){
         true, {(float)e.min.x, (float)e.min.y, (float)e.min.z}, {(float)e.max.x, (float)e.max.y, (float)e.max.z}};
