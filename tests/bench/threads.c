@@ -1,10 +1,11 @@
 /* More threads against one, and beside it as many pictures at once, each on one thread. */
-#include "bench/at_once.h"
+#include "bench/crowd.h"
 #include "bench/growth.h"
 #include "bench/machine.h"
 #include "bench/series.h"
 #include "bench/sides.h"
 
+/* A picture on one thread, on more, and as many at once. */
 enum { ONE, MORE, AT_ONCE, SIDES };
 enum { THREADS_MAX = 64 };
 
@@ -19,8 +20,8 @@ struct task {
 };
 
 struct renderers {
-    struct ours ours[AT_ONCE];
-    struct at_once *at_once;
+    struct ours ours[2]; /* ONE, MORE */
+    struct crowd *crowd; /* AT_ONCE */
 };
 
 static struct variant variant_of(const struct work *work, int shade)
@@ -30,36 +31,35 @@ static struct variant variant_of(const struct work *work, int shade)
 
 static void name_row(const struct task *task, int shade, int side, char *name, size_t size)
 {
-    const char *threads = side == AT_ONCE ? "x1T" : "T";
+    const char *what = side == AT_ONCE ? " at once, 1T" : "T against 1T";
     char drawn[80];
     struct variant variant = variant_of(task->work, shade);
     works_variant_name(task->work, &variant, drawn, sizeof drawn);
-    snprintf(name, size, "%d%s against 1T: %.60s %s", task->threads, threads, drawn, machine_isa());
+    snprintf(name, size, "%d%s: %.60s %s", task->threads, what, drawn, machine_isa());
 }
 
 static bool run_round(void *context, struct series *series)
 {
     struct renderers *renderers = context;
-    for (int side = ONE; side < AT_ONCE; side++) {
+    for (int side = ONE; side <= MORE; side++) {
         double begin = now_ms();
         if (!ours_draw(&renderers->ours[side], false)) return false;
         series_add(&series[side], now_ms() - begin);
     }
-    double took_ms = at_once_draw(renderers->at_once);
+    double took_ms = crowd_draw(renderers->crowd);
     series_add(&series[AT_ONCE], took_ms);
     return took_ms >= 0;
 }
 
-/* The time of one picture on one thread, and of what is measured against it: of pictures at once, that of all divided
- * by their number. */
+/* The time of one picture on one thread, and of what is measured against it: of pictures at once, that from the first
+ * one's begin to the last one's end, divided by their number. */
 static struct row make_row(const struct task *task, int shade, int side, const struct series *series)
 {
     const int pictures = side == AT_ONCE ? task->threads : 1;
     struct row row = {.ours_ms = series_median(&series[side]) / pictures, .theirs_ms = series_median(&series[ONE])};
     if (side == MORE && task->threads == 2) row.bar = two_bar;
     if (side == AT_ONCE)
-        snprintf(row.note, sizeof row.note, "%d pictures at once: what the machine lets %d threads do", pictures,
-                 pictures);
+        snprintf(row.note, sizeof row.note, "%d pictures, 1T each: their time by their number", pictures);
     name_row(task, shade, side, row.work, sizeof row.work);
     return row;
 }
@@ -68,15 +68,14 @@ static bool measure(const struct bench *bench, void *context, const struct sink 
 {
     static struct series series[SIDES];
     const struct task *task = context;
-    struct renderers renderers = {.at_once = at_once_open(task->threads)};
-    bool ok =
-        ours_open(&renderers.ours[ONE], 1) && ours_open(&renderers.ours[MORE], task->threads) && renderers.at_once;
+    struct renderers renderers = {.crowd = crowd_open(task->threads)};
+    bool ok = ours_open(&renderers.ours[ONE], 1) && ours_open(&renderers.ours[MORE], task->threads) && renderers.crowd;
     for (int shade = 0; ok && shade < WORK_SHADES; shade++) {
         struct variant variant = variant_of(task->work, shade);
         if (!task->wanted[shade][MORE] && !task->wanted[shade][AT_ONCE]) continue;
-        for (int side = ONE; side < AT_ONCE; side++)
+        for (int side = ONE; side <= MORE; side++)
             ours_take(&renderers.ours[side], task->work, &variant);
-        at_once_take(renderers.at_once, task->work, &variant);
+        crowd_take(renderers.crowd, task->work, &variant);
         ok = series_run(series, SIDES, bench->rounds, run_round, &renderers);
         for (int side = MORE; ok && side < SIDES; side++) {
             struct row row = make_row(task, shade, side, series);
