@@ -56,7 +56,8 @@ struct zr_batch {
     enum zr_batch_colors colors;
     const zr_vec4 *front, *back; /* one array where no back is lit and seen */
     uint32_t color_count;        /* in each array: those of all the mesh */
-    const uint32_t *packed;      /* the one array as four bytes each (shade/paint.h); NULL: not made */
+    const uint32_t *packed; /* front[] as four bytes each (shade/paint.h), where no back is seen in others; NULL: not
+                             * made */
     bool mirrored, double_sided;
     bool painted_early; /* tiny and small triangles get their colours when they are drawn (shade/paint.h) */
 };

@@ -47,7 +47,7 @@ static inline zr_vi zr_most_v(zr_vi a, zr_vi b, zr_vi c)
     return zr_vi_max(zr_vi_max(a, b), c);
 }
 
-/* Rule 6. Right where corners are less than ZR_BIN_SMALL_SPAN apart; else some number. */
+/* Rule 6. Right where corners are ZR_BIN_SMALL_SPAN apart at most; else some number. */
 static inline zr_vi zr_area_v(const struct zr_grid_v g[3])
 {
     return (g[0].x - g[1].x) * (g[2].y - g[0].y) - (g[2].x - g[0].x) * (g[0].y - g[1].y);
@@ -59,22 +59,23 @@ static inline zr_vi zr_span_v(zr_vi a, zr_vi b, zr_vi c)
     return zr_most_v(a, b, c) - zr_least_v(a, b, c);
 }
 
-/* Which triangles go counter-clockwise, of any size: their corners 0 and 1 are to change places (rule 6). v: the
- * vertices by the numbers v0, v1 and v2, ZR_LANES of each. Large triangles are measured one by one, in 64 bits. */
-static inline zr_vm zr_turned_v(const struct zr_window_vertex *vertices, const int32_t *v0, const int32_t *v1,
-                                const int32_t *v2, const struct zr_corner_v v[3])
+/* Which triangles go counter-clockwise, of any size: their corners 0 and 1 are to change places (rule 6). c: what
+ * stands in `vertices` at the numbers n0, n1 and n2, ZR_LANES of each. Long triangles are measured one by one, in 64
+ * bits. */
+static inline zr_vm zr_turned_v(const struct zr_window_vertex *vertices, const int32_t *n0, const int32_t *n1,
+                                const int32_t *n2, const struct zr_corner_v c[3])
 {
     struct zr_grid_v g[3];
     for (int k = 0; k < 3; k++)
-        g[k] = zr_grid_of(v[k].x, v[k].y);
+        g[k] = zr_grid_of(c[k].x, c[k].y);
     const zr_vi area = zr_area_v(g), span = zr_vi_set(ZR_BIN_SMALL_SPAN);
-    const zr_vm wide =
+    const zr_vm are_long =
         zr_vm_or(zr_vi_lt(span, zr_span_v(g[0].x, g[1].x, g[2].x)), zr_vi_lt(span, zr_span_v(g[0].y, g[1].y, g[2].y)));
     uint32_t turned = zr_vm_bits(zr_vi_lt(area, zr_vi_set(0)));
-    for (uint32_t bits = zr_vm_bits(wide); bits; bits &= bits - 1) {
+    for (uint32_t bits = zr_vm_bits(are_long); bits; bits &= bits - 1) {
         const int i = zr_lowest_bit(bits);
         turned &= ~(1u << i);
-        turned |= (uint32_t)(zr_window_area(&vertices[v0[i]], &vertices[v1[i]], &vertices[v2[i]]) < 0) << i;
+        turned |= (uint32_t)(zr_window_area(&vertices[n0[i]], &vertices[n1[i]], &vertices[n2[i]]) < 0) << i;
     }
     return zr_vm_of(turned);
 }

@@ -13,7 +13,8 @@ static bool in_range(zr_dvec3 p)
     return fabs(p.x) <= (double)FLT_MAX && fabs(p.y) <= (double)FLT_MAX && fabs(p.z) <= (double)FLT_MAX;
 }
 
-/* False for what is at infinity, or as good as. */
+/* False for what is at infinity, or as good as. By 1 nothing need be divided, and mostly that is w: a third of the time
+ * of a walk. */
 static inline bool place_of(zr_vec4 p, zr_dvec3 *out)
 {
     *out = (zr_dvec3){(double)p.x, (double)p.y, (double)p.z};
@@ -24,7 +25,7 @@ static inline bool place_of(zr_vec4 p, zr_dvec3 *out)
     return p.w != 0.0f && in_range(*out);
 }
 
-/* ---- every point of a scene ---- */
+/* ---- every point of a scene that has a place ---- */
 
 enum { POINTS_AT_ONCE = 64 };
 
@@ -32,15 +33,15 @@ struct point_walk {
     const struct zr_scene *scene;
     const struct zr_cancel *cancel;
     bool fitted_only;
-    const zr_mat4 *world_to_eye; /* NULL: points are in world space */
-    uint32_t instance;           /* the next one */
-    zr_mat4 place;               /* of the one under way, */
-    const zr_vec4 *begin, *end;  /* and those of its positions that are not placed yet */
-    uint32_t placed_count, used; /* the next points */
-    zr_vec4 placed[POINTS_AT_ONCE];
+    const zr_mat4 *world_to_eye;    /* NULL: points are in world space */
+    uint32_t instance;              /* the next one */
+    zr_mat4 matrix;                 /* of the one under way, */
+    const zr_vec4 *begin, *end;     /* and those of its positions that are not transformed yet */
+    uint32_t next, count;           /* points[next] .. points[count - 1] come next */
+    zr_vec4 points[POINTS_AT_ONCE]; /* transformed */
 };
 
-/* False at the end, and where it was cancelled. */
+/* False at the end, and where it was cancelled, as all below. */
 static bool next_instance(struct point_walk *walk)
 {
     const struct zr_scene *scene = walk->scene;
@@ -48,8 +49,8 @@ static bool next_instance(struct point_walk *walk)
         const struct zr_instance *instance = &scene->instances[walk->instance++];
         const struct zr_mesh *mesh = &scene->meshes[instance->mesh];
         if (walk->fitted_only && !is_fitted_to(&scene->view, instance->mesh)) continue;
-        walk->place = instance->object_to_world;
-        if (walk->world_to_eye) walk->place = zr_mat4_mul(walk->world_to_eye, &instance->object_to_world);
+        walk->matrix = walk->world_to_eye ? zr_mat4_mul(walk->world_to_eye, &instance->object_to_world)
+                                          : instance->object_to_world;
         walk->begin = mesh->positions;
         walk->end = mesh->positions + mesh->position_count;
         return true;
@@ -57,33 +58,31 @@ static bool next_instance(struct point_walk *walk)
     return false;
 }
 
-/* A loop of its own is what compilers make vectors of (with the case w = 1, half of the time of a walk). */
-static void place_all(const zr_mat4 *m, const zr_vec4 *positions, uint32_t count, zr_vec4 *out)
+/* A loop of its own is what compilers make vectors of (a third of the time of a walk). */
+static void transform_all(const zr_mat4 *m, const zr_vec4 *positions, uint32_t count, zr_vec4 *out)
 {
     for (uint32_t i = 0; i < count; i++)
         out[i] = zr_mat4_apply(m, positions[i]);
 }
 
-/* False at the end, and where it was cancelled. */
-static bool place_more(struct point_walk *walk)
+static bool transform_more(struct point_walk *walk)
 {
     while (walk->begin == walk->end)
         if (!next_instance(walk)) return false;
     const size_t left = (size_t)(walk->end - walk->begin);
-    walk->placed_count = left < POINTS_AT_ONCE ? (uint32_t)left : POINTS_AT_ONCE;
-    walk->used = 0;
-    place_all(&walk->place, walk->begin, walk->placed_count, walk->placed);
-    walk->begin += walk->placed_count;
+    walk->count = left < POINTS_AT_ONCE ? (uint32_t)left : POINTS_AT_ONCE;
+    walk->next = 0;
+    transform_all(&walk->matrix, walk->begin, walk->count, walk->points);
+    walk->begin += walk->count;
     return true;
 }
 
-/* False at the end, and where it was cancelled. */
 static inline bool next_point(struct point_walk *walk, zr_dvec3 *out)
 {
     do {
-        while (walk->used < walk->placed_count)
-            if (place_of(walk->placed[walk->used++], out)) return true;
-    } while (place_more(walk));
+        while (walk->next < walk->count)
+            if (place_of(walk->points[walk->next++], out)) return true;
+    } while (transform_more(walk));
     return false;
 }
 

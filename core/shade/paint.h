@@ -29,7 +29,7 @@ typedef struct zr_surface zr_surface_fn(const struct zr_geometry *geometry, cons
 zr_surface_fn zr_surface_make;
 zr_surface_fn zr_surface_of_face; /* flat: the id of its face, as if that were a colour */
 
-/* Four words a colour: their numbers fit 32 bits. */
+/* Four words a colour: their numbers, and those of both sides in one, fit 32 bits. */
 enum { ZR_GATHERED_MOST = 1 << 28 };
 
 /* Whether colours can be gathered by the numbers of triangles. */

@@ -30,6 +30,13 @@ struct zr_backdrop {
     ptrdiff_t stride;
 };
 
+/* Which triangles show their back, of those that go counter-clockwise where `turned`: as a front does, but in a mirror.
+ */
+static inline zr_vm zr_backs_v(zr_vm turned, bool mirrored)
+{
+    return mirrored ? turned : zr_vm_andnot(ZR_ALL_LANES, turned);
+}
+
 static inline zr_vi zr_color_bytes_v(zr_vf value)
 {
     value = zr_vf_min(zr_vf_max(value, zr_vf_set(0.0f)), zr_vf_set(1.0f));

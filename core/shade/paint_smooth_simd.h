@@ -14,7 +14,8 @@ enum { ZR_SHORT_RUN = 8 };
 /* Triangles that are known at a time, and room for a vector behind them. */
 enum { ZR_SMOOTH_MOST = 512, ZR_SMOOTH_ROOM = ZR_SMOOTH_MOST + ZR_LANES };
 
-/* Colours of fronts and of backs: one array where backs have none of their own. mirrored: as in zr_batch. */
+/* Colours of fronts and of backs; one array, and not mirrored, where no back is seen in colours of its own. mirrored:
+ * as in zr_batch. */
 struct zr_smooth_sides {
     const zr_vec4 *front, *back;
     bool mirrored;
@@ -48,12 +49,13 @@ static inline void zr_smooth_expect(const struct zr_smooth_corners *corners, con
     for (int k = 0; k < 3; k++) {
         __builtin_prefetch(&vertices[corners->vertex[k][i]]);
         __builtin_prefetch(&corners->sides.front[corners->color[k][i]]);
-        __builtin_prefetch(&corners->sides.back[corners->color[k][i]]);
+        if (corners->sides.back != corners->sides.front) __builtin_prefetch(&corners->sides.back[corners->color[k][i]]);
     }
 }
 
 static inline struct zr_smooth_sides zr_smooth_sides_of(const struct zr_batch *batch)
 {
+    if (!zr_batch_is_sided(batch)) return (struct zr_smooth_sides){batch->front, batch->front, false};
     return (struct zr_smooth_sides){batch->front, batch->back, batch->mirrored};
 }
 
@@ -107,17 +109,14 @@ static inline struct zr_color_planes zr_color_planes_of(zr_vm turned, struct zr_
                                     zr_plane_make_v(&basis, c[0].blue, c[1].blue, c[2].blue)};
 }
 
-/* The colours of triangles `first` .. first + ZR_LANES - 1, of the side that each shows: the front is what goes
- * counter-clockwise, or clockwise in a mirror. */
+/* The colours of triangles `first` .. first + ZR_LANES - 1, of the side that each shows. */
 static inline void zr_smooth_load_colors(const struct zr_smooth_corners *corners, uint32_t first, zr_vm turned,
                                          struct zr_color_v c[3])
 {
-    const struct zr_smooth_sides *sides = &corners->sides;
-    const zr_vec4 *const of_side[2] = {sides->mirrored ? sides->front : sides->back,
-                                       sides->mirrored ? sides->back : sides->front};
-    const uint32_t turned_bits = zr_vm_bits(turned);
+    const zr_vec4 *const of_side[2] = {corners->sides.front, corners->sides.back};
+    const uint32_t backs = zr_vm_bits(zr_backs_v(turned, corners->sides.mirrored));
     zr_vf alpha;
-#define ZR_COLOR(i, k) (&of_side[turned_bits >> (i)&1u][corners->color[k][first + (i)]].x)
+#define ZR_COLOR(i, k) (&of_side[(backs >> (i)) & 1u][corners->color[k][first + (i)]].x)
 #define ZR_COLOR_0(i)  ZR_COLOR(i, 0)
 #define ZR_COLOR_1(i)  ZR_COLOR(i, 1)
 #define ZR_COLOR_2(i)  ZR_COLOR(i, 2)
@@ -239,7 +238,7 @@ static inline void zr_smooth_paint(struct zr_smooth_queue *q, const struct zr_ca
         zr_smooth_move(q, full + i, i);
 }
 
-/* One run. Colours of other arrays than the last run's: what waits is painted first. */
+/* One run. Other sides than the last run's: what waits is painted first. */
 static inline void zr_smooth_add(struct zr_smooth_queue *q, const struct zr_canvas *canvas, int32_t at, int32_t length,
                                  uint32_t first_vertex, const uint32_t v[3], struct zr_smooth_sides sides,
                                  const uint32_t c[3])
