@@ -54,7 +54,7 @@ struct zr_batch {
     uint32_t first_id;     /* of face 0 */
     uint32_t first_vertex; /* of position 0 */
     enum zr_batch_colors colors;
-    const zr_vec4 *front, *back; /* one array where no back is lit and seen */
+    const zr_vec4 *front, *back; /* one array where no back of the scene is lit and seen */
     uint32_t color_count;        /* in each array: those of all the mesh */
     const uint32_t *packed; /* front[] as four bytes each (shade/paint.h), where no back is seen in others; NULL: not
                              * made */
@@ -100,6 +100,12 @@ static inline bool zr_batch_is_smooth(const struct zr_batch *batch)
     return batch->colors == ZR_BATCH_PER_VERTEX || batch->colors == ZR_BATCH_PER_CORNER;
 }
 
+/* Whether backs are drawn, in colours of their own: then a triangle's side must be known to know its colours. */
+static inline bool zr_batch_is_sided(const struct zr_batch *batch)
+{
+    return batch->double_sided && batch->front != batch->back;
+}
+
 /* Where painting looks first for the colours of triangle 0; those of each one behind it are `step` bytes farther. */
 struct zr_batch_lookup {
     uintptr_t first;
@@ -110,7 +116,8 @@ static inline struct zr_batch_lookup zr_batch_lookup(const struct zr_batch *batc
 {
     const size_t word = sizeof(uint32_t);
     if (batch->written) return (struct zr_batch_lookup){(uintptr_t)batch, 0}; /* which is at hand: nothing to ask for */
-    if (zr_batch_is_smooth(batch)) return (struct zr_batch_lookup){(uintptr_t)batch->corners, 3 * word};
+    if (zr_batch_is_smooth(batch) || zr_batch_is_sided(batch))
+        return (struct zr_batch_lookup){(uintptr_t)batch->corners, 3 * word};
     if (batch->faces) return (struct zr_batch_lookup){(uintptr_t)batch->faces, word};
     if (batch->colors == ZR_BATCH_PER_FIRST_CORNER)
         return (struct zr_batch_lookup){(uintptr_t)batch->corners, 3 * word};

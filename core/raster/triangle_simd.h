@@ -37,6 +37,12 @@ static inline struct zr_grid_v zr_grid_of(zr_vf x, zr_vf y)
     return (struct zr_grid_v){zr_snap_v(x), zr_snap_v(y)};
 }
 
+static inline void zr_corners_snap_v(const struct zr_corner_v c[3], struct zr_grid_v g[3])
+{
+    for (int k = 0; k < 3; k++)
+        g[k] = zr_grid_of(c[k].x, c[k].y);
+}
+
 static inline zr_vi zr_least_v(zr_vi a, zr_vi b, zr_vi c)
 {
     return zr_vi_min(zr_vi_min(a, b), c);
@@ -66,8 +72,7 @@ static inline zr_vm zr_turned_v(const struct zr_window_vertex *vertices, const i
                                 const int32_t *n2, const struct zr_corner_v c[3])
 {
     struct zr_grid_v g[3];
-    for (int k = 0; k < 3; k++)
-        g[k] = zr_grid_of(c[k].x, c[k].y);
+    zr_corners_snap_v(c, g);
     const zr_vi area = zr_area_v(g), span = zr_vi_set(ZR_BIN_SMALL_SPAN);
     const zr_vm are_long =
         zr_vm_or(zr_vi_lt(span, zr_span_v(g[0].x, g[1].x, g[2].x)), zr_vi_lt(span, zr_span_v(g[0].y, g[1].y, g[2].y)));
@@ -105,8 +110,7 @@ static inline void zr_corners_swap_v(zr_vm where, struct zr_corner_v c[3])
 /* Rules 5 and 6: snaps the corners, and turns those triangles whose area is negative. Returns which. */
 static inline zr_vm zr_corners_orient_v(struct zr_corner_v c[3], struct zr_grid_v g[3])
 {
-    for (int k = 0; k < 3; k++)
-        g[k] = zr_grid_of(c[k].x, c[k].y);
+    zr_corners_snap_v(c, g);
     const zr_vm turned = zr_vi_lt(zr_area_v(g), zr_vi_set(0));
     zr_swap_vi(turned, &g[0].x, &g[1].x);
     zr_swap_vi(turned, &g[0].y, &g[1].y);

@@ -40,12 +40,6 @@ static inline bool zr_batch_is_gathered(const struct zr_batch *batch)
            batch->mesh->position_count <= ZR_GATHERED_MOST;
 }
 
-/* Whether backs are drawn, in colours of their own: then a triangle's side must be known to know its colours. */
-static inline bool zr_batch_is_sided(const struct zr_batch *batch)
-{
-    return batch->double_sided && batch->front != batch->back;
-}
-
 /* Whether tiny triangles are painted while they are sorted, and small ones that lie in stamps when they are drawn, in
  * tiles that keep colours (visibility.c): their corners are at hand then, and those of neighbours in the mesh stand
  * together, while later each pixel asks memory for its own (a tenth of the time of a million smooth triangles), and

@@ -11,17 +11,13 @@ static inline struct zr_color_planes zr_early_planes(const struct zr_batch *batc
 {
     struct zr_corner_v corners[3] = {v[0], v[1], v[2]};
     struct zr_color_v c[3];
-    zr_vf alpha;
 #define ZR_EARLY_COLOR_0(i) (&batch->front[zr_batch_corner_color(batch, numbers[i] - batch->first, 0)].x)
 #define ZR_EARLY_COLOR_1(i) (&batch->front[zr_batch_corner_color(batch, numbers[i] - batch->first, 1)].x)
 #define ZR_EARLY_COLOR_2(i) (&batch->front[zr_batch_corner_color(batch, numbers[i] - batch->first, 2)].x)
-    ZR_LOAD4(c[0].red, c[0].green, c[0].blue, alpha, ZR_EARLY_COLOR_0);
-    ZR_LOAD4(c[1].red, c[1].green, c[1].blue, alpha, ZR_EARLY_COLOR_1);
-    ZR_LOAD4(c[2].red, c[2].green, c[2].blue, alpha, ZR_EARLY_COLOR_2);
+    ZR_LOAD_COLORS(c, ZR_EARLY_COLOR_0, ZR_EARLY_COLOR_1, ZR_EARLY_COLOR_2);
 #undef ZR_EARLY_COLOR_0
 #undef ZR_EARLY_COLOR_1
 #undef ZR_EARLY_COLOR_2
-    (void)alpha;
     return zr_color_planes_of(turned, corners, c);
 }
 

@@ -98,9 +98,10 @@ static inline zr_vi zr_flat_number(const struct zr_flat_rows *flat, zr_vm owned,
 }
 
 /* Where a colour that is not packed stands. */
-static inline const float *zr_flat_at(const struct zr_batch *batch, bool sided, int32_t number)
+static inline const float *zr_flat_at(const struct zr_batch *batch, int32_t number)
 {
-    return sided ? &(number & 1 ? batch->back : batch->front)[number >> 1].x : &batch->front[number].x;
+    return zr_batch_is_sided(batch) ? &(number & 1 ? batch->back : batch->front)[number >> 1].x
+                                    : &batch->front[number].x;
 }
 
 /* The numbers of a row's colours, which are asked for. Large triangles have the same owners again and again. */
@@ -108,7 +109,6 @@ static inline void zr_flat_ask(const struct zr_flat_rows *flat, const uint32_t *
 {
     const struct zr_batch *batch = flat->batch;
     const zr_vi first = zr_vi_set((int32_t)batch->first + 1);
-    const bool sided = zr_batch_is_sided(batch);
     zr_vi last_owner = zr_vi_set(0), number = zr_vi_set(0);
     for (int32_t x = 0; x < flat->width; x += ZR_LANES) {
         const zr_vi owner = zr_vi_load(owners + x);
@@ -118,7 +118,7 @@ static inline void zr_flat_ask(const struct zr_flat_rows *flat, const uint32_t *
         if (!known) number = zr_flat_number(flat, owned, owner - first);
         zr_vi_store(numbers + x, number);
         for (int i = 0; !known && !batch->packed && i < ZR_LANES; i++)
-            __builtin_prefetch(zr_flat_at(batch, sided, numbers[x + i]));
+            __builtin_prefetch(zr_flat_at(batch, numbers[x + i]));
         last_owner = owner;
     }
 }
@@ -129,7 +129,7 @@ static inline zr_vi zr_flat_look_up_sided(const struct zr_batch *batch, zr_vi nu
     int32_t numbers[ZR_LANES];
     zr_vf red, green, blue, alpha;
     zr_vi_store(numbers, number);
-#define ZR_FLAT_COLOR(i) zr_flat_at(batch, true, numbers[i])
+#define ZR_FLAT_COLOR(i) zr_flat_at(batch, numbers[i])
     ZR_LOAD4(red, green, blue, alpha, ZR_FLAT_COLOR);
 #undef ZR_FLAT_COLOR
     (void)alpha;

@@ -88,6 +88,16 @@ struct zr_color_v {
     zr_vf red, green, blue;
 };
 
+/* Lane i of colour k has what stands at AT_k(i), as ZR_LOAD4 has it. */
+#define ZR_LOAD_COLORS(c, AT_0, AT_1, AT_2)                                                                            \
+    do {                                                                                                               \
+        zr_vf alpha;                                                                                                   \
+        ZR_LOAD4((c)[0].red, (c)[0].green, (c)[0].blue, alpha, AT_0);                                                  \
+        ZR_LOAD4((c)[1].red, (c)[1].green, (c)[1].blue, alpha, AT_1);                                                  \
+        ZR_LOAD4((c)[2].red, (c)[2].green, (c)[2].blue, alpha, AT_2);                                                  \
+        (void)alpha;                                                                                                   \
+    } while (0)
+
 /* Rule 9, of corners as they stand in the mesh, and their colours; of those that are `turned` two change places. */
 static inline struct zr_color_planes zr_color_planes_of(zr_vm turned, struct zr_corner_v v[3], struct zr_color_v c[3])
 {
@@ -115,19 +125,15 @@ static inline void zr_smooth_load_colors(const struct zr_smooth_corners *corners
 {
     const zr_vec4 *const of_side[2] = {corners->sides.front, corners->sides.back};
     const uint32_t backs = zr_vm_bits(zr_backs_v(turned, corners->sides.mirrored));
-    zr_vf alpha;
 #define ZR_COLOR(i, k) (&of_side[(backs >> (i)) & 1u][corners->color[k][first + (i)]].x)
 #define ZR_COLOR_0(i)  ZR_COLOR(i, 0)
 #define ZR_COLOR_1(i)  ZR_COLOR(i, 1)
 #define ZR_COLOR_2(i)  ZR_COLOR(i, 2)
-    ZR_LOAD4(c[0].red, c[0].green, c[0].blue, alpha, ZR_COLOR_0);
-    ZR_LOAD4(c[1].red, c[1].green, c[1].blue, alpha, ZR_COLOR_1);
-    ZR_LOAD4(c[2].red, c[2].green, c[2].blue, alpha, ZR_COLOR_2);
+    ZR_LOAD_COLORS(c, ZR_COLOR_0, ZR_COLOR_1, ZR_COLOR_2);
 #undef ZR_COLOR_0
 #undef ZR_COLOR_1
 #undef ZR_COLOR_2
 #undef ZR_COLOR
-    (void)alpha;
 }
 
 /* Of triangles `first` .. first + ZR_LANES - 1. */
