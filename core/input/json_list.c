@@ -2,19 +2,15 @@
 
 #include <string.h>
 
-#ifdef __SSE2__
-#include <emmintrin.h>
-#endif
+#include "input/chunk.h"
 
-enum { CHUNK = 16, LOOK_AHEAD = 3, CHUNKS_A_TALLY = 254, LISTS_AT_FIRST = 16 };
+enum { LOOK_AHEAD = 3, CHUNKS_A_TALLY = 254, LISTS_AT_FIRST = 16 };
 
 /* ---- lists of rows of numbers ---- */
 
-typedef uint8_t chunk __attribute__((vector_size(CHUNK)));
-
 /* A byte each counts up in each place of a chunk; 255 chunks fit. */
 struct tally {
-    chunk opens, closes, commas;
+    zr_chunk opens, closes, commas;
     int chunks;
 };
 
@@ -22,76 +18,46 @@ struct totals {
     size_t opens, closes, commas;
 };
 
-static chunk load(const void *at)
-{
-    chunk bytes;
-    memcpy(&bytes, at, sizeof bytes);
-    return bytes;
-}
-
-/* The sum of 16 bytes, side by side in words: 16 additions one by one cost 3 ns a list, and polygons are short. */
-static size_t sum(chunk bytes)
-{
-    const uint64_t low = UINT64_C(0x00FF00FF00FF00FF), ones = UINT64_C(0x0001000100010001);
-    uint64_t half[2];
-    memcpy(half, &bytes, sizeof half);
-    uint64_t pairs = (half[0] & low) + (half[0] >> 8 & low) + (half[1] & low) + (half[1] >> 8 & low);
-    return (size_t)(pairs * ones >> 48);
-}
-
 static void flush(struct tally *tally, struct totals *totals)
 {
-    totals->opens += sum(tally->opens);
-    totals->closes += sum(tally->closes);
-    totals->commas += sum(tally->commas);
+    totals->opens += zr_chunk_sum(tally->opens);
+    totals->closes += zr_chunk_sum(tally->closes);
+    totals->commas += zr_chunk_sum(tally->commas);
     *tally = (struct tally){.chunks = 0};
 }
 
 /* A comparison gives -1 where it holds. */
-static inline void count(struct tally *tally, chunk bytes)
+static inline void count(struct tally *tally, zr_chunk bytes)
 {
-    tally->opens -= (chunk)(bytes == '[');
-    tally->closes -= (chunk)(bytes == ']');
-    tally->commas -= (chunk)(bytes == ',');
+    tally->opens -= (zr_chunk)(bytes == '[');
+    tally->closes -= (zr_chunk)(bytes == ']');
+    tally->commas -= (zr_chunk)(bytes == ',');
     tally->chunks++;
 }
 
 /* All ones where a row ends other than with "],[" or "], [", and where a string begins. */
-static inline chunk find_odd(const char *at)
+static inline zr_chunk find_odd(const char *at)
 {
-    chunk zero = load(at), one = load(at + 1), two = load(at + 2), three = load(at + 3);
-    chunk next = (chunk)(one == ',') & ((chunk)(two == '[') | ((chunk)(two == ' ') & (chunk)(three == '[')));
-    return ((chunk)(zero == ']') & ~next) | (chunk)(zero == '"');
-}
-
-/* The place of the first byte that is not zero, or CHUNK. */
-static inline size_t first_set(chunk bytes)
-{
-#ifdef __SSE2__
-    return (size_t)__builtin_ctz((unsigned)_mm_movemask_epi8((__m128i)bytes) | 1u << CHUNK);
-#else
-    size_t place = 0;
-    while (place < CHUNK && bytes[place] == 0)
-        place++;
-    return place;
-#endif
+    zr_chunk zero = zr_chunk_load(at), one = zr_chunk_load(at + 1), two = zr_chunk_load(at + 2),
+             three = zr_chunk_load(at + 3);
+    zr_chunk next =
+        (zr_chunk)(one == ',') & ((zr_chunk)(two == '[') | ((zr_chunk)(two == ' ') & (zr_chunk)(three == '[')));
+    return ((zr_chunk)(zero == ']') & ~next) | (zr_chunk)(zero == '"');
 }
 
 /* Counts up to the next byte that is odd, and returns it; or the end, as far as chunks go. */
 static inline const char *count_chunks(const char *at, const char *end, struct totals *totals)
 {
-    static const uint8_t ones[2 * CHUNK] = {255, 255, 255, 255, 255, 255, 255, 255,
-                                            255, 255, 255, 255, 255, 255, 255, 255};
     struct tally tally = {.chunks = 0};
-    size_t odd = CHUNK;
-    while (end - at >= CHUNK + LOOK_AHEAD && (odd = first_set(find_odd(at))) == CHUNK) {
-        count(&tally, load(at));
+    size_t odd = ZR_CHUNK;
+    while (end - at >= ZR_CHUNK + LOOK_AHEAD && (odd = zr_chunk_first(find_odd(at))) == ZR_CHUNK) {
+        count(&tally, zr_chunk_load(at));
         if (tally.chunks == CHUNKS_A_TALLY) flush(&tally, totals);
-        at += CHUNK;
+        at += ZR_CHUNK;
     }
-    if (odd < CHUNK) count(&tally, load(at) & load(ones + CHUNK - odd));
+    if (odd < ZR_CHUNK) count(&tally, zr_chunk_load(at) & zr_chunk_of_first(odd));
     flush(&tally, totals);
-    return odd < CHUNK ? at + odd : at;
+    return odd < ZR_CHUNK ? at + odd : at;
 }
 
 /* As zr_json_skip, for a list whose items are lists of numbers, several times as fast; NULL also where it is anything

@@ -18,9 +18,6 @@ static inline const char *zr_row_skip_space(const char *at, const char *end)
     return at < end && (unsigned char)*at <= ' ' ? zr_json_skip_space(at, end) : at;
 }
 
-/* Left to themselves, compilers call these for each number. */
-#define ZR_INLINED static inline __attribute__((always_inline))
-
 #ifdef __SSE2__
 /* The number behind `at` in its usual form; returns behind it, or NULL. ZR_QUICKER_BYTES + 2 may be read. */
 ZR_INLINED const char *zr_row_quicker(const char *at, double low, double high, float *out)

@@ -2,26 +2,41 @@
 
 #include "input/number_round.h"
 
-/* Clinger's numbers: both operands are exact, so that the one division rounds once. */
+/* Clinger's numbers: both operands are exact, so that the one operation rounds once. */
 #define EXACT_MANTISSA (UINT64_C(1) << 53)
-enum { EXACT_DECIMALS = 22, DIGITS = 19, WORDS = 3 };
+enum { EXACT_POWER = 22, DIGITS = 19, WORDS = 3, EXPONENT_DIGITS = 3 };
 
 /* The sign is set without a branch, which would be guessed wrong every other time. */
-static bool convert(uint64_t mantissa, unsigned decimals, bool negative, double *value)
+static bool convert(uint64_t mantissa, int exponent, bool negative, double *value)
 {
-    static const double powers[EXACT_DECIMALS + 1] = {1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,
-                                                      1e8,  1e9,  1e10, 1e11, 1e12, 1e13, 1e14, 1e15,
-                                                      1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22};
+    static const double powers[EXACT_POWER + 1] = {1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,
+                                                   1e8,  1e9,  1e10, 1e11, 1e12, 1e13, 1e14, 1e15,
+                                                   1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22};
     double magnitude;
-    if (mantissa <= EXACT_MANTISSA && decimals <= EXACT_DECIMALS)
-        magnitude = (double)(int64_t)mantissa / powers[decimals];
-    else if (!zr_number_round(mantissa, -(int)decimals, &magnitude))
+    if (mantissa <= EXACT_MANTISSA && exponent <= 0 && exponent >= -EXACT_POWER)
+        magnitude = (double)(int64_t)mantissa / powers[-exponent];
+    else if (mantissa <= EXACT_MANTISSA && exponent > 0 && exponent <= EXACT_POWER)
+        magnitude = (double)(int64_t)mantissa * powers[exponent];
+    else if (!zr_number_round(mantissa, exponent, &magnitude))
         return false;
     uint64_t bits;
     memcpy(&bits, &magnitude, sizeof bits);
     bits |= (uint64_t)negative << 63;
     memcpy(value, &bits, sizeof bits);
     return true;
+}
+
+/* Behind the 'e'; of up to three digits. */
+static const char *add_exponent(const char *at, const char *end, int *exponent)
+{
+    uint64_t word = zr_eight_bytes(at, end);
+    const bool negative = (char)word == '-', is_signed = negative || (char)word == '+';
+    word >>= 8 * is_signed;
+    const unsigned count = zr_count_digits(word);
+    if (count - 1 >= EXPONENT_DIGITS) return NULL;
+    const int written = (int)zr_digits_value(word, count);
+    *exponent += negative ? -written : written;
+    return at + is_signed + count;
 }
 
 const char *zr_number_quick(const char *at, const char *end, double *value)
@@ -49,6 +64,10 @@ const char *zr_number_quick(const char *at, const char *end, double *value)
         behind = zr_byte_behind(word, more);
         at += decimals;
     }
-    if (behind == 'e' || behind == 'E') return NULL;
-    return convert(mantissa, decimals, negative, value) ? at : NULL;
+    int exponent = -(int)decimals;
+    if (behind == 'e' || behind == 'E') {
+        at = add_exponent(at + 1, end, &exponent);
+        if (!at) return NULL;
+    }
+    return convert(mantissa, exponent, negative, value) ? at : NULL;
 }

@@ -14,6 +14,11 @@
 #include <stdint.h>
 #include <string.h>
 
+#include "input/number.h"
+
+/* Left to themselves, compilers call some of these for each number. */
+#define ZR_INLINED static inline __attribute__((always_inline))
+
 /* Eight bytes of text, the first one lowest; zeros behind `end`, which is never read. */
 static inline uint64_t zr_eight_bytes(const char *at, const char *end)
 {
@@ -61,8 +66,8 @@ static inline uint32_t zr_quick_scale(unsigned digits)
     return scales[digits];
 }
 
-/* A number of JSON with at most 7 digits before the point and 23 behind it, few enough in all to fit 64 bits, and
- * no exponent. Returns where it ends, or NULL where there is anything else at `at`: number.h knows what. */
+/* A number of JSON with at most 7 digits before the point and 23 behind it, few enough in all to fit 64 bits, and 3 of
+ * an exponent. Returns where it ends, or NULL where there is anything else at `at`: number.h knows what. */
 const char *zr_number_quick(const char *at, const char *end, double *value);
 
 #ifdef __SSE2__
@@ -84,7 +89,7 @@ static inline uint32_t zr_mark_others(const char *at)
 /* The same inlined for [-] digits . digits of at most 16 characters, where ZR_QUICKER_BYTES may be read. What comes
  * behind is the caller's to judge: only ',' or ']' is known to end the number. Where the next number begins depends on
  * this one through one load, not three in a row, and all digits are gathered in a word: 11 ns a number become 9. */
-static inline __attribute__((always_inline)) const char *zr_number_quicker(const char *at, double *value)
+ZR_INLINED const char *zr_number_quicker(const char *at, double *value)
 {
     static const double powers[2][16] = {
         {1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15},
@@ -116,5 +121,17 @@ static inline __attribute__((always_inline)) const char *zr_number_quicker(const
     return at + behind;
 }
 #endif
+
+/* As zr_number_read (number.h), inlined where a blank or a line's end is behind a number in its usual form. */
+static inline const char *zr_number_next(const char *at, const char *end, double *value)
+{
+    const char *behind;
+#ifdef __SSE2__
+    if (end - at >= ZR_QUICKER_BYTES && (behind = zr_number_quicker(at, value)) && (unsigned char)*behind <= ' ')
+        return behind;
+#endif
+    behind = zr_number_quick(at, end, value);
+    return behind ? behind : zr_number_read(at, end, value);
+}
 
 #endif

@@ -8,10 +8,14 @@
 #include <string.h>
 
 #include "base/checked.h"
-#include "input/number.h"
+#include "input/chunk.h"
+#include "input/number_quick.h"
 #include "input/text.h"
 
 enum { COUNT_MAX = 1 << 30, VERTEX_NUMBERS_MAX = 6 };
+
+/* Of a line, so that a byte can count what begins at its place of them. */
+enum { CHUNKS_A_LINE = 255 };
 
 /* Stands in for an index until the zero normal has its place. */
 #define CORNER_WITHOUT_NORMAL UINT32_MAX
@@ -44,20 +48,22 @@ struct reader {
     bool bad_syntax; /* what follows would only be noise */
 };
 
-static bool is_blank(char byte)
+/* What all statements go through is inlined, so that the place in the text stays at hand: a quarter of the time. */
+
+ZR_INLINED bool is_blank(char byte)
 {
     return byte == ' ' || byte == '\t' || byte == '\r' || byte == '\v' || byte == '\f';
 }
 
 /* The length of a backslash and the line end that it hides, or 0. */
-static size_t continuation(const char *at, const char *end)
+ZR_INLINED size_t continuation(const char *at, const char *end)
 {
     if (*at != '\\' || end - at < 2) return 0;
     if (at[1] == '\n') return 2;
     return end - at >= 3 && at[1] == '\r' && at[2] == '\n' ? 3 : 0;
 }
 
-static void skip_blanks(struct statement *statement)
+ZR_INLINED void skip_blanks(struct statement *statement)
 {
     const char *at = statement->at, *end = statement->end;
     for (size_t length; at < end; at += length) {
@@ -68,12 +74,12 @@ static void skip_blanks(struct statement *statement)
 }
 
 /* Behind blanks: nothing more but perhaps a comment? */
-static bool at_end(const struct statement *statement)
+ZR_INLINED bool at_end(const struct statement *statement)
 {
     return statement->at == statement->end || *statement->at == '#';
 }
 
-static bool ends_token(const struct statement *statement, const char *at)
+ZR_INLINED bool ends_token(const struct statement *statement, const char *at)
 {
     return at == statement->end || is_blank(*at) || continuation(at, statement->end) > 0;
 }
@@ -88,7 +94,7 @@ static struct statement next_token(struct statement *statement)
     return token;
 }
 
-static bool hides_line_end(const char *from, const char *line_end)
+ZR_INLINED bool hides_line_end(const char *from, const char *line_end)
 {
     if (line_end > from && line_end[-1] == '\r') line_end--;
     return line_end > from && line_end[-1] == '\\';
@@ -96,7 +102,7 @@ static bool hides_line_end(const char *from, const char *line_end)
 
 /* False at the end of the file. Comments end with their line, backslash or not:
  * a path at the end of a comment must not swallow a vertex. */
-static bool next_statement(struct reader *reader, struct statement *statement)
+ZR_INLINED bool next_statement(struct reader *reader, struct statement *statement)
 {
     if (reader->next == reader->end) return false;
     *statement = (struct statement){reader->next, reader->next, reader->next_line};
@@ -140,12 +146,15 @@ static bool is_ignored(const struct statement *token)
     return bsearch(token, words, sizeof words / sizeof words[0], sizeof words[0], compare_words) != NULL;
 }
 
-static enum keyword read_keyword(struct statement *statement, struct statement *token)
+ZR_INLINED enum keyword read_keyword(struct statement *statement, struct statement *token)
 {
+    const char *at = statement->at;
+    if ((*at == 'v' || *at == 'f') && ends_token(statement, at + 1)) { /* nearly all */
+        statement->at++;
+        return *at == 'v' ? KEYWORD_V : KEYWORD_F;
+    }
     *token = next_token(statement);
     size_t length = (size_t)(token->end - token->at);
-    if (length == 1 && token->at[0] == 'v') return KEYWORD_V;
-    if (length == 1 && token->at[0] == 'f') return KEYWORD_F;
     if (length == 2 && token->at[0] == 'v' && token->at[1] == 'n') return KEYWORD_VN;
     if (length == 2 && token->at[0] == 'v' && token->at[1] == 't') return KEYWORD_VT;
     return is_ignored(token) ? KEYWORD_IGNORED : KEYWORD_UNKNOWN;
@@ -157,6 +166,21 @@ static size_t count_tokens(struct statement *statement)
     for (skip_blanks(statement); !at_end(statement); skip_blanks(statement), count++)
         next_token(statement);
     return count;
+}
+
+/* The same many bytes at once, which may be read up to `end`; but for comments, joined lines, very long ones, and the
+ * file's last. A fifth of the time of reading. `statement` is behind the keyword. */
+static size_t count_words(struct statement *statement, const char *end)
+{
+    zr_chunk begins = {0}, odd = {0};
+    for (const char *at = statement->at; at < statement->end; at += ZR_CHUNK) {
+        const size_t left = (size_t)(statement->end - at);
+        if (end - at < ZR_CHUNK || at - statement->at >= CHUNKS_A_LINE * ZR_CHUNK) return count_tokens(statement);
+        const zr_chunk bytes = zr_chunk_load(at), within = zr_chunk_of_first(left < ZR_CHUNK ? left : ZR_CHUNK);
+        begins -= within & zr_chunk_spaces(zr_chunk_load(at - 1)) & ~zr_chunk_spaces(bytes);
+        odd |= within & ((zr_chunk)(bytes == '#') | (zr_chunk)(bytes == '\\'));
+    }
+    return zr_chunk_first(odd) == ZR_CHUNK ? zr_chunk_sum(begins) : count_tokens(statement);
 }
 
 static void rewind_to(struct reader *reader, const char *bytes)
@@ -175,7 +199,7 @@ static void count_statements(struct reader *reader)
         reader->total.normals += keyword == KEYWORD_VN;
         if (keyword != KEYWORD_F) continue;
         reader->total.faces++;
-        reader->total.corners += count_tokens(&statement);
+        reader->total.corners += count_words(&statement, reader->end);
     }
 }
 
@@ -189,6 +213,13 @@ static bool syntax_fault(struct reader *reader, const struct statement *statemen
     return false;
 }
 
+/* The token that begins here is at fault. */
+static bool token_fault(struct reader *reader, const struct statement *statement, const char *expected)
+{
+    struct statement shown = *statement, token = next_token(&shown);
+    return syntax_fault(reader, statement, &token, expected);
+}
+
 /* Numbers up to the end of the statement; false after reporting one that is none
  * or too large, or more than `most`. */
 static bool read_numbers(struct reader *reader, struct statement *statement, int most, float *out, int *count)
@@ -197,13 +228,12 @@ static bool read_numbers(struct reader *reader, struct statement *statement, int
     *count = 0;
     for (skip_blanks(statement); !at_end(statement); skip_blanks(statement)) {
         double value;
-        const char *behind = zr_number_read(statement->at, statement->end, &value);
-        struct statement shown = *statement, token = next_token(&shown);
-        if (*count == most) return syntax_fault(reader, statement, &token, "the end of the line");
-        if (!behind || behind != token.end) return syntax_fault(reader, statement, &token, "a number");
+        const char *at = statement->at, *behind = zr_number_next(at, reader->end, &value);
+        if (*count == most) return token_fault(reader, statement, "the end of the line");
+        if (!behind || !ends_token(statement, behind)) return token_fault(reader, statement, "a number");
         if (!(value >= -limit && value <= limit)) {
             zr_error_add(reader->error, ZR_BAD_SCENE, NULL, "line %zu: %s is beyond the limit of %.9g", statement->line,
-                         zr_quote(token.at, (size_t)(token.end - token.at)).text, limit);
+                         zr_quote(at, (size_t)(behind - at)).text, limit);
             return false;
         }
         out[(*count)++] = (float)value;
@@ -269,21 +299,24 @@ static bool read_texcoord(struct reader *reader, struct statement *statement)
 }
 
 /* A whole number with perhaps a sign; saturates, far above any count. */
-static const char *read_integer(const char *at, const char *end, int64_t *value)
+ZR_INLINED const char *read_integer(const char *at, const char *end, int64_t *value)
 {
     bool negative = at < end && *at == '-';
     if (at < end && (*at == '-' || *at == '+')) at++;
-    const char *digits = at;
-    int64_t magnitude = 0;
-    for (; at < end && (unsigned char)(*at - '0') < 10; at++)
+    const uint64_t word = zr_eight_bytes(at, end);
+    const unsigned count = zr_count_digits(word);
+    if (count == 0) return NULL;
+    int64_t magnitude = zr_digits_value(word, count);
+    at += count;
+    for (; count == 8 && at < end && (unsigned char)(*at - '0') < 10; at++)
         if (magnitude < INT64_C(1) << 40) magnitude = magnitude * 10 + (*at - '0');
     *value = negative ? -magnitude : magnitude;
-    return at == digits ? NULL : at;
+    return at;
 }
 
 /* From 1, or backwards from the last one so far (-1) -> from 0. */
-static bool resolve_index(struct reader *reader, const struct statement *statement, int64_t index, const char *of,
-                          size_t so_far, size_t total, uint32_t *out)
+ZR_INLINED bool resolve_index(struct reader *reader, const struct statement *statement, int64_t index, const char *of,
+                              size_t so_far, size_t total, uint32_t *out)
 {
     int64_t resolved = index > 0 ? index - 1 : (int64_t)so_far + index;
     if (index != 0 && resolved >= 0 && resolved < (int64_t)total) {
@@ -315,17 +348,16 @@ static bool set_normal_index(struct reader *reader, size_t corner, uint32_t inde
 static bool read_corner(struct reader *reader, struct statement *statement, size_t corner)
 {
     int64_t position, texcoord, normal = 0;
-    struct statement shown = *statement, token = next_token(&shown);
-    const char *at = read_integer(token.at, token.end, &position);
+    const char *end = statement->end, *at = read_integer(statement->at, end, &position);
     bool has_normal = false;
-    if (at && at < token.end && *at == '/') {
+    if (at && at < end && *at == '/') {
         at++;
-        if (at == token.end || *at != '/') at = read_integer(at, token.end, &texcoord);
-        has_normal = at && at < token.end && *at == '/';
-        if (has_normal) at = read_integer(at + 1, token.end, &normal);
+        if (at == end || *at != '/') at = read_integer(at, end, &texcoord);
+        has_normal = at && at < end && *at == '/';
+        if (has_normal) at = read_integer(at + 1, end, &normal);
     }
-    if (!at || at != token.end) return syntax_fault(reader, statement, &token, "a corner: v, v/vt, v//vn or v/vt/vn");
-    statement->at = token.end;
+    if (!at || !ends_token(statement, at)) return token_fault(reader, statement, "a corner: v, v/vt, v//vn or v/vt/vn");
+    statement->at = at;
     uint32_t normal_index;
     if (!resolve_index(reader, statement, position, "vertices", reader->count.positions, reader->total.positions,
                        &reader->indices[corner]))

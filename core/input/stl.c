@@ -5,7 +5,8 @@
 
 #include <string.h>
 
-#include "input/number.h"
+#include "input/chunk.h"
+#include "input/number_quick.h"
 #include "input/text.h"
 
 enum {
@@ -101,19 +102,36 @@ static enum zr_status read_binary(struct reader *reader, const char *bytes, size
     return reader->error->count > 0 ? reader->error->status : make_mesh(reader, mesh);
 }
 
-static bool is_space(char byte)
+static inline bool is_space(char byte)
 {
     return byte == ' ' || (byte >= '\t' && byte <= '\r');
 }
 
-/* An empty token at the end of the text. */
-static struct token next_token(struct reader *reader)
+static inline void skip_spaces(struct reader *reader)
 {
     for (; reader->at < reader->end && is_space(*reader->at); reader->at++)
         reader->line += *reader->at == '\n';
+}
+
+/* Or the end. Byte by byte, words take a third of the time of all. */
+static inline const char *find_space(const char *at, const char *end)
+{
+    while (end - at >= ZR_CHUNK) {
+        const size_t place = zr_chunk_first(zr_chunk_spaces(zr_chunk_load(at)));
+        at += place;
+        if (place < ZR_CHUNK) return at;
+    }
+    while (at < end && !is_space(*at))
+        at++;
+    return at;
+}
+
+/* An empty token at the end of the text. */
+static inline struct token next_token(struct reader *reader)
+{
+    skip_spaces(reader);
     struct token token = {reader->at, 0};
-    while (reader->at < reader->end && !is_space(*reader->at))
-        reader->at++;
+    reader->at = find_space(reader->at, reader->end);
     token.size = (size_t)(reader->at - token.at);
     return token;
 }
@@ -123,9 +141,10 @@ static char lower(char c)
     return c >= 'A' && c <= 'Z' ? (char)(c - 'A' + 'a') : c;
 }
 
-static bool is_word(struct token token, const char *word)
+static inline bool is_word(struct token token, const char *word)
 {
     if (token.size != strlen(word)) return false;
+    if (memcmp(token.at, word, token.size) == 0) return true;
     for (size_t i = 0; i < token.size; i++)
         if (lower(token.at[i]) != word[i]) return false;
     return true;
@@ -138,7 +157,7 @@ static bool syntax_fault(struct reader *reader, struct token found, const char *
     return false;
 }
 
-static bool expect_word(struct reader *reader, const char *word)
+static inline bool expect_word(struct reader *reader, const char *word)
 {
     struct token token = next_token(reader);
     return is_word(token, word) || syntax_fault(reader, token, "'", word);
@@ -156,16 +175,17 @@ static bool read_vertex(struct reader *reader, zr_vec4 *out)
     float v[3] = {0, 0, 0};
     if (!expect_word(reader, "vertex")) return false;
     for (int axis = 0; axis < 3; axis++) {
-        struct token token = next_token(reader);
-        const char *end = token.at + token.size;
         double value;
-        if (token.size == 0 || zr_number_read(token.at, end, &value) != end)
-            return syntax_fault(reader, token, "", "a number");
+        skip_spaces(reader);
+        const char *at = reader->at, *behind = zr_number_next(at, reader->end, &value);
+        if (!behind || (behind < reader->end && !is_space(*behind)))
+            return syntax_fault(reader, next_token(reader), "", "a number");
+        reader->at = behind;
         if (in_range(reader, value))
             v[axis] = (float)value;
         else
             zr_error_add(reader->error, ZR_BAD_SCENE, NULL, "line %zu: %s in triangle %zu is beyond the limit of %.9g",
-                         reader->line, zr_quote(token.at, token.size).text, reader->triangles + 1,
+                         reader->line, zr_quote(at, (size_t)(behind - at)).text, reader->triangles + 1,
                          (double)reader->limits->coordinate_max);
     }
     *out = (zr_vec4){v[0], v[1], v[2], 1};

@@ -2,6 +2,7 @@
 
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
 static void print_xyz(FILE *out, const zr_vec4 *v)
 {
@@ -75,5 +76,71 @@ struct document document_soup(const struct drawing *drawing)
         fputs("]}", out);
     }
     fputs("]}", out);
+    return finish(out, &document);
+}
+
+struct document document_obj(const struct drawing *drawing)
+{
+    struct document document = {NULL, 0};
+    FILE *out = open_memstream(&document.bytes, &document.size);
+    if (!out) return document;
+    for (uint32_t i = 0; i < drawing->position_count; i++) {
+        const zr_vec4 *v = &drawing->positions[i];
+        fprintf(out, "v %.7g %.7g %.7g\n", (double)v->x, (double)v->y, (double)v->z);
+    }
+    for (uint32_t f = 0; f < drawing->face_count; f++) {
+        fputs("f", out);
+        for (uint32_t c = drawing->face_offsets[f]; c < drawing->face_offsets[f + 1]; c++)
+            fprintf(out, " %u", drawing->indices[c] + 1);
+        fputs("\n", out);
+    }
+    return finish(out, &document);
+}
+
+static void put_u32(FILE *out, uint32_t value)
+{
+    for (int i = 0; i < 4; i++)
+        fputc((int)(value >> (8 * i) & 255), out);
+}
+
+static void put_f32(FILE *out, float value)
+{
+    uint32_t bits;
+    memcpy(&bits, &value, sizeof bits);
+    put_u32(out, bits);
+}
+
+struct document document_stl(const struct drawing *drawing)
+{
+    struct document document = {NULL, 0};
+    FILE *out = open_memstream(&document.bytes, &document.size);
+    if (!out) return document;
+    fprintf(out, "%-80s", "binary");
+    put_u32(out, drawing->face_count);
+    for (uint32_t c = 0; c < drawing->corner_count; c++) {
+        const zr_vec4 *v = &drawing->positions[drawing->indices[c]];
+        for (int axis = 0; c % 3 == 0 && axis < 3; axis++)
+            put_f32(out, 0.0f);
+        put_f32(out, v->x);
+        put_f32(out, v->y);
+        put_f32(out, v->z);
+        if (c % 3 == 2) fwrite("\0", 1, 2, out);
+    }
+    return finish(out, &document);
+}
+
+struct document document_stl_text(const struct drawing *drawing)
+{
+    struct document document = {NULL, 0};
+    FILE *out = open_memstream(&document.bytes, &document.size);
+    if (!out) return document;
+    fputs("solid mesh\n", out);
+    for (uint32_t c = 0; c < drawing->corner_count; c++) {
+        const zr_vec4 *v = &drawing->positions[drawing->indices[c]];
+        if (c % 3 == 0) fputs("  facet normal 0.577350 0.577350 0.577350\n    outer loop\n", out);
+        fprintf(out, "      vertex %.7g %.7g %.7g\n", (double)v->x, (double)v->y, (double)v->z);
+        if (c % 3 == 2) fputs("    endloop\n  endfacet\n", out);
+    }
+    fputs("endsolid mesh\n", out);
     return finish(out, &document);
 }

@@ -1,4 +1,4 @@
-/* documents.h - bench: a drawing as scene JSON, in both forms that a client may choose.
+/* documents.h - bench: a drawing as scene JSON, in both forms that a client may choose, and as files of its triangles.
  *
  * Numbers have up to 7 digits, as models have: sizes are those of what people send.
  */
@@ -20,5 +20,12 @@ struct document document_indexed(const struct drawing *drawing, bool colors);
 
 /* The plain form: a list of polygons, each with its own vertices. */
 struct document document_soup(const struct drawing *drawing);
+
+/* Positions and faces alone, as Meshlab writes them. */
+struct document document_obj(const struct drawing *drawing);
+
+/* Of triangles. As text, laid out as most programs do it. */
+struct document document_stl(const struct drawing *drawing);
+struct document document_stl_text(const struct drawing *drawing);
 
 #endif

@@ -10,12 +10,27 @@
 #include "scene/scene.h"
 #include "zraster.h"
 
-enum { FORMS = 2 };
 enum { WARM, FRESH, THEIRS, SIDES }; /* ours in an arena that is warm, and in a new one; cJSON */
 
 static const size_t ARENA_BYTES = (size_t)4 << 30;
 static const struct bar time_bar = {12, 20}, memory_bar = {1.5, 1.1};
-static const char *const form_names[FORMS] = {"soup", "indexed"};
+
+static struct document make_indexed(const struct drawing *drawing)
+{
+    return document_indexed(drawing, false);
+}
+
+/* Only JSON can be read by both; files of other formats are measured against the same triangles as indexed JSON. */
+static const struct {
+    enum zr_format format;
+    const char *name, *kind;
+    struct document (*make)(const struct drawing *drawing);
+} forms[] = {{ZR_FORMAT_JSON, "JSON", "soup", document_soup},
+             {ZR_FORMAT_JSON, "JSON", "indexed", make_indexed},
+             {ZR_FORMAT_OBJ, "OBJ", "text", document_obj},
+             {ZR_FORMAT_STL, "STL", "text", document_stl_text},
+             {ZR_FORMAT_STL, "STL", "binary", document_stl}};
+enum { FORMS = sizeof forms / sizeof forms[0] };
 
 struct task {
     const struct work *work;
@@ -25,8 +40,8 @@ struct task {
 
 static void name_row(const struct task *task, bool fresh, char *name, size_t size)
 {
-    snprintf(name, size, "JSON of %u triangles, %s, %s arena 1T %s", task->work->drawing.face_count,
-             form_names[task->form], fresh ? "new" : "warm", machine_isa());
+    snprintf(name, size, "%s of %u triangles, %s, %s arena 1T %s", forms[task->form].name,
+             task->work->drawing.face_count, forms[task->form].kind, fresh ? "new" : "warm", machine_isa());
 }
 
 static size_t bytes_of(const void *array, size_t count, size_t size)
@@ -55,10 +70,10 @@ static size_t array_bytes(const struct zr_scene *scene)
 }
 
 /* NULL on failure, of which nothing is said where memory alone was short. */
-static const struct zr_scene *read_scene(struct zr_arena *arena, const struct document *document)
+static const struct zr_scene *read_scene(struct zr_arena *arena, enum zr_format format, const struct document *document)
 {
     struct zr_limits limits = zr_limits_default();
-    struct zr_request request = {.format = ZR_FORMAT_JSON, .bytes = document->bytes, .size = document->size};
+    struct zr_request request = {.format = format, .bytes = document->bytes, .size = document->size};
     struct zr_error error = {.status = ZR_OK};
     const struct zr_scene *scene = NULL;
     enum zr_status status = zr_scene_read(arena, &request, &limits, &scene, &error);
@@ -82,16 +97,17 @@ static bool is_right(const struct zr_scene *scene, const struct drawing *drawing
 
 struct reading {
     const struct task *task;
-    const struct document *document;
+    const struct document *document, *json; /* ours to read, and theirs */
     struct zr_arena warm;
 };
 
 static bool run_round(void *context, struct series *series)
 {
     struct reading *reading = context;
-    const struct document *document = reading->document;
+    const struct document *document = reading->document, *json = reading->json;
+    const enum zr_format format = forms[reading->task->form].format;
     double begin = now_ms();
-    cJSON *tree = cJSON_ParseWithLength(document->bytes, document->size);
+    cJSON *tree = cJSON_ParseWithLength(json->bytes, json->size);
     cJSON_Delete(tree);
     series_add(&series[THEIRS], now_ms() - begin);
     bool ok = tree != NULL;
@@ -101,7 +117,7 @@ static bool run_round(void *context, struct series *series)
         zr_arena_init(&cold, ARENA_BYTES);
         begin = now_ms();
         if (!fresh) zr_arena_reset(&reading->warm, ARENA_BYTES);
-        ok = read_scene(fresh ? &cold : &reading->warm, document) != NULL;
+        ok = read_scene(fresh ? &cold : &reading->warm, format, document) != NULL;
         if (fresh) zr_arena_free(&cold);
         series_add(&series[fresh], now_ms() - begin);
     }
@@ -113,10 +129,14 @@ static bool measure(const struct bench *bench, void *context, const struct sink 
     static struct series series[SIDES];
     const struct task *task = context;
     const struct drawing *drawing = &task->work->drawing;
-    struct document document = task->form == 0 ? document_soup(drawing) : document_indexed(drawing, false);
-    struct reading reading = {.task = task, .document = &document};
+    const enum zr_format format = forms[task->form].format;
+    const bool is_json = format == ZR_FORMAT_JSON;
+    struct document document = forms[task->form].make(drawing), indexed = {NULL, 0};
+    struct reading reading = {.task = task, .document = &document, .json = is_json ? &document : &indexed};
+    if (!is_json) indexed = make_indexed(drawing);
     zr_arena_init(&reading.warm, ARENA_BYTES);
-    const struct zr_scene *scene = document.bytes ? read_scene(&reading.warm, &document) : NULL;
+    const struct zr_scene *scene =
+        document.bytes && reading.json->bytes ? read_scene(&reading.warm, format, &document) : NULL;
     if (!scene) return false;
     double needed = (double)reading.warm.peak;
     size_t arrays = array_bytes(scene);
@@ -128,16 +148,18 @@ static bool measure(const struct bench *bench, void *context, const struct sink 
                           .side = ROW_MEMORY,
                           .side_ratio = needed / (double)arrays,
                           .wrong = wrong};
-        if (!fresh) row.bar = time_bar, row.side_bar = memory_bar;
+        if (!fresh && is_json) row.bar = time_bar, row.side_bar = memory_bar;
         name_row(task, fresh, row.work, sizeof row.work);
         if (bench->check_only)
             snprintf(row.note, sizeof row.note, "the scene has %sthe mesh's triangles", wrong ? "not " : "");
         else
-            snprintf(row.note, sizeof row.note, "%.1f MB of JSON", (double)document.size / 1e6);
+            snprintf(row.note, sizeof row.note, "%.1f MB%s", (double)document.size / 1e6,
+                     is_json ? " of JSON" : "; theirs is indexed JSON");
         if (task->wanted[fresh]) sink_row(sink, &row);
     }
     zr_arena_free(&reading.warm);
     free(document.bytes);
+    free(indexed.bytes);
     return true;
 }
 

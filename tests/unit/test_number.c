@@ -11,13 +11,51 @@
 #include "input/number_quick.h"
 #include "support/random.h"
 
-/* The value of a text that is a number to its end; at a guard page. */
+static uint64_t bits_of(double value)
+{
+    uint64_t bits;
+    memcpy(&bits, &value, sizeof bits);
+    return bits;
+}
+
+/* What is read inlined is what is read. */
+static void check_next(const char *at, const char *end)
+{
+    double value = -12345, next = -12345;
+    const char *behind = zr_number_read(at, end, &value);
+    if (zr_number_next(at, end, &next) != behind || (behind && bits_of(next) != bits_of(value)))
+        fail_msg("next: '%.*s': %a, not %a", (int)(end - at), at, next, value);
+}
+
+/* Where nothing is behind it, and where there is room to look far ahead. */
+static void check_next_of(const char *text, size_t length)
+{
+    static const char behind[] = " \n\t,/#\\ex";
+    char padded[256];
+    for (size_t i = 0; length < sizeof padded - 40 && i < sizeof behind; i++) {
+        memcpy(padded, text, length);
+        memset(padded + length, behind[i], 40);
+        check_next(padded, padded + length);
+        check_next(padded, padded + length + 1);
+        check_next(padded, padded + length + 40);
+    }
+}
+
+/* Reads at a guard page. */
+static const char *read_guarded(const struct guarded *guarded, double *value)
+{
+    const char *end = guarded->bytes + guarded->size;
+    check_next(guarded->bytes, end);
+    check_next_of(guarded->bytes, guarded->size);
+    return zr_number_read(guarded->bytes, end, value);
+}
+
+/* The value of a text that is a number to its end. */
 static double value_of(const char *text)
 {
     struct guarded guarded = guarded_copy(text, strlen(text));
-    const char *end = guarded.bytes + guarded.size;
     double value = -12345;
-    if (zr_number_read(guarded.bytes, end, &value) != end) fail_msg("'%s' is not read to its end", text);
+    if (read_guarded(&guarded, &value) != guarded.bytes + guarded.size) fail_msg("'%s' is not read to its end", text);
     guarded_free(&guarded);
     return value;
 }
@@ -27,17 +65,10 @@ static long length_of(const char *text)
 {
     struct guarded guarded = guarded_copy(text, strlen(text));
     double value;
-    const char *behind = zr_number_read(guarded.bytes, guarded.bytes + guarded.size, &value);
+    const char *behind = read_guarded(&guarded, &value);
     long length = behind ? (long)(behind - guarded.bytes) : -1;
     guarded_free(&guarded);
     return length;
-}
-
-static uint64_t bits_of(double value)
-{
-    uint64_t bits;
-    memcpy(&bits, &value, sizeof bits);
-    return bits;
 }
 
 static void check(const char *text)
@@ -49,9 +80,12 @@ static void check(const char *text)
 static void every_form_has_the_value_strtod_gives(void **state)
 {
     (void)state;
-    static const char *const texts[] = {"0",        "-0",        "1",      "+1",      "-1",     "007",      "1.",
-                                        ".5",       "-.5",       "1.5e3",  "1E+3",    "1e-3",   "0.1",      "0e9",
-                                        "0.000000", "123456789", "0.3e-5", "9.5E022", "1.0e00", "0.0e-9999"};
+    static const char *const texts[] = {
+        "0",         "-0",          "1",           "+1",           "-1",
+        "007",       "1.",          ".5",          "-.5",          "1.5e3",
+        "1E+3",      "1e-3",        "0.1",         "0e9",          "0.000000",
+        "123456789", "0.3e-5",      "9.5E022",     "1.0e00",       "0.0e-9999",
+        "1e-0005",   "1e+00000005", "1e-00000005", "1.5e00000003", "1.5E-000000000000003"};
     for (size_t i = 0; i < sizeof texts / sizeof texts[0]; i++)
         check(texts[i]);
     assert_true(signbit(value_of("-0.0")));
@@ -181,6 +215,16 @@ static void check_all_ways(const char *text, size_t length)
 #endif
 }
 
+/* The same of what readers of lines call, with a blank behind the number. */
+static void check_before_blank(char *text, size_t length)
+{
+    const char *end = text + length;
+    double want = strtod(text, NULL), got;
+    text[length] = ' ';
+    if (zr_number_next(text, end + 32, &got) != end || bits_of(got) != bits_of(want))
+        fail_msg("next: %s: %a", text, got);
+}
+
 static void ten_million_random_numbers_have_the_value_strtod_gives(void **state)
 {
     (void)state;
@@ -191,6 +235,7 @@ static void ten_million_random_numbers_have_the_value_strtod_gives(void **state)
         memset(text + length, ',', 32);
         text[length + 32] = '\0';
         check_all_ways(text, length);
+        check_before_blank(text, length);
     }
 }
 

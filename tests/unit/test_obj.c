@@ -263,6 +263,65 @@ static void layout_of_the_text_does_not_matter(void **state)
     }
 }
 
+/* One corner after the other is put into a face, in every form and with blanks of all kinds between: so lines have
+ * every length, as whatever looks at many bytes at once must be tried. The face ends the file, or a line, or has a
+ * comment. */
+static void faces_have_every_corner_that_they_are_written_with(void **state)
+{
+    (void)state;
+    static const char *const corners[] = {"1", "2/7", "3//1", "-1/2/1", "1/12345678/1", "3", "000000000000002"};
+    static const char *const blanks[] = {" ", "\t", "  ", " \f", " \\\n"},
+                             *const ends[] = {"", "\n", " \r\n", " # 1 2\n",
+                                              "\n# and so on, word by word, to the end\n"};
+    static const uint32_t indices[] = {0, 1, 2, 2, 0, 2, 1};
+    enum {
+        FORMS = sizeof corners / sizeof corners[0],
+        KINDS = sizeof blanks / sizeof blanks[0],
+        ENDS = sizeof ends / sizeof ends[0]
+    };
+    for (size_t kind = 0; kind < KINDS * ENDS; kind++) {
+        char text[8192];
+        size_t used = (size_t)sprintf(text, "%svn 0 0 1\nf", triangle);
+        for (size_t count = 1; count <= 300; count++) {
+            used += (size_t)sprintf(text + used, "%s%s", blanks[kind % KINDS], corners[count % FORMS]);
+            if (count < 3 || (count > 20 && count < 290)) continue;
+            sprintf(text + used, "%s", ends[kind / KINDS]);
+            struct reading *reading = read_text(ZR_FORMAT_OBJ, text);
+            assert_read(reading);
+            const struct zr_mesh *mesh = &reading->scene->meshes[0];
+            assert_int_equal(mesh->face_offsets[1], count);
+            for (size_t i = 0; i < count; i++)
+                assert_int_equal(mesh->indices[i], indices[(i + 1) % FORMS]);
+            reading_free(reading);
+        }
+    }
+}
+
+/* Where their count no longer fits what counts them. */
+static void face_of_many_short_corners_is_counted(void **state)
+{
+    (void)state;
+    struct zr_limits limits = zr_limits_default();
+    limits.polygon_vertices_max = 100000;
+    char *text = malloc(3 * (size_t)limits.polygon_vertices_max);
+    assert_non_null(text);
+    static const uint32_t counts[] = {1000, 2039, 2040, 2041, 2047, 2048, 2049, 2300, 64000};
+    for (size_t k = 0; k < sizeof counts / sizeof counts[0]; k++) {
+        const uint32_t count = counts[k];
+        size_t used = (size_t)sprintf(text, "%sf", triangle);
+        for (size_t i = 0; i < count; i++)
+            used += (size_t)sprintf(text + used, " %d", (int)(i % 3) + 1);
+        used += (size_t)sprintf(text + used, "\n# the end of the file is not near\n");
+        struct reading *reading =
+            read_request((struct zr_request){.format = ZR_FORMAT_OBJ}, text, used, limits, (size_t)1 << 28);
+        assert_read(reading);
+        assert_int_equal(reading->scene->meshes[0].face_offsets[1], count);
+        assert_int_equal(reading->scene->meshes[0].indices[count - 1], (count - 1) % 3);
+        reading_free(reading);
+    }
+    free(text);
+}
+
 static void line_numbers_go_on_behind_joined_lines(void **state)
 {
     (void)state;
@@ -323,6 +382,8 @@ int main(void)
         cmocka_unit_test(limits_are_kept),
         cmocka_unit_test(no_face_gives_no_geometry),
         cmocka_unit_test(layout_of_the_text_does_not_matter),
+        cmocka_unit_test(faces_have_every_corner_that_they_are_written_with),
+        cmocka_unit_test(face_of_many_short_corners_is_counted),
         cmocka_unit_test(line_numbers_go_on_behind_joined_lines),
         cmocka_unit_test(other_statements_are_passed_over),
         cmocka_unit_test(vertex_colors_are_read_and_white_elsewhere),

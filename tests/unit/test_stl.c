@@ -133,6 +133,27 @@ static void ascii_gives_its_triangles(void **state)
     }
 }
 
+/* A normal may be any three words, whose ends are looked for many bytes at once. */
+static void words_of_every_length_are_passed_over(void **state)
+{
+    (void)state;
+    static const char spaces[] = " \t\v\f\r\n";
+    for (int length = 1; length < 70; length++)
+        for (size_t i = 0; spaces[i]; i++) {
+            char word[80], text[640];
+            memset(word, 'x', sizeof word);
+            snprintf(text, sizeof text,
+                     "solid\nfacet normal %.*s%c%.*s%c1 outer loop vertex 0 0 0 vertex 1 0 0 vertex 0 1.5%c0 endloop "
+                     "endfacet%cendsolid",
+                     length, word, spaces[i], 70 - length, word, spaces[i], spaces[i], spaces[i]);
+            struct reading *reading = read_text(ZR_FORMAT_STL, text);
+            assert_read(reading);
+            assert_int_equal(reading->scene->meshes[0].face_count, 1);
+            assert_true(reading->scene->meshes[0].positions[2].y == 1.5f);
+            reading_free(reading);
+        }
+}
+
 static void every_prefix_of_ascii_is_refused_within_its_bytes(void **state)
 {
     (void)state;
@@ -193,6 +214,7 @@ int main(void)
         cmocka_unit_test(binary_without_triangles_gives_no_geometry),
         cmocka_unit_test(place_out_of_range_gives_bad_scene_with_triangle),
         cmocka_unit_test(ascii_gives_its_triangles),
+        cmocka_unit_test(words_of_every_length_are_passed_over),
         cmocka_unit_test(every_prefix_of_ascii_is_refused_within_its_bytes),
         cmocka_unit_test(malformed_ascii_is_refused_with_its_line),
         cmocka_unit_test(ascii_out_of_range_gives_bad_scene_with_triangle),
