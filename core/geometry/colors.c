@@ -9,6 +9,8 @@ struct palette {
     const struct zr_lighting *lighting;
     struct zr_normal_matrix to_eye;
     const zr_vec3 *computed; /* normals of vertices; NULL where nothing needs them */
+    enum zr_isa isa;
+    zr_light_fn *light;
     zr_vec4 *front, *back;
     bool per_corner; /* else faces are flat, all of them */
     const struct zr_cancel *cancel;
@@ -58,13 +60,37 @@ uint32_t zr_colors_count(const struct zr_scene *scene, const struct zr_mesh *mes
     return layout_count(mesh, choose_layout(scene, mesh));
 }
 
-static void put(const struct palette *palette, uint32_t slot, const struct zr_material *material, zr_vec3 normal,
-                zr_vec4 base)
+/* ---- many at once ---- */
+
+enum { LIT_AT_ONCE = 64 };
+
+/* Points to be lit, whose slots follow one another. */
+struct points {
+    uint32_t first, count;
+    zr_vec4 normals[LIT_AT_ONCE], bases[LIT_AT_ONCE];
+};
+
+static void light_points(const struct palette *palette, struct points *points)
 {
-    struct zr_lit lit = {base, base};
-    if (material->shading != ZR_SHADING_UNLIT) lit = zr_light_point(palette->lighting, &palette->to_eye, normal, base);
-    palette->back[slot] = lit.back;
-    palette->front[slot] = lit.front; /* last: both may be one array, and then nothing shows its back */
+    const uint32_t first = points->first;
+    if (points->count > 0)
+        palette->light(palette->lighting, &palette->to_eye, points->normals, points->bases, points->count,
+                       palette->front + first, palette->back + first);
+    points->count = 0;
+}
+
+static inline void add_point(const struct palette *palette, struct points *points, uint32_t slot, zr_vec3 normal,
+                             zr_vec4 base)
+{
+    if (points->count == LIT_AT_ONCE || slot != points->first + points->count) light_points(palette, points);
+    if (points->count == 0) points->first = slot;
+    points->normals[points->count] = (zr_vec4){normal.x, normal.y, normal.z, 0.0f};
+    points->bases[points->count++] = base;
+}
+
+static void put_unlit(const struct palette *palette, uint32_t slot, zr_vec4 base)
+{
+    palette->front[slot] = palette->back[slot] = base;
 }
 
 static zr_vec3 corner_normal(const struct palette *palette, uint32_t vertex, uint32_t slot)
@@ -81,39 +107,67 @@ static void color_vertices(void *context, size_t begin, size_t end)
     const struct palette *palette = context;
     const struct zr_mesh *mesh = palette->mesh;
     const struct zr_material *material = &palette->scene->materials[mesh->material];
+    struct points points = {.count = 0};
     if (zr_is_cancelled(palette->cancel)) return;
     for (uint32_t v = (uint32_t)begin; v < end; v++) {
         zr_vec4 base = material->base_color;
         if (mesh->colors) base = zr_vec4_mul(base, mesh->colors[v]);
-        put(palette, v, material, corner_normal(palette, v, 0), base);
+        if (material->shading == ZR_SHADING_UNLIT)
+            put_unlit(palette, v, base);
+        else
+            add_point(palette, &points, v, corner_normal(palette, v, 0), base);
+    }
+    light_points(palette, &points);
+}
+
+static void color_flat_face(const struct palette *palette, const struct zr_material *material, zr_vec4 base,
+                            uint32_t face, struct zr_face_normals *normals, struct points *points)
+{
+    const struct zr_mesh *mesh = palette->mesh;
+    const uint32_t begin = mesh->face_offsets[face], slot = palette->per_corner ? begin : face;
+    if (mesh->colors) base = zr_vec4_mul(base, mesh->colors[mesh->indices[begin]]);
+    if (material->shading == ZR_SHADING_UNLIT)
+        put_unlit(palette, slot, base);
+    else
+        add_point(palette, points, slot, zr_face_normal(normals, face), base);
+}
+
+static void color_smooth_face(const struct palette *palette, const struct zr_material *material, zr_vec4 base,
+                              uint32_t face, struct points *points)
+{
+    const struct zr_mesh *mesh = palette->mesh;
+    for (uint32_t slot = mesh->face_offsets[face]; slot < mesh->face_offsets[face + 1]; slot++) {
+        const uint32_t vertex = mesh->indices[slot];
+        const zr_vec4 color = mesh->colors ? zr_vec4_mul(base, mesh->colors[vertex]) : base;
+        if (material->shading == ZR_SHADING_UNLIT)
+            put_unlit(palette, slot, color);
+        else
+            add_point(palette, points, slot, corner_normal(palette, vertex, slot), color);
     }
 }
 
 /* Flat faces take the colour of their first vertex, and fill one slot only. */
-static void color_faces(void *context, size_t range_begin, size_t range_end)
+static void color_faces(void *context, size_t begin, size_t end)
 {
     const struct palette *palette = context;
     const struct zr_mesh *mesh = palette->mesh;
+    struct points points = {.count = 0};
+    struct zr_face_normals normals;
     if (zr_is_cancelled(palette->cancel)) return;
-    for (uint32_t f = (uint32_t)range_begin; f < range_end; f++) {
-        const struct zr_material *material = zr_material_of_face(palette->scene, mesh, f);
+    zr_face_normals_begin(&normals, palette->isa, mesh);
+    for (uint32_t face = (uint32_t)begin; face < end; face++) {
+        const struct zr_material *material = zr_material_of_face(palette->scene, mesh, face);
         zr_vec4 base = material->base_color;
-        if (mesh->face_colors) base = zr_vec4_mul(base, mesh->face_colors[f]);
-        uint32_t begin = mesh->face_offsets[f], end = mesh->face_offsets[f + 1];
-        if (!zr_material_is_smooth(mesh, material)) {
-            if (mesh->colors) base = zr_vec4_mul(base, mesh->colors[mesh->indices[begin]]);
-            zr_vec3 normal = {0, 0, 0};
-            if (material->shading != ZR_SHADING_UNLIT) normal = zr_normal_of_face(mesh, f);
-            put(palette, palette->per_corner ? begin : f, material, normal, base);
-            continue;
-        }
-        for (uint32_t slot = begin; slot < end; slot++) {
-            uint32_t vertex = mesh->indices[slot];
-            zr_vec4 color = mesh->colors ? zr_vec4_mul(base, mesh->colors[vertex]) : base;
-            put(palette, slot, material, corner_normal(palette, vertex, slot), color);
-        }
+        if (mesh->face_colors) base = zr_vec4_mul(base, mesh->face_colors[face]);
+        if (zr_material_is_smooth(mesh, material))
+            color_smooth_face(palette, material, base, face, &points);
+        else
+            color_flat_face(palette, material, base, face, &normals, &points);
     }
+    light_points(palette, &points);
 }
+
+/* ---- */
 
 static bool needs_computed_normals(const struct zr_scene *scene, const struct zr_mesh *mesh)
 {
@@ -160,12 +214,14 @@ struct zr_colors zr_colors_make(struct zr_arena *arena, struct zr_team *team, co
                               .mesh = mesh,
                               .lighting = lighting,
                               .to_eye = zr_normal_matrix_make(object_to_eye),
+                              .isa = zr_team_isa(team),
+                              .light = zr_light_of(zr_team_isa(team)),
                               .front = front,
                               .back = back,
                               .per_corner = layout == ZR_COLOR_PER_CORNER,
                               .cancel = cancel};
     if (layout != ZR_COLOR_PER_FACE && needs_computed_normals(scene, mesh))
-        palette.computed = zr_normals_of_vertices(arena, mesh);
+        palette.computed = zr_normals_of_vertices(arena, palette.isa, mesh);
     if (!zr_arena_ok(arena)) return colors;
     if (layout == ZR_COLOR_PER_VERTEX)
         zr_team_ranges(team, mesh->position_count, points_a_range(&palette), color_vertices, &palette);

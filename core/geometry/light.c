@@ -36,35 +36,8 @@ struct zr_normal_matrix zr_normal_matrix_make(const zr_mat4 *object_to_eye)
     return n;
 }
 
-static float clamp01(float v)
+zr_light_fn *zr_light_of(enum zr_isa isa)
 {
-    return v < 0.0f ? 0.0f : v < 1.0f ? v : 1.0f;
-}
-
-static zr_vec3 modulate(zr_vec3 light, zr_vec4 base)
-{
-    return (zr_vec3){light.x * base.x, light.y * base.y, light.z * base.z};
-}
-
-static zr_vec4 clamped(zr_vec3 color, float alpha)
-{
-    return (zr_vec4){clamp01(color.x), clamp01(color.y), clamp01(color.z), clamp01(alpha)};
-}
-
-struct zr_lit zr_light_point(const struct zr_lighting *lighting, const struct zr_normal_matrix *to_eye, zr_vec3 normal,
-                             zr_vec4 base)
-{
-    zr_vec3 n = zr_vec3_normalize(normal); /* first: a tiny face would underflow below */
-    n = (zr_vec3){zr_vec3_dot(to_eye->rows[0], n), zr_vec3_dot(to_eye->rows[1], n), zr_vec3_dot(to_eye->rows[2], n)};
-    n = zr_vec3_normalize(n);
-    zr_vec3 front = modulate(lighting->ambient, base), back = front;
-    for (uint32_t i = 0; i < lighting->count; i++) {
-        float facing = zr_vec3_dot(n, lighting->to_light[i]);
-        zr_vec3 diffuse = modulate(lighting->colors[i], base);
-        if (facing > 0.0f)
-            front = zr_vec3_add(front, zr_vec3_scale(diffuse, facing));
-        else
-            back = zr_vec3_add(back, zr_vec3_scale(diffuse, -facing));
-    }
-    return (struct zr_lit){clamped(front, base.w), clamped(back, base.w)};
+    static zr_light_fn *const table[ZR_ISA_COUNT] = ZR_KERNELS(zr_light);
+    return table[isa];
 }

@@ -8,6 +8,7 @@
 #define ZR_LIGHT_H
 
 #include "base/arena.h"
+#include "base/isa.h"
 #include "scene/scene.h"
 
 struct zr_lighting {
@@ -22,10 +23,6 @@ struct zr_normal_matrix {
     zr_vec3 rows[3];
 };
 
-struct zr_lit {
-    zr_vec4 front, back; /* seen from the side the normal points to, and from the other */
-};
-
 /* Turns the scene's lights into eye space. `lighting` points into the arena. */
 void zr_lighting_make(struct zr_arena *arena, const struct zr_scene *scene, const zr_mat4 *world_to_eye,
                       struct zr_lighting *lighting);
@@ -33,8 +30,15 @@ void zr_lighting_make(struct zr_arena *arena, const struct zr_scene *scene, cons
 /* The inverse transpose of the upper 3x3, up to a positive factor. */
 struct zr_normal_matrix zr_normal_matrix_make(const zr_mat4 *object_to_eye);
 
-/* `normal` in object space, any length; `base` is the surface's own colour. */
-struct zr_lit zr_light_point(const struct zr_lighting *lighting, const struct zr_normal_matrix *to_eye, zr_vec3 normal,
-                             zr_vec4 base);
+/* Lights many points at once: with normals found so too (normals.h), a lit mesh takes a third less time. Of each:
+ * `normals` xyz in object space, of any length, and w, which is not looked at; `bases` the surface's own colour;
+ * `front` as it is seen from the side that the normal points to, and `back` from the other; the two may be one array,
+ * which is front then. A kernel. */
+typedef void zr_light_fn(const struct zr_lighting *lighting, const struct zr_normal_matrix *to_eye,
+                         const zr_vec4 *normals, const zr_vec4 *bases, size_t count, zr_vec4 *front, zr_vec4 *back);
+
+zr_light_fn zr_light_scalar, zr_light_sse2, zr_light_avx2, zr_light_avx512, zr_light_neon;
+
+zr_light_fn *zr_light_of(enum zr_isa isa);
 
 #endif

@@ -1,5 +1,7 @@
 #include "geometry/normals.h"
 
+#include "geometry/face.h"
+
 static zr_vec3 corner(const struct zr_mesh *mesh, uint32_t slot)
 {
     zr_vec4 p = mesh->positions[mesh->indices[slot]];
@@ -22,12 +24,35 @@ zr_vec3 zr_normal_of_face(const struct zr_mesh *mesh, uint32_t face)
     return sum;
 }
 
-zr_vec3 *zr_normals_of_vertices(struct zr_arena *arena, const struct zr_mesh *mesh)
+zr_triangle_normals_fn *zr_triangle_normals_of(enum zr_isa isa)
 {
+    static zr_triangle_normals_fn *const table[ZR_ISA_COUNT] = ZR_KERNELS(zr_triangle_normals);
+    return table[isa];
+}
+
+void zr_face_normals_begin(struct zr_face_normals *normals, enum zr_isa isa, const struct zr_mesh *mesh)
+{
+    normals->mesh = mesh;
+    normals->of_triangles = zr_mesh_is_of_triangles(mesh) ? zr_triangle_normals_of(isa) : NULL;
+    normals->first = normals->count = 0;
+}
+
+void zr_face_normals_make(struct zr_face_normals *normals, uint32_t face)
+{
+    const uint32_t left = normals->mesh->face_count - face;
+    normals->first = face;
+    normals->count = left < ZR_NORMALS_AT_ONCE ? left : ZR_NORMALS_AT_ONCE;
+    normals->of_triangles(normals->mesh, face, normals->count, normals->normals);
+}
+
+zr_vec3 *zr_normals_of_vertices(struct zr_arena *arena, enum zr_isa isa, const struct zr_mesh *mesh)
+{
+    struct zr_face_normals faces;
     zr_vec3 *normals = zr_arena_zero(arena, mesh->position_count, sizeof *normals);
     if (!normals) return NULL;
+    zr_face_normals_begin(&faces, isa, mesh);
     for (uint32_t face = 0; face < mesh->face_count; face++) {
-        zr_vec3 normal = zr_normal_of_face(mesh, face);
+        const zr_vec3 normal = zr_face_normal(&faces, face);
         for (uint32_t slot = mesh->face_offsets[face]; slot < mesh->face_offsets[face + 1]; slot++) {
             uint32_t vertex = mesh->indices[slot];
             normals[vertex] = zr_vec3_add(normals[vertex], normal);

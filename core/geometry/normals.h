@@ -7,15 +7,48 @@
 #define ZR_NORMALS_H
 
 #include "base/arena.h"
+#include "base/isa.h"
 #include "scene/scene.h"
 
 /* Twice the area of face `face`, as a vector on its front side; the mean plane where
  * the face is not planar. Source: Newell's method (Sutherland et al., 1974). */
 zr_vec3 zr_normal_of_face(const struct zr_mesh *mesh, uint32_t face);
 
+/* The same of faces `first` and so on, to xyz of out[0] and so on, w being 0; of a mesh of triangles. A kernel. */
+typedef void zr_triangle_normals_fn(const struct zr_mesh *mesh, uint32_t first, size_t count, zr_vec4 *out);
+
+zr_triangle_normals_fn zr_triangle_normals_scalar, zr_triangle_normals_sse2, zr_triangle_normals_avx2,
+    zr_triangle_normals_avx512, zr_triangle_normals_neon;
+
+zr_triangle_normals_fn *zr_triangle_normals_of(enum zr_isa isa);
+
+enum { ZR_NORMALS_AT_ONCE = 64 };
+
+/* Normals of the faces of one mesh, asked for one after the other. */
+struct zr_face_normals {
+    const struct zr_mesh *mesh;
+    zr_triangle_normals_fn *of_triangles; /* NULL where some faces are no triangles */
+    uint32_t first, count;                /* faces whose normals are made */
+    zr_vec4 normals[ZR_NORMALS_AT_ONCE];
+};
+
+void zr_face_normals_begin(struct zr_face_normals *normals, enum zr_isa isa, const struct zr_mesh *mesh);
+
+/* From `face` on; of a mesh of triangles. */
+void zr_face_normals_make(struct zr_face_normals *normals, uint32_t face);
+
+/* As zr_normal_of_face. */
+static inline zr_vec3 zr_face_normal(struct zr_face_normals *normals, uint32_t face)
+{
+    if (!normals->of_triangles) return zr_normal_of_face(normals->mesh, face);
+    if (face - normals->first >= normals->count) zr_face_normals_make(normals, face);
+    const zr_vec4 *normal = &normals->normals[face - normals->first];
+    return (zr_vec3){normal->x, normal->y, normal->z};
+}
+
 /* One unit normal a position: the sum of the normals of the faces around it, in
  * the order of the faces. NULL where the arena has failed. */
-zr_vec3 *zr_normals_of_vertices(struct zr_arena *arena, const struct zr_mesh *mesh);
+zr_vec3 *zr_normals_of_vertices(struct zr_arena *arena, enum zr_isa isa, const struct zr_mesh *mesh);
 
 /* True where the face is no convex polygon: some corner turns against the winding, or the ring crosses itself
  * or goes round more than once. Computed in double against the Newell normal, without

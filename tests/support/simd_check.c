@@ -107,6 +107,7 @@ static void want_floats(const struct simd_inputs *in, struct simd_results *want,
     want->vf_min[k] = a < b ? a : b;
     want->vf_max[k] = a > b ? a : b;
     want->vf_abs[k] = fabsf(a);
+    want->vf_sqrt[k] = sqrtf(a);
     want->vf_of[k] = (float)in->i[k];
     want->vf_select[k] = in->m[k] ? a : b;
     want->vf_lt[k] = a < b;
@@ -266,6 +267,7 @@ static const struct result results[] = {EXACT(vf_set),
                                         EXACT(vf_min),
                                         EXACT(vf_max),
                                         EXACT(vf_abs),
+                                        RESULT(vf_sqrt, true),
                                         EXACT(vf_of),
                                         EXACT(vf_select),
                                         EXACT(vf_lt),

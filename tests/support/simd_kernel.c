@@ -33,6 +33,7 @@ static void run_floats(const struct simd_inputs *in, struct simd_results *out, i
     zr_vf_store(out->vf_min + k, zr_vf_min(a, b));
     zr_vf_store(out->vf_max + k, zr_vf_max(a, b));
     zr_vf_store(out->vf_abs + k, zr_vf_abs(a));
+    zr_vf_store(out->vf_sqrt + k, zr_vf_sqrt(a));
     zr_vf_store(out->vf_of + k, zr_vf_of(zr_vi_load(in->i + k)));
     zr_vf_store(out->vf_select + k, zr_vf_select(mask_of(in->m + k), a, b));
     keep(zr_vf_lt(a, b), out->vf_lt + k);

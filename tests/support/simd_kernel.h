@@ -31,7 +31,7 @@ struct simd_results {
     _Alignas(64) uint32_t out_of_line;
     float vf_set[SIMD_COUNT], vf_load[SIMD_COUNT], vf_ramp[SIMD_COUNT]; /* set: lane 0 of a, all over its vector */
     float vf_add[SIMD_COUNT], vf_sub[SIMD_COUNT], vf_mul[SIMD_COUNT], vf_div[SIMD_COUNT];
-    float vf_min[SIMD_COUNT], vf_max[SIMD_COUNT], vf_abs[SIMD_COUNT], vf_of[SIMD_COUNT];
+    float vf_min[SIMD_COUNT], vf_max[SIMD_COUNT], vf_abs[SIMD_COUNT], vf_sqrt[SIMD_COUNT], vf_of[SIMD_COUNT];
     float vf_select[SIMD_COUNT]; /* a where m, else b */
     int32_t vf_lt[SIMD_COUNT], vf_le[SIMD_COUNT], vf_eq[SIMD_COUNT];
     int32_t vf_lt_where[SIMD_COUNT], vf_eq_where[SIMD_COUNT], vi_lt_where[SIMD_COUNT]; /* m */

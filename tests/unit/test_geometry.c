@@ -155,7 +155,7 @@ static void normals_of_vertices_weigh_faces_by_area(void **state)
         .position_count = 4, .positions = p, .face_count = 2, .face_offsets = offsets, .indices = indices};
     struct zr_arena arena;
     zr_arena_init(&arena, 1 << 20);
-    zr_vec3 *n = zr_normals_of_vertices(&arena, &mesh);
+    zr_vec3 *n = zr_normals_of_vertices(&arena, ZR_ISA_SCALAR, &mesh);
     assert_true(fabsf(n[0].z / n[0].x - 4.0f) < 1e-5f);
     assert_true(fabsf(zr_vec3_dot(n[0], n[0]) - 1.0f) < 1e-6f);
     assert_true(n[2].z == 1.0f && n[3].x == 1.0f);
@@ -238,11 +238,12 @@ static void light_follows_the_cosine_and_shows_on_one_side_only(void **state)
         .ambient = {0.25f, 0.25f, 0.25f}, .count = 1, .to_light = &to_light, .colors = &color};
     zr_mat4 identity = zr_mat4_identity();
     struct zr_normal_matrix matrix = zr_normal_matrix_make(&identity);
-    struct zr_lit lit = zr_light_point(&lighting, &matrix, (zr_vec3){0, 0, 7}, (zr_vec4){1, 0.5f, 0, 1});
-    assert_true(lit.front.x == 0.75f && lit.front.y == 0.375f && lit.front.z == 0.0f);
-    assert_true(lit.back.x == 0.25f && lit.back.y == 0.125f);
-    lit = zr_light_point(&lighting, &matrix, (zr_vec3){3, 0, 3}, (zr_vec4){1, 1, 1, 1});
-    assert_true(fabsf(lit.front.x - (0.25f + 0.5f * 0.70710678f)) < 1e-6f);
+    const zr_vec4 normals[] = {{0, 0, 7, 0}, {3, 0, 3, 0}}, bases[] = {{1, 0.5f, 0, 1}, {1, 1, 1, 1}};
+    zr_vec4 front[2], back[2];
+    zr_light_of(ZR_ISA_SCALAR)(&lighting, &matrix, normals, bases, 2, front, back);
+    assert_true(front[0].x == 0.75f && front[0].y == 0.375f && front[0].z == 0.0f);
+    assert_true(back[0].x == 0.25f && back[0].y == 0.125f);
+    assert_true(fabsf(front[1].x - (0.25f + 0.5f * 0.70710678f)) < 1e-6f);
 }
 
 static void light_on_a_mirrored_instance_stays_outside(void **state)

@@ -107,6 +107,10 @@ static inline zr_vf zr_vf_abs(zr_vf a)
 {
     return (zr_vf)((zr_vi)a & zr_vi_set(INT32_MAX));
 }
+static inline zr_vf zr_vf_sqrt(zr_vf a)
+{
+    return (zr_vf)_mm256_sqrt_ps((__m256)a);
+}
 static inline zr_vf zr_vf_of(zr_vi a)
 {
     return (zr_vf)_mm256_cvtepi32_ps((__m256i)a);

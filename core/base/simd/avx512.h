@@ -154,6 +154,10 @@ static inline zr_vf zr_vf_abs(zr_vf a)
 {
     return (zr_vf)_mm512_abs_ps((__m512)a);
 }
+static inline zr_vf zr_vf_sqrt(zr_vf a)
+{
+    return (zr_vf)_mm512_sqrt_ps((__m512)a);
+}
 static inline zr_vf zr_vf_of(zr_vi a)
 {
     return (zr_vf)_mm512_cvtepi32_ps((__m512i)a);

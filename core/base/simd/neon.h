@@ -84,6 +84,10 @@ static inline zr_vf zr_vf_abs(zr_vf a)
 {
     return (zr_vf)vabsq_f32((float32x4_t)a);
 }
+static inline zr_vf zr_vf_sqrt(zr_vf a)
+{
+    return (zr_vf)vsqrtq_f32((float32x4_t)a);
+}
 static inline zr_vf zr_vf_of(zr_vi a)
 {
     return (zr_vf)vcvtq_f32_s32((int32x4_t)a);

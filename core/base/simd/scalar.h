@@ -144,6 +144,10 @@ static inline zr_vf zr_vf_abs(zr_vf a)
 {
     return fabsf(a);
 }
+static inline zr_vf zr_vf_sqrt(zr_vf a)
+{
+    return sqrtf(a);
+}
 static inline zr_vf zr_vf_of(zr_vi a)
 {
     return (float)a;
