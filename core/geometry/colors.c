@@ -1,5 +1,6 @@
 #include "geometry/colors.h"
 
+#include "geometry/face.h"
 #include "geometry/normals.h"
 
 /* What every colour of one mesh is made from. */
@@ -167,6 +168,32 @@ static void color_faces(void *context, size_t begin, size_t end)
     light_points(palette, &points);
 }
 
+/* Triangles that are all lit, flat and of one colour, as most meshes are that are posted by themselves: a sixth of the
+ * time of a million of them goes into telling faces apart. */
+static bool are_alike(const struct palette *palette)
+{
+    const struct zr_mesh *mesh = palette->mesh;
+    const enum zr_shading shading = palette->scene->materials[mesh->material].shading;
+    return shading == ZR_SHADING_FLAT && !mesh->face_materials && !mesh->face_colors && !mesh->colors &&
+           zr_mesh_is_of_triangles(mesh);
+}
+
+static void color_alike_faces(void *context, size_t begin, size_t end)
+{
+    const struct palette *palette = context;
+    zr_triangle_normals_fn *const triangle_normals = zr_triangle_normals_of(palette->isa);
+    struct points points;
+    if (zr_is_cancelled(palette->cancel)) return;
+    for (int i = 0; i < LIT_AT_ONCE; i++)
+        points.bases[i] = palette->scene->materials[palette->mesh->material].base_color;
+    for (points.first = (uint32_t)begin; points.first < end; points.first += LIT_AT_ONCE) {
+        const size_t left = end - points.first;
+        points.count = left < LIT_AT_ONCE ? (uint32_t)left : LIT_AT_ONCE;
+        triangle_normals(palette->mesh, points.first, points.count, points.normals);
+        light_points(palette, &points);
+    }
+}
+
 /* ---- */
 
 static bool needs_computed_normals(const struct zr_scene *scene, const struct zr_mesh *mesh)
@@ -226,6 +253,7 @@ struct zr_colors zr_colors_make(struct zr_arena *arena, struct zr_team *team, co
     if (layout == ZR_COLOR_PER_VERTEX)
         zr_team_ranges(team, mesh->position_count, points_a_range(&palette), color_vertices, &palette);
     else
-        zr_team_ranges(team, mesh->face_count, points_a_range(&palette), color_faces, &palette);
+        zr_team_ranges(team, mesh->face_count, points_a_range(&palette),
+                       are_alike(&palette) ? color_alike_faces : color_faces, &palette);
     return colors;
 }

@@ -1,5 +1,5 @@
-/* growth.h - bench: our times as the work grows, as threads do, and with other channels. Nobody else's: a row holds a
- * time against what the smaller work, one thread or simpler channels let expect.
+/* growth.h - bench: our times as the work grows, as threads do, with other channels and with light. Nobody else's: a
+ * row holds a time against what the smaller work, one thread or simpler channels let expect.
  */
 #ifndef ZR_BENCH_GROWTH_H
 #define ZR_BENCH_GROWTH_H
@@ -16,6 +16,9 @@ void growth_of_threads(struct bench *bench);
 
 /* Depth in scene units instead of the window's, whose time, in the same run, is "theirs". */
 void growth_of_channels(struct bench *bench);
+
+/* Meshes lit and seen by a fitted view, whose time unlit and through matrices, in the same run, is "theirs". */
+void growth_of_lighting(struct bench *bench);
 
 /* What no renderer can go below here: the buffers cleared, the pixels copied. */
 void growth_floors(struct bench *bench);

@@ -39,15 +39,16 @@ struct subject {
 
 static void make_subject(struct subject *s)
 {
-    static const struct kind kinds[] = {{0, 1, 0},   {9, 1, NAN},  {9, 1, INFINITY}, {9, 1, -INFINITY}, {9, 1, -0.0f},
-                                        {9, 2.5f, 0}, {9, 0.5f, 0}, {3, -1.5f, 0},    {5, 0, 0},         {40, 1e-40f, 0},
-                                        {9, NAN, 0},  {1, 0, 0},    {0, 1, 0},        {0, 1, 0},         {0, 1, 0}};
+    static const struct kind kinds[] = {{0, 1, 0},     {9, 1, NAN},     {9, 1, INFINITY}, {9, 1, -INFINITY},
+                                        {9, 1, -0.0f}, {9, 2.5f, 0},    {9, 0.5f, 0},     {3, -1.5f, 0},
+                                        {5, 0, 0},     {40, 1e-40f, 0}, {9, NAN, 0},      {1, 0, 0},
+                                        {0, 1, 0},     {0, 1, 0},       {0, 1, 0}};
     s->scene = (struct zr_scene){
         .meshes = s->meshes, .mesh_count = MESHES, .instances = s->instances, .instance_count = INSTANCES};
     for (int m = 0; m < MESHES; m++) {
         const struct kind *kind = &kinds[random_below(&numbers, sizeof kinds / sizeof kinds[0])];
-        s->meshes[m] = (struct zr_mesh){.positions = s->points[m],
-                                        .position_count = 1 + random_below(&numbers, POINTS_MOST)};
+        s->meshes[m] =
+            (struct zr_mesh){.positions = s->points[m], .position_count = 1 + random_below(&numbers, POINTS_MOST)};
         for (uint32_t i = 0; i < s->meshes[m].position_count; i++)
             s->points[m][i] = make_point(kind);
     }
@@ -73,7 +74,8 @@ static struct zr_bounds bounds_one_by_one(const struct zr_scene *scene)
         for (uint32_t k = 0; k < mesh->position_count; k++) {
             const zr_vec4 p = zr_mat4_apply(&scene->instances[i].object_to_world, mesh->positions[k]);
             const double w = (double)p.w, x = (double)p.x / w, y = (double)p.y / w, z = (double)p.z / w;
-            if (p.w == 0.0f || !(fabs(x) <= (double)FLT_MAX && fabs(y) <= (double)FLT_MAX && fabs(z) <= (double)FLT_MAX))
+            if (p.w == 0.0f ||
+                !(fabs(x) <= (double)FLT_MAX && fabs(y) <= (double)FLT_MAX && fabs(z) <= (double)FLT_MAX))
                 continue;
             b.valid = true;
             include(&b.min.x, &b.max.x, x);
@@ -94,11 +96,12 @@ static void bounds_hold_every_point_that_has_a_place(void **state)
         const struct zr_bounds want = bounds_one_by_one(&subject.scene), got = zr_bounds_of(&subject.scene, NULL);
         assert_int_equal(got.valid, want.valid);
         empty += !want.valid;
-        if (want.valid && (memcmp(&got.min, &want.min, sizeof want.min) || memcmp(&got.max, &want.max, sizeof want.max)))
+        if (want.valid &&
+            (memcmp(&got.min, &want.min, sizeof want.min) || memcmp(&got.max, &want.max, sizeof want.max)))
             fail_msg("round %d: %a %a %a to %a %a %a, not %a %a %a to %a %a %a", round, (double)got.min.x,
                      (double)got.min.y, (double)got.min.z, (double)got.max.x, (double)got.max.y, (double)got.max.z,
-                     (double)want.min.x, (double)want.min.y, (double)want.min.z, (double)want.max.x,
-                     (double)want.max.y, (double)want.max.z);
+                     (double)want.min.x, (double)want.min.y, (double)want.min.z, (double)want.max.x, (double)want.max.y,
+                     (double)want.max.z);
     }
     assert_true(empty > 0 && empty < 2500);
 }
@@ -112,8 +115,7 @@ static void zeros_of_bounds_have_no_sign(void **state)
     for (int i = 0; i < 2; i++) {
         const struct zr_mesh mesh = {.positions = points[i], .position_count = 3};
         const struct zr_instance instance = {0, zr_mat4_identity()};
-        const struct zr_scene scene = {
-            .meshes = &mesh, .mesh_count = 1, .instances = &instance, .instance_count = 1};
+        const struct zr_scene scene = {.meshes = &mesh, .mesh_count = 1, .instances = &instance, .instance_count = 1};
         const struct zr_bounds b = zr_bounds_of(&scene, NULL);
         assert_true(b.valid && b.min.x == 0.0f && b.max.z == 0.0f && b.max.y == 3.0f);
         assert_false(signbit(b.min.x) || signbit(b.max.x) || signbit(b.min.z) || signbit(b.max.z));

@@ -153,7 +153,7 @@ static void colors_of_meshes_are_those_of_each_face_alone(void **state)
     struct zr_arena arena;
     zr_arena_init(&arena, 1 << 20);
     int layouts = 0;
-    for (int round = 0; round < 150; round++) {
+    for (int round = 0; round < 500; round++) {
         const zr_mat4 identity = zr_mat4_identity();
         make_look(&subject);
         make_mesh(&subject);

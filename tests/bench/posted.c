@@ -1,0 +1,103 @@
+/* A mesh as it is drawn when it is posted by itself (lit, both sides, seen by a view that is fitted to it) against the
+ * same unlit, through the matrices that such a view comes to. */
+#include "bench/growth.h"
+#include "bench/machine.h"
+#include "bench/series.h"
+#include "bench/sides.h"
+#include "input/defaults.h"
+#include "scene/camera.h"
+
+enum { PLAIN, POSTED, SIDES };
+enum { THREADS_MOST = 2 };
+
+static const enum works measured[] = {WORK_BUNNY, WORK_BUNNY_SMALL, WORK_DENSE};
+static const struct zr_output color = {.channel = ZR_CHANNEL_COLOR, .encoding = ZR_ENCODING_PNG};
+
+struct task {
+    const struct work *work;
+    int threads;
+    enum work_shade shade;
+};
+
+static void name_row(const struct task *task, char *name, size_t size)
+{
+    char drawn[80];
+    works_variant_name(task->work, &(struct variant){task->shade, false}, drawn, sizeof drawn);
+    snprintf(name, size, "lit and fitted: %.60s %dT %s", drawn, task->threads, machine_isa());
+}
+
+/* Into a side's own subject, which points into itself. */
+static bool take(struct ours *ours, const struct task *task, bool posted)
+{
+    struct subject *subject = &ours->subject;
+    struct zr_scene defaults;
+    struct zr_camera camera;
+    struct zr_error error = {.status = ZR_OK};
+    zr_scene_defaults(&defaults);
+    ours_take(ours, task->work, &(struct variant){task->shade, false});
+    subject->scene.view = defaults.view;
+    if (posted) {
+        subject->mesh.colors = subject->mesh.face_colors = NULL;
+        subject->material.base_color = zr_default_base_color(false);
+        subject->material.shading = zr_default_shading(task->shade != WORK_FLAT);
+        subject->scene.ambient = defaults.ambient;
+        subject->scene.lights = defaults.lights;
+        subject->scene.light_count = defaults.light_count;
+        return true;
+    }
+    const struct zr_bounds bounds = zr_bounds_of(&subject->scene, NULL);
+    if (zr_camera_resolve(&subject->scene, &bounds, NULL, &camera, &error) != ZR_OK) return false;
+    subject->scene.view.pose = ZR_POSE_MATRIX;
+    subject->scene.view.projection = ZR_PROJECTION_MATRIX;
+    subject->scene.view.world_to_camera = camera.world_to_eye;
+    subject->scene.view.projection_matrix = camera.projection;
+    return true;
+}
+
+static bool run_round(void *context, struct series *series)
+{
+    struct ours *ours = context;
+    for (int side = PLAIN; side < SIDES; side++) {
+        double begin = now_ms();
+        if (!ours_render(&ours[side], &color, 1)) return false;
+        series_add(&series[side], now_ms() - begin);
+    }
+    return true;
+}
+
+static bool measure(const struct bench *bench, void *context, const struct sink *sink)
+{
+    static struct series series[SIDES];
+    const struct task *task = context;
+    struct ours ours[SIDES];
+    for (int side = PLAIN; side < SIDES; side++)
+        if (!ours_open(&ours[side], task->threads) || !take(&ours[side], task, side == POSTED)) return false;
+    if (!series_run(series, SIDES, bench->rounds, run_round, ours)) return false;
+    struct row row = {.ours_ms = series_median(&series[POSTED]), .theirs_ms = series_median(&series[PLAIN])};
+    name_row(task, row.work, sizeof row.work);
+    sink_row(sink, &row);
+    return true;
+}
+
+static void measure_work(struct bench *bench, const struct work *work)
+{
+    for (int i = 0; i < THREADS_MOST * WORK_SHADES; i++) {
+        struct task task = {work, 1 + i / WORK_SHADES, (enum work_shade)(i % WORK_SHADES)};
+        char name[ROW_NAME_SIZE];
+        name_row(&task, name, sizeof name);
+        if (task.threads > machine_cores() || !bench_wants(bench, name)) continue;
+        results_begin_table(&bench->results, "meshes as they are posted: \"theirs\" is ours unlit, through matrices");
+        bench_in_child(bench, measure, &task, NULL);
+    }
+}
+
+void growth_of_lighting(struct bench *bench)
+{
+    if (bench->check_only) return;
+    for (size_t i = 0; i < sizeof measured / sizeof *measured; i++) {
+        struct work work;
+        if (!works_make(measured[i], bench->models, &work)) bench->results.failed = true;
+        if (work.corners) measure_work(bench, &work);
+        works_free(&work);
+    }
+}
