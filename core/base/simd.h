@@ -21,11 +21,13 @@
  *   zr_vf_lt_where eq_where(m, a, b), zr_vi_lt_where(m, a, b): m and the comparison, which AVX-512 does in one
  *   zr_vf_select(m, a, b), zr_vi_select: a where m, else b
  *   zr_vf_min(a, b): a < b ? a : b     zr_vf_max(a, b): a > b ? a : b     zr_vi_min, zr_vi_max
- *   zr_vf_abs(a)  zr_vf_sqrt(a)  zr_vf_of(vi): int to float   zr_vi_round(vf): to the nearest, ties to even, where |v|
- * < 2^22 zr_vi_bits_of(vf), zr_vf_bits(vi)  the same bits as integers, as floats ZR_LOAD4(x, y, z, w, AT): lane i of x,
- * y, z, w are the four floats at AT(i), a const float * zr_vf_store4(p, x, y, z, w), zr_vi_store4: the other way round,
- * all to one place zr_vf_load_fours(p, &x, &y, &z, &w), zr_vf_store_fours(p, x, y, z, w): ZR_LANES fours from p on, to
- * p on, in an order of lanes of their own, which is one transposition; zr_vf_stream_fours: as zr_vi_stream
+ *   zr_vf_abs(a)  zr_vf_sqrt(a)
+ *   zr_vf_of(vi): int to float         zr_vi_round(vf): to the nearest, ties to even, where |v| < 2^22
+ *   zr_vi_bits_of(vf), zr_vf_bits(vi)  the same bits as integers, as floats
+ *   ZR_LOAD4(x, y, z, w, AT): lane i of x, y, z, w are the four floats at AT(i), a const float *
+ *   zr_vf_store4(p, x, y, z, w), zr_vi_store4: the other way round, all to one place
+ *   zr_vf_load_fours(p, &x, &y, &z, &w), zr_vf_store_fours(p, x, y, z, w): ZR_LANES fours from p on, to p on, in an
+ *     order of lanes of their own, which is one transposition; zr_vf_stream_fours: as zr_vi_stream
  *   zr_transpose4(a, b, c, d, &x, &y, &z, &w): 4 by 4 floats, in each 16 bytes by themselves
  *   zr_vf_pick(v, i): lane k is lane i[k] of v, i being 0 .. ZR_LANES - 1
  *   zr_vi_gather(m, p, i): p[i] of four bytes, lane by lane; anything in lanes that are not m's

@@ -168,9 +168,9 @@ static void color_faces(void *context, size_t begin, size_t end)
     light_points(palette, &points);
 }
 
-/* Triangles that are all lit, flat and of one colour, as most meshes are that are posted by themselves: a sixth of the
+/* All lit and flat, as most meshes are that are posted by themselves: a sixth of the
  * time of a million of them goes into telling faces apart. */
-static bool are_alike(const struct palette *palette)
+static bool are_triangles_of_one_color(const struct palette *palette)
 {
     const struct zr_mesh *mesh = palette->mesh;
     const enum zr_shading shading = palette->scene->materials[mesh->material].shading;
@@ -178,7 +178,7 @@ static bool are_alike(const struct palette *palette)
            zr_mesh_is_of_triangles(mesh);
 }
 
-static void color_alike_faces(void *context, size_t begin, size_t end)
+static void color_alike_triangles(void *context, size_t begin, size_t end)
 {
     const struct palette *palette = context;
     zr_triangle_normals_fn *const triangle_normals = zr_triangle_normals_of(palette->isa);
@@ -194,7 +194,7 @@ static void color_alike_faces(void *context, size_t begin, size_t end)
     }
 }
 
-/* ---- */
+/* ---- a mesh ---- */
 
 static bool needs_computed_normals(const struct zr_scene *scene, const struct zr_mesh *mesh)
 {
@@ -254,6 +254,6 @@ struct zr_colors zr_colors_make(struct zr_arena *arena, struct zr_team *team, co
         zr_team_ranges(team, mesh->position_count, points_a_range(&palette), color_vertices, &palette);
     else
         zr_team_ranges(team, mesh->face_count, points_a_range(&palette),
-                       are_alike(&palette) ? color_alike_faces : color_faces, &palette);
+                       are_triangles_of_one_color(&palette) ? color_alike_triangles : color_faces, &palette);
     return colors;
 }

@@ -33,7 +33,7 @@ zr_triangle_normals_fn *zr_triangle_normals_of(enum zr_isa isa)
 void zr_face_normals_begin(struct zr_face_normals *normals, enum zr_isa isa, const struct zr_mesh *mesh)
 {
     normals->mesh = mesh;
-    normals->of_triangles = zr_mesh_is_of_triangles(mesh) ? zr_triangle_normals_of(isa) : NULL;
+    normals->make_many = zr_mesh_is_of_triangles(mesh) ? zr_triangle_normals_of(isa) : NULL;
     normals->first = normals->count = 0;
 }
 
@@ -42,7 +42,7 @@ void zr_face_normals_make(struct zr_face_normals *normals, uint32_t face)
     const uint32_t left = normals->mesh->face_count - face;
     normals->first = face;
     normals->count = left < ZR_NORMALS_AT_ONCE ? left : ZR_NORMALS_AT_ONCE;
-    normals->of_triangles(normals->mesh, face, normals->count, normals->normals);
+    normals->make_many(normals->mesh, face, normals->count, normals->normals);
 }
 
 zr_vec3 *zr_normals_of_vertices(struct zr_arena *arena, enum zr_isa isa, const struct zr_mesh *mesh)

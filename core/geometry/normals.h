@@ -24,23 +24,23 @@ zr_triangle_normals_fn *zr_triangle_normals_of(enum zr_isa isa);
 
 enum { ZR_NORMALS_AT_ONCE = 64 };
 
-/* Normals of the faces of one mesh, asked for one after the other. */
+/* Normals of the faces of one mesh: in any order, but many are made at once where faces follow one another. */
 struct zr_face_normals {
     const struct zr_mesh *mesh;
-    zr_triangle_normals_fn *of_triangles; /* NULL where some faces are no triangles */
-    uint32_t first, count;                /* faces whose normals are made */
+    zr_triangle_normals_fn *make_many; /* NULL where some faces are no triangles */
+    uint32_t first, count;             /* faces whose normals are made */
     zr_vec4 normals[ZR_NORMALS_AT_ONCE];
 };
 
 void zr_face_normals_begin(struct zr_face_normals *normals, enum zr_isa isa, const struct zr_mesh *mesh);
 
-/* From `face` on; of a mesh of triangles. */
+/* From `face` on, for zr_face_normal; of a mesh of triangles. */
 void zr_face_normals_make(struct zr_face_normals *normals, uint32_t face);
 
 /* As zr_normal_of_face. */
 static inline zr_vec3 zr_face_normal(struct zr_face_normals *normals, uint32_t face)
 {
-    if (!normals->of_triangles) return zr_normal_of_face(normals->mesh, face);
+    if (!normals->make_many) return zr_normal_of_face(normals->mesh, face);
     if (face - normals->first >= normals->count) zr_face_normals_make(normals, face);
     const zr_vec4 *normal = &normals->normals[face - normals->first];
     return (zr_vec3){normal->x, normal->y, normal->z};

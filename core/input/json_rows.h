@@ -7,6 +7,7 @@
 #ifndef ZR_JSON_ROWS_H
 #define ZR_JSON_ROWS_H
 
+#include "base/inlined.h"
 #include "base/vec.h"
 #include "input/json_list.h"
 #include "input/json_value.h"

@@ -14,10 +14,8 @@
 #include <stdint.h>
 #include <string.h>
 
+#include "base/inlined.h"
 #include "input/number.h"
-
-/* Left to themselves, compilers call some of these for each number. */
-#define ZR_INLINED static inline __attribute__((always_inline))
 
 /* Eight bytes of text, the first one lowest; zeros behind `end`, which is never read. */
 static inline uint64_t zr_eight_bytes(const char *at, const char *end)
@@ -122,7 +120,8 @@ ZR_INLINED const char *zr_number_quicker(const char *at, double *value)
 }
 #endif
 
-/* As zr_number_read (number.h), inlined where a blank or a line's end is behind a number in its usual form. */
+/* zr_number_read (number.h), with the same value and end always; inlined for numbers in their usual form that a blank
+ * or a line's end is behind. */
 static inline const char *zr_number_next(const char *at, const char *end, double *value)
 {
     const char *behind;

@@ -8,14 +8,15 @@
 #include <string.h>
 
 #include "base/checked.h"
+#include "base/inlined.h"
 #include "input/chunk.h"
 #include "input/number_quick.h"
 #include "input/text.h"
 
 enum { COUNT_MAX = 1 << 30, VERTEX_NUMBERS_MAX = 6 };
 
-/* Of a line, so that a byte can count what begins at its place of them. */
-enum { CHUNKS_A_LINE = 255 };
+/* In each place of a chunk a byte counts the words that begin there: of more chunks it could overflow. */
+enum { CHUNKS_TO_COUNT = 255 };
 
 /* Stands in for an index until the zero normal has its place. */
 #define CORNER_WITHOUT_NORMAL UINT32_MAX
@@ -48,7 +49,8 @@ struct reader {
     bool bad_syntax; /* what follows would only be noise */
 };
 
-/* What all statements go through is inlined, so that the place in the text stays at hand: a quarter of the time. */
+/* What all statements go through is inlined, so that the place in the text stays in a register: a quarter of the time.
+ */
 
 ZR_INLINED bool is_blank(char byte)
 {
@@ -168,14 +170,15 @@ static size_t count_tokens(struct statement *statement)
     return count;
 }
 
-/* The same many bytes at once, which may be read up to `end`; but for comments, joined lines, very long ones, and the
- * file's last. A fifth of the time of reading. `statement` is behind the keyword. */
-static size_t count_words(struct statement *statement, const char *end)
+/* The same, many bytes at once: of comments, joined lines, very long ones and the file's last, which ends at `end`,
+ * count_tokens says it. Room is made for as many corners as are counted here, and read_face, which goes from token to
+ * token, fills it. `statement` is behind the keyword. A fifth of the time of reading. */
+static size_t count_tokens_quickly(struct statement *statement, const char *end)
 {
     zr_chunk begins = {0}, odd = {0};
     for (const char *at = statement->at; at < statement->end; at += ZR_CHUNK) {
         const size_t left = (size_t)(statement->end - at);
-        if (end - at < ZR_CHUNK || at - statement->at >= CHUNKS_A_LINE * ZR_CHUNK) return count_tokens(statement);
+        if (end - at < ZR_CHUNK || at - statement->at >= CHUNKS_TO_COUNT * ZR_CHUNK) return count_tokens(statement);
         const zr_chunk bytes = zr_chunk_load(at), within = zr_chunk_of_first(left < ZR_CHUNK ? left : ZR_CHUNK);
         begins -= within & zr_chunk_spaces(zr_chunk_load(at - 1)) & ~zr_chunk_spaces(bytes);
         odd |= within & ((zr_chunk)(bytes == '#') | (zr_chunk)(bytes == '\\'));
@@ -199,7 +202,7 @@ static void count_statements(struct reader *reader)
         reader->total.normals += keyword == KEYWORD_VN;
         if (keyword != KEYWORD_F) continue;
         reader->total.faces++;
-        reader->total.corners += count_words(&statement, reader->end);
+        reader->total.corners += count_tokens_quickly(&statement, reader->end);
     }
 }
 

@@ -45,14 +45,14 @@ struct point_walk {
     const struct zr_scene *scene;
     const struct zr_cancel *cancel;
     bool fitted_only;
-    const zr_mat4 *world_to_eye;         /* NULL: points are in world space */
-    uint32_t instance;                   /* the next one */
-    zr_mat4 matrix;                      /* of the one under way, */
-    bool moves;                          /* which is not the identity */
-    const zr_vec4 *begin, *end;          /* positions that are not transformed yet */
-    const zr_vec4 *points;               /* transformed: count of them, */
-    uint32_t count;                      /* 0 at the end */
-    zr_vec4 transformed[POINTS_AT_ONCE]; /* which stand here, or where they always are */
+    const zr_mat4 *world_to_eye; /* NULL: points are in world space */
+    uint32_t instance;           /* the next one */
+    zr_mat4 matrix;              /* of the one under way, */
+    bool moves;                  /* which is not the identity, */
+    const zr_vec4 *begin, *end;  /* and its positions that are still to come */
+    const zr_vec4 *points;       /* those under way: `transformed`, or the mesh's own where nothing moves */
+    uint32_t count;              /* of them; 0 at the end */
+    zr_vec4 transformed[POINTS_AT_ONCE];
 };
 
 /* False at the end, and where it was cancelled, as all below. */
@@ -74,7 +74,7 @@ static bool next_instance(struct point_walk *walk)
     return false;
 }
 
-/* As zr_mat4_apply, a column of the matrix at a time: half of the time of a walk. */
+/* As zr_mat4_apply, a column of the matrix at a time. */
 static void transform_all(const zr_mat4 *m, const zr_vec4 *positions, uint32_t count, zr_vec4 *out)
 {
     const point x = load_point(m->m), y = load_point(m->m + 4), z = load_point(m->m + 8), w = load_point(m->m + 12);
@@ -85,7 +85,8 @@ static void transform_all(const zr_mat4 *m, const zr_vec4 *positions, uint32_t c
     }
 }
 
-/* Transforms some more, but for those that stay where they are: most scenes are one mesh by itself. */
+/* Most scenes are one mesh where it stands: not to transform it, and to take its least and most many at once, is worth
+ * a sixth of the time of an STL of 70 000 triangles at 640x480. */
 static bool next_points(struct point_walk *walk)
 {
     walk->count = 0;
@@ -120,8 +121,8 @@ static inline point either(point_truth which, point a, point b)
     return (point)(((point_truth)a & which) | ((point_truth)b & ~which));
 }
 
-/* The same of many at once, where all have a place and none is to be divided, else false: half of the time of a walk.
- * The least and the most of floats are those of the doubles that they become. */
+/* The same of many at once, where all have a place and none is to be divided; else false. The least and the most of
+ * floats are those of the doubles that they become. */
 static bool include_plain(struct zr_extent *e, const zr_vec4 *points, uint32_t count)
 {
     const point zero = {0, 0, 0, 0}, first = load_point(&points[0]);

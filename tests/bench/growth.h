@@ -18,7 +18,7 @@ void growth_of_threads(struct bench *bench);
 void growth_of_channels(struct bench *bench);
 
 /* Meshes lit and seen by a fitted view, whose time unlit and through matrices, in the same run, is "theirs". */
-void growth_of_lighting(struct bench *bench);
+void growth_of_light(struct bench *bench);
 
 /* What no renderer can go below here: the buffers cleared, the pixels copied. */
 void growth_floors(struct bench *bench);

@@ -94,7 +94,7 @@ int main(int count, char **arguments)
     versus_llvmpipe(&bench);
     growth_of_threads(&bench);
     growth_of_channels(&bench);
-    growth_of_lighting(&bench);
+    growth_of_light(&bench);
     versus_libpng(&bench);
     versus_cjson(&bench);
     service_against_stock(&bench);

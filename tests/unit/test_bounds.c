@@ -20,14 +20,14 @@ static float any(void)
 struct kind {
     uint32_t odd_in; /* one of so many, 0: none */
     float w;         /* of those */
-    float x;         /* of those, or 0: any */
+    float x;         /* of those; 1: any */
 };
 
 static zr_vec4 make_point(const struct kind *kind)
 {
     const bool odd = kind->odd_in > 0 && random_below(&numbers, kind->odd_in) == 0;
     const float x = any(), y = any(), z = any();
-    return (zr_vec4){odd && kind->x != 0.0f ? kind->x : x, y, z, odd ? kind->w : 1.0f};
+    return (zr_vec4){odd && kind->x != 1.0f ? kind->x : x, y, z, odd ? kind->w : 1.0f};
 }
 
 struct subject {
@@ -39,10 +39,10 @@ struct subject {
 
 static void make_subject(struct subject *s)
 {
-    static const struct kind kinds[] = {{0, 1, 0},     {9, 1, NAN},     {9, 1, INFINITY}, {9, 1, -INFINITY},
-                                        {9, 1, -0.0f}, {9, 2.5f, 0},    {9, 0.5f, 0},     {3, -1.5f, 0},
-                                        {5, 0, 0},     {40, 1e-40f, 0}, {9, NAN, 0},      {1, 0, 0},
-                                        {0, 1, 0},     {0, 1, 0},       {0, 1, 0}};
+    static const struct kind kinds[] = {{0, 1, 1},     {9, 1, NAN},     {9, 1, INFINITY}, {9, 1, -INFINITY},
+                                        {2, 1, -0.0f}, {9, 2.5f, 1},    {9, 0.5f, 1},     {3, -1.5f, 1},
+                                        {5, 0, 1},     {40, 1e-40f, 1}, {9, NAN, 1},      {1, 0, 1},
+                                        {0, 1, 1},     {0, 1, 1},       {0, 1, 1}};
     s->scene = (struct zr_scene){
         .meshes = s->meshes, .mesh_count = MESHES, .instances = s->instances, .instance_count = INSTANCES};
     for (int m = 0; m < MESHES; m++) {

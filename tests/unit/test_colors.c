@@ -3,6 +3,7 @@
 
 #include "geometry/colors.h"
 #include "geometry/normals.h"
+#include "guarded.h"
 #include "light_one.h"
 #include "support/isas.h"
 #include "support/random.h"
@@ -147,7 +148,7 @@ static void check_face(const struct expected *e, uint32_t face)
 static void colors_of_meshes_are_those_of_each_face_alone(void **state)
 {
     static struct subject subject;
-    static zr_vec4 front[FACES * CORNERS_MOST], back[FACES * CORNERS_MOST];
+    static const zr_vec4 blank[FACES * CORNERS_MOST];
     const enum zr_isa isa = isa_under_test(state);
     struct zr_team *team = zr_team_create_for(3, isa);
     struct zr_arena arena;
@@ -157,14 +158,21 @@ static void colors_of_meshes_are_those_of_each_face_alone(void **state)
         const zr_mat4 identity = zr_mat4_identity();
         make_look(&subject);
         make_mesh(&subject);
+        const size_t size = zr_colors_count(&subject.scene, &subject.mesh) * sizeof *blank;
+        struct guarded front = guarded_copy(blank, size), back = guarded_copy(blank, size),
+                       indices = guarded_copy(subject.indices, subject.offsets[FACES] * sizeof *subject.indices);
+        subject.mesh.indices = (const uint32_t *)(const void *)indices.bytes;
         struct expected e = {.subject = &subject, .to_eye = zr_normal_matrix_make(&subject.object_to_eye)};
         zr_arena_reset(&arena, 1 << 20);
         zr_lighting_make(&arena, &subject.scene, &identity, &e.lighting);
         e.got = zr_colors_make(&arena, team, NULL, &subject.scene, &subject.mesh, &e.lighting, &subject.object_to_eye,
-                               front, back);
+                               (zr_vec4 *)(void *)front.bytes, (zr_vec4 *)(void *)back.bytes);
         layouts |= 1 << e.got.layout;
         for (uint32_t face = 0; face < FACES; face++)
             check_face(&e, face);
+        guarded_free(&front);
+        guarded_free(&back);
+        guarded_free(&indices);
     }
     assert_int_equal(layouts, 1 << ZR_COLOR_PER_FACE | 1 << ZR_COLOR_PER_VERTEX | 1 << ZR_COLOR_PER_CORNER);
     zr_arena_free(&arena);

@@ -182,6 +182,8 @@ static void malformed_ascii_is_refused_with_its_line(void **state)
         {"solid\nfacet 0 0 1", "line 2: expected 'normal', found '0'"},
         {"solid\nendsolid\nx", "line 3: expected 'solid', found 'x'"},
         {"solid\nfacets", "line 2: expected 'facet' or 'endsolid', found 'facets'"},
+        {"solid\nfasad", "line 2: expected 'facet' or 'endsolid', found 'fasad'"},
+        {"solid\nfacet normal 0 0 1\nouter loop\nversus 0 0 0", "line 4: expected 'vertex', found 'versus'"},
     };
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++)
         refuses(ZR_FORMAT_STL, cases[i].text, ZR_BAD_SYNTAX, "", cases[i].detail);

@@ -1,5 +1,5 @@
-/* A mesh as it is drawn when it is posted by itself (lit, both sides, seen by a view that is fitted to it) against the
- * same unlit, through the matrices that such a view comes to. */
+/* A lit mesh seen by a view that is fitted to it, as it is drawn when it is posted by itself, against the same unlit,
+ * in the colours of the other tables, through the matrices that such a view comes to. */
 #include "bench/growth.h"
 #include "bench/machine.h"
 #include "bench/series.h"
@@ -7,7 +7,7 @@
 #include "input/defaults.h"
 #include "scene/camera.h"
 
-enum { PLAIN, POSTED, SIDES };
+enum { PLAIN, LIT, SIDES };
 enum { THREADS_MOST = 2 };
 
 static const enum works measured[] = {WORK_BUNNY, WORK_BUNNY_SMALL, WORK_DENSE};
@@ -27,7 +27,7 @@ static void name_row(const struct task *task, char *name, size_t size)
 }
 
 /* Into a side's own subject, which points into itself. */
-static bool take(struct ours *ours, const struct task *task, bool posted)
+static bool take(struct ours *ours, const struct task *task, bool lit)
 {
     struct subject *subject = &ours->subject;
     struct zr_scene defaults;
@@ -36,7 +36,7 @@ static bool take(struct ours *ours, const struct task *task, bool posted)
     zr_scene_defaults(&defaults);
     ours_take(ours, task->work, &(struct variant){task->shade, false});
     subject->scene.view = defaults.view;
-    if (posted) {
+    if (lit) {
         subject->mesh.colors = subject->mesh.face_colors = NULL;
         subject->material.base_color = zr_default_base_color(false);
         subject->material.shading = zr_default_shading(task->shade != WORK_FLAT);
@@ -71,9 +71,9 @@ static bool measure(const struct bench *bench, void *context, const struct sink 
     const struct task *task = context;
     struct ours ours[SIDES];
     for (int side = PLAIN; side < SIDES; side++)
-        if (!ours_open(&ours[side], task->threads) || !take(&ours[side], task, side == POSTED)) return false;
+        if (!ours_open(&ours[side], task->threads) || !take(&ours[side], task, side == LIT)) return false;
     if (!series_run(series, SIDES, bench->rounds, run_round, ours)) return false;
-    struct row row = {.ours_ms = series_median(&series[POSTED]), .theirs_ms = series_median(&series[PLAIN])};
+    struct row row = {.ours_ms = series_median(&series[LIT]), .theirs_ms = series_median(&series[PLAIN])};
     name_row(task, row.work, sizeof row.work);
     sink_row(sink, &row);
     return true;
@@ -86,12 +86,12 @@ static void measure_work(struct bench *bench, const struct work *work)
         char name[ROW_NAME_SIZE];
         name_row(&task, name, sizeof name);
         if (task.threads > machine_cores() || !bench_wants(bench, name)) continue;
-        results_begin_table(&bench->results, "meshes as they are posted: \"theirs\" is ours unlit, through matrices");
+        results_begin_table(&bench->results, "lit and fitted: \"theirs\" is ours unlit, through matrices");
         bench_in_child(bench, measure, &task, NULL);
     }
 }
 
-void growth_of_lighting(struct bench *bench)
+void growth_of_light(struct bench *bench)
 {
     if (bench->check_only) return;
     for (size_t i = 0; i < sizeof measured / sizeof *measured; i++) {
