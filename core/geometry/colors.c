@@ -11,7 +11,6 @@ struct palette {
     struct zr_normal_matrix to_eye;
     const zr_vec3 *computed; /* normals of vertices; NULL where nothing needs them */
     enum zr_isa isa;
-    zr_light_fn *light;
     zr_vec4 *front, *back;
     bool per_corner; /* else faces are flat, all of them */
     const struct zr_cancel *cancel;
@@ -75,8 +74,8 @@ static void light_points(const struct palette *palette, struct points *points)
 {
     const uint32_t first = points->first;
     if (points->count > 0)
-        palette->light(palette->lighting, &palette->to_eye, points->normals, points->bases, points->count,
-                       palette->front + first, palette->back + first);
+        zr_light_of(palette->isa)(palette->lighting, &palette->to_eye, points->normals, points->bases, points->count,
+                                  palette->front + first, palette->back + first);
     points->count = 0;
 }
 
@@ -168,8 +167,8 @@ static void color_faces(void *context, size_t begin, size_t end)
     light_points(palette, &points);
 }
 
-/* All lit and flat, as most meshes are that are posted by themselves: a sixth of the
- * time of a million of them goes into telling faces apart. */
+/* All lit and flat, as most meshes are that are posted by themselves: telling faces apart took a sixth of the time of a
+ * million. */
 static bool are_triangles_of_one_color(const struct palette *palette)
 {
     const struct zr_mesh *mesh = palette->mesh;
@@ -242,7 +241,6 @@ struct zr_colors zr_colors_make(struct zr_arena *arena, struct zr_team *team, co
                               .lighting = lighting,
                               .to_eye = zr_normal_matrix_make(object_to_eye),
                               .isa = zr_team_isa(team),
-                              .light = zr_light_of(zr_team_isa(team)),
                               .front = front,
                               .back = back,
                               .per_corner = layout == ZR_COLOR_PER_CORNER,

@@ -26,7 +26,6 @@ static void flush(struct tally *tally, struct totals *totals)
     *tally = (struct tally){.chunks = 0};
 }
 
-/* A comparison gives -1 where it holds. */
 static inline void count(struct tally *tally, zr_chunk bytes)
 {
     tally->opens -= (zr_chunk)(bytes == '[');

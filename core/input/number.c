@@ -14,8 +14,7 @@ enum {
     /* Between two doubles, the middle has at most 767 significant digits: more
      * cannot change the rounding, except by being not all zero. */
     DIGITS_KEPT = 770,
-    FAST_DIGITS = 19,  /* fit 64 bits */
-    FAST_EXPONENT = 22 /* 10^22 is the largest power of ten that a double holds exactly */
+    FAST_DIGITS = 19 /* fit 64 bits */
 };
 
 struct decimal {
@@ -90,16 +89,7 @@ static double convert_exactly(const struct decimal *decimal)
 
 static double convert(const struct decimal *decimal)
 {
-    static const double powers[FAST_EXPONENT + 1] = {1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,
-                                                     1e8,  1e9,  1e10, 1e11, 1e12, 1e13, 1e14, 1e15,
-                                                     1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22};
     if (decimal->digits == 0) return 0.0;
-    /* Both operands are exact, so that the one operation rounds once (Clinger 1990). */
-    if (decimal->digits <= FAST_DIGITS && decimal->mantissa <= (uint64_t)1 << 53 &&
-        decimal->exponent >= -FAST_EXPONENT && decimal->exponent <= FAST_EXPONENT) {
-        double mantissa = (double)decimal->mantissa;
-        return decimal->exponent < 0 ? mantissa / powers[-decimal->exponent] : mantissa * powers[decimal->exponent];
-    }
     double value;
     if (decimal->digits <= FAST_DIGITS && decimal->exponent >= -EXPONENT_MAX && decimal->exponent <= EXPONENT_MAX &&
         zr_number_round(decimal->mantissa, (int)decimal->exponent, &value))

@@ -2,23 +2,13 @@
 
 #include "input/number_round.h"
 
-/* Clinger's numbers: both operands are exact, so that the one operation rounds once. */
-#define EXACT_MANTISSA (UINT64_C(1) << 53)
-enum { EXACT_POWER = 22, DIGITS = 19, WORDS = 3, EXPONENT_DIGITS = 3 };
+enum { DIGITS = 19, WORDS = 3, EXPONENT_DIGITS = 3 };
 
 /* The sign is set without a branch, which would be guessed wrong every other time. */
 static bool convert(uint64_t mantissa, int exponent, bool negative, double *value)
 {
-    static const double powers[EXACT_POWER + 1] = {1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,
-                                                   1e8,  1e9,  1e10, 1e11, 1e12, 1e13, 1e14, 1e15,
-                                                   1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22};
     double magnitude;
-    if (mantissa <= EXACT_MANTISSA && exponent <= 0 && exponent >= -EXACT_POWER)
-        magnitude = (double)(int64_t)mantissa / powers[-exponent];
-    else if (mantissa <= EXACT_MANTISSA && exponent > 0 && exponent <= EXACT_POWER)
-        magnitude = (double)(int64_t)mantissa * powers[exponent];
-    else if (!zr_number_round(mantissa, exponent, &magnitude))
-        return false;
+    if (!zr_number_round(mantissa, exponent, &magnitude)) return false;
     uint64_t bits;
     memcpy(&bits, &magnitude, sizeof bits);
     bits |= (uint64_t)negative << 63;

@@ -1,4 +1,7 @@
-/* The tie-free road from a decimal to a double: one multiplication by a power of five kept to 128 bits
+/* Where doubles hold both the digits and the power of ten exactly, one operation of the two rounds once.
+ * Source: Clinger, "How to read floating point numbers accurately", PLDI 1990.
+ *
+ * Else the tie-free road from a decimal to a double: one multiplication by a power of five kept to 128 bits
  * tells, but for rare cases that it recognises, how the exact product rounds.
  * Source: Lemire, "Number parsing at a gigabyte per second", Software: Practice and Experience 2021,
  * section 5; the names are the paper's. */
@@ -78,8 +81,24 @@ static int power(int q)
     return ((152170 + 65536) * q >> 16) + 63;
 }
 
+/* Clinger's numbers: 10^22 is the largest power of ten that a double holds exactly. */
+enum { EXACT_POWER = 22 };
+#define EXACT_MANTISSA (UINT64_C(1) << 53)
+
+static double round_once(uint64_t mantissa, int exponent)
+{
+    static const double tens[EXACT_POWER + 1] = {1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,  1e8,  1e9,  1e10, 1e11,
+                                                 1e12, 1e13, 1e14, 1e15, 1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22};
+    const double digits = (double)(int64_t)mantissa;
+    return exponent < 0 ? digits / tens[-exponent] : digits * tens[exponent];
+}
+
 bool zr_number_round(uint64_t w, int q, double *value)
 {
+    if (w <= EXACT_MANTISSA && q >= -EXACT_POWER && q <= EXACT_POWER) {
+        *value = round_once(w, q);
+        return true;
+    }
     if (w == 0 || q < FIRST || q > LAST) return false;
     int l = __builtin_clzll(w);
     const uint64_t *t = powers[q - FIRST];

@@ -58,7 +58,7 @@ struct point_walk {
 /* False at the end, and where it was cancelled, as all below. */
 static bool next_instance(struct point_walk *walk)
 {
-    static const zr_mat4 identity = {{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1}};
+    const zr_mat4 identity = zr_mat4_identity();
     const struct zr_scene *scene = walk->scene;
     while (walk->instance < scene->instance_count && !zr_is_cancelled(walk->cancel)) {
         const struct zr_instance *instance = &scene->instances[walk->instance++];
