@@ -67,6 +67,11 @@ static inline zr_vec3 zr_vec3_normalize(zr_vec3 v)
     return zr_vec3_scale(v, 1.0f / sqrtf(dot));
 }
 
+static inline zr_vec4 zr_vec4_add(zr_vec4 a, zr_vec4 b)
+{
+    return (zr_vec4){a.x + b.x, a.y + b.y, a.z + b.z, a.w + b.w};
+}
+
 static inline zr_vec4 zr_vec4_mul(zr_vec4 a, zr_vec4 b)
 {
     return (zr_vec4){a.x * b.x, a.y * b.y, a.z * b.z, a.w * b.w};

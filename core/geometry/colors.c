@@ -2,6 +2,7 @@
 
 #include "geometry/face.h"
 #include "geometry/normals.h"
+#include "geometry/vertex_normals.h"
 
 /* What every colour of one mesh is made from. */
 struct palette {
@@ -9,7 +10,7 @@ struct palette {
     const struct zr_mesh *mesh;
     const struct zr_lighting *lighting;
     struct zr_normal_matrix to_eye;
-    const zr_vec3 *computed; /* normals of vertices; NULL where nothing needs them */
+    const zr_vec4 *computed; /* normals of vertices; NULL where nothing needs them */
     enum zr_isa isa;
     zr_vec4 *front, *back;
     bool per_corner; /* else faces are flat, all of them */
@@ -99,7 +100,9 @@ static zr_vec3 corner_normal(const struct palette *palette, uint32_t vertex, uin
     zr_vec3 normal = {0, 0, 0};
     if (mesh->normal_count > 0) normal = mesh->normals[mesh->normal_indices ? mesh->normal_indices[slot] : vertex];
     bool given = normal.x != 0.0f || normal.y != 0.0f || normal.z != 0.0f;
-    return given || !palette->computed ? normal : palette->computed[vertex];
+    if (given || !palette->computed) return normal;
+    const zr_vec4 *computed = &palette->computed[vertex];
+    return (zr_vec3){computed->x, computed->y, computed->z};
 }
 
 static void color_vertices(void *context, size_t begin, size_t end)
@@ -167,29 +170,43 @@ static void color_faces(void *context, size_t begin, size_t end)
     light_points(palette, &points);
 }
 
-/* All lit and flat, as most meshes are that are posted by themselves: telling faces apart took a sixth of the time of a
- * million. */
-static bool are_triangles_of_one_color(const struct palette *palette)
+/* Lit and of one colour, as most meshes are that are posted by themselves: telling faces apart took a sixth of the time
+ * of a million. */
+static bool is_of_one_color(const struct palette *palette, enum zr_shading shading)
 {
     const struct zr_mesh *mesh = palette->mesh;
-    const enum zr_shading shading = palette->scene->materials[mesh->material].shading;
-    return shading == ZR_SHADING_FLAT && !mesh->face_materials && !mesh->face_colors && !mesh->colors &&
-           zr_mesh_is_of_triangles(mesh);
+    return palette->scene->materials[mesh->material].shading == shading && !mesh->face_materials &&
+           !mesh->face_colors && !mesh->colors;
 }
 
-static void color_alike_triangles(void *context, size_t begin, size_t end)
+static bool are_alike_triangles(const struct palette *palette)
+{
+    return is_of_one_color(palette, ZR_SHADING_FLAT) && zr_mesh_is_of_triangles(palette->mesh);
+}
+
+static bool are_alike_vertices(const struct palette *palette)
+{
+    return is_of_one_color(palette, ZR_SHADING_GOURAUD) && palette->computed && palette->mesh->normal_count == 0;
+}
+
+/* Vertices whose normals are computed, or triangles. */
+static void color_alike(void *context, size_t begin, size_t end)
 {
     const struct palette *palette = context;
-    zr_triangle_normals_fn *const triangle_normals = zr_triangle_normals_of(palette->isa);
-    struct points points;
+    const zr_vec4 base = palette->scene->materials[palette->mesh->material].base_color;
+    zr_vec4 bases[LIT_AT_ONCE], made[LIT_AT_ONCE];
     if (zr_is_cancelled(palette->cancel)) return;
     for (int i = 0; i < LIT_AT_ONCE; i++)
-        points.bases[i] = palette->scene->materials[palette->mesh->material].base_color;
-    for (points.first = (uint32_t)begin; points.first < end; points.first += LIT_AT_ONCE) {
-        const size_t left = end - points.first;
-        points.count = left < LIT_AT_ONCE ? (uint32_t)left : LIT_AT_ONCE;
-        triangle_normals(palette->mesh, points.first, points.count, points.normals);
-        light_points(palette, &points);
+        bases[i] = base;
+    for (size_t first = begin, count; first < end; first += count) {
+        const zr_vec4 *normals = made;
+        count = end - first < LIT_AT_ONCE ? end - first : LIT_AT_ONCE;
+        if (palette->computed)
+            normals = palette->computed + first;
+        else
+            zr_triangle_normals_of(palette->isa)(palette->mesh, (uint32_t)first, count, made);
+        zr_light_of(palette->isa)(palette->lighting, &palette->to_eye, normals, bases, count, palette->front + first,
+                                  palette->back + first);
     }
 }
 
@@ -246,12 +263,13 @@ struct zr_colors zr_colors_make(struct zr_arena *arena, struct zr_team *team, co
                               .per_corner = layout == ZR_COLOR_PER_CORNER,
                               .cancel = cancel};
     if (layout != ZR_COLOR_PER_FACE && needs_computed_normals(scene, mesh))
-        palette.computed = zr_normals_of_vertices(arena, palette.isa, mesh);
+        palette.computed = zr_vertex_normals_make(arena, team, cancel, mesh);
     if (!zr_arena_ok(arena)) return colors;
     if (layout == ZR_COLOR_PER_VERTEX)
-        zr_team_ranges(team, mesh->position_count, points_a_range(&palette), color_vertices, &palette);
+        zr_team_ranges(team, mesh->position_count, points_a_range(&palette),
+                       are_alike_vertices(&palette) ? color_alike : color_vertices, &palette);
     else
         zr_team_ranges(team, mesh->face_count, points_a_range(&palette),
-                       are_triangles_of_one_color(&palette) ? color_alike_triangles : color_faces, &palette);
+                       are_alike_triangles(&palette) ? color_alike : color_faces, &palette);
     return colors;
 }

@@ -45,24 +45,6 @@ void zr_face_normals_make(struct zr_face_normals *normals, uint32_t face)
     normals->make_many(normals->mesh, face, normals->count, normals->normals);
 }
 
-zr_vec3 *zr_normals_of_vertices(struct zr_arena *arena, enum zr_isa isa, const struct zr_mesh *mesh)
-{
-    struct zr_face_normals faces;
-    zr_vec3 *normals = zr_arena_zero(arena, mesh->position_count, sizeof *normals);
-    if (!normals) return NULL;
-    zr_face_normals_begin(&faces, isa, mesh);
-    for (uint32_t face = 0; face < mesh->face_count; face++) {
-        const zr_vec3 normal = zr_face_normal(&faces, face);
-        for (uint32_t slot = mesh->face_offsets[face]; slot < mesh->face_offsets[face + 1]; slot++) {
-            uint32_t vertex = mesh->indices[slot];
-            normals[vertex] = zr_vec3_add(normals[vertex], normal);
-        }
-    }
-    for (uint32_t i = 0; i < mesh->position_count; i++)
-        normals[i] = zr_vec3_normalize(normals[i]);
-    return normals;
-}
-
 /* ---- convexity ---- */
 
 /* Differences of float32 coordinates are exact in double, unless their exponents are far apart. */

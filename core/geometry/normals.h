@@ -1,4 +1,4 @@
-/* normals.h - geometry: normals of faces and vertices, computed from the polygons.
+/* normals.h - geometry: normals of faces, computed from the polygons.
  *
  * Space:  object space. Lengths are twice the area, so that a plain sum of face
  *         normals at a vertex is already weighted by area.
@@ -6,7 +6,8 @@
 #ifndef ZR_NORMALS_H
 #define ZR_NORMALS_H
 
-#include "base/arena.h"
+#include <stddef.h>
+
 #include "base/isa.h"
 #include "scene/scene.h"
 
@@ -45,10 +46,6 @@ static inline zr_vec3 zr_face_normal(struct zr_face_normals *normals, uint32_t f
     const zr_vec4 *normal = &normals->normals[face - normals->first];
     return (zr_vec3){normal->x, normal->y, normal->z};
 }
-
-/* One unit normal a position: the sum of the normals of the faces around it, in
- * the order of the faces. NULL where the arena has failed. */
-zr_vec3 *zr_normals_of_vertices(struct zr_arena *arena, enum zr_isa isa, const struct zr_mesh *mesh);
 
 /* True where the face is no convex polygon: some corner turns against the winding, or the ring crosses itself
  * or goes round more than once. Computed in double against the Newell normal, without

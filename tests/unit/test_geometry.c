@@ -145,23 +145,6 @@ static void normal_of_face_is_twice_its_area_towards_its_front(void **state)
     assert_true(n.x == 0 && n.y == 0 && n.z == 12);
 }
 
-static void normals_of_vertices_weigh_faces_by_area(void **state)
-{
-    (void)state;
-    /* A large face towards +z and a small one towards +x share the edge 0-1. */
-    const zr_vec4 p[4] = {{0, 0, 0, 1}, {0, 1, 0, 1}, {-4, 0, 0, 1}, {0, 0, -1, 1}};
-    const uint32_t indices[] = {0, 1, 2, 0, 3, 1}, offsets[] = {0, 3, 6};
-    struct zr_mesh mesh = {
-        .position_count = 4, .positions = p, .face_count = 2, .face_offsets = offsets, .indices = indices};
-    struct zr_arena arena;
-    zr_arena_init(&arena, 1 << 20);
-    zr_vec3 *n = zr_normals_of_vertices(&arena, ZR_ISA_SCALAR, &mesh);
-    assert_true(fabsf(n[0].z / n[0].x - 4.0f) < 1e-5f);
-    assert_true(fabsf(zr_vec3_dot(n[0], n[0]) - 1.0f) < 1e-6f);
-    assert_true(n[2].z == 1.0f && n[3].x == 1.0f);
-    zr_arena_free(&arena);
-}
-
 static bool is_concave(const zr_vec4 *ring, uint32_t count)
 {
     /* Whatever plane it lies in, from either side, and from each corner on. */
@@ -326,7 +309,6 @@ int main(void)
         cmocka_unit_test(viewport_snap_ties_go_to_even),
         cmocka_unit_test(viewport_without_a_place_is_refused),
         cmocka_unit_test(normal_of_face_is_twice_its_area_towards_its_front),
-        cmocka_unit_test(normals_of_vertices_weigh_faces_by_area),
         cmocka_unit_test(faces_with_dents_or_crossings_are_concave_and_convex_ones_are_not),
         cmocka_unit_test(faces_are_convex_only_if_they_are_exactly),
         cmocka_unit_test(light_follows_the_cosine_and_shows_on_one_side_only),
