@@ -89,7 +89,8 @@ static enum zr_status make_frame(struct zr_arena *arena, const struct zr_scene *
 }
 
 static enum zr_status run_pipeline(struct zr_arena *arena, struct zr_team *team, const struct zr_scene *scene,
-                                   const struct zr_cancel *cancel, struct zr_frame *frame, struct zr_error *error)
+                                   const struct zr_sight *sight, const struct zr_cancel *cancel, struct zr_frame *frame,
+                                   struct zr_error *error)
 {
     enum zr_status status;
     struct zr_geometry geometry;
@@ -97,9 +98,9 @@ static enum zr_status run_pipeline(struct zr_arena *arena, struct zr_team *team,
     struct zr_samples samples;
     zr_visibility_fn *window_at_once = zr_visibility_of(scene->algorithm);
 
-    if (zr_view_needs_bounds(&scene->view) || wants(scene, ZR_CHANNEL_INFO))
-        frame->bounds = zr_bounds_of(scene, cancel);
-    if ((status = zr_camera_resolve(scene, &frame->bounds, cancel, &frame->camera, error)) != ZR_OK) return status;
+    if (!sight && (status = zr_sight_find(arena, team, scene, cancel, &sight, error)) != ZR_OK) return status;
+    frame->bounds = sight->bounds;
+    frame->camera = sight->camera;
     if ((status = make_frame(arena, scene, frame)) != ZR_OK) return status;
     if ((status = zr_base_place(arena, scene, &frame->camera, &frame->base, error)) != ZR_OK) return status;
     status = zr_geometry_build(arena, team, scene, &frame->camera, cancel, window_at_once != NULL, &geometry);
@@ -135,10 +136,11 @@ static enum zr_status run_pipeline(struct zr_arena *arena, struct zr_team *team,
 }
 
 enum zr_status zr_render(struct zr_arena *arena, struct zr_team *team, const struct zr_scene *scene,
-                         const struct zr_cancel *cancel, const struct zr_frame **out, struct zr_error *error)
+                         const struct zr_sight *sight, const struct zr_cancel *cancel, const struct zr_frame **out,
+                         struct zr_error *error)
 {
     struct zr_frame *frame = zr_arena_zero(arena, 1, sizeof *frame);
-    enum zr_status status = frame ? run_pipeline(arena, team, scene, cancel, frame, error) : ZR_NO_MEMORY;
+    enum zr_status status = frame ? run_pipeline(arena, team, scene, sight, cancel, frame, error) : ZR_NO_MEMORY;
     if (status == ZR_NO_MEMORY)
         zr_error_add(error, status, NULL, "rendering needs more than the %zu bytes a request may use", arena->ceiling);
     if (status == ZR_CANCELLED) zr_error_add(error, status, NULL, "rendering was stopped before it was done");

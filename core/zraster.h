@@ -1,8 +1,9 @@
 /* zraster.h - the renderer, whole: bytes of a scene in, bytes of images out.
  *
- *     zr_scene_read    bytes    -> scene
- *     zr_render        scene    -> frame      (core/render.c is the pipeline)
- *     zr_encode        frame    -> answer
+ *     zr_scene_read    bytes           -> scene
+ *     zr_sight_find    scene           -> sight
+ *     zr_render        scene, sight    -> frame      (core/render.c is the pipeline)
+ *     zr_encode        frame           -> answer
  *
  * Nothing here reads a file, a clock or the environment, keeps state between
  * calls, or exits; the program must leave LC_NUMERIC as "C", as it is at start. Results
@@ -71,9 +72,10 @@ struct zr_request {
     const char *preset, *width, *height, *shading;
 };
 
-/* ---- the three steps, and a look ahead ---- */
+/* ---- the four steps, and a look ahead ---- */
 
 struct zr_scene; /* scene/scene.h */
+struct zr_sight; /* scene/camera.h */
 struct zr_frame; /* shade/frame.h */
 
 /* Raised by anybody, at any time, to end a request early: the step under way
@@ -106,15 +108,23 @@ struct zr_answer {
 enum zr_status zr_scene_read(struct zr_arena *arena, const struct zr_request *request, const struct zr_limits *limits,
                              const struct zr_scene **scene, struct zr_error *error);
 
-/* What rendering and encoding will cost: all placed points are walked over, and polygons and lines measured, up to
- * about `corners_max` corners of them (UINT32_MAX: all, which takes a fraction of the rendering's own time).
- * `cancel` may be NULL; cancelled, it returns early with too little. */
-struct zr_cost zr_scene_cost(const struct zr_scene *scene, uint32_t corners_max, const struct zr_cancel *cancel);
+/* Where the scene is seen from. A view that shows all of the geometry, or whose depth is fitted to it, takes some walks
+ * over all placed points. `team` may be NULL (one thread) and `cancel` may be NULL (never). Fails with ZR_BAD_SCENE,
+ * which *error explains, with ZR_NO_MEMORY, or with ZR_CANCELLED: then *sight is what was found until then. */
+enum zr_status zr_sight_find(struct zr_arena *arena, struct zr_team *team, const struct zr_scene *scene,
+                             const struct zr_cancel *cancel, const struct zr_sight **sight, struct zr_error *error);
 
-/* `team` may be NULL (one thread) and `cancel` may be NULL (never). The frame is
- * the same, byte for byte, for every team. */
+/* What rendering and encoding will cost: polygons and lines are measured, up to about `corners_max` corners of them
+ * (UINT32_MAX: all, which takes a fraction of the rendering's own time). `cancel` may be NULL; cancelled, it returns
+ * early with too little. */
+struct zr_cost zr_scene_cost(const struct zr_scene *scene, const struct zr_sight *sight, uint32_t corners_max,
+                             const struct zr_cancel *cancel);
+
+/* `sight` may be NULL: it is found first. `team` may be NULL (one thread) and `cancel` may be NULL (never). The frame
+ * is the same, byte for byte, for every team. */
 enum zr_status zr_render(struct zr_arena *arena, struct zr_team *team, const struct zr_scene *scene,
-                         const struct zr_cancel *cancel, const struct zr_frame **frame, struct zr_error *error);
+                         const struct zr_sight *sight, const struct zr_cancel *cancel, const struct zr_frame **frame,
+                         struct zr_error *error);
 
 /* One output: its bytes. Several: a ZIP of channel.extension. `team` may be NULL (one thread); what
  * decodes is the same for every team, and the bytes nearly always (output/png.h). */

@@ -76,17 +76,20 @@ static bool read_stored(void *context, const char *sha256, struct zr_arena *aren
 
 /* ---- steps ---- */
 
-/* A sample may mislead: before a scene is refused, all of it is measured. */
-static enum zr_status foresee(struct rendering *r, const struct zr_scene *scene, struct zr_cost *cost,
-                              struct zr_error *error)
+/* A sample may mislead: before a scene is refused, all of it is measured. What is large is so although it was cancelled
+ * before all was known. */
+static enum zr_status foresee(struct rendering *r, const struct zr_scene *scene, const struct zr_sight **sight,
+                              struct zr_cost *cost, struct zr_error *error)
 {
     const uint32_t samples[] = {COST_CORNERS, COST_CORNERS_MORE};
     const struct api *api = r->api;
+    const enum zr_status status = zr_sight_find(r->arena, api->team, scene, r->cancel, sight, error);
+    if (status != ZR_OK && status != ZR_CANCELLED) return status;
     for (int i = 0; i < 2; i++) {
-        *cost = zr_scene_cost(scene, samples[i], r->cancel);
+        *cost = zr_scene_cost(scene, *sight, samples[i], r->cancel);
         r->times->foreseen_ms = foresight_predict_ms(api->foresight, cost);
         if (too_large(r, r->times->foreseen_ms > SMALL_MS)) return ZR_CANCELLED;
-        if (r->times->foreseen_ms <= (double)api->config->cost_max_ms) return ZR_OK;
+        if (r->times->foreseen_ms <= (double)api->config->cost_max_ms) return status;
     }
     return zr_error_add(
         error, ZR_BAD_SCENE, NULL,
@@ -100,15 +103,16 @@ static enum zr_status run_steps(struct rendering *r, const struct zr_request *re
 {
     const struct api *api = r->api;
     const struct zr_scene *scene = NULL;
+    const struct zr_sight *sight = NULL;
     const struct zr_frame *frame = NULL;
     struct zr_cost cost = {0};
     int64_t mark = clock_us();
     enum zr_status status = zr_scene_read(r->arena, request, &api->limits, &scene, error);
-    if (status == ZR_OK) status = foresee(r, scene, &cost, error);
+    if (status == ZR_OK) status = foresee(r, scene, &sight, &cost, error);
     r->times->parse_ms = ms_since(&mark);
     if (status != ZR_OK) return status;
     struct foresight_lap lap = foresight_start_lap(api->foresight);
-    status = zr_render(r->arena, api->team, scene, r->cancel, &frame, error);
+    status = zr_render(r->arena, api->team, scene, sight, r->cancel, &frame, error);
     double render_ms = foresight_end_lap(api->foresight, &lap);
     r->times->render_ms = ms_since(&mark);
     if (status != ZR_OK) return status;

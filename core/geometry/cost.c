@@ -216,12 +216,10 @@ static struct zr_cost measure_sample(const struct zr_scene *scene, const struct 
     return (struct zr_cost){.triangles = sum.triangles * scale, .fragments = sum.fragments * scale};
 }
 
-struct zr_cost zr_scene_cost(const struct zr_scene *scene, uint32_t corners_max, const struct zr_cancel *cancel)
+struct zr_cost zr_scene_cost(const struct zr_scene *scene, const struct zr_sight *sight, uint32_t corners_max,
+                             const struct zr_cancel *cancel)
 {
     struct zr_cost cost = {0};
-    struct zr_camera camera;
-    struct zr_error ignored = {.count = 0}; /* rendering will tell */
-    struct zr_bounds bounds = zr_bounds_of(scene, cancel);
     uint64_t things = 0, corners = 0;
     double points = 0.0;
     count_outputs(scene, &cost);
@@ -233,9 +231,9 @@ struct zr_cost zr_scene_cost(const struct zr_scene *scene, uint32_t corners_max,
         cost.triangles += (double)mesh->face_offsets[mesh->face_count] - 2.0 * (double)mesh->face_count;
     }
     cost.triangles += POINT_T * fmax(points - 3.0 * cost.triangles, 0.0);
-    if (zr_camera_resolve(scene, &bounds, cancel, &camera, &ignored) != ZR_OK) return cost;
     uint64_t samples = corners > corners_max ? (uint64_t)corners_max * things / corners : things;
-    struct zr_cost measured = measure_sample(scene, &camera, cancel, things, samples > 0 || things == 0 ? samples : 1);
+    struct zr_cost measured =
+        measure_sample(scene, &sight->camera, cancel, things, samples > 0 || things == 0 ? samples : 1);
     cost.triangles = (cost.triangles + measured.triangles) * TIMES[scene->algorithm];
     cost.fragments = measured.fragments * TIMES[scene->algorithm];
     return cost;

@@ -10,27 +10,45 @@ static enum zr_status check_range(const struct zr_camera *camera, struct zr_erro
     return zr_error_add(error, ZR_BAD_SCENE, "/view", "the view leads beyond the range of numbers");
 }
 
-static enum zr_status resolve(const struct zr_scene *scene, const struct zr_bounds *bounds,
-                              const struct zr_cancel *cancel, struct zr_camera *camera, struct zr_error *error)
+static enum zr_status resolve(const struct zr_points *points, const struct zr_bounds *bounds, struct zr_camera *camera,
+                              struct zr_error *error)
 {
-    const struct zr_view *view = &scene->view;
+    const struct zr_view *view = &points->scene->view;
     struct zr_bounds fitted = {.valid = false};
-    if (zr_view_needs_bounds(view)) fitted = zr_fit_bounds(scene, bounds, cancel);
+    if (zr_view_needs_bounds(view)) fitted = zr_fit_bounds(points, bounds);
     *camera = (struct zr_camera){.world_to_eye = view->world_to_camera};
     if (view->pose != ZR_POSE_MATRIX) {
         struct zr_axes axes;
         enum zr_status status = zr_axes_of(view, &axes, error);
-        if (status == ZR_OK && view->pose != ZR_POSE_LOOK_AT) status = zr_fit_eye(scene, &fitted, cancel, &axes, error);
+        if (status == ZR_OK && view->pose != ZR_POSE_LOOK_AT) status = zr_fit_eye(points, &fitted, &axes, error);
         if (status != ZR_OK) return status;
         camera->world_to_eye = zr_axes_to_matrix(&axes);
     }
-    return zr_camera_project(scene, bounds, &fitted, cancel, camera, error);
+    return zr_camera_project(points, bounds, &fitted, camera, error);
 }
 
-enum zr_status zr_camera_resolve(const struct zr_scene *scene, const struct zr_bounds *bounds,
+enum zr_status zr_camera_resolve(const struct zr_scene *scene, const struct zr_bounds *bounds, struct zr_team *team,
                                  const struct zr_cancel *cancel, struct zr_camera *camera, struct zr_error *error)
 {
-    enum zr_status status = resolve(scene, bounds, cancel, camera, error);
+    const struct zr_points points = {.scene = scene, .team = team, .cancel = cancel};
+    enum zr_status status = resolve(&points, bounds, camera, error);
     if (status == ZR_OK && zr_is_cancelled(cancel)) return ZR_CANCELLED;
     return status == ZR_OK ? check_range(camera, error) : status;
+}
+
+static bool tells_bounds(const struct zr_scene *scene)
+{
+    for (uint32_t i = 0; i < scene->output_count; i++)
+        if (scene->outputs[i].channel == ZR_CHANNEL_INFO) return true;
+    return false;
+}
+
+enum zr_status zr_sight_find(struct zr_arena *arena, struct zr_team *team, const struct zr_scene *scene,
+                             const struct zr_cancel *cancel, const struct zr_sight **out, struct zr_error *error)
+{
+    struct zr_sight *sight = zr_arena_zero(arena, 1, sizeof *sight);
+    *out = sight;
+    if (!sight) return ZR_NO_MEMORY;
+    if (zr_view_needs_bounds(&scene->view) || tells_bounds(scene)) sight->bounds = zr_bounds_of(scene, team, cancel);
+    return zr_camera_resolve(scene, &sight->bounds, team, cancel, &sight->camera, error);
 }

@@ -25,9 +25,15 @@ struct zr_camera {
     float znear, zfar; /* distances in front of the camera; 0 and 0 with a projectionMatrix */
 };
 
+/* What zr_sight_find finds. */
+struct zr_sight {
+    struct zr_bounds bounds; /* of the geometry; not valid where neither the view nor an output needs them */
+    struct zr_camera camera;
+};
+
 /* Points at infinity (w = 0), or beyond the range of float, are left out. Walks over all placed points, as
  * zr_camera_resolve does some times more; cancelled, both return early, with what they have. */
-struct zr_bounds zr_bounds_of(const struct zr_scene *scene, const struct zr_cancel *cancel);
+struct zr_bounds zr_bounds_of(const struct zr_scene *scene, struct zr_team *team, const struct zr_cancel *cancel);
 
 /* False where the view is given as matrices: then geometry has no say in it. */
 static inline bool zr_view_needs_bounds(const struct zr_view *view)
@@ -38,7 +44,7 @@ static inline bool zr_view_needs_bounds(const struct zr_view *view)
 /* `bounds` need not be defined where the view does not need them. Fails with ZR_BAD_SCENE where the view has no
  * solution (an eye on its target, an up along the view, a target that a fitted distance cannot show), or where an entry
  * of a matrix is beyond ZR_MATRIX_MAX. */
-enum zr_status zr_camera_resolve(const struct zr_scene *scene, const struct zr_bounds *bounds,
+enum zr_status zr_camera_resolve(const struct zr_scene *scene, const struct zr_bounds *bounds, struct zr_team *team,
                                  const struct zr_cancel *cancel, struct zr_camera *camera, struct zr_error *error);
 
 #endif

@@ -1,7 +1,7 @@
 /* camera_parts.h - scene: what the files of the camera share; nobody else includes it.
  *
  *     pose.c         view            -> axes
- *     fit.c          axes, geometry  -> where the eye stands
+ *     fit.c          axes, geometry  -> where the eye stands   (points.h)
  *     projection.c   view, geometry  -> projection, near and far plane
  *
  * Doubles inside, floats out: a view is resolved once a request.
@@ -12,10 +12,7 @@
 #include <math.h>
 
 #include "scene/camera.h"
-
-typedef struct {
-    double x, y, z;
-} zr_dvec3;
+#include "scene/points.h"
 
 static inline zr_dvec3 zr_dvec3_of(zr_vec3 v)
 {
@@ -54,20 +51,18 @@ struct zr_extent {
 /* fit.c. Bounds of the points in eye space, by the very matrix and in the very floats that
  * they are drawn with; all zero where there is no point. fitted_only: of the mesh that the
  * view is fitted to, where it names one. */
-struct zr_extent zr_extent_in_eye_space(const struct zr_scene *scene, const struct zr_cancel *cancel,
-                                        const zr_mat4 *world_to_eye, bool fitted_only);
+struct zr_extent zr_extent_in_eye_space(const struct zr_points *points, const zr_mat4 *world_to_eye, bool fitted_only);
 
 /* What rounding may add to a place in eye space when projection and view become one matrix. */
 double zr_rounding_of(const struct zr_bounds *bounds, zr_dvec3 moved);
 
 /* Puts the eye of a pose that leaves that to the geometry. `bounds` are those of what is
  * fitted to. */
-enum zr_status zr_fit_eye(const struct zr_scene *scene, const struct zr_bounds *bounds, const struct zr_cancel *cancel,
-                          struct zr_axes *axes, struct zr_error *error);
+enum zr_status zr_fit_eye(const struct zr_points *points, const struct zr_bounds *bounds, struct zr_axes *axes,
+                          struct zr_error *error);
 
 /* The bounds of what the view is fitted to; `whole` are those of the scene. */
-struct zr_bounds zr_fit_bounds(const struct zr_scene *scene, const struct zr_bounds *whole,
-                               const struct zr_cancel *cancel);
+struct zr_bounds zr_fit_bounds(const struct zr_points *points, const struct zr_bounds *whole);
 
 /* What a perspective camera sees: (x - shear y) / depth from left to right, y / depth from bottom
  * to top, in eye space. The padding of a fit is taken off. */
@@ -81,8 +76,7 @@ static inline bool zr_view_is_perspective(const struct zr_view *view)
     return view->projection == ZR_PROJECTION_PERSPECTIVE || view->projection == ZR_PROJECTION_INTRINSICS;
 }
 struct zr_opening zr_opening_of(const struct zr_scene *scene);
-enum zr_status zr_camera_project(const struct zr_scene *scene, const struct zr_bounds *bounds,
-                                 const struct zr_bounds *fitted, const struct zr_cancel *cancel,
-                                 struct zr_camera *camera, struct zr_error *error);
+enum zr_status zr_camera_project(const struct zr_points *points, const struct zr_bounds *bounds,
+                                 const struct zr_bounds *fitted, struct zr_camera *camera, struct zr_error *error);
 
 #endif

@@ -115,17 +115,17 @@ static zr_mat4 orthographic(double xmag, double ymag, double n, double f)
                       (float)((f + n) / (n - f)), 1}};
 }
 
-enum zr_status zr_camera_project(const struct zr_scene *scene, const struct zr_bounds *bounds,
-                                 const struct zr_bounds *fitted, const struct zr_cancel *cancel,
-                                 struct zr_camera *camera, struct zr_error *error)
+enum zr_status zr_camera_project(const struct zr_points *points, const struct zr_bounds *bounds,
+                                 const struct zr_bounds *fitted, struct zr_camera *camera, struct zr_error *error)
 {
+    const struct zr_scene *scene = points->scene;
     const struct zr_view *view = &scene->view;
     if (view->projection == ZR_PROJECTION_MATRIX) { /* nothing is left to the geometry */
         camera->projection = view->projection_matrix;
         return ZR_OK;
     }
-    struct zr_extent whole = zr_extent_in_eye_space(scene, cancel, &camera->world_to_eye, false), e = whole;
-    if (view->fit_to_mesh) e = zr_extent_in_eye_space(scene, cancel, &camera->world_to_eye, true);
+    struct zr_extent whole = zr_extent_in_eye_space(points, &camera->world_to_eye, false), e = whole;
+    if (view->fit_to_mesh) e = zr_extent_in_eye_space(points, &camera->world_to_eye, true);
     const float *m = camera->world_to_eye.m;
     zr_dvec3 moved = {(double)m[12], (double)m[13], (double)m[14]};
     enum zr_status status = depth_range(view, &whole, &e, zr_rounding_of(bounds, moved), camera, error);

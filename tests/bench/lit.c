@@ -45,8 +45,8 @@ static bool take(struct ours *ours, const struct task *task, bool lit)
         subject->scene.light_count = defaults.light_count;
         return true;
     }
-    const struct zr_bounds bounds = zr_bounds_of(&subject->scene, NULL);
-    if (zr_camera_resolve(&subject->scene, &bounds, NULL, &camera, &error) != ZR_OK) return false;
+    const struct zr_bounds bounds = zr_bounds_of(&subject->scene, NULL, NULL);
+    if (zr_camera_resolve(&subject->scene, &bounds, NULL, NULL, &camera, &error) != ZR_OK) return false;
     subject->scene.view.pose = ZR_POSE_MATRIX;
     subject->scene.view.projection = ZR_PROJECTION_MATRIX;
     subject->scene.view.world_to_camera = camera.world_to_eye;

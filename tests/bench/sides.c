@@ -35,7 +35,7 @@ const struct zr_frame *ours_render(struct ours *ours, const struct zr_output *ou
     scene->outputs = outputs;
     scene->output_count = count;
     zr_arena_reset(&ours->arena, ARENA_BYTES);
-    enum zr_status status = zr_render(&ours->arena, ours->team, scene, NULL, &frame, &error);
+    enum zr_status status = zr_render(&ours->arena, ours->team, scene, NULL, NULL, &frame, &error);
     if (status == ZR_OK && frame) return frame;
     fprintf(stderr, "zr_render: status %d, %s\n", (int)status, error.count ? error.items[0].detail : "no frame");
     return NULL;

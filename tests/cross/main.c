@@ -26,7 +26,7 @@ static bool draw(struct zr_arena *arena, struct zr_team *team, int number, const
     const struct zr_scene *scene = gallery_scene(arena, number, window[0], window[1]);
     const struct zr_frame *frame = NULL;
     struct zr_error error = {.count = 0};
-    if (!scene || zr_render(arena, team, scene, NULL, &frame, &error) != ZR_OK) {
+    if (!scene || zr_render(arena, team, scene, NULL, NULL, &frame, &error) != ZR_OK) {
         fprintf(stderr, "zraster-cross: %s: %s\n", gallery_names[number],
                 error.count ? error.items[0].detail : "no memory");
         return false;

@@ -38,7 +38,7 @@ static void assert_ends_soon(const struct zr_scene *scene)
     pthread_t thread;
     double begin = seconds();
     assert_int_equal(pthread_create(&thread, NULL, raise_later, &cancel), 0);
-    enum zr_status status = zr_render(&arena, NULL, scene, &cancel, &frame, &error);
+    enum zr_status status = zr_render(&arena, NULL, scene, NULL, &cancel, &frame, &error);
     pthread_join(thread, NULL);
     assert_int_equal(status, ZR_CANCELLED);
     assert_true(seconds() - begin < SLACK_S);

@@ -55,7 +55,7 @@ const struct zr_frame *subject_render(struct zr_arena *arena, struct zr_team *te
     asked.outputs = outputs;
     struct zr_error error = {.status = ZR_OK};
     const struct zr_frame *frame = NULL;
-    enum zr_status status = zr_render(arena, team, &asked, NULL, &frame, &error);
+    enum zr_status status = zr_render(arena, team, &asked, NULL, NULL, &frame, &error);
     if (status == ZR_OK && frame && frame->color && frame->window_depth && frame->face_id) return frame;
     fprintf(stderr, "zr_render: status %d, %s\n", (int)status, error.count ? error.items[0].detail : "no frame");
     return NULL;

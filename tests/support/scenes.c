@@ -47,7 +47,20 @@ const struct zr_frame *scene_render(struct zr_arena *arena, struct zr_team *team
 {
     struct zr_error error = {.count = 0};
     const struct zr_frame *frame = NULL;
-    enum zr_status status = zr_render(arena, team, scene, NULL, &frame, &error);
+    enum zr_status status = zr_render(arena, team, scene, NULL, NULL, &frame, &error);
     if (status != ZR_OK) fail_msg("status %d: %s", (int)status, error.count ? error.items[0].detail : "");
     return frame;
+}
+
+struct zr_cost scene_cost(const struct zr_scene *scene, uint32_t corners_max)
+{
+    struct zr_error error = {.count = 0};
+    const struct zr_sight *sight = NULL;
+    struct zr_arena arena;
+    zr_arena_init(&arena, 1 << 20);
+    enum zr_status status = zr_sight_find(&arena, NULL, scene, NULL, &sight, &error);
+    if (status != ZR_OK) fail_msg("status %d: %s", (int)status, error.count ? error.items[0].detail : "");
+    const struct zr_cost cost = zr_scene_cost(scene, sight, corners_max, NULL);
+    zr_arena_free(&arena);
+    return cost;
 }

@@ -3,11 +3,13 @@
 #include <math.h>
 #include <string.h>
 
-#include "scene/camera.h"
-#include "support/cmocka_all.h"
+#include "guarded.h"
+#include "scene/camera_parts.h"
+#include "support/isas.h"
 #include "support/random.h"
 
-enum { POINTS_MOST = 200, MESHES = 3, INSTANCES = 5 };
+/* More in all than one thread takes at once. */
+enum { POINTS_MOST = 20000, POINTS_MOSTLY = 200, MESHES = 3, INSTANCES = 5 };
 
 static struct random numbers = {{RANDOM_STATE_1}};
 
@@ -47,8 +49,8 @@ static void make_subject(struct subject *s)
         .meshes = s->meshes, .mesh_count = MESHES, .instances = s->instances, .instance_count = INSTANCES};
     for (int m = 0; m < MESHES; m++) {
         const struct kind *kind = &kinds[random_below(&numbers, sizeof kinds / sizeof kinds[0])];
-        s->meshes[m] =
-            (struct zr_mesh){.positions = s->points[m], .position_count = 1 + random_below(&numbers, POINTS_MOST)};
+        const uint32_t most = random_below(&numbers, 100) ? POINTS_MOSTLY : POINTS_MOST;
+        s->meshes[m] = (struct zr_mesh){.positions = s->points[m], .position_count = 1 + random_below(&numbers, most)};
         for (uint32_t i = 0; i < s->meshes[m].position_count; i++)
             s->points[m][i] = make_point(kind);
     }
@@ -88,12 +90,14 @@ static struct zr_bounds bounds_one_by_one(const struct zr_scene *scene)
 
 static void bounds_hold_every_point_that_has_a_place(void **state)
 {
-    (void)state;
     static struct subject subject;
+    struct zr_team *teams[] = {zr_team_create_for(1, isa_under_test(state)),
+                               zr_team_create_for(3, isa_under_test(state))};
     int empty = 0;
-    for (int round = 0; round < 5000; round++) {
+    for (int round = 0; round < 2000; round++) {
         make_subject(&subject);
-        const struct zr_bounds want = bounds_one_by_one(&subject.scene), got = zr_bounds_of(&subject.scene, NULL);
+        const struct zr_bounds want = bounds_one_by_one(&subject.scene),
+                               got = zr_bounds_of(&subject.scene, teams[round % 2], NULL);
         assert_int_equal(got.valid, want.valid);
         empty += !want.valid;
         if (want.valid &&
@@ -103,7 +107,101 @@ static void bounds_hold_every_point_that_has_a_place(void **state)
                      (double)want.min.x, (double)want.min.y, (double)want.min.z, (double)want.max.x, (double)want.max.y,
                      (double)want.max.z);
     }
-    assert_true(empty > 0 && empty < 2500);
+    assert_true(empty > 0 && empty < 1000);
+    zr_team_destroy(teams[0]);
+    zr_team_destroy(teams[1]);
+}
+
+static void raise_one_by_one(const struct zr_slopes *s, zr_vec4 p, double most[ZR_MOST])
+{
+    const zr_dvec3 q = zr_dvec3_sub((zr_dvec3){(double)p.x, (double)p.y, (double)p.z}, s->origin);
+    const double y = zr_dvec3_dot(q, s->axes[1]), z = zr_dvec3_dot(q, s->axes[2]),
+                 x = zr_dvec3_dot(q, s->axes[0]) - s->shear * y;
+    const double reached[] = {x + s->right * z, -(x + s->left * z), y + s->top * z, -(y + s->bottom * z), z};
+    for (int k = 0; k < 5; k++)
+        if (reached[k] > most[k]) most[k] = reached[k];
+}
+
+/* True where the kernel says that it has looked at all of them. */
+static bool check_slopes(zr_slopes_kernel_fn *kernel, const zr_vec4 *points, uint32_t count)
+{
+    const struct zr_slopes slopes = {{any(), any(), any()},
+                                     {{any(), any(), any()}, {any(), any(), any()}, {any(), any(), any()}},
+                                     any(),
+                                     any(),
+                                     any(),
+                                     any(),
+                                     any()};
+    double want[ZR_MOST], got[ZR_MOST];
+    for (int k = 0; k < ZR_MOST; k++)
+        want[k] = got[k] = random_below(&numbers, 4) ? -HUGE_VAL : (double)any();
+    struct guarded guarded = guarded_copy(points, count * sizeof *points);
+    const double before[] = {got[0], got[1], got[2], got[3], got[4], got[5]};
+    const bool looked = kernel(&slopes, (const zr_vec4 *)(const void *)guarded.bytes, count, got);
+    guarded_free(&guarded);
+    for (uint32_t i = 0; looked && i < count; i++)
+        raise_one_by_one(&slopes, points[i], want);
+    assert_memory_equal(got, looked ? want : before, sizeof got);
+    return looked;
+}
+
+static bool are_plain(const zr_vec4 *points, uint32_t count)
+{
+    for (uint32_t i = 0; i < count; i++)
+        if (!isfinite(points[i].x) || points[i].w != 1.0f) return false;
+    return true;
+}
+
+static void slopes_reach_as_far_as_points_do(void **state)
+{
+    static struct subject subject;
+    zr_slopes_kernel_fn *kernel = zr_slopes_kernel_of(isa_under_test(state));
+    int plain = 0, odd = 0;
+    for (int round = 0; round < 3000; round++) {
+        make_subject(&subject);
+        const struct zr_mesh *mesh = &subject.meshes[0];
+        const uint32_t count = mesh->position_count < POINTS_MOSTLY ? mesh->position_count : POINTS_MOSTLY;
+        const bool looked = check_slopes(kernel, mesh->positions, count), could = are_plain(mesh->positions, count);
+        assert_true(!looked || could);
+        assert_true(looked || !could || count < 16); /* too few for a vector */
+        plain += looked;
+        odd += !looked;
+    }
+    assert_true(plain > 300 && odd > 300);
+}
+
+/* A view that is fitted to points is the same whichever threads look at them. */
+static void fitted_views_are_those_of_one_thread(void **state)
+{
+    static struct subject subject;
+    struct zr_team *team = zr_team_create_for(3, isa_under_test(state)),
+                   *plain_team = zr_team_create_for(1, ZR_ISA_SCALAR);
+    int found = 0;
+    for (int round = 0; round < 1000; round++) {
+        struct zr_camera want, got;
+        struct zr_error error = {.count = 0};
+        make_subject(&subject);
+        struct zr_scene *scene = &subject.scene;
+        scene->width = 64 + random_below(&numbers, 64);
+        scene->height = 64;
+        scene->view = (struct zr_view){.pose = random_below(&numbers, 2) ? ZR_POSE_PRESET : ZR_POSE_ORBIT,
+                                       .preset = (enum zr_preset)random_below(&numbers, ZR_PRESET_COUNT),
+                                       .up = {0, 1, 0},
+                                       .has_target = random_below(&numbers, 2),
+                                       .projection = random_below(&numbers, 3) ? ZR_PROJECTION_PERSPECTIVE
+                                                                               : ZR_PROJECTION_ORTHOGRAPHIC,
+                                       .yfov_radians = 0.8f,
+                                       .fit_to_mesh = random_below(&numbers, 2),
+                                       .fit_mesh = random_below(&numbers, MESHES)};
+        const struct zr_bounds bounds = zr_bounds_of(scene, NULL, NULL);
+        const enum zr_status status = zr_camera_resolve(scene, &bounds, plain_team, NULL, &want, &error);
+        assert_int_equal(zr_camera_resolve(scene, &bounds, team, NULL, &got, &error), status);
+        if (status == ZR_OK) assert_memory_equal(&got, &want, sizeof want);
+        found += status == ZR_OK;
+    }
+    assert_true(found > 500);
+    zr_team_destroy(team);
+    zr_team_destroy(plain_team);
 }
 
 /* Of points that all lie in a plane of the axes, whichever zero they are written with. */
@@ -116,7 +214,7 @@ static void zeros_of_bounds_have_no_sign(void **state)
         const struct zr_mesh mesh = {.positions = points[i], .position_count = 3};
         const struct zr_instance instance = {0, zr_mat4_identity()};
         const struct zr_scene scene = {.meshes = &mesh, .mesh_count = 1, .instances = &instance, .instance_count = 1};
-        const struct zr_bounds b = zr_bounds_of(&scene, NULL);
+        const struct zr_bounds b = zr_bounds_of(&scene, NULL, NULL);
         assert_true(b.valid && b.min.x == 0.0f && b.max.z == 0.0f && b.max.y == 3.0f);
         assert_false(signbit(b.min.x) || signbit(b.max.x) || signbit(b.min.z) || signbit(b.max.z));
     }
@@ -125,7 +223,9 @@ static void zeros_of_bounds_have_no_sign(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(bounds_hold_every_point_that_has_a_place),
+        TEST_EACH_ISA(bounds_hold_every_point_that_has_a_place),
+        TEST_EACH_ISA(slopes_reach_as_far_as_points_do),
+        TEST_EACH_ISA(fitted_views_are_those_of_one_thread),
         cmocka_unit_test(zeros_of_bounds_have_no_sign),
     };
     return cmocka_run_group_tests_name("bounds", tests, NULL, NULL);

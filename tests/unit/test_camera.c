@@ -27,8 +27,8 @@ static struct zr_camera resolve(const struct test_scene *test)
 {
     struct zr_camera camera;
     struct zr_error error = {.count = 0};
-    struct zr_bounds bounds = zr_bounds_of(&test->scene, NULL);
-    assert_int_equal(zr_camera_resolve(&test->scene, &bounds, NULL, &camera, &error), ZR_OK);
+    struct zr_bounds bounds = zr_bounds_of(&test->scene, NULL, NULL);
+    assert_int_equal(zr_camera_resolve(&test->scene, &bounds, NULL, NULL, &camera, &error), ZR_OK);
     return camera;
 }
 
@@ -43,7 +43,7 @@ static void bounds_hold_every_point_but_those_at_infinity(void **state)
     zr_vec4 points[3] = {{2, 4, 6, 2}, {5, 5, 5, 0}, {-1, 0, 0, 1}};
     static struct test_scene test;
     scene_of_triangles(&test, 10, 10, points, 1);
-    struct zr_bounds bounds = zr_bounds_of(&test.scene, NULL);
+    struct zr_bounds bounds = zr_bounds_of(&test.scene, NULL, NULL);
     assert_true(bounds.valid);
     assert_true(bounds.min.x == -1 && bounds.max.x == 1 && bounds.max.y == 2 && bounds.max.z == 3);
 }
@@ -116,16 +116,16 @@ static void look_at_without_direction_or_up_is_refused(void **state)
     (void)state;
     struct test_scene *test = box_scene();
     struct zr_view *view = &test->scene.view;
-    struct zr_bounds bounds = zr_bounds_of(&test->scene, NULL);
+    struct zr_bounds bounds = zr_bounds_of(&test->scene, NULL, NULL);
     struct zr_camera camera;
     struct zr_error error = {.count = 0};
     view->pose = ZR_POSE_LOOK_AT;
     view->eye = view->target = (zr_vec3){1, 2, 3};
-    assert_int_equal(zr_camera_resolve(&test->scene, &bounds, NULL, &camera, &error), ZR_BAD_SCENE);
+    assert_int_equal(zr_camera_resolve(&test->scene, &bounds, NULL, NULL, &camera, &error), ZR_BAD_SCENE);
     assert_string_equal(error.items[0].pointer, "/view/eye");
     error.count = 0;
     view->eye = (zr_vec3){1, 9, 3};
-    assert_int_equal(zr_camera_resolve(&test->scene, &bounds, NULL, &camera, &error), ZR_BAD_SCENE);
+    assert_int_equal(zr_camera_resolve(&test->scene, &bounds, NULL, NULL, &camera, &error), ZR_BAD_SCENE);
     assert_string_equal(error.items[0].pointer, "/view/up");
 }
 
@@ -156,9 +156,9 @@ static void depth_range_given_is_kept_and_one_turned_round_is_refused(void **sta
     struct zr_camera camera = resolve(test);
     assert_true(camera.znear == 0.5f && camera.zfar == 100.0f);
     view->znear = 200.0f;
-    struct zr_bounds bounds = zr_bounds_of(&test->scene, NULL);
+    struct zr_bounds bounds = zr_bounds_of(&test->scene, NULL, NULL);
     struct zr_error error = {.count = 0};
-    assert_int_equal(zr_camera_resolve(&test->scene, &bounds, NULL, &camera, &error), ZR_BAD_SCENE);
+    assert_int_equal(zr_camera_resolve(&test->scene, &bounds, NULL, NULL, &camera, &error), ZR_BAD_SCENE);
 }
 
 static void eye_inside_or_before_the_geometry_still_gives_a_camera(void **state)
@@ -184,14 +184,14 @@ static void view_beyond_the_range_of_numbers_is_refused(void **state)
     (void)state;
     struct test_scene *test = box_scene();
     struct zr_view *view = &test->scene.view;
-    struct zr_bounds bounds = zr_bounds_of(&test->scene, NULL);
+    struct zr_bounds bounds = zr_bounds_of(&test->scene, NULL, NULL);
     for (int i = 0; i < 2; i++) {
         struct zr_camera camera;
         struct zr_error error = {.count = 0};
         view->projection = i ? ZR_PROJECTION_PERSPECTIVE : ZR_PROJECTION_ORTHOGRAPHIC;
         view->xmag = view->ymag = 1e-40f;
         view->yfov_radians = 1e-42f;
-        assert_int_equal(zr_camera_resolve(&test->scene, &bounds, NULL, &camera, &error), ZR_BAD_SCENE);
+        assert_int_equal(zr_camera_resolve(&test->scene, &bounds, NULL, NULL, &camera, &error), ZR_BAD_SCENE);
         assert_string_equal(error.items[0].pointer, "/view");
     }
 }
@@ -202,7 +202,7 @@ static void point_as_good_as_at_infinity_leaves_the_bounds_finite(void **state)
     const zr_vec4 points[3] = {{1, 2, 3, 1}, {1, 1, 1, 1e-40f}, {-1, 0, 0, 1}};
     static struct test_scene test;
     scene_of_triangles(&test, 10, 10, points, 1);
-    struct zr_bounds bounds = zr_bounds_of(&test.scene, NULL);
+    struct zr_bounds bounds = zr_bounds_of(&test.scene, NULL, NULL);
     assert_true(bounds.max.x == 1 && bounds.max.y == 2 && bounds.max.z == 3);
 }
 

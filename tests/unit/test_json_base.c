@@ -101,7 +101,7 @@ static const struct zr_frame *render(struct reading *reading)
 {
     struct zr_error error = {.count = 0};
     const struct zr_frame *frame = NULL;
-    assert_int_equal(zr_render(&reading->arena, NULL, reading->scene, NULL, &frame, &error), ZR_OK);
+    assert_int_equal(zr_render(&reading->arena, NULL, reading->scene, NULL, NULL, &frame, &error), ZR_OK);
     return frame;
 }
 
@@ -194,7 +194,7 @@ static void depth_in_an_oblique_projection_is_refused(void **state)
             "\"depth\":{\"asset\":\"d\"}") "}");
     struct zr_error error = {.count = 0};
     const struct zr_frame *frame;
-    assert_int_equal(zr_render(&reading->arena, NULL, reading->scene, NULL, &frame, &error), ZR_BAD_SCENE);
+    assert_int_equal(zr_render(&reading->arena, NULL, reading->scene, NULL, NULL, &frame, &error), ZR_BAD_SCENE);
     assert_string_equal(error.items[0].pointer, "/base/depth");
     assert_non_null(strstr(error.items[0].detail, "give windowDepth"));
     reading_free(reading);

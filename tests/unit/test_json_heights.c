@@ -109,7 +109,7 @@ static void cells_that_touch_a_hole_are_left_out_with_all_that_is_theirs(void **
         assert_true(mesh->colors[i].z == (kept[i] >= 10 ? 1.0f : (float)(kept[i] * 0.1)));
     }
     assert_true(mesh->face_colors[0].y == 0.5f && mesh->face_colors[1].y == 0.25f);
-    struct zr_bounds bounds = zr_bounds_of(reading->scene, NULL);
+    struct zr_bounds bounds = zr_bounds_of(reading->scene, NULL, NULL);
     assert_true(bounds.min.x == 2 && bounds.min.z == 2 && bounds.max.z == 11);
     reading_free(reading);
 }
@@ -200,7 +200,7 @@ static const struct zr_frame *render(struct reading *reading)
 {
     struct zr_error error = {.count = 0};
     const struct zr_frame *frame = NULL;
-    assert_int_equal(zr_render(&reading->arena, NULL, reading->scene, NULL, &frame, &error), ZR_OK);
+    assert_int_equal(zr_render(&reading->arena, NULL, reading->scene, NULL, NULL, &frame, &error), ZR_OK);
     return frame;
 }
 

@@ -151,7 +151,7 @@ static void colours_of_one_polygon_do_not_change_another(void **state)
         struct reading *reading = read_scene(text);
         struct zr_error error = {.count = 0};
         const struct zr_frame *frame;
-        assert_int_equal(zr_render(&reading->arena, NULL, reading->scene, NULL, &frame, &error), ZR_OK);
+        assert_int_equal(zr_render(&reading->arena, NULL, reading->scene, NULL, NULL, &frame, &error), ZR_OK);
         memcpy(bytes[i], frame->color, sizeof bytes[i]);
         reading_free(reading);
     }

@@ -241,7 +241,7 @@ static unsigned faces_seen(const char *text)
     struct reading *reading = read_scene(text);
     struct zr_error error = {.count = 0};
     const struct zr_frame *frame;
-    assert_int_equal(zr_render(&reading->arena, NULL, reading->scene, NULL, &frame, &error), ZR_OK);
+    assert_int_equal(zr_render(&reading->arena, NULL, reading->scene, NULL, NULL, &frame, &error), ZR_OK);
     unsigned seen = 0;
     for (int i = 0; i < 64 * 64; i++)
         seen |= 1u << frame->face_id[i];

@@ -247,7 +247,7 @@ static void info_gives_back_the_k_that_was_given(void **state)
     struct zr_error error = {.count = 0};
     const struct zr_frame *frame;
     struct zr_answer answer;
-    assert_int_equal(zr_render(&reading->arena, NULL, reading->scene, NULL, &frame, &error), ZR_OK);
+    assert_int_equal(zr_render(&reading->arena, NULL, reading->scene, NULL, NULL, &frame, &error), ZR_OK);
     assert_int_equal(zr_encode(&reading->arena, NULL, reading->scene, frame, NULL, &answer, &error), ZR_OK);
     cJSON *info = cJSON_ParseWithLength(answer.bytes, answer.size);
     const cJSON *k = cJSON_GetObjectItem(cJSON_GetObjectItem(info, "camera"), "K");

@@ -216,7 +216,7 @@ static uint32_t count_early(struct zr_arena *arena, struct zr_team *team, const 
     struct zr_visible visible;
     struct zr_error error = {.count = 0};
     struct zr_tile *tile = zr_arena_alloc(arena, 1, sizeof *tile);
-    assert_int_equal(zr_camera_resolve(scene, NULL, NULL, &camera, &error), ZR_OK);
+    assert_int_equal(zr_camera_resolve(scene, NULL, NULL, NULL, &camera, &error), ZR_OK);
     assert_int_equal(zr_geometry_build(arena, team, scene, &camera, NULL, false, &geometry), ZR_OK);
     const uint32_t width = scene->width, height = scene->height;
     assert_int_equal(zr_paint_prepare(zr_team_isa(team), arena, team, &geometry, width * height), ZR_OK);
@@ -385,6 +385,33 @@ static void faces_may_have_any_colour_beside_any_background(void **state)
     zr_arena_free(&arena);
 }
 
+/* Of a view that is fitted, from a sight that was found before or while it is drawn; the sight is what decides. */
+static void picture_is_that_of_its_sight(void **state)
+{
+    (void)state;
+    const zr_vec4 p[] = {{-1, -1, 0, 1}, {3, -1, 1, 1}, {-1, 3, 2, 1}};
+    static struct test_scene test;
+    scene_of_triangles(&test, 64, 48, p, 1);
+    test.scene.view = (struct zr_view){.pose = ZR_POSE_PRESET, .preset = ZR_PRESET_FRONT, .yfov_radians = 0.5f};
+    struct zr_arena arena;
+    zr_arena_init(&arena, 1 << 24);
+    struct zr_error error = {.count = 0};
+    const struct zr_sight *sight;
+    const struct zr_frame *found_before, *found_by_it, *narrow;
+    assert_int_equal(zr_sight_find(&arena, NULL, &test.scene, NULL, &sight, &error), ZR_OK);
+    assert_int_equal(zr_render(&arena, NULL, &test.scene, sight, NULL, &found_before, &error), ZR_OK);
+    assert_int_equal(zr_render(&arena, NULL, &test.scene, NULL, NULL, &found_by_it, &error), ZR_OK);
+    assert_memory_equal(found_before->color, found_by_it->color, 64 * 48 * 4);
+    assert_memory_equal(&found_before->camera, &found_by_it->camera, sizeof sight->camera);
+    assert_memory_equal(&found_before->bounds.min, &found_by_it->bounds.min, sizeof(zr_vec3));
+    assert_true(found_by_it->bounds.valid && found_by_it->covered_pixels > 200);
+    struct zr_sight narrowed = *sight;
+    narrowed.camera.projection.m[0] *= 0.5f;
+    assert_int_equal(zr_render(&arena, NULL, &test.scene, &narrowed, NULL, &narrow, &error), ZR_OK);
+    assert_true(narrow->covered_pixels < found_by_it->covered_pixels * 3 / 4);
+    zr_arena_free(&arena);
+}
+
 static void render_that_is_cancelled_says_so(void **state)
 {
     (void)state;
@@ -396,7 +423,7 @@ static void render_that_is_cancelled_says_so(void **state)
     struct zr_cancel cancel = {.raised = true};
     struct zr_error error = {.count = 0};
     const struct zr_frame *frame;
-    assert_int_equal(zr_render(&arena, NULL, &test.scene, &cancel, &frame, &error), ZR_CANCELLED);
+    assert_int_equal(zr_render(&arena, NULL, &test.scene, NULL, &cancel, &frame, &error), ZR_CANCELLED);
     assert_int_equal(error.count, 1);
     zr_arena_free(&arena);
 }
@@ -416,7 +443,7 @@ static void render_under_every_memory_ceiling_fails_cleanly_or_gives_the_picture
         zr_arena_init(&arena, ceiling);
         struct zr_error error = {.count = 0};
         const struct zr_frame *frame;
-        enum zr_status status = zr_render(&arena, NULL, &test.scene, NULL, &frame, &error);
+        enum zr_status status = zr_render(&arena, NULL, &test.scene, NULL, NULL, &frame, &error);
         if (status == ZR_OK) {
             assert_int_equal(frame->counts.polygons, 500);
             successes++;
@@ -446,6 +473,7 @@ int main(void)
         TEST_EACH_ISA(early_colours_give_way_to_what_is_seen),
         TEST_EACH_ISA(early_colours_give_way_to_larger_triangles),
         TEST_EACH_ISA(faces_may_have_any_colour_beside_any_background),
+        cmocka_unit_test(picture_is_that_of_its_sight),
         cmocka_unit_test(render_that_is_cancelled_says_so),
         cmocka_unit_test(render_under_every_memory_ceiling_fails_cleanly_or_gives_the_picture),
     };
