@@ -110,7 +110,8 @@ enum zr_status zr_scene_read(struct zr_arena *arena, const struct zr_request *re
 
 /* Where the scene is seen from. A view that shows all of the geometry, or whose depth is fitted to it, takes some walks
  * over all placed points. `team` may be NULL (one thread) and `cancel` may be NULL (never). Fails with ZR_BAD_SCENE,
- * which *error explains, with ZR_NO_MEMORY, or with ZR_CANCELLED: then *sight is what was found until then. */
+ * which *error explains; with ZR_NO_MEMORY, *sight being NULL, or ZR_CANCELLED, *sight being what was found until then,
+ * nothing is added to *error. */
 enum zr_status zr_sight_find(struct zr_arena *arena, struct zr_team *team, const struct zr_scene *scene,
                              const struct zr_cancel *cancel, const struct zr_sight **sight, struct zr_error *error);
 

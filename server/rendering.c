@@ -76,8 +76,8 @@ static bool read_stored(void *context, const char *sha256, struct zr_arena *aren
 
 /* ---- steps ---- */
 
-/* A sample may mislead: before a scene is refused, all of it is measured. What is large is so although it was cancelled
- * before all was known. */
+/* A sample may mislead: before a scene is refused, all of it is measured. Where looking for the sight was cancelled,
+ * what is large has yet to be told from what is not, and pixels and triangles can be counted without. */
 static enum zr_status foresee(struct rendering *r, const struct zr_scene *scene, const struct zr_sight **sight,
                               struct zr_cost *cost, struct zr_error *error)
 {

@@ -9,6 +9,7 @@
 #include <float.h>
 #include <math.h>
 #include <stdbool.h>
+#include <string.h>
 
 /* The same bytes on every machine need float32 arithmetic as written. */
 _Static_assert(FLT_EVAL_METHOD == 0, "floats are evaluated as floats: on x86 that takes SSE");
@@ -67,9 +68,19 @@ static inline zr_vec3 zr_vec3_normalize(zr_vec3 v)
     return zr_vec3_scale(v, 1.0f / sqrtf(dot));
 }
 
-static inline zr_vec4 zr_vec4_add(zr_vec4 a, zr_vec4 b)
+/* Four floats that are worked on at once; compilers do not see by themselves that those of a zr_vec4 can be. */
+typedef float zr_four __attribute__((vector_size(16)));
+
+static inline zr_four zr_four_load(const void *at)
 {
-    return (zr_vec4){a.x + b.x, a.y + b.y, a.z + b.z, a.w + b.w};
+    zr_four v;
+    memcpy(&v, at, sizeof v);
+    return v;
+}
+
+static inline void zr_four_store(void *at, zr_four v)
+{
+    memcpy(at, &v, sizeof v);
 }
 
 static inline zr_vec4 zr_vec4_mul(zr_vec4 a, zr_vec4 b)

@@ -114,7 +114,8 @@ bool zr_builder_own_colors(struct zr_builder *builder)
     if (!zr_builder_reserve(builder, 0, count, 0)) return false;
     builder->colors =
         zr_colors_make(builder->arena, builder->team, builder->cancel, builder->scene, builder->mesh, builder->lighting,
-                       &builder->object_to_eye, g->front_colors + g->color_count, g->back_colors + g->color_count);
+                       &builder->object_to_eye, &builder->vertex_normals[builder->mesh - builder->scene->meshes],
+                       g->front_colors + g->color_count, g->back_colors + g->color_count);
     builder->first_color = g->color_count;
     g->color_count += count;
     return zr_arena_ok(builder->arena);

@@ -33,7 +33,8 @@ struct zr_builder {
     uint32_t outline_color;                /* 1 + index of the colour that outlines had last, or 0 */
     struct zr_viewport viewport;
     struct zr_cutting cutting;
-    struct zr_fans *fans; /* one a mesh of the scene */
+    struct zr_fans *fans;           /* one a mesh of the scene */
+    const zr_vec4 **vertex_normals; /* of each mesh's vertices, or NULL: not needed so far */
 
     /* of the instance under way */
     const struct zr_mesh *mesh;

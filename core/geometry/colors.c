@@ -170,8 +170,7 @@ static void color_faces(void *context, size_t begin, size_t end)
     light_points(palette, &points);
 }
 
-/* Lit and of one colour, as most meshes are that are posted by themselves: telling faces apart took a sixth of the time
- * of a million. */
+/* Most meshes that are posted by themselves are so: telling faces apart took a sixth of the time of a million. */
 static bool is_of_one_color(const struct palette *palette, enum zr_shading shading)
 {
     const struct zr_mesh *mesh = palette->mesh;
@@ -186,10 +185,10 @@ static bool are_alike_triangles(const struct palette *palette)
 
 static bool are_alike_vertices(const struct palette *palette)
 {
-    return is_of_one_color(palette, ZR_SHADING_GOURAUD) && palette->computed && palette->mesh->normal_count == 0;
+    return is_of_one_color(palette, ZR_SHADING_GOURAUD) && palette->mesh->normal_count == 0;
 }
 
-/* Vertices whose normals are computed, or triangles. */
+/* Vertices, whose normals are computed, or triangles, for which none are. */
 static void color_alike(void *context, size_t begin, size_t end)
 {
     const struct palette *palette = context;
@@ -248,8 +247,8 @@ bool zr_colors_are_given(const struct zr_scene *scene, const struct zr_mesh *mes
 
 struct zr_colors zr_colors_make(struct zr_arena *arena, struct zr_team *team, const struct zr_cancel *cancel,
                                 const struct zr_scene *scene, const struct zr_mesh *mesh,
-                                const struct zr_lighting *lighting, const zr_mat4 *object_to_eye, zr_vec4 *front,
-                                zr_vec4 *back)
+                                const struct zr_lighting *lighting, const zr_mat4 *object_to_eye,
+                                const zr_vec4 **normals, zr_vec4 *front, zr_vec4 *back)
 {
     enum zr_color_layout layout = choose_layout(scene, mesh);
     struct zr_colors colors = {.layout = layout, .front = front, .back = back, .count = layout_count(mesh, layout)};
@@ -262,8 +261,10 @@ struct zr_colors zr_colors_make(struct zr_arena *arena, struct zr_team *team, co
                               .back = back,
                               .per_corner = layout == ZR_COLOR_PER_CORNER,
                               .cancel = cancel};
-    if (layout != ZR_COLOR_PER_FACE && needs_computed_normals(scene, mesh))
-        palette.computed = zr_vertex_normals_make(arena, team, cancel, mesh);
+    if (layout != ZR_COLOR_PER_FACE && needs_computed_normals(scene, mesh)) {
+        if (!*normals) *normals = zr_vertex_normals_make(arena, team, cancel, mesh);
+        palette.computed = *normals;
+    }
     if (!zr_arena_ok(arena)) return colors;
     if (layout == ZR_COLOR_PER_VERTEX)
         zr_team_ranges(team, mesh->position_count, points_a_range(&palette),

@@ -37,11 +37,12 @@ uint32_t zr_colors_count(const struct zr_scene *scene, const struct zr_mesh *mes
  * *colors says where. A mesh of a million triangles has 18 MB of them, not to be copied. */
 bool zr_colors_are_given(const struct zr_scene *scene, const struct zr_mesh *mesh, struct zr_colors *colors);
 
-/* Writes them to front[] and back[], which the caller gives room for. Fails only
- * with the arena, which it takes computed normals from. Cancelled, it returns early. */
+/* Writes them to front[] and back[], which the caller gives room for. *normals are those of the mesh's vertices
+ * (vertex_normals.h), or NULL: then they are made where they are needed, and handed out, for other instances of the
+ * mesh. Fails only with the arena, which they are taken from. Cancelled, it returns early. */
 struct zr_colors zr_colors_make(struct zr_arena *arena, struct zr_team *team, const struct zr_cancel *cancel,
                                 const struct zr_scene *scene, const struct zr_mesh *mesh,
-                                const struct zr_lighting *lighting, const zr_mat4 *object_to_eye, zr_vec4 *front,
-                                zr_vec4 *back);
+                                const struct zr_lighting *lighting, const zr_mat4 *object_to_eye,
+                                const zr_vec4 **normals, zr_vec4 *front, zr_vec4 *back);
 
 #endif

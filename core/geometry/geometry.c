@@ -54,6 +54,7 @@ static bool make_room(struct zr_builder *builder, const struct zr_scene *scene)
     builder->geometry->batches = zr_arena_zero(builder->arena, 1, sizeof *builder->geometry->batches);
     builder->batch_room = 1;
     builder->fans = zr_arena_zero(builder->arena, scene->mesh_count, sizeof *builder->fans);
+    builder->vertex_normals = zr_arena_zero(builder->arena, scene->mesh_count, sizeof *builder->vertex_normals);
     return zr_arena_ok(builder->arena);
 }
 

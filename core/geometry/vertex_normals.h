@@ -13,7 +13,8 @@
 #include "zraster.h"
 
 /* One unit normal a position, w being 0: the sum of the normals of the faces around it, as normals.h has them, or 0.
- * NULL where the arena has failed; cancelled, it returns early, with numbers that are no normals. */
+ * Takes from the arena also what it holds meanwhile, 256 KiB at most. NULL where the arena has failed; cancelled, which
+ * it looks for some times in a million faces, it returns early, with numbers that are no normals. */
 zr_vec4 *zr_vertex_normals_make(struct zr_arena *arena, struct zr_team *team, const struct zr_cancel *cancel,
                                 const struct zr_mesh *mesh);
 
@@ -30,7 +31,7 @@ static inline bool zr_vertex_is_of_part(uint32_t vertex, struct zr_vertex_part p
 }
 
 /* Adds normals[t] to the sums of those corners of triangle t that are of the part; its corners are at indices[3 t] and
- * behind. A kernel. */
+ * behind, fewer than 2^31. A kernel. */
 typedef void zr_add_normals_fn(const uint32_t *indices, size_t triangles, const zr_vec4 *normals,
                                struct zr_vertex_part part, zr_vec4 *sums);
 

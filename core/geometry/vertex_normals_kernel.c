@@ -8,8 +8,6 @@ enum { TRIANGLES_AT_ONCE = 64, CORNERS_AT_ONCE = 3 * TRIANGLES_AT_ONCE };
 
 _Static_assert(CORNERS_AT_ONCE % ZR_LANES == 0, "whole vectors of them");
 
-typedef float four __attribute__((vector_size(16)));
-
 /* Corners of a part. */
 struct own {
     uint32_t count;
@@ -37,11 +35,8 @@ static void add(const uint32_t *indices, const zr_vec4 *normals, const struct ow
 {
     for (uint32_t i = 0; i < own->count; i++) {
         const uint32_t corner = own->corners[i];
-        four sum, normal;
-        memcpy(&sum, &sums[indices[corner]], sizeof sum);
-        memcpy(&normal, &normals[corner / 3], sizeof normal);
-        sum += normal;
-        memcpy(&sums[indices[corner]], &sum, sizeof sum);
+        zr_vec4 *sum = &sums[indices[corner]];
+        zr_four_store(sum, zr_four_load(sum) + zr_four_load(&normals[corner / 3]));
     }
 }
 

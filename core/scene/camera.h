@@ -32,7 +32,8 @@ struct zr_sight {
 };
 
 /* Points at infinity (w = 0), or beyond the range of float, are left out. Walks over all placed points, as
- * zr_camera_resolve does some times more; cancelled, both return early, with what they have. */
+ * zr_camera_resolve does some times more; cancelled, both return early, with what they have. `team` and `cancel` may be
+ * NULL. */
 struct zr_bounds zr_bounds_of(const struct zr_scene *scene, struct zr_team *team, const struct zr_cancel *cancel);
 
 /* False where the view is given as matrices: then geometry has no say in it. */

@@ -5,16 +5,17 @@
 
 /* ---- extents ---- */
 
+/* As the kernel, one by one where that cannot. */
 static void measure_extent(const void *context, enum zr_isa isa, const zr_vec4 *points, uint32_t count,
-                           double most[ZR_MOST])
+                           double most[ZR_MEASURES])
 {
     (void)context;
-    if (zr_extent_kernel_of(isa)(points, count, most)) return;
+    if (zr_points_extent_of(isa)(points, count, most)) return;
     for (uint32_t i = 0; i < count; i++) {
         zr_dvec3 p;
         if (!zr_point_place(points[i], &p)) continue;
-        const double reached[ZR_MOST] = {p.x, p.y, p.z, -p.x, -p.y, -p.z};
-        for (int k = 0; k < ZR_MOST; k++)
+        const double reached[ZR_MEASURES] = {p.x, p.y, p.z, -p.x, -p.y, -p.z};
+        for (int k = 0; k < ZR_MEASURES; k++)
             zr_raise(&most[k], reached[k]);
     }
 }
@@ -22,7 +23,7 @@ static void measure_extent(const void *context, enum zr_isa isa, const zr_vec4 *
 /* False where no point has a place. */
 static bool find_extent(const struct zr_points *points, struct zr_extent *e)
 {
-    double most[ZR_MOST];
+    double most[ZR_MEASURES];
     zr_points_most(points, measure_extent, NULL, most);
     *e = (struct zr_extent){{0.0 - most[3], 0.0 - most[4], 0.0 - most[5]}, {most[0], most[1], most[2]}};
     return e->min.x <= e->max.x;
@@ -94,11 +95,12 @@ static zr_dvec3 along(const struct zr_axes *axes, zr_dvec3 p)
     return (zr_dvec3){zr_dvec3_dot(q, axes->right), zr_dvec3_dot(q, axes->up), zr_dvec3_dot(q, axes->back)};
 }
 
+/* As the kernel, one by one where that cannot. */
 static void measure_slopes(const void *context, enum zr_isa isa, const zr_vec4 *points, uint32_t count,
-                           double most[ZR_MOST])
+                           double most[ZR_MEASURES])
 {
     const struct zr_slopes *s = context;
-    if (zr_slopes_kernel_of(isa)(s, points, count, most)) return;
+    if (zr_points_slopes_of(isa)(s, points, count, most)) return;
     const struct zr_axes axes = {s->axes[0], s->axes[1], s->axes[2], s->origin};
     for (uint32_t i = 0; i < count; i++) {
         zr_dvec3 p;
@@ -114,7 +116,7 @@ static void measure_slopes(const void *context, enum zr_isa isa, const zr_vec4 *
 }
 
 static void find_slopes(const struct zr_points *points, const struct zr_opening *opening, const struct zr_axes *axes,
-                        double most[ZR_MOST])
+                        double most[ZR_MEASURES])
 {
     const struct zr_slopes slopes = {.origin = axes->eye,
                                      .axes = {axes->right, axes->up, axes->back},
@@ -131,12 +133,12 @@ static void find_slopes(const struct zr_points *points, const struct zr_opening 
  * From a point at x along the axis, z towards the camera, it takes a distance of d with
  * left (d - z) <= x - e <= right (d - z) to see the point from e: so e is from the largest
  * x + right z - right d to the smallest x + left z - left d, and the least distance is where
- * the two meet. */
+ * the two meet. (The smallest is found as the most of what is negated.) */
 static void fit_freely(const struct fitting *fitting, struct zr_axes *axes)
 {
     const struct zr_opening *o = &fitting->opening;
     const double rounding = fitting->rounding, sheared = rounding * (1.0 + fabs(o->shear));
-    double most[ZR_MOST], distance = fitting->size, x = 0.0, y = 0.0;
+    double most[ZR_MEASURES], distance = fitting->size, x = 0.0, y = 0.0;
     find_slopes(fitting->points, o, axes, most);
     if (most[ZR_SLOPE_NEAR] > -HUGE_VAL) {
         const double right = most[ZR_SLOPE_RIGHT] + sheared * (1.0 + fabs(o->right)),
@@ -160,7 +162,7 @@ struct retreat {
 };
 
 static void measure_retreat(const void *context, enum zr_isa isa, const zr_vec4 *points, uint32_t count,
-                            double most[ZR_MOST])
+                            double most[ZR_MEASURES])
 {
     (void)isa;
     const struct retreat *retreat = context;
@@ -185,18 +187,18 @@ static enum zr_status fit_on_axis(const struct fitting *fitting, struct zr_axes 
         return zr_error_add(error, ZR_BAD_SCENE, "/view/target",
                             "no distance shows what is around it: the principal point is outside of the window");
     const struct retreat retreat = {fitting, axes};
-    double most[ZR_MOST];
+    double most[ZR_MEASURES];
     zr_points_most(fitting->points, measure_retreat, &retreat, most);
     axes->eye = zr_dvec3_add_scaled(axes->eye, axes->back, most[0] > 0.0 ? most[0] : fitting->size);
     return ZR_OK;
 }
 
 /* Extents along the axes, all zero where no point has a place. */
-static void find_extent_along(const struct zr_points *points, const struct zr_axes *axes, double most[ZR_MOST])
+static void find_extent_along(const struct zr_points *points, const struct zr_axes *axes, double most[ZR_MEASURES])
 {
     static const struct zr_opening no_slopes = {0};
     find_slopes(points, &no_slopes, axes, most);
-    for (int k = 0; k < ZR_MOST; k++)
+    for (int k = 0; k < ZR_MEASURES; k++)
         if (most[k] == -HUGE_VAL) most[k] = 0.0;
 }
 
@@ -205,7 +207,7 @@ static void find_extent_along(const struct zr_points *points, const struct zr_ax
 static void fit_parallel(const struct zr_points *fitted, double size, bool free, struct zr_axes *axes)
 {
     struct zr_points all = *fitted;
-    double most[ZR_MOST], of_all[ZR_MOST], nearest;
+    double most[ZR_MEASURES], of_all[ZR_MEASURES], nearest;
     all.fitted_only = false;
     find_extent_along(fitted, axes, most);
     nearest = most[ZR_SLOPE_NEAR];

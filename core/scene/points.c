@@ -6,24 +6,24 @@
 enum { POINTS_A_RANGE = 1 << 14, RANGES_A_THREAD = 8 };
 
 /* Of one walk, which ends where they do. */
-enum { POINTS_AT_ONCE = 64 };
+enum { POINTS_AT_ONCE = 256 };
 
-zr_extent_kernel_fn *zr_extent_kernel_of(enum zr_isa isa)
+zr_points_extent_fn *zr_points_extent_of(enum zr_isa isa)
 {
-    static zr_extent_kernel_fn *const table[ZR_ISA_COUNT] = ZR_KERNELS(zr_extent_kernel);
+    static zr_points_extent_fn *const table[ZR_ISA_COUNT] = ZR_KERNELS(zr_points_extent);
     return table[isa];
 }
 
-zr_slopes_kernel_fn *zr_slopes_kernel_of(enum zr_isa isa)
+zr_points_slopes_fn *zr_points_slopes_of(enum zr_isa isa)
 {
-    static zr_slopes_kernel_fn *const table[ZR_ISA_COUNT] = ZR_KERNELS(zr_slopes_kernel);
+    static zr_points_slopes_fn *const table[ZR_ISA_COUNT] = ZR_KERNELS(zr_points_slopes);
     return table[isa];
 }
 
 /* What one thread has found, on lines of the caches of its own. */
 struct found {
-    double most[ZR_MOST];
-    char apart[128 - ZR_MOST * sizeof(double)];
+    double most[ZR_MEASURES];
+    char apart[128 - ZR_MEASURES * sizeof(double)];
 };
 
 struct search {
@@ -50,30 +50,21 @@ static size_t count_points(const struct zr_points *points)
     return count;
 }
 
-typedef float four __attribute__((vector_size(16)));
-
-static inline four load_four(const void *at)
-{
-    four v;
-    memcpy(&v, at, sizeof v);
-    return v;
-}
-
 /* As zr_mat4_apply, a column of the matrix at a time. */
 static void transform_all(const zr_mat4 *m, const zr_vec4 *positions, uint32_t count, zr_vec4 *out)
 {
-    const four x = load_four(m->m), y = load_four(m->m + 4), z = load_four(m->m + 8), w = load_four(m->m + 12);
+    const zr_four x = zr_four_load(m->m), y = zr_four_load(m->m + 4), z = zr_four_load(m->m + 8),
+                  w = zr_four_load(m->m + 12);
     for (uint32_t i = 0; i < count; i++) {
         const zr_vec4 *v = &positions[i];
-        const four p = ((x * v->x + y * v->y) + z * v->z) + w * v->w;
-        memcpy(&out[i], &p, sizeof p);
+        zr_four_store(&out[i], ((x * v->x + y * v->y) + z * v->z) + w * v->w);
     }
 }
 
 /* Most scenes are one mesh where it stands: not to transform it is worth a tenth of the time of an STL of 70 000
  * triangles at 640x480. */
 static void search_instance(const struct search *search, const struct zr_instance *instance, size_t begin, size_t end,
-                            double most[ZR_MOST])
+                            double most[ZR_MEASURES])
 {
     const struct zr_points *points = search->points;
     const zr_vec4 *positions = points->scene->meshes[instance->mesh].positions;
@@ -106,7 +97,7 @@ static void search_range(void *context, int worker, size_t begin, size_t end)
 }
 
 void zr_points_most(const struct zr_points *points, zr_points_measure_fn *measure, const void *context,
-                    double most[ZR_MOST])
+                    double most[ZR_MEASURES])
 {
     struct found found[ZR_TEAM_MAX];
     struct search search = {points, measure, context, found};
@@ -115,10 +106,10 @@ void zr_points_most(const struct zr_points *points, zr_points_measure_fn *measur
     size_t range = threads > 1 ? count / (threads * RANGES_A_THREAD) : count;
     if (range < POINTS_A_RANGE) range = POINTS_A_RANGE;
     for (size_t t = 0; t < threads; t++)
-        for (int k = 0; k < ZR_MOST; k++)
+        for (int k = 0; k < ZR_MEASURES; k++)
             found[t].most[k] = -HUGE_VAL;
     zr_team_shares(points->team, count, range, search_range, &search);
-    for (int k = 0; k < ZR_MOST; k++) {
+    for (int k = 0; k < ZR_MEASURES; k++) {
         most[k] = -HUGE_VAL;
         for (size_t t = 0; t < threads; t++)
             zr_raise(&most[k], found[t].most[k]);

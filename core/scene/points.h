@@ -1,11 +1,14 @@
 /* points.h - scene: the most of what its points reach, such as the largest x of all: all threads look for it.
  *
+ * Space:    world or eye space, in doubles.
+ *
  * Left out: points at infinity (w = 0), or beyond the range of float.
  * Exact:    the most is the same in whatever order points are looked at; of zeros none has a sign.
  */
 #ifndef ZR_POINTS_H
 #define ZR_POINTS_H
 
+#include <float.h>
 #include <math.h>
 
 #include "base/team.h"
@@ -25,20 +28,21 @@ struct zr_points {
     const zr_mat4 *world_to_eye;    /* into eye space, in the floats that are drawn; NULL: in world space */
 };
 
-enum { ZR_MOST = 6 };
+enum { ZR_MEASURES = 6 };
 
-/* Raises each of most[] to what any of the points reaches. */
+/* Raises each of most[] to what any of the points reaches; no matter how often, and in which order, a point is looked
+ * at. */
 typedef void zr_points_measure_fn(const void *context, enum zr_isa isa, const zr_vec4 *points, uint32_t count,
-                                  double most[ZR_MOST]);
+                                  double most[ZR_MEASURES]);
 
 /* Where no point has a place, or `measure` never writes, -HUGE_VAL. */
 void zr_points_most(const struct zr_points *points, zr_points_measure_fn *measure, const void *context,
-                    double most[ZR_MOST]);
+                    double most[ZR_MEASURES]);
 
 /* False for what has no place. By 1 nothing need be divided, and mostly that is w: a third of the time of a walk. */
 static inline bool zr_point_place(zr_vec4 p, zr_dvec3 *out)
 {
-    const double w = (double)p.w, most = (double)__FLT_MAX__;
+    const double w = (double)p.w, most = (double)FLT_MAX;
     *out = (zr_dvec3){(double)p.x, (double)p.y, (double)p.z};
     if (p.w != 1.0f) *out = (zr_dvec3){out->x / w, out->y / w, out->z / w};
     return p.w != 0.0f && fabs(out->x) <= most && fabs(out->y) <= most && fabs(out->z) <= most;
@@ -49,15 +53,16 @@ static inline void zr_raise(double *most, double value)
     *most = value > *most ? value : *most;
 }
 
-/* ---- two that are kernels: false, and nothing raised, where some point is not finite or has a w that is not 1 ---- */
+/* ---- two measures as kernels, for fit.c: false, and nothing raised, where points are fewer than a vector's lanes, or
+ * one is not finite or has a w that is not 1 ---- */
 
 /* Raises most[0], [1], [2] to x, y, z, and [3], [4], [5] to -x, -y, -z. */
-typedef bool zr_extent_kernel_fn(const zr_vec4 *points, uint32_t count, double most[ZR_MOST]);
+typedef bool zr_points_extent_fn(const zr_vec4 *points, uint32_t count, double most[ZR_MEASURES]);
 
-zr_extent_kernel_fn zr_extent_kernel_scalar, zr_extent_kernel_sse2, zr_extent_kernel_avx2, zr_extent_kernel_avx512,
-    zr_extent_kernel_neon;
+zr_points_extent_fn zr_points_extent_scalar, zr_points_extent_sse2, zr_points_extent_avx2, zr_points_extent_avx512,
+    zr_points_extent_neon;
 
-zr_extent_kernel_fn *zr_extent_kernel_of(enum zr_isa isa);
+zr_points_extent_fn *zr_points_extent_of(enum zr_isa isa);
 
 /* Coordinates of points, and how far those reach across slopes that open along the last of them. */
 struct zr_slopes {
@@ -70,12 +75,12 @@ enum zr_slope { ZR_SLOPE_RIGHT, ZR_SLOPE_LEFT, ZR_SLOPE_TOP, ZR_SLOPE_BOTTOM, ZR
 
 /* Raises most[ZR_SLOPE_RIGHT] to x + right z, [ZR_SLOPE_LEFT] to -(x + left z), [ZR_SLOPE_TOP] to y + top z,
  * [ZR_SLOPE_BOTTOM] to -(y + bottom z), [ZR_SLOPE_NEAR] to z, x being sheared. */
-typedef bool zr_slopes_kernel_fn(const struct zr_slopes *slopes, const zr_vec4 *points, uint32_t count,
-                                 double most[ZR_MOST]);
+typedef bool zr_points_slopes_fn(const struct zr_slopes *slopes, const zr_vec4 *points, uint32_t count,
+                                 double most[ZR_MEASURES]);
 
-zr_slopes_kernel_fn zr_slopes_kernel_scalar, zr_slopes_kernel_sse2, zr_slopes_kernel_avx2, zr_slopes_kernel_avx512,
-    zr_slopes_kernel_neon;
+zr_points_slopes_fn zr_points_slopes_scalar, zr_points_slopes_sse2, zr_points_slopes_avx2, zr_points_slopes_avx512,
+    zr_points_slopes_neon;
 
-zr_slopes_kernel_fn *zr_slopes_kernel_of(enum zr_isa isa);
+zr_points_slopes_fn *zr_points_slopes_of(enum zr_isa isa);
 
 #endif

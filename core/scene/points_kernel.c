@@ -17,7 +17,7 @@ struct lanes {
     zr_vf x, y, z;
 };
 
-/* Raises `plain` to false where a point is not. */
+/* Of ZR_LANES points; of `plain` those lanes stay whose points are. */
 static inline struct lanes load_lanes(const zr_vec4 *points, zr_vm *plain)
 {
     struct lanes p;
@@ -41,7 +41,7 @@ static double most_of(zr_vf v, bool negated)
 }
 
 /* The most of floats is that of the doubles that they become. */
-bool ZR_KERNEL(zr_extent_kernel)(const zr_vec4 *points, uint32_t count, double most[ZR_MOST])
+bool ZR_KERNEL(zr_points_extent)(const zr_vec4 *points, uint32_t count, double most[ZR_MEASURES])
 {
     if (count < ZR_LANES) return false;
     zr_vm plain = ZR_ALL_LANES;
@@ -52,8 +52,8 @@ bool ZR_KERNEL(zr_extent_kernel)(const zr_vec4 *points, uint32_t count, double m
         high = (struct lanes){zr_vf_max(p.x, high.x), zr_vf_max(p.y, high.y), zr_vf_max(p.z, high.z)};
     }
     if (zr_vm_bits(plain) != ZR_ALL_BITS) return false;
-    const zr_vf ends[ZR_MOST] = {high.x, high.y, high.z, low.x, low.y, low.z};
-    for (int k = 0; k < ZR_MOST; k++)
+    const zr_vf ends[ZR_MEASURES] = {high.x, high.y, high.z, low.x, low.y, low.z};
+    for (int k = 0; k < ZR_MEASURES; k++)
         zr_raise(&most[k], most_of(ends[k], k >= 3));
     return true;
 }
@@ -94,8 +94,8 @@ static inline void raise_slopes(const struct zr_slopes *slopes, struct doubles p
         most[k] = zr_vd_max(reached[k], most[k]);
 }
 
-bool ZR_KERNEL(zr_slopes_kernel)(const struct zr_slopes *slopes, const zr_vec4 *points, uint32_t count,
-                                 double most[ZR_MOST])
+bool ZR_KERNEL(zr_points_slopes)(const struct zr_slopes *slopes, const zr_vec4 *points, uint32_t count,
+                                 double most[ZR_MEASURES])
 {
     if (count < ZR_LANES) return false;
     zr_vm plain = ZR_ALL_LANES;

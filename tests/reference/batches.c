@@ -401,7 +401,9 @@ static bool make_colors(struct builder *b, struct source *s, const struct zr_lig
     zr_vec4 *back = zr_arena_alloc(b->arena, count, sizeof *back);
     if (!zr_arena_ok(b->arena)) return false;
     zr_mat4 object_to_eye = zr_mat4_mul(&b->camera->world_to_eye, &s->instance->object_to_world);
-    s->colors = zr_colors_make(b->arena, NULL, NULL, b->scene, s->mesh, lighting, &object_to_eye, front, back);
+    const zr_vec4 *normals = NULL;
+    s->colors =
+        zr_colors_make(b->arena, NULL, NULL, b->scene, s->mesh, lighting, &object_to_eye, &normals, front, back);
     return zr_arena_ok(b->arena);
 }
 

@@ -9,7 +9,7 @@
 #include "support/random.h"
 
 /* More in all than one thread takes at once. */
-enum { POINTS_MOST = 20000, POINTS_MOSTLY = 200, MESHES = 3, INSTANCES = 5 };
+enum { POINTS_MOST = 20000, POINTS_MOSTLY = 200, MESHES = 3, INSTANCES = 9 };
 
 static struct random numbers = {{RANDOM_STATE_1}};
 
@@ -22,14 +22,15 @@ static float any(void)
 struct kind {
     uint32_t odd_in; /* one of so many, 0: none */
     float w;         /* of those */
-    float x;         /* of those; 1: any */
+    float value;     /* of one of their coordinates; 1: any */
 };
 
 static zr_vec4 make_point(const struct kind *kind)
 {
     const bool odd = kind->odd_in > 0 && random_below(&numbers, kind->odd_in) == 0;
-    const float x = any(), y = any(), z = any();
-    return (zr_vec4){odd && kind->x != 1.0f ? kind->x : x, y, z, odd ? kind->w : 1.0f};
+    float at[3] = {any(), any(), any()};
+    if (odd && kind->value != 1.0f) at[random_below(&numbers, 3)] = kind->value;
+    return (zr_vec4){at[0], at[1], at[2], odd ? kind->w : 1.0f};
 }
 
 struct subject {
@@ -45,8 +46,10 @@ static void make_subject(struct subject *s)
                                         {2, 1, -0.0f}, {9, 2.5f, 1},    {9, 0.5f, 1},     {3, -1.5f, 1},
                                         {5, 0, 1},     {40, 1e-40f, 1}, {9, NAN, 1},      {1, 0, 1},
                                         {0, 1, 1},     {0, 1, 1},       {0, 1, 1}};
-    s->scene = (struct zr_scene){
-        .meshes = s->meshes, .mesh_count = MESHES, .instances = s->instances, .instance_count = INSTANCES};
+    s->scene = (struct zr_scene){.meshes = s->meshes,
+                                 .mesh_count = MESHES,
+                                 .instances = s->instances,
+                                 .instance_count = 1 + random_below(&numbers, INSTANCES)};
     for (int m = 0; m < MESHES; m++) {
         const struct kind *kind = &kinds[random_below(&numbers, sizeof kinds / sizeof kinds[0])];
         const uint32_t most = random_below(&numbers, 100) ? POINTS_MOSTLY : POINTS_MOST;
@@ -112,7 +115,7 @@ static void bounds_hold_every_point_that_has_a_place(void **state)
     zr_team_destroy(teams[1]);
 }
 
-static void raise_one_by_one(const struct zr_slopes *s, zr_vec4 p, double most[ZR_MOST])
+static void raise_one_by_one(const struct zr_slopes *s, zr_vec4 p, double most[ZR_MEASURES])
 {
     const zr_dvec3 q = zr_dvec3_sub((zr_dvec3){(double)p.x, (double)p.y, (double)p.z}, s->origin);
     const double y = zr_dvec3_dot(q, s->axes[1]), z = zr_dvec3_dot(q, s->axes[2]),
@@ -122,18 +125,24 @@ static void raise_one_by_one(const struct zr_slopes *s, zr_vec4 p, double most[Z
         if (reached[k] > most[k]) most[k] = reached[k];
 }
 
-/* True where the kernel says that it has looked at all of them. */
-static bool check_slopes(zr_slopes_kernel_fn *kernel, const zr_vec4 *points, uint32_t count)
+/* With all digits that a double has, so that each order of operations has its own sum. */
+static double fine(void)
 {
-    const struct zr_slopes slopes = {{any(), any(), any()},
-                                     {{any(), any(), any()}, {any(), any(), any()}, {any(), any(), any()}},
-                                     any(),
-                                     any(),
-                                     any(),
-                                     any(),
-                                     any()};
-    double want[ZR_MOST], got[ZR_MOST];
-    for (int k = 0; k < ZR_MOST; k++)
+    return (double)any() / 3.0;
+}
+
+/* True where the kernel says that it has looked at all of them. */
+static bool check_slopes(zr_points_slopes_fn *kernel, const zr_vec4 *points, uint32_t count)
+{
+    const struct zr_slopes slopes = {{fine(), fine(), fine()},
+                                     {{fine(), fine(), fine()}, {fine(), fine(), fine()}, {fine(), fine(), fine()}},
+                                     fine(),
+                                     fine(),
+                                     fine(),
+                                     fine(),
+                                     fine()};
+    double want[ZR_MEASURES], got[ZR_MEASURES];
+    for (int k = 0; k < ZR_MEASURES; k++)
         want[k] = got[k] = random_below(&numbers, 4) ? -HUGE_VAL : (double)any();
     struct guarded guarded = guarded_copy(points, count * sizeof *points);
     const double before[] = {got[0], got[1], got[2], got[3], got[4], got[5]};
@@ -148,14 +157,15 @@ static bool check_slopes(zr_slopes_kernel_fn *kernel, const zr_vec4 *points, uin
 static bool are_plain(const zr_vec4 *points, uint32_t count)
 {
     for (uint32_t i = 0; i < count; i++)
-        if (!isfinite(points[i].x) || points[i].w != 1.0f) return false;
+        if (!isfinite(points[i].x) || !isfinite(points[i].y) || !isfinite(points[i].z) || points[i].w != 1.0f)
+            return false;
     return true;
 }
 
 static void slopes_reach_as_far_as_points_do(void **state)
 {
     static struct subject subject;
-    zr_slopes_kernel_fn *kernel = zr_slopes_kernel_of(isa_under_test(state));
+    zr_points_slopes_fn *kernel = zr_points_slopes_of(isa_under_test(state));
     int plain = 0, odd = 0;
     for (int round = 0; round < 3000; round++) {
         make_subject(&subject);
@@ -170,7 +180,43 @@ static void slopes_reach_as_far_as_points_do(void **state)
     assert_true(plain > 300 && odd > 300);
 }
 
-/* A view that is fitted to points is the same whichever threads look at them. */
+static void make_view(struct zr_scene *scene)
+{
+    static const enum zr_projection projections[] = {ZR_PROJECTION_PERSPECTIVE, ZR_PROJECTION_ORTHOGRAPHIC,
+                                                     ZR_PROJECTION_INTRINSICS};
+    scene->width = 64 + random_below(&numbers, 64);
+    scene->height = 64;
+    scene->view = (struct zr_view){.pose = random_below(&numbers, 2) ? ZR_POSE_PRESET : ZR_POSE_ORBIT,
+                                   .preset = (enum zr_preset)random_below(&numbers, ZR_PRESET_COUNT),
+                                   .up = {0, 1, 0},
+                                   .has_target = random_below(&numbers, 2),
+                                   .azimuth_degrees = 100.0 * fine(),
+                                   .elevation_degrees = 100.0 * fine(),
+                                   .projection = projections[random_below(&numbers, 3)],
+                                   .yfov_radians = 0.8f,
+                                   .intrinsics = {.fx = 70, .fy = 60, .cx = 30, .cy = 33, .skew = 5.0 * fine()},
+                                   .fit_to_mesh = random_below(&numbers, 2),
+                                   .fit_mesh = random_below(&numbers, MESHES)};
+}
+
+static enum zr_status see(struct zr_team *team, const struct zr_scene *scene, struct zr_camera *camera)
+{
+    struct zr_error error = {.count = 0};
+    const struct zr_bounds bounds = zr_bounds_of(scene, team, NULL);
+    return zr_camera_resolve(scene, &bounds, team, NULL, camera, &error);
+}
+
+/* The same places, none of them with a w of 1: each is looked at by itself. */
+static void double_all(struct subject *s)
+{
+    for (int m = 0; m < MESHES; m++)
+        for (uint32_t i = 0; i < s->meshes[m].position_count; i++) {
+            zr_vec4 *p = &s->points[m][i];
+            *p = (zr_vec4){2.0f * p->x, 2.0f * p->y, 2.0f * p->z, 2.0f * p->w};
+        }
+}
+
+/* A view that is fitted to points is the same whichever threads look at them, and how many at once. */
 static void fitted_views_are_those_of_one_thread(void **state)
 {
     static struct subject subject;
@@ -178,30 +224,51 @@ static void fitted_views_are_those_of_one_thread(void **state)
                    *plain_team = zr_team_create_for(1, ZR_ISA_SCALAR);
     int found = 0;
     for (int round = 0; round < 1000; round++) {
-        struct zr_camera want, got;
-        struct zr_error error = {.count = 0};
+        struct zr_camera want, got, doubled;
         make_subject(&subject);
-        struct zr_scene *scene = &subject.scene;
-        scene->width = 64 + random_below(&numbers, 64);
-        scene->height = 64;
-        scene->view = (struct zr_view){.pose = random_below(&numbers, 2) ? ZR_POSE_PRESET : ZR_POSE_ORBIT,
-                                       .preset = (enum zr_preset)random_below(&numbers, ZR_PRESET_COUNT),
-                                       .up = {0, 1, 0},
-                                       .has_target = random_below(&numbers, 2),
-                                       .projection = random_below(&numbers, 3) ? ZR_PROJECTION_PERSPECTIVE
-                                                                               : ZR_PROJECTION_ORTHOGRAPHIC,
-                                       .yfov_radians = 0.8f,
-                                       .fit_to_mesh = random_below(&numbers, 2),
-                                       .fit_mesh = random_below(&numbers, MESHES)};
-        const struct zr_bounds bounds = zr_bounds_of(scene, NULL, NULL);
-        const enum zr_status status = zr_camera_resolve(scene, &bounds, plain_team, NULL, &want, &error);
-        assert_int_equal(zr_camera_resolve(scene, &bounds, team, NULL, &got, &error), status);
-        if (status == ZR_OK) assert_memory_equal(&got, &want, sizeof want);
-        found += status == ZR_OK;
+        make_view(&subject.scene);
+        const enum zr_status status = see(plain_team, &subject.scene, &want);
+        assert_int_equal(see(team, &subject.scene, &got), status);
+        double_all(&subject);
+        assert_int_equal(see(team, &subject.scene, &doubled), status);
+        if (status != ZR_OK) continue;
+        assert_memory_equal(&got, &want, sizeof want);
+        assert_memory_equal(&doubled, &want, sizeof want);
+        found++;
     }
     assert_true(found > 500);
     zr_team_destroy(team);
     zr_team_destroy(plain_team);
+}
+
+static void view_of_nothing_that_has_a_place_is_finite(void **state)
+{
+    (void)state;
+    static const zr_vec4 points[] = {{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}};
+    const struct zr_mesh mesh = {.positions = points, .position_count = 3};
+    const struct zr_instance instance = {0, zr_mat4_identity()};
+    struct zr_scene scene = {.meshes = &mesh, .mesh_count = 1, .instances = &instance, .instance_count = 1};
+    for (int round = 0; round < 100; round++) {
+        struct zr_camera camera;
+        make_view(&scene);
+        scene.view.fit_mesh = 0;
+        const enum zr_status status = see(NULL, &scene, &camera);
+        assert_true(status == ZR_OK || (scene.view.has_target && status == ZR_BAD_SCENE));
+        for (int i = 0; i < 16 && status == ZR_OK; i++)
+            assert_true(isfinite(camera.world_to_eye.m[i]) && isfinite(camera.projection.m[i]));
+    }
+}
+
+static void walk_that_is_cancelled_ends(void **state)
+{
+    (void)state;
+    static const zr_vec4 point = {1, 2, 3, 1};
+    const struct zr_mesh mesh = {.positions = &point, .position_count = 1};
+    const struct zr_instance instance = {0, zr_mat4_identity()};
+    const struct zr_scene scene = {.meshes = &mesh, .mesh_count = 1, .instances = &instance, .instance_count = 1};
+    const struct zr_cancel cancel = {.raised = true};
+    assert_true(zr_bounds_of(&scene, NULL, NULL).valid);
+    assert_false(zr_bounds_of(&scene, NULL, &cancel).valid);
 }
 
 /* Of points that all lie in a plane of the axes, whichever zero they are written with. */
@@ -223,10 +290,9 @@ static void zeros_of_bounds_have_no_sign(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        TEST_EACH_ISA(bounds_hold_every_point_that_has_a_place),
-        TEST_EACH_ISA(slopes_reach_as_far_as_points_do),
-        TEST_EACH_ISA(fitted_views_are_those_of_one_thread),
-        cmocka_unit_test(zeros_of_bounds_have_no_sign),
+        TEST_EACH_ISA(bounds_hold_every_point_that_has_a_place),      TEST_EACH_ISA(slopes_reach_as_far_as_points_do),
+        TEST_EACH_ISA(fitted_views_are_those_of_one_thread),          cmocka_unit_test(zeros_of_bounds_have_no_sign),
+        cmocka_unit_test(view_of_nothing_that_has_a_place_is_finite), cmocka_unit_test(walk_that_is_cancelled_ends),
     };
     return cmocka_run_group_tests_name("bounds", tests, NULL, NULL);
 }

@@ -409,6 +409,18 @@ static void picture_is_that_of_its_sight(void **state)
     narrowed.camera.projection.m[0] *= 0.5f;
     assert_int_equal(zr_render(&arena, NULL, &test.scene, &narrowed, NULL, &narrow, &error), ZR_OK);
     assert_true(narrow->covered_pixels < found_by_it->covered_pixels * 3 / 4);
+    /* Bounds are told where they are asked for, even if the view needs none. */
+    const struct zr_output info = {.channel = ZR_CHANNEL_INFO, .encoding = ZR_ENCODING_JSON};
+    test.scene.view = (struct zr_view){.pose = ZR_POSE_MATRIX,
+                                       .world_to_camera = zr_mat4_identity(),
+                                       .projection = ZR_PROJECTION_MATRIX,
+                                       .projection_matrix = zr_mat4_identity()};
+    assert_int_equal(zr_sight_find(&arena, NULL, &test.scene, NULL, &sight, &error), ZR_OK);
+    assert_false(sight->bounds.valid);
+    test.scene.outputs = &info;
+    test.scene.output_count = 1;
+    assert_int_equal(zr_sight_find(&arena, NULL, &test.scene, NULL, &sight, &error), ZR_OK);
+    assert_true(sight->bounds.valid && sight->bounds.max.x == 3.0f && sight->bounds.max.z == 2.0f);
     zr_arena_free(&arena);
 }
 
