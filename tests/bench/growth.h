@@ -23,4 +23,7 @@ void growth_of_light(struct bench *bench);
 /* What no renderer can go below here: the buffers cleared, the pixels copied. */
 void growth_floors(struct bench *bench);
 
+/* What can be written past the caches by two threads, against one, whose time, in the same run, is "theirs". */
+void growth_past_caches(struct bench *bench);
+
 #endif

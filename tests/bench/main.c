@@ -91,6 +91,7 @@ int main(int count, char **arguments)
     if (!read_options(count, arguments, &bench, &output)) return usage();
     if (!bench.check_only && !bench.list) introduce(&bench);
     growth_floors(&bench);
+    growth_past_caches(&bench);
     versus_llvmpipe(&bench);
     growth_of_threads(&bench);
     growth_of_channels(&bench);
