@@ -65,24 +65,17 @@ static void draw_tiles(void *context, size_t begin, size_t end)
     raise_to(&d->deepest, deepest);
 }
 
-static bool wants(const struct zr_scene *scene, enum zr_channel channel)
-{
-    for (uint32_t i = 0; i < scene->output_count; i++)
-        if (scene->outputs[i].channel == channel) return true;
-    return false;
-}
-
 /* The channels that the outputs are made of. */
 static enum zr_status make_frame(struct zr_arena *arena, const struct zr_scene *scene, struct zr_frame *frame)
 {
     size_t pixels = (size_t)scene->width * scene->height;
     frame->width = scene->width;
     frame->height = scene->height;
-    if (wants(scene, ZR_CHANNEL_COLOR)) frame->color = zr_arena_alloc(arena, pixels, 4);
-    if (wants(scene, ZR_CHANNEL_DEPTH)) frame->depth = zr_arena_alloc(arena, pixels, sizeof *frame->depth);
-    if (wants(scene, ZR_CHANNEL_WINDOW_DEPTH))
+    if (zr_scene_wants(scene, ZR_CHANNEL_COLOR)) frame->color = zr_arena_alloc(arena, pixels, 4);
+    if (zr_scene_wants(scene, ZR_CHANNEL_DEPTH)) frame->depth = zr_arena_alloc(arena, pixels, sizeof *frame->depth);
+    if (zr_scene_wants(scene, ZR_CHANNEL_WINDOW_DEPTH))
         frame->window_depth = zr_arena_alloc(arena, pixels, sizeof *frame->window_depth);
-    if (wants(scene, ZR_CHANNEL_FACE_ID) || wants(scene, ZR_CHANNEL_INFO))
+    if (zr_scene_wants(scene, ZR_CHANNEL_FACE_ID) || zr_scene_wants(scene, ZR_CHANNEL_INFO))
         frame->face_id = zr_arena_alloc(arena, pixels, sizeof *frame->face_id);
     frame->reaches = zr_arena_alloc(arena, frame->height, sizeof *frame->reaches);
     return zr_arena_ok(arena) ? ZR_OK : ZR_NO_MEMORY;

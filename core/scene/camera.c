@@ -36,19 +36,13 @@ enum zr_status zr_camera_resolve(const struct zr_scene *scene, const struct zr_b
     return status == ZR_OK ? check_range(camera, error) : status;
 }
 
-static bool tells_bounds(const struct zr_scene *scene)
-{
-    for (uint32_t i = 0; i < scene->output_count; i++)
-        if (scene->outputs[i].channel == ZR_CHANNEL_INFO) return true;
-    return false;
-}
-
 enum zr_status zr_sight_find(struct zr_arena *arena, struct zr_team *team, const struct zr_scene *scene,
                              const struct zr_cancel *cancel, const struct zr_sight **out, struct zr_error *error)
 {
     struct zr_sight *sight = zr_arena_zero(arena, 1, sizeof *sight);
     *out = sight;
     if (!sight) return ZR_NO_MEMORY;
-    if (zr_view_needs_bounds(&scene->view) || tells_bounds(scene)) sight->bounds = zr_bounds_of(scene, team, cancel);
+    if (zr_view_needs_bounds(&scene->view) || zr_scene_wants(scene, ZR_CHANNEL_INFO))
+        sight->bounds = zr_bounds_of(scene, team, cancel);
     return zr_camera_resolve(scene, &sight->bounds, team, cancel, &sight->camera, error);
 }

@@ -14,6 +14,10 @@
 #include "scene/camera.h"
 #include "scene/points.h"
 
+typedef struct {
+    double x, y, z;
+} zr_dvec3;
+
 static inline zr_dvec3 zr_dvec3_of(zr_vec3 v)
 {
     return (zr_dvec3){(double)v.x, (double)v.y, (double)v.z};
@@ -69,6 +73,26 @@ struct zr_bounds zr_fit_bounds(const struct zr_points *points, const struct zr_b
 struct zr_opening {
     double left, right, bottom, top, shear;
 };
+
+/* What fit.c measures of points, as kernels: false, and nothing raised, where points are fewer than a vector's lanes,
+ * or one is not finite or has a w that is not 1. */
+
+/* Raises most[0], [1], [2] to x, y, z, and [3], [4], [5] to -x, -y, -z. */
+typedef bool zr_fit_extent_fn(const zr_vec4 *points, uint32_t count, double most[ZR_MEASURES]);
+
+zr_fit_extent_fn zr_fit_extent_scalar, zr_fit_extent_sse2, zr_fit_extent_avx2, zr_fit_extent_avx512, zr_fit_extent_neon;
+
+enum zr_slope { ZR_SLOPE_RIGHT, ZR_SLOPE_LEFT, ZR_SLOPE_TOP, ZR_SLOPE_BOTTOM, ZR_SLOPE_NEAR };
+
+/* How far points reach across an opening's sides, x, y, z being along the axes from the eye, and x sheared: raises
+ * most[ZR_SLOPE_RIGHT] to x + right z, [ZR_SLOPE_LEFT] to -(x + left z), [ZR_SLOPE_TOP] to y + top z,
+ * [ZR_SLOPE_BOTTOM] to -(y + bottom z), [ZR_SLOPE_NEAR] to z. */
+typedef bool zr_fit_slopes_fn(const struct zr_axes *axes, const struct zr_opening *opening, const zr_vec4 *points,
+                              uint32_t count, double most[ZR_MEASURES]);
+
+zr_fit_slopes_fn zr_fit_slopes_scalar, zr_fit_slopes_sse2, zr_fit_slopes_avx2, zr_fit_slopes_avx512, zr_fit_slopes_neon;
+
+zr_fit_slopes_fn *zr_fit_slopes_of(enum zr_isa isa);
 
 /* projection.c */
 static inline bool zr_view_is_perspective(const struct zr_view *view)

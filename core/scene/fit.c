@@ -3,17 +3,33 @@
 
 #include "scene/camera_parts.h"
 
+/* False for points at infinity (w = 0), or beyond the range of float. By 1 nothing need be divided, and mostly that is
+ * w: a third of the time of a walk. */
+static inline bool place_of(zr_vec4 p, zr_dvec3 *out)
+{
+    const double w = (double)p.w, most = (double)FLT_MAX;
+    *out = (zr_dvec3){(double)p.x, (double)p.y, (double)p.z};
+    if (p.w != 1.0f) *out = (zr_dvec3){out->x / w, out->y / w, out->z / w};
+    return p.w != 0.0f && fabs(out->x) <= most && fabs(out->y) <= most && fabs(out->z) <= most;
+}
+
 /* ---- extents ---- */
+
+static zr_fit_extent_fn *fit_extent_of(enum zr_isa isa)
+{
+    static zr_fit_extent_fn *const table[ZR_ISA_COUNT] = ZR_KERNELS(zr_fit_extent);
+    return table[isa];
+}
 
 /* As the kernel, one by one where that cannot. */
 static void measure_extent(const void *context, enum zr_isa isa, const zr_vec4 *points, uint32_t count,
                            double most[ZR_MEASURES])
 {
     (void)context;
-    if (zr_points_extent_of(isa)(points, count, most)) return;
+    if (fit_extent_of(isa)(points, count, most)) return;
     for (uint32_t i = 0; i < count; i++) {
         zr_dvec3 p;
-        if (!zr_point_place(points[i], &p)) continue;
+        if (!place_of(points[i], &p)) continue;
         const double reached[ZR_MEASURES] = {p.x, p.y, p.z, -p.x, -p.y, -p.z};
         for (int k = 0; k < ZR_MEASURES; k++)
             zr_raise(&most[k], reached[k]);
@@ -95,22 +111,33 @@ static zr_dvec3 along(const struct zr_axes *axes, zr_dvec3 p)
     return (zr_dvec3){zr_dvec3_dot(q, axes->right), zr_dvec3_dot(q, axes->up), zr_dvec3_dot(q, axes->back)};
 }
 
+zr_fit_slopes_fn *zr_fit_slopes_of(enum zr_isa isa)
+{
+    static zr_fit_slopes_fn *const table[ZR_ISA_COUNT] = ZR_KERNELS(zr_fit_slopes);
+    return table[isa];
+}
+
+struct slopes {
+    const struct zr_axes *axes;
+    const struct zr_opening *opening;
+};
+
 /* As the kernel, one by one where that cannot. */
 static void measure_slopes(const void *context, enum zr_isa isa, const zr_vec4 *points, uint32_t count,
                            double most[ZR_MEASURES])
 {
-    const struct zr_slopes *s = context;
-    if (zr_points_slopes_of(isa)(s, points, count, most)) return;
-    const struct zr_axes axes = {s->axes[0], s->axes[1], s->axes[2], s->origin};
+    const struct slopes *slopes = context;
+    const struct zr_opening *o = slopes->opening;
+    if (zr_fit_slopes_of(isa)(slopes->axes, o, points, count, most)) return;
     for (uint32_t i = 0; i < count; i++) {
         zr_dvec3 p;
-        if (!zr_point_place(points[i], &p)) continue;
-        const zr_dvec3 q = along(&axes, p);
-        const double x = q.x - s->shear * q.y;
-        zr_raise(&most[ZR_SLOPE_RIGHT], x + s->right * q.z);
-        zr_raise(&most[ZR_SLOPE_LEFT], -(x + s->left * q.z));
-        zr_raise(&most[ZR_SLOPE_TOP], q.y + s->top * q.z);
-        zr_raise(&most[ZR_SLOPE_BOTTOM], -(q.y + s->bottom * q.z));
+        if (!place_of(points[i], &p)) continue;
+        const zr_dvec3 q = along(slopes->axes, p);
+        const double x = q.x - o->shear * q.y;
+        zr_raise(&most[ZR_SLOPE_RIGHT], x + o->right * q.z);
+        zr_raise(&most[ZR_SLOPE_LEFT], -(x + o->left * q.z));
+        zr_raise(&most[ZR_SLOPE_TOP], q.y + o->top * q.z);
+        zr_raise(&most[ZR_SLOPE_BOTTOM], -(q.y + o->bottom * q.z));
         zr_raise(&most[ZR_SLOPE_NEAR], q.z);
     }
 }
@@ -118,14 +145,7 @@ static void measure_slopes(const void *context, enum zr_isa isa, const zr_vec4 *
 static void find_slopes(const struct zr_points *points, const struct zr_opening *opening, const struct zr_axes *axes,
                         double most[ZR_MEASURES])
 {
-    const struct zr_slopes slopes = {.origin = axes->eye,
-                                     .axes = {axes->right, axes->up, axes->back},
-                                     .shear = opening->shear,
-                                     .right = opening->right,
-                                     .left = opening->left,
-                                     .top = opening->top,
-                                     .bottom = opening->bottom};
-    zr_points_most(points, measure_slopes, &slopes, most);
+    zr_points_most(points, measure_slopes, &(struct slopes){axes, opening}, most);
 }
 
 /* Moves the eye sideways and back until the opening just holds every point.
@@ -170,7 +190,7 @@ static void measure_retreat(const void *context, enum zr_isa isa, const zr_vec4 
     const double rounding = retreat->fitting->rounding, least = 0.05 * retreat->fitting->size;
     for (uint32_t i = 0; i < count; i++) {
         zr_dvec3 p;
-        if (!zr_point_place(points[i], &p)) continue;
+        if (!place_of(points[i], &p)) continue;
         const zr_dvec3 q = along(retreat->axes, p);
         double x = q.x - o->shear * q.y, around = rounding * (1.0 + fabs(o->shear));
         double wide = fmax((x + around) / o->right, (x - around) / o->left);
@@ -206,12 +226,12 @@ static void find_extent_along(const struct zr_points *points, const struct zr_ax
  * in front of the nearest point of the whole scene. */
 static void fit_parallel(const struct zr_points *fitted, double size, bool free, struct zr_axes *axes)
 {
-    struct zr_points all = *fitted;
-    double most[ZR_MEASURES], of_all[ZR_MEASURES], nearest;
-    all.fitted_only = false;
+    double most[ZR_MEASURES], of_all[ZR_MEASURES];
     find_extent_along(fitted, axes, most);
-    nearest = most[ZR_SLOPE_NEAR];
+    double nearest = most[ZR_SLOPE_NEAR];
     if (fitted->scene->view.fit_to_mesh) {
+        struct zr_points all = *fitted;
+        all.fitted_only = false;
         find_extent_along(&all, axes, of_all);
         nearest = of_all[ZR_SLOPE_NEAR];
     }

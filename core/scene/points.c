@@ -8,18 +8,6 @@ enum { POINTS_A_RANGE = 1 << 14, RANGES_A_THREAD = 8 };
 /* Of one walk, which ends where they do. */
 enum { POINTS_AT_ONCE = 256 };
 
-zr_points_extent_fn *zr_points_extent_of(enum zr_isa isa)
-{
-    static zr_points_extent_fn *const table[ZR_ISA_COUNT] = ZR_KERNELS(zr_points_extent);
-    return table[isa];
-}
-
-zr_points_slopes_fn *zr_points_slopes_of(enum zr_isa isa)
-{
-    static zr_points_slopes_fn *const table[ZR_ISA_COUNT] = ZR_KERNELS(zr_points_slopes);
-    return table[isa];
-}
-
 /* What one thread has found, on lines of the caches of its own. */
 struct found {
     double most[ZR_MEASURES];

@@ -228,4 +228,12 @@ struct zr_scene {
     const struct zr_base *base; /* NULL: the geometry is all there is */
 };
 
+/* True where one of the outputs shows the channel. */
+static inline bool zr_scene_wants(const struct zr_scene *scene, enum zr_channel channel)
+{
+    for (uint32_t i = 0; i < scene->output_count; i++)
+        if (scene->outputs[i].channel == channel) return true;
+    return false;
+}
+
 #endif

@@ -115,12 +115,13 @@ static void bounds_hold_every_point_that_has_a_place(void **state)
     zr_team_destroy(teams[1]);
 }
 
-static void raise_one_by_one(const struct zr_slopes *s, zr_vec4 p, double most[ZR_MEASURES])
+static void raise_one_by_one(const struct zr_axes *axes, const struct zr_opening *o, zr_vec4 p,
+                             double most[ZR_MEASURES])
 {
-    const zr_dvec3 q = zr_dvec3_sub((zr_dvec3){(double)p.x, (double)p.y, (double)p.z}, s->origin);
-    const double y = zr_dvec3_dot(q, s->axes[1]), z = zr_dvec3_dot(q, s->axes[2]),
-                 x = zr_dvec3_dot(q, s->axes[0]) - s->shear * y;
-    const double reached[] = {x + s->right * z, -(x + s->left * z), y + s->top * z, -(y + s->bottom * z), z};
+    const zr_dvec3 q = zr_dvec3_sub((zr_dvec3){(double)p.x, (double)p.y, (double)p.z}, axes->eye);
+    const double y = zr_dvec3_dot(q, axes->up), z = zr_dvec3_dot(q, axes->back),
+                 x = zr_dvec3_dot(q, axes->right) - o->shear * y;
+    const double reached[] = {x + o->right * z, -(x + o->left * z), y + o->top * z, -(y + o->bottom * z), z};
     for (int k = 0; k < 5; k++)
         if (reached[k] > most[k]) most[k] = reached[k];
 }
@@ -131,25 +132,25 @@ static double fine(void)
     return (double)any() / 3.0;
 }
 
-/* True where the kernel says that it has looked at all of them. */
-static bool check_slopes(zr_points_slopes_fn *kernel, const zr_vec4 *points, uint32_t count)
+static zr_dvec3 fine_vector(void)
 {
-    const struct zr_slopes slopes = {{fine(), fine(), fine()},
-                                     {{fine(), fine(), fine()}, {fine(), fine(), fine()}, {fine(), fine(), fine()}},
-                                     fine(),
-                                     fine(),
-                                     fine(),
-                                     fine(),
-                                     fine()};
+    return (zr_dvec3){fine(), fine(), fine()};
+}
+
+/* True where the kernel says that it has looked at all of them. */
+static bool check_slopes(zr_fit_slopes_fn *kernel, const zr_vec4 *points, uint32_t count)
+{
+    const struct zr_axes axes = {fine_vector(), fine_vector(), fine_vector(), fine_vector()};
+    const struct zr_opening opening = {fine(), fine(), fine(), fine(), fine()};
     double want[ZR_MEASURES], got[ZR_MEASURES];
     for (int k = 0; k < ZR_MEASURES; k++)
         want[k] = got[k] = random_below(&numbers, 4) ? -HUGE_VAL : (double)any();
     struct guarded guarded = guarded_copy(points, count * sizeof *points);
     const double before[] = {got[0], got[1], got[2], got[3], got[4], got[5]};
-    const bool looked = kernel(&slopes, (const zr_vec4 *)(const void *)guarded.bytes, count, got);
+    const bool looked = kernel(&axes, &opening, (const zr_vec4 *)(const void *)guarded.bytes, count, got);
     guarded_free(&guarded);
     for (uint32_t i = 0; looked && i < count; i++)
-        raise_one_by_one(&slopes, points[i], want);
+        raise_one_by_one(&axes, &opening, points[i], want);
     assert_memory_equal(got, looked ? want : before, sizeof got);
     return looked;
 }
@@ -165,7 +166,7 @@ static bool are_plain(const zr_vec4 *points, uint32_t count)
 static void slopes_reach_as_far_as_points_do(void **state)
 {
     static struct subject subject;
-    zr_points_slopes_fn *kernel = zr_points_slopes_of(isa_under_test(state));
+    zr_fit_slopes_fn *kernel = zr_fit_slopes_of(isa_under_test(state));
     int plain = 0, odd = 0;
     for (int round = 0; round < 3000; round++) {
         make_subject(&subject);

@@ -1,5 +1,5 @@
 #include "base/simd.h"
-#include "scene/points.h"
+#include "scene/camera_parts.h"
 
 /* Points are taken by lanes; where too few are left for that, from the last of them back: to look at some of them twice
  * changes nothing. */
@@ -41,7 +41,7 @@ static double most_of(zr_vf v, bool negated)
 }
 
 /* The most of floats is that of the doubles that they become. */
-bool ZR_KERNEL(zr_points_extent)(const zr_vec4 *points, uint32_t count, double most[ZR_MEASURES])
+bool ZR_KERNEL(zr_fit_extent)(const zr_vec4 *points, uint32_t count, double most[ZR_MEASURES])
 {
     if (count < ZR_LANES) return false;
     zr_vm plain = ZR_ALL_LANES;
@@ -78,24 +78,25 @@ static inline zr_vd dot(struct doubles a, zr_dvec3 axis)
     return (a.x * b.x + a.y * b.y) + a.z * b.z;
 }
 
-static inline void raise_slopes(const struct zr_slopes *slopes, struct doubles p, zr_vd most[SLOPES])
+static inline void raise_slopes(const struct zr_axes *axes, const struct zr_opening *opening, struct doubles p,
+                                zr_vd most[SLOPES])
 {
-    const struct doubles origin = spread(slopes->origin), q = {p.x - origin.x, p.y - origin.y, p.z - origin.z};
-    const zr_vd y = dot(q, slopes->axes[1]), z = dot(q, slopes->axes[2]);
-    const zr_vd x = dot(q, slopes->axes[0]) - zr_vd_set(slopes->shear) * y, zero = zr_vd_set(0.0);
+    const struct doubles eye = spread(axes->eye), q = {p.x - eye.x, p.y - eye.y, p.z - eye.z};
+    const zr_vd y = dot(q, axes->up), z = dot(q, axes->back);
+    const zr_vd x = dot(q, axes->right) - zr_vd_set(opening->shear) * y, zero = zr_vd_set(0.0);
     const zr_vd reached[SLOPES] = {
-        [ZR_SLOPE_RIGHT] = x + zr_vd_set(slopes->right) * z,
-        [ZR_SLOPE_LEFT] = zero - (x + zr_vd_set(slopes->left) * z),
-        [ZR_SLOPE_TOP] = y + zr_vd_set(slopes->top) * z,
-        [ZR_SLOPE_BOTTOM] = zero - (y + zr_vd_set(slopes->bottom) * z),
+        [ZR_SLOPE_RIGHT] = x + zr_vd_set(opening->right) * z,
+        [ZR_SLOPE_LEFT] = zero - (x + zr_vd_set(opening->left) * z),
+        [ZR_SLOPE_TOP] = y + zr_vd_set(opening->top) * z,
+        [ZR_SLOPE_BOTTOM] = zero - (y + zr_vd_set(opening->bottom) * z),
         [ZR_SLOPE_NEAR] = z,
     };
     for (int k = 0; k < SLOPES; k++)
         most[k] = zr_vd_max(reached[k], most[k]);
 }
 
-bool ZR_KERNEL(zr_points_slopes)(const struct zr_slopes *slopes, const zr_vec4 *points, uint32_t count,
-                                 double most[ZR_MEASURES])
+bool ZR_KERNEL(zr_fit_slopes)(const struct zr_axes *axes, const struct zr_opening *opening, const zr_vec4 *points,
+                              uint32_t count, double most[ZR_MEASURES])
 {
     if (count < ZR_LANES) return false;
     zr_vm plain = ZR_ALL_LANES;
@@ -109,7 +110,8 @@ bool ZR_KERNEL(zr_points_slopes)(const struct zr_slopes *slopes, const zr_vec4 *
         zr_vf_store(y, p.y);
         zr_vf_store(z, p.z);
         for (int k = 0; k < ZR_LANES; k += ZR_DOUBLES)
-            raise_slopes(slopes, (struct doubles){zr_vd_widen(x + k), zr_vd_widen(y + k), zr_vd_widen(z + k)}, found);
+            raise_slopes(axes, opening, (struct doubles){zr_vd_widen(x + k), zr_vd_widen(y + k), zr_vd_widen(z + k)},
+                         found);
     }
     if (zr_vm_bits(plain) != ZR_ALL_BITS) return false;
     for (int k = 0; k < SLOPES; k++) {
