@@ -87,6 +87,7 @@ static bool face_is_plain(const struct zr_builder *builder, const struct zr_fans
 static enum zr_batch_colors colors_of_run(const struct zr_builder *builder, const struct zr_material *material)
 {
     const struct zr_colors *colors = &builder->colors;
+    if (colors->layout == ZR_COLOR_NONE) return ZR_BATCH_UNCOLORED;
     if (colors->given && colors->layout == ZR_COLOR_PER_FACE && colors->of_first_corner)
         return ZR_BATCH_PER_FIRST_CORNER;
     if (colors->layout == ZR_COLOR_PER_FACE) return ZR_BATCH_PER_FACE;

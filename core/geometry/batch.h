@@ -35,7 +35,8 @@ enum zr_batch_colors {
     ZR_BATCH_PER_FIRST_CORNER, /* flat: that of the position of the face's first corner */
     ZR_BATCH_PER_FIRST_SLOT,   /* flat: that of the first corner's slot in mesh->indices */
     ZR_BATCH_PER_VERTEX,       /* smooth: that of each corner's position */
-    ZR_BATCH_PER_CORNER        /* smooth: that of each corner's slot in mesh->indices */
+    ZR_BATCH_PER_CORNER,       /* smooth: that of each corner's slot in mesh->indices */
+    ZR_BATCH_UNCOLORED         /* there are none, since no colour picture is wanted */
 };
 
 struct zr_batch {
@@ -54,7 +55,7 @@ struct zr_batch {
     uint32_t first_id;     /* of face 0 */
     uint32_t first_vertex; /* of position 0 */
     enum zr_batch_colors colors;
-    const zr_vec4 *front, *back; /* one array where no back of the scene is lit and seen */
+    const zr_vec4 *front, *back; /* one array where no back of the scene is lit and seen; NULL where uncoloured */
     uint32_t color_count;        /* in each array: those of all the mesh */
     const uint32_t *packed; /* front[] as four bytes each (shade/paint.h), where no back is seen in others; NULL: not
                              * made */
@@ -91,6 +92,8 @@ static inline uint32_t zr_batch_color(const struct zr_batch *batch, uint32_t t, 
     case ZR_BATCH_PER_VERTEX:
     case ZR_BATCH_PER_CORNER:
         break;
+    case ZR_BATCH_UNCOLORED:
+        return 0;
     }
     return zr_batch_corner_color(batch, t, (uint32_t)k);
 }
@@ -115,7 +118,8 @@ struct zr_batch_lookup {
 static inline struct zr_batch_lookup zr_batch_lookup(const struct zr_batch *batch)
 {
     const size_t word = sizeof(uint32_t);
-    if (batch->written) return (struct zr_batch_lookup){(uintptr_t)batch, 0}; /* which is at hand: nothing to ask for */
+    if (batch->written || batch->colors == ZR_BATCH_UNCOLORED)
+        return (struct zr_batch_lookup){(uintptr_t)batch, 0}; /* which is at hand: nothing to ask for */
     if (zr_batch_is_smooth(batch) || zr_batch_is_sided(batch))
         return (struct zr_batch_lookup){(uintptr_t)batch->corners, 3 * word};
     if (batch->faces) return (struct zr_batch_lookup){(uintptr_t)batch->faces, word};

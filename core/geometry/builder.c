@@ -124,6 +124,7 @@ bool zr_builder_own_colors(struct zr_builder *builder)
 uint32_t zr_builder_color(const struct zr_builder *builder, uint32_t face, bool smooth, uint32_t slot)
 {
     const struct zr_mesh *mesh = builder->mesh;
+    if (builder->uncolored) return 0;
     if (builder->colors.layout == ZR_COLOR_PER_FACE) return builder->first_color + face;
     if (builder->colors.layout == ZR_COLOR_PER_VERTEX) return builder->first_color + mesh->indices[slot];
     return builder->first_color + (smooth ? slot : mesh->face_offsets[face]);

@@ -26,6 +26,7 @@ struct zr_builder {
     const struct zr_scene *scene;
     struct zr_geometry *geometry;
     bool written;                                    /* all records are to be written out */
+    bool uncolored;                                  /* no colour picture is wanted: colours are not made */
     bool separate_backs;                             /* back_colors is an array of its own */
     uint32_t vertex_room, color_room, triangle_room; /* capacities of the geometry's arrays */
     uint32_t shape_room, edge_room, cut_room, batch_room;

@@ -14,7 +14,8 @@
 enum zr_color_layout {
     ZR_COLOR_PER_FACE,   /* one for face f at f */
     ZR_COLOR_PER_VERTEX, /* one for position p at p */
-    ZR_COLOR_PER_CORNER  /* one for corner slot s of face_offsets at s */
+    ZR_COLOR_PER_CORNER, /* one for corner slot s of face_offsets at s */
+    ZR_COLOR_NONE        /* nobody will look: no colour picture is wanted */
 };
 
 struct zr_colors {

@@ -44,7 +44,7 @@ static bool make_room(struct zr_builder *builder, const struct zr_scene *scene)
     for (uint32_t i = 0; i < scene->instance_count; i++) {
         const struct zr_mesh *mesh = &scene->meshes[scene->instances[i].mesh];
         vertices += mesh->position_count;
-        if (!zr_colors_are_given(scene, mesh, &given)) colors += zr_colors_count(scene, mesh);
+        if (!builder->uncolored && !zr_colors_are_given(scene, mesh, &given)) colors += zr_colors_count(scene, mesh);
         if (mesh->position_count > most) most = mesh->position_count;
     }
     if (!zr_builder_reserve(builder, vertices, colors, 0)) return false;
@@ -58,9 +58,23 @@ static bool make_room(struct zr_builder *builder, const struct zr_scene *scene)
     return zr_arena_ok(builder->arena);
 }
 
+/* The one colour of all records that are written out where colours are not made. */
+static bool put_no_color(struct zr_builder *builder)
+{
+    struct zr_geometry *g = builder->geometry;
+    if (!zr_builder_reserve(builder, 0, 1, 0)) return false;
+    g->front_colors[0] = g->back_colors[0] = (zr_vec4){0, 0, 0, 0};
+    g->color_count = 1;
+    return true;
+}
+
 /* The mesh's own colours where they will do, else made for this instance. */
 static bool make_colors(struct zr_builder *builder)
 {
+    if (builder->uncolored) {
+        builder->colors = (struct zr_colors){.layout = ZR_COLOR_NONE};
+        return true;
+    }
     builder->colors = (struct zr_colors){.given = true};
     return zr_colors_are_given(builder->scene, builder->mesh, &builder->colors) || zr_builder_own_colors(builder);
 }
@@ -102,11 +116,12 @@ enum zr_status zr_geometry_build(struct zr_arena *arena, struct zr_team *team, c
                                  .geometry = geometry,
                                  .written = written,
                                  .lighting = &lighting};
-    builder.separate_backs = shows_backs(scene);
+    builder.uncolored = !zr_scene_wants(scene, ZR_CHANNEL_COLOR);
+    builder.separate_backs = !builder.uncolored && shows_backs(scene);
     builder.viewport = zr_viewport_make(scene->width, scene->height);
     zr_lighting_make(arena, scene, &camera->world_to_eye, &lighting);
 
-    if (!make_room(&builder, scene)) return ZR_NO_MEMORY;
+    if (!make_room(&builder, scene) || (builder.uncolored && !put_no_color(&builder))) return ZR_NO_MEMORY;
     builder.first_face_id = 1;
     for (uint32_t i = 0; i < scene->instance_count; i++) {
         const struct zr_instance *instance = &scene->instances[i];

@@ -1,5 +1,6 @@
 /* A lit mesh seen by a view that is fitted to it, as it is drawn when it is posted by itself, against the same unlit,
- * in the colours of the other tables, through the matrices that such a view comes to. */
+ * in the colours of the other tables, through the matrices that such a view comes to; and its depth map alone, for
+ * which nothing need be lit, against its picture alone. */
 #include "bench/growth.h"
 #include "bench/machine.h"
 #include "bench/series.h"
@@ -7,11 +8,12 @@
 #include "input/defaults.h"
 #include "scene/camera.h"
 
-enum { PLAIN, LIT, SIDES };
+enum { PLAIN, LIT, DEPTH, SIDES };
 enum { THREADS_MOST = 2 };
 
 static const enum works measured[] = {WORK_BUNNY, WORK_BUNNY_SMALL, WORK_DENSE};
 static const struct zr_output color = {.channel = ZR_CHANNEL_COLOR, .encoding = ZR_ENCODING_PNG};
+static const struct zr_output depth = {.channel = ZR_CHANNEL_DEPTH, .encoding = ZR_ENCODING_NPY};
 
 struct task {
     const struct work *work;
@@ -19,11 +21,11 @@ struct task {
     enum work_shade shade;
 };
 
-static void name_row(const struct task *task, char *name, size_t size)
+static void name_row(const struct task *task, const char *what, char *name, size_t size)
 {
     char drawn[80];
     works_variant_name(task->work, &(struct variant){task->shade, false}, drawn, sizeof drawn);
-    snprintf(name, size, "lit and fitted: %.60s %dT %s", drawn, task->threads, machine_isa());
+    snprintf(name, size, "lit and fitted%s: %.60s %dT %s", what, drawn, task->threads, machine_isa());
 }
 
 /* Into a side's own subject, which points into itself. */
@@ -59,7 +61,7 @@ static bool run_round(void *context, struct series *series)
     struct ours *ours = context;
     for (int side = PLAIN; side < SIDES; side++) {
         double begin = now_ms();
-        if (!ours_render(&ours[side], &color, 1)) return false;
+        if (!ours_render(&ours[side], side == DEPTH ? &depth : &color, 1)) return false;
         series_add(&series[side], now_ms() - begin);
     }
     return true;
@@ -71,11 +73,14 @@ static bool measure(const struct bench *bench, void *context, const struct sink 
     const struct task *task = context;
     struct ours ours[SIDES];
     for (int side = PLAIN; side < SIDES; side++)
-        if (!ours_open(&ours[side], task->threads) || !take(&ours[side], task, side == LIT)) return false;
+        if (!ours_open(&ours[side], task->threads) || !take(&ours[side], task, side != PLAIN)) return false;
     if (!series_run(series, SIDES, bench->rounds, run_round, ours)) return false;
-    struct row row = {.ours_ms = series_median(&series[LIT]), .theirs_ms = series_median(&series[PLAIN])};
-    name_row(task, row.work, sizeof row.work);
-    sink_row(sink, &row);
+    struct row lit = {.ours_ms = series_median(&series[LIT]), .theirs_ms = series_median(&series[PLAIN])};
+    struct row alone = {.ours_ms = series_median(&series[DEPTH]), .theirs_ms = series_median(&series[LIT])};
+    name_row(task, "", lit.work, sizeof lit.work);
+    name_row(task, ", depth alone", alone.work, sizeof alone.work);
+    sink_row(sink, &lit);
+    sink_row(sink, &alone);
     return true;
 }
 
@@ -84,9 +89,11 @@ static void measure_work(struct bench *bench, const struct work *work)
     for (int i = 0; i < THREADS_MOST * WORK_SHADES; i++) {
         struct task task = {work, 1 + i / WORK_SHADES, (enum work_shade)(i % WORK_SHADES)};
         char name[ROW_NAME_SIZE];
-        name_row(&task, name, sizeof name);
+        name_row(&task, "", name, sizeof name);
         if (task.threads > machine_cores() || !bench_wants(bench, name)) continue;
-        results_begin_table(&bench->results, "lit and fitted: \"theirs\" is ours unlit, through matrices");
+        results_begin_table(
+            &bench->results,
+            "lit and fitted: \"theirs\" is ours unlit, through matrices; of depth alone, ours with colours alone");
         bench_in_child(bench, measure, &task, NULL);
     }
 }

@@ -37,13 +37,25 @@ static struct zr_scene read_file(const char *path)
     return all;
 }
 
-static void assert_same(const struct zr_frame *want, const struct zr_frame *got, const char *path, const char *by)
+static void assert_same(const struct zr_frame *want, const struct zr_frame *got, bool uncolored, const char *path,
+                        const char *by)
 {
     size_t pixels = (size_t)want->width * want->height;
     bool same = memcmp(got->face_id, want->face_id, pixels * 4) == 0 &&
                 memcmp(got->window_depth, want->window_depth, pixels * 4) == 0 &&
-                memcmp(got->depth, want->depth, pixels * 4) == 0 && memcmp(got->color, want->color, pixels * 4) == 0;
-    if (!same) fail_msg("%s: other bytes by %s", path, by);
+                memcmp(got->depth, want->depth, pixels * 4) == 0 &&
+                (got->color ? memcmp(got->color, want->color, pixels * 4) == 0 : uncolored) &&
+                memcmp(&got->counts, &want->counts, sizeof got->counts) == 0;
+    if (!same) fail_msg("%s: other bytes by %s%s", path, by, uncolored ? ", without colours" : "");
+}
+
+static struct zr_scene without_color(const struct zr_scene *scene)
+{
+    struct zr_scene out = *scene;
+    assert_int_equal(scene->outputs[0].channel, ZR_CHANNEL_COLOR);
+    out.outputs++;
+    out.output_count--;
+    return out;
 }
 
 /* One for each instruction set; NULL where the machine lacks it, which test_isas.c tells of. */
@@ -58,12 +70,17 @@ static void check_file(const char *path, const struct teams *teams)
     scene.algorithm = ZR_ALGORITHM_HALFSPACE;
     const struct zr_frame *want = scene_render(&arena, NULL, &scene);
     assert_true(want->covered_pixels > 0);
+    struct zr_scene uncolored = without_color(&scene);
     for (int isa = 0; isa < ZR_ISA_COUNT; isa++)
-        if (teams->of[isa])
-            assert_same(want, scene_render(&arena, teams->of[isa], &scene), path, zr_isa_name((enum zr_isa)isa));
+        if (teams->of[isa]) {
+            assert_same(want, scene_render(&arena, teams->of[isa], &scene), false, path, zr_isa_name((enum zr_isa)isa));
+            assert_same(want, scene_render(&arena, teams->of[isa], &uncolored), true, path,
+                        zr_isa_name((enum zr_isa)isa));
+        }
     for (int a = ZR_ALGORITHM_EDGELIST; a < ZR_ALGORITHM_COUNT; a++) {
-        scene.algorithm = (enum zr_algorithm)a;
-        assert_same(want, scene_render(&arena, teams->of[zr_isa_best()], &scene), path, algorithm_words[a]);
+        scene.algorithm = uncolored.algorithm = (enum zr_algorithm)a;
+        assert_same(want, scene_render(&arena, teams->of[zr_isa_best()], &scene), false, path, algorithm_words[a]);
+        assert_same(want, scene_render(&arena, teams->of[zr_isa_best()], &uncolored), true, path, algorithm_words[a]);
     }
     zr_arena_free(&arena);
     free(bytes);
