@@ -113,7 +113,9 @@ static bool add_run(struct zr_builder *builder, const struct zr_fans *fans, cons
                              .colors = colors_of_run(builder, run->material),
                              .front = builder->colors.front,
                              .back = builder->colors.back,
+                             .packed = builder->colors.packed,
                              .color_count = builder->colors.count,
+                             .sided = builder->colors.sided && run->material->double_sided,
                              .mirrored = builder->mirrored,
                              .double_sided = run->material->double_sided};
     counts->polygons += run->end - run->begin;
@@ -140,7 +142,7 @@ static enum zr_status assemble_faces(struct zr_builder *builder, const struct zr
             done += run.end - run.begin;
         } else {
             uint64_t corners = mesh->face_offsets[run.begin + 1] - mesh->face_offsets[run.begin];
-            if (!zr_builder_own_colors(builder)) return ZR_NO_MEMORY;
+            if (!zr_builder_own_colors(builder, run.begin)) return ZR_NO_MEMORY;
             place_face(builder, run.end++);
             done += corners * corners;
         }
@@ -158,7 +160,6 @@ static enum zr_status for_each_face(struct zr_builder *builder, void (*work)(str
 {
     const uint32_t *offsets = builder->mesh->face_offsets;
     uint64_t done = 0;
-    if (!zr_builder_own_colors(builder)) return ZR_NO_MEMORY;
     for (uint32_t face = 0; face < builder->mesh->face_count; face++) {
         uint64_t corners = offsets[face + 1] - offsets[face];
         done += corners * corners;
@@ -166,6 +167,7 @@ static enum zr_status for_each_face(struct zr_builder *builder, void (*work)(str
             if (zr_is_cancelled(builder->cancel)) return ZR_CANCELLED;
             done = 0;
         }
+        if (!zr_builder_own_colors(builder, face)) return ZR_NO_MEMORY;
         work(builder, face);
         if (!zr_arena_ok(builder->arena)) return ZR_NO_MEMORY;
     }

@@ -55,10 +55,13 @@ struct zr_batch {
     uint32_t first_id;     /* of face 0 */
     uint32_t first_vertex; /* of position 0 */
     enum zr_batch_colors colors;
-    const zr_vec4 *front, *back; /* one array where no back of the scene is lit and seen; NULL where uncoloured */
-    uint32_t color_count;        /* in each array: those of all the mesh */
-    const uint32_t *packed; /* front[] as four bytes each (shade/paint.h), where no back is seen in others; NULL: not
-                             * made */
+    const zr_vec4 *front, *back; /* NULL where there are only packed ones, or none */
+    const uint32_t *packed; /* of a flat batch, as zr_rgba_opaque: its fronts and, where it is sided, behind them its
+                               backs; NULL: not made */
+    uint32_t color_count;   /* fronts: those of all the mesh */
+    bool sided;             /* backs are drawn, in colours of their own */
+    uint32_t *backs;        /* of a flat batch that is sided: bit t % 32 of backs[t / 32] where triangle t shows its
+                               back, known when it is sorted (raster/bins.h); of those that are seen */
     bool mirrored, double_sided;
     bool painted_early; /* tiny and small triangles get their colours when they are drawn (shade/paint.h) */
 };
@@ -103,12 +106,6 @@ static inline bool zr_batch_is_smooth(const struct zr_batch *batch)
     return batch->colors == ZR_BATCH_PER_VERTEX || batch->colors == ZR_BATCH_PER_CORNER;
 }
 
-/* Whether backs are drawn, in colours of their own: then a triangle's side must be known to know its colours. */
-static inline bool zr_batch_is_sided(const struct zr_batch *batch)
-{
-    return batch->double_sided && batch->front != batch->back;
-}
-
 /* Where painting looks first for the colours of triangle 0; those of each one behind it are `step` bytes farther. */
 struct zr_batch_lookup {
     uintptr_t first;
@@ -120,8 +117,7 @@ static inline struct zr_batch_lookup zr_batch_lookup(const struct zr_batch *batc
     const size_t word = sizeof(uint32_t);
     if (batch->written || batch->colors == ZR_BATCH_UNCOLORED)
         return (struct zr_batch_lookup){(uintptr_t)batch, 0}; /* which is at hand: nothing to ask for */
-    if (zr_batch_is_smooth(batch) || zr_batch_is_sided(batch))
-        return (struct zr_batch_lookup){(uintptr_t)batch->corners, 3 * word};
+    if (zr_batch_is_smooth(batch)) return (struct zr_batch_lookup){(uintptr_t)batch->corners, 3 * word};
     if (batch->faces) return (struct zr_batch_lookup){(uintptr_t)batch->faces, word};
     if (batch->colors == ZR_BATCH_PER_FIRST_CORNER)
         return (struct zr_batch_lookup){(uintptr_t)batch->corners, 3 * word};
@@ -129,6 +125,12 @@ static inline struct zr_batch_lookup zr_batch_lookup(const struct zr_batch *batc
         return (struct zr_batch_lookup){(uintptr_t)(batch->mesh->face_offsets + batch->first_face), word};
     if (batch->packed) return (struct zr_batch_lookup){(uintptr_t)(batch->packed + batch->first_face), word};
     return (struct zr_batch_lookup){(uintptr_t)(batch->front + batch->first_face), sizeof *batch->front};
+}
+
+/* Of triangles t and so on, a bit each, all in one word. */
+static inline void zr_batch_add_backs(const struct zr_batch *batch, uint32_t t, uint32_t backs)
+{
+    batch->backs[t / 32] |= backs << t % 32;
 }
 
 static inline bool zr_batch_holds(const struct zr_batch *batch, uint32_t number)

@@ -1,5 +1,7 @@
 #include "geometry/builder.h"
 
+#include "base/rgba.h"
+
 /* How many an array of `room` grows to for `more` beside `count`: at least by
  * half, so that growth costs a constant share. 0: too many. */
 static uint64_t grown_room(uint32_t room, uint32_t count, uint64_t more)
@@ -106,9 +108,22 @@ bool zr_builder_add_written(struct zr_builder *builder)
     return true;
 }
 
-bool zr_builder_own_colors(struct zr_builder *builder)
+/* Where zr_builder_color will look, as if those of all faces were there. */
+static bool own_packed(struct zr_builder *builder, uint32_t face)
 {
     struct zr_geometry *g = builder->geometry;
+    const struct zr_colors *colors = &builder->colors;
+    if (!zr_builder_reserve(builder, 0, colors->count - face, 0)) return false; /* for the faces behind it, too */
+    g->back_colors[g->color_count] = zr_rgba_floats(colors->packed[colors->sided ? colors->count + face : face]);
+    g->front_colors[g->color_count] = zr_rgba_floats(colors->packed[face]); /* last: both may be one array */
+    builder->first_color = g->color_count++ - face;
+    return true;
+}
+
+bool zr_builder_own_colors(struct zr_builder *builder, uint32_t face)
+{
+    struct zr_geometry *g = builder->geometry;
+    if (builder->colors.packed) return own_packed(builder, face);
     if (!builder->colors.given) return true;
     uint32_t count = zr_colors_count(builder->scene, builder->mesh);
     if (!zr_builder_reserve(builder, 0, count, 0)) return false;

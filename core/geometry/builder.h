@@ -67,11 +67,12 @@ static inline uint32_t zr_builder_vertex(const struct zr_builder *builder, uint3
     return builder->first_vertex + position;
 }
 
-/* Sees to it that the colours of the instance under way are among the geometry's, where records that are written out
- * find them. False where the arena has failed. */
-bool zr_builder_own_colors(struct zr_builder *builder);
+/* Sees to it that the colours of a face of the instance under way are among the geometry's, where records that are
+ * written out find them: all of its mesh, or, of those that are packed, the face's one. False where the arena has
+ * failed. */
+bool zr_builder_own_colors(struct zr_builder *builder, uint32_t face);
 
-/* The geometry's colour of a face at corner `slot` of its mesh; zr_builder_own_colors has been called. */
+/* The geometry's colour of a face at corner `slot` of its mesh; zr_builder_own_colors has been called for it. */
 uint32_t zr_builder_color(const struct zr_builder *builder, uint32_t face, bool smooth, uint32_t slot);
 
 /* A position in clip space. */

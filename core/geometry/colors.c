@@ -1,5 +1,6 @@
 #include "geometry/colors.h"
 
+#include "base/rgba.h"
 #include "geometry/face.h"
 #include "geometry/normals.h"
 #include "geometry/vertex_normals.h"
@@ -13,6 +14,9 @@ struct palette {
     const zr_vec4 *computed; /* normals of vertices; NULL where nothing needs them */
     enum zr_isa isa;
     zr_vec4 *front, *back;
+    uint32_t *packed; /* or these instead, */
+    uint32_t count;   /* so many of each side */
+    bool sided;
     bool per_corner; /* else faces are flat, all of them */
     const struct zr_cancel *cancel;
 };
@@ -71,12 +75,26 @@ struct points {
     zr_vec4 normals[LIT_AT_ONCE], bases[LIT_AT_ONCE];
 };
 
+/* Up to LIT_AT_ONCE. */
+static void put_lit(const struct palette *palette, size_t first, const zr_vec4 *normals, const zr_vec4 *bases,
+                    size_t count)
+{
+    zr_light_fn *light = zr_light_of(palette->isa);
+    zr_rgba_pack_fn *pack = zr_rgba_pack_of(palette->isa);
+    zr_vec4 front[LIT_AT_ONCE], back[LIT_AT_ONCE];
+    if (!palette->packed) {
+        light(palette->lighting, &palette->to_eye, normals, bases, count, palette->front + first,
+              palette->back + first);
+        return;
+    }
+    light(palette->lighting, &palette->to_eye, normals, bases, count, front, palette->sided ? back : front);
+    pack(front, count, palette->packed + first);
+    if (palette->sided) pack(back, count, palette->packed + palette->count + first);
+}
+
 static void light_points(const struct palette *palette, struct points *points)
 {
-    const uint32_t first = points->first;
-    if (points->count > 0)
-        zr_light_of(palette->isa)(palette->lighting, &palette->to_eye, points->normals, points->bases, points->count,
-                                  palette->front + first, palette->back + first);
+    if (points->count > 0) put_lit(palette, points->first, points->normals, points->bases, points->count);
     points->count = 0;
 }
 
@@ -91,7 +109,12 @@ static inline void add_point(const struct palette *palette, struct points *point
 
 static void put_unlit(const struct palette *palette, uint32_t slot, zr_vec4 base)
 {
-    palette->front[slot] = palette->back[slot] = base;
+    if (!palette->packed) {
+        palette->front[slot] = palette->back[slot] = base;
+        return;
+    }
+    palette->packed[slot] = zr_rgba_opaque(base);
+    if (palette->sided) palette->packed[palette->count + slot] = palette->packed[slot];
 }
 
 static zr_vec3 corner_normal(const struct palette *palette, uint32_t vertex, uint32_t slot)
@@ -204,8 +227,7 @@ static void color_alike(void *context, size_t begin, size_t end)
             normals = palette->computed + first;
         else
             zr_triangle_normals_of(palette->isa)(palette->mesh, (uint32_t)first, count, made);
-        zr_light_of(palette->isa)(palette->lighting, &palette->to_eye, normals, bases, count, palette->front + first,
-                                  palette->back + first);
+        put_lit(palette, first, normals, bases, count);
     }
 }
 
@@ -245,22 +267,58 @@ bool zr_colors_are_given(const struct zr_scene *scene, const struct zr_mesh *mes
     return true;
 }
 
+bool zr_colors_can_be_packed(const struct zr_scene *scene, const struct zr_mesh *mesh)
+{
+    for (uint32_t f = 0; f < (mesh->face_materials ? mesh->face_count : 1); f++) {
+        const struct zr_material *material = zr_material_of_face(scene, mesh, f);
+        if (zr_material_is_smooth(mesh, material) || material->outline != ZR_OUTLINE_NONE) return false;
+    }
+    return true;
+}
+
+static struct palette palette_make(struct zr_team *team, const struct zr_cancel *cancel, const struct zr_scene *scene,
+                                   const struct zr_mesh *mesh, const struct zr_lighting *lighting,
+                                   const zr_mat4 *object_to_eye)
+{
+    return (struct palette){.scene = scene,
+                            .mesh = mesh,
+                            .lighting = lighting,
+                            .to_eye = zr_normal_matrix_make(object_to_eye),
+                            .isa = zr_team_isa(team),
+                            .cancel = cancel};
+}
+
+static void make_of_faces(struct zr_team *team, struct palette *palette)
+{
+    zr_team_ranges(team, palette->mesh->face_count, points_a_range(palette),
+                   are_alike_triangles(palette) ? color_alike : color_faces, palette);
+}
+
+struct zr_colors zr_colors_make_packed(struct zr_arena *arena, struct zr_team *team, const struct zr_cancel *cancel,
+                                       const struct zr_scene *scene, const struct zr_mesh *mesh,
+                                       const struct zr_lighting *lighting, const zr_mat4 *object_to_eye, bool sided)
+{
+    struct palette palette = palette_make(team, cancel, scene, mesh, lighting, object_to_eye);
+    palette.count = mesh->face_count;
+    palette.sided = sided;
+    palette.packed = zr_arena_alloc(arena, (size_t)palette.count << sided, sizeof *palette.packed);
+    if (palette.packed) make_of_faces(team, &palette);
+    return (struct zr_colors){
+        .layout = ZR_COLOR_PER_FACE, .sided = sided, .packed = palette.packed, .count = palette.count};
+}
+
 struct zr_colors zr_colors_make(struct zr_arena *arena, struct zr_team *team, const struct zr_cancel *cancel,
                                 const struct zr_scene *scene, const struct zr_mesh *mesh,
                                 const struct zr_lighting *lighting, const zr_mat4 *object_to_eye,
                                 const zr_vec4 **normals, zr_vec4 *front, zr_vec4 *back)
 {
     enum zr_color_layout layout = choose_layout(scene, mesh);
-    struct zr_colors colors = {.layout = layout, .front = front, .back = back, .count = layout_count(mesh, layout)};
-    struct palette palette = {.scene = scene,
-                              .mesh = mesh,
-                              .lighting = lighting,
-                              .to_eye = zr_normal_matrix_make(object_to_eye),
-                              .isa = zr_team_isa(team),
-                              .front = front,
-                              .back = back,
-                              .per_corner = layout == ZR_COLOR_PER_CORNER,
-                              .cancel = cancel};
+    struct zr_colors colors = {
+        .layout = layout, .sided = front != back, .front = front, .back = back, .count = layout_count(mesh, layout)};
+    struct palette palette = palette_make(team, cancel, scene, mesh, lighting, object_to_eye);
+    palette.front = front;
+    palette.back = back;
+    palette.per_corner = layout == ZR_COLOR_PER_CORNER;
     if (layout != ZR_COLOR_PER_FACE && needs_computed_normals(scene, mesh)) {
         if (!*normals) *normals = zr_vertex_normals_make(arena, team, cancel, mesh);
         palette.computed = *normals;
@@ -270,7 +328,6 @@ struct zr_colors zr_colors_make(struct zr_arena *arena, struct zr_team *team, co
         zr_team_ranges(team, mesh->position_count, points_a_range(&palette),
                        are_alike_vertices(&palette) ? color_alike : color_vertices, &palette);
     else
-        zr_team_ranges(team, mesh->face_count, points_a_range(&palette),
-                       are_alike_triangles(&palette) ? color_alike : color_faces, &palette);
+        make_of_faces(team, &palette);
     return colors;
 }

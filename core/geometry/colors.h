@@ -22,8 +22,11 @@ struct zr_colors {
     enum zr_color_layout layout;
     bool given;                  /* the arrays are the mesh's own, */
     bool of_first_corner;        /* and with ZR_COLOR_PER_FACE are those of vertices: a face has that of its first */
-    const zr_vec4 *front, *back; /* seen from the two sides; one array where no back is lit and seen */
-    uint32_t count;              /* in each array */
+    bool sided;                  /* the two sides differ, or may */
+    const zr_vec4 *front, *back; /* seen from the two sides; one array where they do not differ */
+    const uint32_t *packed; /* or, with ZR_COLOR_PER_FACE, these instead, as zr_rgba_opaque: fronts and, where sides
+                               differ, backs behind them */
+    uint32_t count;         /* of each side */
 };
 
 const struct zr_material *zr_material_of_face(const struct zr_scene *scene, const struct zr_mesh *mesh, uint32_t face);
@@ -37,6 +40,15 @@ uint32_t zr_colors_count(const struct zr_scene *scene, const struct zr_mesh *mes
 /* True where the mesh has the colours as they are to be seen, unlit and of one material that changes nothing: then
  * *colors says where. A mesh of a million triangles has 18 MB of them, not to be copied. */
 bool zr_colors_are_given(const struct zr_scene *scene, const struct zr_mesh *mesh, struct zr_colors *colors);
+
+/* True where every face is flat, and none outlined: four bytes a side, which is what is seen, will do then, and
+ * not sixteen. */
+bool zr_colors_can_be_packed(const struct zr_scene *scene, const struct zr_mesh *mesh);
+
+/* Packed ones, of such a mesh; cancelled, it returns early. Fails only with the arena, which they are taken from. */
+struct zr_colors zr_colors_make_packed(struct zr_arena *arena, struct zr_team *team, const struct zr_cancel *cancel,
+                                       const struct zr_scene *scene, const struct zr_mesh *mesh,
+                                       const struct zr_lighting *lighting, const zr_mat4 *object_to_eye, bool sided);
 
 /* Writes them to front[] and back[], which the caller gives room for. *normals are those of the mesh's vertices
  * (vertex_normals.h), or NULL: then they are made where they are needed, and handed out, for other instances of the

@@ -34,17 +34,31 @@ static void place_vertices(void *argument, size_t begin, size_t end)
     if (any) atomic_fetch_or_explicit(&placing->any_outcodes, any, memory_order_relaxed);
 }
 
+/* Records that are written out want floats. */
+static bool packs_colors(const struct zr_builder *builder, const struct zr_mesh *mesh)
+{
+    return !builder->written && zr_colors_can_be_packed(builder->scene, mesh);
+}
+
+/* How many colours an instance of the mesh is sure to want among the geometry's. */
+static uint32_t count_colors(const struct zr_builder *builder, const struct zr_mesh *mesh)
+{
+    struct zr_colors given;
+    if (builder->uncolored || zr_colors_are_given(builder->scene, mesh, &given) || packs_colors(builder, mesh))
+        return 0;
+    return zr_colors_count(builder->scene, mesh);
+}
+
 /* Room for what all instances are sure to fill, so that arrays need not move as they grow, and
  * for the outcodes of one at a time. False where the arena has failed. */
 static bool make_room(struct zr_builder *builder, const struct zr_scene *scene)
 {
     uint64_t vertices = 0, colors = 0;
     uint32_t most = 0;
-    struct zr_colors given;
     for (uint32_t i = 0; i < scene->instance_count; i++) {
         const struct zr_mesh *mesh = &scene->meshes[scene->instances[i].mesh];
         vertices += mesh->position_count;
-        if (!builder->uncolored && !zr_colors_are_given(scene, mesh, &given)) colors += zr_colors_count(scene, mesh);
+        colors += count_colors(builder, mesh);
         if (mesh->position_count > most) most = mesh->position_count;
     }
     if (!zr_builder_reserve(builder, vertices, colors, 0)) return false;
@@ -71,12 +85,19 @@ static bool put_no_color(struct zr_builder *builder)
 /* The mesh's own colours where they will do, else made for this instance. */
 static bool make_colors(struct zr_builder *builder)
 {
+    const struct zr_mesh *mesh = builder->mesh;
     if (builder->uncolored) {
         builder->colors = (struct zr_colors){.layout = ZR_COLOR_NONE};
         return true;
     }
+    if (zr_colors_are_given(builder->scene, mesh, &builder->colors)) return true;
+    if (packs_colors(builder, mesh)) {
+        builder->colors = zr_colors_make_packed(builder->arena, builder->team, builder->cancel, builder->scene, mesh,
+                                                builder->lighting, &builder->object_to_eye, builder->separate_backs);
+        return zr_arena_ok(builder->arena);
+    }
     builder->colors = (struct zr_colors){.given = true};
-    return zr_colors_are_given(builder->scene, builder->mesh, &builder->colors) || zr_builder_own_colors(builder);
+    return zr_builder_own_colors(builder, 0);
 }
 
 static enum zr_status build_instance(struct zr_builder *builder, const struct zr_camera *camera,

@@ -94,6 +94,7 @@ void zr_binner_add_spanning(struct zr_binner *binner, const struct zr_batch *bat
         return;
     }
     binner->counts.drawn_whole += !batch->written;
+    if (batch->backs) zr_batch_add_backs(batch, number - batch->first, record.back);
     zr_setup_box(vertices, &record, box);
     if (!cut_to_window(bins, box)) return;
     struct zr_wide *wide = take(binner, sizeof *wide);

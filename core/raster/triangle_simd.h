@@ -85,6 +85,13 @@ static inline zr_vm zr_turned_v(const struct zr_window_vertex *vertices, const i
     return zr_vm_of(turned);
 }
 
+/* Which triangles show their back, of those that go counter-clockwise where `turned`: as a front does, but in a mirror.
+ */
+static inline zr_vm zr_backs_v(zr_vm turned, bool mirrored)
+{
+    return mirrored ? turned : zr_vm_andnot(ZR_ALL_LANES, turned);
+}
+
 static inline void zr_swap_vf(zr_vm where, zr_vf *a, zr_vf *b)
 {
     const zr_vf old = *a;

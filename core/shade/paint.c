@@ -1,5 +1,6 @@
 #include "shade/paint.h"
 
+#include "base/rgba.h"
 #include "raster/line.h"
 
 const struct zr_paint *zr_paint_of(enum zr_isa isa)
@@ -13,7 +14,7 @@ const struct zr_paint *zr_paint_of(enum zr_isa isa)
 enum { PIXELS_A_COLOR = 4, COLORS_A_RANGE = 4096 };
 
 struct packing {
-    const struct zr_paint *paint;
+    zr_rgba_pack_fn *pack;
     const zr_vec4 *colors;
     uint32_t *out;
 };
@@ -21,7 +22,7 @@ struct packing {
 static void pack_range(void *context, size_t begin, size_t end)
 {
     const struct packing *p = context;
-    p->paint->pack(p->colors + begin, end - begin, p->out + begin);
+    p->pack(p->colors + begin, end - begin, p->out + begin);
 }
 
 enum zr_status zr_paint_prepare(enum zr_isa isa, struct zr_arena *arena, struct zr_team *team,
@@ -31,7 +32,12 @@ enum zr_status zr_paint_prepare(enum zr_isa isa, struct zr_arena *arena, struct 
     for (uint32_t i = 0; i < geometry->batch_count; i++) {
         struct zr_batch *batch = &geometry->batches[i];
         batch->painted_early = zr_batch_is_painted_early(batch);
-        if (batch->written || zr_batch_is_smooth(batch) || zr_batch_is_sided(batch)) continue;
+        if (batch->written || zr_batch_is_smooth(batch)) continue;
+        if (batch->sided) {
+            batch->backs = zr_arena_zero(arena, (batch->count - 1) / 32 + 1, sizeof *batch->backs);
+            if (!batch->backs) return ZR_NO_MEMORY;
+        }
+        if (batch->packed || batch->sided) continue;
         const size_t count = batch->color_count;
         if (last && last->front == batch->front && last->color_count == count) {
             batch->packed = last->packed;
@@ -40,30 +46,13 @@ enum zr_status zr_paint_prepare(enum zr_isa isa, struct zr_arena *arena, struct 
         if (count * PIXELS_A_COLOR > pixels) continue;
         uint32_t *out = zr_arena_alloc(arena, count, sizeof *out);
         if (!out) return ZR_NO_MEMORY;
-        struct packing packing = {zr_paint_of(isa), batch->front, out};
+        struct packing packing = {zr_rgba_pack_of(isa), batch->front, out};
         zr_team_ranges(team, count, COLORS_A_RANGE, pack_range, &packing);
         batch->packed = out;
         last = batch;
         pixels -= count * PIXELS_A_COLOR;
     }
     return ZR_OK;
-}
-
-uint32_t zr_color_byte(float value)
-{
-    const float no_fraction = 12582912.0f; /* 1.5 * 2^23: to an integer, ties to even */
-    value = value > 0.0f ? value : 0.0f;
-    value = value < 1.0f ? value : 1.0f;
-    return (uint32_t)(int32_t)((value * 255.0f + no_fraction) - no_fraction);
-}
-
-uint32_t zr_color_pack(uint32_t red, uint32_t green, uint32_t blue, uint32_t alpha)
-{
-#if __BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__
-    return red | green << 8 | blue << 16 | alpha << 24;
-#else
-    return red << 24 | green << 16 | blue << 8 | alpha;
-#endif
 }
 
 /* What the planes of a record have in common: of a triangle's or of a line's. */
@@ -82,10 +71,14 @@ struct zr_surface zr_surface_make(const struct zr_geometry *geometry, const stru
 {
     const struct zr_record record = zr_record_of(geometry, batch, number);
     const struct zr_triangle *t = &record.triangle;
+    if (batch->packed) {
+        const uint32_t side = batch->sided && t->back ? batch->color_count : 0;
+        return (struct zr_surface){.flat = true, .color = batch->packed[side + t->c[0]]};
+    }
     zr_vec4 c0 = record.colors[t->c[0]], c1 = record.colors[t->c[1]], c2 = record.colors[t->c[2]];
     struct zr_surface surface = {.flat = t->c[0] == t->c[1] && t->c[1] == t->c[2]};
     if (surface.flat) {
-        surface.color = zr_color_pack(zr_color_byte(c0.x), zr_color_byte(c0.y), zr_color_byte(c0.z), 255);
+        surface.color = zr_rgba_opaque(c0);
         return surface;
     }
     const struct zr_window_vertex *v0 = &geometry->vertices[t->v[0]], *v1 = &geometry->vertices[t->v[1]],

@@ -82,9 +82,6 @@ struct zr_paint {
     /* How many pixels belong to records. All of the tile is written. */
     uint32_t (*count)(const struct zr_tile *tile);
 
-    /* Colours as four bytes each, opaque. */
-    void (*pack)(const zr_vec4 *colors, size_t count, uint32_t *out);
-
     /* Where runs end in a row of a tile: bit i, where owners[i] is the last of its own among the first `width`. */
     uint64_t (*ends)(const uint32_t *owners, int32_t width);
 
@@ -97,16 +94,10 @@ extern const struct zr_paint zr_paint_scalar, zr_paint_sse2, zr_paint_avx2, zr_p
 
 const struct zr_paint *zr_paint_of(enum zr_isa isa);
 
-/* Before the geometry is sorted: says which batches are painted early, and packs the colours of flat batches that have
- * few of them for so many pixels: each is then looked up in one place, and not in three (0.2 ms of the bunny at
- * 1920x1080). ZR_OK or ZR_NO_MEMORY. */
+/* Before the geometry is sorted: says which batches are painted early, makes room for what is known of sides when it is
+ * sorted, and packs the given colours of flat batches that have few of them for so many pixels: each is then looked up
+ * in one place, and not in three (0.2 ms of the bunny at 1920x1080). ZR_OK or ZR_NO_MEMORY. */
 enum zr_status zr_paint_prepare(enum zr_isa isa, struct zr_arena *arena, struct zr_team *team,
                                 struct zr_geometry *geometry, uint64_t pixels);
-
-/* 0..1 -> 0..255, to the nearest, ties to even. NaN gives 0. */
-uint32_t zr_color_byte(float value);
-
-/* Four bytes in memory: red, green, blue, alpha. */
-uint32_t zr_color_pack(uint32_t red, uint32_t green, uint32_t blue, uint32_t alpha);
 
 #endif

@@ -2,7 +2,6 @@
 #ifndef ZR_PAINT_FLAT_SIMD_H
 #define ZR_PAINT_FLAT_SIMD_H
 
-#include "raster/triangle_simd.h"
 #include "shade/paint_simd.h"
 
 /* Whether the owners of a row are the batch's, or nobody. */
@@ -30,7 +29,6 @@ struct zr_flat_row {
 
 /* Rows of one batch, in a ring. */
 struct zr_flat_rows {
-    const struct zr_window_vertex *vertices; /* of the geometry */
     const struct zr_batch *batch;
     zr_vi nothings;
     int32_t width;
@@ -38,10 +36,8 @@ struct zr_flat_rows {
     struct zr_flat_row rows[ZR_FLAT_ROWS];
 };
 
-static inline void zr_flat_begin(struct zr_flat_rows *flat, const struct zr_window_vertex *vertices, int32_t width,
-                                 zr_vi nothings)
+static inline void zr_flat_begin(struct zr_flat_rows *flat, int32_t width, zr_vi nothings)
 {
-    flat->vertices = vertices;
     flat->batch = NULL;
     flat->nothings = nothings;
     flat->width = width;
@@ -65,43 +61,23 @@ static inline zr_vi zr_flat_color(const struct zr_batch *batch, zr_vm owned, zr_
     return batch->colors == ZR_BATCH_PER_FIRST_SLOT ? slot : zr_vi_gather(owned, batch->mesh->indices, slot);
 }
 
-/* 1 in lanes that are owned by a triangle which shows its back, 0 in those by one that shows its front. That sides are
- * found so, and not for each run by itself, takes a third off the time of a lit height field. */
-static inline zr_vi zr_flat_backs(const struct zr_flat_rows *flat, zr_vm owned, zr_vi t)
+/* Of triangles t: the number of the colour, backs being numbered behind all fronts. */
+static inline zr_vi zr_flat_number(const struct zr_batch *batch, zr_vm owned, zr_vi t)
 {
-    const struct zr_batch *batch = flat->batch;
-    const struct zr_window_vertex *vertices = flat->vertices;
-    int32_t numbers[3][ZR_LANES]; /* of vertices; where nobody owns, of one that is there */
-    struct zr_corner_v v[3];
-    for (int k = 0; k < 3; k++) {
-        const zr_vi corner = zr_vi_gather(owned, batch->corners, t * zr_vi_set(3) + zr_vi_set(k));
-        const zr_vi number = corner + zr_vi_set((int32_t)batch->first_vertex);
-        zr_vi_store(numbers[k], zr_vi_select(owned, number, zr_vi_set(0)));
+    zr_vi number = zr_flat_color(batch, owned, t);
+    if (batch->sided) {
+        const zr_vi backs = zr_vi_gather(owned, batch->backs, t >> 5), one = zr_vi_set(1);
+        const zr_vm back = zr_vi_eq(backs >> (t & zr_vi_set(31)) & one, one);
+        number = number + zr_vi_select(back, zr_vi_set((int32_t)batch->color_count), zr_vi_set(0));
     }
-#define ZR_FLAT_CORNER_0(i) (&vertices[numbers[0][i]].x)
-#define ZR_FLAT_CORNER_1(i) (&vertices[numbers[1][i]].x)
-#define ZR_FLAT_CORNER_2(i) (&vertices[numbers[2][i]].x)
-    ZR_LOAD_CORNERS(v, ZR_FLAT_CORNER_0, ZR_FLAT_CORNER_1, ZR_FLAT_CORNER_2);
-#undef ZR_FLAT_CORNER_0
-#undef ZR_FLAT_CORNER_1
-#undef ZR_FLAT_CORNER_2
-    const zr_vm turned = zr_turned_v(vertices, numbers[0], numbers[1], numbers[2], v);
-    return zr_vi_select(zr_backs_v(turned, batch->mirrored), zr_vi_set(1), zr_vi_set(0));
-}
-
-/* Of triangles t: the number of the colour, or, where the batch is sided, twice that, and one more for the back's. */
-static inline zr_vi zr_flat_number(const struct zr_flat_rows *flat, zr_vm owned, zr_vi t)
-{
-    zr_vi number = zr_flat_color(flat->batch, owned, t);
-    if (zr_batch_is_sided(flat->batch)) number = number + number + zr_flat_backs(flat, owned, t);
     return zr_vi_select(owned, number, zr_vi_set(0));
 }
 
 /* Where a colour that is not packed stands. */
 static inline const float *zr_flat_at(const struct zr_batch *batch, int32_t number)
 {
-    return zr_batch_is_sided(batch) ? &(number & 1 ? batch->back : batch->front)[number >> 1].x
-                                    : &batch->front[number].x;
+    const uint32_t n = (uint32_t)number, count = batch->color_count;
+    return n < count ? &batch->front[n].x : &batch->back[n - count].x;
 }
 
 /* The numbers of a row's colours, which are asked for. Large triangles have the same owners again and again. */
@@ -115,7 +91,7 @@ static inline void zr_flat_ask(const struct zr_flat_rows *flat, const uint32_t *
         const zr_vm owned = zr_owned_of(owner, x, flat->width);
         if (!zr_vm_any(owned)) continue;
         const bool known = zr_vm_bits(zr_vi_eq(owner, last_owner)) == ZR_ALL_BITS;
-        if (!known) number = zr_flat_number(flat, owned, owner - first);
+        if (!known) number = zr_flat_number(batch, owned, owner - first);
         zr_vi_store(numbers + x, number);
         for (int i = 0; !known && !batch->packed && i < ZR_LANES; i++)
             __builtin_prefetch(zr_flat_at(batch, numbers[x + i]));
@@ -133,16 +109,16 @@ static inline zr_vi zr_flat_look_up_sided(const struct zr_batch *batch, zr_vi nu
     ZR_LOAD4(red, green, blue, alpha, ZR_FLAT_COLOR);
 #undef ZR_FLAT_COLOR
     (void)alpha;
-    return zr_color_pack_v(red, green, blue);
+    return zr_rgba_opaque_v(red, green, blue);
 }
 
 static inline zr_vi zr_flat_look_up(const struct zr_batch *batch, zr_vi number)
 {
     zr_vf red, green, blue;
     if (batch->packed) return zr_vi_gather(ZR_ALL_LANES, batch->packed, number);
-    if (zr_batch_is_sided(batch)) return zr_flat_look_up_sided(batch, number);
+    if (batch->sided) return zr_flat_look_up_sided(batch, number);
     zr_vf_gather_fours(&batch->front->x, number, &red, &green, &blue);
-    return zr_color_pack_v(red, green, blue);
+    return zr_rgba_opaque_v(red, green, blue);
 }
 
 /* The owners of the row that waits longest become colours. */

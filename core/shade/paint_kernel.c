@@ -216,7 +216,7 @@ static uint32_t paint_tile(const struct zr_geometry *geometry, struct zr_tile *t
     struct painter p;
     const struct zr_backdrop backdrop = {zr_vi_set((int32_t)nothing), behind, stride};
     p.canvas = (struct zr_canvas){geometry, tile->x, tile->y, tile->owner}; /* rows are read before they are painted */
-    zr_flat_begin(&p.flat, geometry->vertices, tile->width, backdrop.nothing);
+    zr_flat_begin(&p.flat, tile->width, backdrop.nothing);
     zr_surfaces_begin(&p.surfaces, geometry, zr_surface_make);
     zr_smooth_begin(&p.smooth);
     zr_patches_begin(&p.patches);
@@ -274,22 +274,6 @@ static uint32_t count(const struct zr_tile *tile)
 
 /* ---- arrays ---- */
 
-static void pack(const zr_vec4 *colors, size_t count, uint32_t *out)
-{
-    zr_vf red, green, blue, alpha;
-    size_t i = 0;
-#define COLOR(k) (&colors[i + (k)].x)
-    for (; i + ZR_LANES <= count; i += ZR_LANES) {
-        zr_expect(colors + i, ZR_PAGE, ZR_LANES * sizeof *colors);
-        ZR_LOAD4(red, green, blue, alpha, COLOR);
-        (void)alpha;
-        zr_vi_store(out + i, zr_color_pack_v(red, green, blue));
-    }
-#undef COLOR
-    for (; i < count; i++)
-        out[i] = zr_color_pack(zr_color_byte(colors[i].x), zr_color_byte(colors[i].y), zr_color_byte(colors[i].z), 255);
-}
-
 static void fill(const struct zr_rows *out, int32_t width, int32_t height, uint32_t value)
 {
     const zr_vi values = zr_vi_set((int32_t)value);
@@ -330,5 +314,4 @@ static void depths(const struct zr_tile *tile, const struct zr_rows *out)
     }
 }
 
-const struct zr_paint ZR_KERNEL(zr_paint) = {paint_tile, paint_blocks, paint_faces, depths, count,
-                                             pack,       ends,         fill,        copy};
+const struct zr_paint ZR_KERNEL(zr_paint) = {paint_tile, paint_blocks, paint_faces, depths, count, ends, fill, copy};

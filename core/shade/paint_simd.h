@@ -2,6 +2,7 @@
 #ifndef ZR_PAINT_SIMD_H
 #define ZR_PAINT_SIMD_H
 
+#include "base/rgba_simd.h"
 #include "base/simd.h"
 #include "shade/paint.h"
 
@@ -29,30 +30,6 @@ struct zr_backdrop {
     const uint32_t *row; /* behind the first pixel under work; NULL: nothing */
     ptrdiff_t stride;
 };
-
-/* Which triangles show their back, of those that go counter-clockwise where `turned`: as a front does, but in a mirror.
- */
-static inline zr_vm zr_backs_v(zr_vm turned, bool mirrored)
-{
-    return mirrored ? turned : zr_vm_andnot(ZR_ALL_LANES, turned);
-}
-
-static inline zr_vi zr_color_bytes_v(zr_vf value)
-{
-    value = zr_vf_min(zr_vf_max(value, zr_vf_set(0.0f)), zr_vf_set(1.0f));
-    return zr_vi_round(value * zr_vf_set(255.0f));
-}
-
-/* As zr_color_pack, opaque: never 0. */
-static inline zr_vi zr_color_pack_v(zr_vf red, zr_vf green, zr_vf blue)
-{
-    const zr_vi r = zr_color_bytes_v(red), g = zr_color_bytes_v(green), b = zr_color_bytes_v(blue);
-#if __BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__
-    return r | g << 8 | b << 16 | zr_vi_set(-0x1000000);
-#else
-    return r << 24 | g << 16 | b << 8 | zr_vi_set(255);
-#endif
-}
 
 static inline void zr_fill_run(uint32_t *pixels, uint32_t count, zr_vi colors)
 {

@@ -55,7 +55,7 @@ static inline void zr_smooth_expect(const struct zr_smooth_corners *corners, con
 
 static inline struct zr_smooth_sides zr_smooth_sides_of(const struct zr_batch *batch)
 {
-    if (!zr_batch_is_sided(batch)) return (struct zr_smooth_sides){batch->front, batch->front, false};
+    if (!batch->sided) return (struct zr_smooth_sides){batch->front, batch->front, false};
     return (struct zr_smooth_sides){batch->front, batch->back, batch->mirrored};
 }
 
@@ -159,7 +159,7 @@ static inline struct zr_color_planes zr_color_planes_make(const struct zr_smooth
 static inline zr_vi zr_color_over_w(zr_vf oow, zr_vf red, zr_vf green, zr_vf blue)
 {
     const zr_vf reciprocal = zr_vf_set(1.0f) / oow;
-    return zr_color_pack_v(red * reciprocal, green * reciprocal, blue * reciprocal);
+    return zr_rgba_opaque_v(red * reciprocal, green * reciprocal, blue * reciprocal);
 }
 
 static inline zr_vi zr_color_at(const struct zr_color_planes *p, zr_vf x, zr_vf y)

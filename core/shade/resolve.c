@@ -2,6 +2,7 @@
 
 #include <string.h>
 
+#include "base/rgba.h"
 #include "raster/halfspace.h"
 #include "shade/depths.h"
 #include "shade/paint.h"
@@ -124,8 +125,7 @@ struct zr_resolved zr_resolve_tile(struct zr_surfaces *surfaces, enum zr_isa isa
                                    struct zr_tile *tile, const struct zr_frame *frame)
 {
     const struct zr_paint *paint = zr_paint_of(isa);
-    const uint32_t nothing = zr_color_pack(zr_color_byte(background.x), zr_color_byte(background.y),
-                                           zr_color_byte(background.z), zr_color_byte(background.w));
+    const uint32_t nothing = zr_rgba_make(background);
     struct zr_resolved resolved = {0, 0.0f};
     if (tile->is_empty) {
         fill(paint, frame, tile, frame->color, nothing);

@@ -1,6 +1,7 @@
 /* Colours of whole meshes: whatever is lit together, each has the colour that it has alone. */
 #include <string.h>
 
+#include "base/rgba.h"
 #include "geometry/colors.h"
 #include "geometry/normals.h"
 #include "guarded.h"
@@ -145,6 +146,41 @@ static void check_face(const struct expected *e, uint32_t face)
     }
 }
 
+/* As bytes, where that will do: those of the floats. Returns whether it does. */
+static int check_packed(const struct expected *e, struct zr_team *team)
+{
+    const struct subject *s = e->subject;
+    const bool flat = e->got.layout == ZR_COLOR_PER_FACE;
+    assert_int_equal(zr_colors_can_be_packed(&s->scene, &s->mesh), flat);
+    for (int sided = 0; sided <= 1 && flat; sided++) {
+        struct zr_arena arena;
+        zr_arena_init(&arena, 1 << 20);
+        const struct zr_colors got =
+            zr_colors_make_packed(&arena, team, NULL, &s->scene, &s->mesh, &e->lighting, &s->object_to_eye, sided);
+        assert_true(got.layout == ZR_COLOR_PER_FACE && got.count == FACES && got.sided == sided && !got.given);
+        for (uint32_t face = 0; face < FACES; face++) {
+            assert_int_equal(got.packed[face], zr_rgba_opaque(e->got.front[face]));
+            if (sided) assert_int_equal(got.packed[FACES + face], zr_rgba_opaque(e->got.back[face]));
+        }
+        zr_arena_free(&arena);
+    }
+    return flat;
+}
+
+static void outlined_faces_are_not_packed(void **state)
+{
+    (void)state;
+    static struct subject subject;
+    make_look(&subject);
+    make_mesh(&subject);
+    for (int i = 0; i < MATERIALS; i++)
+        subject.materials[i].shading = ZR_SHADING_FLAT;
+    subject.mesh.face_materials = subject.face_materials;
+    assert_true(zr_colors_can_be_packed(&subject.scene, &subject.mesh));
+    subject.materials[subject.face_materials[FACES - 1]].outline = ZR_OUTLINE_COLORED;
+    assert_false(zr_colors_can_be_packed(&subject.scene, &subject.mesh));
+}
+
 static void colors_of_meshes_are_those_of_each_face_alone(void **state)
 {
     static struct subject subject;
@@ -153,7 +189,7 @@ static void colors_of_meshes_are_those_of_each_face_alone(void **state)
     struct zr_team *team = zr_team_create_for(3, isa);
     struct zr_arena arena;
     zr_arena_init(&arena, 1 << 20);
-    int layouts = 0;
+    int layouts = 0, packed = 0;
     for (int round = 0; round < 500; round++) {
         const zr_mat4 identity = zr_mat4_identity();
         make_look(&subject);
@@ -171,11 +207,13 @@ static void colors_of_meshes_are_those_of_each_face_alone(void **state)
         layouts |= 1 << e.got.layout;
         for (uint32_t face = 0; face < FACES; face++)
             check_face(&e, face);
+        packed += check_packed(&e, team);
         guarded_free(&front);
         guarded_free(&back);
         guarded_free(&indices);
     }
     assert_int_equal(layouts, 1 << ZR_COLOR_PER_FACE | 1 << ZR_COLOR_PER_VERTEX | 1 << ZR_COLOR_PER_CORNER);
+    assert_true(packed > 20);
     zr_arena_free(&arena);
     zr_team_destroy(team);
 }
@@ -184,6 +222,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         TEST_EACH_ISA(colors_of_meshes_are_those_of_each_face_alone),
+        cmocka_unit_test(outlined_faces_are_not_packed),
     };
     return cmocka_run_group_tests_name("colors", tests, NULL, NULL);
 }

@@ -1,6 +1,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "base/rgba.h"
 #include "geometry/clip.h"
 #include "geometry/outline.h"
 #include "geometry/viewport.h"
@@ -9,7 +10,6 @@
 #include "raster/plane.h"
 #include "raster/setup.h"
 #include "reference/lines/batch.h"
-#include "shade/paint.h"
 
 const char *const fault_names[FAULT_COUNT] = {
     "none",       "reversed",        "snapped-first", "inclusive", "plane-swapped",   "plane-short",  "clip-one-by-one",
@@ -61,9 +61,9 @@ static void draw_pixel(struct drawer *drawer, const struct surface *s, int32_t x
                           zr_plane_at(&s->blue, fx, fy) * reciprocal, 1.0f};
     }
     uint8_t *rgba = &drawer->picture->rgba[pixel * 4];
-    rgba[0] = (uint8_t)zr_color_byte(color.x);
-    rgba[1] = (uint8_t)zr_color_byte(color.y);
-    rgba[2] = (uint8_t)zr_color_byte(color.z);
+    rgba[0] = zr_rgba_byte(color.x);
+    rgba[1] = zr_rgba_byte(color.y);
+    rgba[2] = zr_rgba_byte(color.z);
     rgba[3] = 255;
 }
 

@@ -1,0 +1,25 @@
+/* rgba_simd.h - base: colours of lanes as four bytes each, for kernels. */
+#ifndef ZR_RGBA_SIMD_H
+#define ZR_RGBA_SIMD_H
+
+#include "base/rgba.h"
+#include "base/simd.h"
+
+static inline zr_vi zr_rgba_bytes_v(zr_vf value)
+{
+    value = zr_vf_min(zr_vf_max(value, zr_vf_set(0.0f)), zr_vf_set(1.0f));
+    return zr_vi_round(value * zr_vf_set(255.0f));
+}
+
+/* As zr_rgba_opaque: never 0. */
+static inline zr_vi zr_rgba_opaque_v(zr_vf red, zr_vf green, zr_vf blue)
+{
+    const zr_vi r = zr_rgba_bytes_v(red), g = zr_rgba_bytes_v(green), b = zr_rgba_bytes_v(blue);
+#if __BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__
+    return r | g << 8 | b << 16 | zr_vi_set(-0x1000000);
+#else
+    return r << 24 | g << 16 | b << 8 | zr_vi_set(255);
+#endif
+}
+
+#endif
