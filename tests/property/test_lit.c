@@ -9,23 +9,6 @@
 
 enum { WIDTH = 400, HEIGHT = 260, FACES = 500, CORNERS_MOST = 4, POSITIONS = FACES * CORNERS_MOST, MATERIALS = 3 };
 
-static struct zr_arena arena;
-static const size_t ceiling = (size_t)1 << 27;
-
-static int open_arena(void **state)
-{
-    (void)state;
-    zr_arena_init(&arena, ceiling);
-    return 0;
-}
-
-static int close_arena(void **state)
-{
-    (void)state;
-    zr_arena_free(&arena);
-    return 0;
-}
-
 struct subject {
     struct test_scene test; /* its scene */
     struct zr_mesh mesh;
@@ -41,15 +24,16 @@ static float any(struct random *random)
     return (float)random_range(random, 0, 1);
 }
 
-/* A polygon of its own corners around a place no farther than `far` from the window's centre: tiny, small, or longer, up
- * to `most`. */
+/* A polygon of its own corners around a place no farther than `far` from the window's centre: tiny, small, or longer,
+ * up to `most`. */
 static void make_face(struct subject *s, struct random *random, uint32_t face, uint32_t corners, double far,
                       double most)
 {
     static const double sizes[] = {0.01, 0.01, 0.05, 0.3, 0.05, 0.01, 4.0};
     const double any_size = sizes[random_below(random, sizeof sizes / sizeof *sizes)];
     const double size = random_below(random, 20) == 0 ? 0.0 : any_size < most ? any_size : most;
-    const double x = random_range(random, -far, far), y = random_range(random, -far, far), z = random_range(random, -0.8, 0.8);
+    const double x = random_range(random, -far, far), y = random_range(random, -far, far),
+                 z = random_range(random, -0.8, 0.8);
     const uint32_t first = s->offsets[face];
     for (uint32_t k = first; k < first + corners; k++) {
         const double w = random_range(random, 0.8, 1.2);
@@ -128,10 +112,13 @@ static void assert_same(const struct zr_frame *want, const struct zr_frame *got,
 static void colors_are_those_of_records_that_are_written_out(void **state)
 {
     static struct subject subject;
+    static const size_t ceiling = (size_t)1 << 27;
+    struct zr_arena arena;
     const enum zr_isa isa = isa_under_test(state);
     struct random random = random_seeded(21);
     struct zr_team *teams[2] = {zr_team_create_for(1, isa), zr_team_create_for(3, isa)};
     uint64_t clipped = 0, covered = 0;
+    zr_arena_init(&arena, ceiling);
     for (int round = 0; round < 40; round++) {
         make_subject(&subject, &random, round % 2);
         struct zr_scene written = subject.test.scene;
@@ -146,6 +133,7 @@ static void colors_are_those_of_records_that_are_written_out(void **state)
     assert_true(clipped > 500 && covered > (uint64_t)WIDTH * HEIGHT * 20);
     zr_team_destroy(teams[0]);
     zr_team_destroy(teams[1]);
+    zr_arena_free(&arena);
 }
 
 int main(void)
@@ -153,5 +141,5 @@ int main(void)
     const struct CMUnitTest tests[] = {
         TEST_EACH_ISA(colors_are_those_of_records_that_are_written_out),
     };
-    return cmocka_run_group_tests_name("lit", tests, open_arena, close_arena);
+    return cmocka_run_group_tests_name("lit", tests, NULL, NULL);
 }
