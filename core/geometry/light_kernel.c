@@ -29,18 +29,25 @@ static inline void store(struct zr_vec3_v color, zr_vf alpha, zr_vec4 *out)
     zr_vf_store_fours((float *)out, clamp01(color.x), clamp01(color.y), clamp01(color.z), clamp01(alpha));
 }
 
-/* ZR_LANES points. */
-static inline void light_group(const struct zr_lighting *lighting, const struct zr_normal_matrix *to_eye,
-                               const zr_vec4 *normals, const zr_vec4 *bases, zr_vec4 *front_out, zr_vec4 *back_out)
+/* Of ZR_LANES points, in eye space. */
+static inline struct zr_vec3_v unit_normals(const struct zr_normal_matrix *to_eye, const zr_vec4 *normals)
 {
-    struct zr_vec3_v n, base;
-    zr_vf alpha;
-    zr_vf_load_fours((const float *)normals, &n.x, &n.y, &n.z, &alpha);
-    zr_vf_load_fours((const float *)bases, &base.x, &base.y, &base.z, &alpha);
+    struct zr_vec3_v n;
+    zr_vf w;
+    zr_vf_load_fours((const float *)normals, &n.x, &n.y, &n.z, &w);
+    (void)w;
     n = zr_normalize_v(n); /* first: a tiny face would underflow below */
     n = (struct zr_vec3_v){zr_dot_v(spread(to_eye->rows[0]), n), zr_dot_v(spread(to_eye->rows[1]), n),
                            zr_dot_v(spread(to_eye->rows[2]), n)};
-    n = zr_normalize_v(n);
+    return zr_normalize_v(n);
+}
+
+static inline void light_group(const struct zr_lighting *lighting, struct zr_vec3_v n, const zr_vec4 *bases,
+                               zr_vec4 *front_out, zr_vec4 *back_out)
+{
+    struct zr_vec3_v base;
+    zr_vf alpha;
+    zr_vf_load_fours((const float *)bases, &base.x, &base.y, &base.z, &alpha);
     struct zr_vec3_v front = mul(spread(lighting->ambient), base), back = front;
     for (uint32_t i = 0; i < lighting->count; i++) {
         const zr_vf facing = zr_dot_v(n, spread(lighting->to_light[i]));
@@ -53,12 +60,29 @@ static inline void light_group(const struct zr_lighting *lighting, const struct 
     store(front, alpha, front_out);
 }
 
+/* Groups of ZR_LANES points. The normals of all are found before any is lit, so that the processor has others to work
+ * on while it waits for square roots and quotients: two fifths of the time of lighting. */
+enum { GROUPS = 8 };
+
+static inline void light_groups(const struct zr_lighting *lighting, const struct zr_normal_matrix *to_eye,
+                                const zr_vec4 *normals, const zr_vec4 *bases, size_t groups, zr_vec4 *front,
+                                zr_vec4 *back)
+{
+    struct zr_vec3_v units[GROUPS];
+    for (size_t g = 0; g < groups; g++)
+        units[g] = unit_normals(to_eye, normals + g * ZR_LANES);
+    for (size_t g = 0; g < groups; g++)
+        light_group(lighting, units[g], bases + g * ZR_LANES, front + g * ZR_LANES, back + g * ZR_LANES);
+}
+
 void ZR_KERNEL(zr_light)(const struct zr_lighting *lighting, const struct zr_normal_matrix *to_eye,
                          const zr_vec4 *normals, const zr_vec4 *bases, size_t count, zr_vec4 *front, zr_vec4 *back)
 {
     size_t i = 0;
-    for (; i + ZR_LANES <= count; i += ZR_LANES)
-        light_group(lighting, to_eye, normals + i, bases + i, front + i, back + i);
+    for (size_t groups; (groups = (count - i) / ZR_LANES) > 0; i += groups * ZR_LANES) {
+        if (groups > GROUPS) groups = GROUPS;
+        light_groups(lighting, to_eye, normals + i, bases + i, groups, front + i, back + i);
+    }
     if (i == count) return;
     /* What is left of a group. */
     zr_vec4 last_normals[ZR_LANES] = {{0, 0, 0, 0}}, last_bases[ZR_LANES] = {{0, 0, 0, 0}};
@@ -66,7 +90,7 @@ void ZR_KERNEL(zr_light)(const struct zr_lighting *lighting, const struct zr_nor
     const size_t left = (count - i) * sizeof *front;
     memcpy(last_normals, normals + i, left);
     memcpy(last_bases, bases + i, left);
-    light_group(lighting, to_eye, last_normals, last_bases, fronts, backs);
+    light_groups(lighting, to_eye, last_normals, last_bases, 1, fronts, backs);
     memcpy(back + i, backs, left);
     memcpy(front + i, fronts, left); /* last: both may be one array */
 }
