@@ -9,7 +9,7 @@
 #include "support/isas.h"
 #include "support/random.h"
 
-enum { MOST = 70, LIGHTS = 3 };
+enum { MOST = 150, LIGHTS = 3 };
 
 static struct random numbers = {{RANDOM_STATE_1}};
 
