@@ -113,9 +113,9 @@ static bool own_packed(struct zr_builder *builder, uint32_t face)
 {
     struct zr_geometry *g = builder->geometry;
     const struct zr_colors *colors = &builder->colors;
-    if (!zr_builder_reserve(builder, 0, colors->count - face, 0)) return false; /* for the faces behind it, too */
+    if (!zr_builder_reserve(builder, 0, 1, 0)) return false;
+    g->front_colors[g->color_count] = zr_rgba_floats(colors->packed[face]);
     g->back_colors[g->color_count] = zr_rgba_floats(colors->packed[colors->sided ? colors->count + face : face]);
-    g->front_colors[g->color_count] = zr_rgba_floats(colors->packed[face]); /* last: both may be one array */
     builder->first_color = g->color_count++ - face;
     return true;
 }

@@ -35,6 +35,7 @@ struct zr_builder {
     struct zr_viewport viewport;
     struct zr_cutting cutting;
     struct zr_fans *fans;           /* one a mesh of the scene */
+    uint32_t *packed;               /* room for the packed colours of this instance and of those to come */
     const zr_vec4 **vertex_normals; /* of each mesh's vertices, or NULL: not needed so far */
 
     /* of the instance under way */

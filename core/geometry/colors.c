@@ -271,7 +271,8 @@ bool zr_colors_can_be_packed(const struct zr_scene *scene, const struct zr_mesh 
 {
     for (uint32_t f = 0; f < (mesh->face_materials ? mesh->face_count : 1); f++) {
         const struct zr_material *material = zr_material_of_face(scene, mesh, f);
-        if (zr_material_is_smooth(mesh, material) || material->outline != ZR_OUTLINE_NONE) return false;
+        if (zr_material_is_smooth(mesh, material) || material->hollow || material->outline != ZR_OUTLINE_NONE)
+            return false;
     }
     return true;
 }
@@ -294,17 +295,17 @@ static void make_of_faces(struct zr_team *team, struct palette *palette)
                    are_alike_triangles(palette) ? color_alike : color_faces, palette);
 }
 
-struct zr_colors zr_colors_make_packed(struct zr_arena *arena, struct zr_team *team, const struct zr_cancel *cancel,
+struct zr_colors zr_colors_make_packed(struct zr_team *team, const struct zr_cancel *cancel,
                                        const struct zr_scene *scene, const struct zr_mesh *mesh,
-                                       const struct zr_lighting *lighting, const zr_mat4 *object_to_eye, bool sided)
+                                       const struct zr_lighting *lighting, const zr_mat4 *object_to_eye, bool sided,
+                                       uint32_t *out)
 {
     struct palette palette = palette_make(team, cancel, scene, mesh, lighting, object_to_eye);
     palette.count = mesh->face_count;
     palette.sided = sided;
-    palette.packed = zr_arena_alloc(arena, (size_t)palette.count << sided, sizeof *palette.packed);
-    if (palette.packed) make_of_faces(team, &palette);
-    return (struct zr_colors){
-        .layout = ZR_COLOR_PER_FACE, .sided = sided, .packed = palette.packed, .count = palette.count};
+    palette.packed = out;
+    make_of_faces(team, &palette);
+    return (struct zr_colors){.layout = ZR_COLOR_PER_FACE, .sided = sided, .packed = out, .count = palette.count};
 }
 
 struct zr_colors zr_colors_make(struct zr_arena *arena, struct zr_team *team, const struct zr_cancel *cancel,

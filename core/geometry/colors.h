@@ -41,14 +41,16 @@ uint32_t zr_colors_count(const struct zr_scene *scene, const struct zr_mesh *mes
  * *colors says where. A mesh of a million triangles has 18 MB of them, not to be copied. */
 bool zr_colors_are_given(const struct zr_scene *scene, const struct zr_mesh *mesh, struct zr_colors *colors);
 
-/* True where every face is flat, and none outlined: four bytes a side, which is what is seen, will do then, and
- * not sixteen. */
+/* True where every face is flat and filled, and none outlined: four bytes a side, which is what is seen, will do then,
+ * and not sixteen. */
 bool zr_colors_can_be_packed(const struct zr_scene *scene, const struct zr_mesh *mesh);
 
-/* Packed ones, of such a mesh; cancelled, it returns early. Fails only with the arena, which they are taken from. */
-struct zr_colors zr_colors_make_packed(struct zr_arena *arena, struct zr_team *team, const struct zr_cancel *cancel,
+/* Packed ones, of such a mesh, to out[], which the caller gives room for: one a face, or two where sides differ.
+ * Cancelled, it returns early. */
+struct zr_colors zr_colors_make_packed(struct zr_team *team, const struct zr_cancel *cancel,
                                        const struct zr_scene *scene, const struct zr_mesh *mesh,
-                                       const struct zr_lighting *lighting, const zr_mat4 *object_to_eye, bool sided);
+                                       const struct zr_lighting *lighting, const zr_mat4 *object_to_eye, bool sided,
+                                       uint32_t *out);
 
 /* Writes them to front[] and back[], which the caller gives room for. *normals are those of the mesh's vertices
  * (vertex_normals.h), or NULL: then they are made where they are needed, and handed out, for other instances of the

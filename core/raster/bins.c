@@ -5,6 +5,7 @@
 
 enum { TRIANGLES_A_RANGE = 4096, BYTES_AT_ONCE = 1 << 16 };
 _Static_assert(TRIANGLES_A_RANGE < 1 << ZR_BIN_OWNER_BITS, "as the kernel wants it");
+_Static_assert(TRIANGLES_A_RANGE % 32 == 0, "no two threads write to one word of a batch's backs");
 
 /* ---- lists ---- */
 

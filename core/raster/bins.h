@@ -102,8 +102,9 @@ enum zr_status zr_bins_build(struct zr_arena *arena, struct zr_team *team, struc
 
 /* ---- for the kernel ---- */
 
-/* Sorts the records begin .. end - 1 of a plain batch, counted from its first; end - begin is less than
- * 1 << ZR_BIN_OWNER_BITS. */
+/* Sorts the records begin .. end - 1 of a plain batch, counted from its first: begin is a multiple of 32, end - begin
+ * less than 1 << ZR_BIN_OWNER_BITS. Notes which show their backs, where the batch has room for that (zr_batch.backs).
+ */
 typedef void zr_binning_fn(struct zr_binner *binner, const struct zr_batch *batch, uint32_t begin, uint32_t end);
 
 zr_binning_fn zr_binning_scalar, zr_binning_sse2, zr_binning_avx2, zr_binning_avx512, zr_binning_neon;

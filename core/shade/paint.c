@@ -25,19 +25,35 @@ static void pack_range(void *context, size_t begin, size_t end)
     p->pack(p->colors + begin, end - begin, p->out + begin);
 }
 
+static size_t words_of_backs(const struct zr_batch *batch)
+{
+    const bool wanted = batch->sided && !batch->written && !zr_batch_is_smooth(batch);
+    return wanted ? (batch->count - 1) / 32 + 1 : 0;
+}
+
+static bool make_room_for_backs(struct zr_arena *arena, struct zr_geometry *geometry)
+{
+    size_t words = 0;
+    for (uint32_t i = 0; i < geometry->batch_count; i++)
+        words += words_of_backs(&geometry->batches[i]);
+    uint32_t *backs = zr_arena_zero(arena, words, sizeof *backs);
+    for (uint32_t i = 0; backs && i < geometry->batch_count; i++) {
+        words = words_of_backs(&geometry->batches[i]);
+        if (words > 0) geometry->batches[i].backs = backs;
+        backs += words;
+    }
+    return backs != NULL;
+}
+
 enum zr_status zr_paint_prepare(enum zr_isa isa, struct zr_arena *arena, struct zr_team *team,
                                 struct zr_geometry *geometry, uint64_t pixels)
 {
     const struct zr_batch *last = NULL; /* that was packed */
+    if (!make_room_for_backs(arena, geometry)) return ZR_NO_MEMORY;
     for (uint32_t i = 0; i < geometry->batch_count; i++) {
         struct zr_batch *batch = &geometry->batches[i];
         batch->painted_early = zr_batch_is_painted_early(batch);
-        if (batch->written || zr_batch_is_smooth(batch)) continue;
-        if (batch->sided) {
-            batch->backs = zr_arena_zero(arena, (batch->count - 1) / 32 + 1, sizeof *batch->backs);
-            if (!batch->backs) return ZR_NO_MEMORY;
-        }
-        if (batch->packed || batch->sided) continue;
+        if (batch->written || batch->packed || zr_batch_is_smooth(batch) || batch->sided) continue;
         const size_t count = batch->color_count;
         if (last && last->front == batch->front && last->color_count == count) {
             batch->packed = last->packed;

@@ -99,7 +99,7 @@ static inline void zr_flat_ask(const struct zr_flat_rows *flat, const uint32_t *
     }
 }
 
-/* The colours of sided batches stand in two arrays. */
+/* Colours of sided batches, where they are not packed, stand in two arrays. */
 static inline zr_vi zr_flat_look_up_sided(const struct zr_batch *batch, zr_vi number)
 {
     int32_t numbers[ZR_LANES];

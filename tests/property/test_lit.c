@@ -3,11 +3,14 @@
 #include <math.h>
 #include <string.h>
 
+#include "geometry/geometry.h"
 #include "support/isas.h"
 #include "support/random.h"
 #include "support/scenes.h"
 
 enum { WIDTH = 400, HEIGHT = 260, FACES = 500, CORNERS_MOST = 4, POSITIONS = FACES * CORNERS_MOST, MATERIALS = 3 };
+
+static struct zr_arena arena;
 
 struct subject {
     struct test_scene test; /* its scene */
@@ -62,14 +65,17 @@ static void make_materials(struct subject *s, struct random *random, uint32_t sh
                                          true};
 }
 
-/* Mostly all faces are flat. Wholly in view, of one material, and alone, so that nothing is written out where all are
- * triangles; or cut by the window, and twice, the second time in a mirror and smaller. */
-static void make_subject(struct subject *s, struct random *random, bool alone)
+/* CUT by the window, and twice, the second time in a mirror and smaller; or wholly in view and once, so that nothing is
+ * written out where all are triangles: ALONE, of one material, or BESIDE one face that is smooth, so that colours of
+ * flat ones are not packed. Mostly all faces are flat. */
+enum kind { CUT, ALONE, BESIDE, KINDS };
+
+static void make_subject(struct subject *s, struct random *random, enum kind kind)
 {
-    const bool triangles = random_below(random, 2), mixed = !alone && random_below(random, 2);
+    const bool cut = kind == CUT, triangles = random_below(random, 2), mixed = cut && random_below(random, 2);
     for (uint32_t face = 0; face < FACES; face++)
-        make_face(s, random, face, triangles ? 3 : 3 + random_below(random, CORNERS_MOST - 2), alone ? 0.6 : 1.3,
-                  alone ? 0.39 : HUGE_VAL);
+        make_face(s, random, face, triangles ? 3 : 3 + random_below(random, CORNERS_MOST - 2), cut ? 1.3 : 0.6,
+                  cut ? HUGE_VAL : 0.39);
     make_materials(s, random, random_below(random, 4) > 0 ? 2 : 3);
     scene_of_triangles(&s->test, WIDTH, HEIGHT, s->positions, 1);
     s->mesh = (struct zr_mesh){.name = "",
@@ -80,10 +86,16 @@ static void make_subject(struct subject *s, struct random *random, bool alone)
                                .indices = s->indices,
                                .colors = random_below(random, 4) ? NULL : s->colors,
                                .face_colors = random_below(random, 2) ? s->face_colors : NULL,
-                               .face_materials = mixed ? s->face_materials : NULL};
+                               .face_materials = mixed || kind == BESIDE ? s->face_materials : NULL};
+    if (kind == BESIDE) {
+        memset(s->face_materials, 0, sizeof s->face_materials);
+        s->face_materials[FACES - 1] = 1;
+        s->materials[0].shading = ZR_SHADING_FLAT;
+        s->materials[1].shading = ZR_SHADING_GOURAUD;
+    }
     for (int i = 0; i < 2; i++)
         s->instances[i] = (struct zr_instance){0, zr_mat4_identity()};
-    zr_mat4 *last = &s->instances[alone ? 0 : 1].object_to_world;
+    zr_mat4 *last = &s->instances[cut ? 1 : 0].object_to_world;
     last->m[0] = random_below(random, 2) ? -0.6f : 0.9f;
     last->m[5] = 0.6f;
     struct zr_scene *scene = &s->test.scene;
@@ -91,7 +103,7 @@ static void make_subject(struct subject *s, struct random *random, bool alone)
     scene->material_count = MATERIALS;
     scene->meshes = &s->mesh;
     scene->instances = s->instances;
-    scene->instance_count = alone ? 1 : 2;
+    scene->instance_count = cut ? 2 : 1;
     scene->lights = s->lights;
     scene->light_count = 2;
     scene->ambient = (zr_vec3){0.1f, 0.1f, 0.2f};
@@ -113,14 +125,13 @@ static void colors_are_those_of_records_that_are_written_out(void **state)
 {
     static struct subject subject;
     static const size_t ceiling = (size_t)1 << 27;
-    struct zr_arena arena;
     const enum zr_isa isa = isa_under_test(state);
     struct random random = random_seeded(21);
     struct zr_team *teams[2] = {zr_team_create_for(1, isa), zr_team_create_for(3, isa)};
     uint64_t clipped = 0, covered = 0;
     zr_arena_init(&arena, ceiling);
     for (int round = 0; round < 40; round++) {
-        make_subject(&subject, &random, round % 2);
+        make_subject(&subject, &random, (enum kind)(round % KINDS));
         struct zr_scene written = subject.test.scene;
         written.algorithm = ZR_ALGORITHM_SCANLINE;
         const struct zr_frame *want = scene_render(&arena, NULL, &written);
@@ -136,10 +147,68 @@ static void colors_are_those_of_records_that_are_written_out(void **state)
     zr_arena_free(&arena);
 }
 
+/* What is made of one lit triangle that shows its back, flat and drawn from both sides, beside one that the window
+ * cuts. */
+static struct zr_geometry build(bool colored, bool written)
+{
+    static const zr_vec4 p[6] = {{0, 0, 0, 1}, {0, 0.5f, 0, 1}, {0.5f, 0, 0, 1},
+                                 {0, 0, 0, 1}, {2, 0, 0, 1},    {0, 2, 0, 1}};
+    static struct test_scene test;
+    struct zr_geometry geometry;
+    struct zr_camera camera;
+    struct zr_error error = {.count = 0};
+    scene_of_triangles(&test, WIDTH, HEIGHT, p, 2);
+    test.material.shading = ZR_SHADING_FLAT;
+    test.material.double_sided = true;
+    if (!colored) {
+        test.scene.outputs++;
+        test.scene.output_count--;
+    }
+    assert_int_equal(zr_camera_resolve(&test.scene, NULL, NULL, NULL, &camera, &error), ZR_OK);
+    assert_int_equal(zr_geometry_build(&arena, NULL, &test.scene, &camera, NULL, written, &geometry), ZR_OK);
+    return geometry;
+}
+
+static void nothing_is_lit_where_no_picture_is_wanted(void **state)
+{
+    (void)state;
+    zr_arena_init(&arena, 1 << 24);
+    for (int written = 0; written <= 1; written++) {
+        const struct zr_geometry none = build(false, written);
+        assert_int_equal(none.color_count, 1);
+        assert_ptr_equal(none.front_colors, none.back_colors);
+        for (uint32_t i = 0; i < none.triangle_count; i++)
+            for (int k = 0; k < 3; k++)
+                assert_int_equal(none.triangles[i].c[k], 0);
+        for (uint32_t i = 0; i < none.batch_count; i++)
+            if (!none.batches[i].written) {
+                assert_int_equal(none.batches[i].colors, ZR_BATCH_UNCOLORED);
+                assert_true(!none.batches[i].front && !none.batches[i].packed);
+            }
+    }
+    zr_arena_free(&arena);
+}
+
+static void flat_colors_are_packed_where_not_all_is_written_out(void **state)
+{
+    (void)state;
+    zr_arena_init(&arena, 1 << 24);
+    const struct zr_geometry some = build(true, false), all = build(true, true);
+    assert_int_equal(some.color_count, 1); /* of what is cut */
+    assert_true(some.batch_count > 0 && !some.batches[0].written && some.batches[0].sided);
+    assert_true(some.batches[0].packed && !some.batches[0].front);
+    assert_int_equal(all.color_count, 2);
+    for (uint32_t i = 0; i < all.batch_count; i++)
+        assert_true(all.batches[i].written);
+    zr_arena_free(&arena);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         TEST_EACH_ISA(colors_are_those_of_records_that_are_written_out),
+        cmocka_unit_test(nothing_is_lit_where_no_picture_is_wanted),
+        cmocka_unit_test(flat_colors_are_packed_where_not_all_is_written_out),
     };
     return cmocka_run_group_tests_name("lit", tests, NULL, NULL);
 }

@@ -153,21 +153,21 @@ static int check_packed(const struct expected *e, struct zr_team *team)
     const bool flat = e->got.layout == ZR_COLOR_PER_FACE;
     assert_int_equal(zr_colors_can_be_packed(&s->scene, &s->mesh), flat);
     for (int sided = 0; sided <= 1 && flat; sided++) {
-        struct zr_arena arena;
-        zr_arena_init(&arena, 1 << 20);
-        const struct zr_colors got =
-            zr_colors_make_packed(&arena, team, NULL, &s->scene, &s->mesh, &e->lighting, &s->object_to_eye, sided);
+        const uint32_t blank[2 * FACES] = {0};
+        struct guarded out = guarded_copy(blank, ((size_t)FACES << sided) * sizeof *blank);
+        const struct zr_colors got = zr_colors_make_packed(team, NULL, &s->scene, &s->mesh, &e->lighting,
+                                                           &s->object_to_eye, sided, (uint32_t *)(void *)out.bytes);
         assert_true(got.layout == ZR_COLOR_PER_FACE && got.count == FACES && got.sided == sided && !got.given);
         for (uint32_t face = 0; face < FACES; face++) {
             assert_int_equal(got.packed[face], zr_rgba_opaque(e->got.front[face]));
             if (sided) assert_int_equal(got.packed[FACES + face], zr_rgba_opaque(e->got.back[face]));
         }
-        zr_arena_free(&arena);
+        guarded_free(&out);
     }
     return flat;
 }
 
-static void outlined_faces_are_not_packed(void **state)
+static void faces_that_are_outlined_or_hollow_are_not_packed(void **state)
 {
     (void)state;
     static struct subject subject;
@@ -178,6 +178,9 @@ static void outlined_faces_are_not_packed(void **state)
     subject.mesh.face_materials = subject.face_materials;
     assert_true(zr_colors_can_be_packed(&subject.scene, &subject.mesh));
     subject.materials[subject.face_materials[FACES - 1]].outline = ZR_OUTLINE_COLORED;
+    assert_false(zr_colors_can_be_packed(&subject.scene, &subject.mesh));
+    subject.materials[subject.face_materials[FACES - 1]].outline = ZR_OUTLINE_NONE;
+    subject.materials[subject.face_materials[FACES - 1]].hollow = true;
     assert_false(zr_colors_can_be_packed(&subject.scene, &subject.mesh));
 }
 
@@ -222,7 +225,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         TEST_EACH_ISA(colors_of_meshes_are_those_of_each_face_alone),
-        cmocka_unit_test(outlined_faces_are_not_packed),
+        cmocka_unit_test(faces_that_are_outlined_or_hollow_are_not_packed),
     };
     return cmocka_run_group_tests_name("colors", tests, NULL, NULL);
 }
