@@ -128,14 +128,14 @@ static bool fits_memory(const struct zr_arena *arena, const struct zr_scene *sce
     return points <= (arena->ceiling - arena->used) / (sizeof(struct zr_window_vertex) + sizeof(struct zr_eye));
 }
 
-static enum zr_status read_scene(struct zr_arena *arena, const struct zr_request *request,
+static enum zr_status read_scene(struct zr_arena *arena, struct zr_team *team, const struct zr_request *request,
                                  const struct zr_limits *limits, struct zr_scene *scene, struct zr_error *error)
 {
     struct query query = {.preset = NOT_GIVEN, .shading = NOT_GIVEN, .compress = NOT_GIVEN};
     enum zr_status status = read_query(request, limits, &query, error);
     if (status != ZR_OK) return status;
     zr_scene_defaults(scene);
-    status = request->format == ZR_FORMAT_JSON ? zr_json_read(arena, request, limits, scene, error)
+    status = request->format == ZR_FORMAT_JSON ? zr_json_read(arena, team, request, limits, scene, error)
                                                : read_bare_mesh(arena, request, limits, &query, scene, error);
     if (status != ZR_OK) return status;
     if (query.compress != NOT_GIVEN) scene->compress = (enum zr_compress)query.compress;
@@ -144,13 +144,13 @@ static enum zr_status read_scene(struct zr_arena *arena, const struct zr_request
     return status == ZR_OK && !fits_memory(arena, scene) ? ZR_NO_MEMORY : status;
 }
 
-enum zr_status zr_scene_read(struct zr_arena *arena, const struct zr_request *request, const struct zr_limits *limits,
-                             const struct zr_scene **scene, struct zr_error *error)
+enum zr_status zr_scene_read(struct zr_arena *arena, struct zr_team *team, const struct zr_request *request,
+                             const struct zr_limits *limits, const struct zr_scene **scene, struct zr_error *error)
 {
     struct zr_scene *made = zr_arena_alloc(arena, 1, sizeof *made);
     struct zr_request body = *request;
     if (body.size == 0) body.bytes = ""; /* no arithmetic on a null pointer */
-    enum zr_status status = made ? read_scene(arena, &body, limits, made, error) : ZR_NO_MEMORY;
+    enum zr_status status = made ? read_scene(arena, team, &body, limits, made, error) : ZR_NO_MEMORY;
     if ((status == ZR_OK && !zr_arena_ok(arena)) || (status == ZR_NO_MEMORY && error->count == 0))
         status =
             zr_error_add(error, ZR_NO_MEMORY, NULL,

@@ -104,9 +104,10 @@ struct zr_answer {
     const char *warnings; /* one line of ASCII, "" where there are none */
 };
 
-/* Keeps pointers into request->bytes and the assets. On failure *error says what and where. */
-enum zr_status zr_scene_read(struct zr_arena *arena, const struct zr_request *request, const struct zr_limits *limits,
-                             const struct zr_scene **scene, struct zr_error *error);
+/* Keeps pointers into request->bytes and the assets. `team` may be NULL (one thread). On failure *error says what and
+ * where. Scene and error are the same for every team. */
+enum zr_status zr_scene_read(struct zr_arena *arena, struct zr_team *team, const struct zr_request *request,
+                             const struct zr_limits *limits, const struct zr_scene **scene, struct zr_error *error);
 
 /* Where the scene is seen from. A view that shows all of the geometry, or whose depth is fitted to it, takes some walks
  * over all placed points. `team` may be NULL (one thread) and `cancel` may be NULL (never). Fails with ZR_BAD_SCENE,

@@ -107,7 +107,7 @@ static enum zr_status run_steps(struct rendering *r, const struct zr_request *re
     const struct zr_frame *frame = NULL;
     struct zr_cost cost = {0};
     int64_t mark = clock_us();
-    enum zr_status status = zr_scene_read(r->arena, request, &api->limits, &scene, error);
+    enum zr_status status = zr_scene_read(r->arena, api->team, request, &api->limits, &scene, error);
     if (status == ZR_OK) status = foresee(r, scene, &sight, &cost, error);
     r->times->parse_ms = ms_since(&mark);
     if (status != ZR_OK) return status;

@@ -12,9 +12,9 @@
 #include "scene/scene.h"
 #include "zraster.h"
 
-/* A scene in JSON (the contract: server/api/v1.md). */
-enum zr_status zr_json_read(struct zr_arena *arena, const struct zr_request *request, const struct zr_limits *limits,
-                            struct zr_scene *scene, struct zr_error *error);
+/* A scene in JSON (the contract: server/api/v1.md). `team` may be NULL. */
+enum zr_status zr_json_read(struct zr_arena *arena, struct zr_team *team, const struct zr_request *request,
+                            const struct zr_limits *limits, struct zr_scene *scene, struct zr_error *error);
 
 /* Bare meshes: fill *mesh only. Errors name the line or the byte in `detail`. */
 enum zr_status zr_obj_read(struct zr_arena *arena, const char *bytes, size_t size, const struct zr_limits *limits,

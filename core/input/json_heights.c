@@ -6,6 +6,7 @@
 #include "input/json_rows.h"
 #include "input/json_scene.h"
 #include "input/json_text.h"
+#include "input/json_walk.h"
 
 enum { VALUES, X, Y, KEYS };
 static const char *const words[] = {"values", "x", "y"};
@@ -123,17 +124,17 @@ static const char *read_hole(struct values *values, const char *at, const char *
     return zr_row_skip_space(at + 4, end);
 }
 
-/* A whole row; NULL where it is not plainly one. */
-static const char *read_row(struct values *values, const char *at, size_t first)
+/* The row at hand; NULL where it is not plainly one, or has holes that others would have to hear of. */
+static const char *read_row(struct values *values, const struct zr_json_walk *walk)
 {
-    const char *end = values->json->text->end;
+    const char *at = walk->at, *end = values->json->text->end;
     const double limit = (double)values->json->limits->coordinate_max;
-    const size_t columns = values->grid.columns;
+    const size_t columns = values->grid.columns, first = walk->index * columns;
     if (*at != '[') return NULL;
     for (size_t column = 0; column < columns; column++) {
         float *z = &values->positions[first + column].z;
         const char *number = zr_row_next(at, end, -limit, limit, z);
-        at = number ? number : read_hole(values, at + 1, end, first + column);
+        at = number || walk->ahead ? number : read_hole(values, at + 1, end, first + column);
         if (!at || at == end || *at != (column + 1 < columns ? ',' : ']')) return NULL;
     }
     return at + 1;
@@ -153,13 +154,11 @@ static void read_row_slowly(struct values *values, const struct zr_json_path *pa
     }
 }
 
-/* The rows that are plainly of this many values; true where all are. */
-static bool read_plain(struct values *values, const struct zr_json_path *path, struct zr_json_list *list)
+/* The rows that are plainly of as many values as there are columns. */
+static void read_plain_rows(struct zr_json_walk *walk, void *context)
 {
-    struct zr_json_walk walk = zr_json_walk_begin(values->json, path, list);
-    while (zr_json_walk_on(&walk))
-        walk.behind = read_row(values, walk.at, walk.index * values->grid.columns);
-    return walk.index == list->items;
+    while (zr_json_walk_on(walk))
+        walk->behind = read_row(context, walk);
 }
 
 static bool read_measured(struct values *values, const struct zr_json_path *path, struct zr_json_list *list)
@@ -168,10 +167,9 @@ static bool read_measured(struct values *values, const struct zr_json_path *path
     size_t faults = values->json->error->count;
     cJSON *item;
     while (zr_json_walk_on(&walk)) {
-        size_t first = walk.index * values->grid.columns;
-        walk.behind = read_row(values, walk.at, first);
+        walk.behind = read_row(values, &walk);
         if (walk.behind || !(item = zr_json_walk_parse(&walk))) continue;
-        read_row_slowly(values, ZR_JSON_ITEM(path, walk.index), item, first);
+        read_row_slowly(values, ZR_JSON_ITEM(path, walk.index), item, walk.index * values->grid.columns);
         zr_json_walk_drop(&walk, item);
     }
     return walk.index == list->items && values->json->error->count == faults;
@@ -224,7 +222,7 @@ static bool read_all(struct values *values, const struct zr_json_path *path, str
     bool plain = false;
     if (grid->columns >= 2) {
         values->positions = zr_arena_alloc(json->arena, grid->rows * grid->columns, sizeof *values->positions);
-        plain = values->positions && read_plain(values, path, list);
+        plain = values->positions && zr_json_walk_all(json, path, list, read_plain_rows, values) == list->items;
     }
     if (!plain && (!zr_arena_ok(json->arena) || !measure(json, path, list, grid))) return false;
     if (!read_grid(json, grid_path, found, grid)) return false;

@@ -4,7 +4,7 @@
 
 #include "input/chunk.h"
 
-enum { LOOK_AHEAD = 3, CHUNKS_A_TALLY = 254, LISTS_AT_FIRST = 16 };
+enum { LOOK_AHEAD = 3, CHUNKS_A_TALLY = 254, LISTS_AT_FIRST = 16, MARKS_AT_FIRST = 16 };
 
 /* ---- lists of rows of numbers ---- */
 
@@ -34,6 +34,39 @@ static inline void count(struct tally *tally, zr_chunk bytes)
     tally->chunks++;
 }
 
+/* Where who reads a list by parts may begin. */
+struct marks {
+    struct zr_arena *arena;
+    struct zr_json_list *list;
+    size_t room;
+    const char *next; /* none before this */
+};
+
+static void add_mark(struct marks *marks, struct zr_json_mark mark)
+{
+    struct zr_json_list *list = marks->list;
+    if (list->mark_count == marks->room) {
+        size_t room = marks->room ? marks->room * 2 : MARKS_AT_FIRST;
+        struct zr_json_mark *more = zr_arena_grow(marks->arena, list->marks, list->mark_count, room, sizeof *more);
+        if (!more) return;
+        list->marks = more;
+        marks->room = room;
+    }
+    list->marks[list->mark_count++] = mark;
+}
+
+/* Behind the row that `at` is in; of all that is before `at` there are the totals. */
+static void mark_next_row(struct marks *marks, const char *at, const char *end, const struct totals *totals)
+{
+    size_t commas = totals->commas;
+    for (; at < end && *at != ']'; at++)
+        commas += *at == ',';
+    at = at < end ? zr_json_skip_space(at + 1, end) : end;
+    marks->next = at < end ? at + ZR_JSON_MARK_BYTES : end;
+    /* A comma stands between any two numbers, in one row or not. */
+    if (at < end && *at == ',') add_mark(marks, (struct zr_json_mark){at, totals->closes + 1, commas + 1});
+}
+
 /* All ones where a row ends other than with "],[" or "], [", and where a string begins. */
 static inline zr_chunk find_odd(const char *at)
 {
@@ -45,14 +78,16 @@ static inline zr_chunk find_odd(const char *at)
 }
 
 /* Counts up to the next byte that is odd, and returns it; or the end, as far as chunks go. */
-static inline const char *count_chunks(const char *at, const char *end, struct totals *totals)
+static inline const char *count_chunks(const char *at, const char *end, struct totals *totals, struct marks *marks)
 {
     struct tally tally = {.chunks = 0};
     size_t odd = ZR_CHUNK;
     while (end - at >= ZR_CHUNK + LOOK_AHEAD && (odd = zr_chunk_first(find_odd(at))) == ZR_CHUNK) {
         count(&tally, zr_chunk_load(at));
-        if (tally.chunks == CHUNKS_A_TALLY) flush(&tally, totals);
         at += ZR_CHUNK;
+        if (tally.chunks < CHUNKS_A_TALLY) continue;
+        flush(&tally, totals);
+        if (marks && at >= marks->next) mark_next_row(marks, at, end, totals);
     }
     if (odd < ZR_CHUNK) count(&tally, zr_chunk_load(at) & zr_chunk_of_first(odd));
     flush(&tally, totals);
@@ -62,12 +97,12 @@ static inline const char *count_chunks(const char *at, const char *end, struct t
 /* As zr_json_skip, for a list whose items are lists of numbers, several times as fast; NULL also where it is anything
  * else. What makes the count exact: the text begins with "[[", behind each ']' comes ",[" or the end, and there are
  * as many '[' as ']': so no '[' is left that could stand inside a row, and between rows is nothing else. */
-static const char *skip_rows(const char *at, const char *end, size_t *rows, size_t *commas)
+static inline const char *skip_rows(const char *at, const char *end, size_t *rows, size_t *commas, struct marks *marks)
 {
     struct totals totals = {0, 0, 0};
     at = zr_json_skip_space(at + 1, end);
     if (at == end || *at != '[') return NULL;
-    while ((at = count_chunks(at, end, &totals)) < end) {
+    while ((at = count_chunks(at, end, &totals, marks)) < end) {
         totals.opens += *at == '[';
         totals.commas += *at == ',';
         if (*at == '"') return NULL;
@@ -84,6 +119,7 @@ static const char *skip_rows(const char *at, const char *end, size_t *rows, size
         totals.commas++;
         at = zr_json_skip_space(next + 1, end);
         if (at == end || *at != '[') return NULL;
+        if (marks && at >= marks->next) mark_next_row(marks, at, end, &totals);
     }
     return NULL;
 }
@@ -167,7 +203,7 @@ bool zr_json_key_is(const char *key, const char *key_end, const char *word)
 /* Rows, or colours as strings, or whatever is wrong. */
 static const char *skip_list(const char *at, const char *end, size_t *items, size_t *commas)
 {
-    const char *behind = skip_rows(at, end, items, commas);
+    const char *behind = skip_rows(at, end, items, commas, NULL);
     return behind ? behind : zr_json_skip(at, end, items, commas);
 }
 
@@ -197,7 +233,7 @@ static inline const char *skip_plain_vertices(const char *at, const char *end, s
     at += sizeof key - 1;
     if (*at == ' ') at++;
     if (*at != '[') return NULL;
-    at = skip_rows(at, end, &rows, &commas);
+    at = skip_rows(at, end, &rows, &commas, NULL);
     if (at) soup->vertices += rows;
     return at;
 }
@@ -273,8 +309,15 @@ const char *zr_json_list_add(struct zr_arena *arena, struct zr_json_lists *lists
                              bool polygons, size_t depth)
 {
     struct zr_json_list list = {.at = at, .depth = (uint32_t)depth};
-    list.end =
-        polygons ? skip_polygons(at, end, &list.soup, &list.items) : skip_list(at, end, &list.items, &list.commas);
+    struct marks marks = {arena, &list, 0, at + ZR_JSON_MARK_BYTES};
+    if (polygons)
+        list.end = skip_polygons(at, end, &list.soup, &list.items);
+    else
+        list.end = skip_rows(at, end, &list.items, &list.commas, &marks);
+    if (!list.end && !polygons) {
+        list.mark_count = 0;
+        list.end = zr_json_skip(at, end, &list.items, &list.commas);
+    }
     if (!list.end) return NULL;
     if (lists->count == lists->room) {
         size_t room = lists->room ? lists->room * 2 : LISTS_AT_FIRST;

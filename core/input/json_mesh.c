@@ -3,6 +3,7 @@
 #include "input/json_rows.h"
 #include "input/json_scene.h"
 #include "input/json_text.h"
+#include "input/json_walk.h"
 
 enum {
     NAME,
@@ -38,6 +39,19 @@ static struct zr_json_list *list_for_each(struct zr_json *json, const struct zr_
     return NULL;
 }
 
+static void read_color_rows(struct zr_json_walk *walk, void *context)
+{
+    zr_vec4 *colors = context;
+    struct zr_json *json = walk->json;
+    cJSON *item;
+    while (zr_json_walk_on(walk)) {
+        walk->behind = zr_row_color(walk->at, json->text->end, &colors[walk->index]);
+        if (walk->behind || !(item = zr_json_walk_parse(walk))) continue;
+        zr_json_color(json, ZR_JSON_ITEM(walk->path, walk->index), item, &colors[walk->index]);
+        zr_json_walk_drop(walk, item);
+    }
+}
+
 /* A list of colours, one for each; NULL where it is not given or not right. */
 static const zr_vec4 *read_colors(struct zr_draft *draft, const struct zr_json_path *path, const cJSON *node,
                                   size_t wanted, const char *of)
@@ -45,19 +59,25 @@ static const zr_vec4 *read_colors(struct zr_draft *draft, const struct zr_json_p
     struct zr_json *json = &draft->json;
     struct zr_json_list *list = node ? list_for_each(json, path, node, wanted, of) : NULL;
     zr_vec4 *colors = list ? zr_arena_alloc(json->arena, wanted, sizeof *colors) : NULL;
-    if (!colors) return NULL;
-    bool good = true;
-    cJSON *item;
-    struct zr_json_walk walk = zr_json_walk_begin(json, path, list);
-    for (zr_vec4 *color = colors; zr_json_walk_on(&walk); color++) {
-        walk.behind = zr_row_color(walk.at, json->text->end, color);
-        if (walk.behind || !(item = zr_json_walk_parse(&walk))) continue;
-        good = zr_json_color(json, ZR_JSON_ITEM(path, walk.index), item, color) && good;
-        zr_json_walk_drop(&walk, item);
-    }
-    if (!good || walk.index < wanted) return NULL;
+    const size_t faults = json->error->count;
+    if (!colors || zr_json_walk_all(json, path, list, read_color_rows, colors) < wanted || json->error->count > faults)
+        return NULL;
     zr_draft_note_alpha(draft, colors, wanted);
     return colors;
+}
+
+static void read_position_rows(struct zr_json_walk *walk, void *context)
+{
+    zr_vec4 *positions = context;
+    struct zr_json *json = walk->json;
+    const double limit = (double)json->limits->coordinate_max;
+    cJSON *item;
+    while (zr_json_walk_on(walk)) {
+        walk->behind = zr_row_position(walk->at, json->text->end, limit, &positions[walk->index]);
+        if (walk->behind || !(item = zr_json_walk_parse(walk))) continue;
+        zr_json_position(json, ZR_JSON_ITEM(walk->path, walk->index), item, &positions[walk->index]);
+        zr_json_walk_drop(walk, item);
+    }
 }
 
 static void read_positions(struct zr_json *json, const struct zr_json_path *path, const cJSON *node,
@@ -66,17 +86,23 @@ static void read_positions(struct zr_json *json, const struct zr_json_path *path
     struct zr_json_list *list = zr_json_large_list(json, path, node);
     zr_vec4 *positions = list ? zr_arena_alloc(json->arena, list->items, sizeof *positions) : NULL;
     if (!positions) return;
-    const double limit = (double)json->limits->coordinate_max;
-    cJSON *item;
-    struct zr_json_walk walk = zr_json_walk_begin(json, path, list);
-    for (zr_vec4 *position = positions; zr_json_walk_on(&walk); position++) {
-        walk.behind = zr_row_position(walk.at, json->text->end, limit, position);
-        if (walk.behind || !(item = zr_json_walk_parse(&walk))) continue;
-        zr_json_position(json, ZR_JSON_ITEM(path, walk.index), item, position);
-        zr_json_walk_drop(&walk, item);
-    }
+    zr_json_walk_all(json, path, list, read_position_rows, positions);
     mesh->position_count = (uint32_t)list->items;
     mesh->positions = positions;
+}
+
+static void read_normal_rows(struct zr_json_walk *walk, void *context)
+{
+    zr_vec3 *normals = context;
+    struct zr_json *json = walk->json;
+    const double limit = (double)json->limits->coordinate_max;
+    cJSON *item;
+    while (zr_json_walk_on(walk)) {
+        walk->behind = zr_row_vec3(walk->at, json->text->end, limit, &normals[walk->index]);
+        if (walk->behind || !(item = zr_json_walk_parse(walk))) continue;
+        zr_json_vec3(json, ZR_JSON_ITEM(walk->path, walk->index), item, &normals[walk->index]);
+        zr_json_walk_drop(walk, item);
+    }
 }
 
 static void read_normals(struct zr_json *json, const struct zr_json_path *path, const cJSON *node, struct zr_mesh *mesh)
@@ -84,15 +110,7 @@ static void read_normals(struct zr_json *json, const struct zr_json_path *path, 
     struct zr_json_list *list = list_for_each(json, path, node, mesh->position_count, "positions");
     zr_vec3 *normals = list ? zr_arena_alloc(json->arena, list->items, sizeof *normals) : NULL;
     if (!normals) return;
-    const double limit = (double)json->limits->coordinate_max;
-    cJSON *item;
-    struct zr_json_walk walk = zr_json_walk_begin(json, path, list);
-    for (zr_vec3 *normal = normals; zr_json_walk_on(&walk); normal++) {
-        walk.behind = zr_row_vec3(walk.at, json->text->end, limit, normal);
-        if (walk.behind || !(item = zr_json_walk_parse(&walk))) continue;
-        zr_json_vec3(json, ZR_JSON_ITEM(path, walk.index), item, normal);
-        zr_json_walk_drop(&walk, item);
-    }
+    zr_json_walk_all(json, path, list, read_normal_rows, normals);
     mesh->normal_count = mesh->position_count;
     mesh->normals = normals;
 }
@@ -115,32 +133,44 @@ static size_t read_face(struct zr_json *json, const struct zr_json_path *path, c
     return good ? count : 0;
 }
 
+/* Faces while they are read: of each, where it ends in the list of all corners. */
+struct faces {
+    uint32_t positions;
+    uint32_t *ends, *indices;
+};
+
+static void read_face_rows(struct zr_json_walk *walk, void *context)
+{
+    const struct faces faces = *(const struct faces *)context;
+    struct zr_json *json = walk->json;
+    const size_t most = json->limits->polygon_vertices_max;
+    cJSON *item;
+    for (; zr_json_walk_on(walk); faces.ends[walk->index] = (uint32_t)walk->number) {
+        const size_t room = walk->to.numbers - walk->number;
+        uint32_t *indices = faces.indices + walk->number;
+        size_t count = 0;
+        walk->behind =
+            zr_row_indices(walk->at, json->text->end, faces.positions, most < room ? most : room, indices, &count);
+        if (walk->behind && count < 3) walk->behind = NULL;
+        if (!walk->behind && (item = zr_json_walk_parse(walk))) {
+            count = read_face(json, ZR_JSON_ITEM(walk->path, walk->index), item, faces.positions, indices);
+            zr_json_walk_drop(walk, item);
+        }
+        if (walk->behind) walk->number += count;
+    }
+}
+
 static void read_faces(struct zr_json *json, const struct zr_json_path *path, const cJSON *node, struct zr_mesh *mesh)
 {
     struct zr_json_list *list = zr_json_large_list(json, path, node);
     if (!list) return;
     uint32_t *offsets = zr_arena_alloc(json->arena, list->items + 1, sizeof *offsets);
     /* A comma stands between any two corners, and between any two faces. */
-    size_t room = list->commas + 1, face = 0, used = 0, count;
-    uint32_t *indices = zr_arena_alloc(json->arena, room, sizeof *indices);
+    uint32_t *indices = zr_arena_alloc(json->arena, list->commas + 1, sizeof *indices);
     if (!zr_arena_ok(json->arena)) return;
-    const size_t most = json->limits->polygon_vertices_max;
-    cJSON *item;
-    struct zr_json_walk walk = zr_json_walk_begin(json, path, list);
-    for (; zr_json_walk_on(&walk); face++) {
-        count = 0;
-        offsets[face] = (uint32_t)used;
-        walk.behind = zr_row_indices(walk.at, json->text->end, mesh->position_count,
-                                     most < room - used ? most : room - used, indices + used, &count);
-        if (walk.behind && count < 3) walk.behind = NULL;
-        if (!walk.behind && (item = zr_json_walk_parse(&walk))) {
-            count = read_face(json, ZR_JSON_ITEM(path, walk.index), item, mesh->position_count, indices + used);
-            zr_json_walk_drop(&walk, item);
-        }
-        if (walk.behind) used += count;
-    }
-    offsets[face] = (uint32_t)used;
-    mesh->face_count = (uint32_t)face;
+    offsets[0] = 0;
+    struct faces faces = {mesh->position_count, offsets + 1, indices};
+    mesh->face_count = (uint32_t)zr_json_walk_all(json, path, list, read_face_rows, &faces);
     mesh->face_offsets = offsets;
     mesh->indices = indices;
 }
@@ -159,23 +189,35 @@ static void read_line(struct zr_json *json, const struct zr_json_path *path, con
         zr_json_index(json, ZR_JSON_ITEM(path, k), end, positions, "positions", &line[k]);
 }
 
+struct lines {
+    uint32_t positions, *ends;
+};
+
+static void read_line_rows(struct zr_json_walk *walk, void *context)
+{
+    const struct lines lines = *(const struct lines *)context;
+    struct zr_json *json = walk->json;
+    size_t ends = 0;
+    cJSON *item;
+    while (zr_json_walk_on(walk)) {
+        uint32_t *line = lines.ends + 2 * walk->index;
+        walk->behind = zr_row_indices(walk->at, json->text->end, lines.positions, 2, line, &ends);
+        if (walk->behind && ends < 2) walk->behind = NULL;
+        if (walk->behind || !(item = zr_json_walk_parse(walk))) continue;
+        read_line(json, ZR_JSON_ITEM(walk->path, walk->index), item, lines.positions, line);
+        zr_json_walk_drop(walk, item);
+    }
+}
+
 static void read_lines(struct zr_json *json, const struct zr_json_path *path, const cJSON *node, struct zr_mesh *mesh)
 {
     struct zr_json_list *list = zr_json_large_list(json, path, node);
-    uint32_t *lines = list ? zr_arena_alloc(json->arena, list->items, 2 * sizeof *lines) : NULL;
-    if (!lines) return;
-    size_t ends = 0;
-    cJSON *item;
-    struct zr_json_walk walk = zr_json_walk_begin(json, path, list);
-    for (uint32_t *line = lines; zr_json_walk_on(&walk); line += 2) {
-        walk.behind = zr_row_indices(walk.at, json->text->end, mesh->position_count, 2, line, &ends);
-        if (walk.behind && ends < 2) walk.behind = NULL;
-        if (walk.behind || !(item = zr_json_walk_parse(&walk))) continue;
-        read_line(json, ZR_JSON_ITEM(path, walk.index), item, mesh->position_count, line);
-        zr_json_walk_drop(&walk, item);
-    }
+    struct lines lines = {mesh->position_count, NULL};
+    lines.ends = list ? zr_arena_alloc(json->arena, list->items, 2 * sizeof *lines.ends) : NULL;
+    if (!lines.ends) return;
+    zr_json_walk_all(json, path, list, read_line_rows, &lines);
     mesh->line_count = (uint32_t)list->items;
-    mesh->lines = lines;
+    mesh->lines = lines.ends;
 }
 
 /* Either positions with faces, lines or both, or heights. */

@@ -5,6 +5,7 @@
 #include "input/json_rows.h"
 #include "input/json_scene.h"
 #include "input/json_text.h"
+#include "input/json_walk.h"
 
 enum { VERTICES, HOLES, COLOR, COLORS, NORMALS, MATERIAL, LOOK, KEYS = LOOK + ZR_LOOK_KEYS };
 static const char *const words[] = {"vertices", "holes", "color", "colors", "normals", "material", ZR_LOOK_WORDS};

@@ -41,8 +41,7 @@ static const char *mark_lists(struct zr_json *json, size_t *size)
     return marked;
 }
 
-/* cJSON allocates outside the arena: about what its tree will take is charged to it. */
-static cJSON *parse(struct zr_json *json, const char *bytes, size_t size, size_t values, size_t *charged)
+cJSON *zr_json_text_parse(struct zr_json *json, const char *bytes, size_t size, size_t values, size_t *charged)
 {
     size_t cost;
     if (!zr_mul_size(values, TREE_BYTES_A_VALUE, &cost) || !zr_add_size(cost, size, &cost) ||
@@ -71,7 +70,7 @@ cJSON *zr_json_text_open(struct zr_json *json, const char *bytes, size_t size)
         return NULL;
     }
     const char *rest = mark_lists(json, &size);
-    return rest ? parse(json, rest, size, values, &text->charged) : NULL;
+    return rest ? zr_json_text_parse(json, rest, size, values, &text->charged) : NULL;
 }
 
 bool zr_json_verify(struct zr_json *json)
@@ -108,72 +107,4 @@ struct zr_json_list *zr_json_large_list(struct zr_json *json, const struct zr_js
         return &json->text->lists.list[strtoul(node->valuestring + 1, NULL, 10)];
     zr_json_expect(json, path, node, "a list");
     return NULL;
-}
-
-/* ---- item after item ---- */
-
-struct zr_json_walk zr_json_walk_begin(struct zr_json *json, const struct zr_json_path *path, struct zr_json_list *list)
-{
-    return (struct zr_json_walk){.json = json, .path = path, .list = list, .at = list->at};
-}
-
-/* The list is not what it was counted as. */
-static bool lose(struct zr_json_walk *walk)
-{
-    if (zr_json_verify(walk->json)) zr_error_add(walk->json->error, ZR_INTERNAL, NULL, "a list was miscounted");
-    return false;
-}
-
-bool zr_json_walk_next(struct zr_json_walk *walk)
-{
-    struct zr_json *json = walk->json;
-    const char *end = json->text->end;
-    if (zr_json_full(json) || !zr_arena_ok(json->arena) || (walk->begun && !walk->behind)) return false;
-    const char *at = zr_json_skip_space(walk->begun ? walk->behind : walk->list->at + 1, end);
-    walk->index += walk->begun;
-    if (walk->index == walk->list->items) {
-        if (at + 1 != walk->list->end || *at != ']') return lose(walk);
-        walk->list->read = true;
-        return false;
-    }
-    if (walk->begun) {
-        if (at == end || *at != ',') return lose(walk);
-        at = zr_json_skip_space(at + 1, end);
-    }
-    if (at == end) return lose(walk);
-    walk->begun = true;
-    walk->at = at;
-    walk->behind = NULL;
-    return true;
-}
-
-cJSON *zr_json_walk_parse(struct zr_json_walk *walk)
-{
-    struct zr_json *json = walk->json;
-    struct zr_json_text *text = json->text;
-    size_t items, commas, values;
-    const char *behind = zr_json_skip(walk->at, text->end, &items, &commas);
-    if (!behind) {
-        lose(walk);
-        return NULL;
-    }
-    struct zr_limits limits = *json->limits;
-    size_t size = (size_t)(behind - walk->at);
-    limits.json_depth_max -= limits.json_depth_max < walk->list->depth ? limits.json_depth_max : walk->list->depth;
-    text->scratch.count = 0;
-    if (zr_json_scan(json->arena, walk->at, size, &limits, &values, &text->scratch) != ZR_OK) {
-        if (zr_json_verify(json) && zr_arena_ok(json->arena))
-            zr_json_fault(json, ZR_JSON_ITEM(walk->path, walk->index), "more values than the limit of %u",
-                          json->limits->json_values_max);
-        return NULL;
-    }
-    walk->behind = behind;
-    return parse(json, walk->at, size, values, &walk->charged);
-}
-
-void zr_json_walk_drop(struct zr_json_walk *walk, cJSON *item)
-{
-    cJSON_Delete(item);
-    zr_arena_refund(walk->json->arena, walk->charged);
-    if (zr_json_full(walk->json)) walk->behind = NULL;
 }

@@ -3,6 +3,7 @@
 #include <cjson/cJSON.h>
 #include <stdlib.h>
 
+#include "base/team.h"
 #include "bench/documents.h"
 #include "bench/machine.h"
 #include "bench/series.h"
@@ -10,7 +11,9 @@
 #include "scene/scene.h"
 #include "zraster.h"
 
-enum { WARM, FRESH, THEIRS, SIDES }; /* ours in an arena that is warm, and in a new one; cJSON */
+/* Ours in an arena that is warm, in a new one, and in a warm one by two threads; cJSON. */
+enum { WARM, FRESH, SHARED, WAYS, THEIRS = WAYS, SIDES };
+static const char *const ways[WAYS] = {"warm arena 1T", "new arena 1T", "warm arena 2T"};
 
 static const size_t ARENA_BYTES = (size_t)4 << 30;
 static const struct bar time_bar = {12, 20}, memory_bar = {1.5, 1.1};
@@ -35,13 +38,13 @@ enum { FORMS = sizeof forms / sizeof forms[0] };
 struct task {
     const struct work *work;
     int form;
-    bool wanted[2]; /* WARM, FRESH */
+    bool wanted[WAYS];
 };
 
-static void name_row(const struct task *task, bool fresh, char *name, size_t size)
+static void name_row(const struct task *task, int way, char *name, size_t size)
 {
-    snprintf(name, size, "%s of %u triangles, %s, %s arena 1T %s", forms[task->form].name,
-             task->work->drawing.face_count, forms[task->form].kind, fresh ? "new" : "warm", machine_isa());
+    snprintf(name, size, "%s of %u triangles, %s, %s %s", forms[task->form].name, task->work->drawing.face_count,
+             forms[task->form].kind, ways[way], machine_isa());
 }
 
 static size_t bytes_of(const void *array, size_t count, size_t size)
@@ -70,13 +73,14 @@ static size_t array_bytes(const struct zr_scene *scene)
 }
 
 /* NULL on failure, of which nothing is said where memory alone was short. */
-static const struct zr_scene *read_scene(struct zr_arena *arena, enum zr_format format, const struct document *document)
+static const struct zr_scene *read_scene(struct zr_arena *arena, struct zr_team *team, enum zr_format format,
+                                         const struct document *document)
 {
     struct zr_limits limits = zr_limits_default();
     struct zr_request request = {.format = format, .bytes = document->bytes, .size = document->size};
     struct zr_error error = {.status = ZR_OK};
     const struct zr_scene *scene = NULL;
-    enum zr_status status = zr_scene_read(arena, &request, &limits, &scene, &error);
+    enum zr_status status = zr_scene_read(arena, team, &request, &limits, &scene, &error);
     if (status == ZR_OK) return scene;
     if (status != ZR_NO_MEMORY) bench_complain("zr_scene_read: %s: %s", error.items[0].pointer, error.items[0].detail);
     return NULL;
@@ -99,6 +103,7 @@ struct reading {
     const struct task *task;
     const struct document *document, *json; /* ours to read, and theirs */
     struct zr_arena warm;
+    struct zr_team *team;
 };
 
 static bool run_round(void *context, struct series *series)
@@ -111,15 +116,16 @@ static bool run_round(void *context, struct series *series)
     cJSON_Delete(tree);
     series_add(&series[THEIRS], now_ms() - begin);
     bool ok = tree != NULL;
-    for (int fresh = WARM; ok && fresh <= FRESH; fresh++) {
+    for (int way = 0; ok && way < WAYS; way++) {
         struct zr_arena cold;
-        if (!reading->task->wanted[fresh]) continue;
+        if (!reading->task->wanted[way]) continue;
         zr_arena_init(&cold, ARENA_BYTES);
         begin = now_ms();
-        if (!fresh) zr_arena_reset(&reading->warm, ARENA_BYTES);
-        ok = read_scene(fresh ? &cold : &reading->warm, format, document) != NULL;
-        if (fresh) zr_arena_free(&cold);
-        series_add(&series[fresh], now_ms() - begin);
+        struct zr_arena *arena = way == FRESH ? &cold : &reading->warm;
+        if (way != FRESH) zr_arena_reset(arena, ARENA_BYTES);
+        ok = read_scene(arena, way == SHARED ? reading->team : NULL, format, document) != NULL;
+        if (way == FRESH) zr_arena_free(arena);
+        series_add(&series[way], now_ms() - begin);
     }
     return ok;
 }
@@ -135,29 +141,32 @@ static bool measure(const struct bench *bench, void *context, const struct sink 
     struct reading reading = {.task = task, .document = &document, .json = is_json ? &document : &indexed};
     if (!is_json) indexed = make_indexed(drawing);
     zr_arena_init(&reading.warm, ARENA_BYTES);
-    const struct zr_scene *scene =
-        document.bytes && reading.json->bytes ? read_scene(&reading.warm, format, &document) : NULL;
+    reading.team = zr_team_create(2);
+    const struct zr_scene *scene = document.bytes && reading.json->bytes && reading.team
+                                       ? read_scene(&reading.warm, reading.team, format, &document)
+                                       : NULL;
     if (!scene) return false;
     double needed = (double)reading.warm.peak;
     size_t arrays = array_bytes(scene);
     bool wrong = !is_right(scene, drawing);
     if (!bench->check_only && !series_run(series, SIDES, bench->rounds, run_round, &reading)) return false;
-    for (int fresh = WARM; fresh <= FRESH; fresh++) {
-        struct row row = {.ours_ms = series_median(&series[fresh]),
+    for (int way = 0; way < WAYS; way++) {
+        struct row row = {.ours_ms = series_median(&series[way]),
                           .theirs_ms = series_median(&series[THEIRS]),
                           .side = ROW_MEMORY,
                           .side_ratio = needed / (double)arrays,
                           .wrong = wrong};
-        if (!fresh && is_json) row.bar = time_bar, row.side_bar = memory_bar;
-        name_row(task, fresh, row.work, sizeof row.work);
+        if (way == WARM && is_json) row.bar = time_bar, row.side_bar = memory_bar;
+        name_row(task, way, row.work, sizeof row.work);
         if (bench->check_only)
             snprintf(row.note, sizeof row.note, "the scene has %sthe mesh's triangles", wrong ? "not " : "");
         else
             snprintf(row.note, sizeof row.note, "%.1f MB%s", (double)document.size / 1e6,
                      is_json ? " of JSON" : "; theirs is indexed JSON");
-        if (task->wanted[fresh]) sink_row(sink, &row);
+        if (task->wanted[way]) sink_row(sink, &row);
     }
     zr_arena_free(&reading.warm);
+    zr_team_destroy(reading.team);
     free(document.bytes);
     free(indexed.bytes);
     return true;
@@ -169,12 +178,13 @@ void versus_cjson(struct bench *bench)
     struct task task = {.work = &work};
     if (!works_make(WORK_BUNNY, bench->models, &work)) bench->results.failed = true;
     for (task.form = 0; task.form < FORMS && work.corners; task.form++) {
-        for (int fresh = 0; fresh < 2; fresh++) {
+        for (int way = 0; way < WAYS; way++) {
             char name[ROW_NAME_SIZE];
-            name_row(&task, fresh, name, sizeof name);
-            task.wanted[fresh] = bench_wants(bench, name);
+            name_row(&task, way, name, sizeof name);
+            /* Only JSON is read by several. */
+            task.wanted[way] = bench_wants(bench, name) && (way != SHARED || forms[task.form].format == ZR_FORMAT_JSON);
         }
-        if (!task.wanted[0] && !task.wanted[1]) continue;
+        if (!task.wanted[WARM] && !task.wanted[FRESH] && !task.wanted[SHARED]) continue;
         if (bench->check_only) {
             bench_check_in_child(bench, measure, &task, NULL);
             continue;

@@ -52,7 +52,7 @@ static struct picture draw(const char *text, const struct zr_asset *assets, size
     const struct zr_scene *scene;
     const struct zr_frame *frame;
     struct picture picture;
-    if (zr_scene_read(&arena, &request, &limits, &scene, &error) != ZR_OK)
+    if (zr_scene_read(&arena, NULL, &request, &limits, &scene, &error) != ZR_OK)
         fail_msg("%s: %s", error.items[0].pointer, error.items[0].detail);
     assert_int_equal(zr_render(&arena, NULL, scene, NULL, NULL, &frame, &error), ZR_OK);
     for (int i = 0; i < CHANNELS; i++) {

@@ -29,7 +29,7 @@ static struct zr_scene read_file(const char *path)
     struct zr_limits limits = zr_limits_default();
     struct zr_error error = {.count = 0};
     const struct zr_scene *scene;
-    if (zr_scene_read(&arena, &request, &limits, &scene, &error) != ZR_OK)
+    if (zr_scene_read(&arena, NULL, &request, &limits, &scene, &error) != ZR_OK)
         fail_msg("%s: %s %s", path, error.items[0].pointer, error.items[0].detail);
     struct zr_scene all = *scene;
     all.outputs = outputs;

@@ -83,7 +83,7 @@ static enum verdict check_bytes(const struct checking *c, struct zr_arena *arena
         const struct zr_scene *scene;
         if (all) request->preset = zr_preset_names.words[preset];
         zr_arena_reset(arena, scene_ceiling);
-        if (zr_scene_read(arena, request, &limits, &scene, &error) != ZR_OK) return refused(c, path, &error);
+        if (zr_scene_read(arena, NULL, request, &limits, &scene, &error) != ZR_OK) return refused(c, path, &error);
         enum verdict verdict = check_view(c, scene, name, (uint64_t)preset, &tally);
         if (verdict > worst) worst = verdict;
     }

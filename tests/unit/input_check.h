@@ -22,8 +22,8 @@ struct reading {
 };
 
 /* Reads `request`, its bytes moved to a guard page. End with reading_free. */
-static inline struct reading *read_request(struct zr_request request, const void *bytes, size_t size,
-                                           struct zr_limits limits, size_t ceiling)
+static inline struct reading *read_by_team(struct zr_team *team, struct zr_request request, const void *bytes,
+                                           size_t size, struct zr_limits limits, size_t ceiling)
 {
     struct reading *reading = calloc(1, sizeof *reading);
     assert_non_null(reading);
@@ -31,8 +31,14 @@ static inline struct reading *read_request(struct zr_request request, const void
     reading->body = guarded_copy(bytes, size);
     request.bytes = reading->body.bytes;
     request.size = size;
-    reading->status = zr_scene_read(&reading->arena, &request, &limits, &reading->scene, &reading->error);
+    reading->status = zr_scene_read(&reading->arena, team, &request, &limits, &reading->scene, &reading->error);
     return reading;
+}
+
+static inline struct reading *read_request(struct zr_request request, const void *bytes, size_t size,
+                                           struct zr_limits limits, size_t ceiling)
+{
+    return read_by_team(NULL, request, bytes, size, limits, ceiling);
 }
 
 static inline struct reading *read_bytes(enum zr_format format, const void *bytes, size_t size)

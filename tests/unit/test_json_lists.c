@@ -1,43 +1,7 @@
 /* The large lists of a scene, which are read from the text itself: in every spelling the same scene, and no more
  * memory than they need. */
 #include "json_texts.h"
-
-static void assert_same_array(const void *a, const void *b, size_t count, size_t size)
-{
-    assert_int_equal(a == NULL, b == NULL);
-    if (a) assert_memory_equal(a, b, count * size);
-}
-
-static void assert_same_mesh(const struct zr_mesh *a, const struct zr_mesh *b)
-{
-    size_t corners = a->face_offsets[a->face_count];
-    assert_string_equal(a->name, b->name);
-    assert_int_equal(a->position_count, b->position_count);
-    assert_int_equal(a->face_count, b->face_count);
-    assert_int_equal(a->line_count, b->line_count);
-    assert_int_equal(a->normal_count, b->normal_count);
-    assert_int_equal(a->material, b->material);
-    assert_same_array(a->positions, b->positions, a->position_count, sizeof *a->positions);
-    assert_same_array(a->face_offsets, b->face_offsets, a->face_count + 1, sizeof *a->face_offsets);
-    assert_same_array(a->indices, b->indices, corners, sizeof *a->indices);
-    assert_same_array(a->face_rings, b->face_rings, a->face_count + 1, sizeof *a->face_rings);
-    if (a->face_rings)
-        assert_same_array(a->ring_offsets, b->ring_offsets, a->face_rings[a->face_count] + 1, sizeof *a->ring_offsets);
-    assert_same_array(a->lines, b->lines, a->line_count, 2 * sizeof *a->lines);
-    assert_same_array(a->normals, b->normals, a->normal_count, sizeof *a->normals);
-    assert_same_array(a->colors, b->colors, a->position_count, sizeof *a->colors);
-    assert_same_array(a->face_colors, b->face_colors, a->face_count, sizeof *a->face_colors);
-    assert_same_array(a->face_materials, b->face_materials, a->face_count, sizeof *a->face_materials);
-}
-
-static void assert_same_scene(const struct zr_scene *a, const struct zr_scene *b)
-{
-    assert_int_equal(a->mesh_count, b->mesh_count);
-    assert_int_equal(a->material_count, b->material_count);
-    assert_int_equal(a->warning_count, b->warning_count);
-    for (uint32_t i = 0; i < a->mesh_count; i++)
-        assert_same_mesh(&a->meshes[i], &b->meshes[i]);
-}
+#include "same_scene.h"
 
 static void every_spelling_gives_the_same_scene(void **state)
 {

@@ -1,0 +1,144 @@
+#include "input/json_walk.h"
+
+#include "base/team.h"
+#include "input/json_scan.h"
+
+/* Lists with fewer are read before a helper has woken. */
+enum { MARKS_MIN = 2 };
+
+/* ---- item after item ---- */
+
+struct zr_json_walk zr_json_walk_begin(struct zr_json *json, const struct zr_json_path *path, struct zr_json_list *list)
+{
+    return (struct zr_json_walk){
+        .json = json, .path = path, .list = list, .at = list->at, .to = {list->end - 1, list->items, list->commas + 1}};
+}
+
+/* The list is not what it was counted as. */
+static bool lose(struct zr_json_walk *walk)
+{
+    if (!walk->ahead && zr_json_verify(walk->json))
+        zr_error_add(walk->json->error, ZR_INTERNAL, NULL, "a list was miscounted");
+    return false;
+}
+
+bool zr_json_walk_next(struct zr_json_walk *walk)
+{
+    struct zr_json *json = walk->json;
+    const char *end = json->text->end;
+    if (zr_json_full(json) || !zr_arena_ok(json->arena) || (walk->begun && !walk->behind)) return false;
+    const char *at = zr_json_skip_space(walk->begun ? walk->behind : walk->list->at + 1, end);
+    walk->index += walk->begun;
+    if (walk->index == walk->to.items) {
+        if (at != walk->to.at || (*at != ']' && !walk->ahead)) return lose(walk);
+        walk->done = true;
+        if (!walk->ahead) walk->list->read = true;
+        return false;
+    }
+    if (walk->begun) {
+        if (at == end || *at != ',') return lose(walk);
+        at = zr_json_skip_space(at + 1, end);
+    }
+    if (at == end) return lose(walk);
+    walk->begun = true;
+    walk->at = at;
+    walk->behind = NULL;
+    return true;
+}
+
+cJSON *zr_json_walk_parse(struct zr_json_walk *walk)
+{
+    struct zr_json *json = walk->json;
+    struct zr_json_text *text = json->text;
+    size_t items, commas, values;
+    if (walk->ahead) return NULL;
+    const char *behind = zr_json_skip(walk->at, text->end, &items, &commas);
+    if (!behind) {
+        lose(walk);
+        return NULL;
+    }
+    struct zr_limits limits = *json->limits;
+    size_t size = (size_t)(behind - walk->at);
+    limits.json_depth_max -= limits.json_depth_max < walk->list->depth ? limits.json_depth_max : walk->list->depth;
+    text->scratch.count = 0;
+    if (zr_json_scan(json->arena, walk->at, size, &limits, &values, &text->scratch) != ZR_OK) {
+        if (zr_json_verify(json) && zr_arena_ok(json->arena))
+            zr_json_fault(json, ZR_JSON_ITEM(walk->path, walk->index), "more values than the limit of %u",
+                          json->limits->json_values_max);
+        return NULL;
+    }
+    walk->behind = behind;
+    return zr_json_text_parse(json, walk->at, size, values, &walk->charged);
+}
+
+void zr_json_walk_drop(struct zr_json_walk *walk, cJSON *item)
+{
+    cJSON_Delete(item);
+    zr_arena_refund(walk->json->arena, walk->charged);
+    if (zr_json_full(walk->json)) walk->behind = NULL;
+}
+
+/* ---- by several threads ---- */
+
+/* Parts of a list lie between its marks. */
+struct reading {
+    const struct zr_json_walk *whole;
+    zr_json_walk_fn *read;
+    void *context;
+    bool *done; /* each part */
+};
+
+/* From the beginning of a part to the end of its list. */
+static struct zr_json_walk walk_from(const struct zr_json_walk *whole, size_t part)
+{
+    struct zr_json_walk walk = *whole;
+    if (part == 0) return walk;
+    const struct zr_json_mark *from = &whole->list->marks[part - 1];
+    walk.begun = true;
+    walk.behind = from->at;
+    walk.index = from->items - 1;
+    walk.number = from->numbers;
+    return walk;
+}
+
+static void read_parts(void *context, size_t begin, size_t end)
+{
+    const struct reading *r = context;
+    const struct zr_json_list *list = r->whole->list;
+    for (size_t part = begin; part < end; part++) {
+        struct zr_json_walk walk = walk_from(r->whole, part);
+        walk.ahead = true;
+        if (part < list->mark_count) walk.to = list->marks[part];
+        r->read(&walk, r->context);
+        r->done[part] = walk.done;
+    }
+}
+
+/* *walk becomes what is left to walk over. */
+static void read_ahead(struct zr_json_walk *walk, zr_json_walk_fn *read, void *context)
+{
+    struct zr_json *json = walk->json;
+    const struct zr_json_walk whole = *walk;
+    const size_t parts = walk->list->mark_count + 1;
+    struct reading r = {&whole, read, context, zr_arena_alloc(json->arena, parts, sizeof *r.done)};
+    if (!r.done) return;
+    zr_team_ranges(json->team, parts, 1, read_parts, &r);
+    size_t part = 0;
+    while (part < parts && r.done[part])
+        part++;
+    if (part < parts) {
+        *walk = walk_from(&whole, part);
+        return;
+    }
+    walk->index = walk->to.items;
+    walk->done = walk->list->read = true;
+}
+
+size_t zr_json_walk_all(struct zr_json *json, const struct zr_json_path *path, struct zr_json_list *list,
+                        zr_json_walk_fn *read, void *context)
+{
+    struct zr_json_walk walk = zr_json_walk_begin(json, path, list);
+    if (zr_team_size(json->team) > 1 && list->mark_count >= MARKS_MIN) read_ahead(&walk, read, context);
+    if (!walk.done) read(&walk, context);
+    return walk.index;
+}

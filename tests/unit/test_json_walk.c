@@ -1,0 +1,277 @@
+/* Large lists that several threads read: the same scenes, the same complaints. */
+#include <string.h>
+
+#include "base/team.h"
+#include "input/json_text.h"
+#include "input/json_walk.h"
+#include "json_texts.h"
+#include "same_scene.h"
+
+enum { TEAMS = 3, CEILING = 1 << 28 };
+static const int sizes[TEAMS] = {2, 3, 7};
+
+/* ---- marks ---- */
+
+/* What is before each mark, counted one by one. */
+static void assert_marks(const struct zr_json_list *list)
+{
+    const char *at = list->at;
+    size_t rows = 0, commas = 0;
+    for (size_t i = 0; i < list->mark_count; i++) {
+        const struct zr_json_mark *mark = &list->marks[i];
+        assert_true(mark->at >= at + ZR_JSON_MARK_BYTES && mark->at < list->end);
+        for (; at < mark->at; at++) {
+            rows += *at == ']';
+            commas += *at == ',';
+        }
+        assert_int_equal(*at, ',');
+        assert_int_equal(mark->items, rows);
+        assert_int_equal(mark->numbers, commas + 1);
+    }
+}
+
+static void marks_have_counts_of_all_before_them(void **state)
+{
+    (void)state;
+    struct text text = make_scene(20000);
+    for (enum spelling spelling = AS_IT_IS; spelling < SPELLINGS; spelling++) {
+        struct text other = respell(text.bytes, spelling);
+        const char *end = other.bytes + other.size;
+        struct zr_arena arena;
+        struct zr_json_lists lists = {0};
+        zr_arena_init(&arena, CEILING);
+        static const char *const keys[] = {"\"positions\"", "\"lines\"", "\"colors\""};
+        for (size_t k = 0; k < 3; k++) {
+            const char *key = strstr(other.bytes, keys[k]);
+            if (!key) continue; /* it is escaped */
+            const char *at = strchr(key, '[');
+            assert_non_null(zr_json_list_add(&arena, &lists, at, end, false, 3));
+            const struct zr_json_list *list = &lists.list[lists.count - 1];
+            assert_marks(list);
+            if (k < 2) /* colours are strings, too */
+                assert_true(list->mark_count + 1 >= (size_t)(list->end - list->at) / (ZR_JSON_MARK_BYTES + 8192));
+            else
+                assert_int_equal(list->mark_count, 0);
+        }
+        assert_true(lists.count > 0 || spelling == ESCAPED_KEYS);
+        zr_arena_free(&arena);
+        drop(&other);
+    }
+    drop(&text);
+}
+
+/* ---- walks ---- */
+
+struct visits {
+    _Atomic uint8_t *of; /* each item */
+    atomic_size_t ahead, wrong;
+    size_t odd; /* an item that is not plain */
+};
+
+/* Items are [number, 0]: their own numbers. */
+static void visit(struct zr_json_walk *walk, void *context)
+{
+    struct visits *visits = context;
+    cJSON *item;
+    while (zr_json_walk_on(walk)) {
+        visits->wrong += walk->index >= walk->to.items || walk->number != 2 * walk->index ||
+                         strtoul(walk->at + 1, NULL, 10) != walk->index;
+        if (walk->index != visits->odd) {
+            walk->behind = strchr(walk->at, ']') + 1;
+        } else if ((item = zr_json_walk_parse(walk))) {
+            visits->wrong += walk->ahead;
+            zr_json_walk_drop(walk, item);
+        }
+        walk->number += 2;
+        if (!walk->behind) continue;
+        visits->of[walk->index]++;
+        visits->ahead += walk->ahead;
+    }
+}
+
+static void items_are_read_ahead_up_to_an_odd_one(void **state)
+{
+    (void)state;
+    enum { COUNT = 100000 };
+    struct text text = {0};
+    add(&text, "{\"meshes\":[{\"lines\":[");
+    for (size_t i = 0; i < COUNT; i++)
+        add(&text, "%s[%zu,0]", i ? "," : "", i);
+    add(&text, "]}]}");
+    const size_t odd[] = {SIZE_MAX, 0, COUNT / 2, COUNT - 1};
+    for (size_t i = 0; i < 4; i++) {
+        struct zr_arena arena;
+        zr_arena_init(&arena, CEILING);
+        struct zr_limits limits = zr_limits_default();
+        struct zr_error error = {0};
+        struct zr_json_text opened = {0};
+        struct zr_json json = {&arena, zr_team_create(3), &limits, &error, &opened};
+        cJSON *root = zr_json_text_open(&json, text.bytes, text.size);
+        assert_non_null(root);
+        struct visits visits = {.of = calloc(COUNT, 1), .odd = odd[i]};
+        struct zr_json_list *list = &opened.lists.list[0];
+        assert_true(list->mark_count > 4);
+        assert_int_equal(zr_json_walk_all(&json, NULL, list, visit, &visits), COUNT);
+        assert_true(list->read);
+        assert_int_equal(visits.wrong, 0);
+        /* All of them ahead; or up to the part with the odd one, and from it on once more. */
+        size_t once = 0;
+        for (size_t k = 0; k < COUNT; k++) {
+            assert_in_range(visits.of[k], 1, 2);
+            once += visits.of[k] == 1;
+        }
+        if (odd[i] == SIZE_MAX) assert_int_equal(visits.ahead, COUNT);
+        if (odd[i] == SIZE_MAX) assert_int_equal(once, COUNT);
+        if (odd[i] == COUNT - 1) assert_true(visits.ahead > COUNT - COUNT / 4 && once > COUNT - COUNT / 4);
+        if (odd[i] == COUNT / 2) assert_true(once > COUNT / 4);
+        assert_int_equal(zr_json_text_close(&json, root), ZR_OK);
+        free((void *)visits.of);
+        zr_team_destroy(json.team);
+        zr_arena_free(&arena);
+    }
+    drop(&text);
+}
+
+/* ---- scenes ---- */
+
+static struct reading *read_by(struct zr_team *team, const struct text *text)
+{
+    return read_by_team(team, (struct zr_request){.format = ZR_FORMAT_JSON}, text->bytes, text->size,
+                        zr_limits_default(), CEILING);
+}
+
+static void assert_same_reading(const struct reading *a, const struct reading *b)
+{
+    assert_int_equal(a->status, b->status);
+    assert_int_equal(a->error.count, b->error.count);
+    for (size_t i = 0; i < zr_error_held(&a->error); i++) {
+        assert_string_equal(a->error.items[i].pointer, b->error.items[i].pointer);
+        assert_string_equal(a->error.items[i].detail, b->error.items[i].detail);
+    }
+    if (a->scene) assert_same_scene(a->scene, b->scene);
+}
+
+static void assert_same_for_every_team(struct zr_team *const *teams, const struct text *text)
+{
+    struct reading *alone = read_by(NULL, text);
+    for (size_t i = 0; i < TEAMS; i++) {
+        struct reading *shared = read_by(teams[i], text);
+        assert_same_reading(alone, shared);
+        reading_free(shared);
+    }
+    reading_free(alone);
+}
+
+static void start_teams(struct zr_team **teams)
+{
+    for (size_t i = 0; i < TEAMS; i++)
+        assert_non_null(teams[i] = zr_team_create(sizes[i]));
+}
+
+static void end_teams(struct zr_team **teams)
+{
+    for (size_t i = 0; i < TEAMS; i++)
+        zr_team_destroy(teams[i]);
+}
+
+/* Colours without strings, heights without holes. */
+static struct text make_plain_scene(size_t count)
+{
+    struct text text = {0};
+    add(&text, "{\"meshes\":[{\"positions\":[");
+    add_places(&text, count, 4);
+    add(&text, "],\"faces\":[[0,1,2]],\"colors\":[[1,1,1]");
+    for (size_t i = 1; i < count; i++)
+        add(&text, ",[0.%zu,%g,1]", below(100000), (double)below(9999) / 9999);
+    add(&text, "]},{\"heights\":[");
+    for (size_t row = 0; row < count / 50; row++) {
+        for (size_t column = 0; column < 150; column++)
+            add(&text, "%s%.7g", column ? "," : row ? ",[" : "[", any_place());
+        add(&text, "]");
+    }
+    add(&text, "]}]}");
+    return text;
+}
+
+static void every_team_reads_the_same_scene(void **state)
+{
+    (void)state;
+    struct zr_team *teams[TEAMS];
+    start_teams(teams);
+    for (int plain = 0; plain < 2; plain++) {
+        struct text text = plain ? make_plain_scene(12000) : make_scene(12000);
+        for (enum spelling spelling = AS_IT_IS; spelling < SPELLINGS; spelling++) {
+            struct text other = respell(text.bytes, spelling);
+            struct reading *alone = read_by(NULL, &other);
+            assert_read(alone);
+            reading_free(alone);
+            assert_same_for_every_team(teams, &other);
+            drop(&other);
+        }
+        drop(&text);
+    }
+    end_teams(teams);
+}
+
+/* A byte here and there that is another one, or a piece that is not there. */
+static void every_team_has_the_same_complaints(void **state)
+{
+    (void)state;
+    static const char bytes[] = "[]{},:\"0123456789.e-+ \n\\tn";
+    enum { ROUNDS = 60 };
+    struct zr_team *teams[TEAMS];
+    start_teams(teams);
+    size_t refused = 0;
+    for (size_t i = 0; i < ROUNDS; i++) {
+        struct text text = i & 1 ? make_plain_scene(9000) : make_scene(6000);
+        for (size_t k = 0; k <= below(3); k++)
+            text.bytes[below(text.size)] = bytes[below(sizeof bytes - 1)];
+        if (below(3) == 0) {
+            const size_t gap = below(text.size / 2), from = below(text.size - gap);
+            memmove(text.bytes + from, text.bytes + from + gap, text.size - from - gap);
+            text.size -= gap;
+        }
+        struct reading *alone = read_by(NULL, &text);
+        refused += alone->status != ZR_OK;
+        reading_free(alone);
+        assert_same_for_every_team(teams, &text);
+        drop(&text);
+    }
+    assert_in_range(refused, ROUNDS / 4, ROUNDS);
+    end_teams(teams);
+}
+
+/* A row that is longer than all that one thread reads ahead, and marks in it. */
+static void rows_of_any_length_are_read(void **state)
+{
+    (void)state;
+    struct zr_team *teams[TEAMS];
+    start_teams(teams);
+    static const size_t columns[] = {2, 3000, 60000, 300000};
+    for (size_t i = 0; i < 4; i++) {
+        struct text text = {0};
+        add(&text, "{\"meshes\":[{\"heights\":[");
+        for (size_t row = 0; row < 600000 / columns[i]; row++) {
+            for (size_t column = 0; column < columns[i]; column++)
+                add(&text, "%s%zu", column ? "," : row ? ",[" : "[", below(9));
+            add(&text, "]");
+        }
+        add(&text, "]}]}");
+        struct reading *alone = read_by(NULL, &text);
+        assert_read(alone);
+        reading_free(alone);
+        assert_same_for_every_team(teams, &text);
+        drop(&text);
+    }
+    end_teams(teams);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(marks_have_counts_of_all_before_them), cmocka_unit_test(items_are_read_ahead_up_to_an_odd_one),
+        cmocka_unit_test(every_team_reads_the_same_scene),      cmocka_unit_test(every_team_has_the_same_complaints),
+        cmocka_unit_test(rows_of_any_length_are_read),
+    };
+    return cmocka_run_group_tests_name("json_walk", tests, NULL, NULL);
+}
