@@ -1,4 +1,4 @@
-/* team.h - base: threads that share the work of one request, tile by tile.
+/* team.h - base: threads that share the work of one request.
  *
  * A team is shared: any number of callers may run jobs at once, each takes part
  * in its own, and helpers that are idle join whichever job is open. So one

@@ -124,17 +124,18 @@ static const char *read_hole(struct values *values, const char *at, const char *
     return zr_row_skip_space(at + 4, end);
 }
 
-/* The row at hand; NULL where it is not plainly one, or has holes that others would have to hear of. */
+/* The row at hand; NULL where it is not plainly one, or, ahead, has the first hole: holes take memory. */
 static const char *read_row(struct values *values, const struct zr_json_walk *walk)
 {
     const char *at = walk->at, *end = values->json->text->end;
     const double limit = (double)values->json->limits->coordinate_max;
     const size_t columns = values->grid.columns, first = walk->index * columns;
+    const bool may_have_holes = !walk->ahead || values->holes;
     if (*at != '[') return NULL;
     for (size_t column = 0; column < columns; column++) {
         float *z = &values->positions[first + column].z;
         const char *number = zr_row_next(at, end, -limit, limit, z);
-        at = number || walk->ahead ? number : read_hole(values, at + 1, end, first + column);
+        at = number || !may_have_holes ? number : read_hole(values, at + 1, end, first + column);
         if (!at || at == end || *at != (column + 1 < columns ? ',' : ']')) return NULL;
     }
     return at + 1;
@@ -222,7 +223,8 @@ static bool read_all(struct values *values, const struct zr_json_path *path, str
     bool plain = false;
     if (grid->columns >= 2) {
         values->positions = zr_arena_alloc(json->arena, grid->rows * grid->columns, sizeof *values->positions);
-        plain = values->positions && zr_json_walk_all(json, path, list, read_plain_rows, values) == list->items;
+        struct zr_json_walk walk = zr_json_walk_begin(json, path, list);
+        plain = values->positions && zr_json_walk_all(&walk, read_plain_rows, values) == list->items;
     }
     if (!plain && (!zr_arena_ok(json->arena) || !measure(json, path, list, grid))) return false;
     if (!read_grid(json, grid_path, found, grid)) return false;

@@ -39,12 +39,18 @@ struct marks {
     struct zr_arena *arena;
     struct zr_json_list *list;
     size_t room;
-    const char *next; /* none before this */
+    const char *last; /* or the list's beginning; the text's end where there are to be no more */
 };
+
+static bool wants_mark(const struct marks *marks, const char *at)
+{
+    return at - marks->last >= ZR_JSON_MARK_BYTES;
+}
 
 static void add_mark(struct marks *marks, struct zr_json_mark mark)
 {
     struct zr_json_list *list = marks->list;
+    marks->last = mark.at;
     if (list->mark_count == marks->room) {
         size_t room = marks->room ? marks->room * 2 : MARKS_AT_FIRST;
         struct zr_json_mark *more = zr_arena_grow(marks->arena, list->marks, list->mark_count, room, sizeof *more);
@@ -55,16 +61,30 @@ static void add_mark(struct marks *marks, struct zr_json_mark mark)
     list->marks[list->mark_count++] = mark;
 }
 
+static size_t count_commas(const char *at, const char *end)
+{
+    struct tally tally = {.chunks = 0};
+    struct totals totals = {0, 0, 0};
+    for (; end - at >= ZR_CHUNK; at += ZR_CHUNK) {
+        count(&tally, zr_chunk_load(at));
+        if (tally.chunks == CHUNKS_A_TALLY) flush(&tally, &totals);
+    }
+    flush(&tally, &totals);
+    for (; at < end; at++)
+        totals.commas += *at == ',';
+    return totals.commas;
+}
+
 /* Behind the row that `at` is in; of all that is before `at` there are the totals. */
 static void mark_next_row(struct marks *marks, const char *at, const char *end, const struct totals *totals)
 {
-    size_t commas = totals->commas;
-    for (; at < end && *at != ']'; at++)
-        commas += *at == ',';
-    at = at < end ? zr_json_skip_space(at + 1, end) : end;
-    marks->next = at < end ? at + ZR_JSON_MARK_BYTES : end;
+    const char *close = memchr(at, ']', (size_t)(end - at));
+    const char *comma = close ? zr_json_skip_space(close + 1, end) : end;
+    marks->last = end;
+    if (comma == end || *comma != ',') return;
     /* A comma stands between any two numbers, in one row or not. */
-    if (at < end && *at == ',') add_mark(marks, (struct zr_json_mark){at, totals->closes + 1, commas + 1});
+    const size_t numbers = totals->commas + count_commas(at, close) + 1;
+    add_mark(marks, (struct zr_json_mark){comma, totals->closes + 1, numbers});
 }
 
 /* All ones where a row ends other than with "],[" or "], [", and where a string begins. */
@@ -87,7 +107,7 @@ static inline const char *count_chunks(const char *at, const char *end, struct t
         at += ZR_CHUNK;
         if (tally.chunks < CHUNKS_A_TALLY) continue;
         flush(&tally, totals);
-        if (marks && at >= marks->next) mark_next_row(marks, at, end, totals);
+        if (marks && wants_mark(marks, at)) mark_next_row(marks, at, end, totals);
     }
     if (odd < ZR_CHUNK) count(&tally, zr_chunk_load(at) & zr_chunk_of_first(odd));
     flush(&tally, totals);
@@ -119,7 +139,7 @@ static inline const char *skip_rows(const char *at, const char *end, size_t *row
         totals.commas++;
         at = zr_json_skip_space(next + 1, end);
         if (at == end || *at != '[') return NULL;
-        if (marks && at >= marks->next) mark_next_row(marks, at, end, &totals);
+        if (marks && wants_mark(marks, at)) mark_next_row(marks, at, end, &totals);
     }
     return NULL;
 }
@@ -287,7 +307,8 @@ static const char *skip_polygon(const char *at, const char *end, struct zr_json_
 }
 
 /* Adds up what polygons have; returns behind the list, and their count in *polygons. */
-static const char *skip_polygons(const char *at, const char *end, struct zr_json_soup *soup, size_t *polygons)
+static const char *skip_polygons(const char *at, const char *end, struct zr_json_soup *soup, size_t *polygons,
+                                 struct marks *marks)
 {
     at = zr_json_skip_space(at + 1, end);
     if (at < end && *at == ']') return at + 1;
@@ -299,6 +320,7 @@ static const char *skip_polygons(const char *at, const char *end, struct zr_json
         if (at == end) return NULL;
         if (*at == ']') return at + 1;
         if (*at != ',') return NULL;
+        if (wants_mark(marks, at)) add_mark(marks, (struct zr_json_mark){at, *polygons, soup->vertices});
         at = zr_json_skip_space(at + 1, end);
     }
 }
@@ -309,9 +331,9 @@ const char *zr_json_list_add(struct zr_arena *arena, struct zr_json_lists *lists
                              bool polygons, size_t depth)
 {
     struct zr_json_list list = {.at = at, .depth = (uint32_t)depth};
-    struct marks marks = {arena, &list, 0, at + ZR_JSON_MARK_BYTES};
+    struct marks marks = {arena, &list, 0, at};
     if (polygons)
-        list.end = skip_polygons(at, end, &list.soup, &list.items);
+        list.end = skip_polygons(at, end, &list.soup, &list.items, &marks);
     else
         list.end = skip_rows(at, end, &list.items, &list.commas, &marks);
     if (!list.end && !polygons) {

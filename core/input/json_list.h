@@ -31,7 +31,7 @@ struct zr_json_soup {
 /* Between two items of a list: */
 struct zr_json_mark {
     const char *at;        /* the comma */
-    size_t items, numbers; /* before it */
+    size_t items, numbers; /* before it; vertices, where items are polygons */
 };
 
 struct zr_json_list {
@@ -42,7 +42,8 @@ struct zr_json_list {
     bool read;                /* all of it, strictly */
     struct zr_json_soup soup; /* for polygons only */
     size_t mark_count;
-    struct zr_json_mark *marks; /* one about every ZR_JSON_MARK_BYTES, where all items are rows of numbers */
+    struct zr_json_mark
+        *marks; /* one about every ZR_JSON_MARK_BYTES, where items are polygons, or all are rows of numbers */
 };
 
 struct zr_json_lists {

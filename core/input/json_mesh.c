@@ -39,6 +39,14 @@ static struct zr_json_list *list_for_each(struct zr_json *json, const struct zr_
     return NULL;
 }
 
+/* All items of a list; returns how many. */
+static size_t read_list(struct zr_json *json, const struct zr_json_path *path, struct zr_json_list *list,
+                        zr_json_walk_fn *read, void *context)
+{
+    struct zr_json_walk walk = zr_json_walk_begin(json, path, list);
+    return zr_json_walk_all(&walk, read, context);
+}
+
 static void read_color_rows(struct zr_json_walk *walk, void *context)
 {
     zr_vec4 *colors = context;
@@ -60,7 +68,7 @@ static const zr_vec4 *read_colors(struct zr_draft *draft, const struct zr_json_p
     struct zr_json_list *list = node ? list_for_each(json, path, node, wanted, of) : NULL;
     zr_vec4 *colors = list ? zr_arena_alloc(json->arena, wanted, sizeof *colors) : NULL;
     const size_t faults = json->error->count;
-    if (!colors || zr_json_walk_all(json, path, list, read_color_rows, colors) < wanted || json->error->count > faults)
+    if (!colors || read_list(json, path, list, read_color_rows, colors) < wanted || json->error->count > faults)
         return NULL;
     zr_draft_note_alpha(draft, colors, wanted);
     return colors;
@@ -86,7 +94,7 @@ static void read_positions(struct zr_json *json, const struct zr_json_path *path
     struct zr_json_list *list = zr_json_large_list(json, path, node);
     zr_vec4 *positions = list ? zr_arena_alloc(json->arena, list->items, sizeof *positions) : NULL;
     if (!positions) return;
-    zr_json_walk_all(json, path, list, read_position_rows, positions);
+    read_list(json, path, list, read_position_rows, positions);
     mesh->position_count = (uint32_t)list->items;
     mesh->positions = positions;
 }
@@ -110,7 +118,7 @@ static void read_normals(struct zr_json *json, const struct zr_json_path *path, 
     struct zr_json_list *list = list_for_each(json, path, node, mesh->position_count, "positions");
     zr_vec3 *normals = list ? zr_arena_alloc(json->arena, list->items, sizeof *normals) : NULL;
     if (!normals) return;
-    zr_json_walk_all(json, path, list, read_normal_rows, normals);
+    read_list(json, path, list, read_normal_rows, normals);
     mesh->normal_count = mesh->position_count;
     mesh->normals = normals;
 }
@@ -133,10 +141,11 @@ static size_t read_face(struct zr_json *json, const struct zr_json_path *path, c
     return good ? count : 0;
 }
 
-/* Faces while they are read: of each, where it ends in the list of all corners. */
+/* Faces while they are read. */
 struct faces {
     uint32_t positions;
-    uint32_t *ends, *indices;
+    uint32_t *ends; /* of each, in the list of all corners */
+    uint32_t *indices;
 };
 
 static void read_face_rows(struct zr_json_walk *walk, void *context)
@@ -145,7 +154,7 @@ static void read_face_rows(struct zr_json_walk *walk, void *context)
     struct zr_json *json = walk->json;
     const size_t most = json->limits->polygon_vertices_max;
     cJSON *item;
-    for (; zr_json_walk_on(walk); faces.ends[walk->index] = (uint32_t)walk->number) {
+    while (zr_json_walk_on(walk)) {
         const size_t room = walk->to.numbers - walk->number;
         uint32_t *indices = faces.indices + walk->number;
         size_t count = 0;
@@ -157,6 +166,7 @@ static void read_face_rows(struct zr_json_walk *walk, void *context)
             zr_json_walk_drop(walk, item);
         }
         if (walk->behind) walk->number += count;
+        faces.ends[walk->index] = (uint32_t)walk->number;
     }
 }
 
@@ -170,7 +180,8 @@ static void read_faces(struct zr_json *json, const struct zr_json_path *path, co
     if (!zr_arena_ok(json->arena)) return;
     offsets[0] = 0;
     struct faces faces = {mesh->position_count, offsets + 1, indices};
-    mesh->face_count = (uint32_t)zr_json_walk_all(json, path, list, read_face_rows, &faces);
+    read_list(json, path, list, read_face_rows, &faces);
+    mesh->face_count = (uint32_t)list->items;
     mesh->face_offsets = offsets;
     mesh->indices = indices;
 }
@@ -215,7 +226,7 @@ static void read_lines(struct zr_json *json, const struct zr_json_path *path, co
     struct lines lines = {mesh->position_count, NULL};
     lines.ends = list ? zr_arena_alloc(json->arena, list->items, 2 * sizeof *lines.ends) : NULL;
     if (!lines.ends) return;
-    zr_json_walk_all(json, path, list, read_line_rows, &lines);
+    read_list(json, path, list, read_line_rows, &lines);
     mesh->line_count = (uint32_t)list->items;
     mesh->lines = lines.ends;
 }

@@ -28,6 +28,7 @@ struct soup {
     zr_vec3 *normals;
     uint32_t *face_offsets, *face_materials, *face_rings, *ring_offsets;
     uint32_t face, ring, vertex;        /* filled so far */
+    bool ahead;                         /* this is a part of it, filled beside others */
     struct known_look looks[2 * KINDS]; /* without members that say so, and with: the last, for neighbours look alike */
 };
 
@@ -173,7 +174,8 @@ static struct known_look *look_of(struct soup *soup, const struct plain *plain)
     return &soup->looks[plain->look ? plain->has + KINDS : plain->has];
 }
 
-/* The material of a look that has been seen before, or of none; UINT32_MAX where it is another one. */
+/* The material of a look that has been seen before, or of none; UINT32_MAX where it is another one, or has to be made
+ * while others read. */
 static uint32_t find_material(struct zr_draft *draft, struct soup *soup, const struct plain *plain)
 {
     struct known_look *look = look_of(soup, plain);
@@ -182,6 +184,7 @@ static uint32_t find_material(struct zr_draft *draft, struct soup *soup, const s
         return look->text && look->size == size && memcmp(look->text, plain->look, size) == 0 ? look->material
                                                                                               : UINT32_MAX;
     }
+    if (!look->text && soup->ahead) return UINT32_MAX;
     if (!look->text) {
         static const cJSON *const nothing[ZR_LOOK_KEYS];
         struct zr_style style;
@@ -192,6 +195,18 @@ static uint32_t find_material(struct zr_draft *draft, struct soup *soup, const s
                                                      plain->has & (HAS_COLORS | HAS_NORMALS))};
     }
     return look->material;
+}
+
+/* Notes whether the polygon would be transparent; false where it is the first one, of which others would have to hear.
+ */
+static bool note_alpha(struct zr_draft *draft, const struct soup *soup, const struct plain *plain)
+{
+    if (draft->transparent) return true;
+    bool opaque = !(plain->has & HAS_COLOR) || soup->face_colors[soup->face].w >= 1.0f;
+    for (size_t i = 0; (plain->has & HAS_COLORS) && i < plain->vertices; i++)
+        opaque = opaque && soup->colors[soup->vertex + i].w >= 1.0f;
+    if (!opaque && !soup->ahead) draft->transparent = true;
+    return opaque || !soup->ahead;
 }
 
 /* Behind the polygon at `at`; NULL, and nothing has happened to the mesh, where it is not plain, or not right. */
@@ -206,9 +221,7 @@ static const char *read_plain(struct zr_draft *draft, const char *at, struct sou
         return NULL;
     }
     uint32_t material = find_material(draft, soup, plain);
-    if (material == UINT32_MAX) return NULL;
-    if (plain->has & HAS_COLOR) zr_draft_note_alpha(draft, &soup->face_colors[soup->face], 1);
-    if (plain->has & HAS_COLORS) zr_draft_note_alpha(draft, soup->colors + soup->vertex, plain->vertices);
+    if (material == UINT32_MAX || !note_alpha(draft, soup, plain)) return NULL;
     soup->face_materials[soup->face] = material;
     if (soup->ring_offsets) soup->ring_offsets[soup->ring++] = soup->vertex;
     add_face(soup, plain->has, plain->vertices);
@@ -306,6 +319,29 @@ static void read_polygon(struct zr_draft *draft, struct zr_json_walk *walk, stru
     zr_json_walk_drop(walk, item);
 }
 
+struct reading {
+    struct zr_draft *draft;
+    struct soup *soup;
+};
+
+/* Rings have no place of their own in a walk: where there are holes, one thread reads all. */
+static void read_polygons(struct zr_json_walk *walk, void *context)
+{
+    const struct reading *reading = context;
+    struct soup soup = *reading->soup;
+    soup.ahead = walk->ahead;
+    if (walk->begun) soup.face = (uint32_t)walk->index + 1;
+    soup.vertex = (uint32_t)walk->number;
+    soup.vertices = walk->to.numbers;
+    while (zr_json_walk_on(walk))
+        read_polygon(reading->draft, walk, &soup);
+    walk->number = soup.vertex;
+    if (!walk->ahead)
+        *reading->soup = soup;
+    else if (walk->number != walk->to.numbers)
+        walk->done = false;
+}
+
 void zr_draft_read_polygons(struct zr_draft *draft, const struct zr_json_path *path, struct zr_json_list *list,
                             struct zr_mesh *mesh)
 {
@@ -313,9 +349,15 @@ void zr_draft_read_polygons(struct zr_draft *draft, const struct zr_json_path *p
     struct soup soup = {.polygons = list->items, .rings = list->soup.rings, .vertices = list->soup.vertices};
     *mesh = (struct zr_mesh){.name = "polygons"};
     if (!allocate(&soup, &list->soup, json->arena)) return;
+    struct reading reading = {draft, &soup};
     struct zr_json_walk walk = zr_json_walk_begin(json, path, list);
-    while (zr_json_walk_on(&walk))
-        read_polygon(draft, &walk, &soup);
+    walk.to.numbers = soup.vertices;
+    if (soup.face_rings)
+        read_polygons(&walk, &reading);
+    else
+        zr_json_walk_all(&walk, read_polygons, &reading);
+    soup.face = (uint32_t)walk.index;
+    soup.vertex = (uint32_t)walk.number;
     soup.face_offsets[soup.face] = soup.vertex;
     if (soup.face_rings) soup.face_rings[soup.face] = soup.ring;
     if (soup.ring_offsets) soup.ring_offsets[soup.ring] = soup.vertex;

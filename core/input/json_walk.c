@@ -1,10 +1,12 @@
 #include "input/json_walk.h"
 
+#include <stdatomic.h>
+
 #include "base/team.h"
 #include "input/json_scan.h"
 
-/* Lists with fewer are read before a helper has woken. */
-enum { MARKS_MIN = 2 };
+/* Fewer are read before a helper has woken. */
+enum { PARTS_MIN = 3 };
 
 /* ---- item after item ---- */
 
@@ -30,9 +32,9 @@ bool zr_json_walk_next(struct zr_json_walk *walk)
     const char *at = zr_json_skip_space(walk->begun ? walk->behind : walk->list->at + 1, end);
     walk->index += walk->begun;
     if (walk->index == walk->to.items) {
-        if (at != walk->to.at || (*at != ']' && !walk->ahead)) return lose(walk);
+        if (at != walk->to.at || (*at != ']' && *at != ',')) return lose(walk);
         walk->done = true;
-        if (!walk->ahead) walk->list->read = true;
+        if (!walk->ahead && *at == ']') walk->list->read = true;
         return false;
     }
     if (walk->begun) {
@@ -85,7 +87,8 @@ struct reading {
     const struct zr_json_walk *whole;
     zr_json_walk_fn *read;
     void *context;
-    bool *done; /* each part */
+    size_t first;         /* part to be read */
+    atomic_size_t failed; /* the first part that is to be read alone; all parts before it are done in the end */
 };
 
 /* From the beginning of a part to the end of its list. */
@@ -101,44 +104,63 @@ static struct zr_json_walk walk_from(const struct zr_json_walk *whole, size_t pa
     return walk;
 }
 
+static void lower_to(atomic_size_t *least, size_t value)
+{
+    size_t old = atomic_load_explicit(least, memory_order_relaxed);
+    while (value < old &&
+           !atomic_compare_exchange_weak_explicit(least, &old, value, memory_order_relaxed, memory_order_relaxed))
+        ;
+}
+
 static void read_parts(void *context, size_t begin, size_t end)
 {
-    const struct reading *r = context;
+    struct reading *r = context;
     const struct zr_json_list *list = r->whole->list;
-    for (size_t part = begin; part < end; part++) {
+    for (size_t part = r->first + begin; part < r->first + end; part++) {
+        if (part > atomic_load_explicit(&r->failed, memory_order_relaxed)) return;
         struct zr_json_walk walk = walk_from(r->whole, part);
         walk.ahead = true;
         if (part < list->mark_count) walk.to = list->marks[part];
         r->read(&walk, r->context);
-        r->done[part] = walk.done;
+        if (!walk.done) lower_to(&r->failed, part);
     }
 }
 
-/* *walk becomes what is left to walk over. */
-static void read_ahead(struct zr_json_walk *walk, zr_json_walk_fn *read, void *context)
+/* Returns the first part from this one on that is not done. */
+static size_t read_ahead(const struct zr_json_walk *whole, size_t part, zr_json_walk_fn *read, void *context)
 {
-    struct zr_json *json = walk->json;
+    const size_t parts = whole->list->mark_count + 1;
+    struct reading r = {whole, read, context, part, parts};
+    zr_team_ranges(whole->json->team, parts - part, 1, read_parts, &r);
+    return r.failed;
+}
+
+size_t zr_json_walk_all(struct zr_json_walk *walk, zr_json_walk_fn *read, void *context)
+{
     const struct zr_json_walk whole = *walk;
-    const size_t parts = walk->list->mark_count + 1;
-    struct reading r = {&whole, read, context, zr_arena_alloc(json->arena, parts, sizeof *r.done)};
-    if (!r.done) return;
-    zr_team_ranges(json->team, parts, 1, read_parts, &r);
-    size_t part = 0;
-    while (part < parts && r.done[part])
-        part++;
-    if (part < parts) {
+    const struct zr_json *json = whole.json;
+    struct zr_json_list *list = whole.list;
+    const size_t parts = zr_team_size(json->team) > 1 ? list->mark_count + 1 : 1;
+    /* What is not plain may become so once it was seen, or not be so anywhere. */
+    size_t part = 0, alone = 1;
+    while (parts - part >= PARTS_MIN && json->error->count == 0) {
+        const size_t failed = read_ahead(&whole, part, read, context);
+        if (failed == parts) {
+            walk->index = list->items;
+            walk->number = whole.to.numbers;
+            list->read = true;
+            return walk->index;
+        }
+        alone = failed > part ? 1 : 2 * alone;
+        part = failed;
+        if (parts - part <= alone) break;
         *walk = walk_from(&whole, part);
-        return;
+        part += alone;
+        walk->to = list->marks[part - 1];
+        read(walk, context);
+        if (!walk->done) return walk->index;
     }
-    walk->index = walk->to.items;
-    walk->done = walk->list->read = true;
-}
-
-size_t zr_json_walk_all(struct zr_json *json, const struct zr_json_path *path, struct zr_json_list *list,
-                        zr_json_walk_fn *read, void *context)
-{
-    struct zr_json_walk walk = zr_json_walk_begin(json, path, list);
-    if (zr_team_size(json->team) > 1 && list->mark_count >= MARKS_MIN) read_ahead(&walk, read, context);
-    if (!walk.done) read(&walk, context);
-    return walk.index;
+    *walk = walk_from(&whole, part);
+    read(walk, context);
+    return walk->index;
 }

@@ -9,11 +9,14 @@
  *             zr_json_walk_drop(walk, item);
  *         }
  *     }
+ *     struct zr_json_walk walk = zr_json_walk_begin(json, path, list);
+ *     zr_json_walk_all(&walk, read_things, context);
  *
- * Threads: a thread begins wherever a row seems to end, ahead of what is before it, and goes on straight from the
- *         text only. That it began at an item is known once the thread before it has come to that place. From the
- *         first part on that did not go so, the caller alone goes on, and says what is wrong: scenes and complaints
- *         are the same for every team.
+ * Threads: a list has marks, and threads read what is between them, ahead of one another, as long as it is plain. What
+ *         is not plain, or not right, the caller's thread reads alone, and says what is wrong: scenes and complaints
+ *         are the same for every team. That a thread keeps to its own places in arrays rests on what marks count being
+ *         exact, of malformed texts too (skip_rows and skip_polygons in json_list.c), and on that no item is read
+ * behind walk->to.
  */
 #ifndef ZR_JSON_WALK_H
 #define ZR_JSON_WALK_H
@@ -26,26 +29,27 @@ struct zr_json_walk {
     struct zr_json *json;
     const struct zr_json_path *path;
     struct zr_json_list *list;
-    const char *at;     /* the item */
-    const char *behind; /* of the item: set by the reader */
-    size_t index;       /* of the item */
-    size_t number;      /* of its first number among all of the list, where items are rows of them: set by the reader */
-    struct zr_json_mark to; /* its end: as a mark, or the list's ']' */
+    const char *at;         /* the item */
+    const char *behind;     /* of the item: set by the reader */
+    size_t index;           /* of the item */
+    size_t number;          /* of the list's numbers, as marks count them, so many are before it: for readers that go on
+                             * counting */
+    struct zr_json_mark to; /* where this walk ends: a mark, or the list's ']' */
     bool ahead;             /* of other walks: the reader changes nothing but the walk and places in arrays */
     bool begun, done;
     size_t charged; /* for an item that is parsed */
 };
 
-/* Reads the items of a walk, each in its place of some arrays, from walk->index on. */
-typedef void zr_json_walk_fn(struct zr_json_walk *walk, void *context);
-
-/* All items of a list, by the threads of json->team; returns how many were read before it was time to stop. */
-size_t zr_json_walk_all(struct zr_json *json, const struct zr_json_path *path, struct zr_json_list *list,
-                        zr_json_walk_fn *read, void *context);
-
-/* The same by this thread, in a loop of the caller's. */
+/* From a list's first item to its ']'. */
 struct zr_json_walk zr_json_walk_begin(struct zr_json *json, const struct zr_json_path *path,
                                        struct zr_json_list *list);
+
+/* Reads the items of a walk from where it is, each into its place of some arrays. Is called for one piece of a list
+ * after another, or for several at once. */
+typedef void zr_json_walk_fn(struct zr_json_walk *walk, void *context);
+
+/* To the end of a list, by the threads of json->team. Returns how many items were read before it was time to stop. */
+size_t zr_json_walk_all(struct zr_json_walk *walk, zr_json_walk_fn *read, void *context);
 
 /* Moves to the next item, the first time to the first; false at the end, or where it is time to stop. */
 bool zr_json_walk_next(struct zr_json_walk *walk);

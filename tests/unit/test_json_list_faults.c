@@ -1,4 +1,5 @@
 /* Faults in the large lists of a scene: wherever one is, the pointer to it. */
+#include "base/team.h"
 #include "json_texts.h"
 
 struct list_case {
@@ -100,16 +101,20 @@ static struct text list_with(const struct list_case *list, size_t count, size_t 
 static void fault_anywhere_in_a_list_has_its_pointer(void **state)
 {
     (void)state;
-    static const size_t counts[] = {4, 5000}, none = SIZE_MAX;
+    /* The last in several parts, for several threads. */
+    static const size_t counts[] = {4, 5000, 40000}, none = SIZE_MAX;
+    struct zr_team *team = zr_team_create(3);
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++)
-        for (size_t c = 0; c < 2; c++) {
+        for (size_t c = 0; c < 3; c++) {
             size_t count = counts[c];
             const size_t places[] = {none, 0, count / 2, count - 1};
             bool no_shape = strstr(cases[i].detail, "the first row"); /* what comes first is right */
             for (size_t p = 0; p < 4; p++) {
                 if (no_shape && places[p] == 0) continue;
                 struct text text = list_with(&cases[i], count, places[p]);
-                struct reading *reading = read_bytes(ZR_FORMAT_JSON, text.bytes, text.size);
+                struct reading *reading =
+                    read_by_team(c == 2 ? team : NULL, (struct zr_request){.format = ZR_FORMAT_JSON}, text.bytes,
+                                 text.size, zr_limits_default(), (size_t)1 << 28);
                 char pointer[128];
                 snprintf(pointer, sizeof pointer, "%s/%zu%s", cases[i].pointer, places[p], cases[i].inner);
                 if (places[p] == none)
@@ -120,6 +125,26 @@ static void fault_anywhere_in_a_list_has_its_pointer(void **state)
                 drop(&text);
             }
         }
+    zr_team_destroy(team);
+}
+
+/* Reading stops there, and what would follow is not measured against the half of it. */
+static void last_fault_that_is_kept_is_the_last_complaint(void **state)
+{
+    (void)state;
+    struct text text = {0};
+    add(&text, "{\"meshes\":[{" POSITIONS ",\"faces\":[[0,1]");
+    for (int i = 1; i < ZR_ERROR_ITEMS; i++)
+        add(&text, ",[0,1]");
+    add(&text, "],\"faceColors\":[[0,0,0]");
+    for (int i = 1; i < ZR_ERROR_ITEMS; i++)
+        add(&text, ",[0,0,0]");
+    add(&text, "]}]}");
+    struct reading *reading = read_bytes(ZR_FORMAT_JSON, text.bytes, text.size);
+    assert_complaint(reading, ZR_BAD_SCENE, "/meshes/0/faces/0", "a face of 2 corners");
+    assert_int_equal(reading->error.count, ZR_ERROR_ITEMS);
+    reading_free(reading);
+    drop(&text);
 }
 
 static void bad_syntax_in_a_list_comes_before_other_faults(void **state)
@@ -176,6 +201,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(fault_anywhere_in_a_list_has_its_pointer),
+        cmocka_unit_test(last_fault_that_is_kept_is_the_last_complaint),
         cmocka_unit_test(bad_syntax_in_a_list_comes_before_other_faults),
         cmocka_unit_test(text_cut_short_anywhere_is_bad_syntax),
         cmocka_unit_test(number_too_long_in_a_list_gives_its_place),
