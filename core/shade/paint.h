@@ -51,7 +51,7 @@ static inline bool zr_batch_is_painted_early(const struct zr_batch *batch)
 }
 
 /* Where a tile lies in a channel, whose values have four bytes each. */
-struct zr_rows {
+struct zr_pixel_rows {
     uint32_t *first;  /* of its lowest row */
     ptrdiff_t stride; /* to the next row above */
     bool streamed;    /* past the caches, which takes whole lines of them (resolve.c). Others see what is written so
@@ -70,14 +70,14 @@ struct zr_paint {
     /* The same of a tile that knows the owners of its blocks, of which the window cuts none, into a frame; nothing is
      * behind it. Records are painted with `surfaces` (surfaces.h). */
     uint32_t (*blocks)(struct zr_surfaces *surfaces, const struct zr_tile *tile, uint32_t nothing,
-                       const struct zr_rows *out);
+                       const struct zr_pixel_rows *out);
 
     /* The ids of a tile's faces, and 0 where nothing is, to `out`, laid out as the tile's arrays. `add` is added to
      * those of faces. */
     void (*faces)(const struct zr_geometry *geometry, const struct zr_tile *tile, uint32_t add, void *out);
 
     /* The depths of a tile. Where some are not written, none of its blocks is cut. */
-    void (*depths)(const struct zr_tile *tile, const struct zr_rows *out);
+    void (*depths)(const struct zr_tile *tile, const struct zr_pixel_rows *out);
 
     /* How many pixels belong to records. All of the tile is written. */
     uint32_t (*count)(const struct zr_tile *tile);
@@ -86,8 +86,8 @@ struct zr_paint {
     uint64_t (*ends)(const uint32_t *owners, int32_t width);
 
     /* All of one value, or those of a tile's array. */
-    void (*fill)(const struct zr_rows *out, int32_t width, int32_t height, uint32_t value);
-    void (*copy)(const struct zr_rows *out, int32_t width, int32_t height, const void *in);
+    void (*fill)(const struct zr_pixel_rows *out, int32_t width, int32_t height, uint32_t value);
+    void (*copy)(const struct zr_pixel_rows *out, int32_t width, int32_t height, const void *in);
 };
 
 extern const struct zr_paint zr_paint_scalar, zr_paint_sse2, zr_paint_avx2, zr_paint_avx512, zr_paint_neon;

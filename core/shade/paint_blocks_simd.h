@@ -49,16 +49,16 @@ static inline zr_vi zr_hue_at(const struct zr_hue *hue, float y)
 }
 
 /* From a tile's first pixel on -> from a block's. */
-static inline struct zr_rows zr_rows_of_block(const struct zr_rows *out, int block)
+static inline struct zr_pixel_rows zr_pixel_rows_of_block(const struct zr_pixel_rows *out, int block)
 {
-    struct zr_rows rows = *out;
+    struct zr_pixel_rows rows = *out;
     rows.first += block / ZR_BLOCK_COLUMNS * ZR_BLOCK_HEIGHT * out->stride + block % ZR_BLOCK_COLUMNS * ZR_BLOCK_WIDTH;
     return rows;
 }
 
 /* ---- blocks of one colour ---- */
 
-static inline void zr_paint_alike(const struct zr_rows *out, zr_vi color)
+static inline void zr_paint_alike(const struct zr_pixel_rows *out, zr_vi color)
 {
     uint32_t *to = out->first;
     for (int row = 0; row < ZR_BLOCK_HEIGHT; row++, to += out->stride)
@@ -96,7 +96,7 @@ struct zr_block {
     zr_vf x[ZR_BLOCK_PARTS]; /* of its columns, in the window */
     float y;                 /* of its lowest row */
     zr_vi nothing;
-    struct zr_rows out; /* from its first pixel on */
+    struct zr_pixel_rows out; /* from its first pixel on */
 };
 
 /* A block that is all the owner's, who is not flat. */
@@ -165,7 +165,7 @@ static inline uint32_t zr_color_shared(struct zr_surfaces *surfaces, struct zr_n
 
 /* A block that is shared, or all of an owner who is not flat. Returns how many pixels are owned. */
 static inline uint32_t zr_paint_block(struct zr_surfaces *surfaces, struct zr_neighbors *neighbors,
-                                      const struct zr_tile *tile, int number, const struct zr_rows *out)
+                                      const struct zr_tile *tile, int number, const struct zr_pixel_rows *out)
 {
     const int32_t column = number % ZR_BLOCK_COLUMNS * ZR_BLOCK_WIDTH,
                   row = number / ZR_BLOCK_COLUMNS * ZR_BLOCK_HEIGHT;

@@ -227,7 +227,7 @@ static uint32_t paint_tile(const struct zr_geometry *geometry, struct zr_tile *t
 }
 
 static uint32_t paint_blocks(struct zr_surfaces *surfaces, const struct zr_tile *tile, uint32_t nothing,
-                             const struct zr_rows *out)
+                             const struct zr_pixel_rows *out)
 {
     struct zr_neighbors neighbors = zr_neighbors_begin(nothing);
     const uint32_t blocks = zr_tile_blocks(tile);
@@ -236,12 +236,12 @@ static uint32_t paint_blocks(struct zr_surfaces *surfaces, const struct zr_tile 
         alike |= zr_blocks_alike(surfaces, &neighbors, tile, first, colors + first) << first;
     for (uint32_t bits = blocks & alike; bits; bits &= bits - 1) {
         const int block = zr_lowest_bit(bits);
-        const struct zr_rows rows = zr_rows_of_block(out, block);
+        const struct zr_pixel_rows rows = zr_pixel_rows_of_block(out, block);
         zr_paint_alike(&rows, zr_vi_set((int32_t)colors[block]));
         covered += tile->block_owner[block] > 0 ? ZR_BLOCK_WIDTH * ZR_BLOCK_HEIGHT : 0;
     }
     for (uint32_t bits = blocks & ~alike; bits; bits &= bits - 1) {
-        const struct zr_rows rows = zr_rows_of_block(out, zr_lowest_bit(bits));
+        const struct zr_pixel_rows rows = zr_pixel_rows_of_block(out, zr_lowest_bit(bits));
         covered += zr_paint_block(surfaces, &neighbors, tile, zr_lowest_bit(bits), &rows);
     }
     return covered;
@@ -274,7 +274,7 @@ static uint32_t count(const struct zr_tile *tile)
 
 /* ---- arrays ---- */
 
-static void fill(const struct zr_rows *out, int32_t width, int32_t height, uint32_t value)
+static void fill(const struct zr_pixel_rows *out, int32_t width, int32_t height, uint32_t value)
 {
     const zr_vi values = zr_vi_set((int32_t)value);
     uint32_t *to = out->first;
@@ -286,7 +286,7 @@ static void fill(const struct zr_rows *out, int32_t width, int32_t height, uint3
             zr_fill_run(to, (uint32_t)width, values);
 }
 
-static void copy(const struct zr_rows *out, int32_t width, int32_t height, const void *in)
+static void copy(const struct zr_pixel_rows *out, int32_t width, int32_t height, const void *in)
 {
     const uint32_t *from = in;
     uint32_t *to = out->first;
@@ -298,7 +298,7 @@ static void copy(const struct zr_rows *out, int32_t width, int32_t height, const
     }
 }
 
-static void depths(const struct zr_tile *tile, const struct zr_rows *out)
+static void depths(const struct zr_tile *tile, const struct zr_pixel_rows *out)
 {
     if (tile->unwritten == 0) {
         copy(out, tile->width, tile->height, tile->depth);
@@ -306,7 +306,7 @@ static void depths(const struct zr_tile *tile, const struct zr_rows *out)
     }
     for (uint32_t bits = zr_tile_blocks(tile); bits; bits &= bits - 1) {
         const int block = zr_lowest_bit(bits);
-        const struct zr_rows to = zr_rows_of_block(out, block);
+        const struct zr_pixel_rows to = zr_pixel_rows_of_block(out, block);
         if (tile->unwritten >> block & 1)
             zr_block_write_depths(tile, block, (float *)to.first, to.stride, to.streamed);
         else

@@ -66,11 +66,11 @@ static size_t lowest_pixel_of(const struct zr_frame *frame, const struct zr_tile
     return (size_t)(frame->height - 1 - (uint32_t)tile->y) * frame->width + (size_t)tile->x;
 }
 
-static struct zr_rows rows_of(const struct zr_frame *frame, const struct zr_tile *tile, void *channel)
+static struct zr_pixel_rows rows_of(const struct zr_frame *frame, const struct zr_tile *tile, void *channel)
 {
-    return (struct zr_rows){.first = (uint32_t *)channel + lowest_pixel_of(frame, tile),
-                            .stride = -(ptrdiff_t)frame->width,
-                            .streamed = is_streamed(frame, tile)};
+    return (struct zr_pixel_rows){.first = (uint32_t *)channel + lowest_pixel_of(frame, tile),
+                                  .stride = -(ptrdiff_t)frame->width,
+                                  .streamed = is_streamed(frame, tile)};
 }
 
 /* A channel that may be NULL. */
@@ -78,7 +78,7 @@ static void fill(const struct zr_paint *paint, const struct zr_frame *frame, con
                  uint32_t value)
 {
     if (!channel) return;
-    const struct zr_rows rows = rows_of(frame, tile, channel);
+    const struct zr_pixel_rows rows = rows_of(frame, tile, channel);
     paint->fill(&rows, tile->width, tile->height, value);
 }
 
@@ -86,7 +86,7 @@ static float resolve_depth(const struct zr_geometry *geometry, enum zr_isa isa, 
                            const struct zr_frame *frame)
 {
     const struct zr_paint *paint = zr_paint_of(isa);
-    const struct zr_rows rows = rows_of(frame, tile, frame->depth);
+    const struct zr_pixel_rows rows = rows_of(frame, tile, frame->depth);
     const float deepest =
         zr_depths_tile(geometry, zr_eye_depths_of(isa), paint->ends, frame->width, frame->height, tile);
     paint->copy(&rows, tile->width, tile->height, tile->depth);
@@ -96,7 +96,7 @@ static float resolve_depth(const struct zr_geometry *geometry, enum zr_isa isa, 
 static void resolve_faces(const struct zr_geometry *geometry, const struct zr_paint *paint, struct zr_tile *tile,
                           const struct zr_frame *frame)
 {
-    const struct zr_rows rows = rows_of(frame, tile, frame->face_id);
+    const struct zr_pixel_rows rows = rows_of(frame, tile, frame->face_id);
     if (tile->knows_owners) {
         struct zr_surfaces surfaces;
         zr_surfaces_begin(&surfaces, geometry, zr_surface_of_face);
@@ -112,7 +112,7 @@ static void resolve_faces(const struct zr_geometry *geometry, const struct zr_pa
 static uint32_t resolve_color(struct zr_surfaces *surfaces, const struct zr_paint *paint, uint32_t nothing,
                               struct zr_tile *tile, const struct zr_frame *frame)
 {
-    const struct zr_rows rows = rows_of(frame, tile, frame->color);
+    const struct zr_pixel_rows rows = rows_of(frame, tile, frame->color);
     if (tile->knows_owners) return paint->blocks(surfaces, tile, nothing, &rows);
     const uint8_t *behind = frame->base ? frame->base->color : NULL;
     if (behind) behind += 4 * lowest_pixel_of(frame, tile);
@@ -135,7 +135,7 @@ struct zr_resolved zr_resolve_tile(struct zr_surfaces *surfaces, enum zr_isa isa
         return resolved;
     }
     if (frame->window_depth) {
-        const struct zr_rows rows = rows_of(frame, tile, frame->window_depth);
+        const struct zr_pixel_rows rows = rows_of(frame, tile, frame->window_depth);
         paint->depths(tile, &rows);
     }
     if (frame->depth || !frame->color) zr_halfspace_of(isa)->settle(tile); /* these look at every sample */
