@@ -25,7 +25,7 @@ struct grid {
 /* The columns of all rows, if the rows are alike; else not 2 or more, or no matter what. */
 static size_t guess_columns(const struct zr_json_list *list)
 {
-    size_t values = list->commas + 1;
+    size_t values = list->numbers;
     return list->items >= 2 && values % list->items == 0 && values <= POSITIONS_MAX ? values / list->items : 0;
 }
 

@@ -82,7 +82,6 @@ static void mark_next_row(struct marks *marks, const char *at, const char *end, 
     const char *comma = close ? zr_json_skip_space(close + 1, end) : end;
     marks->last = end;
     if (comma == end || *comma != ',') return;
-    /* A comma stands between any two numbers, in one row or not. */
     const size_t numbers = totals->commas + count_commas(at, close) + 1;
     add_mark(marks, (struct zr_json_mark){comma, totals->closes + 1, numbers});
 }
@@ -332,14 +331,17 @@ const char *zr_json_list_add(struct zr_arena *arena, struct zr_json_lists *lists
 {
     struct zr_json_list list = {.at = at, .depth = (uint32_t)depth};
     struct marks marks = {arena, &list, 0, at};
+    size_t commas = 0;
     if (polygons)
         list.end = skip_polygons(at, end, &list.soup, &list.items, &marks);
     else
-        list.end = skip_rows(at, end, &list.items, &list.commas, &marks);
+        list.end = skip_rows(at, end, &list.items, &commas, &marks);
     if (!list.end && !polygons) {
         list.mark_count = 0;
-        list.end = zr_json_skip(at, end, &list.items, &list.commas);
+        list.end = zr_json_skip(at, end, &list.items, &commas);
     }
+    /* A comma stands between any two numbers, in one row or not. */
+    list.numbers = polygons ? list.soup.vertices : commas + 1;
     if (!list.end) return NULL;
     if (lists->count == lists->room) {
         size_t room = lists->room ? lists->room * 2 : LISTS_AT_FIRST;

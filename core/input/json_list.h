@@ -37,13 +37,12 @@ struct zr_json_mark {
 struct zr_json_list {
     const char *at, *end; /* from its '[' to behind its ']' */
     size_t items;
-    size_t commas;            /* in all of it, or more; not for polygons */
+    size_t numbers;           /* in all of its rows, or more; of polygons, vertices */
     uint32_t depth;           /* levels of nesting around an item */
     bool read;                /* all of it, strictly */
     struct zr_json_soup soup; /* for polygons only */
-    size_t mark_count;
-    struct zr_json_mark
-        *marks; /* one about every ZR_JSON_MARK_BYTES, where items are polygons, or all are rows of numbers */
+    size_t mark_count;        /* one about every ZR_JSON_MARK_BYTES, of polygons, or where all items are rows */
+    struct zr_json_mark *marks;
 };
 
 struct zr_json_lists {

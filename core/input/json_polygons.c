@@ -319,7 +319,7 @@ static void read_polygon(struct zr_draft *draft, struct zr_json_walk *walk, stru
     zr_json_walk_drop(walk, item);
 }
 
-struct reading {
+struct soup_reader {
     struct zr_draft *draft;
     struct soup *soup;
 };
@@ -327,19 +327,19 @@ struct reading {
 /* Rings have no place of their own in a walk: where there are holes, one thread reads all. */
 static void read_polygons(struct zr_json_walk *walk, void *context)
 {
-    const struct reading *reading = context;
-    struct soup soup = *reading->soup;
+    const struct soup_reader *reader = context;
+    struct soup soup = *reader->soup;
     soup.ahead = walk->ahead;
     if (walk->begun) soup.face = (uint32_t)walk->index + 1;
     soup.vertex = (uint32_t)walk->number;
     soup.vertices = walk->to.numbers;
     while (zr_json_walk_on(walk))
-        read_polygon(reading->draft, walk, &soup);
+        read_polygon(reader->draft, walk, &soup);
     walk->number = soup.vertex;
     if (!walk->ahead)
-        *reading->soup = soup;
+        *reader->soup = soup;
     else if (walk->number != walk->to.numbers)
-        walk->done = false;
+        walk->done = false; /* not all vertices are of plain polygons */
 }
 
 void zr_draft_read_polygons(struct zr_draft *draft, const struct zr_json_path *path, struct zr_json_list *list,
@@ -349,13 +349,15 @@ void zr_draft_read_polygons(struct zr_draft *draft, const struct zr_json_path *p
     struct soup soup = {.polygons = list->items, .rings = list->soup.rings, .vertices = list->soup.vertices};
     *mesh = (struct zr_mesh){.name = "polygons"};
     if (!allocate(&soup, &list->soup, json->arena)) return;
-    struct reading reading = {draft, &soup};
+    struct soup_reader reader = {draft, &soup};
     struct zr_json_walk walk = zr_json_walk_begin(json, path, list);
-    walk.to.numbers = soup.vertices;
+    /* The first one alone: nothing is known of looks yet. */
+    if (zr_json_walk_on(&walk)) read_polygon(draft, &walk, &soup);
+    walk.number = soup.vertex;
     if (soup.face_rings)
-        read_polygons(&walk, &reading);
+        read_polygons(&walk, &reader);
     else
-        zr_json_walk_all(&walk, read_polygons, &reading);
+        zr_json_walk_all(&walk, read_polygons, &reader);
     soup.face = (uint32_t)walk.index;
     soup.vertex = (uint32_t)walk.number;
     soup.face_offsets[soup.face] = soup.vertex;

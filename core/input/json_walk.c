@@ -5,15 +5,15 @@
 #include "base/team.h"
 #include "input/json_scan.h"
 
-/* Fewer are read before a helper has woken. */
-enum { PARTS_MIN = 3 };
+/* Fewer parts are read before a helper has woken. So many a thread make up for one that was read in vain. */
+enum { PARTS_MIN = 3, PARTS_WORTH = 8 };
 
 /* ---- item after item ---- */
 
 struct zr_json_walk zr_json_walk_begin(struct zr_json *json, const struct zr_json_path *path, struct zr_json_list *list)
 {
     return (struct zr_json_walk){
-        .json = json, .path = path, .list = list, .at = list->at, .to = {list->end - 1, list->items, list->commas + 1}};
+        .json = json, .path = path, .list = list, .at = list->at, .to = {list->end - 1, list->items, list->numbers}};
 }
 
 /* The list is not what it was counted as. */
@@ -140,27 +140,32 @@ size_t zr_json_walk_all(struct zr_json_walk *walk, zr_json_walk_fn *read, void *
     const struct zr_json_walk whole = *walk;
     const struct zr_json *json = whole.json;
     struct zr_json_list *list = whole.list;
-    const size_t parts = zr_team_size(json->team) > 1 ? list->mark_count + 1 : 1;
-    /* What is not plain may become so once it was seen, or not be so anywhere. */
+    const size_t threads = (size_t)zr_team_size(json->team), parts = threads > 1 ? list->mark_count + 1 : 1;
+    /* What was read behind a failed part was in vain, at most a part for each thread. The caller's thread reads that
+     * part alone, and what it met for the first time others may know now; each time it was in vain again, it reads
+     * twice as many. */
     size_t part = 0, alone = 1;
     while (parts - part >= PARTS_MIN && json->error->count == 0) {
         const size_t failed = read_ahead(&whole, part, read, context);
         if (failed == parts) {
             walk->index = list->items;
-            walk->number = whole.to.numbers;
+            walk->number = list->numbers;
             list->read = true;
             return walk->index;
         }
-        alone = failed > part ? 1 : 2 * alone;
+        if (failed - part >= PARTS_WORTH * threads) alone = 1;
         part = failed;
-        if (parts - part <= alone) break;
         *walk = walk_from(&whole, part);
+        if (parts - part <= alone) break;
         part += alone;
+        alone *= 2;
         walk->to = list->marks[part - 1];
         read(walk, context);
         if (!walk->done) return walk->index;
+        walk->done = false;
+        walk->to = whole.to;
+        walk->index--; /* it stands at the item before the mark again */
     }
-    *walk = walk_from(&whole, part);
     read(walk, context);
     return walk->index;
 }

@@ -14,9 +14,9 @@
  *
  * Threads: a list has marks, and threads read what is between them, ahead of one another, as long as it is plain. What
  *         is not plain, or not right, the caller's thread reads alone, and says what is wrong: scenes and complaints
- *         are the same for every team. That a thread keeps to its own places in arrays rests on what marks count being
- *         exact, of malformed texts too (skip_rows and skip_polygons in json_list.c), and on that no item is read
- * behind walk->to.
+ *         are the same for every team. That a thread keeps to its own places in arrays rests on what marks count, which
+ *         is exact of malformed texts too (skip_rows, skip_polygons), and on that walks end at walk->to.items and
+ *         readers at walk->to.numbers.
  */
 #ifndef ZR_JSON_WALK_H
 #define ZR_JSON_WALK_H
@@ -35,9 +35,10 @@ struct zr_json_walk {
     size_t number;          /* of the list's numbers, as marks count them, so many are before it: for readers that go on
                              * counting */
     struct zr_json_mark to; /* where this walk ends: a mark, or the list's ']' */
-    bool ahead;             /* of other walks: the reader changes nothing but the walk and places in arrays */
-    bool begun, done;
-    size_t charged; /* for an item that is parsed */
+    bool ahead;             /* of what is read by others: nothing but the walk and places in arrays may be changed,
+                             * and zr_json_walk_parse gives NULL */
+    bool begun, done;       /* done: came to its end; false again where a reader finds that it must not count */
+    size_t charged;         /* for an item that is parsed */
 };
 
 /* From a list's first item to its ']'. */

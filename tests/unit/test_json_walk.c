@@ -327,6 +327,32 @@ static void every_team_has_the_same_complaints(void **state)
     end_teams(teams);
 }
 
+/* What comes behind a wrong polygon is read without the places that it would have had. */
+static void faults_take_as_much_memory_for_every_team(void **state)
+{
+    (void)state;
+    struct zr_team *teams[TEAMS];
+    start_teams(teams);
+    struct text text = {0};
+    add(&text, "{\"polygons\":[" CORNERS "},{\"vertices\":[");
+    add_places(&text, 500, 3);
+    add(&text, ",[0,0]]}");
+    for (size_t i = 0; i < 20000; i++) /* their indices are more than the tree of the wrong one */
+        add(&text, "," CORNERS "}");
+    add(&text, "]}");
+    struct reading *alone = read_by(NULL, &text);
+    assert_int_equal(alone->error.count, 1);
+    for (size_t i = 0; i < TEAMS; i++) {
+        struct reading *shared = read_by(teams[i], &text);
+        assert_same_reading(alone, shared);
+        assert_int_equal(alone->arena.peak, shared->arena.peak);
+        reading_free(shared);
+    }
+    reading_free(alone);
+    drop(&text);
+    end_teams(teams);
+}
+
 /* A row that is longer than all that one thread reads ahead, and marks in it. */
 static void rows_of_any_length_are_read(void **state)
 {
@@ -361,6 +387,7 @@ int main(void)
         cmocka_unit_test(items_are_read_ahead_but_for_parts_with_an_odd_one),
         cmocka_unit_test(every_team_reads_the_same_scene),
         cmocka_unit_test(every_team_has_the_same_complaints),
+        cmocka_unit_test(faults_take_as_much_memory_for_every_team),
         cmocka_unit_test(rows_of_any_length_are_read),
     };
     return cmocka_run_group_tests_name("json_walk", tests, NULL, NULL);
