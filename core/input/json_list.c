@@ -219,11 +219,13 @@ bool zr_json_key_is(const char *key, const char *key_end, const char *word)
 
 /* ---- polygons ---- */
 
-/* Rows, or colours as strings, or whatever is wrong. */
-static const char *skip_list(const char *at, const char *end, size_t *items, size_t *commas)
+/* Rows, or colours as strings, or whatever is wrong: these have no marks. */
+static const char *skip_list(const char *at, const char *end, size_t *items, size_t *commas, struct marks *marks)
 {
-    const char *behind = skip_rows(at, end, items, commas, NULL);
-    return behind ? behind : zr_json_skip(at, end, items, commas);
+    const char *behind = skip_rows(at, end, items, commas, marks);
+    if (behind) return behind;
+    if (marks) marks->list->mark_count = 0;
+    return zr_json_skip(at, end, items, commas);
 }
 
 static const char *skip_holes(const char *at, const char *end, struct zr_json_soup *soup)
@@ -233,7 +235,7 @@ static const char *skip_holes(const char *at, const char *end, struct zr_json_so
     if (!behind || *at != '[') return behind;
     soup->rings += holes;
     for (at = zr_json_skip_space(at + 1, end); holes > 0; holes--) {
-        at = skip_list(at, end, &vertices, &commas);
+        at = skip_list(at, end, &vertices, &commas, NULL);
         if (!at) return NULL;
         soup->vertices += vertices;
         at = zr_json_skip_space(at, end);
@@ -273,7 +275,7 @@ static const char *skip_member(const char *at, const char *end, struct zr_json_s
         return skip_holes(at, end, soup);
     }
     bool is_list = *at == '[';
-    behind = is_list ? skip_list(at, end, &items, &commas) : zr_json_skip(at, end, &items, &commas);
+    behind = is_list ? skip_list(at, end, &items, &commas, NULL) : zr_json_skip(at, end, &items, &commas);
     if (zr_json_key_is(key, key_end, "vertices"))
         soup->vertices += is_list ? items : 0;
     else if (zr_json_key_is(key, key_end, "color"))
@@ -332,14 +334,8 @@ const char *zr_json_list_add(struct zr_arena *arena, struct zr_json_lists *lists
     struct zr_json_list list = {.at = at, .depth = (uint32_t)depth};
     struct marks marks = {arena, &list, 0, at};
     size_t commas = 0;
-    if (polygons)
-        list.end = skip_polygons(at, end, &list.soup, &list.items, &marks);
-    else
-        list.end = skip_rows(at, end, &list.items, &commas, &marks);
-    if (!list.end && !polygons) {
-        list.mark_count = 0;
-        list.end = zr_json_skip(at, end, &list.items, &commas);
-    }
+    list.end = polygons ? skip_polygons(at, end, &list.soup, &list.items, &marks)
+                        : skip_list(at, end, &list.items, &commas, &marks);
     /* A comma stands between any two numbers, in one row or not. */
     list.numbers = polygons ? list.soup.vertices : commas + 1;
     if (!list.end) return NULL;

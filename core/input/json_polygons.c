@@ -197,18 +197,6 @@ static uint32_t find_material(struct zr_draft *draft, struct soup *soup, const s
     return look->material;
 }
 
-/* Notes whether the polygon would be transparent; false where it is the first one, of which others would have to hear.
- */
-static bool note_alpha(struct zr_draft *draft, const struct soup *soup, const struct plain *plain)
-{
-    if (draft->transparent) return true;
-    bool opaque = !(plain->has & HAS_COLOR) || soup->face_colors[soup->face].w >= 1.0f;
-    for (size_t i = 0; (plain->has & HAS_COLORS) && i < plain->vertices; i++)
-        opaque = opaque && soup->colors[soup->vertex + i].w >= 1.0f;
-    if (!opaque && !soup->ahead) draft->transparent = true;
-    return opaque || !soup->ahead;
-}
-
 /* Behind the polygon at `at`; NULL, and nothing has happened to the mesh, where it is not plain, or not right. */
 static const char *read_plain(struct zr_draft *draft, const char *at, struct soup *soup, struct plain *plain)
 {
@@ -221,7 +209,7 @@ static const char *read_plain(struct zr_draft *draft, const char *at, struct sou
         return NULL;
     }
     uint32_t material = find_material(draft, soup, plain);
-    if (material == UINT32_MAX || !note_alpha(draft, soup, plain)) return NULL;
+    if (material == UINT32_MAX) return NULL;
     soup->face_materials[soup->face] = material;
     if (soup->ring_offsets) soup->ring_offsets[soup->ring++] = soup->vertex;
     add_face(soup, plain->has, plain->vertices);
@@ -282,18 +270,16 @@ static bool read_members_of(struct zr_draft *draft, const struct zr_json_path *p
     if (!zr_json_object(json, path, node, &keys, found)) return false;
     struct zr_style style;
     zr_draft_read_style(draft, path, found[MATERIAL], &found[LOOK], &style);
-    if (found[COLOR] &&
-        zr_json_color(json, ZR_JSON_KEY(path, words[COLOR]), found[COLOR], &soup->face_colors[soup->face]))
-        zr_draft_note_alpha(draft, &soup->face_colors[soup->face], 1);
+    if (found[COLOR])
+        zr_json_color(json, ZR_JSON_KEY(path, words[COLOR]), found[COLOR], &soup->face_colors[soup->face]);
     style.is_plain = !found[COLORS];
     soup->face_materials[soup->face] =
         zr_draft_variant(draft, &style, found[COLOR] || found[COLORS], found[COLORS] || found[NORMALS]);
     if (!found[VERTICES]) return zr_json_fault(json, path, "vertices is missing");
     if (!read_rings(json, path, found[VERTICES], found[HOLES], soup, count)) return false;
     const struct zr_json_path *colors = ZR_JSON_KEY(path, words[COLORS]), *normals = ZR_JSON_KEY(path, words[NORMALS]);
-    if (found[COLORS] && is_per_vertex(json, colors, found[COLORS], *count) &&
-        zr_json_vec4_list(json, colors, found[COLORS], zr_json_color, soup->colors + soup->vertex))
-        zr_draft_note_alpha(draft, soup->colors + soup->vertex, *count);
+    if (found[COLORS] && is_per_vertex(json, colors, found[COLORS], *count))
+        zr_json_vec4_list(json, colors, found[COLORS], zr_json_color, soup->colors + soup->vertex);
     if (found[NORMALS] && is_per_vertex(json, normals, found[NORMALS], *count))
         zr_json_vec3_list(json, normals, found[NORMALS], soup->normals + soup->vertex);
     *has = (found[COLOR] ? HAS_COLOR : 0) | (found[COLORS] ? HAS_COLORS : 0) | (found[NORMALS] ? HAS_NORMALS : 0);
@@ -360,6 +346,10 @@ void zr_draft_read_polygons(struct zr_draft *draft, const struct zr_json_path *p
         zr_json_walk_all(&walk, read_polygons, &reader);
     soup.face = (uint32_t)walk.index;
     soup.vertex = (uint32_t)walk.number;
+    if (json->error->count == 0 && walk.index == list->items) { /* else not all colours are there */
+        zr_draft_note_alpha(draft, soup.face_colors, soup.face_colors ? soup.face : 0);
+        zr_draft_note_alpha(draft, soup.colors, soup.colors ? soup.vertex : 0);
+    }
     soup.face_offsets[soup.face] = soup.vertex;
     if (soup.face_rings) soup.face_rings[soup.face] = soup.ring;
     if (soup.ring_offsets) soup.ring_offsets[soup.ring] = soup.vertex;

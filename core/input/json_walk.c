@@ -135,6 +135,20 @@ static size_t read_ahead(const struct zr_json_walk *whole, size_t part, zr_json_
     return r.failed;
 }
 
+/* Up to a mark, by this thread; leaves the walk there, to go on to where it would have ended. False where it is time to
+ * stop. */
+static bool read_alone(struct zr_json_walk *walk, const struct zr_json_mark *to, zr_json_walk_fn *read, void *context)
+{
+    const struct zr_json_mark end = walk->to;
+    walk->to = *to;
+    read(walk, context);
+    if (!walk->done) return false;
+    walk->to = end;
+    walk->done = false;
+    walk->index--; /* it stands at the item before the mark again */
+    return true;
+}
+
 size_t zr_json_walk_all(struct zr_json_walk *walk, zr_json_walk_fn *read, void *context)
 {
     const struct zr_json_walk whole = *walk;
@@ -159,12 +173,7 @@ size_t zr_json_walk_all(struct zr_json_walk *walk, zr_json_walk_fn *read, void *
         if (parts - part <= alone) break;
         part += alone;
         alone *= 2;
-        walk->to = list->marks[part - 1];
-        read(walk, context);
-        if (!walk->done) return walk->index;
-        walk->done = false;
-        walk->to = whole.to;
-        walk->index--; /* it stands at the item before the mark again */
+        if (!read_alone(walk, &list->marks[part - 1], read, context)) return walk->index;
     }
     read(walk, context);
     return walk->index;
