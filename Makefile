@@ -29,6 +29,7 @@ NEED_EGL := EGL/eglext.h=libegl-dev -lOpenGL=libopengl-dev /usr/share/glvnd/egl_
 NEED_TEST := cmocka.h=libcmocka-dev pngcheck=pngcheck GL/osmesa.h=libosmesa6-dev $(NEED_EGL)
 NEED_CROSS := aarch64-linux-gnu-gcc=gcc-aarch64-linux-gnu /usr/aarch64-linux-gnu/include/stdlib.h=libc6-dev-arm64-cross \
 	qemu-aarch64=qemu-user
+NEED_EMULATED := simde/x86/avx512.h=libsimde-dev
 NEED_DEMO := /usr/share/assimp/models/OBJ/spider.obj=assimp-testmodels
 
 # Data that is not in the repository, used where it is present: models/*.obj and json-test-suite/.
@@ -59,6 +60,12 @@ OURS += '-DZR_EACH_ISA(entry,name)=$(foreach isa,$(isas),entry($(call upper,$(is
 kernel_sse2 := -mno-sse3
 kernel_avx2 := -mavx2 -mbmi2 -mno-avx512f
 kernel_avx512 := -mavx512f -mavx512bw -mavx512dq -mavx512vl -mbmi2 -mprefer-vector-width=512
+# For `make emulated`: what has AVX2 is told to have AVX-512.
+ifdef EMULATED
+kernel_avx512 := $(kernel_avx2) -Itests/emulated -Wno-psabi
+$(BUILD)/core/base/isa.o: OURS += '-D__builtin_cpu_supports(name)=(__builtin_cpu_supports("avx2") \
+	&& (!__builtin_strncmp(name, "avx512", 6) || __builtin_cpu_supports(name)))'
+endif
 kernels := $(basename $(wildcard core/*/*_kernel.c))
 for_isas = $(foreach isa,$(isas),$(1:%=$(BUILD)/%.$(isa).o))
 kernel_objects := $(call for_isas,$(kernels))
@@ -132,6 +139,16 @@ cross: ## the renderer built for arm64 and run under qemu: the same bytes as her
 .PHONY: compare-cross
 compare-cross: $(BUILD)/zraster-cross
 	@tests/cross/compare.sh $< "$(isas)" "qemu-aarch64 $(BUILD)/arm64/zraster-cross" "$(isas_aarch64)"
+
+.PHONY: emulated
+emulated: ## AVX-512 without a machine that has it, slowly: unit tests and the reference, and the same bytes as by all else
+	@.ci/need $(NEED_BUILD) $(NEED_TEST) $(NEED_EMULATED)
+	@$(MAKE) -s -j$(JOBS) BUILD=$(BUILD)/emulated EMULATED=1 tests compare-emulated
+	@DATA="$(DATA)" REFERENCE_TRIANGLES=60000 REFERENCE_LINES=10000 tests/run.sh $(BUILD)/emulated unit reference
+
+.PHONY: compare-emulated
+compare-emulated: $(BUILD)/zraster-cross
+	@tests/cross/compare.sh $< "$(isas_x86_64)"
 
 .PHONY: bench
 bench: ## our times beside llvmpipe's, libpng's, cJSON's, in one run; ARGS="--only PNG", --rounds N, --list

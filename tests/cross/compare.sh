@@ -1,7 +1,7 @@
 #!/bin/sh
-# compare.sh COMMAND ISAS COMMAND ISAS: runs two builds of zraster-cross, each with the instruction sets that it was
-# built for, and compares all that they drew, line by line, with what the first drew in plain C on one thread. What
-# differs is named, the first of it; so is an instruction set that a machine lacks, which proves nothing.
+# compare.sh COMMAND ISAS...: runs builds of zraster-cross, each with the instruction sets that it was built for, and
+# compares all that they drew, line by line, with what the first drew in plain C on one thread. What differs is named,
+# the first of it; so is an instruction set that a machine lacks, which proves nothing.
 set -u
 lines=$(mktemp)
 trap 'rm -f "$lines" "$lines.own"' EXIT
