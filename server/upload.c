@@ -4,18 +4,38 @@
 #include <string.h>
 #include <sys/mman.h>
 
-enum { FIRST_CAPACITY = 16 << 10, PAGE = 4096, LARGE = 256 << 10, AHEAD = 256 << 10 };
+enum { FIRST_CAPACITY = 16 << 10, PAGE = 4 << 10, HUGE_PAGE = 2 << 20, LARGE = 256 << 10, AHEAD = 256 << 10 };
 
-/* The system is asked for pages of a large body many at a time, for as much again as has come, but for AHEAD at most:
- * one by one, as they are written to, a body of 3 MB waits 1.5 ms longer for them. It may refuse. */
+static size_t smaller(size_t a, size_t b)
+{
+    return a < b ? a : b;
+}
+
+/* For whole pages between two bytes. The system may refuse. */
+static void advise(const struct upload *upload, size_t from, size_t to, int advice)
+{
+    const uintptr_t bytes = (uintptr_t)upload->bytes;
+    const uintptr_t first = (bytes + from + PAGE - 1) & ~(uintptr_t)(PAGE - 1);
+    const uintptr_t last = (bytes + to) & ~(uintptr_t)(PAGE - 1);
+    if (first < last) madvise((void *)first, last - first, advice);
+}
+
+/* Pages of a large body come many at a time, for as much again as has come at most: a body of 3 MB waits 1.5 ms longer
+ * for pages that come one by one, and one of 39 MB takes two thirds of the time in huge ones. */
 static void populate(struct upload *upload, size_t needed)
 {
-    if (needed <= upload->populated || upload->capacity < LARGE) return;
-    const size_t ahead = needed < AHEAD ? needed : AHEAD;
-    const size_t end = upload->capacity - needed > ahead ? needed + ahead : upload->capacity;
-    const uintptr_t from = (uintptr_t)(upload->bytes + upload->populated + PAGE - 1) & ~(uintptr_t)(PAGE - 1);
-    const uintptr_t to = (uintptr_t)(upload->bytes + end) & ~(uintptr_t)(PAGE - 1);
-    if (from < to) madvise((void *)from, to - from, MADV_POPULATE_WRITE);
+    const size_t capacity = upload->capacity;
+    if (needed <= upload->populated || capacity < LARGE) return;
+    const size_t huge_begin = HUGE_PAGE + (size_t)(-(uintptr_t)upload->bytes % HUGE_PAGE);
+    const size_t huge_pages = capacity > huge_begin ? (capacity - huge_begin) / HUGE_PAGE : 0;
+    const size_t huge_end = huge_begin + huge_pages * HUGE_PAGE;
+    size_t end = smaller(capacity, needed + smaller(needed, AHEAD)), small_end = end;
+    if (huge_pages > 0 && end > huge_begin && upload->populated < huge_end) {
+        advise(upload, huge_begin, huge_end, MADV_HUGEPAGE);
+        small_end = huge_begin;
+        end = huge_end;
+    }
+    advise(upload, upload->populated, small_end, MADV_POPULATE_WRITE);
     upload->populated = end;
 }
 
