@@ -12,6 +12,7 @@
 #include "bench/bench.h"
 #include "bench/growth.h"
 #include "bench/machine.h"
+#include "bench/series.h"
 #include "bench/service.h"
 #include "bench/sides.h"
 #include "bench/versus_cjson.h"
@@ -23,7 +24,7 @@ static int usage(void)
     fputs("usage: zraster-bench [--models DIR] [--only PART] [--rounds N] [--output FILE] [--check-only] [--list]\n"
           "DIR may hold stanford-bunny.obj; ZRASTERD names the daemon (build/zrasterd).\n"
           "  --only PART    rows whose names have this part\n"
-          "  --rounds N     instead of as many as fit\n"
+          "  --rounds N     1 to 401, instead of as many as fit\n"
           "  --output FILE  where the rows go as JSON (build/bench/results.json)\n"
           "  --check-only   compares pictures and measures nothing\n"
           "  --list         names the rows and measures nothing\n",
@@ -47,9 +48,10 @@ static bool read_options(int count, char **arguments, struct bench *bench, const
             bench->only = arguments[++i];
         else if (strcmp(flag, "--output") == 0)
             *output = arguments[++i];
-        else if (strcmp(flag, "--rounds") == 0)
+        else if (strcmp(flag, "--rounds") == 0) {
             bench->rounds = atoi(arguments[++i]);
-        else
+            if (bench->rounds < 1 || bench->rounds > SERIES_MAX) return false;
+        } else
             return false;
     }
     return true;

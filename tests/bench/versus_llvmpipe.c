@@ -187,14 +187,16 @@ static bool choose(const struct bench *bench, struct task *task)
     return any;
 }
 
-static void time_work(struct bench *bench, struct task *task)
+static void run_work(struct bench *bench, struct task *task)
 {
     bool checked = false;
     for (task->threads = 1; task->threads <= THREADS_MAX; task->threads++) {
         if (!choose(bench, task)) continue;
-        results_begin_table(&bench->results, "zr_render against llvmpipe: colour and float depth");
+        if (!bench->check_only)
+            results_begin_table(&bench->results, "zr_render against llvmpipe: colour and float depth");
         if (!checked) bench_check_in_child(bench, compare_variants, task, task->wrong);
         checked = true;
+        if (bench->check_only) return;
         bench_in_child(bench, time_variants, task, NULL);
     }
 }
@@ -207,10 +209,7 @@ void versus_llvmpipe(struct bench *bench)
             bench->results.failed = true;
         } else {
             struct task task = {.work = &work};
-            if (bench->check_only)
-                bench_check_in_child(bench, compare_variants, &task, task.wrong);
-            else
-                time_work(bench, &task);
+            run_work(bench, &task);
         }
         works_free(&work);
     }

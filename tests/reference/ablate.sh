@@ -56,7 +56,8 @@ verify() { # folder, NAME.json or KIND TRIANGLES, options
     *.json) scene=tests/scenes/$2 && shift 2 && set -- "$scene" "$@" ;;
     *) kind=$2 triangles=$3 && shift 3 && set -- --kind "$kind" --triangles "$triangles" "$@" ;;
     esac
-    "$folder/build/zraster-verify" --seed $seed --failures '' "$@" >"$folder/verify.log" 2>&1
+    # A change may make a loop that has no end.
+    timeout 300 "$folder/build/zraster-verify" --seed $seed --failures '' "$@" >"$folder/verify.log" 2>&1
 }
 
 # Without a change all must be equal, or a difference would prove nothing.
