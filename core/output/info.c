@@ -5,6 +5,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/checked.h"
+
 /* Pixels of one id, and the box that holds them: x1 and y1 exclusive. */
 struct patch {
     uint64_t pixels;
@@ -212,6 +214,25 @@ static cJSON *build(struct writer *w, const struct zr_scene *scene, const struct
     return root;
 }
 
+/* Bytes that cJSON may have at once for a mesh or a face beside a name, for all else beside texts, and for a byte of a
+ * name or a text: one in the tree, and printed up to six in memory that doubles, beside what it was copied from. */
+enum { LISTED_BYTES = 2 << 10, OTHER_BYTES = 32 << 10, BYTES_OF_A_CHARACTER = 1 + 3 * 6 };
+
+static bool foresee_memory(const struct zr_scene *scene, const struct zr_warnings *warnings, uint32_t face_count,
+                           size_t *bytes)
+{
+    const uint32_t faces = face_count <= ZR_INFO_FACES_MAX ? face_count : 0;
+    size_t characters = 0;
+    uint32_t meshes = 0;
+    bool fits = true;
+    for (; meshes < scene->instance_count && meshes < ZR_INFO_MESHES_MAX; meshes++)
+        fits &= zr_add_size(characters, strlen(scene->meshes[scene->instances[meshes].mesh].name), &characters);
+    for (uint32_t i = 0; i < warnings->count; i++)
+        fits &= zr_add_size(characters, strlen(warnings->texts[i]), &characters);
+    return fits && zr_mul_size(characters, BYTES_OF_A_CHARACTER, bytes) &&
+           zr_add_size(*bytes, OTHER_BYTES + (size_t)(meshes + faces) * LISTED_BYTES, bytes);
+}
+
 enum zr_status zr_info_write(const struct zr_scene *scene, const struct zr_frame *frame, float depth_scale,
                              uint64_t misfits, const struct zr_warnings *warnings, struct zr_buffer *out)
 {
@@ -219,12 +240,15 @@ enum zr_status zr_info_write(const struct zr_scene *scene, const struct zr_frame
     for (uint32_t i = 0; i < scene->instance_count; i++)
         face_count += (uint32_t)zr_mesh_ids(&scene->meshes[scene->instances[i].mesh]);
     const struct patch *patches = patches_of(out->arena, frame, face_count);
-    if (!patches) return ZR_NO_MEMORY;
+    size_t foreseen;
+    if (!patches || !foresee_memory(scene, warnings, face_count, &foreseen) || !zr_arena_charge(out->arena, foreseen))
+        return ZR_NO_MEMORY;
     struct writer w = {.ok = true};
     cJSON *root = build(&w, scene, frame, depth_scale, misfits, warnings, patches, face_count);
     char *text = w.ok ? cJSON_PrintUnformatted(root) : NULL;
     cJSON_Delete(root);
     bool ok = text && zr_buffer_add(out, text, strlen(text)) && zr_buffer_add(out, "\n", 1);
-    free(text);
+    cJSON_free(text);
+    zr_arena_refund(out->arena, foreseen);
     return ok ? ZR_OK : ZR_NO_MEMORY;
 }

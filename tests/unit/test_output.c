@@ -1,4 +1,3 @@
-#include <cjson/cJSON.h>
 #include <math.h>
 #include <png.h>
 #include <stdlib.h>
@@ -287,62 +286,6 @@ static void depth_as_png16_has_steps_of_its_scale_and_warns_of_what_does_not_fit
     }
 }
 
-static void info_counts_pixels_and_boxes_and_warns(void **state)
-{
-    (void)state;
-    const zr_vec4 p[] = {{-1, 0, 0, 1}, {0, 0, 0, 1}, {-1, 1, 0, 1}, {5, 5, 0, 1}, {6, 5, 0, 1}, {5, 6, 0, 1}};
-    static struct test_scene test;
-    scene_of_triangles(&test, 16, 16, p, 2);
-    const struct zr_output output = {ZR_CHANNEL_INFO, ZR_ENCODING_JSON, 0};
-    const char *const warnings[] = {"something odd"};
-    test.scene.outputs = &output;
-    test.scene.output_count = 1;
-    test.scene.warnings = warnings;
-    test.scene.warning_count = 1;
-    struct zr_answer answer = answer_of(&test);
-    assert_string_equal(answer.content_type, "application/json");
-    assert_string_equal(answer.warnings, "something odd");
-    cJSON *info = cJSON_ParseWithLength(answer.bytes, answer.size);
-    assert_non_null(info);
-    cJSON *face = cJSON_GetObjectItem(info, "faces")->child, *box = cJSON_GetObjectItem(face, "box");
-    assert_null(face->next); /* the other one is outside */
-    assert_true(cJSON_GetObjectItem(face, "id")->valuedouble == 1);
-    assert_true(cJSON_GetObjectItem(face, "pixels")->valuedouble == 28); /* of 8 x 8, half without the diagonal */
-    const double want[4] = {0, 1, 7, 8};
-    for (int i = 0; i < 4; i++)
-        assert_true(cJSON_GetArrayItem(box, i)->valuedouble == want[i]);
-    assert_true(cJSON_GetObjectItem(info, "backgroundPixels")->valuedouble == 256 - 28);
-    assert_true(cJSON_GetObjectItem(cJSON_GetObjectItem(info, "counts"), "outside")->valuedouble == 1);
-    cJSON_Delete(info);
-}
-
-static void info_lists_the_first_thousand_instances(void **state)
-{
-    (void)state;
-    enum { PLACED = ZR_INFO_MESHES_MAX + 234 };
-    const zr_vec4 p[] = {{-1, 0, 0, 1}, {0, 0, 0, 1}, {-1, 1, 0, 1}};
-    static struct test_scene test;
-    static struct zr_instance instances[PLACED];
-    scene_of_triangles(&test, 16, 16, p, 1);
-    for (int i = 0; i < PLACED; i++)
-        instances[i] = test.instance;
-    const struct zr_output output = {ZR_CHANNEL_INFO, ZR_ENCODING_JSON, 0};
-    test.scene.outputs = &output;
-    test.scene.output_count = 1;
-    test.scene.instances = instances;
-    test.scene.instance_count = PLACED;
-    struct zr_answer answer = answer_of(&test);
-    cJSON *info = cJSON_ParseWithLength(answer.bytes, answer.size);
-    assert_non_null(info);
-    assert_true(cJSON_GetObjectItem(info, "instances")->valuedouble == PLACED);
-    const cJSON *meshes = cJSON_GetObjectItem(info, "meshes");
-    assert_int_equal(cJSON_GetArraySize(meshes), ZR_INFO_MESHES_MAX);
-    const cJSON *last = cJSON_GetArrayItem(meshes, ZR_INFO_MESHES_MAX - 1);
-    assert_true(cJSON_GetObjectItem(last, "firstFaceId")->valuedouble == ZR_INFO_MESHES_MAX);
-    assert_true(cJSON_GetObjectItem(meshes->child, "pixels")->valuedouble == 28); /* the first of all is seen */
-    cJSON_Delete(info);
-}
-
 static void several_outputs_come_as_one_archive(void **state)
 {
     (void)state;
@@ -423,9 +366,7 @@ int main(void)
         cmocka_unit_test(depth16_scale_left_open_fits_the_far_plane),
         cmocka_unit_test_setup_teardown(depth_as_png16_has_steps_of_its_scale_and_warns_of_what_does_not_fit,
                                         open_arena, close_arena),
-        cmocka_unit_test_setup_teardown(info_counts_pixels_and_boxes_and_warns, open_arena, close_arena),
         cmocka_unit_test_setup_teardown(polygons_without_three_distinct_corners_are_warned_of, open_arena, close_arena),
-        cmocka_unit_test_setup_teardown(info_lists_the_first_thousand_instances, open_arena, close_arena),
         cmocka_unit_test_setup_teardown(several_outputs_come_as_one_archive, open_arena, close_arena),
         cmocka_unit_test_setup_teardown(picture_without_a_covered_pixel_is_warned_of_whatever_the_reason, open_arena,
                                         close_arena),

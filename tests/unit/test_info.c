@@ -1,0 +1,149 @@
+/* The channel info: what it lists, and the memory that it takes. */
+#include <cjson/cJSON.h>
+#include <malloc.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "output/info.h"
+#include "support/cmocka_all.h"
+#include "support/scenes.h"
+
+static struct zr_arena arena;
+static const struct zr_output info_output = {ZR_CHANNEL_INFO, ZR_ENCODING_JSON, 0};
+
+static int open_arena(void **state)
+{
+    (void)state;
+    zr_arena_init(&arena, 1 << 27);
+    return 0;
+}
+
+static int close_arena(void **state)
+{
+    (void)state;
+    cJSON_InitHooks(NULL);
+    zr_arena_free(&arena);
+    return 0;
+}
+
+static struct zr_answer answer_of(struct test_scene *test)
+{
+    struct zr_answer answer;
+    struct zr_error error = {.count = 0};
+    test->scene.outputs = &info_output;
+    test->scene.output_count = 1;
+    const struct zr_frame *frame = scene_render(&arena, NULL, &test->scene);
+    assert_int_equal(zr_encode(&arena, NULL, &test->scene, frame, NULL, &answer, &error), ZR_OK);
+    return answer;
+}
+
+static void info_counts_pixels_and_boxes_and_warns(void **state)
+{
+    (void)state;
+    const zr_vec4 p[] = {{-1, 0, 0, 1}, {0, 0, 0, 1}, {-1, 1, 0, 1}, {5, 5, 0, 1}, {6, 5, 0, 1}, {5, 6, 0, 1}};
+    static struct test_scene test;
+    scene_of_triangles(&test, 16, 16, p, 2);
+    const char *const warnings[] = {"something odd"};
+    test.scene.warnings = warnings;
+    test.scene.warning_count = 1;
+    struct zr_answer answer = answer_of(&test);
+    assert_string_equal(answer.content_type, "application/json");
+    assert_string_equal(answer.warnings, "something odd");
+    cJSON *info = cJSON_ParseWithLength(answer.bytes, answer.size);
+    assert_non_null(info);
+    cJSON *face = cJSON_GetObjectItem(info, "faces")->child, *box = cJSON_GetObjectItem(face, "box");
+    assert_null(face->next); /* the other one is outside */
+    assert_true(cJSON_GetObjectItem(face, "id")->valuedouble == 1);
+    assert_true(cJSON_GetObjectItem(face, "pixels")->valuedouble == 28); /* of 8 x 8, half without the diagonal */
+    const double want[4] = {0, 1, 7, 8};
+    for (int i = 0; i < 4; i++)
+        assert_true(cJSON_GetArrayItem(box, i)->valuedouble == want[i]);
+    assert_true(cJSON_GetObjectItem(info, "backgroundPixels")->valuedouble == 256 - 28);
+    assert_true(cJSON_GetObjectItem(cJSON_GetObjectItem(info, "counts"), "outside")->valuedouble == 1);
+    cJSON_Delete(info);
+}
+
+static void info_lists_the_first_thousand_instances(void **state)
+{
+    (void)state;
+    enum { PLACED = ZR_INFO_MESHES_MAX + 234 };
+    const zr_vec4 p[] = {{-1, 0, 0, 1}, {0, 0, 0, 1}, {-1, 1, 0, 1}};
+    static struct test_scene test;
+    static struct zr_instance instances[PLACED];
+    scene_of_triangles(&test, 16, 16, p, 1);
+    for (int i = 0; i < PLACED; i++)
+        instances[i] = test.instance;
+    test.scene.instances = instances;
+    test.scene.instance_count = PLACED;
+    struct zr_answer answer = answer_of(&test);
+    cJSON *info = cJSON_ParseWithLength(answer.bytes, answer.size);
+    assert_non_null(info);
+    assert_true(cJSON_GetObjectItem(info, "instances")->valuedouble == PLACED);
+    const cJSON *meshes = cJSON_GetObjectItem(info, "meshes");
+    assert_int_equal(cJSON_GetArraySize(meshes), ZR_INFO_MESHES_MAX);
+    const cJSON *last = cJSON_GetArrayItem(meshes, ZR_INFO_MESHES_MAX - 1);
+    assert_true(cJSON_GetObjectItem(last, "firstFaceId")->valuedouble == ZR_INFO_MESHES_MAX);
+    assert_true(cJSON_GetObjectItem(meshes->child, "pixels")->valuedouble == 28); /* the first of all is seen */
+    cJSON_Delete(info);
+}
+
+/* What cJSON holds, and the most that it held. */
+static size_t held, most;
+
+static void *count_malloc(size_t size)
+{
+    void *bytes = malloc(size);
+    held += malloc_usable_size(bytes);
+    if (held > most) most = held;
+    return bytes;
+}
+
+static void count_free(void *bytes)
+{
+    held -= malloc_usable_size(bytes);
+    free(bytes);
+}
+
+/* 1200 times a mesh whose name has 2000 bytes, each of which is six in JSON. */
+static void info_takes_no_memory_that_a_request_may_not_have(void **state)
+{
+    (void)state;
+    enum { PLACED = 1200, NAME_SIZE = 2000 };
+    const zr_vec4 p[] = {{-1, 0, 0, 1}, {0, 0, 0, 1}, {-1, 1, 0, 1}};
+    static struct test_scene test;
+    static struct zr_instance instances[PLACED];
+    static char name[NAME_SIZE + 1];
+    scene_of_triangles(&test, 16, 16, p, 1);
+    for (int i = 0; i < PLACED; i++)
+        instances[i] = test.instance;
+    memset(name, 1, NAME_SIZE);
+    test.mesh.name = name;
+    test.scene.instances = instances;
+    test.scene.instance_count = PLACED;
+    cJSON_InitHooks(&(cJSON_Hooks){count_malloc, count_free});
+    held = most = 0;
+    const struct zr_answer answer = answer_of(&test);
+    assert_true(answer.size > 6 * NAME_SIZE * ZR_INFO_MESHES_MAX);
+    assert_true(most > answer.size);
+    assert_true(most <= arena.peak);
+    assert_int_equal(held, 0);
+
+    struct zr_error error = {.count = 0};
+    struct zr_answer none;
+    zr_arena_reset(&arena, 0);
+    const struct zr_frame *frame = scene_render(&arena, NULL, &test.scene);
+    arena.ceiling = arena.used + (8 << 20);
+    most = 0;
+    assert_int_equal(zr_encode(&arena, NULL, &test.scene, frame, NULL, &none, &error), ZR_NO_MEMORY);
+    assert_true(most < 8 << 20);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test_setup_teardown(info_counts_pixels_and_boxes_and_warns, open_arena, close_arena),
+        cmocka_unit_test_setup_teardown(info_lists_the_first_thousand_instances, open_arena, close_arena),
+        cmocka_unit_test_setup_teardown(info_takes_no_memory_that_a_request_may_not_have, open_arena, close_arena),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
