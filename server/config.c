@@ -199,6 +199,12 @@ static bool set_value(struct config *config, const struct setting *s, const char
     return true;
 }
 
+/* Kubernetes sets ZRASTER_PORT=tcp://ADDRESS:PORT in every pod beside a service of the name zraster. */
+static bool is_service_link(const char *value)
+{
+    return strncmp(value, "tcp://", strlen("tcp://")) == 0;
+}
+
 static bool read_variables(struct config *config, char *message, size_t message_size)
 {
     for (size_t i = 0; i < SETTING_COUNT; i++) {
@@ -206,7 +212,8 @@ static bool read_variables(struct config *config, char *message, size_t message_
         variable_name(name, SETTINGS[i].flag);
         const char *value = getenv(name);
         /* Compose files pass variables on as "" where they are not set. */
-        if (value && *value && !set_value(config, &SETTINGS[i], name, value, message, message_size)) return false;
+        if (!value || !*value || (SETTINGS[i].kind == NUMBER && is_service_link(value))) continue;
+        if (!set_value(config, &SETTINGS[i], name, value, message, message_size)) return false;
     }
     return true;
 }
@@ -218,14 +225,22 @@ static const struct setting *find_setting(const char *name, size_t length)
     return NULL;
 }
 
+/* What is answered whatever else is said. CONFIG_SERVE: nothing. */
+static enum config_mode find_question(int argc, char *const *argv)
+{
+    for (int i = 1; i < argc; i++) {
+        if (strcmp(argv[i], "--help") == 0) return CONFIG_HELP;
+        if (strcmp(argv[i], "--version") == 0) return CONFIG_VERSION;
+    }
+    return CONFIG_SERVE;
+}
+
 static enum config_mode read_flags(struct config *config, int argc, char *const *argv, char *message,
                                    size_t message_size)
 {
     enum config_mode mode = CONFIG_SERVE;
     for (int i = 1; i < argc; i++) {
         const char *argument = argv[i];
-        if (strcmp(argument, "--help") == 0) return CONFIG_HELP;
-        if (strcmp(argument, "--version") == 0) return CONFIG_VERSION;
         if (strcmp(argument, "--health") == 0) {
             mode = CONFIG_HEALTH;
             continue;
@@ -252,8 +267,10 @@ static enum config_mode read_flags(struct config *config, int argc, char *const 
 enum config_mode config_read(struct config *config, int argc, char *const *argv, char *message, size_t message_size)
 {
     set_defaults(config);
+    enum config_mode mode = find_question(argc, argv);
+    if (mode != CONFIG_SERVE) return mode;
     if (!read_variables(config, message, message_size)) return CONFIG_WRONG;
-    enum config_mode mode = read_flags(config, argc, argv, message, message_size);
+    mode = read_flags(config, argc, argv, message, message_size);
 
     long cores = sysconf(_SC_NPROCESSORS_ONLN);
     uint64_t online = cores < 1 ? 1 : cores > ZR_TEAM_MAX ? ZR_TEAM_MAX : (uint64_t)cores;
@@ -286,11 +303,13 @@ void config_print_help(FILE *out)
 {
     struct config defaults;
     set_defaults(&defaults);
-    fprintf(out, "zrasterd " ZR_VERSION ": POST a scene to /v1/render, get images.\n\n"
-                 "usage: zrasterd [--flag=value | --flag value]...\n\n"
-                 "  --help, --version\n"
-                 "  --health    asks the daemon at --address and --port how it is; exits 0 if it is well, else 1\n\n"
-                 "Every flag is also a variable: ZRASTER_BODY_MAX_BYTES for --body-max-bytes. Flags come first.\n\n");
+    fprintf(
+        out,
+        "zrasterd " ZR_VERSION ": POST a scene to /v1/render, get images.\n\n"
+        "usage: zrasterd [--flag=value | --flag value]...\n\n"
+        "  --help, --version\n"
+        "  --health    asks the daemon at --address and --port how it is; exits 0 if it is well, else 1\n\n"
+        "Every flag is also a variable: ZRASTER_BODY_MAX_BYTES for --body-max-bytes. A flag beats its variable.\n\n");
     for (size_t i = 0; i < SETTING_COUNT; i++) {
         const struct setting *s = &SETTINGS[i];
         fprintf(out, "  --%s=%s\n      %s%s%s\n", s->flag, s->kind != NUMBER ? "TEXT" : "N", s->unit,

@@ -48,6 +48,28 @@ static void version_is_printed(void **state)
     assert_run(LIST("--version"), 0, LIST("zrasterd 0."));
 }
 
+static void help_and_version_are_given_beside_what_is_wrong(void **state)
+{
+    (void)state;
+    setenv("ZRASTER_WORKERS", "many", 1);
+    assert_run(LIST("--help"), 0, LIST("usage: zrasterd"));
+    assert_run(LIST("--prot=80", "--version"), 0, LIST("zrasterd 0."));
+    assert_run(LIST("--port=0"), 2, LIST("ZRASTER_WORKERS", "'many'"));
+    unsetenv("ZRASTER_WORKERS");
+}
+
+static void service_link_of_kubernetes_is_no_port(void **state)
+{
+    (void)state;
+    setenv("ZRASTER_PORT", "tcp://10.0.0.1:8080", 1);
+    struct daemon daemon = daemon_start(NULL);
+    struct reply reply = client_get(&daemon, "/healthz");
+    assert_int_equal(reply.status, 200);
+    reply_free(&reply);
+    daemon_stop(&daemon);
+    unsetenv("ZRASTER_PORT");
+}
+
 static void unknown_flag_exits_2_and_is_named(void **state)
 {
     (void)state;
@@ -191,6 +213,8 @@ int main(void)
         cmocka_unit_test(help_lists_every_flag),
         cmocka_unit_test(help_does_not_show_the_token),
         cmocka_unit_test(version_is_printed),
+        cmocka_unit_test(help_and_version_are_given_beside_what_is_wrong),
+        cmocka_unit_test(service_link_of_kubernetes_is_no_port),
         cmocka_unit_test(unknown_flag_exits_2_and_is_named),
         cmocka_unit_test(bad_value_exits_2_and_says_what_is_allowed),
         cmocka_unit_test(bad_variable_exits_2_and_is_named),
