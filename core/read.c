@@ -151,6 +151,10 @@ enum zr_status zr_scene_read(struct zr_arena *arena, struct zr_team *team, const
     struct zr_request body = *request;
     if (body.size == 0) body.bytes = ""; /* no arithmetic on a null pointer */
     enum zr_status status = made ? read_scene(arena, team, &body, limits, made, error) : ZR_NO_MEMORY;
+    if (zr_is_cancelled(request->cancel)) {
+        *error = (struct zr_error){0}; /* of what was not read to its end */
+        return zr_error_add(error, ZR_CANCELLED, NULL, "reading was stopped before it was done");
+    }
     if ((status == ZR_OK && !zr_arena_ok(arena)) || (status == ZR_NO_MEMORY && error->count == 0))
         status =
             zr_error_add(error, ZR_NO_MEMORY, NULL,

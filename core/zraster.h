@@ -57,6 +57,8 @@ struct zr_stored {
     void *context;
 };
 
+struct zr_cancel;
+
 struct zr_request {
     enum zr_format format;
     const char *bytes;
@@ -70,6 +72,7 @@ struct zr_request {
     const char *compress;
     /* NULL: not given. For formats that hold a bare mesh and no view; refused with JSON. */
     const char *preset, *width, *height, *shading;
+    const struct zr_cancel *cancel; /* of reading; may be NULL: never */
 };
 
 /* ---- the four steps, and a look ahead ---- */
@@ -105,7 +108,8 @@ struct zr_answer {
 };
 
 /* Keeps pointers into request->bytes and the assets. `team` may be NULL (one thread). On failure *error says what and
- * where. Scene and error are the same for every team. */
+ * where. Scene and error are the same for every team. Fails with ZR_BAD_SYNTAX, ZR_BAD_REQUEST, ZR_BAD_SCENE,
+ * ZR_NO_MEMORY or ZR_CANCELLED; *scene is then left alone. */
 enum zr_status zr_scene_read(struct zr_arena *arena, struct zr_team *team, const struct zr_request *request,
                              const struct zr_limits *limits, const struct zr_scene **scene, struct zr_error *error);
 

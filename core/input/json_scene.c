@@ -191,7 +191,7 @@ enum zr_status zr_json_read(struct zr_arena *arena, struct zr_team *team, const 
     struct zr_limits parsed = *limits;
     if (parsed.json_depth_max > CJSON_NESTING_LIMIT) parsed.json_depth_max = CJSON_NESTING_LIMIT;
     struct zr_json_text text = {0};
-    struct zr_draft draft = {.json = {arena, team, &parsed, error, &text},
+    struct zr_draft draft = {.json = {arena, team, request->cancel, &parsed, error, &text},
                              .scene = scene,
                              .look = zr_look_unsaid,
                              .asset_count = request->asset_count,

@@ -93,6 +93,7 @@ enum zr_status zr_json_text_close(struct zr_json *json, cJSON *root)
     for (size_t i = 0; i < text->lists.count; i++)
         good = good && text->lists.list[i].read;
     if (good) return ZR_OK;
+    if (zr_is_cancelled(json->cancel)) return ZR_CANCELLED;
     if (!zr_json_verify(json)) {
         *json->error = text->verdict;
         return json->error->status;

@@ -24,7 +24,8 @@ struct zr_team;      /* base/team.h */
 
 struct zr_json {
     struct zr_arena *arena;
-    struct zr_team *team; /* may be NULL */
+    struct zr_team *team;           /* may be NULL */
+    const struct zr_cancel *cancel; /* may be NULL */
     const struct zr_limits *limits;
     struct zr_error *error;
     struct zr_json_text *text;

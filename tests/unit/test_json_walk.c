@@ -169,7 +169,7 @@ static void items_are_read_ahead_but_for_parts_with_an_odd_one(void **state)
         struct zr_limits limits = zr_limits_default();
         struct zr_error error = {0};
         struct zr_json_text opened = {0};
-        struct zr_json json = {&arena, zr_team_create(3), &limits, &error, &opened};
+        struct zr_json json = {&arena, zr_team_create(3), NULL, &limits, &error, &opened};
         cJSON *root = zr_json_text_open(&json, text.bytes, text.size);
         assert_non_null(root);
         struct visits visits = {.of = calloc(COUNT, 1), .odd = odd[i]};
@@ -378,6 +378,52 @@ static void rows_of_any_length_are_read(void **state)
     end_teams(teams);
 }
 
+/* ---- cancelled ---- */
+
+static struct zr_cancel cancel;
+static size_t parts_parsed, parts_until_raised;
+
+/* For cJSON, which asks for memory for each part of what it parses. */
+static void *count_malloc(size_t size)
+{
+    if (parts_parsed++ == parts_until_raised) atomic_store(&cancel.raised, true);
+    return malloc(size);
+}
+
+static void reading_ends_soon_once_it_is_cancelled(void **state)
+{
+    (void)state;
+    enum { PARTS_OF_AN_ITEM = 200 };
+    struct text text = make_scene(3000), other = respell(text.bytes, LINES);
+    struct zr_team *team = zr_team_create(3);
+    const struct zr_request request = {.format = ZR_FORMAT_JSON, .cancel = &cancel};
+    cJSON_InitHooks(&(cJSON_Hooks){count_malloc, free});
+    size_t all = SIZE_MAX;
+    for (int step = -1; step < 24; step++) { /* the first is never cancelled */
+        parts_until_raised = step < 0 ? SIZE_MAX : all * (size_t)step / 24;
+        parts_parsed = 0;
+        atomic_store(&cancel.raised, false);
+        struct reading *reading =
+            read_by_team(step % 2 ? team : NULL, request, other.bytes, other.size, zr_limits_default(), CEILING);
+        if (step < 0) {
+            assert_read(reading);
+            all = parts_parsed;
+            assert_true(all > 10000);
+        } else {
+            assert_int_equal(reading->status, ZR_CANCELLED);
+            assert_int_equal(reading->error.count, 1);
+            assert_non_null(strstr(reading->error.items[0].detail, "stopped"));
+            assert_null(reading->scene);
+            assert_true(parts_parsed < parts_until_raised + PARTS_OF_AN_ITEM);
+        }
+        reading_free(reading);
+    }
+    cJSON_InitHooks(NULL);
+    zr_team_destroy(team);
+    drop(&other);
+    drop(&text);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -389,6 +435,7 @@ int main(void)
         cmocka_unit_test(every_team_has_the_same_complaints),
         cmocka_unit_test(faults_take_as_much_memory_for_every_team),
         cmocka_unit_test(rows_of_any_length_are_read),
+        cmocka_unit_test(reading_ends_soon_once_it_is_cancelled),
     };
     return cmocka_run_group_tests_name("json_walk", tests, NULL, NULL);
 }
