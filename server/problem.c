@@ -118,7 +118,7 @@ void problem_answer_error(struct answer *answer, int http_status, const struct z
             cJSON_AddStringToObject(item, "detail", text);
             if (!cJSON_AddItemToArray(errors, item)) cJSON_Delete(item);
         }
-        if (error->count > held) cJSON_AddNumberToObject(root, "errorCount", (double)error->count);
+        if (held == ZR_ERROR_ITEMS) cJSON_AddTrueToObject(root, "truncated"); /* where readers stop */
     }
     finish(answer, root);
 }

@@ -1,5 +1,3 @@
-#include <float.h>
-
 #include "input/json_scene.h"
 
 #define INTENSITY_MAX 1e6
@@ -20,7 +18,7 @@ static void read_direction(struct zr_json *json, const struct zr_json_path *path
 {
     zr_vec3 v;
     if (!zr_json_vec3(json, path, node, &v)) return;
-    if (zr_vec3_dot(v, v) < FLT_MIN)
+    if (v.x == 0.0f && v.y == 0.0f && v.z == 0.0f)
         zr_json_fault(json, path, "a direction of no length");
     else
         *out = zr_vec3_normalize(v);

@@ -150,6 +150,25 @@ static void unknown_key_gives_422_with_pointer(void **state)
                          TEXTS("\"/polygons/0/colr\""));
 }
 
+static void more_faults_than_are_listed_are_said_to_be(void **state)
+{
+    (void)state;
+    char scene[1024];
+    for (int faults = 19; faults <= 21; faults++) {
+        int used = snprintf(scene, sizeof scene, "{\"polygons\":[{\"vertices\":[[0,0,0]");
+        for (int i = 0; i < faults; i++)
+            used += snprintf(scene + used, sizeof scene - (size_t)used, ",[0,0,\"x\"]");
+        snprintf(scene + used, sizeof scene - (size_t)used, "]}]}");
+        struct reply reply = client_render(&server, scene);
+        assert_int_equal(reply.status, 422);
+        cJSON *problem = cJSON_Parse(reply.body);
+        assert_int_equal(cJSON_GetArraySize(cJSON_GetObjectItem(problem, "errors")), faults < 20 ? faults : 20);
+        assert_int_equal(cJSON_IsTrue(cJSON_GetObjectItem(problem, "truncated")), faults >= 20);
+        cJSON_Delete(problem);
+        reply_free(&reply);
+    }
+}
+
 static void wrong_type_gives_422_with_pointer(void **state)
 {
     (void)state;
@@ -313,6 +332,7 @@ int main(void)
         cmocka_unit_test(scene_without_geometry_gives_422),
         cmocka_unit_test(window_too_large_gives_422_with_limit_and_value),
         cmocka_unit_test(unknown_key_gives_422_with_pointer),
+        cmocka_unit_test(more_faults_than_are_listed_are_said_to_be),
         cmocka_unit_test(wrong_type_gives_422_with_pointer),
         cmocka_unit_test(deep_json_is_refused),
         cmocka_unit_test(nodes_in_a_circle_give_422_with_pointer),

@@ -252,6 +252,16 @@ static void wrong_values_give_pointer_to_them(void **state)
                  "/lights/0/intensity", "-1 is outside of 0 to 1000000");
 }
 
+static void direction_of_a_light_may_have_any_length(void **state)
+{
+    (void)state;
+    struct reading *reading = read_text(ZR_FORMAT_JSON, "{\"lights\": [{\"type\": \"directional\", \"direction\": "
+                                                        "[0,0,-1e-25]}], \"polygons\": [{" TRIANGLE "}]}");
+    assert_int_equal(reading->status, ZR_OK);
+    assert_true(reading->scene->lights[0].direction.z == -1.0f);
+    reading_free(reading);
+}
+
 static void what_this_version_does_may_be_said(void **state)
 {
     (void)state;
@@ -390,6 +400,7 @@ int main(void)
         cmocka_unit_test(long_unknown_key_is_cut_at_a_character),
         cmocka_unit_test(several_faults_are_all_reported_up_to_the_limit),
         cmocka_unit_test(wrong_values_give_pointer_to_them),
+        cmocka_unit_test(direction_of_a_light_may_have_any_length),
         cmocka_unit_test(what_this_version_does_may_be_said),
         cmocka_unit_test(every_algorithm_is_chosen_by_its_name),
         cmocka_unit_test(window_limits_are_named),
