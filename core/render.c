@@ -98,9 +98,8 @@ static enum zr_status run_pipeline(struct zr_arena *arena, struct zr_team *team,
     if ((status = zr_base_place(arena, scene, &frame->camera, &frame->base, error)) != ZR_OK) return status;
     status = zr_geometry_build(arena, team, scene, &frame->camera, cancel, window_at_once != NULL, &geometry);
     if (status != ZR_OK) return status;
-    const enum zr_isa isa = zr_team_isa(team);
     const size_t pixels = (size_t)scene->width * scene->height;
-    if (frame->color && (status = zr_paint_prepare(isa, arena, team, &geometry, pixels)) != ZR_OK) return status;
+    if (frame->color && (status = zr_paint_prepare(arena, team, &geometry, pixels)) != ZR_OK) return status;
     if (window_at_once)
         status = zr_visibility_window(arena, &geometry, window_at_once, scene->width, scene->height, frame->base,
                                       cancel, &samples);
@@ -114,7 +113,7 @@ static enum zr_status run_pipeline(struct zr_arena *arena, struct zr_team *team,
                               .geometry = &geometry,
                               .visible = &visible,
                               .samples = window_at_once ? &samples : NULL,
-                              .isa = isa,
+                              .isa = zr_team_isa(team),
                               .frame = frame,
                               .cancel = cancel,
                               .occupied = occupied};

@@ -127,13 +127,15 @@ struct zr_cost zr_scene_cost(const struct zr_scene *scene, const struct zr_sight
                              const struct zr_cancel *cancel);
 
 /* `sight` may be NULL: it is found first. `team` may be NULL (one thread) and `cancel` may be NULL (never). The frame
- * is the same, byte for byte, for every team. */
+ * is the same, byte for byte, for every team. Fails with ZR_BAD_SCENE, ZR_NO_MEMORY, ZR_CANCELLED or ZR_INTERNAL, which
+ * *error explains; *frame is then not to be read. */
 enum zr_status zr_render(struct zr_arena *arena, struct zr_team *team, const struct zr_scene *scene,
                          const struct zr_sight *sight, const struct zr_cancel *cancel, const struct zr_frame **frame,
                          struct zr_error *error);
 
 /* One output: its bytes. Several: a ZIP of channel.extension. `team` may be NULL (one thread); what
- * decodes is the same for every team, and the bytes nearly always (output/png.h). */
+ * decodes is the same for every team, and the bytes nearly always (output/png.h). Fails with ZR_NO_MEMORY, ZR_CANCELLED
+ * or ZR_INTERNAL, which *error explains; *answer is then not to be read. */
 enum zr_status zr_encode(struct zr_arena *arena, struct zr_team *team, const struct zr_scene *scene,
                          const struct zr_frame *frame, const struct zr_cancel *cancel, struct zr_answer *answer,
                          struct zr_error *error);

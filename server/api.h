@@ -39,7 +39,7 @@ void api_init(struct api *api, const struct config *config, struct zr_team *team
 /* The state of the daemon as a request meets it. */
 struct api_load {
     bool draining;
-    bool queue_full, large_queue_full; /* for a body of this size, and for one that is large */
+    bool queue_full, large_queue_full; /* that for a body of this size, and that for large ones */
     unsigned retry_after_s;
 };
 

@@ -18,6 +18,7 @@
  *     as team.h says
  *   zr_vi_put(p, v, streamed): zr_vi_stream, or zr_vi_store
  *   zr_vf_lt le eq(a, b), zr_vi_lt eq(a, b), zr_vm_and or andnot(a, b: a and not b), zr_vm_bits(m), zr_vm_of(bits)
+ *   zr_vm_first(n): the first n lanes, or all where there are no more; zr_vm_any(m); zr_lowest_bit(bits), bits not 0
  *   zr_vf_lt_where eq_where(m, a, b), zr_vi_lt_where(m, a, b): m and the comparison, which AVX-512 does in one
  *   zr_vf_select(m, a, b), zr_vi_select: a where m, else b
  *   zr_vf_min(a, b): a < b ? a : b     zr_vf_max(a, b): a > b ? a : b     zr_vi_min, zr_vi_max
@@ -124,11 +125,6 @@ enum { ZR_PATCH_COLUMNS = ZR_LANES / ZR_PATCH_ROWS };
 static inline int zr_lowest_bit(uint32_t bits)
 {
     return __builtin_ctz(bits);
-}
-
-static inline int zr_highest_bit(uint32_t bits)
-{
-    return 31 - __builtin_clz(bits);
 }
 
 /* The first `count` lanes, or all where there are no more than that. */

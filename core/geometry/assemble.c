@@ -50,8 +50,7 @@ static void place_face(struct zr_builder *builder, uint32_t face)
 
 static void outline_face(struct zr_builder *builder, uint32_t face)
 {
-    if (!zr_face_is_degenerate(builder->mesh, face))
-        zr_wire_outline(builder, face, zr_face_is_shape(builder->mesh, face));
+    if (!zr_face_is_degenerate(builder->mesh, face)) zr_wire_outline(builder, face);
 }
 
 static bool has_outlines(const struct zr_builder *builder)

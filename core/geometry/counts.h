@@ -1,4 +1,5 @@
-/* counts.h - geometry: where polygons, triangles and lines went.
+/* counts.h - geometry: where polygons, triangles and lines went. Of batches (batch.h) that is known once they are
+ * sorted (raster/visibility.h), before which their triangles are counted as such alone.
  *
  * Every triangle handed in is counted in exactly one of outside, clipped, culled,
  * zero_area and drawn_whole; the pieces of a clipped one are counted apart. So are lines, of

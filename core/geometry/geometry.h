@@ -25,8 +25,8 @@
  * triangles, which are consecutive records, only tell depth and colour there. */
 struct zr_shape {
     uint32_t first_edge, edge_count;
-    uint32_t first_triangle, triangle_count; /* at least one */
-    int32_t min_x, min_y, max_x, max_y;      /* of its edges */
+    uint32_t triangle_count;            /* at least one */
+    int32_t min_x, min_y, max_x, max_y; /* of its edges */
 };
 
 /* Homogeneous eye-space depth, for the depth channel of lines and of what is clipped. */

@@ -203,7 +203,6 @@ void zr_shape_place(struct zr_builder *builder, uint32_t face, bool smooth, cons
     place_triangles(builder, face, smooth, &own, cuts);
     own.skip_thin = false;
     if (geometry->triangle_count == first_triangle) place_triangles(builder, face, smooth, &own, cuts);
-    shape.first_triangle = first_triangle;
     shape.triangle_count = geometry->triangle_count - first_triangle;
     if (shape.triangle_count > 0)
         geometry->shapes[geometry->shape_count++] = shape;

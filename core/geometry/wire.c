@@ -1,5 +1,6 @@
 #include "geometry/wire.h"
 
+#include "geometry/face.h"
 #include "geometry/outline.h"
 #include "geometry/shape.h"
 
@@ -97,12 +98,12 @@ static uint32_t outline_color(struct zr_builder *builder, zr_vec4 color)
     return builder->outline_color - 1;
 }
 
-static struct pen pen_of(struct zr_builder *builder, uint32_t face, const struct zr_material *material, bool concave)
+static struct pen pen_of(struct zr_builder *builder, uint32_t face, const struct zr_material *material)
 {
     struct pen pen = {.face = builder->first_face_id + face, .mirrored = builder->mirrored};
     pen.flat = material->outline == ZR_OUTLINE_COLORED || !zr_material_is_smooth(builder->mesh, material);
     pen.sides = material->double_sided ? ZR_SIDE_BOTH : builder->mirrored ? ZR_SIDE_MIRRORED_FRONT : ZR_SIDE_FRONT;
-    if (concave) {
+    if (zr_face_is_shape(builder->mesh, face)) {
         pen.whole = true;
         pen.back = zr_shape_shows_back(builder, face);
         pen.sides = pen.back && !material->double_sided ? 0 : ZR_SIDE_BOTH;
@@ -110,12 +111,12 @@ static struct pen pen_of(struct zr_builder *builder, uint32_t face, const struct
     return pen;
 }
 
-void zr_wire_outline(struct zr_builder *builder, uint32_t face, bool concave)
+void zr_wire_outline(struct zr_builder *builder, uint32_t face)
 {
     const struct zr_mesh *mesh = builder->mesh;
     const struct zr_material *material = zr_material_of_face(builder->scene, mesh, face);
     if (material->outline == ZR_OUTLINE_NONE) return;
-    struct pen pen = pen_of(builder, face, material, concave);
+    struct pen pen = pen_of(builder, face, material);
     bool colored = material->outline == ZR_OUTLINE_COLORED, smooth = zr_material_is_smooth(mesh, material);
     uint32_t color = colored ? outline_color(builder, material->outline_color) : 0;
     struct zr_rings rings = zr_mesh_rings(mesh, face);

@@ -10,7 +10,7 @@
 #include "geometry/builder.h"
 
 /* The edges of a face's rings, as its material wants them. Failure is the arena's. */
-void zr_wire_outline(struct zr_builder *builder, uint32_t face, bool concave);
+void zr_wire_outline(struct zr_builder *builder, uint32_t face);
 
 /* The lines of the mesh under way, in their own colours, unlit. ZR_OK, ZR_CANCELLED or ZR_NO_MEMORY. */
 enum zr_status zr_wire_lines(struct zr_builder *builder);

@@ -12,8 +12,8 @@
  * view fitted to the geometry, a colour image as the one output; no geometry. */
 void zr_scene_defaults(struct zr_scene *scene);
 
-/* The colour of what has a material of none, and no colours either (grey), or
- * colours of its own (white, which leaves them as they are). */
+/* The colour of what has no material: grey, or, where it has colours of its own, white, which leaves them as they
+ * are. */
 zr_vec4 zr_default_base_color(bool coloured);
 
 /* Smooth where normals or vertex colours ask for it. */

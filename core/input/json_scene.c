@@ -75,7 +75,6 @@ static void read_window(struct zr_draft *draft, const cJSON *node)
     if (found[HEIGHT]) zr_json_whole(json, ZR_JSON_KEY(path, members[HEIGHT]), found[HEIGHT], &draft->scene->height);
 }
 
-/* The contract's example has three numbers; any form of a colour will do. */
 static void read_ambient(struct zr_draft *draft, const cJSON *node)
 {
     zr_vec4 color;

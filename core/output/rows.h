@@ -6,8 +6,8 @@
 #include <stdint.h>
 
 struct zr_rows {
-    /* Writes row `y`; from any thread. `again`: it was made before, or will be once more, for somebody who only looks
-     * at it. NULL: no such rows. */
+    /* Writes row `y`; from any thread. `again`: it is wanted beside the row that is written, to be looked at;
+     * what is counted as rows are made is not to be counted. NULL: no such rows. */
     void (*make)(void *source, uint32_t y, void *row, bool again);
     void *source;
 };

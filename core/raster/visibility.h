@@ -23,7 +23,8 @@ struct zr_visible {
     struct zr_others others;
 };
 
-/* Sorts the geometry into tiles. ZR_OK, ZR_CANCELLED or ZR_NO_MEMORY. */
+/* Sorts the geometry into tiles; of batches, changes geometry->counts and what is known of sides. ZR_OK, ZR_CANCELLED
+ * or ZR_NO_MEMORY. */
 enum zr_status zr_visible_make(struct zr_arena *arena, struct zr_team *team, struct zr_geometry *geometry,
                                uint32_t width, uint32_t height, const struct zr_cancel *cancel,
                                struct zr_visible *visible);
@@ -35,7 +36,8 @@ bool zr_visibility_tile(const struct zr_visible *visible, uint32_t number, const
                         const struct zr_cancel *cancel, struct zr_tile *tile);
 
 /* Draws all primitives into samples that have been cleared: no owner, and the depth below which
- * something is seen. One thread. ZR_OK, ZR_CANCELLED or ZR_NO_MEMORY. The geometry's records are all written out. */
+ * something is seen. One thread. ZR_OK, ZR_CANCELLED or ZR_NO_MEMORY; the painter's could also find its own proof
+ * wrong, ZR_INTERNAL. The geometry's records are all written out. */
 typedef enum zr_status zr_visibility_fn(struct zr_arena *arena, const struct zr_geometry *geometry,
                                         const struct zr_cancel *cancel, struct zr_samples *samples);
 

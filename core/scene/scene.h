@@ -2,7 +2,7 @@
  *
  * Made by input/, checked by scene/, read by all others and never changed
  * afterwards. Everything points into the request's arena. Units are the
- * scene's own; angles are radians; colours are 0..1, as they go to pixels.
+ * scene's own; angles are radians, unless a name says degrees; colours are 0..1, as they go to pixels.
  * Once a scene is made, these hold: every coordinate is finite and at most
  * zr_limits.coordinate_max in magnitude, every index is in range, every face has
  * 3..polygon_vertices_max corners, the window is within its limits.

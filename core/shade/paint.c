@@ -45,8 +45,8 @@ static bool make_room_for_backs(struct zr_arena *arena, struct zr_geometry *geom
     return backs != NULL;
 }
 
-enum zr_status zr_paint_prepare(enum zr_isa isa, struct zr_arena *arena, struct zr_team *team,
-                                struct zr_geometry *geometry, uint64_t pixels)
+enum zr_status zr_paint_prepare(struct zr_arena *arena, struct zr_team *team, struct zr_geometry *geometry,
+                                uint64_t pixels)
 {
     const struct zr_batch *last = NULL; /* that was packed */
     if (!make_room_for_backs(arena, geometry)) return ZR_NO_MEMORY;
@@ -62,7 +62,7 @@ enum zr_status zr_paint_prepare(enum zr_isa isa, struct zr_arena *arena, struct 
         if (count * PIXELS_A_COLOR > pixels) continue;
         uint32_t *out = zr_arena_alloc(arena, count, sizeof *out);
         if (!out) return ZR_NO_MEMORY;
-        struct packing packing = {zr_rgba_pack_of(isa), batch->front, out};
+        struct packing packing = {zr_rgba_pack_of(zr_team_isa(team)), batch->front, out};
         zr_team_ranges(team, count, COLORS_A_RANGE, pack_range, &packing);
         batch->packed = out;
         last = batch;

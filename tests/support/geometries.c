@@ -39,8 +39,8 @@ bool geometry_add_triangle(struct test_geometry *test, const struct test_corner 
 void geometry_begin_shape(struct test_geometry *test)
 {
     assert_true(test->geometry.shape_count < TEST_SHAPES_MAX);
+    test->first_of_shape = test->geometry.triangle_count;
     test->shapes[test->geometry.shape_count++] = (struct zr_shape){.first_edge = test->geometry.edge_count,
-                                                                   .first_triangle = test->geometry.triangle_count,
                                                                    .min_x = INT32_MAX,
                                                                    .min_y = INT32_MAX,
                                                                    .max_x = INT32_MIN,
@@ -67,9 +67,9 @@ bool geometry_end_shape(struct test_geometry *test)
     struct zr_geometry *geometry = &test->geometry;
     struct zr_shape *shape = &test->shapes[geometry->shape_count - 1];
     shape->edge_count = geometry->edge_count - shape->first_edge;
-    shape->triangle_count = geometry->triangle_count - shape->first_triangle;
+    shape->triangle_count = geometry->triangle_count - test->first_of_shape;
     for (uint32_t i = 0; i < shape->triangle_count; i++)
-        test->triangles[shape->first_triangle + i].shape = geometry->shape_count & 0x1fffffff;
+        test->triangles[test->first_of_shape + i].shape = geometry->shape_count & 0x1fffffff;
     if (shape->triangle_count > 0) return true;
     geometry->edge_count = shape->first_edge;
     geometry->shape_count--;

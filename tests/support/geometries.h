@@ -16,6 +16,7 @@ struct test_geometry {
     struct zr_triangle triangles[TEST_RECORDS_MAX];
     struct zr_shape shapes[TEST_SHAPES_MAX];
     struct zr_grid_edge edges[TEST_EDGES_MAX];
+    uint32_t first_of_shape; /* triangle, of the shape under way */
 };
 
 struct test_corner {

@@ -207,7 +207,7 @@ static uint32_t count_early(struct zr_arena *arena, struct zr_team *team, const 
     assert_int_equal(zr_camera_resolve(scene, NULL, NULL, NULL, &camera, &error), ZR_OK);
     assert_int_equal(zr_geometry_build(arena, team, scene, &camera, NULL, false, &geometry), ZR_OK);
     const uint32_t width = scene->width, height = scene->height;
-    assert_int_equal(zr_paint_prepare(zr_team_isa(team), arena, team, &geometry, width * height), ZR_OK);
+    assert_int_equal(zr_paint_prepare(arena, team, &geometry, width * height), ZR_OK);
     assert_int_equal(zr_visible_make(arena, team, &geometry, width, height, NULL, &visible), ZR_OK);
     assert_true(zr_visibility_tile(&visible, 0, NULL, NULL, tile));
     uint32_t early = 0;
