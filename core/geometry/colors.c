@@ -6,7 +6,7 @@
 #include "geometry/vertex_normals.h"
 
 /* What every colour of one mesh is made from. */
-struct palette {
+struct coloring {
     const struct zr_scene *scene;
     const struct zr_mesh *mesh;
     const struct zr_lighting *lighting;
@@ -36,9 +36,9 @@ bool zr_material_is_smooth(const struct zr_mesh *mesh, const struct zr_material 
 enum { EVALUATIONS_A_RANGE = 1 << 14 };
 
 /* Of points or faces, each lit by all lights. */
-static uint32_t points_a_range(const struct palette *palette)
+static uint32_t points_a_range(const struct coloring *coloring)
 {
-    return EVALUATIONS_A_RANGE / (palette->lighting->count + 1) + 1;
+    return EVALUATIONS_A_RANGE / (coloring->lighting->count + 1) + 1;
 }
 
 static enum zr_color_layout choose_layout(const struct zr_scene *scene, const struct zr_mesh *mesh)
@@ -76,158 +76,158 @@ struct points {
 };
 
 /* Up to LIT_AT_ONCE. */
-static void put_lit(const struct palette *palette, size_t first, const zr_vec4 *normals, const zr_vec4 *bases,
+static void put_lit(const struct coloring *coloring, size_t first, const zr_vec4 *normals, const zr_vec4 *bases,
                     size_t count)
 {
-    zr_light_fn *light = zr_light_of(palette->isa);
-    zr_rgba_pack_fn *pack = zr_rgba_pack_of(palette->isa);
+    zr_light_fn *light = zr_light_of(coloring->isa);
+    zr_rgba_pack_fn *pack = zr_rgba_pack_of(coloring->isa);
     zr_vec4 front[LIT_AT_ONCE], back[LIT_AT_ONCE];
-    if (!palette->packed) {
-        light(palette->lighting, &palette->to_eye, normals, bases, count, palette->front + first,
-              palette->back + first);
+    if (!coloring->packed) {
+        light(coloring->lighting, &coloring->to_eye, normals, bases, count, coloring->front + first,
+              coloring->back + first);
         return;
     }
-    light(palette->lighting, &palette->to_eye, normals, bases, count, front, palette->sided ? back : front);
-    pack(front, count, palette->packed + first);
-    if (palette->sided) pack(back, count, palette->packed + palette->count + first);
+    light(coloring->lighting, &coloring->to_eye, normals, bases, count, front, coloring->sided ? back : front);
+    pack(front, count, coloring->packed + first);
+    if (coloring->sided) pack(back, count, coloring->packed + coloring->count + first);
 }
 
-static void light_points(const struct palette *palette, struct points *points)
+static void light_points(const struct coloring *coloring, struct points *points)
 {
-    if (points->count > 0) put_lit(palette, points->first, points->normals, points->bases, points->count);
+    if (points->count > 0) put_lit(coloring, points->first, points->normals, points->bases, points->count);
     points->count = 0;
 }
 
-static inline void add_point(const struct palette *palette, struct points *points, uint32_t slot, zr_vec3 normal,
+static inline void add_point(const struct coloring *coloring, struct points *points, uint32_t slot, zr_vec3 normal,
                              zr_vec4 base)
 {
-    if (points->count == LIT_AT_ONCE || slot != points->first + points->count) light_points(palette, points);
+    if (points->count == LIT_AT_ONCE || slot != points->first + points->count) light_points(coloring, points);
     if (points->count == 0) points->first = slot;
     points->normals[points->count] = (zr_vec4){normal.x, normal.y, normal.z, 0.0f};
     points->bases[points->count++] = base;
 }
 
-static void put_unlit(const struct palette *palette, uint32_t slot, zr_vec4 base)
+static void put_unlit(const struct coloring *coloring, uint32_t slot, zr_vec4 base)
 {
-    if (!palette->packed) {
-        palette->front[slot] = palette->back[slot] = base;
+    if (!coloring->packed) {
+        coloring->front[slot] = coloring->back[slot] = base;
         return;
     }
-    palette->packed[slot] = zr_rgba_opaque(base);
-    if (palette->sided) palette->packed[palette->count + slot] = palette->packed[slot];
+    coloring->packed[slot] = zr_rgba_opaque(base);
+    if (coloring->sided) coloring->packed[coloring->count + slot] = coloring->packed[slot];
 }
 
-static zr_vec3 corner_normal(const struct palette *palette, uint32_t vertex, uint32_t slot)
+static zr_vec3 corner_normal(const struct coloring *coloring, uint32_t vertex, uint32_t slot)
 {
-    const struct zr_mesh *mesh = palette->mesh;
+    const struct zr_mesh *mesh = coloring->mesh;
     zr_vec3 normal = {0, 0, 0};
     if (mesh->normal_count > 0) normal = mesh->normals[mesh->normal_indices ? mesh->normal_indices[slot] : vertex];
     bool given = normal.x != 0.0f || normal.y != 0.0f || normal.z != 0.0f;
-    if (given || !palette->computed) return normal;
-    const zr_vec4 *computed = &palette->computed[vertex];
+    if (given || !coloring->computed) return normal;
+    const zr_vec4 *computed = &coloring->computed[vertex];
     return (zr_vec3){computed->x, computed->y, computed->z};
 }
 
 static void color_vertices(void *context, size_t begin, size_t end)
 {
-    const struct palette *palette = context;
-    const struct zr_mesh *mesh = palette->mesh;
-    const struct zr_material *material = &palette->scene->materials[mesh->material];
+    const struct coloring *coloring = context;
+    const struct zr_mesh *mesh = coloring->mesh;
+    const struct zr_material *material = &coloring->scene->materials[mesh->material];
     struct points points = {.count = 0};
-    if (zr_is_cancelled(palette->cancel)) return;
+    if (zr_is_cancelled(coloring->cancel)) return;
     for (uint32_t v = (uint32_t)begin; v < end; v++) {
         zr_vec4 base = material->base_color;
         if (mesh->colors) base = zr_vec4_mul(base, mesh->colors[v]);
         if (material->shading == ZR_SHADING_UNLIT)
-            put_unlit(palette, v, base);
+            put_unlit(coloring, v, base);
         else
-            add_point(palette, &points, v, corner_normal(palette, v, 0), base);
+            add_point(coloring, &points, v, corner_normal(coloring, v, 0), base);
     }
-    light_points(palette, &points);
+    light_points(coloring, &points);
 }
 
-static void color_flat_face(const struct palette *palette, const struct zr_material *material, zr_vec4 base,
+static void color_flat_face(const struct coloring *coloring, const struct zr_material *material, zr_vec4 base,
                             uint32_t face, struct zr_face_normals *normals, struct points *points)
 {
-    const struct zr_mesh *mesh = palette->mesh;
-    const uint32_t begin = mesh->face_offsets[face], slot = palette->per_corner ? begin : face;
+    const struct zr_mesh *mesh = coloring->mesh;
+    const uint32_t begin = mesh->face_offsets[face], slot = coloring->per_corner ? begin : face;
     if (mesh->colors) base = zr_vec4_mul(base, mesh->colors[mesh->indices[begin]]);
     if (material->shading == ZR_SHADING_UNLIT)
-        put_unlit(palette, slot, base);
+        put_unlit(coloring, slot, base);
     else
-        add_point(palette, points, slot, zr_face_normal(normals, face), base);
+        add_point(coloring, points, slot, zr_face_normal(normals, face), base);
 }
 
-static void color_smooth_face(const struct palette *palette, const struct zr_material *material, zr_vec4 base,
+static void color_smooth_face(const struct coloring *coloring, const struct zr_material *material, zr_vec4 base,
                               uint32_t face, struct points *points)
 {
-    const struct zr_mesh *mesh = palette->mesh;
+    const struct zr_mesh *mesh = coloring->mesh;
     for (uint32_t slot = mesh->face_offsets[face]; slot < mesh->face_offsets[face + 1]; slot++) {
         const uint32_t vertex = mesh->indices[slot];
         const zr_vec4 color = mesh->colors ? zr_vec4_mul(base, mesh->colors[vertex]) : base;
         if (material->shading == ZR_SHADING_UNLIT)
-            put_unlit(palette, slot, color);
+            put_unlit(coloring, slot, color);
         else
-            add_point(palette, points, slot, corner_normal(palette, vertex, slot), color);
+            add_point(coloring, points, slot, corner_normal(coloring, vertex, slot), color);
     }
 }
 
 /* Flat faces take the colour of their first vertex, and fill one slot only. */
 static void color_faces(void *context, size_t begin, size_t end)
 {
-    const struct palette *palette = context;
-    const struct zr_mesh *mesh = palette->mesh;
+    const struct coloring *coloring = context;
+    const struct zr_mesh *mesh = coloring->mesh;
     struct points points = {.count = 0};
     struct zr_face_normals normals;
-    if (zr_is_cancelled(palette->cancel)) return;
-    zr_face_normals_begin(&normals, palette->isa, mesh);
+    if (zr_is_cancelled(coloring->cancel)) return;
+    zr_face_normals_begin(&normals, coloring->isa, mesh);
     for (uint32_t face = (uint32_t)begin; face < end; face++) {
-        const struct zr_material *material = zr_material_of_face(palette->scene, mesh, face);
+        const struct zr_material *material = zr_material_of_face(coloring->scene, mesh, face);
         zr_vec4 base = material->base_color;
         if (mesh->face_colors) base = zr_vec4_mul(base, mesh->face_colors[face]);
         if (zr_material_is_smooth(mesh, material))
-            color_smooth_face(palette, material, base, face, &points);
+            color_smooth_face(coloring, material, base, face, &points);
         else
-            color_flat_face(palette, material, base, face, &normals, &points);
+            color_flat_face(coloring, material, base, face, &normals, &points);
     }
-    light_points(palette, &points);
+    light_points(coloring, &points);
 }
 
 /* Most meshes that are posted by themselves are so: telling faces apart took a sixth of the time of a million. */
-static bool is_of_one_color(const struct palette *palette, enum zr_shading shading)
+static bool is_of_one_color(const struct coloring *coloring, enum zr_shading shading)
 {
-    const struct zr_mesh *mesh = palette->mesh;
-    return palette->scene->materials[mesh->material].shading == shading && !mesh->face_materials &&
+    const struct zr_mesh *mesh = coloring->mesh;
+    return coloring->scene->materials[mesh->material].shading == shading && !mesh->face_materials &&
            !mesh->face_colors && !mesh->colors;
 }
 
-static bool are_alike_triangles(const struct palette *palette)
+static bool are_alike_triangles(const struct coloring *coloring)
 {
-    return is_of_one_color(palette, ZR_SHADING_FLAT) && zr_mesh_is_of_triangles(palette->mesh);
+    return is_of_one_color(coloring, ZR_SHADING_FLAT) && zr_mesh_is_of_triangles(coloring->mesh);
 }
 
-static bool are_alike_vertices(const struct palette *palette)
+static bool are_alike_vertices(const struct coloring *coloring)
 {
-    return is_of_one_color(palette, ZR_SHADING_GOURAUD) && palette->mesh->normal_count == 0;
+    return is_of_one_color(coloring, ZR_SHADING_GOURAUD) && coloring->mesh->normal_count == 0;
 }
 
 /* Vertices, whose normals are computed, or triangles, for which none are. */
 static void color_alike(void *context, size_t begin, size_t end)
 {
-    const struct palette *palette = context;
-    const zr_vec4 base = palette->scene->materials[palette->mesh->material].base_color;
+    const struct coloring *coloring = context;
+    const zr_vec4 base = coloring->scene->materials[coloring->mesh->material].base_color;
     zr_vec4 bases[LIT_AT_ONCE], made[LIT_AT_ONCE];
-    if (zr_is_cancelled(palette->cancel)) return;
+    if (zr_is_cancelled(coloring->cancel)) return;
     for (int i = 0; i < LIT_AT_ONCE; i++)
         bases[i] = base;
     for (size_t first = begin, count; first < end; first += count) {
         const zr_vec4 *normals = made;
         count = end - first < LIT_AT_ONCE ? end - first : LIT_AT_ONCE;
-        if (palette->computed)
-            normals = palette->computed + first;
+        if (coloring->computed)
+            normals = coloring->computed + first;
         else
-            zr_triangle_normals_of(palette->isa)(palette->mesh, (uint32_t)first, count, made);
-        put_lit(palette, first, normals, bases, count);
+            zr_triangle_normals_of(coloring->isa)(coloring->mesh, (uint32_t)first, count, made);
+        put_lit(coloring, first, normals, bases, count);
     }
 }
 
@@ -277,22 +277,22 @@ bool zr_colors_can_be_packed(const struct zr_scene *scene, const struct zr_mesh 
     return true;
 }
 
-static struct palette palette_make(struct zr_team *team, const struct zr_cancel *cancel, const struct zr_scene *scene,
-                                   const struct zr_mesh *mesh, const struct zr_lighting *lighting,
-                                   const zr_mat4 *object_to_eye)
+static struct coloring coloring_make(struct zr_team *team, const struct zr_cancel *cancel, const struct zr_scene *scene,
+                                     const struct zr_mesh *mesh, const struct zr_lighting *lighting,
+                                     const zr_mat4 *object_to_eye)
 {
-    return (struct palette){.scene = scene,
-                            .mesh = mesh,
-                            .lighting = lighting,
-                            .to_eye = zr_normal_matrix_make(object_to_eye),
-                            .isa = zr_team_isa(team),
-                            .cancel = cancel};
+    return (struct coloring){.scene = scene,
+                             .mesh = mesh,
+                             .lighting = lighting,
+                             .to_eye = zr_normal_matrix_make(object_to_eye),
+                             .isa = zr_team_isa(team),
+                             .cancel = cancel};
 }
 
-static void make_of_faces(struct zr_team *team, struct palette *palette)
+static void make_of_faces(struct zr_team *team, struct coloring *coloring)
 {
-    zr_team_ranges(team, palette->mesh->face_count, points_a_range(palette),
-                   are_alike_triangles(palette) ? color_alike : color_faces, palette);
+    zr_team_ranges(team, coloring->mesh->face_count, points_a_range(coloring),
+                   are_alike_triangles(coloring) ? color_alike : color_faces, coloring);
 }
 
 struct zr_colors zr_colors_make_packed(struct zr_team *team, const struct zr_cancel *cancel,
@@ -300,12 +300,12 @@ struct zr_colors zr_colors_make_packed(struct zr_team *team, const struct zr_can
                                        const struct zr_lighting *lighting, const zr_mat4 *object_to_eye, bool sided,
                                        uint32_t *out)
 {
-    struct palette palette = palette_make(team, cancel, scene, mesh, lighting, object_to_eye);
-    palette.count = mesh->face_count;
-    palette.sided = sided;
-    palette.packed = out;
-    make_of_faces(team, &palette);
-    return (struct zr_colors){.layout = ZR_COLOR_PER_FACE, .sided = sided, .packed = out, .count = palette.count};
+    struct coloring coloring = coloring_make(team, cancel, scene, mesh, lighting, object_to_eye);
+    coloring.count = mesh->face_count;
+    coloring.sided = sided;
+    coloring.packed = out;
+    make_of_faces(team, &coloring);
+    return (struct zr_colors){.layout = ZR_COLOR_PER_FACE, .sided = sided, .packed = out, .count = coloring.count};
 }
 
 struct zr_colors zr_colors_make(struct zr_arena *arena, struct zr_team *team, const struct zr_cancel *cancel,
@@ -316,19 +316,19 @@ struct zr_colors zr_colors_make(struct zr_arena *arena, struct zr_team *team, co
     enum zr_color_layout layout = choose_layout(scene, mesh);
     struct zr_colors colors = {
         .layout = layout, .sided = front != back, .front = front, .back = back, .count = layout_count(mesh, layout)};
-    struct palette palette = palette_make(team, cancel, scene, mesh, lighting, object_to_eye);
-    palette.front = front;
-    palette.back = back;
-    palette.per_corner = layout == ZR_COLOR_PER_CORNER;
+    struct coloring coloring = coloring_make(team, cancel, scene, mesh, lighting, object_to_eye);
+    coloring.front = front;
+    coloring.back = back;
+    coloring.per_corner = layout == ZR_COLOR_PER_CORNER;
     if (layout != ZR_COLOR_PER_FACE && needs_computed_normals(scene, mesh)) {
         if (!*normals) *normals = zr_vertex_normals_make(arena, team, cancel, mesh);
-        palette.computed = *normals;
+        coloring.computed = *normals;
     }
     if (!zr_arena_ok(arena)) return colors;
     if (layout == ZR_COLOR_PER_VERTEX)
-        zr_team_ranges(team, mesh->position_count, points_a_range(&palette),
-                       are_alike_vertices(&palette) ? color_alike : color_vertices, &palette);
+        zr_team_ranges(team, mesh->position_count, points_a_range(&coloring),
+                       are_alike_vertices(&coloring) ? color_alike : color_vertices, &coloring);
     else
-        make_of_faces(team, &palette);
+        make_of_faces(team, &coloring);
     return colors;
 }

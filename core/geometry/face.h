@@ -8,6 +8,13 @@
  * decides it too. */
 bool zr_face_is_degenerate(const struct zr_mesh *mesh, uint32_t face);
 
+/* True where the face is no convex polygon: some corner turns against the winding, or the ring crosses itself
+ * or goes round more than once. Computed in double against the Newell normal, without
+ * tolerance: a dent of one unit in the last place counts. Straight and repeated corners do not, as long as the
+ * turn comes out as 0 (along axes it does; elsewhere rounding of the corner itself may dent the face).
+ * Corners at infinity (w = 0) are taken as the points (x, y, z). */
+bool zr_face_is_concave(const struct zr_mesh *mesh, uint32_t face);
+
 /* Not a convex polygon: dents, crossings, holes. The odd-even rule says what is inside (geometry/shape.h). */
 bool zr_face_is_shape(const struct zr_mesh *mesh, uint32_t face);
 

@@ -47,11 +47,4 @@ static inline zr_vec3 zr_face_normal(struct zr_face_normals *normals, uint32_t f
     return (zr_vec3){normal->x, normal->y, normal->z};
 }
 
-/* True where the face is no convex polygon: some corner turns against the winding, or the ring crosses itself
- * or goes round more than once. Computed in double against the Newell normal, without
- * tolerance: a dent of one unit in the last place counts. Straight and repeated corners do not, as long as the
- * turn comes out as 0 (along axes it does; elsewhere rounding of the corner itself may dent the face).
- * Corners at infinity (w = 0) are taken as the points (x, y, z). */
-bool zr_face_is_concave(const struct zr_mesh *mesh, uint32_t face);
-
 #endif

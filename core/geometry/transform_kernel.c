@@ -7,14 +7,14 @@ _Static_assert(sizeof(zr_vec4) == 4 * sizeof(float) && sizeof(struct zr_window_v
                "both are loaded and stored as four floats");
 
 /* What a group of lanes is transformed by. */
-struct course {
+struct mapping {
     zr_vf m[16];
     zr_vf scale_x, scale_y, trans_x, trans_y;
 };
 
-static inline struct course course_make(const zr_mat4 *m, const struct zr_viewport *viewport)
+static inline struct mapping mapping_make(const zr_mat4 *m, const struct zr_viewport *viewport)
 {
-    struct course c;
+    struct mapping c;
     for (int i = 0; i < 16; i++)
         c.m[i] = zr_vf_set(m->m[i]);
     c.scale_x = zr_vf_set(viewport->scale_x);
@@ -25,7 +25,7 @@ static inline struct course course_make(const zr_mat4 *m, const struct zr_viewpo
 }
 
 /* As zr_mat4_row. */
-static inline zr_vf row(const struct course *c, int r, zr_vf x, zr_vf y, zr_vf z, zr_vf w)
+static inline zr_vf row(const struct mapping *c, int r, zr_vf x, zr_vf y, zr_vf z, zr_vf w)
 {
     return ((x * c->m[r] + y * c->m[4 + r]) + z * c->m[8 + r]) + w * c->m[12 + r];
 }
@@ -85,7 +85,7 @@ static inline bool are_plain(const struct clip_v *clip, zr_vf wx, zr_vf wy, zr_v
 }
 
 /* ZR_LANES of them. */
-static inline unsigned transform_group(const struct course *c, const zr_vec4 *positions, struct zr_window_vertex *out,
+static inline unsigned transform_group(const struct mapping *c, const zr_vec4 *positions, struct zr_window_vertex *out,
                                        uint8_t *outcodes, bool streamed)
 {
     zr_vf x, y, z, w;
@@ -114,14 +114,14 @@ unsigned ZR_KERNEL(zr_transform)(const zr_mat4 *object_to_clip, const struct zr_
                                  const zr_vec4 *positions, size_t count, struct zr_window_vertex *out,
                                  uint8_t *outcodes, bool streamed)
 {
-    const struct course course = course_make(object_to_clip, viewport);
+    const struct mapping mapping = mapping_make(object_to_clip, viewport);
     unsigned any = 0;
     size_t i = 0;
     for (; i + ZR_LANES <= count; i += ZR_LANES) {
         /* Worth a quarter of the time of many vertices. */
         zr_expect(positions + i, ZR_PAGE, ZR_LANES * sizeof *positions);
         if (!streamed) zr_expect_written(out + i, ZR_PAGE, ZR_LANES * sizeof *out);
-        any |= transform_group(&course, positions + i, out + i, outcodes + i, streamed);
+        any |= transform_group(&mapping, positions + i, out + i, outcodes + i, streamed);
     }
     if (i == count) return any;
     /* What is left of a group. */
@@ -129,7 +129,7 @@ unsigned ZR_KERNEL(zr_transform)(const zr_mat4 *object_to_clip, const struct zr_
     struct zr_window_vertex last[ZR_LANES];
     uint8_t codes[ZR_LANES];
     memcpy(in, positions + i, (count - i) * sizeof *in);
-    transform_group(&course, in, last, codes, false);
+    transform_group(&mapping, in, last, codes, false);
     memcpy(out + i, last, (count - i) * sizeof *out);
     memcpy(outcodes + i, codes, count - i);
     for (; i < count; i++)

@@ -2,7 +2,7 @@
 
 #include "geometry/clip.h"
 #include "geometry/colors.h"
-#include "geometry/normals.h"
+#include "geometry/face.h"
 #include "geometry/place.h"
 #include "geometry/triangulate.h"
 #include "scene/scene.h"

@@ -1,4 +1,4 @@
-/* cost.c - geometry: how much work a scene is, counted before any of it is done.
+/* cost.c - the core: how much work a scene is, counted before any of it is done.
  *
  * Space:  triangles are placed, clipped and measured in the window just as for drawing;
  *         of a large scene a sample will do, one polygon out of each stretch of them, at a
@@ -9,8 +9,9 @@
 
 #include "geometry/clip.h"
 #include "geometry/colors.h"
-#include "geometry/normals.h"
+#include "geometry/face.h"
 #include "geometry/viewport.h"
+#include "raster/tile.h"
 #include "scene/camera.h"
 #include "scene/scene.h"
 
@@ -20,15 +21,19 @@ static const double POINT_T = 0.4;             /* placed without a face */
 static const double LINE_T = 1.5;              /* beside its pixels, and again in each tile */
 static const double LINE_PIXEL_F = 10.0;       /* one column or row */
 static const double CUT_T = 1.0 / 80.0;        /* triangulation: a corner times a corner */
-static const double SMALL_PNG_T = 30.0;        /* a pixel that is compressed well, of those compressed fast */
+static const double SMALL_PNG_TIMES = 30.0;    /* a pixel that is compressed well, of those compressed fast */
 static const double SHAPE_PIXEL_F = 10.0;      /* decided by the odd-even rule */
 static const double SHAPE_OVERLAP_F = 0.2;     /* a sample looked up in one of a shape's triangles */
 static const double SHAPE_VISIT_T = 1.0 / 8.0; /* an edge or a triangle of a shape, met by a tile */
 static const double LARGE_VISIT_T = 1.0 / 8.0; /* a large triangle, met by a tile */
-enum { TILE = 64, TILES_OF_SMALL = 4 };
+enum { TILES_OF_SMALL = 4 };
 
 /* How many times longer the other algorithms take; the painter has no bound, but for its deadline. */
-static const double TIMES[ZR_ALGORITHM_COUNT] = {1.0, 2.0, 2.0, 4.0, 8.0};
+static const double TIMES[ZR_ALGORITHM_COUNT] = {[ZR_ALGORITHM_HALFSPACE] = 1.0,
+                                                 [ZR_ALGORITHM_EDGELIST] = 2.0,
+                                                 [ZR_ALGORITHM_TRAPEZOID] = 2.0,
+                                                 [ZR_ALGORITHM_SCANLINE] = 4.0,
+                                                 [ZR_ALGORITHM_PAINTER] = 8.0};
 
 /* What the triangles of one face cover, and the box around them. */
 struct measure {
@@ -97,7 +102,7 @@ static void measure_fans(struct measure *measure, const struct zr_mesh *mesh, st
 /* Tiles that a box of pixels touches. */
 static double tiles_of(double width, double height)
 {
-    return (width / TILE + 1.0) * (height / TILE + 1.0);
+    return (width / ZR_TILE_SIZE + 1.0) * (height / ZR_TILE_SIZE + 1.0);
 }
 
 static void add_line(struct zr_cost *cost, const struct zr_viewport *viewport, const zr_vec4 ends[2])
@@ -111,7 +116,7 @@ static void add_line(struct zr_cost *cost, const struct zr_viewport *viewport, c
     if (!zr_viewport_apply(viewport, out[0].position, &a) || !zr_viewport_apply(viewport, out[1].position, &b)) return;
     double length = fmax(fabs((double)a.x - (double)b.x), fabs((double)a.y - (double)b.y));
     cost->fragments += LINE_PIXEL_F * length;
-    cost->triangles += LINE_T * length / TILE;
+    cost->triangles += LINE_T * length / ZR_TILE_SIZE;
 }
 
 static void add_outline(struct zr_cost *cost, const struct zr_mesh *mesh, struct zr_rings rings,
@@ -155,7 +160,7 @@ static void add_face(struct zr_cost *cost, const struct zr_scene *scene, const s
     if (material->outline != ZR_OUTLINE_NONE) add_outline(cost, mesh, rings, placed, viewport);
     if (material->hollow) return;
     measure_fans(&measure, mesh, rings, placed);
-    bool shape = rings.count > 1 || (corners > 3 && !mesh->faces_are_fans && zr_face_is_concave(mesh, face));
+    bool shape = zr_face_is_shape(mesh, face);
     if (shape) cost->triangles += CUT_T * (double)corners * (double)corners;
     bool turned_away = (placed->mirrored ? measure.net > 0.0 : measure.net < 0.0) && !material->double_sided;
     if (measure.area > 0.0 && !turned_away) add_filled(cost, scene, &measure, shape, (double)corners);
@@ -164,7 +169,7 @@ static void add_face(struct zr_cost *cost, const struct zr_scene *scene, const s
 static void count_outputs(const struct zr_scene *scene, struct zr_cost *cost)
 {
     double pixels = (double)scene->width * (double)scene->height;
-    double png = scene->compress == ZR_COMPRESS_SMALL ? SMALL_PNG_T : 1.0;
+    double png = scene->compress == ZR_COMPRESS_SMALL ? SMALL_PNG_TIMES : 1.0;
     for (uint32_t i = 0; i < scene->output_count; i++) {
         enum zr_encoding encoding = scene->outputs[i].encoding;
         cost->pixels += pixels;
