@@ -28,18 +28,12 @@ static void refuse_with_json(const char *parameter, const char *text, struct zr_
                      parameter);
 }
 
+/* NOT_GIVEN also where it is wrong, which has been reported. */
 static void read_word(const char *parameter, const char *text, const struct zr_names *names, int *out,
                       struct zr_error *error)
 {
-    *out = NOT_GIVEN;
-    if (!text) return;
-    int found = zr_names_find(names, text);
-    if (found >= 0 && found < names->count)
-        *out = found;
-    else
-        zr_error_add(error, ZR_BAD_REQUEST, NULL, "query parameter %s: %s is %s; allowed: %s", parameter,
-                     zr_quote(text, strlen(text)).text, found < 0 ? "unknown" : "not supported in this version",
-                     zr_names_join(names).text);
+    const int found = text ? zr_names_of_query(parameter, names, text, error) : -1;
+    *out = found >= 0 ? found : NOT_GIVEN;
 }
 
 static void read_side(const char *parameter, const char *text, uint32_t most, uint32_t *out, struct zr_error *error)

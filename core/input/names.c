@@ -3,6 +3,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "input/text.h"
 #include "scene/scene.h"
 
 static const char *const shadings[] = {"unlit", "flat", "gouraud", "phong", "normals"};
@@ -19,6 +20,16 @@ int zr_names_find(const struct zr_names *names, const char *word)
 {
     for (int i = 0; i < names->all; i++)
         if (strcmp(names->words[i], word) == 0) return i;
+    return -1;
+}
+
+int zr_names_of_query(const char *parameter, const struct zr_names *names, const char *word, struct zr_error *error)
+{
+    int found = zr_names_find(names, word);
+    if (found >= 0 && found < names->count) return found;
+    zr_error_add(error, ZR_BAD_REQUEST, NULL, "query parameter %s: %s is %s; allowed: %s", parameter,
+                 zr_quote(word, strlen(word)).text, found < 0 ? "unknown" : "not supported in this version",
+                 zr_names_join(names).text);
     return -1;
 }
 

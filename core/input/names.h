@@ -2,6 +2,8 @@
 #ifndef ZR_NAMES_H
 #define ZR_NAMES_H
 
+#include "base/status.h"
+
 /* Words in the order of the enum that they name. Behind the `count` words that
  * work come, up to `all`, those that the contract has and this version lacks, so
  * that they are refused as such and not as misspelt. */
@@ -18,6 +20,9 @@ struct zr_names {
 
 /* The index of a word, below `all`, or -1. Case matters. */
 int zr_names_find(const struct zr_names *names, const char *word);
+
+/* What a query parameter says: the index of a word that works, or -1 after reporting ZR_BAD_REQUEST. */
+int zr_names_of_query(const char *parameter, const struct zr_names *names, const char *word, struct zr_error *error);
 
 /* Those that work, for a message: "a, b, c". */
 struct zr_names_text {

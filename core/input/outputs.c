@@ -57,17 +57,6 @@ bool zr_outputs_clash(const struct zr_output *a, const struct zr_output *b)
     return a->channel == b->channel && (a->encoding == b->encoding || both_png);
 }
 
-/* The index of a parameter's word, or -1 after reporting. */
-static int find_word(const char *parameter, const struct zr_names *names, const char *word, struct zr_error *error)
-{
-    int found = zr_names_find(names, word);
-    if (found >= 0 && found < names->count) return found;
-    zr_error_add(error, ZR_BAD_REQUEST, NULL, "query parameter %s: %s is %s; allowed: %s", parameter,
-                 zr_quote(word, strlen(word)).text, found < 0 ? "unknown" : "not supported in this version",
-                 zr_names_join(names).text);
-    return -1;
-}
-
 static enum zr_status read_scale(const char *text, struct zr_output *output, struct zr_error *error)
 {
     double value;
@@ -85,7 +74,7 @@ enum zr_status zr_output_of_query(const struct zr_request *request, struct zr_ou
 {
     *output = (struct zr_output){ZR_CHANNEL_COLOR, ZR_ENCODING_PNG, 0.0f};
     if (request->channel) {
-        int channel = find_word("channel", &zr_channel_names, request->channel, error);
+        int channel = zr_names_of_query("channel", &zr_channel_names, request->channel, error);
         if (channel < 0) return ZR_BAD_REQUEST;
         int count;
         output->channel = (enum zr_channel)channel;

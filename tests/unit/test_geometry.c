@@ -2,9 +2,9 @@
 #include <math.h>
 
 #include "geometry/clip.h"
+#include "geometry/face.h"
 #include "geometry/geometry.h"
 #include "geometry/light.h"
-#include "geometry/face.h"
 #include "geometry/normals.h"
 #include "support/cmocka_all.h"
 #include "support/scenes.h"
