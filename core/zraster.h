@@ -107,9 +107,9 @@ struct zr_answer {
     const char *warnings; /* one line of ASCII, "" where there are none */
 };
 
-/* Keeps pointers into request->bytes and the assets. `team` may be NULL (one thread). On failure *error says what and
- * where. Scene and error are the same for every team. Fails with ZR_BAD_SYNTAX, ZR_BAD_REQUEST, ZR_BAD_SCENE,
- * ZR_NO_MEMORY or ZR_CANCELLED; *scene is then left alone. */
+/* Keeps pointers into request->bytes and the assets. `team` may be NULL (one thread). On failure, which may be any
+ * status, *error says what and where, and *scene is left alone. Scene and error are the same for every team. Cancelled,
+ * it ends soon in large lists; what else a scene has cJSON parses to its end first. */
 enum zr_status zr_scene_read(struct zr_arena *arena, struct zr_team *team, const struct zr_request *request,
                              const struct zr_limits *limits, const struct zr_scene **scene, struct zr_error *error);
 

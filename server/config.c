@@ -49,7 +49,7 @@ static const struct setting SETTINGS[] = {
     {"max-connections", NUMBER, AT(max_connections), true, 1024, 8, 65536, NULL, "", "connections open at once"},
     {"body-max-bytes", NUMBER, AT(body_max_bytes), true, 64 * MIB, 1, 4 * GIB, NULL, "bytes", "of one request body"},
     {"upload-memory-bytes", NUMBER, AT(upload_memory_bytes), true, 512 * MIB, 1, 1024 * GIB, NULL, "bytes",
-     "of all request bodies held at once"},
+     "of all request bodies held at once, whose pages may take up to twice that"},
     {"request-memory-bytes", NUMBER, AT(request_memory_bytes), true, GIB, MIB, 1024 * GIB, NULL, "bytes",
      "that one render may allocate"},
     {"keep-memory-bytes", NUMBER, AT(keep_memory_bytes), true, 256 * MIB, 0, 1024 * GIB, NULL, "bytes",
@@ -212,7 +212,7 @@ static bool read_variables(struct config *config, char *message, size_t message_
         variable_name(name, SETTINGS[i].flag);
         const char *value = getenv(name);
         /* Compose files pass variables on as "" where they are not set. */
-        if (!value || !*value || (SETTINGS[i].kind == NUMBER && is_service_link(value))) continue;
+        if (!value || !*value || (strcmp(SETTINGS[i].flag, "port") == 0 && is_service_link(value))) continue;
         if (!set_value(config, &SETTINGS[i], name, value, message, message_size)) return false;
     }
     return true;

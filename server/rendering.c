@@ -146,7 +146,7 @@ enum api_next rendering_work(const struct api *api, const struct api_request *re
     r.stored = assets_stored(api);
     r.small_left = API_SMALL_BYTES;
     unpacked.stored = (struct zr_stored){r.stored.read ? read_stored : NULL, &r};
-    unpacked.cancel = request->small_only ? NULL : cancel; /* whether it is large is found out in any case */
+    unpacked.cancel = request->small_only ? NULL : cancel; /* it is small, and may have to be told from large work */
     double unpack_ms = ms_since(&mark);
     enum zr_status status = run_steps(&r, &unpacked, &result, &error);
     if (r.is_large) return API_LARGE;

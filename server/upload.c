@@ -43,7 +43,8 @@ enum upload_status upload_add(struct upload *upload, struct upload_budget *budge
                               uint64_t expected)
 {
     if (size > budget->body_max - upload->size) return UPLOAD_TOO_LARGE;
-    /* Only bytes that have come are held: room that is asked for costs next to nothing before it is written to. */
+    /* Only bytes that have come are held: room that is asked for costs next to nothing before it is written to, but for
+     * pages that come ahead. */
     if (atomic_fetch_add(&budget->held, size) + size > budget->memory_max) {
         atomic_fetch_sub(&budget->held, size);
         return UPLOAD_NO_MEMORY;

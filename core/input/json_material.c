@@ -67,7 +67,8 @@ void zr_draft_read_materials(struct zr_draft *draft, const struct zr_json_path *
         draft->variants[v] = UINT32_MAX;
     if (count == 0) return;
     size_t faults = json->error->count;
-    for (const cJSON *node = list->child; node && !zr_json_full(json); node = node->next, i++) {
+    for (const cJSON *node = list->child; node && !zr_json_full(json) && !zr_json_stopped(json);
+         node = node->next, i++) {
         draft->given[i] = (struct zr_given_material){"", i, {1, 1, 1, 1}, zr_look_unsaid};
         read_material(draft, ZR_JSON_ITEM(path, i), node, &draft->given[i]);
     }

@@ -226,7 +226,8 @@ static void read_all(struct reader *reader, const cJSON *list)
 {
     uint32_t number = 0;
     sort_names(&reader->meshes);
-    for (const cJSON *item = list->child; item && !zr_json_full(reader->json); item = item->next, number++)
+    for (const cJSON *item = list->child; item && !zr_json_full(reader->json) && !zr_json_stopped(reader->json);
+         item = item->next, number++)
         read_node(reader, ZR_JSON_ITEM(reader->path, number), item, number);
     reader->nodes.count = number;
     sort_names(&reader->nodes);

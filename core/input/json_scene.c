@@ -97,7 +97,8 @@ static uint32_t read_meshes(struct zr_draft *draft, const cJSON *meshes, const c
     if (!made) return 0;
 
     size_t number = 0;
-    for (const cJSON *node = meshes ? meshes->child : NULL; node && !zr_json_full(json); node = node->next, number++)
+    for (const cJSON *node = meshes ? meshes->child : NULL; node && !zr_json_full(json) && !zr_json_stopped(json);
+         node = node->next, number++)
         zr_draft_read_mesh(draft, ZR_JSON_ITEM(meshes_path, number), node, &made[number]);
     uint32_t listed = (uint32_t)number;
     if (soup && soup->items > 0 && !zr_json_full(json))
@@ -198,6 +199,6 @@ enum zr_status zr_json_read(struct zr_arena *arena, struct zr_team *team, const 
                              .stored = request->stored};
     cJSON *root = zr_json_text_open(&draft.json, request->bytes, request->size);
     draft.assets_used = root ? zr_arena_zero(arena, draft.asset_count, sizeof *draft.assets_used) : NULL;
-    if (draft.assets_used) build(&draft, root);
+    if (draft.assets_used && !zr_json_stopped(&draft.json)) build(&draft, root);
     return zr_json_text_close(&draft.json, root);
 }

@@ -61,6 +61,13 @@ bool zr_json_full(const struct zr_json *json)
     return json->error->count >= ZR_ERROR_ITEMS || json->text->malformed;
 }
 
+bool zr_json_stopped(struct zr_json *json)
+{
+    if (!zr_is_cancelled(json->cancel)) return false;
+    zr_arena_charge(json->arena, SIZE_MAX);
+    return true;
+}
+
 static const char *kind_of(const cJSON *node)
 {
     if (cJSON_IsBool(node)) return "a boolean";

@@ -52,6 +52,10 @@ bool zr_json_expect(struct zr_json *json, const struct zr_json_path *path, const
 /* As many faults as are kept, or the text is malformed after all: time to stop. */
 bool zr_json_full(const struct zr_json *json);
 
+/* The request is cancelled. All readers end then as where memory is used up: the arena has failed. Loops over what may
+ * be long ask, in the request's own thread. */
+bool zr_json_stopped(struct zr_json *json);
+
 /* found[i] becomes the member named keys->words[i], or NULL; keys->count of them.
  * Unknown, unsupported and repeated keys are reported, and what is known is still
  * filled in: false only where the node is no object. */

@@ -53,11 +53,7 @@ cJSON *zr_json_walk_parse(struct zr_json_walk *walk)
     struct zr_json *json = walk->json;
     struct zr_json_text *text = json->text;
     size_t items, commas, values;
-    if (walk->ahead) return NULL;
-    if (zr_is_cancelled(json->cancel)) { /* every reader ends as where memory is used up */
-        zr_arena_charge(json->arena, SIZE_MAX);
-        return NULL;
-    }
+    if (walk->ahead || zr_json_stopped(json)) return NULL;
     const char *behind = zr_json_skip(walk->at, text->end, &items, &commas);
     if (!behind) {
         lose(walk);

@@ -68,8 +68,8 @@ static inline bool zr_json_walk_on(struct zr_json_walk *walk)
     return true;
 }
 
-/* The item at hand, parsed by cJSON; NULL where that cannot be, or where json->cancel is raised: this is what takes
- * long. */
+/* The item at hand, parsed by cJSON; NULL where that cannot be, or where the request is cancelled
+ * (zr_json_stopped). */
 cJSON *zr_json_walk_parse(struct zr_json_walk *walk);
 void zr_json_walk_drop(struct zr_json_walk *walk, cJSON *item);
 

@@ -68,6 +68,9 @@ static void service_link_of_kubernetes_is_no_port(void **state)
     reply_free(&reply);
     daemon_stop(&daemon);
     unsetenv("ZRASTER_PORT");
+    setenv("ZRASTER_WORKERS", "tcp://10.0.0.1:8080", 1);
+    assert_run(LIST("--port=0"), 2, LIST("ZRASTER_WORKERS"));
+    unsetenv("ZRASTER_WORKERS");
 }
 
 static void unknown_flag_exits_2_and_is_named(void **state)
