@@ -143,12 +143,12 @@ compare-cross: $(BUILD)/zraster-cross
 .PHONY: emulated
 emulated: ## AVX-512 without a machine that has it, slowly: unit tests and the reference, and the same bytes as by all else
 	@.ci/need $(NEED_BUILD) $(NEED_TEST) $(NEED_EMULATED)
-	@$(MAKE) -s -j$(JOBS) BUILD=$(BUILD)/emulated EMULATED=1 tests compare-emulated
-	@DATA="$(DATA)" REFERENCE_TRIANGLES=60000 REFERENCE_LINES=10000 tests/run.sh $(BUILD)/emulated unit reference
+	@$(MAKE) -s -j$(JOBS) BUILD=$(BUILD)/emulated EMULATED=1 test-emulated
 
-.PHONY: compare-emulated
-compare-emulated: $(BUILD)/zraster-cross
+.PHONY: test-emulated
+test-emulated: $(BUILD)/zraster-cross $(unit_tests) $(verify_osmesa) $(verify_egl) $(verify_lines)
 	@tests/cross/compare.sh $< "$(isas_x86_64)"
+	@DATA="$(DATA)" REFERENCE_TRIANGLES=60000 REFERENCE_LINES=10000 tests/run.sh $(BUILD) unit reference
 
 .PHONY: bench
 bench: ## our times beside llvmpipe's, libpng's, cJSON's, in one run; ARGS="--only PNG", --rounds N, --list

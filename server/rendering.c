@@ -146,7 +146,9 @@ enum api_next rendering_work(const struct api *api, const struct api_request *re
     r.stored = assets_stored(api);
     r.small_left = API_SMALL_BYTES;
     unpacked.stored = (struct zr_stored){r.stored.read ? read_stored : NULL, &r};
-    unpacked.cancel = request->small_only ? NULL : cancel; /* it is small, and may have to be told from large work */
+    /* A small request is read to its end even where its time is over: only then is it known whether it is large work,
+     * to be handed on, and it has API_SMALL_BYTES at most. */
+    unpacked.cancel = request->small_only ? NULL : cancel;
     double unpack_ms = ms_since(&mark);
     enum zr_status status = run_steps(&r, &unpacked, &result, &error);
     if (r.is_large) return API_LARGE;

@@ -121,6 +121,5 @@ bool zr_face_is_concave(const struct zr_mesh *mesh, uint32_t face)
 bool zr_face_is_shape(const struct zr_mesh *mesh, uint32_t face)
 {
     if (mesh->faces_are_fans) return false;
-    uint32_t count = mesh->face_offsets[face + 1] - mesh->face_offsets[face];
-    return zr_mesh_rings(mesh, face).count > 1 || (count > 3 && zr_face_is_concave(mesh, face));
+    return zr_mesh_rings(mesh, face).count > 1 || zr_face_is_concave(mesh, face);
 }

@@ -9,24 +9,11 @@
 #include "support/geometries.h"
 #include "support/random.h"
 #include "support/scenes.h"
+#include "support/test_arena.h"
 
 enum { TRIANGLES = 10000, TRIANGLES_A_POLYGON = 5, SCENE_TRIANGLES = 1024, CORNERS = 1024 };
 
-static struct zr_arena arena;
-
-static int open_arena(void **state)
-{
-    (void)state;
-    zr_arena_init(&arena, 1 << 28);
-    return 0;
-}
-
-static int close_arena(void **state)
-{
-    (void)state;
-    zr_arena_free(&arena);
-    return 0;
-}
+TEST_ARENA(1 << 28)
 
 static uint32_t triangles_wanted(void)
 {

@@ -8,6 +8,7 @@
 #include "shade/frame.h"
 #include "support/cmocka_all.h"
 #include "support/random.h"
+#include "support/test_arena.h"
 #include "zraster.h"
 
 enum { POLYGONS_MAX = 60, POLYGON_SIZE = 600, SCENE_SIZE = POLYGONS_MAX * POLYGON_SIZE + 4096, CHANNELS = 4 };
@@ -18,23 +19,9 @@ static const struct zr_output OUTPUTS[CHANNELS] = {{ZR_CHANNEL_COLOR, ZR_ENCODIN
                                                    {ZR_CHANNEL_FACE_ID, ZR_ENCODING_NPY, 0}};
 static const char *const NAMES[CHANNELS] = {"color", "windowDepth", "depth", "faceId"};
 
-static struct zr_arena arena;
+TEST_ARENA(1 << 28)
 static char polygons[POLYGONS_MAX][POLYGON_SIZE];
 static char head[1024];
-
-static int open_arena(void **state)
-{
-    (void)state;
-    zr_arena_init(&arena, 1 << 28);
-    return 0;
-}
-
-static int close_arena(void **state)
-{
-    (void)state;
-    zr_arena_free(&arena);
-    return 0;
-}
 
 /* The four channels of a picture, encoded. */
 struct picture {

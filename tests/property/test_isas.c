@@ -5,23 +5,10 @@
 #include "support/gallery.h"
 #include "support/isas.h"
 #include "support/scenes.h"
+#include "support/test_arena.h"
 
-static struct zr_arena arena;
 static const size_t ceiling = (size_t)1 << 29;
-
-static int open_arena(void **state)
-{
-    (void)state;
-    zr_arena_init(&arena, ceiling);
-    return 0;
-}
-
-static int close_arena(void **state)
-{
-    (void)state;
-    zr_arena_free(&arena);
-    return 0;
-}
+TEST_ARENA(ceiling)
 
 static void assert_same(const struct zr_frame *want, const struct zr_frame *got, const char *scene, int threads)
 {

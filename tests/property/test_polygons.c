@@ -6,24 +6,11 @@
 #include "support/cmocka_all.h"
 #include "support/random.h"
 #include "support/scenes.h"
+#include "support/test_arena.h"
 
 enum { CORNERS_MAX = 1024, RINGS_MAX = 5, SIDE_MAX = 150 };
 
-static struct zr_arena arena;
-
-static int open_arena(void **state)
-{
-    (void)state;
-    zr_arena_init(&arena, (size_t)1 << 28);
-    return 0;
-}
-
-static int close_arena(void **state)
-{
-    (void)state;
-    zr_arena_free(&arena);
-    return 0;
-}
+TEST_ARENA((size_t)1 << 28)
 
 /* One face of several rings, in clip space. Points into itself: do not copy. */
 struct polygon {

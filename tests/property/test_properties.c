@@ -5,22 +5,9 @@
 #include "support/cmocka_all.h"
 #include "support/random.h"
 #include "support/scenes.h"
+#include "support/test_arena.h"
 
-static struct zr_arena arena;
-
-static int open_arena(void **state)
-{
-    (void)state;
-    zr_arena_init(&arena, 1 << 28);
-    return 0;
-}
-
-static int close_arena(void **state)
-{
-    (void)state;
-    zr_arena_free(&arena);
-    return 0;
-}
+TEST_ARENA(1 << 28)
 
 /* A grid over the whole window and beyond, its inner points moved at random, each cell
  * cut along a random diagonal: every pixel is covered, by exactly one triangle. */

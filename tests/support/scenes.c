@@ -52,6 +52,16 @@ const struct zr_frame *scene_render(struct zr_arena *arena, struct zr_team *team
     return frame;
 }
 
+struct zr_answer scene_encode(struct zr_arena *arena, struct zr_team *team, const struct zr_scene *scene)
+{
+    struct zr_answer answer;
+    struct zr_error error = {.count = 0};
+    const struct zr_frame *frame = scene_render(arena, team, scene);
+    enum zr_status status = zr_encode(arena, team, scene, frame, NULL, &answer, &error);
+    if (status != ZR_OK) fail_msg("status %d: %s", (int)status, error.count ? error.items[0].detail : "");
+    return answer;
+}
+
 struct zr_cost scene_cost(const struct zr_scene *scene, uint32_t corners_max)
 {
     struct zr_error error = {.count = 0};

@@ -27,6 +27,9 @@ void scene_of_triangles(struct test_scene *test, uint32_t width, uint32_t height
 /* Renders, and fails the running test where that does not work. */
 const struct zr_frame *scene_render(struct zr_arena *arena, struct zr_team *team, const struct zr_scene *scene);
 
+/* The same, and encodes all outputs of the scene. */
+struct zr_answer scene_encode(struct zr_arena *arena, struct zr_team *team, const struct zr_scene *scene);
+
 /* As zr_scene_cost; fails the running test where the scene cannot be seen. */
 struct zr_cost scene_cost(const struct zr_scene *scene, uint32_t corners_max);
 

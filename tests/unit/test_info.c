@@ -7,34 +7,16 @@
 #include "output/info.h"
 #include "support/cmocka_all.h"
 #include "support/scenes.h"
+#include "support/test_arena.h"
 
-static struct zr_arena arena;
+TEST_ARENA(1 << 27)
 static const struct zr_output info_output = {ZR_CHANNEL_INFO, ZR_ENCODING_JSON, 0};
 
-static int open_arena(void **state)
+static struct zr_answer info_of(struct test_scene *test)
 {
-    (void)state;
-    zr_arena_init(&arena, 1 << 27);
-    return 0;
-}
-
-static int close_arena(void **state)
-{
-    (void)state;
-    cJSON_InitHooks(NULL);
-    zr_arena_free(&arena);
-    return 0;
-}
-
-static struct zr_answer answer_of(struct test_scene *test)
-{
-    struct zr_answer answer;
-    struct zr_error error = {.count = 0};
     test->scene.outputs = &info_output;
     test->scene.output_count = 1;
-    const struct zr_frame *frame = scene_render(&arena, NULL, &test->scene);
-    assert_int_equal(zr_encode(&arena, NULL, &test->scene, frame, NULL, &answer, &error), ZR_OK);
-    return answer;
+    return scene_encode(&arena, NULL, &test->scene);
 }
 
 static void info_counts_pixels_and_boxes_and_warns(void **state)
@@ -46,7 +28,7 @@ static void info_counts_pixels_and_boxes_and_warns(void **state)
     const char *const warnings[] = {"something odd"};
     test.scene.warnings = warnings;
     test.scene.warning_count = 1;
-    struct zr_answer answer = answer_of(&test);
+    struct zr_answer answer = info_of(&test);
     assert_string_equal(answer.content_type, "application/json");
     assert_string_equal(answer.warnings, "something odd");
     cJSON *info = cJSON_ParseWithLength(answer.bytes, answer.size);
@@ -75,7 +57,7 @@ static void info_lists_the_first_thousand_instances(void **state)
         instances[i] = test.instance;
     test.scene.instances = instances;
     test.scene.instance_count = PLACED;
-    struct zr_answer answer = answer_of(&test);
+    struct zr_answer answer = info_of(&test);
     cJSON *info = cJSON_ParseWithLength(answer.bytes, answer.size);
     assert_non_null(info);
     assert_true(cJSON_GetObjectItem(info, "instances")->valuedouble == PLACED);
@@ -104,6 +86,12 @@ static void count_free(void *bytes)
     free(bytes);
 }
 
+static int close_counted(void **state)
+{
+    cJSON_InitHooks(NULL);
+    return close_arena(state);
+}
+
 /* 1200 times a mesh whose name has 2000 bytes, each of which is six in JSON. */
 static void info_takes_no_memory_that_a_request_may_not_have(void **state)
 {
@@ -122,7 +110,7 @@ static void info_takes_no_memory_that_a_request_may_not_have(void **state)
     test.scene.instance_count = PLACED;
     cJSON_InitHooks(&(cJSON_Hooks){count_malloc, count_free});
     held = most = 0;
-    const struct zr_answer answer = answer_of(&test);
+    const struct zr_answer answer = info_of(&test);
     assert_true(answer.size > 6 * NAME_SIZE * ZR_INFO_MESHES_MAX);
     assert_true(most > answer.size);
     assert_true(most <= arena.peak);
@@ -143,7 +131,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test_setup_teardown(info_counts_pixels_and_boxes_and_warns, open_arena, close_arena),
         cmocka_unit_test_setup_teardown(info_lists_the_first_thousand_instances, open_arena, close_arena),
-        cmocka_unit_test_setup_teardown(info_takes_no_memory_that_a_request_may_not_have, open_arena, close_arena),
+        cmocka_unit_test_setup_teardown(info_takes_no_memory_that_a_request_may_not_have, open_arena, close_counted),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -7,6 +7,7 @@
 #include "output/png.h"
 #include "shade/frame.h"
 #include "support/base64.h"
+#include "support/scenes.h"
 
 enum { WIDTH = 4, HEIGHT = 2, PIXELS = WIDTH * HEIGHT, ASSETS = 5 };
 
@@ -99,10 +100,7 @@ static void refuses_with(const char *text, struct zr_asset extra, const char *po
 
 static const struct zr_frame *render(struct reading *reading)
 {
-    struct zr_error error = {.count = 0};
-    const struct zr_frame *frame = NULL;
-    assert_int_equal(zr_render(&reading->arena, NULL, reading->scene, NULL, NULL, &frame, &error), ZR_OK);
-    return frame;
+    return scene_render(&reading->arena, NULL, reading->scene);
 }
 
 /* Where the polygon is seen, from pixel 0 on: '#'. */
@@ -204,12 +202,9 @@ static cJSON *info_of(struct reading *reading)
 {
     static const struct zr_output output = {ZR_CHANNEL_INFO, ZR_ENCODING_JSON, 0};
     struct zr_scene scene = *reading->scene;
-    struct zr_error error = {.count = 0};
-    struct zr_answer answer;
-    const struct zr_frame *frame = render(reading);
     scene.outputs = &output;
     scene.output_count = 1;
-    assert_int_equal(zr_encode(&reading->arena, NULL, &scene, frame, NULL, &answer, &error), ZR_OK);
+    const struct zr_answer answer = scene_encode(&reading->arena, NULL, &scene);
     cJSON *info = cJSON_ParseWithLength(answer.bytes, answer.size);
     assert_non_null(info);
     return info;

@@ -6,24 +6,11 @@
 #include "output/npy.h"
 #include "support/cmocka_all.h"
 #include "support/random.h"
+#include "support/test_arena.h"
 
 enum { FILE_MAX = 4096 };
 
-static struct zr_arena arena;
-
-static int open_arena(void **state)
-{
-    (void)state;
-    zr_arena_init(&arena, 1 << 20);
-    return 0;
-}
-
-static int close_arena(void **state)
-{
-    (void)state;
-    zr_arena_free(&arena);
-    return 0;
-}
+TEST_ARENA(1 << 20)
 
 /* Of 3 x 2 numbers. */
 static enum zr_status read_file(const void *bytes, size_t size, enum zr_npy_wanted wanted, uint32_t *out,

@@ -13,22 +13,9 @@
 #include "support/png.h"
 #include "support/random.h"
 #include "support/scenes.h"
+#include "support/test_arena.h"
 
-static struct zr_arena arena;
-
-static int open_arena(void **state)
-{
-    (void)state;
-    zr_arena_init(&arena, 1 << 27);
-    return 0;
-}
-
-static int close_arena(void **state)
-{
-    (void)state;
-    zr_arena_free(&arena);
-    return 0;
-}
+TEST_ARENA(1 << 27)
 
 /* What libpng's own reader makes of a file, in `format`. */
 static unsigned char *decode(const void *bytes, size_t size, png_uint_32 format, png_image *image)
@@ -233,15 +220,6 @@ static void depth16_scale_left_open_fits_the_far_plane(void **state)
     assert_true(fabsf(zr_depth16_scale(&frame, 0) * 65535.0f - 10.0f) < 1e-4f);
 }
 
-static struct zr_answer answer_of(struct test_scene *test)
-{
-    struct zr_answer answer;
-    struct zr_error error = {.count = 0};
-    const struct zr_frame *frame = scene_render(&arena, NULL, &test->scene);
-    assert_int_equal(zr_encode(&arena, NULL, &test->scene, frame, NULL, &answer, &error), ZR_OK);
-    return answer;
-}
-
 static void depth_as_png16_has_steps_of_its_scale_and_warns_of_what_does_not_fit(void **state)
 {
     (void)state;
@@ -292,7 +270,7 @@ static void several_outputs_come_as_one_archive(void **state)
     const zr_vec4 p[] = {{-1, 0, 0, 1}, {0, 0, 0, 1}, {-1, 1, 0, 1}};
     static struct test_scene test;
     scene_of_triangles(&test, 16, 16, p, 1);
-    struct zr_answer answer = answer_of(&test);
+    struct zr_answer answer = scene_encode(&arena, NULL, &test.scene);
     assert_string_equal(answer.content_type, "application/zip");
     zip_error_t error;
     zip_error_init(&error);
@@ -313,7 +291,7 @@ static void scene_that_shows_nothing_is_warned_of(void **state)
     scene_of_triangles(&test, 16, 16, p, 1);
     test.material.double_sided = false;
     test.scene.output_count = 1;
-    assert_non_null(strstr(answer_of(&test).warnings, "faces away"));
+    assert_non_null(strstr(scene_encode(&arena, NULL, &test.scene).warnings, "faces away"));
 }
 
 static void polygons_without_three_distinct_corners_are_warned_of(void **state)
@@ -323,10 +301,10 @@ static void polygons_without_three_distinct_corners_are_warned_of(void **state)
                          {0, 0, 0, 1},  {1, 1, 0, 1}, {1, 1, 0, 1},  {1, 1, 0, 1}};
     static struct test_scene test;
     scene_of_triangles(&test, 16, 16, p, 3);
-    assert_string_equal(answer_of(&test).warnings,
+    assert_string_equal(scene_encode(&arena, NULL, &test.scene).warnings,
                         "2 of 3 polygons have fewer than three distinct corners and were dropped");
     scene_of_triangles(&test, 16, 16, p, 1);
-    assert_string_equal(answer_of(&test).warnings, "");
+    assert_string_equal(scene_encode(&arena, NULL, &test.scene).warnings, "");
 }
 
 static void picture_without_a_covered_pixel_is_warned_of_whatever_the_reason(void **state)
@@ -348,7 +326,7 @@ static void picture_without_a_covered_pixel_is_warned_of_whatever_the_reason(voi
         scene_of_triangles(&test, 16, 16, cases[i].positions, 1);
         test.material.double_sided = false;
         test.scene.output_count = 1;
-        assert_non_null(strstr(answer_of(&test).warnings, cases[i].text));
+        assert_non_null(strstr(scene_encode(&arena, NULL, &test.scene).warnings, cases[i].text));
     }
 }
 

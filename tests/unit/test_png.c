@@ -10,22 +10,9 @@
 #include "support/cmocka_all.h"
 #include "support/png.h"
 #include "support/random.h"
+#include "support/test_arena.h"
 
-static struct zr_arena arena;
-
-static int open_arena(void **state)
-{
-    (void)state;
-    zr_arena_init(&arena, (size_t)1 << 30);
-    return 0;
-}
-
-static int close_arena(void **state)
-{
-    (void)state;
-    zr_arena_free(&arena);
-    return 0;
-}
+TEST_ARENA((size_t)1 << 30)
 
 /* ---- pictures ---- */
 

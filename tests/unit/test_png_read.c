@@ -8,24 +8,11 @@
 #include "input/png_read.h"
 #include "support/cmocka_all.h"
 #include "support/random.h"
+#include "support/test_arena.h"
 
 enum { WIDTH = 13, HEIGHT = 9, PIXELS = WIDTH * HEIGHT, FILE_MAX = 1 << 16 };
 
-static struct zr_arena arena;
-
-static int open_arena(void **state)
-{
-    (void)state;
-    zr_arena_init(&arena, 1 << 24);
-    return 0;
-}
-
-static int close_arena(void **state)
-{
-    (void)state;
-    zr_arena_free(&arena);
-    return 0;
-}
+TEST_ARENA(1 << 24)
 
 struct file {
     unsigned char bytes[FILE_MAX];

@@ -4,6 +4,7 @@
 #include "face_shapes.h"
 #include "geometry/triangulate.h"
 #include "support/cmocka_all.h"
+#include "support/test_arena.h"
 
 enum { TRIANGLES_MAX = CORNERS_MAX + 2 * RINGS_MAX };
 
@@ -11,7 +12,7 @@ struct result {
     uint32_t triangles[TRIANGLES_MAX][3], count;
 };
 
-static struct zr_arena arena;
+TEST_ARENA(1 << 24)
 static struct zr_triangulator scratch;
 
 /* ---- what always holds ---- */
@@ -381,20 +382,6 @@ static void triangulate_most_corners_stays_within_its_bound(void **state)
     }
 }
 
-static int set_up(void **state)
-{
-    (void)state;
-    zr_arena_init(&arena, 1 << 24);
-    return 0;
-}
-
-static int tear_down(void **state)
-{
-    (void)state;
-    zr_arena_free(&arena);
-    return 0;
-}
-
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -415,5 +402,5 @@ int main(void)
         cmocka_unit_test(triangulate_point_at_infinity_gives_fans),
         cmocka_unit_test(triangulate_most_corners_stays_within_its_bound),
     };
-    return cmocka_run_group_tests(tests, set_up, tear_down);
+    return cmocka_run_group_tests(tests, open_arena, close_arena);
 }

@@ -1,0 +1,26 @@
+/* test_arena.h - support: an arena of `bytes` at most for each test of a file, and what begins and ends it.
+ *
+ *     TEST_ARENA(1 << 24)                                                      defines `arena`
+ *     cmocka_unit_test_setup_teardown(f, open_arena, close_arena)              in the list of tests
+ */
+#ifndef ZR_TEST_ARENA_H
+#define ZR_TEST_ARENA_H
+
+#include "base/arena.h"
+
+#define TEST_ARENA(bytes)                                                                                              \
+    static struct zr_arena arena;                                                                                      \
+    static int open_arena(void **state)                                                                                \
+    {                                                                                                                  \
+        (void)state;                                                                                                   \
+        zr_arena_init(&arena, bytes);                                                                                  \
+        return 0;                                                                                                      \
+    }                                                                                                                  \
+    static int close_arena(void **state)                                                                               \
+    {                                                                                                                  \
+        (void)state;                                                                                                   \
+        zr_arena_free(&arena);                                                                                         \
+        return 0;                                                                                                      \
+    }
+
+#endif
