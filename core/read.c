@@ -74,7 +74,7 @@ static enum zr_status read_query(const struct zr_request *request, const struct 
 }
 
 /* A scene of one mesh, two-sided, since nobody said which side is meant. */
-static enum zr_status read_bare_mesh(struct zr_arena *arena, const struct zr_request *request,
+static enum zr_status read_bare_mesh(struct zr_arena *arena, struct zr_team *team, const struct zr_request *request,
                                      const struct zr_limits *limits, const struct query *query, struct zr_scene *scene,
                                      struct zr_error *error)
 {
@@ -82,9 +82,8 @@ static enum zr_status read_bare_mesh(struct zr_arena *arena, const struct zr_req
     struct zr_material *material = zr_arena_alloc(arena, 1, sizeof *material);
     struct zr_instance *instance = zr_arena_alloc(arena, 1, sizeof *instance);
     if (!zr_arena_ok(arena)) return ZR_NO_MEMORY;
-    enum zr_status status = request->format == ZR_FORMAT_OBJ
-                                ? zr_obj_read(arena, request->bytes, request->size, limits, mesh, error)
-                                : zr_stl_read(arena, request->bytes, request->size, limits, mesh, error);
+    enum zr_status status = request->format == ZR_FORMAT_OBJ ? zr_obj_read(arena, team, request, limits, mesh, error)
+                                                             : zr_stl_read(arena, team, request, limits, mesh, error);
     if (status != ZR_OK) return status;
     *material = (struct zr_material){.base_color = zr_default_base_color(mesh->colors != NULL),
                                      .shading = zr_default_shading(mesh->normal_count > 0 || mesh->colors),
@@ -130,7 +129,7 @@ static enum zr_status read_scene(struct zr_arena *arena, struct zr_team *team, c
     if (status != ZR_OK) return status;
     zr_scene_defaults(scene);
     status = request->format == ZR_FORMAT_JSON ? zr_json_read(arena, team, request, limits, scene, error)
-                                               : read_bare_mesh(arena, request, limits, &query, scene, error);
+                                               : read_bare_mesh(arena, team, request, limits, &query, scene, error);
     if (status != ZR_OK) return status;
     if (query.compress != NOT_GIVEN) scene->compress = (enum zr_compress)query.compress;
     status = apply_output(arena, &query, scene);

@@ -1,9 +1,8 @@
 #include "input/json_walk.h"
 
-#include <stdatomic.h>
-
 #include "base/team.h"
 #include "input/json_scan.h"
+#include "input/parts.h"
 
 /* Fewer parts are read before a helper has woken. So many a thread make up for one that was read in vain. */
 enum { PARTS_MIN = 3, PARTS_WORTH = 8 };
@@ -87,8 +86,6 @@ struct reading {
     const struct zr_json_walk *whole;
     zr_json_walk_fn *read;
     void *context;
-    size_t first;         /* part to be read */
-    atomic_size_t failed; /* the first part that is to be read alone; all parts before it are done in the end */
 };
 
 /* From the beginning of a part to the end of its list. */
@@ -104,35 +101,15 @@ static struct zr_json_walk walk_from(const struct zr_json_walk *whole, size_t pa
     return walk;
 }
 
-static void lower_to(atomic_size_t *least, size_t value)
+static bool read_part(void *context, size_t part)
 {
-    size_t old = atomic_load_explicit(least, memory_order_relaxed);
-    while (value < old &&
-           !atomic_compare_exchange_weak_explicit(least, &old, value, memory_order_relaxed, memory_order_relaxed))
-        ;
-}
-
-static void read_parts(void *context, size_t begin, size_t end)
-{
-    struct reading *r = context;
+    const struct reading *r = context;
     const struct zr_json_list *list = r->whole->list;
-    for (size_t part = r->first + begin; part < r->first + end; part++) {
-        if (part > atomic_load_explicit(&r->failed, memory_order_relaxed)) return;
-        struct zr_json_walk walk = walk_from(r->whole, part);
-        walk.ahead = true;
-        if (part < list->mark_count) walk.to = list->marks[part];
-        r->read(&walk, r->context);
-        if (!walk.done) lower_to(&r->failed, part);
-    }
-}
-
-/* Returns the first part from this one on that is not done. */
-static size_t read_ahead(const struct zr_json_walk *whole, size_t part, zr_json_walk_fn *read, void *context)
-{
-    const size_t parts = whole->list->mark_count + 1;
-    struct reading r = {whole, read, context, part, parts};
-    zr_team_ranges(whole->json->team, parts - part, 1, read_parts, &r);
-    return r.failed;
+    struct zr_json_walk walk = walk_from(r->whole, part);
+    walk.ahead = true;
+    if (part < list->mark_count) walk.to = list->marks[part];
+    r->read(&walk, r->context);
+    return walk.done;
 }
 
 /* Up to a mark, by this thread; leaves the walk there, to go on to where it would have ended. False where it is time to
@@ -155,12 +132,13 @@ size_t zr_json_walk_all(struct zr_json_walk *walk, zr_json_walk_fn *read, void *
     const struct zr_json *json = whole.json;
     struct zr_json_list *list = whole.list;
     const size_t threads = (size_t)zr_team_size(json->team), parts = threads > 1 ? list->mark_count + 1 : 1;
+    struct reading reading = {&whole, read, context};
     /* What was read behind a failed part was in vain, at most a part for each thread. The caller's thread reads that
      * part alone, and what it met for the first time others may know now; each time it was in vain again, it reads
      * twice as many. */
     size_t part = 0, alone = 1;
     while (parts - part >= PARTS_MIN && json->error->count == 0) {
-        const size_t failed = read_ahead(&whole, part, read, context);
+        const size_t failed = zr_parts_read(json->team, NULL, part, parts, read_part, &reading);
         if (failed == parts) {
             walk->index = list->items;
             walk->number = list->numbers;

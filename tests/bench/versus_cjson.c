@@ -181,8 +181,7 @@ void versus_cjson(struct bench *bench)
         for (int way = 0; way < WAYS; way++) {
             char name[ROW_NAME_SIZE];
             name_row(&task, way, name, sizeof name);
-            /* Only JSON is read by several. */
-            task.wanted[way] = bench_wants(bench, name) && (way != SHARED || forms[task.form].format == ZR_FORMAT_JSON);
+            task.wanted[way] = bench_wants(bench, name);
         }
         if (!task.wanted[WARM] && !task.wanted[FRESH] && !task.wanted[SHARED]) continue;
         if (bench->check_only) {

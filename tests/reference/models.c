@@ -25,7 +25,8 @@ static bool mesh_read(struct zr_arena *arena, const char *bytes, size_t size, st
 {
     struct zr_limits limits = zr_limits_default();
     struct zr_error error = {.status = ZR_OK};
-    enum zr_status status = zr_obj_read(arena, bytes, size, &limits, mesh, &error);
+    const struct zr_request request = {.format = ZR_FORMAT_OBJ, .bytes = bytes, .size = size};
+    enum zr_status status = zr_obj_read(arena, NULL, &request, &limits, mesh, &error);
     if (status == ZR_OK) return true;
     fprintf(stderr, "zr_obj_read: status %d, %s\n", (int)status, error.count ? error.items[0].detail : "");
     return false;

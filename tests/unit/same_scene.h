@@ -27,6 +27,7 @@ static inline void assert_same_mesh(const struct zr_mesh *a, const struct zr_mes
         assert_same_array(a->ring_offsets, b->ring_offsets, a->face_rings[a->face_count] + 1, sizeof *a->ring_offsets);
     assert_same_array(a->lines, b->lines, a->line_count, 2 * sizeof *a->lines);
     assert_same_array(a->normals, b->normals, a->normal_count, sizeof *a->normals);
+    assert_same_array(a->normal_indices, b->normal_indices, corners, sizeof *a->normal_indices);
     assert_same_array(a->colors, b->colors, a->position_count, sizeof *a->colors);
     assert_same_array(a->face_colors, b->face_colors, a->face_count, sizeof *a->face_colors);
     assert_same_array(a->face_materials, b->face_materials, a->face_count, sizeof *a->face_materials);

@@ -1,11 +1,10 @@
 /* Large lists that several threads read: the same scenes, the same complaints. */
 #include <string.h>
 
-#include "base/team.h"
+#include "by_teams.h"
 #include "input/json_text.h"
 #include "input/json_walk.h"
 #include "json_texts.h"
-#include "same_scene.h"
 
 /* ThreadSanitizer makes texts thirty times as slowly. */
 #ifdef __SANITIZE_THREAD__
@@ -15,9 +14,6 @@ static const enum spelling spellings_end = LINES;
 enum { ROUNDS = 40 };
 static const enum spelling spellings_end = SPELLINGS;
 #endif
-
-enum { TEAMS = 3, CEILING = 1 << 28 };
-static const int sizes[TEAMS] = {2, 3, 7};
 
 /* ---- marks ---- */
 
@@ -196,46 +192,6 @@ static void items_are_read_ahead_but_for_parts_with_an_odd_one(void **state)
 
 /* ---- scenes ---- */
 
-static struct reading *read_by(struct zr_team *team, const struct text *text)
-{
-    return read_by_team(team, (struct zr_request){.format = ZR_FORMAT_JSON}, text->bytes, text->size,
-                        zr_limits_default(), CEILING);
-}
-
-static void assert_same_reading(const struct reading *a, const struct reading *b)
-{
-    assert_int_equal(a->status, b->status);
-    assert_int_equal(a->error.count, b->error.count);
-    for (size_t i = 0; i < zr_error_held(&a->error); i++) {
-        assert_string_equal(a->error.items[i].pointer, b->error.items[i].pointer);
-        assert_string_equal(a->error.items[i].detail, b->error.items[i].detail);
-    }
-    if (a->scene) assert_same_scene(a->scene, b->scene);
-}
-
-static void assert_same_for_every_team(struct zr_team *const *teams, const struct text *text)
-{
-    struct reading *alone = read_by(NULL, text);
-    for (size_t i = 0; i < TEAMS; i++) {
-        struct reading *shared = read_by(teams[i], text);
-        assert_same_reading(alone, shared);
-        reading_free(shared);
-    }
-    reading_free(alone);
-}
-
-static void start_teams(struct zr_team **teams)
-{
-    for (size_t i = 0; i < TEAMS; i++)
-        assert_non_null(teams[i] = zr_team_create(sizes[i]));
-}
-
-static void end_teams(struct zr_team **teams)
-{
-    for (size_t i = 0; i < TEAMS; i++)
-        zr_team_destroy(teams[i]);
-}
-
 /* With looks that change here and there, and one colour that is not opaque. */
 static void add_plain_polygons(struct text *text, size_t count)
 {
@@ -289,10 +245,10 @@ static void every_team_reads_the_same_scene(void **state)
         struct text text = plain ? make_plain_scene(9000) : make_scene(9000);
         for (enum spelling spelling = AS_IT_IS; spelling < spellings_end; spelling++) {
             struct text other = respell(text.bytes, spelling);
-            struct reading *alone = read_by(NULL, &other);
+            struct reading *alone = read_by(NULL, ZR_FORMAT_JSON, &other);
             assert_read(alone);
+            assert_same_by_teams(teams, ZR_FORMAT_JSON, &other, alone);
             reading_free(alone);
-            assert_same_for_every_team(teams, &other);
             drop(&other);
         }
         drop(&text);
@@ -317,10 +273,10 @@ static void every_team_has_the_same_complaints(void **state)
             memmove(text.bytes + from, text.bytes + from + gap, text.size - from - gap);
             text.size -= gap;
         }
-        struct reading *alone = read_by(NULL, &text);
+        struct reading *alone = read_by(NULL, ZR_FORMAT_JSON, &text);
         refused += alone->status != ZR_OK;
+        assert_same_by_teams(teams, ZR_FORMAT_JSON, &text, alone);
         reading_free(alone);
-        assert_same_for_every_team(teams, &text);
         drop(&text);
     }
     assert_in_range(refused, ROUNDS / 4, ROUNDS);
@@ -340,10 +296,10 @@ static void faults_take_as_much_memory_for_every_team(void **state)
     for (size_t i = 0; i < 20000; i++) /* their indices are more than the tree of the wrong one */
         add(&text, "," CORNERS "}");
     add(&text, "]}");
-    struct reading *alone = read_by(NULL, &text);
+    struct reading *alone = read_by(NULL, ZR_FORMAT_JSON, &text);
     assert_int_equal(alone->error.count, 1);
     for (size_t i = 0; i < TEAMS; i++) {
-        struct reading *shared = read_by(teams[i], &text);
+        struct reading *shared = read_by(teams[i], ZR_FORMAT_JSON, &text);
         assert_same_reading(alone, shared);
         assert_int_equal(alone->arena.peak, shared->arena.peak);
         reading_free(shared);
@@ -369,10 +325,10 @@ static void rows_of_any_length_are_read(void **state)
             add(&text, "]");
         }
         add(&text, "]}]}");
-        struct reading *alone = read_by(NULL, &text);
+        struct reading *alone = read_by(NULL, ZR_FORMAT_JSON, &text);
         assert_read(alone);
+        assert_same_by_teams(teams, ZR_FORMAT_JSON, &text, alone);
         reading_free(alone);
-        assert_same_for_every_team(teams, &text);
         drop(&text);
     }
     end_teams(teams);
