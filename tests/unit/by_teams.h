@@ -7,19 +7,26 @@
 #include "same_scene.h"
 #include "texts.h"
 
-enum { TEAMS = 3, CEILING = 1 << 28 };
+enum { TEAMS = 3, CEILING = 1 << 28, FAULT_SIZE = 96 };
 
-static inline void start_teams(struct zr_team **teams)
+static struct zr_team *teams[TEAMS];
+
+/* Before all tests of a file, and after them. */
+static inline int start_teams(void **state)
 {
     static const int sizes[TEAMS] = {2, 3, 7};
+    (void)state;
     for (size_t i = 0; i < TEAMS; i++)
-        assert_non_null(teams[i] = zr_team_create(sizes[i]));
+        if (!(teams[i] = zr_team_create(sizes[i]))) return -1;
+    return 0;
 }
 
-static inline void end_teams(struct zr_team **teams)
+static inline int end_teams(void **state)
 {
+    (void)state;
     for (size_t i = 0; i < TEAMS; i++)
         zr_team_destroy(teams[i]);
+    return 0;
 }
 
 static inline struct reading *read_by(struct zr_team *team, enum zr_format format, const struct text *text)
@@ -39,15 +46,25 @@ static inline void assert_same_reading(const struct reading *a, const struct rea
     if (a->scene) assert_same_scene(a->scene, b->scene);
 }
 
-/* As `alone` was read without a team. */
-static inline void assert_same_by_teams(struct zr_team *const *teams, enum zr_format format, const struct text *text,
-                                        const struct reading *alone)
+/* What one thread reads, and every team as well. */
+static inline struct reading *read_by_all(enum zr_format format, const struct text *text)
 {
+    struct reading *alone = read_by(NULL, format, text);
     for (size_t i = 0; i < TEAMS; i++) {
         struct reading *shared = read_by(teams[i], format, text);
         assert_same_reading(alone, shared);
         reading_free(shared);
     }
+    return alone;
+}
+
+/* That many, of texts that contain these. */
+static inline void assert_faults(const struct reading *reading, char (*faults)[FAULT_SIZE], size_t count)
+{
+    assert_int_equal(reading->status, ZR_BAD_SCENE);
+    assert_int_equal(reading->error.count, count);
+    for (size_t i = 0; i < count; i++)
+        assert_non_null(strstr(reading->error.items[i].detail, faults[i]));
 }
 
 #endif

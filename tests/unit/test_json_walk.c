@@ -239,21 +239,17 @@ static struct text make_plain_scene(size_t count)
 static void every_team_reads_the_same_scene(void **state)
 {
     (void)state;
-    struct zr_team *teams[TEAMS];
-    start_teams(teams);
     for (int plain = 0; plain < 2; plain++) {
         struct text text = plain ? make_plain_scene(9000) : make_scene(9000);
         for (enum spelling spelling = AS_IT_IS; spelling < spellings_end; spelling++) {
             struct text other = respell(text.bytes, spelling);
-            struct reading *alone = read_by(NULL, ZR_FORMAT_JSON, &other);
+            struct reading *alone = read_by_all(ZR_FORMAT_JSON, &other);
             assert_read(alone);
-            assert_same_by_teams(teams, ZR_FORMAT_JSON, &other, alone);
             reading_free(alone);
             drop(&other);
         }
         drop(&text);
     }
-    end_teams(teams);
 }
 
 /* A byte here and there that is another one, or a piece that is not there. */
@@ -261,8 +257,6 @@ static void every_team_has_the_same_complaints(void **state)
 {
     (void)state;
     static const char bytes[] = "[]{},:\"0123456789.e-+ \n\\tn";
-    struct zr_team *teams[TEAMS];
-    start_teams(teams);
     size_t refused = 0;
     for (size_t i = 0; i < ROUNDS; i++) {
         struct text text = i & 1 ? make_plain_scene(7000) : make_scene(6000);
@@ -273,22 +267,18 @@ static void every_team_has_the_same_complaints(void **state)
             memmove(text.bytes + from, text.bytes + from + gap, text.size - from - gap);
             text.size -= gap;
         }
-        struct reading *alone = read_by(NULL, ZR_FORMAT_JSON, &text);
+        struct reading *alone = read_by_all(ZR_FORMAT_JSON, &text);
         refused += alone->status != ZR_OK;
-        assert_same_by_teams(teams, ZR_FORMAT_JSON, &text, alone);
         reading_free(alone);
         drop(&text);
     }
     assert_in_range(refused, ROUNDS / 4, ROUNDS);
-    end_teams(teams);
 }
 
 /* What comes behind a wrong polygon is read without the places that it would have had. */
 static void faults_take_as_much_memory_for_every_team(void **state)
 {
     (void)state;
-    struct zr_team *teams[TEAMS];
-    start_teams(teams);
     struct text text = {0};
     add(&text, "{\"polygons\":[" CORNERS "},{\"vertices\":[");
     add_places(&text, 500, 3);
@@ -306,15 +296,12 @@ static void faults_take_as_much_memory_for_every_team(void **state)
     }
     reading_free(alone);
     drop(&text);
-    end_teams(teams);
 }
 
 /* A row that is longer than all that one thread reads ahead, and marks in it. */
 static void rows_of_any_length_are_read(void **state)
 {
     (void)state;
-    struct zr_team *teams[TEAMS];
-    start_teams(teams);
     static const size_t columns[] = {2, 3000, 60000, 300000};
     for (size_t i = 0; i < 4; i++) {
         struct text text = {0};
@@ -325,13 +312,11 @@ static void rows_of_any_length_are_read(void **state)
             add(&text, "]");
         }
         add(&text, "]}]}");
-        struct reading *alone = read_by(NULL, ZR_FORMAT_JSON, &text);
+        struct reading *alone = read_by_all(ZR_FORMAT_JSON, &text);
         assert_read(alone);
-        assert_same_by_teams(teams, ZR_FORMAT_JSON, &text, alone);
         reading_free(alone);
         drop(&text);
     }
-    end_teams(teams);
 }
 
 /* ---- cancelled ---- */
@@ -393,5 +378,5 @@ int main(void)
         cmocka_unit_test(rows_of_any_length_are_read),
         cmocka_unit_test(reading_ends_soon_once_it_is_cancelled),
     };
-    return cmocka_run_group_tests_name("json_walk", tests, NULL, NULL);
+    return cmocka_run_group_tests_name("json_walk", tests, start_teams, end_teams);
 }

@@ -21,7 +21,7 @@ struct said {
     zr_vec3 normal[STATEMENTS + VERTICES];
     uint32_t end[STATEMENTS], index[STATEMENTS * CORNERS_MAX], normal_index[STATEMENTS * CORNERS_MAX];
     size_t faults;
-    char fault[FAULTS_MAX][96];
+    char fault[FAULTS_MAX][FAULT_SIZE];
 };
 
 /* Blanks, which a backslash may lead over a line's end. */
@@ -132,7 +132,7 @@ static void say_fault(struct said *said)
                   {"f 1//1 2//1 3//9999999", "index 9999999 of"}};
     const size_t which = below(6);
     add(&said->text, "%s\n", faults[which].statement);
-    snprintf(said->fault[said->faults++], sizeof said->fault[0], "line %zu: %s", said->line++, faults[which].complaint);
+    snprintf(said->fault[said->faults++], FAULT_SIZE, "line %zu: %s", said->line++, faults[which].complaint);
 }
 
 static struct said *say(bool has_normals, bool has_colors, size_t faults)
@@ -198,60 +198,45 @@ static void assert_said(const struct said *said, const struct zr_mesh *mesh)
 static void all_that_a_file_says_is_read_by_every_team(void **state)
 {
     (void)state;
-    struct zr_team *teams[TEAMS];
-    start_teams(teams);
     for (int round = 0; round < ROUNDS; round++) {
         struct said *said = say(round & 1, round & 2, 0);
         if (below(2)) said->text.size--; /* the last line does not end */
-        struct reading *alone = read_by(NULL, ZR_FORMAT_OBJ, &said->text);
-        assert_read(alone);
-        assert_said(said, &alone->scene->meshes[0]);
-        assert_same_by_teams(teams, ZR_FORMAT_OBJ, &said->text, alone);
-        reading_free(alone);
+        struct reading *reading = read_by_all(ZR_FORMAT_OBJ, &said->text);
+        assert_read(reading);
+        assert_said(said, &reading->scene->meshes[0]);
+        reading_free(reading);
         unsay(said);
     }
-    end_teams(teams);
 }
 
 static void faults_are_told_in_their_order_with_their_lines(void **state)
 {
     (void)state;
-    struct zr_team *teams[TEAMS];
-    start_teams(teams);
     for (int round = 0; round < ROUNDS; round++) {
         struct said *said = say(true, round & 1, FAULTS_MAX);
-        struct reading *alone = read_by(NULL, ZR_FORMAT_OBJ, &said->text);
-        assert_int_equal(alone->status, ZR_BAD_SCENE);
-        assert_int_equal(alone->error.count, said->faults);
-        for (size_t i = 0; i < said->faults; i++)
-            assert_non_null(strstr(alone->error.items[i].detail, said->fault[i]));
-        assert_same_by_teams(teams, ZR_FORMAT_OBJ, &said->text, alone);
-        reading_free(alone);
+        struct reading *reading = read_by_all(ZR_FORMAT_OBJ, &said->text);
+        assert_faults(reading, said->fault, said->faults);
+        reading_free(reading);
         unsay(said);
     }
-    end_teams(teams);
 }
 
 /* Behind bad syntax nothing is read, and so nothing is told of what other threads may have found there. */
 static void bad_syntax_ends_reading_for_every_team(void **state)
 {
     (void)state;
-    struct zr_team *teams[TEAMS];
-    start_teams(teams);
     struct said *said = say(false, false, 0);
     const size_t line = said->line;
     add(&said->text, "f 1 2 x\n");
     for (size_t i = 0; i < 30000; i++)
         add(&said->text, "f 1 2 0\n");
-    struct reading *alone = read_by(NULL, ZR_FORMAT_OBJ, &said->text);
+    struct reading *reading = read_by_all(ZR_FORMAT_OBJ, &said->text);
     char want[64];
     snprintf(want, sizeof want, "line %zu: expected a corner", line);
-    assert_complaint(alone, ZR_BAD_SYNTAX, "", want);
-    assert_int_equal(alone->error.count, 1);
-    assert_same_by_teams(teams, ZR_FORMAT_OBJ, &said->text, alone);
-    reading_free(alone);
+    assert_complaint(reading, ZR_BAD_SYNTAX, "", want);
+    assert_int_equal(reading->error.count, 1);
+    reading_free(reading);
     unsay(said);
-    end_teams(teams);
 }
 
 /* Where nothing can be cut: one line, and lines that are all joined. */
@@ -259,40 +244,34 @@ static void statement_of_any_length_is_read(void **state)
 {
     (void)state;
     enum { LINES = 100000 };
-    struct zr_team *teams[TEAMS];
-    start_teams(teams);
     for (int joined = 0; joined < 2; joined++) {
         struct text text = {0};
         add(&text, "v 0 0 0\nv 1 0 0\nv 0 1 0\ng");
         for (size_t i = 0; i < LINES; i++)
             add(&text, joined ? " any\\\n" : " any");
         add(&text, "\nf 1 2 3\nf 1 2 4\n");
-        struct reading *alone = read_by(NULL, ZR_FORMAT_OBJ, &text);
-        assert_complaint(alone, ZR_BAD_SCENE, "", joined ? "line 100006: index 4 of 3" : "line 6: index 4 of 3");
-        assert_same_by_teams(teams, ZR_FORMAT_OBJ, &text, alone);
-        reading_free(alone);
+        struct reading *reading = read_by_all(ZR_FORMAT_OBJ, &text);
+        assert_complaint(reading, ZR_BAD_SCENE, "", joined ? "line 100006: index 4 of 3" : "line 6: index 4 of 3");
+        reading_free(reading);
         drop(&text);
     }
-    end_teams(teams);
 }
 
 static void cancelled_reading_says_so(void **state)
 {
     (void)state;
-    struct zr_team *team = zr_team_create(3);
     struct said *said = say(true, true, 0);
     struct zr_cancel cancel;
     atomic_init(&cancel.raised, true);
     const struct zr_request request = {.format = ZR_FORMAT_OBJ, .cancel = &cancel};
     for (int i = 0; i < 2; i++) {
         struct reading *reading =
-            read_by_team(i ? team : NULL, request, said->text.bytes, said->text.size, zr_limits_default(), CEILING);
+            read_by_team(i ? teams[1] : NULL, request, said->text.bytes, said->text.size, zr_limits_default(), CEILING);
         assert_complaint(reading, ZR_CANCELLED, "", "stopped");
         assert_true(reading->arena.peak < said->text.size / 4); /* it was cut, and no array made */
         reading_free(reading);
     }
     unsay(said);
-    zr_team_destroy(team);
 }
 
 int main(void)
@@ -304,5 +283,5 @@ int main(void)
         cmocka_unit_test(statement_of_any_length_is_read),
         cmocka_unit_test(cancelled_reading_says_so),
     };
-    return cmocka_run_group_tests_name("obj_parts", tests, NULL, NULL);
+    return cmocka_run_group_tests_name("obj_parts", tests, start_teams, end_teams);
 }

@@ -16,7 +16,7 @@ struct said {
     size_t line; /* that is being written */
     size_t facets, faults;
     zr_vec4 position[FACETS * 3];
-    char fault[FAULTS_MAX][96];
+    char fault[FAULTS_MAX][FAULT_SIZE];
 };
 
 static void say(struct said *said, const char *words)
@@ -85,7 +85,7 @@ static void say_solid_end(struct said *said)
 static void say_fault(struct said *said)
 {
     say(said, "facet normal 0 0 0 outer loop\nvertex 1 2 3\nvertex 1 -1e30 2\n");
-    snprintf(said->fault[said->faults++], sizeof said->fault[0], "line %zu: '-1e30' in triangle %zu", said->line - 1,
+    snprintf(said->fault[said->faults++], FAULT_SIZE, "line %zu: '-1e30' in triangle %zu", said->line - 1,
              said->facets + 1);
     say(said, "vertex 0 0 0\nendloop\nendfacet\n");
     said->facets++;
@@ -130,37 +130,26 @@ static void assert_triangles(const struct zr_mesh *mesh, const zr_vec4 *position
 static void all_that_a_file_says_is_read_by_every_team(void **state)
 {
     (void)state;
-    struct zr_team *teams[TEAMS];
-    start_teams(teams);
     for (int round = 0; round < ROUNDS; round++) {
         struct said *said = make(0, round & 1);
-        struct reading *alone = read_by(NULL, ZR_FORMAT_STL, &said->text);
-        assert_read(alone);
-        assert_triangles(&alone->scene->meshes[0], said->position, said->facets);
-        assert_same_by_teams(teams, ZR_FORMAT_STL, &said->text, alone);
-        reading_free(alone);
+        struct reading *reading = read_by_all(ZR_FORMAT_STL, &said->text);
+        assert_read(reading);
+        assert_triangles(&reading->scene->meshes[0], said->position, said->facets);
+        reading_free(reading);
         unsay(said);
     }
-    end_teams(teams);
 }
 
 static void faults_are_told_in_their_order_with_their_lines(void **state)
 {
     (void)state;
-    struct zr_team *teams[TEAMS];
-    start_teams(teams);
     for (int round = 0; round < ROUNDS; round++) {
         struct said *said = make(FAULTS_MAX, round & 1);
-        struct reading *alone = read_by(NULL, ZR_FORMAT_STL, &said->text);
-        assert_int_equal(alone->status, ZR_BAD_SCENE);
-        assert_int_equal(alone->error.count, said->faults);
-        for (size_t i = 0; i < said->faults; i++)
-            assert_non_null(strstr(alone->error.items[i].detail, said->fault[i]));
-        assert_same_by_teams(teams, ZR_FORMAT_STL, &said->text, alone);
-        reading_free(alone);
+        struct reading *reading = read_by_all(ZR_FORMAT_STL, &said->text);
+        assert_faults(reading, said->fault, said->faults);
+        reading_free(reading);
         unsay(said);
     }
-    end_teams(teams);
 }
 
 /* A byte that is another one, anywhere, or an end too early. */
@@ -168,8 +157,6 @@ static void every_team_has_the_same_complaints(void **state)
 {
     (void)state;
     static const char bytes[] = "0123456789.e-+ \n\tnxvd#\f";
-    struct zr_team *teams[TEAMS];
-    start_teams(teams);
     struct said *said = make(1, true);
     const size_t size = said->text.size;
     size_t refused = 0;
@@ -178,15 +165,13 @@ static void every_team_has_the_same_complaints(void **state)
         const char was = *byte;
         *byte = bytes[below(sizeof bytes - 1)];
         said->text.size = below(2) ? size : below(size);
-        struct reading *alone = read_by(NULL, ZR_FORMAT_STL, &said->text);
-        refused += alone->status == ZR_BAD_SYNTAX;
-        assert_same_by_teams(teams, ZR_FORMAT_STL, &said->text, alone);
-        reading_free(alone);
+        struct reading *reading = read_by_all(ZR_FORMAT_STL, &said->text);
+        refused += reading->status == ZR_BAD_SYNTAX;
+        reading_free(reading);
         *byte = was;
     }
     assert_in_range(refused, ROUNDS, 3 * ROUNDS);
     unsay(said);
-    end_teams(teams);
 }
 
 static void text_takes_little_more_memory_than_its_triangles(void **state)
@@ -231,39 +216,41 @@ static void binary_of_any_size_is_read_by_every_team(void **state)
 {
     (void)state;
     static const uint32_t counts[] = {1, 8191, 8192, 8193, 40000};
-    struct zr_team *teams[TEAMS];
-    start_teams(teams);
     for (size_t i = 0; i < sizeof counts / sizeof counts[0]; i++) {
         zr_vec4 *positions = malloc(3 * counts[i] * sizeof *positions);
         assert_non_null(positions);
         struct text text = make_binary(counts[i], positions);
-        struct reading *alone = read_by(NULL, ZR_FORMAT_STL, &text);
-        assert_read(alone);
-        assert_triangles(&alone->scene->meshes[0], positions, counts[i]);
-        assert_same_by_teams(teams, ZR_FORMAT_STL, &text, alone);
-        reading_free(alone);
-        /* Two places that are none. */
-        const float nowhere = -INFINITY;
-        const size_t bad[2] = {counts[i] / 3, counts[i] - 1};
-        for (size_t k = 0; k < 2; k++)
-            memcpy(text.bytes + HEADER_BYTES + TRIANGLE_BYTES * bad[k] + 28, &nowhere, sizeof nowhere);
-        struct reading *refused = read_by(NULL, ZR_FORMAT_STL, &text);
-        char want[64];
-        snprintf(want, sizeof want, "triangle %zu of %u, vertex 2:", bad[0] + 1, counts[i]);
-        assert_complaint(refused, ZR_BAD_SCENE, "", want);
-        assert_int_equal(refused->error.count, bad[0] == bad[1] ? 1 : 2);
-        assert_same_by_teams(teams, ZR_FORMAT_STL, &text, refused);
-        reading_free(refused);
+        struct reading *reading = read_by_all(ZR_FORMAT_STL, &text);
+        assert_read(reading);
+        assert_triangles(&reading->scene->meshes[0], positions, counts[i]);
+        reading_free(reading);
         drop(&text);
         free(positions);
     }
-    end_teams(teams);
+}
+
+static void places_of_binary_that_are_none_are_told_with_their_triangles(void **state)
+{
+    (void)state;
+    enum { TRIANGLES = 40000, SECOND_Y = 28 };
+    static zr_vec4 positions[3 * TRIANGLES];
+    static const size_t bad[2] = {TRIANGLES / 3, TRIANGLES - 1};
+    const float nowhere = -INFINITY;
+    struct text text = make_binary(TRIANGLES, positions);
+    for (size_t i = 0; i < 2; i++)
+        memcpy(text.bytes + HEADER_BYTES + TRIANGLE_BYTES * bad[i] + SECOND_Y, &nowhere, sizeof nowhere);
+    struct reading *reading = read_by_all(ZR_FORMAT_STL, &text);
+    char faults[2][FAULT_SIZE];
+    for (size_t i = 0; i < 2; i++)
+        snprintf(faults[i], FAULT_SIZE, "triangle %zu of 40000, vertex 2: (", bad[i] + 1);
+    assert_faults(reading, faults, 2);
+    reading_free(reading);
+    drop(&text);
 }
 
 static void cancelled_reading_says_so(void **state)
 {
     (void)state;
-    struct zr_team *team = zr_team_create(3);
     struct said *said = make(0, false);
     static zr_vec4 positions[3 * 20000];
     struct text binary = make_binary(20000, positions);
@@ -273,13 +260,12 @@ static void cancelled_reading_says_so(void **state)
     for (int i = 0; i < 4; i++) {
         const struct text *text = i & 1 ? &said->text : &binary;
         struct reading *reading =
-            read_by_team(i & 2 ? team : NULL, request, text->bytes, text->size, zr_limits_default(), CEILING);
+            read_by_team(i & 2 ? teams[1] : NULL, request, text->bytes, text->size, zr_limits_default(), CEILING);
         assert_complaint(reading, ZR_CANCELLED, "", "stopped");
         reading_free(reading);
     }
     drop(&binary);
     unsay(said);
-    zr_team_destroy(team);
 }
 
 int main(void)
@@ -290,7 +276,8 @@ int main(void)
         cmocka_unit_test(every_team_has_the_same_complaints),
         cmocka_unit_test(text_takes_little_more_memory_than_its_triangles),
         cmocka_unit_test(binary_of_any_size_is_read_by_every_team),
+        cmocka_unit_test(places_of_binary_that_are_none_are_told_with_their_triangles),
         cmocka_unit_test(cancelled_reading_says_so),
     };
-    return cmocka_run_group_tests_name("stl_parts", tests, NULL, NULL);
+    return cmocka_run_group_tests_name("stl_parts", tests, start_teams, end_teams);
 }
