@@ -46,17 +46,27 @@ static inline size_t zr_chunk_sum(zr_chunk bytes)
     return (size_t)(pairs * ones >> 48);
 }
 
+/* A bit for each byte, the first one's lowest, each being zero or all ones. */
+static inline unsigned zr_chunk_bits(zr_chunk bytes)
+{
+#ifdef __SSE2__
+    return (unsigned)_mm_movemask_epi8((__m128i)bytes);
+#else
+    const uint64_t one_each = UINT64_C(0x8040201008040201), ones = UINT64_C(0x0101010101010101);
+    uint64_t half[2];
+    memcpy(half, &bytes, sizeof half);
+#if __BYTE_ORDER__ == __ORDER_BIG_ENDIAN__
+    half[0] = __builtin_bswap64(half[0]);
+    half[1] = __builtin_bswap64(half[1]);
+#endif
+    return (unsigned)((half[0] & one_each) * ones >> 56 | (half[1] & one_each) * ones >> 56 << 8);
+#endif
+}
+
 /* The place of the first byte that is not zero, each being that or all ones; or ZR_CHUNK. */
 static inline size_t zr_chunk_first(zr_chunk bytes)
 {
-#ifdef __SSE2__
-    return (size_t)__builtin_ctz((unsigned)_mm_movemask_epi8((__m128i)bytes) | 1u << ZR_CHUNK);
-#else
-    size_t place = 0;
-    while (place < ZR_CHUNK && bytes[place] == 0)
-        place++;
-    return place;
-#endif
+    return (size_t)__builtin_ctz(zr_chunk_bits(bytes) | 1u << ZR_CHUNK);
 }
 
 #endif

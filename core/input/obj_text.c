@@ -4,9 +4,6 @@
 
 #include "input/chunk.h"
 
-/* In each place of a chunk a byte counts the words that begin there: of more chunks it could overflow. */
-enum { CHUNKS_TO_COUNT = 255 };
-
 struct zr_obj_statement zr_obj_word(struct zr_obj_statement *statement)
 {
     struct zr_obj_statement word = *statement;
@@ -24,20 +21,46 @@ static size_t count_one_by_one(struct zr_obj_statement *statement)
     return count;
 }
 
-/* Many bytes at once: of comments, joined lines, very long ones and the file's last, which ends at `end`,
- * count_one_by_one says it. Room is made for as many corners as are counted here, and whoever reads a face goes from
- * word to word. A fifth of the time of reading. */
+/* A bit for each byte of two chunks, the first one's lowest. */
+struct marks {
+    uint32_t spaces, odd;
+};
+
+static inline struct marks mark(const char *at)
+{
+    const zr_chunk low = zr_chunk_load(at), high = zr_chunk_load(at + ZR_CHUNK);
+    const zr_chunk odd_low = (zr_chunk)(low == '#') | (zr_chunk)(low == '\\'),
+                   odd_high = (zr_chunk)(high == '#') | (zr_chunk)(high == '\\');
+    return (struct marks){zr_chunk_bits(zr_chunk_spaces(low)) | zr_chunk_bits(zr_chunk_spaces(high)) << ZR_CHUNK,
+                          zr_chunk_bits(odd_low) | zr_chunk_bits(odd_high) << ZR_CHUNK};
+}
+
+/* Of bits of which no two are neighbours. Without an instruction for it, which not all have, the compiler calls a
+ * library. */
+static inline uint32_t count_apart(uint32_t bits)
+{
+    bits = (bits | bits >> 1) & 0x55555555;
+    bits = (bits & 0x33333333) + (bits >> 2 & 0x33333333);
+    return ((bits + (bits >> 4)) & 0x0F0F0F0F) * 0x01010101u >> 24;
+}
+
+/* Many bytes at once: of comments, joined lines and the file's last, which ends at `end`, count_one_by_one says it.
+ * Room is made for as many corners as are counted here, and whoever reads a face goes from word to word. */
 size_t zr_obj_count_words(struct zr_obj_statement *statement, const char *end)
 {
-    zr_chunk begins = {0}, odd = {0};
-    for (const char *at = statement->at; at < statement->end; at += ZR_CHUNK) {
+    enum { BYTES = 2 * ZR_CHUNK };
+    size_t count = 0;
+    uint32_t space_before = 0; /* the keyword is */
+    for (const char *at = statement->at; at < statement->end; at += BYTES) {
+        if (end - at < BYTES) return count_one_by_one(statement);
+        const struct marks marks = mark(at);
         const size_t left = (size_t)(statement->end - at);
-        if (end - at < ZR_CHUNK || at - statement->at >= CHUNKS_TO_COUNT * ZR_CHUNK) return count_one_by_one(statement);
-        const zr_chunk bytes = zr_chunk_load(at), within = zr_chunk_of_first(left < ZR_CHUNK ? left : ZR_CHUNK);
-        begins -= within & zr_chunk_spaces(zr_chunk_load(at - 1)) & ~zr_chunk_spaces(bytes);
-        odd |= within & ((zr_chunk)(bytes == '#') | (zr_chunk)(bytes == '\\'));
+        const uint32_t within = left < BYTES ? (UINT32_C(1) << left) - 1 : UINT32_MAX;
+        if (marks.odd & within) return count_one_by_one(statement);
+        count += count_apart(~marks.spaces & (marks.spaces << 1 | space_before) & within);
+        space_before = marks.spaces >> (BYTES - 1);
     }
-    return zr_chunk_first(odd) == ZR_CHUNK ? zr_chunk_sum(begins) : count_one_by_one(statement);
+    return count;
 }
 
 static int compare_words(const void *key, const void *word)
@@ -78,7 +101,6 @@ bool zr_obj_has_comment(const char *at, const char *line_end)
 /* A line end that no backslash hides ends a statement, be it a comment or not. */
 const char *zr_obj_cut(const char *at, size_t size, const char *end)
 {
-    if ((size_t)(end - at) <= size) return end;
     for (const char *line_end = at + size; line_end < end; line_end++) {
         line_end = memchr(line_end, '\n', (size_t)(end - line_end));
         if (!line_end) break;

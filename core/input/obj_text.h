@@ -15,7 +15,7 @@
 /* What is still to be read: whole statements. */
 struct zr_obj_text {
     const char *at, *end;
-    size_t line; /* the first one's, from 1 */
+    size_t line; /* the first one's */
 };
 
 /* One statement: a line, with those that a backslash joins to it. */
@@ -42,8 +42,7 @@ size_t zr_obj_count_words(struct zr_obj_statement *statement, const char *end);
 /* Of a word that is none of v and f. */
 enum zr_obj_keyword zr_obj_rare_keyword(const struct zr_obj_statement *word);
 
-/* Where a part may end that begins with a statement at `at`: behind whole statements of `size` bytes or a little more,
- * or at `end`. */
+/* For zr_parts_cut: behind whole statements. There are more than `size` bytes. */
 const char *zr_obj_cut(const char *at, size_t size, const char *end);
 
 ZR_INLINED bool zr_obj_is_blank(char byte)
@@ -86,7 +85,7 @@ ZR_INLINED bool zr_obj_hides_line_end(const char *from, const char *line_end)
     return line_end > from && line_end[-1] == '\\';
 }
 
-/* Is there a comment in a line? */
+/* Is there a comment in a line, from its beginning at `at`? A '#' in the middle of a word begins none. */
 bool zr_obj_has_comment(const char *at, const char *line_end);
 
 /* Behind its blanks; false where the text ends. Comments end with their line, backslash or not:

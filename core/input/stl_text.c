@@ -13,19 +13,22 @@
 /* Read in a fifth of a millisecond, about as long as it takes to wake a thread. */
 enum { PART_BYTES = 1 << 17 };
 
-/* All but the last one end behind a line that is nothing but "endfacet", and all but the first one begin there: in a
- * solid, since a line with "solid" has more, between two facets. Where somebody has written "endfacet" for a normal,
- * the part that it ends is at fault, and who reads on from its beginning knows better. */
+/* All but the first part begin behind a line that is nothing but "endfacet": in a solid, since a line with "solid" has
+ * more, between two facets. Where somebody has written "endfacet" for a normal, the part that it ends is at
+ * fault, and who reads on from its beginning knows better. */
 struct part {
-    const char *at, *end;
-    size_t first;     /* of its triangles, room for each */
-    size_t triangles; /* that there is room for; once it is read, that there are */
+    size_t first;     /* of its triangles, in room for `room` of them */
+    size_t room;      /* no less than there are */
+    size_t triangles; /* once it is read */
+    size_t line_ends; /* so, too */
 };
 
 /* What all threads share. */
 struct file {
     const struct zr_limits *limits;
+    const struct zr_cancel *cancel;
     size_t part_count;
+    const struct zr_part *texts;
     struct part *parts;
     zr_vec4 *positions;
 };
@@ -33,6 +36,7 @@ struct file {
 /* One thread at its part, or at all that is left. */
 struct reader {
     const struct zr_limits *limits;
+    const struct zr_cancel *cancel;
     const char *at, *end;
     size_t line;
     bool inside;   /* of a solid */
@@ -161,10 +165,10 @@ static bool read_facet(struct reader *reader)
     return true;
 }
 
-/* Facets up to the end of their solid, or of a part. False where that is the end of all reading, for a fault or not. */
+/* Facets up to the end of their solid; false where reading ends before: at a fault, cancelled, or with its part. */
 static bool read_facets(struct reader *reader)
 {
-    while (reader->error->count < reader->faults) {
+    while (reader->error->count < reader->faults && !zr_is_cancelled(reader->cancel)) {
         struct token token = next_token(reader);
         if (is_word(token, "endsolid")) return true;
         if (token.size == 0 && reader->goes_on) return false;
@@ -196,37 +200,37 @@ static void read_solids(struct reader *reader)
 
 /* ---- parts ---- */
 
-/* Is there nothing but this word? */
-static bool is_line_of(const char *at, const char *line_end, const char *word)
+/* The next f of either case, from `at` on, or `end`. Numbers have none, and so few are passed on the way. */
+static const char *find_f(const char *at, const char *end)
 {
-    struct reader line = {.at = at, .end = line_end};
-    return is_word(next_token(&line), word) && next_token(&line).size == 0;
+    for (; end - at >= ZR_CHUNK; at += ZR_CHUNK) {
+        const size_t place = zr_chunk_first((zr_chunk)((zr_chunk_load(at) | ('a' - 'A')) == 'f'));
+        if (place < ZR_CHUNK) return at + place;
+    }
+    while (at < end && lower(*at) != 'f')
+        at++;
+    return at;
 }
 
-/* Behind whole facets of `size` bytes or a little more, or `end`. */
-static const char *part_end(const char *at, size_t size, const char *end)
+static bool is_blank(char byte)
 {
-    if ((size_t)(end - at) <= size) return end;
-    const char *line_end = memchr(at + size, '\n', (size_t)(end - at) - size);
-    while (line_end) {
-        const char *line = line_end + 1;
-        line_end = memchr(line, '\n', (size_t)(end - line));
-        if (line_end && is_line_of(line, line_end, "endfacet")) return line_end + 1;
+    return byte != '\n' && is_space(byte);
+}
+
+const char *zr_stl_cut(const char *at, size_t size, const char *end)
+{
+    static const char word[] = "endfacet";
+    enum { SIZE = sizeof word - 1, F = 3 };
+    for (const char *f = find_f(at + size, end); end - f > SIZE - F; f = find_f(f + 1, end)) {
+        const char *begin = f - F, *behind = begin + SIZE;
+        if (!is_word((struct token){begin, SIZE}, word)) continue;
+        while (begin > at && is_blank(begin[-1]))
+            begin--;
+        while (behind < end && is_blank(*behind))
+            behind++;
+        if (behind < end && *behind == '\n' && begin > at && begin[-1] == '\n') return behind + 1;
     }
     return end;
-}
-
-static bool cut(struct file *file, struct zr_arena *arena, const char *bytes, size_t size)
-{
-    const char *end = bytes + size;
-    file->parts = zr_arena_zero(arena, size / PART_BYTES + 1, sizeof *file->parts);
-    if (!file->parts) return false;
-    for (const char *at = bytes; at < end; file->part_count++) {
-        struct part *part = &file->parts[file->part_count];
-        part->at = at;
-        part->end = at = part_end(at, PART_BYTES, end);
-    }
-    return true;
 }
 
 /* Of either case. */
@@ -245,14 +249,14 @@ static size_t count_letter(const char *at, const char *end, char letter)
 }
 
 /* For whole facets, of which each has the x of "vertex" three times, and no shorter text than there is. A name with an
- * x may make it too much. */
+ * x may make it too much; what begins in the part before, after all, has its vertices in this one. */
 static bool make_room(void *context, size_t index)
 {
     const struct file *file = context;
-    struct part *part = &file->parts[index];
-    const size_t most = (size_t)(part->end - part->at) / (sizeof TRIANGLE_TEXT - 1) + 1;
-    const size_t vertices = count_letter(part->at, part->end, 'x');
-    part->triangles = vertices / 3 < most ? vertices / 3 : most;
+    const struct zr_part *text = &file->texts[index];
+    const size_t most = (size_t)(text->end - text->at) / (sizeof TRIANGLE_TEXT - 1) + 1;
+    const size_t vertices = count_letter(text->at, text->end, 'x');
+    file->parts[index].room = vertices / 3 < most ? vertices / 3 : most;
     return true;
 }
 
@@ -261,20 +265,20 @@ static size_t add_up(struct file *file)
     size_t sum = 0;
     for (size_t i = 0; i < file->part_count; i++) {
         file->parts[i].first = sum;
-        sum += file->parts[i].triangles;
+        sum += file->parts[i].room;
     }
     return sum;
 }
 
 static struct reader reader_of(const struct file *file, size_t index, struct zr_error *error)
 {
-    const struct part *part = &file->parts[index];
     return (struct reader){.limits = file->limits,
-                           .at = part->at,
-                           .end = part->end,
+                           .cancel = file->cancel,
+                           .at = file->texts[index].at,
+                           .end = file->texts[index].end,
                            .line = 1,
                            .inside = index > 0,
-                           .positions = file->positions + 3 * part->first,
+                           .positions = file->positions + 3 * file->parts[index].first,
                            .error = error};
 }
 
@@ -286,9 +290,9 @@ static bool read_part(void *context, size_t index)
     reader.goes_on = index + 1 < file->part_count;
     reader.faults = 1;
     read_solids(&reader);
-    if (error.count > 0 || reader.inside != reader.goes_on) return false;
     file->parts[index].triangles = reader.triangles;
-    return true;
+    file->parts[index].line_ends = reader.line - 1;
+    return error.count == 0;
 }
 
 /* Moves what is behind room that was not needed; returns how many triangles there are. */
@@ -307,12 +311,12 @@ static size_t close_gaps(struct file *file, size_t parts)
 
 /* From a part on that could not be read by itself: to the end, or to as many faults as are told. Returns how many
  * triangles there are. */
-static size_t read_on(struct file *file, size_t index, const struct zr_request *request, struct zr_error *error)
+static size_t read_on(struct file *file, size_t index, struct zr_error *error)
 {
-    const struct part *part = &file->parts[index];
     struct reader reader = reader_of(file, index, error);
-    reader.end = request->bytes + request->size;
-    reader.line = zr_place_of(request->bytes, (size_t)(part->at - request->bytes)).line;
+    reader.end = file->texts[file->part_count - 1].end;
+    for (size_t i = 0; i < index; i++)
+        reader.line += file->parts[i].line_ends;
     reader.before = close_gaps(file, index);
     reader.positions = file->positions + 3 * reader.before;
     reader.faults = ZR_ERROR_ITEMS;
@@ -332,19 +336,21 @@ enum zr_status zr_stl_text_read(struct zr_arena *arena, struct zr_team *team, co
                                 const struct zr_limits *limits, zr_vec4 **positions, size_t *triangles,
                                 struct zr_error *error)
 {
-    struct file file = {.limits = limits};
-    if (!cut(&file, arena, request->bytes, request->size)) return ZR_NO_MEMORY;
-    if (zr_parts_read(team, request->cancel, 0, file.part_count, make_room, &file) < file.part_count)
-        return ZR_CANCELLED;
-    const size_t room = add_up(&file) + file.part_count; /* for what lies across the end of a part, after all */
+    struct file file = {.limits = limits, .cancel = request->cancel};
+    file.texts =
+        zr_parts_cut(arena, request->bytes, request->bytes + request->size, PART_BYTES, zr_stl_cut, &file.part_count);
+    file.parts = zr_arena_zero(arena, file.part_count, sizeof *file.parts);
+    if (!zr_arena_ok(arena)) return ZR_NO_MEMORY;
+    if (zr_parts_read(team, file.cancel, 0, file.part_count, make_room, &file) < file.part_count) return ZR_CANCELLED;
+    const size_t room = add_up(&file);
     if (room > ZR_STL_TRIANGLES_MAX)
         return zr_error_add(error, ZR_BAD_SCENE, NULL, "%zu triangles, more than the limit of %d", room,
                             ZR_STL_TRIANGLES_MAX);
     file.positions = zr_arena_alloc(arena, room, 3 * sizeof *file.positions);
     if (!file.positions) return ZR_NO_MEMORY;
-    const size_t failed = zr_parts_read(team, request->cancel, 0, file.part_count, read_part, &file);
-    if (zr_is_cancelled(request->cancel)) return ZR_CANCELLED;
+    const size_t failed = zr_parts_read(team, file.cancel, 0, file.part_count, read_part, &file);
     *positions = file.positions;
-    *triangles = failed < file.part_count ? read_on(&file, failed, request, error) : close_gaps(&file, failed);
+    *triangles = failed < file.part_count ? read_on(&file, failed, error) : close_gaps(&file, failed);
+    if (zr_is_cancelled(file.cancel)) return ZR_CANCELLED;
     return error->count > 0 ? error->status : ZR_OK;
 }

@@ -249,7 +249,7 @@ static void layout_of_the_text_does_not_matter(void **state)
         "\t v\t0  0\t0  \n\n \nv 1 0 0 # comment\nv 0 1 0\n  f 1\t2   3",
         "v 0 \\\n0 0\nv 1 0 0\nv 0 1 0\nf 1 \\\r\n2 \\\n3",
         "# a path C:\\\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf\\\n1 2 3 #1",
-        "v 0 0 0 # C:\\\nv 1 0 0 #\\\r\nv 0 1 0\nf \\\n1 2 \\\n3\\\n# and \\\n#",
+        "g a#b \\\nf 1 \\\n\nv 0 0 0 # C:\\\nv 1 0 0 #\\\r\nv 0 1 0\nf \\\n1 2 \\\n3\\\n# and \\\n#",
         "v 0 0 0 1\nv 1 0 0 0.5\nv 0 1 0 1\nf 1 2 3",
         "v +0 0. .0e1\nv 1 0 0\nv 0 1 0\nf 1 2 3",
     };

@@ -1,6 +1,8 @@
 /* Large OBJ files, which are read in parts by several threads: what is in them is known, and where their faults are. */
 #include "by_teams.h"
 #include "input/input.h"
+#include "input/obj_text.h"
+#include "input/parts.h"
 
 /* ThreadSanitizer reads thirty times as slowly. */
 #ifdef __SANITIZE_THREAD__
@@ -9,14 +11,18 @@ enum { ROUNDS = 2 };
 enum { ROUNDS = 12 };
 #endif
 
-enum { STATEMENTS = 60000, FAULTS_MAX = 5, VERTICES = 4, CORNERS_MAX = 9 };
+enum { STATEMENTS = 60000, FAULTS_MAX = 30, VERTICES = 4, CORNERS_MAX = 9, PART_BYTES = 1 << 16 };
+
+/* Where in a file there are colours, or corners with normals. */
+enum where { NOWHERE, ANYWHERE, FIRST_HALF, SECOND_HALF, WHERES };
 
 /* What a text says, written down while it is made. */
 struct said {
     struct text text;
     size_t line; /* of the next statement */
     size_t positions, normals, faces, corners;
-    bool has_normals, has_colors, normal_given, normal_missing;
+    enum where normals_where, colors_where;
+    bool second_half, color_given, normal_given, normal_missing;
     zr_vec4 position[STATEMENTS + VERTICES], color[STATEMENTS + VERTICES];
     zr_vec3 normal[STATEMENTS + VERTICES];
     uint32_t end[STATEMENTS], index[STATEMENTS * CORNERS_MAX], normal_index[STATEMENTS * CORNERS_MAX];
@@ -51,6 +57,11 @@ static float say_number(struct said *said, double low)
     return (float)strtod(digits, NULL);
 }
 
+static bool is_there(const struct said *said, enum where where)
+{
+    return where == ANYWHERE || where == (said->second_half ? SECOND_HALF : FIRST_HALF);
+}
+
 static void say_position(struct said *said)
 {
     zr_vec4 *position = &said->position[said->positions], *color = &said->color[said->positions];
@@ -60,7 +71,8 @@ static void say_position(struct said *said)
     position->z = say_number(said, -1);
     position->w = 1;
     *color = (zr_vec4){1, 1, 1, 1};
-    if (said->has_colors && below(50)) {
+    if (is_there(said, said->colors_where) && below(50)) {
+        said->color_given = true;
         color->x = say_number(said, 0);
         color->y = say_number(said, 0);
         color->z = say_number(said, 0);
@@ -98,7 +110,7 @@ static void say_face(struct said *said)
         say_blank(said);
         said->index[said->corners] = say_index(said, said->positions);
         said->normal_index[said->corners] = UINT32_MAX;
-        if (said->has_normals && below(100)) {
+        if (is_there(said, said->normals_where) && (said->normals_where != ANYWHERE || below(100))) {
             add(&said->text, "/%s/", below(2) ? "7" : "");
             said->normal_index[said->corners] = say_index(said, said->normals);
             said->normal_given = true;
@@ -135,28 +147,29 @@ static void say_fault(struct said *said)
     snprintf(said->fault[said->faults++], FAULT_SIZE, "line %zu: %s", said->line++, faults[which].complaint);
 }
 
-static struct said *say(bool has_normals, bool has_colors, size_t faults)
+static struct said *say(enum where normals, enum where colors, size_t faults)
 {
     struct said *said = calloc(1, sizeof *said);
     assert_non_null(said);
     said->line = 1;
-    said->has_normals = has_normals;
-    said->has_colors = has_colors;
+    said->normals_where = normals;
+    said->colors_where = colors;
     for (size_t i = 0; i < VERTICES; i++) {
         say_position(said);
-        if (has_normals) say_normal(said);
+        if (normals) say_normal(said);
     }
     for (size_t i = 0; i < STATEMENTS; i++) {
         const size_t which = below(100);
+        said->second_half = i >= STATEMENTS / 2;
         if (which < 35)
             say_position(said);
         else if (which < 90)
             say_face(said);
-        else if (which < 95 && has_normals)
+        else if (which < 95 && normals)
             say_normal(said);
         else
             say_other(said);
-        if (said->faults < faults && below(STATEMENTS / FAULTS_MAX) == 0) say_fault(said);
+        if (said->second_half && said->faults < faults && below(STATEMENTS / FAULTS_MAX / 2) == 0) say_fault(said);
     }
     return said;
 }
@@ -190,7 +203,7 @@ static void assert_said(const struct said *said, const struct zr_mesh *mesh)
     assert_int_equal(mesh->face_offsets[0], 0);
     assert_memory_equal(mesh->face_offsets + 1, said->end, said->faces * sizeof said->end[0]);
     assert_memory_equal(mesh->indices, said->index, said->corners * sizeof said->index[0]);
-    assert_int_equal(mesh->colors != NULL, said->has_colors);
+    assert_int_equal(mesh->colors != NULL, said->color_given);
     if (mesh->colors) assert_memory_equal(mesh->colors, said->color, said->positions * sizeof said->color[0]);
     assert_normals(said, mesh);
 }
@@ -199,7 +212,7 @@ static void all_that_a_file_says_is_read_by_every_team(void **state)
 {
     (void)state;
     for (int round = 0; round < ROUNDS; round++) {
-        struct said *said = say(round & 1, round & 2, 0);
+        struct said *said = say(round % WHERES, (round + round / WHERES) % WHERES, 0);
         if (below(2)) said->text.size--; /* the last line does not end */
         struct reading *reading = read_by_all(ZR_FORMAT_OBJ, &said->text);
         assert_read(reading);
@@ -209,11 +222,32 @@ static void all_that_a_file_says_is_read_by_every_team(void **state)
     }
 }
 
+/* So there is something for several threads. */
+static void a_file_is_cut_behind_statements(void **state)
+{
+    (void)state;
+    struct said *said = say(ANYWHERE, ANYWHERE, 0);
+    struct zr_arena arena;
+    size_t count;
+    const char *at = said->text.bytes, *end = at + said->text.size;
+    zr_arena_init(&arena, CEILING);
+    const struct zr_part *parts = zr_parts_cut(&arena, at, end, PART_BYTES, zr_obj_cut, &count);
+    assert_in_range(count, said->text.size / (PART_BYTES + 1024), said->text.size / PART_BYTES + 1);
+    for (size_t i = 0; i < count; at = parts[i++].end) {
+        assert_ptr_equal(parts[i].at, at);
+        assert_true(parts[i].end == end || parts[i].end[-1] == '\n');
+    }
+    assert_ptr_equal(at, end);
+    zr_arena_free(&arena);
+    unsay(said);
+}
+
+/* More of them than are told, too. */
 static void faults_are_told_in_their_order_with_their_lines(void **state)
 {
     (void)state;
     for (int round = 0; round < ROUNDS; round++) {
-        struct said *said = say(true, round & 1, FAULTS_MAX);
+        struct said *said = say(ANYWHERE, round % WHERES, round & 1 ? 4 : FAULTS_MAX);
         struct reading *reading = read_by_all(ZR_FORMAT_OBJ, &said->text);
         assert_faults(reading, said->fault, said->faults);
         reading_free(reading);
@@ -221,11 +255,33 @@ static void faults_are_told_in_their_order_with_their_lines(void **state)
     }
 }
 
+/* A byte that is another one, anywhere, or an end too early. */
+static void every_team_has_the_same_complaints(void **state)
+{
+    (void)state;
+    static const char bytes[] = "0123456789.e-+ \n\r\t/vfn#\\";
+    struct said *said = say(ANYWHERE, ANYWHERE, 0);
+    const size_t size = said->text.size;
+    size_t refused = 0;
+    for (int round = 0; round < 3 * ROUNDS; round++) {
+        char *byte = &said->text.bytes[below(size)];
+        const char was = *byte;
+        *byte = bytes[below(sizeof bytes - 1)];
+        said->text.size = below(2) ? size : below(size);
+        struct reading *reading = read_by_all(ZR_FORMAT_OBJ, &said->text);
+        refused += reading->status != ZR_OK;
+        reading_free(reading);
+        *byte = was;
+    }
+    assert_in_range(refused, 1, 3 * ROUNDS - 1);
+    unsay(said);
+}
+
 /* Behind bad syntax nothing is read, and so nothing is told of what other threads may have found there. */
 static void bad_syntax_ends_reading_for_every_team(void **state)
 {
     (void)state;
-    struct said *said = say(false, false, 0);
+    struct said *said = say(NOWHERE, NOWHERE, 0);
     const size_t line = said->line;
     add(&said->text, "f 1 2 x\n");
     for (size_t i = 0; i < 30000; i++)
@@ -257,19 +313,24 @@ static void statement_of_any_length_is_read(void **state)
     }
 }
 
-static void cancelled_reading_says_so(void **state)
+/* zr_scene_read would say so whatever the reader says. */
+static void cancelled_reader_says_so(void **state)
 {
     (void)state;
-    struct said *said = say(true, true, 0);
+    struct said *said = say(ANYWHERE, ANYWHERE, 0);
     struct zr_cancel cancel;
     atomic_init(&cancel.raised, true);
-    const struct zr_request request = {.format = ZR_FORMAT_OBJ, .cancel = &cancel};
+    const struct zr_request request = {
+        .format = ZR_FORMAT_OBJ, .bytes = said->text.bytes, .size = said->text.size, .cancel = &cancel};
+    const struct zr_limits limits = zr_limits_default();
     for (int i = 0; i < 2; i++) {
-        struct reading *reading =
-            read_by_team(i ? teams[1] : NULL, request, said->text.bytes, said->text.size, zr_limits_default(), CEILING);
-        assert_complaint(reading, ZR_CANCELLED, "", "stopped");
-        assert_true(reading->arena.peak < said->text.size / 4); /* it was cut, and no array made */
-        reading_free(reading);
+        struct zr_arena arena;
+        struct zr_mesh mesh;
+        struct zr_error error = {.count = 0};
+        zr_arena_init(&arena, CEILING);
+        assert_int_equal(zr_obj_read(&arena, i ? teams[1] : NULL, &request, &limits, &mesh, &error), ZR_CANCELLED);
+        assert_true(arena.peak < said->text.size / 4); /* it was cut, and no array made */
+        zr_arena_free(&arena);
     }
     unsay(said);
 }
@@ -278,10 +339,12 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(all_that_a_file_says_is_read_by_every_team),
+        cmocka_unit_test(a_file_is_cut_behind_statements),
+        cmocka_unit_test(every_team_has_the_same_complaints),
         cmocka_unit_test(faults_are_told_in_their_order_with_their_lines),
         cmocka_unit_test(bad_syntax_ends_reading_for_every_team),
         cmocka_unit_test(statement_of_any_length_is_read),
-        cmocka_unit_test(cancelled_reading_says_so),
+        cmocka_unit_test(cancelled_reader_says_so),
     };
     return cmocka_run_group_tests_name("obj_parts", tests, start_teams, end_teams);
 }

@@ -1,5 +1,10 @@
 /* Large STL files, which are read in parts by several threads: what is in them is known, and where their faults are. */
+#include <strings.h>
+
 #include "by_teams.h"
+#include "input/input.h"
+#include "input/parts.h"
+#include "input/stl_text.h"
 
 /* ThreadSanitizer reads thirty times as slowly. */
 #ifdef __SANITIZE_THREAD__
@@ -8,7 +13,7 @@ enum { ROUNDS = 2 };
 enum { ROUNDS = 12 };
 #endif
 
-enum { FACETS = 6000, FAULTS_MAX = 4, HEADER_BYTES = 84, TRIANGLE_BYTES = 50 };
+enum { FACETS = 6000, FAULTS_MAX = 30, PART_BYTES = 1 << 17, HEADER_BYTES = 84, TRIANGLE_BYTES = 50 };
 
 /* What a text says, written down while it is made. */
 struct said {
@@ -98,7 +103,7 @@ static struct said *make(size_t faults, bool odd)
     said->line = 1;
     say_solid(said);
     while (said->facets < FACETS) {
-        if (said->faults < faults && below(FACETS / FAULTS_MAX) == 0)
+        if (said->facets > FACETS / 2 && said->faults < faults && below(FACETS / FAULTS_MAX / 2) == 0)
             say_fault(said);
         else
             say_facet(said, odd && below(5) == 0);
@@ -144,7 +149,7 @@ static void faults_are_told_in_their_order_with_their_lines(void **state)
 {
     (void)state;
     for (int round = 0; round < ROUNDS; round++) {
-        struct said *said = make(FAULTS_MAX, round & 1);
+        struct said *said = make(round & 2 ? FAULTS_MAX : 4, round & 1);
         struct reading *reading = read_by_all(ZR_FORMAT_STL, &said->text);
         assert_faults(reading, said->fault, said->faults);
         reading_free(reading);
@@ -157,7 +162,7 @@ static void every_team_has_the_same_complaints(void **state)
 {
     (void)state;
     static const char bytes[] = "0123456789.e-+ \n\tnxvd#\f";
-    struct said *said = make(1, true);
+    struct said *said = make(0, true);
     const size_t size = said->text.size;
     size_t refused = 0;
     for (int round = 0; round < 3 * ROUNDS; round++) {
@@ -171,6 +176,70 @@ static void every_team_has_the_same_complaints(void **state)
         *byte = was;
     }
     assert_in_range(refused, ROUNDS, 3 * ROUNDS);
+    unsay(said);
+}
+
+/* The name makes room for triangles that are not there; then whole parts; then parts that end in a normal. What was
+ * read until there is moved together, and what comes behind is read to its place. */
+static void gaps_before_a_part_that_is_read_again_are_closed(void **state)
+{
+    (void)state;
+    enum { TRIANGLES = 16000 };
+    static zr_vec4 positions[3 * TRIANGLES];
+    struct text text = {0};
+    add(&text, "solid x xxx xxx xxx xxx xxx\n");
+    for (size_t i = 0; i < TRIANGLES; i++) {
+        if (i < TRIANGLES / 2)
+            add(&text, "facet normal 0 0 1\n");
+        else
+            add(&text, "facet normal 0 %0400d\nendfacet\n", 0);
+        add(&text, "outer loop\nvertex %zu 0 0\nvertex 0 1 0\nvertex 0 0 1\nendloop\nendfacet\n", i);
+        positions[3 * i] = (zr_vec4){(float)i, 0, 0, 1};
+        positions[3 * i + 1] = (zr_vec4){0, 1, 0, 1};
+        positions[3 * i + 2] = (zr_vec4){0, 0, 1, 1};
+    }
+    add(&text, "endsolid\n");
+    struct zr_arena arena;
+    size_t count, whole = 0, odd = 0;
+    zr_arena_init(&arena, CEILING);
+    const struct zr_part *parts =
+        zr_parts_cut(&arena, text.bytes, text.bytes + text.size, PART_BYTES, zr_stl_cut, &count);
+    for (size_t i = 0; i + 1 < count; i++) {
+        whole += odd == 0 && *parts[i].end == 'f';
+        odd += *parts[i].end == 'o';
+    }
+    assert_true(whole > 2 && odd > 0);
+    zr_arena_free(&arena);
+    struct reading *reading = read_by_all(ZR_FORMAT_STL, &text);
+    assert_read(reading);
+    assert_triangles(&reading->scene->meshes[0], positions, TRIANGLES);
+    reading_free(reading);
+    drop(&text);
+}
+
+/* So there is something for several threads. */
+static void a_text_is_cut_behind_lines_that_end_facets(void **state)
+{
+    (void)state;
+    struct said *said = make(0, false);
+    struct zr_arena arena;
+    size_t count;
+    const char *at = said->text.bytes, *end = at + said->text.size;
+    zr_arena_init(&arena, CEILING);
+    const struct zr_part *parts = zr_parts_cut(&arena, at, end, PART_BYTES, zr_stl_cut, &count);
+    assert_in_range(count, said->text.size / (PART_BYTES + 2048), said->text.size / PART_BYTES + 1);
+    for (size_t i = 0; i < count; at = parts[i++].end) {
+        assert_ptr_equal(parts[i].at, at);
+        if (parts[i].end == end) continue;
+        const char *line = parts[i].end - 1;
+        while (line[-1] != '\n')
+            line--;
+        const size_t blanks = strspn(line, " \t");
+        assert_int_equal(strncasecmp(line + blanks, "endfacet", 8), 0);
+        assert_int_equal(strspn(line + blanks + 8, " \t\r\n") >= 1, 1);
+    }
+    assert_ptr_equal(at, end);
+    zr_arena_free(&arena);
     unsay(said);
 }
 
@@ -234,35 +303,41 @@ static void places_of_binary_that_are_none_are_told_with_their_triangles(void **
     (void)state;
     enum { TRIANGLES = 40000, SECOND_Y = 28 };
     static zr_vec4 positions[3 * TRIANGLES];
-    static const size_t bad[2] = {TRIANGLES / 3, TRIANGLES - 1};
     const float nowhere = -INFINITY;
     struct text text = make_binary(TRIANGLES, positions);
-    for (size_t i = 0; i < 2; i++)
-        memcpy(text.bytes + HEADER_BYTES + TRIANGLE_BYTES * bad[i] + SECOND_Y, &nowhere, sizeof nowhere);
+    char faults[FAULTS_MAX][FAULT_SIZE];
+    for (size_t i = 0; i < FAULTS_MAX; i++) {
+        const size_t bad = TRIANGLES / 2 + 619 * i;
+        memcpy(text.bytes + HEADER_BYTES + TRIANGLE_BYTES * bad + SECOND_Y, &nowhere, sizeof nowhere);
+        snprintf(faults[i], FAULT_SIZE, "triangle %zu of 40000, vertex 2: (", bad + 1);
+    }
     struct reading *reading = read_by_all(ZR_FORMAT_STL, &text);
-    char faults[2][FAULT_SIZE];
-    for (size_t i = 0; i < 2; i++)
-        snprintf(faults[i], FAULT_SIZE, "triangle %zu of 40000, vertex 2: (", bad[i] + 1);
-    assert_faults(reading, faults, 2);
+    assert_faults(reading, faults, FAULTS_MAX);
     reading_free(reading);
     drop(&text);
 }
 
-static void cancelled_reading_says_so(void **state)
+/* zr_scene_read would say so whatever the reader says. */
+static void cancelled_reader_says_so(void **state)
 {
     (void)state;
+    enum { TRIANGLES = 20000 };
+    static zr_vec4 positions[3 * TRIANGLES];
     struct said *said = make(0, false);
-    static zr_vec4 positions[3 * 20000];
-    struct text binary = make_binary(20000, positions);
+    struct text binary = make_binary(TRIANGLES, positions);
     struct zr_cancel cancel;
     atomic_init(&cancel.raised, true);
-    const struct zr_request request = {.format = ZR_FORMAT_STL, .cancel = &cancel};
+    const struct zr_limits limits = zr_limits_default();
     for (int i = 0; i < 4; i++) {
         const struct text *text = i & 1 ? &said->text : &binary;
-        struct reading *reading =
-            read_by_team(i & 2 ? teams[1] : NULL, request, text->bytes, text->size, zr_limits_default(), CEILING);
-        assert_complaint(reading, ZR_CANCELLED, "", "stopped");
-        reading_free(reading);
+        const struct zr_request request = {
+            .format = ZR_FORMAT_STL, .bytes = text->bytes, .size = text->size, .cancel = &cancel};
+        struct zr_arena arena;
+        struct zr_mesh mesh;
+        struct zr_error error = {.count = 0};
+        zr_arena_init(&arena, CEILING);
+        assert_int_equal(zr_stl_read(&arena, i & 2 ? teams[1] : NULL, &request, &limits, &mesh, &error), ZR_CANCELLED);
+        zr_arena_free(&arena);
     }
     drop(&binary);
     unsay(said);
@@ -274,10 +349,12 @@ int main(void)
         cmocka_unit_test(all_that_a_file_says_is_read_by_every_team),
         cmocka_unit_test(faults_are_told_in_their_order_with_their_lines),
         cmocka_unit_test(every_team_has_the_same_complaints),
+        cmocka_unit_test(gaps_before_a_part_that_is_read_again_are_closed),
+        cmocka_unit_test(a_text_is_cut_behind_lines_that_end_facets),
         cmocka_unit_test(text_takes_little_more_memory_than_its_triangles),
         cmocka_unit_test(binary_of_any_size_is_read_by_every_team),
         cmocka_unit_test(places_of_binary_that_are_none_are_told_with_their_triangles),
-        cmocka_unit_test(cancelled_reading_says_so),
+        cmocka_unit_test(cancelled_reader_says_so),
     };
     return cmocka_run_group_tests_name("stl_parts", tests, start_teams, end_teams);
 }

@@ -29,6 +29,7 @@ static inline void add(struct text *text, const char *format, ...)
     va_start(arguments, format);
     int size = vsnprintf(line, sizeof line, format, arguments);
     va_end(arguments);
+    assert_in_range(size, 0, sizeof line - 1);
     put(text, line, (size_t)size);
 }
 
