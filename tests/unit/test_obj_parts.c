@@ -212,7 +212,7 @@ static void all_that_a_file_says_is_read_by_every_team(void **state)
 {
     (void)state;
     for (int round = 0; round < ROUNDS; round++) {
-        struct said *said = say(round % WHERES, (round + round / WHERES) % WHERES, 0);
+        struct said *said = say((enum where)(round % WHERES), (enum where)((round + round / WHERES) % WHERES), 0);
         if (below(2)) said->text.size--; /* the last line does not end */
         struct reading *reading = read_by_all(ZR_FORMAT_OBJ, &said->text);
         assert_read(reading);
@@ -247,7 +247,7 @@ static void faults_are_told_in_their_order_with_their_lines(void **state)
 {
     (void)state;
     for (int round = 0; round < ROUNDS; round++) {
-        struct said *said = say(ANYWHERE, round % WHERES, round & 1 ? 4 : FAULTS_MAX);
+        struct said *said = say(ANYWHERE, (enum where)(round % WHERES), round & 1 ? 4 : FAULTS_MAX);
         struct reading *reading = read_by_all(ZR_FORMAT_OBJ, &said->text);
         assert_faults(reading, said->fault, said->faults);
         reading_free(reading);
