@@ -92,6 +92,18 @@ static inline zr_vi zr_vp_cross(zr_vp a, zr_vp b)
 }
 #endif
 
+#ifdef ZR_LOAD_PAIRS
+static inline void zr_load_corners(const float *vertices, const uint32_t *corners, zr_vf low[3], zr_vf high[3])
+{
+#define ZR_CORNER(i) (vertices + 4 * (size_t)corners[3 * (i) + k])
+    for (int k = 0; k < 3; k++) {
+        low[k] = (zr_vf)ZR_LOAD_PAIRS(ZR_CORNER, 0);
+        high[k] = (zr_vf)ZR_LOAD_PAIRS(ZR_CORNER, 2);
+    }
+#undef ZR_CORNER
+}
+#endif
+
 #ifndef ZR_HAS_LIST_BITS
 static inline uint32_t zr_vi_list_bits(void *p, uint32_t bits, int32_t first)
 {

@@ -46,15 +46,6 @@ static inline uint32_t zr_vi_compress(void *p, zr_vm m, zr_vi v)
     return count;
 }
 #endif
-static inline void zr_load_corners(const float *vertices, const uint32_t *corners, zr_vf low[3], zr_vf high[3])
-{
-#define ZR_CORNER(i) (vertices + 4 * (size_t)corners[3 * (i) + k])
-    for (int k = 0; k < 3; k++) {
-        low[k] = (zr_vf)ZR_LOAD_PAIRS(ZR_CORNER, 0);
-        high[k] = (zr_vf)ZR_LOAD_PAIRS(ZR_CORNER, 2);
-    }
-#undef ZR_CORNER
-}
 static inline zr_vf zr_vf_bits(zr_vi a)
 {
     return (zr_vf)a;
