@@ -94,6 +94,19 @@ static inline void load_corners(const struct zr_geometry *geometry, const struct
 #undef CORNER
 }
 
+/* Corners of triangles to come: sorting has looked at these, but at others after them. With whole groups of one array
+ * (visibility.c), 4 to 9 % of the bunny at 512x512. */
+enum { EXPECTED_AHEAD = 48 };
+
+/* Of numbers that `left` follow, themselves among them; where ZR_LANES of these are the batch's. */
+static inline void expect_corners(const struct zr_batch *batch, const uint32_t *numbers, uint32_t left)
+{
+    const uint32_t *later = numbers + EXPECTED_AHEAD;
+    if (left < EXPECTED_AHEAD + ZR_LANES || !is_of_mesh(batch, later)) return;
+    for (uint32_t i = 0; i < ZR_LANES; i++)
+        __builtin_prefetch(batch->corners + 3 * (size_t)(later[i] - batch->first));
+}
+
 /* Of any batches. Returns the last one's. */
 static inline const struct zr_batch *load_mixed_corners(const struct zr_geometry *geometry,
                                                         const struct zr_batch *batch, const uint32_t *numbers,
@@ -244,6 +257,7 @@ void ZR_KERNEL(zr_small)(struct zr_tile *tile, const struct zr_geometry *geometr
         } else {
             batch = load_mixed_corners(geometry, batch, here, v);
         }
+        expect_corners(batch, numbers + done, count - done);
         set_up(tile, v, &group);
         if (is_painted && group.in_stamp) {
             const struct zr_color_planes planes = zr_early_planes(batch, here, zr_vm_of(group.turned), v);

@@ -98,6 +98,9 @@ static bool draw_wide_ones(const struct zr_visible *visible, uint32_t number, co
 
 /* ---- what is listed ---- */
 
+/* A whole number of groups, whatever the instruction set, and of full blocks. */
+enum { SMALL_AT_ONCE = 16 * ZR_BIN_NUMBERS_A_BLOCK };
+
 /* The next block is asked for before it is needed (a quarter of the time that this takes), and so is what painting will
  * look up first: with a million triangles each pixel has a place in memory of its own (4 % of the time of these). What
  * has its colour is not looked up. */
@@ -120,14 +123,23 @@ static void draw_fragments(const struct zr_visible *visible, const struct zr_bin
     }
 }
 
+/* From all lists in one array, so that the kernel has whole groups, and sees what is to come. */
 static bool draw_small_ones(const struct zr_visible *visible, uint32_t number, const struct zr_cancel *cancel,
                             struct zr_tile *tile)
 {
+    uint32_t numbers[SMALL_AT_ONCE], count = 0;
     for (int i = 0; i < visible->bins.worker_count; i++)
         for (const struct zr_bin_head *b = visible->bins.workers[i].tiles[number].small.first; b; b = b->next) {
-            if (zr_is_cancelled(cancel)) return false;
-            visible->draw_small(tile, visible->geometry, ((const struct zr_bin_numbers *)b)->numbers, b->used);
+            if (count + b->used > SMALL_AT_ONCE) {
+                if (zr_is_cancelled(cancel)) return false;
+                visible->draw_small(tile, visible->geometry, numbers, count);
+                count = 0;
+            }
+            memcpy(numbers + count, ((const struct zr_bin_numbers *)b)->numbers, b->used * sizeof *numbers);
+            count += b->used;
         }
+    if (zr_is_cancelled(cancel)) return false;
+    visible->draw_small(tile, visible->geometry, numbers, count);
     return true;
 }
 
