@@ -151,7 +151,7 @@ test-emulated: $(BUILD)/zraster-cross $(unit_tests) $(verify_osmesa) $(verify_eg
 	@DATA="$(DATA)" REFERENCE_TRIANGLES=60000 REFERENCE_LINES=10000 tests/run.sh $(BUILD) unit reference
 
 .PHONY: bench
-bench: ## our times beside llvmpipe's, libpng's, cJSON's, in one run; ARGS="--only PNG", --rounds N, --list
+bench: ## our times beside llvmpipe's, libpng's, cJSON's, in one run; ARGS="--only PNG", --isa avx2, --rounds N, --list
 	@.ci/need $(NEED_BUILD) $(NEED_TEST)
 	@$(MAKE) -s -j$(JOBS) $(BUILD)/zrasterd $(BUILD)/zraster-bench $(bench_alone)
 	@ZRASTERD=$(BUILD)/zrasterd $(BUILD)/zraster-bench --models $(DATA)/models --output $(BUILD)/bench/results.json $(ARGS)

@@ -17,7 +17,7 @@ static void name_row(const struct work *work, const struct variant *variant, cha
 {
     char drawn[80];
     works_variant_name(work, variant, drawn, sizeof drawn);
-    snprintf(name, size, "metric depth: %.60s 1T %s", drawn, machine_isa());
+    snprintf(name, size, "metric depth: %.60s 1T %s", drawn, machine_isa_name());
 }
 
 static bool run_round(void *context, struct series *series)

@@ -20,7 +20,7 @@ static const struct bar cold_bar = {2, 5};
 
 static void name_row(const struct work *work, char *name, size_t size)
 {
-    snprintf(name, size, "exec to the first picture, %.40s %s", work->name, machine_isa());
+    snprintf(name, size, "exec to the first picture, %.40s %s", work->name, machine_isa_name());
 }
 
 static bool is_png(const struct wire_answer *answer)

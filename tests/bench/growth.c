@@ -35,9 +35,9 @@ static void name_row(const struct bench *bench, const struct step *step, char *n
     int i = step->number;
     if (step->of_pixels)
         snprintf(name, size, "growth: %ux%u pixels, %s Gouraud 1T %s", sides[i], sides[i], works_animal(bench->models),
-                 machine_isa());
+                 machine_isa_name());
     else
-        snprintf(name, size, "growth: %s triangles, 1080p Gouraud 1T %s", counts[i].name, machine_isa());
+        snprintf(name, size, "growth: %s triangles, 1080p Gouraud 1T %s", counts[i].name, machine_isa_name());
 }
 
 /* ---- one size ---- */

@@ -25,7 +25,7 @@ static void name_row(const struct task *task, const char *what, char *name, size
 {
     char drawn[80];
     works_variant_name(task->work, &(struct variant){task->shade, false}, drawn, sizeof drawn);
-    snprintf(name, size, "lit and fitted%s: %.60s %dT %s", what, drawn, task->threads, machine_isa());
+    snprintf(name, size, "lit and fitted%s: %.60s %dT %s", what, drawn, task->threads, machine_isa_name());
 }
 
 /* Into a side's own subject, which points into itself. */

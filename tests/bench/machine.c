@@ -4,16 +4,29 @@
 #include <stdlib.h>
 #include <unistd.h>
 
-#include "base/isa.h"
+static const char isa_variable[] = "ZRASTER_ISA";
 
-const char *machine_isa(void)
+bool machine_use_isa(const char *name)
 {
-    return zr_isa_name(zr_isa_best());
+    enum zr_isa isa;
+    return zr_isa_find(name, &isa) && zr_isa_is_available(isa) && setenv(isa_variable, name, 1) == 0;
+}
+
+enum zr_isa machine_isa(void)
+{
+    enum zr_isa isa;
+    const char *name = getenv(isa_variable);
+    return name && zr_isa_find(name, &isa) && zr_isa_is_available(isa) ? isa : zr_isa_best();
+}
+
+const char *machine_isa_name(void)
+{
+    return zr_isa_name(machine_isa());
 }
 
 double machine_bar_divisor(void)
 {
-    return zr_isa_best() == ZR_ISA_AVX512 ? 1.0 : 1.6;
+    return machine_isa() == ZR_ISA_AVX512 ? 1.0 : 1.6;
 }
 
 int machine_cores(void)

@@ -2,8 +2,18 @@
 #ifndef ZR_BENCH_MACHINE_H
 #define ZR_BENCH_MACHINE_H
 
-/* The instruction set that the core uses here, such as "avx512". */
-const char *machine_isa(void);
+#include <stdbool.h>
+
+#include "base/isa.h"
+
+/* From now on the core uses these instructions here, and in all processes that are started. False where there is no
+ * such instruction set, or this machine lacks it. */
+bool machine_use_isa(const char *name);
+
+/* The instruction set that the core uses here: that of the variable ZRASTER_ISA, as the daemon has it, else the best.
+ */
+enum zr_isa machine_isa(void);
+const char *machine_isa_name(void);
 
 /* What a bar of the rendering, set for 512-bit vectors, is divided by here. */
 double machine_bar_divisor(void);

@@ -21,8 +21,10 @@
 
 static int usage(void)
 {
-    fputs("usage: zraster-bench [--models DIR] [--only PART] [--rounds N] [--output FILE] [--check-only] [--list]\n"
+    fputs("usage: zraster-bench [--models DIR] [--isa NAME] [--only PART] [--rounds N] [--output FILE] [--check-only]\n"
+          "                     [--list]\n"
           "DIR may hold stanford-bunny.obj; ZRASTERD names the daemon (build/zrasterd).\n"
+          "  --isa NAME     instruction set to render with, instead of the widest, as the variable ZRASTER_ISA\n"
           "  --only PART    rows whose names have this part\n"
           "  --rounds N     1 to 401, instead of as many as fit\n"
           "  --output FILE  where the rows go as JSON (build/bench/results.json)\n"
@@ -32,8 +34,17 @@ static int usage(void)
     return 2;
 }
 
+static bool take_isa(const char *name)
+{
+    if (machine_use_isa(name)) return true;
+    fprintf(stderr, "zraster-bench: this machine has no instruction set \"%s\"\n", name);
+    return false;
+}
+
 static bool read_options(int count, char **arguments, struct bench *bench, const char **output)
 {
+    const char *isa = getenv("ZRASTER_ISA");
+    if (isa && strcmp(isa, "auto") != 0 && !take_isa(isa)) return false;
     for (int i = 1; i < count; i++) {
         const char *flag = arguments[i], *value = i + 1 < count ? arguments[i + 1] : NULL;
         if (strcmp(flag, "--check-only") == 0)
@@ -44,7 +55,9 @@ static bool read_options(int count, char **arguments, struct bench *bench, const
             return false;
         else if (strcmp(flag, "--models") == 0)
             bench->models = arguments[++i];
-        else if (strcmp(flag, "--only") == 0)
+        else if (strcmp(flag, "--isa") == 0) {
+            if (!take_isa(arguments[++i])) return false;
+        } else if (strcmp(flag, "--only") == 0)
             bench->only = arguments[++i];
         else if (strcmp(flag, "--output") == 0)
             *output = arguments[++i];
@@ -74,7 +87,7 @@ static void introduce(struct bench *bench)
     struct results *results = &bench->results, names = {.rows = NULL};
     results->processor = machine_processor();
     results->cores = machine_cores();
-    results->isa = machine_isa();
+    results->isa = machine_isa_name();
     if (bench_in_child(bench, name_renderer, NULL, &names) && names.count == 1)
         memcpy(results->renderer, names.rows[0].work, sizeof results->renderer);
     results_free(&names);

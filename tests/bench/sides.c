@@ -3,13 +3,15 @@
 #include <stdio.h>
 #include <stdlib.h>
 
+#include "bench/machine.h"
+
 static const size_t ARENA_BYTES = (size_t)16 << 30;
 
 bool ours_open(struct ours *ours, int threads)
 {
     zr_arena_init(&ours->arena, ARENA_BYTES);
     zr_arena_init(&ours->answers, ARENA_BYTES);
-    ours->team = zr_team_create(threads);
+    ours->team = zr_team_create_for(threads, machine_isa());
     return ours->team != NULL;
 }
 

@@ -35,7 +35,7 @@ static void name_row(const struct task *task, int shade, int side, char *name, s
     char drawn[80];
     struct variant variant = variant_of(task->work, shade);
     works_variant_name(task->work, &variant, drawn, sizeof drawn);
-    snprintf(name, size, "%d%s: %.60s %s", task->threads, what, drawn, machine_isa());
+    snprintf(name, size, "%d%s: %.60s %s", task->threads, what, drawn, machine_isa_name());
 }
 
 static bool run_round(void *context, struct series *series)

@@ -44,7 +44,7 @@ struct task {
 static void name_row(const struct task *task, int way, char *name, size_t size)
 {
     snprintf(name, size, "%s of %u triangles, %s, %s %s", forms[task->form].name, task->work->drawing.face_count,
-             forms[task->form].kind, ways[way], machine_isa());
+             forms[task->form].kind, ways[way], machine_isa_name());
 }
 
 static size_t bytes_of(const void *array, size_t count, size_t size)
@@ -141,7 +141,7 @@ static bool measure(const struct bench *bench, void *context, const struct sink 
     struct reading reading = {.task = task, .document = &document, .json = is_json ? &document : &indexed};
     if (!is_json) indexed = make_indexed(drawing);
     zr_arena_init(&reading.warm, ARENA_BYTES);
-    reading.team = zr_team_create(2);
+    reading.team = zr_team_create_for(2, machine_isa());
     const struct zr_scene *scene = document.bytes && reading.json->bytes && reading.team
                                        ? read_scene(&reading.warm, reading.team, format, &document)
                                        : NULL;

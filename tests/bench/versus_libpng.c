@@ -32,7 +32,7 @@ struct task {
 
 static void name_row(const struct task *task, int kind, char *name, size_t size)
 {
-    snprintf(name, size, "PNG of %s %s %dT %s", task->work->name, kinds[kind].name, task->threads, machine_isa());
+    snprintf(name, size, "PNG of %s %s %dT %s", task->work->name, kinds[kind].name, task->threads, machine_isa_name());
 }
 
 /* NULL where it is none of the frame's size. */

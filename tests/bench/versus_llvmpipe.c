@@ -132,7 +132,7 @@ static void name_row(const struct task *task, const struct variant *variant, boo
 {
     char name[80];
     works_variant_name(task->work, variant, name, sizeof name);
-    snprintf(row->work, sizeof row->work, "%s%s %dT %s", name, ids ? " ids" : "", task->threads, machine_isa());
+    snprintf(row->work, sizeof row->work, "%s%s %dT %s", name, ids ? " ids" : "", task->threads, machine_isa_name());
 }
 
 static bool time_variants(const struct bench *bench, void *context, const struct sink *sink)

@@ -24,7 +24,7 @@ struct task {
 
 static void name_row(const struct task *task, char *name, size_t size)
 {
-    snprintf(name, size, "HTTP: %s, indexed JSON to PNG %dT %s", task->work->name, task->threads, machine_isa());
+    snprintf(name, size, "HTTP: %s, indexed JSON to PNG %dT %s", task->work->name, task->threads, machine_isa_name());
 }
 
 /* What a round takes: the daemon, what it tells of its steps in Server-Timing, and the stock path. */
