@@ -52,7 +52,7 @@ static char *make_large(unsigned port, double *alone_ms)
 {
     double polygons = FIRST_POLYGONS;
     for (int tries = 0; tries < 3; tries++) {
-        struct large large = {.port = port, .scene = scene_slow("halfspace", (int)polygons)};
+        struct large large = {.port = port, .scene = scene_slow("halfspace", SLOW_SIDE, (int)polygons)};
         run_large(&large);
         *alone_ms = large.took_ms;
         if (large.ok && (large.took_ms > LARGE_MS / 2.0 || tries == 2)) return (char *)(uintptr_t)large.scene;

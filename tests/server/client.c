@@ -243,15 +243,15 @@ int raw_count(const char *text)
     return count;
 }
 
-char *scene_slow(const char *algorithm, int count)
+char *scene_slow(const char *algorithm, int side, int count)
 {
     static const char HEAD[] =
-        "{\"algorithm\":\"%s\",\"window\":{\"width\":1024,\"height\":1024},\"shading\":\"unlit\",\"view\":{\"preset\":"
+        "{\"algorithm\":\"%s\",\"window\":{\"width\":%d,\"height\":%d},\"shading\":\"unlit\",\"view\":{\"preset\":"
         "\"front\"},\"outputs\":[{\"channel\":\"info\"}],\"polygons\":[";
     enum { POLYGON_SIZE = 160 };
-    char *scene = malloc(sizeof HEAD + strlen(algorithm) + (size_t)count * POLYGON_SIZE + 3);
+    char *scene = malloc(sizeof HEAD + strlen(algorithm) + 2 * 11 + (size_t)count * POLYGON_SIZE + 3);
     assert_non_null(scene);
-    size_t used = (size_t)sprintf(scene, HEAD, algorithm);
+    size_t used = (size_t)sprintf(scene, HEAD, algorithm, side, side);
     /* Later ones are nearer, so each covers the one before. */
     for (int i = 0; i < count; i++)
         used += (size_t)sprintf(scene + used, "%s{\"vertices\":[[-1,-1,%d],[1,-1,%d],[1,1,%d],[-1,1,%d]]}",

@@ -74,7 +74,9 @@ int raw_count(const char *text);
  * production becomes. */
 #define SLOW_ALGORITHM "edgelist"
 
-/* `count` polygons that each fill a large window: by SLOW_ALGORITHM some ms of work apiece. Free it. */
-char *scene_slow(const char *algorithm, int count);
+/* A window `side` pixels wide and high, and `count` polygons that each fill it: with SLOW_SIDE and SLOW_ALGORITHM, a
+ * millisecond of work apiece or some more. Free it. */
+enum { SLOW_SIDE = 1024 };
+char *scene_slow(const char *algorithm, int side, int count);
 
 #endif

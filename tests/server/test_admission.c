@@ -28,7 +28,7 @@ static void scene_foreseen_over_the_budget_gives_422_with_the_figures(void **sta
 {
     (void)state;
     struct daemon daemon = daemon_start((const char *const[]){"--cost-max-ms=50", NULL});
-    char *scene = scene_slow(SLOW_ALGORITHM, 20000);
+    char *scene = scene_slow(SLOW_ALGORITHM, SLOW_SIDE, 20000);
     struct reply reply = client_render(&daemon, scene);
     assert_int_equal(reply.status, 422);
     assert_non_null(strstr(reply.body, "costMaxMs, 50 ms"));

@@ -17,7 +17,7 @@ enum { LARGE = 6, SMALL = 20 };
  * in a hurry. Its body may look small. */
 static char *scene_large(bool small_body)
 {
-    char *scene = scene_slow(SLOW_ALGORITHM, small_body ? 1000 : 4000);
+    char *scene = scene_slow(SLOW_ALGORITHM, small_body ? 2 * SLOW_SIDE : SLOW_SIDE, small_body ? 1000 : 4000);
     assert_true((strlen(scene) < 64 << 10) == small_body);
     return scene;
 }

@@ -77,7 +77,7 @@ static void full_queue_refuses_and_serves_the_others(void **state)
     (void)state;
     struct daemon server = daemon_start((const char *const[]){LET_IN, "--workers=1", "--queue=2", "--max-per-client=0",
                                                               "--render-timeout-ms=120000", NULL});
-    char *scene = scene_slow(SLOW_ALGORITHM, FEW);
+    char *scene = scene_slow(SLOW_ALGORITHM, SLOW_SIDE, FEW);
     struct post posts[CLIENTS_MAX];
     begin_posts(posts, CLIENTS_MAX, &server, scene);
     size_t served = 0, refused = 0;
@@ -98,7 +98,7 @@ static void full_queue_answers_health_and_not_ready(void **state)
     (void)state;
     struct daemon server = daemon_start((const char *const[]){LET_IN, "--workers=1", "--queue=1", "--max-per-client=0",
                                                               "--render-timeout-ms=120000", NULL});
-    char *scene = scene_slow(SLOW_ALGORITHM, MANY);
+    char *scene = scene_slow(SLOW_ALGORITHM, SLOW_SIDE, MANY);
     int clients[3]; /* one is worked on, one waits; the last is there in case the first was still waiting */
     for (int i = 0; i < 3; i++, usleep(100000))
         clients[i] = client_begin_render(&server, scene);
@@ -118,7 +118,7 @@ static void client_with_too_many_requests_gets_429(void **state)
     (void)state;
     struct daemon server = daemon_start((const char *const[]){LET_IN, "--workers=1", "--queue=8", "--max-per-client=2",
                                                               "--render-timeout-ms=120000", NULL});
-    char *scene = scene_slow(SLOW_ALGORITHM, FEW);
+    char *scene = scene_slow(SLOW_ALGORITHM, SLOW_SIDE, FEW);
     struct post posts[8];
     size_t served = 0, refused = 0;
     begin_posts(posts, 8, &server, scene);
@@ -140,7 +140,7 @@ static void client_that_leaves_frees_the_worker(void **state)
     (void)state;
     struct daemon server = daemon_start((const char *const[]){LET_IN, "--workers=1", "--queue=4", "--max-per-client=0",
                                                               "--render-timeout-ms=120000", NULL});
-    char *scene = scene_slow(SLOW_ALGORITHM, MANY);
+    char *scene = scene_slow(SLOW_ALGORITHM, SLOW_SIDE, MANY);
     int rendering = client_begin_render(&server, scene), waiting = client_begin_render(&server, scene);
     usleep(200000);
     close(rendering);
@@ -159,7 +159,7 @@ static void render_past_its_deadline_gives_504(void **state)
 {
     (void)state;
     struct daemon server = daemon_start((const char *const[]){LET_IN, "--render-timeout-ms=150", NULL});
-    char *scene = scene_slow(SLOW_ALGORITHM, MANY);
+    char *scene = scene_slow(SLOW_ALGORITHM, SLOW_SIDE, MANY);
     struct reply reply = client_render(&server, scene);
     assert_int_equal(reply.status, 504);
     assert_string_equal(reply_header(&reply, "Content-Type"), "application/problem+json");
@@ -199,7 +199,7 @@ static void every_algorithm_past_its_deadline_gives_504(void **state)
     (void)state;
     struct daemon server = daemon_start((const char *const[]){LET_IN, "--render-timeout-ms=150", NULL});
     for (size_t i = 0; i < sizeof words / sizeof words[0]; i++) {
-        char *scene = scene_slow(words[i], MANY);
+        char *scene = scene_slow(words[i], SLOW_SIDE, MANY);
         double begun = seconds();
         assert_int_equal(client_render_status(&server, scene), 504);
         assert_true(seconds() - begun < 5.0); /* under sanitizers; all of it would take far longer */
@@ -212,7 +212,7 @@ static void request_memory_used_up_gives_503(void **state)
 {
     (void)state;
     struct daemon server = daemon_start((const char *const[]){LET_IN, "--request-memory-bytes=1048576", NULL});
-    char *scene = scene_slow(SLOW_ALGORITHM, 1);
+    char *scene = scene_slow(SLOW_ALGORITHM, SLOW_SIDE, 1);
     struct reply reply = client_render(&server, scene);
     assert_int_equal(reply.status, 503);
     assert_true(atoi(reply_header(&reply, "Retry-After")) >= 1);
@@ -256,7 +256,7 @@ static void sigterm_lets_renders_in_flight_end(void **state)
     struct daemon server =
         daemon_start((const char *const[]){LET_IN, "--workers=2", "--queue=8", "--max-per-client=0",
                                            "--render-timeout-ms=120000", "--drain-timeout-ms=120000", NULL});
-    char *scene = scene_slow(SLOW_ALGORITHM, FEW * 2);
+    char *scene = scene_slow(SLOW_ALGORITHM, SLOW_SIDE, FEW * 2);
     struct post posts[IN_FLIGHT];
     int kept = client_connect(&server);
     static const char EARLY[] = "GET /healthz HTTP/1.1\r\nHost: a\r\n\r\n";
@@ -289,7 +289,7 @@ static void drain_that_takes_too_long_is_cut_short(void **state)
     struct daemon server =
         daemon_start((const char *const[]){LET_IN, "--workers=1", "--queue=1", "--max-per-client=0",
                                            "--render-timeout-ms=120000", "--drain-timeout-ms=200", NULL});
-    char *scene = scene_slow(SLOW_ALGORITHM, MANY);
+    char *scene = scene_slow(SLOW_ALGORITHM, SLOW_SIDE, MANY);
     struct post posts[2]; /* one is worked on, one waits: both at once would find no room but for one */
     begin_posts(&posts[0], 1, &server, scene);
     usleep(300000);
