@@ -15,8 +15,7 @@ enum { ZR_STL_TRIANGLES_MAX = 1 << 29 };
 bool zr_stl_is_text(const char *bytes, size_t size);
 
 /* For zr_parts_cut: behind a line that is nothing but "endfacet", of which there are few that do not end a facet (a
- * normal may be any words). There are more than `size` bytes, which
- * are no fewer than the word's. */
+ * normal may be any words). There are more than `size` bytes, which are no fewer than the word's. */
 const char *zr_stl_cut(const char *at, size_t size, const char *end);
 
 /* Three vertices a triangle; the normals in the file are passed over. `team` may be NULL. Fails with ZR_BAD_SYNTAX or
