@@ -40,6 +40,8 @@
  * zr_vp holds two int16_t a lane, x in the lower half of its word and y in the upper; + - & << >> work half by half:
  *   zr_vp_pack(low, high): of int32_t x, y, x, y ..., half of the lanes in either vector; the nearest that fits
  *   zr_load_corners(vertices, corners, low, high): the same of floats; of lane i those at vertices + 4 corners[3 i + k]
+ *   ZR_LOAD_PAIRS(AT, i), from which that follows, where it is defined: pairs of floats at AT(i), AT(i + 1), and in
+ *     wider vectors at AT(i + 4), AT(i + 5) and so on, AT being a const float *
  *   zr_vp_min(a, b), zr_vp_max
  *   zr_vp_cross(a, b): a.x b.y - a.y b.x; some number where a half is -32768
  *

@@ -94,11 +94,12 @@ static inline void load_corners(const struct zr_geometry *geometry, const struct
 #undef CORNER
 }
 
-/* Corners of triangles to come: sorting has looked at these, but at others after them. With whole groups of one array
- * (visibility.c), 4 to 9 % of the bunny at 512x512. */
+/* Triangles whose corners are asked for so far ahead: when they were sorted, their numbers were in the nearer caches,
+ * but much else was read since. With whole groups of one array (visibility.c), 3 to 9 % of the bunny at 512x512. */
 enum { EXPECTED_AHEAD = 48 };
 
-/* Of numbers that `left` follow, themselves among them; where ZR_LANES of these are the batch's. */
+/* `left` numbers from here on. Nothing is asked for unless all ZR_LANES that lie so far ahead are there, and the
+ * batch's. */
 static inline void expect_corners(const struct zr_batch *batch, const uint32_t *numbers, uint32_t left)
 {
     const uint32_t *later = numbers + EXPECTED_AHEAD;

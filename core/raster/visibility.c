@@ -98,9 +98,6 @@ static bool draw_wide_ones(const struct zr_visible *visible, uint32_t number, co
 
 /* ---- what is listed ---- */
 
-/* A whole number of groups, whatever the instruction set, and of full blocks. */
-enum { SMALL_AT_ONCE = 16 * ZR_BIN_NUMBERS_A_BLOCK };
-
 /* The next block is asked for before it is needed (a quarter of the time that this takes), and so is what painting will
  * look up first: with a million triangles each pixel has a place in memory of its own (4 % of the time of these). What
  * has its colour is not looked up. */
@@ -123,6 +120,9 @@ static void draw_fragments(const struct zr_visible *visible, const struct zr_bin
     }
 }
 
+/* Where blocks are full, a whole number of groups, whatever the instruction set. */
+enum { SMALL_AT_ONCE = 16 * ZR_BIN_NUMBERS_A_BLOCK };
+
 /* From all lists in one array, so that the kernel has whole groups, and sees what is to come. */
 static bool draw_small_ones(const struct zr_visible *visible, uint32_t number, const struct zr_cancel *cancel,
                             struct zr_tile *tile)
@@ -139,7 +139,7 @@ static bool draw_small_ones(const struct zr_visible *visible, uint32_t number, c
             count += b->used;
         }
     if (zr_is_cancelled(cancel)) return false;
-    visible->draw_small(tile, visible->geometry, numbers, count);
+    if (count > 0) visible->draw_small(tile, visible->geometry, numbers, count);
     return true;
 }
 

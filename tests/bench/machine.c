@@ -2,6 +2,7 @@
 
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 #include <unistd.h>
 
 static const char isa_variable[] = "ZRASTER_ISA";
@@ -9,7 +10,16 @@ static const char isa_variable[] = "ZRASTER_ISA";
 bool machine_use_isa(const char *name)
 {
     enum zr_isa isa;
-    return zr_isa_find(name, &isa) && zr_isa_is_available(isa) && setenv(isa_variable, name, 1) == 0;
+    const bool known = strcmp(name, "auto") == 0 || (zr_isa_find(name, &isa) && zr_isa_is_available(isa));
+    return known && setenv(isa_variable, name, 1) == 0;
+}
+
+void machine_list_isas(char *out, size_t size)
+{
+    int used = snprintf(out, size, "auto");
+    for (int i = 0; i < ZR_ISA_COUNT && (size_t)used < size; i++)
+        if (zr_isa_is_available((enum zr_isa)i))
+            used += snprintf(out + used, size - (size_t)used, ", %s", zr_isa_name((enum zr_isa)i));
 }
 
 enum zr_isa machine_isa(void)
@@ -22,6 +32,12 @@ enum zr_isa machine_isa(void)
 const char *machine_isa_name(void)
 {
     return zr_isa_name(machine_isa());
+}
+
+bool machine_has_bars(void)
+{
+    const enum zr_isa isa = machine_isa();
+    return isa == zr_isa_best() || (isa != ZR_ISA_SCALAR && isa != ZR_ISA_SSE2);
 }
 
 double machine_bar_divisor(void)

@@ -3,17 +3,24 @@
 #define ZR_BENCH_MACHINE_H
 
 #include <stdbool.h>
+#include <stddef.h>
 
 #include "base/isa.h"
 
-/* From now on the core uses these instructions here, and in all processes that are started. False where there is no
- * such instruction set, or this machine lacks it. */
+/* From now on the core uses these instructions here, and in all processes that are started; "auto": the best. False
+ * where there is no such instruction set, or this machine lacks it. */
 bool machine_use_isa(const char *name);
+
+/* "auto, scalar, sse2": what machine_use_isa takes. */
+void machine_list_isas(char *out, size_t size);
 
 /* The instruction set that the core uses here: that of the variable ZRASTER_ISA, as the daemon has it, else the best.
  */
 enum zr_isa machine_isa(void);
 const char *machine_isa_name(void);
+
+/* Whether bars of the rendering are set for it: not for less than AVX2 on a machine that has more. */
+bool machine_has_bars(void);
 
 /* What a bar of the rendering, set for 512-bit vectors, is divided by here. */
 double machine_bar_divisor(void);

@@ -19,32 +19,35 @@
 #include "bench/versus_libpng.h"
 #include "bench/versus_llvmpipe.h"
 
-static int usage(void)
+static bool refuse(void)
 {
     fputs("usage: zraster-bench [--models DIR] [--isa NAME] [--only PART] [--rounds N] [--output FILE] [--check-only]\n"
           "                     [--list]\n"
           "DIR may hold stanford-bunny.obj; ZRASTERD names the daemon (build/zrasterd).\n"
-          "  --isa NAME     instruction set to render with, instead of the widest, as the variable ZRASTER_ISA\n"
+          "  --isa NAME     to render with: scalar, sse2, avx2, avx512 or neon (the widest); also by ZRASTER_ISA\n"
           "  --only PART    rows whose names have this part\n"
           "  --rounds N     1 to 401, instead of as many as fit\n"
           "  --output FILE  where the rows go as JSON (build/bench/results.json)\n"
           "  --check-only   compares pictures and measures nothing\n"
           "  --list         names the rows and measures nothing\n",
           stderr);
-    return 2;
-}
-
-static bool take_isa(const char *name)
-{
-    if (machine_use_isa(name)) return true;
-    fprintf(stderr, "zraster-bench: this machine has no instruction set \"%s\"\n", name);
     return false;
 }
 
+static bool take_isa(const char *from, const char *name)
+{
+    char known[128];
+    if (machine_use_isa(name)) return true;
+    machine_list_isas(known, sizeof known);
+    fprintf(stderr, "zraster-bench: %s: '%s' is no instruction set that this machine has; it has %s\n", from, name,
+            known);
+    return false;
+}
+
+/* False, explained on stderr. */
 static bool read_options(int count, char **arguments, struct bench *bench, const char **output)
 {
-    const char *isa = getenv("ZRASTER_ISA");
-    if (isa && strcmp(isa, "auto") != 0 && !take_isa(isa)) return false;
+    const char *isa = getenv("ZRASTER_ISA"); /* empty: not given, as the daemon has it */
     for (int i = 1; i < count; i++) {
         const char *flag = arguments[i], *value = i + 1 < count ? arguments[i + 1] : NULL;
         if (strcmp(flag, "--check-only") == 0)
@@ -52,22 +55,23 @@ static bool read_options(int count, char **arguments, struct bench *bench, const
         else if (strcmp(flag, "--list") == 0)
             bench->list = true;
         else if (!value)
-            return false;
+            return refuse();
         else if (strcmp(flag, "--models") == 0)
             bench->models = arguments[++i];
         else if (strcmp(flag, "--isa") == 0) {
-            if (!take_isa(arguments[++i])) return false;
+            isa = NULL;
+            if (!take_isa(flag, arguments[++i])) return false;
         } else if (strcmp(flag, "--only") == 0)
             bench->only = arguments[++i];
         else if (strcmp(flag, "--output") == 0)
             *output = arguments[++i];
         else if (strcmp(flag, "--rounds") == 0) {
             bench->rounds = atoi(arguments[++i]);
-            if (bench->rounds < 1 || bench->rounds > SERIES_MAX) return false;
+            if (bench->rounds < 1 || bench->rounds > SERIES_MAX) return refuse();
         } else
-            return false;
+            return refuse();
     }
-    return true;
+    return !isa || !*isa || take_isa("ZRASTER_ISA", isa);
 }
 
 /* A context names itself, and there is one a process. */
@@ -103,7 +107,7 @@ int main(int count, char **arguments)
 {
     struct bench bench = {.program = arguments[0], .models = ""};
     const char *output = "build/bench/results.json";
-    if (!read_options(count, arguments, &bench, &output)) return usage();
+    if (!read_options(count, arguments, &bench, &output)) return 2;
     if (!bench.check_only && !bench.list) introduce(&bench);
     growth_floors(&bench);
     growth_past_caches(&bench);

@@ -158,7 +158,7 @@ static bool time_variants(const struct bench *bench, void *context, const struct
                               .theirs_ms = series_median(&series[THEIRS]),
                               .wrong = task->wrong[i] || !alike};
             struct bar bar = works_bar(task->work, &variants[i]);
-            if (ids == WITHOUT_IDS)
+            if (ids == WITHOUT_IDS && machine_has_bars())
                 row.bar = (struct bar){bar.must / machine_bar_divisor(), bar.goal / machine_bar_divisor()};
             const double next = series_median(&series[OURS_NEXT]), their_next = series_median(&series[THEIRS_NEXT]);
             if (ids == WITHOUT_IDS || !sides.wanted[WITHOUT_IDS])

@@ -75,7 +75,7 @@ int raw_count(const char *text);
 #define SLOW_ALGORITHM "edgelist"
 
 /* A window `side` pixels wide and high, and `count` polygons that each fill it: with SLOW_SIDE and SLOW_ALGORITHM, a
- * millisecond of work apiece or some more. Free it. */
+ * millisecond or more each. Free it. */
 enum { SLOW_SIDE = 1024 };
 char *scene_slow(const char *algorithm, int side, int count);
 
