@@ -134,21 +134,6 @@ static bool is_address(const char *text)
     return true;
 }
 
-static bool is_isa(const char *text)
-{
-    enum zr_isa isa;
-    return strcmp(text, "auto") == 0 || (zr_isa_find(text, &isa) && zr_isa_is_available(isa));
-}
-
-/* "auto, scalar, sse2": what this machine has. */
-static void list_isas(char *out, size_t size)
-{
-    int used = snprintf(out, size, "auto");
-    for (int i = 0; i < ZR_ISA_COUNT && (size_t)used < size; i++)
-        if (zr_isa_is_available((enum zr_isa)i))
-            used += snprintf(out + used, size - (size_t)used, ", %s", zr_isa_name((enum zr_isa)i));
-}
-
 static bool parse_number(const char *text, uint64_t *out)
 {
     uint64_t value = 0;
@@ -173,9 +158,10 @@ static bool set_text(struct config *config, const struct setting *s, const char 
         snprintf(message, message_size, "%s: '%.100s' is not a numeric IPv4 or IPv6 address", name, value);
         return false;
     }
-    if (s->kind == ISA && !is_isa(value)) {
+    enum zr_isa isa;
+    if (s->kind == ISA && !zr_isa_choose(value, &isa)) {
         char known[NAME_SIZE];
-        list_isas(known, sizeof known);
+        zr_isa_list(known, sizeof known);
         snprintf(message, message_size, "%s: '%.100s' is no instruction set that this machine has; it has %s", name,
                  value, known);
         return false;
@@ -296,7 +282,7 @@ struct zr_limits config_limits(const struct config *config)
 enum zr_isa config_isa(const struct config *config)
 {
     enum zr_isa isa;
-    return zr_isa_find(config->isa, &isa) ? isa : zr_isa_best();
+    return zr_isa_choose(config->isa, &isa) ? isa : zr_isa_best();
 }
 
 void config_print_help(FILE *out)

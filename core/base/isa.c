@@ -1,5 +1,6 @@
 #include "base/isa.h"
 
+#include <stdio.h>
 #include <string.h>
 
 static const char *const NAMES[ZR_ISA_COUNT] = {[ZR_ISA_SCALAR] = "scalar",
@@ -49,4 +50,18 @@ enum zr_isa zr_isa_best(void)
     for (unsigned i = 0; i < sizeof by_width / sizeof *by_width; i++)
         if (zr_isa_is_available(by_width[i])) return by_width[i];
     return ZR_ISA_SCALAR;
+}
+
+bool zr_isa_choose(const char *name, enum zr_isa *isa)
+{
+    if (strcmp(name, "auto") != 0) return zr_isa_find(name, isa) && zr_isa_is_available(*isa);
+    *isa = zr_isa_best();
+    return true;
+}
+
+void zr_isa_list(char *out, size_t size)
+{
+    int used = snprintf(out, size, "auto");
+    for (int i = 0; i < ZR_ISA_COUNT && (size_t)used < size; i++)
+        if (zr_isa_is_available((enum zr_isa)i)) used += snprintf(out + used, size - (size_t)used, ", %s", NAMES[i]);
 }

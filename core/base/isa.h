@@ -8,6 +8,7 @@
 #define ZR_ISA_H
 
 #include <stdbool.h>
+#include <stddef.h>
 
 enum zr_isa {
     ZR_ISA_SCALAR, /* plain C, for any machine */
@@ -37,5 +38,11 @@ bool zr_isa_is_available(enum zr_isa isa);
 
 /* The widest that is available. */
 enum zr_isa zr_isa_best(void);
+
+/* By its name, or the best by "auto". False, and *isa means nothing, where none that is available has that name. */
+bool zr_isa_choose(const char *name, enum zr_isa *isa);
+
+/* "auto, scalar, sse2": what zr_isa_choose takes, as far as there is room. */
+void zr_isa_list(char *out, size_t size);
 
 #endif

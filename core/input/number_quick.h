@@ -118,9 +118,7 @@ ZR_INLINED const char *zr_number_quicker(const char *at, double *value)
     *value = (double)(int64_t)mantissa / powers[negative][decimals];
     return at + behind;
 }
-#endif
 
-#ifdef __SSE2__
 enum { ZR_QUICK_ROW_BYTES = 32 + 8 };
 
 /* Whole numbers of up to 7 digits without leading zeros, the first one behind `at`, one `separator` between two, `most`

@@ -10,23 +10,14 @@ static const char isa_variable[] = "ZRASTER_ISA";
 bool machine_use_isa(const char *name)
 {
     enum zr_isa isa;
-    const bool known = strcmp(name, "auto") == 0 || (zr_isa_find(name, &isa) && zr_isa_is_available(isa));
-    return known && setenv(isa_variable, name, 1) == 0;
-}
-
-void machine_list_isas(char *out, size_t size)
-{
-    int used = snprintf(out, size, "auto");
-    for (int i = 0; i < ZR_ISA_COUNT && (size_t)used < size; i++)
-        if (zr_isa_is_available((enum zr_isa)i))
-            used += snprintf(out + used, size - (size_t)used, ", %s", zr_isa_name((enum zr_isa)i));
+    return zr_isa_choose(name, &isa) && setenv(isa_variable, name, 1) == 0;
 }
 
 enum zr_isa machine_isa(void)
 {
     enum zr_isa isa;
     const char *name = getenv(isa_variable);
-    return name && zr_isa_find(name, &isa) && zr_isa_is_available(isa) ? isa : zr_isa_best();
+    return name && zr_isa_choose(name, &isa) ? isa : zr_isa_best();
 }
 
 const char *machine_isa_name(void)

@@ -3,16 +3,12 @@
 #define ZR_BENCH_MACHINE_H
 
 #include <stdbool.h>
-#include <stddef.h>
 
 #include "base/isa.h"
 
-/* From now on the core uses these instructions here, and in all processes that are started; "auto": the best. False
- * where there is no such instruction set, or this machine lacks it. */
+/* From now on the core uses what zr_isa_choose finds by this name, here and in all processes that are started; false
+ * where that is nothing. */
 bool machine_use_isa(const char *name);
-
-/* "auto, scalar, sse2": what machine_use_isa takes. */
-void machine_list_isas(char *out, size_t size);
 
 /* The instruction set that the core uses here: that of the variable ZRASTER_ISA, as the daemon has it, else the best.
  */

@@ -38,7 +38,7 @@ static bool take_isa(const char *from, const char *name)
 {
     char known[128];
     if (machine_use_isa(name)) return true;
-    machine_list_isas(known, sizeof known);
+    zr_isa_list(known, sizeof known);
     fprintf(stderr, "zraster-bench: %s: '%s' is no instruction set that this machine has; it has %s\n", from, name,
             known);
     return false;

@@ -61,8 +61,11 @@ static bool parse_transform(const char *text, struct harness_options *harness)
 
 static bool parse_isa(const char *text, struct harness_options *harness)
 {
-    if (zr_isa_find(text, &harness->isa) && zr_isa_is_available(harness->isa)) return true;
-    fprintf(stderr, "zraster-verify: --isa: '%s' is no instruction set that this machine has\n", text);
+    char known[128];
+    if (zr_isa_choose(text, &harness->isa)) return true;
+    zr_isa_list(known, sizeof known);
+    fprintf(stderr, "zraster-verify: --isa: '%s' is no instruction set that this machine has; it has %s\n", text,
+            known);
     return false;
 }
 

@@ -1,6 +1,5 @@
 /* Parts that threads read, up to the first that cannot be. */
 #include "by_teams.h"
-#include "input/parts.h"
 
 enum { PARTS = 1000 };
 

@@ -1,5 +1,6 @@
 /* The operations that kernels are written in: for each instruction set the same as plain C. */
 #include <stdio.h>
+#include <string.h>
 
 #include "raster/halfspace.h"
 #include "support/cmocka_all.h"
@@ -29,11 +30,36 @@ static void best_is_available_and_names_are_found(void **state)
     assert_false(zr_isa_find("", &found));
 }
 
+/* And no others are listed. */
+static void those_that_are_available_can_be_chosen(void **state)
+{
+    (void)state;
+    enum zr_isa chosen;
+    char list[128], few[8], want[128] = "auto";
+    for (int i = 0; i < ZR_ISA_COUNT; i++) {
+        const char *name = zr_isa_name((enum zr_isa)i);
+        const bool available = zr_isa_is_available((enum zr_isa)i);
+        assert_int_equal(zr_isa_choose(name, &chosen), available);
+        if (!available) continue;
+        assert_int_equal(chosen, i);
+        strcat(strcat(want, ", "), name);
+    }
+    assert_true(zr_isa_choose("auto", &chosen));
+    assert_int_equal(chosen, zr_isa_best());
+    assert_false(zr_isa_choose("", &chosen));
+    assert_false(zr_isa_choose("scalar ", &chosen));
+    zr_isa_list(list, sizeof list);
+    assert_string_equal(list, want);
+    zr_isa_list(few, sizeof few);
+    assert_string_equal(few, "auto, s");
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         TEST_EACH_ISA(operations_are_those_of_plain_c_lane_by_lane),
         cmocka_unit_test(best_is_available_and_names_are_found),
+        cmocka_unit_test(those_that_are_available_can_be_chosen),
     };
     return cmocka_run_group_tests_name("simd", tests, NULL, NULL);
 }
