@@ -224,6 +224,8 @@ $(unit_tests): $(BUILD)/%: $(BUILD)/%.o $(BUILD)/libsupport.a $(BUILD)/libzraste
 # Of the server's files, those that can do without a daemon around them are tested as units.
 $(BUILD)/tests/unit/test_multipart: $(BUILD)/server/multipart.o
 $(BUILD)/tests/unit/test_foresight: $(BUILD)/server/foresight.o
+$(BUILD)/tests/unit/test_framing: $(BUILD)/server/framing.o
+$(BUILD)/tests/unit/test_clients: $(BUILD)/server/clients.o
 $(BUILD)/tests/unit/test_queue: $(BUILD)/server/queue.o
 $(BUILD)/tests/unit/test_rendering: $(filter-out %/main.o,$(server)) $(server_support)
 $(BUILD)/tests/unit/test_rendering: TEST_LIBS += $(SERVER_LIBS)

@@ -8,15 +8,34 @@
 
 #include "problem.h"
 
+#define NO_MEMORY "out of memory"
+
+const char ANSWER_NO_MEMORY_DETAIL[] = NO_MEMORY;
+
+void answer_send_no_memory(int socket_fd)
+{
+    static const char BODY[] = "{\"type\":\"about:blank\",\"title\":\"Service Unavailable\",\"status\":503,"
+                               "\"detail\":\"" NO_MEMORY "\"}";
+    char text[512];
+    int length = snprintf(text, sizeof text,
+                          "HTTP/1.1 503 Service Unavailable\r\nConnection: close\r\nRetry-After: 1\r\n"
+                          "Content-Type: application/problem+json\r\nContent-Length: %zu\r\n\r\n%s",
+                          sizeof BODY - 1, BODY);
+    (void)!send(socket_fd, text, (size_t)length, MSG_NOSIGNAL | MSG_DONTWAIT);
+}
+
 void answer_header(struct answer *answer, const char *name, const char *format, ...)
 {
-    if (answer->header_count == ANSWER_HEADERS_MAX) return;
     char *value = NULL;
     va_list arguments;
     va_start(arguments, format);
     int length = vasprintf(&value, format, arguments);
     va_end(arguments);
-    if (length < 0) return;
+    if (length < 0 || answer->header_count == ANSWER_HEADERS_MAX) {
+        if (length >= 0) free(value);
+        answer->is_broken = true;
+        return;
+    }
     answer->headers[answer->header_count++] = (struct answer_header){name, value};
 }
 
@@ -32,15 +51,22 @@ void answer_send(const struct answer *answer, int socket_fd)
 {
     char *text = NULL;
     size_t length = 0;
-    FILE *out = open_memstream(&text, &length);
-    if (!out) return;
+    FILE *out = answer->is_broken ? NULL : open_memstream(&text, &length);
+    if (!out) {
+        answer_send_no_memory(socket_fd);
+        return;
+    }
     fprintf(out, "HTTP/1.1 %d %s\r\nConnection: close\r\nContent-Length: %zu\r\n", answer->status,
             problem_title(answer->status), answer->size);
     for (size_t i = 0; i < answer->header_count; i++)
         fprintf(out, "%s: %s\r\n", answer->headers[i].name, answer->headers[i].value);
     fputs("\r\n", out);
     if (answer->size > 0) fwrite(answer->bytes, 1, answer->size, out);
-    if (fclose(out) == 0) (void)!send(socket_fd, text, length, MSG_NOSIGNAL | MSG_DONTWAIT);
+    const bool is_whole = !ferror(out);
+    if (fclose(out) == 0 && is_whole)
+        (void)!send(socket_fd, text, length, MSG_NOSIGNAL | MSG_DONTWAIT);
+    else
+        answer_send_no_memory(socket_fd);
     free(text);
 }
 

@@ -18,15 +18,20 @@ struct answer_header {
 
 struct answer {
     int status;
-    bool close;  /* the connection ends after this */
-    char *bytes; /* NULL: none are sent */
-    size_t size; /* without bytes: as Content-Length tells it, to HEAD and with 304 */
+    bool close;     /* the connection ends after this */
+    bool is_broken; /* a header or a field could not be made: what there is must not go out */
+    char *bytes;    /* NULL: none are sent */
+    size_t size;    /* without bytes: as Content-Length tells it, to HEAD and with 304 */
     size_t header_count;
     struct answer_header headers[ANSWER_HEADERS_MAX];
     char detail[ANSWER_DETAIL_SIZE]; /* of an error, for the log; valid UTF-8 */
 };
 
-/* Adds a header; it is left out where memory is. */
+/* What goes out instead of an answer that could not be made whole, and its `detail`. */
+extern const char ANSWER_NO_MEMORY_DETAIL[];
+void answer_send_no_memory(int socket_fd);
+
+/* Adds a header. */
 void answer_header(struct answer *answer, const char *name, const char *format, ...)
     __attribute__((format(printf, 3, 4)));
 

@@ -182,6 +182,7 @@ static const char *busy_with(const struct api *api, const struct api_load *load)
 {
     if (load->draining) return "the service is going down";
     if (load->queue_full) return "the queue is full";
+    if (load->answers_full) return "the answers that wait for their readers fill answerMemoryBytes";
     if (!admission_memory_is_short(api->config->cgroup)) return NULL;
     return "the memory of the container is nearly used up";
 }
@@ -212,22 +213,21 @@ static void answer_state(struct answer *answer, const char *state)
     char *text = NULL;
     int length = asprintf(&text, "{\"status\":\"%s\"}\n", state);
     answer->status = 200;
+    answer->is_broken |= length < 0;
     if (length > 0) answer_body(answer, "application/json", text, (size_t)length);
     answer_header(answer, "Cache-Control", "no-store");
 }
 
 static void answer_limits(const struct api *api, struct answer *answer)
 {
-    cJSON *root = cJSON_CreateObject();
-    cJSON_AddStringToObject(root, "version", ZR_VERSION);
-    config_add_limits(api->config, cJSON_AddObjectToObject(root, "limits"));
-    char *text = cJSON_Print(root);
+    cJSON *root = cJSON_CreateObject(), *limits = NULL;
+    const bool is_whole = cJSON_AddStringToObject(root, "version", ZR_VERSION) &&
+                          (limits = cJSON_AddObjectToObject(root, "limits")) && config_add_limits(api->config, limits);
+    char *text = is_whole ? cJSON_Print(root) : NULL;
     cJSON_Delete(root);
     answer->status = 200;
-    if (text)
-        answer_body(answer, "application/json", text, strlen(text));
-    else
-        api_refuse_busy(answer, 1, "out of memory");
+    answer->is_broken |= !text;
+    if (text) answer_body(answer, "application/json", text, strlen(text));
 }
 
 static size_t find_route(const char *path)
@@ -264,7 +264,7 @@ enum api_next api_open(const struct api *api, const struct api_load *load, struc
     } else {
         /* Whoever asks whether we are ready will send what is large, too. */
         bool full = load->queue_full || load->large_queue_full;
-        const struct api_load any = {load->draining, full, full, load->retry_after_s};
+        const struct api_load any = {load->draining, full, full, load->answers_full, load->retry_after_s};
         const char *busy = route == ROUTE_READY ? busy_with(api, &any) : NULL;
         if (busy)
             api_refuse_busy(answer, load->retry_after_s, busy);

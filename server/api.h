@@ -40,6 +40,7 @@ void api_init(struct api *api, const struct config *config, struct zr_team *team
 struct api_load {
     bool draining;
     bool queue_full, large_queue_full; /* that for a body of this size, and that for large ones */
+    bool answers_full;                 /* those that wait for their readers */
     unsigned retry_after_s;
 };
 

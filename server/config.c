@@ -45,7 +45,9 @@ static const struct setting SETTINGS[] = {
     {"queue", NUMBER, AT(queue), true, 0, 0, 65536, NULL, "requests",
      "may wait for a worker, small ones and large ones each; 0: 2 a worker"},
     {"max-per-client", NUMBER, AT(max_per_client), true, 4, 0, 65536, NULL, "requests",
-     "in flight from one address; 0: no limit, for use behind a proxy"},
+     "in flight from one public address (of IPv6: from one network of 64 bits); 0: no limit, for use behind a proxy"},
+    {"max-per-private-client", NUMBER, AT(max_per_private_client), true, 0, 0, 65536, NULL, "requests",
+     "in flight from one address of this machine or of a private network; 0: no limit"},
     {"max-connections", NUMBER, AT(max_connections), true, 1024, 8, 65536, NULL, "", "connections open at once"},
     {"body-max-bytes", NUMBER, AT(body_max_bytes), true, 64 * MIB, 1, 4 * GIB, NULL, "bytes", "of one request body"},
     {"upload-memory-bytes", NUMBER, AT(upload_memory_bytes), true, 512 * MIB, 1, 1024 * GIB, NULL, "bytes",
@@ -54,6 +56,8 @@ static const struct setting SETTINGS[] = {
      "that one render may allocate"},
     {"keep-memory-bytes", NUMBER, AT(keep_memory_bytes), true, 256 * MIB, 0, 1024 * GIB, NULL, "bytes",
      "that a worker keeps between requests, at most; what it keeps goes back after 2 s without any"},
+    {"answer-memory-bytes", NUMBER, AT(answer_memory_bytes), true, 512 * MIB, 1, 1024 * GIB, NULL, "bytes",
+     "of all answers that wait for their readers; beyond it no render is begun"},
     {"cgroup", TEXT, AT(cgroup), false, 0, 0, 0, "/sys/fs/cgroup", "",
      "folder of the control group whose memory limit is minded: 503 beyond 92 % of it"},
     {"assets-dir", TEXT, AT(assets_dir), false, 0, 0, 0, "", "",
@@ -68,6 +72,8 @@ static const struct setting SETTINGS[] = {
      "for a whole request body to arrive"},
     {"body-min-bytes-per-second", NUMBER, AT(body_min_bytes_per_second), true, 1024, 0, GIB, NULL, "bytes/s",
      "a body must average after its first 5 s; 0: no limit"},
+    {"answer-min-bytes-per-second", NUMBER, AT(answer_min_bytes_per_second), true, 1024, 0, GIB, NULL, "bytes/s",
+     "a client must take of its answer in every 5 s; 0: no limit"},
     {"write-timeout-ms", NUMBER, AT(write_timeout_ms), true, 60000, 1, DAY_MS, NULL, "ms",
      "for a client to take its whole answer"},
     {"render-timeout-ms", NUMBER, AT(render_timeout_ms), true, 10000, 1, DAY_MS, NULL, "ms",
@@ -129,9 +135,9 @@ static void variable_name(char name[NAME_SIZE], const char *flag)
 static bool is_address(const char *text)
 {
     struct addrinfo hints = {.ai_flags = AI_NUMERICHOST}, *address = NULL;
-    if (!*text || getaddrinfo(text, NULL, &hints, &address) != 0) return false;
-    freeaddrinfo(address);
-    return true;
+    const int failure = *text ? getaddrinfo(text, NULL, &hints, &address) : EAI_NONAME;
+    if (failure == 0) freeaddrinfo(address);
+    return failure == 0 || failure == EAI_MEMORY; /* then listening says what is missing */
 }
 
 static bool parse_number(const char *text, uint64_t *out)
@@ -308,7 +314,7 @@ void config_print_help(FILE *out)
     }
 }
 
-void config_add_limits(const struct config *config, struct cJSON *object)
+bool config_add_limits(const struct config *config, struct cJSON *object)
 {
     for (size_t i = 0; i < SETTING_COUNT; i++) {
         const struct setting *s = &SETTINGS[i];
@@ -318,6 +324,7 @@ void config_add_limits(const struct config *config, struct cJSON *object)
         for (const char *p = s->flag; *p && used < NAME_SIZE - 1; p++)
             name[used++] = *p == '-' && p[1] ? (char)toupper((unsigned char)*++p) : *p;
         name[used] = '\0';
-        cJSON_AddNumberToObject(object, name, (double)number_of(config, s));
+        if (!cJSON_AddNumberToObject(object, name, (double)number_of(config, s))) return false;
     }
+    return true;
 }

@@ -7,6 +7,7 @@
 #ifndef ZRASTERD_CONFIG_H
 #define ZRASTERD_CONFIG_H
 
+#include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
 #include <stdio.h>
@@ -26,12 +27,13 @@ struct config {
     char isa[CONFIG_TEXT_SIZE];        /* "auto", or an instruction set that this machine has */
     uint64_t port;                     /* 0: any that is free */
 
-    uint64_t workers, threads, queue, max_per_client, max_connections;
+    uint64_t workers, threads, queue, max_per_client, max_per_private_client, max_connections;
 
-    uint64_t body_max_bytes, upload_memory_bytes, request_memory_bytes, keep_memory_bytes, assets_max_bytes;
+    uint64_t body_max_bytes, upload_memory_bytes, request_memory_bytes, keep_memory_bytes, answer_memory_bytes;
+    uint64_t assets_max_bytes;
 
     uint64_t header_timeout_ms, idle_timeout_ms, body_timeout_ms, body_min_bytes_per_second;
-    uint64_t write_timeout_ms, render_timeout_ms, drain_timeout_ms, cost_max_ms;
+    uint64_t answer_min_bytes_per_second, write_timeout_ms, render_timeout_ms, drain_timeout_ms, cost_max_ms;
 
     uint64_t json_depth_max, json_values_max, window_side_max, window_pixels_max, polygon_vertices_max, instances_max;
     uint64_t coordinate_max;
@@ -50,7 +52,7 @@ enum zr_isa config_isa(const struct config *config);
 
 void config_print_help(FILE *out);
 
-/* Adds every limit in force to `object`: bodyMaxBytes for --body-max-bytes. */
-void config_add_limits(const struct config *config, struct cJSON *object);
+/* Adds every limit in force to `object`: bodyMaxBytes for --body-max-bytes. False: out of memory. */
+bool config_add_limits(const struct config *config, struct cJSON *object);
 
 #endif

@@ -1,7 +1,7 @@
 /* http.h - the daemon's HTTP side: listens, reads requests, has them answered.
  *
- * Only http*.c see microhttpd.h. One thread of libmicrohttpd serves all
- * connections; it suspends a connection while a worker has its request.
+ * Only http*.c see microhttpd.h. One thread, the loop's, serves all
+ * connections; libmicrohttpd suspends a connection while a worker has its request.
  */
 #ifndef ZRASTERD_HTTP_H
 #define ZRASTERD_HTTP_H

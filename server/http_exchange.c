@@ -1,6 +1,5 @@
 #include "http_exchange.h"
 
-#include <arpa/inet.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -8,144 +7,175 @@
 #include <sys/socket.h>
 
 #include "clock.h"
-#include "http_guard.h"
 #include "http_work.h"
 #include "log.h"
 #include "problem.h"
 
-enum { DISCARD_MAX = 1 << 20 };
+/* A refused body up to here is read to its end, so that the connection can be kept; a longer one would take more time
+ * than a new connection does. */
+enum { DISCARD_MAX = 32 << 10 };
 
-static struct watch *watch_of(struct MHD_Connection *connection)
+static struct connection *connection_of(struct MHD_Connection *mhd)
 {
-    const union MHD_ConnectionInfo *info = MHD_get_connection_info(connection, MHD_CONNECTION_INFO_SOCKET_CONTEXT);
+    const union MHD_ConnectionInfo *info = MHD_get_connection_info(mhd, MHD_CONNECTION_INFO_SOCKET_CONTEXT);
     return info ? info->socket_context : NULL;
 }
 
 /* ---- connections ---- */
 
-static void log_broken_header(const struct watch *watch)
+/* What belongs to no request that libmicrohttpd told us of. */
+static void log_nameless(const struct http *http, const struct connection *connection, const char *id, int status,
+                         size_t bytes_out, const char *detail)
 {
+    if (http->is_self_test) return;
     log_request(&(struct log_request){
-        .remote = watch->address,
-        .status = watch->phase == WATCH_REFUSED ? 408 : 0,
-        .aborted = watch->phase != WATCH_REFUSED,
-        .total_ms = (double)(clock_ms() - watch->began_ms),
+        .id = id,
+        .remote = connection->address,
+        .status = status,
+        .aborted = status == 0,
+        .bytes_out = bytes_out,
+        .total_ms = (double)(clock_ms() - connection->began_ms),
         .times = API_NO_TIMES,
-        .detail = watch->phase == WATCH_REFUSED ? "the header came too slowly"
-                                                : "the request line was malformed or not whole",
+        .detail = detail,
     });
 }
 
-void http_on_connection(void *context, struct MHD_Connection *connection, void **socket_context,
+void http_on_connection(void *context, struct MHD_Connection *mhd, void **socket_context,
                         enum MHD_ConnectionNotificationCode code)
 {
     struct http *http = context;
     if (code == MHD_CONNECTION_NOTIFY_CLOSED) {
-        struct watch *watch = *socket_context;
-        if (!watch) return;
-        watchdog_remove(http->watchdog, watch);
-        if (!watch->ended && watchdog_has_unknown_bytes(watch)) log_broken_header(watch);
-        free(watch);
+        struct connection *connection = *socket_context;
+        if (!connection) return;
+        if (connection->phase == PHASE_HEADER)
+            log_nameless(http, connection, NULL, 0, 0, "the connection ended within a request's header");
+        connections_remove(&http->connections, connection);
         return;
     }
-    int fd = MHD_get_connection_info(connection, MHD_CONNECTION_INFO_CONNECTION_FD)->connect_fd;
-    const struct sockaddr *address =
-        MHD_get_connection_info(connection, MHD_CONNECTION_INFO_CLIENT_ADDRESS)->client_addr;
-    struct watch *watch = *socket_context = calloc(1, sizeof *watch);
-    if (!watch) {
-        shutdown(fd, SHUT_RDWR);
+    const int fd = MHD_get_connection_info(mhd, MHD_CONNECTION_INFO_CONNECTION_FD)->connect_fd;
+    struct connection *connection = *socket_context = connections_find(&http->connections, fd);
+    connection->is_known = true;
+}
+
+/* ---- refusals ---- */
+
+static void log_exchange(struct exchange *exchange, bool completed);
+
+/* Sends the answer now, in the middle of whatever comes in, and throws away what is still to come. */
+static void send_past_library(struct http *http, struct connection *connection, const struct answer *answer)
+{
+    answer_send(answer, connection->fd);
+    shutdown(connection->fd, SHUT_WR);
+    connections_enter(&http->connections, connection, PHASE_REFUSED);
+}
+
+static void reply_past_library(struct exchange *exchange)
+{
+    api_finish(&exchange->answer, exchange->request.id);
+    exchange->answer.close = exchange->replied = true;
+    exchange->step = STEP_REFUSED;
+    log_exchange(exchange, true);
+    send_past_library(exchange->http, exchange->connection, &exchange->answer);
+    upload_free(&exchange->upload, &exchange->http->uploads);
+}
+
+void http_refuse(struct http *http, struct connection *connection, int status, const char *detail)
+{
+    struct exchange *exchange = connection->exchange;
+    if (exchange && exchange->opened) {
+        problem_answer(&exchange->answer, status, "%s", detail);
+        reply_past_library(exchange);
         return;
     }
-    watch->socket_fd = fd;
-    const void *bytes = address->sa_family == AF_INET6
-                            ? (const void *)&((const struct sockaddr_in6 *)(const void *)address)->sin6_addr
-                            : (const void *)&((const struct sockaddr_in *)(const void *)address)->sin_addr;
-    inet_ntop(address->sa_family, bytes, watch->address, sizeof watch->address);
-    watchdog_add(http->watchdog, watch);
+    struct answer answer = {0};
+    struct api_request nameless = {0};
+    api_take_id(http->api, &nameless, NULL);
+    problem_answer(&answer, status, "%s", detail);
+    api_finish(&answer, nameless.id);
+    log_nameless(http, connection, nameless.id, status, answer.size, detail);
+    send_past_library(http, connection, &answer);
+    answer_free(&answer);
+}
+
+void http_refuse_framing(struct http *http, struct connection *connection)
+{
+    const struct framing *framing = &connection->framing;
+    if (framing->status == 0 || connection->phase == PHASE_REFUSED) return;
+    const bool is_body = framing->refused_body && connection->phase == PHASE_BODY;
+    if (is_body || connection->answered == framing->passed)
+        http_refuse(http, connection, framing->status, framing->detail);
 }
 
 /* ---- the beginning and the end of an exchange ---- */
 
-void *http_on_request_line(void *context, const char *target, struct MHD_Connection *connection)
+void *http_on_request_line(void *context, const char *target, struct MHD_Connection *mhd)
 {
     struct exchange *exchange = calloc(1, sizeof *exchange);
     if (!exchange) return NULL;
     exchange->http = context;
-    exchange->connection = connection;
-    exchange->watch = watch_of(connection);
+    exchange->mhd = mhd;
+    exchange->connection = connection_of(mhd);
     exchange->began_us = clock_us();
     exchange->times = API_NO_TIMES;
     exchange->target = strdup(target);
-    if (!exchange->target || !exchange->watch) {
+    if (!exchange->target || !exchange->connection) {
         free(exchange->target);
         free(exchange);
         return NULL;
     }
     exchange->request.path = exchange->target;
+    exchange->connection->exchange = exchange;
     return exchange;
 }
 
-/* What was sent, as far as it can be known: the library answers some errors of
- * syntax on its own, and the watchdog answers what is too slow. */
-static int status_sent(const struct exchange *exchange, bool timed_out)
+static void log_exchange(struct exchange *exchange, bool completed)
 {
-    if (exchange->replied) return exchange->answer.status;
-    if (timed_out) return 408;
-    const union MHD_ConnectionInfo *info =
-        MHD_get_connection_info(exchange->connection, MHD_CONNECTION_INFO_HTTP_STATUS);
-    return info ? (int)info->http_status : 0;
-}
-
-static void log_exchange(const struct exchange *exchange, bool completed, bool timed_out)
-{
-    bool past_library = exchange->step == STEP_REFUSED;
     const char *detail = exchange->answer.detail;
-    if (timed_out)
-        detail = "the request came too slowly";
-    else if (exchange->watch->client_left)
+    if (exchange->logged || exchange->http->is_self_test) return;
+    exchange->logged = true;
+    if (exchange->client_left)
         detail = "the client left";
     else if (!exchange->answer.status)
         detail = "the request was malformed or not whole";
     log_request(&(struct log_request){
         .id = exchange->request.id,
-        .remote = exchange->watch->address,
+        .remote = exchange->connection->address,
         .method = exchange->method,
         .path = exchange->request.path,
         .query = exchange->request.query,
         .traceparent = exchange->traceparent,
         .detail = detail,
-        .status = status_sent(exchange, timed_out),
-        .aborted = !completed && !past_library && !timed_out,
+        .status = exchange->replied ? exchange->answer.status : 0,
+        .aborted = !completed,
         .bytes_in = exchange->body_bytes,
-        .bytes_out = completed || past_library ? exchange->answer.size : 0,
+        .bytes_out = completed ? exchange->answer.size : 0,
         .total_ms = (double)(clock_us() - exchange->began_us) / 1000.0,
         .times = exchange->times,
     });
 }
 
-void http_on_completed(void *context, struct MHD_Connection *connection, void **slot,
-                       enum MHD_RequestTerminationCode code)
+void http_on_completed(void *context, struct MHD_Connection *mhd, void **slot, enum MHD_RequestTerminationCode code)
 {
     struct http *http = context;
     struct exchange *exchange = *slot;
-    (void)connection;
+    (void)mhd;
     if (!exchange) return;
     *slot = NULL;
-    bool completed = exchange->replied && code == MHD_REQUEST_TERMINATED_COMPLETED_OK;
-    bool refused = !watchdog_enter(http->watchdog, exchange->watch, WATCH_HEADER, NULL);
-    log_exchange(exchange, completed, refused && !exchange->replied);
-    if (!completed || exchange->answer.close) exchange->watch->ended = true;
+    struct connection *connection = exchange->connection;
+    log_exchange(exchange, exchange->replied && code == MHD_REQUEST_TERMINATED_COMPLETED_OK);
+    atomic_fetch_sub(&http->answer_bytes, exchange->answer_bytes);
     upload_free(&exchange->upload, &http->uploads);
     api_request_free(&exchange->request);
     answer_free(&exchange->answer);
     free(exchange->target);
-    if (exchange->opened) {
-        pthread_mutex_lock(&http->lock);
-        http->in_flight--;
-        pthread_cond_signal(&http->exchange_ended);
-        pthread_mutex_unlock(&http->lock);
-    }
+    if (exchange->opened) http->in_flight--;
     free(exchange);
+    connection->exchange = NULL;
+    connection->answered++;
+    if (connection->phase == PHASE_REFUSED) return;
+    connections_enter(&http->connections, connection,
+                      framing_is_between(&connection->framing) ? PHASE_IDLE : PHASE_HEADER);
+    http_refuse_framing(http, connection);
 }
 
 /* ---- answers ---- */
@@ -161,11 +191,34 @@ static struct MHD_Response *create_response(struct answer *answer)
 {
     struct MHD_Response *response;
     if (answer->bytes || answer->size == 0)
-        return MHD_create_response_from_buffer(answer->size, answer->bytes, MHD_RESPMEM_MUST_FREE);
-    /* A length that is told and not sent: nobody reads. */
-    response = MHD_create_response_from_callback(answer->size, 1, no_bytes, NULL, NULL);
-    answer->size = 0;
+        response = MHD_create_response_from_buffer(answer->size, answer->bytes, MHD_RESPMEM_MUST_FREE);
+    else /* A length that is told and not sent: nobody reads. */
+        response = MHD_create_response_from_callback(answer->size, 1, no_bytes, NULL, NULL);
+    if (response) answer->bytes = NULL;
     return response;
+}
+
+static bool add_headers(struct MHD_Response *response, const struct answer *answer)
+{
+    bool whole = !answer->close || MHD_add_response_header(response, "Connection", "close") == MHD_YES;
+    for (size_t i = 0; i < answer->header_count && whole; i++)
+        whole = MHD_add_response_header(response, answer->headers[i].name, answer->headers[i].value) == MHD_YES;
+    return whole;
+}
+
+/* Without memory for the whole answer, another goes out, which needs none. */
+static enum MHD_Result reply_without_memory(struct exchange *exchange)
+{
+    answer_free(&exchange->answer);
+    exchange->answer.status = 503;
+    exchange->answer.close = exchange->replied = true;
+    snprintf(exchange->answer.detail, sizeof exchange->answer.detail, "%s", ANSWER_NO_MEMORY_DETAIL);
+    exchange->step = STEP_REFUSED;
+    log_exchange(exchange, true);
+    answer_send_no_memory(exchange->connection->fd);
+    shutdown(exchange->connection->fd, SHUT_WR);
+    connections_enter(&exchange->http->connections, exchange->connection, PHASE_REFUSED);
+    return MHD_NO;
 }
 
 /* Hands the answer over to libmicrohttpd. */
@@ -173,43 +226,29 @@ static enum MHD_Result reply(struct exchange *exchange)
 {
     struct http *http = exchange->http;
     struct answer *answer = &exchange->answer;
-    if (!watchdog_enter(http->watchdog, exchange->watch, WATCH_WRITE, exchange)) return MHD_NO;
-    struct MHD_Response *response = create_response(answer);
-    if (!response) return MHD_NO;
-    answer->bytes = NULL; /* the response's now */
+    if (exchange->connection->phase == PHASE_REFUSED) return MHD_NO;
+    connections_enter(&http->connections, exchange->connection, PHASE_WRITE);
     api_finish(answer, exchange->request.id);
     answer->close |= atomic_load(&http->draining);
-    if (answer->close) MHD_add_response_header(response, "Connection", "close");
-    for (size_t i = 0; i < answer->header_count; i++)
-        MHD_add_response_header(response, answer->headers[i].name, answer->headers[i].value);
-    enum MHD_Result result = MHD_queue_response(exchange->connection, (unsigned)answer->status, response);
-    MHD_destroy_response(response);
-    exchange->replied = result == MHD_YES;
-    return result;
-}
-
-/* Sends the answer now, in the middle of a request, and throws away what is still to come. */
-static enum MHD_Result reply_past_library(struct exchange *exchange)
-{
-    api_finish(&exchange->answer, exchange->request.id);
-    exchange->answer.close = true;
-    /* False: the watchdog was faster and sent a 408. */
-    if (watchdog_refuse(exchange->http->watchdog, exchange->watch, &exchange->answer)) exchange->replied = true;
-    exchange->step = STEP_REFUSED;
-    upload_free(&exchange->upload, &exchange->http->uploads);
+    struct MHD_Response *response = answer->is_broken ? NULL : create_response(answer);
+    enum MHD_Result result = MHD_NO;
+    if (response && add_headers(response, answer))
+        result = MHD_queue_response(exchange->mhd, (unsigned)answer->status, response);
+    if (response) MHD_destroy_response(response);
+    if (result != MHD_YES) return reply_without_memory(exchange);
+    exchange->replied = true;
     return MHD_YES;
 }
 
-/* The answer is made before the body came. What is quickest for the client and
- * safe: a client that waits for 100-continue gets it at once. Otherwise closing
- * now would reset the connection under a client that is still sending, so a
- * short body is read to its end, and with a long one the answer goes out first. */
-static enum MHD_Result reply_early(struct exchange *exchange, const struct http_framing *framing)
+/* The answer is made before the body came. Closing now would reset the connection under a client that is still
+ * sending: a short body is read to its end, and with a long one the answer goes out first. A client that waits for
+ * 100-continue gets it at once; whether it then sends the body cannot be told, so that connection ends, too. */
+static enum MHD_Result reply_early(struct exchange *exchange, bool is_chunked, bool expects_continue)
 {
-    bool has_body = framing->is_chunked || framing->length > 0;
-    if (framing->expects_continue && has_body) return reply(exchange);
-    if (framing->is_chunked || framing->length > DISCARD_MAX) return reply_past_library(exchange);
-    exchange->step = STEP_DISCARD;
+    if (is_chunked || exchange->length > DISCARD_MAX || (expects_continue && exchange->length > 0))
+        reply_past_library(exchange);
+    else
+        exchange->step = STEP_DISCARD;
     return MHD_YES;
 }
 
@@ -218,6 +257,7 @@ static void get_load(struct http *http, uint64_t body_bytes, struct api_load *lo
     load->draining = atomic_load(&http->draining);
     load->queue_full = queue_is_full(http->queue, http_lane_of(body_bytes));
     load->large_queue_full = queue_is_full(http->queue, QUEUE_LARGE);
+    load->answers_full = http_answers_are_full(http);
     load->retry_after_s = queue_wait_estimate_s(http->queue);
 }
 
@@ -225,7 +265,7 @@ static void get_load(struct http *http, uint64_t body_bytes, struct api_load *lo
 
 static const char *header(struct exchange *exchange, const char *name)
 {
-    return MHD_lookup_connection_value(exchange->connection, MHD_HEADER_KIND, name);
+    return MHD_lookup_connection_value(exchange->mhd, MHD_HEADER_KIND, name);
 }
 
 static void open_exchange(struct exchange *exchange, const char *method)
@@ -240,9 +280,9 @@ static void open_exchange(struct exchange *exchange, const char *method)
     const char *trace = header(exchange, "traceparent");
     if (trace && log_is_traceparent(trace)) snprintf(exchange->traceparent, TRACEPARENT_SIZE, "%s", trace);
     api_take_id(http->api, &exchange->request, header(exchange, "X-Request-Id"));
-    pthread_mutex_lock(&http->lock);
+    const char *length = header(exchange, "Content-Length");
+    if (length) exchange->length = strtoull(length, NULL, 10); /* a number: framing_scan let it pass */
     http->in_flight++;
-    pthread_mutex_unlock(&http->lock);
     exchange->opened = true;
 }
 
@@ -262,34 +302,31 @@ static void split_target(struct exchange *exchange)
     }
 }
 
-static enum MHD_Result begin_request(struct exchange *exchange, const char *method, const char *version)
+static enum MHD_Result begin_request(struct exchange *exchange, const char *method)
 {
     struct http *http = exchange->http;
     struct answer *answer = &exchange->answer;
     struct api_load load;
+    uint64_t most;
     open_exchange(exchange, method);
-    struct http_framing framing = http_guard_check(exchange->connection, version, exchange->target);
     split_target(exchange);
-    if (!watchdog_enter(http->watchdog, exchange->watch, WATCH_BODY, exchange)) return MHD_NO;
-    if (framing.status) {
-        /* What follows cannot be told from a body: nothing more is read. */
-        problem_answer(answer, framing.status, "%s", framing.detail);
-        answer->close = true;
-        return reply(exchange);
+    connections_enter(&http->connections, exchange->connection, PHASE_BODY);
+    const bool is_chunked = header(exchange, "Transfer-Encoding") != NULL;
+    const bool expects_continue = header(exchange, "Expect") != NULL;
+    get_load(http, exchange->length, &load);
+    if (exchange->length > http->config->body_max_bytes) {
+        problem_answer(answer, 413, "the body has %llu bytes; bodyMaxBytes is %llu",
+                       (unsigned long long)exchange->length, (unsigned long long)http->config->body_max_bytes);
+        return reply_early(exchange, is_chunked, expects_continue);
     }
-    get_load(http, framing.length, &load);
-    exchange->length = framing.length;
-    if (framing.length > http->config->body_max_bytes) {
-        problem_answer(answer, 413, "the body has %llu bytes; bodyMaxBytes is %llu", (unsigned long long)framing.length,
-                       (unsigned long long)http->config->body_max_bytes);
-        return reply_early(exchange, &framing);
-    }
-    if (api_open(http->api, &load, &exchange->request, answer) == API_ANSWERED) return reply_early(exchange, &framing);
-    if (!watchdog_admit(http->watchdog, exchange->watch, http->config->max_per_client)) {
+    if (api_open(http->api, &load, &exchange->request, answer) == API_ANSWERED)
+        return reply_early(exchange, is_chunked, expects_continue);
+    if (!connections_admit(&http->connections, exchange->connection, &most)) {
         answer_header(answer, "Retry-After", "%u", load.retry_after_s);
-        problem_answer(answer, 429, "more than maxPerClient, %llu, requests in flight from %s",
-                       (unsigned long long)http->config->max_per_client, exchange->watch->address);
-        return reply_early(exchange, &framing);
+        problem_answer(answer, 429, "more than %s, %llu, requests in flight from %s",
+                       exchange->connection->client->is_private ? "maxPerPrivateClient" : "maxPerClient",
+                       (unsigned long long)most, exchange->connection->address);
+        return reply_early(exchange, is_chunked, expects_continue);
     }
     exchange->step = STEP_BODY;
     return MHD_YES;
@@ -299,7 +336,7 @@ static enum MHD_Result take_body(struct exchange *exchange, const char *bytes, s
 {
     struct http *http = exchange->http;
     exchange->body_bytes += size;
-    watchdog_count_body(http->watchdog, exchange->watch, size);
+    exchange->connection->body_bytes += size;
     if (exchange->step != STEP_BODY) return MHD_YES;
     switch (upload_add(&exchange->upload, &http->uploads, bytes, size, exchange->length)) {
     case UPLOAD_OK:
@@ -312,16 +349,26 @@ static enum MHD_Result take_body(struct exchange *exchange, const char *bytes, s
         api_refuse_busy(&exchange->answer, queue_wait_estimate_s(http->queue), "too many bodies are coming in");
         break;
     }
-    return reply_past_library(exchange);
+    reply_past_library(exchange);
+    return MHD_YES;
 }
 
-enum MHD_Result http_on_request(void *context, struct MHD_Connection *connection, const char *url, const char *method,
+enum MHD_Result http_on_request(void *context, struct MHD_Connection *mhd, const char *url, const char *method,
                                 const char *version, const char *bytes, size_t *size, void **slot)
 {
     struct exchange *exchange = *slot;
-    (void)context, (void)connection, (void)url;
-    if (!exchange) return MHD_NO;
-    if (exchange->step == STEP_HEADER) return begin_request(exchange, method, version);
+    (void)url, (void)version;
+    if (!exchange) { /* there was no memory for it */
+        struct connection *connection = connection_of(mhd);
+        if (connection && connection->phase != PHASE_REFUSED) {
+            struct http *http = context;
+            log_nameless(http, connection, NULL, 503, 0, ANSWER_NO_MEMORY_DETAIL);
+            answer_send_no_memory(connection->fd);
+            connections_enter(&http->connections, connection, PHASE_REFUSED);
+        }
+        return MHD_NO;
+    }
+    if (exchange->step == STEP_HEADER) return begin_request(exchange, method);
     if (*size > 0) {
         size_t taken = *size;
         *size = 0;

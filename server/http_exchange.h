@@ -11,27 +11,38 @@
 
 #include "api.h"
 #include "config.h"
+#include "connections.h"
 #include "queue.h"
 #include "upload.h"
-#include "watchdog.h"
 
+/* Belongs to the thread of the loop (http_loop.h), but for what is atomic, the queue, and `finished` with its lock. */
 struct http {
     const struct config *config;
     struct api *api;
     struct queue *queue;
-    struct watchdog *watchdog;
     struct MHD_Daemon *daemon;
-    int listen_fd;
+    struct connections connections;
+    pthread_t thread;
+    int listen_fd, epoll_fd, wake_fd; /* wake_fd: an eventfd that others write to */
+    int library_fd;                   /* libmicrohttpd's epoll */
     unsigned port;
+    bool listener_rests; /* no descriptor could be had for a new connection */
+    bool is_self_test;   /* nothing is logged */
     struct upload_budget uploads;
+    atomic_size_t answer_bytes; /* of answers that a worker made and nobody has taken yet */
+    size_t in_flight;           /* exchanges whose header has been read */
+    int64_t drain_began_ms, cut_ms;
+    bool sockets_cut;
     atomic_bool draining, cut_short; /* cut_short: the drain took too long */
 
     pthread_mutex_t lock;
-    pthread_cond_t exchange_ended;
-    size_t in_flight; /* exchanges whose header has been read */
+    struct exchange *finished; /* by workers, for the loop to answer */
 };
 
-enum { METHOD_SIZE = 24, TRACEPARENT_SIZE = 56 };
+/* Connections beyond max-connections that are kept for this machine's own health checks. */
+enum { HTTP_LOOPBACK_CONNECTIONS = 16 };
+
+enum { METHOD_SIZE = FRAMING_METHOD_MAX + 1, TRACEPARENT_SIZE = 56 };
 
 /* What the next callback of libmicrohttpd means. */
 enum step {
@@ -44,14 +55,17 @@ enum step {
 
 struct exchange {
     struct http *http;
-    struct MHD_Connection *connection;
-    struct watch *watch;
+    struct MHD_Connection *mhd;
+    struct connection *connection;
+    struct exchange *next; /* of those that are finished */
     enum step step;
-    bool opened, replied;
+    bool opened, replied, logged, client_left;
     char *target; /* path and query; a zero in between once the header is here */
     char method[METHOD_SIZE], traceparent[TRACEPARENT_SIZE];
     int64_t began_us;
-    uint64_t body_bytes, length; /* length: Content-Length, 0 where unknown */
+    atomic_int_least64_t work_began_ms; /* 0: no worker has it */
+    uint64_t body_bytes, length;        /* length: Content-Length, 0 where unknown */
+    size_t answer_bytes;                /* its share of http->answer_bytes */
     struct api_request request;
     struct answer answer;
     struct upload upload;
@@ -67,5 +81,12 @@ enum MHD_Result http_on_request(void *http, struct MHD_Connection *connection, c
                                 const char *version, const char *bytes, size_t *size, void **exchange);
 void http_on_completed(void *http, struct MHD_Connection *connection, void **exchange,
                        enum MHD_RequestTerminationCode code);
+
+/* Refuses what the connection is sending, be it a request that is known or not, past libmicrohttpd, and closes the way
+ * out. */
+void http_refuse(struct http *http, struct connection *connection, int status, const char *detail);
+
+/* The same for what framing_scan refused, once the requests before it have been answered. */
+void http_refuse_framing(struct http *http, struct connection *connection);
 
 #endif

@@ -1,21 +1,60 @@
 #include "http_work.h"
 
+#include <unistd.h>
+
 #include "clock.h"
 #include "problem.h"
+
+static const char ANSWERS_FULL[] = "the answers that wait for their readers fill answerMemoryBytes";
 
 enum queue_lane http_lane_of(uint64_t body_bytes)
 {
     return body_bytes > API_SMALL_BYTES ? QUEUE_LARGE : QUEUE_SMALL;
 }
 
-/* The exchange belongs to libmicrohttpd's thread again. */
+bool http_answers_are_full(struct http *http)
+{
+    return atomic_load(&http->answer_bytes) >= http->config->answer_memory_bytes;
+}
+
+/* The exchange belongs to the loop again: libmicrohttpd will ask for its answer. */
 static void finish_work(struct exchange *exchange)
 {
     struct http *http = exchange->http;
-    struct MHD_Connection *connection = exchange->connection;
-    if (watchdog_leave_work(http->watchdog, exchange->watch)) answer_free(&exchange->answer);
+    if (exchange->client_left) answer_free(&exchange->answer);
     upload_free(&exchange->upload, &http->uploads);
-    MHD_resume_connection(connection);
+    connections_enter(&http->connections, exchange->connection, PHASE_WRITE);
+    MHD_resume_connection(exchange->mhd);
+}
+
+void http_take_finished(struct http *http)
+{
+    pthread_mutex_lock(&http->lock);
+    struct exchange *exchange = http->finished;
+    http->finished = NULL;
+    pthread_mutex_unlock(&http->lock);
+    while (exchange) {
+        struct exchange *next = exchange->next;
+        finish_work(exchange);
+        exchange = next;
+    }
+}
+
+/* ---- on a worker ---- */
+
+/* libmicrohttpd 0.9.75 can miss a connection that another thread resumes while it runs: so the loop does it. */
+static void hand_over(struct exchange *exchange)
+{
+    static const uint64_t ONE = 1;
+    struct http *http = exchange->http;
+    exchange->answer_bytes = exchange->answer.size;
+    atomic_fetch_add(&http->answer_bytes, exchange->answer_bytes);
+    pthread_mutex_lock(&http->lock);
+    const bool was_empty = !http->finished;
+    exchange->next = http->finished;
+    http->finished = exchange;
+    pthread_mutex_unlock(&http->lock);
+    if (was_empty) (void)!write(http->wake_fd, &ONE, sizeof ONE);
 }
 
 static enum api_next begin(struct exchange *exchange, struct zr_arena *arena)
@@ -28,7 +67,7 @@ static enum api_next begin(struct exchange *exchange, struct zr_arena *arena)
 static bool put_back(struct exchange *exchange, struct zr_arena *arena)
 {
     struct http *http = exchange->http;
-    watchdog_work_waits(http->watchdog, exchange->watch);
+    atomic_store(&exchange->work_began_ms, 0);
     exchange->request.small_only = false;
     if (atomic_load(&exchange->cancel.raised)) { /* just now: that has an answer, too */
         zr_arena_reset(arena, SIZE_MAX);         /* an inflated body is not to count twice */
@@ -46,39 +85,39 @@ static void work(struct queue_job *job, struct zr_arena *arena)
     struct exchange *exchange = (struct exchange *)(void *)((char *)job - offsetof(struct exchange, job));
     struct http *http = exchange->http;
     exchange->times.queue_ms = (double)(clock_us() - job->pushed_us) / 1000.0;
-    watchdog_work_begins(http->watchdog, exchange->watch);
+    atomic_store(&exchange->work_began_ms, clock_ms());
     exchange->request.small_only = job->on_express;
     bool cancelled = atomic_load(&exchange->cancel.raised);
-    if (!cancelled && begin(exchange, arena) == API_LARGE && put_back(exchange, arena)) return;
+    if (!cancelled && http_answers_are_full(http))
+        api_refuse_busy(&exchange->answer, queue_wait_estimate_s(http->queue), ANSWERS_FULL);
+    else if (!cancelled && begin(exchange, arena) == API_LARGE && put_back(exchange, arena))
+        return;
     if (atomic_load(&http->cut_short) && (cancelled || exchange->answer.status == 504)) {
         answer_free(&exchange->answer);
         api_refuse_busy(&exchange->answer, 1, "the service went down");
     }
-    finish_work(exchange);
+    hand_over(exchange);
 }
 
-static bool withdraw(void *context, void *owner)
+/* ---- on the loop ---- */
+
+int64_t http_work_deadline_ms(const struct exchange *exchange)
 {
-    return queue_remove(((struct http *)context)->queue, &((struct exchange *)owner)->job);
+    const int64_t began = atomic_load(&exchange->work_began_ms);
+    return began > 0 ? began + (int64_t)exchange->http->config->render_timeout_ms : INT64_MAX;
 }
 
-static void release(void *context, void *owner)
+void http_cancel_work(struct exchange *exchange)
 {
-    (void)context;
-    finish_work(owner);
+    atomic_store(&exchange->cancel.raised, true);
 }
 
-static void expired(void *context, struct watch *watch, struct answer *answer)
+void http_abandon_work(struct http *http, struct exchange *exchange)
 {
-    struct http *http = context;
-    struct exchange *exchange = watch->owner;
-    struct api_request nameless = {0};
-    if (!exchange) api_take_id(http->api, &nameless, NULL);
-    problem_answer(answer, 408, exchange ? "the body came too slowly" : "the header came too slowly");
-    api_finish(answer, exchange ? exchange->request.id : nameless.id);
+    exchange->client_left = true;
+    http_cancel_work(exchange);
+    if (queue_remove(http->queue, &exchange->job)) finish_work(exchange);
 }
-
-const struct watchdog_calls HTTP_WATCHDOG_CALLS = {expired, withdraw, release};
 
 enum MHD_Result http_begin_work(struct exchange *exchange)
 {
@@ -87,9 +126,13 @@ enum MHD_Result http_begin_work(struct exchange *exchange)
     exchange->request.render.size = exchange->upload.size;
     exchange->step = STEP_ANSWER;
     exchange->job.work = work;
-    if (!watchdog_enter_work(http->watchdog, exchange->watch, &exchange->cancel)) return MHD_NO;
+    if (exchange->connection->has_left) {
+        exchange->client_left = true;
+        return MHD_NO;
+    }
+    connections_enter(&http->connections, exchange->connection, PHASE_WORK);
     /* First suspended, then pushed: a worker may be done before queue_push returns. */
-    MHD_suspend_connection(exchange->connection);
+    MHD_suspend_connection(exchange->mhd);
     if (!queue_push(http->queue, &exchange->job, http_lane_of(exchange->upload.size))) {
         api_refuse_busy(&exchange->answer, queue_wait_estimate_s(http->queue), "the queue is full");
         finish_work(exchange);

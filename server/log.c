@@ -6,8 +6,8 @@
 #include <stdio.h>
 #include <string.h>
 #include <time.h>
-#include <unistd.h>
 
+#include "log_writer.h"
 #include "text.h"
 
 /* LINE_SIZE: room for all texts of a request, each byte of them escaped in six. */
@@ -68,11 +68,26 @@ static void add_ms(struct line *line, const char *name, double ms)
     add(line, ",\"%s\":%" PRId64 ".%03d", name, us / 1000, (int)(us % 1000));
 }
 
-/* A line that cannot be written is lost: a log never holds up an answer. */
+static void put_line(struct line *line)
+{
+    add(line, "}\n");
+    log_writer_put(line->bytes, line->used);
+}
+
+/* After lines that were lost, what there is to say about that. */
 static void write_line(struct line *line)
 {
-    add(line, "}\n"); /* one write, whole lines */
-    (void)!write(STDERR_FILENO, line->bytes, line->used);
+    const uint64_t lost = log_writer_take_lost();
+    if (lost > 0) {
+        struct line notice;
+        char detail[96];
+        snprintf(detail, sizeof detail, "%" PRIu64 " lines were lost: they were not read as fast as they came", lost);
+        begin_line(&notice, "warn");
+        add_text(&notice, "event", "log-lost");
+        add_text(&notice, "detail", detail);
+        put_line(&notice);
+    }
+    put_line(line);
 }
 
 void log_request(const struct log_request *request)

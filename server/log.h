@@ -1,4 +1,4 @@
-/* log.h - one JSON line a request, on standard error, in one write.
+/* log.h - one JSON line a request, on standard error (log_writer.h).
  *
  * What a client sent is untrusted: it is made valid UTF-8, bounded and escaped.
  */

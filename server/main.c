@@ -1,4 +1,5 @@
 /* zrasterd - the daemon: starts everything, waits for a signal, ends everything. */
+#include <fcntl.h>
 #include <inttypes.h>
 #include <malloc.h>
 #include <signal.h>
@@ -6,15 +7,25 @@
 #include <stdlib.h>
 #include <string.h>
 #include <sys/resource.h>
+#include <unistd.h>
 
 #include "api.h"
 #include "config.h"
 #include "health.h"
 #include "http.h"
 #include "log.h"
+#include "log_writer.h"
 #include "store.h"
 
-enum { EXIT_USAGE = 2, SPARE_FILES = 64, MMAP_BYTES = 1 << 20, TRIM_BYTES = 8 << 20 };
+enum { EXIT_USAGE = 2, SPARE_FILES = 192, MMAP_BYTES = 1 << 20, TRIM_BYTES = 8 << 20 };
+
+/* Who starts us may have closed them: a socket or a file that got such a number would be written to as the log. */
+static bool open_standard_files(void)
+{
+    for (int fd = STDIN_FILENO; fd <= STDERR_FILENO; fd++)
+        if (fcntl(fd, F_GETFD) < 0 && open("/dev/null", O_RDWR) != fd) return false;
+    return true;
+}
 
 /* Threads take their signal mask from the one that starts them, so this comes first. */
 static void block_signals(sigset_t *signals)
@@ -56,12 +67,17 @@ static int serve(const struct config *config)
     struct foresight foresight;
     block_signals(&signals);
     tune_allocator();
+    if (!log_writer_start()) {
+        fprintf(stderr, "zrasterd: no thread can be had to write the log\n");
+        return EXIT_FAILURE;
+    }
     foresight_init(&foresight);
     raise_file_limit(config);
     struct zr_team *team = zr_team_create_for((int)config->threads, config_isa(config));
     if (!team) {
         fprintf(stderr, "zrasterd: %" PRIu64 " render threads cannot be had; --threads asks for fewer\n",
                 config->threads);
+        log_writer_stop();
         return EXIT_FAILURE;
     }
     struct store *store = NULL;
@@ -76,6 +92,7 @@ static int serve(const struct config *config)
         store_close(store);
         zr_team_destroy(team);
         foresight_free(&foresight);
+        log_writer_stop();
         return EXIT_FAILURE;
     }
     snprintf(message, sizeof message, "rendering with %s", zr_isa_name(zr_team_isa(team)));
@@ -92,6 +109,7 @@ static int serve(const struct config *config)
     zr_team_destroy(team);
     foresight_free(&foresight);
     log_event("info", "stopped", NULL);
+    log_writer_stop();
     return EXIT_SUCCESS;
 }
 
@@ -99,6 +117,7 @@ int main(int argc, char **argv)
 {
     struct config config;
     char message[512];
+    if (!open_standard_files()) return EXIT_FAILURE;
     switch (config_read(&config, argc, argv, message, sizeof message)) {
     case CONFIG_HELP:
         config_print_help(stdout);

@@ -66,6 +66,8 @@ const char *problem_title(int http_status)
         return "Service Unavailable";
     case 504:
         return "Gateway Timeout";
+    case 505:
+        return "HTTP Version Not Supported";
     case 507:
         return "Insufficient Storage";
     default:
@@ -73,24 +75,47 @@ const char *problem_title(int http_status)
     }
 }
 
+/* A problem under way: NULL where memory has run out, and then it stays so. */
 static cJSON *new_problem(struct answer *answer, int http_status, const char *detail)
 {
     answer->status = http_status;
     text_to_utf8(answer->detail, sizeof answer->detail, detail);
     cJSON *root = cJSON_CreateObject();
-    cJSON_AddStringToObject(root, "type", "about:blank");
-    cJSON_AddStringToObject(root, "title", problem_title(http_status));
-    cJSON_AddNumberToObject(root, "status", http_status);
-    cJSON_AddStringToObject(root, "detail", answer->detail);
-    return root;
+    if (cJSON_AddStringToObject(root, "type", "about:blank") &&
+        cJSON_AddStringToObject(root, "title", problem_title(http_status)) &&
+        cJSON_AddNumberToObject(root, "status", http_status) && cJSON_AddStringToObject(root, "detail", answer->detail))
+        return root;
+    cJSON_Delete(root);
+    return NULL;
 }
 
-/* Without memory for the text, the status alone has to do. */
+static bool add_error(cJSON *errors, const char *pointer, const char *detail)
+{
+    char text[ZR_DETAIL_SIZE * 3];
+    cJSON *item = cJSON_CreateObject();
+    text_to_utf8(text, sizeof text, pointer);
+    bool added = cJSON_AddStringToObject(item, "pointer", text);
+    text_to_utf8(text, sizeof text, detail);
+    added = added && cJSON_AddStringToObject(item, "detail", text) && cJSON_AddItemToArray(errors, item);
+    if (!added) cJSON_Delete(item);
+    return added;
+}
+
+static bool add_errors(cJSON *root, const struct zr_error *error, size_t held)
+{
+    cJSON *errors = cJSON_AddArrayToObject(root, "errors");
+    bool added = errors;
+    for (size_t i = 0; i < held && added; i++)
+        added = add_error(errors, error->items[i].pointer, error->items[i].detail);
+    return added && (held < ZR_ERROR_ITEMS || cJSON_AddTrueToObject(root, "truncated")); /* where readers stop */
+}
+
 static void finish(struct answer *answer, cJSON *root)
 {
-    char *text = cJSON_PrintUnformatted(root);
+    char *text = root ? cJSON_PrintUnformatted(root) : NULL;
     cJSON_Delete(root);
     answer_body(answer, "application/problem+json", text, text ? strlen(text) : 0);
+    answer->is_broken |= !text;
 }
 
 void problem_answer(struct answer *answer, int http_status, const char *format, ...)
@@ -107,18 +132,9 @@ void problem_answer_error(struct answer *answer, int http_status, const struct z
 {
     size_t held = zr_error_held(error);
     cJSON *root = new_problem(answer, http_status, held ? error->items[0].detail : problem_title(http_status));
-    if (held) {
-        cJSON *errors = cJSON_AddArrayToObject(root, "errors");
-        for (size_t i = 0; i < held; i++) {
-            char text[ZR_DETAIL_SIZE * 3];
-            cJSON *item = cJSON_CreateObject();
-            text_to_utf8(text, sizeof text, error->items[i].pointer);
-            cJSON_AddStringToObject(item, "pointer", text);
-            text_to_utf8(text, sizeof text, error->items[i].detail);
-            cJSON_AddStringToObject(item, "detail", text);
-            if (!cJSON_AddItemToArray(errors, item)) cJSON_Delete(item);
-        }
-        if (held == ZR_ERROR_ITEMS) cJSON_AddTrueToObject(root, "truncated"); /* where readers stop */
+    if (root && held && !add_errors(root, error, held)) {
+        cJSON_Delete(root);
+        root = NULL;
     }
     finish(answer, root);
 }

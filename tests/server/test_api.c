@@ -431,7 +431,7 @@ static void log_line_is_json_and_tells_of_the_request(void **state)
 static void log_line_of_hostile_path_is_json(void **state)
 {
     static const char REQUEST[] =
-        "GET /\"\\\xff\xc0\xafmark?\x01=\xf0\x9f HTTP/1.1\r\nHost: a\r\nConnection: close\r\n\r\n";
+        "GET /\"\\\xff\xc0\xafmark?%01=\xf0\x9f HTTP/1.1\r\nHost: a\r\nConnection: close\r\n\r\n";
     (void)state;
     free(client_raw(&server, REQUEST, sizeof REQUEST - 1, 5000));
     char *line = daemon_wait_for_log(&server, "mark");

@@ -30,14 +30,21 @@ static int stop(void **state)
     return 0;
 }
 
-/* Refused with `status`, closed, and what follows on the connection is not answered. */
-static void assert_refused(const char *request, int status)
+/* Refused with `status` in our words, closed, and what follows on the connection is not answered. */
+static void assert_bytes_refused(const char *request, size_t size, int status)
 {
-    char *text = client_raw(&server, request, strlen(request), SILENCE_MS);
-    if (raw_status(text) != status || strstr(text, "\"status\":\"ok\""))
+    char *text = client_raw(&server, request, size, SILENCE_MS);
+    if (raw_status(text) != status || raw_count(text) != 1 || strstr(text, "\"status\":\"ok\"") ||
+        !strstr(text, "Content-Type: application/problem+json") || !strstr(text, "X-Request-Id: ") ||
+        (strstr(text, "Connection: close") == NULL))
         fail_msg("wanted %d and nothing more for\n%.200s\ngot\n%.400s", status, request, text);
     free(text);
     assert_int_equal(client_get_status(&server, "/healthz"), 200);
+}
+
+static void assert_refused(const char *request, int status)
+{
+    assert_bytes_refused(request, strlen(request), status);
 }
 
 static void two_content_lengths_are_refused(void **state)
@@ -103,6 +110,107 @@ static void bad_bytes_in_headers_are_refused(void **state)
     assert_refused("GET /healthz HTTP/1.1\r\nHost: a\r\nX-A: b\x01\r\n\r\n" SECOND, 400);
     assert_refused("GET /heal thz HTTP/1.1\r\nHost: a\r\n\r\n" SECOND, 400);
     assert_refused("GET /healthz?a b HTTP/1.1\r\nHost: a\r\n\r\n" SECOND, 400);
+}
+
+#define BYTES(text, status) assert_bytes_refused(text, sizeof(text) - 1, status)
+
+static void a_zero_byte_smuggles_nothing(void **state)
+{
+    (void)state;
+    BYTES(POST "Content-Length: 5\0\r\n\r\nhello" SECOND, 400);
+    BYTES(POST "Content-Length: 5\0junk\r\n\r\nhello" SECOND, 400);
+    BYTES(POST "Transfer-Encoding: chunked\0\r\n\r\n0\r\n\r\n" SECOND, 400);
+    BYTES(POST "Content-Length\0: 5\r\n\r\nhello" SECOND, 400);
+    BYTES("GET /healthz\0 HTTP/1.1\r\nHost: a\r\n\r\n" SECOND, 400);
+    BYTES("GET /healthz HTTP/1.1\r\nHost: a\r\nX: \0\r\n\r\n" SECOND, 400);
+    BYTES("\0GET /healthz HTTP/1.1\r\nHost: a\r\n\r\n" SECOND, 400);
+}
+
+static void line_ends_other_than_crlf_are_refused(void **state)
+{
+    (void)state;
+    assert_refused("GET /healthz HTTP/1.1\nHost: a\n\n" SECOND, 400);
+    assert_refused("GET /healthz HTTP/1.1\r\nHost: a\nX: y\r\n\r\n" SECOND, 400);
+    assert_refused("GET /healthz HTTP/1.1\r\nHost: a\rX: y\r\n\r\n" SECOND, 400);
+    assert_refused("GET /healthz HTTP/1.1\r\nHost: a\r\n\n" SECOND, 400);
+    assert_refused("GET /healthz HTTP/1.1\r\nHost: a\r\nX: y\r\n folded\r\n\r\n" SECOND, 400);
+    assert_refused(POST "Transfer-Encoding: chunked\r\n\r\n5\nhello\r\n0\r\n\r\n" SECOND, 400);
+    assert_refused(POST "Transfer-Encoding: chunked\r\n\r\n5\r\nhello\n0\r\n\r\n" SECOND, 400);
+    assert_refused(POST "Transfer-Encoding: chunked\r\n\r\n0\r\n\n" SECOND, 400);
+}
+
+static void request_lines_that_are_none_are_refused(void **state)
+{
+    (void)state;
+    assert_refused("GET /healthz\r\n\r\n" SECOND, 400);
+    assert_refused("GET /healthz HTTP/2.0\r\nHost: a\r\n\r\n" SECOND, 505);
+    assert_refused("GET /healthz HTTP/1.1 x\r\nHost: a\r\n\r\n" SECOND, 400);
+    assert_refused("GET /healthz\x01 HTTP/1.1\r\nHost: a\r\n\r\n" SECOND, 400);
+    assert_refused("G(T /healthz HTTP/1.1\r\nHost: a\r\n\r\n" SECOND, 400);
+    assert_refused("\x16\x03\x01\x02", 400);
+}
+
+static void two_content_types_are_refused(void **state)
+{
+    (void)state;
+    assert_refused(POST "Content-Type: model/obj\r\nContent-Length: 2\r\n\r\n{}" SECOND, 400);
+}
+
+/* What a fault is found in has been passed on by then, or the requests before it are still to be answered. */
+static void a_fault_behind_good_requests_or_in_small_pieces_is_refused(void **state)
+{
+    static const char *const FAULTS[] = {"GET /healthz HTTP/1.1\r\nHost: a\r\nX : y\r\n\r\n" SECOND,
+                                         POST "Transfer-Encoding: chunked\r\n\r\n3\r\nabc\r\n-\r\n" SECOND};
+    (void)state;
+    for (size_t i = 0; i < sizeof FAULTS / sizeof FAULTS[0]; i++)
+        for (int good = 0; good < 3; good++)
+            for (int in_pieces = 0; in_pieces < 2; in_pieces++) {
+                char request[1000] = "";
+                for (int j = 0; j < good; j++)
+                    strcat(request, SECOND);
+                strcat(request, FAULTS[i]);
+                int fd = client_connect(&server);
+                const size_t size = strlen(request), step = in_pieces ? 1 : size;
+                for (size_t at = 0; at < size && client_write(fd, request + at, step); at += step)
+                    if (in_pieces) usleep(200);
+                char *text = client_read(fd, NULL, SILENCE_MS);
+                if (raw_count(text) != good + 1 || !strstr(text, "HTTP/1.1 400 "))
+                    fail_msg("%d good, then\n%s\ngave\n%s", good, FAULTS[i], text);
+                free(text);
+                close(fd);
+            }
+}
+
+/* What is promised fits into the memory that libmicrohttpd has for a connection. */
+static void headers_as_large_as_they_may_be_are_answered(void **state)
+{
+    static char request[80000];
+    (void)state;
+    size_t used = (size_t)sprintf(request, "GET /nowhere?a=");
+    memset(request + used, 'a', 32700);
+    used += 32700;
+    used += (size_t)sprintf(request + used, " HTTP/1.1\r\nHost: a\r\nConnection: close\r\n");
+    for (int i = 0; i < 120; i++)
+        used += (size_t)sprintf(request + used, "X-%d: %0250d\r\n", i, i);
+    sprintf(request + used, "\r\n");
+    char *text = client_raw(&server, request, strlen(request), SILENCE_MS);
+    assert_int_equal(raw_status(text), 404);
+    free(text);
+}
+
+static void large_cookies_are_answered(void **state)
+{
+    static char request[40000];
+    (void)state;
+    for (int kind = 0; kind < 2; kind++) {
+        size_t used = (size_t)sprintf(request, "GET /healthz HTTP/1.1\r\nHost: a\r\nConnection: close\r\nCookie: ");
+        for (int i = 0; i < 8000; i++)
+            used += (size_t)sprintf(request + used, kind ? "a=b;" : "abcd");
+        sprintf(request + used, "\r\n\r\n");
+        char *text = client_raw(&server, request, strlen(request), SILENCE_MS);
+        assert_int_equal(raw_status(text), 200);
+        free(text);
+    }
 }
 
 /* `prefix`, `count` times 'a', the end of a header. */
@@ -248,6 +356,13 @@ int main(void)
         cmocka_unit_test(host_may_be_missing_in_http_1_0),
         cmocka_unit_test(content_length_that_is_no_number_is_refused),
         cmocka_unit_test(bad_bytes_in_headers_are_refused),
+        cmocka_unit_test(a_zero_byte_smuggles_nothing),
+        cmocka_unit_test(line_ends_other_than_crlf_are_refused),
+        cmocka_unit_test(request_lines_that_are_none_are_refused),
+        cmocka_unit_test(two_content_types_are_refused),
+        cmocka_unit_test(a_fault_behind_good_requests_or_in_small_pieces_is_refused),
+        cmocka_unit_test(headers_as_large_as_they_may_be_are_answered),
+        cmocka_unit_test(large_cookies_are_answered),
         cmocka_unit_test(header_too_large_gives_431),
         cmocka_unit_test(uri_too_large_gives_414),
         cmocka_unit_test(slow_header_gives_408),

@@ -1,0 +1,245 @@
+#include "connections.h"
+
+#include <arpa/inet.h>
+#include <linux/tcp.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "clock.h"
+
+enum {
+    TICK_WORK_MS = 20, /* while work is under way: its end is noticed so late at most */
+    TICK_MS = 50,
+    TICK_IDLE_MS = 1000,
+    RATE_GRACE_MS = 5000, /* before the speed of a body or of a reader says anything */
+    LINGER_MS = 2000,     /* a refused client may go on sending: closing at once would reset what it should read */
+    JUST_BEGUN_MS = 50,   /* what came so short a time ago may not have been looked at yet */
+    FDS_MIN = 256
+};
+
+static const uint64_t UNMEASURED = UINT64_MAX;
+
+bool connections_init(struct connections *connections, const struct config *config)
+{
+    *connections = (struct connections){.config = config, .fd_count = FDS_MIN};
+    connections->by_fd = calloc(FDS_MIN, sizeof *connections->by_fd);
+    return connections->by_fd;
+}
+
+void connections_free(struct connections *connections)
+{
+    while (connections->first)
+        connections_remove(connections, connections->first);
+    free(connections->by_fd);
+    connections->by_fd = NULL;
+}
+
+/* Bytes of answers that the client's system has taken. */
+static uint64_t bytes_taken(const struct connection *connection)
+{
+    struct tcp_info info = {0};
+    socklen_t size = sizeof info;
+    if (getsockopt(connection->fd, IPPROTO_TCP, TCP_INFO, &info, &size) != 0) return 0;
+    return info.tcpi_bytes_acked;
+}
+
+/* ---- the list ---- */
+
+static bool make_room(struct connections *connections, size_t fd)
+{
+    size_t count = connections->fd_count;
+    while (count <= fd)
+        count *= 2;
+    if (count == connections->fd_count) return true;
+    struct connection **grown = realloc(connections->by_fd, count * sizeof(struct connection *));
+    if (!grown) return false;
+    memset(grown + connections->fd_count, 0, (count - connections->fd_count) * sizeof *grown);
+    connections->by_fd = grown;
+    connections->fd_count = count;
+    return true;
+}
+
+static bool is_waiting(enum phase phase)
+{
+    return phase == PHASE_IDLE || phase == PHASE_HEADER;
+}
+
+static void count_phase(struct connections *connections, struct connection *connection, bool in)
+{
+    size_t *count = &connections->counts[connection->phase];
+    *count = in ? *count + 1 : *count - 1;
+}
+
+struct connection *connections_add(struct connections *connections, int fd, const struct sockaddr *address)
+{
+    struct connection *old = connections_find(connections, fd);
+    if (old) connections_remove(connections, old); /* libmicrohttpd closed it before it knew it */
+    struct connection *connection = calloc(1, sizeof *connection);
+    if (!connection || !make_room(connections, (size_t)fd) ||
+        !(connection->client = clients_join(&connections->clients, address))) {
+        free(connection);
+        return NULL;
+    }
+    const void *bytes = address->sa_family == AF_INET6
+                            ? (const void *)&((const struct sockaddr_in6 *)(const void *)address)->sin6_addr
+                            : (const void *)&((const struct sockaddr_in *)(const void *)address)->sin_addr;
+    inet_ntop(address->sa_family, bytes, connection->address, sizeof connection->address);
+    connection->fd = fd;
+    connection->previous = connections->last;
+    if (connections->last)
+        connections->last->next = connection;
+    else
+        connections->first = connection;
+    connections->last = connection;
+    connections->by_fd[fd] = connection;
+    connections->count++;
+    connection->began_ms = clock_ms();
+    connection->deadline_ms = connection->began_ms + (int64_t)connections->config->header_timeout_ms;
+    count_phase(connections, connection, true);
+    return connection;
+}
+
+void connections_remove(struct connections *connections, struct connection *connection)
+{
+    connections_release(connection);
+    count_phase(connections, connection, false);
+    if (connection->previous)
+        connection->previous->next = connection->next;
+    else
+        connections->first = connection->next;
+    if (connection->next)
+        connection->next->previous = connection->previous;
+    else
+        connections->last = connection->previous;
+    connections->by_fd[connection->fd] = NULL;
+    connections->count--;
+    clients_leave(&connections->clients, connection->client);
+    free(connection);
+}
+
+struct connection *connections_find(const struct connections *connections, int fd)
+{
+    return fd >= 0 && (size_t)fd < connections->fd_count ? connections->by_fd[fd] : NULL;
+}
+
+/* ---- phases ---- */
+
+static int64_t time_for(const struct config *config, enum phase phase)
+{
+    switch (phase) {
+    case PHASE_IDLE:
+        return (int64_t)config->idle_timeout_ms;
+    case PHASE_HEADER:
+        return (int64_t)config->header_timeout_ms;
+    case PHASE_BODY:
+        return (int64_t)config->body_timeout_ms;
+    case PHASE_WRITE:
+        return (int64_t)config->write_timeout_ms;
+    case PHASE_REFUSED:
+        return LINGER_MS;
+    default: /* of work: from when a worker begins */
+        return INT64_MAX / 2;
+    }
+}
+
+void connections_enter(struct connections *connections, struct connection *connection, enum phase phase)
+{
+    count_phase(connections, connection, false);
+    connection->phase = phase;
+    count_phase(connections, connection, true);
+    connection->began_ms = connection->window_ms = clock_ms();
+    connection->deadline_ms = connection->began_ms + time_for(connections->config, phase);
+    connection->body_bytes = 0;
+    connection->window_bytes = UNMEASURED;
+    if (phase == PHASE_IDLE || phase == PHASE_REFUSED) connections_release(connection);
+}
+
+bool connections_admit(struct connections *connections, struct connection *connection, uint64_t *most)
+{
+    const struct config *config = connections->config;
+    struct client *client = connection->client;
+    *most = client->is_private ? config->max_per_private_client : config->max_per_client;
+    if (*most > 0 && client->in_flight >= *most) return false;
+    client->in_flight++;
+    connection->in_flight = true;
+    return true;
+}
+
+void connections_release(struct connection *connection)
+{
+    if (connection->in_flight) connection->client->in_flight--;
+    connection->in_flight = false;
+}
+
+/* The higher, the sooner its place is given away; 0: never. */
+static int rank(enum phase phase)
+{
+    return phase == PHASE_REFUSED ? 3 : is_waiting(phase) ? 2 : phase == PHASE_BODY ? 1 : 0;
+}
+
+struct connection *connections_replaceable(const struct connections *connections, int64_t now_ms, bool *soon)
+{
+    struct connection *best = NULL;
+    int best_rank = 0;
+    *soon = false;
+    for (struct connection *c = connections->first; c; c = c->next) {
+        const int its_rank = rank(c->phase);
+        if (its_rank == 0 || its_rank < best_rank) continue;
+        if (now_ms - c->began_ms < JUST_BEGUN_MS) {
+            *soon = true;
+        } else if (its_rank > best_rank || c->client->connections > best->client->connections) {
+            best = c;
+            best_rank = its_rank;
+        }
+    }
+    return best;
+}
+
+/* ---- deadlines ---- */
+
+/* The body's average since it began. */
+static bool body_is_slow(const struct connections *connections, const struct connection *connection, int64_t now)
+{
+    const int64_t elapsed = now - connection->began_ms;
+    return elapsed > RATE_GRACE_MS && (double)connection->body_bytes * 1000.0 <
+                                          (double)connections->config->body_min_bytes_per_second * (double)elapsed;
+}
+
+/* What the client's system took in the last some seconds: what it took at once, into its buffers, says nothing later.
+ */
+static bool reader_is_slow(const struct connections *connections, struct connection *connection, int64_t now)
+{
+    const int64_t elapsed = now - connection->window_ms;
+    const uint64_t before = connection->window_bytes;
+    if (before != UNMEASURED && elapsed < RATE_GRACE_MS) return false;
+    connection->window_ms = now;
+    connection->window_bytes = bytes_taken(connection);
+    if (before == UNMEASURED) return false;
+    const uint64_t more = connection->window_bytes - before;
+    return (double)more * 1000.0 < (double)connections->config->answer_min_bytes_per_second * (double)elapsed;
+}
+
+enum overdue connections_overdue(const struct connections *connections, struct connection *connection, int64_t now_ms)
+{
+    const bool is_over = now_ms >= connection->deadline_ms;
+    switch (connection->phase) {
+    case PHASE_HEADER:
+        return is_over ? OVERDUE_408 : OVERDUE_NO;
+    case PHASE_BODY:
+        return is_over || body_is_slow(connections, connection, now_ms) ? OVERDUE_408 : OVERDUE_NO;
+    case PHASE_WORK:
+        return is_over ? OVERDUE_CANCEL : OVERDUE_NO;
+    case PHASE_WRITE:
+        return is_over || reader_is_slow(connections, connection, now_ms) ? OVERDUE_READER : OVERDUE_NO;
+    default:
+        return is_over ? OVERDUE_CLOSE : OVERDUE_NO;
+    }
+}
+
+int connections_wait_ms(const struct connections *connections)
+{
+    const size_t *counts = connections->counts;
+    if (counts[PHASE_WORK] > 0) return TICK_WORK_MS;
+    if (connections->count > counts[PHASE_IDLE]) return TICK_MS;
+    return connections->count > 0 ? TICK_IDLE_MS : -1;
+}

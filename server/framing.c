@@ -1,0 +1,355 @@
+#include "framing.h"
+
+#include <string.h>
+
+enum { CHUNK_DIGITS_MAX = 16 };
+
+static bool is_control(unsigned char c)
+{
+    return c < ' ' || c == 0x7F;
+}
+
+/* RFC 9110, 5.6.2 */
+static bool is_token(unsigned char c)
+{
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
+           (c != '\0' && strchr("!#$%&'*+-.^_`|~", c));
+}
+
+static char lower(char c)
+{
+    return c >= 'A' && c <= 'Z' ? (char)(c - 'A' + 'a') : c;
+}
+
+static bool refuse(struct framing *f, int status, const char *detail)
+{
+    f->status = status;
+    f->detail = detail;
+    return false;
+}
+
+/* Appends to a word, which keeps its first bytes; a word that is full is none that is known. */
+static void append(char *word, uint32_t *length, char c)
+{
+    if (*length < FRAMING_WORD_SIZE) word[(*length)++] = lower(c);
+}
+
+static bool equals(const char *word, uint32_t length, const char *known)
+{
+    return strlen(known) == length && memcmp(word, known, length) == 0;
+}
+
+/* ---- the request line ---- */
+
+static bool start_request(struct framing *f, char c)
+{
+    if (c == '\r') { /* RFC 9112, 2.2: some clients send one line end too many */
+        f->state = FRAMING_EMPTY_LF;
+        return true;
+    }
+    const uint64_t passed = f->passed;
+    *f = (struct framing){.state = FRAMING_METHOD, .passed = passed};
+    if (!is_token((unsigned char)c))
+        return refuse(f, 400,
+                      c == 0x16 ? "these bytes look like TLS; plain HTTP is spoken here"
+                                : "the request line is malformed");
+    f->line_bytes = 1;
+    return true;
+}
+
+static bool take_method(struct framing *f, char c)
+{
+    if (c == ' ') {
+        f->state = FRAMING_TARGET;
+        f->line_bytes = 0;
+        return true;
+    }
+    if (!is_token((unsigned char)c)) return refuse(f, 400, "the request line is malformed");
+    if (++f->line_bytes > FRAMING_METHOD_MAX) return refuse(f, 501, "no method has so long a name");
+    return true;
+}
+
+static bool take_target(struct framing *f, char c)
+{
+    if (c == ' ' && f->line_bytes > 0) {
+        f->state = FRAMING_VERSION;
+        return true;
+    }
+    if (c == ' ') return refuse(f, 400, "the request line is malformed");
+    if (c == '\r' || c == '\n') return refuse(f, 400, "the request line has no version");
+    if (is_control((unsigned char)c)) return refuse(f, 400, "the URI has control characters");
+    if (c == '&' && ++f->parameters > FRAMING_PARAMETERS_MAX)
+        return refuse(f, 400, "the query has too many parameters");
+    if (++f->line_bytes > FRAMING_TARGET_MAX) return refuse(f, 414, "the URI is longer than 32768 bytes");
+    return true;
+}
+
+static bool take_version(struct framing *f, char c)
+{
+    if (c == '\n') return refuse(f, 400, "a line ends with LF alone");
+    if (c != '\r') {
+        if (f->value_length == sizeof "HTTP/1.1" - 1)
+            return refuse(f, 400, "the URI has a space in it, or the version is none");
+        f->value[f->value_length++] = c;
+        return true;
+    }
+    const char *version = f->value;
+    f->is_old = equals(version, f->value_length, "HTTP/1.0");
+    f->state = FRAMING_LINE_LF;
+    if (f->is_old || equals(version, f->value_length, "HTTP/1.1")) return true;
+    const bool is_version = f->value_length == sizeof "HTTP/1.1" - 1 && memcmp(version, "HTTP/", 5) == 0;
+    return is_version ? refuse(f, 505, "of HTTP only the versions 1.1 and 1.0 are spoken here")
+                      : refuse(f, 400, "the URI has a space in it, or the version is none");
+}
+
+/* ---- headers and trailers ---- */
+
+static bool count_header_byte(struct framing *f)
+{
+    if (++f->header_bytes <= FRAMING_HEADERS_MAX) return true;
+    return refuse(f, 431,
+                  f->is_trailer ? "the trailer is larger than 32768 bytes" : "the header is larger than 32768 bytes");
+}
+
+static bool take_field(struct framing *f, char c)
+{
+    if (c == '\r') {
+        f->state = FRAMING_HEADER_LF;
+        return true;
+    }
+    if (c == '\n') return refuse(f, 400, "a line ends with LF alone");
+    if (c == ' ' || c == '\t') return refuse(f, 400, "a header line is folded, or begins with a space");
+    if (++f->fields > FRAMING_FIELDS_MAX) return refuse(f, 431, "there are more than 128 headers");
+    if (!is_token((unsigned char)c)) return refuse(f, 400, "a header's name is not a token");
+    f->state = FRAMING_NAME;
+    f->name_length = f->value_length = f->line_bytes = 0;
+    append(f->name, &f->name_length, c);
+    return true;
+}
+
+static bool take_name(struct framing *f, char *c)
+{
+    if (*c == ':') {
+        f->state = FRAMING_VALUE;
+        return true;
+    }
+    if (*c == '\r' || *c == '\n') return refuse(f, 400, "a header line has no colon");
+    if (!is_token((unsigned char)*c)) return refuse(f, 400, "a header's name is not a token");
+    append(f->name, &f->name_length, *c);
+    if (equals(f->name, f->name_length, "cookie")) *c = 'x';
+    return true;
+}
+
+/* Values are compared without the space around them; line_bytes are those of the value up to here. */
+static bool take_value(struct framing *f, char c)
+{
+    if (c == '\r') {
+        f->state = FRAMING_VALUE_LF;
+        return true;
+    }
+    if (is_control((unsigned char)c) && c != '\t')
+        return refuse(f, 400, c == '\n' ? "a line ends with LF alone" : "a header's value has control characters");
+    const bool is_space = c == ' ' || c == '\t';
+    if (is_space && f->line_bytes == 0) return true;
+    f->line_bytes++;
+    if (is_space) return true;
+    while (f->value_length < f->line_bytes - 1 && f->value_length < FRAMING_WORD_SIZE)
+        f->value[f->value_length++] = ' '; /* space inside: no value that is known has any */
+    append(f->value, &f->value_length, c);
+    return true;
+}
+
+static bool parse_length(struct framing *f)
+{
+    uint64_t value = 0;
+    for (uint32_t i = 0; i < f->value_length; i++) {
+        const char c = f->value[i];
+        if (c < '0' || c > '9' || __builtin_mul_overflow(value, 10u, &value) ||
+            __builtin_add_overflow(value, (uint64_t)(c - '0'), &value))
+            return false;
+    }
+    f->left = value;
+    return f->value_length > 0 && f->value_length < FRAMING_WORD_SIZE;
+}
+
+static void take_header(struct framing *f)
+{
+    const char *name = f->name;
+    const uint32_t length = f->name_length;
+    if (f->is_trailer) return; /* says nothing about framing any more */
+    if (equals(name, length, "host")) f->hosts++;
+    if (equals(name, length, "content-type")) f->types++;
+    if (equals(name, length, "content-length")) {
+        f->lengths++;
+        if (!parse_length(f)) f->wrong = "Content-Length is not a number";
+    }
+    if (equals(name, length, "transfer-encoding")) {
+        f->encodings++;
+        f->is_chunked = equals(f->value, f->value_length, "chunked");
+    }
+    if (equals(name, length, "expect")) {
+        f->expects++;
+        if (!equals(f->value, f->value_length, "100-continue")) f->expects++;
+    }
+}
+
+/* HTTP/1.0 knows no Host; the health checks of some load balancers send none. */
+static bool check_header(struct framing *f)
+{
+    if (f->hosts != 1 && !(f->is_old && f->hosts == 0)) return refuse(f, 400, "exactly one Host header is needed");
+    if (f->lengths > 1) return refuse(f, 400, "more than one Content-Length");
+    if (f->lengths && f->encodings) return refuse(f, 400, "both Content-Length and Transfer-Encoding");
+    if (f->wrong) return refuse(f, 400, f->wrong);
+    if (f->encodings > 1) return refuse(f, 400, "more than one Transfer-Encoding");
+    if (f->encodings && f->is_old) return refuse(f, 400, "Transfer-Encoding in HTTP/1.0");
+    if (f->encodings && !f->is_chunked) return refuse(f, 501, "the only Transfer-Encoding that is known is chunked");
+    if (f->types > 1) return refuse(f, 400, "more than one Content-Type");
+    if (f->expects > 1) return refuse(f, 417, "the only expectation that is known is 100-continue");
+    return true;
+}
+
+static bool end_header(struct framing *f)
+{
+    if (f->is_trailer) {
+        f->state = FRAMING_START;
+        return true;
+    }
+    if (!check_header(f)) return false;
+    f->passed++;
+    f->state = f->is_chunked ? FRAMING_CHUNK_SIZE : f->left > 0 ? FRAMING_BODY : FRAMING_START;
+    f->line_bytes = 0;
+    if (f->is_chunked) f->left = 0;
+    return true;
+}
+
+/* ---- chunks ---- */
+
+static int hex_digit(char c)
+{
+    if (c >= '0' && c <= '9') return c - '0';
+    const char l = lower(c);
+    return l >= 'a' && l <= 'f' ? l - 'a' + 10 : -1;
+}
+
+static bool take_chunk_size(struct framing *f, char c)
+{
+    const int digit = hex_digit(c);
+    if (digit >= 0) {
+        if (++f->line_bytes > CHUNK_DIGITS_MAX) return refuse(f, 400, "a chunk's size has too many digits");
+        f->left = f->left << 4 | (uint64_t)digit;
+        return true;
+    }
+    if (f->line_bytes == 0 || (c != '\r' && c != ';'))
+        return refuse(f, 400, "a chunk's size is not a hexadecimal number");
+    f->state = c == ';' ? FRAMING_CHUNK_EXTENSION : FRAMING_CHUNK_LF;
+    f->line_bytes = 0;
+    return true;
+}
+
+static bool take_chunk_extension(struct framing *f, char c)
+{
+    if (c == '\r') {
+        f->state = FRAMING_CHUNK_LF;
+        f->line_bytes = 0;
+        return true;
+    }
+    if (is_control((unsigned char)c) && c != '\t')
+        return refuse(f, 400, c == '\n' ? "a line ends with LF alone" : "a chunk's extension has control characters");
+    if (++f->line_bytes > FRAMING_EXTENSION_MAX) return refuse(f, 400, "a chunk's extension is longer than 1024 bytes");
+    return true;
+}
+
+static void end_chunk_line(struct framing *f)
+{
+    f->state = f->left > 0 ? FRAMING_CHUNK_DATA : FRAMING_FIELD;
+    f->is_trailer = f->left == 0;
+    if (f->is_trailer) f->header_bytes = f->fields = 0;
+}
+
+/* ---- all of it ---- */
+
+static bool expect(struct framing *f, char c, char wanted, enum framing_state next)
+{
+    if (c != wanted)
+        return refuse(f, 400, wanted == '\n' ? "a line has a CR without LF" : "a chunk is longer than its size says");
+    f->state = next;
+    return true;
+}
+
+/* One byte of what is not a body's. False: it is refused. */
+static bool take(struct framing *f, char *c)
+{
+    switch (f->state) {
+    case FRAMING_START:
+        return start_request(f, *c);
+    case FRAMING_EMPTY_LF:
+        return expect(f, *c, '\n', FRAMING_START);
+    case FRAMING_METHOD:
+        return take_method(f, *c);
+    case FRAMING_TARGET:
+        return take_target(f, *c);
+    case FRAMING_VERSION:
+        return take_version(f, *c);
+    case FRAMING_LINE_LF:
+        f->value_length = 0;
+        return expect(f, *c, '\n', FRAMING_FIELD);
+    case FRAMING_FIELD:
+        return count_header_byte(f) && take_field(f, *c);
+    case FRAMING_NAME:
+        return count_header_byte(f) && take_name(f, c);
+    case FRAMING_VALUE:
+        return count_header_byte(f) && take_value(f, *c);
+    case FRAMING_VALUE_LF:
+        if (!count_header_byte(f) || !expect(f, *c, '\n', FRAMING_FIELD)) return false;
+        take_header(f);
+        return true;
+    case FRAMING_HEADER_LF:
+        return expect(f, *c, '\n', FRAMING_START) && end_header(f);
+    case FRAMING_CHUNK_SIZE:
+        return take_chunk_size(f, *c);
+    case FRAMING_CHUNK_EXTENSION:
+        return take_chunk_extension(f, *c);
+    case FRAMING_CHUNK_LF:
+        if (!expect(f, *c, '\n', FRAMING_CHUNK_DATA)) return false;
+        end_chunk_line(f);
+        return true;
+    case FRAMING_CHUNK_DATA_CR:
+        return expect(f, *c, '\r', FRAMING_CHUNK_DATA_LF);
+    case FRAMING_CHUNK_DATA_LF:
+        f->line_bytes = 0;
+        return expect(f, *c, '\n', FRAMING_CHUNK_SIZE);
+    default:
+        return false;
+    }
+}
+
+/* Bytes of a body or of a chunk: they are not looked at. */
+static size_t skip_body(struct framing *f, size_t size)
+{
+    const size_t skipped = f->left < size ? (size_t)f->left : size;
+    f->left -= skipped;
+    if (f->left == 0) f->state = f->state == FRAMING_BODY ? FRAMING_START : FRAMING_CHUNK_DATA_CR;
+    return skipped;
+}
+
+size_t framing_scan(struct framing *f, char *bytes, size_t size)
+{
+    size_t whole = 0; /* up to the end of the last whole request */
+    uint64_t passed = f->passed;
+    if (f->state == FRAMING_REFUSED) return 0;
+    for (size_t at = 0; at < size;) {
+        if (f->state == FRAMING_BODY || f->state == FRAMING_CHUNK_DATA) {
+            at += skip_body(f, size - at);
+        } else if (!take(f, &bytes[at++])) {
+            f->refused_body = (f->state >= FRAMING_BODY || f->is_trailer) && f->passed == passed;
+            f->passed = passed; /* a header that is held back with what follows it was not passed on */
+            f->state = FRAMING_REFUSED;
+            return whole;
+        }
+        if (f->state == FRAMING_START) {
+            whole = at;
+            passed = f->passed;
+        }
+    }
+    return size;
+}

@@ -1,0 +1,269 @@
+#include "http_loop.h"
+
+#include <errno.h>
+#include <stdio.h>
+#include <sys/epoll.h>
+#include <sys/eventfd.h>
+#include <sys/socket.h>
+#include <unistd.h>
+
+#include "clock.h"
+#include "http_work.h"
+#include "log.h"
+
+enum {
+    EVENTS = 256,
+    ACCEPTS = 64, /* a turn; so many connections may be there beyond the limit, until libmicrohttpd has closed others */
+    CANCEL_MS = 2000, /* after a drain that took too long: for cancelled work to be answered */
+    GRACE_MS = 1000,  /* at its begin: for what is on its way already to be read */
+    REST_MS = 50      /* of the listener, where there is no descriptor, or no place yet */
+};
+
+static bool watch(const struct http *http, int fd, uint32_t events, void *of)
+{
+    struct epoll_event event = {.events = events, .data.ptr = of};
+    return epoll_ctl(http->epoll_fd, EPOLL_CTL_ADD, fd, &event) == 0;
+}
+
+bool http_loop_open(struct http *http)
+{
+    const union MHD_DaemonInfo *info = MHD_get_daemon_info(http->daemon, MHD_DAEMON_INFO_EPOLL_FD);
+    if (!info) return false;
+    http->library_fd = info->epoll_fd;
+    return watch(http, http->listen_fd, EPOLLIN, &http->listen_fd) &&
+           watch(http, http->wake_fd, EPOLLIN, &http->wake_fd) &&
+           watch(http, http->library_fd, EPOLLIN, &http->library_fd);
+}
+
+void http_loop_wake(struct http *http)
+{
+    static const uint64_t ONE = 1;
+    (void)!write(http->wake_fd, &ONE, sizeof ONE);
+}
+
+/* ---- new connections ---- */
+
+/* The connection ends before its time. libmicrohttpd closes it when it runs next. */
+static void push_out(struct http *http, struct connection *connection)
+{
+    if (connection->phase == PHASE_HEADER || connection->phase == PHASE_BODY)
+        http_refuse(http, connection, 503, "others needed the connection's place");
+    connections_enter(&http->connections, connection, PHASE_REFUSED);
+    shutdown(connection->fd, SHUT_RDWR);
+}
+
+/* A new connection for which there is no place is told so. */
+static void turn_away(struct http *http, struct connection *connection, const char *why)
+{
+    char bytes[4096];
+    /* What has come is read first, or closing would reset the connection under the answer. */
+    while (recvfrom(connection->fd, bytes, sizeof bytes, MSG_DONTWAIT, NULL, NULL) > 0)
+        continue;
+    http_refuse(http, connection, 503, why);
+    const int fd = connection->fd;
+    connections_remove(&http->connections, connection);
+    close(fd);
+}
+
+/* Whether there is a place for one more; and if not, whether one will be soon: those who came just now may have sent
+ * a request that nobody has read yet, and are not pushed out. */
+enum place { PLACE_FREE, PLACE_SOON, PLACE_NONE };
+
+static enum place find_place(const struct http *http, struct connection **in_the_way)
+{
+    const struct connections *connections = &http->connections;
+    bool soon;
+    *in_the_way = NULL;
+    if (connections->count < http->config->max_connections) return PLACE_FREE;
+    *in_the_way = connections_replaceable(connections, clock_ms(), &soon);
+    return *in_the_way ? PLACE_FREE : soon ? PLACE_SOON : PLACE_NONE;
+}
+
+/* Loopback has places of its own, so that a health check on this machine gets through. */
+static bool may_exceed(const struct http *http, const struct connection *fresh)
+{
+    return fresh->client->is_loopback &&
+           http->connections.count <= http->config->max_connections + HTTP_LOOPBACK_CONNECTIONS;
+}
+
+static void admit(struct http *http, int fd, const struct sockaddr *address, socklen_t size, bool has_place)
+{
+    struct connection *connection = connections_add(&http->connections, fd, address);
+    if (!connection) {
+        answer_send_no_memory(fd);
+        close(fd);
+    } else if (!has_place && !may_exceed(http, connection)) {
+        turn_away(http, connection, "all connections are busy");
+    } else if (!watch(http, fd, EPOLLRDHUP | EPOLLET, connection) ||
+               MHD_add_connection(http->daemon, fd, address, size) != MHD_YES) {
+        struct connection *left = connections_find(&http->connections, fd); /* where it was not told of the end */
+        if (left) connections_remove(&http->connections, left);
+    }
+}
+
+static void rest_listener(struct http *http, bool rest)
+{
+    struct epoll_event event = {.events = rest ? 0 : EPOLLIN, .data.ptr = &http->listen_fd};
+    if (http->listener_rests == rest) return;
+    http->listener_rests = rest;
+    epoll_ctl(http->epoll_fd, EPOLL_CTL_MOD, http->listen_fd, &event);
+}
+
+/* True: there may be more. */
+static bool accept_some(struct http *http)
+{
+    struct sockaddr_storage address;
+    for (int i = 0; i < ACCEPTS; i++) {
+        socklen_t size = sizeof address;
+        struct connection *in_the_way;
+        const enum place place = find_place(http, &in_the_way);
+        if (place == PLACE_SOON && !atomic_load(&http->draining)) {
+            rest_listener(http, true);
+            return false;
+        }
+        const int fd = accept4(http->listen_fd, (struct sockaddr *)&address, &size, SOCK_NONBLOCK | SOCK_CLOEXEC);
+        if (fd < 0 && (errno == EMFILE || errno == ENFILE || errno == ENOBUFS || errno == ENOMEM)) {
+            bool soon;
+            struct connection *other = connections_replaceable(&http->connections, clock_ms(), &soon);
+            if (other) push_out(http, other);
+            rest_listener(http, true);
+            return false;
+        }
+        if (fd < 0 && (errno == EAGAIN || errno == EWOULDBLOCK || errno == EINVAL || errno == EBADF)) return false;
+        if (fd >= 0 && in_the_way) push_out(http, in_the_way);
+        if (fd >= 0) admit(http, fd, (const struct sockaddr *)&address, size, place == PLACE_FREE);
+    }
+    return true;
+}
+
+/* ---- what happened ---- */
+
+static void client_left(struct http *http, struct connection *connection)
+{
+    connection->has_left = true;
+    if (connection->phase == PHASE_WORK && !connection->exchange->client_left)
+        http_abandon_work(http, connection->exchange);
+}
+
+static void take_events(struct http *http, const struct epoll_event *events, int count)
+{
+    /* Connections first: they are there until libmicrohttpd runs, or a new one takes their place. */
+    for (int i = 0; i < count; i++) {
+        void *of = events[i].data.ptr;
+        if (of != &http->listen_fd && of != &http->wake_fd && of != &http->library_fd) client_left(http, of);
+    }
+    for (int i = 0; i < count; i++) {
+        uint64_t times;
+        if (events[i].data.ptr == &http->wake_fd) (void)!read(http->wake_fd, &times, sizeof times);
+        if (events[i].data.ptr == &http->listen_fd && !atomic_load(&http->draining)) accept_some(http);
+    }
+}
+
+/* ---- what takes too long ---- */
+
+static void end_overdue(struct http *http, struct connection *connection, int64_t now)
+{
+    if (connection->phase == PHASE_WORK) connection->deadline_ms = http_work_deadline_ms(connection->exchange);
+    switch (connections_overdue(&http->connections, connection, now)) {
+    case OVERDUE_NO:
+        break;
+    case OVERDUE_408:
+        http_refuse(http, connection, 408,
+                    connection->phase == PHASE_HEADER ? "the header came too slowly" : "the body came too slowly");
+        break;
+    case OVERDUE_CANCEL:
+        http_cancel_work(connection->exchange);
+        break;
+    case OVERDUE_READER:
+    case OVERDUE_CLOSE:
+        shutdown(connection->fd, SHUT_RDWR);
+        connection->deadline_ms = INT64_MAX;
+        break;
+    }
+}
+
+static void look_at_all(struct http *http, int64_t now)
+{
+    for (struct connection *c = http->connections.first, *next; c; c = next) {
+        next = c->next;
+        end_overdue(http, c, now);
+    }
+    rest_listener(http, false);
+}
+
+/* ---- the end ---- */
+
+/* Connections that the kernel has made and nobody has accepted would be reset when the socket closes. */
+static void begin_drain(struct http *http, int64_t now)
+{
+    while (accept_some(http))
+        MHD_run(http->daemon); /* closes those whose places others took */
+    epoll_ctl(http->epoll_fd, EPOLL_CTL_DEL, http->listen_fd, NULL);
+    close(http->listen_fd);
+    http->listen_fd = -1;
+    http->drain_began_ms = now;
+}
+
+static void cut_short(struct http *http, int64_t now)
+{
+    log_event("warn", "drain-timeout", "what is in flight is cut short");
+    atomic_store(&http->cut_short, true);
+    http->cut_ms = now;
+    for (struct connection *c = http->connections.first; c; c = c->next) {
+        if (c->phase == PHASE_WORK) http_cancel_work(c->exchange);
+        if (c->phase == PHASE_BODY) http_refuse(http, c, 503, "the service is going down");
+    }
+}
+
+/* True once all is over. What was sent on an open connection before the end was known is heard: only then does it
+ * count as in flight. Nobody can tell how long to listen, so it is short. */
+static bool drain(struct http *http, int64_t now)
+{
+    if (http->drain_began_ms == 0) begin_drain(http, now);
+    const int64_t elapsed = now - http->drain_began_ms;
+    if (http->in_flight == 0 && (http->connections.count == 0 || elapsed >= GRACE_MS)) return true;
+    if (http->cut_ms == 0 && elapsed >= (int64_t)http->config->drain_timeout_ms && http->in_flight > 0)
+        cut_short(http, now);
+    if (http->cut_ms == 0 || now - http->cut_ms < CANCEL_MS) return false;
+    if (!http->sockets_cut)
+        for (struct connection *c = http->connections.first; c; c = c->next)
+            shutdown(c->fd, SHUT_RDWR);
+    http->sockets_cut = true;
+    return now - http->cut_ms >= 2 * CANCEL_MS;
+}
+
+/* ---- the loop ---- */
+
+static int smaller_wait(int a, int b)
+{
+    return a < 0 || (b >= 0 && b < a) ? b : a;
+}
+
+static int wait_ms(struct http *http)
+{
+    int wait = connections_wait_ms(&http->connections);
+    MHD_UNSIGNED_LONG_LONG library_ms;
+    if (MHD_get_timeout(http->daemon, &library_ms) == MHD_YES)
+        wait = smaller_wait(wait, library_ms > INT32_MAX ? INT32_MAX : (int)library_ms);
+    if (http->listener_rests || atomic_load(&http->draining)) wait = smaller_wait(wait, REST_MS);
+    return wait;
+}
+
+void http_loop_run(struct http *http)
+{
+    struct epoll_event events[EVENTS];
+    int64_t looked_ms = clock_ms();
+    for (;;) {
+        const int tick = connections_wait_ms(&http->connections);
+        const int count = epoll_wait(http->epoll_fd, events, EVENTS, wait_ms(http));
+        take_events(http, events, count);
+        http_take_finished(http);
+        MHD_run(http->daemon);
+        const int64_t now = clock_ms();
+        if (tick >= 0 && now - looked_ms >= tick) {
+            look_at_all(http, now);
+            looked_ms = now;
+        }
+        if (atomic_load(&http->draining) && drain(http, now)) return;
+    }
+}
