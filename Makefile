@@ -157,7 +157,7 @@ bench: ## our times beside llvmpipe's, libpng's, cJSON's, in one run; ARGS="--on
 	@ZRASTERD=$(BUILD)/zrasterd $(BUILD)/zraster-bench --models $(DATA)/models --output $(BUILD)/bench/results.json $(ARGS)
 
 .PHONY: tests
-tests: all $(unit_tests) $(server_tests) $(BUILD)/zraster-verify $(BUILD)/zraster-verify-egl $(BUILD)/zraster-verify-lines \
+tests: all $(unit_tests) $(server_tests) $(BUILD)/failing_malloc.so $(BUILD)/zraster-verify $(BUILD)/zraster-verify-egl $(BUILD)/zraster-verify-lines \
 	$(BUILD)/zraster-bench $(bench_alone)
 
 .PHONY: needs
@@ -229,6 +229,11 @@ $(BUILD)/tests/unit/test_clients: $(BUILD)/server/clients.o
 $(BUILD)/tests/unit/test_queue: $(BUILD)/server/queue.o
 $(BUILD)/tests/unit/test_rendering: $(filter-out %/main.o,$(server)) $(server_support)
 $(BUILD)/tests/unit/test_rendering: TEST_LIBS += $(SERVER_LIBS)
+
+# Preloaded into a daemon by a test.
+$(BUILD)/failing_malloc.so: tests/server/preload/failing_malloc.c tests/server/preload/failing_malloc.h
+	@mkdir -p $(@D)
+	$(Q)$(CC) $(filter-out -fsanitize=% -fno-sanitize-recover=all,$(OURS)) $(CFLAGS) -fPIC -shared -o $@ $< -ldl
 
 $(server_tests): $(BUILD)/%: $(BUILD)/%.o $(server_support) $(BUILD)/libsupport.a $(BUILD)/libzraster.a
 	$(LINK) $(TEST_LIBS) $(CORE_LIBS)

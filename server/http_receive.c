@@ -46,6 +46,8 @@ static ssize_t receive(struct http *http, struct connection *connection, char *b
         if (connection->exchange) connection->exchange->client_left = true;
         return fail_with(ECONNRESET);
     }
+    if (count < 0 && errno != EAGAIN && errno != EWOULDBLOCK && errno != EINTR && connection->exchange)
+        connection->exchange->client_left = true;
     if (count <= 0) return count;
     const size_t passed = framing_scan(&connection->framing, bytes, (size_t)count);
     if (connection->phase == PHASE_IDLE) connections_enter(&http->connections, connection, PHASE_HEADER);

@@ -1,0 +1,319 @@
+/* Connections in numbers, silent ones, readers that do not read, and clients that leave. */
+#include <errno.h>
+#include <fcntl.h>
+#include <poll.h>
+#include <signal.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/resource.h>
+#include <sys/socket.h>
+#include <sys/wait.h>
+#include <time.h>
+#include <unistd.h>
+
+#include "client.h"
+#include "support/cmocka_all.h"
+
+#define HEALTH "GET /healthz HTTP/1.1\r\nHost: a\r\n\r\n"
+#define POST   "POST /v1/render HTTP/1.1\r\nHost: a\r\n" JSON_TYPE "\r\n"
+
+enum { READY_MAX = 1024, SILENT = 1100, WAIT_MS = 5000 };
+
+static double seconds(void)
+{
+    struct timespec now;
+    clock_gettime(CLOCK_MONOTONIC, &now);
+    return (double)now.tv_sec + (double)now.tv_nsec / 1e9;
+}
+
+static int raise_file_limit(void **state)
+{
+    struct rlimit limit;
+    (void)state;
+    if (getrlimit(RLIMIT_NOFILE, &limit) != 0) return -1;
+    limit.rlim_cur = limit.rlim_max < 4096 ? limit.rlim_max : 4096;
+    return setrlimit(RLIMIT_NOFILE, &limit);
+}
+
+/* libmicrohttpd's own loop waits for ever where exactly 128 connections are ready at once. */
+static void any_number_of_ready_connections_is_answered(void **state)
+{
+    static const int COUNTS[] = {1, 2, 63, 64, 65, 127, 128, 129, 255, 256, 257, 512, 1000, READY_MAX};
+    static int clients[READY_MAX];
+    (void)state;
+    struct daemon server = daemon_start(NULL);
+    for (size_t c = 0; c < sizeof COUNTS / sizeof COUNTS[0]; c++) {
+        for (int i = 0; i < COUNTS[c]; i++) {
+            clients[i] = client_connect(&server);
+            assert_true(clients[i] >= 0);
+        }
+        assert_true(client_write(clients[0], HEALTH, strlen(HEALTH))); /* all before it have been accepted */
+        free(client_read(clients[0], "ok\"}", WAIT_MS));
+        usleep(20000);
+        kill(server.pid, SIGSTOP);
+        for (int i = 0; i < COUNTS[c]; i++)
+            assert_true(client_write(clients[i], HEALTH, strlen(HEALTH)));
+        kill(server.pid, SIGCONT);
+        for (int i = 0; i < COUNTS[c]; i++) {
+            char *text = client_read(clients[i], "ok\"}", WAIT_MS);
+            if (raw_status(text) != 200) fail_msg("%d ready: number %d was not answered", COUNTS[c], i);
+            free(text);
+            close(clients[i]);
+        }
+    }
+    daemon_stop(&server);
+}
+
+/* More than there is room for, and all of them older than the one that asks. */
+static void silent_connections_make_room(void **state)
+{
+    static int silent[SILENT];
+    static const char HALF[] = "GET /healthz HTTP/1.1\r\nHost: a\r\nX-Half";
+    (void)state;
+    for (int half = 0; half < 2; half++) {
+        struct daemon server = daemon_start(NULL);
+        for (int i = 0; i < SILENT; i++) {
+            silent[i] = client_connect(&server);
+            assert_true(silent[i] >= 0);
+            if (half) client_write(silent[i], HALF, strlen(HALF));
+        }
+        const double begun = seconds();
+        for (int i = 0; i < 5; i++)
+            assert_int_equal(client_get_status(&server, "/healthz"), 200);
+        assert_true(seconds() - begun < 5.0); /* on a busy machine; without room it takes the header's whole time */
+        char *last = client_raw(&server, HEALTH, strlen(HEALTH), 200);
+        assert_int_equal(raw_status(last), 200);
+        free(last);
+        for (int i = 0; i < SILENT; i++)
+            close(silent[i]);
+        daemon_stop(&server);
+    }
+}
+
+/* Others' work is in every place: this machine's own health checks still get through, and others are told. */
+static void places_for_loopback_are_kept_free(void **state)
+{
+    enum { BUSY = 8 };
+    int clients[BUSY];
+    (void)state;
+    struct daemon server = daemon_start(LIST("--max-connections=8", "--queue=16", "--workers=1",
+                                             "--cost-max-ms=86400000", "--render-timeout-ms=120000"));
+    char *scene = scene_slow(SLOW_ALGORITHM, SLOW_SIDE, 4000);
+    for (int i = 0; i < BUSY; i++)
+        clients[i] = client_begin_render(&server, scene);
+    usleep(300000);
+    assert_int_equal(client_get_status(&server, "/healthz"), 200);
+    for (int i = 0; i < BUSY; i++)
+        close(clients[i]);
+    free(scene);
+    daemon_stop(&server);
+}
+
+/* ---- clients that leave ---- */
+
+static void an_upload_that_its_client_ends_frees_its_place_at_once(void **state)
+{
+    static const char HALF[] = POST "Content-Length: 1000\r\n\r\n{";
+    (void)state;
+    struct daemon server = daemon_start(LIST("--max-per-private-client=1"));
+    for (int reset = 0; reset < 2; reset++)
+        for (int i = 0; i < 20; i++) {
+            int fd = client_connect(&server);
+            assert_true(client_write(fd, HALF, strlen(HALF)));
+            usleep(2000);
+            if (reset) setsockopt(fd, SOL_SOCKET, SO_LINGER, &(struct linger){1, 0}, sizeof(struct linger));
+            if (!reset && i % 2) shutdown(fd, SHUT_WR);
+            if (reset || i % 2 == 0) close(fd);
+            long status = 429;
+            for (int tries = 0; tries < 100 && (status = client_render_status(&server, GOOD_SCENE)) == 429; tries++)
+                usleep(10000);
+            assert_int_equal(status, 200);
+            if (!reset && i % 2) close(fd);
+        }
+    char *log = daemon_log(&server);
+    int lines = 0;
+    for (const char *at = log; (at = strstr(at, "the client left")); at++)
+        lines++;
+    assert_int_equal(lines, 40);
+    free(log);
+    daemon_stop(&server);
+}
+
+/* ---- readers that do not read ---- */
+
+/* 16 MB, that nobody reads. */
+static int begin_large_answer(const struct daemon *server)
+{
+    static const char REQUEST[] = "POST /v1/render?channel=depth&encoding=npy&width=2048&height=2048 HTTP/1.1\r\n"
+                                  "Host: a\r\nContent-Type: model/obj\r\nContent-Length: 33\r\n\r\n"
+                                  "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n\n";
+    int fd = client_connect(server), small = 4096;
+    assert_int_equal(setsockopt(fd, SOL_SOCKET, SO_RCVBUF, &small, sizeof small), 0);
+    assert_true(client_write(fd, REQUEST, sizeof REQUEST - 1));
+    return fd;
+}
+
+static void answers_that_wait_for_readers_have_a_ceiling(void **state)
+{
+    enum { READERS = 40 };
+    int readers[READERS];
+    (void)state;
+    struct daemon server = daemon_start(LIST("--answer-memory-bytes=64000000", "--workers=2", "--queue=64"));
+    for (int i = 0; i < READERS; i++)
+        readers[i] = begin_large_answer(&server);
+    long status = 0;
+    for (int tries = 0; tries < 500 && (status = client_render_status(&server, GOOD_SCENE)) != 503; tries++)
+        usleep(10000);
+    assert_int_equal(status, 503);
+    struct reply reply = client_render(&server, GOOD_SCENE);
+    assert_non_null(strstr(reply.body, "answerMemoryBytes"));
+    assert_string_not_equal(reply_header(&reply, "Retry-After"), "");
+    reply_free(&reply);
+    assert_int_equal(client_get_status(&server, "/healthz"), 200);
+#if !defined __SANITIZE_ADDRESS__ && !defined __SANITIZE_THREAD__ /* whose allocators keep what is freed */
+    /* Those up to the ceiling, one more of each thread that renders, and a frame of each. */
+    assert_true(daemon_memory_kib(&server, "VmRSS:") < 400 * 1024);
+#endif
+    for (int i = 0; i < READERS; i++)
+        close(readers[i]);
+    for (int tries = 0; tries < 500 && (status = client_render_status(&server, GOOD_SCENE)) == 503; tries++)
+        usleep(10000);
+    assert_int_equal(status, 200);
+    daemon_stop(&server);
+}
+
+static void a_reader_below_the_least_speed_is_cut_off(void **state)
+{
+    (void)state;
+    struct daemon server = daemon_start(LIST("--answer-min-bytes-per-second=100000"));
+    const double begun = seconds();
+    int fd = begin_large_answer(&server);
+    char byte;
+    while (seconds() - begun < 20.0 && recv(fd, &byte, 1, 0) == 1) {
+        char *log = daemon_log(&server);
+        const bool is_cut = strstr(log, "\"aborted\":true");
+        free(log);
+        if (is_cut) break;
+        usleep(100000);
+    }
+    char *line = daemon_wait_for_log(&server, "\"aborted\":true");
+    assert_non_null(strstr(line, "\"status\":200"));
+    free(line);
+    assert_true(seconds() - begun < 15.0); /* 5 s, on a busy machine; write-timeout-ms is 60 s */
+    close(fd);
+    daemon_stop(&server);
+}
+
+/* ---- the log ---- */
+
+/* A daemon whose standard error is a pipe that nobody reads. Closes `closed` of its standard files. */
+static struct daemon start_with_pipe(int log[2])
+{
+    int out[2];
+    char line[256] = "";
+    struct daemon server = {.log_fd = -1};
+    assert_int_equal(pipe(log), 0);
+    assert_int_equal(pipe(out), 0);
+    server.pid = fork();
+    if (server.pid == 0) {
+        dup2(out[1], STDOUT_FILENO);
+        dup2(log[1], STDERR_FILENO);
+        close(log[0]);
+        close(out[0]);
+        execl(daemon_binary(), daemon_binary(), "--port=0", (char *)NULL);
+        _exit(127);
+    }
+    close(out[1]);
+    close(log[1]);
+    for (size_t used = 0; used + 1 < sizeof line && !strchr(line, '\n') && read(out[0], line + used, 1) == 1; used++)
+        continue;
+    close(out[0]);
+    assert_int_equal(sscanf(line, "listening on http://127.0.0.1:%u", &server.port), 1);
+    return server;
+}
+
+static void a_log_that_nobody_reads_holds_no_answer_up(void **state)
+{
+    enum { REQUESTS = 2000 };
+    static char path[1200];
+    static char seen[64 << 10];
+    int log[2], status = 0;
+    (void)state;
+    memset(path, 'a', sizeof path - 1);
+    path[0] = '/';
+    struct daemon server = start_with_pipe(log);
+    for (int i = 0; i < REQUESTS; i++) /* each gives a line of 700 bytes or more: the pipe has 64 KiB, and we one MiB */
+        assert_int_equal(client_get_status(&server, path), 404);
+    /* It is read at last: what was lost is told. */
+    bool is_told = false;
+    for (size_t read_bytes = 0; read_bytes < (size_t)3 << 20 && !is_told;) {
+        struct pollfd polled = {.fd = log[0], .events = POLLIN};
+        if (poll(&polled, 1, 100) == 0)
+            client_get_status(&server, "/healthz");
+        else {
+            ssize_t count = read(log[0], seen, sizeof seen - 1);
+            assert_true(count > 0);
+            seen[count] = '\0';
+            read_bytes += (size_t)count;
+            is_told = strstr(seen, "\"event\":\"log-lost\"");
+        }
+    }
+    assert_true(is_told);
+    /* Nor does it hold up the end. */
+    for (int i = 0; i < REQUESTS; i++)
+        client_get_status(&server, path);
+    const double begun = seconds();
+    daemon_signal(&server);
+    assert_int_equal(waitpid(server.pid, &status, 0), server.pid);
+    assert_true(WIFEXITED(status) && WEXITSTATUS(status) == 0);
+    assert_true(seconds() - begun < 10.0);
+    close(log[0]);
+}
+
+/* No socket or asset gets their numbers. */
+static void closed_standard_files_are_opened_on_nothing(void **state)
+{
+    int out[2], status = 0;
+    char line[256] = "";
+    unsigned port;
+    (void)state;
+    assert_int_equal(pipe(out), 0);
+    pid_t pid = fork();
+    if (pid == 0) {
+        dup2(out[1], STDOUT_FILENO);
+        close(STDIN_FILENO);
+        close(STDERR_FILENO);
+        execl(daemon_binary(), daemon_binary(), "--port=0", (char *)NULL);
+        _exit(127);
+    }
+    close(out[1]);
+    for (size_t used = 0; used + 1 < sizeof line && !strchr(line, '\n') && read(out[0], line + used, 1) == 1; used++)
+        continue;
+    assert_int_equal(sscanf(line, "listening on http://127.0.0.1:%u", &port), 1);
+    for (int fd = 0; fd <= 2; fd += 2) {
+        char link[64], target[64] = "";
+        snprintf(link, sizeof link, "/proc/%d/fd/%d", (int)pid, fd);
+        assert_true(readlink(link, target, sizeof target - 1) > 0);
+        assert_string_equal(target, "/dev/null");
+    }
+    kill(pid, SIGTERM);
+    assert_int_equal(waitpid(pid, &status, 0), pid);
+    assert_true(WIFEXITED(status) && WEXITSTATUS(status) == 0);
+    close(out[0]);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(any_number_of_ready_connections_is_answered),
+        cmocka_unit_test(silent_connections_make_room),
+        cmocka_unit_test(places_for_loopback_are_kept_free),
+        cmocka_unit_test(an_upload_that_its_client_ends_frees_its_place_at_once),
+        cmocka_unit_test(answers_that_wait_for_readers_have_a_ceiling),
+        cmocka_unit_test(a_reader_below_the_least_speed_is_cut_off),
+        cmocka_unit_test(a_log_that_nobody_reads_holds_no_answer_up),
+        cmocka_unit_test(closed_standard_files_are_opened_on_nothing),
+    };
+    return cmocka_run_group_tests(tests, raise_file_limit, NULL);
+}
