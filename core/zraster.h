@@ -13,12 +13,12 @@
 #ifndef ZRASTER_H
 #define ZRASTER_H
 
-#include <stdatomic.h>
 #include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
 
 #include "base/arena.h"
+#include "base/cancel.h"
 #include "base/status.h"
 #include "base/team.h"
 #include "version.h"
@@ -57,8 +57,6 @@ struct zr_stored {
     void *context;
 };
 
-struct zr_cancel;
-
 struct zr_request {
     enum zr_format format;
     const char *bytes;
@@ -80,17 +78,6 @@ struct zr_request {
 struct zr_scene; /* scene/scene.h */
 struct zr_sight; /* scene/camera.h */
 struct zr_frame; /* shade/frame.h */
-
-/* Raised by anybody, at any time, to end a request early: the step under way
- * returns ZR_CANCELLED soon. */
-struct zr_cancel {
-    atomic_bool raised;
-};
-
-static inline bool zr_is_cancelled(const struct zr_cancel *cancel)
-{
-    return cancel && atomic_load_explicit(&cancel->raised, memory_order_relaxed);
-}
 
 /* Work to be expected, each kind to be weighed by whoever knows the machine. */
 struct zr_cost {

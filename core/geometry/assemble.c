@@ -5,10 +5,6 @@
 #include "geometry/shape.h"
 #include "geometry/wire.h"
 
-/* Looks at the flag of cancellation are so many corners squared apart, which is what cutting faces may take:
- * some milliseconds. */
-enum { WORK_A_CANCEL_CHECK = 1 << 20 };
-
 /* A triangle keeps the order of its corners; a larger polygon becomes the fan
  * (i-1, i, 0), as GL_POLYGON does in the reference (rule 10). */
 static void place_fan(struct zr_builder *builder, uint32_t face, bool smooth, const struct zr_part *part)
@@ -61,6 +57,13 @@ static bool has_outlines(const struct zr_builder *builder)
     for (uint32_t face = 0; face < mesh->face_count; face++)
         if (scene->materials[mesh->face_materials[face]].outline != ZR_OUTLINE_NONE) return true;
     return false;
+}
+
+/* What cutting the face may take. */
+static uint64_t corners_squared(const struct zr_mesh *mesh, uint32_t face)
+{
+    uint64_t corners = mesh->face_offsets[face + 1] - mesh->face_offsets[face];
+    return corners * corners;
 }
 
 /* ---- faces that need not be written out ---- */
@@ -126,7 +129,6 @@ static bool add_run(struct zr_builder *builder, const struct zr_fans *fans, cons
 static enum zr_status assemble_faces(struct zr_builder *builder, const struct zr_fans *fans)
 {
     const struct zr_mesh *mesh = builder->mesh;
-    uint64_t done = 0;
     for (struct run run = {.begin = 0}; run.begin < mesh->face_count; run.begin = run.end) {
         run.end = run.begin;
         run.material = zr_material_of_face(builder->scene, mesh, run.begin);
@@ -136,19 +138,16 @@ static enum zr_status assemble_faces(struct zr_builder *builder, const struct zr
         while (run.end < mesh->face_count && filled && face_is_plain(builder, fans, run.end) &&
                zr_material_of_face(builder->scene, mesh, run.end) == run.material)
             run.end++;
-        if (run.end > run.begin) {
+        uint64_t work = run.end - run.begin;
+        if (work > 0) {
             if (!add_run(builder, fans, &run)) return ZR_NO_MEMORY;
-            done += run.end - run.begin;
         } else {
-            uint64_t corners = mesh->face_offsets[run.begin + 1] - mesh->face_offsets[run.begin];
+            work = corners_squared(mesh, run.begin);
             if (!zr_builder_own_colors(builder, run.begin)) return ZR_NO_MEMORY;
             place_face(builder, run.end++);
-            done += corners * corners;
         }
         if (!zr_arena_ok(builder->arena)) return ZR_NO_MEMORY;
-        if (done < WORK_A_CANCEL_CHECK) continue;
-        if (zr_is_cancelled(builder->cancel)) return ZR_CANCELLED;
-        done = 0;
+        if (!zr_builder_go_on(builder, work)) return ZR_CANCELLED;
     }
     return ZR_OK;
 }
@@ -157,20 +156,13 @@ static enum zr_status assemble_faces(struct zr_builder *builder, const struct zr
 
 static enum zr_status for_each_face(struct zr_builder *builder, void (*work)(struct zr_builder *builder, uint32_t face))
 {
-    const uint32_t *offsets = builder->mesh->face_offsets;
-    uint64_t done = 0;
     for (uint32_t face = 0; face < builder->mesh->face_count; face++) {
-        uint64_t corners = offsets[face + 1] - offsets[face];
-        done += corners * corners;
-        if (done >= WORK_A_CANCEL_CHECK) {
-            if (zr_is_cancelled(builder->cancel)) return ZR_CANCELLED;
-            done = 0;
-        }
+        if (!zr_builder_go_on(builder, corners_squared(builder->mesh, face))) return ZR_CANCELLED;
         if (!zr_builder_own_colors(builder, face)) return ZR_NO_MEMORY;
         work(builder, face);
         if (!zr_arena_ok(builder->arena)) return ZR_NO_MEMORY;
     }
-    return zr_is_cancelled(builder->cancel) ? ZR_CANCELLED : ZR_OK;
+    return ZR_OK;
 }
 
 static enum zr_status fill_faces(struct zr_builder *builder)
@@ -180,7 +172,9 @@ static enum zr_status fill_faces(struct zr_builder *builder)
     const struct zr_mesh *mesh = builder->mesh;
     if (zr_mesh_is_of_triangles(mesh)) return assemble_faces(builder, &none);
     struct zr_fans *fans = &builder->fans[mesh - builder->scene->meshes];
-    if (!fans->corners && !zr_fans_make(builder->arena, builder->team, mesh, fans)) return ZR_NO_MEMORY;
+    if (!fans->corners && !zr_fans_make(builder->arena, builder->team, builder->cancel, mesh, fans))
+        return ZR_NO_MEMORY;
+    if (zr_is_cancelled(builder->cancel)) return ZR_CANCELLED;
     return assemble_faces(builder, fans);
 }
 

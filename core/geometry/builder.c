@@ -2,6 +2,17 @@
 
 #include "base/rgba.h"
 
+/* Looks are so much work apart: some milliseconds, were all of it corners of faces that are cut, squared. */
+enum { WORK_A_LOOK = 1 << 20 };
+
+bool zr_builder_go_on(struct zr_builder *builder, uint64_t work)
+{
+    builder->unlooked += work;
+    if (builder->unlooked < WORK_A_LOOK) return true;
+    builder->unlooked = 0;
+    return !zr_is_cancelled(builder->cancel);
+}
+
 /* How many an array of `room` grows to for `more` beside `count`: at least by
  * half, so that growth costs a constant share. 0: too many. */
 static uint64_t grown_room(uint32_t room, uint32_t count, uint64_t more)

@@ -23,6 +23,7 @@ struct zr_builder {
     struct zr_arena *arena;
     struct zr_team *team;
     const struct zr_cancel *cancel;
+    uint64_t unlooked; /* work since the last look at `cancel`; of the whole request, whatever instances it is in */
     const struct zr_scene *scene;
     struct zr_geometry *geometry;
     bool written;                                    /* all records are to be written out */
@@ -48,6 +49,10 @@ struct zr_builder {
     unsigned any_outcodes; /* the OR of all */
     bool mirrored;         /* so that what went counter-clockwise goes clockwise */
 };
+
+/* Counts work, in corners or what takes as long, and looks at the flag of cancellation once there is enough of
+ * it. False: it is raised. */
+bool zr_builder_go_on(struct zr_builder *builder, uint64_t work);
 
 /* Makes room for so many more of each. False where the arena has failed, or where
  * there would be more of them than indices can tell apart. */

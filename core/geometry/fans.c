@@ -6,6 +6,7 @@ enum { FACES_A_RANGE = 1024 };
 
 struct fanning {
     const struct zr_mesh *mesh;
+    const struct zr_cancel *cancel;
     uint32_t *corners, *slots, *faces;
     bool *is_other;
 };
@@ -28,16 +29,18 @@ static void make_fan(const struct fanning *f, uint32_t face)
 static void make_fans(void *context, size_t begin, size_t end)
 {
     const struct fanning *f = context;
-    for (uint32_t face = (uint32_t)begin; face < end; face++) {
+    for (uint32_t face = (uint32_t)begin; face < end && !zr_is_cancelled(f->cancel); face++) {
         f->is_other[face] = zr_face_is_degenerate(f->mesh, face) || zr_face_is_shape(f->mesh, face);
         if (!f->is_other[face]) make_fan(f, face);
     }
 }
 
-bool zr_fans_make(struct zr_arena *arena, struct zr_team *team, const struct zr_mesh *mesh, struct zr_fans *fans)
+bool zr_fans_make(struct zr_arena *arena, struct zr_team *team, const struct zr_cancel *cancel,
+                  const struct zr_mesh *mesh, struct zr_fans *fans)
 {
     size_t triangles = zr_fans_first(mesh, mesh->face_count);
     struct fanning f = {.mesh = mesh,
+                        .cancel = cancel,
                         .corners = zr_arena_alloc(arena, triangles, 3 * sizeof *f.corners),
                         .slots = zr_arena_alloc(arena, triangles, 3 * sizeof *f.slots),
                         .faces = zr_arena_alloc(arena, triangles, sizeof *f.faces),

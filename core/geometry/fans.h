@@ -7,6 +7,7 @@
 #define ZR_FANS_H
 
 #include "base/arena.h"
+#include "base/cancel.h"
 #include "base/team.h"
 #include "scene/scene.h"
 
@@ -23,7 +24,8 @@ static inline uint32_t zr_fans_first(const struct zr_mesh *mesh, uint32_t face)
     return mesh->face_offsets[face] - 2 * face;
 }
 
-/* False where the arena has failed. */
-bool zr_fans_make(struct zr_arena *arena, struct zr_team *team, const struct zr_mesh *mesh, struct zr_fans *fans);
+/* False where the arena has failed. Cancelled, it returns early, and *fans are not to be read. */
+bool zr_fans_make(struct zr_arena *arena, struct zr_team *team, const struct zr_cancel *cancel,
+                  const struct zr_mesh *mesh, struct zr_fans *fans);
 
 #endif

@@ -41,6 +41,9 @@ static bool packs_colors(const struct zr_builder *builder, const struct zr_mesh 
     return !builder->written && zr_colors_can_be_packed(builder->scene, mesh);
 }
 
+/* What any instance takes, in corners. */
+enum { INSTANCE_WORK = 64 };
+
 /* Of triangles, only those are written out that the window cuts. */
 enum { CUT_AT_FIRST = 4096 };
 
@@ -117,6 +120,7 @@ static enum zr_status build_instance(struct zr_builder *builder, const struct zr
     struct zr_geometry *geometry = builder->geometry;
     const struct zr_mesh *mesh = &builder->scene->meshes[instance->mesh];
     builder->mesh = mesh;
+    if (!zr_builder_go_on(builder, INSTANCE_WORK + mesh->position_count)) return ZR_CANCELLED;
     if (!zr_builder_reserve(builder, mesh->position_count, 0, 0)) return ZR_NO_MEMORY;
 
     builder->object_to_eye = zr_mat4_mul(&camera->world_to_eye, &instance->object_to_world);
@@ -147,7 +151,8 @@ enum zr_status zr_geometry_build(struct zr_arena *arena, struct zr_team *team, c
                                  .scene = scene,
                                  .geometry = geometry,
                                  .written = written,
-                                 .lighting = &lighting};
+                                 .lighting = &lighting,
+                                 .cutting.triangulator.loops.cancel = cancel};
     builder.uncolored = !zr_scene_wants(scene, ZR_CHANNEL_COLOR);
     builder.separate_backs = !builder.uncolored && shows_backs(scene);
     builder.viewport = zr_viewport_make(scene->width, scene->height);

@@ -7,6 +7,15 @@ typedef struct zr_loop_corner node;
 #define NONE UINT32_MAX
 enum { RING_MIN = 3, BRIDGES_IN_PLACE = 16 };
 
+enum { VISITS_A_LOOK = 1 << 18 };
+
+bool zr_loops_stopped(struct zr_loops *loops, uint64_t visits)
+{
+    if (visits < loops->next_look) return false;
+    loops->next_look = visits + VISITS_A_LOOK;
+    return zr_is_cancelled(loops->cancel);
+}
+
 /* ---- the plane ---- */
 
 /* False for a point that has no place. */
@@ -224,6 +233,7 @@ void zr_loops_join(struct zr_loops *t, const zr_vec4 *points, const uint32_t *ri
         bool hole = r > 0 && look_right(t, &t->nodes[m], &t->nodes[t->nodes[m].next], &wall) && wall != NONE;
         uint32_t seen = hole ? seen_from(t, &t->nodes[m], wall) : NONE;
         t->visits += 2 * (uint64_t)t->node_count;
+        if (zr_loops_stopped(t, t->visits)) return;
         join_ring(t->nodes, m, hole);
         if (hole) build_bridge(t, seen, m);
     }

@@ -11,6 +11,7 @@
 
 #include <stdint.h>
 
+#include "base/cancel.h"
 #include "base/vec.h"
 
 /* A corner of a loop; corners at the ends of a bridge are there more than once. */
@@ -26,8 +27,13 @@ struct zr_loops {
     struct zr_loop_corner *nodes;
     uint32_t *rightmost; /* scratch: one node for each ring */
     uint32_t node_count;
-    uint64_t visits; /* nodes looked at: what the work is measured by */
+    uint64_t visits;                /* nodes looked at: what the work is measured by */
+    const struct zr_cancel *cancel; /* or NULL; raised, what is made of the loops is worth nothing */
+    uint64_t next_look;             /* at `cancel`, by `visits` */
 };
+
+/* Whether it is time to stop: looks once in some hundred thousand visits, a millisecond. */
+bool zr_loops_stopped(struct zr_loops *loops, uint64_t visits);
 
 /* Twice the area of a, b, c: positive where they turn to the left. */
 static inline double zr_loop_corner_turn(const struct zr_loop_corner *a, const struct zr_loop_corner *b,

@@ -6,6 +6,7 @@ typedef struct zr_loop_corner node;
 
 /* What is left of the face while triangles are cut from it. */
 struct cutter {
+    struct zr_loops *loops;
     node *nodes;
     uint32_t left; /* nodes of the loop */
     uint32_t (*out)[3];
@@ -151,7 +152,7 @@ static void cut_loop(struct cutter *t, uint32_t at)
         t->left++;
     uint32_t missed = 0;
     while (t->left > TRIANGLE) {
-        t->visits++;
+        if (zr_loops_stopped(t->loops, ++t->visits)) return;
         if (nodes[at].blocked || !is_ear(t, at)) {
             nodes[at].blocked = true;
             at = nodes[at].next;
@@ -183,12 +184,12 @@ uint32_t zr_triangulate(struct zr_triangulator *scratch, const zr_vec4 *points, 
 {
     int axes[2];
     struct zr_loops *loops = &scratch->loops;
-    loops->visits = 0;
+    loops->visits = loops->next_look = 0;
     if (!zr_loops_axes(points, ring_offsets, rings, axes)) return cut_into_fans(ring_offsets, rings, out);
     zr_loops_join(loops, points, ring_offsets, rings, axes);
-    struct cutter cutter = {.nodes = loops->nodes, .out = out};
-    for (uint32_t i = 0; i < loops->node_count; i++)
+    struct cutter cutter = {.loops = loops, .nodes = loops->nodes, .out = out, .visits = loops->visits};
+    for (uint32_t i = 0; i < loops->node_count && !zr_is_cancelled(loops->cancel); i++)
         if (!loops->nodes[i].done) cut_loop(&cutter, i);
-    loops->visits += cutter.visits;
-    return cutter.count;
+    loops->visits = cutter.visits;
+    return zr_is_cancelled(loops->cancel) ? 0 : cutter.count;
 }

@@ -4,7 +4,8 @@
 #include "geometry/outline.h"
 #include "geometry/shape.h"
 
-enum { LINES_A_CANCEL_CHECK = 4096 };
+/* A line takes as long as some corners do. */
+enum { LINE_WORK = 256 };
 
 /* ---- records ---- */
 
@@ -189,7 +190,7 @@ enum zr_status zr_wire_lines(struct zr_builder *builder)
     if (mesh->line_count == 0) return ZR_OK;
     if (!append_line_colors(builder, &first_color)) return ZR_NO_MEMORY;
     for (uint32_t i = 0; i < mesh->line_count; i++) {
-        if (i % LINES_A_CANCEL_CHECK == 0 && zr_is_cancelled(builder->cancel)) return ZR_CANCELLED;
+        if (!zr_builder_go_on(builder, LINE_WORK)) return ZR_CANCELLED;
         const uint32_t *positions = mesh->lines + 2 * (size_t)i;
         struct end ends[2];
         for (int k = 0; k < 2; k++)

@@ -266,11 +266,13 @@ bool zr_visibility_tile(const struct zr_visible *visible, uint32_t number, const
 
 /* ---- the whole window ---- */
 
-static void copy_rows(struct zr_samples *samples, const struct zr_tile *tile)
+/* A tile's start: its depths, and no owners. */
+static void begin_rows(struct zr_samples *samples, const struct zr_tile *tile)
 {
     for (int32_t row = 0; row < tile->height; row++) {
         size_t at = (size_t)(tile->y + row) * samples->width + (size_t)tile->x;
         memcpy(samples->depth + at, &tile->depth[row * ZR_TILE_STRIDE], (size_t)tile->width * sizeof *samples->depth);
+        memset(samples->owner + at, 0, (size_t)tile->width * sizeof *samples->owner);
     }
 }
 
@@ -281,13 +283,14 @@ enum zr_status zr_visibility_window(struct zr_arena *arena, const struct zr_geom
 {
     size_t pixels = (size_t)width * height;
     *samples = (struct zr_samples){width, height, zr_arena_alloc(arena, pixels, sizeof *samples->depth),
-                                   zr_arena_zero(arena, pixels, sizeof *samples->owner)};
+                                   zr_arena_alloc(arena, pixels, sizeof *samples->owner)};
     struct zr_tile *tile = zr_arena_alloc(arena, 1, sizeof *tile);
     if (!zr_arena_ok(arena)) return ZR_NO_MEMORY;
     for (uint32_t number = 0; number < zr_tile_count(width, height); number++) {
+        if (zr_is_cancelled(cancel)) return ZR_CANCELLED;
         zr_tile_place(tile, number, width, height);
         zr_tile_begin(tile, base, width, height);
-        copy_rows(samples, tile);
+        begin_rows(samples, tile);
     }
     return visibility(arena, geometry, cancel, samples);
 }

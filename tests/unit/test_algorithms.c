@@ -196,7 +196,7 @@ static void what_is_not_nearer_than_the_start_is_not_seen(void **state)
 static void a_request_that_is_cancelled_ends(void **state)
 {
     (void)state;
-    struct zr_cancel cancel = {true};
+    struct zr_cancel cancel = {.raised = true};
     make_cycle();
     for (int a = ZR_ALGORITHM_EDGELIST; a < ZR_ALGORITHM_COUNT; a++) {
         struct zr_samples samples;

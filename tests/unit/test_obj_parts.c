@@ -299,8 +299,7 @@ static void cancelled_reader_says_so(void **state)
 {
     (void)state;
     struct said *said = say(ANYWHERE, ANYWHERE, 0);
-    struct zr_cancel cancel;
-    atomic_init(&cancel.raised, true);
+    struct zr_cancel cancel = {.raised = true};
     const struct zr_request request = {
         .format = ZR_FORMAT_OBJ, .bytes = said->text.bytes, .size = said->text.size, .cancel = &cancel};
     const struct zr_limits limits = zr_limits_default();

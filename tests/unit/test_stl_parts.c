@@ -306,8 +306,7 @@ static void cancelled_reader_says_so(void **state)
     static zr_vec4 positions[3 * TRIANGLES];
     struct said *said = make(0, false);
     struct text binary = make_binary(TRIANGLES, positions);
-    struct zr_cancel cancel;
-    atomic_init(&cancel.raised, true);
+    struct zr_cancel cancel = {.raised = true};
     const struct zr_limits limits = zr_limits_default();
     for (int i = 0; i < 4; i++) {
         const struct text *text = i & 1 ? &said->text : &binary;

@@ -116,7 +116,7 @@ static void what_was_cancelled_ends_early(void **state)
 {
     (void)state;
     static struct subject subject;
-    struct zr_cancel cancel = {true};
+    struct zr_cancel cancel = {.raised = true};
     struct zr_arena arena;
     make_subject(&subject, 10, 10, true);
     zr_arena_init(&arena, 1 << 20);

@@ -1,0 +1,22 @@
+/* cancel.h - base: a flag that ends a request early. */
+#ifndef ZR_CANCEL_H
+#define ZR_CANCEL_H
+
+#include <stdatomic.h>
+#include <stdbool.h>
+#include <stddef.h>
+
+/* Raised by anybody, at any time: the step under way then returns ZR_CANCELLED soon. */
+struct zr_cancel {
+    atomic_bool raised;
+    const struct zr_cancel *parent; /* or NULL: where that is raised, so is this */
+};
+
+static inline bool zr_is_cancelled(const struct zr_cancel *cancel)
+{
+    for (; cancel; cancel = cancel->parent)
+        if (atomic_load_explicit(&cancel->raised, memory_order_relaxed)) return true;
+    return false;
+}
+
+#endif
