@@ -113,12 +113,14 @@ static enum zr_status apply_output(struct zr_arena *arena, const struct query *q
 
 /* Nodes can place a large mesh so often that to walk over its points would take minutes. What
  * drawing will keep of each placed point must fit, and so it never comes to that. */
-static bool fits_memory(const struct zr_arena *arena, const struct zr_scene *scene)
+static bool fits_memory(struct zr_arena *arena, const struct zr_scene *scene)
 {
     uint64_t points = 0;
     for (uint32_t i = 0; i < scene->instance_count; i++)
         points += scene->meshes[scene->instances[i].mesh].position_count;
-    return points <= (arena->ceiling - arena->used) / (sizeof(struct zr_window_vertex) + sizeof(struct zr_eye));
+    const uint64_t point_bytes = sizeof(struct zr_window_vertex) + sizeof(struct zr_eye);
+    if (points <= (arena->ceiling - arena->used) / point_bytes) return true;
+    return zr_arena_charge(arena, points < SIZE_MAX / point_bytes ? points * point_bytes : SIZE_MAX); /* fails */
 }
 
 static enum zr_status read_scene(struct zr_arena *arena, struct zr_team *team, const struct zr_request *request,

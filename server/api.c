@@ -282,7 +282,7 @@ enum api_next api_work(const struct api *api, const struct api_request *request,
     enum api_next next = API_ANSWERED;
     foresight_begin(api->foresight);
     if (request->asset)
-        assets_work(api, request, arena, answer);
+        next = assets_work(api, request, arena, answer);
     else
         next = rendering_work(api, request, arena, cancel, times, answer);
     foresight_end(api->foresight);
@@ -299,6 +299,19 @@ void api_answer_copy(struct answer *answer, const char *content_type, const void
     memcpy(copy, bytes, size);
     answer->status = 200;
     answer_body(answer, content_type, copy, size);
+}
+
+void api_refuse_memory(struct answer *answer, const struct zr_arena *arena)
+{
+    if (arena->wanted == 0)
+        api_refuse_busy(answer, 1, "the system has no memory for the request now");
+    else if (arena->wanted == SIZE_MAX)
+        problem_answer(answer, 422, "the request needs more memory than can be had; requestMemoryBytes is %zu bytes",
+                       arena->ceiling);
+    else
+        problem_answer(answer, 422,
+                       "the request needs at least %zu bytes of memory; requestMemoryBytes, for one, is %zu bytes",
+                       arena->wanted, arena->ceiling);
 }
 
 void api_refuse_busy(struct answer *answer, unsigned retry_after_s, const char *detail)

@@ -54,7 +54,7 @@ struct api_request {
     char boundary[MULTIPART_BOUNDARY_SIZE];                      /* by api_open: of its parts; "": it has none */
     /* By api_open, in `path`: the name of the asset that this is about; "": a new one; NULL: a render. */
     const char *asset;
-    bool small_only;          /* by the caller: what turns out to be large is not begun */
+    bool small_only;          /* by the caller: what turns out to be large is not begun, or given up */
     bool has_asset;           /* by api_open: If-None-Match says that the client has it */
     struct zr_request render; /* by api_open; then `bytes` and `size` by the caller */
     char *query_values;       /* what `render` points into */
@@ -81,13 +81,18 @@ enum { API_SMALL_BYTES = 64 << 10 };
 enum api_next api_open(const struct api *api, const struct api_load *load, struct api_request *request,
                        struct answer *answer);
 
-/* Works in `arena`; the answer's bytes are a copy of their own. Thread-safe.
- * times->queue_ms is given, the others are filled in. API_ANSWERED or API_LARGE. */
+/* Works in `arena`; the answer's bytes are a copy of their own. Thread-safe. Where small_only is asked for, `cancel`
+ * has a parent that is raised once the request has taken too long for a small one: it is large then. times->queue_ms is
+ * given, the others are filled in. API_ANSWERED or API_LARGE. */
 enum api_next api_work(const struct api *api, const struct api_request *request, struct zr_arena *arena,
                        const struct zr_cancel *cancel, struct api_times *times, struct answer *answer);
 
 /* 200 with a copy of the bytes: the arena they lie in is needed for the next request. */
 void api_answer_copy(struct answer *answer, const char *content_type, const void *bytes, size_t size);
+
+/* The arena has failed: 422 for a request that can never fit, with what it needs; 503 where it is the system that has
+ * no memory just now. */
+void api_refuse_memory(struct answer *answer, const struct zr_arena *arena);
 
 /* Answers with 503 and says when to come again. */
 void api_refuse_busy(struct answer *answer, unsigned retry_after_s, const char *detail);

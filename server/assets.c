@@ -52,15 +52,17 @@ static void answer_kept(struct answer *answer, const char *name, size_t size, bo
     if (is_new) answer->status = 201;
 }
 
-static void put(const struct api *api, const struct api_request *request, struct zr_arena *arena, struct answer *answer)
+static enum api_next put(const struct api *api, const struct api_request *request, struct zr_arena *arena,
+                         struct answer *answer)
 {
     struct zr_request body;
     char name[STORE_NAME_SIZE];
-    if (!body_unpack(request, (size_t)api->config->body_max_bytes, arena, &body, answer)) return;
+    enum body_status unpacked = body_unpack(request, (size_t)api->config->body_max_bytes, arena, NULL, &body, answer);
+    if (unpacked != BODY_READY) return unpacked == BODY_LARGE ? API_LARGE : API_ANSWERED;
     store_name(body.bytes, body.size, name);
     if (*request->asset && strcmp(request->asset, name) != 0) {
         problem_answer(answer, 422, "the body's SHA-256 is %s, not %s", name, request->asset);
-        return;
+        return API_ANSWERED;
     }
     enum store_status status = store_put(api->store, name, body.bytes, body.size);
     switch (status) {
@@ -81,6 +83,7 @@ static void put(const struct api *api, const struct api_request *request, struct
         answer_kept(answer, name, body.size, status == STORE_NEW);
         break;
     }
+    return API_ANSWERED;
 }
 
 /* ---- downloads ---- */
@@ -100,11 +103,15 @@ static void answer_there(struct answer *answer, const char *name, const void *by
     answer_header(answer, "X-Content-Type-Options", "nosniff");
 }
 
-static void get(const struct api *api, const struct api_request *request, struct zr_arena *arena, struct answer *answer)
+static enum api_next get(const struct api *api, const struct api_request *request, struct zr_arena *arena,
+                         struct answer *answer)
 {
     const void *bytes = NULL;
     size_t size = 0;
     bool wants_bytes = strcmp(request->method, "GET") == 0 && !request->has_asset;
+    if (wants_bytes && request->small_only && store_look(api->store, request->asset, &size) == STORE_THERE &&
+        size > API_SMALL_BYTES)
+        return API_LARGE;
     enum store_status status = wants_bytes ? store_read(api->store, request->asset, arena, &bytes, &size)
                                            : store_look(api->store, request->asset, &size);
     switch (status) {
@@ -112,7 +119,7 @@ static void get(const struct api *api, const struct api_request *request, struct
         answer_there(answer, request->asset, bytes, size, request->has_asset);
         break;
     case STORE_NO_MEMORY:
-        api_refuse_busy(answer, 1, BODY_MEMORY_USED_UP);
+        api_refuse_memory(answer, arena);
         break;
     case STORE_FAILED:
         problem_answer(answer, 500, "the asset could not be read: %s", strerror(errno));
@@ -121,15 +128,15 @@ static void get(const struct api *api, const struct api_request *request, struct
         problem_answer(answer, 404, "no asset is kept under this name");
         break;
     }
+    return API_ANSWERED;
 }
 
-void assets_work(const struct api *api, const struct api_request *request, struct zr_arena *arena,
-                 struct answer *answer)
+enum api_next assets_work(const struct api *api, const struct api_request *request, struct zr_arena *arena,
+                          struct answer *answer)
 {
     if (strcmp(request->method, "GET") == 0 || strcmp(request->method, "HEAD") == 0)
-        get(api, request, arena, answer);
-    else
-        put(api, request, arena, answer);
+        return get(api, request, arena, answer);
+    return put(api, request, arena, answer);
 }
 
 /* ---- for scenes ---- */

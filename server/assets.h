@@ -14,9 +14,9 @@
 /* All that can be said before the body: false, and `answer` says why not, or request->asset is set. */
 bool assets_open(const struct api *api, struct api_request *request, struct answer *answer);
 
-/* Thread-safe; works in `arena`. */
-void assets_work(const struct api *api, const struct api_request *request, struct zr_arena *arena,
-                 struct answer *answer);
+/* As api_work. */
+enum api_next assets_work(const struct api *api, const struct api_request *request, struct zr_arena *arena,
+                          struct answer *answer);
 
 /* For zr_request: looks into the store. */
 struct zr_stored assets_stored(const struct api *api);

@@ -7,29 +7,32 @@
 #include "multipart.h"
 #include "problem.h"
 
-const char BODY_MEMORY_USED_UP[] = "the memory for one request is used up; see requestMemoryBytes in /v1/limits";
-
-/* The body without its Content-Encoding. False: `answer` says why not. */
-static bool decompress(const struct api_request *request, size_t max, struct zr_arena *arena, struct zr_request *render,
-                       struct answer *answer)
+/* The body without its Content-Encoding. */
+static enum body_status decompress(const struct api_request *request, size_t max, struct zr_arena *arena,
+                                   const struct zr_cancel *cancel, struct zr_request *render, struct answer *answer)
 {
-    if (!request->gzip) return true;
+    if (!request->gzip) return BODY_READY;
     char *bytes = NULL;
-    switch (gunzip(arena, render->bytes, render->size, max, &bytes, &render->size)) {
+    bool is_bounded = request->small_only && max > API_SMALL_BYTES;
+    switch (
+        gunzip(arena, render->bytes, render->size, is_bounded ? API_SMALL_BYTES : max, cancel, &bytes, &render->size)) {
     case GUNZIP_OK:
         render->bytes = bytes;
-        return true;
+        return BODY_READY;
     case GUNZIP_BROKEN:
         problem_answer(answer, 400, "the body is not what Content-Encoding says: no whole gzip");
         break;
     case GUNZIP_TOO_LARGE:
+        if (is_bounded) return BODY_LARGE;
         problem_answer(answer, 413, "the body inflates to more than bodyMaxBytes, %zu bytes", max);
         break;
     case GUNZIP_NO_MEMORY:
-        api_refuse_busy(answer, 1, BODY_MEMORY_USED_UP);
+        api_refuse_memory(answer, arena);
         break;
+    case GUNZIP_CANCELLED:
+        return BODY_CANCELLED;
     }
-    return false;
+    return BODY_REFUSED;
 }
 
 static bool is_json(const struct multipart_part *part)
@@ -41,7 +44,7 @@ static bool is_json(const struct multipart_part *part)
     return !part->type || (length == sizeof JSON - 1 && strncasecmp(part->type, JSON, length) == 0);
 }
 
-/* The part `scene` becomes the bytes, the others assets. Names lie in the arena. */
+/* False: the answer says why. The part `scene` becomes the bytes, the others assets. Names lie in the arena. */
 static bool unpack_parts(const struct api_request *request, struct zr_arena *arena, struct zr_request *render,
                          struct answer *answer)
 {
@@ -49,7 +52,7 @@ static bool unpack_parts(const struct api_request *request, struct zr_arena *are
     struct multipart *parts = zr_arena_alloc(arena, 1, sizeof *parts);
     struct zr_asset *assets = zr_arena_alloc(arena, MULTIPART_PARTS_MAX, sizeof *assets);
     if (!parts || !assets) {
-        api_refuse_busy(answer, 1, BODY_MEMORY_USED_UP);
+        api_refuse_memory(answer, arena);
         return false;
     }
     if (!multipart_parse(request->boundary, render->bytes, render->size, parts, &fault)) {
@@ -72,10 +75,11 @@ static bool unpack_parts(const struct api_request *request, struct zr_arena *are
     return true;
 }
 
-bool body_unpack(const struct api_request *request, size_t max, struct zr_arena *arena, struct zr_request *render,
-                 struct answer *answer)
+enum body_status body_unpack(const struct api_request *request, size_t max, struct zr_arena *arena,
+                             const struct zr_cancel *cancel, struct zr_request *render, struct answer *answer)
 {
     *render = request->render;
-    return decompress(request, max, arena, render, answer) &&
-           (!request->boundary[0] || unpack_parts(request, arena, render, answer));
+    enum body_status status = decompress(request, max, arena, cancel, render, answer);
+    if (status != BODY_READY || !request->boundary[0]) return status;
+    return unpack_parts(request, arena, render, answer) ? BODY_READY : BODY_REFUSED;
 }

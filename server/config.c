@@ -12,7 +12,7 @@
 
 enum kind { TEXT, ADDRESS, ISA, NUMBER };
 
-enum { NAME_SIZE = 64 };
+enum { NAME_SIZE = 64, QUEUE_A_WORKER = 256 };
 
 struct setting {
     const char *flag;
@@ -43,7 +43,8 @@ static const struct setting SETTINGS[] = {
      "instruction set to render with: scalar, sse2, avx2, avx512, neon, or auto: the widest that the machine has; "
      "pixels are the same"},
     {"queue", NUMBER, AT(queue), true, 0, 0, 65536, NULL, "requests",
-     "may wait for a worker, small ones and large ones each; 0: 2 a worker"},
+     "may wait for a worker, small ones and large ones each; beyond 2 a worker only those that it would come to within "
+     "a second; 0: 256 a worker"},
     {"max-per-client", NUMBER, AT(max_per_client), true, 4, 0, 65536, NULL, "requests",
      "in flight from one public address (of IPv6: from one network of 64 bits); 0: no limit, for use behind a proxy"},
     {"max-per-private-client", NUMBER, AT(max_per_private_client), true, 0, 0, 65536, NULL, "requests",
@@ -268,7 +269,7 @@ enum config_mode config_read(struct config *config, int argc, char *const *argv,
     uint64_t online = cores < 1 ? 1 : cores > ZR_TEAM_MAX ? ZR_TEAM_MAX : (uint64_t)cores;
     if (config->workers == 0) config->workers = online;
     if (config->threads == 0) config->threads = online;
-    if (config->queue == 0) config->queue = 2 * config->workers;
+    if (config->queue == 0) config->queue = QUEUE_A_WORKER * config->workers;
     return mode;
 }
 

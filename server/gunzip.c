@@ -3,19 +3,21 @@
 #include <stdint.h>
 #include <zlib.h>
 
-enum { FIRST_ROOM = 1 << 16, GZIP_FORMAT = 16 }; /* added to the window bits: gzip, not bare zlib */
+/* AT_ONCE: between two looks at the flag of cancellation, some milliseconds. GZIP_FORMAT: added to the window bits:
+ * gzip, not bare zlib. */
+enum { FIRST_ROOM = 1 << 16, AT_ONCE = 1 << 20, GZIP_FORMAT = 16 };
 
-/* zlib counts in unsigned int: larger stretches are handed over in parts. */
 static uInt part(size_t size)
 {
-    return size < UINT32_MAX ? (uInt)size : UINT32_MAX;
+    return size < AT_ONCE ? (uInt)size : AT_ONCE;
 }
 
-static enum gunzip_status inflate_all(z_stream *stream, struct zr_arena *arena, size_t size, size_t max, char **out,
-                                      size_t *out_size)
+static enum gunzip_status inflate_all(z_stream *stream, struct zr_arena *arena, size_t size, size_t max,
+                                      const struct zr_cancel *cancel, char **out, size_t *out_size)
 {
     size_t room = 0, used = 0, left = size;
     for (int code = Z_OK; code != Z_STREAM_END;) {
+        if (zr_is_cancelled(cancel)) return GUNZIP_CANCELLED;
         if (used == room) {
             /* One byte beyond the limit tells a body that fits from one that does not. */
             size_t wanted = room ? room * 2 : FIRST_ROOM;
@@ -43,13 +45,13 @@ static enum gunzip_status inflate_all(z_stream *stream, struct zr_arena *arena, 
     return used > max ? GUNZIP_TOO_LARGE : GUNZIP_OK;
 }
 
-enum gunzip_status gunzip(struct zr_arena *arena, const char *bytes, size_t size, size_t max, char **out,
-                          size_t *out_size)
+enum gunzip_status gunzip(struct zr_arena *arena, const char *bytes, size_t size, size_t max,
+                          const struct zr_cancel *cancel, char **out, size_t *out_size)
 {
     z_stream stream = {.next_in = (z_const Bytef *)(uintptr_t)bytes};
     if (inflateInit2(&stream, MAX_WBITS + GZIP_FORMAT) != Z_OK) return GUNZIP_NO_MEMORY;
     *out = NULL;
-    enum gunzip_status status = inflate_all(&stream, arena, size, max, out, out_size);
+    enum gunzip_status status = inflate_all(&stream, arena, size, max, cancel, out, out_size);
     inflateEnd(&stream);
     return status;
 }

@@ -255,10 +255,11 @@ static enum MHD_Result reply_early(struct exchange *exchange, bool is_chunked, b
 static void get_load(struct http *http, uint64_t body_bytes, struct api_load *load)
 {
     load->draining = atomic_load(&http->draining);
-    load->queue_full = queue_is_full(http->queue, http_lane_of(body_bytes));
+    enum queue_lane lane = http_lane_of(body_bytes);
+    load->queue_full = queue_is_full(http->queue, lane);
     load->large_queue_full = queue_is_full(http->queue, QUEUE_LARGE);
     load->answers_full = http_answers_are_full(http);
-    load->retry_after_s = queue_wait_estimate_s(http->queue);
+    load->retry_after_s = queue_wait_estimate_s(http->queue, lane);
 }
 
 /* ---- requests ---- */
@@ -346,7 +347,8 @@ static enum MHD_Result take_body(struct exchange *exchange, const char *bytes, s
                        (unsigned long long)http->config->body_max_bytes);
         break;
     case UPLOAD_NO_MEMORY:
-        api_refuse_busy(&exchange->answer, queue_wait_estimate_s(http->queue), "too many bodies are coming in");
+        api_refuse_busy(&exchange->answer, queue_wait_estimate_s(http->queue, QUEUE_LARGE),
+                        "too many bodies are coming in");
         break;
     }
     reply_past_library(exchange);

@@ -69,6 +69,7 @@ static bool put_back(struct exchange *exchange, struct zr_arena *arena)
     struct http *http = exchange->http;
     atomic_store(&exchange->work_began_ms, 0);
     exchange->request.small_only = false;
+    exchange->cancel.parent = NULL;
     if (atomic_load(&exchange->cancel.raised)) { /* just now: that has an answer, too */
         zr_arena_reset(arena, SIZE_MAX);         /* an inflated body is not to count twice */
         begin(exchange, arena);
@@ -76,7 +77,7 @@ static bool put_back(struct exchange *exchange, struct zr_arena *arena)
     }
     exchange->times = API_NO_TIMES;
     if (queue_put_back(http->queue, &exchange->job)) return true;
-    api_refuse_busy(&exchange->answer, queue_wait_estimate_s(http->queue), "the queue is full");
+    api_refuse_busy(&exchange->answer, queue_wait_estimate_s(http->queue, QUEUE_LARGE), "the queue is full");
     return false;
 }
 
@@ -86,10 +87,11 @@ static void work(struct queue_job *job, struct zr_arena *arena)
     struct http *http = exchange->http;
     exchange->times.queue_ms = (double)(clock_us() - job->pushed_us) / 1000.0;
     atomic_store(&exchange->work_began_ms, clock_ms());
-    exchange->request.small_only = job->on_express;
+    exchange->request.small_only = job->overdue != NULL;
+    exchange->cancel.parent = job->overdue;
     bool cancelled = atomic_load(&exchange->cancel.raised);
     if (!cancelled && http_answers_are_full(http))
-        api_refuse_busy(&exchange->answer, queue_wait_estimate_s(http->queue), ANSWERS_FULL);
+        api_refuse_busy(&exchange->answer, queue_wait_estimate_s(http->queue, QUEUE_LARGE), ANSWERS_FULL);
     else if (!cancelled && begin(exchange, arena) == API_LARGE && put_back(exchange, arena))
         return;
     if (atomic_load(&http->cut_short) && (cancelled || exchange->answer.status == 504)) {
@@ -133,8 +135,9 @@ enum MHD_Result http_begin_work(struct exchange *exchange)
     connections_enter(&http->connections, exchange->connection, PHASE_WORK);
     /* First suspended, then pushed: a worker may be done before queue_push returns. */
     MHD_suspend_connection(exchange->mhd);
-    if (!queue_push(http->queue, &exchange->job, http_lane_of(exchange->upload.size))) {
-        api_refuse_busy(&exchange->answer, queue_wait_estimate_s(http->queue), "the queue is full");
+    enum queue_lane lane = http_lane_of(exchange->upload.size);
+    if (!queue_push(http->queue, &exchange->job, lane)) {
+        api_refuse_busy(&exchange->answer, queue_wait_estimate_s(http->queue, lane), "the queue is full");
         finish_work(exchange);
     }
     return MHD_YES;

@@ -7,11 +7,15 @@
 
 #include "clock.h"
 
-enum { STACK_BYTES = 1 << 20 };
+enum { STACK_BYTES = 1 << 20, SURE_A_WORKER = 2, OVERSEER_TICK_MS = 20 };
+
+/* A job that takes longer is none of the small ones, whatever it seemed to be. */
+static const int64_t SMALL_US = QUEUE_EXPRESS_MS * INT64_C(1000);
 
 struct lane {
-    struct queue_job *first;
+    struct queue_job *first, *last;
     size_t waiting;
+    double work_us; /* what such jobs take: moving average over the last ones; 0: not known yet */
 };
 
 struct worker {
@@ -20,6 +24,9 @@ struct worker {
     pthread_cond_t wake;
     bool is_express;
     bool is_idle; /* in the stack, and waiting: who else takes it out wakes it */
+    bool is_busy; /* with a job that it took from `lane` */
+    enum queue_lane lane;
+    int64_t began_us;
     struct worker *below;
     struct zr_arena arena;
     size_t used; /* by its last jobs; older ones count less and less */
@@ -29,10 +36,13 @@ struct queue {
     pthread_mutex_t lock;
     struct queue_options options;
     struct lane lanes[QUEUE_LANES];
-    struct worker *idle;   /* a stack: who worked last is the first to be woken, for its memory is warm */
-    size_t running, woken; /* woken: workers on their way to a job */
-    double work_us;        /* moving average over the last jobs */
-    bool express_busy, stopping;
+    struct worker *idle; /* a stack: who worked last is the first to be woken, for its memory is warm */
+    size_t woken;        /* workers on their way to a job */
+    bool stopping;
+    struct zr_cancel express_overdue; /* of the job that the express has */
+    pthread_t overseer;
+    pthread_cond_t express_begins; /* the overseer sleeps, or it looks every OVERSEER_TICK_MS */
+    bool overseer_runs, overseer_sleeps, overseer_ends;
     size_t worker_count;
     struct worker *express; /* the last of the workers */
     struct worker workers[];
@@ -40,22 +50,63 @@ struct queue {
 
 /* ---- with the lock held ---- */
 
-static void append(struct lane *lane, struct queue_job *job)
+static void append(struct queue *queue, struct queue_job *job, enum queue_lane number)
 {
-    struct queue_job **link = &lane->first;
-    while (*link)
-        link = &(*link)->next;
+    struct lane *lane = &queue->lanes[number];
+    job->lane = number;
+    job->waiting = true;
     job->next = NULL;
-    *link = job;
+    job->previous = lane->last;
+    *(lane->last ? &lane->last->next : &lane->first) = job;
+    lane->last = job;
     lane->waiting++;
 }
 
-static struct queue_job *take_first(struct lane *lane)
+static struct queue_job *take_out(struct queue *queue, struct queue_job *job)
 {
-    struct queue_job *job = lane->first;
-    lane->first = job->next;
+    struct lane *lane = &queue->lanes[job->lane];
+    *(job->previous ? &job->previous->next : &lane->first) = job->next;
+    *(job->next ? &job->next->previous : &lane->last) = job->previous;
+    job->waiting = false;
     lane->waiting--;
     return job;
+}
+
+/* Workers that a small job does not get in a moment. */
+static size_t count_held(const struct queue *queue)
+{
+    const int64_t now_us = clock_us();
+    size_t held = 0;
+    for (const struct worker *worker = queue->workers; worker < queue->express; worker++)
+        held += worker->is_busy && (worker->lane == QUEUE_LARGE || now_us - worker->began_us > SMALL_US);
+    return held;
+}
+
+/* Until a job that came now would be begun. Small ones have the express, and those workers that no large one has. */
+static double wait_us(const struct queue *queue, enum queue_lane number)
+{
+    const struct lane *small = &queue->lanes[QUEUE_SMALL], *large = &queue->lanes[QUEUE_LARGE];
+    const size_t workers = queue->options.workers, held = count_held(queue);
+    if (number == QUEUE_SMALL) {
+        const size_t taken = held + large->waiting;
+        return (double)small->waiting * small->work_us / (double)(taken < workers ? workers - taken + 1 : 1);
+    }
+    /* Those that run are half done. */
+    return (((double)large->waiting + 0.5 * (double)held) * large->work_us + (double)small->waiting * small->work_us) /
+           (double)workers;
+}
+
+static bool is_full(const struct queue *queue, enum queue_lane number)
+{
+    const size_t waiting = queue->lanes[number].waiting;
+    return waiting >= queue->options.capacity ||
+           (waiting >= SURE_A_WORKER * queue->options.workers && wait_us(queue, number) > QUEUE_WAIT_MS * 1e3);
+}
+
+static void learn(struct queue *queue, enum queue_lane number, int64_t took_us)
+{
+    struct lane *lane = &queue->lanes[took_us > SMALL_US ? QUEUE_LARGE : number];
+    lane->work_us += ((double)took_us - lane->work_us) / (lane->work_us > 0.0 ? 8.0 : 1.0);
 }
 
 static struct queue_job *take_job(struct worker *worker)
@@ -65,16 +116,17 @@ static struct queue_job *take_job(struct worker *worker)
     if (worker->is_express) {
         /* Workers on their way, who would not have to put anything back, come to as many jobs. */
         bool needed = queue->stopping || small->waiting + large->waiting > queue->woken;
-        return small->first && needed ? take_first(small) : NULL;
+        return small->first && needed ? take_out(queue, small->first) : NULL;
     }
-    if (small->first && (!large->first || small->first->pushed_us <= large->first->pushed_us)) return take_first(small);
-    return large->first ? take_first(large) : NULL;
+    if (small->first && (!large->first || small->first->pushed_us <= large->first->pushed_us))
+        return take_out(queue, small->first);
+    return large->first ? take_out(queue, large->first) : NULL;
 }
 
 /* The express may still put a job back. */
 static bool is_over(const struct worker *worker)
 {
-    return worker->queue->stopping && (worker->is_express || !worker->queue->express_busy);
+    return worker->queue->stopping && (worker->is_express || !worker->queue->express->is_busy);
 }
 
 /* One more job is waiting. */
@@ -148,11 +200,27 @@ static struct queue_job *next_job(struct worker *worker)
         malloc_trim(0); /* bodies, answers and what libraries had: the heap keeps what is freed below its end */
         pthread_mutex_lock(&queue->lock);
     }
-    if (job) {
-        queue->running++;
-        if (worker->is_express) queue->express_busy = true;
-    }
     return job;
+}
+
+static void begin_job(struct worker *worker, struct queue_job *job)
+{
+    struct queue *queue = worker->queue;
+    worker->is_busy = true;
+    worker->lane = job->lane;
+    worker->began_us = clock_us();
+    job->overdue = worker->is_express ? &queue->express_overdue : NULL;
+    if (!worker->is_express) return;
+    atomic_store(&queue->express_overdue.raised, false);
+    if (queue->overseer_sleeps) pthread_cond_signal(&queue->express_begins);
+}
+
+static void end_job(struct worker *worker)
+{
+    struct queue *queue = worker->queue;
+    worker->is_busy = false;
+    learn(queue, worker->lane, clock_us() - worker->began_us);
+    if (worker->is_express && queue->stopping) wake_all(queue);
 }
 
 /* ---- threads ---- */
@@ -176,20 +244,36 @@ static void *work(void *argument)
     zr_arena_init(&worker->arena, queue->options.request_memory_bytes);
     pthread_mutex_lock(&queue->lock);
     for (struct queue_job *job; (job = next_job(worker));) {
-        job->on_express = worker->is_express;
+        begin_job(worker, job);
         pthread_mutex_unlock(&queue->lock);
-        int64_t began = clock_us();
         job->work(job, &worker->arena);
-        double took = (double)(clock_us() - began);
         reset_arena(worker);
         pthread_mutex_lock(&queue->lock);
-        queue->running--;
-        queue->work_us += (took - queue->work_us) / 8;
-        if (worker->is_express) queue->express_busy = false;
-        if (worker->is_express && queue->stopping) wake_all(queue);
+        end_job(worker);
     }
     pthread_mutex_unlock(&queue->lock);
     zr_arena_free(&worker->arena);
+    return NULL;
+}
+
+/* Looks after the express, lest a job that was taken for a small one keep others from it. */
+static void *oversee(void *argument)
+{
+    struct queue *queue = argument;
+    const struct worker *express = queue->express;
+    pthread_mutex_lock(&queue->lock);
+    while (!queue->overseer_ends) {
+        if (express->is_busy && queue->lanes[QUEUE_SMALL].first && clock_us() - express->began_us > SMALL_US)
+            atomic_store(&queue->express_overdue.raised, true);
+        const struct timespec until = clock_after_ms(OVERSEER_TICK_MS);
+        queue->overseer_sleeps = !express->is_busy;
+        if (queue->overseer_sleeps)
+            pthread_cond_wait(&queue->express_begins, &queue->lock);
+        else
+            pthread_cond_timedwait(&queue->express_begins, &queue->lock, &until);
+        queue->overseer_sleeps = false;
+    }
+    pthread_mutex_unlock(&queue->lock);
     return NULL;
 }
 
@@ -204,6 +288,7 @@ static void init_workers(struct queue *queue)
         worker->is_express = worker == queue->express;
         pthread_cond_init(&worker->wake, &attributes);
     }
+    pthread_cond_init(&queue->express_begins, &attributes);
     pthread_condattr_destroy(&attributes);
 }
 
@@ -217,6 +302,8 @@ static int start_threads(struct queue *queue)
         failure = pthread_create(&queue->workers[i].thread, &attributes, work, &queue->workers[i]);
         if (!failure) queue->worker_count++;
     }
+    if (!failure) failure = pthread_create(&queue->overseer, &attributes, oversee, queue);
+    queue->overseer_runs = !failure;
     pthread_attr_destroy(&attributes);
     return failure;
 }
@@ -238,10 +325,10 @@ struct queue *queue_create(const struct queue_options *options)
 bool queue_push(struct queue *queue, struct queue_job *job, enum queue_lane lane)
 {
     pthread_mutex_lock(&queue->lock);
-    bool room = !queue->stopping && queue->lanes[lane].waiting < queue->options.capacity;
+    bool room = !queue->stopping && !is_full(queue, lane);
     if (room) {
         job->pushed_us = clock_us();
-        append(&queue->lanes[lane], job);
+        append(queue, job, lane);
         wake_one(queue);
     }
     pthread_mutex_unlock(&queue->lock);
@@ -251,30 +338,20 @@ bool queue_push(struct queue *queue, struct queue_job *job, enum queue_lane lane
 bool queue_put_back(struct queue *queue, struct queue_job *job)
 {
     pthread_mutex_lock(&queue->lock);
-    bool room = queue->lanes[QUEUE_LARGE].waiting < queue->options.capacity;
+    bool room = !is_full(queue, QUEUE_LARGE);
     if (room) {
-        append(&queue->lanes[QUEUE_LARGE], job);
+        append(queue, job, QUEUE_LARGE);
         wake_one(queue);
     }
     pthread_mutex_unlock(&queue->lock);
     return room;
 }
 
-static bool remove_from(struct lane *lane, const struct queue_job *job)
-{
-    struct queue_job **link = &lane->first;
-    while (*link && *link != job)
-        link = &(*link)->next;
-    if (!*link) return false;
-    *link = job->next;
-    lane->waiting--;
-    return true;
-}
-
 bool queue_remove(struct queue *queue, struct queue_job *job)
 {
     pthread_mutex_lock(&queue->lock);
-    bool found = remove_from(&queue->lanes[QUEUE_SMALL], job) || remove_from(&queue->lanes[QUEUE_LARGE], job);
+    bool found = job->waiting;
+    if (found) take_out(queue, job);
     pthread_mutex_unlock(&queue->lock);
     return found;
 }
@@ -282,16 +359,15 @@ bool queue_remove(struct queue *queue, struct queue_job *job)
 bool queue_is_full(struct queue *queue, enum queue_lane lane)
 {
     pthread_mutex_lock(&queue->lock);
-    bool full = queue->lanes[lane].waiting >= queue->options.capacity;
+    bool full = is_full(queue, lane);
     pthread_mutex_unlock(&queue->lock);
     return full;
 }
 
-unsigned queue_wait_estimate_s(struct queue *queue)
+unsigned queue_wait_estimate_s(struct queue *queue, enum queue_lane lane)
 {
     pthread_mutex_lock(&queue->lock);
-    size_t jobs = queue->lanes[QUEUE_SMALL].waiting + queue->lanes[QUEUE_LARGE].waiting + queue->running;
-    double seconds = (double)jobs * queue->work_us / (double)queue->options.workers / 1e6;
+    double seconds = wait_us(queue, lane) / 1e6;
     pthread_mutex_unlock(&queue->lock);
     return seconds >= 59 ? 60 : 1 + (unsigned)seconds;
 }
@@ -305,6 +381,13 @@ void queue_stop(struct queue *queue)
     for (size_t i = 0; i < queue->worker_count; i++)
         pthread_join(queue->workers[i].thread, NULL);
     queue->worker_count = 0;
+    if (!queue->overseer_runs) return;
+    pthread_mutex_lock(&queue->lock);
+    queue->overseer_ends = true;
+    pthread_cond_signal(&queue->express_begins);
+    pthread_mutex_unlock(&queue->lock);
+    pthread_join(queue->overseer, NULL);
+    queue->overseer_runs = false;
 }
 
 void queue_destroy(struct queue *queue)
@@ -313,6 +396,7 @@ void queue_destroy(struct queue *queue)
     queue_stop(queue);
     for (struct worker *worker = queue->workers; worker <= queue->express; worker++)
         pthread_cond_destroy(&worker->wake);
+    pthread_cond_destroy(&queue->express_begins);
     pthread_mutex_destroy(&queue->lock);
     free(queue);
 }

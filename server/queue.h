@@ -3,8 +3,12 @@
  * Fair to small jobs: what seems to be large waits in one queue, what seems to be small in
  * another. Workers take the oldest job of both. One thread more, the express, takes small
  * jobs alone, while every worker is busy: so a small one never waits until a large one ends,
- * however many of those there are. A job that turns out to be large there goes to the large.
+ * however many of those there are. A job that turns out to be large there goes to the large; one that seems to be
+ * small and yet has held the express up for QUEUE_EXPRESS_MS, while another waits for it, is told to go there.
  * Who runs shares the processors by the kernel's rules.
+ *
+ * Bounded in time: beyond two a worker, a queue takes only what would be begun within QUEUE_WAIT_MS, by how long
+ * the last jobs of its kind took; and no more than `capacity`, whatever they take.
  *
  * A job is a member of what it works for. It belongs to the queue from queue_push until
  * its `work` is called or queue_remove has given it back; and again from queue_put_back on.
@@ -20,15 +24,25 @@
 #include <stdint.h>
 
 #include "base/arena.h"
+#include "base/cancel.h"
 
 enum queue_lane { QUEUE_SMALL, QUEUE_LARGE, QUEUE_LANES };
+
+/* QUEUE_EXPRESS_MS: ten times what a small request may be predicted to take. */
+enum { QUEUE_EXPRESS_MS = 100, QUEUE_WAIT_MS = 1000 };
 
 struct queue;
 
 struct queue_job {
-    struct queue_job *next;
+    /* The queue's own, while it waits: */
+    struct queue_job *next, *previous;
+    enum queue_lane lane;
+    bool waiting;
+
     int64_t pushed_us; /* by queue_push, on clock_us */
-    bool on_express;   /* by the queue: if it is large after all, queue_put_back */
+    /* By the queue, before `work`; NULL: a worker has it. Else it is on the express: if it is large after all,
+     * queue_put_back, at the latest soon after this is raised. */
+    const struct zr_cancel *overdue;
     /* Called on a worker. The queue does not touch the job any more, so `work` may
      * hand it to others. What it has in the arena is gone when it returns. */
     void (*work)(struct queue_job *job, struct zr_arena *arena);
@@ -54,10 +68,11 @@ bool queue_put_back(struct queue *queue, struct queue_job *job);
 /* True: the job was still waiting and is the caller's again. False: a worker has it, or had it. */
 bool queue_remove(struct queue *queue, struct queue_job *job);
 
+/* It takes no more: by number, or by time. */
 bool queue_is_full(struct queue *queue, enum queue_lane lane);
 
 /* Seconds until a job that came now might be begun, 1..60, from how long the last ones took. */
-unsigned queue_wait_estimate_s(struct queue *queue);
+unsigned queue_wait_estimate_s(struct queue *queue, enum queue_lane lane);
 
 /* Works off what waits and ends the threads. From then on the queue takes nothing, but
  * may still be asked. */

@@ -133,6 +133,12 @@ static void answer_image(struct answer *answer, const struct zr_answer *result)
     }
 }
 
+static void answer_timeout(const struct api *api, struct answer *answer)
+{
+    problem_answer(answer, 504, "the render took longer than renderTimeoutMs, %" PRIu64 " ms",
+                   api->config->render_timeout_ms);
+}
+
 enum api_next rendering_work(const struct api *api, const struct api_request *request, struct zr_arena *arena,
                              const struct zr_cancel *cancel, struct api_times *times, struct answer *answer)
 {
@@ -141,25 +147,36 @@ enum api_next rendering_work(const struct api *api, const struct api_request *re
     struct zr_answer result = {0};
     struct zr_request unpacked;
     int64_t mark = clock_us();
-    if (!body_unpack(request, (size_t)api->config->body_max_bytes, arena, &unpacked, answer)) return API_ANSWERED;
+    /* A small request is read to its end even where its time is over: only then is it known whether it is large work,
+     * to be handed on, and it has API_SMALL_BYTES at most. */
+    const struct zr_cancel *reading = request->small_only ? cancel->parent : cancel;
+    switch (body_unpack(request, (size_t)api->config->body_max_bytes, arena, reading, &unpacked, answer)) {
+    case BODY_READY:
+        break;
+    case BODY_REFUSED:
+        return API_ANSWERED;
+    case BODY_LARGE:
+        return API_LARGE;
+    case BODY_CANCELLED:
+        if (request->small_only) return API_LARGE;
+        answer_timeout(api, answer);
+        return API_ANSWERED;
+    }
     if (too_large(&r, unpacked.size > API_SMALL_BYTES)) return API_LARGE;
     r.stored = assets_stored(api);
     r.small_left = API_SMALL_BYTES;
     unpacked.stored = (struct zr_stored){r.stored.read ? read_stored : NULL, &r};
-    /* A small request is read to its end even where its time is over: only then is it known whether it is large work,
-     * to be handed on, and it has API_SMALL_BYTES at most. */
-    unpacked.cancel = request->small_only ? NULL : cancel;
+    unpacked.cancel = reading;
     double unpack_ms = ms_since(&mark);
     enum zr_status status = run_steps(&r, &unpacked, &result, &error);
-    if (r.is_large) return API_LARGE;
+    if (too_large(&r, status == ZR_CANCELLED && zr_is_cancelled(cancel->parent))) return API_LARGE;
     times->parse_ms += unpack_ms;
     if (status == ZR_OK) {
         answer_image(answer, &result);
     } else if (status == ZR_NO_MEMORY) {
-        api_refuse_busy(answer, 1, BODY_MEMORY_USED_UP);
+        api_refuse_memory(answer, arena);
     } else if (status == ZR_CANCELLED) {
-        problem_answer(answer, 504, "the render took longer than renderTimeoutMs, %" PRIu64 " ms",
-                       api->config->render_timeout_ms);
+        answer_timeout(api, answer);
     } else {
         problem_answer_error(answer, problem_http_status(status), &error);
     }

@@ -47,6 +47,7 @@ void zr_arena_reset(struct zr_arena *arena, size_t keep)
     arena->current = arena->first;
     arena->used = arena->peak = 0;
     arena->failed = false;
+    arena->wanted = 0;
 }
 
 void zr_arena_free(struct zr_arena *arena)
@@ -54,8 +55,10 @@ void zr_arena_free(struct zr_arena *arena)
     zr_arena_reset(arena, 0);
 }
 
-static void *fail(struct zr_arena *arena)
+/* `more` bytes beside those that are used: too many, or 0 where it is the system that has none. */
+static void *fail(struct zr_arena *arena, size_t more)
 {
+    if (!arena->failed && more > 0) arena->wanted = more > SIZE_MAX - arena->used ? SIZE_MAX : arena->used + more;
     arena->failed = true;
     return NULL;
 }
@@ -108,15 +111,15 @@ static struct zr_arena_block *next_block(struct zr_arena *arena, size_t bytes)
 void *zr_arena_alloc(struct zr_arena *arena, size_t count, size_t size)
 {
     size_t bytes;
-    if (arena->failed || !zr_mul_size(count, size, &bytes)) return fail(arena);
-    if (bytes > SIZE_MAX - ZR_ARENA_ALIGN) return fail(arena);
+    if (arena->failed || !zr_mul_size(count, size, &bytes) || bytes > SIZE_MAX - ZR_ARENA_ALIGN)
+        return fail(arena, SIZE_MAX);
     bytes = rounded_up(bytes, ZR_ARENA_ALIGN);
-    if (bytes > arena->ceiling - arena->used) return fail(arena);
+    if (bytes > arena->ceiling - arena->used) return fail(arena, bytes);
 
     struct zr_arena_block *block = arena->current;
     if (!block || bytes > block->capacity - block->used) {
         block = next_block(arena, bytes);
-        if (!block) return fail(arena);
+        if (!block) return fail(arena, 0);
         block->used = 0;
         arena->current = block;
     }
@@ -138,7 +141,7 @@ void *zr_arena_grow(struct zr_arena *arena, void *old, size_t count, size_t new_
     size_t old_bytes, new_bytes;
     if (arena->failed || !zr_mul_size(count, size, &old_bytes) || !zr_mul_size(new_count, size, &new_bytes) ||
         new_bytes > SIZE_MAX - ZR_ARENA_ALIGN)
-        return fail(arena);
+        return fail(arena, SIZE_MAX);
     size_t held = rounded_up(old_bytes, ZR_ARENA_ALIGN);
     struct zr_arena_block *block = arena->current;
     if (old && new_bytes >= old_bytes && block && (char *)old + held == block_bytes(block) + block->used) {
@@ -159,7 +162,7 @@ void *zr_arena_grow(struct zr_arena *arena, void *old, size_t count, size_t new_
 bool zr_arena_charge(struct zr_arena *arena, size_t bytes)
 {
     if (arena->failed || bytes > arena->ceiling - arena->used) {
-        arena->failed = true;
+        fail(arena, bytes);
         return false;
     }
     use(arena, bytes);

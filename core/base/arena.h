@@ -23,13 +23,15 @@ struct zr_arena {
     size_t used;    /* bytes allocated since the last reset, padding and charges included */
     size_t peak;    /* the most that `used` has been since then */
     bool failed;
+    size_t wanted; /* what `used` would have been, where the first failure was the ceiling's; SIZE_MAX: more than can be
+                      counted; 0: it was the system that had no more */
     struct zr_arena_block *first, *current;
 };
 
 void zr_arena_init(struct zr_arena *arena, size_t ceiling);
 void zr_arena_free(struct zr_arena *arena);
 
-/* Empties the arena, clears a failure, and gives blocks beyond `keep` bytes back
+/* Empties the arena, clears a failure and what was wanted, and gives blocks beyond `keep` bytes back
  * to the system. */
 void zr_arena_reset(struct zr_arena *arena, size_t keep);
 

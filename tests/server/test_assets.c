@@ -354,7 +354,7 @@ static void unknown_hash_is_refused_where_it_stands(void **state)
     free(depth.uri);
 }
 
-static void asset_beyond_the_memory_of_a_request_gives_503(void **state)
+static void asset_beyond_the_memory_of_a_request_gives_422(void **state)
 {
     (void)state;
     enum { SIZE = 3 << 20 };
@@ -362,9 +362,9 @@ static void asset_beyond_the_memory_of_a_request_gives_503(void **state)
     char *bytes = calloc(1, SIZE), scene[256];
     struct daemon small = assets_start(&own, (const char *const[]){"--request-memory-bytes=2000000", NULL});
     struct asset_name name = asset_post(&small, bytes, SIZE, 201);
-    assert_problem(asset_get(&small, name.text), 503, "requestMemoryBytes");
+    assert_problem(asset_get(&small, name.text), 422, "requestMemoryBytes");
     snprintf(scene, sizeof scene, "{\"base\":{\"windowDepth\":{\"asset\":\"sha256:%s\"}}," POLYGON "}", name.text);
-    assert_problem(client_render(&small, scene), 503, "requestMemoryBytes");
+    assert_problem(client_render(&small, scene), 422, "requestMemoryBytes");
     assert_int_equal(folder_count(&own), 1);
     daemon_stop(&small);
     folder_remove(&own);
@@ -388,7 +388,7 @@ int main(void)
         cmocka_unit_test(token_is_asked_for),
         cmocka_unit_test(scene_with_assets_is_drawn_as_with_data_uris),
         cmocka_unit_test(unknown_hash_is_refused_where_it_stands),
-        cmocka_unit_test(asset_beyond_the_memory_of_a_request_gives_503),
+        cmocka_unit_test(asset_beyond_the_memory_of_a_request_gives_422),
     };
     return cmocka_run_group_tests(tests, start, stop);
 }

@@ -179,11 +179,11 @@ static void variable_is_read_and_flag_beats_it(void **state)
     daemon_stop(&server);
 }
 
-static void queue_defaults_to_two_a_worker(void **state)
+static void queue_defaults_to_256_a_worker(void **state)
 {
     (void)state;
     struct daemon server = daemon_start(LIST("--workers=3"));
-    assert_limit(&server, "\"queue\":\t6");
+    assert_limit(&server, "\"queue\":\t768");
     daemon_stop(&server);
 }
 
@@ -225,7 +225,7 @@ int main(void)
         cmocka_unit_test(isa_is_named_at_the_start_and_auto_is_the_best),
         cmocka_unit_test(port_in_use_exits_1),
         cmocka_unit_test(variable_is_read_and_flag_beats_it),
-        cmocka_unit_test(queue_defaults_to_two_a_worker),
+        cmocka_unit_test(queue_defaults_to_256_a_worker),
         cmocka_unit_test(limits_of_the_renderer_are_settings),
         cmocka_unit_test(health_tells_whether_a_daemon_answers),
     };

@@ -208,16 +208,32 @@ static void every_algorithm_past_its_deadline_gives_504(void **state)
     daemon_stop(&server);
 }
 
-static void request_memory_used_up_gives_503(void **state)
+static void request_that_never_fits_its_memory_gives_422(void **state)
 {
     (void)state;
     struct daemon server = daemon_start((const char *const[]){LET_IN, "--request-memory-bytes=1048576", NULL});
     char *scene = scene_slow(SLOW_ALGORITHM, SLOW_SIDE, 1);
     struct reply reply = client_render(&server, scene);
-    assert_int_equal(reply.status, 503);
-    assert_true(atoi(reply_header(&reply, "Retry-After")) >= 1);
+    assert_int_equal(reply.status, 422);
+    assert_string_equal(reply_header(&reply, "Retry-After"), "");
+    const char *needs = strstr(reply.body, "at least ");
+    assert_true(needs && strtoul(needs + strlen("at least "), NULL, 10) > 1048576);
+    assert_true(strstr(reply.body, "requestMemoryBytes") && strstr(reply.body, "1048576 bytes"));
     reply_free(&reply);
     free(scene);
+    daemon_stop(&server);
+}
+
+/* More than two a worker, and with the queue that is there unless another is asked for. */
+static void crowd_of_small_requests_waits_and_is_served(void **state)
+{
+    (void)state;
+    struct daemon server = daemon_start((const char *const[]){"--workers=1", "--max-per-client=0", NULL});
+    for (int round = 0; round < 3; round++) {
+        struct post posts[CLIENTS_MAX];
+        begin_posts(posts, CLIENTS_MAX, &server, GOOD_SCENE);
+        assert_int_equal(end_posts(posts, CLIENTS_MAX, 200), CLIENTS_MAX);
+    }
     daemon_stop(&server);
 }
 
@@ -408,7 +424,8 @@ int main(void)
         cmocka_unit_test(render_past_its_deadline_gives_504),
         cmocka_unit_test(lighting_past_its_deadline_gives_504),
         cmocka_unit_test(every_algorithm_past_its_deadline_gives_504),
-        cmocka_unit_test(request_memory_used_up_gives_503),
+        cmocka_unit_test(request_that_never_fits_its_memory_gives_422),
+        cmocka_unit_test(crowd_of_small_requests_waits_and_is_served),
         cmocka_unit_test(upload_memory_used_up_gives_503),
         cmocka_unit_test(reader_that_stops_is_cut_off),
         cmocka_unit_test(sigterm_lets_renders_in_flight_end),

@@ -20,8 +20,9 @@ static void arena_over_its_ceiling_fails_and_stays_failed(void **state)
     assert_null(zr_arena_alloc(&arena, 5001, 1));
     assert_null(zr_arena_alloc(&arena, 1, 1));
     assert_false(zr_arena_ok(&arena));
+    assert_true(arena.wanted >= 10001 && arena.wanted < 10001 + 2 * ZR_ARENA_ALIGN); /* of the first that failed */
     zr_arena_reset(&arena, 0);
-    assert_true(zr_arena_ok(&arena));
+    assert_true(zr_arena_ok(&arena) && arena.wanted == 0);
     assert_non_null(zr_arena_alloc(&arena, 9000, 1));
     zr_arena_free(&arena);
 }
@@ -33,6 +34,7 @@ static void arena_product_that_overflows_fails(void **state)
     zr_arena_init(&arena, SIZE_MAX);
     assert_null(zr_arena_alloc(&arena, SIZE_MAX / 2, 3));
     assert_false(zr_arena_ok(&arena));
+    assert_true(arena.wanted == SIZE_MAX);
     zr_arena_free(&arena);
 }
 

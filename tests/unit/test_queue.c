@@ -1,6 +1,8 @@
 /* server/queue.c: who is woken, and when. */
 #include <malloc.h>
 #include <semaphore.h>
+#include <stdatomic.h>
+#include <unistd.h>
 
 #include "clock.h"
 #include "queue.h"
@@ -116,9 +118,135 @@ static void memory_all_goes_back_when_it_is_calm(void **state)
     assert_false(second.had_memory);
 }
 
+/* ---- the express ---- */
+
+/* Small as it seems, it works on until it is told that this is too long, and then makes way. */
+struct endless {
+    struct queue_job job;
+    struct queue *queue;
+    sem_t begun;
+    atomic_bool was_told, runs_again, may_end;
+};
+
+static void work_on(struct queue_job *job, struct zr_arena *arena)
+{
+    struct endless *endless = (struct endless *)(void *)job;
+    (void)arena;
+    if (!job->overdue) {
+        endless->runs_again = true;
+        return;
+    }
+    sem_post(&endless->begun);
+    while (!zr_is_cancelled(job->overdue) && !endless->may_end)
+        usleep(1000);
+    endless->was_told = zr_is_cancelled(job->overdue);
+    if (endless->was_told) queue_put_back(endless->queue, job);
+}
+
+static void small_jobs_do_not_wait_for_one_that_only_seemed_to_be_small(void **state)
+{
+    (void)state;
+    struct task large, small[2];
+    struct endless endless = {.job.work = work_on};
+    task_init(&large, false);
+    sem_init(&endless.begun, 0, 0);
+    struct queue *queue = endless.queue =
+        queue_create(&(struct queue_options){.workers = 1, .capacity = 4, .calm_ms = PATIENCE_MS});
+    assert_non_null(queue);
+    assert_true(queue_push(queue, &large.job, QUEUE_LARGE));
+    assert_true(task_begins(&large));
+    assert_true(queue_push(queue, &endless.job, QUEUE_SMALL));
+    assert_int_equal(sem_wait(&endless.begun), 0);
+    usleep(2 * QUEUE_EXPRESS_MS * 1000);
+    bool told_alone = endless.was_told; /* nobody waits: it may go on */
+    bool served = true;
+    for (int i = 0; i < 2; i++) {
+        task_init(&small[i], true);
+        assert_true(queue_push(queue, &small[i].job, QUEUE_SMALL));
+        served = served && task_begins(&small[i]);
+    }
+    bool was_told = endless.was_told, ran_beside = endless.runs_again;
+    endless.may_end = true;
+    sem_post(&large.may_end);
+    queue_destroy(queue);
+    assert_true(served && was_told && !told_alone && !ran_beside);
+    assert_true(endless.runs_again);
+}
+
+/* ---- bounds ---- */
+
+struct nap {
+    struct queue_job job;
+    sem_t *ended;
+    unsigned ms;
+};
+
+static void sleep_on(struct queue_job *job, struct zr_arena *arena)
+{
+    struct nap *nap = (struct nap *)(void *)job;
+    sem_t *ended = nap->ended;
+    (void)arena;
+    usleep(nap->ms * 1000);
+    sem_post(ended);
+}
+
+/* How many jobs of so many milliseconds wait at most, and for how long the queue says that one more would. */
+static size_t fill(enum queue_lane lane, unsigned ms, size_t capacity, unsigned *wait_s)
+{
+    enum { TAUGHT = 3, MAX = 1024 };
+    static struct nap naps[TAUGHT + MAX];
+    struct task large, express;
+    sem_t ended;
+    sem_init(&ended, 0, 0);
+    task_init(&large, false);
+    task_init(&express, false);
+    struct queue *queue =
+        queue_create(&(struct queue_options){.workers = 1, .capacity = capacity, .calm_ms = PATIENCE_MS});
+    assert_non_null(queue);
+    for (int i = 0; i < TAUGHT; i++) {
+        naps[i] = (struct nap){{.work = sleep_on}, &ended, ms};
+        assert_true(queue_push(queue, &naps[i].job, lane));
+        assert_int_equal(sem_wait(&ended), 0);
+    }
+    usleep(20000); /* the queue has counted it */
+    assert_true(queue_push(queue, &large.job, QUEUE_LARGE) && task_begins(&large));
+    assert_true(queue_push(queue, &express.job, QUEUE_SMALL) && task_begins(&express));
+    size_t count = 0;
+    for (; count < MAX; count++) {
+        naps[TAUGHT + count] = (struct nap){{.work = sleep_on}, &ended, 0};
+        if (!queue_push(queue, &naps[TAUGHT + count].job, lane)) break;
+    }
+    assert_int_equal(queue_is_full(queue, lane), count < MAX);
+    *wait_s = queue_wait_estimate_s(queue, lane);
+    for (size_t i = 0; i < count; i++)
+        if (i % 2) assert_true(queue_remove(queue, &naps[TAUGHT + i].job)); /* out of the middle */
+    sem_post(&large.may_end);
+    sem_post(&express.may_end);
+    for (size_t i = 0; i < count; i++)
+        if (i % 2 == 0) assert_int_equal(sem_wait(&ended), 0);
+    queue_destroy(queue);
+    return count;
+}
+
+static void as_many_wait_as_are_begun_within_a_second(void **state)
+{
+    (void)state;
+    unsigned wait_s;
+    size_t count = fill(QUEUE_SMALL, 40, 1000, &wait_s);
+    assert_true(count > 10 && count <= 26 && wait_s <= 2);
+    count = fill(QUEUE_SMALL, 2, 1000, &wait_s);
+    assert_true(count > 100 && count < 510 && wait_s <= 2);
+    assert_int_equal(fill(QUEUE_SMALL, 2, 50, &wait_s), 50);
+    assert_true(wait_s == 1);
+    count = fill(QUEUE_LARGE, 2500, 1000, &wait_s); /* two may wait whatever they take */
+    assert_true(count == 2 && wait_s >= 6 && wait_s <= 8);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(small_jobs_do_not_wait_for_one_that_only_seemed_to_be_small),
+        cmocka_unit_test(as_many_wait_as_are_begun_within_a_second),
         cmocka_unit_test(memory_of_small_jobs_is_kept_for_the_next_one),
         cmocka_unit_test(memory_all_goes_back_when_it_is_calm),
         cmocka_unit_test(job_that_comes_while_memory_goes_back_does_not_hold_up_later_small_ones),

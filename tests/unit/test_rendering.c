@@ -1,6 +1,9 @@
 /* server/rendering.c: what a thread for small requests gives up, and what it answers. */
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
+
+#include <zlib.h>
 
 #include "rendering.h"
 #include "server/assets.h"
@@ -36,21 +39,34 @@ static void service_close(struct service *service)
     folder_remove(&service->folder);
 }
 
-/* By the thread for small requests. */
-static enum api_next work(struct service *service, const char *scene, bool cancelled)
+static struct api_request request_of(const char *method, const char *path, const void *bytes, size_t size)
 {
-    struct api_request request = {.method = "POST", .path = "/v1/render", .small_only = true};
-    request.render = (struct zr_request){.format = ZR_FORMAT_JSON, .bytes = scene, .size = strlen(scene)};
-    struct zr_cancel cancel;
+    struct api_request request = {.method = method, .path = path, .small_only = true};
+    request.render = (struct zr_request){.format = ZR_FORMAT_JSON, .bytes = bytes, .size = size};
+    return request;
+}
+
+/* By the thread for small requests; `late`: it has taken too long for one. */
+static enum api_next work_on(struct service *service, const struct api_request *request, bool cancelled, bool late,
+                             size_t *used)
+{
+    const struct zr_cancel overdue = {.raised = late};
+    const struct zr_cancel cancel = {.raised = cancelled, .parent = &overdue};
     struct api_times times = API_NO_TIMES;
     struct answer answer = {0};
     struct zr_arena arena;
-    atomic_init(&cancel.raised, cancelled);
     zr_arena_init(&arena, ARENA_BYTES);
-    enum api_next next = rendering_work(&service->api, &request, &arena, &cancel, &times, &answer);
+    enum api_next next = api_work(&service->api, request, &arena, &cancel, &times, &answer);
+    if (used) *used = arena.peak;
     zr_arena_free(&arena);
     answer_free(&answer);
     return next;
+}
+
+static enum api_next work(struct service *service, const char *scene, bool cancelled)
+{
+    const struct api_request request = request_of("POST", "/v1/render", scene, strlen(scene));
+    return work_on(service, &request, cancelled, false, NULL);
 }
 
 /* Whether it is cancelled or not. */
@@ -89,6 +105,72 @@ static void request_of_much_work_is_given_up_at_whatever_time_it_is_cancelled(vo
     expect_of_new_service("{\"window\":{\"width\":4000,\"height\":4000}," POLYGONS "}", API_LARGE);
 }
 
+/* Whatever it is about, and whether its client waits for it or not. */
+static void request_that_has_taken_too_long_for_a_small_one_is_given_up(void **state)
+{
+    (void)state;
+    static const char scene[] = "{\"window\":{\"width\":16,\"height\":16}," POLYGONS "}";
+    struct service service;
+    service_open(&service);
+    const struct api_request request = request_of("POST", "/v1/render", scene, sizeof scene - 1);
+    for (int cancelled = 0; cancelled < 2; cancelled++)
+        assert_int_equal(work_on(&service, &request, cancelled, true, NULL), API_LARGE);
+    service_close(&service);
+}
+
+/* The compressed body may be as small as it likes: it is not inflated to its end. */
+static void request_that_inflates_to_more_is_given_up_on_the_way(void **state)
+{
+    enum { INFLATED = 32 << 20 };
+    static const char *const paths[] = {"/v1/render", "/v1/assets"};
+    (void)state;
+    unsigned char *spaces = malloc(INFLATED), *packed = malloc(INFLATED);
+    assert_true(spaces && packed);
+    memset(spaces, ' ', INFLATED);
+    z_stream stream = {.next_in = spaces, .avail_in = INFLATED, .next_out = packed, .avail_out = INFLATED};
+    assert_int_equal(deflateInit2(&stream, 9, Z_DEFLATED, 16 + MAX_WBITS, 8, Z_DEFAULT_STRATEGY), Z_OK);
+    assert_int_equal(deflate(&stream, Z_FINISH), Z_STREAM_END);
+    struct service service;
+    service_open(&service);
+    for (int i = 0; i < 2; i++) {
+        struct api_request request = request_of("POST", paths[i], packed, stream.total_out);
+        size_t used;
+        request.gzip = true;
+        request.asset = i == 1 ? "" : NULL;
+        assert_true(request.render.size < API_SMALL_BYTES);
+        assert_int_equal(work_on(&service, &request, false, false, &used), API_LARGE);
+        assert_true(used < 4 * API_SMALL_BYTES);
+    }
+    service_close(&service);
+    deflateEnd(&stream);
+    free(spaces);
+    free(packed);
+}
+
+static void large_asset_is_not_fetched_and_a_small_one_is(void **state)
+{
+    (void)state;
+    static char bytes[API_SMALL_BYTES + 1];
+    struct service service;
+    service_open(&service);
+    for (int large = 0; large < 2; large++) {
+        char name[STORE_NAME_SIZE];
+        size_t size = API_SMALL_BYTES + (size_t)large, used;
+        store_name(bytes, size, name);
+        assert_int_equal(store_put(service.api.store, name, bytes, size), STORE_NEW);
+        struct api_request request = request_of("GET", "", NULL, 0);
+        request.asset = name;
+        assert_int_equal(work_on(&service, &request, false, false, &used), large ? API_LARGE : API_ANSWERED);
+        assert_true(!large || used == 0);
+        request.method = "HEAD";
+        assert_int_equal(work_on(&service, &request, false, false, NULL), API_ANSWERED);
+        request.method = "GET";
+        request.has_asset = true;
+        assert_int_equal(work_on(&service, &request, false, false, NULL), API_ANSWERED);
+    }
+    service_close(&service);
+}
+
 static void small_request_is_answered(void **state)
 {
     (void)state;
@@ -100,6 +182,9 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(request_for_a_large_asset_is_given_up_at_whatever_time_it_is_cancelled),
         cmocka_unit_test(request_of_much_work_is_given_up_at_whatever_time_it_is_cancelled),
+        cmocka_unit_test(request_that_has_taken_too_long_for_a_small_one_is_given_up),
+        cmocka_unit_test(request_that_inflates_to_more_is_given_up_on_the_way),
+        cmocka_unit_test(large_asset_is_not_fetched_and_a_small_one_is),
         cmocka_unit_test(small_request_is_answered),
     };
     return cmocka_run_group_tests_name("rendering", tests, NULL, NULL);
