@@ -45,7 +45,8 @@ bool bytes_read(struct bytes *bytes, const char *path)
 bool bytes_same_file(const char *a, const char *b)
 {
     struct stat s, t;
-    return stat(a, &s) == 0 && stat(b, &t) == 0 && S_ISREG(s.st_mode) && s.st_dev == t.st_dev && s.st_ino == t.st_ino;
+    const bool there = strcmp(a, "-") == 0 ? fstat(STDIN_FILENO, &s) == 0 : stat(a, &s) == 0;
+    return there && stat(b, &t) == 0 && S_ISREG(s.st_mode) && s.st_dev == t.st_dev && s.st_ino == t.st_ino;
 }
 
 /* A device or a pipe is written to as it is; a rename would replace it by a file. */

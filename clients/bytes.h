@@ -16,7 +16,7 @@ void bytes_free(struct bytes *bytes);
 /* "-" is standard input or output. False with errno set. */
 bool bytes_read(struct bytes *bytes, const char *path);
 
-/* Do both paths lead to one regular file? */
+/* Do both paths lead to one regular file? "-", for the first, is standard input. */
 bool bytes_same_file(const char *a, const char *b);
 
 /* Writes beside the target first and renames, so that no half file is ever seen. */

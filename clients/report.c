@@ -9,6 +9,26 @@ static const char *text_of(const cJSON *object, const char *key)
     return text ? text : "";
 }
 
+/* "query parameter preset: ..." is "--preset: ..." here. The words may be those of another program that answers there.
+ */
+static void report_detail(FILE *out, const char *detail)
+{
+    static const char words[] = "query parameter ";
+    static const char *const sides[] = {"width", "height"};
+    if (strncmp(detail, words, sizeof words - 1) != 0) {
+        fputs(detail, out);
+        return;
+    }
+    const char *name = detail + sizeof words - 1;
+    const size_t length = strcspn(name, ": ");
+    for (size_t i = 0; i < sizeof sides / sizeof *sides; i++)
+        if (length == strlen(sides[i]) && strncmp(name, sides[i], length) == 0) {
+            fprintf(out, "--size, %s", name);
+            return;
+        }
+    fprintf(out, "--%s", name);
+}
+
 /* The detail of a problem repeats its first error: it is shown only where there are none. */
 void report_problem(FILE *out, const char *file, long status, const struct bytes *answer)
 {
@@ -16,12 +36,20 @@ void report_problem(FILE *out, const char *file, long status, const struct bytes
     const char *title = text_of(problem, "title"), *detail = text_of(problem, "detail");
     const cJSON *errors = cJSON_GetObjectItemCaseSensitive(problem, "errors"), *error;
     bool lists = cJSON_GetArraySize(errors) > 0;
-    fprintf(out, "zraster: %s: the server refused it: %ld %s%s%s\n", file, status, title, lists || !*detail ? "" : ": ",
-            lists ? "" : detail);
+    fprintf(out, "zraster: %s: the server refused it: %ld%s%s", file, status, *title ? " " : "", title);
+    if (!problem) fprintf(out, ", without a word of zrasterd; something between may have answered");
+    if (!lists && *detail) {
+        fputs(": ", out);
+        report_detail(out, detail);
+    }
+    fputc('\n', out);
     cJSON_ArrayForEach(error, errors)
     {
         const char *pointer = text_of(error, "pointer");
-        fprintf(out, "  %s%s%s\n", pointer, *pointer ? ": " : "", text_of(error, "detail"));
+        fprintf(out, "  %s%s", pointer, *pointer ? ": " : "");
+        report_detail(out, text_of(error, "detail"));
+        fputc('\n', out);
     }
+    if (cJSON_IsTrue(cJSON_GetObjectItemCaseSensitive(problem, "truncated"))) fprintf(out, "  and perhaps more\n");
     cJSON_Delete(problem);
 }

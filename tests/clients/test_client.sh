@@ -8,15 +8,26 @@ work=$(mktemp -d)
 count=0
 failed=0
 
+secret=s3cret.Token-of/64+characters=
+
 "$daemon" --port 0 >"$work/out" 2>"$work/log" &
 pid=$!
-trap 'kill "$pid" 2>/dev/null; wait "$pid" 2>/dev/null; rm -rf "$work"' EXIT
-tries=0
-until server=$(sed -n 's/^listening on //p' "$work/out") && [ -n "$server" ]; do
-    tries=$((tries + 1))
-    [ "$tries" -lt 200 ] || { echo "Bail out! the daemon does not listen"; exit 1; }
-    sleep 0.05
-done
+ZRASTER_TOKEN=$secret "$daemon" --port 0 >"$work/guarded-out" 2>"$work/guarded-log" &
+guarded_pid=$!
+trap 'kill "$pid" "$guarded_pid" 2>/dev/null; wait 2>/dev/null; rm -rf "$work"' EXIT
+address_in() { # FILE: where the daemon listens that writes it
+    tries=0
+    until address=$(sed -n 's/^listening on //p' "$1") && [ -n "$address" ]; do
+        tries=$((tries + 1))
+        [ "$tries" -lt 200 ] || { echo "Bail out! the daemon does not listen"; exit 1; }
+        sleep 0.05
+    done
+    echo "$address"
+}
+server=$(address_in "$work/out")
+guarded=$(address_in "$work/guarded-out")
+case $server$guarded in *Bail*) echo "$server $guarded"; exit 1 ;; esac
+unset ZRASTER_TOKEN
 export ZRASTER_SERVER=$server
 
 printf 'solid t\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\nendsolid t\n' >"$work/part one.stl"
@@ -69,6 +80,7 @@ verdict "and so do the rights" [ "$(stat -c %a private.png)" = 600 ]
 check "other protocols than HTTP are refused" 1 "$client" render scene.json --server file:///etc/passwd
 check "- is standard output" 0 "$client" render scene.json -o -
 verdict "and nothing but the picture is on it" is_png said
+printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n' >mesh.obj
 "$client" render - --type json -o piped.png <scene.json >said 2>complained
 verdict "- is standard input" is_png piped.png
 printf '{"polygons": [{"vertices": [[0,0,0],[1,0,0],[0,1,"x"]], "colour": 1}]}' >bad.json
@@ -80,14 +92,111 @@ check "a scene that shows nothing is saved" 0 "$client" render away.json
 verdict "with a warning" grep -q '^warning: nothing is seen' complained
 check "a server that is not there ends with 1" 1 "$client" render scene.json --server http://127.0.0.1:1
 verdict "and is named" grep -q 127.0.0.1:1 complained
+verdict "and it is asked whether a daemon runs there" grep -q 'Does zrasterd run there' complained
 check "a file that is not there ends with 1" 1 "$client" render nothing.obj
 verdict "and is named" grep -q 'nothing.obj: No such file' complained
 check "a folder that is not there ends with 1" 1 "$client" render scene.json -o no/such/folder/x.png
+
+# where to
+check "HOST:PORT is http" 0 "$client" render scene.json --server "${server#http://}" -o plain.png
+verdict "and gives the picture" is_png plain.png
+check "localhost:PORT, too" 0 "$client" render scene.json --server "localhost:${server##*:}" -o local.png
+check "a URL may have a path, behind which /v1/render is" 1 "$client" render scene.json --server "$server/zraster/"
+verdict "and not in its place" grep -q '404' complained
+check "what is no address ends with 1" 1 "$client" render scene.json --server 'http://:::'
+verdict "and is told what is one" grep -q 'not an address; HOST:PORT' complained
+check "a password in an address" 1 "$client" render scene.json --server 'http://me:hunter2@127.0.0.1:1'
+verdict "is not shown" eval '! grep -q hunter2 complained said'
+
+# the token
+printf '%s\r\nanother line\n' "$secret" >token
+check "without its token a server refuses" 1 "$client" render scene.json --server "$guarded" -o token.png
+verdict "and it is told how to give it" grep -q -e '--token-file FILE, or the variable ZRASTER_TOKEN' complained
+check "the token is a file's first line" 0 "$client" render scene.json --server "$guarded" --token-file token -o token.png
+verdict "and gives the picture" is_png token.png
+check "the token may be in ZRASTER_TOKEN" 0 env ZRASTER_TOKEN="$secret" "$client" render scene.json --server "$guarded" -o token.png
+check "the file is preferred" 0 env ZRASTER_TOKEN=wrong "$client" render scene.json --server "$guarded" --token-file=token -o token.png
+check "a wrong token is refused" 1 env ZRASTER_TOKEN=wrong-one "$client" render scene.json --server "$guarded" -o token.png
+verdict "and where it came from is told" grep -q 'The token of ZRASTER_TOKEN is not' complained
+verdict "but it is not" eval '! grep -q wrong-one complained said'
+check "a token on the command line ends with 2" 2 "$client" render scene.json --server "$guarded" --token=another-one
+verdict "and is told what to do" grep -q -e '--token-file FILE' complained
+verdict "without being shown" eval '! grep -q another-one complained said'
+check "nor behind a blank" 2 "$client" render scene.json --token another-one
+verdict "is it shown" eval '! grep -q another-one complained said'
+check "a token file that is not there ends with 1" 1 "$client" render scene.json --token-file missing
+verdict "and is named" grep -q 'token file missing: No such file' complained
+: >empty && printf 'two words\n' >words
+check "an empty token file ends with 1" 1 "$client" render scene.json --token-file empty
+check "a token of two words ends with 1" 1 "$client" render scene.json --token-file words
+verdict "and is not shown" eval '! grep -q "two words" complained said'
+check "a token with a line break in it ends with 1" 1 env ZRASTER_TOKEN="a
+X-Header: b" "$client" render scene.json
+verdict "no log has a token" eval '! grep -q -e "$secret" -e wrong-one log guarded-log'
+
+# endings
+printf '{"window": {"width": 8, "height": 8}, "polygons": [{"vertices": [[0,0,0],[1,0,0],[0,1,0]]}],
+ "outputs": [{"channel": "color"}, {"channel": "depth"}]}' >two.json
+check "a ZIP is not saved as a picture" 1 "$client" render two.json -o two.png
+verdict "and it is told what came, and what takes it" grep -q 'a ZIP archive of several outputs; -o two.zip takes it; or get one of them: --channel color' complained
+verdict "and nothing is saved" [ ! -e two.png ]
+check "but as a ZIP" 0 "$client" render two.json -o two.ZIP
+check "an array is not saved as a picture" 1 "$client" render scene.json --channel depth -o depth.png
+verdict "and it is told what would be one" grep -q -e '-o depth.npy takes it; depth has a PNG, too: --encoding png16' complained
+check "a PNG is not saved as a JPEG" 1 "$client" render scene.json -o v1.2/a.jpeg
+verdict "and a folder's dot is no ending" grep -q -e '-o v1.2/a.png takes it' complained
+check "an ending that says nothing takes anything" 0 "$client" render two.json -o two.part
+check "and so does none" 0 "$client" render scene.json -o ./none
+
+# standard input and output
+"$client" render - --type=obj --size=20x10 <"$work/mesh.obj" >said 2>complained
+verdict "a picture of standard input goes to standard output" [ "$(size_of_png said)" = 20x10 ]
+check "what standard input has must be said" 2 "$client" render -
+verdict "in these words" grep -q 'json, obj or stl? --type says what comes on standard input' complained
+cp scene.json kept.json
+"$client" render - --type json --channel info -o kept.json <kept.json >said 2>complained
+verdict "standard input is not overwritten" cmp -s scene.json kept.json
+verdict "and that is told" grep -q 'kept.json would overwrite its own input' complained
+ln -s kept.json by-link.json && ln kept.json by-name.json
+for name in by-link.json by-name.json; do
+    check "an input is not overwritten through $name" 1 "$client" render kept.json --channel info -o "$name"
+    verdict "and it is as it was" cmp -s scene.json kept.json
+done
+ln -s kept.json kept.out.json
+check "nor where a link has the name that it would get" 1 "$client" render kept.json --channel info
+verdict "and it is as it was" cmp -s scene.json kept.json
+script -qec "'$client' render scene.json -o -" typescript </dev/null >said 2>complained
+verdict "a terminal gets no picture" grep -q 'a PNG is nothing for a terminal; -o FILE saves it' said
+
+# the command line
 check "an unknown option ends with 2" 2 "$client" render scene.json --colour
-check "a broken size ends with 2" 2 "$client" render scene.json --size 640
+check "and what stands behind = is not repeated" 2 "$client" render scene.json --passwort=geheim
+verdict "but its name is" eval 'grep -q "unknown option: --passwort$" complained && ! grep -q geheim complained'
+check "--name=value is --name value" 0 "$client" render "part one.stl" --size=32x20 --preset=top -o=equals.png
+check "a value that is missing ends with 2" 2 "$client" render scene.json --channel
+check "so does an empty one" 2 "$client" render scene.json --channel=
+check "and another option in its place" 2 "$client" render scene.json --channel --encoding png
+verdict "and the option is named" grep -q 'a value is missing behind: --channel$' complained
+cp scene.json ./--scene.json
+check "behind -- there are files" 0 "$client" render -o dashes.png -- --scene.json
+for size in 640 640x 640x480x1 -1x5 +5x5 ' 5x5' 5x99999999; do
+    check "a size of $size ends with 2" 2 "$client" render "part one.stl" --size "$size"
+done
+for option in --preset=top --shading=flat --size=8x8; do
+    check "a scene with ${option%=*} ends with 2" 2 "$client" render scene.json "$option"
+    verdict "and is told where the scene has it" grep -q -e "${option%=*} is for meshes (.obj, .stl); a JSON scene has" complained
+done
+check "a server's word on a parameter" 1 "$client" render "part one.stl" --preset iso
+verdict "is about the option" grep -q "^  --preset: 'iso' is unknown; allowed: front," complained
+check "its word on a width" 1 "$client" render "part one.stl" --size 99999x5
+verdict "is about the size" grep -q "^  --size, width: '99999'" complained
 check "an unknown ending ends with 2" 2 "$client" render said
+check "an unknown type ends with 2" 2 "$client" render said --type gltf
+verdict "and is told which there are" grep -q -e '--type takes json, obj or stl, not: gltf' complained
 check "no file ends with 2" 2 "$client" render
+check "two files end with 2" 2 "$client" render scene.json two.json
+check "another command ends with 2" 2 "$client" draw scene.json
 check "help ends with 0" 0 "$client" --help
-verdict "and shows every option" eval 'for o in -o --channel --encoding --scale --preset --shading --compress --size --type --server; do grep -q -e "^  $o " said || exit 1; done'
+verdict "and shows every option" eval 'for o in -o --channel --encoding --scale --preset --shading --compress --size --type --server --token-file; do grep -q -e "^  $o " said || exit 1; done'
 echo "1..$count"
 [ "$failed" = 0 ]

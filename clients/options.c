@@ -1,0 +1,127 @@
+#include "options.h"
+
+#include <stdbool.h>
+#include <stdio.h>
+#include <string.h>
+#include <strings.h>
+
+enum { EXIT_USAGE = 2, SIZE_DIGITS = 7 };
+
+int options_wrong(const char *what, const char *which)
+{
+    fprintf(stderr, "zraster: %s%s%s\nzraster --help shows how it is used.\n", what, *which ? ": " : "", which);
+    return EXIT_USAGE;
+}
+
+/* What is told of an option that is not known: its name alone, since a secret may stand behind it. */
+static int unknown(const char *flag)
+{
+    char name[64];
+    if (strncmp(flag, "--token", strlen("--token")) == 0)
+        return options_wrong("a token on the command line is seen by all who may list processes; --token-file FILE or "
+                             "the variable ZRASTER_TOKEN gives it",
+                             "");
+    snprintf(name, sizeof name, "%.*s", (int)strcspn(flag, "="), flag);
+    return options_wrong("unknown option", name);
+}
+
+/* The place in `options` that a flag with a value sets, or NULL. The flag has `length` characters. */
+static const char **slot_of(struct options *o, const char *flag, size_t length)
+{
+    const struct {
+        const char *flag;
+        const char **slot;
+    } table[] = {{"-o", &o->out},          {"--channel", &o->channel},      {"--encoding", &o->encoding},
+                 {"--scale", &o->scale},   {"--preset", &o->preset},        {"--shading", &o->shading},
+                 {"--size", &o->size},     {"--compress", &o->compress},    {"--type", &o->type},
+                 {"--server", &o->server}, {"--token-file", &o->token_file}};
+    for (size_t i = 0; i < sizeof table / sizeof *table; i++)
+        if (strlen(table[i].flag) == length && strncmp(flag, table[i].flag, length) == 0) return table[i].slot;
+    return NULL;
+}
+
+/* --name VALUE or --name=VALUE at arguments[*at], which is moved to the last argument that was taken. */
+static int read_option(int count, char **arguments, int *at, struct options *options)
+{
+    const char *flag = arguments[*at], *equals = strchr(flag, '=');
+    const char **slot = slot_of(options, flag, equals ? (size_t)(equals - flag) : strlen(flag));
+    if (!slot) return unknown(flag);
+    const char *value = equals ? equals + 1 : *at + 1 < count ? arguments[++*at] : "";
+    if (*value == '\0' || (!equals && strncmp(value, "--", 2) == 0)) {
+        char name[64];
+        snprintf(name, sizeof name, "%.*s", (int)strcspn(flag, "="), flag);
+        return options_wrong("a value is missing behind", name);
+    }
+    *slot = value;
+    return 0;
+}
+
+/* ---- checks ---- */
+
+static size_t count_digits(const char *text)
+{
+    return strspn(text, "0123456789");
+}
+
+static bool read_size(struct options *options)
+{
+    const char *width = options->size, *height = width + count_digits(width) + 1;
+    const size_t width_digits = count_digits(width);
+    if (width_digits < 1 || width_digits > SIZE_DIGITS || width[width_digits] != 'x') return false;
+    const size_t height_digits = count_digits(height);
+    if (height_digits < 1 || height_digits > SIZE_DIGITS || height[height_digits] != '\0') return false;
+    snprintf(options->width, sizeof options->width, "%.*s", (int)width_digits, width);
+    snprintf(options->height, sizeof options->height, "%s", height);
+    return true;
+}
+
+static int find_content_type(struct options *options)
+{
+    static const char *const types[][2] = {{"json", "application/json"}, {"obj", "model/obj"}, {"stl", "model/stl"}};
+    const char *slash = strrchr(options->file, '/'), *dot = strrchr(slash ? slash : options->file, '.');
+    const char *type = options->type ? options->type : dot ? dot + 1 : "";
+    for (size_t i = 0; i < sizeof types / sizeof *types; i++)
+        if (strcasecmp(type, types[i][0]) == 0) options->content_type = types[i][1];
+    if (options->content_type) return 0;
+    if (options->type) return options_wrong("--type takes json, obj or stl, not", options->type);
+    if (strcmp(options->file, "-") == 0)
+        return options_wrong("json, obj or stl? --type says what comes on standard input", "");
+    return options_wrong("json, obj or stl? The file's ending does not say; --type does", options->file);
+}
+
+/* A scene says these things itself. */
+static int check_scene(const struct options *options)
+{
+    if (strcmp(options->content_type, "application/json") != 0) return 0;
+    if (options->preset)
+        return options_wrong("--preset is for meshes (.obj, .stl); a JSON scene has \"view\": {\"preset\": ...}", "");
+    if (options->shading)
+        return options_wrong("--shading is for meshes (.obj, .stl); a JSON scene has \"shading\"", "");
+    if (options->size)
+        return options_wrong("--size is for meshes (.obj, .stl); a JSON scene has \"window\": {\"width\": ..., "
+                             "\"height\": ...}",
+                             "");
+    return 0;
+}
+
+int options_read(int count, char **arguments, struct options *options)
+{
+    bool only_files = false;
+    int wrong = 0;
+    for (int i = 0; i < count && !wrong; i++) {
+        const char *argument = arguments[i];
+        if (!only_files && strcmp(argument, "--") == 0)
+            only_files = true;
+        else if (!only_files && argument[0] == '-' && argument[1] != '\0')
+            wrong = read_option(count, arguments, &i, options);
+        else if (options->file)
+            wrong = options_wrong("one file at a time; there is a second one", argument);
+        else
+            options->file = argument;
+    }
+    if (!wrong && !options->file) wrong = options_wrong("which file? usage: zraster render FILE", "");
+    if (!wrong && options->size && !read_size(options))
+        wrong = options_wrong("--size takes WIDTHxHEIGHT, such as 800x600, not", options->size);
+    if (!wrong) wrong = find_content_type(options);
+    return wrong ? wrong : check_scene(options);
+}
