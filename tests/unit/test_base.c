@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "base/arena.h"
+#include "base/forbid.h"
 #include "base/status.h"
 #include "base/team.h"
 #include "base/trig.h"
@@ -54,6 +55,27 @@ static void arena_allocations_are_aligned_and_apart(void **state)
         for (size_t k = 0; k < i * 997; k++)
             assert_int_equal(blocks[i][k], i);
     zr_arena_free(&arena);
+}
+
+/* What AddressSanitizer reports, so that tests under it are about arrays, not about blocks. */
+static void arena_forbids_what_is_not_allocated_under_address_sanitizer(void **state)
+{
+    (void)state;
+#if ZR_ASAN
+    struct zr_arena arena;
+    zr_arena_init(&arena, 1 << 24);
+    char *one = zr_arena_alloc(&arena, 13, 1), *two = zr_arena_alloc(&arena, 64, 1);
+    assert_false(__asan_address_is_poisoned(one + 12));
+    assert_true(__asan_address_is_poisoned(one + 13));
+    assert_true(__asan_address_is_poisoned(two - 1));
+    assert_true(__asan_address_is_poisoned(two + 64));
+    assert_ptr_equal(zr_arena_grow(&arena, two, 64, 200, 1), two);
+    assert_false(__asan_address_is_poisoned(two + 199));
+    assert_true(__asan_address_is_poisoned(two + 200));
+    zr_arena_reset(&arena, ZR_ARENA_BLOCK);
+    assert_true(__asan_address_is_poisoned(one));
+    zr_arena_free(&arena);
+#endif
 }
 
 /* About the sizes of the system's pages. */
@@ -296,6 +318,7 @@ int main(void)
         cmocka_unit_test(arena_over_its_ceiling_fails_and_stays_failed),
         cmocka_unit_test(arena_product_that_overflows_fails),
         cmocka_unit_test(arena_allocations_are_aligned_and_apart),
+        cmocka_unit_test(arena_forbids_what_is_not_allocated_under_address_sanitizer),
         cmocka_unit_test(arena_large_blocks_are_whole_and_too_large_ones_fail),
         cmocka_unit_test(arena_newest_allocation_grows_in_place_and_others_are_copied),
         cmocka_unit_test(arena_charge_counts_until_it_is_refunded),
