@@ -11,6 +11,10 @@ sanitizers := address,undefined
 ifdef SAN
 OURS += -fsanitize=$(if $(filter thread,$(SAN)),thread,$(sanitizers)) -fno-sanitize-recover=all -fno-omit-frame-pointer
 endif
+# For `make fuzz`: counters in all code, for libFuzzer.
+ifdef FUZZ
+OURS += -fsanitize=fuzzer-no-link
+endif
 Q := $(if $(V),,@)
 JOBS := $(shell getconf _NPROCESSORS_ONLN 2>/dev/null || echo 1)
 
@@ -30,12 +34,16 @@ NEED_TEST := cmocka.h=libcmocka-dev pngcheck=pngcheck GL/osmesa.h=libosmesa6-dev
 NEED_CROSS := aarch64-linux-gnu-gcc=gcc-aarch64-linux-gnu /usr/aarch64-linux-gnu/include/stdlib.h=libc6-dev-arm64-cross \
 	qemu-aarch64=qemu-user
 NEED_EMULATED := simde/x86/avx512.h=libsimde-dev
+NEED_FUZZ := cmocka.h=libcmocka-dev clang=clang -fsanitize=address=libclang-rt-dev
 NEED_DEMO := /usr/share/assimp/models/OBJ/spider.obj=assimp-testmodels
 
 # Data that is not in the repository, used where it is present: models/*.obj and json-test-suite/.
 DATA ?= ../shared/data
 # How the long comparison gets hold of Mesa: osmesa, or egl where Mesa has no OSMesa any more (from 25.1 on).
 REFERENCE ?= osmesa
+# For `make fuzz`: seconds for each target.
+FUZZ_SECONDS ?= 20
+FUZZ_CC ?= clang
 # For `make cross`, whose program is linked statically: qemu then needs nothing else of that machine.
 CROSS_CC ?= aarch64-linux-gnu-gcc
 verify_osmesa := $(BUILD)/zraster-verify
@@ -87,6 +95,8 @@ bench := $(call objects,tests/bench/*.c)
 bench_alone := $(patsubst %.c,$(BUILD)/%,$(wildcard tests/bench/alone/*.c))
 server_support := $(filter-out $(BUILD)/tests/server/test_%,$(call objects,tests/server/*.c))
 unit_tests := $(patsubst %.c,$(BUILD)/%,$(wildcard tests/unit/test_*.c tests/property/test_*.c))
+fuzz_targets := $(patsubst %.c,$(BUILD)/%,$(wildcard tests/fuzz/fuzz_*.c))
+fuzz_support := $(call objects,tests/fuzz/request.c)
 server_tests := $(patsubst %.c,$(BUILD)/%,$(wildcard tests/server/test_*.c))
 
 # Objects before archives, whatever the order that rules name them in.
@@ -107,13 +117,13 @@ demo: ## installs what is missing, builds, renders two scenes into build/demo/
 test: ## installs what tests need and runs every test
 	@.ci/need $(NEED_BUILD) $(NEED_TEST)
 	@$(MAKE) -s -j$(JOBS) tests
-	@CC="$(CC)" DATA="$(DATA)" tests/run.sh $(BUILD) unit server clients reference models ablations
+	@CC="$(CC)" DATA="$(DATA)" tests/run.sh $(BUILD) unit fuzz make server clients reference models ablations
 
 .PHONY: test-quick
 test-quick: ## unit and property tests, the server, and a short reference run
 	@.ci/need $(NEED_BUILD) $(NEED_TEST)
 	@$(MAKE) -s -j$(JOBS) tests
-	@DATA="$(DATA)" REFERENCE_TRIANGLES=20000 REFERENCE_LINES=20000 tests/run.sh $(BUILD) unit server clients reference
+	@DATA="$(DATA)" REFERENCE_TRIANGLES=20000 REFERENCE_LINES=20000 tests/run.sh $(BUILD) unit fuzz make server clients reference
 
 .PHONY: reference
 reference: ## the long comparison with Mesa, and build/reference/report.html about it; REFERENCE=egl: without OSMesa
@@ -155,6 +165,20 @@ bench: ## our times beside llvmpipe's, libpng's, cJSON's, in one run; ARGS="--on
 	@.ci/need $(NEED_BUILD) $(NEED_TEST)
 	@$(MAKE) -s -j$(JOBS) $(BUILD)/zrasterd $(BUILD)/zraster-bench $(bench_alone)
 	@ZRASTERD=$(BUILD)/zrasterd $(BUILD)/zraster-bench --models $(DATA)/models --output $(BUILD)/bench/results.json $(ARGS)
+
+.PHONY: fuzz
+fuzz: ## clang's libFuzzer on all that reads strangers' bytes, FUZZ_SECONDS=20 for each; what it finds lands in build/fuzz/found
+	@.ci/need $(NEED_BUILD)
+	@CC="$(FUZZ_CC)" .ci/need $(NEED_FUZZ)
+	@$(MAKE) -s -j$(JOBS) BUILD=$(BUILD)/fuzz CC="$(FUZZ_CC)" SAN=1 FUZZ=1 CFLAGS="-O1 -g" fuzzers
+	@tests/fuzz/fuzz.sh $(BUILD)/fuzz $(FUZZ_SECONDS) $(FUZZ_TARGETS)
+
+.PHONY: fuzzers
+fuzzers: $(fuzz_targets) $(BUILD)/tests/fuzz/seeds
+tests: fuzzers
+
+.PHONY: unit-tests
+unit-tests: $(unit_tests)
 
 .PHONY: tests
 tests: all $(unit_tests) $(server_tests) $(BUILD)/failing_malloc.so $(BUILD)/zraster-verify $(BUILD)/zraster-verify-egl $(BUILD)/zraster-verify-lines \
@@ -221,6 +245,15 @@ $(BUILD)/tests/bench/alone/bare_http:
 $(unit_tests): $(BUILD)/%: $(BUILD)/%.o $(BUILD)/libsupport.a $(BUILD)/libzraster.a
 	$(LINK) $(TEST_LIBS) $(CORE_LIBS)
 
+# With libFuzzer's main, or with one that hands over files.
+fuzz_main := $(if $(FUZZ),,$(BUILD)/tests/fuzz/replay.o)
+$(fuzz_targets): $(BUILD)/%: $(BUILD)/%.o $(fuzz_main) $(fuzz_support) $(BUILD)/libsupport.a $(BUILD)/libzraster.a
+	$(LINK) $(if $(FUZZ),-fsanitize=fuzzer) $(CORE_LIBS) -lz
+$(BUILD)/tests/fuzz/fuzz_gzip: $(BUILD)/server/gunzip.o
+$(BUILD)/tests/fuzz/fuzz_multipart: $(BUILD)/server/multipart.o
+$(BUILD)/tests/fuzz/seeds: $(BUILD)/tests/fuzz/seeds.o $(BUILD)/libsupport.a
+	$(LINK) -lcmocka -lpng -lz
+
 # Of the server's files, those that can do without a daemon around them are tested as units.
 $(BUILD)/tests/unit/test_multipart: $(BUILD)/server/multipart.o
 $(BUILD)/tests/unit/test_foresight: $(BUILD)/server/foresight.o
@@ -238,16 +271,23 @@ $(BUILD)/failing_malloc.so: tests/server/preload/failing_malloc.c tests/server/p
 $(server_tests): $(BUILD)/%: $(BUILD)/%.o $(server_support) $(BUILD)/libsupport.a $(BUILD)/libzraster.a
 	$(LINK) $(TEST_LIBS) $(CORE_LIBS)
 
-$(BUILD)/%.o: %.c
+# Where there is no compiler, it is said so once, and what brings one.
+missing_compiler := $(if $(macros),,compiler)
+.PHONY: compiler
+compiler:
+	@command -v $(firstword $(CC)) >/dev/null || { echo "error: there is no C compiler ($(CC)) here;" \
+		"'make demo' installs what is missing (Debian) and builds" >&2; exit 1; }
+
+$(BUILD)/%.o: %.c | $(missing_compiler)
 	@mkdir -p $(@D)
 	$(Q)$(CC) $(OURS) $(CFLAGS) $(CPPFLAGS) $(EXACT) -MMD -MP -c -o $@ $<
 
 define kernel_rule
-$(BUILD)/%_kernel.$(1).o: %_kernel.c
+$(BUILD)/%_kernel.$(1).o: %_kernel.c | $(missing_compiler)
 	@mkdir -p $$(@D)
 	$$(Q)$$(CC) $$(OURS) $$(CFLAGS) $$(CPPFLAGS) $$(EXACT) $(kernel_$(1)) -fwrapv -DZR_KERNEL_$(call upper,$(1)) -MMD -MP -c -o $$@ $$<
 endef
 $(foreach isa,$(isas),$(eval $(call kernel_rule,$(isa))))
 
 -include $(patsubst %.o,%.d,$(core) $(server) $(client) $(support) $(reference) $(reference_doors) $(lines) $(bench) $(cross) $(server_support) \
-	$(addsuffix .o,$(unit_tests) $(server_tests) $(bench_alone)))
+	$(fuzz_support) $(fuzz_main) $(addsuffix .o,$(unit_tests) $(server_tests) $(bench_alone) $(fuzz_targets) $(BUILD)/tests/fuzz/seeds))

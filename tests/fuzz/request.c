@@ -1,0 +1,128 @@
+/* A whole request, as the daemon goes through it. */
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "fuzz/fuzz.h"
+#include "scene/scene.h"
+#include "shade/frame.h"
+
+/* How many corners, over all instances, are drawn; the painter compares them pair by pair. */
+enum { CORNERS_MAX = 40000, CORNERS_MAX_PAINTER = 400, COST_CORNERS = 4096 };
+
+bool fuzz_accepted;
+
+void fuzz_expect(bool holds, const char *what)
+{
+    if (holds) return;
+    fprintf(stderr, "fuzz: not so: %s\n", what);
+    abort();
+}
+
+static struct zr_limits small_limits(void)
+{
+    struct zr_limits limits = zr_limits_default();
+    limits.window_side_max = FUZZ_SIDE_MAX;
+    limits.window_pixels_max = 8 * FUZZ_SIDE_MAX * FUZZ_SIDE_MAX;
+    limits.json_values_max = 100000;
+    limits.instances_max = 1000;
+    return limits;
+}
+
+static uint64_t corners_of(const struct zr_scene *scene)
+{
+    uint64_t corners = 0;
+    for (uint32_t i = 0; i < scene->instance_count; i++) {
+        const struct zr_mesh *mesh = &scene->meshes[scene->instances[i].mesh];
+        corners += mesh->face_offsets[mesh->face_count] + 2 * (uint64_t)mesh->line_count;
+    }
+    return corners;
+}
+
+static void expect_message(enum zr_status status, const struct zr_error *error)
+{
+    fuzz_expect(status != ZR_INTERNAL, "no input is the renderer's own fault");
+    fuzz_expect(status == ZR_NO_MEMORY || zr_error_held(error) > 0, "a refusal says what is wrong");
+    for (size_t i = 0; i < zr_error_held(error); i++)
+        fuzz_expect(*error->items[i].detail, "no message is empty");
+}
+
+static enum zr_status draw(struct zr_arena *arena, const struct zr_scene *scene, const struct zr_sight *sight,
+                           const struct zr_frame **frame)
+{
+    struct zr_error error = {0};
+    enum zr_status status = zr_render(arena, NULL, scene, sight, NULL, frame, &error);
+    if (status != ZR_OK) expect_message(status, &error);
+    return status;
+}
+
+/* One of the others, by whatever the corners come to. */
+static void compare_algorithms(struct zr_arena *arena, const struct zr_scene *scene, const struct zr_sight *sight,
+                               const struct zr_frame *frame)
+{
+    const uint64_t corners = corners_of(scene);
+    struct zr_scene other = *scene;
+    const struct zr_frame *again;
+    other.algorithm = (enum zr_algorithm)(corners % ZR_ALGORITHM_COUNT);
+    if (other.algorithm == scene->algorithm ||
+        (other.algorithm == ZR_ALGORITHM_PAINTER && corners > CORNERS_MAX_PAINTER))
+        return;
+    if (draw(arena, &other, sight, &again) != ZR_OK) return;
+    const size_t pixels = (size_t)scene->width * scene->height;
+    const struct {
+        const char *what;
+        const void *one, *two;
+        size_t size;
+    } channels[] = {{"colour is that of every algorithm", frame->color, again->color, 4},
+                    {"window depth is that of every algorithm", frame->window_depth, again->window_depth, 4},
+                    {"depth is that of every algorithm", frame->depth, again->depth, 4},
+                    {"face ids are those of every algorithm", frame->face_id, again->face_id, 4}};
+    for (size_t i = 0; i < sizeof channels / sizeof *channels; i++) {
+        fuzz_expect(!channels[i].one == !channels[i].two, channels[i].what);
+        fuzz_expect(!channels[i].one || memcmp(channels[i].one, channels[i].two, pixels * channels[i].size) == 0,
+                    channels[i].what);
+    }
+}
+
+static void go_on(struct zr_arena *arena, const struct zr_scene *scene)
+{
+    struct zr_error error = {0};
+    const struct zr_sight *sight = NULL;
+    const struct zr_frame *frame;
+    struct zr_answer answer;
+    enum zr_status status = zr_sight_find(arena, NULL, scene, NULL, &sight, &error);
+    if (status != ZR_OK) {
+        expect_message(status, &error);
+        return;
+    }
+    struct zr_cost cost = zr_scene_cost(scene, sight, COST_CORNERS, NULL);
+    fuzz_expect(cost.triangles >= 0 && cost.fragments >= 0 && cost.pixels > 0, "a cost is a number");
+    if (corners_of(scene) > (scene->algorithm == ZR_ALGORITHM_PAINTER ? CORNERS_MAX_PAINTER : CORNERS_MAX)) return;
+    if (draw(arena, scene, sight, &frame) != ZR_OK) return;
+    compare_algorithms(arena, scene, sight, frame);
+    status = zr_encode(arena, NULL, scene, frame, NULL, &answer, &error);
+    if (status != ZR_OK) {
+        expect_message(status, &error);
+        return;
+    }
+    fuzz_expect(answer.size > 0 && answer.content_type, "an answer has bytes and a type");
+    for (const char *at = answer.warnings; *at; at++)
+        fuzz_expect(*at != '\n' && *at != '\r', "warnings are one line");
+    fuzz_accepted = true;
+}
+
+void fuzz_request(const struct zr_request *request)
+{
+    static struct zr_arena arena;
+    const struct zr_limits limits = small_limits();
+    struct zr_error error = {0};
+    const struct zr_scene *scene = NULL;
+    fuzz_accepted = false;
+    if (!arena.ceiling) zr_arena_init(&arena, FUZZ_ARENA_BYTES);
+    enum zr_status status = zr_scene_read(&arena, NULL, request, &limits, &scene, &error);
+    if (status == ZR_OK)
+        go_on(&arena, scene);
+    else
+        expect_message(status, &error);
+    zr_arena_reset(&arena, 2 * ZR_ARENA_BLOCK);
+}

@@ -1,0 +1,264 @@
+/* seeds FOLDER - writes what each target begins with into FOLDER/TARGET: small inputs of every kind, all of which are
+ * accepted. Run it in the project's top folder: most scenes are those of tests/scenes, in small windows. */
+#include <dirent.h>
+#include <errno.h>
+#include <png.h>
+#include <stdbool.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <zlib.h>
+
+#include "fuzz/base.h"
+#include "support/base64.h"
+#include "support/files.h"
+
+enum { PATH_SIZE = 4096, FILE_MAX = 1 << 16 };
+
+static const char *top;
+static const char *const targets[] = {"json", "obj", "stl", "png", "npy", "gzip", "multipart"};
+
+static void fail(const char *what)
+{
+    perror(what);
+    exit(1);
+}
+
+static void make_folder(const char *name)
+{
+    char path[PATH_SIZE];
+    snprintf(path, sizeof path, "%s/%s", top, name);
+    if (mkdir(path, 0777) != 0 && errno != EEXIST) fail(path);
+}
+
+static void write_seed(const char *target, const char *name, const void *bytes, size_t size)
+{
+    char path[PATH_SIZE];
+    snprintf(path, sizeof path, "%s/%s/%s", top, target, name);
+    FILE *file = fopen(path, "wb");
+    if (!file || fwrite(bytes, 1, size, file) != size || fclose(file) != 0) fail(path);
+}
+
+struct text {
+    const char *name, *text;
+};
+
+static void write_texts(const char *target, const struct text *texts, size_t count)
+{
+    for (size_t i = 0; i < count; i++)
+        write_seed(target, texts[i].name, texts[i].text, strlen(texts[i].text));
+}
+
+#define WRITE_TEXTS(target, texts) write_texts(target, texts, sizeof(texts) / sizeof *(texts))
+
+/* ---- JSON ---- */
+
+static void write_scene_file(const char *name)
+{
+    char path[PATH_SIZE], in_window[FILE_MAX * 2];
+    size_t size;
+    snprintf(path, sizeof path, "tests/scenes/%s", name);
+    char *scene = file_read(path, &size), *window = scene ? strstr(scene, "\"window\":") : NULL;
+    char *behind = window ? strchr(window, '}') : NULL;
+    if (!behind) fail(path);
+    *window = '\0';
+    snprintf(in_window, sizeof in_window, "%s\"window\": {\"width\": 48, \"height\": 36%s", scene, behind);
+    write_seed("json", name, in_window, strlen(in_window));
+    free(scene);
+}
+
+static void write_scene_files(void)
+{
+    struct dirent **entries;
+    const int count = scandir("tests/scenes", &entries, NULL, alphasort);
+    if (count < 0) fail("tests/scenes");
+    for (int i = 0; i < count; i++) {
+        if (strstr(entries[i]->d_name, ".json")) write_scene_file(entries[i]->d_name);
+        free(entries[i]);
+    }
+    free(entries);
+}
+
+#define WINDOW   "\"window\":{\"width\":16,\"height\":9}"
+#define TRIANGLE "\"polygons\":[{\"vertices\":[[0,0,0],[1,0,0],[0,1,0]]}]"
+
+static void write_scenes(void)
+{
+    static const struct text texts[] = {
+        {"outputs", "{" WINDOW "," TRIANGLE ",\"outputs\":[{\"channel\":\"color\"},{\"channel\":\"depth\",\"encoding\":"
+                    "\"png16\",\"scale\":0.5},{\"channel\":\"windowDepth\"},{\"channel\":\"faceId\"},{\"channel\":"
+                    "\"info\"}]}"},
+        {"small-png", "{" WINDOW "," TRIANGLE ",\"background\":[0,0.5,1,0.25],\"ambient\":\"#20304050\",\"outline\":"
+                      "\"#ff0000\",\"fill\":false}"},
+        {"escapes", "{" WINDOW ",\"meshes\":[{\"name\":\"\\u00e9\\ud83d\\ude00\\n\",\"positions\":[[0,0,0],[1e0,0,-0.0]"
+                    ",[0,1.5E+0,0]],\"faces\":[[0,1,2]]}],\"nodes\":[{\"name\":\"n\",\"mesh\":\"\\u00e9\\ud83d\\ude00"
+                    "\\n\",\"scale\":[1,2,-1]}]}"},
+        {"painter", "{" WINDOW ",\"algorithm\":\"painter\",\"polygons\":[{\"vertices\":[[0,0,0],[1,0,1],[0,1,0]]},"
+                    "{\"vertices\":[[0,0,1],[1,0,0],[0,1,1]],\"color\":\"#cc3333\",\"doubleSided\":true}]}"},
+        {"orbit", "{" WINDOW "," TRIANGLE ",\"view\":{\"azimuthDegrees\":30,\"elevationDegrees\":20,\"up\":[0,0,1],"
+                  "\"fit\":{\"padding\":0.1},\"perspective\":{\"xfov\":0.5}}}"},
+        {"intrinsics", "{" WINDOW "," TRIANGLE ",\"view\":{\"R\":[1,0,0,0,1,0,0,0,1],\"t\":[0,0,4],\"intrinsics\":"
+                       "{\"fx\":20,\"cx\":8,\"skew\":0.1},\"pixelCenter\":0,\"znear\":1,\"zfar\":10}}"},
+    };
+    write_scene_files();
+    WRITE_TEXTS("json", texts);
+    float depths[BASE_PIXELS] = {0.5f, 1, 0.25f};
+    char z[NPY_BYTES];
+    base_npy(z, "<f4", depths);
+    char *uri = base64_of("data:;base64,", z, sizeof z), scene[2 * FILE_MAX];
+    if (!uri) fail("base64");
+    snprintf(scene, sizeof scene, BASE_SCENE("\"windowDepth\":{\"uri\":\"%s\"},\"ties\":\"scene\"", "%s"), uri,
+             "{\"channel\":\"windowDepth\"}");
+    write_seed("json", "base", scene, strlen(scene));
+    free(uri);
+}
+
+/* ---- meshes ---- */
+
+static void write_meshes(void)
+{
+    static const struct text objs[] = {
+        {"triangle", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"},
+        {"normals", "# a quad\nv 0 0 0 1 0 0\nv 1 0 0 0 1 0\nv 1 1 0.5 0 0 1\nv 0 1 0 1 1 1\nvn 0 0 1\nvt 0 0\n"
+                    "f 1/1/1 2/1/1 3//1 4/1/1\nf -4//-1 -3//-1 -2//-1\n"},
+        {"groups", "o a\ng b c\ns 1\nusemtl red\nv 0 0 0\r\nv 1e-1 2.5E+0 -3\r\nv +1 .5 0 1.0\r\nf 1 \\\n2 3\r\n"},
+    };
+    static const struct text stls[] = {
+        {"ascii", "solid t\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\n"
+                  "endfacet\nendsolid t\n"},
+        {"shouted", "SOLID\tA B\r\n FACET NORMAL nan x 0\r\n  OUTER LOOP\r\n VERTEX 1e-1 -2.5E+0 3\r\n VERTEX 1 0 0\r\n"
+                    " VERTEX 0 1 0\r\nENDLOOP\r\nENDFACET\r\nENDSOLID"},
+    };
+    WRITE_TEXTS("obj", objs);
+    WRITE_TEXTS("stl", stls);
+    static const float corners[2][12] = {{0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0}, {0, 0, 1, 0, 0, 1, 1, 0, 0, 0, 1, 2}};
+    unsigned char binary[84 + 2 * 50] = "binary";
+    binary[80] = 2;
+    for (size_t i = 0; i < 2; i++)
+        memcpy(binary + 84 + 50 * i, corners[i], sizeof corners[i]); /* the machine's order, as the file's is */
+    write_seed("stl", "binary", binary, sizeof binary);
+    memcpy(binary, "solid", 5);
+    write_seed("stl", "binary-solid", binary, sizeof binary);
+}
+
+/* ---- pictures ---- */
+
+struct file {
+    unsigned char bytes[FILE_MAX];
+    size_t size;
+};
+
+static void append(png_structp png, png_bytep bytes, size_t size)
+{
+    struct file *file = png_get_io_ptr(png);
+    if (file->size + size > FILE_MAX) png_error(png, "no room");
+    memcpy(file->bytes + file->size, bytes, size);
+    file->size += size;
+}
+
+static void write_png(int color, int bits, int interlace, bool key)
+{
+    static struct file file;
+    static png_byte samples[BASE_WIDTH * 4];
+    const png_color palette[4] = {{1, 2, 3}, {200, 100, 50}, {255, 0, 128}, {7, 7, 7}};
+    const png_byte alphas[2] = {255, 77};
+    const png_color_16 color_key = {.red = 0, .green = 1, .blue = 2, .gray = 1};
+    png_bytep rows[BASE_HEIGHT] = {samples, samples, samples};
+    for (size_t i = 0; i < sizeof samples; i++)
+        samples[i] = (png_byte)(color == PNG_COLOR_TYPE_PALETTE ? i & 1 : i);
+    file.size = 0;
+    png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, NULL, NULL, NULL);
+    png_infop info = png_create_info_struct(png);
+    png_set_write_fn(png, &file, append, NULL);
+    png_set_IHDR(png, info, BASE_WIDTH, BASE_HEIGHT, bits, color, interlace, 0, 0);
+    if (color == PNG_COLOR_TYPE_PALETTE) png_set_PLTE(png, info, palette, bits == 1 ? 2 : 4);
+    if (key) png_set_tRNS(png, info, alphas, 2, &color_key);
+    png_set_gAMA(png, info, 1.0);
+    png_write_info(png, info);
+    png_write_image(png, rows);
+    png_write_end(png, info);
+    png_destroy_write_struct(&png, &info);
+    char name[64];
+    snprintf(name, sizeof name, "color%d-bits%d-interlace%d-key%d", color, bits, interlace, key);
+    write_seed("png", name, file.bytes, file.size);
+}
+
+static void write_pictures(void)
+{
+    for (int interlace = 0; interlace < 2; interlace++)
+        for (int key = 0; key < 2; key++) {
+            write_png(PNG_COLOR_TYPE_RGB, 8, interlace, key);
+            for (int bits = 1; bits <= 8; bits *= 2) {
+                write_png(PNG_COLOR_TYPE_GRAY, bits, interlace, key);
+                write_png(PNG_COLOR_TYPE_PALETTE, bits, interlace, key);
+            }
+            if (key) continue;
+            write_png(PNG_COLOR_TYPE_RGB_ALPHA, 8, interlace, key);
+            write_png(PNG_COLOR_TYPE_GRAY_ALPHA, 8, interlace, key);
+        }
+    char npy[NPY_BYTES];
+    static const float depths[BASE_PIXELS] = {0.5f, 1, 0.25f};
+    static const uint32_t big_ones[BASE_PIXELS] = {0x0000803f}, ids[BASE_PIXELS] = {7, 7, 3};
+    base_npy(npy, "<f4", depths);
+    write_seed("npy", "float32", npy, sizeof npy);
+    base_npy(npy, ">f4", big_ones);
+    write_seed("npy", "float32-big-endian", npy, sizeof npy);
+    base_npy(npy, "<u4", ids);
+    write_seed("npy", "uint32", npy, sizeof npy);
+    /* Versions 2 and 3 have four bytes of length: two spaces fewer. */
+    for (char version = 2; version <= 3; version++) {
+        char longer[NPY_BYTES + 2] = "\x93NUMPY", name[] = "version-0";
+        memcpy(longer + 6, (char[]){version, 0, 0x76, 0, 0, 0}, 6);
+        memcpy(longer + 12, npy + 10, NPY_BYTES - 10);
+        name[8] = (char)('0' + version);
+        write_seed("npy", name, longer, sizeof longer);
+    }
+}
+
+/* ---- bodies ---- */
+
+static void write_gzip(const char *name, const char *text, size_t size, int level)
+{
+    char path[PATH_SIZE], mode[] = "wb0";
+    snprintf(path, sizeof path, "%s/gzip/%s", top, name);
+    mode[2] = (char)('0' + level);
+    gzFile file = gzopen(path, mode);
+    if (!file || gzwrite(file, text, (unsigned)size) != (int)size || gzclose(file) != Z_OK) fail(path);
+}
+
+static void write_bodies(void)
+{
+    static char zeros[100000];
+    write_gzip("empty", "", 0, 6);
+    write_gzip("text", "{" WINDOW "," TRIANGLE "}", sizeof "{" WINDOW "," TRIANGLE "}" - 1, 9);
+    write_gzip("stored", "abcabcabc", 9, 0);
+    write_gzip("zeros", zeros, sizeof zeros, 9);
+    static const struct text multiparts[] = {
+        {"scene", "multipart/form-data; boundary=b\n--b\r\nContent-Disposition: form-data; name=\"scene\"\r\n"
+                  "Content-Type: application/json\r\n\r\n{}\r\n--b\r\nContent-Disposition: form-data; name=z; "
+                  "filename=\"C:\\a \\\"b\\\"\"\r\nContent-Transfer-Encoding: binary\r\n\r\n\r\n--b--\r\n"},
+        {"quoted",
+         "multipart/form-data; charset=utf-8; boundary=\"a b'()+_,-./:=?c\"\npreamble\r\n--a b'()+_,-./:=?c \t"
+         "\r\ncontent-disposition:form-data;name=\"x\"\r\n\r\n--a b\r\n--a b'()+_,-./:=?c--epilogue"},
+    };
+    WRITE_TEXTS("multipart", multiparts);
+}
+
+int main(int count, char **arguments)
+{
+    if (count != 2) {
+        fprintf(stderr, "usage: seeds FOLDER\n");
+        return 2;
+    }
+    top = arguments[1];
+    make_folder("");
+    for (size_t i = 0; i < sizeof targets / sizeof *targets; i++)
+        make_folder(targets[i]);
+    write_scenes();
+    write_meshes();
+    write_pictures();
+    write_bodies();
+    return 0;
+}

@@ -1,0 +1,64 @@
+#!/bin/sh
+# What `make` and `make test` say: to one who has no compiler, and about parts of the tests. Prints TAP.
+set -u
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+unset MAKEFLAGS MAKELEVEL MFLAGS CC
+count=0
+failed=0
+
+verdict() { # TEXT COMMAND...
+    text=$1
+    shift
+    count=$((count + 1))
+    if "$@"; then
+        echo "ok $count - $text"
+    else
+        failed=$((failed + 1))
+        echo "not ok $count - $text"
+        tail -n 20 "$work/said" "$work/complained" >&2
+    fi
+}
+
+# A machine without a compiler: what the Makefile calls before it compiles, and nothing else.
+mkdir "$work/bin"
+for program in make sh echo getconf grep mkdir tr uname; do
+    ln -s "$(command -v "$program")" "$work/bin/$program"
+done
+PATH=$work/bin make -j2 BUILD="$work/build" >"$work/said" 2>"$work/complained"
+status=$?
+verdict "make without a compiler ends with 2" [ "$status" = 2 ]
+verdict "and names make demo" grep -q "no C compiler (cc) here; 'make demo' installs what is missing" "$work/complained"
+verdict "once, in two lines at most" [ "$(wc -l <"$work/complained")" -le 2 ]
+PATH=$work/bin make CC=no-such-gcc BUILD="$work/build" >"$work/said" 2>"$work/complained"
+verdict "a compiler that was asked for is named" grep -q "no C compiler (no-such-gcc) here" "$work/complained"
+
+# Parts, of programs that speak TAP.
+program() { # NAME LINE...: one that prints the lines
+    path=$work/fake/tests/$1
+    shift
+    { echo '#!/bin/sh'; printf 'echo "%s"\n' "$@"; } >"$path"
+    chmod +x "$path"
+}
+mkdir -p "$work/fake/tests/unit" "$work/fake/tests/property"
+program property/test_a "ok 1 - one" "ok 2 - two"
+program unit/test_b "ok 1 - three" "ok 2 - four # SKIP not here"
+parts() { DATA=$work tests/run.sh "$work/fake" unit >"$work/said" 2>"$work/complained"; }
+parts
+status=$?
+verdict "tests that pass end with 0" [ "$status" = 0 ]
+verdict "a part is told with its time" grep -Eq '^unit: 3 passed, 1 skipped in [0-9]+ s$' "$work/said"
+verdict "and last what all came to" [ "$(tail -n 1 "$work/said")" = "3 passed, 0 failed, 1 skipped" ]
+program unit/test_b "ok 1 - three"
+parts
+verdict "a part that just passes is one line" [ "$(sed 's/ in .*//' "$work/said")" = "unit: 3 passed
+3 passed, 0 failed, 0 skipped" ]
+program unit/test_b "ok 1 - three" "not ok 2 - four"
+parts
+status=$?
+verdict "a test that fails ends with 1" [ "$status" = 1 ]
+verdict "is told" grep -q '^FAILED in test_b' "$work/said"
+verdict "and counted in its part" grep -Eq '^unit: 3 passed, 1 failed in [0-9]+ s$' "$work/said"
+verdict "and in the last line" [ "$(tail -n 1 "$work/said")" = "3 passed, 1 failed, 0 skipped" ]
+echo "1..$count"
+[ "$failed" = 0 ]
