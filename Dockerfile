@@ -1,6 +1,6 @@
 # Two stages: one that compiles, and an image of the daemon and the libraries it
 # loads, nothing else. No shell, no package manager, not root.
-FROM debian:bookworm-slim AS build
+FROM debian:trixie-slim AS build
 RUN apt-get update && apt-get install -y --no-install-recommends \
         gcc libc6-dev make libmicrohttpd-dev libcjson-dev libpng-dev libisal-dev libzip-dev nettle-dev zlib1g-dev \
     && rm -rf /var/lib/apt/lists/*
