@@ -132,6 +132,12 @@ reference: ## the long comparison with Mesa, and build/reference/report.html abo
 	@$(if $(filter osmesa,$(REFERENCE)),$(verify_lines) --primitives 300000)
 	@DATA="$(DATA)" tests/reference/all.sh $(BUILD) $(verify_$(REFERENCE)) $(if $(filter osmesa,$(REFERENCE)),$(verify_egl))
 
+.PHONY: repeat
+repeat: ## 200 pictures from each of 150 processes, with every instruction set: the same bytes; REPEAT_PROCESSES=N
+	@.ci/need $(NEED_BUILD) $(NEED_TEST)
+	@$(MAKE) -s -j$(JOBS) $(BUILD)/zrasterd $(BUILD)/tests/server/test_repeat
+	@ZRASTERD=$(BUILD)/zrasterd REPEAT_PROCESSES=$(or $(REPEAT_PROCESSES),150) $(BUILD)/tests/server/test_repeat
+
 .PHONY: algorithms
 algorithms: ## the five algorithms against one another: 100 000 triangles and 40 000 polygons
 	@.ci/need $(NEED_BUILD) $(NEED_TEST)

@@ -1,7 +1,8 @@
 #include "output/idat.h"
 
-#include <isa-l/igzip_lib.h>
 #include <string.h>
+
+#include "output/deflate.h"
 
 /* STRIP_PIXELS: large enough for what a strip costs (a history that begins anew: 0.1 % of bytes) to be lost in it,
  * small enough for its bytes to stay in the second cache, and for 8 threads to find work in 1920x1080 pixels. LANES:
@@ -13,8 +14,7 @@ enum { STRIP_PIXELS = 1 << 18, LANES = 8, WAVE = 64 };
 static const uint8_t HEAD[2] = {0x78, 0x01};
 enum { CHECK_SUM_BYTES = 4 };
 
-enum { TAIL = 512 }; /* zeros behind what is deflated; ISA-L looks ahead by 288 bytes */
-_Static_assert((int)TAIL >= (int)ZR_FILTER_PADDING, "the last row's padding must fit");
+_Static_assert((int)ZR_DEFLATE_TAIL >= (int)ZR_FILTER_PADDING, "the last row's padding must fit");
 
 enum { STORED_MAX = 65535, STORED_HEAD = 5 }; /* a block that is not compressed */
 
@@ -29,7 +29,7 @@ struct strip {
 struct lane {
     uint8_t *filtered;
     uint8_t *rows[2]; /* the last two that were made */
-    uint8_t *level_buffer;
+    uint8_t *table;   /* of matches */
     struct isal_zstream stream;
 };
 
@@ -90,25 +90,6 @@ static struct zr_adler filter_rows(const struct job *job, const struct lane *lan
     return sum;
 }
 
-/* Returns the size, or 0 where it does not fit: that of bytes which cannot be compressed. */
-static size_t deflate(struct lane *lane, size_t size, uint8_t *out, size_t room, bool last)
-{
-    struct isal_zstream *stream = &lane->stream;
-    memset(stream, 0, sizeof *stream);
-    memset(lane->filtered + size, 0, TAIL);
-    isal_deflate_init(stream);
-    stream->level = 1;
-    stream->level_buf = lane->level_buffer;
-    stream->level_buf_size = ISAL_DEF_LVL1_DEFAULT;
-    stream->end_of_stream = last;
-    stream->flush = last ? NO_FLUSH : SYNC_FLUSH; /* to a whole byte */
-    stream->next_in = lane->filtered;
-    stream->avail_in = (uint32_t)size;
-    stream->next_out = out;
-    stream->avail_out = (uint32_t)room;
-    return isal_deflate(stream) == COMP_OK && stream->avail_in == 0 && stream->avail_out > 0 ? stream->total_out : 0;
-}
-
 static size_t store(const uint8_t *bytes, size_t size, uint8_t *out, bool last)
 {
     uint8_t *at = out;
@@ -131,7 +112,9 @@ static void make_strip(const struct job *job, struct lane *lane, uint32_t number
     bool last = number == job->strip_count - 1;
     memcpy(strip->bytes, HEAD, head);
     strip->sum = filter_rows(job, lane, number);
-    strip->size = deflate(lane, size, strip->bytes + head, stored_size(size), last);
+    memset(lane->filtered + size, 0, ZR_DEFLATE_TAIL);
+    strip->size =
+        zr_deflate(&lane->stream, lane->table, lane->filtered, size, last, strip->bytes + head, stored_size(size));
     if (strip->size == 0) strip->size = store(lane->filtered, size, strip->bytes + head, last);
     strip->size += head;
 }
@@ -154,13 +137,13 @@ static void work(void *context, size_t lane, size_t end)
 static struct lane *make_lane(struct zr_arena *arena, const struct zr_idat_image *image, size_t size)
 {
     struct lane *lane = zr_arena_zero(arena, 1, sizeof *lane);
-    uint8_t *filtered = zr_arena_alloc(arena, size + TAIL, 1);
-    uint8_t *level_buffer = zr_arena_alloc(arena, ISAL_DEF_LVL1_DEFAULT, 1);
+    uint8_t *filtered = zr_arena_alloc(arena, size + ZR_DEFLATE_TAIL, 1);
+    uint8_t *table = zr_arena_alloc(arena, ZR_DEFLATE_TABLE, 1);
     for (int i = 0; lane && !image->pixels && i < 2; i++)
         lane->rows[i] = zr_arena_alloc(arena, row_size(image), 1);
     if (!zr_arena_ok(arena)) return NULL;
     lane->filtered = filtered;
-    lane->level_buffer = level_buffer;
+    lane->table = table;
     return lane;
 }
 

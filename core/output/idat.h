@@ -1,9 +1,8 @@
 /* idat.h - output: pixels -> the zlib stream of a PNG, in parts that follow one another.
  *
  * A picture is cut into strips by its size alone, however many threads work on it. Each strip is filtered and deflated
- * for itself and ends on a whole byte; it is a part. Idle threads take strips as they come. Deflating is done by
- * ISA-L at level 1. What decodes is always the same. The stream is not: ISA-L's matches depend on what the processor
- * can do, and, in ISA-L 2.30, on where in memory its state lies: at one address in fifty it misses a match or two.
+ * for itself and ends on a whole byte; it is a part, and the same bytes whichever thread makes it (deflate.h).
+ * Idle threads take strips as they come.
  */
 #ifndef ZR_IDAT_H
 #define ZR_IDAT_H

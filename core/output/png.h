@@ -1,7 +1,8 @@
 /* png.h - output: pixels -> PNG, through libpng.
  *
- * Row 0 is the top. No time stamps. What is promised are the decoded pixels; the bytes of a file, only nearly: ISA-L
- * does not always find the same matches (idat.h).
+ * Row 0 is the top. No time stamps. The same pixels give the same bytes, whatever the team and wherever in memory
+ * (deflate.h). Another version of libpng, zlib or ISA-L, or an instruction set that ISA-L compresses otherwise for, may
+ * give other bytes: of the same pixels.
  *
  * RGB or RGBA is told by who asks, not by what is seen: a picture with a transparent background stays RGBA where
  * something covers all of it, so that whoever pastes it finds what was found yesterday. A picture of up to 256 colours

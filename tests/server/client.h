@@ -40,8 +40,8 @@ void reply_free(struct reply *reply);
 /* The value of a header, "" where there is none; valid until the next call. */
 const char *reply_header(const struct reply *reply, const char *name);
 
-/* Whether two bodies are the same byte for byte, or as pictures. */
-bool reply_shows_same(const struct reply *a, const struct reply *b);
+/* Whether two bodies are the same, byte for byte. */
+bool reply_is_same(const struct reply *a, const struct reply *b);
 
 /* Status of a request, its reply thrown away. */
 long client_get_status(const struct daemon *daemon, const char *target);

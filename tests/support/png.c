@@ -108,15 +108,3 @@ void *png_memory_read(const void *bytes, size_t size, enum png_pixels pixels, ui
     free(out);
     return NULL;
 }
-
-bool png_same_pixels(const void *a, size_t a_size, const void *b, size_t b_size)
-{
-    uint32_t widths[2], heights[2];
-    uint8_t *p = png_memory_read(a, a_size, PNG_AS_RGBA, &widths[0], &heights[0]);
-    uint8_t *q = png_memory_read(b, b_size, PNG_AS_RGBA, &widths[1], &heights[1]);
-    bool same = p && q && widths[0] == widths[1] && heights[0] == heights[1] &&
-                memcmp(p, q, (size_t)widths[0] * heights[0] * 4) == 0;
-    free(p);
-    free(q);
-    return same;
-}

@@ -24,8 +24,4 @@ enum png_pixels {
  * low-level reader, whose checks of the stream count, refuses the file, or where bytes are left behind its end. */
 void *png_memory_read(const void *bytes, size_t size, enum png_pixels pixels, uint32_t *width, uint32_t *height);
 
-/* Whether two files decode to the same RGBA pixels. That is what a PNG promises: its bytes depend on where in memory it
- * was deflated (core/output/idat.h). */
-bool png_same_pixels(const void *a, size_t a_size, const void *b, size_t b_size);
-
 #endif
