@@ -1,16 +1,33 @@
 #include "input/defaults.h"
 
+/* A key in front, from the left, and a weaker light from above. Both stand beside the camera's axis: a light on it
+ * makes one grey hexagon of a cube that is seen isometrically. Of the lights whose directions are of unit length as
+ * they stand, by which no face has less than a third of its colour and no normal more than all of it, the faces of a
+ * cube seen from ten sides differ most by these (tests/unit/test_default_light.c prints the table):
+ *
+ *     azimuth, elevation    left    right   top        azimuth, elevation    left    right   top
+ *     isometric             0.663   0.341   0.965      30, 35                0.627   0.376   0.965
+ *     isometric, below      0.894   0.631   0.392 *    30, 50                0.557   0.341   0.953
+ *     45, 20                0.714   0.396   0.933      60, 20                0.714   0.416   0.933
+ *     45, 50                0.608   0.341   0.953      60, 35                0.678   0.341   0.965
+ *     30, 20                0.690   0.420   0.933      60, 50                0.639   0.341   0.953
+ *                                                      * the underside
+ */
+static const struct zr_light LIGHTS[] = {
+    {{2.0f / 3, -1.0f / 3, -2.0f / 3}, {0.45f, 0.45f, 0.45f}, true},
+    {{-4.0f / 13, -12.0f / 13, -3.0f / 13}, {0.37f, 0.37f, 0.37f}, true},
+};
+
 void zr_scene_defaults(struct zr_scene *scene)
 {
-    static const struct zr_light headlight = {{0, 0, -1}, {0.8f, 0.8f, 0.8f}, true};
     static const struct zr_output color = {ZR_CHANNEL_COLOR, ZR_ENCODING_PNG, 0};
     *scene = (struct zr_scene){
         .width = 640,
         .height = 480,
         .background = {1, 1, 1, 1},
-        .ambient = {0.2f, 0.2f, 0.2f},
-        .light_count = 1,
-        .lights = &headlight,
+        .ambient = {0.34f, 0.34f, 0.34f},
+        .light_count = sizeof LIGHTS / sizeof LIGHTS[0],
+        .lights = LIGHTS,
         .output_count = 1,
         .outputs = &color,
         .view = {.pose = ZR_POSE_PRESET,
@@ -21,6 +38,11 @@ void zr_scene_defaults(struct zr_scene *scene)
                  .projection_matrix = zr_mat4_identity(),
                  .fit_padding = ZR_FIT_PADDING},
     };
+}
+
+zr_vec3 zr_default_ambient_of_own_lights(void)
+{
+    return (zr_vec3){0.2f, 0.2f, 0.2f};
 }
 
 zr_vec4 zr_default_base_color(bool coloured)

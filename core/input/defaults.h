@@ -8,9 +8,12 @@
 
 #define ZR_FIT_PADDING 0.05f
 
-/* Window 640x480, white background, ambient light, one headlight, an isometric
+/* Window 640x480, white background, ambient light and two that go with the camera, an isometric
  * view fitted to the geometry, a colour image as the one output; no geometry. */
 void zr_scene_defaults(struct zr_scene *scene);
+
+/* The ambient light of a scene that says which lights it has. */
+zr_vec3 zr_default_ambient_of_own_lights(void);
 
 /* The colour of what has no material: grey, or, where it has colours of its own, white, which leaves them as they
  * are. */

@@ -4,6 +4,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "input/defaults.h"
 #include "input/input.h"
 #include "input/json_text.h"
 #include "input/text.h"
@@ -172,6 +173,7 @@ static void build(struct zr_draft *draft, const cJSON *root)
     zr_draft_read_look(draft, NULL, &found[LOOK], ZR_LOOK_DOUBLE_SIDED, &draft->look);
     if (found[VIEW]) zr_draft_read_view(draft, ZR_JSON_KEY(NULL, words[VIEW]), found[VIEW]);
     if (found[AMBIENT]) read_ambient(draft, found[AMBIENT]);
+    if (found[LIGHTS] && !found[AMBIENT]) draft->scene->ambient = zr_default_ambient_of_own_lights();
     if (found[LIGHTS]) zr_draft_read_lights(draft, ZR_JSON_KEY(NULL, words[LIGHTS]), found[LIGHTS]);
     if (found[OUTPUTS]) zr_draft_read_outputs(draft, ZR_JSON_KEY(NULL, words[OUTPUTS]), found[OUTPUTS]);
     zr_draft_read_materials(draft, ZR_JSON_KEY(NULL, words[MATERIALS]), found[MATERIALS]);

@@ -108,7 +108,7 @@ enum { ZR_LIGHTS_MAX = 1024 };
 struct zr_light {
     zr_vec3 direction; /* the way the light travels; unit length */
     zr_vec3 color;     /* times intensity */
-    bool camera_frame; /* direction is in eye space (a headlight), else in world space */
+    bool camera_frame; /* direction is in eye space (it goes with the camera), else in world space */
 };
 
 enum zr_pose {

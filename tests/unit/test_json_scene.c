@@ -8,11 +8,11 @@ static void smallest_scene_has_defaults(void **state)
     const struct zr_scene *scene = reading->scene;
     assert_int_equal(scene->width, 640);
     assert_int_equal(scene->height, 480);
-    assert_true(scene->background.x == 1 && scene->background.w == 1 && scene->ambient.y == 0.2f);
+    assert_true(scene->background.x == 1 && scene->background.w == 1 && scene->ambient.y == 0.34f);
     assert_int_equal(scene->mesh_count, 1);
     assert_int_equal(scene->instance_count, 1);
-    assert_int_equal(scene->light_count, 1);
-    assert_true(scene->lights[0].direction.z == -1 && scene->lights[0].color.x == 0.8f);
+    assert_int_equal(scene->light_count, 2);
+    assert_true(scene->lights[0].camera_frame && scene->lights[0].color.x == 0.45f);
     assert_int_equal(scene->output_count, 1);
     assert_int_equal(scene->outputs[0].channel, ZR_CHANNEL_COLOR);
     assert_int_equal(scene->warning_count, 0);
@@ -322,6 +322,12 @@ static void lights_are_normalised_and_scaled(void **state)
     reading = read_rest("\"lights\": []");
     assert_read(reading);
     assert_int_equal(reading->scene->light_count, 0);
+    assert_true(reading->scene->ambient.y == 0.2f);
+    reading_free(reading);
+    reading = read_rest("\"ambient\": [0, 0.5, 1]");
+    assert_read(reading);
+    assert_int_equal(reading->scene->light_count, 2);
+    assert_true(reading->scene->ambient.y == 0.5f);
     reading_free(reading);
 }
 
