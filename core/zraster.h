@@ -87,11 +87,13 @@ struct zr_cost {
     double png_pixels; /* of those that become PNGs; times what it takes longer where they are to be small */
 };
 
+enum { ZR_WARNINGS_SIZE = 2048 }; /* of a line of warnings and the zero behind it: a header that proxies let pass */
+
 struct zr_answer {
     const char *content_type;
     const void *bytes;
     size_t size;
-    const char *warnings; /* one line of ASCII, "" where there are none */
+    const char *warnings; /* one line of whole warnings; "; and 3 more" at its end where not all have room; "": none */
 };
 
 /* Keeps pointers into request->bytes and the assets. `team` may be NULL (one thread). On failure, which may be any

@@ -11,7 +11,7 @@
 
 /* Corners that are measured to foresee the work. COST_CORNERS: in well under a millisecond. COST_CORNERS_MORE: in
  * about half a second, for scenes that would be refused; more than most have. */
-enum { WARNINGS_SIZE = 2048, COST_CORNERS = 4096, COST_CORNERS_MORE = 1 << 22 };
+enum { COST_CORNERS = 4096, COST_CORNERS_MORE = 1 << 22 };
 
 /* What request->small_only lets pass: 10 ms foreseen, and what is read in a millisecond or two. */
 static const double SMALL_MS = 10.0;
@@ -127,7 +127,7 @@ static void answer_image(struct answer *answer, const struct zr_answer *result)
 {
     api_answer_copy(answer, result->content_type, result->bytes, result->size);
     if (result->warnings && *result->warnings) {
-        char warnings[WARNINGS_SIZE];
+        char warnings[ZR_WARNINGS_SIZE];
         text_to_ascii(warnings, sizeof warnings, result->warnings);
         answer_header(answer, "Zraster-Warnings", "%s", warnings);
     }

@@ -133,9 +133,13 @@ static bool own_packed(struct zr_builder *builder, uint32_t face)
 
 bool zr_builder_own_colors(struct zr_builder *builder, uint32_t face)
 {
-    struct zr_geometry *g = builder->geometry;
     if (builder->colors.packed) return own_packed(builder, face);
-    if (!builder->colors.given) return true;
+    return !builder->colors.given || zr_builder_make_colors(builder);
+}
+
+bool zr_builder_make_colors(struct zr_builder *builder)
+{
+    struct zr_geometry *g = builder->geometry;
     uint32_t count = zr_colors_count(builder->scene, builder->mesh);
     if (!zr_builder_reserve(builder, 0, count, 0)) return false;
     builder->colors =

@@ -78,6 +78,10 @@ static inline uint32_t zr_builder_vertex(const struct zr_builder *builder, uint3
  * failed. */
 bool zr_builder_own_colors(struct zr_builder *builder, uint32_t face);
 
+/* Makes the colours of the instance under way, all of its mesh, among the geometry's. False where the arena has
+ * failed. */
+bool zr_builder_make_colors(struct zr_builder *builder);
+
 /* The geometry's colour of a face at corner `slot` of its mesh; zr_builder_own_colors has been called for it. */
 uint32_t zr_builder_color(const struct zr_builder *builder, uint32_t face, bool smooth, uint32_t slot);
 

@@ -110,8 +110,7 @@ static bool make_colors(struct zr_builder *builder)
         builder->packed += (size_t)mesh->face_count << builder->separate_backs;
         return true;
     }
-    builder->colors = (struct zr_colors){.given = true};
-    return zr_builder_own_colors(builder, 0);
+    return zr_builder_make_colors(builder);
 }
 
 static enum zr_status build_instance(struct zr_builder *builder, const struct zr_camera *camera,

@@ -43,18 +43,23 @@ struct zr_warnings zr_warnings_make(struct zr_arena *arena, const struct zr_scen
     return w;
 }
 
+/* Room for what is said of those that are left out: "; and 4294967295 more". */
+enum { MORE_SIZE = 24 };
+
 const char *zr_warnings_join(struct zr_arena *arena, const struct zr_warnings *warnings)
 {
-    size_t size = 1;
-    for (uint32_t i = 0; i < warnings->count; i++)
-        size += strlen(warnings->texts[i]) + 2;
-    char *joined = zr_arena_alloc(arena, size, 1);
+    char *joined = zr_arena_alloc(arena, ZR_WARNINGS_SIZE, 1), *end = joined;
     if (!joined) return "";
-    char *end = joined;
-    for (uint32_t i = 0; i < warnings->count; i++) {
-        if (i > 0) end = stpcpy(end, "; ");
-        end = stpcpy(end, warnings->texts[i]);
-    }
     *end = '\0';
+    for (uint32_t i = 0; i < warnings->count; i++) {
+        const char *separator = i > 0 ? "; " : "", *text = warnings->texts[i];
+        const size_t left = ZR_WARNINGS_SIZE - (size_t)(end - joined),
+                     reserved = i + 1 < warnings->count ? MORE_SIZE : 0;
+        if (strlen(separator) + strlen(text) + reserved >= left) {
+            snprintf(end, left, "%sand %" PRIu32 " more", separator, warnings->count - i);
+            break;
+        }
+        end = stpcpy(stpcpy(end, separator), text);
+    }
     return joined;
 }

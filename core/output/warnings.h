@@ -5,6 +5,7 @@
 #include "base/arena.h"
 #include "scene/scene.h"
 #include "shade/frame.h"
+#include "zraster.h"
 
 struct zr_warnings {
     uint32_t count;
@@ -16,7 +17,8 @@ struct zr_warnings {
 struct zr_warnings zr_warnings_make(struct zr_arena *arena, const struct zr_scene *scene, const struct zr_frame *frame,
                                     uint64_t misfits);
 
-/* One line, "; " between. "" where the arena has failed. */
+/* One line of less than ZR_WARNINGS_SIZE bytes (zraster.h): whole warnings, "; " between, and how many more there are
+ * where not all have room. "" where the arena has failed. */
 const char *zr_warnings_join(struct zr_arena *arena, const struct zr_warnings *warnings);
 
 #endif

@@ -1,5 +1,6 @@
 #include "shade/resolve.h"
 
+#include <assert.h>
 #include <string.h>
 
 #include "base/rgba.h"
@@ -127,6 +128,9 @@ struct zr_resolved zr_resolve_tile(struct zr_surfaces *surfaces, enum zr_isa isa
     const struct zr_paint *paint = zr_paint_of(isa);
     const uint32_t nothing = zr_rgba_make(background);
     struct zr_resolved resolved = {0, 0.0f};
+    /* What is known of tiles and blocks as wholes knows nothing of a base: neither what is behind, nor that ids are
+     * counted from its first_face_id. zr_tile_begin sees to it. */
+    assert(!frame->base || (!tile->is_empty && !tile->knows_owners));
     if (tile->is_empty) {
         fill(paint, frame, tile, frame->color, nothing);
         fill(paint, frame, tile, frame->depth, INFINITY_BITS);

@@ -184,6 +184,34 @@ static void parts_that_nothing_asks_for_are_warned_of(void **state)
     reply_free(&reply);
 }
 
+static void warnings_without_room_are_counted_and_none_is_cut(void **state)
+{
+    enum { PARTS = 31, LENGTH = 100 };
+    (void)state;
+    static struct body body;
+    body.size = 0;
+    add_part(&body, "name=scene", GOOD_SCENE, strlen(GOOD_SCENE));
+    for (int i = 0; i < PARTS; i++) {
+        char headers[160];
+        snprintf(headers, sizeof headers, "name=\"%0*d\"", LENGTH, i);
+        add_part(&body, headers, "", 0);
+    }
+    end_parts(&body);
+    struct reply reply = send_parts("/v1/render", &body);
+    assert_int_equal(reply.status, 200);
+    const char *warnings = reply_header(&reply, "Zraster-Warnings"), *at = warnings;
+    int whole = 0, more = 0;
+    while (strncmp(at, "the asset '", 11) == 0) {
+        const char *end = strstr(at, " is not used by the scene; ");
+        assert_non_null(end);
+        at = end + strlen(" is not used by the scene; ");
+        whole++;
+    }
+    assert_int_equal(sscanf(at, "and %d more", &more), 1);
+    assert_true(whole > 10 && whole + more == PARTS && strlen(warnings) < 2048);
+    reply_free(&reply);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -192,6 +220,7 @@ int main(void)
         cmocka_unit_test(broken_bodies_give_400),
         cmocka_unit_test(faults_of_the_scene_have_their_pointers),
         cmocka_unit_test(parts_that_nothing_asks_for_are_warned_of),
+        cmocka_unit_test(warnings_without_room_are_counted_and_none_is_cut),
     };
     return cmocka_run_group_tests(tests, start, stop);
 }

@@ -307,6 +307,50 @@ static void polygons_without_three_distinct_corners_are_warned_of(void **state)
     assert_string_equal(scene_encode(&arena, NULL, &test.scene).warnings, "");
 }
 
+/* Warnings of 99 bytes, each with its number in front. */
+static struct zr_warnings many_warnings(uint32_t count)
+{
+    struct zr_warnings made = {count, zr_arena_alloc(&arena, count, sizeof *made.texts)};
+    for (uint32_t i = 0; i < count; i++) {
+        char *text = zr_arena_alloc(&arena, 100, 1);
+        snprintf(text, 100, "%03u%096d", i, 0);
+        made.texts[i] = text;
+    }
+    return made;
+}
+
+static void warnings_are_joined_whole_and_the_rest_is_counted(void **state)
+{
+    (void)state;
+    /* 20 with what is between them take 2018 bytes; 21 take 2119. */
+    for (uint32_t count = 0; count <= 200; count++) {
+        struct zr_warnings warnings = many_warnings(count);
+        const char *joined = zr_warnings_join(&arena, &warnings);
+        const size_t length = strlen(joined);
+        const uint32_t whole = count <= 20 ? count : 20;
+        assert_true(length < ZR_WARNINGS_SIZE);
+        for (uint32_t i = 0; i < whole; i++) {
+            assert_memory_equal(joined + (size_t)101 * i, warnings.texts[i], 99);
+            if (i > 0) assert_memory_equal(joined + (size_t)101 * i - 2, "; ", 2);
+        }
+        char rest[32] = "";
+        if (count > whole) snprintf(rest, sizeof rest, "; and %u more", count - whole);
+        assert_string_equal(joined + (whole > 0 ? 101 * whole - 2 : 0), rest);
+    }
+}
+
+static void a_warning_without_any_room_is_counted_not_cut(void **state)
+{
+    (void)state;
+    static char fits[ZR_WARNINGS_SIZE], too_long[ZR_WARNINGS_SIZE + 1];
+    memset(fits, 'a', ZR_WARNINGS_SIZE - 1);
+    memset(too_long, 'b', ZR_WARNINGS_SIZE);
+    assert_string_equal(zr_warnings_join(&arena, &(struct zr_warnings){1, (const char *[]){fits}}), fits);
+    assert_string_equal(zr_warnings_join(&arena, &(struct zr_warnings){1, (const char *[]){too_long}}), "and 1 more");
+    assert_string_equal(zr_warnings_join(&arena, &(struct zr_warnings){2, (const char *[]){fits, "short"}}),
+                        "and 2 more");
+}
+
 static void picture_without_a_covered_pixel_is_warned_of_whatever_the_reason(void **state)
 {
     (void)state;
@@ -346,6 +390,8 @@ int main(void)
                                         open_arena, close_arena),
         cmocka_unit_test_setup_teardown(polygons_without_three_distinct_corners_are_warned_of, open_arena, close_arena),
         cmocka_unit_test_setup_teardown(several_outputs_come_as_one_archive, open_arena, close_arena),
+        cmocka_unit_test_setup_teardown(warnings_are_joined_whole_and_the_rest_is_counted, open_arena, close_arena),
+        cmocka_unit_test_setup_teardown(a_warning_without_any_room_is_counted_not_cut, open_arena, close_arena),
         cmocka_unit_test_setup_teardown(picture_without_a_covered_pixel_is_warned_of_whatever_the_reason, open_arena,
                                         close_arena),
         cmocka_unit_test_setup_teardown(scene_that_shows_nothing_is_warned_of, open_arena, close_arena),
