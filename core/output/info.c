@@ -13,8 +13,8 @@ struct patch {
     uint32_t x0, y0, x1, y1;
 };
 
-/* cJSON remembers no failure, and takes NULL for an item: so every item is checked here,
- * and a tree that lacks one is not printed. */
+/* cJSON remembers no failure, takes NULL for an item, and leaves an item that it could not add to the caller: so every
+ * item is checked here, what belongs to no tree is freed, and a tree that lacks one is not printed. */
 struct writer {
     bool ok;
 };
@@ -38,7 +38,16 @@ static cJSON *number(struct writer *w, float value)
 
 static void put(struct writer *w, cJSON *object, const char *key, cJSON *item)
 {
-    if (!item || !cJSON_AddItemToObject(object, key, item)) w->ok = false;
+    if (item && cJSON_AddItemToObject(object, key, item)) return;
+    w->ok = false;
+    cJSON_Delete(item);
+}
+
+static void append(struct writer *w, cJSON *array, cJSON *item)
+{
+    if (item && cJSON_AddItemToArray(array, item)) return;
+    w->ok = false;
+    cJSON_Delete(item);
 }
 
 static void put_count(struct writer *w, cJSON *object, const char *key, uint64_t count)
@@ -50,7 +59,7 @@ static cJSON *numbers(struct writer *w, const float *values, int count)
 {
     cJSON *array = check(w, cJSON_CreateArray());
     for (int i = 0; i < count; i++)
-        if (!cJSON_AddItemToArray(array, number(w, values[i]))) w->ok = false;
+        append(w, array, number(w, values[i]));
     return array;
 }
 
@@ -72,7 +81,7 @@ static void put_intrinsics(struct writer *w, cJSON *object, const struct zr_fram
                               {0.0f, 0.0f, 1.0f}};
     cJSON *k = check(w, cJSON_CreateArray());
     for (int i = 0; i < 3; i++)
-        if (!cJSON_AddItemToArray(k, numbers(w, rows[i], 3))) w->ok = false;
+        append(w, k, numbers(w, rows[i], 3));
     put(w, object, "K", k);
 }
 
@@ -156,7 +165,7 @@ static cJSON *faces_of(struct writer *w, const struct patch *patches, uint32_t f
         cJSON *face = check(w, cJSON_CreateObject());
         put_count(w, face, "id", first + (id - 1));
         put_patch(w, face, &patches[id]);
-        if (!cJSON_AddItemToArray(array, face)) w->ok = false;
+        append(w, array, face);
     }
     return array;
 }
@@ -177,7 +186,7 @@ static cJSON *meshes_of(struct writer *w, const struct zr_scene *scene, const st
             if (patches[id].pixels > 0)
                 extend(&all, patches[id].x0, patches[id].y0, patches[id].x1, patches[id].y1, patches[id].pixels);
         put_patch(w, object, &all);
-        if (!cJSON_AddItemToArray(array, object)) w->ok = false;
+        append(w, array, object);
     }
     return array;
 }

@@ -1,0 +1,287 @@
+/* The system's memory is used up, at each allocation of whole requests in turn: every request ends as one that has no
+ * memory, or as if nothing had happened, and nothing is lost. */
+#include <dlfcn.h>
+#include <errno.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/arena.h"
+#include "output/npy.h"
+#include "output/png.h"
+#include "support/cmocka_all.h"
+#include "zraster.h"
+
+/* ---- allocations, counted, and failing when told so ---- */
+
+/* Numbers begin with 1. `first` 0: none fails; `every` 0: the first alone does, else each so many behind it. */
+static struct {
+    unsigned first, every, count, failed;
+    long live;
+} allocations;
+
+static bool fails(void)
+{
+    const unsigned number = ++allocations.count, first = allocations.first, every = allocations.every;
+    if (first == 0 || number < first || (number > first && (every == 0 || (number - first) % every != 0))) return false;
+    allocations.failed++;
+    errno = ENOMEM;
+    return true;
+}
+
+static void *counted(void *made)
+{
+    if (made) allocations.live++;
+    return made;
+}
+
+/* Whose allocations these are: a sanitizer's, by the name that it has for them, or the C library's. */
+#ifndef __has_feature
+#define __has_feature(name) 0
+#endif
+#if defined __SANITIZE_ADDRESS__ || defined __SANITIZE_THREAD__ || __has_feature(address_sanitizer) ||                 \
+    __has_feature(thread_sanitizer)
+#define NEXT(name)                                                                                                     \
+    extern __typeof__(name) __interceptor_##name;                                                                      \
+    static __typeof__(name) *const next = __interceptor_##name
+#else
+#define NEXT(name)                                                                                                     \
+    static __typeof__(name) *next;                                                                                     \
+    if (!next) *(void **)(void *)&next = dlsym(RTLD_NEXT, #name)
+#endif
+
+void *malloc(size_t size)
+{
+    NEXT(malloc);
+    return fails() ? NULL : counted(next(size));
+}
+
+void *calloc(size_t count, size_t size)
+{
+    NEXT(calloc);
+    return fails() ? NULL : counted(next(count, size));
+}
+
+void *realloc(void *old, size_t size)
+{
+    NEXT(realloc);
+    if (fails()) return NULL;
+    return old ? next(old, size) : counted(next(old, size));
+}
+
+void *aligned_alloc(size_t alignment, size_t size)
+{
+    NEXT(aligned_alloc);
+    return fails() ? NULL : counted(next(alignment, size));
+}
+
+void free(void *old)
+{
+    NEXT(free);
+    if (old) allocations.live--;
+    next(old);
+}
+
+/* ---- requests ---- */
+
+#define OUTPUTS                                                                                                        \
+    "\"outputs\":[{\"channel\":\"color\"},{\"channel\":\"depth\",\"encoding\":\"png16\"},{\"channel\":\"depth\"},"     \
+    "{\"channel\":\"windowDepth\"},{\"channel\":\"faceId\"},{\"channel\":\"info\"}]"
+#define WINDOW "\"window\":{\"width\":16,\"height\":12}"
+
+static const char several[] =
+    "{" WINDOW "," OUTPUTS ",\"polygons\":[{\"vertices\":[[0,0,0],[1,0,0],[0,1,0]],\"colors\":[\"#ff0000\",\"#00ff00\","
+    "\"#0000ff\"]},{\"vertices\":[[0,0,1],[1,0,1],[1,1,1],[0,1,1]],\"holes\":[[[0.2,0.2,1],[0.2,0.4,1],[0.4,0.2,1]]]}],"
+    "\"materials\":[{\"name\":\"m\",\"baseColorFactor\":[0.5,0.25,1,0.5]}],\"meshes\":[{\"name\":\"a\",\"positions\":["
+    "[0,0,2],[1,0,2],[0,1,2]],\"faces\":[[0,1,2]],\"lines\":[[0,1]],\"material\":\"m\",\"outline\":true},{\"name\":"
+    "\"b\",\"heights\":[[0,1],[1,0]]}],\"nodes\":[{\"mesh\":0,\"children\":[1]},{\"mesh\":\"a\",\"translation\":[1,0,0]"
+    "}"
+    "],\"lights\":[{\"type\":\"directional\",\"direction\":[0,0,-1]}]}";
+static const char into_base[] =
+    "{" WINDOW "," OUTPUTS
+    ",\"view\":{\"eye\":[0,0,5],\"znear\":1,\"zfar\":10},\"base\":{\"color\":{\"asset\":\"color\"}"
+    ",\"windowDepth\":{\"asset\":\"depth\"},\"depth\":{\"asset\":\"depth\"},\"faceId\":{\"asset\":\"ids\"}},"
+    "\"polygons\":[{\"vertices\":[[0,0,0],[1,0,0],[0,1,0]]}]}";
+static const char refused[] = "{" WINDOW ",\"polygons\":[{\"vertices\":[[0,0,0],[1,0,0]],\"color\":\"red?\"}],\"a\":1}";
+static const char obj[] = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 2 3\nf 1 2 4\nf 2 3 4\n";
+
+static struct zr_asset assets[3];
+
+/* What comes of one. */
+struct outcome {
+    enum zr_status status;
+    uint8_t bytes[1 << 16];
+    size_t size;
+};
+
+static struct zr_arena pictures;
+
+static struct zr_asset asset(const char *name, const struct zr_buffer *buffer)
+{
+    return (struct zr_asset){.name = name, .bytes = (const char *)buffer->bytes, .size = buffer->size};
+}
+
+static int make_assets(void **state)
+{
+    static uint8_t rgba[12 * 16 * 4];
+    static float depth[12 * 16];
+    static uint32_t ids[12 * 16];
+    struct zr_buffer color = {.arena = &pictures}, depths = {.arena = &pictures}, numbers = {.arena = &pictures};
+    const struct zr_png png = {.kind = ZR_PNG_RGB, .width = 16, .height = 12, .pixels = rgba};
+    (void)state;
+    setenv("TZ", "UTC",
+           1); /* without it the C library keeps a new copy of its name each time that libzip asks for dates */
+    zr_arena_init(&pictures, 1 << 24);
+    for (size_t i = 0; i < sizeof rgba; i++)
+        rgba[i] = (uint8_t)(i * 7);
+    for (size_t i = 0; i < 12 * 16; i++)
+        depth[i] = 1.0f;
+    if (zr_png_write(&png, NULL, NULL, &color) != ZR_OK ||
+        zr_npy_write(ZR_NPY_FLOAT32, 16, 12, depth, &depths) != ZR_OK ||
+        zr_npy_write(ZR_NPY_UINT32, 16, 12, ids, &numbers) != ZR_OK)
+        return -1;
+    assets[0] = asset("color", &color);
+    assets[1] = asset("depth", &depths);
+    assets[2] = asset("ids", &numbers);
+    return 0;
+}
+
+static int free_assets(void **state)
+{
+    (void)state;
+    zr_arena_free(&pictures);
+    return 0;
+}
+
+/* From the body to the answer, as the server does it. */
+static void run(const struct zr_request *request, struct outcome *outcome)
+{
+    const struct zr_limits limits = zr_limits_default();
+    const struct zr_scene *scene = NULL;
+    const struct zr_frame *frame = NULL;
+    struct zr_answer answer = {0};
+    struct zr_error error = {0};
+    struct zr_arena arena;
+    zr_arena_init(&arena, (size_t)1 << 26);
+    outcome->size = 0;
+    outcome->status = zr_scene_read(&arena, NULL, request, &limits, &scene, &error);
+    if (outcome->status == ZR_OK) outcome->status = zr_render(&arena, NULL, scene, NULL, NULL, &frame, &error);
+    if (outcome->status == ZR_OK) outcome->status = zr_encode(&arena, NULL, scene, frame, NULL, &answer, &error);
+    if (outcome->status == ZR_OK && answer.size <= sizeof outcome->bytes) {
+        memcpy(outcome->bytes, answer.bytes, answer.size);
+        outcome->size = answer.size;
+    }
+    zr_arena_free(&arena);
+}
+
+/* `loses`: what a library loses is not looked at. */
+static void assert_survives(const char *name, const struct zr_request *request, enum zr_status status, bool loses)
+{
+    static struct outcome whole, got;
+    run(request, &whole); /* what libraries keep for good they keep from now on */
+    assert_int_equal(whole.status, status);
+    assert_true((whole.size > 0) == (status == ZR_OK));
+    unsigned runs = 0;
+    for (unsigned every = 0; every <= 3; every++) {
+        const long live = allocations.live;
+        unsigned failed = 1;
+        for (unsigned first = 1; failed > 0; first++, runs++) {
+            allocations.count = allocations.failed = 0;
+            allocations.every = every;
+            allocations.first = first;
+            run(request, &got);
+            allocations.first = 0;
+            failed = allocations.failed;
+            if (!loses && allocations.live != live)
+                fail_msg("%s: %ld blocks lost where allocation %u failed, every %u", name, allocations.live - live,
+                         first, every);
+            if (got.status == ZR_NO_MEMORY && failed > 0) continue;
+            if (got.status != status || got.size != whole.size || memcmp(got.bytes, whole.bytes, got.size) != 0)
+                fail_msg("%s: status %d where allocation %u failed, every %u", name, (int)got.status, first, every);
+        }
+    }
+    print_message("%s: %u runs\n", name, runs);
+    assert_true(runs > 8);
+}
+
+static void each_channel_alone(void **state)
+{
+    static const struct {
+        const char *channel, *encoding;
+    } outputs[] = {{"color", "png"},       {"depth", "png16"}, {"depth", "npy"},
+                   {"windowDepth", "npy"}, {"faceId", "npy"},  {"info", "json"}};
+    (void)state;
+    for (size_t i = 0; i < sizeof outputs / sizeof outputs[0]; i++)
+        assert_survives(outputs[i].channel,
+                        &(struct zr_request){.format = ZR_FORMAT_JSON,
+                                             .bytes = several,
+                                             .size = strlen(several),
+                                             .channel = outputs[i].channel,
+                                             .encoding = outputs[i].encoding},
+                        ZR_OK, false);
+}
+
+/* LeakSanitizer's, where it is there. */
+extern void __lsan_disable(void) __attribute__((weak));
+extern void __lsan_enable(void) __attribute__((weak));
+
+/* libzip 1.7.3 itself loses a buffer where zip_close has no memory for the list of files. */
+static void several_outputs_in_an_archive(void **state)
+{
+    (void)state;
+    if (__lsan_disable) __lsan_disable();
+    assert_survives("archive",
+                    &(struct zr_request){.format = ZR_FORMAT_JSON, .bytes = several, .size = strlen(several)}, ZR_OK,
+                    true);
+    if (__lsan_enable) __lsan_enable();
+}
+
+static void small_pngs(void **state)
+{
+    (void)state;
+    assert_survives("small",
+                    &(struct zr_request){.format = ZR_FORMAT_JSON,
+                                         .bytes = several,
+                                         .size = strlen(several),
+                                         .channel = "color",
+                                         .compress = "small"},
+                    ZR_OK, false);
+}
+
+static void pictures_that_are_drawn_into(void **state)
+{
+    (void)state;
+    assert_survives("base",
+                    &(struct zr_request){.format = ZR_FORMAT_JSON,
+                                         .bytes = into_base,
+                                         .size = strlen(into_base),
+                                         .assets = assets,
+                                         .asset_count = 3,
+                                         .channel = "info"},
+                    ZR_OK, false);
+}
+
+static void info_of_a_bare_mesh(void **state)
+{
+    (void)state;
+    assert_survives("OBJ",
+                    &(struct zr_request){.format = ZR_FORMAT_OBJ, .bytes = obj, .size = strlen(obj), .channel = "info"},
+                    ZR_OK, false);
+}
+
+static void a_scene_that_is_refused(void **state)
+{
+    (void)state;
+    assert_survives("refused",
+                    &(struct zr_request){.format = ZR_FORMAT_JSON, .bytes = refused, .size = strlen(refused)},
+                    ZR_BAD_SCENE, false);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(each_channel_alone),  cmocka_unit_test(several_outputs_in_an_archive),
+        cmocka_unit_test(small_pngs),          cmocka_unit_test(pictures_that_are_drawn_into),
+        cmocka_unit_test(info_of_a_bare_mesh), cmocka_unit_test(a_scene_that_is_refused),
+    };
+    return cmocka_run_group_tests_name("no memory", tests, make_assets, free_assets);
+}
