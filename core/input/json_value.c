@@ -47,6 +47,7 @@ static void write_pointer(const struct zr_json_path *path, char text[POINTER_ROO
 bool zr_json_fault(struct zr_json *json, const struct zr_json_path *path, const char *format, ...)
 {
     char pointer[POINTER_ROOM], detail[ZR_DETAIL_SIZE + 8];
+    if (!zr_arena_ok(json->arena)) return false;
     write_pointer(path, pointer);
     va_list arguments;
     va_start(arguments, format);

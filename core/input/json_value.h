@@ -42,7 +42,8 @@ struct zr_json_path {
 #define ZR_JSON_KEY(parent, key)    (&(const struct zr_json_path){(parent), (key), 0})
 #define ZR_JSON_ITEM(parent, index) (&(const struct zr_json_path){(parent), NULL, (index)})
 
-/* Reports ZR_BAD_SCENE at `path` (NULL: the root); returns false. */
+/* Reports ZR_BAD_SCENE at `path` (NULL: the root); returns false. Once the arena has failed nothing is reported: what
+ * could not be kept looks as if the scene lacked it. */
 bool zr_json_fault(struct zr_json *json, const struct zr_json_path *path, const char *format, ...)
     __attribute__((format(printf, 3, 4)));
 

@@ -18,7 +18,7 @@ struct zr_json_walk zr_json_walk_begin(struct zr_json *json, const struct zr_jso
 /* The list is not what it was counted as. */
 static bool lose(struct zr_json_walk *walk)
 {
-    if (!walk->ahead && zr_json_verify(walk->json))
+    if (!walk->ahead && zr_json_verify(walk->json) && zr_arena_ok(walk->json->arena))
         zr_error_add(walk->json->error, ZR_INTERNAL, NULL, "a list was miscounted");
     return false;
 }

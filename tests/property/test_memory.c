@@ -1,0 +1,97 @@
+/* Whatever memory a request may have, it is rendered, or told that this was too little: never that something is wrong
+ * with its scene. */
+#include <string.h>
+
+#include "support/cmocka_all.h"
+#include "zraster.h"
+
+struct sample {
+    const char *name;
+    enum zr_format format;
+    const char *text;
+};
+
+#define OUTPUTS                                                                                                        \
+    "\"window\": {\"width\": 24, \"height\": 16}, \"outputs\": [{\"channel\": \"color\"}, {\"channel\": \"depth\"}, "  \
+    "{\"channel\": \"faceId\"}, {\"channel\": \"info\"}]"
+
+static const struct sample samples[] = {
+    {"a mesh with all there is", ZR_FORMAT_JSON,
+     "{" OUTPUTS ", \"meshes\": [{\"name\": \"quads\", \"material\": \"clay\", \"doubleSided\": true,"
+     " \"positions\": [[0,0,0],[1,0,0],[1,1,0],[0,1,0],[0,0,1,1],[1,0,1,1]],"
+     " \"normals\": [[0,0,1],[0,0,1],[0,0,1],[0,0,1],[0,0,1],[0,0,1]],"
+     " \"colors\": [[1,0,0],[0,1,0],[0,0,1],\"#ffffff\",[1,1,0],[0,1,1]],"
+     " \"faces\": [[0,1,2,3],[0,1,5,4],[0,3,1,2]], \"faceColors\": [[1,0,0],[0,1,0],[0,0,1]],"
+     " \"lines\": [[0,2],[1,3]]}], \"materials\": [{\"name\": \"clay\", \"outline\": \"#000000\"}],"
+     " \"nodes\": [{\"mesh\": \"quads\", \"children\": [1]}, {\"mesh\": 0, \"translation\": [0,0,1]}]}"},
+    {"heights", ZR_FORMAT_JSON,
+     "{" OUTPUTS ", \"meshes\": [{\"heights\": [[0,1,0],[1,null,1],[0,1,0],[1,2,1]],"
+     " \"colors\": [[1,0,0],[1,0,0],[1,0,0],[1,0,0],[1,0,0],[1,0,0],[1,0,0],[1,0,0],[1,0,0],[1,0,0],[1,0,0],[1,0,0]],"
+     " \"faceColors\": [[1,0,0],[0,1,0],[0,0,1],[1,0,0],[0,1,0],[0,0,1]]}]}"},
+    {"polygons of any shape", ZR_FORMAT_JSON,
+     "{" OUTPUTS ", \"polygons\": [{\"vertices\": [[0,0,0],[4,0,0],[4,4,0],[0,4,0]],"
+     " \"holes\": [[[1,1,0],[2,1,0],[1,2,0]]], \"color\": \"#cc3333\", \"doubleSided\": true},"
+     " {\"vertices\": [[0,0,1],[4,0,1],[1,1,1],[0,4,1]], \"normals\": [[0,0,1],[0,0,1],[0,0,1],[0,0,1]],"
+     " \"colors\": [[1,0,0],[0,1,0],[0,0,1],[1,1,1]], \"outline\": true}], \"lights\": [{\"type\": \"directional\","
+     " \"direction\": [0,0,-1]}], \"algorithm\": \"edgelist\"}"},
+    {"a base", ZR_FORMAT_JSON,
+     "{\"window\": {\"width\": 2, \"height\": 1}, \"outputs\": [{\"channel\": \"faceId\"}],"
+     " \"polygons\": [{\"vertices\": [[0,0,0],[1,0,0],[0,1,0]]}], \"view\": {\"preset\": \"front\", \"znear\": 0.1,"
+     " \"zfar\": 9}, \"base\": {\"windowDepth\": {\"uri\": \"data:;base64,"
+     "k05VTVBZAQBGAHsnZGVzY3InOiAnPGY0JywgJ2ZvcnRyYW5fb3JkZXInOiBGYWxzZSwgJ3NoYXBlJzogKDEsIDIpLCB9ICAgICAgICAgIAoA"
+     "AIA/AACAPw==\"}, \"faceId\": \"data:;base64,"
+     "k05VTVBZAQBGAHsnZGVzY3InOiAnPHU0JywgJ2ZvcnRyYW5fb3JkZXInOiBGYWxzZSwgJ3NoYXBlJzogKDEsIDIpLCB9ICAgICAgICAgIAoA"
+     "AAAAAAAAAA==\"}}"},
+    {"OBJ", ZR_FORMAT_OBJ, "v 0 0 0 1 0 0\nv 1 0 0 0 1 0\nv 0 1 0 0 0 1\nvn 0 0 1\nf 1//1 2//1 3//1\nf 1 3 2\n"},
+    {"STL", ZR_FORMAT_STL,
+     "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 "
+     "0\nendloop\nendfacet\nendsolid\n"},
+};
+
+/* Allocations are rounded up to STEP, so that no ceiling between two of these is another one. */
+enum { STEP = ZR_ARENA_ALIGN, MOST = 1 << 24 };
+
+static struct zr_arena arena;
+
+/* ZR_OK, or the first failure of the steps. */
+static enum zr_status serve(const struct zr_request *request, size_t ceiling, struct zr_error *error)
+{
+    const struct zr_limits limits = zr_limits_default();
+    const struct zr_scene *scene;
+    const struct zr_frame *frame;
+    struct zr_answer answer;
+    zr_arena_reset(&arena, MOST);
+    arena.ceiling = ceiling;
+    enum zr_status status = zr_scene_read(&arena, NULL, request, &limits, &scene, error);
+    if (status == ZR_OK) status = zr_render(&arena, NULL, scene, NULL, NULL, &frame, error);
+    if (status == ZR_OK) status = zr_encode(&arena, NULL, scene, frame, NULL, &answer, error);
+    return status;
+}
+
+static void every_ceiling_of_memory_is_enough_or_named(void **state)
+{
+    (void)state;
+    zr_arena_init(&arena, MOST);
+    for (size_t i = 0; i < sizeof samples / sizeof *samples; i++) {
+        struct zr_request request = {
+            .format = samples[i].format, .bytes = samples[i].text, .size = strlen(samples[i].text)};
+        if (request.format != ZR_FORMAT_JSON) request.width = request.height = "16";
+        size_t ceiling = 0;
+        enum zr_status status = ZR_NO_MEMORY;
+        for (; status != ZR_OK && ceiling < MOST; ceiling += STEP) {
+            struct zr_error error = {.count = 0};
+            status = serve(&request, ceiling, &error);
+            if (status != ZR_OK && (status != ZR_NO_MEMORY || error.status != ZR_NO_MEMORY))
+                fail_msg("%s, %zu bytes: status %d, %s: %s", samples[i].name, ceiling, (int)status,
+                         error.items[0].pointer, error.items[0].detail);
+        }
+        assert_int_equal(status, ZR_OK);
+    }
+    zr_arena_free(&arena);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {cmocka_unit_test(every_ceiling_of_memory_is_enough_or_named)};
+    return cmocka_run_group_tests_name("memory", tests, NULL, NULL);
+}
