@@ -141,6 +141,7 @@ bool zr_builder_make_colors(struct zr_builder *builder)
 {
     struct zr_geometry *g = builder->geometry;
     uint32_t count = zr_colors_count(builder->scene, builder->mesh);
+    if (count == 0) return true; /* a mesh of lines alone: there may be no arrays yet */
     if (!zr_builder_reserve(builder, 0, count, 0)) return false;
     builder->colors =
         zr_colors_make(builder->arena, builder->team, builder->cancel, builder->scene, builder->mesh, builder->lighting,

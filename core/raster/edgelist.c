@@ -127,6 +127,7 @@ static enum zr_status draw(struct zr_arena *arena, const struct zr_geometry *geo
     for (int32_t y = primitive->min_y; y <= primitive->max_y; y++) {
         if (zr_is_cancelled(cancel)) return ZR_CANCELLED;
         const uint32_t *ends = &lists->ends[y - primitive->min_y];
+        if (ends[0] == ends[1]) continue; /* where all lists are empty, there may be no room for any */
         sort(lists->xs + ends[0], ends[1] - ends[0]);
         fill_row(geometry, primitive, y, lists, samples);
     }

@@ -297,6 +297,26 @@ static void geometry_survives_points_at_infinity_and_the_zero_vertex(void **stat
     assert_int_equal(c.outside + c.clipped + c.culled + c.zero_area + c.drawn_whole, c.triangles);
 }
 
+/* Its faces' colours are an empty list, which nobody has made room for: clang's sanitizer sees an offset to it. */
+static void geometry_of_lines_alone_draws_them(void **state)
+{
+    (void)state;
+    static struct test_scene test;
+    static const uint32_t line[2] = {0, 1};
+    const zr_vec4 p[] = {{0, 0, 0, 1}, {0.5f, 0, 0, 1}, {0, 0.5f, 0, 1}};
+    scene_of_triangles(&test, 64, 64, p, 1);
+    test.mesh.face_count = 0;
+    test.mesh.lines = line;
+    test.mesh.line_count = 1;
+    test.scene.algorithm = ZR_ALGORITHM_EDGELIST; /* colours as floats */
+    struct zr_arena arena;
+    zr_arena_init(&arena, 1 << 24);
+    const struct zr_frame *frame = scene_render(&arena, NULL, &test.scene);
+    assert_int_equal(frame->counts.lines, 1);
+    assert_true(frame->covered_pixels >= 15);
+    zr_arena_free(&arena);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -317,6 +337,7 @@ int main(void)
         cmocka_unit_test(geometry_counts_every_triangle_once),
         cmocka_unit_test(geometry_double_sided_draws_what_faces_away),
         cmocka_unit_test(geometry_survives_points_at_infinity_and_the_zero_vertex),
+        cmocka_unit_test(geometry_of_lines_alone_draws_them),
     };
     return cmocka_run_group_tests_name("geometry", tests, NULL, NULL);
 }
