@@ -82,17 +82,25 @@ static enum zr_status read_bare_mesh(struct zr_arena *arena, struct zr_team *tea
     struct zr_material *material = zr_arena_alloc(arena, 1, sizeof *material);
     struct zr_instance *instance = zr_arena_alloc(arena, 1, sizeof *instance);
     if (!zr_arena_ok(arena)) return ZR_NO_MEMORY;
-    enum zr_status status = request->format == ZR_FORMAT_OBJ ? zr_obj_read(arena, team, request, limits, mesh, error)
-                                                             : zr_stl_read(arena, team, request, limits, mesh, error);
+    const bool obj = request->format == ZR_FORMAT_OBJ;
+    struct zr_warning_list warnings = {.count = 0};
+    enum zr_status status = obj ? zr_obj_read(arena, team, request, limits, mesh, &warnings, error)
+                                : zr_stl_read(arena, team, request, limits, mesh, error);
     if (status != ZR_OK) return status;
+    if (!obj && query->shading == ZR_SHADING_GOURAUD)
+        zr_warning_list_add(
+            arena, &warnings,
+            "shading=gouraud looks flat here: the triangles of STL share no corners; OBJ can be smooth");
     *material = (struct zr_material){.base_color = zr_default_base_color(mesh->colors != NULL),
                                      .shading = zr_default_shading(mesh->normal_count > 0 || mesh->colors),
                                      .double_sided = true};
     if (query->shading != NOT_GIVEN) material->shading = (enum zr_shading)query->shading;
-    *instance = (struct zr_instance){0, zr_mat4_identity()};
+    *instance = (struct zr_instance){.object_to_world = zr_mat4_identity()};
     scene->materials = material;
     scene->meshes = mesh;
     scene->instances = instance;
+    scene->warnings = warnings.texts;
+    scene->warning_count = (uint32_t)warnings.count;
     scene->material_count = scene->mesh_count = scene->instance_count = 1;
     if (query->preset != NOT_GIVEN) scene->view.preset = (enum zr_preset)query->preset;
     if (query->width) scene->width = query->width;
@@ -123,6 +131,30 @@ static bool fits_memory(struct zr_arena *arena, const struct zr_scene *scene)
     return zr_arena_charge(arena, points < SIZE_MAX / point_bytes ? points * point_bytes : SIZE_MAX); /* fails */
 }
 
+static bool begins_with(const struct zr_request *request, const char *bytes, size_t size)
+{
+    return request->size >= size && memcmp(request->bytes, bytes, size) == 0;
+}
+
+/* A byte order mark, as some editors put in front of UTF-8, is no part of the text. */
+static void skip_byte_order_mark(struct zr_request *request)
+{
+    static const char mark[] = "\xEF\xBB\xBF";
+    if (request->format == ZR_FORMAT_STL || !begins_with(request, mark, sizeof mark - 1)) return;
+    request->bytes += sizeof mark - 1;
+    request->size -= sizeof mark - 1;
+}
+
+/* Bytes that cannot be read, since they are packed and their header does not say so. */
+static enum zr_status name_gzip(const struct zr_request *request, enum zr_status status, struct zr_error *error)
+{
+    if (status != ZR_BAD_SYNTAX || !begins_with(request, "\x1F\x8B", 2)) return status;
+    *error = (struct zr_error){0};
+    return zr_error_add(error, status, NULL,
+                        "the body is packed with gzip, and its header does not say so: "
+                        "Content-Encoding: gzip is missing");
+}
+
 static enum zr_status read_scene(struct zr_arena *arena, struct zr_team *team, const struct zr_request *request,
                                  const struct zr_limits *limits, struct zr_scene *scene, struct zr_error *error)
 {
@@ -132,6 +164,7 @@ static enum zr_status read_scene(struct zr_arena *arena, struct zr_team *team, c
     zr_scene_defaults(scene);
     status = request->format == ZR_FORMAT_JSON ? zr_json_read(arena, team, request, limits, scene, error)
                                                : read_bare_mesh(arena, team, request, limits, &query, scene, error);
+    status = name_gzip(request, status, error);
     if (status != ZR_OK) return status;
     if (query.compress != NOT_GIVEN) scene->compress = (enum zr_compress)query.compress;
     status = apply_output(arena, &query, scene);
@@ -145,6 +178,7 @@ enum zr_status zr_scene_read(struct zr_arena *arena, struct zr_team *team, const
     struct zr_scene *made = zr_arena_alloc(arena, 1, sizeof *made);
     struct zr_request body = *request;
     if (body.size == 0) body.bytes = ""; /* no arithmetic on a null pointer */
+    skip_byte_order_mark(&body);
     enum zr_status status = made ? read_scene(arena, team, &body, limits, made, error) : ZR_NO_MEMORY;
     if (zr_is_cancelled(request->cancel)) {
         *error = (struct zr_error){0}; /* of what was not read to its end */

@@ -9,6 +9,7 @@
 #ifndef ZR_INPUT_H
 #define ZR_INPUT_H
 
+#include "input/warning_list.h"
 #include "scene/scene.h"
 #include "zraster.h"
 
@@ -16,10 +17,12 @@
 enum zr_status zr_json_read(struct zr_arena *arena, struct zr_team *team, const struct zr_request *request,
                             const struct zr_limits *limits, struct zr_scene *scene, struct zr_error *error);
 
-/* Bare meshes: fill *mesh only. Errors name the line, the triangle or the byte in `detail`. `team` may be NULL. Of the
- * request, only its bytes and its cancel are looked at; cancelled, they return ZR_CANCELLED or another failure. */
+/* Bare meshes: fill *mesh, and add to *warnings. Errors name the line, the triangle or the byte in `detail`. `team` may
+ * be NULL. Of the request, only its bytes and its cancel are looked at; cancelled, they return ZR_CANCELLED or another
+ * failure. */
 enum zr_status zr_obj_read(struct zr_arena *arena, struct zr_team *team, const struct zr_request *request,
-                           const struct zr_limits *limits, struct zr_mesh *mesh, struct zr_error *error);
+                           const struct zr_limits *limits, struct zr_mesh *mesh, struct zr_warning_list *warnings,
+                           struct zr_error *error);
 enum zr_status zr_stl_read(struct zr_arena *arena, struct zr_team *team, const struct zr_request *request,
                            const struct zr_limits *limits, struct zr_mesh *mesh, struct zr_error *error);
 

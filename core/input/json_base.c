@@ -70,8 +70,8 @@ static void read_color(struct reader *reader)
     for (size_t i = 0; i < (size_t)scene->width * scene->height; i++)
         alpha &= rgba[4 * i + 3];
     if (alpha != 255 && scene->background.w >= 1.0f)
-        zr_draft_warn(reader->draft,
-                      "base.color is transparent in parts and the background is not: its alpha is left out");
+        zr_warning_list_add(reader->draft->json.arena, &reader->draft->warnings,
+                            "base.color is transparent in parts and the background is not: its alpha is left out");
 }
 
 static void read_window_depth(struct reader *reader)
@@ -164,10 +164,11 @@ static void warn_of_fitted_view(struct zr_draft *draft)
     bool fitted_size = view->projection == ZR_PROJECTION_ORTHOGRAPHIC && !(view->xmag > 0.0f);
     bool fitted_planes = view->projection != ZR_PROJECTION_MATRIX && !(view->has_znear && view->has_zfar);
     if (fitted_pose || fitted_size || fitted_planes)
-        zr_draft_warn(draft, "the view's %s fitted to the new geometry, not to what base shows",
-                      fitted_pose   ? "pose is"
-                      : fitted_size ? "size is"
-                                    : "znear and zfar are");
+        zr_warning_list_add(draft->json.arena, &draft->warnings,
+                            "the view's %s fitted to the new geometry, not to what base shows",
+                            fitted_pose   ? "pose is"
+                            : fitted_size ? "size is"
+                                          : "znear and zfar are");
 }
 
 void zr_draft_read_base(struct zr_draft *draft, const struct zr_json_path *path, const cJSON *node)

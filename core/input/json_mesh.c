@@ -22,13 +22,6 @@ static const char *const words[] = {"name",  "material", "positions", "normals",
                                     "faces", "lines",    "heights",   ZR_LOOK_WORDS, "texcoords", "data"};
 static const struct zr_names keys = ZR_NAMES(KEYS, words);
 
-static const char *copy_text(struct zr_arena *arena, const char *text)
-{
-    size_t size = strlen(text) + 1;
-    char *copy = zr_arena_alloc(arena, size, 1);
-    return copy ? memcpy(copy, text, size) : "";
-}
-
 /* A list that must have one item for each of `wanted` things. */
 static struct zr_json_list *list_for_each(struct zr_json *json, const struct zr_json_path *path, const cJSON *node,
                                           size_t wanted, const char *of)
@@ -253,7 +246,7 @@ void zr_draft_read_mesh(struct zr_draft *draft, const struct zr_json_path *path,
     if (!zr_json_object(json, path, node, &keys, found)) return;
     const char *name;
     if (found[NAME] && zr_json_string(json, ZR_JSON_KEY(path, words[NAME]), found[NAME], &name))
-        mesh->name = copy_text(json->arena, name);
+        mesh->name = zr_json_keep(json, name);
     check_shape(json, path, found);
     struct zr_style style;
     zr_draft_read_style(draft, path, found[MATERIAL], &found[LOOK], &style);

@@ -156,8 +156,10 @@ static void read_node(struct reader *reader, const struct zr_json_path *path, co
     *node = (struct zr_node){.mesh = ZR_NODE_NO_MESH};
     reader->children[number] = NULL;
     if (!zr_json_object(json, path, item, &keys, found)) return;
-    if (found[NAME] && zr_json_string(json, ZR_JSON_KEY(path, words[NAME]), found[NAME], &name))
+    if (found[NAME] && zr_json_string(json, ZR_JSON_KEY(path, words[NAME]), found[NAME], &name)) {
         add_name(&reader->nodes, name, number);
+        if (*name && found[MESH]) node->name = zr_json_keep(json, name);
+    }
     if (found[MESH]) read_reference(json, ZR_JSON_KEY(path, words[MESH]), found[MESH], &reader->meshes, &node->mesh);
     read_local(json, path, found, &node->local);
     size_t count;

@@ -1,15 +1,11 @@
 #include "input/json_scene.h"
 
-#include <stdarg.h>
-#include <stdio.h>
 #include <string.h>
 
 #include "input/defaults.h"
 #include "input/input.h"
 #include "input/json_text.h"
 #include "input/text.h"
-
-enum { WARNING_SIZE = 160, WARNINGS_AT_FIRST = 8 };
 
 enum {
     VERSION,
@@ -109,25 +105,6 @@ static uint32_t read_meshes(struct zr_draft *draft, const cJSON *meshes, const c
     return listed;
 }
 
-void zr_draft_warn(struct zr_draft *draft, const char *format, ...)
-{
-    struct zr_arena *arena = draft->json.arena;
-    if (draft->warning_count == draft->warning_room) {
-        size_t room = draft->warning_room ? draft->warning_room * 2 : WARNINGS_AT_FIRST;
-        const char **more = zr_arena_grow(arena, draft->warnings, draft->warning_count, room, sizeof *more);
-        if (!more) return;
-        draft->warnings = more;
-        draft->warning_room = room;
-    }
-    char *text = zr_arena_alloc(arena, WARNING_SIZE, 1);
-    if (!text) return;
-    va_list arguments;
-    va_start(arguments, format);
-    vsnprintf(text, WARNING_SIZE, format, arguments);
-    va_end(arguments);
-    draft->warnings[draft->warning_count++] = text;
-}
-
 /* Where nodes have the say, they place the `listed` meshes; else each is where it is. The
  * polygons always are. */
 static void place_meshes(struct zr_draft *draft, const cJSON *nodes, uint32_t listed)
@@ -139,7 +116,7 @@ static void place_meshes(struct zr_draft *draft, const cJSON *nodes, uint32_t li
               : zr_arena_alloc(draft->json.arena, scene->mesh_count, sizeof *instances);
     if (!instances) return;
     for (; next < scene->mesh_count; next++)
-        instances[count++] = (struct zr_instance){next, zr_mat4_identity()};
+        instances[count++] = (struct zr_instance){.mesh = next, .object_to_world = zr_mat4_identity()};
     scene->instances = instances;
     scene->instance_count = count;
 }
@@ -149,15 +126,18 @@ static void finish(struct zr_draft *draft, uint32_t listed)
 {
     draft->scene->materials = draft->materials;
     draft->scene->material_count = (uint32_t)draft->material_count;
-    if (draft->transparent) zr_draft_warn(draft, "transparency is not supported in this version: drawn opaque");
+    if (draft->transparent)
+        zr_warning_list_add(draft->json.arena, &draft->warnings,
+                            "transparency is not supported in this version: drawn opaque");
     if (draft->unplaced_meshes > 0)
-        zr_draft_warn(draft, "%u of %u meshes are placed by no node and are not drawn", draft->unplaced_meshes, listed);
+        zr_warning_list_add(draft->json.arena, &draft->warnings,
+                            "%u of %u meshes are placed by no node and are not drawn", draft->unplaced_meshes, listed);
     for (size_t i = 0; i < draft->asset_count; i++)
         if (!draft->assets_used[i])
-            zr_draft_warn(draft, "the asset %s is not used by the scene",
-                          zr_quote(draft->assets[i].name, strlen(draft->assets[i].name)).text);
-    draft->scene->warnings = draft->warnings;
-    draft->scene->warning_count = (uint32_t)draft->warning_count;
+            zr_warning_list_add(draft->json.arena, &draft->warnings, "the asset %s is not used by the scene",
+                                zr_quote(draft->assets[i].name, strlen(draft->assets[i].name)).text);
+    draft->scene->warnings = draft->warnings.texts;
+    draft->scene->warning_count = (uint32_t)draft->warnings.count;
 }
 
 static void build(struct zr_draft *draft, const cJSON *root)

@@ -10,6 +10,7 @@
 
 #include "input/json_list.h"
 #include "input/json_value.h"
+#include "input/warning_list.h"
 #include "scene/scene.h"
 
 enum { ZR_UNSAID = -1 };
@@ -50,8 +51,7 @@ struct zr_draft {
     bool *assets_used;
     struct zr_stored stored;
 
-    size_t warning_count, warning_room;
-    const char **warnings;
+    struct zr_warning_list warnings;
 
     uint32_t unplaced_meshes; /* by any node */
 };
@@ -135,8 +135,5 @@ bool zr_draft_read_bytes(struct zr_draft *draft, const struct zr_json_path *path
 
 /* json_base.c. Needs the window, the background, the view and the meshes to be read. */
 void zr_draft_read_base(struct zr_draft *draft, const struct zr_json_path *path, const cJSON *node);
-
-/* Adds to the scene's warnings, cut to 160 bytes. */
-void zr_draft_warn(struct zr_draft *draft, const char *format, ...) __attribute__((format(printf, 2, 3)));
 
 #endif

@@ -175,6 +175,13 @@ bool zr_json_string(struct zr_json *json, const struct zr_json_path *path, const
     return expect(json, path, node, cJSON_IsString(node), "a string");
 }
 
+const char *zr_json_keep(struct zr_json *json, const char *text)
+{
+    size_t size = strlen(text) + 1;
+    char *copy = zr_arena_alloc(json->arena, size, 1);
+    return copy ? memcpy(copy, text, size) : "";
+}
+
 bool zr_json_choice(struct zr_json *json, const struct zr_json_path *path, const cJSON *node,
                     const struct zr_names *names, int *out)
 {

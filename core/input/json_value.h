@@ -86,6 +86,9 @@ bool zr_json_index(struct zr_json *json, const struct zr_json_path *path, const 
 bool zr_json_bool(struct zr_json *json, const struct zr_json_path *path, const cJSON *node, bool *out);
 bool zr_json_string(struct zr_json *json, const struct zr_json_path *path, const cJSON *node, const char **out);
 
+/* A copy in the arena, which stays when the text's tree is deleted; "" once the arena has failed. */
+const char *zr_json_keep(struct zr_json *json, const char *text);
+
 /* One of the words: *out is its index, below names->count. */
 bool zr_json_choice(struct zr_json *json, const struct zr_json_path *path, const cJSON *node,
                     const struct zr_names *names, int *out);

@@ -20,9 +20,15 @@ struct counts {
     size_t lines, positions, normals, faces, corners;
 };
 
+/* Statements of which nothing is seen. */
+struct unread {
+    size_t materials, lines, points, curved;
+};
+
 /* Of each part, which is whole statements. */
 struct part {
     struct counts holds, before;
+    struct unread unread;
     bool has_colors;
     bool normal_given, normal_missing; /* at a corner; once it is read */
 };
@@ -66,6 +72,7 @@ static bool count_part(void *context, size_t index)
     struct zr_obj_text text = {file->texts[index].at, file->texts[index].end, 0};
     struct zr_obj_statement statement, word;
     struct counts count = {0}; /* of its own: parts of other threads are near */
+    struct unread unread = {0};
     while (zr_obj_next(&text, &statement)) {
         if (zr_obj_at_end(&statement)) continue;
         switch (zr_obj_next_keyword(&statement, &word)) {
@@ -80,12 +87,25 @@ static bool count_part(void *context, size_t index)
             count.faces++;
             count.corners += zr_obj_count_words(&statement, file->end);
             break;
+        case ZR_OBJ_MATERIAL:
+            unread.materials++;
+            break;
+        case ZR_OBJ_LINE:
+            unread.lines++;
+            break;
+        case ZR_OBJ_POINT:
+            unread.points++;
+            break;
+        case ZR_OBJ_CURVED:
+            unread.curved++;
+            break;
         default:
             break;
         }
     }
     count.lines = text.line;
     part->holds = count;
+    part->unread = unread;
     return true;
 }
 
@@ -323,6 +343,10 @@ static void read_statement(struct reader *reader, struct zr_obj_statement *state
         read_face(reader, statement);
         reader->count.faces++;
         break;
+    case ZR_OBJ_MATERIAL:
+    case ZR_OBJ_LINE:
+    case ZR_OBJ_POINT:
+    case ZR_OBJ_CURVED:
     case ZR_OBJ_IGNORED:
         break;
     case ZR_OBJ_UNKNOWN:
@@ -383,8 +407,30 @@ static uint32_t finish_normals(struct file *file)
     return count + 1;
 }
 
+static void warn_of(struct zr_arena *arena, struct zr_warning_list *warnings, size_t count, const char *what)
+{
+    if (count > 0) zr_warning_list_add(arena, warnings, "OBJ: %zu %s", count, what);
+}
+
+static void warn_of_unread(const struct file *file, struct zr_arena *arena, struct zr_warning_list *warnings)
+{
+    struct unread all = {0};
+    for (size_t i = 0; i < file->part_count; i++) {
+        const struct unread *unread = &file->parts[i].unread;
+        all.materials += unread->materials;
+        all.lines += unread->lines;
+        all.points += unread->points;
+        all.curved += unread->curved;
+    }
+    warn_of(arena, warnings, all.materials, "statements about materials (mtllib, usemtl) are not read in this version");
+    warn_of(arena, warnings, all.lines, "lines (l) are not drawn in this version");
+    warn_of(arena, warnings, all.points, "points (p) are not drawn");
+    warn_of(arena, warnings, all.curved, "curves and curved surfaces are not drawn");
+}
+
 enum zr_status zr_obj_read(struct zr_arena *arena, struct zr_team *team, const struct zr_request *request,
-                           const struct zr_limits *limits, struct zr_mesh *mesh, struct zr_error *error)
+                           const struct zr_limits *limits, struct zr_mesh *mesh, struct zr_warning_list *warnings,
+                           struct zr_error *error)
 {
     struct file file = {.end = request->bytes + request->size, .limits = limits};
     if (!cut(&file, arena, request->bytes)) return ZR_NO_MEMORY;
@@ -415,5 +461,6 @@ enum zr_status zr_obj_read(struct zr_arena *arena, struct zr_team *team, const s
                              .normals = normal_count ? file.normals : NULL,
                              .normal_indices = normal_count ? file.normal_indices : NULL,
                              .colors = file.colors};
-    return ZR_OK;
+    warn_of_unread(&file, arena, warnings);
+    return zr_arena_ok(arena) ? ZR_OK : ZR_NO_MEMORY;
 }

@@ -63,32 +63,44 @@ size_t zr_obj_count_words(struct zr_obj_statement *statement, const char *end)
     return count;
 }
 
-static int compare_words(const void *key, const void *word)
+struct rare_word {
+    const char *text;
+    enum zr_obj_keyword keyword;
+};
+
+static int compare_words(const void *key, const void *rare_word)
 {
     const struct zr_obj_statement *sought = key;
-    const char *text = *(const char *const *)word;
+    const char *text = ((const struct rare_word *)rare_word)->text;
     size_t length = (size_t)(sought->end - sought->at);
     int order = strncmp(sought->at, text, length);
     return order != 0 ? order : text[length] == '\0' ? 0 : -1;
 }
 
-static bool is_ignored(const struct zr_obj_statement *word)
-{
-    static const char *const words[] = {
-        "bevel",      "bmat",   "bsp",   "bzp",    "c_interp", "call",      "cdc",  "cdp",    "con",    "csh",
-        "cstype",     "ctech",  "curv",  "curv2",  "d_interp", "deg",       "end",  "g",      "hole",   "l",
-        "lod",        "maplib", "mg",    "mtllib", "o",        "p",         "parm", "res",    "s",      "scrv",
-        "shadow_obj", "sp",     "stech", "step",   "surf",     "trace_obj", "trim", "usemap", "usemtl", "vp"};
-    if (memchr(word->at, '\0', (size_t)(word->end - word->at))) return false;
-    return bsearch(word, words, sizeof words / sizeof words[0], sizeof words[0], compare_words) != NULL;
-}
-
 enum zr_obj_keyword zr_obj_rare_keyword(const struct zr_obj_statement *word)
 {
+    static const struct rare_word words[] = {
+        {"bevel", ZR_OBJ_IGNORED},      {"bmat", ZR_OBJ_IGNORED},     {"bsp", ZR_OBJ_CURVED},
+        {"bzp", ZR_OBJ_CURVED},         {"c_interp", ZR_OBJ_IGNORED}, {"call", ZR_OBJ_IGNORED},
+        {"cdc", ZR_OBJ_CURVED},         {"cdp", ZR_OBJ_CURVED},       {"con", ZR_OBJ_IGNORED},
+        {"csh", ZR_OBJ_IGNORED},        {"cstype", ZR_OBJ_IGNORED},   {"ctech", ZR_OBJ_IGNORED},
+        {"curv", ZR_OBJ_CURVED},        {"curv2", ZR_OBJ_IGNORED},    {"d_interp", ZR_OBJ_IGNORED},
+        {"deg", ZR_OBJ_IGNORED},        {"end", ZR_OBJ_IGNORED},      {"g", ZR_OBJ_IGNORED},
+        {"hole", ZR_OBJ_IGNORED},       {"l", ZR_OBJ_LINE},           {"lod", ZR_OBJ_IGNORED},
+        {"maplib", ZR_OBJ_MATERIAL},    {"mg", ZR_OBJ_IGNORED},       {"mtllib", ZR_OBJ_MATERIAL},
+        {"o", ZR_OBJ_IGNORED},          {"p", ZR_OBJ_POINT},          {"parm", ZR_OBJ_IGNORED},
+        {"res", ZR_OBJ_IGNORED},        {"s", ZR_OBJ_IGNORED},        {"scrv", ZR_OBJ_IGNORED},
+        {"shadow_obj", ZR_OBJ_IGNORED}, {"sp", ZR_OBJ_IGNORED},       {"stech", ZR_OBJ_IGNORED},
+        {"step", ZR_OBJ_IGNORED},       {"surf", ZR_OBJ_CURVED},      {"trace_obj", ZR_OBJ_IGNORED},
+        {"trim", ZR_OBJ_IGNORED},       {"usemap", ZR_OBJ_MATERIAL},  {"usemtl", ZR_OBJ_MATERIAL},
+        {"vp", ZR_OBJ_IGNORED}};
     size_t length = (size_t)(word->end - word->at);
-    if (length == 2 && word->at[0] == 'v' && word->at[1] == 'n') return ZR_OBJ_VN;
+    if (length == 2 && word->at[0] == 'v' && word->at[1] == 'n') return ZR_OBJ_VN; /* many */
     if (length == 2 && word->at[0] == 'v' && word->at[1] == 't') return ZR_OBJ_VT;
-    return is_ignored(word) ? ZR_OBJ_IGNORED : ZR_OBJ_UNKNOWN;
+    if (memchr(word->at, '\0', length)) return ZR_OBJ_UNKNOWN;
+    const struct rare_word *found =
+        bsearch(word, words, sizeof words / sizeof words[0], sizeof words[0], compare_words);
+    return found ? found->keyword : ZR_OBJ_UNKNOWN;
 }
 
 bool zr_obj_has_comment(const char *at, const char *line_end)

@@ -29,7 +29,11 @@ enum zr_obj_keyword {
     ZR_OBJ_VN,
     ZR_OBJ_VT,
     ZR_OBJ_F,
-    ZR_OBJ_IGNORED, /* OBJ, but no polygons */
+    ZR_OBJ_MATERIAL, /* mtllib, usemtl and others: how faces look */
+    ZR_OBJ_LINE,     /* l */
+    ZR_OBJ_POINT,    /* p */
+    ZR_OBJ_CURVED,   /* curves and surfaces */
+    ZR_OBJ_IGNORED,  /* nothing that would be seen: names, groups, what belongs to curves */
     ZR_OBJ_UNKNOWN
 };
 

@@ -178,6 +178,7 @@ static cJSON *meshes_of(struct writer *w, const struct zr_scene *scene, const st
         const struct zr_mesh *mesh = &scene->meshes[scene->instances[i].mesh];
         cJSON *object = check(w, cJSON_CreateObject());
         put(w, object, "name", check(w, cJSON_CreateString(mesh->name)));
+        if (scene->instances[i].node) put(w, object, "node", check(w, cJSON_CreateString(scene->instances[i].node)));
         put_count(w, object, "firstFaceId", first + (id - 1));
         put_count(w, object, "faces", mesh->face_count);
         if (mesh->line_count > 0) put_count(w, object, "lines", mesh->line_count);
@@ -234,8 +235,11 @@ static bool foresee_memory(const struct zr_scene *scene, const struct zr_warning
     size_t characters = 0;
     uint32_t meshes = 0;
     bool fits = true;
-    for (; meshes < scene->instance_count && meshes < ZR_INFO_MESHES_MAX; meshes++)
-        fits &= zr_add_size(characters, strlen(scene->meshes[scene->instances[meshes].mesh].name), &characters);
+    for (; meshes < scene->instance_count && meshes < ZR_INFO_MESHES_MAX; meshes++) {
+        const struct zr_instance *instance = &scene->instances[meshes];
+        fits &= zr_add_size(characters, strlen(scene->meshes[instance->mesh].name), &characters);
+        fits &= zr_add_size(characters, instance->node ? strlen(instance->node) : 0, &characters);
+    }
     for (uint32_t i = 0; i < warnings->count; i++)
         fits &= zr_add_size(characters, strlen(warnings->texts[i]), &characters);
     return fits && zr_mul_size(characters, BYTES_OF_A_CHARACTER, bytes) &&

@@ -114,7 +114,8 @@ static bool enter(struct placing *placing, struct step *path, size_t depth, uint
     *step = (struct step){number, 0, node->local};
     if (depth > 0) step->world = zr_mat4_mul(&path[depth - 1].world, &node->local);
     if (!zr_mat4_is_within(&step->world, ZR_MATRIX_MAX)) return fail(placing, ZR_NODES_OUT_OF_RANGE, number, 0);
-    if (node->mesh != ZR_NODE_NO_MESH) out->instances[out->count++] = (struct zr_instance){node->mesh, step->world};
+    if (node->mesh != ZR_NODE_NO_MESH)
+        out->instances[out->count++] = (struct zr_instance){node->mesh, step->world, node->name};
     return true;
 }
 

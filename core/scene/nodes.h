@@ -24,6 +24,7 @@ struct zr_node {
     zr_mat4 local;                     /* to the parent's space; entries within ZR_MATRIX_MAX */
     uint32_t mesh;                     /* or ZR_NODE_NO_MESH */
     uint32_t first_child, child_count; /* in zr_nodes.children */
+    const char *name;                  /* for the instances that it places; may be NULL */
 };
 
 /* Every child is below `count`. A node that is nobody's child is a root. */

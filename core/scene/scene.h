@@ -95,6 +95,7 @@ static inline uint64_t zr_mesh_ids(const struct zr_mesh *mesh)
 struct zr_instance {
     uint32_t mesh;
     zr_mat4 object_to_world;
+    const char *node; /* the name of the node that placed it, UTF-8; NULL where there is none */
 };
 
 enum { ZR_LIGHTS_MAX = 1024 };

@@ -133,7 +133,7 @@ static void drawing_of_many_lines_and_walking_over_many_points_stop(void **state
     for (uint32_t i = 0; i < 2 * LINES; i++)
         lines[i] = i * 40503u % POINTS;
     for (uint32_t i = 0; i < INSTANCES; i++)
-        instances[i] = (struct zr_instance){0, zr_mat4_identity()};
+        instances[i] = (struct zr_instance){.object_to_world = zr_mat4_identity()};
     test.mesh.lines = lines;
     test.mesh.line_count = LINES;
     assert_ends_soon(&test.scene);

@@ -94,7 +94,7 @@ static void make_subject(struct subject *s, struct random *random, enum kind kin
         s->materials[1].shading = ZR_SHADING_GOURAUD;
     }
     for (int i = 0; i < 2; i++)
-        s->instances[i] = (struct zr_instance){0, zr_mat4_identity()};
+        s->instances[i] = (struct zr_instance){.object_to_world = zr_mat4_identity()};
     zr_mat4 *last = &s->instances[cut ? 1 : 0].object_to_world;
     last->m[0] = random_below(random, 2) ? -0.6f : 0.9f;
     last->m[5] = 0.6f;

@@ -155,7 +155,7 @@ static void single_make(struct single *single, const struct zr_scene *scene, con
     const struct zr_mesh *from = &scene->meshes[scene->instances[instance].mesh];
     single->scene = *scene;
     single->mesh = *from;
-    single->instance = (struct zr_instance){0, scene->instances[instance].object_to_world};
+    single->instance = (struct zr_instance){.object_to_world = scene->instances[instance].object_to_world};
     single->mesh.face_count = 1;
     single->mesh.line_count = 0;
     single->mesh.face_offsets = from->face_offsets + face;

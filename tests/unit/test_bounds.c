@@ -59,7 +59,7 @@ static void make_subject(struct subject *s)
     }
     for (int i = 0; i < INSTANCES; i++) {
         struct zr_instance *instance = &s->instances[i];
-        *instance = (struct zr_instance){random_below(&numbers, MESHES), zr_mat4_identity()};
+        *instance = (struct zr_instance){.mesh = random_below(&numbers, MESHES), .object_to_world = zr_mat4_identity()};
         for (int k = 0; random_below(&numbers, 2) && k < 12; k++)
             instance->object_to_world.m[k % 3 + k / 3 * 4] = any() * 10.0f;
     }
@@ -247,7 +247,7 @@ static void view_of_nothing_that_has_a_place_is_finite(void **state)
     (void)state;
     static const zr_vec4 points[] = {{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}};
     const struct zr_mesh mesh = {.positions = points, .position_count = 3};
-    const struct zr_instance instance = {0, zr_mat4_identity()};
+    const struct zr_instance instance = {.object_to_world = zr_mat4_identity()};
     struct zr_scene scene = {.meshes = &mesh, .mesh_count = 1, .instances = &instance, .instance_count = 1};
     for (int round = 0; round < 100; round++) {
         struct zr_camera camera;
@@ -265,7 +265,7 @@ static void walk_that_is_cancelled_ends(void **state)
     (void)state;
     static const zr_vec4 point = {1, 2, 3, 1};
     const struct zr_mesh mesh = {.positions = &point, .position_count = 1};
-    const struct zr_instance instance = {0, zr_mat4_identity()};
+    const struct zr_instance instance = {.object_to_world = zr_mat4_identity()};
     const struct zr_scene scene = {.meshes = &mesh, .mesh_count = 1, .instances = &instance, .instance_count = 1};
     const struct zr_cancel cancel = {.raised = true};
     assert_true(zr_bounds_of(&scene, NULL, NULL).valid);
@@ -280,7 +280,7 @@ static void zeros_of_bounds_have_no_sign(void **state)
                                          {{-0.0f, 1, 0.0f, 2}, {0.0f, 2, -0.0f, 1}, {-0.0f, 3, -0.0f, 1}}};
     for (int i = 0; i < 2; i++) {
         const struct zr_mesh mesh = {.positions = points[i], .position_count = 3};
-        const struct zr_instance instance = {0, zr_mat4_identity()};
+        const struct zr_instance instance = {.object_to_world = zr_mat4_identity()};
         const struct zr_scene scene = {.meshes = &mesh, .mesh_count = 1, .instances = &instance, .instance_count = 1};
         const struct zr_bounds b = zr_bounds_of(&scene, NULL, NULL);
         assert_true(b.valid && b.min.x == 0.0f && b.max.z == 0.0f && b.max.y == 3.0f);

@@ -328,13 +328,13 @@ static void depth_of_instances_is_analytic(void **state)
     static const uint32_t zero = 0;
     const struct look look = {.eye = {0.3f, 0.2f, 3.1f}, .half_height = 1, .znear = 1.75f, .clips = true};
     static const struct zr_instance balls[3] = {
-        {0, {{0.36f, 0.48f, -0.8f, 0, -0.4f, 0.3f, 0, 0, 0.72f, 0.96f, 0.9f, 0, -0.6f, 0.1f, -0.2f, 1}}},
-        {0, {{-0.31f, 0.2f, 0.1f, 0, 0.2f, 0.33f, 0.1f, 0, 0, -0.1f, 0.7f, 0, 0.9f, -0.4f, 0.3f, 1}}},
-        {0, {{0, 0, 0.1f, 0, 0.1f, 0, 0, 0, 0, 0.1f, 0, 0, 0.3f, 0.6f, 1.3f, 1}}}};
+        {0, {{0.36f, 0.48f, -0.8f, 0, -0.4f, 0.3f, 0, 0, 0.72f, 0.96f, 0.9f, 0, -0.6f, 0.1f, -0.2f, 1}}, NULL},
+        {0, {{-0.31f, 0.2f, 0.1f, 0, 0.2f, 0.33f, 0.1f, 0, 0, -0.1f, 0.7f, 0, 0.9f, -0.4f, 0.3f, 1}}, NULL},
+        {0, {{0, 0, 0.1f, 0, 0.1f, 0, 0, 0, 0, 0.1f, 0, 0, 0.3f, 0.6f, 1.3f, 1}}, NULL}};
     const struct body body = {make_ball(2.5f), BALL_TRIANGLES, false, balls};
     scene_of_triangles(&test, 1, 1, body.corners, body.triangles);
     const struct zr_mesh meshes[2] = {test.mesh, {.name = "", .face_offsets = &zero}};
-    const struct zr_instance nothing = {1, zr_mat4_identity()};
+    const struct zr_instance nothing = {1, zr_mat4_identity(), NULL};
     const struct zr_instance instances[7] = {nothing, balls[0], nothing, nothing, balls[1], balls[2], nothing};
     test.scene.meshes = meshes;
     test.scene.mesh_count = 2;

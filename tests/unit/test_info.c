@@ -45,6 +45,26 @@ static void info_counts_pixels_and_boxes_and_warns(void **state)
     cJSON_Delete(info);
 }
 
+static void info_names_meshes_and_the_nodes_that_place_them(void **state)
+{
+    (void)state;
+    const zr_vec4 p[] = {{-1, 0, 0, 1}, {0, 0, 0, 1}, {-1, 1, 0, 1}};
+    static struct test_scene test;
+    struct zr_instance instances[2];
+    scene_of_triangles(&test, 16, 16, p, 1);
+    instances[0] = instances[1] = test.instance;
+    instances[1].node = "wheel";
+    test.scene.instances = instances;
+    test.scene.instance_count = 2;
+    const struct zr_answer answer = info_of(&test);
+    cJSON *info = cJSON_ParseWithLength(answer.bytes, answer.size), *mesh = cJSON_GetObjectItem(info, "meshes")->child;
+    assert_string_equal(cJSON_GetObjectItem(mesh, "name")->valuestring, "test");
+    assert_null(cJSON_GetObjectItem(mesh, "node"));
+    assert_string_equal(cJSON_GetObjectItem(mesh->next, "name")->valuestring, "test");
+    assert_string_equal(cJSON_GetObjectItem(mesh->next, "node")->valuestring, "wheel");
+    cJSON_Delete(info);
+}
+
 static void info_lists_the_first_thousand_instances(void **state)
 {
     (void)state;
@@ -96,22 +116,24 @@ static int close_counted(void **state)
 static void info_takes_no_memory_that_a_request_may_not_have(void **state)
 {
     (void)state;
-    enum { PLACED = 1200, NAME_SIZE = 2000 };
+    enum { PLACED = 1200, NAME_SIZE = 1000 };
     const zr_vec4 p[] = {{-1, 0, 0, 1}, {0, 0, 0, 1}, {-1, 1, 0, 1}};
     static struct test_scene test;
     static struct zr_instance instances[PLACED];
     static char name[NAME_SIZE + 1];
     scene_of_triangles(&test, 16, 16, p, 1);
-    for (int i = 0; i < PLACED; i++)
-        instances[i] = test.instance;
     memset(name, 1, NAME_SIZE);
+    for (int i = 0; i < PLACED; i++) {
+        instances[i] = test.instance;
+        instances[i].node = name;
+    }
     test.mesh.name = name;
     test.scene.instances = instances;
     test.scene.instance_count = PLACED;
     cJSON_InitHooks(&(cJSON_Hooks){count_malloc, count_free});
     held = most = 0;
     const struct zr_answer answer = info_of(&test);
-    assert_true(answer.size > 6 * NAME_SIZE * ZR_INFO_MESHES_MAX);
+    assert_true(answer.size > 2 * 6 * NAME_SIZE * ZR_INFO_MESHES_MAX);
     assert_true(most > answer.size);
     assert_true(most <= arena.peak);
     assert_int_equal(held, 0);
@@ -130,6 +152,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test_setup_teardown(info_counts_pixels_and_boxes_and_warns, open_arena, close_arena),
+        cmocka_unit_test_setup_teardown(info_names_meshes_and_the_nodes_that_place_them, open_arena, close_arena),
         cmocka_unit_test_setup_teardown(info_lists_the_first_thousand_instances, open_arena, close_arena),
         cmocka_unit_test_setup_teardown(info_takes_no_memory_that_a_request_may_not_have, open_arena, close_counted),
     };

@@ -165,7 +165,7 @@ static void face_ids_count_over_instances(void **state)
     scene_of_triangles(&test, 64, 32, solid, 4);
     struct zr_instance instances[3];
     for (int i = 0; i < 3; i++) {
-        instances[i] = (struct zr_instance){0, zr_mat4_identity()};
+        instances[i] = (struct zr_instance){.object_to_world = zr_mat4_identity()};
         instances[i].object_to_world.m[0] = 0.25f;
         instances[i].object_to_world.m[12] = (float)i * 0.5f - 0.5f;
     }

@@ -57,6 +57,23 @@ static void nodes_place_meshes_and_polygons_come_last(void **state)
     reading_free(reading);
 }
 
+static void instances_have_the_names_of_their_nodes(void **state)
+{
+    (void)state;
+    struct reading *reading =
+        read_scene(with_nodes("{\"name\": \"left\", \"mesh\": 0}, {\"name\": \"\", \"mesh\": 0}, {\"mesh\": 0},"
+                              "{\"name\": \"right\", \"children\": [4]}, {\"name\": \"wheel\", \"mesh\": 0}",
+                              ", " POLYGONS));
+    const struct zr_scene *scene = reading->scene;
+    static const char *const names[] = {"left", NULL, NULL, "wheel", NULL};
+    assert_int_equal(scene->instance_count, 5);
+    for (uint32_t i = 0; i < 5; i++) {
+        assert_int_equal(scene->instances[i].node != NULL, names[i] != NULL);
+        if (names[i]) assert_string_equal(scene->instances[i].node, names[i]);
+    }
+    reading_free(reading);
+}
+
 static void transformations_are_those_of_gltf(void **state)
 {
     (void)state;
@@ -266,6 +283,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(nodes_place_meshes_and_polygons_come_last),
+        cmocka_unit_test(instances_have_the_names_of_their_nodes),
         cmocka_unit_test(transformations_are_those_of_gltf),
         cmocka_unit_test(without_nodes_every_mesh_is_drawn_once),
         cmocka_unit_test(nodes_without_meshes_leave_the_polygons),

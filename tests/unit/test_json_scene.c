@@ -392,6 +392,17 @@ static void small_arena_gives_no_memory_naming_the_ceiling(void **state)
     assert_true(smallest_ceiling((struct zr_request){.channel = "depth"}, text, strlen(text), 65536) > 1024);
 }
 
+static void byte_order_mark_is_passed_over(void **state)
+{
+    (void)state;
+    struct reading *reading = read_scene("\xEF\xBB\xBF{" POLYGONS "}");
+    assert_int_equal(reading->scene->meshes[0].face_count, 1);
+    reading_free(reading);
+    refuses(ZR_FORMAT_JSON, "\xEF\xBB\xBF", ZR_BAD_SYNTAX, "", "line 1, column 1: expected a value");
+    refuses(ZR_FORMAT_JSON, "\xEF\xBB\xBF[0,]", ZR_BAD_SYNTAX, "", "line 1, column 4: expected a value");
+    refuses(ZR_FORMAT_JSON, "\xEF\xBB\xBF\xEF\xBB\xBF{" POLYGONS "}", ZR_BAD_SYNTAX, "", "found a byte order mark");
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -402,6 +413,7 @@ int main(void)
         cmocka_unit_test(many_materials_all_find_their_names),
         cmocka_unit_test(bad_geometry_gives_pointer_to_it),
         cmocka_unit_test(no_face_gives_no_geometry),
+        cmocka_unit_test(byte_order_mark_is_passed_over),
         cmocka_unit_test(keys_are_checked_with_pointer_to_them),
         cmocka_unit_test(long_unknown_key_is_cut_at_a_character),
         cmocka_unit_test(several_faults_are_all_reported_up_to_the_limit),

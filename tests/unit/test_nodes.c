@@ -34,7 +34,7 @@ static void add_node(struct tree *tree, uint32_t mesh, const uint32_t *children)
 {
     struct zr_nodes *nodes = &tree->nodes;
     struct zr_node *node = &tree->made[nodes->count++];
-    *node = (struct zr_node){zr_mat4_identity(), mesh == NONE ? ZR_NODE_NO_MESH : mesh, nodes->child_count, 0};
+    *node = (struct zr_node){zr_mat4_identity(), mesh == NONE ? ZR_NODE_NO_MESH : mesh, nodes->child_count, 0, NULL};
     for (; *children != NONE; children++, node->child_count++)
         tree->children[nodes->child_count++] = *children;
 }
@@ -194,7 +194,7 @@ static struct zr_placement place_chain(struct zr_arena *arena, uint32_t length, 
     uint32_t *children = zr_arena_alloc(arena, length, sizeof *children), entries = 0;
     uint32_t last = forward ? length - 1 : 0;
     for (uint32_t i = 0; i < length; i++) {
-        made[i] = (struct zr_node){zr_mat4_identity(), i == last ? 0 : ZR_NODE_NO_MESH, entries, i != last};
+        made[i] = (struct zr_node){zr_mat4_identity(), i == last ? 0 : ZR_NODE_NO_MESH, entries, i != last, NULL};
         if (i != last) children[entries++] = forward ? i + 1 : i - 1;
     }
     struct zr_nodes nodes = {length, entries, made, children};
@@ -222,7 +222,7 @@ static void place_plainly(const struct zr_nodes *nodes, uint32_t number, zr_mat4
 {
     const struct zr_node *node = &nodes->nodes[number];
     zr_mat4 world = zr_mat4_mul(&parent, &node->local);
-    if (node->mesh != ZR_NODE_NO_MESH) out->instances[out->count++] = (struct zr_instance){node->mesh, world};
+    if (node->mesh != ZR_NODE_NO_MESH) out->instances[out->count++] = (struct zr_instance){node->mesh, world, NULL};
     for (uint32_t i = 0; i < node->child_count; i++)
         place_plainly(nodes, nodes->children[node->first_child + i], world, out);
 }

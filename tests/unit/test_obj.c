@@ -346,6 +346,49 @@ static void other_statements_are_passed_over(void **state)
     }
 }
 
+static void what_is_not_drawn_is_warned_of(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *rest, *warnings[2];
+    } cases[] = {{"mtllib a.mtl\nusemtl red\nf 1 2 3\nusemtl blue\nf 3 2 1\n",
+                  {"OBJ: 3 statements about materials (mtllib, usemtl) are not read in this version"}},
+                 {"l 1 2\nf 1 2 3\nl 2 3 1\np 1\n",
+                  {"OBJ: 2 lines (l) are not drawn in this version", "OBJ: 1 points (p) are not drawn"}},
+                 {"f 1 2 3\ncurv 0 1 1 2 3\nsurf 0 1 0 1 1 2 3\n", {"OBJ: 2 curves and curved surfaces are not drawn"}},
+                 {"o a\ng b\ns 1\nvt 0 0\nf 1 2 3\n# usemtl red\n", {NULL}}};
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        struct reading *reading = read_rest(cases[i].rest);
+        assert_read(reading);
+        uint32_t count = 0;
+        for (; count < 2 && cases[i].warnings[count]; count++)
+            assert_true(count < reading->scene->warning_count &&
+                        strcmp(reading->scene->warnings[count], cases[i].warnings[count]) == 0);
+        assert_int_equal(reading->scene->warning_count, count);
+        reading_free(reading);
+    }
+}
+
+static void byte_order_mark_is_passed_over(void **state)
+{
+    (void)state;
+    struct reading *reading = read_text(ZR_FORMAT_OBJ, "\xEF\xBB\xBFv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+    assert_read(reading);
+    assert_int_equal(reading->scene->meshes[0].position_count, 3);
+    reading_free(reading);
+    refuses(ZR_FORMAT_OBJ, "\xEF\xBB\xBF\xEF\xBB\xBFv 0 0 0\n", ZR_BAD_SYNTAX, "",
+            "line 1: expected a statement of OBJ");
+    refuses(ZR_FORMAT_OBJ, "\xEF\xBB\xBF", ZR_BAD_SCENE, "", "no geometry");
+}
+
+static void gzip_without_its_header_is_named(void **state)
+{
+    (void)state;
+    refuses(ZR_FORMAT_OBJ, "\x1F\x8B\x08\x01\x02\nv 0 0 0", ZR_BAD_SYNTAX, "", "Content-Encoding: gzip is missing");
+    refuses(ZR_FORMAT_STL, "\x1F\x8B\x08\x01\x02", ZR_BAD_SYNTAX, "", "Content-Encoding: gzip is missing");
+    refuses(ZR_FORMAT_JSON, "\x1F\x8B\x08\x01\x02", ZR_BAD_SYNTAX, "", "Content-Encoding: gzip is missing");
+}
+
 static void vertex_colors_are_read_and_white_elsewhere(void **state)
 {
     (void)state;
@@ -387,6 +430,9 @@ int main(void)
         cmocka_unit_test(face_of_many_short_corners_is_counted),
         cmocka_unit_test(line_numbers_go_on_behind_joined_lines),
         cmocka_unit_test(other_statements_are_passed_over),
+        cmocka_unit_test(what_is_not_drawn_is_warned_of),
+        cmocka_unit_test(byte_order_mark_is_passed_over),
+        cmocka_unit_test(gzip_without_its_header_is_named),
         cmocka_unit_test(vertex_colors_are_read_and_white_elsewhere),
         cmocka_unit_test(small_arena_gives_no_memory_naming_the_ceiling),
     };

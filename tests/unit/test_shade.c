@@ -138,7 +138,7 @@ static void two_meshes_with_clipping_keep_their_own_colours(void **state)
     a.mesh.colors = red;
     b.mesh.colors = blue;
     const struct zr_mesh meshes[] = {a.mesh, b.mesh};
-    const struct zr_instance instances[] = {{0, zr_mat4_identity()}, {1, zr_mat4_identity()}};
+    const struct zr_instance instances[] = {{0, zr_mat4_identity(), NULL}, {1, zr_mat4_identity(), NULL}};
     a.scene.meshes = meshes;
     a.scene.instances = instances;
     a.scene.mesh_count = a.scene.instance_count = 2;
@@ -269,7 +269,7 @@ static void assert_early_gives_way(enum zr_isa isa, uint32_t window)
     struct zr_mesh flat = test.mesh;
     flat.colors = NULL;
     flat.face_colors = face_colors;
-    const struct zr_instance instances[2] = {{0, zr_mat4_identity()}, {1, zr_mat4_identity()}};
+    const struct zr_instance instances[2] = {{0, zr_mat4_identity(), NULL}, {1, zr_mat4_identity(), NULL}};
     struct zr_arena arena;
     zr_arena_init(&arena, 1 << 26);
     enum { SMOOTH_FIRST, FLAT_FIRST, FLAT_NEARER };
@@ -332,7 +332,7 @@ static void early_colours_give_way_to_larger_triangles(void **state)
     moved.m[12] = 0.05f;
     moved.m[14] = -0.1f;
     const struct zr_mesh meshes[2] = {test.mesh, other};
-    const struct zr_instance instances[2] = {{0, zr_mat4_identity()}, {1, moved}};
+    const struct zr_instance instances[2] = {{0, zr_mat4_identity(), NULL}, {1, moved, NULL}};
     test.scene.meshes = meshes;
     test.scene.instances = instances;
     test.scene.mesh_count = test.scene.instance_count = 2;
