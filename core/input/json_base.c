@@ -155,6 +155,18 @@ static void read_words(struct reader *reader)
         zr_json_fault(json, path, "0 is the id of nothing");
 }
 
+/* Depths of the z-buffer lie between the planes that it was drawn with. Others, fitted to what is new, would give them
+ * another meaning, and a picture in which the wrong things are hidden. */
+static void check_planes(struct reader *reader)
+{
+    const struct zr_view *view = &reader->draft->scene->view;
+    if (!reader->found[WINDOW_DEPTH] || view->projection == ZR_PROJECTION_MATRIX) return;
+    if (view->has_znear && view->has_zfar) return;
+    zr_json_fault(&reader->draft->json, ZR_JSON_KEY(NULL, "view"),
+                  "znear and zfar are missing: base.windowDepth is measured between the planes that it was drawn with, "
+                  "which its info has");
+}
+
 /* What is left open is fitted to the new geometry, and then it is not the base's view. */
 static void warn_of_fitted_view(struct zr_draft *draft)
 {
@@ -179,6 +191,7 @@ void zr_draft_read_base(struct zr_draft *draft, const struct zr_json_path *path,
     reader.base = zr_arena_zero(json->arena, 1, sizeof *reader.base);
     if (!reader.base) return;
     read_words(&reader);
+    check_planes(&reader);
     for (int key = COLOR; key <= FACE_ID; key++)
         if (reader.found[key])
             zr_draft_read_bytes(draft, ZR_JSON_KEY(path, words[key]), reader.found[key], &reader.given[key]);

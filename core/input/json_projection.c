@@ -13,7 +13,7 @@ static float radians(double degrees)
 
 static void read_perspective(struct zr_view_reader *reader)
 {
-    enum { YFOV, YFOV_DEGREES, XFOV, XFOV_DEGREES, PERSPECTIVE_KEYS };
+    enum { YFOV, YFOV_DEGREES, XFOV, XFOV_DEGREES, PERSPECTIVE_KEYS }; /* each in radians, then in degrees */
     static const char *const members[] = {"yfov", "yfovDegrees", "xfov", "xfovDegrees"};
     static const struct zr_names names = ZR_NAMES(PERSPECTIVE_KEYS, members);
     struct zr_json *json = reader->json;
@@ -32,7 +32,12 @@ static void read_perspective(struct zr_view_reader *reader)
 
     bool degrees = key == YFOV_DEGREES || key == XFOV_DEGREES;
     const struct zr_json_path *at = ZR_JSON_KEY(path, members[key]);
-    double value;
+    double value = found[key]->valuedouble; /* 0 in what is no number */
+    if (!degrees && value > PI && value < 360) {
+        zr_json_fault(json, at, "%.9g is more than half a turn: %s takes radians, %s takes degrees", value,
+                      members[key], members[key + 1]);
+        return;
+    }
     if (!zr_json_number(json, at, found[key], 0, degrees ? 180 : PI, &value)) return;
     float angle = degrees ? radians(value) : (float)value;
     /* As floats: one that rounds to 0 or a half turn has no tangent to divide by. */

@@ -9,6 +9,7 @@
 
 #include "base/inlined.h"
 #include "base/vec.h"
+#include "input/color_names.h"
 #include "input/json_list.h"
 #include "input/json_value.h"
 #include "input/number.h"
@@ -99,10 +100,10 @@ static inline const char *zr_row_color(const char *at, const char *end, zr_vec4 
 {
     if (at == end || *at != '"') return zr_row_vec4(at, end, 0.0, 1.0, out);
     size_t length = 1;
-    while (length <= 9 && end - at > (ptrdiff_t)(length + 1) && at[length] != '"')
+    while (length <= ZR_COLOR_NAME_MAX && end - at > (ptrdiff_t)(length + 1) && at[length] != '"')
         length++;
     length--;
-    return zr_json_hex_color(at + 1, length, out) && end - at > (ptrdiff_t)(length + 1) && at[length + 1] == '"'
+    return zr_json_color_text(at + 1, length, out) && end - at > (ptrdiff_t)(length + 1) && at[length + 1] == '"'
                ? at + length + 2
                : NULL;
 }

@@ -5,6 +5,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "input/color_names.h"
 #include "input/json_text.h"
 #include "input/text.h"
 #include "scene/scene.h"
@@ -160,7 +161,8 @@ bool zr_json_index(struct zr_json *json, const struct zr_json_path *path, const 
         *out = (uint32_t)value;
         return (double)*out == value || zr_json_fault(json, path, "index %.9g is not a whole number", value);
     }
-    return zr_json_fault(json, path, "index %.15g of %u %s", value, count, of);
+    return zr_json_fault(json, path, "index %.15g of %u %s%s", value, count, of,
+                         count > 0 && value == (double)count ? "; they count from 0" : "");
 }
 
 bool zr_json_bool(struct zr_json *json, const struct zr_json_path *path, const cJSON *node, bool *out)
@@ -254,25 +256,44 @@ static int hex_digit(char c)
     return -1;
 }
 
-bool zr_json_hex_color(const char *text, size_t length, zr_vec4 *out)
+static float channel_of(int byte)
 {
-    if ((length != 7 && length != 9) || text[0] != '#') return false;
+    return (float)byte * (1.0f / 255.0f);
+}
+
+/* Of `count` channels, one digit each or two; one digit stands for two of it. */
+static bool read_hex(const char *text, size_t digits, size_t count, zr_vec4 *out)
+{
     float channels[4] = {0, 0, 0, 1.0f};
-    for (size_t i = 0; i < (length - 1) / 2; i++) {
-        int high = hex_digit(text[1 + 2 * i]), low = hex_digit(text[2 + 2 * i]);
+    for (size_t i = 0; i < count; i++, text += digits) {
+        int high = hex_digit(text[0]), low = hex_digit(text[digits - 1]);
         if (high < 0 || low < 0) return false;
-        channels[i] = (float)(high * 16 + low) * (1.0f / 255.0f);
+        channels[i] = channel_of(high * 16 + low);
     }
     *out = (zr_vec4){channels[0], channels[1], channels[2], channels[3]};
     return true;
 }
 
+bool zr_json_color_text(const char *text, size_t length, zr_vec4 *out)
+{
+    if (length > 0 && text[0] == '#') {
+        if (length == 4 || length == 5) return read_hex(text + 1, 1, length - 1, out);
+        return (length == 7 || length == 9) && read_hex(text + 1, 2, (length - 1) / 2, out);
+    }
+    uint32_t rgb;
+    if (!zr_color_of_name(text, length, &rgb)) return false;
+    *out = (zr_vec4){channel_of((int)(rgb >> 16)), channel_of((int)(rgb >> 8 & 255)), channel_of((int)(rgb & 255)), 1};
+    return true;
+}
+
 bool zr_json_color(struct zr_json *json, const struct zr_json_path *path, const cJSON *node, zr_vec4 *out)
 {
-    static const char *const forms = "[r,g,b] or [r,g,b,a] of 0..1, \"#rrggbb\" or \"#rrggbbaa\"";
+    static const char *const forms =
+        "[r,g,b] or [r,g,b,a] of 0..1, \"#rrggbb\", \"#rrggbbaa\", \"#rgb\", \"#rgba\" or a name "
+        "of CSS";
     if (cJSON_IsString(node)) {
         const char *text = node->valuestring;
-        return zr_json_hex_color(text, strlen(text), out) ||
+        return zr_json_color_text(text, strlen(text), out) ||
                zr_json_fault(json, path, "%s is not a colour: %s", zr_quote(text, strlen(text)).text, forms);
     }
     if (!cJSON_IsArray(node)) return zr_json_fault(json, path, "expected a colour, found %s: %s", kind_of(node), forms);

@@ -363,7 +363,9 @@ static void asset_beyond_the_memory_of_a_request_gives_422(void **state)
     struct daemon small = assets_start(&own, (const char *const[]){"--request-memory-bytes=2000000", NULL});
     struct asset_name name = asset_post(&small, bytes, SIZE, 201);
     assert_problem(asset_get(&small, name.text), 422, "requestMemoryBytes");
-    snprintf(scene, sizeof scene, "{\"base\":{\"windowDepth\":{\"asset\":\"sha256:%s\"}}," POLYGON "}", name.text);
+    snprintf(scene, sizeof scene,
+             "{\"view\":{\"znear\":1,\"zfar\":9},\"base\":{\"windowDepth\":{\"asset\":\"sha256:%s\"}}," POLYGON "}",
+             name.text);
     assert_problem(client_render(&small, scene), 422, "requestMemoryBytes");
     assert_int_equal(folder_count(&own), 1);
     daemon_stop(&small);

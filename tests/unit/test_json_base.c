@@ -183,6 +183,35 @@ static void depth_in_perspective_is_converted_too(void **state)
     reading_free(reading);
 }
 
+/* A z-buffer means nothing without the planes that it was drawn between; eye-space depth needs none. */
+static void window_depth_without_its_planes_is_refused(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *view;
+        bool good;
+    } cases[] = {{"\"preset\":\"front\"", false},
+                 {"\"eye\":[0,0,2],\"znear\":1", false},
+                 {"\"eye\":[0,0,2],\"zfar\":9", false},
+                 {"\"eye\":[0,0,2],\"znear\":1,\"zfar\":9", true},
+                 {"\"projectionMatrix\":[1,0,0,0,0,1,0,0,0,0,1,0,0,0,0,1]", true}};
+    for (size_t i = 0; i < 2 * sizeof cases / sizeof cases[0]; i++) {
+        const bool metric = i % 2;
+        char text[512];
+        snprintf(text, sizeof text,
+                 "{\"window\":{\"width\":4,\"height\":2},\"view\":{%s},\"outputs\":[{\"channel\":\"depth\"}],"
+                 "\"polygons\":[{\"vertices\":[[0,0,0],[1,0,0],[0,1,0]]}],\"base\":{%s\"depth\":{\"asset\":\"d\"}}}",
+                 cases[i / 2].view, metric ? "" : "\"windowDepth\":{\"asset\":\"w\"},");
+        if (cases[i / 2].good || metric)
+            reading_free(read_good(text));
+        else
+            refuses_with(text, NO_EXTRA, "/view", "znear and zfar are missing");
+    }
+    refuses_with(
+        "{\"window\":{\"width\":4,\"height\":2},\"polygons\":[{\"vertices\":[[0,0,0],[1,0,0],[0,1,0]]}]," BASE(ALL) "}",
+        NO_EXTRA, "/view", "znear and zfar are missing");
+}
+
 static void depth_in_an_oblique_projection_is_refused(void **state)
 {
     (void)state;
@@ -335,7 +364,8 @@ static void picture_of_another_size_is_refused(void **state)
 static void window_beyond_its_limits_is_refused_for_itself(void **state)
 {
     (void)state;
-    refuses_with("{\"window\":{\"width\":0},\"polygons\":[{\"vertices\":[[0,0,0],[1,0,0],[0,1,0]]}]," BASE(ALL) "}",
+    refuses_with("{\"window\":{\"width\":0},\"view\":{\"znear\":1,\"zfar\":9},\"polygons\":[{\"vertices\":[[0,0,0],[1,"
+                 "0,0],[0,1,0]]}]," BASE(ALL) "}",
                  NO_EXTRA, "/window/width", "0 pixels");
 }
 
@@ -419,24 +449,26 @@ static void unknown_hashes_are_refused_each_where_it_stands(void **state)
 static void what_may_be_meant_otherwise_is_warned_of(void **state)
 {
     (void)state;
-    static const char tail[] = ",\"polygons\":[{\"vertices\":[[0,0,0],[1,0,0],[0,1,0]]}],\"window\":{\"width\":4,"
-                               "\"height\":2}," BASE(ALL) "}";
+    static const char middle[] = ",\"polygons\":[{\"vertices\":[[0,0,0],[1,0,0],[0,1,0]]}],\"window\":{\"width\":4,"
+                                 "\"height\":2},\"outputs\":[{\"channel\":\"depth\"}],\"base\":{";
+    static const char metric[] = "\"depth\":{\"asset\":\"d\"}";
     static const struct {
-        const char *head, *warning;
+        const char *head, *base, *warning;
     } cases[] = {
-        {"{\"background\":[0,0,0,0]", "pose is fitted"},
-        {"{\"view\":{\"direction\":[0,0,-1]}", "pose is fitted"},
-        {"{\"view\":{\"azimuthDegrees\":10}", "pose is fitted"},
-        {"{\"view\":{\"azimuthDegrees\":10,\"distance\":3}", "pose is fitted"},
-        {"{\"view\":{\"azimuthDegrees\":10,\"distance\":3,\"target\":[0,0,0],\"znear\":1}",
+        {"{\"view\":{\"znear\":1,\"zfar\":3},\"background\":[0,0,0,0]", ALL, "pose is fitted"},
+        {"{\"view\":{\"direction\":[0,0,-1],\"znear\":1,\"zfar\":3}", ALL, "pose is fitted"},
+        {"{\"view\":{\"azimuthDegrees\":10,\"znear\":1,\"zfar\":3}", ALL, "pose is fitted"},
+        {"{\"view\":{\"azimuthDegrees\":10,\"distance\":3,\"znear\":1,\"zfar\":3}", ALL, "pose is fitted"},
+        {"{\"background\":[0,0,0,0]", metric, "pose is fitted"},
+        {"{\"view\":{\"azimuthDegrees\":10,\"distance\":3,\"target\":[0,0,0],\"znear\":1}", metric,
          "znear and zfar are fitted"},
-        {"{\"view\":{\"eye\":[0,0,2],\"znear\":1}", "znear and zfar are fitted"},
-        {"{\"view\":{\"eye\":[0,0,2],\"orthographic\":{},\"znear\":1,\"zfar\":3}", "size is fitted"},
-        {"{\"view\":{\"eye\":[0,0,2],\"znear\":1,\"zfar\":3}", "base.color is transparent in parts"},
+        {"{\"view\":{\"eye\":[0,0,2],\"znear\":1}", metric, "znear and zfar are fitted"},
+        {"{\"view\":{\"eye\":[0,0,2],\"orthographic\":{},\"znear\":1,\"zfar\":3}", ALL, "size is fitted"},
+        {"{\"view\":{\"eye\":[0,0,2],\"znear\":1,\"zfar\":3}", ALL, "base.color is transparent in parts"},
     };
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
         char text[1024];
-        snprintf(text, sizeof text, "%s%s", cases[i].head, tail);
+        snprintf(text, sizeof text, "%s%s%s}}", cases[i].head, middle, cases[i].base);
         struct reading *reading = read_good(text);
         assert_warned(reading->scene, cases[i].warning);
         reading_free(reading);
@@ -476,6 +508,7 @@ int main(void)
         cmocka_unit_test(scene_that_wins_ties_is_seen_at_equal_depth_too),
         cmocka_unit_test(depth_alone_is_converted_by_the_view),
         cmocka_unit_test(depth_in_perspective_is_converted_too),
+        cmocka_unit_test(window_depth_without_its_planes_is_refused),
         cmocka_unit_test(depth_in_an_oblique_projection_is_refused),
         cmocka_unit_test(info_tells_new_faces_from_the_base),
         cmocka_unit_test(ids_that_clash_or_do_not_fit_are_refused),

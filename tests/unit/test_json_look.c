@@ -66,7 +66,7 @@ static void looks_that_are_none_are_refused(void **state)
 {
     (void)state;
     refuses_rest("\"outline\": 3", "/outline", "true, false or a colour is needed");
-    refuses_rest("\"outline\": \"red\"", "/outline", "#rrggbb");
+    refuses_rest("\"outline\": \"reddish\"", "/outline", "'reddish' is not a colour: [r,g,b] or");
     refuses_rest("\"fill\": \"no\"", "/fill", "expected true or false");
     refuses_rest("\"doubleSided\": true", "/doubleSided", "unknown key");
     refuses_scene("{\"polygons\": [{" TRIANGLE ", \"outline\": [1, 2, 3]}]}", "/polygons/0/outline/1", "outside");

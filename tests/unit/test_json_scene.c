@@ -231,7 +231,7 @@ static void wrong_values_give_pointer_to_them(void **state)
     refuses_rest("\"colorManagement\": \"srgb\"", "/colorManagement", "not supported in this version; allowed: none");
     refuses_rest("\"shading\": \"phong\"", "/shading", "not supported in this version; allowed: unlit, flat, gouraud");
     refuses_rest("\"shading\": \"smooth\"", "/shading", "'smooth' is unknown; allowed: unlit, flat, gouraud");
-    refuses_rest("\"background\": \"red\"", "/background", "'red' is not a colour");
+    refuses_rest("\"background\": \"rot\"", "/background", "'rot' is not a colour");
     refuses_rest("\"background\": \"#12345\"", "/background", "'#12345' is not a colour");
     refuses_rest("\"background\": \"#12345g\"", "/background", "'#12345g' is not a colour");
     refuses_rest("\"background\": [1, 1]", "/background", "expected 3 or 4 numbers, found 2");
@@ -392,6 +392,51 @@ static void small_arena_gives_no_memory_naming_the_ceiling(void **state)
     assert_true(smallest_ceiling((struct zr_request){.channel = "depth"}, text, strlen(text), 65536) > 1024);
 }
 
+/* In a large list and outside of one. */
+static void colors_have_names_and_short_forms(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *text;
+        int rgba[4];
+    } cases[] = {{"red", {255, 0, 0, 255}},
+                 {"RebeccaPurple", {0x66, 0x33, 0x99, 255}},
+                 {"LIGHTGOLDENRODYELLOW", {250, 250, 210, 255}},
+                 {"tan", {210, 180, 140, 255}},
+                 {"aliceblue", {240, 248, 255, 255}},
+                 {"yellowgreen", {154, 205, 50, 255}},
+                 {"grey", {128, 128, 128, 255}},
+                 {"#f0A", {255, 0, 170, 255}},
+                 {"#1234", {17, 34, 51, 68}},
+                 {"#11223344", {17, 34, 51, 68}}};
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        char text[512];
+        snprintf(text, sizeof text,
+                 "{\"background\": \"%s\", \"polygons\": [{" TRIANGLE ", \"color\": \"%s\"}, {" TRIANGLE
+                 ", \"colors\": [\"%s\", [0,0,0], \"%s\"]}]}",
+                 cases[i].text, cases[i].text, cases[i].text, cases[i].text);
+        struct reading *reading = read_scene(text);
+        const struct zr_mesh *mesh = &reading->scene->meshes[0];
+        const zr_vec4 *colors[] = {&reading->scene->background, &mesh->face_colors[0], &mesh->colors[3],
+                                   &mesh->colors[5]};
+        for (size_t k = 0; k < sizeof colors / sizeof colors[0]; k++) {
+            const float got[4] = {colors[k]->x, colors[k]->y, colors[k]->z, colors[k]->w};
+            for (int channel = 0; channel < 4; channel++)
+                assert_true(got[channel] == (float)cases[i].rgba[channel] * (1.0f / 255.0f));
+        }
+        reading_free(reading);
+    }
+    static const char *const wrong[] = {"",     "#",  "#12",  "#12345",     "#1234567", "#xyz",
+                                        "redd", "re", "red ", "\\u0000red", "#ff g",    "lightgoldenrodyellowish"};
+    for (size_t i = 0; i < sizeof wrong / sizeof wrong[0]; i++) {
+        char text[256];
+        snprintf(text, sizeof text, "{\"polygons\": [{" TRIANGLE ", \"color\": \"%s\"}]}", wrong[i]);
+        struct reading *reading = read_text(ZR_FORMAT_JSON, text);
+        assert_int_equal(reading->status, ZR_BAD_SCENE);
+        reading_free(reading);
+    }
+}
+
 static void byte_order_mark_is_passed_over(void **state)
 {
     (void)state;
@@ -413,6 +458,7 @@ int main(void)
         cmocka_unit_test(many_materials_all_find_their_names),
         cmocka_unit_test(bad_geometry_gives_pointer_to_it),
         cmocka_unit_test(no_face_gives_no_geometry),
+        cmocka_unit_test(colors_have_names_and_short_forms),
         cmocka_unit_test(byte_order_mark_is_passed_over),
         cmocka_unit_test(keys_are_checked_with_pointer_to_them),
         cmocka_unit_test(long_unknown_key_is_cut_at_a_character),
