@@ -33,7 +33,7 @@ static struct exact exact_corner(const struct zr_mesh *mesh, uint32_t slot)
 {
     zr_vec4 p = mesh->positions[mesh->indices[slot]];
     struct exact c = {(double)p.x, (double)p.y, (double)p.z};
-    if (p.w == 1.0f || p.w == 0.0f) return c;
+    if (p.w == 1.0f) return c;
     double w = (double)p.w;
     return (struct exact){c.x / w, c.y / w, c.z / w};
 }
@@ -93,10 +93,110 @@ static bool turns_back(struct exact before, struct exact edge, struct exact norm
     return !(turn.x * normal.x + turn.y * normal.y + turn.z * normal.z >= 0.0);
 }
 
+/* ---- convexity of cones ---- */
+
+/* A corner as a ray of homogeneous space, seen along one of its four axes: a face lies in three dimensions of it, as in
+ * two of space. */
+static struct exact ray_of(const struct zr_mesh *mesh, uint32_t slot, int axis)
+{
+    zr_vec4 p = mesh->positions[mesh->indices[slot]];
+    const double v[4] = {(double)p.x, (double)p.y, (double)p.z, (double)p.w};
+    return (struct exact){v[(axis + 1) % 4], v[(axis + 2) % 4], v[(axis + 3) % 4]};
+}
+
+static double dot(struct exact a, struct exact b)
+{
+    return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+
+/* The volume between three rays: its sign says which way they turn. */
+static double turn_of(struct exact a, struct exact b, struct exact c)
+{
+    return dot(cross(a, b), c);
+}
+
+/* Twice the sum of the volumes of the fan's triangles, seen along an axis. *any: some is not 0. */
+static double volume_of(const struct zr_mesh *mesh, uint32_t begin, uint32_t end, int axis, bool *any)
+{
+    struct exact first = ray_of(mesh, begin, axis), previous = ray_of(mesh, begin + 1, axis);
+    double sum = 0.0;
+    for (uint32_t slot = begin + 2; slot < end; slot++) {
+        struct exact current = ray_of(mesh, slot, axis);
+        double turn = turn_of(first, previous, current);
+        *any = *any || turn != 0.0;
+        sum += turn;
+        previous = current;
+    }
+    return sum;
+}
+
+/* How far around the first corner the others have come: up to half a turn, in one direction. */
+struct around {
+    struct exact first, start, at;
+    bool has_start, away, back; /* off the plane of `first` and `start`, and in it again */
+};
+
+static bool goes_round(struct around *around, struct exact to, double side)
+{
+    if (!around->has_start) {
+        around->start = around->at = to;
+        around->has_start = true;
+        return true;
+    }
+    double step = side * turn_of(around->first, around->at, to), all = side * turn_of(around->first, around->start, to);
+    if (step < 0.0 || all < 0.0 || (around->back && all > 0.0)) return false;
+    around->back = around->away && all == 0.0;
+    around->away = around->away || all > 0.0;
+    around->at = to;
+    return true;
+}
+
+/* Rays that point to opposite sides have no edge between them that would be seen as one: no matter what the rest is
+ * like, such a face is not called convex. */
+static bool cone_is_concave(const struct zr_mesh *mesh, uint32_t begin, uint32_t end)
+{
+    double volume = 0.0;
+    int axis = 0;
+    bool any = false;
+    for (int i = 0; i < 4; i++) {
+        double along = volume_of(mesh, begin, end, i, &any);
+        if (!(fabs(along) > fabs(volume))) continue;
+        volume = along;
+        axis = i;
+    }
+    if (volume == 0.0) return any;
+    const double side = volume > 0.0 ? 1.0 : -1.0;
+    struct exact first = ray_of(mesh, begin, axis), at = first, before = first;
+    for (uint32_t slot = end - 1; slot > begin && is_zero(cross(before, first)); slot--)
+        before = ray_of(mesh, slot, axis);
+    struct around around = {.first = first};
+    for (uint32_t slot = begin + 1; slot <= end; slot++) {
+        struct exact to = slot < end ? ray_of(mesh, slot, axis) : first;
+        bool along = is_zero(cross(at, to)), along_first = is_zero(cross(first, to));
+        if ((along && dot(at, to) <= 0.0) || (along_first && dot(first, to) <= 0.0)) return true;
+        if (along) continue; /* the same corner again */
+        if (side * turn_of(before, at, to) < 0.0) return true;
+        if (!along_first && !goes_round(&around, to, side)) return true;
+        before = at;
+        at = to;
+    }
+    return false;
+}
+
+static bool has_corner_behind(const struct zr_mesh *mesh, uint32_t begin, uint32_t end)
+{
+    for (uint32_t slot = begin; slot < end; slot++)
+        if (!(mesh->positions[mesh->indices[slot]].w > 0.0f)) return true;
+    return false;
+}
+
+/* ---- faces ---- */
+
 bool zr_face_is_concave(const struct zr_mesh *mesh, uint32_t face)
 {
     uint32_t begin = mesh->face_offsets[face], end = mesh->face_offsets[face + 1];
     if (end - begin < 4) return false;
+    if (has_corner_behind(mesh, begin, end)) return cone_is_concave(mesh, begin, end);
     struct exact normal = exact_normal(mesh, begin, end);
     /* Seen along the axis that the face is most square to. */
     double x = fabs(normal.x), y = fabs(normal.y), z = fabs(normal.z);

@@ -12,7 +12,9 @@ bool zr_face_is_degenerate(const struct zr_mesh *mesh, uint32_t face);
  * or goes round more than once. Computed in double against the Newell normal, without
  * tolerance: a dent of one unit in the last place counts. Straight and repeated corners do not, as long as the
  * turn comes out as 0 (along axes it does; elsewhere rounding of the corner itself may dent the face).
- * Corners at infinity (w = 0) are taken as the points (x, y, z). */
+ * Corners at infinity or behind the eye (w <= 0) have no place beside the others, once divided by w. Of a face with one
+ * the cone is judged that its corners' rays make in homogeneous space: where it is convex, the triangles of the fan do
+ * not overlap, whatever of them is seen. */
 bool zr_face_is_concave(const struct zr_mesh *mesh, uint32_t face);
 
 /* Not a convex polygon: dents, crossings, holes. The odd-even rule says what is inside (geometry/shape.h). */

@@ -18,7 +18,8 @@ bool zr_loops_stopped(struct zr_loops *loops, uint64_t visits)
 
 /* ---- the plane ---- */
 
-/* False for a point that has no place. */
+/* False for a point that has no place beside others: with corners on both sides of w = 0, what is inside once they are
+ * divided is not what the rings go around. */
 static bool place(zr_vec4 point, double out[3])
 {
     out[0] = (double)point.x;
@@ -29,7 +30,7 @@ static bool place(zr_vec4 point, double out[3])
         for (int axis = 0; axis < 3; axis++)
             out[axis] /= w;
     }
-    return isfinite(out[0]) && isfinite(out[1]) && isfinite(out[2]) && point.w != 0.0f && isfinite(point.w);
+    return isfinite(out[0]) && isfinite(out[1]) && isfinite(out[2]) && point.w > 0.0f && isfinite(point.w);
 }
 
 /* Adds the Newell normal of a ring to `normal` and the magnitudes of its terms to `size`. Terms are

@@ -55,7 +55,7 @@ static inline bool zr_loop_corner_is_at(const struct zr_loop_corner *a, const st
 }
 
 /* The axes, 0 to 2, that become u and v: the two that the Newell normal of ring 0 is most square to.
- * False where a corner is at infinity or not finite, and where no ring has an area. */
+ * False where a corner is at infinity or behind the eye (w <= 0) or not finite, and where no ring has an area. */
 bool zr_loops_axes(const zr_vec4 *points, const uint32_t *ring_offsets, uint32_t rings, int axes[2]);
 
 /* Fills `loops`, whose arrays have room for corners + 2 * (rings - 1) nodes and for all rings.

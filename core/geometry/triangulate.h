@@ -51,10 +51,10 @@ bool zr_triangulator_reserve(struct zr_arena *arena, struct zr_triangulator *scr
 /* Ring r of `rings` (at least 1) has the corners ring_offsets[r] to ring_offsets[r + 1] - 1, in either direction;
  * offsets never fall, and the first need not be 0. Ring 0 gives the plane (its Newell normal) and the side that
  * triangles face; what is inside is told by nesting alone. Rings of fewer than 3 corners are left out. Where a corner
- * is at infinity (w = 0) or not finite, and where no ring has an area, each ring becomes the fan (i - 1, i, first), as
- * with GL_POLYGON. Writes triples of corners to `out`, which has room for zr_triangulate_count_max, and returns their
- * number; none where scratch->loops.cancel is raised. `scratch` has been reserved for the face. Corners may repeat a
- * place, never a number. */
+ * is at infinity or behind the eye (w <= 0) or not finite, and where no ring has an area, each ring becomes the fan (i
+ * - 1, i, first), as with GL_POLYGON. Writes triples of corners to `out`, which has room for zr_triangulate_count_max,
+ * and returns their number; none where scratch->loops.cancel is raised. `scratch` has been reserved for the face.
+ * Corners may repeat a place, never a number. */
 uint32_t zr_triangulate(struct zr_triangulator *scratch, const zr_vec4 *points, const uint32_t *ring_offsets,
                         uint32_t rings, uint32_t (*out)[3]);
 

@@ -388,6 +388,71 @@ static void shapes_outlines_and_lines_give_the_same_bytes_by_every_algorithm(voi
     assert_true(concave > polygons_wanted() / 2 && lines > 100);
 }
 
+/* ---- corners behind the eye ---- */
+
+/* Rays around an axis, or any, in a random three-dimensional part of homogeneous space. */
+static void random_cone(struct polygon *p, struct random *r)
+{
+    const uint32_t corners = 4 + random_below(r, 5);
+    const bool convex = random_below(r, 2);
+    double axes[3][4];
+    for (int k = 0; k < 12; k++)
+        axes[k / 4][k % 4] = random_range(r, -1, 1);
+    polygon_start(p, 1 + random_below(r, SIDE_MAX), 1 + random_below(r, SIDE_MAX));
+    for (uint32_t i = 0; i < corners; i++) {
+        const double angle = 6.283185307179586 * (i + random_range(r, 0, 0.9)) / corners,
+                     size = random_range(r, 0.1, 2);
+        const double ray[3] = {size * (convex ? cos(angle) : random_range(r, -1, 1)),
+                               size * (convex ? sin(angle) : random_range(r, -1, 1)),
+                               size * (convex ? 0.7 : random_range(r, -1, 1))};
+        float v[4];
+        for (int c = 0; c < 4; c++)
+            v[c] = (float)(ray[0] * axes[0][c] + ray[1] * axes[1][c] + ray[2] * axes[2][c]);
+        p->test.indices[p->corners] = p->corners;
+        p->positions[p->corners++] = (zr_vec4){v[0], v[1], v[2], v[3]};
+    }
+    end_ring(p);
+}
+
+/* A hole that is a single point, a corner, makes a shape of any face, and that is drawn by parity. */
+static void add_empty_hole(struct polygon *p)
+{
+    for (int i = 0; i < 3; i++) {
+        p->test.indices[p->corners] = p->corners;
+        p->positions[p->corners++] = p->positions[0];
+    }
+    end_ring(p);
+}
+
+static void faces_with_corners_behind_the_eye_cover_what_their_parity_says(void **state)
+{
+    enum { CONES = 6000 };
+    (void)state;
+    struct random random = random_seeded(77);
+    static struct polygon p;
+    static uint32_t ids[SIDE_MAX * SIDE_MAX];
+    uint32_t fans = 0, shapes = 0;
+    size_t covered = 0, wrong = 0;
+    for (int i = 0; i < CONES; i++) {
+        random_cone(&p, &random);
+        const struct zr_frame *frame = draw(&p);
+        const size_t pixels = (size_t)frame->width * frame->height;
+        if (frame->covered_pixels > 0) ++*(frame->counts.concave_polygons ? &shapes : &fans);
+        memcpy(ids, frame->face_id, pixels * sizeof *ids);
+        zr_arena_reset(&arena, (size_t)1 << 28);
+        add_empty_hole(&p);
+        frame = draw(&p);
+        assert_int_equal(frame->counts.concave_polygons, 1);
+        for (size_t k = 0; k < pixels; k++) {
+            covered += ids[k] != 0;
+            wrong += ids[k] != frame->face_id[k];
+        }
+        zr_arena_reset(&arena, (size_t)1 << 28);
+    }
+    assert_true(fans > CONES / 10 && shapes > CONES / 10);
+    assert_true(wrong <= covered / 1000000); /* what rounding may cost where triangles are clipped */
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -398,6 +463,7 @@ int main(void)
         cmocka_unit_test(corners_on_edges_neither_lose_samples_nor_bend_the_depth),
         cmocka_unit_test(side_of_a_polygon_does_not_depend_on_what_the_window_cuts_off),
         cmocka_unit_test(shapes_outlines_and_lines_give_the_same_bytes_by_every_algorithm),
+        cmocka_unit_test(faces_with_corners_behind_the_eye_cover_what_their_parity_says),
     };
     return cmocka_run_group_tests_name("polygons", tests, open_arena, close_arena);
 }

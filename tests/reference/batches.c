@@ -289,7 +289,17 @@ static bool append_parity(struct builder *b, const struct source *s, struct refe
     return append_batch(b, batch);
 }
 
-/* A convex polygon as GL_POLYGON would cut it, by parity: it must change nothing. */
+/* A convex polygon as GL_POLYGON would cut it, by parity: it must change nothing. Done wherever a corner is at infinity
+ * or behind the eye (w <= 0), where it is easily mistaken what is convex. */
+static bool is_fan_by_parity(const struct builder *b, const struct source *s)
+{
+    uint32_t begin = s->mesh->face_offsets[s->face], end = s->mesh->face_offsets[s->face + 1];
+    bool behind = false;
+    for (uint32_t slot = begin; slot < end; slot++)
+        behind |= !(s->mesh->positions[s->mesh->indices[slot]].w > 0.0f);
+    return end - begin > 3 && (behind || b->options.all_parity);
+}
+
 static bool append_fan_by_parity(struct builder *b, const struct source *s, struct reference_batch *batch)
 {
     uint32_t begin = s->mesh->face_offsets[s->face], end = s->mesh->face_offsets[s->face + 1];
@@ -322,7 +332,7 @@ static bool append_face(struct builder *b, const struct source *s)
     if (s->material->hollow) return true;
     batch.pushed = s->material->outline != ZR_OUTLINE_NONE;
     if (batches_face_is_parity(s->mesh, s->face)) return append_parity(b, s, &batch);
-    if (b->options.all_parity && end - begin > 3) return append_fan_by_parity(b, s, &batch);
+    if (is_fan_by_parity(b, s)) return append_fan_by_parity(b, s, &batch);
     if (!reserve_corners(b, end - begin)) return false;
     batch.mode = end - begin == 3 ? REFERENCE_TRIANGLES : REFERENCE_POLYGON;
     batch.first = b->corner_count;

@@ -214,6 +214,38 @@ static void faces_are_convex_only_if_they_are_exactly(void **state)
     assert_true(is_concave(divided, 4));
 }
 
+/* A square whose third corner is the same point, but behind the eye: its edges go through infinity. */
+static void faces_with_corners_behind_the_eye_are_judged_as_cones(void **state)
+{
+    (void)state;
+    const zr_vec4 turned[4] = {{0, 0, 0, 1}, {1, 0, 0, 1}, {-1, -1, 0, -1}, {0, 1, 0, 1}};
+    assert_true(is_concave(turned, 4));
+    const zr_vec4 all_behind[4] = {{0, 0, 0, -1}, {-1, 0, 0, -1}, {-1, -1, 0, -1}, {0, -1, 0, -1}};
+    assert_false(is_concave(all_behind, 4));
+    /* A strip from in front of the eye to behind it; divided by w it is a bow tie. */
+    const zr_vec4 strip[4] = {{-1, 1, 0, 1}, {1, 1, 0, 1}, {1, 1, 0, -1}, {-1, 1, 0, -1}};
+    assert_false(is_concave(strip, 4));
+    const zr_vec4 crossed[4] = {{-1, 1, 0, 1}, {1, 1, 0, 1}, {-1, 1, 0, -1}, {1, 1, 0, -1}};
+    assert_true(is_concave(crossed, 4));
+    const zr_vec4 to_infinity[4] = {{-1, 1, 0, 1}, {1, 1, 0, 1}, {1, 2, 0, 0}, {-1, 2, 0, 0}};
+    assert_false(is_concave(to_infinity, 4));
+    const zr_vec4 repeated[6] = {{-1, 1, 0, 1}, {1, 1, 0, 1},           {2, 2, 0, 2},
+                                 {1, 1, 0, -1}, {0.5f, 0.5f, 0, -0.5f}, {-1, 1, 0, -1}};
+    assert_false(is_concave(repeated, 6));
+    const zr_vec4 dent[5] = {{-1, 1, 0, 1}, {0, 1, 0, 0.5f}, {1, 1, 0, 1}, {1, 1, 0, -1}, {-1, 1, 0, -1}};
+    assert_true(is_concave(dent, 5));
+    const zr_vec4 straight[5] = {{-1, 1, 0, 1}, {0, 1, 0, 1}, {1, 1, 0, 1}, {1, 1, 0, -1}, {-1, 1, 0, -1}};
+    assert_false(is_concave(straight, 5));
+    const zr_vec4 twice_round[8] = {{-1, 1, 0, 1}, {1, 1, 0, 1}, {1, 1, 0, -1}, {-1, 1, 0, -1},
+                                    {-1, 1, 0, 1}, {1, 1, 0, 1}, {1, 1, 0, -1}, {-1, 1, 0, -1}};
+    assert_true(is_concave(twice_round, 8));
+    /* All around the eye: there is no side from which all of it is seen. */
+    const zr_vec4 around[4] = {{1, 0, 0, 1}, {0, 1, 0, -1}, {-1, 0, 0, 1}, {0, -1, 0, -1}};
+    assert_true(is_concave(around, 4));
+    const zr_vec4 one_line[4] = {{0, 0, 0, 1}, {1, 2, 0, 1}, {-3, -6, 0, -1}, {2, 4, 0, 1}};
+    assert_false(is_concave(one_line, 4));
+}
+
 static void light_follows_the_cosine_and_shows_on_one_side_only(void **state)
 {
     (void)state;
@@ -332,6 +364,7 @@ int main(void)
         cmocka_unit_test(normal_of_face_is_twice_its_area_towards_its_front),
         cmocka_unit_test(faces_with_dents_or_crossings_are_concave_and_convex_ones_are_not),
         cmocka_unit_test(faces_are_convex_only_if_they_are_exactly),
+        cmocka_unit_test(faces_with_corners_behind_the_eye_are_judged_as_cones),
         cmocka_unit_test(light_follows_the_cosine_and_shows_on_one_side_only),
         cmocka_unit_test(light_on_a_mirrored_instance_stays_outside),
         cmocka_unit_test(geometry_counts_every_triangle_once),
