@@ -10,6 +10,10 @@
 #include "input/text.h"
 #include "scene/scene.h"
 
+/* From one corner of the largest scene to the other there are 3.5 times as many units as coordinates may have, and who
+ * wants to see it all stands farther off. Squared, such lengths are far below ZR_MATRIX_MAX times a coordinate. */
+enum { LENGTHS_A_COORDINATE = 1000 };
+
 enum { PATH_LINKS_MAX = 16, POINTER_ROOM = ZR_POINTER_SIZE + 8 };
 
 /* RFC 6901, section 3: ~ is ~0 and / is ~1. Ends one byte early where it must, so
@@ -138,9 +142,17 @@ bool zr_json_coordinate(struct zr_json *json, const struct zr_json_path *path, c
     return true;
 }
 
+bool zr_json_length(struct zr_json *json, const struct zr_json_path *path, const cJSON *node, float *out)
+{
+    double value, limit = (double)json->limits->coordinate_max * LENGTHS_A_COORDINATE;
+    if (!zr_json_number(json, path, node, -limit, limit, &value)) return false;
+    *out = (float)value;
+    return true;
+}
+
 bool zr_json_positive(struct zr_json *json, const struct zr_json_path *path, const cJSON *node, float *out)
 {
-    if (!zr_json_coordinate(json, path, node, out)) return false;
+    if (!zr_json_length(json, path, node, out)) return false;
     return *out > 0.0f || zr_json_fault(json, path, "%.9g is not greater than 0", node->valuedouble);
 }
 

@@ -70,7 +70,11 @@ bool zr_json_array(struct zr_json *json, const struct zr_json_path *path, const 
 bool zr_json_number(struct zr_json *json, const struct zr_json_path *path, const cJSON *node, double low, double high,
                     double *out);
 
-/* A number > 0 and <= coordinate_max, still > 0 as a float. */
+/* A length, which is no place: magnitude <= 1000 * coordinate_max, so that scenes of the full size can be seen whole.
+ */
+bool zr_json_length(struct zr_json *json, const struct zr_json_path *path, const cJSON *node, float *out);
+
+/* A length > 0, still > 0 as a float. */
 bool zr_json_positive(struct zr_json *json, const struct zr_json_path *path, const cJSON *node, float *out);
 
 /* A place along an axis: magnitude <= coordinate_max. */

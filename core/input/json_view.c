@@ -73,7 +73,7 @@ static bool read_plane(struct zr_view_reader *reader, enum zr_view_key key, floa
     case ZR_PROJECTION_MATRIX:
         return zr_json_fault(reader->json, path, "projectionMatrix has planes of its own");
     case ZR_PROJECTION_ORTHOGRAPHIC:
-        return zr_json_coordinate(reader->json, path, node, out);
+        return zr_json_length(reader->json, path, node, out);
     case ZR_PROJECTION_PERSPECTIVE:
     case ZR_PROJECTION_INTRINSICS:
         break;

@@ -6,6 +6,7 @@
  * camera is 100 y / z pixels above the middle. */
 #include <cjson/cJSON.h>
 
+#include "geometry/clip.h"
 #include "support/scenes.h"
 #include "view_check.h"
 
@@ -256,10 +257,44 @@ static void info_gives_back_the_k_that_was_given(void **state)
     reading_free(reading);
 }
 
+/* From 5e6 off, the near face of the cube from -1e6 to 1e6 is 4e6 away. */
+static void scene_of_the_full_size_is_seen_whole(void **state)
+{
+    (void)state;
+    static const char cube[] =
+        "{\"positions\": [[-1e6,-1e6,-1e6],[1e6,-1e6,-1e6],[1e6,1e6,-1e6],[-1e6,1e6,-1e6],[-1e6,-1e6,1e6],"
+        "[1e6,-1e6,1e6],[1e6,1e6,1e6],[-1e6,1e6,1e6]], \"faces\": [[0,1,2]]}";
+    static const struct sight sights[] = {
+        {"\"azimuthDegrees\": 0, \"target\": [0,0,0], \"distance\": 5e6, \"znear\": 1e6, \"zfar\": 1e7," P90,
+         {1e6f, 1e6f, 1e6f},
+         {225, 75}},
+        {"\"azimuthDegrees\": 0, \"target\": [0,0,0], \"distance\": 5e6, \"znear\": 1, \"zfar\": 1e9," P90,
+         {1e6f, 1e6f, 1e6f},
+         {225, 75}},
+        {"\"azimuthDegrees\": 0, \"target\": [0,0,0], \"distance\": 5e6, \"zfar\": 7e6, \"orthographic\": {\"xmag\": "
+         "4e6, "
+         "\"ymag\": 2e6}",
+         {1e6f, 1e6f, 1e6f},
+         {250, 50}},
+        {"\"eye\": [0,0,1e6], \"target\": [0,0,0], \"zfar\": 4e6," P90, {1e6f, 1e6f, -1e6f}, {250, 50}},
+    };
+    for (size_t i = 0; i < sizeof sights / sizeof *sights; i++) {
+        struct shot shot = shoot(WINDOW, cube, sights[i].view);
+        assert_int_equal(shot.status, ZR_OK);
+        const zr_mat4 matrix = zr_mat4_mul(&shot.camera.projection, &shot.camera.world_to_eye);
+        const zr_vec3 p = sights[i].point;
+        assert_int_equal(zr_clip_outcode(zr_mat4_apply(&matrix, (zr_vec4){p.x, p.y, p.z, 1})), 0);
+        reading_free(shot.reading);
+    }
+    assert_seen(WINDOW, cube, sights, sizeof sights / sizeof *sights);
+    refuses_rest("\"view\": {\"eye\": [0,0,5], \"zfar\": 1.1e9}", "/view/zfar", "1100000000 is outside of");
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(look_at_shows_points_where_they_are),
+        cmocka_unit_test(scene_of_the_full_size_is_seen_whole),
         cmocka_unit_test(presets_show_the_side_that_they_name),
         cmocka_unit_test(direction_is_the_way_the_camera_looks),
         cmocka_unit_test(azimuth_goes_round_and_elevation_over_the_target),
