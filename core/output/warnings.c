@@ -5,7 +5,10 @@
 #include <stdio.h>
 #include <string.h>
 
-enum { OWN_MAX = 4, TEXT_SIZE = 128 };
+enum { OWN_MAX = 5, TEXT_SIZE = 160 };
+
+/* A share of the geometry's size that is seen. */
+static const float MARGIN_SEEN = 0.01f;
 
 __attribute__((format(printf, 3, 4))) static void add(struct zr_arena *arena, struct zr_warnings *warnings,
                                                       const char *format, ...)
@@ -30,6 +33,12 @@ struct zr_warnings zr_warnings_make(struct zr_arena *arena, const struct zr_scen
     if (counts->degenerate_polygons > 0)
         add(arena, &w, "%" PRIu64 " of %" PRIu64 " polygons have fewer than three distinct corners and were dropped",
             counts->degenerate_polygons, counts->polygons);
+    if (frame->camera.fit_margin > MARGIN_SEEN)
+        add(arena, &w,
+            "the geometry is small and far from the origin: rounding may move it by %.2g of its size, and the fitted "
+            "view "
+            "leaves room for that",
+            (double)frame->camera.fit_margin);
     if (misfits > 0) add(arena, &w, "the depth of %" PRIu64 " pixels does not fit 16 bits at this scale", misfits);
     if (frame->covered_pixels > 0) return w;
     bool drawn = counts->drawn_whole + counts->drawn_pieces > 0;

@@ -10,6 +10,20 @@ static enum zr_status check_range(const struct zr_camera *camera, struct zr_erro
     return zr_error_add(error, ZR_BAD_SCENE, "/view", "the view leads beyond the range of numbers");
 }
 
+/* Small things far from the origin shrink in a fitted view, since what rounding may do to them grows with their
+ * distance.
+ */
+static float fit_margin_of(const struct zr_view *view, const struct zr_bounds *fitted, const zr_mat4 *world_to_eye)
+{
+    const bool fits_pose = view->pose == ZR_POSE_PRESET || view->pose == ZR_POSE_DIRECTION ||
+                           (view->pose == ZR_POSE_ORBIT && !(view->distance > 0.0f));
+    const bool fits_size = view->projection == ZR_PROJECTION_ORTHOGRAPHIC && !(view->xmag > 0.0f);
+    if (!fitted->valid || !(fits_size || (fits_pose && zr_view_is_perspective(view)))) return 0.0f;
+    const float *m = world_to_eye->m;
+    return (float)(zr_rounding_of(fitted, (zr_dvec3){(double)m[12], (double)m[13], (double)m[14]}) /
+                   zr_size_of(fitted));
+}
+
 static enum zr_status resolve(const struct zr_points *points, const struct zr_bounds *bounds, struct zr_camera *camera,
                               struct zr_error *error)
 {
@@ -24,6 +38,7 @@ static enum zr_status resolve(const struct zr_points *points, const struct zr_bo
         if (status != ZR_OK) return status;
         camera->world_to_eye = zr_axes_to_matrix(&axes);
     }
+    camera->fit_margin = fit_margin_of(view, &fitted, &camera->world_to_eye);
     return zr_camera_project(points, bounds, &fitted, camera, error);
 }
 

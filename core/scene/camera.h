@@ -23,6 +23,8 @@ struct zr_bounds {
 struct zr_camera {
     zr_mat4 world_to_eye, projection;
     float znear, zfar; /* distances in front of the camera; 0 and 0 with a projectionMatrix */
+    float fit_margin; /* what a fitted view leaves free around the geometry, beside its padding, since rounding may move
+                       * it: a share of its size; 0 where nothing is fitted */
 };
 
 /* What zr_sight_find finds. */

@@ -60,6 +60,9 @@ struct zr_extent zr_extent_in_eye_space(const struct zr_points *points, const zr
 /* What rounding may add to a place in eye space when projection and view become one matrix. */
 double zr_rounding_of(const struct zr_bounds *bounds, zr_dvec3 moved);
 
+/* The diagonal of the bounds; 1 where they have none. */
+double zr_size_of(const struct zr_bounds *bounds);
+
 /* Puts the eye of a pose that leaves that to the geometry. `bounds` are those of what is
  * fitted to. */
 enum zr_status zr_fit_eye(const struct zr_points *points, const struct zr_bounds *bounds, struct zr_axes *axes,

@@ -78,7 +78,7 @@ struct zr_bounds zr_fit_bounds(const struct zr_points *points, const struct zr_b
 
 /* ---- fit ---- */
 
-static double size_of(const struct zr_bounds *bounds)
+double zr_size_of(const struct zr_bounds *bounds)
 {
     zr_dvec3 diagonal = zr_dvec3_sub(zr_dvec3_of(bounds->max), zr_dvec3_of(bounds->min));
     double size = bounds->valid ? sqrt(zr_dvec3_dot(diagonal, diagonal)) : 0.0;
@@ -259,10 +259,10 @@ enum zr_status zr_fit_eye(const struct zr_points *points, const struct zr_bounds
         return ZR_OK;
     }
     if (!zr_view_is_perspective(view)) {
-        fit_parallel(&fitted, size_of(bounds), free, axes);
+        fit_parallel(&fitted, zr_size_of(bounds), free, axes);
         return ZR_OK;
     }
-    struct fitting fitting = {&fitted, zr_opening_of(points->scene), size_of(bounds),
+    struct fitting fitting = {&fitted, zr_opening_of(points->scene), zr_size_of(bounds),
                               zr_rounding_of(bounds, axes->eye)};
     if (!free) return fit_on_axis(&fitting, axes, error);
     fit_freely(&fitting, axes);

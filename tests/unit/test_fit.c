@@ -150,9 +150,40 @@ static void azimuth_and_direction_fit_as_the_presets_do(void **state)
     }
 }
 
+/* A cube of 2 units that is moved along x: the room that is left for rounding is told, wherever something is fitted. */
+static void room_for_rounding_far_from_the_origin_is_told(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *view;
+        bool fitted;
+    } views[] = {{"\"preset\": \"front\"", true},
+                 {"\"preset\": \"front\"," P90, true},
+                 {"\"azimuthDegrees\": 10", true},
+                 {"\"eye\": [1,2,3], \"orthographic\": {}", true},
+                 {"\"preset\": \"front\", \"orthographic\": {\"xmag\": 2, \"ymag\": 1}", false},
+                 {"\"azimuthDegrees\": 10, \"target\": [0,0,0], \"distance\": 9", false},
+                 {"\"eye\": [1,2,3]", false},
+                 {"\"projectionMatrix\": [1,0,0,0,0,1,0,0,0,0,1,0,0,0,0,1]", false}};
+    static const int far[] = {0, 1000, 100000, 999990};
+    for (size_t i = 0; i < sizeof views / sizeof *views * 4; i++) {
+        const int x = far[i % 4];
+        char cube[512];
+        snprintf(cube, sizeof cube, "{\"positions\": [[%d,-1,-1],[%d,-1,-1],[%d,1,1],[%d,1,1]], \"faces\": [[0,1,2]]}",
+                 x - 1, x + 1, x + 1, x - 1);
+        struct shot shot = shoot(SMALL, cube, views[i / 4].view);
+        assert_int_equal(shot.status, ZR_OK);
+        const double want = views[i / 4].fitted ? 16 * 1.1920929e-7 * (x + 1) / sqrt(12) : 0;
+        assert_true((double)shot.camera.fit_margin >= 0.99 * want);
+        assert_true((double)shot.camera.fit_margin <= 1.01 * want + (views[i / 4].fitted ? 1e-5 : 0));
+        reading_free(shot.reading);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(room_for_rounding_far_from_the_origin_is_told),
         cmocka_unit_test(fitted_cube_touches_the_borders),
         cmocka_unit_test(fitted_cube_is_seen_whole_wherever_the_principal_point_is),
         cmocka_unit_test(views_without_a_solution_are_refused),

@@ -45,6 +45,21 @@ static void info_counts_pixels_and_boxes_and_warns(void **state)
     cJSON_Delete(info);
 }
 
+static void room_that_a_fitted_view_leaves_for_rounding_is_warned_of(void **state)
+{
+    (void)state;
+    static struct test_scene test;
+    for (int i = 0; i < 2; i++) {
+        const float x = i ? 500000.0f : 5.0f;
+        const zr_vec4 p[] = {{x, 0, 0, 1}, {x + 4, 0, 0, 1}, {x, 4, 0, 1}};
+        scene_of_triangles(&test, 16, 16, p, 1);
+        test.scene.view = (struct zr_view){.preset = ZR_PRESET_FRONT, .projection = ZR_PROJECTION_ORTHOGRAPHIC};
+        const struct zr_answer answer = info_of(&test);
+        assert_int_equal(strstr(answer.warnings, "small and far from the origin: rounding may move it by 0.17") != NULL,
+                         i == 1);
+    }
+}
+
 static void info_names_meshes_and_the_nodes_that_place_them(void **state)
 {
     (void)state;
@@ -152,6 +167,8 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test_setup_teardown(info_counts_pixels_and_boxes_and_warns, open_arena, close_arena),
+        cmocka_unit_test_setup_teardown(room_that_a_fitted_view_leaves_for_rounding_is_warned_of, open_arena,
+                                        close_arena),
         cmocka_unit_test_setup_teardown(info_names_meshes_and_the_nodes_that_place_them, open_arena, close_arena),
         cmocka_unit_test_setup_teardown(info_lists_the_first_thousand_instances, open_arena, close_arena),
         cmocka_unit_test_setup_teardown(info_takes_no_memory_that_a_request_may_not_have, open_arena, close_counted),
