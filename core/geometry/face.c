@@ -53,6 +53,20 @@ static bool is_zero(struct exact v)
     return v.x == 0.0 && v.y == 0.0 && v.z == 0.0;
 }
 
+bool zr_face_is_line(const struct zr_mesh *mesh, uint32_t face)
+{
+    uint32_t begin = mesh->face_offsets[face], end = mesh->face_offsets[face + 1];
+    struct exact first = exact_corner(mesh, begin), along = {0, 0, 0};
+    for (uint32_t slot = begin + 1; slot < end; slot++) {
+        struct exact to = minus(exact_corner(mesh, slot), first), turn = cross(along, to);
+        double sizes =
+            (along.x * along.x + along.y * along.y + along.z * along.z) * (to.x * to.x + to.y * to.y + to.z * to.z);
+        if (!(turn.x * turn.x + turn.y * turn.y + turn.z * turn.z <= 1e-12 * sizes)) return false;
+        if (is_zero(along)) along = to;
+    }
+    return true;
+}
+
 static struct exact exact_normal(const struct zr_mesh *mesh, uint32_t begin, uint32_t end)
 {
     struct exact origin = exact_corner(mesh, begin), sum = {0, 0, 0};

@@ -8,6 +8,9 @@
  * decides it too. */
 bool zr_face_is_degenerate(const struct zr_mesh *mesh, uint32_t face);
 
+/* All corners lie on one line, or nearly: turns are a millionth of a right angle at most. */
+bool zr_face_is_line(const struct zr_mesh *mesh, uint32_t face);
+
 /* True where the face is no convex polygon: some corner turns against the winding, or the ring crosses itself
  * or goes round more than once. Computed in double against the Newell normal, without
  * tolerance: a dent of one unit in the last place counts. Straight and repeated corners do not, as long as the

@@ -5,6 +5,8 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "geometry/face.h"
+
 enum { OWN_MAX = 5, TEXT_SIZE = 160 };
 
 /* A share of the geometry's size that is seen. */
@@ -20,6 +22,17 @@ __attribute__((format(printf, 3, 4))) static void add(struct zr_arena *arena, st
     vsnprintf(text, TEXT_SIZE, format, arguments);
     va_end(arguments);
     warnings->texts[warnings->count++] = text;
+}
+
+/* Stops at the first face that is none. */
+static bool are_lines(const struct zr_scene *scene)
+{
+    for (uint32_t i = 0; i < scene->instance_count; i++) {
+        const struct zr_mesh *mesh = &scene->meshes[scene->instances[i].mesh];
+        for (uint32_t face = 0; face < mesh->face_count; face++)
+            if (!zr_face_is_line(mesh, face)) return false;
+    }
+    return true;
 }
 
 struct zr_warnings zr_warnings_make(struct zr_arena *arena, const struct zr_scene *scene, const struct zr_frame *frame,
@@ -47,8 +60,14 @@ struct zr_warnings zr_warnings_make(struct zr_arena *arena, const struct zr_scen
     else if (counts->outside + counts->outside_lines == counts->triangles + counts->lines &&
              counts->triangles + counts->lines > 0)
         add(arena, &w, "nothing is seen: all geometry is outside the view");
+    else if (counts->triangles > 0 && are_lines(scene))
+        add(arena, &w, "nothing is seen: the corners of each polygon are collinear, on one line");
+    else if (!drawn && counts->zero_area > 0)
+        add(arena, &w, "nothing is seen: the polygons in view are edge-on, or smaller than 1/256 pixel");
+    else if (frame->base)
+        add(arena, &w, "nothing is seen: no pixel is covered in front of the base");
     else
-        add(arena, &w, "nothing is seen: no pixel is covered in front of the %s", frame->base ? "base" : "far plane");
+        add(arena, &w, "nothing is seen: no pixel is covered (edge-on, smaller than a pixel, or at the far plane)");
     return w;
 }
 

@@ -45,6 +45,28 @@ static void info_counts_pixels_and_boxes_and_warns(void **state)
     cJSON_Delete(info);
 }
 
+static void nothing_seen_says_why(void **state)
+{
+    (void)state;
+    static const struct {
+        zr_vec4 p[3];
+        const char *warning;
+    } cases[] = {
+        {{{0, 0, 0, 1}, {0.1f, 0.2f, 0.3f, 1}, {0.2f, 0.4f, 0.6f, 1}},
+         "nothing is seen: the corners of each polygon are collinear"},
+        {{{0, 0, 0, 1}, {0.5f, 0, 0, 1}, {0.25f, 0, 0.5f, 1}}, "nothing is seen: the polygons in view are edge-on"},
+        {{{5, 5, 0, 1}, {6, 5, 0, 1}, {5, 6, 0, 1}}, "nothing is seen: all geometry is outside the view"},
+        {{{0.02f, 0.02f, 0, 1}, {0.03f, 0.02f, 0, 1}, {0.02f, 0.03f, 0, 1}}, "nothing is seen: no pixel is covered"},
+        {{{0, 0, 0, 1}, {0.5f, 0, 0, 1}, {0, 0.5f, 0, 1}}, ""}};
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        static struct test_scene test;
+        scene_of_triangles(&test, 16, 16, cases[i].p, 1);
+        const struct zr_answer answer = info_of(&test);
+        if (*cases[i].warning ? !strstr(answer.warnings, cases[i].warning) : *answer.warnings != '\0')
+            fail_msg("case %zu: %s", i, answer.warnings);
+    }
+}
+
 static void room_that_a_fitted_view_leaves_for_rounding_is_warned_of(void **state)
 {
     (void)state;
@@ -167,6 +189,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test_setup_teardown(info_counts_pixels_and_boxes_and_warns, open_arena, close_arena),
+        cmocka_unit_test_setup_teardown(nothing_seen_says_why, open_arena, close_arena),
         cmocka_unit_test_setup_teardown(room_that_a_fitted_view_leaves_for_rounding_is_warned_of, open_arena,
                                         close_arena),
         cmocka_unit_test_setup_teardown(info_names_meshes_and_the_nodes_that_place_them, open_arena, close_arena),
