@@ -148,7 +148,7 @@ static uint32_t paint_rows(struct painter *p, int32_t y, int32_t rows, int32_t w
             zr_flat_add(&p->flat, batch, owners + row * ZR_TILE_STRIDE);
         return 0; /* counted when they are painted */
     }
-    uint64_t ends[ZR_PATCH_ROWS];
+    uint64_t ends[ZR_PATCH_ROWS] = {0}; /* gcc 16 does not see that all that are read are set */
     int32_t runs = 0;
     for (int32_t row = 0; row < rows; row++) {
         ends[row] = find_ends(owners + row * ZR_TILE_STRIDE, width);

@@ -47,7 +47,7 @@ static void any_bytes_come_back(void **state)
     (void)state;
     struct random random = random_seeded(5);
     for (size_t size = 0; size < 300; size++) {
-        unsigned char bytes[300], out[300];
+        unsigned char bytes[300] = {0}, out[300];
         for (size_t i = 0; i < size; i++)
             bytes[i] = (unsigned char)random_next(&random);
         char *text = base64_of("", bytes, size);
