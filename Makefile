@@ -15,6 +15,9 @@ endif
 ifdef FUZZ
 OURS += -fsanitize=fuzzer-no-link
 endif
+ifdef MUTANTS
+OURS += -DZR_MUTANTS
+endif
 Q := $(if $(V),,@)
 JOBS := $(shell getconf _NPROCESSORS_ONLN 2>/dev/null || echo 1)
 
@@ -22,15 +25,21 @@ CORE_LIBS := -lcjson -lpng -lisal -lzip -lm
 SERVER_LIBS := -lmicrohttpd -lnettle -lz
 CLIENT_LIBS := -lcurl -lcjson
 TEST_LIBS := -lcmocka -lcurl -lz
-OSMESA_LIBS := -lOSMesa
-EGL_LIBS := -lEGL -lOpenGL
+reference_libs_osmesa := -lOSMesa
+reference_libs_egl := -lEGL -lOpenGL
 
-# FILE=PACKAGE: what each kind of target wants on the machine, and the Debian package that has it.
+# How tests get hold of Mesa: osmesa where there is OSMesa, and egl where there is not, as from Mesa 25.1 on. Nobody need say.
+need_osmesa := $(if $(REFERENCE),$(if $(filter osmesa,$(REFERENCE)),GL/osmesa.h=libosmesa6-dev),GL/osmesa.h=libosmesa6-dev?)
+REFERENCE := $(or $(REFERENCE),$(shell $(CC) -E -include GL/osmesa.h -x c /dev/null >/dev/null 2>&1 && echo osmesa || echo egl))
+
+# FILE=PACKAGE: what each kind of target wants on the machine, and the Debian package that has it; PACKAGE?: unless there is
+# no such package.
 NEED_BUILD := cc=gcc stdlib.h=libc6-dev microhttpd.h=libmicrohttpd-dev cjson/cJSON.h=libcjson-dev png.h=libpng-dev \
 	isa-l/igzip_lib.h=libisal-dev zip.h=libzip-dev zlib.h=zlib1g-dev nettle/sha2.h=nettle-dev curl/curl.h=libcurl4-gnutls-dev
 NEED_EGL := EGL/eglext.h=libegl-dev -lOpenGL=libopengl-dev /usr/share/glvnd/egl_vendor.d/50_mesa.json=libegl-mesa0 \
 	/usr/share/drirc.d/00-mesa-defaults.conf=libgl1-mesa-dri
-NEED_TEST := cmocka.h=libcmocka-dev pngcheck=pngcheck GL/osmesa.h=libosmesa6-dev $(NEED_EGL)
+NEED_REFERENCE := $(need_osmesa) $(NEED_EGL)
+NEED_TEST := cmocka.h=libcmocka-dev pngcheck=pngcheck $(NEED_REFERENCE)
 NEED_CROSS := aarch64-linux-gnu-gcc=gcc-aarch64-linux-gnu /usr/aarch64-linux-gnu/include/stdlib.h=libc6-dev-arm64-cross \
 	qemu-aarch64=qemu-user
 NEED_EMULATED := simde/x86/avx512.h=libsimde-dev
@@ -39,16 +48,15 @@ NEED_DEMO := /usr/share/assimp/models/OBJ/spider.obj=assimp-testmodels
 
 # Data that is not in the repository, used where it is present: models/*.obj and json-test-suite/.
 DATA ?= ../shared/data
-# How the long comparison gets hold of Mesa: osmesa, or egl where Mesa has no OSMesa any more (from 25.1 on).
-REFERENCE ?= osmesa
 # For `make fuzz`: seconds for each target.
 FUZZ_SECONDS ?= 20
 FUZZ_CC ?= clang
 # For `make cross`, whose program is linked statically: qemu then needs nothing else of that machine.
 CROSS_CC ?= aarch64-linux-gnu-gcc
-verify_osmesa := $(BUILD)/zraster-verify
-verify_egl := $(BUILD)/zraster-verify-egl
-verify_lines := $(BUILD)/zraster-verify-lines
+
+# What compares with Mesa, and once more with mutants in it (core/base/mutant.h).
+verify := $(BUILD)/zraster-verify $(BUILD)/zraster-verify-egl $(BUILD)/zraster-verify-lines
+verify_mutants := $(verify:$(BUILD)/%=$(BUILD)/mutant/%)
 
 objects = $(patsubst %.c,$(BUILD)/%.o,$(wildcard $(1)))
 # Kernels are compiled once for each instruction set of the target, which is chosen when the program starts.
@@ -87,8 +95,10 @@ support_kernels := $(call for_isas,$(basename $(wildcard tests/support/*_kernel.
 support := $(filter-out %_kernel.o,$(call objects,tests/support/*.c)) $(support_kernels)
 cross := $(call objects,tests/cross/*.c tests/support/gallery.c tests/support/simd_check.c) $(support_kernels)
 lines := $(call objects,tests/reference/lines/*.c)
-# The reference behind two doors: OSMesa, and EGL without a surface, since Mesa 25.1 has no OSMesa.
+# The reference behind two doors: OSMesa, and EGL without a surface. One of them is there everywhere.
 reference_doors := $(BUILD)/tests/reference/reference_osmesa.o $(BUILD)/tests/reference/reference_egl.o
+door := $(BUILD)/tests/reference/reference_$(REFERENCE).o
+DOOR_LIBS := $(reference_libs_$(REFERENCE))
 reference := $(filter-out $(reference_doors),$(call objects,tests/reference/*.c))
 bench := $(call objects,tests/bench/*.c)
 # What the bench runs on the other side, in processes that load nothing but what they need.
@@ -127,10 +137,17 @@ test-quick: ## unit and property tests, the server, and a short reference run
 
 .PHONY: reference
 reference: ## the long comparison with Mesa, and build/reference/report.html about it; REFERENCE=egl: without OSMesa
-	@.ci/need $(NEED_BUILD) $(if $(filter egl,$(REFERENCE)),$(NEED_EGL),$(NEED_TEST)) $(NEED_DEMO)
-	@$(MAKE) -s -j$(JOBS) $(if $(filter egl,$(REFERENCE)),$(verify_egl),$(verify_osmesa) $(verify_egl) $(verify_lines))
-	@$(if $(filter osmesa,$(REFERENCE)),$(verify_lines) --primitives 300000)
-	@DATA="$(DATA)" tests/reference/all.sh $(BUILD) $(verify_$(REFERENCE)) $(if $(filter osmesa,$(REFERENCE)),$(verify_egl))
+	@.ci/need $(NEED_BUILD) $(NEED_REFERENCE) $(NEED_DEMO)
+	@$(MAKE) -s -j$(JOBS) $(verify) mutants
+	@$(MAKE) -s compare-reference
+
+.PHONY: compare-reference
+compare-reference:
+	@DATA="$(DATA)" tests/reference/all.sh $(BUILD) $(REFERENCE)
+
+.PHONY: mutants
+mutants:
+	@$(MAKE) -s BUILD=$(BUILD)/mutant MUTANTS=1 $(verify_mutants)
 
 .PHONY: repeat
 repeat: ## 200 pictures from each of 150 processes, with every instruction set: the same bytes; REPEAT_PROCESSES=N
@@ -162,7 +179,7 @@ emulated: ## AVX-512 without a machine that has it, slowly: unit tests and the r
 	@$(MAKE) -s -j$(JOBS) BUILD=$(BUILD)/emulated EMULATED=1 test-emulated
 
 .PHONY: test-emulated
-test-emulated: $(BUILD)/zraster-cross $(unit_tests) $(verify_osmesa) $(verify_egl) $(verify_lines)
+test-emulated: $(BUILD)/zraster-cross $(unit_tests) $(verify) mutants
 	@tests/cross/compare.sh $< "$(isas_x86_64)"
 	@DATA="$(DATA)" REFERENCE_TRIANGLES=60000 REFERENCE_LINES=10000 tests/run.sh $(BUILD) unit reference
 
@@ -187,8 +204,7 @@ tests: fuzzers
 unit-tests: $(unit_tests)
 
 .PHONY: tests
-tests: all $(unit_tests) $(server_tests) $(BUILD)/failing_malloc.so $(BUILD)/zraster-verify $(BUILD)/zraster-verify-egl $(BUILD)/zraster-verify-lines \
-	$(BUILD)/zraster-bench $(bench_alone)
+tests: all $(unit_tests) $(server_tests) $(BUILD)/failing_malloc.so $(verify) mutants $(BUILD)/zraster-bench $(bench_alone)
 
 .PHONY: needs
 needs:
@@ -225,26 +241,33 @@ $(BUILD)/zrasterd: $(server) $(BUILD)/libzraster.a
 $(BUILD)/zraster: $(client)
 	$(LINK) $(CLIENT_LIBS)
 
-$(BUILD)/zraster-verify: $(reference) $(BUILD)/tests/reference/reference_osmesa.o $(BUILD)/libsupport.a $(BUILD)/libzraster.a
-	$(LINK) $(OSMESA_LIBS) $(CORE_LIBS)
+# Made anew when the door changes, and what was linked with the other one then is, too.
+$(BUILD)/reference-door: always
+	@mkdir -p $(@D)
+	@echo $(REFERENCE) | cmp -s - $@ || echo $(REFERENCE) >$@
+.PHONY: always
+always:
+
+$(BUILD)/zraster-verify: $(reference) $(door) $(BUILD)/reference-door $(BUILD)/libsupport.a $(BUILD)/libzraster.a
+	$(LINK) $(DOOR_LIBS) $(CORE_LIBS)
 
 $(BUILD)/zraster-verify-egl: $(reference) $(BUILD)/tests/reference/reference_egl.o $(BUILD)/libsupport.a $(BUILD)/libzraster.a
-	$(LINK) $(EGL_LIBS) $(CORE_LIBS)
+	$(LINK) $(reference_libs_egl) $(CORE_LIBS)
 
-$(BUILD)/zraster-verify-lines: $(lines) $(filter-out %/main.o,$(reference)) $(BUILD)/tests/reference/reference_osmesa.o \
+$(BUILD)/zraster-verify-lines: $(lines) $(filter-out %/main.o,$(reference)) $(door) $(BUILD)/reference-door \
 		$(BUILD)/libsupport.a $(BUILD)/libzraster.a
-	$(LINK) $(OSMESA_LIBS) $(CORE_LIBS)
+	$(LINK) $(DOOR_LIBS) $(CORE_LIBS)
 
 $(BUILD)/zraster-cross: $(cross) $(renderer)
 	$(LINK) -lm
 
-$(BUILD)/zraster-bench: $(bench) $(filter-out %/main.o,$(reference)) $(BUILD)/tests/reference/reference_osmesa.o \
+$(BUILD)/zraster-bench: $(bench) $(filter-out %/main.o,$(reference)) $(door) $(BUILD)/reference-door \
 		$(server_support) $(BUILD)/libsupport.a $(BUILD)/libzraster.a
-	$(LINK) $(OSMESA_LIBS) $(TEST_LIBS) $(CORE_LIBS)
+	$(LINK) $(DOOR_LIBS) $(TEST_LIBS) $(CORE_LIBS)
 
 $(bench_alone): $(BUILD)/%: $(BUILD)/%.o
-$(BUILD)/tests/bench/alone/first_frame: $(BUILD)/tests/reference/reference_gl.o $(BUILD)/tests/reference/reference_osmesa.o
-	$(LINK) $(OSMESA_LIBS)
+$(BUILD)/tests/bench/alone/first_frame: $(BUILD)/tests/reference/reference_gl.o $(door) $(BUILD)/reference-door
+	$(LINK) $(DOOR_LIBS)
 $(BUILD)/tests/bench/alone/bare_http:
 	$(LINK) -lmicrohttpd
 

@@ -59,6 +59,9 @@ run() {
     fi
 }
 
+# Where zraster-verify draws lines as the Mesa at hand does.
+programs=$(tests/reference/programs.sh "$build" 2>/dev/null) || programs=$build
+
 # verify NAME PROGRAM ARGUMENT...: a comparison with the reference.
 verify() {
     name=$1 program=$2
@@ -98,27 +101,27 @@ for part in "$@"; do
     clients) ZRASTERD=$build/zrasterd ZRASTER=$build/zraster run client tests/clients/test_client.sh ;;
     reference)
         triangles=${REFERENCE_TRIANGLES:-210000}
-        verify reference "$build/zraster-verify" --triangles "$triangles"
-        verify reference-scenes "$build/zraster-verify" tests/scenes clients/examples
-        verify reference-parity "$build/zraster-verify" --parity --kind polygons-clipped --triangles $((triangles / 20)) tests/scenes/many-corners.json
-        verify reference-egl "$build/zraster-verify-egl" --triangles $((triangles / 10)) tests/scenes clients/examples
-        verify reference-softpipe "$build/zraster-verify" --driver softpipe --triangles $((triangles / 20)) tests/scenes
-        verify reference-transform "$build/zraster-verify" --transform independent --triangles $((triangles / 10)) tests/scenes
-        run reference-lines "$build/zraster-verify-lines" --primitives "${REFERENCE_LINES:-100000}"
-        run reference-line-faults "$build/zraster-verify-lines" --fault all --primitives 5000
+        verify reference "$programs/zraster-verify" --triangles "$triangles"
+        verify reference-scenes "$programs/zraster-verify" tests/scenes clients/examples
+        verify reference-parity "$programs/zraster-verify" --parity --kind polygons-clipped --triangles $((triangles / 20)) tests/scenes/many-corners.json
+        verify reference-egl "$programs/zraster-verify-egl" --triangles $((triangles / 10)) tests/scenes clients/examples
+        verify reference-softpipe "$programs/zraster-verify" --driver softpipe --triangles $((triangles / 20)) tests/scenes
+        verify reference-transform "$programs/zraster-verify" --transform independent --triangles $((triangles / 10)) tests/scenes
+        run reference-lines "$programs/zraster-verify-lines" --primitives "${REFERENCE_LINES:-100000}"
+        run reference-line-faults "$build/mutant/zraster-verify-lines" --fault all --primitives 5000
         ;;
     models)
         if [ -d "$data/models" ]; then
-            verify reference-models "$build/zraster-verify" --kind none --models "$data/models"
-            verify reference-meshes "$build/zraster-verify" --preset all "$data/models/suzanne.obj" "$data/models/fandisk.obj"
+            verify reference-models "$programs/zraster-verify" --kind none --models "$data/models"
+            verify reference-meshes "$programs/zraster-verify" --preset all "$data/models/suzanne.obj" "$data/models/fandisk.obj"
         else
             skipped=$((skipped + 6))
-            say "LEFT OUT: stanford-bunny and teapot against OSMesa, flat and smooth, suzanne and fandisk from all sides: there is no $data/models"
+            say "LEFT OUT: stanford-bunny and teapot against Mesa, flat and smooth, suzanne and fandisk from all sides: there is no $data/models"
         fi
         # Without the models it compares pictures of meshes of its own.
         ZRASTERD=$build/zrasterd run bench-pictures "$build/zraster-bench" --check-only --models "$data/models"
         if [ -d "$assimp" ]; then
-            verify reference-assimp "$build/zraster-verify" --preset all "$assimp/OBJ/spider.obj" "$assimp/OBJ/concave_polygon.obj" \
+            verify reference-assimp "$programs/zraster-verify" --preset all "$assimp/OBJ/spider.obj" "$assimp/OBJ/concave_polygon.obj" \
                 "$assimp/STL/Wuson.stl" "$assimp/STL/sphereWithHole.stl"
         else
             skipped=$((skipped + 4))

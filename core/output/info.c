@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "base/checked.h"
+#include "version.h"
 
 /* Pixels of one id, and the box that holds them: x1 and y1 exclusive. */
 struct patch {
@@ -197,6 +198,7 @@ static cJSON *build(struct writer *w, const struct zr_scene *scene, const struct
                     uint32_t face_count)
 {
     cJSON *root = check(w, cJSON_CreateObject());
+    put_count(w, root, "rules", ZR_RULES);
     cJSON *window = check(w, cJSON_CreateObject());
     put_count(w, window, "width", frame->width);
     put_count(w, window, "height", frame->height);

@@ -1,5 +1,7 @@
 #include "raster/line.h"
 
+#include "base/mutant.h"
+
 enum { X, Y, HALF_WIDTH = ZR_SUBPIXELS / 2 };
 
 /* A line as the rules below need it, by axis, so that one text serves both. */
@@ -64,21 +66,20 @@ static bool last_pixel_is_drawn(const struct end *end, const struct course *cour
     return c < 1.0f && c >= 0.0f;
 }
 
-/* Half away from zero. */
+/* As corners of triangles are. Mesa 22.3 rounded half away from zero. */
 static int32_t snap(float window)
 {
     float v = (window - 0.5f) * (float)ZR_SUBPIXELS;
-    return (int32_t)(v >= 0.0f ? v + 0.5f : v - 0.5f);
+    return (int32_t)ZR_MUTANT(older_lines, zr_viewport_snap(window), v + copysignf(0.5f, v));
 }
 
-/* Does the fill rule alone give the end its pixel? `high` is the end farther up the major
- * axis: it gets the pixel if that one's centre lies below, the other end if it lies above or
- * on it. On the centre itself the reference is right about the first end of an x-major line only;
- * so a y-major line down from a centre lacks its first pixel. (Mesa later put this right.) */
+/* Does the fill rule alone give the end its pixel? `high` is the end farther up the major axis: it gets the pixel if
+ * that one's centre lies below, the other end if it lies above or on it. Mesa 22.3 was wrong about an end on the centre
+ * itself, but for the first end of an x-major line: a y-major line down from a centre lacked its first pixel. */
 static bool fill_rule_draws(float offset, const struct course *course, bool high, bool last)
 {
-    if (offset == 0.0f) return last || (course->major == X) != high;
-    return high == (offset > 0.0f);
+    bool draws = high == (offset > 0.0f);
+    return ZR_MUTANT(older_lines, draws, offset == 0.0f ? last || (course->major == X) != high : draws);
 }
 
 /* The snapped end, by axis: where the fill rule does not do as `is_drawn` says, it is first

@@ -22,7 +22,7 @@ struct zr_line_corners {
 /* The parallelogram's pixels are those that rule 7's four edges keep. False where there are
  * none: no length, or none left after the ends have moved. The vertices must have been
  * placed by zr_viewport_apply; zr_snapped_x and zr_snapped_y are not asked, for ends are moved
- * first and then snapped, half away from zero. */
+ * first and then snapped. */
 bool zr_line_corners_make(const struct zr_window_vertex *v0, const struct zr_window_vertex *v1,
                           struct zr_line_corners *out);
 

@@ -117,7 +117,7 @@ void service_cold_start(struct bench *bench)
     if (!works_make(WORK_CUBE, bench->models, &work)) bench->results.failed = true;
     name_row(&work, name, sizeof name);
     if (work.corners && bench_wants(bench, name)) {
-        results_begin_table(&bench->results, "a new daemon against a new process with OSMesa");
+        results_begin_table(&bench->results, "a new daemon against a new process with Mesa");
         bench_in_child(bench, measure, &work, NULL);
     }
     works_free(&work);

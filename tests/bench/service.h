@@ -11,7 +11,7 @@ void service_against_stock(struct bench *bench);
 /* The daemon's cheapest answer against libmicrohttpd alone, giving the same bytes. */
 void service_against_bare_http(struct bench *bench);
 
-/* From exec to the first PNG of a cube, against a process that opens OSMesa and reads back its first frame. */
+/* From exec to the first PNG of a cube, against a process that opens Mesa and reads back its first frame. */
 void service_cold_start(struct bench *bench);
 
 /* A small request alone, beside a large one, and beside four of them; the note tells of the slowest. Nobody else's. */

@@ -61,7 +61,7 @@ static bool compare_variants(const struct bench *bench, void *context, const str
         if (!ok) break;
         size_t differing = count_differing(frame, rgba, depth, &covered);
         row.wrong = differing > 0 || covered == 0;
-        snprintf(row.note, sizeof row.note, "%zu of %zu pixels differ from OSMesa's, %zu covered", differing, pixels,
+        snprintf(row.note, sizeof row.note, "%zu of %zu pixels differ from Mesa's, %zu covered", differing, pixels,
                  covered);
         sink_row(sink, &row);
     }

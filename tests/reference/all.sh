@@ -1,8 +1,10 @@
 #!/bin/sh
-# all.sh BUILD VERIFY [VERIFY-EGL]: the long comparison with Mesa, part by part, and a page about
-# it: BUILD/reference/report.html. Ends with the worst status of the parts.
+# all.sh BUILD REFERENCE: the long comparison with Mesa, part by part, and a page about it: BUILD/reference/report.html.
+# REFERENCE is how zraster-verify gets hold of Mesa, osmesa or egl. Ends with the worst status of the parts.
 set -u
-build=$1 verify=$2 egl=${3:-}
+build=$1 reference=$2
+programs=$(tests/reference/programs.sh "$build") || exit 2
+verify=$programs/zraster-verify
 data=${DATA:-../shared/data}
 assimp=/usr/share/assimp/models
 out=$build/reference
@@ -29,13 +31,15 @@ present() {
     done
 }
 
+"$programs/zraster-verify-lines" --primitives 300000
+worst=$?
 meshes=$(present "$data/models" $assimp/OBJ $assimp/STL $assimp/invalid)
 scenes='tests/scenes clients/examples'
 part 'Scenes, one case each' "$verify" $scenes
 part 'Random polygons' "$verify" --triangles 2100000
 [ -n "$meshes" ] && part 'Models from seven sides' "$verify" --preset all $meshes
 [ -d "$data/models" ] && part 'Models cut by the window' "$verify" --kind none --models "$data/models"
-[ -n "$egl" ] && part 'The same through EGL' "$egl" --plain --triangles 200000 $scenes
+[ "$reference" = osmesa ] && part 'The same through EGL' "$programs/zraster-verify-egl" --plain --triangles 200000 $scenes
 part 'A second opinion: softpipe' "$verify" --driver softpipe --plain --triangles 200000 $scenes $(present "$data/models/suzanne.obj")
 part 'A transform of its own' "$verify" --transform independent --plain --triangles 1000000 $scenes $meshes
 

@@ -8,7 +8,7 @@
 #define ZR_TEST_HARNESS_H
 
 #include "reference/compare.h"
-#include "reference/reference.h"
+#include "reference/line_rule.h"
 #include "scene/scene.h"
 #include "shade/frame.h"
 #include "zraster.h"
@@ -36,6 +36,8 @@ struct harness_options {
 struct harness {
     struct harness_options options;
     struct reference *reference;
+    enum line_rule line_rule; /* the reference's */
+    bool lines_compare;       /* our side can draw by it */
     struct zr_arena arena;
     struct zr_team *team;
     int failures_left; /* how many may still be written */

@@ -126,7 +126,11 @@ int main(int argc, char **argv)
     }
     struct harness harness;
     enum verdict verdict = VERDICT_UNPROVED;
-    if (harness_open(&harness, &options.harness)) {
+    bool open = harness_open(&harness, &options.harness);
+    if (open && options.line_rule) {
+        puts(line_rule_names[harness.line_rule]);
+        verdict = VERDICT_EQUAL;
+    } else if (open) {
         if (options.style != REPORT_QUIET) printf("# reference: %s\n", reference_name(harness.reference));
         verdict = check_all(&harness, &options);
     }

@@ -75,6 +75,9 @@ void reference_close(struct reference *reference);
 /* Back end, renderer and version, for people. */
 const char *reference_name(const struct reference *reference);
 
+/* 100 times Mesa's major version and its minor one: 2203 of 22.3.6. 0: unknown. */
+int reference_mesa_version(const struct reference *reference);
+
 /* `parity`: batches of REFERENCE_PARITY are to come, which need a stencil buffer. */
 bool reference_resize(struct reference *reference, uint32_t width, uint32_t height, bool parity,
                       struct reference_error *error);

@@ -11,6 +11,7 @@
 struct reference {
     void *context;
     char name[160];
+    int mesa_version;
     uint32_t width, height;
     bool stencil;
     GLuint frame_buffer, color, depth;
@@ -104,6 +105,13 @@ static GLuint make_two_sided(void)
     return 0;
 }
 
+static int parse_version(const char *version)
+{
+    const char *mesa = version ? strstr(version, "Mesa ") : NULL;
+    int major, minor;
+    return mesa && sscanf(mesa, "Mesa %d.%d", &major, &minor) == 2 ? 100 * major + minor : 0;
+}
+
 struct reference *reference_open(const struct reference_options *options, struct reference_error *error)
 {
     set_environment(options);
@@ -117,6 +125,7 @@ struct reference *reference_open(const struct reference_options *options, struct
     const char *renderer = (const char *)glGetString(GL_RENDERER), *version = (const char *)glGetString(GL_VERSION);
     snprintf(reference->name, sizeof reference->name, "%s; %s; %s", reference_context.name, renderer ? renderer : "?",
              version ? version : "?");
+    reference->mesa_version = parse_version(version);
     if (!renderer || !strstr(renderer, options->driver)) {
         snprintf(error->text, sizeof error->text, "the renderer is not %s but %s", options->driver, reference->name);
         reference_close(reference);
@@ -137,6 +146,11 @@ void reference_close(struct reference *reference)
 const char *reference_name(const struct reference *reference)
 {
     return reference->name;
+}
+
+int reference_mesa_version(const struct reference *reference)
+{
+    return reference->mesa_version;
 }
 
 /* ---- the frame buffer object ---- */

@@ -2,14 +2,15 @@
  *
  * Two textbook ways judge the reference's. They differ by rule. Bresenham's runs between
  * pixel centres and draws both ends. The reference rounds the ends to 1/256 pixel, and
- * leaves out the last pixel, whose diamond the line does not exit; it cuts the line off at that
- * pixel's border, and rounds again there. So between pixel centres only exact ties may fall to
+ * leaves out the last pixel, whose diamond the line does not exit; where need be it cuts the line off at
+ * that pixel's border, and rounds again there. So between pixel centres only exact ties may fall to
  * the other side; and any line, from wherever to wherever, stays within 1/256 pixel of the
  * ideal one: half of that from rounding the minor coordinate, half from the major one.
  */
 #include <math.h>
 #include <stdlib.h>
 
+#include "base/mutant.h"
 #include "geometry/outline.h"
 #include "raster/depth_offset.h"
 #include "raster/line.h"
@@ -76,23 +77,17 @@ static void line_from_centre_to_centre_has_its_first_pixel_and_not_its_last(void
 {
     (void)state;
     struct cover right = cover_of(1.5f, 2.5f, 4.5f, 2.5f), left = cover_of(4.5f, 2.5f, 1.5f, 2.5f);
-    struct cover up = cover_of(2.5f, 1.5f, 2.5f, 4.5f);
+    struct cover up = cover_of(2.5f, 1.5f, 2.5f, 4.5f), down = cover_of(2.5f, 4.5f, 2.5f, 1.5f);
     assert_int_equal(right.count, 3);
     assert_int_equal(left.count, 3);
     assert_int_equal(up.count, 3);
+    assert_int_equal(down.count, 3);
     for (int32_t i = 1; i <= 3; i++) {
         assert_true(covers(&right, i, 2));
         assert_true(covers(&left, i + 1, 2));
         assert_true(covers(&up, 2, i));
+        assert_true(covers(&down, 2, i + 1));
     }
-}
-
-static void line_down_from_a_centre_lacks_its_first_pixel_as_the_reference_has_it(void **state)
-{
-    (void)state;
-    struct cover down = cover_of(2.5f, 4.5f, 2.5f, 1.5f);
-    assert_int_equal(down.count, 2);
-    assert_true(covers(&down, 2, 3) && covers(&down, 2, 2));
 }
 
 static void corners_go_round_clockwise_with_the_ends_moved_to_pixel_borders(void **state)
@@ -100,9 +95,9 @@ static void corners_go_round_clockwise_with_the_ends_moved_to_pixel_borders(void
     (void)state;
     struct zr_window_vertex v0 = at(1.5f, 2.5f), v1 = at(4.5f, 2.5f);
     struct zr_line_corners c;
-    /* x: from the centre 1.5, 256 on the grid, to the border 4.0, 896. */
+    /* x: from the centre 1.5, 256 on the grid, to the centre 4.5, 1024, whose pixel the fill rule leaves out. */
     assert_true(zr_line_corners_make(&v0, &v1, &c));
-    const int32_t right_x[4] = {896, 256, 256, 896}, right_y[4] = {384, 384, 640, 640};
+    const int32_t right_x[4] = {1024, 256, 256, 1024}, right_y[4] = {384, 384, 640, 640};
     assert_memory_equal(c.x, right_x, sizeof right_x);
     assert_memory_equal(c.y, right_y, sizeof right_y);
     /* Back: from the border 5.0, 1152, so that its first pixel is kept, to 2.0, 384. */
@@ -112,18 +107,25 @@ static void corners_go_round_clockwise_with_the_ends_moved_to_pixel_borders(void
     assert_memory_equal(c.y, right_y, sizeof right_y);
 }
 
-static void ends_are_snapped_half_away_from_zero(void **state)
+static void ends_are_snapped_half_to_even(void **state)
 {
     (void)state;
-    /* Minor coordinates of -0.5, 0.5 and 2.5 subpixels from the centre of row 0. */
-    struct zr_window_vertex v0 = at(1.25f, 0.5f - 0.5f / 256), v1 = at(9.25f, 0.5f + 0.5f / 256);
+    /* Minor coordinates of -1.5, 0.5 and 2.5 subpixels from the centre of row 0. */
+    struct zr_window_vertex v0 = at(1.25f, 0.5f - 1.5f / 256), v1 = at(9.25f, 0.5f + 0.5f / 256);
     struct zr_line_corners c;
     assert_true(zr_line_corners_make(&v0, &v1, &c));
-    assert_int_equal(c.y[1] + 128, -1);
-    assert_int_equal(c.y[0] + 128, 1);
+    assert_int_equal(c.y[1] + 128, -2);
+    assert_int_equal(c.y[0] + 128, 0);
     v1.y = 0.5f + 2.5f / 256;
     assert_true(zr_line_corners_make(&v0, &v1, &c));
-    assert_int_equal(c.y[0] + 128, 3);
+    assert_int_equal(c.y[0] + 128, 2);
+}
+
+static void older_rule_is_not_in_a_build_for_use(void **state)
+{
+    (void)state;
+    assert_false(zr_mutant_choose("older_lines"));
+    assert_true(zr_mutant_choose(NULL));
 }
 
 static void line_that_leaves_no_diamond_is_dropped(void **state)
@@ -185,9 +187,9 @@ static void judge_by_bresenham(int32_t dx, int32_t dy)
     struct straight_pixel pixels[LONGEST];
     size_t count = straight_bresenham(32, 32, 32 + dx, 32 + dy, pixels, LONGEST);
     struct cover cover = cover_of(32.5f, 32.5f, 32.5f + (float)dx, 32.5f + (float)dy);
-    bool x_major = abs(dx) >= abs(dy), lacks_first = !x_major && dy < 0;
-    assert_int_equal(cover.count, (int)count - 1 - (lacks_first ? 1 : 0));
-    for (size_t i = lacks_first ? 1 : 0; i + 1 < count; i++) {
+    bool x_major = abs(dx) >= abs(dy);
+    assert_int_equal(cover.count, (int)count - 1);
+    for (size_t i = 0; i + 1 < count; i++) {
         struct straight_pixel p = pixels[i], other = p;
         if (x_major)
             other.y += dy > 0 ? 1 : -1;
@@ -452,9 +454,9 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(line_from_centre_to_centre_has_its_first_pixel_and_not_its_last),
-        cmocka_unit_test(line_down_from_a_centre_lacks_its_first_pixel_as_the_reference_has_it),
         cmocka_unit_test(corners_go_round_clockwise_with_the_ends_moved_to_pixel_borders),
-        cmocka_unit_test(ends_are_snapped_half_away_from_zero),
+        cmocka_unit_test(ends_are_snapped_half_to_even),
+        cmocka_unit_test(older_rule_is_not_in_a_build_for_use),
         cmocka_unit_test(line_that_leaves_no_diamond_is_dropped),
         cmocka_unit_test(lines_in_a_chain_share_no_pixel_and_leave_no_gap),
         cmocka_unit_test(plane_runs_along_the_major_axis_from_the_first_value_to_the_second),

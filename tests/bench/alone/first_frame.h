@@ -1,5 +1,5 @@
 /* first_frame.h - bench: what the program first_frame reads from its standard input, as bytes: this, then
- * position_count positions, as many colours, and index_count indices. It draws that through OSMesa, reads back colour
+ * position_count positions, as many colours, and index_count indices. It draws that through Mesa, reads back colour
  * and depth, and writes one byte.
  */
 #ifndef ZR_BENCH_FIRST_FRAME_H

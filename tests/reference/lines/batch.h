@@ -10,6 +10,7 @@
 #include <stdint.h>
 
 #include "base/vec.h"
+#include "reference/line_rule.h"
 #include "support/random.h"
 
 enum batch_mode { BATCH_LINES, BATCH_OUTLINES, BATCH_FILLED };
@@ -46,7 +47,8 @@ struct batch_picture {
 enum fault {
     FAULT_NONE,
     FAULT_REVERSED,        /* lines drawn from their far end */
-    FAULT_SNAPPED_FIRST,   /* ends taken from the triangles' grid: ties to even */
+    FAULT_OTHER_RULE,      /* lines of another Mesa: for builds that have mutants */
+    FAULT_SNAPPED_FIRST,   /* ends snapped before they move */
     FAULT_INCLUSIVE,       /* all four edges keep what lies on them */
     FAULT_PLANE_SWAPPED,   /* planes from v1 */
     FAULT_PLANE_SHORT,     /* the major axis not lengthened by the slope */
@@ -66,9 +68,11 @@ struct batch_stats {
     uint64_t primitives, clipped, lines, dropped;
 };
 
+/* draw_own leaves FAULT_OTHER_RULE to line_rule_choose. */
 void draw_own(const struct batch *batch, enum fault fault, struct batch_picture *picture, struct batch_stats *stats);
 
 /* The context stays open for the process. False, explained on stderr. */
+bool draw_reference_open(enum line_rule *rule);
 bool draw_reference(const struct batch *batch, struct batch_picture *picture);
 
 /* How corners are placed; each aims at one part of the rules. */

@@ -12,8 +12,9 @@
 #include "reference/lines/batch.h"
 
 const char *const fault_names[FAULT_COUNT] = {
-    "none",       "reversed",        "snapped-first", "inclusive", "plane-swapped",   "plane-short",  "clip-one-by-one",
-    "clip-edges", "edges-of-planes", "order",         "cull-area", "offset-in-plane", "offset-slope", "offset-clamped"};
+    "none",          "reversed",    "other-rule",      "snapped-first", "inclusive",
+    "plane-swapped", "plane-short", "clip-one-by-one", "clip-edges",    "edges-of-planes",
+    "order",         "cull-area",   "offset-in-plane", "offset-slope",  "offset-clamped"};
 
 struct drawer {
     const struct batch *batch;

@@ -7,15 +7,17 @@
 
 #include "geometry/outline.h"
 #include "reference/lines/batch.h"
-#include "reference/reference.h"
 
-static struct reference *open_once(struct reference_error *error)
+static struct reference *reference;
+
+bool draw_reference_open(enum line_rule *rule)
 {
-    static struct reference *reference;
-    if (reference) return reference;
-    reference = reference_open(&(struct reference_options){.driver = "llvmpipe", .threads = 1}, error);
+    struct reference_error error = {""};
+    reference = reference_open(&(struct reference_options){.driver = "llvmpipe", .threads = 1}, &error);
     if (reference) printf("# reference: %s\n", reference_name(reference));
-    return reference;
+    if (reference && line_rule_find(reference, rule, &error)) return true;
+    fprintf(stderr, "reference: %s\n", error.text);
+    return false;
 }
 
 static void set_sides(const struct batch *batch)
@@ -72,8 +74,7 @@ static void draw_runs(const struct batch *batch)
 bool draw_reference(const struct batch *batch, struct batch_picture *picture)
 {
     struct reference_error error = {""};
-    struct reference *reference = open_once(&error);
-    bool ok = reference && reference_resize(reference, batch->width, batch->height, false, &error);
+    bool ok = reference_resize(reference, batch->width, batch->height, false, &error);
     if (ok) {
         set_state(batch);
         draw_runs(batch);

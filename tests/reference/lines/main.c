@@ -13,6 +13,8 @@ static const char usage_text[] =
     "  --mode NAME      lines, outlines or filled only\n"
     "  --placing NAME   corners placed in this way only\n"
     "  --fault NAME     draws our side wrong on purpose; all: in each way there is\n"
+    "Mesa up to 22.3 draws lines by an older rule, which only the program of build/mutant has; that one alone can\n"
+    "draw by the rule that Mesa does not follow (--fault other-rule).\n"
     "Exit status: 0 all equal, 1 differences, 2 bad usage, no reference, or nothing to compare;\n"
     "with --fault all: 0 where each fault shows differences, else 1.\n";
 
@@ -21,6 +23,7 @@ struct options {
     const char *mode, *placing;
     enum fault fault;
     bool all_faults, explain;
+    enum line_rule rule; /* the reference's */
 };
 
 struct counts {
@@ -177,6 +180,13 @@ static bool check_modes(const struct options *options, bool quiet, struct counts
     return true;
 }
 
+/* Our side draws lines by the reference's rule, or by the other one where that is the fault. */
+static bool choose_rule(const struct options *options)
+{
+    enum line_rule other = options->rule == LINE_RULE_CURRENT ? LINE_RULE_OLDER : LINE_RULE_CURRENT;
+    return line_rule_choose(options->fault == FAULT_OTHER_RULE ? other : options->rule);
+}
+
 /* A comparison that a fault slips through proves nothing about the rule it breaks. */
 static int check_faults(struct options *options)
 {
@@ -185,6 +195,7 @@ static int check_faults(struct options *options)
     for (int i = 1; i < FAULT_COUNT; i++) {
         struct counts total = {0};
         options->fault = (enum fault)i;
+        if (!choose_rule(options)) fprintf(stderr, "other-rule: this build has one rule only\n");
         if (!check_modes(options, true, &total)) return 2;
         unseen += is_equal(&total);
         printf("%s - fault %s (coverage %llu depth %llu colour %llu)\n", is_equal(&total) ? "not ok" : "ok",
@@ -199,6 +210,11 @@ int main(int argc, char **argv)
     struct options options = {.primitives = 100000, .seed = 1, .explain = true};
     if (!parse_options(argc, argv, &options)) {
         fputs(usage_text, stderr);
+        return 2;
+    }
+    if (!draw_reference_open(&options.rule)) return 2;
+    if (!options.all_faults && !choose_rule(&options)) {
+        fprintf(stderr, "this build has not the rule by which to draw lines; the one in build/mutant has\n");
         return 2;
     }
     if (options.all_faults) return check_faults(&options);
