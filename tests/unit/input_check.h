@@ -2,15 +2,9 @@
 #ifndef ZR_TESTS_INPUT_CHECK_H
 #define ZR_TESTS_INPUT_CHECK_H
 
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-
-#include <cmocka.h>
-
 #include "guarded.h"
 #include "scene/scene.h"
+#include "support/cmocka_all.h"
 #include "zraster.h"
 
 struct reading {

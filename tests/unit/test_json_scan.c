@@ -1,14 +1,9 @@
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-
-#include <cmocka.h>
 #include <dirent.h>
 
 #include "guarded.h"
 #include "input/json_scan.h"
 #include "input/number.h"
+#include "support/cmocka_all.h"
 #include "support/files.h"
 
 static struct zr_error error;

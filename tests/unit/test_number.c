@@ -1,14 +1,9 @@
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-
-#include <cmocka.h>
 #include <math.h>
 
 #include "guarded.h"
 #include "input/number.h"
 #include "input/number_quick.h"
+#include "support/cmocka_all.h"
 #include "support/random.h"
 
 static uint64_t bits_of(double value)
