@@ -44,6 +44,8 @@ NEED_CROSS := aarch64-linux-gnu-gcc=gcc-aarch64-linux-gnu /usr/aarch64-linux-gnu
 	qemu-aarch64=qemu-user
 NEED_EMULATED := simde/x86/avx512.h=libsimde-dev
 NEED_FUZZ := cmocka.h=libcmocka-dev clang=clang -fsanitize=address=libclang-rt-dev
+NEED_SYSTEMS := debootstrap=debootstrap /usr/share/keyrings/debian-archive-keyring.gpg=debian-archive-keyring git=git \
+	unshare=util-linux
 NEED_DEMO := /usr/share/assimp/models/OBJ/spider.obj=assimp-testmodels
 
 # Data that is not in the repository, used where it is present: models/*.obj and json-test-suite/.
@@ -182,6 +184,11 @@ emulated: ## AVX-512 without a machine that has it, slowly: unit tests and the r
 test-emulated: $(BUILD)/zraster-cross $(unit_tests) $(verify) mutants
 	@tests/cross/compare.sh $< "$(isas_x86_64)"
 	@DATA="$(DATA)" REFERENCE_TRIANGLES=60000 REFERENCE_LINES=10000 tests/run.sh $(BUILD) unit reference
+
+.PHONY: systems
+systems: ## make demo and make test in bare roots of Debian 12, 13 and testing (root); SYSTEMS=13, KEEP=1: tests/systems/run.sh
+	@.ci/need $(NEED_SYSTEMS)
+	@SYSTEMS="$(SYSTEMS)" ROOTS="$(ROOTS)" MIRROR="$(MIRROR)" TARGETS="$(TARGETS)" KEEP="$(KEEP)" DATA="$(DATA)" tests/systems/run.sh
 
 .PHONY: bench
 bench: ## our times beside llvmpipe's, libpng's, cJSON's, in one run; ARGS="--only PNG", --isa avx2, --rounds N, --list
