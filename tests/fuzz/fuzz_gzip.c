@@ -30,7 +30,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     char *out = NULL;
     size_t out_size = 0;
     if (!arena.ceiling) zr_arena_init(&arena, 4 * INFLATED_MAX);
-    enum gunzip_status status = gunzip(&arena, (const char *)data, size, INFLATED_MAX, &out, &out_size);
+    enum gunzip_status status = gunzip(&arena, (const char *)data, size, INFLATED_MAX, NULL, &out, &out_size);
     fuzz_accepted = status == GUNZIP_OK;
     fuzz_expect(status != GUNZIP_NO_MEMORY, "the arena is large enough for all that may come out");
     fuzz_expect(status != GUNZIP_OK || out_size <= INFLATED_MAX, "no more comes out than may");
@@ -40,10 +40,10 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     fuzz_expect(zipped, "memory");
     const size_t zipped_size = gzip(data, size, zipped, room);
     zr_arena_reset(&arena, ZR_ARENA_BLOCK);
-    status = gunzip(&arena, zipped, zipped_size, size, &out, &out_size);
+    status = gunzip(&arena, zipped, zipped_size, size, NULL, &out, &out_size);
     fuzz_expect(status == GUNZIP_OK && out_size == size && memcmp(out, data, size) == 0, "what went in comes out");
     if (size > 0)
-        fuzz_expect(gunzip(&arena, zipped, zipped_size, size - 1, &out, &out_size) == GUNZIP_TOO_LARGE,
+        fuzz_expect(gunzip(&arena, zipped, zipped_size, size - 1, NULL, &out, &out_size) == GUNZIP_TOO_LARGE,
                     "a byte too much is told");
     free(zipped);
     zr_arena_reset(&arena, ZR_ARENA_BLOCK);
