@@ -154,7 +154,7 @@ static void many_small_instances_stop(void **state)
     struct zr_instance *instances = zr_arena_alloc(&arena, INSTANCES, sizeof *instances);
     assert_true(zr_arena_ok(&arena));
     for (uint32_t i = 0; i < INSTANCES; i++)
-        instances[i] = (struct zr_instance){0, zr_mat4_identity()};
+        instances[i] = (struct zr_instance){.object_to_world = zr_mat4_identity()};
     test.scene.instances = instances;
     test.scene.instance_count = INSTANCES;
     assert_ends_soon(&test.scene);
@@ -178,7 +178,7 @@ static void instances_of_shapes_that_cross_themselves_stop(void **state)
             positions[i] = (zr_vec4){(float)cos(angle), (float)sin(angle), 0, 1};
         }
         for (uint32_t i = 0; i < INSTANCES; i++)
-            instances[i] = (struct zr_instance){0, zr_mat4_identity()};
+            instances[i] = (struct zr_instance){.object_to_world = zr_mat4_identity()};
         test.mesh.positions = positions;
         test.face_offsets[1] = corners;
         test.mesh.indices = counting(corners);
