@@ -29,8 +29,8 @@ static void triangle_becomes_a_scene_with_defaults(void **state)
     assert_int_equal(scene->width, 640);
     assert_int_equal(scene->height, 480);
     assert_int_equal(scene->instance_count, 1);
-    assert_int_equal(scene->light_count, 1);
-    assert_true(scene->lights[0].camera_frame);
+    assert_int_equal(scene->light_count, 2);
+    assert_true(scene->lights[0].camera_frame && scene->lights[1].camera_frame);
     assert_int_equal(scene->output_count, 1);
     assert_int_equal(scene->view.preset, ZR_PRESET_ISOMETRIC);
     assert_int_equal(scene->view.projection, ZR_PROJECTION_ORTHOGRAPHIC);
