@@ -13,7 +13,7 @@
 
 /* A refused body up to here is read to its end, so that the connection can be kept; a longer one would take more time
  * than a new connection does. */
-enum { DISCARD_MAX = 32 << 10 };
+enum { DISCARD_MAX = 32 << 10, COMING_MS = 500 };
 
 static struct connection *connection_of(struct MHD_Connection *mhd)
 {
@@ -252,12 +252,24 @@ static enum MHD_Result reply_early(struct exchange *exchange, bool is_chunked, b
     return MHD_YES;
 }
 
+/* Large bodies that come in fast, and will soon be in the queue: to be refused then, they would have been read for
+ * nothing, by a daemon that has no time. Slow ones hold no place. */
+static size_t count_coming(const struct http *http)
+{
+    const int64_t now = clock_ms();
+    size_t count = 0;
+    for (const struct connection *c = http->connections.first; c; c = c->next)
+        count += c->phase == PHASE_BODY && now - c->began_ms < COMING_MS && c->exchange->step == STEP_BODY &&
+                 http_lane_of(c->exchange->length) == QUEUE_LARGE;
+    return count;
+}
+
 static void get_load(struct http *http, uint64_t body_bytes, struct api_load *load)
 {
     load->draining = atomic_load(&http->draining);
     enum queue_lane lane = http_lane_of(body_bytes);
-    load->queue_full = queue_is_full(http->queue, lane);
-    load->large_queue_full = queue_is_full(http->queue, QUEUE_LARGE);
+    load->queue_full = queue_is_full(http->queue, lane, lane == QUEUE_LARGE ? count_coming(http) : 0);
+    load->large_queue_full = queue_is_full(http->queue, QUEUE_LARGE, 0);
     load->answers_full = http_answers_are_full(http);
     load->retry_after_s = queue_wait_estimate_s(http->queue, lane);
 }

@@ -96,11 +96,14 @@ static double wait_us(const struct queue *queue, enum queue_lane number)
            (double)workers;
 }
 
-static bool is_full(const struct queue *queue, enum queue_lane number)
+/* `coming`: jobs that will be pushed before the one that is asked about. */
+static bool is_full(const struct queue *queue, enum queue_lane number, size_t coming)
 {
-    const size_t waiting = queue->lanes[number].waiting;
-    return waiting >= queue->options.capacity ||
-           (waiting >= SURE_A_WORKER * queue->options.workers && wait_us(queue, number) > QUEUE_WAIT_MS * 1e3);
+    const struct lane *lane = &queue->lanes[number];
+    const size_t waiting = lane->waiting + coming;
+    const double more_us = (double)coming * lane->work_us / (double)queue->options.workers;
+    return waiting >= queue->options.capacity || (waiting >= SURE_A_WORKER * queue->options.workers &&
+                                                  wait_us(queue, number) + more_us > QUEUE_WAIT_MS * 1e3);
 }
 
 static void learn(struct queue *queue, enum queue_lane number, int64_t took_us)
@@ -325,7 +328,7 @@ struct queue *queue_create(const struct queue_options *options)
 bool queue_push(struct queue *queue, struct queue_job *job, enum queue_lane lane)
 {
     pthread_mutex_lock(&queue->lock);
-    bool room = !queue->stopping && !is_full(queue, lane);
+    bool room = !queue->stopping && !is_full(queue, lane, 0);
     if (room) {
         job->pushed_us = clock_us();
         append(queue, job, lane);
@@ -338,7 +341,7 @@ bool queue_push(struct queue *queue, struct queue_job *job, enum queue_lane lane
 bool queue_put_back(struct queue *queue, struct queue_job *job)
 {
     pthread_mutex_lock(&queue->lock);
-    bool room = !is_full(queue, QUEUE_LARGE);
+    bool room = !is_full(queue, QUEUE_LARGE, 0);
     if (room) {
         append(queue, job, QUEUE_LARGE);
         wake_one(queue);
@@ -356,10 +359,10 @@ bool queue_remove(struct queue *queue, struct queue_job *job)
     return found;
 }
 
-bool queue_is_full(struct queue *queue, enum queue_lane lane)
+bool queue_is_full(struct queue *queue, enum queue_lane lane, size_t coming)
 {
     pthread_mutex_lock(&queue->lock);
-    bool full = is_full(queue, lane);
+    bool full = is_full(queue, lane, coming);
     pthread_mutex_unlock(&queue->lock);
     return full;
 }

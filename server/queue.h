@@ -68,8 +68,8 @@ bool queue_put_back(struct queue *queue, struct queue_job *job);
 /* True: the job was still waiting and is the caller's again. False: a worker has it, or had it. */
 bool queue_remove(struct queue *queue, struct queue_job *job);
 
-/* It takes no more: by number, or by time. */
-bool queue_is_full(struct queue *queue, enum queue_lane lane);
+/* It takes no more, by number or by time, once `coming` others have been pushed. */
+bool queue_is_full(struct queue *queue, enum queue_lane lane, size_t coming);
 
 /* Seconds until a job that came now might be begun, 1..60, from how long the last ones took. */
 unsigned queue_wait_estimate_s(struct queue *queue, enum queue_lane lane);
