@@ -41,7 +41,8 @@ tell_apt() { # root
 # In namespaces of its own: mounts what programs want, and makes the targets.
 inside() { # root
     root=$1
-    mount -t proc proc "$root/proc" && mount --rbind /dev "$root/dev" || exit 2
+    # The root itself, too: tests that make mounts want / to be a mount point.
+    mount --bind "$root" "$root" && mount -t proc proc "$root/proc" && mount --rbind /dev "$root/dev" || exit 2
     if [ -d "$data" ]; then
         mkdir -p "$root/work/shared/data" && mount --bind "$data" "$root/work/shared/data" &&
             mount -o remount,bind,ro "$root/work/shared/data" || exit 2
