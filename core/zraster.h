@@ -81,6 +81,7 @@ struct zr_frame; /* shade/frame.h */
 
 /* Work to be expected, each kind to be weighed by whoever knows the machine. */
 struct zr_cost {
+    int algorithm;     /* of the scene: each takes what it takes */
     double triangles;  /* and what takes as long: points without faces, cuts of concave faces, visits of tiles */
     double fragments;  /* pixels of all triangles, hidden ones too; those of lines and concave faces take longer */
     double pixels;     /* of all outputs */

@@ -13,18 +13,22 @@ static const double INITIAL_NS[FORESIGHT_KINDS] = {
 /* INITIAL_WEIGHT: the figures above count as a quarter of a request. WEIGHT_MAX: a new request
  * always counts for an eighth, so that what is known keeps up with the machine. */
 static const double INITIAL_WEIGHT = 0.25, WEIGHT_MAX = 7.0;
-static const double STEP_MAX = 8.0;                /* however wrong one request was foreseen */
-static const double FASTEST = 64.0, SLOWEST = 8.0; /* than the figures above, at most */
+static const double STEP_DOWN = 8.0, STEP_UP = 2.0; /* however wrong one request was foreseen */
+static const double RISE_MAX = 2.0;                 /* above the lowest */
+static const double REFUSED_GAIN = 0.125;           /* of the way back to the lowest, or to the figures above */
+static const double FASTEST = 64.0, SLOWEST = 8.0;  /* than the figures above, at most */
 static const double LEAST_MS = 0.3;
 
 void foresight_init(struct foresight *foresight)
 {
     *foresight = (struct foresight){.running = 0};
     pthread_mutex_init(&foresight->lock, NULL);
-    for (int kind = 0; kind < FORESIGHT_KINDS; kind++) {
-        foresight->unit_ns[kind] = INITIAL_NS[kind];
-        foresight->weight[kind] = INITIAL_WEIGHT;
-    }
+    for (struct foresight_task *task = foresight->tasks; task < foresight->tasks + FORESIGHT_TASKS; task++)
+        for (int kind = 0; kind < FORESIGHT_KINDS; kind++) {
+            task->unit_ns[kind] = INITIAL_NS[kind];
+            task->lowest_ns[kind] = INITIAL_NS[kind] * SLOWEST / RISE_MAX;
+            task->weight[kind] = INITIAL_WEIGHT;
+        }
 }
 
 void foresight_free(struct foresight *foresight)
@@ -48,44 +52,71 @@ static struct units encoded(const struct zr_cost *cost)
     return (struct units){{[FORESIGHT_PNG_PIXEL] = cost->png_pixels}};
 }
 
-static double predict_ns(const struct foresight *foresight, const struct units *units)
+static double predict_ns(const struct foresight_task *task, const struct units *units)
 {
     double sum = 0.0;
     for (int kind = 0; kind < FORESIGHT_KINDS; kind++)
-        sum += foresight->unit_ns[kind] * units->of[kind];
+        sum += task->unit_ns[kind] * units->of[kind];
     return sum;
+}
+
+static struct foresight_task *task_of(struct foresight *foresight, const struct zr_cost *cost)
+{
+    return &foresight->tasks[cost->algorithm];
 }
 
 double foresight_predict_ms(struct foresight *foresight, const struct zr_cost *cost)
 {
     struct units render = rendered(cost), encode = encoded(cost);
     pthread_mutex_lock(&foresight->lock);
-    double ns = predict_ns(foresight, &render) + predict_ns(foresight, &encode);
+    double ns =
+        predict_ns(task_of(foresight, cost), &render) + predict_ns(&foresight->tasks[FORESIGHT_ENCODE], &encode);
     pthread_mutex_unlock(&foresight->lock);
     return ns * 1e-6;
 }
 
 /* With the lock held. Each kind is moved by its share of what was foreseen: a kind that a request hardly has in it
  * learns hardly anything from it. Steps are of logarithms, so that half and twice as much weigh the same. */
-static void learn(struct foresight *foresight, const struct units *units, double took_ms)
+static void learn(struct foresight_task *task, const struct units *units, double took_ms)
 {
-    double foreseen_ns = predict_ns(foresight, units);
+    double foreseen_ns = predict_ns(task, units);
     if (took_ms < LEAST_MS || foreseen_ns <= 0.0) return;
-    double ratio = fmin(fmax(took_ms * 1e6 / foreseen_ns, 1.0 / STEP_MAX), STEP_MAX);
+    double ratio = fmin(fmax(took_ms * 1e6 / foreseen_ns, 1.0 / STEP_DOWN), STEP_UP);
     for (int kind = 0; kind < FORESIGHT_KINDS; kind++) {
-        double share = foresight->unit_ns[kind] * units->of[kind] / foreseen_ns;
-        double gain = share / (foresight->weight[kind] + share), unit_ns = foresight->unit_ns[kind] * pow(ratio, gain);
-        foresight->unit_ns[kind] = fmin(fmax(unit_ns, INITIAL_NS[kind] / FASTEST), INITIAL_NS[kind] * SLOWEST);
-        foresight->weight[kind] = fmin(foresight->weight[kind] + share, WEIGHT_MAX);
+        double share = task->unit_ns[kind] * units->of[kind] / foreseen_ns;
+        if (share <= 0.0) continue;
+        double gain = share / (task->weight[kind] + share), unit_ns = task->unit_ns[kind] * pow(ratio, gain);
+        task->unit_ns[kind] = fmin(fmax(unit_ns, INITIAL_NS[kind] / FASTEST), task->lowest_ns[kind] * RISE_MAX);
+        task->lowest_ns[kind] = fmin(task->lowest_ns[kind], task->unit_ns[kind]);
+        task->weight[kind] = fmin(task->weight[kind] + share, WEIGHT_MAX);
     }
+}
+
+/* With the lock held. */
+static void go_back(struct foresight_task *task, const struct units *units)
+{
+    for (int kind = 0; kind < FORESIGHT_KINDS; kind++) {
+        double end_ns = fmin(task->lowest_ns[kind], INITIAL_NS[kind]);
+        if (units->of[kind] > 0.0 && task->unit_ns[kind] > end_ns)
+            task->unit_ns[kind] *= pow(end_ns / task->unit_ns[kind], REFUSED_GAIN);
+    }
+}
+
+void foresight_refused(struct foresight *foresight, const struct zr_cost *cost)
+{
+    struct units render = rendered(cost), encode = encoded(cost);
+    pthread_mutex_lock(&foresight->lock);
+    go_back(task_of(foresight, cost), &render);
+    go_back(&foresight->tasks[FORESIGHT_ENCODE], &encode);
+    pthread_mutex_unlock(&foresight->lock);
 }
 
 void foresight_learn(struct foresight *foresight, const struct zr_cost *cost, double render_ms, double encode_ms)
 {
     struct units render = rendered(cost), encode = encoded(cost);
     pthread_mutex_lock(&foresight->lock);
-    learn(foresight, &render, render_ms);
-    learn(foresight, &encode, encode_ms);
+    learn(task_of(foresight, cost), &render, render_ms);
+    learn(&foresight->tasks[FORESIGHT_ENCODE], &encode, encode_ms);
     pthread_mutex_unlock(&foresight->lock);
 }
 

@@ -91,6 +91,7 @@ static enum zr_status foresee(struct rendering *r, const struct zr_scene *scene,
         if (too_large(r, r->times->foreseen_ms > SMALL_MS)) return ZR_CANCELLED;
         if (r->times->foreseen_ms <= (double)api->config->cost_max_ms) return status;
     }
+    foresight_refused(api->foresight, cost);
     return zr_error_add(
         error, ZR_BAD_SCENE, NULL,
         "work like that of %.0f triangles and %.3g pixels is foreseen to take %.3g s, more than costMaxMs, %" PRIu64

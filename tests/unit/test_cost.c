@@ -173,6 +173,36 @@ static void points_without_faces_and_other_algorithms_cost_too(void **state)
     assert_true(scene_cost(&test.scene, UINT32_MAX).triangles > 2 * among_points);
 }
 
+/* `count` triangles over much of the window; `flat`: each at a depth of its own, so that none runs through another. */
+static struct zr_cost cost_of_crowd(enum zr_algorithm algorithm, uint32_t count, bool flat)
+{
+    static struct test_scene test;
+    static zr_vec4 p[3 * TEST_TRIANGLES_MAX];
+    struct random random = random_seeded(7);
+    for (uint32_t i = 0; i < 3 * count; i++) {
+        const double x = random_range(&random, -1, 1), y = random_range(&random, -1, 1);
+        const double z = random_range(&random, -0.9, 0.9);
+        p[i] = (zr_vec4){(float)x, (float)y, flat ? (float)(i / 3) / (float)count : (float)z, 1};
+    }
+    scene_of_triangles(&test, 512, 512, p, count);
+    test.scene.algorithm = algorithm;
+    return scene_cost(&test.scene, 4096);
+}
+
+static void painter_is_to_cut_what_runs_through_one_another(void **state)
+{
+    (void)state;
+    const double flat = cost_of_crowd(ZR_ALGORITHM_PAINTER, 400, true).fragments;
+    const double few = cost_of_crowd(ZR_ALGORITHM_PAINTER, 100, false).fragments;
+    const double many = cost_of_crowd(ZR_ALGORITHM_PAINTER, 400, false).fragments;
+    const double all = cost_of_crowd(ZR_ALGORITHM_PAINTER, TEST_TRIANGLES_MAX, false).fragments;
+    assert_true(many > 15 * flat); /* seconds against hundredths */
+    assert_true(many > 20 * few);  /* and it grows by the cube */
+    assert_true(all > 200 * many); /* from a sample of its triangles */
+    const double others = cost_of_crowd(ZR_ALGORITHM_SCANLINE, 400, false).fragments;
+    assert_true(fabs(others / cost_of_crowd(ZR_ALGORITHM_HALFSPACE, 400, false).fragments - 16) < 0.1);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -185,6 +215,7 @@ int main(void)
         cmocka_unit_test(dents_outlines_and_lines_cost_more_than_a_plain_face),
         cmocka_unit_test(points_without_faces_and_other_algorithms_cost_too),
         cmocka_unit_test(face_of_two_rings_costs_what_it_covers_at_least_and_its_box_at_most),
+        cmocka_unit_test(painter_is_to_cut_what_runs_through_one_another),
         cmocka_unit_test(odd_numbers_cost_something_finite),
     };
     return cmocka_run_group_tests_name("cost", tests, NULL, NULL);

@@ -69,6 +69,51 @@ static void one_strange_request_moves_what_is_known_by_little(void **state)
     foresight_free(&foresight);
 }
 
+/* Of a machine that is known, within a factor of two, however many there are; and at once right again for honest ones.
+ */
+static void what_only_looks_slow_raises_what_is_known_to_twice_at_most(void **state)
+{
+    (void)state;
+    struct foresight foresight;
+    foresight_init(&foresight);
+    for (int i = 0; i < 3; i++) {
+        const double known = i == 0 ? 0.1 : 1.0 / 30;
+        learn_times(&foresight, &picture, known, 40);
+        const double before = drift(&foresight, &picture);
+        learn_times(&foresight, &picture, 1e6, 1000);
+        assert_true(drift(&foresight, &picture) <= 2.0 * before * 1.01);
+    }
+    foresight_free(&foresight);
+}
+
+static void algorithms_teach_one_another_nothing(void **state)
+{
+    (void)state;
+    struct foresight foresight;
+    foresight_init(&foresight);
+    struct zr_cost other = picture, render = picture;
+    other.algorithm = 4;
+    render.png_pixels = 0;
+    other.png_pixels = 0;
+    learn_times(&foresight, &other, 1000.0, 100);
+    assert_true(drift(&foresight, &other) > 2.0);
+    assert_true(drift(&foresight, &render) == 1.0);
+    foresight_free(&foresight);
+}
+
+static void what_is_refused_comes_back_within_reach(void **state)
+{
+    (void)state;
+    struct foresight foresight;
+    foresight_init(&foresight);
+    learn_times(&foresight, &picture, 1e6, 1000); /* before anything honest was seen */
+    assert_true(drift(&foresight, &picture) > 2.0);
+    for (int i = 0; i < 40; i++)
+        foresight_refused(&foresight, &picture);
+    assert_true(drift(&foresight, &picture) < 1.1);
+    foresight_free(&foresight);
+}
+
 static void strange_requests_without_end_stay_within_bounds(void **state)
 {
     (void)state;
@@ -119,6 +164,9 @@ int main(void)
         cmocka_unit_test(few_requests_teach_what_the_machine_takes),
         cmocka_unit_test(kind_that_is_not_in_a_request_is_left_alone),
         cmocka_unit_test(one_strange_request_moves_what_is_known_by_little),
+        cmocka_unit_test(what_only_looks_slow_raises_what_is_known_to_twice_at_most),
+        cmocka_unit_test(algorithms_teach_one_another_nothing),
+        cmocka_unit_test(what_is_refused_comes_back_within_reach),
         cmocka_unit_test(strange_requests_without_end_stay_within_bounds),
         cmocka_unit_test(what_is_unknown_or_too_short_teaches_nothing),
         cmocka_unit_test(lap_of_a_request_that_others_overlap_is_unknown),
