@@ -179,7 +179,9 @@ enum zr_status zr_scene_read(struct zr_arena *arena, struct zr_team *team, const
     struct zr_request body = *request;
     if (body.size == 0) body.bytes = ""; /* no arithmetic on a null pointer */
     skip_byte_order_mark(&body);
+    arena->cancel = request->cancel;
     enum zr_status status = made ? read_scene(arena, team, &body, limits, made, error) : ZR_NO_MEMORY;
+    arena->cancel = NULL;
     if (zr_is_cancelled(request->cancel)) {
         *error = (struct zr_error){0}; /* of what was not read to its end */
         return zr_error_add(error, ZR_CANCELLED, NULL, "reading was stopped before it was done");

@@ -17,6 +17,7 @@
 enum { ZR_ARENA_ALIGN = 64, ZR_ARENA_BLOCK = 2 << 20 };
 
 struct zr_arena_block;
+struct zr_cancel;
 
 struct zr_arena {
     size_t ceiling; /* bytes that one request may allocate */
@@ -25,6 +26,7 @@ struct zr_arena {
     bool failed;
     size_t wanted; /* what `used` would have been, where the first failure was the ceiling's; SIZE_MAX: more than can be
                       counted; 0: it was the system that had no more */
+    const struct zr_cancel *cancel; /* of the request, for who has its arena and no more of it; NULL: never */
     struct zr_arena_block *first, *current;
 };
 

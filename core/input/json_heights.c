@@ -45,7 +45,7 @@ static bool measure(struct zr_json *json, const struct zr_json_path *path, struc
             if (item) zr_json_walk_drop(&walk, item);
             return false;
         }
-        walk.behind = zr_json_skip(walk.at, json->text->end, &count, &commas);
+        walk.behind = zr_json_skip(walk.at, json->text->end, json->cancel, &count, &commas);
         if (walk.index == 0) grid->columns = count;
         if (count < 2)
             good = zr_json_fault(json, at, "values: %zu; a grid needs 2 or more in each row", count);

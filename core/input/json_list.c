@@ -5,7 +5,7 @@
 #include "base/inlined.h"
 #include "input/chunk.h"
 
-enum { LOOK_AHEAD = 3, CHUNKS_A_TALLY = 254, LISTS_AT_FIRST = 16, MARKS_AT_FIRST = 16 };
+enum { LOOK_AHEAD = 3, CHUNKS_A_TALLY = 254, LISTS_AT_FIRST = 16, MARKS_AT_FIRST = 16, BYTES_A_LOOK = 1 << 20 };
 
 /* ---- lists of rows of numbers ---- */
 
@@ -148,22 +148,32 @@ static inline const char *skip_rows(const char *at, const char *end, size_t *row
 /* ---- values of any kind ---- */
 
 /* Behind the closing quote of a string; `at` is behind the opening one. NULL where it has no end. */
-static const char *skip_string(const char *at, const char *end)
+static const char *skip_string(const char *at, const char *end, const struct zr_cancel *cancel)
 {
-    for (; at < end && *at != '"'; at++)
+    const char *look = at;
+    for (; at < end && *at != '"'; at++) {
         if (*at == '\\' && ++at == end) return NULL;
+        if (at < look) continue;
+        if (zr_is_cancelled(cancel)) return NULL;
+        look = at + BYTES_A_LOOK;
+    }
     return at < end ? at + 1 : NULL;
 }
 
-static const char *skip_nested(const char *at, const char *end, size_t *items, size_t *commas)
+static const char *skip_nested(const char *at, const char *end, const struct zr_cancel *cancel, size_t *items,
+                               size_t *commas)
 {
-    const char *first = zr_json_skip_space(at + 1, end);
+    const char *first = zr_json_skip_space(at + 1, end), *look = at;
     size_t depth = 0;
     *items = first < end && *first != ']' && *first != '}';
     while (at < end) {
+        if (at >= look) {
+            if (zr_is_cancelled(cancel)) return NULL;
+            look = at + BYTES_A_LOOK;
+        }
         char byte = *at++;
         if (byte == '"') {
-            at = skip_string(at, end);
+            at = skip_string(at, end, cancel);
             if (!at) return NULL;
         } else if (byte == ',') {
             ++*commas;
@@ -177,12 +187,12 @@ static const char *skip_nested(const char *at, const char *end, size_t *items, s
     return NULL;
 }
 
-const char *zr_json_skip(const char *at, const char *end, size_t *items, size_t *commas)
+const char *zr_json_skip(const char *at, const char *end, const struct zr_cancel *cancel, size_t *items, size_t *commas)
 {
     *items = *commas = 0;
     if (at == end) return NULL;
-    if (*at == '"') return skip_string(at + 1, end);
-    if (*at == '[' || *at == '{') return skip_nested(at, end, items, commas);
+    if (*at == '"') return skip_string(at + 1, end, cancel);
+    if (*at == '[' || *at == '{') return skip_nested(at, end, cancel, items, commas);
     const char *start = at;
     while (at < end && *at != ',' && *at != ']' && *at != '}' && *at != ' ' && *at != '\n' && *at != '\r' &&
            *at != '\t')
@@ -222,22 +232,24 @@ bool zr_json_key_is(const char *key, const char *key_end, const char *word)
 /* ---- polygons ---- */
 
 /* Rows, or colours as strings, or whatever is wrong: these have no marks. */
-static const char *skip_list(const char *at, const char *end, size_t *items, size_t *commas, struct marks *marks)
+static const char *skip_list(const char *at, const char *end, const struct zr_cancel *cancel, size_t *items,
+                             size_t *commas, struct marks *marks)
 {
     const char *behind = skip_rows(at, end, items, commas, marks);
     if (behind) return behind;
     if (marks) marks->list->mark_count = 0;
-    return zr_json_skip(at, end, items, commas);
+    return zr_json_skip(at, end, cancel, items, commas);
 }
 
-static const char *skip_holes(const char *at, const char *end, struct zr_json_soup *soup)
+static const char *skip_holes(const char *at, const char *end, const struct zr_cancel *cancel,
+                              struct zr_json_soup *soup)
 {
     size_t holes, vertices, commas;
-    const char *behind = zr_json_skip(at, end, &holes, &commas);
+    const char *behind = zr_json_skip(at, end, cancel, &holes, &commas);
     if (!behind || *at != '[') return behind;
     soup->rings += holes;
     for (at = zr_json_skip_space(at + 1, end); holes > 0; holes--) {
-        at = skip_list(at, end, &vertices, &commas, NULL);
+        at = skip_list(at, end, cancel, &vertices, &commas, NULL);
         if (!at) return NULL;
         soup->vertices += vertices;
         at = zr_json_skip_space(at, end);
@@ -262,9 +274,10 @@ static inline const char *skip_plain_vertices(const char *at, const char *end, s
 }
 
 /* `at` is behind the opening quote of a key; returns behind the value. */
-static const char *skip_member(const char *at, const char *end, struct zr_json_soup *soup)
+static const char *skip_member(const char *at, const char *end, const struct zr_cancel *cancel,
+                               struct zr_json_soup *soup)
 {
-    const char *key = at, *behind = skip_string(at, end);
+    const char *key = at, *behind = skip_string(at, end, cancel);
     size_t items = 0, commas = 0;
     if (!behind) return NULL;
     const char *key_end = behind - 1;
@@ -274,10 +287,11 @@ static const char *skip_member(const char *at, const char *end, struct zr_json_s
     if (at == end) return NULL;
     if (zr_json_key_is(key, key_end, "holes")) {
         soup->has_holes = true;
-        return skip_holes(at, end, soup);
+        return skip_holes(at, end, cancel, soup);
     }
     bool is_list = *at == '[';
-    behind = is_list ? skip_list(at, end, &items, &commas, NULL) : zr_json_skip(at, end, &items, &commas);
+    behind =
+        is_list ? skip_list(at, end, cancel, &items, &commas, NULL) : zr_json_skip(at, end, cancel, &items, &commas);
     if (zr_json_key_is(key, key_end, "vertices"))
         soup->vertices += is_list ? items : 0;
     else if (zr_json_key_is(key, key_end, "color"))
@@ -289,17 +303,18 @@ static const char *skip_member(const char *at, const char *end, struct zr_json_s
     return behind;
 }
 
-static const char *skip_polygon(const char *at, const char *end, struct zr_json_soup *soup)
+static const char *skip_polygon(const char *at, const char *end, const struct zr_cancel *cancel,
+                                struct zr_json_soup *soup)
 {
     size_t items, commas;
     soup->rings++;
-    if (at == end || *at != '{') return zr_json_skip(at, end, &items, &commas);
+    if (at == end || *at != '{') return zr_json_skip(at, end, cancel, &items, &commas);
     at = zr_json_skip_space(at + 1, end);
     if (at < end && *at == '}') return at + 1;
     for (;;) {
         if (at == end || *at != '"') return NULL;
         const char *behind = skip_plain_vertices(at + 1, end, soup);
-        at = behind ? behind : skip_member(at + 1, end, soup);
+        at = behind ? behind : skip_member(at + 1, end, cancel, soup);
         if (!at) return NULL;
         at = zr_json_skip_space(at, end);
         if (at == end) return NULL;
@@ -316,14 +331,17 @@ static const char *skip_polygons(const char *at, const char *end, struct zr_json
     at = zr_json_skip_space(at + 1, end);
     if (at < end && *at == ']') return at + 1;
     for (;;) {
-        at = skip_polygon(at, end, soup);
+        at = skip_polygon(at, end, marks->arena->cancel, soup);
         if (!at) return NULL;
         ++*polygons;
         at = zr_json_skip_space(at, end);
         if (at == end) return NULL;
         if (*at == ']') return at + 1;
         if (*at != ',') return NULL;
-        if (wants_mark(marks, at)) add_mark(marks, (struct zr_json_mark){at, *polygons, soup->vertices});
+        if (wants_mark(marks, at)) {
+            if (zr_is_cancelled(marks->arena->cancel)) return NULL;
+            add_mark(marks, (struct zr_json_mark){at, *polygons, soup->vertices});
+        }
         at = zr_json_skip_space(at + 1, end);
     }
 }
@@ -337,7 +355,7 @@ const char *zr_json_list_add(struct zr_arena *arena, struct zr_json_lists *lists
     struct marks marks = {arena, &list, 0, at};
     size_t commas = 0;
     list.end = polygons ? skip_polygons(at, end, &list.soup, &list.items, &marks)
-                        : skip_list(at, end, &list.items, &commas, &marks);
+                        : skip_list(at, end, arena->cancel, &list.items, &commas, &marks);
     /* A comma stands between any two numbers, in one row or not. */
     list.numbers = polygons ? list.soup.vertices : commas + 1;
     if (!list.end) return NULL;

@@ -15,6 +15,7 @@
 #include <stdint.h>
 
 #include "base/arena.h"
+#include "base/cancel.h"
 
 /* How deep an item of the innermost list goes that a scene may have: /meshes/0/heights/values/0. */
 enum { ZR_JSON_LIST_DEPTH = 6 };
@@ -55,9 +56,10 @@ struct zr_json_lists {
 const char *zr_json_list_add(struct zr_arena *arena, struct zr_json_lists *lists, const char *at, const char *end,
                              bool polygons, size_t depth);
 
-/* Behind the value that begins at `at`, or NULL. Of a list or an object, *items becomes the count of items or members,
- * *commas that of all commas between the two. */
-const char *zr_json_skip(const char *at, const char *end, size_t *items, size_t *commas);
+/* Behind the value that begins at `at`, or NULL; so it is where `cancel`, which may be NULL, is raised. Of a list or an
+ * object, *items becomes the count of items or members, *commas that of all commas between the two. */
+const char *zr_json_skip(const char *at, const char *end, const struct zr_cancel *cancel, size_t *items,
+                         size_t *commas);
 
 /* Is the text of a key, from behind its opening quote to its closing one, this word of ASCII letters? As it is
  * written or with escapes. */

@@ -132,7 +132,7 @@ static const char *read_look(struct plain *plain, const char *at, const char *en
     if (!value || (plain->look && !plain->look_is_last)) return NULL;
     if (!plain->look) plain->look = at;
     plain->look_is_last = true;
-    return plain->look_end = zr_json_skip(value, end, &items, &commas);
+    return plain->look_end = zr_json_skip(value, end, NULL, &items, &commas);
 }
 
 static const char *read_member(struct soup *soup, double limit, const char *at, const char *end, struct plain *plain)

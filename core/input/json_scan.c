@@ -5,10 +5,12 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "base/cancel.h"
 #include "input/number.h"
 #include "input/text.h"
 
-enum { LEVELS_AT_FIRST = 1024, WORD_BITS = 64 };
+/* BYTES_A_LOOK: between two looks at the flag of cancellation. */
+enum { LEVELS_AT_FIRST = 1024, WORD_BITS = 64, BYTES_A_LOOK = 1 << 20 };
 
 enum expect { VALUE, FIRST_VALUE, KEY, FIRST_KEY, NEXT_ITEM, NEXT_MEMBER, END };
 
@@ -33,6 +35,7 @@ struct scan {
     const char *key, *key_end;  /* of the member that is scanned, in quotes */
     bool in_meshes, in_heights; /* of the root, and of a mesh there */
     size_t uncounted;           /* the depth around a list whose values do not count, or 0 */
+    const char *look;           /* at the flag of cancellation, from here on */
     enum limit limit;           /* the first one passed, which counts only if the text is well-formed */
     const char *limit_at;
 };
@@ -59,6 +62,16 @@ static const char *fail(struct scan *scan, const char *at, const char *what)
                      place.column, what,
                      zr_quote(at, zr_utf8_length(at, scan->end) ? zr_utf8_length(at, scan->end) : 1).text);
     return NULL;
+}
+
+/* False, and the error says so, where the request is cancelled. */
+static bool goes_on(struct scan *scan, const char *at)
+{
+    if (at < scan->look) return true;
+    scan->look = at + (scan->end - at < BYTES_A_LOOK ? scan->end - at : BYTES_A_LOOK);
+    if (!zr_is_cancelled(scan->arena->cancel)) return true;
+    zr_error_add(scan->error, ZR_CANCELLED, NULL, "reading was stopped");
+    return false;
 }
 
 static void pass_limit(struct scan *scan, const char *at, enum limit limit)
@@ -115,13 +128,15 @@ static const char *scan_string(struct scan *scan, const char *at)
     const char *end = scan->end;
     for (;;) {
         uint64_t word;
-        while (end - at >= (ptrdiff_t)sizeof word) {
+        if (!goes_on(scan, at)) return NULL;
+        while (scan->look - at >= (ptrdiff_t)sizeof word) {
             memcpy(&word, at, sizeof word);
             if (needs_a_look(word)) break;
             at += sizeof word;
         }
-        while (at < end && is_plain(*at))
+        while (at < scan->look && is_plain(*at))
             at++;
+        if (at == scan->look && at < end) continue;
         if (at == end) return fail(scan, at, "'\"' at the end of a string");
         if (*at == '"') return at + 1;
         if (*at == '\\') {
@@ -278,6 +293,7 @@ static const char *scan_numbers(struct scan *scan, const char *at, enum expect *
         at = zr_json_skip_space(at, scan->end);
         *expect = VALUE;
         if (at == scan->end || (*at != '-' && !is_digit(*at))) return at;
+        if (!goes_on(scan, at)) return NULL;
         count_value(scan, at);
         at = scan_number(scan, at);
         *expect = NEXT_ITEM;
@@ -313,6 +329,7 @@ static bool scan_text(struct scan *scan)
     for (const char *at = zr_json_skip_space(scan->start, scan->end); at;
          at = at ? zr_json_skip_space(at, scan->end) : NULL) {
         if (at == scan->end) return expect == END || fail(scan, at, expected[expect]);
+        if (!goes_on(scan, at)) return false;
         bool closing = expect == FIRST_VALUE || expect == NEXT_ITEM
                            ? *at == ']'
                            : (expect == FIRST_KEY || expect == NEXT_MEMBER) && *at == '}';
@@ -360,7 +377,7 @@ static enum zr_status scan_all(struct scan *scan, struct zr_arena *arena, const 
                                const struct zr_limits *limits, struct zr_error *error)
 {
     uint64_t first_levels[LEVELS_AT_FIRST / WORD_BITS] = {0};
-    scan->start = bytes;
+    scan->start = scan->look = bytes;
     scan->end = bytes + size;
     scan->arena = arena;
     scan->error = error;

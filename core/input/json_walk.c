@@ -53,7 +53,7 @@ cJSON *zr_json_walk_parse(struct zr_json_walk *walk)
     struct zr_json_text *text = json->text;
     size_t items, commas, values;
     if (walk->ahead || zr_json_stopped(json)) return NULL;
-    const char *behind = zr_json_skip(walk->at, text->end, &items, &commas);
+    const char *behind = zr_json_skip(walk->at, text->end, json->cancel, &items, &commas);
     if (!behind) {
         lose(walk);
         return NULL;

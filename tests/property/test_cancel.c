@@ -3,6 +3,7 @@
 #include <pthread.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 #include <time.h>
 
 #include "support/cmocka_all.h"
@@ -218,6 +219,45 @@ static void every_algorithm_stops_amid_large_triangles(void **state)
     }
 }
 
+/* `begin`, and then `unit` again and again, up to the size that a body may have. */
+static void reading_stops(const char *begin_text, const char *unit)
+{
+    enum { SIZE = 60 << 20 };
+    char *text = malloc(SIZE);
+    const size_t length = strlen(unit), begin_length = strlen(begin_text);
+    assert_non_null(text);
+    memcpy(text, begin_text, begin_length);
+    for (size_t i = begin_length; i < SIZE; i++)
+        text[i] = unit[(i - begin_length) % length];
+    const struct zr_limits limits = zr_limits_default();
+    zr_arena_init(&arena, (size_t)3 << 30);
+    for (int after_ms = 2; after_ms < 60; after_ms *= 5) {
+        struct later later;
+        const struct zr_scene *scene;
+        struct zr_error error = {.count = 0};
+        begin(&later, after_ms);
+        const struct zr_request request = {
+            .format = ZR_FORMAT_JSON, .bytes = text, .size = SIZE, .cancel = &later.cancel};
+        assert_ended_soon(&later, zr_scene_read(&arena, NULL, &request, &limits, &scene, &error));
+        zr_arena_reset(&arena, SIZE_MAX);
+    }
+    zr_arena_free(&arena);
+    free(text);
+}
+
+static void reading_of_brackets_and_of_what_is_odd_stops(void **state)
+{
+    (void)state;
+    reading_stops("", "[");
+    reading_stops("{\"x\":[", "[],");
+    reading_stops("{\"polygons\":[", "[],");
+    reading_stops("{\"polygons\":[", "[");
+    reading_stops("{\"polygons\":[{\"vertices\":[", "[],");
+    reading_stops("{\"meshes\":[{\"faces\":[", "[{\"a\":[1]}],");
+    reading_stops("{\"x\":\"", "\\u00e4");
+    reading_stops("{\"polygons\":[", "{\"vertices\":[[0,0,0],[1,0,0],[0,1,0]],\"material\":{\"x\":[[]]}},");
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -226,6 +266,7 @@ int main(void)
         cmocka_unit_test(many_small_instances_stop),
         cmocka_unit_test(instances_of_shapes_that_cross_themselves_stop),
         cmocka_unit_test(face_of_very_many_corners_stops),
+        cmocka_unit_test(reading_of_brackets_and_of_what_is_odd_stops),
         cmocka_unit_test(every_algorithm_stops_amid_large_triangles),
     };
     return cmocka_run_group_tests_name("cancel", tests, NULL, NULL);
