@@ -80,7 +80,7 @@ static bool take_target(struct framing *f, char c)
     if (is_control((unsigned char)c)) return refuse(f, 400, "the URI has control characters");
     if (c == '&' && ++f->parameters > FRAMING_PARAMETERS_MAX)
         return refuse(f, 400, "the query has too many parameters");
-    if (++f->line_bytes > FRAMING_TARGET_MAX) return refuse(f, 414, "the URI is longer than 32768 bytes");
+    if (++f->line_bytes > FRAMING_TARGET_MAX) return refuse(f, 414, "the URI is longer than 8192 bytes");
     return true;
 }
 
@@ -119,24 +119,37 @@ static bool take_field(struct framing *f, char c)
     }
     if (c == '\n') return refuse(f, 400, "a line ends with LF alone");
     if (c == ' ' || c == '\t') return refuse(f, 400, "a header line is folded, or begins with a space");
-    if (++f->fields > FRAMING_FIELDS_MAX) return refuse(f, 431, "there are more than 128 headers");
+    if (++f->fields > FRAMING_FIELDS_MAX) return refuse(f, 431, "there are more than 100 headers");
     if (!is_token((unsigned char)c)) return refuse(f, 400, "a header's name is not a token");
     f->state = FRAMING_NAME;
     f->name_length = f->value_length = f->line_bytes = 0;
+    f->name_bytes = 1;
     append(f->name, &f->name_length, c);
     return true;
 }
 
-static bool take_name(struct framing *f, char *c)
+/* Whose values are passed on: what http_exchange.c looks up, and what libmicrohttpd itself obeys. */
+static bool is_read_here(const struct framing *f)
 {
-    if (*c == ':') {
+    static const char *const NAMES[] = {"host",          "connection",   "content-length",   "transfer-encoding",
+                                        "expect",        "content-type", "content-encoding", "authorization",
+                                        "if-none-match", "x-request-id", "traceparent"};
+    for (size_t i = 0; i < sizeof NAMES / sizeof NAMES[0]; i++)
+        if (equals(f->name, f->name_length, NAMES[i])) return true;
+    return false;
+}
+
+static bool take_name(struct framing *f, char c)
+{
+    if (c == ':') {
+        f->is_read = is_read_here(f);
         f->state = FRAMING_VALUE;
         return true;
     }
-    if (*c == '\r' || *c == '\n') return refuse(f, 400, "a header line has no colon");
-    if (!is_token((unsigned char)*c)) return refuse(f, 400, "a header's name is not a token");
-    append(f->name, &f->name_length, *c);
-    if (equals(f->name, f->name_length, "cookie")) *c = 'x';
+    if (c == '\r' || c == '\n') return refuse(f, 400, "a header line has no colon");
+    if (!is_token((unsigned char)c)) return refuse(f, 400, "a header's name is not a token");
+    if (++f->name_bytes > FRAMING_NAME_MAX) return refuse(f, 431, "a header's name is longer than 64 bytes");
+    append(f->name, &f->name_length, c);
     return true;
 }
 
@@ -149,6 +162,8 @@ static bool take_value(struct framing *f, char c)
     }
     if (is_control((unsigned char)c) && c != '\t')
         return refuse(f, 400, c == '\n' ? "a line ends with LF alone" : "a header's value has control characters");
+    if (f->is_read && ++f->values_bytes > FRAMING_VALUES_MAX)
+        return refuse(f, 431, "the headers that are read here are larger than 4096 bytes");
     const bool is_space = c == ' ' || c == '\t';
     if (is_space && f->line_bytes == 0) return true;
     f->line_bytes++;
@@ -277,47 +292,47 @@ static bool expect(struct framing *f, char c, char wanted, enum framing_state ne
 }
 
 /* One byte of what is not a body's. False: it is refused. */
-static bool take(struct framing *f, char *c)
+static bool take(struct framing *f, char c)
 {
     switch (f->state) {
     case FRAMING_START:
-        return start_request(f, *c);
+        return start_request(f, c);
     case FRAMING_EMPTY_LF:
-        return expect(f, *c, '\n', FRAMING_START);
+        return expect(f, c, '\n', FRAMING_START);
     case FRAMING_METHOD:
-        return take_method(f, *c);
+        return take_method(f, c);
     case FRAMING_TARGET:
-        return take_target(f, *c);
+        return take_target(f, c);
     case FRAMING_VERSION:
-        return take_version(f, *c);
+        return take_version(f, c);
     case FRAMING_LINE_LF:
         f->value_length = 0;
-        return expect(f, *c, '\n', FRAMING_FIELD);
+        return expect(f, c, '\n', FRAMING_FIELD);
     case FRAMING_FIELD:
-        return count_header_byte(f) && take_field(f, *c);
+        return count_header_byte(f) && take_field(f, c);
     case FRAMING_NAME:
         return count_header_byte(f) && take_name(f, c);
     case FRAMING_VALUE:
-        return count_header_byte(f) && take_value(f, *c);
+        return count_header_byte(f) && take_value(f, c);
     case FRAMING_VALUE_LF:
-        if (!count_header_byte(f) || !expect(f, *c, '\n', FRAMING_FIELD)) return false;
+        if (!count_header_byte(f) || !expect(f, c, '\n', FRAMING_FIELD)) return false;
         take_header(f);
         return true;
     case FRAMING_HEADER_LF:
-        return expect(f, *c, '\n', FRAMING_START) && end_header(f);
+        return expect(f, c, '\n', FRAMING_START) && end_header(f);
     case FRAMING_CHUNK_SIZE:
-        return take_chunk_size(f, *c);
+        return take_chunk_size(f, c);
     case FRAMING_CHUNK_EXTENSION:
-        return take_chunk_extension(f, *c);
+        return take_chunk_extension(f, c);
     case FRAMING_CHUNK_LF:
-        if (!expect(f, *c, '\n', FRAMING_CHUNK_DATA)) return false;
+        if (!expect(f, c, '\n', FRAMING_CHUNK_DATA)) return false;
         end_chunk_line(f);
         return true;
     case FRAMING_CHUNK_DATA_CR:
-        return expect(f, *c, '\r', FRAMING_CHUNK_DATA_LF);
+        return expect(f, c, '\r', FRAMING_CHUNK_DATA_LF);
     case FRAMING_CHUNK_DATA_LF:
         f->line_bytes = 0;
-        return expect(f, *c, '\n', FRAMING_CHUNK_SIZE);
+        return expect(f, c, '\n', FRAMING_CHUNK_SIZE);
     default:
         return false;
     }
@@ -332,24 +347,40 @@ static size_t skip_body(struct framing *f, size_t size)
     return skipped;
 }
 
+/* The byte at hand goes no further: it is of a value that nobody reads. */
+static bool is_dropped(const struct framing *f)
+{
+    return f->state == FRAMING_VALUE && !f->is_read;
+}
+
 size_t framing_scan(struct framing *f, char *bytes, size_t size)
 {
-    size_t whole = 0; /* up to the end of the last whole request */
+    size_t kept = 0,
+           whole = 0; /* bytes that are passed on, and those of them up to the end of the last whole request */
     uint64_t passed = f->passed;
     if (f->state == FRAMING_REFUSED) return 0;
     for (size_t at = 0; at < size;) {
         if (f->state == FRAMING_BODY || f->state == FRAMING_CHUNK_DATA) {
-            at += skip_body(f, size - at);
-        } else if (!take(f, &bytes[at++])) {
-            f->refused_body = (f->state >= FRAMING_BODY || f->is_trailer) && f->passed == passed;
-            f->passed = passed; /* a header that is held back with what follows it was not passed on */
-            f->state = FRAMING_REFUSED;
-            return whole;
+            const size_t skipped = skip_body(f, size - at);
+            if (kept < at) memmove(bytes + kept, bytes + at, skipped);
+            kept += skipped;
+            at += skipped;
+        } else {
+            const char c = bytes[at++];
+            const bool was_dropping = is_dropped(f);
+            if (!take(f, c)) {
+                f->refused_body = (f->state >= FRAMING_BODY || f->is_trailer) && f->passed == passed;
+                f->passed = passed; /* a header that is held back with what follows it was not passed on */
+                f->state = FRAMING_REFUSED;
+                return whole;
+            }
+            /* The value's last byte, the CR, ends its line and is passed on. */
+            if (!was_dropping || !is_dropped(f)) bytes[kept++] = c;
         }
         if (f->state == FRAMING_START) {
-            whole = at;
+            whole = kept;
             passed = f->passed;
         }
     }
-    return size;
+    return kept;
 }

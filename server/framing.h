@@ -17,13 +17,18 @@
 #include <stddef.h>
 #include <stdint.h>
 
+/* What libmicrohttpd gets of a request has to fit into the memory that it has for a connection (http.c), with 64 bytes
+ * for each header line beside its text; above 32 KiB it would ask the system for that memory, and give it back, which
+ * takes longer than to refuse a request. */
 enum {
-    FRAMING_TARGET_MAX = 32768,  /* bytes of a request target */
+    FRAMING_TARGET_MAX = 8192,   /* bytes of a request target */
+    FRAMING_PARAMETERS_MAX = 32, /* '&' in it */
     FRAMING_HEADERS_MAX = 32768, /* bytes of all header lines, their ends included; of all trailer lines likewise */
-    FRAMING_FIELDS_MAX = 128,    /* headers of a request: libmicrohttpd needs more memory for each than its text has */
+    FRAMING_FIELDS_MAX = 100,    /* lines */
+    FRAMING_NAME_MAX = 64,       /* bytes of a header's name */
+    FRAMING_VALUES_MAX = 4096,   /* of the values that are passed on, together */
     FRAMING_METHOD_MAX = 23,
-    FRAMING_EXTENSION_MAX = 1024, /* bytes behind the ';' of a chunk line */
-    FRAMING_PARAMETERS_MAX = 128  /* '&' in a target, for the same reason */
+    FRAMING_EXTENSION_MAX = 1024 /* bytes behind the ';' of a chunk line */
 };
 
 /* What the next byte belongs to. */
@@ -58,7 +63,8 @@ struct framing {
     enum framing_state state;
     bool is_trailer, is_old, is_chunked; /* is_old: HTTP/1.0 */
     uint32_t line_bytes;                 /* of the target, a chunk's size or its extension */
-    uint32_t header_bytes, fields, parameters;
+    uint32_t header_bytes, fields, parameters, name_bytes, values_bytes;
+    bool is_read; /* the header whose value comes */
     uint32_t hosts, lengths, encodings, expects, types;
     uint64_t left;                                          /* bytes of the body or the chunk */
     uint32_t name_length, value_length;                     /* of the words; values without trailing space */
@@ -71,9 +77,8 @@ struct framing {
     bool refused_body;  /* likewise: of a request whose header was passed on before */
 };
 
-/* Reads `size` bytes. Returns how many of them may be passed on: all, or, where one is refused, those up to the end of
- * the last whole request. The bytes stay as they are but for one of the name Cookie: nobody here reads cookies, which
- * libmicrohttpd would copy and parse. */
+/* Reads `size` bytes, and leaves at `bytes` those of them that are passed on: it returns how many. Where one is refused
+ * they end with the last whole request. */
 size_t framing_scan(struct framing *framing, char *bytes, size_t size);
 
 /* No byte of a request has come that is not whole. */

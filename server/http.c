@@ -18,10 +18,9 @@
 
 enum {
     BACKLOG = 512,
-    /* Of a connection: headers as long as they may be, parsed, and an answer's. It is zeroed after each request, so
-       more costs time. */
-    CONNECTION_MEMORY = 96 << 10,
-    UNSENT_BYTES = 256 << 10,                          /* of an answer that the kernel holds before they are sent */
+    CONNECTION_MEMORY = 32 << 10, /* framing.h says what has to fit; more would be mapped for each connection, not taken
+                                   * from the heap: half as much is served where ten times too much is asked for */
+    UNSENT_BYTES = 256 << 10,     /* of an answer that the kernel holds before they are sent */
     ROOM_CONNECTIONS = 64 + HTTP_LOOPBACK_CONNECTIONS, /* beyond max-connections, while others end */
     QUEUE_CALM_MS = 2000
 };

@@ -161,8 +161,18 @@ static void take_events(struct http *http, const struct epoll_event *events, int
 
 /* ---- what takes too long ---- */
 
+/* The client has closed its sending half within a request, and all that it sent has been read. libmicrohttpd need not
+ * have noticed: its end came with the last bytes. */
+static bool ended_within_request(const struct connection *connection)
+{
+    char byte;
+    return connection->has_left && (connection->phase == PHASE_HEADER || connection->phase == PHASE_BODY) &&
+           recvfrom(connection->fd, &byte, 1, MSG_PEEK | MSG_DONTWAIT, NULL, NULL) == 0;
+}
+
 static void end_overdue(struct http *http, struct connection *connection, int64_t now)
 {
+    if (ended_within_request(connection)) shutdown(connection->fd, SHUT_RDWR); /* it is told once more */
     if (connection->phase == PHASE_WORK) connection->deadline_ms = http_work_deadline_ms(connection->exchange);
     switch (connections_overdue(&http->connections, connection, now)) {
     case OVERDUE_NO:

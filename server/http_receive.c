@@ -36,22 +36,34 @@ static ssize_t discard(int fd)
     return fail_with(EAGAIN);
 }
 
+/* The end within a request. Told that the connection was reset, libmicrohttpd ends the exchange at once; else it would
+ * wait. */
+static ssize_t end_within_request(struct connection *connection)
+{
+    if (connection->exchange) connection->exchange->client_left = true;
+    return fail_with(ECONNRESET);
+}
+
+/* libmicrohttpd asks again only where it got as much as it asked for, or when more has come: so where some of the bytes
+ * go no further, as many are received again as there is room for. */
 static ssize_t receive(struct http *http, struct connection *connection, char *bytes, size_t size, int flags)
 {
+    struct framing *framing = &connection->framing;
+    size_t passed = 0;
     if (connection->phase == PHASE_REFUSED) return discard(connection->fd);
-    if (connection->framing.status) return fail_with(EAGAIN); /* to be refused once those before it are answered */
-    const ssize_t count = recvfrom(connection->fd, bytes, size, flags, NULL, NULL);
-    if (count == 0 && !framing_is_between(&connection->framing)) {
-        /* The end within a request. Told so, libmicrohttpd ends the exchange at once; else it would wait. */
-        if (connection->exchange) connection->exchange->client_left = true;
-        return fail_with(ECONNRESET);
+    for (bool is_more = true; is_more && passed < size && framing->status == 0;) {
+        const size_t room = size - passed;
+        const ssize_t count = recvfrom(connection->fd, bytes + passed, room, flags, NULL, NULL);
+        if (count <= 0 && passed > 0) break; /* told when it asks again */
+        if (count == 0 && !framing_is_between(framing)) return end_within_request(connection);
+        if (count == 0) return 0;
+        if (count < 0 && (errno == EAGAIN || errno == EWOULDBLOCK || errno == EINTR)) return -1;
+        if (count < 0) return end_within_request(connection);
+        is_more = (size_t)count == room;
+        passed += framing_scan(framing, bytes + passed, (size_t)count);
+        if (connection->phase == PHASE_IDLE) connections_enter(&http->connections, connection, PHASE_HEADER);
     }
-    if (count < 0 && errno != EAGAIN && errno != EWOULDBLOCK && errno != EINTR && connection->exchange)
-        connection->exchange->client_left = true;
-    if (count <= 0) return count;
-    const size_t passed = framing_scan(&connection->framing, bytes, (size_t)count);
-    if (connection->phase == PHASE_IDLE) connections_enter(&http->connections, connection, PHASE_HEADER);
-    http_refuse_framing(http, connection);
+    http_refuse_framing(http, connection); /* or once those before it are answered */
     return passed > 0 ? (ssize_t)passed : fail_with(EAGAIN);
 }
 

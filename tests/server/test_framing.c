@@ -186,12 +186,16 @@ static void headers_as_large_as_they_may_be_are_answered(void **state)
 {
     static char request[80000];
     (void)state;
-    size_t used = (size_t)sprintf(request, "GET /nowhere?a=");
-    memset(request + used, 'a', 32700);
-    used += 32700;
-    used += (size_t)sprintf(request + used, " HTTP/1.1\r\nHost: a\r\nConnection: close\r\n");
-    for (int i = 0; i < 120; i++)
-        used += (size_t)sprintf(request + used, "X-%d: %0250d\r\n", i, i);
+    /* Targets, names and values of 8192, 64 and 4096 bytes, a hundred lines, 32 parameters more than one. */
+    size_t used = (size_t)sprintf(request, "GET /nowhere?");
+    for (int i = 0; i < 32; i++)
+        used += (size_t)sprintf(request + used, "a=b&");
+    memset(request + used, 'a', 8030);
+    used += 8030;
+    used += (size_t)sprintf(request + used,
+                            " HTTP/1.1\r\nHost: a\r\nConnection: close\r\nAuthorization: Bearer %04000d\r\n", 1);
+    for (int i = 0; i < 97; i++)
+        used += (size_t)sprintf(request + used, "X-%062d: %0160d\r\n", i, i);
     sprintf(request + used, "\r\n");
     char *text = client_raw(&server, request, strlen(request), SILENCE_MS);
     assert_int_equal(raw_status(text), 404);

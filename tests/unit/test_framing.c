@@ -14,7 +14,7 @@
 
 enum { COPY_SIZE = 200000 };
 
-/* Scans `text` in pieces of `step` bytes; how many of them were passed on until one was refused. */
+/* Scans `text` in pieces of `step` bytes; how many bytes were passed on until one was refused. */
 static size_t scan(struct framing *framing, const char *text, size_t size, size_t step)
 {
     static char copy[COPY_SIZE];
@@ -25,7 +25,7 @@ static size_t scan(struct framing *framing, const char *text, size_t size, size_
     for (size_t at = 0; at < size && framing->status == 0; at += step) {
         const size_t count = size - at < step ? size - at : step;
         const size_t taken = framing_scan(framing, copy + at, count);
-        assert_true(taken == count || framing->status);
+        assert_true(taken <= count);
         passed += taken;
     }
     return passed;
@@ -51,7 +51,7 @@ static void assert_passes(const char *text, uint64_t passed)
         struct framing framing;
         const size_t taken = scan(&framing, text, strlen(text), step);
         if (framing.status) fail_msg("refused with %d %s:\n%s", framing.status, framing.detail, text);
-        assert_int_equal(taken, strlen(text));
+        assert_true(taken <= strlen(text));
         assert_int_equal(framing.passed, passed);
         assert_true(framing_is_between(&framing));
     }
@@ -240,6 +240,11 @@ static void limits_hold_to_the_byte(void **state)
     /* "Host: a\r\n", "X:", "\r\n" and the CR of the last line are header bytes, too. */
     assert_int_equal(status_of_long(GET "X:", 'a', FRAMING_HEADERS_MAX - 14, "\r\n\r\n"), 0);
     assert_int_equal(status_of_long(GET "X:", 'a', FRAMING_HEADERS_MAX - 13, "\r\n\r\n"), 431);
+    assert_int_equal(status_of_long(GET, 'a', FRAMING_NAME_MAX, ":b\r\n\r\n"), 0);
+    assert_int_equal(status_of_long(GET, 'a', FRAMING_NAME_MAX + 1, ":b\r\n\r\n"), 431);
+    /* " a" of the Host. */
+    assert_int_equal(status_of_long(GET "Authorization:", 'a', FRAMING_VALUES_MAX - 2, "\r\n\r\n"), 0);
+    assert_int_equal(status_of_long(GET "Authorization:", 'a', FRAMING_VALUES_MAX - 1, "\r\n\r\n"), 431);
     assert_int_equal(status_of_long("GET /?", '&', FRAMING_PARAMETERS_MAX, " HTTP/1.1\r\nHost: a\r\n\r\n"), 0);
     assert_int_equal(status_of_long("GET /?", '&', FRAMING_PARAMETERS_MAX + 1, " HTTP/1.1\r\nHost: a\r\n\r\n"), 400);
     assert_int_equal(status_of_long(CHUNK "0;", 'a', FRAMING_EXTENSION_MAX, "\r\n\r\n"), 0);
@@ -255,18 +260,26 @@ static void limits_hold_to_the_byte(void **state)
     }
 }
 
-static void cookies_are_hidden_and_nothing_else_is_changed(void **state)
+static void values_that_nobody_reads_go_no_further(void **state)
 {
-    static const char REQUEST[] = GET "Cookie: a=b\r\nMy-Cookie: c\r\ncooki: d\r\nCOOKIE: cookie\r\n\r\n";
-    static const char WANTED[] = GET "Cookix: a=b\r\nMy-Cookie: c\r\ncooki: d\r\nCOOKIx: cookie\r\n\r\n";
+    static const char REQUEST[] =
+        POST "Cookie: a=b; c\r\nX-Request-Id: i\r\nhosts: d\r\ncontent-TYPE: e\r\nContent-Length: 4\r\n\r\nA: b" SECOND;
+    static const char WANTED[] =
+        POST "Cookie:\r\nX-Request-Id: i\r\nhosts:\r\ncontent-TYPE: e\r\nContent-Length: 4\r\n\r\nA: b" SECOND;
     (void)state;
-    for (size_t step = 1; step <= sizeof REQUEST - 1; step += 5) {
-        char text[sizeof REQUEST];
+    for (size_t step = 1; step <= sizeof REQUEST - 1; step++) {
+        char text[sizeof REQUEST], out[sizeof REQUEST] = "";
         struct framing framing = {0};
+        size_t used = 0;
         memcpy(text, REQUEST, sizeof text);
-        for (size_t at = 0; at < sizeof text - 1; at += step)
-            framing_scan(&framing, text + at, sizeof text - 1 - at < step ? sizeof text - 1 - at : step);
-        assert_string_equal(text, WANTED);
+        for (size_t at = 0; at < sizeof text - 1; at += step) {
+            const size_t passed =
+                framing_scan(&framing, text + at, sizeof text - 1 - at < step ? sizeof text - 1 - at : step);
+            memcpy(out + used, text + at, passed);
+            used += passed;
+        }
+        assert_string_equal(out, WANTED);
+        assert_int_equal(framing.passed, 2);
     }
 }
 
@@ -331,7 +344,7 @@ int main(void)
         cmocka_unit_test(a_zero_byte_is_refused_wherever_it_stands_before_a_body),
         cmocka_unit_test(faults_in_chunks_are_those_of_a_body),
         cmocka_unit_test(limits_hold_to_the_byte),
-        cmocka_unit_test(cookies_are_hidden_and_nothing_else_is_changed),
+        cmocka_unit_test(values_that_nobody_reads_go_no_further),
         cmocka_unit_test(good_bytes_before_a_fault_pass_and_none_behind_it),
         cmocka_unit_test(random_bytes_get_the_same_verdict_in_any_pieces),
     };
