@@ -216,7 +216,7 @@ static size_t fill(enum queue_lane lane, unsigned ms, size_t capacity, unsigned 
         naps[TAUGHT + count] = (struct nap){{.work = sleep_on}, &ended, 0};
         if (!queue_push(queue, &naps[TAUGHT + count].job, lane)) break;
     }
-    assert_int_equal(queue_is_full(queue, lane), count < MAX);
+    assert_int_equal(queue_is_full(queue, lane, 0), count < MAX);
     *wait_s = queue_wait_estimate_s(queue, lane);
     for (size_t i = 0; i < count; i++)
         if (i % 2) assert_true(queue_remove(queue, &naps[TAUGHT + i].job)); /* out of the middle */
