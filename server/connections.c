@@ -151,7 +151,8 @@ void connections_enter(struct connections *connections, struct connection *conne
     connection->deadline_ms = connection->began_ms + time_for(connections->config, phase);
     connection->body_bytes = 0;
     connection->window_bytes = UNMEASURED;
-    if (phase == PHASE_IDLE || phase == PHASE_REFUSED) connections_release(connection);
+    /* A header, too, for some of it may have come with the request before. */
+    if (is_waiting(phase) || phase == PHASE_REFUSED) connections_release(connection);
 }
 
 bool connections_admit(struct connections *connections, struct connection *connection, uint64_t *most)

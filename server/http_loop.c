@@ -249,13 +249,20 @@ static int smaller_wait(int a, int b)
     return a < 0 || (b >= 0 && b < a) ? b : a;
 }
 
+/* Between two looks at all connections. A listener that rests goes on at the next one, whether there are any or not. */
+static int tick_ms(const struct http *http)
+{
+    const int tick = connections_wait_ms(&http->connections);
+    return http->listener_rests ? smaller_wait(tick, REST_MS) : tick;
+}
+
 static int wait_ms(struct http *http)
 {
-    int wait = connections_wait_ms(&http->connections);
+    int wait = tick_ms(http);
     MHD_UNSIGNED_LONG_LONG library_ms;
     if (MHD_get_timeout(http->daemon, &library_ms) == MHD_YES)
         wait = smaller_wait(wait, library_ms > INT32_MAX ? INT32_MAX : (int)library_ms);
-    if (http->listener_rests || atomic_load(&http->draining)) wait = smaller_wait(wait, REST_MS);
+    if (atomic_load(&http->draining)) wait = smaller_wait(wait, REST_MS);
     return wait;
 }
 
@@ -264,7 +271,7 @@ void http_loop_run(struct http *http)
     struct epoll_event events[EVENTS];
     int64_t looked_ms = clock_ms();
     for (;;) {
-        const int tick = connections_wait_ms(&http->connections);
+        const int tick = tick_ms(http);
         const int count = epoll_wait(http->epoll_fd, events, EVENTS, wait_ms(http));
         take_events(http, events, count);
         http_take_finished(http);

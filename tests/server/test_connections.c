@@ -110,6 +110,47 @@ static void places_for_loopback_are_kept_free(void **state)
     daemon_stop(&server);
 }
 
+/* They come and go while nobody looks: first there is no place, and then no connection that anybody would look at. */
+static void a_crowd_that_has_gone_leaves_the_daemon_listening(void **state)
+{
+    enum { CROWD = 30 };
+    int clients[CROWD];
+    (void)state;
+    struct daemon server = daemon_start(LIST("--max-connections=8"));
+    kill(server.pid, SIGSTOP);
+    for (int i = 0; i < CROWD; i++)
+        clients[i] = client_connect(&server);
+    for (int i = 0; i < CROWD; i++)
+        close(clients[i]);
+    kill(server.pid, SIGCONT);
+    usleep(200000);
+    char *text = client_raw(&server, HEALTH, strlen(HEALTH), 1000);
+    assert_int_equal(raw_status(text), 200);
+    free(text);
+    daemon_stop(&server);
+}
+
+/* The first bytes of the next request come with the last ones of the request before. */
+static void requests_that_overlap_count_once_for_their_client(void **state)
+{
+    static const char FIRST[] = POST "Content-Length: 53\r\n\r\n" GOOD_SCENE "PO",
+                      NEXT[] = "ST /v1/render HTTP/1.1\r\n"
+                               "Host: a\r\n" JSON_TYPE "\r\n"
+                               "Content-Length: 53\r\n\r\n" GOOD_SCENE "PO";
+    (void)state;
+    assert_int_equal(strlen(GOOD_SCENE), 53);
+    struct daemon server = daemon_start(LIST("--max-per-private-client=2"));
+    const int client = client_connect(&server);
+    for (int i = 0; i < 4; i++) {
+        assert_true(i == 0 ? client_write(client, FIRST, strlen(FIRST)) : client_write(client, NEXT, strlen(NEXT)));
+        char *text = client_read(client, NULL, 500);
+        assert_int_equal(raw_status(text), 200);
+        free(text);
+    }
+    close(client);
+    daemon_stop(&server);
+}
+
 /* ---- clients that leave ---- */
 
 static int count_in_log(const struct daemon *daemon, const char *text)
@@ -322,6 +363,8 @@ int main(void)
         cmocka_unit_test(any_number_of_ready_connections_is_answered),
         cmocka_unit_test(silent_connections_make_room),
         cmocka_unit_test(places_for_loopback_are_kept_free),
+        cmocka_unit_test(a_crowd_that_has_gone_leaves_the_daemon_listening),
+        cmocka_unit_test(requests_that_overlap_count_once_for_their_client),
         cmocka_unit_test(an_upload_that_its_client_ends_frees_its_place_at_once),
         cmocka_unit_test(answers_that_wait_for_readers_have_a_ceiling),
         cmocka_unit_test(a_reader_below_the_least_speed_is_cut_off),
