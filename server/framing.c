@@ -139,10 +139,18 @@ static bool is_read_here(const struct framing *f)
     return false;
 }
 
+/* Whose good values have no space in them. */
+static bool is_compared_whole(const struct framing *f)
+{
+    return equals(f->name, f->name_length, "content-length") || equals(f->name, f->name_length, "transfer-encoding") ||
+           equals(f->name, f->name_length, "expect");
+}
+
 static bool take_name(struct framing *f, char c)
 {
     if (c == ':') {
         f->is_read = is_read_here(f);
+        f->is_exact = is_compared_whole(f);
         f->state = FRAMING_VALUE;
         return true;
     }
@@ -353,6 +361,19 @@ static bool is_dropped(const struct framing *f)
     return f->state == FRAMING_VALUE && !f->is_read;
 }
 
+/* Space around a value is none of it (RFC 9112, 5), but libmicrohttpd keeps what is behind it: it would read a body to
+ * the end of the connection after "chunked ". Where space within the value is refused as well, none is passed on. */
+static bool is_dropped_space(const struct framing *f, char c)
+{
+    return f->state == FRAMING_VALUE && f->is_exact && f->line_bytes > 0 && (c == ' ' || c == '\t');
+}
+
+/* Of a trailer the empty line at its end is passed on: nobody reads the others, and they might not fit. */
+static bool is_in_trailer(const struct framing *f)
+{
+    return f->is_trailer && f->state >= FRAMING_FIELD && f->state <= FRAMING_VALUE_LF;
+}
+
 size_t framing_scan(struct framing *f, char *bytes, size_t size)
 {
     size_t kept = 0,
@@ -367,7 +388,7 @@ size_t framing_scan(struct framing *f, char *bytes, size_t size)
             at += skipped;
         } else {
             const char c = bytes[at++];
-            const bool was_dropping = is_dropped(f);
+            const bool was_dropping = is_dropped(f), was_in_trailer = is_in_trailer(f);
             if (!take(f, c)) {
                 f->refused_body = (f->state >= FRAMING_BODY || f->is_trailer) && f->passed == passed;
                 f->passed = passed; /* a header that is held back with what follows it was not passed on */
@@ -375,7 +396,9 @@ size_t framing_scan(struct framing *f, char *bytes, size_t size)
                 return whole;
             }
             /* The value's last byte, the CR, ends its line and is passed on. */
-            if (!was_dropping || !is_dropped(f)) bytes[kept++] = c;
+            const bool is_unread = was_dropping && is_dropped(f);
+            const bool is_of_trailer = was_in_trailer && f->state != FRAMING_HEADER_LF;
+            if (!is_unread && !is_of_trailer && !is_dropped_space(f, c)) bytes[kept++] = c;
         }
         if (f->state == FRAMING_START) {
             whole = kept;

@@ -102,6 +102,40 @@ static void content_length_that_is_no_number_is_refused(void **state)
     }
 }
 
+/* RFC 9112, 5: it is none of the value. */
+static void space_behind_a_length_or_an_encoding_is_passed_over(void **state)
+{
+    static const char *const REQUESTS[] = {POST "Content-Length: 5 \t \r\n\r\nhello" SECOND,
+                                           POST "Transfer-Encoding: chunked \t\r\n\r\n5\r\nhello\r\n0\r\n\r\n" SECOND,
+                                           POST "Expect: 100-continue \r\nContent-Length:\t5\r\n\r\nhello" SECOND};
+    (void)state;
+    for (size_t i = 0; i < sizeof REQUESTS / sizeof REQUESTS[0]; i++) {
+        char *text = client_raw(&server, REQUESTS[i], strlen(REQUESTS[i]), SILENCE_MS);
+        assert_int_equal(raw_status(text), i == 2 ? 100 : 400);
+        assert_non_null(strstr(text, "\"status\":400"));
+        assert_non_null(strstr(text, "\"status\":\"ok\""));
+        free(text);
+    }
+}
+
+/* libmicrohttpd would keep it beside the header. */
+static void a_trailer_has_room_beside_any_header(void **state)
+{
+    static char request[40000];
+    (void)state;
+    int used = snprintf(request, sizeof request, POST "Transfer-Encoding: chunked\r\n");
+    for (int trailer = 0; trailer < 2; trailer++) {
+        for (int i = 0; i < 96; i++)
+            used += snprintf(request + used, sizeof request - (size_t)used, "n%063d: v\r\n", i);
+        if (!trailer) used += snprintf(request + used, sizeof request - (size_t)used, "%s", "\r\n5\r\nhello\r\n0\r\n");
+    }
+    used += snprintf(request + used, sizeof request - (size_t)used, "\r\n" SECOND);
+    char *text = client_raw(&server, request, (size_t)used, SILENCE_MS);
+    assert_int_equal(raw_status(text), 400);
+    assert_non_null(strstr(text, "\"status\":\"ok\""));
+    free(text);
+}
+
 static void bad_bytes_in_headers_are_refused(void **state)
 {
     (void)state;
@@ -359,6 +393,8 @@ int main(void)
         cmocka_unit_test(host_must_come_once),
         cmocka_unit_test(host_may_be_missing_in_http_1_0),
         cmocka_unit_test(content_length_that_is_no_number_is_refused),
+        cmocka_unit_test(space_behind_a_length_or_an_encoding_is_passed_over),
+        cmocka_unit_test(a_trailer_has_room_beside_any_header),
         cmocka_unit_test(bad_bytes_in_headers_are_refused),
         cmocka_unit_test(a_zero_byte_smuggles_nothing),
         cmocka_unit_test(line_ends_other_than_crlf_are_refused),
