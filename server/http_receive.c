@@ -49,6 +49,7 @@ static ssize_t end_within_request(struct connection *connection)
 static ssize_t receive(struct http *http, struct connection *connection, char *bytes, size_t size, int flags)
 {
     struct framing *framing = &connection->framing;
+    const uint64_t known = framing->passed;
     size_t passed = 0;
     if (connection->phase == PHASE_REFUSED) return discard(connection->fd);
     for (bool is_more = true; is_more && passed < size && framing->status == 0;) {
@@ -61,7 +62,9 @@ static ssize_t receive(struct http *http, struct connection *connection, char *b
         if (count < 0) return end_within_request(connection);
         is_more = (size_t)count == room;
         passed += framing_scan(framing, bytes + passed, (size_t)count);
-        if (connection->phase == PHASE_IDLE) connections_enter(&http->connections, connection, PHASE_HEADER);
+        const bool is_request = !framing_is_between(framing) || framing->passed > known; /* not an empty line */
+        if (connection->phase == PHASE_IDLE && is_request)
+            connections_enter(&http->connections, connection, PHASE_HEADER);
     }
     http_refuse_framing(http, connection); /* or once those before it are answered */
     return passed > 0 ? (ssize_t)passed : fail_with(EAGAIN);

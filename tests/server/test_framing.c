@@ -136,6 +136,22 @@ static void a_trailer_has_room_beside_any_header(void **state)
     free(text);
 }
 
+/* The header's time is 400 ms here. */
+static void an_empty_line_begins_no_request(void **state)
+{
+    (void)state;
+    const int client = client_connect(&server);
+    assert_true(client_write(client, SECOND, strlen(SECOND)));
+    free(client_read(client, "ok\"}", SILENCE_MS));
+    assert_true(client_write(client, "\r\n", 2));
+    usleep(700000);
+    assert_true(client_write(client, SECOND, strlen(SECOND)));
+    char *text = client_read(client, "ok\"}", SILENCE_MS);
+    assert_int_equal(raw_status(text), 200);
+    free(text);
+    close(client);
+}
+
 static void bad_bytes_in_headers_are_refused(void **state)
 {
     (void)state;
@@ -395,6 +411,7 @@ int main(void)
         cmocka_unit_test(content_length_that_is_no_number_is_refused),
         cmocka_unit_test(space_behind_a_length_or_an_encoding_is_passed_over),
         cmocka_unit_test(a_trailer_has_room_beside_any_header),
+        cmocka_unit_test(an_empty_line_begins_no_request),
         cmocka_unit_test(bad_bytes_in_headers_are_refused),
         cmocka_unit_test(a_zero_byte_smuggles_nothing),
         cmocka_unit_test(line_ends_other_than_crlf_are_refused),
