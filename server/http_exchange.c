@@ -83,6 +83,7 @@ void http_refuse(struct http *http, struct connection *connection, int status, c
 {
     struct exchange *exchange = connection->exchange;
     if (exchange && exchange->opened) {
+        answer_free(&exchange->answer); /* of a body that was to be read to its end first */
         problem_answer(&exchange->answer, status, "%s", detail);
         reply_past_library(exchange);
         return;

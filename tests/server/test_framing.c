@@ -136,6 +136,20 @@ static void a_trailer_has_room_beside_any_header(void **state)
     free(text);
 }
 
+/* Its answer was made already: another takes its place. */
+static void a_refused_body_that_comes_too_slowly_has_one_answer(void **state)
+{
+    static const char SLOW[] = "DELETE /healthz HTTP/1.1\r\nHost: a\r\nContent-Length: 5\r\n\r\na";
+    (void)state;
+    char *text = client_raw(&server, SLOW, sizeof SLOW - 1, SILENCE_MS);
+    assert_int_equal(raw_status(text), 408);
+    const char *type = strstr(text, "Content-Type");
+    assert_non_null(type);
+    assert_null(strstr(type + 1, "Content-Type"));
+    assert_null(strstr(text, "Allow"));
+    free(text);
+}
+
 /* The header's time is 400 ms here. */
 static void an_empty_line_begins_no_request(void **state)
 {
@@ -411,6 +425,7 @@ int main(void)
         cmocka_unit_test(content_length_that_is_no_number_is_refused),
         cmocka_unit_test(space_behind_a_length_or_an_encoding_is_passed_over),
         cmocka_unit_test(a_trailer_has_room_beside_any_header),
+        cmocka_unit_test(a_refused_body_that_comes_too_slowly_has_one_answer),
         cmocka_unit_test(an_empty_line_begins_no_request),
         cmocka_unit_test(bad_bytes_in_headers_are_refused),
         cmocka_unit_test(a_zero_byte_smuggles_nothing),
