@@ -66,13 +66,28 @@ static bool ranges_overlap(const struct zr_cost_triangle *p, const struct zr_cos
     return low[0] < high[1] && low[1] < high[0];
 }
 
-/* Rows of the window in which both are, if each is somewhere the nearer; else 0. */
-static double crossed_rows(const struct zr_cost_triangle *p, const struct zr_cost_triangle *q)
+static double area_of(const struct polygon *polygon)
+{
+    double doubled = 0.0;
+    for (int i = 2; i < polygon->count; i++)
+        doubled += turn(polygon->corners[0], polygon->corners[i - 1], polygon->corners[i]);
+    return 0.5 * fabs(doubled);
+}
+
+static double height_of(const struct zr_cost_triangle *t)
+{
+    const double a = (double)t->corners[0].y, b = (double)t->corners[1].y, c = (double)t->corners[2].y;
+    return fmax(a, fmax(b, c)) - fmin(a, fmin(b, c));
+}
+
+/* Adds one pair to the sum. */
+static void add_pair(struct zr_cost_pairs *sum, const struct zr_cost_triangle *p, const struct zr_cost_triangle *q)
 {
     if (!ranges_overlap(p, q, offsetof(struct zr_window_vertex, x)) ||
         !ranges_overlap(p, q, offsetof(struct zr_window_vertex, y)) ||
         !ranges_overlap(p, q, offsetof(struct zr_window_vertex, z)))
-        return 0.0;
+        return;
+    sum->meeting += 1.0;
     struct polygon both = {3, {point_of(&p->corners[0]), point_of(&p->corners[1]), point_of(&p->corners[2])}};
     const bool left = doubled_area(q) > 0.0;
     for (int k = 0; k < 3; k++) {
@@ -88,19 +103,29 @@ static double crossed_rows(const struct zr_cost_triangle *p, const struct zr_cos
         low = fmin(low, both.corners[i].y);
         high = fmax(high, both.corners[i].y);
     }
-    return nearer && farther ? high - low : 0.0;
+    if (both.count < 3) return;
+    sum->overlapping += 1.0;
+    sum->heights += height_of(p) + height_of(q);
+    if (nearer && farther && high - low >= 1.0) {
+        sum->crossing += 1.0;
+        sum->rows += high - low;
+    } else {
+        sum->area += area_of(&both);
+    }
 }
 
 struct zr_cost_pairs zr_cost_pairs_measure(const struct zr_cost_triangle *triangles, size_t count)
 {
-    struct zr_cost_pairs sum = {0.0, 0.0};
+    struct zr_cost_pairs sum = {.meeting = 0.0};
     if (count < 2) return sum;
     for (size_t i = 1; i < count; i++)
-        for (size_t k = 0; k < i; k++) {
-            const double rows = crossed_rows(&triangles[i], &triangles[k]);
-            sum.crossing += rows >= 1.0;
-            sum.rows += rows >= 1.0 ? rows : 0.0;
-        }
+        for (size_t k = 0; k < i; k++)
+            add_pair(&sum, &triangles[i], &triangles[k]);
     const double pairs = 0.5 * (double)count * (double)(count - 1);
-    return (struct zr_cost_pairs){sum.crossing / pairs, sum.rows / pairs};
+    return (struct zr_cost_pairs){.meeting = sum.meeting / pairs,
+                                  .overlapping = sum.overlapping / pairs,
+                                  .heights = sum.heights / pairs,
+                                  .area = sum.area / pairs,
+                                  .crossing = sum.crossing / pairs,
+                                  .rows = sum.rows / pairs};
 }

@@ -19,8 +19,12 @@ struct zr_cost_triangle {
 };
 
 struct zr_cost_pairs {
-    double crossing; /* of all pairs: the share that is each the nearer somewhere */
-    double rows;     /* of the window in which a pair does so, 0 for all others: mean over all pairs */
+    double meeting;     /* of all pairs: the share whose boxes, depth included, overlap */
+    double overlapping; /* of all pairs: the share that has pixels in common as well */
+    double heights;     /* of the two together, 0 for all other pairs; mean over all pairs */
+    double area;        /* of these pixels, where one is the nearer at all of them; mean over all pairs */
+    double crossing;    /* the share that is each the nearer somewhere */
+    double rows;        /* of the window in which a pair does so, 0 for all others; mean over all pairs */
 };
 
 struct zr_cost_pairs zr_cost_pairs_measure(const struct zr_cost_triangle *triangles, size_t count);

@@ -203,6 +203,46 @@ static void painter_is_to_cut_what_runs_through_one_another(void **state)
     assert_true(fabs(others / cost_of_crowd(ZR_ALGORITHM_HALFSPACE, 400, false).fragments - 16) < 0.1);
 }
 
+/* `count` tilted triangles that all reach through the same depths, none of which cuts another: needles that overlap
+ * here and there, layers of the whole window, or parallels that only their boxes have in common. */
+enum crowd { NEEDLES, LAYERS, PARALLELS };
+
+static double cost_of_uncut(enum crowd crowd, uint32_t count)
+{
+    static struct test_scene test;
+    static zr_vec4 p[3 * TEST_TRIANGLES_MAX];
+    struct random random = random_seeded(11);
+    for (uint32_t i = 0; i < count; i++) {
+        const float t = (float)i / (float)count;
+        zr_vec4 *v = p + 3 * (size_t)i;
+        v[0] = (zr_vec4){-1, -1, 0.4f * t - 0.6f, 1};
+        v[1] = (zr_vec4){1, -1, 0.4f * t + 0.2f, 1};
+        v[2] = (zr_vec4){0, 1, 0.4f * t - 0.2f, 1};
+        if (crowd == PARALLELS) {
+            v[0] = (zr_vec4){-1, t - 1, -0.5f, 1};
+            v[1] = (zr_vec4){1, t, 0.5f, 1};
+            v[2] = (zr_vec4){1, t + 0.002f / (float)count, 0.5f, 1};
+        }
+        if (crowd != NEEDLES) continue;
+        for (int k = 0; k < 2; k++)
+            v[k] = (zr_vec4){(float)random_range(&random, -1, 1), (float)random_range(&random, -1, 1),
+                             (float)random_range(&random, -0.9, 0.9), 1};
+        v[2] = (zr_vec4){v[1].x + 0.01f, v[1].y + 0.01f, v[1].z, 1};
+    }
+    scene_of_triangles(&test, 512, 512, p, count);
+    test.scene.algorithm = ZR_ALGORITHM_PAINTER;
+    return scene_cost(&test.scene, 4096).fragments;
+}
+
+static void painter_is_to_compare_what_meets_without_being_cut(void **state)
+{
+    (void)state;
+    /* Four times as many: painting takes four times as long at most, all pairs 16 times, and chains 64 times. */
+    assert_true(cost_of_uncut(NEEDLES, 512) > 24 * cost_of_uncut(NEEDLES, 128));
+    assert_true(cost_of_uncut(LAYERS, 512) > 10 * cost_of_uncut(LAYERS, 128));
+    assert_true(cost_of_uncut(PARALLELS, 512) > 8 * cost_of_uncut(PARALLELS, 128));
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -216,6 +256,7 @@ int main(void)
         cmocka_unit_test(points_without_faces_and_other_algorithms_cost_too),
         cmocka_unit_test(face_of_two_rings_costs_what_it_covers_at_least_and_its_box_at_most),
         cmocka_unit_test(painter_is_to_cut_what_runs_through_one_another),
+        cmocka_unit_test(painter_is_to_compare_what_meets_without_being_cut),
         cmocka_unit_test(odd_numbers_cost_something_finite),
     };
     return cmocka_run_group_tests_name("cost", tests, NULL, NULL);
