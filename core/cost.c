@@ -29,6 +29,7 @@ static const double SHAPE_OVERLAP_F = 0.2;     /* a sample looked up in one of a
 static const double SHAPE_VISIT_T = 1.0 / 8.0; /* an edge or a triangle of a shape, met by a tile */
 static const double LARGE_VISIT_T = 1.0 / 8.0; /* a large triangle, met by a tile */
 enum { TILES_OF_SMALL = 4 };
+static const double STAND_IN_MAX = 16.0; /* times the area of three of a face's corners */
 
 /* How many times longer the other algorithms take: for a triangle, and for a fragment. */
 static const struct {
@@ -190,11 +191,41 @@ static void keep(struct tally *tally, const struct zr_cost_triangle *triangle)
 {
     const uint64_t number = (uint64_t)tally->seen;
     tally->seen += 1.0;
-    if (!tally->kept) return;
     const uint64_t place = number < ZR_COST_PAIRS_SAMPLE ? number : scatter(number) % (number + 1);
     if (place >= ZR_COST_PAIRS_SAMPLE) return;
     tally->kept[place] = *triangle;
     if (tally->kept_count <= place) tally->kept_count = place + 1;
+}
+
+/* A triangle that stands for the whole face where pairs are counted: three corners far apart, in their plane as large
+ * as the face; of a face that is clipped the first triangle seen. */
+static struct zr_cost_triangle stand_in(const struct measure *measure, const struct zr_mesh *mesh,
+                                        struct zr_rings rings, const struct placed *placed)
+{
+    struct zr_cost_triangle whole;
+    struct zr_window_vertex *c = whole.corners;
+    const uint32_t begin = rings.offsets[0], count = rings.offsets[1] - begin;
+    if (count == 3) return measure->first;
+    for (uint32_t k = 0; k < 3; k++) {
+        const uint32_t index = mesh->indices[begin + k * count / 3];
+        const zr_vec4 position = corner_of(mesh, placed, index);
+        if (zr_clip_outcode(position) != 0 || !zr_viewport_apply(measure->viewport, position, &c[k]))
+            return measure->first;
+    }
+    const double area = 0.5 * fabs((double)(c[1].x - c[0].x) * (double)(c[2].y - c[0].y) -
+                                   (double)(c[2].x - c[0].x) * (double)(c[1].y - c[0].y));
+    const double box = (measure->max_x - measure->min_x) * (measure->max_y - measure->min_y);
+    if (area < 1.0) return measure->first;
+    const float times = (float)sqrt(fmin(fmin(measure->area, box) / area, STAND_IN_MAX));
+    const struct zr_window_vertex middle = {.x = (c[0].x + c[1].x + c[2].x) / 3.0f,
+                                            .y = (c[0].y + c[1].y + c[2].y) / 3.0f,
+                                            .z = (c[0].z + c[1].z + c[2].z) / 3.0f};
+    for (int k = 0; k < 3; k++) {
+        c[k].x = middle.x + times * (c[k].x - middle.x);
+        c[k].y = middle.y + times * (c[k].y - middle.y);
+        c[k].z = middle.z + times * (c[k].z - middle.z);
+    }
+    return whole;
 }
 
 static void add_face(struct tally *tally, const struct zr_scene *scene, const struct zr_mesh *mesh, uint32_t face,
@@ -214,7 +245,9 @@ static void add_face(struct tally *tally, const struct zr_scene *scene, const st
     bool turned_away = (placed->mirrored ? measure.net > 0.0 : measure.net < 0.0) && !material->double_sided;
     if (measure.area <= 0.0 || turned_away) return;
     add_filled(cost, scene, &measure, shape, (double)corners);
-    keep(tally, &measure.first);
+    if (!tally->kept) return;
+    const struct zr_cost_triangle whole = stand_in(&measure, mesh, rings, placed);
+    keep(tally, &whole);
 }
 
 static void count_outputs(const struct zr_scene *scene, struct zr_cost *cost)

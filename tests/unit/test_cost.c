@@ -243,6 +243,36 @@ static void painter_is_to_compare_what_meets_without_being_cut(void **state)
     assert_true(cost_of_uncut(PARALLELS, 512) > 8 * cost_of_uncut(PARALLELS, 128));
 }
 
+/* 64 discs that run through one another, each with so many corners. */
+static double cost_of_discs(uint32_t corners)
+{
+    static struct test_scene test;
+    static zr_vec4 p[3 * TEST_TRIANGLES_MAX];
+    struct random random = random_seeded(13);
+    for (uint32_t i = 0; i < 64; i++) {
+        const double a = random_range(&random, -0.4, 0.4), b = random_range(&random, -0.4, 0.4);
+        for (uint32_t k = 0; k < corners; k++) {
+            const double turn = 2 * 3.14159265 * k / corners, x = 0.9 * cos(turn), y = 0.9 * sin(turn);
+            p[i * corners + k] = (zr_vec4){(float)x, (float)y, (float)(a * x + b * y), 1};
+        }
+    }
+    scene_of_triangles(&test, 512, 512, p, 64);
+    test.mesh.position_count = 64 * corners;
+    for (uint32_t i = 0; i <= 64; i++)
+        test.face_offsets[i] = i * corners;
+    for (uint32_t i = 0; i < 64 * corners; i++)
+        test.indices[i] = i;
+    test.scene.algorithm = ZR_ALGORITHM_PAINTER;
+    return scene_cost(&test.scene, UINT32_MAX).fragments;
+}
+
+static void painter_cuts_whole_polygons_however_many_corners_they_have(void **state)
+{
+    (void)state;
+    const double few = cost_of_discs(12), many = cost_of_discs(96);
+    assert_true(many > few && many < 1.5 * few); /* the more corners, the larger the disc */
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -257,6 +287,7 @@ int main(void)
         cmocka_unit_test(face_of_two_rings_costs_what_it_covers_at_least_and_its_box_at_most),
         cmocka_unit_test(painter_is_to_cut_what_runs_through_one_another),
         cmocka_unit_test(painter_is_to_compare_what_meets_without_being_cut),
+        cmocka_unit_test(painter_cuts_whole_polygons_however_many_corners_they_have),
         cmocka_unit_test(odd_numbers_cost_something_finite),
     };
     return cmocka_run_group_tests_name("cost", tests, NULL, NULL);
