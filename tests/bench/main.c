@@ -121,6 +121,7 @@ int main(int count, char **arguments)
     service_against_bare_http(&bench);
     service_cold_start(&bench);
     service_beside_large(&bench);
+    service_beside_io(&bench);
     service_for_many(&bench);
     service_memory(&bench);
     growth_of_work(&bench);

@@ -17,6 +17,9 @@ void service_cold_start(struct bench *bench);
 /* A small request alone, beside a large one, and beside four of them; the note tells of the slowest. Nobody else's. */
 void service_beside_large(struct bench *bench);
 
+/* The same beside six clients that read a large asset, and six whose small bodies inflate to large ones. */
+void service_beside_io(struct bench *bench);
+
 /* Many clients at once, of a daemon on one processor: on kept connections, and with ten times more than it can do. */
 void service_for_many(struct bench *bench);
 
