@@ -170,13 +170,14 @@ void http_on_completed(void *context, struct MHD_Connection *mhd, void **slot, e
     answer_free(&exchange->answer);
     free(exchange->target);
     if (exchange->opened) http->in_flight--;
+    const bool is_last = exchange->is_last;
     free(exchange);
     connection->exchange = NULL;
     connection->answered++;
     if (connection->phase == PHASE_REFUSED) return;
     connections_enter(&http->connections, connection,
                       framing_is_between(&connection->framing) ? PHASE_IDLE : PHASE_HEADER);
-    http_refuse_framing(http, connection);
+    if (!is_last) http_refuse_framing(http, connection);
 }
 
 /* ---- answers ---- */
@@ -282,7 +283,7 @@ static const char *header(struct exchange *exchange, const char *name)
     return MHD_lookup_connection_value(exchange->mhd, MHD_HEADER_KIND, name);
 }
 
-static void open_exchange(struct exchange *exchange, const char *method)
+static void open_exchange(struct exchange *exchange, const char *method, const char *version)
 {
     struct http *http = exchange->http;
     snprintf(exchange->method, sizeof exchange->method, "%s", method);
@@ -296,6 +297,11 @@ static void open_exchange(struct exchange *exchange, const char *method)
     api_take_id(http->api, &exchange->request, header(exchange, "X-Request-Id"));
     const char *length = header(exchange, "Content-Length");
     if (length) exchange->length = strtoull(length, NULL, 10); /* a number: framing_scan let it pass */
+    const char *connection = header(exchange, "Connection");
+    if (strcmp(version, "HTTP/1.0") == 0)
+        exchange->is_last = !connection || !strcasestr(connection, "keep-alive");
+    else
+        exchange->is_last = connection && strcasestr(connection, "close");
     http->in_flight++;
     exchange->opened = true;
 }
@@ -316,13 +322,13 @@ static void split_target(struct exchange *exchange)
     }
 }
 
-static enum MHD_Result begin_request(struct exchange *exchange, const char *method)
+static enum MHD_Result begin_request(struct exchange *exchange, const char *method, const char *version)
 {
     struct http *http = exchange->http;
     struct answer *answer = &exchange->answer;
     struct api_load load;
     uint64_t most;
-    open_exchange(exchange, method);
+    open_exchange(exchange, method, version);
     split_target(exchange);
     connections_enter(&http->connections, exchange->connection, PHASE_BODY);
     const bool is_chunked = header(exchange, "Transfer-Encoding") != NULL;
@@ -372,7 +378,7 @@ enum MHD_Result http_on_request(void *context, struct MHD_Connection *mhd, const
                                 const char *version, const char *bytes, size_t *size, void **slot)
 {
     struct exchange *exchange = *slot;
-    (void)url, (void)version;
+    (void)url;
     if (!exchange) { /* there was no memory for it */
         struct connection *connection = connection_of(mhd);
         if (connection && connection->phase != PHASE_REFUSED) {
@@ -383,7 +389,7 @@ enum MHD_Result http_on_request(void *context, struct MHD_Connection *mhd, const
         }
         return MHD_NO;
     }
-    if (exchange->step == STEP_HEADER) return begin_request(exchange, method);
+    if (exchange->step == STEP_HEADER) return begin_request(exchange, method, version);
     if (*size > 0) {
         size_t taken = *size;
         *size = 0;

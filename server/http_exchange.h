@@ -60,6 +60,7 @@ struct exchange {
     struct exchange *next; /* of those that are finished */
     enum step step;
     bool opened, replied, logged, client_left;
+    bool is_last; /* the client says that the connection ends with it: what comes behind it is no request */
     char *target; /* path and query; a zero in between once the header is here */
     char method[METHOD_SIZE], traceparent[TRACEPARENT_SIZE];
     int64_t began_us;

@@ -112,6 +112,17 @@ static void learn(struct queue *queue, enum queue_lane number, int64_t took_us)
     lane->work_us += ((double)took_us - lane->work_us) / (lane->work_us > 0.0 ? 8.0 : 1.0);
 }
 
+/* Nobody has had work for a while: what comes next need not take as long as what came last. */
+static void forget(struct queue *queue)
+{
+    for (const struct worker *worker = queue->workers; worker <= queue->express; worker++)
+        if (worker->is_busy) return;
+    for (int lane = 0; lane < QUEUE_LANES; lane++)
+        if (queue->lanes[lane].waiting > 0) return;
+    for (int lane = 0; lane < QUEUE_LANES; lane++)
+        queue->lanes[lane].work_us = 0.0;
+}
+
 static struct queue_job *take_job(struct worker *worker)
 {
     struct queue *queue = worker->queue;
@@ -197,6 +208,7 @@ static struct queue_job *next_job(struct worker *worker)
     while (!(job = take_job(worker)) && !is_over(worker)) {
         if (wait_for_job(worker, calm ? NULL : &until)) continue;
         calm = true;
+        forget(queue);
         worker->used = 0;
         pthread_mutex_unlock(&queue->lock);
         zr_arena_reset(&worker->arena, 0);

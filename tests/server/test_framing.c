@@ -245,6 +245,20 @@ static void a_fault_behind_good_requests_or_in_small_pieces_is_refused(void **st
             }
 }
 
+/* Nobody asked for an answer to what comes behind the last request. */
+static void bytes_behind_the_last_request_get_no_answer(void **state)
+{
+    static const char *const LAST[] = {"GET /healthz HTTP/1.1\r\nHost: a\r\nConnection: close\r\n\r\nBAD\r\n\r\n",
+                                       "GET /healthz HTTP/1.0\r\n\r\nBAD\r\n\r\n"};
+    (void)state;
+    for (size_t i = 0; i < sizeof LAST / sizeof LAST[0]; i++) {
+        char *text = client_raw(&server, LAST[i], strlen(LAST[i]), SILENCE_MS);
+        assert_int_equal(raw_status(text), 200);
+        assert_int_equal(raw_count(text), 1);
+        free(text);
+    }
+}
+
 /* What is promised fits into the memory that libmicrohttpd has for a connection. */
 static void headers_as_large_as_they_may_be_are_answered(void **state)
 {
@@ -433,6 +447,7 @@ int main(void)
         cmocka_unit_test(request_lines_that_are_none_are_refused),
         cmocka_unit_test(two_content_types_are_refused),
         cmocka_unit_test(a_fault_behind_good_requests_or_in_small_pieces_is_refused),
+        cmocka_unit_test(bytes_behind_the_last_request_get_no_answer),
         cmocka_unit_test(headers_as_large_as_they_may_be_are_answered),
         cmocka_unit_test(large_cookies_are_answered),
         cmocka_unit_test(header_too_large_gives_431),

@@ -228,6 +228,26 @@ static size_t fill(enum queue_lane lane, unsigned ms, size_t capacity, unsigned 
     return count;
 }
 
+static void what_jobs_took_is_forgotten_once_it_is_calm(void **state)
+{
+    enum { SLOW_MS = 600 };
+    struct nap nap;
+    sem_t ended;
+    (void)state;
+    sem_init(&ended, 0, 0);
+    struct queue *queue = queue_create(&(struct queue_options){.workers = 1, .capacity = 64, .calm_ms = 300});
+    assert_non_null(queue);
+    nap = (struct nap){{.work = sleep_on}, &ended, SLOW_MS};
+    assert_true(queue_push(queue, &nap.job, QUEUE_LARGE));
+    assert_int_equal(sem_wait(&ended), 0);
+    usleep(20000); /* the queue has counted it, and is not calm yet */
+    assert_true(queue_is_full(queue, QUEUE_LARGE, 20));
+    for (int i = 0; i < 500 && queue_is_full(queue, QUEUE_LARGE, 20); i++)
+        usleep(10000);
+    assert_false(queue_is_full(queue, QUEUE_LARGE, 20));
+    queue_destroy(queue);
+}
+
 static void as_many_wait_as_are_begun_within_a_second(void **state)
 {
     (void)state;
@@ -247,6 +267,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(small_jobs_do_not_wait_for_one_that_only_seemed_to_be_small),
         cmocka_unit_test(as_many_wait_as_are_begun_within_a_second),
+        cmocka_unit_test(what_jobs_took_is_forgotten_once_it_is_calm),
         cmocka_unit_test(memory_of_small_jobs_is_kept_for_the_next_one),
         cmocka_unit_test(memory_all_goes_back_when_it_is_calm),
         cmocka_unit_test(job_that_comes_while_memory_goes_back_does_not_hold_up_later_small_ones),
