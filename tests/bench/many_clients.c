@@ -1,8 +1,10 @@
 /* What a daemon on one processor serves to many clients, whose load comes from another processor: as much with many
  * kept connections as with few, and as much where ten times more is asked for than it can do. */
+#include <signal.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/resource.h>
+#include <unistd.h>
 
 #include "bench/documents.h"
 #include "bench/load.h"
@@ -13,11 +15,17 @@
 
 static const int kept[] = {64, 128, 256, 512};
 static const int crowds[] = {64, 256};
-enum { KEPT = sizeof kept / sizeof kept[0], CROWDS = sizeof crowds / sizeof crowds[0], PEAK_CONNECTIONS = 16 };
-enum { ROUNDS = 3 };
+static const int ready[] = {127, 128, 256, 1024};
+enum {
+    KEPT = sizeof kept / sizeof kept[0],
+    CROWDS = sizeof crowds / sizeof crowds[0],
+    READY = sizeof ready / sizeof ready[0],
+    PEAK_CONNECTIONS = 16
+};
+enum { ROUNDS = 3, READY_ROUNDS = 9 };
 
 /* HEALTH_MS: what an orchestrator's check may take at most. */
-static const double SECONDS = 1.5, TIMES = 10.0, HEALTH_MS = 50.0;
+static const double SECONDS = 1.5, TIMES = 10.0, HEALTH_MS = 50.0, READY_MS = 100.0;
 
 static void name_kept(int connections, char *name, size_t size)
 {
@@ -80,9 +88,46 @@ static bool measure_row(struct load load, struct load peak_load, const char *nam
     return true;
 }
 
+static void name_ready(int connections, char *name, size_t size)
+{
+    snprintf(name, size, "HTTP: /healthz, all of %d connections ready at once", connections);
+}
+
+/* All requests are there before the daemon looks: until the last has its answer. */
+static bool measure_ready(const struct daemon *daemon, int connections, const struct sink *sink)
+{
+    static const char REQUEST[] = "GET /healthz HTTP/1.1\r\nHost: a\r\n\r\n";
+    static int clients[LOAD_CONNECTIONS_MAX];
+    struct series series = {.count = 0};
+    bool ok = true;
+    for (int i = 0; i < connections; i++)
+        ok &= (clients[i] = client_connect(daemon)) >= 0;
+    for (int round = 0; ok && round < READY_ROUNDS; round++) {
+        kill(daemon->pid, SIGSTOP);
+        for (int i = 0; i < connections; i++)
+            ok &= client_write(clients[i], REQUEST, sizeof REQUEST - 1);
+        const double begun = now_ms();
+        kill(daemon->pid, SIGCONT);
+        for (int i = 0; ok && i < connections; i++) {
+            char *text = client_read(clients[i], "ok\"}", 10000);
+            ok = raw_status(text) == 200;
+            free(text);
+        }
+        series_add(&series, now_ms() - begun);
+    }
+    for (int i = 0; i < connections; i++)
+        if (clients[i] >= 0) close(clients[i]);
+    if (!ok) return bench_complain("of %d connections ready at once one was not answered", connections);
+    struct row row = {.bar = {1.0, 2.0}, .ours_ms = series_median(&series), .theirs_ms = READY_MS};
+    name_ready(connections, row.work, sizeof row.work);
+    snprintf(row.note, sizeof row.note, "the last answer, against %.0f ms", READY_MS);
+    sink_row(sink, &row);
+    return true;
+}
+
 struct task {
     const struct document *small, *large;
-    bool kept[KEPT], crowds[CROWDS];
+    bool kept[KEPT], crowds[CROWDS], ready[READY];
 };
 
 static bool measure(const struct bench *bench, void *context, const struct sink *sink)
@@ -113,6 +158,8 @@ static bool measure(const struct bench *bench, void *context, const struct sink 
         name_kept(kept[i], name, sizeof name);
         if (task->kept[i]) ok = measure_row(load, peak, name, false, sink);
     }
+    for (int i = 0; ok && i < READY; i++)
+        if (task->ready[i]) ok = measure_ready(&daemon, ready[i], sink);
     for (int i = 0; ok && i < CROWDS; i++) {
         char name[ROW_NAME_SIZE];
         const struct load peak = {
@@ -161,6 +208,10 @@ void service_for_many(struct bench *bench)
         name_kept(kept[i], name, sizeof name);
         any |= task.kept[i] = bench_wants(bench, name);
     }
+    for (int i = 0; i < READY; i++) {
+        name_ready(ready[i], name, sizeof name);
+        any |= task.ready[i] = bench_wants(bench, name);
+    }
     for (int i = 0; i < CROWDS; i++) {
         name_crowd(crowds[i], name, sizeof name);
         any |= task.crowds[i] = bench_wants(bench, name);
@@ -172,8 +223,8 @@ void service_for_many(struct bench *bench)
     task.small = &small;
     task.large = &large;
     if (small.bytes && large.bytes) {
-        results_begin_table(&bench->results,
-                            "many clients of a daemon on one processor: requests served, against few clients");
+        results_begin_table(&bench->results, "many clients of a daemon on one processor: requests served, against few "
+                                             "clients; times against what they may be");
         bench_in_child(bench, measure, &task, NULL);
     }
     free(small.bytes);
