@@ -61,13 +61,19 @@ void answer_send(const struct answer *answer, int socket_fd)
     for (size_t i = 0; i < answer->header_count; i++)
         fprintf(out, "%s: %s\r\n", answer->headers[i].name, answer->headers[i].value);
     fputs("\r\n", out);
-    if (answer->size > 0) fwrite(answer->bytes, 1, answer->size, out);
+    if (answer->bytes && answer->size > 0) fwrite(answer->bytes, 1, answer->size, out);
     const bool is_whole = !ferror(out);
     if (fclose(out) == 0 && is_whole)
         (void)!send(socket_fd, text, length, MSG_NOSIGNAL | MSG_DONTWAIT);
     else
         answer_send_no_memory(socket_fd);
     free(text);
+}
+
+void answer_drop_bytes(struct answer *answer)
+{
+    free(answer->bytes);
+    answer->bytes = NULL;
 }
 
 void answer_free(struct answer *answer)

@@ -38,6 +38,9 @@ void answer_header(struct answer *answer, const char *name, const char *format, 
 /* Hands `bytes` (malloc'd) over to the answer. */
 void answer_body(struct answer *answer, const char *content_type, char *bytes, size_t size);
 
+/* From now on only the length is told, as to HEAD. */
+void answer_drop_bytes(struct answer *answer);
+
 /* Writes the whole answer to a socket, as HTTP/1.1 with Connection: close, as
  * far as it goes without waiting. */
 void answer_send(const struct answer *answer, int socket_fd);

@@ -75,6 +75,7 @@ static void reply_past_library(struct exchange *exchange)
     exchange->answer.close = exchange->replied = true;
     exchange->step = STEP_REFUSED;
     log_exchange(exchange, true);
+    if (strcmp(exchange->method, "HEAD") == 0) answer_drop_bytes(&exchange->answer);
     send_past_library(exchange->http, exchange->connection, &exchange->answer);
     upload_free(&exchange->upload, &exchange->http->uploads);
 }

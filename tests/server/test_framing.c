@@ -245,6 +245,17 @@ static void a_fault_behind_good_requests_or_in_small_pieces_is_refused(void **st
             }
 }
 
+static void a_refusal_of_head_has_no_body(void **state)
+{
+    static const char REQUEST[] = "HEAD /healthz HTTP/1.1\r\nHost: a\r\nContent-Length: 99999999999\r\n\r\n";
+    (void)state;
+    char *text = client_raw(&server, REQUEST, sizeof REQUEST - 1, SILENCE_MS);
+    assert_int_equal(raw_status(text), 413);
+    const char *end = strstr(text, "\r\n\r\n");
+    assert_true(end && end[4] == '\0');
+    free(text);
+}
+
 /* Nobody asked for an answer to what comes behind the last request. */
 static void bytes_behind_the_last_request_get_no_answer(void **state)
 {
@@ -447,6 +458,7 @@ int main(void)
         cmocka_unit_test(request_lines_that_are_none_are_refused),
         cmocka_unit_test(two_content_types_are_refused),
         cmocka_unit_test(a_fault_behind_good_requests_or_in_small_pieces_is_refused),
+        cmocka_unit_test(a_refusal_of_head_has_no_body),
         cmocka_unit_test(bytes_behind_the_last_request_get_no_answer),
         cmocka_unit_test(headers_as_large_as_they_may_be_are_answered),
         cmocka_unit_test(large_cookies_are_answered),
