@@ -40,8 +40,8 @@ void zr_arena_reset(struct zr_arena *arena, size_t keep)
         struct zr_arena_block *block = *link;
         if (block->capacity <= keep) {
             keep -= block->capacity;
+            ZR_FORBID(block_bytes(block), block->used); /* what lies behind is forbidden still */
             block->used = 0;
-            ZR_FORBID(block_bytes(block), block->capacity);
             link = &block->next;
         } else {
             *link = block->next;

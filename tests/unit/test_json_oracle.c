@@ -79,13 +79,13 @@ static void mutate(struct text *text)
 
 static enum zr_status strict_scan(const struct text *text)
 {
-    struct zr_arena arena;
+    /* One for all texts: a new block for each takes a hundred times as long as a text under AddressSanitizer. */
+    static struct zr_arena arena = {.ceiling = (size_t)1 << 24};
     struct zr_error error = {.count = 0};
     struct zr_limits limits = zr_limits_default();
     size_t values;
-    zr_arena_init(&arena, (size_t)1 << 24);
     enum zr_status status = zr_json_scan(&arena, text->bytes, text->size, &limits, &values, &error);
-    zr_arena_free(&arena);
+    zr_arena_reset(&arena, ZR_ARENA_BLOCK);
     return status;
 }
 
