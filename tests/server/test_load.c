@@ -116,8 +116,8 @@ static void full_queue_answers_health_and_not_ready(void **state)
 static void client_with_too_many_requests_gets_429(void **state)
 {
     (void)state;
-    struct daemon server = daemon_start((const char *const[]){LET_IN, "--workers=1", "--queue=8", "--max-per-private-client=2",
-                                                              "--render-timeout-ms=120000", NULL});
+    struct daemon server = daemon_start((const char *const[]){
+        LET_IN, "--workers=1", "--queue=8", "--max-per-private-client=2", "--render-timeout-ms=120000", NULL});
     char *scene = scene_slow(SLOW_ALGORITHM, SLOW_SIDE, FEW);
     struct post posts[8];
     size_t served = 0, refused = 0;

@@ -44,14 +44,14 @@ inside() { # root
     # The root itself, too: tests that make mounts want / to be a mount point.
     mount --bind "$root" "$root" && mount -t proc proc "$root/proc" && mount --rbind /dev "$root/dev" || exit 2
     if [ -d "$data" ]; then
-        mkdir -p "$root/work/shared/data" && mount --bind "$data" "$root/work/shared/data" &&
-            mount -o remount,bind,ro "$root/work/shared/data" || exit 2
+        mkdir -p "$root/src/shared/data" && mount --bind "$data" "$root/src/shared/data" &&
+            mount -o remount,bind,ro "$root/src/shared/data" || exit 2
     fi
     for target in $targets; do
         echo "== make $target"
         # shellcheck disable=SC2016
         env -i PATH=/usr/sbin:/usr/bin:/sbin:/bin HOME=/root LANG=C.UTF-8 ${http_proxy:+http_proxy="$http_proxy"} \
-            chroot "$root" sh -c 'cd /work/zraster && exec make "$1"' sh "$target" 2>&1 || { echo "== make $target failed"; exit 1; }
+            chroot "$root" sh -c 'cd /src/zraster && exec make "$1"' sh "$target" 2>&1 || { echo "== make $target failed"; exit 1; }
     done
 }
 
@@ -92,8 +92,8 @@ check() { # system
     root=$roots/$1 log=$roots/$1.log
     make_root "$1" "$root" >"$log" 2>&1 || { echo "$1: debootstrap failed, see $log"; return 1; }
     tell_apt "$root"
-    rm -rf --one-file-system "$root/work/zraster"
-    git clone -q . "$root/work/zraster" || { echo "$1: no clone of this checkout"; return 1; }
+    rm -rf --one-file-system "$root/src/zraster"
+    git clone -q . "$root/src/zraster" || { echo "$1: no clone of this checkout"; return 1; }
     unshare --mount --pid --fork --kill-child "$0" inside "$root" >>"$log" 2>&1 &
     await $!
     made=$?
