@@ -5,14 +5,65 @@
 #include <stdlib.h>
 #include <string.h>
 #include <sys/socket.h>
+#include <unistd.h>
 
-#include "problem.h"
+const char *answer_reason(int http_status)
+{
+    switch (http_status) {
+    case 200:
+        return "OK";
+    case 400:
+        return "Bad Request";
+    case 401:
+        return "Unauthorized";
+    case 403:
+        return "Forbidden";
+    case 404:
+        return "Not Found";
+    case 405:
+        return "Method Not Allowed";
+    case 408:
+        return "Request Timeout";
+    case 413:
+        return "Content Too Large";
+    case 414:
+        return "URI Too Long";
+    case 415:
+        return "Unsupported Media Type";
+    case 417:
+        return "Expectation Failed";
+    case 422:
+        return "Unprocessable Content";
+    case 429:
+        return "Too Many Requests";
+    case 431:
+        return "Request Header Fields Too Large";
+    case 501:
+        return "Not Implemented";
+    case 503:
+        return "Service Unavailable";
+    case 504:
+        return "Gateway Timeout";
+    case 505:
+        return "HTTP Version Not Supported";
+    case 507:
+        return "Insufficient Storage";
+    default:
+        return "Internal Server Error";
+    }
+}
 
 #define NO_MEMORY "out of memory"
 
-const char ANSWER_NO_MEMORY_DETAIL[] = NO_MEMORY;
+void answer_to_no_memory(struct answer *answer)
+{
+    answer_free(answer);
+    answer->status = 503;
+    answer->is_broken = true;
+    snprintf(answer->detail, sizeof answer->detail, NO_MEMORY);
+}
 
-void answer_send_no_memory(int socket_fd)
+static void send_no_memory(int socket_fd)
 {
     static const char BODY[] = "{\"type\":\"about:blank\",\"title\":\"Service Unavailable\",\"status\":503,"
                                "\"detail\":\"" NO_MEMORY "\"}";
@@ -41,7 +92,7 @@ void answer_header(struct answer *answer, const char *name, const char *format, 
 
 void answer_body(struct answer *answer, const char *content_type, char *bytes, size_t size)
 {
-    free(answer->bytes);
+    answer_drop_bytes(answer);
     answer->bytes = bytes;
     answer->size = size;
     answer_header(answer, "Content-Type", "%s", content_type);
@@ -53,11 +104,11 @@ void answer_send(const struct answer *answer, int socket_fd)
     size_t length = 0;
     FILE *out = answer->is_broken ? NULL : open_memstream(&text, &length);
     if (!out) {
-        answer_send_no_memory(socket_fd);
+        send_no_memory(socket_fd);
         return;
     }
     fprintf(out, "HTTP/1.1 %d %s\r\nConnection: close\r\nContent-Length: %zu\r\n", answer->status,
-            problem_title(answer->status), answer->size);
+            answer_reason(answer->status), answer->size);
     for (size_t i = 0; i < answer->header_count; i++)
         fprintf(out, "%s: %s\r\n", answer->headers[i].name, answer->headers[i].value);
     fputs("\r\n", out);
@@ -66,19 +117,27 @@ void answer_send(const struct answer *answer, int socket_fd)
     if (fclose(out) == 0 && is_whole)
         (void)!send(socket_fd, text, length, MSG_NOSIGNAL | MSG_DONTWAIT);
     else
-        answer_send_no_memory(socket_fd);
+        send_no_memory(socket_fd);
     free(text);
+}
+
+void answer_file(struct answer *answer, const char *content_type, int file, size_t size)
+{
+    answer_body(answer, content_type, NULL, size);
+    answer->file = file;
 }
 
 void answer_drop_bytes(struct answer *answer)
 {
     free(answer->bytes);
     answer->bytes = NULL;
+    if (answer->file > 0) close(answer->file);
+    answer->file = 0;
 }
 
 void answer_free(struct answer *answer)
 {
-    free(answer->bytes);
+    answer_drop_bytes(answer);
     for (size_t i = 0; i < answer->header_count; i++)
         free(answer->headers[i].value);
     *answer = (struct answer){0};

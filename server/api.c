@@ -277,12 +277,12 @@ enum api_next api_open(const struct api *api, const struct api_load *load, struc
 /* ---- working ---- */
 
 enum api_next api_work(const struct api *api, const struct api_request *request, struct zr_arena *arena,
-                       const struct zr_cancel *cancel, struct api_times *times, struct answer *answer)
+                       const struct zr_cancel *cancel, struct step_times *times, struct answer *answer)
 {
     enum api_next next = API_ANSWERED;
     foresight_begin(api->foresight);
     if (request->asset)
-        next = assets_work(api, request, arena, answer);
+        next = assets_work(api, request, arena, cancel, answer);
     else
         next = rendering_work(api, request, arena, cancel, times, answer);
     foresight_end(api->foresight);
@@ -312,6 +312,12 @@ void api_refuse_memory(struct answer *answer, const struct zr_arena *arena)
         problem_answer(answer, 422,
                        "the request needs at least %zu bytes of memory; requestMemoryBytes, for one, is %zu bytes",
                        arena->wanted, arena->ceiling);
+}
+
+void api_refuse_late(const struct api *api, struct answer *answer)
+{
+    problem_answer(answer, 504, "the work took longer than renderTimeoutMs, %" PRIu64 " ms",
+                   api->config->render_timeout_ms);
 }
 
 void api_refuse_busy(struct answer *answer, unsigned retry_after_s, const char *detail)

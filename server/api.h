@@ -16,6 +16,7 @@
 #include "config.h"
 #include "foresight.h"
 #include "multipart.h"
+#include "step_times.h"
 #include "store.h"
 #include "zraster.h"
 
@@ -62,13 +63,6 @@ struct api_request {
 
 void api_request_free(struct api_request *request);
 
-/* How long each step took, and what render and encode together were foreseen to
- * take on one thread; below 0: it did not come to that. */
-struct api_times {
-    double parse_ms, queue_ms, render_ms, encode_ms, foreseen_ms;
-};
-#define API_NO_TIMES ((struct api_times){-1, -1, -1, -1, -1})
-
 /* Keeps the client's id where it is 1..128 of [A-Za-z0-9._-], else makes one. */
 void api_take_id(struct api *api, struct api_request *request, const char *client_id);
 
@@ -85,7 +79,7 @@ enum api_next api_open(const struct api *api, const struct api_load *load, struc
  * has a parent that is raised once the request has taken too long for a small one: it is large then. times->queue_ms is
  * given, the others are filled in. API_ANSWERED or API_LARGE. */
 enum api_next api_work(const struct api *api, const struct api_request *request, struct zr_arena *arena,
-                       const struct zr_cancel *cancel, struct api_times *times, struct answer *answer);
+                       const struct zr_cancel *cancel, struct step_times *times, struct answer *answer);
 
 /* 200 with a copy of the bytes: the arena they lie in is needed for the next request. */
 void api_answer_copy(struct answer *answer, const char *content_type, const void *bytes, size_t size);
@@ -93,6 +87,9 @@ void api_answer_copy(struct answer *answer, const char *content_type, const void
 /* The arena has failed: 422 for a request that can never fit, with what it needs; 503 where it is the system that has
  * no memory just now. */
 void api_refuse_memory(struct answer *answer, const struct zr_arena *arena);
+
+/* The request was cancelled, since its time was over: 504. */
+void api_refuse_late(const struct api *api, struct answer *answer);
 
 /* Answers with 503 and says when to come again. */
 void api_refuse_busy(struct answer *answer, unsigned retry_after_s, const char *detail);

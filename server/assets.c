@@ -88,14 +88,9 @@ static enum api_next put(const struct api *api, const struct api_request *reques
 
 /* ---- downloads ---- */
 
-static void answer_there(struct answer *answer, const char *name, const void *bytes, size_t size, bool has_asset)
+static void answer_there(struct answer *answer, const char *name, int file, size_t size, bool has_asset)
 {
-    static const char TYPE[] = "application/octet-stream";
-    if (bytes)
-        api_answer_copy(answer, TYPE, bytes, size);
-    else
-        answer_body(answer, TYPE, NULL, size);
-    if (bytes && answer->status != 200) return;
+    answer_file(answer, "application/octet-stream", file, size);
     answer->status = has_asset ? 304 : 200;
     /* What is under a hash never changes. */
     answer_header(answer, "ETag", "\"%s\"", name);
@@ -103,23 +98,22 @@ static void answer_there(struct answer *answer, const char *name, const void *by
     answer_header(answer, "X-Content-Type-Options", "nosniff");
 }
 
-static enum api_next get(const struct api *api, const struct api_request *request, struct zr_arena *arena,
+static enum api_next get(const struct api *api, const struct api_request *request, const struct zr_cancel *cancel,
                          struct answer *answer)
 {
-    const void *bytes = NULL;
+    int file = 0; /* none: its length alone is wanted */
     size_t size = 0;
-    bool wants_bytes = strcmp(request->method, "GET") == 0 && !request->has_asset;
-    if (wants_bytes && request->small_only && store_look(api->store, request->asset, &size) == STORE_THERE &&
-        size > API_SMALL_BYTES)
-        return API_LARGE;
-    enum store_status status = wants_bytes ? store_read(api->store, request->asset, arena, &bytes, &size)
-                                           : store_look(api->store, request->asset, &size);
+    const bool wants_bytes = strcmp(request->method, "GET") == 0 && !request->has_asset;
+    enum store_status status = STORE_THERE;
+    if (!wants_bytes || request->small_only) status = store_look(api->store, request->asset, &size);
+    if (wants_bytes && request->small_only && status == STORE_THERE && size > API_SMALL_BYTES) return API_LARGE;
+    if (wants_bytes && status == STORE_THERE) status = store_fetch(api->store, request->asset, cancel, &file, &size);
     switch (status) {
     case STORE_THERE:
-        answer_there(answer, request->asset, bytes, size, request->has_asset);
+        answer_there(answer, request->asset, file, size, request->has_asset);
         break;
-    case STORE_NO_MEMORY:
-        api_refuse_memory(answer, arena);
+    case STORE_CANCELLED:
+        api_refuse_late(api, answer);
         break;
     case STORE_FAILED:
         problem_answer(answer, 500, "the asset could not be read: %s", strerror(errno));
@@ -132,10 +126,10 @@ static enum api_next get(const struct api *api, const struct api_request *reques
 }
 
 enum api_next assets_work(const struct api *api, const struct api_request *request, struct zr_arena *arena,
-                          struct answer *answer)
+                          const struct zr_cancel *cancel, struct answer *answer)
 {
     if (strcmp(request->method, "GET") == 0 || strcmp(request->method, "HEAD") == 0)
-        return get(api, request, arena, answer);
+        return get(api, request, cancel, answer);
     return put(api, request, arena, answer);
 }
 

@@ -16,7 +16,7 @@ bool assets_open(const struct api *api, struct api_request *request, struct answ
 
 /* As api_work. */
 enum api_next assets_work(const struct api *api, const struct api_request *request, struct zr_arena *arena,
-                          struct answer *answer);
+                          const struct zr_cancel *cancel, struct answer *answer);
 
 /* For zr_request: looks into the store. */
 struct zr_stored assets_stored(const struct api *api);

@@ -39,7 +39,6 @@ struct connection {
     uint64_t answered;         /* requests, of framing.passed */
     struct exchange *exchange; /* the request under way, or NULL */
     bool in_flight;            /* it counts for its client */
-    bool is_known;             /* to libmicrohttpd, which will tell when it closes */
     bool has_left;             /* the client has closed its sending half */
 };
 

@@ -35,7 +35,7 @@ static void log_nameless(const struct http *http, const struct connection *conne
         .aborted = status == 0,
         .bytes_out = bytes_out,
         .total_ms = (double)(clock_ms() - connection->began_ms),
-        .times = API_NO_TIMES,
+        .times = NO_STEP_TIMES,
         .detail = detail,
     });
 }
@@ -54,7 +54,7 @@ void http_on_connection(void *context, struct MHD_Connection *mhd, void **socket
     }
     const int fd = MHD_get_connection_info(mhd, MHD_CONNECTION_INFO_CONNECTION_FD)->connect_fd;
     struct connection *connection = *socket_context = connections_find(&http->connections, fd);
-    connection->is_known = true;
+    if (!connection) shutdown(fd, SHUT_RDWR); /* not one of ours: nobody would end it */
 }
 
 /* ---- refusals ---- */
@@ -69,14 +69,17 @@ static void send_past_library(struct http *http, struct connection *connection, 
     connections_enter(&http->connections, connection, PHASE_REFUSED);
 }
 
+/* The same for the answer of an exchange. */
 static void reply_past_library(struct exchange *exchange)
 {
-    api_finish(&exchange->answer, exchange->request.id);
-    exchange->answer.close = exchange->replied = true;
+    struct answer *answer = &exchange->answer;
+    api_finish(answer, exchange->request.id);
+    if (answer->is_broken) answer_to_no_memory(answer);
+    answer->close = exchange->replied = true;
     exchange->step = STEP_REFUSED;
     log_exchange(exchange, true);
-    if (strcmp(exchange->method, "HEAD") == 0) answer_drop_bytes(&exchange->answer);
-    send_past_library(exchange->http, exchange->connection, &exchange->answer);
+    if (strcmp(exchange->method, "HEAD") == 0) answer_drop_bytes(answer);
+    send_past_library(exchange->http, exchange->connection, answer);
     upload_free(&exchange->upload, &exchange->http->uploads);
 }
 
@@ -118,7 +121,7 @@ void *http_on_request_line(void *context, const char *target, struct MHD_Connect
     exchange->mhd = mhd;
     exchange->connection = connection_of(mhd);
     exchange->began_us = clock_us();
-    exchange->times = API_NO_TIMES;
+    exchange->times = NO_STEP_TIMES;
     exchange->target = strdup(target);
     if (!exchange->target || !exchange->connection) {
         free(exchange->target);
@@ -189,15 +192,20 @@ static ssize_t no_bytes(void *context, uint64_t position, char *bytes, size_t si
     return MHD_CONTENT_READER_END_WITH_ERROR;
 }
 
-/* Takes the bytes. */
+/* Takes the bytes or the file. */
 static struct MHD_Response *create_response(struct answer *answer)
 {
     struct MHD_Response *response;
-    if (answer->bytes || answer->size == 0)
+    if (answer->file > 0)
+        response = MHD_create_response_from_fd64(answer->size, answer->file);
+    else if (answer->bytes || answer->size == 0)
         response = MHD_create_response_from_buffer(answer->size, answer->bytes, MHD_RESPMEM_MUST_FREE);
     else /* A length that is told and not sent: nobody reads. */
         response = MHD_create_response_from_callback(answer->size, 1, no_bytes, NULL, NULL);
-    if (response) answer->bytes = NULL;
+    if (response) {
+        answer->bytes = NULL;
+        answer->file = 0;
+    }
     return response;
 }
 
@@ -207,21 +215,6 @@ static bool add_headers(struct MHD_Response *response, const struct answer *answ
     for (size_t i = 0; i < answer->header_count && whole; i++)
         whole = MHD_add_response_header(response, answer->headers[i].name, answer->headers[i].value) == MHD_YES;
     return whole;
-}
-
-/* Without memory for the whole answer, another goes out, which needs none. */
-static enum MHD_Result reply_without_memory(struct exchange *exchange)
-{
-    answer_free(&exchange->answer);
-    exchange->answer.status = 503;
-    exchange->answer.close = exchange->replied = true;
-    snprintf(exchange->answer.detail, sizeof exchange->answer.detail, "%s", ANSWER_NO_MEMORY_DETAIL);
-    exchange->step = STEP_REFUSED;
-    log_exchange(exchange, true);
-    answer_send_no_memory(exchange->connection->fd);
-    shutdown(exchange->connection->fd, SHUT_WR);
-    connections_enter(&exchange->http->connections, exchange->connection, PHASE_REFUSED);
-    return MHD_NO;
 }
 
 /* Hands the answer over to libmicrohttpd. */
@@ -238,9 +231,11 @@ static enum MHD_Result reply(struct exchange *exchange)
     if (response && add_headers(response, answer))
         result = MHD_queue_response(exchange->mhd, (unsigned)answer->status, response);
     if (response) MHD_destroy_response(response);
-    if (result != MHD_YES) return reply_without_memory(exchange);
-    exchange->replied = true;
-    return MHD_YES;
+    exchange->replied = result == MHD_YES;
+    if (result == MHD_YES) return MHD_YES;
+    answer->is_broken = true;
+    reply_past_library(exchange);
+    return MHD_NO;
 }
 
 /* The answer is made before the body came. Closing now would reset the connection under a client that is still
@@ -384,9 +379,10 @@ enum MHD_Result http_on_request(void *context, struct MHD_Connection *mhd, const
         struct connection *connection = connection_of(mhd);
         if (connection && connection->phase != PHASE_REFUSED) {
             struct http *http = context;
-            log_nameless(http, connection, NULL, 503, 0, ANSWER_NO_MEMORY_DETAIL);
-            answer_send_no_memory(connection->fd);
-            connections_enter(&http->connections, connection, PHASE_REFUSED);
+            struct answer answer = {0};
+            answer_to_no_memory(&answer);
+            log_nameless(http, connection, NULL, answer.status, 0, answer.detail);
+            send_past_library(http, connection, &answer);
         }
         return MHD_NO;
     }

@@ -8,17 +8,17 @@
 #include <unistd.h>
 
 #include "clock.h"
+#include "http_exchange.h"
+#include "http_receive.h"
 #include "http_work.h"
 #include "log.h"
 
 enum {
     EVENTS = 256,
     ACCEPTS = 64, /* a turn; so many connections may be there beyond the limit, until libmicrohttpd has closed others */
-    TURNED_READS = 8,
-    TURNED_BYTES = 1 << 20, /* that are read of who is turned away, at a time */
-    CANCEL_MS = 2000,       /* after a drain that took too long: for cancelled work to be answered */
-    GRACE_MS = 1000,        /* at its begin: for what is on its way already to be read */
-    REST_MS = 50            /* of the listener, where there is no descriptor, or no place yet */
+    CANCEL_MS = 2000, /* after a drain that took too long: for cancelled work to be answered */
+    GRACE_MS = 1000,  /* at its begin: for what is on its way already to be read */
+    REST_MS = 50      /* of the listener, where there is no descriptor, or no place yet */
 };
 
 static bool watch(const struct http *http, int fd, uint32_t events, void *of)
@@ -57,10 +57,8 @@ static void push_out(struct http *http, struct connection *connection)
 /* A new connection for which there is no place is told so. */
 static void turn_away(struct http *http, struct connection *connection, const char *why)
 {
-    /* What has come is thrown away first, or closing would reset the connection under the answer; but who sends on and
-     * on does not hold up the others. */
-    for (int i = 0; i < TURNED_READS; i++)
-        if (recvfrom(connection->fd, NULL, TURNED_BYTES, MSG_TRUNC | MSG_DONTWAIT, NULL, NULL) <= 0) break;
+    /* Else closing would reset the connection under the answer. */
+    http_receive_nothing(connection->fd);
     http_refuse(http, connection, 503, why);
     const int fd = connection->fd;
     connections_remove(&http->connections, connection);
@@ -92,7 +90,7 @@ static void admit(struct http *http, int fd, const struct sockaddr *address, soc
 {
     struct connection *connection = connections_add(&http->connections, fd, address);
     if (!connection) {
-        answer_send_no_memory(fd);
+        answer_send(&(struct answer){.is_broken = true}, fd);
         close(fd);
     } else if (!has_place && !may_exceed(http, connection)) {
         turn_away(http, connection, "all connections are busy");

@@ -8,7 +8,7 @@
 #ifndef ZRASTERD_HTTP_LOOP_H
 #define ZRASTERD_HTTP_LOOP_H
 
-#include "http_exchange.h"
+#include "http_state.h"
 
 /* The descriptors that the loop waits for. False: none could be had. */
 bool http_loop_open(struct http *http);

@@ -47,7 +47,7 @@ static void hand_over(struct exchange *exchange)
 {
     static const uint64_t ONE = 1;
     struct http *http = exchange->http;
-    exchange->answer_bytes = exchange->answer.size;
+    exchange->answer_bytes = exchange->answer.bytes ? exchange->answer.size : 0;
     atomic_fetch_add(&http->answer_bytes, exchange->answer_bytes);
     pthread_mutex_lock(&http->lock);
     const bool was_empty = !http->finished;
@@ -75,7 +75,7 @@ static bool put_back(struct exchange *exchange, struct zr_arena *arena)
         begin(exchange, arena);
         return false;
     }
-    exchange->times = API_NO_TIMES;
+    exchange->times = NO_STEP_TIMES;
     if (queue_put_back(http->queue, &exchange->job)) return true;
     api_refuse_busy(&exchange->answer, queue_wait_estimate_s(http->queue, QUEUE_LARGE), "the queue is full");
     return false;

@@ -4,7 +4,7 @@
 #ifndef ZRASTERD_HTTP_WORK_H
 #define ZRASTERD_HTTP_WORK_H
 
-#include "http_exchange.h"
+#include "http_state.h"
 
 /* Which queue a body of this size goes to: as far as can be told before anybody has looked at it. */
 enum queue_lane http_lane_of(uint64_t body_bytes);

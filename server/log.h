@@ -9,7 +9,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
-#include "api.h"
+#include "step_times.h"
 
 /* Texts that are NULL or "" are left out. */
 struct log_request {
@@ -18,7 +18,7 @@ struct log_request {
     bool aborted;
     uint64_t bytes_in, bytes_out;
     double total_ms;
-    struct api_times times;
+    struct step_times times;
 };
 
 void log_request(const struct log_request *request);

@@ -29,52 +29,6 @@ int problem_http_status(enum zr_status status)
     return 500;
 }
 
-const char *problem_title(int http_status)
-{
-    switch (http_status) {
-    case 200:
-        return "OK";
-    case 400:
-        return "Bad Request";
-    case 401:
-        return "Unauthorized";
-    case 403:
-        return "Forbidden";
-    case 404:
-        return "Not Found";
-    case 405:
-        return "Method Not Allowed";
-    case 408:
-        return "Request Timeout";
-    case 413:
-        return "Content Too Large";
-    case 414:
-        return "URI Too Long";
-    case 415:
-        return "Unsupported Media Type";
-    case 417:
-        return "Expectation Failed";
-    case 422:
-        return "Unprocessable Content";
-    case 429:
-        return "Too Many Requests";
-    case 431:
-        return "Request Header Fields Too Large";
-    case 501:
-        return "Not Implemented";
-    case 503:
-        return "Service Unavailable";
-    case 504:
-        return "Gateway Timeout";
-    case 505:
-        return "HTTP Version Not Supported";
-    case 507:
-        return "Insufficient Storage";
-    default:
-        return "Internal Server Error";
-    }
-}
-
 /* A problem under way: NULL where memory has run out, and then it stays so. */
 static cJSON *new_problem(struct answer *answer, int http_status, const char *detail)
 {
@@ -82,7 +36,7 @@ static cJSON *new_problem(struct answer *answer, int http_status, const char *de
     text_to_utf8(answer->detail, sizeof answer->detail, detail);
     cJSON *root = cJSON_CreateObject();
     if (cJSON_AddStringToObject(root, "type", "about:blank") &&
-        cJSON_AddStringToObject(root, "title", problem_title(http_status)) &&
+        cJSON_AddStringToObject(root, "title", answer_reason(http_status)) &&
         cJSON_AddNumberToObject(root, "status", http_status) && cJSON_AddStringToObject(root, "detail", answer->detail))
         return root;
     cJSON_Delete(root);
@@ -131,7 +85,7 @@ void problem_answer(struct answer *answer, int http_status, const char *format, 
 void problem_answer_error(struct answer *answer, int http_status, const struct zr_error *error)
 {
     size_t held = zr_error_held(error);
-    cJSON *root = new_problem(answer, http_status, held ? error->items[0].detail : problem_title(http_status));
+    cJSON *root = new_problem(answer, http_status, held ? error->items[0].detail : answer_reason(http_status));
     if (root && held && !add_errors(root, error, held)) {
         cJSON_Delete(root);
         root = NULL;

@@ -8,9 +8,6 @@
 /* The one table from the renderer's statuses to HTTP's. */
 int problem_http_status(enum zr_status status);
 
-/* The reason phrase of an HTTP status. */
-const char *problem_title(int http_status);
-
 /* Makes the answer an error with one detail. */
 void problem_answer(struct answer *answer, int http_status, const char *format, ...)
     __attribute__((format(printf, 3, 4)));

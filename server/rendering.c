@@ -22,7 +22,7 @@ struct rendering {
     const struct api_request *request;
     struct zr_arena *arena;
     const struct zr_cancel *cancel;
-    struct api_times *times;
+    struct step_times *times;
     struct zr_stored stored; /* of all assets, large ones too */
     size_t small_left;       /* bytes that a small request may still read */
     bool is_large;           /* and request->small_only: to be given up */
@@ -36,7 +36,7 @@ static double ms_since(int64_t *mark_us)
     return ms;
 }
 
-static void add_timing(struct answer *answer, const struct api_times *times)
+static void add_timing(struct answer *answer, const struct step_times *times)
 {
     const struct {
         const char *name;
@@ -134,14 +134,8 @@ static void answer_image(struct answer *answer, const struct zr_answer *result)
     }
 }
 
-static void answer_timeout(const struct api *api, struct answer *answer)
-{
-    problem_answer(answer, 504, "the render took longer than renderTimeoutMs, %" PRIu64 " ms",
-                   api->config->render_timeout_ms);
-}
-
 enum api_next rendering_work(const struct api *api, const struct api_request *request, struct zr_arena *arena,
-                             const struct zr_cancel *cancel, struct api_times *times, struct answer *answer)
+                             const struct zr_cancel *cancel, struct step_times *times, struct answer *answer)
 {
     struct rendering r = {.api = api, .request = request, .arena = arena, .cancel = cancel, .times = times};
     struct zr_error error = {0};
@@ -160,7 +154,7 @@ enum api_next rendering_work(const struct api *api, const struct api_request *re
         return API_LARGE;
     case BODY_CANCELLED:
         if (request->small_only) return API_LARGE;
-        answer_timeout(api, answer);
+        api_refuse_late(api, answer);
         return API_ANSWERED;
     }
     if (too_large(&r, unpacked.size > API_SMALL_BYTES)) return API_LARGE;
@@ -177,7 +171,7 @@ enum api_next rendering_work(const struct api *api, const struct api_request *re
     } else if (status == ZR_NO_MEMORY) {
         api_refuse_memory(answer, arena);
     } else if (status == ZR_CANCELLED) {
-        answer_timeout(api, answer);
+        api_refuse_late(api, answer);
     } else {
         problem_answer_error(answer, problem_http_status(status), &error);
     }

@@ -6,6 +6,6 @@
 
 /* As api_work. */
 enum api_next rendering_work(const struct api *api, const struct api_request *request, struct zr_arena *arena,
-                             const struct zr_cancel *cancel, struct api_times *times, struct answer *answer);
+                             const struct zr_cancel *cancel, struct step_times *times, struct answer *answer);
 
 #endif

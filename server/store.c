@@ -9,9 +9,6 @@
 #include <string.h>
 #include <unistd.h>
 
-#include <nettle/base16.h>
-#include <nettle/sha2.h>
-
 #include "log.h"
 #include "store_file.h"
 #include "store_index.h"
@@ -27,24 +24,6 @@ struct store {
     struct store_index index;
     uint64_t promised; /* bytes of files that are being written */
 };
-
-/* ---- names ---- */
-
-bool store_is_name(const char *text)
-{
-    return strspn(text, "0123456789abcdef") == STORE_NAME_SIZE - 1 && text[STORE_NAME_SIZE - 1] == '\0';
-}
-
-void store_name(const void *bytes, size_t size, char name[STORE_NAME_SIZE])
-{
-    struct sha256_ctx context;
-    uint8_t digest[SHA256_DIGEST_SIZE];
-    sha256_init(&context);
-    sha256_update(&context, size, bytes);
-    sha256_digest(&context, sizeof digest, digest);
-    base16_encode_update(name, sizeof digest, digest);
-    name[STORE_NAME_SIZE - 1] = '\0';
-}
 
 /* ---- what is there ---- */
 
@@ -140,21 +119,17 @@ enum store_status store_look(struct store *store, const char *name, size_t *size
     return STORE_THERE;
 }
 
-static enum store_status read_whole(struct store *store, const char *name, int fd, const struct stat *info,
-                                    struct zr_arena *arena, void **bytes)
+/* What follows from having looked at all of a file: `whole`, or errno. */
+static enum store_status judge(struct store *store, const char *name, int fd, const struct stat *info, bool whole,
+                               const char *found)
 {
-    char found[STORE_NAME_SIZE];
-    size_t size = (size_t)info->st_size;
-    *bytes = zr_arena_alloc(arena, size, 1);
-    if (!*bytes) return STORE_NO_MEMORY;
-    bool whole = store_file_read(fd, *bytes, size);
-    if (!whole && errno != 0) {
-        int cause = errno;
+    const int cause = errno;
+    if (!whole && cause == ECANCELED) return STORE_CANCELLED;
+    if (!whole && cause != 0) {
         log_event("error", "asset-unreadable", strerror(cause));
         errno = cause;
         return STORE_FAILED;
     }
-    if (whole) store_name(*bytes, size, found);
     if (!whole || strcmp(found, name) != 0) {
         remove_broken(store, name, info);
         return STORE_MISSING;
@@ -167,13 +142,37 @@ enum store_status store_read(struct store *store, const char *name, struct zr_ar
                              size_t *size)
 {
     struct stat info;
-    void *read = NULL;
+    char found[STORE_NAME_SIZE] = "";
     int fd = open_asset(store, name, &info);
     if (fd < 0) return errno == ENOENT ? STORE_MISSING : STORE_FAILED;
-    enum store_status status = read_whole(store, name, fd, &info, arena, &read);
-    close(fd);
-    *bytes = read;
     *size = (size_t)info.st_size;
+    void *read = zr_arena_alloc(arena, *size, 1);
+    *bytes = read;
+    enum store_status status = STORE_NO_MEMORY;
+    if (read) {
+        const bool whole = store_file_read(fd, read, *size);
+        if (whole) store_name(read, *size, found);
+        status = judge(store, name, fd, &info, whole, found);
+    }
+    close(fd);
+    return status;
+}
+
+enum store_status store_fetch(struct store *store, const char *name, const struct zr_cancel *cancel, int *fd,
+                              size_t *size)
+{
+    struct stat info;
+    char found[STORE_NAME_SIZE] = "";
+    *fd = open_asset(store, name, &info);
+    if (*fd < 0) return errno == ENOENT ? STORE_MISSING : STORE_FAILED;
+    *size = (size_t)info.st_size;
+    const bool whole = store_name_of_file(*fd, *size, cancel, found) && lseek(*fd, 0, SEEK_SET) == 0;
+    const enum store_status status = judge(store, name, *fd, &info, whole, found);
+    if (status != STORE_THERE) {
+        const int cause = errno;
+        close(*fd);
+        errno = cause;
+    }
     return status;
 }
 

@@ -18,15 +18,9 @@
 #include <stdint.h>
 
 #include "base/arena.h"
+#include "store_name.h"
 
-enum { STORE_NAME_SIZE = 64 + 1 }; /* lower-case hexadecimal digits and a final zero */
-
-/* True for 64 lower-case hexadecimal digits. No other name may be given to the functions below. */
-bool store_is_name(const char *text);
-
-/* The name of these bytes. */
-void store_name(const void *bytes, size_t size, char name[STORE_NAME_SIZE]);
-
+/* Names given to the functions below must be such (store_is_name). */
 struct store;
 
 /* NULL: `message` says why not. */
@@ -41,7 +35,8 @@ enum store_status {
     STORE_DISK_FULL, /* these three: errno says more */
     STORE_READ_ONLY,
     STORE_FAILED,
-    STORE_NO_MEMORY
+    STORE_NO_MEMORY,
+    STORE_CANCELLED
 };
 
 /* Keeps a copy of `bytes`, whose name it must be. Waits for the disk. */
@@ -51,6 +46,11 @@ enum store_status store_put(struct store *store, const char *name, const void *b
  * STORE_FAILED, or STORE_NO_MEMORY of the arena. */
 enum store_status store_read(struct store *store, const char *name, struct zr_arena *arena, const void **bytes,
                              size_t *size);
+
+/* STORE_THERE, and *fd is its file, whose *size bytes from the beginning have been proven to be those of that name; the
+ * caller closes it. Or STORE_MISSING, STORE_FAILED, STORE_CANCELLED. Takes no memory. */
+enum store_status store_fetch(struct store *store, const char *name, const struct zr_cancel *cancel, int *fd,
+                              size_t *size);
 
 /* A look at its file, not at its bytes. Counts as a use. STORE_THERE, STORE_MISSING or STORE_FAILED. */
 enum store_status store_look(struct store *store, const char *name, size_t *size);

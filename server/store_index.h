@@ -11,7 +11,7 @@
 #include <sys/queue.h>
 #include <time.h>
 
-#include "store.h"
+#include "store_name.h"
 
 struct store_entry {
     char name[STORE_NAME_SIZE];

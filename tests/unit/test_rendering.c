@@ -52,7 +52,7 @@ static enum api_next work_on(struct service *service, const struct api_request *
 {
     const struct zr_cancel overdue = {.raised = late};
     const struct zr_cancel cancel = {.raised = cancelled, .parent = &overdue};
-    struct api_times times = API_NO_TIMES;
+    struct step_times times = NO_STEP_TIMES;
     struct answer answer = {0};
     struct zr_arena arena;
     zr_arena_init(&arena, ARENA_BYTES);
