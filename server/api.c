@@ -75,9 +75,9 @@ void api_request_free(struct api_request *request)
 void api_take_id(struct api *api, struct api_request *request, const char *client_id)
 {
     static const char ALLOWED[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789._-";
-    size_t length = client_id ? strlen(client_id) : 0;
+    size_t length = client_id ? text_trimmed_length(client_id) : 0;
     if (length >= 1 && length < API_ID_SIZE && strspn(client_id, ALLOWED) == length) {
-        memcpy(request->id, client_id, length + 1);
+        memcpy(request->id, client_id, length); /* the rest is zero */
         return;
     }
     uint64_t number = atomic_fetch_add(&api->id_next, 1);
@@ -93,7 +93,7 @@ static bool token_matches(const char *token, const char *authorization)
     if (!authorization || strncasecmp(authorization, SCHEME, sizeof SCHEME - 1) != 0) return false;
     const char *given = authorization + sizeof SCHEME - 1;
     given += strspn(given, " ");
-    size_t length = strlen(given), wanted = strlen(token);
+    size_t length = text_trimmed_length(given), wanted = strlen(token);
     volatile unsigned char difference = length != wanted;
     for (size_t i = 0; i < length; i++)
         difference = (unsigned char)(difference | (given[i] ^ token[wanted ? i % wanted : 0]));
@@ -166,11 +166,17 @@ static bool read_content_type(struct api_request *request, struct answer *answer
     return false;
 }
 
+static bool is_encoding(const char *text, const char *known)
+{
+    const size_t length = strlen(known);
+    return text_trimmed_length(text) == length && strncasecmp(text, known, length) == 0;
+}
+
 static bool read_content_encoding(struct api_request *request, struct answer *answer)
 {
     const char *encoding = request->content_encoding;
-    if (!encoding || !*encoding || strcasecmp(encoding, "identity") == 0) return true;
-    request->gzip = strcasecmp(encoding, "gzip") == 0 || strcasecmp(encoding, "x-gzip") == 0;
+    if (!encoding || text_trimmed_length(encoding) == 0 || is_encoding(encoding, "identity")) return true;
+    request->gzip = is_encoding(encoding, "gzip") || is_encoding(encoding, "x-gzip");
     if (request->gzip) return true;
     answer_header(answer, "Accept-Encoding", "gzip, identity");
     problem_answer(answer, 415, "Content-Encoding '%.80s' is not supported; supported: gzip, identity", encoding);

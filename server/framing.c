@@ -122,8 +122,8 @@ static bool take_field(struct framing *f, char c)
     if (++f->fields > FRAMING_FIELDS_MAX) return refuse(f, 431, "there are more than 100 headers");
     if (!is_token((unsigned char)c)) return refuse(f, 400, "a header's name is not a token");
     f->state = FRAMING_NAME;
-    f->name_length = f->value_length = f->line_bytes = 0;
-    f->name_bytes = 1;
+    f->name_length = f->value_length = 0;
+    f->line_bytes = 1;
     append(f->name, &f->name_length, c);
     return true;
 }
@@ -139,7 +139,9 @@ static bool is_read_here(const struct framing *f)
     return false;
 }
 
-/* Whose good values have no space in them. */
+/* Whose good values have no space in them. Space around a value is none of it (RFC 9112, 5), but libmicrohttpd keeps
+ * what is behind it, and would read a body to the end of the connection after "chunked ". Of these none is passed on.
+ */
 static bool is_compared_whole(const struct framing *f)
 {
     return equals(f->name, f->name_length, "content-length") || equals(f->name, f->name_length, "transfer-encoding") ||
@@ -151,12 +153,13 @@ static bool take_name(struct framing *f, char c)
     if (c == ':') {
         f->is_read = is_read_here(f);
         f->is_exact = is_compared_whole(f);
+        f->line_bytes = 0;
         f->state = FRAMING_VALUE;
         return true;
     }
     if (c == '\r' || c == '\n') return refuse(f, 400, "a header line has no colon");
     if (!is_token((unsigned char)c)) return refuse(f, 400, "a header's name is not a token");
-    if (++f->name_bytes > FRAMING_NAME_MAX) return refuse(f, 431, "a header's name is longer than 64 bytes");
+    if (++f->line_bytes > FRAMING_NAME_MAX) return refuse(f, 431, "a header's name is longer than 64 bytes");
     append(f->name, &f->name_length, c);
     return true;
 }
@@ -173,6 +176,7 @@ static bool take_value(struct framing *f, char c)
     if (f->is_read && ++f->values_bytes > FRAMING_VALUES_MAX)
         return refuse(f, 431, "the headers that are read here are larger than 4096 bytes");
     const bool is_space = c == ' ' || c == '\t';
+    f->is_dropped |= !f->is_read || (f->is_exact && is_space && f->line_bytes > 0);
     if (is_space && f->line_bytes == 0) return true;
     f->line_bytes++;
     if (is_space) return true;
@@ -299,9 +303,12 @@ static bool expect(struct framing *f, char c, char wanted, enum framing_state ne
     return true;
 }
 
-/* One byte of what is not a body's. False: it is refused. */
+/* One byte of what is not a body's. False: it is refused. Of a trailer the empty line at its end is passed on: nobody
+ * reads the others, and they might not fit. */
 static bool take(struct framing *f, char c)
 {
+    f->is_dropped = f->is_trailer && f->state >= FRAMING_FIELD && f->state <= FRAMING_VALUE_LF &&
+                    !(f->state == FRAMING_FIELD && c == '\r');
     switch (f->state) {
     case FRAMING_START:
         return start_request(f, c);
@@ -355,29 +362,9 @@ static size_t skip_body(struct framing *f, size_t size)
     return skipped;
 }
 
-/* The byte at hand goes no further: it is of a value that nobody reads. */
-static bool is_dropped(const struct framing *f)
-{
-    return f->state == FRAMING_VALUE && !f->is_read;
-}
-
-/* Space around a value is none of it (RFC 9112, 5), but libmicrohttpd keeps what is behind it: it would read a body to
- * the end of the connection after "chunked ". Where space within the value is refused as well, none is passed on. */
-static bool is_dropped_space(const struct framing *f, char c)
-{
-    return f->state == FRAMING_VALUE && f->is_exact && f->line_bytes > 0 && (c == ' ' || c == '\t');
-}
-
-/* Of a trailer the empty line at its end is passed on: nobody reads the others, and they might not fit. */
-static bool is_in_trailer(const struct framing *f)
-{
-    return f->is_trailer && f->state >= FRAMING_FIELD && f->state <= FRAMING_VALUE_LF;
-}
-
 size_t framing_scan(struct framing *f, char *bytes, size_t size)
 {
-    size_t kept = 0,
-           whole = 0; /* bytes that are passed on, and those of them up to the end of the last whole request */
+    size_t kept = 0, whole = 0; /* bytes passed on, and those of them up to the end of the last whole request */
     uint64_t passed = f->passed;
     if (f->state == FRAMING_REFUSED) return 0;
     for (size_t at = 0; at < size;) {
@@ -388,17 +375,13 @@ size_t framing_scan(struct framing *f, char *bytes, size_t size)
             at += skipped;
         } else {
             const char c = bytes[at++];
-            const bool was_dropping = is_dropped(f), was_in_trailer = is_in_trailer(f);
             if (!take(f, c)) {
                 f->refused_body = (f->state >= FRAMING_BODY || f->is_trailer) && f->passed == passed;
                 f->passed = passed; /* a header that is held back with what follows it was not passed on */
                 f->state = FRAMING_REFUSED;
                 return whole;
             }
-            /* The value's last byte, the CR, ends its line and is passed on. */
-            const bool is_unread = was_dropping && is_dropped(f);
-            const bool is_of_trailer = was_in_trailer && f->state != FRAMING_HEADER_LF;
-            if (!is_unread && !is_of_trailer && !is_dropped_space(f, c)) bytes[kept++] = c;
+            if (!f->is_dropped) bytes[kept++] = c;
         }
         if (f->state == FRAMING_START) {
             whole = kept;

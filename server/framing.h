@@ -62,9 +62,10 @@ enum {
 struct framing {
     enum framing_state state;
     bool is_trailer, is_old, is_chunked; /* is_old: HTTP/1.0 */
-    uint32_t line_bytes;                 /* of the target, a chunk's size or its extension */
-    uint32_t header_bytes, fields, parameters, name_bytes, values_bytes;
+    uint32_t line_bytes; /* of the method, target, name, value, chunk size or its extension, whichever it is */
+    uint32_t header_bytes, fields, parameters, values_bytes;
     bool is_read, is_exact; /* the header whose value comes; is_exact: without any space */
+    bool is_dropped;        /* the byte that was read last goes no further */
     uint32_t hosts, lengths, encodings, expects, types;
     uint64_t left;                                          /* bytes of the body or the chunk */
     uint32_t name_length, value_length;                     /* of the words; values without trailing space */

@@ -49,6 +49,14 @@ static int hex_digit(char c)
     return lower >= 'a' && lower <= 'f' ? lower - 'a' + 10 : -1;
 }
 
+size_t text_trimmed_length(const char *text)
+{
+    size_t length = strlen(text);
+    while (length > 0 && (text[length - 1] == ' ' || text[length - 1] == '\t'))
+        length--;
+    return length;
+}
+
 bool text_percent_decode(char *out, const char *source, size_t length)
 {
     for (size_t i = 0; i < length; i++) {

@@ -403,6 +403,17 @@ static void wrong_tokens_are_refused_and_the_right_one_is_taken(void **state)
     free(log);
 }
 
+static void space_behind_a_header_is_no_part_of_it(void **state)
+{
+    (void)state;
+    const char *const headers[] = {JSON_TYPE " ", "Authorization: Bearer " TOKEN " \t", "X-Request-Id: mine ",
+                                   "Content-Encoding: identity\t", NULL};
+    struct reply reply = client_send(&guarded, "POST", "/v1/render", headers, GOOD_SCENE, strlen(GOOD_SCENE));
+    assert_int_equal(reply.status, 200);
+    assert_string_equal(reply_header(&reply, "X-Request-Id"), "mine");
+    reply_free(&reply);
+}
+
 static void log_line_is_json_and_tells_of_the_request(void **state)
 {
     static const char TRACE[] = "00-0af7651916cd43dd8448eb211c80319c-b7ad6b7169203331-01";
@@ -469,6 +480,7 @@ int main(void)
         cmocka_unit_test(proxy_form_of_a_target_is_understood),
         cmocka_unit_test(token_is_asked_for_but_for_health),
         cmocka_unit_test(wrong_tokens_are_refused_and_the_right_one_is_taken),
+        cmocka_unit_test(space_behind_a_header_is_no_part_of_it),
         cmocka_unit_test(log_line_is_json_and_tells_of_the_request),
         cmocka_unit_test(log_line_of_hostile_path_is_json),
     };
