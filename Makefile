@@ -300,7 +300,7 @@ $(BUILD)/tests/unit/test_rendering: $(filter-out %/main.o,$(server)) $(server_su
 $(BUILD)/tests/unit/test_rendering: TEST_LIBS += $(SERVER_LIBS)
 
 # Preloaded into a daemon by a test.
-$(BUILD)/failing_malloc.so: tests/server/preload/failing_malloc.c tests/server/preload/failing_malloc.h
+$(BUILD)/failing_malloc.so: tests/server/preload/failing_malloc.c tests/support/failing_malloc.h
 	@mkdir -p $(@D)
 	$(Q)$(CC) $(filter-out -fsanitize=% -fno-sanitize-recover=all,$(OURS)) $(CFLAGS) -fPIC -shared -o $@ $< -ldl
 

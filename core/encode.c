@@ -30,7 +30,7 @@ struct encoding {
     const struct zr_cancel *cancel;
     float depth_scale; /* 0: no 16-bit depth */
     uint64_t misfits;
-    struct zr_warnings warnings;
+    struct zr_warning_list warnings;
 };
 
 static enum zr_status encode_color(const struct encoding *e, struct zr_buffer *out)

@@ -9,7 +9,7 @@
 #ifndef ZR_INPUT_H
 #define ZR_INPUT_H
 
-#include "input/warning_list.h"
+#include "base/warning_list.h"
 #include "scene/scene.h"
 #include "zraster.h"
 

@@ -10,7 +10,7 @@
 
 #include "input/json_list.h"
 #include "input/json_value.h"
-#include "input/warning_list.h"
+#include "base/warning_list.h"
 #include "scene/scene.h"
 
 enum { ZR_UNSAID = -1 };

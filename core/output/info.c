@@ -194,7 +194,7 @@ static cJSON *meshes_of(struct writer *w, const struct zr_scene *scene, const st
 }
 
 static cJSON *build(struct writer *w, const struct zr_scene *scene, const struct zr_frame *frame, float depth_scale,
-                    uint64_t misfits, const struct zr_warnings *warnings, const struct patch *patches,
+                    uint64_t misfits, const struct zr_warning_list *warnings, const struct patch *patches,
                     uint32_t face_count)
 {
     cJSON *root = check(w, cJSON_CreateObject());
@@ -222,7 +222,9 @@ static cJSON *build(struct writer *w, const struct zr_scene *scene, const struct
     uint32_t first = first_face_id(frame);
     put(w, root, "meshes", meshes_of(w, scene, patches, first));
     if (face_count <= ZR_INFO_FACES_MAX) put(w, root, "faces", faces_of(w, patches, face_count, first));
-    put(w, root, "warnings", check(w, cJSON_CreateStringArray(warnings->texts, (int)warnings->count)));
+    static const char *const none[1]; /* cJSON takes no null pointer, of none either */
+    put(w, root, "warnings",
+        check(w, cJSON_CreateStringArray(warnings->texts ? warnings->texts : none, (int)warnings->count)));
     return root;
 }
 
@@ -230,7 +232,7 @@ static cJSON *build(struct writer *w, const struct zr_scene *scene, const struct
  * name or a text: one in the tree, and printed up to six in memory that doubles, beside what it was copied from. */
 enum { LISTED_BYTES = 2 << 10, OTHER_BYTES = 32 << 10, BYTES_OF_A_CHARACTER = 1 + 3 * 6 };
 
-static bool foresee_memory(const struct zr_scene *scene, const struct zr_warnings *warnings, uint32_t face_count,
+static bool foresee_memory(const struct zr_scene *scene, const struct zr_warning_list *warnings, uint32_t face_count,
                            size_t *bytes)
 {
     const uint32_t faces = face_count <= ZR_INFO_FACES_MAX ? face_count : 0;
@@ -242,14 +244,14 @@ static bool foresee_memory(const struct zr_scene *scene, const struct zr_warning
         fits &= zr_add_size(characters, strlen(scene->meshes[instance->mesh].name), &characters);
         fits &= zr_add_size(characters, instance->node ? strlen(instance->node) : 0, &characters);
     }
-    for (uint32_t i = 0; i < warnings->count; i++)
+    for (size_t i = 0; i < warnings->count; i++)
         fits &= zr_add_size(characters, strlen(warnings->texts[i]), &characters);
     return fits && zr_mul_size(characters, BYTES_OF_A_CHARACTER, bytes) &&
            zr_add_size(*bytes, OTHER_BYTES + (size_t)(meshes + faces) * LISTED_BYTES, bytes);
 }
 
 enum zr_status zr_info_write(const struct zr_scene *scene, const struct zr_frame *frame, float depth_scale,
-                             uint64_t misfits, const struct zr_warnings *warnings, struct zr_buffer *out)
+                             uint64_t misfits, const struct zr_warning_list *warnings, struct zr_buffer *out)
 {
     uint32_t face_count = 0;
     for (uint32_t i = 0; i < scene->instance_count; i++)

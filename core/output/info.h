@@ -15,6 +15,6 @@ enum { ZR_INFO_MESHES_MAX = 1000 };
 /* Appends JSON to `out`: window, camera, bounds, counts, pixels and boxes a placed
  * mesh and a face, warnings. `depth_scale` is 0 where no 16-bit depth was made. Needs frame->face_id. */
 enum zr_status zr_info_write(const struct zr_scene *scene, const struct zr_frame *frame, float depth_scale,
-                             uint64_t misfits, const struct zr_warnings *warnings, struct zr_buffer *out);
+                             uint64_t misfits, const struct zr_warning_list *warnings, struct zr_buffer *out);
 
 #endif

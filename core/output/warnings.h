@@ -3,22 +3,18 @@
 #define ZR_WARNINGS_H
 
 #include "base/arena.h"
+#include "base/warning_list.h"
 #include "scene/scene.h"
 #include "shade/frame.h"
 #include "zraster.h"
 
-struct zr_warnings {
-    uint32_t count;
-    const char **texts;
-};
-
 /* Of the scene as it was read, of where its polygons went, and of `misfits` pixels
- * whose depth did not fit the PNG. `texts` lie in the arena. */
-struct zr_warnings zr_warnings_make(struct zr_arena *arena, const struct zr_scene *scene, const struct zr_frame *frame,
-                                    uint64_t misfits);
+ * whose depth did not fit the PNG. Texts lie in the arena. */
+struct zr_warning_list zr_warnings_make(struct zr_arena *arena, const struct zr_scene *scene,
+                                        const struct zr_frame *frame, uint64_t misfits);
 
 /* One line of less than ZR_WARNINGS_SIZE bytes (zraster.h): whole warnings, "; " between, and how many more there are
  * where not all have room. "" where the arena has failed. */
-const char *zr_warnings_join(struct zr_arena *arena, const struct zr_warnings *warnings);
+const char *zr_warnings_join(struct zr_arena *arena, const struct zr_warning_list *warnings);
 
 #endif

@@ -5,8 +5,8 @@ set -u
 daemon=${ZRASTERD:-build/zrasterd}
 client=$(realpath "${ZRASTER:-build/zraster}")
 work=$(mktemp -d)
-count=0
-failed=0
+. tests/support/verdict.sh
+said=said complained=complained
 
 secret=s3cret.Token-of/64+characters=
 
@@ -41,18 +41,6 @@ check() {
     "$@" >said 2>complained
     status=$?
     verdict "$text" [ "$status" = "$wanted" ]
-}
-verdict() { # TEXT COMMAND...
-    text=$1
-    shift
-    count=$((count + 1))
-    if "$@"; then
-        echo "ok $count - $text"
-    else
-        failed=$((failed + 1))
-        echo "not ok $count - $text"
-        tail -n 5 said complained >&2
-    fi
 }
 is_png() { [ "$(head -c 8 "$1" | od -An -tx1 | tr -d ' \n')" = 89504e470d0a1a0a ]; }
 size_of_png() { od -An -j16 -N8 -tu1 "$1" | awk '{print $3 * 256 + $4 "x" $7 * 256 + $8}'; }
@@ -198,5 +186,4 @@ check "two files end with 2" 2 "$client" render scene.json two.json
 check "another command ends with 2" 2 "$client" draw scene.json
 check "help ends with 0" 0 "$client" --help
 verdict "and shows every option" eval 'for o in -o --channel --encoding --scale --preset --shading --compress --size --type --server --token-file; do grep -q -e "^  $o " said || exit 1; done'
-echo "1..$count"
-[ "$failed" = 0 ]
+verdicts

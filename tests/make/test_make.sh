@@ -4,21 +4,8 @@ set -u
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 unset MAKEFLAGS MAKELEVEL MFLAGS CC
-count=0
-failed=0
-
-verdict() { # TEXT COMMAND...
-    text=$1
-    shift
-    count=$((count + 1))
-    if "$@"; then
-        echo "ok $count - $text"
-    else
-        failed=$((failed + 1))
-        echo "not ok $count - $text"
-        tail -n 20 "$work/said" "$work/complained" >&2
-    fi
-}
+. tests/support/verdict.sh
+said=$work/said complained=$work/complained
 
 # A machine without a compiler: what the Makefile calls before it compiles, and nothing else.
 mkdir "$work/bin"
@@ -60,5 +47,4 @@ verdict "a test that fails ends with 1" [ "$status" = 1 ]
 verdict "is told" grep -q '^FAILED in test_b' "$work/said"
 verdict "and counted in its part" grep -Eq '^unit: 3 passed, 1 failed in [0-9]+ s$' "$work/said"
 verdict "and in the last line" [ "$(tail -n 1 "$work/said")" = "3 passed, 1 failed, 0 skipped" ]
-echo "1..$count"
-[ "$failed" = 0 ]
+verdicts

@@ -10,8 +10,8 @@
 
 #include "assets.h"
 #include "client.h"
-#include "preload/failing_malloc.h"
 #include "support/cmocka_all.h"
+#include "support/failing_malloc.h"
 
 enum { TURNS_MAX = 2000, WAIT_MS = 10000, NAMES_MAX = 12 };
 
@@ -133,10 +133,7 @@ static void assert_whole_or_busy(const struct request *request, const char *text
 static unsigned run(const struct request *request, unsigned first, unsigned every)
 {
     begin_connection();
-    atomic_store(&control->count, 0);
-    atomic_store(&control->failed, 0);
-    atomic_store(&control->every, every);
-    atomic_store(&control->first, first);
+    failing_malloc_arm(control, first, every);
     char *text = ask(request);
     atomic_store(&control->first, 0);
     assert_whole_or_busy(request, text, first);

@@ -1,7 +1,6 @@
 /* The system's memory is used up, at each allocation of whole requests in turn: every request ends as one that has no
  * memory, or as if nothing had happened, and nothing is lost. */
 #include <dlfcn.h>
-#include <errno.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -9,28 +8,22 @@
 #include "output/npy.h"
 #include "output/png.h"
 #include "support/cmocka_all.h"
+#include "support/failing_malloc.h"
 #include "zraster.h"
 
 /* ---- allocations, counted, and failing when told so ---- */
 
-/* Numbers begin with 1. `first` 0: none fails; `every` 0: the first alone does, else each so many behind it. */
-static struct {
-    unsigned first, every, count, failed;
-    long live;
-} allocations;
+static struct failing_malloc control;
+static long live; /* blocks that have not been freed */
 
 static bool fails(void)
 {
-    const unsigned number = ++allocations.count, first = allocations.first, every = allocations.every;
-    if (first == 0 || number < first || (number > first && (every == 0 || (number - first) % every != 0))) return false;
-    allocations.failed++;
-    errno = ENOMEM;
-    return true;
+    return failing_malloc_fails(&control);
 }
 
 static void *counted(void *made)
 {
-    if (made) allocations.live++;
+    if (made) live++;
     return made;
 }
 
@@ -77,7 +70,7 @@ void *aligned_alloc(size_t alignment, size_t size)
 void free(void *old)
 {
     NEXT(free);
-    if (old) allocations.live--;
+    if (old) live--;
     next(old);
 }
 
@@ -182,18 +175,16 @@ static void assert_survives(const char *name, const struct zr_request *request, 
     assert_true((whole.size > 0) == (status == ZR_OK));
     unsigned runs = 0;
     for (unsigned every = 0; every <= 3; every++) {
-        const long live = allocations.live;
+        const long live_before = live;
         unsigned failed = 1;
         for (unsigned first = 1; failed > 0; first++, runs++) {
-            allocations.count = allocations.failed = 0;
-            allocations.every = every;
-            allocations.first = first;
+            failing_malloc_arm(&control, first, every);
             run(request, &got);
-            allocations.first = 0;
-            failed = allocations.failed;
-            if (!loses && allocations.live != live)
-                fail_msg("%s: %ld blocks lost where allocation %u failed, every %u", name, allocations.live - live,
-                         first, every);
+            atomic_store(&control.first, 0);
+            failed = atomic_load(&control.failed);
+            if (!loses && live != live_before)
+                fail_msg("%s: %ld blocks lost where allocation %u failed, every %u", name, live - live_before, first,
+                         every);
             if (got.status == ZR_NO_MEMORY && failed > 0) continue;
             if (got.status != status || got.size != whole.size || memcmp(got.bytes, whole.bytes, got.size) != 0)
                 fail_msg("%s: status %d where allocation %u failed, every %u", name, (int)got.status, first, every);

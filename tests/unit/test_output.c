@@ -308,9 +308,9 @@ static void polygons_without_three_distinct_corners_are_warned_of(void **state)
 }
 
 /* Warnings of 99 bytes, each with its number in front. */
-static struct zr_warnings many_warnings(uint32_t count)
+static struct zr_warning_list many_warnings(uint32_t count)
 {
-    struct zr_warnings made = {count, zr_arena_alloc(&arena, count, sizeof *made.texts)};
+    struct zr_warning_list made = {count, count, zr_arena_alloc(&arena, count, sizeof *made.texts)};
     for (uint32_t i = 0; i < count; i++) {
         char *text = zr_arena_alloc(&arena, 100, 1);
         snprintf(text, 100, "%03u%096d", i % 1000, 0);
@@ -324,7 +324,7 @@ static void warnings_are_joined_whole_and_the_rest_is_counted(void **state)
     (void)state;
     /* 20 with what is between them take 2018 bytes; 21 take 2119. */
     for (uint32_t count = 0; count <= 200; count++) {
-        struct zr_warnings warnings = many_warnings(count);
+        struct zr_warning_list warnings = many_warnings(count);
         const char *joined = zr_warnings_join(&arena, &warnings);
         const size_t length = strlen(joined);
         const uint32_t whole = count <= 20 ? count : 20;
@@ -345,9 +345,10 @@ static void a_warning_without_any_room_is_counted_not_cut(void **state)
     static char fits[ZR_WARNINGS_SIZE], too_long[ZR_WARNINGS_SIZE + 1];
     memset(fits, 'a', ZR_WARNINGS_SIZE - 1);
     memset(too_long, 'b', ZR_WARNINGS_SIZE);
-    assert_string_equal(zr_warnings_join(&arena, &(struct zr_warnings){1, (const char *[]){fits}}), fits);
-    assert_string_equal(zr_warnings_join(&arena, &(struct zr_warnings){1, (const char *[]){too_long}}), "and 1 more");
-    assert_string_equal(zr_warnings_join(&arena, &(struct zr_warnings){2, (const char *[]){fits, "short"}}),
+    assert_string_equal(zr_warnings_join(&arena, &(struct zr_warning_list){1, 1, (const char *[]){fits}}), fits);
+    assert_string_equal(zr_warnings_join(&arena, &(struct zr_warning_list){1, 1, (const char *[]){too_long}}),
+                        "and 1 more");
+    assert_string_equal(zr_warnings_join(&arena, &(struct zr_warning_list){2, 2, (const char *[]){fits, "short"}}),
                         "and 2 more");
 }
 

@@ -1,13 +1,11 @@
 /* failing_malloc.so - preloaded into a daemon, it lets allocations fail when a test says so: the test shares a page
- * with it, the file named by FAILING_MALLOC (failing_malloc.h). */
-#include "failing_malloc.h"
+ * with it, the file named by FAILING_MALLOC (support/failing_malloc.h). */
+#include "support/failing_malloc.h"
 
 #include <dlfcn.h>
-#include <errno.h>
 #include <fcntl.h>
 #include <stddef.h>
 #include <stdlib.h>
-#include <string.h>
 #include <sys/mman.h>
 
 static struct failing_malloc *control;
@@ -22,14 +20,7 @@ static void __attribute__((constructor)) find_control(void)
 
 static bool fails(void)
 {
-    if (!control) return false;
-    const unsigned first = atomic_load(&control->first), every = atomic_load(&control->every);
-    if (first == 0) return false;
-    const unsigned number = atomic_fetch_add(&control->count, 1) + 1;
-    if (number < first || (number > first && (every == 0 || (number - first) % every != 0))) return false;
-    atomic_fetch_add(&control->failed, 1);
-    errno = ENOMEM;
-    return true;
+    return control && failing_malloc_fails(control);
 }
 
 /* The next one behind us: the C library's, or a sanitizer's. */

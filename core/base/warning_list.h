@@ -1,4 +1,4 @@
-/* warning_list.h - input: what readers find odd but drawable, for zr_scene.warnings. */
+/* warning_list.h - base: what is odd but drawable, as it was read and as it was drawn. */
 #ifndef ZR_WARNING_LIST_H
 #define ZR_WARNING_LIST_H
 
@@ -12,7 +12,7 @@ struct zr_warning_list {
     const char **texts;
 };
 
-/* Cut to 160 bytes. Lost where the arena has failed, which whoever reads notices anyway. */
+/* Cut to 160 bytes. Lost where the arena has failed, which is noticed anyway. */
 void zr_warning_list_add(struct zr_arena *arena, struct zr_warning_list *list, const char *format, ...)
     __attribute__((format(printf, 3, 4)));
 

@@ -1,4 +1,4 @@
-#include "input/warning_list.h"
+#include "base/warning_list.h"
 
 #include <stdarg.h>
 #include <stdio.h>
