@@ -168,8 +168,8 @@ static void add_filled(struct zr_cost *cost, const struct zr_scene *scene, const
     double width = measure->max_x - measure->min_x, height = measure->max_y - measure->min_y;
     double pixels = fmin(measure->area, width * height), tiles = tiles_of(width, height);
     if (shape) {
-        cost->fragments += SHAPE_PIXEL_F * pixels + SHAPE_OVERLAP_F * measure->area;
-        cost->triangles += SHAPE_VISIT_T * tiles * corners;
+        cost->shape_fragments += SHAPE_PIXEL_F * pixels + SHAPE_OVERLAP_F * measure->area;
+        cost->shape_triangles += SHAPE_VISIT_T * tiles * corners;
         return;
     }
     cost->fragments += pixels;
@@ -241,7 +241,7 @@ static void add_face(struct tally *tally, const struct zr_scene *scene, const st
     if (material->hollow) return;
     measure_fans(&measure, mesh, rings, placed);
     bool shape = zr_face_is_shape(mesh, face);
-    if (shape) cost->triangles += CUT_T * (double)corners * (double)corners;
+    if (shape) cost->shape_triangles += CUT_T * (double)corners * (double)corners;
     bool turned_away = (placed->mirrored ? measure.net > 0.0 : measure.net < 0.0) && !material->double_sided;
     if (measure.area <= 0.0 || turned_away) return;
     add_filled(cost, scene, &measure, shape, (double)corners);
@@ -307,7 +307,9 @@ static struct zr_cost measure_sample(const struct zr_scene *scene, const struct 
     double scale = samples > 0 ? (double)things / (double)samples : 0.0;
     const double more = sum.kept ? comparisons(&sum, sum.seen * scale) : 0.0;
     return (struct zr_cost){.triangles = sum.cost.triangles * scale * triangle_times,
-                            .fragments = sum.cost.fragments * scale * fragment_times + more};
+                            .fragments = sum.cost.fragments * scale * fragment_times + more,
+                            .shape_triangles = sum.cost.shape_triangles * scale * triangle_times,
+                            .shape_fragments = sum.cost.shape_fragments * scale * fragment_times};
 }
 
 struct zr_cost zr_scene_cost(const struct zr_scene *scene, const struct zr_sight *sight, uint32_t corners_max,
@@ -330,6 +332,8 @@ struct zr_cost zr_scene_cost(const struct zr_scene *scene, const struct zr_sight
         measure_sample(scene, &sight->camera, cancel, things, samples > 0 || things == 0 ? samples : 1);
     cost.triangles = cost.triangles * TIMES[scene->algorithm].triangle + measured.triangles;
     cost.fragments = measured.fragments;
+    cost.shape_triangles = measured.shape_triangles;
+    cost.shape_fragments = measured.shape_fragments;
     cost.algorithm = (int)scene->algorithm;
     return cost;
 }

@@ -81,10 +81,11 @@ struct zr_frame; /* shade/frame.h */
 
 /* Work to be expected, each kind to be weighed by whoever knows the machine. */
 struct zr_cost {
-    int algorithm;     /* of the scene: each takes what it takes */
-    double triangles;  /* and what takes as long: points without faces, cuts of concave faces, visits of tiles */
-    double fragments;  /* pixels of all triangles, hidden ones too; those of lines and concave faces take longer */
-    double pixels;     /* of all outputs */
+    int algorithm;                           /* of the scene: each takes what it takes */
+    double triangles;                        /* and what takes as long: points without faces, visits of tiles */
+    double fragments;                        /* pixels of all triangles, hidden ones too; those of lines take longer */
+    double shape_triangles, shape_fragments; /* of faces that are not convex: their cuts and visits, their pixels */
+    double pixels;                           /* of all outputs */
     double png_pixels; /* of those that become PNGs; times what it takes longer where they are to be small */
 };
 

@@ -8,7 +8,8 @@
 /* Where learning begins: one core of a few years ago. Right to a factor of some, which is
  * enough to tell a second from a minute. */
 static const double INITIAL_NS[FORESIGHT_KINDS] = {
-    [FORESIGHT_TRIANGLE] = 150.0, [FORESIGHT_FRAGMENT] = 0.6, [FORESIGHT_PIXEL] = 1.0, [FORESIGHT_PNG_PIXEL] = 8.0};
+    [FORESIGHT_TRIANGLE] = 150.0,     [FORESIGHT_FRAGMENT] = 0.6, [FORESIGHT_SHAPE_TRIANGLE] = 150.0,
+    [FORESIGHT_SHAPE_FRAGMENT] = 0.6, [FORESIGHT_PIXEL] = 1.0,    [FORESIGHT_PNG_PIXEL] = 8.0};
 
 /* INITIAL_WEIGHT: the figures above count as a quarter of a request. WEIGHT_MAX: a new request
  * always counts for an eighth, so that what is known keeps up with the machine. */
@@ -44,6 +45,8 @@ static struct units rendered(const struct zr_cost *cost)
 {
     return (struct units){{[FORESIGHT_TRIANGLE] = cost->triangles,
                            [FORESIGHT_FRAGMENT] = cost->fragments,
+                           [FORESIGHT_SHAPE_TRIANGLE] = cost->shape_triangles,
+                           [FORESIGHT_SHAPE_FRAGMENT] = cost->shape_fragments,
                            [FORESIGHT_PIXEL] = cost->pixels}};
 }
 

@@ -18,7 +18,15 @@
 
 #include "zraster.h"
 
-enum foresight_kind { FORESIGHT_TRIANGLE, FORESIGHT_FRAGMENT, FORESIGHT_PIXEL, FORESIGHT_PNG_PIXEL, FORESIGHT_KINDS };
+enum foresight_kind {
+    FORESIGHT_TRIANGLE,
+    FORESIGHT_FRAGMENT,
+    FORESIGHT_SHAPE_TRIANGLE, /* meshes, which are drawn many triangles at once, teach nothing about shapes */
+    FORESIGHT_SHAPE_FRAGMENT,
+    FORESIGHT_PIXEL,
+    FORESIGHT_PNG_PIXEL,
+    FORESIGHT_KINDS
+};
 
 /* An algorithm of the renderer, or encoding. */
 enum { FORESIGHT_ENCODE = 8, FORESIGHT_TASKS };

@@ -96,7 +96,8 @@ static enum zr_status foresee(struct rendering *r, const struct zr_scene *scene,
         error, ZR_BAD_SCENE, NULL,
         "work like that of %.0f triangles and %.3g pixels is foreseen to take %.3g s, more than costMaxMs, %" PRIu64
         " ms",
-        cost->triangles, cost->fragments, r->times->foreseen_ms * 1e-3, api->config->cost_max_ms);
+        cost->triangles + cost->shape_triangles, cost->fragments + cost->shape_fragments, r->times->foreseen_ms * 1e-3,
+        api->config->cost_max_ms);
 }
 
 static enum zr_status run_steps(struct rendering *r, const struct zr_request *request, struct zr_answer *result,

@@ -57,6 +57,22 @@ static void kind_that_is_not_in_a_request_is_left_alone(void **state)
     foresight_free(&foresight);
 }
 
+/* Meshes are drawn many triangles at once; shapes are not. */
+static void meshes_teach_nothing_about_shapes(void **state)
+{
+    (void)state;
+    static const struct zr_cost mesh = {.triangles = 50000, .fragments = 500000},
+                                shapes = {.shape_triangles = 50000, .shape_fragments = 500000};
+    struct foresight foresight;
+    foresight_init(&foresight);
+    const double before = foresight_predict_ms(&foresight, &shapes), slow = foresight_predict_ms(&foresight, &mesh);
+    for (int i = 0; i < 50; i++)
+        foresight_learn(&foresight, &mesh, slow / 20, -1.0);
+    assert_true(foresight_predict_ms(&foresight, &mesh) < slow / 10);
+    assert_true(fabs(foresight_predict_ms(&foresight, &shapes) - before) < 1e-9);
+    foresight_free(&foresight);
+}
+
 static void one_strange_request_moves_what_is_known_by_little(void **state)
 {
     (void)state;
@@ -163,6 +179,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(few_requests_teach_what_the_machine_takes),
         cmocka_unit_test(kind_that_is_not_in_a_request_is_left_alone),
+        cmocka_unit_test(meshes_teach_nothing_about_shapes),
         cmocka_unit_test(one_strange_request_moves_what_is_known_by_little),
         cmocka_unit_test(what_only_looks_slow_raises_what_is_known_to_twice_at_most),
         cmocka_unit_test(algorithms_teach_one_another_nothing),
