@@ -13,8 +13,9 @@ struct failing_malloc {
     atomic_uint count, failed;
 };
 
-/* Whether the allocation that is asked for now fails. */
-static inline bool failing_malloc_fails(struct failing_malloc *control)
+/* Whether the allocation that is asked for now fails. The dynamic linker allocates before the address sanitizer is
+ * ready, so this is not checked by it. */
+__attribute__((no_sanitize("address"))) static inline bool failing_malloc_fails(struct failing_malloc *control)
 {
     const unsigned first = atomic_load(&control->first), every = atomic_load(&control->every);
     if (first == 0) return false;
