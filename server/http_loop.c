@@ -143,6 +143,7 @@ static void client_left(struct http *http, struct connection *connection)
     connection->has_left = true;
     if (connection->phase == PHASE_WORK && !connection->exchange->client_left)
         http_abandon_work(http, connection->exchange);
+    if (connection->phase == PHASE_REFUSED) shutdown(connection->fd, SHUT_RDWR);
 }
 
 static void take_events(struct http *http, const struct epoll_event *events, int count)
@@ -172,6 +173,9 @@ static bool ended_within_request(const struct connection *connection)
 
 static void end_overdue(struct http *http, struct connection *connection, int64_t now)
 {
+    /* Most clients read their refusal while they send, and leave. Those that send on until all is sent are let: but
+     * only some milliseconds later, for under overload it takes more time than to refuse. */
+    if (connection->phase == PHASE_REFUSED) http_receive_nothing(connection->fd);
     if (ended_within_request(connection)) shutdown(connection->fd, SHUT_RDWR); /* it is told once more */
     if (connection->phase == PHASE_WORK) connection->deadline_ms = http_work_deadline_ms(connection->exchange);
     switch (connections_overdue(&http->connections, connection, now)) {

@@ -51,7 +51,7 @@ static ssize_t receive(struct http *http, struct connection *connection, char *b
     struct framing *framing = &connection->framing;
     const uint64_t known = framing->passed;
     size_t passed = 0;
-    if (connection->phase == PHASE_REFUSED) return http_receive_nothing(connection->fd);
+    if (connection->phase == PHASE_REFUSED) return fail_with(connection->has_left ? ECONNRESET : EAGAIN);
     for (bool is_more = true; is_more && passed < size && framing->status == 0;) {
         const size_t room = size - passed;
         const ssize_t count = recvfrom(connection->fd, bytes + passed, room, flags, NULL, NULL);
