@@ -15,13 +15,19 @@ struct reading {
     struct zr_error error;
 };
 
+/* Of the reading that ended last, for the next: a block that is made anew takes a hundred times as long as a small text
+ * under AddressSanitizer. */
+static struct zr_arena input_spare;
+
 /* Reads `request`, its bytes moved to a guard page. End with reading_free. */
 static inline struct reading *read_by_team(struct zr_team *team, struct zr_request request, const void *bytes,
                                            size_t size, struct zr_limits limits, size_t ceiling)
 {
     struct reading *reading = calloc(1, sizeof *reading);
     assert_non_null(reading);
-    zr_arena_init(&reading->arena, ceiling);
+    reading->arena = input_spare;
+    reading->arena.ceiling = ceiling;
+    input_spare = (struct zr_arena){0};
     reading->body = guarded_copy(bytes, size);
     request.bytes = reading->body.bytes;
     request.size = size;
@@ -47,7 +53,9 @@ static inline struct reading *read_text(enum zr_format format, const char *text)
 
 static inline void reading_free(struct reading *reading)
 {
-    zr_arena_free(&reading->arena);
+    zr_arena_free(&input_spare);
+    zr_arena_reset(&reading->arena, ZR_ARENA_BLOCK);
+    input_spare = reading->arena;
     guarded_free(&reading->body);
     free(reading);
 }
