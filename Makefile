@@ -129,7 +129,7 @@ demo: ## installs what is missing, builds, renders two scenes into build/demo/
 test: ## installs what tests need and runs every test
 	@.ci/need $(NEED_BUILD) $(NEED_TEST)
 	@$(MAKE) -s -j$(JOBS) tests
-	@CC="$(CC)" DATA="$(DATA)" tests/run.sh $(BUILD) unit fuzz make server clients reference models ablations
+	@CC="$(CC)" DATA="$(DATA)" tests/run.sh $(BUILD) unit fuzz make server clients reference models mutants
 
 .PHONY: test-quick
 test-quick: ## unit and property tests, the server, and a short reference run

@@ -128,7 +128,7 @@ for part in "$@"; do
             say "LEFT OUT: four meshes of assimp-testmodels: there is no $assimp"
         fi
         ;;
-    ablations) run ablations env BUILD="$build" tests/reference/ablate.sh ;;
+    mutants) run mutants tests/reference/mutants.sh "$build" ;;
     *)
         echo "run.sh: no such part: $part" >&2
         exit 2

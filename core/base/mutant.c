@@ -3,21 +3,38 @@
 #ifdef ZR_MUTANTS
 #include <string.h>
 
-enum zr_mutant zr_mutant_chosen = ZR_MUTANT_NONE;
+uint64_t zr_mutants_chosen = 0;
 
-bool zr_mutant_choose(const char *name)
-{
+_Static_assert(ZR_MUTANT_COUNT <= 64, "a bit each");
+
 #define ZR_MUTANT_NAME(name) #name,
-    static const char *const names[] = {ZR_EACH_MUTANT(ZR_MUTANT_NAME)};
-    zr_mutant_chosen = ZR_MUTANT_NONE;
-    if (!name) return true;
-    for (unsigned i = 0; i < sizeof names / sizeof *names; i++)
-        if (strcmp(name, names[i]) == 0) zr_mutant_chosen = (enum zr_mutant)(ZR_MUTANT_NONE + 1 + i);
-    return zr_mutant_chosen != ZR_MUTANT_NONE;
+static const char *const names[] = {ZR_EACH_MUTANT(ZR_MUTANT_NAME)};
+
+bool zr_mutant_set(const char *name, bool on)
+{
+    for (int i = 0; i < ZR_MUTANT_COUNT; i++) {
+        if (strcmp(name, names[i]) != 0) continue;
+        const uint64_t bit = UINT64_C(1) << i;
+        zr_mutants_chosen = on ? zr_mutants_chosen | bit : zr_mutants_chosen & ~bit;
+        return true;
+    }
+    return !on;
+}
+
+void zr_mutant_list(int (*tell)(const char *name))
+{
+    for (int i = 0; i < ZR_MUTANT_COUNT; i++)
+        tell(names[i]);
 }
 #else
-bool zr_mutant_choose(const char *name)
+bool zr_mutant_set(const char *name, bool on)
 {
-    return !name;
+    (void)name;
+    return !on;
+}
+
+void zr_mutant_list(int (*tell)(const char *name))
+{
+    (void)tell;
 }
 #endif

@@ -2,13 +2,15 @@
 #ifndef ZR_RGBA_SIMD_H
 #define ZR_RGBA_SIMD_H
 
+#include "base/mutant.h"
 #include "base/rgba.h"
 #include "base/simd.h"
 
 static inline zr_vi zr_rgba_bytes_v(zr_vf value)
 {
     value = zr_vf_min(zr_vf_max(value, zr_vf_set(0.0f)), zr_vf_set(1.0f));
-    return zr_vi_round(value * zr_vf_set(255.0f));
+    const zr_vf exact = value * zr_vf_set(255.0f);
+    return zr_vi_round(ZR_MUTANT(bytes_rounded_down, exact, exact - zr_vf_set(0.49f)));
 }
 
 /* As zr_rgba_opaque: never 0. */

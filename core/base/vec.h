@@ -11,6 +11,8 @@
 #include <stdbool.h>
 #include <string.h>
 
+#include "base/mutant.h"
+
 /* The same bytes on every machine need float32 arithmetic as written. */
 _Static_assert(FLT_EVAL_METHOD == 0, "floats are evaluated as floats: on x86 that takes SSE");
 #ifdef __FAST_MATH__
@@ -105,8 +107,9 @@ static inline zr_mat4 zr_mat4_mul(const zr_mat4 *a, const zr_mat4 *b)
     for (int column = 0; column < 4; column++)
         for (int row = 0; row < 4; row++) {
             const float *c = &b->m[column * 4];
-            out.m[column * 4 + row] =
-                ((a->m[row] * c[0] + a->m[4 + row] * c[1]) + a->m[8 + row] * c[2]) + a->m[12 + row] * c[3];
+            out.m[column * 4 + row] = ((a->m[row] * c[0] + ZR_MUTANT(product_less_a_term, a->m[4 + row], 0.0f) * c[1]) +
+                                       a->m[8 + row] * c[2]) +
+                                      a->m[12 + row] * c[3];
         }
     return out;
 }
@@ -114,7 +117,8 @@ static inline zr_mat4 zr_mat4_mul(const zr_mat4 *a, const zr_mat4 *b)
 /* One row of m·v: ((x·m0 + y·m1) + z·m2) + w·m3 (tests/reference/RULES.md, rule 1). */
 static inline float zr_mat4_row(const zr_mat4 *m, int row, zr_vec4 v)
 {
-    return ((v.x * m->m[row] + v.y * m->m[4 + row]) + v.z * m->m[8 + row]) + v.w * m->m[12 + row];
+    const float x = v.x * m->m[row], y = v.y * m->m[4 + row], z = v.z * m->m[8 + row], w = v.w * m->m[12 + row];
+    return ZR_MUTANT(sums_from_the_right, ((x + y) + z) + w, x + (y + (z + w)));
 }
 
 static inline zr_vec4 zr_mat4_apply(const zr_mat4 *m, zr_vec4 v)

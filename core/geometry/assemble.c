@@ -110,7 +110,7 @@ static bool add_run(struct zr_builder *builder, const struct zr_fans *fans, cons
                              .slots = fans->slots ? fans->slots + 3 * (size_t)first : NULL,
                              .faces = fans->faces ? fans->faces + first : NULL,
                              .first_face = run->begin,
-                             .first_id = builder->first_face_id,
+                             .first_id = ZR_MUTANT(ids_of_the_first_instance, builder->first_face_id, 1u),
                              .first_vertex = builder->first_vertex,
                              .colors = colors_of_run(builder, run->material),
                              .front = builder->colors.front,

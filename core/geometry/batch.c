@@ -39,11 +39,12 @@ struct zr_record zr_record_of(const struct zr_geometry *geometry, const struct z
     uint32_t *v = record.triangle.v, *c = record.triangle.c;
     bool counter_clockwise = zr_window_area(&vertices[v[0]], &vertices[v[1]], &vertices[v[2]]) < 0;
     if (counter_clockwise) {
+        const int k = zr_swapped_corner();
         uint32_t v0 = v[0], c0 = c[0];
-        v[0] = v[1];
-        c[0] = c[1];
-        v[1] = v0;
-        c[1] = c0;
+        v[0] = v[k];
+        c[0] = c[k];
+        v[k] = v0;
+        c[k] = c0;
     }
     record.triangle.back = counter_clockwise == batch->mirrored;
     record.colors = record.triangle.back ? batch->back : batch->front;

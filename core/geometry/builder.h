@@ -110,7 +110,8 @@ static inline struct zr_outcodes zr_builder_outcodes(const struct zr_builder *bu
     struct zr_outcodes codes = {0, ~(unsigned)ZR_OUTCODE_UNPLACED};
     for (int k = 0; k < count; k++) {
         codes.any |= builder->outcodes[positions[k]];
-        codes.all &= builder->outcodes[positions[k]];
+        codes.all = ZR_MUTANT(one_outside_rejects, codes.all & builder->outcodes[positions[k]],
+                              codes.all | (builder->outcodes[positions[k]] & ~(unsigned)ZR_OUTCODE_UNPLACED));
     }
     return codes;
 }

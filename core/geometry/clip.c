@@ -2,6 +2,8 @@
 
 #include <string.h>
 
+#include "base/mutant.h"
+
 enum { PLANES = 6 };
 
 /* Each test is written so that NaN sets its bit. */
@@ -28,7 +30,7 @@ static float plane_distance(int plane, zr_vec4 p)
 
 static float mix(float o, float i, float t)
 {
-    return o + t * (i - o);
+    return ZR_MUTANT(fused, o + t * (i - o), fmaf(t, i - o, o));
 }
 
 static zr_vec4 mix4(zr_vec4 o, zr_vec4 i, float t)
@@ -50,7 +52,7 @@ static inline struct zr_clip_vertex mix_vertex(const struct zr_clip_vertex *o, c
 static struct zr_clip_vertex cross_plane(const struct zr_clip_vertex *inside, float d_inside,
                                          const struct zr_clip_vertex *outside, float d_outside)
 {
-    bool from_outside = -d_outside < d_inside;
+    bool from_outside = ZR_MUTANT(clipped_from_inside, -d_outside < d_inside, false);
     const struct zr_clip_vertex *o = from_outside ? outside : inside, *i = from_outside ? inside : outside;
     float d_o = from_outside ? d_outside : d_inside, d_i = from_outside ? d_inside : d_outside;
     return mix_vertex(o, i, -d_o / (d_i - d_o));
@@ -61,7 +63,7 @@ static int clip_to_plane(int plane, const struct zr_clip_vertex *in, int count, 
     int kept = 0;
     const struct zr_clip_vertex *previous = &in[0];
     float d_previous = plane_distance(plane, previous->position);
-    for (int i = 1; i <= count && kept + 2 <= ZR_CLIP_MAX; i++) {
+    for (int i = 1; i <= count && kept + 2 <= ZR_MUTANT(nine_corners, (int)ZR_CLIP_MAX, 9); i++) {
         const struct zr_clip_vertex *current = &in[i % count];
         float d = plane_distance(plane, current->position);
         bool inside = d >= 0.0f, previous_inside = d_previous >= 0.0f;
@@ -97,7 +99,8 @@ static int clip_to_planes(const struct zr_clip_vertex tri[3], unsigned outcodes,
     struct zr_clip_vertex buffers[2][ZR_CLIP_MAX];
     const struct zr_clip_vertex *in = tri;
     int count = 3, side = 0;
-    for (int plane = 0; plane < PLANES && count >= 3; plane++) {
+    for (int i = 0; i < PLANES && count >= 3; i++) {
+        const int plane = ZR_MUTANT(near_plane_first, i, (i + 4) % PLANES);
         if (!(outcodes >> plane & 1u)) continue;
         if (edges) *edges = cut_edges(plane, in, count, *edges);
         count = clip_to_plane(plane, in, count, buffers[side]);
@@ -139,7 +142,7 @@ bool zr_clip_line(const struct zr_clip_vertex in[2], const unsigned outcodes[2],
         t0 = cut_share(d0, d1, t0);
         t1 = cut_share(d1, d0, t1);
     }
-    if (t0 + t1 >= 1.0f) return false;
+    if (ZR_MUTANT(line_ends_clipped_apart, t0 + t1 >= 1.0f, false)) return false;
     out[0] = outcodes[0] ? mix_vertex(&in[0], &in[1], t0) : in[0];
     out[1] = outcodes[1] ? mix_vertex(&in[1], &in[0], t1) : in[1];
     return true;

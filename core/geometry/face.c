@@ -210,7 +210,8 @@ bool zr_face_is_concave(const struct zr_mesh *mesh, uint32_t face)
 {
     uint32_t begin = mesh->face_offsets[face], end = mesh->face_offsets[face + 1];
     if (end - begin < 4) return false;
-    if (has_corner_behind(mesh, begin, end)) return cone_is_concave(mesh, begin, end);
+    if (ZR_MUTANT(corners_behind_divided, has_corner_behind(mesh, begin, end), false))
+        return cone_is_concave(mesh, begin, end);
     struct exact normal = exact_normal(mesh, begin, end);
     /* Seen along the axis that the face is most square to. */
     double x = fabs(normal.x), y = fabs(normal.y), z = fabs(normal.z);

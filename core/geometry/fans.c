@@ -1,5 +1,6 @@
 #include "geometry/fans.h"
 
+#include "base/mutant.h"
 #include "geometry/face.h"
 
 enum { FACES_A_RANGE = 1024 };
@@ -17,7 +18,8 @@ static void make_fan(const struct fanning *f, uint32_t face)
     uint32_t begin = mesh->face_offsets[face], count = mesh->face_offsets[face + 1] - begin;
     size_t t = zr_fans_first(mesh, face);
     for (uint32_t i = 2; i < count; i++, t++) {
-        const uint32_t fan[3] = {i - 1, i, 0}, whole[3] = {0, 1, 2}, *order = count == 3 ? whole : fan;
+        const uint32_t fan[3] = {i - 1, i, 0}, whole[3] = {0, 1, 2}, from_first[3] = {0, i - 1, i};
+        const uint32_t *order = count == 3 ? whole : ZR_MUTANT(fans_from_the_first, fan, from_first);
         f->faces[t] = face;
         for (int k = 0; k < 3; k++) {
             f->slots[3 * t + (size_t)k] = begin + order[k];

@@ -1,8 +1,11 @@
 #include "geometry/outline.h"
 
+#include "base/mutant.h"
+
 unsigned zr_outline_fan_edges(uint32_t i, uint32_t count)
 {
-    return 1u | (i + 1 == count ? 2u : 0u) | (i == 2 ? 4u : 0u);
+    const unsigned ring = 1u | (i + 1 == count ? 2u : 0u) | (i == 2 ? 4u : 0u);
+    return ZR_MUTANT(outlines_of_the_fan, ring, 7u);
 }
 
 /* One piece, its three corners, and the lines it may add. */
@@ -22,9 +25,12 @@ static float area(const struct zr_window_vertex *v0, const struct zr_window_vert
 static int append_piece(const struct zr_window_vertex *vertices, const struct piece *piece, unsigned faces,
                         struct zr_outline_line *out)
 {
-    static const int from[3] = {2, 0, 1}, to[3] = {0, 1, 2};
+    static const int starts[3] = {2, 0, 1}, ends[3] = {0, 1, 2};
+    const int *from = ZR_MUTANT(outlines_turned, starts, ends), *to = ZR_MUTANT(outlines_turned, ends, starts);
     float a = area(&vertices[piece->corner[0]], &vertices[piece->corner[1]], &vertices[piece->corner[2]]);
-    unsigned sides = a > 0.0f ? ZR_SIDE_FRONT : a < 0.0f ? ZR_SIDE_BACK | ZR_SIDE_MIRRORED_FRONT : ZR_SIDE_BACK;
+    unsigned sides = ZR_MUTANT(outlines_of_backs, a > 0.0f, a < 0.0f) ? ZR_SIDE_FRONT
+                     : a < 0.0f                                       ? ZR_SIDE_BACK | ZR_SIDE_MIRRORED_FRONT
+                                                                      : ZR_SIDE_BACK;
     if (!(faces & sides)) return 0;
     int count = 0;
     for (int k = 0; k < 3; k++) {

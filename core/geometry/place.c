@@ -32,17 +32,19 @@ static bool append_triangle(struct zr_builder *builder, struct zr_triangle trian
         return false;
     }
     bool counter_clockwise = area < 0; /* with y up */
-    bool back = part->shape != 0 ? part->back : counter_clockwise == builder->mirrored;
+    bool back = part->shape != 0 ? part->back
+                                 : ZR_MUTANT(culls_fronts, counter_clockwise, !counter_clockwise) == builder->mirrored;
     if (back && !part->double_sided) {
         geometry->counts.culled++;
         return false;
     }
     if (counter_clockwise) {
+        const int k = zr_swapped_corner();
         uint32_t v = triangle.v[0], c = triangle.c[0];
-        triangle.v[0] = triangle.v[1];
-        triangle.c[0] = triangle.c[1];
-        triangle.v[1] = v;
-        triangle.c[1] = c;
+        triangle.v[0] = triangle.v[k];
+        triangle.c[0] = triangle.c[k];
+        triangle.v[k] = v;
+        triangle.c[k] = c;
     }
     triangle.face = part->face;
     triangle.back = back;

@@ -2,6 +2,7 @@
 
 #include <stdlib.h>
 
+#include "base/mutant.h"
 #include "geometry/clip.h"
 
 /* ---- edges ---- */
@@ -192,7 +193,7 @@ void zr_shape_place(struct zr_builder *builder, uint32_t face, bool smooth, cons
     struct zr_part own = *part;
     struct trace trace = {.builder = builder};
     own.back = zr_shape_shows_back(builder, face);
-    for (uint32_t r = 0; r < rings.count; r++)
+    for (uint32_t r = 0; r < ZR_MUTANT(holes_filled, rings.count, 1u); r++)
         add_ring(&trace, rings.offsets[r], rings.offsets[r + 1]);
     if (!zr_builder_reserve_shape(builder, 0)) return;
     if (trace.clipped) drop_pairs(geometry, first_edge);

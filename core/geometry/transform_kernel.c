@@ -1,6 +1,7 @@
 #include "geometry/transform.h"
 
 #include "base/expect.h"
+#include "base/mutant.h"
 #include "base/simd.h"
 
 _Static_assert(sizeof(zr_vec4) == 4 * sizeof(float) && sizeof(struct zr_window_vertex) == 4 * sizeof(float),
@@ -27,7 +28,8 @@ static inline struct mapping mapping_make(const zr_mat4 *m, const struct zr_view
 /* As zr_mat4_row. */
 static inline zr_vf row(const struct mapping *c, int r, zr_vf x, zr_vf y, zr_vf z, zr_vf w)
 {
-    return ((x * c->m[r] + y * c->m[4 + r]) + z * c->m[8 + r]) + w * c->m[12 + r];
+    x = x * c->m[r], y = y * c->m[4 + r], z = z * c->m[8 + r], w = w * c->m[12 + r];
+    return ZR_MUTANT(sums_from_the_right, ((x + y) + z) + w, x + (y + (z + w)));
 }
 
 static inline zr_vi bit_where_not(zr_vm inside, int bit)
@@ -38,9 +40,9 @@ static inline zr_vi bit_where_not(zr_vm inside, int bit)
 /* As zr_clip_outcode: NaN is outside of everything. */
 static inline zr_vi outcode_of(zr_vf x, zr_vf y, zr_vf z, zr_vf w)
 {
-    const zr_vf zero = zr_vf_set(0.0f);
-    return bit_where_not(zr_vf_le(x, w), 0) | bit_where_not(zr_vf_le(zero, x + w), 1) |
-           bit_where_not(zr_vf_le(y, w), 2) | bit_where_not(zr_vf_le(zero, y + w), 3) |
+    const zr_vf zero = zr_vf_set(0.0f), bound = ZR_MUTANT(guard_band, w, w + w);
+    return bit_where_not(zr_vf_le(x, bound), 0) | bit_where_not(zr_vf_le(zero, x + w), 1) |
+           bit_where_not(zr_vf_le(y, bound), 2) | bit_where_not(zr_vf_le(zero, y + w), 3) |
            bit_where_not(zr_vf_le(zero, z + w), 4) | bit_where_not(zr_vf_le(z, w), 5);
 }
 
@@ -84,6 +86,18 @@ static inline bool are_plain(const struct clip_v *clip, zr_vf wx, zr_vf wy, zr_v
     return zr_vm_bits(zr_vm_and(inside, near)) == ZR_ALL_BITS;
 }
 
+/* As in viewport.c. */
+static inline zr_vf over_w(zr_vf value, zr_vf w, zr_vf oow)
+{
+    return ZR_MUTANT(divided_by_w, value * oow, value / w);
+}
+
+/* Corners are snapped later (zr_viewport_snap); a mutant has a coarser grid. */
+static inline zr_vf on_grid(zr_vf window)
+{
+    return ZR_MUTANT(coarse_grid, window, zr_vf_of(zr_vi_round(window * zr_vf_set(16.0f))) * zr_vf_set(1.0f / 16.0f));
+}
+
 /* ZR_LANES of them. */
 static inline unsigned transform_group(const struct mapping *c, const zr_vec4 *positions, struct zr_window_vertex *out,
                                        uint8_t *outcodes, bool streamed)
@@ -93,8 +107,9 @@ static inline unsigned transform_group(const struct mapping *c, const zr_vec4 *p
     const struct clip_v clip = {row(c, 0, x, y, z, w), row(c, 1, x, y, z, w), row(c, 2, x, y, z, w),
                                 row(c, 3, x, y, z, w)};
     const zr_vf oow = zr_vf_set(1.0f) / clip.w, half = zr_vf_set(0.5f);
-    const zr_vf wx = clip.x * oow * c->scale_x + c->trans_x, wy = clip.y * oow * c->scale_y + c->trans_y;
-    const zr_vf wz = clip.z * oow * half + half;
+    const zr_vf wx = on_grid(over_w(clip.x, clip.w, oow) * c->scale_x + c->trans_x);
+    const zr_vf wy = on_grid(over_w(clip.y, clip.w, oow) * c->scale_y + c->trans_y);
+    const zr_vf wz = over_w(clip.z, clip.w, oow) * half + half;
     if (streamed)
         zr_vf_stream_fours((float *)out, wx, wy, wz, oow);
     else

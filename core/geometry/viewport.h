@@ -11,6 +11,7 @@
 #include <stdbool.h>
 #include <stdint.h>
 
+#include "base/mutant.h"
 #include "base/vec.h"
 
 enum { ZR_SUBPIXEL_BITS = 8, ZR_SUBPIXELS = 1 << ZR_SUBPIXEL_BITS };
@@ -33,7 +34,8 @@ struct zr_window_vertex {
 static inline float zr_viewport_snap(float window)
 {
     const float no_fraction = 12582912.0f; /* 1.5 * 2^23 */
-    return ((window - 0.5f) * (float)ZR_SUBPIXELS + no_fraction) - no_fraction;
+    const float subpixels = (window - 0.5f) * (float)ZR_SUBPIXELS;
+    return (ZR_MUTANT(ties_up, subpixels, subpixels + 0.01f) + no_fraction) - no_fraction;
 }
 
 /* Snapped coordinates of a vertex that has a place in the window. */
@@ -44,6 +46,12 @@ static inline int32_t zr_snapped_x(const struct zr_window_vertex *vertex)
 static inline int32_t zr_snapped_y(const struct zr_window_vertex *vertex)
 {
     return (int32_t)zr_viewport_snap(vertex->y);
+}
+
+/* Which corner of a triangle changes places with corner 0 where the area is negative, by rule 6. */
+static inline int zr_swapped_corner(void)
+{
+    return ZR_MUTANT(swaps_corner_2, 1, 2);
 }
 
 /* The reference's area, rule 6: twice that of the snapped triangle, less than 0 where it goes counter-clockwise. */

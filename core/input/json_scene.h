@@ -8,9 +8,9 @@
 #ifndef ZR_JSON_SCENE_H
 #define ZR_JSON_SCENE_H
 
+#include "base/warning_list.h"
 #include "input/json_list.h"
 #include "input/json_value.h"
-#include "base/warning_list.h"
 #include "scene/scene.h"
 
 enum { ZR_UNSAID = -1 };

@@ -27,7 +27,7 @@ static inline struct zr_depth zr_depth_make(const struct zr_window_vertex *verti
     }
     struct zr_plane_basis basis = zr_plane_basis_make(v0, v1, v2);
     depth.plane = zr_plane_make(&basis, v0->z, v1->z, v2->z);
-    if (record->pushed) depth.offset = zr_depth_offset(v0, v1, v2, 1.0f, 1.0f);
+    if (ZR_MUTANT(no_depth_offset, record->pushed, false)) depth.offset = zr_depth_offset(v0, v1, v2, 1.0f, 1.0f);
     return depth;
 }
 
@@ -35,7 +35,7 @@ static inline struct zr_depth zr_depth_make(const struct zr_window_vertex *verti
 static inline float zr_depth_clamp(float z)
 {
     z = z < 1.0f ? z : 1.0f;
-    return z > 0.0f ? z : 0.0f;
+    return ZR_MUTANT(depth_below_0, z > 0.0f, true) ? z : 0.0f;
 }
 
 static inline float zr_depth_at(const struct zr_depth *depth, int32_t x, int32_t y)

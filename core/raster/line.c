@@ -88,7 +88,7 @@ static void place_end(const struct end *end, const struct course *course, bool f
                       int32_t out[2])
 {
     float move[2] = {0.0f, 0.0f}, offset = end->offset[course->major];
-    if (fill_draws != is_drawn) {
+    if (ZR_MUTANT(no_diamonds, fill_draws != is_drawn, false)) {
         move[course->major] = course->d[course->major] < 0.0f ? -offset - 0.5f : -offset + 0.5f;
         move[course->minor] = move[course->major] * course->slope;
     }
@@ -168,7 +168,7 @@ struct zr_line_basis zr_line_basis_make(const struct zr_window_vertex *v0, const
     float dx = v0->x - v1->x, dy = v0->y - v1->y;
     basis.ooa = 1.0f / (dx * dx + dy * dy);
     if (fabsf(dx) >= fabsf(dy))
-        basis.dx = dx * (1.0f + (dy / dx) * (dy / dx));
+        basis.dx = dx * (1.0f + (dy / dx) * ZR_MUTANT(line_depth_along, dy / dx, 0.0f));
     else
         basis.dy = dy * (1.0f + (dx / dy) * (dx / dy));
     return basis;

@@ -1,5 +1,6 @@
 #include "raster/oddeven.h"
 
+#include "base/mutant.h"
 #include "raster/setup.h"
 
 _Static_assert(ZR_TILE_SIZE == 64, "a row of flags is a uint64_t");
@@ -16,7 +17,8 @@ static int64_t crossing(const struct zr_grid_edge *e, int64_t y)
     int64_t rise = (int64_t)e->y1 - e->y0, run = (int64_t)e->x1 - e->x0;
     int64_t numerator = e->x0 * rise + run * (y * ZR_SUBPIXELS - e->y0), step = rise * ZR_SUBPIXELS;
     int64_t quotient = numerator / step;
-    return quotient * step < numerator ? quotient + 1 : quotient;
+    const int64_t start = quotient * step;
+    return ZR_MUTANT(right_edges_inside, start < numerator, start <= numerator) ? quotient + 1 : quotient;
 }
 
 /* Most edges of a large polygon pass a tile by: only those through it need to be divided out. */
@@ -81,7 +83,7 @@ static void put_triangle(const struct zr_setup *setup, uint32_t owner, struct fl
         for (uint64_t bits = flags->rows[row] & columns; bits; bits &= bits - 1) {
             int32_t column = lowest(bits), x = tile->x + column, y = tile->y + row;
             if (!zr_setup_covers(setup, x, y)) continue;
-            flags->rows[row] &= ~(UINT64_C(1) << column);
+            flags->rows[row] &= ZR_MUTANT(last_triangle_decides, ~(UINT64_C(1) << column), ~UINT64_C(0));
             zr_tile_put(tile, x, y, zr_depth_at(&setup->depth, x, y), owner);
         }
 }

@@ -18,13 +18,20 @@ struct zr_plane {
     float a0, dadx, dady;
 };
 
+/* From the centre of pixel (0, 0), not from the grid. */
+static inline float zr_from_centre(float window)
+{
+    return ZR_MUTANT(planes_from_the_grid, window - 0.5f, zr_viewport_snap(window) * (1.0f / ZR_SUBPIXELS));
+}
+
 static inline struct zr_plane_basis zr_plane_basis_make(const struct zr_window_vertex *v0,
                                                         const struct zr_window_vertex *v1,
                                                         const struct zr_window_vertex *v2)
 {
     float dx01 = v0->x - v1->x, dy01 = v0->y - v1->y, dx20 = v2->x - v0->x, dy20 = v2->y - v0->y;
     float ooa = 1.0f / (dx01 * dy20 - dy01 * dx20);
-    return (struct zr_plane_basis){dx01 * ooa, dy01 * ooa, dx20 * ooa, dy20 * ooa, v0->x - 0.5f, v0->y - 0.5f};
+    return (struct zr_plane_basis){dx01 * ooa,           dy01 * ooa, dx20 * ooa, dy20 * ooa, zr_from_centre(v0->x),
+                                   zr_from_centre(v0->y)};
 }
 
 /* The plane through the values p0, p1, p2 at the three vertices. */

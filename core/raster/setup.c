@@ -26,7 +26,7 @@ void zr_setup_box(const struct zr_window_vertex *vertices, const struct zr_trian
 static struct zr_edge edge_make(const struct zr_window_vertex *i, const struct zr_window_vertex *j)
 {
     int64_t a = zr_snapped_y(i) - zr_snapped_y(j), b = zr_snapped_x(i) - zr_snapped_x(j);
-    int64_t bias = a < 0 || (a == 0 && b > 0) ? 1 : 0;
+    int64_t bias = a < 0 || (a == 0 && ZR_MUTANT(top_edges_kept, b > 0, b < 0)) ? 1 : ZR_MUTANT(all_edges_kept, 0, 1);
     return (struct zr_edge){
         .a = -a * ZR_SUBPIXELS, .b = b * ZR_SUBPIXELS, .c = a * zr_snapped_x(i) - b * zr_snapped_y(i) + bias};
 }

@@ -90,7 +90,8 @@ static inline size_t zr_tile_count(uint32_t width, uint32_t height)
 static inline bool zr_tile_put_at(struct zr_tile *tile, uint32_t i, float depth, uint32_t owner)
 {
     const float old = tile->depth[i];
-    if (!(depth < old || (depth == old && owner < tile->owner[i]))) return false;
+    if (!(depth < old || (depth == old && (owner < tile->owner[i]) == ZR_MUTANT(later_wins_ties, true, false))))
+        return false;
     tile->depth[i] = depth;
     tile->owner[i] = owner;
     return true;

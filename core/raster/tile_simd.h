@@ -20,8 +20,12 @@ static inline struct zr_put_v zr_tile_put_v(float *depth, uint32_t *owners, zr_v
 {
     const zr_vf old = zr_vf_load(depth);
     const zr_vm ties = zr_vf_eq_where(inside, z, old);
-    zr_vm seen = zr_vf_lt_where(inside, z, old);
-    if (__builtin_expect(zr_vm_any(ties), 0)) seen = zr_vm_or(seen, zr_vi_lt_where(ties, owner, zr_vi_load(owners)));
+    zr_vm seen = ZR_MUTANT(farther_wins, zr_vf_lt_where(inside, z, old), zr_vf_lt_where(inside, old, z));
+    if (__builtin_expect(zr_vm_any(ties), 0)) {
+        const zr_vi others = zr_vi_load(owners);
+        seen = zr_vm_or(
+            seen, ZR_MUTANT(later_wins_ties, zr_vi_lt_where(ties, owner, others), zr_vi_lt_where(ties, others, owner)));
+    }
     const zr_vf nearest = zr_vf_select(seen, z, old);
     zr_vf_store(depth, nearest);
     zr_vi_store_where(owners, seen, owner);

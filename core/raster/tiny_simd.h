@@ -81,7 +81,7 @@ static inline struct zr_edge_v zr_tiny_edge(zr_vp i, zr_vp j)
 {
     const zr_vi way = (zr_vi)(i - j), less = (zr_vi_set(INT16_MAX) - way) >> 31;
     return (struct zr_edge_v){(zr_vi_set(0) - (way >> 16)) << ZR_SUBPIXEL_BITS, way << 16 >> (16 - ZR_SUBPIXEL_BITS),
-                              zr_vp_cross(j, i) + less};
+                              zr_vp_cross(j, i) + ZR_MUTANT(all_edges_kept, less, zr_vi_set(0))};
 }
 
 /* ZR_LANES triangles. */

@@ -29,7 +29,8 @@ struct zr_grid_v {
 
 static inline zr_vi zr_snap_v(zr_vf window)
 {
-    return zr_vi_round((window - zr_vf_set(0.5f)) * zr_vf_set((float)ZR_SUBPIXELS));
+    const zr_vf subpixels = (window - zr_vf_set(0.5f)) * zr_vf_set((float)ZR_SUBPIXELS);
+    return zr_vi_round(ZR_MUTANT(ties_up, subpixels, subpixels + zr_vf_set(0.01f)));
 }
 
 static inline struct zr_grid_v zr_grid_of(zr_vf x, zr_vf y)
@@ -77,7 +78,7 @@ static inline zr_vm zr_turned_v(const struct zr_window_vertex *vertices, const i
     const zr_vm are_long =
         zr_vm_or(zr_vi_lt(span, zr_span_v(g[0].x, g[1].x, g[2].x)), zr_vi_lt(span, zr_span_v(g[0].y, g[1].y, g[2].y)));
     uint32_t turned = zr_vm_bits(zr_vi_lt(area, zr_vi_set(0)));
-    for (uint32_t bits = zr_vm_bits(are_long); bits; bits &= bits - 1) {
+    for (uint32_t bits = ZR_MUTANT(areas_in_32_bits, zr_vm_bits(are_long), 0u); bits; bits &= bits - 1) {
         const int i = zr_lowest_bit(bits);
         turned &= ~(1u << i);
         turned |= (uint32_t)(zr_window_area(&vertices[n0[i]], &vertices[n1[i]], &vertices[n2[i]]) < 0) << i;
@@ -106,12 +107,13 @@ static inline void zr_swap_vi(zr_vm where, zr_vi *a, zr_vi *b)
     *b = zr_vi_select(where, old, *b);
 }
 
-/* Corners 0 and 1 change places, all but their 1/w, which depth does not depend on. */
+/* Rule 6: two corners change places, all but their 1/w, which depth does not depend on. */
 static inline void zr_corners_swap_v(zr_vm where, struct zr_corner_v c[3])
 {
-    zr_swap_vf(where, &c[0].x, &c[1].x);
-    zr_swap_vf(where, &c[0].y, &c[1].y);
-    zr_swap_vf(where, &c[0].z, &c[1].z);
+    const int k = zr_swapped_corner();
+    zr_swap_vf(where, &c[0].x, &c[k].x);
+    zr_swap_vf(where, &c[0].y, &c[k].y);
+    zr_swap_vf(where, &c[0].z, &c[k].z);
 }
 
 /* Rules 5 and 6: snaps the corners, and turns those triangles whose area is negative. Returns which. */
@@ -119,8 +121,9 @@ static inline zr_vm zr_corners_orient_v(struct zr_corner_v c[3], struct zr_grid_
 {
     zr_corners_snap_v(c, g);
     const zr_vm turned = zr_vi_lt(zr_area_v(g), zr_vi_set(0));
-    zr_swap_vi(turned, &g[0].x, &g[1].x);
-    zr_swap_vi(turned, &g[0].y, &g[1].y);
+    const int k = zr_swapped_corner();
+    zr_swap_vi(turned, &g[0].x, &g[k].x);
+    zr_swap_vi(turned, &g[0].y, &g[k].y);
     zr_corners_swap_v(turned, c);
     return turned;
 }
@@ -140,12 +143,19 @@ struct zr_plane_v {
     zr_vf a0, dadx, dady;
 };
 
+/* As zr_from_centre. */
+static inline zr_vf zr_from_centre_v(zr_vf window)
+{
+    return ZR_MUTANT(planes_from_the_grid, window - zr_vf_set(0.5f),
+                     zr_vf_of(zr_snap_v(window)) * zr_vf_set(1.0f / ZR_SUBPIXELS));
+}
+
 static inline struct zr_basis_v zr_basis_make_v(const struct zr_corner_v c[3])
 {
-    const zr_vf half = zr_vf_set(0.5f);
     const zr_vf dx01 = c[0].x - c[1].x, dy01 = c[0].y - c[1].y, dx20 = c[2].x - c[0].x, dy20 = c[2].y - c[0].y;
     const zr_vf ooa = zr_vf_set(1.0f) / (dx01 * dy20 - dy01 * dx20);
-    return (struct zr_basis_v){dx01 * ooa, dy01 * ooa, dx20 * ooa, dy20 * ooa, c[0].x - half, c[0].y - half};
+    return (struct zr_basis_v){
+        dx01 * ooa, dy01 * ooa, dx20 * ooa, dy20 * ooa, zr_from_centre_v(c[0].x), zr_from_centre_v(c[0].y)};
 }
 
 static inline struct zr_plane_v zr_plane_make_v(const struct zr_basis_v *b, zr_vf p0, zr_vf p1, zr_vf p2)
@@ -183,7 +193,8 @@ static inline struct zr_range_v zr_plane_range_v(const struct zr_plane_v *p, zr_
 /* As zr_depth_clamp. */
 static inline zr_vf zr_depth_clamp_v(zr_vf z)
 {
-    return zr_vf_max(zr_vf_min(z, zr_vf_set(1.0f)), zr_vf_set(0.0f));
+    const zr_vf not_beyond_1 = zr_vf_min(z, zr_vf_set(1.0f));
+    return ZR_MUTANT(depth_below_0, zr_vf_max(not_beyond_1, zr_vf_set(0.0f)), not_beyond_1);
 }
 
 /* Rule 7: an edge function as a step a pixel to the right, a step a pixel up, and its value less 1 at a sample, so
@@ -196,8 +207,9 @@ struct zr_edge_v {
 static inline struct zr_edge_v zr_edge_make_v(struct zr_grid_v i, struct zr_grid_v j)
 {
     const zr_vi zero = zr_vi_set(0), a = i.y - j.y, b = i.x - j.x;
-    const zr_vm keeps = zr_vm_or(zr_vi_lt(a, zero), zr_vm_and(zr_vi_eq(a, zero), zr_vi_lt(zero, b)));
-    const zr_vi less = zr_vi_select(keeps, zero, zr_vi_set(-1));
+    const zr_vm keeps =
+        zr_vm_or(zr_vi_lt(a, zero), zr_vm_and(zr_vi_eq(a, zero), zr_vi_lt(zero, ZR_MUTANT(top_edges_kept, b, -b))));
+    const zr_vi less = zr_vi_select(keeps, zero, zr_vi_set(ZR_MUTANT(all_edges_kept, -1, 0)));
     const zr_vi subpixels = zr_vi_set(ZR_SUBPIXELS);
     return (struct zr_edge_v){(j.y - i.y) * subpixels, b * subpixels, a * i.x - b * i.y + less};
 }

@@ -106,12 +106,13 @@ static inline struct zr_color_planes zr_color_planes_of(zr_vm turned, struct zr_
         c[k].green = c[k].green * v[k].oow;
         c[k].blue = c[k].blue * v[k].oow;
     }
-    zr_swap_vf(turned, &v[0].x, &v[1].x);
-    zr_swap_vf(turned, &v[0].y, &v[1].y);
-    zr_swap_vf(turned, &v[0].oow, &v[1].oow);
-    zr_swap_vf(turned, &c[0].red, &c[1].red);
-    zr_swap_vf(turned, &c[0].green, &c[1].green);
-    zr_swap_vf(turned, &c[0].blue, &c[1].blue);
+    const int k = zr_swapped_corner();
+    zr_swap_vf(turned, &v[0].x, &v[k].x);
+    zr_swap_vf(turned, &v[0].y, &v[k].y);
+    zr_swap_vf(turned, &v[0].oow, &v[k].oow);
+    zr_swap_vf(turned, &c[0].red, &c[k].red);
+    zr_swap_vf(turned, &c[0].green, &c[k].green);
+    zr_swap_vf(turned, &c[0].blue, &c[k].blue);
     const struct zr_basis_v basis = zr_basis_make_v(v);
     return (struct zr_color_planes){zr_plane_make_v(&basis, v[0].oow, v[1].oow, v[2].oow),
                                     zr_plane_make_v(&basis, c[0].red, c[1].red, c[2].red),
@@ -158,7 +159,7 @@ static inline struct zr_color_planes zr_color_planes_make(const struct zr_smooth
 /* Of 1/w, and colours times that. */
 static inline zr_vi zr_color_over_w(zr_vf oow, zr_vf red, zr_vf green, zr_vf blue)
 {
-    const zr_vf reciprocal = zr_vf_set(1.0f) / oow;
+    const zr_vf one = zr_vf_set(1.0f), reciprocal = ZR_MUTANT(colors_over_no_w, one / oow, one);
     return zr_rgba_opaque_v(red * reciprocal, green * reciprocal, blue * reciprocal);
 }
 

@@ -64,13 +64,14 @@ _Static_assert(ZR_ARENA_ALIGN == 64, "so are those of the first row");
 static size_t lowest_pixel_of(const struct zr_frame *frame, const struct zr_tile *tile)
 {
     /* Window space has y up, pictures have row 0 on top. */
-    return (size_t)(frame->height - 1 - (uint32_t)tile->y) * frame->width + (size_t)tile->x;
+    const uint32_t row = ZR_MUTANT(upside_down, frame->height - 1 - (uint32_t)tile->y, (uint32_t)tile->y);
+    return (size_t)row * frame->width + (size_t)tile->x;
 }
 
 static struct zr_pixel_rows rows_of(const struct zr_frame *frame, const struct zr_tile *tile, void *channel)
 {
     return (struct zr_pixel_rows){.first = (uint32_t *)channel + lowest_pixel_of(frame, tile),
-                                  .stride = -(ptrdiff_t)frame->width,
+                                  .stride = ZR_MUTANT(upside_down, -(ptrdiff_t)frame->width, (ptrdiff_t)frame->width),
                                   .streamed = is_streamed(frame, tile)};
 }
 

@@ -59,5 +59,5 @@ bool line_rule_find(struct reference *reference, enum line_rule *rule, struct re
 
 bool line_rule_choose(enum line_rule rule)
 {
-    return zr_mutant_choose(rule == LINE_RULE_OLDER ? "older_lines" : NULL);
+    return zr_mutant_set("older_lines", rule == LINE_RULE_OLDER);
 }

@@ -3,6 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/mutant.h"
 #include "reference/generate.h"
 #include "reference/models.h"
 #include "reference/options.h"
@@ -122,6 +123,14 @@ int main(int argc, char **argv)
     }
     if (!understood || !kind_exists(&options)) {
         fputs(options_usage, stderr);
+        return VERDICT_UNPROVED;
+    }
+    if (options.mutant && strcmp(options.mutant, "list") == 0) {
+        zr_mutant_list(puts);
+        return 0;
+    }
+    if (options.mutant && !zr_mutant_set(options.mutant, true)) {
+        fprintf(stderr, "zraster-verify: --mutant: this build has no mutant '%s'\n", options.mutant);
         return VERDICT_UNPROVED;
     }
     struct harness harness;

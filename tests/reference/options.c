@@ -30,6 +30,9 @@ const char options_usage[] =
     "  --title TEXT        the section's heading\n"
     "  --plain             no pictures in the section but of differences\n"
     "  --perturb X         adds X to clip-space x on the reference's side, to see the comparison fail\n"
+    "  --mutant NAME       a rule of ours is wrong on purpose, to see the comparison fail; 'list' lists them. Only "
+    "the\n"
+    "                      zraster-verify of build/mutant has any\n"
     "  --line-rule         prints the rule by which Mesa draws lines, and nothing else: current, from Mesa 25.0 on, "
     "or\n"
     "                      older, which only the zraster-verify of build/mutant has, too\n"
@@ -105,6 +108,9 @@ static bool take(struct options *options, int option, const char *text)
         return parse_transform(text, &options->harness);
     case 'z':
         return parse_perturbation(text, &options->harness);
+    case 'u':
+        options->mutant = text;
+        return true;
     case 'm':
         options->models = text;
         return true;
@@ -145,17 +151,27 @@ static bool take(struct options *options, int option, const char *text)
 
 bool options_parse(int argc, char **argv, struct options *options)
 {
-    static const struct option known[] = {
-        {"triangles", required_argument, NULL, 't'}, {"seed", required_argument, NULL, 's'},
-        {"kind", required_argument, NULL, 'k'},      {"models", required_argument, NULL, 'm'},
-        {"preset", required_argument, NULL, 'v'},    {"driver", required_argument, NULL, 'd'},
-        {"transform", required_argument, NULL, 'x'}, {"threads", required_argument, NULL, 'j'},
-        {"isa", required_argument, NULL, 'a'},       {"failures", required_argument, NULL, 'f'},
-        {"pictures", required_argument, NULL, 'i'},  {"page", required_argument, NULL, 'g'},
-        {"title", required_argument, NULL, 'l'},     {"perturb", required_argument, NULL, 'z'},
-        {"line-rule", no_argument, NULL, 'r'},       {"tap", no_argument, NULL, 'p'},
-        {"plain", no_argument, NULL, 'n'},           {"parity", no_argument, NULL, 'o'},
-        {"quiet", no_argument, NULL, 'q'},           {NULL, 0, NULL, 0}};
+    static const struct option known[] = {{"triangles", required_argument, NULL, 't'},
+                                          {"seed", required_argument, NULL, 's'},
+                                          {"kind", required_argument, NULL, 'k'},
+                                          {"models", required_argument, NULL, 'm'},
+                                          {"preset", required_argument, NULL, 'v'},
+                                          {"driver", required_argument, NULL, 'd'},
+                                          {"transform", required_argument, NULL, 'x'},
+                                          {"threads", required_argument, NULL, 'j'},
+                                          {"isa", required_argument, NULL, 'a'},
+                                          {"failures", required_argument, NULL, 'f'},
+                                          {"pictures", required_argument, NULL, 'i'},
+                                          {"page", required_argument, NULL, 'g'},
+                                          {"title", required_argument, NULL, 'l'},
+                                          {"perturb", required_argument, NULL, 'z'},
+                                          {"mutant", required_argument, NULL, 'u'},
+                                          {"line-rule", no_argument, NULL, 'r'},
+                                          {"tap", no_argument, NULL, 'p'},
+                                          {"plain", no_argument, NULL, 'n'},
+                                          {"parity", no_argument, NULL, 'o'},
+                                          {"quiet", no_argument, NULL, 'q'},
+                                          {NULL, 0, NULL, 0}};
     *options = (struct options){
         .triangles = 200000,
         .seed = 1,

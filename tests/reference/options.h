@@ -11,6 +11,7 @@ struct options {
     const char *page, *title;      /* NULL: no page */
     bool plain;                    /* the page has pictures of differences only */
     const char *preset;            /* of bare meshes */
+    const char *mutant;            /* NULL: none */
     bool line_rule;                /* to be printed, and that is all */
     struct harness_options harness;
     enum report_style style;

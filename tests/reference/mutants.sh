@@ -1,0 +1,87 @@
+#!/bin/sh
+# Negative tests: lets the renderer be wrong in the ways of mutants.txt, one at a time, and fails unless zraster-verify
+# sees each. Prints TAP.
+#
+#   tests/reference/mutants.sh BUILD [mutant ...]      from the project's top folder; BUILD has a folder `mutant`
+set -u
+build=$1
+shift
+verify=$build/mutant/zraster-verify
+table=tests/reference/mutants.txt
+logs=$build/mutant-logs
+seed=7 # the corner that nine_corners loses is a rare one: this seed has it
+number=0 failed=0
+rm -rf "$logs"
+mkdir -p "$logs"
+
+report() { # verdict, text
+    number=$((number + 1))
+    [ "$1" = ok ] || failed=1
+    echo "$1 $number - mutant $2"
+}
+
+# The counts of the last line, as "coverage N depth N colour N".
+counts_of() {
+    sed -n 's/^total.* coverage \([0-9]*\) .* depth \([0-9]*\) .* colour \([0-9]*\) .*/coverage \1 depth \2 colour \3/p' "$1"
+}
+
+# NAME.json or KIND TRIANGLES, options
+verify() {
+    log=$logs/$number
+    case $1 in
+    *.json) scene=tests/scenes/$1 && shift && set -- "$scene" "$@" ;;
+    *) kind=$1 triangles=$2 && shift 2 && set -- --kind "$kind" --triangles "$triangles" "$@" ;;
+    esac
+    # A mutant may make a loop that has no end.
+    timeout 300 "$verify" --seed $seed --failures '' "$@" >"$log" 2>&1
+}
+
+# A camera that is off by a hundredth of a pixel on one side: every comparison must see it.
+check_perturbed() {
+    for options in '--driver llvmpipe' '--driver softpipe' '--transform independent'; do
+        # shellcheck disable=SC2086
+        verify several-meshes-and-materials.json $options --perturb 0.0003
+        if [ $? -eq 1 ]; then verdict=ok; else verdict='not ok'; fi
+        report "$verdict" "none, but the reference's camera is moved ($options)"
+    done
+}
+
+check() { # mutant, what is run, what must differ
+    # Without the mutant all is equal, or a difference would prove nothing.
+    # shellcheck disable=SC2086
+    verify $2 || { report 'not ok' "$1: $2 differs without it: $log"; return; }
+    # shellcheck disable=SC2086
+    verify $2 --mutant "$1"
+    status=$?
+    counts=$(counts_of "$log")
+    shown=$(printf '%s\n' "$counts" | sed -n "s/.*$3 \([0-9]*\).*/\1/p")
+    if [ $status -eq 1 ] && [ "${shown:-0}" -gt 0 ]; then
+        report ok "$1, by $2 ($counts)"
+    else
+        report 'not ok' "$1, by $2: exit status $status, $3 was to differ: $counts"
+    fi
+}
+
+is_wanted() { # mutant, those that were asked for
+    wanted=$1
+    shift
+    [ $# -eq 0 ] && return 0
+    for asked in "$@"; do [ "$asked" = "$wanted" ] && return 0; done
+    return 1
+}
+
+[ $# -ne 0 ] || check_perturbed
+while IFS='@' read -r name run shows; do
+    case $name in '#'* | '') continue ;; esac
+    name=${name% } run=${run# } run=${run% } shows=${shows# }
+    is_wanted "$name" "$@" && check "$name" "$run" "$shows" </dev/null
+done <$table
+
+# older_lines has a test of its own: zraster-verify-lines --fault all.
+if [ $# -eq 0 ]; then
+    for name in $("$verify" --mutant list); do
+        [ "$name" = older_lines ] || grep -q "^$name @" $table || report 'not ok' "$name has no row in $table"
+    done
+fi
+echo "1..$number"
+exit $failed
