@@ -10,11 +10,13 @@
 #include <string.h>
 
 #include "bench/bench.h"
+#include "bench/compare.h"
 #include "bench/growth.h"
 #include "bench/machine.h"
 #include "bench/series.h"
 #include "bench/service.h"
 #include "bench/sides.h"
+#include "bench/turns.h"
 #include "bench/versus_cjson.h"
 #include "bench/versus_libpng.h"
 #include "bench/versus_llvmpipe.h"
@@ -22,14 +24,16 @@
 static bool refuse(void)
 {
     fputs("usage: zraster-bench [--models DIR] [--isa NAME] [--only PART] [--rounds N] [--output FILE] [--check-only]\n"
-          "                     [--list]\n"
+          "                     [--list] [--against DIR]\n"
           "DIR may hold stanford-bunny.obj; ZRASTERD names the daemon (build/zrasterd).\n"
           "  --isa NAME     to render with: scalar, sse2, avx2, avx512 or neon (the widest); also by ZRASTER_ISA\n"
           "  --only PART    rows whose names have this part\n"
           "  --rounds N     1 to 401, instead of as many as fit\n"
           "  --output FILE  where the rows go as JSON (build/bench/results.json)\n"
           "  --check-only   compares pictures and measures nothing\n"
-          "  --list         names the rows and measures nothing\n",
+          "  --list         names the rows and measures nothing\n"
+          "  --against DIR  this build against another one, whose zraster-bench and zrasterd are in DIR, in turns;\n"
+          "                 this.json and other.json then lie beside FILE\n",
           stderr);
     return false;
 }
@@ -44,8 +48,13 @@ static bool take_isa(const char *from, const char *name)
     return false;
 }
 
+/* What main itself needs. */
+struct options {
+    const char *output, *against; /* against: NULL: nothing */
+};
+
 /* False, explained on stderr. */
-static bool read_options(int count, char **arguments, struct bench *bench, const char **output)
+static bool read_options(int count, char **arguments, struct bench *bench, struct options *options)
 {
     const char *isa = getenv("ZRASTER_ISA"); /* empty: not given, as the daemon has it */
     for (int i = 1; i < count; i++) {
@@ -64,7 +73,9 @@ static bool read_options(int count, char **arguments, struct bench *bench, const
         } else if (strcmp(flag, "--only") == 0)
             bench->only = arguments[++i];
         else if (strcmp(flag, "--output") == 0)
-            *output = arguments[++i];
+            options->output = arguments[++i];
+        else if (strcmp(flag, "--against") == 0)
+            options->against = arguments[++i];
         else if (strcmp(flag, "--rounds") == 0) {
             bench->rounds = atoi(arguments[++i]);
             if (bench->rounds < 1 || bench->rounds > SERIES_MAX) return refuse();
@@ -103,11 +114,31 @@ static void introduce(struct bench *bench)
     results_print_legend();
 }
 
+/* Both builds get all that this one was given but where results go. */
+static int compare(const struct bench *bench, const struct options *options, int count, char **arguments)
+{
+    const char **passed = calloc((size_t)count + COMPARE_ADDS + 1, sizeof *passed);
+    if (!passed) return 2;
+    int used = 1;
+    for (int i = 1; i < count; i++) {
+        if (strcmp(arguments[i], "--against") == 0 || strcmp(arguments[i], "--output") == 0)
+            i++;
+        else
+            passed[used++] = arguments[i];
+    }
+    passed[0] = bench->program;
+    const int status = compare_builds(bench, options->against, passed, options->output);
+    free(passed);
+    return status;
+}
+
 int main(int count, char **arguments)
 {
     struct bench bench = {.program = arguments[0], .models = ""};
-    const char *output = "build/bench/results.json";
-    if (!read_options(count, arguments, &bench, &output)) return 2;
+    struct options options = {.output = "build/bench/results.json"};
+    if (!read_options(count, arguments, &bench, &options)) return 2;
+    if (options.against) return compare(&bench, &options, count, arguments);
+    turns_begin();
     if (!bench.check_only && !bench.list) introduce(&bench);
     growth_floors(&bench);
     growth_past_caches(&bench);
@@ -127,7 +158,7 @@ int main(int count, char **arguments)
     growth_of_work(&bench);
     if (!bench.check_only && !bench.list) {
         results_print_summary(&bench.results);
-        if (!results_write(&bench.results, output)) bench.results.failed = true;
+        if (!results_write(&bench.results, options.output)) bench.results.failed = true;
     }
     int status = results_status(&bench.results);
     results_free(&bench.results);

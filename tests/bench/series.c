@@ -3,6 +3,8 @@
 #include <stdlib.h>
 #include <time.h>
 
+#include "bench/turns.h"
+
 /* The warm-up also fills the cache of shaders that Mesa keeps on disk. */
 enum { WARM_UP = 2 };
 enum { ROUNDS_MIN = 9, ROUNDS_IF_SLOW = 7, SLOW_MS = 200, ROUNDS_MAX = 201, BUDGET_MS = 500 };
@@ -58,7 +60,9 @@ bool series_run(struct series *series, int count, int asked, bool (*round)(void 
     }
     for (int i = 0; i < count; i++)
         series[i].count = 0;
-    for (int rounds = rounds_of(asked, round_ms); rounds > 0; rounds--)
+    for (int rounds = rounds_of(asked, round_ms); rounds > 0; rounds--) {
         if (!round(context, series)) return false;
+        turns_pass();
+    }
     return true;
 }
