@@ -50,10 +50,11 @@ struct zr_asset {
 };
 
 /* Bytes that are kept somewhere under their SHA-256, which a scene asks for by {"asset":
- * "sha256:..."}. `read` is given 64 lower-case hexadecimal digits and a final zero; it puts the
- * bytes into the arena, and returns false where there are none or the arena has failed. */
+ * "sha256:..."}. `read` is given 64 lower-case hexadecimal digits and a final zero, and puts the bytes into the arena.
+ * It fails with ZR_BAD_SCENE where none are kept, ZR_NO_MEMORY of the arena, ZR_INTERNAL where they cannot be read, and
+ * ZR_CANCELLED. */
 struct zr_stored {
-    bool (*read)(void *context, const char *sha256, struct zr_arena *arena, const void **bytes, size_t *size);
+    enum zr_status (*read)(void *context, const char *sha256, struct zr_arena *arena, const void **bytes, size_t *size);
     void *context;
 };
 

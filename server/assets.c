@@ -9,13 +9,14 @@
 #include "body.h"
 #include "problem.h"
 
-/* "*", or a list of entity tags: a quote can only stand around one. RFC 9110, 13.1.2. */
+/* "*", or a list of entity tags: a quote can only stand around one. RFC 9110, 13.1.2. There may be space behind it. */
 static bool is_among(const char *tags, const char *name)
 {
     char wanted[STORE_NAME_SIZE + 2];
     if (!tags) return false;
     snprintf(wanted, sizeof wanted, "\"%s\"", name);
-    return strcmp(tags, "*") == 0 || strstr(tags, wanted);
+    const bool is_any = tags[0] == '*' && strspn(tags + 1, " \t") == strlen(tags + 1);
+    return is_any || strstr(tags, wanted);
 }
 
 bool assets_open(const struct api *api, struct api_request *request, struct answer *answer)
@@ -135,9 +136,19 @@ enum api_next assets_work(const struct api *api, const struct api_request *reque
 
 /* ---- for scenes ---- */
 
-static bool read_stored(void *context, const char *sha256, struct zr_arena *arena, const void **bytes, size_t *size)
+static enum zr_status read_stored(void *context, const char *sha256, struct zr_arena *arena, const void **bytes,
+                                  size_t *size)
 {
-    return store_read(context, sha256, arena, bytes, size) == STORE_THERE;
+    switch (store_read(context, sha256, arena, bytes, size)) {
+    case STORE_THERE:
+        return ZR_OK;
+    case STORE_MISSING:
+        return ZR_BAD_SCENE;
+    case STORE_NO_MEMORY:
+        return ZR_NO_MEMORY;
+    default:
+        return ZR_INTERNAL;
+    }
 }
 
 struct zr_stored assets_stored(const struct api *api)

@@ -63,12 +63,13 @@ static bool too_large(struct rendering *r, bool large)
 }
 
 /* For zr_request: an asset, if a small request may have one of its size. */
-static bool read_stored(void *context, const char *sha256, struct zr_arena *arena, const void **bytes, size_t *size)
+static enum zr_status read_stored(void *context, const char *sha256, struct zr_arena *arena, const void **bytes,
+                                  size_t *size)
 {
     struct rendering *r = context;
     size_t there = 0;
     if (r->request->small_only && store_look(r->api->store, sha256, &there) == STORE_THERE) {
-        if (too_large(r, there > r->small_left)) return false;
+        if (too_large(r, there > r->small_left)) return ZR_CANCELLED;
         r->small_left -= there;
     }
     return r->stored.read(r->stored.context, sha256, arena, bytes, size);

@@ -278,26 +278,21 @@ static enum store_status write_promised(struct store *store, const char *name, c
     return status;
 }
 
-/* True where the name has a file of that size; one of another size is broken, and goes. */
-static bool is_kept(struct store *store, const char *name, size_t size)
+/* True where the name has its file; a broken one goes. */
+static bool is_kept(struct store *store, const char *name)
 {
-    struct stat info;
-    int fd = open_asset(store, name, &info);
-    if (fd < 0) return false;
-    bool whole = (uint64_t)info.st_size == size;
-    if (whole)
-        note_use(store, name, fd, &info);
-    else
-        remove_broken(store, name, &info);
+    size_t size;
+    int fd;
+    if (store_fetch(store, name, NULL, &fd, &size) != STORE_THERE) return false;
     close(fd);
-    return whole;
+    return true;
 }
 
 enum store_status store_put(struct store *store, const char *name, const void *bytes, size_t size)
 {
     uint64_t promised = bytes_on_disk(size);
     if (promised > store->max_bytes) return STORE_TOO_LARGE;
-    if (is_kept(store, name, size)) return STORE_THERE;
+    if (is_kept(store, name)) return STORE_THERE;
     if (!make_room(store, promised)) return status_of_errno();
     return write_promised(store, name, bytes, size, promised);
 }

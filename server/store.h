@@ -4,8 +4,9 @@
  * synced and renamed; a crash leaves a temporary file at most, which the next start removes.
  * What they take is bounded, in whole blocks of 4096 bytes: where room is needed, those that were
  * not used for longest go. A file's time of modification is when it was used last, so the order
- * outlives the process. Bytes are read, not mapped, and their hash is checked each time:
- * whatever happens to a file afterwards, the bytes stay, and a broken file is removed.
+ * outlives the process. The hash is checked each time, and a broken file is removed. What a render reads is read, not
+ * mapped: whatever happens to the file afterwards, the bytes stay. A file that is sent to a client stays, too, until it
+ * has been sent, even where its name made room for others: it is counted no more.
  * Several daemons may share a directory: the files are the truth, what is known of them in
  * memory a hint, so each bounds what it knows of. Whatever else lies there is left alone.
  * Thread-safe.

@@ -30,9 +30,20 @@ static bool read_stored(struct zr_draft *draft, const struct zr_json_path *path,
         return zr_json_fault(json, path,
                              "no assets are kept here, that takes zrasterd --assets-dir; send the bytes as a "
                              "part of a multipart/form-data request");
-    if (draft->stored.read(draft->stored.context, sha256, json->arena, &out->bytes, &out->size)) return true;
-    if (!zr_arena_ok(json->arena)) return false;
-    return zr_json_fault(json, path, "no asset is kept under this hash; upload it with PUT /v1/assets/%s", sha256);
+    switch (draft->stored.read(draft->stored.context, sha256, json->arena, &out->bytes, &out->size)) {
+    case ZR_OK:
+        return true;
+    case ZR_BAD_SCENE:
+        return zr_json_fault(json, path, "no asset is kept under this hash; upload it with PUT /v1/assets/%s", sha256);
+    case ZR_CANCELLED:
+        zr_error_add(json->error, ZR_CANCELLED, NULL, "reading was stopped");
+        return false;
+    case ZR_NO_MEMORY:
+        return false;
+    default:
+        zr_error_add(json->error, ZR_INTERNAL, NULL, "the asset %s could not be read", sha256);
+        return false;
+    }
 }
 
 static bool read_asset(struct zr_draft *draft, const struct zr_json_path *path, const cJSON *node,

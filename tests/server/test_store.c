@@ -171,6 +171,9 @@ static void broken_file_is_found_removed_and_healed(void **state)
     assert_int_equal(truncate(file.path, 2), 0); /* sent again before anybody asked for it */
     asset_post(&server, "abc", 3, 201);
     assert_int_equal(asset_status(&server, ABC_NAME), 200);
+    folder_write(&file, "abd", 3); /* likewise, of the same size */
+    asset_post(&server, "abc", 3, 201);
+    assert_int_equal(asset_status(&server, ABC_NAME), 200);
     assert_int_equal(unlink(file.path), 0);
     assert_int_equal(asset_status(&server, ABC_NAME), 404);
     asset_post(&server, "abc", 3, 201);

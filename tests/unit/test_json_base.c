@@ -130,17 +130,18 @@ static void data_uris_do_as_well_as_assets(void **state)
 }
 
 /* Keeps the first two assets, as copies in the request's arena. */
-static bool read_kept(void *context, const char *sha256, struct zr_arena *into, const void **bytes, size_t *size)
+static enum zr_status read_kept(void *context, const char *sha256, struct zr_arena *into, const void **bytes,
+                                size_t *size)
 {
     assert_ptr_equal(context, assets);
     const struct zr_asset *kept = strcmp(sha256, HASH_C) == 0 ? &assets[0] : &assets[1];
-    if (kept == &assets[1] && strcmp(sha256, HASH_W) != 0) return false;
+    if (kept == &assets[1] && strcmp(sha256, HASH_W) != 0) return ZR_BAD_SCENE;
     void *copy = zr_arena_alloc(into, kept->size, 1);
-    if (!copy) return false;
+    if (!copy) return ZR_NO_MEMORY;
     memcpy(copy, kept->bytes, kept->size);
     *bytes = copy;
     *size = kept->size;
-    return true;
+    return ZR_OK;
 }
 
 static const struct zr_request KEPT = {.format = ZR_FORMAT_JSON, .stored = {read_kept, assets}};
@@ -179,6 +180,28 @@ static void unknown_hashes_are_refused_each_where_it_stands(void **state)
         const char *text = cases[i].text;
         struct reading *reading = read_request(KEPT, text, strlen(text), zr_limits_default(), (size_t)1 << 26);
         assert_complaint(reading, ZR_BAD_SCENE, cases[i].pointer, cases[i].detail);
+        reading_free(reading);
+    }
+}
+
+static enum zr_status fail_to_read(void *context, const char *sha256, struct zr_arena *into, const void **bytes,
+                                   size_t *size)
+{
+    (void)sha256, (void)into, (void)bytes, (void)size;
+    return *(const enum zr_status *)context;
+}
+
+/* No fault of the scene: it may well be kept. */
+static void assets_that_cannot_be_read_are_not_called_missing(void **state)
+{
+    (void)state;
+    static const char text[] = KEPT_SCENE(HASH_C, HASH_W);
+    enum zr_status cases[] = {ZR_INTERNAL, ZR_CANCELLED};
+    for (size_t i = 0; i < 2; i++) {
+        const struct zr_request request = {.format = ZR_FORMAT_JSON, .stored = {fail_to_read, &cases[i]}};
+        struct reading *reading = read_request(request, text, sizeof text - 1, zr_limits_default(), (size_t)1 << 26);
+        assert_int_equal(reading->status, cases[i]);
+        assert_null(strstr(reading->error.items[0].detail, "is kept"));
         reading_free(reading);
     }
 }
@@ -241,6 +264,7 @@ int main(void)
         cmocka_unit_test(data_uris_do_as_well_as_assets),
         cmocka_unit_test(assets_are_found_by_their_hash),
         cmocka_unit_test(unknown_hashes_are_refused_each_where_it_stands),
+        cmocka_unit_test(assets_that_cannot_be_read_are_not_called_missing),
         cmocka_unit_test(what_may_be_meant_otherwise_is_warned_of),
         cmocka_unit_test(geometry_hidden_by_the_base_is_warned_of),
     };
