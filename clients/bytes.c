@@ -49,11 +49,12 @@ bool bytes_same_file(const char *a, const char *b)
     return there && stat(b, &t) == 0 && S_ISREG(s.st_mode) && s.st_dev == t.st_dev && s.st_ino == t.st_ino;
 }
 
-/* A device or a pipe is written to as it is; a rename would replace it by a file. */
+/* A device, a pipe or a link that leads to nothing yet is written to as it is; a rename would replace it by a file. */
 static bool is_special(const char *path)
 {
     struct stat status;
-    return stat(path, &status) == 0 && !S_ISREG(status.st_mode);
+    if (stat(path, &status) == 0) return !S_ISREG(status.st_mode);
+    return lstat(path, &status) == 0 && S_ISLNK(status.st_mode);
 }
 
 static bool write_whole(const struct bytes *bytes, FILE *file)

@@ -64,6 +64,9 @@ touch private.png && chmod 600 private.png && ln -s private.png link.png
 check "an output through a link is written" 0 "$client" render scene.json -o link.png
 verdict "where the link leads" is_png private.png
 verdict "and the link stays" [ -L link.png ]
+ln -s nothing.png dangling.png
+check "an output through a link to nothing is written" 0 "$client" render scene.json -o dangling.png
+verdict "to where the link leads" is_png nothing.png
 verdict "and so do the rights" [ "$(stat -c %a private.png)" = 600 ]
 check "other protocols than HTTP are refused" 1 "$client" render scene.json --server file:///etc/passwd
 check "- is standard output" 0 "$client" render scene.json -o -
