@@ -183,12 +183,12 @@ static bool read_content_encoding(struct api_request *request, struct answer *an
     return false;
 }
 
-/* Why no work can be taken on now; NULL: one can. */
-static const char *busy_with(const struct api *api, const struct api_load *load)
+/* Why no work can be taken on now; NULL: one can. makes_answer: a large one, in memory. */
+static const char *busy_with(const struct api *api, const struct api_load *load, bool makes_answer)
 {
     if (load->draining) return "the service is going down";
     if (load->queue_full) return "the queue is full";
-    if (load->answers_full) return "the answers that wait for their readers fill answerMemoryBytes";
+    if (makes_answer && load->answers_full) return "the answers that wait for their readers fill answerMemoryBytes";
     if (!admission_memory_is_short(api->config->cgroup)) return NULL;
     return "the memory of the container is nearly used up";
 }
@@ -203,11 +203,11 @@ static enum api_next open_work(const struct api *api, const struct api_load *loa
                                struct api_request *request, struct answer *answer)
 {
     if (load->draining) {
-        api_refuse_busy(answer, load->retry_after_s, busy_with(api, load));
+        api_refuse_busy(answer, load->retry_after_s, busy_with(api, load, false));
     } else if (!read_content_encoding(request, answer)) {
         return API_ANSWERED;
     } else if (route == ROUTE_RENDER ? open_render(request, answer) : assets_open(api, request, answer)) {
-        const char *busy = busy_with(api, load);
+        const char *busy = busy_with(api, load, route == ROUTE_RENDER);
         if (!busy) return API_WORK;
         api_refuse_busy(answer, load->retry_after_s, busy);
     }
@@ -271,7 +271,7 @@ enum api_next api_open(const struct api *api, const struct api_load *load, struc
         /* Whoever asks whether we are ready will send what is large, too. */
         bool full = load->queue_full || load->large_queue_full;
         const struct api_load any = {load->draining, full, full, load->answers_full, load->retry_after_s};
-        const char *busy = route == ROUTE_READY ? busy_with(api, &any) : NULL;
+        const char *busy = route == ROUTE_READY ? busy_with(api, &any, true) : NULL;
         if (busy)
             api_refuse_busy(answer, load->retry_after_s, busy);
         else

@@ -74,7 +74,7 @@ static const struct setting SETTINGS[] = {
     {"body-min-bytes-per-second", NUMBER, AT(body_min_bytes_per_second), true, 1024, 0, GIB, NULL, "bytes/s",
      "a body must average after its first 5 s; 0: no limit"},
     {"answer-min-bytes-per-second", NUMBER, AT(answer_min_bytes_per_second), true, 1024, 0, GIB, NULL, "bytes/s",
-     "a client must take of its answer in every 5 s; 0: no limit"},
+     "at which a client must take its answer; 0: any"},
     {"write-timeout-ms", NUMBER, AT(write_timeout_ms), true, 60000, 1, DAY_MS, NULL, "ms",
      "for a client to take its whole answer"},
     {"render-timeout-ms", NUMBER, AT(render_timeout_ms), true, 10000, 1, DAY_MS, NULL, "ms",

@@ -12,12 +12,11 @@ enum {
     TICK_MS = 50,
     TICK_IDLE_MS = 1000,
     RATE_GRACE_MS = 5000, /* before the speed of a body or of a reader says anything */
+    CREDIT_MS = 20000,    /* for which a reader may take nothing, once it has taken enough */
     LINGER_MS = 2000,     /* a refused client may go on sending: closing at once would reset what it should read */
     JUST_BEGUN_MS = 50,   /* what came so short a time ago may not have been looked at yet */
     FDS_MIN = 256
 };
-
-static const uint64_t UNMEASURED = UINT64_MAX;
 
 bool connections_init(struct connections *connections, const struct config *config)
 {
@@ -34,7 +33,7 @@ void connections_free(struct connections *connections)
     connections->by_fd = NULL;
 }
 
-/* Bytes of answers that the client's system has taken. */
+/* Bytes of all answers that the client's system has taken. */
 static uint64_t bytes_taken(const struct connection *connection)
 {
     struct tcp_info info = {0};
@@ -147,10 +146,13 @@ void connections_enter(struct connections *connections, struct connection *conne
     count_phase(connections, connection, false);
     connection->phase = phase;
     count_phase(connections, connection, true);
-    connection->began_ms = connection->window_ms = clock_ms();
+    connection->began_ms = clock_ms();
     connection->deadline_ms = connection->began_ms + time_for(connections->config, phase);
     connection->body_bytes = 0;
-    connection->window_bytes = UNMEASURED;
+    if (phase == PHASE_WRITE) {
+        connection->credit_until_ms = connection->began_ms + RATE_GRACE_MS;
+        connection->taken_before = connection->taken_bytes = bytes_taken(connection);
+    }
     /* A header, too, for some of it may have come with the request before. */
     if (is_waiting(phase) || phase == PHASE_REFUSED) connections_release(connection);
 }
@@ -206,18 +208,25 @@ static bool body_is_slow(const struct connections *connections, const struct con
                                           (double)connections->config->body_min_bytes_per_second * (double)elapsed;
 }
 
-/* What the client's system took in the last some seconds: what it took at once, into its buffers, says nothing later.
- */
+/* Each byte that its system takes earns a reader the time that it has for it at the least speed, up to CREDIT_MS: for a
+ * system takes as much as its buffers hold at once, and then nothing until half of that has been read. */
 static bool reader_is_slow(const struct connections *connections, struct connection *connection, int64_t now)
 {
-    const int64_t elapsed = now - connection->window_ms;
-    const uint64_t before = connection->window_bytes;
-    if (before != UNMEASURED && elapsed < RATE_GRACE_MS) return false;
-    connection->window_ms = now;
-    connection->window_bytes = bytes_taken(connection);
-    if (before == UNMEASURED) return false;
-    const uint64_t more = connection->window_bytes - before;
-    return (double)more * 1000.0 < (double)connections->config->answer_min_bytes_per_second * (double)elapsed;
+    const double least = (double)connections->config->answer_min_bytes_per_second;
+    const uint64_t taken = bytes_taken(connection), more = taken - connection->taken_bytes;
+    if (least <= 0.0) return false;
+    connection->taken_bytes = taken;
+    if (more > 0) {
+        const int64_t from = connection->credit_until_ms > now ? connection->credit_until_ms : now;
+        const double until = (double)from + (double)more * 1000.0 / least, most = (double)(now + CREDIT_MS);
+        connection->credit_until_ms = (int64_t)(until < most ? until : most);
+    }
+    return now > connection->credit_until_ms;
+}
+
+uint64_t connections_taken(const struct connection *connection)
+{
+    return connection->phase == PHASE_WRITE ? bytes_taken(connection) - connection->taken_before : 0;
 }
 
 enum overdue connections_overdue(const struct connections *connections, struct connection *connection, int64_t now_ms)

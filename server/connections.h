@@ -5,7 +5,11 @@
  * every phase has an absolute end, and bodies and answers a least speed.
  *
  *     IDLE -> HEADER -> BODY -> WORK -> WRITE -> IDLE
+ *       BODY -> WRITE: answered without work
+ *       WRITE -> HEADER: some of the next request is there already
  *       any of these but WORK -> REFUSED: answered past libmicrohttpd; what still comes is thrown away
+ *
+ * A phase is what the connection does; a step (http_state.h) is how far one request's exchange with libmicrohttpd is.
  *
  * Belongs to the thread of the loop; nothing here is thread-safe.
  */
@@ -33,10 +37,12 @@ struct connection {
     enum phase phase;
     int64_t began_ms, deadline_ms; /* of the phase */
     uint64_t body_bytes;           /* received in PHASE_BODY */
-    int64_t window_ms;             /* in PHASE_WRITE: when the speed was last measured, */
-    uint64_t window_bytes;         /* and what the client's system had taken by then */
+    /* In PHASE_WRITE: how long the client may take nothing, and bytes that its system had taken when the phase began
+     * and when that was last looked at. */
+    int64_t credit_until_ms;
+    uint64_t taken_before, taken_bytes;
     struct framing framing;
-    uint64_t answered;         /* requests, of framing.passed */
+    uint64_t answered;         /* requests that are over; framing.passed counts those whose header was read */
     struct exchange *exchange; /* the request under way, or NULL */
     bool in_flight;            /* it counts for its client */
     bool has_left;             /* the client has closed its sending half */
@@ -69,7 +75,11 @@ void connections_enter(struct connections *connections, struct connection *conne
 /* Counts the request as in flight and returns true, unless its client has as many as it may. `most`: how many that is;
  * 0: any number. */
 bool connections_admit(struct connections *connections, struct connection *connection, uint64_t *most);
+/* The request is in flight no more. */
 void connections_release(struct connection *connection);
+
+/* Bytes of the answer that is being written that the client's system has taken; 0 in other phases. */
+uint64_t connections_taken(const struct connection *connection);
 
 /* Whom a new connection may push out: one that has had its refusal, else one without a whole request, else one whose
  * body is coming in; of these, of the client with the most connections the oldest. NULL: nobody; `soon`: some have only

@@ -44,6 +44,8 @@ static bool equals(const char *word, uint32_t length, const char *known)
 static bool start_request(struct framing *f, char c)
 {
     if (c == '\r') { /* RFC 9112, 2.2: some clients send one line end too many */
+        if (++f->empty_lines > FRAMING_EMPTY_MAX)
+            return refuse(f, 400, "there are too many empty lines before a request");
         f->state = FRAMING_EMPTY_LF;
         return true;
     }

@@ -28,6 +28,7 @@ enum {
     FRAMING_NAME_MAX = 64,       /* bytes of a header's name */
     FRAMING_VALUES_MAX = 4096,   /* of the values that are passed on, together */
     FRAMING_METHOD_MAX = 23,
+    FRAMING_EMPTY_MAX = 16,      /* empty lines before a request */
     FRAMING_EXTENSION_MAX = 1024 /* bytes behind the ';' of a chunk line */
 };
 
@@ -63,7 +64,7 @@ struct framing {
     enum framing_state state;
     bool is_trailer, is_old, is_chunked; /* is_old: HTTP/1.0 */
     uint32_t line_bytes; /* of the method, target, name, value, chunk size or its extension, whichever it is */
-    uint32_t header_bytes, fields, parameters, values_bytes;
+    uint32_t empty_lines, header_bytes, fields, parameters, values_bytes;
     bool is_read, is_exact; /* the header whose value comes; is_exact: without any space */
     bool is_dropped;        /* the byte that was read last goes no further */
     uint32_t hosts, lengths, encodings, expects, types;
@@ -81,6 +82,12 @@ struct framing {
 /* Reads `size` bytes, and leaves at `bytes` those of them that are passed on: it returns how many. Where one is refused
  * they end with the last whole request. */
 size_t framing_scan(struct framing *framing, char *bytes, size_t size);
+
+/* Some of a request's header has come, and its end has not. */
+static inline bool framing_is_within_header(const struct framing *framing)
+{
+    return framing->state > FRAMING_EMPTY_LF && framing->state < FRAMING_BODY && !framing->is_trailer;
+}
 
 /* No byte of a request has come that is not whole. */
 static inline bool framing_is_between(const struct framing *framing)

@@ -47,7 +47,7 @@ void http_on_connection(void *context, struct MHD_Connection *mhd, void **socket
     if (code == MHD_CONNECTION_NOTIFY_CLOSED) {
         struct connection *connection = *socket_context;
         if (!connection) return;
-        if (connection->phase == PHASE_HEADER)
+        if (connection->phase == PHASE_HEADER && framing_is_within_header(&connection->framing))
             log_nameless(http, connection, NULL, 0, 0, "the connection ended within a request's header");
         connections_remove(&http->connections, connection);
         return;
@@ -94,6 +94,7 @@ void http_refuse(struct http *http, struct connection *connection, int status, c
     }
     struct answer answer = {0};
     struct api_request nameless = {0};
+    if (exchange) exchange->logged = true; /* of a header that is not whole: here */
     api_take_id(http->api, &nameless, NULL);
     problem_answer(&answer, status, "%s", detail);
     api_finish(&answer, nameless.id);
@@ -106,8 +107,9 @@ void http_refuse_framing(struct http *http, struct connection *connection)
 {
     const struct framing *framing = &connection->framing;
     if (framing->status == 0 || connection->phase == PHASE_REFUSED) return;
+    /* What is refused belongs to the exchange under way, or nothing is under way any more. */
     const bool is_body = framing->refused_body && connection->phase == PHASE_BODY;
-    if (is_body || connection->answered == framing->passed)
+    if ((is_body && connection->answered + 1 == framing->passed) || connection->answered == framing->passed)
         http_refuse(http, connection, framing->status, framing->detail);
 }
 
@@ -153,7 +155,7 @@ static void log_exchange(struct exchange *exchange, bool completed)
         .status = exchange->replied ? exchange->answer.status : 0,
         .aborted = !completed,
         .bytes_in = exchange->body_bytes,
-        .bytes_out = completed ? exchange->answer.size : 0,
+        .bytes_out = completed ? exchange->answer.size : (size_t)connections_taken(exchange->connection),
         .total_ms = (double)(clock_us() - exchange->began_us) / 1000.0,
         .times = exchange->times,
     });
@@ -345,6 +347,7 @@ static enum MHD_Result begin_request(struct exchange *exchange, const char *meth
         return reply_early(exchange, is_chunked, expects_continue);
     }
     exchange->step = STEP_BODY;
+    http_refuse_framing(http, exchange->connection); /* what followed the header may be refused already */
     return MHD_YES;
 }
 

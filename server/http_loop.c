@@ -162,12 +162,14 @@ static void take_events(struct http *http, const struct epoll_event *events, int
 
 /* ---- what takes too long ---- */
 
-/* The client has closed its sending half within a request, and all that it sent has been read. libmicrohttpd need not
- * have noticed: its end came with the last bytes. */
-static bool ended_within_request(const struct connection *connection)
+/* The client has closed its sending half, within a request or when all that it asked for is answered, and all that it
+ * sent has been read. libmicrohttpd need not have noticed: its end came with the last bytes. */
+static bool has_ended(const struct connection *connection)
 {
+    const bool is_idle = connection->phase == PHASE_IDLE && connection->answered == connection->framing.passed;
+    const bool is_sending = connection->phase == PHASE_HEADER || connection->phase == PHASE_BODY;
     char byte;
-    return connection->has_left && (connection->phase == PHASE_HEADER || connection->phase == PHASE_BODY) &&
+    return connection->has_left && (is_idle || is_sending) &&
            recvfrom(connection->fd, &byte, 1, MSG_PEEK | MSG_DONTWAIT, NULL, NULL) == 0;
 }
 
@@ -176,7 +178,7 @@ static void end_overdue(struct http *http, struct connection *connection, int64_
     /* Most clients read their refusal while they send, and leave. Those that send on until all is sent are let: but
      * only some milliseconds later, for under overload it takes more time than to refuse. */
     if (connection->phase == PHASE_REFUSED) http_receive_nothing(connection->fd);
-    if (ended_within_request(connection)) shutdown(connection->fd, SHUT_RDWR); /* it is told once more */
+    if (has_ended(connection)) shutdown(connection->fd, SHUT_RDWR); /* it is told once more */
     if (connection->phase == PHASE_WORK) connection->deadline_ms = http_work_deadline_ms(connection->exchange);
     switch (connections_overdue(&http->connections, connection, now)) {
     case OVERDUE_NO:

@@ -51,7 +51,7 @@ enum step {
     STEP_BODY,    /* bytes of the body, or, with none, its end */
     STEP_DISCARD, /* as STEP_BODY, but the answer is made already */
     STEP_REFUSED, /* the answer went out past libmicrohttpd; the rest is thrown away */
-    STEP_ANSWER   /* a worker made the answer */
+    STEP_ANSWER   /* a worker makes the answer, or has made it */
 };
 
 /* One request and its answer, from the request line to the last byte. */

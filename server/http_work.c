@@ -90,7 +90,7 @@ static void work(struct queue_job *job, struct zr_arena *arena)
     exchange->request.small_only = job->overdue != NULL;
     exchange->cancel.parent = job->overdue;
     bool cancelled = atomic_load(&exchange->cancel.raised);
-    if (!cancelled && http_answers_are_full(http))
+    if (!cancelled && !exchange->request.asset && http_answers_are_full(http)) /* assets take no memory */
         api_refuse_busy(&exchange->answer, queue_wait_estimate_s(http->queue, QUEUE_LARGE), ANSWERS_FULL);
     else if (!cancelled && begin(exchange, arena) == API_LARGE && put_back(exchange, arena))
         return;

@@ -47,11 +47,11 @@ static void tune_allocator(void)
     mallopt(M_TRIM_THRESHOLD, TRIM_BYTES);
 }
 
-/* A connection is a file; the usual soft limit of 1024 is below max-connections. */
+/* A connection is a file, and an asset that goes out to it is another one; the usual soft limit is 1024. */
 static void raise_file_limit(const struct config *config)
 {
     struct rlimit limit;
-    rlim_t wanted = (rlim_t)config->max_connections + SPARE_FILES;
+    rlim_t wanted = 2 * (rlim_t)config->max_connections + SPARE_FILES;
     if (getrlimit(RLIMIT_NOFILE, &limit) != 0 || limit.rlim_cur >= wanted) return;
     limit.rlim_cur = wanted < limit.rlim_max ? wanted : limit.rlim_max;
     setrlimit(RLIMIT_NOFILE, &limit);

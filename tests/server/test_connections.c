@@ -197,13 +197,14 @@ static void an_upload_that_its_client_ends_frees_its_place_at_once(void **state)
 /* ---- readers that do not read ---- */
 
 /* 16 MB, that nobody reads. */
-static int begin_large_answer(const struct daemon *server)
+/* buffer: the client's, or 0: as large as its system makes it. */
+static int begin_large_answer(const struct daemon *server, int buffer)
 {
     static const char REQUEST[] = "POST /v1/render?channel=depth&encoding=npy&width=2048&height=2048 HTTP/1.1\r\n"
                                   "Host: a\r\nContent-Type: model/obj\r\nContent-Length: 33\r\n\r\n"
                                   "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n\n";
-    int fd = client_connect(server), small = 4096;
-    assert_int_equal(setsockopt(fd, SOL_SOCKET, SO_RCVBUF, &small, sizeof small), 0);
+    int fd = client_connect(server);
+    if (buffer > 0) assert_int_equal(setsockopt(fd, SOL_SOCKET, SO_RCVBUF, &buffer, sizeof buffer), 0);
     assert_true(client_write(fd, REQUEST, sizeof REQUEST - 1));
     return fd;
 }
@@ -215,7 +216,7 @@ static void answers_that_wait_for_readers_have_a_ceiling(void **state)
     (void)state;
     struct daemon server = daemon_start(LIST("--answer-memory-bytes=64000000", "--workers=2", "--queue=64"));
     for (int i = 0; i < READERS; i++)
-        readers[i] = begin_large_answer(&server);
+        readers[i] = begin_large_answer(&server, 4096);
     long status = 0;
     for (int tries = 0; tries < 500 && (status = client_render_status(&server, GOOD_SCENE)) != 503; tries++)
         usleep(10000);
@@ -237,12 +238,16 @@ static void answers_that_wait_for_readers_have_a_ceiling(void **state)
     daemon_stop(&server);
 }
 
+/* A system takes as much as its buffers hold at once, and then nothing for long: here for more than half of the 20 s
+ * that it may, while the other reader is cut off. */
 static void a_reader_below_the_least_speed_is_cut_off(void **state)
 {
     (void)state;
+    struct daemon patient = daemon_start(NULL);
+    int paused = begin_large_answer(&patient, 0);
     struct daemon server = daemon_start(LIST("--answer-min-bytes-per-second=100000"));
     const double begun = seconds();
-    int fd = begin_large_answer(&server);
+    int fd = begin_large_answer(&server, 4096);
     char byte;
     while (seconds() - begun < 20.0 && recv(fd, &byte, 1, 0) == 1) {
         char *log = daemon_log(&server);
@@ -257,6 +262,15 @@ static void a_reader_below_the_least_speed_is_cut_off(void **state)
     assert_true(seconds() - begun < 15.0); /* 5 s, on a busy machine; write-timeout-ms is 60 s */
     close(fd);
     daemon_stop(&server);
+    while (seconds() - begun < 12.0)
+        usleep(100000);
+    size_t size = 0;
+    char bytes[4096];
+    for (ssize_t count; (count = recv(paused, bytes, sizeof bytes, 0)) > 0 && size < (size_t)2048 * 2048 * 4;)
+        size += (size_t)count;
+    assert_true(size >= (size_t)2048 * 2048 * 4); /* all of it */
+    close(paused);
+    daemon_stop(&patient);
 }
 
 /* ---- the log ---- */
@@ -357,6 +371,48 @@ static void closed_standard_files_are_opened_on_nothing(void **state)
     close(out[0]);
 }
 
+/* It counts as gone, whether its end comes with its request or later. */
+static void a_client_that_ends_with_its_request_is_let_go(void **state)
+{
+    enum { TRIES = 20 };
+    (void)state;
+    struct daemon server = daemon_start(NULL);
+    for (int i = 0; i < TRIES; i++) {
+        const double begun = seconds();
+        int fd = client_connect(&server);
+        assert_true(client_write(fd, HEALTH HEALTH, 2 * strlen(HEALTH)));
+        assert_int_equal(shutdown(fd, SHUT_WR), 0);
+        char *text = client_read(fd, NULL, 10000);
+        assert_int_equal(raw_count(text), 2);
+        free(text);
+        assert_true(seconds() - begun < 8.0); /* a second, on a busy machine; idle-timeout-ms is 60 s */
+        close(fd);
+    }
+    daemon_stop(&server);
+}
+
+static void files_are_enough_for_each_connection_to_have_an_asset(void **state)
+{
+    struct rlimit limit, low;
+    char path[64], line[256];
+    unsigned long most = 0;
+    (void)state;
+    assert_int_equal(getrlimit(RLIMIT_NOFILE, &limit), 0);
+    low = limit;
+    low.rlim_cur = 256;
+    assert_int_equal(setrlimit(RLIMIT_NOFILE, &low), 0);
+    struct daemon server = daemon_start(LIST("--max-connections=500"));
+    assert_int_equal(setrlimit(RLIMIT_NOFILE, &limit), 0);
+    snprintf(path, sizeof path, "/proc/%d/limits", (int)server.pid);
+    FILE *file = fopen(path, "r");
+    assert_non_null(file);
+    while (fgets(line, sizeof line, file))
+        if (sscanf(line, "Max open files %lu", &most) == 1) break;
+    fclose(file);
+    assert_true(most >= 2 * 500);
+    daemon_stop(&server);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -368,6 +424,8 @@ int main(void)
         cmocka_unit_test(an_upload_that_its_client_ends_frees_its_place_at_once),
         cmocka_unit_test(answers_that_wait_for_readers_have_a_ceiling),
         cmocka_unit_test(a_reader_below_the_least_speed_is_cut_off),
+        cmocka_unit_test(a_client_that_ends_with_its_request_is_let_go),
+        cmocka_unit_test(files_are_enough_for_each_connection_to_have_an_asset),
         cmocka_unit_test(a_log_that_nobody_reads_holds_no_answer_up),
         cmocka_unit_test(closed_standard_files_are_opened_on_nothing),
     };

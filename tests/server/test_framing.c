@@ -260,6 +260,59 @@ static void a_fault_behind_good_requests_or_in_small_pieces_is_refused(void **st
             }
 }
 
+static void assert_pieces_refused(const char *front, size_t filler, const char *middle, int chunks, const char *back,
+                                  int status)
+{
+    enum { ROOM = 1 << 17 };
+    char *text = malloc(ROOM);
+    assert_non_null(text);
+    int used = snprintf(text, ROOM, "%s", front);
+    memset(text + used, 'y', filler);
+    used += (int)filler;
+    used += snprintf(text + used, ROOM - (size_t)used, "%s", middle);
+    for (int i = 0; i < chunks; i++)
+        used += snprintf(text + used, ROOM - (size_t)used, "1\r\na\r\n");
+    used += snprintf(text + used, ROOM - (size_t)used, "%s" SECOND, back);
+    assert_bytes_refused(text, (size_t)used, status);
+    free(text);
+}
+
+/* The fault is there before libmicrohttpd has said that it has the header: nothing more will come then. */
+static void a_fault_close_behind_a_header_is_refused(void **state)
+{
+    (void)state;
+    assert_pieces_refused(POST "Transfer-Encoding: chunked\r\n\r\n2\r\n{}\r\n0\r\nX: ", 33000, "\r\n\r\n", 0, "", 431);
+    assert_pieces_refused("POST /v1/render HTTP/1.1\r\nHost: a\r\nX: ", 32000,
+                          "\r\n" JSON_TYPE "\r\nTransfer-Encoding: chunked\r\n\r\n", 120, "ZZ\r\n", 400);
+    assert_pieces_refused("POST /v1/render HTTP/1.1\r\nHost: a\r\nX: ", 0,
+                          "\r\n" JSON_TYPE "\r\nTransfer-Encoding: chunked\r\n\r\n", 6000, "ZZ\r\n", 400);
+}
+
+/* What is refused in the body of the second request is no fault of the first. */
+static void a_fault_in_a_later_body_leaves_earlier_answers(void **state)
+{
+    static const char REQUESTS[] = SECOND POST "Transfer-Encoding: chunked\r\n\r\n2\r\n{}\r\nZZ\r\n";
+    (void)state;
+    char *text = client_raw(&server, REQUESTS, sizeof REQUESTS - 1, SILENCE_MS);
+    assert_int_equal(raw_status(text), 200);
+    assert_int_equal(raw_count(text), 2);
+    assert_non_null(strstr(text, "HTTP/1.1 400 "));
+    free(text);
+}
+
+static void many_empty_lines_are_refused(void **state)
+{
+    static const char EMPTY[] = "\r\n\r\n\r\n\r\n\r\n\r\n\r\n\r\n\r\n\r\n\r\n\r\n\r\n\r\n\r\n\r\n";
+    char text[256];
+    (void)state;
+    snprintf(text, sizeof text, "%s\r\n" SECOND, EMPTY);
+    assert_refused(text, 400);
+    snprintf(text, sizeof text, "%s" SECOND, EMPTY);
+    char *answer = client_raw(&server, text, strlen(text), SILENCE_MS);
+    assert_int_equal(raw_status(answer), 200);
+    free(answer);
+}
+
 static void a_refusal_of_head_has_no_body(void **state)
 {
     static const char REQUEST[] = "HEAD /healthz HTTP/1.1\r\nHost: a\r\nContent-Length: 99999999999\r\n\r\n";
@@ -474,6 +527,9 @@ int main(void)
         cmocka_unit_test(request_lines_that_are_none_are_refused),
         cmocka_unit_test(two_content_types_are_refused),
         cmocka_unit_test(a_fault_behind_good_requests_or_in_small_pieces_is_refused),
+        cmocka_unit_test(a_fault_close_behind_a_header_is_refused),
+        cmocka_unit_test(a_fault_in_a_later_body_leaves_earlier_answers),
+        cmocka_unit_test(many_empty_lines_are_refused),
         cmocka_unit_test(a_refusal_of_head_has_no_body),
         cmocka_unit_test(bytes_behind_the_last_request_get_no_answer),
         cmocka_unit_test(headers_as_large_as_they_may_be_are_answered),
