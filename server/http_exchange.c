@@ -228,6 +228,7 @@ static enum MHD_Result reply(struct exchange *exchange)
     connections_enter(&http->connections, exchange->connection, PHASE_WRITE);
     api_finish(answer, exchange->request.id);
     answer->close |= atomic_load(&http->draining);
+    exchange->file = answer->file;
     struct MHD_Response *response = answer->is_broken ? NULL : create_response(answer);
     enum MHD_Result result = MHD_NO;
     if (response && add_headers(response, answer))

@@ -5,6 +5,7 @@
 #include <sys/epoll.h>
 #include <sys/eventfd.h>
 #include <sys/socket.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include "clock.h"
@@ -173,12 +174,22 @@ static bool has_ended(const struct connection *connection)
            recvfrom(connection->fd, &byte, 1, MSG_PEEK | MSG_DONTWAIT, NULL, NULL) == 0;
 }
 
+/* The file that is sent has become shorter than was promised: its end will never come. */
+static bool is_cut_off(const struct connection *connection)
+{
+    const struct exchange *exchange = connection->exchange;
+    struct stat info;
+    return connection->phase == PHASE_WRITE && exchange && exchange->file > 0 && fstat(exchange->file, &info) == 0 &&
+           (uint64_t)info.st_size < exchange->answer.size;
+}
+
 static void end_overdue(struct http *http, struct connection *connection, int64_t now)
 {
     /* Most clients read their refusal while they send, and leave. Those that send on until all is sent are let: but
      * only some milliseconds later, for under overload it takes more time than to refuse. */
     if (connection->phase == PHASE_REFUSED) http_receive_nothing(connection->fd);
-    if (has_ended(connection)) shutdown(connection->fd, SHUT_RDWR); /* it is told once more */
+    if (has_ended(connection) || is_cut_off(connection))
+        shutdown(connection->fd, SHUT_RDWR); /* libmicrohttpd is told, by recv() or by send() */
     if (connection->phase == PHASE_WORK) connection->deadline_ms = http_work_deadline_ms(connection->exchange);
     switch (connections_overdue(&http->connections, connection, now)) {
     case OVERDUE_NO:

@@ -69,6 +69,7 @@ struct exchange {
     atomic_int_least64_t work_began_ms; /* 0: no worker has it */
     uint64_t body_bytes, length;        /* length: Content-Length, 0 where unknown */
     size_t answer_bytes;                /* its share of http->answer_bytes */
+    int file;                           /* of the answer, while it is sent: libmicrohttpd closes it; 0: none */
     struct api_request request;
     struct answer answer;
     struct upload upload;

@@ -6,7 +6,9 @@
 #include <stdlib.h>
 #include <string.h>
 #include <sys/file.h>
+#include <sys/socket.h>
 #include <sys/stat.h>
+#include <time.h>
 #include <unistd.h>
 
 #include "assets.h"
@@ -214,9 +216,12 @@ static void file_that_shrinks_while_it_is_read_never_harms(void **state)
         struct reply put = asset_put(&server, name.text, bytes, SIZE);
         assert_in_range(put.status, 200, 201);
         reply_free(&put);
+        const time_t begun = time(NULL);
         struct reply got = asset_get(&server, name.text);
         if (got.status == 200)
             assert_memory_equal(got.body, bytes, SIZE);
+        else if (got.status == 0) /* cut while it was sent: the connection ends, and soon */
+            assert_true(time(NULL) - begun < 10);
         else
             assert_int_equal(got.status, 404);
         reply_free(&got);
@@ -252,6 +257,32 @@ static void file_that_is_cut_while_it_is_read_is_missing(void **state)
     }
     daemon_stop(&server);
     folder_remove(&folder);
+}
+
+/* Its end will never come, and nobody else's limits are waited for. */
+static void file_that_is_cut_while_it_is_sent_ends_its_connection(void **state)
+{
+    (void)state;
+    enum { SIZE = 8 << 20 };
+    struct folder folder = folder_make();
+    struct daemon server = assets_start(&folder, NULL);
+    char *bytes = calloc(1, SIZE), text[256];
+    assert_non_null(bytes);
+    struct asset_name name = asset_post(&server, bytes, SIZE, 201);
+    struct folder file = folder_file(&folder, name.text);
+    int fd = client_connect(&server), small = 4096;
+    assert_int_equal(setsockopt(fd, SOL_SOCKET, SO_RCVBUF, &small, sizeof small), 0);
+    snprintf(text, sizeof text, "GET /v1/assets/%s HTTP/1.1\r\nHost: a\r\n\r\n", name.text);
+    assert_true(client_write(fd, text, strlen(text)));
+    assert_int_equal(recv(fd, text, 64, MSG_WAITALL), 64);
+    assert_int_equal(truncate(file.path, 1000), 0);
+    const time_t begun = time(NULL);
+    free(client_read(fd, NULL, 15000));
+    assert_true(time(NULL) - begun < 4); /* idle-timeout-ms and the limits of readers are longer */
+    close(fd);
+    daemon_stop(&server);
+    folder_remove(&folder);
+    free(bytes);
 }
 
 /* ---- many at once ---- */
@@ -398,6 +429,7 @@ int main(void)
         cmocka_unit_test(broken_file_is_found_removed_and_healed),
         cmocka_unit_test(file_that_shrinks_while_it_is_read_never_harms),
         cmocka_unit_test(file_that_is_cut_while_it_is_read_is_missing),
+        cmocka_unit_test(file_that_is_cut_while_it_is_sent_ends_its_connection),
         cmocka_unit_test(same_assets_put_at_once_are_new_once),
         cmocka_unit_test(different_assets_put_at_once_are_all_kept),
         cmocka_unit_test(bound_holds_while_many_put_at_once),
