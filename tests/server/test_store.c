@@ -263,22 +263,21 @@ static void file_that_is_cut_while_it_is_read_is_missing(void **state)
 static void file_that_is_cut_while_it_is_sent_ends_its_connection(void **state)
 {
     (void)state;
-    enum { SIZE = 8 << 20 };
+    enum { SIZE = 32 << 20 }; /* more than systems hold on the way */
     struct folder folder = folder_make();
     struct daemon server = assets_start(&folder, NULL);
     char *bytes = calloc(1, SIZE), text[256];
     assert_non_null(bytes);
     struct asset_name name = asset_post(&server, bytes, SIZE, 201);
     struct folder file = folder_file(&folder, name.text);
-    int fd = client_connect(&server), small = 4096;
-    assert_int_equal(setsockopt(fd, SOL_SOCKET, SO_RCVBUF, &small, sizeof small), 0);
+    int fd = client_connect(&server);
     snprintf(text, sizeof text, "GET /v1/assets/%s HTTP/1.1\r\nHost: a\r\n\r\n", name.text);
     assert_true(client_write(fd, text, strlen(text)));
     assert_int_equal(recv(fd, text, 64, MSG_WAITALL), 64);
     assert_int_equal(truncate(file.path, 1000), 0);
     const time_t begun = time(NULL);
     free(client_read(fd, NULL, 15000));
-    assert_true(time(NULL) - begun < 4); /* idle-timeout-ms and the limits of readers are longer */
+    assert_true(time(NULL) - begun < 10); /* what it took at once is enough for 20 s */
     close(fd);
     daemon_stop(&server);
     folder_remove(&folder);
