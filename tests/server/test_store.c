@@ -277,7 +277,7 @@ static void file_that_is_cut_while_it_is_sent_ends_its_connection(void **state)
     assert_int_equal(truncate(file.path, 1000), 0);
     const time_t begun = time(NULL);
     free(client_read(fd, NULL, 15000));
-    assert_true(time(NULL) - begun < 10); /* what it took at once is enough for 20 s */
+    assert_true(time(NULL) - begun < 4); /* a reader has 5 s at least */
     close(fd);
     daemon_stop(&server);
     folder_remove(&folder);
