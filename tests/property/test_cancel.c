@@ -8,11 +8,12 @@
 
 #include "support/cmocka_all.h"
 #include "support/random.h"
+#include "support/sanitized.h"
 #include "support/scenes.h"
 
 /* RAISED_MS: well within the work of each case. LATE_MS: of this thread's processor time, so that other processes do
  * not count. */
-#if defined __SANITIZE_ADDRESS__ || defined __SANITIZE_THREAD__
+#if IS_SANITIZED
 enum { LATE_MS = 1000 };
 #else
 enum { LATE_MS = 50 };

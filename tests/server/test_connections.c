@@ -14,6 +14,7 @@
 
 #include "client.h"
 #include "support/cmocka_all.h"
+#include "support/sanitized.h"
 
 #define HEALTH "GET /healthz HTTP/1.1\r\nHost: a\r\n\r\n"
 #define POST   "POST /v1/render HTTP/1.1\r\nHost: a\r\n" JSON_TYPE "\r\n"
@@ -226,7 +227,7 @@ static void answers_that_wait_for_readers_have_a_ceiling(void **state)
     assert_string_not_equal(reply_header(&reply, "Retry-After"), "");
     reply_free(&reply);
     assert_int_equal(client_get_status(&server, "/healthz"), 200);
-#if !defined __SANITIZE_ADDRESS__ && !defined __SANITIZE_THREAD__ /* whose allocators keep what is freed */
+#if !IS_SANITIZED /* whose allocators keep what is freed */
     /* Those up to the ceiling, one more of each thread that renders, and a frame of each. */
     assert_true(daemon_memory_kib(&server, "VmRSS:") < 400 * 1024);
 #endif

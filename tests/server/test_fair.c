@@ -8,6 +8,7 @@
 
 #include "client.h"
 #include "support/cmocka_all.h"
+#include "support/sanitized.h"
 
 enum { LARGE = 6, SMALL = 20 };
 
@@ -112,7 +113,7 @@ static void memory_goes_back_to_the_system_when_nothing_happens(void **state)
     for (int i = 0; i < 2; i++)
         assert_int_equal(client_render_status(&server, large[i]), 200);
     assert_true(daemon_memory_kib(&server, "VmHWM:") > before + LARGE_KIB);
-#if !defined __SANITIZE_ADDRESS__ && !defined __SANITIZE_THREAD__ /* whose allocators keep what is freed */
+#if !IS_SANITIZED /* whose allocators keep what is freed */
     long after = 0;
     for (int waited = 0; waited < WAIT_MS; waited += TICK_MS) {
         after = daemon_memory_kib(&server, "VmRSS:");
@@ -144,7 +145,7 @@ static void what_is_announced_and_has_not_come_takes_no_memory(void **state)
         grown = daemon_memory_kib(&server, "VmRSS:") - before;
     assert_true(grown >= SENT_KIB);
     grown = daemon_memory_kib(&server, "VmRSS:") - before;
-#if !defined __SANITIZE_ADDRESS__ && !defined __SANITIZE_THREAD__
+#if !IS_SANITIZED
     assert_true(grown < SENT_KIB + SPARE_KIB);
 #endif
     for (int i = 0; i < BODIES; i++)

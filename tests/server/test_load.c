@@ -8,6 +8,7 @@
 
 #include "client.h"
 #include "support/cmocka_all.h"
+#include "support/sanitized.h"
 
 enum {
     CLIENTS_MAX = 32,
@@ -395,7 +396,7 @@ static void memory_of_a_large_body_is_given_back(void **state)
         if (resident < 120 * 1024) break;
         usleep(100000);
     }
-#if !defined __SANITIZE_ADDRESS__ && !defined __SANITIZE_THREAD__ /* whose allocators keep what is freed */
+#if !IS_SANITIZED /* whose allocators keep what is freed */
     assert_true(resident < 120 * 1024);
 #endif
     daemon_stop(&server);

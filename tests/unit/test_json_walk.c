@@ -5,9 +5,10 @@
 #include "input/json_text.h"
 #include "input/json_walk.h"
 #include "json_texts.h"
+#include "support/sanitized.h"
 
 /* ThreadSanitizer makes texts thirty times as slowly. */
-#ifdef __SANITIZE_THREAD__
+#if IS_THREAD_SANITIZED
 enum { ROUNDS = 3 };
 static const enum spelling spellings_end = LINES;
 #else

@@ -9,6 +9,7 @@
 #include "output/png.h"
 #include "support/cmocka_all.h"
 #include "support/failing_malloc.h"
+#include "support/sanitized.h"
 #include "zraster.h"
 
 /* ---- allocations, counted, and failing when told so ---- */
@@ -28,11 +29,7 @@ static void *counted(void *made)
 }
 
 /* Whose allocations these are: a sanitizer's, by the name that it has for them, or the C library's. */
-#ifndef __has_feature
-#define __has_feature(name) 0
-#endif
-#if defined __SANITIZE_ADDRESS__ || defined __SANITIZE_THREAD__ || __has_feature(address_sanitizer) ||                 \
-    __has_feature(thread_sanitizer)
+#if IS_SANITIZED
 #define NEXT(name)                                                                                                     \
     extern __typeof__(name) __interceptor_##name;                                                                      \
     static __typeof__(name) *const next = __interceptor_##name

@@ -2,9 +2,10 @@
 #include "by_teams.h"
 #include "input/input.h"
 #include "input/obj_text.h"
+#include "support/sanitized.h"
 
 /* ThreadSanitizer reads thirty times as slowly. */
-#ifdef __SANITIZE_THREAD__
+#if IS_THREAD_SANITIZED
 enum { ROUNDS = 2 };
 #else
 enum { ROUNDS = 12 };
