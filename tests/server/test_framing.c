@@ -1,4 +1,4 @@
-/* Requests that two readers could read in two ways, and clients that are slow. */
+/* Requests that two readers could read in two ways, and how much of a header there may be. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -401,87 +401,6 @@ static void uri_too_large_gives_414(void **state)
     assert_large_refused("GET /", 300000, " HTTP/1.1\r\nHost: a\r\n\r\n", 414);
 }
 
-/* Sends a byte every 50 ms, so that the connection is never silent. */
-static void assert_dripping_ends_with_408(const char *begin, double within_s)
-{
-    struct timespec begun, now;
-    clock_gettime(CLOCK_MONOTONIC, &begun);
-    int fd = client_connect(&server);
-    assert_true(fd >= 0);
-    assert_true(write(fd, begin, strlen(begin)) > 0);
-    char *text = NULL;
-    for (int i = 0; i < 60; i++) {
-        free(text);
-        text = client_read(fd, NULL, 50);
-        if (*text) break;
-        assert_int_equal(write(fd, "a", 1), 1);
-    }
-    clock_gettime(CLOCK_MONOTONIC, &now);
-    assert_int_equal(raw_status(text), 408);
-    double took = (double)(now.tv_sec - begun.tv_sec) + (double)(now.tv_nsec - begun.tv_nsec) / 1e9;
-    assert_true(took < within_s);
-    free(text);
-    close(fd);
-}
-
-static void slow_header_gives_408(void **state)
-{
-    (void)state;
-    assert_dripping_ends_with_408("GET /healthz HTTP/1.1\r\nX-A: ", 1.5);
-}
-
-static void slow_body_gives_408(void **state)
-{
-    (void)state;
-    assert_dripping_ends_with_408(POST "Content-Length: 1000\r\n\r\n", 1.8);
-}
-
-static void body_below_its_least_speed_gives_408(void **state)
-{
-    static const char REQUEST[] = POST "Content-Length: 1000\r\n\r\n";
-    (void)state;
-    struct daemon other = daemon_start((const char *const[]){"--body-timeout-ms=60000", NULL});
-    int fd = client_connect(&other);
-    assert_true(write(fd, REQUEST, sizeof REQUEST - 1) > 0);
-    char *text = client_read(fd, NULL, 15000);
-    assert_int_equal(raw_status(text), 408);
-    free(text);
-    close(fd);
-    daemon_stop(&other);
-}
-
-static void slow_header_on_kept_connection_ends_it(void **state)
-{
-    (void)state;
-    int fd = client_connect(&server);
-    assert_true(write(fd, SECOND, strlen(SECOND)) > 0);
-    char *text = client_read(fd, "ok\"}", SILENCE_MS);
-    assert_int_equal(raw_status(text), 200);
-    free(text);
-    assert_true(write(fd, "GET /", 5) == 5);
-    text = client_read(fd, NULL, SILENCE_MS);
-    assert_int_equal(raw_status(text), 408);
-    free(text);
-    close(fd);
-}
-
-static void idle_connection_outlives_header_timeout_and_ends(void **state)
-{
-    (void)state;
-    int fd = client_connect(&server);
-    assert_true(write(fd, SECOND, strlen(SECOND)) > 0);
-    free(client_read(fd, "ok\"}", SILENCE_MS));
-    usleep(900 * 1000);
-    assert_true(write(fd, SECOND, strlen(SECOND)) > 0);
-    char *text = client_read(fd, "ok\"}", SILENCE_MS);
-    assert_int_equal(raw_status(text), 200);
-    free(text);
-    text = client_read(fd, NULL, SILENCE_MS);
-    assert_string_equal(text, "");
-    free(text);
-    close(fd);
-}
-
 static void kept_connection_answers_pipelined_requests(void **state)
 {
     static const char REQUESTS[] = SECOND SECOND "POST /nowhere HTTP/1.1\r\nHost: a\r\nContent-Length: 3\r\n\r\nabc"
@@ -500,7 +419,6 @@ static void every_refusal_is_logged_with_its_status(void **state)
         "\"status\":501",
         "\"status\":431",
         "\"status\":414",
-        "\"status\":408",
     };
     for (size_t i = 0; i < sizeof DETAILS / sizeof DETAILS[0]; i++)
         free(daemon_wait_for_log(&server, DETAILS[i]));
@@ -536,11 +454,6 @@ int main(void)
         cmocka_unit_test(large_cookies_are_answered),
         cmocka_unit_test(header_too_large_gives_431),
         cmocka_unit_test(uri_too_large_gives_414),
-        cmocka_unit_test(slow_header_gives_408),
-        cmocka_unit_test(slow_body_gives_408),
-        cmocka_unit_test(body_below_its_least_speed_gives_408),
-        cmocka_unit_test(slow_header_on_kept_connection_ends_it),
-        cmocka_unit_test(idle_connection_outlives_header_timeout_and_ends),
         cmocka_unit_test(kept_connection_answers_pipelined_requests),
         cmocka_unit_test(every_refusal_is_logged_with_its_status),
     };
