@@ -100,10 +100,10 @@ static void print_table(const struct build builds[BUILDS])
         printf("\n%d rows: this build is %.3f times as fast (geometric mean)\n", count, exp(logarithms / count));
 }
 
-static void folder_of(const char *path, char *folder)
+static void folder_of(const char *path, char *folder, size_t size)
 {
     const char *slash = strrchr(path, '/');
-    snprintf(folder, PATH_SIZE, "%.*s", slash ? (int)(slash - path) : 1, slash ? path : ".");
+    snprintf(folder, size, "%.*s", slash ? (int)(slash - path) : 1, slash ? path : ".");
 }
 
 int compare_builds(const struct bench *bench, const char *other, const char **arguments, const char *output)
@@ -111,8 +111,8 @@ int compare_builds(const struct bench *bench, const char *other, const char **ar
     static struct build builds[BUILDS];
     char folder[PATH_SIZE / 2], here[PATH_SIZE / 2];
     int count = 0;
-    folder_of(bench->program, here);
-    folder_of(output, folder);
+    folder_of(bench->program, here, sizeof here);
+    folder_of(output, folder, sizeof folder);
     const char *const folders[BUILDS] = {here, other};
     for (int i = 0; i < BUILDS; i++) {
         snprintf(builds[i].program, PATH_SIZE, "%s/zraster-bench", folders[i]);
