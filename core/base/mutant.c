@@ -1,5 +1,7 @@
 #include "base/mutant.h"
 
+#include <stddef.h>
+
 #ifdef ZR_MUTANTS
 #include <string.h>
 
@@ -21,10 +23,9 @@ bool zr_mutant_set(const char *name, bool on)
     return !on;
 }
 
-void zr_mutant_list(int (*tell)(const char *name))
+const char *zr_mutant_name(int number)
 {
-    for (int i = 0; i < ZR_MUTANT_COUNT; i++)
-        tell(names[i]);
+    return number < ZR_MUTANT_COUNT ? names[number] : NULL;
 }
 #else
 bool zr_mutant_set(const char *name, bool on)
@@ -33,8 +34,9 @@ bool zr_mutant_set(const char *name, bool on)
     return !on;
 }
 
-void zr_mutant_list(int (*tell)(const char *name))
+const char *zr_mutant_name(int number)
 {
-    (void)tell;
+    (void)number;
+    return NULL;
 }
 #endif

@@ -15,44 +15,46 @@
 #include <stdint.h>
 
 /* By the rules of tests/reference/RULES.md. */
-#define ZR_EACH_MUTANT(row)                                                                                            \
-    row(sums_from_the_right)           /* 1, 4-term sums */                                                            \
-        row(product_less_a_term)       /* 1, P M */                                                                    \
-        row(guard_band)                /* 2 */                                                                         \
-        row(one_outside_rejects)       /* 2 */                                                                         \
-        row(clipped_from_inside)       /* 3, which end is interpolated from */                                         \
-        row(near_plane_first)          /* 3, order of planes */                                                        \
-        row(nine_corners)              /* 3, room */                                                                   \
-        row(fused)                     /* 3, multiply-add without rounding in between */                               \
-        row(divided_by_w)              /* 4 */                                                                         \
-        row(coarse_grid)               /* 5, 4 bits */                                                                 \
-        row(ties_up)                   /* 5, not to even */                                                            \
-        row(swaps_corner_2)            /* 6 */                                                                         \
-        row(areas_in_32_bits)          /* 6 */                                                                         \
-        row(top_edges_kept)            /* 7, instead of bottom ones */                                                 \
-        row(all_edges_kept)            /* 7 */                                                                         \
-        row(planes_from_the_grid)      /* 8, snapped corners */                                                        \
-        row(depth_below_0)             /* 8, not clamped */                                                            \
-        row(later_wins_ties)           /* 8, of equal depths */                                                        \
-        row(farther_wins)              /* 8 */                                                                         \
-        row(colors_over_no_w)          /* 9, not divided by 1/w */                                                     \
-        row(bytes_rounded_down)        /* 9 */                                                                         \
-        row(fans_from_the_first)       /* 10 */                                                                        \
-        row(culls_fronts)              /* 11 */                                                                        \
-        row(older_lines)               /* 12, of Mesa 22.3: what lines are compared with where Mesa is that old */     \
-        row(no_diamonds)               /* 12, ends that do not move */                                                 \
-        row(line_depth_along)          /* 12, planes */                                                                \
-        row(line_ends_clipped_apart)   /* 13 */                                                                        \
-        row(outlines_turned)           /* 14 */                                                                        \
-        row(outlines_of_the_fan)       /* 14 */                                                                        \
-        row(outlines_of_backs)         /* 14 */                                                                        \
-        row(no_depth_offset)           /* 15 */                                                                        \
-        row(right_edges_inside)        /* odd-even rule */                                                             \
-        row(holes_filled)              /* odd-even rule */                                                             \
-        row(last_triangle_decides)     /* odd-even rule: depth */                                                      \
-        row(corners_behind_divided)    /* which faces are convex */                                                    \
-        row(ids_of_the_first_instance) /* who owns a pixel */                                                          \
-        row(upside_down)               /* the picture */
+/* clang-format off */
+#define ZR_EACH_MUTANT(row)                                                                                           \
+    row(sums_from_the_right)        /* 1, 4-term sums */                                                              \
+    row(product_less_a_term)        /* 1, P M */                                                                      \
+    row(guard_band)                 /* 2 */                                                                           \
+    row(one_outside_rejects)        /* 2 */                                                                           \
+    row(clipped_from_inside)        /* 3, which end is interpolated from */                                           \
+    row(near_plane_first)           /* 3, order of planes */                                                          \
+    row(nine_corners)               /* 3, room */                                                                     \
+    row(fused)                      /* 3, multiply-add without rounding in between */                                 \
+    row(divided_by_w)               /* 4 */                                                                           \
+    row(coarse_grid)                /* 5, 4 bits */                                                                   \
+    row(ties_up)                    /* 5, not to even */                                                              \
+    row(swaps_corner_2)             /* 6 */                                                                           \
+    row(areas_in_32_bits)           /* 6 */                                                                           \
+    row(top_edges_kept)             /* 7, instead of bottom ones */                                                   \
+    row(all_edges_kept)             /* 7 */                                                                           \
+    row(planes_from_the_grid)       /* 8, snapped corners */                                                          \
+    row(depth_below_0)              /* 8, not clamped */                                                              \
+    row(later_wins_ties)            /* 8, of equal depths */                                                          \
+    row(farther_wins)               /* 8 */                                                                           \
+    row(colors_over_no_w)           /* 9, not divided by 1/w */                                                       \
+    row(bytes_rounded_down)         /* 9 */                                                                           \
+    row(fans_from_the_first)        /* 10 */                                                                          \
+    row(culls_fronts)               /* 11 */                                                                          \
+    row(older_lines)                /* 12, of Mesa 22.3: what lines are compared with where Mesa is that old */       \
+    row(no_diamonds)                /* 12, ends that do not move */                                                   \
+    row(line_depth_along)           /* 12, planes */                                                                  \
+    row(line_ends_clipped_apart)    /* 13 */                                                                          \
+    row(outlines_turned)            /* 14 */                                                                          \
+    row(outlines_of_the_fan)        /* 14 */                                                                          \
+    row(outlines_of_backs)          /* 14 */                                                                          \
+    row(no_depth_offset)            /* 15 */                                                                          \
+    row(right_edges_inside)         /* odd-even rule */                                                               \
+    row(holes_filled)               /* odd-even rule */                                                               \
+    row(last_triangle_decides)      /* odd-even rule: depth */                                                        \
+    row(corners_behind_divided)     /* which faces are convex */                                                      \
+    row(ids_of_the_first_instance)  /* who owns a pixel */                                                            \
+    row(upside_down)                /* the picture */
+/* clang-format on */
 
 #ifdef ZR_MUTANTS
 #define ZR_MUTANT_ITEM(name) ZR_MUTANT_##name,
@@ -66,7 +68,7 @@ extern uint64_t zr_mutants_chosen; /* a bit each */
 /* Chooses one, or lets it go. Not while another thread renders. False where this build has no such mutant to choose. */
 bool zr_mutant_set(const char *name, bool on);
 
-/* Calls `tell` with the name of each that this build has. */
-void zr_mutant_list(int (*tell)(const char *name));
+/* The name of the mutant of that number, from 0 on; NULL: this build has no more. */
+const char *zr_mutant_name(int number);
 
 #endif

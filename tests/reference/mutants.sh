@@ -12,7 +12,7 @@ logs=$build/mutant-logs
 seed=7 # the corner that nine_corners loses is a rare one: this seed has it
 number=0 failed=0
 rm -rf "$logs"
-mkdir -p "$logs"
+mkdir -p "$logs" && : >"$logs/equal"
 
 report() { # verdict, text
     number=$((number + 1))
@@ -47,9 +47,12 @@ check_perturbed() {
 }
 
 check() { # mutant, what is run, what must differ
-    # Without the mutant all is equal, or a difference would prove nothing.
-    # shellcheck disable=SC2086
-    verify $2 || { report 'not ok' "$1: $2 differs without it: $log"; return; }
+    # Without a mutant all is equal, or a difference would prove nothing.
+    if ! grep -qxF "$2" "$logs/equal"; then
+        # shellcheck disable=SC2086
+        verify $2 || { report 'not ok' "$1: $2 differs without it: $log"; return; }
+        echo "$2" >>"$logs/equal"
+    fi
     # shellcheck disable=SC2086
     verify $2 --mutant "$1"
     status=$?
