@@ -8,6 +8,7 @@
 
 #include "body.h"
 #include "problem.h"
+#include "text.h"
 
 /* "*", or a list of entity tags: a quote can only stand around one. RFC 9110, 13.1.2. There may be space behind it. */
 static bool is_among(const char *tags, const char *name)
@@ -15,8 +16,7 @@ static bool is_among(const char *tags, const char *name)
     char wanted[STORE_NAME_SIZE + 2];
     if (!tags) return false;
     snprintf(wanted, sizeof wanted, "\"%s\"", name);
-    const bool is_any = tags[0] == '*' && strspn(tags + 1, " \t") == strlen(tags + 1);
-    return is_any || strstr(tags, wanted);
+    return (tags[0] == '*' && text_trimmed_length(tags) == 1) || strstr(tags, wanted);
 }
 
 bool assets_open(const struct api *api, struct api_request *request, struct answer *answer)

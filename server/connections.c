@@ -213,8 +213,8 @@ static bool body_is_slow(const struct connections *connections, const struct con
 static bool reader_is_slow(const struct connections *connections, struct connection *connection, int64_t now)
 {
     const double least = (double)connections->config->answer_min_bytes_per_second;
-    const uint64_t taken = bytes_taken(connection), more = taken - connection->taken_bytes;
     if (least <= 0.0) return false;
+    const uint64_t taken = bytes_taken(connection), more = taken - connection->taken_bytes;
     connection->taken_bytes = taken;
     if (more > 0) {
         const int64_t from = connection->credit_until_ms > now ? connection->credit_until_ms : now;

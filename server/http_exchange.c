@@ -225,7 +225,8 @@ static enum MHD_Result reply(struct exchange *exchange)
     struct http *http = exchange->http;
     struct answer *answer = &exchange->answer;
     if (exchange->connection->phase == PHASE_REFUSED) return MHD_NO;
-    connections_enter(&http->connections, exchange->connection, PHASE_WRITE);
+    if (exchange->connection->phase != PHASE_WRITE) /* an answer that a worker made has been there already */
+        connections_enter(&http->connections, exchange->connection, PHASE_WRITE);
     api_finish(answer, exchange->request.id);
     answer->close |= atomic_load(&http->draining);
     exchange->file = answer->file;
