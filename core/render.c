@@ -10,7 +10,6 @@
 #include "shade/frame.h"
 #include "shade/paint.h"
 #include "shade/resolve.h"
-#include "shade/surfaces.h"
 
 /* Each claim waits for all that was stored before to be written; of single tiles there are too many at the end (3 % of
  * the bunny at 512x512 on two threads). */
@@ -46,17 +45,15 @@ static void raise_to(atomic_uint *most, float value)
 static void draw_tiles(void *context, size_t begin, size_t end)
 {
     struct drawing *d = context;
-    struct zr_surfaces surfaces;
     struct zr_tile tile;
     uint64_t covered = 0;
     float deepest = 0.0f;
-    zr_surfaces_begin(&surfaces, d->geometry, zr_surface_make);
     for (size_t number = begin; number < end; number++) {
         if (d->samples)
             zr_visibility_load(d->samples, (uint32_t)number, &tile);
         else if (!zr_visibility_tile(d->visible, (uint32_t)number, d->frame->base, d->cancel, &tile))
             return;
-        const struct zr_resolved resolved = zr_resolve_tile(&surfaces, d->isa, d->scene->background, &tile, d->frame);
+        const struct zr_resolved resolved = zr_resolve_tile(d->geometry, d->isa, d->scene->background, &tile, d->frame);
         d->occupied[number] = !tile.is_empty;
         covered += resolved.covered;
         if (resolved.deepest > deepest) deepest = resolved.deepest;

@@ -301,6 +301,7 @@ void zr_visibility_load(const struct zr_samples *samples, uint32_t number, struc
     tile->is_empty = tile->has_colors = false;
     tile->knows_owners = false;
     tile->unwritten = 0;
+    memset(tile->owner, 0, sizeof tile->owner); /* beyond the window, too */
     for (int32_t row = 0; row < tile->height; row++) {
         size_t at = (size_t)(tile->y + row) * samples->width + (size_t)tile->x;
         memcpy(&tile->depth[row * ZR_TILE_STRIDE], samples->depth + at, (size_t)tile->width * sizeof *samples->depth);

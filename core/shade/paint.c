@@ -110,8 +110,3 @@ struct zr_surface zr_surface_make(const struct zr_geometry *geometry, const stru
     surface.blue = plane_make(&basis, c0.z * v0->oow, c1.z * v1->oow, c2.z * v2->oow);
     return surface;
 }
-
-struct zr_surface zr_surface_of_face(const struct zr_geometry *geometry, const struct zr_batch *batch, uint32_t number)
-{
-    return (struct zr_surface){.flat = true, .color = zr_face_id(geometry, batch, number)};
-}

@@ -3,9 +3,9 @@
  * Exact:  the reference's rule 9: colours times 1/w are planes over the window, each pixel divides by the plane of
  *         1/w, and bytes are rounded to the nearest.
  * How:    planes are not kept from the drawing of visibility: only what is seen is set up, but for tiny and small
- *         triangles that are painted early. Blocks of large triangles are painted one by one. Elsewhere, rows of flat
- *         triangles are looked up pixel by pixel, many at once; where a smooth mesh is alone, small squares of pixels
- *         are painted, a pixel a lane; else runs: short ones side by side, one a lane, long ones one after the other.
+ *         triangles that are painted early. The tile's owners are split into parts (parts_simd.h); ZR_LANES parts at a
+ *         time are looked up and given a word, where they are flat, or planes; then, patch by patch, each pixel takes
+ *         its part's.
  */
 #ifndef ZR_PAINT_H
 #define ZR_PAINT_H
@@ -23,11 +23,7 @@ struct zr_surface {
 };
 
 /* Of a record of the batch, line or triangle. */
-typedef struct zr_surface zr_surface_fn(const struct zr_geometry *geometry, const struct zr_batch *batch,
-                                        uint32_t number);
-
-zr_surface_fn zr_surface_make;
-zr_surface_fn zr_surface_of_face; /* flat: the id of its face, as if that were a colour */
+struct zr_surface zr_surface_make(const struct zr_geometry *geometry, const struct zr_batch *batch, uint32_t number);
 
 /* Four words a colour: their numbers, fronts and backs one behind the other, fit 31 bits. */
 enum { ZR_GATHERED_MOST = 1 << 28 };
@@ -58,28 +54,21 @@ struct zr_pixel_rows {
                          as zr_vi_stream says. */
 };
 
-struct zr_surfaces;
+/* Where what is shaded of a tile goes: where `first` is NULL, it is not wanted. */
+struct zr_shaded {
+    struct zr_pixel_rows colors; /* RGBA of four bytes */
+    uint32_t nothing;            /* the colour where nobody is seen, but for what is */
+    struct zr_pixel_rows behind; /* there, if that is not NULL */
+    struct zr_pixel_rows faces;  /* ids of faces; 0 where nobody is seen */
+};
 
 struct zr_paint {
-    /* The tile's owners become colours, RGBA of four bytes: in place, so that the tile stays in the first-level cache.
-     * Where there are none, `nothing`, or what is behind the tile where that is not NULL: rows of pixels, `stride`
-     * bytes times four apart. Colours that the tile knows already stay. Returns how many pixels belonged to records. */
-    uint32_t (*tile)(const struct zr_geometry *geometry, struct zr_tile *tile, uint32_t nothing, const void *behind,
-                     ptrdiff_t stride);
-
-    /* The same of a tile that knows the owners of its blocks, of which the window cuts none, into a frame; nothing is
-     * behind it. Records are painted with `surfaces` (surfaces.h). */
-    uint32_t (*blocks)(struct zr_surfaces *surfaces, const struct zr_tile *tile, uint32_t nothing,
-                       const struct zr_pixel_rows *out);
-
-    /* The ids of a tile's faces, and 0 where nothing is, to `out`, laid out as the tile's arrays. `add` is added to
-     * those of faces. */
-    void (*faces)(const struct zr_geometry *geometry, const struct zr_tile *tile, uint32_t add, void *out);
+    void (*shade)(const struct zr_geometry *geometry, const struct zr_tile *tile, const struct zr_shaded *to);
 
     /* The depths of a tile. Where some are not written, none of its blocks is cut. */
     void (*depths)(const struct zr_tile *tile, const struct zr_pixel_rows *out);
 
-    /* How many pixels belong to records. All of the tile is written. */
+    /* How many pixels belong to records. */
     uint32_t (*count)(const struct zr_tile *tile);
 
     /* Where runs end in a row of a tile: bit i, where owners[i] is the last of its own among the first `width`. */

@@ -2,7 +2,7 @@
 #ifndef ZR_PAINT_EARLY_SIMD_H
 #define ZR_PAINT_EARLY_SIMD_H
 
-#include "shade/paint_smooth_simd.h"
+#include "shade/planes_simd.h"
 
 /* Of triangles by their numbers. v: the corners as they stand in the mesh; those that are `turned` change places
  * (rule 6). */

@@ -1,289 +1,401 @@
 #include "shade/paint.h"
 
-#include "base/expect.h"
 #include "raster/tile_simd.h"
-#include "shade/paint_blocks_simd.h"
-#include "shade/paint_faces_simd.h"
-#include "shade/paint_flat_simd.h"
-#include "shade/paint_patches_simd.h"
+#include "shade/parts_simd.h"
+#include "shade/planes_simd.h"
+#include "shade/words_simd.h"
 
-/* Rows whose runs have so many pixels on average are painted run by run. */
-enum { LONG_RUN = 16 };
-
-struct painter {
-    struct zr_canvas canvas;
-    struct zr_surfaces surfaces;
-    struct zr_flat_rows flat;
-    struct zr_smooth_queue smooth;
-    struct zr_patches patches;
+/* Parts that follow one another, up to ZR_LANES of them, all of one batch; NULL: nobody's. */
+struct run {
+    const struct zr_batch *batch;
+    uint32_t first, count;
 };
 
-/* ---- run by run ---- */
+/* What is known of parts. A part is flat, and has a word, or has planes. */
+struct shading {
+    const struct zr_geometry *geometry;
+    const struct zr_batch *batch; /* of the last run: at first the first one */
+    uint32_t nothing;
+    struct zr_parts parts;
+    uint32_t run_count;
+    struct run runs[ZR_PARTS_MOST];
+    bool any_planes;
+    bool has_planes[ZR_PARTS_ROOM];
+    uint32_t words[ZR_PARTS_ROOM];
+    float planes[ZR_PARTS_ROOM][4][4]; /* of 1/w, red, green, blue: a0, dadx, dady */
+};
 
-static inline struct zr_plane_v spread_plane(const struct zr_plane *plane)
+/* ---- runs of parts ---- */
+
+/* Numbers of the run's triangles in its batch; lanes behind its end have the first one's. */
+static inline zr_vi numbers_of(const struct shading *s, const struct run *run)
 {
-    return (struct zr_plane_v){zr_vf_set(plane->a0), zr_vf_set(plane->dadx), zr_vf_set(plane->dady)};
+    const uint32_t *owners = s->parts.owners + run->first;
+    const zr_vi owner = zr_vi_select(zr_vm_first(run->count), zr_vi_load(owners), zr_vi_set((int32_t)owners[0]));
+    return owner - zr_vi_set((int32_t)run->batch->first + 1);
 }
 
-static void paint_long(const struct zr_surface *surface, int32_t first_x, int32_t first_y, uint32_t *pixels,
-                       uint32_t count)
+static inline void find_runs(struct shading *s)
 {
-    const struct zr_color_planes planes = {spread_plane(&surface->oow), spread_plane(&surface->red),
-                                           spread_plane(&surface->green), spread_plane(&surface->blue)};
-    const zr_vf y = zr_vf_set((float)first_y);
-    zr_vf x = zr_vf_set((float)first_x) + zr_vf_ramp();
-    for (; count > ZR_LANES; count -= ZR_LANES, pixels += ZR_LANES, x = x + zr_vf_set((float)ZR_LANES))
-        zr_vi_store(pixels, zr_color_at(&planes, x, y));
-    zr_vi_store_first(pixels, zr_color_at(&planes, x, y), count);
+    uint32_t *owners = s->parts.owners;
+    s->run_count = 0;
+    for (uint32_t i = 0, count; i < s->parts.count; i += count) {
+        const uint32_t left = s->parts.count - i;
+        struct run *run = &s->runs[s->run_count++];
+        if (owners[i] == 0) {
+            *run = (struct run){NULL, i, count = 1};
+            continue;
+        }
+        s->batch = zr_batch_next(s->geometry, s->batch, owners[i] - 1);
+        const zr_vi t = zr_vi_load(owners + i) - zr_vi_set((int32_t)s->batch->first + 1);
+        const zr_vm of_batch = zr_vi_lt_where(zr_vi_lt(zr_vi_set(-1), t), t, zr_vi_set((int32_t)s->batch->count));
+        const uint32_t others = zr_vm_bits(of_batch) ^ ZR_ALL_BITS;
+        count = others ? (uint32_t)zr_lowest_bit(others) : ZR_LANES;
+        count = count < left ? count : left;
+        *run = (struct run){s->batch, i, count};
+    }
 }
 
-static void paint_surface(const struct painter *p, const struct zr_surface *surface, int32_t at, int32_t length)
+static inline void put_words(struct shading *s, const struct run *run, zr_vi words)
 {
-    uint32_t *pixels = p->canvas.colors + at;
-    if (surface->flat)
-        zr_fill_run(pixels, (uint32_t)length, zr_vi_set((int32_t)surface->color));
-    else
-        paint_long(surface, p->canvas.x + at % ZR_TILE_STRIDE, p->canvas.y + at / ZR_TILE_STRIDE, pixels,
-                   (uint32_t)length);
+    zr_vi_store(s->words + run->first, words);
+    memset(s->has_planes + run->first, false, ZR_LANES);
 }
 
-static void add_run(struct painter *p, uint32_t owner, int32_t at, int32_t length)
+/* ---- colours ---- */
+
+/* Where they stand is found, and asked for: by the time that it is looked at, it has come from memory. */
+static inline void expect_colors(struct shading *s, const struct run *run)
 {
-    const struct zr_geometry *geometry = p->canvas.geometry;
-    const struct zr_surface *known = zr_surfaces_known(&p->surfaces, owner);
-    if (known && (known->flat || length > ZR_SHORT_RUN)) {
-        paint_surface(p, known, at, length);
+    if (!run->batch || run->batch->written) return;
+    const zr_vi numbers = numbers_of(s, run);
+    if (zr_batch_is_smooth(run->batch)) {
+        zr_smooth_expect(run->batch, s->geometry->vertices, numbers);
         return;
     }
-    const struct zr_batch *batch = zr_surfaces_batch(&p->surfaces, owner);
-    const uint32_t t = owner - 1 - batch->first;
-    const struct zr_triangle *record = batch->written ? &geometry->triangles[batch->first_record + t] : NULL;
-    const bool smooth = record ? !record->line && (record->c[0] != record->c[1] || record->c[1] != record->c[2])
-                               : zr_batch_is_smooth(batch);
-    if (!smooth || length > ZR_SHORT_RUN) {
-        paint_surface(p, zr_surfaces_of(&p->surfaces, owner), at, length);
-    } else if (record) {
-        const zr_vec4 *colors = record->back ? geometry->back_colors : geometry->front_colors;
-        const struct zr_smooth_sides sides = {colors, colors, false};
-        zr_smooth_add(&p->smooth, &p->canvas, at, length, 0, record->v, sides, record->c);
+    int32_t places[ZR_LANES];
+    zr_vi_store(places, zr_flat_number(run->batch, ZR_ALL_LANES, numbers));
+    for (int i = 0; i < ZR_LANES; i++)
+        __builtin_prefetch(run->batch->packed ? (const void *)&run->batch->packed[places[i]]
+                                              : (const void *)zr_flat_at(run->batch, places[i]));
+}
+
+static inline void put_plane(struct shading *s, uint32_t first, int k, const struct zr_plane_v *plane)
+{
+    float fours[4 * ZR_LANES];
+    zr_vf_store4(fours, plane->a0, plane->dadx, plane->dady, zr_vf_set(0.0f));
+    for (int i = 0; i < ZR_LANES; i++)
+        memcpy(s->planes[first + (uint32_t)i][k], fours + 4 * i, 4 * sizeof(float));
+}
+
+/* One that is written out, which may be a line. */
+static void make_written(struct shading *s, uint32_t i, const struct zr_batch *batch)
+{
+    const struct zr_surface surface = zr_surface_make(s->geometry, batch, s->parts.owners[i] - 1);
+    const struct zr_plane *planes[4] = {&surface.oow, &surface.red, &surface.green, &surface.blue};
+    s->words[i] = surface.color;
+    s->has_planes[i] = !surface.flat;
+    s->any_planes |= !surface.flat;
+    for (int k = 0; k < 4 && !surface.flat; k++)
+        memcpy(s->planes[i][k], planes[k], sizeof *planes[k]);
+}
+
+static inline void make_colors(struct shading *s, const struct run *run)
+{
+    const struct zr_batch *batch = run->batch;
+    const uint32_t first = run->first;
+    if (!batch) {
+        put_words(s, run, zr_vi_set((int32_t)s->nothing));
+    } else if (batch->written) {
+        for (uint32_t i = first; i < first + run->count; i++)
+            make_written(s, i, batch);
+    } else if (zr_batch_is_smooth(batch)) {
+        const struct zr_color_planes planes = zr_color_planes_make(batch, s->geometry->vertices, numbers_of(s, run));
+        put_plane(s, first, 0, &planes.oow);
+        put_plane(s, first, 1, &planes.red);
+        put_plane(s, first, 2, &planes.green);
+        put_plane(s, first, 3, &planes.blue);
+        memset(s->has_planes + first, true, ZR_LANES);
+        s->any_planes = true;
     } else {
-        const uint32_t colors[3] = {zr_batch_color(batch, t, 0), zr_batch_color(batch, t, 1),
-                                    zr_batch_color(batch, t, 2)};
-        zr_smooth_add(&p->smooth, &p->canvas, at, length, batch->first_vertex, batch->corners + 3 * (size_t)t,
-                      zr_smooth_sides_of(batch), colors);
+        const zr_vi numbers = zr_flat_number(batch, ZR_ALL_LANES, numbers_of(s, run));
+        put_words(s, run, zr_flat_look_up(batch, numbers));
     }
 }
 
-/* ---- rows ---- */
+/* ---- ids of faces ---- */
+
+static inline void make_faces(struct shading *s, const struct run *run)
+{
+    const struct zr_batch *batch = run->batch;
+    if (!batch)
+        put_words(s, run, zr_vi_set((int32_t)s->nothing));
+    else if (!batch->written)
+        put_words(s, run, zr_flat_face(batch, numbers_of(s, run)));
+    for (uint32_t i = run->first; batch && batch->written && i < run->first + run->count; i++) {
+        s->words[i] = zr_face_id(s->geometry, batch, s->parts.owners[i] - 1);
+        s->has_planes[i] = false;
+    }
+}
+
+/* ---- pixels ---- */
+
+/* What `count` parts from `first` on show in a patch, whose pixels x, y are. */
+static inline zr_vi words_at(const struct shading *s, uint32_t first, uint32_t count, zr_vi owner)
+{
+    zr_vi words = zr_vi_set((int32_t)s->nothing);
+    for (uint32_t i = first; i < first + count; i++) {
+        const zr_vm here = zr_vi_eq(owner, zr_vi_set((int32_t)s->parts.owners[i]));
+        words = zr_vi_select(here, zr_vi_set((int32_t)s->words[i]), words);
+    }
+    return words;
+}
+
+static inline zr_vi shade_at(const struct shading *s, uint32_t first, uint32_t count, zr_vi owner, zr_vf x, zr_vf y)
+{
+    if (!s->any_planes || count == 0) return words_at(s, first, count, owner);
+    zr_vi words = zr_vi_set((int32_t)s->nothing);
+    zr_vf c[4][3];
+    zr_vm smooth = zr_vi_lt(zr_vi_set(0), zr_vi_set(0));
+    for (int k = 0; k < 4; k++)
+        for (int j = 0; j < 3; j++)
+            c[k][j] = zr_vf_set(s->planes[first][k][j]);
+    for (uint32_t i = first; i < first + count; i++) {
+        const zr_vm here = zr_vi_eq(owner, zr_vi_set((int32_t)s->parts.owners[i]));
+        if (!s->has_planes[i]) {
+            words = zr_vi_select(here, zr_vi_set((int32_t)s->words[i]), words);
+            continue;
+        }
+        smooth = zr_vm_or(smooth, here);
+        for (int k = 0; k < 4 && i > first; k++)
+            for (int j = 0; j < 3; j++)
+                c[k][j] = zr_vf_select(here, zr_vf_set(s->planes[i][k][j]), c[k][j]);
+    }
+    const struct zr_color_planes planes = {{c[0][0], c[0][1], c[0][2]},
+                                           {c[1][0], c[1][1], c[1][2]},
+                                           {c[2][0], c[2][1], c[2][2]},
+                                           {c[3][0], c[3][1], c[3][2]}};
+    return zr_vi_select(smooth, zr_color_at(&planes, x, y), words);
+}
+
+static inline struct zr_plane_v plane_of(const struct shading *s, uint32_t part, int k)
+{
+    const float *plane = s->planes[part][k];
+    return (struct zr_plane_v){zr_vf_set(plane[0]), zr_vf_set(plane[1]), zr_vf_set(plane[2])};
+}
+
+/* A block before it is written. */
+struct block {
+    _Alignas(64) uint32_t pixels[ZR_BLOCK_HEIGHT][ZR_BLOCK_WIDTH];
+};
+
+/* All of one part's. */
+static inline void shade_whole_block(const struct shading *s, const struct zr_tile *tile, int number, struct block *out)
+{
+    const uint32_t part = s->parts.blocks[number].first;
+    const zr_vi word = zr_vi_set((int32_t)s->words[part]);
+    const bool has_planes = s->has_planes[part];
+    const struct zr_color_planes planes = {plane_of(s, part, 0), plane_of(s, part, 1), plane_of(s, part, 2),
+                                           plane_of(s, part, 3)};
+    const int32_t left = tile->x + number % ZR_BLOCK_COLUMNS * ZR_BLOCK_WIDTH;
+    zr_vf y = zr_vf_set((float)(tile->y + number / ZR_BLOCK_COLUMNS * ZR_BLOCK_HEIGHT));
+    for (int row = 0; row < ZR_BLOCK_HEIGHT; row++, y = y + zr_vf_set(1.0f))
+        for (int v = 0; v < ZR_BLOCK_WIDTH; v += ZR_LANES)
+            zr_vi_store(&out->pixels[row][v],
+                        has_planes ? zr_color_at(&planes, zr_vf_of(zr_vi_set(left + v) + zr_vi_ramp()), y) : word);
+}
+
+static inline void shade_block(const struct shading *s, const struct zr_tile *tile, int number, struct block *out)
+{
+    const struct zr_block_parts *block = &s->parts.blocks[number];
+    if (block->is_whole) {
+        shade_whole_block(s, tile, number, out);
+        return;
+    }
+    const zr_vi lane = zr_vi_ramp(), column = lane & zr_vi_set(ZR_PATCH_COLUMNS - 1);
+    const zr_vi row = (lane - column) >> (ZR_PATCH_COLUMNS == 4 ? 2 : 0);
+    const int32_t left = tile->x + number % ZR_BLOCK_COLUMNS * ZR_BLOCK_WIDTH;
+    const int32_t low = tile->y + number / ZR_BLOCK_COLUMNS * ZR_BLOCK_HEIGHT;
+    uint32_t part = block->first;
+    for (int p = 0; p < ZR_BLOCK_PATCHES; p++) {
+        const int32_t x = p % ZR_PATCHES_ACROSS * ZR_PATCH_COLUMNS, y = p / ZR_PATCHES_ACROSS * ZR_PATCH_ROWS;
+        const uint32_t count = block->patches[p];
+        const zr_vi owner = zr_vi_load_patch(tile->owner + zr_patch_first(number, p), ZR_TILE_STRIDE);
+        const zr_vf fx = zr_vf_of(column + zr_vi_set(left + x)), fy = zr_vf_of(row + zr_vi_set(low + y));
+        zr_vi_store_patch(&out->pixels[y][x], ZR_BLOCK_WIDTH, shade_at(s, part, count, owner, fx, fy));
+        part += count;
+    }
+}
+_Static_assert(ZR_PATCH_COLUMNS == 4 || ZR_LANES == 1, "rows are a shift");
+
+/* Where nobody is seen, what is behind. */
+static inline void put_behind(const struct zr_tile *tile, int number, const struct zr_pixel_rows *behind,
+                              struct block *out)
+{
+    const uint32_t *owners = &tile->owner[zr_block_first(number)], *from = behind->first;
+    const int32_t left = number % ZR_BLOCK_COLUMNS * ZR_BLOCK_WIDTH, low = number / ZR_BLOCK_COLUMNS * ZR_BLOCK_HEIGHT;
+    for (int32_t y = 0; y < ZR_BLOCK_HEIGHT && low + y < tile->height; y++)
+        for (int32_t x = 0; x < ZR_BLOCK_WIDTH && left + x < tile->width; x++)
+            if (owners[y * ZR_TILE_STRIDE + x] == 0) out->pixels[y][x] = from[(low + y) * behind->stride + left + x];
+}
+
+static inline void put_known(const struct zr_tile *tile, int number, struct block *out)
+{
+    const uint32_t *known = &tile->color[zr_block_first(number)];
+    for (int y = 0; y < ZR_BLOCK_HEIGHT; y++, known += ZR_TILE_STRIDE)
+        for (int x = 0; x < ZR_BLOCK_WIDTH; x += ZR_LANES) {
+            const zr_vi color = zr_vi_load(known + x);
+            const zr_vm unknown = zr_vi_eq(color, zr_vi_set(0));
+            zr_vi_store(&out->pixels[y][x], zr_vi_select(unknown, zr_vi_load(&out->pixels[y][x]), color));
+        }
+}
+
+/* The part of the block that lies in the window. */
+static inline void write_block(const struct zr_tile *tile, int number, const struct block *block,
+                               const struct zr_pixel_rows *out)
+{
+    const int32_t left = number % ZR_BLOCK_COLUMNS * ZR_BLOCK_WIDTH, low = number / ZR_BLOCK_COLUMNS * ZR_BLOCK_HEIGHT;
+    const int32_t columns = tile->width - left < ZR_BLOCK_WIDTH ? tile->width - left : ZR_BLOCK_WIDTH;
+    uint32_t *to = out->first + low * out->stride + left;
+    for (int32_t y = 0; y < ZR_BLOCK_HEIGHT && low + y < tile->height; y++, to += out->stride) {
+        int32_t x = 0;
+        for (; x + ZR_LANES <= columns; x += ZR_LANES)
+            zr_vi_put(to + x, zr_vi_load(&block->pixels[y][x]), out->streamed);
+        if (x < columns) zr_vi_store_first(to + x, zr_vi_load(&block->pixels[y][x]), (uint32_t)(columns - x));
+    }
+}
+
+/* A block that is one word, all of which lies in the window. */
+static inline void write_word(int number, zr_vi word, const struct zr_pixel_rows *out)
+{
+    const int32_t left = number % ZR_BLOCK_COLUMNS * ZR_BLOCK_WIDTH, low = number / ZR_BLOCK_COLUMNS * ZR_BLOCK_HEIGHT;
+    uint32_t *to = out->first + low * out->stride + left;
+    for (int32_t y = 0; y < ZR_BLOCK_HEIGHT; y++, to += out->stride)
+        for (int32_t x = 0; x < ZR_BLOCK_WIDTH; x += ZR_LANES)
+            zr_vi_put(to + x, word, out->streamed);
+}
+
+static inline void finish_block(const struct shading *s, const struct zr_tile *tile, int number, bool with_known,
+                                const struct zr_pixel_rows *behind, const struct zr_pixel_rows *out)
+{
+    const struct zr_block_parts *parts = &s->parts.blocks[number];
+    struct block block;
+    if (parts->is_whole && !s->has_planes[parts->first] && !behind && zr_tile_has_whole_blocks(tile)) {
+        write_word(number, zr_vi_set((int32_t)s->words[parts->first]), out);
+        return;
+    }
+    shade_block(s, tile, number, &block);
+    if (with_known) put_known(tile, number, &block);
+    if (behind) put_behind(tile, number, behind, &block);
+    write_block(tile, number, &block, out);
+}
+
+/* Blocks begin .. end - 1 of a channel, whose parts have been made. */
+static inline void finish_blocks(const struct shading *s, const struct zr_tile *tile, int begin, int end,
+                                 bool with_known, const struct zr_pixel_rows *behind, const struct zr_pixel_rows *out)
+{
+    const int across = (tile->width + ZR_BLOCK_WIDTH - 1) / ZR_BLOCK_WIDTH;
+    for (int b = begin; b < end; b++)
+        if (b % ZR_BLOCK_COLUMNS < across) finish_block(s, tile, b, with_known, behind, out);
+}
+
+/* Finds what is seen from block `begin` on, as many rows of blocks as there is room for. Returns where it ended. */
+static inline int find_parts(struct shading *s, const struct zr_tile *tile, int begin, bool without_known)
+{
+    const int end = (tile->height + ZR_BLOCK_HEIGHT - 1) / ZR_BLOCK_HEIGHT * ZR_BLOCK_COLUMNS;
+    const int across = (tile->width + ZR_BLOCK_WIDTH - 1) / ZR_BLOCK_WIDTH;
+    int row = begin;
+    s->parts.count = 0;
+    for (; row < end && s->parts.count + ZR_PARTS_A_ROW <= ZR_PARTS_MOST; row += ZR_BLOCK_COLUMNS)
+        for (int b = row; b < row + across; b++)
+            zr_parts_find(&s->parts, tile, b, without_known);
+    find_runs(s);
+    return row;
+}
+
+static inline void shade_colors(struct shading *s, const struct zr_tile *tile, int begin, int end,
+                                const struct zr_shaded *to)
+{
+    s->nothing = to->nothing;
+    s->any_planes = false;
+    for (uint32_t i = 0; i < s->run_count; i++)
+        expect_colors(s, &s->runs[i]);
+    for (uint32_t i = 0; i < s->run_count; i++)
+        make_colors(s, &s->runs[i]);
+    finish_blocks(s, tile, begin, end, tile->has_colors, to->behind.first ? &to->behind : NULL, &to->colors);
+}
+
+static inline void shade_faces(struct shading *s, const struct zr_tile *tile, int begin, int end,
+                               const struct zr_shaded *to)
+{
+    s->nothing = 0;
+    s->any_planes = false;
+    for (uint32_t i = 0; i < s->run_count; i++)
+        make_faces(s, &s->runs[i]);
+    finish_blocks(s, tile, begin, end, false, NULL, &to->faces);
+}
+
+/* Where colours are known already, what is left of them has parts of its own. */
+static void shade(const struct zr_geometry *geometry, const struct zr_tile *tile, const struct zr_shaded *to)
+{
+    struct shading s;
+    const int all = (tile->height + ZR_BLOCK_HEIGHT - 1) / ZR_BLOCK_HEIGHT * ZR_BLOCK_COLUMNS;
+    const bool together = !tile->has_colors, colors = to->colors.first, faces = to->faces.first;
+    s.geometry = geometry;
+    s.batch = &geometry->batches[0];
+    for (int begin = 0, end; (colors || (faces && together)) && begin < all; begin = end) {
+        end = find_parts(&s, tile, begin, colors && !together);
+        if (colors) shade_colors(&s, tile, begin, end, to);
+        if (faces && together) shade_faces(&s, tile, begin, end, to);
+    }
+    for (int begin = 0, end; faces && !together && begin < all; begin = end) {
+        end = find_parts(&s, tile, begin, false);
+        shade_faces(&s, tile, begin, end, to);
+    }
+}
+
+/* ---- arrays ---- */
 
 /* A row has room behind its end, so that the last vector may look one owner farther. */
-static inline uint64_t find_ends(const uint32_t *owners, int32_t width)
+static uint64_t ends(const uint32_t *owners, int32_t width)
 {
     uint64_t out = 0;
     for (int32_t x = 0; x < width; x += ZR_LANES) {
-        const zr_vm same = zr_vi_eq(zr_vi_load(owners + x), zr_vi_load(owners + x + 1));
-        out |= (uint64_t)(zr_vm_bits(same) ^ ZR_ALL_BITS) << x;
+        const zr_vi same = zr_vi_load(owners + x), next = zr_vi_load(owners + x + 1);
+        out |= (uint64_t)(zr_vm_bits(zr_vi_eq(same, next)) ^ ZR_ALL_BITS) << x;
     }
     const uint64_t last = UINT64_C(1) << (width - 1);
     return (out & (last - 1)) | last;
 }
 
-static uint64_t ends(const uint32_t *owners, int32_t width)
-{
-    return find_ends(owners, width);
-}
-
-static inline void paint_backdrop(const struct zr_backdrop *backdrop, uint32_t *owners, int32_t begin, int32_t end)
-{
-    if (backdrop->row)
-        memcpy(owners + begin, backdrop->row + begin, 4 * (size_t)(end - begin));
-    else
-        zr_fill_run(owners + begin, (uint32_t)(end - begin), backdrop->nothing);
-}
-
-/* A row of any owners, whose runs end where `ends` says. All owners are loaded before any run is painted: a load waits
- * long for a store that left out some lanes of what it loads. */
-static uint32_t paint_row(struct painter *p, int32_t first, uint64_t ends, const struct zr_backdrop *backdrop)
-{
-    uint32_t *owners = p->canvas.colors + first, run_owners[ZR_TILE_SIZE], covered = 0, run = 0;
-    int32_t begin = 0, end;
-    for (uint64_t bits = ends; bits; bits &= bits - 1)
-        run_owners[run++] = owners[__builtin_ctzll(bits)];
-    run = 0;
-    for (uint64_t bits = ends; bits; bits &= bits - 1, begin = end) {
-        const uint32_t owner = run_owners[run++];
-        end = __builtin_ctzll(bits) + 1;
-        if (owner == 0) {
-            paint_backdrop(backdrop, owners, begin, end);
-            continue;
-        }
-        add_run(p, owner, first + begin, end - begin);
-        covered += (uint32_t)(end - begin);
-    }
-    if (p->smooth.runs.count > ZR_PAINT_RUNS - ZR_TILE_SIZE) zr_smooth_paint(&p->smooth, &p->canvas, false);
-    return covered;
-}
-
-/* Whether all owners of the rows are the batch's, or nobody. */
-static bool is_alone(const struct painter *p, const struct zr_batch *batch, const uint32_t *owners, int32_t width,
-                     int32_t rows)
-{
-    if (!zr_batch_is_gathered(batch)) return false;
-    if (p->canvas.geometry->batch_count == 1) return true;
-    for (int32_t row = 0; row < rows; row++)
-        if (!zr_row_is_of(batch, owners + row * ZR_TILE_STRIDE, width)) return false;
-    return true;
-}
-
-/* `rows` rows from `y` on, no more than a patch has. */
-static uint32_t paint_rows(struct painter *p, int32_t y, int32_t rows, int32_t width,
-                           const struct zr_backdrop *backdrop)
-{
-    const int32_t first = y * ZR_TILE_STRIDE;
-    const struct zr_batch *batch = p->surfaces.batch; /* it may well be the only one here, too */
-    uint32_t *owners = p->canvas.colors + first;
-    const bool alone = is_alone(p, batch, owners, width, rows), smooth = zr_batch_is_smooth(batch);
-    if (alone && !smooth && !backdrop->row) {
-        for (int32_t row = 0; row < rows; row++)
-            zr_flat_add(&p->flat, batch, owners + row * ZR_TILE_STRIDE);
-        return 0; /* counted when they are painted */
-    }
-    uint64_t ends[ZR_PATCH_ROWS] = {0}; /* gcc 16 does not see that all that are read are set */
-    int32_t runs = 0;
-    for (int32_t row = 0; row < rows; row++) {
-        ends[row] = find_ends(owners + row * ZR_TILE_STRIDE, width);
-        runs += __builtin_popcountll(ends[row]);
-    }
-    if (alone && smooth && runs * LONG_RUN > rows * width)
-        return zr_patches_add_rows(&p->patches, &p->canvas, batch, first, width, rows, backdrop);
-    struct zr_backdrop here = *backdrop;
-    uint32_t covered = 0;
-    for (int32_t row = 0; row < rows; row++) {
-        covered += paint_row(p, first + row * ZR_TILE_STRIDE, ends[row], &here);
-        if (here.row) here.row += here.stride;
-    }
-    return covered;
-}
-
-/* ---- the tile ---- */
-
-static uint32_t paint_all_rows(struct painter *p, const struct zr_tile *tile, struct zr_backdrop backdrop)
-{
-    uint32_t covered = 0;
-    for (int32_t y = 0; y < tile->height; y += ZR_PATCH_ROWS) {
-        const int32_t rows = tile->height - y < ZR_PATCH_ROWS ? tile->height - y : ZR_PATCH_ROWS;
-        covered += paint_rows(p, y, rows, tile->width, &backdrop);
-        if (backdrop.row) backdrop.row += backdrop.stride * rows;
-    }
-    covered += zr_flat_end(&p->flat);
-    zr_patches_end(&p->patches, &p->canvas);
-    zr_smooth_paint(&p->smooth, &p->canvas, true);
-    return covered;
-}
-
-/* Takes pixels whose colours are known out of the owners, so that they are painted as if they were nobody's. Returns
- * how many there are. */
-static uint32_t take_known(struct zr_tile *tile)
-{
-    uint32_t known = 0;
-    for (int32_t y = 0; y < tile->height; y++)
-        for (int32_t x = 0; x < tile->width; x += ZR_LANES) {
-            const int32_t at = y * ZR_TILE_STRIDE + x;
-            const zr_vm unknown = zr_vi_eq(zr_vi_load(tile->color + at), zr_vi_set(0));
-            const uint32_t bits = zr_vm_bits(unknown) ^ ZR_ALL_BITS;
-            if (!bits) continue;
-            known += (uint32_t)__builtin_popcount(bits);
-            zr_vi_store(tile->owner + at, zr_vi_select(unknown, zr_vi_load(tile->owner + at), zr_vi_set(0)));
-        }
-    return known;
-}
-
-/* Puts their colours over what was painted there instead. */
-static void put_known(struct zr_tile *tile)
-{
-    for (int32_t y = 0; y < tile->height; y++)
-        for (int32_t x = 0; x < tile->width; x += ZR_LANES) {
-            const int32_t at = y * ZR_TILE_STRIDE + x;
-            const zr_vi color = zr_vi_load(tile->color + at);
-            const zr_vm unknown = zr_vi_eq(color, zr_vi_set(0));
-            zr_vi_store(tile->owner + at, zr_vi_select(unknown, zr_vi_load(tile->owner + at), color));
-        }
-}
-
-static uint32_t paint_tile(const struct zr_geometry *geometry, struct zr_tile *tile, uint32_t nothing,
-                           const void *behind, ptrdiff_t stride)
-{
-    struct painter p;
-    const struct zr_backdrop backdrop = {zr_vi_set((int32_t)nothing), behind, stride};
-    p.canvas = (struct zr_canvas){geometry, tile->x, tile->y, tile->owner}; /* rows are read before they are painted */
-    zr_flat_begin(&p.flat, tile->width, backdrop.nothing);
-    zr_surfaces_begin(&p.surfaces, geometry, zr_surface_make);
-    zr_smooth_begin(&p.smooth);
-    zr_patches_begin(&p.patches);
-    if (!tile->has_colors) return paint_all_rows(&p, tile, backdrop);
-    const uint32_t known = take_known(tile), others = paint_all_rows(&p, tile, backdrop);
-    put_known(tile);
-    return known + others;
-}
-
-static uint32_t paint_blocks(struct zr_surfaces *surfaces, const struct zr_tile *tile, uint32_t nothing,
-                             const struct zr_pixel_rows *out)
-{
-    struct zr_neighbors neighbors = zr_neighbors_begin(nothing);
-    const uint32_t blocks = zr_tile_blocks(tile);
-    uint32_t alike = 0, covered = 0, colors[ZR_BLOCKS];
-    for (int first = 0; first < ZR_BLOCKS; first += ZR_LANES)
-        alike |= zr_blocks_alike(surfaces, &neighbors, tile, first, colors + first) << first;
-    for (uint32_t bits = blocks & alike; bits; bits &= bits - 1) {
-        const int block = zr_lowest_bit(bits);
-        const struct zr_pixel_rows rows = zr_pixel_rows_of_block(out, block);
-        zr_paint_alike(&rows, zr_vi_set((int32_t)colors[block]));
-        covered += tile->block_owner[block] > 0 ? ZR_BLOCK_WIDTH * ZR_BLOCK_HEIGHT : 0;
-    }
-    for (uint32_t bits = blocks & ~alike; bits; bits &= bits - 1) {
-        const struct zr_pixel_rows rows = zr_pixel_rows_of_block(out, zr_lowest_bit(bits));
-        covered += zr_paint_block(surfaces, &neighbors, tile, zr_lowest_bit(bits), &rows);
-    }
-    return covered;
-}
-
-static void paint_faces(const struct zr_geometry *geometry, const struct zr_tile *tile, uint32_t add, void *out)
-{
-    const struct zr_batch *batch = &geometry->batches[0];
-    uint32_t *ids = out;
-    for (int32_t y = 0; y < tile->height; y++, ids += ZR_TILE_STRIDE) {
-        const uint32_t *owners = &tile->owner[y * ZR_TILE_STRIDE];
-        if (!batch->written && zr_row_is_of(batch, owners, tile->width))
-            zr_paint_faces_alone(batch, add, owners, tile->width, ids);
-        else
-            batch = zr_paint_faces_mixed(geometry, batch, add, owners, find_ends(owners, tile->width), ids);
-    }
-}
-
 static uint32_t count(const struct zr_tile *tile)
 {
     uint32_t owned = 0;
-    for (int32_t y = 0; y < tile->height; y++)
-        for (int32_t x = 0; x < tile->width; x += ZR_LANES) {
-            const zr_vm within = zr_vi_lt(zr_vi_ramp(), zr_vi_set(tile->width - x));
-            const zr_vi owners = zr_vi_load(&tile->owner[y * ZR_TILE_STRIDE + x]);
-            owned += (uint32_t)__builtin_popcount(zr_vm_bits(zr_vi_lt_where(within, zr_vi_set(0), owners)));
+    for (uint32_t bits = zr_tile_blocks(tile); bits; bits &= bits - 1) {
+        const int block = zr_lowest_bit(bits);
+        if (tile->knows_owners && tile->block_owner[block] != ZR_BLOCK_SHARED) {
+            owned += tile->block_owner[block] > 0 ? ZR_BLOCK_WIDTH * ZR_BLOCK_HEIGHT : 0;
+            continue;
         }
+        const uint32_t *owners = &tile->owner[zr_block_first(block)];
+        for (int row = 0; row < ZR_BLOCK_HEIGHT; row++, owners += ZR_TILE_STRIDE)
+            for (int v = 0; v < ZR_BLOCK_PARTS; v++)
+                owned +=
+                    (uint32_t)__builtin_popcount(zr_vm_bits(zr_vi_lt(zr_vi_set(0), zr_vi_load(owners + v * ZR_LANES))));
+    }
     return owned;
 }
-
-/* ---- arrays ---- */
 
 static void fill(const struct zr_pixel_rows *out, int32_t width, int32_t height, uint32_t value)
 {
     const zr_vi values = zr_vi_set((int32_t)value);
     uint32_t *to = out->first;
-    for (int32_t y = 0; y < height; y++, to += out->stride)
-        if (out->streamed)
-            for (int32_t x = 0; x < width; x += ZR_LANES)
-                zr_vi_stream(to + x, values);
-        else
-            zr_fill_run(to, (uint32_t)width, values);
+    for (int32_t y = 0; y < height; y++, to += out->stride) {
+        int32_t x = 0;
+        for (; x + ZR_LANES <= width; x += ZR_LANES)
+            zr_vi_put(to + x, values, out->streamed);
+        if (x < width) zr_vi_store_first(to + x, values, (uint32_t)(width - x));
+    }
 }
 
 static void copy(const struct zr_pixel_rows *out, int32_t width, int32_t height, const void *in)
@@ -306,7 +418,9 @@ static void depths(const struct zr_tile *tile, const struct zr_pixel_rows *out)
     }
     for (uint32_t bits = zr_tile_blocks(tile); bits; bits &= bits - 1) {
         const int block = zr_lowest_bit(bits);
-        const struct zr_pixel_rows to = zr_pixel_rows_of_block(out, block);
+        struct zr_pixel_rows to = *out;
+        to.first +=
+            block / ZR_BLOCK_COLUMNS * ZR_BLOCK_HEIGHT * out->stride + block % ZR_BLOCK_COLUMNS * ZR_BLOCK_WIDTH;
         if (tile->unwritten >> block & 1)
             zr_block_write_depths(tile, block, (float *)to.first, to.stride, to.streamed);
         else
@@ -314,4 +428,4 @@ static void depths(const struct zr_tile *tile, const struct zr_pixel_rows *out)
     }
 }
 
-const struct zr_paint ZR_KERNEL(zr_paint) = {paint_tile, paint_blocks, paint_faces, depths, count, ends, fill, copy};
+const struct zr_paint ZR_KERNEL(zr_paint) = {shade, depths, count, ends, fill, copy};

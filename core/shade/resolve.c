@@ -95,35 +95,22 @@ static float resolve_depth(const struct zr_geometry *geometry, enum zr_isa isa, 
     return deepest;
 }
 
-static void resolve_faces(const struct zr_geometry *geometry, const struct zr_paint *paint, struct zr_tile *tile,
-                          const struct zr_frame *frame)
+static void shade(const struct zr_geometry *geometry, const struct zr_paint *paint, uint32_t nothing,
+                  const struct zr_tile *tile, const struct zr_frame *frame)
 {
-    const struct zr_pixel_rows rows = rows_of(frame, tile, frame->face_id);
-    if (tile->knows_owners) {
-        struct zr_surfaces surfaces;
-        zr_surfaces_begin(&surfaces, geometry, zr_surface_of_face);
-        paint->blocks(&surfaces, tile, 0, &rows);
-        return;
-    }
-    void *ids = tile->depth; /* which is no longer needed */
-    paint->faces(geometry, tile, frame->base ? frame->base->first_face_id - 1 : 0, ids);
-    paint->copy(&rows, tile->width, tile->height, ids);
+    const struct zr_base *base = frame->base;
+    struct zr_shaded to = {.nothing = nothing};
+    if (frame->color) to.colors = rows_of(frame, tile, frame->color);
+    if (base && base->color) to.behind = rows_of(frame, tile, (void *)(uintptr_t)base->color);
+    if (frame->face_id) to.faces = rows_of(frame, tile, frame->face_id);
+    paint->shade(geometry, tile, &to);
+    for (int32_t y = 0; frame->face_id && base && y < tile->height; y++)
+        for (int32_t x = 0; x < tile->width; x++)
+            if (tile->owner[y * ZR_TILE_STRIDE + x] > 0)
+                to.faces.first[y * to.faces.stride + x] += base->first_face_id - 1;
 }
 
-/* Returns how many pixels are covered. */
-static uint32_t resolve_color(struct zr_surfaces *surfaces, const struct zr_paint *paint, uint32_t nothing,
-                              struct zr_tile *tile, const struct zr_frame *frame)
-{
-    const struct zr_pixel_rows rows = rows_of(frame, tile, frame->color);
-    if (tile->knows_owners) return paint->blocks(surfaces, tile, nothing, &rows);
-    const uint8_t *behind = frame->base ? frame->base->color : NULL;
-    if (behind) behind += 4 * lowest_pixel_of(frame, tile);
-    const uint32_t covered = paint->tile(surfaces->geometry, tile, nothing, behind, rows.stride);
-    paint->copy(&rows, tile->width, tile->height, tile->owner);
-    return covered;
-}
-
-struct zr_resolved zr_resolve_tile(struct zr_surfaces *surfaces, enum zr_isa isa, zr_vec4 background,
+struct zr_resolved zr_resolve_tile(const struct zr_geometry *geometry, enum zr_isa isa, zr_vec4 background,
                                    struct zr_tile *tile, const struct zr_frame *frame)
 {
     const struct zr_paint *paint = zr_paint_of(isa);
@@ -144,12 +131,12 @@ struct zr_resolved zr_resolve_tile(struct zr_surfaces *surfaces, enum zr_isa isa
         paint->depths(tile, &rows);
     }
     if (frame->depth || !frame->color) zr_halfspace_of(isa)->settle(tile); /* these look at every sample */
-    if (frame->depth) resolved.deepest = resolve_depth(surfaces->geometry, isa, tile, frame);
-    if (frame->face_id) resolve_faces(surfaces->geometry, paint, tile, frame);
+    if (frame->depth) resolved.deepest = resolve_depth(geometry, isa, tile, frame);
+    shade(geometry, paint, nothing, tile, frame);
     if (frame->base) {
         const float deepest = resolve_base_runs(paint, tile, frame, lowest_pixel_of(frame, tile));
         if (deepest > resolved.deepest) resolved.deepest = deepest;
     }
-    resolved.covered = frame->color ? resolve_color(surfaces, paint, nothing, tile, frame) : paint->count(tile);
+    resolved.covered = paint->count(tile);
     return resolved;
 }

@@ -7,9 +7,9 @@
 #define ZR_RESOLVE_H
 
 #include "base/isa.h"
+#include "geometry/geometry.h"
 #include "raster/tile.h"
 #include "shade/frame.h"
-#include "shade/surfaces.h"
 
 /* What a tile adds to what is known of all of the frame. */
 struct zr_resolved {
@@ -17,10 +17,9 @@ struct zr_resolved {
     float deepest;    /* of the depth channel, infinity left out; 0 where there is none */
 };
 
-/* surfaces: those of the geometry's records that the caller remembers from tile to tile, made by zr_surface_make.
- * With the kernels of `isa`, writes the tile's part of each channel that `frame` has. The tile is used up. One writer a
+/* With the kernels of `isa`, writes the tile's part of each channel that `frame` has. The tile is used up. One writer a
  * pixel: different tiles may be resolved at once. */
-struct zr_resolved zr_resolve_tile(struct zr_surfaces *surfaces, enum zr_isa isa, zr_vec4 background,
+struct zr_resolved zr_resolve_tile(const struct zr_geometry *geometry, enum zr_isa isa, zr_vec4 background,
                                    struct zr_tile *tile, const struct zr_frame *frame);
 
 #endif

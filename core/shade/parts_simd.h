@@ -1,0 +1,115 @@
+/* parts_simd.h - shade: the owners of a tile as parts, for kernels.
+ *
+ * A part is what one owner shows in one patch, which is as many pixels as there are lanes: 4x4 of them with 16; or in a
+ * whole block, and those that follow it. What is the same for all pixels of an owner is found once a part, of many
+ * parts at once, wherever they lie.
+ */
+#ifndef ZR_PARTS_SIMD_H
+#define ZR_PARTS_SIMD_H
+
+#include "base/simd.h"
+#include "raster/tile_simd.h"
+
+enum {
+    ZR_BLOCK_PATCHES = ZR_BLOCK_WIDTH * ZR_BLOCK_HEIGHT / ZR_LANES,
+    ZR_PATCHES_ACROSS = ZR_BLOCK_WIDTH / ZR_PATCH_COLUMNS, /* of a block */
+    ZR_PARTS_A_ROW = ZR_BLOCK_COLUMNS * ZR_BLOCK_WIDTH * ZR_BLOCK_HEIGHT,
+    ZR_PARTS_MOST = 2 * ZR_PARTS_A_ROW,
+    ZR_PARTS_ROOM = ZR_PARTS_MOST + ZR_LANES /* what follows the last may be written, a vector at a time */
+};
+
+/* What is seen in a block. */
+struct zr_block_parts {
+    bool is_whole;
+    uint32_t first;                    /* part: of all its pixels, where it is whole */
+    uint8_t patches[ZR_BLOCK_PATCHES]; /* else how many parts each patch has, one after the other */
+};
+
+struct zr_parts {
+    uint32_t count;
+    uint32_t owners[ZR_PARTS_ROOM]; /* 0: of whole blocks that are nobody's */
+    struct zr_block_parts blocks[ZR_BLOCKS];
+};
+
+/* ---- patches ---- */
+
+/* The first pixel of patch `p` of a block, in the tile's arrays. */
+static inline int32_t zr_patch_first(int block, int p)
+{
+    return (int32_t)zr_block_first(block) + p / ZR_PATCHES_ACROSS * ZR_PATCH_ROWS * ZR_TILE_STRIDE +
+           p % ZR_PATCHES_ACROSS * ZR_PATCH_COLUMNS;
+}
+
+/* Owners of a patch, but 0 where its color is known, if those are left out. */
+static inline zr_vi zr_patch_owners(const struct zr_tile *tile, int32_t at, bool without_known)
+{
+    const zr_vi owner = zr_vi_load_patch(tile->owner + at, ZR_TILE_STRIDE), none = zr_vi_set(0);
+    if (!without_known) return owner;
+    const zr_vi color = zr_vi_load_patch(tile->color + at, ZR_TILE_STRIDE);
+    return zr_vi_select(zr_vi_eq(color, none), owner, none);
+}
+
+/* Lanes whose owner is that of the lane n before, which `later` has. */
+static inline uint32_t zr_patch_again(zr_vi owner, zr_vi later, int n)
+{
+    return zr_vm_bits(zr_vi_eq(owner, later)) & ~0u << n;
+}
+
+/* Lanes whose owner is not that of the lane before, of the one above or of the one next to that: a triangle has one
+ * such lane in the patch, seldom more, and its first lane is always one. What is not owned must be 0. */
+static inline uint32_t zr_patch_firsts(zr_vi owner)
+{
+    uint32_t again = zr_patch_again(owner, zr_vi_later(owner, 1), 1);
+    if (ZR_PATCH_ROWS > 1)
+        again |= zr_patch_again(owner, zr_vi_later(owner, 3), 3) | zr_patch_again(owner, zr_vi_later(owner, 4), 4);
+    return ~again;
+}
+
+/* ---- finding ---- */
+
+/* Whether one owner, or nobody, has all of the block. */
+static inline bool zr_block_is_whole(const struct zr_tile *tile, int block)
+{
+    const uint32_t *owners = &tile->owner[zr_block_first(block)];
+    const zr_vi first = zr_vi_set((int32_t)owners[0]);
+    for (int row = 0; row < ZR_BLOCK_HEIGHT; row++, owners += ZR_TILE_STRIDE)
+        for (int v = 0; v < ZR_BLOCK_PARTS; v++)
+            if (zr_vm_bits(zr_vi_eq(zr_vi_load(owners + v * ZR_LANES), first)) != ZR_ALL_BITS) return false;
+    return true;
+}
+
+static inline void zr_parts_add_whole(struct zr_parts *parts, int block, uint32_t owner)
+{
+    if (parts->count == 0 || parts->owners[parts->count - 1] != owner) parts->owners[parts->count++] = owner;
+    parts->blocks[block].is_whole = true;
+    parts->blocks[block].first = parts->count - 1;
+}
+
+static inline void zr_parts_add_patches(struct zr_parts *parts, const struct zr_tile *tile, int block,
+                                        bool without_known)
+{
+    struct zr_block_parts *out = &parts->blocks[block];
+    out->is_whole = false;
+    out->first = parts->count;
+    for (int p = 0; p < ZR_BLOCK_PATCHES; p++) {
+        const zr_vi owner = zr_patch_owners(tile, zr_patch_first(block, p), without_known);
+        const uint32_t owned = zr_vm_bits(zr_vi_lt(zr_vi_set(0), owner));
+        const uint32_t firsts = owned ? owned & zr_patch_firsts(owner) : 0;
+        const uint32_t count = zr_vi_compress(parts->owners + parts->count, zr_vm_of(firsts), owner);
+        out->patches[p] = (uint8_t)count;
+        parts->count += count;
+    }
+}
+
+/* without_known: pixels whose colour the tile knows are nobody's. */
+static inline void zr_parts_find(struct zr_parts *parts, const struct zr_tile *tile, int block, bool without_known)
+{
+    if (tile->knows_owners && tile->block_owner[block] != ZR_BLOCK_SHARED)
+        zr_parts_add_whole(parts, block, tile->block_owner[block]);
+    else if (!without_known && zr_block_is_whole(tile, block))
+        zr_parts_add_whole(parts, block, tile->owner[zr_block_first(block)]);
+    else
+        zr_parts_add_patches(parts, tile, block, without_known);
+}
+
+#endif
