@@ -12,14 +12,11 @@
 #include "shade/frame.h"
 
 static const struct {
-    const char *name, *type;
-} FILE_NAMES[ZR_CHANNEL_COUNT][ZR_ENCODING_COUNT] = {
-    [ZR_CHANNEL_COLOR] = {[ZR_ENCODING_PNG] = {"color.png", "image/png"}},
-    [ZR_CHANNEL_DEPTH] =
-        {[ZR_ENCODING_NPY] = {"depth.npy", "application/x-npy"}, [ZR_ENCODING_PNG16] = {"depth.png", "image/png"}},
-    [ZR_CHANNEL_WINDOW_DEPTH] = {[ZR_ENCODING_NPY] = {"windowDepth.npy", "application/x-npy"}},
-    [ZR_CHANNEL_FACE_ID] = {[ZR_ENCODING_NPY] = {"faceId.npy", "application/x-npy"}},
-    [ZR_CHANNEL_INFO] = {[ZR_ENCODING_JSON] = {"info.json", "application/json"}}};
+    const char *extension, *type;
+} FILE_TYPES[ZR_ENCODING_COUNT] = {[ZR_ENCODING_PNG] = {"png", "image/png"},
+                                   [ZR_ENCODING_PNG16] = {"png", "image/png"},
+                                   [ZR_ENCODING_NPY] = {"npy", "application/x-npy"},
+                                   [ZR_ENCODING_JSON] = {"json", "application/json"}};
 
 /* What outputs leave for one another to report. */
 struct encoding {
@@ -69,22 +66,31 @@ static enum zr_status encode_output(struct encoding *e, const struct zr_output *
 {
     const struct zr_frame *f = e->frame;
     if (zr_is_cancelled(e->cancel)) return ZR_CANCELLED;
-    switch (output->channel) {
-    case ZR_CHANNEL_COLOR:
+    const struct zr_channel_row *row = &zr_channel_rows[output->channel];
+    switch (output->encoding) {
+    case ZR_ENCODING_PNG:
         return encode_color(e, out);
-    case ZR_CHANNEL_DEPTH:
-        if (output->encoding == ZR_ENCODING_PNG16) return encode_depth16(e, output->scale, out);
-        return zr_npy_write(ZR_NPY_FLOAT32, f->width, f->height, f->depth, out);
-    case ZR_CHANNEL_WINDOW_DEPTH:
-        return zr_npy_write(ZR_NPY_FLOAT32, f->width, f->height, f->window_depth, out);
-    case ZR_CHANNEL_FACE_ID:
-        return zr_npy_write(ZR_NPY_UINT32, f->width, f->height, f->face_id, out);
-    case ZR_CHANNEL_INFO:
+    case ZR_ENCODING_PNG16:
+        return encode_depth16(e, output->scale, out);
+    case ZR_ENCODING_NPY:
+        return zr_npy_write(row->values == ZR_VALUES_UINT32 ? ZR_NPY_UINT32 : ZR_NPY_FLOAT32, f->width, f->height,
+                            row->words, f->channels[output->channel], out);
+    case ZR_ENCODING_JSON:
         return zr_info_write(e->scene, f, e->depth_scale, e->misfits, &e->warnings, out);
-    case ZR_CHANNEL_COUNT:
+    case ZR_ENCODING_COUNT:
         break;
     }
     return ZR_INTERNAL;
+}
+
+/* channel.extension, in an archive. */
+static const char *file_name(struct zr_arena *arena, const struct zr_output *output)
+{
+    enum { LONGEST = 64 };
+    char *name = zr_arena_alloc(arena, LONGEST, 1);
+    if (name)
+        snprintf(name, LONGEST, "%s.%s", zr_channel_rows[output->channel].name, FILE_TYPES[output->encoding].extension);
+    return name;
 }
 
 /* Pictures first, then the warnings that they gave rise to, then what reports them. */
@@ -97,7 +103,7 @@ static enum zr_status encode_all(struct encoding *e, struct zr_zip_entry *entrie
             struct zr_buffer out = {.arena = e->arena};
             enum zr_status status = encode_output(e, output, &out);
             if (status != ZR_OK) return status;
-            entries[i] = (struct zr_zip_entry){FILE_NAMES[output->channel][output->encoding].name, out.bytes, out.size};
+            entries[i] = (struct zr_zip_entry){file_name(e->arena, output), out.bytes, out.size};
         }
         if (!reports) e->warnings = zr_warnings_make(e->arena, e->scene, e->frame, e->misfits);
         if (!zr_arena_ok(e->arena)) return ZR_NO_MEMORY;
@@ -115,8 +121,7 @@ static enum zr_status make_answer(struct encoding *e, struct zr_answer *answer)
     const char *warnings = zr_warnings_join(e->arena, &e->warnings);
     if (scene->output_count == 1) {
         const struct zr_output *output = &scene->outputs[0];
-        *answer = (struct zr_answer){FILE_NAMES[output->channel][output->encoding].type, entries[0].bytes,
-                                     entries[0].size, warnings};
+        *answer = (struct zr_answer){FILE_TYPES[output->encoding].type, entries[0].bytes, entries[0].size, warnings};
     } else {
         struct zr_buffer out = {.arena = e->arena};
         status = zr_zip_write(entries, scene->output_count, &out);

@@ -53,7 +53,7 @@ static void draw_tiles(void *context, size_t begin, size_t end)
             zr_visibility_load(d->samples, (uint32_t)number, &tile);
         else if (!zr_visibility_tile(d->visible, (uint32_t)number, d->frame->base, d->cancel, &tile))
             return;
-        const struct zr_resolved resolved = zr_resolve_tile(d->geometry, d->isa, d->scene->background, &tile, d->frame);
+        const struct zr_resolved resolved = zr_resolve_tile(d->geometry, d->isa, d->scene, &tile, d->frame);
         d->occupied[number] = !tile.is_empty;
         covered += resolved.covered;
         if (resolved.deepest > deepest) deepest = resolved.deepest;
@@ -68,12 +68,12 @@ static enum zr_status make_frame(struct zr_arena *arena, const struct zr_scene *
     size_t pixels = (size_t)scene->width * scene->height;
     frame->width = scene->width;
     frame->height = scene->height;
-    if (zr_scene_wants(scene, ZR_CHANNEL_COLOR)) frame->color = zr_arena_alloc(arena, pixels, 4);
-    if (zr_scene_wants(scene, ZR_CHANNEL_DEPTH)) frame->depth = zr_arena_alloc(arena, pixels, sizeof *frame->depth);
-    if (zr_scene_wants(scene, ZR_CHANNEL_WINDOW_DEPTH))
-        frame->window_depth = zr_arena_alloc(arena, pixels, sizeof *frame->window_depth);
-    if (zr_scene_wants(scene, ZR_CHANNEL_FACE_ID) || zr_scene_wants(scene, ZR_CHANNEL_INFO))
-        frame->face_id = zr_arena_alloc(arena, pixels, sizeof *frame->face_id);
+    for (int c = 0; c < ZR_CHANNEL_COUNT; c++) {
+        const bool counted = c == ZR_CHANNEL_FACE_ID && zr_scene_wants(scene, ZR_CHANNEL_INFO);
+        const size_t words = zr_channel_rows[c].words;
+        if (words > 0 && (counted || zr_scene_wants(scene, (enum zr_channel)c)))
+            frame->channels[c] = zr_arena_alloc(arena, pixels, 4 * words);
+    }
     frame->reaches = zr_arena_alloc(arena, frame->height, sizeof *frame->reaches);
     return zr_arena_ok(arena) ? ZR_OK : ZR_NO_MEMORY;
 }

@@ -46,6 +46,7 @@ struct zr_record zr_record_of(const struct zr_geometry *geometry, const struct z
         v[k] = v0;
         c[k] = c0;
     }
+    record.triangle.turned = counter_clockwise;
     record.triangle.back = counter_clockwise == batch->mirrored;
     record.colors = record.triangle.back ? batch->back : batch->front;
     return record;

@@ -25,7 +25,8 @@ struct zr_triangle {
     uint32_t back : 1;   /* seen from behind, so its colours are the back ones */
     uint32_t line : 1;   /* from v[0] to v[1], one pixel wide */
     uint32_t pushed : 1; /* moved back by a depth offset, so that outlines are seen on it */
-    uint32_t shape : 29; /* 0: the triangle is seen wherever it covers a sample. Else 1 + the number
+    uint32_t turned : 1; /* corner 0 has changed places, by rule 6 (zr_swapped_corner) */
+    uint32_t shape : 28; /* 0: the triangle is seen wherever it covers a sample. Else 1 + the number
                           * of the shape that it is a part of */
 };
 
@@ -41,6 +42,7 @@ enum zr_batch_colors {
 
 struct zr_batch {
     uint32_t first, count; /* numbers of its records */
+    uint32_t instance;     /* that all of them are of */
 
     bool written;          /* records first_record, and so on, of the geometry */
     bool plain;            /* all are triangles, neither pushed nor parts of shapes */

@@ -94,6 +94,7 @@ bool zr_builder_add_batch(struct zr_builder *builder, struct zr_batch batch)
     if (!reserve(builder->arena, &batches, &builder->batch_room, g->batch_count, 1, sizeof *g->batches)) return false;
     g->batches = batches;
     batch.first = builder->next_number;
+    batch.instance = builder->instance;
     builder->next_number += batch.count;
     g->batches[g->batch_count++] = batch;
     return true;

@@ -40,6 +40,7 @@ struct zr_builder {
     const zr_vec4 **vertex_normals; /* of each mesh's vertices, or NULL: not needed so far */
 
     /* of the instance under way */
+    uint32_t instance;
     const struct zr_mesh *mesh;
     struct zr_colors colors;
     const struct zr_lighting *lighting;

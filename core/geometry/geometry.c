@@ -119,6 +119,7 @@ static enum zr_status build_instance(struct zr_builder *builder, const struct zr
     struct zr_geometry *geometry = builder->geometry;
     const struct zr_mesh *mesh = &builder->scene->meshes[instance->mesh];
     builder->mesh = mesh;
+    builder->instance = (uint32_t)(instance - builder->scene->instances);
     if (!zr_builder_go_on(builder, INSTANCE_WORK + mesh->position_count)) return ZR_CANCELLED;
     if (!zr_builder_reserve(builder, mesh->position_count, 0, 0)) return ZR_NO_MEMORY;
 

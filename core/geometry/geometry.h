@@ -18,8 +18,8 @@
 /* Records, vertices and colours of a request: each no more than this, so that sums of some are within 32 bits. */
 #define ZR_GEOMETRY_MAX (UINT32_MAX / 4)
 
-/* Shapes of a request: fewer than this, so that a record's 29 bits number them. */
-#define ZR_SHAPE_MASK (UINT32_MAX >> 3)
+/* Shapes of a request: fewer than this, so that a record's 28 bits number them. */
+#define ZR_SHAPE_MASK (UINT32_MAX >> 4)
 
 /* A polygon that is no convex one. What it covers is decided by the odd-even rule over its edges; its
  * triangles, which are consecutive records, only tell depth and colour there. */

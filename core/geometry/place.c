@@ -46,6 +46,7 @@ static bool append_triangle(struct zr_builder *builder, struct zr_triangle trian
         triangle.v[k] = v;
         triangle.c[k] = c;
     }
+    triangle.turned = counter_clockwise;
     triangle.face = part->face;
     triangle.back = back;
     triangle.pushed = part->pushed;

@@ -1,36 +1,12 @@
 #include "geometry/source.h"
 
-struct matrix {
-    double m[16]; /* column-major */
-};
-
-static struct matrix widened(const zr_mat4 *matrix)
-{
-    struct matrix out;
-    for (int i = 0; i < 16; i++)
-        out.m[i] = (double)matrix->m[i];
-    return out;
-}
-
-static struct matrix product(const struct matrix *a, const struct matrix *b)
-{
-    struct matrix out;
-    for (int column = 0; column < 4; column++)
-        for (int row = 0; row < 4; row++) {
-            const double *c = &b->m[column * 4];
-            out.m[column * 4 + row] =
-                ((a->m[row] * c[0] + a->m[4 + row] * c[1]) + a->m[8 + row] * c[2]) + a->m[12 + row] * c[3];
-        }
-    return out;
-}
-
 struct zr_source_instance zr_source_instance_make(const struct zr_camera *camera, const zr_mat4 *object_to_world,
                                                   const struct zr_mesh *mesh, uint32_t first_vertex)
 {
-    struct matrix world = widened(object_to_world), view = widened(&camera->world_to_eye);
-    struct matrix projection = widened(&camera->projection);
-    struct matrix eye = product(&view, &world), clip = product(&projection, &eye);
-    struct zr_source_instance out = {.first_vertex = first_vertex, .mesh = mesh};
+    const struct zr_matrix world = zr_matrix_of(object_to_world), view = zr_matrix_of(&camera->world_to_eye);
+    const struct zr_matrix projection = zr_matrix_of(&camera->projection);
+    const struct zr_matrix eye = zr_matrix_mul(&view, &world), clip = zr_matrix_mul(&projection, &eye);
+    struct zr_source_instance out = {.first_vertex = first_vertex, .mesh = mesh, .object_to_eye = eye};
     for (int column = 0; column < 4; column++) {
         out.columns[column][ZR_SOURCE_X] = clip.m[column * 4];
         out.columns[column][ZR_SOURCE_Y] = clip.m[column * 4 + 1];
@@ -42,7 +18,7 @@ struct zr_source_instance zr_source_instance_make(const struct zr_camera *camera
 }
 
 /* The last instance that begins at the vertex or before it: those without vertices begin where the next one does. */
-static const struct zr_source_instance *instance_of(const struct zr_sources *sources, uint32_t vertex)
+const struct zr_source_instance *zr_source_instance_of(const struct zr_sources *sources, uint32_t vertex)
 {
     uint32_t low = 0, high = sources->instance_count;
     while (high - low > 1) {
@@ -70,7 +46,7 @@ static const struct zr_source_cut *cut_of(const struct zr_sources *sources, uint
 
 struct zr_source zr_source_of(const struct zr_sources *sources, const uint32_t vertices[3])
 {
-    struct zr_source source = {.instance = instance_of(sources, vertices[0])};
+    struct zr_source source = {.instance = zr_source_instance_of(sources, vertices[0])};
     const struct zr_mesh *mesh = source.instance->mesh;
     uint32_t first = source.instance->first_vertex;
     const uint32_t *cut = vertices[0] - first < mesh->position_count ? NULL : cut_of(sources, vertices[0])->corners;

@@ -13,6 +13,7 @@
 
 #include <stdint.h>
 
+#include "base/matrix.h"
 #include "scene/camera.h"
 
 /* What a position is brought to: x, y, w of clip space, -z and w of eye space. */
@@ -22,6 +23,7 @@ struct zr_source_instance {
     uint32_t first_vertex;
     const struct zr_mesh *mesh;
     double columns[4][ZR_SOURCE_ROWS]; /* of the matrix that does it */
+    struct zr_matrix object_to_eye;
 };
 
 /* A triangle that was cut. */
@@ -46,6 +48,9 @@ struct zr_source {
 /* The floats of scene and camera, multiplied in double. */
 struct zr_source_instance zr_source_instance_make(const struct zr_camera *camera, const zr_mat4 *object_to_world,
                                                   const struct zr_mesh *mesh, uint32_t first_vertex);
+
+/* The instance of a window vertex. Takes the logarithm of how many there are. */
+const struct zr_source_instance *zr_source_instance_of(const struct zr_sources *sources, uint32_t vertex);
 
 /* Of a record that is a triangle, by its window vertices. Takes the logarithm of what the tables hold. */
 struct zr_source zr_source_of(const struct zr_sources *sources, const uint32_t vertices[3]);

@@ -20,7 +20,7 @@ static const struct zr_light LIGHTS[] = {
 
 void zr_scene_defaults(struct zr_scene *scene)
 {
-    static const struct zr_output color = {ZR_CHANNEL_COLOR, ZR_ENCODING_PNG, 0};
+    static const struct zr_output color = {.channel = ZR_CHANNEL_COLOR, .encoding = ZR_ENCODING_PNG};
     *scene = (struct zr_scene){
         .width = 640,
         .height = 480,

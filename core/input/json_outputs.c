@@ -1,15 +1,15 @@
 #include "input/json_scene.h"
 #include "input/outputs.h"
 
-enum { CHANNEL, ENCODING, SCALE, KEYS };
+enum { CHANNEL, ENCODING, SCALE, SPACE, KEYS };
 static const char *const words[] = {"channel", "encoding", "scale", "space"};
 static const struct zr_names keys = ZR_NAMES(KEYS, words);
 
 static bool read_encoding(struct zr_json *json, const struct zr_json_path *path, const cJSON *node,
                           struct zr_output *output)
 {
-    int encoding, count;
-    output->encoding = zr_channel_encodings(output->channel, &count)[0];
+    int encoding;
+    output->encoding = zr_channel_rows[output->channel].encodings[0];
     if (!node) return true;
     if (!zr_json_choice(json, path, node, &zr_encoding_names, &encoding)) return false;
     output->encoding = (enum zr_encoding)encoding;
@@ -17,6 +17,20 @@ static bool read_encoding(struct zr_json *json, const struct zr_json_path *path,
            zr_json_fault(json, path, "the channel %s cannot be had as %s; allowed: %s",
                          zr_channel_names.words[output->channel], zr_encoding_names.words[encoding],
                          zr_channel_encodings_join(output->channel).text);
+}
+
+static bool read_space(struct zr_json *json, const struct zr_json_path *path, const cJSON *node,
+                       struct zr_output *output)
+{
+    const int count = zr_channel_rows[output->channel].space_count;
+    const struct zr_names allowed = {count, ZR_SPACE_COUNT, zr_space_names.words};
+    int space;
+    if (!node) return true;
+    if (count == 0)
+        return zr_json_fault(json, path, "the channel %s lies in no space", zr_channel_names.words[output->channel]);
+    if (!zr_json_choice(json, path, node, &allowed, &space)) return false;
+    output->space = (enum zr_space)space;
+    return true;
 }
 
 static bool read_output(struct zr_json *json, const struct zr_json_path *path, const cJSON *node,
@@ -30,6 +44,7 @@ static bool read_output(struct zr_json *json, const struct zr_json_path *path, c
         return false;
     *output = (struct zr_output){.channel = (enum zr_channel)channel};
     if (!read_encoding(json, ZR_JSON_KEY(path, words[ENCODING]), found[ENCODING], output)) return false;
+    if (!read_space(json, ZR_JSON_KEY(path, words[SPACE]), found[SPACE], output)) return false;
     if (!found[SCALE]) return true;
     const struct zr_json_path *scale = ZR_JSON_KEY(path, words[SCALE]);
     if (output->encoding != ZR_ENCODING_PNG16) return zr_json_fault(json, scale, "only the encoding png16 has one");
@@ -40,12 +55,18 @@ static bool read_output(struct zr_json *json, const struct zr_json_path *path, c
 static bool clashes(struct zr_json *json, const struct zr_json_path *path, const struct zr_output *outputs,
                     size_t count, const struct zr_output *output)
 {
-    for (size_t i = 0; i < count; i++)
+    for (size_t i = 0; i < count; i++) {
+        if (outputs[i].channel == output->channel && outputs[i].space != output->space) {
+            zr_json_fault(json, path, "another space than /outputs/%zu, which is %s, too", i,
+                          zr_channel_names.words[output->channel]);
+            return true;
+        }
         if (zr_outputs_clash(&outputs[i], output)) {
             zr_json_fault(json, path, "the same file name as /outputs/%zu: %s", i,
                           zr_channel_names.words[output->channel]);
             return true;
         }
+    }
     return false;
 }
 

@@ -7,47 +7,22 @@
 #include "input/number.h"
 #include "input/text.h"
 
-static const char *const channels[] = {"color",    "depth",    "windowDepth", "faceId",       "info",
-                                       "distance", "normals",  "instanceId",  "barycentrics", "position",
-                                       "texcoord", "coverage", "overdraw"};
+#define NAME(ID, NAME, ...) NAME,
+static const char *const channels[] = {ZR_CHANNEL_ROWS(NAME) "normals", "texcoord", "coverage", "overdraw"};
 static const char *const encodings[] = {"png", "png16", "npy", "json", "pfm", "tiff"};
+static const char *const spaces[] = {"camera", "world", "object"};
 
 const struct zr_names zr_channel_names = ZR_NAMES(ZR_CHANNEL_COUNT, channels);
 const struct zr_names zr_encoding_names = ZR_NAMES(ZR_ENCODING_COUNT, encodings);
-
-const enum zr_encoding *zr_channel_encodings(enum zr_channel channel, int *count)
-{
-    static const struct {
-        int count;
-        enum zr_encoding encodings[2];
-    } table[ZR_CHANNEL_COUNT] = {
-        [ZR_CHANNEL_COLOR] = {1, {ZR_ENCODING_PNG}},
-        [ZR_CHANNEL_DEPTH] = {2, {ZR_ENCODING_NPY, ZR_ENCODING_PNG16}},
-        [ZR_CHANNEL_WINDOW_DEPTH] = {1, {ZR_ENCODING_NPY}},
-        [ZR_CHANNEL_FACE_ID] = {1, {ZR_ENCODING_NPY}},
-        [ZR_CHANNEL_INFO] = {1, {ZR_ENCODING_JSON}},
-    };
-    *count = table[channel].count;
-    return table[channel].encodings;
-}
-
-bool zr_channel_has(enum zr_channel channel, enum zr_encoding encoding)
-{
-    int count;
-    const enum zr_encoding *allowed = zr_channel_encodings(channel, &count);
-    for (int i = 0; i < count; i++)
-        if (allowed[i] == encoding) return true;
-    return false;
-}
+const struct zr_names zr_space_names = ZR_NAMES(ZR_SPACE_COUNT, spaces);
 
 struct zr_names_text zr_channel_encodings_join(enum zr_channel channel)
 {
-    int count;
-    const enum zr_encoding *allowed = zr_channel_encodings(channel, &count);
+    const struct zr_channel_row *row = &zr_channel_rows[channel];
     const char *words[ZR_ENCODING_COUNT];
-    for (int i = 0; i < count; i++)
-        words[i] = encodings[allowed[i]];
-    return zr_names_join(&(struct zr_names){count, count, words});
+    for (int i = 0; i < row->encoding_count; i++)
+        words[i] = encodings[row->encodings[i]];
+    return zr_names_join(&(struct zr_names){row->encoding_count, row->encoding_count, words});
 }
 
 bool zr_outputs_clash(const struct zr_output *a, const struct zr_output *b)
@@ -72,13 +47,12 @@ static enum zr_status read_scale(const char *text, struct zr_output *output, str
 
 enum zr_status zr_output_of_query(const struct zr_request *request, struct zr_output *output, struct zr_error *error)
 {
-    *output = (struct zr_output){ZR_CHANNEL_COLOR, ZR_ENCODING_PNG, 0.0f};
+    *output = (struct zr_output){.channel = ZR_CHANNEL_COLOR, .encoding = ZR_ENCODING_PNG};
     if (request->channel) {
         int channel = zr_names_of_query("channel", &zr_channel_names, request->channel, error);
         if (channel < 0) return ZR_BAD_REQUEST;
-        int count;
         output->channel = (enum zr_channel)channel;
-        output->encoding = zr_channel_encodings(output->channel, &count)[0];
+        output->encoding = zr_channel_rows[channel].encodings[0];
     }
     if (request->encoding) {
         int encoding = zr_names_find(&zr_encoding_names, request->encoding);

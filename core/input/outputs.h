@@ -14,12 +14,9 @@
 
 extern const struct zr_names zr_channel_names;  /* enum zr_channel */
 extern const struct zr_names zr_encoding_names; /* enum zr_encoding */
+extern const struct zr_names zr_space_names;    /* enum zr_space */
 
-/* The encodings of a channel, the default one first; *count of them. */
-const enum zr_encoding *zr_channel_encodings(enum zr_channel channel, int *count);
-bool zr_channel_has(enum zr_channel channel, enum zr_encoding encoding);
-
-/* The same as words, for a message. */
+/* The encodings of a channel as words, for a message. */
 struct zr_names_text zr_channel_encodings_join(enum zr_channel channel);
 
 /* Would both get the same file name in an archive (channel.extension)? */

@@ -1,6 +1,7 @@
 /* npy.h - output: arrays as NumPy reads them, numpy.load(file).
  *
- * Format 1.0, little-endian on every machine; shape (height, width), row 0 on top.
+ * Format 1.0, little-endian on every machine; shape (height, width), or (height, width, components) where
+ * there are several; row 0 on top.
  * Source: NumPy enhancement proposal 1, "A Simple File Format for NumPy Arrays".
  */
 #ifndef ZR_NPY_H
@@ -13,8 +14,8 @@
 
 enum zr_npy_type { ZR_NPY_FLOAT32, ZR_NPY_UINT32 };
 
-/* Appends the file to `out`. `values` are width * height numbers of 4 bytes. */
-enum zr_status zr_npy_write(enum zr_npy_type type, uint32_t width, uint32_t height, const void *values,
-                            struct zr_buffer *out);
+/* Appends the file to `out`. `values` are width * height * components numbers of 4 bytes. */
+enum zr_status zr_npy_write(enum zr_npy_type type, uint32_t width, uint32_t height, uint32_t components,
+                            const void *values, struct zr_buffer *out);
 
 #endif

@@ -14,6 +14,7 @@
 #include <stdint.h>
 
 #include "base/vec.h"
+#include "scene/channels.h"
 
 enum zr_shading {
     ZR_SHADING_UNLIT,  /* colours as given, interpolated where given per vertex */
@@ -180,24 +181,14 @@ enum zr_algorithm {
     ZR_ALGORITHM_COUNT
 };
 
-enum zr_channel {
-    ZR_CHANNEL_COLOR,        /* RGB, or RGBA where the background is not opaque */
-    ZR_CHANNEL_DEPTH,        /* eye-space depth along the view axis, scene units */
-    ZR_CHANNEL_WINDOW_DEPTH, /* the z-buffer, 0..1 */
-    ZR_CHANNEL_FACE_ID,      /* 1 + number of the polygon, counted over all instances in order */
-    ZR_CHANNEL_INFO,         /* JSON: what was drawn and how */
-    ZR_CHANNEL_COUNT
-};
-
-enum zr_encoding { ZR_ENCODING_PNG, ZR_ENCODING_PNG16, ZR_ENCODING_NPY, ZR_ENCODING_JSON, ZR_ENCODING_COUNT };
-
 /* How PNGs are compressed: fast, or into fewer bytes for much more time (output/png.h). */
 enum zr_compress { ZR_COMPRESS_FAST, ZR_COMPRESS_SMALL, ZR_COMPRESS_COUNT };
 
 struct zr_output {
     enum zr_channel channel;
     enum zr_encoding encoding;
-    float scale; /* png16: scene units a step; 0: the far plane is 65535 */
+    float scale;         /* png16: scene units a step; 0: the far plane is 65535 */
+    enum zr_space space; /* of channels that have some; all outputs of one channel have the same */
 };
 
 /* What was drawn before, here or elsewhere, and new geometry is drawn into: arrays of
@@ -235,6 +226,14 @@ static inline bool zr_scene_wants(const struct zr_scene *scene, enum zr_channel 
     for (uint32_t i = 0; i < scene->output_count; i++)
         if (scene->outputs[i].channel == channel) return true;
     return false;
+}
+
+/* The space of a channel that is wanted. */
+static inline enum zr_space zr_scene_space(const struct zr_scene *scene, enum zr_channel channel)
+{
+    for (uint32_t i = 0; i < scene->output_count; i++)
+        if (scene->outputs[i].channel == channel) return scene->outputs[i].space;
+    return ZR_SPACE_CAMERA;
 }
 
 #endif

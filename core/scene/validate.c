@@ -17,7 +17,7 @@ static void check_window(const struct zr_scene *scene, const struct zr_limits *l
     if (error->count > before) return; /* so that the product below cannot overflow */
     uint64_t images = 0, pixels = (uint64_t)scene->width * scene->height;
     for (uint32_t i = 0; i < scene->output_count; i++)
-        images += scene->outputs[i].channel != ZR_CHANNEL_INFO;
+        images += zr_channel_rows[scene->outputs[i].channel].words;
     if (images > 0 && pixels > limits->window_pixels_max / images)
         zr_error_add(error, ZR_BAD_SCENE, "/window",
                      "%" PRIu32 " x %" PRIu32 " pixels x %" PRIu64 " image outputs is more than the limit of %" PRIu64,
@@ -45,8 +45,13 @@ static void check_base(const struct zr_scene *scene, struct zr_error *error)
     const struct zr_base *base = scene->base;
     if (!base) return;
     bool color = false, depth = false, face_id = false;
+    const enum zr_channel last_of_base = ZR_CHANNEL_INFO;
     for (uint32_t i = 0; i < scene->output_count; i++) {
         enum zr_channel channel = scene->outputs[i].channel;
+        if (channel > last_of_base)
+            zr_error_add(error, ZR_BAD_SCENE, "/base",
+                         "no base has the channel %s, so the outputs cannot have it, either",
+                         zr_channel_rows[channel].name);
         color |= channel == ZR_CHANNEL_COLOR;
         depth |= channel == ZR_CHANNEL_DEPTH;
         face_id |= channel == ZR_CHANNEL_FACE_ID || channel == ZR_CHANNEL_INFO;

@@ -1,7 +1,7 @@
 /* frame.h - shade: what a rendering is, channel by channel.
  *
  * Row 0 is the top of the picture. Every channel is derived from the same
- * samples, so that they always agree. A channel nobody asked for is NULL.
+ * samples, so that they always agree.
  */
 #ifndef ZR_FRAME_H
 #define ZR_FRAME_H
@@ -11,13 +11,19 @@
 #include "base/reach.h"
 #include "geometry/counts.h"
 #include "scene/camera.h"
+#include "scene/channels.h"
 
 struct zr_frame {
     uint32_t width, height;
-    uint8_t *color;             /* RGBA, 4 bytes a pixel */
-    float *depth;               /* +inf where nothing is */
-    float *window_depth;        /* 1 where nothing is */
-    uint32_t *face_id;          /* 0 where nothing is */
+    union {
+        void *channels[ZR_CHANNEL_COUNT]; /* scene/channels.h; NULL: not wanted */
+        struct {                          /* the first of them */
+            uint8_t *color;
+            float *depth;
+            float *window_depth;
+            uint32_t *face_id;
+        };
+    };
     const struct zr_base *base; /* what is seen where no record is, its window_depth made; NULL: nothing */
     struct zr_camera camera;
     struct zr_bounds bounds; /* of the scene; looked for where the view needs them or info is asked for, else invalid */

@@ -56,10 +56,10 @@ struct zr_pixel_rows {
 
 /* Where what is shaded of a tile goes: where `first` is NULL, it is not wanted. */
 struct zr_shaded {
-    struct zr_pixel_rows colors; /* RGBA of four bytes */
-    uint32_t nothing;            /* the colour where nobody is seen, but for what is */
-    struct zr_pixel_rows behind; /* there, if that is not NULL */
-    struct zr_pixel_rows faces;  /* ids of faces; 0 where nobody is seen */
+    struct zr_pixel_rows colors;           /* RGBA of four bytes */
+    uint32_t nothing;                      /* the colour where nobody is seen, but for what is */
+    struct zr_pixel_rows behind;           /* there, if that is not NULL */
+    struct zr_pixel_rows faces, instances; /* ids of faces and of instances; 0 where nobody is seen */
 };
 
 struct zr_paint {

@@ -123,7 +123,12 @@ static inline void make_colors(struct shading *s, const struct run *run)
     }
 }
 
-/* ---- ids of faces ---- */
+/* ---- ids ---- */
+
+static inline void make_instances(struct shading *s, const struct run *run)
+{
+    put_words(s, run, zr_vi_set((int32_t)(run->batch ? run->batch->instance + 1 : 0)));
+}
 
 static inline void make_faces(struct shading *s, const struct run *run)
 {
@@ -325,33 +330,38 @@ static inline void shade_colors(struct shading *s, const struct zr_tile *tile, i
     finish_blocks(s, tile, begin, end, tile->has_colors, to->behind.first ? &to->behind : NULL, &to->colors);
 }
 
-static inline void shade_faces(struct shading *s, const struct zr_tile *tile, int begin, int end,
-                               const struct zr_shaded *to)
+/* Ids, of which there are some for each run. */
+static inline void shade_ids(struct shading *s, const struct zr_tile *tile, int begin, int end,
+                             void (*make)(struct shading *s, const struct run *run), const struct zr_pixel_rows *out)
 {
     s->nothing = 0;
     s->any_planes = false;
     for (uint32_t i = 0; i < s->run_count; i++)
-        make_faces(s, &s->runs[i]);
-    finish_blocks(s, tile, begin, end, false, NULL, &to->faces);
+        make(s, &s->runs[i]);
+    finish_blocks(s, tile, begin, end, false, NULL, out);
+}
+
+static void shade_parts(struct shading *s, const struct zr_tile *tile, const struct zr_shaded *to, bool colors,
+                        bool others)
+{
+    const int all = (tile->height + ZR_BLOCK_HEIGHT - 1) / ZR_BLOCK_HEIGHT * ZR_BLOCK_COLUMNS;
+    for (int begin = 0, end; (colors || others) && begin < all; begin = end) {
+        end = find_parts(s, tile, begin, tile->has_colors && !others);
+        if (colors) shade_colors(s, tile, begin, end, to);
+        if (others && to->faces.first) shade_ids(s, tile, begin, end, make_faces, &to->faces);
+        if (others && to->instances.first) shade_ids(s, tile, begin, end, make_instances, &to->instances);
+    }
 }
 
 /* Where colours are known already, what is left of them has parts of its own. */
 static void shade(const struct zr_geometry *geometry, const struct zr_tile *tile, const struct zr_shaded *to)
 {
     struct shading s;
-    const int all = (tile->height + ZR_BLOCK_HEIGHT - 1) / ZR_BLOCK_HEIGHT * ZR_BLOCK_COLUMNS;
-    const bool together = !tile->has_colors, colors = to->colors.first, faces = to->faces.first;
+    const bool together = !tile->has_colors, colors = to->colors.first, others = to->faces.first || to->instances.first;
     s.geometry = geometry;
     s.batch = &geometry->batches[0];
-    for (int begin = 0, end; (colors || (faces && together)) && begin < all; begin = end) {
-        end = find_parts(&s, tile, begin, colors && !together);
-        if (colors) shade_colors(&s, tile, begin, end, to);
-        if (faces && together) shade_faces(&s, tile, begin, end, to);
-    }
-    for (int begin = 0, end; faces && !together && begin < all; begin = end) {
-        end = find_parts(&s, tile, begin, false);
-        shade_faces(&s, tile, begin, end, to);
-    }
+    shade_parts(&s, tile, to, colors, others && together);
+    if (!together) shade_parts(&s, tile, to, false, others);
 }
 
 /* ---- arrays ---- */

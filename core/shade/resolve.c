@@ -7,10 +7,7 @@
 #include "raster/halfspace.h"
 #include "shade/depths.h"
 #include "shade/paint.h"
-
-/* As floats. */
-#define INFINITY_BITS UINT32_C(0x7f800000)
-#define ONE_BITS      UINT32_C(0x3f800000)
+#include "shade/points.h"
 
 /* Where nothing is drawn, the base as it is; its depth in the tile is for the depth test only. Returns the deepest of
  * its depths. */
@@ -75,13 +72,19 @@ static struct zr_pixel_rows rows_of(const struct zr_frame *frame, const struct z
                                   .streamed = is_streamed(frame, tile)};
 }
 
-/* A channel that may be NULL. */
-static void fill(const struct zr_paint *paint, const struct zr_frame *frame, const struct zr_tile *tile, void *channel,
-                 uint32_t value)
+/* All channels, with what they have where nothing is. */
+static void fill_all(const struct zr_paint *paint, const struct zr_frame *frame, const struct zr_tile *tile,
+                     uint32_t background)
 {
-    if (!channel) return;
-    const struct zr_pixel_rows rows = rows_of(frame, tile, channel);
-    paint->fill(&rows, tile->width, tile->height, value);
+    for (int c = 0; c < ZR_CHANNEL_COUNT; c++) {
+        const struct zr_channel_row *row = &zr_channel_rows[c];
+        const int32_t words = (int32_t)row->words;
+        if (!frame->channels[c]) continue;
+        struct zr_pixel_rows rows = rows_of(frame, tile, frame->channels[c]);
+        rows.first = (uint32_t *)frame->channels[c] + lowest_pixel_of(frame, tile) * row->words;
+        rows.stride *= words;
+        paint->fill(&rows, tile->width * words, tile->height, c == ZR_CHANNEL_COLOR ? background : row->nothing);
+    }
 }
 
 static float resolve_depth(const struct zr_geometry *geometry, enum zr_isa isa, struct zr_tile *tile,
@@ -103,6 +106,8 @@ static void shade(const struct zr_geometry *geometry, const struct zr_paint *pai
     if (frame->color) to.colors = rows_of(frame, tile, frame->color);
     if (base && base->color) to.behind = rows_of(frame, tile, (void *)(uintptr_t)base->color);
     if (frame->face_id) to.faces = rows_of(frame, tile, frame->face_id);
+    if (frame->channels[ZR_CHANNEL_INSTANCE_ID])
+        to.instances = rows_of(frame, tile, frame->channels[ZR_CHANNEL_INSTANCE_ID]);
     paint->shade(geometry, tile, &to);
     for (int32_t y = 0; frame->face_id && base && y < tile->height; y++)
         for (int32_t x = 0; x < tile->width; x++)
@@ -110,27 +115,28 @@ static void shade(const struct zr_geometry *geometry, const struct zr_paint *pai
                 to.faces.first[y * to.faces.stride + x] += base->first_face_id - 1;
 }
 
-struct zr_resolved zr_resolve_tile(const struct zr_geometry *geometry, enum zr_isa isa, zr_vec4 background,
+struct zr_resolved zr_resolve_tile(const struct zr_geometry *geometry, enum zr_isa isa, const struct zr_scene *scene,
                                    struct zr_tile *tile, const struct zr_frame *frame)
 {
     const struct zr_paint *paint = zr_paint_of(isa);
-    const uint32_t nothing = zr_rgba_make(background);
+    const uint32_t nothing = zr_rgba_make(scene->background);
     struct zr_resolved resolved = {0, 0.0f};
     /* What is known of tiles and blocks as wholes knows nothing of a base: neither what is behind, nor that ids are
      * counted from its first_face_id. zr_tile_begin sees to it. */
     assert(!frame->base || (!tile->is_empty && !tile->knows_owners));
     if (tile->is_empty) {
-        fill(paint, frame, tile, frame->color, nothing);
-        fill(paint, frame, tile, frame->depth, INFINITY_BITS);
-        fill(paint, frame, tile, frame->face_id, 0);
-        fill(paint, frame, tile, frame->window_depth, ONE_BITS);
+        fill_all(paint, frame, tile, nothing);
         return resolved;
     }
     if (frame->window_depth) {
         const struct zr_pixel_rows rows = rows_of(frame, tile, frame->window_depth);
         paint->depths(tile, &rows);
     }
-    if (frame->depth || !frame->color) zr_halfspace_of(isa)->settle(tile); /* these look at every sample */
+    const bool points = zr_points_are_wanted(frame);
+    if (frame->depth || points) zr_halfspace_of(isa)->settle(tile); /* these look at every sample */
+    if (points)
+        zr_points_tile(geometry, zr_eye_depths_of(isa), paint->ends, zr_scene_space(scene, ZR_CHANNEL_POSITION), tile,
+                       frame);
     if (frame->depth) resolved.deepest = resolve_depth(geometry, isa, tile, frame);
     shade(geometry, paint, nothing, tile, frame);
     if (frame->base) {

@@ -19,7 +19,7 @@ struct zr_resolved {
 
 /* With the kernels of `isa`, writes the tile's part of each channel that `frame` has. The tile is used up. One writer a
  * pixel: different tiles may be resolved at once. */
-struct zr_resolved zr_resolve_tile(const struct zr_geometry *geometry, enum zr_isa isa, zr_vec4 background,
+struct zr_resolved zr_resolve_tile(const struct zr_geometry *geometry, enum zr_isa isa, const struct zr_scene *scene,
                                    struct zr_tile *tile, const struct zr_frame *frame);
 
 #endif

@@ -13,10 +13,10 @@
 
 enum { POLYGONS_MAX = 60, POLYGON_SIZE = 600, SCENE_SIZE = POLYGONS_MAX * POLYGON_SIZE + 4096, CHANNELS = 4 };
 
-static const struct zr_output OUTPUTS[CHANNELS] = {{ZR_CHANNEL_COLOR, ZR_ENCODING_PNG, 0},
-                                                   {ZR_CHANNEL_WINDOW_DEPTH, ZR_ENCODING_NPY, 0},
-                                                   {ZR_CHANNEL_DEPTH, ZR_ENCODING_NPY, 0},
-                                                   {ZR_CHANNEL_FACE_ID, ZR_ENCODING_NPY, 0}};
+static const struct zr_output OUTPUTS[CHANNELS] = {{.channel = ZR_CHANNEL_COLOR, .encoding = ZR_ENCODING_PNG},
+                                                   {.channel = ZR_CHANNEL_WINDOW_DEPTH, .encoding = ZR_ENCODING_NPY},
+                                                   {.channel = ZR_CHANNEL_DEPTH, .encoding = ZR_ENCODING_NPY},
+                                                   {.channel = ZR_CHANNEL_FACE_ID, .encoding = ZR_ENCODING_NPY}};
 static const char *const NAMES[CHANNELS] = {"color", "windowDepth", "depth", "faceId"};
 
 TEST_ARENA(1 << 28)

@@ -63,9 +63,9 @@ static uint64_t digest_of(const struct zr_scene *scene)
 /* Appends a row to `text` where the scene has lines. */
 static void add_row(const char *folder, const char *name, char text[TEXT_SIZE], int *rows)
 {
-    static const struct zr_output outputs[] = {{ZR_CHANNEL_COLOR, ZR_ENCODING_PNG, 0},
-                                               {ZR_CHANNEL_WINDOW_DEPTH, ZR_ENCODING_NPY, 0},
-                                               {ZR_CHANNEL_FACE_ID, ZR_ENCODING_NPY, 0}};
+    static const struct zr_output outputs[] = {{.channel = ZR_CHANNEL_COLOR, .encoding = ZR_ENCODING_PNG},
+                                               {.channel = ZR_CHANNEL_WINDOW_DEPTH, .encoding = ZR_ENCODING_NPY},
+                                               {.channel = ZR_CHANNEL_FACE_ID, .encoding = ZR_ENCODING_NPY}};
     char path[PATH_SIZE];
     snprintf(path, sizeof path, "%s/%s", folder, name);
     struct zr_request request = {.format = ZR_FORMAT_JSON};

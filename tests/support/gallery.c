@@ -21,10 +21,11 @@ const char *const gallery_names[GALLERY_SCENES] = {"soup",
 const uint32_t gallery_windows[GALLERY_WINDOWS][2] = {{1, 1}, {65, 1}, {333, 517}, {640, 480}, {1024, 512}};
 const char *const gallery_channels[GALLERY_CHANNELS] = {"color", "depth", "window depth", "face id"};
 
-static const struct zr_output outputs[GALLERY_CHANNELS] = {{ZR_CHANNEL_COLOR, ZR_ENCODING_PNG, 0},
-                                                           {ZR_CHANNEL_DEPTH, ZR_ENCODING_NPY, 0},
-                                                           {ZR_CHANNEL_WINDOW_DEPTH, ZR_ENCODING_NPY, 0},
-                                                           {ZR_CHANNEL_FACE_ID, ZR_ENCODING_NPY, 0}};
+static const struct zr_output outputs[GALLERY_CHANNELS] = {
+    {.channel = ZR_CHANNEL_COLOR, .encoding = ZR_ENCODING_PNG},
+    {.channel = ZR_CHANNEL_DEPTH, .encoding = ZR_ENCODING_NPY},
+    {.channel = ZR_CHANNEL_WINDOW_DEPTH, .encoding = ZR_ENCODING_NPY},
+    {.channel = ZR_CHANNEL_FACE_ID, .encoding = ZR_ENCODING_NPY}};
 
 const void *gallery_channel(const struct zr_frame *frame, int channel)
 {

@@ -69,7 +69,7 @@ bool geometry_end_shape(struct test_geometry *test)
     shape->edge_count = geometry->edge_count - shape->first_edge;
     shape->triangle_count = geometry->triangle_count - test->first_of_shape;
     for (uint32_t i = 0; i < shape->triangle_count; i++)
-        test->triangles[test->first_of_shape + i].shape = geometry->shape_count & 0x1fffffff;
+        test->triangles[test->first_of_shape + i].shape = geometry->shape_count & ZR_SHAPE_MASK;
     if (shape->triangle_count > 0) return true;
     geometry->edge_count = shape->first_edge;
     geometry->shape_count--;

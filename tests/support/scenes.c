@@ -25,7 +25,8 @@ void scene_of_triangles(struct test_scene *test, uint32_t width, uint32_t height
     const enum zr_channel channels[4] = {ZR_CHANNEL_COLOR, ZR_CHANNEL_DEPTH, ZR_CHANNEL_WINDOW_DEPTH,
                                          ZR_CHANNEL_FACE_ID};
     for (int i = 0; i < 4; i++)
-        test->outputs[i] = (struct zr_output){channels[i], i ? ZR_ENCODING_NPY : ZR_ENCODING_PNG, 0};
+        test->outputs[i] =
+            (struct zr_output){.channel = channels[i], .encoding = i ? ZR_ENCODING_NPY : ZR_ENCODING_PNG};
     test->scene = (struct zr_scene){.width = width,
                                     .height = height,
                                     .background = {0, 0, 0, 1},

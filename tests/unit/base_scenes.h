@@ -50,7 +50,7 @@ static inline struct zr_asset png_asset(const char *name, enum zr_png_kind kind,
 static inline struct zr_asset npy_asset(const char *name, enum zr_npy_type type, const void *values)
 {
     struct zr_buffer out = {.arena = &arena};
-    assert_int_equal(zr_npy_write(type, WIDTH, HEIGHT, values, &out), ZR_OK);
+    assert_int_equal(zr_npy_write(type, WIDTH, HEIGHT, 1, values, &out), ZR_OK);
     return (struct zr_asset){name, out.bytes, out.size};
 }
 

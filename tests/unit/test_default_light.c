@@ -130,8 +130,8 @@ static void a_bare_mesh_gets_the_same_light(void **state)
     look_at_cube("[0.7, 0.7, 0.7]", "\"preset\": \"isometric\"", &json);
     struct reading *reading = read_text(ZR_FORMAT_OBJ, obj);
     struct zr_scene scene = *reading->scene;
-    const struct zr_output outputs[] = {{ZR_CHANNEL_COLOR, ZR_ENCODING_PNG, 0},
-                                        {ZR_CHANNEL_FACE_ID, ZR_ENCODING_NPY, 0}};
+    const struct zr_output outputs[] = {{.channel = ZR_CHANNEL_COLOR, .encoding = ZR_ENCODING_PNG},
+                                        {.channel = ZR_CHANNEL_FACE_ID, .encoding = ZR_ENCODING_NPY}};
     scene.outputs = outputs;
     scene.output_count = 2;
     reading->scene = &scene;

@@ -10,7 +10,7 @@
 #include "support/test_arena.h"
 
 TEST_ARENA(1 << 27)
-static const struct zr_output info_output = {ZR_CHANNEL_INFO, ZR_ENCODING_JSON, 0};
+static const struct zr_output info_output = {.channel = ZR_CHANNEL_INFO, .encoding = ZR_ENCODING_JSON};
 
 static struct zr_answer info_of(struct test_scene *test)
 {

@@ -67,7 +67,7 @@ static void depth_in_perspective_is_converted_too(void **state)
 
 static cJSON *info_of(struct reading *reading)
 {
-    static const struct zr_output output = {ZR_CHANNEL_INFO, ZR_ENCODING_JSON, 0};
+    static const struct zr_output output = {.channel = ZR_CHANNEL_INFO, .encoding = ZR_ENCODING_JSON};
     struct zr_scene scene = *reading->scene;
     scene.outputs = &output;
     scene.output_count = 1;

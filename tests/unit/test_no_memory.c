@@ -126,8 +126,8 @@ static int make_assets(void **state)
     for (size_t i = 0; i < 12 * 16; i++)
         depth[i] = 1.0f;
     if (zr_png_write(&png, NULL, NULL, &color) != ZR_OK ||
-        zr_npy_write(ZR_NPY_FLOAT32, 16, 12, depth, &depths) != ZR_OK ||
-        zr_npy_write(ZR_NPY_UINT32, 16, 12, ids, &numbers) != ZR_OK)
+        zr_npy_write(ZR_NPY_FLOAT32, 16, 12, 1, depth, &depths) != ZR_OK ||
+        zr_npy_write(ZR_NPY_UINT32, 16, 12, 1, ids, &numbers) != ZR_OK)
         return -1;
     assets[0] = asset("color", &color);
     assets[1] = asset("depth", &depths);

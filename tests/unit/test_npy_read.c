@@ -46,7 +46,7 @@ static void what_we_write_is_read(void **state)
     uint32_t out[6];
     struct zr_reason reason;
     struct zr_buffer file = {.arena = &arena};
-    assert_int_equal(zr_npy_write(ZR_NPY_FLOAT32, 3, 2, values, &file), ZR_OK);
+    assert_int_equal(zr_npy_write(ZR_NPY_FLOAT32, 3, 2, 1, values, &file), ZR_OK);
     char copy[FILE_MAX];
     memcpy(copy, file.bytes, file.size);
     assert_int_equal(read_file(copy, file.size, ZR_NPY_WANTED_FLOAT32, out, &reason), ZR_OK);

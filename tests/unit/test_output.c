@@ -96,7 +96,7 @@ static void npy_has_the_header_that_numpy_writes(void **state)
     (void)state;
     const float values[6] = {0, 1, 2, 3, 4, INFINITY};
     struct zr_buffer out = {.arena = &arena};
-    assert_int_equal(zr_npy_write(ZR_NPY_FLOAT32, 3, 2, values, &out), ZR_OK);
+    assert_int_equal(zr_npy_write(ZR_NPY_FLOAT32, 3, 2, 1, values, &out), ZR_OK);
     assert_int_equal(out.size, 128 + 24);
     assert_memory_equal(out.bytes, "\x93NUMPY\x01\x00\x76\x00", 10);
     static const char dictionary[] = "{'descr': '<f4', 'fortran_order': False, 'shape': (2, 3), }  ";
@@ -246,7 +246,8 @@ static void depth_as_png16_has_steps_of_its_scale_and_warns_of_what_does_not_fit
     assert_true(pixels[0] > 0 && pixels[1] == 28 && pixels[2] > 0);
     test.scene.output_count = 1;
     for (size_t c = 0; c < sizeof cases / sizeof *cases; c++) {
-        const struct zr_output output = {ZR_CHANNEL_DEPTH, ZR_ENCODING_PNG16, cases[c].scale};
+        const struct zr_output output = {
+            .channel = ZR_CHANNEL_DEPTH, .encoding = ZR_ENCODING_PNG16, .scale = cases[c].scale};
         struct zr_answer answer;
         struct zr_error error = {.count = 0};
         test.scene.outputs = &output;

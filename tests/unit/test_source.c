@@ -11,7 +11,9 @@ static const struct zr_mesh meshes[3] = {
 
 static void assert_source(uint32_t v0, uint32_t v1, uint32_t v2, const zr_vec4 *positions, const uint32_t want[3])
 {
-    struct zr_source_instance instances[3] = {{0, &meshes[0], {{0}}}, {12, &meshes[1], {{0}}}, {12, &meshes[2], {{0}}}};
+    struct zr_source_instance instances[3] = {{.first_vertex = 0, .mesh = &meshes[0]},
+                                              {.first_vertex = 12, .mesh = &meshes[1]},
+                                              {.first_vertex = 12, .mesh = &meshes[2]}};
     struct zr_source_cut cuts[3] = {{3, {2, 1, 0}}, {7, {0, 2, 1}}, {16, {3, 1, 2}}};
     const struct zr_sources sources = {3, 3, instances, cuts};
     struct zr_source source = zr_source_of(&sources, (const uint32_t[3]){v0, v1, v2});

@@ -1,0 +1,65 @@
+#include "base/matrix.h"
+
+#include <string.h>
+
+struct zr_matrix zr_matrix_of(const zr_mat4 *matrix)
+{
+    struct zr_matrix out;
+    for (int i = 0; i < 16; i++)
+        out.m[i] = (double)matrix->m[i];
+    return out;
+}
+
+struct zr_matrix zr_matrix_mul(const struct zr_matrix *a, const struct zr_matrix *b)
+{
+    struct zr_matrix out;
+    for (int column = 0; column < 4; column++)
+        for (int row = 0; row < 4; row++) {
+            const double *c = &b->m[column * 4];
+            out.m[column * 4 + row] =
+                ((a->m[row] * c[0] + a->m[4 + row] * c[1]) + a->m[8 + row] * c[2]) + a->m[12 + row] * c[3];
+        }
+    return out;
+}
+
+void zr_matrix_apply(const struct zr_matrix *m, const double v[4], double out[4])
+{
+    for (int row = 0; row < 4; row++)
+        out[row] = ((m->m[row] * v[0] + m->m[4 + row] * v[1]) + m->m[8 + row] * v[2]) + m->m[12 + row] * v[3];
+}
+
+static void swap_rows(double rows[4][8], int i, int k)
+{
+    double row[8];
+    memcpy(row, rows[i], sizeof row);
+    memcpy(rows[i], rows[k], sizeof row);
+    memcpy(rows[k], row, sizeof row);
+}
+
+/* Gauss and Jordan: the matrix and the identity beside it, by the largest entries of columns. */
+bool zr_matrix_invert(const struct zr_matrix *m, struct zr_matrix *out)
+{
+    double rows[4][8];
+    memset(out, 0, sizeof *out);
+    for (int row = 0; row < 4; row++)
+        for (int column = 0; column < 4; column++) {
+            rows[row][column] = m->m[4 * column + row];
+            rows[row][4 + column] = row == column ? 1.0 : 0.0;
+        }
+    for (int column = 0; column < 4; column++) {
+        int best = column;
+        for (int row = column + 1; row < 4; row++)
+            if (fabs(rows[row][column]) > fabs(rows[best][column])) best = row;
+        if (!(fabs(rows[best][column]) > 0.0)) return false;
+        swap_rows(rows, column, best);
+        for (int row = 0; row < 4; row++) {
+            const double factor = rows[row][column] / rows[column][column];
+            for (int k = 0; k < 8 && row != column; k++)
+                rows[row][k] -= factor * rows[column][k];
+        }
+    }
+    for (int row = 0; row < 4; row++)
+        for (int column = 0; column < 4; column++)
+            out->m[4 * column + row] = rows[row][4 + column] / rows[row][row];
+    return true;
+}

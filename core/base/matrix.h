@@ -1,0 +1,23 @@
+/* matrix.h - base: 4 by 4 matrices in double, column-major as zr_mat4 is. */
+#ifndef ZR_MATRIX_H
+#define ZR_MATRIX_H
+
+#include <stdbool.h>
+
+#include "base/vec.h"
+
+struct zr_matrix {
+    double m[16];
+};
+
+struct zr_matrix zr_matrix_of(const zr_mat4 *matrix);
+
+/* a b, each sum from left to right. */
+struct zr_matrix zr_matrix_mul(const struct zr_matrix *a, const struct zr_matrix *b);
+
+void zr_matrix_apply(const struct zr_matrix *m, const double v[4], double out[4]);
+
+/* False where it has no inverse: *out is then all zeros. */
+bool zr_matrix_invert(const struct zr_matrix *m, struct zr_matrix *out);
+
+#endif

@@ -1,0 +1,19 @@
+#include "scene/channels.h"
+
+#define ENCODINGS(...)                                                                                                 \
+    sizeof((const enum zr_encoding[]){__VA_ARGS__}) / sizeof(enum zr_encoding), (const enum zr_encoding[])             \
+    {                                                                                                                  \
+        __VA_ARGS__                                                                                                    \
+    }
+#define CHANNEL(ID, NAME, VALUES, WORDS, NOTHING, SPACES, ...)                                                         \
+    [ZR_CHANNEL_##ID] = {NAME,   ZR_VALUES_##VALUES,   WORDS, ZR_NOTHING_##NOTHING,                                    \
+                         SPACES, ENCODINGS(__VA_ARGS__)},
+
+const struct zr_channel_row zr_channel_rows[ZR_CHANNEL_COUNT] = {ZR_CHANNEL_ROWS(CHANNEL)};
+
+bool zr_channel_has(enum zr_channel channel, enum zr_encoding encoding)
+{
+    for (int i = 0; i < zr_channel_rows[channel].encoding_count; i++)
+        if (zr_channel_rows[channel].encodings[i] == encoding) return true;
+    return false;
+}

@@ -1,0 +1,74 @@
+/* channels.h - scene: what can be had of a picture, one row each.
+ *
+ * All floors walk these rows, and none but the one that makes its values knows a channel by name: the reader of outputs,
+ * validation, the frame, encodings and the names of files in an archive. A new channel is a row here, and a function
+ * in shade/channels.c.
+ */
+#ifndef ZR_CHANNELS_H
+#define ZR_CHANNELS_H
+
+#include <stdbool.h>
+#include <stdint.h>
+
+enum zr_encoding { ZR_ENCODING_PNG, ZR_ENCODING_PNG16, ZR_ENCODING_NPY, ZR_ENCODING_JSON, ZR_ENCODING_COUNT };
+
+/* What the values of a pixel are; each word has four bytes. */
+enum zr_values {
+    ZR_VALUES_RGBA,    /* a byte each */
+    ZR_VALUES_FLOAT32, /* a word each */
+    ZR_VALUES_UINT32,
+    ZR_VALUES_NONE /* it has no pixels */
+};
+
+/* Where something lies, or points. */
+enum zr_space { ZR_SPACE_CAMERA, ZR_SPACE_WORLD, ZR_SPACE_OBJECT, ZR_SPACE_COUNT };
+
+/* A word of the channel where nothing is, as bits. */
+#define ZR_NOTHING_ZERO     UINT32_C(0)
+#define ZR_NOTHING_ONE      UINT32_C(0x3f800000) /* as a float */
+#define ZR_NOTHING_INFINITY UINT32_C(0x7f800000)
+
+/* ROW(ID, name, values, words a pixel, nothing, how many spaces it may be in, in the order of enum zr_space,
+ *     its encodings, the default one first) */
+#define ZR_CHANNEL_ROWS(ROW)                                                                                           \
+    /* RGB, or RGBA where the background is not opaque, which is what is seen where nothing is */                      \
+    ROW(COLOR, "color", RGBA, 1, ZERO, 0, ZR_ENCODING_PNG)                                                             \
+    /* eye-space depth along the view axis, scene units */                                                             \
+    ROW(DEPTH, "depth", FLOAT32, 1, INFINITY, 0, ZR_ENCODING_NPY, ZR_ENCODING_PNG16)                                   \
+    /* the z-buffer, 0..1 */                                                                                           \
+    ROW(WINDOW_DEPTH, "windowDepth", FLOAT32, 1, ONE, 0, ZR_ENCODING_NPY)                                              \
+    /* 1 + number of the polygon, counted over all instances in order */                                               \
+    ROW(FACE_ID, "faceId", UINT32, 1, ZERO, 0, ZR_ENCODING_NPY)                                                        \
+    /* JSON: what was drawn and how */                                                                                 \
+    ROW(INFO, "info", NONE, 0, ZERO, 0, ZR_ENCODING_JSON)                                                              \
+    /* length of the ray from the eye; of parallel rays, depth */                                                      \
+    ROW(DISTANCE, "distance", FLOAT32, 1, INFINITY, 0, ZR_ENCODING_NPY)                                                \
+    /* 1 + number of the instance */                                                                                   \
+    ROW(INSTANCE_ID, "instanceId", UINT32, 1, ZERO, 0, ZR_ENCODING_NPY)                                                \
+    /* shares of the corners of the triangle: as given, or of a polygon (i - 1, i, 0) */                               \
+    ROW(BARYCENTRICS, "barycentrics", FLOAT32, 3, ZERO, 0, ZR_ENCODING_NPY)                                            \
+    /* of the point that is seen */                                                                                    \
+    ROW(POSITION, "position", FLOAT32, 3, ZERO, 3, ZR_ENCODING_NPY)
+
+enum zr_channel {
+#define ZR_CHANNEL_ENUM(ID, ...) ZR_CHANNEL_##ID,
+    ZR_CHANNEL_ROWS(ZR_CHANNEL_ENUM)
+#undef ZR_CHANNEL_ENUM
+        ZR_CHANNEL_COUNT
+};
+
+struct zr_channel_row {
+    const char *name;
+    enum zr_values values;
+    uint32_t words; /* a pixel */
+    uint32_t nothing;
+    int space_count;    /* 0: it lies in none, or in one of its own */
+    int encoding_count; /* at least 1 */
+    const enum zr_encoding *encodings;
+};
+
+extern const struct zr_channel_row zr_channel_rows[ZR_CHANNEL_COUNT];
+
+bool zr_channel_has(enum zr_channel channel, enum zr_encoding encoding);
+
+#endif

@@ -1,0 +1,241 @@
+#include "shade/points.h"
+
+#include <string.h>
+
+#include "base/matrix.h"
+
+/* What is the same for all samples of a record. */
+struct record {
+    uint32_t owner; /* 0: none */
+    struct zr_eye_depth depth;
+    const struct zr_source_instance *instance;
+    struct zr_eye_plane shares[2], one; /* of corners 1 and 2, and 1, all times the same; of lines 0 */
+};
+
+/* Records come back row by row: the last ones are remembered. */
+enum { REMEMBERED = 64 };
+
+struct points {
+    const struct zr_geometry *geometry;
+    const struct zr_eye_depths *kernel;
+    const struct zr_frame *frame;
+    const struct zr_batch *batch; /* of the last record */
+    enum zr_space space;
+    bool is_parallel;               /* all rays are, and have no eye in common */
+    struct zr_matrix projection, to_world;
+    const struct zr_source_instance *last; /* to_object is of */
+    struct zr_matrix to_object;
+    struct record records[REMEMBERED];
+};
+
+/* ---- records ---- */
+
+static void cross(const double *a, const double *b, double *out)
+{
+    out[0] = a[1] * b[2] - a[2] * b[1];
+    out[1] = a[2] * b[0] - a[0] * b[2];
+    out[2] = a[0] * b[1] - a[1] * b[0];
+}
+
+/* As value_planes of eye_depth_kernel.c has it: p0 the value at corner 0, p1 and p2 how much the others have more. */
+static struct zr_eye_plane value_plane(double (*c)[3], double p0, double p1, double p2, double width,
+                                       double height)
+{
+    double normal[3], u[3], a[3];
+    cross(c[1], c[2], normal);
+    for (int k = 0; k < 3; k++)
+        u[k] = p2 * c[1][k] - p1 * c[2][k];
+    cross(c[0], u, a);
+    const double x = (a[0] + p0 * normal[0]) * height, y = (a[1] + p0 * normal[1]) * width;
+    const double one = (a[2] + p0 * normal[2]) * (width * height);
+    return (struct zr_eye_plane){(one + x * (1.0 - width)) + y * (1.0 - height), 2.0 * x, 2.0 * y};
+}
+
+static double source_value(const struct zr_source_instance *instance, const zr_vec4 *p, int row)
+{
+    const double(*m)[ZR_SOURCE_ROWS] = instance->columns;
+    return (((double)p->x * m[0][row] + (double)p->y * m[1][row]) + (double)p->z * m[2][row]) +
+           (double)p->w * m[3][row];
+}
+
+static void find_shares(const struct points *points, const struct zr_source *source, struct record *record)
+{
+    static const int rows[3] = {ZR_SOURCE_X, ZR_SOURCE_Y, ZR_SOURCE_W};
+    const double width = (double)points->frame->width, height = (double)points->frame->height;
+    double c[3][3], w[3]; /* corner 0, and the ways from there to the others */
+    for (int i = 0; i < 3; i++) {
+        zr_vec4 p = *source->corners[i];
+        if (i > 0) {
+            const zr_vec4 *o = source->corners[0];
+            p = (zr_vec4){p.x - o->x, p.y - o->y, p.z - o->z, p.w - o->w};
+        }
+        for (int r = 0; r < 3; r++)
+            c[i][r] = source_value(source->instance, &p, rows[r]);
+        w[i] = source_value(source->instance, source->corners[i], ZR_SOURCE_EYE_W);
+    }
+    record->one = value_plane(c, w[0], w[1] - w[0], w[2] - w[0], width, height);
+    record->shares[0] = value_plane(c, 0.0, w[1], 0.0, width, height);
+    record->shares[1] = value_plane(c, 0.0, 0.0, w[2], width, height);
+}
+
+static struct zr_eye_depth depth_of(const struct points *points, const struct zr_triangle *record,
+                                    const struct zr_source *source)
+{
+    const zr_vec4 *corners[1 + ZR_EYE_ROOM][3];
+    struct zr_eye_depth out[1 + ZR_EYE_ROOM];
+    memcpy(corners[0], source->corners, sizeof corners[0]);
+    if (points->kernel->make(source->instance, corners, 1, points->frame->width, points->frame->height, out) > 0 &&
+        source->is_cut)
+        zr_eye_depth_take_piece(points->geometry, record, &out[0]);
+    return out[0];
+}
+
+static struct record record_make(struct points *points, uint32_t owner)
+{
+    const struct zr_geometry *geometry = points->geometry;
+    points->batch = zr_batch_next(geometry, points->batch, owner - 1);
+    const struct zr_record shown = zr_record_of(geometry, points->batch, owner - 1);
+    struct record record = {.owner = owner,
+                            .instance = zr_source_instance_of(&geometry->sources, shown.triangle.v[0])};
+    if (shown.triangle.line) {
+        record.depth = zr_eye_depth_of_line(geometry, &shown.triangle);
+        return record;
+    }
+    const struct zr_source source = zr_source_of(&geometry->sources, shown.triangle.v);
+    record.depth = depth_of(points, &shown.triangle, &source);
+    if (!points->frame->channels[ZR_CHANNEL_BARYCENTRICS]) return record;
+    struct zr_source given = source;
+    if (shown.triangle.turned && !source.is_cut) { /* as rule 6 wants it: shares are of the corners as given */
+        given.corners[0] = source.corners[zr_swapped_corner()];
+        given.corners[zr_swapped_corner()] = source.corners[0];
+    }
+    find_shares(points, &given, &record);
+    return record;
+}
+
+static const struct record *record_of(struct points *points, uint32_t owner)
+{
+    struct record *record = &points->records[owner % REMEMBERED];
+    if (record->owner != owner) *record = record_make(points, owner);
+    return record;
+}
+
+/* ---- samples ---- */
+
+static double plane_at(const struct zr_eye_plane *plane, double x, double y)
+{
+    return (plane->a0 + plane->dady * y) + plane->dadx * x;
+}
+
+static double kept_within(double value, double least, double most)
+{
+    return value > least ? value < most ? value : most : least; /* NaN gives the least */
+}
+
+/* Where the ray of a sample is at a depth: both of its first two equations are linear in x and y. */
+static void eye_point(const struct points *points, double x, double y, double depth, double out[4])
+{
+    const double *m = points->projection.m, z = -depth;
+    const double nx = (2.0 * x + 1.0) / (double)points->frame->width - 1.0;
+    const double ny = (2.0 * y + 1.0) / (double)points->frame->height - 1.0;
+    double row[2][4];
+    for (int k = 0; k < 4; k++) {
+        row[0][k] = m[4 * k] - nx * m[4 * k + 3];
+        row[1][k] = m[4 * k + 1] - ny * m[4 * k + 3];
+    }
+    const double r0 = -(row[0][2] * z + row[0][3]), r1 = -(row[1][2] * z + row[1][3]);
+    const double determinant = row[0][0] * row[1][1] - row[0][1] * row[1][0];
+    out[0] = (r0 * row[1][1] - row[0][1] * r1) / determinant;
+    out[1] = (row[0][0] * r1 - r0 * row[1][0]) / determinant;
+    out[2] = z;
+    out[3] = 1.0;
+}
+
+static void put_position(struct points *points, const struct record *record, const double eye[4], float *out)
+{
+    double placed[4] = {eye[0], eye[1], eye[2], 1.0};
+    if (points->space == ZR_SPACE_WORLD) zr_matrix_apply(&points->to_world, eye, placed);
+    if (points->space == ZR_SPACE_OBJECT) {
+        /* Of one that is flattened there is no way back: zeros. */
+        if (points->last != record->instance)
+            (void)zr_matrix_invert(&record->instance->object_to_eye, &points->to_object);
+        points->last = record->instance;
+        zr_matrix_apply(&points->to_object, eye, placed);
+    }
+    for (int k = 0; k < 3; k++)
+        out[k] = (float)(placed[3] != 0.0 ? placed[k] / placed[3] : placed[k]);
+}
+
+static void put_shares(const struct record *record, double x, double y, float *out)
+{
+    const double one = plane_at(&record->one, x, y);
+    const double second = kept_within(plane_at(&record->shares[0], x, y) / one, 0.0, 1.0);
+    const double third = kept_within(plane_at(&record->shares[1], x, y) / one, 0.0, 1.0 - second);
+    out[0] = (float)(1.0 - second - third);
+    out[1] = (float)second;
+    out[2] = (float)third;
+    if (record->one.a0 == 0.0 && record->one.dadx == 0.0 && record->one.dady == 0.0) memset(out, 0, 3 * sizeof *out);
+}
+
+static void put_sample(struct points *points, const struct record *record, double x, double y, size_t pixel)
+{
+    const struct zr_eye_depth *d = &record->depth;
+    float *distance = points->frame->channels[ZR_CHANNEL_DISTANCE];
+    float *position = points->frame->channels[ZR_CHANNEL_POSITION];
+    float *shares = points->frame->channels[ZR_CHANNEL_BARYCENTRICS];
+    double eye[4];
+    const double depth = kept_within(plane_at(&d->depth, x, y) / plane_at(&d->one, x, y), d->min, d->max);
+    eye_point(points, x, y, depth, eye);
+    if (distance)
+        distance[pixel] =
+            (float)(points->is_parallel ? depth : sqrt((eye[0] * eye[0] + eye[1] * eye[1]) + eye[2] * eye[2]));
+    if (position) put_position(points, record, eye, position + 3 * pixel);
+    if (shares) put_shares(record, x, y, shares + 3 * pixel);
+}
+
+static void put_nothing(const struct zr_frame *frame, size_t pixel)
+{
+    static const enum zr_channel channels[] = {ZR_CHANNEL_DISTANCE, ZR_CHANNEL_POSITION, ZR_CHANNEL_BARYCENTRICS};
+    for (size_t i = 0; i < sizeof channels / sizeof channels[0]; i++) {
+        const struct zr_channel_row *row = &zr_channel_rows[channels[i]];
+        uint32_t *words = frame->channels[channels[i]];
+        for (uint32_t k = 0; words && k < row->words; k++)
+            words[pixel * row->words + k] = row->nothing;
+    }
+}
+
+bool zr_points_are_wanted(const struct zr_frame *frame)
+{
+    return frame->channels[ZR_CHANNEL_DISTANCE] || frame->channels[ZR_CHANNEL_POSITION] ||
+           frame->channels[ZR_CHANNEL_BARYCENTRICS];
+}
+
+void zr_points_tile(const struct zr_geometry *geometry, const struct zr_eye_depths *kernel,
+                    uint64_t (*ends)(const uint32_t *owners, int32_t width), enum zr_space position,
+                    const struct zr_tile *tile, const struct zr_frame *frame)
+{
+    struct points points = {.geometry = geometry,
+                            .kernel = kernel,
+                            .frame = frame,
+                            .batch = &geometry->batches[0],
+                            .space = position};
+    const zr_mat4 *projection = &frame->camera.projection;
+    const struct zr_matrix view = zr_matrix_of(&frame->camera.world_to_eye);
+    points.projection = zr_matrix_of(projection);
+    (void)zr_matrix_invert(&view, &points.to_world);
+    points.is_parallel = projection->m[3] == 0.0f && projection->m[7] == 0.0f && projection->m[11] == 0.0f;
+    for (int32_t y = 0; y < tile->height; y++) {
+        const uint32_t *owners = &tile->owner[y * ZR_TILE_STRIDE];
+        const size_t first = (size_t)(frame->height - 1 - (uint32_t)(tile->y + y)) * frame->width + (size_t)tile->x;
+        int32_t begin = 0, end;
+        for (uint64_t bits = ends(owners, tile->width); bits; bits &= bits - 1, begin = end) {
+            const struct record *record = owners[begin] > 0 ? record_of(&points, owners[begin]) : NULL;
+            end = __builtin_ctzll(bits) + 1;
+            for (int32_t x = begin; x < end; x++)
+                if (record)
+                    put_sample(&points, record, (double)(tile->x + x), (double)(tile->y + y), first + (size_t)x);
+                else
+                    put_nothing(frame, first + (size_t)x);
+        }
+    }
+}

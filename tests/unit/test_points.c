@@ -1,0 +1,148 @@
+/* Channels of points: position in its three spaces, distance, barycentrics, instanceId; each is held against another. */
+#include <math.h>
+#include <string.h>
+
+#include "input_check.h"
+#include "support/isas.h"
+#include "support/random.h"
+#include "support/scenes.h"
+
+enum { TRIANGLES = 60, SIDE = 96 };
+
+static char *append(char *to, const char *format, ...) __attribute__((format(printf, 2, 3)));
+static char *append(char *to, const char *format, ...)
+{
+    va_list list;
+    va_start(list, format);
+    to += vsprintf(to, format, list);
+    va_end(list);
+    return to;
+}
+
+/* Triangles of one mesh, placed as it is and mirrored, some cut by the view volume. */
+static const char *scene_text(const char *view)
+{
+    static char text[1 << 16];
+    struct random random = random_seeded(5);
+    char *at = append(text, "{\"version\": 1, \"window\": {\"width\": %d, \"height\": %d}, \"view\": {%s},", SIDE, SIDE - 9,
+                      view);
+    at = append(at, " \"nodes\": [{\"mesh\": 0}, {\"mesh\": 0, \"translation\": [0.3, 0.1, -0.4], \"scale\": [-1, 1, 0.5],"
+                    " \"rotation\": [0.1, 0.2, 0.3, 0.9]}], \"meshes\": [{\"positions\": [");
+    for (int i = 0; i < 9 * TRIANGLES; i++)
+        at = append(at, "%s%s%.4f", i % 3 ? "" : i ? "], [" : "[", i % 3 ? ", " : "", random_range(&random, -1.2, 1.2));
+    at = append(at, "]], \"faces\": [");
+    for (int i = 0; i < TRIANGLES; i++)
+        at = append(at, "%s[%d, %d, %d]", i ? ", " : "", 3 * i, 3 * i + 1, 3 * i + 2);
+    append(at, "]}]}");
+    return text;
+}
+
+static const struct zr_frame *render(struct reading *reading, struct zr_team *team, enum zr_space space)
+{
+    static struct zr_output outputs[] = {{.channel = ZR_CHANNEL_DEPTH, .encoding = ZR_ENCODING_NPY},
+                                         {.channel = ZR_CHANNEL_FACE_ID, .encoding = ZR_ENCODING_NPY},
+                                         {.channel = ZR_CHANNEL_DISTANCE, .encoding = ZR_ENCODING_NPY},
+                                         {.channel = ZR_CHANNEL_INSTANCE_ID, .encoding = ZR_ENCODING_NPY},
+                                         {.channel = ZR_CHANNEL_BARYCENTRICS, .encoding = ZR_ENCODING_NPY},
+                                         {.channel = ZR_CHANNEL_POSITION, .encoding = ZR_ENCODING_NPY}};
+    struct zr_scene scene = *reading->scene;
+    outputs[5].space = space;
+    scene.outputs = outputs;
+    scene.output_count = sizeof outputs / sizeof *outputs;
+    return scene_render(&reading->arena, team, &scene);
+}
+
+static zr_vec4 point_of(const float *position)
+{
+    return (zr_vec4){position[0], position[1], position[2], 1};
+}
+
+static void assert_near(zr_vec4 got, zr_vec4 want, float most)
+{
+    if (fabsf(got.x - want.x) > most || fabsf(got.y - want.y) > most || fabsf(got.z - want.z) > most)
+        fail_msg("%.7g, %.7g, %.7g is not %.7g, %.7g, %.7g", (double)got.x, (double)got.y, (double)got.z,
+                 (double)want.x, (double)want.y, (double)want.z);
+}
+
+static void check_view(enum zr_isa isa, const char *view, bool is_parallel)
+{
+    const float most = 2e-5f; /* of places as far as 10 */
+    struct zr_team *team = zr_team_create_for(2, isa);
+    struct reading *reading = read_text(ZR_FORMAT_JSON, scene_text(view));
+    const struct zr_frame *frames[ZR_SPACE_COUNT];
+    for (int space = 0; space < ZR_SPACE_COUNT; space++)
+        frames[space] = render(reading, team, (enum zr_space)space);
+    const struct zr_frame *f = frames[0];
+    const struct zr_mesh *mesh = &reading->scene->meshes[0];
+    const uint32_t *instances = f->channels[ZR_CHANNEL_INSTANCE_ID];
+    const float *distances = f->channels[ZR_CHANNEL_DISTANCE], *shares = f->channels[ZR_CHANNEL_BARYCENTRICS];
+    const float *positions[ZR_SPACE_COUNT];
+    for (int space = 0; space < ZR_SPACE_COUNT; space++)
+        positions[space] = frames[space]->channels[ZR_CHANNEL_POSITION];
+    const size_t pixels = (size_t)f->width * f->height;
+    uint32_t seen[3] = {0, 0, 0};
+    for (size_t i = 0; i < pixels; i++) {
+        seen[instances[i]]++;
+        if (f->face_id[i] == 0) {
+            assert_true(instances[i] == 0 && isinf(distances[i]));
+            for (uint32_t k = 0; k < 3; k++)
+                assert_true(positions[0][3 * i + k] == 0.0f && shares[3 * i + k] == 0.0f);
+            continue;
+        }
+        const uint32_t face = (f->face_id[i] - 1) % TRIANGLES;
+        assert_int_equal(instances[i], 1 + (f->face_id[i] - 1) / TRIANGLES);
+        const zr_vec4 eye = point_of(positions[ZR_SPACE_CAMERA] + 3 * i);
+        const zr_vec4 world = point_of(positions[ZR_SPACE_WORLD] + 3 * i);
+        const zr_vec4 object = point_of(positions[ZR_SPACE_OBJECT] + 3 * i);
+        assert_true(-eye.z == f->depth[i]); /* to the last bit */
+        const float length = sqrtf(eye.x * eye.x + eye.y * eye.y + eye.z * eye.z);
+        assert_true(fabsf(distances[i] - (is_parallel ? f->depth[i] : length)) <= 1e-6f * length);
+        assert_near(zr_mat4_apply(&f->camera.world_to_eye, world), eye, most);
+        assert_near(zr_mat4_apply(&reading->scene->instances[instances[i] - 1].object_to_world, object), world, most);
+        const float *share = shares + 3 * i;
+        zr_vec4 mixed = {0, 0, 0, 1};
+        for (uint32_t k = 0; k < 3; k++) {
+            const zr_vec4 corner = mesh->positions[mesh->indices[mesh->face_offsets[face] + k]];
+            assert_true(share[k] >= 0.0f && share[k] <= 1.0f);
+            mixed = (zr_vec4){mixed.x + share[k] * corner.x, mixed.y + share[k] * corner.y,
+                              mixed.z + share[k] * corner.z, 1};
+        }
+        assert_near(mixed, object, 0.02f); /* at silhouettes, where the sample lies a hair outside */
+    }
+    assert_true(seen[0] > 0 && seen[1] > 300 && seen[2] > 300);
+    zr_team_destroy(team);
+    reading_free(reading);
+}
+
+static void points_depths_and_shares_agree(void **state)
+{
+    const enum zr_isa isa = isa_under_test(state);
+    check_view(isa, "\"eye\": [1.5, 1, 2.5], \"perspective\": {\"yfovDegrees\": 40}", false);
+    check_view(isa, "\"eye\": [0.5, 0.4, 0.6], \"perspective\": {\"yfovDegrees\": 70}, \"znear\": 0.3, \"zfar\": 3", false);
+    check_view(isa, "\"preset\": \"isometric\"", true);
+    check_view(isa, "\"eye\": [1, 2, 3], \"intrinsics\": {\"fx\": 150, \"fy\": 140, \"cx\": 30, \"cy\": 60, \"skew\": 5}", false);
+}
+
+/* Flattened on purpose, it has no way back to its own space. */
+static void flattened_instance_has_no_object_space(void **state)
+{
+    (void)state;
+    struct reading *reading = read_text(
+        ZR_FORMAT_JSON, "{\"version\": 1, \"window\": {\"width\": 8, \"height\": 8}, \"view\": {\"preset\": \"front\"},"
+                        "\"nodes\": [{\"mesh\": 0, \"scale\": [1, 1, 0]}], \"meshes\": [{\"positions\": [[0, 0, 1],"
+                        "[1, 0, 2], [1, 1, 3]], \"faces\": [[0, 1, 2]]}]}");
+    const struct zr_frame *frame = render(reading, NULL, ZR_SPACE_OBJECT);
+    const float *positions = frame->channels[ZR_CHANNEL_POSITION];
+    for (size_t i = 0; i < 3 * 64; i++)
+        assert_true(positions[i] == 0.0f);
+    reading_free(reading);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        TEST_EACH_ISA(points_depths_and_shares_agree),
+        cmocka_unit_test(flattened_instance_has_no_object_space),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
