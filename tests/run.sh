@@ -91,7 +91,10 @@ for part in "$@"; do
             run "fuzz-$target" "$test" "tests/fuzz/crashers/$target" --accepted "$build/fuzz-seeds/$target"
         done
         ;;
-    make) run make tests/make/test_make.sh ;;
+    make)
+        run make tests/make/test_make.sh
+        run floors tests/make/test_floors.sh
+        ;;
     server)
         for test in "$build"/tests/server/test_*; do
             case $test in *.o | *.d) continue ;; esac

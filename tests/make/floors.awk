@@ -1,0 +1,128 @@
+# floors.awk - which #include lines of core/ lead to a higher floor, or close a circle.
+#
+#   awk -v known=FILE -f floors.awk core/vec.c ...     in the folder above core/, with all of its *.c and *.h
+#
+# A line for each fault, and status 1 where there is one. FILE has the faults that are known, "INCLUDER INCLUDED why",
+# named as below core/. They are passed over, and one that is no fault any more is a fault of the list.
+#
+# Circles are those of modules: a header and the .c of its name are one. Where a.c includes b.h and b.c includes a.h,
+# neither can be linked or tested without the other. That holds circles of headers, too. A kernel (a_kernel.c) is a
+# module of its own: no header declares what it includes. Of a circle it is enough to know one line, without which it
+# is none.
+
+BEGIN {
+    # The lowest first. The two public headers need base only, and all above it may include them.
+    floors = split("base|zraster.h version.h|scene|input geometry|raster|shade|output", folders, "|")
+    for (i = 1; i <= floors; i++) {
+        n = split(folders[i], names, " ")
+        for (k = 1; k <= n; k++) floor_of[names[k]] = i
+    }
+    for (i = 1; i < ARGC; i++) exists[below_core(ARGV[i])] = 1
+    while ((getline line < known) > 0)
+        if (line !~ /^[ \t]*(#|$)/) learn(line)
+}
+
+/^[ \t]*#[ \t]*include[ \t]*["<]/ {
+    quoted = $0 ~ /^[^<]*"/
+    split($0, parts, /["<>]/)
+    from = below_core(FILENAME)
+    to = parts[2]
+    sibling = from
+    sub(/[^\/]*$/, "", sibling)
+    if (quoted && (sibling to) in exists) to = sibling to
+    if (to in exists) add(from, to)
+    else if (quoted) fault(from " includes " to ", which is not in core/")
+}
+
+END {
+    if (count == 0) fault("no #include was read")
+    for (i = 1; i <= count; i++) judge(from_of[i], to_of[i])
+    for (line in reason) {
+        split(line, ends, " ")
+        if (reason[line] == "") fault(line " is known, and nobody says why")
+        if (!(line in seen)) fault(line " is known, and is not there")
+        else if (!is_higher(ends[1], ends[2]) && !is_on_circle("all", ends[1], ends[2]))
+            fault(line " is known, and is no fault")
+    }
+    exit faults > 0
+}
+
+function fault(text)
+{
+    print text
+    faults++
+}
+
+function below_core(path)
+{
+    sub(/^core\//, "", path)
+    return path
+}
+
+function learn(line,    words)
+{
+    split(line, words, " ")
+    sub(/^[ \t]*[^ \t]+[ \t]*[^ \t]*[ \t]*/, "", line)
+    reason[words[1] " " words[2]] = line
+}
+
+# What lies in core/ itself is the top. 0: a folder that has no floor yet.
+function floor(file,    name)
+{
+    name = file
+    sub(/\/.*/, "", name)
+    if (name in floor_of) return floor_of[name]
+    return name == file ? floors + 1 : 0
+}
+
+function module(file)
+{
+    sub(/\.[ch]$/, "", file)
+    return file
+}
+
+# Two graphs of modules: of all lines, and of those that nobody knows as faults.
+function add(from, to)
+{
+    if ((from " " to) in seen) return
+    seen[from " " to] = 1
+    from_of[++count] = from
+    to_of[count] = to
+    if (module(from) == module(to)) return
+    follow["all", module(from)] = follow["all", module(from)] " " module(to)
+    if (!((from " " to) in reason)) follow["unknown", module(from)] = follow["unknown", module(from)] " " module(to)
+}
+
+function is_higher(from, to)
+{
+    return floor(from) > 0 && floor(to) > floor(from)
+}
+
+function is_on_circle(graph, from, to)
+{
+    if (from == to) return 1
+    if (module(from) == module(to)) return 0
+    if (!((graph, module(to)) in walked)) {
+        walked[graph, module(to)] = 1
+        walk(graph, module(to), module(to))
+    }
+    return (graph, module(to), module(from)) in reached
+}
+
+function walk(graph, start, at,    next_ones, n, i)
+{
+    n = split(follow[graph, at], next_ones, " ")
+    for (i = 1; i <= n; i++)
+        if (!((graph, start, next_ones[i]) in reached)) {
+            reached[graph, start, next_ones[i]] = 1
+            walk(graph, start, next_ones[i])
+        }
+}
+
+function judge(from, to)
+{
+    if (floor(from) == 0) fault(from " is in a folder that has no floor")
+    if ((from " " to) in reason) return
+    if (is_higher(from, to)) fault(from " includes " to " of a higher floor")
+    if (is_on_circle("unknown", from, to)) fault(from " includes " to " in a circle")
+}

@@ -1,0 +1,121 @@
+#!/bin/sh
+# The floors of core/: a file includes its own floor and lower ones only, and no includes go in a circle. So the
+# pipeline can be read from top to bottom, and a step be tested without what comes after it. Prints TAP.
+set -u
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+. tests/support/verdict.sh
+said=$work/said complained=$work/complained
+
+# Faults that are there today. This list only shrinks: a line that is no fault any more fails, too.
+cat >"$work/known" <<'END'
+raster/small_kernel.c shade/paint_early_simd.h  small triangles are painted from corners that are loaded for their depth
+raster/tiny_simd.h    shade/paint_early_simd.h  so are tiny ones
+geometry/builder.h    geometry/geometry.h       struct zr_geometry, which is built, shares a header with the step that calls the builder
+geometry/batch.c      geometry/geometry.h       batches are found in struct zr_geometry, whose header includes theirs
+input/json_value.c    input/json_text.h         reading stops where the text is malformed, and the text knows that
+scene/camera.c        scene/camera_parts.h      the camera's parts share its header's structs
+END
+: >"$work/none"
+
+floors() { # FOLDER KNOWN: of the core/ in this folder
+    (cd "$1" && find core -name '*.[ch]' | sort | xargs awk -v known="$2" -f "$script") >"$said" 2>"$complained"
+    status=$?
+}
+script=$PWD/tests/make/floors.awk
+lacks() { [ ! -s "$complained" ] && ! grep -q "$1" "$said"; } # an awk that fails says nothing either
+finds() { # LINE...: these, and no others
+    printf '%s\n' "$@" | sort >"$work/want"
+    sort "$said" | cmp -s - "$work/want" && [ "$status" != 0 ]
+}
+
+floors . "$work/known"
+verdict "core/ includes no higher floor" lacks "of a higher floor"
+verdict "core/ has no circle" lacks "in a circle"
+verdict "each fault that is known is there" lacks "is known"
+verdict "and nothing else is wrong" [ "$status" = 0 ]
+
+# Made-up trees, each with one fault: proof that it is found.
+file() { # NAME INCLUDED...
+    path=$work/tree/core/$1
+    shift
+    mkdir -p "${path%/*}"
+    for included in "$@"; do echo "#include \"$included\""; done >"$path"
+}
+tree() { # one without a fault
+    rm -rf "$work/tree"
+    file base/vec.h
+    file base/vec.c base/vec.h
+    file zraster.h base/vec.h
+    file scene/scene.h base/vec.h zraster.h
+    file scene/nodes.h scene/scene.h
+    file scene/nodes.c scene/nodes.h
+    file raster/bins.h scene/nodes.h
+    file raster/bins_kernel.c raster/bins.h base/vec.h
+    file shade/paint.h raster/bins.h
+    file render.c shade/paint.h zraster.h
+}
+made_up() { floors "$work/tree" "${1:-$work/none}"; }
+tree
+made_up
+verdict "a tree without a fault passes" [ "$status" = 0 ]
+
+tree
+file raster/bins.c raster/bins.h shade/paint.h
+file shade/paint.h
+made_up
+verdict "a higher floor is found" finds "raster/bins.c includes shade/paint.h of a higher floor"
+echo "raster/bins.c shade/paint.h painted early" >"$work/one"
+made_up "$work/one"
+verdict "and passed over where it is known" [ "$status" = 0 ]
+echo "raster/bins.c shade/paint.h" >"$work/one"
+made_up "$work/one"
+verdict "but not without a reason" finds "raster/bins.c shade/paint.h is known, and nobody says why"
+
+tree
+file base/vec.h zraster.h
+file zraster.h
+made_up
+verdict "base is below the public headers" finds "base/vec.h includes zraster.h of a higher floor"
+
+tree
+file scene/scene.h scene/pose.h
+file scene/pose.h nodes.h
+made_up
+verdict "a circle of headers is found, by a name without its folder too" finds "scene/scene.h includes scene/pose.h in a circle" \
+    "scene/pose.h includes scene/nodes.h in a circle" "scene/nodes.h includes scene/scene.h in a circle"
+echo "scene/scene.h scene/pose.h one line is enough" >"$work/one"
+made_up "$work/one"
+verdict "and passed over where one of its lines is known" [ "$status" = 0 ]
+
+tree
+file scene/scene.c scene/scene.h scene/nodes.h
+made_up
+verdict "a circle through a .c is found" finds "scene/scene.c includes scene/nodes.h in a circle" \
+    "scene/nodes.h includes scene/scene.h in a circle"
+
+tree
+file scene/nodes.h scene/nodes.h
+made_up
+verdict "a header that includes itself is found" finds "scene/nodes.h includes scene/nodes.h in a circle"
+
+tree
+echo "scene/nodes.c scene/pose.h gone" >"$work/one"
+made_up "$work/one"
+verdict "a known fault that is gone is found" finds "scene/nodes.c scene/pose.h is known, and is not there"
+echo "scene/nodes.h scene/scene.h mended on the other side" >"$work/one"
+made_up "$work/one"
+verdict "and one that is no fault any more" finds "scene/nodes.h scene/scene.h is known, and is no fault"
+
+tree
+file scene/nodes.c ../server/queue.h
+file sound/horn.h base/vec.h
+made_up
+verdict "what is not in core/, and a folder without a floor, are found" \
+    finds "scene/nodes.c includes ../server/queue.h, which is not in core/" "sound/horn.h is in a folder that has no floor"
+
+rm -rf "$work/tree"
+file base/vec.h
+made_up
+verdict "files without an #include are no proof" finds "no #include was read"
+verdicts
