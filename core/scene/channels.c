@@ -6,8 +6,7 @@
         __VA_ARGS__                                                                                                    \
     }
 #define CHANNEL(ID, NAME, VALUES, WORDS, NOTHING, SPACES, ...)                                                         \
-    [ZR_CHANNEL_##ID] = {NAME,   ZR_VALUES_##VALUES,   WORDS, ZR_NOTHING_##NOTHING,                                    \
-                         SPACES, ENCODINGS(__VA_ARGS__)},
+    [ZR_CHANNEL_##ID] = {NAME, ZR_VALUES_##VALUES, WORDS, ZR_NOTHING_##NOTHING, SPACES, ENCODINGS(__VA_ARGS__)},
 
 const struct zr_channel_row zr_channel_rows[ZR_CHANNEL_COUNT] = {ZR_CHANNEL_ROWS(CHANNEL)};
 

@@ -1,8 +1,8 @@
 /* channels.h - scene: what can be had of a picture, one row each.
  *
- * All floors walk these rows, and none but the one that makes its values knows a channel by name: the reader of outputs,
- * validation, the frame, encodings and the names of files in an archive. A new channel is a row here, and a function
- * in shade/channels.c.
+ * All floors walk these rows, and none but the one that makes its values knows a channel by name: the reader of
+ * outputs, validation, the frame, encodings and the names of files in an archive. A new channel is a row here, and a
+ * function in shade/channels.c.
  */
 #ifndef ZR_CHANNELS_H
 #define ZR_CHANNELS_H

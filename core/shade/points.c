@@ -21,7 +21,7 @@ struct points {
     const struct zr_frame *frame;
     const struct zr_batch *batch; /* of the last record */
     enum zr_space space;
-    bool is_parallel;               /* all rays are, and have no eye in common */
+    bool is_parallel; /* all rays are, and have no eye in common */
     struct zr_matrix projection, to_world;
     const struct zr_source_instance *last; /* to_object is of */
     struct zr_matrix to_object;
@@ -38,8 +38,7 @@ static void cross(const double *a, const double *b, double *out)
 }
 
 /* As value_planes of eye_depth_kernel.c has it: p0 the value at corner 0, p1 and p2 how much the others have more. */
-static struct zr_eye_plane value_plane(double (*c)[3], double p0, double p1, double p2, double width,
-                                       double height)
+static struct zr_eye_plane value_plane(double (*c)[3], double p0, double p1, double p2, double width, double height)
 {
     double normal[3], u[3], a[3];
     cross(c[1], c[2], normal);
@@ -95,8 +94,7 @@ static struct record record_make(struct points *points, uint32_t owner)
     const struct zr_geometry *geometry = points->geometry;
     points->batch = zr_batch_next(geometry, points->batch, owner - 1);
     const struct zr_record shown = zr_record_of(geometry, points->batch, owner - 1);
-    struct record record = {.owner = owner,
-                            .instance = zr_source_instance_of(&geometry->sources, shown.triangle.v[0])};
+    struct record record = {.owner = owner, .instance = zr_source_instance_of(&geometry->sources, shown.triangle.v[0])};
     if (shown.triangle.line) {
         record.depth = zr_eye_depth_of_line(geometry, &shown.triangle);
         return record;
@@ -214,11 +212,8 @@ void zr_points_tile(const struct zr_geometry *geometry, const struct zr_eye_dept
                     uint64_t (*ends)(const uint32_t *owners, int32_t width), enum zr_space position,
                     const struct zr_tile *tile, const struct zr_frame *frame)
 {
-    struct points points = {.geometry = geometry,
-                            .kernel = kernel,
-                            .frame = frame,
-                            .batch = &geometry->batches[0],
-                            .space = position};
+    struct points points = {
+        .geometry = geometry, .kernel = kernel, .frame = frame, .batch = &geometry->batches[0], .space = position};
     const zr_mat4 *projection = &frame->camera.projection;
     const struct zr_matrix view = zr_matrix_of(&frame->camera.world_to_eye);
     points.projection = zr_matrix_of(projection);

@@ -16,8 +16,8 @@
 /* True where the frame has one of the channels. */
 bool zr_points_are_wanted(const struct zr_frame *frame);
 
-/* Writes the tile's part of those of the channels that the frame has. All samples of the tile are written. `ends`: as in
- * struct zr_paint. position: in which space. */
+/* Writes the tile's part of those of the channels that the frame has. All samples of the tile are written. `ends`: as
+ * in struct zr_paint. position: in which space. */
 void zr_points_tile(const struct zr_geometry *geometry, const struct zr_eye_depths *kernel,
                     uint64_t (*ends)(const uint32_t *owners, int32_t width), enum zr_space position,
                     const struct zr_tile *tile, const struct zr_frame *frame);

@@ -103,6 +103,49 @@ static void info_names_meshes_and_the_nodes_that_place_them(void **state)
     cJSON_Delete(info);
 }
 
+/* Of meshes and nodes: as they are, so that a reader finds what he wrote. */
+static void names_in_info_keep_quotes_and_utf8(void **state)
+{
+    (void)state;
+    static const char quoted[] = "a \"b\" \\ \n c", greek[] = "\xce\xbb \xf0\x9f\x90\xb0"; /* lambda, rabbit */
+    static const struct {
+        const char *name, *node;
+    } cases[] = {{quoted, greek}, {greek, quoted}, {"", quoted}, {greek, NULL}, {"", NULL}};
+    enum { PLACED = sizeof cases / sizeof cases[0] };
+    const zr_vec4 p[] = {{-1, 0, 0, 1}, {0, 0, 0, 1}, {-1, 1, 0, 1}};
+    static struct test_scene test;
+    struct zr_mesh meshes[PLACED];
+    struct zr_instance instances[PLACED];
+    scene_of_triangles(&test, 16, 16, p, 1);
+    for (uint32_t i = 0; i < PLACED; i++) {
+        meshes[i] = test.mesh;
+        meshes[i].name = cases[i].name;
+        instances[i] = test.instance;
+        instances[i].mesh = i;
+        instances[i].node = cases[i].node;
+    }
+    test.scene.meshes = meshes;
+    test.scene.mesh_count = PLACED;
+    test.scene.instances = instances;
+    test.scene.instance_count = PLACED;
+    const struct zr_answer answer = info_of(&test);
+    assert_non_null(memmem(answer.bytes, answer.size, "\"a \\\"b\\\" \\\\ \\n c\"", 17));
+    cJSON *info = cJSON_ParseWithLength(answer.bytes, answer.size);
+    assert_non_null(info);
+    const cJSON *mesh = cJSON_GetObjectItem(info, "meshes")->child;
+    for (size_t i = 0; i < PLACED; i++, mesh = mesh->next) {
+        const cJSON *name = cJSON_GetObjectItem(mesh, "name"), *node = cJSON_GetObjectItem(mesh, "node");
+        assert_non_null(name);
+        assert_string_equal(name->valuestring, cases[i].name);
+        assert_int_equal(node != NULL, cases[i].node != NULL);
+        if (node) assert_string_equal(node->valuestring, cases[i].node);
+        assert_true(cJSON_GetObjectItem(mesh, "firstFaceId")->valuedouble == 1 + (double)i);
+        assert_non_null(cJSON_GetObjectItem(mesh, "pixels"));
+    }
+    assert_null(mesh);
+    cJSON_Delete(info);
+}
+
 static void info_lists_the_first_thousand_instances(void **state)
 {
     (void)state;
@@ -194,6 +237,7 @@ int main(void)
         cmocka_unit_test_setup_teardown(room_that_a_fitted_view_leaves_for_rounding_is_warned_of, open_arena,
                                         close_arena),
         cmocka_unit_test_setup_teardown(info_names_meshes_and_the_nodes_that_place_them, open_arena, close_arena),
+        cmocka_unit_test_setup_teardown(names_in_info_keep_quotes_and_utf8, open_arena, close_arena),
         cmocka_unit_test_setup_teardown(info_lists_the_first_thousand_instances, open_arena, close_arena),
         cmocka_unit_test_setup_teardown(info_takes_no_memory_that_a_request_may_not_have, open_arena, close_counted),
     };

@@ -1,4 +1,5 @@
-/* Channels of points: position in its three spaces, distance, barycentrics, instanceId; each is held against another. */
+/* Channels of points: position in its three spaces, distance, barycentrics, instanceId; each is held against another.
+ */
 #include <math.h>
 #include <string.h>
 
@@ -24,10 +25,11 @@ static const char *scene_text(const char *view)
 {
     static char text[1 << 16];
     struct random random = random_seeded(5);
-    char *at = append(text, "{\"version\": 1, \"window\": {\"width\": %d, \"height\": %d}, \"view\": {%s},", SIDE, SIDE - 9,
-                      view);
-    at = append(at, " \"nodes\": [{\"mesh\": 0}, {\"mesh\": 0, \"translation\": [0.3, 0.1, -0.4], \"scale\": [-1, 1, 0.5],"
-                    " \"rotation\": [0.1, 0.2, 0.3, 0.9]}], \"meshes\": [{\"positions\": [");
+    char *at = append(text, "{\"version\": 1, \"window\": {\"width\": %d, \"height\": %d}, \"view\": {%s},", SIDE,
+                      SIDE - 9, view);
+    at = append(at,
+                " \"nodes\": [{\"mesh\": 0}, {\"mesh\": 0, \"translation\": [0.3, 0.1, -0.4], \"scale\": [-1, 1, 0.5],"
+                " \"rotation\": [0.1, 0.2, 0.3, 0.9]}], \"meshes\": [{\"positions\": [");
     for (int i = 0; i < 9 * TRIANGLES; i++)
         at = append(at, "%s%s%.4f", i % 3 ? "" : i ? "], [" : "[", i % 3 ? ", " : "", random_range(&random, -1.2, 1.2));
     at = append(at, "]], \"faces\": [");
@@ -118,9 +120,12 @@ static void points_depths_and_shares_agree(void **state)
 {
     const enum zr_isa isa = isa_under_test(state);
     check_view(isa, "\"eye\": [1.5, 1, 2.5], \"perspective\": {\"yfovDegrees\": 40}", false);
-    check_view(isa, "\"eye\": [0.5, 0.4, 0.6], \"perspective\": {\"yfovDegrees\": 70}, \"znear\": 0.3, \"zfar\": 3", false);
+    check_view(isa, "\"eye\": [0.5, 0.4, 0.6], \"perspective\": {\"yfovDegrees\": 70}, \"znear\": 0.3, \"zfar\": 3",
+               false);
     check_view(isa, "\"preset\": \"isometric\"", true);
-    check_view(isa, "\"eye\": [1, 2, 3], \"intrinsics\": {\"fx\": 150, \"fy\": 140, \"cx\": 30, \"cy\": 60, \"skew\": 5}", false);
+    check_view(isa,
+               "\"eye\": [1, 2, 3], \"intrinsics\": {\"fx\": 150, \"fy\": 140, \"cx\": 30, \"cy\": 60, \"skew\": 5}",
+               false);
 }
 
 /* Flattened on purpose, it has no way back to its own space. */
