@@ -71,15 +71,14 @@ static void include(struct measure *measure, const struct zr_window_vertex *v)
 /* Adds the visible part of a triangle. */
 static void add_triangle(struct measure *measure, const zr_vec4 corners[3])
 {
-    struct zr_clip_vertex in[3] = {{.position = corners[0]}, {.position = corners[1]}, {.position = corners[2]}};
-    struct zr_clip_vertex out[ZR_CLIP_MAX];
+    struct zr_clipped clipped;
     unsigned o[3] = {zr_clip_outcode(corners[0]), zr_clip_outcode(corners[1]), zr_clip_outcode(corners[2])};
     if (o[0] & o[1] & o[2]) return;
-    int count = zr_clip_triangle(in, o[0] | o[1] | o[2], out);
+    int count = zr_clip_triangle(corners, o[0] | o[1] | o[2], NULL, &clipped);
     struct zr_window_vertex first = {0}, previous = {0}, current;
     double doubled = 0.0;
     for (int i = 0; i < count; i++) {
-        if (!zr_viewport_apply(measure->viewport, out[i].position, &current)) return;
+        if (!zr_viewport_apply(measure->viewport, clipped.vertices[i].position, &current)) return;
         include(measure, &current);
         if (!measure->is_seen && i < 3) measure->first.corners[i] = current;
         if (i == 0) first = current;
@@ -135,12 +134,13 @@ static double tiles_of(double width, double height)
 static void add_line(struct zr_cost *cost, const struct zr_viewport *viewport, const zr_vec4 ends[2])
 {
     const unsigned codes[2] = {zr_clip_outcode(ends[0]), zr_clip_outcode(ends[1])};
-    const struct zr_clip_vertex in[2] = {{.position = ends[0]}, {.position = ends[1]}};
-    struct zr_clip_vertex out[2];
+    struct zr_clipped clipped;
     struct zr_window_vertex a, b;
     cost->triangles += LINE_T;
-    if (codes[0] & codes[1] || !zr_clip_line(in, codes, out)) return;
-    if (!zr_viewport_apply(viewport, out[0].position, &a) || !zr_viewport_apply(viewport, out[1].position, &b)) return;
+    if (codes[0] & codes[1] || !zr_clip_line(ends, codes, &clipped)) return;
+    if (!zr_viewport_apply(viewport, clipped.vertices[0].position, &a) ||
+        !zr_viewport_apply(viewport, clipped.vertices[1].position, &b))
+        return;
     double length = fmax(fabs((double)a.x - (double)b.x), fabs((double)a.y - (double)b.y));
     cost->fragments += LINE_PIXEL_F * length;
     cost->triangles += LINE_T * length / ZR_TILE_SIZE;

@@ -162,18 +162,44 @@ uint32_t zr_builder_color(const struct zr_builder *builder, uint32_t face, bool 
     return builder->first_color + (smooth ? slot : mesh->face_offsets[face]);
 }
 
-bool zr_builder_append_clipped(struct zr_builder *builder, const struct zr_clip_vertex *corners, int count, bool flat,
-                               bool placed[ZR_CLIP_MAX])
+/* What varies over the corners, cut as they were, to `out`, vertex by vertex. values[]: those of the corners. */
+static void append_values(const struct zr_clipped *clipped, zr_vec4 values[ZR_CLIP_VALUES], zr_vec4 *out)
+{
+    zr_clip_replay(clipped, values);
+    for (int i = 0; i < clipped->count; i++)
+        out[i] = values[clipped->vertices[i].id];
+}
+
+static void append_colors(struct zr_geometry *geometry, const struct zr_clipped *clipped,
+                          const struct zr_builder_corner *corners)
+{
+    zr_vec4 *const arrays[2] = {geometry->front_colors, geometry->back_colors};
+    for (int side = 0; side < (arrays[0] == arrays[1] ? 1 : 2); side++) {
+        zr_vec4 values[ZR_CLIP_VALUES];
+        for (int k = 0; k < clipped->corners; k++)
+            values[k] = arrays[side][corners[k].color];
+        append_values(clipped, values, arrays[side] + geometry->color_count);
+    }
+    geometry->color_count += (uint32_t)clipped->count;
+}
+
+bool zr_builder_append_clipped(struct zr_builder *builder, const struct zr_clipped *clipped,
+                               const struct zr_builder_corner *corners, bool flat, bool placed[ZR_CLIP_MAX])
 {
     struct zr_geometry *geometry = builder->geometry;
-    if (!zr_builder_reserve(builder, (uint64_t)count, flat ? 0 : (uint64_t)count, 0)) return false;
-    for (int i = 0; i < count; i++) {
-        struct zr_window_vertex *vertex = &geometry->vertices[geometry->vertex_count++];
-        placed[i] = zr_viewport_apply(&builder->viewport, corners[i].position, vertex);
-        geometry->eyes[geometry->vertex_count - 1] = (struct zr_eye){corners[i].eye_z, corners[i].eye_w};
-        if (flat) continue;
-        geometry->back_colors[geometry->color_count] = corners[i].back;
-        geometry->front_colors[geometry->color_count++] = corners[i].front;
+    const uint64_t count = (uint64_t)clipped->count;
+    zr_vec4 values[ZR_CLIP_VALUES], eyes[ZR_CLIP_MAX];
+    if (!zr_builder_reserve(builder, count, flat ? 0 : count, 0)) return false;
+    for (int k = 0; k < clipped->corners; k++) {
+        const struct zr_eye eye = zr_builder_eye(builder, corners[k].position);
+        values[k] = (zr_vec4){eye.z, eye.w, 0.0f, 0.0f};
     }
+    append_values(clipped, values, eyes);
+    for (int i = 0; i < clipped->count; i++) {
+        struct zr_window_vertex *vertex = &geometry->vertices[geometry->vertex_count++];
+        placed[i] = zr_viewport_apply(&builder->viewport, clipped->vertices[i].position, vertex);
+        geometry->eyes[geometry->vertex_count - 1] = (struct zr_eye){eyes[i].x, eyes[i].y};
+    }
+    if (!flat) append_colors(geometry, clipped, corners);
     return true;
 }

@@ -117,22 +117,14 @@ static inline struct zr_outcodes zr_builder_outcodes(const struct zr_builder *bu
     return codes;
 }
 
-/* Everything of a corner that clipping interpolates. */
-static inline struct zr_clip_vertex zr_builder_clip_vertex(const struct zr_builder *builder, uint32_t position,
-                                                           uint32_t color)
-{
-    const struct zr_geometry *geometry = builder->geometry;
-    const struct zr_eye eye = zr_builder_eye(builder, position);
-    return (struct zr_clip_vertex){.position = zr_builder_clip_position(builder, position),
-                                   .front = geometry->front_colors[color],
-                                   .back = geometry->back_colors[color],
-                                   .eye_z = eye.z,
-                                   .eye_w = eye.w};
-}
+/* A corner that clipping cuts: a position of the mesh, and a colour of the geometry. */
+struct zr_builder_corner {
+    uint32_t position, color;
+};
 
-/* Appends what clipping left: `count` vertices, and, where they are not `flat`, as many colours, both behind what
- * the geometry has. placed[i]: whether vertex i has a place in the window. False where the arena has failed. */
-bool zr_builder_append_clipped(struct zr_builder *builder, const struct zr_clip_vertex *corners, int count, bool flat,
-                               bool placed[ZR_CLIP_MAX]);
+/* Appends what clipping left of the corners: its vertices, and, where they are not `flat`, as many colours, both behind
+ * what the geometry has. placed[i]: whether vertex i has a place in the window. False where the arena has failed. */
+bool zr_builder_append_clipped(struct zr_builder *builder, const struct zr_clipped *clipped,
+                               const struct zr_builder_corner *corners, bool flat, bool placed[ZR_CLIP_MAX]);
 
 #endif

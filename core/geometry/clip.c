@@ -38,27 +38,28 @@ static zr_vec4 mix4(zr_vec4 o, zr_vec4 i, float t)
     return (zr_vec4){mix(o.x, i.x, t), mix(o.y, i.y, t), mix(o.z, i.z, t), mix(o.w, i.w, t)};
 }
 
-static inline struct zr_clip_vertex mix_vertex(const struct zr_clip_vertex *o, const struct zr_clip_vertex *i, float t)
+/* Behind what was made: some place between two that there are. */
+static struct zr_clip_vertex made_between(struct zr_clipped *clipped, const struct zr_clip_vertex *from,
+                                          const struct zr_clip_vertex *to, float t)
 {
-    return (struct zr_clip_vertex){.position = mix4(o->position, i->position, t),
-                                   .front = mix4(o->front, i->front, t),
-                                   .back = mix4(o->back, i->back, t),
-                                   .eye_z = mix(o->eye_z, i->eye_z, t),
-                                   .eye_w = mix(o->eye_w, i->eye_w, t)};
+    const int id = clipped->corners + clipped->made_count;
+    clipped->made[clipped->made_count++] = (struct zr_clip_made){from->id, to->id, t};
+    return (struct zr_clip_vertex){mix4(from->position, to->position, t), (uint8_t)id};
 }
 
 /* Where the edge between two vertices on different sides meets the plane:
  * measured from the end nearer to it, on a tie from the inner one. */
-static struct zr_clip_vertex cross_plane(const struct zr_clip_vertex *inside, float d_inside,
-                                         const struct zr_clip_vertex *outside, float d_outside)
+static struct zr_clip_vertex cross_plane(struct zr_clipped *clipped, const struct zr_clip_vertex *inside,
+                                         float d_inside, const struct zr_clip_vertex *outside, float d_outside)
 {
     bool from_outside = ZR_MUTANT(clipped_from_inside, -d_outside < d_inside, false);
     const struct zr_clip_vertex *o = from_outside ? outside : inside, *i = from_outside ? inside : outside;
     float d_o = from_outside ? d_outside : d_inside, d_i = from_outside ? d_inside : d_outside;
-    return mix_vertex(o, i, -d_o / (d_i - d_o));
+    return made_between(clipped, o, i, -d_o / (d_i - d_o));
 }
 
-static int clip_to_plane(int plane, const struct zr_clip_vertex *in, int count, struct zr_clip_vertex *out)
+static int clip_to_plane(struct zr_clipped *clipped, int plane, const struct zr_clip_vertex *in, int count,
+                         struct zr_clip_vertex *out)
 {
     int kept = 0;
     const struct zr_clip_vertex *previous = &in[0];
@@ -68,8 +69,8 @@ static int clip_to_plane(int plane, const struct zr_clip_vertex *in, int count, 
         float d = plane_distance(plane, current->position);
         bool inside = d >= 0.0f, previous_inside = d_previous >= 0.0f;
         if (previous_inside) out[kept++] = *previous;
-        if (inside && !previous_inside) out[kept++] = cross_plane(current, d, previous, d_previous);
-        if (!inside && previous_inside) out[kept++] = cross_plane(previous, d_previous, current, d);
+        if (inside && !previous_inside) out[kept++] = cross_plane(clipped, current, d, previous, d_previous);
+        if (!inside && previous_inside) out[kept++] = cross_plane(clipped, previous, d_previous, current, d);
         previous = current;
         d_previous = d;
     }
@@ -92,35 +93,29 @@ static unsigned cut_edges(int plane, const struct zr_clip_vertex *in, int count,
     return left;
 }
 
-/* `edges` may be NULL. */
-static int clip_to_planes(const struct zr_clip_vertex tri[3], unsigned outcodes, unsigned *edges,
-                          struct zr_clip_vertex out[ZR_CLIP_MAX])
+static void begin(struct zr_clipped *out, int corners)
+{
+    out->corners = corners;
+    out->count = out->made_count = 0;
+}
+
+int zr_clip_triangle(const zr_vec4 tri[3], unsigned outcodes, unsigned *edges, struct zr_clipped *out)
 {
     struct zr_clip_vertex buffers[2][ZR_CLIP_MAX];
-    const struct zr_clip_vertex *in = tri;
     int count = 3, side = 0;
+    begin(out, 3);
+    for (uint8_t k = 0; k < 3; k++)
+        buffers[0][k] = (struct zr_clip_vertex){tri[k], k};
     for (int i = 0; i < PLANES && count >= 3; i++) {
         const int plane = ZR_MUTANT(near_plane_first, i, (i + 4) % PLANES);
         if (!(outcodes >> plane & 1u)) continue;
-        if (edges) *edges = cut_edges(plane, in, count, *edges);
-        count = clip_to_plane(plane, in, count, buffers[side]);
-        in = buffers[side];
+        if (edges) *edges = cut_edges(plane, buffers[side], count, *edges);
+        count = clip_to_plane(out, plane, buffers[side], count, buffers[side ^ 1]);
         side ^= 1;
     }
     if (count < 3) return 0;
-    memcpy(out, in, (size_t)count * sizeof *out);
-    return count;
-}
-
-int zr_clip_triangle(const struct zr_clip_vertex tri[3], unsigned outcodes, struct zr_clip_vertex out[ZR_CLIP_MAX])
-{
-    return clip_to_planes(tri, outcodes, NULL, out);
-}
-
-int zr_clip_triangle_edges(const struct zr_clip_vertex tri[3], unsigned outcodes, unsigned *edges,
-                           struct zr_clip_vertex out[ZR_CLIP_MAX])
-{
-    return clip_to_planes(tri, outcodes, edges, out);
+    memcpy(out->vertices, buffers[side], (size_t)count * sizeof *out->vertices);
+    return out->count = count;
 }
 
 /* How much of the line, from its end at distance d towards the one at `other`, the plane cuts off. */
@@ -131,19 +126,30 @@ static float cut_share(float d, float other, float share)
     return t > share ? t : share;
 }
 
-bool zr_clip_line(const struct zr_clip_vertex in[2], const unsigned outcodes[2], struct zr_clip_vertex out[2])
+bool zr_clip_line(const zr_vec4 in[2], const unsigned outcodes[2], struct zr_clipped *out)
 {
+    const struct zr_clip_vertex ends[2] = {{in[0], 0}, {in[1], 1}};
+    begin(out, 2);
     if (outcodes[0] & outcodes[1]) return false;
     float t0 = 0.0f, t1 = 0.0f;
     for (int plane = 0; plane < PLANES; plane++) {
         if (!((outcodes[0] | outcodes[1]) >> plane & 1u)) continue;
-        float d0 = plane_distance(plane, in[0].position), d1 = plane_distance(plane, in[1].position);
+        float d0 = plane_distance(plane, in[0]), d1 = plane_distance(plane, in[1]);
         if (!isfinite(d0) || !isfinite(d1)) return false;
         t0 = cut_share(d0, d1, t0);
         t1 = cut_share(d1, d0, t1);
     }
     if (ZR_MUTANT(line_ends_clipped_apart, t0 + t1 >= 1.0f, false)) return false;
-    out[0] = outcodes[0] ? mix_vertex(&in[0], &in[1], t0) : in[0];
-    out[1] = outcodes[1] ? mix_vertex(&in[1], &in[0], t1) : in[1];
+    out->vertices[0] = outcodes[0] ? made_between(out, &ends[0], &ends[1], t0) : ends[0];
+    out->vertices[1] = outcodes[1] ? made_between(out, &ends[1], &ends[0], t1) : ends[1];
+    out->count = 2;
     return true;
+}
+
+void zr_clip_replay(const struct zr_clipped *clipped, zr_vec4 values[ZR_CLIP_VALUES])
+{
+    for (int i = 0; i < clipped->made_count; i++) {
+        const struct zr_clip_made *made = &clipped->made[i];
+        values[clipped->corners + i] = mix4(values[made->from], values[made->to], made->t);
+    }
 }

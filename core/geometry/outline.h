@@ -25,10 +25,10 @@ struct zr_outline_line {
 };
 
 /* Which edges of the triangle (i - 1, i, 0) of a polygon of `count` corners are its own
- * and not inside of it, 2 <= i < count: for zr_clip_triangle_edges and zr_outline_make. */
+ * and not inside of it, 2 <= i < count: for zr_clip_triangle and zr_outline_make. */
 unsigned zr_outline_fan_edges(uint32_t i, uint32_t count);
 
-/* The lines of a polygon as zr_clip_triangle_edges wrote it, or, with `clipped` false, of
+/* The lines of a polygon as zr_clip_triangle wrote it, or, with `clipped` false, of
  * a whole triangle. `faces` says which sides are drawn, front being counterclockwise with y
  * up: each piece (i - 1, i, 0) of the fan is judged by itself, from its floats; one without area
  * counts as back there and yet has the colours of the front. Returns how many lines.

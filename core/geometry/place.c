@@ -60,17 +60,21 @@ static void clip_and_append(struct zr_builder *builder, const struct zr_corners 
                             const struct zr_part *part)
 {
     struct zr_geometry *geometry = builder->geometry;
-    struct zr_clip_vertex in[3], out[ZR_CLIP_MAX];
-    for (int k = 0; k < 3; k++)
-        in[k] = zr_builder_clip_vertex(builder, corners->vertex[k], corners->color[k]);
+    struct zr_builder_corner ends[3];
+    struct zr_clipped clipped;
+    zr_vec4 in[3];
+    for (int k = 0; k < 3; k++) {
+        ends[k] = (struct zr_builder_corner){corners->vertex[k], corners->color[k]};
+        in[k] = zr_builder_clip_position(builder, corners->vertex[k]);
+    }
     geometry->counts.clipped++;
-    int count = zr_clip_triangle(in, outcodes, out);
+    int count = zr_clip_triangle(in, outcodes, NULL, &clipped);
     if (count == 0 || !zr_builder_reserve_cut(builder)) return;
 
     bool flat = corners->color[0] == corners->color[1] && corners->color[1] == corners->color[2];
     uint32_t vertex = geometry->vertex_count, color = flat ? corners->color[0] : geometry->color_count;
     bool placed[ZR_CLIP_MAX];
-    if (!zr_builder_append_clipped(builder, out, count, flat, placed)) return;
+    if (!zr_builder_append_clipped(builder, &clipped, ends, flat, placed)) return;
     geometry->sources.cuts[geometry->sources.cut_count++] =
         (struct zr_source_cut){vertex, {corners->vertex[0], corners->vertex[1], corners->vertex[2]}};
     const struct zr_counts before = geometry->counts;

@@ -44,19 +44,20 @@ static void add_whole_ring(struct trace *trace, uint32_t begin, uint32_t end)
 static void add_clipped_triangle(struct trace *trace, const uint32_t corners[3])
 {
     const struct zr_builder *builder = trace->builder;
-    struct zr_clip_vertex in[3] = {{.eye_w = 0}}, out[ZR_CLIP_MAX];
+    struct zr_clipped clipped;
+    zr_vec4 in[3];
     struct zr_window_vertex placed[ZR_CLIP_MAX];
     unsigned all = ~0u, any = 0;
     for (int k = 0; k < 3; k++) {
         unsigned code = builder->outcodes[corners[k]];
         all &= code;
         any |= code;
-        in[k].position = zr_builder_clip_position(builder, corners[k]);
+        in[k] = zr_builder_clip_position(builder, corners[k]);
     }
     if (all != 0 || any & ZR_OUTCODE_UNPLACED) return;
-    int count = zr_clip_triangle(in, any, out);
+    int count = zr_clip_triangle(in, any, NULL, &clipped);
     for (int i = 0; i < count; i++)
-        if (!zr_viewport_apply(&builder->viewport, out[i].position, &placed[i])) return;
+        if (!zr_viewport_apply(&builder->viewport, clipped.vertices[i].position, &placed[i])) return;
     for (int i = 0; i < count; i++)
         add_edge(trace, &placed[i], &placed[i + 1 < count ? i + 1 : 0]);
 }

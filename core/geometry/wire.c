@@ -36,13 +36,13 @@ static void append_line(struct zr_builder *builder, struct end from, struct end 
 
 /* Appends what clipping left as ends of lines, whose colours are their own unless `color` is that of them all. False
  * where one has no place in the window, or the arena has failed. */
-static bool append_ends(struct zr_builder *builder, const struct zr_clip_vertex *corners, int count,
-                        const uint32_t *color, struct end *ends)
+static bool append_ends(struct zr_builder *builder, const struct zr_clipped *clipped,
+                        const struct zr_builder_corner *corners, const uint32_t *color, struct end *ends)
 {
     uint32_t vertex = builder->geometry->vertex_count, own_color = builder->geometry->color_count;
     bool placed[ZR_CLIP_MAX], all_placed = true;
-    if (!zr_builder_append_clipped(builder, corners, count, color != NULL, placed)) return false;
-    for (int i = 0; i < count; i++) {
+    if (!zr_builder_append_clipped(builder, clipped, corners, color != NULL, placed)) return false;
+    for (int i = 0; i < clipped->count; i++) {
         ends[i] = (struct end){vertex + (uint32_t)i, color ? *color : own_color + (uint32_t)i};
         all_placed = all_placed && placed[i];
     }
@@ -73,11 +73,15 @@ static void draw_triangle(struct zr_builder *builder, const struct pen *pen, con
     if (codes.all || codes.any & ZR_OUTCODE_UNPLACED) return;
     if (codes.any) {
         geometry->counts.clipped_outlines++;
-        struct zr_clip_vertex in[3], out[ZR_CLIP_MAX];
-        for (int k = 0; k < 3; k++)
-            in[k] = zr_builder_clip_vertex(builder, positions[k], ends[k].color);
-        count = zr_clip_triangle_edges(in, codes.any, &edges, out);
-        if (!append_ends(builder, out, count, pen->flat ? &ends[0].color : NULL, corners)) return;
+        struct zr_builder_corner given[3];
+        struct zr_clipped clipped;
+        zr_vec4 in[3];
+        for (int k = 0; k < 3; k++) {
+            given[k] = (struct zr_builder_corner){positions[k], ends[k].color};
+            in[k] = zr_builder_clip_position(builder, positions[k]);
+        }
+        count = zr_clip_triangle(in, codes.any, &edges, &clipped);
+        if (!append_ends(builder, &clipped, given, pen->flat ? &ends[0].color : NULL, corners)) return;
     }
     for (int i = 0; i < count; i++)
         vertices[i] = geometry->vertices[corners[i].vertex];
@@ -170,11 +174,13 @@ static void place_line(struct zr_builder *builder, const uint32_t positions[2], 
     }
     if (codes.any) {
         const unsigned own[2] = {builder->outcodes[positions[0]], builder->outcodes[positions[1]]};
-        const struct zr_clip_vertex in[2] = {zr_builder_clip_vertex(builder, positions[0], given[0].color),
-                                             zr_builder_clip_vertex(builder, positions[1], given[1].color)};
-        struct zr_clip_vertex out[2];
+        const zr_vec4 in[2] = {zr_builder_clip_position(builder, positions[0]),
+                               zr_builder_clip_position(builder, positions[1])};
+        const struct zr_builder_corner corners[2] = {{positions[0], given[0].color}, {positions[1], given[1].color}};
+        struct zr_clipped clipped;
         bool flat = given[0].color == given[1].color;
-        if (!zr_clip_line(in, own, out) || !append_ends(builder, out, 2, flat ? &given[0].color : NULL, ends)) {
+        if (!zr_clip_line(in, own, &clipped) ||
+            !append_ends(builder, &clipped, corners, flat ? &given[0].color : NULL, ends)) {
             counts->outside_lines++;
             return;
         }

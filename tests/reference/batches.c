@@ -239,17 +239,17 @@ static void find_thin(struct builder *b, const struct source *s, const uint32_t 
     struct zr_viewport viewport = zr_viewport_make(b->scene->width, b->scene->height);
     zr_mat4 object_to_eye = zr_mat4_mul(&b->camera->world_to_eye, &s->instance->object_to_world);
     zr_mat4 object_to_clip = zr_mat4_mul(&b->camera->projection, &object_to_eye);
-    struct zr_clip_vertex in[3] = {{.eye_w = 0}}, out[ZR_CLIP_MAX];
+    struct zr_clipped clipped;
+    zr_vec4 in[3];
     struct zr_window_vertex v[ZR_CLIP_MAX];
     unsigned any = 0;
     for (int k = 0; k < 3; k++) {
-        in[k].position = zr_mat4_apply(&object_to_clip, s->mesh->positions[s->mesh->indices[slots[k]]]);
-        any |= zr_clip_outcode(in[k].position);
-        out[k] = in[k];
+        in[k] = zr_mat4_apply(&object_to_clip, s->mesh->positions[s->mesh->indices[slots[k]]]);
+        any |= zr_clip_outcode(in[k]);
     }
-    int count = any ? zr_clip_triangle(in, any, out) : 3;
+    int count = zr_clip_triangle(in, any, NULL, &clipped);
     for (int i = 0; i < count; i++)
-        if (!zr_viewport_apply(&viewport, out[i].position, &v[i])) return;
+        if (!zr_viewport_apply(&viewport, clipped.vertices[i].position, &v[i])) return;
     for (int i = 2; i < count; i++)
         append_thin(b, &v[i - 1], &v[i], &v[0]);
 }

@@ -11,37 +11,34 @@
 
 /* ---- clip ---- */
 
-static int clip(const zr_vec4 positions[3], struct zr_clip_vertex out[ZR_CLIP_MAX])
+static int clip(const zr_vec4 positions[3], struct zr_clipped *out)
 {
-    struct zr_clip_vertex in[3] = {{.position = positions[0], .front = {1, 0, 0, 1}},
-                                   {.position = positions[1], .front = {0, 1, 0, 1}},
-                                   {.position = positions[2], .front = {0, 0, 1, 1}}};
     unsigned any = 0;
     for (int i = 0; i < 3; i++)
         any |= zr_clip_outcode(positions[i]);
-    return zr_clip_triangle(in, any, out);
+    return zr_clip_triangle(positions, any, NULL, out);
 }
 
 static void clip_inside_keeps_the_triangle(void **state)
 {
     (void)state;
     const zr_vec4 p[3] = {{0, 0, 0, 1}, {0.5f, 0, 0, 1}, {0, 0.5f, 0, 1}};
-    struct zr_clip_vertex out[ZR_CLIP_MAX];
-    assert_int_equal(clip(p, out), 3);
+    struct zr_clipped out;
+    assert_int_equal(clip(p, &out), 3);
     for (int i = 0; i < 3; i++)
-        assert_memory_equal(&out[i].position, &p[i], sizeof p[i]);
+        assert_memory_equal(&out.vertices[i].position, &p[i], sizeof p[i]);
 }
 
 static void clip_corner_behind_eye_gives_quad_in_front(void **state)
 {
     (void)state;
     const zr_vec4 p[3] = {{0, 0.5f, 0, 1}, {-0.5f, 0, 0, 1}, {0, 0, -3, -2}};
-    struct zr_clip_vertex out[ZR_CLIP_MAX];
-    int count = clip(p, out);
+    struct zr_clipped out;
+    int count = clip(p, &out);
     assert_int_equal(count, 4);
     for (int i = 0; i < count; i++) {
-        assert_true(out[i].position.w > 0.0f);
-        assert_true(out[i].position.z + out[i].position.w >= -1e-6f);
+        assert_true(out.vertices[i].position.w > 0.0f);
+        assert_true(out.vertices[i].position.z + out.vertices[i].position.w >= -1e-6f);
     }
 }
 
@@ -49,21 +46,21 @@ static void clip_wholly_outside_one_plane_gives_nothing(void **state)
 {
     (void)state;
     const zr_vec4 p[3] = {{2, 0, 0, 1}, {3, 0, 0, 1}, {2, 1, 0, 1}};
-    struct zr_clip_vertex out[ZR_CLIP_MAX];
-    assert_int_equal(clip(p, out), 0);
+    struct zr_clipped out;
+    assert_int_equal(clip(p, &out), 0);
 }
 
 static void clip_by_all_planes_stays_within_room_and_volume(void **state)
 {
     (void)state;
     const zr_vec4 p[3] = {{-30, -20, -9, 1}, {40, -10, 3, 1}, {3, 50, 8, 1}};
-    struct zr_clip_vertex out[ZR_CLIP_MAX];
-    int count = clip(p, out);
+    struct zr_clipped out;
+    int count = clip(p, &out);
     assert_in_range(count, 3, ZR_CLIP_MAX);
     for (int i = 0; i < count; i++) {
-        assert_true(fabsf(out[i].position.x) <= out[i].position.w * 1.00001f);
-        assert_true(fabsf(out[i].position.y) <= out[i].position.w * 1.00001f);
-        assert_true(fabsf(out[i].position.z) <= out[i].position.w * 1.00001f);
+        assert_true(fabsf(out.vertices[i].position.x) <= out.vertices[i].position.w * 1.00001f);
+        assert_true(fabsf(out.vertices[i].position.y) <= out.vertices[i].position.w * 1.00001f);
+        assert_true(fabsf(out.vertices[i].position.z) <= out.vertices[i].position.w * 1.00001f);
     }
 }
 
@@ -71,11 +68,14 @@ static void clip_interpolates_attributes_with_the_corner(void **state)
 {
     (void)state;
     const zr_vec4 p[3] = {{0, 0, 0, 1}, {2, 0, 0, 1}, {0, 1, 0, 1}};
-    struct zr_clip_vertex out[ZR_CLIP_MAX];
-    int count = clip(p, out), found = 0;
+    struct zr_clipped out;
+    zr_vec4 colors[ZR_CLIP_VALUES] = {{1, 0, 0, 1}, {0, 1, 0, 1}, {0, 0, 1, 1}};
+    int count = clip(p, &out), found = 0;
+    zr_clip_replay(&out, colors);
     for (int i = 0; i < count; i++)
-        if (out[i].position.x == 1.0f && out[i].position.y == 0.0f) {
-            assert_true(out[i].front.x == 0.5f && out[i].front.y == 0.5f && out[i].front.z == 0.0f);
+        if (out.vertices[i].position.x == 1.0f && out.vertices[i].position.y == 0.0f) {
+            const zr_vec4 *color = &colors[out.vertices[i].id];
+            assert_true(color->x == 0.5f && color->y == 0.5f && color->z == 0.0f);
             found++;
         }
     assert_int_equal(found, 1);

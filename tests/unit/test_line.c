@@ -287,66 +287,71 @@ static void any_line_stays_within_a_subpixel_of_the_ideal_one_and_of_the_dda(voi
 
 /* ---- clipping ---- */
 
-static struct zr_clip_vertex clip_at(float x, float y, float z, float w)
+static bool clip(const zr_vec4 in[2], struct zr_clipped *out)
 {
-    return (struct zr_clip_vertex){.position = {x, y, z, w}, .front = {x, 0, 0, 1}, .back = {0, x, 0, 1}, .eye_z = x};
-}
-
-static bool clip(const struct zr_clip_vertex in[2], struct zr_clip_vertex out[2])
-{
-    unsigned outcodes[2] = {zr_clip_outcode(in[0].position), zr_clip_outcode(in[1].position)};
+    unsigned outcodes[2] = {zr_clip_outcode(in[0]), zr_clip_outcode(in[1])};
     return zr_clip_line(in, outcodes, out);
 }
 
 static void clip_line_inside_is_kept_as_it_is(void **state)
 {
     (void)state;
-    struct zr_clip_vertex in[2] = {clip_at(-0.3f, 0.1f, 0.7f, 1), clip_at(1, -1, 1, 1)}, out[2];
-    assert_true(clip(in, out));
-    assert_memory_equal(out, in, sizeof in);
+    const zr_vec4 in[2] = {{-0.3f, 0.1f, 0.7f, 1}, {1, -1, 1, 1}};
+    struct zr_clipped out;
+    assert_true(clip(in, &out));
+    for (int i = 0; i < 2; i++)
+        assert_memory_equal(&out.vertices[i].position, &in[i], sizeof in[i]);
 }
 
 static void clip_line_out_on_both_sides_is_cut_at_both_with_its_attributes(void **state)
 {
     (void)state;
     /* d0 = -1, d1 = 3 at x + w: a quarter is cut off; the same at the other end. */
-    struct zr_clip_vertex in[2] = {clip_at(-2, 0.5f, 0, 1), clip_at(2, 0.5f, 0, 1)}, out[2];
-    assert_true(clip(in, out));
-    assert_true(out[0].position.x == -1.0f && out[1].position.x == 1.0f && out[0].position.y == 0.5f);
-    assert_true(out[0].front.x == -1.0f && out[1].front.x == 1.0f && out[0].back.y == -1.0f);
-    assert_true(out[0].eye_z == -1.0f && out[1].eye_z == 1.0f);
+    const zr_vec4 in[2] = {{-2, 0.5f, 0, 1}, {2, 0.5f, 0, 1}};
+    struct zr_clipped out;
+    assert_true(clip(in, &out));
+    assert_true(out.vertices[0].position.x == -1.0f && out.vertices[1].position.x == 1.0f &&
+                out.vertices[0].position.y == 0.5f);
+    zr_vec4 values[ZR_CLIP_VALUES] = {{-2, 8, 0, 0}, {2, 0, 0, 0}};
+    zr_clip_replay(&out, values);
+    const zr_vec4 *first = &values[out.vertices[0].id], *last = &values[out.vertices[1].id];
+    assert_true(first->x == -1.0f && last->x == 1.0f && first->y == 6.0f && last->y == 2.0f);
 }
 
 static void clip_line_takes_the_farthest_cut_of_several_planes_from_its_own_end(void **state)
 {
     (void)state;
     /* Out of x = w by 1 of 2 and of y = w by 3 of 4: only the second cut counts. */
-    struct zr_clip_vertex in[2] = {clip_at(0, 0, 0, 1), clip_at(2, 4, 0, 1)}, out[2];
-    assert_true(clip(in, out));
-    assert_true(out[0].position.x == 0.0f && out[1].position.x == 0.5f && out[1].position.y == 1.0f);
+    const zr_vec4 in[2] = {{0, 0, 0, 1}, {2, 4, 0, 1}};
+    struct zr_clipped out;
+    assert_true(clip(in, &out));
+    assert_true(out.vertices[0].position.x == 0.0f && out.vertices[1].position.x == 0.5f &&
+                out.vertices[1].position.y == 1.0f);
 }
 
 static void clip_line_from_behind_the_eye_starts_at_the_near_plane(void **state)
 {
     (void)state;
     /* z + w: -3 behind the eye, 1 in front: three quarters are cut off, and w is positive there. */
-    struct zr_clip_vertex in[2] = {clip_at(0, 0, -2, -1), clip_at(0, 0, -1, 2)}, out[2];
-    assert_true(clip(in, out));
-    assert_true(out[0].position.z == -1.25f && out[0].position.w == 1.25f);
-    assert_true(out[1].position.w == 2.0f);
+    const zr_vec4 in[2] = {{0, 0, -2, -1}, {0, 0, -1, 2}};
+    struct zr_clipped out;
+    assert_true(clip(in, &out));
+    assert_true(out.vertices[0].position.z == -1.25f && out.vertices[0].position.w == 1.25f);
+    assert_true(out.vertices[1].position.w == 2.0f);
 }
 
 static void clip_line_past_a_corner_or_outside_of_one_plane_is_gone(void **state)
 {
     (void)state;
-    struct zr_clip_vertex past[2] = {clip_at(-2, 0.5f, 0, 1), clip_at(0.5f, 3, 0, 1)}, out[2];
-    struct zr_clip_vertex beyond[2] = {clip_at(2, 0, 0, 1), clip_at(3, 0, 0, 1)};
-    struct zr_clip_vertex nowhere[2] = {clip_at(0, 0, 0, 1), clip_at(NAN, 0, 0, 1)};
-    struct zr_clip_vertex endless[2] = {clip_at(0, 0, 0, 1), clip_at(INFINITY, 0, 0, 1)};
-    assert_false(clip(past, out));
-    assert_false(clip(beyond, out));
-    assert_false(clip(nowhere, out));
-    assert_false(clip(endless, out));
+    const zr_vec4 past[2] = {{-2, 0.5f, 0, 1}, {0.5f, 3, 0, 1}};
+    struct zr_clipped out;
+    const zr_vec4 beyond[2] = {{2, 0, 0, 1}, {3, 0, 0, 1}};
+    const zr_vec4 nowhere[2] = {{0, 0, 0, 1}, {NAN, 0, 0, 1}};
+    const zr_vec4 endless[2] = {{0, 0, 0, 1}, {INFINITY, 0, 0, 1}};
+    assert_false(clip(past, &out));
+    assert_false(clip(beyond, &out));
+    assert_false(clip(nowhere, &out));
+    assert_false(clip(endless, &out));
 }
 
 /* ---- outlines ---- */
@@ -355,16 +360,17 @@ static void clipped_triangle_has_no_edge_along_the_plane(void **state)
 {
     (void)state;
     /* Corner 1 lies outside of x = w: 0, then the two cuts, then 2. */
-    struct zr_clip_vertex tri[3] = {clip_at(0, 0, 0, 1), clip_at(2, 0, 0, 1), clip_at(0, 1, 0, 1)};
-    struct zr_clip_vertex out[ZR_CLIP_MAX], plain[ZR_CLIP_MAX];
-    unsigned outcode = zr_clip_outcode(tri[1].position), edges = 7, some = 5;
-    assert_int_equal(zr_clip_triangle_edges(tri, outcode, &edges, out), 4);
+    const zr_vec4 tri[3] = {{0, 0, 0, 1}, {2, 0, 0, 1}, {0, 1, 0, 1}};
+    struct zr_clipped out, plain;
+    unsigned outcode = zr_clip_outcode(tri[1]), edges = 7, some = 5;
+    assert_int_equal(zr_clip_triangle(tri, outcode, &edges, &out), 4);
     assert_int_equal(edges, 0xd); /* 0 to 1, 2 to 3, 3 to 0; not 1 to 2 */
-    assert_true(out[1].position.x == 1.0f && out[2].position.x == 1.0f);
-    assert_int_equal(zr_clip_triangle_edges(tri, outcode, &some, out), 4);
+    assert_true(out.vertices[1].position.x == 1.0f && out.vertices[2].position.x == 1.0f);
+    assert_int_equal(zr_clip_triangle(tri, outcode, &some, &out), 4);
     assert_int_equal(some, 0x9); /* the edge from 1 to 2 was none, so what is left of it is none */
-    assert_int_equal(zr_clip_triangle(tri, outcode, plain), 4);
-    assert_memory_equal(out, plain, 4 * sizeof *out);
+    assert_int_equal(zr_clip_triangle(tri, outcode, NULL, &plain), 4);
+    for (int i = 0; i < 4; i++)
+        assert_memory_equal(&out.vertices[i].position, &plain.vertices[i].position, sizeof(zr_vec4));
 }
 
 static void assert_lines(const struct zr_outline_line *lines, int count, const uint8_t want[][2], int want_count)

@@ -140,42 +140,76 @@ static void draw_window_line(struct drawer *drawer, const struct corner *c0, con
     draw_corners(drawer, &corners, &surface);
 }
 
-static struct corner place(const struct drawer *drawer, const struct zr_clip_vertex *v)
+/* A corner in clip space, and what is cut with it. */
+struct clip_corner {
+    zr_vec4 position, front;
+};
+
+static void take_clipped(const struct zr_clipped *clipped, const struct clip_corner *in, struct clip_corner *out)
+{
+    zr_vec4 colors[ZR_CLIP_VALUES];
+    for (int k = 0; k < clipped->corners; k++)
+        colors[k] = in[k].front;
+    zr_clip_replay(clipped, colors);
+    for (int i = 0; i < clipped->count; i++)
+        out[i] = (struct clip_corner){clipped->vertices[i].position, colors[clipped->vertices[i].id]};
+}
+
+static bool cut_line(const struct clip_corner in[2], const unsigned codes[2], struct clip_corner out[2])
+{
+    const zr_vec4 ends[2] = {in[0].position, in[1].position};
+    struct zr_clipped clipped;
+    if (!zr_clip_line(ends, codes, &clipped)) return false;
+    take_clipped(&clipped, in, out);
+    return true;
+}
+
+static int cut_triangle(const struct clip_corner tri[3], unsigned outcodes, unsigned *edges,
+                        struct clip_corner out[ZR_CLIP_MAX])
+{
+    const zr_vec4 corners[3] = {tri[0].position, tri[1].position, tri[2].position};
+    struct zr_clipped clipped;
+    zr_clip_triangle(corners, outcodes, edges, &clipped);
+    take_clipped(&clipped, tri, out);
+    return clipped.count;
+}
+
+static struct corner place(const struct drawer *drawer, const struct clip_corner *v)
 {
     struct corner corner = {.color = v->front};
     corner.placed = zr_viewport_apply(&drawer->viewport, v->position, &corner.window);
     return corner;
 }
 
-static bool clip_one_by_one(const struct zr_clip_vertex in[2], struct zr_clip_vertex out[2])
+static bool clip_one_by_one(const struct clip_corner in[2], struct clip_corner out[2])
 {
-    struct zr_clip_vertex line[2] = {in[0], in[1]};
+    struct clip_corner line[2] = {in[0], in[1]};
     for (int plane = 0; plane < 6; plane++) {
         unsigned codes[2] = {zr_clip_outcode(line[0].position) & 1u << plane,
                              zr_clip_outcode(line[1].position) & 1u << plane};
-        if (!zr_clip_line(line, codes, out)) return false;
+        if (!cut_line(line, codes, out)) return false;
         line[0] = out[0];
         line[1] = out[1];
     }
     return true;
 }
 
-static void draw_clip_line(struct drawer *drawer, const struct zr_clip_vertex in[2], const zr_vec4 *flat)
+static void draw_clip_line(struct drawer *drawer, const struct clip_corner in[2], const zr_vec4 *flat)
 {
-    struct zr_clip_vertex out[2];
+    struct clip_corner out[2];
     unsigned codes[2] = {zr_clip_outcode(in[0].position), zr_clip_outcode(in[1].position)};
     if (!(codes[0] & codes[1]) && (codes[0] | codes[1])) drawer->stats->clipped++;
-    bool left = drawer->fault == FAULT_CLIP_ONE_BY_ONE ? clip_one_by_one(in, out) : zr_clip_line(in, codes, out);
+    bool left = drawer->fault == FAULT_CLIP_ONE_BY_ONE ? clip_one_by_one(in, out) : cut_line(in, codes, out);
     if (!left) return;
     struct corner c0 = place(drawer, &out[0]), c1 = place(drawer, &out[1]);
     draw_window_line(drawer, &c0, &c1, flat);
 }
 
 /* A line's flat colour is its last corner's. */
-static void draw_chain(struct drawer *drawer, const struct zr_clip_vertex *corners, uint32_t count, bool closed)
+static void draw_chain(struct drawer *drawer, const struct clip_corner *corners, uint32_t count, bool closed)
 {
     for (uint32_t i = 1; i < count + (closed ? 1 : 0); i++) {
-        const struct zr_clip_vertex line[2] = {corners[i - 1], corners[i % count]};
+        const struct clip_corner line[2] = {corners[i - 1], corners[i % count]};
         draw_clip_line(drawer, line, drawer->batch->smooth ? NULL : &line[1].front);
     }
 }
@@ -197,9 +231,9 @@ static int outline(const struct drawer *drawer, const struct zr_window_vertex *v
     return zr_outline_make(vertices, count, edges, clipped, faces, lines);
 }
 
-static void draw_outline(struct drawer *drawer, const struct zr_clip_vertex tri[3], unsigned edges, const zr_vec4 *flat)
+static void draw_outline(struct drawer *drawer, const struct clip_corner tri[3], unsigned edges, const zr_vec4 *flat)
 {
-    struct zr_clip_vertex out[ZR_CLIP_MAX] = {tri[0], tri[1], tri[2]};
+    struct clip_corner out[ZR_CLIP_MAX] = {tri[0], tri[1], tri[2]};
     unsigned c0 = zr_clip_outcode(tri[0].position), c1 = zr_clip_outcode(tri[1].position),
              c2 = zr_clip_outcode(tri[2].position), any = c0 | c1 | c2;
     if (c0 & c1 & c2) return;
@@ -207,10 +241,10 @@ static void draw_outline(struct drawer *drawer, const struct zr_clip_vertex tri[
         static const int order[3] = {2, 0, 1};
         for (int k = 0; k < 3; k++)
             if (edges >> order[k] & 1u)
-                draw_clip_line(drawer, (struct zr_clip_vertex[2]){tri[order[k]], tri[(order[k] + 1) % 3]}, flat);
+                draw_clip_line(drawer, (struct clip_corner[2]){tri[order[k]], tri[(order[k] + 1) % 3]}, flat);
         return;
     }
-    int count = any ? zr_clip_triangle_edges(tri, any, &edges, out) : 3;
+    int count = any ? cut_triangle(tri, any, &edges, out) : 3;
     struct corner corners[ZR_CLIP_MAX];
     struct zr_window_vertex vertices[ZR_CLIP_MAX];
     for (int i = 0; i < count; i++) {
@@ -268,15 +302,15 @@ static void draw_filled_piece(struct drawer *drawer, const struct corner *corner
         }
 }
 
-static void draw_filled(struct drawer *drawer, const struct zr_clip_vertex tri[3], const zr_vec4 *flat)
+static void draw_filled(struct drawer *drawer, const struct clip_corner tri[3], const zr_vec4 *flat)
 {
-    struct zr_clip_vertex out[ZR_CLIP_MAX];
+    struct clip_corner out[ZR_CLIP_MAX];
     unsigned c0 = zr_clip_outcode(tri[0].position), c1 = zr_clip_outcode(tri[1].position),
              c2 = zr_clip_outcode(tri[2].position), any = c0 | c1 | c2;
     if (c0 & c1 & c2) return;
     if (any) {
         drawer->stats->clipped++;
-        int count = zr_clip_triangle(tri, any, out);
+        int count = cut_triangle(tri, any, NULL, out);
         struct corner corners[ZR_CLIP_MAX];
         for (int i = 0; i < count; i++)
             corners[i] = place(drawer, &out[i]);
@@ -290,7 +324,7 @@ static void draw_filled(struct drawer *drawer, const struct zr_clip_vertex tri[3
 
 /* ---- the batch ---- */
 
-static void draw_primitive(struct drawer *drawer, const struct zr_clip_vertex *corners, uint32_t count,
+static void draw_primitive(struct drawer *drawer, const struct clip_corner *corners, uint32_t count,
                            const zr_vec4 *flat)
 {
     if (drawer->batch->mode == BATCH_LINES) {
@@ -301,7 +335,7 @@ static void draw_primitive(struct drawer *drawer, const struct zr_clip_vertex *c
         draw_outline(drawer, corners, 7, flat);
     } else {
         for (uint32_t i = 2; i < count; i++)
-            draw_outline(drawer, (struct zr_clip_vertex[3]){corners[i - 1], corners[i], corners[0]},
+            draw_outline(drawer, (struct clip_corner[3]){corners[i - 1], corners[i], corners[0]},
                          zr_outline_fan_edges(i, count), flat);
     }
 }
@@ -314,11 +348,11 @@ void draw_own(const struct batch *batch, enum fault fault, struct batch_picture 
     for (size_t i = 0; i < pixels; i++)
         picture->depth[i] = 1.0f;
     for (uint32_t i = 0; i < batch->count; i++) {
-        struct zr_clip_vertex corners[BATCH_CORNERS];
+        struct clip_corner corners[BATCH_CORNERS];
         uint32_t first = batch->offsets[i], count = batch->offsets[i + 1] - first;
         for (uint32_t k = 0; k < count; k++)
             corners[k] =
-                (struct zr_clip_vertex){.position = batch->positions[first + k], .front = batch->colors[first + k]};
+                (struct clip_corner){.position = batch->positions[first + k], .front = batch->colors[first + k]};
         draw_primitive(&drawer, corners, count, batch->smooth ? NULL : &corners[0].front);
         stats->primitives++;
     }
