@@ -30,7 +30,7 @@ static const char USAGE[] =
     "  --encoding NAME    png, npy, png16 or json; each channel has a default\n"
     "  --scale UNITS      scene units a step of a 16-bit depth picture\n"
     "  --preset NAME      front, back, left, right, top, bottom or isometric (meshes only)\n"
-    "  --shading NAME     unlit, flat or gouraud (meshes only)\n"
+    "  --shading NAME     unlit, flat, gouraud, phong or normals (meshes only)\n"
     "  --size WxH         pixels, such as 800x600 (meshes only)\n"
     "  --compress HOW     fast (default) or small: PNGs of fewer bytes that take longer\n"
     "  --type TYPE        json, obj or stl, where the file's ending does not say\n"

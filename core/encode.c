@@ -3,6 +3,7 @@
 
 #include <stdio.h>
 
+#include "base/rgba.h"
 #include "output/depth16.h"
 #include "output/info.h"
 #include "output/npy.h"
@@ -41,6 +42,28 @@ static enum zr_status encode_color(const struct encoding *e, struct zr_buffer *o
     return zr_png_write(&png, e->team, e->cancel, out);
 }
 
+/* -1 .. 1 becomes 0 .. 255, and 0, 0, 0 where nothing is. */
+static enum zr_status encode_normals(const struct encoding *e, struct zr_buffer *out)
+{
+    const struct zr_frame *frame = e->frame;
+    const size_t pixels = (size_t)frame->width * frame->height;
+    const float *n = frame->channels[ZR_CHANNEL_NORMALS];
+    uint32_t *colors = zr_arena_alloc(e->arena, pixels, sizeof *colors);
+    if (!colors) return ZR_NO_MEMORY;
+    for (size_t i = 0; i < pixels; i++, n += 3) {
+        const bool nothing = n[0] == 0.0f && n[1] == 0.0f && n[2] == 0.0f;
+        const zr_vec4 color = {n[0] * 0.5f + 0.5f, n[1] * 0.5f + 0.5f, n[2] * 0.5f + 0.5f, 1.0f};
+        colors[i] = zr_rgba_opaque(nothing ? (zr_vec4){0, 0, 0, 1} : color);
+    }
+    const struct zr_png png = {.kind = ZR_PNG_RGB,
+                               .width = frame->width,
+                               .height = frame->height,
+                               .pixels = colors,
+                               .reaches = frame->reaches,
+                               .compress = e->scene->compress};
+    return zr_png_write(&png, e->team, e->cancel, out);
+}
+
 static enum zr_status encode_depth16(struct encoding *e, float asked_scale, struct zr_buffer *out)
 {
     const struct zr_frame *frame = e->frame;
@@ -69,7 +92,7 @@ static enum zr_status encode_output(struct encoding *e, const struct zr_output *
     const struct zr_channel_row *row = &zr_channel_rows[output->channel];
     switch (output->encoding) {
     case ZR_ENCODING_PNG:
-        return encode_color(e, out);
+        return output->channel == ZR_CHANNEL_NORMALS ? encode_normals(e, out) : encode_color(e, out);
     case ZR_ENCODING_PNG16:
         return encode_depth16(e, output->scale, out);
     case ZR_ENCODING_NPY:

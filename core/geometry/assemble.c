@@ -13,11 +13,9 @@ static void place_fan(struct zr_builder *builder, uint32_t face, bool smooth, co
     uint32_t begin = mesh->face_offsets[face], count = mesh->face_offsets[face + 1] - begin;
     for (uint32_t i = 2; i < count; i++) {
         const uint32_t fan[3] = {i - 1, i, 0}, whole[3] = {0, 1, 2}, *order = count == 3 ? whole : fan;
+        const uint32_t slots[3] = {begin + order[0], begin + order[1], begin + order[2]};
         struct zr_corners corners;
-        for (int k = 0; k < 3; k++) {
-            corners.vertex[k] = mesh->indices[begin + order[k]];
-            corners.color[k] = zr_builder_color(builder, face, smooth, begin + order[k]);
-        }
+        if (!zr_corners_make(builder, face, smooth, slots, part, &corners)) return;
         zr_place_triangle(builder, &corners, part);
     }
 }
@@ -36,6 +34,7 @@ static void place_face(struct zr_builder *builder, uint32_t face)
     counts->concave_polygons += concave;
     if (material->hollow) return;
     struct zr_part part = {.face = builder->first_face_id + face,
+                           .material = material,
                            .double_sided = material->double_sided,
                            .pushed = material->outline != ZR_OUTLINE_NONE};
     if (concave)
@@ -117,9 +116,15 @@ static bool add_run(struct zr_builder *builder, const struct zr_fans *fans, cons
                              .back = builder->colors.back,
                              .packed = builder->colors.packed,
                              .color_count = builder->colors.count,
+                             .material = run->material,
                              .sided = builder->colors.sided && run->material->double_sided,
                              .mirrored = builder->mirrored,
                              .double_sided = run->material->double_sided};
+    if (zr_builder_wants_normals(builder, run->material)) {
+        batch.normals_rate = zr_eye_normals_rate(mesh, run->material);
+        batch.normals = zr_builder_normals(builder, batch.normals_rate);
+        if (!batch.normals) return false;
+    }
     counts->polygons += run->end - run->begin;
     counts->triangles += batch.count;
     return zr_builder_add_written(builder) && zr_builder_add_batch(builder, batch);

@@ -1,5 +1,7 @@
 #include "geometry/batch.h"
 
+#include <string.h>
+
 #include "geometry/geometry.h"
 
 const struct zr_batch *zr_batch_of(const struct zr_geometry *geometry, uint32_t number)
@@ -22,29 +24,45 @@ uint32_t zr_face_id(const struct zr_geometry *geometry, const struct zr_batch *b
                           : batch->first_id + zr_batch_face(batch, t);
 }
 
+static void swap(uint32_t values[3])
+{
+    const int k = zr_swapped_corner();
+    const uint32_t first = values[0];
+    values[0] = values[k];
+    values[k] = first;
+}
+
+static struct zr_record written_of(const struct zr_geometry *geometry, uint32_t number)
+{
+    const struct zr_triangle *written = &geometry->triangles[number];
+    struct zr_record record = {.triangle = *written,
+                               .colors = written->back ? geometry->back_colors : geometry->front_colors,
+                               .normals = geometry->normals};
+    if (!geometry->surfaces) return record;
+    memcpy(record.n, geometry->surfaces[number].n, sizeof record.n);
+    record.material = geometry->surfaces[number].material;
+    return record;
+}
+
 struct zr_record zr_record_of(const struct zr_geometry *geometry, const struct zr_batch *batch, uint32_t number)
 {
     uint32_t t = number - batch->first;
-    if (batch->written) {
-        const struct zr_triangle *written = &geometry->triangles[batch->first_record + t];
-        return (struct zr_record){*written, written->back ? geometry->back_colors : geometry->front_colors};
-    }
-    struct zr_record record;
-    record.triangle = (struct zr_triangle){.face = zr_face_id(geometry, batch, number)};
+    if (batch->written) return written_of(geometry, batch->first_record + t);
+    struct zr_record record = {.triangle = {.face = zr_face_id(geometry, batch, number)},
+                               .normals = batch->normals,
+                               .material = batch->material};
+    uint32_t *v = record.triangle.v, *c = record.triangle.c;
     for (int k = 0; k < 3; k++) {
-        record.triangle.v[k] = batch->first_vertex + batch->corners[3 * (size_t)t + (size_t)k];
-        record.triangle.c[k] = zr_batch_color(batch, t, k);
+        v[k] = batch->first_vertex + batch->corners[3 * (size_t)t + (size_t)k];
+        c[k] = zr_batch_color(batch, t, k);
+        if (batch->normals) record.n[k] = zr_batch_value(batch, batch->normals_rate, t, k);
     }
     const struct zr_window_vertex *vertices = geometry->vertices;
-    uint32_t *v = record.triangle.v, *c = record.triangle.c;
     bool counter_clockwise = zr_window_area(&vertices[v[0]], &vertices[v[1]], &vertices[v[2]]) < 0;
     if (counter_clockwise) {
-        const int k = zr_swapped_corner();
-        uint32_t v0 = v[0], c0 = c[0];
-        v[0] = v[k];
-        c[0] = c[k];
-        v[k] = v0;
-        c[k] = c0;
+        swap(v);
+        swap(c);
+        swap(record.n);
     }
     record.triangle.turned = counter_clockwise;
     record.triangle.back = counter_clockwise == batch->mirrored;

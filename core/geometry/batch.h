@@ -65,6 +65,12 @@ struct zr_batch {
     uint32_t *backs;        /* of a flat batch that is sided: bit t % 32 of backs[t / 32] where triangle t shows its
                                back, known when it is sorted (raster/bins.h); of those that are seen */
     bool mirrored, double_sided;
+    const struct zr_material *material; /* where not written */
+
+    /* What surfaces are shaded by pixel by pixel; NULL where nothing needs them. */
+    const zr_vec4 *normals; /* eye_normals.h */
+    enum zr_batch_colors normals_rate;
+
     bool painted_early; /* tiny and small triangles get their colours when they are drawn (shade/paint.h) */
 };
 
@@ -82,11 +88,11 @@ static inline uint32_t zr_batch_corner_color(const struct zr_batch *batch, uint3
     return batch->slots ? batch->slots[3 * (size_t)t + k] : 3 * (batch->first_face + t) + k;
 }
 
-/* The same of any batch. */
-static inline uint32_t zr_batch_color(const struct zr_batch *batch, uint32_t t, int k)
+/* Which value of what varies at this rate corner `k` of triangle `t` has. */
+static inline uint32_t zr_batch_value(const struct zr_batch *batch, enum zr_batch_colors rate, uint32_t t, int k)
 {
     const struct zr_mesh *mesh = batch->mesh;
-    switch (batch->colors) {
+    switch (rate) {
     case ZR_BATCH_PER_FACE:
         return zr_batch_face(batch, t);
     case ZR_BATCH_PER_FIRST_CORNER:
@@ -95,12 +101,18 @@ static inline uint32_t zr_batch_color(const struct zr_batch *batch, uint32_t t, 
     case ZR_BATCH_PER_FIRST_SLOT:
         return mesh->face_offsets[zr_batch_face(batch, t)];
     case ZR_BATCH_PER_VERTEX:
+        return batch->corners[3 * (size_t)t + (size_t)k];
     case ZR_BATCH_PER_CORNER:
-        break;
+        return batch->slots ? batch->slots[3 * (size_t)t + (size_t)k] : 3 * (batch->first_face + t) + (uint32_t)k;
     case ZR_BATCH_UNCOLORED:
-        return 0;
+        break;
     }
-    return zr_batch_corner_color(batch, t, (uint32_t)k);
+    return 0;
+}
+
+static inline uint32_t zr_batch_color(const struct zr_batch *batch, uint32_t t, int k)
+{
+    return zr_batch_value(batch, batch->colors, t, k);
 }
 
 static inline bool zr_batch_is_smooth(const struct zr_batch *batch)
@@ -154,7 +166,10 @@ static inline const struct zr_batch *zr_batch_next(const struct zr_geometry *geo
  * it is not written out, c[] counts from the batch's own front and back. */
 struct zr_record {
     struct zr_triangle triangle;
-    const zr_vec4 *colors; /* of the side that is seen: triangle.c indexes it */
+    const zr_vec4 *colors;  /* of the side that is seen: triangle.c indexes it */
+    const zr_vec4 *normals; /* of fronts: n[] indexes it; NULL where there are none */
+    uint32_t n[3];
+    const struct zr_material *material;
 };
 
 /* Id of the face of a record. */

@@ -42,10 +42,14 @@ bool zr_builder_reserve(struct zr_builder *builder, uint64_t vertices, uint64_t 
     struct zr_geometry *g = builder->geometry;
     struct zr_arena *arena = builder->arena;
     void *vertex_array = g->vertices, *front = g->front_colors, *back = g->back_colors, *triangle_array = g->triangles;
-    void *eyes = g->eyes;
-    uint32_t back_room = builder->color_room, eye_room = builder->vertex_room;
+    void *eyes = g->eyes, *points = g->points, *surfaces = g->surfaces;
+    uint32_t back_room = builder->color_room, eye_room = builder->vertex_room, point_room = builder->vertex_room;
+    uint32_t surface_room = builder->triangle_room;
     bool ok = reserve(arena, &vertex_array, &builder->vertex_room, g->vertex_count, vertices, sizeof *g->vertices);
     ok = ok && reserve(arena, &eyes, &eye_room, g->vertex_count, vertices, sizeof *g->eyes);
+    if (builder->points) ok = ok && reserve(arena, &points, &point_room, g->vertex_count, vertices, sizeof *g->points);
+    if (builder->some_normals)
+        ok = ok && reserve(arena, &surfaces, &surface_room, g->triangle_count, triangles, sizeof *g->surfaces);
     ok = ok && reserve(arena, &front, &builder->color_room, g->color_count, colors, sizeof *g->front_colors);
     if (builder->separate_backs)
         ok = ok && reserve(arena, &back, &back_room, g->color_count, colors, sizeof *g->back_colors);
@@ -54,6 +58,8 @@ bool zr_builder_reserve(struct zr_builder *builder, uint64_t vertices, uint64_t 
     if (!ok) return false;
     g->vertices = vertex_array;
     g->eyes = eyes;
+    g->points = points;
+    g->surfaces = surfaces;
     g->front_colors = front;
     g->back_colors = builder->separate_backs ? back : front;
     g->triangles = triangle_array;
@@ -79,6 +85,17 @@ bool zr_builder_reserve_cut(struct zr_builder *builder)
     void *cuts = sources->cuts;
     if (!reserve(builder->arena, &cuts, &builder->cut_room, sources->cut_count, 1, sizeof *sources->cuts)) return false;
     sources->cuts = cuts;
+    return true;
+}
+
+bool zr_builder_reserve_normals(struct zr_builder *builder, uint64_t more)
+{
+    struct zr_geometry *g = builder->geometry;
+    void *normals = g->normals;
+    if (!reserve(builder->arena, &normals, &builder->normal_room, g->normal_count, more + 1, sizeof *g->normals))
+        return false;
+    g->normals = normals;
+    if (g->normal_count == 0) g->normals[g->normal_count++] = (zr_vec4){0, 0, 0, 0};
     return true;
 }
 
@@ -183,23 +200,87 @@ static void append_colors(struct zr_geometry *geometry, const struct zr_clipped 
     geometry->color_count += (uint32_t)clipped->count;
 }
 
+static void append_normals(struct zr_geometry *geometry, const struct zr_clipped *clipped,
+                           const struct zr_builder_corner *corners)
+{
+    zr_vec4 values[ZR_CLIP_VALUES];
+    for (int k = 0; k < clipped->corners; k++)
+        values[k] = geometry->normals[corners[k].normal];
+    append_values(clipped, values, geometry->normals + geometry->normal_count);
+    geometry->normal_count += (uint32_t)clipped->count;
+}
+
+static void append_points(const struct zr_builder *builder, const struct zr_clipped *clipped,
+                          const struct zr_builder_corner *corners)
+{
+    struct zr_geometry *geometry = builder->geometry;
+    zr_vec4 values[ZR_CLIP_VALUES];
+    for (int k = 0; k < clipped->corners; k++)
+        values[k] = geometry->points[builder->first_vertex + corners[k].position];
+    append_values(clipped, values, geometry->points + geometry->vertex_count);
+}
+
+static bool are_alike(const struct zr_clipped *clipped, const uint32_t *first, size_t stride)
+{
+    const uint32_t *second = first + stride, *last = first + stride * (size_t)(clipped->corners - 1);
+    return *first == *second && *second == *last;
+}
+
 bool zr_builder_append_clipped(struct zr_builder *builder, const struct zr_clipped *clipped,
-                               const struct zr_builder_corner *corners, bool flat, bool placed[ZR_CLIP_MAX])
+                               const struct zr_builder_corner *corners, bool placed[ZR_CLIP_MAX])
 {
     struct zr_geometry *geometry = builder->geometry;
     const uint64_t count = (uint64_t)clipped->count;
+    const size_t stride = sizeof *corners / sizeof corners->color;
+    const bool flat = are_alike(clipped, &corners->color, stride), even = are_alike(clipped, &corners->normal, stride);
     zr_vec4 values[ZR_CLIP_VALUES], eyes[ZR_CLIP_MAX];
     if (!zr_builder_reserve(builder, count, flat ? 0 : count, 0)) return false;
+    if (!even && !zr_builder_reserve_normals(builder, count)) return false;
     for (int k = 0; k < clipped->corners; k++) {
         const struct zr_eye eye = zr_builder_eye(builder, corners[k].position);
         values[k] = (zr_vec4){eye.z, eye.w, 0.0f, 0.0f};
     }
     append_values(clipped, values, eyes);
+    if (builder->points) append_points(builder, clipped, corners);
     for (int i = 0; i < clipped->count; i++) {
         struct zr_window_vertex *vertex = &geometry->vertices[geometry->vertex_count++];
         placed[i] = zr_viewport_apply(&builder->viewport, clipped->vertices[i].position, vertex);
         geometry->eyes[geometry->vertex_count - 1] = (struct zr_eye){eyes[i].x, eyes[i].y};
     }
     if (!flat) append_colors(geometry, clipped, corners);
+    if (!even) append_normals(geometry, clipped, corners);
+    return true;
+}
+
+/* ---- normals ---- */
+
+const zr_vec4 *zr_builder_normals(struct zr_builder *builder, enum zr_batch_colors rate)
+{
+    const zr_vec4 **normals = &builder->normals[rate];
+    if (!*normals)
+        *normals =
+            zr_eye_normals_make(builder->arena, builder->team, builder->cancel, builder->mesh, &builder->object_to_eye,
+                                rate, &builder->vertex_normals[builder->mesh - builder->scene->meshes]);
+    return *normals;
+}
+
+bool zr_builder_add_normals(struct zr_builder *builder, uint32_t face, const uint32_t slots[3], uint32_t out[3])
+{
+    struct zr_geometry *g = builder->geometry;
+    const struct zr_mesh *mesh = builder->mesh;
+    const enum zr_batch_colors rate = zr_eye_normals_rate(mesh, zr_material_of_face(builder->scene, mesh, face));
+    const zr_vec4 *normals = zr_builder_normals(builder, rate);
+    const bool is_flat = rate == ZR_BATCH_PER_FACE;
+    if (!normals || !zr_builder_reserve_normals(builder, 3)) return false;
+    if (is_flat && builder->flat_face != face + 1) {
+        builder->flat_face = face + 1;
+        builder->flat_normal = g->normal_count;
+        g->normals[g->normal_count++] = normals[face];
+    }
+    for (int k = 0; k < 3; k++) {
+        out[k] = is_flat ? builder->flat_normal : g->normal_count;
+        if (!is_flat)
+            g->normals[g->normal_count++] = normals[rate == ZR_BATCH_PER_CORNER ? slots[k] : mesh->indices[slots[k]]];
+    }
     return true;
 }

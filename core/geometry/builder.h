@@ -5,6 +5,7 @@
 #include "base/arena.h"
 #include "geometry/clip.h"
 #include "geometry/colors.h"
+#include "geometry/eye_normals.h"
 #include "geometry/fans.h"
 #include "geometry/geometry.h"
 #include "geometry/transform.h"
@@ -26,9 +27,12 @@ struct zr_builder {
     uint64_t unlooked; /* work since the last look at `cancel`; of the whole request, whatever instances it is in */
     const struct zr_scene *scene;
     struct zr_geometry *geometry;
-    bool written;                                    /* all records are to be written out */
-    bool uncolored;                                  /* no colour picture is wanted: colours are not made */
-    bool separate_backs;                             /* back_colors is an array of its own */
+    bool written;                   /* all records are to be written out */
+    bool uncolored;                 /* no colour picture is wanted: colours are not made */
+    bool separate_backs;            /* back_colors is an array of its own */
+    bool all_normals, some_normals; /* of all surfaces, of some: are wanted */
+    bool points;                    /* in eye space are wanted */
+    uint32_t normal_room;
     uint32_t vertex_room, color_room, triangle_room; /* capacities of the geometry's arrays */
     uint32_t shape_room, edge_room, cut_room, batch_room;
     uint32_t next_number, batched_records; /* of the next batch; how many of geometry->triangles are in batches */
@@ -43,6 +47,8 @@ struct zr_builder {
     uint32_t instance;
     const struct zr_mesh *mesh;
     struct zr_colors colors;
+    const zr_vec4 *normals[ZR_BATCH_UNCOLORED]; /* at each rate; NULL: not made so far */
+    uint32_t flat_face, flat_normal;            /* 1 + the face whose normal was written out last, and where */
     const struct zr_lighting *lighting;
     uint32_t first_face_id, first_vertex, first_color;
     zr_mat4 object_to_eye, object_to_clip;
@@ -58,6 +64,7 @@ bool zr_builder_go_on(struct zr_builder *builder, uint64_t work);
 /* Makes room for so many more of each. False where the arena has failed, or where
  * there would be more of them than indices can tell apart. */
 bool zr_builder_reserve(struct zr_builder *builder, uint64_t vertices, uint64_t colors, uint64_t triangles);
+bool zr_builder_reserve_normals(struct zr_builder *builder, uint64_t more); /* the first one is 0 */
 bool zr_builder_reserve_shape(struct zr_builder *builder, uint64_t edges);
 bool zr_builder_reserve_cut(struct zr_builder *builder);
 
@@ -83,6 +90,20 @@ bool zr_builder_own_colors(struct zr_builder *builder, uint32_t face);
  * failed. */
 bool zr_builder_make_colors(struct zr_builder *builder);
 
+/* Whether surfaces of the material are shaded by their normals. */
+static inline bool zr_builder_wants_normals(const struct zr_builder *builder, const struct zr_material *material)
+{
+    return builder->all_normals || (builder->some_normals && zr_material_is_shaded_late(material));
+}
+
+/* The normals of the instance under way, at the rate that the material has (eye_normals.h). NULL where the arena has
+ * failed. */
+const zr_vec4 *zr_builder_normals(struct zr_builder *builder, enum zr_batch_colors rate);
+
+/* Appends the normals of three corners of a face, by their slots in its mesh, to the geometry's; `out`: where. False
+ * where the arena has failed. */
+bool zr_builder_add_normals(struct zr_builder *builder, uint32_t face, const uint32_t slots[3], uint32_t out[3]);
+
 /* The geometry's colour of a face at corner `slot` of its mesh; zr_builder_own_colors has been called for it. */
 uint32_t zr_builder_color(const struct zr_builder *builder, uint32_t face, bool smooth, uint32_t slot);
 
@@ -97,6 +118,13 @@ static inline struct zr_eye zr_builder_eye(const struct zr_builder *builder, uin
 {
     zr_vec4 p = builder->mesh->positions[position];
     return (struct zr_eye){zr_mat4_row(&builder->object_to_eye, 2, p), zr_mat4_row(&builder->object_to_eye, 3, p)};
+}
+
+/* A position in eye space. */
+static inline zr_vec4 zr_builder_point(const struct zr_builder *builder, uint32_t position)
+{
+    const zr_vec4 p = zr_mat4_apply(&builder->object_to_eye, builder->mesh->positions[position]);
+    return p.w == 1.0f || p.w == 0.0f ? p : (zr_vec4){p.x / p.w, p.y / p.w, p.z / p.w, 1.0f};
 }
 
 /* Planes that some of the positions are outside of, ZR_OUTCODE_UNPLACED with them, and planes that all are outside of.
@@ -119,12 +147,13 @@ static inline struct zr_outcodes zr_builder_outcodes(const struct zr_builder *bu
 
 /* A corner that clipping cuts: a position of the mesh, and a colour of the geometry. */
 struct zr_builder_corner {
-    uint32_t position, color;
+    uint32_t position, color, normal;
 };
 
-/* Appends what clipping left of the corners: its vertices, and, where they are not `flat`, as many colours, both behind
- * what the geometry has. placed[i]: whether vertex i has a place in the window. False where the arena has failed. */
+/* Appends what clipping left of the corners: its vertices, and, where their colours or normals are not all the same, as
+ * many of these, all behind what the geometry has. placed[i]: whether vertex i has a place in the window. False where
+ * the arena has failed. */
 bool zr_builder_append_clipped(struct zr_builder *builder, const struct zr_clipped *clipped,
-                               const struct zr_builder_corner *corners, bool flat, bool placed[ZR_CLIP_MAX]);
+                               const struct zr_builder_corner *corners, bool placed[ZR_CLIP_MAX]);
 
 #endif

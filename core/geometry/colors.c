@@ -28,7 +28,7 @@ const struct zr_material *zr_material_of_face(const struct zr_scene *scene, cons
 
 bool zr_material_is_smooth(const struct zr_mesh *mesh, const struct zr_material *material)
 {
-    return material->shading == ZR_SHADING_GOURAUD ||
+    return material->shading >= ZR_SHADING_GOURAUD ||
            (material->shading == ZR_SHADING_UNLIT && mesh->colors && !material->plain);
 }
 
@@ -117,17 +117,6 @@ static void put_unlit(const struct coloring *coloring, uint32_t slot, zr_vec4 ba
     if (coloring->sided) coloring->packed[coloring->count + slot] = coloring->packed[slot];
 }
 
-static zr_vec3 corner_normal(const struct coloring *coloring, uint32_t vertex, uint32_t slot)
-{
-    const struct zr_mesh *mesh = coloring->mesh;
-    zr_vec3 normal = {0, 0, 0};
-    if (mesh->normal_count > 0) normal = mesh->normals[mesh->normal_indices ? mesh->normal_indices[slot] : vertex];
-    bool given = normal.x != 0.0f || normal.y != 0.0f || normal.z != 0.0f;
-    if (given || !coloring->computed) return normal;
-    const zr_vec4 *computed = &coloring->computed[vertex];
-    return (zr_vec3){computed->x, computed->y, computed->z};
-}
-
 static void color_vertices(void *context, size_t begin, size_t end)
 {
     const struct coloring *coloring = context;
@@ -138,10 +127,10 @@ static void color_vertices(void *context, size_t begin, size_t end)
     for (uint32_t v = (uint32_t)begin; v < end; v++) {
         zr_vec4 base = material->base_color;
         if (mesh->colors) base = zr_vec4_mul(base, mesh->colors[v]);
-        if (material->shading == ZR_SHADING_UNLIT)
+        if (!zr_material_is_lit_before(material))
             put_unlit(coloring, v, base);
         else
-            add_point(coloring, &points, v, corner_normal(coloring, v, 0), base);
+            add_point(coloring, &points, v, zr_corner_normal(mesh, coloring->computed, v, 0), base);
     }
     light_points(coloring, &points);
 }
@@ -152,7 +141,7 @@ static void color_flat_face(const struct coloring *coloring, const struct zr_mat
     const struct zr_mesh *mesh = coloring->mesh;
     const uint32_t begin = mesh->face_offsets[face], slot = coloring->per_corner ? begin : face;
     if (mesh->colors) base = zr_vec4_mul(base, mesh->colors[mesh->indices[begin]]);
-    if (material->shading == ZR_SHADING_UNLIT)
+    if (!zr_material_is_lit_before(material))
         put_unlit(coloring, slot, base);
     else
         add_point(coloring, points, slot, zr_face_normal(normals, face), base);
@@ -165,10 +154,10 @@ static void color_smooth_face(const struct coloring *coloring, const struct zr_m
     for (uint32_t slot = mesh->face_offsets[face]; slot < mesh->face_offsets[face + 1]; slot++) {
         const uint32_t vertex = mesh->indices[slot];
         const zr_vec4 color = mesh->colors ? zr_vec4_mul(base, mesh->colors[vertex]) : base;
-        if (material->shading == ZR_SHADING_UNLIT)
+        if (!zr_material_is_lit_before(material))
             put_unlit(coloring, slot, color);
         else
-            add_point(coloring, points, slot, corner_normal(coloring, vertex, slot), color);
+            add_point(coloring, points, slot, zr_corner_normal(mesh, coloring->computed, vertex, slot), color);
     }
 }
 
@@ -239,10 +228,7 @@ static bool needs_computed_normals(const struct zr_scene *scene, const struct zr
     if (!mesh->face_materials) gouraud = scene->materials[mesh->material].shading == ZR_SHADING_GOURAUD;
     for (uint32_t f = 0; mesh->face_materials && f < mesh->face_count && !gouraud; f++)
         gouraud = zr_material_of_face(scene, mesh, f)->shading == ZR_SHADING_GOURAUD;
-    if (!gouraud || mesh->normal_count == 0) return gouraud;
-    for (uint32_t n = 0; n < mesh->normal_count; n++)
-        if (mesh->normals[n].x == 0.0f && mesh->normals[n].y == 0.0f && mesh->normals[n].z == 0.0f) return true;
-    return false;
+    return gouraud && zr_mesh_lacks_normals(mesh);
 }
 
 static bool changes_nothing(const struct zr_material *material)

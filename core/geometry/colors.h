@@ -34,6 +34,18 @@ const struct zr_material *zr_material_of_face(const struct zr_scene *scene, cons
 /* True where the colour varies over a face of this material. */
 bool zr_material_is_smooth(const struct zr_mesh *mesh, const struct zr_material *material);
 
+/* Lit at vertices or faces, before it is known what is seen; else unlit, or lit pixel by pixel. */
+static inline bool zr_material_is_lit_before(const struct zr_material *material)
+{
+    return material->shading == ZR_SHADING_FLAT || material->shading == ZR_SHADING_GOURAUD;
+}
+
+/* From its normals, pixel by pixel. */
+static inline bool zr_material_is_shaded_late(const struct zr_material *material)
+{
+    return material->shading == ZR_SHADING_PHONG || material->shading == ZR_SHADING_NORMALS;
+}
+
 /* How many colours zr_colors_make will write. */
 uint32_t zr_colors_count(const struct zr_scene *scene, const struct zr_mesh *mesh);
 

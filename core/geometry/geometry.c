@@ -1,6 +1,7 @@
 #include "geometry/geometry.h"
 
 #include <stdatomic.h>
+#include <string.h>
 
 #include "base/expect.h"
 #include "geometry/assemble.h"
@@ -14,7 +15,14 @@ enum { VERTICES_A_RANGE = 4096, STREAMED_VERTICES = 1 << 17 };
 static bool shows_backs(const struct zr_scene *scene)
 {
     for (uint32_t i = 0; i < scene->material_count; i++)
-        if (scene->materials[i].double_sided && scene->materials[i].shading != ZR_SHADING_UNLIT) return true;
+        if (scene->materials[i].double_sided && zr_material_is_lit_before(&scene->materials[i])) return true;
+    return false;
+}
+
+static bool shades_late(const struct zr_scene *scene)
+{
+    for (uint32_t i = 0; i < scene->material_count; i++)
+        if (zr_material_is_shaded_late(&scene->materials[i])) return true;
     return false;
 }
 
@@ -32,6 +40,8 @@ static void place_vertices(void *argument, size_t begin, size_t end)
     struct zr_builder *builder = placing->builder;
     unsigned any = placing->transform(&builder->object_to_clip, &builder->viewport, builder->mesh->positions + begin,
                                       end - begin, placing->out + begin, builder->outcodes + begin, placing->streamed);
+    for (size_t i = begin; builder->points && i < end; i++)
+        builder->geometry->points[builder->geometry->vertex_count + i] = zr_builder_point(builder, (uint32_t)i);
     if (any) atomic_fetch_or_explicit(&placing->any_outcodes, any, memory_order_relaxed);
 }
 
@@ -74,6 +84,7 @@ static bool make_room(struct zr_builder *builder, const struct zr_scene *scene)
     for (uint32_t i = 0; i < scene->instance_count; i++)
         add_instance(builder, &scene->meshes[scene->instances[i].mesh], &room);
     if (!zr_builder_reserve(builder, room.vertices, room.colors, 0)) return false;
+    if (builder->some_normals && !zr_builder_reserve_normals(builder, 0)) return false;
     struct zr_sources *sources = &builder->geometry->sources;
     sources->instances = zr_arena_alloc(builder->arena, scene->instance_count, sizeof *sources->instances);
     builder->packed = zr_arena_alloc(builder->arena, room.packed, sizeof *builder->packed);
@@ -119,6 +130,8 @@ static enum zr_status build_instance(struct zr_builder *builder, const struct zr
     struct zr_geometry *geometry = builder->geometry;
     const struct zr_mesh *mesh = &builder->scene->meshes[instance->mesh];
     builder->mesh = mesh;
+    memset(builder->normals, 0, sizeof builder->normals);
+    builder->flat_face = 0;
     builder->instance = (uint32_t)(instance - builder->scene->instances);
     if (!zr_builder_go_on(builder, INSTANCE_WORK + mesh->position_count)) return ZR_CANCELLED;
     if (!zr_builder_reserve(builder, mesh->position_count, 0, 0)) return ZR_NO_MEMORY;
@@ -144,19 +157,21 @@ enum zr_status zr_geometry_build(struct zr_arena *arena, struct zr_team *team, c
                                  struct zr_geometry *geometry)
 {
     *geometry = (struct zr_geometry){.vertex_count = 0};
-    struct zr_lighting lighting;
     struct zr_builder builder = {.arena = arena,
                                  .team = team,
                                  .cancel = cancel,
                                  .scene = scene,
                                  .geometry = geometry,
                                  .written = written,
-                                 .lighting = &lighting,
+                                 .lighting = &geometry->lighting,
                                  .cutting.triangulator.loops.cancel = cancel};
     builder.uncolored = !zr_scene_wants(scene, ZR_CHANNEL_COLOR);
     builder.separate_backs = !builder.uncolored && shows_backs(scene);
+    builder.all_normals = zr_scene_wants(scene, ZR_CHANNEL_NORMALS);
+    builder.points = !builder.uncolored && shades_late(scene);
+    builder.some_normals = builder.all_normals || builder.points;
     builder.viewport = zr_viewport_make(scene->width, scene->height);
-    zr_lighting_make(arena, scene, &camera->world_to_eye, &lighting);
+    zr_lighting_make(arena, scene, &camera->world_to_eye, &geometry->lighting);
 
     if (!make_room(&builder, scene) || (builder.uncolored && !put_no_color(&builder))) return ZR_NO_MEMORY;
     builder.first_face_id = 1;

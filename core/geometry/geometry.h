@@ -11,6 +11,7 @@
 #include "geometry/batch.h"
 #include "geometry/counts.h"
 #include "geometry/grid_edge.h"
+#include "geometry/light.h"
 #include "geometry/source.h"
 #include "scene/camera.h"
 #include "zraster.h"
@@ -34,11 +35,22 @@ struct zr_eye {
     float z, w;
 };
 
+/* How a record that is written out is shaded pixel by pixel. */
+struct zr_written_surface {
+    uint32_t n[3];                      /* into zr_geometry.normals; all three the same: flat */
+    const struct zr_material *material; /* NULL: of a line */
+};
+
 struct zr_geometry {
-    uint32_t vertex_count, color_count, triangle_count, shape_count, edge_count, batch_count;
+    uint32_t vertex_count, color_count, normal_count, triangle_count, shape_count, edge_count, batch_count;
     struct zr_window_vertex *vertices;
     struct zr_eye *eyes; /* one a vertex; only those of lines and of what clipping made are defined */
     zr_vec4 *front_colors, *back_colors;
+    zr_vec4 *points;  /* in eye space, one a vertex; NULL where nothing needs them */
+    zr_vec4 *normals; /* of records that are written out, as of eye_normals.h; the first is 0 */
+    struct zr_written_surface
+        *surfaces; /* one a record that is written out; NULL as normals where nothing needs them */
+    struct zr_lighting lighting;
     struct zr_batch *batches;      /* by their numbers; batches[0] is there even where there are none, and empty */
     struct zr_triangle *triangles; /* the records that are written out */
     struct zr_shape *shapes;

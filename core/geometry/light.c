@@ -41,3 +41,9 @@ zr_light_fn *zr_light_of(enum zr_isa isa)
     static zr_light_fn *const table[ZR_ISA_COUNT] = ZR_KERNELS(zr_light);
     return table[isa];
 }
+
+zr_to_eye_fn *zr_to_eye_of(enum zr_isa isa)
+{
+    static zr_to_eye_fn *const table[ZR_ISA_COUNT] = ZR_KERNELS(zr_to_eye);
+    return table[isa];
+}

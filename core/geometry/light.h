@@ -41,4 +41,11 @@ zr_light_fn zr_light_scalar, zr_light_sse2, zr_light_avx2, zr_light_avx512, zr_l
 
 zr_light_fn *zr_light_of(enum zr_isa isa);
 
+/* The first half of that: normals in object space, of any length, become unit ones in eye space, in place. A kernel. */
+typedef void zr_to_eye_fn(const struct zr_normal_matrix *to_eye, zr_vec4 *normals, size_t count);
+
+zr_to_eye_fn zr_to_eye_scalar, zr_to_eye_sse2, zr_to_eye_avx2, zr_to_eye_avx512, zr_to_eye_neon;
+
+zr_to_eye_fn *zr_to_eye_of(enum zr_isa isa);
+
 #endif

@@ -94,3 +94,15 @@ void ZR_KERNEL(zr_light)(const struct zr_lighting *lighting, const struct zr_nor
     memcpy(back + i, backs, left);
     memcpy(front + i, fronts, left); /* last: both may be one array */
 }
+
+void ZR_KERNEL(zr_to_eye)(const struct zr_normal_matrix *to_eye, zr_vec4 *normals, size_t count)
+{
+    for (size_t i = 0; i < count; i += ZR_LANES) {
+        zr_vec4 some[ZR_LANES] = {{0, 0, 0, 0}};
+        const size_t left = (count - i < ZR_LANES ? count - i : ZR_LANES) * sizeof *normals;
+        memcpy(some, normals + i, left);
+        const struct zr_vec3_v unit = unit_normals(to_eye, some);
+        zr_vf_store_fours((float *)some, unit.x, unit.y, unit.z, zr_vf_set(0.0f));
+        memcpy(normals + i, some, left);
+    }
+}

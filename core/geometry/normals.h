@@ -11,6 +11,13 @@
 #include "base/isa.h"
 #include "scene/scene.h"
 
+/* At a corner: as given, or, where that is 0 or none is, as computed (vertex_normals.h), which may be NULL. `slot`: of
+ * mesh->indices, where normals have indices. */
+zr_vec3 zr_corner_normal(const struct zr_mesh *mesh, const zr_vec4 *computed, uint32_t vertex, uint32_t slot);
+
+/* Whether some must be computed. */
+bool zr_mesh_lacks_normals(const struct zr_mesh *mesh);
+
 /* Twice the area of face `face`, as a vector on its front side; the mean plane where
  * the face is not planar. Source: Newell's method (Sutherland et al., 1974). */
 zr_vec3 zr_normal_of_face(const struct zr_mesh *mesh, uint32_t face);

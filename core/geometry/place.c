@@ -19,10 +19,24 @@ bool zr_place_is_thin(const struct zr_window_vertex *v0, const struct zr_window_
     return fmin(area, snapped_area) < width * sqrt(longest);
 }
 
+bool zr_corners_make(struct zr_builder *builder, uint32_t face, bool smooth, const uint32_t slots[3],
+                     const struct zr_part *part, struct zr_corners *out)
+{
+    for (int k = 0; k < 3; k++) {
+        out->vertex[k] = builder->mesh->indices[slots[k]];
+        out->color[k] = zr_builder_color(builder, face, smooth, slots[k]);
+        out->normal[k] = 0;
+    }
+    return !zr_builder_wants_normals(builder, part->material) ||
+           zr_builder_add_normals(builder, face, slots, out->normal);
+}
+
 /* Drops what has no area or shows its back and must not; of the rest, orients it
  * as the reference does: rule 6, on snapped coordinates. True where it was kept. */
-static bool append_triangle(struct zr_builder *builder, struct zr_triangle triangle, const struct zr_part *part)
+static bool append_triangle(struct zr_builder *builder, struct zr_triangle triangle, const uint32_t normals[3],
+                            const struct zr_part *part)
 {
+    struct zr_written_surface surface = {{normals[0], normals[1], normals[2]}, part->material};
     struct zr_geometry *geometry = builder->geometry;
     const struct zr_window_vertex *v0 = &geometry->vertices[triangle.v[0]], *v1 = &geometry->vertices[triangle.v[1]],
                                   *v2 = &geometry->vertices[triangle.v[2]];
@@ -45,6 +59,8 @@ static bool append_triangle(struct zr_builder *builder, struct zr_triangle trian
         triangle.c[0] = triangle.c[k];
         triangle.v[k] = v;
         triangle.c[k] = c;
+        surface.n[0] = normals[k];
+        surface.n[k] = normals[0];
     }
     triangle.turned = counter_clockwise;
     triangle.face = part->face;
@@ -52,6 +68,7 @@ static bool append_triangle(struct zr_builder *builder, struct zr_triangle trian
     triangle.pushed = part->pushed;
     triangle.shape = part->shape & ZR_SHAPE_MASK;
     if (!zr_builder_reserve(builder, 0, 0, 1)) return false;
+    if (geometry->surfaces) geometry->surfaces[geometry->triangle_count] = surface;
     geometry->triangles[geometry->triangle_count++] = triangle;
     return true;
 }
@@ -64,7 +81,7 @@ static void clip_and_append(struct zr_builder *builder, const struct zr_corners 
     struct zr_clipped clipped;
     zr_vec4 in[3];
     for (int k = 0; k < 3; k++) {
-        ends[k] = (struct zr_builder_corner){corners->vertex[k], corners->color[k]};
+        ends[k] = (struct zr_builder_corner){corners->vertex[k], corners->color[k], corners->normal[k]};
         in[k] = zr_builder_clip_position(builder, corners->vertex[k]);
     }
     geometry->counts.clipped++;
@@ -72,9 +89,11 @@ static void clip_and_append(struct zr_builder *builder, const struct zr_corners 
     if (count == 0 || !zr_builder_reserve_cut(builder)) return;
 
     bool flat = corners->color[0] == corners->color[1] && corners->color[1] == corners->color[2];
+    const bool even = corners->normal[0] == corners->normal[1] && corners->normal[1] == corners->normal[2];
     uint32_t vertex = geometry->vertex_count, color = flat ? corners->color[0] : geometry->color_count;
+    uint32_t normal = even ? corners->normal[0] : geometry->normal_count;
     bool placed[ZR_CLIP_MAX];
-    if (!zr_builder_append_clipped(builder, &clipped, ends, flat, placed)) return;
+    if (!zr_builder_append_clipped(builder, &clipped, ends, placed)) return;
     geometry->sources.cuts[geometry->sources.cut_count++] =
         (struct zr_source_cut){vertex, {corners->vertex[0], corners->vertex[1], corners->vertex[2]}};
     const struct zr_counts before = geometry->counts;
@@ -86,7 +105,8 @@ static void clip_and_append(struct zr_builder *builder, const struct zr_corners 
             piece.c[0] = color + a;
             piece.c[1] = color + b;
         }
-        if (append_triangle(builder, piece, part)) geometry->counts.drawn_pieces++;
+        const uint32_t normals[3] = {even ? normal : normal + a, even ? normal : normal + b, normal};
+        if (append_triangle(builder, piece, normals, part)) geometry->counts.drawn_pieces++;
     }
     /* The triangle is counted once, as clipped: what became of its pieces is counted apart. */
     geometry->counts.culled_pieces += geometry->counts.culled - before.culled;
@@ -109,6 +129,6 @@ void zr_place_triangle(struct zr_builder *builder, const struct zr_corners *corn
         struct zr_triangle triangle = {.c = {corners->color[0], corners->color[1], corners->color[2]}};
         for (int k = 0; k < 3; k++)
             triangle.v[k] = builder->first_vertex + corners->vertex[k];
-        if (append_triangle(builder, triangle, part)) counts->drawn_whole++;
+        if (append_triangle(builder, triangle, corners->normal, part)) counts->drawn_whole++;
     }
 }

@@ -176,12 +176,10 @@ static void place_triangles(struct zr_builder *builder, uint32_t face, bool smoo
     const struct zr_mesh *mesh = builder->mesh;
     uint32_t begin = mesh->face_offsets[face];
     for (uint32_t i = 0; i < count; i++) {
+        const uint32_t *cut = builder->cutting.triangles[i];
+        const uint32_t slots[3] = {begin + cut[0], begin + cut[1], begin + cut[2]};
         struct zr_corners corners;
-        for (int k = 0; k < 3; k++) {
-            uint32_t slot = begin + builder->cutting.triangles[i][k];
-            corners.vertex[k] = mesh->indices[slot];
-            corners.color[k] = zr_builder_color(builder, face, smooth, slot);
-        }
+        if (!zr_corners_make(builder, face, smooth, slots, part, &corners)) return;
         zr_place_triangle(builder, &corners, part);
     }
 }

@@ -27,6 +27,7 @@ static void append_line(struct zr_builder *builder, struct end from, struct end 
     if (!zr_builder_reserve(builder, 0, 0, 1)) return;
     own_eye(builder, from.vertex);
     own_eye(builder, to.vertex);
+    if (geometry->surfaces) geometry->surfaces[geometry->triangle_count] = (struct zr_written_surface){{0, 0, 0}, NULL};
     geometry->triangles[geometry->triangle_count++] = (struct zr_triangle){.v = {from.vertex, to.vertex, to.vertex},
                                                                            .c = {from.color, to.color, to.color},
                                                                            .face = face,
@@ -41,7 +42,7 @@ static bool append_ends(struct zr_builder *builder, const struct zr_clipped *cli
 {
     uint32_t vertex = builder->geometry->vertex_count, own_color = builder->geometry->color_count;
     bool placed[ZR_CLIP_MAX], all_placed = true;
-    if (!zr_builder_append_clipped(builder, clipped, corners, color != NULL, placed)) return false;
+    if (!zr_builder_append_clipped(builder, clipped, corners, placed)) return false;
     for (int i = 0; i < clipped->count; i++) {
         ends[i] = (struct end){vertex + (uint32_t)i, color ? *color : own_color + (uint32_t)i};
         all_placed = all_placed && placed[i];
@@ -77,7 +78,7 @@ static void draw_triangle(struct zr_builder *builder, const struct pen *pen, con
         struct zr_clipped clipped;
         zr_vec4 in[3];
         for (int k = 0; k < 3; k++) {
-            given[k] = (struct zr_builder_corner){positions[k], ends[k].color};
+            given[k] = (struct zr_builder_corner){positions[k], ends[k].color, 0};
             in[k] = zr_builder_clip_position(builder, positions[k]);
         }
         count = zr_clip_triangle(in, codes.any, &edges, &clipped);
@@ -176,7 +177,8 @@ static void place_line(struct zr_builder *builder, const uint32_t positions[2], 
         const unsigned own[2] = {builder->outcodes[positions[0]], builder->outcodes[positions[1]]};
         const zr_vec4 in[2] = {zr_builder_clip_position(builder, positions[0]),
                                zr_builder_clip_position(builder, positions[1])};
-        const struct zr_builder_corner corners[2] = {{positions[0], given[0].color}, {positions[1], given[1].color}};
+        const struct zr_builder_corner corners[2] = {{positions[0], given[0].color, 0},
+                                                     {positions[1], given[1].color, 0}};
         struct zr_clipped clipped;
         bool flat = given[0].color == given[1].color;
         if (!zr_clip_line(in, own, &clipped) ||

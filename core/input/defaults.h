@@ -7,6 +7,7 @@
 #include "scene/scene.h"
 
 #define ZR_FIT_PADDING 0.05f
+#define ZR_SHININESS   32.0f
 
 /* Window 640x480, white background, ambient light and two that go with the camera, an isometric
  * view fitted to the geometry, a colour image as the one output; no geometry. */

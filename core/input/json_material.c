@@ -6,12 +6,17 @@
 #include "input/text.h"
 
 /* Looks that differ in more than the colour of their outlines. */
-enum { SHADINGS = ZR_SHADING_GOURAUD + 1, OUTLINES = ZR_OUTLINE_COLORED + 1, LOOKS = SHADINGS * OUTLINES * 2 * 2 * 2 };
+enum { SHADINGS = ZR_SHADING_COUNT, OUTLINES = ZR_OUTLINE_COLORED + 1, LOOKS = SHADINGS * OUTLINES * 2 * 2 * 2 };
 enum { MATERIALS_AT_FIRST = 16 };
 
-enum { NAME, BASE_COLOR, LOOK, KEYS = LOOK + ZR_LOOK_KEYS };
-static const char *const words[] = {"name",        "baseColorFactor", ZR_LOOK_WORDS, "baseColorTexture", "alphaMode",
-                                    "alphaCutoff", "diffuse",         "specular",    "shininess",        "emissive"};
+enum { NAME, BASE_COLOR, SPECULAR, SHININESS, LOOK, KEYS = LOOK + ZR_LOOK_KEYS };
+
+/* Of shininess: more than can be told apart at a pixel. */
+static const double SHININESS_MAX = 10000.0;
+
+static const char *const words[] = {"name",        "baseColorFactor",  "specular",  "shininess",
+                                    ZR_LOOK_WORDS, "baseColorTexture", "alphaMode", "alphaCutoff",
+                                    "diffuse",     "emissive"};
 static const struct zr_names keys = ZR_NAMES(KEYS, words);
 
 /* Equal names stay in the scene's order, so that the later one is the repetition. */
@@ -40,6 +45,11 @@ static void read_material(struct zr_draft *draft, const struct zr_json_path *pat
     if (found[BASE_COLOR] &&
         zr_json_color(json, ZR_JSON_KEY(path, words[BASE_COLOR]), found[BASE_COLOR], &given->base_color))
         zr_draft_note_alpha(draft, &given->base_color, 1);
+    if (found[SPECULAR]) zr_json_color(json, ZR_JSON_KEY(path, words[SPECULAR]), found[SPECULAR], &given->specular);
+    double shininess = (double)given->shininess;
+    if (found[SHININESS] &&
+        zr_json_number(json, ZR_JSON_KEY(path, words[SHININESS]), found[SHININESS], 0.0, SHININESS_MAX, &shininess))
+        given->shininess = (float)shininess;
     zr_draft_read_look(draft, path, &found[LOOK], ZR_LOOK_KEYS, &given->look);
 }
 
@@ -69,7 +79,8 @@ void zr_draft_read_materials(struct zr_draft *draft, const struct zr_json_path *
     size_t faults = json->error->count;
     for (const cJSON *node = list->child; node && !zr_json_full(json) && !zr_json_stopped(json);
          node = node->next, i++) {
-        draft->given[i] = (struct zr_given_material){"", i, {1, 1, 1, 1}, zr_look_unsaid};
+        draft->given[i] = (struct zr_given_material){
+            .name = "", .number = i, .base_color = {1, 1, 1, 1}, .shininess = ZR_SHININESS, .look = zr_look_unsaid};
         read_material(draft, ZR_JSON_ITEM(path, i), node, &draft->given[i]);
     }
     draft->given_count = i;
@@ -125,19 +136,23 @@ static bool is_last(const struct zr_draft *draft, const struct zr_material *m)
     const struct zr_material *last = &draft->materials[draft->material_count - 1];
     return last->shading == m->shading && last->double_sided == m->double_sided && last->hollow == m->hollow &&
            last->plain == m->plain && last->outline == m->outline && zr_vec4_equal(last->base_color, m->base_color) &&
-           zr_vec4_equal(last->outline_color, m->outline_color);
+           last->shininess == m->shininess && last->specular.x == m->specular.x && last->specular.y == m->specular.y &&
+           last->specular.z == m->specular.z && zr_vec4_equal(last->outline_color, m->outline_color);
 }
 
 uint32_t zr_draft_variant(struct zr_draft *draft, const struct zr_style *style, bool coloured, bool smooth)
 {
     if (!zr_arena_ok(draft->json.arena)) return 0;
     bool has_given = style->given < draft->given_count;
-    const struct zr_given_material none = {"", 0, zr_default_base_color(coloured), zr_look_unsaid};
+    const struct zr_given_material none = {
+        .name = "", .base_color = zr_default_base_color(coloured), .look = zr_look_unsaid};
     const struct zr_given_material *given = has_given ? &draft->given[style->given] : &none;
     struct zr_look look = zr_look_over(&style->look, &given->look);
     look = zr_look_over(&look, &draft->look);
     if (look.double_sided == ZR_UNSAID) look.double_sided = style->is_open;
     struct zr_material material = zr_look_material(&look, given->base_color, smooth);
+    material.specular = (zr_vec3){given->specular.x, given->specular.y, given->specular.z};
+    material.shininess = given->shininess;
     material.plain = style->is_plain && material.shading == ZR_SHADING_UNLIT;
     bool black = zr_vec4_equal(material.outline_color, (zr_vec4){0, 0, 0, 1});
     uint32_t *slot = slot_of(draft, has_given ? style->given : draft->given_count + coloured, &material, !black);

@@ -26,7 +26,8 @@ struct zr_look {
 struct zr_given_material {
     const char *name; /* in the cJSON tree */
     size_t number;    /* in the scene's list */
-    zr_vec4 base_color;
+    zr_vec4 base_color, specular;
+    float shininess;
     struct zr_look look;
 };
 

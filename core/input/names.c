@@ -11,7 +11,7 @@ static const char *const presets[] = {"front", "back", "left", "right", "top", "
 static const char *const algorithms[] = {"halfspace", "edgelist", "trapezoid", "scanline", "painter"};
 static const char *const compressions[] = {"fast", "small"};
 
-const struct zr_names zr_shading_names = ZR_NAMES(ZR_SHADING_GOURAUD + 1, shadings);
+const struct zr_names zr_shading_names = ZR_NAMES(ZR_SHADING_COUNT, shadings);
 const struct zr_names zr_preset_names = ZR_NAMES(ZR_PRESET_COUNT, presets);
 const struct zr_names zr_algorithm_names = ZR_NAMES(ZR_ALGORITHM_COUNT, algorithms);
 const struct zr_names zr_compress_names = ZR_NAMES(ZR_COMPRESS_COUNT, compressions);

@@ -27,6 +27,13 @@ struct zr_camera {
                        * it: a share of its size; 0 where nothing is fitted */
 };
 
+/* True where all rays are, and have no eye in common. */
+static inline bool zr_camera_is_parallel(const struct zr_camera *camera)
+{
+    const float *m = camera->projection.m;
+    return m[3] == 0.0f && m[7] == 0.0f && m[11] == 0.0f;
+}
+
 /* What zr_sight_find finds. */
 struct zr_sight {
     struct zr_bounds bounds; /* of the geometry; not valid where neither the view nor an output needs them */

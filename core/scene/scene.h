@@ -17,9 +17,12 @@
 #include "scene/channels.h"
 
 enum zr_shading {
-    ZR_SHADING_UNLIT,  /* colours as given, interpolated where given per vertex */
-    ZR_SHADING_FLAT,   /* one lit colour a polygon; its first vertex gives the colour */
-    ZR_SHADING_GOURAUD /* lit at each vertex, interpolated */
+    ZR_SHADING_UNLIT,   /* colours as given, interpolated where given per vertex */
+    ZR_SHADING_FLAT,    /* one lit colour a polygon; its first vertex gives the colour */
+    ZR_SHADING_GOURAUD, /* lit at each vertex, interpolated */
+    ZR_SHADING_PHONG,   /* normals interpolated, lit at each pixel */
+    ZR_SHADING_NORMALS, /* normals in camera space as colours */
+    ZR_SHADING_COUNT
 };
 
 /* How the edges of faces are drawn, as lines one pixel wide. */
@@ -31,6 +34,8 @@ enum zr_outline {
 
 struct zr_material {
     zr_vec4 base_color; /* multiplies the colours of faces and vertices */
+    zr_vec3 specular;   /* of ZR_SHADING_PHONG */
+    float shininess;
     enum zr_shading shading;
     bool double_sided; /* false: polygons that turn away are not drawn */
     bool plain;        /* unlit: its faces have one colour each, though others of their mesh have one a vertex */

@@ -11,16 +11,26 @@
 #define ZR_PAINT_H
 
 #include "base/isa.h"
+#include "geometry/colors.h"
 #include "geometry/geometry.h"
 #include "raster/plane.h"
 #include "raster/tile.h"
 
+/* Values that vary over a surface: a colour; and of what is shaded late, a normal and a point. */
+enum { ZR_VALUES_FEW = 3, ZR_VALUES_MOST = 9 };
+
 /* What the pixels of one record are painted with. */
 struct zr_surface {
     bool flat;
-    uint32_t color;                        /* flat: four bytes */
-    struct zr_plane oow, red, green, blue; /* else: 1/w, and colours times that */
+    uint32_t color; /* flat: four bytes */
+    /* Else planes of 1/w, and of values times that: a colour, and, where `material` says that it is shaded late, a
+     * normal of the side that is seen, and a point, both in eye space. */
+    struct zr_plane planes[1 + ZR_VALUES_MOST];
+    const struct zr_material *material; /* NULL: what the colour's planes show is what is seen */
 };
+
+/* Of the normals alone; flat ones have planes that are the same all over, over a w of 1. */
+struct zr_surface zr_surface_normals(const struct zr_geometry *geometry, const struct zr_batch *batch, uint32_t number);
 
 /* Of a record of the batch, line or triangle. */
 struct zr_surface zr_surface_make(const struct zr_geometry *geometry, const struct zr_batch *batch, uint32_t number);
@@ -43,7 +53,8 @@ static inline bool zr_batch_is_gathered(const struct zr_batch *batch)
  * either way; and where backs are drawn too, half of what would be painted is hidden. */
 static inline bool zr_batch_is_painted_early(const struct zr_batch *batch)
 {
-    return zr_batch_is_gathered(batch) && zr_batch_is_smooth(batch) && !batch->double_sided;
+    return zr_batch_is_gathered(batch) && zr_batch_is_smooth(batch) && !batch->double_sided &&
+           !zr_material_is_shaded_late(batch->material);
 }
 
 /* Where a tile lies in a channel, whose values have four bytes each. */
@@ -60,6 +71,10 @@ struct zr_shaded {
     uint32_t nothing;                      /* the colour where nobody is seen, but for what is */
     struct zr_pixel_rows behind;           /* there, if that is not NULL */
     struct zr_pixel_rows faces, instances; /* ids of faces and of instances; 0 where nobody is seen */
+    struct zr_pixel_rows normals;          /* three floats: of the side that is seen, 0 where nobody or a line is */
+    float normals_to_space[3][3];          /* rows of what leads from eye space there */
+    bool is_parallel;                      /* rays of sight are */
+    bool is_shaded_late;                   /* some surfaces are (zr_material_is_shaded_late) */
 };
 
 struct zr_paint {

@@ -1,6 +1,7 @@
 #include "shade/paint.h"
 
 #include "raster/tile_simd.h"
+#include "shade/models_simd.h"
 #include "shade/parts_simd.h"
 #include "shade/planes_simd.h"
 #include "shade/words_simd.h"
@@ -22,7 +23,12 @@ struct shading {
     bool any_planes;
     bool has_planes[ZR_PARTS_ROOM];
     uint32_t words[ZR_PARTS_ROOM];
-    float planes[ZR_PARTS_ROOM][4][4]; /* of 1/w, red, green, blue: a0, dadx, dady */
+    const struct zr_material
+        *materials[ZR_PARTS_ROOM]; /* NULL: what planes show is what is seen; said where any is late */
+    bool any_late;
+    struct zr_model_context model;
+    /* Some for each part, one part after the other: of 1/w, and of each of its values. */
+    float planes[ZR_PARTS_ROOM * (1 + ZR_VALUES_MOST)][4]; /* a0, dadx, dady */
 };
 
 /* ---- runs of parts ---- */
@@ -80,47 +86,123 @@ static inline void expect_colors(struct shading *s, const struct run *run)
                                               : (const void *)zr_flat_at(run->batch, places[i]));
 }
 
-static inline void put_plane(struct shading *s, uint32_t first, int k, const struct zr_plane_v *plane)
+/* Plane k of ZR_LANES parts. */
+static inline void put_plane(struct shading *s, uint32_t first, int k, int count, const struct zr_plane_v *plane)
 {
     float fours[4 * ZR_LANES];
     zr_vf_store4(fours, plane->a0, plane->dadx, plane->dady, zr_vf_set(0.0f));
-    for (int i = 0; i < ZR_LANES; i++)
-        memcpy(s->planes[first + (uint32_t)i][k], fours + 4 * i, 4 * sizeof(float));
+    for (uint32_t i = 0; i < ZR_LANES; i++)
+        memcpy(s->planes[(first + i) * (uint32_t)count + (uint32_t)k], fours + 4 * i, 4 * sizeof(float));
+}
+
+static inline void put_three(struct shading *s, uint32_t first, int k, int count, const struct zr_color_planes *planes)
+{
+    put_plane(s, first, k, count, &planes->red);
+    put_plane(s, first, k + 1, count, &planes->green);
+    put_plane(s, first, k + 2, count, &planes->blue);
+}
+
+static void put_surface(struct shading *s, uint32_t i, const struct zr_surface *surface, int count)
+{
+    for (int k = 0; k < count; k++)
+        memcpy(s->planes[i * (uint32_t)count + (uint32_t)k], &surface->planes[k], sizeof surface->planes[k]);
+    s->has_planes[i] = s->any_planes = true;
 }
 
 /* One that is written out, which may be a line. */
-static void make_written(struct shading *s, uint32_t i, const struct zr_batch *batch)
+static void make_written(struct shading *s, uint32_t i, const struct zr_batch *batch, int count)
 {
     const struct zr_surface surface = zr_surface_make(s->geometry, batch, s->parts.owners[i] - 1);
-    const struct zr_plane *planes[4] = {&surface.oow, &surface.red, &surface.green, &surface.blue};
     s->words[i] = surface.color;
-    s->has_planes[i] = !surface.flat;
-    s->any_planes |= !surface.flat;
-    for (int k = 0; k < 4 && !surface.flat; k++)
-        memcpy(s->planes[i][k], planes[k], sizeof *planes[k]);
+    s->has_planes[i] = false;
+    s->materials[i] = surface.material;
+    s->any_late |= surface.material != NULL;
+    if (!surface.flat) put_surface(s, i, &surface, count);
 }
 
-static inline void make_colors(struct shading *s, const struct run *run)
+/* Of triangles whose normals and points are wanted beside their colours. */
+static inline void put_late(struct shading *s, const struct run *run, int count)
+{
+    const struct zr_batch *batch = run->batch;
+    const zr_vi numbers = numbers_of(s, run);
+    struct zr_smooth_corners corners = zr_smooth_corners_of(batch, batch->colors, numbers);
+    struct zr_corner_v v[3], again[3];
+    struct zr_color_v values[3];
+    const zr_vm turned = zr_smooth_load_corners(&corners, s->geometry->vertices, v);
+    memcpy(again, v, sizeof v);
+    zr_normals_load(batch, numbers, turned, values);
+    const struct zr_color_planes normals = zr_color_planes_of(turned, again, values);
+    memcpy(again, v, sizeof v);
+    zr_values_load(s->geometry->points, corners.vertex, values);
+    const struct zr_color_planes points = zr_color_planes_of(turned, again, values);
+    put_three(s, run->first, 4, count, &normals);
+    put_three(s, run->first, 7, count, &points);
+    for (uint32_t i = run->first; i < run->first + ZR_LANES; i++)
+        s->materials[i] = batch->material;
+    s->any_late = true;
+}
+
+static inline void make_colors(struct shading *s, const struct run *run, int count)
 {
     const struct zr_batch *batch = run->batch;
     const uint32_t first = run->first;
+    if (count > 1 + ZR_VALUES_FEW)
+        for (uint32_t i = first; i < first + ZR_LANES; i++)
+            s->materials[i] = NULL;
     if (!batch) {
         put_words(s, run, zr_vi_set((int32_t)s->nothing));
     } else if (batch->written) {
         for (uint32_t i = first; i < first + run->count; i++)
-            make_written(s, i, batch);
+            make_written(s, i, batch, count);
     } else if (zr_batch_is_smooth(batch)) {
         const struct zr_color_planes planes = zr_color_planes_make(batch, s->geometry->vertices, numbers_of(s, run));
-        put_plane(s, first, 0, &planes.oow);
-        put_plane(s, first, 1, &planes.red);
-        put_plane(s, first, 2, &planes.green);
-        put_plane(s, first, 3, &planes.blue);
+        put_plane(s, first, 0, count, &planes.oow);
+        put_three(s, first, 1, count, &planes);
         memset(s->has_planes + first, true, ZR_LANES);
         s->any_planes = true;
+        if (count > 1 + ZR_VALUES_FEW && zr_material_is_shaded_late(batch->material)) put_late(s, run, count);
     } else {
         const zr_vi numbers = zr_flat_number(batch, ZR_ALL_LANES, numbers_of(s, run));
         put_words(s, run, zr_flat_look_up(batch, numbers));
     }
+}
+
+/* ---- normals ---- */
+
+/* Flat ones have planes that are the same all over, over a w of 1. */
+static inline void make_normals(struct shading *s, const struct run *run)
+{
+    enum { COUNT = 1 + ZR_VALUES_FEW };
+    const struct zr_batch *batch = run->batch;
+    const uint32_t first = run->first;
+    if (!batch || batch->written) {
+        static const struct zr_surface none = {.planes = {{1, 0, 0}}};
+        for (uint32_t i = first; i < first + run->count; i++) {
+            const struct zr_surface surface =
+                batch ? zr_surface_normals(s->geometry, batch, s->parts.owners[i] - 1) : none;
+            put_surface(s, i, &surface, COUNT);
+        }
+        return;
+    }
+    const zr_vi numbers = numbers_of(s, run);
+    const struct zr_smooth_corners corners = zr_smooth_corners_of(batch, batch->normals_rate, numbers);
+    struct zr_corner_v v[3];
+    struct zr_color_v values[3];
+    const zr_vm turned = zr_smooth_load_corners(&corners, s->geometry->vertices, v);
+    zr_normals_load(batch, numbers, turned, values);
+    struct zr_color_planes planes;
+    if (batch->normals_rate == ZR_BATCH_PER_FACE) {
+        const zr_vf zero = zr_vf_set(0.0f);
+        planes = (struct zr_color_planes){{zr_vf_set(1.0f), zero, zero},
+                                          {values[0].red, zero, zero},
+                                          {values[0].green, zero, zero},
+                                          {values[0].blue, zero, zero}};
+    } else {
+        planes = zr_color_planes_of(turned, v, values);
+    }
+    put_plane(s, first, 0, COUNT, &planes.oow);
+    put_three(s, first, 1, COUNT, &planes);
+    memset(s->has_planes + first, true, ZR_LANES);
 }
 
 /* ---- ids ---- */
@@ -156,37 +238,79 @@ static inline zr_vi words_at(const struct shading *s, uint32_t first, uint32_t c
     return words;
 }
 
-static inline zr_vi shade_at(const struct shading *s, uint32_t first, uint32_t count, zr_vi owner, zr_vf x, zr_vf y)
+/* The planes of each lane, of the parts whose owners they are; of others anything. */
+static inline void select_planes(const struct shading *s, uint32_t first, uint32_t count, zr_vi owner, int planes,
+                                 zr_vf (*out)[3])
+{
+    const float(*from)[4] = &s->planes[first * (uint32_t)planes];
+    for (int k = 0; k < planes; k++)
+        for (int j = 0; j < 3; j++)
+            out[k][j] = zr_vf_set(from[k][j]);
+    for (uint32_t i = first + 1; i < first + count; i++) {
+        const zr_vm here = zr_vi_eq(owner, zr_vi_set((int32_t)s->parts.owners[i]));
+        from = &s->planes[i * (uint32_t)planes];
+        for (int k = 0; k < planes; k++)
+            for (int j = 0; j < 3; j++)
+                out[k][j] = zr_vf_select(here, zr_vf_set(from[k][j]), out[k][j]);
+    }
+}
+
+static inline zr_vf value_at(zr_vf (*planes)[3], int k, zr_vf x, zr_vf y)
+{
+    const struct zr_plane_v plane = {planes[k][0], planes[k][1], planes[k][2]};
+    return zr_plane_at_v(&plane, x, y);
+}
+
+/* Three values from plane k on, over w. */
+static inline struct zr_vec3_v three_at(zr_vf (*planes)[3], int k, zr_vf w, zr_vf x, zr_vf y)
+{
+    return (struct zr_vec3_v){value_at(planes, k, x, y) * w, value_at(planes, k + 1, x, y) * w,
+                              value_at(planes, k + 2, x, y) * w};
+}
+
+/* Pixels of parts that are shaded late take their model's colour; the others stay. */
+static inline zr_vi shade_late(const struct shading *s, uint32_t first, uint32_t count, zr_vi owner, zr_vf (*planes)[3],
+                               zr_vf x, zr_vf y, zr_vi words)
+{
+    const zr_vf w = zr_vf_set(1.0f) / value_at(planes, 0, x, y);
+    const struct zr_model_inputs in = {three_at(planes, 1, w, x, y), three_at(planes, 4, w, x, y),
+                                       three_at(planes, 7, w, x, y)};
+    const struct zr_material *done = NULL; /* most often there is one */
+    for (uint32_t i = first; i < first + count; i++) {
+        const struct zr_material *material = s->materials[i];
+        if (!material || material == done) continue;
+        zr_vm of_it = zr_vi_lt(zr_vi_set(0), zr_vi_set(0));
+        for (uint32_t other = i; other < first + count; other++)
+            if (s->materials[other] == material)
+                of_it = zr_vm_or(of_it, zr_vi_eq(owner, zr_vi_set((int32_t)s->parts.owners[other])));
+        const struct zr_vec3_v color = zr_model_color(&s->model, material, &in);
+        words = zr_vi_select(of_it, zr_rgba_opaque_v(color.x, color.y, color.z), words);
+        done = material;
+    }
+    return words;
+}
+
+static inline zr_vi shade_at(const struct shading *s, uint32_t first, uint32_t count, zr_vi owner, zr_vf x, zr_vf y,
+                             int plane_count)
 {
     if (!s->any_planes || count == 0) return words_at(s, first, count, owner);
     zr_vi words = zr_vi_set((int32_t)s->nothing);
-    zr_vf c[4][3];
+    zr_vf planes[1 + ZR_VALUES_MOST][3];
     zr_vm smooth = zr_vi_lt(zr_vi_set(0), zr_vi_set(0));
-    for (int k = 0; k < 4; k++)
-        for (int j = 0; j < 3; j++)
-            c[k][j] = zr_vf_set(s->planes[first][k][j]);
+    select_planes(s, first, count, owner, plane_count, planes);
     for (uint32_t i = first; i < first + count; i++) {
         const zr_vm here = zr_vi_eq(owner, zr_vi_set((int32_t)s->parts.owners[i]));
-        if (!s->has_planes[i]) {
+        if (s->has_planes[i])
+            smooth = zr_vm_or(smooth, here);
+        else
             words = zr_vi_select(here, zr_vi_set((int32_t)s->words[i]), words);
-            continue;
-        }
-        smooth = zr_vm_or(smooth, here);
-        for (int k = 0; k < 4 && i > first; k++)
-            for (int j = 0; j < 3; j++)
-                c[k][j] = zr_vf_select(here, zr_vf_set(s->planes[i][k][j]), c[k][j]);
     }
-    const struct zr_color_planes planes = {{c[0][0], c[0][1], c[0][2]},
-                                           {c[1][0], c[1][1], c[1][2]},
-                                           {c[2][0], c[2][1], c[2][2]},
-                                           {c[3][0], c[3][1], c[3][2]}};
-    return zr_vi_select(smooth, zr_color_at(&planes, x, y), words);
-}
-
-static inline struct zr_plane_v plane_of(const struct shading *s, uint32_t part, int k)
-{
-    const float *plane = s->planes[part][k];
-    return (struct zr_plane_v){zr_vf_set(plane[0]), zr_vf_set(plane[1]), zr_vf_set(plane[2])};
+    words = zr_vi_select(smooth,
+                         zr_color_over_w(value_at(planes, 0, x, y), value_at(planes, 1, x, y),
+                                         value_at(planes, 2, x, y), value_at(planes, 3, x, y)),
+                         words);
+    if (plane_count > 1 + ZR_VALUES_FEW && s->any_late) return shade_late(s, first, count, owner, planes, x, y, words);
+    return words;
 }
 
 /* A block before it is written. */
@@ -195,39 +319,60 @@ struct block {
 };
 
 /* All of one part's. */
-static inline void shade_whole_block(const struct shading *s, const struct zr_tile *tile, int number, struct block *out)
+static inline void shade_whole_block(const struct shading *s, const struct zr_tile *tile, int number, int plane_count,
+                                     struct block *out)
 {
     const uint32_t part = s->parts.blocks[number].first;
-    const zr_vi word = zr_vi_set((int32_t)s->words[part]);
-    const bool has_planes = s->has_planes[part];
-    const struct zr_color_planes planes = {plane_of(s, part, 0), plane_of(s, part, 1), plane_of(s, part, 2),
-                                           plane_of(s, part, 3)};
+    const zr_vi word = zr_vi_set((int32_t)s->words[part]), owner = zr_vi_set((int32_t)s->parts.owners[part]);
+    const bool has_planes = s->has_planes[part], late = plane_count > 1 + ZR_VALUES_FEW && s->materials[part];
+    zr_vf planes[1 + ZR_VALUES_MOST][3];
     const int32_t left = tile->x + number % ZR_BLOCK_COLUMNS * ZR_BLOCK_WIDTH;
     zr_vf y = zr_vf_set((float)(tile->y + number / ZR_BLOCK_COLUMNS * ZR_BLOCK_HEIGHT));
+    select_planes(s, part, 1, owner, plane_count, planes);
     for (int row = 0; row < ZR_BLOCK_HEIGHT; row++, y = y + zr_vf_set(1.0f))
-        for (int v = 0; v < ZR_BLOCK_WIDTH; v += ZR_LANES)
-            zr_vi_store(&out->pixels[row][v],
-                        has_planes ? zr_color_at(&planes, zr_vf_of(zr_vi_set(left + v) + zr_vi_ramp()), y) : word);
+        for (int v = 0; v < ZR_BLOCK_WIDTH; v += ZR_LANES) {
+            const zr_vf x = zr_vf_of(zr_vi_set(left + v) + zr_vi_ramp());
+            zr_vi words = word;
+            if (late)
+                words = shade_late(s, part, 1, owner, planes, x, y, words);
+            else if (has_planes)
+                words = zr_color_over_w(value_at(planes, 0, x, y), value_at(planes, 1, x, y), value_at(planes, 2, x, y),
+                                        value_at(planes, 3, x, y));
+            zr_vi_store(&out->pixels[row][v], words);
+        }
 }
 
-static inline void shade_block(const struct shading *s, const struct zr_tile *tile, int number, struct block *out)
+/* Where the patches of a block lie in the window. */
+struct patch_place {
+    zr_vi column, row; /* of each lane in its patch */
+    int32_t left, low; /* of the block */
+};
+
+static inline struct patch_place place_of(const struct zr_tile *tile, int number)
+{
+    const zr_vi lane = zr_vi_ramp(), column = lane & zr_vi_set(ZR_PATCH_COLUMNS - 1);
+    return (struct patch_place){column, (lane - column) >> (ZR_PATCH_COLUMNS == 4 ? 2 : 0),
+                                tile->x + number % ZR_BLOCK_COLUMNS * ZR_BLOCK_WIDTH,
+                                tile->y + number / ZR_BLOCK_COLUMNS * ZR_BLOCK_HEIGHT};
+}
+
+static inline void shade_block(const struct shading *s, const struct zr_tile *tile, int number, int plane_count,
+                               struct block *out)
 {
     const struct zr_block_parts *block = &s->parts.blocks[number];
     if (block->is_whole) {
-        shade_whole_block(s, tile, number, out);
+        shade_whole_block(s, tile, number, plane_count, out);
         return;
     }
-    const zr_vi lane = zr_vi_ramp(), column = lane & zr_vi_set(ZR_PATCH_COLUMNS - 1);
-    const zr_vi row = (lane - column) >> (ZR_PATCH_COLUMNS == 4 ? 2 : 0);
-    const int32_t left = tile->x + number % ZR_BLOCK_COLUMNS * ZR_BLOCK_WIDTH;
-    const int32_t low = tile->y + number / ZR_BLOCK_COLUMNS * ZR_BLOCK_HEIGHT;
+    const struct patch_place place = place_of(tile, number);
     uint32_t part = block->first;
     for (int p = 0; p < ZR_BLOCK_PATCHES; p++) {
         const int32_t x = p % ZR_PATCHES_ACROSS * ZR_PATCH_COLUMNS, y = p / ZR_PATCHES_ACROSS * ZR_PATCH_ROWS;
         const uint32_t count = block->patches[p];
         const zr_vi owner = zr_vi_load_patch(tile->owner + zr_patch_first(number, p), ZR_TILE_STRIDE);
-        const zr_vf fx = zr_vf_of(column + zr_vi_set(left + x)), fy = zr_vf_of(row + zr_vi_set(low + y));
-        zr_vi_store_patch(&out->pixels[y][x], ZR_BLOCK_WIDTH, shade_at(s, part, count, owner, fx, fy));
+        const zr_vf fx = zr_vf_of(place.column + zr_vi_set(place.left + x));
+        const zr_vf fy = zr_vf_of(place.row + zr_vi_set(place.low + y));
+        zr_vi_store_patch(&out->pixels[y][x], ZR_BLOCK_WIDTH, shade_at(s, part, count, owner, fx, fy, plane_count));
         part += count;
     }
 }
@@ -281,7 +426,7 @@ static inline void write_word(int number, zr_vi word, const struct zr_pixel_rows
 }
 
 static inline void finish_block(const struct shading *s, const struct zr_tile *tile, int number, bool with_known,
-                                const struct zr_pixel_rows *behind, const struct zr_pixel_rows *out)
+                                int plane_count, const struct zr_pixel_rows *behind, const struct zr_pixel_rows *out)
 {
     const struct zr_block_parts *parts = &s->parts.blocks[number];
     struct block block;
@@ -289,7 +434,7 @@ static inline void finish_block(const struct shading *s, const struct zr_tile *t
         write_word(number, zr_vi_set((int32_t)s->words[parts->first]), out);
         return;
     }
-    shade_block(s, tile, number, &block);
+    shade_block(s, tile, number, plane_count, &block);
     if (with_known) put_known(tile, number, &block);
     if (behind) put_behind(tile, number, behind, &block);
     write_block(tile, number, &block, out);
@@ -297,11 +442,12 @@ static inline void finish_block(const struct shading *s, const struct zr_tile *t
 
 /* Blocks begin .. end - 1 of a channel, whose parts have been made. */
 static inline void finish_blocks(const struct shading *s, const struct zr_tile *tile, int begin, int end,
-                                 bool with_known, const struct zr_pixel_rows *behind, const struct zr_pixel_rows *out)
+                                 bool with_known, int plane_count, const struct zr_pixel_rows *behind,
+                                 const struct zr_pixel_rows *out)
 {
     const int across = (tile->width + ZR_BLOCK_WIDTH - 1) / ZR_BLOCK_WIDTH;
     for (int b = begin; b < end; b++)
-        if (b % ZR_BLOCK_COLUMNS < across) finish_block(s, tile, b, with_known, behind, out);
+        if (b % ZR_BLOCK_COLUMNS < across) finish_block(s, tile, b, with_known, plane_count, behind, out);
 }
 
 /* Finds what is seen from block `begin` on, as many rows of blocks as there is room for. Returns where it ended. */
@@ -318,16 +464,94 @@ static inline int find_parts(struct shading *s, const struct zr_tile *tile, int 
     return row;
 }
 
+static inline void shade_colors_by(struct shading *s, const struct zr_tile *tile, int begin, int end,
+                                   const struct zr_shaded *to, int plane_count)
+{
+    for (uint32_t i = 0; i < s->run_count; i++)
+        expect_colors(s, &s->runs[i]);
+    for (uint32_t i = 0; i < s->run_count; i++)
+        make_colors(s, &s->runs[i], plane_count);
+    finish_blocks(s, tile, begin, end, tile->has_colors, plane_count, to->behind.first ? &to->behind : NULL,
+                  &to->colors);
+}
+
+/* How many planes there are is known when this is compiled: else they would not stay in registers. */
 static inline void shade_colors(struct shading *s, const struct zr_tile *tile, int begin, int end,
                                 const struct zr_shaded *to)
 {
     s->nothing = to->nothing;
-    s->any_planes = false;
+    s->any_planes = s->any_late = false;
+    if (to->is_shaded_late)
+        shade_colors_by(s, tile, begin, end, to, 1 + ZR_VALUES_MOST);
+    else
+        shade_colors_by(s, tile, begin, end, to, 1 + ZR_VALUES_FEW);
+}
+
+/* ---- normals of pixels ---- */
+
+/* To three floats a pixel, one after the other; lanes that are nobody's are left out. */
+static inline void put_normals(struct zr_vec3_v n, uint32_t lanes, const struct zr_shaded *to, const float *x,
+                               const float *y, int32_t tile_x, int32_t tile_y)
+{
+    float each[3][ZR_LANES];
+    zr_vf_store(each[0], n.x);
+    zr_vf_store(each[1], n.y);
+    zr_vf_store(each[2], n.z);
+    for (; lanes; lanes &= lanes - 1) {
+        const int i = zr_lowest_bit(lanes);
+        float *out =
+            (float *)to->normals.first + ((int32_t)y[i] - tile_y) * to->normals.stride + 3 * ((int32_t)x[i] - tile_x);
+        for (int k = 0; k < 3; k++)
+            out[k] = each[k][i];
+    }
+}
+
+static inline struct zr_vec3_v normals_at(const struct shading *s, uint32_t first, uint32_t count, zr_vi owner,
+                                          const struct zr_shaded *to, zr_vf x, zr_vf y)
+{
+    zr_vf planes[1 + ZR_VALUES_FEW][3];
+    select_planes(s, first, count, owner, 1 + ZR_VALUES_FEW, planes);
+    const zr_vf w = zr_vf_set(1.0f) / value_at(planes, 0, x, y);
+    const struct zr_vec3_v n = zr_normalize_v(three_at(planes, 1, w, x, y));
+    const float(*m)[3] = to->normals_to_space;
+    return zr_normalize_v((struct zr_vec3_v){zr_dot_v(zr_spread_v((zr_vec3){m[0][0], m[0][1], m[0][2]}), n),
+                                             zr_dot_v(zr_spread_v((zr_vec3){m[1][0], m[1][1], m[1][2]}), n),
+                                             zr_dot_v(zr_spread_v((zr_vec3){m[2][0], m[2][1], m[2][2]}), n)});
+}
+
+static inline void shade_normals_of_block(const struct shading *s, const struct zr_tile *tile, int number,
+                                          const struct zr_shaded *to)
+{
+    const struct zr_block_parts *block = &s->parts.blocks[number];
+    const struct patch_place place = place_of(tile, number);
+    const zr_vi width = zr_vi_set(tile->x + tile->width), height = zr_vi_set(tile->y + tile->height);
+    uint32_t part = block->first;
+    for (int p = 0; p < ZR_BLOCK_PATCHES; p++) {
+        const int32_t x = p % ZR_PATCHES_ACROSS * ZR_PATCH_COLUMNS, y = p / ZR_PATCHES_ACROSS * ZR_PATCH_ROWS;
+        const uint32_t count = block->is_whole ? 1 : block->patches[p];
+        const zr_vi owner = block->is_whole ? zr_vi_set((int32_t)s->parts.owners[part])
+                                            : zr_vi_load_patch(tile->owner + zr_patch_first(number, p), ZR_TILE_STRIDE);
+        const zr_vi column = place.column + zr_vi_set(place.left + x), row = place.row + zr_vi_set(place.low + y);
+        const zr_vm within = zr_vm_and(zr_vi_lt(column, width), zr_vi_lt(row, height));
+        const zr_vf fx = zr_vf_of(column), fy = zr_vf_of(row), zero = zr_vf_set(0.0f);
+        struct zr_vec3_v n = {zero, zero, zero};
+        float xs[ZR_LANES], ys[ZR_LANES];
+        if (count > 0) n = zr_choose_v(zr_vi_lt(zr_vi_set(0), owner), normals_at(s, part, count, owner, to, fx, fy), n);
+        zr_vf_store(xs, fx);
+        zr_vf_store(ys, fy);
+        put_normals(n, zr_vm_bits(within), to, xs, ys, tile->x, tile->y);
+        if (!block->is_whole) part += count;
+    }
+}
+
+static inline void shade_normals(struct shading *s, const struct zr_tile *tile, int begin, int end,
+                                 const struct zr_shaded *to)
+{
+    const int across = (tile->width + ZR_BLOCK_WIDTH - 1) / ZR_BLOCK_WIDTH;
     for (uint32_t i = 0; i < s->run_count; i++)
-        expect_colors(s, &s->runs[i]);
-    for (uint32_t i = 0; i < s->run_count; i++)
-        make_colors(s, &s->runs[i]);
-    finish_blocks(s, tile, begin, end, tile->has_colors, to->behind.first ? &to->behind : NULL, &to->colors);
+        make_normals(s, &s->runs[i]);
+    for (int b = begin; b < end; b++)
+        if (b % ZR_BLOCK_COLUMNS < across) shade_normals_of_block(s, tile, b, to);
 }
 
 /* Ids, of which there are some for each run. */
@@ -338,7 +562,7 @@ static inline void shade_ids(struct shading *s, const struct zr_tile *tile, int 
     s->any_planes = false;
     for (uint32_t i = 0; i < s->run_count; i++)
         make(s, &s->runs[i]);
-    finish_blocks(s, tile, begin, end, false, NULL, out);
+    finish_blocks(s, tile, begin, end, false, 1 + ZR_VALUES_FEW, NULL, out);
 }
 
 static void shade_parts(struct shading *s, const struct zr_tile *tile, const struct zr_shaded *to, bool colors,
@@ -349,6 +573,7 @@ static void shade_parts(struct shading *s, const struct zr_tile *tile, const str
         end = find_parts(s, tile, begin, tile->has_colors && !others);
         if (colors) shade_colors(s, tile, begin, end, to);
         if (others && to->faces.first) shade_ids(s, tile, begin, end, make_faces, &to->faces);
+        if (others && to->normals.first) shade_normals(s, tile, begin, end, to);
         if (others && to->instances.first) shade_ids(s, tile, begin, end, make_instances, &to->instances);
     }
 }
@@ -357,9 +582,11 @@ static void shade_parts(struct shading *s, const struct zr_tile *tile, const str
 static void shade(const struct zr_geometry *geometry, const struct zr_tile *tile, const struct zr_shaded *to)
 {
     struct shading s;
-    const bool together = !tile->has_colors, colors = to->colors.first, others = to->faces.first || to->instances.first;
+    const bool together = !tile->has_colors, colors = to->colors.first;
+    const bool others = to->faces.first || to->instances.first || to->normals.first;
     s.geometry = geometry;
     s.batch = &geometry->batches[0];
+    s.model = (struct zr_model_context){&geometry->lighting, to->is_parallel};
     shade_parts(&s, tile, to, colors, others && together);
     if (!together) shade_parts(&s, tile, to, false, others);
 }

@@ -31,18 +31,28 @@ static inline struct zr_smooth_sides zr_smooth_sides_of(const struct zr_batch *b
     return (struct zr_smooth_sides){batch->front, batch->back, batch->mirrored};
 }
 
-/* The corners of triangles of a smooth batch, by their numbers in it. */
-static inline struct zr_smooth_corners zr_smooth_corners_of(const struct zr_batch *batch, zr_vi numbers)
+/* As zr_batch_value, of what varies over triangles: their corners k. `corner`: their positions. */
+static inline zr_vi zr_value_v(const struct zr_batch *batch, enum zr_batch_colors rate, zr_vi numbers, zr_vi corner,
+                               int k)
+{
+    const zr_vi word = numbers * zr_vi_set(3);
+    if (rate == ZR_BATCH_PER_VERTEX) return corner;
+    if (rate == ZR_BATCH_PER_CORNER)
+        return batch->slots ? zr_vi_gather(ZR_ALL_LANES, batch->slots, word + zr_vi_set(k))
+                            : word + zr_vi_set((int32_t)(3 * batch->first_face) + k);
+    return batch->faces ? zr_vi_gather(ZR_ALL_LANES, batch->faces, numbers)
+                        : numbers + zr_vi_set((int32_t)batch->first_face);
+}
+
+/* The corners of triangles, by their numbers in a batch, and the values that vary over them at a rate. */
+static inline struct zr_smooth_corners zr_smooth_corners_of(const struct zr_batch *batch, enum zr_batch_colors rate,
+                                                            zr_vi numbers)
 {
     struct zr_smooth_corners out;
-    const zr_vi word = numbers * zr_vi_set(3);
     for (int k = 0; k < 3; k++) {
-        const zr_vi corner = zr_vi_gather(ZR_ALL_LANES, batch->corners, word + zr_vi_set(k));
-        zr_vi color = corner;
-        if (batch->colors == ZR_BATCH_PER_CORNER)
-            color = batch->slots ? zr_vi_gather(ZR_ALL_LANES, batch->slots, word + zr_vi_set(k))
-                                 : word + zr_vi_set((int32_t)(3 * batch->first_face) + k);
-        zr_vi_store(out.color[k], color);
+        const zr_vi word = numbers * zr_vi_set(3) + zr_vi_set(k);
+        const zr_vi corner = zr_vi_gather(ZR_ALL_LANES, batch->corners, word);
+        zr_vi_store(out.color[k], zr_value_v(batch, rate, numbers, corner, k));
         zr_vi_store(out.vertex[k], corner + zr_vi_set((int32_t)batch->first_vertex));
     }
     return out;
@@ -52,7 +62,7 @@ static inline void zr_smooth_expect(const struct zr_batch *batch, const struct z
                                     zr_vi numbers)
 {
     const struct zr_smooth_sides sides = zr_smooth_sides_of(batch);
-    const struct zr_smooth_corners corners = zr_smooth_corners_of(batch, numbers);
+    const struct zr_smooth_corners corners = zr_smooth_corners_of(batch, batch->colors, numbers);
     for (int i = 0; i < ZR_LANES; i++)
         for (int k = 0; k < 3; k++) {
             __builtin_prefetch(&vertices[corners.vertex[k][i]]);
@@ -120,23 +130,56 @@ static inline void zr_smooth_load_colors(const struct zr_smooth_corners *corners
 #undef ZR_COLOR
 }
 
-/* Of triangles of a smooth batch, by their numbers in it. */
-static inline struct zr_color_planes zr_color_planes_make(const struct zr_batch *batch,
-                                                          const struct zr_window_vertex *vertices, zr_vi numbers)
+/* Where triangles stand, and which of them are turned (rule 6). */
+static inline zr_vm zr_smooth_load_corners(const struct zr_smooth_corners *corners,
+                                           const struct zr_window_vertex *vertices, struct zr_corner_v v[3])
 {
-    const struct zr_smooth_corners corners = zr_smooth_corners_of(batch, numbers);
-    struct zr_corner_v v[3];
-    struct zr_color_v c[3];
-#define ZR_VERTEX_0(i) (&vertices[corners.vertex[0][i]].x)
-#define ZR_VERTEX_1(i) (&vertices[corners.vertex[1][i]].x)
-#define ZR_VERTEX_2(i) (&vertices[corners.vertex[2][i]].x)
+#define ZR_VERTEX_0(i) (&vertices[corners->vertex[0][i]].x)
+#define ZR_VERTEX_1(i) (&vertices[corners->vertex[1][i]].x)
+#define ZR_VERTEX_2(i) (&vertices[corners->vertex[2][i]].x)
     ZR_LOAD_CORNERS(v, ZR_VERTEX_0, ZR_VERTEX_1, ZR_VERTEX_2);
 #undef ZR_VERTEX_0
 #undef ZR_VERTEX_1
 #undef ZR_VERTEX_2
-    const zr_vm turned = zr_turned_v(vertices, corners.vertex[0], corners.vertex[1], corners.vertex[2], v);
+    return zr_turned_v(vertices, corners->vertex[0], corners->vertex[1], corners->vertex[2], v);
+}
+
+/* Of triangles of a smooth batch, by their numbers in it. */
+static inline struct zr_color_planes zr_color_planes_make(const struct zr_batch *batch,
+                                                          const struct zr_window_vertex *vertices, zr_vi numbers)
+{
+    const struct zr_smooth_corners corners = zr_smooth_corners_of(batch, batch->colors, numbers);
+    struct zr_corner_v v[3];
+    struct zr_color_v c[3];
+    const zr_vm turned = zr_smooth_load_corners(&corners, vertices, v);
     zr_smooth_load_colors(&corners, zr_smooth_sides_of(batch), turned, c);
     return zr_color_planes_of(turned, v, c);
+}
+
+/* Any values of four floats, of which the first three count, by their numbers. */
+static inline void zr_values_load(const zr_vec4 *values, int32_t (*numbers)[ZR_LANES], struct zr_color_v c[3])
+{
+#define ZR_VALUE_0(i) (&values[numbers[0][i]].x)
+#define ZR_VALUE_1(i) (&values[numbers[1][i]].x)
+#define ZR_VALUE_2(i) (&values[numbers[2][i]].x)
+    ZR_LOAD_COLORS(c, ZR_VALUE_0, ZR_VALUE_1, ZR_VALUE_2);
+#undef ZR_VALUE_0
+#undef ZR_VALUE_1
+#undef ZR_VALUE_2
+}
+
+/* The normals of triangles of a batch, of the sides that they show. */
+static inline void zr_normals_load(const struct zr_batch *batch, zr_vi numbers, zr_vm turned, struct zr_color_v c[3])
+{
+    struct zr_smooth_corners corners = zr_smooth_corners_of(batch, batch->normals_rate, numbers);
+    const zr_vf one = zr_vf_set(1.0f);
+    const zr_vf sign = zr_vf_select(zr_backs_v(turned, batch->mirrored), zr_vf_set(-1.0f), one);
+    zr_values_load(batch->normals, corners.color, c);
+    for (int k = 0; k < 3; k++) {
+        c[k].red = c[k].red * sign;
+        c[k].green = c[k].green * sign;
+        c[k].blue = c[k].blue * sign;
+    }
 }
 
 /* Of 1/w, and colours times that. */

@@ -214,11 +214,10 @@ void zr_points_tile(const struct zr_geometry *geometry, const struct zr_eye_dept
 {
     struct points points = {
         .geometry = geometry, .kernel = kernel, .frame = frame, .batch = &geometry->batches[0], .space = position};
-    const zr_mat4 *projection = &frame->camera.projection;
     const struct zr_matrix view = zr_matrix_of(&frame->camera.world_to_eye);
-    points.projection = zr_matrix_of(projection);
+    points.projection = zr_matrix_of(&frame->camera.projection);
     (void)zr_matrix_invert(&view, &points.to_world);
-    points.is_parallel = projection->m[3] == 0.0f && projection->m[7] == 0.0f && projection->m[11] == 0.0f;
+    points.is_parallel = zr_camera_is_parallel(&frame->camera);
     for (int32_t y = 0; y < tile->height; y++) {
         const uint32_t *owners = &tile->owner[y * ZR_TILE_STRIDE];
         const size_t first = (size_t)(frame->height - 1 - (uint32_t)(tile->y + y)) * frame->width + (size_t)tile->x;

@@ -98,8 +98,18 @@ static float resolve_depth(const struct zr_geometry *geometry, enum zr_isa isa, 
     return deepest;
 }
 
-static void shade(const struct zr_geometry *geometry, const struct zr_paint *paint, uint32_t nothing,
-                  const struct zr_tile *tile, const struct zr_frame *frame)
+/* Rows that lead normals from eye space to another: those to the world are the columns of the way back. */
+static void normals_to_space(const zr_mat4 *world_to_eye, enum zr_space space, float rows[3][3])
+{
+    for (int row = 0; row < 3; row++)
+        for (int column = 0; column < 3; column++)
+            rows[row][column] = space == ZR_SPACE_WORLD ? world_to_eye->m[4 * row + column]
+                                : row == column         ? 1.0f
+                                                        : 0.0f;
+}
+
+static void shade(const struct zr_geometry *geometry, const struct zr_paint *paint, const struct zr_scene *scene,
+                  uint32_t nothing, const struct zr_tile *tile, const struct zr_frame *frame)
 {
     const struct zr_base *base = frame->base;
     struct zr_shaded to = {.nothing = nothing};
@@ -108,6 +118,14 @@ static void shade(const struct zr_geometry *geometry, const struct zr_paint *pai
     if (frame->face_id) to.faces = rows_of(frame, tile, frame->face_id);
     if (frame->channels[ZR_CHANNEL_INSTANCE_ID])
         to.instances = rows_of(frame, tile, frame->channels[ZR_CHANNEL_INSTANCE_ID]);
+    if (frame->channels[ZR_CHANNEL_NORMALS]) {
+        to.normals = rows_of(frame, tile, NULL);
+        to.normals.first = (uint32_t *)frame->channels[ZR_CHANNEL_NORMALS] + 3 * lowest_pixel_of(frame, tile);
+        to.normals.stride *= 3;
+        normals_to_space(&frame->camera.world_to_eye, zr_scene_space(scene, ZR_CHANNEL_NORMALS), to.normals_to_space);
+    }
+    to.is_parallel = zr_camera_is_parallel(&frame->camera);
+    to.is_shaded_late = geometry->points != NULL;
     paint->shade(geometry, tile, &to);
     for (int32_t y = 0; frame->face_id && base && y < tile->height; y++)
         for (int32_t x = 0; x < tile->width; x++)
@@ -138,7 +156,7 @@ struct zr_resolved zr_resolve_tile(const struct zr_geometry *geometry, enum zr_i
         zr_points_tile(geometry, zr_eye_depths_of(isa), paint->ends, zr_scene_space(scene, ZR_CHANNEL_POSITION), tile,
                        frame);
     if (frame->depth) resolved.deepest = resolve_depth(geometry, isa, tile, frame);
-    shade(geometry, paint, nothing, tile, frame);
+    shade(geometry, paint, scene, nothing, tile, frame);
     if (frame->base) {
         const float deepest = resolve_base_runs(paint, tile, frame, lowest_pixel_of(frame, tile));
         if (deepest > resolved.deepest) resolved.deepest = deepest;

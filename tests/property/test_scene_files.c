@@ -12,7 +12,7 @@
 
 enum { PATH_SIZE = 600 };
 
-static const size_t ceiling = (size_t)1 << 29;
+static const size_t ceiling = (size_t)1 << 31;
 static struct zr_arena arena;
 static char *bytes; /* the scene points into them */
 static struct zr_output outputs[ZR_CHANNEL_COUNT];

@@ -229,7 +229,7 @@ static void wrong_values_give_pointer_to_them(void **state)
     refuses_rest("\"algorithm\": \"warnock\"", "/algorithm",
                  "allowed: halfspace, edgelist, trapezoid, scanline, painter");
     refuses_rest("\"colorManagement\": \"srgb\"", "/colorManagement", "not supported in this version; allowed: none");
-    refuses_rest("\"shading\": \"phong\"", "/shading", "not supported in this version; allowed: unlit, flat, gouraud");
+    refuses_rest("\"shading\": \"toon\"", "/shading", "allowed: unlit, flat, gouraud, phong, normals");
     refuses_rest("\"shading\": \"smooth\"", "/shading", "'smooth' is unknown; allowed: unlit, flat, gouraud");
     refuses_rest("\"background\": \"rot\"", "/background", "'rot' is not a colour");
     refuses_rest("\"background\": \"#12345\"", "/background", "'#12345' is not a colour");

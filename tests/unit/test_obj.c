@@ -86,7 +86,7 @@ static void wrong_query_gives_bad_request_naming_the_parameter(void **state)
         {{.format = ZR_FORMAT_OBJ, .channel = "depth", .encoding = "png16", .scale = "nan"}, "scale: 'nan'"},
         {{.format = ZR_FORMAT_OBJ, .channel = "depth", .encoding = "png16", .scale = "1e39"}, "scale: '1e39'"},
         {{.format = ZR_FORMAT_OBJ, .preset = "up"}, "preset: 'up' is unknown; allowed: front"},
-        {{.format = ZR_FORMAT_OBJ, .shading = "phong"}, "shading: 'phong' is not supported"},
+        {{.format = ZR_FORMAT_OBJ, .shading = "toon"}, "shading: 'toon' is"},
         {{.format = ZR_FORMAT_OBJ, .compress = "best"}, "compress: 'best' is unknown; allowed: fast, small"},
         {{.format = ZR_FORMAT_JSON, .compress = ""}, "compress: '' is unknown; allowed: fast, small"},
         {{.format = ZR_FORMAT_OBJ, .width = "0"}, "width: '0'"},

@@ -1,0 +1,62 @@
+#include "geometry/eye_normals.h"
+
+#include "geometry/light.h"
+#include "geometry/normals.h"
+#include "geometry/vertex_normals.h"
+
+/* Less than a millisecond's worth. */
+enum { NORMALS_A_RANGE = 1 << 13 };
+
+struct making {
+    const struct zr_mesh *mesh;
+    const zr_vec4 *computed; /* of vertices; NULL where none is needed */
+    const struct zr_cancel *cancel;
+    struct zr_normal_matrix to_eye;
+    enum zr_batch_colors rate;
+    enum zr_isa isa;
+    zr_vec4 *out;
+};
+
+enum zr_batch_colors zr_eye_normals_rate(const struct zr_mesh *mesh, const struct zr_material *material)
+{
+    const bool is_flat = material->shading == ZR_SHADING_FLAT ||
+                         (material->shading == ZR_SHADING_UNLIT && mesh->normal_count == 0);
+    if (is_flat) return ZR_BATCH_PER_FACE;
+    return mesh->normal_indices ? ZR_BATCH_PER_CORNER : ZR_BATCH_PER_VERTEX;
+}
+
+static void make_range(void *context, size_t begin, size_t end)
+{
+    const struct making *m = context;
+    const struct zr_mesh *mesh = m->mesh;
+    if (zr_is_cancelled(m->cancel)) return;
+    for (uint32_t i = (uint32_t)begin; i < end; i++) {
+        const zr_vec3 normal = m->rate == ZR_BATCH_PER_FACE   ? zr_normal_of_face(mesh, i)
+                               : m->rate == ZR_BATCH_PER_CORNER ? zr_corner_normal(mesh, m->computed, mesh->indices[i], i)
+                                                                : zr_corner_normal(mesh, m->computed, i, 0);
+        m->out[i] = (zr_vec4){normal.x, normal.y, normal.z, 0.0f};
+    }
+    zr_to_eye_of(m->isa)(&m->to_eye, m->out + begin, end - begin);
+}
+
+const zr_vec4 *zr_eye_normals_make(struct zr_arena *arena, struct zr_team *team, const struct zr_cancel *cancel,
+                                   const struct zr_mesh *mesh, const zr_mat4 *object_to_eye, enum zr_batch_colors rate,
+                                   const zr_vec4 **vertex_normals)
+{
+    const size_t count = rate == ZR_BATCH_PER_FACE     ? mesh->face_count
+                         : rate == ZR_BATCH_PER_VERTEX ? mesh->position_count
+                                                       : mesh->face_offsets[mesh->face_count];
+    struct making making = {.mesh = mesh,
+                            .cancel = cancel,
+                            .to_eye = zr_normal_matrix_make(object_to_eye),
+                            .rate = rate,
+                            .isa = zr_team_isa(team),
+                            .out = zr_arena_alloc(arena, count, sizeof *making.out)};
+    if (rate != ZR_BATCH_PER_FACE && zr_mesh_lacks_normals(mesh)) {
+        if (!*vertex_normals) *vertex_normals = zr_vertex_normals_make(arena, team, cancel, mesh);
+        making.computed = *vertex_normals;
+    }
+    if (!zr_arena_ok(arena)) return NULL;
+    zr_team_ranges(team, count, NORMALS_A_RANGE, make_range, &making);
+    return making.out;
+}
