@@ -102,6 +102,7 @@ reference_doors := $(BUILD)/tests/reference/reference_osmesa.o $(BUILD)/tests/re
 door := $(BUILD)/tests/reference/reference_$(REFERENCE).o
 DOOR_LIBS := $(reference_libs_$(REFERENCE))
 reference := $(filter-out $(reference_doors),$(call objects,tests/reference/*.c))
+reference_gl := $(patsubst %,$(BUILD)/tests/reference/reference_%.o,gl light program)
 bench := $(call objects,tests/bench/*.c)
 # What the bench runs on the other side, in processes that load nothing but what they need.
 bench_alone := $(patsubst %.c,$(BUILD)/%,$(wildcard tests/bench/alone/*.c))
@@ -273,7 +274,7 @@ $(BUILD)/zraster-bench: $(bench) $(filter-out %/main.o,$(reference)) $(door) $(B
 	$(LINK) $(DOOR_LIBS) $(TEST_LIBS) $(CORE_LIBS)
 
 $(bench_alone): $(BUILD)/%: $(BUILD)/%.o
-$(BUILD)/tests/bench/alone/first_frame: $(BUILD)/tests/reference/reference_gl.o $(door) $(BUILD)/reference-door
+$(BUILD)/tests/bench/alone/first_frame: $(reference_gl) $(door) $(BUILD)/reference-door
 	$(LINK) $(DOOR_LIBS)
 $(BUILD)/tests/bench/alone/bare_http:
 	$(LINK) -lmicrohttpd

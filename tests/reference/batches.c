@@ -3,8 +3,11 @@
 #include "geometry/clip.h"
 #include "geometry/colors.h"
 #include "geometry/face.h"
+#include "geometry/light.h"
+#include "geometry/normals.h"
 #include "geometry/place.h"
 #include "geometry/triangulate.h"
+#include "geometry/vertex_normals.h"
 #include "scene/scene.h"
 
 /* ---- owners as colours ---- */
@@ -55,7 +58,8 @@ struct builder {
     const struct zr_camera *camera;
     struct batches_options options;
     struct batches *out;
-    zr_vec4 *positions, *front, *back;
+    zr_vec4 *positions, *front;
+    zr_vec3 *normals;
     struct reference_batch *batches;
     uint32_t corner_count, corner_room, batch_room, thin_room;
     uint32_t owner; /* of the first face of the instance under way */
@@ -66,10 +70,12 @@ struct source {
     const struct zr_mesh *mesh;
     const struct zr_instance *instance;
     const zr_mat4 *modelview;
-    struct zr_colors colors;
+    const zr_vec3 *normal_rows; /* as struct reference_batch has them */
+    const zr_vec4 *computed;    /* normals of vertices; NULL: none were needed so far */
     bool mirrored;
     const struct zr_material *material; /* of the face under way */
     bool smooth;
+    zr_vec3 face_normal; /* where it is lit as a whole */
     uint32_t face;
 };
 
@@ -81,15 +87,15 @@ static bool reserve_corners(struct builder *b, uint64_t more)
     uint32_t room = (uint32_t)(wanted + wanted / 2);
     b->positions = zr_arena_grow(b->arena, b->positions, b->corner_count, room, sizeof *b->positions);
     b->front = zr_arena_grow(b->arena, b->front, b->corner_count, room, sizeof *b->front);
-    b->back = zr_arena_grow(b->arena, b->back, b->corner_count, room, sizeof *b->back);
+    b->normals = zr_arena_grow(b->arena, b->normals, b->corner_count, room, sizeof *b->normals);
     b->corner_room = room;
     return zr_arena_ok(b->arena);
 }
 
 static bool same_state(const struct reference_batch *a, const struct reference_batch *b)
 {
-    return a->mode == b->mode && a->modelview == b->modelview && a->smooth == b->smooth &&
-           a->two_sided == b->two_sided && a->cull == b->cull && a->mirrored == b->mirrored &&
+    return a->mode == b->mode && a->modelview == b->modelview && a->smooth == b->smooth && a->light == b->light &&
+           a->normal_rows == b->normal_rows && a->cull == b->cull && a->mirrored == b->mirrored &&
            a->outline == b->outline && a->pushed == b->pushed;
 }
 
@@ -118,7 +124,7 @@ static zr_vec4 opaque(zr_vec4 color)
     return color;
 }
 
-static void append_vertex(struct builder *b, const struct source *s, uint32_t vertex, zr_vec4 front, zr_vec4 back)
+static void append_vertex(struct builder *b, const struct source *s, uint32_t vertex, zr_vec4 color, zr_vec3 normal)
 {
     uint32_t at = b->corner_count++;
     zr_vec4 position = s->mesh->positions[vertex];
@@ -128,8 +134,45 @@ static void append_vertex(struct builder *b, const struct source *s, uint32_t ve
         position = (zr_vec4){(float)clip[0], (float)clip[1], (float)clip[2], (float)clip[3]};
     }
     b->positions[at] = position;
-    b->front[at] = opaque(front);
-    b->back[at] = opaque(back);
+    b->front[at] = opaque(color);
+    b->normals[at] = normal;
+}
+
+/* ---- what is lit ---- */
+
+static const zr_vec3 no_normal = {0, 0, 0};
+
+/* The surface's own colour; a flat face has that of its first corner. */
+static zr_vec4 base_color(const struct source *s, uint32_t slot)
+{
+    const struct zr_mesh *mesh = s->mesh;
+    zr_vec4 color = s->material->base_color;
+    if (mesh->face_colors) color = zr_vec4_mul(color, mesh->face_colors[s->face]);
+    if (mesh->colors)
+        color = zr_vec4_mul(color, mesh->colors[mesh->indices[s->smooth ? slot : mesh->face_offsets[s->face]]]);
+    return color;
+}
+
+/* The one given, or the mean of the faces around the vertex. */
+static zr_vec3 vertex_normal(const struct source *s, uint32_t slot)
+{
+    const struct zr_mesh *mesh = s->mesh;
+    const uint32_t vertex = mesh->indices[slot];
+    zr_vec3 given = no_normal;
+    if (mesh->normal_count > 0) given = mesh->normals[mesh->normal_indices ? mesh->normal_indices[slot] : vertex];
+    if (given.x != 0.0f || given.y != 0.0f || given.z != 0.0f) return given;
+    return (zr_vec3){s->computed[vertex].x, s->computed[vertex].y, s->computed[vertex].z};
+}
+
+/* Readies s for its face. */
+static bool find_normals(struct builder *b, struct source *s)
+{
+    s->face_normal = no_normal;
+    if (b->options.purpose == BATCHES_OWNERS) return true;
+    if (s->material->shading == ZR_SHADING_FLAT) s->face_normal = zr_normal_of_face(s->mesh, s->face);
+    if (s->material->shading == ZR_SHADING_GOURAUD && !s->computed)
+        s->computed = zr_vertex_normals_make(b->arena, NULL, NULL, s->mesh);
+    return s->material->shading != ZR_SHADING_GOURAUD || s->computed;
 }
 
 /* Corner `slot` of the mesh's indices, in the colours of its face. */
@@ -137,15 +180,11 @@ static void append_corner(struct builder *b, const struct source *s, uint32_t sl
 {
     uint32_t vertex = s->mesh->indices[slot];
     if (b->options.purpose == BATCHES_OWNERS) {
-        zr_vec4 owner = batches_owner_color(b->owner + s->face);
-        append_vertex(b, s, vertex, owner, owner);
+        append_vertex(b, s, vertex, batches_owner_color(b->owner + s->face), no_normal);
         return;
     }
-    uint32_t color = s->colors.layout == ZR_COLOR_PER_FACE     ? s->face
-                     : s->colors.layout == ZR_COLOR_PER_VERTEX ? vertex
-                     : s->smooth                               ? slot
-                                                               : s->mesh->face_offsets[s->face];
-    append_vertex(b, s, vertex, s->colors.front[color], s->colors.back[color]);
+    zr_vec3 normal = s->material->shading == ZR_SHADING_GOURAUD ? vertex_normal(s, slot) : s->face_normal;
+    append_vertex(b, s, vertex, base_color(s, slot), normal);
 }
 
 /* ---- faces ---- */
@@ -188,13 +227,10 @@ static bool shows_back(const struct builder *b, const struct source *s)
     return volume != 0.0 && (volume < 0.0) != s->mirrored;
 }
 
-/* Colours of the side that is seen, on both sides: single pieces may be turned otherwise. */
-static void paint_both_sides(struct builder *b, uint32_t first, bool back)
+/* Gives both sides the colours of the one that is seen: single pieces may be turned otherwise. */
+static void light_one_side(struct reference_batch *batch, bool back)
 {
-    for (uint32_t i = first; i < b->corner_count; i++) {
-        if (back) b->front[i] = b->back[i];
-        b->back[i] = b->front[i];
-    }
+    if (batch->light != REFERENCE_UNLIT) batch->light = back ? REFERENCE_LIT_BACK : REFERENCE_LIT_FRONT;
 }
 
 bool batches_cut_face(struct zr_arena *arena, const struct zr_mesh *mesh, uint32_t face, struct batches_cut *cut)
@@ -282,9 +318,9 @@ static bool append_parity(struct builder *b, const struct source *s, struct refe
     batch->first = b->corner_count;
     if (!append_triangles(b, s)) return false;
     batch->count = b->corner_count - batch->first;
-    paint_both_sides(b, batch->first, back);
+    light_one_side(batch, back);
     batch->mode = REFERENCE_PARITY;
-    batch->cull = batch->two_sided = false;
+    batch->cull = false;
     b->out->parity_faces++;
     return append_batch(b, batch);
 }
@@ -316,10 +352,13 @@ static bool append_fan_by_parity(struct builder *b, const struct source *s, stru
 
 static struct reference_batch state_of(const struct builder *b, const struct source *s)
 {
-    bool lit = s->material->shading != ZR_SHADING_UNLIT, owners = b->options.purpose == BATCHES_OWNERS;
+    bool owners = b->options.purpose == BATCHES_OWNERS, lit = s->material->shading != ZR_SHADING_UNLIT && !owners;
     return (struct reference_batch){.modelview = s->modelview,
+                                    .light = !lit                        ? REFERENCE_UNLIT
+                                             : s->material->double_sided ? REFERENCE_LIT
+                                                                         : REFERENCE_LIT_FRONT,
+                                    .normal_rows = lit ? s->normal_rows : NULL,
                                     .smooth = s->smooth && !owners,
-                                    .two_sided = lit && s->material->double_sided && !owners,
                                     .cull = !s->material->double_sided,
                                     .mirrored = s->mirrored};
 }
@@ -357,13 +396,16 @@ static bool append_ring(struct builder *b, const struct source *s, uint32_t begi
     batch.count = end - begin;
     for (uint32_t slot = begin; slot < end; slot++)
         if (colored)
-            append_vertex(b, s, s->mesh->indices[slot], s->material->outline_color, s->material->outline_color);
+            append_vertex(b, s, s->mesh->indices[slot], s->material->outline_color, no_normal);
         else
             append_corner(b, s, slot);
-    if (colored) batch.smooth = batch.two_sided = false;
     if (concave) {
-        paint_both_sides(b, batch.first, back);
-        batch.cull = batch.two_sided = false;
+        light_one_side(&batch, back);
+        batch.cull = false;
+    }
+    if (colored) {
+        batch.light = REFERENCE_UNLIT;
+        batch.smooth = false;
     }
     return append_batch(b, &batch);
 }
@@ -396,54 +438,67 @@ static bool append_lines(struct builder *b, const struct source *s)
         zr_vec4 color = b->scene->materials[mesh->material].base_color;
         if (mesh->colors) color = zr_vec4_mul(color, mesh->colors[mesh->lines[i]]);
         if (owners) color = batches_owner_color(b->owner + mesh->face_count + i / 2);
-        append_vertex(b, s, mesh->lines[i], color, color);
+        append_vertex(b, s, mesh->lines[i], color, no_normal);
     }
     return append_batch(b, &batch);
 }
 
 /* ---- instances ---- */
 
-static bool make_colors(struct builder *b, struct source *s, const struct zr_lighting *lighting)
-{
-    if (b->options.purpose == BATCHES_OWNERS) return true;
-    uint32_t count = zr_colors_count(b->scene, s->mesh);
-    zr_vec4 *front = zr_arena_alloc(b->arena, count, sizeof *front);
-    zr_vec4 *back = zr_arena_alloc(b->arena, count, sizeof *back);
-    if (!zr_arena_ok(b->arena)) return false;
-    zr_mat4 object_to_eye = zr_mat4_mul(&b->camera->world_to_eye, &s->instance->object_to_world);
-    const zr_vec4 *normals = NULL;
-    s->colors =
-        zr_colors_make(b->arena, NULL, NULL, b->scene, s->mesh, lighting, &object_to_eye, &normals, front, back);
-    return zr_arena_ok(b->arena);
-}
-
 static bool for_each_face(struct builder *b, struct source *s, bool (*work)(struct builder *b, const struct source *s))
 {
     for (s->face = 0; s->face < s->mesh->face_count; s->face++) {
         s->material = zr_material_of_face(b->scene, s->mesh, s->face);
         s->smooth = zr_material_is_smooth(s->mesh, s->material);
-        if (!work(b, s)) return false;
+        if (!find_normals(b, s) || !work(b, s)) return false;
     }
     return true;
 }
 
-static bool append_instance(struct builder *b, const struct zr_instance *instance, const struct zr_lighting *lighting)
+/* The matrices of an instance, for GL: in memory of their own, since batches point to them. */
+struct placement {
+    zr_mat4 modelview;
+    struct zr_normal_matrix normals;
+};
+
+static bool append_instance(struct builder *b, const struct zr_instance *instance)
 {
     const struct zr_mesh *mesh = &b->scene->meshes[instance->mesh];
-    zr_mat4 *modelview = zr_arena_alloc(b->arena, 1, sizeof *modelview);
-    if (!modelview) return false;
-    *modelview =
-        b->options.transformed ? zr_mat4_identity() : zr_mat4_mul(&b->camera->world_to_eye, &instance->object_to_world);
+    struct placement *placement = zr_arena_alloc(b->arena, 1, sizeof *placement);
+    if (!placement) return false;
+    zr_mat4 object_to_eye = zr_mat4_mul(&b->camera->world_to_eye, &instance->object_to_world);
+    placement->modelview = b->options.transformed ? zr_mat4_identity() : object_to_eye;
+    placement->normals = zr_normal_matrix_make(&object_to_eye);
     struct source source = {.mesh = mesh,
                             .instance = instance,
-                            .modelview = modelview,
+                            .modelview = &placement->modelview,
+                            .normal_rows = placement->normals.rows,
                             .mirrored = zr_mat4_is_mirror(&instance->object_to_world)};
     if (b->owner + zr_mesh_ids(mesh) > (uint64_t)BATCHES_OWNERS_MAX + 1) return false;
-    if (!make_colors(b, &source, lighting)) return false;
     if (!for_each_face(b, &source, append_face) || !for_each_face(b, &source, append_outline)) return false;
     if (!append_lines(b, &source)) return false;
     b->owner += (uint32_t)zr_mesh_ids(mesh);
     return true;
+}
+
+/* The scene's, in eye space, and wrong where a test wants that; NULL where the arena has failed. */
+static const struct reference_lighting *make_lighting(struct builder *b)
+{
+    struct zr_lighting made;
+    const float more = b->options.more_ambient;
+    struct reference_lighting *lighting = zr_arena_alloc(b->arena, 1, sizeof *lighting);
+    zr_vec3 *to_light = zr_arena_alloc(b->arena, b->scene->light_count, sizeof *to_light);
+    zr_lighting_make(b->arena, b->scene, &b->camera->world_to_eye, &made);
+    if (!zr_arena_ok(b->arena)) return NULL;
+    for (uint32_t i = 0; i < made.count; i++) {
+        to_light[i] = made.to_light[i];
+        to_light[i].x += b->options.more_to_x;
+    }
+    *lighting = (struct reference_lighting){.ambient = zr_vec3_add(made.ambient, (zr_vec3){more, more, more}),
+                                            .count = made.count,
+                                            .to_light = to_light,
+                                            .colors = made.colors};
+    return lighting;
 }
 
 bool batches_make(struct zr_arena *arena, const struct zr_scene *scene, const struct zr_camera *camera,
@@ -452,15 +507,16 @@ bool batches_make(struct zr_arena *arena, const struct zr_scene *scene, const st
     *batches = (struct batches){.triangles = 0};
     struct builder builder = {
         .arena = arena, .scene = scene, .camera = camera, .options = *options, .out = batches, .owner = 1};
-    struct zr_lighting lighting;
-    zr_lighting_make(arena, scene, &camera->world_to_eye, &lighting);
-    if (!zr_arena_ok(arena)) return false;
     for (uint32_t i = 0; i < scene->instance_count; i++)
-        if (!append_instance(&builder, &scene->instances[i], &lighting)) return false;
+        if (!append_instance(&builder, &scene->instances[i])) return false;
     struct reference_arrays *arrays = &batches->arrays;
     arrays->positions = builder.positions;
     arrays->front = builder.front;
-    arrays->back = options->purpose == BATCHES_COLORS ? builder.back : NULL;
+    if (options->purpose == BATCHES_COLORS) {
+        arrays->normals = builder.normals;
+        arrays->lighting = make_lighting(&builder);
+        if (!arrays->lighting) return false;
+    }
     arrays->batches = builder.batches;
     arrays->projection = options->transformed ? zr_mat4_identity() : camera->projection;
     arrays->background = options->purpose == BATCHES_COLORS ? scene->background : (zr_vec4){0, 0, 0, 1};

@@ -1,9 +1,10 @@
 /* batches.h - reference: a scene -> what GL draws.
  *
  * Made from the scene itself, not from our triangles: object-space positions, a
- * modelview matrix an instance, faces as triangles and polygons. Only colours are
- * ours: lit by our own equations, handed over as unlit colours of corners, so that the
- * comparison is about what happens to them afterwards.
+ * modelview matrix an instance, faces as triangles and polygons. The reference lights:
+ * it gets the colour of the surface, and of ours only what goes into the equations: the
+ * normals of faces and vertices, the matrix that takes them to eye space, and the
+ * directions of the lights there.
  */
 #ifndef ZR_TEST_BATCHES_H
 #define ZR_TEST_BATCHES_H
@@ -19,8 +20,10 @@ enum batches_purpose {
 
 struct batches_options {
     enum batches_purpose purpose;
-    bool transformed; /* positions brought to clip space here, in double, and GL's matrices left at identity */
-    bool all_parity;  /* convex polygons of more than three corners are drawn by the odd-even rule too */
+    bool transformed;   /* positions brought to clip space here, in double, and GL's matrices left at identity */
+    bool all_parity;    /* convex polygons of more than three corners are drawn by the odd-even rule too */
+    float more_ambient; /* added to the ambient light, to see a comparison fail */
+    float more_to_x;    /* added to x of the directions to the lights, likewise */
 };
 
 /* A piece of a shape's triangle that ours finds too thin to tell a plane (geometry/place.h), on the snapped grid. */

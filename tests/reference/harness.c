@@ -89,7 +89,9 @@ static bool reference_render(struct harness *harness, const struct zr_scene *sce
     camera.projection.m[12] += (float)harness->options.perturbation;
     struct batches_options options = {.purpose = BATCHES_OWNERS,
                                       .transformed = harness->options.transformed,
-                                      .all_parity = harness->options.all_parity};
+                                      .all_parity = harness->options.all_parity,
+                                      .more_ambient = harness->options.more_ambient,
+                                      .more_to_x = harness->options.more_to_x};
     if (!make_room(harness, pixels) || !batches_make(&harness->arena, scene, &camera, &options, batches)) {
         fprintf(stderr, "reference: out of memory, or too many faces\n");
         return false;

@@ -27,10 +27,12 @@ struct harness_options {
     int threads;        /* that render, on both sides */
     enum zr_isa isa;    /* of our side */
     enum compare_bar bar;
-    bool all_parity;      /* the reference draws convex polygons by the odd-even rule too (batches.h) */
-    bool transformed;     /* the reference gets clip-space positions (batches.h) */
-    double perturbation;  /* added to clip-space x on the reference's side: a comparison that must fail */
-    const char *failures; /* directory for pictures of what differs; empty: none */
+    bool all_parity;  /* the reference draws convex polygons by the odd-even rule too (batches.h) */
+    bool transformed; /* the reference gets clip-space positions (batches.h) */
+    /* Errors on the reference's side: comparisons that must fail. */
+    double perturbation;           /* added to clip-space x */
+    float more_ambient, more_to_x; /* of lights (batches.h) */
+    const char *failures;          /* directory for pictures of what differs; empty: none */
 };
 
 struct harness {

@@ -30,6 +30,8 @@ const char options_usage[] =
     "  --title TEXT        the section's heading\n"
     "  --plain             no pictures in the section but of differences\n"
     "  --perturb X         adds X to clip-space x on the reference's side, to see the comparison fail\n"
+    "  --perturb-ambient X adds X to the ambient light there, likewise\n"
+    "  --perturb-lights X  adds X to x of the directions to the lights there, likewise\n"
     "  --mutant NAME       a rule of ours is wrong on purpose, to see the comparison fail; 'list' lists them. Only "
     "the\n"
     "                      zraster-verify of build/mutant has any\n"
@@ -75,11 +77,19 @@ static bool parse_isa(const char *text, struct harness_options *harness)
     return false;
 }
 
-static bool parse_perturbation(const char *text, struct harness_options *harness)
+static bool parse_real(const char *text, double *out)
 {
     char *end;
-    harness->perturbation = strtod(text, &end);
+    *out = strtod(text, &end);
     return end != text && !*end;
+}
+
+static bool parse_float(const char *text, float *out)
+{
+    double wide;
+    bool understood = parse_real(text, &wide);
+    *out = (float)wide;
+    return understood;
 }
 
 /* What one option says; `option` is the character that getopt_long gives. */
@@ -107,7 +117,11 @@ static bool take(struct options *options, int option, const char *text)
     case 'x':
         return parse_transform(text, &options->harness);
     case 'z':
-        return parse_perturbation(text, &options->harness);
+        return parse_real(text, &options->harness.perturbation);
+    case 'b':
+        return parse_float(text, &options->harness.more_ambient);
+    case 'c':
+        return parse_float(text, &options->harness.more_to_x);
     case 'u':
         options->mutant = text;
         return true;
@@ -165,6 +179,8 @@ bool options_parse(int argc, char **argv, struct options *options)
                                           {"page", required_argument, NULL, 'g'},
                                           {"title", required_argument, NULL, 'l'},
                                           {"perturb", required_argument, NULL, 'z'},
+                                          {"perturb-ambient", required_argument, NULL, 'b'},
+                                          {"perturb-lights", required_argument, NULL, 'c'},
                                           {"mutant", required_argument, NULL, 'u'},
                                           {"line-rule", no_argument, NULL, 'r'},
                                           {"tap", no_argument, NULL, 'p'},

@@ -3,9 +3,10 @@
  * What it must be: Mesa's llvmpipe (or softpipe, where that is asked for), drawing
  * into a frame buffer object with RGBA8 colour and 32-bit float depth; dither off,
  * depth test LESS, cleared to the background and depth 1.
- * reference_gl.c draws, in plain GL. How one gets hold of a context differs, so each
- * way is a back end in a file of its own, and a program is linked with one of them:
- * reference_osmesa.c, reference_egl.c.
+ * reference_gl.c draws, in plain GL; what is lit is lit by a program that the reference
+ * runs (reference_light.c). How one gets hold of a context differs, so each way is a back
+ * end in a file of its own, and a program is linked with one of them: reference_osmesa.c,
+ * reference_egl.c.
  * A reference that is missing, or is some other renderer, is a failure.
  */
 #ifndef ZR_TEST_REFERENCE_H
@@ -32,6 +33,23 @@ enum reference_mode {
     REFERENCE_LINES
 };
 
+/* Which colours a batch has. The two lit colours of a corner are those of its normal and of the opposite one. */
+enum reference_light {
+    REFERENCE_UNLIT,     /* those given */
+    REFERENCE_LIT,       /* fronts have that of the normal, backs the other */
+    REFERENCE_LIT_FRONT, /* both sides have that of the normal */
+    REFERENCE_LIT_BACK   /* both sides have the other */
+};
+
+/* Ambient light and directional lights, in eye space. */
+enum { REFERENCE_LIGHTS_MAX = 1024 };
+struct reference_lighting {
+    zr_vec3 ambient;
+    uint32_t count;          /* at most REFERENCE_LIGHTS_MAX */
+    const zr_vec3 *to_light; /* unit vectors towards the lights */
+    const zr_vec3 *colors;
+};
+
 /* A run of primitives of one mode, drawn with one state. Counts are of corners. */
 struct reference_batch {
     enum reference_mode mode;
@@ -40,19 +58,23 @@ struct reference_batch {
      * triangles of first and count then tell depth and colour there, the first that covers a sample. */
     uint32_t rings_first, rings_count;
     const zr_mat4 *modelview;
+    enum reference_light light;
+    const zr_vec3
+        *normal_rows;    /* of what is lit: the three rows of the matrix from object-space normals to eye space */
     bool smooth;         /* false: all corners of a primitive must have one colour, but for first_provokes */
     bool first_provokes; /* a flat triangle has the colour of its first corner, GL's own rule is the last */
-    bool two_sided;      /* the back has the colours of `back` */
     bool cull;           /* what shows its back is not drawn */
     bool mirrored;       /* clockwise is the front */
     bool outline;        /* edges instead of areas (glPolygonMode) */
     bool pushed;         /* moved back by glPolygonOffset(1, 1), to make room for outlines */
 };
 
+/* `front` is what is seen of unlit batches, and the surface's own colour of lit ones. */
 struct reference_arrays {
-    const zr_vec4 *positions, *front; /* one a corner, or, with `indices`, one a vertex */
-    const zr_vec4 *back;              /* NULL where no batch is two_sided */
-    const uint32_t *indices;          /* NULL, or one a corner */
+    const zr_vec4 *positions, *front;          /* one a corner, or, with `indices`, one a vertex */
+    const zr_vec3 *normals;                    /* in object space, of any length; NULL where no batch is lit */
+    const struct reference_lighting *lighting; /* NULL where no batch is lit */
+    const uint32_t *indices;                   /* NULL, or one a corner */
     uint32_t batch_count;
     const struct reference_batch *batches; /* drawn in this order */
     zr_mat4 projection;
@@ -83,7 +105,7 @@ bool reference_resize(struct reference *reference, uint32_t width, uint32_t heig
                       struct reference_error *error);
 
 /* Copies positions, front colours and indices into buffer objects of the driver's own, where draws of these very
- * arrays find them from now on: the fastest way that GL has. For benchmarks; `back` must be NULL. */
+ * arrays find them from now on: the fastest way that GL has. For benchmarks; no batch may be lit. */
 bool reference_keep(struct reference *reference, const struct reference_arrays *arrays, uint32_t vertex_count,
                     uint32_t index_count, struct reference_error *error);
 

@@ -1,25 +1,9 @@
 /* Drawing in plain GL 2.1 with frame buffer objects, whoever made the context. */
-#define GL_GLEXT_PROTOTYPES
-#include <GL/gl.h>
-#include <GL/glext.h>
+#include "reference/reference_gl.h"
+
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-
-#include "reference/reference.h"
-
-struct reference {
-    void *context;
-    char name[160];
-    int mesa_version;
-    uint32_t width, height;
-    bool stencil;
-    GLuint frame_buffer, color, depth;
-    GLuint two_sided;    /* the program that brings a colour for each side; 0: not made yet */
-    uint8_t *row;        /* of the widest attachment */
-    GLuint buffers[3];   /* of what is kept: positions, front, indices */
-    const zr_vec4 *kept; /* whose positions these are; NULL: nothing is kept */
-};
 
 /* Stencil bits. A gap is inside by the odd-even rule and in none of the triangles. */
 enum { INSIDE = 1, GAP = 2 };
@@ -32,14 +16,14 @@ const char *__lsan_default_suppressions(void)
     return "leak:libOSMesa.so\nleak:libEGL\nleak:libGLdispatch\nleak:_dri.so\nleak:libgallium\nleak:libLLVM";
 }
 
-static bool failed(struct reference_error *error, const char *what)
+bool reference_failed(struct reference_error *error, const char *what)
 {
     GLenum code = glGetError();
     snprintf(error->text, sizeof error->text, "%s: %s (GL error 0x%04x)", reference_context.name, what, code);
     return false;
 }
 
-static bool gl_ok(struct reference_error *error, const char *what)
+bool reference_gl_ok(struct reference_error *error, const char *what)
 {
     GLenum code = glGetError();
     if (code == GL_NO_ERROR) return true;
@@ -79,30 +63,6 @@ static void set_state(void)
     glEnableClientState(GL_VERTEX_ARRAY);
     glEnableClientState(GL_COLOR_ARRAY);
     glPixelStorei(GL_PACK_ALIGNMENT, 1);
-}
-
-/* The colours of the two sides, unlit, as fixed functions cannot have them. What ftransform()
- * gives equals the fixed functions' position to the last bit: GL promises it. */
-static GLuint make_two_sided(void)
-{
-    static const char *const source = "#version 110\n"
-                                      "void main()\n"
-                                      "{\n"
-                                      "    gl_Position = ftransform();\n"
-                                      "    gl_FrontColor = gl_Color;\n"
-                                      "    gl_BackColor = gl_MultiTexCoord0;\n"
-                                      "}\n";
-    GLint linked = 0;
-    GLuint shader = glCreateShader(GL_VERTEX_SHADER), program = glCreateProgram();
-    glShaderSource(shader, 1, &source, NULL);
-    glCompileShader(shader);
-    glAttachShader(program, shader);
-    glLinkProgram(program);
-    glDeleteShader(shader);
-    glGetProgramiv(program, GL_LINK_STATUS, &linked);
-    if (linked) return program;
-    glDeleteProgram(program);
-    return 0;
 }
 
 static int parse_version(const char *version)
@@ -160,7 +120,7 @@ bool reference_resize(struct reference *reference, uint32_t width, uint32_t heig
 {
     if (reference->width == width && reference->height == height && reference->stencil == parity) return true;
     uint8_t *row = realloc(reference->row, (size_t)width * 4);
-    if (!row) return failed(error, "out of memory");
+    if (!row) return reference_failed(error, "out of memory");
     reference->row = row;
     glDeleteFramebuffers(1, &reference->frame_buffer);
     glDeleteRenderbuffers(1, &reference->color);
@@ -178,12 +138,12 @@ bool reference_resize(struct reference *reference, uint32_t width, uint32_t heig
     glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, reference->depth);
     if (parity) glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_STENCIL_ATTACHMENT, GL_RENDERBUFFER, reference->depth);
     if (glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
-        return failed(error, "no frame buffer object with RGBA8 and 32-bit float depth");
+        return reference_failed(error, "no frame buffer object with RGBA8 and 32-bit float depth");
     glViewport(0, 0, (GLsizei)width, (GLsizei)height);
     reference->width = width;
     reference->height = height;
     reference->stencil = parity;
-    return gl_ok(error, "resize");
+    return reference_gl_ok(error, "resize");
 }
 
 /* ---- drawing ---- */
@@ -213,7 +173,7 @@ bool reference_keep(struct reference *reference, const struct reference_arrays *
     }
     glBindBuffer(GL_ARRAY_BUFFER, 0);
     reference->kept = arrays->positions;
-    return gl_ok(error, "keep");
+    return reference_gl_ok(error, "keep");
 }
 
 static bool is_kept(const struct reference *reference, const struct reference_arrays *arrays)
@@ -230,9 +190,9 @@ static void point_at_arrays(const struct reference *reference, const struct refe
     glColorPointer(4, GL_FLOAT, sizeof *arrays->front, kept ? NULL : arrays->front);
     glBindBuffer(GL_ARRAY_BUFFER, 0);
     glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, kept ? reference->buffers[2] : 0);
-    if (!arrays->back) return;
-    glEnableClientState(GL_TEXTURE_COORD_ARRAY);
-    glTexCoordPointer(4, GL_FLOAT, sizeof *arrays->back, arrays->back);
+    if (!arrays->normals) return;
+    glEnableClientState(GL_NORMAL_ARRAY);
+    glNormalPointer(GL_FLOAT, sizeof *arrays->normals, arrays->normals);
 }
 
 static void draw_corners(const struct reference *reference, const struct reference_arrays *arrays, GLenum mode,
@@ -300,27 +260,17 @@ static void draw_batch(const struct reference *reference, const struct reference
     glPolygonMode(GL_FRONT_AND_BACK, batch->outline ? GL_LINE : GL_FILL);
     enable(GL_CULL_FACE, batch->cull);
     enable(GL_POLYGON_OFFSET_FILL, batch->pushed);
-    glUseProgram(batch->two_sided ? reference->two_sided : 0);
+    reference_light_batch(reference, batch);
     if (batch->mode == REFERENCE_PARITY)
         draw_parity(reference, arrays, batch);
     else
         draw_corners(reference, arrays, modes[batch->mode], batch->first, batch->count);
 }
 
-/* Made when it is first wanted: it takes some ms. */
-static bool have_two_sided(struct reference *reference, const struct reference_arrays *arrays,
-                           struct reference_error *error)
-{
-    for (uint32_t i = 0; i < arrays->batch_count && !reference->two_sided; i++)
-        if (arrays->batches[i].two_sided && !(reference->two_sided = make_two_sided()))
-            return failed(error, "no program for two-sided colours");
-    return true;
-}
-
 bool reference_draw(struct reference *reference, const struct reference_arrays *arrays, struct reference_error *error)
 {
     const zr_mat4 *modelview = NULL;
-    if (!have_two_sided(reference, arrays, error)) return false;
+    if (arrays->lighting && !reference_light_begin(reference, arrays->lighting, error)) return false;
     glClearColor(arrays->background.x, arrays->background.y, arrays->background.z, arrays->background.w);
     glStencilMask(INSIDE | GAP);
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | (reference->stencil ? GL_STENCIL_BUFFER_BIT : 0u));
@@ -334,9 +284,10 @@ bool reference_draw(struct reference *reference, const struct reference_arrays *
         modelview = batch->modelview;
         draw_batch(reference, arrays, batch);
     }
-    glDisableClientState(GL_TEXTURE_COORD_ARRAY);
+    glDisableClientState(GL_NORMAL_ARRAY);
+    glUseProgram(0);
     glFinish();
-    return gl_ok(error, "draw");
+    return reference_gl_ok(error, "draw");
 }
 
 /* ---- reading ---- */
@@ -364,7 +315,7 @@ bool reference_read(struct reference *reference, uint8_t *rgba, float *depth, st
         glReadPixels(0, 0, width, height, GL_DEPTH_COMPONENT, GL_FLOAT, depth);
         flip(reference, depth, sizeof *depth);
     }
-    return gl_ok(error, "read");
+    return reference_gl_ok(error, "read");
 }
 
 bool reference_read_gaps(struct reference *reference, uint8_t *gaps, struct reference_error *error)
@@ -376,5 +327,5 @@ bool reference_read_gaps(struct reference *reference, uint8_t *gaps, struct refe
     flip(reference, gaps, 1);
     for (size_t i = 0; i < pixels; i++)
         gaps[i] = gaps[i] & GAP ? 1 : 0;
-    return gl_ok(error, "read");
+    return reference_gl_ok(error, "read");
 }

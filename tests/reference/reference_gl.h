@@ -1,0 +1,47 @@
+/* reference_gl.h - reference: what the files that draw with GL share. */
+#ifndef ZR_TEST_REFERENCE_GL_H
+#define ZR_TEST_REFERENCE_GL_H
+
+#define GL_GLEXT_PROTOTYPES
+#include <GL/gl.h>
+#include <GL/glext.h>
+
+#include "reference/reference.h"
+
+/* The program that lights, and where its uniforms are. */
+struct reference_lighter {
+    GLuint program; /* 0: not made yet */
+    GLint ambient, light_count, to_light, light_color, normal_rows, side;
+};
+
+struct reference {
+    void *context;
+    char name[160];
+    int mesa_version;
+    uint32_t width, height;
+    bool stencil;
+    GLuint frame_buffer, color, depth;
+    struct reference_lighter lighter;
+    uint8_t *row;        /* of the widest attachment */
+    GLuint buffers[3];   /* of what is kept: positions, front, indices */
+    const zr_vec4 *kept; /* whose positions these are; NULL: nothing is kept */
+};
+
+/* Says in *error what failed, with GL's error code, and returns false. */
+bool reference_failed(struct reference_error *error, const char *what);
+
+/* The same where GL has an error to tell, else true. */
+bool reference_gl_ok(struct reference_error *error, const char *what);
+
+/* A program of these GLSL sources; `fragment` NULL: what the fixed functions do. 0 where it does not compile or link:
+ * *error has the first lines of GL's log. To be given to glDeleteProgram. */
+GLuint reference_program(const char *vertex, const char *fragment, struct reference_error *error);
+
+/* Gives the program that lights what it needs, and makes it when it is first wanted: that takes some ms. */
+bool reference_light_begin(struct reference *reference, const struct reference_lighting *lighting,
+                           struct reference_error *error);
+
+/* Chooses the program of one batch: the one that lights, or the fixed functions. */
+void reference_light_batch(const struct reference *reference, const struct reference_batch *batch);
+
+#endif

@@ -1,0 +1,31 @@
+/* GLSL programs. */
+#include "reference/reference_gl.h"
+
+/* NULL attaches nothing. GL keeps the shader until its program is deleted. */
+static bool attach(GLuint program, GLenum type, const char *source, struct reference_error *error)
+{
+    GLint compiled = 0;
+    if (!source) return true;
+    GLuint shader = glCreateShader(type);
+    glShaderSource(shader, 1, &source, NULL);
+    glCompileShader(shader);
+    glGetShaderiv(shader, GL_COMPILE_STATUS, &compiled);
+    if (!compiled) glGetShaderInfoLog(shader, (GLsizei)sizeof error->text, NULL, error->text);
+    glAttachShader(program, shader);
+    glDeleteShader(shader);
+    return compiled;
+}
+
+GLuint reference_program(const char *vertex, const char *fragment, struct reference_error *error)
+{
+    GLint linked = 0;
+    GLuint program = glCreateProgram();
+    if (attach(program, GL_VERTEX_SHADER, vertex, error) && attach(program, GL_FRAGMENT_SHADER, fragment, error)) {
+        glLinkProgram(program);
+        glGetProgramiv(program, GL_LINK_STATUS, &linked);
+        if (!linked) glGetProgramInfoLog(program, (GLsizei)sizeof error->text, NULL, error->text);
+    }
+    if (linked) return program;
+    glDeleteProgram(program);
+    return 0;
+}
