@@ -104,7 +104,7 @@ for part in "$@"; do
     clients) ZRASTERD=$build/zrasterd ZRASTER=$build/zraster run client tests/clients/test_client.sh ;;
     reference)
         triangles=${REFERENCE_TRIANGLES:-210000}
-        verify reference "$programs/zraster-verify" --triangles "$triangles"
+        verify reference "$programs/zraster-verify" --triangles "$triangles" --floats 300
         verify reference-scenes "$programs/zraster-verify" tests/scenes clients/examples
         verify reference-parity "$programs/zraster-verify" --parity --kind polygons-clipped --triangles $((triangles / 20)) tests/scenes/many-corners.json
         verify reference-egl "$programs/zraster-verify-egl" --triangles $((triangles / 10)) tests/scenes clients/examples

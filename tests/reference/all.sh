@@ -36,7 +36,7 @@ worst=$?
 meshes=$(present "$data/models" $assimp/OBJ $assimp/STL $assimp/invalid)
 scenes='tests/scenes clients/examples'
 part 'Scenes, one case each' "$verify" $scenes
-part 'Random polygons' "$verify" --triangles 2100000
+part 'Random polygons' "$verify" --triangles 2100000 --floats 3000
 [ -n "$meshes" ] && part 'Models from seven sides' "$verify" --preset all $meshes
 [ -d "$data/models" ] && part 'Models cut by the window' "$verify" --kind none --models "$data/models"
 [ "$reference" = osmesa ] && part 'The same through EGL' "$programs/zraster-verify-egl" --plain --triangles 200000 $scenes

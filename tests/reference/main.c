@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "base/mutant.h"
+#include "reference/floats.h"
 #include "reference/generate.h"
 #include "reference/models.h"
 #include "reference/options.h"
@@ -93,6 +94,7 @@ static enum verdict check_all(struct harness *harness, const struct options *opt
                                                        .bar = report.bar,
                                                        .plain = options->plain});
     enum verdict worst = check_random(harness, &report, options, &total);
+    if (options->floats) worst = worse(worst, floats_check(harness, &report, options->seed, options->floats, &total));
     if (options->models) worst = worse(worst, models_check(harness, &report, options->models, &total));
     for (int i = 0; i < options->path_count; i++)
         worst = worse(worst, scene_files_check(harness, &report, options->paths[i], &files, &total));

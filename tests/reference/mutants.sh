@@ -63,6 +63,17 @@ check_perturbed_light() {
     done
 }
 
+# As floats, what is off by much less than a step of 255.
+check_perturbed_floats() {
+    for options in '--perturb 0.0003' '--perturb-ambient 0.000001' '--perturb-lights 0.000001'; do
+        log=$logs/$number
+        # shellcheck disable=SC2086
+        timeout 300 "$verify" --seed $seed --kind none --floats 100 $options >"$log" 2>&1
+        if [ $? -eq 1 ]; then verdict=ok; else verdict='not ok'; fi
+        report "$verdict" "none, but the reference's floats are of another scene ($options; $(counts_of "$log"))"
+    done
+}
+
 check() { # mutant, what is run, what must differ
     # Without a mutant all is equal, or a difference would prove nothing.
     if ! grep -qxF "$2" "$logs/equal"; then
@@ -93,6 +104,7 @@ is_wanted() { # mutant, those that were asked for
 if [ $# -eq 0 ]; then
     check_perturbed
     check_perturbed_light
+    check_perturbed_floats
 fi
 while IFS='@' read -r name run shows; do
     case $name in '#'* | '') continue ;; esac

@@ -12,6 +12,9 @@ const char options_usage[] =
     "  --triangles N       random polygons, over all kinds, counted as fans (200000)\n"
     "  --seed S            other polygons (1)\n"
     "  --kind NAME         one kind only; 'none' for no random polygons, 'list' to list them\n"
+    "  --floats N          also N triangles by GLSL programs into floats: what is interpolated and lit is equal to "
+    "the\n"
+    "                      last bit\n"
     "  --models DIR        also stanford-bunny.obj and teapot.obj from DIR, in perspective, cut by the window\n"
     "  --preset NAME       the view of bare meshes: front, ... isometric, or 'all' (isometric)\n"
     "  --driver NAME       llvmpipe: everything is equal. softpipe, a second opinion: where another face owns a\n"
@@ -108,6 +111,8 @@ static bool take(struct options *options, int option, const char *text)
         return true;
     case 'a':
         return parse_isa(text, &options->harness);
+    case 'e':
+        return parse_number(text, 1, 1000000, &options->floats);
     case 'k':
         options->kind = text;
         options->random = strcmp(text, "none") != 0;
@@ -168,6 +173,7 @@ bool options_parse(int argc, char **argv, struct options *options)
     static const struct option known[] = {{"triangles", required_argument, NULL, 't'},
                                           {"seed", required_argument, NULL, 's'},
                                           {"kind", required_argument, NULL, 'k'},
+                                          {"floats", required_argument, NULL, 'e'},
                                           {"models", required_argument, NULL, 'm'},
                                           {"preset", required_argument, NULL, 'v'},
                                           {"driver", required_argument, NULL, 'd'},
@@ -203,6 +209,7 @@ bool options_parse(int argc, char **argv, struct options *options)
     options->path_count = argc - optind;
     options->paths = argv + optind;
     if (options->path_count == 0 && !said_kind) options->random = true;
-    bool two_bars = options->harness.transformed && strcmp(options->harness.driver, "softpipe") == 0;
-    return !two_bars && (options->random || options->path_count > 0 || options->models);
+    bool softpipe = strcmp(options->harness.driver, "softpipe") == 0;
+    if (softpipe && (options->harness.transformed || options->floats)) return false;
+    return (options->random || options->path_count > 0 || options->models || options->floats);
 }

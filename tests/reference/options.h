@@ -6,6 +6,7 @@
 
 struct options {
     uint64_t triangles, seed;
+    uint64_t floats;               /* triangles whose results are compared as floats (floats.h); 0: none */
     const char *kind;              /* NULL: all */
     const char *models, *pictures; /* NULL: none */
     const char *page, *title;      /* NULL: no page */

@@ -119,12 +119,15 @@ bool reference_resize(struct reference *reference, uint32_t width, uint32_t heig
                       struct reference_error *error)
 {
     if (reference->width == width && reference->height == height && reference->stencil == parity) return true;
-    uint8_t *row = realloc(reference->row, (size_t)width * 4);
+    uint8_t *row = realloc(reference->row, (size_t)width * 4 * sizeof(float));
     if (!row) return reference_failed(error, "out of memory");
     reference->row = row;
     glDeleteFramebuffers(1, &reference->frame_buffer);
     glDeleteRenderbuffers(1, &reference->color);
     glDeleteRenderbuffers(1, &reference->depth);
+    glDeleteFramebuffers(1, &reference->float_frame_buffer);
+    glDeleteRenderbuffers(1, &reference->float_color);
+    reference->float_frame_buffer = reference->float_color = 0;
     glGenFramebuffers(1, &reference->frame_buffer);
     glGenRenderbuffers(1, &reference->color);
     glGenRenderbuffers(1, &reference->depth);
@@ -250,7 +253,7 @@ static void draw_parity(const struct reference *reference, const struct referenc
 }
 
 static void draw_batch(const struct reference *reference, const struct reference_arrays *arrays,
-                       const struct reference_batch *batch)
+                       const struct reference_batch *batch, GLuint program)
 {
     static const GLenum modes[] = {
         [REFERENCE_TRIANGLES] = GL_TRIANGLES, [REFERENCE_POLYGON] = GL_POLYGON, [REFERENCE_LINES] = GL_LINES};
@@ -260,17 +263,19 @@ static void draw_batch(const struct reference *reference, const struct reference
     glPolygonMode(GL_FRONT_AND_BACK, batch->outline ? GL_LINE : GL_FILL);
     enable(GL_CULL_FACE, batch->cull);
     enable(GL_POLYGON_OFFSET_FILL, batch->pushed);
-    reference_light_batch(reference, batch);
+    if (program)
+        glUseProgram(program);
+    else
+        reference_light_batch(reference, batch);
     if (batch->mode == REFERENCE_PARITY)
         draw_parity(reference, arrays, batch);
     else
         draw_corners(reference, arrays, modes[batch->mode], batch->first, batch->count);
 }
 
-bool reference_draw(struct reference *reference, const struct reference_arrays *arrays, struct reference_error *error)
+void reference_draw_batches(const struct reference *reference, const struct reference_arrays *arrays, GLuint program)
 {
     const zr_mat4 *modelview = NULL;
-    if (arrays->lighting && !reference_light_begin(reference, arrays->lighting, error)) return false;
     glClearColor(arrays->background.x, arrays->background.y, arrays->background.z, arrays->background.w);
     glStencilMask(INSIDE | GAP);
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | (reference->stencil ? GL_STENCIL_BUFFER_BIT : 0u));
@@ -282,18 +287,23 @@ bool reference_draw(struct reference *reference, const struct reference_arrays *
         const struct reference_batch *batch = &arrays->batches[i];
         if (batch->modelview != modelview) glLoadMatrixf(batch->modelview->m);
         modelview = batch->modelview;
-        draw_batch(reference, arrays, batch);
+        draw_batch(reference, arrays, batch, program);
     }
     glDisableClientState(GL_NORMAL_ARRAY);
     glUseProgram(0);
     glFinish();
+}
+
+bool reference_draw(struct reference *reference, const struct reference_arrays *arrays, struct reference_error *error)
+{
+    if (arrays->lighting && !reference_light_begin(reference, arrays->lighting, error)) return false;
+    reference_draw_batches(reference, arrays, 0);
     return reference_gl_ok(error, "draw");
 }
 
 /* ---- reading ---- */
 
-/* GL's row 0 is the bottom. */
-static void flip(const struct reference *reference, void *pixels, size_t pixel_bytes)
+void reference_flip(const struct reference *reference, void *pixels, size_t pixel_bytes)
 {
     size_t row_bytes = reference->width * pixel_bytes;
     for (uint32_t y = 0; y < reference->height / 2; y++) {
@@ -309,11 +319,11 @@ bool reference_read(struct reference *reference, uint8_t *rgba, float *depth, st
     GLsizei width = (GLsizei)reference->width, height = (GLsizei)reference->height;
     if (rgba) {
         glReadPixels(0, 0, width, height, GL_RGBA, GL_UNSIGNED_BYTE, rgba);
-        flip(reference, rgba, 4);
+        reference_flip(reference, rgba, 4);
     }
     if (depth) {
         glReadPixels(0, 0, width, height, GL_DEPTH_COMPONENT, GL_FLOAT, depth);
-        flip(reference, depth, sizeof *depth);
+        reference_flip(reference, depth, sizeof *depth);
     }
     return reference_gl_ok(error, "read");
 }
@@ -324,7 +334,7 @@ bool reference_read_gaps(struct reference *reference, uint8_t *gaps, struct refe
     memset(gaps, 0, pixels);
     if (!reference->stencil) return true;
     glReadPixels(0, 0, (GLsizei)reference->width, (GLsizei)reference->height, GL_STENCIL_INDEX, GL_UNSIGNED_BYTE, gaps);
-    flip(reference, gaps, 1);
+    reference_flip(reference, gaps, 1);
     for (size_t i = 0; i < pixels; i++)
         gaps[i] = gaps[i] & GAP ? 1 : 0;
     return reference_gl_ok(error, "read");

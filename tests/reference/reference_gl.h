@@ -6,7 +6,7 @@
 #include <GL/gl.h>
 #include <GL/glext.h>
 
-#include "reference/reference.h"
+#include "reference/reference_program.h"
 
 /* The program that lights, and where its uniforms are. */
 struct reference_lighter {
@@ -21,6 +21,7 @@ struct reference {
     uint32_t width, height;
     bool stencil;
     GLuint frame_buffer, color, depth;
+    GLuint float_frame_buffer, float_color; /* 0: not made yet; its depth is that above */
     struct reference_lighter lighter;
     uint8_t *row;        /* of the widest attachment */
     GLuint buffers[3];   /* of what is kept: positions, front, indices */
@@ -33,9 +34,11 @@ bool reference_failed(struct reference_error *error, const char *what);
 /* The same where GL has an error to tell, else true. */
 bool reference_gl_ok(struct reference_error *error, const char *what);
 
-/* A program of these GLSL sources; `fragment` NULL: what the fixed functions do. 0 where it does not compile or link:
- * *error has the first lines of GL's log. To be given to glDeleteProgram. */
-GLuint reference_program(const char *vertex, const char *fragment, struct reference_error *error);
+/* Clears the frame buffer that is bound, draws into it, and waits. `program` 0: the batches choose theirs. */
+void reference_draw_batches(const struct reference *reference, const struct reference_arrays *arrays, GLuint program);
+
+/* Turns rows around: GL's row 0 is the bottom. */
+void reference_flip(const struct reference *reference, void *pixels, size_t pixel_bytes);
 
 /* Gives the program that lights what it needs, and makes it when it is first wanted: that takes some ms. */
 bool reference_light_begin(struct reference *reference, const struct reference_lighting *lighting,

@@ -29,3 +29,8 @@ GLuint reference_program(const char *vertex, const char *fragment, struct refere
     glDeleteProgram(program);
     return 0;
 }
+
+void reference_program_delete(unsigned program)
+{
+    glDeleteProgram(program);
+}
