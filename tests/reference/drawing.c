@@ -14,13 +14,15 @@ void drawing_start(struct drawing *drawing, uint32_t width, uint32_t height)
     drawing->position_count = drawing->face_count = drawing->corner_count = 0;
     drawing->ring_count = drawing->line_count = 0;
     drawing->outline = ZR_OUTLINE_NONE;
-    drawing->hollow = false;
+    drawing->hollow = drawing->lit = drawing->given_normals = false;
+    drawing->light_count = 0;
 }
 
 void drawing_free(struct drawing *drawing)
 {
     free(drawing->positions);
     free(drawing->colors);
+    free(drawing->normals);
     free(drawing->face_offsets);
     free(drawing->face_rings);
     free(drawing->ring_offsets);
@@ -46,7 +48,8 @@ uint32_t drawing_position(struct drawing *drawing, zr_vec4 position, zr_vec4 col
     if (drawing->position_count == drawing->position_room) {
         uint32_t room = drawing->position_room * 2 + 64;
         if (!widen(&drawing->positions, room, sizeof *drawing->positions) ||
-            !widen(&drawing->colors, room, sizeof *drawing->colors)) {
+            !widen(&drawing->colors, room, sizeof *drawing->colors) ||
+            !widen(&drawing->normals, room, sizeof *drawing->normals)) {
             drawing->failed = true;
             return 0;
         }
@@ -54,6 +57,7 @@ uint32_t drawing_position(struct drawing *drawing, zr_vec4 position, zr_vec4 col
     }
     drawing->positions[drawing->position_count] = position;
     drawing->colors[drawing->position_count] = color;
+    drawing->normals[drawing->position_count] = (zr_vec3){0, 0, 0};
     return drawing->position_count++;
 }
 

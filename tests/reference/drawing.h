@@ -13,6 +13,8 @@
 
 /* Indexed polygons and lines as in struct zr_mesh, in memory of its own that is kept from
  * one picture to the next. `failed` is sticky: memory ran out. */
+enum { DRAWING_LIGHTS_MAX = 8 };
+
 struct drawing {
     uint32_t width, height;
     bool smooth;       /* compare colours per vertex; else each face has one colour, that of its number, */
@@ -22,6 +24,12 @@ struct drawing {
 
     uint32_t position_count, position_room;
     zr_vec4 *positions, *colors; /* colours 0..1, alpha 1 */
+    zr_vec3 *normals;            /* looked at where given_normals */
+
+    bool lit, given_normals; /* lit: a vertex or, where colours are not smooth, a face */
+    zr_vec3 ambient;
+    uint32_t light_count;
+    struct zr_light lights[DRAWING_LIGHTS_MAX];
 
     uint32_t face_count, face_room;
     uint32_t *face_offsets; /* face_count + 1 */

@@ -263,6 +263,7 @@ const struct generator generators[] = {
     {"aligned-wide", false, false, WINDOWS_BINARY, fill_aligned_wide},
     {"dense", false, false, WINDOWS_LARGE, fill_dense},
     {"stamps", false, false, WINDOWS_ANY, fill_stamps},
+    {"lit", true, false, WINDOWS_ANY, fill_lit},
 };
 const size_t generator_count = sizeof generators / sizeof *generators;
 

@@ -67,6 +67,9 @@ void fill_matrix_orthographic(struct drawing *drawing, struct random *r);
 void fill_matrix_perspective(struct drawing *drawing, struct random *r);
 void fill_matrix_any(struct drawing *drawing, struct random *r);
 
+/* generate_lit.c */
+void fill_lit(struct drawing *drawing, struct random *r);
+
 /* generate_shapes.c: polygons of any shape, outlines and lines. */
 void fill_shapes(struct drawing *drawing, struct random *r);
 void fill_shapes_clipped(struct drawing *drawing, struct random *r);

@@ -9,10 +9,11 @@ static const struct zr_output outputs[] = {{.channel = ZR_CHANNEL_COLOR, .encodi
 void subject_make(struct subject *subject, const struct drawing *drawing)
 {
     static const uint32_t no_faces[1] = {0};
-    /* Unlit, so that colours reach the pixels as they are, and double sided: with
+    /* Unlit but for those that are to be lit, so that colours reach the pixels as they are, and double sided: with
      * culling on, Mesa's answer depends on its batches (RULES.md, rule 11). */
+    const enum zr_shading lit = drawing->smooth ? ZR_SHADING_GOURAUD : ZR_SHADING_FLAT;
     subject->material = (struct zr_material){.base_color = {1, 1, 1, 1},
-                                             .shading = ZR_SHADING_UNLIT,
+                                             .shading = drawing->lit ? lit : ZR_SHADING_UNLIT,
                                              .double_sided = true,
                                              .plain = drawing->first_corner,
                                              .hollow = drawing->hollow,
@@ -30,12 +31,17 @@ void subject_make(struct subject *subject, const struct drawing *drawing)
                                      .ring_offsets = holes ? drawing->ring_offsets : NULL,
                                      .line_count = drawing->line_count,
                                      .lines = drawing->lines,
+                                     .normal_count = drawing->given_normals ? drawing->position_count : 0,
+                                     .normals = drawing->given_normals ? drawing->normals : NULL,
                                      .colors = per_vertex ? drawing->colors : NULL,
                                      .face_colors = per_vertex ? NULL : drawing->face_colors};
     subject->instance = (struct zr_instance){.mesh = 0, .object_to_world = zr_mat4_identity()};
     subject->scene = (struct zr_scene){.width = drawing->width,
                                        .height = drawing->height,
                                        .background = {0, 0, 0, 1},
+                                       .ambient = drawing->ambient,
+                                       .light_count = drawing->light_count,
+                                       .lights = drawing->lights,
                                        .material_count = 1,
                                        .materials = &subject->material,
                                        .mesh_count = 1,
