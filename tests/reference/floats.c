@@ -5,6 +5,7 @@
 #include "geometry/clip.h"
 #include "geometry/light.h"
 #include "raster/setup.h"
+#include "reference/glsl_math.h"
 #include "reference/reference_program.h"
 #include "support/random.h"
 
@@ -36,7 +37,9 @@ struct pieces {
 };
 
 struct part {
-    const char *name, *vertex, *fragment;
+    const char *name, *vertex,
+        *fragment; /* vertex: one that has the attribute `value`, or NULL; both NULL: it is lit */
+    const struct reference_uniform *uniform; /* or NULL */
     /* Four floats of a pixel that the piece covers. */
     void (*expect)(const struct sample *sample, const struct piece *piece, int32_t x, int32_t y, float out[4]);
 };
@@ -59,6 +62,8 @@ static zr_vec3 random_vec3(struct random *r, double low, double high)
 /* Half of them inside, and of the others most stick out somewhere; w of one triangle differs a hundredfold at most. */
 static void sample_make(struct sample *s, struct random *r)
 {
+    /* The squares of the last two are too small and too large for a float. */
+    static const float lengths[4] = {1, 2, 0x1p-90f, 0x1p90f};
     const double reach = random_below(r, 2) ? 0.98 : 2;
     *s = (struct sample){.light_count = random_below(r, LIGHTS_MAX + 1)};
     for (int k = 0; k < 3; k++) {
@@ -66,7 +71,7 @@ static void sample_make(struct sample *s, struct random *r)
         const zr_vec3 at = random_vec3(r, -reach, reach), value = random_vec3(r, 0, 1);
         s->positions[k] = (zr_vec4){at.x * w, at.y * w, at.z * w, w};
         s->values[k] = (zr_vec4){value.x, value.y, value.z, 1};
-        s->normals[k] = random_vec3(r, -2, 2);
+        s->normals[k] = zr_vec3_scale(random_vec3(r, -1, 1), lengths[random_below(r, 4)]);
         s->to_eye.rows[k] = random_vec3(r, -1, 1);
     }
     s->ambient = random_vec3(r, 0, 0.4);
@@ -157,6 +162,19 @@ static void expect_place(const struct sample *s, const struct piece *piece, int3
     out[3] = zr_plane_at(&piece->oow, (float)x, (float)y);
 }
 
+static const float exponent = 17.5f;
+
+static void expect_math(const struct sample *s, const struct piece *piece, int32_t x, int32_t y, float out[4])
+{
+    float v[4];
+    expect_varying(s, piece, x, y, v);
+    const float to_unit = 1.0f / sqrtf((v[2] * v[2] + v[1] * v[1]) + v[0] * v[0]);
+    out[0] = glsl_pow(v[0], exponent);
+    out[1] = glsl_exp2(v[2]) / v[1];
+    out[2] = glsl_log2(v[1]);
+    out[3] = ((v[2] * to_unit) * v[1] + (v[1] * to_unit) * v[0]) + (v[0] * to_unit) * v[2];
+}
+
 /* Flat: the last corner's. */
 static void expect_light(const struct sample *s, const struct piece *piece, int32_t x, int32_t y, float out[4])
 {
@@ -171,30 +189,40 @@ static void expect_light(const struct sample *s, const struct piece *piece, int3
 
 /* ---- both ---- */
 
-static const struct part parts[] = {{"floats-varying",
-                                     "#version 120\n"
-                                     "attribute vec4 value;\n"
-                                     "varying vec4 varied;\n"
-                                     "void main()\n"
-                                     "{\n"
-                                     "    gl_Position = ftransform();\n"
-                                     "    varied = value;\n"
-                                     "}\n",
-                                     "#version 120\n"
-                                     "varying vec4 varied;\n"
-                                     "void main()\n"
-                                     "{\n"
-                                     "    gl_FragColor = varied;\n"
-                                     "}\n",
-                                     expect_varying},
-                                    {"floats-frag-coord", NULL,
-                                     "#version 120\n"
-                                     "void main()\n"
-                                     "{\n"
-                                     "    gl_FragColor = gl_FragCoord;\n"
-                                     "}\n",
-                                     expect_place},
-                                    {"floats-lit", NULL, NULL, expect_light}};
+static const char passes_value[] = "#version 120\n"
+                                   "attribute vec4 value;\n"
+                                   "varying vec4 varied;\n"
+                                   "void main()\n"
+                                   "{\n"
+                                   "    gl_Position = ftransform();\n"
+                                   "    varied = value;\n"
+                                   "}\n";
+static const char shows_varied[] = "#version 120\n"
+                                   "varying vec4 varied;\n"
+                                   "void main()\n"
+                                   "{\n"
+                                   "    gl_FragColor = varied;\n"
+                                   "}\n";
+static const char shows_place[] = "#version 120\n"
+                                  "void main()\n"
+                                  "{\n"
+                                  "    gl_FragColor = gl_FragCoord;\n"
+                                  "}\n";
+static const char computes[] =
+    "#version 120\n"
+    "uniform float exponent;\n"
+    "varying vec4 varied;\n"
+    "void main()\n"
+    "{\n"
+    "    gl_FragColor = vec4(pow(varied.x, exponent), exp2(varied.z) / varied.y, log2(varied.y),\n"
+    "                        dot(normalize(varied.xyz), varied.zxy));\n"
+    "}\n";
+static const struct reference_uniform exponent_uniform = {"exponent", 1, 1, &exponent};
+
+static const struct part parts[] = {{"floats-varying", passes_value, shows_varied, NULL, expect_varying},
+                                    {"floats-frag-coord", NULL, shows_place, NULL, expect_place},
+                                    {"floats-math", passes_value, computes, &exponent_uniform, expect_math},
+                                    {"floats-lit", NULL, NULL, NULL, expect_light}};
 
 /* The light of a sample on the reference's side, and wrong where a test wants that. */
 static struct reference_lighting reference_light(const struct harness_options *options, const struct sample *s,
@@ -209,8 +237,8 @@ static struct reference_lighting reference_light(const struct harness_options *o
                                        s->colors};
 }
 
-/* A part that has no program of its own is lit. */
-static bool draw(struct harness *harness, const struct sample *s, unsigned program, bool has_value, float *rgba)
+static bool draw(struct harness *harness, const struct sample *s, const struct part *part, unsigned program,
+                 float *rgba)
 {
     const zr_mat4 identity = zr_mat4_identity();
     const struct reference_batch batch = {.mode = REFERENCE_TRIANGLES,
@@ -230,8 +258,11 @@ static bool draw(struct harness *harness, const struct sample *s, unsigned progr
                                       .background = nothing};
     arrays.projection.m[12] += (float)harness->options.perturbation;
     const struct reference_attribute value = {"value", 4, &s->values[0].x};
-    const struct reference_shader shader = {
-        .program = program, .attribute_count = has_value ? 1 : 0, .attributes = &value};
+    const struct reference_shader shader = {.program = program,
+                                            .attribute_count = part->vertex ? 1 : 0,
+                                            .uniform_count = part->uniform ? 1 : 0,
+                                            .attributes = &value,
+                                            .uniforms = part->uniform};
     struct reference_error error = {""};
     if (reference_resize(harness->reference, WIDTH, HEIGHT, false, &error) &&
         reference_draw_floats(harness->reference, &arrays, &shader, rgba, &error))
@@ -284,7 +315,7 @@ static bool check_triangles(struct harness *harness, const struct part *part, un
         struct pieces pieces;
         sample_make(&sample, r);
         pieces_make(&pieces, &sample);
-        if (!draw(harness, &sample, program, part->vertex != NULL, rgba)) return false;
+        if (!draw(harness, &sample, part, program, rgba)) return false;
         compare(part, &sample, &pieces, rgba, &tally->comparison);
         tally->pictures++;
         tally->triangles++;

@@ -1,8 +1,8 @@
 /* floats.h - reference: what GLSL programs give as floats, against our arithmetic, on random triangles.
  *
  * Why:    8-bit colours hide last bits. And who compares with a program of reference_program.h must know how llvmpipe
- *         interpolates what the program gets: rule 17 of RULES.md, which is held here.
- * Parts:  a varying; gl_FragCoord; the colours that the reference lights, flat, both sides.
+ *         interpolates what the program gets: rules 16 to 18 of RULES.md, which are held here.
+ * Parts:  a varying; gl_FragCoord; functions (glsl_math.h); the colours that the reference lights, flat, both sides.
  */
 #ifndef ZR_TEST_FLOATS_H
 #define ZR_TEST_FLOATS_H

@@ -4,7 +4,9 @@
 /* RULES.md, rule 16. Sums are written out, since a compiler may choose the order of dot(). The fixed functions would
  * light in object space, through an inverse of their own, where the modelview matrix is not the identity: so it is a
  * program that lights. What ftransform() gives equals the fixed functions' position to the last bit: GL promises it.
- * GL itself clamps gl_FrontColor and gl_BackColor to 0..1, as it does after fixed-function lighting. */
+ * The number of lights is a uniform also so that the loop stays one: Mesa's compiler would factor gl_Color out of a sum
+ * that is written out (rule 18). GL itself clamps gl_FrontColor and gl_BackColor to 0..1, as it does after
+ * fixed-function lighting. */
 static const char *const source =
     "#version 120\n"
     "uniform vec3 ambient;\n"
