@@ -53,6 +53,10 @@
     row(last_triangle_decides)      /* odd-even rule: depth */                                                        \
     row(corners_behind_divided)     /* which faces are convex */                                                      \
     row(ids_of_the_first_instance)  /* who owns a pixel */                                                            \
+    row(lit_beyond_1)               /* 16, vertices' colours not clamped before they are cut */                       \
+    row(lit_from_behind)            /* 16, whatever faces away from a light, too */                                   \
+    row(half_not_unit)              /* highlights: the way between light and eye is not made unit */                  \
+    row(backs_keep_normals)         /* what is shaded late: backs have the normals of fronts */                       \
     row(upside_down)                /* the picture */
 /* clang-format on */
 

@@ -29,8 +29,8 @@ static inline zr_vf zr_exp2_v(zr_vf x)
     const zr_vf nearest = zr_vf_of(zr_vi_round(x));
     const zr_vf whole = zr_vf_select(zr_vf_lt(x, nearest), nearest - zr_vf_set(1.0f), nearest);
     const zr_vf f = x - whole, ff = f * f;
-    const zr_vf even = (zr_vf_set(0.00898934009049466391101f) * ff + zr_vf_set(0.240153617044375388211f)) * ff +
-                       zr_vf_set(1.0f);
+    const zr_vf even =
+        (zr_vf_set(0.00898934009049466391101f) * ff + zr_vf_set(0.240153617044375388211f)) * ff + zr_vf_set(1.0f);
     const zr_vf odd = (zr_vf_set(0.00187757667519147912699f) * ff + zr_vf_set(0.0558263180532956664775f)) * ff +
                       zr_vf_set(0.693153073200168932794f);
     return zr_vf_bits((zr_vi_round(whole) + zr_vi_set(127)) << 23) * (odd * f + even);

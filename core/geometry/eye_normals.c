@@ -19,8 +19,8 @@ struct making {
 
 enum zr_batch_colors zr_eye_normals_rate(const struct zr_mesh *mesh, const struct zr_material *material)
 {
-    const bool is_flat = material->shading == ZR_SHADING_FLAT ||
-                         (material->shading == ZR_SHADING_UNLIT && mesh->normal_count == 0);
+    const bool is_flat =
+        material->shading == ZR_SHADING_FLAT || (material->shading == ZR_SHADING_UNLIT && mesh->normal_count == 0);
     if (is_flat) return ZR_BATCH_PER_FACE;
     return mesh->normal_indices ? ZR_BATCH_PER_CORNER : ZR_BATCH_PER_VERTEX;
 }
@@ -31,9 +31,10 @@ static void make_range(void *context, size_t begin, size_t end)
     const struct zr_mesh *mesh = m->mesh;
     if (zr_is_cancelled(m->cancel)) return;
     for (uint32_t i = (uint32_t)begin; i < end; i++) {
-        const zr_vec3 normal = m->rate == ZR_BATCH_PER_FACE   ? zr_normal_of_face(mesh, i)
-                               : m->rate == ZR_BATCH_PER_CORNER ? zr_corner_normal(mesh, m->computed, mesh->indices[i], i)
-                                                                : zr_corner_normal(mesh, m->computed, i, 0);
+        const zr_vec3 normal = m->rate == ZR_BATCH_PER_FACE ? zr_normal_of_face(mesh, i)
+                               : m->rate == ZR_BATCH_PER_CORNER
+                                   ? zr_corner_normal(mesh, m->computed, mesh->indices[i], i)
+                                   : zr_corner_normal(mesh, m->computed, i, 0);
         m->out[i] = (zr_vec4){normal.x, normal.y, normal.z, 0.0f};
     }
     zr_to_eye_of(m->isa)(&m->to_eye, m->out + begin, end - begin);

@@ -1,3 +1,4 @@
+#include "base/mutant.h"
 #include "geometry/light.h"
 #include "geometry/vec3_simd.h"
 
@@ -21,7 +22,8 @@ static inline struct zr_vec3_v mul(struct zr_vec3_v a, struct zr_vec3_v b)
 static inline zr_vf clamp01(zr_vf v)
 {
     const zr_vf zero = zr_vf_set(0.0f), one = zr_vf_set(1.0f);
-    return zr_vf_select(zr_vf_lt(v, zero), zero, zr_vf_select(zr_vf_lt(v, one), v, one));
+    const zr_vf clamped = zr_vf_select(zr_vf_lt(v, zero), zero, zr_vf_select(zr_vf_lt(v, one), v, one));
+    return ZR_MUTANT(lit_beyond_1, clamped, v);
 }
 
 static inline void store(struct zr_vec3_v color, zr_vf alpha, zr_vec4 *out)
@@ -53,7 +55,8 @@ static inline void light_group(const struct zr_lighting *lighting, struct zr_vec
         const zr_vf facing = zr_dot_v(n, spread(lighting->to_light[i]));
         const struct zr_vec3_v diffuse = mul(spread(lighting->colors[i]), base);
         const zr_vm lit = zr_vf_lt(zr_vf_set(0.0f), facing);
-        front = zr_choose_v(lit, add(front, zr_scale_v(diffuse, facing)), front);
+        front =
+            zr_choose_v(ZR_MUTANT(lit_from_behind, lit, ZR_ALL_LANES), add(front, zr_scale_v(diffuse, facing)), front);
         back = zr_choose_v(lit, back, add(back, zr_scale_v(diffuse, facing * zr_vf_set(-1.0f))));
     }
     if (back_out != front_out) store(back, alpha, back_out);

@@ -173,7 +173,8 @@ static inline void zr_normals_load(const struct zr_batch *batch, zr_vi numbers, 
 {
     struct zr_smooth_corners corners = zr_smooth_corners_of(batch, batch->normals_rate, numbers);
     const zr_vf one = zr_vf_set(1.0f);
-    const zr_vf sign = zr_vf_select(zr_backs_v(turned, batch->mirrored), zr_vf_set(-1.0f), one);
+    const zr_vf sign =
+        zr_vf_select(zr_backs_v(turned, batch->mirrored), ZR_MUTANT(backs_keep_normals, zr_vf_set(-1.0f), one), one);
     zr_values_load(batch->normals, corners.color, c);
     for (int k = 0; k < 3; k++) {
         c[k].red = c[k].red * sign;

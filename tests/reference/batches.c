@@ -62,7 +62,8 @@ struct builder {
     zr_vec3 *normals;
     struct reference_batch *batches;
     uint32_t corner_count, corner_room, batch_room, thin_room;
-    uint32_t owner; /* of the first face of the instance under way */
+    uint32_t owner;       /* of the first face of the instance under way */
+    zr_mat4 *clip_to_eye; /* outlives this */
 };
 
 /* One instance of a mesh on its way, and one of its faces. */
@@ -96,7 +97,7 @@ static bool same_state(const struct reference_batch *a, const struct reference_b
 {
     return a->mode == b->mode && a->modelview == b->modelview && a->smooth == b->smooth && a->light == b->light &&
            a->normal_rows == b->normal_rows && a->cull == b->cull && a->mirrored == b->mirrored &&
-           a->outline == b->outline && a->pushed == b->pushed;
+           a->outline == b->outline && a->pushed == b->pushed && a->late == b->late;
 }
 
 /* Joins the batch before, where the mode allows it and the state is the same. */
@@ -170,9 +171,9 @@ static bool find_normals(struct builder *b, struct source *s)
     s->face_normal = no_normal;
     if (b->options.purpose == BATCHES_OWNERS) return true;
     if (s->material->shading == ZR_SHADING_FLAT) s->face_normal = zr_normal_of_face(s->mesh, s->face);
-    if (s->material->shading == ZR_SHADING_GOURAUD && !s->computed)
+    if (s->material->shading >= ZR_SHADING_GOURAUD && !s->computed)
         s->computed = zr_vertex_normals_make(b->arena, NULL, NULL, s->mesh);
-    return s->material->shading != ZR_SHADING_GOURAUD || s->computed;
+    return s->material->shading < ZR_SHADING_GOURAUD || s->computed;
 }
 
 /* Corner `slot` of the mesh's indices, in the colours of its face. */
@@ -183,7 +184,7 @@ static void append_corner(struct builder *b, const struct source *s, uint32_t sl
         append_vertex(b, s, vertex, batches_owner_color(b->owner + s->face), no_normal);
         return;
     }
-    zr_vec3 normal = s->material->shading == ZR_SHADING_GOURAUD ? vertex_normal(s, slot) : s->face_normal;
+    zr_vec3 normal = s->material->shading >= ZR_SHADING_GOURAUD ? vertex_normal(s, slot) : s->face_normal;
     append_vertex(b, s, vertex, base_color(s, slot), normal);
 }
 
@@ -358,6 +359,9 @@ static struct reference_batch state_of(const struct builder *b, const struct sou
                                              : s->material->double_sided ? REFERENCE_LIT
                                                                          : REFERENCE_LIT_FRONT,
                                     .normal_rows = lit ? s->normal_rows : NULL,
+                                    .late = lit && s->material->shading > ZR_SHADING_GOURAUD ? s->material : NULL,
+                                    .to_eye = b->options.transformed ? b->clip_to_eye : s->modelview,
+                                    .is_parallel = zr_camera_is_parallel(b->camera),
                                     .smooth = s->smooth && !owners,
                                     .cull = !s->material->double_sided,
                                     .mirrored = s->mirrored};
@@ -399,6 +403,8 @@ static bool append_ring(struct builder *b, const struct source *s, uint32_t begi
             append_vertex(b, s, s->mesh->indices[slot], s->material->outline_color, no_normal);
         else
             append_corner(b, s, slot);
+    if (batch.late) batch.light = REFERENCE_UNLIT;
+    batch.late = NULL; /* lines are not shaded by normals */
     if (concave) {
         light_one_side(&batch, back);
         batch.cull = false;
@@ -507,6 +513,9 @@ bool batches_make(struct zr_arena *arena, const struct zr_scene *scene, const st
     *batches = (struct batches){.triangles = 0};
     struct builder builder = {
         .arena = arena, .scene = scene, .camera = camera, .options = *options, .out = batches, .owner = 1};
+    builder.clip_to_eye = zr_arena_alloc(arena, 1, sizeof *builder.clip_to_eye);
+    if (!builder.clip_to_eye) return false;
+    if (!zr_mat4_invert(&camera->projection, builder.clip_to_eye)) *builder.clip_to_eye = zr_mat4_identity();
     for (uint32_t i = 0; i < scene->instance_count; i++)
         if (!append_instance(&builder, &scene->instances[i])) return false;
     struct reference_arrays *arrays = &batches->arrays;

@@ -17,6 +17,7 @@
 #include <stdint.h>
 
 #include "base/vec.h"
+#include "scene/scene.h"
 
 struct reference_options {
     const char *driver; /* "llvmpipe" or "softpipe" */
@@ -60,13 +61,17 @@ struct reference_batch {
     const zr_mat4 *modelview;
     enum reference_light light;
     const zr_vec3
-        *normal_rows;    /* of what is lit: the three rows of the matrix from object-space normals to eye space */
-    bool smooth;         /* false: all corners of a primitive must have one colour, but for first_provokes */
-    bool first_provokes; /* a flat triangle has the colour of its first corner, GL's own rule is the last */
-    bool cull;           /* what shows its back is not drawn */
-    bool mirrored;       /* clockwise is the front */
-    bool outline;        /* edges instead of areas (glPolygonMode) */
-    bool pushed;         /* moved back by glPolygonOffset(1, 1), to make room for outlines */
+        *normal_rows; /* of what is lit: the three rows of the matrix from object-space normals to eye space */
+    /* Of what is shaded by normals, pixel by pixel; else NULL. It is lit, too, and smooth. */
+    const struct zr_material *late;
+    const zr_mat4 *to_eye; /* positions -> eye space, for points */
+    bool is_parallel;      /* rays of sight are */
+    bool smooth;           /* false: all corners of a primitive must have one colour, but for first_provokes */
+    bool first_provokes;   /* a flat triangle has the colour of its first corner, GL's own rule is the last */
+    bool cull;             /* what shows its back is not drawn */
+    bool mirrored;         /* clockwise is the front */
+    bool outline;          /* edges instead of areas (glPolygonMode) */
+    bool pushed;           /* moved back by glPolygonOffset(1, 1), to make room for outlines */
 };
 
 /* `front` is what is seen of unlit batches, and the surface's own colour of lit ones. */

@@ -86,7 +86,7 @@ bool reference_draw_floats(struct reference *reference, const struct reference_a
     if (!have_target(reference, error)) return false;
     glBindFramebuffer(GL_FRAMEBUFFER, reference->float_frame_buffer);
     bool ok = set_inputs(shader, error);
-    if (ok && !shader->program && arrays->lighting) ok = reference_light_begin(reference, arrays->lighting, error);
+    if (ok && !shader->program && arrays->lighting) ok = reference_light_begin(reference, arrays, error);
     if (ok) {
         reference_draw_batches(reference, arrays, shader->program);
         glReadPixels(0, 0, (GLsizei)reference->width, (GLsizei)reference->height, GL_RGBA, GL_FLOAT, rgba);

@@ -296,7 +296,7 @@ void reference_draw_batches(const struct reference *reference, const struct refe
 
 bool reference_draw(struct reference *reference, const struct reference_arrays *arrays, struct reference_error *error)
 {
-    if (arrays->lighting && !reference_light_begin(reference, arrays->lighting, error)) return false;
+    if (arrays->lighting && !reference_light_begin(reference, arrays, error)) return false;
     reference_draw_batches(reference, arrays, 0);
     return reference_gl_ok(error, "draw");
 }

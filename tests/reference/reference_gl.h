@@ -12,6 +12,7 @@
 struct reference_lighter {
     GLuint program; /* 0: not made yet */
     GLint ambient, light_count, to_light, light_color, normal_rows, side;
+    GLint to_eye, model, specular, shininess, is_parallel; /* of what is shaded late */
 };
 
 struct reference {
@@ -22,7 +23,7 @@ struct reference {
     bool stencil;
     GLuint frame_buffer, color, depth;
     GLuint float_frame_buffer, float_color; /* 0: not made yet; its depth is that above */
-    struct reference_lighter lighter;
+    struct reference_lighter lighter, late_lighter;
     uint8_t *row;        /* of the widest attachment */
     GLuint buffers[3];   /* of what is kept: positions, front, indices */
     const zr_vec4 *kept; /* whose positions these are; NULL: nothing is kept */
@@ -41,7 +42,7 @@ void reference_draw_batches(const struct reference *reference, const struct refe
 void reference_flip(const struct reference *reference, void *pixels, size_t pixel_bytes);
 
 /* Gives the program that lights what it needs, and makes it when it is first wanted: that takes some ms. */
-bool reference_light_begin(struct reference *reference, const struct reference_lighting *lighting,
+bool reference_light_begin(struct reference *reference, const struct reference_arrays *arrays,
                            struct reference_error *error);
 
 /* Chooses the program of one batch: the one that lights, or the fixed functions. */

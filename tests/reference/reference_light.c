@@ -51,9 +51,89 @@ static const char *const source =
     "    gl_BackColor = vec4(side == 1 ? front : back, gl_Color.a);\n"
     "}\n";
 
-static bool make_lighter(struct reference_lighter *lighter, struct reference_error *error)
+/* What is shaded pixel by pixel: its own colour, normal and point are varyings. `precise`: Mesa's compiler may not
+ * rewrite what follows (rule 18). The power has an exponent that the compiler does not know. */
+static const char *const late_vertex =
+    "#version 400 compatibility\n"
+    "uniform vec3 normal_rows[3];\n"
+    "uniform vec4 to_eye[4];\n" /* columns */
+    "out vec3 own_color, normal, point;\n"
+    "float sum_of_products(vec3 a, vec3 b)\n"
+    "{\n"
+    "    precise float sum = (a.z * b.z + a.y * b.y) + a.x * b.x;\n"
+    "    return sum;\n"
+    "}\n"
+    "vec3 unit(vec3 v)\n"
+    "{\n"
+    "    precise vec3 u = v;\n"
+    "    float square = sum_of_products(u, u);\n"
+    "    if (!(square > 1e-30 && square < 1e30)) {\n"
+    "        float largest = max(max(abs(u.x), abs(u.y)), abs(u.z));\n"
+    "        if (!(largest > 0.0)) return u;\n"
+    "        u = u / largest;\n"
+    "        square = sum_of_products(u, u);\n"
+    "    }\n"
+    "    u = u * (1.0 / sqrt(square));\n"
+    "    return u;\n"
+    "}\n"
+    "void main()\n"
+    "{\n"
+    "    vec3 n = unit(gl_Normal);\n"
+    "    normal = unit(vec3(sum_of_products(normal_rows[0], n), sum_of_products(normal_rows[1], n),\n"
+    "                       sum_of_products(normal_rows[2], n)));\n"
+    "    precise vec4 p = ((gl_Vertex.x * to_eye[0] + gl_Vertex.y * to_eye[1]) + gl_Vertex.z * to_eye[2]) +\n"
+    "                     gl_Vertex.w * to_eye[3];\n"
+    "    if (p.w != 1.0 && p.w != 0.0) p = p / p.w;\n"
+    "    point = p.xyz;\n"
+    "    own_color = gl_Color.rgb;\n"
+    "    gl_Position = ftransform();\n"
+    "}\n";
+
+static const char *const late_fragment =
+    "#version 400 compatibility\n"
+    "uniform vec3 ambient, specular;\n"
+    "uniform float shininess;\n"
+    "uniform int light_count, side, model, is_parallel;\n"
+    "uniform vec3 to_light[1024];\n"
+    "uniform vec3 light_color[1024];\n"
+    "in vec3 own_color, normal, point;\n"
+    "float sum_of_products(vec3 a, vec3 b)\n"
+    "{\n"
+    "    precise float sum = (a.z * b.z + a.y * b.y) + a.x * b.x;\n"
+    "    return sum;\n"
+    "}\n"
+    "vec3 unit(vec3 v)\n"
+    "{\n"
+    "    precise vec3 u = v * (1.0 / sqrt(sum_of_products(v, v)));\n"
+    "    return u;\n"
+    "}\n"
+    "void main()\n"
+    "{\n"
+    "    bool back = side == 0 ? !gl_FrontFacing : side == 2;\n"
+    "    precise vec3 n = unit(back ? -normal : normal), sum;\n"
+    "    if (model == 1) {\n"
+    "        sum = n * 0.5 + 0.5;\n"
+    "    } else {\n"
+    "        vec3 eye = is_parallel != 0 ? vec3(0.0, 0.0, 1.0) : unit(-point);\n"
+    "        sum = ambient * own_color;\n"
+    "        for (int i = 0; i < light_count; i++) {\n"
+    "            precise float facing = sum_of_products(n, to_light[i]);\n"
+    "            precise vec3 diffuse = light_color[i] * own_color, shine = light_color[i] * specular;\n"
+    "            sum = sum + max(facing, 0.0) * diffuse;\n"
+    "            if (facing > 0.0) {\n"
+    "                precise vec3 between = to_light[i] + eye;\n"
+    "                float cosine = min(max(sum_of_products(n, unit(between)), 0.0), 1.0);\n"
+    "                sum = sum + (cosine > 0.0 ? pow(cosine, shininess) : 0.0) * shine;\n"
+    "            }\n"
+    "        }\n"
+    "    }\n"
+    "    gl_FragColor = vec4(sum, 1.0);\n"
+    "}\n";
+
+static bool make_lighter(struct reference_lighter *lighter, const char *vertex, const char *fragment,
+                         struct reference_error *error)
 {
-    GLuint program = lighter->program = reference_program(source, NULL, error);
+    GLuint program = lighter->program = reference_program(vertex, fragment, error);
     if (!program) return false;
     lighter->ambient = glGetUniformLocation(program, "ambient");
     lighter->light_count = glGetUniformLocation(program, "light_count");
@@ -61,21 +141,42 @@ static bool make_lighter(struct reference_lighter *lighter, struct reference_err
     lighter->light_color = glGetUniformLocation(program, "light_color");
     lighter->normal_rows = glGetUniformLocation(program, "normal_rows");
     lighter->side = glGetUniformLocation(program, "side");
+    lighter->to_eye = glGetUniformLocation(program, "to_eye");
+    lighter->model = glGetUniformLocation(program, "model");
+    lighter->specular = glGetUniformLocation(program, "specular");
+    lighter->shininess = glGetUniformLocation(program, "shininess");
+    lighter->is_parallel = glGetUniformLocation(program, "is_parallel");
     return true;
 }
 
-bool reference_light_begin(struct reference *reference, const struct reference_lighting *lighting,
-                           struct reference_error *error)
+static void set_lights(const struct reference_lighter *lighter, const struct reference_lighting *lighting)
 {
-    struct reference_lighter *lighter = &reference->lighter;
-    if (lighting->count > REFERENCE_LIGHTS_MAX) return reference_failed(error, "too many lights");
-    if (!lighter->program && !make_lighter(lighter, error)) return false;
     glUseProgram(lighter->program);
     glUniform3fv(lighter->ambient, 1, &lighting->ambient.x);
     glUniform1i(lighter->light_count, (GLint)lighting->count);
-    if (lighting->count > 0) {
-        glUniform3fv(lighter->to_light, (GLsizei)lighting->count, &lighting->to_light[0].x);
-        glUniform3fv(lighter->light_color, (GLsizei)lighting->count, &lighting->colors[0].x);
+    if (lighting->count == 0) return;
+    glUniform3fv(lighter->to_light, (GLsizei)lighting->count, &lighting->to_light[0].x);
+    glUniform3fv(lighter->light_color, (GLsizei)lighting->count, &lighting->colors[0].x);
+}
+
+static bool any_late(const struct reference_arrays *arrays)
+{
+    for (uint32_t i = 0; i < arrays->batch_count; i++)
+        if (arrays->batches[i].late) return true;
+    return false;
+}
+
+bool reference_light_begin(struct reference *reference, const struct reference_arrays *arrays,
+                           struct reference_error *error)
+{
+    const struct reference_lighting *lighting = arrays->lighting;
+    struct reference_lighter *lighter = &reference->lighter, *late_lighter = &reference->late_lighter;
+    if (lighting->count > REFERENCE_LIGHTS_MAX) return reference_failed(error, "too many lights");
+    if (!lighter->program && !make_lighter(lighter, source, NULL, error)) return false;
+    set_lights(lighter, lighting);
+    if (any_late(arrays)) {
+        if (!late_lighter->program && !make_lighter(late_lighter, late_vertex, late_fragment, error)) return false;
+        set_lights(late_lighter, lighting);
     }
     return reference_gl_ok(error, "light");
 }
@@ -83,7 +184,7 @@ bool reference_light_begin(struct reference *reference, const struct reference_l
 void reference_light_batch(const struct reference *reference, const struct reference_batch *batch)
 {
     static const GLint sides[] = {[REFERENCE_LIT] = 0, [REFERENCE_LIT_FRONT] = 1, [REFERENCE_LIT_BACK] = 2};
-    const struct reference_lighter *lighter = &reference->lighter;
+    const struct reference_lighter *lighter = batch->late ? &reference->late_lighter : &reference->lighter;
     if (batch->light == REFERENCE_UNLIT) {
         glUseProgram(0);
         return;
@@ -91,4 +192,10 @@ void reference_light_batch(const struct reference *reference, const struct refer
     glUseProgram(lighter->program);
     glUniform3fv(lighter->normal_rows, 3, &batch->normal_rows[0].x);
     glUniform1i(lighter->side, sides[batch->light]);
+    if (!batch->late) return;
+    glUniform4fv(lighter->to_eye, 4, batch->to_eye->m);
+    glUniform1i(lighter->model, batch->late->shading == ZR_SHADING_NORMALS);
+    glUniform3fv(lighter->specular, 1, &batch->late->specular.x);
+    glUniform1f(lighter->shininess, batch->late->shininess);
+    glUniform1i(lighter->is_parallel, batch->is_parallel);
 }

@@ -46,9 +46,11 @@ static const struct zr_frame *render(struct reading *reading, struct zr_team *te
                                          {.channel = ZR_CHANNEL_DISTANCE, .encoding = ZR_ENCODING_NPY},
                                          {.channel = ZR_CHANNEL_INSTANCE_ID, .encoding = ZR_ENCODING_NPY},
                                          {.channel = ZR_CHANNEL_BARYCENTRICS, .encoding = ZR_ENCODING_NPY},
-                                         {.channel = ZR_CHANNEL_POSITION, .encoding = ZR_ENCODING_NPY}};
+                                         {.channel = ZR_CHANNEL_POSITION, .encoding = ZR_ENCODING_NPY},
+                                         {.channel = ZR_CHANNEL_NORMALS, .encoding = ZR_ENCODING_NPY}};
     struct zr_scene scene = *reading->scene;
     outputs[5].space = space;
+    outputs[6].space = space == ZR_SPACE_WORLD ? ZR_SPACE_WORLD : ZR_SPACE_CAMERA;
     scene.outputs = outputs;
     scene.output_count = sizeof outputs / sizeof *outputs;
     return scene_render(&reading->arena, team, &scene);
@@ -64,6 +66,25 @@ static void assert_near(zr_vec4 got, zr_vec4 want, float most)
     if (fabsf(got.x - want.x) > most || fabsf(got.y - want.y) > most || fabsf(got.z - want.z) > most)
         fail_msg("%.7g, %.7g, %.7g is not %.7g, %.7g, %.7g", (double)got.x, (double)got.y, (double)got.z,
                  (double)want.x, (double)want.y, (double)want.z);
+}
+
+/* Of a face that is flat: square to its sides, and towards who sees it. */
+static void assert_normal(const struct zr_frame *frames[], size_t pixel, const zr_vec4 corners[3], zr_vec4 eye,
+                          bool is_parallel)
+{
+    const float *n = (const float *)frames[ZR_SPACE_CAMERA]->channels[ZR_CHANNEL_NORMALS] + 3 * pixel;
+    const float *in_world = (const float *)frames[ZR_SPACE_WORLD]->channels[ZR_CHANNEL_NORMALS] + 3 * pixel;
+    const zr_mat4 *view = &frames[0]->camera.world_to_eye;
+    const zr_vec4 turned = zr_mat4_apply(view, (zr_vec4){in_world[0], in_world[1], in_world[2], 0});
+    assert_true(fabsf(n[0] * n[0] + n[1] * n[1] + n[2] * n[2] - 1.0f) < 1e-5f);
+    assert_near(turned, (zr_vec4){n[0], n[1], n[2], 0}, 1e-5f);
+    for (int k = 1; k < 3; k++) {
+        const zr_vec3 side = {corners[k].x - corners[0].x, corners[k].y - corners[0].y, corners[k].z - corners[0].z};
+        const float length = sqrtf(side.x * side.x + side.y * side.y + side.z * side.z);
+        assert_true(fabsf(side.x * n[0] + side.y * n[1] + side.z * n[2]) < 1e-4f * length);
+    }
+    const float towards = is_parallel ? n[2] : -(eye.x * n[0] + eye.y * n[1] + eye.z * n[2]);
+    assert_true(towards > -0.05f); /* at silhouettes, where the sample lies a hair outside */
 }
 
 static void check_view(enum zr_isa isa, const char *view, bool is_parallel)
@@ -102,13 +123,16 @@ static void check_view(enum zr_isa isa, const char *view, bool is_parallel)
         assert_near(zr_mat4_apply(&f->camera.world_to_eye, world), eye, most);
         assert_near(zr_mat4_apply(&reading->scene->instances[instances[i] - 1].object_to_world, object), world, most);
         const float *share = shares + 3 * i;
-        zr_vec4 mixed = {0, 0, 0, 1};
+        zr_vec4 mixed = {0, 0, 0, 1}, corners[3];
         for (uint32_t k = 0; k < 3; k++) {
             const zr_vec4 corner = mesh->positions[mesh->indices[mesh->face_offsets[face] + k]];
+            const zr_mat4 *placed = &reading->scene->instances[instances[i] - 1].object_to_world;
+            corners[k] = zr_mat4_apply(&f->camera.world_to_eye, zr_mat4_apply(placed, corner));
             assert_true(share[k] >= 0.0f && share[k] <= 1.0f);
             mixed = (zr_vec4){mixed.x + share[k] * corner.x, mixed.y + share[k] * corner.y,
                               mixed.z + share[k] * corner.z, 1};
         }
+        assert_normal(frames, i, corners, eye, is_parallel);
         assert_near(mixed, object, 0.02f); /* at silhouettes, where the sample lies a hair outside */
     }
     assert_true(seen[0] > 0 && seen[1] > 300 && seen[2] > 300);
