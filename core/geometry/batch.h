@@ -40,6 +40,15 @@ enum zr_batch_colors {
     ZR_BATCH_UNCOLORED         /* there are none, since no colour picture is wanted */
 };
 
+/* Words for samples of the batch's triangles, which raster/ carries along beside owners and knows nothing of: those who
+ * shade find them done. Worked out while corners are at hand, by a kernel for as many triangles as it has lanes.
+ * numbers: of the triangles; corners: [corner][x, y, 1/w][triangle] as they stand in the mesh, bit i of `turned`: two
+ * of triangle i are to change places (rule 6). Samples: of which triangle each is (NULL: sample i of triangle i), and
+ * where in the window; what follows the last one may be read, and written, a vector at a time. A word is never 0. */
+struct zr_batch;
+typedef void zr_payload_fn(const struct zr_batch *batch, const uint32_t *numbers, uint32_t turned, const float *corners,
+                           const uint32_t *triangles, const float *x, const float *y, uint32_t count, uint32_t *words);
+
 struct zr_batch {
     uint32_t first, count; /* numbers of its records */
     uint32_t instance;     /* that all of them are of */
@@ -71,7 +80,7 @@ struct zr_batch {
     const zr_vec4 *normals; /* eye_normals.h */
     enum zr_batch_colors normals_rate;
 
-    bool painted_early; /* tiny and small triangles get their colours when they are drawn (shade/paint.h) */
+    zr_payload_fn *payload; /* tiny and small triangles get words when they are drawn; NULL: none */
 };
 
 /* The face of triangle `t` of a batch that is not written. */

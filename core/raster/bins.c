@@ -149,7 +149,7 @@ static bool make_shares(struct zr_arena *arena, const struct zr_geometry *geomet
     for (uint32_t i = 0; i < geometry->batch_count; i++) {
         const struct zr_batch *batch = &geometry->batches[i];
         if (!batch->plain) continue;
-        s->bins->has_colors |= batch->painted_early;
+        s->bins->has_colors |= batch->payload != NULL;
         s->triangle_count += batch->count;
         for (uint32_t begin = 0; begin < batch->count; begin += TRIANGLES_A_RANGE) {
             uint32_t left = batch->count - begin;

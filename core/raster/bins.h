@@ -5,7 +5,7 @@
  *         waits for another; the order in a list means nothing (tile.h: zr_tile_put). What shows
  *         its back and must not, has no area, or holds no pixel centre is dropped here, many at once.
  *         - Tiny ones, of 2x2 pixel centres at most, are drawn then and there (tiny_simd.h), into fragments: 8 bytes
- *           each, and 4 for a colour where a batch is painted early.
+ *           each, and 4 for a word where a batch has some (zr_payload_fn).
  *         - Small ones, of up to 64 pixels, are listed by their number in the tiles that they touch: 4 bytes each.
  *         - Wide ones are set up once. Those that touch few tiles are listed there; large ones are not, and every tile
  *           goes through them.
@@ -88,7 +88,7 @@ struct zr_bins {
     struct zr_arena *arena;
     pthread_mutex_t arena_lock;
     uint32_t width, height, columns;
-    bool has_colors;       /* some batch is painted early: fragments have colours, and tiles may keep some */
+    bool has_colors;       /* some batch has words: fragments have them, and tiles may keep some */
     size_t fragments_size; /* of a block */
     int worker_count;
     struct zr_binner *workers;

@@ -1,8 +1,7 @@
 /* small.h - raster: small triangles (bins.h) into one tile. A kernel: as many are set up at once as there are lanes.
  * Those in stamps (stamp_simd.h) are then drawn sample by sample, others one after the other, row by row. Where the
- * tile has colours, what is seen gets one if its batch is painted early (shade/paint.h) and it is in a stamp, and loses
- * it else: shade's word is asked for here, a floor above, since all that colours
- * depend on is at hand. */
+ * tile has colours, what is seen gets a word if its batch has some (zr_payload_fn) and it is in a stamp, and loses it
+ * else. */
 #ifndef ZR_SMALL_H
 #define ZR_SMALL_H
 

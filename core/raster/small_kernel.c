@@ -3,7 +3,6 @@
 #include "raster/stamp_simd.h"
 #include "raster/tile_simd.h"
 #include "raster/triangle_simd.h"
-#include "shade/paint_early_simd.h"
 
 /* ---- many triangles ---- */
 
@@ -185,48 +184,81 @@ static inline void draw_one_by_one(struct zr_tile *tile, const struct group *g, 
     }
 }
 
+/* Where samples of stamps lie in the window. */
+struct places {
+    zr_vi lane; /* of the triangle */
+    zr_vf x, y;
+};
+
+static inline struct places places_of(const struct group *g, const uint32_t *samples)
+{
+    const zr_vi sample = zr_vi_load(samples), lane = sample >> 4;
+    const zr_vi column = sample & zr_vi_set(ZR_STAMP - 1), row = sample >> 2 & zr_vi_set(ZR_STAMP - 1);
+    const zr_vf left = zr_vf_of(zr_vi_load(g->x0)), low = zr_vf_of(zr_vi_load(g->y0));
+    return (struct places){lane, zr_vf_pick(left, lane) + zr_vf_of(column), zr_vf_pick(low, lane) + zr_vf_of(row)};
+}
+
+/* What triangles that have words are made of. */
+struct payload {
+    const struct zr_batch *batch;
+    float corners[3][3][ZR_LANES];
+};
+
+/* The words of all samples, at once. */
+__attribute__((noinline)) static void find_words(const struct payload *payload, const struct group *g,
+                                                 const uint32_t *numbers, const uint32_t *samples, uint32_t count,
+                                                 uint32_t *words)
+{
+    uint32_t triangles[ZR_STAMP_LIST];
+    float x[ZR_STAMP_LIST], y[ZR_STAMP_LIST];
+    for (uint32_t i = 0; i < count; i += ZR_LANES) {
+        const struct places places = places_of(g, samples + i);
+        zr_vi_store(triangles + i, places.lane);
+        zr_vf_store(x + i, places.x);
+        zr_vf_store(y + i, places.y);
+    }
+    payload->batch->payload(payload->batch, numbers, g->turned, payload->corners[0][0], triangles, x, y, count, words);
+}
+
 /* Those in stamps, sample by sample: most cover two or three. All that a sample needs is made for many at once, and no
  * loop depends on how many rows or columns a triangle has, which the processor cannot guess (a fifth of the time of
- * small triangles of the bunny at 512x512). colored: the tile keeps colours; what is seen gets that of its planes, or 0
- * where there are none. */
+ * small triangles of the bunny at 512x512). colored: the tile keeps words; what is seen gets its own, or 0 where there
+ * are none. */
 static inline void draw_stamps(struct zr_tile *tile, const struct group *g, const uint32_t *numbers,
-                               const struct zr_color_planes *planes, bool colored)
+                               const struct payload *payload, bool colored)
 {
-    uint32_t samples[ZR_STAMP_LIST], at[ZR_LANES], owners[ZR_LANES], colors[ZR_LANES] = {0};
+    uint32_t samples[ZR_STAMP_LIST], at[ZR_LANES], owners[ZR_LANES], words[ZR_STAMP_LIST];
     float depths[ZR_LANES];
     const uint32_t count = zr_stamp_list(g->covered, samples);
-    const zr_vf left = zr_vf_of(zr_vi_load(g->x0)), low = zr_vf_of(zr_vi_load(g->y0));
     const zr_vf tile_x = zr_vf_set((float)tile->x), tile_y = zr_vf_set((float)tile->y);
     const zr_vf owner = zr_vf_bits(zr_vi_load(numbers) + zr_vi_set(1));
     const struct zr_plane_v depth = {zr_vf_load(g->a0), zr_vf_load(g->dadx), zr_vf_load(g->dady)};
+    if (payload) find_words(payload, g, numbers, samples, count, words);
     for (uint32_t i = 0; i < count; i += ZR_LANES) {
-        const zr_vi sample = zr_vi_load(samples + i), lane = sample >> 4;
-        const zr_vi column = sample & zr_vi_set(ZR_STAMP - 1), row = sample >> 2 & zr_vi_set(ZR_STAMP - 1);
-        const zr_vf x = zr_vf_pick(left, lane) + zr_vf_of(column), y = zr_vf_pick(low, lane) + zr_vf_of(row);
-        const struct zr_plane_v plane = zr_plane_pick(&depth, lane);
-        zr_vf_store(depths, zr_plane_at_v(&plane, x, y));
-        zr_vi_store(at, zr_vi_round((y - tile_y) * zr_vf_set(ZR_TILE_STRIDE) + (x - tile_x)));
-        zr_vi_store(owners, zr_vi_bits_of(zr_vf_pick(owner, lane)));
-        if (planes) zr_vi_store(colors, zr_early_colors(planes, lane, x, y));
+        const struct places places = places_of(g, samples + i);
+        const struct zr_plane_v plane = zr_plane_pick(&depth, places.lane);
+        zr_vf_store(depths, zr_plane_at_v(&plane, places.x, places.y));
+        zr_vi_store(at, zr_vi_round((places.y - tile_y) * zr_vf_set(ZR_TILE_STRIDE) + (places.x - tile_x)));
+        zr_vi_store(owners, zr_vi_bits_of(zr_vf_pick(owner, places.lane)));
         const uint32_t some = count - i < ZR_LANES ? count - i : ZR_LANES;
         for (uint32_t k = 0; k < some; k++) {
             const bool seen = zr_tile_put_at(tile, at[k], depths[k], owners[k]);
-            if (colored && seen) tile->color[at[k]] = colors[k];
+            if (colored && seen) tile->color[at[k]] = payload ? words[i + k] : 0;
         }
     }
 }
 _Static_assert(ZR_STAMP == 1 << 2 && ZR_STAMP_SAMPLES == 1 << 4, "rows and triangles are shifts");
 
-/* Not in the same function as what is drawn most: that would lose registers (a fiftieth of the bunny's time). planes:
- * of the group, where it is painted early. */
+/* Not in the same function as what is drawn most: that would lose registers (a fiftieth of the bunny's time). payload:
+ * of the group, where it has words. */
 __attribute__((noinline)) static void draw_colored_group(struct zr_tile *tile, const struct group *g,
                                                          const uint32_t *numbers, uint32_t count,
-                                                         const struct zr_color_planes *planes)
+                                                         const struct payload *payload)
 {
     draw_one_by_one(tile, g, numbers, count, true);
     if (!g->in_stamp) return;
-    if (planes)
-        draw_stamps(tile, g, numbers, planes, true);
+    if (payload)
+        draw_stamps(tile, g, numbers, payload, true);
     else
         draw_stamps(tile, g, numbers, NULL, true);
 }
@@ -251,18 +283,19 @@ void ZR_KERNEL(zr_small)(struct zr_tile *tile, const struct zr_geometry *geometr
                 last[i] = here[i < some ? i : 0];
             here = last;
         }
-        bool is_painted = false;
+        bool has_words = false;
         if (is_of_mesh(batch, here)) {
             load_corners(geometry, batch, here, v);
-            is_painted = tile->has_colors && batch->painted_early;
+            has_words = tile->has_colors && batch->payload;
         } else {
             batch = load_mixed_corners(geometry, batch, here, v);
         }
         expect_corners(batch, numbers + done, count - done);
         set_up(tile, v, &group);
-        if (is_painted && group.in_stamp) {
-            const struct zr_color_planes planes = zr_early_planes(batch, here, zr_vm_of(group.turned), v);
-            draw_colored_group(tile, &group, here, some, &planes);
+        if (has_words && group.in_stamp) {
+            struct payload payload = {.batch = batch};
+            zr_corners_store(v, payload.corners);
+            draw_colored_group(tile, &group, here, some, &payload);
         } else if (tile->has_colors) {
             draw_colored_group(tile, &group, here, some, NULL);
         } else {

@@ -10,15 +10,12 @@
  *         window. It is a small one (ZR_BIN_SMALL_SPAN), if cut by the window's end: its coordinates fit 16 bits, and
  *         both of a place are one word.
  * Exact:  the reference's rules 6 (area, and which corners change places), 7 (edges) and 8 (depth).
- * Why:    shade's word is asked for here, a floor above: what is painted early (shade/paint.h) is painted from
- *         corners that are loaded for its depth.
  */
 #ifndef ZR_TINY_SIMD_H
 #define ZR_TINY_SIMD_H
 
 #include "raster/bins.h"
 #include "raster/triangle_simd.h"
-#include "shade/paint_early_simd.h"
 
 /* So many are queued at most before zr_tiny_draw empties the queues. */
 enum { ZR_TINY_ROOM = 512 };
@@ -189,9 +186,14 @@ static inline struct zr_tiny_samples zr_tiny_draw_group(const uint32_t *numbers,
     const zr_vf x = zr_vf_of(column), y = zr_vf_of(row);
     const zr_vm turned = zr_vi_lt(place, zr_vi_set(0));
     struct zr_tiny_samples samples = {.color = zr_vi_set(0)};
-    if (batch->painted_early) {
-        const struct zr_color_planes colors = zr_early_planes(batch, numbers, turned, c);
-        samples.color = zr_color_at(&colors, x, y);
+    if (batch->payload) {
+        float loaded[3][3][ZR_LANES], xs[ZR_LANES], ys[ZR_LANES];
+        uint32_t words[ZR_LANES];
+        zr_corners_store(c, loaded);
+        zr_vf_store(xs, x);
+        zr_vf_store(ys, y);
+        batch->payload(batch, numbers, zr_vm_bits(turned), loaded[0][0], NULL, xs, ys, ZR_LANES, words);
+        samples.color = zr_vi_load(words);
     }
     zr_corners_swap_v(turned, c);
     const struct zr_basis_v basis = zr_basis_make_v(c);

@@ -2,6 +2,7 @@
 
 #include "base/rgba.h"
 #include "raster/line.h"
+#include "shade/early.h"
 
 const struct zr_paint *zr_paint_of(enum zr_isa isa)
 {
@@ -52,7 +53,7 @@ enum zr_status zr_paint_prepare(struct zr_arena *arena, struct zr_team *team, st
     if (!make_room_for_backs(arena, geometry)) return ZR_NO_MEMORY;
     for (uint32_t i = 0; i < geometry->batch_count; i++) {
         struct zr_batch *batch = &geometry->batches[i];
-        batch->painted_early = zr_batch_is_painted_early(batch);
+        batch->payload = zr_batch_is_painted_early(batch) ? zr_early_of(zr_team_isa(team)) : NULL;
         if (batch->written || batch->packed || zr_batch_is_smooth(batch) || batch->sided) continue;
         const size_t count = batch->color_count;
         if (last && last->front == batch->front && last->color_count == count) {

@@ -9,8 +9,6 @@ said=$work/said complained=$work/complained
 
 # Faults that are there today. This list only shrinks: a line that is no fault any more fails, too.
 cat >"$work/known" <<'END'
-raster/small_kernel.c shade/paint_early_simd.h  small triangles are painted from corners that are loaded for their depth
-raster/tiny_simd.h    shade/paint_early_simd.h  so are tiny ones
 geometry/builder.h    geometry/geometry.h       struct zr_geometry, which is built, shares a header with the step that calls the builder
 geometry/batch.c      geometry/geometry.h       batches are found in struct zr_geometry, whose header includes theirs
 input/json_value.c    input/json_text.h         reading stops where the text is malformed, and the text knows that
