@@ -1,4 +1,6 @@
 /* Lighting that the reference computes: a vertex program in the order of Mesa's own fixed functions. */
+#include <stdio.h>
+
 #include "reference/reference_gl.h"
 
 /* RULES.md, rule 16. Sums are written out, since a compiler may choose the order of dot(). The fixed functions would
@@ -54,10 +56,9 @@ static const char *const source =
 /* What is shaded pixel by pixel: its own colour, normal and point are varyings. `precise`: Mesa's compiler may not
  * rewrite what follows (rule 18). The power has an exponent that the compiler does not know. */
 static const char *const late_vertex =
-    "#version 400 compatibility\n"
     "uniform vec3 normal_rows[3];\n"
     "uniform vec4 to_eye[4];\n" /* columns */
-    "out vec3 own_color, normal, point;\n"
+    "varying vec3 own_color, normal, point;\n"
     "float sum_of_products(vec3 a, vec3 b)\n"
     "{\n"
     "    precise float sum = (a.z * b.z + a.y * b.y) + a.x * b.x;\n"
@@ -90,13 +91,12 @@ static const char *const late_vertex =
     "}\n";
 
 static const char *const late_fragment =
-    "#version 400 compatibility\n"
     "uniform vec3 ambient, specular;\n"
     "uniform float shininess;\n"
     "uniform int light_count, side, model, is_parallel;\n"
     "uniform vec3 to_light[1024];\n"
     "uniform vec3 light_color[1024];\n"
-    "in vec3 own_color, normal, point;\n"
+    "varying vec3 own_color, normal, point;\n"
     "float sum_of_products(vec3 a, vec3 b)\n"
     "{\n"
     "    precise float sum = (a.z * b.z + a.y * b.y) + a.x * b.x;\n"
@@ -149,6 +149,19 @@ static bool make_lighter(struct reference_lighter *lighter, const char *vertex, 
     return true;
 }
 
+/* Drivers that know no `precise` do without: they are held to what rounding explains. */
+static bool make_late_lighter(struct reference_lighter *lighter, struct reference_error *error)
+{
+    static const char *const versions[] = {"#version 400 compatibility\n", "#version 120\n#define precise\n"};
+    static char vertex[1 << 13], fragment[1 << 13];
+    for (size_t i = 0; i < sizeof versions / sizeof versions[0]; i++) {
+        snprintf(vertex, sizeof vertex, "%s%s", versions[i], late_vertex);
+        snprintf(fragment, sizeof fragment, "%s%s", versions[i], late_fragment);
+        if (make_lighter(lighter, vertex, fragment, error)) return true;
+    }
+    return false;
+}
+
 static void set_lights(const struct reference_lighter *lighter, const struct reference_lighting *lighting)
 {
     glUseProgram(lighter->program);
@@ -175,7 +188,7 @@ bool reference_light_begin(struct reference *reference, const struct reference_a
     if (!lighter->program && !make_lighter(lighter, source, NULL, error)) return false;
     set_lights(lighter, lighting);
     if (any_late(arrays)) {
-        if (!late_lighter->program && !make_lighter(late_lighter, late_vertex, late_fragment, error)) return false;
+        if (!late_lighter->program && !make_late_lighter(late_lighter, error)) return false;
         set_lights(late_lighter, lighting);
     }
     return reference_gl_ok(error, "light");

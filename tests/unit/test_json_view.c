@@ -316,7 +316,14 @@ static void bad_outputs_give_pointer_and_what_is_allowed(void **state)
     (void)state;
     refuses_rest("\"outputs\": []", "/outputs", "an empty list");
     refuses_rest("\"outputs\": [{}]", "/outputs/0", "channel is missing");
-    refuses_rest("\"outputs\": [{\"channel\": \"normals\"}]", "/outputs/0/channel", "not supported in this version");
+    refuses_rest("\"outputs\": [{\"channel\": \"texcoord\"}]", "/outputs/0/channel", "not supported in this version");
+    refuses_rest("\"outputs\": [{\"channel\": \"depth\", \"space\": \"world\"}]", "/outputs/0/space",
+                 "the channel depth lies in no space");
+    refuses_rest("\"outputs\": [{\"channel\": \"normals\", \"space\": \"object\"}]", "/outputs/0/space",
+                 "allowed: camera, world");
+    refuses_rest("\"outputs\": [{\"channel\": \"normals\"}, {\"channel\": \"normals\", \"encoding\": \"png\","
+                 " \"space\": \"world\"}]",
+                 "/outputs/1", "another space than /outputs/0");
     refuses_rest("\"outputs\": [{\"channel\": \"z\"}]", "/outputs/0/channel",
                  "allowed: color, depth, windowDepth, faceId, info");
     refuses_rest("\"outputs\": [{\"channel\": \"color\", \"encoding\": \"npy\"}]", "/outputs/0/encoding",
