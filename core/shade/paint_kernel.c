@@ -73,7 +73,7 @@ static inline void put_words(struct shading *s, const struct run *run, zr_vi wor
 /* Where they stand is found, and asked for: by the time that it is looked at, it has come from memory. */
 static inline void expect_colors(struct shading *s, const struct run *run)
 {
-    if (!run->batch || run->batch->written) return;
+    if (!run->batch || !zr_batch_is_gathered(run->batch)) return;
     const zr_vi numbers = numbers_of(s, run);
     if (zr_batch_is_smooth(run->batch)) {
         zr_smooth_expect(run->batch, s->geometry->vertices, numbers);
@@ -109,8 +109,8 @@ static void put_surface(struct shading *s, uint32_t i, const struct zr_surface *
     s->has_planes[i] = s->any_planes = true;
 }
 
-/* One that is written out, which may be a line. */
-static void make_written(struct shading *s, uint32_t i, const struct zr_batch *batch, int count)
+/* One by itself: one that is written out, which may be a line, or of a batch with more than 32 bits can number. */
+static void make_alone(struct shading *s, uint32_t i, const struct zr_batch *batch, int count)
 {
     const struct zr_surface surface = zr_surface_make(s->geometry, batch, s->parts.owners[i] - 1);
     s->words[i] = surface.color;
@@ -151,9 +151,9 @@ static inline void make_colors(struct shading *s, const struct run *run, int cou
             s->materials[i] = NULL;
     if (!batch) {
         put_words(s, run, zr_vi_set((int32_t)s->nothing));
-    } else if (batch->written) {
+    } else if (!zr_batch_is_gathered(batch)) {
         for (uint32_t i = first; i < first + run->count; i++)
-            make_written(s, i, batch, count);
+            make_alone(s, i, batch, count);
     } else if (zr_batch_is_smooth(batch)) {
         const struct zr_color_planes planes = zr_color_planes_make(batch, s->geometry->vertices, numbers_of(s, run));
         put_plane(s, first, 0, count, &planes.oow);
@@ -175,7 +175,7 @@ static inline void make_normals(struct shading *s, const struct run *run)
     enum { COUNT = 1 + ZR_VALUES_FEW };
     const struct zr_batch *batch = run->batch;
     const uint32_t first = run->first;
-    if (!batch || batch->written) {
+    if (!batch || !zr_batch_is_gathered(batch)) {
         static const struct zr_surface none = {.planes = {{1, 0, 0}}};
         for (uint32_t i = first; i < first + run->count; i++) {
             const struct zr_surface surface =
