@@ -256,7 +256,8 @@ static void count_outputs(const struct zr_scene *scene, struct zr_cost *cost)
     double png = scene->compress == ZR_COMPRESS_SMALL ? SMALL_PNG_TIMES : 1.0;
     for (uint32_t i = 0; i < scene->output_count; i++) {
         enum zr_encoding encoding = scene->outputs[i].encoding;
-        cost->pixels += pixels;
+        const double words = (double)zr_channel_rows[scene->outputs[i].channel].words;
+        cost->pixels += pixels * fmax(words, 1.0);
         if (encoding == ZR_ENCODING_PNG || encoding == ZR_ENCODING_PNG16) cost->png_pixels += pixels * png;
     }
 }
@@ -312,6 +313,23 @@ static struct zr_cost measure_sample(const struct zr_scene *scene, const struct 
                             .shape_fragments = sum.cost.shape_fragments * scale * fragment_times};
 }
 
+/* What is done at each pixel that is seen, in fragments: about what an AVX-512 machine takes; others take no less. */
+static const double LIGHT_F = 0.6, POINT_F = 4.0;
+
+static double pixel_work(const struct zr_scene *scene)
+{
+    static const enum zr_channel slow[] = {ZR_CHANNEL_DISTANCE, ZR_CHANNEL_POSITION, ZR_CHANNEL_BARYCENTRICS,
+                                           ZR_CHANNEL_NORMALS};
+    double work = 0.0;
+    bool phong = false;
+    for (uint32_t i = 0; i < scene->material_count; i++)
+        phong |= scene->materials[i].shading == ZR_SHADING_PHONG;
+    if (phong && zr_scene_wants(scene, ZR_CHANNEL_COLOR)) work += 1.0 + LIGHT_F * (double)scene->light_count;
+    for (size_t i = 0; i < sizeof slow / sizeof slow[0]; i++)
+        if (zr_scene_wants(scene, slow[i])) work += POINT_F;
+    return work;
+}
+
 struct zr_cost zr_scene_cost(const struct zr_scene *scene, const struct zr_sight *sight, uint32_t corners_max,
                              const struct zr_cancel *cancel)
 {
@@ -331,7 +349,8 @@ struct zr_cost zr_scene_cost(const struct zr_scene *scene, const struct zr_sight
     struct zr_cost measured =
         measure_sample(scene, &sight->camera, cancel, things, samples > 0 || things == 0 ? samples : 1);
     cost.triangles = cost.triangles * TIMES[scene->algorithm].triangle + measured.triangles;
-    cost.fragments = measured.fragments;
+    cost.fragments =
+        measured.fragments + fmin(measured.fragments, (double)scene->width * (double)scene->height) * pixel_work(scene);
     cost.shape_triangles = measured.shape_triangles;
     cost.shape_fragments = measured.shape_fragments;
     cost.algorithm = (int)scene->algorithm;

@@ -87,10 +87,10 @@ static enum zr_status read_bare_mesh(struct zr_arena *arena, struct zr_team *tea
     enum zr_status status = obj ? zr_obj_read(arena, team, request, limits, mesh, &warnings, error)
                                 : zr_stl_read(arena, team, request, limits, mesh, error);
     if (status != ZR_OK) return status;
-    if (!obj && (query->shading == ZR_SHADING_GOURAUD || query->shading == ZR_SHADING_PHONG))
+    if (!obj && query->shading >= ZR_SHADING_GOURAUD)
         zr_warning_list_add(arena, &warnings,
                             "shading=%s looks flat here: the triangles of STL share no corners; OBJ can be smooth",
-                            query->shading == ZR_SHADING_PHONG ? "phong" : "gouraud");
+                            zr_shading_names.words[query->shading]);
     *material = (struct zr_material){.base_color = zr_default_base_color(mesh->colors != NULL),
                                      .shading = zr_default_shading(mesh->normal_count > 0 || mesh->colors),
                                      .double_sided = true};

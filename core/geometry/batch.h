@@ -76,7 +76,7 @@ struct zr_batch {
     bool mirrored, double_sided;
     const struct zr_material *material; /* where not written */
 
-    /* What surfaces are shaded by pixel by pixel; NULL where nothing needs them. */
+    /* For the channel of them, and for what is shaded pixel by pixel; NULL where nothing needs them. */
     const zr_vec4 *normals; /* eye_normals.h */
     enum zr_batch_colors normals_rate;
 

@@ -32,6 +32,7 @@ struct zr_builder {
     bool separate_backs;            /* back_colors is an array of its own */
     bool all_normals, some_normals; /* of all surfaces, of some: are wanted */
     bool points;                    /* in eye space are wanted */
+    zr_vec4 eye;                    /* zr_camera_eye */
     uint32_t normal_room;
     uint32_t vertex_room, color_room, triangle_room; /* capacities of the geometry's arrays */
     uint32_t shape_room, edge_room, cut_room, batch_room;
@@ -120,11 +121,12 @@ static inline struct zr_eye zr_builder_eye(const struct zr_builder *builder, uin
     return (struct zr_eye){zr_mat4_row(&builder->object_to_eye, 2, p), zr_mat4_row(&builder->object_to_eye, 3, p)};
 }
 
-/* A position in eye space. */
+/* The way from the eye to a position, times its w: that is linear over a face, as the quotient is not. */
 static inline zr_vec4 zr_builder_point(const struct zr_builder *builder, uint32_t position)
 {
-    const zr_vec4 p = zr_mat4_apply(&builder->object_to_eye, builder->mesh->positions[position]);
-    return p.w == 1.0f || p.w == 0.0f ? p : (zr_vec4){p.x / p.w, p.y / p.w, p.z / p.w, 1.0f};
+    const zr_vec4 p = zr_mat4_apply(&builder->object_to_eye, builder->mesh->positions[position]), eye = builder->eye;
+    if (eye.w == 0.0f) return p;
+    return (zr_vec4){p.x - eye.x * p.w, p.y - eye.y * p.w, p.z - eye.z * p.w, 0.0f};
 }
 
 /* Planes that some of the positions are outside of, ZR_OUTCODE_UNPLACED with them, and planes that all are outside of.

@@ -169,6 +169,7 @@ enum zr_status zr_geometry_build(struct zr_arena *arena, struct zr_team *team, c
     builder.separate_backs = !builder.uncolored && shows_backs(scene);
     builder.all_normals = zr_scene_wants(scene, ZR_CHANNEL_NORMALS);
     builder.points = !builder.uncolored && shades_late(scene);
+    builder.eye = zr_camera_eye(camera);
     builder.some_normals = builder.all_normals || builder.points;
     builder.viewport = zr_viewport_make(scene->width, scene->height);
     zr_lighting_make(arena, scene, &camera->world_to_eye, &geometry->lighting);

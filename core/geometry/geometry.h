@@ -35,7 +35,7 @@ struct zr_eye {
     float z, w;
 };
 
-/* How a record that is written out is shaded pixel by pixel. */
+/* What the normals of a record that is written out are, for the channel, and for what is shaded pixel by pixel. */
 struct zr_written_surface {
     uint32_t n[3];                      /* into zr_geometry.normals; all three the same: flat */
     const struct zr_material *material; /* NULL: of a line */
@@ -46,7 +46,7 @@ struct zr_geometry {
     struct zr_window_vertex *vertices;
     struct zr_eye *eyes; /* one a vertex; only those of lines and of what clipping made are defined */
     zr_vec4 *front_colors, *back_colors;
-    zr_vec4 *points;  /* in eye space, one a vertex; NULL where nothing needs them */
+    zr_vec4 *points;  /* ways from the eye, one a vertex (zr_builder_point); NULL where nothing needs them */
     zr_vec4 *normals; /* of records that are written out, as of eye_normals.h; the first is 0 */
     struct zr_written_surface
         *surfaces; /* one a record that is written out; NULL as normals where nothing needs them */

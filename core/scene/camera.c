@@ -2,6 +2,42 @@
 
 #include "scene/camera_parts.h"
 
+/* Without column `left_out`. */
+static double minor_of(double (*rows)[4], int left_out)
+{
+    double m[3][3];
+    for (int row = 0; row < 3; row++)
+        for (int column = 0, k = 0; column < 4; column++)
+            if (column != left_out) m[row][k++] = rows[row][column];
+    return (m[0][0] * (m[1][1] * m[2][2] - m[1][2] * m[2][1]) - m[0][1] * (m[1][0] * m[2][2] - m[1][2] * m[2][0])) +
+           m[0][2] * (m[1][0] * m[2][1] - m[1][1] * m[2][0]);
+}
+
+/* The one point, or direction, whose x, y and w are 0 in clip space. */
+zr_vec4 zr_camera_eye(const struct zr_camera *camera)
+{
+    static const int of_clip[3] = {0, 1, 3};
+    const float *p = camera->projection.m;
+    const zr_vec4 origin = {0, 0, 0, 1};
+    double rows[3][4], v[4], scale;
+    for (int row = 0; row < 3; row++)
+        for (int column = 0; column < 4; column++)
+            rows[row][column] = (double)p[4 * column + of_clip[row]];
+    for (int k = 0; k < 4; k++)
+        v[k] = (k % 2 ? -1.0 : 1.0) * minor_of(rows, k);
+    const double length = sqrt((v[0] * v[0] + v[1] * v[1]) + v[2] * v[2]);
+    const double farther = ((double)p[2] * v[0] + (double)p[6] * v[1]) + (double)p[10] * v[2];
+    if (v[3] != 0.0)
+        scale = v[3];
+    else if (length > 0.0)
+        scale = farther > 0.0 ? -length : length;
+    else
+        return origin;
+    const zr_vec4 eye = {(float)(v[0] / scale), (float)(v[1] / scale), (float)(v[2] / scale),
+                         v[3] != 0.0 ? 1.0f : 0.0f};
+    return isfinite(eye.x) && isfinite(eye.y) && isfinite(eye.z) ? eye : origin;
+}
+
 static enum zr_status check_range(const struct zr_camera *camera, struct zr_error *error)
 {
     if (zr_mat4_is_within(&camera->world_to_eye, ZR_MATRIX_MAX) &&

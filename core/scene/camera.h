@@ -27,12 +27,9 @@ struct zr_camera {
                        * it: a share of its size; 0 where nothing is fitted */
 };
 
-/* True where all rays are, and have no eye in common. */
-static inline bool zr_camera_is_parallel(const struct zr_camera *camera)
-{
-    const float *m = camera->projection.m;
-    return m[3] == 0.0f && m[7] == 0.0f && m[11] == 0.0f;
-}
+/* Where rays of sight come from, in eye space: a place (w = 1), or, where all are parallel, the unit vector that leads
+ * there (w = 0). The origin, but with a projection that moves the eye, or has none. */
+zr_vec4 zr_camera_eye(const struct zr_camera *camera);
 
 /* What zr_sight_find finds. */
 struct zr_sight {

@@ -1,8 +1,8 @@
 /* channels.h - scene: what can be had of a picture, one row each.
  *
- * All floors walk these rows, and none but the one that makes its values knows a channel by name: the reader of
- * outputs, validation, the frame, encodings and the names of files in an archive. A new channel is a row here, and a
- * function in shade/channels.c.
+ * Names, checks, memory, NPY files, their names in archives and what is where nothing is follow from the rows. Only who
+ * makes the values of a channel, in shade/, and who has an encoding of its own for it, in encode.c, know it by its
+ * constant. A new channel is a row here, and its values in shade/.
  */
 #ifndef ZR_CHANNELS_H
 #define ZR_CHANNELS_H

@@ -12,10 +12,12 @@
 /* What is the same for the whole picture. */
 struct zr_model_context {
     const struct zr_lighting *lighting;
-    bool is_parallel; /* all rays of sight are, along -z */
+    bool is_parallel; /* all rays of sight are: */
+    zr_vec3 to_eye;   /* a unit vector */
 };
 
-/* What varies: the surface's own colour, its normal, and the point that is seen. */
+/* What varies: the surface's own colour, its normal, and the way from the eye to the point that is seen, of any length.
+ */
 struct zr_model_inputs {
     struct zr_vec3_v color, normal, point;
 };

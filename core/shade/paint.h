@@ -73,7 +73,7 @@ struct zr_shaded {
     struct zr_pixel_rows faces, instances; /* ids of faces and of instances; 0 where nobody is seen */
     struct zr_pixel_rows normals;          /* three floats: of the side that is seen, 0 where nobody or a line is */
     float normals_to_space[3][3];          /* rows of what leads from eye space there */
-    bool is_parallel;                      /* rays of sight are */
+    zr_vec4 eye;                           /* zr_camera_eye */
     bool is_shaded_late;                   /* some surfaces are (zr_material_is_shaded_late) */
 };
 

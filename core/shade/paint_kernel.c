@@ -586,7 +586,7 @@ static void shade(const struct zr_geometry *geometry, const struct zr_tile *tile
     const bool others = to->faces.first || to->instances.first || to->normals.first;
     s.geometry = geometry;
     s.batch = &geometry->batches[0];
-    s.model = (struct zr_model_context){&geometry->lighting, to->is_parallel};
+    s.model = (struct zr_model_context){&geometry->lighting, to->eye.w == 0.0f, {to->eye.x, to->eye.y, to->eye.z}};
     shade_parts(&s, tile, to, colors, others && together);
     if (!together) shade_parts(&s, tile, to, false, others);
 }

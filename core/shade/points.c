@@ -9,6 +9,7 @@ struct record {
     uint32_t owner; /* 0: none */
     struct zr_eye_depth depth;
     const struct zr_source_instance *instance;
+    const zr_vec4 *corners[3];          /* as given; NULL: of a line, or nothing needs them */
     struct zr_eye_plane shares[2], one; /* of corners 1 and 2, and 1, all times the same; of lines 0 */
 };
 
@@ -21,7 +22,8 @@ struct points {
     const struct zr_frame *frame;
     const struct zr_batch *batch; /* of the last record */
     enum zr_space space;
-    bool is_parallel; /* all rays are, and have no eye in common */
+    bool wants_shares;
+    zr_vec4 eye; /* zr_camera_eye */
     struct zr_matrix projection, to_world;
     const struct zr_source_instance *last; /* to_object is of */
     struct zr_matrix to_object;
@@ -57,7 +59,7 @@ static double source_value(const struct zr_source_instance *instance, const zr_v
            (double)p->w * m[3][row];
 }
 
-static void find_shares(const struct points *points, const struct zr_source *source, struct record *record)
+static void find_planes(const struct points *points, const struct zr_source *source, struct record *record)
 {
     static const int rows[3] = {ZR_SOURCE_X, ZR_SOURCE_Y, ZR_SOURCE_W};
     const double width = (double)points->frame->width, height = (double)points->frame->height;
@@ -101,13 +103,14 @@ static struct record record_make(struct points *points, uint32_t owner)
     }
     const struct zr_source source = zr_source_of(&geometry->sources, shown.triangle.v);
     record.depth = depth_of(points, &shown.triangle, &source);
-    if (!points->frame->channels[ZR_CHANNEL_BARYCENTRICS]) return record;
+    if (!points->wants_shares) return record;
     struct zr_source given = source;
     if (shown.triangle.turned && !source.is_cut) { /* as rule 6 wants it: shares are of the corners as given */
         given.corners[0] = source.corners[zr_swapped_corner()];
         given.corners[zr_swapped_corner()] = source.corners[0];
     }
-    find_shares(points, &given, &record);
+    memcpy(record.corners, given.corners, sizeof record.corners);
+    find_planes(points, &given, &record);
     return record;
 }
 
@@ -149,30 +152,50 @@ static void eye_point(const struct points *points, double x, double y, double de
     out[3] = 1.0;
 }
 
-static void put_position(struct points *points, const struct record *record, const double eye[4], float *out)
+/* Of the corners as given. */
+static void find_shares(const struct record *record, double x, double y, double out[3])
+{
+    const double one = plane_at(&record->one, x, y);
+    out[1] = kept_within(plane_at(&record->shares[0], x, y) / one, 0.0, 1.0);
+    out[2] = kept_within(plane_at(&record->shares[1], x, y) / one, 0.0, 1.0 - out[1]);
+    out[0] = 1.0 - out[1] - out[2];
+}
+
+/* Of a triangle, from its corners, since an instance may be flattened: there is no way back then, and lines have 0. */
+static void find_in_object(struct points *points, const struct record *record, const double eye[4],
+                           const double shares[3], double out[4])
+{
+    if (record->corners[0]) {
+        memset(out, 0, 4 * sizeof *out);
+        for (int k = 0; k < 3; k++) {
+            const zr_vec4 *p = record->corners[k];
+            const double share = p->w != 0.0f ? shares[k] / (double)p->w : shares[k];
+            out[0] += share * (double)p->x;
+            out[1] += share * (double)p->y;
+            out[2] += share * (double)p->z;
+        }
+        out[3] = 1.0;
+        return;
+    }
+    if (points->last != record->instance) (void)zr_matrix_invert(&record->instance->object_to_eye, &points->to_object);
+    points->last = record->instance;
+    zr_matrix_apply(&points->to_object, eye, out);
+}
+
+static void put_position(struct points *points, const struct record *record, const double eye[4],
+                         const double shares[3], float *out)
 {
     double placed[4] = {eye[0], eye[1], eye[2], 1.0};
     if (points->space == ZR_SPACE_WORLD) zr_matrix_apply(&points->to_world, eye, placed);
-    if (points->space == ZR_SPACE_OBJECT) {
-        /* Of one that is flattened there is no way back: zeros. */
-        if (points->last != record->instance)
-            (void)zr_matrix_invert(&record->instance->object_to_eye, &points->to_object);
-        points->last = record->instance;
-        zr_matrix_apply(&points->to_object, eye, placed);
-    }
+    if (points->space == ZR_SPACE_OBJECT) find_in_object(points, record, eye, shares, placed);
     for (int k = 0; k < 3; k++)
         out[k] = (float)(placed[3] != 0.0 ? placed[k] / placed[3] : placed[k]);
 }
 
-static void put_shares(const struct record *record, double x, double y, float *out)
+static double length_from(zr_vec4 eye, const double point[4])
 {
-    const double one = plane_at(&record->one, x, y);
-    const double second = kept_within(plane_at(&record->shares[0], x, y) / one, 0.0, 1.0);
-    const double third = kept_within(plane_at(&record->shares[1], x, y) / one, 0.0, 1.0 - second);
-    out[0] = (float)(1.0 - second - third);
-    out[1] = (float)second;
-    out[2] = (float)third;
-    if (record->one.a0 == 0.0 && record->one.dadx == 0.0 && record->one.dady == 0.0) memset(out, 0, 3 * sizeof *out);
+    const double x = point[0] - (double)eye.x, y = point[1] - (double)eye.y, z = point[2] - (double)eye.z;
+    return sqrt((x * x + y * y) + z * z);
 }
 
 static void put_sample(struct points *points, const struct record *record, double x, double y, size_t pixel)
@@ -181,14 +204,14 @@ static void put_sample(struct points *points, const struct record *record, doubl
     float *distance = points->frame->channels[ZR_CHANNEL_DISTANCE];
     float *position = points->frame->channels[ZR_CHANNEL_POSITION];
     float *shares = points->frame->channels[ZR_CHANNEL_BARYCENTRICS];
-    double eye[4];
+    double eye[4], each[3] = {0, 0, 0};
     const double depth = kept_within(plane_at(&d->depth, x, y) / plane_at(&d->one, x, y), d->min, d->max);
     eye_point(points, x, y, depth, eye);
-    if (distance)
-        distance[pixel] =
-            (float)(points->is_parallel ? depth : sqrt((eye[0] * eye[0] + eye[1] * eye[1]) + eye[2] * eye[2]));
-    if (position) put_position(points, record, eye, position + 3 * pixel);
-    if (shares) put_shares(record, x, y, shares + 3 * pixel);
+    if (distance) distance[pixel] = (float)(points->eye.w == 0.0f ? depth : length_from(points->eye, eye));
+    if (record->corners[0]) find_shares(record, x, y, each);
+    if (position) put_position(points, record, eye, each, position + 3 * pixel);
+    for (int k = 0; shares && k < 3; k++)
+        shares[3 * pixel + (size_t)k] = (float)each[k];
 }
 
 static void put_nothing(const struct zr_frame *frame, size_t pixel)
@@ -215,9 +238,10 @@ void zr_points_tile(const struct zr_geometry *geometry, const struct zr_eye_dept
     struct points points = {
         .geometry = geometry, .kernel = kernel, .frame = frame, .batch = &geometry->batches[0], .space = position};
     const struct zr_matrix view = zr_matrix_of(&frame->camera.world_to_eye);
+    points.wants_shares = frame->channels[ZR_CHANNEL_BARYCENTRICS] || position == ZR_SPACE_OBJECT;
     points.projection = zr_matrix_of(&frame->camera.projection);
     (void)zr_matrix_invert(&view, &points.to_world);
-    points.is_parallel = zr_camera_is_parallel(&frame->camera);
+    points.eye = zr_camera_eye(&frame->camera);
     for (int32_t y = 0; y < tile->height; y++) {
         const uint32_t *owners = &tile->owner[y * ZR_TILE_STRIDE];
         const size_t first = (size_t)(frame->height - 1 - (uint32_t)(tile->y + y)) * frame->width + (size_t)tile->x;

@@ -124,7 +124,7 @@ static void shade(const struct zr_geometry *geometry, const struct zr_paint *pai
         to.normals.stride *= 3;
         normals_to_space(&frame->camera.world_to_eye, zr_scene_space(scene, ZR_CHANNEL_NORMALS), to.normals_to_space);
     }
-    to.is_parallel = zr_camera_is_parallel(&frame->camera);
+    to.eye = zr_camera_eye(&frame->camera);
     to.is_shaded_late = geometry->points != NULL;
     paint->shade(geometry, tile, &to);
     for (int32_t y = 0; frame->face_id && base && y < tile->height; y++)

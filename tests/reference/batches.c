@@ -361,7 +361,7 @@ static struct reference_batch state_of(const struct builder *b, const struct sou
                                     .normal_rows = lit ? s->normal_rows : NULL,
                                     .late = lit && s->material->shading > ZR_SHADING_GOURAUD ? s->material : NULL,
                                     .to_eye = b->options.transformed ? b->clip_to_eye : s->modelview,
-                                    .is_parallel = zr_camera_is_parallel(b->camera),
+                                    .eye = zr_camera_eye(b->camera),
                                     .smooth = s->smooth && !owners,
                                     .cull = !s->material->double_sided,
                                     .mirrored = s->mirrored};

@@ -65,7 +65,7 @@ struct reference_batch {
     /* Of what is shaded by normals, pixel by pixel; else NULL. It is lit, too, and smooth. */
     const struct zr_material *late;
     const zr_mat4 *to_eye; /* positions -> eye space, for points */
-    bool is_parallel;      /* rays of sight are */
+    zr_vec4 eye;           /* zr_camera_eye */
     bool smooth;           /* false: all corners of a primitive must have one colour, but for first_provokes */
     bool first_provokes;   /* a flat triangle has the colour of its first corner, GL's own rule is the last */
     bool cull;             /* what shows its back is not drawn */

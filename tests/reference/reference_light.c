@@ -57,7 +57,7 @@ static const char *const source =
  * rewrite what follows (rule 18). The power has an exponent that the compiler does not know. */
 static const char *const late_vertex =
     "uniform vec3 normal_rows[3];\n"
-    "uniform vec4 to_eye[4];\n" /* columns */
+    "uniform vec4 to_eye[4], eye;\n" /* columns */
     "varying vec3 own_color, normal, point;\n"
     "float sum_of_products(vec3 a, vec3 b)\n"
     "{\n"
@@ -84,8 +84,8 @@ static const char *const late_vertex =
     "                       sum_of_products(normal_rows[2], n)));\n"
     "    precise vec4 p = ((gl_Vertex.x * to_eye[0] + gl_Vertex.y * to_eye[1]) + gl_Vertex.z * to_eye[2]) +\n"
     "                     gl_Vertex.w * to_eye[3];\n"
-    "    if (p.w != 1.0 && p.w != 0.0) p = p / p.w;\n"
-    "    point = p.xyz;\n"
+    "    precise vec3 way = p.xyz - eye.xyz * p.w;\n"
+    "    point = eye.w == 0.0 ? p.xyz : way;\n"
     "    own_color = gl_Color.rgb;\n"
     "    gl_Position = ftransform();\n"
     "}\n";
@@ -93,7 +93,8 @@ static const char *const late_vertex =
 static const char *const late_fragment =
     "uniform vec3 ambient, specular;\n"
     "uniform float shininess;\n"
-    "uniform int light_count, side, model, is_parallel;\n"
+    "uniform int light_count, side, model;\n"
+    "uniform vec4 eye;\n"
     "uniform vec3 to_light[1024];\n"
     "uniform vec3 light_color[1024];\n"
     "varying vec3 own_color, normal, point;\n"
@@ -114,14 +115,14 @@ static const char *const late_fragment =
     "    if (model == 1) {\n"
     "        sum = n * 0.5 + 0.5;\n"
     "    } else {\n"
-    "        vec3 eye = is_parallel != 0 ? vec3(0.0, 0.0, 1.0) : unit(-point);\n"
+    "        vec3 to_viewer = eye.w == 0.0 ? eye.xyz : unit(-point);\n"
     "        sum = ambient * own_color;\n"
     "        for (int i = 0; i < light_count; i++) {\n"
     "            precise float facing = sum_of_products(n, to_light[i]);\n"
     "            precise vec3 diffuse = light_color[i] * own_color, shine = light_color[i] * specular;\n"
     "            sum = sum + max(facing, 0.0) * diffuse;\n"
     "            if (facing > 0.0) {\n"
-    "                precise vec3 between = to_light[i] + eye;\n"
+    "                precise vec3 between = to_light[i] + to_viewer;\n"
     "                float cosine = min(max(sum_of_products(n, unit(between)), 0.0), 1.0);\n"
     "                sum = sum + (cosine > 0.0 ? pow(cosine, shininess) : 0.0) * shine;\n"
     "            }\n"
@@ -145,7 +146,7 @@ static bool make_lighter(struct reference_lighter *lighter, const char *vertex, 
     lighter->model = glGetUniformLocation(program, "model");
     lighter->specular = glGetUniformLocation(program, "specular");
     lighter->shininess = glGetUniformLocation(program, "shininess");
-    lighter->is_parallel = glGetUniformLocation(program, "is_parallel");
+    lighter->eye = glGetUniformLocation(program, "eye");
     return true;
 }
 
@@ -210,5 +211,5 @@ void reference_light_batch(const struct reference *reference, const struct refer
     glUniform1i(lighter->model, batch->late->shading == ZR_SHADING_NORMALS);
     glUniform3fv(lighter->specular, 1, &batch->late->specular.x);
     glUniform1f(lighter->shininess, batch->late->shininess);
-    glUniform1i(lighter->is_parallel, batch->is_parallel);
+    glUniform4fv(lighter->eye, 1, &batch->eye.x);
 }

@@ -152,8 +152,8 @@ static void points_depths_and_shares_agree(void **state)
                false);
 }
 
-/* Flattened on purpose, it has no way back to its own space. */
-static void flattened_instance_has_no_object_space(void **state)
+/* Flattened, it has no way back to its own space: but each of its points is one of the mesh's. */
+static void flattened_instance_has_the_points_of_its_mesh(void **state)
 {
     (void)state;
     struct reading *reading = read_text(
@@ -162,16 +162,47 @@ static void flattened_instance_has_no_object_space(void **state)
                         "[1, 0, 2], [1, 1, 3]], \"faces\": [[0, 1, 2]]}]}");
     const struct zr_frame *frame = render(reading, NULL, ZR_SPACE_OBJECT);
     const float *positions = frame->channels[ZR_CHANNEL_POSITION];
-    for (size_t i = 0; i < 3 * 64; i++)
-        assert_true(positions[i] == 0.0f);
+    int seen = 0;
+    for (size_t i = 0; i < 64; i++) {
+        const float *p = positions + 3 * i;
+        if (frame->face_id[i] == 0) continue;
+        assert_true(fabsf(p[2] - (1.0f + p[0] + p[1])) < 1e-5f);
+        seen++;
+    }
+    assert_true(seen > 10);
     reading_free(reading);
+}
+
+/* The same view by one matrix, which has the eye somewhere else than its own space's origin. */
+static void one_matrix_for_all_has_an_eye_too(void **state)
+{
+    (void)state;
+    static const char polygon[] = "\"polygons\": [{\"vertices\": [[-9, -9, 0], [9, -9, 0], [9, 9, 0], [-9, 9, 0]]}]";
+    static const char start[] = "{\"version\": 1, \"window\": {\"width\": 9, \"height\": 9}, \"view\": {";
+    char text[1000];
+    /* P of yfov 90 degrees, near 1, far 9; the camera at z = 3. */
+    snprintf(text, sizeof text, "%s\"projectionMatrix\": [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, -1.25, -1, 0, 0, 1.5, 3]}, %s}",
+             start, polygon);
+    struct reading *one = read_text(ZR_FORMAT_JSON, text);
+    snprintf(text, sizeof text,
+             "%s\"eye\": [0, 0, 3], \"perspective\": {\"yfovDegrees\": 90}, \"znear\": 1, \"zfar\": 9}, %s}", start,
+             polygon);
+    struct reading *two = read_text(ZR_FORMAT_JSON, text);
+    const float *got = render(one, NULL, ZR_SPACE_CAMERA)->channels[ZR_CHANNEL_DISTANCE];
+    const float *want = render(two, NULL, ZR_SPACE_CAMERA)->channels[ZR_CHANNEL_DISTANCE];
+    for (size_t i = 0; i < 81; i++)
+        assert_true(fabsf(got[i] - want[i]) < 1e-5f);
+    assert_true(want[40] == 3.0f);
+    reading_free(one);
+    reading_free(two);
 }
 
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         TEST_EACH_ISA(points_depths_and_shares_agree),
-        cmocka_unit_test(flattened_instance_has_no_object_space),
+        cmocka_unit_test(flattened_instance_has_the_points_of_its_mesh),
+        cmocka_unit_test(one_matrix_for_all_has_an_eye_too),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -23,8 +23,7 @@ static inline struct zr_vec3_v zr_model_phong(const struct zr_model_context *con
     const struct zr_lighting *lighting = context->lighting;
     const struct zr_vec3_v n = zr_normalize_v(in->normal), ambient = zr_spread_v(lighting->ambient);
     const struct zr_vec3_v away = zr_scale_v(in->point, zr_vf_set(-1.0f));
-    const struct zr_vec3_v far = zr_spread_v((zr_vec3){0, 0, 1}),
-                           to_eye = context->is_parallel ? far : zr_normalize_v(away);
+    const struct zr_vec3_v to_eye = context->is_parallel ? zr_spread_v(context->to_eye) : zr_normalize_v(away);
     const zr_vec3 specular = material->specular;
     const bool shines = specular.x > 0.0f || specular.y > 0.0f || specular.z > 0.0f;
     struct zr_vec3_v sum = {ambient.x * in->color.x, ambient.y * in->color.y, ambient.z * in->color.z};
