@@ -7,7 +7,7 @@
 
 #include "clock.h"
 
-enum { STACK_BYTES = 1 << 20, SURE_A_WORKER = 2, OVERSEER_TICK_MS = 20 };
+enum { STACK_BYTES = 2 << 20, SURE_A_WORKER = 2, OVERSEER_TICK_MS = 20 };
 
 /* A job that takes longer is none of the small ones, whatever it seemed to be. */
 static const int64_t SMALL_US = QUEUE_EXPRESS_MS * INT64_C(1000);

@@ -12,13 +12,15 @@ static const uint8_t *render(struct reading **reading, const double w[4], const 
 {
     static char text[2000];
     static const double x[4] = {-1, 1, 1, -1}, y[4] = {-1, -1, 1, 1};
-    char *at = text + sprintf(text,
-                              "{\"version\": 1, \"window\": {\"width\": %d, \"height\": %d}, \"ambient\": [0.1, 0.1, 0.1],"
-                              "\"view\": {\"eye\": [0, 0, 1.5], \"perspective\": {\"yfovDegrees\": 60}, \"znear\": 0.5, \"zfar\": 9},"
-                              "\"lights\": [{\"type\": \"directional\", \"direction\": [0, 0, -1], \"intensity\": 0.5}],"
-                              "\"materials\": [{\"name\": \"m\", \"baseColorFactor\": [0.8, 0.4, 0.2], %s}],"
-                              "\"meshes\": [{\"material\": \"m\", \"faces\": [[0, 1, 2, 3]], \"positions\": [",
-                              SIDE, SIDE, material);
+    char *at =
+        text +
+        sprintf(text,
+                "{\"version\": 1, \"window\": {\"width\": %d, \"height\": %d}, \"ambient\": [0.1, 0.1, 0.1],"
+                "\"view\": {\"eye\": [0, 0, 1.5], \"perspective\": {\"yfovDegrees\": 60}, \"znear\": 0.5, \"zfar\": 9},"
+                "\"lights\": [{\"type\": \"directional\", \"direction\": [0, 0, -1], \"intensity\": 0.5}],"
+                "\"materials\": [{\"name\": \"m\", \"baseColorFactor\": [0.8, 0.4, 0.2], %s}],"
+                "\"meshes\": [{\"material\": \"m\", \"faces\": [[0, 1, 2, 3]], \"positions\": [",
+                SIDE, SIDE, material);
     for (int k = 0; k < 4; k++)
         at += sprintf(at, "%s[%.9g, %.9g, 0, %.9g]", k ? ", " : "", x[k] * w[k], y[k] * w[k], w[k]);
     strcpy(at, "]}]}");
@@ -43,7 +45,8 @@ static void phong_in_the_middle_has_ambient_diffuse_and_all_of_the_highlight(voi
     /* 0.8 (0.1 + 0.5), and 0.5 0.6 of the highlight where light, eye and normal are one line. */
     assert_pixel(render(&reading, w, "\"shading\": \"phong\""), 122, 61, 31);
     reading_free(reading);
-    assert_pixel(render(&reading, w, "\"shading\": \"phong\", \"specular\": [0.6, 0, 0], \"shininess\": 500"), 199, 61, 31);
+    assert_pixel(render(&reading, w, "\"shading\": \"phong\", \"specular\": [0.6, 0, 0], \"shininess\": 500"), 199, 61,
+                 31);
     reading_free(reading);
     assert_pixel(render(&reading, w, "\"shading\": \"normals\""), 128, 128, 255);
     reading_free(reading);
