@@ -85,7 +85,7 @@ static bool face_is_plain(const struct zr_builder *builder, const struct zr_fans
     return any == 0;
 }
 
-static enum zr_batch_colors colors_of_run(const struct zr_builder *builder, const struct zr_material *material)
+static enum zr_batch_rate colors_of_run(const struct zr_builder *builder, const struct zr_material *material)
 {
     const struct zr_colors *colors = &builder->colors;
     if (colors->layout == ZR_COLOR_NONE) return ZR_BATCH_UNCOLORED;

@@ -31,7 +31,7 @@ struct zr_triangle {
 };
 
 /* How a triangle of a mesh finds its colours. */
-enum zr_batch_colors {
+enum zr_batch_rate {
     ZR_BATCH_PER_FACE,         /* flat: colour f for face f */
     ZR_BATCH_PER_FIRST_CORNER, /* flat: that of the position of the face's first corner */
     ZR_BATCH_PER_FIRST_SLOT,   /* flat: that of the first corner's slot in mesh->indices */
@@ -65,7 +65,7 @@ struct zr_batch {
     uint32_t first_face;
     uint32_t first_id;     /* of face 0 */
     uint32_t first_vertex; /* of position 0 */
-    enum zr_batch_colors colors;
+    enum zr_batch_rate colors;
     const zr_vec4 *front, *back; /* NULL where there are only packed ones, or none */
     const uint32_t *packed; /* of a flat batch, as zr_rgba_opaque: its fronts and, where it is sided, behind them its
                                backs; NULL: not made */
@@ -78,7 +78,7 @@ struct zr_batch {
 
     /* For the channel of them, and for what is shaded pixel by pixel; NULL where nothing needs them. */
     const zr_vec4 *normals; /* eye_normals.h */
-    enum zr_batch_colors normals_rate;
+    enum zr_batch_rate normals_rate;
 
     zr_payload_fn *payload; /* tiny and small triangles get words when they are drawn; NULL: none */
 };
@@ -98,7 +98,7 @@ static inline uint32_t zr_batch_corner_color(const struct zr_batch *batch, uint3
 }
 
 /* Which value of what varies at this rate corner `k` of triangle `t` has. */
-static inline uint32_t zr_batch_value(const struct zr_batch *batch, enum zr_batch_colors rate, uint32_t t, int k)
+static inline uint32_t zr_batch_value(const struct zr_batch *batch, enum zr_batch_rate rate, uint32_t t, int k)
 {
     const struct zr_mesh *mesh = batch->mesh;
     switch (rate) {

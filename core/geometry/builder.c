@@ -254,7 +254,7 @@ bool zr_builder_append_clipped(struct zr_builder *builder, const struct zr_clipp
 
 /* ---- normals ---- */
 
-const zr_vec4 *zr_builder_normals(struct zr_builder *builder, enum zr_batch_colors rate)
+const zr_vec4 *zr_builder_normals(struct zr_builder *builder, enum zr_batch_rate rate)
 {
     const zr_vec4 **normals = &builder->normals[rate];
     if (!*normals)
@@ -268,7 +268,7 @@ bool zr_builder_add_normals(struct zr_builder *builder, uint32_t face, const uin
 {
     struct zr_geometry *g = builder->geometry;
     const struct zr_mesh *mesh = builder->mesh;
-    const enum zr_batch_colors rate = zr_eye_normals_rate(mesh, zr_material_of_face(builder->scene, mesh, face));
+    const enum zr_batch_rate rate = zr_eye_normals_rate(mesh, zr_material_of_face(builder->scene, mesh, face));
     const zr_vec4 *normals = zr_builder_normals(builder, rate);
     const bool is_flat = rate == ZR_BATCH_PER_FACE;
     if (!normals || !zr_builder_reserve_normals(builder, 3)) return false;

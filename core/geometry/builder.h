@@ -99,7 +99,7 @@ static inline bool zr_builder_wants_normals(const struct zr_builder *builder, co
 
 /* The normals of the instance under way, at the rate that the material has (eye_normals.h). NULL where the arena has
  * failed. */
-const zr_vec4 *zr_builder_normals(struct zr_builder *builder, enum zr_batch_colors rate);
+const zr_vec4 *zr_builder_normals(struct zr_builder *builder, enum zr_batch_rate rate);
 
 /* Appends the normals of three corners of a face, by their slots in its mesh, to the geometry's; `out`: where. False
  * where the arena has failed. */

@@ -12,12 +12,12 @@ struct making {
     const zr_vec4 *computed; /* of vertices; NULL where none is needed */
     const struct zr_cancel *cancel;
     struct zr_normal_matrix to_eye;
-    enum zr_batch_colors rate;
+    enum zr_batch_rate rate;
     enum zr_isa isa;
     zr_vec4 *out;
 };
 
-enum zr_batch_colors zr_eye_normals_rate(const struct zr_mesh *mesh, const struct zr_material *material)
+enum zr_batch_rate zr_eye_normals_rate(const struct zr_mesh *mesh, const struct zr_material *material)
 {
     const bool is_flat =
         material->shading == ZR_SHADING_FLAT || (material->shading == ZR_SHADING_UNLIT && mesh->normal_count == 0);
@@ -41,7 +41,7 @@ static void make_range(void *context, size_t begin, size_t end)
 }
 
 const zr_vec4 *zr_eye_normals_make(struct zr_arena *arena, struct zr_team *team, const struct zr_cancel *cancel,
-                                   const struct zr_mesh *mesh, const zr_mat4 *object_to_eye, enum zr_batch_colors rate,
+                                   const struct zr_mesh *mesh, const zr_mat4 *object_to_eye, enum zr_batch_rate rate,
                                    const zr_vec4 **vertex_normals)
 {
     const size_t count = rate == ZR_BATCH_PER_FACE     ? mesh->face_count

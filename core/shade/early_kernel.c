@@ -10,37 +10,39 @@ static inline void load_corner(const float *from, struct zr_corner_v *out)
     out->z = zr_vf_set(0.0f); /* nothing that is smooth depends on it */
 }
 
-static inline struct zr_color_planes planes_of(const struct zr_batch *batch, const uint32_t *numbers, uint32_t turned,
-                                               const float *corners)
+static inline zr_vi color_at(const struct zr_plane_v *oow, const struct zr_planes3_v *p, zr_vf x, zr_vf y)
+{
+    return zr_color_over_w(zr_plane_at_v(oow, x, y), zr_plane_at_v(&p->x, x, y), zr_plane_at_v(&p->y, x, y),
+                           zr_plane_at_v(&p->z, x, y));
+}
+
+void ZR_KERNEL(zr_early)(const struct zr_batch *batch, const uint32_t *numbers, uint32_t turned, const float *corners,
+                         const uint32_t *triangles, const float *x, const float *y, uint32_t count, uint32_t *words)
 {
     struct zr_corner_v v[3];
-    struct zr_color_v c[3];
+    struct zr_vec3_v c[3];
     for (int k = 0; k < 3; k++)
         load_corner(corners + 3 * ZR_LANES * k, &v[k]);
 #define COLOR(i, k) (&batch->front[zr_batch_corner_color(batch, numbers[i] - batch->first, k)].x)
 #define COLOR_0(i)  COLOR(i, 0)
 #define COLOR_1(i)  COLOR(i, 1)
 #define COLOR_2(i)  COLOR(i, 2)
-    ZR_LOAD_COLORS(c, COLOR_0, COLOR_1, COLOR_2);
+    ZR_LOAD_THREE(c, COLOR_0, COLOR_1, COLOR_2);
 #undef COLOR_0
 #undef COLOR_1
 #undef COLOR_2
 #undef COLOR
-    return zr_color_planes_of(zr_vm_of(turned), v, c);
-}
-
-void ZR_KERNEL(zr_early)(const struct zr_batch *batch, const uint32_t *numbers, uint32_t turned, const float *corners,
-                         const uint32_t *triangles, const float *x, const float *y, uint32_t count, uint32_t *words)
-{
-    const struct zr_color_planes planes = planes_of(batch, numbers, turned, corners);
+    const struct zr_way_v way = zr_way_make(zr_vm_of(turned), v);
+    const struct zr_planes3_v planes = zr_planes3_make(&way, c);
     if (!triangles) {
-        zr_vi_store(words, zr_color_at(&planes, zr_vf_load(x), zr_vf_load(y)));
+        zr_vi_store(words, color_at(&way.oow_plane, &planes, zr_vf_load(x), zr_vf_load(y)));
         return;
     }
     for (uint32_t i = 0; i < count; i += ZR_LANES) {
         const zr_vi lane = zr_vi_load(triangles + i);
-        const struct zr_color_planes own = {zr_plane_pick(&planes.oow, lane), zr_plane_pick(&planes.red, lane),
-                                            zr_plane_pick(&planes.green, lane), zr_plane_pick(&planes.blue, lane)};
-        zr_vi_store(words + i, zr_color_at(&own, zr_vf_load(x + i), zr_vf_load(y + i)));
+        const struct zr_plane_v oow = zr_plane_pick(&way.oow_plane, lane);
+        const struct zr_planes3_v own = {zr_plane_pick(&planes.x, lane), zr_plane_pick(&planes.y, lane),
+                                         zr_plane_pick(&planes.z, lane)};
+        zr_vi_store(words + i, color_at(&oow, &own, zr_vf_load(x + i), zr_vf_load(y + i)));
     }
 }

@@ -1,0 +1,129 @@
+/* shader_simd.h - shade: parts and what is known of them, for the kernel that shades.
+ *
+ * A channel goes through the runs of parts and gives each part a word or planes (channels/); then, patch by patch, each
+ * pixel takes its part's (blocks_simd.h).
+ */
+#ifndef ZR_SHADER_SIMD_H
+#define ZR_SHADER_SIMD_H
+
+#include "shade/models_simd.h"
+#include "shade/parts_simd.h"
+#include "shade/planes_simd.h"
+
+/* Parts that follow one another, up to ZR_LANES of them, all of one batch; NULL: nobody's. */
+struct zr_run {
+    const struct zr_batch *batch;
+    uint32_t first, count;
+};
+
+/* What is known of parts. A part is flat, and has a word, or has planes. */
+struct zr_shader {
+    const struct zr_geometry *geometry;
+    const struct zr_batch *batch; /* of the last run: at first the first one */
+    uint32_t nothing;
+    struct zr_parts parts;
+    uint32_t run_count;
+    struct zr_run runs[ZR_PARTS_MOST];
+    bool any_planes;
+    bool has_planes[ZR_PARTS_ROOM];
+    uint32_t words[ZR_PARTS_ROOM];
+    const struct zr_material *materials[ZR_PARTS_ROOM]; /* of those that are shaded late, else NULL */
+    bool any_late;
+    struct zr_model_context model;
+    /* Some for each part, one part after the other: of 1/w, and of each of its values. */
+    float planes[ZR_PARTS_ROOM * (1 + ZR_VALUES_MOST)][4]; /* a0, dadx, dady */
+};
+
+/* ---- runs of parts ---- */
+
+/* Numbers of the run's triangles in its batch; lanes behind its end have the first one's. */
+static inline zr_vi zr_run_numbers(const struct zr_shader *s, const struct zr_run *run)
+{
+    const uint32_t *owners = s->parts.owners + run->first;
+    const zr_vi owner = zr_vi_select(zr_vm_first(run->count), zr_vi_load(owners), zr_vi_set((int32_t)owners[0]));
+    return owner - zr_vi_set((int32_t)run->batch->first + 1);
+}
+
+static inline void zr_find_runs(struct zr_shader *s)
+{
+    uint32_t *owners = s->parts.owners;
+    s->run_count = 0;
+    for (uint32_t i = 0, count; i < s->parts.count; i += count) {
+        const uint32_t left = s->parts.count - i;
+        struct zr_run *run = &s->runs[s->run_count++];
+        if (owners[i] == 0) {
+            *run = (struct zr_run){NULL, i, count = 1};
+            continue;
+        }
+        s->batch = zr_batch_next(s->geometry, s->batch, owners[i] - 1);
+        const zr_vi t = zr_vi_load(owners + i) - zr_vi_set((int32_t)s->batch->first + 1);
+        const zr_vm of_batch = zr_vi_lt_where(zr_vi_lt(zr_vi_set(-1), t), t, zr_vi_set((int32_t)s->batch->count));
+        const uint32_t others = zr_vm_bits(of_batch) ^ ZR_ALL_BITS;
+        count = others ? (uint32_t)zr_lowest_bit(others) : ZR_LANES;
+        count = count < left ? count : left;
+        *run = (struct zr_run){s->batch, i, count};
+    }
+}
+
+static inline void zr_put_words(struct zr_shader *s, const struct zr_run *run, zr_vi words)
+{
+    zr_vi_store(s->words + run->first, words);
+    memset(s->has_planes + run->first, false, ZR_LANES);
+}
+
+/* ---- planes of parts ---- */
+
+/* Plane k of ZR_LANES parts. */
+static inline void zr_put_plane(struct zr_shader *s, uint32_t first, int k, int count, const struct zr_plane_v *plane)
+{
+    float fours[4 * ZR_LANES];
+    zr_vf_store4(fours, plane->a0, plane->dadx, plane->dady, zr_vf_set(0.0f));
+    for (uint32_t i = 0; i < ZR_LANES; i++)
+        memcpy(s->planes[(first + i) * (uint32_t)count + (uint32_t)k], fours + 4 * i, 4 * sizeof(float));
+}
+
+static inline void zr_put_three(struct zr_shader *s, uint32_t first, int k, int count, const struct zr_planes3_v *planes)
+{
+    zr_put_plane(s, first, k, count, &planes->x);
+    zr_put_plane(s, first, k + 1, count, &planes->y);
+    zr_put_plane(s, first, k + 2, count, &planes->z);
+}
+
+static void zr_put_surface(struct zr_shader *s, uint32_t i, const struct zr_surface *surface, int count)
+{
+    for (int k = 0; k < count; k++)
+        memcpy(s->planes[i * (uint32_t)count + (uint32_t)k], &surface->planes[k], sizeof surface->planes[k]);
+    s->has_planes[i] = s->any_planes = true;
+}
+
+/* The planes of each lane, of the parts whose owners they are; of others anything. */
+static inline void zr_select_planes(const struct zr_shader *s, uint32_t first, uint32_t count, zr_vi owner, int planes,
+                                 zr_vf (*out)[3])
+{
+    const float(*from)[4] = &s->planes[first * (uint32_t)planes];
+    for (int k = 0; k < planes; k++)
+        for (int j = 0; j < 3; j++)
+            out[k][j] = zr_vf_set(from[k][j]);
+    for (uint32_t i = first + 1; i < first + count; i++) {
+        const zr_vm here = zr_vi_eq(owner, zr_vi_set((int32_t)s->parts.owners[i]));
+        from = &s->planes[i * (uint32_t)planes];
+        for (int k = 0; k < planes; k++)
+            for (int j = 0; j < 3; j++)
+                out[k][j] = zr_vf_select(here, zr_vf_set(from[k][j]), out[k][j]);
+    }
+}
+
+static inline zr_vf zr_shaded_value(zr_vf (*planes)[3], int k, zr_vf x, zr_vf y)
+{
+    const struct zr_plane_v plane = {planes[k][0], planes[k][1], planes[k][2]};
+    return zr_plane_at_v(&plane, x, y);
+}
+
+/* Three values from plane k on, over w. */
+static inline struct zr_vec3_v zr_shaded_three(zr_vf (*planes)[3], int k, zr_vf w, zr_vf x, zr_vf y)
+{
+    return (struct zr_vec3_v){zr_shaded_value(planes, k, x, y) * w, zr_shaded_value(planes, k + 1, x, y) * w,
+                              zr_shaded_value(planes, k + 2, x, y) * w};
+}
+
+#endif
