@@ -16,6 +16,7 @@
 #include "raster/tile.h"
 #include "scene/camera.h"
 #include "scene/scene.h"
+#include "scene/sight.h"
 
 /* What other work takes, in triangles (T) and fragments (F): to a factor of two or three, for what is foreseen is
  * to keep out what takes a hundred times too long. */

@@ -3,10 +3,11 @@
 
 #include <string.h>
 
-#include "geometry/geometry.h"
+#include "geometry/build.h"
 #include "raster/visibility.h"
 #include "scene/base_depth.h"
 #include "scene/scene.h"
+#include "scene/sight.h"
 #include "shade/frame.h"
 #include "shade/paint.h"
 #include "shade/resolve.h"

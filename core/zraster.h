@@ -77,7 +77,7 @@ struct zr_request {
 /* ---- the four steps, and a look ahead ---- */
 
 struct zr_scene; /* scene/scene.h */
-struct zr_sight; /* scene/camera.h */
+struct zr_sight; /* scene/sight.h */
 struct zr_frame; /* shade/frame.h */
 
 /* Work to be expected, each kind to be weighed by whoever knows the machine. */

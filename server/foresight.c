@@ -4,6 +4,7 @@
 #include <stdbool.h>
 
 #include "clock.h"
+#include "scene/sight.h"
 
 /* Where learning begins: one core of a few years ago. Right to a factor of some, which is
  * enough to tell a second from a minute. */

@@ -7,6 +7,7 @@
 #include "body.h"
 #include "clock.h"
 #include "problem.h"
+#include "scene/sight.h"
 #include "text.h"
 
 /* Corners that are measured to foresee the work. COST_CORNERS: in well under a millisecond. COST_CORNERS_MORE: in

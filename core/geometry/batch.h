@@ -1,4 +1,4 @@
-/* batch.h - geometry: runs of records, and how a record's number leads to what it shows.
+/* batch.h - geometry: runs of records, whose numbers lead to what they show (record.h).
  *
  * Most records are triangles of a mesh as it is: they are never written out. A batch says where their
  * corners stand, so that a record is the triangle's number and nothing else. Records that are more
@@ -13,8 +13,6 @@
 
 #include "geometry/viewport.h"
 #include "scene/scene.h"
-
-struct zr_geometry;
 
 /* A record: one thing with one plane for each of its attributes, and one owner of pixels.
  * Most are triangles, oriented so that the reference's area (rule 6) is positive. */
@@ -160,30 +158,5 @@ static inline bool zr_batch_holds(const struct zr_batch *batch, uint32_t number)
 {
     return number - batch->first < batch->count;
 }
-
-/* The batch of a record. Takes the logarithm of their count. */
-const struct zr_batch *zr_batch_of(const struct zr_geometry *geometry, uint32_t number);
-
-/* The same where it is most often the batch of the record before. */
-static inline const struct zr_batch *zr_batch_next(const struct zr_geometry *geometry, const struct zr_batch *last,
-                                                   uint32_t number)
-{
-    return zr_batch_holds(last, number) ? last : zr_batch_of(geometry, number);
-}
-
-/* A record as the shading of single pixels wants it: its colours, and its corners turned as rule 6 wants them. Where
- * it is not written out, c[] counts from the batch's own front and back. */
-struct zr_record {
-    struct zr_triangle triangle;
-    const zr_vec4 *colors;  /* of the side that is seen: triangle.c indexes it */
-    const zr_vec4 *normals; /* of fronts: n[] indexes it; NULL where there are none */
-    uint32_t n[3];
-    const struct zr_material *material;
-};
-
-/* Id of the face of a record. */
-uint32_t zr_face_id(const struct zr_geometry *geometry, const struct zr_batch *batch, uint32_t number);
-
-struct zr_record zr_record_of(const struct zr_geometry *geometry, const struct zr_batch *batch, uint32_t number);
 
 #endif

@@ -1,4 +1,4 @@
-/* geometry.h - geometry, the whole floor: polygons and lines -> what is drawn in the window.
+/* geometry.h - geometry: what is drawn in the window, as build.h makes it.
  *
  * Space:  window space (viewport.h), everything inside the view volume.
  * Order:  records keep the order of the scene; of two at the same depth the
@@ -7,7 +7,6 @@
 #ifndef ZR_GEOMETRY_H
 #define ZR_GEOMETRY_H
 
-#include "base/team.h"
 #include "geometry/batch.h"
 #include "geometry/counts.h"
 #include "geometry/grid_edge.h"
@@ -58,11 +57,5 @@ struct zr_geometry {
     struct zr_sources sources; /* of the triangles */
     struct zr_counts counts;
 };
-
-/* Everything points into the arena, and to the scene. With `written`, every record is written out, so that
- * record i is triangles[i]: what algorithms take that know no batches. ZR_NO_MEMORY or ZR_CANCELLED, else ZR_OK. */
-enum zr_status zr_geometry_build(struct zr_arena *arena, struct zr_team *team, const struct zr_scene *scene,
-                                 const struct zr_camera *camera, const struct zr_cancel *cancel, bool written,
-                                 struct zr_geometry *geometry);
 
 #endif

@@ -2,6 +2,7 @@
 
 #include "base/expect.h"
 #include "geometry/face.h"
+#include "geometry/record.h"
 
 enum { TRIANGLES_A_RANGE = 4096, BYTES_AT_ONCE = 1 << 16 };
 _Static_assert(TRIANGLES_A_RANGE < 1 << ZR_BIN_OWNER_BITS, "as the kernel wants it");

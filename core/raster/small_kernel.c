@@ -1,5 +1,6 @@
 #include "raster/small.h"
 
+#include "geometry/record.h"
 #include "raster/stamp_simd.h"
 #include "raster/tile_simd.h"
 #include "raster/triangle_simd.h"

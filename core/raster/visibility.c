@@ -3,6 +3,7 @@
 #include <string.h>
 
 #include "base/expect.h"
+#include "geometry/record.h"
 #include "raster/line_draw.h"
 #include "raster/oddeven.h"
 

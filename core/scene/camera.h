@@ -1,11 +1,9 @@
-/* camera.h - scene, last step: a view (pose, projection, fit) -> matrices.
+/* camera.h - scene: what a view leads to (sight.h): matrices.
  *
  * Space:  world -> eye (the camera looks along -z, y up) -> clip, as in GL.
  * Exact:  a view given as matrices passes through untouched, so that the same
  *         floats can be handed to glLoadMatrixf. Sines and tangents come from
  *         base/trig.h, not libm, so that every machine gets the same bits.
- * Fits:   a pose that names no eye shows all of the geometry, or of one mesh of it; near
- *         and far plane hold all of it in any case.
  */
 #ifndef ZR_CAMERA_H
 #define ZR_CAMERA_H
@@ -31,12 +29,6 @@ struct zr_camera {
  * there (w = 0). The origin, but with a projection that moves the eye, or has none. */
 zr_vec4 zr_camera_eye(const struct zr_camera *camera);
 
-/* What zr_sight_find finds. */
-struct zr_sight {
-    struct zr_bounds bounds; /* of the geometry; not valid where neither the view nor an output needs them */
-    struct zr_camera camera;
-};
-
 /* Points at infinity (w = 0), or beyond the range of float, are left out. Walks over all placed points, as
  * zr_camera_resolve does some times more; cancelled, both return early, with what they have. `team` and `cancel` may be
  * NULL. */
@@ -47,11 +39,5 @@ static inline bool zr_view_needs_bounds(const struct zr_view *view)
 {
     return view->pose != ZR_POSE_MATRIX || view->projection != ZR_PROJECTION_MATRIX;
 }
-
-/* `bounds` need not be defined where the view does not need them. Fails with ZR_BAD_SCENE where the view has no
- * solution (an eye on its target, an up along the view, a target that a fitted distance cannot show), or where an entry
- * of a matrix is beyond ZR_MATRIX_MAX. */
-enum zr_status zr_camera_resolve(const struct zr_scene *scene, const struct zr_bounds *bounds, struct zr_team *team,
-                                 const struct zr_cancel *cancel, struct zr_camera *camera, struct zr_error *error);
 
 #endif

@@ -1,4 +1,5 @@
-/* blocks_simd.h - shade: from parts to pixels of four bytes, a block of the tile at a time, for the kernel that shades. */
+/* blocks_simd.h - shade: from parts to pixels of four bytes, a block of the tile at a time, for the kernel that shades.
+ */
 #ifndef ZR_BLOCKS_SIMD_H
 #define ZR_BLOCKS_SIMD_H
 
@@ -20,8 +21,8 @@ static inline zr_vi zr_words_at(const struct zr_shader *s, uint32_t first, uint3
 }
 
 /* Pixels of parts that are shaded late take their model's colour; the others stay. */
-static inline zr_vi zr_shade_late(const struct zr_shader *s, uint32_t first, uint32_t count, zr_vi owner, zr_vf (*planes)[3],
-                               zr_vf x, zr_vf y, zr_vi words)
+static inline zr_vi zr_shade_late(const struct zr_shader *s, uint32_t first, uint32_t count, zr_vi owner,
+                                  zr_vf (*planes)[3], zr_vf x, zr_vf y, zr_vi words)
 {
     const zr_vf w = zr_vf_set(1.0f) / zr_shaded_value(planes, 0, x, y);
     const struct zr_model_inputs in = {zr_shaded_three(planes, 1, w, x, y), zr_shaded_three(planes, 4, w, x, y),
@@ -41,8 +42,8 @@ static inline zr_vi zr_shade_late(const struct zr_shader *s, uint32_t first, uin
     return words;
 }
 
-static inline zr_vi zr_shade_at(const struct zr_shader *s, uint32_t first, uint32_t count, zr_vi owner, zr_vf x, zr_vf y,
-                             int plane_count)
+static inline zr_vi zr_shade_at(const struct zr_shader *s, uint32_t first, uint32_t count, zr_vi owner, zr_vf x,
+                                zr_vf y, int plane_count)
 {
     if (!s->any_planes || count == 0) return zr_words_at(s, first, count, owner);
     zr_vi words = zr_vi_set((int32_t)s->nothing);
@@ -60,7 +61,8 @@ static inline zr_vi zr_shade_at(const struct zr_shader *s, uint32_t first, uint3
                          zr_color_over_w(zr_shaded_value(planes, 0, x, y), zr_shaded_value(planes, 1, x, y),
                                          zr_shaded_value(planes, 2, x, y), zr_shaded_value(planes, 3, x, y)),
                          words);
-    if (plane_count > 1 + ZR_VALUES_FEW && s->any_late) return zr_shade_late(s, first, count, owner, planes, x, y, words);
+    if (plane_count > 1 + ZR_VALUES_FEW && s->any_late)
+        return zr_shade_late(s, first, count, owner, planes, x, y, words);
     return words;
 }
 
@@ -72,8 +74,8 @@ struct zr_block_pixels {
 };
 
 /* All of one part's. */
-static inline void zr_shade_whole_block(const struct zr_shader *s, const struct zr_tile *tile, int number, int plane_count,
-                                     struct zr_block_pixels *out)
+static inline void zr_shade_whole_block(const struct zr_shader *s, const struct zr_tile *tile, int number,
+                                        int plane_count, struct zr_block_pixels *out)
 {
     const uint32_t part = s->parts.blocks[number].first;
     const zr_vi word = zr_vi_set((int32_t)s->words[part]), owner = zr_vi_set((int32_t)s->parts.owners[part]);
@@ -89,8 +91,8 @@ static inline void zr_shade_whole_block(const struct zr_shader *s, const struct 
             if (late)
                 words = zr_shade_late(s, part, 1, owner, planes, x, y, words);
             else if (has_planes)
-                words = zr_color_over_w(zr_shaded_value(planes, 0, x, y), zr_shaded_value(planes, 1, x, y), zr_shaded_value(planes, 2, x, y),
-                                        zr_shaded_value(planes, 3, x, y));
+                words = zr_color_over_w(zr_shaded_value(planes, 0, x, y), zr_shaded_value(planes, 1, x, y),
+                                        zr_shaded_value(planes, 2, x, y), zr_shaded_value(planes, 3, x, y));
             zr_vi_store(&out->pixels[row][v], words);
         }
 }
@@ -105,12 +107,12 @@ static inline struct zr_patch_place zr_patch_place_of(const struct zr_tile *tile
 {
     const zr_vi lane = zr_vi_ramp(), column = lane & zr_vi_set(ZR_PATCH_COLUMNS - 1);
     return (struct zr_patch_place){column, (lane - column) >> (ZR_PATCH_COLUMNS == 4 ? 2 : 0),
-                                tile->x + number % ZR_BLOCK_COLUMNS * ZR_BLOCK_WIDTH,
-                                tile->y + number / ZR_BLOCK_COLUMNS * ZR_BLOCK_HEIGHT};
+                                   tile->x + number % ZR_BLOCK_COLUMNS * ZR_BLOCK_WIDTH,
+                                   tile->y + number / ZR_BLOCK_COLUMNS * ZR_BLOCK_HEIGHT};
 }
 
 static inline void zr_shade_block(const struct zr_shader *s, const struct zr_tile *tile, int number, int plane_count,
-                               struct zr_block_pixels *out)
+                                  struct zr_block_pixels *out)
 {
     const struct zr_block_parts *block = &s->parts.blocks[number];
     if (block->is_whole) {
@@ -135,7 +137,7 @@ _Static_assert(ZR_PATCH_COLUMNS == 4 || ZR_LANES == 1, "rows are a shift");
 
 /* Where nobody is seen, what is behind. */
 static inline void zr_block_put_behind(const struct zr_tile *tile, int number, const struct zr_pixel_rows *behind,
-                              struct zr_block_pixels *out)
+                                       struct zr_block_pixels *out)
 {
     const uint32_t *owners = &tile->owner[zr_block_first(number)], *from = behind->first;
     const int32_t left = number % ZR_BLOCK_COLUMNS * ZR_BLOCK_WIDTH, low = number / ZR_BLOCK_COLUMNS * ZR_BLOCK_HEIGHT;
@@ -157,7 +159,7 @@ static inline void zr_block_put_known(const struct zr_tile *tile, int number, st
 
 /* The part of the block that lies in the window. */
 static inline void zr_block_put(const struct zr_tile *tile, int number, const struct zr_block_pixels *block,
-                               const struct zr_pixel_rows *out)
+                                const struct zr_pixel_rows *out)
 {
     const int32_t left = number % ZR_BLOCK_COLUMNS * ZR_BLOCK_WIDTH, low = number / ZR_BLOCK_COLUMNS * ZR_BLOCK_HEIGHT;
     const int32_t columns = tile->width - left < ZR_BLOCK_WIDTH ? tile->width - left : ZR_BLOCK_WIDTH;
@@ -181,7 +183,7 @@ static inline void zr_block_put_word(int number, zr_vi word, const struct zr_pix
 }
 
 static inline void zr_finish_block(const struct zr_shader *s, const struct zr_tile *tile, int number, bool with_known,
-                                int plane_count, const struct zr_pixel_rows *behind, const struct zr_pixel_rows *out)
+                                   int plane_count, const struct zr_pixel_rows *behind, const struct zr_pixel_rows *out)
 {
     const struct zr_block_parts *parts = &s->parts.blocks[number];
     struct zr_block_pixels block;
@@ -197,8 +199,8 @@ static inline void zr_finish_block(const struct zr_shader *s, const struct zr_ti
 
 /* Blocks begin .. end - 1 of a channel, whose parts have been made. */
 static inline void zr_finish_blocks(const struct zr_shader *s, const struct zr_tile *tile, int begin, int end,
-                                 bool with_known, int plane_count, const struct zr_pixel_rows *behind,
-                                 const struct zr_pixel_rows *out)
+                                    bool with_known, int plane_count, const struct zr_pixel_rows *behind,
+                                    const struct zr_pixel_rows *out)
 {
     const int across = (tile->width + ZR_BLOCK_WIDTH - 1) / ZR_BLOCK_WIDTH;
     for (int b = begin; b < end; b++)

@@ -1,4 +1,5 @@
 #include "shade/depths.h"
+#include "geometry/record.h"
 
 #include <string.h>
 

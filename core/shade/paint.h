@@ -13,6 +13,7 @@
 #include "base/isa.h"
 #include "geometry/colors.h"
 #include "geometry/geometry.h"
+#include "geometry/record.h"
 #include "raster/plane.h"
 #include "raster/tile.h"
 

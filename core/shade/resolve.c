@@ -7,7 +7,7 @@
 #include "raster/halfspace.h"
 #include "shade/depths.h"
 #include "shade/paint.h"
-#include "shade/points.h"
+#include "shade/surface_points.h"
 
 /* Where nothing is drawn, the base as it is; its depth in the tile is for the depth test only. Returns the deepest of
  * its depths. */
@@ -150,11 +150,11 @@ struct zr_resolved zr_resolve_tile(const struct zr_geometry *geometry, enum zr_i
         const struct zr_pixel_rows rows = rows_of(frame, tile, frame->window_depth);
         paint->depths(tile, &rows);
     }
-    const bool points = zr_points_are_wanted(frame);
+    const bool points = zr_surface_points_are_wanted(frame);
     if (frame->depth || points) zr_halfspace_of(isa)->settle(tile); /* these look at every sample */
     if (points)
-        zr_points_tile(geometry, zr_eye_depths_of(isa), paint->ends, zr_scene_space(scene, ZR_CHANNEL_POSITION), tile,
-                       frame);
+        zr_surface_points_tile(geometry, zr_eye_depths_of(isa), paint->ends, zr_scene_space(scene, ZR_CHANNEL_POSITION),
+                               tile, frame);
     if (frame->depth) resolved.deepest = resolve_depth(geometry, isa, tile, frame);
     shade(geometry, paint, scene, nothing, tile, frame);
     if (frame->base) {

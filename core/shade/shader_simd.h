@@ -6,6 +6,7 @@
 #ifndef ZR_SHADER_SIMD_H
 #define ZR_SHADER_SIMD_H
 
+#include "geometry/record.h"
 #include "shade/models_simd.h"
 #include "shade/parts_simd.h"
 #include "shade/planes_simd.h"
@@ -82,7 +83,8 @@ static inline void zr_put_plane(struct zr_shader *s, uint32_t first, int k, int 
         memcpy(s->planes[(first + i) * (uint32_t)count + (uint32_t)k], fours + 4 * i, 4 * sizeof(float));
 }
 
-static inline void zr_put_three(struct zr_shader *s, uint32_t first, int k, int count, const struct zr_planes3_v *planes)
+static inline void zr_put_three(struct zr_shader *s, uint32_t first, int k, int count,
+                                const struct zr_planes3_v *planes)
 {
     zr_put_plane(s, first, k, count, &planes->x);
     zr_put_plane(s, first, k + 1, count, &planes->y);
@@ -98,7 +100,7 @@ static void zr_put_surface(struct zr_shader *s, uint32_t i, const struct zr_surf
 
 /* The planes of each lane, of the parts whose owners they are; of others anything. */
 static inline void zr_select_planes(const struct zr_shader *s, uint32_t first, uint32_t count, zr_vi owner, int planes,
-                                 zr_vf (*out)[3])
+                                    zr_vf (*out)[3])
 {
     const float(*from)[4] = &s->planes[first * (uint32_t)planes];
     for (int k = 0; k < planes; k++)

@@ -7,6 +7,7 @@
 #include "bench/sides.h"
 #include "input/defaults.h"
 #include "scene/camera.h"
+#include "scene/sight.h"
 
 enum { PLAIN, LIT, DEPTH, SIDES };
 enum { THREADS_MOST = 2 };

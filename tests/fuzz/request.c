@@ -5,6 +5,7 @@
 
 #include "fuzz/fuzz.h"
 #include "scene/scene.h"
+#include "scene/sight.h"
 #include "shade/frame.h"
 
 /* How many corners, over all instances, are drawn; the painter compares them pair by pair. */

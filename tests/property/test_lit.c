@@ -3,7 +3,8 @@
 #include <math.h>
 #include <string.h>
 
-#include "geometry/geometry.h"
+#include "geometry/build.h"
+#include "scene/sight.h"
 #include "support/isas.h"
 #include "support/random.h"
 #include "support/scenes.h"

@@ -2,6 +2,7 @@
 
 #include <string.h>
 
+#include "scene/sight.h"
 #include "support/cmocka_all.h"
 
 void scene_of_triangles(struct test_scene *test, uint32_t width, uint32_t height, const zr_vec4 *positions,

@@ -5,6 +5,7 @@
 
 #include "guarded.h"
 #include "scene/camera_parts.h"
+#include "scene/sight.h"
 #include "support/isas.h"
 #include "support/random.h"
 

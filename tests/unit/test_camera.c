@@ -2,6 +2,7 @@
 #include <string.h>
 
 #include "scene/camera.h"
+#include "scene/sight.h"
 #include "support/cmocka_all.h"
 #include "support/scenes.h"
 

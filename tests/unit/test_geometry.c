@@ -1,9 +1,9 @@
 /* The stages of geometry/: clip, viewport, normals, light, and the floor as a whole. */
 #include <math.h>
 
+#include "geometry/build.h"
 #include "geometry/clip.h"
 #include "geometry/face.h"
-#include "geometry/geometry.h"
 #include "geometry/light.h"
 #include "geometry/normals.h"
 #include "support/cmocka_all.h"

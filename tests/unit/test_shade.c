@@ -2,7 +2,9 @@
 #include <math.h>
 #include <string.h>
 
+#include "geometry/build.h"
 #include "raster/visibility.h"
+#include "scene/sight.h"
 #include "shade/paint.h"
 #include "support/isas.h"
 #include "support/random.h"

@@ -1,5 +1,5 @@
-/* color_simd.h - shade: the channel color. Flat parts have a word, smooth ones planes of their colours, and those that are
- * shaded late also of normals and points.
+/* color_simd.h - shade: the channel color. Flat parts have a word, smooth ones planes of their colours, and those that
+ * are shaded late also of normals and points.
  */
 #ifndef ZR_COLOR_SIMD_H
 #define ZR_COLOR_SIMD_H
@@ -9,7 +9,8 @@
 
 /* ---- looking up ---- */
 
-static inline void zr_expect_smooth(const struct zr_batch *batch, const struct zr_window_vertex *vertices, zr_vi numbers)
+static inline void zr_expect_smooth(const struct zr_batch *batch, const struct zr_window_vertex *vertices,
+                                    zr_vi numbers)
 {
     const struct zr_sides sides = zr_sides_of(batch);
     const struct zr_corner_numbers corners = zr_corner_numbers_of(batch, batch->colors, numbers);
@@ -52,7 +53,7 @@ static void zr_make_alone(struct zr_shader *s, uint32_t i, const struct zr_batch
 
 /* Of triangles whose normals and points are wanted beside their colours. */
 static inline void zr_put_late(struct zr_shader *s, const struct zr_run *run, const struct zr_way_v *way,
-                            const int32_t (*vertices)[ZR_LANES], int count)
+                               const int32_t (*vertices)[ZR_LANES], int count)
 {
     struct zr_vec3_v values[3];
     zr_normals_load(run->batch, zr_run_numbers(s, run), way->turned, values);
@@ -105,19 +106,19 @@ static inline void zr_make_colors(struct zr_shader *s, const struct zr_run *run,
 /* ---- the channel ---- */
 
 static inline void zr_shade_colors_by(struct zr_shader *s, const struct zr_tile *tile, int begin, int end,
-                                   const struct zr_shaded *to, int plane_count)
+                                      const struct zr_shaded *to, int plane_count)
 {
     for (uint32_t i = 0; i < s->run_count; i++)
         zr_expect_colors(s, &s->runs[i]);
     for (uint32_t i = 0; i < s->run_count; i++)
         zr_make_colors(s, &s->runs[i], plane_count);
     zr_finish_blocks(s, tile, begin, end, tile->has_colors, plane_count, to->behind.first ? &to->behind : NULL,
-                  &to->colors);
+                     &to->colors);
 }
 
 /* How many planes there are is known when this is compiled: else they would not stay in registers. */
 static inline void zr_shade_colors(struct zr_shader *s, const struct zr_tile *tile, int begin, int end,
-                                const struct zr_shaded *to)
+                                   const struct zr_shaded *to)
 {
     s->nothing = to->nothing;
     s->any_planes = s->any_late = false;

@@ -25,7 +25,8 @@ static inline void zr_make_faces(struct zr_shader *s, const struct zr_run *run)
 
 /* Ids, of which there are some for each run. */
 static inline void zr_shade_ids(struct zr_shader *s, const struct zr_tile *tile, int begin, int end,
-                             void (*make)(struct zr_shader *s, const struct zr_run *run), const struct zr_pixel_rows *out)
+                                void (*make)(struct zr_shader *s, const struct zr_run *run),
+                                const struct zr_pixel_rows *out)
 {
     s->nothing = 0;
     s->any_planes = false;

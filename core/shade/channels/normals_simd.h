@@ -44,7 +44,7 @@ static inline void zr_make_normals(struct zr_shader *s, const struct zr_run *run
 
 /* To three floats a pixel, one after the other; lanes that are nobody's are left out. */
 static inline void zr_put_normals(struct zr_vec3_v n, uint32_t lanes, const struct zr_shaded *to, const float *x,
-                               const float *y, int32_t tile_x, int32_t tile_y)
+                                  const float *y, int32_t tile_x, int32_t tile_y)
 {
     float each[3][ZR_LANES];
     zr_vf_store(each[0], n.x);
@@ -60,7 +60,7 @@ static inline void zr_put_normals(struct zr_vec3_v n, uint32_t lanes, const stru
 }
 
 static inline struct zr_vec3_v zr_normals_at(const struct zr_shader *s, uint32_t first, uint32_t count, zr_vi owner,
-                                          const struct zr_shaded *to, zr_vf x, zr_vf y)
+                                             const struct zr_shaded *to, zr_vf x, zr_vf y)
 {
     zr_vf planes[1 + ZR_VALUES_FEW][3];
     zr_select_planes(s, first, count, owner, 1 + ZR_VALUES_FEW, planes);
@@ -73,7 +73,7 @@ static inline struct zr_vec3_v zr_normals_at(const struct zr_shader *s, uint32_t
 }
 
 static inline void zr_shade_normals_of_block(const struct zr_shader *s, const struct zr_tile *tile, int number,
-                                          const struct zr_shaded *to)
+                                             const struct zr_shaded *to)
 {
     const struct zr_block_parts *block = &s->parts.blocks[number];
     const struct zr_patch_place place = zr_patch_place_of(tile, number);
@@ -89,7 +89,8 @@ static inline void zr_shade_normals_of_block(const struct zr_shader *s, const st
         const zr_vf fx = zr_vf_of(column), fy = zr_vf_of(row), zero = zr_vf_set(0.0f);
         struct zr_vec3_v n = {zero, zero, zero};
         float xs[ZR_LANES], ys[ZR_LANES];
-        if (count > 0) n = zr_choose_v(zr_vi_lt(zr_vi_set(0), owner), zr_normals_at(s, part, count, owner, to, fx, fy), n);
+        if (count > 0)
+            n = zr_choose_v(zr_vi_lt(zr_vi_set(0), owner), zr_normals_at(s, part, count, owner, to, fx, fy), n);
         zr_vf_store(xs, fx);
         zr_vf_store(ys, fy);
         zr_put_normals(n, zr_vm_bits(within), to, xs, ys, tile->x, tile->y);
@@ -98,7 +99,7 @@ static inline void zr_shade_normals_of_block(const struct zr_shader *s, const st
 }
 
 static inline void zr_shade_normals(struct zr_shader *s, const struct zr_tile *tile, int begin, int end,
-                                 const struct zr_shaded *to)
+                                    const struct zr_shaded *to)
 {
     const int across = (tile->width + ZR_BLOCK_WIDTH - 1) / ZR_BLOCK_WIDTH;
     for (uint32_t i = 0; i < s->run_count; i++)

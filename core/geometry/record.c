@@ -1,8 +1,6 @@
-#include "geometry/batch.h"
+#include "geometry/record.h"
 
 #include <string.h>
-
-#include "geometry/geometry.h"
 
 const struct zr_batch *zr_batch_of(const struct zr_geometry *geometry, uint32_t number)
 {

@@ -1,8 +1,9 @@
-#include "shade/points.h"
+#include "shade/surface_points.h"
 
 #include <string.h>
 
 #include "base/matrix.h"
+#include "geometry/record.h"
 
 /* What is the same for all samples of a record. */
 struct record {
@@ -225,15 +226,15 @@ static void put_nothing(const struct zr_frame *frame, size_t pixel)
     }
 }
 
-bool zr_points_are_wanted(const struct zr_frame *frame)
+bool zr_surface_points_are_wanted(const struct zr_frame *frame)
 {
     return frame->channels[ZR_CHANNEL_DISTANCE] || frame->channels[ZR_CHANNEL_POSITION] ||
            frame->channels[ZR_CHANNEL_BARYCENTRICS];
 }
 
-void zr_points_tile(const struct zr_geometry *geometry, const struct zr_eye_depths *kernel,
-                    uint64_t (*ends)(const uint32_t *owners, int32_t width), enum zr_space position,
-                    const struct zr_tile *tile, const struct zr_frame *frame)
+void zr_surface_points_tile(const struct zr_geometry *geometry, const struct zr_eye_depths *kernel,
+                            uint64_t (*ends)(const uint32_t *owners, int32_t width), enum zr_space position,
+                            const struct zr_tile *tile, const struct zr_frame *frame)
 {
     struct points points = {
         .geometry = geometry, .kernel = kernel, .frame = frame, .batch = &geometry->batches[0], .space = position};

@@ -1,12 +1,12 @@
-/* points.h - shade: a tile's owners -> the points of the mesh that its samples see: channels distance, position and
- * barycentrics.
+/* surface_points.h - shade: a tile's owners -> the points of the mesh that its samples see: channels distance, position
+ * and barycentrics.
  *
  * Space:  as the channel has it; eye space is the camera's.
  * Exact:  in double, on the plane that the channel depth uses (eye_depth.h), so that -z of a point in eye space is its
  *         depth. Shares of corners are linear on the mesh's own triangle, whatever clipping made of it.
  */
-#ifndef ZR_POINTS_H
-#define ZR_POINTS_H
+#ifndef ZR_SURFACE_POINTS_H
+#define ZR_SURFACE_POINTS_H
 
 #include "geometry/geometry.h"
 #include "raster/tile.h"
@@ -14,12 +14,12 @@
 #include "shade/frame.h"
 
 /* True where the frame has one of the channels. */
-bool zr_points_are_wanted(const struct zr_frame *frame);
+bool zr_surface_points_are_wanted(const struct zr_frame *frame);
 
 /* Writes the tile's part of those of the channels that the frame has. All samples of the tile are written. `ends`: as
  * in struct zr_paint. position: in which space. */
-void zr_points_tile(const struct zr_geometry *geometry, const struct zr_eye_depths *kernel,
-                    uint64_t (*ends)(const uint32_t *owners, int32_t width), enum zr_space position,
-                    const struct zr_tile *tile, const struct zr_frame *frame);
+void zr_surface_points_tile(const struct zr_geometry *geometry, const struct zr_eye_depths *kernel,
+                            uint64_t (*ends)(const uint32_t *owners, int32_t width), enum zr_space position,
+                            const struct zr_tile *tile, const struct zr_frame *frame);
 
 #endif

@@ -1,4 +1,4 @@
-#include "geometry/geometry.h"
+#include "geometry/build.h"
 
 #include <stdatomic.h>
 #include <string.h>

@@ -1,0 +1,26 @@
+/* sight.h - scene, last step: a view (pose, projection, fit) -> a camera.
+ *
+ * Fits:   a pose that names no eye shows all of the geometry, or of one mesh of it; near
+ *         and far plane hold all of it in any case.
+ */
+#ifndef ZR_SIGHT_H
+#define ZR_SIGHT_H
+
+#include "base/status.h"
+#include "scene/camera.h"
+#include "scene/scene.h"
+#include "zraster.h"
+
+/* What zr_sight_find finds. */
+struct zr_sight {
+    struct zr_bounds bounds; /* of the geometry; not valid where neither the view nor an output needs them */
+    struct zr_camera camera;
+};
+
+/* `bounds` need not be defined where the view does not need them. Fails with ZR_BAD_SCENE where the view has no
+ * solution (an eye on its target, an up along the view, a target that a fitted distance cannot show), or where an entry
+ * of a matrix is beyond ZR_MATRIX_MAX. */
+enum zr_status zr_camera_resolve(const struct zr_scene *scene, const struct zr_bounds *bounds, struct zr_team *team,
+                                 const struct zr_cancel *cancel, struct zr_camera *camera, struct zr_error *error);
+
+#endif
