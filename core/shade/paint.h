@@ -1,4 +1,4 @@
-/* paint.h - shade: the colours of a tile. A kernel.
+/* paint.h - shade: a tile's owners -> colours, ids and normals. A kernel.
  *
  * Exact:  the reference's rule 9: colours times 1/w are planes over the window, each pixel divides by the plane of
  *         1/w, and bytes are rounded to the nearest.
@@ -17,7 +17,7 @@
 #include "raster/plane.h"
 #include "raster/tile.h"
 
-/* Values that vary over a surface: a colour; and of what is shaded late, a normal and a point. */
+/* Values that vary over a surface: a colour; and of what is shaded late, a normal and the way from the eye to it. */
 enum { ZR_VALUES_FEW = 3, ZR_VALUES_MOST = 9 };
 
 /* What the pixels of one record are painted with. */
@@ -25,7 +25,7 @@ struct zr_surface {
     bool flat;
     uint32_t color; /* flat: four bytes */
     /* Else planes of 1/w, and of values times that: a colour, and, where `material` says that it is shaded late, a
-     * normal of the side that is seen, and a point, both in eye space. */
+     * normal of the side that is seen, and the way from the eye, both in eye space. */
     struct zr_plane planes[1 + ZR_VALUES_MOST];
     const struct zr_material *material; /* NULL: what the colour's planes show is what is seen */
 };
@@ -39,7 +39,7 @@ struct zr_surface zr_surface_make(const struct zr_geometry *geometry, const stru
 /* Four words a colour: their numbers, fronts and backs one behind the other, fit 31 bits. */
 enum { ZR_GATHERED_MOST = 1 << 28 };
 
-/* Whether colours can be gathered by the numbers of triangles. */
+/* Whether what triangles show can be looked up many at once, by their numbers. */
 static inline bool zr_batch_is_gathered(const struct zr_batch *batch)
 {
     return !batch->written && batch->count > 0 && batch->count <= ZR_GATHERED_MOST &&

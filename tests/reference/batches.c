@@ -10,23 +10,6 @@
 #include "geometry/vertex_normals.h"
 #include "scene/scene.h"
 
-/* ---- owners as colours ---- */
-
-/* Both odd, and inverse to each other modulo 2^24. */
-static const uint32_t scatter = 0x9e3779u, gather = 0xb382c9u;
-
-zr_vec4 batches_owner_color(uint32_t number)
-{
-    uint32_t c = number * scatter;
-    return (zr_vec4){(float)(c & 255) / 255.0f, (float)(c >> 8 & 255) / 255.0f, (float)(c >> 16 & 255) / 255.0f, 1.0f};
-}
-
-uint32_t batches_owner_number(const uint8_t rgba[4])
-{
-    uint32_t c = rgba[0] | (uint32_t)rgba[1] << 8 | (uint32_t)rgba[2] << 16;
-    return c * gather & BATCHES_OWNERS_MAX;
-}
-
 /* ---- places ---- */
 
 static void apply_in_double(const zr_mat4 *m, double v[4])
@@ -487,26 +470,6 @@ static bool append_instance(struct builder *b, const struct zr_instance *instanc
     return true;
 }
 
-/* The scene's, in eye space, and wrong where a test wants that; NULL where the arena has failed. */
-static const struct reference_lighting *make_lighting(struct builder *b)
-{
-    struct zr_lighting made;
-    const float more = b->options.more_ambient;
-    struct reference_lighting *lighting = zr_arena_alloc(b->arena, 1, sizeof *lighting);
-    zr_vec3 *to_light = zr_arena_alloc(b->arena, b->scene->light_count, sizeof *to_light);
-    zr_lighting_make(b->arena, b->scene, &b->camera->world_to_eye, &made);
-    if (!zr_arena_ok(b->arena)) return NULL;
-    for (uint32_t i = 0; i < made.count; i++) {
-        to_light[i] = made.to_light[i];
-        to_light[i].x += b->options.more_to_x;
-    }
-    *lighting = (struct reference_lighting){.ambient = zr_vec3_add(made.ambient, (zr_vec3){more, more, more}),
-                                            .count = made.count,
-                                            .to_light = to_light,
-                                            .colors = made.colors};
-    return lighting;
-}
-
 bool batches_make(struct zr_arena *arena, const struct zr_scene *scene, const struct zr_camera *camera,
                   const struct batches_options *options, struct batches *batches)
 {
@@ -523,7 +486,7 @@ bool batches_make(struct zr_arena *arena, const struct zr_scene *scene, const st
     arrays->front = builder.front;
     if (options->purpose == BATCHES_COLORS) {
         arrays->normals = builder.normals;
-        arrays->lighting = make_lighting(&builder);
+        arrays->lighting = batches_light(arena, scene, camera, options);
         if (!arrays->lighting) return false;
     }
     arrays->batches = builder.batches;

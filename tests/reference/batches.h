@@ -70,4 +70,8 @@ bool batches_cut_face(struct zr_arena *arena, const struct zr_mesh *mesh, uint32
 void batches_transform(const struct zr_camera *camera, const zr_mat4 *object_to_world, zr_vec4 position,
                        double clip[4]);
 
+/* The scene's lights, in eye space, and wrong where the options want that; NULL where the arena has failed. */
+const struct reference_lighting *batches_light(struct zr_arena *arena, const struct zr_scene *scene,
+                                               const struct zr_camera *camera, const struct batches_options *options);
+
 #endif

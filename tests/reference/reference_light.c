@@ -3,81 +3,66 @@
 
 #include "reference/reference_gl.h"
 
-/* RULES.md, rule 16. Sums are written out, since a compiler may choose the order of dot(). The fixed functions would
+/* Sums are written out, since a compiler may choose the order of dot(). Squares of lengths that a float holds badly:
+ * the vector is made shorter or longer first. `precise`: Mesa's compiler may not rewrite what follows (rule 18). */
+#define GLSL_UNIT                                                                                                      \
+    "float sum_of_products(vec3 a, vec3 b)\n"                                                                          \
+    "{\n"                                                                                                              \
+    "    precise float sum = (a.z * b.z + a.y * b.y) + a.x * b.x;\n"                                                   \
+    "    return sum;\n"                                                                                                \
+    "}\n"                                                                                                              \
+    "vec3 unit(vec3 v)\n"                                                                                              \
+    "{\n"                                                                                                              \
+    "    precise vec3 u = v;\n"                                                                                        \
+    "    float square = sum_of_products(u, u);\n"                                                                      \
+    "    if (!(square > 1e-30 && square < 1e30)) {\n"                                                                  \
+    "        float largest = max(max(abs(u.x), abs(u.y)), abs(u.z));\n"                                                \
+    "        if (!(largest > 0.0)) return u;\n"                                                                        \
+    "        u = u / largest;\n"                                                                                       \
+    "        square = sum_of_products(u, u);\n"                                                                        \
+    "    }\n"                                                                                                          \
+    "    u = u * (1.0 / sqrt(square));\n"                                                                              \
+    "    return u;\n"                                                                                                  \
+    "}\n"
+
+/* RULES.md, rule 16. The fixed functions would
  * light in object space, through an inverse of their own, where the modelview matrix is not the identity: so it is a
  * program that lights. What ftransform() gives equals the fixed functions' position to the last bit: GL promises it.
  * The number of lights is a uniform also so that the loop stays one: Mesa's compiler would factor gl_Color out of a sum
  * that is written out (rule 18). GL itself clamps gl_FrontColor and gl_BackColor to 0..1, as it does after
  * fixed-function lighting. */
-static const char *const source =
-    "#version 120\n"
-    "uniform vec3 ambient;\n"
-    "uniform int light_count;\n"
-    "uniform vec3 to_light[1024];\n"
-    "uniform vec3 light_color[1024];\n"
-    "uniform vec3 normal_rows[3];\n"
-    "uniform int side;\n"
-    "float sum_of_products(vec3 a, vec3 b)\n"
-    "{\n"
-    "    return (a.z * b.z + a.y * b.y) + a.x * b.x;\n"
-    "}\n"
-    /* Squares of lengths that a float holds badly: the vector is made shorter or longer first. */
-    "vec3 unit(vec3 v)\n"
-    "{\n"
-    "    float square = sum_of_products(v, v);\n"
-    "    if (!(square > 1e-30 && square < 1e30)) {\n"
-    "        float largest = max(max(abs(v.x), abs(v.y)), abs(v.z));\n"
-    "        if (!(largest > 0.0)) return v;\n"
-    "        v = v / largest;\n"
-    "        square = sum_of_products(v, v);\n"
-    "    }\n"
-    "    return v * (1.0 / sqrt(square));\n"
-    "}\n"
-    "void main()\n"
-    "{\n"
-    "    vec3 object_normal = unit(gl_Normal);\n"
-    "    vec3 normal = unit(vec3(sum_of_products(normal_rows[0], object_normal),\n"
-    "                            sum_of_products(normal_rows[1], object_normal),\n"
-    "                            sum_of_products(normal_rows[2], object_normal)));\n"
-    "    vec3 front = ambient * gl_Color.rgb, back = front;\n"
-    "    for (int i = 0; i < light_count; i++) {\n"
-    "        float facing = sum_of_products(normal, to_light[i]);\n"
-    "        vec3 diffuse = light_color[i] * gl_Color.rgb;\n"
-    "        if (facing > 0.0)\n"
-    "            front += diffuse * facing;\n"
-    "        else\n"
-    "            back += diffuse * -facing;\n"
-    "    }\n"
-    "    gl_Position = ftransform();\n"
-    "    gl_FrontColor = vec4(side == 2 ? back : front, gl_Color.a);\n"
-    "    gl_BackColor = vec4(side == 1 ? front : back, gl_Color.a);\n"
-    "}\n";
+static const char *const source = "#version 120\n#define precise\n"
+                                  "uniform vec3 ambient;\n"
+                                  "uniform int light_count;\n"
+                                  "uniform vec3 to_light[1024];\n"
+                                  "uniform vec3 light_color[1024];\n"
+                                  "uniform vec3 normal_rows[3];\n"
+                                  "uniform int side;\n" GLSL_UNIT "void main()\n"
+                                  "{\n"
+                                  "    vec3 object_normal = unit(gl_Normal);\n"
+                                  "    vec3 normal = unit(vec3(sum_of_products(normal_rows[0], object_normal),\n"
+                                  "                            sum_of_products(normal_rows[1], object_normal),\n"
+                                  "                            sum_of_products(normal_rows[2], object_normal)));\n"
+                                  "    vec3 front = ambient * gl_Color.rgb, back = front;\n"
+                                  "    for (int i = 0; i < light_count; i++) {\n"
+                                  "        float facing = sum_of_products(normal, to_light[i]);\n"
+                                  "        vec3 diffuse = light_color[i] * gl_Color.rgb;\n"
+                                  "        if (facing > 0.0)\n"
+                                  "            front += diffuse * facing;\n"
+                                  "        else\n"
+                                  "            back += diffuse * -facing;\n"
+                                  "    }\n"
+                                  "    gl_Position = ftransform();\n"
+                                  "    gl_FrontColor = vec4(side == 2 ? back : front, gl_Color.a);\n"
+                                  "    gl_BackColor = vec4(side == 1 ? front : back, gl_Color.a);\n"
+                                  "}\n";
 
-/* What is shaded pixel by pixel: its own colour, normal and point are varyings. `precise`: Mesa's compiler may not
- * rewrite what follows (rule 18). The power has an exponent that the compiler does not know. */
+/* What is shaded pixel by pixel: its own colour, normal and point are varyings. The power has an exponent that the
+ * compiler does not know. */
 static const char *const late_vertex =
     "uniform vec3 normal_rows[3];\n"
     "uniform vec4 to_eye[4], eye;\n" /* columns */
-    "varying vec3 own_color, normal, point;\n"
-    "float sum_of_products(vec3 a, vec3 b)\n"
-    "{\n"
-    "    precise float sum = (a.z * b.z + a.y * b.y) + a.x * b.x;\n"
-    "    return sum;\n"
-    "}\n"
-    "vec3 unit(vec3 v)\n"
-    "{\n"
-    "    precise vec3 u = v;\n"
-    "    float square = sum_of_products(u, u);\n"
-    "    if (!(square > 1e-30 && square < 1e30)) {\n"
-    "        float largest = max(max(abs(u.x), abs(u.y)), abs(u.z));\n"
-    "        if (!(largest > 0.0)) return u;\n"
-    "        u = u / largest;\n"
-    "        square = sum_of_products(u, u);\n"
-    "    }\n"
-    "    u = u * (1.0 / sqrt(square));\n"
-    "    return u;\n"
-    "}\n"
-    "void main()\n"
+    "varying vec3 own_color, normal, point;\n" GLSL_UNIT "void main()\n"
     "{\n"
     "    vec3 n = unit(gl_Normal);\n"
     "    normal = unit(vec3(sum_of_products(normal_rows[0], n), sum_of_products(normal_rows[1], n),\n"
@@ -97,18 +82,7 @@ static const char *const late_fragment =
     "uniform vec4 eye;\n"
     "uniform vec3 to_light[1024];\n"
     "uniform vec3 light_color[1024];\n"
-    "varying vec3 own_color, normal, point;\n"
-    "float sum_of_products(vec3 a, vec3 b)\n"
-    "{\n"
-    "    precise float sum = (a.z * b.z + a.y * b.y) + a.x * b.x;\n"
-    "    return sum;\n"
-    "}\n"
-    "vec3 unit(vec3 v)\n"
-    "{\n"
-    "    precise vec3 u = v * (1.0 / sqrt(sum_of_products(v, v)));\n"
-    "    return u;\n"
-    "}\n"
-    "void main()\n"
+    "varying vec3 own_color, normal, point;\n" GLSL_UNIT "void main()\n"
     "{\n"
     "    bool back = side == 0 ? !gl_FrontFacing : side == 2;\n"
     "    precise vec3 n = unit(back ? -normal : normal), sum;\n"
