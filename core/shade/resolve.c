@@ -65,11 +65,19 @@ static size_t lowest_pixel_of(const struct zr_frame *frame, const struct zr_tile
     return (size_t)row * frame->width + (size_t)tile->x;
 }
 
-static struct zr_pixel_rows rows_of(const struct zr_frame *frame, const struct zr_tile *tile, void *channel)
+/* Of an array with so many words a pixel; NULL: not wanted. */
+static struct zr_pixel_rows rows_in(const struct zr_frame *frame, const struct zr_tile *tile, void *array,
+                                    uint32_t words)
 {
-    return (struct zr_pixel_rows){.first = (uint32_t *)channel + lowest_pixel_of(frame, tile),
-                                  .stride = ZR_MUTANT(upside_down, -(ptrdiff_t)frame->width, (ptrdiff_t)frame->width),
+    const ptrdiff_t stride = (ptrdiff_t)frame->width * (ptrdiff_t)words;
+    return (struct zr_pixel_rows){.first = array ? (uint32_t *)array + lowest_pixel_of(frame, tile) * words : NULL,
+                                  .stride = ZR_MUTANT(upside_down, -stride, stride),
                                   .streamed = is_streamed(frame, tile)};
+}
+
+static struct zr_pixel_rows rows_of(const struct zr_frame *frame, const struct zr_tile *tile, enum zr_channel channel)
+{
+    return rows_in(frame, tile, frame->channels[channel], zr_channel_rows[channel].words);
 }
 
 /* All channels, with what they have where nothing is. */
@@ -78,12 +86,9 @@ static void fill_all(const struct zr_paint *paint, const struct zr_frame *frame,
 {
     for (int c = 0; c < ZR_CHANNEL_COUNT; c++) {
         const struct zr_channel_row *row = &zr_channel_rows[c];
-        const int32_t words = (int32_t)row->words;
-        if (!frame->channels[c]) continue;
-        struct zr_pixel_rows rows = rows_of(frame, tile, frame->channels[c]);
-        rows.first = (uint32_t *)frame->channels[c] + lowest_pixel_of(frame, tile) * row->words;
-        rows.stride *= words;
-        paint->fill(&rows, tile->width * words, tile->height, c == ZR_CHANNEL_COLOR ? background : row->nothing);
+        const struct zr_pixel_rows rows = rows_of(frame, tile, (enum zr_channel)c);
+        const uint32_t nothing = c == ZR_CHANNEL_COLOR ? background : row->nothing;
+        if (rows.first) paint->fill(&rows, tile->width * (int32_t)row->words, tile->height, nothing);
     }
 }
 
@@ -91,7 +96,7 @@ static float resolve_depth(const struct zr_geometry *geometry, enum zr_isa isa, 
                            const struct zr_frame *frame)
 {
     const struct zr_paint *paint = zr_paint_of(isa);
-    const struct zr_pixel_rows rows = rows_of(frame, tile, frame->depth);
+    const struct zr_pixel_rows rows = rows_of(frame, tile, ZR_CHANNEL_DEPTH);
     const float deepest =
         zr_depths_tile(geometry, zr_eye_depths_of(isa), paint->ends, frame->width, frame->height, tile);
     paint->copy(&rows, tile->width, tile->height, tile->depth);
@@ -112,20 +117,15 @@ static void shade(const struct zr_geometry *geometry, const struct zr_paint *pai
                   uint32_t nothing, const struct zr_tile *tile, const struct zr_frame *frame)
 {
     const struct zr_base *base = frame->base;
-    struct zr_shaded to = {.nothing = nothing};
-    if (frame->color) to.colors = rows_of(frame, tile, frame->color);
-    if (base && base->color) to.behind = rows_of(frame, tile, (void *)(uintptr_t)base->color);
-    if (frame->face_id) to.faces = rows_of(frame, tile, frame->face_id);
-    if (frame->channels[ZR_CHANNEL_INSTANCE_ID])
-        to.instances = rows_of(frame, tile, frame->channels[ZR_CHANNEL_INSTANCE_ID]);
-    if (frame->channels[ZR_CHANNEL_NORMALS]) {
-        to.normals = rows_of(frame, tile, NULL);
-        to.normals.first = (uint32_t *)frame->channels[ZR_CHANNEL_NORMALS] + 3 * lowest_pixel_of(frame, tile);
-        to.normals.stride *= 3;
-        normals_to_space(&frame->camera.world_to_eye, zr_scene_space(scene, ZR_CHANNEL_NORMALS), to.normals_to_space);
-    }
-    to.eye = zr_camera_eye(&frame->camera);
-    to.is_shaded_late = geometry->points != NULL;
+    struct zr_shaded to = {.colors = rows_of(frame, tile, ZR_CHANNEL_COLOR),
+                           .nothing = nothing,
+                           .faces = rows_of(frame, tile, ZR_CHANNEL_FACE_ID),
+                           .instances = rows_of(frame, tile, ZR_CHANNEL_INSTANCE_ID),
+                           .normals = rows_of(frame, tile, ZR_CHANNEL_NORMALS),
+                           .eye = zr_camera_eye(&frame->camera),
+                           .is_shaded_late = geometry->points != NULL};
+    if (base) to.behind = rows_in(frame, tile, (void *)(uintptr_t)base->color, 1);
+    normals_to_space(&frame->camera.world_to_eye, zr_scene_space(scene, ZR_CHANNEL_NORMALS), to.normals_to_space);
     paint->shade(geometry, tile, &to);
     for (int32_t y = 0; frame->face_id && base && y < tile->height; y++)
         for (int32_t x = 0; x < tile->width; x++)
@@ -147,7 +147,7 @@ struct zr_resolved zr_resolve_tile(const struct zr_geometry *geometry, enum zr_i
         return resolved;
     }
     if (frame->window_depth) {
-        const struct zr_pixel_rows rows = rows_of(frame, tile, frame->window_depth);
+        const struct zr_pixel_rows rows = rows_of(frame, tile, ZR_CHANNEL_WINDOW_DEPTH);
         paint->depths(tile, &rows);
     }
     const bool points = zr_surface_points_are_wanted(frame);
