@@ -10,13 +10,13 @@
 #include "cost_pairs.h"
 
 #include "geometry/clip.h"
-#include "geometry/colors.h"
 #include "geometry/face.h"
 #include "geometry/viewport.h"
 #include "raster/tile.h"
 #include "scene/camera.h"
 #include "scene/scene.h"
 #include "scene/sight.h"
+#include "shade/colors.h"
 
 /* What other work takes, in triangles (T) and fragments (F): to a factor of two or three, for what is foreseen is
  * to keep out what takes a hundred times too long. */

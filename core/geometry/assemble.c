@@ -7,16 +7,13 @@
 
 /* A triangle keeps the order of its corners; a larger polygon becomes the fan
  * (i-1, i, 0), as GL_POLYGON does in the reference (rule 10). */
-static void place_fan(struct zr_builder *builder, uint32_t face, bool smooth, const struct zr_part *part)
+static void place_fan(struct zr_builder *builder, uint32_t face, const struct zr_part *part)
 {
     const struct zr_mesh *mesh = builder->mesh;
     uint32_t begin = mesh->face_offsets[face], count = mesh->face_offsets[face + 1] - begin;
     for (uint32_t i = 2; i < count; i++) {
         const uint32_t fan[3] = {i - 1, i, 0}, whole[3] = {0, 1, 2}, *order = count == 3 ? whole : fan;
-        const uint32_t slots[3] = {begin + order[0], begin + order[1], begin + order[2]};
-        struct zr_corners corners;
-        if (!zr_corners_make(builder, face, smooth, slots, part, &corners)) return;
-        zr_place_triangle(builder, &corners, part);
+        zr_place_triangle(builder, (const uint32_t[3]){begin + order[0], begin + order[1], begin + order[2]}, part);
     }
 }
 
@@ -30,17 +27,14 @@ static void place_face(struct zr_builder *builder, uint32_t face)
         counts->degenerate_polygons++;
         return;
     }
-    bool concave = zr_face_is_shape(mesh, face), smooth = zr_material_is_smooth(mesh, material);
+    const bool concave = zr_face_is_shape(mesh, face);
     counts->concave_polygons += concave;
     if (material->hollow) return;
-    struct zr_part part = {.face = builder->first_face_id + face,
-                           .material = material,
-                           .double_sided = material->double_sided,
-                           .pushed = material->outline != ZR_OUTLINE_NONE};
+    const struct zr_part part = {.face = face, .material = material, .pushed = material->outline != ZR_OUTLINE_NONE};
     if (concave)
-        zr_shape_place(builder, face, smooth, &part);
+        zr_shape_place(builder, face, &part);
     else
-        place_fan(builder, face, smooth, &part);
+        place_fan(builder, face, &part);
 }
 
 static void outline_face(struct zr_builder *builder, uint32_t face)
@@ -65,7 +59,7 @@ static uint64_t corners_squared(const struct zr_mesh *mesh, uint32_t face)
     return corners * corners;
 }
 
-/* ---- faces that need not be written out ---- */
+/* ---- faces that are drawn as they stand ---- */
 
 /* Faces begin .. end - 1, all in one material. */
 struct run {
@@ -85,52 +79,25 @@ static bool face_is_plain(const struct zr_builder *builder, const struct zr_fans
     return any == 0;
 }
 
-static enum zr_batch_rate colors_of_run(const struct zr_builder *builder, const struct zr_material *material)
-{
-    const struct zr_colors *colors = &builder->colors;
-    if (colors->layout == ZR_COLOR_NONE) return ZR_BATCH_UNCOLORED;
-    if (colors->given && colors->layout == ZR_COLOR_PER_FACE && colors->of_first_corner)
-        return ZR_BATCH_PER_FIRST_CORNER;
-    if (colors->layout == ZR_COLOR_PER_FACE) return ZR_BATCH_PER_FACE;
-    if (colors->layout == ZR_COLOR_PER_VERTEX) return ZR_BATCH_PER_VERTEX;
-    return zr_material_is_smooth(builder->mesh, material) ? ZR_BATCH_PER_CORNER : ZR_BATCH_PER_FIRST_SLOT;
-}
-
 static bool add_run(struct zr_builder *builder, const struct zr_fans *fans, const struct run *run)
 {
     const struct zr_mesh *mesh = builder->mesh;
     struct zr_counts *counts = &builder->geometry->counts;
     uint32_t first = zr_fans_first(mesh, run->begin), end = zr_fans_first(mesh, run->end);
     const uint32_t *corners = fans->corners ? fans->corners : mesh->indices;
-    struct zr_batch batch = {.count = end - first,
-                             .plain = true,
-                             .mesh = mesh,
-                             .corners = corners + 3 * (size_t)first,
-                             .slots = fans->slots ? fans->slots + 3 * (size_t)first : NULL,
-                             .faces = fans->faces ? fans->faces + first : NULL,
-                             .first_face = run->begin,
-                             .first_id = ZR_MUTANT(ids_of_the_first_instance, builder->first_face_id, 1u),
-                             .first_vertex = builder->first_vertex,
-                             .colors = colors_of_run(builder, run->material),
-                             .front = builder->colors.front,
-                             .back = builder->colors.back,
-                             .packed = builder->colors.packed,
-                             .color_count = builder->colors.count,
-                             .material = run->material,
-                             .sided = builder->colors.sided && run->material->double_sided,
-                             .mirrored = builder->mirrored,
-                             .double_sided = run->material->double_sided};
-    if (zr_builder_wants_normals(builder, run->material)) {
-        batch.normals_rate = zr_eye_normals_rate(mesh, run->material);
-        batch.normals = zr_builder_normals(builder, batch.normals_rate);
-        if (!batch.normals) return false;
-    }
+    const struct zr_draw draw = {.count = end - first,
+                                 .kind = ZR_DRAW_TRIANGLES,
+                                 .material = run->material,
+                                 .corners = corners + 3 * (size_t)first,
+                                 .slots = fans->slots ? fans->slots + 3 * (size_t)first : NULL,
+                                 .faces = fans->faces ? fans->faces + first : NULL,
+                                 .first_face = run->begin};
     counts->polygons += run->end - run->begin;
-    counts->triangles += batch.count;
-    return zr_builder_add_written(builder) && zr_builder_add_batch(builder, batch);
+    counts->triangles += draw.count;
+    return zr_builder_add_draw(builder, draw);
 }
 
-/* Faces one after the other: runs of plain ones become batches, all others are written out. */
+/* Faces one after the other: runs of plain ones become draws, all others are placed one by one. */
 static enum zr_status assemble_faces(struct zr_builder *builder, const struct zr_fans *fans)
 {
     const struct zr_mesh *mesh = builder->mesh;
@@ -148,7 +115,6 @@ static enum zr_status assemble_faces(struct zr_builder *builder, const struct zr
             if (!add_run(builder, fans, &run)) return ZR_NO_MEMORY;
         } else {
             work = corners_squared(mesh, run.begin);
-            if (!zr_builder_own_colors(builder, run.begin)) return ZR_NO_MEMORY;
             place_face(builder, run.end++);
         }
         if (!zr_arena_ok(builder->arena)) return ZR_NO_MEMORY;
@@ -157,13 +123,12 @@ static enum zr_status assemble_faces(struct zr_builder *builder, const struct zr
     return ZR_OK;
 }
 
-/* ---- all faces, written out ---- */
+/* ---- all faces, one by one ---- */
 
 static enum zr_status for_each_face(struct zr_builder *builder, void (*work)(struct zr_builder *builder, uint32_t face))
 {
     for (uint32_t face = 0; face < builder->mesh->face_count; face++) {
         if (!zr_builder_go_on(builder, corners_squared(builder->mesh, face))) return ZR_CANCELLED;
-        if (!zr_builder_own_colors(builder, face)) return ZR_NO_MEMORY;
         work(builder, face);
         if (!zr_arena_ok(builder->arena)) return ZR_NO_MEMORY;
     }
@@ -173,7 +138,7 @@ static enum zr_status for_each_face(struct zr_builder *builder, void (*work)(str
 static enum zr_status fill_faces(struct zr_builder *builder)
 {
     static const struct zr_fans none = {NULL, NULL, NULL, NULL};
-    if (builder->written) return for_each_face(builder, place_face);
+    if (builder->singly) return for_each_face(builder, place_face);
     const struct zr_mesh *mesh = builder->mesh;
     if (zr_mesh_is_of_triangles(mesh)) return assemble_faces(builder, &none);
     struct zr_fans *fans = &builder->fans[mesh - builder->scene->meshes];
@@ -187,6 +152,5 @@ enum zr_status zr_assemble_mesh(struct zr_builder *builder)
 {
     enum zr_status status = fill_faces(builder);
     if (status == ZR_OK && has_outlines(builder)) status = for_each_face(builder, outline_face);
-    if (status == ZR_OK) status = zr_wire_lines(builder);
-    return status == ZR_OK && !zr_builder_add_written(builder) ? ZR_NO_MEMORY : status;
+    return status == ZR_OK ? zr_wire_lines(builder) : status;
 }

@@ -1,6 +1,6 @@
 #include "geometry/builder.h"
 
-#include "base/rgba.h"
+#include <string.h>
 
 /* Looks are so much work apart: some milliseconds, were all of it corners of faces that are cut, squared. */
 enum { WORK_A_LOOK = 1 << 20 };
@@ -12,6 +12,8 @@ bool zr_builder_go_on(struct zr_builder *builder, uint64_t work)
     builder->unlooked = 0;
     return !zr_is_cancelled(builder->cancel);
 }
+
+/* ---- room ---- */
 
 /* How many an array of `room` grows to for `more` beside `count`: at least by
  * half, so that growth costs a constant share. 0: too many. */
@@ -37,32 +39,16 @@ static bool reserve(struct zr_arena *arena, void **array, uint32_t *room, uint32
     return true;
 }
 
-bool zr_builder_reserve(struct zr_builder *builder, uint64_t vertices, uint64_t colors, uint64_t triangles)
+bool zr_builder_reserve_vertices(struct zr_builder *builder, uint64_t more)
 {
     struct zr_geometry *g = builder->geometry;
-    struct zr_arena *arena = builder->arena;
-    void *vertex_array = g->vertices, *front = g->front_colors, *back = g->back_colors, *triangle_array = g->triangles;
-    void *eyes = g->eyes, *points = g->points, *surfaces = g->surfaces;
-    uint32_t back_room = builder->color_room, eye_room = builder->vertex_room, point_room = builder->vertex_room;
-    uint32_t surface_room = builder->triangle_room;
-    bool ok = reserve(arena, &vertex_array, &builder->vertex_room, g->vertex_count, vertices, sizeof *g->vertices);
-    ok = ok && reserve(arena, &eyes, &eye_room, g->vertex_count, vertices, sizeof *g->eyes);
-    if (builder->points) ok = ok && reserve(arena, &points, &point_room, g->vertex_count, vertices, sizeof *g->points);
-    if (builder->some_normals)
-        ok = ok && reserve(arena, &surfaces, &surface_room, g->triangle_count, triangles, sizeof *g->surfaces);
-    ok = ok && reserve(arena, &front, &builder->color_room, g->color_count, colors, sizeof *g->front_colors);
-    if (builder->separate_backs)
-        ok = ok && reserve(arena, &back, &back_room, g->color_count, colors, sizeof *g->back_colors);
-    ok = ok &&
-         reserve(arena, &triangle_array, &builder->triangle_room, g->triangle_count, triangles, sizeof *g->triangles);
-    if (!ok) return false;
-    g->vertices = vertex_array;
+    void *vertices = g->vertices, *eyes = g->eyes;
+    uint32_t eye_room = builder->vertex_room;
+    if (!reserve(builder->arena, &eyes, &eye_room, g->vertex_count, more, sizeof *g->eyes) ||
+        !reserve(builder->arena, &vertices, &builder->vertex_room, g->vertex_count, more, sizeof *g->vertices))
+        return false;
+    g->vertices = vertices;
     g->eyes = eyes;
-    g->points = points;
-    g->surfaces = surfaces;
-    g->front_colors = front;
-    g->back_colors = builder->separate_backs ? back : front;
-    g->triangles = triangle_array;
     return true;
 }
 
@@ -70,7 +56,6 @@ bool zr_builder_reserve_shape(struct zr_builder *builder, uint64_t edges)
 {
     struct zr_geometry *g = builder->geometry;
     void *edge_array = g->edges, *shapes = g->shapes;
-    if (g->shape_count >= ZR_SHAPE_MASK - 1) builder->arena->failed = true;
     if (!reserve(builder->arena, &edge_array, &builder->edge_room, g->edge_count, edges, sizeof *g->edges))
         return false;
     g->edges = edge_array;
@@ -79,208 +64,140 @@ bool zr_builder_reserve_shape(struct zr_builder *builder, uint64_t edges)
     return true;
 }
 
-bool zr_builder_reserve_cut(struct zr_builder *builder)
-{
-    struct zr_sources *sources = &builder->geometry->sources;
-    void *cuts = sources->cuts;
-    if (!reserve(builder->arena, &cuts, &builder->cut_room, sources->cut_count, 1, sizeof *sources->cuts)) return false;
-    sources->cuts = cuts;
-    return true;
-}
+/* ---- draws ---- */
 
-bool zr_builder_reserve_normals(struct zr_builder *builder, uint64_t more)
+bool zr_builder_add_draw(struct zr_builder *builder, struct zr_draw draw)
 {
     struct zr_geometry *g = builder->geometry;
-    void *normals = g->normals;
-    if (!reserve(builder->arena, &normals, &builder->normal_room, g->normal_count, more + 1, sizeof *g->normals))
+    void *draws = g->draws;
+    if (draw.count == 0) return true;
+    if (draw.count > ZR_GEOMETRY_MAX - g->primitive_count) builder->arena->failed = true;
+    if (builder->arena->failed ||
+        !reserve(builder->arena, &draws, &builder->draw_room, g->draw_count, 1, sizeof *g->draws))
         return false;
-    g->normals = normals;
-    if (g->normal_count == 0) g->normals[g->normal_count++] = (zr_vec4){0, 0, 0, 0};
+    g->draws = draws;
+    draw.first = g->primitive_count;
+    draw.instance = builder->instance;
+    draw.mesh = builder->mesh;
+    draw.mirrored = builder->mirrored;
+    draw.first_vertex = builder->first_vertex;
+    draw.first_id = ZR_MUTANT(ids_of_the_first_instance, builder->first_face_id, 1u);
+    g->primitive_count += draw.count;
+    g->draws[g->draw_count++] = draw;
     return true;
 }
 
-bool zr_builder_add_batch(struct zr_builder *builder, struct zr_batch batch)
+enum { PLACED_AT_FIRST = 64, PLACED_MOST = 1 << 14 };
+
+static bool make_room_to_place(struct zr_builder *builder)
 {
-    struct zr_geometry *g = builder->geometry;
-    void *batches = g->batches;
-    if (batch.count == 0) return true;
-    if (batch.count > ZR_GEOMETRY_MAX - builder->next_number) {
-        builder->arena->failed = true;
-        return false;
-    }
-    if (!reserve(builder->arena, &batches, &builder->batch_room, g->batch_count, 1, sizeof *g->batches)) return false;
-    g->batches = batches;
-    batch.first = builder->next_number;
-    batch.instance = builder->instance;
-    builder->next_number += batch.count;
-    g->batches[g->batch_count++] = batch;
-    return true;
+    struct zr_placed *p = &builder->placed;
+    struct zr_arena *arena = builder->arena;
+    if (p->count < p->room) return true;
+    const uint32_t room = p->room == 0 ? PLACED_AT_FIRST : p->room < PLACED_MOST ? 2 * p->room : PLACED_MOST;
+    *p = (struct zr_placed){.room = room,
+                            .corners = zr_arena_alloc(arena, room, 3 * sizeof *p->corners),
+                            .slots = zr_arena_alloc(arena, room, 3 * sizeof *p->slots),
+                            .faces = zr_arena_alloc(arena, room, sizeof *p->faces),
+                            .traits = zr_arena_alloc(arena, room, sizeof *p->traits)};
+    if (!zr_arena_ok(arena)) p->room = 0;
+    return p->room > 0;
 }
 
-static bool is_plain(const struct zr_triangle *record)
-{
-    return !record->line && !record->pushed && record->shape == 0;
-}
-
-bool zr_builder_add_written(struct zr_builder *builder)
+/* True where the last draw ends with what was placed last, and goes on so. */
+static bool goes_on(const struct zr_builder *builder, const struct zr_part *part)
 {
     const struct zr_geometry *g = builder->geometry;
-    while (builder->batched_records < g->triangle_count) {
-        uint32_t begin = builder->batched_records, end = begin + 1;
-        bool plain = is_plain(&g->triangles[begin]);
-        while (end < g->triangle_count && is_plain(&g->triangles[end]) == plain)
-            end++;
-        struct zr_batch batch = {.count = end - begin, .written = true, .plain = plain, .first_record = begin};
-        if (!zr_builder_add_batch(builder, batch)) return false;
-        builder->batched_records = end;
-    }
-    return true;
+    if (builder->placed.count == 0 || g->primitive_count >= ZR_GEOMETRY_MAX) return false;
+    const struct zr_draw *last = &g->draws[g->draw_count - 1];
+    return last->counted && last->instance == builder->instance && last->kind == part->kind &&
+           last->material == part->material && last->pushed == part->pushed;
 }
 
-/* Where zr_builder_color will look, as if those of all faces were there. */
-static bool own_packed(struct zr_builder *builder, uint32_t face)
+void zr_builder_place(struct zr_builder *builder, const struct zr_part *part, const struct zr_end ends[3])
 {
     struct zr_geometry *g = builder->geometry;
-    const struct zr_colors *colors = &builder->colors;
-    if (!zr_builder_reserve(builder, 0, 1, 0)) return false;
-    g->front_colors[g->color_count] = zr_rgba_floats(colors->packed[face]);
-    g->back_colors[g->color_count] = zr_rgba_floats(colors->packed[colors->sided ? colors->count + face : face]);
-    builder->first_color = g->color_count++ - face;
-    return true;
-}
-
-bool zr_builder_own_colors(struct zr_builder *builder, uint32_t face)
-{
-    if (builder->colors.packed) return own_packed(builder, face);
-    return !builder->colors.given || zr_builder_make_colors(builder);
-}
-
-bool zr_builder_make_colors(struct zr_builder *builder)
-{
-    struct zr_geometry *g = builder->geometry;
-    uint32_t count = zr_colors_count(builder->scene, builder->mesh);
-    if (count == 0) return true; /* a mesh of lines alone: there may be no arrays yet */
-    if (!zr_builder_reserve(builder, 0, count, 0)) return false;
-    builder->colors =
-        zr_colors_make(builder->arena, builder->team, builder->cancel, builder->scene, builder->mesh, builder->lighting,
-                       &builder->object_to_eye, &builder->vertex_normals[builder->mesh - builder->scene->meshes],
-                       g->front_colors + g->color_count, g->back_colors + g->color_count);
-    builder->first_color = g->color_count;
-    g->color_count += count;
-    return zr_arena_ok(builder->arena);
-}
-
-uint32_t zr_builder_color(const struct zr_builder *builder, uint32_t face, bool smooth, uint32_t slot)
-{
-    const struct zr_mesh *mesh = builder->mesh;
-    if (builder->uncolored) return 0;
-    if (builder->colors.layout == ZR_COLOR_PER_FACE) return builder->first_color + face;
-    if (builder->colors.layout == ZR_COLOR_PER_VERTEX) return builder->first_color + mesh->indices[slot];
-    return builder->first_color + (smooth ? slot : mesh->face_offsets[face]);
-}
-
-/* What varies over the corners, cut as they were, to `out`, vertex by vertex. values[]: those of the corners. */
-static void append_values(const struct zr_clipped *clipped, zr_vec4 values[ZR_CLIP_VALUES], zr_vec4 *out)
-{
-    zr_clip_replay(clipped, values);
-    for (int i = 0; i < clipped->count; i++)
-        out[i] = values[clipped->vertices[i].id];
-}
-
-static void append_colors(struct zr_geometry *geometry, const struct zr_clipped *clipped,
-                          const struct zr_builder_corner *corners)
-{
-    zr_vec4 *const arrays[2] = {geometry->front_colors, geometry->back_colors};
-    for (int side = 0; side < (arrays[0] == arrays[1] ? 1 : 2); side++) {
-        zr_vec4 values[ZR_CLIP_VALUES];
-        for (int k = 0; k < clipped->corners; k++)
-            values[k] = arrays[side][corners[k].color];
-        append_values(clipped, values, arrays[side] + geometry->color_count);
-    }
-    geometry->color_count += (uint32_t)clipped->count;
-}
-
-static void append_normals(struct zr_geometry *geometry, const struct zr_clipped *clipped,
-                           const struct zr_builder_corner *corners)
-{
-    zr_vec4 values[ZR_CLIP_VALUES];
-    for (int k = 0; k < clipped->corners; k++)
-        values[k] = geometry->normals[corners[k].normal];
-    append_values(clipped, values, geometry->normals + geometry->normal_count);
-    geometry->normal_count += (uint32_t)clipped->count;
-}
-
-static void append_points(const struct zr_builder *builder, const struct zr_clipped *clipped,
-                          const struct zr_builder_corner *corners)
-{
-    struct zr_geometry *geometry = builder->geometry;
-    zr_vec4 values[ZR_CLIP_VALUES];
-    for (int k = 0; k < clipped->corners; k++)
-        values[k] = geometry->points[builder->first_vertex + corners[k].position];
-    append_values(clipped, values, geometry->points + geometry->vertex_count);
-}
-
-static bool are_alike(const struct zr_clipped *clipped, const uint32_t *first, size_t stride)
-{
-    const uint32_t *second = first + stride, *last = first + stride * (size_t)(clipped->corners - 1);
-    return *first == *second && *second == *last;
-}
-
-bool zr_builder_append_clipped(struct zr_builder *builder, const struct zr_clipped *clipped,
-                               const struct zr_builder_corner *corners, bool placed[ZR_CLIP_MAX])
-{
-    struct zr_geometry *geometry = builder->geometry;
-    const uint64_t count = (uint64_t)clipped->count;
-    const size_t stride = sizeof *corners / sizeof corners->color;
-    const bool flat = are_alike(clipped, &corners->color, stride), even = are_alike(clipped, &corners->normal, stride);
-    zr_vec4 values[ZR_CLIP_VALUES], eyes[ZR_CLIP_MAX];
-    if (!zr_builder_reserve(builder, count, flat ? 0 : count, 0)) return false;
-    if (!even && !zr_builder_reserve_normals(builder, count)) return false;
-    for (int k = 0; k < clipped->corners; k++) {
-        const struct zr_eye eye = zr_builder_eye(builder, corners[k].position);
-        values[k] = (zr_vec4){eye.z, eye.w, 0.0f, 0.0f};
-    }
-    append_values(clipped, values, eyes);
-    if (builder->points) append_points(builder, clipped, corners);
-    for (int i = 0; i < clipped->count; i++) {
-        struct zr_window_vertex *vertex = &geometry->vertices[geometry->vertex_count++];
-        placed[i] = zr_viewport_apply(&builder->viewport, clipped->vertices[i].position, vertex);
-        geometry->eyes[geometry->vertex_count - 1] = (struct zr_eye){eyes[i].x, eyes[i].y};
-    }
-    if (!flat) append_colors(geometry, clipped, corners);
-    if (!even) append_normals(geometry, clipped, corners);
-    return true;
-}
-
-/* ---- normals ---- */
-
-const zr_vec4 *zr_builder_normals(struct zr_builder *builder, enum zr_batch_rate rate)
-{
-    const zr_vec4 **normals = &builder->normals[rate];
-    if (!*normals)
-        *normals =
-            zr_eye_normals_make(builder->arena, builder->team, builder->cancel, builder->mesh, &builder->object_to_eye,
-                                rate, &builder->vertex_normals[builder->mesh - builder->scene->meshes]);
-    return *normals;
-}
-
-bool zr_builder_add_normals(struct zr_builder *builder, uint32_t face, const uint32_t slots[3], uint32_t out[3])
-{
-    struct zr_geometry *g = builder->geometry;
-    const struct zr_mesh *mesh = builder->mesh;
-    const enum zr_batch_rate rate = zr_eye_normals_rate(mesh, zr_material_of_face(builder->scene, mesh, face));
-    const zr_vec4 *normals = zr_builder_normals(builder, rate);
-    const bool is_flat = rate == ZR_BATCH_PER_FACE;
-    if (!normals || !zr_builder_reserve_normals(builder, 3)) return false;
-    if (is_flat && builder->flat_face != face + 1) {
-        builder->flat_face = face + 1;
-        builder->flat_normal = g->normal_count;
-        g->normals[g->normal_count++] = normals[face];
+    struct zr_placed *p = &builder->placed;
+    if (!make_room_to_place(builder)) return;
+    const uint32_t at = p->count;
+    if (goes_on(builder, part)) {
+        g->draws[g->draw_count - 1].count++;
+        g->primitive_count++;
+    } else if (!zr_builder_add_draw(
+                   builder, (struct zr_draw){.count = 1,
+                                             .kind = part->kind,
+                                             .pushed = part->pushed,
+                                             .counted = true,
+                                             .material = part->material,
+                                             .corners = p->corners + 3 * at,
+                                             .slots = p->slots + 3 * at,
+                                             .faces = p->faces + at,
+                                             .traits = part->kind == ZR_DRAW_TRIANGLES ? NULL : p->traits + at})) {
+        return;
     }
     for (int k = 0; k < 3; k++) {
-        out[k] = is_flat ? builder->flat_normal : g->normal_count;
-        if (!is_flat)
-            g->normals[g->normal_count++] = normals[rate == ZR_BATCH_PER_CORNER ? slots[k] : mesh->indices[slots[k]]];
+        p->corners[3 * at + (uint32_t)k] = ends[k].vertex;
+        p->slots[3 * at + (uint32_t)k] = ends[k].slot;
+    }
+    p->faces[at] = part->face;
+    p->traits[at] = 2 * part->shape + part->back;
+    p->count++;
+}
+
+/* ---- what is cut ---- */
+
+static bool note_cut(struct zr_builder *builder, const struct zr_clipped *clipped, const struct zr_end *corners)
+{
+    struct zr_geometry *g = builder->geometry;
+    void *cuts = g->cuts;
+    const size_t made_count = (size_t)clipped->made_count;
+    struct zr_clip_made *made = zr_arena_alloc(builder->arena, made_count, sizeof *made);
+    if (!made || !reserve(builder->arena, &cuts, &builder->cut_room, g->cut_count, 1, sizeof *g->cuts)) return false;
+    memcpy(made, clipped->made, made_count * sizeof *made);
+    g->cuts = cuts;
+    struct zr_cut *cut = &g->cuts[g->cut_count++];
+    *cut = (struct zr_cut){.first_vertex = g->vertex_count,
+                           .count = (uint8_t)clipped->count,
+                           .corner_count = (uint8_t)clipped->corners,
+                           .made_count = (uint8_t)made_count,
+                           .made = made};
+    for (int k = 0; k < clipped->corners; k++) {
+        cut->corners[k] = corners[k].vertex;
+        cut->slots[k] = corners[k].slot;
+    }
+    for (int i = 0; i < clipped->count; i++)
+        cut->ids[i] = clipped->vertices[i].id;
+    return true;
+}
+
+/* The eyes of the corners, cut as they were, to out[]. */
+static void cut_eyes(const struct zr_builder *builder, const struct zr_cut *cut, struct zr_eye *out)
+{
+    static const uint32_t own[3] = {0, 1, 2};
+    zr_vec4 values[3], left[ZR_CLIP_MAX];
+    for (int k = 0; k < cut->corner_count; k++) {
+        const struct zr_eye eye = zr_builder_eye(builder, cut->corners[k]);
+        values[k] = (zr_vec4){eye.z, eye.w, 0.0f, 0.0f};
+    }
+    zr_cut_values(cut, values, own, left);
+    for (int i = 0; i < cut->count; i++)
+        out[i] = (struct zr_eye){left[i].x, left[i].y};
+}
+
+bool zr_builder_append_cut(struct zr_builder *builder, const struct zr_clipped *clipped, const struct zr_end *corners,
+                           struct zr_end ends[ZR_CLIP_MAX], bool placed[ZR_CLIP_MAX])
+{
+    struct zr_geometry *g = builder->geometry;
+    if (!zr_builder_reserve_vertices(builder, (uint64_t)clipped->count) || !note_cut(builder, clipped, corners))
+        return false;
+    const struct zr_mesh *mesh = builder->mesh;
+    const uint32_t slots = mesh->face_offsets[mesh->face_count], first = g->vertex_count - builder->first_vertex;
+    cut_eyes(builder, &g->cuts[g->cut_count - 1], g->eyes + g->vertex_count);
+    for (int i = 0; i < clipped->count; i++) {
+        placed[i] =
+            zr_viewport_apply(&builder->viewport, clipped->vertices[i].position, &g->vertices[g->vertex_count++]);
+        ends[i].vertex = first + (uint32_t)i;
+        ends[i].slot = slots + (ends[i].vertex - mesh->position_count);
     }
     return true;
 }

@@ -146,10 +146,8 @@ bool zr_clip_line(const zr_vec4 in[2], const unsigned outcodes[2], struct zr_cli
     return true;
 }
 
-void zr_clip_replay(const struct zr_clipped *clipped, zr_vec4 values[ZR_CLIP_VALUES])
+void zr_clip_replay(const struct zr_clip_made *made, int made_count, int corners, zr_vec4 values[ZR_CLIP_VALUES])
 {
-    for (int i = 0; i < clipped->made_count; i++) {
-        const struct zr_clip_made *made = &clipped->made[i];
-        values[clipped->corners + i] = mix4(values[made->from], values[made->to], made->t);
-    }
+    for (int i = 0; i < made_count; i++)
+        values[corners + i] = mix4(values[made[i].from], values[made[i].to], made[i].t);
 }

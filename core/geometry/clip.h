@@ -58,8 +58,8 @@ int zr_clip_triangle(const zr_vec4 tri[3], unsigned outcodes, unsigned *edges, s
  * Source: Liang & Barsky, "A New Concept and Method for Line Clipping", 1984. */
 bool zr_clip_line(const zr_vec4 in[2], const unsigned outcodes[2], struct zr_clipped *out);
 
-/* Whatever varies over the triangle or the line is cut as its positions were: values[0] and so on are those of its
- * corners, and those of what was made are put behind them. */
-void zr_clip_replay(const struct zr_clipped *clipped, zr_vec4 values[ZR_CLIP_VALUES]);
+/* Whatever varies over a triangle or a line is cut as its positions were: values[0] and so on are those of its corners,
+ * and those of what was made are put behind them. */
+void zr_clip_replay(const struct zr_clip_made *made, int made_count, int corners, zr_vec4 values[ZR_CLIP_VALUES]);
 
 #endif

@@ -1,5 +1,5 @@
-/* counts.h - geometry: where polygons, triangles and lines went. Of batches (batch.h) that is known once they are
- * sorted (raster/visibility.h), before which their triangles are counted as such alone.
+/* counts.h - geometry: where polygons, triangles and lines went. Of draws that are not `counted` (draw.h) that is
+ * known once they are sorted (raster/visibility.h), before which their triangles are counted as such alone.
  *
  * Every triangle handed in is counted in exactly one of outside, clipped, culled,
  * zero_area and drawn_whole; the pieces of a clipped one are counted apart. So are lines, of
@@ -27,5 +27,25 @@ struct zr_counts {
     uint64_t clipped_lines;       /* cut by the view volume */
     uint64_t clipped_outlines;    /* triangles of outlined faces that were cut */
 };
+
+/* Modulo 2^64: what is less than none is taken away. */
+static inline void zr_counts_add(struct zr_counts *sum, const struct zr_counts *counts)
+{
+    sum->polygons += counts->polygons;
+    sum->degenerate_polygons += counts->degenerate_polygons;
+    sum->concave_polygons += counts->concave_polygons;
+    sum->triangles += counts->triangles;
+    sum->outside += counts->outside;
+    sum->clipped += counts->clipped;
+    sum->culled += counts->culled;
+    sum->zero_area += counts->zero_area;
+    sum->drawn_whole += counts->drawn_whole;
+    sum->drawn_pieces += counts->drawn_pieces;
+    sum->culled_pieces += counts->culled_pieces;
+    sum->lines += counts->lines;
+    sum->outside_lines += counts->outside_lines;
+    sum->clipped_lines += counts->clipped_lines;
+    sum->clipped_outlines += counts->clipped_outlines;
+}
 
 #endif

@@ -1,28 +1,23 @@
-/* geometry.h - geometry: what is drawn in the window, as build.h makes it.
+/* geometry.h - geometry: what is drawn in the window, as build.h makes it; it never changes afterwards.
  *
  * Space:  window space (viewport.h), everything inside the view volume.
- * Order:  records keep the order of the scene; of two at the same depth the
- *         earlier one is seen, so the order is part of the answer.
  */
 #ifndef ZR_GEOMETRY_H
 #define ZR_GEOMETRY_H
 
-#include "geometry/batch.h"
 #include "geometry/counts.h"
+#include "geometry/cut.h"
+#include "geometry/draw.h"
 #include "geometry/grid_edge.h"
-#include "geometry/light.h"
 #include "geometry/source.h"
-#include "scene/camera.h"
 #include "zraster.h"
 
-/* Records, vertices and colours of a request: each no more than this, so that sums of some are within 32 bits. */
-#define ZR_GEOMETRY_MAX (UINT32_MAX / 4)
-
-/* Shapes of a request: fewer than this, so that a record's 28 bits number them. */
-#define ZR_SHAPE_MASK (UINT32_MAX >> 4)
+/* Primitives and vertices of a request, and corners of a mesh: no more than this, so that kernels reach four words of
+ * each by 31 bits. */
+#define ZR_GEOMETRY_MAX (1u << 28)
 
 /* A polygon that is no convex one. What it covers is decided by the odd-even rule over its edges; its
- * triangles, which are consecutive records, only tell depth and colour there. */
+ * triangles, which are consecutive primitives, only tell depth and colour there. */
 struct zr_shape {
     uint32_t first_edge, edge_count;
     uint32_t triangle_count;            /* at least one */
@@ -34,28 +29,29 @@ struct zr_eye {
     float z, w;
 };
 
-/* What the normals of a record that is written out are, for the channel, and for what is shaded pixel by pixel. */
-struct zr_written_surface {
-    uint32_t n[3];                      /* into zr_geometry.normals; all three the same: flat */
-    const struct zr_material *material; /* NULL: of a line */
-};
-
 struct zr_geometry {
-    uint32_t vertex_count, color_count, normal_count, triangle_count, shape_count, edge_count, batch_count;
-    struct zr_window_vertex *vertices;
-    struct zr_eye *eyes; /* one a vertex; only those of lines and of what clipping made are defined */
-    zr_vec4 *front_colors, *back_colors;
-    zr_vec4 *points;  /* ways from the eye, one a vertex (zr_builder_point); NULL where nothing needs them */
-    zr_vec4 *normals; /* of records that are written out, as of eye_normals.h; the first is 0 */
-    struct zr_written_surface
-        *surfaces; /* one a record that is written out; NULL as normals where nothing needs them */
-    struct zr_lighting lighting;
-    struct zr_batch *batches;      /* by their numbers; batches[0] is there even where there are none, and empty */
-    struct zr_triangle *triangles; /* the records that are written out */
+    uint32_t vertex_count, primitive_count, shape_count, edge_count, draw_count, cut_count;
+    struct zr_window_vertex *vertices; /* instance by instance: its mesh's positions, and what clipping made */
+    struct zr_eye *eyes;               /* one a vertex; only those of lines and of what clipping made are defined */
+    struct zr_draw *draws;             /* by their numbers; draws[0] is there even where there are none, and empty */
     struct zr_shape *shapes;
     struct zr_grid_edge *edges;
-    struct zr_sources sources; /* of the triangles */
-    struct zr_counts counts;
+    struct zr_cut *cuts;                  /* by their vertices */
+    struct zr_source_instance *instances; /* one an instance of the scene */
+    struct zr_counts counts;              /* but of draws that are not `counted` */
 };
+
+/* The draw of a primitive. Takes the logarithm of their count. */
+const struct zr_draw *zr_draw_of(const struct zr_geometry *geometry, uint32_t number);
+
+/* The same where it is most often the draw of the primitive before. */
+static inline const struct zr_draw *zr_draw_next(const struct zr_geometry *geometry, const struct zr_draw *last,
+                                                 uint32_t number)
+{
+    return zr_draw_holds(last, number) ? last : zr_draw_of(geometry, number);
+}
+
+/* A primitive of the draw. */
+struct zr_triangle zr_triangle_of(const struct zr_geometry *geometry, const struct zr_draw *draw, uint32_t number);
 
 #endif

@@ -19,94 +19,48 @@ bool zr_place_is_thin(const struct zr_window_vertex *v0, const struct zr_window_
     return fmin(area, snapped_area) < width * sqrt(longest);
 }
 
-bool zr_corners_make(struct zr_builder *builder, uint32_t face, bool smooth, const uint32_t slots[3],
-                     const struct zr_part *part, struct zr_corners *out)
+/* Drops what has no area or shows its back and must not. True where it was kept. */
+static bool append_triangle(struct zr_builder *builder, const struct zr_end ends[3], const struct zr_part *part)
 {
-    for (int k = 0; k < 3; k++) {
-        out->vertex[k] = builder->mesh->indices[slots[k]];
-        out->color[k] = zr_builder_color(builder, face, smooth, slots[k]);
-        out->normal[k] = 0;
-    }
-    return !zr_builder_wants_normals(builder, part->material) ||
-           zr_builder_add_normals(builder, face, slots, out->normal);
-}
-
-/* Drops what has no area or shows its back and must not; of the rest, orients it
- * as the reference does: rule 6, on snapped coordinates. True where it was kept. */
-static bool append_triangle(struct zr_builder *builder, struct zr_triangle triangle, const uint32_t normals[3],
-                            const struct zr_part *part)
-{
-    struct zr_written_surface surface = {{normals[0], normals[1], normals[2]}, part->material};
     struct zr_geometry *geometry = builder->geometry;
-    const struct zr_window_vertex *v0 = &geometry->vertices[triangle.v[0]], *v1 = &geometry->vertices[triangle.v[1]],
-                                  *v2 = &geometry->vertices[triangle.v[2]];
-    int64_t area = zr_window_area(v0, v1, v2);
+    const struct zr_window_vertex *vertices = geometry->vertices + builder->first_vertex;
+    const struct zr_window_vertex *v0 = &vertices[ends[0].vertex], *v1 = &vertices[ends[1].vertex],
+                                  *v2 = &vertices[ends[2].vertex];
+    const int64_t area = zr_window_area(v0, v1, v2);
     if (area == 0 || (part->skip_thin && zr_place_is_thin(v0, v1, v2))) {
         geometry->counts.zero_area++;
         return false;
     }
-    bool counter_clockwise = area < 0; /* with y up */
-    bool back = part->shape != 0 ? part->back
-                                 : ZR_MUTANT(culls_fronts, counter_clockwise, !counter_clockwise) == builder->mirrored;
-    if (back && !part->double_sided) {
+    const bool counter_clockwise = area < 0; /* with y up */
+    const bool back = part->kind == ZR_DRAW_SHAPES
+                          ? part->back
+                          : ZR_MUTANT(culls_fronts, counter_clockwise, !counter_clockwise) == builder->mirrored;
+    if (back && !part->material->double_sided) {
         geometry->counts.culled++;
         return false;
     }
-    if (counter_clockwise) {
-        const int k = zr_swapped_corner();
-        uint32_t v = triangle.v[0], c = triangle.c[0];
-        triangle.v[0] = triangle.v[k];
-        triangle.c[0] = triangle.c[k];
-        triangle.v[k] = v;
-        triangle.c[k] = c;
-        surface.n[0] = normals[k];
-        surface.n[k] = normals[0];
-    }
-    triangle.turned = counter_clockwise;
-    triangle.face = part->face;
-    triangle.back = back;
-    triangle.pushed = part->pushed;
-    triangle.shape = part->shape & ZR_SHAPE_MASK;
-    if (!zr_builder_reserve(builder, 0, 0, 1)) return false;
-    if (geometry->surfaces) geometry->surfaces[geometry->triangle_count] = surface;
-    geometry->triangles[geometry->triangle_count++] = triangle;
-    return true;
+    zr_builder_place(builder, part, ends);
+    return zr_arena_ok(builder->arena);
 }
 
-static void clip_and_append(struct zr_builder *builder, const struct zr_corners *corners, unsigned outcodes,
+static void clip_and_append(struct zr_builder *builder, const struct zr_end corners[3], unsigned outcodes,
                             const struct zr_part *part)
 {
     struct zr_geometry *geometry = builder->geometry;
-    struct zr_builder_corner ends[3];
     struct zr_clipped clipped;
-    zr_vec4 in[3];
-    for (int k = 0; k < 3; k++) {
-        ends[k] = (struct zr_builder_corner){corners->vertex[k], corners->color[k], corners->normal[k]};
-        in[k] = zr_builder_clip_position(builder, corners->vertex[k]);
-    }
-    geometry->counts.clipped++;
-    int count = zr_clip_triangle(in, outcodes, NULL, &clipped);
-    if (count == 0 || !zr_builder_reserve_cut(builder)) return;
-
-    bool flat = corners->color[0] == corners->color[1] && corners->color[1] == corners->color[2];
-    const bool even = corners->normal[0] == corners->normal[1] && corners->normal[1] == corners->normal[2];
-    uint32_t vertex = geometry->vertex_count, color = flat ? corners->color[0] : geometry->color_count;
-    uint32_t normal = even ? corners->normal[0] : geometry->normal_count;
+    struct zr_end ends[ZR_CLIP_MAX];
     bool placed[ZR_CLIP_MAX];
-    if (!zr_builder_append_clipped(builder, &clipped, ends, placed)) return;
-    geometry->sources.cuts[geometry->sources.cut_count++] =
-        (struct zr_source_cut){vertex, {corners->vertex[0], corners->vertex[1], corners->vertex[2]}};
+    zr_vec4 in[3];
+    for (int k = 0; k < 3; k++)
+        in[k] = zr_builder_clip_position(builder, corners[k].vertex);
+    geometry->counts.clipped++;
+    const int count = zr_clip_triangle(in, outcodes, NULL, &clipped);
+    if (count == 0 || !zr_builder_append_cut(builder, &clipped, corners, ends, placed)) return;
     const struct zr_counts before = geometry->counts;
     for (int i = 2; i < count; i++) {
+        const struct zr_end piece[3] = {ends[i - 1], ends[i], ends[0]};
         if (!placed[i - 1] || !placed[i] || !placed[0]) continue;
-        uint32_t a = (uint32_t)i - 1, b = (uint32_t)i;
-        struct zr_triangle piece = {.v = {vertex + a, vertex + b, vertex}, .c = {color, color, color}};
-        if (!flat) {
-            piece.c[0] = color + a;
-            piece.c[1] = color + b;
-        }
-        const uint32_t normals[3] = {even ? normal : normal + a, even ? normal : normal + b, normal};
-        if (append_triangle(builder, piece, normals, part)) geometry->counts.drawn_pieces++;
+        if (append_triangle(builder, piece, part)) geometry->counts.drawn_pieces++;
     }
     /* The triangle is counted once, as clipped: what became of its pieces is counted apart. */
     geometry->counts.culled_pieces += geometry->counts.culled - before.culled;
@@ -114,21 +68,20 @@ static void clip_and_append(struct zr_builder *builder, const struct zr_corners 
     geometry->counts.zero_area = before.zero_area;
 }
 
-void zr_place_triangle(struct zr_builder *builder, const struct zr_corners *corners, const struct zr_part *part)
+void zr_place_triangle(struct zr_builder *builder, const uint32_t slots[3], const struct zr_part *part)
 {
     struct zr_counts *counts = &builder->geometry->counts;
-    struct zr_outcodes codes = zr_builder_outcodes(builder, corners->vertex, 3);
+    struct zr_end corners[3];
+    for (int k = 0; k < 3; k++)
+        corners[k] = (struct zr_end){builder->mesh->indices[slots[k]], slots[k]};
+    const struct zr_outcodes codes = zr_builder_outcodes(builder, corners, 3);
     counts->triangles++;
-    if (codes.all) {
+    if (codes.all)
         counts->outside++;
-    } else if (codes.any & ZR_OUTCODE_UNPLACED) {
+    else if (codes.any & ZR_OUTCODE_UNPLACED)
         counts->zero_area++;
-    } else if (codes.any) {
+    else if (codes.any)
         clip_and_append(builder, corners, codes.any, part);
-    } else {
-        struct zr_triangle triangle = {.c = {corners->color[0], corners->color[1], corners->color[2]}};
-        for (int k = 0; k < 3; k++)
-            triangle.v[k] = builder->first_vertex + corners->vertex[k];
-        if (append_triangle(builder, triangle, corners->normal, part)) counts->drawn_whole++;
-    }
+    else
+        counts->drawn_whole += append_triangle(builder, corners, part);
 }

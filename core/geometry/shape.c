@@ -170,40 +170,36 @@ static uint32_t cut(struct zr_builder *builder, uint32_t face)
     return zr_triangulate(&cutting->triangulator, cutting->points, cutting->offsets, rings.count, cutting->triangles);
 }
 
-static void place_triangles(struct zr_builder *builder, uint32_t face, bool smooth, const struct zr_part *part,
-                            uint32_t count)
+static void place_triangles(struct zr_builder *builder, uint32_t begin, const struct zr_part *part, uint32_t count)
 {
-    const struct zr_mesh *mesh = builder->mesh;
-    uint32_t begin = mesh->face_offsets[face];
     for (uint32_t i = 0; i < count; i++) {
         const uint32_t *cut = builder->cutting.triangles[i];
-        const uint32_t slots[3] = {begin + cut[0], begin + cut[1], begin + cut[2]};
-        struct zr_corners corners;
-        if (!zr_corners_make(builder, face, smooth, slots, part, &corners)) return;
-        zr_place_triangle(builder, &corners, part);
+        zr_place_triangle(builder, (const uint32_t[3]){begin + cut[0], begin + cut[1], begin + cut[2]}, part);
     }
 }
 
-void zr_shape_place(struct zr_builder *builder, uint32_t face, bool smooth, const struct zr_part *part)
+void zr_shape_place(struct zr_builder *builder, uint32_t face, const struct zr_part *part)
 {
     struct zr_geometry *geometry = builder->geometry;
+    const uint32_t begin = builder->mesh->face_offsets[face];
     struct zr_rings rings = zr_mesh_rings(builder->mesh, face);
-    uint32_t first_edge = geometry->edge_count, first_triangle = geometry->triangle_count;
+    uint32_t first_edge = geometry->edge_count, first_triangle = geometry->primitive_count;
     struct zr_part own = *part;
     struct trace trace = {.builder = builder};
+    own.kind = ZR_DRAW_SHAPES;
     own.back = zr_shape_shows_back(builder, face);
     for (uint32_t r = 0; r < ZR_MUTANT(holes_filled, rings.count, 1u); r++)
         add_ring(&trace, rings.offsets[r], rings.offsets[r + 1]);
     if (!zr_builder_reserve_shape(builder, 0)) return;
     if (trace.clipped) drop_pairs(geometry, first_edge);
     struct zr_shape shape = shape_of_edges(geometry, first_edge);
-    own.shape = geometry->shape_count + 1;
+    own.shape = geometry->shape_count;
     uint32_t cuts = cut(builder, face);
     own.skip_thin = true;
-    place_triangles(builder, face, smooth, &own, cuts);
+    place_triangles(builder, begin, &own, cuts);
     own.skip_thin = false;
-    if (geometry->triangle_count == first_triangle) place_triangles(builder, face, smooth, &own, cuts);
-    shape.triangle_count = geometry->triangle_count - first_triangle;
+    if (geometry->primitive_count == first_triangle) place_triangles(builder, begin, &own, cuts);
+    shape.triangle_count = geometry->primitive_count - first_triangle;
     if (shape.triangle_count > 0)
         geometry->shapes[geometry->shape_count++] = shape;
     else

@@ -14,9 +14,9 @@
 
 #include "geometry/place.h"
 
-/* Appends the face as a shape and its records, unless it is turned away or outside.
- * part->shape and part->back need not be filled. Failure is the arena's. */
-void zr_shape_place(struct zr_builder *builder, uint32_t face, bool smooth, const struct zr_part *part);
+/* Appends the face as a shape and its triangles, unless it is turned away or outside.
+ * The kind, the shape and the side need not be filled in. Failure is the arena's. */
+void zr_shape_place(struct zr_builder *builder, uint32_t face, const struct zr_part *part);
 
 /* Which side of the face is seen, by the winding of its outer ring in the window: true for the back. */
 bool zr_shape_shows_back(const struct zr_builder *builder, uint32_t face);

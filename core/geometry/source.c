@@ -1,4 +1,4 @@
-#include "geometry/source.h"
+#include "geometry/geometry.h"
 
 struct zr_source_instance zr_source_instance_make(const struct zr_camera *camera, const zr_mat4 *object_to_world,
                                                   const struct zr_mesh *mesh, uint32_t first_vertex)
@@ -7,6 +7,7 @@ struct zr_source_instance zr_source_instance_make(const struct zr_camera *camera
     const struct zr_matrix projection = zr_matrix_of(&camera->projection);
     const struct zr_matrix eye = zr_matrix_mul(&view, &world), clip = zr_matrix_mul(&projection, &eye);
     struct zr_source_instance out = {.first_vertex = first_vertex, .mesh = mesh, .object_to_eye = eye};
+    out.to_eye = zr_mat4_mul(&camera->world_to_eye, object_to_world);
     for (int column = 0; column < 4; column++) {
         out.columns[column][ZR_SOURCE_X] = clip.m[column * 4];
         out.columns[column][ZR_SOURCE_Y] = clip.m[column * 4 + 1];
@@ -17,41 +18,28 @@ struct zr_source_instance zr_source_instance_make(const struct zr_camera *camera
     return out;
 }
 
-/* The last instance that begins at the vertex or before it: those without vertices begin where the next one does. */
-const struct zr_source_instance *zr_source_instance_of(const struct zr_sources *sources, uint32_t vertex)
+static const struct zr_cut *cut_of(const struct zr_geometry *geometry, uint32_t vertex)
 {
-    uint32_t low = 0, high = sources->instance_count;
+    uint32_t low = 0, high = geometry->cut_count;
     while (high - low > 1) {
         uint32_t middle = low + (high - low) / 2;
-        if (sources->instances[middle].first_vertex <= vertex)
+        if (geometry->cuts[middle].first_vertex <= vertex)
             low = middle;
         else
             high = middle;
     }
-    return &sources->instances[low];
+    return &geometry->cuts[low];
 }
 
-static const struct zr_source_cut *cut_of(const struct zr_sources *sources, uint32_t vertex)
+struct zr_source zr_source_of(const struct zr_geometry *geometry, const struct zr_draw *draw,
+                              const uint32_t vertices[3])
 {
-    uint32_t low = 0, high = sources->cut_count;
-    while (high - low > 1) {
-        uint32_t middle = low + (high - low) / 2;
-        if (sources->cuts[middle].first_vertex <= vertex)
-            low = middle;
-        else
-            high = middle;
-    }
-    return &sources->cuts[low];
-}
-
-struct zr_source zr_source_of(const struct zr_sources *sources, const uint32_t vertices[3])
-{
-    struct zr_source source = {.instance = zr_source_instance_of(sources, vertices[0])};
-    const struct zr_mesh *mesh = source.instance->mesh;
-    uint32_t first = source.instance->first_vertex;
-    const uint32_t *cut = vertices[0] - first < mesh->position_count ? NULL : cut_of(sources, vertices[0])->corners;
+    struct zr_source source = {.instance = &geometry->instances[draw->instance]};
+    const uint32_t first = draw->first_vertex;
+    const uint32_t *cut =
+        vertices[0] - first < draw->mesh->position_count ? NULL : cut_of(geometry, vertices[0])->corners;
     source.is_cut = cut != NULL;
     for (int k = 0; k < 3; k++)
-        source.corners[k] = &mesh->positions[cut ? cut[k] : vertices[k] - first];
+        source.corners[k] = &draw->mesh->positions[cut ? cut[k] : vertices[k] - first];
     return source;
 }

@@ -1,4 +1,4 @@
-/* wire.h - geometry: outlines of faces, and lines, as records one pixel wide.
+/* wire.h - geometry: outlines of faces, and lines, one pixel wide.
  *
  * Exact:  as the reference draws glPolygonMode(GL_LINE) and GL_LINES: an outline is clipped with
  *         the polygon that it belongs to, a line by itself, and neither gets an edge along
@@ -12,7 +12,7 @@
 /* The edges of a face's rings, as its material wants them. Failure is the arena's. */
 void zr_wire_outline(struct zr_builder *builder, uint32_t face);
 
-/* The lines of the mesh under way, in their own colours, unlit. ZR_OK, ZR_CANCELLED or ZR_NO_MEMORY. */
+/* The lines of the mesh under way. ZR_OK, ZR_CANCELLED or ZR_NO_MEMORY. */
 enum zr_status zr_wire_lines(struct zr_builder *builder);
 
 #endif

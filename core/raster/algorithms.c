@@ -15,15 +15,19 @@ zr_visibility_fn *zr_visibility_of(enum zr_algorithm algorithm)
 enum zr_status zr_primitives_make(struct zr_arena *arena, const struct zr_geometry *geometry, uint32_t width,
                                   uint32_t height, const struct zr_cancel *cancel, struct zr_primitives *primitives)
 {
+    const struct zr_draw *draw = &geometry->draws[0];
     uint32_t room = 0, step, visited = 0;
-    for (uint32_t first = 0; first < geometry->triangle_count; first += zr_primitive_count(geometry, first))
-        room++;
+    for (uint32_t first = 0; first < geometry->primitive_count; first += step, room++) {
+        draw = zr_draw_next(geometry, draw, first);
+        step = zr_primitive_count(geometry, draw, first);
+    }
     *primitives = (struct zr_primitives){0, zr_arena_alloc(arena, room, sizeof *primitives->items)};
     if (!primitives->items) return ZR_NO_MEMORY;
-    for (uint32_t first = 0; first < geometry->triangle_count; first += step) {
+    for (uint32_t first = 0; first < geometry->primitive_count; first += step) {
         if (visited++ % PRIMITIVES_A_CANCEL_CHECK == 0 && zr_is_cancelled(cancel)) return ZR_CANCELLED;
         struct zr_primitive *primitive = &primitives->items[primitives->count];
-        zr_primitive_make(geometry, first, width, height, primitive);
+        draw = zr_draw_next(geometry, draw, first);
+        zr_primitive_make(geometry, draw, first, width, height, primitive);
         step = primitive->count;
         if (!zr_primitive_is_empty(primitive)) primitives->count++;
     }

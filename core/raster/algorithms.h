@@ -16,7 +16,7 @@ zr_visibility_fn zr_edgelist, zr_trapezoid, zr_scanline, zr_painter;
 /* Of all that has pixels in its box. */
 struct zr_primitives {
     uint32_t count;
-    struct zr_primitive *items; /* in the order of the records */
+    struct zr_primitive *items; /* in the order of the scene */
 };
 
 /* For those who look at all primitives at once. ZR_OK, ZR_CANCELLED or ZR_NO_MEMORY. */

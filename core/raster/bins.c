@@ -2,11 +2,11 @@
 
 #include "base/expect.h"
 #include "geometry/face.h"
-#include "geometry/record.h"
+#include "geometry/geometry.h"
 
 enum { TRIANGLES_A_RANGE = 4096, BYTES_AT_ONCE = 1 << 16 };
 _Static_assert(TRIANGLES_A_RANGE < 1 << ZR_BIN_OWNER_BITS, "as the kernel wants it");
-_Static_assert(TRIANGLES_A_RANGE % 32 == 0, "no two threads write to one word of a batch's backs");
+_Static_assert(TRIANGLES_A_RANGE % 32 == 0, "no two threads write to one word of a draw's backs");
 
 /* ---- lists ---- */
 
@@ -49,20 +49,20 @@ struct zr_bin_head *zr_binner_block(struct zr_binner *binner, struct zr_bin *bin
 
 /* ---- triangles that are not small ---- */
 
-void zr_binner_add_flat(struct zr_binner *binner, const struct zr_batch *batch, uint32_t number)
+void zr_binner_add_flat(struct zr_binner *binner, const struct zr_draw *draw, uint32_t number)
 {
-    if (batch->written) return;
-    if (zr_face_is_degenerate(batch->mesh, zr_batch_face(batch, number - batch->first))) {
+    if (draw->counted) return;
+    if (zr_face_is_degenerate(draw->mesh, zr_draw_face(draw, number - draw->first))) {
         binner->counts.degenerate_polygons++;
-        binner->counts.triangles--; /* it was counted when the batch was made */
+        binner->counts.triangles--; /* it was counted when the draw was made */
     } else {
         binner->counts.zero_area++;
     }
 }
 
-static bool faces_away(const struct zr_batch *batch, const struct zr_triangle *record)
+static bool faces_away(const struct zr_draw *draw, const struct zr_triangle *triangle)
 {
-    return !batch->written && record->back && !batch->double_sided;
+    return !draw->counted && triangle->back && !draw->material->double_sided;
 }
 
 static bool cut_to_window(const struct zr_bins *bins, int32_t box[4])
@@ -81,27 +81,28 @@ static void add_wide(struct zr_binner *binner, struct zr_bin *bin, const struct 
     if (block) block->items[block->head.used++] = wide;
 }
 
-void zr_binner_add_spanning(struct zr_binner *binner, const struct zr_batch *batch, uint32_t number)
+void zr_binner_add_spanning(struct zr_binner *binner, const struct zr_draw *draw, uint32_t number)
 {
     const struct zr_bins *bins = binner->bins;
-    const struct zr_window_vertex *vertices = binner->geometry->vertices;
-    const struct zr_triangle record = zr_record_of(binner->geometry, batch, number).triangle;
+    const struct zr_payload *payload = zr_binner_payload(binner, draw);
+    const struct zr_window_vertex *vertices = bins->geometry->vertices;
+    const struct zr_triangle triangle = zr_triangle_of(bins->geometry, draw, number);
     int32_t box[4];
-    if (zr_window_area(&vertices[record.v[0]], &vertices[record.v[1]], &vertices[record.v[2]]) == 0) {
-        zr_binner_add_flat(binner, batch, number);
+    if (zr_window_area(&vertices[triangle.v[0]], &vertices[triangle.v[1]], &vertices[triangle.v[2]]) == 0) {
+        zr_binner_add_flat(binner, draw, number);
         return;
     }
-    if (faces_away(batch, &record)) {
+    if (faces_away(draw, &triangle)) {
         binner->counts.culled++;
         return;
     }
-    binner->counts.drawn_whole += !batch->written;
-    if (batch->backs) zr_batch_add_backs(batch, number - batch->first, record.back);
-    zr_setup_box(vertices, &record, box);
+    binner->counts.drawn_whole += !draw->counted;
+    if (payload && payload->backs) zr_payload_add_backs(payload, number - draw->first, triangle.back);
+    zr_setup_box(vertices, &triangle, box);
     if (!cut_to_window(bins, box)) return;
     struct zr_wide *wide = take(binner, sizeof *wide);
     if (!wide) return;
-    *wide = (struct zr_wide){zr_setup_make(vertices, &record), number + 1};
+    *wide = (struct zr_wide){zr_setup_make(vertices, &triangle), number + 1};
     for (int k = 0; k < 4; k++)
         box[k] /= ZR_TILE_SIZE;
     if ((box[2] - box[0] + 1) * (box[3] - box[1] + 1) > ZR_BIN_TILES) {
@@ -115,9 +116,9 @@ void zr_binner_add_spanning(struct zr_binner *binner, const struct zr_batch *bat
 
 /* ---- threads ---- */
 
-/* A range of one batch. */
+/* A range of one draw. */
 struct share {
-    const struct zr_batch *batch;
+    const struct zr_draw *draw;
     uint32_t begin, end;
 };
 
@@ -136,38 +137,38 @@ static void sort_shares(void *context, int worker, size_t begin, size_t end)
     struct zr_binner *binner = &s->bins->workers[worker];
     for (size_t i = begin; i < end; i++) {
         if (zr_is_cancelled(s->cancel) || binner->failed) return;
-        s->sort(binner, s->shares[i].batch, s->shares[i].begin, s->shares[i].end);
+        s->sort(binner, s->shares[i].draw, s->shares[i].begin, s->shares[i].end);
     }
 }
 
-static bool make_shares(struct zr_arena *arena, const struct zr_geometry *geometry, struct sorting *s)
+static bool make_shares(struct sorting *s)
 {
+    const struct zr_geometry *geometry = s->bins->geometry;
     size_t count = 0;
-    for (uint32_t i = 0; i < geometry->batch_count; i++)
-        if (geometry->batches[i].plain) count += (geometry->batches[i].count - 1) / TRIANGLES_A_RANGE + 1;
-    s->shares = zr_arena_alloc(arena, count, sizeof *s->shares);
+    for (uint32_t i = 0; i < geometry->draw_count; i++)
+        if (zr_draw_is_plain(&geometry->draws[i])) count += (geometry->draws[i].count - 1) / TRIANGLES_A_RANGE + 1;
+    s->shares = zr_arena_alloc(s->bins->arena, count, sizeof *s->shares);
     if (!s->shares) return false;
-    for (uint32_t i = 0; i < geometry->batch_count; i++) {
-        const struct zr_batch *batch = &geometry->batches[i];
-        if (!batch->plain) continue;
-        s->bins->has_colors |= batch->payload != NULL;
-        s->triangle_count += batch->count;
-        for (uint32_t begin = 0; begin < batch->count; begin += TRIANGLES_A_RANGE) {
-            uint32_t left = batch->count - begin;
+    for (uint32_t i = 0; i < geometry->draw_count; i++) {
+        const struct zr_draw *draw = &geometry->draws[i];
+        if (!zr_draw_is_plain(draw)) continue;
+        s->bins->has_words |= s->bins->payloads && s->bins->payloads[i].make;
+        s->triangle_count += draw->count;
+        for (uint32_t begin = 0; begin < draw->count; begin += TRIANGLES_A_RANGE) {
+            uint32_t left = draw->count - begin;
             uint32_t end = begin + (left < TRIANGLES_A_RANGE ? left : TRIANGLES_A_RANGE);
-            s->shares[s->share_count++] = (struct share){batch, begin, end};
+            s->shares[s->share_count++] = (struct share){draw, begin, end};
         }
     }
     return true;
 }
 
-static bool make_workers(struct zr_bins *bins, const struct zr_geometry *geometry)
+static bool make_workers(struct zr_bins *bins)
 {
     size_t tiles = zr_tile_count(bins->width, bins->height);
     bins->workers = zr_arena_zero(bins->arena, (size_t)bins->worker_count, sizeof *bins->workers);
     for (int i = 0; bins->workers && i < bins->worker_count; i++) {
         bins->workers[i].bins = bins;
-        bins->workers[i].geometry = geometry;
         bins->workers[i].tiles = zr_arena_zero(bins->arena, tiles, sizeof *bins->workers[i].tiles);
     }
     return zr_arena_ok(bins->arena);
@@ -189,43 +190,38 @@ static bool gather_large(struct zr_bins *bins)
     return true;
 }
 
-static void add_counts(struct zr_counts *sum, const struct zr_counts *counts)
-{
-    sum->degenerate_polygons += counts->degenerate_polygons;
-    sum->triangles += counts->triangles; /* less than none: those of degenerate polygons, modulo 2^64 */
-    sum->culled += counts->culled;
-    sum->zero_area += counts->zero_area;
-    sum->drawn_whole += counts->drawn_whole;
-}
-
-static enum zr_status build(struct zr_team *team, struct zr_geometry *geometry, const struct zr_cancel *cancel,
-                            struct zr_bins *bins)
+static enum zr_status build(struct zr_team *team, const struct zr_cancel *cancel, struct zr_bins *bins)
 {
     static zr_binning_fn *const kernels[ZR_ISA_COUNT] = ZR_KERNELS(zr_binning);
     struct sorting sorting = {.bins = bins, .cancel = cancel, .sort = kernels[zr_team_isa(team)]};
-    if (!make_shares(bins->arena, geometry, &sorting)) return ZR_NO_MEMORY;
-    bins->fragments_size =
-        bins->has_colors ? sizeof(struct zr_bin_fragments) : offsetof(struct zr_bin_fragments, colors);
+    if (!make_shares(&sorting)) return ZR_NO_MEMORY;
+    bins->fragments_size = bins->has_words ? sizeof(struct zr_bin_fragments) : offsetof(struct zr_bin_fragments, words);
     /* A few are sorted before a helper is awake (a fifth of a cube's time on two threads). */
     if (sorting.triangle_count <= TRIANGLES_A_RANGE) team = NULL;
     bins->worker_count = zr_team_size(team);
     if ((uint32_t)bins->worker_count > sorting.share_count) bins->worker_count = (int)sorting.share_count;
-    if (!make_workers(bins, geometry)) return ZR_NO_MEMORY;
+    if (!make_workers(bins)) return ZR_NO_MEMORY;
     zr_team_shares(team, sorting.share_count, 1, sort_shares, &sorting);
     for (int i = 0; i < bins->worker_count; i++) {
         if (bins->workers[i].failed) return ZR_NO_MEMORY;
-        add_counts(&geometry->counts, &bins->workers[i].counts);
+        zr_counts_add(&bins->counts, &bins->workers[i].counts);
     }
     if (zr_is_cancelled(cancel)) return ZR_CANCELLED;
     return gather_large(bins) ? ZR_OK : ZR_NO_MEMORY;
 }
 
-enum zr_status zr_bins_build(struct zr_arena *arena, struct zr_team *team, struct zr_geometry *geometry, uint32_t width,
-                             uint32_t height, const struct zr_cancel *cancel, struct zr_bins *bins)
+enum zr_status zr_bins_build(struct zr_arena *arena, struct zr_team *team, const struct zr_geometry *geometry,
+                             const struct zr_payload *payloads, uint32_t width, uint32_t height,
+                             const struct zr_cancel *cancel, struct zr_bins *bins)
 {
-    *bins = (struct zr_bins){.arena = arena, .width = width, .height = height, .columns = zr_tile_across(width)};
+    *bins = (struct zr_bins){.arena = arena,
+                             .geometry = geometry,
+                             .payloads = payloads,
+                             .width = width,
+                             .height = height,
+                             .columns = zr_tile_across(width)};
     pthread_mutex_init(&bins->arena_lock, NULL);
-    enum zr_status status = build(team, geometry, cancel, bins);
+    enum zr_status status = build(team, cancel, bins);
     pthread_mutex_destroy(&bins->arena_lock);
     return status;
 }

@@ -1,11 +1,11 @@
 /* bins.h - raster: which triangles each tile has to look at.
  *
  * Space:  window space, y up; boxes are of pixel centres.
- * How:    threads go through the batches and sort triangles into tiles, each into lists of its own, so none
+ * How:    threads go through the draws and sort triangles into tiles, each into lists of its own, so none
  *         waits for another; the order in a list means nothing (tile.h: zr_tile_put). What shows
  *         its back and must not, has no area, or holds no pixel centre is dropped here, many at once.
  *         - Tiny ones, of 2x2 pixel centres at most, are drawn then and there (tiny_simd.h), into fragments: 8 bytes
- *           each, and 4 for a word where a batch has some (zr_payload_fn).
+ *           each, and 4 for a word where a draw has some (payload.h).
  *         - Small ones, of up to 64 pixels, are listed by their number in the tiles that they touch: 4 bytes each.
  *         - Wide ones are set up once. Those that touch few tiles are listed there; large ones are not, and every tile
  *           goes through them.
@@ -17,6 +17,7 @@
 
 #include "base/isa.h"
 #include "geometry/geometry.h"
+#include "raster/payload.h"
 #include "raster/setup.h"
 #include "raster/tile.h"
 
@@ -64,7 +65,7 @@ struct zr_bin_fragments {
     uint32_t first_owner;
     uint32_t places[ZR_BIN_FRAGMENTS_ROOM]; /* pixel in zr_tile.depth << ZR_BIN_OWNER_BITS | owner - first_owner */
     float depths[ZR_BIN_FRAGMENTS_ROOM];
-    uint32_t colors[ZR_BIN_FRAGMENTS_ROOM]; /* as zr_tile.color; only where zr_bins.has_colors */
+    uint32_t words[ZR_BIN_FRAGMENTS_ROOM]; /* as zr_tile.words; only where zr_bins.has_words */
 };
 _Static_assert(1 << (32 - ZR_BIN_OWNER_BITS) >= ZR_TILE_SIZE * ZR_TILE_STRIDE, "a pixel and an owner fit a word");
 
@@ -76,7 +77,6 @@ struct zr_tile_bins {
 /* What one thread sorts into. */
 struct zr_binner {
     _Alignas(64) struct zr_bins *bins; /* no two threads' on one line of the cache */
-    const struct zr_geometry *geometry;
     struct zr_tile_bins *tiles;
     struct zr_bin large;   /* wides */
     char *free, *free_end; /* room for blocks */
@@ -86,9 +86,12 @@ struct zr_binner {
 
 struct zr_bins {
     struct zr_arena *arena;
+    const struct zr_geometry *geometry;
+    const struct zr_payload *payloads; /* one a draw, or NULL */
+    struct zr_counts counts;           /* of draws that are not `counted` */
     pthread_mutex_t arena_lock;
     uint32_t width, height, columns;
-    bool has_colors;       /* some batch has words: fragments have them, and tiles may keep some */
+    bool has_words;        /* some draw has words: fragments have them, and tiles may keep some */
     size_t fragments_size; /* of a block */
     int worker_count;
     struct zr_binner *workers;
@@ -96,24 +99,31 @@ struct zr_bins {
     const struct zr_wide **large;
 };
 
-/* Adds what became of the triangles to geometry->counts. ZR_OK, ZR_CANCELLED or ZR_NO_MEMORY. */
-enum zr_status zr_bins_build(struct zr_arena *arena, struct zr_team *team, struct zr_geometry *geometry, uint32_t width,
-                             uint32_t height, const struct zr_cancel *cancel, struct zr_bins *bins);
+/* ZR_OK, ZR_CANCELLED or ZR_NO_MEMORY. */
+enum zr_status zr_bins_build(struct zr_arena *arena, struct zr_team *team, const struct zr_geometry *geometry,
+                             const struct zr_payload *payloads, uint32_t width, uint32_t height,
+                             const struct zr_cancel *cancel, struct zr_bins *bins);
 
 /* ---- for the kernel ---- */
 
-/* Sorts the records begin .. end - 1 of a plain batch, counted from its first: begin is a multiple of 32, end - begin
- * less than 1 << ZR_BIN_OWNER_BITS. Notes which show their backs, where the batch has room for that (zr_batch.backs).
- */
-typedef void zr_binning_fn(struct zr_binner *binner, const struct zr_batch *batch, uint32_t begin, uint32_t end);
+/* Sorts the triangles begin .. end - 1 of a plain draw, counted from its first: begin is a multiple of 32, end - begin
+ * less than 1 << ZR_BIN_OWNER_BITS. Notes which show their backs, where somebody asks (zr_payload.backs). */
+typedef void zr_binning_fn(struct zr_binner *binner, const struct zr_draw *draw, uint32_t begin, uint32_t end);
 
 zr_binning_fn zr_binning_scalar, zr_binning_sse2, zr_binning_avx2, zr_binning_avx512, zr_binning_neon;
 
 /* One that is not small, in 64 bits. */
-void zr_binner_add_spanning(struct zr_binner *binner, const struct zr_batch *batch, uint32_t number);
+void zr_binner_add_spanning(struct zr_binner *binner, const struct zr_draw *draw, uint32_t number);
 
 /* One without area, which may be no triangle at all. */
-void zr_binner_add_flat(struct zr_binner *binner, const struct zr_batch *batch, uint32_t number);
+void zr_binner_add_flat(struct zr_binner *binner, const struct zr_draw *draw, uint32_t number);
+
+/* Of a draw; NULL: none. */
+static inline const struct zr_payload *zr_binner_payload(const struct zr_binner *binner, const struct zr_draw *draw)
+{
+    const struct zr_bins *bins = binner->bins;
+    return bins->payloads ? &bins->payloads[draw - bins->geometry->draws] : NULL;
+}
 
 /* A new last block of so many bytes; NULL, and the binner has failed, where there is no memory. */
 struct zr_bin_head *zr_binner_block(struct zr_binner *binner, struct zr_bin *bin, size_t size);

@@ -21,7 +21,8 @@ struct in_several_tiles {
 
 struct sorter {
     struct zr_binner *binner;
-    const struct zr_batch *batch;
+    const struct zr_draw *draw;
+    const struct zr_payload *payload;
     struct zr_corners corners;
     zr_vp last; /* place of the window */
     /* Of a part's triangles, pairs as in zr_vp: the pixel of corner 0, how far beyond that pixel's centre it is, and
@@ -113,12 +114,12 @@ static inline bool are_twins(const struct sorter *s, uint32_t t, size_t i, size_
 static void add_others(struct sorter *s, uint32_t flat, uint32_t spanning, uint32_t first)
 {
     for (uint32_t bits = spanning; bits; bits &= bits - 1)
-        zr_binner_add_spanning(s->binner, s->batch, first + (uint32_t)zr_lowest_bit(bits));
+        zr_binner_add_spanning(s->binner, s->draw, first + (uint32_t)zr_lowest_bit(bits));
     for (uint32_t bits = flat; bits; bits &= bits - 1) {
-        const uint32_t number = first + (uint32_t)zr_lowest_bit(bits), t = number - s->batch->first;
+        const uint32_t number = first + (uint32_t)zr_lowest_bit(bits), t = number - s->draw->first;
         if (are_twins(s, t, 0, 1) || are_twins(s, t, 1, 2) || are_twins(s, t, 2, 0))
-            zr_binner_add_flat(s->binner, s->batch, number);
-        else if (!s->batch->written)
+            zr_binner_add_flat(s->binner, s->draw, number);
+        else if (!s->draw->counted)
             s->binner->counts.zero_area++;
     }
 }
@@ -126,11 +127,11 @@ static void add_others(struct sorter *s, uint32_t flat, uint32_t spanning, uint3
 /* Of small triangles that have an area, those that show a side that is drawn (rule 6). */
 static inline zr_vm shown_of(struct sorter *s, zr_vm small, zr_vi area)
 {
-    if (s->batch->written) return small;
+    if (s->draw->counted) return small;
     zr_vm shown = small;
-    if (!s->batch->double_sided) {
+    if (!s->draw->material->double_sided) {
         const zr_vm turned = zr_vi_lt(area, zr_vi_set(0));
-        shown = s->batch->mirrored ? zr_vm_andnot(small, turned) : zr_vm_and(small, turned);
+        shown = s->draw->mirrored ? zr_vm_andnot(small, turned) : zr_vm_and(small, turned);
         s->binner->counts.culled += (uint64_t)__builtin_popcount(zr_vm_bits(zr_vm_andnot(small, shown)));
     }
     s->binner->counts.drawn_whole += (uint64_t)__builtin_popcount(zr_vm_bits(shown));
@@ -141,8 +142,8 @@ static inline zr_vm shown_of(struct sorter *s, zr_vm small, zr_vi area)
  * of a million lit triangles take, a third of the bunny's at 1920x1080. */
 static inline void note_backs(const struct sorter *s, zr_vm small, zr_vi area, uint32_t first)
 {
-    const zr_vm backs = zr_backs_v(zr_vi_lt(area, zr_vi_set(0)), s->batch->mirrored);
-    zr_batch_add_backs(s->batch, first - s->batch->first, zr_vm_bits(zr_vm_and(small, backs)));
+    const zr_vm backs = zr_backs_v(zr_vi_lt(area, zr_vi_set(0)), s->draw->mirrored);
+    zr_payload_add_backs(s->payload, first - s->draw->first, zr_vm_bits(zr_vm_and(small, backs)));
 }
 _Static_assert(PART % 32 == 0, "the lanes of a group have their bits in one word");
 
@@ -166,7 +167,7 @@ static inline void sort_group(struct sorter *s, uint32_t at, zr_vm valid, uint32
     const zr_vp least = zr_vp_min(zr_vp_min(way1, way2), none), most = zr_vp_max(zr_vp_max(way1, way2), none);
     const zr_vm small = zr_vm_and(valid, has_none(most - least, (uint16_t)-ZR_BIN_SMALL_SPAN));
     const zr_vi area = zr_vp_cross(way2, way1); /* some number where a way is too far: not a small one's */
-    if (s->batch->backs) note_backs(s, small, area, first);
+    if (s->payload && s->payload->backs) note_backs(s, small, area, first);
     const zr_vm spanning = zr_vm_andnot(valid, small), flat = zr_vm_and(small, zr_vi_eq(area, zero));
     const zr_vm shown = shown_of(s, zr_vm_andnot(small, flat), area);
     if (zr_vm_any(zr_vm_or(flat, spanning))) add_others(s, zr_vm_bits(flat), zr_vm_bits(spanning), first);
@@ -200,51 +201,42 @@ static inline void expect_group(const struct sorter *s, const uint32_t *corners)
         __builtin_prefetch(s->corners.vertices + 4 * (size_t)corners[i]);
 }
 
-/* Records begin .. end - 1. What is asked for may belong to another range, which mostly is the next one (1 % of a
+/* Triangles begin .. end - 1. What is asked for may belong to another range, which mostly is the next one (1 % of a
  * million triangles). */
 static void snap_part(struct sorter *s, uint32_t begin, uint32_t end)
 {
     const struct zr_corners *all = &s->corners;
     uint32_t t = begin;
-    if (all->stride == 3)
-        for (; t + ZR_LANES <= end; t += ZR_LANES) {
-            const uint32_t *corners = all->corners + 3 * (size_t)t;
-            if (t + EXPECTED_AHEAD + ZR_LANES <= s->batch->count) expect_group(s, corners + 3 * EXPECTED_AHEAD);
-            zr_expect(corners, ZR_PAGE, 3 * ZR_LANES * sizeof *corners); /* 4 % of sorting */
-            snap_group(s, corners, t - begin);
-        }
-    for (; t < end; t += ZR_LANES) {
-        /* What is left of a group, or records that stand apart. */
-        uint32_t corners[3 * ZR_LANES];
-        for (uint32_t i = 0; i < ZR_LANES; i++)
-            memcpy(corners + 3 * (size_t)i, all->corners + (t + (i < end - t ? i : 0)) * all->stride,
-                   3 * sizeof *corners);
+    for (; t + ZR_LANES <= end; t += ZR_LANES) {
+        const uint32_t *corners = all->corners + 3 * (size_t)t;
+        if (t + EXPECTED_AHEAD + ZR_LANES <= s->draw->count) expect_group(s, corners + 3 * EXPECTED_AHEAD);
+        zr_expect(corners, ZR_PAGE, 3 * ZR_LANES * sizeof *corners); /* 4 % of sorting */
         snap_group(s, corners, t - begin);
     }
+    if (t == end) return;
+    uint32_t corners[3 * ZR_LANES]; /* what is missing in the last group is its first once more */
+    for (uint32_t i = 0; i < ZR_LANES; i++)
+        memcpy(corners + 3 * (size_t)i, all->corners + 3 * (size_t)(t + (i < end - t ? i : 0)), 3 * sizeof *corners);
+    snap_group(s, corners, t - begin);
 }
 
 static void sort_part(struct sorter *s, uint32_t begin, uint32_t end)
 {
     for (uint32_t t = begin; t < end; t += ZR_LANES)
-        sort_group(s, t - begin, zr_vm_first(end - t), s->batch->first + t);
+        sort_group(s, t - begin, zr_vm_first(end - t), s->draw->first + t);
 }
 
-void ZR_KERNEL(zr_binning)(struct zr_binner *binner, const struct zr_batch *batch, uint32_t begin, uint32_t end)
+void ZR_KERNEL(zr_binning)(struct zr_binner *binner, const struct zr_draw *draw, uint32_t begin, uint32_t end)
 {
-    const struct zr_geometry *geometry = binner->geometry;
-    struct sorter s; /* its queues are not cleared: a batch may be a single triangle */
+    struct sorter s; /* its queues are not cleared: a draw may be a single triangle */
     s.binner = binner;
-    s.batch = batch;
-    s.corners = (struct zr_corners){&geometry->vertices[0].x, batch->corners, 3};
-    if (batch->written) {
-        s.corners.corners = geometry->triangles[batch->first_record].v;
-        s.corners.stride = sizeof(struct zr_triangle) / sizeof(uint32_t);
-    } else {
-        s.corners.vertices = &geometry->vertices[batch->first_vertex].x;
-    }
+    s.draw = draw;
+    s.payload = zr_binner_payload(binner, draw);
+    s.corners = (struct zr_corners){&binner->bins->geometry->vertices[draw->first_vertex].x, draw->corners};
     s.last = (zr_vp)zr_vi_set((int32_t)((binner->bins->height - 1) << 16 | (binner->bins->width - 1)));
     s.tiny.count = s.tiny.sample_count = s.in_one.count = s.in_several.count = 0;
-    const struct zr_tiny_target target = {batch, &s.corners, binner, batch->first + begin + 1, batch->first + end};
+    const struct zr_tiny_target target = {
+        draw, s.payload, &s.corners, binner, draw->first + begin + 1, draw->first + end};
     for (uint32_t part = begin; part < end; part += PART) {
         const uint32_t part_end = end - part < PART ? end : part + PART;
         snap_part(&s, part, part_end);

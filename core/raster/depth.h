@@ -1,4 +1,4 @@
-/* depth.h - raster: how deep a record lies at each sample.
+/* depth.h - raster: how deep a primitive lies at each sample.
  *
  * Space:  window space; depth is that of the z-buffer, 0 (near) to 1 (far).
  * Exact:  the reference's rule 8: the plane of the unsnapped vertices, the offset of outlined
@@ -15,19 +15,19 @@ struct zr_depth {
     float offset; /* 0 for all but faces that make room for their outlines */
 };
 
-static inline struct zr_depth zr_depth_make(const struct zr_window_vertex *vertices, const struct zr_triangle *record)
+static inline struct zr_depth zr_depth_make(const struct zr_window_vertex *vertices, const struct zr_triangle *triangle)
 {
-    const struct zr_window_vertex *v0 = &vertices[record->v[0]], *v1 = &vertices[record->v[1]],
-                                  *v2 = &vertices[record->v[2]];
+    const struct zr_window_vertex *v0 = &vertices[triangle->v[0]], *v1 = &vertices[triangle->v[1]],
+                                  *v2 = &vertices[triangle->v[2]];
     struct zr_depth depth = {.offset = 0.0f};
-    if (record->line) {
+    if (triangle->line) {
         struct zr_line_basis line = zr_line_basis_make(v0, v1);
         depth.plane = zr_line_plane_make(&line, v0->z, v1->z);
         return depth;
     }
     struct zr_plane_basis basis = zr_plane_basis_make(v0, v1, v2);
     depth.plane = zr_plane_make(&basis, v0->z, v1->z, v2->z);
-    if (ZR_MUTANT(no_depth_offset, record->pushed, false)) depth.offset = zr_depth_offset(v0, v1, v2, 1.0f, 1.0f);
+    if (ZR_MUTANT(no_depth_offset, triangle->pushed, false)) depth.offset = zr_depth_offset(v0, v1, v2, 1.0f, 1.0f);
     return depth;
 }
 

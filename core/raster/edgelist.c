@@ -5,7 +5,7 @@
  * (the ordered edge list: Rogers, "Procedural Elements for Computer Graphics", 1985, section
  * 2; Foley, van Dam, Feiner & Hughes, "Computer Graphics: Principles and Practice", 1990,
  * 3.6). The z-buffer is Catmull's (1974). The textbooks let edges carry z too; here depth is
- * the record's own plane at the sample, as the rule says.
+ * the primitive's own plane at the sample, as the rule says.
  *
  * Exact: an x is the first sample not left of the edge, by one integer division a row, rounded
  * up. So a pair of them holds just the samples that have an odd number of edges on their left.
@@ -140,9 +140,11 @@ enum zr_status zr_edgelist(struct zr_arena *arena, const struct zr_geometry *geo
     struct lists lists = {.ends = zr_arena_alloc(arena, (size_t)samples->height + 1, sizeof *lists.ends),
                           .hits = zr_arena_alloc(arena, samples->width, sizeof *lists.hits)};
     if (!zr_arena_ok(arena)) return ZR_NO_MEMORY;
+    const struct zr_draw *of = &geometry->draws[0];
     struct zr_primitive primitive;
-    for (uint32_t first = 0; first < geometry->triangle_count; first += primitive.count) {
-        zr_primitive_make(geometry, first, samples->width, samples->height, &primitive);
+    for (uint32_t first = 0; first < geometry->primitive_count; first += primitive.count) {
+        of = zr_draw_next(geometry, of, first);
+        zr_primitive_make(geometry, of, first, samples->width, samples->height, &primitive);
         if (zr_primitive_is_empty(&primitive)) continue;
         enum zr_status status = draw(arena, geometry, &primitive, cancel, &lists, samples);
         if (status != ZR_OK) return status;

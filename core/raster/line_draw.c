@@ -10,9 +10,9 @@ static int32_t least(int32_t a, int32_t b)
     return a < b ? a : b;
 }
 
-void zr_line_draw(const struct zr_geometry *geometry, uint32_t record, uint32_t owner, struct zr_tile *tile)
+void zr_line_draw(const struct zr_geometry *geometry, const struct zr_triangle *line, uint32_t owner,
+                  struct zr_tile *tile)
 {
-    const struct zr_triangle *line = &geometry->triangles[record];
     struct zr_line_corners corners;
     int32_t first, last;
     if (!zr_line_corners_make(&geometry->vertices[line->v[0]], &geometry->vertices[line->v[1]], &corners)) return;

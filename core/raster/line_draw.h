@@ -8,8 +8,9 @@
 #include "raster/depth.h"
 #include "raster/tile.h"
 
-/* Where the record, which is a line, is seen (zr_tile_put), writes its depth and `owner`. */
-void zr_line_draw(const struct zr_geometry *geometry, uint32_t record, uint32_t owner, struct zr_tile *tile);
+/* Where the line is seen (zr_tile_put), writes its depth and `owner`. */
+void zr_line_draw(const struct zr_geometry *geometry, const struct zr_triangle *line, uint32_t owner,
+                  struct zr_tile *tile);
 
 /* Calls visit(context, tile column, tile row) once for each tile of a window that the line may have pixels
  * in, and for hardly any other. */

@@ -54,8 +54,8 @@ static int32_t lowest(uint64_t bits)
     return __builtin_ctzll(bits);
 }
 
-/* All that is still flagged sees this one record. */
-static void put_record(const struct zr_depth *depth, uint32_t owner, const struct flags *flags, struct zr_tile *tile)
+/* All that is still flagged sees this one triangle. */
+static void put_all(const struct zr_depth *depth, uint32_t owner, const struct flags *flags, struct zr_tile *tile)
 {
     for (int32_t row = 0; row < tile->height; row++)
         for (uint64_t bits = flags->rows[row]; bits; bits &= bits - 1) {
@@ -112,15 +112,16 @@ void zr_oddeven_draw(const struct zr_geometry *geometry, const struct zr_primiti
     struct flags flags;
     cover(primitive, tile, &flags);
     if (primitive->count == 1) {
-        put_record(&primitive->depth, primitive->first + primitive->shift + 1, &flags, tile);
+        put_all(&primitive->depth, primitive->first + 1, &flags, tile);
         return;
     }
-    for (uint32_t record = primitive->first; record < primitive->first + primitive->count; record++) {
+    for (uint32_t number = primitive->first; number < primitive->first + primitive->count; number++) {
+        const struct zr_triangle triangle = zr_primitive_triangle(geometry, primitive, number);
         int32_t box[4];
-        zr_setup_box(geometry->vertices, &geometry->triangles[record], box);
+        zr_setup_box(geometry->vertices, &triangle, box);
         if (!zr_tile_touches(tile, box)) continue;
-        struct zr_setup setup = zr_setup_make(geometry->vertices, &geometry->triangles[record]);
-        put_triangle(&setup, record + primitive->shift + 1, &flags, tile);
+        struct zr_setup setup = zr_setup_make(geometry->vertices, &triangle);
+        put_triangle(&setup, number + 1, &flags, tile);
     }
     put_rest(geometry, primitive, &flags, tile);
 }

@@ -9,30 +9,31 @@ enum { PRIMITIVES_A_CANCEL_CHECK = 4096 };
 struct binning {
     const struct zr_geometry *geometry;
     uint32_t width, height, columns;
-    size_t *offsets;                  /* by tile: so many entries, or where the next one goes */
-    struct zr_other *entries, *large; /* or NULL */
+    size_t *offsets;           /* by tile: so many entries, or where the next one goes */
+    uint32_t *entries, *large; /* or NULL */
     uint32_t large_count, count;
-    struct zr_other other; /* under way */
+    const struct zr_draw *draw; /* of the primitive under way, */
+    uint32_t number;            /* and its first number */
 };
 
 static void add_to_tile(void *context, uint32_t column, uint32_t row)
 {
     struct binning *b = context;
     size_t *offset = &b->offsets[(size_t)row * b->columns + column];
-    if (b->entries) b->entries[*offset] = b->other;
+    if (b->entries) b->entries[*offset] = b->number;
     ++*offset;
 }
 
 static void add_large(struct binning *b)
 {
-    if (b->large) b->large[b->large_count] = b->other;
+    if (b->large) b->large[b->large_count] = b->number;
     b->large_count++;
 }
 
 static void add_box(struct binning *b)
 {
     int32_t box[4];
-    zr_primitive_box(b->geometry, b->other.first, box);
+    zr_primitive_box(b->geometry, b->draw, b->number, box);
     /* Clipping leaves rounding: a vertex may stand a hair outside the window. */
     if (box[0] < 0) box[0] = 0;
     if (box[1] < 0) box[1] = 0;
@@ -51,11 +52,12 @@ static void add_box(struct binning *b)
 }
 
 /* A line touches few of the tiles in its box, so it is never large. */
-static void add_line(struct binning *b, const struct zr_triangle *record)
+static void add_line(struct binning *b)
 {
-    struct zr_line_corners line;
-    if (zr_line_corners_make(&b->geometry->vertices[record->v[0]], &b->geometry->vertices[record->v[1]], &line))
-        zr_line_tiles(&line, b->width, b->height, add_to_tile, b);
+    const struct zr_triangle line = zr_triangle_of(b->geometry, b->draw, b->number);
+    struct zr_line_corners corners;
+    if (zr_line_corners_make(&b->geometry->vertices[line.v[0]], &b->geometry->vertices[line.v[1]], &corners))
+        zr_line_tiles(&corners, b->width, b->height, add_to_tile, b);
 }
 
 /* False where it was cancelled. */
@@ -63,30 +65,30 @@ static bool add_all(struct binning *b, const struct zr_cancel *cancel)
 {
     const struct zr_geometry *geometry = b->geometry;
     b->count = 0;
-    for (uint32_t i = 0; i < geometry->batch_count; i++) {
-        const struct zr_batch *batch = &geometry->batches[i];
-        if (batch->plain) continue;
-        uint32_t end = batch->first_record + batch->count;
-        b->other = (struct zr_other){batch->first_record, batch->first - batch->first_record};
-        for (; b->other.first < end; b->other.first += zr_primitive_count(geometry, b->other.first)) {
-            const struct zr_triangle *record = &geometry->triangles[b->other.first];
-            if (b->count++ % PRIMITIVES_A_CANCEL_CHECK == 0 && zr_is_cancelled(cancel)) return false;
-            if (record->line)
-                add_line(b, record);
-            else
-                add_box(b);
+    b->draw = &geometry->draws[0];
+    for (b->number = 0; b->number < geometry->primitive_count;) {
+        b->draw = zr_draw_next(geometry, b->draw, b->number);
+        if (zr_draw_is_plain(b->draw)) {
+            b->number = b->draw->first + b->draw->count;
+            continue;
         }
+        if (b->count++ % PRIMITIVES_A_CANCEL_CHECK == 0 && zr_is_cancelled(cancel)) return false;
+        if (zr_draw_is_of_lines(b->draw))
+            add_line(b);
+        else
+            add_box(b);
+        b->number += zr_primitive_count(geometry, b->draw, b->number);
     }
     return true;
 }
 
-/* A counting sort: counts, then offsets, then entries, each in the order of the records. */
+/* A counting sort: counts, then offsets, then entries, each in the order of the scene. */
 enum zr_status zr_others_build(struct zr_arena *arena, const struct zr_geometry *geometry, uint32_t width,
                                uint32_t height, const struct zr_cancel *cancel, struct zr_others *others)
 {
     bool any = false;
-    for (uint32_t i = 0; i < geometry->batch_count && !any; i++)
-        any = !geometry->batches[i].plain;
+    for (uint32_t i = 0; i < geometry->draw_count && !any; i++)
+        any = !zr_draw_is_plain(&geometry->draws[i]);
     *others = (struct zr_others){.count = 0};
     if (!any) return ZR_OK;
     uint32_t columns = zr_tile_across(width);

@@ -15,17 +15,11 @@
 
 enum { ZR_OTHERS_TILES = 4 };
 
-/* A primitive: the first of its records, as it is written out, and how far the record's number is ahead of that (modulo
- * 2^32). */
-struct zr_other {
-    uint32_t first, shift;
-};
-
 struct zr_others {
-    uint32_t count;                 /* of all; where 0, nothing else is defined */
-    const size_t *offsets;          /* one a tile (raster/tile.h) and one more, into entries */
-    const struct zr_other *entries; /* ascending within a tile */
-    const struct zr_other *large;   /* ascending */
+    uint32_t count;          /* of all; where 0, nothing else is defined */
+    const size_t *offsets;   /* one a tile (raster/tile.h) and one more, into entries */
+    const uint32_t *entries; /* primitives, by their first numbers: ascending within a tile */
+    const uint32_t *large;   /* ascending */
     uint32_t large_count;
 };
 

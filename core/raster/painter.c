@@ -11,7 +11,7 @@
  * chain that comes back to one of its own pieces.
  *
  * Exact: pieces are sets of samples (piece.h), so no cut is rounded. At one sample an order
- * is total: depth, and then the number of the record. In a chain C1 .. Ck that comes back to C1,
+ * is total: depth, and then the number of the primitive. In a chain C1 .. Ck that comes back to C1,
  * each hides the next wherever both are, and Ck hides C1: were each within the next, and Ck
  * within C1, all would be the same samples, and at each of them the order would go round. So one
  * reaches beyond the next and is cut into what is inside of it and what is not.

@@ -5,10 +5,10 @@
 /* ---- box ---- */
 
 /* Of a line's parallelogram; empty where it has none. */
-static void line_box(const struct zr_geometry *geometry, const struct zr_triangle *record, int32_t box[4])
+static void line_box(const struct zr_geometry *geometry, const struct zr_triangle *line, int32_t box[4])
 {
     struct zr_line_corners c;
-    if (!zr_line_corners_make(&geometry->vertices[record->v[0]], &geometry->vertices[record->v[1]], &c)) {
+    if (!zr_line_corners_make(&geometry->vertices[line->v[0]], &geometry->vertices[line->v[1]], &c)) {
         box[0] = box[1] = 0;
         box[2] = box[3] = -1;
         return;
@@ -26,22 +26,27 @@ static void line_box(const struct zr_geometry *geometry, const struct zr_triangl
     box[3] = zr_viewport_last_centre(high[1]);
 }
 
-void zr_primitive_box(const struct zr_geometry *geometry, uint32_t first, int32_t box[4])
+static void find_box(const struct zr_geometry *geometry, const struct zr_triangle *triangle, int32_t box[4])
 {
-    const struct zr_triangle *record = &geometry->triangles[first];
-    if (record->line) {
-        line_box(geometry, record, box);
+    if (triangle->line) {
+        line_box(geometry, triangle, box);
         return;
     }
-    if (record->shape == 0) {
-        zr_setup_box(geometry->vertices, record, box);
+    if (triangle->shape == 0) {
+        zr_setup_box(geometry->vertices, triangle, box);
         return;
     }
-    const struct zr_shape *shape = &geometry->shapes[record->shape - 1];
+    const struct zr_shape *shape = &geometry->shapes[triangle->shape - 1];
     box[0] = zr_viewport_first_centre(shape->min_x);
     box[1] = zr_viewport_first_centre(shape->min_y);
     box[2] = zr_viewport_last_centre(shape->max_x);
     box[3] = zr_viewport_last_centre(shape->max_y);
+}
+
+void zr_primitive_box(const struct zr_geometry *geometry, const struct zr_draw *draw, uint32_t first, int32_t box[4])
+{
+    const struct zr_triangle triangle = zr_triangle_of(geometry, draw, first);
+    find_box(geometry, &triangle, box);
 }
 
 static void cut_box(struct zr_primitive *primitive, const int32_t box[4], uint32_t width, uint32_t height)
@@ -61,42 +66,43 @@ static void add_edge(struct zr_primitive *primitive, int32_t ax, int32_t ay, int
 }
 
 static void add_triangle_edges(struct zr_primitive *primitive, const struct zr_window_vertex *vertices,
-                               const struct zr_triangle *record)
+                               const struct zr_triangle *triangle)
 {
     for (int k = 0; k < 3; k++) {
-        const struct zr_window_vertex *a = &vertices[record->v[k]], *b = &vertices[record->v[(k + 1) % 3]];
+        const struct zr_window_vertex *a = &vertices[triangle->v[k]], *b = &vertices[triangle->v[(k + 1) % 3]];
         add_edge(primitive, zr_snapped_x(a), zr_snapped_y(a), zr_snapped_x(b), zr_snapped_y(b));
     }
 }
 
 static void add_line_edges(struct zr_primitive *primitive, const struct zr_window_vertex *vertices,
-                           const struct zr_triangle *record)
+                           const struct zr_triangle *line)
 {
     struct zr_line_corners c;
-    if (!zr_line_corners_make(&vertices[record->v[0]], &vertices[record->v[1]], &c)) return;
+    if (!zr_line_corners_make(&vertices[line->v[0]], &vertices[line->v[1]], &c)) return;
     for (int k = 0; k < 4; k++)
         add_edge(primitive, c.x[k], c.y[k], c.x[(k + 1) % 4], c.y[(k + 1) % 4]);
 }
 
-void zr_primitive_make(const struct zr_geometry *geometry, uint32_t first, uint32_t width, uint32_t height,
-                       struct zr_primitive *primitive)
+void zr_primitive_make(const struct zr_geometry *geometry, const struct zr_draw *draw, uint32_t first, uint32_t width,
+                       uint32_t height, struct zr_primitive *primitive)
 {
-    const struct zr_triangle *record = &geometry->triangles[first];
+    const struct zr_triangle triangle = zr_triangle_of(geometry, draw, first);
     int32_t box[4];
-    *primitive = (struct zr_primitive){.first = first, .count = zr_primitive_count(geometry, first)};
-    primitive->depth = zr_depth_make(geometry->vertices, record);
-    zr_primitive_box(geometry, first, box);
+    *primitive =
+        (struct zr_primitive){.draw = draw, .first = first, .count = zr_primitive_count(geometry, draw, first)};
+    primitive->depth = zr_depth_make(geometry->vertices, &triangle);
+    find_box(geometry, &triangle, box);
     cut_box(primitive, box, width, height);
-    if (record->shape > 0) {
-        const struct zr_shape *shape = &geometry->shapes[record->shape - 1];
+    if (triangle.shape > 0) {
+        const struct zr_shape *shape = &geometry->shapes[triangle.shape - 1];
         if (shape->edge_count > 0) primitive->shape_edges = geometry->edges + shape->first_edge;
         primitive->edge_count = shape->edge_count;
         return;
     }
-    if (record->line)
-        add_line_edges(primitive, geometry->vertices, record);
+    if (triangle.line)
+        add_line_edges(primitive, geometry->vertices, &triangle);
     else
-        add_triangle_edges(primitive, geometry->vertices, record);
+        add_triangle_edges(primitive, geometry->vertices, &triangle);
 }
 
 /* ---- hit ---- */
@@ -114,36 +120,43 @@ static double margin_at(const struct zr_setup *setup, int32_t x, int32_t y)
     return least;
 }
 
+struct zr_triangle zr_primitive_triangle(const struct zr_geometry *geometry, const struct zr_primitive *primitive,
+                                         uint32_t number)
+{
+    return zr_triangle_of(geometry, zr_draw_next(geometry, primitive->draw, number), number);
+}
+
 struct zr_hit zr_primitive_hit(const struct zr_geometry *geometry, const struct zr_primitive *primitive, int32_t x,
                                int32_t y)
 {
-    if (primitive->count == 1)
-        return (struct zr_hit){zr_depth_at(&primitive->depth, x, y), primitive->first + primitive->shift + 1};
+    if (primitive->count == 1) return (struct zr_hit){zr_depth_at(&primitive->depth, x, y), primitive->first + 1};
     struct zr_hit hit = {0.0f, 0};
     double best = 0.0;
-    for (uint32_t record = primitive->first; record < primitive->first + primitive->count; record++) {
-        struct zr_setup setup = zr_setup_make(geometry->vertices, &geometry->triangles[record]);
+    for (uint32_t number = primitive->first; number < primitive->first + primitive->count; number++) {
+        const struct zr_triangle triangle = zr_primitive_triangle(geometry, primitive, number);
+        struct zr_setup setup = zr_setup_make(geometry->vertices, &triangle);
         bool inside = zr_setup_covers(&setup, x, y);
         double margin = margin_at(&setup, x, y);
         if (!inside && hit.owner != 0 && margin <= best) continue;
         best = margin;
-        hit = (struct zr_hit){zr_depth_at(&setup.depth, x, y), record + primitive->shift + 1};
+        hit = (struct zr_hit){zr_depth_at(&setup.depth, x, y), number + 1};
         if (inside) break;
     }
     return hit;
 }
 
-/* Those of the samples that the record covers and none before it did. How many they are. */
-static int32_t hit_by_record(const struct zr_geometry *geometry, uint32_t record, uint32_t owner, int32_t y, int32_t x0,
-                             int32_t x1, struct zr_hit *hits)
+/* Those of the samples that the triangle covers and none before it did. How many they are. */
+static int32_t hit_by_triangle(const struct zr_geometry *geometry, const struct zr_primitive *primitive,
+                               uint32_t number, int32_t y, int32_t x0, int32_t x1, struct zr_hit *hits)
 {
+    const struct zr_triangle triangle = zr_primitive_triangle(geometry, primitive, number);
     int32_t box[4], count = 0;
-    zr_setup_box(geometry->vertices, &geometry->triangles[record], box);
+    zr_setup_box(geometry->vertices, &triangle, box);
     if (y < box[1] || y > box[3] || x1 <= box[0] || x0 > box[2]) return 0;
-    struct zr_setup setup = zr_setup_make(geometry->vertices, &geometry->triangles[record]);
+    struct zr_setup setup = zr_setup_make(geometry->vertices, &triangle);
     for (int32_t x = x0 > box[0] ? x0 : box[0]; x < x1 && x <= box[2]; x++) {
         if (hits[x - x0].owner != 0 || !zr_setup_covers(&setup, x, y)) continue;
-        hits[x - x0] = (struct zr_hit){zr_depth_at(&setup.depth, x, y), owner};
+        hits[x - x0] = (struct zr_hit){zr_depth_at(&setup.depth, x, y), number + 1};
         count++;
     }
     return count;
@@ -155,12 +168,10 @@ void zr_primitive_hits(const struct zr_geometry *geometry, const struct zr_primi
     bool single = primitive->count == 1;
     for (int32_t x = x0; x < x1; x++)
         hits[x - x0] =
-            single ? (struct zr_hit){zr_depth_at(&primitive->depth, x, y), primitive->first + primitive->shift + 1}
-                   : (struct zr_hit){0};
+            single ? (struct zr_hit){zr_depth_at(&primitive->depth, x, y), primitive->first + 1} : (struct zr_hit){0};
     int32_t left = single ? 0 : x1 - x0;
     for (uint32_t i = 0; i < primitive->count && left > 0; i++)
-        left -=
-            hit_by_record(geometry, primitive->first + i, primitive->first + i + primitive->shift + 1, y, x0, x1, hits);
+        left -= hit_by_triangle(geometry, primitive, primitive->first + i, y, x0, x1, hits);
     for (int32_t x = x0; x < x1 && left > 0; x++)
         if (hits[x - x0].owner == 0) hits[x - x0] = zr_primitive_hit(geometry, primitive, x, y);
 }

@@ -16,34 +16,39 @@
 #include "raster/depth.h"
 
 struct zr_primitive {
-    uint32_t first, count; /* its records: geometry->triangles[first .. first + count - 1] */
-    uint32_t shift; /* their numbers are so far ahead of that, modulo 2^32; 0 where all records are written out */
+    const struct zr_draw *draw; /* of the first */
+    uint32_t first, count;      /* numbers of its triangles, or the number of its line */
     uint32_t edge_count;
     const struct zr_grid_edge *shape_edges; /* NULL: own_edges */
     struct zr_grid_edge own_edges[4];       /* of a triangle or a line */
-    struct zr_depth depth;                  /* of the first record; of the only one, where count is 1 */
+    struct zr_depth depth;                  /* of the first; of the only one, where count is 1 */
     int32_t min_x, min_y, max_x, max_y;     /* pixels in its box and in the window, inclusive; none where min > max */
 };
 
-/* The record's depth at a sample, and its owner: 1 + the record's number. */
+/* The depth at a sample, and its owner: 1 + the number of the triangle or line. */
 struct zr_hit {
     float depth;
     uint32_t owner;
 };
 
-/* How many records the primitive that begins with record `first` has: the next one begins behind them. */
-static inline uint32_t zr_primitive_count(const struct zr_geometry *geometry, uint32_t first)
+/* How many triangles the primitive has that begins with number `first` of the draw: the next one begins behind them. */
+static inline uint32_t zr_primitive_count(const struct zr_geometry *geometry, const struct zr_draw *draw,
+                                          uint32_t first)
 {
-    uint32_t shape = geometry->triangles[first].shape;
+    const uint32_t shape = draw->kind == ZR_DRAW_SHAPES ? 1 + draw->traits[first - draw->first] / 2 : 0;
     return shape > 0 ? geometry->shapes[shape - 1].triangle_count : 1;
 }
 
 /* Pixels in its box, wherever they are: min x, min y, max x, max y. */
-void zr_primitive_box(const struct zr_geometry *geometry, uint32_t first, int32_t box[4]);
+void zr_primitive_box(const struct zr_geometry *geometry, const struct zr_draw *draw, uint32_t first, int32_t box[4]);
 
-/* The primitive that begins with record `first`. */
-void zr_primitive_make(const struct zr_geometry *geometry, uint32_t first, uint32_t width, uint32_t height,
-                       struct zr_primitive *primitive);
+/* The primitive that begins with number `first` of the draw. */
+void zr_primitive_make(const struct zr_geometry *geometry, const struct zr_draw *draw, uint32_t first, uint32_t width,
+                       uint32_t height, struct zr_primitive *primitive);
+
+/* One of its triangles, or its line. */
+struct zr_triangle zr_primitive_triangle(const struct zr_geometry *geometry, const struct zr_primitive *primitive,
+                                         uint32_t number);
 
 static inline const struct zr_grid_edge *zr_primitive_edges(const struct zr_primitive *primitive)
 {

@@ -11,7 +11,7 @@
 struct zr_samples {
     uint32_t width, height;
     float *depth;    /* window depth */
-    uint32_t *owner; /* 1 + number of the record, 0 where nothing is seen */
+    uint32_t *owner; /* 1 + number of the primitive, 0 where nothing is seen */
 };
 
 /* The z-buffer: the hit is seen where it is nearer than what is there. At equal depth the earlier stays. */

@@ -10,7 +10,7 @@
  *
  * Exact: an edge's x is walked column by column, by the sign of an integer (Bresenham,
  * "Algorithm for computer control of a digital plotter", 1965). Along a row each float
- * operation of a record's depth keeps to the order of its operands, so depth rises or falls
+ * operation of a primitive's depth keeps to the order of its operands, so depth rises or falls
  * throughout, and an interval's two ends bound it. Where that leaves one polygon, it fills the
  * interval; where more are left, surfaces may cut each other, and each sample decides.
  *
@@ -198,7 +198,7 @@ static void cross(struct sweep *sweep, uint32_t primitive)
     sweep->places[primitive] = 0;
 }
 
-/* A shape has several records, and may change from one to another anywhere. */
+/* A shape has several triangles, and may change from one to another anywhere. */
 static struct layer make_layer(const struct sweep *sweep, uint32_t number, int32_t y, int32_t begin, int32_t end)
 {
     const struct zr_primitive *primitive = &sweep->primitives[number];

@@ -22,7 +22,7 @@ struct zr_setup {
 /* The box alone. Empty (min > max) where no pixel centre lies inside. */
 void zr_setup_box(const struct zr_window_vertex *vertices, const struct zr_triangle *triangle, int32_t box[4]);
 
-/* Of a record that is a triangle. */
+/* Of a triangle. */
 struct zr_setup zr_setup_make(const struct zr_window_vertex *vertices, const struct zr_triangle *triangle);
 
 static inline int64_t zr_edge_at(const struct zr_edge *edge, int32_t x, int32_t y)

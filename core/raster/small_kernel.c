@@ -1,6 +1,6 @@
 #include "raster/small.h"
 
-#include "geometry/record.h"
+#include "geometry/geometry.h"
 #include "raster/stamp_simd.h"
 #include "raster/tile_simd.h"
 #include "raster/triangle_simd.h"
@@ -70,20 +70,20 @@ static inline void set_up(const struct zr_tile *tile, const struct zr_corner_v v
     if (out->in_stamp) zr_vi_store(out->covered, zr_vi_select(in_stamp, zr_stamp_covered(edges), zr_vi_set(0)));
 }
 
-/* True where the batch is not written and holds all of the numbers. */
-static inline bool is_of_mesh(const struct zr_batch *batch, const uint32_t *numbers)
+/* True where the draw holds all of the numbers. */
+static inline bool holds_all(const struct zr_draw *draw, const uint32_t *numbers)
 {
-    const zr_vi t = zr_vi_load(numbers) - zr_vi_set((int32_t)batch->first);
-    const zr_vm within = zr_vi_lt_where(zr_vi_lt(zr_vi_set(-1), t), t, zr_vi_set((int32_t)batch->count));
-    return !batch->written && zr_vm_bits(within) == ZR_ALL_BITS;
+    const zr_vi t = zr_vi_load(numbers) - zr_vi_set((int32_t)draw->first);
+    const zr_vm within = zr_vi_lt_where(zr_vi_lt(zr_vi_set(-1), t), t, zr_vi_set((int32_t)draw->count));
+    return zr_vm_bits(within) == ZR_ALL_BITS;
 }
 
-/* ZR_LANES numbers of a batch that is not written -> corners. */
-static inline void load_corners(const struct zr_geometry *geometry, const struct zr_batch *batch,
-                                const uint32_t *numbers, struct zr_corner_v v[3])
+/* ZR_LANES numbers of a draw -> corners. */
+static inline void load_corners(const struct zr_geometry *geometry, const struct zr_draw *draw, const uint32_t *numbers,
+                                struct zr_corner_v v[3])
 {
-    const float *vertices = &geometry->vertices[batch->first_vertex].x;
-#define CORNER(i, k) (vertices + 4 * (size_t)batch->corners[3 * (size_t)(numbers[i] - batch->first) + (k)])
+    const float *vertices = &geometry->vertices[draw->first_vertex].x;
+#define CORNER(i, k) (vertices + 4 * (size_t)draw->corners[3 * (size_t)(numbers[i] - draw->first) + (k)])
 #define CORNER_0(i)  CORNER(i, 0)
 #define CORNER_1(i)  CORNER(i, 1)
 #define CORNER_2(i)  CORNER(i, 2)
@@ -99,29 +99,25 @@ static inline void load_corners(const struct zr_geometry *geometry, const struct
 enum { EXPECTED_AHEAD = 48 };
 
 /* `left` numbers from here on. Nothing is asked for unless all ZR_LANES that lie so far ahead are there, and the
- * batch's. */
-static inline void expect_corners(const struct zr_batch *batch, const uint32_t *numbers, uint32_t left)
+ * draw's. */
+static inline void expect_corners(const struct zr_draw *draw, const uint32_t *numbers, uint32_t left)
 {
     const uint32_t *later = numbers + EXPECTED_AHEAD;
-    if (left < EXPECTED_AHEAD + ZR_LANES || !is_of_mesh(batch, later)) return;
+    if (left < EXPECTED_AHEAD + ZR_LANES || !holds_all(draw, later)) return;
     for (uint32_t i = 0; i < ZR_LANES; i++)
-        __builtin_prefetch(batch->corners + 3 * (size_t)(later[i] - batch->first));
+        __builtin_prefetch(draw->corners + 3 * (size_t)(later[i] - draw->first));
 }
 
-/* Of any batches. Returns the last one's. */
-static inline const struct zr_batch *load_mixed_corners(const struct zr_geometry *geometry,
-                                                        const struct zr_batch *batch, const uint32_t *numbers,
-                                                        struct zr_corner_v v[3])
+/* Of any draws. Returns the last one's. */
+static inline const struct zr_draw *load_mixed_corners(const struct zr_geometry *geometry, const struct zr_draw *draw,
+                                                       const uint32_t *numbers, struct zr_corner_v v[3])
 {
     const float *places[3][ZR_LANES];
     for (uint32_t i = 0; i < ZR_LANES; i++) {
-        batch = zr_batch_next(geometry, batch, numbers[i]);
-        const uint32_t t = numbers[i] - batch->first;
-        const uint32_t *corners =
-            batch->written ? geometry->triangles[batch->first_record + t].v : batch->corners + 3 * (size_t)t;
-        const uint32_t first = batch->written ? 0 : batch->first_vertex;
-        for (int k = 0; k < 3; k++)
-            places[k][i] = &geometry->vertices[first + corners[k]].x;
+        draw = zr_draw_next(geometry, draw, numbers[i]);
+        for (uint32_t k = 0; k < 3; k++)
+            places[k][i] =
+                &geometry->vertices[draw->first_vertex + zr_draw_corner(draw, numbers[i] - draw->first, k)].x;
     }
 #define CORNER_0(i) places[0][i]
 #define CORNER_1(i) places[1][i]
@@ -130,7 +126,7 @@ static inline const struct zr_batch *load_mixed_corners(const struct zr_geometry
 #undef CORNER_0
 #undef CORNER_1
 #undef CORNER_2
-    return batch;
+    return draw;
 }
 
 /* ---- one triangle ---- */
@@ -138,9 +134,9 @@ static inline const struct zr_batch *load_mixed_corners(const struct zr_geometry
 /* Triangle i, in ZR_LANES columns from x on, which is a multiple of ZR_LANES: its edges keep out what is not its own,
  * and columns beyond the window, since it lies inside of the view volume.
  * All that it is made of is spread over the lanes as it is loaded (a tenth of the time). Not `clamped`: its depth is
- * known to be within 0..1. colored: the tile has colours, and it has none. */
+ * known to be within 0..1. keeps_words: the tile has colours, and it has none. */
 static inline void draw_columns(struct zr_tile *tile, const struct group *g, uint32_t i, int32_t x, zr_vi owner,
-                                bool clamped, bool colored)
+                                bool clamped, bool keeps_words)
 {
     const zr_vi below_zero = zr_vi_set(-1), ramp = zr_vi_ramp(), skip = zr_vi_set(x - g->x0[i]) + ramp;
     zr_vi e0 = zr_vi_set(g->at[0][i]) + zr_vi_set(g->right[0][i]) * skip;
@@ -156,32 +152,32 @@ static inline void draw_columns(struct zr_tile *tile, const struct group *g, uin
         zr_vf z = column + dady * fy;
         if (clamped) z = zr_depth_clamp_v(z);
         const struct zr_put_v put = zr_tile_put_v(&tile->depth[at], &tile->owner[at], inside, z, owner);
-        if (colored) zr_vi_store_where(&tile->color[at], put.seen, zr_vi_set(0));
+        if (keeps_words) zr_vi_store_where(&tile->words[at], put.seen, zr_vi_set(0));
         e0 += up0;
         e1 += up1;
         e2 += up2;
     }
 }
 
-static inline void draw_triangle(struct zr_tile *tile, const struct group *g, uint32_t i, zr_vi owner, bool colored)
+static inline void draw_triangle(struct zr_tile *tile, const struct group *g, uint32_t i, zr_vi owner, bool keeps_words)
 {
     if (g->clamped >> i & 1u)
         for (int32_t x = g->x0[i] & ~(ZR_LANES - 1); x <= g->x1[i]; x += ZR_LANES)
-            draw_columns(tile, g, i, x, owner, true, colored);
+            draw_columns(tile, g, i, x, owner, true, keeps_words);
     else
         for (int32_t x = g->x0[i] & ~(ZR_LANES - 1); x <= g->x1[i]; x += ZR_LANES)
-            draw_columns(tile, g, i, x, owner, false, colored);
+            draw_columns(tile, g, i, x, owner, false, keeps_words);
 }
 
 /* ---- a group ---- */
 
 /* Those of the first `count` that are not in stamps. */
 static inline void draw_one_by_one(struct zr_tile *tile, const struct group *g, const uint32_t *numbers, uint32_t count,
-                                   bool colored)
+                                   bool keeps_words)
 {
     for (uint32_t bits = ZR_ALL_BITS >> (ZR_LANES - count) & ~g->in_stamp; bits; bits &= bits - 1) {
         const uint32_t i = (uint32_t)zr_lowest_bit(bits);
-        draw_triangle(tile, g, i, zr_vi_set((int32_t)(numbers[i] + 1)), colored);
+        draw_triangle(tile, g, i, zr_vi_set((int32_t)(numbers[i] + 1)), keeps_words);
     }
 }
 
@@ -200,13 +196,13 @@ static inline struct places places_of(const struct group *g, const uint32_t *sam
 }
 
 /* What triangles that have words are made of. */
-struct payload {
-    const struct zr_batch *batch;
+struct worded {
+    const struct zr_payload *payload;
     float corners[3][3][ZR_LANES];
 };
 
 /* The words of all samples, at once. */
-__attribute__((noinline)) static void find_words(const struct payload *payload, const struct group *g,
+__attribute__((noinline)) static void find_words(const struct worded *of, const struct group *g,
                                                  const uint32_t *numbers, const uint32_t *samples, uint32_t count,
                                                  uint32_t *words)
 {
@@ -218,15 +214,15 @@ __attribute__((noinline)) static void find_words(const struct payload *payload, 
         zr_vf_store(x + i, places.x);
         zr_vf_store(y + i, places.y);
     }
-    payload->batch->payload(payload->batch, numbers, g->turned, payload->corners[0][0], triangles, x, y, count, words);
+    of->payload->make(of->payload, numbers, g->turned, of->corners[0][0], triangles, x, y, count, words);
 }
 
 /* Those in stamps, sample by sample: most cover two or three. All that a sample needs is made for many at once, and no
  * loop depends on how many rows or columns a triangle has, which the processor cannot guess (a fifth of the time of
- * small triangles of the bunny at 512x512). colored: the tile keeps words; what is seen gets its own, or 0 where there
- * are none. */
+ * small triangles of the bunny at 512x512). keeps_words: the tile keeps words; what is seen gets its own, or 0 where
+ * there are none. */
 static inline void draw_stamps(struct zr_tile *tile, const struct group *g, const uint32_t *numbers,
-                               const struct payload *payload, bool colored)
+                               const struct worded *of, bool keeps_words)
 {
     uint32_t samples[ZR_STAMP_LIST], at[ZR_LANES], owners[ZR_LANES], words[ZR_STAMP_LIST];
     float depths[ZR_LANES];
@@ -234,7 +230,7 @@ static inline void draw_stamps(struct zr_tile *tile, const struct group *g, cons
     const zr_vf tile_x = zr_vf_set((float)tile->x), tile_y = zr_vf_set((float)tile->y);
     const zr_vf owner = zr_vf_bits(zr_vi_load(numbers) + zr_vi_set(1));
     const struct zr_plane_v depth = {zr_vf_load(g->a0), zr_vf_load(g->dadx), zr_vf_load(g->dady)};
-    if (payload) find_words(payload, g, numbers, samples, count, words);
+    if (of) find_words(of, g, numbers, samples, count, words);
     for (uint32_t i = 0; i < count; i += ZR_LANES) {
         const struct places places = places_of(g, samples + i);
         const struct zr_plane_v plane = zr_plane_pick(&depth, places.lane);
@@ -244,22 +240,22 @@ static inline void draw_stamps(struct zr_tile *tile, const struct group *g, cons
         const uint32_t some = count - i < ZR_LANES ? count - i : ZR_LANES;
         for (uint32_t k = 0; k < some; k++) {
             const bool seen = zr_tile_put_at(tile, at[k], depths[k], owners[k]);
-            if (colored && seen) tile->color[at[k]] = payload ? words[i + k] : 0;
+            if (keeps_words && seen) tile->words[at[k]] = of ? words[i + k] : 0;
         }
     }
 }
 _Static_assert(ZR_STAMP == 1 << 2 && ZR_STAMP_SAMPLES == 1 << 4, "rows and triangles are shifts");
 
-/* Not in the same function as what is drawn most: that would lose registers (a fiftieth of the bunny's time). payload:
- * of the group, where it has words. */
-__attribute__((noinline)) static void draw_colored_group(struct zr_tile *tile, const struct group *g,
-                                                         const uint32_t *numbers, uint32_t count,
-                                                         const struct payload *payload)
+/* Not in the same function as what is drawn most: that would lose registers (a fiftieth of the bunny's time). of: the
+ * group, where it has words. */
+__attribute__((noinline)) static void draw_worded_group(struct zr_tile *tile, const struct group *g,
+                                                        const uint32_t *numbers, uint32_t count,
+                                                        const struct worded *of)
 {
     draw_one_by_one(tile, g, numbers, count, true);
     if (!g->in_stamp) return;
-    if (payload)
-        draw_stamps(tile, g, numbers, payload, true);
+    if (of)
+        draw_stamps(tile, g, numbers, of, true);
     else
         draw_stamps(tile, g, numbers, NULL, true);
 }
@@ -270,10 +266,10 @@ static inline void draw_group(struct zr_tile *tile, const struct group *g, const
     if (g->in_stamp) draw_stamps(tile, g, numbers, NULL, false);
 }
 
-void ZR_KERNEL(zr_small)(struct zr_tile *tile, const struct zr_geometry *geometry, const uint32_t *numbers,
-                         uint32_t count)
+void ZR_KERNEL(zr_small)(struct zr_tile *tile, const struct zr_geometry *geometry, const struct zr_payload *payloads,
+                         const uint32_t *numbers, uint32_t count)
 {
-    const struct zr_batch *batch = &geometry->batches[0];
+    const struct zr_draw *draw = &geometry->draws[0];
     for (uint32_t done = 0; done < count; done += ZR_LANES) {
         const uint32_t some = count - done < ZR_LANES ? count - done : ZR_LANES, *here = numbers + done;
         uint32_t last[ZR_LANES];
@@ -284,21 +280,21 @@ void ZR_KERNEL(zr_small)(struct zr_tile *tile, const struct zr_geometry *geometr
                 last[i] = here[i < some ? i : 0];
             here = last;
         }
-        bool has_words = false;
-        if (is_of_mesh(batch, here)) {
-            load_corners(geometry, batch, here, v);
-            has_words = tile->has_colors && batch->payload;
+        const struct zr_payload *payload = NULL;
+        if (holds_all(draw, here)) {
+            load_corners(geometry, draw, here, v);
+            if (tile->has_words && payloads) payload = &payloads[draw - geometry->draws];
         } else {
-            batch = load_mixed_corners(geometry, batch, here, v);
+            draw = load_mixed_corners(geometry, draw, here, v);
         }
-        expect_corners(batch, numbers + done, count - done);
+        expect_corners(draw, numbers + done, count - done);
         set_up(tile, v, &group);
-        if (has_words && group.in_stamp) {
-            struct payload payload = {.batch = batch};
-            zr_corners_store(v, payload.corners);
-            draw_colored_group(tile, &group, here, some, &payload);
-        } else if (tile->has_colors) {
-            draw_colored_group(tile, &group, here, some, NULL);
+        if (payload && payload->make && group.in_stamp) {
+            struct worded worded = {.payload = payload};
+            zr_corners_store(v, worded.corners);
+            draw_worded_group(tile, &group, here, some, &worded);
+        } else if (tile->has_words) {
+            draw_worded_group(tile, &group, here, some, NULL);
         } else {
             draw_group(tile, &group, here, some);
         }

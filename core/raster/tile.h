@@ -47,10 +47,9 @@ struct zr_tile {
     _Alignas(
         64) float depth[ZR_TILE_STRIDE * ZR_TILE_SIZE]; /* window depth; where nothing was drawn, see zr_tile_begin */
     uint8_t apart[2048]; /* else a load of a depth would seem to want the owner that was stored 5 pages behind it */
-    _Alignas(64) uint32_t owner[ZR_TILE_STRIDE * ZR_TILE_SIZE]; /* 1 + number of the record, 0 where nothing is */
-    bool has_colors;                                            /* else color means nothing */
-    _Alignas(
-        64) uint32_t color[ZR_TILE_STRIDE * ZR_TILE_SIZE]; /* RGBA in four bytes, opaque; 0 where it is to be found */
+    _Alignas(64) uint32_t owner[ZR_TILE_STRIDE * ZR_TILE_SIZE]; /* 1 + number of the primitive, 0 where nothing is */
+    bool has_words;                                             /* else they mean nothing */
+    _Alignas(64) uint32_t words[ZR_TILE_STRIDE * ZR_TILE_SIZE]; /* of payloads (payload.h); 0: to be found */
 };
 
 _Static_assert(ZR_BLOCKS == 32, "a bit each");
@@ -84,7 +83,7 @@ static inline size_t zr_tile_count(uint32_t width, uint32_t height)
 }
 
 /* The z-buffer: what is drawn at pixel x, y of the tile is seen where it is nearer than what is there, or as near and
- * earlier in the scene. That is what drawing in order and keeping the nearest gives (GL's LESS), so records may
+ * earlier in the scene. That is what drawing in order and keeping the nearest gives (GL's LESS), so primitives may
  * come in any order, from any thread, and the same one is seen. What was there before any of them stays at equal depth.
  */
 static inline bool zr_tile_put_at(struct zr_tile *tile, uint32_t i, float depth, uint32_t owner)

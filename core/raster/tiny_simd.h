@@ -20,21 +20,21 @@
 /* So many are queued at most before zr_tiny_draw empties the queues. */
 enum { ZR_TINY_ROOM = 512 };
 
-/* Where a batch's corners are. */
+/* Where a draw's corners are. */
 struct zr_corners {
     const float *vertices;   /* of position 0 */
-    const uint32_t *corners; /* of record 0 of the batch */
-    size_t stride;           /* words from one record's corners to the next */
+    const uint32_t *corners; /* of triangle 0 of the draw */
 };
 
 static inline const float *zr_corner_at(const struct zr_corners *c, uint32_t t, size_t k)
 {
-    return c->vertices + 4 * (size_t)c->corners[t * c->stride + k];
+    return c->vertices + 4 * (size_t)c->corners[3 * (size_t)t + k];
 }
 
-/* Where the triangles of a batch that are drawn come from, and where they go. */
+/* Where the triangles of a draw that are drawn come from, and where they go. */
 struct zr_tiny_target {
-    const struct zr_batch *batch;
+    const struct zr_draw *draw;
+    const struct zr_payload *payload; /* NULL: none */
     const struct zr_corners *corners;
     struct zr_binner *binner;
     uint32_t first_owner, last_owner; /* of those that may come */
@@ -55,7 +55,7 @@ struct zr_tiny {
     /* The same samples when they have a depth: as zr_tiny_samples, but a word of bits a group for those that are seen.
      */
     uint32_t seen_bits[ZR_TINY_SAMPLES_ROOM / ZR_LANES];
-    uint32_t tiles[ZR_TINY_SAMPLES_ROOM], words[ZR_TINY_SAMPLES_ROOM], colors[ZR_TINY_SAMPLES_ROOM];
+    uint32_t tiles[ZR_TINY_SAMPLES_ROOM], words[ZR_TINY_SAMPLES_ROOM], payloads[ZR_TINY_SAMPLES_ROOM];
     float depths[ZR_TINY_SAMPLES_ROOM];
 };
 
@@ -139,15 +139,15 @@ struct zr_tiny_samples {
     zr_vm seen;
     zr_vi tile, word; /* word: as in zr_bin_fragments */
     zr_vf depth;
-    zr_vi color; /* 0: not known */
+    zr_vi payload; /* 0: not known */
 };
 
 static inline void zr_tiny_put(struct zr_bin_fragments *block, zr_vm put, const struct zr_tiny_samples *samples,
-                               bool with_colors)
+                               bool with_payload)
 {
     const zr_vi words = samples->word - zr_vi_set((int32_t)block->first_owner);
     zr_vi_compress(block->places + block->head.used, put, words);
-    if (with_colors) zr_vi_compress(block->colors + block->head.used, put, samples->color);
+    if (with_payload) zr_vi_compress(block->words + block->head.used, put, samples->payload);
     block->head.used += zr_vi_compress(block->depths + block->head.used, put, zr_vi_bits_of(samples->depth));
 }
 
@@ -163,7 +163,7 @@ static inline void zr_tiny_put_all(const struct zr_tiny_target *target, const st
         struct zr_bin_fragments *block =
             zr_binner_fragments(binner, &binner->tiles[number].fragments, target->first_owner, target->last_owner);
         if (!block) return;
-        zr_tiny_put(block, here, samples, binner->bins->has_colors);
+        zr_tiny_put(block, here, samples, binner->bins->has_words);
         bits &= ~zr_vm_bits(here);
     }
 }
@@ -172,11 +172,12 @@ static inline struct zr_tiny_samples zr_tiny_draw_group(const uint32_t *numbers,
                                                         const struct zr_tiny_target *target)
 {
     const struct zr_corners *corners = target->corners;
-    const struct zr_batch *batch = target->batch;
+    const struct zr_draw *draw = target->draw;
+    const struct zr_payload *payload = target->payload;
     struct zr_corner_v c[3];
-#define ZR_TINY_CORNER_0(i) zr_corner_at(corners, numbers[i] - batch->first, 0)
-#define ZR_TINY_CORNER_1(i) zr_corner_at(corners, numbers[i] - batch->first, 1)
-#define ZR_TINY_CORNER_2(i) zr_corner_at(corners, numbers[i] - batch->first, 2)
+#define ZR_TINY_CORNER_0(i) zr_corner_at(corners, numbers[i] - draw->first, 0)
+#define ZR_TINY_CORNER_1(i) zr_corner_at(corners, numbers[i] - draw->first, 1)
+#define ZR_TINY_CORNER_2(i) zr_corner_at(corners, numbers[i] - draw->first, 2)
     ZR_LOAD_CORNERS(c, ZR_TINY_CORNER_0, ZR_TINY_CORNER_1, ZR_TINY_CORNER_2);
 #undef ZR_TINY_CORNER_0
 #undef ZR_TINY_CORNER_1
@@ -185,15 +186,15 @@ static inline struct zr_tiny_samples zr_tiny_draw_group(const uint32_t *numbers,
     const zr_vi column = place & zr_vi_set(0xffff), row = place >> 16 & zr_vi_set(INT16_MAX);
     const zr_vf x = zr_vf_of(column), y = zr_vf_of(row);
     const zr_vm turned = zr_vi_lt(place, zr_vi_set(0));
-    struct zr_tiny_samples samples = {.color = zr_vi_set(0)};
-    if (batch->payload) {
+    struct zr_tiny_samples samples = {.payload = zr_vi_set(0)};
+    if (payload && payload->make) {
         float loaded[3][3][ZR_LANES], xs[ZR_LANES], ys[ZR_LANES];
         uint32_t words[ZR_LANES];
         zr_corners_store(c, loaded);
         zr_vf_store(xs, x);
         zr_vf_store(ys, y);
-        batch->payload(batch, numbers, zr_vm_bits(turned), loaded[0][0], NULL, xs, ys, ZR_LANES, words);
-        samples.color = zr_vi_load(words);
+        payload->make(payload, numbers, zr_vm_bits(turned), loaded[0][0], NULL, xs, ys, ZR_LANES, words);
+        samples.payload = zr_vi_load(words);
     }
     zr_corners_swap_v(turned, c);
     const struct zr_basis_v basis = zr_basis_make_v(c);
@@ -214,7 +215,7 @@ static inline void zr_tiny_keep(struct zr_tiny *tiny, uint32_t from, const struc
     tiny->seen_bits[from / ZR_LANES] = zr_vm_bits(samples->seen);
     zr_vi_store(tiny->tiles + from, samples->tile);
     zr_vi_store(tiny->words + from, samples->word);
-    zr_vi_store(tiny->colors + from, samples->color);
+    zr_vi_store(tiny->payloads + from, samples->payload);
     zr_vf_store(tiny->depths + from, samples->depth);
 }
 
@@ -224,7 +225,7 @@ static inline struct zr_tiny_samples zr_tiny_kept(const struct zr_tiny *tiny, ui
                                     .tile = zr_vi_load(tiny->tiles + from),
                                     .word = zr_vi_load(tiny->words + from),
                                     .depth = zr_vf_load(tiny->depths + from),
-                                    .color = zr_vi_load(tiny->colors + from)};
+                                    .payload = zr_vi_load(tiny->payloads + from)};
 }
 
 /* Full groups; what is left waits for more, unless this `is_end`. */

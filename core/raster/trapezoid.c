@@ -178,9 +178,11 @@ enum zr_status zr_trapezoid(struct zr_arena *arena, const struct zr_geometry *ge
     struct polygon polygon = {.beginning = zr_arena_alloc(arena, samples->height, sizeof *polygon.beginning),
                               .hits = zr_arena_alloc(arena, samples->width, sizeof *polygon.hits)};
     if (!zr_arena_ok(arena)) return ZR_NO_MEMORY;
+    const struct zr_draw *of = &geometry->draws[0];
     struct zr_primitive primitive;
-    for (uint32_t first = 0; first < geometry->triangle_count; first += primitive.count) {
-        zr_primitive_make(geometry, first, samples->width, samples->height, &primitive);
+    for (uint32_t first = 0; first < geometry->primitive_count; first += primitive.count) {
+        of = zr_draw_next(geometry, of, first);
+        zr_primitive_make(geometry, of, first, samples->width, samples->height, &primitive);
         if (zr_primitive_is_empty(&primitive)) continue;
         enum zr_status status = draw(arena, geometry, &primitive, cancel, &polygon, samples);
         if (status != ZR_OK) return status;

@@ -76,9 +76,15 @@ static inline zr_vi zr_span_v(zr_vi a, zr_vi b, zr_vi c)
     return zr_most_v(a, b, c) - zr_least_v(a, b, c);
 }
 
+/* Lanes that have the number that lane i has. */
+static inline uint32_t zr_lanes_with(const int32_t *numbers, int i)
+{
+    return zr_vm_bits(zr_vi_eq(zr_vi_load(numbers), zr_vi_set(numbers[i])));
+}
+
 /* Which triangles go counter-clockwise, of any size: their corners 0 and 1 are to change places (rule 6). c: what
  * stands in `vertices` at the numbers n0, n1 and n2, ZR_LANES of each. Long triangles are measured one by one, in 64
- * bits. */
+ * bits, each of them once. */
 static inline zr_vm zr_turned_v(const struct zr_window_vertex *vertices, const int32_t *n0, const int32_t *n1,
                                 const int32_t *n2, const struct zr_corner_v c[3])
 {
@@ -88,10 +94,12 @@ static inline zr_vm zr_turned_v(const struct zr_window_vertex *vertices, const i
     const zr_vm are_long =
         zr_vm_or(zr_vi_lt(span, zr_span_v(g[0].x, g[1].x, g[2].x)), zr_vi_lt(span, zr_span_v(g[0].y, g[1].y, g[2].y)));
     uint32_t turned = zr_vm_bits(zr_vi_lt(area, zr_vi_set(0)));
-    for (uint32_t bits = ZR_MUTANT(areas_in_32_bits, zr_vm_bits(are_long), 0u); bits; bits &= bits - 1) {
+    for (uint32_t bits = ZR_MUTANT(areas_in_32_bits, zr_vm_bits(are_long), 0u); bits;) {
         const int i = zr_lowest_bit(bits);
-        turned &= ~(1u << i);
-        turned |= (uint32_t)(zr_window_area(&vertices[n0[i]], &vertices[n1[i]], &vertices[n2[i]]) < 0) << i;
+        const uint32_t same = bits & zr_lanes_with(n0, i) & zr_lanes_with(n1, i) & zr_lanes_with(n2, i);
+        const bool negative = zr_window_area(&vertices[n0[i]], &vertices[n1[i]], &vertices[n2[i]]) < 0;
+        turned = negative ? turned | same : turned & ~same;
+        bits &= ~same;
     }
     return zr_vm_of(turned);
 }

@@ -3,7 +3,7 @@
 #include <string.h>
 
 #include "base/expect.h"
-#include "geometry/record.h"
+#include "geometry/geometry.h"
 #include "raster/line_draw.h"
 #include "raster/oddeven.h"
 
@@ -12,20 +12,21 @@ enum { PARTS_A_CANCEL_CHECK = 1024 };
 
 /* Blocks of a tile's fragments, or of its small triangles, from which on it keeps early colours: fewer pixels are
  * sooner painted than set aside and put back, and where there are fewer small triangles they are larger than stamps. A
- * guess, for it counts all threads' and all batches' blocks, whether they are full or have colours, or not; only time
+ * guess, for it counts all threads' and all draws' blocks, whether they are full or have colours, or not; only time
  * depends on it. */
-enum { BLOCKS_WITH_COLORS = 3, SMALL_BLOCKS_WITH_COLORS = 9 };
+enum { BLOCKS_WITH_WORDS = 3, SMALL_BLOCKS_WITH_WORDS = 9 };
 
 /* ---- sorting ---- */
 
-enum zr_status zr_visible_make(struct zr_arena *arena, struct zr_team *team, struct zr_geometry *geometry,
-                               uint32_t width, uint32_t height, const struct zr_cancel *cancel,
-                               struct zr_visible *visible)
+enum zr_status zr_visible_make(struct zr_arena *arena, struct zr_team *team, const struct zr_geometry *geometry,
+                               const struct zr_payload *payloads, uint32_t width, uint32_t height,
+                               const struct zr_cancel *cancel, struct zr_visible *visible)
 {
     visible->geometry = geometry;
+    visible->payloads = payloads;
     visible->halfspace = zr_halfspace_of(zr_team_isa(team));
     visible->draw_small = zr_small_of(zr_team_isa(team));
-    enum zr_status status = zr_bins_build(arena, team, geometry, width, height, cancel, &visible->bins);
+    enum zr_status status = zr_bins_build(arena, team, geometry, payloads, width, height, cancel, &visible->bins);
     if (status != ZR_OK) return status;
     return zr_others_build(arena, geometry, width, height, cancel, &visible->others);
 }
@@ -101,23 +102,25 @@ static bool draw_wide_ones(const struct zr_visible *visible, uint32_t number, co
 
 /* The next block is asked for before it is needed (a quarter of the time that this takes), and so is what painting will
  * look up first: with a million triangles each pixel has a place in memory of its own (4 % of the time of these). What
- * has its colour is not looked up. */
+ * has its word is not looked up. */
 static void draw_fragments(const struct zr_visible *visible, const struct zr_bin_fragments *block, struct zr_tile *tile)
 {
-    const bool has_colors = tile->has_colors;
+    const struct zr_geometry *geometry = visible->geometry;
+    const bool has_words = tile->has_words;
     const uint32_t first_number = block->first_owner - 1;
-    const struct zr_batch *batch = zr_batch_of(visible->geometry, first_number); /* of most of them */
-    const struct zr_batch_lookup lookup = zr_batch_lookup(batch);
-    const uintptr_t first = lookup.first + lookup.step * (first_number - batch->first);
+    const struct zr_draw *draw = zr_draw_of(geometry, first_number); /* of most of them */
+    const struct zr_payload *payload = visible->payloads ? &visible->payloads[draw - geometry->draws] : NULL;
+    const size_t step = payload ? payload->step : 0;
+    const uintptr_t first = payload ? payload->first + step * (first_number - draw->first) : (uintptr_t)block;
     if (block->head.next) zr_expect(block->head.next, 0, visible->bins.fragments_size);
     for (uint32_t i = 0; i < block->head.used; i++) {
         const uint32_t place = block->places[i] >> ZR_BIN_OWNER_BITS;
         const uint32_t owner = block->places[i] & ((1u << ZR_BIN_OWNER_BITS) - 1);
         if (!zr_tile_put_at(tile, place, block->depths[i], block->first_owner + owner)) continue;
-        if (has_colors)
-            tile->color[place] = block->colors[i];
+        if (has_words)
+            tile->words[place] = block->words[i];
         else
-            __builtin_prefetch((const void *)(first + lookup.step * owner));
+            __builtin_prefetch((const void *)(first + step * owner));
     }
 }
 
@@ -133,14 +136,14 @@ static bool draw_small_ones(const struct zr_visible *visible, uint32_t number, c
         for (const struct zr_bin_head *b = visible->bins.workers[i].tiles[number].small.first; b; b = b->next) {
             if (count + b->used > SMALL_AT_ONCE) {
                 if (zr_is_cancelled(cancel)) return false;
-                visible->draw_small(tile, visible->geometry, numbers, count);
+                visible->draw_small(tile, visible->geometry, visible->payloads, numbers, count);
                 count = 0;
             }
             memcpy(numbers + count, ((const struct zr_bin_numbers *)b)->numbers, b->used * sizeof *numbers);
             count += b->used;
         }
     if (zr_is_cancelled(cancel)) return false;
-    if (count > 0) visible->draw_small(tile, visible->geometry, numbers, count);
+    if (count > 0) visible->draw_small(tile, visible->geometry, visible->payloads, numbers, count);
     return true;
 }
 
@@ -154,42 +157,45 @@ static void draw_tiny_ones(const struct zr_visible *visible, uint32_t number, st
 
 /* ---- shapes, lines, pushed triangles ---- */
 
-static void draw_other(const struct zr_visible *visible, struct zr_other other, struct zr_tile *tile)
+static void draw_other(const struct zr_visible *visible, const struct zr_draw *draw, uint32_t number,
+                       struct zr_tile *tile)
 {
     const struct zr_geometry *geometry = visible->geometry;
-    const struct zr_triangle *record = &geometry->triangles[other.first];
-    if (record->line) {
-        zr_line_draw(geometry, other.first, other.first + other.shift + 1, tile);
-    } else if (record->shape == 0) {
-        struct zr_setup setup = zr_setup_make(geometry->vertices, record);
-        visible->halfspace->draw(tile, &setup, other.first + other.shift + 1);
+    const struct zr_triangle triangle = zr_triangle_of(geometry, draw, number);
+    if (triangle.line) {
+        zr_line_draw(geometry, &triangle, number + 1, tile);
+    } else if (triangle.shape == 0) {
+        struct zr_setup setup = zr_setup_make(geometry->vertices, &triangle);
+        visible->halfspace->draw(tile, &setup, number + 1);
     } else {
         struct zr_primitive primitive;
-        zr_primitive_make(geometry, other.first, visible->bins.width, visible->bins.height, &primitive);
-        primitive.shift = other.shift;
+        zr_primitive_make(geometry, draw, number, visible->bins.width, visible->bins.height, &primitive);
         zr_oddeven_draw(geometry, &primitive, tile);
     }
 }
 
-static uint32_t parts_of(const struct zr_geometry *geometry, uint32_t first)
+static uint32_t parts_of(const struct zr_geometry *geometry, const struct zr_draw *draw, uint32_t number)
 {
-    uint32_t shape = geometry->triangles[first].shape;
-    return shape > 0 ? geometry->shapes[shape - 1].edge_count + geometry->shapes[shape - 1].triangle_count : 1;
+    if (draw->kind != ZR_DRAW_SHAPES) return 1;
+    const struct zr_shape *shape = &geometry->shapes[draw->traits[number - draw->first] / 2];
+    return shape->edge_count + shape->triangle_count;
 }
 
-static bool draw_list(const struct zr_visible *visible, const struct zr_other *others, size_t count, bool may_miss,
+static bool draw_list(const struct zr_visible *visible, const uint32_t *others, size_t count, bool may_miss,
                       const struct zr_cancel *cancel, struct zr_tile *tile)
 {
+    const struct zr_draw *draw = &visible->geometry->draws[0];
     uint64_t parts = PARTS_A_CANCEL_CHECK;
     for (size_t i = 0; i < count; i++) {
+        draw = zr_draw_next(visible->geometry, draw, others[i]);
         if (parts >= PARTS_A_CANCEL_CHECK) {
             if (zr_is_cancelled(cancel)) return false;
             parts = 0;
         }
         int32_t box[4];
-        parts += parts_of(visible->geometry, others[i].first);
-        if (may_miss) zr_primitive_box(visible->geometry, others[i].first, box);
-        if (!may_miss || zr_tile_touches(tile, box)) draw_other(visible, others[i], tile);
+        parts += parts_of(visible->geometry, draw, others[i]);
+        if (may_miss) zr_primitive_box(visible->geometry, draw, others[i], box);
+        if (!may_miss || zr_tile_touches(tile, box)) draw_other(visible, draw, others[i], tile);
     }
     return true;
 }
@@ -223,14 +229,14 @@ static bool has_more(const struct zr_visible *visible, uint32_t number)
 }
 
 /* Whether early colours are kept: there are enough of them to earn that, and nothing is drawn over them. */
-static bool keeps_colors(const struct zr_visible *visible, uint32_t number)
+static bool keeps_words(const struct zr_visible *visible, uint32_t number)
 {
     uint32_t fragments = 0, small = 0;
-    for (int i = 0; visible->bins.has_colors && i < visible->bins.worker_count; i++) {
+    for (int i = 0; visible->bins.has_words && i < visible->bins.worker_count; i++) {
         fragments += visible->bins.workers[i].tiles[number].fragments.block_count;
         small += visible->bins.workers[i].tiles[number].small.block_count;
     }
-    return (fragments >= BLOCKS_WITH_COLORS || small >= SMALL_BLOCKS_WITH_COLORS) && !has_others(visible, number);
+    return (fragments >= BLOCKS_WITH_WORDS || small >= SMALL_BLOCKS_WITH_WORDS) && !has_others(visible, number);
 }
 
 static bool has_anything(const struct zr_visible *visible, uint32_t number)
@@ -246,7 +252,7 @@ bool zr_visibility_tile(const struct zr_visible *visible, uint32_t number, const
 {
     const struct zr_bins *bins = &visible->bins;
     zr_tile_place(tile, number, bins->width, bins->height);
-    tile->has_colors = false;
+    tile->has_words = false;
     tile->is_empty = !base && !has_anything(visible, number);
     if (tile->is_empty) return !zr_is_cancelled(cancel);
     if (base)
@@ -258,8 +264,8 @@ bool zr_visibility_tile(const struct zr_visible *visible, uint32_t number, const
     if (!has_more(visible, number) && zr_tile_has_whole_blocks(tile)) return true;
     visible->halfspace->settle(tile);
     tile->knows_owners = false;
-    tile->has_colors = keeps_colors(visible, number);
-    if (tile->has_colors) memset(tile->color, 0, sizeof tile->color);
+    tile->has_words = keeps_words(visible, number);
+    if (tile->has_words) memset(tile->words, 0, sizeof tile->words);
     if (!draw_small_ones(visible, number, cancel, tile)) return false;
     draw_tiny_ones(visible, number, tile);
     return draw_others(visible, number, cancel, tile);
@@ -299,7 +305,7 @@ enum zr_status zr_visibility_window(struct zr_arena *arena, const struct zr_geom
 void zr_visibility_load(const struct zr_samples *samples, uint32_t number, struct zr_tile *tile)
 {
     zr_tile_place(tile, number, samples->width, samples->height);
-    tile->is_empty = tile->has_colors = false;
+    tile->is_empty = tile->has_words = false;
     tile->knows_owners = false;
     tile->unwritten = 0;
     memset(tile->owner, 0, sizeof tile->owner); /* beyond the window, too */

@@ -2,7 +2,7 @@
  *
  * Production works tile by tile (zr_visibility_tile). The textbooks' other ways stand beside
  * it, each in a file of its own behind zr_visibility_fn. They share the snapped grid, the
- * rule that says what is inside, and each record's own depth at a sample (primitive.h), and
+ * rule that says what is inside, and each primitive's own depth at a sample (primitive.h), and
  * nothing else; so they must agree on every sample, and each is a proof of the others.
  */
 #ifndef ZR_VISIBILITY_H
@@ -17,17 +17,18 @@
 /* All that tiles are drawn from. */
 struct zr_visible {
     const struct zr_geometry *geometry;
+    const struct zr_payload *payloads; /* one a draw, or NULL */
     const struct zr_halfspace *halfspace;
     zr_small_fn *draw_small;
     struct zr_bins bins;
     struct zr_others others;
 };
 
-/* Sorts the geometry into tiles; of batches, changes geometry->counts and what is known of sides. ZR_OK, ZR_CANCELLED
- * or ZR_NO_MEMORY. */
-enum zr_status zr_visible_make(struct zr_arena *arena, struct zr_team *team, struct zr_geometry *geometry,
-                               uint32_t width, uint32_t height, const struct zr_cancel *cancel,
-                               struct zr_visible *visible);
+/* Sorts the geometry into tiles. payloads: one a draw; NULL: none. What became of draws that are not `counted` is then
+ * in visible->bins.counts. ZR_OK, ZR_CANCELLED or ZR_NO_MEMORY. */
+enum zr_status zr_visible_make(struct zr_arena *arena, struct zr_team *team, const struct zr_geometry *geometry,
+                               const struct zr_payload *payloads, uint32_t width, uint32_t height,
+                               const struct zr_cancel *cancel, struct zr_visible *visible);
 
 /* Places tile `number` in the window, begins it (`base` may be NULL) and draws into it every
  * primitive that touches it. Blocks may be left that are known and not written (zr_tile.unwritten). Reentrant: one
@@ -37,7 +38,7 @@ bool zr_visibility_tile(const struct zr_visible *visible, uint32_t number, const
 
 /* Draws all primitives into samples that have been cleared: no owner, and the depth below which
  * something is seen. One thread. ZR_OK, ZR_CANCELLED or ZR_NO_MEMORY; the painter's could also find its own proof
- * wrong, ZR_INTERNAL. The geometry's records are all written out. */
+ * wrong, ZR_INTERNAL. All of the geometry's draws are `counted`. */
 typedef enum zr_status zr_visibility_fn(struct zr_arena *arena, const struct zr_geometry *geometry,
                                         const struct zr_cancel *cancel, struct zr_samples *samples);
 

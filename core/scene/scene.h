@@ -225,6 +225,12 @@ struct zr_scene {
     const struct zr_base *base; /* NULL: the geometry is all there is */
 };
 
+static inline const struct zr_material *zr_material_of_face(const struct zr_scene *scene, const struct zr_mesh *mesh,
+                                                            uint32_t face)
+{
+    return &scene->materials[mesh->face_materials ? mesh->face_materials[face] : mesh->material];
+}
+
 /* True where one of the outputs shows the channel. */
 static inline bool zr_scene_wants(const struct zr_scene *scene, enum zr_channel channel)
 {

@@ -148,7 +148,7 @@ static inline void zr_block_put_behind(const struct zr_tile *tile, int number, c
 
 static inline void zr_block_put_known(const struct zr_tile *tile, int number, struct zr_block_pixels *out)
 {
-    const uint32_t *known = &tile->color[zr_block_first(number)];
+    const uint32_t *known = &tile->words[zr_block_first(number)];
     for (int y = 0; y < ZR_BLOCK_HEIGHT; y++, known += ZR_TILE_STRIDE)
         for (int x = 0; x < ZR_BLOCK_WIDTH; x += ZR_LANES) {
             const zr_vi color = zr_vi_load(known + x);

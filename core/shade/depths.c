@@ -1,5 +1,4 @@
 #include "shade/depths.h"
-#include "geometry/record.h"
 
 #include <string.h>
 
@@ -15,9 +14,7 @@ struct depths {
     const struct zr_eye_depths *kernel;
     uint32_t width, height;
 
-    /* Of the last record. */
-    const struct zr_batch *batch;
-    const struct zr_source_instance *batch_instance; /* where it is not written out; NULL: not looked for */
+    const struct zr_draw *draw; /* of the last primitive */
 
     /* Depths that are made, and behind them those of triangles that wait: all of one instance. */
     uint32_t count, waiting;
@@ -67,46 +64,44 @@ static void add_triangle(struct depths *d, const struct zr_source_instance *inst
 }
 
 /* The piece of a triangle that was cut, which nothing waits for. */
-static void make_piece(struct depths *d, const struct zr_triangle *record, const struct zr_source *source)
+static void make_piece(struct depths *d, const struct zr_triangle *piece, const struct zr_source *source)
 {
     struct zr_eye_depth *depth = &d->depths[d->count++];
     memcpy(d->corners[0], source->corners, sizeof d->corners[0]);
     if (d->kernel->make(source->instance, d->corners, 1, d->width, d->height, depth) > 0)
-        zr_eye_depth_take_piece(d->geometry, record, depth);
+        zr_eye_depth_take_piece(d->geometry, piece, depth);
 }
 
-static void add_record(struct depths *d, const struct zr_triangle *record)
+/* One that may be a line, or a piece of a triangle. */
+static void add_any(struct depths *d, uint32_t number)
 {
-    if (record->line) {
+    const struct zr_triangle triangle = zr_triangle_of(d->geometry, d->draw, number);
+    if (triangle.line) {
         make_waiting(d);
-        d->depths[d->count++] = zr_eye_depth_of_line(d->geometry, record);
+        d->depths[d->count++] = zr_eye_depth_of_line(d->geometry, &triangle);
         return;
     }
-    const struct zr_source source = zr_source_of(&d->geometry->sources, record->v);
+    const struct zr_source source = zr_source_of(d->geometry, d->draw, triangle.v);
     if (source.is_cut) {
         make_waiting(d);
-        make_piece(d, record, &source);
+        make_piece(d, &triangle, &source);
     } else {
-        add_triangle(d, source.instance, record->v, source.corners);
+        add_triangle(d, source.instance, triangle.v, source.corners);
     }
 }
 
 static void add(struct depths *d, uint32_t number)
 {
-    const struct zr_batch *batch = zr_batch_next(d->geometry, d->batch, number);
-    if (batch != d->batch) d->batch_instance = NULL;
-    d->batch = batch;
-    const uint32_t t = number - batch->first;
-    if (batch->written) {
-        add_record(d, &d->geometry->triangles[batch->first_record + t]);
+    const struct zr_draw *draw = d->draw = zr_draw_next(d->geometry, d->draw, number);
+    if (draw->counted) {
+        add_any(d, number);
         return;
     }
-    const uint32_t *v = batch->corners + 3 * (size_t)t, first = batch->first_vertex;
+    const uint32_t *v = draw->corners + 3 * (size_t)(number - draw->first), first = draw->first_vertex;
     const uint32_t vertices[3] = {first + v[0], first + v[1], first + v[2]};
-    const zr_vec4 *positions = batch->mesh->positions;
+    const zr_vec4 *positions = draw->mesh->positions;
     const zr_vec4 *const corners[3] = {positions + v[0], positions + v[1], positions + v[2]};
-    if (!d->batch_instance) d->batch_instance = zr_source_of(&d->geometry->sources, vertices).instance;
-    add_triangle(d, d->batch_instance, vertices, corners);
+    add_triangle(d, &d->geometry->instances[draw->instance], vertices, corners);
 }
 
 static int32_t number_of(struct depths *d, uint32_t owner)
@@ -140,8 +135,8 @@ float zr_depths_tile(const struct zr_geometry *geometry, const struct zr_eye_dep
     d.kernel = kernel;
     d.width = width;
     d.height = height;
-    d.batch = &geometry->batches[0];
-    d.batch_instance = d.instance = NULL;
+    d.draw = &geometry->draws[0];
+    d.instance = NULL;
     d.waiting = 0;
     forget(&d);
     for (int32_t y = 0; y < tile->height; y += ZR_EYE_BAND) {

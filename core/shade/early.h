@@ -5,7 +5,7 @@
 #define ZR_EARLY_H
 
 #include "base/isa.h"
-#include "geometry/batch.h"
+#include "raster/payload.h"
 
 zr_payload_fn zr_early_scalar, zr_early_sse2, zr_early_avx2, zr_early_avx512, zr_early_neon;
 

@@ -16,14 +16,18 @@ static inline zr_vi color_at(const struct zr_plane_v *oow, const struct zr_plane
                            zr_plane_at_v(&p->z, x, y));
 }
 
-void ZR_KERNEL(zr_early)(const struct zr_batch *batch, const uint32_t *numbers, uint32_t turned, const float *corners,
-                         const uint32_t *triangles, const float *x, const float *y, uint32_t count, uint32_t *words)
+void ZR_KERNEL(zr_early)(const struct zr_payload *payload, const uint32_t *numbers, uint32_t turned,
+                         const float *corners, const uint32_t *triangles, const float *x, const float *y,
+                         uint32_t count, uint32_t *words)
 {
+    const struct zr_draw *draw = payload->draw;
+    const struct zr_surface *surface = payload->context;
+    const struct zr_attribute color = surface->attributes[ZR_ATTRIBUTE_COLOR];
     struct zr_corner_v v[3];
     struct zr_vec3_v c[3];
     for (int k = 0; k < 3; k++)
         load_corner(corners + 3 * ZR_LANES * k, &v[k]);
-#define COLOR(i, k) (&batch->front[zr_batch_corner_color(batch, numbers[i] - batch->first, k)].x)
+#define COLOR(i, k) (&color.values[zr_smooth_number(draw, color.rate, numbers[i] - draw->first, k)].x)
 #define COLOR_0(i)  COLOR(i, 0)
 #define COLOR_1(i)  COLOR(i, 1)
 #define COLOR_2(i)  COLOR(i, 2)

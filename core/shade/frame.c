@@ -1,6 +1,25 @@
 #include "shade/frame.h"
 
 #include "raster/tile.h"
+#include "scene/sight.h"
+
+enum zr_status zr_frame_make(struct zr_arena *arena, const struct zr_scene *scene, const struct zr_sight *sight,
+                             struct zr_frame *frame)
+{
+    const size_t pixels = (size_t)scene->width * scene->height;
+    frame->width = scene->width;
+    frame->height = scene->height;
+    frame->bounds = sight->bounds;
+    frame->camera = sight->camera;
+    for (int c = 0; c < ZR_CHANNEL_COUNT; c++) {
+        const bool counted = c == ZR_CHANNEL_FACE_ID && zr_scene_wants(scene, ZR_CHANNEL_INFO);
+        const size_t words = zr_channel_rows[c].words;
+        if (words > 0 && (counted || zr_scene_wants(scene, (enum zr_channel)c)))
+            frame->channels[c] = zr_arena_alloc(arena, pixels, 4 * words);
+    }
+    frame->reaches = zr_arena_alloc(arena, frame->height, sizeof *frame->reaches);
+    return zr_arena_ok(arena) ? ZR_OK : ZR_NO_MEMORY;
+}
 
 /* Of one row of tiles. */
 static struct zr_reach reach_of(const uint8_t *occupied, uint32_t columns, uint32_t width)

@@ -12,6 +12,7 @@
 #include "geometry/counts.h"
 #include "scene/camera.h"
 #include "scene/channels.h"
+#include "zraster.h"
 
 struct zr_frame {
     uint32_t width, height;
@@ -24,14 +25,20 @@ struct zr_frame {
             uint32_t *face_id;
         };
     };
-    const struct zr_base *base; /* what is seen where no record is, its window_depth made; NULL: nothing */
+    const struct zr_base *base; /* what is seen where no primitive is, its window_depth made; NULL: nothing */
     struct zr_camera camera;
     struct zr_bounds bounds; /* of the scene; looked for where the view needs them or info is asked for, else invalid */
     struct zr_counts counts;
-    uint64_t covered_pixels;  /* that belong to a record, not to the base */
+    uint64_t covered_pixels;  /* that belong to a primitive, not to the base */
     struct zr_reach *reaches; /* of each row: outside of it nothing is, in no channel. NULL: not known */
     float deepest;            /* of `depth`, infinity left out; 0 where nothing is */
 };
+
+struct zr_sight;
+
+/* Room for the channels that the outputs are made of, and what is known of the view. ZR_OK or ZR_NO_MEMORY. */
+enum zr_status zr_frame_make(struct zr_arena *arena, const struct zr_scene *scene, const struct zr_sight *sight,
+                             struct zr_frame *frame);
 
 /* Fills in `reaches`, from which tiles show anything: tile 0 is at the window's lower left. */
 void zr_frame_find_reaches(const struct zr_frame *frame, const uint8_t *occupied);

@@ -6,8 +6,8 @@
 #ifndef ZR_MODEL_H
 #define ZR_MODEL_H
 
-#include "geometry/light.h"
-#include "geometry/vec3_simd.h"
+#include "shade/light.h"
+#include "shade/vec3_simd.h"
 
 /* What is the same for the whole picture. */
 struct zr_model_context {

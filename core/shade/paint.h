@@ -1,6 +1,6 @@
-/* paint.h - shade: a tile's owners -> colours, ids and normals. A kernel.
+/* paint.h - shade: a tile's owners -> colours, ids, normals: whatever is made of parts. A kernel.
  *
- * Exact:  the reference's rule 9: colours times 1/w are planes over the window, each pixel divides by the plane of
+ * Exact:  the reference's rule 9: values times 1/w are planes over the window, each pixel divides by the plane of
  *         1/w, and bytes are rounded to the nearest.
  * How:    planes are not kept from the drawing of visibility: only what is seen is set up, but for tiny and small
  *         triangles that are painted early. The tile's owners are split into parts (parts_simd.h); ZR_LANES parts at a
@@ -11,52 +11,13 @@
 #define ZR_PAINT_H
 
 #include "base/isa.h"
-#include "geometry/colors.h"
-#include "geometry/geometry.h"
-#include "geometry/record.h"
+#include "raster/payload.h"
 #include "raster/plane.h"
 #include "raster/tile.h"
+#include "shade/surfaces.h"
 
 /* Values that vary over a surface: a colour; and of what is shaded late, a normal and the way from the eye to it. */
 enum { ZR_VALUES_FEW = 3, ZR_VALUES_MOST = 9 };
-
-/* What the pixels of one record are painted with. */
-struct zr_surface {
-    bool flat;
-    uint32_t color; /* flat: four bytes */
-    /* Else planes of 1/w, and of values times that: a colour, and, where `material` says that it is shaded late, a
-     * normal of the side that is seen, and the way from the eye, both in eye space. */
-    struct zr_plane planes[1 + ZR_VALUES_MOST];
-    const struct zr_material *material; /* NULL: what the colour's planes show is what is seen */
-};
-
-/* Of the normals alone; flat ones have planes that are the same all over, over a w of 1. */
-struct zr_surface zr_surface_normals(const struct zr_geometry *geometry, const struct zr_batch *batch, uint32_t number);
-
-/* Of a record of the batch, line or triangle. */
-struct zr_surface zr_surface_make(const struct zr_geometry *geometry, const struct zr_batch *batch, uint32_t number);
-
-/* Four words a colour: their numbers, fronts and backs one behind the other, fit 31 bits. */
-enum { ZR_GATHERED_MOST = 1 << 28 };
-
-/* Whether what triangles show can be looked up many at once, by their numbers. */
-static inline bool zr_batch_is_gathered(const struct zr_batch *batch)
-{
-    return !batch->written && batch->count > 0 && batch->count <= ZR_GATHERED_MOST &&
-           batch->mesh->face_offsets[batch->mesh->face_count] <= ZR_GATHERED_MOST &&
-           batch->mesh->position_count <= ZR_GATHERED_MOST;
-}
-
-/* Whether tiny triangles are painted while they are sorted, and small ones that lie in stamps when they are drawn, in
- * tiles that keep colours (visibility.c): their corners are at hand then, and those of neighbours in the mesh stand
- * together, while later each pixel asks memory for its own (a tenth of the time of a million smooth triangles), and
- * triangles must be found again that were just set up (a quarter of the bunny's at 512x512). Flat ones ask for the same
- * either way; and where backs are drawn too, half of what would be painted is hidden. */
-static inline bool zr_batch_is_painted_early(const struct zr_batch *batch)
-{
-    return zr_batch_is_gathered(batch) && zr_batch_is_smooth(batch) && !batch->double_sided &&
-           !zr_material_is_shaded_late(batch->material);
-}
 
 /* Where a tile lies in a channel, whose values have four bytes each. */
 struct zr_pixel_rows {
@@ -66,25 +27,22 @@ struct zr_pixel_rows {
                          as zr_vi_stream says. */
 };
 
-/* Where what is shaded of a tile goes: where `first` is NULL, it is not wanted. */
+/* Where what is shaded of a tile goes. */
 struct zr_shaded {
-    struct zr_pixel_rows colors;           /* RGBA of four bytes */
-    uint32_t nothing;                      /* the colour where nobody is seen, but for what is */
-    struct zr_pixel_rows behind;           /* there, if that is not NULL */
-    struct zr_pixel_rows faces, instances; /* ids of faces and of instances; 0 where nobody is seen */
-    struct zr_pixel_rows normals;          /* three floats: of the side that is seen, 0 where nobody or a line is */
-    float normals_to_space[3][3];          /* rows of what leads from eye space there */
-    zr_vec4 eye;                           /* zr_camera_eye */
-    bool is_shaded_late;                   /* some surfaces are (zr_material_is_shaded_late) */
+    struct zr_pixel_rows channels[ZR_CHANNEL_COUNT]; /* where `first` is NULL, it is not wanted */
+    uint32_t nothing;                                /* the colour where nobody is seen, but for what is */
+    struct zr_pixel_rows behind;                     /* there, if that is not NULL */
+    float normals_to_space[3][3];                    /* rows of what leads from eye space there */
 };
 
 struct zr_paint {
-    void (*shade)(const struct zr_geometry *geometry, const struct zr_tile *tile, const struct zr_shaded *to);
+    void (*shade)(const struct zr_geometry *geometry, const struct zr_surfaces *surfaces, const struct zr_tile *tile,
+                  const struct zr_shaded *to);
 
     /* The depths of a tile. Where some are not written, none of its blocks is cut. */
     void (*depths)(const struct zr_tile *tile, const struct zr_pixel_rows *out);
 
-    /* How many pixels belong to records. */
+    /* How many pixels belong to primitives. */
     uint32_t (*count)(const struct zr_tile *tile);
 
     /* Where runs end in a row of a tile: bit i, where owners[i] is the last of its own among the first `width`. */
@@ -99,11 +57,25 @@ extern const struct zr_paint zr_paint_scalar, zr_paint_sse2, zr_paint_avx2, zr_p
 
 const struct zr_paint *zr_paint_of(enum zr_isa isa);
 
-/* Before the geometry is sorted, as sorting asks for what this says in its batches: which are painted early, where what
- * is known of sides goes when they are sorted. And packs the colours of other flat batches that have few of them for so
- * many pixels: each is then looked up in one place, and not in three (0.2 ms of the bunny at 1920x1080). ZR_OK or
- * ZR_NO_MEMORY. */
-enum zr_status zr_paint_prepare(struct zr_arena *arena, struct zr_team *team, struct zr_geometry *geometry,
-                                uint64_t pixels);
+/* Whether tiny triangles are painted while they are sorted, and small ones that lie in stamps when they are drawn, in
+ * tiles that keep words (visibility.c): their corners are at hand then, and those of neighbours in the mesh stand
+ * together, while later each pixel asks memory for its own (a tenth of the time of a million smooth triangles), and
+ * triangles must be found again that were just set up (a quarter of the bunny's at 512x512). Flat ones ask for the same
+ * either way; and where backs are drawn too, half of what would be painted is hidden. */
+static inline bool zr_surface_is_painted_early(const struct zr_surface *surface)
+{
+    return zr_draw_is_plain(surface->draw) && zr_surface_is_smooth(surface) && !surface->is_late &&
+           !surface->draw->material->double_sided;
+}
+
+/* What raster/ carries along, one a draw: which are painted early, where what is known of sides goes when they are
+ * sorted, what to ask for first. And packs the colours of flat draws that have few of them for so many pixels: each is
+ * then looked up in one place, and not in three (0.2 ms of the bunny at 1920x1080). ZR_OK or ZR_NO_MEMORY. */
+enum zr_status zr_paint_prepare(struct zr_arena *arena, struct zr_team *team, const struct zr_geometry *geometry,
+                                struct zr_surfaces *surfaces, uint64_t pixels, const struct zr_payload **payloads);
+
+/* Of a line: planes of 1/w and of its colour over that; or, where it has one colour, that alone: then true. */
+bool zr_line_color(const struct zr_geometry *geometry, const struct zr_surface *surface, uint32_t number,
+                   struct zr_plane planes[1 + ZR_VALUES_FEW], uint32_t *color);
 
 #endif

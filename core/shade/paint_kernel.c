@@ -1,8 +1,7 @@
 #include "shade/paint.h"
 
 #include "shade/channels/color_simd.h"
-#include "shade/channels/ids_simd.h"
-#include "shade/channels/normals_simd.h"
+#include "shade/channels_simd.h"
 
 /* Finds what is seen from block `begin` on, as many rows of blocks as there is room for. Returns where it ended. */
 static inline int find_parts(struct zr_shader *s, const struct zr_tile *tile, int begin, bool without_known)
@@ -23,23 +22,31 @@ static void shade_parts(struct zr_shader *s, const struct zr_tile *tile, const s
 {
     const int all = (tile->height + ZR_BLOCK_HEIGHT - 1) / ZR_BLOCK_HEIGHT * ZR_BLOCK_COLUMNS;
     for (int begin = 0, end; (colors || others) && begin < all; begin = end) {
-        end = find_parts(s, tile, begin, tile->has_colors && !others);
+        end = find_parts(s, tile, begin, tile->has_words && !others);
         if (colors) zr_shade_colors(s, tile, begin, end, to);
-        if (others && to->faces.first) zr_shade_ids(s, tile, begin, end, zr_make_faces, &to->faces);
-        if (others && to->normals.first) zr_shade_normals(s, tile, begin, end, to);
-        if (others && to->instances.first) zr_shade_ids(s, tile, begin, end, zr_make_instances, &to->instances);
+        for (int i = 0; others && i < ZR_CHANNEL_MAKERS; i++)
+            zr_shade_channel(s, &zr_channel_makers[i], tile, begin, end, to);
     }
 }
 
+static bool wants_others(const struct zr_shaded *to)
+{
+    for (int i = 0; i < ZR_CHANNEL_MAKERS; i++)
+        if (to->channels[zr_channel_makers[i].channel].first) return true;
+    return false;
+}
+
 /* Where colours are known already, what is left of them has parts of its own. */
-static void shade(const struct zr_geometry *geometry, const struct zr_tile *tile, const struct zr_shaded *to)
+static void shade(const struct zr_geometry *geometry, const struct zr_surfaces *surfaces, const struct zr_tile *tile,
+                  const struct zr_shaded *to)
 {
     struct zr_shader s;
-    const bool together = !tile->has_colors, colors = to->colors.first;
-    const bool others = to->faces.first || to->instances.first || to->normals.first;
+    const zr_vec4 eye = surfaces->eye;
+    const bool together = !tile->has_words, colors = to->channels[ZR_CHANNEL_COLOR].first, others = wants_others(to);
     s.geometry = geometry;
-    s.batch = &geometry->batches[0];
-    s.model = (struct zr_model_context){&geometry->lighting, to->eye.w == 0.0f, {to->eye.x, to->eye.y, to->eye.z}};
+    s.surfaces = surfaces;
+    s.draw = &geometry->draws[0];
+    s.model = (struct zr_model_context){&surfaces->lighting, eye.w == 0.0f, {eye.x, eye.y, eye.z}};
     shade_parts(&s, tile, to, colors, others && together);
     if (!together) shade_parts(&s, tile, to, false, others);
 }

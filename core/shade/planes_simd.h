@@ -7,11 +7,34 @@
 #define ZR_PLANES_SIMD_H
 
 #include "base/rgba_simd.h"
-#include "geometry/vec3_simd.h"
 #include "raster/triangle_simd.h"
 #include "shade/paint.h"
+#include "shade/vec3_simd.h"
 
 /* ---- looking up ---- */
+
+/* As zr_flat_number, of primitives `numbers` of a draw. */
+static inline zr_vi zr_flat_number_v(const struct zr_draw *draw, enum zr_rate rate, zr_vi numbers)
+{
+    const zr_vm all = ZR_ALL_LANES;
+    if (rate == ZR_RATE_DRAW) return zr_vi_set(0);
+    if (rate == ZR_RATE_FIRST_VERTEX && !draw->faces) return zr_vi_gather(all, draw->corners, numbers * zr_vi_set(3));
+    const zr_vi face =
+        draw->faces ? zr_vi_gather(all, draw->faces, numbers) : numbers + zr_vi_set((int32_t)draw->first_face);
+    if (rate == ZR_RATE_FACE) return face;
+    const zr_vi slot = zr_vi_gather(all, draw->mesh->face_offsets, face);
+    return rate == ZR_RATE_FIRST_CORNER ? slot : zr_vi_gather(all, draw->mesh->indices, slot);
+}
+
+/* As zr_smooth_number, of their corners k, whose vertices are given. */
+static inline zr_vi zr_smooth_number_v(const struct zr_draw *draw, enum zr_rate rate, zr_vi numbers, zr_vi vertex,
+                                       int k)
+{
+    const zr_vi word = numbers * zr_vi_set(3);
+    if (rate == ZR_RATE_VERTEX) return vertex;
+    return draw->slots ? zr_vi_gather(ZR_ALL_LANES, draw->slots, word + zr_vi_set(k))
+                       : word + zr_vi_set((int32_t)(3 * draw->first_face) + k);
+}
 
 /* Of the three corners of triangles: the numbers of their window vertices, and of their values. */
 struct zr_corner_numbers {
@@ -19,31 +42,26 @@ struct zr_corner_numbers {
     int32_t value[3][ZR_LANES];
 };
 
-/* As zr_batch_value, of corners k, whose positions are given. */
-static inline zr_vi zr_value_v(const struct zr_batch *batch, enum zr_batch_rate rate, zr_vi numbers, zr_vi corner,
-                               int k)
-{
-    const zr_vi word = numbers * zr_vi_set(3);
-    if (rate == ZR_BATCH_PER_VERTEX) return corner;
-    if (rate == ZR_BATCH_PER_CORNER)
-        return batch->slots ? zr_vi_gather(ZR_ALL_LANES, batch->slots, word + zr_vi_set(k))
-                            : word + zr_vi_set((int32_t)(3 * batch->first_face) + k);
-    return batch->faces ? zr_vi_gather(ZR_ALL_LANES, batch->faces, numbers)
-                        : numbers + zr_vi_set((int32_t)batch->first_face);
-}
-
-/* Of triangles by their numbers in a batch, whose values vary at a rate. */
-static inline struct zr_corner_numbers zr_corner_numbers_of(const struct zr_batch *batch, enum zr_batch_rate rate,
+static inline struct zr_corner_numbers zr_corner_numbers_of(const struct zr_draw *draw, enum zr_rate rate,
                                                             zr_vi numbers)
 {
+    const bool is_flat = zr_rate_is_flat(rate);
+    const zr_vi flat = is_flat ? zr_flat_number_v(draw, rate, numbers) : zr_vi_set(0);
     struct zr_corner_numbers out;
     for (int k = 0; k < 3; k++) {
-        const zr_vi word = numbers * zr_vi_set(3) + zr_vi_set(k);
-        const zr_vi corner = zr_vi_gather(ZR_ALL_LANES, batch->corners, word);
-        zr_vi_store(out.value[k], zr_value_v(batch, rate, numbers, corner, k));
-        zr_vi_store(out.vertex[k], corner + zr_vi_set((int32_t)batch->first_vertex));
+        const zr_vi vertex = zr_vi_gather(ZR_ALL_LANES, draw->corners, numbers * zr_vi_set(3) + zr_vi_set(k));
+        zr_vi_store(out.value[k], is_flat ? flat : zr_smooth_number_v(draw, rate, numbers, vertex, k));
+        zr_vi_store(out.vertex[k], vertex + zr_vi_set((int32_t)draw->first_vertex));
     }
     return out;
+}
+
+/* Which of them show their backs, of those that go counter-clockwise where `turned`. */
+static inline zr_vm zr_shown_backs(const struct zr_draw *draw, zr_vi numbers, zr_vm turned)
+{
+    const zr_vi one = zr_vi_set(1);
+    if (!draw->traits) return zr_backs_v(turned, draw->mirrored);
+    return zr_vi_eq(zr_vi_gather(ZR_ALL_LANES, draw->traits, numbers) & one, one);
 }
 
 /* Lane i of c[k] has the first three of the four floats that stand at AT_k(i), as ZR_LOAD4 has it. */
@@ -109,10 +127,10 @@ static inline struct zr_planes3_v zr_planes3_make(const struct zr_way_v *way, co
                                  zr_plane_make_v(&way->basis, v[0].z, v[1].z, v[2].z)};
 }
 
-/* From window vertices, by their numbers. */
-static inline struct zr_way_v zr_way_of(const struct zr_window_vertex *vertices, const int32_t (*numbers)[ZR_LANES])
+/* Window vertices, by their numbers. */
+static inline void zr_vertices_load(const struct zr_window_vertex *vertices, const int32_t (*numbers)[ZR_LANES],
+                                    struct zr_corner_v v[3])
 {
-    struct zr_corner_v v[3];
 #define ZR_VERTEX_0(i) (&vertices[numbers[0][i]].x)
 #define ZR_VERTEX_1(i) (&vertices[numbers[1][i]].x)
 #define ZR_VERTEX_2(i) (&vertices[numbers[2][i]].x)
@@ -120,30 +138,32 @@ static inline struct zr_way_v zr_way_of(const struct zr_window_vertex *vertices,
 #undef ZR_VERTEX_0
 #undef ZR_VERTEX_1
 #undef ZR_VERTEX_2
+}
+
+/* Which triangles go counter-clockwise. */
+static inline zr_vm zr_turned_of(const struct zr_window_vertex *vertices, const int32_t (*numbers)[ZR_LANES])
+{
+    struct zr_corner_v v[3];
+    zr_vertices_load(vertices, numbers, v);
+    return zr_turned_v(vertices, numbers[0], numbers[1], numbers[2], v);
+}
+
+static inline struct zr_way_v zr_way_of(const struct zr_window_vertex *vertices, const int32_t (*numbers)[ZR_LANES])
+{
+    struct zr_corner_v v[3];
+    zr_vertices_load(vertices, numbers, v);
     return zr_way_make(zr_turned_v(vertices, numbers[0], numbers[1], numbers[2], v), v);
 }
 
 /* ---- colours ---- */
 
-/* Colours of fronts and of backs; one array, and not mirrored, where no back is seen in colours of its own. mirrored:
- * as in zr_batch. */
-struct zr_sides {
-    const zr_vec4 *front, *back;
-    bool mirrored;
-};
-
-static inline struct zr_sides zr_sides_of(const struct zr_batch *batch)
-{
-    if (!batch->sided) return (struct zr_sides){batch->front, batch->front, false};
-    return (struct zr_sides){batch->front, batch->back, batch->mirrored};
-}
-
-/* Of the side that each triangle shows. */
-static inline void zr_colors_load(struct zr_sides sides, const int32_t (*numbers)[ZR_LANES], zr_vm turned,
+/* Of the side that each triangle shows: a bit of `backs` each. */
+static inline void zr_colors_load(const struct zr_surface *surface, const int32_t (*numbers)[ZR_LANES], uint32_t backs,
                                   struct zr_vec3_v c[3])
 {
-    const zr_vec4 *const of_side[2] = {sides.front, sides.back};
-    const uint32_t backs = zr_vm_bits(zr_backs_v(turned, sides.mirrored));
+    const struct zr_attribute *attributes = surface->attributes;
+    const zr_vec4 *const of_side[2] = {attributes[ZR_ATTRIBUTE_COLOR].values,
+                                       attributes[ZR_ATTRIBUTE_BACK_COLOR].values};
 #define ZR_COLOR(i, k) (&of_side[(backs >> (i)) & 1u][numbers[k][i]].x)
 #define ZR_COLOR_0(i)  ZR_COLOR(i, 0)
 #define ZR_COLOR_1(i)  ZR_COLOR(i, 1)
@@ -164,14 +184,15 @@ static inline zr_vi zr_color_over_w(zr_vf oow, zr_vf red, zr_vf green, zr_vf blu
 
 /* ---- normals ---- */
 
-/* Of the sides that triangles of a batch show. */
-static inline void zr_normals_load(const struct zr_batch *batch, zr_vi numbers, zr_vm turned, struct zr_vec3_v c[3])
+/* Of the sides that triangles of a draw show. */
+static inline void zr_normals_load(const struct zr_surface *surface, zr_vi numbers, zr_vm turned, struct zr_vec3_v c[3])
 {
-    const struct zr_corner_numbers corners = zr_corner_numbers_of(batch, batch->normals_rate, numbers);
+    const struct zr_attribute *normal = &surface->attributes[ZR_ATTRIBUTE_NORMAL];
+    const struct zr_corner_numbers corners = zr_corner_numbers_of(surface->draw, normal->rate, numbers);
+    const zr_vm backs = zr_shown_backs(surface->draw, numbers, turned);
     const zr_vf one = zr_vf_set(1.0f);
-    const zr_vf sign =
-        zr_vf_select(zr_backs_v(turned, batch->mirrored), ZR_MUTANT(backs_keep_normals, zr_vf_set(-1.0f), one), one);
-    zr_values_load(batch->normals, corners.value, c);
+    const zr_vf sign = zr_vf_select(backs, ZR_MUTANT(backs_keep_normals, zr_vf_set(-1.0f), one), one);
+    zr_values_load(normal->values, corners.value, c);
     for (int k = 0; k < 3; k++)
         c[k] = zr_scale_v(c[k], sign);
 }

@@ -113,28 +113,26 @@ static void normals_to_space(const zr_mat4 *world_to_eye, enum zr_space space, f
                                                         : 0.0f;
 }
 
-static void shade(const struct zr_geometry *geometry, const struct zr_paint *paint, const struct zr_scene *scene,
-                  uint32_t nothing, const struct zr_tile *tile, const struct zr_frame *frame)
+static void shade(const struct zr_geometry *geometry, const struct zr_surfaces *surfaces, const struct zr_paint *paint,
+                  const struct zr_scene *scene, uint32_t nothing, const struct zr_tile *tile,
+                  const struct zr_frame *frame)
 {
     const struct zr_base *base = frame->base;
-    struct zr_shaded to = {.colors = rows_of(frame, tile, ZR_CHANNEL_COLOR),
-                           .nothing = nothing,
-                           .faces = rows_of(frame, tile, ZR_CHANNEL_FACE_ID),
-                           .instances = rows_of(frame, tile, ZR_CHANNEL_INSTANCE_ID),
-                           .normals = rows_of(frame, tile, ZR_CHANNEL_NORMALS),
-                           .eye = zr_camera_eye(&frame->camera),
-                           .is_shaded_late = geometry->points != NULL};
+    struct zr_shaded to = {.nothing = nothing};
+    for (int c = 0; c < ZR_CHANNEL_COUNT; c++)
+        to.channels[c] = rows_of(frame, tile, (enum zr_channel)c);
     if (base) to.behind = rows_in(frame, tile, (void *)(uintptr_t)base->color, 1);
     normals_to_space(&frame->camera.world_to_eye, zr_scene_space(scene, ZR_CHANNEL_NORMALS), to.normals_to_space);
-    paint->shade(geometry, tile, &to);
+    paint->shade(geometry, surfaces, tile, &to);
+    const struct zr_pixel_rows *faces = &to.channels[ZR_CHANNEL_FACE_ID];
     for (int32_t y = 0; frame->face_id && base && y < tile->height; y++)
         for (int32_t x = 0; x < tile->width; x++)
-            if (tile->owner[y * ZR_TILE_STRIDE + x] > 0)
-                to.faces.first[y * to.faces.stride + x] += base->first_face_id - 1;
+            if (tile->owner[y * ZR_TILE_STRIDE + x] > 0) faces->first[y * faces->stride + x] += base->first_face_id - 1;
 }
 
-struct zr_resolved zr_resolve_tile(const struct zr_geometry *geometry, enum zr_isa isa, const struct zr_scene *scene,
-                                   struct zr_tile *tile, const struct zr_frame *frame)
+struct zr_resolved zr_resolve_tile(const struct zr_geometry *geometry, const struct zr_surfaces *surfaces,
+                                   enum zr_isa isa, const struct zr_scene *scene, struct zr_tile *tile,
+                                   const struct zr_frame *frame)
 {
     const struct zr_paint *paint = zr_paint_of(isa);
     const uint32_t nothing = zr_rgba_make(scene->background);
@@ -156,7 +154,7 @@ struct zr_resolved zr_resolve_tile(const struct zr_geometry *geometry, enum zr_i
         zr_surface_points_tile(geometry, zr_eye_depths_of(isa), paint->ends, zr_scene_space(scene, ZR_CHANNEL_POSITION),
                                tile, frame);
     if (frame->depth) resolved.deepest = resolve_depth(geometry, isa, tile, frame);
-    shade(geometry, paint, scene, nothing, tile, frame);
+    shade(geometry, surfaces, paint, scene, nothing, tile, frame);
     if (frame->base) {
         const float deepest = resolve_base_runs(paint, tile, frame, lowest_pixel_of(frame, tile));
         if (deepest > resolved.deepest) resolved.deepest = deepest;

@@ -6,21 +6,22 @@
 #ifndef ZR_SHADER_SIMD_H
 #define ZR_SHADER_SIMD_H
 
-#include "geometry/record.h"
 #include "shade/models_simd.h"
 #include "shade/parts_simd.h"
 #include "shade/planes_simd.h"
 
-/* Parts that follow one another, up to ZR_LANES of them, all of one batch; NULL: nobody's. */
+/* Parts that follow one another, up to ZR_LANES of them, all of one draw; NULL: nobody's. */
 struct zr_run {
-    const struct zr_batch *batch;
+    const struct zr_draw *draw;
+    const struct zr_surface *surface;
     uint32_t first, count;
 };
 
 /* What is known of parts. A part is flat, and has a word, or has planes. */
 struct zr_shader {
     const struct zr_geometry *geometry;
-    const struct zr_batch *batch; /* of the last run: at first the first one */
+    const struct zr_surfaces *surfaces;
+    const struct zr_draw *draw; /* of the last run: at first the first one */
     uint32_t nothing;
     struct zr_parts parts;
     uint32_t run_count;
@@ -37,12 +38,12 @@ struct zr_shader {
 
 /* ---- runs of parts ---- */
 
-/* Numbers of the run's triangles in its batch; lanes behind its end have the first one's. */
+/* Numbers of the run's triangles in its draw; lanes behind its end have the first one's. */
 static inline zr_vi zr_run_numbers(const struct zr_shader *s, const struct zr_run *run)
 {
     const uint32_t *owners = s->parts.owners + run->first;
     const zr_vi owner = zr_vi_select(zr_vm_first(run->count), zr_vi_load(owners), zr_vi_set((int32_t)owners[0]));
-    return owner - zr_vi_set((int32_t)run->batch->first + 1);
+    return owner - zr_vi_set((int32_t)run->draw->first + 1);
 }
 
 static inline void zr_find_runs(struct zr_shader *s)
@@ -53,16 +54,16 @@ static inline void zr_find_runs(struct zr_shader *s)
         const uint32_t left = s->parts.count - i;
         struct zr_run *run = &s->runs[s->run_count++];
         if (owners[i] == 0) {
-            *run = (struct zr_run){NULL, i, count = 1};
+            *run = (struct zr_run){NULL, NULL, i, count = 1};
             continue;
         }
-        s->batch = zr_batch_next(s->geometry, s->batch, owners[i] - 1);
-        const zr_vi t = zr_vi_load(owners + i) - zr_vi_set((int32_t)s->batch->first + 1);
-        const zr_vm of_batch = zr_vi_lt_where(zr_vi_lt(zr_vi_set(-1), t), t, zr_vi_set((int32_t)s->batch->count));
-        const uint32_t others = zr_vm_bits(of_batch) ^ ZR_ALL_BITS;
+        const struct zr_draw *draw = s->draw = zr_draw_next(s->geometry, s->draw, owners[i] - 1);
+        const zr_vi t = zr_vi_load(owners + i) - zr_vi_set((int32_t)draw->first + 1);
+        const zr_vm of_draw = zr_vi_lt_where(zr_vi_lt(zr_vi_set(-1), t), t, zr_vi_set((int32_t)draw->count));
+        const uint32_t others = zr_vm_bits(of_draw) ^ ZR_ALL_BITS;
         count = others ? (uint32_t)zr_lowest_bit(others) : ZR_LANES;
         count = count < left ? count : left;
-        *run = (struct zr_run){s->batch, i, count};
+        *run = (struct zr_run){draw, &s->surfaces->of_draw[draw - s->geometry->draws], i, count};
     }
 }
 
@@ -91,10 +92,13 @@ static inline void zr_put_three(struct zr_shader *s, uint32_t first, int k, int 
     zr_put_plane(s, first, k + 2, count, &planes->z);
 }
 
-static void zr_put_surface(struct zr_shader *s, uint32_t i, const struct zr_surface *surface, int count)
+/* Of part i by itself; what there is beyond `given` is 0. */
+static inline void zr_put_alone(struct zr_shader *s, uint32_t i, const struct zr_plane *planes, int given, int count)
 {
-    for (int k = 0; k < count; k++)
-        memcpy(s->planes[i * (uint32_t)count + (uint32_t)k], &surface->planes[k], sizeof surface->planes[k]);
+    for (int k = 0; k < count; k++) {
+        const struct zr_plane none = {0, 0, 0};
+        memcpy(s->planes[i * (uint32_t)count + (uint32_t)k], k < given ? &planes[k] : &none, sizeof none);
+    }
     s->has_planes[i] = s->any_planes = true;
 }
 

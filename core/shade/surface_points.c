@@ -3,7 +3,7 @@
 #include <string.h>
 
 #include "base/matrix.h"
-#include "geometry/record.h"
+#include "geometry/geometry.h"
 
 /* What is the same for all samples of a record. */
 struct record {
@@ -21,7 +21,7 @@ struct points {
     const struct zr_geometry *geometry;
     const struct zr_eye_depths *kernel;
     const struct zr_frame *frame;
-    const struct zr_batch *batch; /* of the last record */
+    const struct zr_draw *draw; /* of the last record */
     enum zr_space space;
     bool wants_shares;
     zr_vec4 eye; /* zr_camera_eye */
@@ -95,18 +95,18 @@ static struct zr_eye_depth depth_of(const struct points *points, const struct zr
 static struct record record_make(struct points *points, uint32_t owner)
 {
     const struct zr_geometry *geometry = points->geometry;
-    points->batch = zr_batch_next(geometry, points->batch, owner - 1);
-    const struct zr_record shown = zr_record_of(geometry, points->batch, owner - 1);
-    struct record record = {.owner = owner, .instance = zr_source_instance_of(&geometry->sources, shown.triangle.v[0])};
-    if (shown.triangle.line) {
-        record.depth = zr_eye_depth_of_line(geometry, &shown.triangle);
+    points->draw = zr_draw_next(geometry, points->draw, owner - 1);
+    const struct zr_triangle shown = zr_triangle_of(geometry, points->draw, owner - 1);
+    struct record record = {.owner = owner, .instance = &geometry->instances[points->draw->instance]};
+    if (shown.line) {
+        record.depth = zr_eye_depth_of_line(geometry, &shown);
         return record;
     }
-    const struct zr_source source = zr_source_of(&geometry->sources, shown.triangle.v);
-    record.depth = depth_of(points, &shown.triangle, &source);
+    const struct zr_source source = zr_source_of(geometry, points->draw, shown.v);
+    record.depth = depth_of(points, &shown, &source);
     if (!points->wants_shares) return record;
     struct zr_source given = source;
-    if (shown.triangle.turned && !source.is_cut) { /* as rule 6 wants it: shares are of the corners as given */
+    if (shown.turned && !source.is_cut) { /* as rule 6 wants it: shares are of the corners as given */
         given.corners[0] = source.corners[zr_swapped_corner()];
         given.corners[zr_swapped_corner()] = source.corners[0];
     }
@@ -237,7 +237,7 @@ void zr_surface_points_tile(const struct zr_geometry *geometry, const struct zr_
                             const struct zr_tile *tile, const struct zr_frame *frame)
 {
     struct points points = {
-        .geometry = geometry, .kernel = kernel, .frame = frame, .batch = &geometry->batches[0], .space = position};
+        .geometry = geometry, .kernel = kernel, .frame = frame, .draw = &geometry->draws[0], .space = position};
     const struct zr_matrix view = zr_matrix_of(&frame->camera.world_to_eye);
     points.wants_shares = frame->channels[ZR_CHANNEL_BARYCENTRICS] || position == ZR_SPACE_OBJECT;
     points.projection = zr_matrix_of(&frame->camera.projection);

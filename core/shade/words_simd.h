@@ -5,70 +5,66 @@
 #define ZR_WORDS_SIMD_H
 
 #include "base/rgba_simd.h"
-#include "geometry/geometry.h"
+#include "shade/planes_simd.h"
 
 /* ---- colours ---- */
 
-/* As zr_batch_color, of triangles t. */
-static inline zr_vi zr_flat_color(const struct zr_batch *batch, zr_vm owned, zr_vi t)
+/* Which of primitives t show their backs. */
+static inline zr_vm zr_flat_backs(const struct zr_geometry *geometry, const struct zr_surface *surface, zr_vi t)
 {
-    if (batch->colors == ZR_BATCH_PER_FIRST_CORNER && !batch->faces)
-        return zr_vi_gather(owned, batch->corners, t * zr_vi_set(3));
-    const zr_vi face = batch->faces ? zr_vi_gather(owned, batch->faces, t) : t + zr_vi_set((int32_t)batch->first_face);
-    if (batch->colors == ZR_BATCH_PER_FACE) return face;
-    const zr_vi slot = zr_vi_gather(owned, batch->mesh->face_offsets, face);
-    return batch->colors == ZR_BATCH_PER_FIRST_SLOT ? slot : zr_vi_gather(owned, batch->mesh->indices, slot);
+    const zr_vi one = zr_vi_set(1);
+    if (surface->backs)
+        return zr_vi_eq(zr_vi_gather(ZR_ALL_LANES, surface->backs, t >> 5) >> (t & zr_vi_set(31)) & one, one);
+    const struct zr_corner_numbers corners = zr_corner_numbers_of(surface->draw, ZR_RATE_DRAW, t);
+    return zr_shown_backs(surface->draw, t, zr_turned_of(geometry->vertices, corners.vertex));
 }
 
-/* Of triangles t: the number of the colour, backs being numbered behind all fronts. */
-static inline zr_vi zr_flat_number(const struct zr_batch *batch, zr_vm owned, zr_vi t)
+/* Of primitives t: the number of the colour, backs being numbered behind all fronts. */
+static inline zr_vi zr_sided_number(const struct zr_geometry *geometry, const struct zr_surface *surface, zr_vi t)
 {
-    zr_vi number = zr_flat_color(batch, owned, t);
-    if (batch->sided) {
-        const zr_vi backs = zr_vi_gather(owned, batch->backs, t >> 5), one = zr_vi_set(1);
-        const zr_vm back = zr_vi_eq(backs >> (t & zr_vi_set(31)) & one, one);
-        number = number + zr_vi_select(back, zr_vi_set((int32_t)batch->color_count), zr_vi_set(0));
-    }
-    return zr_vi_select(owned, number, zr_vi_set(0));
+    const zr_vi number = zr_flat_number_v(surface->draw, surface->attributes[ZR_ATTRIBUTE_COLOR].rate, t);
+    if (!surface->sided) return number;
+    const zr_vi behind = zr_vi_set((int32_t)surface->color_count);
+    return number + zr_vi_select(zr_flat_backs(geometry, surface, t), behind, zr_vi_set(0));
 }
 
 /* Where a colour that is not packed stands. */
-static inline const float *zr_flat_at(const struct zr_batch *batch, int32_t number)
+static inline const float *zr_flat_at(const struct zr_surface *surface, int32_t number)
 {
-    const uint32_t n = (uint32_t)number, count = batch->color_count;
-    return n < count ? &batch->front[n].x : &batch->back[n - count].x;
+    const struct zr_attribute *attributes = surface->attributes;
+    const uint32_t n = (uint32_t)number, count = surface->color_count;
+    return n < count ? &attributes[ZR_ATTRIBUTE_COLOR].values[n].x
+                     : &attributes[ZR_ATTRIBUTE_BACK_COLOR].values[n - count].x;
 }
 
-/* Colours of sided batches, where they are not packed, stand in two arrays. */
-static inline zr_vi zr_flat_look_up_sided(const struct zr_batch *batch, zr_vi number)
+/* Colours of sided draws, where they are not packed, stand in two arrays. */
+static inline zr_vi zr_flat_look_up_sided(const struct zr_surface *surface, zr_vi number)
 {
     int32_t numbers[ZR_LANES];
     zr_vf red, green, blue, alpha;
     zr_vi_store(numbers, number);
-#define ZR_FLAT_COLOR(i) zr_flat_at(batch, numbers[i])
+#define ZR_FLAT_COLOR(i) zr_flat_at(surface, numbers[i])
     ZR_LOAD4(red, green, blue, alpha, ZR_FLAT_COLOR);
 #undef ZR_FLAT_COLOR
     (void)alpha;
     return zr_rgba_opaque_v(red, green, blue);
 }
 
-static inline zr_vi zr_flat_look_up(const struct zr_batch *batch, zr_vi number)
+static inline zr_vi zr_flat_look_up(const struct zr_surface *surface, zr_vi number)
 {
     zr_vf red, green, blue;
-    if (batch->packed) return zr_vi_gather(ZR_ALL_LANES, batch->packed, number);
-    if (batch->sided) return zr_flat_look_up_sided(batch, number);
-    zr_vf_gather_fours(&batch->front->x, number, &red, &green, &blue);
+    if (surface->packed) return zr_vi_gather(ZR_ALL_LANES, surface->packed, number);
+    if (surface->sided) return zr_flat_look_up_sided(surface, number);
+    zr_vf_gather_fours(&surface->attributes[ZR_ATTRIBUTE_COLOR].values->x, number, &red, &green, &blue);
     return zr_rgba_opaque_v(red, green, blue);
 }
 
 /* ---- faces ---- */
 
-/* Ids of the faces of triangles t. */
-static inline zr_vi zr_flat_face(const struct zr_batch *batch, zr_vi t)
+/* Ids of the faces of primitives t. */
+static inline zr_vi zr_flat_face(const struct zr_draw *draw, zr_vi t)
 {
-    const zr_vi face =
-        batch->faces ? zr_vi_gather(ZR_ALL_LANES, batch->faces, t) : t + zr_vi_set((int32_t)batch->first_face);
-    return face + zr_vi_set((int32_t)batch->first_id);
+    return zr_flat_number_v(draw, ZR_RATE_FACE, t) + zr_vi_set((int32_t)draw->first_id);
 }
 
 #endif

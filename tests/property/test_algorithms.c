@@ -291,8 +291,8 @@ static struct zr_samples draw_by_definition(const struct test_geometry *test, ui
     struct zr_primitive primitive;
     for (size_t i = 0; i < pixels; i++)
         samples.depth[i] = 1.0f;
-    for (uint32_t first = 0; first < test->geometry.triangle_count; first += primitive.count) {
-        zr_primitive_make(&test->geometry, first, width, height, &primitive);
+    for (uint32_t first = 0; first < test->geometry.primitive_count; first += primitive.count) {
+        zr_primitive_make(&test->geometry, zr_draw_of(&test->geometry, first), first, width, height, &primitive);
         for (size_t i = 0; i < pixels; i++) {
             int32_t x = (int32_t)(i % width), y = (int32_t)(i / width);
             if (!edges_hold(zr_primitive_edges(&primitive), primitive.edge_count, x, y)) continue;
@@ -368,8 +368,8 @@ static void comparison_sees_one_bit_of_depth_and_one_owner(void **state)
     }
 }
 
-/* A record moved by the least that its depth can be moved must be seen by all. */
-static void every_algorithm_sees_a_record_that_has_moved_in_depth(void **state)
+/* A triangle moved by the least that its depth can be moved must be seen by all. */
+static void every_algorithm_sees_a_triangle_that_has_moved_in_depth(void **state)
 {
     (void)state;
     struct random random = random_seeded(97);
@@ -381,7 +381,7 @@ static void every_algorithm_sees_a_record_that_has_moved_in_depth(void **state)
         uint32_t seen = 0;
         while (before.owner[seen] == 0)
             seen++;
-        struct zr_window_vertex *v = &geometry.vertices[geometry.triangles[before.owner[seen] - 1].v[0]];
+        struct zr_window_vertex *v = &geometry.vertices[geometry.corners[3 * (before.owner[seen] - 1)]];
         float z = v->z;
         v->z += 0x1p-10f;
         struct zr_samples after = geometry_draw(&arena, &geometry, (enum zr_algorithm)a, 30, 30);
@@ -397,7 +397,8 @@ int main(void)
         cmocka_unit_test_setup_teardown(random_shapes_are_drawn_as_the_odd_even_rule_says_by_every_algorithm,
                                         open_arena, close_arena),
         cmocka_unit_test_setup_teardown(comparison_sees_one_bit_of_depth_and_one_owner, open_arena, close_arena),
-        cmocka_unit_test_setup_teardown(every_algorithm_sees_a_record_that_has_moved_in_depth, open_arena, close_arena),
+        cmocka_unit_test_setup_teardown(every_algorithm_sees_a_triangle_that_has_moved_in_depth, open_arena,
+                                        close_arena),
     };
     return cmocka_run_group_tests_name("algorithms agree", tests, NULL, NULL);
 }

@@ -5,6 +5,7 @@
 
 #include "geometry/build.h"
 #include "scene/sight.h"
+#include "shade/surfaces.h"
 #include "support/isas.h"
 #include "support/random.h"
 #include "support/scenes.h"
@@ -122,7 +123,7 @@ static void assert_same(const struct zr_frame *want, const struct zr_frame *got,
     }
 }
 
-static void colors_are_those_of_records_that_are_written_out(void **state)
+static void colors_are_those_of_primitives_that_are_placed_singly(void **state)
 {
     static struct subject subject;
     static const size_t ceiling = (size_t)1 << 27;
@@ -148,14 +149,13 @@ static void colors_are_those_of_records_that_are_written_out(void **state)
     zr_arena_free(&arena);
 }
 
-/* What is made of one lit triangle that shows its back, flat and drawn from both sides, beside one that the window
- * cuts. */
-static struct zr_geometry build(bool colored, bool written)
+/* What a lit triangle that shows its back shows, flat and drawn from both sides, and one that the window cuts. */
+static struct zr_surfaces surfaces_of(bool colored, bool singly, struct zr_geometry *geometry)
 {
     static const zr_vec4 p[6] = {{0, 0, 0, 1}, {0, 0.5f, 0, 1}, {0.5f, 0, 0, 1},
                                  {0, 0, 0, 1}, {2, 0, 0, 1},    {0, 2, 0, 1}};
     static struct test_scene test;
-    struct zr_geometry geometry;
+    struct zr_surfaces surfaces;
     struct zr_camera camera;
     struct zr_error error = {.count = 0};
     scene_of_triangles(&test, WIDTH, HEIGHT, p, 2);
@@ -166,50 +166,52 @@ static struct zr_geometry build(bool colored, bool written)
         test.scene.output_count--;
     }
     assert_int_equal(zr_camera_resolve(&test.scene, NULL, NULL, NULL, &camera, &error), ZR_OK);
-    assert_int_equal(zr_geometry_build(&arena, NULL, &test.scene, &camera, NULL, written, &geometry), ZR_OK);
-    return geometry;
+    assert_int_equal(zr_geometry_build(&arena, NULL, &test.scene, &camera, NULL, singly, geometry), ZR_OK);
+    assert_int_equal(zr_surfaces_make(&arena, NULL, &test.scene, &camera, geometry, NULL, &surfaces), ZR_OK);
+    return surfaces;
 }
 
 static void nothing_is_lit_where_no_picture_is_wanted(void **state)
 {
     (void)state;
     zr_arena_init(&arena, 1 << 24);
-    for (int written = 0; written <= 1; written++) {
-        const struct zr_geometry none = build(false, written);
-        assert_int_equal(none.color_count, 1);
-        assert_ptr_equal(none.front_colors, none.back_colors);
-        for (uint32_t i = 0; i < none.triangle_count; i++)
-            for (int k = 0; k < 3; k++)
-                assert_int_equal(none.triangles[i].c[k], 0);
-        for (uint32_t i = 0; i < none.batch_count; i++)
-            if (!none.batches[i].written) {
-                assert_int_equal(none.batches[i].colors, ZR_BATCH_UNCOLORED);
-                assert_true(!none.batches[i].front && !none.batches[i].packed);
-            }
+    for (int singly = 0; singly <= 1; singly++) {
+        struct zr_geometry geometry;
+        const struct zr_surfaces none = surfaces_of(false, singly, &geometry);
+        assert_int_equal(geometry.draw_count, 2 - singly);
+        for (uint32_t i = 0; i < geometry.draw_count; i++) {
+            assert_false(none.of_draw[i].packed);
+            for (int k = 0; k < ZR_ATTRIBUTE_COUNT; k++)
+                assert_false(none.of_draw[i].attributes[k].values);
+        }
     }
     zr_arena_free(&arena);
 }
 
-static void flat_colors_are_packed_where_not_all_is_written_out(void **state)
+static void flat_colors_are_packed_once_for_all_draws_of_a_mesh(void **state)
 {
     (void)state;
     zr_arena_init(&arena, 1 << 24);
-    const struct zr_geometry some = build(true, false), all = build(true, true);
-    assert_int_equal(some.color_count, 1); /* of what is cut */
-    assert_true(some.batch_count > 0 && !some.batches[0].written && some.batches[0].sided);
-    assert_true(some.batches[0].packed && !some.batches[0].front);
-    assert_int_equal(all.color_count, 2);
-    for (uint32_t i = 0; i < all.batch_count; i++)
-        assert_true(all.batches[i].written);
+    for (int singly = 0; singly <= 1; singly++) {
+        struct zr_geometry geometry;
+        const struct zr_surfaces made = surfaces_of(true, singly, &geometry);
+        assert_int_equal(geometry.draw_count, 2 - singly); /* what is cut is a draw by itself */
+        for (uint32_t i = 0; i < geometry.draw_count; i++) {
+            const struct zr_surface *surface = &made.of_draw[i];
+            assert_true(surface->sided && surface->packed && surface->packed == made.of_draw[0].packed);
+            assert_false(surface->attributes[ZR_ATTRIBUTE_COLOR].values);
+            assert_int_equal(geometry.draws[i].counted, singly || i == 1);
+        }
+    }
     zr_arena_free(&arena);
 }
 
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        TEST_EACH_ISA(colors_are_those_of_records_that_are_written_out),
+        TEST_EACH_ISA(colors_are_those_of_primitives_that_are_placed_singly),
         cmocka_unit_test(nothing_is_lit_where_no_picture_is_wanted),
-        cmocka_unit_test(flat_colors_are_packed_where_not_all_is_written_out),
+        cmocka_unit_test(flat_colors_are_packed_once_for_all_draws_of_a_mesh),
     };
     return cmocka_run_group_tests_name("lit", tests, NULL, NULL);
 }

@@ -1,14 +1,14 @@
 #include "reference/batches.h"
 
 #include "geometry/clip.h"
-#include "geometry/colors.h"
 #include "geometry/face.h"
-#include "geometry/light.h"
-#include "geometry/normals.h"
 #include "geometry/place.h"
 #include "geometry/triangulate.h"
-#include "geometry/vertex_normals.h"
 #include "scene/scene.h"
+#include "shade/colors.h"
+#include "shade/light.h"
+#include "shade/normals.h"
+#include "shade/vertex_normals.h"
 
 /* ---- places ---- */
 

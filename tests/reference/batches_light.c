@@ -1,6 +1,6 @@
 #include "reference/batches.h"
 
-#include "geometry/light.h"
+#include "shade/light.h"
 
 const struct reference_lighting *batches_light(struct zr_arena *arena, const struct zr_scene *scene,
                                                const struct zr_camera *camera, const struct batches_options *options)

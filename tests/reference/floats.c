@@ -3,10 +3,10 @@
 #include <stdio.h>
 
 #include "geometry/clip.h"
-#include "geometry/light.h"
 #include "raster/setup.h"
 #include "reference/glsl_math.h"
 #include "reference/reference_program.h"
+#include "shade/light.h"
 #include "support/random.h"
 
 enum { WIDTH = 61, HEIGHT = 47, PIXELS = WIDTH * HEIGHT, LIGHTS_MAX = 5 };
@@ -137,7 +137,7 @@ static void pieces_make(struct pieces *pieces, struct sample *s)
     s->clipped = any != 0 && all == 0;
     if (all != 0) return;
     const int count = zr_clip_triangle(s->positions, any, NULL, &clipped);
-    zr_clip_replay(&clipped, values);
+    zr_clip_replay(clipped.made, clipped.made_count, clipped.corners, values);
     for (int i = 0; i < count; i++)
         corners[i] = (struct corner){clipped.vertices[i].position, values[clipped.vertices[i].id]};
     if (count > 0 && any == 0) add_piece(pieces, (const struct corner *[3]){&corners[0], &corners[1], &corners[2]});

@@ -9,7 +9,15 @@ const char *const algorithm_words[ZR_ALGORITHM_COUNT] = {"halfspace", "edgelist"
 void geometry_clear(struct test_geometry *test)
 {
     test->geometry = (struct zr_geometry){
-        .vertices = test->vertices, .triangles = test->triangles, .shapes = test->shapes, .edges = test->edges};
+        .vertices = test->vertices, .draws = test->draws, .shapes = test->shapes, .edges = test->edges};
+    test->draws[0] = (struct zr_draw){.count = 0};
+    test->in_shape = false;
+}
+
+struct zr_draw draw_of(enum zr_draw_kind kind, const uint32_t *corners, uint32_t count)
+{
+    static const struct zr_material material = {.double_sided = true};
+    return (struct zr_draw){.kind = kind, .counted = true, .material = &material, .corners = corners, .count = count};
 }
 
 static uint32_t add_vertex(struct test_geometry *test, struct test_corner corner)
@@ -22,24 +30,44 @@ static uint32_t add_vertex(struct test_geometry *test, struct test_corner corner
     return number;
 }
 
+/* To the last draw, where that is of the same kind. */
+static void append(struct test_geometry *test, uint32_t number)
+{
+    struct zr_geometry *geometry = &test->geometry;
+    const enum zr_draw_kind kind = test->in_shape ? ZR_DRAW_SHAPES : ZR_DRAW_TRIANGLES;
+    geometry->primitive_count++;
+    if (geometry->draw_count > 0 && test->draws[geometry->draw_count - 1].kind == kind) {
+        test->draws[geometry->draw_count - 1].count++;
+        return;
+    }
+    struct zr_draw *draw = &test->draws[geometry->draw_count++];
+    *draw = draw_of(kind, test->corners + 3 * number, 1);
+    draw->first = number;
+    draw->faces = test->faces + number;
+    draw->traits = test->in_shape ? test->traits + number : NULL;
+}
+
 bool geometry_add_triangle(struct test_geometry *test, const struct test_corner corners[3])
 {
     int64_t dx01 = corners[0].x - corners[1].x, dy01 = corners[0].y - corners[1].y, dx20 = corners[2].x - corners[0].x,
             dy20 = corners[2].y - corners[0].y;
     int64_t area = dx01 * dy20 - dx20 * dy01;
     if (area == 0) return false;
-    assert_true(test->geometry.triangle_count < TEST_RECORDS_MAX);
-    struct zr_triangle *record = &test->triangles[test->geometry.triangle_count++];
-    *record = (struct zr_triangle){.face = test->geometry.triangle_count};
+    const uint32_t number = test->geometry.primitive_count;
+    assert_true(number < TEST_RECORDS_MAX);
     for (int k = 0; k < 3; k++)
-        record->v[k] = add_vertex(test, corners[area > 0 ? k : 2 - k]);
+        test->corners[3 * number + (uint32_t)k] = add_vertex(test, corners[area > 0 ? k : 2 - k]);
+    test->faces[number] = number;
+    test->traits[number] = test->in_shape ? 2 * (test->geometry.shape_count - 1) : 0;
+    append(test, number);
     return true;
 }
 
 void geometry_begin_shape(struct test_geometry *test)
 {
     assert_true(test->geometry.shape_count < TEST_SHAPES_MAX);
-    test->first_of_shape = test->geometry.triangle_count;
+    test->in_shape = true;
+    test->first_of_shape = test->geometry.primitive_count;
     test->shapes[test->geometry.shape_count++] = (struct zr_shape){.first_edge = test->geometry.edge_count,
                                                                    .min_x = INT32_MAX,
                                                                    .min_y = INT32_MAX,
@@ -67,45 +95,23 @@ bool geometry_end_shape(struct test_geometry *test)
     struct zr_geometry *geometry = &test->geometry;
     struct zr_shape *shape = &test->shapes[geometry->shape_count - 1];
     shape->edge_count = geometry->edge_count - shape->first_edge;
-    shape->triangle_count = geometry->triangle_count - test->first_of_shape;
-    for (uint32_t i = 0; i < shape->triangle_count; i++)
-        test->triangles[test->first_of_shape + i].shape = geometry->shape_count & ZR_SHAPE_MASK;
+    shape->triangle_count = geometry->primitive_count - test->first_of_shape;
+    test->in_shape = false;
     if (shape->triangle_count > 0) return true;
     geometry->edge_count = shape->first_edge;
     geometry->shape_count--;
     return false;
 }
 
-static bool is_plain(const struct zr_triangle *record)
-{
-    return !record->line && !record->pushed && record->shape == 0;
-}
-
-void geometry_batch(struct zr_geometry *geometry)
-{
-    geometry->batch_count = 0;
-    for (uint32_t i = 0; i < geometry->triangle_count; i++) {
-        bool plain = is_plain(&geometry->triangles[i]);
-        if (geometry->batch_count > 0 && geometry->batches[geometry->batch_count - 1].plain == plain)
-            geometry->batches[geometry->batch_count - 1].count++;
-        else
-            geometry->batches[geometry->batch_count++] =
-                (struct zr_batch){.first = i, .count = 1, .written = true, .plain = plain, .first_record = i};
-    }
-}
-
 static enum zr_status draw_tiles(struct zr_arena *arena, const struct zr_geometry *geometry, struct zr_samples *samples)
 {
     struct zr_visible visible;
-    struct zr_geometry batched = *geometry;
-    struct zr_batch batches[TEST_RECORDS_MAX];
     struct zr_tile tile;
     size_t pixels = (size_t)samples->width * samples->height;
     samples->depth = zr_arena_alloc(arena, pixels, sizeof *samples->depth);
     samples->owner = zr_arena_alloc(arena, pixels, sizeof *samples->owner);
-    batched.batches = batches;
-    geometry_batch(&batched);
-    enum zr_status status = zr_visible_make(arena, NULL, &batched, samples->width, samples->height, NULL, &visible);
+    enum zr_status status =
+        zr_visible_make(arena, NULL, geometry, NULL, samples->width, samples->height, NULL, &visible);
     for (uint32_t t = 0; status == ZR_OK && t < zr_tile_count(samples->width, samples->height); t++) {
         zr_visibility_tile(&visible, t, NULL, NULL, &tile);
         if (!tile.is_empty) visible.halfspace->settle(&tile);

@@ -13,9 +13,11 @@ enum { TEST_RECORDS_MAX = 4096, TEST_SHAPES_MAX = 512, TEST_EDGES_MAX = 16384 };
 struct test_geometry {
     struct zr_geometry geometry;
     struct zr_window_vertex vertices[3 * TEST_RECORDS_MAX];
-    struct zr_triangle triangles[TEST_RECORDS_MAX];
+    struct zr_draw draws[TEST_RECORDS_MAX];
+    uint32_t corners[3 * TEST_RECORDS_MAX], faces[TEST_RECORDS_MAX], traits[TEST_RECORDS_MAX];
     struct zr_shape shapes[TEST_SHAPES_MAX];
     struct zr_grid_edge edges[TEST_EDGES_MAX];
+    bool in_shape;
     uint32_t first_of_shape; /* triangle, of the shape under way */
 };
 
@@ -35,8 +37,8 @@ void geometry_add_ring(struct test_geometry *test, const struct test_corner *cor
 /* True where it has a record; else it is taken away again. */
 bool geometry_end_shape(struct test_geometry *test);
 
-/* Puts its records into batches, for which the caller has given room: one a record will do. */
-void geometry_batch(struct zr_geometry *geometry);
+/* A draw of `count` primitives of one kind, by their vertices, three each. */
+struct zr_draw draw_of(enum zr_draw_kind kind, const uint32_t *corners, uint32_t count);
 
 /* Draws by any algorithm, production's too, into samples that start at depth 1. Fails the running test
  * where that does not work. */

@@ -2,7 +2,7 @@
 #ifndef ZR_TESTS_LIGHT_ONE_H
 #define ZR_TESTS_LIGHT_ONE_H
 
-#include "geometry/light.h"
+#include "shade/light.h"
 
 static inline float clamp01(float v)
 {

@@ -117,7 +117,7 @@ static void paint_whole(const int order[3], uint32_t width, uint32_t height, uin
     memset(owners, 0, (size_t)width * height * sizeof *owners);
     for (int k = 0; k < 3; k++) {
         struct zr_primitive primitive;
-        zr_primitive_make(&test.geometry, (uint32_t)order[k], width, height, &primitive);
+        zr_primitive_make(&test.geometry, &test.draws[0], (uint32_t)order[k], width, height, &primitive);
         for (int32_t y = 0; y < (int32_t)height; y++)
             for (int32_t x = 0; x < (int32_t)width; x++)
                 if (edges_hold(zr_primitive_edges(&primitive), primitive.edge_count, x, y))

@@ -2,10 +2,10 @@
 #include <string.h>
 
 #include "base/rgba.h"
-#include "geometry/colors.h"
-#include "geometry/normals.h"
 #include "guarded.h"
 #include "light_one.h"
+#include "shade/colors.h"
+#include "shade/normals.h"
 #include "support/isas.h"
 #include "support/random.h"
 
@@ -123,8 +123,8 @@ static void check(const struct expected *e, uint32_t at, const struct zr_materia
 {
     zr_vec4 front = base, back = base;
     if (material->shading != ZR_SHADING_UNLIT) light_one(&e->lighting, &e->to_eye, normal, base, &front, &back);
-    if (memcmp(&e->got.front[at], &front, sizeof front) != 0) fail_msg("front %u, layout %d", at, e->got.layout);
-    if (memcmp(&e->got.back[at], &back, sizeof back) != 0) fail_msg("back %u, layout %d", at, e->got.layout);
+    if (memcmp(&e->got.front[at], &front, sizeof front) != 0) fail_msg("front %u, layout %d", at, e->got.rate);
+    if (memcmp(&e->got.back[at], &back, sizeof back) != 0) fail_msg("back %u, layout %d", at, e->got.rate);
 }
 
 static void check_face(const struct expected *e, uint32_t face)
@@ -136,12 +136,12 @@ static void check_face(const struct expected *e, uint32_t face)
     if (mesh->face_colors) base = zr_vec4_mul(base, mesh->face_colors[face]);
     if (!zr_material_is_smooth(mesh, material)) {
         if (mesh->colors) base = zr_vec4_mul(base, mesh->colors[mesh->indices[begin]]);
-        check(e, e->got.layout == ZR_COLOR_PER_FACE ? face : begin, material, zr_normal_of_face(mesh, face), base);
+        check(e, e->got.rate == ZR_RATE_FACE ? face : begin, material, zr_normal_of_face(mesh, face), base);
         return;
     }
     for (uint32_t slot = begin; slot < mesh->face_offsets[face + 1]; slot++) {
         const uint32_t vertex = mesh->indices[slot];
-        check(e, e->got.layout == ZR_COLOR_PER_VERTEX ? vertex : slot, material, normal_at(mesh, vertex, slot),
+        check(e, e->got.rate == ZR_RATE_VERTEX ? vertex : slot, material, normal_at(mesh, vertex, slot),
               mesh->colors ? zr_vec4_mul(base, mesh->colors[vertex]) : base);
     }
 }
@@ -150,14 +150,14 @@ static void check_face(const struct expected *e, uint32_t face)
 static int check_packed(const struct expected *e, struct zr_team *team)
 {
     const struct subject *s = e->subject;
-    const bool flat = e->got.layout == ZR_COLOR_PER_FACE;
+    const bool flat = e->got.rate == ZR_RATE_FACE;
     assert_int_equal(zr_colors_can_be_packed(&s->scene, &s->mesh), flat);
     for (int sided = 0; sided <= 1 && flat; sided++) {
         const uint32_t blank[2 * FACES] = {0};
         struct guarded out = guarded_copy(blank, ((size_t)FACES << sided) * sizeof *blank);
         const struct zr_colors got = zr_colors_make_packed(team, NULL, &s->scene, &s->mesh, &e->lighting,
                                                            &s->object_to_eye, sided, (uint32_t *)(void *)out.bytes);
-        assert_true(got.layout == ZR_COLOR_PER_FACE && got.count == FACES && got.sided == sided && !got.given);
+        assert_true(got.rate == ZR_RATE_FACE && got.count == FACES && got.sided == sided && got.packed);
         for (uint32_t face = 0; face < FACES; face++) {
             assert_int_equal(got.packed[face], zr_rgba_opaque(e->got.front[face]));
             if (sided) assert_int_equal(got.packed[FACES + face], zr_rgba_opaque(e->got.back[face]));
@@ -165,23 +165,6 @@ static int check_packed(const struct expected *e, struct zr_team *team)
         guarded_free(&out);
     }
     return flat;
-}
-
-static void faces_that_are_outlined_or_hollow_are_not_packed(void **state)
-{
-    (void)state;
-    static struct subject subject;
-    make_look(&subject);
-    make_mesh(&subject);
-    for (int i = 0; i < MATERIALS; i++)
-        subject.materials[i].shading = ZR_SHADING_FLAT;
-    subject.mesh.face_materials = subject.face_materials;
-    assert_true(zr_colors_can_be_packed(&subject.scene, &subject.mesh));
-    subject.materials[subject.face_materials[FACES - 1]].outline = ZR_OUTLINE_COLORED;
-    assert_false(zr_colors_can_be_packed(&subject.scene, &subject.mesh));
-    subject.materials[subject.face_materials[FACES - 1]].outline = ZR_OUTLINE_NONE;
-    subject.materials[subject.face_materials[FACES - 1]].hollow = true;
-    assert_false(zr_colors_can_be_packed(&subject.scene, &subject.mesh));
 }
 
 static void colors_of_meshes_are_those_of_each_face_alone(void **state)
@@ -207,7 +190,7 @@ static void colors_of_meshes_are_those_of_each_face_alone(void **state)
         const zr_vec4 *normals = NULL;
         e.got = zr_colors_make(&arena, team, NULL, &subject.scene, &subject.mesh, &e.lighting, &subject.object_to_eye,
                                &normals, (zr_vec4 *)(void *)front.bytes, (zr_vec4 *)(void *)back.bytes);
-        layouts |= 1 << e.got.layout;
+        layouts |= 1 << e.got.rate;
         for (uint32_t face = 0; face < FACES; face++)
             check_face(&e, face);
         packed += check_packed(&e, team);
@@ -215,7 +198,7 @@ static void colors_of_meshes_are_those_of_each_face_alone(void **state)
         guarded_free(&back);
         guarded_free(&indices);
     }
-    assert_int_equal(layouts, 1 << ZR_COLOR_PER_FACE | 1 << ZR_COLOR_PER_VERTEX | 1 << ZR_COLOR_PER_CORNER);
+    assert_int_equal(layouts, 1 << ZR_RATE_FACE | 1 << ZR_RATE_VERTEX | 1 << ZR_RATE_CORNER);
     assert_true(packed > 20);
     zr_arena_free(&arena);
     zr_team_destroy(team);
@@ -225,7 +208,6 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         TEST_EACH_ISA(colors_of_meshes_are_those_of_each_face_alone),
-        cmocka_unit_test(faces_that_are_outlined_or_hollow_are_not_packed),
     };
     return cmocka_run_group_tests_name("colors", tests, NULL, NULL);
 }

@@ -4,8 +4,8 @@
 #include "geometry/build.h"
 #include "geometry/clip.h"
 #include "geometry/face.h"
-#include "geometry/light.h"
-#include "geometry/normals.h"
+#include "shade/light.h"
+#include "shade/normals.h"
 #include "support/cmocka_all.h"
 #include "support/scenes.h"
 
@@ -71,7 +71,7 @@ static void clip_interpolates_attributes_with_the_corner(void **state)
     struct zr_clipped out;
     zr_vec4 colors[ZR_CLIP_VALUES] = {{1, 0, 0, 1}, {0, 1, 0, 1}, {0, 0, 1, 1}};
     int count = clip(p, &out), found = 0;
-    zr_clip_replay(&out, colors);
+    zr_clip_replay(out.made, out.made_count, out.corners, colors);
     for (int i = 0; i < count; i++)
         if (out.vertices[i].position.x == 1.0f && out.vertices[i].position.y == 0.0f) {
             const zr_vec4 *color = &colors[out.vertices[i].id];

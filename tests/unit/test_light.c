@@ -2,10 +2,10 @@
 #include <math.h>
 #include <string.h>
 
-#include "geometry/light.h"
-#include "geometry/normals.h"
 #include "guarded.h"
 #include "light_one.h"
+#include "shade/light.h"
+#include "shade/normals.h"
 #include "support/isas.h"
 #include "support/random.h"
 

@@ -313,7 +313,7 @@ static void clip_line_out_on_both_sides_is_cut_at_both_with_its_attributes(void 
     assert_true(out.vertices[0].position.x == -1.0f && out.vertices[1].position.x == 1.0f &&
                 out.vertices[0].position.y == 0.5f);
     zr_vec4 values[ZR_CLIP_VALUES] = {{-2, 8, 0, 0}, {2, 0, 0, 0}};
-    zr_clip_replay(&out, values);
+    zr_clip_replay(out.made, out.made_count, out.corners, values);
     const zr_vec4 *first = &values[out.vertices[0].id], *last = &values[out.vertices[1].id];
     assert_true(first->x == -1.0f && last->x == 1.0f && first->y == 6.0f && last->y == 2.0f);
 }

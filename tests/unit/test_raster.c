@@ -189,13 +189,14 @@ static void odd_even_rule_covers_the_triangle_that_the_kernel_covers(void **stat
         int64_t area = zr_window_area(&v[0], &v[1], &v[2]);
         if (area == 0) continue;
         struct zr_triangle triangle = {.v = {area < 0 ? 1 : 0, area < 0 ? 0 : 1, 2}};
-        struct zr_geometry geometry = {.vertices = v, .vertex_count = 3, .triangles = &triangle, .triangle_count = 1};
+        const struct zr_draw drawn = draw_of(ZR_DRAW_TRIANGLES, (const uint32_t[3]){0, 1, 2}, 1);
+        const struct zr_geometry geometry = {.vertices = v, .vertex_count = 3, .primitive_count = 1};
         struct zr_tile *tile = cleared_tile();
         by_edges = *tile;
         struct zr_setup setup = zr_setup_make(v, &triangle);
         zr_halfspace_of(zr_isa_best())->draw(tile, &setup, 1);
         struct zr_primitive primitive;
-        zr_primitive_make(&geometry, 0, ZR_TILE_SIZE, ZR_TILE_SIZE, &primitive);
+        zr_primitive_make(&geometry, &drawn, 0, ZR_TILE_SIZE, ZR_TILE_SIZE, &primitive);
         zr_oddeven_draw(&geometry, &primitive, &by_edges);
         assert_tiles_equal(tile, &by_edges);
     }
@@ -221,16 +222,15 @@ static void lines_have_the_pixels_of_their_parallelogram_in_the_tiles_that_list_
             if (k == 1 && round % 7 == 0) y = (double)v[0].y;
             v[k] = at((float)x, (float)y, (float)random_range(&random, 0, 1));
         }
-        struct zr_triangle record = {.v = {0, 1, 1}, .line = 1};
-        struct zr_batch batch;
-        struct zr_geometry geometry = {
-            .vertices = v, .vertex_count = 2, .triangles = &record, .triangle_count = 1, .batches = &batch};
+        static const uint32_t corners[3] = {0, 1, 1};
+        struct zr_draw draw = draw_of(ZR_DRAW_LINES, corners, 1);
+        const struct zr_geometry geometry = {
+            .vertices = v, .vertex_count = 2, .primitive_count = 1, .draw_count = 1, .draws = &draw};
         struct zr_visible visible;
         struct zr_primitive primitive;
         zr_arena_reset(&arena, 1 << 20);
-        geometry_batch(&geometry);
-        assert_int_equal(zr_visible_make(&arena, NULL, &geometry, WIDTH, HEIGHT, NULL, &visible), ZR_OK);
-        zr_primitive_make(&geometry, 0, WIDTH, HEIGHT, &primitive);
+        assert_int_equal(zr_visible_make(&arena, NULL, &geometry, NULL, WIDTH, HEIGHT, NULL, &visible), ZR_OK);
+        zr_primitive_make(&geometry, &draw, 0, WIDTH, HEIGHT, &primitive);
         for (uint32_t number = 0; number < TILES; number++) {
             zr_tile_place(&by_edges, number, WIDTH, HEIGHT);
             zr_tile_begin(&by_edges, NULL, WIDTH, HEIGHT);
@@ -315,11 +315,10 @@ static void bins_lose_no_triangle_and_invent_none(enum zr_isa isa, int threads)
     enum { ALL_SIZES = 500, COUNT = 5000, WIDTH = 700, HEIGHT = 400 }; /* enough for several threads */
     static const double reach[] = {1, 2, 5, 20, 60, 150, 700};
     static struct zr_window_vertex vertices[COUNT * 3];
-    static struct zr_triangle triangles[COUNT];
+    static uint32_t corners[3 * COUNT];
     static struct zr_tile tile;
     static uint32_t want[HEIGHT][WIDTH];
     static float depth[HEIGHT][WIDTH];
-    struct zr_batch batch;
     for (int y = 0; y < HEIGHT; y++)
         for (int x = 0; x < WIDTH; x++) {
             want[y][x] = 0;
@@ -332,13 +331,14 @@ static void bins_lose_no_triangle_and_invent_none(enum zr_isa isa, int threads)
             float vx = (float)fmin(fmax(x + random_range(&random, -r, r), 0), WIDTH);
             float vy = (float)fmin(fmax(y + random_range(&random, -r, r), 0), HEIGHT);
             vertices[3 * i + k] = at(vx, vy, (float)random_range(&random, 0, 1));
-            triangles[i].v[k] = 3 * i + k;
+            corners[3 * i + k] = 3 * i + k;
         }
+        struct zr_triangle triangle = {.v = {3 * i, 3 * i + 1, 3 * i + 2}};
         if (zr_window_area(&vertices[3 * i], &vertices[3 * i + 1], &vertices[3 * i + 2]) < 0) {
-            triangles[i].v[0] = 3 * i + 1;
-            triangles[i].v[1] = 3 * i;
+            triangle.v[0] = 3 * i + 1;
+            triangle.v[1] = 3 * i;
         }
-        struct zr_setup setup = zr_setup_make(vertices, &triangles[i]);
+        struct zr_setup setup = zr_setup_make(vertices, &triangle);
         for (int32_t py = setup.min_y > 0 ? setup.min_y : 0; py <= setup.max_y && py < HEIGHT; py++)
             for (int32_t px = setup.min_x > 0 ? setup.min_x : 0; px <= setup.max_x && px < WIDTH; px++) {
                 float z = zr_depth_at(&setup.depth, px, py);
@@ -347,17 +347,14 @@ static void bins_lose_no_triangle_and_invent_none(enum zr_isa isa, int threads)
                 want[py][px] = i + 1;
             }
     }
-    struct zr_geometry geometry = {.vertices = vertices,
-                                   .vertex_count = 3 * COUNT,
-                                   .triangles = triangles,
-                                   .triangle_count = COUNT,
-                                   .batches = &batch};
+    struct zr_draw draw = draw_of(ZR_DRAW_TRIANGLES, corners, COUNT);
+    const struct zr_geometry geometry = {
+        .vertices = vertices, .vertex_count = 3 * COUNT, .primitive_count = COUNT, .draw_count = 1, .draws = &draw};
     struct zr_arena arena;
     struct zr_visible visible;
     struct zr_team *team = zr_team_create_for(threads, isa);
     zr_arena_init(&arena, 1 << 24);
-    geometry_batch(&geometry);
-    assert_int_equal(zr_visible_make(&arena, team, &geometry, WIDTH, HEIGHT, NULL, &visible), ZR_OK);
+    assert_int_equal(zr_visible_make(&arena, team, &geometry, NULL, WIDTH, HEIGHT, NULL, &visible), ZR_OK);
     assert_in_range(visible.bins.large_count, 1, COUNT - 1);
     assert_int_equal(visible.bins.worker_count, threads > 1 ? 2 : 1);
     for (uint32_t number = 0; number < zr_tile_count(WIDTH, HEIGHT); number++) {
@@ -388,9 +385,8 @@ static void fragments_of_far_apart_owners_keep_them(void **state)
     enum { PIXELS = ZR_TILE_SIZE * ZR_TILE_SIZE, FEW = 20, COUNT = (1 << ZR_BIN_OWNER_BITS) + 2 * FEW + 100 };
     static struct zr_window_vertex
         vertices[2 * 3 * PIXELS]; /* a triangle a pixel, of the one tile, then of the other */
-    static struct zr_triangle triangles[COUNT];
+    static uint32_t corners[3 * COUNT];
     static struct zr_tile tile;
-    struct zr_batch batch;
     for (uint32_t i = 0; i < 2 * PIXELS; i++) {
         const float x = (float)(i % ZR_TILE_SIZE + i / PIXELS * ZR_TILE_SIZE), y = (float)(i % PIXELS / ZR_TILE_SIZE);
         vertices[3 * i] = at(x + 0.125f, y + 0.125f, 0.5f);
@@ -399,19 +395,19 @@ static void fragments_of_far_apart_owners_keep_them(void **state)
     }
     for (uint32_t i = 0; i < COUNT; i++)
         for (uint32_t k = 0; k < 3; k++)
-            triangles[i].v[k] = 3 * (i < FEW || i >= COUNT - FEW ? i % PIXELS : PIXELS + i % PIXELS) + k;
-    struct zr_geometry geometry = {.vertices = vertices,
-                                   .vertex_count = 2 * 3 * PIXELS,
-                                   .triangles = triangles,
-                                   .triangle_count = COUNT,
-                                   .batches = &batch};
-    geometry_batch(&geometry);
+            corners[3 * i + k] = 3 * (i < FEW || i >= COUNT - FEW ? i % PIXELS : PIXELS + i % PIXELS) + k;
+    struct zr_draw draw = draw_of(ZR_DRAW_TRIANGLES, corners, COUNT);
+    const struct zr_geometry geometry = {.vertices = vertices,
+                                         .vertex_count = 2 * 3 * PIXELS,
+                                         .primitive_count = COUNT,
+                                         .draw_count = 1,
+                                         .draws = &draw};
     for (int threads = 1; threads <= 3; threads += 2) {
         struct zr_arena arena;
         struct zr_visible visible;
         struct zr_team *team = zr_team_create(threads);
         zr_arena_init(&arena, 1 << 27);
-        assert_int_equal(zr_visible_make(&arena, team, &geometry, 2 * ZR_TILE_SIZE, ZR_TILE_SIZE, NULL, &visible),
+        assert_int_equal(zr_visible_make(&arena, team, &geometry, NULL, 2 * ZR_TILE_SIZE, ZR_TILE_SIZE, NULL, &visible),
                          ZR_OK);
         draw_tile(&visible, 0, &tile);
         for (uint32_t p = 0; p < PIXELS; p++) {

@@ -203,18 +203,21 @@ static uint32_t count_early(struct zr_arena *arena, struct zr_team *team, const 
 {
     struct zr_camera camera;
     struct zr_geometry geometry;
+    struct zr_surfaces surfaces;
+    const struct zr_payload *payloads;
     struct zr_visible visible;
     struct zr_error error = {.count = 0};
     struct zr_tile *tile = zr_arena_alloc(arena, 1, sizeof *tile);
     assert_int_equal(zr_camera_resolve(scene, NULL, NULL, NULL, &camera, &error), ZR_OK);
     assert_int_equal(zr_geometry_build(arena, team, scene, &camera, NULL, false, &geometry), ZR_OK);
     const uint32_t width = scene->width, height = scene->height;
-    assert_int_equal(zr_paint_prepare(arena, team, &geometry, width * height), ZR_OK);
-    assert_int_equal(zr_visible_make(arena, team, &geometry, width, height, NULL, &visible), ZR_OK);
+    assert_int_equal(zr_surfaces_make(arena, team, scene, &camera, &geometry, NULL, &surfaces), ZR_OK);
+    assert_int_equal(zr_paint_prepare(arena, team, &geometry, &surfaces, width * height, &payloads), ZR_OK);
+    assert_int_equal(zr_visible_make(arena, team, &geometry, payloads, width, height, NULL, &visible), ZR_OK);
     assert_true(zr_visibility_tile(&visible, 0, NULL, NULL, tile));
     uint32_t early = 0;
-    for (int32_t i = 0; tile->has_colors && i < ZR_TILE_STRIDE * tile->height; i++)
-        early += tile->color[i] != 0;
+    for (int32_t i = 0; tile->has_words && i < ZR_TILE_STRIDE * tile->height; i++)
+        early += tile->words[i] != 0;
     return early;
 }
 

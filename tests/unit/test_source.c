@@ -1,5 +1,5 @@
 /* From window vertices back to the mesh. */
-#include "geometry/source.h"
+#include "geometry/geometry.h"
 #include "support/cmocka_all.h"
 
 /* Meshes of 3, 0 and 4 positions; the first one's two triangles were cut into 4 and 5 vertices, and one of the
@@ -14,9 +14,14 @@ static void assert_source(uint32_t v0, uint32_t v1, uint32_t v2, const zr_vec4 *
     struct zr_source_instance instances[3] = {{.first_vertex = 0, .mesh = &meshes[0]},
                                               {.first_vertex = 12, .mesh = &meshes[1]},
                                               {.first_vertex = 12, .mesh = &meshes[2]}};
-    struct zr_source_cut cuts[3] = {{3, {2, 1, 0}}, {7, {0, 2, 1}}, {16, {3, 1, 2}}};
-    const struct zr_sources sources = {3, 3, instances, cuts};
-    struct zr_source source = zr_source_of(&sources, (const uint32_t[3]){v0, v1, v2});
+    struct zr_cut cuts[3] = {{.first_vertex = 3, .corners = {2, 1, 0}},
+                             {.first_vertex = 7, .corners = {0, 2, 1}},
+                             {.first_vertex = 16, .corners = {3, 1, 2}}};
+    const struct zr_geometry geometry = {.instances = instances, .cut_count = 3, .cuts = cuts};
+    const uint32_t instance = v0 < 12 ? 0 : 2;
+    const struct zr_draw draw = {
+        .instance = instance, .mesh = &meshes[instance], .first_vertex = instances[instance].first_vertex};
+    struct zr_source source = zr_source_of(&geometry, &draw, (const uint32_t[3]){v0, v1, v2});
     assert_ptr_equal(source.instance->mesh->positions, positions);
     for (int k = 0; k < 3; k++)
         assert_ptr_equal(source.corners[k], &positions[want[k]]);

@@ -1,11 +1,11 @@
 /* Normals of vertices are sums in the order of the faces, however many threads share them. */
-#include "geometry/vertex_normals.h"
+#include "shade/vertex_normals.h"
 
 #include <math.h>
 #include <string.h>
 
-#include "geometry/normals.h"
 #include "guarded.h"
+#include "shade/normals.h"
 #include "support/isas.h"
 #include "support/random.h"
 

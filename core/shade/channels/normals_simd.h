@@ -10,25 +10,22 @@
 static inline void zr_make_normals(struct zr_shader *s, const struct zr_run *run)
 {
     enum { COUNT = 1 + ZR_VALUES_FEW };
-    const struct zr_batch *batch = run->batch;
     const uint32_t first = run->first;
-    if (!batch || !zr_batch_is_gathered(batch)) {
-        static const struct zr_surface none = {.planes = {{1, 0, 0}}};
-        for (uint32_t i = first; i < first + run->count; i++) {
-            const struct zr_surface surface =
-                batch ? zr_surface_normals(s->geometry, batch, s->parts.owners[i] - 1) : none;
-            zr_put_surface(s, i, &surface, COUNT);
-        }
+    if (!run->draw || zr_draw_is_of_lines(run->draw)) {
+        static const struct zr_plane one = {1, 0, 0};
+        for (uint32_t i = first; i < first + run->count; i++)
+            zr_put_alone(s, i, &one, 1, COUNT);
         return;
     }
+    const struct zr_attribute *normal = &run->surface->attributes[ZR_ATTRIBUTE_NORMAL];
     const zr_vi numbers = zr_run_numbers(s, run);
-    const struct zr_corner_numbers corners = zr_corner_numbers_of(batch, batch->normals_rate, numbers);
+    const struct zr_corner_numbers corners = zr_corner_numbers_of(run->draw, normal->rate, numbers);
     const struct zr_way_v way = zr_way_of(s->geometry->vertices, corners.vertex);
     struct zr_vec3_v values[3];
-    zr_normals_load(batch, numbers, way.turned, values);
+    zr_normals_load(run->surface, numbers, way.turned, values);
     struct zr_plane_v oow = way.oow_plane;
     struct zr_planes3_v planes;
-    if (batch->normals_rate == ZR_BATCH_PER_FACE) {
+    if (zr_rate_is_flat(normal->rate)) {
         const zr_vf zero = zr_vf_set(0.0f);
         oow = (struct zr_plane_v){zr_vf_set(1.0f), zero, zero};
         planes = (struct zr_planes3_v){{values[0].x, zero, zero}, {values[0].y, zero, zero}, {values[0].z, zero, zero}};
@@ -43,7 +40,7 @@ static inline void zr_make_normals(struct zr_shader *s, const struct zr_run *run
 /* ---- pixels ---- */
 
 /* To three floats a pixel, one after the other; lanes that are nobody's are left out. */
-static inline void zr_put_normals(struct zr_vec3_v n, uint32_t lanes, const struct zr_shaded *to, const float *x,
+static inline void zr_put_normals(struct zr_vec3_v n, uint32_t lanes, const struct zr_pixel_rows *rows, const float *x,
                                   const float *y, int32_t tile_x, int32_t tile_y)
 {
     float each[3][ZR_LANES];
@@ -52,8 +49,7 @@ static inline void zr_put_normals(struct zr_vec3_v n, uint32_t lanes, const stru
     zr_vf_store(each[2], n.z);
     for (; lanes; lanes &= lanes - 1) {
         const int i = zr_lowest_bit(lanes);
-        float *out =
-            (float *)to->normals.first + ((int32_t)y[i] - tile_y) * to->normals.stride + 3 * ((int32_t)x[i] - tile_x);
+        float *out = (float *)rows->first + ((int32_t)y[i] - tile_y) * rows->stride + 3 * ((int32_t)x[i] - tile_x);
         for (int k = 0; k < 3; k++)
             out[k] = each[k][i];
     }
@@ -93,7 +89,7 @@ static inline void zr_shade_normals_of_block(const struct zr_shader *s, const st
             n = zr_choose_v(zr_vi_lt(zr_vi_set(0), owner), zr_normals_at(s, part, count, owner, to, fx, fy), n);
         zr_vf_store(xs, fx);
         zr_vf_store(ys, fy);
-        zr_put_normals(n, zr_vm_bits(within), to, xs, ys, tile->x, tile->y);
+        zr_put_normals(n, zr_vm_bits(within), &to->channels[ZR_CHANNEL_NORMALS], xs, ys, tile->x, tile->y);
         if (!block->is_whole) part += count;
     }
 }

@@ -150,7 +150,7 @@ static void take_clipped(const struct zr_clipped *clipped, const struct clip_cor
     zr_vec4 colors[ZR_CLIP_VALUES];
     for (int k = 0; k < clipped->corners; k++)
         colors[k] = in[k].front;
-    zr_clip_replay(clipped, colors);
+    zr_clip_replay(clipped->made, clipped->made_count, clipped->corners, colors);
     for (int i = 0; i < clipped->count; i++)
         out[i] = (struct clip_corner){clipped->vertices[i].position, colors[clipped->vertices[i].id]};
 }

@@ -1,6 +1,6 @@
 #include "base/expect.h"
-#include "geometry/vec3_simd.h"
-#include "geometry/vertex_normals.h"
+#include "shade/vec3_simd.h"
+#include "shade/vertex_normals.h"
 
 /* Triangles whose sums are asked for while those before are added to: without, a million take up to half as long
  * again. */

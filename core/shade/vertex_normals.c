@@ -1,7 +1,7 @@
-#include "geometry/vertex_normals.h"
+#include "shade/vertex_normals.h"
 
 #include "geometry/face.h"
-#include "geometry/normals.h"
+#include "shade/normals.h"
 
 /* So many faces' normals are held at once, in the caches: a mesh of a million has 16 MB of them. */
 enum { FACES_AT_ONCE = 1 << 14 };

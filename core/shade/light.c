@@ -1,4 +1,4 @@
-#include "geometry/light.h"
+#include "shade/light.h"
 
 static zr_vec3 upper_row(const zr_mat4 *m, int row)
 {

@@ -1,6 +1,6 @@
 #include "base/mutant.h"
-#include "geometry/light.h"
-#include "geometry/vec3_simd.h"
+#include "shade/light.h"
+#include "shade/vec3_simd.h"
 
 _Static_assert(sizeof(zr_vec4) == 4 * sizeof(float), "loaded and stored as four floats");
 

@@ -1,4 +1,4 @@
-/* light.h - geometry: the lit colour of a point, by GL 2.1's equations.
+/* light.h - shade: the lit colour of a point, by GL 2.1's equations.
  *
  * Space:  eye space. Only ambient and diffuse terms; directional lights.
  * Exact:  the order of operations is that of Mesa's fixed-function lighting.

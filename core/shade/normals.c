@@ -1,4 +1,4 @@
-#include "geometry/normals.h"
+#include "shade/normals.h"
 
 #include "geometry/face.h"
 

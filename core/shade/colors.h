@@ -1,35 +1,23 @@
-/* colors.h - geometry: the colours of one mesh's faces, vertices or corners.
+/* colors.h - shade: the colours of one mesh's faces, vertices or corners.
  *
- * Each colour is lit here, once, in the coarsest layout that tells all of them
- * apart; a record then refers to its colours by index, and one that has the same
- * index three times is flat.
+ * Each colour is lit here, once, at the lowest rate that tells all of them apart.
  */
 #ifndef ZR_COLORS_H
 #define ZR_COLORS_H
 
 #include "base/team.h"
-#include "geometry/light.h"
+#include "shade/attribute.h"
+#include "shade/light.h"
 #include "zraster.h"
 
-enum zr_color_layout {
-    ZR_COLOR_PER_FACE,   /* one for face f at f */
-    ZR_COLOR_PER_VERTEX, /* one for position p at p */
-    ZR_COLOR_PER_CORNER, /* one for corner slot s of face_offsets at s */
-    ZR_COLOR_NONE        /* nobody will look: no colour picture is wanted */
-};
-
 struct zr_colors {
-    enum zr_color_layout layout;
-    bool given;                  /* the arrays are the mesh's own, */
-    bool of_first_corner;        /* and with ZR_COLOR_PER_FACE are those of vertices: a face has that of its first */
+    enum zr_rate rate;           /* with ZR_RATE_CORNER, flat faces have that of their first corner */
     bool sided;                  /* the two sides differ, or may */
     const zr_vec4 *front, *back; /* seen from the two sides; one array where they do not differ */
-    const uint32_t *packed; /* or, with ZR_COLOR_PER_FACE, these instead, as zr_rgba_opaque: fronts and, where sides
-                               differ, backs behind them */
-    uint32_t count;         /* of each side */
+    const uint32_t *packed;      /* or, with ZR_RATE_FACE, these instead, as zr_rgba_opaque: fronts and, where sides
+                                    differ, backs behind them */
+    uint32_t count;              /* of each side */
 };
-
-const struct zr_material *zr_material_of_face(const struct zr_scene *scene, const struct zr_mesh *mesh, uint32_t face);
 
 /* True where the colour varies over a face of this material. */
 bool zr_material_is_smooth(const struct zr_mesh *mesh, const struct zr_material *material);
@@ -46,15 +34,15 @@ static inline bool zr_material_is_shaded_late(const struct zr_material *material
     return material->shading == ZR_SHADING_PHONG || material->shading == ZR_SHADING_NORMALS;
 }
 
-/* How many colours zr_colors_make will write. */
+/* At which rate zr_colors_make will write, and how many colours. */
+enum zr_rate zr_colors_rate(const struct zr_scene *scene, const struct zr_mesh *mesh);
 uint32_t zr_colors_count(const struct zr_scene *scene, const struct zr_mesh *mesh);
 
 /* True where the mesh has the colours as they are to be seen, unlit and of one material that changes nothing: then
  * *colors says where. A mesh of a million triangles has 18 MB of them, not to be copied. */
 bool zr_colors_are_given(const struct zr_scene *scene, const struct zr_mesh *mesh, struct zr_colors *colors);
 
-/* True where every face is flat and filled, and none outlined: four bytes a side, which is what is seen, will do then,
- * and not sixteen. */
+/* True where every face is flat: four bytes a side, which is what is seen, will do then, and not sixteen. */
 bool zr_colors_can_be_packed(const struct zr_scene *scene, const struct zr_mesh *mesh);
 
 /* Packed ones, of such a mesh, to out[], which the caller gives room for: one a face, or two where sides differ.

@@ -1,4 +1,4 @@
-/* vec3_simd.h - geometry: vectors, or colours, one a lane; for kernels. */
+/* vec3_simd.h - shade: vectors, or colours, one a lane; for kernels. */
 #ifndef ZR_VEC3_SIMD_H
 #define ZR_VEC3_SIMD_H
 

@@ -1,6 +1,6 @@
 #include "base/expect.h"
-#include "geometry/normals.h"
-#include "geometry/vec3_simd.h"
+#include "shade/normals.h"
+#include "shade/vec3_simd.h"
 
 /* Corner `k` of ZR_LANES triangles, one a lane. */
 static inline struct zr_vec3_v load_corner(const struct zr_mesh *mesh, const uint32_t *indices, size_t k)

@@ -1,4 +1,4 @@
-/* vertex_normals.h - geometry: normals of vertices, computed from the polygons around them.
+/* vertex_normals.h - shade: normals of vertices, computed from the polygons around them.
  *
  * Space:  object space.
  * Exact:  sums of floats depend on their order, which is that of the faces. So it is not faces that threads share, but

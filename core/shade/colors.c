@@ -1,9 +1,9 @@
-#include "geometry/colors.h"
+#include "shade/colors.h"
 
 #include "base/rgba.h"
 #include "geometry/face.h"
-#include "geometry/normals.h"
-#include "geometry/vertex_normals.h"
+#include "shade/normals.h"
+#include "shade/vertex_normals.h"
 
 /* What every colour of one mesh is made from. */
 struct coloring {
@@ -21,11 +21,6 @@ struct coloring {
     const struct zr_cancel *cancel;
 };
 
-const struct zr_material *zr_material_of_face(const struct zr_scene *scene, const struct zr_mesh *mesh, uint32_t face)
-{
-    return &scene->materials[mesh->face_materials ? mesh->face_materials[face] : mesh->material];
-}
-
 bool zr_material_is_smooth(const struct zr_mesh *mesh, const struct zr_material *material)
 {
     return material->shading >= ZR_SHADING_GOURAUD ||
@@ -41,7 +36,7 @@ static uint32_t points_a_range(const struct coloring *coloring)
     return EVALUATIONS_A_RANGE / (coloring->lighting->count + 1) + 1;
 }
 
-static enum zr_color_layout choose_layout(const struct zr_scene *scene, const struct zr_mesh *mesh)
+enum zr_rate zr_colors_rate(const struct zr_scene *scene, const struct zr_mesh *mesh)
 {
     bool smooth = false;
     if (!mesh->face_materials)
@@ -49,20 +44,20 @@ static enum zr_color_layout choose_layout(const struct zr_scene *scene, const st
     else
         for (uint32_t f = 0; f < mesh->face_count && !smooth; f++)
             smooth = zr_material_is_smooth(mesh, zr_material_of_face(scene, mesh, f));
-    if (!smooth) return ZR_COLOR_PER_FACE;
+    if (!smooth) return ZR_RATE_FACE;
     bool shared = !mesh->face_materials && !mesh->face_colors && !mesh->normal_indices;
-    return shared ? ZR_COLOR_PER_VERTEX : ZR_COLOR_PER_CORNER;
+    return shared ? ZR_RATE_VERTEX : ZR_RATE_CORNER;
 }
 
-static uint32_t layout_count(const struct zr_mesh *mesh, enum zr_color_layout layout)
+static uint32_t count_at(const struct zr_mesh *mesh, enum zr_rate rate)
 {
-    if (layout == ZR_COLOR_PER_FACE) return mesh->face_count;
-    return layout == ZR_COLOR_PER_VERTEX ? mesh->position_count : mesh->face_offsets[mesh->face_count];
+    if (rate == ZR_RATE_FACE) return mesh->face_count;
+    return rate == ZR_RATE_VERTEX ? mesh->position_count : mesh->face_offsets[mesh->face_count];
 }
 
 uint32_t zr_colors_count(const struct zr_scene *scene, const struct zr_mesh *mesh)
 {
-    return layout_count(mesh, choose_layout(scene, mesh));
+    return count_at(mesh, zr_colors_rate(scene, mesh));
 }
 
 /* ---- many at once ---- */
@@ -244,9 +239,9 @@ bool zr_colors_are_given(const struct zr_scene *scene, const struct zr_mesh *mes
     if (mesh->face_materials || !changes_nothing(material) || !one_source) return false;
     bool smooth = zr_material_is_smooth(mesh, material);
     const zr_vec4 *given = mesh->colors ? mesh->colors : mesh->face_colors;
-    *colors = (struct zr_colors){.layout = smooth ? ZR_COLOR_PER_VERTEX : ZR_COLOR_PER_FACE,
-                                 .given = true,
-                                 .of_first_corner = !smooth && mesh->colors,
+    *colors = (struct zr_colors){.rate = smooth         ? ZR_RATE_VERTEX
+                                         : mesh->colors ? ZR_RATE_FIRST_VERTEX
+                                                        : ZR_RATE_FACE,
                                  .front = given,
                                  .back = given,
                                  .count = mesh->colors ? mesh->position_count : mesh->face_count};
@@ -255,12 +250,7 @@ bool zr_colors_are_given(const struct zr_scene *scene, const struct zr_mesh *mes
 
 bool zr_colors_can_be_packed(const struct zr_scene *scene, const struct zr_mesh *mesh)
 {
-    for (uint32_t f = 0; f < (mesh->face_materials ? mesh->face_count : 1); f++) {
-        const struct zr_material *material = zr_material_of_face(scene, mesh, f);
-        if (zr_material_is_smooth(mesh, material) || material->hollow || material->outline != ZR_OUTLINE_NONE)
-            return false;
-    }
-    return true;
+    return zr_colors_rate(scene, mesh) == ZR_RATE_FACE;
 }
 
 static struct coloring coloring_make(struct zr_team *team, const struct zr_cancel *cancel, const struct zr_scene *scene,
@@ -291,7 +281,7 @@ struct zr_colors zr_colors_make_packed(struct zr_team *team, const struct zr_can
     coloring.sided = sided;
     coloring.packed = out;
     make_of_faces(team, &coloring);
-    return (struct zr_colors){.layout = ZR_COLOR_PER_FACE, .sided = sided, .packed = out, .count = coloring.count};
+    return (struct zr_colors){.rate = ZR_RATE_FACE, .sided = sided, .packed = out, .count = coloring.count};
 }
 
 struct zr_colors zr_colors_make(struct zr_arena *arena, struct zr_team *team, const struct zr_cancel *cancel,
@@ -299,19 +289,19 @@ struct zr_colors zr_colors_make(struct zr_arena *arena, struct zr_team *team, co
                                 const struct zr_lighting *lighting, const zr_mat4 *object_to_eye,
                                 const zr_vec4 **normals, zr_vec4 *front, zr_vec4 *back)
 {
-    enum zr_color_layout layout = choose_layout(scene, mesh);
+    enum zr_rate rate = zr_colors_rate(scene, mesh);
     struct zr_colors colors = {
-        .layout = layout, .sided = front != back, .front = front, .back = back, .count = layout_count(mesh, layout)};
+        .rate = rate, .sided = front != back, .front = front, .back = back, .count = count_at(mesh, rate)};
     struct coloring coloring = coloring_make(team, cancel, scene, mesh, lighting, object_to_eye);
     coloring.front = front;
     coloring.back = back;
-    coloring.per_corner = layout == ZR_COLOR_PER_CORNER;
-    if (layout != ZR_COLOR_PER_FACE && needs_computed_normals(scene, mesh)) {
+    coloring.per_corner = rate == ZR_RATE_CORNER;
+    if (rate != ZR_RATE_FACE && needs_computed_normals(scene, mesh)) {
         if (!*normals) *normals = zr_vertex_normals_make(arena, team, cancel, mesh);
         coloring.computed = *normals;
     }
     if (!zr_arena_ok(arena)) return colors;
-    if (layout == ZR_COLOR_PER_VERTEX)
+    if (rate == ZR_RATE_VERTEX)
         zr_team_ranges(team, mesh->position_count, points_a_range(&coloring),
                        are_alike_vertices(&coloring) ? color_alike : color_vertices, &coloring);
     else

@@ -1,4 +1,4 @@
-/* normals.h - geometry: normals of faces, computed from the polygons.
+/* normals.h - shade: normals of faces, computed from the polygons.
  *
  * Space:  object space. Lengths are twice the area, so that a plain sum of face
  *         normals at a vertex is already weighted by area.

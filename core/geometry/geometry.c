@@ -1,0 +1,34 @@
+#include "geometry/geometry.h"
+
+const struct zr_draw *zr_draw_of(const struct zr_geometry *geometry, uint32_t number)
+{
+    uint32_t low = 0, high = geometry->draw_count;
+    while (high - low > 1) {
+        uint32_t middle = low + (high - low) / 2;
+        if (geometry->draws[middle].first <= number)
+            low = middle;
+        else
+            high = middle;
+    }
+    return &geometry->draws[low];
+}
+
+struct zr_triangle zr_triangle_of(const struct zr_geometry *geometry, const struct zr_draw *draw, uint32_t number)
+{
+    const uint32_t t = number - draw->first, trait = draw->traits ? draw->traits[t] : 0;
+    const struct zr_window_vertex *vertices = geometry->vertices;
+    struct zr_triangle out = {.line = zr_draw_is_of_lines(draw), .pushed = draw->pushed};
+    uint32_t *v = out.v;
+    for (uint32_t k = 0; k < 3; k++)
+        v[k] = draw->first_vertex + zr_draw_corner(draw, t, k);
+    out.turned = !out.line && zr_window_area(&vertices[v[0]], &vertices[v[1]], &vertices[v[2]]) < 0;
+    if (out.turned) {
+        const int k = zr_swapped_corner();
+        const uint32_t first = v[0];
+        v[0] = v[k];
+        v[k] = first;
+    }
+    if (draw->kind == ZR_DRAW_SHAPES) out.shape = 1 + trait / 2;
+    out.back = draw->kind == ZR_DRAW_TRIANGLES ? out.turned == draw->mirrored : trait % 2 != 0;
+    return out;
+}

@@ -1,0 +1,271 @@
+#include "shade/surfaces.h"
+
+#include <string.h>
+
+#include "scene/camera.h"
+#include "shade/colors.h"
+#include "shade/eye_normals.h"
+
+struct making {
+    struct zr_arena *arena;
+    struct zr_team *team;
+    const struct zr_cancel *cancel;
+    const struct zr_scene *scene;
+    const struct zr_geometry *geometry;
+    struct zr_surfaces *out;
+    bool colors, backs, all_normals; /* are wanted; backs: in colours of their own */
+    const zr_vec4 *points;           /* one a window vertex; NULL: not wanted */
+    const zr_vec4 **vertex_normals;  /* of each mesh's vertices, or NULL: not needed so far */
+
+    /* of the instance under way */
+    const struct zr_source_instance *instance;
+    const struct zr_mesh *mesh;
+    uint32_t made;            /* vertices that clipping made, */
+    const struct zr_cut *cut; /* the first cut of them */
+    uint32_t cut_count;
+    bool has_colors;
+    struct zr_colors mesh_colors;
+    const zr_vec4 *line_colors;
+    const zr_vec4 *normals[ZR_RATE_CORNER + 1];
+};
+
+/* ---- what clipping made ---- */
+
+/* How many values there are of the instance, with those of what clipping made. */
+static size_t count_with_made(const struct making *m, enum zr_rate rate, uint32_t own)
+{
+    return (size_t)own + (zr_rate_is_flat(rate) ? 0 : m->made);
+}
+
+/* Of the vertices that clipping made, behind the instance's `own` ones. */
+static void extend(const struct making *m, enum zr_rate rate, uint32_t own, zr_vec4 *values)
+{
+    if (zr_rate_is_flat(rate)) return;
+    const uint32_t first = m->instance->first_vertex + m->mesh->position_count;
+    for (uint32_t i = 0; i < m->cut_count; i++) {
+        const struct zr_cut *cut = &m->cut[i];
+        zr_cut_values(cut, values, rate == ZR_RATE_VERTEX ? cut->corners : cut->slots,
+                      values + own + (cut->first_vertex - first));
+    }
+}
+
+static void begin_instance(struct making *m, uint32_t number)
+{
+    const struct zr_geometry *g = m->geometry;
+    const bool is_last = number + 1 == m->scene->instance_count;
+    const uint32_t end = is_last ? g->vertex_count : g->instances[number + 1].first_vertex;
+    const struct zr_cut *cut = m->cut + m->cut_count;
+    m->instance = &g->instances[number];
+    m->mesh = m->instance->mesh;
+    while (cut < g->cuts + g->cut_count && cut->first_vertex < m->instance->first_vertex)
+        cut++;
+    m->cut = cut;
+    while (cut < g->cuts + g->cut_count && cut->first_vertex < end)
+        cut++;
+    m->cut_count = (uint32_t)(cut - m->cut);
+    m->made = end - m->instance->first_vertex - m->mesh->position_count;
+    m->has_colors = false;
+    m->line_colors = NULL;
+    memset(m->normals, 0, sizeof m->normals);
+}
+
+/* ---- colours ---- */
+
+/* The mesh's own, behind which there is no room. */
+static bool copy_given(struct making *m)
+{
+    struct zr_colors *colors = &m->mesh_colors;
+    if (zr_rate_is_flat(colors->rate) || m->made == 0) return true;
+    zr_vec4 *copy = zr_arena_alloc(m->arena, count_with_made(m, colors->rate, colors->count), sizeof *copy);
+    if (!copy) return false;
+    memcpy(copy, colors->front, colors->count * sizeof *copy);
+    extend(m, colors->rate, colors->count, copy);
+    colors->front = colors->back = copy;
+    return true;
+}
+
+static bool make_packed(struct making *m)
+{
+    const size_t count = (size_t)m->mesh->face_count << m->backs;
+    uint32_t *packed = zr_arena_alloc(m->arena, count, sizeof *packed);
+    if (!packed) return false;
+    m->mesh_colors = zr_colors_make_packed(m->team, m->cancel, m->scene, m->mesh, &m->out->lighting,
+                                           &m->instance->to_eye, m->backs, packed);
+    return true;
+}
+
+static bool make_floats(struct making *m)
+{
+    const enum zr_rate rate = zr_colors_rate(m->scene, m->mesh);
+    const uint32_t own = zr_colors_count(m->scene, m->mesh);
+    const size_t count = count_with_made(m, rate, own);
+    zr_vec4 *front = zr_arena_alloc(m->arena, count, sizeof *front);
+    zr_vec4 *back = m->backs ? zr_arena_alloc(m->arena, count, sizeof *back) : front;
+    if (!zr_arena_ok(m->arena)) return false;
+    m->mesh_colors =
+        zr_colors_make(m->arena, m->team, m->cancel, m->scene, m->mesh, &m->out->lighting, &m->instance->to_eye,
+                       &m->vertex_normals[m->mesh - m->scene->meshes], front, back);
+    if (!zr_arena_ok(m->arena)) return false;
+    extend(m, rate, own, front);
+    if (back != front) extend(m, rate, own, back);
+    return true;
+}
+
+/* The mesh's own where they will do, else made for this instance. */
+static bool find_mesh_colors(struct making *m)
+{
+    if (m->has_colors) return true;
+    m->has_colors = true;
+    if (zr_colors_are_given(m->scene, m->mesh, &m->mesh_colors)) return copy_given(m);
+    return zr_colors_can_be_packed(m->scene, m->mesh) ? make_packed(m) : make_floats(m);
+}
+
+/* Those of the vertices, times the material's. */
+static bool find_line_colors(struct making *m)
+{
+    const struct zr_mesh *mesh = m->mesh;
+    const zr_vec4 base = m->scene->materials[mesh->material].base_color;
+    if (m->line_colors) return true;
+    zr_vec4 *colors =
+        zr_arena_alloc(m->arena, count_with_made(m, ZR_RATE_VERTEX, mesh->position_count), sizeof *colors);
+    if (!colors) return false;
+    for (uint32_t i = 0; i < mesh->position_count; i++)
+        colors[i] = zr_vec4_mul(base, mesh->colors[i]);
+    extend(m, ZR_RATE_VERTEX, mesh->position_count, colors);
+    m->line_colors = colors;
+    return true;
+}
+
+static bool color_lines(struct making *m, const struct zr_draw *draw, struct zr_surface *surface)
+{
+    struct zr_attribute *color = &surface->attributes[ZR_ATTRIBUTE_COLOR];
+    if (m->mesh->colors) {
+        if (!find_line_colors(m)) return false;
+        *color = (struct zr_attribute){ZR_RATE_VERTEX, m->line_colors};
+    } else {
+        *color = (struct zr_attribute){ZR_RATE_DRAW, &draw->material->base_color};
+    }
+    surface->color_count = 1;
+    return true;
+}
+
+static bool color_faces(struct making *m, const struct zr_draw *draw, struct zr_surface *surface)
+{
+    struct zr_attribute *attributes = surface->attributes;
+    const struct zr_colors *colors = &m->mesh_colors;
+    if (!find_mesh_colors(m)) return false;
+    enum zr_rate rate = colors->rate;
+    if (rate == ZR_RATE_CORNER && !zr_material_is_smooth(m->mesh, draw->material)) rate = ZR_RATE_FIRST_CORNER;
+    attributes[ZR_ATTRIBUTE_COLOR] = (struct zr_attribute){rate, colors->front};
+    surface->packed = colors->packed;
+    surface->color_count = colors->count;
+    surface->sided = colors->sided && draw->material->double_sided;
+    if (surface->sided) attributes[ZR_ATTRIBUTE_BACK_COLOR] = (struct zr_attribute){rate, colors->back};
+    return true;
+}
+
+static bool color(struct making *m, const struct zr_draw *draw, struct zr_surface *surface)
+{
+    if (draw->kind == ZR_DRAW_LINES) return color_lines(m, draw, surface);
+    if (draw->kind != ZR_DRAW_OUTLINES || draw->material->outline != ZR_OUTLINE_COLORED)
+        return color_faces(m, draw, surface);
+    surface->attributes[ZR_ATTRIBUTE_COLOR] = (struct zr_attribute){ZR_RATE_DRAW, &draw->material->outline_color};
+    surface->color_count = 1;
+    return true;
+}
+
+/* ---- normals and points ---- */
+
+static bool find_normals(struct making *m, const struct zr_draw *draw, struct zr_attribute *out)
+{
+    const enum zr_rate rate = zr_eye_normals_rate(m->mesh, draw->material);
+    const zr_vec4 **normals = &m->normals[rate];
+    if (!*normals) {
+        const uint32_t own = zr_eye_normals_count(m->mesh, rate);
+        zr_vec4 *made = zr_arena_alloc(m->arena, count_with_made(m, rate, own), sizeof *made);
+        if (!made || !zr_eye_normals_make(m->arena, m->team, m->cancel, m->mesh, &m->instance->to_eye, rate,
+                                          &m->vertex_normals[m->mesh - m->scene->meshes], made))
+            return false;
+        extend(m, rate, own, made);
+        *normals = made;
+    }
+    *out = (struct zr_attribute){rate, *normals};
+    return true;
+}
+
+/* Of all window vertices. */
+static bool make_points(struct making *m)
+{
+    const struct zr_geometry *g = m->geometry;
+    const zr_vec4 eye = m->out->eye;
+    zr_vec4 *points = zr_arena_alloc(m->arena, g->vertex_count, sizeof *points);
+    if (!points) return false;
+    for (uint32_t number = 0; number < m->scene->instance_count; number++) {
+        begin_instance(m, number);
+        zr_vec4 *of_instance = points + m->instance->first_vertex;
+        if (zr_is_cancelled(m->cancel)) return true;
+        for (uint32_t i = 0; i < m->mesh->position_count; i++) {
+            const zr_vec4 p = zr_mat4_apply(&m->instance->to_eye, m->mesh->positions[i]);
+            of_instance[i] = eye.w == 0.0f
+                                 ? p
+                                 : (zr_vec4){p.x - eye.x * p.w, p.y - eye.y * p.w, p.z - eye.z * p.w, 0.0f};
+        }
+        extend(m, ZR_RATE_VERTEX, m->mesh->position_count, of_instance);
+    }
+    m->points = points;
+    m->instance = NULL;
+    m->cut = g->cuts;
+    m->cut_count = 0;
+    return true;
+}
+
+/* ---- all ---- */
+
+static bool make_surface(struct making *m, const struct zr_draw *draw, struct zr_surface *surface)
+{
+    surface->draw = draw;
+    if (m->colors && !color(m, draw, surface)) return false;
+    if (zr_draw_is_of_lines(draw)) return true;
+    surface->is_late = m->colors && zr_material_is_shaded_late(draw->material);
+    if (surface->is_late)
+        surface->attributes[ZR_ATTRIBUTE_POINT] = (struct zr_attribute){ZR_RATE_VERTEX, m->points + draw->first_vertex};
+    return !(surface->is_late || m->all_normals) ||
+           find_normals(m, draw, &surface->attributes[ZR_ATTRIBUTE_NORMAL]);
+}
+
+static void look_at_materials(struct making *m)
+{
+    for (uint32_t i = 0; m->colors && i < m->scene->material_count; i++) {
+        const struct zr_material *material = &m->scene->materials[i];
+        m->out->any_late |= zr_material_is_shaded_late(material);
+        m->backs |= material->double_sided && zr_material_is_lit_before(material);
+    }
+}
+
+enum zr_status zr_surfaces_make(struct zr_arena *arena, struct zr_team *team, const struct zr_scene *scene,
+                                const struct zr_camera *camera, const struct zr_geometry *geometry,
+                                const struct zr_cancel *cancel, struct zr_surfaces *surfaces)
+{
+    struct making m = {.arena = arena,
+                       .team = team,
+                       .cancel = cancel,
+                       .scene = scene,
+                       .geometry = geometry,
+                       .out = surfaces,
+                       .colors = zr_scene_wants(scene, ZR_CHANNEL_COLOR),
+                       .all_normals = zr_scene_wants(scene, ZR_CHANNEL_NORMALS),
+                       .vertex_normals = zr_arena_zero(arena, scene->mesh_count, sizeof *m.vertex_normals),
+                       .cut = geometry->cuts};
+    *surfaces = (struct zr_surfaces){.eye = zr_camera_eye(camera)};
+    surfaces->of_draw = zr_arena_zero(arena, (size_t)geometry->draw_count + 1, sizeof *surfaces->of_draw);
+    zr_lighting_make(arena, scene, &camera->world_to_eye, &surfaces->lighting);
+    look_at_materials(&m);
+    if (!zr_arena_ok(arena) || (surfaces->any_late && !make_points(&m))) return ZR_NO_MEMORY;
+    for (uint32_t i = 0; i < geometry->draw_count; i++) {
+        const struct zr_draw *draw = &geometry->draws[i];
+        if (m.instance != &geometry->instances[draw->instance]) begin_instance(&m, draw->instance);
+        if (!make_surface(&m, draw, &surfaces->of_draw[i])) return ZR_NO_MEMORY;
+        if (zr_is_cancelled(cancel)) return ZR_CANCELLED;
+    }
+    return zr_arena_ok(arena) ? ZR_OK : ZR_NO_MEMORY;
+}

@@ -1,0 +1,53 @@
+/* surfaces.h - shade: what each draw shows: its colours, and whatever else its shading and the channels want.
+ *
+ * Values are made before it is known what is seen: vertices are lit once. Where clipping made vertices, what varies is
+ * cut as they were (geometry/cut.h), after it was lit and kept within 0..1.
+ */
+#ifndef ZR_SURFACES_H
+#define ZR_SURFACES_H
+
+#include "base/team.h"
+#include "geometry/geometry.h"
+#include "shade/attribute.h"
+#include "shade/light.h"
+
+enum {
+    ZR_ATTRIBUTE_COLOR,
+    ZR_ATTRIBUTE_BACK_COLOR, /* at the same rate; where backs are not drawn in colours of their own, there are none */
+    ZR_ATTRIBUTE_NORMAL,     /* of fronts, in eye space (eye_normals.h) */
+    ZR_ATTRIBUTE_POINT,      /* the way from the eye, times w: that is linear over a face, as the quotient is not */
+    ZR_ATTRIBUTE_COUNT
+};
+
+/* Of one draw. */
+struct zr_surface {
+    const struct zr_draw *draw;
+    struct zr_attribute attributes[ZR_ATTRIBUTE_COUNT];
+    const uint32_t *packed; /* colours of faces, as zr_rgba_opaque, fronts and, where there are backs, those behind
+                               them: instead of values, or beside them; NULL: not made */
+    uint32_t color_count;   /* fronts */
+    bool sided;             /* backs are drawn, in colours of their own */
+    bool is_late;           /* zr_material_is_shaded_late */
+    const uint32_t *backs;  /* as zr_payload has them, where somebody noted them */
+};
+
+struct zr_surfaces {
+    struct zr_surface *of_draw; /* one a draw */
+    bool any_late;
+    zr_vec4 eye; /* zr_camera_eye */
+    struct zr_lighting lighting;
+};
+
+/* By the team's threads and instruction set. Everything points into the arena, to the scene and to the geometry. ZR_OK,
+ * ZR_CANCELLED or ZR_NO_MEMORY. */
+enum zr_status zr_surfaces_make(struct zr_arena *arena, struct zr_team *team, const struct zr_scene *scene,
+                                const struct zr_camera *camera, const struct zr_geometry *geometry,
+                                const struct zr_cancel *cancel, struct zr_surfaces *surfaces);
+
+static inline bool zr_surface_is_smooth(const struct zr_surface *surface)
+{
+    const struct zr_attribute *color = &surface->attributes[ZR_ATTRIBUTE_COLOR];
+    return color->values && !zr_rate_is_flat(color->rate);
+}
+
+#endif

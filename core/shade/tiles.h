@@ -1,0 +1,25 @@
+/* tiles.h - shade: all tiles of a window, one after the other by each thread: who is seen in it, and its pixels in every
+ * channel. Nothing of a tile is kept.
+ */
+#ifndef ZR_TILES_H
+#define ZR_TILES_H
+
+#include "raster/visibility.h"
+#include "shade/frame.h"
+#include "shade/surfaces.h"
+
+/* What tiles are made from. */
+struct zr_tiles {
+    const struct zr_scene *scene;
+    const struct zr_geometry *geometry;
+    const struct zr_surfaces *surfaces;
+    const struct zr_visible *visible; /* of production, */
+    const struct zr_samples *samples; /* or of the other algorithms, which have decided the whole window; else NULL */
+};
+
+/* Writes all channels of the frame, and what of it is known then: reaches, covered_pixels, deepest. ZR_OK, ZR_CANCELLED
+ * or ZR_NO_MEMORY. */
+enum zr_status zr_tiles_draw(struct zr_arena *arena, struct zr_team *team, const struct zr_tiles *tiles,
+                             const struct zr_cancel *cancel, struct zr_frame *frame);
+
+#endif
