@@ -10,29 +10,6 @@
 #include "shade/normals.h"
 #include "shade/vertex_normals.h"
 
-/* ---- places ---- */
-
-static void apply_in_double(const zr_mat4 *m, double v[4])
-{
-    double out[4];
-    for (int row = 0; row < 4; row++)
-        out[row] = (double)m->m[row] * v[0] +
-                   ((double)m->m[4 + row] * v[1] + ((double)m->m[8 + row] * v[2] + (double)m->m[12 + row] * v[3]));
-    for (int row = 0; row < 4; row++)
-        v[row] = out[row];
-}
-
-void batches_transform(const struct zr_camera *camera, const zr_mat4 *object_to_world, zr_vec4 position, double clip[4])
-{
-    clip[0] = (double)position.x;
-    clip[1] = (double)position.y;
-    clip[2] = (double)position.z;
-    clip[3] = (double)position.w;
-    apply_in_double(object_to_world, clip);
-    apply_in_double(&camera->world_to_eye, clip);
-    apply_in_double(&camera->projection, clip);
-}
-
 /* ---- building ---- */
 
 struct builder {
@@ -58,8 +35,9 @@ struct source {
     const zr_vec4 *computed;    /* normals of vertices; NULL: none were needed so far */
     bool mirrored;
     const struct zr_material *material; /* of the face under way */
-    bool smooth;
-    zr_vec3 face_normal; /* where it is lit as a whole */
+    bool smooth;                        /* what the purpose wants to vary does so over the face */
+    bool has_vertex_normals;
+    zr_vec3 face_normal; /* where it has none of vertices: the face's own, or 0 */
     uint32_t face;
 };
 
@@ -151,12 +129,17 @@ static zr_vec3 vertex_normal(const struct source *s, uint32_t slot)
 /* Readies s for its face. */
 static bool find_normals(struct builder *b, struct source *s)
 {
+    const enum zr_shading shading = s->material->shading;
+    const bool channels = b->options.purpose == BATCHES_CHANNELS;
     s->face_normal = no_normal;
+    s->has_vertex_normals =
+        shading >= ZR_SHADING_GOURAUD || (channels && shading == ZR_SHADING_UNLIT && s->mesh->normal_count > 0);
+    s->smooth = channels ? s->has_vertex_normals : zr_material_is_smooth(s->mesh, s->material);
     if (b->options.purpose == BATCHES_OWNERS) return true;
-    if (s->material->shading == ZR_SHADING_FLAT) s->face_normal = zr_normal_of_face(s->mesh, s->face);
-    if (s->material->shading >= ZR_SHADING_GOURAUD && !s->computed)
-        s->computed = zr_vertex_normals_make(b->arena, NULL, NULL, s->mesh);
-    return s->material->shading < ZR_SHADING_GOURAUD || s->computed;
+    if (!s->has_vertex_normals && (channels || shading == ZR_SHADING_FLAT))
+        s->face_normal = zr_normal_of_face(s->mesh, s->face);
+    if (s->has_vertex_normals && !s->computed) s->computed = zr_vertex_normals_make(b->arena, NULL, NULL, s->mesh);
+    return !s->has_vertex_normals || s->computed;
 }
 
 /* Corner `slot` of the mesh's indices, in the colours of its face. */
@@ -167,8 +150,7 @@ static void append_corner(struct builder *b, const struct source *s, uint32_t sl
         append_vertex(b, s, vertex, batches_owner_color(b->owner + s->face), no_normal);
         return;
     }
-    zr_vec3 normal = s->material->shading >= ZR_SHADING_GOURAUD ? vertex_normal(s, slot) : s->face_normal;
-    append_vertex(b, s, vertex, base_color(s, slot), normal);
+    append_vertex(b, s, vertex, base_color(s, slot), s->has_vertex_normals ? vertex_normal(s, slot) : s->face_normal);
 }
 
 /* ---- faces ---- */
@@ -336,8 +318,11 @@ static bool append_fan_by_parity(struct builder *b, const struct source *s, stru
 
 static struct reference_batch state_of(const struct builder *b, const struct source *s)
 {
-    bool owners = b->options.purpose == BATCHES_OWNERS, lit = s->material->shading != ZR_SHADING_UNLIT && !owners;
+    bool owners = b->options.purpose == BATCHES_OWNERS, channels = b->options.purpose == BATCHES_CHANNELS;
+    bool lit = channels || (s->material->shading != ZR_SHADING_UNLIT && !owners);
     return (struct reference_batch){.modelview = s->modelview,
+                                    .to_world = &s->instance->object_to_world,
+                                    .instance = (uint32_t)(s->instance - b->scene->instances),
                                     .light = !lit                        ? REFERENCE_UNLIT
                                              : s->material->double_sided ? REFERENCE_LIT
                                                                          : REFERENCE_LIT_FRONT,
@@ -359,12 +344,16 @@ static bool append_face(struct builder *b, const struct source *s)
     batch.pushed = s->material->outline != ZR_OUTLINE_NONE;
     if (batches_face_is_parity(s->mesh, s->face)) return append_parity(b, s, &batch);
     if (is_fan_by_parity(b, s)) return append_fan_by_parity(b, s, &batch);
-    if (!reserve_corners(b, end - begin)) return false;
-    batch.mode = end - begin == 3 ? REFERENCE_TRIANGLES : REFERENCE_POLYGON;
+    const bool as_triangles = end - begin == 3 || b->options.purpose == BATCHES_CHANNELS;
+    if (!reserve_corners(b, 3 * (uint64_t)(end - begin))) return false;
+    batch.mode = as_triangles ? REFERENCE_TRIANGLES : REFERENCE_POLYGON;
     batch.first = b->corner_count;
-    batch.count = end - begin;
-    for (uint32_t slot = begin; slot < end; slot++)
-        append_corner(b, s, slot);
+    if (as_triangles && end - begin > 3)
+        append_fan(b, s, begin, end);
+    else
+        for (uint32_t slot = begin; slot < end; slot++)
+            append_corner(b, s, slot);
+    batch.count = b->corner_count - batch.first;
     return append_batch(b, &batch);
 }
 
@@ -417,6 +406,7 @@ static bool append_lines(struct builder *b, const struct source *s)
     bool owners = b->options.purpose == BATCHES_OWNERS;
     struct reference_batch batch = {.mode = REFERENCE_LINES,
                                     .modelview = s->modelview,
+                                    .instance = (uint32_t)(s->instance - b->scene->instances),
                                     .smooth = mesh->colors && !owners,
                                     .first = b->corner_count,
                                     .count = 2 * mesh->line_count};
@@ -438,7 +428,6 @@ static bool for_each_face(struct builder *b, struct source *s, bool (*work)(stru
 {
     for (s->face = 0; s->face < s->mesh->face_count; s->face++) {
         s->material = zr_material_of_face(b->scene, s->mesh, s->face);
-        s->smooth = zr_material_is_smooth(s->mesh, s->material);
         if (!find_normals(b, s) || !work(b, s)) return false;
     }
     return true;
@@ -484,8 +473,8 @@ bool batches_make(struct zr_arena *arena, const struct zr_scene *scene, const st
     struct reference_arrays *arrays = &batches->arrays;
     arrays->positions = builder.positions;
     arrays->front = builder.front;
+    if (options->purpose != BATCHES_OWNERS) arrays->normals = builder.normals;
     if (options->purpose == BATCHES_COLORS) {
-        arrays->normals = builder.normals;
         arrays->lighting = batches_light(arena, scene, camera, options);
         if (!arrays->lighting) return false;
     }

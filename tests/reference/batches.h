@@ -14,8 +14,10 @@
 #include "zraster.h"
 
 enum batches_purpose {
-    BATCHES_COLORS, /* as the scene looks */
-    BATCHES_OWNERS  /* each face and line in a flat colour of its own, batches_owner_color, on black */
+    BATCHES_COLORS,  /* as the scene looks */
+    BATCHES_OWNERS,  /* each face and line in a flat colour of its own, batches_owner_color, on black */
+    BATCHES_CHANNELS /* for twins.h: all areas are triangles, also those of polygons, and have normals; they are smooth
+                      * where their normals are those of vertices */
 };
 
 struct batches_options {

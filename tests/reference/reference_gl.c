@@ -264,7 +264,7 @@ static void draw_batch(const struct reference *reference, const struct reference
     enable(GL_CULL_FACE, batch->cull);
     enable(GL_POLYGON_OFFSET_FILL, batch->pushed);
     if (program)
-        glUseProgram(program);
+        reference_program_batch(program, batch);
     else
         reference_light_batch(reference, batch);
     if (batch->mode == REFERENCE_PARITY)

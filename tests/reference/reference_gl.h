@@ -38,6 +38,9 @@ bool reference_gl_ok(struct reference_error *error, const char *what);
 /* Clears the frame buffer that is bound, draws into it, and waits. `program` 0: the batches choose theirs. */
 void reference_draw_batches(const struct reference *reference, const struct reference_arrays *arrays, GLuint program);
 
+/* Chooses a program of a test's own, and gives it what it gets from each batch. */
+void reference_program_batch(GLuint program, const struct reference_batch *batch);
+
 /* Turns rows around: GL's row 0 is the bottom. */
 void reference_flip(const struct reference *reference, void *pixels, size_t pixel_bytes);
 

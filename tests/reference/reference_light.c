@@ -1,29 +1,8 @@
 /* Lighting that the reference computes: a vertex program in the order of Mesa's own fixed functions. */
 #include <stdio.h>
 
+#include "reference/glsl_unit.h"
 #include "reference/reference_gl.h"
-
-/* Sums are written out, since a compiler may choose the order of dot(). Squares of lengths that a float holds badly:
- * the vector is made shorter or longer first. `precise`: Mesa's compiler may not rewrite what follows (rule 18). */
-#define GLSL_UNIT                                                                                                      \
-    "float sum_of_products(vec3 a, vec3 b)\n"                                                                          \
-    "{\n"                                                                                                              \
-    "    precise float sum = (a.z * b.z + a.y * b.y) + a.x * b.x;\n"                                                   \
-    "    return sum;\n"                                                                                                \
-    "}\n"                                                                                                              \
-    "vec3 unit(vec3 v)\n"                                                                                              \
-    "{\n"                                                                                                              \
-    "    precise vec3 u = v;\n"                                                                                        \
-    "    float square = sum_of_products(u, u);\n"                                                                      \
-    "    if (!(square > 1e-30 && square < 1e30)) {\n"                                                                  \
-    "        float largest = max(max(abs(u.x), abs(u.y)), abs(u.z));\n"                                                \
-    "        if (!(largest > 0.0)) return u;\n"                                                                        \
-    "        u = u / largest;\n"                                                                                       \
-    "        square = sum_of_products(u, u);\n"                                                                        \
-    "    }\n"                                                                                                          \
-    "    u = u * (1.0 / sqrt(square));\n"                                                                              \
-    "    return u;\n"                                                                                                  \
-    "}\n"
 
 /* RULES.md, rule 16. The fixed functions would
  * light in object space, through an inverse of their own, where the modelview matrix is not the identity: so it is a

@@ -34,3 +34,11 @@ void reference_program_delete(unsigned program)
 {
     glDeleteProgram(program);
 }
+
+/* GL passes over uniforms that the program does not have. */
+void reference_program_batch(GLuint program, const struct reference_batch *batch)
+{
+    glUseProgram(program);
+    if (batch->normal_rows) glUniform3fv(glGetUniformLocation(program, "normal_rows"), 3, &batch->normal_rows[0].x);
+    if (batch->to_world) glUniformMatrix4fv(glGetUniformLocation(program, "to_world"), 1, GL_FALSE, batch->to_world->m);
+}
