@@ -248,5 +248,7 @@ void tally_add(struct tally *sum, const struct tally *more)
     sum->clipped += more->clipped;
     sum->left_out += more->left_out;
     sum->parity_faces += more->parity_faces;
+    sum->twins_pixels += more->twins_pixels;
+    sum->twins_beyond += more->twins_beyond;
     compare_add(&sum->comparison, &more->comparison);
 }

@@ -19,6 +19,7 @@ enum verdict { VERDICT_EQUAL = 0, VERDICT_DIFFERENT = 1, VERDICT_UNPROVED = 2 };
 struct tally {
     uint64_t pictures, triangles, clipped, parity_faces;
     uint64_t left_out; /* of bars that are not exact: float itself is too coarse, or there are outlines or lines */
+    uint64_t twins_pixels, twins_beyond; /* of channels (twins.h): compared, and differ by more than they may */
     struct comparison comparison;
 };
 

@@ -85,7 +85,8 @@ static enum verdict check_random(struct harness *harness, struct report *report,
 static enum verdict check_all(struct harness *harness, const struct options *options)
 {
     struct report report = {.style = options->style, .bar = options->harness.bar};
-    const struct scene_files_options files = {options->preset, options->pictures};
+    struct twins twins = {.programs = {0}};
+    const struct scene_files_options files = {options->preset, options->pictures, &twins};
     struct tally total = {0};
     if (options->page)
         report.page = page_open(&(struct page_options){.path = options->page,
@@ -98,6 +99,7 @@ static enum verdict check_all(struct harness *harness, const struct options *opt
     if (options->models) worst = worse(worst, models_check(harness, &report, options->models, &total));
     for (int i = 0; i < options->path_count; i++)
         worst = worse(worst, scene_files_check(harness, &report, options->paths[i], &files, &total));
+    if (total.twins_pixels) worst = worse(worst, twins_report(&twins, &report));
     if (report.count == 0) worst = VERDICT_UNPROVED;
     if (report.bar == COMPARE_TRANSFORM &&
         total.comparison.coverage > (total.comparison.visible + PIXELS_A_CHANGE - 1) / PIXELS_A_CHANGE)

@@ -8,7 +8,8 @@
 
 const char options_usage[] =
     "usage: zraster-verify [options] [SCENE.json | MESH.obj | MESH.stl | FOLDER ...]\n"
-    "Renders scenes with zraster and with Mesa and compares all pixels; without a file, random polygons.\n"
+    "Renders scenes with zraster and with Mesa and compares all pixels, of files in all channels; without a file,\n"
+    "random polygons.\n"
     "  --triangles N       random polygons, over all kinds, counted as fans (200000)\n"
     "  --seed S            other polygons (1)\n"
     "  --kind NAME         one kind only; 'none' for no random polygons, 'list' to list them\n"

@@ -28,6 +28,7 @@ static void print_tally(const char *name, const struct tally *tally, enum compar
            c->color_max_lsb);
     print_explanations(c, bar);
     if (tally->parity_faces) printf("  by parity %" PRIu64 "  gaps %" PRIu64, tally->parity_faces, c->gaps);
+    if (tally->twins_pixels) printf("  channels %" PRIu64, tally->twins_beyond);
     putchar('\n');
 }
 
@@ -54,6 +55,17 @@ void report_total(struct report *report, enum verdict verdict, const struct tall
     const char *word = verdict == VERDICT_EQUAL && report->bar != COMPARE_EXACT ? "total, explained" : words[verdict];
     if (report->style == REPORT_TAP) printf("1..%d\n# ", report->count);
     print_tally(word, tally, report->bar);
+    fflush(stdout);
+}
+
+void report_channel(struct report *report, const char *name, enum verdict verdict, const char *figures)
+{
+    report->count++;
+    if (report->style == REPORT_QUIET) return;
+    if (report->style == REPORT_TAP)
+        printf("%s %d - agrees with its twin: ", verdict == VERDICT_EQUAL ? "ok" : "not ok", report->count);
+    printf("%-22s %s\n", name, figures);
+    if (verdict == VERDICT_UNPROVED) printf("# %s: nothing was proved\n", name);
     fflush(stdout);
 }
 

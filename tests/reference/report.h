@@ -20,6 +20,9 @@ struct report {
 void report_line(struct report *report, const char *name, enum verdict verdict, const struct tally *tally);
 void report_total(struct report *report, enum verdict verdict, const struct tally *tally);
 
+/* One line for a channel that is held against its twin, over all scenes (twins.h). */
+void report_channel(struct report *report, const char *name, enum verdict verdict, const char *figures);
+
 /* A file that our readers refuse: not passed over in silence. */
 void report_refused(struct report *report, const char *name, const char *reason);
 

@@ -63,6 +63,8 @@ static enum verdict check_view(const struct checking *c, const struct zr_scene *
 {
     struct harness_pictures pictures;
     enum verdict verdict = harness_check(c->harness, scene, name, number, tally, &pictures);
+    enum verdict channels = twins_check(c->options->twins, c->harness, scene, name, &pictures, tally);
+    if (channels > verdict) verdict = channels;
     if (c->report->page) page_picture(c->report->page, name, verdict, &pictures);
     if (c->options->pictures && pictures.frame) report_pictures(c->options->pictures, name, number, &pictures);
     return verdict;

@@ -6,11 +6,12 @@
 #ifndef ZR_TEST_SCENE_FILES_H
 #define ZR_TEST_SCENE_FILES_H
 
-#include "reference/report.h"
+#include "reference/twins.h"
 
 struct scene_files_options {
     const char *preset;   /* of bare meshes: a name, or "all" */
     const char *pictures; /* NULL, or the directory that gets pictures of everything */
+    struct twins *twins;  /* that all channels are held against */
 };
 
 /* A file that was named and cannot be read proves nothing; one that a folder brought along, and that our

@@ -54,15 +54,32 @@ void subject_make(struct subject *subject, const struct drawing *drawing)
                                                 .projection_matrix = drawing->projection}};
 }
 
-const struct zr_frame *subject_render(struct zr_arena *arena, struct zr_team *team, const struct zr_scene *scene)
+static const struct zr_frame *render(struct zr_arena *arena, struct zr_team *team, const struct zr_scene *scene,
+                                     const struct zr_output *wanted, uint32_t count)
 {
     struct zr_scene asked = *scene;
-    asked.output_count = sizeof outputs / sizeof *outputs;
-    asked.outputs = outputs;
+    asked.output_count = count;
+    asked.outputs = wanted;
     struct zr_error error = {.status = ZR_OK};
     const struct zr_frame *frame = NULL;
     enum zr_status status = zr_render(arena, team, &asked, NULL, NULL, &frame, &error);
-    if (status == ZR_OK && frame && frame->color && frame->window_depth && frame->face_id) return frame;
+    bool whole = status == ZR_OK && frame;
+    for (uint32_t i = 0; whole && i < count; i++)
+        whole = frame->channels[wanted[i].channel] != NULL;
+    if (whole) return frame;
     fprintf(stderr, "zr_render: status %d, %s\n", (int)status, error.count ? error.items[0].detail : "no frame");
     return NULL;
+}
+
+const struct zr_frame *subject_render(struct zr_arena *arena, struct zr_team *team, const struct zr_scene *scene)
+{
+    return render(arena, team, scene, outputs, sizeof outputs / sizeof *outputs);
+}
+
+const void *subject_channel(struct zr_arena *arena, struct zr_team *team, const struct zr_scene *scene,
+                            enum zr_channel channel, enum zr_space space)
+{
+    const struct zr_output wanted = {.channel = channel, .encoding = ZR_ENCODING_NPY, .space = space};
+    const struct zr_frame *frame = render(arena, team, scene, &wanted, 1);
+    return frame ? frame->channels[channel] : NULL;
 }

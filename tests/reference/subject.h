@@ -22,4 +22,8 @@ void subject_make(struct subject *subject, const struct drawing *drawing);
  * the arena's next reset. NULL on failure, explained on stderr. */
 const struct zr_frame *subject_render(struct zr_arena *arena, struct zr_team *team, const struct zr_scene *scene);
 
+/* One channel, in a space that it has, of a rendering that makes nothing else; stands and fails likewise. */
+const void *subject_channel(struct zr_arena *arena, struct zr_team *team, const struct zr_scene *scene,
+                            enum zr_channel channel, enum zr_space space);
+
 #endif
