@@ -9,12 +9,12 @@
 #include "geometry/clip.h"
 
 struct zr_cut {
-    uint32_t first_vertex;        /* of those that are left, which follow one another */
-    uint32_t corners[3];          /* of what was cut: positions of the mesh; of a line two */
-    uint32_t slots[3];            /* and their slots of mesh->indices; of a line of the mesh 0 */
-    uint8_t count;                /* vertices that are left: */
-    uint8_t ids[ZR_CLIP_MAX];     /* numbers of values, as in zr_clip_replay */
-    uint8_t corner_count;         /* 3, of a line 2 */
+    uint32_t first_vertex;    /* of those that are left, which follow one another */
+    uint32_t corners[3];      /* of what was cut: positions of the mesh; of a line two */
+    uint32_t slots[3];        /* and their slots of mesh->indices; of a line of the mesh 0 */
+    uint8_t count;            /* vertices that are left: */
+    uint8_t ids[ZR_CLIP_MAX]; /* numbers of values, as in zr_clip_replay */
+    uint8_t corner_count;     /* 3, of a line 2 */
     uint8_t made_count;
     const struct zr_clip_made *made;
 };

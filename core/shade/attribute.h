@@ -14,7 +14,8 @@ enum zr_rate {
     ZR_RATE_CORNER
 };
 
-/* Vertices are counted from the instance's first, corners by their slots (draw.h): what clipping made follows behind. */
+/* Vertices are counted from the instance's first, corners by their slots (draw.h): what clipping made follows behind.
+ */
 struct zr_attribute {
     enum zr_rate rate;
     const zr_vec4 *values; /* NULL: there are none */

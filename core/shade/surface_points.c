@@ -106,7 +106,8 @@ static struct record record_make(struct points *points, uint32_t owner)
     record.depth = depth_of(points, &shown, &source);
     if (!points->wants_shares) return record;
     struct zr_source given = source;
-    if (shown.turned && !source.is_cut) { /* as rule 6 wants it: shares are of the corners as given */
+    const bool is_turned = ZR_MUTANT(shares_of_turned_corners, shown.turned, false);
+    if (is_turned && !source.is_cut) { /* as rule 6 wants it: shares are of the corners as given */
         given.corners[0] = source.corners[zr_swapped_corner()];
         given.corners[zr_swapped_corner()] = source.corners[0];
     }
@@ -186,9 +187,10 @@ static void find_in_object(struct points *points, const struct record *record, c
 static void put_position(struct points *points, const struct record *record, const double eye[4],
                          const double shares[3], float *out)
 {
+    const enum zr_space space = ZR_MUTANT(positions_of_the_camera, points->space, ZR_SPACE_CAMERA);
     double placed[4] = {eye[0], eye[1], eye[2], 1.0};
-    if (points->space == ZR_SPACE_WORLD) zr_matrix_apply(&points->to_world, eye, placed);
-    if (points->space == ZR_SPACE_OBJECT) find_in_object(points, record, eye, shares, placed);
+    if (space == ZR_SPACE_WORLD) zr_matrix_apply(&points->to_world, eye, placed);
+    if (space == ZR_SPACE_OBJECT) find_in_object(points, record, eye, shares, placed);
     for (int k = 0; k < 3; k++)
         out[k] = (float)(placed[3] != 0.0 ? placed[k] / placed[3] : placed[k]);
 }
@@ -208,7 +210,8 @@ static void put_sample(struct points *points, const struct record *record, doubl
     double eye[4], each[3] = {0, 0, 0};
     const double depth = kept_within(plane_at(&d->depth, x, y) / plane_at(&d->one, x, y), d->min, d->max);
     eye_point(points, x, y, depth, eye);
-    if (distance) distance[pixel] = (float)(points->eye.w == 0.0f ? depth : length_from(points->eye, eye));
+    const bool is_parallel = ZR_MUTANT(distance_is_depth, points->eye.w == 0.0f, true);
+    if (distance) distance[pixel] = (float)(is_parallel ? depth : length_from(points->eye, eye));
     if (record->corners[0]) find_shares(record, x, y, each);
     if (position) put_position(points, record, eye, each, position + 3 * pixel);
     for (int k = 0; shares && k < 3; k++)

@@ -102,9 +102,8 @@ static bool make_floats(struct making *m)
     zr_vec4 *front = zr_arena_alloc(m->arena, count, sizeof *front);
     zr_vec4 *back = m->backs ? zr_arena_alloc(m->arena, count, sizeof *back) : front;
     if (!zr_arena_ok(m->arena)) return false;
-    m->mesh_colors =
-        zr_colors_make(m->arena, m->team, m->cancel, m->scene, m->mesh, &m->out->lighting, &m->instance->to_eye,
-                       &m->vertex_normals[m->mesh - m->scene->meshes], front, back);
+    m->mesh_colors = zr_colors_make(m->arena, m->team, m->cancel, m->scene, m->mesh, &m->out->lighting,
+                                    &m->instance->to_eye, &m->vertex_normals[m->mesh - m->scene->meshes], front, back);
     if (!zr_arena_ok(m->arena)) return false;
     extend(m, rate, own, front);
     if (back != front) extend(m, rate, own, back);
@@ -206,9 +205,8 @@ static bool make_points(struct making *m)
         if (zr_is_cancelled(m->cancel)) return true;
         for (uint32_t i = 0; i < m->mesh->position_count; i++) {
             const zr_vec4 p = zr_mat4_apply(&m->instance->to_eye, m->mesh->positions[i]);
-            of_instance[i] = eye.w == 0.0f
-                                 ? p
-                                 : (zr_vec4){p.x - eye.x * p.w, p.y - eye.y * p.w, p.z - eye.z * p.w, 0.0f};
+            of_instance[i] =
+                eye.w == 0.0f ? p : (zr_vec4){p.x - eye.x * p.w, p.y - eye.y * p.w, p.z - eye.z * p.w, 0.0f};
         }
         extend(m, ZR_RATE_VERTEX, m->mesh->position_count, of_instance);
     }
@@ -229,8 +227,7 @@ static bool make_surface(struct making *m, const struct zr_draw *draw, struct zr
     surface->is_late = m->colors && zr_material_is_shaded_late(draw->material);
     if (surface->is_late)
         surface->attributes[ZR_ATTRIBUTE_POINT] = (struct zr_attribute){ZR_RATE_VERTEX, m->points + draw->first_vertex};
-    return !(surface->is_late || m->all_normals) ||
-           find_normals(m, draw, &surface->attributes[ZR_ATTRIBUTE_NORMAL]);
+    return !(surface->is_late || m->all_normals) || find_normals(m, draw, &surface->attributes[ZR_ATTRIBUTE_NORMAL]);
 }
 
 static void look_at_materials(struct making *m)

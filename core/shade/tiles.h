@@ -1,5 +1,5 @@
-/* tiles.h - shade: all tiles of a window, one after the other by each thread: who is seen in it, and its pixels in every
- * channel. Nothing of a tile is kept.
+/* tiles.h - shade: all tiles of a window, one after the other by each thread: who is seen in it, and its pixels in
+ * every channel. Nothing of a tile is kept.
  */
 #ifndef ZR_TILES_H
 #define ZR_TILES_H

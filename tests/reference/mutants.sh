@@ -25,6 +25,9 @@ counts_of() {
     sed -n 's/^total.* coverage \([0-9]*\) .* depth \([0-9]*\) .* colour \([0-9]*\) .*/coverage \1 depth \2 colour \3/p' "$1"
 }
 
+# Of scenes: " channels N"
+channels_of() { sed -n 's/^total.*\( channels [0-9]*\).*/\1/p' "$1"; }
+
 # NAME.json or KIND TRIANGLES, options
 verify() {
     log=$logs/$number
@@ -74,6 +77,14 @@ check_perturbed_floats() {
     done
 }
 
+# A camera that is off by a thousandth of a pixel: each channel whose bound is one of rounding must see it.
+check_perturbed_channels() {
+    verify several-meshes-and-materials.json --perturb 0.00003
+    status=$? seen=$(grep -c 'beyond [1-9].* losses' "$log") blind=$(grep -c 'beyond 0 .* losses' "$log")
+    if [ "$status:$blind" = 1:0 ] && [ "$seen" -gt 0 ]; then verdict=ok; else verdict='not ok'; fi
+    report "$verdict" "none, but the reference's camera is moved by very little ($seen channels see it, $blind do not)"
+}
+
 check() { # mutant, what is run, what must differ
     # Without a mutant all is equal, or a difference would prove nothing.
     if ! grep -qxF "$2" "$logs/equal"; then
@@ -84,7 +95,7 @@ check() { # mutant, what is run, what must differ
     # shellcheck disable=SC2086
     verify $2 --mutant "$1"
     status=$?
-    counts=$(counts_of "$log")
+    counts=$(counts_of "$log")$(channels_of "$log")
     shown=$(printf '%s\n' "$counts" | sed -n "s/.*$3 \([0-9]*\).*/\1/p")
     if [ $status -eq 1 ] && [ "${shown:-0}" -gt 0 ]; then
         report ok "$1, by $2 ($counts)"
@@ -105,6 +116,7 @@ if [ $# -eq 0 ]; then
     check_perturbed
     check_perturbed_light
     check_perturbed_floats
+    check_perturbed_channels
 fi
 while IFS='@' read -r name run shows; do
     case $name in '#'* | '') continue ;; esac

@@ -13,7 +13,7 @@ static inline zr_vi zr_face_id_words(const struct zr_shader *s, const struct zr_
 static inline zr_vi zr_instance_id_words(const struct zr_shader *s, const struct zr_run *run)
 {
     (void)s;
-    return zr_vi_set((int32_t)run->draw->instance + 1);
+    return zr_vi_set(ZR_MUTANT(instances_from_0, (int32_t)run->draw->instance + 1, (int32_t)run->draw->instance));
 }
 
 #endif
