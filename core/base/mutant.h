@@ -60,7 +60,7 @@
     row(distance_is_depth)          /* channels: not the length of the ray */                                         \
     row(positions_of_the_camera)    /* channels: whatever space is asked for */                                       \
     row(shares_of_turned_corners)   /* channels: the two that rule 6 exchanges are not changed back */                \
-    row(instances_from_0)            /* channels: what nothing is, too */                                                 \
+    row(instances_from_0)           /* channels: the first one has the number of nobody */                            \
     row(upside_down)                /* the picture */
 /* clang-format on */
 

@@ -1,4 +1,4 @@
-/* assemble.h - geometry: a mesh of placed vertices -> records in the window: its faces, then the
+/* assemble.h - geometry: a mesh of placed vertices -> draws: its faces, then the
  * outlines of faces, then its lines.
  */
 #ifndef ZR_ASSEMBLE_H
@@ -6,7 +6,7 @@
 
 #include "geometry/builder.h"
 
-/* Appends the records of the instance under way. ZR_OK, ZR_CANCELLED or ZR_NO_MEMORY. */
+/* Appends the draws of the instance under way. ZR_OK, ZR_CANCELLED or ZR_NO_MEMORY. */
 enum zr_status zr_assemble_mesh(struct zr_builder *builder);
 
 #endif

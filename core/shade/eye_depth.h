@@ -1,4 +1,4 @@
-/* eye_depth.h - shade: how far a record lies in front of the camera, at each sample. A kernel.
+/* eye_depth.h - shade: how far a primitive lies in front of the camera, at each sample. A kernel.
  *
  * Space:  window space, y up, the sample of pixel X, Y in its middle; depth is eye space's
  *         -z / w, in scene units.
@@ -33,7 +33,7 @@ static inline struct zr_eye_depth zr_eye_depth_nothing(void)
 }
 
 /* Of a line. */
-struct zr_eye_depth zr_eye_depth_of_line(const struct zr_geometry *geometry, const struct zr_triangle *record);
+struct zr_eye_depth zr_eye_depth_of_line(const struct zr_geometry *geometry, const struct zr_triangle *line);
 
 /* The range of a triangle some of whose corners are not in front of the eye: it is unknown, or that of the piece that
  * clipping left. With so much room that only what is seen from its edge could be kept from its depth. */
@@ -54,7 +54,7 @@ struct zr_eye_runs {
 enum { ZR_EYE_ROOM = 16 };
 
 struct zr_eye_depths {
-    /* Of `count` triangles of one instance, by their corners in object space, in the order that their records have them
+    /* Of `count` triangles of one instance, by their corners in object space, in the order that they are drawn in
      * (rule 6): another order may give another last bit. Returns how many have corners that are not in front of the
      * eye: their ranges are widened. `corners` has ZR_EYE_ROOM more, which may be written. */
     uint32_t (*make)(const struct zr_source_instance *instance, const zr_vec4 *(*corners)[3], uint32_t count,

@@ -5,33 +5,34 @@
 #include "base/matrix.h"
 #include "geometry/geometry.h"
 
-/* What is the same for all samples of a record. */
-struct record {
+/* What is the same for all samples of a primitive. */
+struct shown {
     uint32_t owner; /* 0: none */
     struct zr_eye_depth depth;
     const struct zr_source_instance *instance;
-    const zr_vec4 *corners[3];          /* as given; NULL: of a line, or nothing needs them */
-    struct zr_eye_plane shares[2], one; /* of corners 1 and 2, and 1, all times the same; of lines 0 */
+    const zr_vec4 *corners[3];         /* as given; NULL: of a line, or nothing needs them */
+    struct zr_eye_plane parts[2], one; /* of corners 1 and 2, and 1, all times the same; of lines 0 */
+    double w[3];                       /* of the corners in eye space */
 };
 
-/* Records come back row by row: the last ones are remembered. */
+/* They come back row by row: the last ones are remembered. */
 enum { REMEMBERED = 64 };
 
 struct points {
     const struct zr_geometry *geometry;
     const struct zr_eye_depths *kernel;
     const struct zr_frame *frame;
-    const struct zr_draw *draw; /* of the last record */
+    const struct zr_draw *draw; /* of the last one */
     enum zr_space space;
     bool wants_shares;
     zr_vec4 eye; /* zr_camera_eye */
     struct zr_matrix projection, to_world;
     const struct zr_source_instance *last; /* to_object is of */
     struct zr_matrix to_object;
-    struct record records[REMEMBERED];
+    struct shown shown[REMEMBERED];
 };
 
-/* ---- records ---- */
+/* ---- primitives ---- */
 
 static void cross(const double *a, const double *b, double *out)
 {
@@ -60,11 +61,11 @@ static double source_value(const struct zr_source_instance *instance, const zr_v
            (double)p->w * m[3][row];
 }
 
-static void find_planes(const struct points *points, const struct zr_source *source, struct record *record)
+static void find_planes(const struct points *points, const struct zr_source *source, struct shown *shown)
 {
     static const int rows[3] = {ZR_SOURCE_X, ZR_SOURCE_Y, ZR_SOURCE_W};
     const double width = (double)points->frame->width, height = (double)points->frame->height;
-    double c[3][3], w[3]; /* corner 0, and the ways from there to the others */
+    double c[3][3]; /* corner 0, and the ways from there to the others */
     for (int i = 0; i < 3; i++) {
         zr_vec4 p = *source->corners[i];
         if (i > 0) {
@@ -73,14 +74,14 @@ static void find_planes(const struct points *points, const struct zr_source *sou
         }
         for (int r = 0; r < 3; r++)
             c[i][r] = source_value(source->instance, &p, rows[r]);
-        w[i] = source_value(source->instance, source->corners[i], ZR_SOURCE_EYE_W);
+        shown->w[i] = source_value(source->instance, source->corners[i], ZR_SOURCE_EYE_W);
     }
-    record->one = value_plane(c, w[0], w[1] - w[0], w[2] - w[0], width, height);
-    record->shares[0] = value_plane(c, 0.0, w[1], 0.0, width, height);
-    record->shares[1] = value_plane(c, 0.0, 0.0, w[2], width, height);
+    shown->one = value_plane(c, 1.0, 0.0, 0.0, width, height);
+    shown->parts[0] = value_plane(c, 0.0, 1.0, 0.0, width, height);
+    shown->parts[1] = value_plane(c, 0.0, 0.0, 1.0, width, height);
 }
 
-static struct zr_eye_depth depth_of(const struct points *points, const struct zr_triangle *record,
+static struct zr_eye_depth depth_of(const struct points *points, const struct zr_triangle *piece,
                                     const struct zr_source *source)
 {
     const zr_vec4 *corners[1 + ZR_EYE_ROOM][3];
@@ -88,39 +89,39 @@ static struct zr_eye_depth depth_of(const struct points *points, const struct zr
     memcpy(corners[0], source->corners, sizeof corners[0]);
     if (points->kernel->make(source->instance, corners, 1, points->frame->width, points->frame->height, out) > 0 &&
         source->is_cut)
-        zr_eye_depth_take_piece(points->geometry, record, &out[0]);
+        zr_eye_depth_take_piece(points->geometry, piece, &out[0]);
     return out[0];
 }
 
-static struct record record_make(struct points *points, uint32_t owner)
+static struct shown shown_make(struct points *points, uint32_t owner)
 {
     const struct zr_geometry *geometry = points->geometry;
     points->draw = zr_draw_next(geometry, points->draw, owner - 1);
-    const struct zr_triangle shown = zr_triangle_of(geometry, points->draw, owner - 1);
-    struct record record = {.owner = owner, .instance = &geometry->instances[points->draw->instance]};
-    if (shown.line) {
-        record.depth = zr_eye_depth_of_line(geometry, &shown);
-        return record;
+    const struct zr_triangle triangle = zr_triangle_of(geometry, points->draw, owner - 1);
+    struct shown shown = {.owner = owner, .instance = &geometry->instances[points->draw->instance]};
+    if (triangle.line) {
+        shown.depth = zr_eye_depth_of_line(geometry, &triangle);
+        return shown;
     }
-    const struct zr_source source = zr_source_of(geometry, points->draw, shown.v);
-    record.depth = depth_of(points, &shown, &source);
-    if (!points->wants_shares) return record;
+    const struct zr_source source = zr_source_of(geometry, points->draw, triangle.v);
+    shown.depth = depth_of(points, &triangle, &source);
+    if (!points->wants_shares) return shown;
     struct zr_source given = source;
-    const bool is_turned = ZR_MUTANT(shares_of_turned_corners, shown.turned, false);
+    const bool is_turned = ZR_MUTANT(shares_of_turned_corners, triangle.turned, false);
     if (is_turned && !source.is_cut) { /* as rule 6 wants it: shares are of the corners as given */
         given.corners[0] = source.corners[zr_swapped_corner()];
         given.corners[zr_swapped_corner()] = source.corners[0];
     }
-    memcpy(record.corners, given.corners, sizeof record.corners);
-    find_planes(points, &given, &record);
-    return record;
+    memcpy(shown.corners, given.corners, sizeof shown.corners);
+    find_planes(points, &given, &shown);
+    return shown;
 }
 
-static const struct record *record_of(struct points *points, uint32_t owner)
+static const struct shown *shown_of(struct points *points, uint32_t owner)
 {
-    struct record *record = &points->records[owner % REMEMBERED];
-    if (record->owner != owner) *record = record_make(points, owner);
-    return record;
+    struct shown *shown = &points->shown[owner % REMEMBERED];
+    if (shown->owner != owner) *shown = shown_make(points, owner);
+    return shown;
 }
 
 /* ---- samples ---- */
@@ -154,43 +155,50 @@ static void eye_point(const struct points *points, double x, double y, double de
     out[3] = 1.0;
 }
 
-/* Of the corners as given. */
-static void find_shares(const struct record *record, double x, double y, double out[3])
+/* How much of each corner as given is in the sample, as homogeneous points: what is seen of a triangle lies between its
+ * corners then, wherever these are, while their shares of the place are beyond 0..1 where some have a w below 0. */
+static void find_parts(const struct shown *shown, double x, double y, double out[3])
 {
-    const double one = plane_at(&record->one, x, y);
-    out[1] = kept_within(plane_at(&record->shares[0], x, y) / one, 0.0, 1.0);
-    out[2] = kept_within(plane_at(&record->shares[1], x, y) / one, 0.0, 1.0 - out[1]);
+    const double one = plane_at(&shown->one, x, y);
+    out[1] = kept_within(plane_at(&shown->parts[0], x, y) / one, 0.0, 1.0);
+    out[2] = kept_within(plane_at(&shown->parts[1], x, y) / one, 0.0, 1.0 - out[1]);
     out[0] = 1.0 - out[1] - out[2];
 }
 
-/* Of a triangle, from its corners, since an instance may be flattened: there is no way back then, and lines have 0. */
-static void find_in_object(struct points *points, const struct record *record, const double eye[4],
-                           const double shares[3], double out[4])
+static void put_shares(const struct shown *shown, const double parts[3], float *out)
 {
-    if (record->corners[0]) {
+    const double all = (parts[0] * shown->w[0] + parts[1] * shown->w[1]) + parts[2] * shown->w[2];
+    for (int k = 0; k < 3; k++)
+        out[k] = shown->corners[0] && all != 0.0 ? (float)(parts[k] * shown->w[k] / all) : 0.0f;
+}
+
+/* Of a triangle, from its corners, since an instance may be flattened: there is no way back then, and lines have 0. */
+static void find_in_object(struct points *points, const struct shown *shown, const double eye[4], const double parts[3],
+                           double out[4])
+{
+    if (shown->corners[0]) {
         memset(out, 0, 4 * sizeof *out);
         for (int k = 0; k < 3; k++) {
-            const zr_vec4 *p = record->corners[k];
-            const double share = p->w != 0.0f ? shares[k] / (double)p->w : shares[k];
-            out[0] += share * (double)p->x;
-            out[1] += share * (double)p->y;
-            out[2] += share * (double)p->z;
+            const zr_vec4 *p = shown->corners[k];
+            out[0] += parts[k] * (double)p->x;
+            out[1] += parts[k] * (double)p->y;
+            out[2] += parts[k] * (double)p->z;
+            out[3] += parts[k] * (double)p->w;
         }
-        out[3] = 1.0;
         return;
     }
-    if (points->last != record->instance) (void)zr_matrix_invert(&record->instance->object_to_eye, &points->to_object);
-    points->last = record->instance;
+    if (points->last != shown->instance) (void)zr_matrix_invert(&shown->instance->object_to_eye, &points->to_object);
+    points->last = shown->instance;
     zr_matrix_apply(&points->to_object, eye, out);
 }
 
-static void put_position(struct points *points, const struct record *record, const double eye[4],
-                         const double shares[3], float *out)
+static void put_position(struct points *points, const struct shown *shown, const double eye[4], const double parts[3],
+                         float *out)
 {
     const enum zr_space space = ZR_MUTANT(positions_of_the_camera, points->space, ZR_SPACE_CAMERA);
     double placed[4] = {eye[0], eye[1], eye[2], 1.0};
     if (space == ZR_SPACE_WORLD) zr_matrix_apply(&points->to_world, eye, placed);
-    if (space == ZR_SPACE_OBJECT) find_in_object(points, record, eye, shares, placed);
+    if (space == ZR_SPACE_OBJECT) find_in_object(points, shown, eye, parts, placed);
     for (int k = 0; k < 3; k++)
         out[k] = (float)(placed[3] != 0.0 ? placed[k] / placed[3] : placed[k]);
 }
@@ -201,21 +209,20 @@ static double length_from(zr_vec4 eye, const double point[4])
     return sqrt((x * x + y * y) + z * z);
 }
 
-static void put_sample(struct points *points, const struct record *record, double x, double y, size_t pixel)
+static void put_sample(struct points *points, const struct shown *shown, double x, double y, size_t pixel)
 {
-    const struct zr_eye_depth *d = &record->depth;
+    const struct zr_eye_depth *d = &shown->depth;
     float *distance = points->frame->channels[ZR_CHANNEL_DISTANCE];
     float *position = points->frame->channels[ZR_CHANNEL_POSITION];
     float *shares = points->frame->channels[ZR_CHANNEL_BARYCENTRICS];
-    double eye[4], each[3] = {0, 0, 0};
+    double eye[4], parts[3] = {0, 0, 0};
     const double depth = kept_within(plane_at(&d->depth, x, y) / plane_at(&d->one, x, y), d->min, d->max);
     eye_point(points, x, y, depth, eye);
     const bool is_parallel = ZR_MUTANT(distance_is_depth, points->eye.w == 0.0f, true);
     if (distance) distance[pixel] = (float)(is_parallel ? depth : length_from(points->eye, eye));
-    if (record->corners[0]) find_shares(record, x, y, each);
-    if (position) put_position(points, record, eye, each, position + 3 * pixel);
-    for (int k = 0; shares && k < 3; k++)
-        shares[3 * pixel + (size_t)k] = (float)each[k];
+    if (shown->corners[0]) find_parts(shown, x, y, parts);
+    if (position) put_position(points, shown, eye, parts, position + 3 * pixel);
+    if (shares) put_shares(shown, parts, shares + 3 * pixel);
 }
 
 static void put_nothing(const struct zr_frame *frame, size_t pixel)
@@ -251,11 +258,11 @@ void zr_surface_points_tile(const struct zr_geometry *geometry, const struct zr_
         const size_t first = (size_t)(frame->height - 1 - (uint32_t)(tile->y + y)) * frame->width + (size_t)tile->x;
         int32_t begin = 0, end;
         for (uint64_t bits = ends(owners, tile->width); bits; bits &= bits - 1, begin = end) {
-            const struct record *record = owners[begin] > 0 ? record_of(&points, owners[begin]) : NULL;
+            const struct shown *shown = owners[begin] > 0 ? shown_of(&points, owners[begin]) : NULL;
             end = __builtin_ctzll(bits) + 1;
             for (int32_t x = begin; x < end; x++)
-                if (record)
-                    put_sample(&points, record, (double)(tile->x + x), (double)(tile->y + y), first + (size_t)x);
+                if (shown)
+                    put_sample(&points, shown, (double)(tile->x + x), (double)(tile->y + y), first + (size_t)x);
                 else
                     put_nothing(frame, first + (size_t)x);
         }

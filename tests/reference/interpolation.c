@@ -103,19 +103,17 @@ void interpolation_enter(struct interpolation *p, uint32_t first)
     unsigned any = 0;
     p->first = first;
     p->known = true;
-    p->is_behind = false;
     p->count = 0;
     p->reach = p->reach_w = p->reach_clip = 0.0;
     for (int k = 0; k < 3; k++) {
         const zr_vec4 at = p->arrays->positions[first + (uint32_t)k];
         reach_corner(p, batch, at);
         values[k] = value_of(p, batch, at, k);
-        p->is_behind |= zr_mat4_apply(batch->modelview, at).w < 0.0f || (at.w <= 0.0f && p->of == INTERPOLATION_OBJECT);
         corners[k] = zr_mat4_apply(&to_clip, at);
         any |= zr_clip_outcode(corners[k]);
     }
     const int count = zr_clip_triangle(corners, any, NULL, &clipped);
-    zr_clip_replay(&clipped, values);
+    zr_clip_replay(clipped.made, clipped.made_count, clipped.corners, values);
     for (int i = 0; i < count; i++)
         (void)zr_viewport_apply(&viewport, clipped.vertices[i].position, &v[i]);
     for (int i = 2; i < count; i++)

@@ -44,7 +44,6 @@ struct interpolation {
     enum interpolation_of of;
 
     bool known;
-    bool is_behind; /* a corner has w < 0 in eye space, so that shares of it may be below 0; or, of places, w <= 0 */
     uint32_t first;
     double reach, reach_w, reach_clip;
     int count;

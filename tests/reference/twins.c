@@ -210,11 +210,8 @@ static bool is_left_out(struct checking *c, bool is_line)
     const enum interpolation_of of = c->twin->of;
     const bool is_rounded = c->twin->bar == ROUNDED;
     const bool line = is_rounded && is_line && of != INTERPOLATION_SHARES;
-    const bool behind = is_rounded && !is_line && c->interpolation.is_behind &&
-                        (of == INTERPOLATION_SHARES || of == INTERPOLATION_OBJECT);
     c->sum->lines += line;
-    c->sum->behind += behind;
-    return line || behind;
+    return line;
 }
 
 static void compare_pixel(struct checking *c, struct pixel *p)
@@ -294,7 +291,7 @@ enum verdict twins_report(const struct twins *twins, struct report *report)
     enum verdict worst = VERDICT_EQUAL;
     for (size_t i = 0; i < TWINS; i++) {
         const struct twin_sum *s = &twins->sums[i];
-        const bool proved = s->pixels + s->lines + s->behind > 0;
+        const bool proved = s->pixels + s->lines > 0;
         const enum verdict verdict = s->beyond ? VERDICT_DIFFERENT : proved ? VERDICT_EQUAL : VERDICT_UNPROVED;
         char figures[400], most[120], left_out[160] = "";
         if (table[i].bar == EXACT)
@@ -302,10 +299,7 @@ enum verdict twins_report(const struct twins *twins, struct report *report)
         else
             snprintf(most, sizeof most, "max %.3f of %.0f losses  bound below 1e-4 at %" PRIu64, s->most, losses_max,
                      s->sharp);
-        if (s->lines + s->behind)
-            snprintf(left_out, sizeof left_out,
-                     "  left out: %" PRIu64 " pixels of lines, %" PRIu64 " of faces with corners at w <= 0", s->lines,
-                     s->behind);
+        if (s->lines) snprintf(left_out, sizeof left_out, "  left out: %" PRIu64 " pixels of lines", s->lines);
         snprintf(figures, sizeof figures, "pixels %10" PRIu64 "  equal %10" PRIu64 "  beyond %" PRIu64 "  %s%s",
                  s->pixels, s->equal, s->beyond, most, left_out);
         report_channel(report, table[i].name, verdict, figures);

@@ -14,12 +14,12 @@
 enum { TWINS_MAX = 16 };
 
 struct twin_sum {
-    uint64_t pixels;        /* compared */
-    uint64_t lines, behind; /* left out: a line covers them; or a face that has a corner whose w is not above 0 */
-    uint64_t equal;         /* of the pixels: to the last bit */
-    uint64_t sharp;         /* of them: less than a 10000th of the value may be off */
-    uint64_t beyond;        /* of them: more is off than may be */
-    double most;            /* that is off: of exact ones in ulp, else in losses of interpolation.h */
+    uint64_t pixels; /* compared */
+    uint64_t lines;  /* left out: a line covers them */
+    uint64_t equal;  /* of the pixels: to the last bit */
+    uint64_t sharp;  /* of them: less than a 10000th of the value may be off */
+    uint64_t beyond; /* of them: more is off than may be */
+    double most;     /* that is off: of exact ones in ulp, else in losses of interpolation.h */
 };
 
 /* All zero to begin with. */
