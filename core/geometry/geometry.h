@@ -54,4 +54,15 @@ static inline const struct zr_draw *zr_draw_next(const struct zr_geometry *geome
 /* A primitive of the draw. */
 struct zr_triangle zr_triangle_of(const struct zr_geometry *geometry, const struct zr_draw *draw, uint32_t number);
 
+/* The triangle of a mesh that a primitive shows, or is a piece of. */
+struct zr_source {
+    const struct zr_source_instance *instance;
+    const zr_vec4 *corners[3]; /* object space */
+    bool is_cut;               /* the primitive is a piece of the triangle */
+};
+
+/* Of a triangle of the draw, by its window vertices. Takes the logarithm of how many primitives were cut. */
+struct zr_source zr_source_of(const struct zr_geometry *geometry, const struct zr_draw *draw,
+                              const uint32_t vertices[3]);
+
 #endif

@@ -1,4 +1,6 @@
-#include "geometry/geometry.h"
+#include "geometry/source.h"
+
+#include "scene/scene.h"
 
 struct zr_source_instance zr_source_instance_make(const struct zr_camera *camera, const zr_mat4 *object_to_world,
                                                   const struct zr_mesh *mesh, uint32_t first_vertex)
@@ -16,30 +18,4 @@ struct zr_source_instance zr_source_instance_make(const struct zr_camera *camera
         out.columns[column][ZR_SOURCE_EYE_W] = eye.m[column * 4 + 3];
     }
     return out;
-}
-
-static const struct zr_cut *cut_of(const struct zr_geometry *geometry, uint32_t vertex)
-{
-    uint32_t low = 0, high = geometry->cut_count;
-    while (high - low > 1) {
-        uint32_t middle = low + (high - low) / 2;
-        if (geometry->cuts[middle].first_vertex <= vertex)
-            low = middle;
-        else
-            high = middle;
-    }
-    return &geometry->cuts[low];
-}
-
-struct zr_source zr_source_of(const struct zr_geometry *geometry, const struct zr_draw *draw,
-                              const uint32_t vertices[3])
-{
-    struct zr_source source = {.instance = &geometry->instances[draw->instance]};
-    const uint32_t first = draw->first_vertex;
-    const uint32_t *cut =
-        vertices[0] - first < draw->mesh->position_count ? NULL : cut_of(geometry, vertices[0])->corners;
-    source.is_cut = cut != NULL;
-    for (int k = 0; k < 3; k++)
-        source.corners[k] = &draw->mesh->positions[cut ? cut[k] : vertices[k] - first];
-    return source;
 }

@@ -1,9 +1,8 @@
-/* source.h - geometry: from a primitive back to the triangle of a mesh that it shows.
+/* source.h - geometry: how positions of an instance get to clip and eye space, in double.
  *
- * Space:  object space, and matrices in double from there to clip and eye space.
  * Why:    window vertices are rounded to float, those that clipping makes more than once.
  *         What has to be right to the last bits of a float (shade/eye_depth.h) starts
- *         again from the mesh, of which a primitive is never more than a part.
+ *         again from the mesh (zr_source_of), of which a primitive is never more than a part.
  */
 #ifndef ZR_SOURCE_H
 #define ZR_SOURCE_H
@@ -24,21 +23,8 @@ struct zr_source_instance {
     zr_mat4 to_eye; /* the same in floats, as vertices have it */
 };
 
-struct zr_source {
-    const struct zr_source_instance *instance;
-    const zr_vec4 *corners[3]; /* object space */
-    bool is_cut;               /* the primitive is a piece of the triangle */
-};
-
-struct zr_geometry;
-struct zr_draw;
-
 /* The floats of scene and camera, multiplied in double. */
 struct zr_source_instance zr_source_instance_make(const struct zr_camera *camera, const zr_mat4 *object_to_world,
                                                   const struct zr_mesh *mesh, uint32_t first_vertex);
-
-/* Of a triangle of the draw, by its window vertices. Takes the logarithm of how many primitives were cut. */
-struct zr_source zr_source_of(const struct zr_geometry *geometry, const struct zr_draw *draw,
-                              const uint32_t vertices[3]);
 
 #endif
