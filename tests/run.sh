@@ -131,7 +131,10 @@ for part in "$@"; do
             say "LEFT OUT: four meshes of assimp-testmodels: there is no $assimp"
         fi
         ;;
-    mutants) run mutants tests/reference/mutants.sh "$build" ;;
+    mutants)
+        run mutants tests/reference/mutants.sh "$build"
+        run fast tests/reference/fast.sh "$build"
+        ;;
     *)
         echo "run.sh: no such part: $part" >&2
         exit 2

@@ -1,5 +1,6 @@
 #include "geometry/assemble.h"
 
+#include "base/fast.h"
 #include "geometry/face.h"
 #include "geometry/place.h"
 #include "geometry/shape.h"
@@ -105,8 +106,8 @@ static enum zr_status assemble_faces(struct zr_builder *builder, const struct zr
         run.end = run.begin;
         run.material = zr_material_of_face(builder->scene, mesh, run.begin);
         bool filled = !run.material->hollow && run.material->outline == ZR_OUTLINE_NONE;
-        bool all_plain = filled && !mesh->face_materials && !fans->is_other && !builder->any_outcodes;
-        if (all_plain) run.end = mesh->face_count;
+        const bool all_plain = filled && !mesh->face_materials && !fans->is_other && !builder->any_outcodes;
+        if (ZR_FAST(whole_meshes, all_plain)) run.end = mesh->face_count;
         while (run.end < mesh->face_count && filled && face_is_plain(builder, fans, run.end) &&
                zr_material_of_face(builder->scene, mesh, run.end) == run.material)
             run.end++;

@@ -1,6 +1,7 @@
 #include "raster/bins.h"
 
 #include "base/expect.h"
+#include "base/fast.h"
 #include "raster/tiny_simd.h"
 
 /* So many triangles are looked at before those of them that are tiny or small are drawn or listed. What is done with
@@ -179,7 +180,9 @@ static inline void sort_group(struct sorter *s, uint32_t at, zr_vm valid, uint32
     const zr_vp last_place = zr_vp_min(pixel + ((beyond + most) >> ZR_SUBPIXEL_BITS), s->last);
     const zr_vp more = last_place - first_place; /* less than 0: no pixel centre */
     const zr_vm drawn = zr_vm_and(shown, has_none(more, 1u << 15));
-    const zr_vm tiny = zr_vm_and(drawn, has_none(more, (uint16_t)-2)), listed = zr_vm_andnot(drawn, tiny);
+    const zr_vm is_tiny = zr_vm_and(drawn, has_none(more, (uint16_t)-2));
+    const zr_vm tiny = ZR_FAST(tiny_fragments, zr_vm_any(is_tiny)) ? is_tiny : zr_vm_of(0);
+    const zr_vm listed = zr_vm_andnot(drawn, tiny);
     const zr_vi numbers = zr_vi_set((int32_t)first) + zr_vi_ramp();
     zr_tiny_add(&s->tiny, tiny, numbers, first_place, beyond + ((pixel - first_place) << ZR_SUBPIXEL_BITS), way1, way2);
     if (zr_vm_any(listed)) add_small(s, listed, first_place, last_place, numbers);

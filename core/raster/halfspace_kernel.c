@@ -1,5 +1,6 @@
 #include "raster/halfspace.h"
 
+#include "base/fast.h"
 #include "raster/tile_simd.h"
 #include "raster/triangle_simd.h"
 
@@ -62,12 +63,10 @@ static bool cut_by(const struct zr_edge *e, struct piece *p, int k)
 
 /* What is known of ZR_LANES blocks before any of their samples is looked at. */
 struct blocks {
-    zr_vm open;      /* some samples may be seen */
-    zr_vm whole;     /* and no end of the piece cuts it, */
-    zr_vm filled;    /* nor an edge */
-    zr_vm unclamped; /* whole, and the triangle's plane lies between 0 and 1 all over, and has no offset */
-    zr_vm cut[3];    /* by the edge; says something of whole blocks only */
-    zr_vf far;       /* of the triangle in it */
+    zr_vm open;   /* some samples may be seen */
+    zr_vm whole;  /* and no end of the piece cuts it, */
+    zr_vm filled; /* nor an edge */
+    zr_vf far;    /* of the triangle in it */
 };
 
 /* Edges and depth grow or fall steadily, so that a block's corner has the extreme. Blocks that the piece ends in are
@@ -83,14 +82,14 @@ static inline struct blocks look_at_blocks(const struct zr_tile *tile, const str
                 y1 = zr_vi_min(y + zr_vi_set(ZR_BLOCK_HEIGHT - 1), zr_vi_set(p->y1));
     const zr_vi zero = zr_vi_set(0);
     struct blocks out;
+    zr_vm cut = zr_vi_lt(zero, zero); /* by some edge; says something of whole blocks only */
     zr_vi most = zero;
     for (int k = 0; k < 3; k++) {
-        out.cut[k] = zr_vi_lt(zero, zero);
         if ((p->right[k] | p->up[k]) == 0) continue;
         const zr_vi right = zr_vi_set(p->right[k]), up = zr_vi_set(p->up[k]), at = zr_vi_set(p->at[k]);
         const zr_vi left = (x0 - zr_vi_set(p->x0)) * right, far_right = (x1 - zr_vi_set(p->x0)) * right;
         const zr_vi low = (y0 - zr_vi_set(p->y0)) * up, high = (y1 - zr_vi_set(p->y0)) * up;
-        out.cut[k] = zr_vi_lt(at + zr_vi_min(left, far_right) + zr_vi_min(low, high), zero);
+        cut = zr_vm_or(cut, zr_vi_lt(at + zr_vi_min(left, far_right) + zr_vi_min(low, high), zero));
         most |= at + zr_vi_max(left, far_right) + zr_vi_max(low, high);
     }
     const zr_vf fx0 = zr_vf_of(x0), fx1 = zr_vf_of(x1), fy0 = zr_vf_of(y0), fy1 = zr_vf_of(y1);
@@ -101,14 +100,13 @@ static inline struct blocks look_at_blocks(const struct zr_tile *tile, const str
     const zr_vf near = zr_depth_clamp_v(range.near + offset);
     out.far = zr_depth_clamp_v(range.far + offset);
     const zr_vm touched = zr_vm_and(zr_vi_lt(x0, x1 + zr_vi_set(1)), zr_vi_lt(y0, y1 + zr_vi_set(1)));
-    const zr_vm hidden = zr_vm_or(zr_vf_lt(zr_vf_load(tile->block_far + first), near), zr_vi_lt(most, zero));
-    out.open = zr_vm_andnot(touched, hidden);
+    const zr_vm outside = zr_vi_lt(most, zero), behind = zr_vf_lt(zr_vf_load(tile->block_far + first), near);
+    out.open = zr_vm_andnot(touched, outside);
+    if (ZR_FAST(hidden_blocks, zr_vm_any(behind))) out.open = zr_vm_andnot(out.open, behind);
     const zr_vm whole =
         zr_vm_and(zr_vi_eq(x1 - x0, zr_vi_set(ZR_BLOCK_WIDTH - 1)), zr_vi_eq(y1 - y0, zr_vi_set(ZR_BLOCK_HEIGHT - 1)));
     out.whole = zr_vm_and(out.open, whole);
-    out.filled = zr_vm_andnot(out.whole, zr_vm_or(out.cut[0], zr_vm_or(out.cut[1], out.cut[2])));
-    const zr_vm between = zr_vm_and(zr_vf_lt(zr_vf_set(0.0f), range.near), zr_vf_lt(range.far, zr_vf_set(1.0f)));
-    out.unclamped = zr_vm_and(out.whole, zr_vm_and(between, zr_vf_eq(offset, zr_vf_set(0.0f))));
+    out.filled = zr_vm_andnot(out.whole, cut);
     return out;
 }
 _Static_assert(ZR_BLOCK_COLUMNS == 1 << 2 && ZR_BLOCKS % ZR_LANES == 0,
@@ -158,34 +156,6 @@ static inline void bound_block(struct zr_tile *tile, int block, zr_vf far)
     if (!zr_vm_any(zr_vf_le(zr_vf_set(1.0f), far))) tile->block_far[block] = farthest_of(far);
 }
 
-/* An unclamped block that `edge` alone cuts: most of those that are drawn of a large triangle are so (a twelfth of the
- * time of a cube at 256x256). A fresh one gets no bound: of its samples at least one lies outside. */
-static inline void draw_beside_edge(struct zr_tile *tile, const struct piece *p, int block, int edge, bool fresh)
-{
-    const zr_vi owner = zr_vi_set((int32_t)p->owner), right = zr_vi_set(p->right[edge]), up = zr_vi_set(p->up[edge]);
-    const int32_t x = tile->x + block % ZR_BLOCK_COLUMNS * ZR_BLOCK_WIDTH;
-    const int32_t y = tile->y + block / ZR_BLOCK_COLUMNS * ZR_BLOCK_HEIGHT;
-    const int32_t at = p->at[edge] + (x - p->x0) * p->right[edge] + (y - p->y0) * p->up[edge];
-    zr_vf far = zr_vf_set(0.0f);
-    for (int32_t v = 0; v < ZR_BLOCK_WIDTH; v += ZR_LANES) {
-        const struct zr_depth_columns columns = zr_depth_columns_of(p->depth, x + v);
-        zr_vi e = zr_vi_set(at) + right * (zr_vi_set(v) + zr_vi_ramp());
-        zr_vf fy = zr_vf_set((float)y);
-        size_t i = zr_block_first(block) + (size_t)v;
-        for (int row = 0; row < ZR_BLOCK_HEIGHT; row++, i += ZR_TILE_STRIDE, fy = fy + zr_vf_set(1.0f), e += up) {
-            const zr_vm inside = zr_vi_lt(zr_vi_set(-1), e);
-            const zr_vf z = columns.across + columns.dady * fy;
-            if (fresh) {
-                zr_vf_store(&tile->depth[i], zr_vf_select(inside, z, zr_vf_set(1.0f)));
-                zr_vi_store(&tile->owner[i], zr_vi_select(inside, owner, zr_vi_set(0)));
-            } else {
-                far = zr_vf_max(far, zr_tile_put_v(&tile->depth[i], &tile->owner[i], inside, z, owner).nearest);
-            }
-        }
-    }
-    if (!fresh) bound_block(tile, block, far);
-}
-
 /* Triangles that share an edge cover a block together: then it has a bound too (a fifth of the time of large ones,
  * which clipping cuts to pieces). */
 static inline void draw_in_block(struct zr_tile *tile, const struct piece *p, int block, bool fresh)
@@ -221,27 +191,15 @@ static inline void write_blocks(struct zr_tile *tile, uint32_t blocks)
     tile->unwritten &= ~blocks;
 }
 
-/* Those that one edge alone cuts. */
-static inline uint32_t cut_once(const zr_vm cut[3])
-{
-    const uint32_t by0 = zr_vm_bits(cut[0]), by1 = zr_vm_bits(cut[1]), by2 = zr_vm_bits(cut[2]);
-    return (by0 ^ by1 ^ by2) & ~(by0 & by1 & by2);
-}
-
 /* Draws the triangle to `shared`, bits of blocks from `first` on. fresh: nothing is written there yet. */
 static inline void draw_shared(struct zr_tile *tile, const struct piece *p, int first, const struct blocks *blocks,
                                uint32_t shared, uint32_t fresh)
 {
-    const uint32_t beside = zr_vm_bits(blocks->unclamped) & cut_once(blocks->cut), filled = zr_vm_bits(blocks->filled);
-    const uint32_t by1 = zr_vm_bits(blocks->cut[1]), by2 = zr_vm_bits(blocks->cut[2]);
+    const uint32_t filled = zr_vm_bits(blocks->filled);
     for (uint32_t bits = shared; bits; bits &= bits - 1) {
         const uint32_t bit = bits & -bits;
-        const int block = first + zr_lowest_bit(bits), edge = by1 & bit ? 1 : by2 & bit ? 2 : 0;
-        if (beside & fresh & bit)
-            draw_beside_edge(tile, p, block, edge, true);
-        else if (beside & bit)
-            draw_beside_edge(tile, p, block, edge, false);
-        else if (fresh & bit)
+        const int block = first + zr_lowest_bit(bits);
+        if (fresh & bit)
             draw_in_block(tile, p, block, true);
         else if (filled & bit)
             fill_block(tile, p, block);
@@ -259,7 +217,8 @@ static inline bool draw_blocks(struct zr_tile *tile, const struct piece *p, int 
     const zr_vi owners = zr_vi_load(tile->block_owner + first);
     const zr_vm nobodys = zr_vm_and(zr_vm_of(tile->unwritten >> first & ZR_ALL_BITS), zr_vi_eq(owners, zr_vi_set(0)));
     /* Where it is nearer than 1 all over, and nothing else is seen yet. */
-    const zr_vm alone = zr_vm_and(zr_vf_lt_where(blocks.filled, blocks.far, one), nobodys);
+    zr_vm alone = zr_vm_and(zr_vf_lt_where(blocks.filled, blocks.far, one), nobodys);
+    if (!ZR_FAST(owned_blocks, zr_vm_any(alone))) alone = zr_vm_of(0);
     const uint32_t owned = zr_vm_bits(alone);
     const uint32_t shared = zr_vm_bits(blocks.open) & ~owned, fresh = zr_vm_bits(zr_vm_and(blocks.whole, nobodys));
     write_blocks(tile, (shared & ~fresh) << first);

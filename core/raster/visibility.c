@@ -3,6 +3,7 @@
 #include <string.h>
 
 #include "base/expect.h"
+#include "base/fast.h"
 #include "geometry/geometry.h"
 #include "raster/line_draw.h"
 #include "raster/oddeven.h"
@@ -54,8 +55,8 @@ static int nearest_of(const struct candidates *c)
 static void draw_candidates(const struct zr_visible *visible, struct candidates *c, struct zr_tile *tile)
 {
     while (c->count > 0) {
-        const int i = nearest_of(c);
-        if (c->near[i] > tile->far) break;
+        const int i = ZR_FAST(nearest_first, true) ? nearest_of(c) : 0;
+        if (ZR_FAST(nearest_first, c->near[i] > tile->far)) break;
         visible->halfspace->draw(tile, &c->items[i]->setup, c->items[i]->owner);
         c->count--;
         c->near[i] = c->near[c->count];
@@ -71,7 +72,7 @@ static void add_candidate(const struct zr_visible *visible, const struct zr_wide
     if (!zr_tile_touches(tile, (const int32_t[4]){setup->min_x, setup->min_y, setup->max_x, setup->max_y})) return;
     const int32_t x1 = tile->x + tile->width - 1, y1 = tile->y + tile->height - 1;
     const float near = zr_depth_range_of(&setup->depth, tile->x, tile->y, x1, y1).near;
-    if (near > tile->far) return;
+    if (ZR_FAST(nearest_first, near > tile->far)) return;
     c->near[c->count] = near;
     c->items[c->count++] = wide;
     if (c->count == CHOSEN_AT_ONCE) draw_candidates(visible, c, tile);

@@ -3,6 +3,7 @@
 #ifndef ZR_BLOCKS_SIMD_H
 #define ZR_BLOCKS_SIMD_H
 
+#include "base/fast.h"
 #include "base/rgba_simd.h"
 #include "raster/tile_simd.h"
 #include "shade/shader_simd.h"
@@ -187,7 +188,8 @@ static inline void zr_finish_block(const struct zr_shader *s, const struct zr_ti
 {
     const struct zr_block_parts *parts = &s->parts.blocks[number];
     struct zr_block_pixels block;
-    if (parts->is_whole && !s->has_planes[parts->first] && !behind && zr_tile_has_whole_blocks(tile)) {
+    const bool is_word = parts->is_whole && !s->has_planes[parts->first] && !behind && zr_tile_has_whole_blocks(tile);
+    if (ZR_FAST(whole_words, is_word)) {
         zr_block_put_word(number, zr_vi_set((int32_t)s->words[parts->first]), out);
         return;
     }

@@ -1,5 +1,6 @@
 #include "shade/colors.h"
 
+#include "base/fast.h"
 #include "base/rgba.h"
 #include "geometry/face.h"
 #include "shade/normals.h"
@@ -268,7 +269,7 @@ static struct coloring coloring_make(struct zr_team *team, const struct zr_cance
 static void make_of_faces(struct zr_team *team, struct coloring *coloring)
 {
     zr_team_ranges(team, coloring->mesh->face_count, points_a_range(coloring),
-                   are_alike_triangles(coloring) ? color_alike : color_faces, coloring);
+                   ZR_FAST(alike_points, are_alike_triangles(coloring)) ? color_alike : color_faces, coloring);
 }
 
 struct zr_colors zr_colors_make_packed(struct zr_team *team, const struct zr_cancel *cancel,
@@ -303,7 +304,7 @@ struct zr_colors zr_colors_make(struct zr_arena *arena, struct zr_team *team, co
     if (!zr_arena_ok(arena)) return colors;
     if (rate == ZR_RATE_VERTEX)
         zr_team_ranges(team, mesh->position_count, points_a_range(&coloring),
-                       are_alike_vertices(&coloring) ? color_alike : color_vertices, &coloring);
+                       ZR_FAST(alike_points, are_alike_vertices(&coloring)) ? color_alike : color_vertices, &coloring);
     else
         make_of_faces(team, &coloring);
     return colors;

@@ -1,5 +1,6 @@
 #include "shade/paint.h"
 
+#include "base/fast.h"
 #include "base/rgba.h"
 #include "raster/line.h"
 #include "shade/early.h"
@@ -42,7 +43,7 @@ static bool pack_colors(struct zr_arena *arena, struct zr_team *team, struct zr_
             surface->packed = last->packed;
             continue;
         }
-        if ((uint64_t)surface->color_count * PIXELS_A_COLOR > pixels) continue;
+        if (!ZR_FAST(packed_later, (uint64_t)surface->color_count * PIXELS_A_COLOR <= pixels)) continue;
         uint32_t *out = zr_arena_alloc(arena, surface->color_count, sizeof *out);
         if (!out) return false;
         struct packing packing = {zr_rgba_pack_of(zr_team_isa(team)), color->values, out};
@@ -100,9 +101,9 @@ enum zr_status zr_paint_prepare(struct zr_arena *arena, struct zr_team *team, co
     if (!backs) return ZR_NO_MEMORY;
     for (uint32_t i = 0; i < count; i++) {
         struct zr_surface *surface = &surfaces->of_draw[i];
-        words = words_of_backs(surface);
+        words = ZR_FAST(noted_backs, words_of_backs(surface) > 0) ? words_of_backs(surface) : 0;
         out[i] = (struct zr_payload){.context = surface, .draw = surface->draw, .backs = words > 0 ? backs : NULL};
-        if (zr_surface_is_painted_early(surface)) out[i].make = zr_early_of(zr_team_isa(team));
+        if (ZR_FAST(early_words, zr_surface_is_painted_early(surface))) out[i].make = zr_early_of(zr_team_isa(team));
         look_first(surface, &out[i]);
         surface->backs = out[i].backs;
         backs += words;

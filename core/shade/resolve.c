@@ -3,6 +3,7 @@
 #include <assert.h>
 #include <string.h>
 
+#include "base/fast.h"
 #include "base/rgba.h"
 #include "raster/halfspace.h"
 #include "shade/depths.h"
@@ -52,8 +53,8 @@ enum { STREAMED_PIXELS = 1 << 18 };
 static bool is_streamed(const struct zr_frame *frame, const struct zr_tile *tile)
 {
     const uint32_t line = 64 / 4;
-    return (uint64_t)frame->width * frame->height >= STREAMED_PIXELS && frame->width % line == 0 &&
-           tile->width == ZR_TILE_SIZE;
+    return ZR_FAST(streamed, (uint64_t)frame->width * frame->height >= STREAMED_PIXELS && frame->width % line == 0 &&
+                                 tile->width == ZR_TILE_SIZE);
 }
 _Static_assert(ZR_ARENA_ALIGN == 64, "so are those of the first row");
 

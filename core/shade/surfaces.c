@@ -2,6 +2,7 @@
 
 #include <string.h>
 
+#include "base/fast.h"
 #include "scene/camera.h"
 #include "shade/colors.h"
 #include "shade/eye_normals.h"
@@ -115,8 +116,8 @@ static bool find_mesh_colors(struct making *m)
 {
     if (m->has_colors) return true;
     m->has_colors = true;
-    if (zr_colors_are_given(m->scene, m->mesh, &m->mesh_colors)) return copy_given(m);
-    return zr_colors_can_be_packed(m->scene, m->mesh) ? make_packed(m) : make_floats(m);
+    if (ZR_FAST(given_colors, zr_colors_are_given(m->scene, m->mesh, &m->mesh_colors))) return copy_given(m);
+    return ZR_FAST(packed_colors, zr_colors_can_be_packed(m->scene, m->mesh)) ? make_packed(m) : make_floats(m);
 }
 
 /* Those of the vertices, times the material's. */

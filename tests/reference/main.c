@@ -1,8 +1,10 @@
 /* zraster-verify: is every pixel of ours the reference's pixel, to the last bit? */
+#include <inttypes.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/fast.h"
 #include "base/mutant.h"
 #include "reference/floats.h"
 #include "reference/generate.h"
@@ -138,6 +140,11 @@ int main(int argc, char **argv)
         fprintf(stderr, "zraster-verify: --mutant: this build has no mutant '%s'\n", options.mutant);
         return VERDICT_UNPROVED;
     }
+    const bool counts = options.without && strcmp(options.without, "list") == 0;
+    if (options.without && !counts && !zr_fast_forbid(options.without)) {
+        fprintf(stderr, "zraster-verify: --without: this build has no switch for '%s'\n", options.without);
+        return VERDICT_UNPROVED;
+    }
     struct harness harness;
     enum verdict verdict = VERDICT_UNPROVED;
     bool open = harness_open(&harness, &options.harness);
@@ -149,5 +156,8 @@ int main(int argc, char **argv)
         verdict = check_all(&harness, &options);
     }
     harness_close(&harness);
+    uint64_t taken;
+    for (int i = 0; counts && zr_fast_name(i, &taken); i++)
+        printf("%s %" PRIu64 "\n", zr_fast_name(i, &taken), taken);
     return (int)verdict;
 }

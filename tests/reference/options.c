@@ -39,6 +39,7 @@ const char options_usage[] =
     "  --mutant NAME       a rule of ours is wrong on purpose, to see the comparison fail; 'list' lists them. Only "
     "the\n"
     "                      zraster-verify of build/mutant has any\n"
+    "  --without NAME      a fast way of ours is not taken; 'list' counts how often each was. Likewise\n"
     "  --line-rule         prints the rule by which Mesa draws lines, and nothing else: current, from Mesa 25.0 on, "
     "or\n"
     "                      older, which only the zraster-verify of build/mutant has, too\n"
@@ -131,6 +132,9 @@ static bool take(struct options *options, int option, const char *text)
     case 'u':
         options->mutant = text;
         return true;
+    case 'W':
+        options->without = text;
+        return true;
     case 'm':
         options->models = text;
         return true;
@@ -189,6 +193,7 @@ bool options_parse(int argc, char **argv, struct options *options)
                                           {"perturb-ambient", required_argument, NULL, 'b'},
                                           {"perturb-lights", required_argument, NULL, 'c'},
                                           {"mutant", required_argument, NULL, 'u'},
+                                          {"without", required_argument, NULL, 'W'},
                                           {"line-rule", no_argument, NULL, 'r'},
                                           {"tap", no_argument, NULL, 'p'},
                                           {"plain", no_argument, NULL, 'n'},

@@ -13,6 +13,7 @@ struct options {
     bool plain;                    /* the page has pictures of differences only */
     const char *preset;            /* of bare meshes */
     const char *mutant;            /* NULL: none */
+    const char *without;           /* likewise */
     bool line_rule;                /* to be printed, and that is all */
     struct harness_options harness;
     enum report_style style;

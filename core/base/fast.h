@@ -1,0 +1,59 @@
+/* fast.h - base: fast ways, special cases beside the general way that give the same bytes sooner.
+ *
+ *     if (ZR_FAST(packed_colors, zr_colors_can_be_packed(scene, mesh))) ...
+ *
+ * is that condition in every build but `make MUTANTS=1` (mutant.h), whose programs may switch fast ways off and count
+ * how often each was taken. tests/reference/fast.txt has a case for each: with it on it must run, with it off the same
+ * pictures must be equal to the reference's. What one earns is measured against a build without it:
+ *
+ *     make BUILD=build/without CPPFLAGS=-DZR_WITHOUT=stamps build/without/zraster-bench build/without/zrasterd
+ *     make bench ARGS='--against build/without'
+ *
+ * One stays only if it earns a tenth of the time of something that users meet.
+ */
+#ifndef ZR_FAST_H
+#define ZR_FAST_H
+
+#include <stdbool.h>
+#include <stdint.h>
+
+/* What each earns: of the time, with it, of what is named. */
+/* clang-format off */
+#define ZR_EACH_FAST(row)                                                                                             \
+    row(whole_meshes)    /* geometry: a mesh that is wholly in view is one draw, unlooked at; a million triangles 12 % */ \
+    row(tiny_fragments)  /* raster: tiny triangles are drawn as they are sorted; a million triangles 45 % */          \
+    row(stamps)          /* raster: small triangles sample by sample, many at once; bunny 512x512 20 % */             \
+    row(hidden_blocks)   /* raster: blocks that are nearer already are passed over; layers front to back 60 % */      \
+    row(owned_blocks)    /* raster: blocks that a triangle has alone are not written; cube 17 %, fills 20 % */        \
+    row(nearest_first)   /* raster: large triangles by their depths, until the rest is hidden; cube 30 % */           \
+    row(early_words)     /* shade: colours of tiny and small triangles as they are drawn; bunny 512x512 25 % */       \
+    row(given_colors)    /* shade: the mesh's own colours, not copied; a million triangles 10 % */                    \
+    row(alike_points)    /* shade: meshes in one colour are lit without telling faces apart; lit bunny 16 % */        \
+    row(packed_colors)   /* shade: flat colours are made as bytes; lit flat bunny 10 % */                             \
+    row(packed_later)    /* shade: few flat colours are packed for many pixels; bunny 1080p flat 10 % */              \
+    row(noted_backs)     /* shade: which flat triangles show their backs is noted while sorted; lit flat 1080p 30 % */ \
+    row(whole_words)     /* shade: a block in one word is written as such; fills 15 % */                              \
+    row(streamed)        /* shade: frames go past the caches; bunny 512x512 40 %, fills 25 % */
+/* clang-format on */
+
+#define ZR_FAST_ITEM(name) ZR_FAST_##name,
+enum zr_fast { ZR_EACH_FAST(ZR_FAST_ITEM) ZR_FAST_COUNT };
+#define ZR_FAST_OF(name)   ZR_FAST_NAMED(name)
+#define ZR_FAST_NAMED(name) ZR_FAST_##name
+
+#ifdef ZR_MUTANTS
+bool zr_fast_take(enum zr_fast fast);
+#define ZR_FAST(name, condition) ((condition) && zr_fast_take(ZR_FAST_##name))
+#elif defined ZR_WITHOUT
+#define ZR_FAST(name, condition) ((condition) && ZR_FAST_##name != ZR_FAST_OF(ZR_WITHOUT))
+#else
+#define ZR_FAST(name, condition) (condition)
+#endif
+
+/* Switches one off. Not while another thread renders. False where this build has no such switch. */
+bool zr_fast_forbid(const char *name);
+
+/* The name of the fast way of that number, from 0 on, and how often it was taken; NULL: this build has no more. */
+const char *zr_fast_name(int number, uint64_t *taken);
+
+#endif
