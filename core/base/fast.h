@@ -38,7 +38,7 @@
 
 #define ZR_FAST_ITEM(name) ZR_FAST_##name,
 enum zr_fast { ZR_EACH_FAST(ZR_FAST_ITEM) ZR_FAST_COUNT };
-#define ZR_FAST_OF(name)   ZR_FAST_NAMED(name)
+#define ZR_FAST_OF(name)    ZR_FAST_NAMED(name)
 #define ZR_FAST_NAMED(name) ZR_FAST_##name
 
 #ifdef ZR_MUTANTS

@@ -8,13 +8,13 @@
 
 /* A triangle keeps the order of its corners; a larger polygon becomes the fan
  * (i-1, i, 0), as GL_POLYGON does in the reference (rule 10). */
-static void place_fan(struct zr_builder *builder, uint32_t face, const struct zr_part *part)
+static void place_fan(struct zr_builder *builder, uint32_t face, const struct zr_common *common)
 {
     const struct zr_mesh *mesh = builder->mesh;
     uint32_t begin = mesh->face_offsets[face], count = mesh->face_offsets[face + 1] - begin;
     for (uint32_t i = 2; i < count; i++) {
         const uint32_t fan[3] = {i - 1, i, 0}, whole[3] = {0, 1, 2}, *order = count == 3 ? whole : fan;
-        zr_place_triangle(builder, (const uint32_t[3]){begin + order[0], begin + order[1], begin + order[2]}, part);
+        zr_place_triangle(builder, (const uint32_t[3]){begin + order[0], begin + order[1], begin + order[2]}, common);
     }
 }
 
@@ -31,11 +31,12 @@ static void place_face(struct zr_builder *builder, uint32_t face)
     const bool concave = zr_face_is_shape(mesh, face);
     counts->concave_polygons += concave;
     if (material->hollow) return;
-    const struct zr_part part = {.face = face, .material = material, .pushed = material->outline != ZR_OUTLINE_NONE};
+    const struct zr_common common = {
+        .face = face, .material = material, .pushed = material->outline != ZR_OUTLINE_NONE};
     if (concave)
-        zr_shape_place(builder, face, &part);
+        zr_shape_place(builder, face, &common);
     else
-        place_fan(builder, face, &part);
+        place_fan(builder, face, &common);
 }
 
 static void outline_face(struct zr_builder *builder, uint32_t face)

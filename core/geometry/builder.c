@@ -105,42 +105,42 @@ static bool make_room_to_place(struct zr_builder *builder)
 }
 
 /* True where the last draw ends with what was placed last, and goes on so. */
-static bool goes_on(const struct zr_builder *builder, const struct zr_part *part)
+static bool goes_on(const struct zr_builder *builder, const struct zr_common *common)
 {
     const struct zr_geometry *g = builder->geometry;
     if (builder->placed.count == 0 || g->primitive_count >= ZR_GEOMETRY_MAX) return false;
     const struct zr_draw *last = &g->draws[g->draw_count - 1];
-    return last->counted && last->instance == builder->instance && last->kind == part->kind &&
-           last->material == part->material && last->pushed == part->pushed;
+    return last->counted && last->instance == builder->instance && last->kind == common->kind &&
+           last->material == common->material && last->pushed == common->pushed;
 }
 
-void zr_builder_place(struct zr_builder *builder, const struct zr_part *part, const struct zr_end ends[3])
+void zr_builder_place(struct zr_builder *builder, const struct zr_common *common, const struct zr_end ends[3])
 {
     struct zr_geometry *g = builder->geometry;
     struct zr_placed *p = &builder->placed;
     if (!make_room_to_place(builder)) return;
     const uint32_t at = p->count;
-    if (goes_on(builder, part)) {
+    if (goes_on(builder, common)) {
         g->draws[g->draw_count - 1].count++;
         g->primitive_count++;
     } else if (!zr_builder_add_draw(
                    builder, (struct zr_draw){.count = 1,
-                                             .kind = part->kind,
-                                             .pushed = part->pushed,
+                                             .kind = common->kind,
+                                             .pushed = common->pushed,
                                              .counted = true,
-                                             .material = part->material,
+                                             .material = common->material,
                                              .corners = p->corners + 3 * at,
                                              .slots = p->slots + 3 * at,
                                              .faces = p->faces + at,
-                                             .traits = part->kind == ZR_DRAW_TRIANGLES ? NULL : p->traits + at})) {
+                                             .traits = common->kind == ZR_DRAW_TRIANGLES ? NULL : p->traits + at})) {
         return;
     }
     for (int k = 0; k < 3; k++) {
         p->corners[3 * at + (uint32_t)k] = ends[k].vertex;
         p->slots[3 * at + (uint32_t)k] = ends[k].slot;
     }
-    p->faces[at] = part->face;
-    p->traits[at] = 2 * part->shape + part->back;
+    p->faces[at] = common->face;
+    p->traits[at] = 2 * common->shape + common->back;
     p->count++;
 }
 

@@ -61,7 +61,7 @@ bool zr_builder_reserve_shape(struct zr_builder *builder, uint64_t edges);
 bool zr_builder_add_draw(struct zr_builder *builder, struct zr_draw draw);
 
 /* What all primitives of a face, or a line, have in common. */
-struct zr_part {
+struct zr_common {
     uint32_t face; /* as in zr_draw.faces */
     const struct zr_material *material;
     enum zr_draw_kind kind;
@@ -77,7 +77,7 @@ struct zr_end {
 };
 
 /* Appends a primitive by itself, to the last draw where that is of the same kind. Failure is the arena's. */
-void zr_builder_place(struct zr_builder *builder, const struct zr_part *part, const struct zr_end ends[3]);
+void zr_builder_place(struct zr_builder *builder, const struct zr_common *common, const struct zr_end ends[3]);
 
 /* A position in clip space. */
 static inline zr_vec4 zr_builder_clip_position(const struct zr_builder *builder, uint32_t position)

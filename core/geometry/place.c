@@ -20,31 +20,31 @@ bool zr_place_is_thin(const struct zr_window_vertex *v0, const struct zr_window_
 }
 
 /* Drops what has no area or shows its back and must not. True where it was kept. */
-static bool append_triangle(struct zr_builder *builder, const struct zr_end ends[3], const struct zr_part *part)
+static bool append_triangle(struct zr_builder *builder, const struct zr_end ends[3], const struct zr_common *common)
 {
     struct zr_geometry *geometry = builder->geometry;
     const struct zr_window_vertex *vertices = geometry->vertices + builder->first_vertex;
     const struct zr_window_vertex *v0 = &vertices[ends[0].vertex], *v1 = &vertices[ends[1].vertex],
                                   *v2 = &vertices[ends[2].vertex];
     const int64_t area = zr_window_area(v0, v1, v2);
-    if (area == 0 || (part->skip_thin && zr_place_is_thin(v0, v1, v2))) {
+    if (area == 0 || (common->skip_thin && zr_place_is_thin(v0, v1, v2))) {
         geometry->counts.zero_area++;
         return false;
     }
     const bool counter_clockwise = area < 0; /* with y up */
-    const bool back = part->kind == ZR_DRAW_SHAPES
-                          ? part->back
+    const bool back = common->kind == ZR_DRAW_SHAPES
+                          ? common->back
                           : ZR_MUTANT(culls_fronts, counter_clockwise, !counter_clockwise) == builder->mirrored;
-    if (back && !part->material->double_sided) {
+    if (back && !common->material->double_sided) {
         geometry->counts.culled++;
         return false;
     }
-    zr_builder_place(builder, part, ends);
+    zr_builder_place(builder, common, ends);
     return zr_arena_ok(builder->arena);
 }
 
 static void clip_and_append(struct zr_builder *builder, const struct zr_end corners[3], unsigned outcodes,
-                            const struct zr_part *part)
+                            const struct zr_common *common)
 {
     struct zr_geometry *geometry = builder->geometry;
     struct zr_clipped clipped;
@@ -60,7 +60,7 @@ static void clip_and_append(struct zr_builder *builder, const struct zr_end corn
     for (int i = 2; i < count; i++) {
         const struct zr_end piece[3] = {ends[i - 1], ends[i], ends[0]};
         if (!placed[i - 1] || !placed[i] || !placed[0]) continue;
-        if (append_triangle(builder, piece, part)) geometry->counts.drawn_pieces++;
+        if (append_triangle(builder, piece, common)) geometry->counts.drawn_pieces++;
     }
     /* The triangle is counted once, as clipped: what became of its pieces is counted apart. */
     geometry->counts.culled_pieces += geometry->counts.culled - before.culled;
@@ -68,7 +68,7 @@ static void clip_and_append(struct zr_builder *builder, const struct zr_end corn
     geometry->counts.zero_area = before.zero_area;
 }
 
-void zr_place_triangle(struct zr_builder *builder, const uint32_t slots[3], const struct zr_part *part)
+void zr_place_triangle(struct zr_builder *builder, const uint32_t slots[3], const struct zr_common *common)
 {
     struct zr_counts *counts = &builder->geometry->counts;
     struct zr_end corners[3];
@@ -81,7 +81,7 @@ void zr_place_triangle(struct zr_builder *builder, const uint32_t slots[3], cons
     else if (codes.any & ZR_OUTCODE_UNPLACED)
         counts->zero_area++;
     else if (codes.any)
-        clip_and_append(builder, corners, codes.any, part);
+        clip_and_append(builder, corners, codes.any, common);
     else
-        counts->drawn_whole += append_triangle(builder, corners, part);
+        counts->drawn_whole += append_triangle(builder, corners, common);
 }

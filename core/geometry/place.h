@@ -13,6 +13,6 @@ bool zr_place_is_thin(const struct zr_window_vertex *v0, const struct zr_window_
 
 /* Places a triangle of a face by its slots in the mesh under way, or up to ZR_CLIP_MAX pieces of it. Failure is the
  * arena's. */
-void zr_place_triangle(struct zr_builder *builder, const uint32_t slots[3], const struct zr_part *part);
+void zr_place_triangle(struct zr_builder *builder, const uint32_t slots[3], const struct zr_common *common);
 
 #endif

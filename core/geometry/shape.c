@@ -170,21 +170,21 @@ static uint32_t cut(struct zr_builder *builder, uint32_t face)
     return zr_triangulate(&cutting->triangulator, cutting->points, cutting->offsets, rings.count, cutting->triangles);
 }
 
-static void place_triangles(struct zr_builder *builder, uint32_t begin, const struct zr_part *part, uint32_t count)
+static void place_triangles(struct zr_builder *builder, uint32_t begin, const struct zr_common *common, uint32_t count)
 {
     for (uint32_t i = 0; i < count; i++) {
         const uint32_t *cut = builder->cutting.triangles[i];
-        zr_place_triangle(builder, (const uint32_t[3]){begin + cut[0], begin + cut[1], begin + cut[2]}, part);
+        zr_place_triangle(builder, (const uint32_t[3]){begin + cut[0], begin + cut[1], begin + cut[2]}, common);
     }
 }
 
-void zr_shape_place(struct zr_builder *builder, uint32_t face, const struct zr_part *part)
+void zr_shape_place(struct zr_builder *builder, uint32_t face, const struct zr_common *common)
 {
     struct zr_geometry *geometry = builder->geometry;
     const uint32_t begin = builder->mesh->face_offsets[face];
     struct zr_rings rings = zr_mesh_rings(builder->mesh, face);
     uint32_t first_edge = geometry->edge_count, first_triangle = geometry->primitive_count;
-    struct zr_part own = *part;
+    struct zr_common own = *common;
     struct trace trace = {.builder = builder};
     own.kind = ZR_DRAW_SHAPES;
     own.back = zr_shape_shows_back(builder, face);

@@ -16,7 +16,7 @@
 
 /* Appends the face as a shape and its triangles, unless it is turned away or outside.
  * The kind, the shape and the side need not be filled in. Failure is the arena's. */
-void zr_shape_place(struct zr_builder *builder, uint32_t face, const struct zr_part *part);
+void zr_shape_place(struct zr_builder *builder, uint32_t face, const struct zr_common *common);
 
 /* Which side of the face is seen, by the winding of its outer ring in the window: true for the back. */
 bool zr_shape_shows_back(const struct zr_builder *builder, uint32_t face);

@@ -16,12 +16,13 @@ static void own_eye(struct zr_builder *builder, uint32_t vertex)
         builder->geometry->eyes[builder->first_vertex + vertex] = zr_builder_eye(builder, vertex);
 }
 
-static void append_line(struct zr_builder *builder, const struct zr_part *part, struct zr_end from, struct zr_end to)
+static void append_line(struct zr_builder *builder, const struct zr_common *common, struct zr_end from,
+                        struct zr_end to)
 {
     const struct zr_end ends[3] = {from, to, to};
     own_eye(builder, from.vertex);
     own_eye(builder, to.vertex);
-    zr_builder_place(builder, part, ends);
+    zr_builder_place(builder, common, ends);
 }
 
 static bool are_placed(const bool *placed, int count)
@@ -35,7 +36,7 @@ static bool are_placed(const bool *placed, int count)
 
 /* What the outline of one face is drawn with. */
 struct pen {
-    struct zr_part part;
+    struct zr_common common;
     unsigned sides; /* of zr_outline_make */
     bool whole;     /* all pieces show the part's side, whatever their own windings are */
 };
@@ -67,20 +68,20 @@ static void draw_triangle(struct zr_builder *builder, const struct pen *pen, con
         vertices[i] = geometry->vertices[builder->first_vertex + corners[i].vertex];
     count = zr_outline_make(vertices, count, edges, codes.any != 0, pen->sides, lines);
     for (int i = 0; i < count; i++) {
-        struct zr_part part = pen->part;
-        if (!pen->whole) part.back = lines[i].back != builder->mirrored;
-        append_line(builder, &part, corners[lines[i].from], corners[lines[i].to]);
+        struct zr_common common = pen->common;
+        if (!pen->whole) common.back = lines[i].back != builder->mirrored;
+        append_line(builder, &common, corners[lines[i].from], corners[lines[i].to]);
     }
 }
 
 static struct pen pen_of(const struct zr_builder *builder, uint32_t face, const struct zr_material *material)
 {
-    struct pen pen = {.part = {.face = face, .material = material, .kind = ZR_DRAW_OUTLINES}};
+    struct pen pen = {.common = {.face = face, .material = material, .kind = ZR_DRAW_OUTLINES}};
     pen.sides = material->double_sided ? ZR_SIDE_BOTH : builder->mirrored ? ZR_SIDE_MIRRORED_FRONT : ZR_SIDE_FRONT;
     if (zr_face_is_shape(builder->mesh, face)) {
         pen.whole = true;
-        pen.part.back = zr_shape_shows_back(builder, face);
-        pen.sides = pen.part.back && !material->double_sided ? 0 : ZR_SIDE_BOTH;
+        pen.common.back = zr_shape_shows_back(builder, face);
+        pen.sides = pen.common.back && !material->double_sided ? 0 : ZR_SIDE_BOTH;
     }
     return pen;
 }
@@ -106,7 +107,7 @@ void zr_wire_outline(struct zr_builder *builder, uint32_t face)
 
 /* ---- lines ---- */
 
-static void place_line(struct zr_builder *builder, const struct zr_part *part, const struct zr_end given[2])
+static void place_line(struct zr_builder *builder, const struct zr_common *common, const struct zr_end given[2])
 {
     struct zr_counts *counts = &builder->geometry->counts;
     const struct zr_outcodes codes = zr_builder_outcodes(builder, given, 2);
@@ -129,19 +130,19 @@ static void place_line(struct zr_builder *builder, const struct zr_part *part, c
         }
         counts->clipped_lines++;
     }
-    append_line(builder, part, ends[0], ends[1]);
+    append_line(builder, common, ends[0], ends[1]);
 }
 
 enum zr_status zr_wire_lines(struct zr_builder *builder)
 {
     const struct zr_mesh *mesh = builder->mesh;
-    struct zr_part part = {.material = &builder->scene->materials[mesh->material], .kind = ZR_DRAW_LINES};
+    struct zr_common common = {.material = &builder->scene->materials[mesh->material], .kind = ZR_DRAW_LINES};
     for (uint32_t i = 0; i < mesh->line_count; i++) {
         const uint32_t *positions = mesh->lines + 2 * (size_t)i;
         const struct zr_end ends[2] = {{positions[0], 0}, {positions[1], 0}};
         if (!zr_builder_go_on(builder, LINE_WORK)) return ZR_CANCELLED;
-        part.face = mesh->face_count + i;
-        place_line(builder, &part, ends);
+        common.face = mesh->face_count + i;
+        place_line(builder, &common, ends);
         if (!zr_arena_ok(builder->arena)) return ZR_NO_MEMORY;
     }
     return ZR_OK;
