@@ -21,9 +21,8 @@ struct making {
     /* of the instance under way */
     const struct zr_source_instance *instance;
     const struct zr_mesh *mesh;
-    uint32_t made;            /* vertices that clipping made, */
-    const struct zr_cut *cut; /* the first cut of them */
-    uint32_t cut_count;
+    uint32_t made;               /* vertices that clipping made, */
+    uint32_t cut_begin, cut_end; /* and the cuts that they are of */
     bool has_colors;
     struct zr_colors mesh_colors;
     const zr_vec4 *line_colors;
@@ -43,8 +42,8 @@ static void extend(const struct making *m, enum zr_rate rate, uint32_t own, zr_v
 {
     if (zr_rate_is_flat(rate)) return;
     const uint32_t first = m->instance->first_vertex + m->mesh->position_count;
-    for (uint32_t i = 0; i < m->cut_count; i++) {
-        const struct zr_cut *cut = &m->cut[i];
+    for (uint32_t i = m->cut_begin; i < m->cut_end; i++) {
+        const struct zr_cut *cut = &m->geometry->cuts[i];
         zr_cut_values(cut, values, rate == ZR_RATE_VERTEX ? cut->corners : cut->slots,
                       values + own + (cut->first_vertex - first));
     }
@@ -55,15 +54,15 @@ static void begin_instance(struct making *m, uint32_t number)
     const struct zr_geometry *g = m->geometry;
     const bool is_last = number + 1 == m->scene->instance_count;
     const uint32_t end = is_last ? g->vertex_count : g->instances[number + 1].first_vertex;
-    const struct zr_cut *cut = m->cut + m->cut_count;
+    uint32_t cut = m->cut_end;
     m->instance = &g->instances[number];
     m->mesh = m->instance->mesh;
-    while (cut < g->cuts + g->cut_count && cut->first_vertex < m->instance->first_vertex)
+    while (cut < g->cut_count && g->cuts[cut].first_vertex < m->instance->first_vertex)
         cut++;
-    m->cut = cut;
-    while (cut < g->cuts + g->cut_count && cut->first_vertex < end)
+    m->cut_begin = cut;
+    while (cut < g->cut_count && g->cuts[cut].first_vertex < end)
         cut++;
-    m->cut_count = (uint32_t)(cut - m->cut);
+    m->cut_end = cut;
     m->made = end - m->instance->first_vertex - m->mesh->position_count;
     m->has_colors = false;
     m->line_colors = NULL;
@@ -213,8 +212,7 @@ static bool make_points(struct making *m)
     }
     m->points = points;
     m->instance = NULL;
-    m->cut = g->cuts;
-    m->cut_count = 0;
+    m->cut_end = 0;
     return true;
 }
 
@@ -252,8 +250,7 @@ enum zr_status zr_surfaces_make(struct zr_arena *arena, struct zr_team *team, co
                        .out = surfaces,
                        .colors = zr_scene_wants(scene, ZR_CHANNEL_COLOR),
                        .all_normals = zr_scene_wants(scene, ZR_CHANNEL_NORMALS),
-                       .vertex_normals = zr_arena_zero(arena, scene->mesh_count, sizeof *m.vertex_normals),
-                       .cut = geometry->cuts};
+                       .vertex_normals = zr_arena_zero(arena, scene->mesh_count, sizeof *m.vertex_normals)};
     *surfaces = (struct zr_surfaces){.eye = zr_camera_eye(camera)};
     surfaces->of_draw = zr_arena_zero(arena, (size_t)geometry->draw_count + 1, sizeof *surfaces->of_draw);
     zr_lighting_make(arena, scene, &camera->world_to_eye, &surfaces->lighting);
