@@ -45,6 +45,8 @@ enum zr_space { ZR_SPACE_CAMERA, ZR_SPACE_WORLD, ZR_SPACE_OBJECT, ZR_SPACE_COUNT
     ROW(DISTANCE, "distance", FLOAT32, 1, INFINITY, 0, ZR_ENCODING_NPY)                                                \
     /* 1 + number of the instance */                                                                                   \
     ROW(INSTANCE_ID, "instanceId", UINT32, 1, ZERO, 0, ZR_ENCODING_NPY)                                                \
+    /* 1: the front of a face is seen, 2: its back; 0 on lines */                                                      \
+    ROW(FRONT_FACING, "frontFacing", UINT32, 1, ZERO, 0, ZR_ENCODING_NPY)                                              \
     /* shares of the corners of the triangle: as given, or of a polygon (i - 1, i, 0) */                               \
     ROW(BARYCENTRICS, "barycentrics", FLOAT32, 3, ZERO, 0, ZR_ENCODING_NPY)                                            \
     /* of the point that is seen */                                                                                    \

@@ -6,6 +6,7 @@
 #ifndef ZR_CHANNELS_SIMD_H
 #define ZR_CHANNELS_SIMD_H
 
+#include "shade/channels/front_facing_simd.h"
 #include "shade/channels/ids_simd.h"
 #include "shade/channels/normals_simd.h"
 
@@ -19,6 +20,7 @@ struct zr_channel_maker {
 static const struct zr_channel_maker zr_channel_makers[] = {
     {ZR_CHANNEL_FACE_ID, zr_face_id_words, NULL},
     {ZR_CHANNEL_INSTANCE_ID, zr_instance_id_words, NULL},
+    {ZR_CHANNEL_FRONT_FACING, zr_front_facing_words, NULL},
     {ZR_CHANNEL_NORMALS, NULL, zr_shade_normals},
 };
 

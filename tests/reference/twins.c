@@ -33,6 +33,7 @@ static const struct twin {
     {"normals", ZR_CHANNEL_NORMALS, ZR_SPACE_CAMERA, "own_normal(axes)", EXACT, 0},
     {"normals-world", ZR_CHANNEL_NORMALS, ZR_SPACE_WORLD, "own_normal(axes)", EXACT, 0},
     {"instanceId", ZR_CHANNEL_INSTANCE_ID, ZR_SPACE_CAMERA, "facts.xxx", EXACT, 0},
+    {"frontFacing", ZR_CHANNEL_FRONT_FACING, ZR_SPACE_CAMERA, "side()", EXACT, 0},
 };
 enum { TWINS = sizeof table / sizeof *table };
 _Static_assert(sizeof table / sizeof *table <= TWINS_MAX, "there are more twins than room for them");
@@ -87,11 +88,18 @@ static const char *const fragment =
                        "{\n"
                        "    return from.w == 0.0 ? -to.zzz : vec3(length(to - from.xyz));\n"
                        "}\n"
+                       "bool is_back()\n"
+                       "{\n"
+                       "    return facts.y == 0.0 ? !gl_FrontFacing : facts.y == 2.0;\n"
+                       "}\n"
+                       "vec3 side()\n"
+                       "{\n"
+                       "    return vec3(facts.w == 3.0 ? 0.0 : is_back() ? 2.0 : 1.0);\n"
+                       "}\n"
                        "vec3 own_normal(vec3 space[3])\n"
                        "{\n"
-                       "    bool back = facts.y == 0.0 ? !gl_FrontFacing : facts.y == 2.0;\n"
                        "    vec3 n = facts.z != 0.0 ? normal : flat_normal;\n"
-                       "    return facts.w == 3.0 ? vec3(0.0) : unit(rows_times(space, unit(back ? -n : n)));\n"
+                       "    return facts.w == 3.0 ? vec3(0.0) : unit(rows_times(space, unit(is_back() ? -n : n)));\n"
                        "}\n"
                        "void main()\n"
                        "{\n"

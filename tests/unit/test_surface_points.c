@@ -1,4 +1,5 @@
-/* Channels of points: position in its three spaces, distance, barycentrics, instanceId; each is held against another.
+/* Channels of points: position in its three spaces, distance, barycentrics, instanceId, frontFacing; each is held
+ * against another.
  */
 #include <math.h>
 #include <string.h>
@@ -21,7 +22,7 @@ static char *append(char *to, const char *format, ...)
 }
 
 /* Triangles of one mesh, placed as it is and mirrored, some cut by the view volume. */
-static const char *scene_text(const char *view)
+static const char *scene_text(const char *view, bool is_two_sided)
 {
     static char text[1 << 16];
     struct random random = random_seeded(5);
@@ -35,7 +36,7 @@ static const char *scene_text(const char *view)
     at = append(at, "]], \"faces\": [");
     for (int i = 0; i < TRIANGLES; i++)
         at = append(at, "%s[%d, %d, %d]", i ? ", " : "", 3 * i, 3 * i + 1, 3 * i + 2);
-    append(at, "]}]}");
+    append(at, "], \"doubleSided\": %s}]}", is_two_sided ? "true" : "false");
     return text;
 }
 
@@ -47,7 +48,8 @@ static const struct zr_frame *render(struct reading *reading, struct zr_team *te
                                          {.channel = ZR_CHANNEL_INSTANCE_ID, .encoding = ZR_ENCODING_NPY},
                                          {.channel = ZR_CHANNEL_BARYCENTRICS, .encoding = ZR_ENCODING_NPY},
                                          {.channel = ZR_CHANNEL_POSITION, .encoding = ZR_ENCODING_NPY},
-                                         {.channel = ZR_CHANNEL_NORMALS, .encoding = ZR_ENCODING_NPY}};
+                                         {.channel = ZR_CHANNEL_NORMALS, .encoding = ZR_ENCODING_NPY},
+                                         {.channel = ZR_CHANNEL_FRONT_FACING, .encoding = ZR_ENCODING_NPY}};
     struct zr_scene scene = *reading->scene;
     outputs[5].space = space;
     outputs[6].space = space == ZR_SPACE_WORLD ? ZR_SPACE_WORLD : ZR_SPACE_CAMERA;
@@ -87,11 +89,23 @@ static void assert_normal(const struct zr_frame *frames[], size_t pixel, const z
     assert_true(towards > -0.05f); /* at silhouettes, where the sample lies a hair outside */
 }
 
-static void check_view(enum zr_isa isa, const char *view, bool is_parallel)
+/* The normal is of the side that is seen, which is the front where corners go counter-clockwise around it. */
+static void assert_side(const struct zr_frame *frame, size_t pixel, const zr_vec4 c[3], bool is_mirrored)
+{
+    const float *n = (const float *)frame->channels[ZR_CHANNEL_NORMALS] + 3 * pixel;
+    const uint32_t *sides = frame->channels[ZR_CHANNEL_FRONT_FACING];
+    const zr_vec3 a = {c[1].x - c[0].x, c[1].y - c[0].y, c[1].z - c[0].z};
+    const zr_vec3 b = {c[2].x - c[0].x, c[2].y - c[0].y, c[2].z - c[0].z};
+    const float around =
+        n[0] * (a.y * b.z - a.z * b.y) + n[1] * (a.z * b.x - a.x * b.z) + n[2] * (a.x * b.y - a.y * b.x);
+    assert_int_equal(sides[pixel], (around > 0.0f) != is_mirrored ? 1 : 2);
+}
+
+static void check_view(enum zr_isa isa, const char *view, bool is_parallel, bool is_two_sided)
 {
     const float most = 2e-5f; /* of places as far as 10 */
     struct zr_team *team = zr_team_create_for(2, isa);
-    struct reading *reading = read_text(ZR_FORMAT_JSON, scene_text(view));
+    struct reading *reading = read_text(ZR_FORMAT_JSON, scene_text(view, is_two_sided));
     const struct zr_frame *frames[ZR_SPACE_COUNT];
     for (int space = 0; space < ZR_SPACE_COUNT; space++)
         frames[space] = render(reading, team, (enum zr_space)space);
@@ -99,15 +113,16 @@ static void check_view(enum zr_isa isa, const char *view, bool is_parallel)
     const struct zr_mesh *mesh = &reading->scene->meshes[0];
     const uint32_t *instances = f->channels[ZR_CHANNEL_INSTANCE_ID];
     const float *distances = f->channels[ZR_CHANNEL_DISTANCE], *shares = f->channels[ZR_CHANNEL_BARYCENTRICS];
+    const uint32_t *sides = f->channels[ZR_CHANNEL_FRONT_FACING];
     const float *positions[ZR_SPACE_COUNT];
     for (int space = 0; space < ZR_SPACE_COUNT; space++)
         positions[space] = frames[space]->channels[ZR_CHANNEL_POSITION];
     const size_t pixels = (size_t)f->width * f->height;
-    uint32_t seen[3] = {0, 0, 0};
+    uint32_t seen[3] = {0, 0, 0}, shown[3][3] = {{0}};
     for (size_t i = 0; i < pixels; i++) {
         seen[instances[i]]++;
         if (f->face_id[i] == 0) {
-            assert_true(instances[i] == 0 && isinf(distances[i]));
+            assert_true(instances[i] == 0 && sides[i] == 0 && isinf(distances[i]));
             for (uint32_t k = 0; k < 3; k++)
                 assert_true(positions[0][3 * i + k] == 0.0f && shares[3 * i + k] == 0.0f);
             continue;
@@ -133,9 +148,13 @@ static void check_view(enum zr_isa isa, const char *view, bool is_parallel)
                               mixed.z + share[k] * corner.z, 1};
         }
         assert_normal(frames, i, corners, eye, is_parallel);
+        assert_side(f, i, corners, instances[i] == 2);
+        shown[instances[i]][sides[i]]++;
         assert_near(mixed, object, 0.02f); /* at silhouettes, where the sample lies a hair outside */
     }
     assert_true(seen[0] > 0 && seen[1] > 300 && seen[2] > 300);
+    for (int instance = 1; instance < 3; instance++)
+        assert_true(shown[instance][1] > 300 && (shown[instance][2] > 300) == is_two_sided);
     zr_team_destroy(team);
     reading_free(reading);
 }
@@ -143,13 +162,14 @@ static void check_view(enum zr_isa isa, const char *view, bool is_parallel)
 static void points_depths_and_shares_agree(void **state)
 {
     const enum zr_isa isa = isa_under_test(state);
-    check_view(isa, "\"eye\": [1.5, 1, 2.5], \"perspective\": {\"yfovDegrees\": 40}", false);
+    check_view(isa, "\"eye\": [1.5, 1, 2.5], \"perspective\": {\"yfovDegrees\": 40}", false, false);
     check_view(isa, "\"eye\": [0.5, 0.4, 0.6], \"perspective\": {\"yfovDegrees\": 70}, \"znear\": 0.3, \"zfar\": 3",
-               false);
-    check_view(isa, "\"preset\": \"isometric\"", true);
+               false, false);
+    check_view(isa, "\"preset\": \"isometric\"", true, false);
+    check_view(isa, "\"preset\": \"isometric\"", true, true);
     check_view(isa,
                "\"eye\": [1, 2, 3], \"intrinsics\": {\"fx\": 150, \"fy\": 140, \"cx\": 30, \"cy\": 60, \"skew\": 5}",
-               false);
+               false, false);
 }
 
 /* Flattened, it has no way back to its own space: but each of its points is one of the mesh's. */
@@ -170,6 +190,31 @@ static void flattened_instance_has_the_points_of_its_mesh(void **state)
         seen++;
     }
     assert_true(seen > 10);
+    reading_free(reading);
+}
+
+/* A face that is not convex, beside a line: as it is, in a mirror, and turned around. */
+static void shapes_have_sides_and_lines_have_none(void **state)
+{
+    static const uint32_t wanted[7] = {0, 1, 0, 1, 0, 2, 0}; /* by faceId: of each instance the face, then the line */
+    uint32_t seen[7] = {0};
+    struct zr_team *team = zr_team_create_for(2, isa_under_test(state));
+    struct reading *reading =
+        read_text(ZR_FORMAT_JSON,
+                  "{\"version\": 1, \"window\": {\"width\": 48, \"height\": 24}, \"view\": {\"preset\": \"front\"},"
+                  "\"nodes\": [{\"mesh\": 0}, {\"mesh\": 0, \"translation\": [7, 0, 0], \"scale\": [-1, 1, 1]},"
+                  "{\"mesh\": 0, \"translation\": [11, 0, 0], \"rotation\": [0, 1, 0, 0]}],"
+                  "\"meshes\": [{\"positions\": [[0, 0, 0], [2, 1, 0], [0, 2, 0], [1, 1, 0], [3, 0, 0], [3, 2, 0]],"
+                  "\"faces\": [[0, 1, 2, 3]], \"lines\": [[4, 5]], \"doubleSided\": true}]}");
+    const struct zr_frame *frame = render(reading, team, ZR_SPACE_CAMERA);
+    const uint32_t *sides = frame->channels[ZR_CHANNEL_FRONT_FACING];
+    for (size_t i = 0; i < (size_t)frame->width * frame->height; i++) {
+        seen[frame->face_id[i]]++;
+        assert_int_equal(sides[i], wanted[frame->face_id[i]]);
+    }
+    for (int id = 0; id < 7; id++)
+        assert_true(seen[id] > 3);
+    zr_team_destroy(team);
     reading_free(reading);
 }
 
@@ -202,6 +247,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         TEST_EACH_ISA(points_depths_and_shares_agree),
         cmocka_unit_test(flattened_instance_has_the_points_of_its_mesh),
+        TEST_EACH_ISA(shapes_have_sides_and_lines_have_none),
         cmocka_unit_test(one_matrix_for_all_has_an_eye_too),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
