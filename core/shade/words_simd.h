@@ -1,5 +1,5 @@
-/* words_simd.h - shade: what is the same for all pixels of a triangle, four bytes each, ZR_LANES triangles at once, for
- * kernels: the colours of flat ones, and the ids of faces.
+/* words_simd.h - shade: what is the same for all pixels of a primitive, ZR_LANES of them at once, for kernels: the
+ * colours of flat ones, ids of faces, which side is seen.
  */
 #ifndef ZR_WORDS_SIMD_H
 #define ZR_WORDS_SIMD_H
@@ -9,7 +9,7 @@
 
 /* ---- colours ---- */
 
-/* Which of primitives t show their backs. */
+/* Which of primitives t show their backs, of any draw. Those that were noted are the same. */
 static inline zr_vm zr_flat_backs(const struct zr_geometry *geometry, const struct zr_surface *surface, zr_vi t)
 {
     const zr_vi one = zr_vi_set(1);
