@@ -325,6 +325,7 @@ static double pixel_work(const struct zr_scene *scene)
     bool phong = false;
     for (uint32_t i = 0; i < scene->material_count; i++)
         phong |= scene->materials[i].shading == ZR_SHADING_PHONG;
+    if (scene->fog.is_on && zr_scene_wants(scene, ZR_CHANNEL_COLOR)) work += 1.0;
     if (phong && zr_scene_wants(scene, ZR_CHANNEL_COLOR)) work += 1.0 + LIGHT_F * (double)scene->light_count;
     for (size_t i = 0; i < sizeof slow / sizeof slow[0]; i++)
         if (zr_scene_wants(scene, slow[i])) work += POINT_F;

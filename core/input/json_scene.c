@@ -24,13 +24,14 @@ enum {
     ALGORITHM,
     BASE,
     NODES,
+    FOG,
     KEYS
 };
 /* A scene's own look is one without sides: those are a body's. */
-static const char *const words[] = {
-    "version", "window",    "background", "shading", "fill",     "outline", "view",
-    "ambient", "lights",    "materials",  "meshes",  "polygons", "outputs", "colorManagement",
-    "samples", "algorithm", "base",       "nodes",   "views",    "fog",     "turntable"};
+static const char *const words[] = {"version", "window",          "background", "shading",   "fill",   "outline",
+                                    "view",    "ambient",         "lights",     "materials", "meshes", "polygons",
+                                    "outputs", "colorManagement", "samples",    "algorithm", "base",   "nodes",
+                                    "fog",     "views",           "turntable"};
 static const struct zr_names keys = ZR_NAMES(KEYS, words);
 
 static const char *const managements[] = {"none", "srgb"};
@@ -155,6 +156,7 @@ static void build(struct zr_draft *draft, const cJSON *root)
     if (found[AMBIENT]) read_ambient(draft, found[AMBIENT]);
     if (found[LIGHTS] && !found[AMBIENT]) draft->scene->ambient = zr_default_ambient_of_own_lights();
     if (found[LIGHTS]) zr_draft_read_lights(draft, ZR_JSON_KEY(NULL, words[LIGHTS]), found[LIGHTS]);
+    if (found[FOG]) zr_draft_read_fog(draft, ZR_JSON_KEY(NULL, words[FOG]), found[FOG]);
     if (found[OUTPUTS]) zr_draft_read_outputs(draft, ZR_JSON_KEY(NULL, words[OUTPUTS]), found[OUTPUTS]);
     zr_draft_read_materials(draft, ZR_JSON_KEY(NULL, words[MATERIALS]), found[MATERIALS]);
     if (!zr_arena_ok(json->arena)) return;

@@ -122,6 +122,8 @@ void zr_draft_read_view(struct zr_draft *draft, const struct zr_json_path *path,
 void zr_draft_find_fit_mesh(struct zr_draft *draft, const struct zr_json_path *path, const cJSON *node);
 
 /* json_light.c and json_outputs.c: the lists of these. */
+/* Behind the background, whose colour fog has where none is given. */
+void zr_draft_read_fog(struct zr_draft *draft, const struct zr_json_path *path, const cJSON *node);
 void zr_draft_read_lights(struct zr_draft *draft, const struct zr_json_path *path, const cJSON *list);
 void zr_draft_read_outputs(struct zr_draft *draft, const struct zr_json_path *path, const cJSON *list);
 

@@ -118,6 +118,14 @@ struct zr_light {
     bool camera_frame; /* direction is in eye space (it goes with the camera), else in world space */
 };
 
+/* Depth cueing: what is seen up to `near` has its own colour, from `far` on that of the fog, and in between more and
+ * more of it; both are depths along the view axis. What is behind all geometry is not in the fog. */
+struct zr_fog {
+    bool is_on;
+    zr_vec3 color;
+    float near, far; /* 0 <= near < far */
+};
+
 enum zr_pose {
     ZR_POSE_PRESET,    /* fitted to the geometry */
     ZR_POSE_LOOK_AT,   /* eye, target, up */
@@ -212,6 +220,7 @@ struct zr_scene {
     uint32_t width, height; /* pixels */
     zr_vec4 background;
     zr_vec3 ambient;
+    struct zr_fog fog;
     enum zr_algorithm algorithm;
     uint32_t material_count, mesh_count, instance_count, light_count, output_count, warning_count;
     const struct zr_material *materials;

@@ -23,10 +23,15 @@ static inline zr_vi zr_words_at(const struct zr_shader *s, uint32_t first, uint3
 
 /* Pixels of parts that are shaded late take their model's colour; the others stay. */
 static inline zr_vi zr_shade_late(const struct zr_shader *s, uint32_t first, uint32_t count, zr_vi owner,
-                                  zr_vf (*planes)[3], zr_vf x, zr_vf y, zr_vi words)
+                                  zr_vf (*planes)[3], zr_vf x, zr_vf y, int plane_count, zr_vi words)
 {
-    const zr_vf w = zr_vf_set(1.0f) / zr_shaded_value(planes, 0, x, y);
-    const struct zr_model_inputs in = {zr_shaded_three(planes, 1, w, x, y), zr_shaded_three(planes, 4, w, x, y),
+    const bool in_fog = plane_count > 1 + ZR_VALUES_LATE;
+    const zr_vf one = zr_vf_set(1.0f), w = one / zr_shaded_value(planes, 0, x, y);
+    zr_vf color_w = w;
+    for (uint32_t i = first; in_fog && i < first + count; i++)
+        if (s->is_constant[i])
+            color_w = zr_vf_select(zr_vi_eq(owner, zr_vi_set((int32_t)s->parts.owners[i])), one, color_w);
+    const struct zr_model_inputs in = {zr_shaded_three(planes, 1, color_w, x, y), zr_shaded_three(planes, 4, w, x, y),
                                        zr_shaded_three(planes, 7, w, x, y)};
     const struct zr_material *done = NULL; /* most often there is one */
     for (uint32_t i = first; i < first + count; i++) {
@@ -36,7 +41,8 @@ static inline zr_vi zr_shade_late(const struct zr_shader *s, uint32_t first, uin
         for (uint32_t other = i; other < first + count; other++)
             if (s->materials[other] == material)
                 of_it = zr_vm_or(of_it, zr_vi_eq(owner, zr_vi_set((int32_t)s->parts.owners[other])));
-        const struct zr_vec3_v color = zr_model_color(&s->model, material, &in);
+        struct zr_vec3_v color = zr_model_color(&s->model, material, &in);
+        if (in_fog) color = zr_fogged_v(&s->model, color, zr_shaded_value(planes, 1 + ZR_VALUES_LATE, x, y) * w);
         words = zr_vi_select(of_it, zr_rgba_opaque_v(color.x, color.y, color.z), words);
         done = material;
     }
@@ -63,7 +69,7 @@ static inline zr_vi zr_shade_at(const struct zr_shader *s, uint32_t first, uint3
                                          zr_shaded_value(planes, 2, x, y), zr_shaded_value(planes, 3, x, y)),
                          words);
     if (plane_count > 1 + ZR_VALUES_FEW && s->any_late)
-        return zr_shade_late(s, first, count, owner, planes, x, y, words);
+        return zr_shade_late(s, first, count, owner, planes, x, y, plane_count, words);
     return words;
 }
 
@@ -90,7 +96,7 @@ static inline void zr_shade_whole_block(const struct zr_shader *s, const struct 
             const zr_vf x = zr_vf_of(zr_vi_set(left + v) + zr_vi_ramp());
             zr_vi words = word;
             if (late)
-                words = zr_shade_late(s, part, 1, owner, planes, x, y, words);
+                words = zr_shade_late(s, part, 1, owner, planes, x, y, plane_count, words);
             else if (has_planes)
                 words = zr_color_over_w(zr_shaded_value(planes, 0, x, y), zr_shaded_value(planes, 1, x, y),
                                         zr_shaded_value(planes, 2, x, y), zr_shaded_value(planes, 3, x, y));

@@ -1,5 +1,7 @@
 #include "shade/paint.h"
 
+#include <string.h>
+
 #include "base/fast.h"
 #include "base/rgba.h"
 #include "raster/line.h"
@@ -37,7 +39,8 @@ static bool pack_colors(struct zr_arena *arena, struct zr_team *team, struct zr_
     for (uint32_t i = 0; i < count; i++) {
         struct zr_surface *surface = &surfaces[i];
         const struct zr_attribute *color = &surface->attributes[ZR_ATTRIBUTE_COLOR];
-        if (!color->values || !zr_rate_is_flat(color->rate) || surface->packed || surface->sided) continue;
+        if (!color->values || !zr_rate_is_flat(color->rate) || surface->packed || surface->sided || surface->is_late)
+            continue;
         if (last && last->attributes[ZR_ATTRIBUTE_COLOR].values == color->values &&
             last->color_count == surface->color_count) {
             surface->packed = last->packed;
@@ -114,29 +117,40 @@ enum zr_status zr_paint_prepare(struct zr_arena *arena, struct zr_team *team, co
 
 /* ---- lines ---- */
 
+/* Of a value of its two ends, over w. */
+static struct zr_plane line_plane(const struct zr_line_basis *basis, const struct zr_window_vertex *const v[2],
+                                  float p0, float p1)
+{
+    return zr_line_plane_make(basis, p0 * v[0]->oow, p1 * v[1]->oow);
+}
+
 bool zr_line_color(const struct zr_geometry *geometry, const struct zr_surface *surface, uint32_t number,
-                   struct zr_plane planes[1 + ZR_VALUES_FEW], uint32_t *color)
+                   struct zr_plane planes[1 + ZR_VALUES_MOST], uint32_t *color)
 {
     const struct zr_draw *draw = surface->draw;
     const struct zr_triangle line = zr_triangle_of(geometry, draw, number);
-    const bool back = surface->sided && line.back;
+    const bool back = surface->sided && line.back, smooth = zr_surface_is_smooth(surface);
     const struct zr_attribute *from = &surface->attributes[back ? ZR_ATTRIBUTE_BACK_COLOR : ZR_ATTRIBUTE_COLOR];
+    const zr_vec4 *points = surface->attributes[ZR_ATTRIBUTE_POINT].values;
+    const enum zr_rate rate = surface->attributes[ZR_ATTRIBUTE_COLOR].rate;
     const uint32_t t = number - draw->first;
-    if (!zr_surface_is_smooth(surface)) {
-        const uint32_t n = zr_flat_number(draw, surface->attributes[ZR_ATTRIBUTE_COLOR].rate, t);
-        *color =
-            surface->packed ? surface->packed[back ? surface->color_count + n : n] : zr_rgba_opaque(from->values[n]);
+    const uint32_t n0 = smooth ? zr_smooth_number(draw, rate, t, 0) : zr_flat_number(draw, rate, t);
+    const uint32_t n1 = smooth ? zr_smooth_number(draw, rate, t, 1) : n0;
+    if (surface->packed) {
+        *color = surface->packed[back ? surface->color_count + n0 : n0];
         return true;
     }
-    const uint32_t n0 = zr_smooth_number(draw, from->rate, t, 0), n1 = zr_smooth_number(draw, from->rate, t, 1);
-    const struct zr_window_vertex *v0 = &geometry->vertices[line.v[0]], *v1 = &geometry->vertices[line.v[1]];
+    const struct zr_window_vertex *const v[2] = {&geometry->vertices[line.v[0]], &geometry->vertices[line.v[1]]};
+    const struct zr_line_basis basis = zr_line_basis_make(v[0], v[1]);
     const zr_vec4 c0 = from->values[n0], c1 = from->values[n1];
-    const struct zr_line_basis basis = zr_line_basis_make(v0, v1);
     *color = zr_rgba_opaque(c0);
-    if (n0 == n1) return true;
-    planes[0] = zr_line_plane_make(&basis, v0->oow, v1->oow);
-    planes[1] = zr_line_plane_make(&basis, c0.x * v0->oow, c1.x * v1->oow);
-    planes[2] = zr_line_plane_make(&basis, c0.y * v0->oow, c1.y * v1->oow);
-    planes[3] = zr_line_plane_make(&basis, c0.z * v0->oow, c1.z * v1->oow);
-    return false;
+    memset(planes, 0, (1 + ZR_VALUES_MOST) * sizeof *planes);
+    planes[0] = line_plane(&basis, v, 1.0f, 1.0f);
+    planes[1] = n0 == n1 ? (struct zr_plane){c0.x, 0, 0} : line_plane(&basis, v, c0.x, c1.x);
+    planes[2] = n0 == n1 ? (struct zr_plane){c0.y, 0, 0} : line_plane(&basis, v, c0.y, c1.y);
+    planes[3] = n0 == n1 ? (struct zr_plane){c0.z, 0, 0} : line_plane(&basis, v, c0.z, c1.z);
+    if (points)
+        planes[1 + ZR_VALUES_LATE] =
+            line_plane(&basis, v, points[zr_draw_corner(draw, t, 0)].w, points[zr_draw_corner(draw, t, 1)].w);
+    return n0 == n1;
 }

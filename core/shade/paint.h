@@ -16,8 +16,9 @@
 #include "raster/tile.h"
 #include "shade/surfaces.h"
 
-/* Values that vary over a surface: a colour; and of what is shaded late, a normal and the way from the eye to it. */
-enum { ZR_VALUES_FEW = 3, ZR_VALUES_MOST = 9 };
+/* Values that vary over a surface: a colour; of what is shaded late, a normal and the way from the eye to it; in fog,
+ * its depth, too. */
+enum { ZR_VALUES_FEW = 3, ZR_VALUES_LATE = 9, ZR_VALUES_MOST = 10 };
 
 /* Where a tile lies in a channel, whose values have four bytes each. */
 struct zr_pixel_rows {
@@ -74,8 +75,9 @@ static inline bool zr_surface_is_painted_early(const struct zr_surface *surface)
 enum zr_status zr_paint_prepare(struct zr_arena *arena, struct zr_team *team, const struct zr_geometry *geometry,
                                 struct zr_surfaces *surfaces, uint64_t pixels, const struct zr_payload **payloads);
 
-/* Of a line: planes of 1/w and of its colour over that; or, where it has one colour, that alone: then true. */
+/* Of a line: planes of 1/w and of its colour over that, and in fog of its depth. True where it has one colour: `color`,
+ * as bytes, and in planes that are the same all over, not over w. */
 bool zr_line_color(const struct zr_geometry *geometry, const struct zr_surface *surface, uint32_t number,
-                   struct zr_plane planes[1 + ZR_VALUES_FEW], uint32_t *color);
+                   struct zr_plane planes[1 + ZR_VALUES_MOST], uint32_t *color);
 
 #endif

@@ -41,12 +41,11 @@ static void shade(const struct zr_geometry *geometry, const struct zr_surfaces *
                   const struct zr_shaded *to)
 {
     struct zr_shader s;
-    const zr_vec4 eye = surfaces->eye;
     const bool together = !tile->has_words, colors = to->channels[ZR_CHANNEL_COLOR].first, others = wants_others(to);
     s.geometry = geometry;
     s.surfaces = surfaces;
     s.draw = &geometry->draws[0];
-    s.model = (struct zr_model_context){&surfaces->lighting, eye.w == 0.0f, {eye.x, eye.y, eye.z}};
+    s.model = zr_model_context_of(&surfaces->lighting, surfaces->eye, &surfaces->fog);
     shade_parts(&s, tile, to, colors, others && together);
     if (!together) shade_parts(&s, tile, to, false, others);
 }

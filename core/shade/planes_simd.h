@@ -127,6 +127,14 @@ static inline struct zr_planes3_v zr_planes3_make(const struct zr_way_v *way, co
                                  zr_plane_make_v(&way->basis, v[0].z, v[1].z, v[2].z)};
 }
 
+/* Of a value by itself, as the corners stand in the mesh. */
+static inline struct zr_plane_v zr_plane1_make(const struct zr_way_v *way, zr_vf v0, zr_vf v1, zr_vf v2)
+{
+    zr_vf v[3] = {v0 * way->oow[0], v1 * way->oow[1], v2 * way->oow[2]};
+    zr_swap_vf(way->turned, &v[0], &v[zr_swapped_corner()]);
+    return zr_plane_make_v(&way->basis, v[0], v[1], v[2]);
+}
+
 /* Window vertices, by their numbers. */
 static inline void zr_vertices_load(const struct zr_window_vertex *vertices, const int32_t (*numbers)[ZR_LANES],
                                     struct zr_corner_v v[3])

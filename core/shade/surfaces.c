@@ -1,5 +1,6 @@
 #include "shade/surfaces.h"
 
+#include <math.h>
 #include <string.h>
 
 #include "base/fast.h"
@@ -116,7 +117,8 @@ static bool find_mesh_colors(struct making *m)
     if (m->has_colors) return true;
     m->has_colors = true;
     if (ZR_FAST(given_colors, zr_colors_are_given(m->scene, m->mesh, &m->mesh_colors))) return copy_given(m);
-    return ZR_FAST(packed_colors, zr_colors_can_be_packed(m->scene, m->mesh)) ? make_packed(m) : make_floats(m);
+    return ZR_FAST(packed_colors, !m->out->fog.is_on && zr_colors_can_be_packed(m->scene, m->mesh)) ? make_packed(m)
+                                                                                                    : make_floats(m);
 }
 
 /* Those of the vertices, times the material's. */
@@ -205,8 +207,10 @@ static bool make_points(struct making *m)
         if (zr_is_cancelled(m->cancel)) return true;
         for (uint32_t i = 0; i < m->mesh->position_count; i++) {
             const zr_vec4 p = zr_mat4_apply(&m->instance->to_eye, m->mesh->positions[i]);
-            of_instance[i] =
-                eye.w == 0.0f ? p : (zr_vec4){p.x - eye.x * p.w, p.y - eye.y * p.w, p.z - eye.z * p.w, 0.0f};
+            of_instance[i] = p;
+            if (eye.w != 0.0f)
+                of_instance[i] = (zr_vec4){p.x - eye.x * p.w, p.y - eye.y * p.w, p.z - eye.z * p.w, 0.0f};
+            of_instance[i].w = fabsf(p.w != 0.0f ? p.z / p.w : p.z);
         }
         extend(m, ZR_RATE_VERTEX, m->mesh->position_count, of_instance);
     }
@@ -222,15 +226,19 @@ static bool make_surface(struct making *m, const struct zr_draw *draw, struct zr
 {
     surface->draw = draw;
     if (m->colors && !color(m, draw, surface)) return false;
-    if (zr_draw_is_of_lines(draw)) return true;
-    surface->is_late = m->colors && zr_material_is_shaded_late(draw->material);
+    const bool of_lines = zr_draw_is_of_lines(draw);
+    const bool by_normals = m->colors && !of_lines && zr_material_is_shaded_late(draw->material);
+    surface->is_late = by_normals || (m->colors && m->out->fog.is_on);
     if (surface->is_late)
         surface->attributes[ZR_ATTRIBUTE_POINT] = (struct zr_attribute){ZR_RATE_VERTEX, m->points + draw->first_vertex};
-    return !(surface->is_late || m->all_normals) || find_normals(m, draw, &surface->attributes[ZR_ATTRIBUTE_NORMAL]);
+    return of_lines || !(by_normals || m->all_normals) ||
+           find_normals(m, draw, &surface->attributes[ZR_ATTRIBUTE_NORMAL]);
 }
 
-static void look_at_materials(struct making *m)
+static void look_at_scene(struct making *m)
 {
+    if (m->colors) m->out->fog = m->scene->fog;
+    m->out->any_late = m->out->fog.is_on;
     for (uint32_t i = 0; m->colors && i < m->scene->material_count; i++) {
         const struct zr_material *material = &m->scene->materials[i];
         m->out->any_late |= zr_material_is_shaded_late(material);
@@ -254,7 +262,7 @@ enum zr_status zr_surfaces_make(struct zr_arena *arena, struct zr_team *team, co
     *surfaces = (struct zr_surfaces){.eye = zr_camera_eye(camera)};
     surfaces->of_draw = zr_arena_zero(arena, (size_t)geometry->draw_count + 1, sizeof *surfaces->of_draw);
     zr_lighting_make(arena, scene, &camera->world_to_eye, &surfaces->lighting);
-    look_at_materials(&m);
+    look_at_scene(&m);
     if (!zr_arena_ok(arena) || (surfaces->any_late && !make_points(&m))) return ZR_NO_MEMORY;
     for (uint32_t i = 0; i < geometry->draw_count; i++) {
         const struct zr_draw *draw = &geometry->draws[i];

@@ -15,7 +15,8 @@ enum {
     ZR_ATTRIBUTE_COLOR,
     ZR_ATTRIBUTE_BACK_COLOR, /* at the same rate; where backs are not drawn in colours of their own, there are none */
     ZR_ATTRIBUTE_NORMAL,     /* of fronts, in eye space (eye_normals.h) */
-    ZR_ATTRIBUTE_POINT,      /* the way from the eye, times w: that is linear over a face, as the quotient is not */
+    ZR_ATTRIBUTE_POINT,      /* xyz: the way from the eye, times w: that is linear over a face, as the quotient is not;
+                                w: how deep the vertex lies along the view axis, for fog */
     ZR_ATTRIBUTE_COUNT
 };
 
@@ -27,13 +28,14 @@ struct zr_surface {
                                them: instead of values, or beside them; NULL: not made */
     uint32_t color_count;   /* fronts */
     bool sided;             /* backs are drawn, in colours of their own */
-    bool is_late;           /* zr_material_is_shaded_late */
+    bool is_late;           /* zr_material_is_shaded_late, or in fog */
     const uint32_t *backs;  /* as zr_payload has them, where somebody noted them */
 };
 
 struct zr_surfaces {
     struct zr_surface *of_draw; /* one a draw */
     bool any_late;
+    struct zr_fog fog;
     zr_vec4 eye; /* zr_camera_eye */
     struct zr_lighting lighting;
 };

@@ -479,6 +479,7 @@ bool batches_make(struct zr_arena *arena, const struct zr_scene *scene, const st
         if (!arrays->lighting) return false;
     }
     arrays->batches = builder.batches;
+    if (options->purpose == BATCHES_COLORS) arrays->fog = scene->fog;
     arrays->projection = options->transformed ? zr_mat4_identity() : camera->projection;
     arrays->background = options->purpose == BATCHES_COLORS ? scene->background : (zr_vec4){0, 0, 0, 1};
     return true;

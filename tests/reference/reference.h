@@ -86,6 +86,7 @@ struct reference_arrays {
     const struct reference_batch *batches; /* drawn in this order */
     zr_mat4 projection;
     zr_vec4 background;
+    struct zr_fog fog;
 };
 
 struct reference_error {

@@ -273,12 +273,28 @@ static void draw_batch(const struct reference *reference, const struct reference
         draw_corners(reference, arrays, modes[batch->mode], batch->first, batch->count);
 }
 
+/* Of fixed functions, and of the programs, which look at what is said here. */
+static void set_fog(const struct zr_fog *fog)
+{
+    const GLfloat color[4] = {fog->color.x, fog->color.y, fog->color.z, 1.0f};
+    glFogi(GL_FOG_MODE, GL_LINEAR);
+    glFogi(GL_FOG_COORDINATE_SOURCE, GL_FRAGMENT_DEPTH);
+    glFogfv(GL_FOG_COLOR, color);
+    glFogf(GL_FOG_START, fog->is_on ? fog->near : 0.0f);
+    glFogf(GL_FOG_END, fog->is_on ? fog->far : 1.0f);
+    if (fog->is_on)
+        glEnable(GL_FOG);
+    else
+        glDisable(GL_FOG);
+}
+
 void reference_draw_batches(const struct reference *reference, const struct reference_arrays *arrays, GLuint program)
 {
     const zr_mat4 *modelview = NULL;
     glClearColor(arrays->background.x, arrays->background.y, arrays->background.z, arrays->background.w);
     glStencilMask(INSIDE | GAP);
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | (reference->stencil ? GL_STENCIL_BUFFER_BIT : 0u));
+    set_fog(&arrays->fog);
     glMatrixMode(GL_PROJECTION);
     glLoadMatrixf(arrays->projection.m);
     glMatrixMode(GL_MODELVIEW);

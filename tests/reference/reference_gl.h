@@ -12,7 +12,7 @@
 struct reference_lighter {
     GLuint program; /* 0: not made yet */
     GLint ambient, light_count, to_light, light_color, normal_rows, side;
-    GLint to_eye, model, specular, shininess, eye; /* of what is shaded late */
+    GLint to_eye, model, specular, shininess, eye, in_fog; /* of what is shaded late */
 };
 
 struct reference {

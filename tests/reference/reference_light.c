@@ -32,6 +32,7 @@ static const char *const source = "#version 120\n#define precise\n"
                                   "            back += diffuse * -facing;\n"
                                   "    }\n"
                                   "    gl_Position = ftransform();\n"
+                                  "    gl_FogFragCoord = abs((gl_ModelViewMatrix * gl_Vertex).z);\n"
                                   "    gl_FrontColor = vec4(side == 2 ? back : front, gl_Color.a);\n"
                                   "    gl_BackColor = vec4(side == 1 ? front : back, gl_Color.a);\n"
                                   "}\n";
@@ -41,6 +42,7 @@ static const char *const source = "#version 120\n#define precise\n"
 static const char *const late_vertex =
     "uniform vec3 normal_rows[3];\n"
     "uniform vec4 to_eye[4], eye;\n" /* columns */
+    "varying float depth;\n"
     "varying vec3 own_color, normal, point;\n" GLSL_UNIT "void main()\n"
     "{\n"
     "    vec3 n = unit(gl_Normal);\n"
@@ -51,13 +53,15 @@ static const char *const late_vertex =
     "    precise vec3 way = p.xyz - eye.xyz * p.w;\n"
     "    point = eye.w == 0.0 ? p.xyz : way;\n"
     "    own_color = gl_Color.rgb;\n"
+    "    depth = abs(p.z);\n"
     "    gl_Position = ftransform();\n"
     "}\n";
 
 static const char *const late_fragment =
     "uniform vec3 ambient, specular;\n"
     "uniform float shininess;\n"
-    "uniform int light_count, side, model;\n"
+    "uniform int light_count, side, model, in_fog;\n"
+    "varying float depth;\n"
     "uniform vec4 eye;\n"
     "uniform vec3 to_light[1024];\n"
     "uniform vec3 light_color[1024];\n"
@@ -81,7 +85,10 @@ static const char *const late_fragment =
     "            }\n"
     "        }\n"
     "    }\n"
-    "    gl_FragColor = vec4(sum, 1.0);\n"
+    "    precise float slope = -1.0 / (gl_Fog.end - gl_Fog.start);\n"
+    "    precise float own = clamp(depth * slope + gl_Fog.end * -slope, 0.0, 1.0);\n"
+    "    precise vec3 fogged = gl_Fog.color.rgb * (1.0 - own) + clamp(sum, 0.0, 1.0) * own;\n"
+    "    gl_FragColor = vec4(in_fog == 1 ? fogged : sum, 1.0);\n"
     "}\n";
 
 static bool make_lighter(struct reference_lighter *lighter, const char *vertex, const char *fragment,
@@ -100,6 +107,7 @@ static bool make_lighter(struct reference_lighter *lighter, const char *vertex, 
     lighter->specular = glGetUniformLocation(program, "specular");
     lighter->shininess = glGetUniformLocation(program, "shininess");
     lighter->eye = glGetUniformLocation(program, "eye");
+    lighter->in_fog = glGetUniformLocation(program, "in_fog");
     return true;
 }
 
@@ -160,6 +168,7 @@ void reference_light_batch(const struct reference *reference, const struct refer
     glUniform3fv(lighter->normal_rows, 3, &batch->normal_rows[0].x);
     glUniform1i(lighter->side, sides[batch->light]);
     if (!batch->late) return;
+    glUniform1i(lighter->in_fog, glIsEnabled(GL_FOG));
     glUniform4fv(lighter->to_eye, 4, batch->to_eye->m);
     glUniform1i(lighter->model, batch->late->shading == ZR_SHADING_NORMALS);
     glUniform3fv(lighter->specular, 1, &batch->late->specular.x);

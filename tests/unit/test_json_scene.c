@@ -180,7 +180,7 @@ static void keys_are_checked_with_pointer_to_them(void **state)
     refuses_rest("\"nodez\": 1", "/nodez", "unknown key; known here: version, window");
     refuses_rest("\"Window\": {}", "/Window", "unknown key");
     refuses_rest("\"a/b~c\": 1", "/a~1b~0c", "unknown key");
-    refuses_rest("\"fog\": {}", "/fog", "not supported in this version");
+    refuses_rest("\"views\": []", "/views", "not supported in this version");
     refuses_rest("\"shading\": \"flat\", \"shading\": \"flat\"", "/shading", "given twice");
     refuses_rest("\"window\": {\"width\": 3, \"depth\": 4}", "/window/depth", "unknown key; known here: width, height");
     refuses_scene("{\"polygons\": [{" TRIANGLE ", " TRIANGLE "}]}", "/polygons/0/vertices", "given twice");
@@ -245,6 +245,13 @@ static void wrong_values_give_pointer_to_them(void **state)
     refuses_scene("{\"polygons\": [{" TRIANGLE ", \"material\": \"x\"}]}", "/polygons/0/material",
                   "no material has the name 'x'");
     refuses_rest("\"lights\": [{\"type\": \"point\"}]", "/lights/0/type", "not supported in this version");
+    refuses_rest("\"fog\": {}", "/fog", "near is missing");
+    refuses_rest("\"fog\": {\"near\": 1}", "/fog", "far is missing");
+    refuses_rest("\"fog\": {\"near\": 2, \"far\": 2}", "/fog", "far must be farther");
+    refuses_rest("\"fog\": {\"near\": -1, \"far\": 2}", "/fog/near", "-1");
+    refuses_rest("\"fog\": {\"near\": 1, \"far\": 1e300}", "/fog/far", "1e+300");
+    refuses_rest("\"fog\": {\"near\": 1, \"far\": 1.00000000001}", "/fog", "far must be farther");
+    refuses_rest("\"fog\": {\"mode\": \"exp\", \"near\": 0, \"far\": 1}", "/fog/mode", "not supported in this version");
     refuses_rest("\"lights\": [{\"direction\": [0,0,1]}]", "/lights/0", "type is missing");
     refuses_rest("\"lights\": [{\"type\": \"directional\", \"direction\": [0,0,0]}]", "/lights/0/direction",
                  "a direction of no length");

@@ -1,4 +1,5 @@
 /* What is shaded pixel by pixel: phong and normals, at places where it is known by hand. */
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -8,25 +9,31 @@
 enum { SIDE = 65 };
 
 /* A square of 2 by 2 in front of the camera, whose corners have these w, under one light from the camera. */
-static const uint8_t *render(struct reading **reading, const double w[4], const char *material)
+static const uint8_t *render_in(struct reading **reading, const double w[4], const char *material, const char *light)
 {
     static char text[2000];
     static const double x[4] = {-1, 1, 1, -1}, y[4] = {-1, -1, 1, 1};
     char *at =
         text +
         sprintf(text,
-                "{\"version\": 1, \"window\": {\"width\": %d, \"height\": %d}, \"ambient\": [0.1, 0.1, 0.1],"
+                "{\"version\": 1, \"window\": {\"width\": %d, \"height\": %d}, %s,"
                 "\"view\": {\"eye\": [0, 0, 1.5], \"perspective\": {\"yfovDegrees\": 60}, \"znear\": 0.5, \"zfar\": 9},"
-                "\"lights\": [{\"type\": \"directional\", \"direction\": [0, 0, -1], \"intensity\": 0.5}],"
                 "\"materials\": [{\"name\": \"m\", \"baseColorFactor\": [0.8, 0.4, 0.2], %s}],"
                 "\"meshes\": [{\"material\": \"m\", \"faces\": [[0, 1, 2, 3]], \"positions\": [",
-                SIDE, SIDE, material);
+                SIDE, SIDE, light, material);
     for (int k = 0; k < 4; k++)
         at += sprintf(at, "%s[%.9g, %.9g, 0, %.9g]", k ? ", " : "", x[k] * w[k], y[k] * w[k], w[k]);
     strcpy(at, "]}]}");
     *reading = read_text(ZR_FORMAT_JSON, text);
     assert_read(*reading);
     return scene_render(&(*reading)->arena, NULL, (*reading)->scene)->color;
+}
+
+static const uint8_t *render(struct reading **reading, const double w[4], const char *material)
+{
+    return render_in(reading, w, material,
+                     "\"ambient\": [0.1, 0.1, 0.1], \"lights\": [{\"type\": \"directional\", \"direction\": [0, 0, -1],"
+                     "\"intensity\": 0.5}]");
 }
 
 static void assert_pixel(const uint8_t *color, int red, int green, int blue)
@@ -71,11 +78,37 @@ static void highlights_do_not_move_with_the_w_of_corners(void **state)
     }
 }
 
+/* 1.5 in front of the camera: half way between its own colour and the fog's, or all of either. */
+static void fog_takes_its_share_by_depth(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *fog;
+        int red, green, blue;
+    } cases[] = {{"{\"color\": [0, 0, 1], \"near\": 1, \"far\": 2}", 102, 51, 153},
+                 {"{\"color\": [0, 0, 1], \"near\": 1.5, \"far\": 2}", 204, 102, 51},
+                 {"{\"color\": [0, 0, 1], \"near\": 0, \"far\": 1.25}", 0, 0, 255},
+                 {"{\"near\": 0, \"far\": 1}", 255, 255, 255}}; /* the background */
+    const double ones[4] = {1, 1, 1, 1}, twos[4] = {2, 2, 2, 2};
+    static const char *const shadings[] = {"flat", "gouraud", "unlit", "phong"};
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++)
+        for (size_t k = 0; k < sizeof shadings / sizeof shadings[0]; k++) {
+            char material[200], rest[200];
+            struct reading *reading;
+            snprintf(material, sizeof material, "\"shading\": \"%s\"", shadings[k]);
+            snprintf(rest, sizeof rest, "\"ambient\": [1, 1, 1], \"lights\": [], \"fog\": %s", cases[i].fog);
+            assert_pixel(render_in(&reading, k % 2 ? ones : twos, material, rest), cases[i].red, cases[i].green,
+                         cases[i].blue);
+            reading_free(reading);
+        }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(phong_in_the_middle_has_ambient_diffuse_and_all_of_the_highlight),
         cmocka_unit_test(highlights_do_not_move_with_the_w_of_corners),
+        cmocka_unit_test(fog_takes_its_share_by_depth),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

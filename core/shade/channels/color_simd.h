@@ -45,10 +45,16 @@ static inline void zr_expect_colors(struct zr_shader *s, const struct zr_run *ru
 static void zr_make_lines(struct zr_shader *s, const struct zr_run *run, int count)
 {
     for (uint32_t i = run->first; i < run->first + run->count; i++) {
-        struct zr_plane planes[1 + ZR_VALUES_FEW];
+        static const struct zr_material unlit = {.shading = ZR_SHADING_UNLIT};
+        struct zr_plane planes[1 + ZR_VALUES_MOST];
+        const bool in_fog = count > 1 + ZR_VALUES_LATE;
+        const bool flat = zr_line_color(s->geometry, run->surface, s->parts.owners[i] - 1, planes, &s->words[i]);
         s->has_planes[i] = false;
-        if (!zr_line_color(s->geometry, run->surface, s->parts.owners[i] - 1, planes, &s->words[i]))
-            zr_put_alone(s, i, planes, 1 + ZR_VALUES_FEW, count);
+        if (!flat || in_fog) zr_put_alone(s, i, planes, 1 + ZR_VALUES_MOST, count);
+        if (!in_fog) continue;
+        s->is_constant[i] = flat;
+        s->materials[i] = &unlit;
+        s->any_late = true;
     }
 }
 
@@ -56,13 +62,27 @@ static void zr_make_lines(struct zr_shader *s, const struct zr_run *run, int cou
 static inline void zr_put_late(struct zr_shader *s, const struct zr_run *run, const struct zr_way_v *way,
                                const int32_t (*vertices)[ZR_LANES], int count)
 {
+    const zr_vec4 *points = run->surface->attributes[ZR_ATTRIBUTE_POINT].values - run->draw->first_vertex;
+    const struct zr_plane_v none = {zr_vf_set(0.0f), zr_vf_set(0.0f), zr_vf_set(0.0f)};
+    struct zr_planes3_v planes = {none, none, none};
     struct zr_vec3_v values[3];
-    zr_normals_load(run->surface, zr_run_numbers(s, run), way->turned, values);
-    const struct zr_planes3_v normals = zr_planes3_make(way, values);
-    zr_values_load(run->surface->attributes[ZR_ATTRIBUTE_POINT].values - run->draw->first_vertex, vertices, values);
-    const struct zr_planes3_v points = zr_planes3_make(way, values);
-    zr_put_three(s, run->first, 4, count, &normals);
-    zr_put_three(s, run->first, 7, count, &points);
+    if (run->surface->attributes[ZR_ATTRIBUTE_NORMAL].values) {
+        zr_normals_load(run->surface, zr_run_numbers(s, run), way->turned, values);
+        planes = zr_planes3_make(way, values);
+    }
+    zr_put_three(s, run->first, 4, count, &planes);
+    zr_values_load(points, vertices, values);
+    planes = zr_planes3_make(way, values);
+    zr_put_three(s, run->first, 7, count, &planes);
+    if (count > 1 + ZR_VALUES_LATE) {
+        float depths[3][ZR_LANES];
+        for (int i = 0; i < ZR_LANES; i++)
+            for (int k = 0; k < 3; k++)
+                depths[k][i] = points[vertices[k][i]].w;
+        const struct zr_plane_v depth =
+            zr_plane1_make(way, zr_vf_load(depths[0]), zr_vf_load(depths[1]), zr_vf_load(depths[2]));
+        zr_put_plane(s, run->first, 1 + ZR_VALUES_LATE, count, &depth);
+    }
     for (uint32_t i = run->first; i < run->first + ZR_LANES; i++)
         s->materials[i] = run->draw->material;
     s->any_late = true;
@@ -71,14 +91,19 @@ static inline void zr_put_late(struct zr_shader *s, const struct zr_run *run, co
 static inline void zr_put_smooth(struct zr_shader *s, const struct zr_run *run, int count)
 {
     const struct zr_surface *surface = run->surface;
+    const enum zr_rate rate = surface->attributes[ZR_ATTRIBUTE_COLOR].rate;
     const zr_vi numbers = zr_run_numbers(s, run);
-    const struct zr_corner_numbers corners =
-        zr_corner_numbers_of(run->draw, surface->attributes[ZR_ATTRIBUTE_COLOR].rate, numbers);
+    const struct zr_corner_numbers corners = zr_corner_numbers_of(run->draw, rate, numbers);
     const struct zr_way_v way = zr_way_of(s->geometry->vertices, corners.vertex);
     const uint32_t backs = surface->sided ? zr_vm_bits(zr_shown_backs(run->draw, numbers, way.turned)) : 0;
     struct zr_vec3_v values[3];
     zr_colors_load(surface, corners.value, backs, values);
-    const struct zr_planes3_v planes = zr_planes3_make(&way, values);
+    struct zr_planes3_v planes = zr_planes3_make(&way, values);
+    if (zr_rate_is_flat(rate)) {
+        const zr_vf zero = zr_vf_set(0.0f);
+        planes = (struct zr_planes3_v){{values[0].x, zero, zero}, {values[0].y, zero, zero}, {values[0].z, zero, zero}};
+    }
+    if (count > 1 + ZR_VALUES_LATE) memset(s->is_constant + run->first, zr_rate_is_flat(rate), ZR_LANES);
     zr_put_plane(s, run->first, 0, count, &way.oow_plane);
     zr_put_three(s, run->first, 1, count, &planes);
     memset(s->has_planes + run->first, true, ZR_LANES);
@@ -96,7 +121,7 @@ static inline void zr_make_colors(struct zr_shader *s, const struct zr_run *run,
         zr_put_words(s, run, zr_vi_set((int32_t)s->nothing));
     } else if (zr_draw_is_of_lines(run->draw)) {
         zr_make_lines(s, run, count);
-    } else if (zr_surface_is_smooth(run->surface)) {
+    } else if (zr_surface_is_smooth(run->surface) || run->surface->is_late) {
         zr_put_smooth(s, run, count);
     } else {
         const zr_vi numbers = zr_sided_number(s->geometry, run->surface, zr_run_numbers(s, run));
@@ -123,8 +148,10 @@ static inline void zr_shade_colors(struct zr_shader *s, const struct zr_tile *ti
 {
     s->nothing = to->nothing;
     s->any_planes = s->any_late = false;
-    if (s->surfaces->any_late)
+    if (s->surfaces->fog.is_on)
         zr_shade_colors_by(s, tile, begin, end, to, 1 + ZR_VALUES_MOST);
+    else if (s->surfaces->any_late)
+        zr_shade_colors_by(s, tile, begin, end, to, 1 + ZR_VALUES_LATE);
     else
         zr_shade_colors_by(s, tile, begin, end, to, 1 + ZR_VALUES_FEW);
 }
