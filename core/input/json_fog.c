@@ -12,7 +12,8 @@ static bool read_depth(struct zr_json *json, const struct zr_json_path *path, co
         zr_json_fault(json, path, "%s is missing: a depth in front of the camera", words[key]);
         return false;
     }
-    if (!zr_json_number(json, ZR_JSON_KEY(path, words[key]), found[key], 0, (double)ZR_MATRIX_MAX, &depth)) return false;
+    if (!zr_json_number(json, ZR_JSON_KEY(path, words[key]), found[key], 0, (double)ZR_MATRIX_MAX, &depth))
+        return false;
     *out = (float)depth;
     return true;
 }
@@ -29,8 +30,8 @@ void zr_draft_read_fog(struct zr_draft *draft, const struct zr_json_path *path, 
                has_far = read_depth(json, path, found, FAR, &fog.far);
     if (!has_near || !has_far) return;
     if (!(fog.near < fog.far)) {
-        zr_json_fault(json, path, "near is %g and far %g: fog begins at near, and far must be farther", (double)fog.near,
-                      (double)fog.far);
+        zr_json_fault(json, path, "near is %g and far %g: fog begins at near, and far must be farther",
+                      (double)fog.near, (double)fog.far);
         return;
     }
     fog.color = (zr_vec3){color.x, color.y, color.z};
