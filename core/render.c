@@ -1,4 +1,4 @@
-/* render.c - the pipeline, from top to bottom: each line of run_pipeline is a stage. */
+/* render.c - the pipeline, from top to bottom: each STAGE of run_pipeline is one. */
 #include "zraster.h"
 
 #include "geometry/build.h"

@@ -69,7 +69,8 @@ struct run {
     const struct zr_material *material;
 };
 
-/* Convex and wholly in view. That its material fills it and wants no outline, which would need room, is seen before. */
+/* Convex and wholly in view. That its material fills it and wants no outline, which moves faces back, is seen before.
+ */
 static bool face_is_plain(const struct zr_builder *builder, const struct zr_fans *fans, uint32_t face)
 {
     const struct zr_mesh *mesh = builder->mesh;

@@ -17,7 +17,8 @@
 #define ZR_GEOMETRY_MAX (1u << 28)
 
 /* A polygon that is no convex one. What it covers is decided by the odd-even rule over its edges; its
- * triangles, which are consecutive primitives, only tell depth and colour there. */
+ * triangles, which are consecutive primitives (of more than one draw, where the room for one ends), only tell depth and
+ * colour there. */
 struct zr_shape {
     uint32_t first_edge, edge_count;
     uint32_t triangle_count;            /* at least one */

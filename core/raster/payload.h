@@ -24,7 +24,7 @@ struct zr_payload {
     const void *context; /* of whom `make` is */
     const struct zr_draw *draw;
     /* Bit t % 32 of backs[t / 32] where triangle t shows its back, of those that are seen: noted when they are sorted.
-     * NULL: nobody asks. */
+     * NULL: not asked for. */
     uint32_t *backs;
     /* Where shading looks first for triangle 0; for each one behind it, `step` bytes farther. It is asked for from
      * memory when fragments are drawn. */

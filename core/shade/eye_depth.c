@@ -21,10 +21,10 @@ static double most(const double v[3])
 }
 
 /* Of a line, or of a piece: others have no eyes. */
-static void eye_depths(const struct zr_geometry *geometry, const struct zr_triangle *of, double out[3])
+static void eye_depths(const struct zr_geometry *geometry, const struct zr_triangle *primitive, double out[3])
 {
     for (int k = 0; k < 3; k++) {
-        const struct zr_eye *eye = &geometry->eyes[of->v[k]];
+        const struct zr_eye *eye = &geometry->eyes[primitive->v[k]];
         out[k] = -(double)eye->z / (double)eye->w;
     }
 }
@@ -40,13 +40,14 @@ static struct zr_eye_plane line_plane(const struct zr_window_vertex *const v[2],
     return (struct zr_eye_plane){p0 - (dadx * (x0 - 0.5) + dady * (y0 - 0.5)), dadx, dady};
 }
 
-struct zr_eye_depth zr_eye_depth_of_line(const struct zr_geometry *geometry, const struct zr_triangle *of)
+struct zr_eye_depth zr_eye_depth_of_line(const struct zr_geometry *geometry, const struct zr_triangle *primitive)
 {
-    const struct zr_window_vertex *const v[2] = {&geometry->vertices[of->v[0]], &geometry->vertices[of->v[1]]};
+    const struct zr_window_vertex *const v[2] = {&geometry->vertices[primitive->v[0]],
+                                                 &geometry->vertices[primitive->v[1]]};
     double z[2], w[2], depths[3];
-    eye_depths(geometry, of, depths);
+    eye_depths(geometry, primitive, depths);
     for (int k = 0; k < 2; k++) {
-        const struct zr_eye *eye = &geometry->eyes[of->v[k]];
+        const struct zr_eye *eye = &geometry->eyes[primitive->v[k]];
         z[k] = -(double)eye->z * (double)v[k]->oow;
         w[k] = (double)eye->w * (double)v[k]->oow;
     }

@@ -81,7 +81,7 @@ static void find_planes(const struct points *points, const struct zr_source *sou
     shown->parts[1] = value_plane(c, 0.0, 0.0, 1.0, width, height);
 }
 
-static struct zr_eye_depth depth_of(const struct points *points, const struct zr_triangle *piece,
+static struct zr_eye_depth depth_of(const struct points *points, const struct zr_triangle *triangle,
                                     const struct zr_source *source)
 {
     const zr_vec4 *corners[1 + ZR_EYE_ROOM][3];
@@ -89,7 +89,7 @@ static struct zr_eye_depth depth_of(const struct points *points, const struct zr
     memcpy(corners[0], source->corners, sizeof corners[0]);
     if (points->kernel->make(source->instance, corners, 1, points->frame->width, points->frame->height, out) > 0 &&
         source->is_cut)
-        zr_eye_depth_take_piece(points->geometry, piece, &out[0]);
+        zr_eye_depth_take_piece(points->geometry, triangle, &out[0]);
     return out[0];
 }
 

@@ -201,10 +201,11 @@ static bool make_points(struct making *m)
     const zr_vec4 eye = m->out->eye;
     zr_vec4 *points = zr_arena_alloc(m->arena, g->vertex_count, sizeof *points);
     if (!points) return false;
+    m->points = points; /* also where it is cancelled, and half done */
     for (uint32_t number = 0; number < m->scene->instance_count; number++) {
         begin_instance(m, number);
         zr_vec4 *of_instance = points + m->instance->first_vertex;
-        if (zr_is_cancelled(m->cancel)) return true;
+        if (zr_is_cancelled(m->cancel)) break;
         for (uint32_t i = 0; i < m->mesh->position_count; i++) {
             const zr_vec4 p = zr_mat4_apply(&m->instance->to_eye, m->mesh->positions[i]);
             of_instance[i] = p;
@@ -214,7 +215,6 @@ static bool make_points(struct making *m)
         }
         extend(m, ZR_RATE_VERTEX, m->mesh->position_count, of_instance);
     }
-    m->points = points;
     m->instance = NULL;
     m->cut_end = 0;
     return true;

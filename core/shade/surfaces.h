@@ -26,10 +26,10 @@ struct zr_surface {
     struct zr_attribute attributes[ZR_ATTRIBUTE_COUNT];
     const uint32_t *packed; /* colours of faces, as zr_rgba_opaque, fronts and, where there are backs, those behind
                                them: instead of values, or beside them; NULL: not made */
-    uint32_t color_count;   /* fronts */
+    uint32_t color_count;   /* fronts, without those that clipping made */
     bool sided;             /* backs are drawn, in colours of their own */
     bool is_late;           /* zr_material_is_shaded_late, or in fog */
-    const uint32_t *backs;  /* as zr_payload has them, where somebody noted them */
+    const uint32_t *backs;  /* those of its zr_payload (zr_paint_prepare), which sorting fills in; NULL: it has none */
 };
 
 struct zr_surfaces {
