@@ -38,8 +38,8 @@ struct zr_draw {
     const uint32_t *slots;
     /* One a primitive: faces of the mesh, and behind them its lines. NULL: first_face and those that follow. */
     const uint32_t *faces;
-    /* One a primitive, but of ZR_DRAW_TRIANGLES: 2 times the number of its shape, and 1 more where it shows its back.
-     */
+    /* One a primitive: 2 times the number of its shape, and 1 more where it shows its back. NULL of
+     * ZR_DRAW_TRIANGLES. */
     const uint32_t *traits;
     uint32_t first_face;
     uint32_t first_id; /* of face 0 */

@@ -206,12 +206,34 @@ static void flat_colors_are_packed_once_for_all_draws_of_a_mesh(void **state)
     zr_arena_free(&arena);
 }
 
+/* Raised before points are made: a surface that wants them has some nevertheless. */
+static void points_are_there_though_their_making_was_cancelled(void **state)
+{
+    (void)state;
+    static const zr_vec4 p[3] = {{0, 0, 0, 1}, {0, 0.5f, 0, 1}, {0.5f, 0, 0, 1}};
+    static struct test_scene test;
+    const struct zr_cancel cancel = {.raised = true};
+    struct zr_surfaces surfaces;
+    struct zr_geometry geometry;
+    struct zr_camera camera;
+    struct zr_error error = {.count = 0};
+    zr_arena_init(&arena, 1 << 24);
+    scene_of_triangles(&test, WIDTH, HEIGHT, p, 1);
+    test.material.shading = ZR_SHADING_PHONG;
+    assert_int_equal(zr_camera_resolve(&test.scene, NULL, NULL, NULL, &camera, &error), ZR_OK);
+    assert_int_equal(zr_geometry_build(&arena, NULL, &test.scene, &camera, NULL, false, &geometry), ZR_OK);
+    assert_int_equal(zr_surfaces_make(&arena, NULL, &test.scene, &camera, &geometry, &cancel, &surfaces), ZR_CANCELLED);
+    assert_non_null(surfaces.of_draw[0].attributes[ZR_ATTRIBUTE_POINT].values);
+    zr_arena_free(&arena);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         TEST_EACH_ISA(colors_are_those_of_primitives_that_are_placed_singly),
         cmocka_unit_test(nothing_is_lit_where_no_picture_is_wanted),
         cmocka_unit_test(flat_colors_are_packed_once_for_all_draws_of_a_mesh),
+        cmocka_unit_test(points_are_there_though_their_making_was_cancelled),
     };
     return cmocka_run_group_tests_name("lit", tests, NULL, NULL);
 }
