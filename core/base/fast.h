@@ -26,7 +26,7 @@
     row(tiny_fragments)                                                                                               \
     /* raster: small triangles sample by sample, many at once: bunny 512x512 flat +12..14 % */                        \
     row(stamps)                                                                                                       \
-    /* raster: blocks that are nearer already are passed over: not measured */                                        \
+    /* raster: blocks that are nearer already are passed over: fills +4..9 % */                                       \
     row(hidden_blocks)                                                                                                \
     /* raster: blocks that a triangle has alone are not written: cube +66..99 %, fills +61..75 % */                   \
     row(owned_blocks)                                                                                                 \
@@ -34,17 +34,17 @@
     row(nearest_first)                                                                                                \
     /* shade: tiny and small triangles in colour as they are drawn: bunny 512x512 Gouraud +37 % */                    \
     row(early_words)                                                                                                  \
-    /* shade: the colours that the mesh has, not copied: not measured */                                              \
+    /* shade: the colours that the mesh has, not copied: bunny 1080p Gouraud -5..+3 % */                              \
     row(given_colors)                                                                                                 \
     /* shade: meshes in one colour are lit without telling faces apart: lit million +16 % */                          \
     row(alike_points)                                                                                                 \
-    /* shade: flat colours are made as bytes: not measured */                                                         \
+    /* shade: flat colours are made as bytes: lit flat bunny 1080p +77 %, once */                                     \
     row(packed_colors)                                                                                                \
     /* shade: few flat colours are packed for many pixels: bunny 1080p flat +11..16 % */                              \
     row(packed_later)                                                                                                 \
     /* shade: which flat triangles show backs is noted while sorted: lit flat +44..75 % */                            \
     row(noted_backs)                                                                                                  \
-    /* shade: a block in one word is written as such: not measured */                                                 \
+    /* shade: a block in one word is written as such: fills 0..5 % */                                                 \
     row(whole_words)                                                                                                  \
     /* shade: frames go past the caches: 1080p +18..28 %, fills +33..75 % */                                          \
     row(streamed)
