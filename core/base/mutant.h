@@ -57,7 +57,7 @@
     row(lit_from_behind)            /* 16, whatever faces away from a light, too */                                   \
     row(half_not_unit)              /* highlights: the way between light and eye is not made unit */                  \
     row(backs_keep_normals)         /* what is shaded late: backs have the normals of fronts */                       \
-    row(fog_turned)                 /* light: far is clear, and near is not */                                        \
+    row(fog_turned)                 /* 21: far is clear, and near is not */                                           \
     row(distance_is_depth)          /* channels: not the length of the ray */                                         \
     row(positions_of_the_camera)    /* channels: whatever space is asked for */                                       \
     row(shares_of_turned_corners)   /* channels: the two that rule 6 exchanges are not changed back */                \

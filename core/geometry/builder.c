@@ -114,7 +114,7 @@ static bool goes_on(const struct zr_builder *builder, const struct zr_common *co
            last->material == common->material && last->pushed == common->pushed;
 }
 
-void zr_builder_place(struct zr_builder *builder, const struct zr_common *common, const struct zr_end ends[3])
+void zr_builder_place(struct zr_builder *builder, const struct zr_common *common, const struct zr_corner ends[3])
 {
     struct zr_geometry *g = builder->geometry;
     struct zr_placed *p = &builder->placed;
@@ -146,7 +146,7 @@ void zr_builder_place(struct zr_builder *builder, const struct zr_common *common
 
 /* ---- what is cut ---- */
 
-static bool note_cut(struct zr_builder *builder, const struct zr_clipped *clipped, const struct zr_end *corners)
+static bool note_cut(struct zr_builder *builder, const struct zr_clipped *clipped, const struct zr_corner *corners)
 {
     struct zr_geometry *g = builder->geometry;
     void *cuts = g->cuts;
@@ -184,8 +184,9 @@ static void cut_eyes(const struct zr_builder *builder, const struct zr_cut *cut,
         out[i] = (struct zr_eye){left[i].x, left[i].y};
 }
 
-bool zr_builder_append_cut(struct zr_builder *builder, const struct zr_clipped *clipped, const struct zr_end *corners,
-                           struct zr_end ends[ZR_CLIP_MAX], bool placed[ZR_CLIP_MAX])
+bool zr_builder_append_cut(struct zr_builder *builder, const struct zr_clipped *clipped,
+                           const struct zr_corner *corners, struct zr_corner ends[ZR_CLIP_MAX],
+                           bool placed[ZR_CLIP_MAX])
 {
     struct zr_geometry *g = builder->geometry;
     if (!zr_builder_reserve_vertices(builder, (uint64_t)clipped->count) || !note_cut(builder, clipped, corners))

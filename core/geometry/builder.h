@@ -72,12 +72,12 @@ struct zr_common {
 };
 
 /* A corner of a primitive, as zr_draw has it: a vertex, counted from first_vertex, and a slot. */
-struct zr_end {
+struct zr_corner {
     uint32_t vertex, slot;
 };
 
 /* Appends a primitive by itself, to the last draw where that is of the same kind. Failure is the arena's. */
-void zr_builder_place(struct zr_builder *builder, const struct zr_common *common, const struct zr_end ends[3]);
+void zr_builder_place(struct zr_builder *builder, const struct zr_common *common, const struct zr_corner ends[3]);
 
 /* A position in clip space. */
 static inline zr_vec4 zr_builder_clip_position(const struct zr_builder *builder, uint32_t position)
@@ -97,7 +97,7 @@ struct zr_outcodes {
     unsigned any, all;
 };
 
-static inline struct zr_outcodes zr_builder_outcodes(const struct zr_builder *builder, const struct zr_end *ends,
+static inline struct zr_outcodes zr_builder_outcodes(const struct zr_builder *builder, const struct zr_corner *ends,
                                                      int count)
 {
     struct zr_outcodes codes = {0, ~(unsigned)ZR_OUTCODE_UNPLACED};
@@ -112,7 +112,8 @@ static inline struct zr_outcodes zr_builder_outcodes(const struct zr_builder *bu
 
 /* Appends the vertices that clipping left of a primitive, whose corners are positions, and notes how (zr_cut). ends[i]
  * is then vertex i, and placed[i] whether it has a place in the window. False where the arena has failed. */
-bool zr_builder_append_cut(struct zr_builder *builder, const struct zr_clipped *clipped, const struct zr_end *corners,
-                           struct zr_end ends[ZR_CLIP_MAX], bool placed[ZR_CLIP_MAX]);
+bool zr_builder_append_cut(struct zr_builder *builder, const struct zr_clipped *clipped,
+                           const struct zr_corner *corners, struct zr_corner ends[ZR_CLIP_MAX],
+                           bool placed[ZR_CLIP_MAX]);
 
 #endif

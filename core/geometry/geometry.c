@@ -1,16 +1,27 @@
 #include "geometry/geometry.h"
 
-const struct zr_draw *zr_draw_of(const struct zr_geometry *geometry, uint32_t number)
+/* Which of `count` items, `size` bytes apart, is the last whose first word is no more than `number`: 0 where none is.
+ */
+static size_t last_up_to(const uint32_t *first_words, uint32_t count, size_t size, uint32_t number)
 {
-    uint32_t low = 0, high = geometry->draw_count;
+    const size_t words = size / sizeof *first_words;
+    size_t low = 0, high = count;
     while (high - low > 1) {
-        uint32_t middle = low + (high - low) / 2;
-        if (geometry->draws[middle].first <= number)
+        const size_t middle = low + (high - low) / 2;
+        if (first_words[middle * words] <= number)
             low = middle;
         else
             high = middle;
     }
-    return &geometry->draws[low];
+    return low;
+}
+
+_Static_assert(offsetof(struct zr_draw, first) == 0 && sizeof(struct zr_draw) % sizeof(uint32_t) == 0, "first words");
+_Static_assert(offsetof(struct zr_cut, first_vertex) == 0 && sizeof(struct zr_cut) % sizeof(uint32_t) == 0, "likewise");
+
+const struct zr_draw *zr_draw_of(const struct zr_geometry *geometry, uint32_t number)
+{
+    return &geometry->draws[last_up_to(&geometry->draws->first, geometry->draw_count, sizeof *geometry->draws, number)];
 }
 
 struct zr_triangle zr_triangle_of(const struct zr_geometry *geometry, const struct zr_draw *draw, uint32_t number)
@@ -35,15 +46,8 @@ struct zr_triangle zr_triangle_of(const struct zr_geometry *geometry, const stru
 
 static const struct zr_cut *cut_of(const struct zr_geometry *geometry, uint32_t vertex)
 {
-    uint32_t low = 0, high = geometry->cut_count;
-    while (high - low > 1) {
-        uint32_t middle = low + (high - low) / 2;
-        if (geometry->cuts[middle].first_vertex <= vertex)
-            low = middle;
-        else
-            high = middle;
-    }
-    return &geometry->cuts[low];
+    return &geometry
+                ->cuts[last_up_to(&geometry->cuts->first_vertex, geometry->cut_count, sizeof *geometry->cuts, vertex)];
 }
 
 struct zr_source zr_source_of(const struct zr_geometry *geometry, const struct zr_draw *draw,

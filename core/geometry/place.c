@@ -20,7 +20,7 @@ bool zr_place_is_thin(const struct zr_window_vertex *v0, const struct zr_window_
 }
 
 /* Drops what has no area or shows its back and must not. True where it was kept. */
-static bool append_triangle(struct zr_builder *builder, const struct zr_end ends[3], const struct zr_common *common)
+static bool append_triangle(struct zr_builder *builder, const struct zr_corner ends[3], const struct zr_common *common)
 {
     struct zr_geometry *geometry = builder->geometry;
     const struct zr_window_vertex *vertices = geometry->vertices + builder->first_vertex;
@@ -43,12 +43,12 @@ static bool append_triangle(struct zr_builder *builder, const struct zr_end ends
     return zr_arena_ok(builder->arena);
 }
 
-static void clip_and_append(struct zr_builder *builder, const struct zr_end corners[3], unsigned outcodes,
+static void clip_and_append(struct zr_builder *builder, const struct zr_corner corners[3], unsigned outcodes,
                             const struct zr_common *common)
 {
     struct zr_geometry *geometry = builder->geometry;
     struct zr_clipped clipped;
-    struct zr_end ends[ZR_CLIP_MAX];
+    struct zr_corner ends[ZR_CLIP_MAX];
     bool placed[ZR_CLIP_MAX];
     zr_vec4 in[3];
     for (int k = 0; k < 3; k++)
@@ -58,7 +58,7 @@ static void clip_and_append(struct zr_builder *builder, const struct zr_end corn
     if (count == 0 || !zr_builder_append_cut(builder, &clipped, corners, ends, placed)) return;
     const struct zr_counts before = geometry->counts;
     for (int i = 2; i < count; i++) {
-        const struct zr_end piece[3] = {ends[i - 1], ends[i], ends[0]};
+        const struct zr_corner piece[3] = {ends[i - 1], ends[i], ends[0]};
         if (!placed[i - 1] || !placed[i] || !placed[0]) continue;
         if (append_triangle(builder, piece, common)) geometry->counts.drawn_pieces++;
     }
@@ -71,9 +71,9 @@ static void clip_and_append(struct zr_builder *builder, const struct zr_end corn
 void zr_place_triangle(struct zr_builder *builder, const uint32_t slots[3], const struct zr_common *common)
 {
     struct zr_counts *counts = &builder->geometry->counts;
-    struct zr_end corners[3];
+    struct zr_corner corners[3];
     for (int k = 0; k < 3; k++)
-        corners[k] = (struct zr_end){builder->mesh->indices[slots[k]], slots[k]};
+        corners[k] = (struct zr_corner){builder->mesh->indices[slots[k]], slots[k]};
     const struct zr_outcodes codes = zr_builder_outcodes(builder, corners, 3);
     counts->triangles++;
     if (codes.all)

@@ -16,10 +16,10 @@ static void own_eye(struct zr_builder *builder, uint32_t vertex)
         builder->geometry->eyes[builder->first_vertex + vertex] = zr_builder_eye(builder, vertex);
 }
 
-static void append_line(struct zr_builder *builder, const struct zr_common *common, struct zr_end from,
-                        struct zr_end to)
+static void append_line(struct zr_builder *builder, const struct zr_common *common, struct zr_corner from,
+                        struct zr_corner to)
 {
-    const struct zr_end ends[3] = {from, to, to};
+    const struct zr_corner ends[3] = {from, to, to};
     own_eye(builder, from.vertex);
     own_eye(builder, to.vertex);
     zr_builder_place(builder, common, ends);
@@ -41,12 +41,12 @@ struct pen {
     bool whole;     /* all pieces show the part's side, whatever their own windings are */
 };
 
-static void draw_triangle(struct zr_builder *builder, const struct pen *pen, const struct zr_end ends[3],
+static void draw_triangle(struct zr_builder *builder, const struct pen *pen, const struct zr_corner ends[3],
                           unsigned edges)
 {
     struct zr_geometry *geometry = builder->geometry;
     struct zr_window_vertex vertices[ZR_CLIP_MAX];
-    struct zr_end corners[ZR_CLIP_MAX];
+    struct zr_corner corners[ZR_CLIP_MAX];
     struct zr_outline_line lines[ZR_CLIP_MAX];
     const struct zr_outcodes codes = zr_builder_outcodes(builder, ends, 3);
     int count = 3;
@@ -97,9 +97,9 @@ void zr_wire_outline(struct zr_builder *builder, uint32_t face)
         uint32_t begin = rings.offsets[r], count = rings.offsets[r + 1] - begin;
         for (uint32_t i = 2; i < count && zr_arena_ok(builder->arena); i++) {
             const uint32_t fan[3] = {i - 1, i, 0}, whole[3] = {0, 1, 2}, *order = count == 3 ? whole : fan;
-            struct zr_end ends[3];
+            struct zr_corner ends[3];
             for (int k = 0; k < 3; k++)
-                ends[k] = (struct zr_end){mesh->indices[begin + order[k]], begin + order[k]};
+                ends[k] = (struct zr_corner){mesh->indices[begin + order[k]], begin + order[k]};
             draw_triangle(builder, &pen, ends, count == 3 ? 7u : zr_outline_fan_edges(i, count));
         }
     }
@@ -107,11 +107,11 @@ void zr_wire_outline(struct zr_builder *builder, uint32_t face)
 
 /* ---- lines ---- */
 
-static void place_line(struct zr_builder *builder, const struct zr_common *common, const struct zr_end given[2])
+static void place_line(struct zr_builder *builder, const struct zr_common *common, const struct zr_corner given[2])
 {
     struct zr_counts *counts = &builder->geometry->counts;
     const struct zr_outcodes codes = zr_builder_outcodes(builder, given, 2);
-    struct zr_end ends[ZR_CLIP_MAX] = {given[0], given[1]};
+    struct zr_corner ends[ZR_CLIP_MAX] = {given[0], given[1]};
     counts->lines++;
     if (codes.all || codes.any & ZR_OUTCODE_UNPLACED) {
         counts->outside_lines++;
@@ -139,7 +139,7 @@ enum zr_status zr_wire_lines(struct zr_builder *builder)
     struct zr_common common = {.material = &builder->scene->materials[mesh->material], .kind = ZR_DRAW_LINES};
     for (uint32_t i = 0; i < mesh->line_count; i++) {
         const uint32_t *positions = mesh->lines + 2 * (size_t)i;
-        const struct zr_end ends[2] = {{positions[0], 0}, {positions[1], 0}};
+        const struct zr_corner ends[2] = {{positions[0], 0}, {positions[1], 0}};
         if (!zr_builder_go_on(builder, LINE_WORK)) return ZR_CANCELLED;
         common.face = mesh->face_count + i;
         place_line(builder, &common, ends);

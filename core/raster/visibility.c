@@ -11,9 +11,9 @@
 /* Triangles, or edges and triangles of shapes: less than a millisecond of work. */
 enum { PARTS_A_CANCEL_CHECK = 1024 };
 
-/* Blocks of a tile's fragments, or of its small triangles, from which on it keeps early colours: fewer pixels are
+/* Blocks of a tile's fragments, or of its small triangles, from which on it keeps words: fewer pixels are
  * sooner painted than set aside and put back, and where there are fewer small triangles they are larger than stamps. A
- * guess, for it counts all threads' and all draws' blocks, whether they are full or have colours, or not; only time
+ * guess, for it counts all threads' and all draws' blocks, whether they are full or have words, or not; only time
  * depends on it. */
 enum { BLOCKS_WITH_WORDS = 3, SMALL_BLOCKS_WITH_WORDS = 9 };
 
@@ -229,7 +229,7 @@ static bool has_more(const struct zr_visible *visible, uint32_t number)
     return has_others(visible, number);
 }
 
-/* Whether early colours are kept: there are enough of them to earn that, and nothing is drawn over them. */
+/* Whether words are kept: there are enough of them to earn that, and nothing is drawn over them. */
 static bool keeps_words(const struct zr_visible *visible, uint32_t number)
 {
     uint32_t fragments = 0, small = 0;

@@ -3,7 +3,6 @@
 #ifndef ZR_BLOCKS_SIMD_H
 #define ZR_BLOCKS_SIMD_H
 
-#include "base/fast.h"
 #include "base/rgba_simd.h"
 #include "raster/tile_simd.h"
 #include "shade/shader_simd.h"
@@ -179,26 +178,10 @@ static inline void zr_block_put(const struct zr_tile *tile, int number, const st
     }
 }
 
-/* A block that is one word, all of which lies in the window. */
-static inline void zr_block_put_word(int number, zr_vi word, const struct zr_pixel_rows *out)
-{
-    const int32_t left = number % ZR_BLOCK_COLUMNS * ZR_BLOCK_WIDTH, low = number / ZR_BLOCK_COLUMNS * ZR_BLOCK_HEIGHT;
-    uint32_t *to = out->first + low * out->stride + left;
-    for (int32_t y = 0; y < ZR_BLOCK_HEIGHT; y++, to += out->stride)
-        for (int32_t x = 0; x < ZR_BLOCK_WIDTH; x += ZR_LANES)
-            zr_vi_put(to + x, word, out->streamed);
-}
-
 static inline void zr_finish_block(const struct zr_shader *s, const struct zr_tile *tile, int number, bool with_known,
                                    int plane_count, const struct zr_pixel_rows *behind, const struct zr_pixel_rows *out)
 {
-    const struct zr_block_parts *parts = &s->parts.blocks[number];
     struct zr_block_pixels block;
-    const bool is_word = parts->is_whole && !s->has_planes[parts->first] && !behind && zr_tile_has_whole_blocks(tile);
-    if (ZR_FAST(whole_words, is_word)) {
-        zr_block_put_word(number, zr_vi_set((int32_t)s->words[parts->first]), out);
-        return;
-    }
     zr_shade_block(s, tile, number, plane_count, &block);
     if (with_known) zr_block_put_known(tile, number, &block);
     if (behind) zr_block_put_behind(tile, number, behind, &block);
