@@ -11,8 +11,9 @@
  *   zr_vf_load(p) zr_vi_load(p)        ZR_LANES from anywhere    zr_vf_store(p, v) zr_vi_store(p, v)
  *   zr_vi_store_first(p, v, n): lanes 0 .. n - 1, n at most ZR_LANES, and nothing else is touched
  *   zr_vi_store_where(p, m, v): the lanes of m; others may be written as they were
- *   zr_vi_load_patch(p, stride), zr_vi_store_patch(p, stride, v): ZR_PATCH_ROWS rows of ZR_PATCH_COLUMNS words each,
- *     `stride` words apart, lane 0 and those that follow being the first row
+ *   zr_vi_load_patch(p, stride): ZR_PATCH_ROWS rows of ZR_PATCH_COLUMNS words each, `stride` words apart, lane 0 and
+ *     those that follow being the first row
+ *   zr_vi_rows_of_patches(v): ZR_PATCH_ROWS patches side by side become as many rows of ZR_LANES words
  *   zr_vi_later(v, n): lane i is lane i - n of v, or anything where there is none; n is a constant, 1 .. 4
  *   zr_vi_stream(p, v): past the caches where the machine can, p being a multiple of the vector's size; others see it
  *     as team.h says
@@ -79,10 +80,9 @@ static inline zr_vi zr_vi_load_patch(const uint32_t *p, size_t stride)
     return zr_vi_load(p);
 }
 
-static inline void zr_vi_store_patch(uint32_t *p, size_t stride, zr_vi v)
+static inline void zr_vi_rows_of_patches(zr_vi v[ZR_PATCH_ROWS])
 {
-    (void)stride;
-    zr_vi_store(p, v);
+    (void)v;
 }
 #endif
 

@@ -9,14 +9,17 @@
 
 /* ---- pixels ---- */
 
-/* What `count` parts from `first` on show in a patch, whose pixels x, y are. */
+/* What `count` parts from `first` on show in a patch, whose pixels x, y are. Some that follow are looked at with them:
+ * they are other owners', or have the same word (a tenth of the flat bunny's time: how many there are cannot be
+ * foretold by the processor). */
 static inline zr_vi zr_words_at(const struct zr_shader *s, uint32_t first, uint32_t count, zr_vi owner)
 {
-    zr_vi words = zr_vi_set((int32_t)s->nothing);
-    for (uint32_t i = first; i < first + count; i++) {
-        const zr_vm here = zr_vi_eq(owner, zr_vi_set((int32_t)s->parts.owners[i]));
-        words = zr_vi_select(here, zr_vi_set((int32_t)s->words[i]), words);
-    }
+    zr_vi words = zr_vi_set((int32_t)s->words[0]);
+    for (uint32_t i = first; i < first + count; i += ZR_PARTS_AT_ONCE)
+        for (uint32_t k = i; k < i + ZR_PARTS_AT_ONCE; k++) {
+            const zr_vm here = zr_vi_eq(owner, zr_vi_set((int32_t)s->parts.owners[k]));
+            words = zr_vi_select(here, zr_vi_set((int32_t)s->words[k]), words);
+        }
     return words;
 }
 
@@ -52,7 +55,7 @@ static inline zr_vi zr_shade_at(const struct zr_shader *s, uint32_t first, uint3
                                 zr_vf y, int plane_count)
 {
     if (!s->any_planes || count == 0) return zr_words_at(s, first, count, owner);
-    zr_vi words = zr_vi_set((int32_t)s->nothing);
+    zr_vi words = zr_vi_set((int32_t)s->words[0]);
     zr_vf planes[1 + ZR_VALUES_MOST][3];
     zr_vm smooth = zr_vi_lt(zr_vi_set(0), zr_vi_set(0));
     zr_select_planes(s, first, count, owner, plane_count, planes);
@@ -72,130 +75,182 @@ static inline zr_vi zr_shade_at(const struct zr_shader *s, uint32_t first, uint3
     return words;
 }
 
-/* ---- a block ---- */
+/* ---- to the picture ---- */
 
-/* A block before it is written. */
-struct zr_block_pixels {
-    _Alignas(64) uint32_t pixels[ZR_BLOCK_HEIGHT][ZR_BLOCK_WIDTH];
+/* Where pixels of a tile go. */
+struct zr_finish {
+    const struct zr_tile *tile;
+    bool with_known;                    /* words that the tile knows come first */
+    const struct zr_pixel_rows *behind; /* where nobody is seen, what is behind; or NULL */
+    const struct zr_pixel_rows *out;
 };
 
-/* All of one part's. */
-static inline void zr_shade_whole_block(const struct zr_shader *s, const struct zr_tile *tile, int number,
-                                        int plane_count, struct zr_block_pixels *out)
+static inline zr_vi zr_known_or(const struct zr_tile *tile, int32_t at, zr_vi words)
 {
-    const uint32_t part = s->parts.blocks[number].first;
-    const zr_vi word = zr_vi_set((int32_t)s->words[part]), owner = zr_vi_set((int32_t)s->parts.owners[part]);
-    const bool has_planes = s->has_planes[part], late = plane_count > 1 + ZR_VALUES_FEW && s->materials[part];
-    zr_vf planes[1 + ZR_VALUES_MOST][3];
-    const int32_t left = tile->x + number % ZR_BLOCK_COLUMNS * ZR_BLOCK_WIDTH;
-    zr_vf y = zr_vf_set((float)(tile->y + number / ZR_BLOCK_COLUMNS * ZR_BLOCK_HEIGHT));
-    zr_select_planes(s, part, 1, owner, plane_count, planes);
-    for (int row = 0; row < ZR_BLOCK_HEIGHT; row++, y = y + zr_vf_set(1.0f))
-        for (int v = 0; v < ZR_BLOCK_WIDTH; v += ZR_LANES) {
-            const zr_vf x = zr_vf_of(zr_vi_set(left + v) + zr_vi_ramp());
-            zr_vi words = word;
-            if (late)
-                words = zr_shade_late(s, part, 1, owner, planes, x, y, plane_count, words);
-            else if (has_planes)
-                words = zr_color_over_w(zr_shaded_value(planes, 0, x, y), zr_shaded_value(planes, 1, x, y),
-                                        zr_shaded_value(planes, 2, x, y), zr_shaded_value(planes, 3, x, y));
-            zr_vi_store(&out->pixels[row][v], words);
+    const zr_vi known = zr_vi_load(tile->words + at);
+    return zr_vi_select(zr_vi_eq(known, zr_vi_set(0)), words, known);
+}
+
+static inline zr_vi zr_behind_or(const struct zr_tile *tile, int32_t at, const uint32_t *behind, int32_t columns,
+                                 zr_vi words)
+{
+    uint32_t pixels[ZR_LANES] = {0};
+    memcpy(pixels, behind, sizeof *pixels * (size_t)(columns < ZR_LANES ? columns : ZR_LANES));
+    return zr_vi_select(zr_vi_eq(zr_vi_load(tile->owner + at), zr_vi_set(0)), zr_vi_load(pixels), words);
+}
+
+/* ZR_LANES pixels of a row, from x, y of the tile on; what lies outside of the window is left out. They go from
+ * registers to the picture: in an array between, they would wait until what was written to the picture before has
+ * left the processor (half the time of a cube). */
+static inline void zr_finish_pixels(const struct zr_finish *to, int32_t x, int32_t y, zr_vi words)
+{
+    const int32_t columns = to->tile->width - x, at = y * ZR_TILE_STRIDE + x;
+    if (y >= to->tile->height || columns <= 0) return;
+    if (to->with_known) words = zr_known_or(to->tile, at, words);
+    if (to->behind) words = zr_behind_or(to->tile, at, to->behind->first + y * to->behind->stride + x, columns, words);
+    uint32_t *out = to->out->first + y * to->out->stride + x;
+    if (columns >= ZR_LANES)
+        zr_vi_put(out, words, to->out->streamed);
+    else
+        zr_vi_store_first(out, words, (uint32_t)columns);
+}
+
+/* ---- a block ---- */
+
+/* Its first pixel, in the tile. */
+static inline int32_t zr_block_left(int block)
+{
+    return block % ZR_BLOCK_COLUMNS * ZR_BLOCK_WIDTH;
+}
+
+static inline int32_t zr_block_low(int block)
+{
+    return block / ZR_BLOCK_COLUMNS * ZR_BLOCK_HEIGHT;
+}
+
+/* Whether its pixels go to the picture as they are. */
+static inline bool zr_block_is_plain(const struct zr_finish *to, int block)
+{
+    return !to->with_known && !to->behind && zr_block_left(block) + ZR_BLOCK_WIDTH <= to->tile->width &&
+           zr_block_low(block) + ZR_BLOCK_HEIGHT <= to->tile->height;
+}
+
+/* All pixels of a block. */
+static inline void zr_finish_alike(const struct zr_finish *to, int block, zr_vi words)
+{
+    const int32_t left = zr_block_left(block), low = zr_block_low(block);
+    const bool plain = zr_block_is_plain(to, block);
+    uint32_t *out = to->out->first + low * to->out->stride + left;
+    for (int32_t y = 0; y < ZR_BLOCK_HEIGHT; y++, out += to->out->stride)
+        for (int32_t x = 0; x < ZR_BLOCK_WIDTH; x += ZR_LANES)
+            if (plain)
+                zr_vi_put(out + x, words, to->out->streamed);
+            else
+                zr_finish_pixels(to, left + x, low + y, words);
+}
+
+/* All pixels of a block, whose colour is planes of 1/w and of red, green and blue over that. */
+static inline void zr_finish_smooth(const struct zr_finish *to, int block, const float (*planes)[4])
+{
+    const int32_t left = zr_block_left(block), low = zr_block_low(block);
+    const bool plain = zr_block_is_plain(to, block);
+    uint32_t *out = to->out->first + low * to->out->stride + left;
+    zr_vf across[ZR_BLOCK_PARTS][4], y = zr_vf_set((float)(to->tile->y + low));
+    for (int v = 0; v < ZR_BLOCK_PARTS; v++) {
+        const zr_vf x = zr_vf_of(zr_vi_set(to->tile->x + left + v * ZR_LANES) + zr_vi_ramp());
+        for (int k = 0; k < 4; k++)
+            across[v][k] = zr_vf_set(planes[k][0]) + zr_vf_set(planes[k][1]) * x;
+    }
+    for (int32_t row = 0; row < ZR_BLOCK_HEIGHT; row++, out += to->out->stride, y = y + zr_vf_set(1.0f))
+        for (int v = 0; v < ZR_BLOCK_PARTS; v++) {
+            const zr_vi words =
+                zr_color_over_w(across[v][0] + zr_vf_set(planes[0][2]) * y, across[v][1] + zr_vf_set(planes[1][2]) * y,
+                                across[v][2] + zr_vf_set(planes[2][2]) * y, across[v][3] + zr_vf_set(planes[3][2]) * y);
+            if (plain)
+                zr_vi_put(out + v * ZR_LANES, words, to->out->streamed);
+            else
+                zr_finish_pixels(to, left + v * ZR_LANES, low + row, words);
         }
 }
 
-/* Where the patches of a block lie in the window. */
+/* All of one part's, who is shaded late. */
+static inline void zr_finish_late(const struct zr_shader *s, int block, int plane_count, const struct zr_finish *to)
+{
+    const uint32_t part = s->parts.blocks[block].first;
+    const zr_vi owner = zr_vi_set((int32_t)s->parts.owners[part]);
+    const int32_t left = zr_block_left(block), low = zr_block_low(block);
+    zr_vf planes[1 + ZR_VALUES_MOST][3], y = zr_vf_set((float)(to->tile->y + low));
+    zr_select_planes(s, part, 1, owner, plane_count, planes);
+    for (int32_t row = 0; row < ZR_BLOCK_HEIGHT; row++, y = y + zr_vf_set(1.0f))
+        for (int32_t column = 0; column < ZR_BLOCK_WIDTH; column += ZR_LANES) {
+            const zr_vf x = zr_vf_of(zr_vi_set(to->tile->x + left + column) + zr_vi_ramp());
+            zr_finish_pixels(to, left + column, low + row,
+                             zr_shade_late(s, part, 1, owner, planes, x, y, plane_count, owner));
+        }
+}
+
+/* All of one part's. */
+static inline void zr_finish_whole_block(const struct zr_shader *s, int block, int plane_count,
+                                         const struct zr_finish *to)
+{
+    const uint32_t part = s->parts.blocks[block].first;
+    if (!s->has_planes[part])
+        zr_finish_alike(to, block, zr_vi_set((int32_t)s->words[part]));
+    else if (plane_count > 1 + ZR_VALUES_FEW && s->materials[part])
+        zr_finish_late(s, block, plane_count, to);
+    else
+        zr_finish_smooth(to, block, &s->planes[part * (uint32_t)plane_count]);
+}
+
+/* Where the patches of a block lie. */
 struct zr_patch_place {
     zr_vi column, row; /* of each lane in its patch */
-    int32_t left, low; /* of the block */
+    int32_t left, low; /* of the block, in the window */
 };
 
 static inline struct zr_patch_place zr_patch_place_of(const struct zr_tile *tile, int number)
 {
     const zr_vi lane = zr_vi_ramp(), column = lane & zr_vi_set(ZR_PATCH_COLUMNS - 1);
     return (struct zr_patch_place){column, (lane - column) >> (ZR_PATCH_COLUMNS == 4 ? 2 : 0),
-                                   tile->x + number % ZR_BLOCK_COLUMNS * ZR_BLOCK_WIDTH,
-                                   tile->y + number / ZR_BLOCK_COLUMNS * ZR_BLOCK_HEIGHT};
-}
-
-static inline void zr_shade_block(const struct zr_shader *s, const struct zr_tile *tile, int number, int plane_count,
-                                  struct zr_block_pixels *out)
-{
-    const struct zr_block_parts *block = &s->parts.blocks[number];
-    if (block->is_whole) {
-        zr_shade_whole_block(s, tile, number, plane_count, out);
-        return;
-    }
-    const struct zr_patch_place place = zr_patch_place_of(tile, number);
-    uint32_t part = block->first;
-    for (int p = 0; p < ZR_BLOCK_PATCHES; p++) {
-        const int32_t x = p % ZR_PATCHES_ACROSS * ZR_PATCH_COLUMNS, y = p / ZR_PATCHES_ACROSS * ZR_PATCH_ROWS;
-        const uint32_t count = block->patches[p];
-        const zr_vi owner = zr_vi_load_patch(tile->owner + zr_patch_first(number, p), ZR_TILE_STRIDE);
-        const zr_vf fx = zr_vf_of(place.column + zr_vi_set(place.left + x));
-        const zr_vf fy = zr_vf_of(place.row + zr_vi_set(place.low + y));
-        zr_vi_store_patch(&out->pixels[y][x], ZR_BLOCK_WIDTH, zr_shade_at(s, part, count, owner, fx, fy, plane_count));
-        part += count;
-    }
+                                   tile->x + zr_block_left(number), tile->y + zr_block_low(number)};
 }
 _Static_assert(ZR_PATCH_COLUMNS == 4 || ZR_LANES == 1, "rows are a shift");
 
-/* ---- to the picture ---- */
-
-/* Where nobody is seen, what is behind. */
-static inline void zr_block_put_behind(const struct zr_tile *tile, int number, const struct zr_pixel_rows *behind,
-                                       struct zr_block_pixels *out)
+/* Patch by patch, as many side by side as make whole rows of ZR_LANES. */
+static inline void zr_finish_patches(const struct zr_shader *s, int number, int plane_count, const struct zr_finish *to)
 {
-    const uint32_t *owners = &tile->owner[zr_block_first(number)], *from = behind->first;
-    const int32_t left = number % ZR_BLOCK_COLUMNS * ZR_BLOCK_WIDTH, low = number / ZR_BLOCK_COLUMNS * ZR_BLOCK_HEIGHT;
-    for (int32_t y = 0; y < ZR_BLOCK_HEIGHT && low + y < tile->height; y++)
-        for (int32_t x = 0; x < ZR_BLOCK_WIDTH && left + x < tile->width; x++)
-            if (owners[y * ZR_TILE_STRIDE + x] == 0) out->pixels[y][x] = from[(low + y) * behind->stride + left + x];
-}
-
-static inline void zr_block_put_known(const struct zr_tile *tile, int number, struct zr_block_pixels *out)
-{
-    const uint32_t *known = &tile->words[zr_block_first(number)];
-    for (int y = 0; y < ZR_BLOCK_HEIGHT; y++, known += ZR_TILE_STRIDE)
-        for (int x = 0; x < ZR_BLOCK_WIDTH; x += ZR_LANES) {
-            const zr_vi color = zr_vi_load(known + x);
-            const zr_vm unknown = zr_vi_eq(color, zr_vi_set(0));
-            zr_vi_store(&out->pixels[y][x], zr_vi_select(unknown, zr_vi_load(&out->pixels[y][x]), color));
+    const struct zr_block_parts *block = &s->parts.blocks[number];
+    const struct zr_patch_place place = zr_patch_place_of(to->tile, number);
+    uint32_t part = block->first;
+    for (int p = 0; p < ZR_BLOCK_PATCHES; p += ZR_PATCH_ROWS) {
+        const int32_t x = p % ZR_PATCHES_ACROSS * ZR_PATCH_COLUMNS, y = p / ZR_PATCHES_ACROSS * ZR_PATCH_ROWS;
+        const zr_vf fy = zr_vf_of(place.row + zr_vi_set(place.low + y));
+        zr_vi rows[ZR_PATCH_ROWS];
+        for (int k = 0; k < ZR_PATCH_ROWS; k++) {
+            const uint32_t count = block->patches[p + k];
+            const zr_vi owner = zr_vi_load_patch(to->tile->owner + zr_patch_first(number, p + k), ZR_TILE_STRIDE);
+            const zr_vf fx = zr_vf_of(place.column + zr_vi_set(place.left + x + k * ZR_PATCH_COLUMNS));
+            rows[k] = zr_shade_at(s, part, count, owner, fx, fy, plane_count);
+            part += count;
         }
-}
-
-/* The part of the block that lies in the window. */
-static inline void zr_block_put(const struct zr_tile *tile, int number, const struct zr_block_pixels *block,
-                                const struct zr_pixel_rows *out)
-{
-    const int32_t left = number % ZR_BLOCK_COLUMNS * ZR_BLOCK_WIDTH, low = number / ZR_BLOCK_COLUMNS * ZR_BLOCK_HEIGHT;
-    const int32_t columns = tile->width - left < ZR_BLOCK_WIDTH ? tile->width - left : ZR_BLOCK_WIDTH;
-    uint32_t *to = out->first + low * out->stride + left;
-    for (int32_t y = 0; y < ZR_BLOCK_HEIGHT && low + y < tile->height; y++, to += out->stride) {
-        int32_t x = 0;
-        for (; x + ZR_LANES <= columns; x += ZR_LANES)
-            zr_vi_put(to + x, zr_vi_load(&block->pixels[y][x]), out->streamed);
-        if (x < columns) zr_vi_store_first(to + x, zr_vi_load(&block->pixels[y][x]), (uint32_t)(columns - x));
+        zr_vi_rows_of_patches(rows);
+        for (int k = 0; k < ZR_PATCH_ROWS; k++)
+            zr_finish_pixels(to, place.left - to->tile->x + x, place.low - to->tile->y + y + k, rows[k]);
     }
 }
 
-static inline void zr_finish_block(const struct zr_shader *s, const struct zr_tile *tile, int number, bool with_known,
-                                   int plane_count, const struct zr_pixel_rows *behind, const struct zr_pixel_rows *out)
-{
-    struct zr_block_pixels block;
-    zr_shade_block(s, tile, number, plane_count, &block);
-    if (with_known) zr_block_put_known(tile, number, &block);
-    if (behind) zr_block_put_behind(tile, number, behind, &block);
-    zr_block_put(tile, number, &block, out);
-}
-
 /* Blocks begin .. end - 1 of a channel, whose parts have been made. */
-static inline void zr_finish_blocks(const struct zr_shader *s, const struct zr_tile *tile, int begin, int end,
-                                    bool with_known, int plane_count, const struct zr_pixel_rows *behind,
-                                    const struct zr_pixel_rows *out)
+static inline void zr_finish_blocks(const struct zr_shader *s, const struct zr_finish *to, int begin, int end,
+                                    int plane_count)
 {
-    const int across = (tile->width + ZR_BLOCK_WIDTH - 1) / ZR_BLOCK_WIDTH;
-    for (int b = begin; b < end; b++)
-        if (b % ZR_BLOCK_COLUMNS < across) zr_finish_block(s, tile, b, with_known, plane_count, behind, out);
+    const int across = (to->tile->width + ZR_BLOCK_WIDTH - 1) / ZR_BLOCK_WIDTH;
+    for (int b = begin; b < end; b++) {
+        if (b % ZR_BLOCK_COLUMNS >= across) continue;
+        if (s->parts.blocks[b].is_whole)
+            zr_finish_whole_block(s, b, plane_count, to);
+        else
+            zr_finish_patches(s, b, plane_count, to);
+    }
 }
 
 #endif

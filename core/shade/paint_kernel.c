@@ -9,10 +9,14 @@ static inline int find_parts(struct zr_shader *s, const struct zr_tile *tile, in
     const int end = (tile->height + ZR_BLOCK_HEIGHT - 1) / ZR_BLOCK_HEIGHT * ZR_BLOCK_COLUMNS;
     const int across = (tile->width + ZR_BLOCK_WIDTH - 1) / ZR_BLOCK_WIDTH;
     int row = begin;
-    s->parts.count = 0;
-    for (; row < end && s->parts.count + ZR_PARTS_A_ROW <= ZR_PARTS_MOST; row += ZR_BLOCK_COLUMNS)
+    uint32_t count = 1;
+    s->parts.owners[0] = 0;
+    for (; row < end && count + ZR_PARTS_A_ROW <= ZR_PARTS_MOST; row += ZR_BLOCK_COLUMNS)
         for (int b = row; b < row + across; b++)
-            zr_parts_find(&s->parts, tile, b, without_known);
+            count = zr_parts_find(&s->parts, count, tile, b, without_known);
+    s->parts.count = count;
+    for (uint32_t i = 0; i < ZR_PARTS_AT_ONCE; i++)
+        s->parts.owners[count + i] = UINT32_MAX;
     zr_find_runs(s);
     return row;
 }
@@ -24,16 +28,8 @@ static void shade_parts(struct zr_shader *s, const struct zr_tile *tile, const s
     for (int begin = 0, end; (colors || others) && begin < all; begin = end) {
         end = find_parts(s, tile, begin, tile->has_words && !others);
         if (colors) zr_shade_colors(s, tile, begin, end, to);
-        for (int i = 0; others && i < ZR_CHANNEL_MAKERS; i++)
-            zr_shade_channel(s, &zr_channel_makers[i], tile, begin, end, to);
+        if (others) zr_shade_channels_of_parts(s, tile, begin, end, to);
     }
-}
-
-static bool wants_others(const struct zr_shaded *to)
-{
-    for (int i = 0; i < ZR_CHANNEL_MAKERS; i++)
-        if (to->channels[zr_channel_makers[i].channel].first) return true;
-    return false;
 }
 
 /* Where colours are known already, what is left of them has parts of its own. */
@@ -41,13 +37,14 @@ static void shade(const struct zr_geometry *geometry, const struct zr_surfaces *
                   const struct zr_shaded *to)
 {
     struct zr_shader s;
-    const bool together = !tile->has_words, colors = to->channels[ZR_CHANNEL_COLOR].first, others = wants_others(to);
+    const bool together = !tile->has_words, colors = to->channels[ZR_CHANNEL_COLOR].first, others = zr_wants_parts(to);
     s.geometry = geometry;
     s.surfaces = surfaces;
     s.draw = &geometry->draws[0];
     s.model = zr_model_context_of(&surfaces->lighting, surfaces->eye, &surfaces->fog);
     shade_parts(&s, tile, to, colors, others && together);
     if (!together) shade_parts(&s, tile, to, false, others);
+    zr_shade_channels_of_words(&s, tile, to);
 }
 
 /* ---- arrays ---- */

@@ -15,7 +15,8 @@ enum {
     ZR_PATCHES_ACROSS = ZR_BLOCK_WIDTH / ZR_PATCH_COLUMNS, /* of a block */
     ZR_PARTS_A_ROW = ZR_BLOCK_COLUMNS * ZR_BLOCK_WIDTH * ZR_BLOCK_HEIGHT,
     ZR_PARTS_MOST = 2 * ZR_PARTS_A_ROW,
-    ZR_PARTS_ROOM = ZR_PARTS_MOST + ZR_LANES /* what follows the last may be written, a vector at a time */
+    ZR_PARTS_AT_ONCE = ZR_LANES < 8 ? 1 : 4, /* are looked at, even where there are fewer in a patch */
+    ZR_PARTS_ROOM = ZR_PARTS_MOST + ZR_LANES + ZR_PARTS_AT_ONCE /* what follows the last may be written or looked at */
 };
 
 /* What is seen in a block. */
@@ -27,7 +28,7 @@ struct zr_block_parts {
 
 struct zr_parts {
     uint32_t count;
-    uint32_t owners[ZR_PARTS_ROOM]; /* 0: of whole blocks that are nobody's */
+    uint32_t owners[ZR_PARTS_ROOM]; /* the first is 0: of whole blocks that are nobody's */
     struct zr_block_parts blocks[ZR_BLOCKS];
 };
 
@@ -78,38 +79,42 @@ static inline bool zr_block_is_whole(const struct zr_tile *tile, int block)
     return true;
 }
 
-static inline void zr_parts_add_whole(struct zr_parts *parts, int block, uint32_t owner)
+/* Returns how many parts there are now, as all that add some. */
+static inline uint32_t zr_parts_add_whole(struct zr_parts *parts, uint32_t count, int block, uint32_t owner)
 {
-    if (parts->count == 0 || parts->owners[parts->count - 1] != owner) parts->owners[parts->count++] = owner;
+    parts->owners[count] = owner;
+    count += owner != 0 && owner != parts->owners[count - 1];
     parts->blocks[block].is_whole = true;
-    parts->blocks[block].first = parts->count - 1;
+    parts->blocks[block].first = owner == 0 ? 0 : count - 1;
+    return count;
 }
 
-static inline void zr_parts_add_patches(struct zr_parts *parts, const struct zr_tile *tile, int block,
-                                        bool without_known)
+static inline uint32_t zr_parts_add_patches(struct zr_parts *parts, uint32_t count, const struct zr_tile *tile,
+                                            int block, bool without_known)
 {
     struct zr_block_parts *out = &parts->blocks[block];
     out->is_whole = false;
-    out->first = parts->count;
+    out->first = count;
     for (int p = 0; p < ZR_BLOCK_PATCHES; p++) {
         const zr_vi owner = zr_patch_owners(tile, zr_patch_first(block, p), without_known);
         const uint32_t owned = zr_vm_bits(zr_vi_lt(zr_vi_set(0), owner));
         const uint32_t firsts = owned ? owned & zr_patch_firsts(owner) : 0;
-        const uint32_t count = zr_vi_compress(parts->owners + parts->count, zr_vm_of(firsts), owner);
-        out->patches[p] = (uint8_t)count;
-        parts->count += count;
+        const uint32_t of_patch = zr_vi_compress(parts->owners + count, zr_vm_of(firsts), owner);
+        out->patches[p] = (uint8_t)of_patch;
+        count += of_patch;
     }
+    return count;
 }
 
 /* without_known: pixels whose colour the tile knows are nobody's. */
-static inline void zr_parts_find(struct zr_parts *parts, const struct zr_tile *tile, int block, bool without_known)
+static inline uint32_t zr_parts_find(struct zr_parts *parts, uint32_t count, const struct zr_tile *tile, int block,
+                                     bool without_known)
 {
     if (tile->knows_owners && tile->block_owner[block] != ZR_BLOCK_SHARED)
-        zr_parts_add_whole(parts, block, tile->block_owner[block]);
-    else if (!without_known && zr_block_is_whole(tile, block))
-        zr_parts_add_whole(parts, block, tile->owner[zr_block_first(block)]);
-    else
-        zr_parts_add_patches(parts, tile, block, without_known);
+        return zr_parts_add_whole(parts, count, block, tile->block_owner[block]);
+    if (!without_known && zr_block_is_whole(tile, block))
+        return zr_parts_add_whole(parts, count, block, tile->owner[zr_block_first(block)]);
+    return zr_parts_add_patches(parts, count, tile, block, without_known);
 }
 
 #endif

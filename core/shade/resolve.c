@@ -145,6 +145,7 @@ struct zr_resolved zr_resolve_tile(const struct zr_geometry *geometry, const str
         fill_all(paint, frame, tile, nothing);
         return resolved;
     }
+    shade(geometry, surfaces, paint, scene, nothing, tile, frame);
     if (frame->window_depth) {
         const struct zr_pixel_rows rows = rows_of(frame, tile, ZR_CHANNEL_WINDOW_DEPTH);
         paint->depths(tile, &rows);
@@ -155,7 +156,6 @@ struct zr_resolved zr_resolve_tile(const struct zr_geometry *geometry, const str
         zr_surface_points_tile(geometry, zr_eye_depths_of(isa), paint->ends, zr_scene_space(scene, ZR_CHANNEL_POSITION),
                                tile, frame);
     if (frame->depth) resolved.deepest = resolve_depth(geometry, isa, tile, frame);
-    shade(geometry, surfaces, paint, scene, nothing, tile, frame);
     if (frame->base) {
         const float deepest = resolve_base_runs(paint, tile, frame, lowest_pixel_of(frame, tile));
         if (deepest > resolved.deepest) resolved.deepest = deepest;

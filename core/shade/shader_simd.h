@@ -10,19 +10,18 @@
 #include "shade/parts_simd.h"
 #include "shade/planes_simd.h"
 
-/* Parts that follow one another, up to ZR_LANES of them, all of one draw; NULL: nobody's. */
+/* Parts that follow one another, up to ZR_LANES of them, all of one draw. */
 struct zr_run {
     const struct zr_draw *draw;
     const struct zr_surface *surface;
     uint32_t first, count;
 };
 
-/* What is known of parts. A part is flat, and has a word, or has planes. */
+/* What is known of parts. A part is flat, and has a word, or has planes. Part 0 is nobody's, and no run's. */
 struct zr_shader {
     const struct zr_geometry *geometry;
     const struct zr_surfaces *surfaces;
     const struct zr_draw *draw; /* of the last run: at first the first one */
-    uint32_t nothing;
     struct zr_parts parts;
     uint32_t run_count;
     struct zr_run runs[ZR_PARTS_MOST];
@@ -36,6 +35,11 @@ struct zr_shader {
     /* Some for each part, one part after the other: of 1/w, and of each of its values. */
     float planes[ZR_PARTS_ROOM * (1 + ZR_VALUES_MOST)][4]; /* a0, dadx, dady */
 };
+
+static inline const struct zr_surface *zr_surface_of_draw(const struct zr_shader *s, const struct zr_draw *draw)
+{
+    return &s->surfaces->of_draw[draw - s->geometry->draws];
+}
 
 /* ---- runs of parts ---- */
 
@@ -51,21 +55,25 @@ static inline void zr_find_runs(struct zr_shader *s)
 {
     uint32_t *owners = s->parts.owners;
     s->run_count = 0;
-    for (uint32_t i = 0, count; i < s->parts.count; i += count) {
+    for (uint32_t i = 1, count; i < s->parts.count; i += count) {
         const uint32_t left = s->parts.count - i;
         struct zr_run *run = &s->runs[s->run_count++];
-        if (owners[i] == 0) {
-            *run = (struct zr_run){NULL, NULL, i, count = 1};
-            continue;
-        }
         const struct zr_draw *draw = s->draw = zr_draw_next(s->geometry, s->draw, owners[i] - 1);
         const zr_vi t = zr_vi_load(owners + i) - zr_vi_set((int32_t)draw->first + 1);
         const zr_vm of_draw = zr_vi_lt_where(zr_vi_lt(zr_vi_set(-1), t), t, zr_vi_set((int32_t)draw->count));
         const uint32_t others = zr_vm_bits(of_draw) ^ ZR_ALL_BITS;
         count = others ? (uint32_t)zr_lowest_bit(others) : ZR_LANES;
         count = count < left ? count : left;
-        *run = (struct zr_run){draw, &s->surfaces->of_draw[draw - s->geometry->draws], i, count};
+        *run = (struct zr_run){draw, zr_surface_of_draw(s, draw), i, count};
     }
+}
+
+/* Before a channel's parts are made; `nothing` is what nobody has. */
+static inline void zr_shader_begin(struct zr_shader *s, uint32_t nothing)
+{
+    s->words[0] = nothing;
+    s->materials[0] = NULL;
+    s->has_planes[0] = s->any_planes = s->any_late = false;
 }
 
 static inline void zr_put_words(struct zr_shader *s, const struct zr_run *run, zr_vi words)

@@ -1,5 +1,5 @@
 /* words_simd.h - shade: what is the same for all pixels of a primitive, ZR_LANES of them at once, for kernels: the
- * colours of flat ones, ids of faces, which side is seen.
+ * colours of flat ones, which side is seen.
  */
 #ifndef ZR_WORDS_SIMD_H
 #define ZR_WORDS_SIMD_H
@@ -57,14 +57,6 @@ static inline zr_vi zr_flat_look_up(const struct zr_surface *surface, zr_vi numb
     if (surface->sided) return zr_flat_look_up_sided(surface, number);
     zr_vf_gather_fours(&surface->attributes[ZR_ATTRIBUTE_COLOR].values->x, number, &red, &green, &blue);
     return zr_rgba_opaque_v(red, green, blue);
-}
-
-/* ---- faces ---- */
-
-/* Ids of the faces of primitives t. */
-static inline zr_vi zr_flat_face(const struct zr_draw *draw, zr_vi t)
-{
-    return zr_flat_number_v(draw, ZR_RATE_FACE, t) + zr_vi_set((int32_t)draw->first_id);
 }
 
 #endif

@@ -149,16 +149,21 @@ static void colors_are_those_of_primitives_that_are_placed_singly(void **state)
     zr_arena_free(&arena);
 }
 
-/* What a lit triangle that shows its back shows, flat and drawn from both sides, and one that the window cuts. */
+/* What lit triangles that show their backs show, flat and drawn from both sides, as many as are a draw by themselves,
+ * and one that the window cuts. */
 static struct zr_surfaces surfaces_of(bool colored, bool singly, struct zr_geometry *geometry)
 {
-    static const zr_vec4 p[6] = {{0, 0, 0, 1}, {0, 0.5f, 0, 1}, {0.5f, 0, 0, 1},
-                                 {0, 0, 0, 1}, {2, 0, 0, 1},    {0, 2, 0, 1}};
+    enum { WHOLE = 20 };
+    static const zr_vec4 whole[3] = {{0, 0, 0, 1}, {0, 0.5f, 0, 1}, {0.5f, 0, 0, 1}},
+                         cut[3] = {{0, 0, 0, 1}, {2, 0, 0, 1}, {0, 2, 0, 1}};
+    static zr_vec4 p[WHOLE + 1][3];
     static struct test_scene test;
     struct zr_surfaces surfaces;
     struct zr_camera camera;
     struct zr_error error = {.count = 0};
-    scene_of_triangles(&test, WIDTH, HEIGHT, p, 2);
+    for (int i = 0; i <= WHOLE; i++)
+        memcpy(p[i], i < WHOLE ? whole : cut, sizeof p[i]);
+    scene_of_triangles(&test, WIDTH, HEIGHT, p[0], WHOLE + 1);
     test.material.shading = ZR_SHADING_FLAT;
     test.material.double_sided = true;
     if (!colored) {

@@ -170,7 +170,8 @@ static void want_patches(const struct simd_inputs *in, struct simd_results *want
     for (int i = 0; i < 3; i++)
         want->vi_later[i][k] = lane < later[i] ? 0 : in->i[k - later[i]];
     want->vi_load_patch[k] = in->i[(k - lane) % SIMD_HALF + row * SIMD_STRIDE + column];
-    want->vi_store_patch[SIMD_APART * (k - lane) + row * SIMD_STRIDE + column] = in->i[k];
+    for (int i = 0; i < want->lanes / columns; i++)
+        want->vi_rows_of_patches[i][k] = in->i[(k - lane) % SIMD_HALF + i * SIMD_STRIDE + lane];
 }
 
 static int32_t pair_of(int32_t x, int32_t y)
@@ -324,7 +325,7 @@ static const struct result results[] = {EXACT(vf_set),
                                         EXACT(vi_later[1]),
                                         EXACT(vi_later[2]),
                                         EXACT(vi_load_patch),
-                                        EXACT(vi_store_patch),
+                                        EXACT(vi_rows_of_patches),
                                         EXACT(vi_gather),
                                         EXACT(vf_gather_fours[0]),
                                         EXACT(vf_gather_fours[1]),
@@ -372,7 +373,7 @@ bool simd_check(enum zr_isa isa, uint64_t seed, char *message, size_t size)
     make_inputs(&random, &in);
     memset(&got, 0x55, sizeof got);
     memset(got.strayed, 0, sizeof got.strayed);
-    memset(got.vi_store_patch, 0, sizeof got.vi_store_patch);
+    memset(got.vi_rows_of_patches, 0, sizeof got.vi_rows_of_patches);
     memset(&want, 0, sizeof want);
     run[isa](&in, &got);
     want.lanes = got.lanes;

@@ -119,7 +119,12 @@ static void run_patches(const struct simd_inputs *in, struct simd_results *out, 
     zr_vi_store(out->vi_later[1] + k, zr_vi_select(zr_vi_lt(lane, zr_vi_set(3)), zr_vi_set(0), zr_vi_later(i, 3)));
     zr_vi_store(out->vi_later[2] + k, zr_vi_select(zr_vi_lt(lane, zr_vi_set(4)), zr_vi_set(0), zr_vi_later(i, 4)));
     zr_vi_store(out->vi_load_patch + k, zr_vi_load_patch((const uint32_t *)in->i + k % SIMD_HALF, SIMD_STRIDE));
-    zr_vi_store_patch((uint32_t *)out->vi_store_patch + SIMD_APART * k, SIMD_STRIDE, i);
+    zr_vi patches[ZR_PATCH_ROWS];
+    for (int p = 0; p < ZR_PATCH_ROWS; p++)
+        patches[p] = zr_vi_load_patch((const uint32_t *)in->i + k % SIMD_HALF + p * ZR_PATCH_COLUMNS, SIMD_STRIDE);
+    zr_vi_rows_of_patches(patches);
+    for (int row = 0; row < ZR_PATCH_ROWS; row++)
+        zr_vi_store(out->vi_rows_of_patches[row] + k, patches[row]);
 }
 
 static void run_gathers(const struct simd_inputs *in, struct simd_results *out, int k)

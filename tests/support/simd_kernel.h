@@ -56,7 +56,7 @@ struct simd_results {
     int32_t vp_min[SIMD_COUNT], vp_max[SIMD_COUNT], vp_cross[SIMD_COUNT]; /* of p and q */
     int32_t vi_later[3][SIMD_COUNT];                                      /* i, 1, 3 and 4 lanes later; 0 before that */
     int32_t vi_load_patch[SIMD_COUNT];                                    /* of i, from k modulo SIMD_HALF on */
-    int32_t vi_store_patch[SIMD_COUNT * SIMD_APART];                      /* i, from SIMD_APART * k on; 0 between */
+    int32_t vi_rows_of_patches[4][SIMD_COUNT];                            /* rows of i, from there on */
     float vf_gather_fours[3][SIMD_COUNT]; /* x, y, z of fours of places, by the first of corners */
     int32_t vi_gather[SIMD_COUNT];        /* places[order], 0 where not m */
     float vf_pick[SIMD_COUNT];            /* a, of lane order % lanes of the same vector */

@@ -65,10 +65,11 @@ static inline zr_vi zr_vi_load_patch(const uint32_t *p, size_t stride)
     const __m128i r0 = _mm_loadu_si128((const __m128i *)p), r1 = _mm_loadu_si128((const __m128i *)(p + stride));
     return (zr_vi)_mm256_inserti128_si256(_mm256_castsi128_si256(r0), r1, 1);
 }
-static inline void zr_vi_store_patch(uint32_t *p, size_t stride, zr_vi v)
+static inline void zr_vi_rows_of_patches(zr_vi v[ZR_PATCH_ROWS])
 {
-    _mm_storeu_si128((__m128i *)p, _mm256_castsi256_si128((__m256i)v));
-    _mm_storeu_si128((__m128i *)(p + stride), _mm256_extracti128_si256((__m256i)v, 1));
+    const __m256i a = (__m256i)v[0], b = (__m256i)v[1];
+    v[0] = (zr_vi)_mm256_permute2x128_si256(a, b, 0x20);
+    v[1] = (zr_vi)_mm256_permute2x128_si256(a, b, 0x31);
 }
 static inline zr_vi zr_vi_later(zr_vi v, int n)
 {

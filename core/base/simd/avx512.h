@@ -58,12 +58,15 @@ static inline zr_vi zr_vi_load_patch(const uint32_t *p, size_t stride)
     const __m256i high = _mm256_inserti128_si256(_mm256_castsi128_si256(r2), r3, 1);
     return (zr_vi)_mm512_inserti64x4(_mm512_castsi256_si512(low), high, 1);
 }
-static inline void zr_vi_store_patch(uint32_t *p, size_t stride, zr_vi v)
+static inline void zr_vi_rows_of_patches(zr_vi v[ZR_PATCH_ROWS])
 {
-    _mm_storeu_si128((__m128i *)p, _mm512_castsi512_si128((__m512i)v));
-    _mm_storeu_si128((__m128i *)(p + stride), _mm512_extracti32x4_epi32((__m512i)v, 1));
-    _mm_storeu_si128((__m128i *)(p + 2 * stride), _mm512_extracti32x4_epi32((__m512i)v, 2));
-    _mm_storeu_si128((__m128i *)(p + 3 * stride), _mm512_extracti32x4_epi32((__m512i)v, 3));
+    const __m512i a = (__m512i)v[0], b = (__m512i)v[1], c = (__m512i)v[2], d = (__m512i)v[3];
+    const __m512i low_ab = _mm512_shuffle_i32x4(a, b, 0x44), high_ab = _mm512_shuffle_i32x4(a, b, 0xee);
+    const __m512i low_cd = _mm512_shuffle_i32x4(c, d, 0x44), high_cd = _mm512_shuffle_i32x4(c, d, 0xee);
+    v[0] = (zr_vi)_mm512_shuffle_i32x4(low_ab, low_cd, 0x88);
+    v[1] = (zr_vi)_mm512_shuffle_i32x4(low_ab, low_cd, 0xdd);
+    v[2] = (zr_vi)_mm512_shuffle_i32x4(high_ab, high_cd, 0x88);
+    v[3] = (zr_vi)_mm512_shuffle_i32x4(high_ab, high_cd, 0xdd);
 }
 #define zr_vi_later(v, n) ((zr_vi)_mm512_alignr_epi32((__m512i)(v), (__m512i)(v), 16 - (n)))
 static inline void zr_vi_store_where(void *p, zr_vm m, zr_vi v)

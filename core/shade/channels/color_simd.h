@@ -9,35 +9,45 @@
 
 /* ---- looking up ---- */
 
-static inline void zr_expect_smooth(const struct zr_surface *surface, const struct zr_window_vertex *vertices,
-                                    zr_vi numbers)
+/* Where the colours of a run stand: of flat ones, each one's, backs behind all fronts. */
+struct zr_color_places {
+    struct zr_corner_numbers smooth;
+    int32_t flat[ZR_LANES];
+};
+
+/* So many runs are looked up before the first of them is made: by then it has come from memory. */
+enum { ZR_RUNS_AHEAD = 8 };
+
+static inline bool zr_run_has_planes(const struct zr_run *run)
 {
-    const struct zr_attribute *color = &surface->attributes[ZR_ATTRIBUTE_COLOR],
-                              *back = &surface->attributes[ZR_ATTRIBUTE_BACK_COLOR];
-    const struct zr_corner_numbers corners = zr_corner_numbers_of(surface->draw, color->rate, numbers);
+    return zr_surface_is_smooth(run->surface) || run->surface->is_late;
+}
+
+static inline void zr_look_up_smooth(const struct zr_shader *s, const struct zr_run *run, struct zr_corner_numbers *out)
+{
+    const struct zr_attribute *color = &run->surface->attributes[ZR_ATTRIBUTE_COLOR],
+                              *back = &run->surface->attributes[ZR_ATTRIBUTE_BACK_COLOR];
+    *out = zr_corner_numbers_of(run->draw, color->rate, zr_run_numbers(s, run));
     for (int i = 0; i < ZR_LANES; i++)
         for (int k = 0; k < 3; k++) {
-            __builtin_prefetch(&vertices[corners.vertex[k][i]]);
-            __builtin_prefetch(&color->values[corners.value[k][i]]);
-            if (surface->sided) __builtin_prefetch(&back->values[corners.value[k][i]]);
+            __builtin_prefetch(&s->geometry->vertices[out->vertex[k][i]]);
+            __builtin_prefetch(&color->values[out->value[k][i]]);
+            if (run->surface->sided) __builtin_prefetch(&back->values[out->value[k][i]]);
         }
 }
 
-/* Where they stand is found, and asked for: by the time that it is looked at, it has come from memory. */
-static inline void zr_expect_colors(struct zr_shader *s, const struct zr_run *run)
+static inline void zr_look_up_colors(const struct zr_shader *s, const struct zr_run *run, struct zr_color_places *out)
 {
-    if (!run->draw || zr_draw_is_of_lines(run->draw)) return;
     const struct zr_surface *surface = run->surface;
-    const zr_vi numbers = zr_run_numbers(s, run);
-    if (zr_surface_is_smooth(surface)) {
-        zr_expect_smooth(surface, s->geometry->vertices, numbers);
+    if (zr_draw_is_of_lines(run->draw)) return;
+    if (zr_run_has_planes(run)) {
+        zr_look_up_smooth(s, run, &out->smooth);
         return;
     }
-    int32_t places[ZR_LANES];
-    zr_vi_store(places, zr_sided_number(s->geometry, surface, numbers));
+    zr_vi_store(out->flat, zr_sided_number(s->geometry, surface, zr_run_numbers(s, run)));
     for (int i = 0; i < ZR_LANES; i++)
-        __builtin_prefetch(surface->packed ? (const void *)&surface->packed[places[i]]
-                                           : (const void *)zr_flat_at(surface, places[i]));
+        __builtin_prefetch(surface->packed ? (const void *)&surface->packed[out->flat[i]]
+                                           : (const void *)zr_flat_at(surface, out->flat[i]));
 }
 
 /* ---- making ---- */
@@ -88,16 +98,16 @@ static inline void zr_put_late(struct zr_shader *s, const struct zr_run *run, co
     s->any_late = true;
 }
 
-static inline void zr_put_smooth(struct zr_shader *s, const struct zr_run *run, int count)
+static inline void zr_put_smooth(struct zr_shader *s, const struct zr_run *run, const struct zr_corner_numbers *corners,
+                                 int count)
 {
     const struct zr_surface *surface = run->surface;
     const enum zr_rate rate = surface->attributes[ZR_ATTRIBUTE_COLOR].rate;
     const zr_vi numbers = zr_run_numbers(s, run);
-    const struct zr_corner_numbers corners = zr_corner_numbers_of(run->draw, rate, numbers);
-    const struct zr_way_v way = zr_way_of(s->geometry->vertices, corners.vertex);
+    const struct zr_way_v way = zr_way_of(s->geometry->vertices, corners->vertex);
     const uint32_t backs = surface->sided ? zr_vm_bits(zr_shown_backs(run->draw, numbers, way.turned)) : 0;
     struct zr_vec3_v values[3];
-    zr_colors_load(surface, corners.value, backs, values);
+    zr_colors_load(surface, corners->value, backs, values);
     struct zr_planes3_v planes = zr_planes3_make(&way, values);
     if (zr_rate_is_flat(rate)) {
         const zr_vf zero = zr_vf_set(0.0f);
@@ -108,24 +118,22 @@ static inline void zr_put_smooth(struct zr_shader *s, const struct zr_run *run, 
     zr_put_three(s, run->first, 1, count, &planes);
     memset(s->has_planes + run->first, true, ZR_LANES);
     s->any_planes = true;
-    if (count > 1 + ZR_VALUES_FEW && surface->is_late) zr_put_late(s, run, &way, corners.vertex, count);
+    if (count > 1 + ZR_VALUES_FEW && surface->is_late) zr_put_late(s, run, &way, corners->vertex, count);
 }
 
-static inline void zr_make_colors(struct zr_shader *s, const struct zr_run *run, int count)
+static inline void zr_make_colors(struct zr_shader *s, const struct zr_run *run, const struct zr_color_places *places,
+                                  int count)
 {
     const uint32_t first = run->first;
     if (count > 1 + ZR_VALUES_FEW)
         for (uint32_t i = first; i < first + ZR_LANES; i++)
             s->materials[i] = NULL;
-    if (!run->draw) {
-        zr_put_words(s, run, zr_vi_set((int32_t)s->nothing));
-    } else if (zr_draw_is_of_lines(run->draw)) {
+    if (zr_draw_is_of_lines(run->draw)) {
         zr_make_lines(s, run, count);
-    } else if (zr_surface_is_smooth(run->surface) || run->surface->is_late) {
-        zr_put_smooth(s, run, count);
+    } else if (zr_run_has_planes(run)) {
+        zr_put_smooth(s, run, &places->smooth, count);
     } else {
-        const zr_vi numbers = zr_sided_number(s->geometry, run->surface, zr_run_numbers(s, run));
-        zr_put_words(s, run, zr_flat_look_up(run->surface, numbers));
+        zr_put_words(s, run, zr_flat_look_up(run->surface, zr_vi_load(places->flat)));
     }
 }
 
@@ -134,20 +142,22 @@ static inline void zr_make_colors(struct zr_shader *s, const struct zr_run *run,
 static inline void zr_shade_colors_by(struct zr_shader *s, const struct zr_tile *tile, int begin, int end,
                                       const struct zr_shaded *to, int plane_count)
 {
-    for (uint32_t i = 0; i < s->run_count; i++)
-        zr_expect_colors(s, &s->runs[i]);
-    for (uint32_t i = 0; i < s->run_count; i++)
-        zr_make_colors(s, &s->runs[i], plane_count);
-    zr_finish_blocks(s, tile, begin, end, tile->has_words, plane_count, to->behind.first ? &to->behind : NULL,
-                     &to->channels[ZR_CHANNEL_COLOR]);
+    struct zr_color_places places[ZR_RUNS_AHEAD];
+    for (uint32_t i = 0; i < s->run_count + ZR_RUNS_AHEAD; i++) {
+        struct zr_color_places *of_run = &places[i % ZR_RUNS_AHEAD];
+        if (i >= ZR_RUNS_AHEAD) zr_make_colors(s, &s->runs[i - ZR_RUNS_AHEAD], of_run, plane_count);
+        if (i < s->run_count) zr_look_up_colors(s, &s->runs[i], of_run);
+    }
+    const struct zr_finish finish = {tile, tile->has_words, to->behind.first ? &to->behind : NULL,
+                                     &to->channels[ZR_CHANNEL_COLOR]};
+    zr_finish_blocks(s, &finish, begin, end, plane_count);
 }
 
 /* How many planes there are is known when this is compiled: else they would not stay in registers. */
 static inline void zr_shade_colors(struct zr_shader *s, const struct zr_tile *tile, int begin, int end,
                                    const struct zr_shaded *to)
 {
-    s->nothing = to->nothing;
-    s->any_planes = s->any_late = false;
+    zr_shader_begin(s, to->nothing);
     if (s->surfaces->fog.is_on)
         zr_shade_colors_by(s, tile, begin, end, to, 1 + ZR_VALUES_MOST);
     else if (s->surfaces->any_late)

@@ -1,19 +1,23 @@
-/* ids_simd.h - shade: the channels faceId and instanceId: a word for each part. */
+/* ids_simd.h - shade: the channels faceId and instanceId: a word for each pixel. */
 #ifndef ZR_IDS_SIMD_H
 #define ZR_IDS_SIMD_H
 
-#include "shade/blocks_simd.h"
 #include "shade/words_simd.h"
 
-static inline zr_vi zr_face_id_words(const struct zr_shader *s, const struct zr_run *run)
+static inline zr_vi zr_face_id_words(const struct zr_geometry *geometry, const struct zr_surface *surface,
+                                     zr_vi numbers)
 {
-    return zr_flat_face(run->draw, zr_run_numbers(s, run));
+    (void)geometry;
+    return zr_flat_number_v(surface->draw, ZR_RATE_FACE, numbers) + zr_vi_set((int32_t)surface->draw->first_id);
 }
 
-static inline zr_vi zr_instance_id_words(const struct zr_shader *s, const struct zr_run *run)
+static inline zr_vi zr_instance_id_words(const struct zr_geometry *geometry, const struct zr_surface *surface,
+                                         zr_vi numbers)
 {
-    (void)s;
-    return zr_vi_set(ZR_MUTANT(instances_from_0, (int32_t)run->draw->instance + 1, (int32_t)run->draw->instance));
+    const int32_t instance = (int32_t)surface->draw->instance;
+    (void)geometry;
+    (void)numbers;
+    return zr_vi_set(ZR_MUTANT(instances_from_0, instance + 1, instance));
 }
 
 #endif

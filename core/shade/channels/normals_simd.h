@@ -6,15 +6,22 @@
 
 /* ---- making ---- */
 
+enum { ZR_NORMAL_PLANES = 1 + ZR_VALUES_FEW };
+
+/* Of nobody, and of lines. */
+static inline void zr_put_no_normal(struct zr_shader *s, uint32_t part)
+{
+    static const struct zr_plane one = {1, 0, 0};
+    zr_put_alone(s, part, &one, 1, ZR_NORMAL_PLANES);
+}
+
 /* Flat ones have planes that are the same all over, over a w of 1. */
 static inline void zr_make_normals(struct zr_shader *s, const struct zr_run *run)
 {
-    enum { COUNT = 1 + ZR_VALUES_FEW };
     const uint32_t first = run->first;
-    if (!run->draw || zr_draw_is_of_lines(run->draw)) {
-        static const struct zr_plane one = {1, 0, 0};
+    if (zr_draw_is_of_lines(run->draw)) {
         for (uint32_t i = first; i < first + run->count; i++)
-            zr_put_alone(s, i, &one, 1, COUNT);
+            zr_put_no_normal(s, i);
         return;
     }
     const struct zr_attribute *normal = &run->surface->attributes[ZR_ATTRIBUTE_NORMAL];
@@ -32,8 +39,8 @@ static inline void zr_make_normals(struct zr_shader *s, const struct zr_run *run
     } else {
         planes = zr_planes3_make(&way, values);
     }
-    zr_put_plane(s, first, 0, COUNT, &oow);
-    zr_put_three(s, first, 1, COUNT, &planes);
+    zr_put_plane(s, first, 0, ZR_NORMAL_PLANES, &oow);
+    zr_put_three(s, first, 1, ZR_NORMAL_PLANES, &planes);
     memset(s->has_planes + first, true, ZR_LANES);
 }
 
@@ -58,8 +65,8 @@ static inline void zr_put_normals(struct zr_vec3_v n, uint32_t lanes, const stru
 static inline struct zr_vec3_v zr_normals_at(const struct zr_shader *s, uint32_t first, uint32_t count, zr_vi owner,
                                              const struct zr_shaded *to, zr_vf x, zr_vf y)
 {
-    zr_vf planes[1 + ZR_VALUES_FEW][3];
-    zr_select_planes(s, first, count, owner, 1 + ZR_VALUES_FEW, planes);
+    zr_vf planes[ZR_NORMAL_PLANES][3];
+    zr_select_planes(s, first, count, owner, ZR_NORMAL_PLANES, planes);
     const zr_vf w = zr_vf_set(1.0f) / zr_shaded_value(planes, 0, x, y);
     const struct zr_vec3_v n = zr_normalize_v(zr_shaded_three(planes, 1, w, x, y));
     const float(*m)[3] = to->normals_to_space;
@@ -98,6 +105,7 @@ static inline void zr_shade_normals(struct zr_shader *s, const struct zr_tile *t
                                     const struct zr_shaded *to)
 {
     const int across = (tile->width + ZR_BLOCK_WIDTH - 1) / ZR_BLOCK_WIDTH;
+    zr_put_no_normal(s, 0);
     for (uint32_t i = 0; i < s->run_count; i++)
         zr_make_normals(s, &s->runs[i]);
     for (int b = begin; b < end; b++)
