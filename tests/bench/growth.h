@@ -14,7 +14,7 @@ void growth_of_work(struct bench *bench);
  */
 void growth_of_threads(struct bench *bench);
 
-/* Depth in scene units instead of the window's, whose time, in the same run, is "theirs". */
+/* Channels, shadings and fog, against the same picture without them. */
 void growth_of_channels(struct bench *bench);
 
 /* Meshes lit and seen by a fitted view, whose time unlit and through matrices, in the same run, is "theirs". */
