@@ -175,7 +175,8 @@ static void add_filled(struct zr_cost *cost, const struct zr_scene *scene, const
     }
     cost->fragments += pixels;
     if (tiles > TILES_OF_SMALL)
-        cost->triangles += LARGE_VISIT_T * (corners - 2.0) * tiles_of((double)scene->width, (double)scene->height);
+        cost->triangles +=
+            LARGE_VISIT_T * (corners - 2.0) * tiles_of((double)scene->views[0].width, (double)scene->views[0].height);
 }
 
 /* Scattered numbers, the same on every machine (Steele's splitmix64). */
@@ -251,13 +252,19 @@ static void add_face(struct tally *tally, const struct zr_scene *scene, const st
     keep(tally, &whole);
 }
 
+static double pixels_of(const struct zr_view *view)
+{
+    return (double)view->width * (double)view->height;
+}
+
 static void count_outputs(const struct zr_scene *scene, struct zr_cost *cost)
 {
-    double pixels = (double)scene->width * (double)scene->height;
+    const struct zr_view *view = &scene->views[0];
+    double pixels = pixels_of(view);
     double png = scene->compress == ZR_COMPRESS_SMALL ? SMALL_PNG_TIMES : 1.0;
-    for (uint32_t i = 0; i < scene->output_count; i++) {
-        enum zr_encoding encoding = scene->outputs[i].encoding;
-        const double words = (double)zr_channel_rows[scene->outputs[i].channel].words;
+    for (uint32_t i = 0; i < view->output_count; i++) {
+        enum zr_encoding encoding = view->outputs[i].encoding;
+        const double words = (double)zr_channel_rows[view->outputs[i].channel].words;
         cost->pixels += pixels * fmax(words, 1.0);
         if (encoding == ZR_ENCODING_PNG || encoding == ZR_ENCODING_PNG16) cost->png_pixels += pixels * png;
     }
@@ -279,7 +286,7 @@ static struct zr_cost measure_sample(const struct zr_scene *scene, const struct 
 {
     struct zr_cost_triangle kept[ZR_COST_PAIRS_SAMPLE];
     const double triangle_times = TIMES[scene->algorithm].triangle, fragment_times = TIMES[scene->algorithm].fragment;
-    struct zr_viewport viewport = zr_viewport_make(scene->width, scene->height);
+    struct zr_viewport viewport = zr_viewport_make(scene->views[0].width, scene->views[0].height);
     zr_mat4 world_to_clip = zr_mat4_mul(&camera->projection, &camera->world_to_eye);
     struct placed placed = {.mirrored = false};
     const struct zr_mesh *mesh = NULL;
@@ -325,10 +332,12 @@ static double pixel_work(const struct zr_scene *scene)
     bool phong = false;
     for (uint32_t i = 0; i < scene->material_count; i++)
         phong |= scene->materials[i].shading == ZR_SHADING_PHONG;
-    if (scene->fog.is_on && zr_scene_wants(scene, ZR_CHANNEL_COLOR)) work += 1.0;
-    if (phong && zr_scene_wants(scene, ZR_CHANNEL_COLOR)) work += 1.0 + LIGHT_F * (double)scene->light_count;
+    const struct zr_view *view = &scene->views[0];
+    const bool colors = zr_view_wants(view, ZR_CHANNEL_COLOR);
+    if (scene->fog.is_on && colors) work += 1.0;
+    if (phong && colors) work += 1.0 + LIGHT_F * (double)scene->light_count;
     for (size_t i = 0; i < sizeof slow / sizeof slow[0]; i++)
-        if (zr_scene_wants(scene, slow[i])) work += POINT_F;
+        if (zr_view_wants(view, slow[i])) work += POINT_F;
     return work;
 }
 
@@ -351,8 +360,7 @@ struct zr_cost zr_scene_cost(const struct zr_scene *scene, const struct zr_sight
     struct zr_cost measured =
         measure_sample(scene, &sight->camera, cancel, things, samples > 0 || things == 0 ? samples : 1);
     cost.triangles = cost.triangles * TIMES[scene->algorithm].triangle + measured.triangles;
-    cost.fragments =
-        measured.fragments + fmin(measured.fragments, (double)scene->width * (double)scene->height) * pixel_work(scene);
+    cost.fragments = measured.fragments + fmin(measured.fragments, pixels_of(&scene->views[0])) * pixel_work(scene);
     cost.shape_triangles = measured.shape_triangles;
     cost.shape_fragments = measured.shape_fragments;
     cost.algorithm = (int)scene->algorithm;

@@ -119,9 +119,10 @@ static const char *file_name(struct zr_arena *arena, const struct zr_output *out
 /* Pictures first, then the warnings that they gave rise to, then what reports them. */
 static enum zr_status encode_all(struct encoding *e, struct zr_zip_entry *entries)
 {
+    const struct zr_view *view = &e->scene->views[0];
     for (int reports = 0; reports < 2; reports++) {
-        for (uint32_t i = 0; i < e->scene->output_count; i++) {
-            const struct zr_output *output = &e->scene->outputs[i];
+        for (uint32_t i = 0; i < view->output_count; i++) {
+            const struct zr_output *output = &view->outputs[i];
             if ((output->channel == ZR_CHANNEL_INFO) != (reports == 1)) continue;
             struct zr_buffer out = {.arena = e->arena};
             enum zr_status status = encode_output(e, output, &out);
@@ -136,18 +137,18 @@ static enum zr_status encode_all(struct encoding *e, struct zr_zip_entry *entrie
 
 static enum zr_status make_answer(struct encoding *e, struct zr_answer *answer)
 {
-    const struct zr_scene *scene = e->scene;
-    struct zr_zip_entry *entries = zr_arena_alloc(e->arena, scene->output_count, sizeof *entries);
+    const struct zr_view *view = &e->scene->views[0];
+    struct zr_zip_entry *entries = zr_arena_alloc(e->arena, view->output_count, sizeof *entries);
     if (!entries) return ZR_NO_MEMORY;
     enum zr_status status = encode_all(e, entries);
     if (status != ZR_OK) return status;
     const char *warnings = zr_warnings_join(e->arena, &e->warnings);
-    if (scene->output_count == 1) {
-        const struct zr_output *output = &scene->outputs[0];
+    if (view->output_count == 1) {
+        const struct zr_output *output = &view->outputs[0];
         *answer = (struct zr_answer){FILE_TYPES[output->encoding].type, entries[0].bytes, entries[0].size, warnings};
     } else {
         struct zr_buffer out = {.arena = e->arena};
-        status = zr_zip_write(entries, scene->output_count, &out);
+        status = zr_zip_write(entries, view->output_count, &out);
         *answer = (struct zr_answer){"application/zip", out.bytes, out.size, warnings};
     }
     return status == ZR_OK && !zr_arena_ok(e->arena) ? ZR_NO_MEMORY : status;

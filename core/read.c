@@ -102,9 +102,9 @@ static enum zr_status read_bare_mesh(struct zr_arena *arena, struct zr_team *tea
     scene->warnings = warnings.texts;
     scene->warning_count = (uint32_t)warnings.count;
     scene->material_count = scene->mesh_count = scene->instance_count = 1;
-    if (query->preset != NOT_GIVEN) scene->view.preset = (enum zr_preset)query->preset;
-    if (query->width) scene->width = query->width;
-    if (query->height) scene->height = query->height;
+    if (query->preset != NOT_GIVEN) scene->views[0].preset = (enum zr_preset)query->preset;
+    if (query->width) scene->views[0].width = query->width;
+    if (query->height) scene->views[0].height = query->height;
     return ZR_OK;
 }
 
@@ -114,8 +114,8 @@ static enum zr_status apply_output(struct zr_arena *arena, const struct query *q
     struct zr_output *output = zr_arena_alloc(arena, 1, sizeof *output);
     if (!output) return ZR_NO_MEMORY;
     *output = query->output;
-    scene->outputs = output;
-    scene->output_count = 1;
+    scene->views[0].outputs = output;
+    scene->views[0].output_count = 1;
     return ZR_OK;
 }
 

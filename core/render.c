@@ -19,7 +19,8 @@ static enum zr_status run_pipeline(struct zr_arena *arena, struct zr_team *team,
                                    const struct zr_sight *sight, const struct zr_cancel *cancel, struct zr_frame *frame,
                                    struct zr_error *error)
 {
-    const uint32_t width = scene->width, height = scene->height;
+    const struct zr_view *view = &scene->views[0];
+    const uint32_t width = view->width, height = view->height;
     zr_visibility_fn *window_at_once = zr_visibility_of(scene->algorithm); /* else tile by tile */
     enum zr_status status = ZR_OK;
     struct zr_geometry geometry;
@@ -30,7 +31,7 @@ static enum zr_status run_pipeline(struct zr_arena *arena, struct zr_team *team,
     struct zr_tiles tiles = {scene, &geometry, &surfaces, &visible, window_at_once ? &samples : NULL};
 
     if (!sight) status = zr_sight_find(arena, team, scene, cancel, &sight, error);
-    STAGE(zr_frame_make(arena, scene, sight, frame));
+    STAGE(zr_frame_make(arena, view, sight, frame));
     STAGE(zr_base_place(arena, scene, &frame->camera, &frame->base, error));
     STAGE(zr_geometry_build(arena, team, scene, &frame->camera, cancel, window_at_once != NULL, &geometry));
     STAGE(zr_surfaces_make(arena, team, scene, &frame->camera, &geometry, cancel, &surfaces));

@@ -90,7 +90,7 @@ enum zr_status zr_geometry_build(struct zr_arena *arena, struct zr_team *team, c
                                  .scene = scene,
                                  .geometry = geometry,
                                  .singly = singly,
-                                 .viewport = zr_viewport_make(scene->width, scene->height),
+                                 .viewport = zr_viewport_make(scene->views[0].width, scene->views[0].height),
                                  .cutting.triangulator.loops.cancel = cancel,
                                  .first_face_id = 1};
     if (!make_room(&builder)) return ZR_NO_MEMORY;

@@ -22,21 +22,21 @@ void zr_scene_defaults(struct zr_scene *scene)
 {
     static const struct zr_output color = {.channel = ZR_CHANNEL_COLOR, .encoding = ZR_ENCODING_PNG};
     *scene = (struct zr_scene){
-        .width = 640,
-        .height = 480,
         .background = {1, 1, 1, 1},
         .ambient = {0.34f, 0.34f, 0.34f},
         .light_count = sizeof LIGHTS / sizeof LIGHTS[0],
         .lights = LIGHTS,
-        .output_count = 1,
-        .outputs = &color,
-        .view = {.pose = ZR_POSE_PRESET,
-                 .preset = ZR_PRESET_ISOMETRIC,
-                 .up = {0, 1, 0},
-                 .world_to_camera = zr_mat4_identity(),
-                 .projection = ZR_PROJECTION_ORTHOGRAPHIC,
-                 .projection_matrix = zr_mat4_identity(),
-                 .fit_padding = ZR_FIT_PADDING},
+        .views[0] = {.width = 640,
+                     .height = 480,
+                     .output_count = 1,
+                     .outputs = &color,
+                     .pose = ZR_POSE_PRESET,
+                     .preset = ZR_PRESET_ISOMETRIC,
+                     .up = {0, 1, 0},
+                     .world_to_camera = zr_mat4_identity(),
+                     .projection = ZR_PROJECTION_ORTHOGRAPHIC,
+                     .projection_matrix = zr_mat4_identity(),
+                     .fit_padding = ZR_FIT_PADDING},
     };
 }
 

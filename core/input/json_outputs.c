@@ -88,6 +88,6 @@ void zr_draft_read_outputs(struct zr_draft *draft, const struct zr_json_path *pa
         if (read_output(json, at, node, &output) && !clashes(json, at, outputs, count, &output))
             outputs[count++] = output;
     }
-    draft->scene->outputs = outputs;
-    draft->scene->output_count = (uint32_t)count;
+    draft->scene->views[0].outputs = outputs;
+    draft->scene->views[0].output_count = (uint32_t)count;
 }

@@ -69,8 +69,10 @@ static void read_window(struct zr_draft *draft, const cJSON *node)
     const cJSON *found[WINDOW_KEYS];
     struct zr_json *json = &draft->json;
     if (!zr_json_object(json, path, node, &names, found)) return;
-    if (found[WIDTH]) zr_json_whole(json, ZR_JSON_KEY(path, members[WIDTH]), found[WIDTH], &draft->scene->width);
-    if (found[HEIGHT]) zr_json_whole(json, ZR_JSON_KEY(path, members[HEIGHT]), found[HEIGHT], &draft->scene->height);
+    if (found[WIDTH])
+        zr_json_whole(json, ZR_JSON_KEY(path, members[WIDTH]), found[WIDTH], &draft->scene->views[0].width);
+    if (found[HEIGHT])
+        zr_json_whole(json, ZR_JSON_KEY(path, members[HEIGHT]), found[HEIGHT], &draft->scene->views[0].height);
 }
 
 static void read_ambient(struct zr_draft *draft, const cJSON *node)

@@ -115,7 +115,7 @@ void zr_heights_drop_holes(struct zr_arena *arena, const bool *holes, struct zr_
 struct zr_instance *zr_draft_read_nodes(struct zr_draft *draft, const struct zr_json_path *path, const cJSON *list,
                                         const struct zr_mesh *meshes, uint32_t mesh_count, uint32_t *count);
 
-/* json_view.c: over the defaults that scene->view already has. */
+/* json_view.c: over the defaults that scene->views[0] already has. */
 void zr_draft_read_view(struct zr_draft *draft, const struct zr_json_path *path, const cJSON *node);
 
 /* The mesh that a view is to be fitted to, by its name: once there are meshes. */

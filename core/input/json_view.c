@@ -107,7 +107,7 @@ static void read_fit(struct zr_view_reader *reader)
 
 void zr_draft_read_view(struct zr_draft *draft, const struct zr_json_path *path, const cJSON *node)
 {
-    struct zr_view_reader reader = {.json = &draft->json, .path = path, .view = &draft->scene->view};
+    struct zr_view_reader reader = {.json = &draft->json, .path = path, .view = &draft->scene->views[0]};
     if (!zr_json_object(reader.json, path, node, &keys, reader.found)) return;
     zr_view_read_pose(&reader);
     zr_view_read_projection(&reader);
@@ -118,7 +118,7 @@ void zr_draft_read_view(struct zr_draft *draft, const struct zr_json_path *path,
 void zr_draft_find_fit_mesh(struct zr_draft *draft, const struct zr_json_path *path, const cJSON *node)
 {
     const struct zr_scene *scene = draft->scene;
-    struct zr_view *view = &draft->scene->view;
+    struct zr_view *view = &draft->scene->views[0];
     const struct zr_json_path *fit_path = ZR_JSON_KEY(path, zr_view_words[ZR_VIEW_FIT]);
     const cJSON *fit = cJSON_GetObjectItemCaseSensitive(node, zr_view_words[ZR_VIEW_FIT]);
     const char *name = cJSON_GetStringValue(cJSON_GetObjectItemCaseSensitive(fit, fit_words[MESH]));

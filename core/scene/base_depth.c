@@ -27,7 +27,7 @@ enum zr_status zr_base_place(struct zr_arena *arena, const struct zr_scene *scen
         return zr_error_add(error, ZR_BAD_SCENE, "/base/depth",
                             "cannot be converted, since the z of this projectionMatrix depends on x and y: "
                             "give windowDepth");
-    size_t pixels = (size_t)scene->width * scene->height;
+    size_t pixels = (size_t)scene->views[0].width * scene->views[0].height;
     struct zr_base *base = zr_arena_alloc(arena, 1, sizeof *base);
     float *made = zr_arena_alloc(arena, pixels, sizeof *made);
     if (!zr_arena_ok(arena)) return ZR_NO_MEMORY;

@@ -102,7 +102,7 @@ static inline bool zr_view_is_perspective(const struct zr_view *view)
 {
     return view->projection == ZR_PROJECTION_PERSPECTIVE || view->projection == ZR_PROJECTION_INTRINSICS;
 }
-struct zr_opening zr_opening_of(const struct zr_scene *scene);
+struct zr_opening zr_opening_of(const struct zr_view *view);
 enum zr_status zr_camera_project(const struct zr_points *points, const struct zr_bounds *bounds,
                                  const struct zr_bounds *fitted, struct zr_camera *camera, struct zr_error *error);
 

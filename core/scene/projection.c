@@ -8,36 +8,36 @@ struct tangents {
     double x, y; /* of half the angles of view */
 };
 
-static struct tangents tangents_of(const struct zr_scene *scene)
+static struct tangents tangents_of(const struct zr_view *view)
 {
-    double width = (double)scene->width, height = (double)scene->height;
-    if (scene->view.xfov_radians > 0.0f) {
-        double x = zr_tan((double)scene->view.xfov_radians * 0.5);
+    double width = (double)view->width, height = (double)view->height;
+    if (view->xfov_radians > 0.0f) {
+        double x = zr_tan((double)view->xfov_radians * 0.5);
         return (struct tangents){x, x * height / width};
     }
-    double y = zr_tan((double)scene->view.yfov_radians * 0.5);
+    double y = zr_tan((double)view->yfov_radians * 0.5);
     return (struct tangents){width / height * y, y};
 }
 
 /* With the principal point filled in. */
-static struct zr_intrinsics intrinsics_of(const struct zr_scene *scene)
+static struct zr_intrinsics intrinsics_of(const struct zr_view *view)
 {
-    struct zr_intrinsics k = scene->view.intrinsics;
-    if (!k.has_cx) k.cx = (double)scene->width * 0.5;
-    if (!k.has_cy) k.cy = (double)scene->height * 0.5;
+    struct zr_intrinsics k = view->intrinsics;
+    if (!k.has_cx) k.cx = (double)view->width * 0.5;
+    if (!k.has_cy) k.cy = (double)view->height * 0.5;
     return k;
 }
 
-struct zr_opening zr_opening_of(const struct zr_scene *scene)
+struct zr_opening zr_opening_of(const struct zr_view *view)
 {
-    double padding = (double)scene->view.fit_padding;
-    if (scene->view.projection != ZR_PROJECTION_INTRINSICS) {
-        struct tangents t = tangents_of(scene);
+    double padding = (double)view->fit_padding;
+    if (view->projection != ZR_PROJECTION_INTRINSICS) {
+        struct tangents t = tangents_of(view);
         double room = 1.0 - 2.0 * padding;
         return (struct zr_opening){-t.x * room, t.x * room, -t.y * room, t.y * room, 0.0};
     }
-    struct zr_intrinsics k = intrinsics_of(scene);
-    double width = (double)scene->width, height = (double)scene->height;
+    struct zr_intrinsics k = intrinsics_of(view);
+    double width = (double)view->width, height = (double)view->height;
     return (struct zr_opening){.left = (width * padding - k.cx) / k.fx,
                                .right = (width * (1.0 - padding) - k.cx) / k.fx,
                                .bottom = (k.cy - height * (1.0 - padding)) / k.fy,
@@ -46,10 +46,10 @@ struct zr_opening zr_opening_of(const struct zr_scene *scene)
 }
 
 /* Half sizes of the window that holds half sizes x and y, with room around. */
-static void grow_to_window(const struct zr_scene *scene, double x, double y, double *xmag, double *ymag)
+static void grow_to_window(const struct zr_view *view, double x, double y, double *xmag, double *ymag)
 {
-    double aspect = (double)scene->width / (double)scene->height;
-    *ymag = fmax(y, x / aspect) / (1.0 - 2.0 * (double)scene->view.fit_padding);
+    double aspect = (double)view->width / (double)view->height;
+    *ymag = fmax(y, x / aspect) / (1.0 - 2.0 * (double)view->fit_padding);
     if (!(*ymag > 0.0)) *ymag = 1.0;
     *xmag = *ymag * aspect;
 }
@@ -92,18 +92,18 @@ static enum zr_status depth_range(const struct zr_view *view, const struct zr_ex
 /* ---- matrices ---- */
 
 /* glTF 2.0, section 3.10.3 "Projection Matrices". */
-static zr_mat4 perspective(const struct zr_scene *scene, double n, double f)
+static zr_mat4 perspective(const struct zr_view *view, double n, double f)
 {
-    struct tangents t = tangents_of(scene);
+    struct tangents t = tangents_of(view);
     return (zr_mat4){{(float)(1.0 / t.x), 0, 0, 0, 0, (float)(1.0 / t.y), 0, 0, 0, 0, (float)((f + n) / (n - f)), -1, 0,
                       0, (float)(2.0 * f * n / (n - f)), 0}};
 }
 
 /* The pixel of zr_intrinsics, 0..width and 0..height, brought to -1..1 with y up. */
-static zr_mat4 pinhole(const struct zr_scene *scene, double n, double f)
+static zr_mat4 pinhole(const struct zr_view *view, double n, double f)
 {
-    struct zr_intrinsics k = intrinsics_of(scene);
-    double x = 2.0 / (double)scene->width, y = 2.0 / (double)scene->height;
+    struct zr_intrinsics k = intrinsics_of(view);
+    double x = 2.0 / (double)view->width, y = 2.0 / (double)view->height;
     return (zr_mat4){{(float)(k.fx * x), 0, 0, 0, (float)(0.0 - k.skew * x), (float)(k.fy * y), 0, 0,
                       (float)(1.0 - k.cx * x), (float)(k.cy * y - 1.0), (float)((f + n) / (n - f)), -1, 0, 0,
                       (float)(2.0 * f * n / (n - f)), 0}};
@@ -118,8 +118,7 @@ static zr_mat4 orthographic(double xmag, double ymag, double n, double f)
 enum zr_status zr_camera_project(const struct zr_points *points, const struct zr_bounds *bounds,
                                  const struct zr_bounds *fitted, struct zr_camera *camera, struct zr_error *error)
 {
-    const struct zr_scene *scene = points->scene;
-    const struct zr_view *view = &scene->view;
+    const struct zr_view *view = &points->scene->views[0];
     if (view->projection == ZR_PROJECTION_MATRIX) { /* nothing is left to the geometry */
         camera->projection = view->projection_matrix;
         return ZR_OK;
@@ -133,12 +132,12 @@ enum zr_status zr_camera_project(const struct zr_points *points, const struct zr
     double n = (double)camera->znear, f = (double)camera->zfar;
     if (zr_view_is_perspective(view)) {
         bool angles = view->projection == ZR_PROJECTION_PERSPECTIVE;
-        camera->projection = angles ? perspective(scene, n, f) : pinhole(scene, n, f);
+        camera->projection = angles ? perspective(view, n, f) : pinhole(view, n, f);
         return ZR_OK;
     }
     double xmag = (double)view->xmag, ymag = (double)view->ymag, rounding = zr_rounding_of(fitted, moved);
     if (!(xmag > 0.0) || !(ymag > 0.0))
-        grow_to_window(scene, fmax(fabs(e.min.x), fabs(e.max.x)) + rounding,
+        grow_to_window(view, fmax(fabs(e.min.x), fabs(e.max.x)) + rounding,
                        fmax(fabs(e.min.y), fabs(e.max.y)) + rounding, &xmag, &ymag);
     camera->projection = orthographic(xmag, ymag, n, f);
     return ZR_OK;

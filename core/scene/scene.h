@@ -160,8 +160,33 @@ struct zr_intrinsics {
     double cx, cy;
 };
 
-/* One pose and one projection, as asked for; resolved by scene/camera.h. */
+/* The independent ways to decide who is seen (raster/): all give the same pixels. */
+enum zr_algorithm {
+    ZR_ALGORITHM_HALFSPACE, /* production: edge functions, tile by tile */
+    ZR_ALGORITHM_EDGELIST,
+    ZR_ALGORITHM_TRAPEZOID,
+    ZR_ALGORITHM_SCANLINE,
+    ZR_ALGORITHM_PAINTER,
+    ZR_ALGORITHM_COUNT
+};
+
+/* How PNGs are compressed: fast, or into fewer bytes for much more time (output/png.h). */
+enum zr_compress { ZR_COMPRESS_FAST, ZR_COMPRESS_SMALL, ZR_COMPRESS_COUNT };
+
+struct zr_output {
+    enum zr_channel channel;
+    enum zr_encoding encoding;
+    float scale;         /* png16: scene units a step; 0: the far plane is 65535 */
+    enum zr_space space; /* of channels that have some; all outputs of one channel have the same */
+};
+
+/* A picture of the scene: one window, pose and projection, as asked for (resolved by scene/camera.h), and what is to be
+ * had of it. */
 struct zr_view {
+    uint32_t width, height; /* of the window, pixels */
+    uint32_t output_count;
+    const struct zr_output *outputs;
+
     enum zr_pose pose;
     enum zr_preset preset;
     zr_vec3 eye, target, up;
@@ -184,26 +209,6 @@ struct zr_view {
     uint32_t fit_mesh;
 };
 
-/* The independent ways to decide who is seen (raster/): all give the same pixels. */
-enum zr_algorithm {
-    ZR_ALGORITHM_HALFSPACE, /* production: edge functions, tile by tile */
-    ZR_ALGORITHM_EDGELIST,
-    ZR_ALGORITHM_TRAPEZOID,
-    ZR_ALGORITHM_SCANLINE,
-    ZR_ALGORITHM_PAINTER,
-    ZR_ALGORITHM_COUNT
-};
-
-/* How PNGs are compressed: fast, or into fewer bytes for much more time (output/png.h). */
-enum zr_compress { ZR_COMPRESS_FAST, ZR_COMPRESS_SMALL, ZR_COMPRESS_COUNT };
-
-struct zr_output {
-    enum zr_channel channel;
-    enum zr_encoding encoding;
-    float scale;         /* png16: scene units a step; 0: the far plane is 65535 */
-    enum zr_space space; /* of channels that have some; all outputs of one channel have the same */
-};
-
 /* What was drawn before, here or elsewhere, and new geometry is drawn into: arrays of
  * width * height, row 0 on top. What is NULL is as if nothing were there; readers see to
  * it that no channel that the outputs ask for is. */
@@ -216,21 +221,21 @@ struct zr_base {
     uint32_t first_face_id;    /* of the new geometry; at least 1 */
 };
 
+enum { ZR_VIEWS_MOST = 1 };
+
 struct zr_scene {
-    uint32_t width, height; /* pixels */
     zr_vec4 background;
     zr_vec3 ambient;
     struct zr_fog fog;
     enum zr_algorithm algorithm;
-    uint32_t material_count, mesh_count, instance_count, light_count, output_count, warning_count;
+    uint32_t material_count, mesh_count, instance_count, light_count, warning_count;
     const struct zr_material *materials;
     const struct zr_mesh *meshes;
     const struct zr_instance *instances;
     const struct zr_light *lights;
-    const struct zr_output *outputs;
     enum zr_compress compress;   /* of all outputs that are PNGs */
     const char *const *warnings; /* what input/ and scene/ found odd but drawable */
-    struct zr_view view;
+    struct zr_view views[ZR_VIEWS_MOST];
     const struct zr_base *base; /* NULL: the geometry is all there is */
 };
 
@@ -241,18 +246,18 @@ static inline const struct zr_material *zr_material_of_face(const struct zr_scen
 }
 
 /* True where one of the outputs shows the channel. */
-static inline bool zr_scene_wants(const struct zr_scene *scene, enum zr_channel channel)
+static inline bool zr_view_wants(const struct zr_view *view, enum zr_channel channel)
 {
-    for (uint32_t i = 0; i < scene->output_count; i++)
-        if (scene->outputs[i].channel == channel) return true;
+    for (uint32_t i = 0; i < view->output_count; i++)
+        if (view->outputs[i].channel == channel) return true;
     return false;
 }
 
 /* The space of a channel that is wanted. */
-static inline enum zr_space zr_scene_space(const struct zr_scene *scene, enum zr_channel channel)
+static inline enum zr_space zr_view_space(const struct zr_view *view, enum zr_channel channel)
 {
-    for (uint32_t i = 0; i < scene->output_count; i++)
-        if (scene->outputs[i].channel == channel) return scene->outputs[i].space;
+    for (uint32_t i = 0; i < view->output_count; i++)
+        if (view->outputs[i].channel == channel) return view->outputs[i].space;
     return ZR_SPACE_CAMERA;
 }
 

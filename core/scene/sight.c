@@ -27,7 +27,7 @@ static float fit_margin_of(const struct zr_view *view, const struct zr_bounds *f
 static enum zr_status resolve(const struct zr_points *points, const struct zr_bounds *bounds, struct zr_camera *camera,
                               struct zr_error *error)
 {
-    const struct zr_view *view = &points->scene->view;
+    const struct zr_view *view = &points->scene->views[0];
     struct zr_bounds fitted = {.valid = false};
     if (zr_view_needs_bounds(view)) fitted = zr_fit_bounds(points, bounds);
     *camera = (struct zr_camera){.world_to_eye = view->world_to_camera};
@@ -57,7 +57,7 @@ enum zr_status zr_sight_find(struct zr_arena *arena, struct zr_team *team, const
     struct zr_sight *sight = zr_arena_zero(arena, 1, sizeof *sight);
     *out = sight;
     if (!sight) return ZR_NO_MEMORY;
-    if (zr_view_needs_bounds(&scene->view) || zr_scene_wants(scene, ZR_CHANNEL_INFO))
+    if (zr_view_needs_bounds(&scene->views[0]) || zr_view_wants(&scene->views[0], ZR_CHANNEL_INFO))
         sight->bounds = zr_bounds_of(scene, team, cancel);
     return zr_camera_resolve(scene, &sight->bounds, team, cancel, &sight->camera, error);
 }

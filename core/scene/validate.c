@@ -9,19 +9,19 @@ static void check_side(const char *pointer, uint32_t side, const struct zr_limit
                      limits->window_side_max);
 }
 
-static void check_window(const struct zr_scene *scene, const struct zr_limits *limits, struct zr_error *error)
+static void check_view(const struct zr_view *view, const struct zr_limits *limits, struct zr_error *error)
 {
     size_t before = error->count;
-    check_side("/window/width", scene->width, limits, error);
-    check_side("/window/height", scene->height, limits, error);
+    check_side("/window/width", view->width, limits, error);
+    check_side("/window/height", view->height, limits, error);
     if (error->count > before) return; /* so that the product below cannot overflow */
-    uint64_t images = 0, pixels = (uint64_t)scene->width * scene->height;
-    for (uint32_t i = 0; i < scene->output_count; i++)
-        images += zr_channel_rows[scene->outputs[i].channel].words;
+    uint64_t images = 0, pixels = (uint64_t)view->width * view->height;
+    for (uint32_t i = 0; i < view->output_count; i++)
+        images += zr_channel_rows[view->outputs[i].channel].words;
     if (images > 0 && pixels > limits->window_pixels_max / images)
         zr_error_add(error, ZR_BAD_SCENE, "/window",
                      "%" PRIu32 " x %" PRIu32 " pixels x %" PRIu64 " image outputs is more than the limit of %" PRIu64,
-                     scene->width, scene->height, images, limits->window_pixels_max);
+                     view->width, view->height, images, limits->window_pixels_max);
 }
 
 static void check_geometry(const struct zr_scene *scene, struct zr_error *error)
@@ -46,8 +46,9 @@ static void check_base(const struct zr_scene *scene, struct zr_error *error)
     if (!base) return;
     bool color = false, depth = false, face_id = false;
     const enum zr_channel last_of_base = ZR_CHANNEL_INFO;
-    for (uint32_t i = 0; i < scene->output_count; i++) {
-        enum zr_channel channel = scene->outputs[i].channel;
+    const struct zr_view *view = &scene->views[0];
+    for (uint32_t i = 0; i < view->output_count; i++) {
+        enum zr_channel channel = view->outputs[i].channel;
         if (channel > last_of_base)
             zr_error_add(error, ZR_BAD_SCENE, "/base",
                          "no base has the channel %s, so the outputs cannot have it, either",
@@ -65,7 +66,7 @@ static void check_base(const struct zr_scene *scene, struct zr_error *error)
 enum zr_status zr_scene_validate(const struct zr_scene *scene, const struct zr_limits *limits, struct zr_error *error)
 {
     size_t before = error->count;
-    check_window(scene, limits, error);
+    check_view(&scene->views[0], limits, error);
     check_geometry(scene, error);
     check_base(scene, error);
     return error->count > before ? ZR_BAD_SCENE : ZR_OK;

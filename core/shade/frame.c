@@ -3,18 +3,18 @@
 #include "raster/tile.h"
 #include "scene/sight.h"
 
-enum zr_status zr_frame_make(struct zr_arena *arena, const struct zr_scene *scene, const struct zr_sight *sight,
+enum zr_status zr_frame_make(struct zr_arena *arena, const struct zr_view *view, const struct zr_sight *sight,
                              struct zr_frame *frame)
 {
-    const size_t pixels = (size_t)scene->width * scene->height;
-    frame->width = scene->width;
-    frame->height = scene->height;
+    const size_t pixels = (size_t)view->width * view->height;
+    frame->width = view->width;
+    frame->height = view->height;
     frame->bounds = sight->bounds;
     frame->camera = sight->camera;
     for (int c = 0; c < ZR_CHANNEL_COUNT; c++) {
-        const bool counted = c == ZR_CHANNEL_FACE_ID && zr_scene_wants(scene, ZR_CHANNEL_INFO);
+        const bool counted = c == ZR_CHANNEL_FACE_ID && zr_view_wants(view, ZR_CHANNEL_INFO);
         const size_t words = zr_channel_rows[c].words;
-        if (words > 0 && (counted || zr_scene_wants(scene, (enum zr_channel)c)))
+        if (words > 0 && (counted || zr_view_wants(view, (enum zr_channel)c)))
             frame->channels[c] = zr_arena_alloc(arena, pixels, 4 * words);
     }
     frame->reaches = zr_arena_alloc(arena, frame->height, sizeof *frame->reaches);

@@ -37,7 +37,7 @@ struct zr_frame {
 struct zr_sight;
 
 /* Room for the channels that the outputs are made of, and what is known of the view. ZR_OK or ZR_NO_MEMORY. */
-enum zr_status zr_frame_make(struct zr_arena *arena, const struct zr_scene *scene, const struct zr_sight *sight,
+enum zr_status zr_frame_make(struct zr_arena *arena, const struct zr_view *view, const struct zr_sight *sight,
                              struct zr_frame *frame);
 
 /* Fills in `reaches`, from which tiles show anything: tile 0 is at the window's lower left. */

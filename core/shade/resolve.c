@@ -123,7 +123,8 @@ static void shade(const struct zr_geometry *geometry, const struct zr_surfaces *
     for (int c = 0; c < ZR_CHANNEL_COUNT; c++)
         to.channels[c] = rows_of(frame, tile, (enum zr_channel)c);
     if (base) to.behind = rows_in(frame, tile, (void *)(uintptr_t)base->color, 1);
-    normals_to_space(&frame->camera.world_to_eye, zr_scene_space(scene, ZR_CHANNEL_NORMALS), to.normals_to_space);
+    normals_to_space(&frame->camera.world_to_eye, zr_view_space(&scene->views[0], ZR_CHANNEL_NORMALS),
+                     to.normals_to_space);
     paint->shade(geometry, surfaces, tile, &to);
     const struct zr_pixel_rows *faces = &to.channels[ZR_CHANNEL_FACE_ID];
     for (int32_t y = 0; frame->face_id && base && y < tile->height; y++)
@@ -153,8 +154,8 @@ struct zr_resolved zr_resolve_tile(const struct zr_geometry *geometry, const str
     const bool points = zr_surface_points_are_wanted(frame);
     if (frame->depth || points) zr_halfspace_of(isa)->settle(tile); /* these look at every sample */
     if (points)
-        zr_surface_points_tile(geometry, zr_eye_depths_of(isa), paint->ends, zr_scene_space(scene, ZR_CHANNEL_POSITION),
-                               tile, frame);
+        zr_surface_points_tile(geometry, zr_eye_depths_of(isa), paint->ends,
+                               zr_view_space(&scene->views[0], ZR_CHANNEL_POSITION), tile, frame);
     if (frame->depth) resolved.deepest = resolve_depth(geometry, isa, tile, frame);
     if (frame->base) {
         const float deepest = resolve_base_runs(paint, tile, frame, lowest_pixel_of(frame, tile));

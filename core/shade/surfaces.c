@@ -256,8 +256,8 @@ enum zr_status zr_surfaces_make(struct zr_arena *arena, struct zr_team *team, co
                        .scene = scene,
                        .geometry = geometry,
                        .out = surfaces,
-                       .colors = zr_scene_wants(scene, ZR_CHANNEL_COLOR),
-                       .all_normals = zr_scene_wants(scene, ZR_CHANNEL_NORMALS),
+                       .colors = zr_view_wants(&scene->views[0], ZR_CHANNEL_COLOR),
+                       .all_normals = zr_view_wants(&scene->views[0], ZR_CHANNEL_NORMALS),
                        .vertex_normals = zr_arena_zero(arena, scene->mesh_count, sizeof *m.vertex_normals)};
     *surfaces = (struct zr_surfaces){.eye = zr_camera_eye(camera)};
     surfaces->of_draw = zr_arena_zero(arena, (size_t)geometry->draw_count + 1, sizeof *surfaces->of_draw);

@@ -8,6 +8,7 @@
 #include "input/defaults.h"
 #include "scene/camera.h"
 #include "scene/sight.h"
+#include "support/look.h"
 
 enum { PLAIN, LIT, DEPTH, SIDES };
 enum { THREADS_MOST = 2 };
@@ -38,7 +39,7 @@ static bool take(struct ours *ours, const struct task *task, bool lit)
     struct zr_error error = {.status = ZR_OK};
     zr_scene_defaults(&defaults);
     ours_take(ours, task->work, &(struct variant){task->shade, false});
-    subject->scene.view = defaults.view;
+    scene_look(&subject->scene, defaults.views[0]);
     if (lit) {
         subject->mesh.colors = subject->mesh.face_colors = NULL;
         subject->material.base_color = zr_default_base_color(false);
@@ -50,10 +51,10 @@ static bool take(struct ours *ours, const struct task *task, bool lit)
     }
     const struct zr_bounds bounds = zr_bounds_of(&subject->scene, NULL, NULL);
     if (zr_camera_resolve(&subject->scene, &bounds, NULL, NULL, &camera, &error) != ZR_OK) return false;
-    subject->scene.view.pose = ZR_POSE_MATRIX;
-    subject->scene.view.projection = ZR_PROJECTION_MATRIX;
-    subject->scene.view.world_to_camera = camera.world_to_eye;
-    subject->scene.view.projection_matrix = camera.projection;
+    subject->scene.views[0].pose = ZR_POSE_MATRIX;
+    subject->scene.views[0].projection = ZR_PROJECTION_MATRIX;
+    subject->scene.views[0].world_to_camera = camera.world_to_eye;
+    subject->scene.views[0].projection_matrix = camera.projection;
     return true;
 }
 

@@ -34,8 +34,8 @@ const struct zr_frame *ours_render(struct ours *ours, const struct zr_output *ou
     struct zr_scene *scene = &ours->subject.scene;
     struct zr_error error = {.status = ZR_OK};
     const struct zr_frame *frame = NULL;
-    scene->outputs = outputs;
-    scene->output_count = count;
+    scene->views[0].outputs = outputs;
+    scene->views[0].output_count = count;
     zr_arena_reset(&ours->arena, ARENA_BYTES);
     enum zr_status status = zr_render(&ours->arena, ours->team, scene, NULL, NULL, &frame, &error);
     if (status == ZR_OK && frame) return frame;

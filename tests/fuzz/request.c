@@ -69,7 +69,7 @@ static void compare_algorithms(struct zr_arena *arena, const struct zr_scene *sc
         (other.algorithm == ZR_ALGORITHM_PAINTER && corners > CORNERS_MAX_PAINTER))
         return;
     if (draw(arena, &other, sight, &again) != ZR_OK) return;
-    const size_t pixels = (size_t)scene->width * scene->height;
+    const size_t pixels = (size_t)scene->views[0].width * scene->views[0].height;
     const struct {
         const char *what;
         const void *one, *two;

@@ -102,7 +102,7 @@ static void make(uint32_t points)
     zr_arena_init(&arena, (size_t)3 << 30);
     scene_of_triangles(&test, SIDE, SIDE, scattered(points), 1);
     test.mesh.position_count = points;
-    test.scene.output_count = 1;
+    test.scene.views[0].output_count = 1;
 }
 
 static void cutting_of_many_large_faces_stops(void **state)
@@ -142,7 +142,7 @@ static void drawing_of_many_lines_and_walking_over_many_points_stop(void **state
     test.mesh.line_count = 0;
     test.scene.instances = instances;
     test.scene.instance_count = INSTANCES;
-    test.scene.view.pose = ZR_POSE_PRESET; /* fitted, for which all points are walked over */
+    test.scene.views[0].pose = ZR_POSE_PRESET; /* fitted, for which all points are walked over */
     assert_ends_soon(&test.scene);
     zr_arena_free(&arena);
 }

@@ -44,8 +44,8 @@ static struct picture draw(const char *text, const struct zr_asset *assets, size
     assert_int_equal(zr_render(&arena, NULL, scene, NULL, NULL, &frame, &error), ZR_OK);
     for (int i = 0; i < CHANNELS; i++) {
         struct zr_scene one = *scene;
-        one.outputs = &OUTPUTS[i];
-        one.output_count = 1;
+        one.views[0].outputs = &OUTPUTS[i];
+        one.views[0].output_count = 1;
         assert_int_equal(zr_encode(&arena, NULL, &one, frame, NULL, &picture.channels[i], &error), ZR_OK);
     }
     picture.frame = frame;

@@ -45,9 +45,9 @@ static void every_scene_in_every_window_has_the_bytes_of_plain_c(void **state)
             assert_non_null(scene);
             const struct zr_frame *want = scene_render(&arena, plain, scene);
             struct zr_scene uncolored = *scene;
-            assert_int_equal(scene->outputs[0].channel, ZR_CHANNEL_COLOR);
-            uncolored.outputs++;
-            uncolored.output_count--;
+            assert_int_equal(scene->views[0].outputs[0].channel, ZR_CHANNEL_COLOR);
+            uncolored.views[0].outputs++;
+            uncolored.views[0].output_count--;
             for (int t = 0; t < 3; t++) {
                 const struct zr_frame *got = scene_render(&arena, teams[t], scene);
                 assert_non_null(got->color);

@@ -80,8 +80,8 @@ static void add_row(const char *folder, const char *name, char text[TEXT_SIZE], 
         fail_msg("%s: %s %s", path, error.items[0].pointer, error.items[0].detail);
     if (has_lines(read)) {
         struct zr_scene scene = *read;
-        scene.outputs = outputs;
-        scene.output_count = sizeof outputs / sizeof *outputs;
+        scene.views[0].outputs = outputs;
+        scene.views[0].output_count = sizeof outputs / sizeof *outputs;
         make_unlit(&scene);
         size_t used = strlen(text);
         int length = snprintf(text + used, TEXT_SIZE - used, "%016" PRIx64 " %s\n", digest_of(&scene), path);

@@ -167,8 +167,8 @@ static struct zr_surfaces surfaces_of(bool colored, bool singly, struct zr_geome
     test.material.shading = ZR_SHADING_FLAT;
     test.material.double_sided = true;
     if (!colored) {
-        test.scene.outputs++;
-        test.scene.output_count--;
+        test.scene.views[0].outputs++;
+        test.scene.views[0].output_count--;
     }
     assert_int_equal(zr_camera_resolve(&test.scene, NULL, NULL, NULL, &camera, &error), ZR_OK);
     assert_int_equal(zr_geometry_build(&arena, NULL, &test.scene, &camera, NULL, singly, geometry), ZR_OK);

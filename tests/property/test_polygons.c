@@ -98,7 +98,7 @@ static uint32_t check(struct polygon *p)
 /* Any places, on a grid of so many steps a pixel: crossings, touching and repeated corners. */
 static void random_ring(struct polygon *p, struct random *r, uint32_t corners, double steps)
 {
-    double width = p->test.scene.width, height = p->test.scene.height, w = random_range(r, 0.25, 4.0);
+    double width = p->test.scene.views[0].width, height = p->test.scene.views[0].height, w = random_range(r, 0.25, 4.0);
     for (uint32_t i = 0; i < corners; i++) {
         double x = floor(random_range(r, 0, width) * steps) / steps,
                y = floor(random_range(r, 0, height) * steps) / steps;
@@ -200,7 +200,7 @@ static void planar_polygons_of_any_shape_have_the_depth_of_their_plane(void **st
     for (int round = 0; round < 300; round++) {
         random_polygon(&polygon, &random);
         double a = random_range(&random, -0.4, 0.4), b = random_range(&random, -0.4, 0.4);
-        uint32_t width = polygon.test.scene.width, height = polygon.test.scene.height;
+        uint32_t width = polygon.test.scene.views[0].width, height = polygon.test.scene.views[0].height;
         for (uint32_t i = 0; i < polygon.corners; i++) {
             zr_vec4 *p = &polygon.positions[i];
             p->z = (float)(a * (double)p->x + b * (double)p->y);

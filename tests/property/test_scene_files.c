@@ -40,8 +40,8 @@ static struct zr_scene read_file(const char *path)
     if (zr_scene_read(&arena, NULL, &request, &limits, &scene, &error) != ZR_OK)
         fail_msg("%s: %s %s", path, error.items[0].pointer, error.items[0].detail);
     struct zr_scene all = *scene;
-    all.outputs = outputs;
-    all.output_count = list_outputs(all.base);
+    all.views[0].outputs = outputs;
+    all.views[0].output_count = list_outputs(all.base);
     return all;
 }
 
@@ -63,9 +63,9 @@ static void assert_same(const struct zr_frame *want, const struct zr_frame *got,
 static struct zr_scene without_color(const struct zr_scene *scene)
 {
     struct zr_scene out = *scene;
-    assert_int_equal(scene->outputs[0].channel, ZR_CHANNEL_COLOR);
-    out.outputs++;
-    out.output_count--;
+    assert_int_equal(scene->views[0].outputs[0].channel, ZR_CHANNEL_COLOR);
+    out.views[0].outputs++;
+    out.views[0].output_count--;
     return out;
 }
 

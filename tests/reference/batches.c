@@ -238,7 +238,7 @@ static void append_thin(struct builder *b, const struct zr_window_vertex *v0, co
 /* Pieces of a shape's triangle that the core finds too thin to tell a plane. */
 static void find_thin(struct builder *b, const struct source *s, const uint32_t slots[3])
 {
-    struct zr_viewport viewport = zr_viewport_make(b->scene->width, b->scene->height);
+    struct zr_viewport viewport = zr_viewport_make(b->scene->views[0].width, b->scene->views[0].height);
     zr_mat4 object_to_eye = zr_mat4_mul(&b->camera->world_to_eye, &s->instance->object_to_world);
     zr_mat4 object_to_clip = zr_mat4_mul(&b->camera->projection, &object_to_eye);
     struct zr_clipped clipped;

@@ -30,12 +30,12 @@ static bool make_directories(const char *path)
 static void print_pixels(const struct report_failure *failure)
 {
     const struct compare_missed *missed = &failure->pictures->missed;
-    uint32_t width = failure->scene->width;
+    uint32_t width = failure->scene->views[0].width;
     const struct picture *sides[2] = {&failure->pictures->want, &failure->pictures->got};
     for (size_t k = 0; k < missed->count && k < COMPARE_MISSED_MAX; k++) {
         size_t i = missed->pixels[k];
         printf("# %s-%" PRIu64 ": pixel (%zu, %zu) of %" PRIu32 "x%" PRIu32 " from the top left\n", failure->label,
-               failure->number, i % width, i / width, width, failure->scene->height);
+               failure->number, i % width, i / width, width, failure->scene->views[0].height);
         for (int side = 0; side < 2; side++) {
             const uint8_t *c = sides[side]->rgba + i * 4;
             printf("#   %s face %6" PRIu32 "  depth %.9g (%a)  colour %d %d %d %d\n", side ? "got " : "want",
@@ -115,7 +115,7 @@ static void write_numbers(const struct report_failure *failure)
         fprintf(stderr, "%s: %s\n", path, strerror(errno));
         return;
     }
-    fprintf(file, "window %" PRIu32 " %" PRIu32 "\n", scene->width, scene->height);
+    fprintf(file, "window %" PRIu32 " %" PRIu32 "\n", scene->views[0].width, scene->views[0].height);
     fprintf(file, "faces that differ when drawn alone:");
     for (uint32_t i = 0; i < failure->alone_count; i++)
         fprintf(file, " %" PRIu32, failure->alone[i]);

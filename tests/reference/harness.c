@@ -71,7 +71,8 @@ static bool draw_and_read(struct harness *harness, const struct zr_scene *scene,
                           bool with_depth)
 {
     struct reference_error error = {""};
-    if (reference_resize(harness->reference, scene->width, scene->height, batches->parity_faces > 0, &error) &&
+    if (reference_resize(harness->reference, scene->views[0].width, scene->views[0].height, batches->parity_faces > 0,
+                         &error) &&
         reference_draw(harness->reference, &batches->arrays, &error) &&
         reference_read(harness->reference, harness->rgba, with_depth ? harness->depth : NULL, &error) &&
         (!with_depth || reference_read_gaps(harness->reference, harness->gaps, &error)))
@@ -84,7 +85,7 @@ static bool draw_and_read(struct harness *harness, const struct zr_scene *scene,
 static bool reference_render(struct harness *harness, const struct zr_scene *scene, const struct zr_frame *frame,
                              struct batches *batches)
 {
-    size_t pixels = (size_t)scene->width * scene->height;
+    size_t pixels = (size_t)scene->views[0].width * scene->views[0].height;
     struct zr_camera camera = frame->camera;
     camera.projection.m[12] += (float)harness->options.perturbation;
     struct batches_options options = {.purpose = BATCHES_OWNERS,
@@ -103,7 +104,7 @@ static bool reference_render(struct harness *harness, const struct zr_scene *sce
     if (!batches_make(&harness->arena, scene, &camera, &options, batches) ||
         !draw_and_read(harness, scene, batches, true))
         return false;
-    batches_mark_thin(batches, scene->width, scene->height, harness->gaps);
+    batches_mark_thin(batches, scene->views[0].width, scene->views[0].height, harness->gaps);
     return true;
 }
 
@@ -158,8 +159,8 @@ static enum verdict compare_sides(struct harness *harness, const struct zr_scene
     tally->parity_faces += batches.parity_faces;
     struct nearness nearness = {
         .scene = scene, .camera = &frame->camera, .arena = &harness->arena, .depth_rounding = rounding.depth};
-    out->missed = compare_pictures(&out->want, &out->got, scene->width, scene->height, harness->options.bar, &nearness,
-                                   &tally->comparison);
+    out->missed = compare_pictures(&out->want, &out->got, scene->views[0].width, scene->views[0].height,
+                                   harness->options.bar, &nearness, &tally->comparison);
     nearness_free(&nearness);
     return out->missed.count ? VERDICT_DIFFERENT : VERDICT_EQUAL;
 }
@@ -190,10 +191,10 @@ static void single_make(struct single *single, const struct zr_scene *scene, con
     single->scene.mesh_count = single->scene.instance_count = 1;
     single->scene.meshes = &single->mesh;
     single->scene.instances = &single->instance;
-    single->scene.view.pose = ZR_POSE_MATRIX;
-    single->scene.view.world_to_camera = camera->world_to_eye;
-    single->scene.view.projection = ZR_PROJECTION_MATRIX;
-    single->scene.view.projection_matrix = camera->projection;
+    single->scene.views[0].pose = ZR_POSE_MATRIX;
+    single->scene.views[0].world_to_camera = camera->world_to_eye;
+    single->scene.views[0].projection = ZR_PROJECTION_MATRIX;
+    single->scene.views[0].projection_matrix = camera->projection;
 }
 
 /* Numbers of faces that differ when drawn alone. */

@@ -58,8 +58,8 @@ static void add_piece(struct nearness *n, double (*v)[4], int count, bool edges_
     piece->count = count;
     piece->edges_only = edges_only;
     for (int i = 0; i < count; i++) {
-        piece->corners[i][0] = (v[i][0] / v[i][3] + 1.0) * 0.5 * n->scene->width;
-        piece->corners[i][1] = (v[i][1] / v[i][3] + 1.0) * 0.5 * n->scene->height;
+        piece->corners[i][0] = (v[i][0] / v[i][3] + 1.0) * 0.5 * n->scene->views[0].width;
+        piece->corners[i][1] = (v[i][1] / v[i][3] + 1.0) * 0.5 * n->scene->views[0].height;
         piece->corners[i][2] = (v[i][2] / v[i][3] + 1.0) * 0.5;
     }
 }
@@ -158,7 +158,7 @@ static bool is_inside(const struct nearness_piece *piece, double x, double y)
 struct near nearness_at(struct nearness *nearness, uint32_t owner, uint32_t x, uint32_t row)
 {
     if (nearness->owner != owner) take_owner(nearness, owner);
-    double sx = x + 0.5, sy = nearness->scene->height - row - 0.5, best = HUGE_VAL;
+    double sx = x + 0.5, sy = nearness->scene->views[0].height - row - 0.5, best = HUGE_VAL;
     struct near near = {.edge_px = HUGE_VAL};
     for (uint32_t p = 0; p < nearness->count; p++) {
         const struct nearness_piece *piece = &nearness->pieces[p];
@@ -203,7 +203,7 @@ static void add_corner(const struct zr_scene *scene, const struct zr_camera *cam
     apply_magnitudes(&camera->world_to_eye, sum);
     apply_magnitudes(&camera->projection, sum);
     double half = 3.0 * 0x1p-24 * 0.5 / clip[3];
-    rounding->px = fmax(rounding->px, half * fmax(sum[0] * scene->width, sum[1] * scene->height));
+    rounding->px = fmax(rounding->px, half * fmax(sum[0] * scene->views[0].width, sum[1] * scene->views[0].height));
     rounding->depth = fmax(rounding->depth, half * (sum[2] + clip[3]));
 }
 

@@ -36,9 +36,7 @@ void subject_make(struct subject *subject, const struct drawing *drawing)
                                      .colors = per_vertex ? drawing->colors : NULL,
                                      .face_colors = per_vertex ? NULL : drawing->face_colors};
     subject->instance = (struct zr_instance){.mesh = 0, .object_to_world = zr_mat4_identity()};
-    subject->scene = (struct zr_scene){.width = drawing->width,
-                                       .height = drawing->height,
-                                       .background = {0, 0, 0, 1},
+    subject->scene = (struct zr_scene){.background = {0, 0, 0, 1},
                                        .ambient = drawing->ambient,
                                        .light_count = drawing->light_count,
                                        .lights = drawing->lights,
@@ -48,18 +46,20 @@ void subject_make(struct subject *subject, const struct drawing *drawing)
                                        .meshes = &subject->mesh,
                                        .instance_count = 1,
                                        .instances = &subject->instance,
-                                       .view = {.pose = ZR_POSE_MATRIX,
-                                                .world_to_camera = drawing->modelview,
-                                                .projection = ZR_PROJECTION_MATRIX,
-                                                .projection_matrix = drawing->projection}};
+                                       .views[0] = {.width = drawing->width,
+                                                    .height = drawing->height,
+                                                    .pose = ZR_POSE_MATRIX,
+                                                    .world_to_camera = drawing->modelview,
+                                                    .projection = ZR_PROJECTION_MATRIX,
+                                                    .projection_matrix = drawing->projection}};
 }
 
 static const struct zr_frame *render(struct zr_arena *arena, struct zr_team *team, const struct zr_scene *scene,
                                      const struct zr_output *wanted, uint32_t count)
 {
     struct zr_scene asked = *scene;
-    asked.output_count = count;
-    asked.outputs = wanted;
+    asked.views[0].output_count = count;
+    asked.views[0].outputs = wanted;
     struct zr_error error = {.status = ZR_OK};
     const struct zr_frame *frame = NULL;
     enum zr_status status = zr_render(arena, team, &asked, NULL, NULL, &frame, &error);

@@ -190,7 +190,7 @@ static void tell(struct checking *c, const struct pixel *p, double off)
     const float *want = p->want, *got = p->got;
     if (c->told++ >= TOLD_MAX) return;
     printf("# %s: %s at %" PRIu32 ", %" PRIu32 ": wanted %.9g %.9g %.9g, got %.9g %.9g %.9g: %g %s\n", c->label,
-           c->twin->name, p->x, c->scene->height - 1 - p->y, (double)want[0], (double)want[1], (double)want[2],
+           c->twin->name, p->x, c->scene->views[0].height - 1 - p->y, (double)want[0], (double)want[1], (double)want[2],
            (double)got[0], (double)got[1], (double)got[2], off, p->is_exact ? "ulp" : "losses");
 }
 
@@ -243,7 +243,7 @@ static void compare_words(struct checking *c, const float *want, const void *wor
 {
     const struct zr_channel_row *row = &zr_channel_rows[c->twin->channel];
     const struct picture *a = &c->pictures->want, *b = &c->pictures->got;
-    const uint32_t width = c->scene->width, height = c->scene->height;
+    const uint32_t width = c->scene->views[0].width, height = c->scene->views[0].height;
     for (size_t i = 0; i < (size_t)width * height; i++) {
         struct pixel p = {.want = want + 4 * i, .words = row->words};
         if (b->owner[i] == 0 || b->owner[i] != a->owner[i] || a->gaps[i]) continue;
@@ -259,13 +259,13 @@ static void compare_words(struct checking *c, const float *want, const void *wor
 static bool check_row(struct checking *c, unsigned program, struct reference_error *error)
 {
     struct zr_arena *arena = &c->harness->arena;
-    float *want = zr_arena_alloc(arena, (size_t)c->scene->width * c->scene->height, 4 * sizeof *want);
+    float *want = zr_arena_alloc(arena, (size_t)c->scene->views[0].width * c->scene->views[0].height, 4 * sizeof *want);
     if (!program || !want || !draw(c, program, want, error)) return false;
     const void *got = subject_channel(arena, c->harness->team, c->scene, c->twin->channel, c->twin->space);
     c->interpolation = (struct interpolation){.arrays = &c->arrays,
                                               .world_to_eye = &c->camera.world_to_eye,
-                                              .width = c->scene->width,
-                                              .height = c->scene->height,
+                                              .width = c->scene->views[0].width,
+                                              .height = c->scene->views[0].height,
                                               .of = c->twin->of};
     c->told = 0;
     if (got) compare_words(c, want, got);

@@ -3,6 +3,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "support/look.h"
 #include "support/random.h"
 
 const char *const gallery_names[GALLERY_SCENES] = {"soup",
@@ -192,13 +193,13 @@ static bool make_ball(struct set *s, uint32_t cells, int sides)
             memcpy(s->indices + 4 * f++, corners, sizeof corners);
             s->face_offsets[f] = 4 * f;
         }
-    s->scene.view = (struct zr_view){.pose = ZR_POSE_ORBIT,
-                                     .azimuth_degrees = 30,
-                                     .elevation_degrees = 20,
-                                     .up = {0, 1, 0},
-                                     .projection = ZR_PROJECTION_PERSPECTIVE,
-                                     .yfov_radians = 0.7f,
-                                     .fit_padding = 0.02f};
+    scene_look(&s->scene, (struct zr_view){.pose = ZR_POSE_ORBIT,
+                                           .azimuth_degrees = 30,
+                                           .elevation_degrees = 20,
+                                           .up = {0, 1, 0},
+                                           .projection = ZR_PROJECTION_PERSPECTIVE,
+                                           .yfov_radians = 0.7f,
+                                           .fit_padding = 0.02f});
     s->material.shading = ZR_SHADING_GOURAUD;
     s->lights[0] = (struct zr_light){{0.6f, -0.8f, 0}, {0.7f, 0.6f, 0.5f}, false};
     s->lights[1] = (struct zr_light){{-0.36f, 0.48f, 0.8f}, {0.2f, 0.4f, 0.4f}, false};
@@ -289,27 +290,27 @@ static bool make_polygons(struct set *s)
 static bool make_inside(struct set *s)
 {
     if (!make_ball(s, 10, 6)) return false;
-    s->scene.view.pose = ZR_POSE_LOOK_AT;
-    s->scene.view.eye = (zr_vec3){0.3f, 0.2f, 0.5f};
-    s->scene.view.target = (zr_vec3){-0.4f, 0.1f, -0.7f};
-    s->scene.view.yfov_radians = 1.6f;
-    s->scene.view.has_znear = s->scene.view.has_zfar = true;
-    s->scene.view.znear = 0.05f;
-    s->scene.view.zfar = 10;
+    s->scene.views[0].pose = ZR_POSE_LOOK_AT;
+    s->scene.views[0].eye = (zr_vec3){0.3f, 0.2f, 0.5f};
+    s->scene.views[0].target = (zr_vec3){-0.4f, 0.1f, -0.7f};
+    s->scene.views[0].yfov_radians = 1.6f;
+    s->scene.views[0].has_znear = s->scene.views[0].has_zfar = true;
+    s->scene.views[0].znear = 0.05f;
+    s->scene.views[0].zfar = 10;
     return true;
 }
 
 /* A base with steps in its depth, that are also depths of the layers. */
 static bool make_base(struct set *s)
 {
-    size_t pixels = (size_t)s->scene.width * s->scene.height;
+    size_t pixels = (size_t)s->scene.views[0].width * s->scene.views[0].height;
     uint8_t *color = zr_arena_alloc(s->arena, pixels, 4);
     float *window_depth = zr_arena_alloc(s->arena, pixels, sizeof *window_depth);
     float *depth = zr_arena_alloc(s->arena, pixels, sizeof *depth);
     uint32_t *face_id = zr_arena_alloc(s->arena, pixels, sizeof *face_id);
     if (!zr_arena_ok(s->arena)) return false;
     for (size_t i = 0; i < pixels; i++) {
-        size_t x = i % s->scene.width, y = i / s->scene.width, step = (x / 23 + y / 31) % 5;
+        size_t x = i % s->scene.views[0].width, y = i / s->scene.views[0].width, step = (x / 23 + y / 31) % 5;
         window_depth[i] = step == 4 ? 1.0f : 0.5f + 0.125f * (float)step;
         depth[i] = step == 4 ? INFINITY : 2 * window_depth[i] - 1;
         face_id[i] = step == 4 ? 0 : 1 + (uint32_t)step;
@@ -345,22 +346,22 @@ static void set_init(struct set *s, struct zr_arena *arena, uint32_t width, uint
     s->material = (struct zr_material){.base_color = {1, 1, 1, 1}, .shading = ZR_SHADING_UNLIT, .double_sided = true};
     s->mesh.name = "";
     s->instances[0].object_to_world = s->instances[1].object_to_world = zr_mat4_identity();
-    s->scene = (struct zr_scene){.width = width,
-                                 .height = height,
-                                 .background = {0.1f, 0.2f, 0.3f, 1},
+    s->scene = (struct zr_scene){.background = {0.1f, 0.2f, 0.3f, 1},
                                  .material_count = 1,
                                  .mesh_count = 1,
                                  .instance_count = 1,
-                                 .output_count = GALLERY_CHANNELS,
                                  .materials = &s->material,
                                  .meshes = &s->mesh,
                                  .instances = s->instances,
-                                 .lights = s->lights,
-                                 .outputs = outputs};
-    s->scene.view = (struct zr_view){.pose = ZR_POSE_MATRIX,
-                                     .world_to_camera = zr_mat4_identity(),
-                                     .projection = ZR_PROJECTION_MATRIX,
-                                     .projection_matrix = zr_mat4_identity()};
+                                 .lights = s->lights};
+    s->scene.views[0] = (struct zr_view){.width = width,
+                                         .height = height,
+                                         .output_count = GALLERY_CHANNELS,
+                                         .outputs = outputs,
+                                         .pose = ZR_POSE_MATRIX,
+                                         .world_to_camera = zr_mat4_identity(),
+                                         .projection = ZR_PROJECTION_MATRIX,
+                                         .projection_matrix = zr_mat4_identity()};
 }
 
 const struct zr_scene *gallery_scene(struct zr_arena *arena, int number, uint32_t width, uint32_t height)

@@ -28,21 +28,21 @@ void scene_of_triangles(struct test_scene *test, uint32_t width, uint32_t height
     for (int i = 0; i < 4; i++)
         test->outputs[i] =
             (struct zr_output){.channel = channels[i], .encoding = i ? ZR_ENCODING_NPY : ZR_ENCODING_PNG};
-    test->scene = (struct zr_scene){.width = width,
-                                    .height = height,
-                                    .background = {0, 0, 0, 1},
+    test->scene = (struct zr_scene){.background = {0, 0, 0, 1},
                                     .material_count = 1,
                                     .mesh_count = 1,
                                     .instance_count = 1,
-                                    .output_count = 4,
                                     .materials = &test->material,
                                     .meshes = &test->mesh,
-                                    .instances = &test->instance,
-                                    .outputs = test->outputs};
-    test->scene.view = (struct zr_view){.pose = ZR_POSE_MATRIX,
-                                        .world_to_camera = zr_mat4_identity(),
-                                        .projection = ZR_PROJECTION_MATRIX,
-                                        .projection_matrix = zr_mat4_identity()};
+                                    .instances = &test->instance};
+    test->scene.views[0] = (struct zr_view){.width = width,
+                                            .height = height,
+                                            .output_count = 4,
+                                            .outputs = test->outputs,
+                                            .pose = ZR_POSE_MATRIX,
+                                            .world_to_camera = zr_mat4_identity(),
+                                            .projection = ZR_PROJECTION_MATRIX,
+                                            .projection_matrix = zr_mat4_identity()};
 }
 
 const struct zr_frame *scene_render(struct zr_arena *arena, struct zr_team *team, const struct zr_scene *scene)

@@ -4,6 +4,7 @@
 
 #include "scene/scene.h"
 #include "shade/frame.h"
+#include "support/look.h"
 #include "zraster.h"
 
 /* One mesh of triangles in clip space (all matrices are the identity), drawn unlit

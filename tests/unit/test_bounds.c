@@ -7,6 +7,7 @@
 #include "scene/camera_parts.h"
 #include "scene/sight.h"
 #include "support/isas.h"
+#include "support/look.h"
 #include "support/random.h"
 
 /* More in all than one thread takes at once. */
@@ -186,19 +187,19 @@ static void make_view(struct zr_scene *scene)
 {
     static const enum zr_projection projections[] = {ZR_PROJECTION_PERSPECTIVE, ZR_PROJECTION_ORTHOGRAPHIC,
                                                      ZR_PROJECTION_INTRINSICS};
-    scene->width = 64 + random_below(&numbers, 64);
-    scene->height = 64;
-    scene->view = (struct zr_view){.pose = random_below(&numbers, 2) ? ZR_POSE_PRESET : ZR_POSE_ORBIT,
-                                   .preset = (enum zr_preset)random_below(&numbers, ZR_PRESET_COUNT),
-                                   .up = {0, 1, 0},
-                                   .has_target = random_below(&numbers, 2),
-                                   .azimuth_degrees = 100.0 * fine(),
-                                   .elevation_degrees = 100.0 * fine(),
-                                   .projection = projections[random_below(&numbers, 3)],
-                                   .yfov_radians = 0.8f,
-                                   .intrinsics = {.fx = 70, .fy = 60, .cx = 30, .cy = 33, .skew = 5.0 * fine()},
-                                   .fit_to_mesh = random_below(&numbers, 2),
-                                   .fit_mesh = random_below(&numbers, MESHES)};
+    scene->views[0].width = 64 + random_below(&numbers, 64);
+    scene->views[0].height = 64;
+    scene_look(scene, (struct zr_view){.pose = random_below(&numbers, 2) ? ZR_POSE_PRESET : ZR_POSE_ORBIT,
+                                       .preset = (enum zr_preset)random_below(&numbers, ZR_PRESET_COUNT),
+                                       .up = {0, 1, 0},
+                                       .has_target = random_below(&numbers, 2),
+                                       .azimuth_degrees = 100.0 * fine(),
+                                       .elevation_degrees = 100.0 * fine(),
+                                       .projection = projections[random_below(&numbers, 3)],
+                                       .yfov_radians = 0.8f,
+                                       .intrinsics = {.fx = 70, .fy = 60, .cx = 30, .cy = 33, .skew = 5.0 * fine()},
+                                       .fit_to_mesh = random_below(&numbers, 2),
+                                       .fit_mesh = random_below(&numbers, MESHES)});
 }
 
 static enum zr_status see(struct zr_team *team, const struct zr_scene *scene, struct zr_camera *camera)
@@ -253,9 +254,9 @@ static void view_of_nothing_that_has_a_place_is_finite(void **state)
     for (int round = 0; round < 100; round++) {
         struct zr_camera camera;
         make_view(&scene);
-        scene.view.fit_mesh = 0;
+        scene.views[0].fit_mesh = 0;
         const enum zr_status status = see(NULL, &scene, &camera);
-        assert_true(status == ZR_OK || (scene.view.has_target && status == ZR_BAD_SCENE));
+        assert_true(status == ZR_OK || (scene.views[0].has_target && status == ZR_BAD_SCENE));
         for (int i = 0; i < 16 && status == ZR_OK; i++)
             assert_true(isfinite(camera.world_to_eye.m[i]) && isfinite(camera.projection.m[i]));
     }

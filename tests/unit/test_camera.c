@@ -15,12 +15,12 @@ static struct test_scene *box_scene(void)
 {
     static struct test_scene test;
     scene_of_triangles(&test, 400, 200, BOX, 4);
-    test.scene.view = (struct zr_view){.pose = ZR_POSE_PRESET,
-                                       .preset = ZR_PRESET_FRONT,
-                                       .up = {0, 1, 0},
-                                       .projection = ZR_PROJECTION_ORTHOGRAPHIC,
-                                       .yfov_radians = 0.8f,
-                                       .fit_padding = 0.05f};
+    scene_look(&test.scene, (struct zr_view){.pose = ZR_POSE_PRESET,
+                                             .preset = ZR_PRESET_FRONT,
+                                             .up = {0, 1, 0},
+                                             .projection = ZR_PROJECTION_ORTHOGRAPHIC,
+                                             .yfov_radians = 0.8f,
+                                             .fit_padding = 0.05f});
     return &test;
 }
 
@@ -62,7 +62,7 @@ static void preset_shows_the_side_that_it_names(void **state)
         {ZR_PRESET_TOP, {1, 0, 0}, {0, 0, -1}, {0, 1, 0}},  {ZR_PRESET_BOTTOM, {1, 0, 0}, {0, 0, 1}, {0, -1, 0}}};
     struct test_scene *test = box_scene();
     for (size_t i = 0; i < sizeof table / sizeof *table; i++) {
-        test->scene.view.preset = table[i].preset;
+        test->scene.views[0].preset = table[i].preset;
         struct zr_camera c = resolve(test);
         const float *m = c.world_to_eye.m;
         zr_vec3 rows[3] = {{m[0], m[4], m[8]}, {m[1], m[5], m[9]}, {m[2], m[6], m[10]}};
@@ -80,11 +80,12 @@ static void fit_fills_the_window_but_for_the_padding(void **state)
     struct test_scene *test = box_scene();
     static const enum zr_projection projections[] = {ZR_PROJECTION_ORTHOGRAPHIC, ZR_PROJECTION_PERSPECTIVE,
                                                      ZR_PROJECTION_INTRINSICS};
-    test->scene.view.intrinsics = (struct zr_intrinsics){300, 350, 40, true, true, 520, 30}; /* outside of 400 x 200 */
+    test->scene.views[0].intrinsics =
+        (struct zr_intrinsics){300, 350, 40, true, true, 520, 30}; /* outside of 400 x 200 */
     for (int projection = 0; projection < 3; projection++)
         for (int preset = 0; preset < ZR_PRESET_COUNT; preset++) {
-            test->scene.view.projection = projections[projection];
-            test->scene.view.preset = (enum zr_preset)preset;
+            test->scene.views[0].projection = projections[projection];
+            test->scene.views[0].preset = (enum zr_preset)preset;
             struct zr_camera camera = resolve(test);
             float farthest = 0.0f;
             for (int i = 0; i < 12; i++) {
@@ -100,7 +101,7 @@ static void look_at_puts_the_target_in_the_centre(void **state)
 {
     (void)state;
     struct test_scene *test = box_scene();
-    struct zr_view *view = &test->scene.view;
+    struct zr_view *view = &test->scene.views[0];
     view->pose = ZR_POSE_LOOK_AT;
     view->projection = ZR_PROJECTION_PERSPECTIVE;
     view->eye = (zr_vec3){5, 6, 7};
@@ -116,7 +117,7 @@ static void look_at_without_direction_or_up_is_refused(void **state)
 {
     (void)state;
     struct test_scene *test = box_scene();
-    struct zr_view *view = &test->scene.view;
+    struct zr_view *view = &test->scene.views[0];
     struct zr_bounds bounds = zr_bounds_of(&test->scene, NULL, NULL);
     struct zr_camera camera;
     struct zr_error error = {.count = 0};
@@ -134,7 +135,7 @@ static void matrices_given_pass_through_untouched(void **state)
 {
     (void)state;
     struct test_scene *test = box_scene();
-    struct zr_view *view = &test->scene.view;
+    struct zr_view *view = &test->scene.views[0];
     view->pose = ZR_POSE_MATRIX;
     view->projection = ZR_PROJECTION_MATRIX;
     for (int i = 0; i < 16; i++) {
@@ -150,7 +151,7 @@ static void depth_range_given_is_kept_and_one_turned_round_is_refused(void **sta
 {
     (void)state;
     struct test_scene *test = box_scene();
-    struct zr_view *view = &test->scene.view;
+    struct zr_view *view = &test->scene.views[0];
     view->has_znear = view->has_zfar = true;
     view->znear = 0.5f;
     view->zfar = 100.0f;
@@ -166,7 +167,7 @@ static void eye_inside_or_before_the_geometry_still_gives_a_camera(void **state)
 {
     (void)state;
     struct test_scene *test = box_scene();
-    struct zr_view *view = &test->scene.view;
+    struct zr_view *view = &test->scene.views[0];
     view->pose = ZR_POSE_LOOK_AT;
     view->projection = ZR_PROJECTION_PERSPECTIVE;
     view->target = (zr_vec3){1, 0, -9};
@@ -184,7 +185,7 @@ static void view_beyond_the_range_of_numbers_is_refused(void **state)
 {
     (void)state;
     struct test_scene *test = box_scene();
-    struct zr_view *view = &test->scene.view;
+    struct zr_view *view = &test->scene.views[0];
     struct zr_bounds bounds = zr_bounds_of(&test->scene, NULL, NULL);
     for (int i = 0; i < 2; i++) {
         struct zr_camera camera;
@@ -230,12 +231,12 @@ static void fit_shows_small_flat_things_far_from_the_origin(void **state)
                     p[k] = along_x ? (zr_vec4){o, u, v, 1} : along_y ? (zr_vec4){u, o, v, 1} : (zr_vec4){u, v, o, 1};
                 }
                 scene_of_triangles(&test, 64, 64, p, 2);
-                test.scene.view = (struct zr_view){.pose = ZR_POSE_PRESET,
-                                                   .preset = (enum zr_preset)preset,
-                                                   .yfov_radians = 0.8f,
-                                                   .fit_padding = 0.05f,
-                                                   .intrinsics = {100, 90, 10, true, true, -20, 40},
-                                                   .projection = (enum zr_projection)projection};
+                scene_look(&test.scene, (struct zr_view){.pose = ZR_POSE_PRESET,
+                                                         .preset = (enum zr_preset)preset,
+                                                         .yfov_radians = 0.8f,
+                                                         .fit_padding = 0.05f,
+                                                         .intrinsics = {100, 90, 10, true, true, -20, 40},
+                                                         .projection = (enum zr_projection)projection});
                 const struct zr_frame *frame = scene_render(&arena, NULL, &test.scene);
                 assert_int_equal(frame->counts.outside, 0);
                 assert_true(frame->covered_pixels > 1000); /* of 4096; a square seen askew fills the least */
@@ -248,7 +249,7 @@ static void up_may_be_of_any_length(void **state)
 {
     (void)state;
     struct test_scene *test = box_scene();
-    struct zr_view *view = &test->scene.view;
+    struct zr_view *view = &test->scene.views[0];
     view->pose = ZR_POSE_LOOK_AT;
     view->eye = (zr_vec3){5, 6, 7};
     struct zr_camera want = resolve(test);
@@ -265,11 +266,11 @@ static void one_single_point_still_gives_a_camera(void **state)
     static struct test_scene test;
     scene_of_triangles(&test, 10, 10, points, 1);
     for (int projection = 0; projection < 2; projection++) {
-        test.scene.view =
-            (struct zr_view){.pose = ZR_POSE_PRESET,
-                             .preset = ZR_PRESET_ISOMETRIC,
-                             .yfov_radians = 0.7f,
-                             .projection = projection ? ZR_PROJECTION_PERSPECTIVE : ZR_PROJECTION_ORTHOGRAPHIC};
+        scene_look(&test.scene,
+                   (struct zr_view){.pose = ZR_POSE_PRESET,
+                                    .preset = ZR_PRESET_ISOMETRIC,
+                                    .yfov_radians = 0.7f,
+                                    .projection = projection ? ZR_PROJECTION_PERSPECTIVE : ZR_PROJECTION_ORTHOGRAPHIC});
         struct zr_camera camera = resolve(&test);
         zr_vec4 p = to_clip(&camera, points[0]);
         assert_true(p.w > 0.0f && fabsf(p.x) < 1e-5f && fabsf(p.z) <= p.w);

@@ -132,8 +132,8 @@ static void a_bare_mesh_gets_the_same_light(void **state)
     struct zr_scene scene = *reading->scene;
     const struct zr_output outputs[] = {{.channel = ZR_CHANNEL_COLOR, .encoding = ZR_ENCODING_PNG},
                                         {.channel = ZR_CHANNEL_FACE_ID, .encoding = ZR_ENCODING_NPY}};
-    scene.outputs = outputs;
-    scene.output_count = 2;
+    scene.views[0].outputs = outputs;
+    scene.views[0].output_count = 2;
     reading->scene = &scene;
     look_at(reading, &bare);
     assert_memory_equal(bare.colors, json.colors, sizeof json.colors);

@@ -189,9 +189,9 @@ static void assert_depths(struct test_scene *test, const struct body *body, cons
     zr_arena_init(&arena, 1 << 27);
     for (int i = 0; i < 6; i++) {
         uint32_t seen = 0, met = 0;
-        test->scene.width = windows[i / 3][0];
-        test->scene.height = windows[i / 3][1];
-        test->scene.view = view_of(look, projections[i % 3], (double)test->scene.width);
+        test->scene.views[0].width = windows[i / 3][0];
+        test->scene.views[0].height = windows[i / 3][1];
+        scene_look(&test->scene, view_of(look, projections[i % 3], (double)test->scene.views[0].width));
         const struct zr_frame *frame = scene_render(&arena, NULL, &test->scene);
         for (uint32_t pixel = 0; pixel < frame->width * frame->height; pixel++) {
             if (frame->face_id[pixel] == 0) continue;

@@ -14,16 +14,16 @@ static const struct zr_frame *render(const zr_vec4 *corners, uint32_t triangles,
 {
     static struct test_scene test;
     scene_of_triangles(&test, WIDTH, HEIGHT, corners, triangles);
-    test.scene.view = (struct zr_view){.pose = ZR_POSE_LOOK_AT,
-                                       .eye = eye,
-                                       .target = target,
-                                       .up = {0, 1, 0},
-                                       .projection = ZR_PROJECTION_PERSPECTIVE,
-                                       .yfov_radians = 0.75f,
-                                       .has_znear = true,
-                                       .znear = 0.05f,
-                                       .has_zfar = true,
-                                       .zfar = 100};
+    scene_look(&test.scene, (struct zr_view){.pose = ZR_POSE_LOOK_AT,
+                                             .eye = eye,
+                                             .target = target,
+                                             .up = {0, 1, 0},
+                                             .projection = ZR_PROJECTION_PERSPECTIVE,
+                                             .yfov_radians = 0.75f,
+                                             .has_znear = true,
+                                             .znear = 0.05f,
+                                             .has_zfar = true,
+                                             .zfar = 100});
     return scene_render(&arena, NULL, &test.scene);
 }
 

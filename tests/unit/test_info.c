@@ -14,8 +14,8 @@ static const struct zr_output info_output = {.channel = ZR_CHANNEL_INFO, .encodi
 
 static struct zr_answer info_of(struct test_scene *test)
 {
-    test->scene.outputs = &info_output;
-    test->scene.output_count = 1;
+    test->scene.views[0].outputs = &info_output;
+    test->scene.views[0].output_count = 1;
     return scene_encode(&arena, NULL, &test->scene);
 }
 
@@ -76,7 +76,7 @@ static void room_that_a_fitted_view_leaves_for_rounding_is_warned_of(void **stat
         const float x = i ? 500000.0f : 5.0f;
         const zr_vec4 p[] = {{x, 0, 0, 1}, {x + 4, 0, 0, 1}, {x, 4, 0, 1}};
         scene_of_triangles(&test, 16, 16, p, 1);
-        test.scene.view = (struct zr_view){.preset = ZR_PRESET_FRONT, .projection = ZR_PROJECTION_ORTHOGRAPHIC};
+        scene_look(&test.scene, (struct zr_view){.preset = ZR_PRESET_FRONT, .projection = ZR_PROJECTION_ORTHOGRAPHIC});
         const struct zr_answer answer = info_of(&test);
         assert_int_equal(strstr(answer.warnings, "small and far from the origin: rounding may move it by 0.17") != NULL,
                          i == 1);

@@ -117,8 +117,8 @@ static void matrices_at_their_limits_draw_something_or_nothing(void **state)
     for (int round = 0; round < 200; round++) {
         scene_of_triangles(&test, 24, 24, solid, 4);
         light(&test, (enum zr_shading)(round % 3), round % 2);
-        zr_mat4 *matrices[3] = {&test.instance.object_to_world, &test.scene.view.world_to_camera,
-                                &test.scene.view.projection_matrix};
+        zr_mat4 *matrices[3] = {&test.instance.object_to_world, &test.scene.views[0].world_to_camera,
+                                &test.scene.views[0].projection_matrix};
         for (int m = 0; m < 3; m++)
             for (int k = 0; k < 16; k++)
                 if (random_below(&random, 2)) matrices[m]->m[k] = ZR_MATRIX_MAX * (random_below(&random, 2) ? 1 : -1);

@@ -69,8 +69,8 @@ static cJSON *info_of(struct reading *reading)
 {
     static const struct zr_output output = {.channel = ZR_CHANNEL_INFO, .encoding = ZR_ENCODING_JSON};
     struct zr_scene scene = *reading->scene;
-    scene.outputs = &output;
-    scene.output_count = 1;
+    scene.views[0].outputs = &output;
+    scene.views[0].output_count = 1;
     const struct zr_answer answer = scene_encode(&reading->arena, NULL, &scene);
     cJSON *info = cJSON_ParseWithLength(answer.bytes, answer.size);
     assert_non_null(info);

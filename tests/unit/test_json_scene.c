@@ -6,21 +6,21 @@ static void smallest_scene_has_defaults(void **state)
     struct reading *reading = read_rest("");
     assert_read(reading);
     const struct zr_scene *scene = reading->scene;
-    assert_int_equal(scene->width, 640);
-    assert_int_equal(scene->height, 480);
+    assert_int_equal(scene->views[0].width, 640);
+    assert_int_equal(scene->views[0].height, 480);
     assert_true(scene->background.x == 1 && scene->background.w == 1 && scene->ambient.y == 0.34f);
     assert_int_equal(scene->mesh_count, 1);
     assert_int_equal(scene->instance_count, 1);
     assert_int_equal(scene->light_count, 2);
     assert_true(scene->lights[0].camera_frame && scene->lights[0].color.x == 0.45f);
-    assert_int_equal(scene->output_count, 1);
-    assert_int_equal(scene->outputs[0].channel, ZR_CHANNEL_COLOR);
+    assert_int_equal(scene->views[0].output_count, 1);
+    assert_int_equal(scene->views[0].outputs[0].channel, ZR_CHANNEL_COLOR);
     assert_int_equal(scene->warning_count, 0);
     assert_int_equal(scene->algorithm, ZR_ALGORITHM_HALFSPACE);
-    assert_int_equal(scene->view.pose, ZR_POSE_PRESET);
-    assert_int_equal(scene->view.preset, ZR_PRESET_ISOMETRIC);
-    assert_int_equal(scene->view.projection, ZR_PROJECTION_ORTHOGRAPHIC);
-    assert_true(scene->view.fit_padding == 0.05f);
+    assert_int_equal(scene->views[0].pose, ZR_POSE_PRESET);
+    assert_int_equal(scene->views[0].preset, ZR_PRESET_ISOMETRIC);
+    assert_int_equal(scene->views[0].projection, ZR_PROJECTION_ORTHOGRAPHIC);
+    assert_true(scene->views[0].fit_padding == 0.05f);
     const struct zr_material *material = &scene->materials[scene->meshes[0].face_materials[0]];
     assert_true(material->base_color.x == 0.7f && !material->double_sided);
     assert_int_equal(material->shading, ZR_SHADING_FLAT);
@@ -304,7 +304,7 @@ static void window_limits_are_named(void **state)
     struct reading *reading = read_rest("\"window\": {\"width\": 8192, \"height\": 4096}, \"outputs\": "
                                         "[{\"channel\": \"color\"}, {\"channel\": \"info\"}]");
     assert_read(reading);
-    assert_int_equal(reading->scene->width, 8192);
+    assert_int_equal(reading->scene->views[0].width, 8192);
     reading_free(reading);
     refuses_rest("\"window\": {\"width\": 8192, \"height\": 4096}, \"outputs\": [{\"channel\": \"color\"}, "
                  "{\"channel\": \"depth\"}]",

@@ -7,7 +7,7 @@ static struct zr_view view_of(const char *view)
     snprintf(rest, sizeof rest, "\"view\": %s", view);
     struct reading *reading = read_rest(rest);
     assert_read(reading);
-    struct zr_view result = reading->scene->view;
+    struct zr_view result = reading->scene->views[0];
     reading_free(reading);
     return result;
 }
@@ -279,8 +279,8 @@ static void fit_finds_its_mesh_by_name(void **state)
 #define MESH(name) "{\"name\": \"" name "\", " POSITIONS ", \"faces\": [[0,1,2]]}"
     struct reading *reading =
         read_scene("{\"view\": {\"fit\": {\"mesh\": \"nut\"}}, \"meshes\": [" MESH("bolt") ", " MESH("nut") "]}");
-    assert_true(reading->scene->view.fit_to_mesh);
-    assert_int_equal(reading->scene->view.fit_mesh, 1);
+    assert_true(reading->scene->views[0].fit_to_mesh);
+    assert_int_equal(reading->scene->views[0].fit_mesh, 1);
     reading_free(reading);
     refuses_scene(
         "{\"view\": {\"fit\": {\"mesh\": \"nut\"}}, \"meshes\": [" MESH("nut") ", " MESH("") ", " MESH("nut") "]}",
@@ -300,10 +300,10 @@ static void outputs_are_read(void **state)
                   "\"depth\", \"encoding\": \"png16\", \"scale\": 0.001}, {\"channel\": \"windowDepth\"},"
                   "{\"channel\": \"faceId\"}, {\"channel\": \"info\", \"encoding\": \"json\"}]");
     assert_read(reading);
-    const struct zr_output *outputs = reading->scene->outputs;
+    const struct zr_output *outputs = reading->scene->views[0].outputs;
     static const enum zr_encoding encodings[6] = {ZR_ENCODING_PNG, ZR_ENCODING_NPY, ZR_ENCODING_PNG16,
                                                   ZR_ENCODING_NPY, ZR_ENCODING_NPY, ZR_ENCODING_JSON};
-    assert_int_equal(reading->scene->output_count, 6);
+    assert_int_equal(reading->scene->views[0].output_count, 6);
     for (int i = 0; i < 6; i++)
         assert_int_equal(outputs[i].encoding, encodings[i]);
     assert_int_equal(outputs[3].channel, ZR_CHANNEL_WINDOW_DEPTH);
@@ -343,9 +343,9 @@ static void query_output_replaces_those_of_the_scene(void **state)
     struct zr_request request = {.format = ZR_FORMAT_JSON, .channel = "faceId", .compress = "small"};
     struct reading *reading = read_request(request, text, strlen(text), zr_limits_default(), 1 << 20);
     assert_read(reading);
-    assert_int_equal(reading->scene->output_count, 1);
-    assert_int_equal(reading->scene->outputs[0].channel, ZR_CHANNEL_FACE_ID);
-    assert_int_equal(reading->scene->outputs[0].encoding, ZR_ENCODING_NPY);
+    assert_int_equal(reading->scene->views[0].output_count, 1);
+    assert_int_equal(reading->scene->views[0].outputs[0].channel, ZR_CHANNEL_FACE_ID);
+    assert_int_equal(reading->scene->views[0].outputs[0].encoding, ZR_ENCODING_NPY);
     assert_int_equal(reading->scene->compress, ZR_COMPRESS_SMALL);
     reading_free(reading);
 }

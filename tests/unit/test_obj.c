@@ -26,14 +26,14 @@ static void triangle_becomes_a_scene_with_defaults(void **state)
     assert_read(reading);
     const struct zr_scene *scene = reading->scene;
     const struct zr_mesh *mesh = &scene->meshes[0];
-    assert_int_equal(scene->width, 640);
-    assert_int_equal(scene->height, 480);
+    assert_int_equal(scene->views[0].width, 640);
+    assert_int_equal(scene->views[0].height, 480);
     assert_int_equal(scene->instance_count, 1);
     assert_int_equal(scene->light_count, 2);
     assert_true(scene->lights[0].camera_frame && scene->lights[1].camera_frame);
-    assert_int_equal(scene->output_count, 1);
-    assert_int_equal(scene->view.preset, ZR_PRESET_ISOMETRIC);
-    assert_int_equal(scene->view.projection, ZR_PROJECTION_ORTHOGRAPHIC);
+    assert_int_equal(scene->views[0].output_count, 1);
+    assert_int_equal(scene->views[0].preset, ZR_PRESET_ISOMETRIC);
+    assert_int_equal(scene->views[0].projection, ZR_PROJECTION_ORTHOGRAPHIC);
     assert_true(scene->materials[0].double_sided);
     assert_int_equal(scene->materials[0].shading, ZR_SHADING_FLAT);
     assert_true(scene->materials[0].base_color.x == 0.7f);
@@ -61,13 +61,13 @@ static void query_replaces_defaults(void **state)
                                  .shading = "unlit"};
     struct reading *reading = read_request(request, text, strlen(text), zr_limits_default(), 1 << 20);
     assert_read(reading);
-    assert_int_equal(reading->scene->width, 320);
-    assert_int_equal(reading->scene->height, 200);
-    assert_int_equal(reading->scene->view.preset, ZR_PRESET_TOP);
+    assert_int_equal(reading->scene->views[0].width, 320);
+    assert_int_equal(reading->scene->views[0].height, 200);
+    assert_int_equal(reading->scene->views[0].preset, ZR_PRESET_TOP);
     assert_int_equal(reading->scene->materials[0].shading, ZR_SHADING_UNLIT);
-    assert_int_equal(reading->scene->outputs[0].channel, ZR_CHANNEL_DEPTH);
-    assert_int_equal(reading->scene->outputs[0].encoding, ZR_ENCODING_PNG16);
-    assert_true(reading->scene->outputs[0].scale == 0.5f);
+    assert_int_equal(reading->scene->views[0].outputs[0].channel, ZR_CHANNEL_DEPTH);
+    assert_int_equal(reading->scene->views[0].outputs[0].encoding, ZR_ENCODING_PNG16);
+    assert_true(reading->scene->views[0].outputs[0].scale == 0.5f);
     reading_free(reading);
 }
 

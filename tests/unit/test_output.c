@@ -238,19 +238,19 @@ static void depth_as_png16_has_steps_of_its_scale_and_warns_of_what_does_not_fit
                   true}}; /* 6 / 65535: there is no far plane */
     static struct test_scene test;
     scene_of_triangles(&test, 16, 16, p, 2);
-    test.scene.view.projection_matrix.m[10] = 0.125f;
+    test.scene.views[0].projection_matrix.m[10] = 0.125f;
     const struct zr_frame *frame = scene_render(&arena, NULL, &test.scene);
     uint32_t pixels[3] = {0, 0, 0};
     for (int i = 0; i < 256; i++)
         pixels[frame->face_id[i]]++;
     assert_true(pixels[0] > 0 && pixels[1] == 28 && pixels[2] > 0);
-    test.scene.output_count = 1;
+    test.scene.views[0].output_count = 1;
     for (size_t c = 0; c < sizeof cases / sizeof *cases; c++) {
         const struct zr_output output = {
             .channel = ZR_CHANNEL_DEPTH, .encoding = ZR_ENCODING_PNG16, .scale = cases[c].scale};
         struct zr_answer answer;
         struct zr_error error = {.count = 0};
-        test.scene.outputs = &output;
+        test.scene.views[0].outputs = &output;
         assert_int_equal(zr_encode(&arena, NULL, &test.scene, frame, NULL, &answer, &error), ZR_OK);
         assert_string_equal(answer.content_type, "image/png");
         png_image image;
@@ -291,7 +291,7 @@ static void scene_that_shows_nothing_is_warned_of(void **state)
     static struct test_scene test;
     scene_of_triangles(&test, 16, 16, p, 1);
     test.material.double_sided = false;
-    test.scene.output_count = 1;
+    test.scene.views[0].output_count = 1;
     assert_non_null(strstr(scene_encode(&arena, NULL, &test.scene).warnings, "faces away"));
 }
 
@@ -371,7 +371,7 @@ static void picture_without_a_covered_pixel_is_warned_of_whatever_the_reason(voi
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
         scene_of_triangles(&test, 16, 16, cases[i].positions, 1);
         test.material.double_sided = false;
-        test.scene.output_count = 1;
+        test.scene.views[0].output_count = 1;
         assert_non_null(strstr(scene_encode(&arena, NULL, &test.scene).warnings, cases[i].text));
     }
 }

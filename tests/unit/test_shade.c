@@ -60,8 +60,8 @@ static void eye_depth_is_metric_in_both_projections(void **state)
     struct zr_arena arena;
     zr_arena_init(&arena, 1 << 24);
     scene_of_triangles(&test, 64, 64, p, 2);
-    test.scene.view.projection = ZR_PROJECTION_PERSPECTIVE;
-    test.scene.view.yfov_radians = 1.5707963f;
+    test.scene.views[0].projection = ZR_PROJECTION_PERSPECTIVE;
+    test.scene.views[0].yfov_radians = 1.5707963f;
     const struct zr_frame *frame = scene_render(&arena, NULL, &test.scene);
     for (int y = 36; y < 64; y++) {
         double slope = ((double)y + 0.5 - 32.0) / 32.0; /* of the ray through the pixel's centre: depth 1 / slope */
@@ -71,8 +71,8 @@ static void eye_depth_is_metric_in_both_projections(void **state)
     const zr_vec4 wall[] = {{-1, -1, -2, 1}, {1, -1, -2, 1}, {1, 1, -6, 1},
                             {-1, -1, -2, 1}, {1, 1, -6, 1},  {-1, 1, -6, 1}};
     scene_of_triangles(&test, 8, 64, wall, 2);
-    test.scene.view.projection = ZR_PROJECTION_ORTHOGRAPHIC;
-    test.scene.view.xmag = test.scene.view.ymag = 1.0f;
+    test.scene.views[0].projection = ZR_PROJECTION_ORTHOGRAPHIC;
+    test.scene.views[0].xmag = test.scene.views[0].ymag = 1.0f;
     frame = scene_render(&arena, NULL, &test.scene);
     for (int y = 0; y < 64; y++)
         assert_true(fabsf(frame->depth[y * 8 + 4] - (6.0f - 4.0f * ((float)y + 0.5f) / 64.0f)) < 1e-4f);
@@ -210,7 +210,7 @@ static uint32_t count_early(struct zr_arena *arena, struct zr_team *team, const 
     struct zr_tile *tile = zr_arena_alloc(arena, 1, sizeof *tile);
     assert_int_equal(zr_camera_resolve(scene, NULL, NULL, NULL, &camera, &error), ZR_OK);
     assert_int_equal(zr_geometry_build(arena, team, scene, &camera, NULL, false, &geometry), ZR_OK);
-    const uint32_t width = scene->width, height = scene->height;
+    const uint32_t width = scene->views[0].width, height = scene->views[0].height;
     assert_int_equal(zr_surfaces_make(arena, team, scene, &camera, &geometry, NULL, &surfaces), ZR_OK);
     assert_int_equal(zr_paint_prepare(arena, team, &geometry, &surfaces, width * height, &payloads), ZR_OK);
     assert_int_equal(zr_visible_make(arena, team, &geometry, payloads, width, height, NULL, &visible), ZR_OK);
@@ -232,7 +232,7 @@ static void assert_early_is_late(enum zr_isa isa, uint32_t window, uint32_t leas
     for (int way = 0; way < 3; way++) { /* colours of vertices; of corners; of the corners of quadrilaterals */
         make_sheet(&test, way == 2, p, colors, face_colors);
         if (way > 0) test.mesh.face_colors = face_colors;
-        test.scene.width = test.scene.height = window;
+        test.scene.views[0].width = test.scene.views[0].height = window;
         const struct zr_frame *late = scene_render(&arena, team, &test.scene);
         assert_int_equal(count_early(&arena, team, &test.scene), 0);
         test.material.double_sided = false;
@@ -267,7 +267,7 @@ static void assert_early_gives_way(enum zr_isa isa, uint32_t window)
     static zr_vec4 p[6 * SHEET_FACES], nearer[6 * SHEET_FACES], colors[6 * SHEET_FACES], face_colors[2 * SHEET_FACES];
     make_sheet(&test, false, p, colors, face_colors);
     test.material.double_sided = false;
-    test.scene.width = test.scene.height = window;
+    test.scene.views[0].width = test.scene.views[0].height = window;
     memcpy(nearer, p, sizeof p);
     for (int i = 0; i < 6 * SHEET_FACES; i++)
         nearer[i].z *= 0.5f;
@@ -319,7 +319,7 @@ static void early_colours_give_way_to_larger_triangles(void **state)
     struct zr_arena arena;
     zr_arena_init(&arena, 1 << 26);
     make_sheet(&test, false, p, colors, face_colors);
-    test.scene.width = test.scene.height = SHEET_WINDOW_OF_STAMPS;
+    test.scene.views[0].width = test.scene.views[0].height = SHEET_WINDOW_OF_STAMPS;
     for (int i = 0; i < LARGER; i++) { /* every 5th triangle of the sheet's middle: in all groups */
         zr_vec4 *corner = p + 3 * (SHEET_FACES / 2 + 5 * i);
         const float x = (float)random_range(&random, -0.9, 0.7), y = (float)random_range(&random, -0.9, 0.7);
@@ -385,7 +385,7 @@ static void picture_is_that_of_its_sight(void **state)
     const zr_vec4 p[] = {{-1, -1, 0, 1}, {3, -1, 1, 1}, {-1, 3, 2, 1}};
     static struct test_scene test;
     scene_of_triangles(&test, 64, 48, p, 1);
-    test.scene.view = (struct zr_view){.pose = ZR_POSE_PRESET, .preset = ZR_PRESET_FRONT, .yfov_radians = 0.5f};
+    scene_look(&test.scene, (struct zr_view){.pose = ZR_POSE_PRESET, .preset = ZR_PRESET_FRONT, .yfov_radians = 0.5f});
     struct zr_arena arena;
     zr_arena_init(&arena, 1 << 24);
     struct zr_error error = {.count = 0};
@@ -404,14 +404,14 @@ static void picture_is_that_of_its_sight(void **state)
     assert_true(narrow->covered_pixels < found_by_it->covered_pixels * 3 / 4);
     /* Bounds are told where they are asked for, even if the view needs none. */
     const struct zr_output info = {.channel = ZR_CHANNEL_INFO, .encoding = ZR_ENCODING_JSON};
-    test.scene.view = (struct zr_view){.pose = ZR_POSE_MATRIX,
-                                       .world_to_camera = zr_mat4_identity(),
-                                       .projection = ZR_PROJECTION_MATRIX,
-                                       .projection_matrix = zr_mat4_identity()};
+    scene_look(&test.scene, (struct zr_view){.pose = ZR_POSE_MATRIX,
+                                             .world_to_camera = zr_mat4_identity(),
+                                             .projection = ZR_PROJECTION_MATRIX,
+                                             .projection_matrix = zr_mat4_identity()});
     assert_int_equal(zr_sight_find(&arena, NULL, &test.scene, NULL, &sight, &error), ZR_OK);
     assert_false(sight->bounds.valid);
-    test.scene.outputs = &info;
-    test.scene.output_count = 1;
+    test.scene.views[0].outputs = &info;
+    test.scene.views[0].output_count = 1;
     assert_int_equal(zr_sight_find(&arena, NULL, &test.scene, NULL, &sight, &error), ZR_OK);
     assert_true(sight->bounds.valid && sight->bounds.max.x == 3.0f && sight->bounds.max.z == 2.0f);
     zr_arena_free(&arena);

@@ -53,8 +53,8 @@ static const struct zr_frame *render(struct reading *reading, struct zr_team *te
     struct zr_scene scene = *reading->scene;
     outputs[5].space = space;
     outputs[6].space = space == ZR_SPACE_WORLD ? ZR_SPACE_WORLD : ZR_SPACE_CAMERA;
-    scene.outputs = outputs;
-    scene.output_count = sizeof outputs / sizeof *outputs;
+    scene.views[0].outputs = outputs;
+    scene.views[0].output_count = sizeof outputs / sizeof *outputs;
     return scene_render(&reading->arena, team, &scene);
 }
 

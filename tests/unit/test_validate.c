@@ -42,11 +42,11 @@ static void window_is_held_against_its_limits_side_by_side_and_over_all_outputs(
     (void)state;
     scene_of_triangles(&test, 4096, 2048, corners, 1); /* four outputs of 8 Mpixel */
     assert_int_equal(validate(), ZR_OK);
-    test.scene.height++;
+    test.scene.views[0].height++;
     assert_int_equal(validate(), ZR_BAD_SCENE);
     assert_string_equal(error.items[0].pointer, "/window");
-    test.scene.width = 8193;
-    test.scene.height = 0;
+    test.scene.views[0].width = 8193;
+    test.scene.views[0].height = 0;
     assert_int_equal(validate(), ZR_BAD_SCENE);
     assert_int_equal(error.count, 2);
     assert_string_equal(error.items[0].pointer, "/window/width");

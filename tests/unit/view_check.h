@@ -48,10 +48,10 @@ static inline struct pixel pixel_of(const struct shot *shot, zr_vec3 point)
 {
     const struct zr_scene *scene = shot->reading->scene;
     zr_mat4 matrix = zr_mat4_mul(&shot->camera.projection, &shot->camera.world_to_eye);
-    struct zr_viewport viewport = zr_viewport_make(scene->width, scene->height);
+    struct zr_viewport viewport = zr_viewport_make(scene->views[0].width, scene->views[0].height);
     struct zr_window_vertex vertex;
     zr_viewport_apply(&viewport, zr_mat4_apply(&matrix, (zr_vec4){point.x, point.y, point.z, 1.0f}), &vertex);
-    return (struct pixel){(double)vertex.x, (double)scene->height - (double)vertex.y};
+    return (struct pixel){(double)vertex.x, (double)scene->views[0].height - (double)vertex.y};
 }
 
 struct sight {
