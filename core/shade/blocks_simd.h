@@ -99,9 +99,7 @@ static inline zr_vi zr_behind_or(const struct zr_tile *tile, int32_t at, const u
     return zr_vi_select(zr_vi_eq(zr_vi_load(tile->owner + at), zr_vi_set(0)), zr_vi_load(pixels), words);
 }
 
-/* ZR_LANES pixels of a row, from x, y of the tile on; what lies outside of the window is left out. They go from
- * registers to the picture: in an array between, they would wait until what was written to the picture before has
- * left the processor (half the time of a cube). */
+/* ZR_LANES pixels of a row, from x, y of the tile on; what lies outside of the window is left out. */
 static inline void zr_finish_pixels(const struct zr_finish *to, int32_t x, int32_t y, zr_vi words)
 {
     const int32_t columns = to->tile->width - x, at = y * ZR_TILE_STRIDE + x;
