@@ -98,6 +98,18 @@ void answer_body(struct answer *answer, const char *content_type, char *bytes, s
     answer_header(answer, "Content-Type", "%s", content_type);
 }
 
+void answer_copy(struct answer *answer, const char *content_type, const void *bytes, size_t size)
+{
+    char *copy = malloc(size ? size : 1);
+    if (!copy) {
+        answer_to_no_memory(answer);
+        return;
+    }
+    memcpy(copy, bytes, size);
+    answer->status = 200;
+    answer_body(answer, content_type, copy, size);
+}
+
 void answer_send(const struct answer *answer, int socket_fd)
 {
     char *text = NULL;

@@ -41,6 +41,9 @@ void answer_header(struct answer *answer, const char *name, const char *format, 
 /* Hands `bytes` (malloc'd) over to the answer. */
 void answer_body(struct answer *answer, const char *content_type, char *bytes, size_t size);
 
+/* 200 with a copy of the bytes, since the arena they lie in is needed for the next request. */
+void answer_copy(struct answer *answer, const char *content_type, const void *bytes, size_t size);
+
 /* Hands an open file over to the answer. */
 void answer_file(struct answer *answer, const char *content_type, int file, size_t size);
 

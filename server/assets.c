@@ -19,12 +19,13 @@ static bool is_among(const char *tags, const char *name)
     return (tags[0] == '*' && text_trimmed_length(tags) == 1) || strstr(tags, wanted);
 }
 
-bool assets_open(const struct api *api, struct api_request *request, struct answer *answer)
+bool assets_open(const struct service *service, const struct load *load, struct request *request, struct answer *answer)
 {
+    (void)load;
     static const char FORM[] = "multipart/form-data";
     bool is_new = strcmp(request->method, "POST") == 0;
     const char *name = is_new ? "" : request->path + sizeof ASSETS_PATH - 1;
-    if (!api->store) {
+    if (!service->store) {
         problem_answer(answer, 404, "no assets are kept here; start zrasterd with --assets-dir=DIRECTORY for that");
         return false;
     }
@@ -47,29 +48,30 @@ static void answer_kept(struct answer *answer, const char *name, size_t size, bo
 {
     char text[STORE_NAME_SIZE + 64];
     int length = snprintf(text, sizeof text, "{\"sha256\":\"%s\",\"size\":%zu}\n", name, size);
-    api_answer_copy(answer, "application/json", text, (size_t)length);
+    answer_copy(answer, "application/json", text, (size_t)length);
     if (answer->status != 200) return;
     answer_header(answer, "Location", ASSETS_PATH "%s", name);
     if (is_new) answer->status = 201;
 }
 
-static enum api_next put(const struct api *api, const struct api_request *request, struct zr_arena *arena,
-                         struct answer *answer)
+static enum request_next put(const struct service *service, const struct request *request, struct zr_arena *arena,
+                             struct answer *answer)
 {
     struct zr_request body;
     char name[STORE_NAME_SIZE];
-    enum body_status unpacked = body_unpack(request, (size_t)api->config->body_max_bytes, arena, NULL, &body, answer);
-    if (unpacked != BODY_READY) return unpacked == BODY_LARGE ? API_LARGE : API_ANSWERED;
+    enum body_status unpacked =
+        body_unpack(request, (size_t)service->config->body_max_bytes, arena, NULL, &body, answer);
+    if (unpacked != BODY_READY) return unpacked == BODY_LARGE ? REQUEST_LARGE : REQUEST_ANSWERED;
     store_name(body.bytes, body.size, name);
     if (*request->asset && strcmp(request->asset, name) != 0) {
         problem_answer(answer, 422, "the body's SHA-256 is %s, not %s", name, request->asset);
-        return API_ANSWERED;
+        return REQUEST_ANSWERED;
     }
-    enum store_status status = store_put(api->store, name, body.bytes, body.size);
+    enum store_status status = store_put(service->store, name, body.bytes, body.size);
     switch (status) {
     case STORE_TOO_LARGE:
         problem_answer(answer, 413, "the asset has %zu bytes; assetsMaxBytes, for all together, is %" PRIu64, body.size,
-                       api->config->assets_max_bytes);
+                       service->config->assets_max_bytes);
         break;
     case STORE_DISK_FULL:
         problem_answer(answer, 507, "there is no room for the asset: %s", strerror(errno));
@@ -84,7 +86,7 @@ static enum api_next put(const struct api *api, const struct api_request *reques
         answer_kept(answer, name, body.size, status == STORE_NEW);
         break;
     }
-    return API_ANSWERED;
+    return REQUEST_ANSWERED;
 }
 
 /* ---- downloads ---- */
@@ -99,22 +101,23 @@ static void answer_there(struct answer *answer, const char *name, int file, size
     answer_header(answer, "X-Content-Type-Options", "nosniff");
 }
 
-static enum api_next get(const struct api *api, const struct api_request *request, const struct zr_cancel *cancel,
-                         struct answer *answer)
+static enum request_next get(const struct service *service, const struct request *request,
+                             const struct zr_cancel *cancel, struct answer *answer)
 {
     int file = 0; /* none: its length alone is wanted */
     size_t size = 0;
     const bool wants_bytes = strcmp(request->method, "GET") == 0 && !request->has_asset;
     enum store_status status = STORE_THERE;
-    if (!wants_bytes || request->small_only) status = store_look(api->store, request->asset, &size);
-    if (wants_bytes && request->small_only && status == STORE_THERE && size > API_SMALL_BYTES) return API_LARGE;
-    if (wants_bytes && status == STORE_THERE) status = store_fetch(api->store, request->asset, cancel, &file, &size);
+    if (!wants_bytes || request->small_only) status = store_look(service->store, request->asset, &size);
+    if (wants_bytes && request->small_only && status == STORE_THERE && size > REQUEST_SMALL_BYTES) return REQUEST_LARGE;
+    if (wants_bytes && status == STORE_THERE)
+        status = store_fetch(service->store, request->asset, cancel, &file, &size);
     switch (status) {
     case STORE_THERE:
         answer_there(answer, request->asset, file, size, request->has_asset);
         break;
     case STORE_CANCELLED:
-        api_refuse_late(api, answer);
+        problem_late(answer, service->config->render_timeout_ms);
         break;
     case STORE_FAILED:
         problem_answer(answer, 500, "the asset could not be read: %s", strerror(errno));
@@ -123,15 +126,16 @@ static enum api_next get(const struct api *api, const struct api_request *reques
         problem_answer(answer, 404, "no asset is kept under this name");
         break;
     }
-    return API_ANSWERED;
+    return REQUEST_ANSWERED;
 }
 
-enum api_next assets_work(const struct api *api, const struct api_request *request, struct zr_arena *arena,
-                          const struct zr_cancel *cancel, struct answer *answer)
+enum request_next assets_work(const struct service *service, const struct request *request, struct zr_arena *arena,
+                              const struct zr_cancel *cancel, struct step_times *times, struct answer *answer)
 {
+    (void)times;
     if (strcmp(request->method, "GET") == 0 || strcmp(request->method, "HEAD") == 0)
-        return get(api, request, cancel, answer);
-    return put(api, request, arena, answer);
+        return get(service, request, cancel, answer);
+    return put(service, request, arena, answer);
 }
 
 /* ---- for scenes ---- */
@@ -151,7 +155,7 @@ static enum zr_status read_stored(void *context, const char *sha256, struct zr_a
     }
 }
 
-struct zr_stored assets_stored(const struct api *api)
+struct zr_stored assets_stored(const struct service *service)
 {
-    return (struct zr_stored){api->store ? read_stored : NULL, api->store};
+    return (struct zr_stored){service->store ? read_stored : NULL, service->store};
 }

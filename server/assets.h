@@ -7,18 +7,17 @@
 #ifndef ZRASTERD_ASSETS_H
 #define ZRASTERD_ASSETS_H
 
-#include "api.h"
+#include "request.h"
 
 #define ASSETS_PATH "/v1/assets/"
 
-/* All that can be said before the body: false, and `answer` says why not, or request->asset is set. */
-bool assets_open(const struct api *api, struct api_request *request, struct answer *answer);
-
-/* As api_work. */
-enum api_next assets_work(const struct api *api, const struct api_request *request, struct zr_arena *arena,
-                          const struct zr_cancel *cancel, struct answer *answer);
+/* Sets request->asset. */
+bool assets_open(const struct service *service, const struct load *load, struct request *request,
+                 struct answer *answer);
+enum request_next assets_work(const struct service *service, const struct request *request, struct zr_arena *arena,
+                              const struct zr_cancel *cancel, struct step_times *times, struct answer *answer);
 
 /* For zr_request: looks into the store. */
-struct zr_stored assets_stored(const struct api *api);
+struct zr_stored assets_stored(const struct service *service);
 
 #endif

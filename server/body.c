@@ -8,14 +8,14 @@
 #include "problem.h"
 
 /* The body without its Content-Encoding. */
-static enum body_status decompress(const struct api_request *request, size_t max, struct zr_arena *arena,
+static enum body_status decompress(const struct request *request, size_t max, struct zr_arena *arena,
                                    const struct zr_cancel *cancel, struct zr_request *render, struct answer *answer)
 {
     if (!request->gzip) return BODY_READY;
     char *bytes = NULL;
-    bool is_bounded = request->small_only && max > API_SMALL_BYTES;
-    switch (
-        gunzip(arena, render->bytes, render->size, is_bounded ? API_SMALL_BYTES : max, cancel, &bytes, &render->size)) {
+    bool is_bounded = request->small_only && max > REQUEST_SMALL_BYTES;
+    switch (gunzip(arena, render->bytes, render->size, is_bounded ? REQUEST_SMALL_BYTES : max, cancel, &bytes,
+                   &render->size)) {
     case GUNZIP_OK:
         render->bytes = bytes;
         return BODY_READY;
@@ -27,7 +27,7 @@ static enum body_status decompress(const struct api_request *request, size_t max
         problem_answer(answer, 413, "the body inflates to more than bodyMaxBytes, %zu bytes", max);
         break;
     case GUNZIP_NO_MEMORY:
-        api_refuse_memory(answer, arena);
+        problem_memory(answer, arena);
         break;
     case GUNZIP_CANCELLED:
         return BODY_CANCELLED;
@@ -45,14 +45,14 @@ static bool is_json(const struct multipart_part *part)
 }
 
 /* False: the answer says why. The part `scene` becomes the bytes, the others assets. Names lie in the arena. */
-static bool unpack_parts(const struct api_request *request, struct zr_arena *arena, struct zr_request *render,
+static bool unpack_parts(const struct request *request, struct zr_arena *arena, struct zr_request *render,
                          struct answer *answer)
 {
     const char *fault;
     struct multipart *parts = zr_arena_alloc(arena, 1, sizeof *parts);
     struct zr_asset *assets = zr_arena_alloc(arena, MULTIPART_PARTS_MAX, sizeof *assets);
     if (!parts || !assets) {
-        api_refuse_memory(answer, arena);
+        problem_memory(answer, arena);
         return false;
     }
     if (!multipart_parse(request->boundary, render->bytes, render->size, parts, &fault)) {
@@ -75,7 +75,7 @@ static bool unpack_parts(const struct api_request *request, struct zr_arena *are
     return true;
 }
 
-enum body_status body_unpack(const struct api_request *request, size_t max, struct zr_arena *arena,
+enum body_status body_unpack(const struct request *request, size_t max, struct zr_arena *arena,
                              const struct zr_cancel *cancel, struct zr_request *render, struct answer *answer)
 {
     *render = request->render;

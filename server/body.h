@@ -3,7 +3,7 @@
 #ifndef ZRASTERD_BODY_H
 #define ZRASTERD_BODY_H
 
-#include "api.h"
+#include "request.h"
 
 enum body_status {
     BODY_READY,
@@ -14,7 +14,7 @@ enum body_status {
 
 /* Fills *render from request->render, which stays as it is; what is made lies in the
  * arena. `max` are the bytes a body may inflate to. `cancel` may be NULL. */
-enum body_status body_unpack(const struct api_request *request, size_t max, struct zr_arena *arena,
+enum body_status body_unpack(const struct request *request, size_t max, struct zr_arena *arena,
                              const struct zr_cancel *cancel, struct zr_request *render, struct answer *answer);
 
 #endif

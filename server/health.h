@@ -1,12 +1,12 @@
-/* health.h - a health check for containers that have no curl. */
+/* health.h - GET /healthz and /readyz: that the daemon is there, and whether it takes on work. */
 #ifndef ZRASTERD_HEALTH_H
 #define ZRASTERD_HEALTH_H
 
-#include <stdbool.h>
+#include "request.h"
 
-#include "config.h"
-
-/* Asks GET /healthz of the daemon that has this configuration. */
-bool health_check(const struct config *config);
+bool health_open(const struct service *service, const struct load *load, struct request *request,
+                 struct answer *answer);
+bool health_open_ready(const struct service *service, const struct load *load, struct request *request,
+                       struct answer *answer);
 
 #endif

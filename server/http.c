@@ -133,13 +133,13 @@ static bool start(struct http *http, char *message, size_t message_size)
     return pthread_create(&http->thread, NULL, serve, http) == 0;
 }
 
-struct http *http_start(const struct config *config, struct api *api, char *message, size_t message_size)
+struct http *http_start(const struct config *config, struct service *service, char *message, size_t message_size)
 {
     snprintf(message, message_size, "cannot start: out of memory or threads");
     struct http *http = calloc(1, sizeof *http);
     if (!http) return NULL;
     http->config = config;
-    http->api = api;
+    http->service = service;
     http->uploads.body_max = (size_t)config->body_max_bytes;
     http->uploads.memory_max = (size_t)config->upload_memory_bytes;
     http->epoll_fd = http->wake_fd = -1;

@@ -8,13 +8,13 @@
 
 #include <stddef.h>
 
-#include "api.h"
 #include "config.h"
+#include "request.h"
 
 struct http;
 
-/* Listens and answers from now on. NULL: `message` says why not. `config` and `api` must outlive it. */
-struct http *http_start(const struct config *config, struct api *api, char *message, size_t message_size);
+/* Listens and answers from now on. NULL: `message` says why not. `config` and `service` must outlive it. */
+struct http *http_start(const struct config *config, struct service *service, char *message, size_t message_size);
 
 unsigned http_port(const struct http *http);
 

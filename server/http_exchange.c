@@ -10,6 +10,7 @@
 #include "http_work.h"
 #include "log.h"
 #include "problem.h"
+#include "router.h"
 
 /* A refused body up to here is read to its end, so that the connection can be kept; a longer one would take more time
  * than a new connection does. */
@@ -73,7 +74,7 @@ static void send_past_library(struct http *http, struct connection *connection, 
 static void reply_past_library(struct exchange *exchange)
 {
     struct answer *answer = &exchange->answer;
-    api_finish(answer, exchange->request.id);
+    router_finish(answer, exchange->request.id);
     if (answer->is_broken) answer_to_no_memory(answer);
     answer->close = exchange->replied = true;
     exchange->step = STEP_REFUSED;
@@ -93,11 +94,11 @@ void http_refuse(struct http *http, struct connection *connection, int status, c
         return;
     }
     struct answer answer = {0};
-    struct api_request nameless = {0};
+    struct request nameless = {0};
     if (exchange) exchange->logged = true; /* of a header that is not whole: here */
-    api_take_id(http->api, &nameless, NULL);
+    request_take_id(&nameless, http->service, NULL);
     problem_answer(&answer, status, "%s", detail);
-    api_finish(&answer, nameless.id);
+    router_finish(&answer, nameless.id);
     log_nameless(http, connection, nameless.id, status, answer.size, detail);
     send_past_library(http, connection, &answer);
     answer_free(&answer);
@@ -172,7 +173,7 @@ void http_on_completed(void *context, struct MHD_Connection *mhd, void **slot, e
     log_exchange(exchange, exchange->replied && code == MHD_REQUEST_TERMINATED_COMPLETED_OK);
     atomic_fetch_sub(&http->answer_bytes, exchange->answer_bytes);
     upload_free(&exchange->upload, &http->uploads);
-    api_request_free(&exchange->request);
+    request_free(&exchange->request);
     answer_free(&exchange->answer);
     free(exchange->target);
     if (exchange->opened) http->in_flight--;
@@ -227,7 +228,7 @@ static enum MHD_Result reply(struct exchange *exchange)
     if (exchange->connection->phase == PHASE_REFUSED) return MHD_NO;
     if (exchange->connection->phase != PHASE_WRITE) /* an answer that a worker made has been there already */
         connections_enter(&http->connections, exchange->connection, PHASE_WRITE);
-    api_finish(answer, exchange->request.id);
+    router_finish(answer, exchange->request.id);
     answer->close |= atomic_load(&http->draining);
     exchange->file = answer->file;
     struct MHD_Response *response = answer->is_broken ? NULL : create_response(answer);
@@ -266,7 +267,7 @@ static size_t count_coming(const struct http *http)
     return count;
 }
 
-static void get_load(struct http *http, uint64_t body_bytes, struct api_load *load)
+static void get_load(struct http *http, uint64_t body_bytes, struct load *load)
 {
     load->draining = atomic_load(&http->draining);
     enum queue_lane lane = http_lane_of(body_bytes);
@@ -294,7 +295,7 @@ static void open_exchange(struct exchange *exchange, const char *method, const c
     exchange->request.if_none_match = header(exchange, "If-None-Match");
     const char *trace = header(exchange, "traceparent");
     if (trace && log_is_traceparent(trace)) snprintf(exchange->traceparent, TRACEPARENT_SIZE, "%s", trace);
-    api_take_id(http->api, &exchange->request, header(exchange, "X-Request-Id"));
+    request_take_id(&exchange->request, http->service, header(exchange, "X-Request-Id"));
     const char *length = header(exchange, "Content-Length");
     if (length) exchange->length = strtoull(length, NULL, 10); /* a number: framing_scan let it pass */
     const char *connection = header(exchange, "Connection");
@@ -326,7 +327,7 @@ static enum MHD_Result begin_request(struct exchange *exchange, const char *meth
 {
     struct http *http = exchange->http;
     struct answer *answer = &exchange->answer;
-    struct api_load load;
+    struct load load;
     uint64_t most;
     open_exchange(exchange, method, version);
     split_target(exchange);
@@ -339,7 +340,7 @@ static enum MHD_Result begin_request(struct exchange *exchange, const char *meth
                        (unsigned long long)exchange->length, (unsigned long long)http->config->body_max_bytes);
         return reply_early(exchange, is_chunked, expects_continue);
     }
-    if (api_open(http->api, &load, &exchange->request, answer) == API_ANSWERED)
+    if (router_open(http->service, &load, &exchange->request, answer) == REQUEST_ANSWERED)
         return reply_early(exchange, is_chunked, expects_continue);
     if (!connections_admit(&http->connections, exchange->connection, &most)) {
         answer_header(answer, "Retry-After", "%u", load.retry_after_s);
@@ -367,8 +368,8 @@ static enum MHD_Result take_body(struct exchange *exchange, const char *bytes, s
                        (unsigned long long)http->config->body_max_bytes);
         break;
     case UPLOAD_NO_MEMORY:
-        api_refuse_busy(&exchange->answer, queue_wait_estimate_s(http->queue, QUEUE_LARGE),
-                        "too many bodies are coming in");
+        problem_busy(&exchange->answer, queue_wait_estimate_s(http->queue, QUEUE_LARGE),
+                     "too many bodies are coming in");
         break;
     }
     reply_past_library(exchange);

@@ -8,10 +8,10 @@
 
 #include <microhttpd.h>
 
-#include "api.h"
 #include "config.h"
 #include "connections.h"
 #include "queue.h"
+#include "request.h"
 #include "upload.h"
 
 struct exchange;
@@ -19,7 +19,7 @@ struct exchange;
 /* Belongs to the thread of the loop (http_loop.h), but for what is atomic, the queue, and `finished` with its lock. */
 struct http {
     const struct config *config;
-    struct api *api;
+    struct service *service;
     struct queue *queue;
     struct MHD_Daemon *daemon;
     struct connections connections;
@@ -70,7 +70,7 @@ struct exchange {
     uint64_t body_bytes, length;        /* length: Content-Length, 0 where unknown */
     size_t answer_bytes;                /* its share of http->answer_bytes */
     int file;                           /* of the answer, while it is sent: libmicrohttpd closes it; 0: none */
-    struct api_request request;
+    struct request request;
     struct answer answer;
     struct upload upload;
     struct queue_job job;

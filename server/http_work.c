@@ -4,12 +4,13 @@
 
 #include "clock.h"
 #include "problem.h"
+#include "router.h"
 
 static const char ANSWERS_FULL[] = "the answers that wait for their readers fill answerMemoryBytes";
 
 enum queue_lane http_lane_of(uint64_t body_bytes)
 {
-    return body_bytes > API_SMALL_BYTES ? QUEUE_LARGE : QUEUE_SMALL;
+    return body_bytes > REQUEST_SMALL_BYTES ? QUEUE_LARGE : QUEUE_SMALL;
 }
 
 bool http_answers_are_full(struct http *http)
@@ -57,10 +58,10 @@ static void hand_over(struct exchange *exchange)
     if (was_empty) (void)!write(http->wake_fd, &ONE, sizeof ONE);
 }
 
-static enum api_next begin(struct exchange *exchange, struct zr_arena *arena)
+static enum request_next begin(struct exchange *exchange, struct zr_arena *arena)
 {
-    return api_work(exchange->http->api, &exchange->request, arena, &exchange->cancel, &exchange->times,
-                    &exchange->answer);
+    return router_work(exchange->http->service, &exchange->request, arena, &exchange->cancel, &exchange->times,
+                       &exchange->answer);
 }
 
 /* What is large goes from the express to the workers. True: it is not ours any more. */
@@ -77,7 +78,7 @@ static bool put_back(struct exchange *exchange, struct zr_arena *arena)
     }
     exchange->times = NO_STEP_TIMES;
     if (queue_put_back(http->queue, &exchange->job)) return true;
-    api_refuse_busy(&exchange->answer, queue_wait_estimate_s(http->queue, QUEUE_LARGE), "the queue is full");
+    problem_busy(&exchange->answer, queue_wait_estimate_s(http->queue, QUEUE_LARGE), "the queue is full");
     return false;
 }
 
@@ -91,12 +92,12 @@ static void work(struct queue_job *job, struct zr_arena *arena)
     exchange->cancel.parent = job->overdue;
     bool cancelled = atomic_load(&exchange->cancel.raised);
     if (!cancelled && !exchange->request.asset && http_answers_are_full(http)) /* assets take no memory */
-        api_refuse_busy(&exchange->answer, queue_wait_estimate_s(http->queue, QUEUE_LARGE), ANSWERS_FULL);
-    else if (!cancelled && begin(exchange, arena) == API_LARGE && put_back(exchange, arena))
+        problem_busy(&exchange->answer, queue_wait_estimate_s(http->queue, QUEUE_LARGE), ANSWERS_FULL);
+    else if (!cancelled && begin(exchange, arena) == REQUEST_LARGE && put_back(exchange, arena))
         return;
     if (atomic_load(&http->cut_short) && (cancelled || exchange->answer.status == 504)) {
         answer_free(&exchange->answer);
-        api_refuse_busy(&exchange->answer, 1, "the service went down");
+        problem_busy(&exchange->answer, 1, "the service went down");
     }
     hand_over(exchange);
 }
@@ -137,7 +138,7 @@ enum MHD_Result http_begin_work(struct exchange *exchange)
     MHD_suspend_connection(exchange->mhd);
     enum queue_lane lane = http_lane_of(exchange->upload.size);
     if (!queue_push(http->queue, &exchange->job, lane)) {
-        api_refuse_busy(&exchange->answer, queue_wait_estimate_s(http->queue, lane), "the queue is full");
+        problem_busy(&exchange->answer, queue_wait_estimate_s(http->queue, lane), "the queue is full");
         finish_work(exchange);
     }
     return MHD_YES;

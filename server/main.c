@@ -9,12 +9,12 @@
 #include <sys/resource.h>
 #include <unistd.h>
 
-#include "api.h"
 #include "config.h"
-#include "health.h"
+#include "health_check.h"
 #include "http.h"
 #include "log.h"
 #include "log_writer.h"
+#include "request.h"
 #include "store.h"
 
 enum { EXIT_USAGE = 2, SPARE_FILES = 192, MMAP_BYTES = 1 << 20, TRIM_BYTES = 8 << 20 };
@@ -63,7 +63,7 @@ static int serve(const struct config *config)
 {
     sigset_t signals;
     char message[512];
-    struct api api;
+    struct service service;
     struct foresight foresight;
     block_signals(&signals);
     tune_allocator();
@@ -84,8 +84,8 @@ static int serve(const struct config *config)
     struct http *http = NULL;
     if (*config->assets_dir) store = store_open(config->assets_dir, config->assets_max_bytes, message, sizeof message);
     if (store || !*config->assets_dir) {
-        api_init(&api, config, team, &foresight, store);
-        http = http_start(config, &api, message, sizeof message);
+        service_init(&service, config, team, &foresight, store);
+        http = http_start(config, &service, message, sizeof message);
     }
     if (!http) {
         fprintf(stderr, "zrasterd: %s\n", message);

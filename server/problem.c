@@ -1,5 +1,6 @@
 #include "problem.h"
 
+#include <inttypes.h>
 #include <stdarg.h>
 #include <stdio.h>
 #include <string.h>
@@ -91,4 +92,28 @@ void problem_answer_error(struct answer *answer, int http_status, const struct z
         root = NULL;
     }
     finish(answer, root);
+}
+
+void problem_busy(struct answer *answer, unsigned retry_after_s, const char *detail)
+{
+    answer_header(answer, "Retry-After", "%u", retry_after_s ? retry_after_s : 1);
+    problem_answer(answer, 503, "%s", detail);
+}
+
+void problem_memory(struct answer *answer, const struct zr_arena *arena)
+{
+    if (arena->wanted == 0)
+        problem_busy(answer, 1, "the system has no memory for the request now");
+    else if (arena->wanted == SIZE_MAX)
+        problem_answer(answer, 422, "the request needs more memory than can be had; requestMemoryBytes is %zu bytes",
+                       arena->ceiling);
+    else
+        problem_answer(answer, 422,
+                       "the request needs at least %zu bytes of memory; requestMemoryBytes, for one, is %zu bytes",
+                       arena->wanted, arena->ceiling);
+}
+
+void problem_late(struct answer *answer, uint64_t timeout_ms)
+{
+    problem_answer(answer, 504, "the work took longer than renderTimeoutMs, %" PRIu64 " ms", timeout_ms);
 }

@@ -2,7 +2,10 @@
 #ifndef ZRASTERD_PROBLEM_H
 #define ZRASTERD_PROBLEM_H
 
+#include <stdint.h>
+
 #include "answer.h"
+#include "base/arena.h"
 #include "base/status.h"
 
 /* The one table from the renderer's statuses to HTTP's. */
@@ -14,5 +17,15 @@ void problem_answer(struct answer *answer, int http_status, const char *format, 
 
 /* Makes the answer an error with all that the renderer said. */
 void problem_answer_error(struct answer *answer, int http_status, const struct zr_error *error);
+
+/* 503, and when to come again. */
+void problem_busy(struct answer *answer, unsigned retry_after_s, const char *detail);
+
+/* The arena has failed: 422 for a request that can never fit, with what it needs; 503 where it is the system that has
+ * no memory just now. */
+void problem_memory(struct answer *answer, const struct zr_arena *arena);
+
+/* The request was cancelled, since its time was over: 504. */
+void problem_late(struct answer *answer, uint64_t timeout_ms);
 
 #endif

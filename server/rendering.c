@@ -2,6 +2,9 @@
 
 #include <inttypes.h>
 #include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <strings.h>
 
 #include "assets.h"
 #include "body.h"
@@ -9,6 +12,101 @@
 #include "problem.h"
 #include "scene/sight.h"
 #include "text.h"
+
+/* ---- opening: all that can be said before the body ---- */
+
+static const struct {
+    const char *type;
+    enum zr_format format;
+    bool parts; /* the scene is one part of several */
+} FORMATS[] = {
+    {"application/json", ZR_FORMAT_JSON, false},
+    {"model/obj", ZR_FORMAT_OBJ, false},
+    {"model/stl", ZR_FORMAT_STL, false},
+    {"multipart/form-data", ZR_FORMAT_JSON, true},
+};
+
+#define FORMAT_NAMES "application/json, model/obj, model/stl, multipart/form-data"
+
+static const struct {
+    const char *name;
+    size_t offset; /* of a const char * in zr_request */
+} PARAMETERS[] = {
+    {"channel", offsetof(struct zr_request, channel)}, {"encoding", offsetof(struct zr_request, encoding)},
+    {"scale", offsetof(struct zr_request, scale)},     {"preset", offsetof(struct zr_request, preset)},
+    {"width", offsetof(struct zr_request, width)},     {"height", offsetof(struct zr_request, height)},
+    {"shading", offsetof(struct zr_request, shading)}, {"compress", offsetof(struct zr_request, compress)},
+};
+
+#define PARAMETER_NAMES "channel, encoding, scale, preset, width, height, shading, compress"
+
+/* "name=value&name=value" into request->render. */
+static bool read_query(struct request *request, struct answer *answer)
+{
+    if (!request->query || !*request->query) return true;
+    /* A decoded text is never longer, and every pair gives up its '=' or '&' for the final zeros. */
+    char *values = request->query_values = malloc(2 * strlen(request->query) + 2);
+    if (!values) {
+        problem_busy(answer, 1, "out of memory");
+        return false;
+    }
+    for (const char *pair = request->query; *pair; pair += *pair == '&') {
+        size_t length = strcspn(pair, "&"), name_length = strcspn(pair, "=&");
+        const char *text = pair;
+        pair += length;
+        if (length == 0) continue;
+        char *name = values;
+        char *value = name + name_length + 1;
+        size_t value_length = name_length < length ? length - name_length - 1 : 0;
+        if (!text_percent_decode(name, text, name_length) ||
+            !text_percent_decode(value, text + length - value_length, value_length)) {
+            problem_answer(answer, 400, "query: a %%-escape is broken");
+            return false;
+        }
+        const char **field = NULL;
+        for (size_t i = 0; i < sizeof PARAMETERS / sizeof PARAMETERS[0]; i++)
+            if (strcmp(PARAMETERS[i].name, name) == 0)
+                field = (const char **)(void *)((char *)&request->render + PARAMETERS[i].offset);
+        if (!field || *field) {
+            problem_answer(answer, 400, "query: %s parameter '%.60s'; known: " PARAMETER_NAMES,
+                           field ? "duplicate" : "unknown", name);
+            return false;
+        }
+        *field = value;
+        values = value + value_length + 1;
+    }
+    return true;
+}
+
+static bool read_content_type(struct request *request, struct answer *answer)
+{
+    const char *type = request->content_type ? request->content_type : "";
+    size_t length = strcspn(type, "; \t");
+    for (size_t i = 0; i < sizeof FORMATS / sizeof FORMATS[0]; i++)
+        if (strlen(FORMATS[i].type) == length && strncasecmp(FORMATS[i].type, type, length) == 0) {
+            const char *fault;
+            request->render.format = FORMATS[i].format;
+            if (!FORMATS[i].parts || multipart_boundary(type, request->boundary, &fault)) return true;
+            problem_answer(answer, 400, "%s", fault);
+            return false;
+        }
+    answer_header(answer, "Accept-Post", FORMAT_NAMES);
+    if (*type)
+        problem_answer(answer, 415, "Content-Type '%.80s' is none of: " FORMAT_NAMES, type);
+    else
+        problem_answer(answer, 415, "Content-Type is missing; supported: " FORMAT_NAMES);
+    return false;
+}
+
+bool rendering_open(const struct service *service, const struct load *load, struct request *request,
+                    struct answer *answer)
+{
+    (void)service;
+    (void)load;
+    return read_content_type(request, answer) && read_query(request, answer);
+}
+
+/* ---- working ---- */
 
 /* Corners that are measured to foresee the work. COST_CORNERS: in well under a millisecond. COST_CORNERS_MORE: in
  * about half a second, for scenes that would be refused; more than most have. */
@@ -19,8 +117,8 @@ static const double SMALL_MS = 10.0;
 
 /* One request on its way. */
 struct rendering {
-    const struct api *api;
-    const struct api_request *request;
+    const struct service *service;
+    const struct request *request;
     struct zr_arena *arena;
     const struct zr_cancel *cancel;
     struct step_times *times;
@@ -69,7 +167,7 @@ static enum zr_status read_stored(void *context, const char *sha256, struct zr_a
 {
     struct rendering *r = context;
     size_t there = 0;
-    if (r->request->small_only && store_look(r->api->store, sha256, &there) == STORE_THERE) {
+    if (r->request->small_only && store_look(r->service->store, sha256, &there) == STORE_THERE) {
         if (too_large(r, there > r->small_left)) return ZR_CANCELLED;
         r->small_left -= there;
     }
@@ -84,52 +182,52 @@ static enum zr_status foresee(struct rendering *r, const struct zr_scene *scene,
                               struct zr_cost *cost, struct zr_error *error)
 {
     const uint32_t samples[] = {COST_CORNERS, COST_CORNERS_MORE};
-    const struct api *api = r->api;
-    const enum zr_status status = zr_sight_find(r->arena, api->team, scene, r->cancel, sight, error);
+    const struct service *service = r->service;
+    const enum zr_status status = zr_sight_find(r->arena, service->team, scene, r->cancel, sight, error);
     if (status != ZR_OK && status != ZR_CANCELLED) return status;
     for (int i = 0; i < 2; i++) {
         *cost = zr_scene_cost(scene, *sight, samples[i], r->cancel);
-        r->times->foreseen_ms = foresight_predict_ms(api->foresight, cost);
+        r->times->foreseen_ms = foresight_predict_ms(service->foresight, cost);
         if (too_large(r, r->times->foreseen_ms > SMALL_MS)) return ZR_CANCELLED;
-        if (r->times->foreseen_ms <= (double)api->config->cost_max_ms) return status;
+        if (r->times->foreseen_ms <= (double)service->config->cost_max_ms) return status;
     }
-    foresight_refused(api->foresight, cost);
+    foresight_refused(service->foresight, cost);
     return zr_error_add(
         error, ZR_BAD_SCENE, NULL,
         "work like that of %.0f triangles and %.3g pixels is foreseen to take %.3g s, more than costMaxMs, %" PRIu64
         " ms",
         cost->triangles + cost->shape_triangles, cost->fragments + cost->shape_fragments, r->times->foreseen_ms * 1e-3,
-        api->config->cost_max_ms);
+        service->config->cost_max_ms);
 }
 
 static enum zr_status run_steps(struct rendering *r, const struct zr_request *request, struct zr_answer *result,
                                 struct zr_error *error)
 {
-    const struct api *api = r->api;
+    const struct service *service = r->service;
     const struct zr_scene *scene = NULL;
     const struct zr_sight *sight = NULL;
     const struct zr_frame *frame = NULL;
     struct zr_cost cost = {0};
     int64_t mark = clock_us();
-    enum zr_status status = zr_scene_read(r->arena, api->team, request, &api->limits, &scene, error);
+    enum zr_status status = zr_scene_read(r->arena, service->team, request, &service->limits, &scene, error);
     if (status == ZR_OK) status = foresee(r, scene, &sight, &cost, error);
     r->times->parse_ms = ms_since(&mark);
     if (status != ZR_OK) return status;
-    struct foresight_lap lap = foresight_start_lap(api->foresight);
-    status = zr_render(r->arena, api->team, scene, sight, r->cancel, &frame, error);
-    double render_ms = foresight_end_lap(api->foresight, &lap);
+    struct foresight_lap lap = foresight_start_lap(service->foresight);
+    status = zr_render(r->arena, service->team, scene, sight, r->cancel, &frame, error);
+    double render_ms = foresight_end_lap(service->foresight, &lap);
     r->times->render_ms = ms_since(&mark);
     if (status != ZR_OK) return status;
-    status = zr_encode(r->arena, api->team, scene, frame, r->cancel, result, error);
-    double encode_ms = foresight_end_lap(api->foresight, &lap);
+    status = zr_encode(r->arena, service->team, scene, frame, r->cancel, result, error);
+    double encode_ms = foresight_end_lap(service->foresight, &lap);
     r->times->encode_ms = ms_since(&mark);
-    if (status == ZR_OK) foresight_learn(api->foresight, &cost, render_ms, encode_ms);
+    if (status == ZR_OK) foresight_learn(service->foresight, &cost, render_ms, encode_ms);
     return status;
 }
 
 static void answer_image(struct answer *answer, const struct zr_answer *result)
 {
-    api_answer_copy(answer, result->content_type, result->bytes, result->size);
+    answer_copy(answer, result->content_type, result->bytes, result->size);
     if (result->warnings && *result->warnings) {
         char warnings[ZR_WARNINGS_SIZE];
         text_to_ascii(warnings, sizeof warnings, result->warnings);
@@ -137,47 +235,47 @@ static void answer_image(struct answer *answer, const struct zr_answer *result)
     }
 }
 
-enum api_next rendering_work(const struct api *api, const struct api_request *request, struct zr_arena *arena,
-                             const struct zr_cancel *cancel, struct step_times *times, struct answer *answer)
+enum request_next rendering_work(const struct service *service, const struct request *request, struct zr_arena *arena,
+                                 const struct zr_cancel *cancel, struct step_times *times, struct answer *answer)
 {
-    struct rendering r = {.api = api, .request = request, .arena = arena, .cancel = cancel, .times = times};
+    struct rendering r = {.service = service, .request = request, .arena = arena, .cancel = cancel, .times = times};
     struct zr_error error = {0};
     struct zr_answer result = {0};
     struct zr_request unpacked;
     int64_t mark = clock_us();
     /* A small request is read to its end even where its time is over: only then is it known whether it is large work,
-     * to be handed on, and it has API_SMALL_BYTES at most. */
+     * to be handed on, and it has REQUEST_SMALL_BYTES at most. */
     const struct zr_cancel *reading = request->small_only ? cancel->parent : cancel;
-    switch (body_unpack(request, (size_t)api->config->body_max_bytes, arena, reading, &unpacked, answer)) {
+    switch (body_unpack(request, (size_t)service->config->body_max_bytes, arena, reading, &unpacked, answer)) {
     case BODY_READY:
         break;
     case BODY_REFUSED:
-        return API_ANSWERED;
+        return REQUEST_ANSWERED;
     case BODY_LARGE:
-        return API_LARGE;
+        return REQUEST_LARGE;
     case BODY_CANCELLED:
-        if (request->small_only) return API_LARGE;
-        api_refuse_late(api, answer);
-        return API_ANSWERED;
+        if (request->small_only) return REQUEST_LARGE;
+        problem_late(answer, service->config->render_timeout_ms);
+        return REQUEST_ANSWERED;
     }
-    if (too_large(&r, unpacked.size > API_SMALL_BYTES)) return API_LARGE;
-    r.stored = assets_stored(api);
-    r.small_left = API_SMALL_BYTES;
+    if (too_large(&r, unpacked.size > REQUEST_SMALL_BYTES)) return REQUEST_LARGE;
+    r.stored = assets_stored(service);
+    r.small_left = REQUEST_SMALL_BYTES;
     unpacked.stored = (struct zr_stored){r.stored.read ? read_stored : NULL, &r};
     unpacked.cancel = reading;
     double unpack_ms = ms_since(&mark);
     enum zr_status status = run_steps(&r, &unpacked, &result, &error);
-    if (too_large(&r, status == ZR_CANCELLED && zr_is_cancelled(cancel->parent))) return API_LARGE;
+    if (too_large(&r, status == ZR_CANCELLED && zr_is_cancelled(cancel->parent))) return REQUEST_LARGE;
     times->parse_ms += unpack_ms;
     if (status == ZR_OK) {
         answer_image(answer, &result);
     } else if (status == ZR_NO_MEMORY) {
-        api_refuse_memory(answer, arena);
+        problem_memory(answer, arena);
     } else if (status == ZR_CANCELLED) {
-        api_refuse_late(api, answer);
+        problem_late(answer, service->config->render_timeout_ms);
     } else {
         problem_answer_error(answer, problem_http_status(status), &error);
     }
     add_timing(answer, times);
-    return API_ANSWERED;
+    return REQUEST_ANSWERED;
 }

@@ -2,10 +2,13 @@
 #ifndef ZRASTERD_RENDERING_H
 #define ZRASTERD_RENDERING_H
 
-#include "api.h"
+#include "request.h"
 
-/* As api_work. */
-enum api_next rendering_work(const struct api *api, const struct api_request *request, struct zr_arena *arena,
-                             const struct zr_cancel *cancel, struct step_times *times, struct answer *answer);
+/* The type of the body and what the query asks for. */
+bool rendering_open(const struct service *service, const struct load *load, struct request *request,
+                    struct answer *answer);
+
+enum request_next rendering_work(const struct service *service, const struct request *request, struct zr_arena *arena,
+                                 const struct zr_cancel *cancel, struct step_times *times, struct answer *answer);
 
 #endif

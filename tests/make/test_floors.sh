@@ -1,6 +1,6 @@
 #!/bin/sh
-# The floors of core/: a file includes its own floor and lower ones only, and no includes go in a circle. So the
-# pipeline can be read from top to bottom, and a step be tested without what comes after it. Prints TAP.
+# The floors of core/, and server/ above them: a file includes its own floor and lower ones only, and no includes go in a
+# circle. So the pipeline can be read from top to bottom, and a step be tested without what comes after it. Prints TAP.
 set -u
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
@@ -13,8 +13,8 @@ input/json_value.c    input/json_text.h         reading stops where the text is 
 END
 : >"$work/none"
 
-floors() { # FOLDER KNOWN: of the core/ in this folder
-    (cd "$1" && find core -name '*.[ch]' | sort | xargs awk -v known="$2" -f "$script") >"$said" 2>"$complained"
+floors() { # FOLDER KNOWN: of core/ and server/ in this folder
+    (cd "$1" && find core server -name '*.[ch]' | sort | xargs awk -v known="$2" -f "$script") >"$said" 2>"$complained"
     status=$?
 }
 script=$PWD/tests/make/floors.awk
@@ -25,14 +25,14 @@ finds() { # LINE...: these, and no others
 }
 
 floors . "$work/known"
-verdict "core/ includes no higher floor" lacks "of a higher floor"
-verdict "core/ has no circle" lacks "in a circle"
+verdict "no higher floor is included" lacks "of a higher floor"
+verdict "there is no circle" lacks "in a circle"
 verdict "each fault that is known is there" lacks "is known"
 verdict "and nothing else is wrong" [ "$status" = 0 ]
 
 # Made-up trees, each with one fault: proof that it is found.
 file() { # NAME INCLUDED...
-    path=$work/tree/core/$1
+    case $1 in server/*) path=$work/tree/$1 ;; *) path=$work/tree/core/$1 ;; esac
     shift
     mkdir -p "${path%/*}"
     for included in "$@"; do echo "#include \"$included\""; done >"$path"
@@ -49,6 +49,9 @@ tree() { # one without a fault
     file raster/bins_kernel.c raster/bins.h base/vec.h
     file shade/paint.h raster/bins.h
     file render.c shade/paint.h zraster.h
+    file server/answer.h
+    file server/problem.h answer.h base/vec.h
+    file server/problem.c problem.h zraster.h
 }
 made_up() { floors "$work/tree" "${1:-$work/none}"; }
 tree
@@ -103,14 +106,26 @@ made_up "$work/one"
 verdict "and one that is no fault any more" finds "scene/nodes.h scene/scene.h is known, and is no fault"
 
 tree
-file scene/nodes.c ../server/queue.h
+file server/answer.c answer.h problem.h
+made_up
+verdict "a circle in server/ is found" finds "server/answer.c includes server/problem.h in a circle" \
+    "server/problem.h includes server/answer.h in a circle"
+
+tree
+file scene/nodes.c server/problem.h
+made_up
+verdict "server/ is above core/" finds "scene/nodes.c includes server/problem.h of a higher floor"
+
+tree
+file scene/nodes.c ../clients/cli.h
 file sound/horn.h base/vec.h
 made_up
-verdict "what is not in core/, and a folder without a floor, are found" \
-    finds "scene/nodes.c includes ../server/queue.h, which is not in core/" "sound/horn.h is in a folder that has no floor"
+verdict "what is in neither, and a folder without a floor, are found" \
+    finds "scene/nodes.c includes ../clients/cli.h, which is in neither core/ nor server/" "sound/horn.h is in a folder that has no floor"
 
 rm -rf "$work/tree"
 file base/vec.h
+mkdir -p "$work/tree/server"
 made_up
 verdict "files without an #include are no proof" finds "no #include was read"
 verdicts

@@ -5,6 +5,7 @@
 
 #include <zlib.h>
 
+#include "assets.h"
 #include "rendering.h"
 #include "server/assets.h"
 #include "support/cmocka_all.h"
@@ -13,42 +14,42 @@ enum { ARENA_BYTES = 1 << 28, MESSAGE_SIZE = 512 };
 
 #define POLYGONS "\"polygons\":[{\"vertices\":[[0,0,0],[1,0,0],[0,1,0]]}]"
 
-/* What api_work would have; the store is new and empty, in a folder of its own. */
-struct service {
+/* What the router would have; the store is new and empty, in a folder of its own. */
+struct trial {
     struct folder folder;
     struct config config;
     struct foresight foresight;
-    struct api api;
+    struct service service;
 };
 
-static void service_open(struct service *service)
+static void trial_open(struct trial *trial)
 {
     char message[MESSAGE_SIZE];
-    assert_int_equal(config_read(&service->config, 1, (char *[]){"", NULL}, message, sizeof message), CONFIG_SERVE);
-    service->folder = folder_make();
-    struct store *store = store_open(service->folder.path, service->config.assets_max_bytes, message, sizeof message);
+    assert_int_equal(config_read(&trial->config, 1, (char *[]){"", NULL}, message, sizeof message), CONFIG_SERVE);
+    trial->folder = folder_make();
+    struct store *store = store_open(trial->folder.path, trial->config.assets_max_bytes, message, sizeof message);
     if (!store) fail_msg("%s", message);
-    foresight_init(&service->foresight);
-    api_init(&service->api, &service->config, NULL, &service->foresight, store);
+    foresight_init(&trial->foresight);
+    service_init(&trial->service, &trial->config, NULL, &trial->foresight, store);
 }
 
-static void service_close(struct service *service)
+static void trial_close(struct trial *trial)
 {
-    store_close(service->api.store);
-    foresight_free(&service->foresight);
-    folder_remove(&service->folder);
+    store_close(trial->service.store);
+    foresight_free(&trial->foresight);
+    folder_remove(&trial->folder);
 }
 
-static struct api_request request_of(const char *method, const char *path, const void *bytes, size_t size)
+static struct request request_of(const char *method, const char *path, const void *bytes, size_t size)
 {
-    struct api_request request = {.method = method, .path = path, .small_only = true};
+    struct request request = {.method = method, .path = path, .small_only = true};
     request.render = (struct zr_request){.format = ZR_FORMAT_JSON, .bytes = bytes, .size = size};
     return request;
 }
 
 /* By the thread for small requests; `late`: it has taken too long for one. */
-static enum api_next work_on(struct service *service, const struct api_request *request, bool cancelled, bool late,
-                             size_t *used)
+static enum request_next work_on(struct trial *trial, const struct request *request, bool cancelled, bool late,
+                                 size_t *used)
 {
     const struct zr_cancel overdue = {.raised = late};
     const struct zr_cancel cancel = {.raised = cancelled, .parent = &overdue};
@@ -56,53 +57,54 @@ static enum api_next work_on(struct service *service, const struct api_request *
     struct answer answer = {0};
     struct zr_arena arena;
     zr_arena_init(&arena, ARENA_BYTES);
-    enum api_next next = api_work(&service->api, request, &arena, &cancel, &times, &answer);
+    const enum request_next next =
+        (request->asset ? assets_work : rendering_work)(&trial->service, request, &arena, &cancel, &times, &answer);
     if (used) *used = arena.peak;
     zr_arena_free(&arena);
     answer_free(&answer);
     return next;
 }
 
-static enum api_next work(struct service *service, const char *scene, bool cancelled)
+static enum request_next work(struct trial *trial, const char *scene, bool cancelled)
 {
-    const struct api_request request = request_of("POST", "/v1/render", scene, strlen(scene));
-    return work_on(service, &request, cancelled, false, NULL);
+    const struct request request = request_of("POST", "/v1/render", scene, strlen(scene));
+    return work_on(trial, &request, cancelled, false, NULL);
 }
 
 /* Whether it is cancelled or not. */
-static void expect(struct service *service, const char *scene, enum api_next want)
+static void expect(struct trial *trial, const char *scene, enum request_next want)
 {
     for (int cancelled = 0; cancelled < 2; cancelled++)
-        assert_int_equal(work(service, scene, cancelled), want);
+        assert_int_equal(work(trial, scene, cancelled), want);
 }
 
-static void expect_of_new_service(const char *scene, enum api_next want)
+static void expect_of_new_service(const char *scene, enum request_next want)
 {
-    struct service service;
-    service_open(&service);
-    expect(&service, scene, want);
-    service_close(&service);
+    struct trial trial;
+    trial_open(&trial);
+    expect(&trial, scene, want);
+    trial_close(&trial);
 }
 
 /* Being told to stop meanwhile makes no other answer of it: one that is about what was left out. */
 static void request_for_a_large_asset_is_given_up_at_whatever_time_it_is_cancelled(void **state)
 {
     (void)state;
-    static char bytes[API_SMALL_BYTES + 1];
+    static char bytes[REQUEST_SMALL_BYTES + 1];
     char name[STORE_NAME_SIZE], scene[512];
-    struct service service;
-    service_open(&service);
+    struct trial trial;
+    trial_open(&trial);
     store_name(bytes, sizeof bytes, name);
-    assert_int_equal(store_put(service.api.store, name, bytes, sizeof bytes), STORE_NEW);
+    assert_int_equal(store_put(trial.service.store, name, bytes, sizeof bytes), STORE_NEW);
     snprintf(scene, sizeof scene, "{\"base\":{\"color\":{\"asset\":\"sha256:%s\"}}," POLYGONS "}", name);
-    expect(&service, scene, API_LARGE);
-    service_close(&service);
+    expect(&trial, scene, REQUEST_LARGE);
+    trial_close(&trial);
 }
 
 static void request_of_much_work_is_given_up_at_whatever_time_it_is_cancelled(void **state)
 {
     (void)state;
-    expect_of_new_service("{\"window\":{\"width\":4000,\"height\":4000}," POLYGONS "}", API_LARGE);
+    expect_of_new_service("{\"window\":{\"width\":4000,\"height\":4000}," POLYGONS "}", REQUEST_LARGE);
 }
 
 /* Whatever it is about, and whether its client waits for it or not. */
@@ -110,12 +112,12 @@ static void request_that_has_taken_too_long_for_a_small_one_is_given_up(void **s
 {
     (void)state;
     static const char scene[] = "{\"window\":{\"width\":16,\"height\":16}," POLYGONS "}";
-    struct service service;
-    service_open(&service);
-    const struct api_request request = request_of("POST", "/v1/render", scene, sizeof scene - 1);
+    struct trial trial;
+    trial_open(&trial);
+    const struct request request = request_of("POST", "/v1/render", scene, sizeof scene - 1);
     for (int cancelled = 0; cancelled < 2; cancelled++)
-        assert_int_equal(work_on(&service, &request, cancelled, true, NULL), API_LARGE);
-    service_close(&service);
+        assert_int_equal(work_on(&trial, &request, cancelled, true, NULL), REQUEST_LARGE);
+    trial_close(&trial);
 }
 
 /* The compressed body may be as small as it likes: it is not inflated to its end. */
@@ -130,18 +132,18 @@ static void request_that_inflates_to_more_is_given_up_on_the_way(void **state)
     z_stream stream = {.next_in = spaces, .avail_in = INFLATED, .next_out = packed, .avail_out = INFLATED};
     assert_int_equal(deflateInit2(&stream, 9, Z_DEFLATED, 16 + MAX_WBITS, 8, Z_DEFAULT_STRATEGY), Z_OK);
     assert_int_equal(deflate(&stream, Z_FINISH), Z_STREAM_END);
-    struct service service;
-    service_open(&service);
+    struct trial trial;
+    trial_open(&trial);
     for (int i = 0; i < 2; i++) {
-        struct api_request request = request_of("POST", paths[i], packed, stream.total_out);
+        struct request request = request_of("POST", paths[i], packed, stream.total_out);
         size_t used;
         request.gzip = true;
         request.asset = i == 1 ? "" : NULL;
-        assert_true(request.render.size < API_SMALL_BYTES);
-        assert_int_equal(work_on(&service, &request, false, false, &used), API_LARGE);
-        assert_true(used < 4 * API_SMALL_BYTES);
+        assert_true(request.render.size < REQUEST_SMALL_BYTES);
+        assert_int_equal(work_on(&trial, &request, false, false, &used), REQUEST_LARGE);
+        assert_true(used < 4 * REQUEST_SMALL_BYTES);
     }
-    service_close(&service);
+    trial_close(&trial);
     deflateEnd(&stream);
     free(spaces);
     free(packed);
@@ -150,31 +152,31 @@ static void request_that_inflates_to_more_is_given_up_on_the_way(void **state)
 static void large_asset_is_not_fetched_and_a_small_one_is(void **state)
 {
     (void)state;
-    static char bytes[API_SMALL_BYTES + 1];
-    struct service service;
-    service_open(&service);
+    static char bytes[REQUEST_SMALL_BYTES + 1];
+    struct trial trial;
+    trial_open(&trial);
     for (int large = 0; large < 2; large++) {
         char name[STORE_NAME_SIZE];
-        size_t size = API_SMALL_BYTES + (size_t)large, used;
+        size_t size = REQUEST_SMALL_BYTES + (size_t)large, used;
         store_name(bytes, size, name);
-        assert_int_equal(store_put(service.api.store, name, bytes, size), STORE_NEW);
-        struct api_request request = request_of("GET", "", NULL, 0);
+        assert_int_equal(store_put(trial.service.store, name, bytes, size), STORE_NEW);
+        struct request request = request_of("GET", "", NULL, 0);
         request.asset = name;
-        assert_int_equal(work_on(&service, &request, false, false, &used), large ? API_LARGE : API_ANSWERED);
+        assert_int_equal(work_on(&trial, &request, false, false, &used), large ? REQUEST_LARGE : REQUEST_ANSWERED);
         assert_true(!large || used == 0);
         request.method = "HEAD";
-        assert_int_equal(work_on(&service, &request, false, false, NULL), API_ANSWERED);
+        assert_int_equal(work_on(&trial, &request, false, false, NULL), REQUEST_ANSWERED);
         request.method = "GET";
         request.has_asset = true;
-        assert_int_equal(work_on(&service, &request, false, false, NULL), API_ANSWERED);
+        assert_int_equal(work_on(&trial, &request, false, false, NULL), REQUEST_ANSWERED);
     }
-    service_close(&service);
+    trial_close(&trial);
 }
 
 static void small_request_is_answered(void **state)
 {
     (void)state;
-    expect_of_new_service("{\"window\":{\"width\":16,\"height\":16}," POLYGONS "}", API_ANSWERED);
+    expect_of_new_service("{\"window\":{\"width\":16,\"height\":16}," POLYGONS "}", REQUEST_ANSWERED);
 }
 
 int main(void)

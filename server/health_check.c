@@ -1,0 +1,43 @@
+#include "health_check.h"
+
+#include <netdb.h>
+#include <stdio.h>
+#include <string.h>
+#include <sys/socket.h>
+#include <sys/time.h>
+#include <unistd.h>
+
+enum { TIMEOUT_S = 3 };
+
+static bool ask(int fd)
+{
+    static const char REQUEST[] = "GET /healthz HTTP/1.1\r\nHost: localhost\r\nConnection: close\r\n\r\n";
+    static const char GOOD[] = "HTTP/1.1 200 ";
+    char answer[sizeof GOOD] = "";
+    size_t got = 0;
+    if (send(fd, REQUEST, sizeof REQUEST - 1, MSG_NOSIGNAL) != (ssize_t)(sizeof REQUEST - 1)) return false;
+    while (got < sizeof GOOD - 1) {
+        ssize_t count = recv(fd, answer + got, sizeof GOOD - 1 - got, 0);
+        if (count <= 0) return false;
+        got += (size_t)count;
+    }
+    return strcmp(answer, GOOD) == 0;
+}
+
+bool health_check(const struct config *config)
+{
+    struct addrinfo hints = {.ai_socktype = SOCK_STREAM, .ai_flags = AI_NUMERICHOST | AI_NUMERICSERV};
+    struct addrinfo *address = NULL;
+    char port[16];
+    snprintf(port, sizeof port, "%u", (unsigned)config->port);
+    if (getaddrinfo(config->address, port, &hints, &address) != 0) return false;
+    struct timeval timeout = {.tv_sec = TIMEOUT_S};
+    /* 0.0.0.0 and :: as a destination are this machine. */
+    int fd = socket(address->ai_family, SOCK_STREAM | SOCK_CLOEXEC, 0);
+    bool well = fd >= 0 && setsockopt(fd, SOL_SOCKET, SO_RCVTIMEO, &timeout, sizeof timeout) == 0 &&
+                setsockopt(fd, SOL_SOCKET, SO_SNDTIMEO, &timeout, sizeof timeout) == 0 &&
+                connect(fd, address->ai_addr, address->ai_addrlen) == 0 && ask(fd);
+    if (fd >= 0) close(fd);
+    freeaddrinfo(address);
+    return well;
+}

@@ -1,0 +1,138 @@
+#include "router.h"
+
+#include <stdio.h>
+#include <string.h>
+#include <strings.h>
+
+#include "assets.h"
+#include "health.h"
+#include "limits_route.h"
+#include "problem.h"
+#include "rendering.h"
+#include "text.h"
+
+static const struct route ROUTES[] = {
+    {"/v1/render", "POST", false, rendering_open, rendering_work, true},
+    {"/v1/assets", "POST", false, assets_open, assets_work, false},
+    {"/v1/limits", "GET, HEAD", false, limits_open, NULL, false},
+    {"/healthz", "GET, HEAD", true, health_open, NULL, false},
+    {"/readyz", "GET, HEAD", true, health_open_ready, NULL, false},
+    {ASSETS_PATH, "GET, HEAD, PUT", false, assets_open, assets_work, false},
+};
+
+enum { ROUTE_COUNT = sizeof ROUTES / sizeof ROUTES[0] };
+
+static bool is_for_all_below(const struct route *route)
+{
+    return route->path[strlen(route->path) - 1] == '/';
+}
+
+static const struct route *find_route(const char *path)
+{
+    for (const struct route *route = ROUTES; route < ROUTES + ROUTE_COUNT; route++)
+        if (is_for_all_below(route) ? strncmp(route->path, path, strlen(route->path)) == 0
+                                    : strcmp(route->path, path) == 0)
+            return route;
+    return NULL;
+}
+
+static void refuse_path(const struct request *request, struct answer *answer)
+{
+    char known[ANSWER_DETAIL_SIZE] = "";
+    size_t used = 0;
+    for (const struct route *route = ROUTES; route < ROUTES + ROUTE_COUNT; route++)
+        if (!is_for_all_below(route) && used < sizeof known)
+            used += (size_t)snprintf(known + used, sizeof known - used, "%s%s", used ? ", " : "", route->path);
+    problem_answer(answer, 404, "there is no '%.100s' here; there are %s", request->path, known);
+}
+
+/* The time it takes depends on what the client sent, not on where it differs. */
+static bool token_matches(const char *token, const char *authorization)
+{
+    static const char SCHEME[] = "Bearer ";
+    if (!authorization || strncasecmp(authorization, SCHEME, sizeof SCHEME - 1) != 0) return false;
+    const char *given = authorization + sizeof SCHEME - 1;
+    given += strspn(given, " ");
+    size_t length = text_trimmed_length(given), wanted = strlen(token);
+    volatile unsigned char difference = length != wanted;
+    for (size_t i = 0; i < length; i++)
+        difference = (unsigned char)(difference | (given[i] ^ token[wanted ? i % wanted : 0]));
+    return difference == 0;
+}
+
+static bool method_allowed(const char *methods, const char *method)
+{
+    size_t length = strlen(method);
+    for (const char *p = strstr(methods, method); p; p = strstr(p + 1, method))
+        if ((p == methods || p[-1] == ' ') && (p[length] == '\0' || p[length] == ',')) return length > 0;
+    return false;
+}
+
+static bool is_encoding(const char *text, const char *known)
+{
+    const size_t length = strlen(known);
+    return text_trimmed_length(text) == length && strncasecmp(text, known, length) == 0;
+}
+
+static bool read_content_encoding(struct request *request, struct answer *answer)
+{
+    const char *encoding = request->content_encoding;
+    if (!encoding || text_trimmed_length(encoding) == 0 || is_encoding(encoding, "identity")) return true;
+    request->gzip = is_encoding(encoding, "gzip") || is_encoding(encoding, "x-gzip");
+    if (request->gzip) return true;
+    answer_header(answer, "Accept-Encoding", "gzip, identity");
+    problem_answer(answer, 415, "Content-Encoding '%.80s' is not supported; supported: gzip, identity", encoding);
+    return false;
+}
+
+/* What is done by a worker. */
+static enum request_next open_work(const struct service *service, const struct load *load, struct request *request,
+                                   struct answer *answer)
+{
+    if (load->draining) {
+        problem_busy(answer, load->retry_after_s, load_is_busy(load, service, false));
+        return REQUEST_ANSWERED;
+    }
+    if (!read_content_encoding(request, answer) || !request->route->open(service, load, request, answer))
+        return REQUEST_ANSWERED;
+    const char *busy = load_is_busy(load, service, request->route->makes_answer);
+    if (!busy) return REQUEST_WORK;
+    problem_busy(answer, load->retry_after_s, busy);
+    return REQUEST_ANSWERED;
+}
+
+enum request_next router_open(const struct service *service, const struct load *load, struct request *request,
+                              struct answer *answer)
+{
+    const struct route *route = request->route = find_route(request->path);
+    const char *token = service->config->token;
+    if (*token && !(route && route->open_to_all) && !token_matches(token, request->authorization)) {
+        answer_header(answer, "WWW-Authenticate", "Bearer realm=\"zraster\"");
+        problem_answer(answer, 401, "Authorization: Bearer with the right token is asked for");
+    } else if (!route) {
+        refuse_path(request, answer);
+    } else if (!method_allowed(route->methods, request->method)) {
+        answer_header(answer, "Allow", "%s", route->methods);
+        problem_answer(answer, 405, "%s takes %s", route->path, route->methods);
+    } else if (route->work) {
+        return open_work(service, load, request, answer);
+    } else {
+        route->open(service, load, request, answer);
+    }
+    return REQUEST_ANSWERED;
+}
+
+enum request_next router_work(const struct service *service, const struct request *request, struct zr_arena *arena,
+                              const struct zr_cancel *cancel, struct step_times *times, struct answer *answer)
+{
+    foresight_begin(service->foresight);
+    const enum request_next next = request->route->work(service, request, arena, cancel, times, answer);
+    foresight_end(service->foresight);
+    return next;
+}
+
+void router_finish(struct answer *answer, const char *request_id)
+{
+    answer_header(answer, "X-Request-Id", "%s", request_id);
+    answer_header(answer, "Zraster-Version", ZR_VERSION);
+}
