@@ -100,8 +100,8 @@ static bool add_run(struct zr_builder *builder, const struct zr_fans *fans, cons
     return zr_builder_add_draw(builder, draw);
 }
 
-/* A run of so few faces between others is placed as they are: a draw by itself takes longer (a third of the time of a
- * cube, half of whose triangles are cut). */
+/* So few plain faces between others are placed one by one, too: a draw of their own takes longer (a third of the time
+ * of a cube, half of whose triangles are cut). */
 enum { SHORT_RUN = 16 };
 
 static bool is_a_draw(const struct zr_mesh *mesh, const struct run *run)
@@ -110,7 +110,7 @@ static bool is_a_draw(const struct zr_mesh *mesh, const struct run *run)
     return count == mesh->face_count || count >= SHORT_RUN;
 }
 
-/* Faces one after the other: runs of plain ones become draws, all others are placed one by one. */
+/* Faces one after the other: long runs of plain ones become draws, all others are placed one by one. */
 static enum zr_status assemble_faces(struct zr_builder *builder, const struct zr_fans *fans)
 {
     const struct zr_mesh *mesh = builder->mesh;
@@ -123,11 +123,12 @@ static enum zr_status assemble_faces(struct zr_builder *builder, const struct zr
         while (run.end < mesh->face_count && filled && face_is_plain(builder, fans, run.end) &&
                zr_material_of_face(builder->scene, mesh, run.end) == run.material)
             run.end++;
-        uint64_t work = run.end - run.begin;
+        uint64_t work = 0;
         if (is_a_draw(mesh, &run)) {
+            work = run.end - run.begin;
             if (!add_run(builder, fans, &run)) return ZR_NO_MEMORY;
         } else {
-            run.end += work == 0;
+            if (run.end == run.begin) run.end++; /* a face that is not plain */
             for (uint32_t face = run.begin; face < run.end; face++) {
                 work += corners_squared(mesh, face);
                 place_face(builder, face);

@@ -9,9 +9,9 @@
 
 /* ---- pixels ---- */
 
-/* What `count` parts from `first` on show in a patch, whose pixels x, y are. Some that follow are looked at with them:
- * they are other owners', or have the same word (a tenth of the flat bunny's time: how many there are cannot be
- * foretold by the processor). */
+/* What `count` parts from `first` on show in a patch. Some that follow are looked at with them, since the processor
+ * cannot foretell how many there are (a twentieth of the flat bunny's time). They are other owners', or have the same
+ * word, but for pixels whose words the tile knows, which are put over these. Behind the last part there is nobody. */
 static inline zr_vi zr_words_at(const struct zr_shader *s, uint32_t first, uint32_t count, zr_vi owner)
 {
     zr_vi words = zr_vi_set((int32_t)s->words[0]);
@@ -115,7 +115,7 @@ static inline void zr_finish_pixels(const struct zr_finish *to, int32_t x, int32
 
 /* ---- a block ---- */
 
-/* Its first pixel, in the tile. */
+/* Its first column and row, in the tile. */
 static inline int32_t zr_block_left(int block)
 {
     return block % ZR_BLOCK_COLUMNS * ZR_BLOCK_WIDTH;
@@ -182,8 +182,9 @@ static inline void zr_finish_late(const struct zr_shader *s, int block, int plan
     for (int32_t row = 0; row < ZR_BLOCK_HEIGHT; row++, y = y + zr_vf_set(1.0f))
         for (int32_t column = 0; column < ZR_BLOCK_WIDTH; column += ZR_LANES) {
             const zr_vf x = zr_vf_of(zr_vi_set(to->tile->x + left + column) + zr_vi_ramp());
+            const zr_vi words = zr_vi_set(0); /* all are replaced */
             zr_finish_pixels(to, left + column, low + row,
-                             zr_shade_late(s, part, 1, owner, planes, x, y, plane_count, owner));
+                             zr_shade_late(s, part, 1, owner, planes, x, y, plane_count, words));
         }
 }
 

@@ -22,7 +22,7 @@
 /* Of primitives `numbers` of the surface's draw. */
 typedef zr_vi zr_words_fn(const struct zr_geometry *geometry, const struct zr_surface *surface, zr_vi numbers);
 
-/* Of pixels whose owners they are. */
+/* Of pixels whose owners they are: draw by draw, of which s->draw is the last that was met. */
 ZR_INLINED zr_vi zr_words_of(struct zr_shader *s, zr_words_fn *words, zr_vi owners, zr_vi nothing)
 {
     uint32_t left = zr_vm_bits(zr_vi_lt(zr_vi_set(0), owners)), each[ZR_LANES];
@@ -62,10 +62,11 @@ ZR_INLINED void zr_shade_words(struct zr_shader *s, const struct zr_tile *tile, 
     }
 }
 
+#define ZR_SKIP(...)
+
 /* Whether parts are wanted for others than colours. */
 static inline bool zr_wants_parts(const struct zr_shaded *to)
 {
-#define ZR_SKIP(...)
 #define ZR_WANTS(channel, ...)                                                                                         \
     if (to->channels[ZR_CHANNEL_##channel].first) return true;
     ZR_CHANNEL_MAKERS(ZR_SKIP, ZR_WANTS)
@@ -76,22 +77,22 @@ static inline bool zr_wants_parts(const struct zr_shaded *to)
 static inline void zr_shade_channels_of_parts(struct zr_shader *s, const struct zr_tile *tile, int begin, int end,
                                               const struct zr_shaded *to)
 {
-#define ZR_SHADE(channel, shade)                                                                                       \
+#define ZR_BY_PARTS(channel, shade)                                                                                    \
     if (to->channels[ZR_CHANNEL_##channel].first) shade(s, tile, begin, end, to);
-    ZR_CHANNEL_MAKERS(ZR_SKIP, ZR_SHADE)
-#undef ZR_SHADE
+    ZR_CHANNEL_MAKERS(ZR_SKIP, ZR_BY_PARTS)
+#undef ZR_BY_PARTS
 }
 
 static inline void zr_shade_channels_of_words(struct zr_shader *s, const struct zr_tile *tile,
                                               const struct zr_shaded *to)
 {
-#define ZR_SHADE(channel, words)                                                                                       \
+#define ZR_BY_WORDS(channel, words)                                                                                    \
     if (to->channels[ZR_CHANNEL_##channel].first)                                                                      \
         zr_shade_words(s, tile, words, zr_channel_rows[ZR_CHANNEL_##channel].nothing,                                  \
                        &to->channels[ZR_CHANNEL_##channel]);
-    ZR_CHANNEL_MAKERS(ZR_SHADE, ZR_SKIP)
-#undef ZR_SHADE
-#undef ZR_SKIP
+    ZR_CHANNEL_MAKERS(ZR_BY_WORDS, ZR_SKIP)
+#undef ZR_BY_WORDS
 }
+#undef ZR_SKIP
 
 #endif

@@ -17,7 +17,8 @@ struct zr_run {
     uint32_t first, count;
 };
 
-/* What is known of parts. A part is flat, and has a word, or has planes. Part 0 is nobody's, and no run's. */
+/* What is known of parts. A part has a word, where it is flat, or planes: of lines
+ * in fog, both. Part 0 is nobody's, and no run's. */
 struct zr_shader {
     const struct zr_geometry *geometry;
     const struct zr_surfaces *surfaces;
@@ -29,7 +30,8 @@ struct zr_shader {
     bool has_planes[ZR_PARTS_ROOM];
     bool is_constant[ZR_PARTS_ROOM]; /* in fog: the colour's planes are the same all over, and not over w */
     uint32_t words[ZR_PARTS_ROOM];
-    const struct zr_material *materials[ZR_PARTS_ROOM]; /* of those that are shaded late, else NULL */
+    const struct zr_material
+        *materials[ZR_PARTS_ROOM]; /* of those that are shaded late, else NULL; not set where no surface is */
     bool any_late;
     struct zr_model_context model;
     /* Some for each part, one part after the other: of 1/w, and of each of its values. */
@@ -68,7 +70,7 @@ static inline void zr_find_runs(struct zr_shader *s)
     }
 }
 
-/* Before a channel's parts are made; `nothing` is what nobody has. */
+/* Before the parts of a channel of words are made; `nothing` is what nobody has. */
 static inline void zr_shader_begin(struct zr_shader *s, uint32_t nothing)
 {
     s->words[0] = nothing;
