@@ -1,9 +1,10 @@
 #include "options.h"
 
-#include <stdbool.h>
 #include <stdio.h>
 #include <string.h>
 #include <strings.h>
+
+#include "base/format_rows.h"
 
 enum { EXIT_USAGE = 2, SIZE_DIGITS = 7 };
 
@@ -58,6 +59,13 @@ static int read_option(int count, char **arguments, int *at, struct options *opt
 
 /* ---- checks ---- */
 
+#define FORMAT(ID, suffix, media_types, has_view) {suffix, media_types, has_view},
+static const struct {
+    const char *suffix, *media_types; /* the first of these */
+    bool has_view;
+} formats[] = {ZR_FORMAT_ROWS(FORMAT)};
+enum { FORMATS = sizeof formats / sizeof formats[0] };
+
 static size_t count_digits(const char *text)
 {
     return strspn(text, "0123456789");
@@ -75,24 +83,31 @@ static bool read_size(struct options *options)
     return true;
 }
 
+/* What the file's ending does not say, its bytes tell the daemon. */
 static int find_content_type(struct options *options)
 {
-    static const char *const types[][2] = {{"json", "application/json"}, {"obj", "model/obj"}, {"stl", "model/stl"}};
+    static char known[128], wrong[160];
     const char *slash = strrchr(options->file, '/'), *dot = strrchr(slash ? slash : options->file, '.');
     const char *type = options->type ? options->type : dot ? dot + 1 : "";
-    for (size_t i = 0; i < sizeof types / sizeof *types; i++)
-        if (strcasecmp(type, types[i][0]) == 0) options->content_type = types[i][1];
-    if (options->content_type) return 0;
-    if (options->type) return options_wrong("--type takes json, obj or stl, not", options->type);
-    if (strcmp(options->file, "-") == 0)
-        return options_wrong("json, obj or stl? --type says what comes on standard input", "");
-    return options_wrong("json, obj or stl? The file's ending does not say; --type does", options->file);
+    for (size_t i = 0; i < FORMATS; i++) {
+        if (strcasecmp(type, formats[i].suffix) != 0) continue;
+        snprintf(known, sizeof known, "%.*s", (int)strcspn(formats[i].media_types, " "), formats[i].media_types);
+        options->content_type = known;
+        options->has_view = formats[i].has_view;
+        return 0;
+    }
+    options->content_type = "application/octet-stream";
+    if (!options->type) return 0;
+    for (size_t i = 0, used = 0; i < FORMATS && used < sizeof known; i++)
+        used += (size_t)snprintf(known + used, sizeof known - used, "%s%s", i ? ", " : "", formats[i].suffix);
+    snprintf(wrong, sizeof wrong, "--type takes one of %s, not", known);
+    return options_wrong(wrong, options->type);
 }
 
 /* A scene says these things itself. */
 static int check_scene(const struct options *options)
 {
-    if (strcmp(options->content_type, "application/json") != 0) return 0;
+    if (!options->has_view) return 0;
     if (options->preset)
         return options_wrong("--preset is for meshes (.obj, .stl); a JSON scene has \"view\": {\"preset\": ...}", "");
     if (options->shading)

@@ -2,6 +2,8 @@
 #ifndef OPTIONS_H
 #define OPTIONS_H
 
+#include <stdbool.h>
+
 #define DEFAULT_SERVER "http://127.0.0.1:8080"
 
 /* NULL: not given. */
@@ -10,6 +12,7 @@ struct options {
     const char *channel, *encoding, *scale, *preset, *shading, *size, *compress;
     char width[12], height[12]; /* of size; "" where there is none */
     const char *content_type;   /* of the file */
+    bool has_view;              /* it is known to say itself what it is seen from, and how */
 };
 
 /* Arguments behind "render". 0, or the exit status for a wrong command line, which is then explained on stderr. */

@@ -4,7 +4,7 @@
 
 #include "geometry/geometry.h"
 #include "input/defaults.h"
-#include "input/input.h"
+#include "input/formats.h"
 #include "input/number.h"
 #include "input/outputs.h"
 #include "input/text.h"
@@ -59,7 +59,7 @@ static enum zr_status read_query(const struct zr_request *request, const struct 
     query->has_output = request->channel || request->encoding || request->scale;
     if (query->has_output) zr_output_of_query(request, &query->output, error);
     read_word("compress", request->compress, &zr_compress_names, &query->compress, error);
-    if (request->format == ZR_FORMAT_JSON) {
+    if (zr_format_rows[request->format].has_view) {
         refuse_with_json("preset", request->preset, error);
         refuse_with_json("width", request->width, error);
         refuse_with_json("height", request->height, error);
@@ -82,15 +82,14 @@ static enum zr_status read_bare_mesh(struct zr_arena *arena, struct zr_team *tea
     struct zr_material *material = zr_arena_alloc(arena, 1, sizeof *material);
     struct zr_instance *instance = zr_arena_alloc(arena, 1, sizeof *instance);
     if (!zr_arena_ok(arena)) return ZR_NO_MEMORY;
-    const bool obj = request->format == ZR_FORMAT_OBJ;
+    const struct zr_format_row *format = &zr_format_rows[request->format];
     struct zr_warning_list warnings = {.count = 0};
-    enum zr_status status = obj ? zr_obj_read(arena, team, request, limits, mesh, &warnings, error)
-                                : zr_stl_read(arena, team, request, limits, mesh, error);
+    const enum zr_status status = format->read(arena, team, request, limits, mesh, &warnings, error);
     if (status != ZR_OK) return status;
-    if (!obj && query->shading >= ZR_SHADING_GOURAUD)
+    if (format->is_soup && query->shading >= ZR_SHADING_GOURAUD)
         zr_warning_list_add(arena, &warnings,
-                            "shading=%s looks flat here: the triangles of STL share no corners; OBJ can be smooth",
-                            zr_shading_names.words[query->shading]);
+                            "shading=%s looks flat here: the triangles of %s share no corners; OBJ can be smooth",
+                            zr_shading_names.words[query->shading], format->name);
     *material = (struct zr_material){.base_color = zr_default_base_color(mesh->colors != NULL),
                                      .shading = zr_default_shading(mesh->normal_count > 0 || mesh->colors),
                                      .double_sided = true};
@@ -131,28 +130,41 @@ static bool fits_memory(struct zr_arena *arena, const struct zr_scene *scene)
     return zr_arena_charge(arena, points < SIZE_MAX / point_bytes ? points * point_bytes : SIZE_MAX); /* fails */
 }
 
-static bool begins_with(const struct zr_request *request, const char *bytes, size_t size)
-{
-    return request->size >= size && memcmp(request->bytes, bytes, size) == 0;
-}
-
-/* A byte order mark, as some editors put in front of UTF-8, is no part of the text. */
 static void skip_byte_order_mark(struct zr_request *request)
 {
-    static const char mark[] = "\xEF\xBB\xBF";
-    if (request->format == ZR_FORMAT_STL || !begins_with(request, mark, sizeof mark - 1)) return;
-    request->bytes += sizeof mark - 1;
-    request->size -= sizeof mark - 1;
+    const size_t mark = request->format == ZR_FORMAT_STL ? 0 : zr_byte_order_mark(request->bytes, request->size);
+    request->bytes += mark;
+    request->size -= mark;
 }
 
-/* Bytes that cannot be read, since they are packed and their header does not say so. */
-static enum zr_status name_gzip(const struct zr_request *request, enum zr_status status, struct zr_error *error)
+/* Bytes that cannot be read, since they are something else than their type says. */
+static enum zr_status name_bytes(const struct zr_request *request, enum zr_status status, struct zr_error *error)
 {
-    if (status != ZR_BAD_SYNTAX || !begins_with(request, "\x1F\x8B", 2)) return status;
+    const struct zr_format_row *said = &zr_format_rows[request->format];
+    if (status != ZR_BAD_SYNTAX || said->looks_so(request->bytes, request->size) ||
+        zr_format_of_bytes(request->bytes, request->size) == request->format)
+        return status;
+    const char *words = zr_bytes_in_words(request->bytes, request->size);
+    if (!words) return status;
+    const struct zr_error all = *error;
     *error = (struct zr_error){0};
-    return zr_error_add(error, status, NULL,
-                        "the body is packed with gzip, and its header does not say so: "
-                        "Content-Encoding: gzip is missing");
+    if (strcmp(words, "gzip") == 0)
+        return zr_error_add(error, status, NULL,
+                            "the body is packed with gzip, and its header does not say so: "
+                            "Content-Encoding: gzip is missing");
+    zr_error_add(error, status, NULL, "the body is said to be %s, and looks like %s", said->name, words);
+    for (size_t i = 0; i < zr_error_held(&all); i++)
+        zr_error_add(error, status, all.items[i].pointer, "%s", all.items[i].detail);
+    return status;
+}
+
+static enum zr_status find_format(struct zr_request *request, struct zr_error *error)
+{
+    if (request->format != ZR_FORMAT_UNKNOWN) return ZR_OK;
+    request->format = zr_format_of_bytes(request->bytes, request->size);
+    if (request->format != ZR_FORMAT_UNKNOWN) return ZR_OK;
+    return zr_error_add(error, ZR_BAD_REQUEST, NULL, "the body does not look like any of %s",
+                        zr_format_types_join().text);
 }
 
 static enum zr_status read_scene(struct zr_arena *arena, struct zr_team *team, const struct zr_request *request,
@@ -162,9 +174,10 @@ static enum zr_status read_scene(struct zr_arena *arena, struct zr_team *team, c
     enum zr_status status = read_query(request, limits, &query, error);
     if (status != ZR_OK) return status;
     zr_scene_defaults(scene);
-    status = request->format == ZR_FORMAT_JSON ? zr_json_read(arena, team, request, limits, scene, error)
-                                               : read_bare_mesh(arena, team, request, limits, &query, scene, error);
-    status = name_gzip(request, status, error);
+    status = zr_format_rows[request->format].has_view
+                 ? zr_json_read(arena, team, request, limits, scene, error)
+                 : read_bare_mesh(arena, team, request, limits, &query, scene, error);
+    status = name_bytes(request, status, error);
     if (status != ZR_OK) return status;
     if (query.compress != NOT_GIVEN) scene->compress = (enum zr_compress)query.compress;
     status = apply_output(arena, &query, scene);
@@ -178,9 +191,10 @@ enum zr_status zr_scene_read(struct zr_arena *arena, struct zr_team *team, const
     struct zr_scene *made = zr_arena_alloc(arena, 1, sizeof *made);
     struct zr_request body = *request;
     if (body.size == 0) body.bytes = ""; /* no arithmetic on a null pointer */
+    enum zr_status status = made ? find_format(&body, error) : ZR_NO_MEMORY;
     skip_byte_order_mark(&body);
     arena->cancel = request->cancel;
-    enum zr_status status = made ? read_scene(arena, team, &body, limits, made, error) : ZR_NO_MEMORY;
+    if (status == ZR_OK) status = read_scene(arena, team, &body, limits, made, error);
     arena->cancel = NULL;
     if (zr_is_cancelled(request->cancel)) {
         *error = (struct zr_error){0}; /* of what was not read to its end */

@@ -19,6 +19,7 @@
 
 #include "base/arena.h"
 #include "base/cancel.h"
+#include "base/format_rows.h"
 #include "base/status.h"
 #include "base/team.h"
 #include "version.h"
@@ -40,7 +41,13 @@ struct zr_limits zr_limits_default(void);
 
 /* ---- a request: bytes, and what its URL says ---- */
 
-enum zr_format { ZR_FORMAT_JSON, ZR_FORMAT_OBJ, ZR_FORMAT_STL };
+enum zr_format {
+#define ZR_FORMAT_ENUM(ID, ...) ZR_FORMAT_##ID,
+    ZR_FORMAT_ROWS(ZR_FORMAT_ENUM)
+#undef ZR_FORMAT_ENUM
+        ZR_FORMAT_COUNT,
+    ZR_FORMAT_UNKNOWN = ZR_FORMAT_COUNT /* its bytes say what it is */
+};
 
 /* Bytes that came beside a scene, which it asks for by {"asset": name}. */
 struct zr_asset {

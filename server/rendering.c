@@ -9,24 +9,12 @@
 #include "assets.h"
 #include "body.h"
 #include "clock.h"
+#include "input/formats.h"
 #include "problem.h"
 #include "scene/sight.h"
 #include "text.h"
 
 /* ---- opening: all that can be said before the body ---- */
-
-static const struct {
-    const char *type;
-    enum zr_format format;
-    bool parts; /* the scene is one part of several */
-} FORMATS[] = {
-    {"application/json", ZR_FORMAT_JSON, false},
-    {"model/obj", ZR_FORMAT_OBJ, false},
-    {"model/stl", ZR_FORMAT_STL, false},
-    {"multipart/form-data", ZR_FORMAT_JSON, true},
-};
-
-#define FORMAT_NAMES "application/json, model/obj, model/stl, multipart/form-data"
 
 static const struct {
     const char *name;
@@ -78,23 +66,26 @@ static bool read_query(struct request *request, struct answer *answer)
     return true;
 }
 
+static bool is_multipart(const char *type)
+{
+    static const char MULTIPART[] = "multipart/form-data";
+    const size_t length = sizeof MULTIPART - 1;
+    return strncasecmp(type, MULTIPART, length) == 0 && (type[length] == '\0' || strchr("; \t", type[length]));
+}
+
+/* Where it says nothing, the bytes will. */
 static bool read_content_type(struct request *request, struct answer *answer)
 {
-    const char *type = request->content_type ? request->content_type : "";
-    size_t length = strcspn(type, "; \t");
-    for (size_t i = 0; i < sizeof FORMATS / sizeof FORMATS[0]; i++)
-        if (strlen(FORMATS[i].type) == length && strncasecmp(FORMATS[i].type, type, length) == 0) {
-            const char *fault;
-            request->render.format = FORMATS[i].format;
-            if (!FORMATS[i].parts || multipart_boundary(type, request->boundary, &fault)) return true;
-            problem_answer(answer, 400, "%s", fault);
-            return false;
-        }
-    answer_header(answer, "Accept-Post", FORMAT_NAMES);
-    if (*type)
-        problem_answer(answer, 415, "Content-Type '%.80s' is none of: " FORMAT_NAMES, type);
-    else
-        problem_answer(answer, 415, "Content-Type is missing; supported: " FORMAT_NAMES);
+    const char *type = request->content_type ? request->content_type : "", *fault;
+    if (is_multipart(type)) {
+        request->render.format = ZR_FORMAT_JSON; /* one part of several */
+        if (multipart_boundary(type, request->boundary, &fault)) return true;
+        problem_answer(answer, 400, "%s", fault);
+        return false;
+    }
+    request->render.format = zr_format_of_type(type);
+    if (request->render.format != ZR_FORMAT_UNKNOWN || zr_media_type_is_generic(type)) return true;
+    body_refuse_type(answer, "Content-Type '%.80s' is", type);
     return false;
 }
 

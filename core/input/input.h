@@ -24,6 +24,10 @@ enum zr_status zr_obj_read(struct zr_arena *arena, struct zr_team *team, const s
                            const struct zr_limits *limits, struct zr_mesh *mesh, struct zr_warning_list *warnings,
                            struct zr_error *error);
 enum zr_status zr_stl_read(struct zr_arena *arena, struct zr_team *team, const struct zr_request *request,
-                           const struct zr_limits *limits, struct zr_mesh *mesh, struct zr_error *error);
+                           const struct zr_limits *limits, struct zr_mesh *mesh, struct zr_warning_list *warnings,
+                           struct zr_error *error);
+
+/* Whether bytes look like STL, text or binary. */
+bool zr_stl_looks_so(const char *bytes, size_t size);
 
 #endif

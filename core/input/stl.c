@@ -120,16 +120,26 @@ static enum zr_status make_mesh(struct zr_arena *arena, struct zr_team *team, co
     return ZR_OK;
 }
 
+/* The size decides: many binary files begin with "solid" too. */
+static bool is_binary(const char *bytes, size_t size)
+{
+    return size >= COUNT_END && COUNT_END + (uint64_t)read_u32(bytes + HEADER_BYTES) * TRIANGLE_BYTES == size;
+}
+
+bool zr_stl_looks_so(const char *bytes, size_t size)
+{
+    return is_binary(bytes, size) || zr_stl_is_text(bytes, size);
+}
+
 static enum zr_status read_positions(struct zr_arena *arena, struct zr_team *team, const struct zr_request *request,
                                      const struct zr_limits *limits, zr_vec4 **positions, size_t *triangles,
                                      struct zr_error *error)
 {
     const char *bytes = request->bytes;
     const size_t size = request->size;
-    /* The size decides: many binary files begin with "solid" too. */
     uint32_t count = size >= COUNT_END ? read_u32(bytes + HEADER_BYTES) : 0;
     uint64_t wanted = COUNT_END + (uint64_t)count * TRIANGLE_BYTES;
-    bool binary = size >= COUNT_END && wanted == size;
+    const bool binary = is_binary(bytes, size);
     if (!binary && zr_stl_is_text(bytes, size))
         return zr_stl_text_read(arena, team, request, limits, positions, triangles, error);
     if (size < COUNT_END)
@@ -147,8 +157,10 @@ static enum zr_status read_positions(struct zr_arena *arena, struct zr_team *tea
 }
 
 enum zr_status zr_stl_read(struct zr_arena *arena, struct zr_team *team, const struct zr_request *request,
-                           const struct zr_limits *limits, struct zr_mesh *mesh, struct zr_error *error)
+                           const struct zr_limits *limits, struct zr_mesh *mesh, struct zr_warning_list *warnings,
+                           struct zr_error *error)
 {
+    (void)warnings;
     zr_vec4 *positions = NULL;
     size_t triangles = 0;
     enum zr_status status = read_positions(arena, team, request, limits, &positions, &triangles, error);

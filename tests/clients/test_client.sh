@@ -142,8 +142,8 @@ check "and so does none" 0 "$client" render scene.json -o ./none
 # standard input and output
 "$client" render - --type=obj --size=20x10 <"$work/mesh.obj" >said 2>complained
 verdict "a picture of standard input goes to standard output" [ "$(size_of_png said)" = 20x10 ]
-check "what standard input has must be said" 2 "$client" render -
-verdict "in these words" grep -q 'json, obj or stl? --type says what comes on standard input' complained
+"$client" render - --size=20x10 <"$work/mesh.obj" >said 2>complained
+verdict "and what comes there need not be said" [ "$(size_of_png said)" = 20x10 ]
 cp scene.json kept.json
 "$client" render - --type json --channel info -o kept.json <kept.json >said 2>complained
 verdict "standard input is not overwritten" cmp -s scene.json kept.json
@@ -181,9 +181,13 @@ check "a server's word on a parameter" 1 "$client" render "part one.stl" --prese
 verdict "is about the option" grep -q "^  --preset: 'iso' is unknown; allowed: front," complained
 check "its word on a width" 1 "$client" render "part one.stl" --size 99999x5
 verdict "is about the size" grep -q "^  --size, width: '99999'" complained
-check "an unknown ending ends with 2" 2 "$client" render said
+cp "$work/mesh.obj" mesh.wavefront
+check "an unknown ending is no fault" 0 "$client" render mesh.wavefront
+printf '%%PDF-1.4 and so on' >document
+check "unknown bytes are" 1 "$client" render document
+verdict "and are told what they look like" grep -q 'looks like a PDF document, which is none of: application/json, model/obj' complained
 check "an unknown type ends with 2" 2 "$client" render said --type gltf
-verdict "and is told which there are" grep -q -e '--type takes json, obj or stl, not: gltf' complained
+verdict "and is told which there are" grep -q -e '--type takes one of json, obj, stl, not: gltf' complained
 check "no file ends with 2" 2 "$client" render
 check "two files end with 2" 2 "$client" render scene.json two.json
 check "another command ends with 2" 2 "$client" draw scene.json

@@ -168,10 +168,39 @@ static void content_types_are_matched_as_rfc_9110_says(void **state)
     assert_int_equal(post_status("/v1/render", "Content-Type: Application/JSON; charset=UTF-8", GOOD_SCENE), 200);
     assert_int_equal(post_status("/v1/render", "Content-Type: application/json;x=y", GOOD_SCENE), 200);
     assert_int_equal(post_status("/v1/render", "Content-Type: application/jsonx", GOOD_SCENE), 415);
-    struct reply reply = post("/v1/render", "Content-Type: text/plain", GOOD_SCENE);
-    assert_problem(&reply, 415, "application/json, model/obj, model/stl");
-    reply = post("/v1/render", NULL, GOOD_SCENE);
-    assert_problem(&reply, 415, "missing");
+    assert_int_equal(post_status("/v1/render", "Content-Type: application/sla", TRIANGLE_STL), 200);
+    struct reply reply = post("/v1/render", "Content-Type: image/png", GOOD_SCENE);
+    assert_problem(&reply, 415, "'image/png' is none of: application/json, model/obj, model/stl, multipart/form-data");
+}
+
+static void bytes_tell_what_no_content_type_tells(void **state)
+{
+    (void)state;
+    static const char *const types[] = {NULL, "Content-Type: application/octet-stream", "Content-Type: text/plain",
+                                        "Content-Type: application/x-www-form-urlencoded"};
+    for (size_t i = 0; i < sizeof types / sizeof *types; i++) {
+        assert_int_equal(post_status("/v1/render", types[i], GOOD_SCENE), 200);
+        assert_int_equal(post_status("/v1/render", types[i], TRIANGLE_OBJ), 200);
+        assert_int_equal(post_status("/v1/render?preset=top", types[i], TRIANGLE_STL), 200);
+        assert_int_equal(post_status("/v1/render?preset=top", types[i], GOOD_SCENE), 400);
+        struct reply reply = post("/v1/render", types[i], "\x89PNG and so on");
+        assert_problem(&reply, 415, "looks like a PNG picture, which is none of: application/json");
+        reply = post("/v1/render", types[i], "what is it");
+        assert_problem(&reply, 415, "looks like none of: application/json");
+    }
+}
+
+static void wrong_content_type_is_told_what_the_bytes_look_like(void **state)
+{
+    (void)state;
+    struct reply reply = post("/v1/render", JSON_TYPE, TRIANGLE_STL);
+    assert_problem(&reply, 400, "the body is said to be JSON, and looks like STL");
+    reply = post("/v1/render", "Content-Type: model/obj", GOOD_SCENE);
+    assert_problem(&reply, 400, "the body is said to be OBJ, and looks like JSON");
+    reply = post("/v1/render", "Content-Type: model/stl", TRIANGLE_OBJ);
+    assert_problem(&reply, 400, "the body is said to be STL, and looks like OBJ");
+    reply = post("/v1/render", JSON_TYPE, "PK\x03\x04");
+    assert_problem(&reply, 400, "looks like a ZIP archive, as 3MF files are");
 }
 
 static void unknown_content_encoding_is_refused(void **state)
@@ -466,6 +495,8 @@ int main(void)
         cmocka_unit_test(duplicate_parameter_is_refused),
         cmocka_unit_test(view_of_a_mesh_is_refused_with_json),
         cmocka_unit_test(content_types_are_matched_as_rfc_9110_says),
+        cmocka_unit_test(bytes_tell_what_no_content_type_tells),
+        cmocka_unit_test(wrong_content_type_is_told_what_the_bytes_look_like),
         cmocka_unit_test(unknown_content_encoding_is_refused),
         cmocka_unit_test(gzip_body_renders_the_same_picture),
         cmocka_unit_test(gzip_body_of_several_members_is_taken_whole),

@@ -317,7 +317,8 @@ static void cancelled_reader_says_so(void **state)
         struct zr_mesh mesh;
         struct zr_error error = {.count = 0};
         zr_arena_init(&arena, CEILING);
-        assert_int_equal(zr_stl_read(&arena, i & 2 ? teams[1] : NULL, &request, &limits, &mesh, &error), ZR_CANCELLED);
+        assert_int_equal(zr_stl_read(&arena, i & 2 ? teams[1] : NULL, &request, &limits, &mesh, NULL, &error),
+                         ZR_CANCELLED);
         zr_arena_free(&arena);
     }
     drop(&binary);

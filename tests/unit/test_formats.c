@@ -1,0 +1,132 @@
+/* input/formats.c: what a Content-Type says, and what bytes look like. */
+#include <stdlib.h>
+#include <string.h>
+
+#include "input/formats.h"
+#include "support/cmocka_all.h"
+
+static void each_media_type_leads_to_its_format(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *type;
+        enum zr_format format;
+    } cases[] = {{"application/json", ZR_FORMAT_JSON},
+                 {"Application/JSON; charset=utf-8", ZR_FORMAT_JSON},
+                 {"model/obj\t;x", ZR_FORMAT_OBJ},
+                 {"model/stl", ZR_FORMAT_STL},
+                 {"application/sla", ZR_FORMAT_STL},
+                 {"model/x.stl-ascii", ZR_FORMAT_STL},
+                 {"model/x.stl-asci", ZR_FORMAT_UNKNOWN},
+                 {"model/x.stl-ascii2", ZR_FORMAT_UNKNOWN},
+                 {"application/json application/sla", ZR_FORMAT_JSON},
+                 {"", ZR_FORMAT_UNKNOWN},
+                 {" ", ZR_FORMAT_UNKNOWN},
+                 {";", ZR_FORMAT_UNKNOWN},
+                 {NULL, ZR_FORMAT_UNKNOWN},
+                 {"text/plain", ZR_FORMAT_UNKNOWN}};
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++)
+        assert_int_equal(zr_format_of_type(cases[i].type), cases[i].format);
+}
+
+static void types_that_say_nothing_are_generic(void **state)
+{
+    (void)state;
+    static const char *const generic[] = {NULL,
+                                          "",
+                                          "; q",
+                                          "text/plain",
+                                          "TEXT/plain;charset=x",
+                                          "application/octet-stream",
+                                          "application/x-www-form-urlencoded"};
+    for (size_t i = 0; i < sizeof generic / sizeof *generic; i++)
+        assert_true(zr_media_type_is_generic(generic[i]));
+    assert_false(zr_media_type_is_generic("text/plainer"));
+    assert_false(zr_media_type_is_generic("image/png"));
+    assert_false(zr_media_type_is_generic("text"));
+}
+
+/* In a buffer of just its size, so that sanitizers see what is read beyond. */
+static void expect(const char *bytes, size_t size, enum zr_format format, const char *words)
+{
+    char *copy = malloc(size ? size : 1);
+    assert_non_null(copy);
+    memcpy(copy, bytes, size);
+    const enum zr_format got = zr_format_of_bytes(copy, size);
+    const char *said = zr_bytes_in_words(copy, size);
+    if (got != format || (said == NULL) != (words == NULL) || (said && strcmp(said, words) != 0))
+        fail_msg("%.*s: format %d, %s", (int)size, bytes, (int)got, said ? said : "nothing");
+    free(copy);
+}
+
+static void bytes_look_like_what_they_are(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *text;
+        enum zr_format format;
+        const char *words;
+    } cases[] = {{"{", ZR_FORMAT_JSON, "JSON"},
+                 {"\xEF\xBB\xBF \r\n\t[", ZR_FORMAT_JSON, "JSON"},
+                 {"v 0 0 0\n", ZR_FORMAT_OBJ, "OBJ"},
+                 {"# a\n\n#b\n  f 1 2 3", ZR_FORMAT_OBJ, "OBJ"},
+                 {"mtllib a.mtl\n", ZR_FORMAT_OBJ, "OBJ"},
+                 {"solid x\nfacet", ZR_FORMAT_STL, "STL"},
+                 {"v", ZR_FORMAT_UNKNOWN, NULL},
+                 {"vertex 0 0 0\n", ZR_FORMAT_UNKNOWN, NULL},
+                 {"# only a remark", ZR_FORMAT_UNKNOWN, NULL},
+                 {"", ZR_FORMAT_UNKNOWN, NULL},
+                 {" \n", ZR_FORMAT_UNKNOWN, NULL},
+                 {"\xEF\xBB\xBF", ZR_FORMAT_UNKNOWN, NULL},
+                 {"\x1F\x8B", ZR_FORMAT_UNKNOWN, "gzip"},
+                 {"\x89PN", ZR_FORMAT_UNKNOWN, NULL},
+                 {"\x89PNG", ZR_FORMAT_UNKNOWN, "a PNG picture"},
+                 {"PK\x03\x04", ZR_FORMAT_UNKNOWN, "a ZIP archive, as 3MF files are"},
+                 {"<html>", ZR_FORMAT_UNKNOWN, "XML or HTML"}};
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++)
+        expect(cases[i].text, strlen(cases[i].text), cases[i].format, cases[i].words);
+}
+
+static void binary_stl_is_known_by_its_size(void **state)
+{
+    (void)state;
+    char bytes[84 + 2 * 50] = {[80] = 2};
+    expect(bytes, sizeof bytes, ZR_FORMAT_STL, "STL");
+    expect(bytes, sizeof bytes - 1, ZR_FORMAT_UNKNOWN, NULL);
+    expect(bytes, 83, ZR_FORMAT_UNKNOWN, NULL);
+    memcpy(bytes, "{\"", 2); /* a header is any text; what a scene begins with is looked at first */
+    expect(bytes, sizeof bytes, ZR_FORMAT_JSON, "JSON");
+}
+
+static void zeros_among_blanks_end_them(void **state)
+{
+    (void)state;
+    expect(" \0{", 3, ZR_FORMAT_UNKNOWN, NULL);
+    expect("#\0\nv 1", 6, ZR_FORMAT_OBJ, "OBJ");
+    expect("v\0 1", 4, ZR_FORMAT_UNKNOWN, NULL);
+}
+
+static void large_remarks_are_not_searched_to_their_end(void **state)
+{
+    (void)state;
+    enum { SIZE = 1 << 20 };
+    char *text = malloc(SIZE);
+    assert_non_null(text);
+    memset(text, '#', SIZE);
+    memcpy(text + SIZE - 8, "\nv 1 2 3", 8);
+    expect(text, SIZE, ZR_FORMAT_UNKNOWN, NULL);
+    free(text);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(each_media_type_leads_to_its_format),
+        cmocka_unit_test(types_that_say_nothing_are_generic),
+        cmocka_unit_test(bytes_look_like_what_they_are),
+        cmocka_unit_test(binary_stl_is_known_by_its_size),
+        cmocka_unit_test(zeros_among_blanks_end_them),
+        cmocka_unit_test(large_remarks_are_not_searched_to_their_end),
+    };
+    return cmocka_run_group_tests_name("formats", tests, NULL, NULL);
+}
