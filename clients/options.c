@@ -1,5 +1,6 @@
 #include "options.h"
 
+#include <ctype.h>
 #include <stdio.h>
 #include <string.h>
 #include <strings.h>
@@ -26,18 +27,50 @@ static int unknown(const char *flag)
     return options_wrong("unknown option", name);
 }
 
+/* ---- parameters ---- */
+
+enum { ANY, MESH };
+#define PARAMETER(name, of, value, help) {#name, of == MESH, value, help},
+const struct parameter options_parameters[OPTIONS_PARAMETERS] = {ZR_PARAMETER_ROWS(PARAMETER)};
+#undef PARAMETER
+
+void options_flag_of(const char *name, size_t length, char flag[OPTIONS_FLAG_SIZE])
+{
+    size_t used = 0;
+    flag[used++] = '-';
+    flag[used++] = '-';
+    for (size_t i = 0; i < length && used + 2 < OPTIONS_FLAG_SIZE; i++) {
+        if (isupper((unsigned char)name[i])) flag[used++] = '-';
+        flag[used++] = (char)tolower((unsigned char)name[i]);
+    }
+    flag[used] = '\0';
+}
+
+static const char **parameter_slot(struct options *o, const char *name)
+{
+    for (size_t i = 0; i < OPTIONS_PARAMETERS; i++)
+        if (strcmp(options_parameters[i].name, name) == 0) return &o->parameters[i];
+    return NULL;
+}
+
 /* The place in `options` that a flag with a value sets, or NULL. The flag has `length` characters. */
 static const char **slot_of(struct options *o, const char *flag, size_t length)
 {
     const struct {
         const char *flag;
         const char **slot;
-    } table[] = {{"-o", &o->out},          {"--channel", &o->channel},      {"--encoding", &o->encoding},
-                 {"--scale", &o->scale},   {"--preset", &o->preset},        {"--shading", &o->shading},
-                 {"--size", &o->size},     {"--compress", &o->compress},    {"--type", &o->type},
-                 {"--server", &o->server}, {"--token-file", &o->token_file}};
+    } table[] = {{"-o", &o->out},
+                 {"--size", &o->size},
+                 {"--type", &o->type},
+                 {"--server", &o->server},
+                 {"--token-file", &o->token_file}};
     for (size_t i = 0; i < sizeof table / sizeof *table; i++)
         if (strlen(table[i].flag) == length && strncmp(flag, table[i].flag, length) == 0) return table[i].slot;
+    for (size_t i = 0; i < OPTIONS_PARAMETERS; i++) {
+        char known[OPTIONS_FLAG_SIZE];
+        options_flag_of(options_parameters[i].name, strlen(options_parameters[i].name), known);
+        if (strlen(known) == length && strncmp(flag, known, length) == 0) return &o->parameters[i];
+    }
     return NULL;
 }
 
@@ -80,6 +113,8 @@ static bool read_size(struct options *options)
     if (height_digits < 1 || height_digits > SIZE_DIGITS || height[height_digits] != '\0') return false;
     snprintf(options->width, sizeof options->width, "%.*s", (int)width_digits, width);
     snprintf(options->height, sizeof options->height, "%s", height);
+    *parameter_slot(options, "width") = options->width;
+    *parameter_slot(options, "height") = options->height;
     return true;
 }
 
@@ -107,16 +142,18 @@ static int find_content_type(struct options *options)
 /* A scene says these things itself. */
 static int check_scene(const struct options *options)
 {
+    static char wrong[128];
+    const char *flag = options->size ? "--size" : NULL;
+    char known[OPTIONS_FLAG_SIZE];
     if (!options->has_view) return 0;
-    if (options->preset)
-        return options_wrong("--preset is for meshes (.obj, .stl); a JSON scene has \"view\": {\"preset\": ...}", "");
-    if (options->shading)
-        return options_wrong("--shading is for meshes (.obj, .stl); a JSON scene has \"shading\"", "");
-    if (options->size)
-        return options_wrong("--size is for meshes (.obj, .stl); a JSON scene has \"window\": {\"width\": ..., "
-                             "\"height\": ...}",
-                             "");
-    return 0;
+    for (size_t i = 0; i < OPTIONS_PARAMETERS && !flag; i++)
+        if (options_parameters[i].of_mesh && options->parameters[i]) {
+            options_flag_of(options_parameters[i].name, strlen(options_parameters[i].name), known);
+            flag = known;
+        }
+    if (!flag) return 0;
+    snprintf(wrong, sizeof wrong, "%s is for meshes (.obj, .stl); a JSON scene has keys of its own for that", flag);
+    return options_wrong(wrong, "");
 }
 
 int options_read(int count, char **arguments, struct options *options)

@@ -3,14 +3,33 @@
 #define OPTIONS_H
 
 #include <stdbool.h>
+#include <stddef.h>
+
+#include "base/parameter_rows.h"
 
 #define DEFAULT_SERVER "http://127.0.0.1:8080"
 
+/* What the query may say: each is an option, doubleSided being --double-sided. */
+struct parameter {
+    const char *name;
+    bool of_mesh;             /* and not of scenes */
+    const char *value, *help; /* what stands for it, and what it is */
+};
+#define OPTIONS_COUNT(...) +1
+enum { OPTIONS_PARAMETERS = 0 ZR_PARAMETER_ROWS(OPTIONS_COUNT) };
+#undef OPTIONS_COUNT
+extern const struct parameter options_parameters[OPTIONS_PARAMETERS];
+
+enum { OPTIONS_FLAG_SIZE = 32 };
+
+/* Of a parameter whose name has `length` characters: "--name". */
+void options_flag_of(const char *name, size_t length, char flag[OPTIONS_FLAG_SIZE]);
+
 /* NULL: not given. */
 struct options {
-    const char *file, *out, *server, *token_file, *type;
-    const char *channel, *encoding, *scale, *preset, *shading, *size, *compress;
-    char width[12], height[12]; /* of size; "" where there is none */
+    const char *file, *out, *server, *token_file, *type, *size;
+    const char *parameters[OPTIONS_PARAMETERS];
+    char width[12], height[12]; /* of size */
     const char *content_type;   /* of the file */
     bool has_view;              /* it is known to say itself what it is seen from, and how */
 };

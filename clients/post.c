@@ -61,11 +61,9 @@ static bool add_path(CURLU *url)
 static CURLU *make_url(const struct options *o)
 {
     CURLU *url = curl_url();
-    bool ok = url && set_server(url, o->server) && add_path(url) && add_parameter(url, "channel", o->channel) &&
-              add_parameter(url, "encoding", o->encoding) && add_parameter(url, "scale", o->scale) &&
-              add_parameter(url, "preset", o->preset) && add_parameter(url, "shading", o->shading) &&
-              add_parameter(url, "width", o->width) && add_parameter(url, "height", o->height) &&
-              add_parameter(url, "compress", o->compress);
+    bool ok = url && set_server(url, o->server) && add_path(url);
+    for (size_t i = 0; i < OPTIONS_PARAMETERS && ok; i++)
+        ok = add_parameter(url, options_parameters[i].name, o->parameters[i]);
     if (ok) return url;
     curl_url_cleanup(url);
     return NULL;

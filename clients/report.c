@@ -3,6 +3,8 @@
 #include <cjson/cJSON.h>
 #include <string.h>
 
+#include "options.h"
+
 static const char *text_of(const cJSON *object, const char *key)
 {
     const char *text = cJSON_GetStringValue(cJSON_GetObjectItemCaseSensitive(object, key));
@@ -26,7 +28,9 @@ static void report_detail(FILE *out, const char *detail)
             fprintf(out, "--size, %s", name);
             return;
         }
-    fprintf(out, "--%s", name);
+    char flag[OPTIONS_FLAG_SIZE];
+    options_flag_of(name, length, flag);
+    fprintf(out, "%s%s", flag, name + length);
 }
 
 /* The detail of a problem repeats its first error: it is shown only where there are none. */

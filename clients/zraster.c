@@ -18,28 +18,35 @@
 #include "token.h"
 #include "version.h"
 
-static const char USAGE[] =
-    "usage: zraster render FILE [options]\n"
-    "\n"
-    "Sends a scene (.json) or a mesh (.obj, .stl) to zrasterd and saves what comes back.\n"
-    "FILE may be - for standard input; the picture then goes to standard output.\n"
-    "\n"
-    "  -o FILE            where to save; - is standard output\n"
-    "                     (default: FILE's name with the ending of what came back, in this folder)\n"
-    "  --channel NAME     color, depth, windowDepth, faceId, info, distance, instanceId, frontFacing,\n"
-    "                     barycentrics, position or normals\n"
-    "  --encoding NAME    png, npy, png16 or json; each channel has a default\n"
-    "  --scale UNITS      scene units a step of a 16-bit depth picture\n"
-    "  --preset NAME      front, back, left, right, top, bottom or isometric (meshes only)\n"
-    "  --shading NAME     unlit, flat, gouraud, phong or normals (meshes only)\n"
-    "  --size WxH         pixels, such as 800x600 (meshes only)\n"
-    "  --compress HOW     fast (default) or small: PNGs of fewer bytes that take longer\n"
-    "  --type TYPE        json, obj or stl, where neither the file's ending nor its bytes say it\n"
-    "  --server ADDRESS   HOST:PORT or a URL (default: $ZRASTER_SERVER, else " DEFAULT_SERVER ")\n"
-    "  --token-file FILE  its first line is the token that the server wants (default: $ZRASTER_TOKEN)\n"
-    "  --help, --version\n"
-    "\n"
-    "--name=value is the same as --name value. Behind -- an argument is a file, whatever it begins with.\n";
+static void print_usage(void)
+{
+    fputs("usage: zraster render FILE [options]\n"
+          "\n"
+          "Sends a scene (.json) or a mesh (.obj, .stl) to zrasterd and saves what comes back.\n"
+          "FILE may be - for standard input; the picture then goes to standard output.\n"
+          "\n"
+          "  -o FILE               where to save; - is standard output\n"
+          "                        (default: FILE's name with the ending of what came back, in this folder)\n",
+          stdout);
+    for (size_t i = 0; i < OPTIONS_PARAMETERS; i++) {
+        const struct parameter *p = &options_parameters[i];
+        char flag[OPTIONS_FLAG_SIZE];
+        options_flag_of(p->name, strlen(p->name), flag);
+        if (p->of_mesh && !options_parameters[i - 1].of_mesh)
+            puts("\nOf meshes; a scene has keys of its own for them:\n");
+        const int used = printf("  %s %s", flag, p->value);
+        printf("%*s%s\n", used < 24 ? 24 - used : 1, "", p->help);
+    }
+    fputs("  --size WxH            both sides of the window, such as 800x600\n"
+          "\n"
+          "  --type TYPE           json, obj or stl, where neither the file's ending nor its bytes say it\n"
+          "  --server ADDRESS      HOST:PORT or a URL (default: $ZRASTER_SERVER, else " DEFAULT_SERVER ")\n"
+          "  --token-file FILE     its first line is the token that the server wants (default: $ZRASTER_TOKEN)\n"
+          "  --help, --version\n"
+          "\n"
+          "--name=value is the same as --name value. Behind -- an argument is a file, whatever it begins with.\n",
+          stdout);
+}
 
 static void report(const struct options *options, const struct token *token, const struct reply *reply)
 {
@@ -76,7 +83,7 @@ int main(int count, char **arguments)
 {
     for (int i = 1; i < count && strcmp(arguments[i], "--") != 0; i++) {
         if (strcmp(arguments[i], "--help") == 0 || strcmp(arguments[i], "-h") == 0) {
-            fputs(USAGE, stdout);
+            print_usage();
             return 0;
         }
         if (strcmp(arguments[i], "--version") == 0) {

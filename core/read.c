@@ -5,78 +5,20 @@
 #include "geometry/geometry.h"
 #include "input/defaults.h"
 #include "input/formats.h"
-#include "input/number.h"
-#include "input/outputs.h"
-#include "input/text.h"
+#include "input/parameters.h"
 #include "scene/validate.h"
 
-enum { NOT_GIVEN = -1 };
-
-/* What the URL says, checked. */
-struct query {
-    bool has_output;
-    struct zr_output output;
-    int preset, shading, compress; /* or NOT_GIVEN */
-    uint32_t width, height;
-};
-
-static void refuse_with_json(const char *parameter, const char *text, struct zr_error *error)
+/* Turns what is up in the mesh to the y axis. */
+static zr_mat4 upright(bool z_is_up)
 {
-    if (text)
-        zr_error_add(error, ZR_BAD_REQUEST, NULL,
-                     "query parameter %s belongs to bodies that are a bare mesh; a scene says it in its own keys",
-                     parameter);
+    if (!z_is_up) return zr_mat4_identity();
+    return (zr_mat4){{1, 0, 0, 0, 0, 0, -1, 0, 0, 1, 0, 0, 0, 0, 0, 1}};
 }
 
-/* NOT_GIVEN also where it is wrong, which has been reported. */
-static void read_word(const char *parameter, const char *text, const struct zr_names *names, int *out,
-                      struct zr_error *error)
-{
-    const int found = text ? zr_names_of_query(parameter, names, text, error) : -1;
-    *out = found >= 0 ? found : NOT_GIVEN;
-}
-
-static void read_side(const char *parameter, const char *text, uint32_t most, uint32_t *out, struct zr_error *error)
-{
-    if (!text) return;
-    uint64_t value = 0;
-    const char *at = text;
-    for (; *at >= '0' && *at <= '9'; at++)
-        if (value <= UINT32_MAX) value = value * 10 + (uint64_t)(*at - '0');
-    if (*at != '\0' || value < 1)
-        zr_error_add(error, ZR_BAD_REQUEST, NULL, "query parameter %s: %s is not a whole number of pixels from 1 to %u",
-                     parameter, zr_quote(text, strlen(text)).text, most);
-    else if (value > most) /* well-formed, but more than may be drawn: as in a scene */
-        zr_error_add(error, ZR_BAD_SCENE, NULL, "query parameter %s: %s pixels; 1 to %u are allowed", parameter,
-                     zr_quote(text, strlen(text)).text, most);
-    else
-        *out = (uint32_t)value;
-}
-
-static enum zr_status read_query(const struct zr_request *request, const struct zr_limits *limits, struct query *query,
-                                 struct zr_error *error)
-{
-    query->has_output = request->channel || request->encoding || request->scale;
-    if (query->has_output) zr_output_of_query(request, &query->output, error);
-    read_word("compress", request->compress, &zr_compress_names, &query->compress, error);
-    if (zr_format_rows[request->format].has_view) {
-        refuse_with_json("preset", request->preset, error);
-        refuse_with_json("width", request->width, error);
-        refuse_with_json("height", request->height, error);
-        refuse_with_json("shading", request->shading, error);
-    } else {
-        read_word("preset", request->preset, &zr_preset_names, &query->preset, error);
-        read_word("shading", request->shading, &zr_shading_names, &query->shading, error);
-        read_side("width", request->width, limits->window_side_max, &query->width, error);
-        read_side("height", request->height, limits->window_side_max, &query->height, error);
-    }
-    return error->count > 0 ? error->status : ZR_OK;
-}
-
-/* A scene of one mesh, two-sided, since nobody said which side is meant. */
+/* A scene of one mesh. */
 static enum zr_status read_bare_mesh(struct zr_arena *arena, struct zr_team *team, const struct zr_request *request,
-                                     const struct zr_limits *limits, const struct query *query, struct zr_scene *scene,
-                                     struct zr_error *error)
+                                     const struct zr_limits *limits, const struct zr_query *query,
+                                     struct zr_scene *scene, struct zr_error *error)
 {
     struct zr_mesh *mesh = zr_arena_zero(arena, 1, sizeof *mesh);
     struct zr_material *material = zr_arena_alloc(arena, 1, sizeof *material);
@@ -86,28 +28,26 @@ static enum zr_status read_bare_mesh(struct zr_arena *arena, struct zr_team *tea
     struct zr_warning_list warnings = {.count = 0};
     const enum zr_status status = format->read(arena, team, request, limits, mesh, &warnings, error);
     if (status != ZR_OK) return status;
-    if (format->is_soup && query->shading >= ZR_SHADING_GOURAUD)
+    if (format->is_soup && query->look.shading >= ZR_SHADING_GOURAUD)
         zr_warning_list_add(arena, &warnings,
                             "shading=%s looks flat here: the triangles of %s share no corners; OBJ can be smooth",
-                            zr_shading_names.words[query->shading], format->name);
-    *material = (struct zr_material){.base_color = zr_default_base_color(mesh->colors != NULL),
-                                     .shading = zr_default_shading(mesh->normal_count > 0 || mesh->colors),
-                                     .double_sided = true};
-    if (query->shading != NOT_GIVEN) material->shading = (enum zr_shading)query->shading;
-    *instance = (struct zr_instance){.object_to_world = zr_mat4_identity()};
+                            zr_shading_names.words[query->look.shading], format->name);
+    const bool is_colored = mesh->colors != NULL;
+    const zr_vec4 color = query->has_color ? query->color : zr_default_base_color(is_colored);
+    *material = zr_look_material(&query->look, color, mesh->normal_count > 0 || is_colored);
+    *instance = (struct zr_instance){.object_to_world = upright(query->z_is_up)};
     scene->materials = material;
     scene->meshes = mesh;
     scene->instances = instance;
     scene->warnings = warnings.texts;
     scene->warning_count = (uint32_t)warnings.count;
     scene->material_count = scene->mesh_count = scene->instance_count = 1;
-    if (query->preset != NOT_GIVEN) scene->views[0].preset = (enum zr_preset)query->preset;
-    if (query->width) scene->views[0].width = query->width;
-    if (query->height) scene->views[0].height = query->height;
+    scene->views[0] = query->view;
+    scene->background = query->background;
     return ZR_OK;
 }
 
-static enum zr_status apply_output(struct zr_arena *arena, const struct query *query, struct zr_scene *scene)
+static enum zr_status apply_output(struct zr_arena *arena, const struct zr_query *query, struct zr_scene *scene)
 {
     if (!query->has_output) return ZR_OK;
     struct zr_output *output = zr_arena_alloc(arena, 1, sizeof *output);
@@ -170,16 +110,16 @@ static enum zr_status find_format(struct zr_request *request, struct zr_error *e
 static enum zr_status read_scene(struct zr_arena *arena, struct zr_team *team, const struct zr_request *request,
                                  const struct zr_limits *limits, struct zr_scene *scene, struct zr_error *error)
 {
-    struct query query = {.preset = NOT_GIVEN, .shading = NOT_GIVEN, .compress = NOT_GIVEN};
-    enum zr_status status = read_query(request, limits, &query, error);
-    if (status != ZR_OK) return status;
+    struct zr_query query;
     zr_scene_defaults(scene);
+    enum zr_status status = zr_query_read(request, limits, scene, &query, error);
+    if (status != ZR_OK) return status;
     status = zr_format_rows[request->format].has_view
                  ? zr_json_read(arena, team, request, limits, scene, error)
                  : read_bare_mesh(arena, team, request, limits, &query, scene, error);
     status = name_bytes(request, status, error);
     if (status != ZR_OK) return status;
-    if (query.compress != NOT_GIVEN) scene->compress = (enum zr_compress)query.compress;
+    if (query.has_compress) scene->compress = query.compress;
     status = apply_output(arena, &query, scene);
     if (status == ZR_OK) status = zr_scene_validate(scene, limits, error);
     return status == ZR_OK && !fits_memory(arena, scene) ? ZR_NO_MEMORY : status;

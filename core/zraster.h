@@ -20,6 +20,7 @@
 #include "base/arena.h"
 #include "base/cancel.h"
 #include "base/format_rows.h"
+#include "base/parameter_rows.h"
 #include "base/status.h"
 #include "base/team.h"
 #include "version.h"
@@ -72,12 +73,10 @@ struct zr_request {
     const struct zr_asset *assets; /* no two of one name; formats other than JSON have none */
     size_t asset_count;
     struct zr_stored stored; /* read may be NULL: nothing is kept */
-    /* NULL: not given. One output instead of the scene's own. */
-    const char *channel, *encoding, *scale;
-    /* NULL: not given, fast. "fast" or "small": how PNGs are compressed. */
-    const char *compress;
-    /* NULL: not given. For formats that hold a bare mesh and no view; refused with JSON. */
-    const char *preset, *width, *height, *shading;
+    /* What the query says: NULL, not given; base/parameter_rows.h says what it is. */
+#define ZR_PARAMETER_FIELD(name, ...) const char *name;
+    ZR_PARAMETER_ROWS(ZR_PARAMETER_FIELD)
+#undef ZR_PARAMETER_FIELD
     const struct zr_cancel *cancel; /* of reading; may be NULL: never */
 };
 

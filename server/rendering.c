@@ -16,17 +16,18 @@
 
 /* ---- opening: all that can be said before the body ---- */
 
+#define PARAMETER(name, ...) {#name, offsetof(struct zr_request, name)},
 static const struct {
     const char *name;
     size_t offset; /* of a const char * in zr_request */
-} PARAMETERS[] = {
-    {"channel", offsetof(struct zr_request, channel)}, {"encoding", offsetof(struct zr_request, encoding)},
-    {"scale", offsetof(struct zr_request, scale)},     {"preset", offsetof(struct zr_request, preset)},
-    {"width", offsetof(struct zr_request, width)},     {"height", offsetof(struct zr_request, height)},
-    {"shading", offsetof(struct zr_request, shading)}, {"compress", offsetof(struct zr_request, compress)},
-};
+} PARAMETERS[] = {ZR_PARAMETER_ROWS(PARAMETER)};
+#undef PARAMETER
 
-#define PARAMETER_NAMES "channel, encoding, scale, preset, width, height, shading, compress"
+/* "channel, encoding, ...", for a message. */
+static const char PARAMETER_NAMES[] =
+#define PARAMETER(name, ...) ", " #name
+    ZR_PARAMETER_ROWS(PARAMETER);
+#undef PARAMETER
 
 /* "name=value&name=value" into request->render. */
 static bool read_query(struct request *request, struct answer *answer)
@@ -56,8 +57,8 @@ static bool read_query(struct request *request, struct answer *answer)
             if (strcmp(PARAMETERS[i].name, name) == 0)
                 field = (const char **)(void *)((char *)&request->render + PARAMETERS[i].offset);
         if (!field || *field) {
-            problem_answer(answer, 400, "query: %s parameter '%.60s'; known: " PARAMETER_NAMES,
-                           field ? "duplicate" : "unknown", name);
+            problem_answer(answer, 400, "query: %s parameter '%.60s'; known: %s", field ? "duplicate" : "unknown", name,
+                           PARAMETER_NAMES + strlen(", "));
             return false;
         }
         *field = value;

@@ -94,6 +94,7 @@ for part in "$@"; do
     make)
         run make tests/make/test_make.sh
         run floors tests/make/test_floors.sh
+        run contract tests/make/test_contract.sh
         ;;
     server)
         for test in "$build"/tests/server/test_*; do

@@ -1,6 +1,6 @@
 /* outputs.h - input: which channels there are, and in which encodings.
  *
- * Shared by the scene's "outputs" and the query's ?channel=&encoding=&scale=.
+ * Shared by the scene's "outputs" and the query's parameters.
  */
 #ifndef ZR_OUTPUTS_H
 #define ZR_OUTPUTS_H
@@ -21,10 +21,5 @@ struct zr_names_text zr_channel_encodings_join(enum zr_channel channel);
 
 /* Would both get the same file name in an archive (channel.extension)? */
 bool zr_outputs_clash(const struct zr_output *a, const struct zr_output *b);
-
-/* What the query asks for; only to be called where it asks for one of channel,
- * encoding and scale. The channel is `color` where it names none. Fails with
- * ZR_BAD_REQUEST. */
-enum zr_status zr_output_of_query(const struct zr_request *request, struct zr_output *output, struct zr_error *error);
 
 #endif

@@ -146,7 +146,9 @@ static void unknown_parameter_is_named_with_the_known_ones(void **state)
     struct reply reply = post("/v1/render?colour=red", JSON_TYPE, GOOD_SCENE);
     assert_problem(&reply, 400, "'colour'");
     reply = post("/v1/render?colour=red", JSON_TYPE, GOOD_SCENE);
-    assert_problem(&reply, 400, "channel, encoding, scale, preset, width, height, shading, compress");
+    assert_problem(&reply, 400,
+                   "known: channel, encoding, scale, compress, width, height, preset, azimuth, elevation, up, "
+                   "projection, shading, ");
 }
 
 static void duplicate_parameter_is_refused(void **state)

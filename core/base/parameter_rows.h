@@ -1,0 +1,28 @@
+/* parameter_rows.h - base: what the query of a request may say, one row each: names for whoever sends and takes
+ * queries. What they do is in input/parameters.c. They are read in this order: an encoding needs to know its channel.
+ */
+#ifndef ZR_PARAMETER_ROWS_H
+#define ZR_PARAMETER_ROWS_H
+
+/* ROW(name, ANY: of all bodies, or MESH: of those that are a bare mesh, what stands for a value in help,
+ *     what it is in words) */
+#define ZR_PARAMETER_ROWS(ROW)                                                                                         \
+    ROW(channel, ANY, "NAME", "one output instead of the scene's: color, depth, normals and others")                   \
+    ROW(encoding, ANY, "NAME", "png, npy, png16 or json; each channel has a default")                                  \
+    ROW(scale, ANY, "UNITS", "scene units a step of a 16-bit depth picture")                                           \
+    ROW(compress, ANY, "HOW", "fast (default) or small: PNGs of fewer bytes that take longer")                         \
+    ROW(width, MESH, "PIXELS", "of the window; 640")                                                                   \
+    ROW(height, MESH, "PIXELS", "of the window; 480")                                                                  \
+    ROW(preset, MESH, "NAME", "front, back, left, right, top, bottom or isometric (default)")                          \
+    ROW(azimuth, MESH, "DEGREES", "seen from so far to the right of the front, instead of a preset")                   \
+    ROW(elevation, MESH, "DEGREES", "and from so far above, -90 to 90")                                                \
+    ROW(up, MESH, "AXIS", "y (default) or z: the axis of the mesh that points up")                                     \
+    ROW(projection, MESH, "NAME", "orthographic (default) or perspective")                                             \
+    ROW(shading, MESH, "NAME", "unlit, flat, gouraud, phong or normals")                                               \
+    ROW(color, MESH, "COLOR", "of the mesh, such as tomato or #ff6347")                                                \
+    ROW(background, MESH, "COLOR", "white; transparent, too")                                                          \
+    ROW(outline, MESH, "COLOR", "of the edges of faces; or true, or false (default)")                                  \
+    ROW(fill, MESH, "BOOL", "true (default), or false: a wireframe")                                                   \
+    ROW(doubleSided, MESH, "BOOL", "true (default), or false: faces that turn away are not drawn")
+
+#endif

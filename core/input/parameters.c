@@ -1,0 +1,256 @@
+#include "input/parameters.h"
+
+#include <float.h>
+#include <string.h>
+
+#include "input/formats.h"
+#include "input/number.h"
+#include "input/outputs.h"
+#include "input/text.h"
+
+/* The angle of a perspective view, as of scenes that are seen from a place of their own: 45 degrees. */
+static const float YFOV = 0.78539816f;
+
+enum { OUTLINE_IN_COLOR = 2 };
+
+struct reading {
+    const struct zr_request *request;
+    const struct zr_limits *limits;
+    struct zr_query *query;
+    struct zr_error *error;
+};
+
+/* ---- values ---- */
+
+static void refuse(const struct reading *r, const char *name, const char *text, const char *wanted)
+{
+    zr_error_add(r->error, ZR_BAD_REQUEST, NULL, "query parameter %s: %s is not %s", name,
+                 zr_quote(text, strlen(text)).text, wanted);
+}
+
+/* False after reporting. */
+static bool read_word(const struct reading *r, const char *name, const char *text, const struct zr_names *names,
+                      int *out)
+{
+    const int found = zr_names_of_query(name, names, text, r->error);
+    if (found >= 0) *out = found;
+    return found >= 0;
+}
+
+static bool read_flag(const struct reading *r, const char *name, const char *text, int *out)
+{
+    static const char *const words[] = {"false", "true"};
+    static const struct zr_names names = ZR_NAMES(2, words);
+    return read_word(r, name, text, &names, out);
+}
+
+static void read_side(const struct reading *r, const char *name, const char *text, uint32_t *out)
+{
+    const uint32_t most = r->limits->window_side_max;
+    uint64_t value = 0;
+    const char *at = text;
+    for (; *at >= '0' && *at <= '9'; at++)
+        if (value <= UINT32_MAX) value = value * 10 + (uint64_t)(*at - '0');
+    if (*at != '\0' || value < 1)
+        zr_error_add(r->error, ZR_BAD_REQUEST, NULL,
+                     "query parameter %s: %s is not a whole number of pixels from 1 to %u", name,
+                     zr_quote(text, strlen(text)).text, most);
+    else if (value > most) /* well-formed, but more than may be drawn: as in a scene */
+        zr_error_add(r->error, ZR_BAD_SCENE, NULL, "query parameter %s: %s pixels; 1 to %u are allowed", name,
+                     zr_quote(text, strlen(text)).text, most);
+    else
+        *out = (uint32_t)value;
+}
+
+static void read_degrees(const struct reading *r, const char *name, const char *text, double most, double *out)
+{
+    const char *end = text + strlen(text);
+    double value;
+    if (zr_number_read(text, end, &value) != end || !(value >= -most) || !(value <= most))
+        zr_error_add(r->error, ZR_BAD_REQUEST, NULL, "query parameter %s: %s is not a number of degrees from %g to %g",
+                     name, zr_quote(text, strlen(text)).text, -most, most);
+    else
+        *out = value;
+    r->query->view.pose = ZR_POSE_ORBIT;
+    if (r->request->preset)
+        zr_error_add(r->error, ZR_BAD_REQUEST, NULL, "query parameters preset and %s: each says where to look from",
+                     name);
+}
+
+static bool read_opaque(const struct reading *r, const char *name, const char *text, zr_vec4 *out)
+{
+    zr_vec4 color;
+    if (!zr_json_color_text(text, strlen(text), &color)) {
+        refuse(r, name, text, "a colour: #rrggbb, #rgb, or a name of CSS");
+        return false;
+    }
+    if (color.w < 1.0f) {
+        refuse(r, name, text, "opaque, and only the background may be transparent");
+        return false;
+    }
+    *out = color;
+    return true;
+}
+
+/* ---- parameters ---- */
+
+static void read_channel(const struct reading *r, const char *text)
+{
+    struct zr_output *output = &r->query->output;
+    int channel;
+    r->query->has_output = true;
+    if (!read_word(r, "channel", text, &zr_channel_names, &channel)) return;
+    output->channel = (enum zr_channel)channel;
+    output->encoding = zr_channel_rows[channel].encodings[0];
+}
+
+static void read_encoding(const struct reading *r, const char *text)
+{
+    struct zr_output *output = &r->query->output;
+    const int encoding = zr_names_find(&zr_encoding_names, text);
+    const bool is_known = encoding >= 0 && encoding < zr_encoding_names.count;
+    r->query->has_output = true;
+    if (r->error->count > 0) return; /* of which channel is not known */
+    if (is_known && zr_channel_has(output->channel, (enum zr_encoding)encoding))
+        output->encoding = (enum zr_encoding)encoding;
+    else
+        zr_error_add(r->error, ZR_BAD_REQUEST, NULL,
+                     "query parameter encoding: %s is not one that the channel %s has; allowed: %s",
+                     zr_quote(text, strlen(text)).text, zr_channel_rows[output->channel].name,
+                     zr_channel_encodings_join(output->channel).text);
+}
+
+static void read_scale(const struct reading *r, const char *text)
+{
+    const char *end = text + strlen(text);
+    double value;
+    r->query->has_output = true;
+    if (r->error->count > 0) return;
+    if (r->query->output.encoding != ZR_ENCODING_PNG16)
+        zr_error_add(r->error, ZR_BAD_REQUEST, NULL, "query parameter scale: only the encoding png16 has one");
+    else if (zr_number_read(text, end, &value) != end || !(value <= (double)FLT_MAX) || !((float)value > 0.0f))
+        refuse(r, "scale", text, "a number greater than 0");
+    else
+        r->query->output.scale = (float)value;
+}
+
+static void read_compress(const struct reading *r, const char *text)
+{
+    int compress = 0;
+    r->query->has_compress = read_word(r, "compress", text, &zr_compress_names, &compress);
+    if (r->query->has_compress) r->query->compress = (enum zr_compress)compress;
+}
+
+static void read_width(const struct reading *r, const char *text)
+{
+    read_side(r, "width", text, &r->query->view.width);
+}
+
+static void read_height(const struct reading *r, const char *text)
+{
+    read_side(r, "height", text, &r->query->view.height);
+}
+
+static void read_preset(const struct reading *r, const char *text)
+{
+    int preset;
+    if (read_word(r, "preset", text, &zr_preset_names, &preset)) r->query->view.preset = (enum zr_preset)preset;
+}
+
+static void read_azimuth(const struct reading *r, const char *text)
+{
+    read_degrees(r, "azimuth", text, 1e6, &r->query->view.azimuth_degrees);
+}
+
+static void read_elevation(const struct reading *r, const char *text)
+{
+    read_degrees(r, "elevation", text, 90, &r->query->view.elevation_degrees);
+}
+
+static void read_up(const struct reading *r, const char *text)
+{
+    static const char *const words[] = {"y", "z"};
+    static const struct zr_names names = ZR_NAMES(2, words);
+    int axis = 0;
+    read_word(r, "up", text, &names, &axis);
+    r->query->z_is_up = axis == 1;
+}
+
+static void read_projection(const struct reading *r, const char *text)
+{
+    static const char *const words[] = {"orthographic", "perspective"};
+    static const struct zr_names names = ZR_NAMES(2, words);
+    int projection = 0;
+    if (!read_word(r, "projection", text, &names, &projection) || projection == 0) return;
+    r->query->view.projection = ZR_PROJECTION_PERSPECTIVE;
+    r->query->view.yfov_radians = YFOV;
+}
+
+static void read_shading(const struct reading *r, const char *text)
+{
+    read_word(r, "shading", text, &zr_shading_names, &r->query->look.shading);
+}
+
+static void read_color(const struct reading *r, const char *text)
+{
+    r->query->has_color = read_opaque(r, "color", text, &r->query->color);
+}
+
+static void read_background(const struct reading *r, const char *text)
+{
+    if (strcmp(text, "transparent") == 0)
+        r->query->background = (zr_vec4){0, 0, 0, 0};
+    else if (!zr_json_color_text(text, strlen(text), &r->query->background))
+        refuse(r, "background", text, "a colour: transparent, #rrggbb, #rrggbbaa, #rgb, #rgba, or a name of CSS");
+}
+
+static void read_outline(const struct reading *r, const char *text)
+{
+    struct zr_look *look = &r->query->look;
+    if (strcmp(text, "true") == 0 || strcmp(text, "false") == 0)
+        look->outline = strcmp(text, "true") == 0;
+    else if (read_opaque(r, "outline", text, &look->outline_color))
+        look->outline = OUTLINE_IN_COLOR;
+}
+
+static void read_fill(const struct reading *r, const char *text)
+{
+    read_flag(r, "fill", text, &r->query->look.fill);
+}
+
+static void read_doubleSided(const struct reading *r, const char *text)
+{
+    read_flag(r, "doubleSided", text, &r->query->look.double_sided);
+}
+
+/* ---- all of them ---- */
+
+enum whose { ANY, MESH };
+
+enum zr_status zr_query_read(const struct zr_request *request, const struct zr_limits *limits,
+                             const struct zr_scene *defaults, struct zr_query *query, struct zr_error *error)
+{
+    const struct reading r = {request, limits, query, error};
+    *query = (struct zr_query){.output = {.channel = ZR_CHANNEL_COLOR, .encoding = ZR_ENCODING_PNG},
+                               .view = defaults->views[0],
+                               .background = defaults->background,
+                               .look = zr_look_unsaid};
+    query->look.double_sided = true; /* nobody said which side is meant */
+#define PARAMETER(name, of, value, words) {#name, request->name, of, read_##name},
+    const struct {
+        const char *name, *text;
+        enum whose of;
+        void (*read)(const struct reading *r, const char *text);
+    } rows[] = {ZR_PARAMETER_ROWS(PARAMETER)};
+#undef PARAMETER
+    for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++) {
+        if (!rows[i].text) continue;
+        if (rows[i].of == MESH && zr_format_rows[request->format].has_view)
+            zr_error_add(error, ZR_BAD_REQUEST, NULL,
+                         "query parameter %s belongs to bodies that are a bare mesh; a scene says it in its own keys",
+                         rows[i].name);
+        else
+            rows[i].read(&r, rows[i].text);
+    }
+    return error->count > 0 ? error->status : ZR_OK;
+}

@@ -1,0 +1,31 @@
+/* parameters.h - input: what the query of a request says (base/parameter_rows.h), read and checked.
+ *
+ * A new parameter is a row there, a function here that reads it, and a test.
+ */
+#ifndef ZR_PARAMETERS_H
+#define ZR_PARAMETERS_H
+
+#include "input/json_scene.h"
+#include "scene/scene.h"
+#include "zraster.h"
+
+/* What it says, over what a bare mesh has where nobody says anything. */
+struct zr_query {
+    bool has_output, has_compress;
+    struct zr_output output;
+    enum zr_compress compress;
+
+    /* Of bare meshes. */
+    struct zr_view view;
+    zr_vec4 background;
+    bool has_color, z_is_up;
+    zr_vec4 color;
+    struct zr_look look;
+};
+
+/* Fails with ZR_BAD_REQUEST, or ZR_BAD_SCENE for what is well-formed and more than may be drawn. `defaults` are of a
+ * scene. */
+enum zr_status zr_query_read(const struct zr_request *request, const struct zr_limits *limits,
+                             const struct zr_scene *defaults, struct zr_query *query, struct zr_error *error);
+
+#endif

@@ -1,0 +1,22 @@
+#!/bin/sh
+# The contract names what the tables of rows have: formats, parameters, channels. Prints TAP.
+set -u
+. tests/support/verdict.sh
+contract=server/api/v1.md said=/dev/null complained=/dev/null
+
+rows() { # FILE FIELD: that field of each ROW(...) of a header
+    sed -n 's/^ *ROW(\(.*\)).*\\\{0,1\}$/\1/p' "$1" | awk -F', *' -v field="$2" '{ gsub(/"/, "", $field); print $field }'
+}
+lists() { # HEADER FIELD LEAST: at least so many, each of them as `name`, or as ?name=
+    named=0
+    for name in $(rows "$1" "$2"); do
+        named=$((named + 1))
+        grep -q -e "\`$name\`" -e "[?&]$name=" $contract || { echo "# $contract lacks $name" && return 1; }
+    done
+    [ $named -ge "$3" ]
+}
+verdict "every parameter of a query is in the contract" lists core/base/parameter_rows.h 1 17
+verdict "every media type is" lists core/base/format_rows.h 3 7
+verdict "every channel is" lists core/scene/channels.h 2 11
+verdict "and what is not there would be found" eval "! lists core/base/parameter_rows.h 3 17 >/dev/null"
+verdicts
