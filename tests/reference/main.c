@@ -14,8 +14,7 @@
 #include "reference/scene_files.h"
 #include "reference/subject.h"
 
-/* An independent transform may change the owner of one pixel in so many, where the two faces are not in one plane:
- * those of CAD models often are, and then any rounding decides. */
+/* An independent transform may change the owner of one pixel in so many. */
 enum { PIXELS_A_CHANGE = 1000000 };
 
 static enum verdict worse(enum verdict a, enum verdict b)
@@ -104,8 +103,8 @@ static enum verdict check_all(struct harness *harness, const struct options *opt
         worst = worse(worst, scene_files_check(harness, &report, options->paths[i], &files, &total));
     if (total.twins_pixels) worst = worse(worst, twins_report(&twins, &report));
     if (report.count == 0) worst = VERDICT_UNPROVED;
-    const uint64_t changed = total.comparison.coverage - total.comparison.at_tie;
-    if (report.bar == COMPARE_TRANSFORM && changed > (total.comparison.visible + PIXELS_A_CHANGE - 1) / PIXELS_A_CHANGE)
+    if (report.bar == COMPARE_TRANSFORM &&
+        total.comparison.coverage > (total.comparison.visible + PIXELS_A_CHANGE - 1) / PIXELS_A_CHANGE)
         worst = worse(worst, VERDICT_DIFFERENT);
     report_total(&report, worst, &total);
     return page_close(report.page, worst, &total) ? worst : VERDICT_UNPROVED;
