@@ -16,18 +16,12 @@ static const char *text_of(const cJSON *object, const char *key)
 static void report_detail(FILE *out, const char *detail)
 {
     static const char words[] = "query parameter ";
-    static const char *const sides[] = {"width", "height"};
     if (strncmp(detail, words, sizeof words - 1) != 0) {
         fputs(detail, out);
         return;
     }
     const char *name = detail + sizeof words - 1;
     const size_t length = strcspn(name, ": ");
-    for (size_t i = 0; i < sizeof sides / sizeof *sides; i++)
-        if (length == strlen(sides[i]) && strncmp(name, sides[i], length) == 0) {
-            fprintf(out, "--size, %s", name);
-            return;
-        }
     char flag[OPTIONS_FLAG_SIZE];
     options_flag_of(name, length, flag);
     fprintf(out, "%s%s", flag, name + length);

@@ -1,10 +1,9 @@
 /* A request -> a scene: picks the reader, puts a scene around a bare mesh, and
  * lets the query have its say. */
-#include <string.h>
-
 #include "geometry/geometry.h"
 #include "input/defaults.h"
 #include "input/formats.h"
+#include "input/names.h"
 #include "input/parameters.h"
 #include "scene/validate.h"
 
@@ -88,23 +87,22 @@ static enum zr_status name_bytes(const struct zr_request *request, enum zr_statu
     if (!words) return status;
     const struct zr_error all = *error;
     *error = (struct zr_error){0};
-    if (strcmp(words, "gzip") == 0)
-        return zr_error_add(error, status, NULL,
-                            "the body is packed with gzip, and its header does not say so: "
-                            "Content-Encoding: gzip is missing");
     zr_error_add(error, status, NULL, "the body is said to be %s, and looks like %s", said->name, words);
     for (size_t i = 0; i < zr_error_held(&all); i++)
         zr_error_add(error, status, all.items[i].pointer, "%s", all.items[i].detail);
     return status;
 }
 
+/* What no type tells, the bytes do. */
 static enum zr_status find_format(struct zr_request *request, struct zr_error *error)
 {
     if (request->format != ZR_FORMAT_UNKNOWN) return ZR_OK;
     request->format = zr_format_of_bytes(request->bytes, request->size);
     if (request->format != ZR_FORMAT_UNKNOWN) return ZR_OK;
-    return zr_error_add(error, ZR_BAD_REQUEST, NULL, "the body does not look like any of %s",
-                        zr_format_types_join().text);
+    const char *words = zr_bytes_in_words(request->bytes, request->size);
+    return zr_error_add(error, ZR_BAD_TYPE, NULL,
+                        "no Content-Type says what the body is; it looks like %s%snone of: %s", words ? words : "",
+                        words ? ", which is " : "", zr_format_types_join().text);
 }
 
 static enum zr_status read_scene(struct zr_arena *arena, struct zr_team *team, const struct zr_request *request,

@@ -1,12 +1,9 @@
 #include "body.h"
 
-#include <stdarg.h>
-#include <stdio.h>
 #include <string.h>
 #include <strings.h>
 
 #include "gunzip.h"
-#include "input/formats.h"
 #include "multipart.h"
 #include "problem.h"
 
@@ -78,38 +75,11 @@ static bool unpack_parts(const struct request *request, struct zr_arena *arena, 
     return true;
 }
 
-void body_refuse_type(struct answer *answer, const char *format, ...)
-{
-    char what[ANSWER_DETAIL_SIZE], types[320];
-    va_list arguments;
-    va_start(arguments, format);
-    vsnprintf(what, sizeof what, format, arguments);
-    va_end(arguments);
-    snprintf(types, sizeof types, "%s, multipart/form-data", zr_format_types_join().text);
-    answer_header(answer, "Accept-Post", "%s", types);
-    problem_answer(answer, 415, "%.150s none of: %s", what, types);
-}
-
-/* What no type tells, the bytes do. */
-static bool find_format(struct zr_request *render, struct answer *answer)
-{
-    if (render->format != ZR_FORMAT_UNKNOWN) return true;
-    render->format = zr_format_of_bytes(render->bytes, render->size);
-    if (render->format != ZR_FORMAT_UNKNOWN) return true;
-    const char *words = zr_bytes_in_words(render->bytes, render->size);
-    if (words)
-        body_refuse_type(answer, "the body has no Content-Type that tells, and looks like %s, which is", words);
-    else
-        body_refuse_type(answer, "the body has no Content-Type that tells, and looks like");
-    return false;
-}
-
 enum body_status body_unpack(const struct request *request, size_t max, struct zr_arena *arena,
                              const struct zr_cancel *cancel, struct zr_request *render, struct answer *answer)
 {
     *render = request->render;
     enum body_status status = decompress(request, max, arena, cancel, render, answer);
-    if (status != BODY_READY) return status;
-    if (!request->boundary[0]) return find_format(render, answer) ? BODY_READY : BODY_REFUSED;
+    if (status != BODY_READY || !request->boundary[0]) return status;
     return unpack_parts(request, arena, render, answer) ? BODY_READY : BODY_REFUSED;
 }

@@ -17,7 +17,4 @@ enum body_status {
 enum body_status body_unpack(const struct request *request, size_t max, struct zr_arena *arena,
                              const struct zr_cancel *cancel, struct zr_request *render, struct answer *answer);
 
-/* 415: "... none of: " and the types that there are. */
-void body_refuse_type(struct answer *answer, const char *format, ...) __attribute__((format(printf, 2, 3)));
-
 #endif

@@ -18,6 +18,8 @@ int problem_http_status(enum zr_status status)
         return 400;
     case ZR_BAD_REQUEST:
         return 400;
+    case ZR_BAD_TYPE:
+        return 415;
     case ZR_BAD_SCENE:
         return 422;
     case ZR_NO_MEMORY:

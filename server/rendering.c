@@ -67,9 +67,16 @@ static bool read_query(struct request *request, struct answer *answer)
     return true;
 }
 
+#define MULTIPART "multipart/form-data"
+
+/* Of a 415. */
+static void tell_types(struct answer *answer)
+{
+    answer_header(answer, "Accept-Post", "%s, " MULTIPART, zr_format_types_join().text);
+}
+
 static bool is_multipart(const char *type)
 {
-    static const char MULTIPART[] = "multipart/form-data";
     const size_t length = sizeof MULTIPART - 1;
     return strncasecmp(type, MULTIPART, length) == 0 && (type[length] == '\0' || strchr("; \t", type[length]));
 }
@@ -86,7 +93,8 @@ static bool read_content_type(struct request *request, struct answer *answer)
     }
     request->render.format = zr_format_of_type(type);
     if (request->render.format != ZR_FORMAT_UNKNOWN || zr_media_type_is_generic(type)) return true;
-    body_refuse_type(answer, "Content-Type '%.80s' is", type);
+    tell_types(answer);
+    problem_answer(answer, 415, "Content-Type '%.80s' is none of: %s, " MULTIPART, type, zr_format_types_join().text);
     return false;
 }
 
@@ -266,6 +274,7 @@ enum request_next rendering_work(const struct service *service, const struct req
     } else if (status == ZR_CANCELLED) {
         problem_late(answer, service->config->render_timeout_ms);
     } else {
+        if (status == ZR_BAD_TYPE) tell_types(answer);
         problem_answer_error(answer, problem_http_status(status), &error);
     }
     add_timing(answer, times);

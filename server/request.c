@@ -23,7 +23,7 @@ void service_init(struct service *service, const struct config *config, struct z
     atomic_init(&service->id_next, 0);
 }
 
-const char *load_is_busy(const struct load *load, const struct service *service, bool makes_answer)
+const char *load_busy_with(const struct load *load, const struct service *service, bool makes_answer)
 {
     if (load->draining) return "the service is going down";
     if (load->queue_full) return "the queue is full";

@@ -46,7 +46,7 @@ struct load {
 };
 
 /* Why no work can be taken on now; NULL: one can. makes_answer: a large one, in memory. */
-const char *load_is_busy(const struct load *load, const struct service *service, bool makes_answer);
+const char *load_busy_with(const struct load *load, const struct service *service, bool makes_answer);
 
 struct route;
 

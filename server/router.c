@@ -90,12 +90,12 @@ static enum request_next open_work(const struct service *service, const struct l
                                    struct answer *answer)
 {
     if (load->draining) {
-        problem_busy(answer, load->retry_after_s, load_is_busy(load, service, false));
+        problem_busy(answer, load->retry_after_s, load_busy_with(load, service, false));
         return REQUEST_ANSWERED;
     }
     if (!read_content_encoding(request, answer) || !request->route->open(service, load, request, answer))
         return REQUEST_ANSWERED;
-    const char *busy = load_is_busy(load, service, request->route->makes_answer);
+    const char *busy = load_busy_with(load, service, request->route->makes_answer);
     if (!busy) return REQUEST_WORK;
     problem_busy(answer, load->retry_after_s, busy);
     return REQUEST_ANSWERED;

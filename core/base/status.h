@@ -12,6 +12,7 @@
 enum zr_status {
     ZR_OK = 0,
     ZR_BAD_SYNTAX,  /* the bytes are not what their type says (JSON, OBJ, STL) */
+    ZR_BAD_TYPE,    /* no type says what the bytes are, and they look like nothing that is read */
     ZR_BAD_REQUEST, /* the parameters beside the bytes are wrong */
     ZR_BAD_SCENE,   /* well-formed, but not a scene that can be drawn */
     ZR_NO_MEMORY,   /* the request's arena reached its ceiling */

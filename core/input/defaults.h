@@ -8,6 +8,7 @@
 
 #define ZR_FIT_PADDING 0.05f
 #define ZR_SHININESS   32.0f
+#define ZR_YFOV        0.78539816f /* of perspective views, radians: 45 degrees */
 
 /* Window 640x480, white background, ambient light and two that go with the camera, an isometric
  * view fitted to the geometry, a colour image as the one output; no geometry. */

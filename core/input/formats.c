@@ -59,7 +59,7 @@ static const struct {
     size_t length;
     const char *words;
 } strangers[] = {
-    {"\x1F\x8B", 2, "gzip"},
+    {"\x1F\x8B", 2, "gzip (Content-Encoding: gzip is missing)"},
     {"\x89PNG", 4, "a PNG picture"},
     {"\xFF\xD8\xFF", 3, "a JPEG picture"},
     {"PK\x03\x04", 4, "a ZIP archive, as 3MF files are"},

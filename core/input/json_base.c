@@ -26,16 +26,25 @@ struct reader {
 /* The window, as far as it is right: zr_scene_validate reports one that is not. */
 static bool window_is_good(const struct zr_draft *draft)
 {
-    const struct zr_scene *scene = draft->scene;
+    const struct zr_view *view = &draft->scene->views[0];
     const struct zr_limits *limits = draft->json.limits;
-    return scene->views[0].width >= 1 && scene->views[0].width <= limits->window_side_max &&
-           scene->views[0].height >= 1 && scene->views[0].height <= limits->window_side_max &&
-           (uint64_t)scene->views[0].width * scene->views[0].height <= limits->window_pixels_max;
+    return view->width >= 1 && view->width <= limits->window_side_max && view->height >= 1 &&
+           view->height <= limits->window_side_max && (uint64_t)view->width * view->height <= limits->window_pixels_max;
+}
+
+static const struct zr_view *view_of(const struct reader *reader)
+{
+    return &reader->draft->scene->views[0];
+}
+
+static size_t count_pixels(const struct reader *reader)
+{
+    return (size_t)view_of(reader)->width * view_of(reader)->height;
 }
 
 static bool pixel_fault(struct reader *reader, int key, size_t pixel, const char *what)
 {
-    uint32_t width = reader->draft->scene->views[0].width;
+    const uint32_t width = view_of(reader)->width;
     return zr_json_fault(&reader->draft->json, ZR_JSON_KEY(reader->path, words[key]),
                          "pixel (%zu, %zu), counted from the top left: %s", pixel % width, pixel / width, what);
 }
@@ -49,28 +58,27 @@ static bool refuse(struct reader *reader, int key, enum zr_status status, const 
 
 static void *read_numbers(struct reader *reader, int key, enum zr_npy_wanted wanted)
 {
-    const struct zr_scene *scene = reader->draft->scene;
+    const struct zr_view *view = view_of(reader);
     struct zr_reason reason;
     void *values = NULL;
     enum zr_status status = zr_npy_read(reader->draft->json.arena, reader->given[key].bytes, reader->given[key].size,
-                                        wanted, scene->views[0].width, scene->views[0].height, &values, &reason);
+                                        wanted, view->width, view->height, &values, &reason);
     return refuse(reader, key, status, &reason) ? values : NULL;
 }
 
 static void read_color(struct reader *reader)
 {
-    const struct zr_scene *scene = reader->draft->scene;
+    const struct zr_view *view = view_of(reader);
     struct zr_reason reason;
     uint8_t *rgba = NULL;
-    enum zr_status status =
-        zr_png_read(reader->draft->json.arena, reader->given[COLOR].bytes, reader->given[COLOR].size,
-                    scene->views[0].width, scene->views[0].height, &rgba, &reason);
+    enum zr_status status = zr_png_read(reader->draft->json.arena, reader->given[COLOR].bytes,
+                                        reader->given[COLOR].size, view->width, view->height, &rgba, &reason);
     if (!refuse(reader, COLOR, status, &reason)) return;
     reader->base->color = rgba;
     uint8_t alpha = 255;
-    for (size_t i = 0; i < (size_t)scene->views[0].width * scene->views[0].height; i++)
+    for (size_t i = 0; i < count_pixels(reader); i++)
         alpha &= rgba[4 * i + 3];
-    if (alpha != 255 && scene->background.w >= 1.0f)
+    if (alpha != 255 && reader->draft->scene->background.w >= 1.0f)
         zr_warning_list_add(reader->draft->json.arena, &reader->draft->warnings,
                             "base.color is transparent in parts and the background is not: its alpha is left out");
 }
@@ -78,7 +86,7 @@ static void read_color(struct reader *reader)
 static void read_window_depth(struct reader *reader)
 {
     const float *depth = read_numbers(reader, WINDOW_DEPTH, ZR_NPY_WANTED_FLOAT32);
-    size_t pixels = (size_t)reader->draft->scene->views[0].width * reader->draft->scene->views[0].height;
+    const size_t pixels = count_pixels(reader);
     for (size_t i = 0; depth && i < pixels; i++)
         if (!(depth[i] >= 0.0f && depth[i] <= 1.0f)) {
             pixel_fault(reader, WINDOW_DEPTH, i, isnan(depth[i]) ? "not a number" : "outside of 0 to 1");
@@ -90,7 +98,7 @@ static void read_window_depth(struct reader *reader)
 static void read_depth(struct reader *reader)
 {
     float *depth = read_numbers(reader, DEPTH, ZR_NPY_WANTED_FLOAT32);
-    size_t pixels = (size_t)reader->draft->scene->views[0].width * reader->draft->scene->views[0].height;
+    const size_t pixels = count_pixels(reader);
     for (size_t i = 0; depth && i < pixels; i++) {
         if (isnan(depth[i])) depth[i] = INFINITY; /* either is nothing; ours is written */
         if (depth[i] == -INFINITY) {
@@ -105,7 +113,7 @@ static void read_depth(struct reader *reader)
 static void read_face_ids(struct reader *reader)
 {
     const uint32_t *ids = read_numbers(reader, FACE_ID, ZR_NPY_WANTED_UINT32);
-    size_t pixels = (size_t)reader->draft->scene->views[0].width * reader->draft->scene->views[0].height;
+    const size_t pixels = count_pixels(reader);
     for (size_t i = 0; ids && i < pixels; i++)
         if (ids[i] > reader->largest_id) reader->largest_id = ids[i];
     reader->base->face_id = ids;
@@ -114,7 +122,7 @@ static void read_face_ids(struct reader *reader)
 static void refuse_shared_ids(struct reader *reader, uint64_t faces)
 {
     const struct zr_base *base = reader->base;
-    size_t pixels = (size_t)reader->draft->scene->views[0].width * reader->draft->scene->views[0].height;
+    const size_t pixels = count_pixels(reader);
     for (size_t i = 0; i < pixels; i++)
         if (base->face_id[i] >= base->first_face_id && base->face_id[i] - base->first_face_id < faces) {
             zr_json_fault(&reader->draft->json, ZR_JSON_KEY(reader->path, words[FIRST_FACE_ID]),
@@ -160,7 +168,7 @@ static void read_words(struct reader *reader)
  * another meaning, and a picture in which the wrong things are hidden. */
 static void check_planes(struct reader *reader)
 {
-    const struct zr_view *view = &reader->draft->scene->views[0];
+    const struct zr_view *view = view_of(reader);
     if (!reader->found[WINDOW_DEPTH] || view->projection == ZR_PROJECTION_MATRIX) return;
     if (view->has_znear && view->has_zfar) return;
     zr_json_fault(&reader->draft->json, ZR_JSON_KEY(NULL, "view"),

@@ -1,4 +1,5 @@
 /* The projection of a view. */
+#include "input/defaults.h"
 #include "input/json_view.h"
 
 #define PI 3.14159265358979323846
@@ -135,7 +136,7 @@ static void suggest_projection(struct zr_view *view)
     bool placed = view->pose == ZR_POSE_LOOK_AT || view->pose == ZR_POSE_MATRIX ||
                   (view->pose == ZR_POSE_ORBIT && view->distance > 0.0f);
     view->projection = placed ? ZR_PROJECTION_PERSPECTIVE : ZR_PROJECTION_ORTHOGRAPHIC;
-    if (placed) view->yfov_radians = radians(45);
+    if (placed) view->yfov_radians = ZR_YFOV;
 }
 
 void zr_view_read_projection(struct zr_view_reader *reader)

@@ -10,6 +10,7 @@
 #include "base/inlined.h"
 #include "base/vec.h"
 #include "input/color_names.h"
+#include "input/color_text.h"
 #include "input/json_list.h"
 #include "input/json_value.h"
 #include "input/number.h"
@@ -103,7 +104,7 @@ static inline const char *zr_row_color(const char *at, const char *end, zr_vec4 
     while (length <= ZR_COLOR_NAME_MAX && end - at > (ptrdiff_t)(length + 1) && at[length] != '"')
         length++;
     length--;
-    return zr_json_color_text(at + 1, length, out) && end - at > (ptrdiff_t)(length + 1) && at[length + 1] == '"'
+    return zr_color_of_text(at + 1, length, out) && end - at > (ptrdiff_t)(length + 1) && at[length + 1] == '"'
                ? at + length + 2
                : NULL;
 }

@@ -11,16 +11,8 @@
 #include "base/warning_list.h"
 #include "input/json_list.h"
 #include "input/json_value.h"
+#include "input/look.h"
 #include "scene/scene.h"
-
-enum { ZR_UNSAID = -1 };
-
-/* What any part of a scene may say of how faces look; ZR_UNSAID where it does not. */
-struct zr_look {
-    int shading, double_sided, fill;
-    int outline; /* 0, 1, or 2: in outline_color */
-    zr_vec4 outline_color;
-};
 
 /* A material as the scene has it, under its name. */
 struct zr_given_material {
@@ -73,15 +65,8 @@ void zr_draft_read_materials(struct zr_draft *draft, const struct zr_json_path *
  * of them. Any may be NULL: not said. */
 enum { ZR_LOOK_SHADING, ZR_LOOK_FILL, ZR_LOOK_OUTLINE, ZR_LOOK_DOUBLE_SIDED, ZR_LOOK_KEYS };
 #define ZR_LOOK_WORDS "shading", "fill", "outline", "doubleSided"
-extern const struct zr_look zr_look_unsaid;
 void zr_draft_read_look(struct zr_draft *draft, const struct zr_json_path *path, const cJSON *const *nodes, int count,
                         struct zr_look *look);
-
-/* What `first` leaves unsaid is as `second` says. */
-struct zr_look zr_look_over(const struct zr_look *first, const struct zr_look *second);
-
-/* The material that faces of this look have. */
-struct zr_material zr_look_material(const struct zr_look *look, zr_vec4 base_color, bool smooth);
 
 /* json_material.c. `material` and the nodes of the look may be NULL: not said. `path` is that of the mesh or
  * polygon. */

@@ -104,11 +104,8 @@ bool zr_json_vec4(struct zr_json *json, const struct zr_json_path *path, const c
 /* Three coordinates, and w = 1; or four. */
 bool zr_json_position(struct zr_json *json, const struct zr_json_path *path, const cJSON *node, zr_vec4 *out);
 
-/* [r,g,b] or [r,g,b,a] of 0..1, or what zr_json_color_text reads; alpha 1 where not given. */
+/* [r,g,b] or [r,g,b,a] of 0..1, or what zr_color_of_text reads; alpha 1 where not given. */
 bool zr_json_color(struct zr_json *json, const struct zr_json_path *path, const cJSON *node, zr_vec4 *out);
-
-/* "#rrggbb", "#rrggbbaa", "#rgb", "#rgba" or a name (color_names.h), of this length. */
-bool zr_json_color_text(const char *text, size_t length, zr_vec4 *out);
 
 /* Four rows of four numbers, or sixteen numbers column by column. */
 bool zr_json_mat4(struct zr_json *json, const struct zr_json_path *path, const cJSON *node, zr_mat4 *out);

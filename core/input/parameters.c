@@ -3,15 +3,12 @@
 #include <float.h>
 #include <string.h>
 
+#include "input/color_text.h"
+#include "input/defaults.h"
 #include "input/formats.h"
 #include "input/number.h"
 #include "input/outputs.h"
 #include "input/text.h"
-
-/* The angle of a perspective view, as of scenes that are seen from a place of their own: 45 degrees. */
-static const float YFOV = 0.78539816f;
-
-enum { OUTLINE_IN_COLOR = 2 };
 
 struct reading {
     const struct zr_request *request;
@@ -80,7 +77,7 @@ static void read_degrees(const struct reading *r, const char *name, const char *
 static bool read_opaque(const struct reading *r, const char *name, const char *text, zr_vec4 *out)
 {
     zr_vec4 color;
-    if (!zr_json_color_text(text, strlen(text), &color)) {
+    if (!zr_color_of_text(text, strlen(text), &color)) {
         refuse(r, name, text, "a colour: #rrggbb, #rgb, or a name of CSS");
         return false;
     }
@@ -183,7 +180,7 @@ static void read_projection(const struct reading *r, const char *text)
     int projection = 0;
     if (!read_word(r, "projection", text, &names, &projection) || projection == 0) return;
     r->query->view.projection = ZR_PROJECTION_PERSPECTIVE;
-    r->query->view.yfov_radians = YFOV;
+    r->query->view.yfov_radians = ZR_YFOV;
 }
 
 static void read_shading(const struct reading *r, const char *text)
@@ -200,17 +197,19 @@ static void read_background(const struct reading *r, const char *text)
 {
     if (strcmp(text, "transparent") == 0)
         r->query->background = (zr_vec4){0, 0, 0, 0};
-    else if (!zr_json_color_text(text, strlen(text), &r->query->background))
+    else if (!zr_color_of_text(text, strlen(text), &r->query->background))
         refuse(r, "background", text, "a colour: transparent, #rrggbb, #rrggbbaa, #rgb, #rgba, or a name of CSS");
 }
 
 static void read_outline(const struct reading *r, const char *text)
 {
     struct zr_look *look = &r->query->look;
-    if (strcmp(text, "true") == 0 || strcmp(text, "false") == 0)
-        look->outline = strcmp(text, "true") == 0;
+    if (strcmp(text, "false") == 0)
+        look->outline = ZR_OUTLINE_SAID_NONE;
+    else if (strcmp(text, "true") == 0)
+        look->outline = ZR_OUTLINE_SAID;
     else if (read_opaque(r, "outline", text, &look->outline_color))
-        look->outline = OUTLINE_IN_COLOR;
+        look->outline = ZR_OUTLINE_SAID_IN_COLOR;
 }
 
 static void read_fill(const struct reading *r, const char *text)

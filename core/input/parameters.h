@@ -5,7 +5,7 @@
 #ifndef ZR_PARAMETERS_H
 #define ZR_PARAMETERS_H
 
-#include "input/json_scene.h"
+#include "input/look.h"
 #include "scene/scene.h"
 #include "zraster.h"
 

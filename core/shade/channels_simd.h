@@ -34,9 +34,10 @@ ZR_INLINED zr_vi zr_words_of(struct zr_shader *s, zr_words_fn *words, zr_vi owne
         const zr_vi numbers = zr_vi_select(of_draw, t, zr_vi_set(0));
         left &= ~zr_vm_bits(of_draw);
         out = zr_vi_select(of_draw, words(s->geometry, zr_surface_of_draw(s, draw), numbers), out);
-        if (!left) break;
-        zr_vi_store(each, owners);
-        s->draw = zr_draw_next(s->geometry, draw, each[zr_lowest_bit(left)] - 1);
+        if (left) {
+            zr_vi_store(each, owners);
+            s->draw = zr_draw_next(s->geometry, draw, each[zr_lowest_bit(left)] - 1);
+        }
     }
     return out;
 }

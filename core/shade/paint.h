@@ -1,11 +1,11 @@
-/* paint.h - shade: a tile's owners -> colours, ids, normals: whatever is made of parts. A kernel.
+/* paint.h - shade: a tile's owners -> colours, ids, normals. A kernel.
  *
  * Exact:  the reference's rule 9: values times 1/w are planes over the window, each pixel divides by the plane of
  *         1/w, and bytes are rounded to the nearest.
  * How:    planes are not kept from the drawing of visibility: only what is seen is set up, but for tiny and small
- *         triangles that are painted early. The tile's owners are split into parts (parts_simd.h); ZR_LANES parts at a
- *         time are looked up and given a word, where they are flat, or planes; then, patch by patch, each pixel takes
- *         its part's.
+ *         triangles that are painted early. For colours and normals the tile's owners are split into parts
+ *         (parts_simd.h); ZR_LANES parts at a time are looked up and given a word, where they are flat, or planes;
+ *         then, patch by patch, each pixel takes its part's. Ids are looked up pixel by pixel (channels_simd.h).
  */
 #ifndef ZR_PAINT_H
 #define ZR_PAINT_H

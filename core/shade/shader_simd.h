@@ -70,14 +70,6 @@ static inline void zr_find_runs(struct zr_shader *s)
     }
 }
 
-/* Before the parts of a channel of words are made; `nothing` is what nobody has. */
-static inline void zr_shader_begin(struct zr_shader *s, uint32_t nothing)
-{
-    s->words[0] = nothing;
-    s->materials[0] = NULL;
-    s->has_planes[0] = s->any_planes = s->any_late = false;
-}
-
 static inline void zr_put_words(struct zr_shader *s, const struct zr_run *run, zr_vi words)
 {
     zr_vi_store(s->words + run->first, words);

@@ -180,7 +180,7 @@ done
 check "a server's word on a parameter" 1 "$client" render "part one.stl" --preset iso
 verdict "is about the option" grep -q "^  --preset: 'iso' is unknown; allowed: front," complained
 check "its word on a width" 1 "$client" render "part one.stl" --size 99999x5
-verdict "is about the size" grep -q "^  --size, width: '99999'" complained
+verdict "is about that option" grep -q "^  --width: '99999'" complained
 cp "$work/mesh.obj" mesh.wavefront
 check "an unknown ending is no fault" 0 "$client" render mesh.wavefront
 printf '%%PDF-1.4 and so on' >document

@@ -108,11 +108,3 @@ struct asset_name asset_post(const struct daemon *daemon, const void *bytes, siz
     reply_free(&reply);
     return name;
 }
-
-void assert_problem(struct reply reply, long status, const char *text)
-{
-    if (reply.status != status || !strstr(reply.body, text))
-        fail_msg("wanted %ld and '%s', got %ld: %s", status, text, reply.status, reply.body);
-    assert_string_equal(reply_header(&reply, "Content-Type"), "application/problem+json");
-    reply_free(&reply);
-}

@@ -4,7 +4,7 @@
 #ifndef TEST_ASSETS_H
 #define TEST_ASSETS_H
 
-#include "client.h"
+#include "problems.h"
 
 enum { ASSET_NAME_SIZE = 65, ASSET_TARGET_SIZE = 128, FOLDER_SIZE = 256 };
 
@@ -36,8 +36,5 @@ struct asset_name {
     char text[ASSET_NAME_SIZE];
 };
 struct asset_name asset_post(const struct daemon *daemon, const void *bytes, size_t size, long status);
-
-/* Status and a text in a problem+json; frees the reply. */
-void assert_problem(struct reply reply, long status, const char *text);
 
 #endif

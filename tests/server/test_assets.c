@@ -251,7 +251,8 @@ static void without_a_directory_it_is_said_how_to_have_one(void **state)
     struct reply reply =
         client_render(&plain, "{\"base\":{\"windowDepth\":{\"asset\":\"sha256:" ABC_NAME "\"}}," POLYGON "}");
     assert_non_null(strstr(reply.body, "\"pointer\":\"/base/windowDepth/asset\""));
-    assert_problem(reply, 422, "no assets are kept here");
+    assert_non_null(strstr(reply.body, "no assets are kept here"));
+    assert_problem(reply, 422, ""); /* another fault comes first */
     daemon_stop(&plain);
 }
 

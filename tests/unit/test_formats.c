@@ -78,7 +78,7 @@ static void bytes_look_like_what_they_are(void **state)
                  {"", ZR_FORMAT_UNKNOWN, NULL},
                  {" \n", ZR_FORMAT_UNKNOWN, NULL},
                  {"\xEF\xBB\xBF", ZR_FORMAT_UNKNOWN, NULL},
-                 {"\x1F\x8B", ZR_FORMAT_UNKNOWN, "gzip"},
+                 {"\x1F\x8B", ZR_FORMAT_UNKNOWN, "gzip (Content-Encoding: gzip is missing)"},
                  {"\x89PN", ZR_FORMAT_UNKNOWN, NULL},
                  {"\x89PNG", ZR_FORMAT_UNKNOWN, "a PNG picture"},
                  {"PK\x03\x04", ZR_FORMAT_UNKNOWN, "a ZIP archive, as 3MF files are"},

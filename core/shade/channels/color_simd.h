@@ -157,7 +157,9 @@ static inline void zr_shade_colors_by(struct zr_shader *s, const struct zr_tile 
 static inline void zr_shade_colors(struct zr_shader *s, const struct zr_tile *tile, int begin, int end,
                                    const struct zr_shaded *to)
 {
-    zr_shader_begin(s, to->nothing);
+    s->words[0] = to->nothing;
+    s->materials[0] = NULL;
+    s->has_planes[0] = s->any_planes = s->any_late = false;
     if (s->surfaces->fog.is_on)
         zr_shade_colors_by(s, tile, begin, end, to, 1 + ZR_VALUES_MOST);
     else if (s->surfaces->any_late)

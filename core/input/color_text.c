@@ -1,0 +1,41 @@
+#include "input/color_text.h"
+
+#include "input/color_names.h"
+
+static int hex_digit(char c)
+{
+    if (c >= '0' && c <= '9') return c - '0';
+    if (c >= 'a' && c <= 'f') return c - 'a' + 10;
+    if (c >= 'A' && c <= 'F') return c - 'A' + 10;
+    return -1;
+}
+
+static float channel_of(int byte)
+{
+    return (float)byte * (1.0f / 255.0f);
+}
+
+/* Of `count` channels, one digit each or two; one digit stands for two of it. */
+static bool read_hex(const char *text, size_t digits, size_t count, zr_vec4 *out)
+{
+    float channels[4] = {0, 0, 0, 1.0f};
+    for (size_t i = 0; i < count; i++, text += digits) {
+        int high = hex_digit(text[0]), low = hex_digit(text[digits - 1]);
+        if (high < 0 || low < 0) return false;
+        channels[i] = channel_of(high * 16 + low);
+    }
+    *out = (zr_vec4){channels[0], channels[1], channels[2], channels[3]};
+    return true;
+}
+
+bool zr_color_of_text(const char *text, size_t length, zr_vec4 *out)
+{
+    if (length > 0 && text[0] == '#') {
+        if (length == 4 || length == 5) return read_hex(text + 1, 1, length - 1, out);
+        return (length == 7 || length == 9) && read_hex(text + 1, 2, (length - 1) / 2, out);
+    }
+    uint32_t rgb;
+    if (!zr_color_of_name(text, length, &rgb)) return false;
+    *out = (zr_vec4){channel_of((int)(rgb >> 16)), channel_of((int)(rgb >> 8 & 255)), channel_of((int)(rgb & 255)), 1};
+    return true;
+}

@@ -1,0 +1,26 @@
+/* look.h - input: what may be said of how faces look: by any part of a scene, and by a query of a bare mesh. */
+#ifndef ZR_LOOK_H
+#define ZR_LOOK_H
+
+#include "scene/scene.h"
+
+enum { ZR_UNSAID = -1 };
+
+enum zr_outline_said { ZR_OUTLINE_SAID_NONE, ZR_OUTLINE_SAID, ZR_OUTLINE_SAID_IN_COLOR };
+
+/* ZR_UNSAID where it is not. */
+struct zr_look {
+    int shading, double_sided, fill;
+    int outline; /* enum zr_outline_said */
+    zr_vec4 outline_color;
+};
+
+extern const struct zr_look zr_look_unsaid;
+
+/* What `first` leaves unsaid is as `second` says. */
+struct zr_look zr_look_over(const struct zr_look *first, const struct zr_look *second);
+
+/* The material that faces of this look have. */
+struct zr_material zr_look_material(const struct zr_look *look, zr_vec4 base_color, bool smooth);
+
+#endif

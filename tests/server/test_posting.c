@@ -1,0 +1,136 @@
+/* What a body is, and what is asked of it: media types, bytes that have none, parameters of the query. */
+#include <string.h>
+
+#include "problems.h"
+#include "support/cmocka_all.h"
+
+static struct daemon server;
+
+static const char TRIANGLE_OBJ[] = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+static const char TRIANGLE_STL[] = "solid t\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\n"
+                                   "vertex 0 1 0\nendloop\nendfacet\nendsolid t\n";
+
+static int start(void **state)
+{
+    (void)state;
+    server = daemon_start(NULL);
+    return 0;
+}
+
+static int stop(void **state)
+{
+    (void)state;
+    daemon_stop(&server);
+    return 0;
+}
+
+/* POST with one content type (NULL: none). */
+static struct reply post(const char *target, const char *type, const char *body)
+{
+    return client_send(&server, "POST", target, (const char *const[]){type ? type : "Content-Type:", NULL}, body,
+                       strlen(body));
+}
+
+static long post_status(const char *target, const char *type, const char *body)
+{
+    struct reply reply = post(target, type, body);
+    long status = reply.status;
+    reply_free(&reply);
+    return status;
+}
+
+static void meshes_are_rendered_with_parameters(void **state)
+{
+    (void)state;
+    assert_int_equal(post_status("/v1/render", "Content-Type: model/obj", TRIANGLE_OBJ), 200);
+    assert_int_equal(post_status("/v1/render", "Content-Type: model/stl", TRIANGLE_STL), 200);
+    struct reply reply = post("/v1/render?preset=top&width=64&height=32&channel=depth&encoding=npy",
+                              "Content-Type: model/obj; charset=utf-8", TRIANGLE_OBJ);
+    assert_int_equal(reply.status, 200);
+    assert_memory_equal(reply.body, "\x93NUMPY", 6);
+    reply_free(&reply);
+}
+
+static void parameters_are_percent_decoded(void **state)
+{
+    (void)state;
+    assert_int_equal(post_status("/v1/render?chan%6eel=d%65pth", "Content-Type: model/obj", TRIANGLE_OBJ), 200);
+    assert_int_equal(post_status("/v1/render?channel=%zz", "Content-Type: model/obj", TRIANGLE_OBJ), 400);
+    assert_int_equal(post_status("/v1/render?channel=%00", "Content-Type: model/obj", TRIANGLE_OBJ), 400);
+    assert_int_equal(post_status("/v1/render?channel=depth%", "Content-Type: model/obj", TRIANGLE_OBJ), 400);
+}
+
+static void unknown_parameter_is_named_with_the_known_ones(void **state)
+{
+    (void)state;
+    assert_problem(post("/v1/render?colour=red", JSON_TYPE, GOOD_SCENE), 400, "'colour'");
+    assert_problem(post("/v1/render?colour=red", JSON_TYPE, GOOD_SCENE), 400,
+                   "known: channel, encoding, scale, compress, width, height, preset, azimuth, elevation, up, "
+                   "projection, shading, ");
+}
+
+static void duplicate_parameter_is_refused(void **state)
+{
+    (void)state;
+    assert_problem(post("/v1/render?channel=depth&channel=depth", JSON_TYPE, GOOD_SCENE), 400,
+                   "duplicate parameter 'channel'");
+}
+
+static void view_of_a_mesh_is_refused_with_json(void **state)
+{
+    (void)state;
+    assert_int_equal(post_status("/v1/render?preset=top", JSON_TYPE, GOOD_SCENE), 400);
+}
+
+static void content_types_are_matched_as_rfc_9110_says(void **state)
+{
+    (void)state;
+    assert_int_equal(post_status("/v1/render", "Content-Type: Application/JSON; charset=UTF-8", GOOD_SCENE), 200);
+    assert_int_equal(post_status("/v1/render", "Content-Type: application/json;x=y", GOOD_SCENE), 200);
+    assert_int_equal(post_status("/v1/render", "Content-Type: application/jsonx", GOOD_SCENE), 415);
+    assert_int_equal(post_status("/v1/render", "Content-Type: application/sla", TRIANGLE_STL), 200);
+    assert_problem(post("/v1/render", "Content-Type: image/png", GOOD_SCENE), 415,
+                   "'image/png' is none of: application/json, model/obj, model/stl, multipart/form-data");
+}
+
+static void bytes_tell_what_no_content_type_tells(void **state)
+{
+    (void)state;
+    static const char *const types[] = {NULL, "Content-Type: application/octet-stream", "Content-Type: text/plain",
+                                        "Content-Type: application/x-www-form-urlencoded"};
+    for (size_t i = 0; i < sizeof types / sizeof *types; i++) {
+        assert_int_equal(post_status("/v1/render", types[i], GOOD_SCENE), 200);
+        assert_int_equal(post_status("/v1/render", types[i], TRIANGLE_OBJ), 200);
+        assert_int_equal(post_status("/v1/render?preset=top", types[i], TRIANGLE_STL), 200);
+        assert_int_equal(post_status("/v1/render?preset=top", types[i], GOOD_SCENE), 400);
+        assert_problem(post("/v1/render", types[i], "\x89PNG and so on"), 415,
+                       "looks like a PNG picture, which is none of: application/json");
+        assert_problem(post("/v1/render", types[i], "what is it"), 415, "looks like none of: application/json");
+    }
+}
+
+static void wrong_content_type_is_told_what_the_bytes_look_like(void **state)
+{
+    (void)state;
+    assert_problem(post("/v1/render", JSON_TYPE, TRIANGLE_STL), 400, "the body is said to be JSON, and looks like STL");
+    assert_problem(post("/v1/render", "Content-Type: model/obj", GOOD_SCENE), 400,
+                   "the body is said to be OBJ, and looks like JSON");
+    assert_problem(post("/v1/render", "Content-Type: model/stl", TRIANGLE_OBJ), 400,
+                   "the body is said to be STL, and looks like OBJ");
+    assert_problem(post("/v1/render", JSON_TYPE, "PK\x03\x04"), 400, "looks like a ZIP archive, as 3MF files are");
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(meshes_are_rendered_with_parameters),
+        cmocka_unit_test(parameters_are_percent_decoded),
+        cmocka_unit_test(unknown_parameter_is_named_with_the_known_ones),
+        cmocka_unit_test(duplicate_parameter_is_refused),
+        cmocka_unit_test(view_of_a_mesh_is_refused_with_json),
+        cmocka_unit_test(content_types_are_matched_as_rfc_9110_says),
+        cmocka_unit_test(bytes_tell_what_no_content_type_tells),
+        cmocka_unit_test(wrong_content_type_is_told_what_the_bytes_look_like),
+    };
+    return cmocka_run_group_tests_name("posting", tests, start, stop);
+}
