@@ -29,8 +29,6 @@
 
 struct zr_limits {
     uint32_t json_depth_max;    /* nesting of arrays and objects */
-    uint32_t json_values_max;   /* that cJSON sees at once, 64 bytes each: not those in large lists (json_scan.h), */
-                                /* which the body's size and the arena's ceiling bound */
     uint32_t window_side_max;   /* pixels */
     uint64_t window_pixels_max; /* pixels, summed over all outputs */
     uint32_t polygon_vertices_max;

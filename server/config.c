@@ -84,8 +84,6 @@ static const struct setting SETTINGS[] = {
     {"drain-timeout-ms", NUMBER, AT(drain_timeout_ms), true, 30000, 0, DAY_MS, NULL, "ms",
      "for work in flight to end after SIGTERM"},
     {"json-depth-max", NUMBER, AT(json_depth_max), true, 0, 1, 512, NULL, "", "nesting of arrays and objects"},
-    {"json-values-max", NUMBER, AT(json_values_max), true, 0, 1, 1u << 30, NULL, "",
-     "values in one JSON body, beside those in large lists"},
     {"window-side-max", NUMBER, AT(window_side_max), true, 0, 1, 8192, NULL, "pixels", "width or height of an image"},
     {"window-pixels-max", NUMBER, AT(window_pixels_max), true, 0, 1, GIB, NULL, "pixels", "summed over all outputs"},
     {"polygon-vertices-max", NUMBER, AT(polygon_vertices_max), true, 0, 3, 8192, NULL, "", "vertices of one polygon"},
@@ -117,7 +115,6 @@ static void set_defaults(struct config *config)
     }
     struct zr_limits limits = zr_limits_default();
     config->json_depth_max = limits.json_depth_max;
-    config->json_values_max = limits.json_values_max;
     config->window_side_max = limits.window_side_max;
     config->window_pixels_max = limits.window_pixels_max;
     config->polygon_vertices_max = limits.polygon_vertices_max;
@@ -277,7 +274,6 @@ struct zr_limits config_limits(const struct config *config)
 {
     struct zr_limits limits = zr_limits_default();
     limits.json_depth_max = (uint32_t)config->json_depth_max;
-    limits.json_values_max = (uint32_t)config->json_values_max;
     limits.window_side_max = (uint32_t)config->window_side_max;
     limits.window_pixels_max = config->window_pixels_max;
     limits.polygon_vertices_max = (uint32_t)config->polygon_vertices_max;

@@ -165,6 +165,16 @@ void *zr_arena_grow(struct zr_arena *arena, void *old, size_t count, size_t new_
     return result;
 }
 
+void zr_arena_trim(struct zr_arena *arena, void *array, size_t count, size_t new_count, size_t size)
+{
+    const size_t held = rounded_up(count * size, ZR_ARENA_ALIGN), kept = rounded_up(new_count * size, ZR_ARENA_ALIGN);
+    struct zr_arena_block *block = arena->current;
+    if (!block || (char *)array + held + GAP != block_bytes(block) + block->used) return;
+    ZR_FORBID((char *)array + new_count * size, held + GAP - new_count * size);
+    block->used -= held - kept;
+    arena->used -= held - kept;
+}
+
 bool zr_arena_charge(struct zr_arena *arena, size_t bytes)
 {
     if (arena->failed || bytes > arena->ceiling - arena->used) {

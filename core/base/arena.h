@@ -47,6 +47,10 @@ void *zr_arena_zero(struct zr_arena *arena, size_t count, size_t size);
  * In place where `old` was the newest allocation and its block has room. */
 void *zr_arena_grow(struct zr_arena *arena, void *old, size_t count, size_t new_count, size_t size);
 
+/* Gives back what an array of `count` objects has beyond the first `new_count`, where it was the newest allocation; else
+ * nothing happens. */
+void zr_arena_trim(struct zr_arena *arena, void *array, size_t count, size_t new_count, size_t size);
+
 /* Counts `bytes` that a library holds elsewhere on the request's behalf, until they are
  * refunded or the arena is reset. False, and the arena has failed, where they do not fit. */
 bool zr_arena_charge(struct zr_arena *arena, size_t bytes);

@@ -7,21 +7,42 @@
 #include "input/npy_read.h"
 #include "input/png_read.h"
 
-enum { COLOR, WINDOW_DEPTH, DEPTH, FACE_ID, TIES, FIRST_FACE_ID, KEYS };
-static const char *const words[] = {"color", "windowDepth", "depth", "faceId", "ties", "firstFaceId"};
-static const struct zr_names keys = ZR_NAMES(KEYS, words);
-
 static const char *const sides[] = {"base", "scene"};
 static const struct zr_names side_names = ZR_NAMES(2, sides);
+
+enum { COLOR, WINDOW_DEPTH, DEPTH, FACE_ID, TIES, FIRST_FACE_ID, IMAGES = FACE_ID + 1 };
 
 struct reader {
     struct zr_draft *draft;
     const struct zr_json_path *path;
-    const cJSON *found[KEYS];
-    struct zr_given_bytes given[FACE_ID + 1];
+    uint64_t keys;
+    const char *places[IMAGES]; /* in the text */
+    int ties;
+    uint32_t first_face_id;
+    struct zr_given_bytes given[IMAGES];
     struct zr_base *base;
     uint64_t largest_id; /* in base->face_id */
 };
+
+#define IMAGE(key, number, what)                                                                                       \
+    {                                                                                                                  \
+        key, zr_json_place, offsetof(struct reader, places[number]), .text = what                                      \
+    }
+static const struct zr_json_field fields[] = {
+    [COLOR] = IMAGE("color", COLOR, "the picture, a PNG of the window's size"),
+    [WINDOW_DEPTH] = IMAGE("windowDepth", WINDOW_DEPTH, "its z-buffer, an npy of float32"),
+    [DEPTH] = IMAGE("depth", DEPTH, "depths in front of the camera, an npy of float32"),
+    [FACE_ID] = IMAGE("faceId", FACE_ID, "the id of the face at each pixel, an npy of uint32"),
+    [TIES] = {"ties", zr_json_choice, offsetof(struct reader, ties), .words = &side_names, .otherwise = "base",
+              .text = "which is seen at equal depth"},
+    [FIRST_FACE_ID] = {"firstFaceId", zr_json_whole, offsetof(struct reader, first_face_id),
+                       .otherwise = "the largest id of the base and one more", .text = "the id of the first new face"}};
+static const struct zr_json_object object = ZR_JSON_OBJECT_OF("base", fields);
+
+static bool has(const struct reader *reader, int key)
+{
+    return zr_json_gives(reader->keys, key);
+}
 
 /* The window, as far as it is right: zr_scene_validate reports one that is not. */
 static bool window_is_good(const struct zr_draft *draft)
@@ -45,14 +66,14 @@ static size_t count_pixels(const struct reader *reader)
 static bool pixel_fault(struct reader *reader, int key, size_t pixel, const char *what)
 {
     const uint32_t width = view_of(reader)->width;
-    return zr_json_fault(&reader->draft->json, ZR_JSON_KEY(reader->path, words[key]),
+    return zr_json_fault(&reader->draft->json, ZR_JSON_KEY(reader->path, fields[key].key),
                          "pixel (%zu, %zu), counted from the top left: %s", pixel % width, pixel / width, what);
 }
 
 static bool refuse(struct reader *reader, int key, enum zr_status status, const struct zr_reason *reason)
 {
     if (status == ZR_BAD_SCENE)
-        zr_json_fault(&reader->draft->json, ZR_JSON_KEY(reader->path, words[key]), "%s", reason->text);
+        zr_json_fault(&reader->draft->json, ZR_JSON_KEY(reader->path, fields[key].key), "%s", reason->text);
     return status == ZR_OK;
 }
 
@@ -125,7 +146,7 @@ static void refuse_shared_ids(struct reader *reader, uint64_t faces)
     const size_t pixels = count_pixels(reader);
     for (size_t i = 0; i < pixels; i++)
         if (base->face_id[i] >= base->first_face_id && base->face_id[i] - base->first_face_id < faces) {
-            zr_json_fault(&reader->draft->json, ZR_JSON_KEY(reader->path, words[FIRST_FACE_ID]),
+            zr_json_fault(&reader->draft->json, ZR_JSON_KEY(reader->path, fields[FIRST_FACE_ID].key),
                           "new faces would have the ids %" PRIu32 " to %" PRIu64 ", and base.faceId has %" PRIu32
                           " already",
                           base->first_face_id, base->first_face_id + faces - 1, base->face_id[i]);
@@ -137,31 +158,25 @@ static void number_faces(struct reader *reader)
 {
     const struct zr_scene *scene = reader->draft->scene;
     struct zr_base *base = reader->base;
-    uint64_t faces = 0, first = reader->found[FIRST_FACE_ID] ? base->first_face_id : reader->largest_id + 1;
+    uint64_t faces = 0, first = has(reader, FIRST_FACE_ID) ? base->first_face_id : reader->largest_id + 1;
     for (uint32_t i = 0; i < scene->instance_count; i++)
         faces += zr_mesh_ids(&scene->meshes[scene->instances[i].mesh]);
     if (first + faces > (uint64_t)UINT32_MAX + 1) {
-        zr_json_fault(&reader->draft->json, ZR_JSON_KEY(reader->path, words[FIRST_FACE_ID]),
+        zr_json_fault(&reader->draft->json, ZR_JSON_KEY(reader->path, fields[FIRST_FACE_ID].key),
                       "ids from %" PRIu64 " on for %" PRIu64 " faces do not fit 32 bits", first, faces);
         return;
     }
     base->first_face_id = (uint32_t)first;
-    if (reader->found[FIRST_FACE_ID] && base->face_id) refuse_shared_ids(reader, faces);
+    if (has(reader, FIRST_FACE_ID) && base->face_id) refuse_shared_ids(reader, faces);
 }
 
-static void read_words(struct reader *reader)
+static void check_words(struct reader *reader)
 {
-    struct zr_json *json = &reader->draft->json;
-    struct zr_base *base = reader->base;
-    int side = 0;
-    if (reader->found[TIES])
-        zr_json_choice(json, ZR_JSON_KEY(reader->path, words[TIES]), reader->found[TIES], &side_names, &side);
-    base->scene_wins_ties = side == 1;
-    base->first_face_id = 1;
-    const struct zr_json_path *path = ZR_JSON_KEY(reader->path, words[FIRST_FACE_ID]);
-    if (reader->found[FIRST_FACE_ID] && zr_json_whole(json, path, reader->found[FIRST_FACE_ID], &base->first_face_id) &&
-        base->first_face_id == 0)
-        zr_json_fault(json, path, "0 is the id of nothing");
+    reader->base->scene_wins_ties = reader->ties == 1;
+    reader->base->first_face_id = reader->first_face_id;
+    if (reader->first_face_id == 0)
+        zr_json_fault(&reader->draft->json, ZR_JSON_KEY(reader->path, fields[FIRST_FACE_ID].key),
+                      "0 is the id of nothing");
 }
 
 /* Depths of the z-buffer lie between the planes that it was drawn with. Others, fitted to what is new, would give them
@@ -169,7 +184,7 @@ static void read_words(struct reader *reader)
 static void check_planes(struct reader *reader)
 {
     const struct zr_view *view = view_of(reader);
-    if (!reader->found[WINDOW_DEPTH] || view->projection == ZR_PROJECTION_MATRIX) return;
+    if (!has(reader, WINDOW_DEPTH) || view->projection == ZR_PROJECTION_MATRIX) return;
     if (view->has_znear && view->has_zfar) return;
     zr_json_fault(&reader->draft->json, ZR_JSON_KEY(NULL, "view"),
                   "znear and zfar are missing: base.windowDepth is measured between the planes that it was drawn with, "
@@ -192,25 +207,27 @@ static void warn_of_fitted_view(struct zr_draft *draft)
                                           : "znear and zfar are");
 }
 
-void zr_draft_read_base(struct zr_draft *draft, const struct zr_json_path *path, const cJSON *node)
+void zr_draft_read_base(struct zr_draft *draft, const struct zr_json_path *path)
 {
-    struct zr_json *json = &draft->json;
-    struct reader reader = {.draft = draft, .path = path};
-    if (!zr_json_object(json, path, node, &keys, reader.found)) return;
+    struct zr_json there = zr_json_at(&draft->json, draft->base), *json = &draft->json;
+    struct reader reader = {.draft = draft, .path = path, .first_face_id = 1};
+    if (!zr_json_fields(&there, path, &object, &reader, &reader.keys)) return;
     reader.base = zr_arena_zero(json->arena, 1, sizeof *reader.base);
     if (!reader.base) return;
-    read_words(&reader);
+    check_words(&reader);
     check_planes(&reader);
-    for (int key = COLOR; key <= FACE_ID; key++)
-        if (reader.found[key])
-            zr_draft_read_bytes(draft, ZR_JSON_KEY(path, words[key]), reader.found[key], &reader.given[key]);
-    if (!reader.found[WINDOW_DEPTH] && !reader.found[DEPTH])
+    for (int key = COLOR; key < IMAGES; key++) {
+        struct zr_json image = zr_json_at(json, reader.places[key]);
+        if (has(&reader, key))
+            zr_draft_read_bytes(draft, &image, ZR_JSON_KEY(path, fields[key].key), &reader.given[key]);
+    }
+    if (!has(&reader, WINDOW_DEPTH) && !has(&reader, DEPTH))
         zr_json_fault(json, path, "windowDepth is missing, or depth to make it from: nothing says what hides what");
     if (json->error->count > 0 || !zr_arena_ok(json->arena) || !window_is_good(draft)) return;
-    if (reader.found[COLOR]) read_color(&reader);
-    if (reader.found[WINDOW_DEPTH]) read_window_depth(&reader);
-    if (reader.found[DEPTH]) read_depth(&reader);
-    if (reader.found[FACE_ID]) read_face_ids(&reader);
+    if (has(&reader, COLOR)) read_color(&reader);
+    if (has(&reader, WINDOW_DEPTH)) read_window_depth(&reader);
+    if (has(&reader, DEPTH)) read_depth(&reader);
+    if (has(&reader, FACE_ID)) read_face_ids(&reader);
     if (json->error->count > 0 || !zr_arena_ok(json->arena)) return;
     number_faces(&reader);
     warn_of_fitted_view(draft);

@@ -4,16 +4,20 @@
 #include "input/data_uri.h"
 #include "input/json_scene.h"
 
-enum { URI, ASSET, KEYS };
-static const char *const words[] = {"uri", "asset"};
-static const struct zr_names keys = ZR_NAMES(KEYS, words);
+struct given {
+    const char *uri, *asset;
+};
+enum { URI, ASSET };
+static const struct zr_json_field fields[] = {
+    [URI] = {"uri", zr_json_string, offsetof(struct given, uri), .text = "a data: URI with the bytes"},
+    [ASSET] = {"asset", zr_json_string, offsetof(struct given, asset),
+               .text = "the name of a part of the request, or sha256: and the hash of what was uploaded before"}};
+static const struct zr_json_object object = ZR_JSON_OBJECT_OF("bytes", fields);
 
-static bool read_uri(struct zr_draft *draft, const struct zr_json_path *path, const cJSON *node,
+static bool read_uri(struct zr_draft *draft, const struct zr_json_path *path, const char *text,
                      struct zr_given_bytes *out)
 {
     struct zr_reason reason;
-    const char *text;
-    if (!zr_json_string(&draft->json, path, node, &text)) return false;
     enum zr_status status = zr_data_uri_read(draft->json.arena, text, &out->bytes, &out->size, &reason);
     if (status == ZR_BAD_SCENE) zr_json_fault(&draft->json, path, "%s", reason.text);
     return status == ZR_OK;
@@ -46,12 +50,10 @@ static bool read_stored(struct zr_draft *draft, const struct zr_json_path *path,
     }
 }
 
-static bool read_asset(struct zr_draft *draft, const struct zr_json_path *path, const cJSON *node,
+static bool read_asset(struct zr_draft *draft, const struct zr_json_path *path, const char *name,
                        struct zr_given_bytes *out)
 {
     static const char STORED[] = "sha256:";
-    const char *name;
-    if (!zr_json_string(&draft->json, path, node, &name)) return false;
     if (strncmp(name, STORED, sizeof STORED - 1) == 0) return read_stored(draft, path, name + sizeof STORED - 1, out);
     for (size_t i = 0; i < draft->asset_count; i++)
         if (strcmp(draft->assets[i].name, name) == 0) {
@@ -63,16 +65,21 @@ static bool read_asset(struct zr_draft *draft, const struct zr_json_path *path, 
                          zr_quote(name, strlen(name)).text);
 }
 
-bool zr_draft_read_bytes(struct zr_draft *draft, const struct zr_json_path *path, const cJSON *node,
+bool zr_draft_read_bytes(struct zr_draft *draft, struct zr_json *json, const struct zr_json_path *path,
                          struct zr_given_bytes *out)
 {
-    const cJSON *found[KEYS];
-    if (cJSON_IsString(node)) return read_uri(draft, path, node, out);
-    if (!cJSON_IsObject(node))
-        return zr_json_fault(&draft->json, path, "expected a data: URI, {\"uri\": ...} or {\"asset\": ...}");
-    zr_json_object(&draft->json, path, node, &keys, found);
-    if (!found[URI] == !found[ASSET])
-        return zr_json_fault(&draft->json, path, "%s of uri and asset is needed", found[URI] ? "only one" : "one");
-    if (found[URI]) return read_uri(draft, ZR_JSON_KEY(path, words[URI]), found[URI], out);
-    return read_asset(draft, ZR_JSON_KEY(path, words[ASSET]), found[ASSET], out);
+    const enum zr_json_type type = zr_json_type(json);
+    struct given given = {NULL, NULL};
+    uint64_t keys;
+    if (type == ZR_JSON_STRING)
+        return zr_json_string(json, path, NULL, &given.uri) && read_uri(draft, path, given.uri, out);
+    if (type != ZR_JSON_OBJECT)
+        return zr_json_skip(json) &&
+               zr_json_fault(json, path, "expected a data: URI, {\"uri\": ...} or {\"asset\": ...}");
+    zr_json_fields(json, path, &object, &given, &keys);
+    if (zr_json_gives(keys, URI) == zr_json_gives(keys, ASSET))
+        return zr_json_fault(json, path, "%s of uri and asset is needed",
+                             zr_json_gives(keys, URI) ? "only one" : "one");
+    if (given.uri) return read_uri(draft, ZR_JSON_KEY(path, fields[URI].key), given.uri, out);
+    return given.asset && read_asset(draft, ZR_JSON_KEY(path, fields[ASSET].key), given.asset, out);
 }

@@ -1,39 +1,33 @@
 #include "input/json_scene.h"
 
-enum { COLOR, NEAR, FAR, KEYS };
-static const char *const words[] = {"color", "near", "far", "mode", "density"};
-static const struct zr_names keys = ZR_NAMES(KEYS, words);
+struct given_fog {
+    zr_vec4 color;
+    float near, far;
+};
 
-static bool read_depth(struct zr_json *json, const struct zr_json_path *path, const cJSON *const *found, int key,
-                       float *out)
+enum { COLOR, NEAR, FAR };
+#define AT(member) offsetof(struct given_fog, member)
+static const struct zr_json_field fields[] = {
+    [COLOR] = {"color", zr_json_color, AT(color), .otherwise = "the background", .text = "of what is far away"},
+    [NEAR] = {"near", zr_json_float, AT(near), 0, ZR_MATRIX_MAX, .required = true, .unit = "scene units",
+              .text = "the depth in front of the camera where fog begins"},
+    [FAR] = {"far", zr_json_float, AT(far), 0, ZR_MATRIX_MAX, .required = true, .unit = "scene units",
+             .text = "the depth in front of the camera from which on only fog is seen"},
+    {.key = "mode"},
+    {.key = "density"}};
+static const struct zr_json_object object = ZR_JSON_OBJECT_OF("fog", fields);
+
+bool zr_read_fog(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field, void *out)
 {
-    double depth;
-    if (!found[key]) {
-        zr_json_fault(json, path, "%s is missing: a depth in front of the camera", words[key]);
-        return false;
-    }
-    if (!zr_json_number(json, ZR_JSON_KEY(path, words[key]), found[key], 0, (double)ZR_MATRIX_MAX, &depth))
-        return false;
-    *out = (float)depth;
+    struct zr_draft *draft = out;
+    struct given_fog given = {.near = -1, .far = -1};
+    uint64_t keys;
+    (void)field;
+    if (!zr_json_fields(json, path, &object, &given, &keys) || given.near < 0 || given.far < 0) return false;
+    if (!(given.near < given.far))
+        return zr_json_fault(json, path, "near is %g and far %g: fog begins at near, and far must be farther",
+                             (double)given.near, (double)given.far);
+    draft->fog_has_color = zr_json_gives(keys, COLOR);
+    draft->scene->fog = (struct zr_fog){true, {given.color.x, given.color.y, given.color.z}, given.near, given.far};
     return true;
-}
-
-void zr_draft_read_fog(struct zr_draft *draft, const struct zr_json_path *path, const cJSON *node)
-{
-    struct zr_json *json = &draft->json;
-    const cJSON *found[KEYS];
-    zr_vec4 color = draft->scene->background;
-    struct zr_fog fog = {.is_on = true};
-    if (!zr_json_object(json, path, node, &keys, found)) return;
-    if (found[COLOR] && !zr_json_color(json, ZR_JSON_KEY(path, words[COLOR]), found[COLOR], &color)) return;
-    const bool has_near = read_depth(json, path, found, NEAR, &fog.near),
-               has_far = read_depth(json, path, found, FAR, &fog.far);
-    if (!has_near || !has_far) return;
-    if (!(fog.near < fog.far)) {
-        zr_json_fault(json, path, "near is %g and far %g: fog begins at near, and far must be farther",
-                      (double)fog.near, (double)fog.far);
-        return;
-    }
-    fog.color = (zr_vec3){color.x, color.y, color.z};
-    draft->scene->fog = fog;
 }

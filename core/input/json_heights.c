@@ -1,95 +1,156 @@
-/* A grid of heights, z = f(x, y) -> positions and quads. */
+#include "input/json_heights.h"
+
+#include <math.h>
 #include <stdint.h>
 #include <string.h>
 
 #include "base/checked.h"
 #include "input/json_rows.h"
-#include "input/json_scene.h"
-#include "input/json_text.h"
-#include "input/json_walk.h"
-
-enum { VALUES, X, Y, KEYS };
-static const char *const words[] = {"values", "x", "y"};
-static const struct zr_names keys = ZR_NAMES(KEYS, words);
 
 /* Corner slots are counted in 32 bits, four a cell. */
 enum { POSITIONS_MAX = INT32_MAX / 4 };
 
-struct grid {
-    size_t rows, columns;
-    float x[2], y[2]; /* of the first and the last column, and row */
-};
-
 /* ---- reading ---- */
 
-/* The columns of all rows, if the rows are alike; else not 2 or more, or no matter what. */
-static size_t guess_columns(const struct zr_json_list *list)
+/* The value at hand, or a hole, in its plain form; returns at the ',' or ']' behind it, or NULL. */
+static const char *read_plain(const char *at, const char *end, double limit, float *out)
 {
-    size_t values = list->numbers;
-    return list->items >= 2 && values % list->items == 0 && values <= POSITIONS_MAX ? values / list->items : 0;
+    const char *behind = zr_row_next(at, end, -limit, limit, out);
+    if (behind) return behind;
+    at = zr_json_skip_space(at + 1, end);
+    if (end - at < 4 || memcmp(at, "null", 4) != 0) return NULL;
+    *out = NAN;
+    at = zr_json_skip_space(at + 4, end);
+    return at < end && (*at == ',' || *at == ']') ? at : NULL;
 }
 
-/* Rows and columns, which all rows must have alike. */
-static bool measure(struct zr_json *json, const struct zr_json_path *path, struct zr_json_list *list, struct grid *grid)
+/* Plain values up to the first that is not; true behind the row's end. `json` is at the row, and then at the '[' or ','
+ * before what is not plain. */
+static bool read_plain_row(struct zr_json *json, struct zr_heights *heights, size_t *count)
 {
-    size_t count, commas, positions;
-    bool good = true;
-    grid->rows = list->items;
-    if (grid->rows < 2) return zr_json_fault(json, path, "rows: %zu; a grid needs 2 or more", grid->rows);
-    struct zr_json_walk walk = zr_json_walk_begin(json, path, list);
-    while (zr_json_walk_on(&walk)) {
-        const struct zr_json_path *at = ZR_JSON_ITEM(path, walk.index);
-        if (*walk.at != '[') {
-            cJSON *item = zr_json_walk_parse(&walk);
-            if (item) zr_json_array(json, at, item, &count);
-            if (item) zr_json_walk_drop(&walk, item);
-            return false;
+    const double limit = (double)json->limits->coordinate_max;
+    const char *at = json->at, *behind;
+    float *value;
+    while ((value = zr_growing_next(&heights->values, json)) && (behind = read_plain(at, json->end, limit, value))) {
+        heights->has_holes |= isnan(*value) != 0;
+        heights->values.count++;
+        ++*count;
+        json->at = at = behind;
+        if (*at == ']') {
+            json->at++;
+            return true;
         }
-        walk.behind = zr_json_skip(walk.at, json->text->end, json->cancel, &count, &commas);
-        if (walk.index == 0) grid->columns = count;
-        if (count < 2)
-            good = zr_json_fault(json, at, "values: %zu; a grid needs 2 or more in each row", count);
-        else if (count != grid->columns)
-            good = zr_json_fault(json, at, "%zu values, but the first row has %zu", count, grid->columns);
     }
-    list->read = false; /* only passed over */
-    if (good && (!zr_mul_size(grid->rows, grid->columns, &positions) || positions > POSITIONS_MAX))
+    return false;
+}
+
+/* The rest of a row, with a complaint for each value that is none. */
+static void read_odd_row(struct zr_json *json, const struct zr_json_path *path, struct zr_heights *heights,
+                         size_t *count)
+{
+    for (; zr_json_item(json); ++*count) {
+        float value = NAN, *place = zr_growing_next(&heights->values, json);
+        if (!place) return;
+        if (zr_json_type(json) == ZR_JSON_NULL)
+            zr_json_skip(json);
+        else if (!zr_json_coordinate(json, ZR_JSON_ITEM(path, *count), NULL, &value))
+            value = 0.0f;
+        *place = value;
+        heights->has_holes |= isnan(value) != 0;
+        heights->values.count++;
+    }
+}
+
+static bool read_row(struct zr_json *json, const struct zr_json_path *path, struct zr_heights *heights)
+{
+    size_t count = 0;
+    if (!zr_json_list(json, path)) return false;
+    if (!read_plain_row(json, heights, &count)) {
+        if (count == 0)
+            zr_json_enter(json, '[');
+        else
+            json->depth++;
+        read_odd_row(json, path, heights, &count);
+    }
+    if (heights->rows == 0) heights->columns = count;
+    if (count < 2) return zr_json_fault(json, path, "values: %zu; a grid needs 2 or more in each row", count);
+    return count == heights->columns ||
+           zr_json_fault(json, path, "%zu values, but the first row has %zu", count, heights->columns);
+}
+
+/* struct zr_heights */
+static bool read_values(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field,
+                        void *out)
+{
+    struct zr_heights *heights = out;
+    bool good = true;
+    (void)field;
+    if (!zr_json_list(json, path)) return false;
+    for (zr_json_enter(json, '['); zr_json_item(json); heights->rows++)
+        good = read_row(json, ZR_JSON_ITEM(path, heights->rows), heights) && good;
+    zr_growing_trim(&heights->values, json->arena);
+    if (heights->rows < 2) good = zr_json_fault(json, path, "rows: %zu; a grid needs 2 or more", heights->rows);
+    if (good && heights->values.count > POSITIONS_MAX)
         good = zr_json_fault(json, path, "more than the limit of %d values", (int)POSITIONS_MAX);
+    if (!good) heights->columns = 0;
     return good;
 }
 
-/* Where the first and the last of `count` columns or rows are. */
-static bool read_range(struct zr_json *json, const struct zr_json_path *path, const cJSON *node, float out[2])
+/* float[2]: where the first and the last column or row are. */
+static bool read_range(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field,
+                       void *out)
 {
+    const double limit = (double)json->limits->coordinate_max;
+    double ends[2] = {0, 0};
     size_t count;
-    if (!zr_json_array(json, path, node, &count)) return false;
-    if (count != 2) return zr_json_fault(json, path, "expected 2 numbers, the first and the last, found %zu", count);
-    bool good = zr_json_coordinate(json, ZR_JSON_ITEM(path, 0), node->child, &out[0]);
-    if (!zr_json_coordinate(json, ZR_JSON_ITEM(path, 1), node->child->next, &out[1]) || !good) return false;
-    return out[0] != out[1] ||
-           zr_json_fault(json, path, "from %.9g to %.9g: there is nothing between", (double)out[0], (double)out[1]);
+    (void)field;
+    if (!zr_json_list(json, path) || !zr_json_count(json, path, &count)) return false;
+    if (count != 2)
+        return zr_json_skip(json) &&
+               zr_json_fault(json, path, "expected 2 numbers, the first and the last, found %zu", count);
+    if (!zr_json_numbers(json, path, 2, 2, -limit, limit, ends, &count)) return false;
+    const float first = (float)ends[0], last = (float)ends[1];
+    if (first == last)
+        return zr_json_fault(json, path, "from %.9g to %.9g: there is nothing between", (double)first, (double)last);
+    memcpy(out, (float[2]){first, last}, 2 * sizeof(float));
+    return true;
 }
 
-/* A step of 1 from 0 on, where nothing is said. */
-static bool count_range(struct zr_json *json, const struct zr_json_path *path, const char *key, size_t count,
-                        float out[2])
+enum { VALUES, X, Y };
+static const struct zr_json_field fields[] = {
+    [VALUES] = {"values", read_values, 0, .required = true,
+                .text = "rows of heights along z, the first at the first y; null where nothing is"},
+    [X] = {"x", read_range, offsetof(struct zr_heights, x), .unit = "scene units", .otherwise = "[0, columns - 1]",
+           .text = "where the first and the last column are"},
+    [Y] = {"y", read_range, offsetof(struct zr_heights, y), .unit = "scene units", .otherwise = "[0, rows - 1]",
+           .text = "where the first and the last row are"}};
+static const struct zr_json_object object = ZR_JSON_OBJECT_OF("heights", fields);
+
+bool zr_read_heights(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field,
+                     void *out)
 {
-    double last = (double)(count - 1), limit = (double)json->limits->coordinate_max;
+    struct zr_heights *heights = out;
+    if (zr_json_type(json) != ZR_JSON_OBJECT) return read_values(json, path, field, out);
+    return zr_json_fields(json, path, &object, out, &heights->given);
+}
+
+/* ---- a mesh ---- */
+
+struct grid {
+    size_t rows, columns;
+    float x[2], y[2];
+};
+
+/* A step of 1 from 0 on, where nothing is said. */
+static bool find_range(struct zr_json *json, const struct zr_json_path *path, const struct zr_heights *heights, int key,
+                       size_t count, float out[2])
+{
+    const double last = (double)(count - 1), limit = (double)json->limits->coordinate_max;
+    if (zr_json_gives(heights->given, key)) return true;
     out[0] = 0.0f;
     out[1] = (float)last;
     return last <= limit ||
-           zr_json_fault(json, path, "%zu steps of 1 lead beyond %.9g; give %s", count - 1, limit, key);
-}
-
-static bool read_grid(struct zr_json *json, const struct zr_json_path *path, const cJSON *const *found,
-                      struct grid *grid)
-{
-    const struct zr_json_path *x = ZR_JSON_KEY(path, words[X]), *y = ZR_JSON_KEY(path, words[Y]);
-    bool good =
-        found[X] ? read_range(json, x, found[X], grid->x) : count_range(json, path, words[X], grid->columns, grid->x);
-    return (found[Y] ? read_range(json, y, found[Y], grid->y)
-                     : count_range(json, path, words[Y], grid->rows, grid->y)) &&
-           good;
+           zr_json_fault(json, path, "%zu steps of 1 lead beyond %.9g; give %s", count - 1, limit, fields[key].key);
 }
 
 /* The ends are exact. */
@@ -99,93 +160,16 @@ static float place(const float range[2], size_t index, size_t count)
     return (float)(((double)range[0] * (last - i) + (double)range[1] * i) / last);
 }
 
-/* A grid while its values are read, holes too. */
-struct values {
-    struct zr_json *json;
-    struct grid grid;
-    zr_vec4 *positions; /* z only, as yet */
-    bool *holes;        /* NULL as long as there are none */
-};
-
-static bool set_hole(struct values *values, size_t place)
-{
-    if (!values->holes)
-        values->holes = zr_arena_zero(values->json->arena, values->grid.rows * values->grid.columns, sizeof(bool));
-    if (values->holes) values->holes[place] = true;
-    return values->holes;
-}
-
-/* Behind a null, and the space behind that. */
-static const char *read_hole(struct values *values, const char *at, const char *end, size_t place)
-{
-    at = zr_row_skip_space(at, end);
-    if (end - at < 4 || memcmp(at, "null", 4) != 0 || !set_hole(values, place)) return NULL;
-    values->positions[place].z = 0.0f;
-    return zr_row_skip_space(at + 4, end);
-}
-
-/* The row at hand; NULL where it is not plainly one, or, ahead, has the first hole: holes take memory. */
-static const char *read_row(struct values *values, const struct zr_json_walk *walk)
-{
-    const char *at = walk->at, *end = values->json->text->end;
-    const double limit = (double)values->json->limits->coordinate_max;
-    const size_t columns = values->grid.columns, first = walk->index * columns;
-    const bool may_have_holes = !walk->ahead || values->holes;
-    if (*at != '[') return NULL;
-    for (size_t column = 0; column < columns; column++) {
-        float *z = &values->positions[first + column].z;
-        const char *number = zr_row_next(at, end, -limit, limit, z);
-        at = number || !may_have_holes ? number : read_hole(values, at + 1, end, first + column);
-        if (!at || at == end || *at != (column + 1 < columns ? ',' : ']')) return NULL;
-    }
-    return at + 1;
-}
-
-/* The same with a complaint for each value that is none. */
-static void read_row_slowly(struct values *values, const struct zr_json_path *path, const cJSON *row, size_t first)
-{
-    size_t column = 0;
-    for (const cJSON *item = row->child; item && !zr_json_full(values->json); item = item->next, column++) {
-        float *z = &values->positions[first + column].z;
-        *z = 0.0f;
-        if (!cJSON_IsNull(item))
-            zr_json_coordinate(values->json, ZR_JSON_ITEM(path, column), item, z);
-        else if (!set_hole(values, first + column))
-            return;
-    }
-}
-
-/* The rows that are plainly of as many values as there are columns. */
-static void read_plain_rows(struct zr_json_walk *walk, void *context)
-{
-    while (zr_json_walk_on(walk))
-        walk->behind = read_row(context, walk);
-}
-
-static bool read_measured(struct values *values, const struct zr_json_path *path, struct zr_json_list *list)
-{
-    struct zr_json_walk walk = zr_json_walk_begin(values->json, path, list);
-    size_t faults = values->json->error->count;
-    cJSON *item;
-    while (zr_json_walk_on(&walk)) {
-        walk.behind = read_row(values, &walk);
-        if (walk.behind || !(item = zr_json_walk_parse(&walk))) continue;
-        read_row_slowly(values, ZR_JSON_ITEM(path, walk.index), item, walk.index * values->grid.columns);
-        zr_json_walk_drop(&walk, item);
-    }
-    return walk.index == list->items && values->json->error->count == faults;
-}
-
 /* Where each value stands, holes too. */
-static void place_values(const struct grid *grid, zr_vec4 *positions)
+static void place_values(const struct grid *grid, const float *values, zr_vec4 *positions)
 {
     for (size_t column = 0; column < grid->columns; column++)
         positions[column].x = place(grid->x, column, grid->columns);
     for (size_t row = 0; row < grid->rows; row++) {
+        const float *z = values + row * grid->columns, y = place(grid->y, row, grid->rows);
         zr_vec4 *position = positions + row * grid->columns;
-        float y = place(grid->y, row, grid->rows);
         for (size_t column = 0; column < grid->columns; column++)
-            position[column] = (zr_vec4){positions[column].x, y, position[column].z, 1.0f};
+            position[column] = (zr_vec4){positions[column].x, y, isnan(z[column]) ? 0.0f : z[column], 1.0f};
     }
 }
 
@@ -213,51 +197,30 @@ static bool make_cells(struct zr_arena *arena, const struct grid *grid, struct z
     return true;
 }
 
-/* Nearly always all rows are alike and plain, and read at once; else there is a fault, or a second way to say it. */
-static bool read_all(struct values *values, const struct zr_json_path *path, struct zr_json_list *list,
-                     const struct zr_json_path *grid_path, const cJSON *const *found)
+bool zr_heights_make(struct zr_json *json, const struct zr_json_path *path, const struct zr_heights *heights,
+                     struct zr_mesh *mesh)
 {
-    struct zr_json *json = values->json;
-    struct grid *grid = &values->grid;
-    *grid = (struct grid){.rows = list->items, .columns = guess_columns(list)};
-    bool plain = false;
-    if (grid->columns >= 2) {
-        values->positions = zr_arena_alloc(json->arena, grid->rows * grid->columns, sizeof *values->positions);
-        struct zr_json_walk walk = zr_json_walk_begin(json, path, list);
-        plain = values->positions && zr_json_walk_all(&walk, read_plain_rows, values) == list->items;
-    }
-    if (!plain && (!zr_arena_ok(json->arena) || !measure(json, path, list, grid))) return false;
-    if (!read_grid(json, grid_path, found, grid)) return false;
-    if (!plain && !values->positions) /* else it has the right size: the values are as many */
-        values->positions = zr_arena_alloc(json->arena, grid->rows * grid->columns, sizeof *values->positions);
-    return values->positions && (plain || read_measured(values, path, list));
-}
-
-const bool *zr_json_read_heights(struct zr_json *json, const struct zr_json_path *path, const cJSON *node,
-                                 struct zr_mesh *mesh)
-{
-    const cJSON *found[KEYS] = {node, NULL, NULL};
-    const struct zr_json_path *at = cJSON_IsObject(node) ? ZR_JSON_KEY(path, words[VALUES]) : path;
-    struct values values = {.json = json};
-    if (cJSON_IsObject(node)) {
-        zr_json_object(json, path, node, &keys, found);
-        if (!found[VALUES]) zr_json_fault(json, path, "values is missing");
-    }
-    struct zr_json_list *list = found[VALUES] ? zr_json_large_list(json, at, found[VALUES]) : NULL;
-    if (!list || !read_all(&values, at, list, path, found)) return NULL;
-    place_values(&values.grid, values.positions);
-    if (!make_cells(json->arena, &values.grid, mesh)) return NULL;
-    mesh->position_count = (uint32_t)(values.grid.rows * values.grid.columns);
-    mesh->positions = values.positions;
+    struct grid grid = {.rows = heights->rows, .columns = heights->columns};
+    memcpy(grid.x, heights->x, sizeof grid.x);
+    memcpy(grid.y, heights->y, sizeof grid.y);
+    if (grid.columns == 0) return false;
+    const bool has_x = find_range(json, path, heights, X, grid.columns, grid.x);
+    if (!find_range(json, path, heights, Y, grid.rows, grid.y) || !has_x || json->error->count > 0) return false;
+    zr_vec4 *positions = zr_arena_alloc(json->arena, heights->values.count, sizeof *positions);
+    if (!positions) return false;
+    place_values(&grid, heights->values.items, positions);
+    if (!make_cells(json->arena, &grid, mesh)) return false;
+    mesh->position_count = (uint32_t)heights->values.count;
+    mesh->positions = positions;
     mesh->faces_are_fans = true;
-    return values.holes;
+    return true;
 }
 
 /* ---- holes ---- */
 
 /* new_index[p] becomes the number of position p among those that a kept cell touches, or
  * UINT32_MAX. Returns how many cells are kept, and in *positions how many positions. */
-static uint32_t choose(const bool *holes, const struct zr_mesh *mesh, uint32_t *kept_cells, uint32_t *new_index,
+static uint32_t choose(const float *values, const struct zr_mesh *mesh, uint32_t *kept_cells, uint32_t *new_index,
                        uint32_t *positions)
 {
     uint32_t cells = 0;
@@ -266,7 +229,7 @@ static uint32_t choose(const bool *holes, const struct zr_mesh *mesh, uint32_t *
         new_index[p] = UINT32_MAX;
     for (uint32_t cell = 0; cell < mesh->face_count; cell++) {
         const uint32_t *corner = mesh->indices + (size_t)4 * cell;
-        if (holes[corner[0]] || holes[corner[1]] || holes[corner[2]] || holes[corner[3]]) continue;
+        if (isnan(values[corner[0]] + values[corner[1]] + values[corner[2]] + values[corner[3]])) continue;
         kept_cells[cells++] = cell;
         for (int k = 0; k < 4; k++)
             new_index[corner[k]] = 0;
@@ -295,12 +258,13 @@ static const zr_vec3 *keep_normals(struct zr_arena *arena, const struct zr_mesh 
     return kept;
 }
 
-void zr_heights_drop_holes(struct zr_arena *arena, const bool *holes, struct zr_mesh *mesh)
+void zr_heights_drop_holes(struct zr_arena *arena, const struct zr_heights *heights, struct zr_mesh *mesh)
 {
+    if (!heights->has_holes) return;
     uint32_t *kept_cells = zr_arena_alloc(arena, mesh->face_count, sizeof *kept_cells), positions;
     uint32_t *new_index = zr_arena_alloc(arena, mesh->position_count, sizeof *new_index);
     if (!zr_arena_ok(arena)) return;
-    uint32_t cells = choose(holes, mesh, kept_cells, new_index, &positions);
+    uint32_t cells = choose(heights->values.items, mesh, kept_cells, new_index, &positions);
     uint32_t *indices = zr_arena_alloc(arena, cells, 4 * sizeof *indices);
     zr_vec4 *face_colors = mesh->face_colors ? zr_arena_alloc(arena, cells, sizeof *face_colors) : NULL;
     mesh->normals = keep_normals(arena, mesh, new_index, positions);

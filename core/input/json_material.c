@@ -3,21 +3,50 @@
 
 #include "input/defaults.h"
 #include "input/json_scene.h"
+#include "input/nearest.h"
 #include "input/text.h"
 
 /* Looks that differ in more than the colour of their outlines. */
 enum { SHADINGS = ZR_SHADING_COUNT, OUTLINES = ZR_OUTLINE_COLORED + 1, LOOKS = SHADINGS * OUTLINES * 2 * 2 * 2 };
 enum { MATERIALS_AT_FIRST = 16 };
 
-enum { NAME, BASE_COLOR, SPECULAR, SHININESS, LOOK, KEYS = LOOK + ZR_LOOK_KEYS };
-
 /* Of shininess: more than can be told apart at a pixel. */
-static const double SHININESS_MAX = 10000.0;
+#define SHININESS_MAX 10000.0
 
-static const char *const words[] = {"name",        "baseColorFactor",  "specular",  "shininess",
-                                    ZR_LOOK_WORDS, "baseColorTexture", "alphaMode", "alphaCutoff",
-                                    "diffuse",     "emissive"};
-static const struct zr_names keys = ZR_NAMES(KEYS, words);
+/* ---- looks ---- */
+
+bool zr_read_outline(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field,
+                     void *out)
+{
+    struct zr_look *look = out;
+    const enum zr_json_type type = zr_json_type(json);
+    if (type == ZR_JSON_BOOL) return zr_json_flag(json, path, field, &look->outline);
+    if (type != ZR_JSON_STRING && type != ZR_JSON_LIST)
+        return zr_json_skip(json) && zr_json_fault(json, path, "true, false or a colour is needed");
+    if (!zr_json_color(json, path, field, &look->outline_color)) return false;
+    look->outline = ZR_OUTLINE_SAID_IN_COLOR;
+    return true;
+}
+
+/* ---- materials as they are given ---- */
+
+enum { NAME, BASE_COLOR };
+#define AT(member) offsetof(struct zr_given_material, member)
+static const struct zr_json_field fields[] = {
+    [NAME] = {"name", zr_json_string, AT(name), .required = true, .text = "it is asked for by its name"},
+    [BASE_COLOR] = {"baseColorFactor", zr_json_color, AT(base_color), .otherwise = "white",
+                    .text = "multiplies the colours of what is drawn"},
+    {"specular", zr_json_color, AT(specular), .otherwise = "black", .text = "the colour of highlights"},
+    {"shininess", zr_json_float, AT(shininess), 0, SHININESS_MAX, .otherwise = "32",
+     .text = "how narrow highlights are: the exponent"},
+    ZR_LOOK_FIELDS(struct zr_given_material, look),
+    ZR_SIDES_FIELD(struct zr_given_material, look),
+    {.key = "baseColorTexture"},
+    {.key = "alphaMode"},
+    {.key = "alphaCutoff"},
+    {.key = "diffuse"},
+    {.key = "emissive"}};
+static const struct zr_json_object object = ZR_JSON_OBJECT_OF("material", fields);
 
 /* Equal names stay in the scene's order, so that the later one is the repetition. */
 static int compare_given(const void *left, const void *right)
@@ -32,80 +61,70 @@ static int compare_name(const void *name, const void *given)
     return strcmp(name, ((const struct zr_given_material *)given)->name);
 }
 
-static void read_material(struct zr_draft *draft, const struct zr_json_path *path, const cJSON *node,
-                          struct zr_given_material *given)
+bool zr_read_materials(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field,
+                       void *out)
 {
-    struct zr_json *json = &draft->json;
-    const cJSON *found[KEYS];
-    if (!zr_json_object(json, path, node, &keys, found)) return;
-    if (!found[NAME])
-        zr_json_fault(json, path, "a material needs a name to be asked for by");
-    else if (!zr_json_string(json, ZR_JSON_KEY(path, words[NAME]), found[NAME], &given->name))
-        given->name = "";
-    if (found[BASE_COLOR] &&
-        zr_json_color(json, ZR_JSON_KEY(path, words[BASE_COLOR]), found[BASE_COLOR], &given->base_color))
+    struct zr_draft *draft = out;
+    struct zr_growing list = {.size = sizeof(struct zr_given_material)};
+    uint64_t keys;
+    (void)field;
+    if (!zr_json_list(json, path)) return false;
+    for (zr_json_enter(json, '['); zr_json_item(json); list.count++) {
+        struct zr_given_material *given = zr_growing_next(&list, json);
+        if (!given) return false;
+        *given = (struct zr_given_material){.name = "",
+                                            .number = list.count,
+                                            .base_color = {1, 1, 1, 1},
+                                            .shininess = ZR_SHININESS,
+                                            .look = zr_look_unsaid};
+        zr_json_fields(json, ZR_JSON_ITEM(path, list.count), &object, given, &keys);
         zr_draft_note_alpha(draft, &given->base_color, 1);
-    if (found[SPECULAR]) zr_json_color(json, ZR_JSON_KEY(path, words[SPECULAR]), found[SPECULAR], &given->specular);
-    double shininess = (double)given->shininess;
-    if (found[SHININESS] &&
-        zr_json_number(json, ZR_JSON_KEY(path, words[SHININESS]), found[SHININESS], 0.0, SHININESS_MAX, &shininess))
-        given->shininess = (float)shininess;
-    zr_draft_read_look(draft, path, &found[LOOK], ZR_LOOK_KEYS, &given->look);
+    }
+    draft->materials_given = list.items;
+    draft->given_count = list.count;
+    return true;
 }
 
 static void refuse_repeated_names(struct zr_draft *draft, const struct zr_json_path *path)
 {
-    for (size_t i = 1; i < draft->given_count && !zr_json_full(&draft->json); i++) {
-        const struct zr_given_material *before = &draft->given[i - 1], *given = &draft->given[i];
-        if (strcmp(before->name, given->name) == 0)
-            zr_json_fault(&draft->json, ZR_JSON_KEY(ZR_JSON_ITEM(path, given->number), words[NAME]),
+    for (size_t i = 1; i < draft->given_count; i++) {
+        const struct zr_given_material *before = &draft->materials_given[i - 1], *given = before + 1;
+        if (*given->name && strcmp(before->name, given->name) == 0)
+            zr_json_fault(&draft->json, ZR_JSON_KEY(ZR_JSON_ITEM(path, given->number), fields[NAME].key),
                           "%s is the name of material %zu already", zr_quote(given->name, strlen(given->name)).text,
                           before->number);
     }
 }
 
-void zr_draft_read_materials(struct zr_draft *draft, const struct zr_json_path *path, const cJSON *list)
+void zr_draft_open_materials(struct zr_draft *draft, const struct zr_json_path *path)
 {
-    struct zr_json *json = &draft->json;
-    size_t count = 0, i = 0;
-    if (list && !zr_json_array(json, path, list, &count)) list = NULL;
-    draft->given = zr_arena_alloc(json->arena, count, sizeof *draft->given);
+    struct zr_arena *arena = draft->json.arena;
+    if (draft->given_count > 0)
+        qsort(draft->materials_given, draft->given_count, sizeof *draft->materials_given, compare_given);
+    refuse_repeated_names(draft, path);
     /* Behind the given ones come two of our own: for what has colours, and for what has none. */
-    draft->variants = zr_arena_alloc(json->arena, count + 2, LOOKS * sizeof *draft->variants);
-    if (!zr_arena_ok(json->arena)) return;
-    for (size_t v = 0; v < (count + 2) * LOOKS; v++)
+    const size_t count = draft->given_count + 2;
+    draft->variants = zr_arena_alloc(arena, count, LOOKS * sizeof *draft->variants);
+    for (size_t v = 0; draft->variants && v < count * LOOKS; v++)
         draft->variants[v] = UINT32_MAX;
-    if (count == 0) return;
-    size_t faults = json->error->count;
-    for (const cJSON *node = list->child; node && !zr_json_full(json) && !zr_json_stopped(json);
-         node = node->next, i++) {
-        draft->given[i] = (struct zr_given_material){
-            .name = "", .number = i, .base_color = {1, 1, 1, 1}, .shininess = ZR_SHININESS, .look = zr_look_unsaid};
-        read_material(draft, ZR_JSON_ITEM(path, i), node, &draft->given[i]);
-    }
-    draft->given_count = i;
-    qsort(draft->given, i, sizeof *draft->given, compare_given);
-    if (json->error->count == faults) refuse_repeated_names(draft, path);
 }
 
-void zr_draft_read_style(struct zr_draft *draft, const struct zr_json_path *path, const cJSON *material,
-                         const cJSON *const *look_nodes, struct zr_style *style)
+size_t zr_draft_find_material(struct zr_draft *draft, const struct zr_json_path *path, const char *name)
 {
-    struct zr_json *json = &draft->json;
-    const char *name;
-    style->given = draft->given_count;
-    style->is_open = style->is_plain = false;
-    if (material && zr_json_string(json, ZR_JSON_KEY(path, "material"), material, &name)) {
-        const struct zr_given_material *given =
-            draft->given_count ? bsearch(name, draft->given, draft->given_count, sizeof *given, compare_name) : NULL;
-        if (given)
-            style->given = (size_t)(given - draft->given);
-        else
-            zr_json_fault(json, ZR_JSON_KEY(path, "material"), "no material has the name %s",
-                          zr_quote(name, strlen(name)).text);
-    }
-    zr_draft_read_look(draft, path, look_nodes, ZR_LOOK_KEYS, &style->look);
+    const struct zr_given_material *given =
+        draft->given_count == 0
+            ? NULL
+            : bsearch(name, draft->materials_given, draft->given_count, sizeof *given, compare_name);
+    if (given) return (size_t)(given - draft->materials_given);
+    struct zr_nearest nearest = {.word = name};
+    for (size_t i = 0; i < draft->given_count; i++)
+        zr_nearest_offer(&nearest, draft->materials_given[i].name);
+    zr_json_fault(&draft->json, path, "no material has the name %s%s", zr_quote(name, strlen(name)).text,
+                  zr_nearest_text(&nearest).text);
+    return draft->given_count;
 }
+
+/* ---- materials as they are drawn ---- */
 
 static uint32_t add_material(struct zr_draft *draft, struct zr_material material)
 {
@@ -146,13 +165,14 @@ uint32_t zr_draft_variant(struct zr_draft *draft, const struct zr_style *style, 
     bool has_given = style->given < draft->given_count;
     const struct zr_given_material none = {
         .name = "", .base_color = zr_default_base_color(coloured), .look = zr_look_unsaid};
-    const struct zr_given_material *given = has_given ? &draft->given[style->given] : &none;
+    const struct zr_given_material *given = has_given ? &draft->materials_given[style->given] : &none;
     struct zr_look look = zr_look_over(&style->look, &given->look);
     look = zr_look_over(&look, &draft->look);
     if (look.double_sided == ZR_UNSAID) look.double_sided = style->is_open;
     struct zr_material material = zr_look_material(&look, given->base_color, smooth);
     material.specular = (zr_vec3){given->specular.x, given->specular.y, given->specular.z};
     material.shininess = given->shininess;
+    zr_draft_note_alpha(draft, &material.outline_color, 1);
     material.plain = style->is_plain && material.shading == ZR_SHADING_UNLIT;
     bool black = zr_vec4_equal(material.outline_color, (zr_vec4){0, 0, 0, 1});
     uint32_t *slot = slot_of(draft, has_given ? style->given : draft->given_count + coloured, &material, !black);

@@ -1,272 +1,333 @@
 #include <string.h>
 
+#include "input/json_heights.h"
 #include "input/json_rows.h"
 #include "input/json_scene.h"
-#include "input/json_text.h"
-#include "input/json_walk.h"
 
-enum {
-    NAME,
-    MATERIAL,
-    POSITIONS,
-    NORMALS,
-    COLORS,
-    FACE_COLORS,
-    FACES,
-    LINES,
-    HEIGHTS,
-    LOOK,
-    KEYS = LOOK + ZR_LOOK_KEYS
-};
-static const char *const words[] = {"name",  "material", "positions", "normals",     "colors",    "faceColors",
-                                    "faces", "lines",    "heights",   ZR_LOOK_WORDS, "texcoords", "data"};
-static const struct zr_names keys = ZR_NAMES(KEYS, words);
+/* Corners that a face may have beside those in its list's room, before it is read with more care. */
+enum { CORNERS_AT_HAND = 64 };
 
-/* A list that must have one item for each of `wanted` things. */
-static struct zr_json_list *list_for_each(struct zr_json *json, const struct zr_json_path *path, const cJSON *node,
-                                          size_t wanted, const char *of)
-{
-    struct zr_json_list *list = zr_json_large_list(json, path, node);
-    if (!list || list->items == wanted) return list;
-    zr_json_fault(json, path, "%zu items for %zu %s; one each is needed", list->items, wanted, of);
-    return NULL;
-}
-
-/* All items of a list; returns how many. */
-static size_t read_list(struct zr_json *json, const struct zr_json_path *path, struct zr_json_list *list,
-                        zr_json_walk_fn *read, void *context)
-{
-    struct zr_json_walk walk = zr_json_walk_begin(json, path, list);
-    return zr_json_walk_all(&walk, read, context);
-}
-
-static void read_color_rows(struct zr_json_walk *walk, void *context)
-{
-    zr_vec4 *colors = context;
-    struct zr_json *json = walk->json;
-    cJSON *item;
-    while (zr_json_walk_on(walk)) {
-        walk->behind = zr_row_color(walk->at, json->text->end, &colors[walk->index]);
-        if (walk->behind || !(item = zr_json_walk_parse(walk))) continue;
-        zr_json_color(json, ZR_JSON_ITEM(walk->path, walk->index), item, &colors[walk->index]);
-        zr_json_walk_drop(walk, item);
-    }
-}
-
-/* A list of colours, one for each; NULL where it is not given or not right. */
-static const zr_vec4 *read_colors(struct zr_draft *draft, const struct zr_json_path *path, const cJSON *node,
-                                  size_t wanted, const char *of)
-{
-    struct zr_json *json = &draft->json;
-    struct zr_json_list *list = node ? list_for_each(json, path, node, wanted, of) : NULL;
-    zr_vec4 *colors = list ? zr_arena_alloc(json->arena, wanted, sizeof *colors) : NULL;
-    const size_t faults = json->error->count;
-    if (!colors || read_list(json, path, list, read_color_rows, colors) < wanted || json->error->count > faults)
-        return NULL;
-    zr_draft_note_alpha(draft, colors, wanted);
-    return colors;
-}
-
-static void read_position_rows(struct zr_json_walk *walk, void *context)
-{
-    zr_vec4 *positions = context;
-    struct zr_json *json = walk->json;
-    const double limit = (double)json->limits->coordinate_max;
-    cJSON *item;
-    while (zr_json_walk_on(walk)) {
-        walk->behind = zr_row_position(walk->at, json->text->end, limit, &positions[walk->index]);
-        if (walk->behind || !(item = zr_json_walk_parse(walk))) continue;
-        zr_json_position(json, ZR_JSON_ITEM(walk->path, walk->index), item, &positions[walk->index]);
-        zr_json_walk_drop(walk, item);
-    }
-}
-
-static void read_positions(struct zr_json *json, const struct zr_json_path *path, const cJSON *node,
-                           struct zr_mesh *mesh)
-{
-    struct zr_json_list *list = zr_json_large_list(json, path, node);
-    zr_vec4 *positions = list ? zr_arena_alloc(json->arena, list->items, sizeof *positions) : NULL;
-    if (!positions) return;
-    read_list(json, path, list, read_position_rows, positions);
-    mesh->position_count = (uint32_t)list->items;
-    mesh->positions = positions;
-}
-
-static void read_normal_rows(struct zr_json_walk *walk, void *context)
-{
-    zr_vec3 *normals = context;
-    struct zr_json *json = walk->json;
-    const double limit = (double)json->limits->coordinate_max;
-    cJSON *item;
-    while (zr_json_walk_on(walk)) {
-        walk->behind = zr_row_vec3(walk->at, json->text->end, limit, &normals[walk->index]);
-        if (walk->behind || !(item = zr_json_walk_parse(walk))) continue;
-        zr_json_vec3(json, ZR_JSON_ITEM(walk->path, walk->index), item, &normals[walk->index]);
-        zr_json_walk_drop(walk, item);
-    }
-}
-
-static void read_normals(struct zr_json *json, const struct zr_json_path *path, const cJSON *node, struct zr_mesh *mesh)
-{
-    struct zr_json_list *list = list_for_each(json, path, node, mesh->position_count, "positions");
-    zr_vec3 *normals = list ? zr_arena_alloc(json->arena, list->items, sizeof *normals) : NULL;
-    if (!normals) return;
-    read_list(json, path, list, read_normal_rows, normals);
-    mesh->normal_count = mesh->position_count;
-    mesh->normals = normals;
-}
-
-/* Writes a face's corners to `indices`, which has room for all items of `node`, and returns their count; 0 where
- * there is a fault. */
-static size_t read_face(struct zr_json *json, const struct zr_json_path *path, const cJSON *node, uint32_t positions,
-                        uint32_t *indices)
-{
-    size_t count, corner = 0;
-    bool good = true;
-    if (!zr_json_array(json, path, node, &count)) return 0;
-    if (count < 3 || count > json->limits->polygon_vertices_max) {
-        zr_json_fault(json, path, "a face of %zu corners; 3 to %u are allowed", count,
-                      json->limits->polygon_vertices_max);
-        return 0;
-    }
-    for (const cJSON *item = node->child; item && !zr_json_full(json); item = item->next, corner++)
-        good = zr_json_index(json, ZR_JSON_ITEM(path, corner), item, positions, "positions", &indices[corner]) && good;
-    return good ? count : 0;
-}
-
-/* Faces while they are read. */
-struct faces {
-    uint32_t positions;
-    uint32_t *ends; /* of each, in the list of all corners */
-    uint32_t *indices;
+/* A mesh as the scene has it. Lists are in arrays; what they must agree on is looked at once all are read. */
+struct zr_given_mesh {
+    uint64_t given;
+    const char *name, *material; /* NULL: no word of it */
+    struct zr_look look;
+    struct zr_growing positions, normals, colors, face_colors;
+    struct zr_growing offsets, indices, lines; /* offsets: one more than there are faces */
+    uint32_t face_positions, line_positions;   /* what their indices are known to be below */
+    struct zr_heights heights;
 };
 
-static void read_face_rows(struct zr_json_walk *walk, void *context)
+/* ---- lists ---- */
+
+/* Into a list; its array is there from then on, though it may be empty. */
+static bool open_list(struct zr_json *json, const struct zr_json_path *path, struct zr_growing *array)
 {
-    const struct faces faces = *(const struct faces *)context;
-    struct zr_json *json = walk->json;
+    return zr_json_list(json, path) && zr_growing_reserve(array, json, 1) && zr_json_enter(json, '[');
+}
+
+/* struct zr_growing of zr_vec4 */
+static bool read_positions(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field,
+                           void *out)
+{
+    struct zr_growing *array = out;
+    const double limit = (double)json->limits->coordinate_max;
+    zr_vec4 *row;
+    if (!open_list(json, path, array)) return false;
+    for (; zr_json_item(json) && (row = zr_growing_next(array, json)); array->count++) {
+        const char *behind = zr_row_position(json->at, json->end, limit, row);
+        if (behind)
+            json->at = behind;
+        else
+            zr_json_position(json, ZR_JSON_ITEM(path, array->count), field, row);
+    }
+    zr_growing_trim(array, json->arena);
+    return true;
+}
+
+/* struct zr_growing of zr_vec4 */
+static bool read_colors(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field,
+                        void *out)
+{
+    struct zr_growing *array = out;
+    zr_vec4 *row;
+    if (!open_list(json, path, array)) return false;
+    for (; zr_json_item(json) && (row = zr_growing_next(array, json)); array->count++) {
+        const char *behind = zr_row_color(json->at, json->end, row);
+        if (behind)
+            json->at = behind;
+        else
+            zr_json_color(json, ZR_JSON_ITEM(path, array->count), field, row);
+    }
+    zr_growing_trim(array, json->arena);
+    return true;
+}
+
+/* struct zr_growing of zr_vec3 */
+static bool read_normals(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field,
+                         void *out)
+{
+    struct zr_growing *array = out;
+    const double limit = (double)json->limits->coordinate_max;
+    zr_vec3 *row;
+    if (!open_list(json, path, array)) return false;
+    for (; zr_json_item(json) && (row = zr_growing_next(array, json)); array->count++) {
+        const char *behind = zr_row_vec3(json->at, json->end, limit, row);
+        if (behind)
+            json->at = behind;
+        else
+            zr_json_vec3(json, ZR_JSON_ITEM(path, array->count), field, row);
+    }
+    zr_growing_trim(array, json->arena);
+    return true;
+}
+
+/* What indices must be below: the count of positions, or, where these come later in the text, anything. */
+static uint32_t known_positions(const struct zr_given_mesh *given)
+{
+    return given->positions.items ? (uint32_t)given->positions.count : UINT32_MAX;
+}
+
+/* An index of a list of them, with all complaints. */
+static bool read_index(struct zr_json *json, const struct zr_json_path *path, uint32_t positions, uint32_t *out)
+{
+    if (positions < UINT32_MAX) return zr_json_index(json, path, positions, "positions", out);
+    return zr_json_whole(json, path, NULL, out);
+}
+
+/* The face at hand, when it is not plainly one. */
+static void read_face(struct zr_json *json, const struct zr_json_path *path, uint32_t positions,
+                      struct zr_growing *indices)
+{
     const size_t most = json->limits->polygon_vertices_max;
-    cJSON *item;
-    while (zr_json_walk_on(walk)) {
-        const size_t room = walk->to.numbers - walk->number;
-        uint32_t *indices = faces.indices + walk->number;
-        size_t count = 0;
-        walk->behind =
-            zr_row_indices(walk->at, json->text->end, faces.positions, most < room ? most : room, indices, &count);
-        if (walk->behind && count < 3) walk->behind = NULL;
-        if (!walk->behind && (item = zr_json_walk_parse(walk))) {
-            count = read_face(json, ZR_JSON_ITEM(walk->path, walk->index), item, faces.positions, indices);
-            zr_json_walk_drop(walk, item);
+    size_t count = 0;
+    uint32_t *corner;
+    if (!zr_json_list(json, path)) return;
+    for (zr_json_enter(json, '['); zr_json_item(json); count++) {
+        if (count >= most) {
+            zr_json_skip(json);
+            continue;
         }
-        if (walk->behind) walk->number += count;
-        faces.ends[walk->index] = (uint32_t)walk->number;
+        if (!(corner = zr_growing_next(indices, json))) return;
+        if (read_index(json, ZR_JSON_ITEM(path, count), positions, corner)) indices->count++;
     }
+    if (count < 3 || count > most)
+        zr_json_fault(json, path, "a face of %zu corners; 3 to %zu are allowed", count, most);
 }
 
-static void read_faces(struct zr_json *json, const struct zr_json_path *path, const cJSON *node, struct zr_mesh *mesh)
+/* struct zr_given_mesh */
+static bool read_faces(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field,
+                       void *out)
 {
-    struct zr_json_list *list = zr_json_large_list(json, path, node);
-    if (!list) return;
-    uint32_t *offsets = zr_arena_alloc(json->arena, list->items + 1, sizeof *offsets);
-    uint32_t *indices = zr_arena_alloc(json->arena, list->numbers, sizeof *indices);
-    if (!zr_arena_ok(json->arena)) return;
-    offsets[0] = 0;
-    struct faces faces = {mesh->position_count, offsets + 1, indices};
-    read_list(json, path, list, read_face_rows, &faces);
-    mesh->face_count = (uint32_t)list->items; /* where not all was read there is a fault, and nobody looks at them */
-    mesh->face_offsets = offsets;
-    mesh->indices = indices;
-}
-
-static void read_line(struct zr_json *json, const struct zr_json_path *path, const cJSON *node, uint32_t positions,
-                      uint32_t line[2])
-{
-    size_t ends;
-    if (!zr_json_array(json, path, node, &ends)) return;
-    if (ends != 2) {
-        zr_json_fault(json, path, "a line of %zu ends; it has two", ends);
-        return;
+    struct zr_given_mesh *given = out;
+    struct zr_growing *indices = &given->indices, *offsets = &given->offsets;
+    const uint32_t positions = given->face_positions = known_positions(given);
+    const size_t most = json->limits->polygon_vertices_max;
+    uint32_t *offset;
+    (void)field;
+    if (!open_list(json, path, offsets)) return false;
+    for (; zr_json_item(json); offsets->count++) {
+        if (!(offset = zr_growing_next(offsets, json)) || !zr_growing_reserve(indices, json, CORNERS_AT_HAND))
+            return false;
+        *offset = (uint32_t)indices->count;
+        const size_t room = indices->room - indices->count;
+        uint32_t *corners = (uint32_t *)indices->items + indices->count;
+        size_t count = 0;
+        const char *behind = zr_row_indices(json->at, json->end, positions, most < room ? most : room, corners, &count);
+        if (behind && count >= 3) {
+            json->at = behind;
+            indices->count += count;
+        } else {
+            read_face(json, ZR_JSON_ITEM(path, offsets->count), positions, indices);
+        }
     }
-    const cJSON *end = node->child;
-    for (size_t k = 0; k < 2; k++, end = end->next)
-        zr_json_index(json, ZR_JSON_ITEM(path, k), end, positions, "positions", &line[k]);
+    if (!(offset = zr_growing_next(offsets, json))) return false;
+    *offset = (uint32_t)indices->count;
+    offsets->count++;
+    zr_growing_trim(indices, json->arena);
+    zr_growing_trim(offsets, json->arena);
+    zr_growing_trim(indices, json->arena);
+    return true;
 }
 
-struct lines {
-    uint32_t positions, *ends;
-};
-
-static void read_line_rows(struct zr_json_walk *walk, void *context)
+static void read_line(struct zr_json *json, const struct zr_json_path *path, uint32_t positions, uint32_t line[2])
 {
-    const struct lines lines = *(const struct lines *)context;
-    struct zr_json *json = walk->json;
     size_t ends = 0;
-    cJSON *item;
-    while (zr_json_walk_on(walk)) {
-        uint32_t *line = lines.ends + 2 * walk->index;
-        walk->behind = zr_row_indices(walk->at, json->text->end, lines.positions, 2, line, &ends);
-        if (walk->behind && ends < 2) walk->behind = NULL;
-        if (walk->behind || !(item = zr_json_walk_parse(walk))) continue;
-        read_line(json, ZR_JSON_ITEM(walk->path, walk->index), item, lines.positions, line);
-        zr_json_walk_drop(walk, item);
+    if (!zr_json_list(json, path)) return;
+    for (zr_json_enter(json, '['); zr_json_item(json); ends++) {
+        if (ends < 2)
+            read_index(json, ZR_JSON_ITEM(path, ends), positions, &line[ends]);
+        else
+            zr_json_skip(json);
     }
+    if (ends != 2) zr_json_fault(json, path, "a line of %zu ends; it has two", ends);
 }
 
-static void read_lines(struct zr_json *json, const struct zr_json_path *path, const cJSON *node, struct zr_mesh *mesh)
+/* struct zr_given_mesh */
+static bool read_lines(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field,
+                       void *out)
 {
-    struct zr_json_list *list = zr_json_large_list(json, path, node);
-    struct lines lines = {mesh->position_count, NULL};
-    lines.ends = list ? zr_arena_alloc(json->arena, list->items, 2 * sizeof *lines.ends) : NULL;
-    if (!lines.ends) return;
-    read_list(json, path, list, read_line_rows, &lines);
-    mesh->line_count = (uint32_t)list->items;
-    mesh->lines = lines.ends;
+    struct zr_given_mesh *given = out;
+    struct zr_growing *lines = &given->lines;
+    const uint32_t positions = given->line_positions = known_positions(given);
+    uint32_t *line;
+    (void)field;
+    if (!open_list(json, path, lines)) return false;
+    for (; zr_json_item(json) && (line = zr_growing_next(lines, json)); lines->count++) {
+        size_t ends = 0;
+        const char *behind = zr_row_indices(json->at, json->end, positions, 2, line, &ends);
+        if (behind && ends == 2)
+            json->at = behind;
+        else
+            read_line(json, ZR_JSON_ITEM(path, lines->count), positions, line);
+    }
+    zr_growing_trim(lines, json->arena);
+    return true;
+}
+
+/* ---- keys ---- */
+
+enum { NAME, MATERIAL, POSITIONS, NORMALS, COLORS, FACE_COLORS, FACES, LINES, HEIGHTS };
+#define AT(member) offsetof(struct zr_given_mesh, member)
+static const struct zr_json_field fields[] = {
+    [NAME] = {"name", zr_json_string, AT(name), .text = "what nodes and fit may call it by; info has it"},
+    [MATERIAL] = {"material", zr_json_string, AT(material), .otherwise = "none", .text = "the name of a material"},
+    [POSITIONS] = {"positions", read_positions, AT(positions), .unit = "scene units",
+                   .text = "[x,y,z] or [x,y,z,w] of each vertex"},
+    [NORMALS] = {"normals", read_normals, AT(normals), .otherwise = "computed", .text = "one for each position"},
+    [COLORS] = {"colors", read_colors, AT(colors), .text = "one for each position"},
+    [FACE_COLORS] = {"faceColors", read_colors, AT(face_colors), .text = "one for each face"},
+    [FACES] = {"faces", read_faces, 0, .text = "three or more indices of positions each, counter-clockwise"},
+    [LINES] = {"lines", read_lines, 0, .text = "two indices of positions each"},
+    [HEIGHTS] = {"heights", zr_read_heights, AT(heights), .unit = "scene units",
+                 .text = "a grid instead of positions and faces"},
+    ZR_LOOK_FIELDS(struct zr_given_mesh, look),
+    ZR_SIDES_FIELD(struct zr_given_mesh, look),
+    {.key = "texcoords"},
+    {.key = "data"}};
+static const struct zr_json_object object = ZR_JSON_OBJECT_OF("mesh", fields);
+
+bool zr_read_meshes(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field, void *out)
+{
+    struct zr_growing *list = &((struct zr_draft *)out)->meshes;
+    (void)field;
+    list->size = sizeof(struct zr_given_mesh);
+    if (!zr_json_list(json, path)) return false;
+    for (zr_json_enter(json, '['); zr_json_item(json); list->count++) {
+        /* By itself, so that its lists find it where it is, and can be the newest in the arena. */
+        struct zr_given_mesh given = {.look = zr_look_unsaid,
+                                      .positions.size = sizeof(zr_vec4),
+                                      .normals.size = sizeof(zr_vec3),
+                                      .colors.size = sizeof(zr_vec4),
+                                      .face_colors.size = sizeof(zr_vec4),
+                                      .offsets.size = sizeof(uint32_t),
+                                      .indices.size = sizeof(uint32_t),
+                                      .lines.size = 2 * sizeof(uint32_t),
+                                      .heights.values.size = sizeof(float)};
+        zr_json_fields(json, ZR_JSON_ITEM(path, list->count), &object, &given, &given.given);
+        struct zr_given_mesh *kept = zr_growing_next(list, json);
+        if (!kept) return false;
+        *kept = given;
+    }
+    return true;
+}
+
+/* ---- meshes ---- */
+
+static bool gives(const struct zr_given_mesh *given, int key)
+{
+    return zr_json_gives(given->given, key);
 }
 
 /* Either positions with faces, lines or both, or heights. */
-static void check_shape(struct zr_json *json, const struct zr_json_path *path, const cJSON *const *found)
+static void check_shape(struct zr_json *json, const struct zr_json_path *path, const struct zr_given_mesh *given)
 {
     static const int others[] = {POSITIONS, FACES, LINES};
-    if (found[HEIGHTS]) {
+    if (gives(given, HEIGHTS)) {
         for (size_t i = 0; i < sizeof others / sizeof *others; i++)
-            if (found[others[i]]) zr_json_fault(json, path, "two shapes: heights and %s", words[others[i]]);
+            if (gives(given, others[i])) zr_json_fault(json, path, "two shapes: heights and %s", fields[others[i]].key);
         return;
     }
-    if (!found[POSITIONS]) zr_json_fault(json, path, "positions is missing");
-    if (!found[FACES] && !found[LINES]) zr_json_fault(json, path, "faces is missing, and so is lines");
+    if (!gives(given, POSITIONS)) zr_json_fault(json, path, "positions is missing");
+    if (!gives(given, FACES) && !gives(given, LINES)) zr_json_fault(json, path, "faces is missing, and so is lines");
 }
 
-void zr_draft_read_mesh(struct zr_draft *draft, const struct zr_json_path *path, const cJSON *node,
-                        struct zr_mesh *mesh)
+/* The items of a list that must have one for each of `wanted` things; NULL where it is not given or not right. */
+static const void *one_each(struct zr_json *json, const struct zr_json_path *path, const struct zr_given_mesh *given,
+                            int key, const struct zr_growing *list, size_t wanted, const char *of)
+{
+    if (!gives(given, key)) return NULL;
+    if (list->count != wanted)
+        zr_json_fault(json, ZR_JSON_KEY(path, fields[key].key), "%zu items for %zu %s; one each is needed", list->count,
+                      wanted, of);
+    return list->items;
+}
+
+/* Indices that came before the positions that they are of. Item i has the indices offsets[i] to offsets[i + 1] - 1, or,
+ * where offsets is NULL, two. */
+static void check_indices(struct zr_json *json, const struct zr_json_path *path, const uint32_t *indices,
+                          const uint32_t *offsets, size_t items, uint32_t positions)
+{
+    for (size_t i = 0; i < items; i++) {
+        const size_t first = offsets ? offsets[i] : 2 * i, behind = offsets ? offsets[i + 1] : 2 * i + 2;
+        for (size_t k = first; k < behind; k++)
+            if (indices[k] >= positions && json->error->count < ZR_ERROR_ITEMS)
+                zr_json_bad_index(json, ZR_JSON_ITEM(ZR_JSON_ITEM(path, i), k - first), (double)indices[k], positions,
+                                  "positions");
+    }
+}
+
+static void make_faces(struct zr_json *json, const struct zr_json_path *path, const struct zr_given_mesh *given,
+                       struct zr_mesh *mesh)
+{
+    if (gives(given, FACES) && given->offsets.count > 0) {
+        mesh->face_count = (uint32_t)given->offsets.count - 1;
+        mesh->face_offsets = given->offsets.items;
+        mesh->indices = given->indices.items;
+        if (given->face_positions != mesh->position_count)
+            check_indices(json, ZR_JSON_KEY(path, fields[FACES].key), mesh->indices, mesh->face_offsets,
+                          mesh->face_count, mesh->position_count);
+    }
+    mesh->line_count = (uint32_t)given->lines.count;
+    mesh->lines = given->lines.items;
+    if (given->line_positions != mesh->position_count)
+        check_indices(json, ZR_JSON_KEY(path, fields[LINES].key), mesh->lines, NULL, mesh->line_count,
+                      mesh->position_count);
+}
+
+static void make_mesh(struct zr_draft *draft, const struct zr_json_path *path, const struct zr_given_mesh *given,
+                      struct zr_mesh *mesh)
 {
     struct zr_json *json = &draft->json;
-    const cJSON *found[KEYS];
     static const uint32_t no_faces[1] = {0};
-    *mesh = (struct zr_mesh){.name = "", .face_offsets = no_faces};
-    if (!zr_json_object(json, path, node, &keys, found)) return;
-    const char *name;
-    if (found[NAME] && zr_json_string(json, ZR_JSON_KEY(path, words[NAME]), found[NAME], &name))
-        mesh->name = zr_json_keep(json, name);
-    check_shape(json, path, found);
-    struct zr_style style;
-    zr_draft_read_style(draft, path, found[MATERIAL], &found[LOOK], &style);
-    style.is_open = found[HEIGHTS] != NULL;
-    if (!found[HEIGHTS] && (!found[POSITIONS] || (!found[FACES] && !found[LINES]))) return;
-
-    const bool *holes = NULL;
-    if (found[HEIGHTS])
-        holes = zr_json_read_heights(json, ZR_JSON_KEY(path, words[HEIGHTS]), found[HEIGHTS], mesh);
-    else
-        read_positions(json, ZR_JSON_KEY(path, words[POSITIONS]), found[POSITIONS], mesh);
-    if (!mesh->positions) return; /* no count to hold the rest against */
-    if (found[NORMALS]) read_normals(json, ZR_JSON_KEY(path, words[NORMALS]), found[NORMALS], mesh);
-    mesh->colors =
-        read_colors(draft, ZR_JSON_KEY(path, words[COLORS]), found[COLORS], mesh->position_count, "positions");
-    if (found[FACES] && !found[HEIGHTS]) read_faces(json, ZR_JSON_KEY(path, words[FACES]), found[FACES], mesh);
-    if (found[LINES] && !found[HEIGHTS]) read_lines(json, ZR_JSON_KEY(path, words[LINES]), found[LINES], mesh);
-    mesh->face_colors =
-        read_colors(draft, ZR_JSON_KEY(path, words[FACE_COLORS]), found[FACE_COLORS], mesh->face_count, "faces");
+    struct zr_style style = {.given = draft->given_count, .look = given->look, .is_open = gives(given, HEIGHTS)};
+    *mesh = (struct zr_mesh){.name = given->name ? given->name : "", .face_offsets = no_faces};
+    check_shape(json, path, given);
+    if (given->material)
+        style.given = zr_draft_find_material(draft, ZR_JSON_KEY(path, fields[MATERIAL].key), given->material);
+    if (gives(given, HEIGHTS)) {
+        if (!zr_heights_make(json, ZR_JSON_KEY(path, fields[HEIGHTS].key), &given->heights, mesh)) return;
+    } else {
+        if (!given->positions.items) return; /* no count to hold the rest against */
+        mesh->position_count = (uint32_t)given->positions.count;
+        mesh->positions = given->positions.items;
+        make_faces(json, path, given, mesh);
+    }
+    mesh->normals = one_each(json, path, given, NORMALS, &given->normals, mesh->position_count, "positions");
+    mesh->normal_count = mesh->normals ? mesh->position_count : 0;
+    mesh->colors = one_each(json, path, given, COLORS, &given->colors, mesh->position_count, "positions");
+    mesh->face_colors = one_each(json, path, given, FACE_COLORS, &given->face_colors, mesh->face_count, "faces");
+    if (json->error->count > 0) return;
+    zr_draft_note_alpha(draft, mesh->colors, mesh->colors ? mesh->position_count : 0);
+    zr_draft_note_alpha(draft, mesh->face_colors, mesh->face_colors ? mesh->face_count : 0);
     mesh->material = zr_draft_variant(draft, &style, mesh->colors || mesh->face_colors,
-                                      mesh->normals || mesh->colors || found[HEIGHTS]);
-    if (holes) zr_heights_drop_holes(json->arena, holes, mesh);
+                                      mesh->normals || mesh->colors || gives(given, HEIGHTS));
+    if (gives(given, HEIGHTS)) zr_heights_drop_holes(json->arena, &given->heights, mesh);
+}
+
+void zr_draft_make_meshes(struct zr_draft *draft, const struct zr_json_path *path, struct zr_mesh *meshes)
+{
+    const struct zr_given_mesh *given = draft->meshes.items;
+    for (size_t i = 0; i < draft->meshes.count && !zr_json_stops(&draft->json); i++)
+        make_mesh(draft, ZR_JSON_ITEM(path, i), &given[i], &meshes[i]);
 }

@@ -7,10 +7,6 @@
 #include "input/text.h"
 #include "scene/nodes.h"
 
-enum { NAME, MESH, MATRIX, TRANSLATION, ROTATION, SCALE, CHILDREN, KEYS };
-static const char *const words[] = {"name", "mesh", "matrix", "translation", "rotation", "scale", "children"};
-static const struct zr_names keys = ZR_NAMES(KEYS, words);
-
 /* ---- what names refer to ---- */
 
 struct named {
@@ -77,12 +73,15 @@ static bool find_name(struct zr_json *json, const struct zr_json_path *path, con
     return true;
 }
 
-static bool read_reference(struct zr_json *json, const struct zr_json_path *path, const cJSON *node,
-                           const struct directory *directory, uint32_t *out)
+static bool read_reference(struct zr_json *json, const struct zr_json_path *path, const struct directory *directory,
+                           uint32_t *out)
 {
-    if (cJSON_IsString(node)) return find_name(json, path, directory, node->valuestring, out);
-    if (!cJSON_IsNumber(node)) return zr_json_expect(json, path, node, "an index or a name");
-    return zr_json_index(json, path, node, directory->count, directory->many, out);
+    const enum zr_json_type type = zr_json_type(json);
+    const char *name;
+    if (type == ZR_JSON_STRING)
+        return zr_json_string(json, path, NULL, &name) && find_name(json, path, directory, name, out);
+    if (type != ZR_JSON_NUMBER) return zr_json_expect(json, path, "an index or a name");
+    return zr_json_index(json, path, directory->count, directory->many, out);
 }
 
 /* ---- matrices ---- */
@@ -109,63 +108,78 @@ static zr_mat4 matrix_of(zr_vec3 t, zr_vec4 q, zr_vec3 s)
     return out;
 }
 
-static void read_parts(struct zr_json *json, const struct zr_json_path *path, const cJSON *const *found, zr_mat4 *out)
-{
-    zr_vec3 translation = {0, 0, 0}, scale = {1, 1, 1};
-    zr_vec4 rotation = {0, 0, 0, 1};
-    const struct zr_json_path *turn = ZR_JSON_KEY(path, words[ROTATION]);
-    if (found[TRANSLATION]) zr_json_vec3(json, ZR_JSON_KEY(path, words[TRANSLATION]), found[TRANSLATION], &translation);
-    if (found[SCALE]) zr_json_vec3(json, ZR_JSON_KEY(path, words[SCALE]), found[SCALE], &scale);
-    if (found[ROTATION] && zr_json_vec4(json, turn, found[ROTATION], &rotation) && rotation.x == 0.0f &&
-        rotation.y == 0.0f && rotation.z == 0.0f && rotation.w == 0.0f) {
-        zr_json_fault(json, turn, "a quaternion of no length; 0 0 0 1 turns nothing");
-        return;
-    }
-    *out = matrix_of(translation, rotation, scale);
-}
-
-static void read_local(struct zr_json *json, const struct zr_json_path *path, const cJSON *const *found, zr_mat4 *out)
-{
-    *out = zr_mat4_identity();
-    if (!found[MATRIX]) {
-        if (found[TRANSLATION] || found[ROTATION] || found[SCALE]) read_parts(json, path, found, out);
-        return;
-    }
-    for (int key = TRANSLATION; key <= SCALE; key++)
-        if (found[key]) zr_json_fault(json, path, "two transformations: %s and %s", words[MATRIX], words[key]);
-    zr_json_affine(json, ZR_JSON_KEY(path, words[MATRIX]), found[MATRIX], out);
-}
-
 /* ---- nodes ---- */
+
+struct given_node {
+    const char *name, *mesh, *children; /* the latter two: where they are in the text; NULL where they are not */
+    zr_mat4 matrix;
+    zr_vec3 translation, scale;
+    zr_vec4 rotation;
+};
+
+enum { NAME, MESH, MATRIX, TRANSLATION, ROTATION, SCALE, CHILDREN };
+#define AT(member) offsetof(struct given_node, member)
+static const struct zr_json_field fields[] = {
+    [NAME] = {"name", zr_json_string, AT(name), .text = "what parents may call it by; info has it"},
+    [MESH] = {"mesh", zr_json_place, AT(mesh), .otherwise = "a group", .text = "the number or the name of a mesh"},
+    [MATRIX] = {"matrix", zr_json_affine, AT(matrix), .otherwise = "the identity", .text = "from it to its parent"},
+    [TRANSLATION] = {"translation", zr_json_vec3, AT(translation), .unit = "scene units", .otherwise = "[0, 0, 0]",
+                     .text = "comes after scale and rotation"},
+    [ROTATION] = {"rotation", zr_json_vec4, AT(rotation), .otherwise = "[0, 0, 0, 1]",
+                  .text = "a quaternion x, y, z, w; comes after scale"},
+    [SCALE] = {"scale", zr_json_vec3, AT(scale), .otherwise = "[1, 1, 1]", .text = "a factor for each axis"},
+    [CHILDREN] = {"children", zr_json_place, AT(children), .otherwise = "[]",
+                  .text = "the numbers or the names of nodes that go with it"}};
+static const struct zr_json_object object = ZR_JSON_OBJECT_OF("node", fields);
 
 /* Nodes while they are read. Children wait until every name is known. */
 struct reader {
     struct zr_json *json;
     const struct zr_json_path *path; /* of the list */
     struct directory meshes, nodes;
-    const cJSON **children; /* one list a node, or NULL */
+    const char **children; /* where each node's are, or NULL */
     struct zr_node *made;
 };
 
-static void read_node(struct reader *reader, const struct zr_json_path *path, const cJSON *item, uint32_t number)
+static zr_mat4 find_local(struct zr_json *json, const struct zr_json_path *path, const struct given_node *given,
+                          uint64_t keys)
 {
-    struct zr_json *json = reader->json;
-    struct zr_node *node = &reader->made[number];
-    const cJSON *found[KEYS];
-    const char *name;
-    *node = (struct zr_node){.mesh = ZR_NODE_NO_MESH};
-    reader->children[number] = NULL;
-    if (!zr_json_object(json, path, item, &keys, found)) return;
-    if (found[NAME] && zr_json_string(json, ZR_JSON_KEY(path, words[NAME]), found[NAME], &name)) {
-        add_name(&reader->nodes, name, number);
-        if (*name && found[MESH]) node->name = zr_json_keep(json, name);
+    const zr_vec4 q = given->rotation;
+    if (zr_json_gives(keys, MATRIX)) {
+        for (int key = TRANSLATION; key <= SCALE; key++)
+            if (zr_json_gives(keys, key))
+                zr_json_fault(json, path, "two transformations: %s and %s", fields[MATRIX].key, fields[key].key);
+        return given->matrix;
     }
-    if (found[MESH]) read_reference(json, ZR_JSON_KEY(path, words[MESH]), found[MESH], &reader->meshes, &node->mesh);
-    read_local(json, path, found, &node->local);
-    size_t count;
-    if (found[CHILDREN] && zr_json_array(json, ZR_JSON_KEY(path, words[CHILDREN]), found[CHILDREN], &count)) {
+    if (!(zr_json_gives(keys, TRANSLATION) || zr_json_gives(keys, ROTATION) || zr_json_gives(keys, SCALE)))
+        return zr_mat4_identity();
+    if (q.x == 0.0f && q.y == 0.0f && q.z == 0.0f && q.w == 0.0f)
+        zr_json_fault(json, ZR_JSON_KEY(path, fields[ROTATION].key),
+                      "a quaternion of no length; 0 0 0 1 turns nothing");
+    return matrix_of(given->translation, q, given->scale);
+}
+
+static void read_node(struct reader *reader, struct zr_json *json, const struct zr_json_path *path, uint32_t number)
+{
+    struct zr_node *node = &reader->made[number];
+    struct given_node given = {.name = "", .matrix = zr_mat4_identity(), .rotation = {0, 0, 0, 1}, .scale = {1, 1, 1}};
+    uint64_t keys;
+    *node = (struct zr_node){.mesh = ZR_NODE_NO_MESH};
+    zr_json_fields(json, path, &object, &given, &keys);
+    add_name(&reader->nodes, given.name, number);
+    if (*given.name && given.mesh) node->name = given.name;
+    if (given.mesh) {
+        struct zr_json there = zr_json_at(json, given.mesh);
+        read_reference(&there, ZR_JSON_KEY(path, fields[MESH].key), &reader->meshes, &node->mesh);
+    }
+    node->local = find_local(json, path, &given, keys);
+    reader->children[number] = NULL;
+    if (given.children) {
+        struct zr_json there = zr_json_at(json, given.children);
+        size_t count;
+        if (!zr_json_count(&there, ZR_JSON_KEY(path, fields[CHILDREN].key), &count)) return;
         node->child_count = (uint32_t)count;
-        reader->children[number] = found[CHILDREN];
+        reader->children[number] = given.children;
     }
 }
 
@@ -180,10 +194,13 @@ static const uint32_t *read_children(struct reader *reader, uint32_t *total)
     uint32_t *children = zr_arena_alloc(json->arena, *total, sizeof *children), *next = children;
     if (!children) return NULL;
     for (uint32_t i = 0; i < reader->nodes.count; i++) {
-        const struct zr_json_path *node = ZR_JSON_ITEM(reader->path, i), *path = ZR_JSON_KEY(node, words[CHILDREN]);
-        const cJSON *item = reader->children[i] ? reader->children[i]->child : NULL;
-        for (size_t k = 0; item && !zr_json_full(json); item = item->next, k++)
-            read_reference(json, ZR_JSON_ITEM(path, k), item, &reader->nodes, next++);
+        const struct zr_json_path *node = ZR_JSON_ITEM(reader->path, i),
+                                  *path = ZR_JSON_KEY(node, fields[CHILDREN].key);
+        if (!reader->children[i]) continue;
+        struct zr_json there = zr_json_at(json, reader->children[i]);
+        zr_json_enter(&there, '[');
+        for (size_t k = 0; zr_json_item(&there); k++)
+            read_reference(&there, ZR_JSON_ITEM(path, k), &reader->nodes, next++);
     }
     return children;
 }
@@ -196,7 +213,7 @@ static bool report(const struct reader *reader, const struct zr_placement *place
     case ZR_NODES_GOOD:
         return true;
     case ZR_NODES_CYCLE:
-        return zr_json_fault(json, ZR_JSON_ITEM(ZR_JSON_KEY(node, words[CHILDREN]), placement->child),
+        return zr_json_fault(json, ZR_JSON_ITEM(ZR_JSON_KEY(node, fields[CHILDREN].key), placement->child),
                              "a cycle: this child is the node itself, or has it for a descendant");
     case ZR_NODES_TOO_DEEP:
         return zr_json_fault(json, node, "nested too deep: below this node are more than the limit of %d levels",
@@ -224,25 +241,14 @@ static uint32_t count_unplaced(struct zr_arena *arena, const struct reader *read
     return unplaced;
 }
 
-static void read_all(struct reader *reader, const cJSON *list)
-{
-    uint32_t number = 0;
-    sort_names(&reader->meshes);
-    for (const cJSON *item = list->child; item && !zr_json_full(reader->json) && !zr_json_stopped(reader->json);
-         item = item->next, number++)
-        read_node(reader, ZR_JSON_ITEM(reader->path, number), item, number);
-    reader->nodes.count = number;
-    sort_names(&reader->nodes);
-}
-
-struct zr_instance *zr_draft_read_nodes(struct zr_draft *draft, const struct zr_json_path *path, const cJSON *list,
+struct zr_instance *zr_draft_read_nodes(struct zr_draft *draft, const struct zr_json_path *path,
                                         const struct zr_mesh *meshes, uint32_t mesh_count, uint32_t *count)
 {
-    struct zr_json *json = &draft->json;
+    struct zr_json there = zr_json_at(&draft->json, draft->nodes), *json = &there;
     struct zr_arena *arena = json->arena;
     size_t nodes;
     *count = 0;
-    if (!zr_json_array(json, path, list, &nodes)) return NULL;
+    if (!zr_json_count(json, path, &nodes)) return NULL;
     struct reader reader = {.json = json,
                             .path = path,
                             .meshes = open_directory(arena, "mesh", "meshes", mesh_count),
@@ -252,7 +258,12 @@ struct zr_instance *zr_draft_read_nodes(struct zr_draft *draft, const struct zr_
     if (!zr_arena_ok(arena)) return NULL;
     for (uint32_t i = 0; i < mesh_count; i++)
         add_name(&reader.meshes, meshes[i].name, i);
-    read_all(&reader, list);
+    sort_names(&reader.meshes);
+    uint32_t number = 0;
+    for (zr_json_enter(json, '['); zr_json_item(json); number++)
+        read_node(&reader, json, ZR_JSON_ITEM(path, number), number);
+    reader.nodes.count = number;
+    sort_names(&reader.nodes);
     struct zr_nodes hierarchy = {.count = reader.nodes.count, .nodes = reader.made};
     hierarchy.children = read_children(&reader, &hierarchy.child_count);
     if (!zr_arena_ok(arena) || json->error->count > 0) return NULL;

@@ -1,54 +1,72 @@
 #include "input/json_scene.h"
 #include "input/outputs.h"
 
-enum { CHANNEL, ENCODING, SCALE, SPACE, KEYS };
-static const char *const words[] = {"channel", "encoding", "scale", "space"};
-static const struct zr_names keys = ZR_NAMES(KEYS, words);
+enum { UNSAID = -1, OUTPUTS_MAX = ZR_CHANNEL_COUNT * ZR_ENCODING_COUNT };
 
-static bool read_encoding(struct zr_json *json, const struct zr_json_path *path, const cJSON *node,
-                          struct zr_output *output)
+struct given_output {
+    int channel, encoding, space;
+    float scale;
+};
+
+/* Words that name a space; which of them a channel has is looked at once the channel is known. */
+static bool read_space(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field,
+                       void *out)
 {
-    int encoding;
-    output->encoding = zr_channel_rows[output->channel].encodings[0];
-    if (!node) return true;
-    if (!zr_json_choice(json, path, node, &zr_encoding_names, &encoding)) return false;
-    output->encoding = (enum zr_encoding)encoding;
-    return zr_channel_has(output->channel, output->encoding) ||
-           zr_json_fault(json, path, "the channel %s cannot be had as %s; allowed: %s",
-                         zr_channel_names.words[output->channel], zr_encoding_names.words[encoding],
-                         zr_channel_encodings_join(output->channel).text);
+    const struct zr_json_field any = {.words = &zr_space_names};
+    (void)field;
+    return zr_json_choice(json, path, &any, out);
 }
 
-static bool read_space(struct zr_json *json, const struct zr_json_path *path, const cJSON *node,
-                       struct zr_output *output)
+enum { CHANNEL, ENCODING, SPACE, SCALE };
+#define AT(member) offsetof(struct given_output, member)
+static const struct zr_json_field fields[] = {
+    [CHANNEL] = {"channel", zr_json_choice, AT(channel), .words = &zr_channel_names, .required = true,
+                 .text = "what each pixel is to hold"},
+    [ENCODING] = {"encoding", zr_json_choice, AT(encoding), .words = &zr_encoding_names,
+                  .otherwise = "the first one of the channel", .text = "the format of the file"},
+    [SPACE] = {"space", read_space, AT(space), .otherwise = "camera", .text = "of positions and normals"},
+    [SCALE] = {"scale", zr_json_positive, AT(scale), .unit = "scene units", .otherwise = "the far plane is 65535",
+               .text = "of one step of a png16"}};
+static const struct zr_json_object object = ZR_JSON_OBJECT_OF("output", fields);
+
+static bool check_encoding(struct zr_json *json, const struct zr_json_path *path, const struct given_output *given,
+                           struct zr_output *output)
+{
+    output->encoding = zr_channel_rows[output->channel].encodings[0];
+    if (given->encoding == UNSAID) return true;
+    output->encoding = (enum zr_encoding)given->encoding;
+    return zr_channel_has(output->channel, output->encoding) ||
+           zr_json_fault(json, ZR_JSON_KEY(path, fields[ENCODING].key),
+                         "the channel %s cannot be had as %s; allowed: %s", zr_channel_names.words[output->channel],
+                         zr_encoding_names.words[given->encoding], zr_channel_encodings_join(output->channel).text);
+}
+
+static bool check_space(struct zr_json *json, const struct zr_json_path *path, const struct given_output *given,
+                        struct zr_output *output)
 {
     const int count = zr_channel_rows[output->channel].space_count;
     const struct zr_names allowed = {count, ZR_SPACE_COUNT, zr_space_names.words};
-    int space;
-    if (!node) return true;
+    const struct zr_json_path *at = ZR_JSON_KEY(path, fields[SPACE].key);
+    if (given->space == UNSAID) return true;
     if (count == 0)
-        return zr_json_fault(json, path, "the channel %s lies in no space", zr_channel_names.words[output->channel]);
-    if (!zr_json_choice(json, path, node, &allowed, &space)) return false;
-    output->space = (enum zr_space)space;
+        return zr_json_fault(json, at, "the channel %s lies in no space", zr_channel_names.words[output->channel]);
+    if (given->space >= count)
+        return zr_json_fault(json, at, "%s", zr_names_refuse(&allowed, zr_space_names.words[given->space]).text);
+    output->space = (enum zr_space)given->space;
     return true;
 }
 
-static bool read_output(struct zr_json *json, const struct zr_json_path *path, const cJSON *node,
-                        struct zr_output *output)
+static bool read_output(struct zr_json *json, const struct zr_json_path *path, struct zr_output *output)
 {
-    const cJSON *found[KEYS];
-    int channel;
-    if (!zr_json_object(json, path, node, &keys, found)) return false;
-    if (!found[CHANNEL]) return zr_json_fault(json, path, "channel is missing");
-    if (!zr_json_choice(json, ZR_JSON_KEY(path, words[CHANNEL]), found[CHANNEL], &zr_channel_names, &channel))
+    struct given_output given = {UNSAID, UNSAID, UNSAID, 0};
+    const size_t faults = json->error->count;
+    uint64_t keys;
+    if (!zr_json_fields(json, path, &object, &given, &keys) || json->error->count > faults || given.channel == UNSAID)
         return false;
-    *output = (struct zr_output){.channel = (enum zr_channel)channel};
-    if (!read_encoding(json, ZR_JSON_KEY(path, words[ENCODING]), found[ENCODING], output)) return false;
-    if (!read_space(json, ZR_JSON_KEY(path, words[SPACE]), found[SPACE], output)) return false;
-    if (!found[SCALE]) return true;
-    const struct zr_json_path *scale = ZR_JSON_KEY(path, words[SCALE]);
-    if (output->encoding != ZR_ENCODING_PNG16) return zr_json_fault(json, scale, "only the encoding png16 has one");
-    return zr_json_positive(json, scale, found[SCALE], &output->scale);
+    *output = (struct zr_output){.channel = (enum zr_channel)given.channel, .scale = given.scale};
+    if (!check_encoding(json, path, &given, output) || !check_space(json, path, &given, output)) return false;
+    return !zr_json_gives(keys, SCALE) || output->encoding == ZR_ENCODING_PNG16 ||
+           zr_json_fault(json, ZR_JSON_KEY(path, fields[SCALE].key), "only the encoding png16 has one");
 }
 
 /* More outputs than there are file names must clash, so that few are ever compared. */
@@ -70,24 +88,22 @@ static bool clashes(struct zr_json *json, const struct zr_json_path *path, const
     return false;
 }
 
-void zr_draft_read_outputs(struct zr_draft *draft, const struct zr_json_path *path, const cJSON *list)
+bool zr_read_outputs(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field,
+                     void *out)
 {
-    enum { OUTPUTS_MAX = ZR_CHANNEL_COUNT * ZR_ENCODING_COUNT };
-    struct zr_json *json = &draft->json;
-    size_t given, count = 0, number = 0;
-    if (!zr_json_array(json, path, list, &given)) return;
-    if (given == 0) {
-        zr_json_fault(json, path, "an empty list; leave it out for a colour image");
-        return;
-    }
+    struct zr_draft *draft = out;
+    size_t count = 0, number = 0;
+    (void)field;
+    if (!zr_json_list(json, path)) return false;
     struct zr_output *outputs = zr_arena_alloc(json->arena, OUTPUTS_MAX, sizeof *outputs);
-    if (!outputs) return;
-    for (const cJSON *node = list->child; node && !zr_json_full(json); node = node->next, number++) {
+    if (!outputs) return false;
+    for (zr_json_enter(json, '['); zr_json_item(json); number++) {
         const struct zr_json_path *at = ZR_JSON_ITEM(path, number);
         struct zr_output output;
-        if (read_output(json, at, node, &output) && !clashes(json, at, outputs, count, &output))
-            outputs[count++] = output;
+        if (read_output(json, at, &output) && !clashes(json, at, outputs, count, &output)) outputs[count++] = output;
     }
+    if (number == 0) return zr_json_fault(json, path, "an empty list; leave it out for a colour image");
     draft->scene->views[0].outputs = outputs;
     draft->scene->views[0].output_count = (uint32_t)count;
+    return true;
 }

@@ -1,4 +1,4 @@
-/* json_rows.h - input: rows of numbers, from the text of a large list straight into the scene's arrays.
+/* json_rows.h - input: rows of numbers, from a text straight into the scene's arrays.
  *
  * Each function reads the value at `at` and returns where it ends; NULL where it is not what it should be, in
  * form or in range, or not in plain form. What is wrong then, if anything, is for json_value.h to say.
@@ -11,8 +11,7 @@
 #include "base/vec.h"
 #include "input/color_names.h"
 #include "input/color_text.h"
-#include "input/json_list.h"
-#include "input/json_value.h"
+#include "input/json.h"
 #include "input/number.h"
 #include "input/number_quick.h"
 

@@ -1,18 +1,61 @@
+/* The root of a scene: all of it is read first, in the order of the text, and then put together. */
 #include "input/json_scene.h"
 
 #include <string.h>
 
 #include "input/defaults.h"
 #include "input/input.h"
-#include "input/json_text.h"
 #include "input/text.h"
+
+/* Rows of numbers are read without counting levels. This deep an item of a list may be: /meshes/0/heights/values/0/0.
+ */
+enum { DEPTH_OF_LISTS = 6 };
+
+static const char *const managements[] = {"none", "srgb"};
+static const struct zr_names management_names = ZR_NAMES(1, managements);
+
+/* ---- keys ---- */
+
+/* uint32_t: of which this version knows one value, 1. */
+static bool read_version(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field,
+                         void *out)
+{
+    uint32_t number;
+    (void)out;
+    if (!zr_json_whole(json, path, field, &number)) return false;
+    return number == 1 || zr_json_fault(json, path, "%u; this is version 1 of the contract", number);
+}
+
+static bool read_samples(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field,
+                         void *out)
+{
+    uint32_t number;
+    (void)out;
+    if (!zr_json_whole(json, path, field, &number)) return false;
+    return number == 1 || zr_json_fault(json, path, "%u; only 1 is supported in this version", number);
+}
+
+static const struct zr_json_field window_fields[] = {
+    {"width", zr_json_whole, offsetof(struct zr_view, width), .unit = "pixels", .otherwise = "640",
+     .text = "from left to right"},
+    {"height", zr_json_whole, offsetof(struct zr_view, height), .unit = "pixels", .otherwise = "480",
+     .text = "from top to bottom"}};
+static const struct zr_json_object window_object = ZR_JSON_OBJECT_OF("window", window_fields);
+
+static bool read_window(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field,
+                        void *out)
+{
+    struct zr_draft *draft = out;
+    uint64_t keys;
+    (void)field;
+    return zr_json_fields(json, path, &window_object, &draft->scene->views[0], &keys);
+}
 
 enum {
     VERSION,
     WINDOW,
     BACKGROUND,
-    LOOK,
-    VIEW = LOOK + ZR_LOOK_DOUBLE_SIDED,
+    VIEW,
     AMBIENT,
     LIGHTS,
     MATERIALS,
@@ -24,99 +67,60 @@ enum {
     ALGORITHM,
     BASE,
     NODES,
-    FOG,
-    KEYS
+    FOG
 };
-/* A scene's own look is one without sides: those are a body's. */
-static const char *const words[] = {"version", "window",          "background", "shading",   "fill",   "outline",
-                                    "view",    "ambient",         "lights",     "materials", "meshes", "polygons",
-                                    "outputs", "colorManagement", "samples",    "algorithm", "base",   "nodes",
-                                    "fog",     "views",           "turntable"};
-static const struct zr_names keys = ZR_NAMES(KEYS, words);
+#define AT(member) offsetof(struct zr_draft, member)
+static const struct zr_json_field fields[] = {
+    [VERSION] = {"version", read_version, 0, .otherwise = "1", .text = "of the contract"},
+    [WINDOW] = {"window", read_window, 0, .text = "the size of the picture"},
+    [BACKGROUND] = {"background", zr_json_color, AT(background), .otherwise = "white", .text = "where nothing is"},
+    [VIEW] = {"view", zr_read_view, 0, .text = "a pose and a projection"},
+    [AMBIENT] = {"ambient", zr_json_color, AT(ambient), .text = "light from everywhere"},
+    [LIGHTS] = {"lights", zr_read_lights, 0, .otherwise = "two that go with the camera", .text = "lamps"},
+    [MATERIALS] = {"materials", zr_read_materials, 0, .otherwise = "[]", .text = "looks that meshes share"},
+    [MESHES] = {"meshes", zr_read_meshes, 0, .otherwise = "[]", .text = "positions and faces, lines or heights"},
+    [POLYGONS] = {"polygons", zr_read_polygons, 0, .otherwise = "[]", .text = "each with vertices of its own"},
+    [OUTPUTS] = {"outputs", zr_read_outputs, 0, .otherwise = "a colour image", .text = "what is asked for"},
+    [COLOR_MANAGEMENT] = {"colorManagement", zr_json_choice, AT(color_management), .words = &management_names,
+                          .otherwise = "none", .text = "none: colours are computed with as they are given"},
+    [SAMPLES] = {"samples", read_samples, 0, .otherwise = "1", .text = "for each pixel"},
+    [ALGORITHM] = {"algorithm", zr_json_choice, AT(algorithm), .words = &zr_algorithm_names, .otherwise = "halfspace",
+                   .text = "how it is decided what is seen; the picture is the same"},
+    [BASE] = {"base", zr_json_place, AT(base), .text = "a picture that is drawn into"},
+    [NODES] = {"nodes", zr_json_place, AT(nodes), .otherwise = "each mesh where it is", .text = "what places meshes"},
+    [FOG] = {"fog", zr_read_fog, 0, .text = "what is farther away fades"},
+    ZR_LOOK_FIELDS(struct zr_draft, look),
+    {.key = "views"},
+    {.key = "turntable"}};
+static const struct zr_json_object object = ZR_JSON_OBJECT_OF("scene", fields);
 
-static const char *const managements[] = {"none", "srgb"};
-static const struct zr_names management_names = ZR_NAMES(1, managements);
+#define ROOT_PATH(which) ZR_JSON_KEY(NULL, fields[which].key)
 
-/* Keys of which this version knows one value. */
-static void read_fixed(struct zr_json *json, const cJSON *const *found)
-{
-    uint32_t number;
-    int choice;
-    const struct zr_json_path *version = ZR_JSON_KEY(NULL, words[VERSION]),
-                              *samples = ZR_JSON_KEY(NULL, words[SAMPLES]);
-    if (found[VERSION] && zr_json_whole(json, version, found[VERSION], &number) && number != 1)
-        zr_json_fault(json, version, "%u; this is version 1 of the contract", number);
-    if (found[SAMPLES] && zr_json_whole(json, samples, found[SAMPLES], &number) && number != 1)
-        zr_json_fault(json, samples, "%u; only 1 is supported in this version", number);
-    if (found[COLOR_MANAGEMENT])
-        zr_json_choice(json, ZR_JSON_KEY(NULL, words[COLOR_MANAGEMENT]), found[COLOR_MANAGEMENT], &management_names,
-                       &choice);
-}
-
-static void read_algorithm(struct zr_draft *draft, const cJSON *node)
-{
-    int choice;
-    if (zr_json_choice(&draft->json, ZR_JSON_KEY(NULL, words[ALGORITHM]), node, &zr_algorithm_names, &choice))
-        draft->scene->algorithm = (enum zr_algorithm)choice;
-}
-
-static void read_window(struct zr_draft *draft, const cJSON *node)
-{
-    enum { WIDTH, HEIGHT, WINDOW_KEYS };
-    static const char *const members[] = {"width", "height"};
-    static const struct zr_names names = ZR_NAMES(WINDOW_KEYS, members);
-    const struct zr_json_path *path = ZR_JSON_KEY(NULL, words[WINDOW]);
-    const cJSON *found[WINDOW_KEYS];
-    struct zr_json *json = &draft->json;
-    if (!zr_json_object(json, path, node, &names, found)) return;
-    if (found[WIDTH])
-        zr_json_whole(json, ZR_JSON_KEY(path, members[WIDTH]), found[WIDTH], &draft->scene->views[0].width);
-    if (found[HEIGHT])
-        zr_json_whole(json, ZR_JSON_KEY(path, members[HEIGHT]), found[HEIGHT], &draft->scene->views[0].height);
-}
-
-static void read_ambient(struct zr_draft *draft, const cJSON *node)
-{
-    zr_vec4 color;
-    if (zr_json_color(&draft->json, ZR_JSON_KEY(NULL, words[AMBIENT]), node, &color))
-        draft->scene->ambient = (zr_vec3){color.x, color.y, color.z};
-}
+/* ---- what refers to something else ---- */
 
 /* Meshes in their order, then all polygons as one more. Returns how many meshes are placed
  * by nodes, where there are nodes: all but the polygons. */
-static uint32_t read_meshes(struct zr_draft *draft, const cJSON *meshes, const cJSON *polygons)
+static uint32_t make_meshes(struct zr_draft *draft)
 {
-    struct zr_json *json = &draft->json;
-    const struct zr_json_path *meshes_path = ZR_JSON_KEY(NULL, words[MESHES]);
-    const struct zr_json_path *polygons_path = ZR_JSON_KEY(NULL, words[POLYGONS]);
-    size_t count = 0;
-    if (meshes && !zr_json_array(json, meshes_path, meshes, &count)) meshes = NULL;
-    struct zr_json_list *soup = polygons ? zr_json_large_list(json, polygons_path, polygons) : NULL;
-    if (soup && soup->items > 0) count++;
-    struct zr_mesh *made = zr_arena_alloc(json->arena, count, sizeof *made);
-    if (!made) return 0;
-
-    size_t number = 0;
-    for (const cJSON *node = meshes ? meshes->child : NULL; node && !zr_json_full(json) && !zr_json_stopped(json);
-         node = node->next, number++)
-        zr_draft_read_mesh(draft, ZR_JSON_ITEM(meshes_path, number), node, &made[number]);
-    uint32_t listed = (uint32_t)number;
-    if (soup && soup->items > 0 && !zr_json_full(json))
-        zr_draft_read_polygons(draft, polygons_path, soup, &made[number++]);
-    draft->scene->meshes = made;
-    draft->scene->mesh_count = (uint32_t)number;
+    struct zr_scene *scene = draft->scene;
+    const uint32_t listed = (uint32_t)draft->meshes.count;
+    struct zr_mesh *meshes = zr_arena_zero(draft->json.arena, (size_t)listed + 1, sizeof *meshes);
+    if (!meshes) return 0;
+    zr_draft_make_meshes(draft, ROOT_PATH(MESHES), meshes);
+    scene->meshes = meshes;
+    scene->mesh_count = listed + zr_draft_make_polygons(draft, ROOT_PATH(POLYGONS), &meshes[listed]);
     return listed;
 }
 
 /* Where nodes have the say, they place the `listed` meshes; else each is where it is. The
  * polygons always are. */
-static void place_meshes(struct zr_draft *draft, const cJSON *nodes, uint32_t listed)
+static void place_meshes(struct zr_draft *draft, uint32_t listed)
 {
     struct zr_scene *scene = draft->scene;
-    uint32_t count = 0, next = nodes ? listed : 0;
-    struct zr_instance *instances =
-        nodes ? zr_draft_read_nodes(draft, ZR_JSON_KEY(NULL, words[NODES]), nodes, scene->meshes, listed, &count)
-              : zr_arena_alloc(draft->json.arena, scene->mesh_count, sizeof *instances);
+    uint32_t count = 0, next = draft->nodes ? listed : 0;
+    struct zr_instance *instances = draft->nodes
+                                        ? zr_draft_read_nodes(draft, ROOT_PATH(NODES), scene->meshes, listed, &count)
+                                        : zr_arena_alloc(draft->json.arena, scene->mesh_count, sizeof *instances);
     if (!instances) return;
     for (; next < scene->mesh_count; next++)
         instances[count++] = (struct zr_instance){.mesh = next, .object_to_world = zr_mat4_identity()};
@@ -143,48 +147,61 @@ static void finish(struct zr_draft *draft, uint32_t listed)
     draft->scene->warning_count = (uint32_t)draft->warnings.count;
 }
 
-static void build(struct zr_draft *draft, const cJSON *root)
+static void use_colors(struct zr_draft *draft)
+{
+    struct zr_scene *scene = draft->scene;
+    scene->algorithm = (enum zr_algorithm)draft->algorithm;
+    scene->background = draft->background;
+    if (zr_json_gives(draft->given, AMBIENT))
+        scene->ambient = (zr_vec3){draft->ambient.x, draft->ambient.y, draft->ambient.z};
+    else if (zr_json_gives(draft->given, LIGHTS))
+        scene->ambient = zr_default_ambient_of_own_lights();
+    if (!draft->fog_has_color)
+        scene->fog.color = (zr_vec3){draft->background.x, draft->background.y, draft->background.z};
+}
+
+static void build(struct zr_draft *draft)
 {
     struct zr_json *json = &draft->json;
-    const cJSON *found[KEYS];
-    if (!zr_json_object(json, NULL, root, &keys, found)) return;
-    read_fixed(json, found);
-    if (found[ALGORITHM]) read_algorithm(draft, found[ALGORITHM]);
-    if (found[WINDOW]) read_window(draft, found[WINDOW]);
-    if (found[BACKGROUND])
-        zr_json_color(json, ZR_JSON_KEY(NULL, words[BACKGROUND]), found[BACKGROUND], &draft->scene->background);
-    zr_draft_read_look(draft, NULL, &found[LOOK], ZR_LOOK_DOUBLE_SIDED, &draft->look);
-    if (found[VIEW]) zr_draft_read_view(draft, ZR_JSON_KEY(NULL, words[VIEW]), found[VIEW]);
-    if (found[AMBIENT]) read_ambient(draft, found[AMBIENT]);
-    if (found[LIGHTS] && !found[AMBIENT]) draft->scene->ambient = zr_default_ambient_of_own_lights();
-    if (found[LIGHTS]) zr_draft_read_lights(draft, ZR_JSON_KEY(NULL, words[LIGHTS]), found[LIGHTS]);
-    if (found[FOG]) zr_draft_read_fog(draft, ZR_JSON_KEY(NULL, words[FOG]), found[FOG]);
-    if (found[OUTPUTS]) zr_draft_read_outputs(draft, ZR_JSON_KEY(NULL, words[OUTPUTS]), found[OUTPUTS]);
-    zr_draft_read_materials(draft, ZR_JSON_KEY(NULL, words[MATERIALS]), found[MATERIALS]);
+    use_colors(draft);
+    zr_draft_open_materials(draft, ROOT_PATH(MATERIALS));
     if (!zr_arena_ok(json->arena)) return;
-    uint32_t listed = read_meshes(draft, found[MESHES], found[POLYGONS]);
-    if (!zr_arena_ok(json->arena) || zr_json_full(json)) return;
-    place_meshes(draft, found[NODES], listed);
-    if (found[BASE]) zr_draft_read_base(draft, ZR_JSON_KEY(NULL, words[BASE]), found[BASE]);
-    if (found[VIEW] && zr_arena_ok(json->arena))
-        zr_draft_find_fit_mesh(draft, ZR_JSON_KEY(NULL, words[VIEW]), found[VIEW]);
+    const uint32_t listed = make_meshes(draft);
+    if (zr_json_stops(json)) return;
+    place_meshes(draft, listed);
+    if (draft->base) zr_draft_read_base(draft, ROOT_PATH(BASE));
+    if (draft->fit_mesh && zr_arena_ok(json->arena)) zr_draft_find_fit_mesh(draft, ROOT_PATH(VIEW));
     finish(draft, listed);
+}
+
+/* Looks at the whole text first. */
+static bool is_shallow(struct zr_json *json)
+{
+    struct zr_json there = *json;
+    const bool good = zr_json_skip(&there);
+    json->ended = there.ended;
+    return good;
 }
 
 enum zr_status zr_json_read(struct zr_arena *arena, struct zr_team *team, const struct zr_request *request,
                             const struct zr_limits *limits, struct zr_scene *scene, struct zr_error *error)
 {
-    struct zr_limits parsed = *limits;
-    if (parsed.json_depth_max > CJSON_NESTING_LIMIT) parsed.json_depth_max = CJSON_NESTING_LIMIT;
-    struct zr_json_text text = {0};
-    struct zr_draft draft = {.json = {arena, team, request->cancel, &parsed, error, &text},
-                             .scene = scene,
-                             .look = zr_look_unsaid,
-                             .asset_count = request->asset_count,
-                             .assets = request->assets,
-                             .stored = request->stored};
-    cJSON *root = zr_json_text_open(&draft.json, request->bytes, request->size);
-    draft.assets_used = root ? zr_arena_zero(arena, draft.asset_count, sizeof *draft.assets_used) : NULL;
-    if (draft.assets_used && !zr_json_stopped(&draft.json)) build(&draft, root);
-    return zr_json_text_close(&draft.json, root);
+    struct zr_limits used = *limits;
+    if (used.json_depth_max > ZR_JSON_DEPTH_MAX) used.json_depth_max = ZR_JSON_DEPTH_MAX;
+    struct zr_draft draft = {
+        .json = {.arena = arena, .team = team, .cancel = request->cancel, .limits = &used, .error = error},
+        .scene = scene,
+        .background = scene->background,
+        .algorithm = (int)scene->algorithm,
+        .look = zr_look_unsaid,
+        .asset_count = request->asset_count,
+        .assets = request->assets,
+        .stored = request->stored};
+    struct zr_json *json = &draft.json;
+    zr_json_open(json, request->bytes, request->size);
+    draft.assets_used = zr_arena_zero(arena, draft.asset_count, sizeof *draft.assets_used);
+    if (used.json_depth_max < DEPTH_OF_LISTS && !is_shallow(json)) return zr_json_close(json);
+    if (draft.assets_used && zr_json_fields(json, NULL, &object, &draft, &draft.given) && zr_json_end(json))
+        build(&draft);
+    return zr_json_close(json);
 }

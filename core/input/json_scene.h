@@ -1,36 +1,55 @@
 /* json_scene.h - input: what the readers of a JSON scene's parts share.
  *
+ * Order:  the text is read once. Lists of numbers go into arrays where they are met, and whatever needs another part of
+ *         the scene (a material by its name, nodes, the base) waits until the root is read: so keys may come in any
+ *         order.
  * Materials: a scene's materials are what it says of itself; a drawn mesh needs
- * them resolved (base colour, shading, sidedness), where the mesh's own word goes
- * before the material's, and that before the scene's. zr_draft_variant makes
- * each combination once, as it is first asked for.
+ *         them resolved (base colour, shading, sidedness), where the mesh's own word goes
+ *         before the material's, and that before the scene's. zr_draft_variant makes
+ *         each combination once, as it is first asked for.
  */
 #ifndef ZR_JSON_SCENE_H
 #define ZR_JSON_SCENE_H
 
 #include "base/warning_list.h"
-#include "input/json_list.h"
+#include "input/growing.h"
 #include "input/json_value.h"
 #include "input/look.h"
 #include "scene/scene.h"
 
 /* A material as the scene has it, under its name. */
 struct zr_given_material {
-    const char *name; /* in the cJSON tree */
-    size_t number;    /* in the scene's list */
+    const char *name;
+    size_t number; /* in the scene's list */
     zr_vec4 base_color, specular;
     float shininess;
     struct zr_look look;
 };
 
+/* A mesh as the scene has it, before what it refers to is known. */
+struct zr_given_mesh;
+
+/* The polygons of a scene, likewise. */
+struct zr_soup;
+
 /* A scene while its JSON is being read. */
 struct zr_draft {
     struct zr_json json;
     struct zr_scene *scene;
+
+    uint64_t given; /* keys of the root */
+    uint32_t version, samples;
+    int algorithm, color_management;
+    zr_vec4 background, ambient;
     struct zr_look look; /* the scene's own */
+    bool fog_has_color;
+    const char *fit_mesh;     /* the name of the mesh that the view is fitted to, or NULL */
+    const char *nodes, *base; /* where they are in the text, or NULL */
 
     size_t given_count;
-    struct zr_given_material *given; /* sorted by name */
+    struct zr_given_material *materials_given; /* sorted by name */
+    struct zr_growing meshes;                  /* struct zr_given_mesh */
+    struct zr_soup *soup;                      /* or NULL */
 
     uint32_t *variants; /* one for each combination without a colour of its own for outlines: its index in
                          * `materials`, or UINT32_MAX */
@@ -51,27 +70,43 @@ struct zr_draft {
 
 /* What a mesh or a polygon says of its looks. */
 struct zr_style {
-    size_t given; /* index into draft->given, or given_count: none */
+    size_t given; /* index into draft->materials_given, or given_count: none */
     struct zr_look look;
     bool is_plain; /* has no colours of its own, whatever others of its mesh have */
     bool is_open;  /* an open surface: two-sided where nobody says otherwise */
 };
 
-/* json_material.c. `list` may be NULL: no materials. */
-void zr_draft_read_materials(struct zr_draft *draft, const struct zr_json_path *path, const cJSON *list);
+/* json_material.c. The keys of a look have the same names wherever they may stand: rows for the table of an object that
+ * fills a `type`, whose member `look` is a struct zr_look. A scene's own look is one without sides: those are a
+ * body's. */
+#define ZR_LOOK_FIELDS(type, look)                                                                                     \
+    {.key = "shading",                                                                                                 \
+     .read = zr_json_choice,                                                                                           \
+     .offset = offsetof(type, look.shading),                                                                           \
+     .words = &zr_shading_names,                                                                                       \
+     .otherwise = "gouraud where there are normals or vertex colours, else flat",                                      \
+     .text = "how faces are coloured"},                                                                                \
+        {.key = "fill",                                                                                                \
+         .read = zr_json_flag,                                                                                         \
+         .offset = offsetof(type, look.fill),                                                                          \
+         .otherwise = "true",                                                                                          \
+         .text = "false: faces are left out, and only their outlines are drawn"},                                      \
+    {                                                                                                                  \
+        .key = "outline", .read = zr_read_outline, .offset = offsetof(type, look), .otherwise = "false",               \
+        .text = "the edges of faces: true, false or a colour"                                                          \
+    }
+#define ZR_SIDES_FIELD(type, look)                                                                                     \
+    {                                                                                                                  \
+        .key = "doubleSided", .read = zr_json_flag, .offset = offsetof(type, look.double_sided), .otherwise = "false", \
+        .text = "faces are seen from behind too"                                                                       \
+    }
+zr_json_read_fn zr_read_outline; /* struct zr_look */
 
-/* json_look.c. The keys of a look have the same names wherever they may stand, and come one
- * after the other in a reader's list of keys, in the order of this enum: nodes[] points to the first
- * of them. Any may be NULL: not said. */
-enum { ZR_LOOK_SHADING, ZR_LOOK_FILL, ZR_LOOK_OUTLINE, ZR_LOOK_DOUBLE_SIDED, ZR_LOOK_KEYS };
-#define ZR_LOOK_WORDS "shading", "fill", "outline", "doubleSided"
-void zr_draft_read_look(struct zr_draft *draft, const struct zr_json_path *path, const cJSON *const *nodes, int count,
-                        struct zr_look *look);
-
-/* json_material.c. `material` and the nodes of the look may be NULL: not said. `path` is that of the mesh or
- * polygon. */
-void zr_draft_read_style(struct zr_draft *draft, const struct zr_json_path *path, const cJSON *material,
-                         const cJSON *const *look_nodes, struct zr_style *style);
+/* json_material.c: a list of materials; what comes of it, once the root is read, also where there is none; the index of
+ * a material by its name, or given_count, and a fault at `path`. */
+zr_json_read_fn zr_read_materials; /* struct zr_draft, as all that follow */
+void zr_draft_open_materials(struct zr_draft *draft, const struct zr_json_path *path);
+size_t zr_draft_find_material(struct zr_draft *draft, const struct zr_json_path *path, const char *name);
 
 /* The index of the resolved material. coloured: the mesh has colours of its own;
  * smooth: it has normals or vertex colours. 0 once the arena has failed. */
@@ -80,37 +115,24 @@ uint32_t zr_draft_variant(struct zr_draft *draft, const struct zr_style *style, 
 /* Notes colours that are not opaque. */
 void zr_draft_note_alpha(struct zr_draft *draft, const zr_vec4 *colors, size_t count);
 
-/* json_mesh.c and json_polygons.c: fill one mesh each. Errors are in
- * draft->json.error, failures to allocate in its arena. */
-void zr_draft_read_mesh(struct zr_draft *draft, const struct zr_json_path *path, const cJSON *node,
-                        struct zr_mesh *mesh);
-void zr_draft_read_polygons(struct zr_draft *draft, const struct zr_json_path *path, struct zr_json_list *list,
-                            struct zr_mesh *mesh);
-
-/* json_heights.c: fills positions and faces of a mesh from a grid, values that are null
- * included; mesh->positions stays NULL where there was a fault. Returns a flag a position,
- * true for a null, or NULL where there is none. Once everything else of the mesh is read,
- * zr_heights_drop_holes takes away the cells that touch one, and positions left without a cell. */
-const bool *zr_json_read_heights(struct zr_json *json, const struct zr_json_path *path, const cJSON *node,
-                                 struct zr_mesh *mesh);
-void zr_heights_drop_holes(struct zr_arena *arena, const bool *holes, struct zr_mesh *mesh);
+/* json_mesh.c and json_polygons.c: read a list, and make meshes of it once the root is read: as many as draft->meshes
+ * has, and one, or none where there is no polygon. */
+zr_json_read_fn zr_read_meshes, zr_read_polygons;
+void zr_draft_make_meshes(struct zr_draft *draft, const struct zr_json_path *path, struct zr_mesh *meshes);
+bool zr_draft_make_polygons(struct zr_draft *draft, const struct zr_json_path *path, struct zr_mesh *mesh);
 
 /* json_nodes.c: the instances that nodes place, *count of them and room for one more; each
  * mesh is one of meshes[0..mesh_count-1]. NULL where there was a fault, here or before. */
-struct zr_instance *zr_draft_read_nodes(struct zr_draft *draft, const struct zr_json_path *path, const cJSON *list,
+struct zr_instance *zr_draft_read_nodes(struct zr_draft *draft, const struct zr_json_path *path,
                                         const struct zr_mesh *meshes, uint32_t mesh_count, uint32_t *count);
 
-/* json_view.c: over the defaults that scene->views[0] already has. */
-void zr_draft_read_view(struct zr_draft *draft, const struct zr_json_path *path, const cJSON *node);
+/* json_view.c: over the defaults that scene->views[0] already has; and, once there are meshes, the one that the view is
+ * fitted to. */
+zr_json_read_fn zr_read_view;
+void zr_draft_find_fit_mesh(struct zr_draft *draft, const struct zr_json_path *path);
 
-/* The mesh that a view is to be fitted to, by its name: once there are meshes. */
-void zr_draft_find_fit_mesh(struct zr_draft *draft, const struct zr_json_path *path, const cJSON *node);
-
-/* json_light.c and json_outputs.c: the lists of these. */
-/* Behind the background, whose colour fog has where none is given. */
-void zr_draft_read_fog(struct zr_draft *draft, const struct zr_json_path *path, const cJSON *node);
-void zr_draft_read_lights(struct zr_draft *draft, const struct zr_json_path *path, const cJSON *list);
-void zr_draft_read_outputs(struct zr_draft *draft, const struct zr_json_path *path, const cJSON *list);
+/* Into the scene. */
+zr_json_read_fn zr_read_fog, zr_read_lights, zr_read_outputs;
 
 /* json_bytes.c: what a data: URI, {"uri": one}, {"asset": name} or {"asset": "sha256:..."} stands for.
  * In the arena or the request. */
@@ -118,10 +140,10 @@ struct zr_given_bytes {
     const void *bytes;
     size_t size;
 };
-bool zr_draft_read_bytes(struct zr_draft *draft, const struct zr_json_path *path, const cJSON *node,
+bool zr_draft_read_bytes(struct zr_draft *draft, struct zr_json *json, const struct zr_json_path *path,
                          struct zr_given_bytes *out);
 
-/* json_base.c. Needs the window, the background, the view and the meshes to be read. */
-void zr_draft_read_base(struct zr_draft *draft, const struct zr_json_path *path, const cJSON *node);
+/* json_base.c. Needs the window, the background, the view and the meshes. */
+void zr_draft_read_base(struct zr_draft *draft, const struct zr_json_path *path);
 
 #endif

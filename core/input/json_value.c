@@ -6,7 +6,7 @@
 #include <string.h>
 
 #include "input/color_text.h"
-#include "input/json_text.h"
+#include "input/nearest.h"
 #include "input/text.h"
 #include "scene/scene.h"
 
@@ -15,6 +15,8 @@
 enum { LENGTHS_A_COORDINATE = 1000 };
 
 enum { PATH_LINKS_MAX = 16, POINTER_ROOM = ZR_POINTER_SIZE + 8 };
+
+/* ---- complaints ---- */
 
 /* RFC 6901, section 3: ~ is ~0 and / is ~1. Ends one byte early where it must, so
  * that the text stays too long for zr_error_add, which then cuts it well. */
@@ -52,278 +54,369 @@ static void write_pointer(const struct zr_json_path *path, char text[POINTER_ROO
 bool zr_json_fault(struct zr_json *json, const struct zr_json_path *path, const char *format, ...)
 {
     char pointer[POINTER_ROOM], detail[ZR_DETAIL_SIZE + 8];
-    if (!zr_arena_ok(json->arena)) return false;
+    if (json->ended || !zr_arena_ok(json->arena)) return false;
     write_pointer(path, pointer);
     va_list arguments;
     va_start(arguments, format);
     vsnprintf(detail, sizeof detail, format, arguments);
     va_end(arguments);
     zr_error_add(json->error, ZR_BAD_SCENE, pointer, "%s", detail);
+    zr_json_look(json);
     return false;
 }
 
-bool zr_json_full(const struct zr_json *json)
+static const char *const kinds[] = {"nothing", "null", "a boolean", "a number", "a string", "a list", "an object"};
+
+bool zr_json_expect(struct zr_json *json, const struct zr_json_path *path, const char *what)
 {
-    return json->error->count >= ZR_ERROR_ITEMS || json->text->malformed;
+    const enum zr_json_type type = zr_json_type(json);
+    if (zr_json_skip(json)) zr_json_fault(json, path, "expected %s, found %s", what, kinds[type]);
+    return false;
 }
 
-bool zr_json_stopped(struct zr_json *json)
+/* The next value is of this type, or reported. */
+static bool expect(struct zr_json *json, const struct zr_json_path *path, enum zr_json_type type, const char *what)
 {
-    if (!zr_is_cancelled(json->cancel)) return false;
-    zr_arena_charge(json->arena, SIZE_MAX);
-    return true;
+    return zr_json_type(json) == type || zr_json_expect(json, path, what);
 }
 
-static const char *kind_of(const cJSON *node)
-{
-    if (cJSON_IsBool(node)) return "a boolean";
-    if (cJSON_IsNumber(node)) return "a number";
-    if (cJSON_IsString(node)) return "a string";
-    if (cJSON_IsArray(node)) return "a list";
-    if (cJSON_IsObject(node)) return "an object";
-    return "null";
-}
+/* ---- objects ---- */
 
-bool zr_json_expect(struct zr_json *json, const struct zr_json_path *path, const cJSON *node, const char *what)
+static void report_unknown(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_object *object,
+                           const char *key)
 {
-    return zr_json_fault(json, path, "expected %s, found %s", what, kind_of(node));
-}
-
-static bool expect(struct zr_json *json, const struct zr_json_path *path, const cJSON *node, bool is, const char *what)
-{
-    return is || zr_json_expect(json, path, node, what);
-}
-
-bool zr_json_object(struct zr_json *json, const struct zr_json_path *path, const cJSON *node,
-                    const struct zr_names *keys, const cJSON **found)
-{
-    for (int i = 0; i < keys->count; i++)
-        found[i] = NULL;
-    if (!expect(json, path, node, cJSON_IsObject(node), "an object")) return false;
-    for (const cJSON *child = node->child; child && !zr_json_full(json); child = child->next) {
-        const struct zr_json_path *at = ZR_JSON_KEY(path, child->string);
-        int key = zr_names_find(keys, child->string);
-        if (key < 0)
-            zr_json_fault(json, at, "unknown key; known here: %s", zr_names_join(keys).text);
-        else if (key >= keys->count)
-            zr_json_fault(json, at, "not supported in this version");
-        else if (found[key])
-            zr_json_fault(json, at, "given twice");
-        else
-            found[key] = child;
+    const char *words[64];
+    struct zr_names known = {.words = words};
+    struct zr_nearest nearest = {.word = key};
+    for (size_t i = 0; i < object->count; i++) {
+        if (!object->fields[i].read) continue;
+        words[known.count++] = object->fields[i].key;
+        zr_nearest_offer(&nearest, object->fields[i].key);
     }
+    zr_json_fault(json, ZR_JSON_KEY(path, key), "unknown key%s; known here: %s", zr_nearest_text(&nearest).text,
+                  zr_names_join(&known).text);
+}
+
+/* Where keys come in the order of the table, each is found at once. */
+static size_t find_field(const struct zr_json_object *object, const struct zr_json_text *key, size_t first)
+{
+    for (size_t i = first; i < object->count; i++)
+        if (zr_json_is(key, object->fields[i].key)) return i;
+    for (size_t i = 0; i < first; i++)
+        if (zr_json_is(key, object->fields[i].key)) return i;
+    return object->count;
+}
+
+static void read_field(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_object *object,
+                       const struct zr_json_text *key, size_t number, void *out, uint64_t *given)
+{
+    const struct zr_json_field *field = &object->fields[number];
+    const uint64_t bit = UINT64_C(1) << (number & 63);
+    if (number < object->count && field->read && !(*given & bit)) {
+        *given |= bit;
+        field->read(json, ZR_JSON_KEY(path, field->key), field, (char *)out + field->offset);
+        return;
+    }
+    const char *word = zr_json_decode(json, key);
+    if (!zr_json_skip(json) || !word) return;
+    if (number == object->count)
+        report_unknown(json, path, object, word);
+    else
+        zr_json_fault(json, ZR_JSON_KEY(path, word), "%s",
+                      field->read ? "given twice" : "not supported in this version");
+}
+
+bool zr_json_fields(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_object *object,
+                    void *out, uint64_t *given)
+{
+    struct zr_json_text key;
+    size_t number = 0;
+    *given = 0;
+    if (!expect(json, path, ZR_JSON_OBJECT, "an object") || !zr_json_enter(json, '{')) return false;
+    while (zr_json_member(json, &key)) {
+        number = find_field(object, &key, number < object->count ? number : 0);
+        read_field(json, path, object, &key, number, out, given);
+    }
+    for (size_t i = 0; i < object->count; i++)
+        if (object->fields[i].required && !(*given >> i & 1u))
+            zr_json_fault(json, path, "%s is missing: %s", object->fields[i].key, object->fields[i].text);
     return true;
 }
 
-bool zr_json_array(struct zr_json *json, const struct zr_json_path *path, const cJSON *node, size_t *count)
+bool zr_json_place(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field, void *out)
 {
-    if (!expect(json, path, node, cJSON_IsArray(node), "a list")) return false;
-    *count = 0;
-    for (const cJSON *item = node->child; item; item = item->next)
-        ++*count;
+    (void)path;
+    (void)field;
+    zr_json_type(json);
+    const char *place = json->at;
+    if (!zr_json_skip(json)) return false;
+    *(const char **)out = place;
     return true;
 }
 
-bool zr_json_number(struct zr_json *json, const struct zr_json_path *path, const cJSON *node, double low, double high,
-                    double *out)
+/* ---- numbers ---- */
+
+static bool check_range(struct zr_json *json, const struct zr_json_path *path, double low, double high, double value)
 {
-    *out = node->valuedouble; /* 0 in what is no number */
-    if (!cJSON_IsNumber(node)) return expect(json, path, node, false, "a number");
-    if (*out >= low && *out <= high) return true;
-    if (!isfinite(*out)) return zr_json_fault(json, path, "a number too large; %.9g to %.9g is allowed", low, high);
-    return zr_json_fault(json, path, "%.10g is outside of %.10g to %.10g", *out, low, high);
+    if (value >= low && value <= high) return true;
+    if (!isfinite(value)) return zr_json_fault(json, path, "a number too large; %.9g to %.9g is allowed", low, high);
+    return zr_json_fault(json, path, "%.10g is outside of %.10g to %.10g", value, low, high);
 }
 
-bool zr_json_coordinate(struct zr_json *json, const struct zr_json_path *path, const cJSON *node, float *out)
-{
-    double value, limit = (double)json->limits->coordinate_max;
-    if (!zr_json_number(json, path, node, -limit, limit, &value)) return false;
-    *out = (float)value;
-    return true;
-}
-
-bool zr_json_length(struct zr_json *json, const struct zr_json_path *path, const cJSON *node, float *out)
-{
-    double value, limit = (double)json->limits->coordinate_max * LENGTHS_A_COORDINATE;
-    if (!zr_json_number(json, path, node, -limit, limit, &value)) return false;
-    *out = (float)value;
-    return true;
-}
-
-bool zr_json_positive(struct zr_json *json, const struct zr_json_path *path, const cJSON *node, float *out)
-{
-    if (!zr_json_length(json, path, node, out)) return false;
-    return *out > 0.0f || zr_json_fault(json, path, "%.9g is not greater than 0", node->valuedouble);
-}
-
-bool zr_json_whole(struct zr_json *json, const struct zr_json_path *path, const cJSON *node, uint32_t *out)
+bool zr_json_number_in(struct zr_json *json, const struct zr_json_path *path, double low, double high, double *out)
 {
     double value;
-    if (!zr_json_number(json, path, node, 0, UINT32_MAX, &value)) return false;
-    *out = (uint32_t)value;
-    return (double)*out == value || zr_json_fault(json, path, "%.9g is not a whole number", value);
+    if (!expect(json, path, ZR_JSON_NUMBER, "a number") || !zr_json_take_number(json, &value) ||
+        !check_range(json, path, low, high, value))
+        return false;
+    *out = value;
+    return true;
 }
 
-bool zr_json_index(struct zr_json *json, const struct zr_json_path *path, const cJSON *node, uint32_t count,
-                   const char *of, uint32_t *out)
+bool zr_json_number(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field, void *out)
 {
-    if (!cJSON_IsNumber(node)) return expect(json, path, node, false, "an index");
-    double value = node->valuedouble;
-    if (value >= 0 && value < (double)count) {
-        *out = (uint32_t)value;
-        return (double)*out == value || zr_json_fault(json, path, "index %.9g is not a whole number", value);
-    }
+    return zr_json_number_in(json, path, field->low, field->high, out);
+}
+
+static bool read_float(struct zr_json *json, const struct zr_json_path *path, double low, double high, float *out)
+{
+    double value;
+    if (!zr_json_number_in(json, path, low, high, &value)) return false;
+    *out = (float)value;
+    return true;
+}
+
+bool zr_json_float(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field, void *out)
+{
+    return read_float(json, path, field->low, field->high, out);
+}
+
+bool zr_json_coordinate(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field,
+                        void *out)
+{
+    const double limit = (double)json->limits->coordinate_max;
+    (void)field;
+    return read_float(json, path, -limit, limit, out);
+}
+
+bool zr_json_length(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field, void *out)
+{
+    const double limit = (double)json->limits->coordinate_max * LENGTHS_A_COORDINATE;
+    (void)field;
+    return read_float(json, path, -limit, limit, out);
+}
+
+bool zr_json_positive(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field,
+                      void *out)
+{
+    const double limit = (double)json->limits->coordinate_max * LENGTHS_A_COORDINATE;
+    double value;
+    (void)field;
+    if (!zr_json_number_in(json, path, -limit, limit, &value)) return false;
+    if (!((float)value > 0.0f)) return zr_json_fault(json, path, "%.9g is not greater than 0", value);
+    *(float *)out = (float)value;
+    return true;
+}
+
+bool zr_json_whole(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field, void *out)
+{
+    double value;
+    (void)field;
+    if (!zr_json_number_in(json, path, 0, UINT32_MAX, &value)) return false;
+    if ((double)(uint32_t)value != value) return zr_json_fault(json, path, "%.9g is not a whole number", value);
+    *(uint32_t *)out = (uint32_t)value;
+    return true;
+}
+
+bool zr_json_bad_index(struct zr_json *json, const struct zr_json_path *path, double value, uint32_t count,
+                       const char *of)
+{
+    if (value >= 0 && value < (double)count)
+        return zr_json_fault(json, path, "index %.9g is not a whole number", value);
     return zr_json_fault(json, path, "index %.15g of %u %s%s", value, count, of,
                          count > 0 && value == (double)count ? "; they count from 0" : "");
 }
 
-bool zr_json_bool(struct zr_json *json, const struct zr_json_path *path, const cJSON *node, bool *out)
+bool zr_json_index(struct zr_json *json, const struct zr_json_path *path, uint32_t count, const char *of, uint32_t *out)
 {
-    *out = cJSON_IsTrue(node);
-    return expect(json, path, node, cJSON_IsBool(node), "true or false");
+    double value;
+    if (!expect(json, path, ZR_JSON_NUMBER, "an index") || !zr_json_take_number(json, &value)) return false;
+    if (!(value >= 0 && value < (double)count) || (double)(uint32_t)value != value)
+        return zr_json_bad_index(json, path, value, count, of);
+    *out = (uint32_t)value;
+    return true;
 }
 
-bool zr_json_string(struct zr_json *json, const struct zr_json_path *path, const cJSON *node, const char **out)
+/* ---- words ---- */
+
+bool zr_json_bool(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field, void *out)
 {
-    *out = node->valuestring;
-    return expect(json, path, node, cJSON_IsString(node), "a string");
+    (void)field;
+    return expect(json, path, ZR_JSON_BOOL, "true or false") && zr_json_take_bool(json, out);
 }
 
-const char *zr_json_keep(struct zr_json *json, const char *text)
+bool zr_json_flag(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field, void *out)
 {
-    size_t size = strlen(text) + 1;
-    char *copy = zr_arena_alloc(json->arena, size, 1);
-    return copy ? memcpy(copy, text, size) : "";
+    bool value;
+    if (!zr_json_bool(json, path, field, &value)) return false;
+    *(int *)out = value;
+    return true;
 }
 
-bool zr_json_choice(struct zr_json *json, const struct zr_json_path *path, const cJSON *node,
-                    const struct zr_names *names, int *out)
+bool zr_json_string(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field, void *out)
 {
+    struct zr_json_text text;
+    (void)field;
+    if (!expect(json, path, ZR_JSON_STRING, "a string") || !zr_json_take_string(json, &text)) return false;
+    const char *decoded = zr_json_decode(json, &text);
+    if (decoded) *(const char **)out = decoded;
+    return decoded;
+}
+
+bool zr_json_choice(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field, void *out)
+{
+    const struct zr_names *names = field->words;
     const char *word;
-    if (!zr_json_string(json, path, node, &word)) return false;
-    int found = zr_names_find(names, word);
+    if (!zr_json_string(json, path, NULL, &word)) return false;
+    const int found = zr_names_find(names, word);
     if (found >= 0 && found < names->count) {
-        *out = found;
+        *(int *)out = found;
         return true;
     }
-    return zr_json_fault(json, path, "%s is %s; allowed: %s", zr_quote(word, strlen(word)).text,
-                         found < 0 ? "unknown" : "not supported in this version", zr_names_join(names).text);
+    return zr_json_fault(json, path, "%s", zr_names_refuse(names, word).text);
 }
 
-/* `least` to `most` numbers, each within low..high. */
-static bool read_numbers(struct zr_json *json, const struct zr_json_path *path, const cJSON *node, size_t least,
-                         size_t most, double low, double high, float *out, size_t *count)
+/* ---- vectors ---- */
+
+bool zr_json_list(struct zr_json *json, const struct zr_json_path *path)
 {
+    return expect(json, path, ZR_JSON_LIST, "a list");
+}
+
+bool zr_json_count(struct zr_json *json, const struct zr_json_path *path, size_t *count)
+{
+    if (!zr_json_list(json, path)) return false;
+    struct zr_json there = *json;
     *count = 0;
-    if (!cJSON_IsArray(node)) return expect(json, path, node, false, "a list of numbers");
-    bool good = true;
-    for (const cJSON *item = node->child; item; item = item->next) {
-        double value;
-        if (*count < most) {
-            good = zr_json_number(json, ZR_JSON_ITEM(path, *count), item, low, high, &value) && good;
-            if (good) out[*count] = (float)value;
-        }
+    zr_json_enter(&there, '[');
+    while (zr_json_any_item(&there) && zr_json_skip(&there))
         ++*count;
+    if (there.ended) *json = there;
+    return !there.ended;
+}
+
+bool zr_json_numbers(struct zr_json *json, const struct zr_json_path *path, size_t least, size_t most, double low,
+                     double high, double *out, size_t *count)
+{
+    bool good = expect(json, path, ZR_JSON_LIST, "a list of numbers") && zr_json_enter(json, '[');
+    if (!good) return false;
+    for (*count = 0; zr_json_any_item(json); ++*count) {
+        if (*count < most)
+            good = zr_json_number_in(json, ZR_JSON_ITEM(path, *count), low, high, &out[*count]) && good;
+        else
+            zr_json_skip(json);
     }
     if (*count >= least && *count <= most) return good;
     if (least == most) return zr_json_fault(json, path, "expected %zu numbers, found %zu", least, *count);
     return zr_json_fault(json, path, "expected %zu or %zu numbers, found %zu", least, most, *count);
 }
 
-bool zr_json_vec3(struct zr_json *json, const struct zr_json_path *path, const cJSON *node, zr_vec3 *out)
+/* Three numbers or four; the fourth is 1 where it is not given. */
+static bool read_vec4(struct zr_json *json, const struct zr_json_path *path, size_t least, double low, double high,
+                      zr_vec4 *out)
 {
-    double limit = (double)json->limits->coordinate_max;
+    double v[4] = {0};
     size_t count;
-    float v[3] = {0};
-    if (!read_numbers(json, path, node, 3, 3, -limit, limit, v, &count)) return false;
-    *out = (zr_vec3){v[0], v[1], v[2]};
+    if (!zr_json_numbers(json, path, least, 4, low, high, v, &count)) return false;
+    *out = (zr_vec4){(float)v[0], (float)v[1], (float)v[2], count == 4 ? (float)v[3] : 1.0f};
     return true;
 }
 
-bool zr_json_vec4(struct zr_json *json, const struct zr_json_path *path, const cJSON *node, zr_vec4 *out)
+bool zr_json_vec3(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field, void *out)
 {
-    double limit = (double)json->limits->coordinate_max;
+    const double limit = (double)json->limits->coordinate_max;
+    double v[3] = {0};
     size_t count;
-    float v[4] = {0};
-    if (!read_numbers(json, path, node, 4, 4, -limit, limit, v, &count)) return false;
-    *out = (zr_vec4){v[0], v[1], v[2], v[3]};
+    (void)field;
+    if (!zr_json_numbers(json, path, 3, 3, -limit, limit, v, &count)) return false;
+    *(zr_vec3 *)out = (zr_vec3){(float)v[0], (float)v[1], (float)v[2]};
     return true;
 }
 
-bool zr_json_position(struct zr_json *json, const struct zr_json_path *path, const cJSON *node, zr_vec4 *out)
+bool zr_json_vec4(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field, void *out)
 {
-    double limit = (double)json->limits->coordinate_max;
-    size_t count;
-    float v[4] = {0};
-    if (!read_numbers(json, path, node, 3, 4, -limit, limit, v, &count)) return false;
-    *out = (zr_vec4){v[0], v[1], v[2], count == 4 ? v[3] : 1.0f};
-    return true;
+    const double limit = (double)json->limits->coordinate_max;
+    (void)field;
+    return read_vec4(json, path, 4, -limit, limit, out);
 }
 
-bool zr_json_color(struct zr_json *json, const struct zr_json_path *path, const cJSON *node, zr_vec4 *out)
+bool zr_json_position(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field,
+                      void *out)
+{
+    const double limit = (double)json->limits->coordinate_max;
+    (void)field;
+    return read_vec4(json, path, 3, -limit, limit, out);
+}
+
+bool zr_json_color(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field, void *out)
 {
     static const char *const forms =
         "[r,g,b] or [r,g,b,a] of 0..1, \"#rrggbb\", \"#rrggbbaa\", \"#rgb\", \"#rgba\" or a name "
         "of CSS";
-    if (cJSON_IsString(node)) {
-        const char *text = node->valuestring;
+    const enum zr_json_type type = zr_json_type(json);
+    const char *text;
+    if (type == ZR_JSON_LIST) return read_vec4(json, path, 3, 0.0, 1.0, out);
+    if (type == ZR_JSON_STRING) {
+        if (!zr_json_string(json, path, field, &text)) return false;
         return zr_color_of_text(text, strlen(text), out) ||
                zr_json_fault(json, path, "%s is not a colour: %s", zr_quote(text, strlen(text)).text, forms);
     }
-    if (!cJSON_IsArray(node)) return zr_json_fault(json, path, "expected a colour, found %s: %s", kind_of(node), forms);
-    size_t count;
-    float v[4] = {0};
-    if (!read_numbers(json, path, node, 3, 4, 0.0, 1.0, v, &count)) return false;
-    *out = (zr_vec4){v[0], v[1], v[2], count == 4 ? v[3] : 1.0f};
-    return true;
+    return zr_json_skip(json) && zr_json_fault(json, path, "expected a colour, found %s: %s", kinds[type], forms);
 }
 
-bool zr_json_mat4(struct zr_json *json, const struct zr_json_path *path, const cJSON *node, zr_mat4 *out)
+/* Is the list that is next one of lists? */
+static bool has_rows(const struct zr_json *json)
 {
-    double limit = (double)ZR_MATRIX_MAX;
-    size_t count;
-    if (!cJSON_IsArray(node)) return expect(json, path, node, false, "a matrix");
-    if (!node->child || !cJSON_IsArray(node->child))
-        return read_numbers(json, path, node, 16, 16, -limit, limit, out->m, &count);
-    size_t row = 0;
-    bool good = true;
-    for (const cJSON *item = node->child; item; item = item->next, row++) {
-        float v[4] = {0};
-        if (row >= 4) continue;
-        good = read_numbers(json, ZR_JSON_ITEM(path, row), item, 4, 4, -limit, limit, v, &count) && good;
-        for (size_t column = 0; good && column < 4; column++)
-            out->m[column * 4 + row] = v[column];
+    struct zr_json there = *json;
+    return zr_json_enter(&there, '[') && zr_json_any_item(&there) && *there.at == '[';
+}
+
+bool zr_json_mat4(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field, void *out)
+{
+    const double limit = (double)ZR_MATRIX_MAX;
+    double m[16] = {0};
+    size_t count, row = 0;
+    zr_mat4 matrix;
+    bool good = expect(json, path, ZR_JSON_LIST, "a matrix");
+    (void)field;
+    if (!good) return false;
+    const bool rows = has_rows(json);
+    if (!rows) {
+        if (!zr_json_numbers(json, path, 16, 16, -limit, limit, m, &count)) return false;
+    } else {
+        for (zr_json_enter(json, '['); zr_json_any_item(json); row++)
+            good = (row < 4 ? zr_json_numbers(json, ZR_JSON_ITEM(path, row), 4, 4, -limit, limit, &m[4 * row], &count)
+                            : zr_json_skip(json)) &&
+                   good;
+        if (row != 4) return zr_json_fault(json, path, "expected 4 rows, found %zu", row);
     }
-    if (row != 4) return zr_json_fault(json, path, "expected 4 rows, found %zu", row);
+    for (int i = 0; i < 4; i++)
+        for (int k = 0; k < 4; k++)
+            matrix.m[4 * i + k] = (float)m[rows ? 4 * k + i : 4 * i + k];
+    if (good) *(zr_mat4 *)out = matrix;
     return good;
 }
 
 /* Whoever writes a flat one row by row has the translation in the bottom row, and is told so. */
-bool zr_json_affine(struct zr_json *json, const struct zr_json_path *path, const cJSON *node, zr_mat4 *out)
+bool zr_json_affine(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field, void *out)
 {
-    if (!zr_json_mat4(json, path, node, out)) return false;
-    const float *m = out->m;
-    if (m[3] == 0.0f && m[7] == 0.0f && m[11] == 0.0f && m[15] == 1.0f) return true;
-    return zr_json_fault(json, path,
-                         "the bottom row is %.9g %.9g %.9g %.9g, not 0 0 0 1 (a flat list goes column by column)",
-                         (double)m[3], (double)m[7], (double)m[11], (double)m[15]);
-}
-
-bool zr_json_vec4_list(struct zr_json *json, const struct zr_json_path *path, const cJSON *node,
-                       zr_json_vec4_reader read, zr_vec4 *out)
-{
-    size_t i = 0;
-    bool good = true;
-    for (const cJSON *item = node->child; item && !zr_json_full(json); item = item->next, i++)
-        good = read(json, ZR_JSON_ITEM(path, i), item, &out[i]) && good;
-    return good;
-}
-
-bool zr_json_vec3_list(struct zr_json *json, const struct zr_json_path *path, const cJSON *node, zr_vec3 *out)
-{
-    size_t i = 0;
-    bool good = true;
-    for (const cJSON *item = node->child; item && !zr_json_full(json); item = item->next, i++)
-        good = zr_json_vec3(json, ZR_JSON_ITEM(path, i), item, &out[i]) && good;
-    return good;
+    zr_mat4 matrix;
+    const float *m = matrix.m;
+    if (!zr_json_mat4(json, path, field, &matrix)) return false;
+    if (m[3] != 0.0f || m[7] != 0.0f || m[11] != 0.0f || m[15] != 1.0f)
+        return zr_json_fault(json, path,
+                             "the bottom row is %.9g %.9g %.9g %.9g, not 0 0 0 1 (a flat list goes column by column)",
+                             (double)m[3], (double)m[7], (double)m[11], (double)m[15]);
+    *(zr_mat4 *)out = matrix;
+    return true;
 }

@@ -1,35 +1,17 @@
-/* json_value.h - input: one cJSON node -> one checked value, or a complaint with
- * a JSON Pointer to it.
+/* json_value.h - input: the next value of a text -> a checked value, or a complaint with a JSON Pointer to it; and the
+ * tables of fields by which objects are read.
  *
- * Every function returns false after reporting ZR_BAD_SCENE, so that a reader
- * may go on with what else is there and report up to ZR_ERROR_ITEMS faults at
- * once; loops over input stop at zr_json_full. Lists are walked along ->next.
+ * Every reader takes one value, right or wrong, and returns false after reporting ZR_BAD_SCENE, so that whoever calls
+ * it may go on with what else is there and report up to ZR_ERROR_ITEMS faults at once. *out is untouched then.
  */
 #ifndef ZR_JSON_VALUE_H
 #define ZR_JSON_VALUE_H
 
-#include <cjson/cJSON.h>
-#include <stdbool.h>
-#include <stddef.h>
 #include <stdint.h>
 
-#include "base/arena.h"
-#include "base/status.h"
 #include "base/vec.h"
+#include "input/json.h"
 #include "input/names.h"
-#include "zraster.h"
-
-struct zr_json_text; /* json_text.h */
-struct zr_team;      /* base/team.h */
-
-struct zr_json {
-    struct zr_arena *arena;
-    struct zr_team *team;           /* may be NULL */
-    const struct zr_cancel *cancel; /* may be NULL */
-    const struct zr_limits *limits;
-    struct zr_error *error;
-    struct zr_json_text *text;
-};
 
 /* Where a reader is: a chain of links on the stack, written out (RFC 6901) only
  * when something is wrong. `key` is NULL for an item of a list. */
@@ -42,83 +24,102 @@ struct zr_json_path {
 #define ZR_JSON_KEY(parent, key)    (&(const struct zr_json_path){(parent), (key), 0})
 #define ZR_JSON_ITEM(parent, index) (&(const struct zr_json_path){(parent), NULL, (index)})
 
+/* ---- complaints ---- */
+
 /* Reports ZR_BAD_SCENE at `path` (NULL: the root); returns false. Once the arena has failed nothing is reported: what
  * could not be kept looks as if the scene lacked it. */
 bool zr_json_fault(struct zr_json *json, const struct zr_json_path *path, const char *format, ...)
     __attribute__((format(printf, 3, 4)));
 
-/* Reports that `what` was expected and `node` found; returns false. */
-bool zr_json_expect(struct zr_json *json, const struct zr_json_path *path, const cJSON *node, const char *what);
+/* Reports that `what` was expected and the next value found, and skips it; returns false. */
+bool zr_json_expect(struct zr_json *json, const struct zr_json_path *path, const char *what);
 
-/* As many faults as are kept, or the text is malformed after all: time to stop. */
-bool zr_json_full(const struct zr_json *json);
+/* ---- objects ---- */
 
-/* The request is cancelled. All readers end then as where memory is used up: the arena has failed. Loops over what may
- * be long ask, in the request's own thread. */
-bool zr_json_stopped(struct zr_json *json);
+struct zr_json_field;
+typedef bool zr_json_read_fn(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field,
+                             void *out);
 
-/* found[i] becomes the member named keys->words[i], or NULL; keys->count of them.
- * Unknown, unsupported and repeated keys are reported, and what is known is still
- * filled in: false only where the node is no object. */
-bool zr_json_object(struct zr_json *json, const struct zr_json_path *path, const cJSON *node,
-                    const struct zr_names *keys, const cJSON **found);
+/* One key of an object. */
+struct zr_json_field {
+    const char *key;
+    zr_json_read_fn *read; /* NULL: the contract has the key, and this version does not */
+    size_t offset;         /* of what is read, in what the object fills */
+    double low, high;      /* of a number */
+    const struct zr_names *words;
+    bool required;
+    const char *unit, *otherwise, *text; /* for people: the unit, what holds where the key is not given, what it is */
+};
 
-/* A list of any length. */
-bool zr_json_array(struct zr_json *json, const struct zr_json_path *path, const cJSON *node, size_t *count);
+/* All keys of a kind of object, up to 64. */
+struct zr_json_object {
+    const char *name;
+    size_t count;
+    const struct zr_json_field *fields;
+};
+#define ZR_JSON_OBJECT_OF(name, fields)                                                                                \
+    {                                                                                                                  \
+        (name), sizeof(fields) / sizeof((fields)[0]), (fields)                                                         \
+    }
 
-/* A finite number, low <= *out <= high. */
-bool zr_json_number(struct zr_json *json, const struct zr_json_path *path, const cJSON *node, double low, double high,
-                    double *out);
+/* Reads an object into *out, in the order of the text; *given gets a bit for each field that is there. Unknown,
+ * unsupported, repeated and missing keys are reported, and what is known is still read: false only where the next
+ * value is no object. */
+bool zr_json_fields(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_object *object,
+                    void *out, uint64_t *given);
 
-/* A length, which is no place: magnitude <= 1000 * coordinate_max, so that scenes of the full size can be seen whole.
- */
-bool zr_json_length(struct zr_json *json, const struct zr_json_path *path, const cJSON *node, float *out);
+static inline bool zr_json_gives(uint64_t given, int field)
+{
+    return given >> field & 1u;
+}
 
-/* A length > 0, still > 0 as a float. */
-bool zr_json_positive(struct zr_json *json, const struct zr_json_path *path, const cJSON *node, float *out);
+/* ---- values, as fields or without one: `field` may be NULL where nothing is said of it ---- */
 
-/* A place along an axis: magnitude <= coordinate_max. */
-bool zr_json_coordinate(struct zr_json *json, const struct zr_json_path *path, const cJSON *node, float *out);
+/* const char *: where the value begins. It is skipped, and read later. */
+zr_json_read_fn zr_json_place;
 
-/* A whole number, 0..UINT32_MAX. */
-bool zr_json_whole(struct zr_json *json, const struct zr_json_path *path, const cJSON *node, uint32_t *out);
+/* double, float: finite numbers, field->low <= value <= field->high. */
+zr_json_read_fn zr_json_number, zr_json_float;
+bool zr_json_number_in(struct zr_json *json, const struct zr_json_path *path, double low, double high, double *out);
+
+/* float. A length, which is no place: magnitude <= 1000 * coordinate_max, so that scenes of the full size can be seen
+ * whole; a length > 0, still > 0 as a float; a place along an axis: magnitude <= coordinate_max. */
+zr_json_read_fn zr_json_length, zr_json_positive, zr_json_coordinate;
+
+/* uint32_t: a whole number, 0..UINT32_MAX. */
+zr_json_read_fn zr_json_whole;
 
 /* A whole number below `count`; `of` names what is counted ("positions"). */
-bool zr_json_index(struct zr_json *json, const struct zr_json_path *path, const cJSON *node, uint32_t count,
-                   const char *of, uint32_t *out);
+bool zr_json_index(struct zr_json *json, const struct zr_json_path *path, uint32_t count, const char *of,
+                   uint32_t *out);
 
-bool zr_json_bool(struct zr_json *json, const struct zr_json_path *path, const cJSON *node, bool *out);
-bool zr_json_string(struct zr_json *json, const struct zr_json_path *path, const cJSON *node, const char **out);
+/* Of a number that is none. */
+bool zr_json_bad_index(struct zr_json *json, const struct zr_json_path *path, double value, uint32_t count,
+                       const char *of);
 
-/* A copy in the arena, which stays when the text's tree is deleted; "" once the arena has failed. */
-const char *zr_json_keep(struct zr_json *json, const char *text);
+zr_json_read_fn zr_json_bool;   /* bool */
+zr_json_read_fn zr_json_flag;   /* int: 0 or 1 */
+zr_json_read_fn zr_json_string; /* const char *, in the arena */
+zr_json_read_fn zr_json_choice; /* int: the index of one of field->words, below its count */
 
-/* One of the words: *out is its index, below names->count. */
-bool zr_json_choice(struct zr_json *json, const struct zr_json_path *path, const cJSON *node,
-                    const struct zr_names *names, int *out);
+zr_json_read_fn zr_json_vec3;     /* zr_vec3 */
+zr_json_read_fn zr_json_vec4;     /* zr_vec4 */
+zr_json_read_fn zr_json_position; /* zr_vec4: three coordinates, and w = 1; or four */
 
-bool zr_json_vec3(struct zr_json *json, const struct zr_json_path *path, const cJSON *node, zr_vec3 *out);
+/* zr_vec4: [r,g,b] or [r,g,b,a] of 0..1, or what zr_color_of_text reads; alpha 1 where not given. */
+zr_json_read_fn zr_json_color;
 
-bool zr_json_vec4(struct zr_json *json, const struct zr_json_path *path, const cJSON *node, zr_vec4 *out);
+zr_json_read_fn zr_json_mat4;   /* zr_mat4: four rows of four numbers, or sixteen numbers column by column */
+zr_json_read_fn zr_json_affine; /* zr_mat4 that keeps points points: its bottom row is 0 0 0 1 */
 
-/* Three coordinates, and w = 1; or four. */
-bool zr_json_position(struct zr_json *json, const struct zr_json_path *path, const cJSON *node, zr_vec4 *out);
+/* `least` to `most` numbers, each within low..high; *count of them were there. */
+bool zr_json_numbers(struct zr_json *json, const struct zr_json_path *path, size_t least, size_t most, double low,
+                     double high, double *out, size_t *count);
 
-/* [r,g,b] or [r,g,b,a] of 0..1, or what zr_color_of_text reads; alpha 1 where not given. */
-bool zr_json_color(struct zr_json *json, const struct zr_json_path *path, const cJSON *node, zr_vec4 *out);
+/* A list; reported where the next value is something else. */
+bool zr_json_list(struct zr_json *json, const struct zr_json_path *path);
 
-/* Four rows of four numbers, or sixteen numbers column by column. */
-bool zr_json_mat4(struct zr_json *json, const struct zr_json_path *path, const cJSON *node, zr_mat4 *out);
-
-/* A matrix that keeps points points: its bottom row is 0 0 0 1. */
-bool zr_json_affine(struct zr_json *json, const struct zr_json_path *path, const cJSON *node, zr_mat4 *out);
-
-/* Reads each item of a list to out[0], out[1], ... ; `node` must be a list and
- * `out` must have room for it. */
-typedef bool (*zr_json_vec4_reader)(struct zr_json *json, const struct zr_json_path *path, const cJSON *node,
-                                    zr_vec4 *out);
-bool zr_json_vec4_list(struct zr_json *json, const struct zr_json_path *path, const cJSON *node,
-                       zr_json_vec4_reader read, zr_vec4 *out);
-bool zr_json_vec3_list(struct zr_json *json, const struct zr_json_path *path, const cJSON *node, zr_vec3 *out);
+/* How many items the list has that is next, which stays the next value. */
+bool zr_json_count(struct zr_json *json, const struct zr_json_path *path, size_t *count);
 
 #endif

@@ -5,126 +5,173 @@
 #include <string.h>
 
 #include "input/json_scene.h"
+#include "input/nearest.h"
 #include "input/text.h"
 
-const char *const zr_view_words[] = {"eye",
-                                     "target",
-                                     "up",
-                                     "preset",
-                                     "direction",
-                                     "azimuthDegrees",
-                                     "elevationDegrees",
-                                     "distance",
-                                     "cameraToWorld",
-                                     "worldToCamera",
-                                     "R",
-                                     "t",
-                                     "convention",
-                                     "perspective",
-                                     "orthographic",
-                                     "intrinsics",
-                                     "K",
-                                     "pixelCenter",
-                                     "projectionMatrix",
-                                     "znear",
-                                     "zfar",
-                                     "fit",
-                                     "name",
-                                     "window"};
-static const struct zr_names keys = ZR_NAMES(ZR_VIEW_KEYS, zr_view_words);
+#define ANGLE_MAX    1e6 /* degrees: turns beyond this are a slip */
+#define ROTATION_MAX 1e3 /* entries of R */
+#define PIXELS_MAX   1e9 /* entries of K: far beyond any lens, and still a float once divided by a window */
+#define PADDING_MAX  0.45
 
-enum { PADDING, MESH, FIT_KEYS };
-static const char *const fit_words[] = {"padding", "mesh"};
-static const struct zr_names fit_keys = ZR_NAMES(FIT_KEYS, fit_words);
+/* ---- values ---- */
 
-static bool read_row(struct zr_json *json, const struct zr_json_path *path, const cJSON *list, double limit,
-                     size_t count, double *out)
+/* Is the list that is next one of lists? */
+static bool has_rows(const struct zr_json *json)
 {
-    bool good = true;
-    size_t i = 0;
-    for (const cJSON *item = list->child; item; item = item->next, i++)
-        if (i < count) good = zr_json_number(json, ZR_JSON_ITEM(path, i), item, -limit, limit, &out[i]) && good;
-    if (i != count) return zr_json_fault(json, path, "expected %zu numbers, found %zu", count, i);
+    struct zr_json there = *json;
+    return zr_json_enter(&there, '[') && zr_json_item(&there) && *there.at == '[';
+}
+
+/* double[9]: three rows of three numbers, or nine numbers row by row, as OpenCV and ROS write them: magnitudes up to
+ * field->high. */
+static bool read_rows(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field,
+                      void *out)
+{
+    const double limit = field->high;
+    double m[9] = {0};
+    size_t count, row = 0;
+    bool good = zr_json_list(json, path);
+    if (!good) return false;
+    if (!has_rows(json)) {
+        if (!zr_json_numbers(json, path, 9, 9, -limit, limit, m, &count)) return false;
+    } else {
+        for (zr_json_enter(json, '['); zr_json_item(json); row++)
+            good = (row < 3 ? zr_json_numbers(json, ZR_JSON_ITEM(path, row), 3, 3, -limit, limit, &m[3 * row], &count)
+                            : zr_json_skip(json)) &&
+                   good;
+        if (row != 3) return zr_json_fault(json, path, "expected 3 rows, found %zu", row);
+    }
+    if (good) memcpy(out, m, sizeof m);
     return good;
 }
 
-bool zr_view_read_rows(struct zr_json *json, const struct zr_json_path *path, const cJSON *node, double limit,
-                       double out[9])
+/* All but which mesh is meant: not all meshes have been read yet. */
+struct given_fit {
+    float padding;
+    const char *mesh;
+};
+enum { PADDING, MESH };
+static const struct zr_json_field fit_fields[] = {
+    [PADDING] = {"padding", zr_json_float, offsetof(struct given_fit, padding), 0, PADDING_MAX, .otherwise = "0.05",
+                 .text = "the share of the window left free on each side"},
+    [MESH] = {"mesh", zr_json_string, offsetof(struct given_fit, mesh), .otherwise = "all geometry",
+              .text = "the name of the mesh whose instances are to fill the window"}};
+static const struct zr_json_object fit_object = ZR_JSON_OBJECT_OF("fit", fit_fields);
+
+static bool read_fit(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field,
+                     void *out)
 {
-    size_t count, length;
-    if (!zr_json_array(json, path, node, &count)) return false;
-    if (!cJSON_IsArray(node->child)) return read_row(json, path, node, limit, 9, out);
-    if (count != 3) return zr_json_fault(json, path, "expected 3 rows, found %zu", count);
-    bool good = true;
-    size_t i = 0;
-    for (const cJSON *row = node->child; row; row = row->next, i++) {
-        const struct zr_json_path *at = ZR_JSON_ITEM(path, i);
-        good = zr_json_array(json, at, row, &length) && read_row(json, at, row, limit, 3, &out[3 * i]) && good;
-    }
-    return good;
+    struct zr_given_view *given = out;
+    struct given_fit fit = {given->view.fit_padding, NULL};
+    uint64_t keys;
+    (void)field;
+    if (!zr_json_fields(json, path, &fit_object, &fit, &keys)) return false;
+    given->view.fit_padding = fit.padding;
+    given->fit_mesh = fit.mesh;
+    return true;
 }
 
-static bool read_plane(struct zr_view_reader *reader, enum zr_view_key key, float *out)
+/* ---- keys ---- */
+
+#define AT(member)   offsetof(struct zr_given_view, member)
+#define VIEW(member) offsetof(struct zr_given_view, view.member)
+const struct zr_json_field zr_view_fields[] = {
+    [ZR_VIEW_EYE] = {"eye", zr_json_vec3, VIEW(eye), .unit = "scene units", .text = "where the camera is"},
+    [ZR_VIEW_TARGET] = {"target", zr_json_vec3, VIEW(target), .unit = "scene units",
+                        .text = "what the camera looks at"},
+    [ZR_VIEW_UP] = {"up", zr_json_vec3, VIEW(up), .otherwise = "[0, 1, 0]", .text = "what is up in the picture"},
+    [ZR_VIEW_PRESET] = {"preset", zr_json_choice, AT(preset), .words = &zr_preset_names, .otherwise = "isometric",
+                        .text = "a side to look from; the geometry fills the window"},
+    [ZR_VIEW_DIRECTION] = {"direction", zr_json_vec3, VIEW(direction),
+                           .text = "the way the camera looks; the geometry fills the window"},
+    [ZR_VIEW_AZIMUTH_DEGREES] = {"azimuthDegrees", zr_json_number, VIEW(azimuth_degrees), -ANGLE_MAX, ANGLE_MAX,
+                                 .unit = "degrees", .otherwise = "0",
+                                 .text = "how far the camera has gone around the target, from the front to the right"},
+    [ZR_VIEW_ELEVATION_DEGREES] = {"elevationDegrees", zr_json_number, VIEW(elevation_degrees), -90, 90,
+                                   .unit = "degrees", .otherwise = "0",
+                                   .text = "how far the camera is above the target"},
+    [ZR_VIEW_DISTANCE] = {"distance", zr_json_positive, VIEW(distance), .unit = "scene units",
+                          .otherwise = "so that the geometry fills the window",
+                          .text = "of the camera from the target"},
+    [ZR_VIEW_CAMERA_TO_WORLD] = {"cameraToWorld", zr_json_affine, AT(camera_to_world), .text = "the pose as a matrix"},
+    [ZR_VIEW_WORLD_TO_CAMERA] = {"worldToCamera", zr_json_affine, VIEW(world_to_camera),
+                                 .text = "the inverse of the pose as a matrix"},
+    [ZR_VIEW_R] = {"R", read_rows, AT(r), 0, ROTATION_MAX, .text = "OpenCV's rotation from the world to the camera"},
+    [ZR_VIEW_T] = {"t", zr_json_vec3, AT(t), .otherwise = "[0, 0, 0]",
+                   .text = "OpenCV's translation, which goes with R"},
+    [ZR_VIEW_CONVENTION] = {"convention", zr_json_choice, AT(convention), .words = &zr_convention_names,
+                            .otherwise = "opengl, and opencv with R",
+                            .text = "which way the camera's axes go; opencv: y down, z into the picture"},
+    [ZR_VIEW_PERSPECTIVE] = {"perspective", zr_read_perspective, 0, .text = "an angle of view"},
+    [ZR_VIEW_ORTHOGRAPHIC] = {"orthographic", zr_read_orthographic, 0, .text = "no vanishing point"},
+    [ZR_VIEW_INTRINSICS] = {"intrinsics", zr_read_intrinsics, 0, .text = "a pinhole camera by its numbers"},
+    [ZR_VIEW_K] = {"K", read_rows, AT(k), 0, PIXELS_MAX, .unit = "pixels", .text = "a pinhole camera as a 3x3 matrix"},
+    [ZR_VIEW_PIXEL_CENTER] = {"pixelCenter", zr_json_number, AT(pixel_center), 0, 0.5, .unit = "pixels",
+                              .otherwise = "0.5", .text = "where the middle of the first pixel is: 0 or 0.5"},
+    [ZR_VIEW_PROJECTION_MATRIX] = {"projectionMatrix", zr_json_mat4, VIEW(projection_matrix),
+                                   .text = "from the camera's space to OpenGL's clip space"},
+    [ZR_VIEW_ZNEAR] = {"znear", zr_json_length, VIEW(znear), .unit = "scene units",
+                       .otherwise = "just before the geometry", .text = "what is nearer is cut off"},
+    [ZR_VIEW_ZFAR] = {"zfar", zr_json_length, VIEW(zfar), .unit = "scene units",
+                      .otherwise = "just behind the geometry", .text = "what is farther is cut off"},
+    [ZR_VIEW_FIT] = {"fit", read_fit, 0, .text = "how the geometry fills the window"},
+    {.key = "name"},
+    {.key = "window"}};
+static const struct zr_json_object object = ZR_JSON_OBJECT_OF("view", zr_view_fields);
+
+/* ---- the view ---- */
+
+/* Has the plane been given rightly? */
+static bool check_plane(struct zr_given_view *given, enum zr_view_key key, float distance)
 {
-    const cJSON *node = reader->found[key];
-    const struct zr_json_path *path = ZR_VIEW_PATH(reader, key);
-    if (!node) return false;
-    switch (reader->view->projection) {
-    case ZR_PROJECTION_MATRIX:
-        return zr_json_fault(reader->json, path, "projectionMatrix has planes of its own");
-    case ZR_PROJECTION_ORTHOGRAPHIC:
-        return zr_json_length(reader->json, path, node, out);
-    case ZR_PROJECTION_PERSPECTIVE:
-    case ZR_PROJECTION_INTRINSICS:
-        break;
-    }
-    return zr_json_positive(reader->json, path, node, out);
+    if (!zr_view_gives(given, key)) return false;
+    if (given->view.projection == ZR_PROJECTION_MATRIX)
+        return zr_json_fault(given->json, ZR_VIEW_PATH(given, key), "projectionMatrix has planes of its own");
+    return given->view.projection == ZR_PROJECTION_ORTHOGRAPHIC || distance > 0.0f ||
+           zr_json_fault(given->json, ZR_VIEW_PATH(given, key), "%.9g is not greater than 0", (double)distance);
 }
 
-static void read_planes(struct zr_view_reader *reader)
+static void find_planes(struct zr_given_view *given)
 {
-    struct zr_view *view = reader->view;
-    view->has_znear = read_plane(reader, ZR_VIEW_ZNEAR, &view->znear);
-    view->has_zfar = read_plane(reader, ZR_VIEW_ZFAR, &view->zfar);
+    struct zr_view *view = &given->view;
+    view->has_znear = check_plane(given, ZR_VIEW_ZNEAR, view->znear);
+    view->has_zfar = check_plane(given, ZR_VIEW_ZFAR, view->zfar);
     if (view->has_znear && view->has_zfar && !(view->znear < view->zfar))
-        zr_json_fault(reader->json, ZR_VIEW_PATH(reader, ZR_VIEW_ZFAR), "%.9g is not beyond znear, %.9g",
+        zr_json_fault(given->json, ZR_VIEW_PATH(given, ZR_VIEW_ZFAR), "%.9g is not beyond znear, %.9g",
                       (double)view->zfar, (double)view->znear);
 }
 
-/* All but which mesh is meant: no mesh has been read yet. */
-static void read_fit(struct zr_view_reader *reader)
+bool zr_read_view(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field, void *out)
 {
-    const struct zr_json_path *path = ZR_VIEW_PATH(reader, ZR_VIEW_FIT);
-    const cJSON *found[FIT_KEYS];
-    const char *name;
-    double padding;
-    if (!zr_json_object(reader->json, path, reader->found[ZR_VIEW_FIT], &fit_keys, found)) return;
-    if (found[MESH]) zr_json_string(reader->json, ZR_JSON_KEY(path, fit_words[MESH]), found[MESH], &name);
-    if (!found[PADDING]) return;
-    if (zr_json_number(reader->json, ZR_JSON_KEY(path, fit_words[PADDING]), found[PADDING], 0, 0.45, &padding))
-        reader->view->fit_padding = (float)padding;
+    struct zr_draft *draft = out;
+    struct zr_given_view given = {.json = json,
+                                  .path = path,
+                                  .view = draft->scene->views[0],
+                                  .preset = (int)draft->scene->views[0].preset,
+                                  .convention = -1,
+                                  .pixel_center = 0.5};
+    const size_t faults = json->error->count;
+    (void)field;
+    if (!zr_json_fields(json, path, &object, &given, &given.keys)) return false;
+    if (json->error->count > faults) return false; /* what is not known cannot be judged */
+    zr_view_find_pose(&given);
+    zr_view_find_projection(&given);
+    find_planes(&given);
+    draft->fit_mesh = given.fit_mesh;
+    draft->scene->views[0] = given.view;
+    return true;
 }
 
-void zr_draft_read_view(struct zr_draft *draft, const struct zr_json_path *path, const cJSON *node)
-{
-    struct zr_view_reader reader = {.json = &draft->json, .path = path, .view = &draft->scene->views[0]};
-    if (!zr_json_object(reader.json, path, node, &keys, reader.found)) return;
-    zr_view_read_pose(&reader);
-    zr_view_read_projection(&reader);
-    read_planes(&reader);
-    if (reader.found[ZR_VIEW_FIT]) read_fit(&reader);
-}
-
-void zr_draft_find_fit_mesh(struct zr_draft *draft, const struct zr_json_path *path, const cJSON *node)
+void zr_draft_find_fit_mesh(struct zr_draft *draft, const struct zr_json_path *path)
 {
     const struct zr_scene *scene = draft->scene;
     struct zr_view *view = &draft->scene->views[0];
-    const struct zr_json_path *fit_path = ZR_JSON_KEY(path, zr_view_words[ZR_VIEW_FIT]);
-    const cJSON *fit = cJSON_GetObjectItemCaseSensitive(node, zr_view_words[ZR_VIEW_FIT]);
-    const char *name = cJSON_GetStringValue(cJSON_GetObjectItemCaseSensitive(fit, fit_words[MESH]));
-    if (!name) return;
-    const struct zr_json_path *at = ZR_JSON_KEY(fit_path, fit_words[MESH]);
+    const char *name = draft->fit_mesh;
+    const struct zr_json_path *fit = ZR_JSON_KEY(path, zr_view_fields[ZR_VIEW_FIT].key);
+    const struct zr_json_path *at = ZR_JSON_KEY(fit, fit_fields[MESH].key);
+    struct zr_nearest nearest = {.word = name};
     for (uint32_t i = 0; i < scene->mesh_count; i++) {
+        zr_nearest_offer(&nearest, scene->meshes[i].name);
         if (*name == '\0' || strcmp(scene->meshes[i].name, name) != 0) continue;
         if (view->fit_to_mesh) {
             zr_json_fault(&draft->json, at, "two meshes have the name %s: %u and %u", zr_quote(name, strlen(name)).text,
@@ -134,5 +181,7 @@ void zr_draft_find_fit_mesh(struct zr_draft *draft, const struct zr_json_path *p
         view->fit_to_mesh = true;
         view->fit_mesh = i;
     }
-    if (!view->fit_to_mesh) zr_json_fault(&draft->json, at, "no mesh is named %s", zr_quote(name, strlen(name)).text);
+    if (!view->fit_to_mesh)
+        zr_json_fault(&draft->json, at, "no mesh is named %s%s", zr_quote(name, strlen(name)).text,
+                      zr_nearest_text(&nearest).text);
 }

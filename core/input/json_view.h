@@ -1,7 +1,7 @@
 /* json_view.h - input: what the readers of a view's parts share; nobody else includes it.
  *
- * The keys of a view are found once (json_view.c); a pose (json_pose.c) and a projection
- * (json_projection.c) are then read from those that belong to them.
+ * All keys of a view are read first (json_view.c); a pose (json_pose.c) and a projection
+ * (json_projection.c) are then made of those that belong to them.
  */
 #ifndef ZR_JSON_VIEW_H
 #define ZR_JSON_VIEW_H
@@ -35,27 +35,37 @@ enum zr_view_key {
     ZR_VIEW_KEYS
 };
 
-extern const char *const zr_view_words[]; /* enum zr_view_key, and those that are not supported */
-
-struct zr_view_reader {
+/* What a view says, as far as it can be judged by itself. */
+struct zr_given_view {
     struct zr_json *json;
     const struct zr_json_path *path; /* of the view */
-    const cJSON *found[ZR_VIEW_KEYS];
-    struct zr_view *view;
+    uint64_t keys;                   /* those that are there */
+    struct zr_view view;             /* over the defaults */
+    int preset, convention;
+    zr_mat4 camera_to_world;
+    double r[9], k[9];
+    zr_vec3 t;
+    double pixel_center;
+    struct zr_intrinsics intrinsics;
+    const char *fit_mesh; /* or NULL */
 };
 
+extern const struct zr_json_field zr_view_fields[]; /* enum zr_view_key, and those that are not supported */
+
+static inline bool zr_view_gives(const struct zr_given_view *given, enum zr_view_key key)
+{
+    return zr_json_gives(given->keys, (int)key);
+}
+
 /* The path of a member, as ZR_JSON_KEY has it. */
-#define ZR_VIEW_PATH(reader, key) ZR_JSON_KEY((reader)->path, zr_view_words[key])
+#define ZR_VIEW_PATH(given, which) ZR_JSON_KEY((given)->path, zr_view_fields[which].key)
 
 /* json_pose.c: the pose, and which way its axes go. */
-void zr_view_read_pose(struct zr_view_reader *reader);
+void zr_view_find_pose(struct zr_given_view *given);
+extern const struct zr_names zr_convention_names;
 
 /* json_projection.c: the projection that is said, or else the one that the pose suggests. */
-void zr_view_read_projection(struct zr_view_reader *reader);
-
-/* Three rows of three numbers, or nine numbers row by row, as OpenCV and ROS write them:
- * magnitudes up to `limit`. */
-bool zr_view_read_rows(struct zr_json *json, const struct zr_json_path *path, const cJSON *node, double limit,
-                       double out[9]);
+void zr_view_find_projection(struct zr_given_view *given);
+zr_json_read_fn zr_read_perspective, zr_read_orthographic, zr_read_intrinsics; /* struct zr_given_view */
 
 #endif

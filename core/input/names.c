@@ -1,8 +1,10 @@
 #include "input/names.h"
 
+#include <stdbool.h>
 #include <stdio.h>
 #include <string.h>
 
+#include "input/nearest.h"
 #include "input/text.h"
 #include "scene/scene.h"
 
@@ -27,10 +29,21 @@ int zr_names_of_query(const char *parameter, const struct zr_names *names, const
 {
     int found = zr_names_find(names, word);
     if (found >= 0 && found < names->count) return found;
-    zr_error_add(error, ZR_BAD_REQUEST, NULL, "query parameter %s: %s is %s; allowed: %s", parameter,
-                 zr_quote(word, strlen(word)).text, found < 0 ? "unknown" : "not supported in this version",
-                 zr_names_join(names).text);
+    zr_error_add(error, ZR_BAD_REQUEST, NULL, "query parameter %s: %s", parameter, zr_names_refuse(names, word).text);
     return -1;
+}
+
+struct zr_names_refusal zr_names_refuse(const struct zr_names *names, const char *word)
+{
+    const bool is_known = zr_names_find(names, word) >= 0;
+    struct zr_names_refusal refusal;
+    struct zr_nearest nearest = {.word = word};
+    for (int i = 0; !is_known && i < names->count; i++)
+        zr_nearest_offer(&nearest, names->words[i]);
+    snprintf(refusal.text, sizeof refusal.text, "%s is %s%s; allowed: %.200s", zr_quote(word, strlen(word)).text,
+             is_known ? "not supported in this version" : "unknown", zr_nearest_text(&nearest).text,
+             zr_names_join(names).text);
+    return refusal;
 }
 
 struct zr_names_text zr_names_join(const struct zr_names *names)

@@ -30,6 +30,12 @@ struct zr_names_text {
 };
 struct zr_names_text zr_names_join(const struct zr_names *names);
 
+/* Why a word is none of those that work. */
+struct zr_names_refusal {
+    char text[400];
+};
+struct zr_names_refusal zr_names_refuse(const struct zr_names *names, const char *word);
+
 extern const struct zr_names zr_shading_names;   /* enum zr_shading */
 extern const struct zr_names zr_preset_names;    /* enum zr_preset */
 extern const struct zr_names zr_algorithm_names; /* enum zr_algorithm */

@@ -125,7 +125,7 @@ const char *zr_number_read(const char *at, const char *end, double *value)
 const char *zr_number_read_json(const char *at, const char *end, double *value)
 {
     const char *behind = zr_number_read(at, end, value), *digit = at;
-    if (!behind || behind - at > ZR_NUMBER_JSON_MAX) return NULL;
+    if (!behind) return NULL;
     if (*digit == '-') digit++;
     if (!is_digit(digit, behind) || (*digit == '0' && is_digit(digit + 1, behind))) return NULL;
     const char *point = memchr(digit, '.', (size_t)(behind - digit));

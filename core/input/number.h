@@ -13,11 +13,8 @@
  * follows the number is the caller's to judge. */
 const char *zr_number_read(const char *at, const char *end, double *value);
 
-/* cJSON copies a number to a buffer of 64 bytes and fails on longer ones; no scene may have them. */
-enum { ZR_NUMBER_JSON_MAX = 63 };
-
 /* The same for what is a number of JSON (RFC 8259, section 6): no plus sign, no leading zeros, digits on both
- * sides of a point; and at most ZR_NUMBER_JSON_MAX characters long. */
+ * sides of a point. */
 const char *zr_number_read_json(const char *at, const char *end, double *value);
 
 #endif

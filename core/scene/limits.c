@@ -4,7 +4,6 @@ struct zr_limits zr_limits_default(void)
 {
     return (struct zr_limits){
         .json_depth_max = 64,
-        .json_values_max = 4000000,
         .window_side_max = 8192,
         .window_pixels_max = (uint64_t)32 * 1024 * 1024,
         .polygon_vertices_max = 1024,

@@ -25,7 +25,6 @@ static struct zr_limits small_limits(void)
     struct zr_limits limits = zr_limits_default();
     limits.window_side_max = FUZZ_SIDE_MAX;
     limits.window_pixels_max = 8 * FUZZ_SIDE_MAX * FUZZ_SIDE_MAX;
-    limits.json_values_max = 100000;
     limits.instances_max = 1000;
     return limits;
 }

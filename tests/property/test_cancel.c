@@ -249,10 +249,10 @@ static void reading_stops(const char *begin_text, const char *unit)
 static void reading_of_brackets_and_of_what_is_odd_stops(void **state)
 {
     (void)state;
-    reading_stops("", "[");
+    reading_stops("[", "[[]],");
     reading_stops("{\"x\":[", "[],");
     reading_stops("{\"polygons\":[", "[],");
-    reading_stops("{\"polygons\":[", "[");
+    reading_stops("{\"polygons\":[", "{},");
     reading_stops("{\"polygons\":[{\"vertices\":[", "[],");
     reading_stops("{\"meshes\":[{\"faces\":[", "[{\"a\":[1]}],");
     reading_stops("{\"x\":\"", "\\u00e4");

@@ -186,17 +186,6 @@ static void text_cut_short_anywhere_is_bad_syntax(void **state)
     drop(&text);
 }
 
-static void number_too_long_in_a_list_gives_its_place(void **state)
-{
-    (void)state;
-    struct text text = {0};
-    add(&text, "{\"meshes\":[{" FACES ",\"positions\":[[0,0,0],[0,0,0],\n[0,0,0.%064d]]}]}", 1);
-    struct reading *reading = read_bytes(ZR_FORMAT_JSON, text.bytes, text.size);
-    assert_complaint(reading, ZR_BAD_SCENE, "", "line 2, column 6: a number of more than 63 characters");
-    reading_free(reading);
-    drop(&text);
-}
-
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -204,7 +193,6 @@ int main(void)
         cmocka_unit_test(last_fault_that_is_kept_is_the_last_complaint),
         cmocka_unit_test(bad_syntax_in_a_list_comes_before_other_faults),
         cmocka_unit_test(text_cut_short_anywhere_is_bad_syntax),
-        cmocka_unit_test(number_too_long_in_a_list_gives_its_place),
     };
     return cmocka_run_group_tests_name("json_list_faults", tests, NULL, NULL);
 }

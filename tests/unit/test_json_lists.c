@@ -103,25 +103,6 @@ static void polygons_written_alike_are_alike(void **state)
     }
 }
 
-/* Cubes, planes: a value that takes cJSON 64 bytes counts, one that is a float does not. */
-static void numbers_in_large_lists_do_not_count_as_values(void **state)
-{
-    (void)state;
-    struct text text = make_scene(100);
-    struct zr_limits limits = zr_limits_default();
-    limits.json_values_max = 300; /* more than a polygon has that takes the long way */
-    struct reading *reading =
-        read_request((struct zr_request){.format = ZR_FORMAT_JSON}, text.bytes, text.size, limits, (size_t)1 << 24);
-    assert_read(reading);
-    reading_free(reading);
-    limits.json_values_max = 10;
-    reading =
-        read_request((struct zr_request){.format = ZR_FORMAT_JSON}, text.bytes, text.size, limits, (size_t)1 << 24);
-    assert_complaint(reading, ZR_BAD_SCENE, "", "values in the text, more than the limit of 10");
-    reading_free(reading);
-    drop(&text);
-}
-
 static void lists_too_deep_for_the_limit_are_refused(void **state)
 {
     (void)state;
@@ -148,7 +129,6 @@ int main(void)
         cmocka_unit_test(positions_are_the_floats_of_what_strtod_gives),
         cmocka_unit_test(arrays_take_little_more_than_themselves),
         cmocka_unit_test(polygons_written_alike_are_alike),
-        cmocka_unit_test(numbers_in_large_lists_do_not_count_as_values),
         cmocka_unit_test(lists_too_deep_for_the_limit_are_refused),
     };
     return cmocka_run_group_tests_name("json_lists", tests, NULL, NULL);

@@ -128,7 +128,7 @@ static void bad_nodes_give_pointer_to_the_fault(void **state)
     (void)state;
     refuses_scene("{" MESHES ", \"nodes\": {}}", "/nodes", "expected a list, found an object");
     refuses_nodes("3", "/nodes/0", "expected an object, found a number");
-    refuses_nodes("{\"Mesh\": 0}", "/nodes/0/Mesh", "unknown key; known here: name, mesh, matrix");
+    refuses_nodes("{\"Mesh\": 0}", "/nodes/0/Mesh", "unknown key (did you mean mesh?); known here: name, mesh, matrix");
     refuses_nodes("{\"mesh\": 4}", "/nodes/0/mesh", "index 4 of 4 meshes");
     refuses_nodes("{\"mesh\": 0.5}", "/nodes/0/mesh", "not a whole number");
     refuses_nodes("{\"mesh\": null}", "/nodes/0/mesh", "expected an index or a name, found null");

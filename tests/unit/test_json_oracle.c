@@ -2,7 +2,7 @@
 #include <cjson/cJSON.h>
 #include <math.h>
 
-#include "input/json_scan.h"
+#include "json_strict.h"
 #include "json_texts.h"
 
 /* ---- an oracle: cJSON's tree, and the contract for meshes of positions and faces ---- */
@@ -83,8 +83,7 @@ static enum zr_status strict_scan(const struct text *text)
     static struct zr_arena arena = {.ceiling = (size_t)1 << 24};
     struct zr_error error = {.count = 0};
     struct zr_limits limits = zr_limits_default();
-    size_t values;
-    enum zr_status status = zr_json_scan(&arena, text->bytes, text->size, &limits, &values, &error);
+    enum zr_status status = read_strictly(&arena, text->bytes, text->size, &limits, &error);
     zr_arena_reset(&arena, ZR_ARENA_BLOCK);
     return status;
 }

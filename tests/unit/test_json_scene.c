@@ -177,7 +177,7 @@ static void no_face_gives_no_geometry(void **state)
 static void keys_are_checked_with_pointer_to_them(void **state)
 {
     (void)state;
-    refuses_rest("\"nodez\": 1", "/nodez", "unknown key; known here: version, window");
+    refuses_rest("\"nodez\": 1", "/nodez", "unknown key (did you mean nodes?); known here: version, window");
     refuses_rest("\"Window\": {}", "/Window", "unknown key");
     refuses_rest("\"a/b~c\": 1", "/a~1b~0c", "unknown key");
     refuses_rest("\"views\": []", "/views", "not supported in this version");
@@ -185,7 +185,7 @@ static void keys_are_checked_with_pointer_to_them(void **state)
     refuses_rest("\"window\": {\"width\": 3, \"depth\": 4}", "/window/depth", "unknown key; known here: width, height");
     refuses_scene("{\"polygons\": [{" TRIANGLE ", " TRIANGLE "}]}", "/polygons/0/vertices", "given twice");
     refuses_scene("{\"polygons\": [{\"vertices\": [], " TRIANGLE ", \"colors\": [1,2,3]}]}", "/polygons/0/vertices",
-                  "given twice");
+                  "a polygon of 0 vertices");
 }
 
 static void long_unknown_key_is_cut_at_a_character(void **state)
@@ -237,7 +237,7 @@ static void wrong_values_give_pointer_to_them(void **state)
     refuses_rest("\"background\": [1, 1]", "/background", "expected 3 or 4 numbers, found 2");
     refuses_rest("\"background\": [1, 1, 1.5]", "/background/2", "1.5 is outside of 0 to 1");
     refuses_rest("\"background\": null", "/background", "expected a colour, found null");
-    refuses_rest("\"materials\": [{}]", "/materials/0", "a material needs a name");
+    refuses_rest("\"materials\": [{}]", "/materials/0", "name is missing: it is asked for by its name");
     refuses_rest("\"materials\": [{\"name\": \"a\"}, {\"name\": \"b\"}, {\"name\": \"a\"}]", "/materials/2/name",
                  "'a' is the name of material 0 already");
     refuses_rest("\"materials\": [{\"name\": \"a\", \"doubleSided\": 1}]", "/materials/0/doubleSided",

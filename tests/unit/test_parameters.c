@@ -93,7 +93,7 @@ static void wrong_query_gives_bad_request_naming_the_parameter(void **state)
         struct zr_request request;
         const char *detail;
     } cases[] = {
-        {{.format = ZR_FORMAT_OBJ, .channel = "colour"}, "channel: 'colour' is unknown; allowed: color, depth"},
+        {{.format = ZR_FORMAT_OBJ, .channel = "colour"}, "channel: 'colour' is unknown (did you mean color?); allowed: color, depth"},
         {{.format = ZR_FORMAT_OBJ, .channel = "texcoord"}, "channel: 'texcoord' is not supported"},
         {{.format = ZR_FORMAT_OBJ, .channel = "depth", .encoding = "png"}, "encoding: 'png' is not one"},
         {{.format = ZR_FORMAT_OBJ, .channel = "depth", .scale = "2"}, "scale: only the encoding png16"},

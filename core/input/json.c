@@ -1,0 +1,490 @@
+#include "input/json.h"
+
+#include <stdint.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "base/cancel.h"
+#include "input/number_quick.h"
+#include "input/text.h"
+
+/* BYTES_A_LOOK: between two looks at the flag of cancellation. */
+enum { WORD_BITS = 64, BYTES_A_LOOK = 1 << 20, ESCAPED_WORD_MAX = 64 };
+
+static const char A_VALUE[] = "a value";
+
+/* ---- faults ---- */
+
+/* What was found instead of what is expected at `at`; false. Nothing that was reported before counts any more. */
+static bool fail(struct zr_json *json, const char *at, const char *what)
+{
+    if (json->ended) return false;
+    const struct zr_place place = zr_place_of(json->bytes, (size_t)(at - json->bytes));
+    const size_t length = at < json->end ? zr_utf8_length(at, json->end) : 0;
+    const bool mark = at == json->bytes && json->end - at >= 3 && memcmp(at, "\xEF\xBB\xBF", 3) == 0;
+    json->ended = true;
+    json->at = json->look = json->end;
+    *json->error = (struct zr_error){0};
+    zr_error_add(json->error, ZR_BAD_SYNTAX, NULL, "line %zu, column %zu: expected %s, found %s", place.line,
+                 place.column, what,
+                 at == json->end ? "the end of the text"
+                 : mark          ? "a byte order mark"
+                                 : zr_quote(at, length ? length : 1).text);
+    return false;
+}
+
+static bool fail_limit(struct zr_json *json, const char *at, const char *format, unsigned limit)
+{
+    const struct zr_place place = zr_place_of(json->bytes, (size_t)(at - json->bytes));
+    char what[64];
+    if (json->ended) return false;
+    snprintf(what, sizeof what, format, limit);
+    json->ended = true;
+    json->at = json->look = json->end;
+    *json->error = (struct zr_error){0};
+    zr_error_add(json->error, ZR_BAD_SCENE, NULL, "line %zu, column %zu: %s", place.line, place.column, what);
+    return false;
+}
+
+/* False where the request is cancelled. */
+static bool goes_on(struct zr_json *json, const char *at)
+{
+    if (at < json->look) return true;
+    json->look = at + (json->end - at < BYTES_A_LOOK ? json->end - at : BYTES_A_LOOK);
+    if (!zr_is_cancelled(json->cancel)) return !json->ended;
+    zr_arena_charge(json->arena, SIZE_MAX); /* all readers end now, as where memory is used up */
+    json->ended = true;
+    json->at = json->look = json->end;
+    return false;
+}
+
+bool zr_json_stops(struct zr_json *json)
+{
+    return !goes_on(json, json->at) || json->error->count >= ZR_ERROR_ITEMS || !zr_arena_ok(json->arena);
+}
+
+/* ---- strings ---- */
+
+static bool is_digit(char byte)
+{
+    return (unsigned char)(byte - '0') < 10;
+}
+
+/* Bytes that go on a string as they are: neither control, quote, backslash nor beyond ASCII. */
+static bool is_plain(char byte)
+{
+    return (unsigned char)byte >= 0x20 && (unsigned char)byte < 0x80 && byte != '"' && byte != '\\';
+}
+
+/* Eight bytes that may hold one that is not plain. Carries between bytes can only
+ * raise false alarms, and the caller looks again. */
+static bool needs_a_look(uint64_t word)
+{
+    const uint64_t ones = UINT64_C(0x0101010101010101), tops = ones * 0x80;
+    uint64_t quote = word ^ (ones * '"'), backslash = word ^ (ones * '\\');
+    return ((word | (word - ones * 0x20) | (quote - ones) | (backslash - ones)) & tops) != 0;
+}
+
+/* The value of the four hexadecimal digits of a \u escape, or -1. */
+static int read_hex(const char *at, const char *end)
+{
+    if (end - at < 4) return -1;
+    int value = 0;
+    for (int i = 0; i < 4; i++) {
+        char c = at[i];
+        int digit = is_digit(c)            ? c - '0'
+                    : c >= 'a' && c <= 'f' ? c - 'a' + 10
+                    : c >= 'A' && c <= 'F' ? c - 'A' + 10
+                                           : -1;
+        if (digit < 0) return -1;
+        value = value * 16 + digit;
+    }
+    return value;
+}
+
+/* The character of the \u escape at `at`, of one unit or of a surrogate pair, and how long it is written; -1 where
+ * there is none. */
+static int32_t read_unit(const char *at, const char *end, size_t *length)
+{
+    int unit = read_hex(at + 2, end);
+    *length = 6;
+    if (unit < 0xD800 || unit > 0xDFFF) return unit;
+    int low = unit < 0xDC00 && end - at >= 8 && at[6] == '\\' && at[7] == 'u' ? read_hex(at + 8, end) : -1;
+    *length = 12;
+    return low < 0xDC00 || low > 0xDFFF ? -1 : 0x10000 + ((unit - 0xD800) << 10) + (low - 0xDC00);
+}
+
+/* `at` is a backslash; returns behind the escape, or NULL. */
+static const char *pass_escape(struct zr_json *json, const char *at)
+{
+    size_t length;
+    if (json->end - at < 2 || at[1] == '\0' || !strchr("\"\\/bfnrtu", at[1])) {
+        fail(json, at, "one of the escapes \\\" \\\\ \\/ \\b \\f \\n \\r \\t \\u");
+        return NULL;
+    }
+    if (at[1] != 'u') return at + 2;
+    if (read_hex(at + 2, json->end) < 0)
+        fail(json, at, "four hexadecimal digits after \\u");
+    else if (read_unit(at, json->end, &length) < 0)
+        fail(json, at, "both halves of a surrogate pair");
+    else if (read_unit(at, json->end, &length) == 0)
+        fail_limit(json, at, "U+0000 in a string", 0);
+    else
+        return at + length;
+    return NULL;
+}
+
+/* `at` is behind the opening quote; returns behind the closing one, or NULL. */
+static const char *pass_string(struct zr_json *json, const char *at, bool *has_escapes)
+{
+    const char *end = json->end;
+    *has_escapes = false;
+    for (;;) {
+        uint64_t word;
+        if (!goes_on(json, at)) return NULL;
+        while (json->look - at >= (ptrdiff_t)sizeof word) {
+            memcpy(&word, at, sizeof word);
+            if (needs_a_look(word)) break;
+            at += sizeof word;
+        }
+        while (at < json->look && is_plain(*at))
+            at++;
+        if (at == json->look && at < end) continue;
+        if (at < end && *at == '"') return at + 1;
+        if (at < end && *at == '\\') {
+            *has_escapes = true;
+            at = pass_escape(json, at);
+            if (!at) return NULL;
+            continue;
+        }
+        const size_t length = at < end && (unsigned char)*at >= 0x20 ? zr_utf8_length(at, end) : 0;
+        if (length == 0) {
+            fail(json, at,
+                 at == end                   ? "'\"' at the end of a string"
+                 : (unsigned char)*at < 0x20 ? "control characters in a string as escapes"
+                                             : "valid UTF-8");
+            return NULL;
+        }
+        at += length;
+    }
+}
+
+/* Without a look at whether to stop. */
+static bool take_string(struct zr_json *json, struct zr_json_text *text)
+{
+    text->at = json->at + 1;
+    const char *behind = pass_string(json, json->at + 1, &text->has_escapes);
+    if (!behind) return false;
+    text->end = behind - 1;
+    json->at = behind;
+    return true;
+}
+
+bool zr_json_take_string(struct zr_json *json, struct zr_json_text *text)
+{
+    json->at = zr_json_skip_space(json->at, json->end);
+    return take_string(json, text);
+}
+
+static size_t write_utf8(int32_t character, char *out)
+{
+    const uint32_t c = (uint32_t)character;
+    if (c < 0x80) {
+        out[0] = (char)c;
+        return 1;
+    }
+    const size_t more = c < 0x800 ? 1 : c < 0x10000 ? 2 : 3;
+    static const unsigned char leads[] = {0, 0xC0, 0xE0, 0xF0};
+    out[0] = (char)(leads[more] | c >> (6 * more));
+    for (size_t i = 1; i <= more; i++)
+        out[i] = (char)(0x80 | (c >> (6 * (more - i)) & 0x3F));
+    return more + 1;
+}
+
+/* No escape is shorter than what it stands for. */
+static size_t resolve(const char *at, const char *end, char *out)
+{
+    static const char letters[] = "bfnrt", meant[] = "\b\f\n\r\t";
+    size_t used = 0, length;
+    while (at < end) {
+        const char *letter;
+        if (*at != '\\') {
+            out[used++] = *at++;
+        } else if (at[1] == 'u') {
+            used += write_utf8(read_unit(at, end, &length), out + used);
+            at += length;
+        } else {
+            letter = strchr(letters, at[1]);
+            out[used++] = letter ? meant[letter - letters] : at[1];
+            at += 2;
+        }
+    }
+    return used;
+}
+
+const char *zr_json_decode(struct zr_json *json, const struct zr_json_text *text)
+{
+    size_t size = (size_t)(text->end - text->at);
+    char *out = zr_arena_alloc(json->arena, size + 1, 1);
+    if (!out) return NULL;
+    if (text->has_escapes)
+        size = resolve(text->at, text->end, out);
+    else
+        memcpy(out, text->at, size);
+    out[size] = '\0';
+    return out;
+}
+
+bool zr_json_is(const struct zr_json_text *text, const char *word)
+{
+    const size_t size = (size_t)(text->end - text->at), length = strlen(word);
+    char plain[6 * ESCAPED_WORD_MAX];
+    if (!text->has_escapes) return size == length && memcmp(text->at, word, length) == 0;
+    return size <= sizeof plain && resolve(text->at, text->end, plain) == length && memcmp(plain, word, length) == 0;
+}
+
+/* ---- numbers and words ---- */
+
+/* Why what begins at `at` is no number. */
+static bool fail_number(struct zr_json *json, const char *at)
+{
+    const char *end = json->end, *first = at;
+    if (at < end && *at == '-') at++;
+    first = at;
+    while (at < end && is_digit(*at))
+        at++;
+    if (at == first) return fail(json, at, "a digit");
+    if (*first == '0' && at - first > 1) return fail(json, first, "a number without leading zeros");
+    if (at < end && *at == '.') {
+        first = ++at;
+        while (at < end && is_digit(*at))
+            at++;
+        if (at == first) return fail(json, at, "a digit");
+    }
+    at++; /* an 'e' */
+    if (at < end && (*at == '+' || *at == '-')) at++;
+    return fail(json, at < end ? at : end, "a digit");
+}
+
+bool zr_json_take_number(struct zr_json *json, double *value)
+{
+    const char *at = zr_json_skip_space(json->at, json->end), *behind = zr_number_quick(at, json->end, value);
+    if (!behind) behind = zr_number_read_json(at, json->end, value);
+    if (!behind) return fail_number(json, at);
+    json->at = behind;
+    return true;
+}
+
+/* Without reading it. */
+static bool pass_number(struct zr_json *json)
+{
+    const char *at = json->at, *end = json->end;
+    if (*at == '-') at++;
+    const char *first = at;
+    while (at < end && is_digit(*at))
+        at++;
+    if (at == first || (*first == '0' && at - first > 1)) return fail_number(json, json->at);
+    if (at < end && *at == '.') {
+        first = ++at;
+        while (at < end && is_digit(*at))
+            at++;
+        if (at == first) return fail_number(json, json->at);
+    }
+    if (at < end && (*at == 'e' || *at == 'E')) {
+        at++;
+        if (at < end && (*at == '+' || *at == '-')) at++;
+        first = at;
+        while (at < end && is_digit(*at))
+            at++;
+        if (at == first) return fail_number(json, json->at);
+    }
+    json->at = at;
+    return true;
+}
+
+static bool take_word(struct zr_json *json, const char *word)
+{
+    const size_t length = strlen(word);
+    if ((size_t)(json->end - json->at) < length || memcmp(json->at, word, length) != 0)
+        return fail(json, json->at, A_VALUE);
+    json->at += length;
+    return true;
+}
+
+bool zr_json_take_bool(struct zr_json *json, bool *value)
+{
+    json->at = zr_json_skip_space(json->at, json->end);
+    *value = json->at < json->end && *json->at == 't';
+    return take_word(json, *value ? "true" : "false");
+}
+
+/* ---- lists and objects ---- */
+
+enum zr_json_type zr_json_type(struct zr_json *json)
+{
+    json->at = zr_json_skip_space(json->at, json->end);
+    if (json->at == json->end) return ZR_JSON_NOTHING;
+    switch (*json->at) {
+    case '{':
+        return ZR_JSON_OBJECT;
+    case '[':
+        return ZR_JSON_LIST;
+    case '"':
+        return ZR_JSON_STRING;
+    case 't':
+    case 'f':
+        return ZR_JSON_BOOL;
+    case 'n':
+        return ZR_JSON_NULL;
+    case '-':
+        return ZR_JSON_NUMBER;
+    default:
+        return is_digit(*json->at) ? ZR_JSON_NUMBER : ZR_JSON_NOTHING;
+    }
+}
+
+bool zr_json_enter(struct zr_json *json, char bracket)
+{
+    json->at = zr_json_skip_space(json->at, json->end);
+    if (json->at == json->end || *json->at != bracket) return fail(json, json->at, A_VALUE);
+    if (json->depth == json->limits->json_depth_max)
+        return fail_limit(json, json->at, "nested deeper than %u levels", json->depth);
+    json->depth++;
+    json->at++;
+    return true;
+}
+
+/* The byte before `at` tells whether anything was read since the bracket: no value ends with one of these. */
+static bool is_first(const struct zr_json *json)
+{
+    return json->at[-1] == '[' || json->at[-1] == '{';
+}
+
+static bool next_member(struct zr_json *json, struct zr_json_text *key)
+{
+    const bool first = is_first(json);
+    const char *end = json->end;
+    if (json->ended) return false;
+    json->at = zr_json_skip_space(json->at, end);
+    if (json->at < end && *json->at == '}') {
+        json->at++;
+        json->depth--;
+        return false;
+    }
+    if (!first) {
+        if (json->at == end || *json->at != ',') return fail(json, json->at, "',' or '}'");
+        json->at = zr_json_skip_space(json->at + 1, end);
+    }
+    if (json->at == end || *json->at != '"')
+        return fail(json, json->at, first ? "a key in double quotes or '}'" : "a key in double quotes");
+    if (!take_string(json, key)) return false;
+    json->at = zr_json_skip_space(json->at, end);
+    if (json->at == end || *json->at != ':') return fail(json, json->at, "':' after a key");
+    json->at++;
+    return true;
+}
+
+static bool next_item(struct zr_json *json)
+{
+    const bool first = is_first(json);
+    if (json->ended) return false;
+    json->at = zr_json_skip_space(json->at, json->end);
+    if (json->at < json->end && *json->at == ']') {
+        json->at++;
+        json->depth--;
+        return false;
+    }
+    if (first) return zr_json_type(json) != ZR_JSON_NOTHING || fail(json, json->at, "a value or ']'");
+    if (json->at == json->end || *json->at != ',') return fail(json, json->at, "',' or ']'");
+    json->at++;
+    return zr_json_type(json) != ZR_JSON_NOTHING || fail(json, json->at, A_VALUE);
+}
+
+bool zr_json_member(struct zr_json *json, struct zr_json_text *key)
+{
+    return !zr_json_stops(json) && next_member(json, key);
+}
+
+bool zr_json_any_item(struct zr_json *json)
+{
+    return !zr_json_stops(json) && next_item(json);
+}
+
+/* A value that is neither a list nor an object. */
+static bool skip_simple(struct zr_json *json, enum zr_json_type type)
+{
+    struct zr_json_text text;
+    switch (type) {
+    case ZR_JSON_STRING:
+        return take_string(json, &text);
+    case ZR_JSON_NUMBER:
+        return pass_number(json);
+    case ZR_JSON_BOOL:
+        return take_word(json, *json->at == 't' ? "true" : "false");
+    case ZR_JSON_NULL:
+        return take_word(json, "null");
+    default:
+        return fail(json, json->at, A_VALUE);
+    }
+}
+
+bool zr_json_skip(struct zr_json *json)
+{
+    uint64_t objects[ZR_JSON_DEPTH_MAX / WORD_BITS + 1] = {0}; /* a bit a level: is it one? */
+    const unsigned around = json->depth;
+    struct zr_json_text key;
+    do {
+        const enum zr_json_type type = zr_json_type(json);
+        if (type == ZR_JSON_LIST || type == ZR_JSON_OBJECT) {
+            if (!zr_json_enter(json, *json->at)) return false;
+            const uint64_t bit = UINT64_C(1) << (json->depth % WORD_BITS);
+            uint64_t *word = &objects[json->depth / WORD_BITS];
+            *word = type == ZR_JSON_OBJECT ? *word | bit : *word & ~bit;
+        } else if (!skip_simple(json, type)) {
+            return false;
+        }
+        while (json->depth > around && !json->ended) {
+            const bool is_object = objects[json->depth / WORD_BITS] >> (json->depth % WORD_BITS) & 1u;
+            if (is_object ? next_member(json, &key) : next_item(json)) break;
+        }
+    } while (json->depth > around && goes_on(json, json->at));
+    return !json->ended;
+}
+
+static bool is_at_end(struct zr_json *json)
+{
+    json->at = zr_json_skip_space(json->at, json->end);
+    return json->at == json->end ? !json->ended : fail(json, json->at, "the end of the text");
+}
+
+bool zr_json_end(struct zr_json *json)
+{
+    return !zr_json_stops(json) && is_at_end(json);
+}
+
+/* ---- the whole ---- */
+
+void zr_json_open(struct zr_json *json, const char *bytes, size_t size)
+{
+    json->at = json->look = json->bytes = bytes;
+    json->end = bytes + size;
+    json->depth = 0;
+    json->ended = false;
+}
+
+enum zr_status zr_json_close(struct zr_json *json)
+{
+    if (zr_is_cancelled(json->cancel)) return ZR_CANCELLED;
+    if (!json->ended && json->error->count == 0 && zr_arena_ok(json->arena)) return ZR_OK;
+    if (!json->ended) { /* not all was read, perhaps */
+        struct zr_error verdict = {0};
+        struct zr_json whole = *json;
+        whole.error = &verdict;
+        zr_json_open(&whole, json->bytes, (size_t)(json->end - json->bytes));
+        if (!zr_json_skip(&whole) || !is_at_end(&whole)) {
+            if (zr_is_cancelled(json->cancel)) return ZR_CANCELLED;
+            *json->error = verdict;
+        }
+    }
+    return json->error->count > 0 ? json->error->status : ZR_NO_MEMORY;
+}
