@@ -59,6 +59,13 @@ void zr_arena_free(struct zr_arena *arena)
     zr_arena_reset(arena, 0);
 }
 
+void zr_arena_init_within(struct zr_arena *arena, void *bytes, size_t size)
+{
+    struct zr_arena_block *block = bytes;
+    *arena = (struct zr_arena){.ceiling = size - HEADER, .is_within = true, .first = block, .current = block};
+    *block = (struct zr_arena_block){.capacity = size - HEADER};
+}
+
 /* `more` bytes beside those that are used: too many, or 0 where it is the system that has none. */
 static void *fail(struct zr_arena *arena, size_t more)
 {
@@ -106,7 +113,7 @@ static struct zr_arena_block *next_block(struct zr_arena *arena, size_t bytes)
             *link = found;
             return found;
         }
-    struct zr_arena_block *block = block_make(bytes);
+    struct zr_arena_block *block = arena->is_within ? NULL : block_make(bytes);
     if (!block) return NULL;
     block->next = *link;
     *link = block;

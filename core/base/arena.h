@@ -26,12 +26,17 @@ struct zr_arena {
     bool failed;
     size_t wanted; /* what `used` would have been, where the first failure was the ceiling's; SIZE_MAX: more than can be
                       counted; 0: it was the system that had no more */
+    bool is_within;                 /* bytes of somebody else's */
     const struct zr_cancel *cancel; /* of the request, for who has its arena and no more of it; NULL: never */
     struct zr_arena_block *first, *current;
 };
 
 void zr_arena_init(struct zr_arena *arena, size_t ceiling);
 void zr_arena_free(struct zr_arena *arena);
+
+/* An arena in `size` bytes that somebody else has, aligned to ZR_ARENA_ALIGN: it takes no others, and needs no
+ * zr_arena_free. */
+void zr_arena_init_within(struct zr_arena *arena, void *bytes, size_t size);
 
 /* Empties the arena, clears a failure and what was wanted, and gives blocks beyond `keep` bytes back
  * to the system. */
@@ -47,8 +52,8 @@ void *zr_arena_zero(struct zr_arena *arena, size_t count, size_t size);
  * In place where `old` was the newest allocation and its block has room. */
 void *zr_arena_grow(struct zr_arena *arena, void *old, size_t count, size_t new_count, size_t size);
 
-/* Gives back what an array of `count` objects has beyond the first `new_count`, where it was the newest allocation; else
- * nothing happens. */
+/* Gives back what an array of `count` objects has beyond the first `new_count`, where it was the newest allocation;
+ * else nothing happens. */
 void zr_arena_trim(struct zr_arena *arena, void *array, size_t count, size_t new_count, size_t size);
 
 /* Counts `bytes` that a library holds elsewhere on the request's behalf, until they are

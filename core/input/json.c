@@ -15,10 +15,17 @@ static const char A_VALUE[] = "a value";
 
 /* ---- faults ---- */
 
+/* Of a part that is read ahead a fault is no more than its end. True also where reading has ended before. */
+static bool ends_ahead(struct zr_json *json)
+{
+    if (json->is_ahead) json->ended = true;
+    return json->ended;
+}
+
 /* What was found instead of what is expected at `at`; false. Nothing that was reported before counts any more. */
 static bool fail(struct zr_json *json, const char *at, const char *what)
 {
-    if (json->ended) return false;
+    if (ends_ahead(json)) return false;
     const struct zr_place place = zr_place_of(json->bytes, (size_t)(at - json->bytes));
     const size_t length = at < json->end ? zr_utf8_length(at, json->end) : 0;
     const bool mark = at == json->bytes && json->end - at >= 3 && memcmp(at, "\xEF\xBB\xBF", 3) == 0;
@@ -35,9 +42,9 @@ static bool fail(struct zr_json *json, const char *at, const char *what)
 
 static bool fail_limit(struct zr_json *json, const char *at, const char *format, unsigned limit)
 {
+    if (ends_ahead(json)) return false;
     const struct zr_place place = zr_place_of(json->bytes, (size_t)(at - json->bytes));
     char what[64];
-    if (json->ended) return false;
     snprintf(what, sizeof what, format, limit);
     json->ended = true;
     json->at = json->look = json->end;
@@ -237,10 +244,15 @@ const char *zr_json_decode(struct zr_json *json, const struct zr_json_text *text
 
 bool zr_json_is(const struct zr_json_text *text, const char *word)
 {
-    const size_t size = (size_t)(text->end - text->at), length = strlen(word);
+    size_t size = (size_t)(text->end - text->at);
+    const char *at = text->at;
     char plain[6 * ESCAPED_WORD_MAX];
-    if (!text->has_escapes) return size == length && memcmp(text->at, word, length) == 0;
-    return size <= sizeof plain && resolve(text->at, text->end, plain) == length && memcmp(plain, word, length) == 0;
+    if (text->has_escapes) {
+        if (size > sizeof plain) return false;
+        size = resolve(text->at, text->end, plain);
+        at = plain;
+    }
+    return strncmp(at, word, size) == 0 && word[size] == '\0';
 }
 
 /* ---- numbers and words ---- */

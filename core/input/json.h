@@ -36,6 +36,8 @@ struct zr_json {
     struct zr_error *error;
     unsigned depth; /* lists and objects around `at` */
     bool ended;     /* nothing more is read: the text is malformed or too deep, or the request cancelled */
+    bool is_ahead;  /* of a part of a list that is read beside others: whatever is wrong only ends it (json_list.h) */
+    char *room;     /* for such parts, once there are some */
 };
 
 /* In double quotes, as it is written: from behind the first to the second. */

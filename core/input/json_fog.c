@@ -5,14 +5,14 @@ struct given_fog {
     float near, far;
 };
 
-enum { COLOR, NEAR, FAR };
+enum { NEAR, FAR, COLOR };
 #define AT(member) offsetof(struct given_fog, member)
 static const struct zr_json_field fields[] = {
-    [COLOR] = {"color", zr_json_color, AT(color), .otherwise = "the background", .text = "of what is far away"},
-    [NEAR] = {"near", zr_json_float, AT(near), 0, ZR_MATRIX_MAX, .required = true, .unit = "scene units",
+    [NEAR] = {"near", zr_json_float, AT(near), 0, (double)ZR_MATRIX_MAX, .required = true, .unit = "scene units",
               .text = "the depth in front of the camera where fog begins"},
-    [FAR] = {"far", zr_json_float, AT(far), 0, ZR_MATRIX_MAX, .required = true, .unit = "scene units",
+    [FAR] = {"far", zr_json_float, AT(far), 0, (double)ZR_MATRIX_MAX, .required = true, .unit = "scene units",
              .text = "the depth in front of the camera from which on only fog is seen"},
+    [COLOR] = {"color", zr_json_color, AT(color), .otherwise = "the background", .text = "of what is far away"},
     {.key = "mode"},
     {.key = "density"}};
 static const struct zr_json_object object = ZR_JSON_OBJECT_OF("fog", fields);

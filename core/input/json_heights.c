@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "base/checked.h"
+#include "input/json_list.h"
 #include "input/json_rows.h"
 
 /* Corner slots are counted in 32 bits, four a cell. */
@@ -72,28 +73,51 @@ static bool read_row(struct zr_json *json, const struct zr_json_path *path, stru
             json->depth++;
         read_odd_row(json, path, heights, &count);
     }
-    if (heights->rows == 0) heights->columns = count;
+    if (heights->columns == 0) heights->columns = count;
     if (count < 2) return zr_json_fault(json, path, "values: %zu; a grid needs 2 or more in each row", count);
     return count == heights->columns ||
            zr_json_fault(json, path, "%zu values, but the first row has %zu", count, heights->columns);
+}
+
+static void read_rows(struct zr_json *json, const struct zr_json_path *path, void *state, const char *until)
+{
+    struct zr_heights *heights = state;
+    for (; json->at < until && zr_json_item(json); heights->rows++)
+        read_row(json, ZR_JSON_ITEM(path, heights->rows), heights);
+}
+
+static bool begin_rows(struct zr_json *json, const void *state, void *part, double share)
+{
+    const struct zr_heights *all = state;
+    struct zr_heights *heights = part;
+    *heights = (struct zr_heights){.columns = all->columns};
+    return zr_growing_begin_part(json, &all->values, &heights->values, share, 1);
+}
+
+static bool join_rows(struct zr_json *json, void *state, const void *part)
+{
+    struct zr_heights *all = state;
+    const struct zr_heights *heights = part;
+    all->rows += heights->rows;
+    all->has_holes |= heights->has_holes;
+    return zr_growing_join(json, &all->values, &heights->values);
 }
 
 /* struct zr_heights */
 static bool read_values(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field,
                         void *out)
 {
+    static const struct zr_json_list list = {'[', read_rows, begin_rows, join_rows};
     struct zr_heights *heights = out;
-    bool good = true;
+    const size_t faults = json->error->count;
     (void)field;
-    if (!zr_json_list(json, path)) return false;
-    for (zr_json_enter(json, '['); zr_json_item(json); heights->rows++)
-        good = read_row(json, ZR_JSON_ITEM(path, heights->rows), heights) && good;
+    if (!zr_json_list_read(json, path, &list, heights)) return false;
     zr_growing_trim(&heights->values, json->arena);
-    if (heights->rows < 2) good = zr_json_fault(json, path, "rows: %zu; a grid needs 2 or more", heights->rows);
-    if (good && heights->values.count > POSITIONS_MAX)
-        good = zr_json_fault(json, path, "more than the limit of %d values", (int)POSITIONS_MAX);
-    if (!good) heights->columns = 0;
-    return good;
+    if (heights->rows < 2) zr_json_fault(json, path, "rows: %zu; a grid needs 2 or more", heights->rows);
+    if (json->error->count == faults && heights->values.count > POSITIONS_MAX)
+        zr_json_fault(json, path, "more than the limit of %d values", (int)POSITIONS_MAX);
+    if (json->error->count > faults) heights->columns = 0;
+    return heights->columns > 0;
 }
 
 /* float[2]: where the first and the last column or row are. */

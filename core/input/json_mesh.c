@@ -1,11 +1,24 @@
 #include <string.h>
 
 #include "input/json_heights.h"
+#include "input/json_list.h"
 #include "input/json_rows.h"
 #include "input/json_scene.h"
 
 /* Corners that a face may have beside those in its list's room, before it is read with more care. */
 enum { CORNERS_AT_HAND = 64 };
+
+/* Faces and lines while they are read. positions: what indices are known to be below, UINT32_MAX where these come later
+ * in the text. */
+struct faces {
+    struct zr_growing ends, indices; /* ends: of each face in indices, behind a first one that is 0 */
+    uint32_t positions;
+};
+
+struct lines {
+    struct zr_growing ends; /* two a line */
+    uint32_t positions;
+};
 
 /* A mesh as the scene has it. Lists are in arrays; what they must agree on is looked at once all are read. */
 struct zr_given_mesh {
@@ -13,76 +26,73 @@ struct zr_given_mesh {
     const char *name, *material; /* NULL: no word of it */
     struct zr_look look;
     struct zr_growing positions, normals, colors, face_colors;
-    struct zr_growing offsets, indices, lines; /* offsets: one more than there are faces */
-    uint32_t face_positions, line_positions;   /* what their indices are known to be below */
+    struct faces faces;
+    struct lines lines;
     struct zr_heights heights;
 };
 
 /* ---- lists ---- */
 
-/* Into a list; its array is there from then on, though it may be empty. */
-static bool open_list(struct zr_json *json, const struct zr_json_path *path, struct zr_growing *array)
+/* The list that is next, into an array, which is there from then on though it may be empty. */
+static bool read_array(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_list *list,
+                       struct zr_growing *array)
 {
-    return zr_json_list(json, path) && zr_growing_reserve(array, json, 1) && zr_json_enter(json, '[');
+    if (!zr_json_list(json, path) || !zr_growing_reserve(array, json, 1)) return false;
+    const bool good = zr_json_list_read(json, path, list, array);
+    zr_growing_trim(array, json->arena);
+    return good;
 }
 
-/* struct zr_growing of zr_vec4 */
+static bool begin_array(struct zr_json *json, const void *state, void *part, double share)
+{
+    return zr_growing_begin_part(json, state, part, share, 1);
+}
+
+static bool join_array(struct zr_json *json, void *state, const void *part)
+{
+    return zr_growing_join(json, state, part);
+}
+
+static void read_position_items(struct zr_json *json, const struct zr_json_path *path, void *state, const char *until)
+{
+    zr_rows_read_positions(json, path, state, 0, until);
+}
+
+static void read_color_items(struct zr_json *json, const struct zr_json_path *path, void *state, const char *until)
+{
+    zr_rows_read_colors(json, path, state, 0, until);
+}
+
+static void read_normal_items(struct zr_json *json, const struct zr_json_path *path, void *state, const char *until)
+{
+    zr_rows_read_vec3s(json, path, state, 0, until);
+}
+
+/* struct zr_growing, as the next two */
 static bool read_positions(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field,
                            void *out)
 {
-    struct zr_growing *array = out;
-    const double limit = (double)json->limits->coordinate_max;
-    zr_vec4 *row;
-    if (!open_list(json, path, array)) return false;
-    for (; zr_json_item(json) && (row = zr_growing_next(array, json)); array->count++) {
-        const char *behind = zr_row_position(json->at, json->end, limit, row);
-        if (behind)
-            json->at = behind;
-        else
-            zr_json_position(json, ZR_JSON_ITEM(path, array->count), field, row);
-    }
-    zr_growing_trim(array, json->arena);
-    return true;
+    static const struct zr_json_list list = {'[', read_position_items, begin_array, join_array};
+    (void)field;
+    return read_array(json, path, &list, out);
 }
 
-/* struct zr_growing of zr_vec4 */
 static bool read_colors(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field,
                         void *out)
 {
-    struct zr_growing *array = out;
-    zr_vec4 *row;
-    if (!open_list(json, path, array)) return false;
-    for (; zr_json_item(json) && (row = zr_growing_next(array, json)); array->count++) {
-        const char *behind = zr_row_color(json->at, json->end, row);
-        if (behind)
-            json->at = behind;
-        else
-            zr_json_color(json, ZR_JSON_ITEM(path, array->count), field, row);
-    }
-    zr_growing_trim(array, json->arena);
-    return true;
+    static const struct zr_json_list list = {'[', read_color_items, begin_array, join_array};
+    (void)field;
+    return read_array(json, path, &list, out);
 }
 
-/* struct zr_growing of zr_vec3 */
 static bool read_normals(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field,
                          void *out)
 {
-    struct zr_growing *array = out;
-    const double limit = (double)json->limits->coordinate_max;
-    zr_vec3 *row;
-    if (!open_list(json, path, array)) return false;
-    for (; zr_json_item(json) && (row = zr_growing_next(array, json)); array->count++) {
-        const char *behind = zr_row_vec3(json->at, json->end, limit, row);
-        if (behind)
-            json->at = behind;
-        else
-            zr_json_vec3(json, ZR_JSON_ITEM(path, array->count), field, row);
-    }
-    zr_growing_trim(array, json->arena);
-    return true;
+    static const struct zr_json_list list = {'[', read_normal_items, begin_array, join_array};
+    (void)field;
+    return read_array(json, path, &list, out);
 }
 
-/* What indices must be below: the count of positions, or, where these come later in the text, anything. */
 static uint32_t known_positions(const struct zr_given_mesh *given)
 {
     return given->positions.items ? (uint32_t)given->positions.count : UINT32_MAX;
@@ -115,39 +125,72 @@ static void read_face(struct zr_json *json, const struct zr_json_path *path, uin
         zr_json_fault(json, path, "a face of %zu corners; 3 to %zu are allowed", count, most);
 }
 
-/* struct zr_given_mesh */
-static bool read_faces(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field,
-                       void *out)
+static void read_face_items(struct zr_json *json, const struct zr_json_path *path, void *state, const char *until)
 {
-    struct zr_given_mesh *given = out;
-    struct zr_growing *indices = &given->indices, *offsets = &given->offsets;
-    const uint32_t positions = given->face_positions = known_positions(given);
+    struct faces *faces = state;
+    struct zr_growing *indices = &faces->indices, *ends = &faces->ends;
     const size_t most = json->limits->polygon_vertices_max;
-    uint32_t *offset;
-    (void)field;
-    if (!open_list(json, path, offsets)) return false;
-    for (; zr_json_item(json); offsets->count++) {
-        if (!(offset = zr_growing_next(offsets, json)) || !zr_growing_reserve(indices, json, CORNERS_AT_HAND))
-            return false;
-        *offset = (uint32_t)indices->count;
+    uint32_t *end;
+    while (json->at < until && zr_json_item(json)) {
+        if (!(end = zr_growing_next(ends, json)) || !zr_growing_reserve(indices, json, CORNERS_AT_HAND)) return;
         const size_t room = indices->room - indices->count;
         uint32_t *corners = (uint32_t *)indices->items + indices->count;
         size_t count = 0;
-        const char *behind = zr_row_indices(json->at, json->end, positions, most < room ? most : room, corners, &count);
+        const char *behind =
+            zr_row_indices(json->at, json->end, faces->positions, most < room ? most : room, corners, &count);
         if (behind && count >= 3) {
             json->at = behind;
             indices->count += count;
         } else {
-            read_face(json, ZR_JSON_ITEM(path, offsets->count), positions, indices);
+            read_face(json, ZR_JSON_ITEM(path, ends->count - 1), faces->positions, indices);
         }
+        *end = (uint32_t)indices->count;
+        ends->count++;
     }
-    if (!(offset = zr_growing_next(offsets, json))) return false;
-    *offset = (uint32_t)indices->count;
-    offsets->count++;
-    zr_growing_trim(indices, json->arena);
-    zr_growing_trim(offsets, json->arena);
-    zr_growing_trim(indices, json->arena);
+}
+
+static bool begin_faces(struct zr_json *json, const void *state, void *part, double share)
+{
+    const struct faces *all = state;
+    struct faces *faces = part;
+    faces->positions = all->positions;
+    return zr_growing_begin_part(json, &all->ends, &faces->ends, share, 1) &&
+           zr_growing_begin_part(json, &all->indices, &faces->indices, share, CORNERS_AT_HAND);
+}
+
+static bool join_faces(struct zr_json *json, void *state, const void *part)
+{
+    struct faces *all = state;
+    const struct faces *faces = part;
+    const uint32_t before = (uint32_t)all->indices.count, *from = faces->ends.items;
+    if (!zr_growing_join(json, &all->indices, &faces->indices) ||
+        !zr_growing_reserve(&all->ends, json, faces->ends.count))
+        return false;
+    uint32_t *to = (uint32_t *)all->ends.items + all->ends.count;
+    for (size_t i = 0; i < faces->ends.count; i++)
+        to[i] = before + from[i];
+    all->ends.count += faces->ends.count;
     return true;
+}
+
+/* struct zr_given_mesh */
+static bool read_faces(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field,
+                       void *out)
+{
+    static const struct zr_json_list list = {'[', read_face_items, begin_faces, join_faces};
+    struct zr_given_mesh *given = out;
+    struct faces *faces = &given->faces;
+    uint32_t *first;
+    (void)field;
+    faces->positions = known_positions(given);
+    if (!zr_json_list(json, path) || !(first = zr_growing_next(&faces->ends, json))) return false;
+    *first = 0;
+    faces->ends.count = 1;
+    const bool good = zr_json_list_read(json, path, &list, faces);
+    zr_growing_trim(&faces->indices, json->arena);
+    zr_growing_trim(&faces->ends, json->arena);
+    zr_growing_trim(&faces->indices, json->arena);
+    return good;
 }
 
 static void read_line(struct zr_json *json, const struct zr_json_path *path, uint32_t positions, uint32_t line[2])
@@ -163,26 +206,47 @@ static void read_line(struct zr_json *json, const struct zr_json_path *path, uin
     if (ends != 2) zr_json_fault(json, path, "a line of %zu ends; it has two", ends);
 }
 
+static void read_line_items(struct zr_json *json, const struct zr_json_path *path, void *state, const char *until)
+{
+    struct lines *lines = state;
+    struct zr_growing *ends = &lines->ends;
+    uint32_t *line;
+    while (json->at < until && zr_json_item(json) && (line = zr_growing_next(ends, json))) {
+        size_t count = 0;
+        const char *behind = zr_row_indices(json->at, json->end, lines->positions, 2, line, &count);
+        if (behind && count == 2)
+            json->at = behind;
+        else
+            read_line(json, ZR_JSON_ITEM(path, ends->count), lines->positions, line);
+        ends->count++;
+    }
+}
+
+static bool begin_lines(struct zr_json *json, const void *state, void *part, double share)
+{
+    const struct lines *all = state;
+    struct lines *lines = part;
+    lines->positions = all->positions;
+    return zr_growing_begin_part(json, &all->ends, &lines->ends, share, 1);
+}
+
+static bool join_lines(struct zr_json *json, void *state, const void *part)
+{
+    return zr_growing_join(json, &((struct lines *)state)->ends, &((const struct lines *)part)->ends);
+}
+
 /* struct zr_given_mesh */
 static bool read_lines(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field,
                        void *out)
 {
+    static const struct zr_json_list list = {'[', read_line_items, begin_lines, join_lines};
     struct zr_given_mesh *given = out;
-    struct zr_growing *lines = &given->lines;
-    const uint32_t positions = given->line_positions = known_positions(given);
-    uint32_t *line;
     (void)field;
-    if (!open_list(json, path, lines)) return false;
-    for (; zr_json_item(json) && (line = zr_growing_next(lines, json)); lines->count++) {
-        size_t ends = 0;
-        const char *behind = zr_row_indices(json->at, json->end, positions, 2, line, &ends);
-        if (behind && ends == 2)
-            json->at = behind;
-        else
-            read_line(json, ZR_JSON_ITEM(path, lines->count), positions, line);
-    }
-    zr_growing_trim(lines, json->arena);
-    return true;
+    given->lines.positions = known_positions(given);
+    if (!zr_json_list(json, path) || !zr_growing_reserve(&given->lines.ends, json, 1)) return false;
+    const bool good = zr_json_list_read(json, path, &list, &given->lines);
+    zr_growing_trim(&given->lines.ends, json->arena);
+    return good;
 }
 
 /* ---- keys ---- */
@@ -220,9 +284,8 @@ bool zr_read_meshes(struct zr_json *json, const struct zr_json_path *path, const
                                       .normals.size = sizeof(zr_vec3),
                                       .colors.size = sizeof(zr_vec4),
                                       .face_colors.size = sizeof(zr_vec4),
-                                      .offsets.size = sizeof(uint32_t),
-                                      .indices.size = sizeof(uint32_t),
-                                      .lines.size = 2 * sizeof(uint32_t),
+                                      .faces = {.ends.size = sizeof(uint32_t), .indices.size = sizeof(uint32_t)},
+                                      .lines.ends.size = 2 * sizeof(uint32_t),
                                       .heights.values.size = sizeof(float)};
         zr_json_fields(json, ZR_JSON_ITEM(path, list->count), &object, &given, &given.given);
         struct zr_given_mesh *kept = zr_growing_next(list, json);
@@ -280,17 +343,17 @@ static void check_indices(struct zr_json *json, const struct zr_json_path *path,
 static void make_faces(struct zr_json *json, const struct zr_json_path *path, const struct zr_given_mesh *given,
                        struct zr_mesh *mesh)
 {
-    if (gives(given, FACES) && given->offsets.count > 0) {
-        mesh->face_count = (uint32_t)given->offsets.count - 1;
-        mesh->face_offsets = given->offsets.items;
-        mesh->indices = given->indices.items;
-        if (given->face_positions != mesh->position_count)
+    if (gives(given, FACES) && given->faces.ends.count > 0) {
+        mesh->face_count = (uint32_t)given->faces.ends.count - 1;
+        mesh->face_offsets = given->faces.ends.items;
+        mesh->indices = given->faces.indices.items;
+        if (given->faces.positions != mesh->position_count)
             check_indices(json, ZR_JSON_KEY(path, fields[FACES].key), mesh->indices, mesh->face_offsets,
                           mesh->face_count, mesh->position_count);
     }
-    mesh->line_count = (uint32_t)given->lines.count;
-    mesh->lines = given->lines.items;
-    if (given->line_positions != mesh->position_count)
+    mesh->line_count = (uint32_t)given->lines.ends.count;
+    mesh->lines = given->lines.ends.items;
+    if (given->lines.positions != mesh->position_count)
         check_indices(json, ZR_JSON_KEY(path, fields[LINES].key), mesh->lines, NULL, mesh->line_count,
                       mesh->position_count);
 }

@@ -2,6 +2,7 @@
  * polygon is a face with vertices and a material of its own. */
 #include <string.h>
 
+#include "input/json_list.h"
 #include "input/json_rows.h"
 #include "input/json_scene.h"
 
@@ -28,6 +29,8 @@ struct zr_soup {
     uint32_t last_styles[KINDS]; /* the last one of each kind: neighbours look alike */
 };
 
+_Static_assert(sizeof(struct zr_soup) <= ZR_JSON_STATE_MAX, "a state of json_list.h");
+
 /* A polygon while it is read. */
 struct polygon {
     struct zr_soup *soup;
@@ -45,18 +48,11 @@ static bool read_ring(struct zr_json *json, const struct zr_json_path *path, con
 {
     const struct polygon *polygon = out;
     struct zr_growing *positions = &polygon->soup->positions;
-    const double limit = (double)json->limits->coordinate_max;
     const size_t first = positions->count;
-    zr_vec4 *row;
     (void)field;
     if (!zr_json_list(json, path)) return false;
-    for (zr_json_enter(json, '['); zr_json_item(json) && (row = zr_growing_next(positions, json)); positions->count++) {
-        const char *behind = zr_row_position(json->at, json->end, limit, row);
-        if (behind)
-            json->at = behind;
-        else
-            zr_json_position(json, ZR_JSON_ITEM(path, positions->count - first), NULL, row);
-    }
+    zr_json_enter(json, '[');
+    zr_rows_read_positions(json, path, positions, first, json->end);
     const size_t count = positions->count - first, most = json->limits->polygon_vertices_max;
     const size_t all = positions->count - polygon->first_vertex;
     if (first > polygon->first_vertex && count < 3)
@@ -85,15 +81,10 @@ static bool read_colors(struct zr_json *json, const struct zr_json_path *path, c
 {
     const struct polygon *polygon = out;
     struct zr_growing *colors = &polygon->soup->colors;
-    zr_vec4 *row;
+    (void)field;
     if (!zr_json_list(json, path) || !fill(colors, json, polygon->first_vertex, &white)) return false;
-    for (zr_json_enter(json, '['); zr_json_item(json) && (row = zr_growing_next(colors, json)); colors->count++) {
-        const char *behind = zr_row_color(json->at, json->end, row);
-        if (behind)
-            json->at = behind;
-        else
-            zr_json_color(json, ZR_JSON_ITEM(path, colors->count - polygon->first_vertex), field, row);
-    }
+    zr_json_enter(json, '[');
+    zr_rows_read_colors(json, path, colors, polygon->first_vertex, json->end);
     return true;
 }
 
@@ -103,16 +94,10 @@ static bool read_normals(struct zr_json *json, const struct zr_json_path *path, 
 {
     const struct polygon *polygon = out;
     struct zr_growing *normals = &polygon->soup->normals;
-    const double limit = (double)json->limits->coordinate_max;
-    zr_vec3 *row;
+    (void)field;
     if (!zr_json_list(json, path) || !fill(normals, json, polygon->first_vertex, &computed)) return false;
-    for (zr_json_enter(json, '['); zr_json_item(json) && (row = zr_growing_next(normals, json)); normals->count++) {
-        const char *behind = zr_row_vec3(json->at, json->end, limit, row);
-        if (behind)
-            json->at = behind;
-        else
-            zr_json_vec3(json, ZR_JSON_ITEM(path, normals->count - polygon->first_vertex), field, row);
-    }
+    zr_json_enter(json, '[');
+    zr_rows_read_vec3s(json, path, normals, polygon->first_vertex, json->end);
     return true;
 }
 
@@ -205,7 +190,8 @@ static bool same_look(const struct zr_look *a, const struct zr_look *b)
            a->outline == b->outline && zr_vec4_equal(a->outline_color, b->outline_color);
 }
 
-static bool add_style(struct zr_json *json, struct zr_soup *soup, const struct style *style)
+/* The number of a style like this. */
+static bool find_style(struct zr_json *json, struct zr_soup *soup, const struct style *style, uint32_t *number)
 {
     uint32_t *last = &soup->last_styles[style->has];
     const struct style *styles = soup->styles.items;
@@ -216,7 +202,8 @@ static bool add_style(struct zr_json *json, struct zr_soup *soup, const struct s
         *place = *style;
         *last = (uint32_t)soup->styles.count++;
     }
-    return add(&soup->face_styles, json, *last);
+    *number = *last;
+    return true;
 }
 
 static void read_polygon(struct zr_json *json, const struct zr_json_path *path, struct zr_soup *soup)
@@ -230,8 +217,9 @@ static void read_polygon(struct zr_json *json, const struct zr_json_path *path, 
     zr_json_fields(json, path, &object, &polygon, &keys);
     const bool has_color = zr_json_gives(keys, COLOR), has_colors = zr_json_gives(keys, COLORS),
                has_normals = zr_json_gives(keys, NORMALS);
+    if (polygon.holes && json->is_ahead) json->ended = true; /* rings are counted by one thread */
+    if (json->error->count > 0 || json->ended) return;       /* nothing will be drawn */
     if (polygon.holes || soup->rings.count > 0) read_holes(json, path, &polygon);
-    if (json->error->count > 0) return; /* nothing will be drawn */
     if (has_color || soup->face_colors.items) {
         if (!fill(&soup->face_colors, json, soup->offsets.count - 1, &white) ||
             !fill(&soup->face_colors, json, soup->offsets.count, &polygon.color))
@@ -240,30 +228,106 @@ static void read_polygon(struct zr_json *json, const struct zr_json_path *path, 
     check_list(json, path, &polygon, has_colors, COLORS, &soup->colors, &white);
     check_list(json, path, &polygon, has_normals, NORMALS, &soup->normals, &computed);
     polygon.style.has = (has_color ? HAS_COLOR : 0) | (has_colors ? HAS_COLORS : 0) | (has_normals ? HAS_NORMALS : 0);
-    add_style(json, soup, &polygon.style);
+    uint32_t style;
+    if (find_style(json, soup, &polygon.style, &style)) add(&soup->face_styles, json, style);
+}
+
+/* ---- all polygons ---- */
+
+static struct zr_soup empty_soup(void)
+{
+    const struct zr_growing words = {.size = sizeof(uint32_t)}, fours = {.size = sizeof(zr_vec4)};
+    struct zr_soup soup = {.positions = fours,
+                           .colors = fours,
+                           .normals.size = sizeof(zr_vec3),
+                           .offsets = words,
+                           .face_styles = words,
+                           .face_colors = fours,
+                           .rings = words,
+                           .ring_offsets = words,
+                           .styles.size = sizeof(struct style)};
+    for (int i = 0; i < KINDS; i++)
+        soup.last_styles[i] = NO_STYLE;
+    return soup;
+}
+
+static void read_items(struct zr_json *json, const struct zr_json_path *path, void *state, const char *until)
+{
+    struct zr_soup *soup = state;
+    while (json->at < until && zr_json_item(json))
+        read_polygon(json, ZR_JSON_ITEM(path, soup->offsets.count), soup);
+}
+
+/* As above, where the array has any items. */
+static bool begin_if_any(struct zr_json *json, const struct zr_growing *array, struct zr_growing *part, double share)
+{
+    return array->count == 0 || zr_growing_begin_part(json, array, part, share, 1);
+}
+
+static bool begin_soup(struct zr_json *json, const void *state, void *part, double share)
+{
+    const struct zr_soup *all = state;
+    struct zr_soup *soup = part;
+    *soup = empty_soup();
+    return all->rings.count == 0 && zr_growing_begin_part(json, &all->positions, &soup->positions, share, 1) &&
+           zr_growing_begin_part(json, &all->offsets, &soup->offsets, share, 1) &&
+           zr_growing_begin_part(json, &all->face_styles, &soup->face_styles, share, 1) &&
+           begin_if_any(json, &all->colors, &soup->colors, share) &&
+           begin_if_any(json, &all->normals, &soup->normals, share) &&
+           begin_if_any(json, &all->face_colors, &soup->face_colors, share);
+}
+
+/* Of what some have: where one of the two has it, the other is made up for. */
+static bool join_some(struct zr_json *json, struct zr_growing *all, size_t count, const struct zr_growing *part,
+                      size_t part_count, const void *item)
+{
+    if (!all->items && !part->items) return true;
+    return fill(all, json, count, item) && zr_growing_join(json, all, part) &&
+           fill(all, json, count + part_count, item);
+}
+
+static bool join_styles(struct zr_json *json, struct zr_soup *all, const struct zr_soup *part)
+{
+    const uint32_t *numbers = part->face_styles.items;
+    const struct style *styles = part->styles.items;
+    uint32_t last = NO_STYLE, number = 0;
+    for (size_t i = 0; i < part->face_styles.count; i++) {
+        if (numbers[i] != last) {
+            struct style style = styles[last = numbers[i]];
+            style.polygon += (uint32_t)all->offsets.count;
+            if (!find_style(json, all, &style, &number)) return false;
+        }
+        if (!add(&all->face_styles, json, number)) return false;
+    }
+    return true;
+}
+
+static bool join_soup(struct zr_json *json, void *state, const void *part)
+{
+    struct zr_soup *all = state;
+    const struct zr_soup *soup = part;
+    const size_t vertices = all->positions.count, polygons = all->offsets.count;
+    const uint32_t *offsets = soup->offsets.items;
+    if (!join_styles(json, all, soup) || !zr_growing_join(json, &all->positions, &soup->positions) ||
+        !join_some(json, &all->colors, vertices, &soup->colors, soup->positions.count, &white) ||
+        !join_some(json, &all->normals, vertices, &soup->normals, soup->positions.count, &computed) ||
+        !join_some(json, &all->face_colors, polygons, &soup->face_colors, soup->offsets.count, &white))
+        return false;
+    for (size_t i = 0; i < soup->offsets.count; i++)
+        if (!add(&all->offsets, json, vertices + offsets[i])) return false;
+    return true;
 }
 
 bool zr_read_polygons(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field,
                       void *out)
 {
+    static const struct zr_json_list list = {'{', read_items, begin_soup, join_soup};
     struct zr_soup *soup = zr_arena_alloc(json->arena, 1, sizeof *soup);
-    const struct zr_growing words = {.size = sizeof(uint32_t)}, fours = {.size = sizeof(zr_vec4)};
     (void)field;
-    if (!zr_json_list(json, path) || !soup) return false;
-    *soup = (struct zr_soup){.positions = fours,
-                             .colors = fours,
-                             .normals.size = sizeof(zr_vec3),
-                             .offsets = words,
-                             .face_styles = words,
-                             .face_colors = fours,
-                             .rings = words,
-                             .ring_offsets = words,
-                             .styles.size = sizeof(struct style)};
-    memset(soup->last_styles, 0xFF, sizeof soup->last_styles); /* NO_STYLE */
-    for (zr_json_enter(json, '['); zr_json_item(json);)
-        read_polygon(json, ZR_JSON_ITEM(path, soup->offsets.count), soup);
+    if (!soup) return false;
+    *soup = empty_soup();
     ((struct zr_draft *)out)->soup = soup;
-    return true;
+    return zr_json_list_read(json, path, &list, soup);
 }
 
 /* ---- a mesh ---- */

@@ -57,3 +57,47 @@ const char *zr_row_any_indices(const char *at, const char *end, uint32_t count, 
     }
     return NULL;
 }
+
+void zr_rows_read_positions(struct zr_json *json, const struct zr_json_path *path, struct zr_growing *array,
+                            size_t first, const char *until)
+{
+    const double limit = (double)json->limits->coordinate_max;
+    zr_vec4 *row;
+    while (json->at < until && zr_json_item(json) && (row = zr_growing_next(array, json))) {
+        const char *behind = zr_row_position(json->at, json->end, limit, row);
+        if (behind)
+            json->at = behind;
+        else
+            zr_json_position(json, ZR_JSON_ITEM(path, array->count - first), NULL, row);
+        array->count++;
+    }
+}
+
+void zr_rows_read_colors(struct zr_json *json, const struct zr_json_path *path, struct zr_growing *array, size_t first,
+                         const char *until)
+{
+    zr_vec4 *row;
+    while (json->at < until && zr_json_item(json) && (row = zr_growing_next(array, json))) {
+        const char *behind = zr_row_color(json->at, json->end, row);
+        if (behind)
+            json->at = behind;
+        else
+            zr_json_color(json, ZR_JSON_ITEM(path, array->count - first), NULL, row);
+        array->count++;
+    }
+}
+
+void zr_rows_read_vec3s(struct zr_json *json, const struct zr_json_path *path, struct zr_growing *array, size_t first,
+                        const char *until)
+{
+    const double limit = (double)json->limits->coordinate_max;
+    zr_vec3 *row;
+    while (json->at < until && zr_json_item(json) && (row = zr_growing_next(array, json))) {
+        const char *behind = zr_row_vec3(json->at, json->end, limit, row);
+        if (behind)
+            json->at = behind;
+        else
+            zr_json_vec3(json, ZR_JSON_ITEM(path, array->count - first), NULL, row);
+        array->count++;
+    }
+}

@@ -54,6 +54,7 @@ static void write_pointer(const struct zr_json_path *path, char text[POINTER_ROO
 bool zr_json_fault(struct zr_json *json, const struct zr_json_path *path, const char *format, ...)
 {
     char pointer[POINTER_ROOM], detail[ZR_DETAIL_SIZE + 8];
+    if (json->is_ahead) json->ended = true;
     if (json->ended || !zr_arena_ok(json->arena)) return false;
     write_pointer(path, pointer);
     va_list arguments;
@@ -137,8 +138,8 @@ bool zr_json_fields(struct zr_json *json, const struct zr_json_path *path, const
         number = find_field(object, &key, number < object->count ? number : 0);
         read_field(json, path, object, &key, number, out, given);
     }
-    for (size_t i = 0; i < object->count; i++)
-        if (object->fields[i].required && !(*given >> i & 1u))
+    for (size_t i = 0; i < object->count && object->fields[i].required; i++)
+        if (!(*given >> i & 1u))
             zr_json_fault(json, path, "%s is missing: %s", object->fields[i].key, object->fields[i].text);
     return true;
 }

@@ -47,7 +47,7 @@ struct zr_json_field {
     size_t offset;         /* of what is read, in what the object fills */
     double low, high;      /* of a number */
     const struct zr_names *words;
-    bool required;
+    bool required;                       /* those that are come first in their table */
     const char *unit, *otherwise, *text; /* for people: the unit, what holds where the key is not given, what it is */
 };
 

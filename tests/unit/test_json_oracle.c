@@ -4,6 +4,7 @@
 
 #include "json_strict.h"
 #include "json_texts.h"
+#include "mutate.h"
 
 /* ---- an oracle: cJSON's tree, and the contract for meshes of positions and faces ---- */
 
@@ -48,33 +49,6 @@ static bool oracle_accepts(const cJSON *root)
             if (!is_face(row, (size_t)cJSON_GetArraySize(positions))) return false;
     }
     return faces > 0;
-}
-
-static void mutate(struct text *text)
-{
-    static const char bytes[] = "0123456789-+.eE,,[]{}\":\\ \n\tnulltruefalse#\xFF\x01";
-    for (size_t changes = 1 + below(3); changes > 0 && text->size > 2; changes--) {
-        size_t at = below(text->size), length = 1 + below(12), from = below(text->size);
-        switch (below(4)) {
-        case 0:
-            text->bytes[at] = bytes[below(sizeof bytes - 1)];
-            break;
-        case 1: /* take away */
-            if (length > text->size - at) length = text->size - at;
-            memmove(text->bytes + at, text->bytes + at + length, text->size - at - length);
-            text->size -= length;
-            break;
-        case 2: /* copy over */
-            if (length > text->size - at) length = text->size - at;
-            if (length > text->size - from) length = text->size - from;
-            memmove(text->bytes + at, text->bytes + from, length);
-            break;
-        default: /* put in */
-            put(text, " ", 1);
-            memmove(text->bytes + at + 1, text->bytes + at, text->size - 1 - at);
-            text->bytes[at] = bytes[below(sizeof bytes - 1)];
-        }
-    }
 }
 
 static enum zr_status strict_scan(const struct text *text)
