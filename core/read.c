@@ -14,36 +14,28 @@ static zr_mat4 upright(bool z_is_up)
     return (zr_mat4){{1, 0, 0, 0, 0, 0, -1, 0, 0, 1, 0, 0, 0, 0, 0, 1}};
 }
 
-/* A scene of one mesh. */
-static enum zr_status read_bare_mesh(struct zr_arena *arena, struct zr_team *team, const struct zr_request *request,
-                                     const struct zr_limits *limits, const struct zr_query *query,
-                                     struct zr_scene *scene, struct zr_error *error)
+/* Bare meshes become what the query makes of them: their looks, where they are, and the view of them. */
+static void dress_meshes(struct zr_scene_builder *builder, const struct zr_format_row *format,
+                         const struct zr_query *query)
 {
-    struct zr_mesh *mesh = zr_arena_zero(arena, 1, sizeof *mesh);
-    struct zr_material *material = zr_arena_alloc(arena, 1, sizeof *material);
-    struct zr_instance *instance = zr_arena_alloc(arena, 1, sizeof *instance);
-    if (!zr_arena_ok(arena)) return ZR_NO_MEMORY;
-    const struct zr_format_row *format = &zr_format_rows[request->format];
-    struct zr_warning_list warnings = {.count = 0};
-    const enum zr_status status = format->read(arena, team, request, limits, mesh, &warnings, error);
-    if (status != ZR_OK) return status;
+    struct zr_scene *scene = builder->scene;
+    struct zr_instance *instances = zr_arena_alloc(builder->arena, scene->mesh_count, sizeof *instances);
+    if (!instances) return;
     if (format->is_soup && query->look.shading >= ZR_SHADING_GOURAUD)
-        zr_warning_list_add(arena, &warnings,
+        zr_warning_list_add(builder->arena, &builder->warnings,
                             "shading=%s looks flat here: the triangles of %s share no corners; OBJ can be smooth",
                             zr_shading_names.words[query->look.shading], format->name);
-    const bool is_colored = mesh->colors != NULL;
-    const zr_vec4 color = query->has_color ? query->color : zr_default_base_color(is_colored);
-    *material = zr_look_material(&query->look, color, mesh->normal_count > 0 || is_colored);
-    *instance = (struct zr_instance){.object_to_world = upright(query->z_is_up)};
-    scene->materials = material;
-    scene->meshes = mesh;
-    scene->instances = instance;
-    scene->warnings = warnings.texts;
-    scene->warning_count = (uint32_t)warnings.count;
-    scene->material_count = scene->mesh_count = scene->instance_count = 1;
+    for (uint32_t i = 0; i < scene->mesh_count; i++) {
+        struct zr_mesh *mesh = &builder->meshes[i];
+        const bool is_colored = mesh->colors != NULL;
+        const zr_vec4 color = query->has_color ? query->color : zr_default_base_color(is_colored);
+        const struct zr_material material = zr_look_material(&query->look, color, mesh->normal_count > 0 || is_colored);
+        mesh->material = zr_scene_builder_material(builder, &material);
+        instances[i] = (struct zr_instance){.mesh = i, .object_to_world = upright(query->z_is_up)};
+    }
+    zr_scene_builder_place(builder, instances, scene->mesh_count);
     scene->views[0] = query->view;
     scene->background = query->background;
-    return ZR_OK;
 }
 
 static enum zr_status apply_output(struct zr_arena *arena, const struct zr_query *query, struct zr_scene *scene)
@@ -112,11 +104,13 @@ static enum zr_status read_scene(struct zr_arena *arena, struct zr_team *team, c
     zr_scene_defaults(scene);
     enum zr_status status = zr_query_read(request, limits, scene, &query, error);
     if (status != ZR_OK) return status;
-    status = zr_format_rows[request->format].has_view
-                 ? zr_json_read(arena, team, request, limits, scene, error)
-                 : read_bare_mesh(arena, team, request, limits, &query, scene, error);
-    status = name_bytes(request, status, error);
+    const struct zr_format_row *format = &zr_format_rows[request->format];
+    struct zr_scene_builder builder = zr_scene_builder_open(arena, team, scene);
+    status = name_bytes(request, format->read(&builder, request, limits, error), error);
     if (status != ZR_OK) return status;
+    if (!format->has_view) dress_meshes(&builder, format, &query);
+    zr_scene_builder_close(&builder);
+    if (!zr_arena_ok(arena)) return ZR_NO_MEMORY;
     if (query.has_compress) scene->compress = query.compress;
     status = apply_output(arena, &query, scene);
     if (status == ZR_OK) status = zr_scene_validate(scene, limits, error);

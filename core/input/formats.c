@@ -80,7 +80,7 @@ size_t zr_byte_order_mark(const char *bytes, size_t size)
 }
 
 /* looks_so, read, is_soup */
-#define OF_JSON looks_like_json, NULL, false
+#define OF_JSON looks_like_json, zr_json_read, false
 #define OF_OBJ  looks_like_obj, zr_obj_read, false
 #define OF_STL  zr_stl_looks_so, zr_stl_read, true
 

@@ -7,19 +7,14 @@
 
 #include "input/input.h"
 
-/* Fills *mesh, and adds to *warnings. */
-typedef enum zr_status zr_mesh_read_fn(struct zr_arena *arena, struct zr_team *team, const struct zr_request *request,
-                                       const struct zr_limits *limits, struct zr_mesh *mesh,
-                                       struct zr_warning_list *warnings, struct zr_error *error);
-
 struct zr_format_row {
     const char *name;        /* for messages */
     const char *suffix;      /* of files */
     const char *media_types; /* apart by blanks; the first is the usual one */
     bool has_view;           /* a scene, with a view of its own; else a bare mesh */
     bool (*looks_so)(const char *bytes, size_t size);
-    zr_mesh_read_fn *read; /* of a bare mesh; else NULL */
-    bool is_soup;          /* triangles share no corners */
+    zr_format_read_fn *read;
+    bool is_soup; /* triangles share no corners */
 };
 
 extern const struct zr_format_row zr_format_rows[ZR_FORMAT_COUNT];

@@ -22,7 +22,10 @@ bool zr_growing_reserve(struct zr_growing *array, struct zr_json *json, size_t m
     }
     if (room < array->count + more) room = array->count + more;
     void *items = zr_arena_grow(json->arena, array->items, array->count, room, array->size);
-    if (!items) return false;
+    if (!items) {
+        zr_json_look(json);
+        return false;
+    }
     array->items = items;
     array->room = room;
     return true;

@@ -233,7 +233,10 @@ const char *zr_json_decode(struct zr_json *json, const struct zr_json_text *text
 {
     size_t size = (size_t)(text->end - text->at);
     char *out = zr_arena_alloc(json->arena, size + 1, 1);
-    if (!out) return NULL;
+    if (!out) {
+        zr_json_look(json);
+        return NULL;
+    }
     if (text->has_escapes)
         size = resolve(text->at, text->end, out);
     else

@@ -90,14 +90,23 @@ bool zr_json_enter(struct zr_json *json, char bracket);
  * are reported as are kept, where memory is used up or the request is cancelled. */
 bool zr_json_member(struct zr_json *json, struct zr_json_text *key);
 
-/* The same for lists, to the next item; zr_json_item inlines what is usual. */
+/* The same for lists, to the next item; zr_json_item inlines what is usual: no space but a blank behind a comma, and items
+ * that are lists or objects. */
 bool zr_json_any_item(struct zr_json *json);
 
 static inline bool zr_json_item(struct zr_json *json)
 {
     const char *at = json->at;
-    if (json->end - at < 3 || *at != ',' || at[-1] == '[' || at >= json->look) return zr_json_any_item(json);
-    at += 1 + (at[1] == ' ');
+    if (json->end - at < 3 || at >= json->look) return zr_json_any_item(json);
+    if (*at == ']') {
+        json->at = at + 1;
+        json->depth--;
+        return false;
+    }
+    if (at[-1] != '[') {
+        if (*at != ',') return zr_json_any_item(json);
+        at += 1 + (at[1] == ' ');
+    }
     if (*at != '[' && *at != '{') return zr_json_any_item(json);
     json->at = at;
     return true;
@@ -120,7 +129,8 @@ const char *zr_json_decode(struct zr_json *json, const struct zr_json_text *text
 /* The same word? */
 bool zr_json_is(const struct zr_json_text *text, const char *word);
 
-/* Makes zr_json_item and zr_json_member ask at once whether to stop. */
+/* Makes zr_json_item ask at once whether to stop: for whoever reports a fault or has no memory, and so may leave a value
+ * unread. */
 static inline void zr_json_look(struct zr_json *json)
 {
     json->look = json->at;

@@ -100,7 +100,7 @@ static void read_color(struct reader *reader)
     for (size_t i = 0; i < count_pixels(reader); i++)
         alpha &= rgba[4 * i + 3];
     if (alpha != 255 && reader->draft->scene->background.w >= 1.0f)
-        zr_warning_list_add(reader->draft->json.arena, &reader->draft->warnings,
+        zr_warning_list_add(reader->draft->json.arena, &reader->draft->builder->warnings,
                             "base.color is transparent in parts and the background is not: its alpha is left out");
 }
 
@@ -200,7 +200,7 @@ static void warn_of_fitted_view(struct zr_draft *draft)
     bool fitted_size = view->projection == ZR_PROJECTION_ORTHOGRAPHIC && !(view->xmag > 0.0f);
     bool fitted_planes = view->projection != ZR_PROJECTION_MATRIX && !(view->has_znear && view->has_zfar);
     if (fitted_pose || fitted_size || fitted_planes)
-        zr_warning_list_add(draft->json.arena, &draft->warnings,
+        zr_warning_list_add(draft->json.arena, &draft->builder->warnings,
                             "the view's %s fitted to the new geometry, not to what base shows",
                             fitted_pose   ? "pose is"
                             : fitted_size ? "size is"

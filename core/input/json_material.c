@@ -6,10 +6,6 @@
 #include "input/nearest.h"
 #include "input/text.h"
 
-/* Looks that differ in more than the colour of their outlines. */
-enum { SHADINGS = ZR_SHADING_COUNT, OUTLINES = ZR_OUTLINE_COLORED + 1, LOOKS = SHADINGS * OUTLINES * 2 * 2 * 2 };
-enum { MATERIALS_AT_FIRST = 16 };
-
 /* Of shininess: more than can be told apart at a pixel. */
 #define SHININESS_MAX 10000.0
 
@@ -96,17 +92,11 @@ static void refuse_repeated_names(struct zr_draft *draft, const struct zr_json_p
     }
 }
 
-void zr_draft_open_materials(struct zr_draft *draft, const struct zr_json_path *path)
+void zr_draft_sort_materials(struct zr_draft *draft, const struct zr_json_path *path)
 {
-    struct zr_arena *arena = draft->json.arena;
     if (draft->given_count > 0)
         qsort(draft->materials_given, draft->given_count, sizeof *draft->materials_given, compare_given);
     refuse_repeated_names(draft, path);
-    /* Behind the given ones come two of our own: for what has colours, and for what has none. */
-    const size_t count = draft->given_count + 2;
-    draft->variants = zr_arena_alloc(arena, count, LOOKS * sizeof *draft->variants);
-    for (size_t v = 0; draft->variants && v < count * LOOKS; v++)
-        draft->variants[v] = UINT32_MAX;
 }
 
 size_t zr_draft_find_material(struct zr_draft *draft, const struct zr_json_path *path, const char *name)
@@ -126,42 +116,8 @@ size_t zr_draft_find_material(struct zr_draft *draft, const struct zr_json_path 
 
 /* ---- materials as they are drawn ---- */
 
-static uint32_t add_material(struct zr_draft *draft, struct zr_material material)
+uint32_t zr_draft_make_material(struct zr_draft *draft, const struct zr_style *style, bool coloured, bool smooth)
 {
-    if (draft->material_count == draft->material_room) {
-        size_t room = draft->material_room ? draft->material_room * 2 : MATERIALS_AT_FIRST;
-        struct zr_material *more =
-            zr_arena_grow(draft->json.arena, draft->materials, draft->material_count, room, sizeof *more);
-        if (!more) return 0;
-        draft->materials = more;
-        draft->material_room = room;
-    }
-    draft->materials[draft->material_count] = material;
-    return (uint32_t)draft->material_count++;
-}
-
-/* Where it is kept that the material has been made: NULL for one with a colour of its own for outlines. */
-static uint32_t *slot_of(const struct zr_draft *draft, size_t base, const struct zr_material *material, bool own_color)
-{
-    size_t look = (size_t)material->shading * OUTLINES + (size_t)material->outline;
-    look = look * 8 + material->plain * 4 + material->hollow * 2 + material->double_sided;
-    return own_color ? NULL : &draft->variants[base * LOOKS + look];
-}
-
-/* Of those with colours of their own only the last is remembered: neighbours mostly look alike. */
-static bool is_last(const struct zr_draft *draft, const struct zr_material *m)
-{
-    if (draft->material_count == 0) return false;
-    const struct zr_material *last = &draft->materials[draft->material_count - 1];
-    return last->shading == m->shading && last->double_sided == m->double_sided && last->hollow == m->hollow &&
-           last->plain == m->plain && last->outline == m->outline && zr_vec4_equal(last->base_color, m->base_color) &&
-           last->shininess == m->shininess && last->specular.x == m->specular.x && last->specular.y == m->specular.y &&
-           last->specular.z == m->specular.z && zr_vec4_equal(last->outline_color, m->outline_color);
-}
-
-uint32_t zr_draft_variant(struct zr_draft *draft, const struct zr_style *style, bool coloured, bool smooth)
-{
-    if (!zr_arena_ok(draft->json.arena)) return 0;
     bool has_given = style->given < draft->given_count;
     const struct zr_given_material none = {
         .name = "", .base_color = zr_default_base_color(coloured), .look = zr_look_unsaid};
@@ -174,11 +130,7 @@ uint32_t zr_draft_variant(struct zr_draft *draft, const struct zr_style *style, 
     material.shininess = given->shininess;
     zr_draft_note_alpha(draft, &material.outline_color, 1);
     material.plain = style->is_plain && material.shading == ZR_SHADING_UNLIT;
-    bool black = zr_vec4_equal(material.outline_color, (zr_vec4){0, 0, 0, 1});
-    uint32_t *slot = slot_of(draft, has_given ? style->given : draft->given_count + coloured, &material, !black);
-    if (!slot) return is_last(draft, &material) ? (uint32_t)draft->material_count - 1 : add_material(draft, material);
-    if (*slot == UINT32_MAX) *slot = add_material(draft, material);
-    return *slot;
+    return zr_scene_builder_material(draft->builder, &material);
 }
 
 void zr_draft_note_alpha(struct zr_draft *draft, const zr_vec4 *colors, size_t count)

@@ -362,9 +362,8 @@ static void make_mesh(struct zr_draft *draft, const struct zr_json_path *path, c
                       struct zr_mesh *mesh)
 {
     struct zr_json *json = &draft->json;
-    static const uint32_t no_faces[1] = {0};
     struct zr_style style = {.given = draft->given_count, .look = given->look, .is_open = gives(given, HEIGHTS)};
-    *mesh = (struct zr_mesh){.name = given->name ? given->name : "", .face_offsets = no_faces};
+    *mesh = (struct zr_mesh){.name = given->name ? given->name : ""};
     check_shape(json, path, given);
     if (given->material)
         style.given = zr_draft_find_material(draft, ZR_JSON_KEY(path, fields[MATERIAL].key), given->material);
@@ -383,8 +382,8 @@ static void make_mesh(struct zr_draft *draft, const struct zr_json_path *path, c
     if (json->error->count > 0) return;
     zr_draft_note_alpha(draft, mesh->colors, mesh->colors ? mesh->position_count : 0);
     zr_draft_note_alpha(draft, mesh->face_colors, mesh->face_colors ? mesh->face_count : 0);
-    mesh->material = zr_draft_variant(draft, &style, mesh->colors || mesh->face_colors,
-                                      mesh->normals || mesh->colors || gives(given, HEIGHTS));
+    mesh->material = zr_draft_make_material(draft, &style, mesh->colors || mesh->face_colors,
+                                            mesh->normals || mesh->colors || gives(given, HEIGHTS));
     if (gives(given, HEIGHTS)) zr_heights_drop_holes(json->arena, &given->heights, mesh);
 }
 

@@ -345,8 +345,8 @@ static void find_materials(struct zr_draft *draft, const struct zr_json_path *pa
             style.given = zr_draft_find_material(
                 draft, ZR_JSON_KEY(ZR_JSON_ITEM(path, styles[i].polygon), fields[MATERIAL].key), name);
         style.is_plain = !(styles[i].has & HAS_COLORS);
-        materials[i] = zr_draft_variant(draft, &style, styles[i].has & (HAS_COLOR | HAS_COLORS),
-                                        styles[i].has & (HAS_COLORS | HAS_NORMALS));
+        materials[i] = zr_draft_make_material(draft, &style, styles[i].has & (HAS_COLOR | HAS_COLORS),
+                                              styles[i].has & (HAS_COLORS | HAS_NORMALS));
     }
     for (size_t f = 0; materials && f < soup->face_styles.count; f++)
         faces[f] = materials[faces[f]];
@@ -364,10 +364,7 @@ bool zr_draft_make_polygons(struct zr_draft *draft, const struct zr_json_path *p
         (!add(&soup->rings, json, soup->ring_offsets.count) || !add(&soup->ring_offsets, json, vertices)))
         return true;
     find_materials(draft, path, soup);
-    uint32_t *indices = zr_arena_alloc(json->arena, vertices, sizeof *indices);
-    if (!add(&soup->offsets, json, vertices) || !indices) return true;
-    for (size_t i = 0; i < vertices; i++)
-        indices[i] = (uint32_t)i;
+    if (!add(&soup->offsets, json, vertices)) return true;
     zr_draft_note_alpha(draft, soup->face_colors.items, soup->face_colors.count);
     zr_draft_note_alpha(draft, soup->colors.items, soup->colors.count);
     *mesh = (struct zr_mesh){.name = "polygons",
@@ -375,7 +372,6 @@ bool zr_draft_make_polygons(struct zr_draft *draft, const struct zr_json_path *p
                              .positions = soup->positions.items,
                              .face_count = (uint32_t)faces,
                              .face_offsets = soup->offsets.items,
-                             .indices = indices,
                              .face_rings = soup->rings.items,
                              .ring_offsets = soup->ring_offsets.items,
                              .normal_count = soup->normals.items ? (uint32_t)vertices : 0,

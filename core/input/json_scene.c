@@ -104,10 +104,9 @@ static uint32_t make_meshes(struct zr_draft *draft)
 {
     struct zr_scene *scene = draft->scene;
     const uint32_t listed = (uint32_t)draft->meshes.count;
-    struct zr_mesh *meshes = zr_arena_zero(draft->json.arena, (size_t)listed + 1, sizeof *meshes);
+    struct zr_mesh *meshes = zr_scene_builder_meshes(draft->builder, (size_t)listed + 1);
     if (!meshes) return 0;
     zr_draft_make_meshes(draft, ROOT_PATH(MESHES), meshes);
-    scene->meshes = meshes;
     scene->mesh_count = listed + zr_draft_make_polygons(draft, ROOT_PATH(POLYGONS), &meshes[listed]);
     return listed;
 }
@@ -124,27 +123,22 @@ static void place_meshes(struct zr_draft *draft, uint32_t listed)
     if (!instances) return;
     for (; next < scene->mesh_count; next++)
         instances[count++] = (struct zr_instance){.mesh = next, .object_to_world = zr_mat4_identity()};
-    scene->instances = instances;
-    scene->instance_count = count;
+    zr_scene_builder_place(draft->builder, instances, count);
 }
 
 /* `listed`: meshes that nodes may place. */
-static void finish(struct zr_draft *draft, uint32_t listed)
+static void warn(struct zr_draft *draft, uint32_t listed)
 {
-    draft->scene->materials = draft->materials;
-    draft->scene->material_count = (uint32_t)draft->material_count;
+    struct zr_warning_list *warnings = &draft->builder->warnings;
     if (draft->transparent)
-        zr_warning_list_add(draft->json.arena, &draft->warnings,
-                            "transparency is not supported in this version: drawn opaque");
+        zr_warning_list_add(draft->json.arena, warnings, "transparency is not supported in this version: drawn opaque");
     if (draft->unplaced_meshes > 0)
-        zr_warning_list_add(draft->json.arena, &draft->warnings,
-                            "%u of %u meshes are placed by no node and are not drawn", draft->unplaced_meshes, listed);
+        zr_warning_list_add(draft->json.arena, warnings, "%u of %u meshes are placed by no node and are not drawn",
+                            draft->unplaced_meshes, listed);
     for (size_t i = 0; i < draft->asset_count; i++)
         if (!draft->assets_used[i])
-            zr_warning_list_add(draft->json.arena, &draft->warnings, "the asset %s is not used by the scene",
+            zr_warning_list_add(draft->json.arena, warnings, "the asset %s is not used by the scene",
                                 zr_quote(draft->assets[i].name, strlen(draft->assets[i].name)).text);
-    draft->scene->warnings = draft->warnings.texts;
-    draft->scene->warning_count = (uint32_t)draft->warnings.count;
 }
 
 static void use_colors(struct zr_draft *draft)
@@ -164,14 +158,13 @@ static void build(struct zr_draft *draft)
 {
     struct zr_json *json = &draft->json;
     use_colors(draft);
-    zr_draft_open_materials(draft, ROOT_PATH(MATERIALS));
-    if (!zr_arena_ok(json->arena)) return;
+    zr_draft_sort_materials(draft, ROOT_PATH(MATERIALS));
     const uint32_t listed = make_meshes(draft);
     if (zr_json_stops(json)) return;
     place_meshes(draft, listed);
     if (draft->base) zr_draft_read_base(draft, ROOT_PATH(BASE));
     if (draft->fit_mesh && zr_arena_ok(json->arena)) zr_draft_find_fit_mesh(draft, ROOT_PATH(VIEW));
-    finish(draft, listed);
+    warn(draft, listed);
 }
 
 /* Looks at the whole text first. */
@@ -183,23 +176,28 @@ static bool is_shallow(struct zr_json *json)
     return good;
 }
 
-enum zr_status zr_json_read(struct zr_arena *arena, struct zr_team *team, const struct zr_request *request,
-                            const struct zr_limits *limits, struct zr_scene *scene, struct zr_error *error)
+enum zr_status zr_json_read(struct zr_scene_builder *builder, const struct zr_request *request,
+                            const struct zr_limits *limits, struct zr_error *error)
 {
+    struct zr_scene *scene = builder->scene;
     struct zr_limits used = *limits;
     if (used.json_depth_max > ZR_JSON_DEPTH_MAX) used.json_depth_max = ZR_JSON_DEPTH_MAX;
-    struct zr_draft draft = {
-        .json = {.arena = arena, .team = team, .cancel = request->cancel, .limits = &used, .error = error},
-        .scene = scene,
-        .background = scene->background,
-        .algorithm = (int)scene->algorithm,
-        .look = zr_look_unsaid,
-        .asset_count = request->asset_count,
-        .assets = request->assets,
-        .stored = request->stored};
+    struct zr_draft draft = {.json = {.arena = builder->arena,
+                                      .team = builder->team,
+                                      .cancel = request->cancel,
+                                      .limits = &used,
+                                      .error = error},
+                             .builder = builder,
+                             .scene = scene,
+                             .background = scene->background,
+                             .algorithm = (int)scene->algorithm,
+                             .look = zr_look_unsaid,
+                             .asset_count = request->asset_count,
+                             .assets = request->assets,
+                             .stored = request->stored};
     struct zr_json *json = &draft.json;
     zr_json_open(json, request->bytes, request->size);
-    draft.assets_used = zr_arena_zero(arena, draft.asset_count, sizeof *draft.assets_used);
+    draft.assets_used = zr_arena_zero(builder->arena, draft.asset_count, sizeof *draft.assets_used);
     if (used.json_depth_max < DEPTH_OF_LISTS && !is_shallow(json)) return zr_json_close(json);
     if (draft.assets_used && zr_json_fields(json, NULL, &object, &draft, &draft.given) && zr_json_end(json))
         build(&draft);

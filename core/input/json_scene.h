@@ -5,17 +5,15 @@
  *         order.
  * Materials: a scene's materials are what it says of itself; a drawn mesh needs
  *         them resolved (base colour, shading, sidedness), where the mesh's own word goes
- *         before the material's, and that before the scene's. zr_draft_variant makes
- *         each combination once, as it is first asked for.
+ *         before the material's, and that before the scene's.
  */
 #ifndef ZR_JSON_SCENE_H
 #define ZR_JSON_SCENE_H
 
-#include "base/warning_list.h"
 #include "input/growing.h"
 #include "input/json_value.h"
 #include "input/look.h"
-#include "scene/scene.h"
+#include "scene/scene_builder.h"
 
 /* A material as the scene has it, under its name. */
 struct zr_given_material {
@@ -35,7 +33,8 @@ struct zr_soup;
 /* A scene while its JSON is being read. */
 struct zr_draft {
     struct zr_json json;
-    struct zr_scene *scene;
+    struct zr_scene_builder *builder;
+    struct zr_scene *scene; /* the builder's */
 
     uint64_t given; /* keys of the root */
     uint32_t version, samples;
@@ -51,19 +50,12 @@ struct zr_draft {
     struct zr_growing meshes;                  /* struct zr_given_mesh */
     struct zr_soup *soup;                      /* or NULL */
 
-    uint32_t *variants; /* one for each combination without a colour of its own for outlines: its index in
-                         * `materials`, or UINT32_MAX */
-    size_t material_count, material_room;
-    struct zr_material *materials;
-
     bool transparent; /* some colour wants to be */
 
     size_t asset_count;
     const struct zr_asset *assets;
     bool *assets_used;
     struct zr_stored stored;
-
-    struct zr_warning_list warnings;
 
     uint32_t unplaced_meshes; /* by any node */
 };
@@ -102,15 +94,15 @@ struct zr_style {
     }
 zr_json_read_fn zr_read_outline; /* struct zr_look */
 
-/* json_material.c: a list of materials; what comes of it, once the root is read, also where there is none; the index of
- * a material by its name, or given_count, and a fault at `path`. */
+/* json_material.c: a list of materials; by their names, once the root is read; the index of one by its name, or
+ * given_count, and a fault at `path`. */
 zr_json_read_fn zr_read_materials; /* struct zr_draft, as all that follow */
-void zr_draft_open_materials(struct zr_draft *draft, const struct zr_json_path *path);
+void zr_draft_sort_materials(struct zr_draft *draft, const struct zr_json_path *path);
 size_t zr_draft_find_material(struct zr_draft *draft, const struct zr_json_path *path, const char *name);
 
-/* The index of the resolved material. coloured: the mesh has colours of its own;
- * smooth: it has normals or vertex colours. 0 once the arena has failed. */
-uint32_t zr_draft_variant(struct zr_draft *draft, const struct zr_style *style, bool coloured, bool smooth);
+/* The number of the resolved material. coloured: the mesh has colours of its own;
+ * smooth: it has normals or vertex colours. */
+uint32_t zr_draft_make_material(struct zr_draft *draft, const struct zr_style *style, bool coloured, bool smooth);
 
 /* Notes colours that are not opaque. */
 void zr_draft_note_alpha(struct zr_draft *draft, const zr_vec4 *colors, size_t count);

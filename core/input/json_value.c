@@ -127,13 +127,27 @@ static void read_field(struct zr_json *json, const struct zr_json_path *path, co
                       field->read ? "given twice" : "not supported in this version");
 }
 
+/* The object begins with this key, plainly written, as most items of large lists do: to its value. Saves a sixteenth of
+ * reading polygons. */
+static bool take_first(struct zr_json *json, const char *key)
+{
+    const char *at = json->at, *end = json->look; /* so far it is known that reading goes on */
+    if (at >= end || *at++ != '"') return false;
+    for (; at < end && *key && *at == *key; at++)
+        key++;
+    if (*key || end - at < 2 || at[0] != '"' || at[1] != ':') return false;
+    json->at = at + 2;
+    return true;
+}
+
 bool zr_json_fields(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_object *object,
                     void *out, uint64_t *given)
 {
-    struct zr_json_text key;
+    struct zr_json_text key = {NULL, NULL, false};
     size_t number = 0;
     *given = 0;
     if (!expect(json, path, ZR_JSON_OBJECT, "an object") || !zr_json_enter(json, '{')) return false;
+    if (take_first(json, object->fields[0].key)) read_field(json, path, object, &key, 0, out, given);
     while (zr_json_member(json, &key)) {
         number = find_field(object, &key, number < object->count ? number : 0);
         read_field(json, path, object, &key, number, out, given);

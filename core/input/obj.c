@@ -407,12 +407,12 @@ static uint32_t finish_normals(struct file *file)
     return count + 1;
 }
 
-static void warn_of(struct zr_arena *arena, struct zr_warning_list *warnings, size_t count, const char *what)
+static void warn_of(struct zr_scene_builder *builder, size_t count, const char *what)
 {
-    if (count > 0) zr_warning_list_add(arena, warnings, "OBJ: %zu %s", count, what);
+    if (count > 0) zr_warning_list_add(builder->arena, &builder->warnings, "OBJ: %zu %s", count, what);
 }
 
-static void warn_of_unread(const struct file *file, struct zr_arena *arena, struct zr_warning_list *warnings)
+static void warn_of_unread(const struct file *file, struct zr_scene_builder *builder)
 {
     struct unread all = {0};
     for (size_t i = 0; i < file->part_count; i++) {
@@ -422,16 +422,17 @@ static void warn_of_unread(const struct file *file, struct zr_arena *arena, stru
         all.points += unread->points;
         all.curved += unread->curved;
     }
-    warn_of(arena, warnings, all.materials, "statements about materials (mtllib, usemtl) are not read in this version");
-    warn_of(arena, warnings, all.lines, "lines (l) are not drawn in this version");
-    warn_of(arena, warnings, all.points, "points (p) are not drawn");
-    warn_of(arena, warnings, all.curved, "curves and curved surfaces are not drawn");
+    warn_of(builder, all.materials, "statements about materials (mtllib, usemtl) are not read in this version");
+    warn_of(builder, all.lines, "lines (l) are not drawn in this version");
+    warn_of(builder, all.points, "points (p) are not drawn");
+    warn_of(builder, all.curved, "curves and curved surfaces are not drawn");
 }
 
-enum zr_status zr_obj_read(struct zr_arena *arena, struct zr_team *team, const struct zr_request *request,
-                           const struct zr_limits *limits, struct zr_mesh *mesh, struct zr_warning_list *warnings,
-                           struct zr_error *error)
+enum zr_status zr_obj_read(struct zr_scene_builder *builder, const struct zr_request *request,
+                           const struct zr_limits *limits, struct zr_error *error)
 {
+    struct zr_arena *arena = builder->arena;
+    struct zr_team *team = builder->team;
     struct file file = {.end = request->bytes + request->size, .limits = limits};
     if (!cut(&file, arena, request->bytes)) return ZR_NO_MEMORY;
     if (zr_parts_read(team, request->cancel, 0, file.part_count, count_part, &file) < file.part_count)
@@ -451,6 +452,8 @@ enum zr_status zr_obj_read(struct zr_arena *arena, struct zr_team *team, const s
     if (total->faces == 0) return zr_error_add(error, ZR_BAD_SCENE, NULL, "no geometry: the OBJ file has no face (f)");
     file.face_offsets[total->faces] = (uint32_t)total->corners;
     const uint32_t normal_count = finish_normals(&file);
+    struct zr_mesh *mesh = zr_scene_builder_meshes(builder, 1);
+    if (!mesh) return ZR_NO_MEMORY;
     *mesh = (struct zr_mesh){.name = "",
                              .position_count = (uint32_t)total->positions,
                              .positions = file.positions,
@@ -461,6 +464,6 @@ enum zr_status zr_obj_read(struct zr_arena *arena, struct zr_team *team, const s
                              .normals = normal_count ? file.normals : NULL,
                              .normal_indices = normal_count ? file.normal_indices : NULL,
                              .colors = file.colors};
-    warn_of_unread(&file, arena, warnings);
+    warn_of_unread(&file, builder);
     return zr_arena_ok(arena) ? ZR_OK : ZR_NO_MEMORY;
 }

@@ -87,39 +87,6 @@ static enum zr_status read_binary(struct zr_arena *arena, struct zr_team *team, 
 
 /* ---- either ---- */
 
-struct corners {
-    uint32_t *face_offsets, *indices;
-};
-
-/* Corner c of face f is position 3f + c. */
-static void number_corners(void *context, size_t begin, size_t end)
-{
-    const struct corners *corners = context;
-    for (size_t face = begin; face < end; face++) {
-        corners->face_offsets[face] = (uint32_t)(3 * face);
-        for (size_t i = 3 * face; i < 3 * face + 3; i++)
-            corners->indices[i] = (uint32_t)i;
-    }
-}
-
-static enum zr_status make_mesh(struct zr_arena *arena, struct zr_team *team, const zr_vec4 *positions,
-                                size_t triangles, struct zr_mesh *mesh, struct zr_error *error)
-{
-    if (triangles == 0) return zr_error_add(error, ZR_BAD_SCENE, NULL, "no geometry: the STL file has no triangle");
-    struct corners corners = {zr_arena_alloc(arena, triangles + 1, sizeof *corners.face_offsets),
-                              zr_arena_alloc(arena, triangles * 3, sizeof *corners.indices)};
-    if (!zr_arena_ok(arena)) return ZR_NO_MEMORY;
-    zr_team_ranges(team, triangles, PART_TRIANGLES, number_corners, &corners);
-    corners.face_offsets[triangles] = (uint32_t)(3 * triangles);
-    *mesh = (struct zr_mesh){.name = "",
-                             .position_count = (uint32_t)(3 * triangles),
-                             .positions = positions,
-                             .face_count = (uint32_t)triangles,
-                             .face_offsets = corners.face_offsets,
-                             .indices = corners.indices};
-    return ZR_OK;
-}
-
 /* The size decides: many binary files begin with "solid" too. */
 static bool is_binary(const char *bytes, size_t size)
 {
@@ -156,13 +123,19 @@ static enum zr_status read_positions(struct zr_arena *arena, struct zr_team *tea
     return read_binary(arena, team, request, limits, count, positions, error);
 }
 
-enum zr_status zr_stl_read(struct zr_arena *arena, struct zr_team *team, const struct zr_request *request,
-                           const struct zr_limits *limits, struct zr_mesh *mesh, struct zr_warning_list *warnings,
-                           struct zr_error *error)
+enum zr_status zr_stl_read(struct zr_scene_builder *builder, const struct zr_request *request,
+                           const struct zr_limits *limits, struct zr_error *error)
 {
-    (void)warnings;
     zr_vec4 *positions = NULL;
     size_t triangles = 0;
-    enum zr_status status = read_positions(arena, team, request, limits, &positions, &triangles, error);
-    return status == ZR_OK ? make_mesh(arena, team, positions, triangles, mesh, error) : status;
+    const enum zr_status status =
+        read_positions(builder->arena, builder->team, request, limits, &positions, &triangles, error);
+    if (status != ZR_OK) return status;
+    if (triangles == 0) return zr_error_add(error, ZR_BAD_SCENE, NULL, "no geometry: the STL file has no triangle");
+    struct zr_mesh *mesh = zr_scene_builder_meshes(builder, 1);
+    if (!mesh) return ZR_NO_MEMORY;
+    mesh->position_count = (uint32_t)(3 * triangles);
+    mesh->positions = positions;
+    mesh->face_count = (uint32_t)triangles;
+    return ZR_OK;
 }

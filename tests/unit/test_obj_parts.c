@@ -306,12 +306,11 @@ static void cancelled_reader_says_so(void **state)
     const struct zr_limits limits = zr_limits_default();
     for (int i = 0; i < 2; i++) {
         struct zr_arena arena;
-        struct zr_mesh mesh;
-        struct zr_warning_list warnings = {.count = 0};
+        struct zr_scene scene = {.mesh_count = 0};
         struct zr_error error = {.count = 0};
         zr_arena_init(&arena, CEILING);
-        assert_int_equal(zr_obj_read(&arena, i ? teams[1] : NULL, &request, &limits, &mesh, &warnings, &error),
-                         ZR_CANCELLED);
+        struct zr_scene_builder builder = zr_scene_builder_open(&arena, i ? teams[1] : NULL, &scene);
+        assert_int_equal(zr_obj_read(&builder, &request, &limits, &error), ZR_CANCELLED);
         assert_true(arena.peak < said->text.size / 4); /* it was cut, and no array made */
         zr_arena_free(&arena);
     }

@@ -314,11 +314,11 @@ static void cancelled_reader_says_so(void **state)
         const struct zr_request request = {
             .format = ZR_FORMAT_STL, .bytes = text->bytes, .size = text->size, .cancel = &cancel};
         struct zr_arena arena;
-        struct zr_mesh mesh;
+        struct zr_scene scene = {.mesh_count = 0};
         struct zr_error error = {.count = 0};
         zr_arena_init(&arena, CEILING);
-        assert_int_equal(zr_stl_read(&arena, i & 2 ? teams[1] : NULL, &request, &limits, &mesh, NULL, &error),
-                         ZR_CANCELLED);
+        struct zr_scene_builder builder = zr_scene_builder_open(&arena, i & 2 ? teams[1] : NULL, &scene);
+        assert_int_equal(zr_stl_read(&builder, &request, &limits, &error), ZR_CANCELLED);
         zr_arena_free(&arena);
     }
     drop(&binary);

@@ -1,0 +1,128 @@
+#include "scene/scene_builder.h"
+
+#include <string.h>
+
+#include "base/team.h"
+
+enum { MATERIALS_AT_FIRST = 16, RANGE_AT_ONCE = 1 << 14 };
+
+struct zr_scene_builder zr_scene_builder_open(struct zr_arena *arena, struct zr_team *team, struct zr_scene *scene)
+{
+    return (struct zr_scene_builder){.arena = arena, .team = team, .scene = scene};
+}
+
+struct zr_mesh *zr_scene_builder_meshes(struct zr_scene_builder *builder, size_t count)
+{
+    builder->meshes = zr_arena_zero(builder->arena, count, sizeof *builder->meshes);
+    for (size_t i = 0; builder->meshes && i < count; i++)
+        builder->meshes[i].name = "";
+    builder->scene->meshes = builder->meshes;
+    builder->scene->mesh_count = builder->meshes ? (uint32_t)count : 0;
+    return builder->meshes;
+}
+
+void zr_scene_builder_place(struct zr_scene_builder *builder, const struct zr_instance *instances, size_t count)
+{
+    builder->scene->instances = instances;
+    builder->scene->instance_count = (uint32_t)count;
+}
+
+/* ---- materials ---- */
+
+static bool is_same(const struct zr_material *a, const struct zr_material *b)
+{
+    return a->shading == b->shading && a->double_sided == b->double_sided && a->hollow == b->hollow &&
+           a->plain == b->plain && a->outline == b->outline && a->shininess == b->shininess &&
+           zr_vec4_equal(a->base_color, b->base_color) && zr_vec4_equal(a->outline_color, b->outline_color) &&
+           a->specular.x == b->specular.x && a->specular.y == b->specular.y && a->specular.z == b->specular.z;
+}
+
+/* Equal materials have equal ones; most others, others. Source: FNV-1a, by words. */
+static uint32_t hash(const struct zr_material *m)
+{
+    const float numbers[] = {m->base_color.x,    m->base_color.y,    m->base_color.z,    m->base_color.w,
+                             m->shininess,       m->specular.x,      m->specular.y,      m->specular.z,
+                             m->outline_color.x, m->outline_color.y, m->outline_color.z, m->outline_color.w};
+    uint32_t value = 2166136261u, word;
+    for (size_t i = 0; i < sizeof numbers / sizeof *numbers; i++) {
+        const float number = numbers[i] + 0.0f; /* -0 equals 0 */
+        memcpy(&word, &number, sizeof word);
+        value = (value ^ word ^ word >> 16) * 16777619u;
+    }
+    word = (uint32_t)m->shading << 8 | (uint32_t)m->outline << 4 | (uint32_t)m->double_sided << 2 |
+           (uint32_t)m->hollow << 1 | (uint32_t)m->plain;
+    return (value ^ word) * 16777619u;
+}
+
+/* Where the number of the material is, or would be. */
+static uint32_t *find_slot(const struct zr_scene_builder *builder, const struct zr_material *material)
+{
+    const size_t mask = 2 * builder->material_room - 1;
+    size_t slot = (hash(material) ^ hash(material) >> 15) & mask;
+    while (builder->slots[slot] != UINT32_MAX && !is_same(&builder->materials[builder->slots[slot]], material))
+        slot = (slot + 1) & mask;
+    return &builder->slots[slot];
+}
+
+static bool grow_materials(struct zr_scene_builder *builder)
+{
+    const size_t count = builder->scene->material_count;
+    const size_t room = builder->material_room ? 2 * builder->material_room : MATERIALS_AT_FIRST;
+    struct zr_material *more = zr_arena_grow(builder->arena, builder->materials, count, room, sizeof *more);
+    uint32_t *slots = zr_arena_alloc(builder->arena, 2 * room, sizeof *slots);
+    if (!more || !slots) return false;
+    memset(slots, 0xFF, 2 * room * sizeof *slots);
+    builder->materials = more;
+    builder->slots = slots;
+    builder->material_room = room;
+    for (uint32_t i = 0; i < count; i++)
+        *find_slot(builder, &more[i]) = i;
+    return true;
+}
+
+uint32_t zr_scene_builder_material(struct zr_scene_builder *builder, const struct zr_material *material)
+{
+    uint32_t *count = &builder->scene->material_count;
+    if (*count == builder->material_room && !grow_materials(builder)) return 0;
+    uint32_t *slot = find_slot(builder, material);
+    if (*slot == UINT32_MAX) {
+        builder->materials[*count] = *material;
+        *slot = (*count)++;
+    }
+    return *slot;
+}
+
+/* ---- what is open ---- */
+
+struct counting {
+    uint32_t *numbers, step;
+};
+
+static void count_range(void *context, size_t begin, size_t end)
+{
+    const struct counting *counting = context;
+    for (size_t i = begin; i < end; i++)
+        counting->numbers[i] = (uint32_t)i * counting->step;
+}
+
+/* 0, step, 2 step, ... */
+static const uint32_t *count_up(struct zr_scene_builder *builder, size_t count, uint32_t step)
+{
+    struct counting counting = {zr_arena_alloc(builder->arena, count, sizeof(uint32_t)), step};
+    if (counting.numbers) zr_team_ranges(builder->team, count, RANGE_AT_ONCE, count_range, &counting);
+    return counting.numbers;
+}
+
+void zr_scene_builder_close(struct zr_scene_builder *builder)
+{
+    struct zr_scene *scene = builder->scene;
+    for (uint32_t i = 0; i < scene->mesh_count && zr_arena_ok(builder->arena); i++) {
+        struct zr_mesh *mesh = &builder->meshes[i];
+        if (!mesh->face_offsets) mesh->face_offsets = count_up(builder, (size_t)mesh->face_count + 1, 3);
+        if (mesh->face_offsets && !mesh->indices)
+            mesh->indices = count_up(builder, mesh->face_offsets[mesh->face_count], 1);
+    }
+    scene->materials = builder->materials;
+    scene->warnings = builder->warnings.texts;
+    scene->warning_count = (uint32_t)builder->warnings.count;
+}
