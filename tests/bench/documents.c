@@ -4,9 +4,24 @@
 #include <stdlib.h>
 #include <string.h>
 
+/* How numbers are written, and what is between two items. */
+struct spelling {
+    int digits;
+    const char *comma;
+};
+static const struct spelling compact = {7, ","};
+
+static void print_spelt(FILE *out, const zr_vec4 *v, struct spelling spelling)
+{
+    /* So that few have fewer: the model's own are short. */
+    const double more = spelling.digits > 7 ? 1.0 / 3e9 : 0.0;
+    fprintf(out, "[%.*g%s%.*g%s%.*g]", spelling.digits, (double)v->x + more, spelling.comma, spelling.digits,
+            (double)v->y + more, spelling.comma, spelling.digits, (double)v->z + more);
+}
+
 static void print_xyz(FILE *out, const zr_vec4 *v)
 {
-    fprintf(out, "[%.7g,%.7g,%.7g]", (double)v->x, (double)v->y, (double)v->z);
+    print_spelt(out, v, compact);
 }
 
 static void print_matrix(FILE *out, const char *key, const zr_mat4 *m)
@@ -34,7 +49,7 @@ static struct document finish(FILE *out, struct document *document)
     return (struct document){NULL, 0};
 }
 
-struct document document_indexed(const struct drawing *drawing, bool colors)
+static struct document make_indexed(const struct drawing *drawing, bool colors, struct spelling spelling)
 {
     struct document document = {NULL, 0};
     FILE *out = open_memstream(&document.bytes, &document.size);
@@ -42,8 +57,8 @@ struct document document_indexed(const struct drawing *drawing, bool colors)
     print_head(out, drawing);
     fputs("\"meshes\":[{\"doubleSided\":true,\"positions\":[", out);
     for (uint32_t i = 0; i < drawing->position_count; i++) {
-        if (i) fputs(",", out);
-        print_xyz(out, &drawing->positions[i]);
+        if (i) fputs(spelling.comma, out);
+        print_spelt(out, &drawing->positions[i], spelling);
     }
     for (uint32_t i = 0; colors && i < drawing->position_count; i++) {
         const zr_vec4 *c = &drawing->colors[i];
@@ -51,13 +66,28 @@ struct document document_indexed(const struct drawing *drawing, bool colors)
     }
     fputs("],\"faces\":[", out);
     for (uint32_t f = 0; f < drawing->face_count; f++) {
-        fputs(f ? ",[" : "[", out);
+        fprintf(out, "%s[", f ? spelling.comma : "");
         for (uint32_t c = drawing->face_offsets[f]; c < drawing->face_offsets[f + 1]; c++)
-            fprintf(out, "%s%u", c > drawing->face_offsets[f] ? "," : "", drawing->indices[c]);
+            fprintf(out, "%s%u", c > drawing->face_offsets[f] ? spelling.comma : "", drawing->indices[c]);
         fputs("]", out);
     }
     fputs("]}]}", out);
     return finish(out, &document);
+}
+
+struct document document_indexed(const struct drawing *drawing, bool colors)
+{
+    return make_indexed(drawing, colors, compact);
+}
+
+struct document document_digits(const struct drawing *drawing)
+{
+    return make_indexed(drawing, false, (struct spelling){17, ","});
+}
+
+struct document document_spaced(const struct drawing *drawing)
+{
+    return make_indexed(drawing, false, (struct spelling){7, ", "});
 }
 
 struct document document_soup(const struct drawing *drawing)

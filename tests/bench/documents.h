@@ -18,6 +18,11 @@ struct document {
 /* One mesh: positions, where asked for a colour each, and faces; unlit, both sides, on black; the colour PNG. */
 struct document document_indexed(const struct drawing *drawing, bool colors);
 
+/* The same without colours: of 17 digits, as Python writes doubles; and with a blank behind each comma, as its
+ * json.dumps does. */
+struct document document_digits(const struct drawing *drawing);
+struct document document_spaced(const struct drawing *drawing);
+
 /* The plain form: a list of polygons, each with its own vertices. */
 struct document document_soup(const struct drawing *drawing);
 

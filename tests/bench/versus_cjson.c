@@ -30,6 +30,8 @@ static const struct {
     struct document (*make)(const struct drawing *drawing);
 } forms[] = {{ZR_FORMAT_JSON, "JSON", "soup", document_soup},
              {ZR_FORMAT_JSON, "JSON", "indexed", make_indexed},
+             {ZR_FORMAT_JSON, "JSON", "indexed 17 digits", document_digits},
+             {ZR_FORMAT_JSON, "JSON", "indexed spaced", document_spaced},
              {ZR_FORMAT_OBJ, "OBJ", "text", document_obj},
              {ZR_FORMAT_STL, "STL", "text", document_stl_text},
              {ZR_FORMAT_STL, "STL", "binary", document_stl}};
