@@ -105,9 +105,7 @@ struct zr_answer {
 
 /* Keeps pointers into request->bytes and the assets. `team` may be NULL (one thread). On failure, which may be any
  * status, *error says what and where, and *scene is left alone. Scene and error are the same for every team. Cancelled,
- * it ends soon, but for what cJSON parses to its end first: all but the large lists, which are some hundred
- * milliseconds where there are millions of values or strings of megabytes; and what
- * of an OBJ or STL file cannot be cut, such as a line of megabytes, is read to its end. */
+ * it ends soon; but what of an OBJ or STL file cannot be cut, such as a line of megabytes, is read to its end. */
 enum zr_status zr_scene_read(struct zr_arena *arena, struct zr_team *team, const struct zr_request *request,
                              const struct zr_limits *limits, const struct zr_scene **scene, struct zr_error *error);
 

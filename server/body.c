@@ -1,11 +1,15 @@
 #include "body.h"
 
+#include <stdio.h>
 #include <string.h>
-#include <strings.h>
 
 #include "gunzip.h"
+#include "input/formats.h"
 #include "multipart.h"
 #include "problem.h"
+
+/* Longer types are none that is known. */
+enum { TYPE_SIZE = 128 };
 
 /* The body without its Content-Encoding. */
 static enum body_status decompress(const struct request *request, size_t max, struct zr_arena *arena,
@@ -35,13 +39,16 @@ static enum body_status decompress(const struct request *request, size_t max, st
     return BODY_REFUSED;
 }
 
-static bool is_json(const struct multipart_part *part)
+/* The format of the part `scene`: what its type says; JSON where it has none; and where it says nothing, the bytes
+ * will. False: it is no format at all. */
+static bool find_format(const struct multipart_part *scene, enum zr_format *format)
 {
-    static const char JSON[] = "application/json";
-    size_t length = 0;
-    while (length < part->type_size && !strchr("; \t", part->type[length]))
-        length++;
-    return !part->type || (length == sizeof JSON - 1 && strncasecmp(part->type, JSON, length) == 0);
+    char type[TYPE_SIZE] = "";
+    *format = ZR_FORMAT_JSON;
+    if (!scene->type) return true;
+    snprintf(type, sizeof type, "%.*s", (int)scene->type_size, scene->type);
+    *format = zr_format_of_type(type);
+    return *format != ZR_FORMAT_UNKNOWN || zr_media_type_is_generic(type);
 }
 
 /* False: the answer says why. The part `scene` becomes the bytes, the others assets. Names lie in the arena. */
@@ -60,10 +67,14 @@ static bool unpack_parts(const struct request *request, struct zr_arena *arena, 
         return false;
     }
     const struct multipart_part *scene = multipart_find(parts, "scene");
-    if (!scene || !is_json(scene)) {
-        problem_answer(answer, 400, "multipart/form-data: %s",
-                       scene ? "the part 'scene' has a Content-Type other than application/json"
-                             : "no part has the name 'scene'");
+    if (!scene) {
+        problem_answer(answer, 400, "multipart/form-data: no part has the name 'scene'");
+        return false;
+    }
+    if (!find_format(scene, &render->format)) {
+        problem_answer(answer, 400,
+                       "multipart/form-data: the part 'scene' has the Content-Type '%.*s', which is none of: %s",
+                       (int)(scene->type_size < 80 ? scene->type_size : 80), scene->type, zr_format_types_join().text);
         return false;
     }
     render->asset_count = 0;

@@ -10,6 +10,7 @@
 #include "body.h"
 #include "clock.h"
 #include "input/formats.h"
+#include "input/nearest.h"
 #include "problem.h"
 #include "scene/sight.h"
 #include "text.h"
@@ -53,12 +54,15 @@ static bool read_query(struct request *request, struct answer *answer)
             return false;
         }
         const char **field = NULL;
-        for (size_t i = 0; i < sizeof PARAMETERS / sizeof PARAMETERS[0]; i++)
+        struct zr_nearest nearest = {.word = name};
+        for (size_t i = 0; i < sizeof PARAMETERS / sizeof PARAMETERS[0]; i++) {
             if (strcmp(PARAMETERS[i].name, name) == 0)
                 field = (const char **)(void *)((char *)&request->render + PARAMETERS[i].offset);
+            zr_nearest_offer(&nearest, PARAMETERS[i].name);
+        }
         if (!field || *field) {
-            problem_answer(answer, 400, "query: %s parameter '%.60s'; known: %s", field ? "duplicate" : "unknown", name,
-                           PARAMETER_NAMES + strlen(", "));
+            problem_answer(answer, 400, "query: %s parameter '%.60s'%s; known: %s", field ? "duplicate" : "unknown",
+                           name, field ? "" : zr_nearest_text(&nearest).text, PARAMETER_NAMES + strlen(", "));
             return false;
         }
         *field = value;
@@ -86,7 +90,7 @@ static bool read_content_type(struct request *request, struct answer *answer)
 {
     const char *type = request->content_type ? request->content_type : "", *fault;
     if (is_multipart(type)) {
-        request->render.format = ZR_FORMAT_JSON; /* one part of several */
+        request->render.format = ZR_FORMAT_JSON; /* until its part is known */
         if (multipart_boundary(type, request->boundary, &fault)) return true;
         problem_answer(answer, 400, "%s", fault);
         return false;

@@ -144,9 +144,9 @@ static void broken_bodies_give_400(void **state)
     end_parts(&body);
     assert_refused(send_parts("/v1/render", &body), 400, "no part has the name 'scene'");
     body.size = 0;
-    add_part(&body, "name=scene\r\nContent-Type: model/obj", GOOD_SCENE, strlen(GOOD_SCENE));
+    add_part(&body, "name=scene\r\nContent-Type: image/png", GOOD_SCENE, strlen(GOOD_SCENE));
     end_parts(&body);
-    assert_refused(send_parts("/v1/render", &body), 400, "other than application/json");
+    assert_refused(send_parts("/v1/render", &body), 400, "'image/png', which is none of: application/json, model/obj");
     make_body(&body);
     body.size -= strlen("--" BOUNDARY "--\r\n");
     assert_refused(send_parts("/v1/render", &body), 400, "closing boundary");
@@ -168,6 +168,25 @@ static void faults_of_the_scene_have_their_pointers(void **state)
     end_parts(&body);
     assert_refused(send_parts("/v1/render", &body), 400, "line 1");
     assert_refused(send_parts("/v1/render?preset=top", &body), 400, "query parameter preset");
+}
+
+static void the_scene_may_be_a_bare_mesh(void **state)
+{
+    (void)state;
+    static const char mesh[] = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+    static const char *const types[] = {"model/obj; charset=utf-8", "application/octet-stream"};
+    static struct body body;
+    for (size_t i = 0; i < 2; i++) {
+        char headers[100];
+        body.size = 0;
+        snprintf(headers, sizeof headers, "name=scene\r\nContent-Type: %s", types[i]);
+        add_part(&body, headers, mesh, sizeof mesh - 1);
+        end_parts(&body);
+        struct reply reply = send_parts("/v1/render?preset=top", &body);
+        assert_int_equal(reply.status, 200);
+        assert_string_equal(reply_header(&reply, "Content-Type"), "image/png");
+        reply_free(&reply);
+    }
 }
 
 static void parts_that_nothing_asks_for_are_warned_of(void **state)
@@ -219,6 +238,7 @@ int main(void)
         cmocka_unit_test(parts_may_be_compressed_together),
         cmocka_unit_test(broken_bodies_give_400),
         cmocka_unit_test(faults_of_the_scene_have_their_pointers),
+        cmocka_unit_test(the_scene_may_be_a_bare_mesh),
         cmocka_unit_test(parts_that_nothing_asks_for_are_warned_of),
         cmocka_unit_test(warnings_without_room_are_counted_and_none_is_cut),
     };

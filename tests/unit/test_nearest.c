@@ -1,0 +1,51 @@
+/* Which word was probably meant. */
+#include "input/nearest.h"
+#include "support/cmocka_all.h"
+
+static const char *const words[] = {"near",  "far",  "color", "baseColorFactor",
+                                    "znear", "zfar", "x",     "elevationDegrees"};
+
+static const char *meant_by(const char *word)
+{
+    struct zr_nearest nearest = {.word = word};
+    for (size_t i = 0; i < sizeof words / sizeof *words; i++)
+        zr_nearest_offer(&nearest, words[i]);
+    return nearest.known ? nearest.known : "";
+}
+
+static void slips_of_the_finger_and_other_spellings_are_known(void **state)
+{
+    (void)state;
+    static const char *const cases[][2] = {{"colour", "color"},
+                                           {"colro", "color"},
+                                           {"base_color_factor", "baseColorFactor"},
+                                           {"BaseColourFactor", "baseColorFactor"},
+                                           {"elevation-degrees", "elevationDegrees"},
+                                           {"zNear", "znear"},
+                                           {"nera", "near"},
+                                           {"elevatonDegres", "elevationDegrees"}};
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++)
+        assert_string_equal(meant_by(cases[i][0]), cases[i][1]);
+}
+
+static void words_that_are_far_from_all_mean_none(void **state)
+{
+    (void)state;
+    static const char *const others[] = {
+        "", "_", "y", "light", "ear drum", "zz", "doubleSided", "aWordThatIsLongerThanAllWordsThatAnyTableHas"};
+    for (size_t i = 0; i < sizeof others / sizeof *others; i++)
+        assert_string_equal(meant_by(others[i]), "");
+    struct zr_nearest nearest = {.word = "light"};
+    assert_string_equal(zr_nearest_text(&nearest).text, "");
+    zr_nearest_offer(&nearest, "lights");
+    assert_string_equal(zr_nearest_text(&nearest).text, " (did you mean lights?)");
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(slips_of_the_finger_and_other_spellings_are_known),
+        cmocka_unit_test(words_that_are_far_from_all_mean_none),
+    };
+    return cmocka_run_group_tests_name("nearest", tests, NULL, NULL);
+}
