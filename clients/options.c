@@ -152,7 +152,8 @@ static int check_scene(const struct options *options)
             flag = known;
         }
     if (!flag) return 0;
-    snprintf(wrong, sizeof wrong, "%s is for meshes (.obj, .stl); a JSON scene has keys of its own for that", flag);
+    snprintf(wrong, sizeof wrong,
+             "%s is for meshes, ending with" OPTIONS_MESHES "; a JSON scene has keys of its own for that", flag);
     return options_wrong(wrong, "");
 }
 

@@ -5,6 +5,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 
+#include "base/format_rows.h"
 #include "base/parameter_rows.h"
 
 #define DEFAULT_SERVER "http://127.0.0.1:8080"
@@ -40,5 +41,13 @@ int options_read(int count, char **arguments, struct options *options);
 /* Says on stderr what is wrong with the command line, and where help is; returns the exit status for that. `which`
  * may be "". */
 int options_wrong(const char *what, const char *which);
+
+/* Endings of names, for messages: " .obj .stl", those of meshes; " json obj stl", all. */
+#define OPTIONS_ENDING_true(suffix)
+#define OPTIONS_ENDING_false(suffix)                           " ." suffix
+#define OPTIONS_MESH_ENDING(ID, suffix, media_types, has_view) OPTIONS_ENDING_##has_view(suffix)
+#define OPTIONS_ANY_ENDING(ID, suffix, media_types, has_view)  " " suffix
+#define OPTIONS_MESHES                                         ZR_FORMAT_ROWS(OPTIONS_MESH_ENDING)
+#define OPTIONS_TYPES                                          ZR_FORMAT_ROWS(OPTIONS_ANY_ENDING)
 
 #endif

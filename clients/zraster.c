@@ -22,7 +22,7 @@ static void print_usage(void)
 {
     fputs("usage: zraster render FILE [options]\n"
           "\n"
-          "Sends a scene (.json) or a mesh (.obj, .stl) to zrasterd and saves what comes back.\n"
+          "Sends a scene (.json) or a mesh (one of" OPTIONS_MESHES ") to zrasterd and saves what comes back.\n"
           "FILE may be - for standard input; the picture then goes to standard output.\n"
           "\n"
           "  -o FILE               where to save; - is standard output\n"
@@ -39,7 +39,7 @@ static void print_usage(void)
     }
     fputs("  --size WxH            both sides of the window, such as 800x600\n"
           "\n"
-          "  --type TYPE           json, obj or stl, where neither the file's ending nor its bytes say it\n"
+          "  --type TYPE           one of" OPTIONS_TYPES ", where neither the file's ending nor its bytes say it\n"
           "  --server ADDRESS      HOST:PORT or a URL (default: $ZRASTER_SERVER, else " DEFAULT_SERVER ")\n"
           "  --token-file FILE     its first line is the token that the server wants (default: $ZRASTER_TOKEN)\n"
           "  --help, --version\n"

@@ -14,11 +14,11 @@
 #include "geometry/viewport.h"
 #include "raster/tile.h"
 #include "scene/camera.h"
+#include "scene/resolved_view.h"
 #include "scene/scene.h"
-#include "scene/sight.h"
 #include "shade/colors.h"
 
-/* What other work takes, in triangles (T) and fragments (F): to a factor of two or three, for what is foreseen is
+/* What other work takes, in triangles (T) and fragments (F): to a factor of two or three, for what is predicted is
  * to keep out what takes a hundred times too long. */
 static const double POINT_T = 0.4;             /* placed without a face */
 static const double LINE_T = 1.5;              /* beside its pixels, and again in each tile */
@@ -240,7 +240,7 @@ static void add_face(struct tally *tally, const struct zr_scene *scene, const st
         .viewport = viewport, .min_x = HUGE_VAL, .min_y = HUGE_VAL, .max_x = -HUGE_VAL, .max_y = -HUGE_VAL};
     uint32_t corners = rings.offsets[rings.count] - rings.offsets[0];
     if (material->outline != ZR_OUTLINE_NONE) add_outline(cost, mesh, rings, placed, viewport);
-    if (material->hollow) return;
+    if (material->unfilled) return;
     measure_fans(&measure, mesh, rings, placed);
     bool shape = zr_face_is_shape(mesh, face);
     if (shape) cost->shape_triangles += CUT_T * (double)corners * (double)corners;
@@ -341,8 +341,8 @@ static double pixel_work(const struct zr_scene *scene)
     return work;
 }
 
-struct zr_cost zr_scene_cost(const struct zr_scene *scene, const struct zr_sight *sight, uint32_t corners_max,
-                             const struct zr_cancel *cancel)
+struct zr_cost zr_scene_cost(const struct zr_scene *scene, const struct zr_resolved_view *resolved,
+                             uint32_t corners_max, const struct zr_cancel *cancel)
 {
     struct zr_cost cost = {0};
     uint64_t things = 0, corners = 0;
@@ -358,7 +358,7 @@ struct zr_cost zr_scene_cost(const struct zr_scene *scene, const struct zr_sight
     cost.triangles += POINT_T * fmax(points - 3.0 * cost.triangles, 0.0);
     uint64_t samples = corners > corners_max ? (uint64_t)corners_max * things / corners : things;
     struct zr_cost measured =
-        measure_sample(scene, &sight->camera, cancel, things, samples > 0 || things == 0 ? samples : 1);
+        measure_sample(scene, &resolved->camera, cancel, things, samples > 0 || things == 0 ? samples : 1);
     cost.triangles = cost.triangles * TIMES[scene->algorithm].triangle + measured.triangles;
     cost.fragments = measured.fragments + fmin(measured.fragments, pixels_of(&scene->views[0])) * pixel_work(scene);
     cost.shape_triangles = measured.shape_triangles;

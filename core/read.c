@@ -15,12 +15,15 @@ static zr_mat4 upright(bool z_is_up)
 }
 
 /* Bare meshes become what the query makes of them: their looks, where they are, and the view of them. */
-static void dress_meshes(struct zr_scene_builder *builder, const struct zr_format_row *format,
+static void dress_meshes(struct zr_scene_builder *builder, const struct zr_request *request,
                          const struct zr_query *query)
 {
+    const struct zr_format_row *format = &zr_format_rows[request->format];
     struct zr_scene *scene = builder->scene;
     struct zr_instance *instances = zr_arena_alloc(builder->arena, scene->mesh_count, sizeof *instances);
     if (!instances) return;
+    for (size_t i = 0; i < request->asset_count; i++)
+        zr_warn_of_unused_asset(builder, &request->assets[i]);
     if (format->is_soup && query->look.shading >= ZR_SHADING_GOURAUD)
         zr_warning_list_add(builder->arena, &builder->warnings,
                             "shading=%s looks flat here: the triangles of %s share no corners; OBJ can be smooth",
@@ -108,7 +111,7 @@ static enum zr_status read_scene(struct zr_arena *arena, struct zr_team *team, c
     struct zr_scene_builder builder = zr_scene_builder_open(arena, team, scene);
     status = name_bytes(request, format->read(&builder, request, limits, error), error);
     if (status != ZR_OK) return status;
-    if (!format->has_view) dress_meshes(&builder, format, &query);
+    if (!format->has_view) dress_meshes(&builder, request, &query);
     zr_scene_builder_close(&builder);
     if (!zr_arena_ok(arena)) return ZR_NO_MEMORY;
     if (query.has_compress) scene->compress = query.compress;

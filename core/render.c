@@ -4,8 +4,8 @@
 #include "geometry/build.h"
 #include "raster/visibility.h"
 #include "scene/base_depth.h"
+#include "scene/resolved_view.h"
 #include "scene/scene.h"
-#include "scene/sight.h"
 #include "shade/frame.h"
 #include "shade/paint.h"
 #include "shade/surfaces.h"
@@ -16,8 +16,8 @@
     if (status == ZR_OK) status = (call)
 
 static enum zr_status run_pipeline(struct zr_arena *arena, struct zr_team *team, const struct zr_scene *scene,
-                                   const struct zr_sight *sight, const struct zr_cancel *cancel, struct zr_frame *frame,
-                                   struct zr_error *error)
+                                   const struct zr_resolved_view *resolved, const struct zr_cancel *cancel,
+                                   struct zr_frame *frame, struct zr_error *error)
 {
     const struct zr_view *view = &scene->views[0];
     const uint32_t width = view->width, height = view->height;
@@ -30,8 +30,8 @@ static enum zr_status run_pipeline(struct zr_arena *arena, struct zr_team *team,
     struct zr_samples samples;
     struct zr_tiles tiles = {scene, &geometry, &surfaces, &visible, window_at_once ? &samples : NULL};
 
-    if (!sight) status = zr_sight_find(arena, team, scene, cancel, &sight, error);
-    STAGE(zr_frame_make(arena, view, sight, frame));
+    if (!resolved) status = zr_resolved_view_find(arena, team, scene, cancel, &resolved, error);
+    STAGE(zr_frame_make(arena, view, resolved, frame));
     STAGE(zr_base_place(arena, scene, &frame->camera, &frame->base, error));
     STAGE(zr_geometry_build(arena, team, scene, &frame->camera, cancel, window_at_once != NULL, &geometry));
     STAGE(zr_surfaces_make(arena, team, scene, &frame->camera, &geometry, cancel, &surfaces));
@@ -50,15 +50,15 @@ static enum zr_status run_pipeline(struct zr_arena *arena, struct zr_team *team,
 }
 
 enum zr_status zr_render(struct zr_arena *arena, struct zr_team *team, const struct zr_scene *scene,
-                         const struct zr_sight *sight, const struct zr_cancel *cancel, const struct zr_frame **out,
-                         struct zr_error *error)
+                         const struct zr_resolved_view *resolved, const struct zr_cancel *cancel,
+                         const struct zr_frame **out, struct zr_error *error)
 {
     struct zr_frame *frame = zr_arena_zero(arena, 1, sizeof *frame);
-    enum zr_status status = frame ? run_pipeline(arena, team, scene, sight, cancel, frame, error) : ZR_NO_MEMORY;
+    enum zr_status status = frame ? run_pipeline(arena, team, scene, resolved, cancel, frame, error) : ZR_NO_MEMORY;
     if (status == ZR_NO_MEMORY)
         zr_error_add(error, status, NULL, "rendering needs more than the %zu bytes a request may use", arena->ceiling);
     if (status == ZR_CANCELLED) zr_error_add(error, status, NULL, "rendering was stopped before it was done");
-    if (status == ZR_INTERNAL) zr_error_add(error, status, NULL, "it could not be decided who is seen");
+    if (status == ZR_INTERNAL) zr_error_add(error, status, NULL, "the algorithm failed");
     *out = frame;
     return status;
 }

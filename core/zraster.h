@@ -1,9 +1,9 @@
 /* zraster.h - the renderer, whole: bytes of a scene in, bytes of images out.
  *
- *     zr_scene_read    bytes           -> scene
- *     zr_sight_find    scene           -> sight
- *     zr_render        scene, sight    -> frame      (core/render.c is the pipeline)
- *     zr_encode        frame           -> answer
+ *     zr_scene_read          bytes                -> scene
+ *     zr_resolved_view_find  scene                -> resolved view
+ *     zr_render              scene, resolved view -> frame      (core/render.c is the pipeline)
+ *     zr_encode              frame                -> answer
  *
  * Nothing here reads a file, a clock or the environment, keeps state between
  * calls, or exits; the program must leave LC_NUMERIC as "C", as it is at start. Results
@@ -80,9 +80,9 @@ struct zr_request {
 
 /* ---- the four steps, and a look ahead ---- */
 
-struct zr_scene; /* scene/scene.h */
-struct zr_sight; /* scene/sight.h */
-struct zr_frame; /* shade/frame.h */
+struct zr_scene;         /* scene/scene.h */
+struct zr_resolved_view; /* scene/resolved_view.h */
+struct zr_frame;         /* shade/frame.h */
 
 /* Work to be expected, each kind to be weighed by whoever knows the machine. */
 struct zr_cost {
@@ -111,23 +111,24 @@ enum zr_status zr_scene_read(struct zr_arena *arena, struct zr_team *team, const
 
 /* Where the scene is seen from. A view that shows all of the geometry, or whose depth is fitted to it, takes some walks
  * over all placed points. `team` may be NULL (one thread) and `cancel` may be NULL (never). Fails with ZR_BAD_SCENE,
- * which *error explains; with ZR_NO_MEMORY, *sight being NULL, or ZR_CANCELLED, *sight being what was found until then,
- * nothing is added to *error. */
-enum zr_status zr_sight_find(struct zr_arena *arena, struct zr_team *team, const struct zr_scene *scene,
-                             const struct zr_cancel *cancel, const struct zr_sight **sight, struct zr_error *error);
+ * which *error explains; with ZR_NO_MEMORY, *resolved being NULL, or ZR_CANCELLED, *resolved being what was found until
+ * then, nothing is added to *error. */
+enum zr_status zr_resolved_view_find(struct zr_arena *arena, struct zr_team *team, const struct zr_scene *scene,
+                                     const struct zr_cancel *cancel, const struct zr_resolved_view **resolved,
+                                     struct zr_error *error);
 
 /* What rendering and encoding will cost: polygons and lines are measured, up to about `corners_max` corners of them
  * (UINT32_MAX: all, which takes a fraction of the rendering's own time). `cancel` may be NULL; cancelled, it returns
  * early with too little. */
-struct zr_cost zr_scene_cost(const struct zr_scene *scene, const struct zr_sight *sight, uint32_t corners_max,
-                             const struct zr_cancel *cancel);
+struct zr_cost zr_scene_cost(const struct zr_scene *scene, const struct zr_resolved_view *resolved,
+                             uint32_t corners_max, const struct zr_cancel *cancel);
 
-/* `sight` may be NULL: it is found first. `team` may be NULL (one thread) and `cancel` may be NULL (never). The frame
- * is the same, byte for byte, for every team. Fails with ZR_BAD_SCENE, ZR_NO_MEMORY, ZR_CANCELLED or ZR_INTERNAL, which
- * *error explains; *frame is then not to be read. */
+/* `resolved` may be NULL: it is found first. `team` may be NULL (one thread) and `cancel` may be NULL (never). The
+ * frame is the same, byte for byte, for every team. Fails with ZR_BAD_SCENE, ZR_NO_MEMORY, ZR_CANCELLED or ZR_INTERNAL,
+ * which *error explains; *frame is then not to be read. */
 enum zr_status zr_render(struct zr_arena *arena, struct zr_team *team, const struct zr_scene *scene,
-                         const struct zr_sight *sight, const struct zr_cancel *cancel, const struct zr_frame **frame,
-                         struct zr_error *error);
+                         const struct zr_resolved_view *resolved, const struct zr_cancel *cancel,
+                         const struct zr_frame **frame, struct zr_error *error);
 
 /* One output: its bytes. Several: a ZIP of channel.extension. `team` may be NULL (one thread). The
  * same frame gives the same bytes for every team, wherever in memory it is encoded (output/deflate.h). Fails with

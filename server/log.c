@@ -107,7 +107,7 @@ void log_request(const struct log_request *request)
     add_ms(&line, "queueMs", request->times.queue_ms);
     add_ms(&line, "renderMs", request->times.render_ms);
     add_ms(&line, "encodeMs", request->times.encode_ms);
-    add_ms(&line, "foreseenMs", request->times.foreseen_ms);
+    add_ms(&line, "predictedMs", request->times.predicted_ms);
     add_text(&line, "traceparent", request->traceparent);
     add_text(&line, "detail", request->detail);
     write_line(&line);

@@ -12,7 +12,7 @@
 #include "input/formats.h"
 #include "input/nearest.h"
 #include "problem.h"
-#include "scene/sight.h"
+#include "scene/resolved_view.h"
 #include "text.h"
 
 /* ---- opening: all that can be said before the body ---- */
@@ -112,11 +112,11 @@ bool rendering_open(const struct service *service, const struct load *load, stru
 
 /* ---- working ---- */
 
-/* Corners that are measured to foresee the work. COST_CORNERS: in well under a millisecond. COST_CORNERS_MORE: in
+/* Corners that are measured to predict the work. COST_CORNERS: in well under a millisecond. COST_CORNERS_MORE: in
  * about half a second, for scenes that would be refused; more than most have. */
 enum { COST_CORNERS = 4096, COST_CORNERS_MORE = 1 << 22 };
 
-/* What request->small_only lets pass: 10 ms foreseen, and what is read in a millisecond or two. */
+/* What request->small_only lets pass: 10 ms predicted, and what is read in a millisecond or two. */
 static const double SMALL_MS = 10.0;
 
 /* One request on its way. */
@@ -180,27 +180,27 @@ static enum zr_status read_stored(void *context, const char *sha256, struct zr_a
 
 /* ---- steps ---- */
 
-/* A sample may mislead: before a scene is refused, all of it is measured. Where looking for the sight was cancelled,
+/* A sample may mislead: before a scene is refused, all of it is measured. Where looking for the view was cancelled,
  * what is large has yet to be told from what is not, and pixels and triangles can be counted without. */
-static enum zr_status foresee(struct rendering *r, const struct zr_scene *scene, const struct zr_sight **sight,
-                              struct zr_cost *cost, struct zr_error *error)
+static enum zr_status predict(struct rendering *r, const struct zr_scene *scene,
+                              const struct zr_resolved_view **resolved, struct zr_cost *cost, struct zr_error *error)
 {
     const uint32_t samples[] = {COST_CORNERS, COST_CORNERS_MORE};
     const struct service *service = r->service;
-    const enum zr_status status = zr_sight_find(r->arena, service->team, scene, r->cancel, sight, error);
+    const enum zr_status status = zr_resolved_view_find(r->arena, service->team, scene, r->cancel, resolved, error);
     if (status != ZR_OK && status != ZR_CANCELLED) return status;
     for (int i = 0; i < 2; i++) {
-        *cost = zr_scene_cost(scene, *sight, samples[i], r->cancel);
-        r->times->foreseen_ms = foresight_predict_ms(service->foresight, cost);
-        if (too_large(r, r->times->foreseen_ms > SMALL_MS)) return ZR_CANCELLED;
-        if (r->times->foreseen_ms <= (double)service->config->cost_max_ms) return status;
+        *cost = zr_scene_cost(scene, *resolved, samples[i], r->cancel);
+        r->times->predicted_ms = prediction_ms(service->prediction, cost);
+        if (too_large(r, r->times->predicted_ms > SMALL_MS)) return ZR_CANCELLED;
+        if (r->times->predicted_ms <= (double)service->config->cost_max_ms) return status;
     }
-    foresight_refused(service->foresight, cost);
+    prediction_refused(service->prediction, cost);
     return zr_error_add(
         error, ZR_BAD_SCENE, NULL,
-        "work like that of %.0f triangles and %.3g pixels is foreseen to take %.3g s, more than costMaxMs, %" PRIu64
+        "work like that of %.0f triangles and %.3g pixels is predicted to take %.3g s, more than costMaxMs, %" PRIu64
         " ms",
-        cost->triangles + cost->shape_triangles, cost->fragments + cost->shape_fragments, r->times->foreseen_ms * 1e-3,
+        cost->triangles + cost->shape_triangles, cost->fragments + cost->shape_fragments, r->times->predicted_ms * 1e-3,
         service->config->cost_max_ms);
 }
 
@@ -209,23 +209,23 @@ static enum zr_status run_steps(struct rendering *r, const struct zr_request *re
 {
     const struct service *service = r->service;
     const struct zr_scene *scene = NULL;
-    const struct zr_sight *sight = NULL;
+    const struct zr_resolved_view *resolved = NULL;
     const struct zr_frame *frame = NULL;
     struct zr_cost cost = {0};
     int64_t mark = clock_us();
     enum zr_status status = zr_scene_read(r->arena, service->team, request, &service->limits, &scene, error);
-    if (status == ZR_OK) status = foresee(r, scene, &sight, &cost, error);
+    if (status == ZR_OK) status = predict(r, scene, &resolved, &cost, error);
     r->times->parse_ms = ms_since(&mark);
     if (status != ZR_OK) return status;
-    struct foresight_lap lap = foresight_start_lap(service->foresight);
-    status = zr_render(r->arena, service->team, scene, sight, r->cancel, &frame, error);
-    double render_ms = foresight_end_lap(service->foresight, &lap);
+    struct prediction_lap lap = prediction_start_lap(service->prediction);
+    status = zr_render(r->arena, service->team, scene, resolved, r->cancel, &frame, error);
+    double render_ms = prediction_end_lap(service->prediction, &lap);
     r->times->render_ms = ms_since(&mark);
     if (status != ZR_OK) return status;
     status = zr_encode(r->arena, service->team, scene, frame, r->cancel, result, error);
-    double encode_ms = foresight_end_lap(service->foresight, &lap);
+    double encode_ms = prediction_end_lap(service->prediction, &lap);
     r->times->encode_ms = ms_since(&mark);
-    if (status == ZR_OK) foresight_learn(service->foresight, &cost, render_ms, encode_ms);
+    if (status == ZR_OK) prediction_learn(service->prediction, &cost, render_ms, encode_ms);
     return status;
 }
 

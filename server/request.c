@@ -11,11 +11,11 @@
 #include "text.h"
 
 void service_init(struct service *service, const struct config *config, struct zr_team *team,
-                  struct foresight *foresight, struct store *store)
+                  struct prediction *prediction, struct store *store)
 {
     service->config = config;
     service->store = store;
-    service->foresight = foresight;
+    service->prediction = prediction;
     service->limits = config_limits(config);
     service->team = team;
     if (getrandom(&service->id_base, sizeof service->id_base, 0) != sizeof service->id_base)

@@ -14,19 +14,19 @@
 
 #include "answer.h"
 #include "config.h"
-#include "foresight.h"
 #include "multipart.h"
+#include "prediction.h"
 #include "step_times.h"
 #include "store.h"
 #include "zraster.h"
 
 enum { REQUEST_ID_SIZE = 129 };
 
-/* Shared by all requests; read-only but for the counter and what the store and foresight do inside. */
+/* Shared by all requests; read-only but for the counter and what the store and prediction do inside. */
 struct service {
     const struct config *config;
     struct zr_limits limits;
-    struct foresight *foresight;
+    struct prediction *prediction;
     struct zr_team *team;
     struct store *store; /* NULL: no assets are kept */
     uint64_t id_base;    /* random, so that ids of two daemons differ */
@@ -35,7 +35,7 @@ struct service {
 
 /* `store` may be NULL. */
 void service_init(struct service *service, const struct config *config, struct zr_team *team,
-                  struct foresight *foresight, struct store *store);
+                  struct prediction *prediction, struct store *store);
 
 /* The state of the daemon as a request meets it. */
 struct load {

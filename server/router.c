@@ -125,9 +125,9 @@ enum request_next router_open(const struct service *service, const struct load *
 enum request_next router_work(const struct service *service, const struct request *request, struct zr_arena *arena,
                               const struct zr_cancel *cancel, struct step_times *times, struct answer *answer)
 {
-    foresight_begin(service->foresight);
+    prediction_begin(service->prediction);
     const enum request_next next = request->route->work(service, request, arena, cancel, times, answer);
-    foresight_end(service->foresight);
+    prediction_end(service->prediction);
     return next;
 }
 

@@ -2,10 +2,10 @@
 #ifndef ZRASTERD_STEP_TIMES_H
 #define ZRASTERD_STEP_TIMES_H
 
-/* In milliseconds; foreseen_ms is what render and encode together were predicted to take on one thread. Below 0: it did
- * not come to that. */
+/* In milliseconds; predicted_ms is what render and encode together were predicted to take on one thread. Below 0: it
+ * did not come to that. */
 struct step_times {
-    double parse_ms, queue_ms, render_ms, encode_ms, foreseen_ms;
+    double parse_ms, queue_ms, render_ms, encode_ms, predicted_ms;
 };
 #define NO_STEP_TIMES ((struct step_times){-1, -1, -1, -1, -1})
 

@@ -44,7 +44,7 @@
     row(packed_later)                                                                                                 \
     /* shade: which flat triangles show backs is noted while sorted: lit flat +44..75 % */                            \
     row(noted_backs)                                                                                                  \
-    /* shade: frames go past the caches: 1080p +18..28 %, fills +33..75 % */                                          \
+    /* shade: frames are written by non-temporal stores: 1080p +18..28 %, fills +33..75 % */                                          \
     row(streamed)
 /* clang-format on */
 

@@ -15,16 +15,13 @@
  *     those that follow being the first row
  *   zr_vi_rows_of_patches(v): ZR_PATCH_ROWS patches side by side become as many rows of ZR_LANES words
  *   zr_vi_later(v, n): lane i is lane i - n of v, or anything where there is none; n is a constant, 1 .. 4
- *   zr_vi_stream(p, v): past the caches where the machine can, p being a multiple of the vector's size; others see it
- *     as team.h says
- *   zr_vi_put(p, v, streamed): zr_vi_stream, or zr_vi_store
- *   zr_vf_lt le eq(a, b), zr_vi_lt eq(a, b), zr_vm_and or andnot(a, b: a and not b), zr_vm_bits(m), zr_vm_of(bits)
- *   zr_vm_first(n): the first n lanes, or all where there are no more; zr_vm_any(m); zr_lowest_bit(bits), bits not 0
- *   zr_vf_lt_where eq_where(m, a, b), zr_vi_lt_where(m, a, b): m and the comparison, which AVX-512 does in one
- *   zr_vf_select(m, a, b), zr_vi_select: a where m, else b
- *   zr_vf_min(a, b): a < b ? a : b     zr_vf_max(a, b): a > b ? a : b     zr_vi_min, zr_vi_max
- *   zr_vf_abs(a)  zr_vf_sqrt(a)
- *   zr_vf_of(vi): int to float         zr_vi_round(vf): to the nearest, ties to even, where |v| < 2^22
+ *   zr_vi_stream(p, v): a non-temporal store where the machine has one, p being a multiple of the vector's size; others
+ * see it as team.h says zr_vi_put(p, v, streamed): zr_vi_stream, or zr_vi_store zr_vf_lt le eq(a, b), zr_vi_lt eq(a,
+ * b), zr_vm_and or andnot(a, b: a and not b), zr_vm_bits(m), zr_vm_of(bits) zr_vm_first(n): the first n lanes, or all
+ * where there are no more; zr_vm_any(m); zr_lowest_bit(bits), bits not 0 zr_vf_lt_where eq_where(m, a, b),
+ * zr_vi_lt_where(m, a, b): m and the comparison, which AVX-512 does in one zr_vf_select(m, a, b), zr_vi_select: a where
+ * m, else b zr_vf_min(a, b): a < b ? a : b     zr_vf_max(a, b): a > b ? a : b     zr_vi_min, zr_vi_max zr_vf_abs(a)
+ * zr_vf_sqrt(a) zr_vf_of(vi): int to float         zr_vi_round(vf): to the nearest, ties to even, where |v| < 2^22
  *   zr_vi_bits_of(vf), zr_vf_bits(vi)  the same bits as integers, as floats
  *   ZR_LOAD4(x, y, z, w, AT): lane i of x, y, z, w are the four floats at AT(i), a const float *
  *   zr_vf_store4(p, x, y, z, w), zr_vi_store4: the other way round, all to one place

@@ -207,7 +207,7 @@ static bool claim(struct shares *shares, size_t *begin, size_t *end)
     return true;
 }
 
-/* Locks do not order what was stored past the caches. Once for all that a thread did: it waits for memory (a fiftieth
+/* Locks do not order non-temporal stores. Once for all that a thread did: it waits for memory (a fiftieth
  * of a large picture's time, with one for each range of tiles). */
 static void finish_stores(void)
 {

@@ -30,9 +30,9 @@ static void place_face(struct zr_builder *builder, uint32_t face)
     }
     const bool concave = zr_face_is_shape(mesh, face);
     counts->concave_polygons += concave;
-    if (material->hollow) return;
+    if (material->unfilled) return;
     const struct zr_common common = {
-        .face = face, .material = material, .pushed = material->outline != ZR_OUTLINE_NONE};
+        .face = face, .material = material, .depth_offset = material->outline != ZR_OUTLINE_NONE};
     if (concave)
         zr_shape_place(builder, face, &common);
     else
@@ -117,7 +117,7 @@ static enum zr_status assemble_faces(struct zr_builder *builder, const struct zr
     for (struct run run = {.begin = 0}; run.begin < mesh->face_count; run.begin = run.end) {
         run.end = run.begin;
         run.material = zr_material_of_face(builder->scene, mesh, run.begin);
-        bool filled = !run.material->hollow && run.material->outline == ZR_OUTLINE_NONE;
+        bool filled = !run.material->unfilled && run.material->outline == ZR_OUTLINE_NONE;
         const bool all_plain = filled && !mesh->face_materials && !fans->is_other && !builder->any_outcodes;
         if (ZR_FAST(whole_meshes, all_plain)) run.end = mesh->face_count;
         while (run.end < mesh->face_count && filled && face_is_plain(builder, fans, run.end) &&

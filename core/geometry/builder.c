@@ -111,7 +111,7 @@ static bool goes_on(const struct zr_builder *builder, const struct zr_common *co
     if (builder->placed.count == 0 || g->primitive_count >= ZR_GEOMETRY_MAX) return false;
     const struct zr_draw *last = &g->draws[g->draw_count - 1];
     return last->counted && last->instance == builder->instance && last->kind == common->kind &&
-           last->material == common->material && last->pushed == common->pushed;
+           last->material == common->material && last->depth_offset == common->depth_offset;
 }
 
 void zr_builder_place(struct zr_builder *builder, const struct zr_common *common, const struct zr_corner ends[3])
@@ -126,7 +126,7 @@ void zr_builder_place(struct zr_builder *builder, const struct zr_common *common
     } else if (!zr_builder_add_draw(
                    builder, (struct zr_draw){.count = 1,
                                              .kind = common->kind,
-                                             .pushed = common->pushed,
+                                             .depth_offset = common->depth_offset,
                                              .counted = true,
                                              .material = common->material,
                                              .corners = p->corners + 3 * at,

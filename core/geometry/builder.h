@@ -65,7 +65,7 @@ struct zr_common {
     uint32_t face; /* as in zr_draw.faces */
     const struct zr_material *material;
     enum zr_draw_kind kind;
-    bool pushed;
+    bool depth_offset;
     uint32_t shape; /* number of the shape that the face is */
     bool back;      /* of a shape or a line: which side is seen; other triangles tell by their winding */
     bool skip_thin; /* leave out what zr_place_is_thin says */

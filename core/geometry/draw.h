@@ -23,8 +23,8 @@ enum zr_draw_kind {
 struct zr_draw {
     uint32_t first, count; /* numbers of its primitives */
     enum zr_draw_kind kind;
-    bool pushed;  /* moved back by a depth offset, so that outlines are seen on them */
-    bool counted; /* what becomes of them is counted (counts.h), and none of them is turned away or without area */
+    bool depth_offset; /* moved back by a depth offset, so that outlines are seen on them */
+    bool counted;      /* what becomes of them is counted (counts.h), and none of them is turned away or without area */
     bool mirrored;
     uint32_t instance;
     const struct zr_mesh *mesh;
@@ -48,12 +48,12 @@ struct zr_draw {
 
 /* A primitive by itself, its corners turned as rule 6 wants them, so that its area is positive; a line is not. */
 struct zr_triangle {
-    uint32_t v[3];  /* window vertices */
-    uint32_t shape; /* 1 + the number of the shape that it is a part of; 0: it is seen wherever it covers a sample */
-    bool line;      /* from v[0] to v[1], one pixel wide */
-    bool pushed;    /* as in zr_draw */
-    bool back;      /* seen from behind */
-    bool turned;    /* corner 0 has changed places, by rule 6 (zr_swapped_corner) */
+    uint32_t v[3];     /* window vertices */
+    uint32_t shape;    /* 1 + the number of the shape that it is a part of; 0: it is seen wherever it covers a sample */
+    bool line;         /* from v[0] to v[1], one pixel wide */
+    bool depth_offset; /* as in zr_draw */
+    bool back;         /* seen from behind */
+    bool turned;       /* corner 0 has changed places, by rule 6 (zr_swapped_corner) */
 };
 
 static inline bool zr_draw_is_of_lines(const struct zr_draw *draw)
@@ -64,7 +64,7 @@ static inline bool zr_draw_is_of_lines(const struct zr_draw *draw)
 /* Triangles, and nothing more: those that can be looked at many at once. */
 static inline bool zr_draw_is_plain(const struct zr_draw *draw)
 {
-    return draw->kind == ZR_DRAW_TRIANGLES && !draw->pushed;
+    return draw->kind == ZR_DRAW_TRIANGLES && !draw->depth_offset;
 }
 
 /* Of primitive `t` of a draw, counted from its first. */

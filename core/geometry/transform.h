@@ -16,7 +16,7 @@
 enum { ZR_OUTCODE_UNPLACED = 1 << 7 };
 
 /* Each position once. out[i] is undefined where outcodes[i] is not 0. Returns the OR of all outcodes.
- * streamed: past the caches (zr_vi_stream), `out` being a multiple of 64 bytes. */
+ * written by non-temporal stores (zr_vi_stream), `out` being a multiple of 64 bytes. */
 typedef unsigned zr_transform_fn(const zr_mat4 *object_to_clip, const struct zr_viewport *viewport,
                                  const zr_vec4 *positions, size_t count, struct zr_window_vertex *out,
                                  uint8_t *outcodes, bool streamed);

@@ -23,6 +23,8 @@ zr_format_read_fn zr_json_read;
  * are looked at. Errors name the line, the triangle or the byte in `detail`. */
 zr_format_read_fn zr_obj_read, zr_stl_read;
 
+void zr_warn_of_unused_asset(struct zr_scene_builder *builder, const struct zr_asset *asset);
+
 /* Whether bytes look like STL, text or binary. */
 bool zr_stl_looks_so(const char *bytes, size_t size);
 

@@ -18,7 +18,7 @@ static const char A_VALUE[] = "a value";
 /* Of a part that is read ahead a fault is no more than its end. True also where reading has ended before. */
 static bool ends_ahead(struct zr_json *json)
 {
-    if (json->is_ahead) json->ended = true;
+    if (json->is_ahead) zr_json_give_up(json);
     return json->ended;
 }
 
@@ -29,8 +29,7 @@ static bool fail(struct zr_json *json, const char *at, const char *what)
     const struct zr_place place = zr_place_of(json->bytes, (size_t)(at - json->bytes));
     const size_t length = at < json->end ? zr_utf8_length(at, json->end) : 0;
     const bool mark = at == json->bytes && json->end - at >= 3 && memcmp(at, "\xEF\xBB\xBF", 3) == 0;
-    json->ended = true;
-    json->at = json->look = json->end;
+    zr_json_give_up(json);
     *json->error = (struct zr_error){0};
     zr_error_add(json->error, ZR_BAD_SYNTAX, NULL, "line %zu, column %zu: expected %s, found %s", place.line,
                  place.column, what,
@@ -46,8 +45,7 @@ static bool fail_limit(struct zr_json *json, const char *at, const char *format,
     const struct zr_place place = zr_place_of(json->bytes, (size_t)(at - json->bytes));
     char what[64];
     snprintf(what, sizeof what, format, limit);
-    json->ended = true;
-    json->at = json->look = json->end;
+    zr_json_give_up(json);
     *json->error = (struct zr_error){0};
     zr_error_add(json->error, ZR_BAD_SCENE, NULL, "line %zu, column %zu: %s", place.line, place.column, what);
     return false;
@@ -60,8 +58,7 @@ static bool goes_on(struct zr_json *json, const char *at)
     json->look = at + (json->end - at < BYTES_A_LOOK ? json->end - at : BYTES_A_LOOK);
     if (!zr_is_cancelled(json->cancel)) return !json->ended;
     zr_arena_charge(json->arena, SIZE_MAX); /* all readers end now, as where memory is used up */
-    json->ended = true;
-    json->at = json->look = json->end;
+    zr_json_give_up(json);
     return false;
 }
 
@@ -423,6 +420,11 @@ bool zr_json_member(struct zr_json *json, struct zr_json_text *key)
 bool zr_json_any_item(struct zr_json *json)
 {
     return !zr_json_stops(json) && next_item(json);
+}
+
+void zr_json_check_closed(struct zr_json *json, unsigned inside)
+{
+    if (json->at == json->end && json->depth == inside) zr_json_any_item(json);
 }
 
 /* A value that is neither a list nor an object. */

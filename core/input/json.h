@@ -90,8 +90,8 @@ bool zr_json_enter(struct zr_json *json, char bracket);
  * are reported as are kept, where memory is used up or the request is cancelled. */
 bool zr_json_member(struct zr_json *json, struct zr_json_text *key);
 
-/* The same for lists, to the next item; zr_json_item inlines what is usual: no space but a blank behind a comma, and items
- * that are lists or objects. */
+/* The same for lists, to the next item; zr_json_item inlines what is usual: no space but a blank behind a comma, and
+ * items that are lists or objects. */
 bool zr_json_any_item(struct zr_json *json);
 
 static inline bool zr_json_item(struct zr_json *json)
@@ -112,6 +112,10 @@ static inline bool zr_json_item(struct zr_json *json)
     return true;
 }
 
+/* A list that was entered at this depth, and of which all items are read that the text has: reported where the text
+ * ends in it. For loops that look for the text's end themselves. */
+void zr_json_check_closed(struct zr_json *json, unsigned inside);
+
 /* Behind the next value, whatever it is. */
 bool zr_json_skip(struct zr_json *json);
 
@@ -129,8 +133,15 @@ const char *zr_json_decode(struct zr_json *json, const struct zr_json_text *text
 /* The same word? */
 bool zr_json_is(const struct zr_json_text *text, const char *word);
 
-/* Makes zr_json_item ask at once whether to stop: for whoever reports a fault or has no memory, and so may leave a value
- * unread. */
+/* Nothing more is read. `at` goes to the end, so that no loop over items or members goes on where it is. */
+static inline void zr_json_give_up(struct zr_json *json)
+{
+    json->ended = true;
+    json->at = json->look = json->end;
+}
+
+/* Makes zr_json_item ask at once whether to stop: for whoever reports a fault or has no memory, and so may leave a
+ * value unread. */
 static inline void zr_json_look(struct zr_json *json)
 {
     json->look = json->at;

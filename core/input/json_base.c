@@ -13,7 +13,7 @@ static const struct zr_names side_names = ZR_NAMES(2, sides);
 enum { COLOR, WINDOW_DEPTH, DEPTH, FACE_ID, TIES, FIRST_FACE_ID, IMAGES = FACE_ID + 1 };
 
 struct reader {
-    struct zr_draft *draft;
+    struct zr_given_scene *root;
     const struct zr_json_path *path;
     uint64_t keys;
     const char *places[IMAGES]; /* in the text */
@@ -45,17 +45,17 @@ static bool has(const struct reader *reader, int key)
 }
 
 /* The window, as far as it is right: zr_scene_validate reports one that is not. */
-static bool window_is_good(const struct zr_draft *draft)
+static bool window_is_good(const struct zr_given_scene *root)
 {
-    const struct zr_view *view = &draft->scene->views[0];
-    const struct zr_limits *limits = draft->json.limits;
+    const struct zr_view *view = &root->scene->views[0];
+    const struct zr_limits *limits = root->json.limits;
     return view->width >= 1 && view->width <= limits->window_side_max && view->height >= 1 &&
            view->height <= limits->window_side_max && (uint64_t)view->width * view->height <= limits->window_pixels_max;
 }
 
 static const struct zr_view *view_of(const struct reader *reader)
 {
-    return &reader->draft->scene->views[0];
+    return &reader->root->scene->views[0];
 }
 
 static size_t count_pixels(const struct reader *reader)
@@ -66,14 +66,14 @@ static size_t count_pixels(const struct reader *reader)
 static bool pixel_fault(struct reader *reader, int key, size_t pixel, const char *what)
 {
     const uint32_t width = view_of(reader)->width;
-    return zr_json_fault(&reader->draft->json, ZR_JSON_KEY(reader->path, fields[key].key),
+    return zr_json_fault(&reader->root->json, ZR_JSON_KEY(reader->path, fields[key].key),
                          "pixel (%zu, %zu), counted from the top left: %s", pixel % width, pixel / width, what);
 }
 
 static bool refuse(struct reader *reader, int key, enum zr_status status, const struct zr_reason *reason)
 {
     if (status == ZR_BAD_SCENE)
-        zr_json_fault(&reader->draft->json, ZR_JSON_KEY(reader->path, fields[key].key), "%s", reason->text);
+        zr_json_fault(&reader->root->json, ZR_JSON_KEY(reader->path, fields[key].key), "%s", reason->text);
     return status == ZR_OK;
 }
 
@@ -82,7 +82,7 @@ static void *read_numbers(struct reader *reader, int key, enum zr_npy_wanted wan
     const struct zr_view *view = view_of(reader);
     struct zr_reason reason;
     void *values = NULL;
-    enum zr_status status = zr_npy_read(reader->draft->json.arena, reader->given[key].bytes, reader->given[key].size,
+    enum zr_status status = zr_npy_read(reader->root->json.arena, reader->given[key].bytes, reader->given[key].size,
                                         wanted, view->width, view->height, &values, &reason);
     return refuse(reader, key, status, &reason) ? values : NULL;
 }
@@ -92,15 +92,15 @@ static void read_color(struct reader *reader)
     const struct zr_view *view = view_of(reader);
     struct zr_reason reason;
     uint8_t *rgba = NULL;
-    enum zr_status status = zr_png_read(reader->draft->json.arena, reader->given[COLOR].bytes,
-                                        reader->given[COLOR].size, view->width, view->height, &rgba, &reason);
+    enum zr_status status = zr_png_read(reader->root->json.arena, reader->given[COLOR].bytes, reader->given[COLOR].size,
+                                        view->width, view->height, &rgba, &reason);
     if (!refuse(reader, COLOR, status, &reason)) return;
     reader->base->color = rgba;
     uint8_t alpha = 255;
     for (size_t i = 0; i < count_pixels(reader); i++)
         alpha &= rgba[4 * i + 3];
-    if (alpha != 255 && reader->draft->scene->background.w >= 1.0f)
-        zr_warning_list_add(reader->draft->json.arena, &reader->draft->builder->warnings,
+    if (alpha != 255 && reader->root->scene->background.w >= 1.0f)
+        zr_warning_list_add(reader->root->json.arena, &reader->root->builder->warnings,
                             "base.color is transparent in parts and the background is not: its alpha is left out");
 }
 
@@ -146,7 +146,7 @@ static void refuse_shared_ids(struct reader *reader, uint64_t faces)
     const size_t pixels = count_pixels(reader);
     for (size_t i = 0; i < pixels; i++)
         if (base->face_id[i] >= base->first_face_id && base->face_id[i] - base->first_face_id < faces) {
-            zr_json_fault(&reader->draft->json, ZR_JSON_KEY(reader->path, fields[FIRST_FACE_ID].key),
+            zr_json_fault(&reader->root->json, ZR_JSON_KEY(reader->path, fields[FIRST_FACE_ID].key),
                           "new faces would have the ids %" PRIu32 " to %" PRIu64 ", and base.faceId has %" PRIu32
                           " already",
                           base->first_face_id, base->first_face_id + faces - 1, base->face_id[i]);
@@ -156,13 +156,13 @@ static void refuse_shared_ids(struct reader *reader, uint64_t faces)
 
 static void number_faces(struct reader *reader)
 {
-    const struct zr_scene *scene = reader->draft->scene;
+    const struct zr_scene *scene = reader->root->scene;
     struct zr_base *base = reader->base;
     uint64_t faces = 0, first = has(reader, FIRST_FACE_ID) ? base->first_face_id : reader->largest_id + 1;
     for (uint32_t i = 0; i < scene->instance_count; i++)
         faces += zr_mesh_ids(&scene->meshes[scene->instances[i].mesh]);
     if (first + faces > (uint64_t)UINT32_MAX + 1) {
-        zr_json_fault(&reader->draft->json, ZR_JSON_KEY(reader->path, fields[FIRST_FACE_ID].key),
+        zr_json_fault(&reader->root->json, ZR_JSON_KEY(reader->path, fields[FIRST_FACE_ID].key),
                       "ids from %" PRIu64 " on for %" PRIu64 " faces do not fit 32 bits", first, faces);
         return;
     }
@@ -175,7 +175,7 @@ static void check_words(struct reader *reader)
     reader->base->scene_wins_ties = reader->ties == 1;
     reader->base->first_face_id = reader->first_face_id;
     if (reader->first_face_id == 0)
-        zr_json_fault(&reader->draft->json, ZR_JSON_KEY(reader->path, fields[FIRST_FACE_ID].key),
+        zr_json_fault(&reader->root->json, ZR_JSON_KEY(reader->path, fields[FIRST_FACE_ID].key),
                       "0 is the id of nothing");
 }
 
@@ -186,31 +186,31 @@ static void check_planes(struct reader *reader)
     const struct zr_view *view = view_of(reader);
     if (!has(reader, WINDOW_DEPTH) || view->projection == ZR_PROJECTION_MATRIX) return;
     if (view->has_znear && view->has_zfar) return;
-    zr_json_fault(&reader->draft->json, ZR_JSON_KEY(NULL, "view"),
+    zr_json_fault(&reader->root->json, ZR_JSON_KEY(NULL, "view"),
                   "znear and zfar are missing: base.windowDepth is measured between the planes that it was drawn with, "
                   "which its info has");
 }
 
 /* What is left open is fitted to the new geometry, and then it is not the base's view. */
-static void warn_of_fitted_view(struct zr_draft *draft)
+static void warn_of_fitted_view(struct zr_given_scene *root)
 {
-    const struct zr_view *view = &draft->scene->views[0];
+    const struct zr_view *view = &root->scene->views[0];
     bool fitted_pose = view->pose == ZR_POSE_PRESET || view->pose == ZR_POSE_DIRECTION ||
                        (view->pose == ZR_POSE_ORBIT && !(view->has_target && view->distance > 0.0f));
     bool fitted_size = view->projection == ZR_PROJECTION_ORTHOGRAPHIC && !(view->xmag > 0.0f);
     bool fitted_planes = view->projection != ZR_PROJECTION_MATRIX && !(view->has_znear && view->has_zfar);
     if (fitted_pose || fitted_size || fitted_planes)
-        zr_warning_list_add(draft->json.arena, &draft->builder->warnings,
+        zr_warning_list_add(root->json.arena, &root->builder->warnings,
                             "the view's %s fitted to the new geometry, not to what base shows",
                             fitted_pose   ? "pose is"
                             : fitted_size ? "size is"
                                           : "znear and zfar are");
 }
 
-void zr_draft_read_base(struct zr_draft *draft, const struct zr_json_path *path)
+void zr_given_read_base(struct zr_given_scene *root, const struct zr_json_path *path)
 {
-    struct zr_json there = zr_json_at(&draft->json, draft->base), *json = &draft->json;
-    struct reader reader = {.draft = draft, .path = path, .first_face_id = 1};
+    struct zr_json there = zr_json_at(&root->json, root->base), *json = &root->json;
+    struct reader reader = {.root = root, .path = path, .first_face_id = 1};
     if (!zr_json_fields(&there, path, &object, &reader, &reader.keys)) return;
     reader.base = zr_arena_zero(json->arena, 1, sizeof *reader.base);
     if (!reader.base) return;
@@ -219,17 +219,17 @@ void zr_draft_read_base(struct zr_draft *draft, const struct zr_json_path *path)
     for (int key = COLOR; key < IMAGES; key++) {
         struct zr_json image = zr_json_at(json, reader.places[key]);
         if (has(&reader, key))
-            zr_draft_read_bytes(draft, &image, ZR_JSON_KEY(path, fields[key].key), &reader.given[key]);
+            zr_given_read_bytes(root, &image, ZR_JSON_KEY(path, fields[key].key), &reader.given[key]);
     }
     if (!has(&reader, WINDOW_DEPTH) && !has(&reader, DEPTH))
         zr_json_fault(json, path, "windowDepth is missing, or depth to make it from: nothing says what hides what");
-    if (json->error->count > 0 || !zr_arena_ok(json->arena) || !window_is_good(draft)) return;
+    if (json->error->count > 0 || !zr_arena_ok(json->arena) || !window_is_good(root)) return;
     if (has(&reader, COLOR)) read_color(&reader);
     if (has(&reader, WINDOW_DEPTH)) read_window_depth(&reader);
     if (has(&reader, DEPTH)) read_depth(&reader);
     if (has(&reader, FACE_ID)) read_face_ids(&reader);
     if (json->error->count > 0 || !zr_arena_ok(json->arena)) return;
     number_faces(&reader);
-    warn_of_fitted_view(draft);
-    draft->scene->base = reader.base;
+    warn_of_fitted_view(root);
+    root->scene->base = reader.base;
 }

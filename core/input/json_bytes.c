@@ -2,6 +2,7 @@
 #include <string.h>
 
 #include "input/data_uri.h"
+#include "input/input.h"
 #include "input/json_scene.h"
 
 struct given {
@@ -14,27 +15,27 @@ static const struct zr_json_field fields[] = {
                .text = "the name of a part of the request, or sha256: and the hash of what was uploaded before"}};
 static const struct zr_json_object object = ZR_JSON_OBJECT_OF("bytes", fields);
 
-static bool read_uri(struct zr_draft *draft, const struct zr_json_path *path, const char *text,
+static bool read_uri(struct zr_given_scene *root, const struct zr_json_path *path, const char *text,
                      struct zr_given_bytes *out)
 {
     struct zr_reason reason;
-    enum zr_status status = zr_data_uri_read(draft->json.arena, text, &out->bytes, &out->size, &reason);
-    if (status == ZR_BAD_SCENE) zr_json_fault(&draft->json, path, "%s", reason.text);
+    enum zr_status status = zr_data_uri_read(root->json.arena, text, &out->bytes, &out->size, &reason);
+    if (status == ZR_BAD_SCENE) zr_json_fault(&root->json, path, "%s", reason.text);
     return status == ZR_OK;
 }
 
-static bool read_stored(struct zr_draft *draft, const struct zr_json_path *path, const char *sha256,
+static bool read_stored(struct zr_given_scene *root, const struct zr_json_path *path, const char *sha256,
                         struct zr_given_bytes *out)
 {
     enum { DIGITS = 64 };
-    struct zr_json *json = &draft->json;
+    struct zr_json *json = &root->json;
     if (strspn(sha256, "0123456789abcdef") != DIGITS || sha256[DIGITS] != '\0')
         return zr_json_fault(json, path, "expected sha256: and 64 lower-case hexadecimal digits");
-    if (!draft->stored.read)
+    if (!root->stored.read)
         return zr_json_fault(json, path,
                              "no assets are kept here, that takes zrasterd --assets-dir; send the bytes as a "
                              "part of a multipart/form-data request");
-    switch (draft->stored.read(draft->stored.context, sha256, json->arena, &out->bytes, &out->size)) {
+    switch (root->stored.read(root->stored.context, sha256, json->arena, &out->bytes, &out->size)) {
     case ZR_OK:
         return true;
     case ZR_BAD_SCENE:
@@ -50,29 +51,35 @@ static bool read_stored(struct zr_draft *draft, const struct zr_json_path *path,
     }
 }
 
-static bool read_asset(struct zr_draft *draft, const struct zr_json_path *path, const char *name,
+static bool read_asset(struct zr_given_scene *root, const struct zr_json_path *path, const char *name,
                        struct zr_given_bytes *out)
 {
     static const char STORED[] = "sha256:";
-    if (strncmp(name, STORED, sizeof STORED - 1) == 0) return read_stored(draft, path, name + sizeof STORED - 1, out);
-    for (size_t i = 0; i < draft->asset_count; i++)
-        if (strcmp(draft->assets[i].name, name) == 0) {
-            draft->assets_used[i] = true;
-            *out = (struct zr_given_bytes){draft->assets[i].bytes, draft->assets[i].size};
+    if (strncmp(name, STORED, sizeof STORED - 1) == 0) return read_stored(root, path, name + sizeof STORED - 1, out);
+    for (size_t i = 0; i < root->asset_count; i++)
+        if (strcmp(root->assets[i].name, name) == 0) {
+            root->assets_used[i] = true;
+            *out = (struct zr_given_bytes){root->assets[i].bytes, root->assets[i].size};
             return true;
         }
-    return zr_json_fault(&draft->json, path, "no part of a multipart/form-data request has the name %s",
+    return zr_json_fault(&root->json, path, "no part of a multipart/form-data request has the name %s",
                          zr_quote(name, strlen(name)).text);
 }
 
-bool zr_draft_read_bytes(struct zr_draft *draft, struct zr_json *json, const struct zr_json_path *path,
+void zr_warn_of_unused_asset(struct zr_scene_builder *builder, const struct zr_asset *asset)
+{
+    zr_warning_list_add(builder->arena, &builder->warnings, "the asset %s is not used by the scene",
+                        zr_quote(asset->name, strlen(asset->name)).text);
+}
+
+bool zr_given_read_bytes(struct zr_given_scene *root, struct zr_json *json, const struct zr_json_path *path,
                          struct zr_given_bytes *out)
 {
     const enum zr_json_type type = zr_json_type(json);
     struct given given = {NULL, NULL};
     uint64_t keys;
     if (type == ZR_JSON_STRING)
-        return zr_json_string(json, path, NULL, &given.uri) && read_uri(draft, path, given.uri, out);
+        return zr_json_string(json, path, NULL, &given.uri) && read_uri(root, path, given.uri, out);
     if (type != ZR_JSON_OBJECT)
         return zr_json_skip(json) &&
                zr_json_fault(json, path, "expected a data: URI, {\"uri\": ...} or {\"asset\": ...}");
@@ -80,6 +87,6 @@ bool zr_draft_read_bytes(struct zr_draft *draft, struct zr_json *json, const str
     if (zr_json_gives(keys, URI) == zr_json_gives(keys, ASSET))
         return zr_json_fault(json, path, "%s of uri and asset is needed",
                              zr_json_gives(keys, URI) ? "only one" : "one");
-    if (given.uri) return read_uri(draft, ZR_JSON_KEY(path, fields[URI].key), given.uri, out);
-    return given.asset && read_asset(draft, ZR_JSON_KEY(path, fields[ASSET].key), given.asset, out);
+    if (given.uri) return read_uri(root, ZR_JSON_KEY(path, fields[URI].key), given.uri, out);
+    return given.asset && read_asset(root, ZR_JSON_KEY(path, fields[ASSET].key), given.asset, out);
 }

@@ -19,7 +19,7 @@ static const struct zr_json_object object = ZR_JSON_OBJECT_OF("fog", fields);
 
 bool zr_read_fog(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field, void *out)
 {
-    struct zr_draft *draft = out;
+    struct zr_given_scene *root = out;
     struct given_fog given = {.near = -1, .far = -1};
     uint64_t keys;
     (void)field;
@@ -27,7 +27,7 @@ bool zr_read_fog(struct zr_json *json, const struct zr_json_path *path, const st
     if (!(given.near < given.far))
         return zr_json_fault(json, path, "near is %g and far %g: fog begins at near, and far must be farther",
                              (double)given.near, (double)given.far);
-    draft->fog_has_color = zr_json_gives(keys, COLOR);
-    draft->scene->fog = (struct zr_fog){true, {given.color.x, given.color.y, given.color.z}, given.near, given.far};
+    root->fog_has_color = zr_json_gives(keys, COLOR);
+    root->scene->fog = (struct zr_fog){true, {given.color.x, given.color.y, given.color.z}, given.near, given.far};
     return true;
 }

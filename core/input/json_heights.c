@@ -91,7 +91,7 @@ static bool begin_rows(struct zr_json *json, const void *state, void *part, doub
     const struct zr_heights *all = state;
     struct zr_heights *heights = part;
     *heights = (struct zr_heights){.columns = all->columns};
-    return zr_growing_begin_part(json, &all->values, &heights->values, share, 1);
+    return all->columns > 0 && zr_growing_begin_part(json, &all->values, &heights->values, share, 1);
 }
 
 static bool join_rows(struct zr_json *json, void *state, const void *part)

@@ -53,7 +53,7 @@ static void read_light(struct zr_json *json, const struct zr_json_path *path, st
 
 bool zr_read_lights(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field, void *out)
 {
-    struct zr_draft *draft = out;
+    struct zr_given_scene *root = out;
     size_t count, number = 0;
     (void)field;
     if (!zr_json_count(json, path, &count)) return false;
@@ -64,7 +64,7 @@ bool zr_read_lights(struct zr_json *json, const struct zr_json_path *path, const
     if (!lights) return false;
     for (zr_json_enter(json, '['); zr_json_item(json); number++)
         read_light(json, ZR_JSON_ITEM(path, number), &lights[number]);
-    draft->scene->lights = lights;
-    draft->scene->light_count = (uint32_t)number;
+    root->scene->lights = lights;
+    root->scene->light_count = (uint32_t)number;
     return true;
 }

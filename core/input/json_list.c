@@ -63,6 +63,7 @@ static void cut_window(struct window *window, const struct zr_json *json)
         part->at = part->look = at;
         part->end = at = end;
         part->is_ahead = true;
+        part->team = NULL;
         part->arena = &window->parts[window->count].arena;
     }
 }
@@ -122,6 +123,7 @@ bool zr_json_list_read(struct zr_json *json, const struct zr_json_path *path, co
         (json->arena->ceiling - json->arena->used) / 8 > (size_t)WINDOW_PARTS * ROOM_BYTES)
         read_ahead(json, path, list, state);
     if (json->depth == inside && !zr_json_stops(json)) list->read(json, path, state, json->end);
+    zr_json_check_closed(json, inside);
     return !json->ended;
 }
 

@@ -5,7 +5,8 @@
  *         counts only if reading what is before it arrives exactly where it begins: the same place in the same list
  *         means the same result. So nothing is counted first, and a wrong guess costs time only. What is odd or wrong
  *         ends a part: the caller's thread goes on from there alone, and reports.
- * Memory: parts are read into one block of the request's arena, 1.3 MB, which all lists of a text use.
+ * Memory: parts are read into one block of the request's arena, 1.3 MB, which all lists of a text use, one after the
+ *         other: a list inside an item of such a list is read by one thread.
  */
 #ifndef ZR_JSON_LIST_H
 #define ZR_JSON_LIST_H

@@ -20,7 +20,7 @@ bool zr_read_outline(struct zr_json *json, const struct zr_json_path *path, cons
     if (type != ZR_JSON_STRING && type != ZR_JSON_LIST)
         return zr_json_skip(json) && zr_json_fault(json, path, "true, false or a colour is needed");
     if (!zr_json_color(json, path, field, &look->outline_color)) return false;
-    look->outline = ZR_OUTLINE_SAID_IN_COLOR;
+    look->outline = ZR_OUTLINE_SET_COLOR;
     return true;
 }
 
@@ -60,7 +60,7 @@ static int compare_name(const void *name, const void *given)
 bool zr_read_materials(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field,
                        void *out)
 {
-    struct zr_draft *draft = out;
+    struct zr_given_scene *root = out;
     struct zr_growing list = {.size = sizeof(struct zr_given_material)};
     uint64_t keys;
     (void)field;
@@ -72,69 +72,68 @@ bool zr_read_materials(struct zr_json *json, const struct zr_json_path *path, co
                                             .number = list.count,
                                             .base_color = {1, 1, 1, 1},
                                             .shininess = ZR_SHININESS,
-                                            .look = zr_look_unsaid};
+                                            .look = zr_look_unset};
         zr_json_fields(json, ZR_JSON_ITEM(path, list.count), &object, given, &keys);
-        zr_draft_note_alpha(draft, &given->base_color, 1);
+        zr_given_note_alpha(root, &given->base_color, 1);
     }
-    draft->materials_given = list.items;
-    draft->given_count = list.count;
+    root->materials_given = list.items;
+    root->given_count = list.count;
     return true;
 }
 
-static void refuse_repeated_names(struct zr_draft *draft, const struct zr_json_path *path)
+static void refuse_repeated_names(struct zr_given_scene *root, const struct zr_json_path *path)
 {
-    for (size_t i = 1; i < draft->given_count; i++) {
-        const struct zr_given_material *before = &draft->materials_given[i - 1], *given = before + 1;
+    for (size_t i = 1; i < root->given_count; i++) {
+        const struct zr_given_material *before = &root->materials_given[i - 1], *given = before + 1;
         if (*given->name && strcmp(before->name, given->name) == 0)
-            zr_json_fault(&draft->json, ZR_JSON_KEY(ZR_JSON_ITEM(path, given->number), fields[NAME].key),
+            zr_json_fault(&root->json, ZR_JSON_KEY(ZR_JSON_ITEM(path, given->number), fields[NAME].key),
                           "%s is the name of material %zu already", zr_quote(given->name, strlen(given->name)).text,
                           before->number);
     }
 }
 
-void zr_draft_sort_materials(struct zr_draft *draft, const struct zr_json_path *path)
+void zr_given_sort_materials(struct zr_given_scene *root, const struct zr_json_path *path)
 {
-    if (draft->given_count > 0)
-        qsort(draft->materials_given, draft->given_count, sizeof *draft->materials_given, compare_given);
-    refuse_repeated_names(draft, path);
+    if (root->given_count > 0)
+        qsort(root->materials_given, root->given_count, sizeof *root->materials_given, compare_given);
+    refuse_repeated_names(root, path);
 }
 
-size_t zr_draft_find_material(struct zr_draft *draft, const struct zr_json_path *path, const char *name)
+size_t zr_given_find_material(struct zr_given_scene *root, const struct zr_json_path *path, const char *name)
 {
     const struct zr_given_material *given =
-        draft->given_count == 0
-            ? NULL
-            : bsearch(name, draft->materials_given, draft->given_count, sizeof *given, compare_name);
-    if (given) return (size_t)(given - draft->materials_given);
+        root->given_count == 0 ? NULL
+                               : bsearch(name, root->materials_given, root->given_count, sizeof *given, compare_name);
+    if (given) return (size_t)(given - root->materials_given);
     struct zr_nearest nearest = {.word = name};
-    for (size_t i = 0; i < draft->given_count; i++)
-        zr_nearest_offer(&nearest, draft->materials_given[i].name);
-    zr_json_fault(&draft->json, path, "no material has the name %s%s", zr_quote(name, strlen(name)).text,
+    for (size_t i = 0; i < root->given_count; i++)
+        zr_nearest_offer(&nearest, root->materials_given[i].name);
+    zr_json_fault(&root->json, path, "no material has the name %s%s", zr_quote(name, strlen(name)).text,
                   zr_nearest_text(&nearest).text);
-    return draft->given_count;
+    return root->given_count;
 }
 
 /* ---- materials as they are drawn ---- */
 
-uint32_t zr_draft_make_material(struct zr_draft *draft, const struct zr_style *style, bool coloured, bool smooth)
+uint32_t zr_given_make_material(struct zr_given_scene *root, const struct zr_style *style, bool coloured, bool smooth)
 {
-    bool has_given = style->given < draft->given_count;
+    bool has_given = style->given < root->given_count;
     const struct zr_given_material none = {
-        .name = "", .base_color = zr_default_base_color(coloured), .look = zr_look_unsaid};
-    const struct zr_given_material *given = has_given ? &draft->materials_given[style->given] : &none;
-    struct zr_look look = zr_look_over(&style->look, &given->look);
-    look = zr_look_over(&look, &draft->look);
-    if (look.double_sided == ZR_UNSAID) look.double_sided = style->is_open;
+        .name = "", .base_color = zr_default_base_color(coloured), .look = zr_look_unset};
+    const struct zr_given_material *given = has_given ? &root->materials_given[style->given] : &none;
+    struct zr_look look = zr_look_merge(&style->look, &given->look);
+    look = zr_look_merge(&look, &root->look);
+    if (look.double_sided == ZR_UNSET) look.double_sided = style->is_open;
     struct zr_material material = zr_look_material(&look, given->base_color, smooth);
     material.specular = (zr_vec3){given->specular.x, given->specular.y, given->specular.z};
     material.shininess = given->shininess;
-    zr_draft_note_alpha(draft, &material.outline_color, 1);
-    material.plain = style->is_plain && material.shading == ZR_SHADING_UNLIT;
-    return zr_scene_builder_material(draft->builder, &material);
+    zr_given_note_alpha(root, &material.outline_color, 1);
+    material.uniform_color = style->is_uniform && material.shading == ZR_SHADING_UNLIT;
+    return zr_scene_builder_material(root->builder, &material);
 }
 
-void zr_draft_note_alpha(struct zr_draft *draft, const zr_vec4 *colors, size_t count)
+void zr_given_note_alpha(struct zr_given_scene *root, const zr_vec4 *colors, size_t count)
 {
-    for (size_t i = 0; i < count && !draft->transparent; i++)
-        draft->transparent = colors[i].w < 1.0f;
+    for (size_t i = 0; i < count && !root->transparent; i++)
+        root->transparent = colors[i].w < 1.0f;
 }

@@ -98,13 +98,6 @@ static uint32_t known_positions(const struct zr_given_mesh *given)
     return given->positions.items ? (uint32_t)given->positions.count : UINT32_MAX;
 }
 
-/* An index of a list of them, with all complaints. */
-static bool read_index(struct zr_json *json, const struct zr_json_path *path, uint32_t positions, uint32_t *out)
-{
-    if (positions < UINT32_MAX) return zr_json_index(json, path, positions, "positions", out);
-    return zr_json_whole(json, path, NULL, out);
-}
-
 /* The face at hand, when it is not plainly one. */
 static void read_face(struct zr_json *json, const struct zr_json_path *path, uint32_t positions,
                       struct zr_growing *indices)
@@ -119,7 +112,7 @@ static void read_face(struct zr_json *json, const struct zr_json_path *path, uin
             continue;
         }
         if (!(corner = zr_growing_next(indices, json))) return;
-        if (read_index(json, ZR_JSON_ITEM(path, count), positions, corner)) indices->count++;
+        if (zr_json_index(json, ZR_JSON_ITEM(path, count), positions, "positions", corner)) indices->count++;
     }
     if (count < 3 || count > most)
         zr_json_fault(json, path, "a face of %zu corners; 3 to %zu are allowed", count, most);
@@ -199,7 +192,7 @@ static void read_line(struct zr_json *json, const struct zr_json_path *path, uin
     if (!zr_json_list(json, path)) return;
     for (zr_json_enter(json, '['); zr_json_item(json); ends++) {
         if (ends < 2)
-            read_index(json, ZR_JSON_ITEM(path, ends), positions, &line[ends]);
+            zr_json_index(json, ZR_JSON_ITEM(path, ends), positions, "positions", &line[ends]);
         else
             zr_json_skip(json);
     }
@@ -273,13 +266,13 @@ static const struct zr_json_object object = ZR_JSON_OBJECT_OF("mesh", fields);
 
 bool zr_read_meshes(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field, void *out)
 {
-    struct zr_growing *list = &((struct zr_draft *)out)->meshes;
+    struct zr_growing *list = &((struct zr_given_scene *)out)->meshes;
     (void)field;
     list->size = sizeof(struct zr_given_mesh);
     if (!zr_json_list(json, path)) return false;
     for (zr_json_enter(json, '['); zr_json_item(json); list->count++) {
         /* By itself, so that its lists find it where it is, and can be the newest in the arena. */
-        struct zr_given_mesh given = {.look = zr_look_unsaid,
+        struct zr_given_mesh given = {.look = zr_look_unset,
                                       .positions.size = sizeof(zr_vec4),
                                       .normals.size = sizeof(zr_vec3),
                                       .colors.size = sizeof(zr_vec4),
@@ -358,15 +351,15 @@ static void make_faces(struct zr_json *json, const struct zr_json_path *path, co
                       mesh->position_count);
 }
 
-static void make_mesh(struct zr_draft *draft, const struct zr_json_path *path, const struct zr_given_mesh *given,
+static void make_mesh(struct zr_given_scene *root, const struct zr_json_path *path, const struct zr_given_mesh *given,
                       struct zr_mesh *mesh)
 {
-    struct zr_json *json = &draft->json;
-    struct zr_style style = {.given = draft->given_count, .look = given->look, .is_open = gives(given, HEIGHTS)};
+    struct zr_json *json = &root->json;
+    struct zr_style style = {.given = root->given_count, .look = given->look, .is_open = gives(given, HEIGHTS)};
     *mesh = (struct zr_mesh){.name = given->name ? given->name : ""};
     check_shape(json, path, given);
     if (given->material)
-        style.given = zr_draft_find_material(draft, ZR_JSON_KEY(path, fields[MATERIAL].key), given->material);
+        style.given = zr_given_find_material(root, ZR_JSON_KEY(path, fields[MATERIAL].key), given->material);
     if (gives(given, HEIGHTS)) {
         if (!zr_heights_make(json, ZR_JSON_KEY(path, fields[HEIGHTS].key), &given->heights, mesh)) return;
     } else {
@@ -380,16 +373,16 @@ static void make_mesh(struct zr_draft *draft, const struct zr_json_path *path, c
     mesh->colors = one_each(json, path, given, COLORS, &given->colors, mesh->position_count, "positions");
     mesh->face_colors = one_each(json, path, given, FACE_COLORS, &given->face_colors, mesh->face_count, "faces");
     if (json->error->count > 0) return;
-    zr_draft_note_alpha(draft, mesh->colors, mesh->colors ? mesh->position_count : 0);
-    zr_draft_note_alpha(draft, mesh->face_colors, mesh->face_colors ? mesh->face_count : 0);
-    mesh->material = zr_draft_make_material(draft, &style, mesh->colors || mesh->face_colors,
+    zr_given_note_alpha(root, mesh->colors, mesh->colors ? mesh->position_count : 0);
+    zr_given_note_alpha(root, mesh->face_colors, mesh->face_colors ? mesh->face_count : 0);
+    mesh->material = zr_given_make_material(root, &style, mesh->colors || mesh->face_colors,
                                             mesh->normals || mesh->colors || gives(given, HEIGHTS));
     if (gives(given, HEIGHTS)) zr_heights_drop_holes(json->arena, &given->heights, mesh);
 }
 
-void zr_draft_make_meshes(struct zr_draft *draft, const struct zr_json_path *path, struct zr_mesh *meshes)
+void zr_given_make_meshes(struct zr_given_scene *root, const struct zr_json_path *path, struct zr_mesh *meshes)
 {
-    const struct zr_given_mesh *given = draft->meshes.items;
-    for (size_t i = 0; i < draft->meshes.count && !zr_json_stops(&draft->json); i++)
-        make_mesh(draft, ZR_JSON_ITEM(path, i), &given[i], &meshes[i]);
+    const struct zr_given_mesh *given = root->meshes.items;
+    for (size_t i = 0; i < root->meshes.count && !zr_json_stops(&root->json); i++)
+        make_mesh(root, ZR_JSON_ITEM(path, i), &given[i], &meshes[i]);
 }

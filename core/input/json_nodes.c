@@ -241,10 +241,10 @@ static uint32_t count_unplaced(struct zr_arena *arena, const struct reader *read
     return unplaced;
 }
 
-struct zr_instance *zr_draft_read_nodes(struct zr_draft *draft, const struct zr_json_path *path,
+struct zr_instance *zr_given_read_nodes(struct zr_given_scene *root, const struct zr_json_path *path,
                                         const struct zr_mesh *meshes, uint32_t mesh_count, uint32_t *count)
 {
-    struct zr_json there = zr_json_at(&draft->json, draft->nodes), *json = &there;
+    struct zr_json there = zr_json_at(&root->json, root->nodes), *json = &there;
     struct zr_arena *arena = json->arena;
     size_t nodes;
     *count = 0;
@@ -269,7 +269,7 @@ struct zr_instance *zr_draft_read_nodes(struct zr_draft *draft, const struct zr_
     if (!zr_arena_ok(arena) || json->error->count > 0) return NULL;
     struct zr_placement placement = zr_nodes_place(arena, &hierarchy, json->limits->instances_max);
     if (!zr_arena_ok(arena) || !report(&reader, &placement)) return NULL;
-    draft->unplaced_meshes = count_unplaced(arena, &reader);
+    root->unplaced_meshes = count_unplaced(arena, &reader);
     *count = placement.count;
     return placement.instances;
 }

@@ -1,7 +1,7 @@
 #include "input/json_scene.h"
 #include "input/outputs.h"
 
-enum { UNSAID = -1, OUTPUTS_MAX = ZR_CHANNEL_COUNT * ZR_ENCODING_COUNT };
+enum { UNSET = -1, OUTPUTS_MAX = ZR_CHANNEL_COUNT * ZR_ENCODING_COUNT };
 
 struct given_output {
     int channel, encoding, space;
@@ -33,7 +33,7 @@ static bool check_encoding(struct zr_json *json, const struct zr_json_path *path
                            struct zr_output *output)
 {
     output->encoding = zr_channel_rows[output->channel].encodings[0];
-    if (given->encoding == UNSAID) return true;
+    if (given->encoding == UNSET) return true;
     output->encoding = (enum zr_encoding)given->encoding;
     return zr_channel_has(output->channel, output->encoding) ||
            zr_json_fault(json, ZR_JSON_KEY(path, fields[ENCODING].key),
@@ -47,7 +47,7 @@ static bool check_space(struct zr_json *json, const struct zr_json_path *path, c
     const int count = zr_channel_rows[output->channel].space_count;
     const struct zr_names allowed = {count, ZR_SPACE_COUNT, zr_space_names.words};
     const struct zr_json_path *at = ZR_JSON_KEY(path, fields[SPACE].key);
-    if (given->space == UNSAID) return true;
+    if (given->space == UNSET) return true;
     if (count == 0)
         return zr_json_fault(json, at, "the channel %s lies in no space", zr_channel_names.words[output->channel]);
     if (given->space >= count)
@@ -58,10 +58,10 @@ static bool check_space(struct zr_json *json, const struct zr_json_path *path, c
 
 static bool read_output(struct zr_json *json, const struct zr_json_path *path, struct zr_output *output)
 {
-    struct given_output given = {UNSAID, UNSAID, UNSAID, 0};
+    struct given_output given = {UNSET, UNSET, UNSET, 0};
     const size_t faults = json->error->count;
     uint64_t keys;
-    if (!zr_json_fields(json, path, &object, &given, &keys) || json->error->count > faults || given.channel == UNSAID)
+    if (!zr_json_fields(json, path, &object, &given, &keys) || json->error->count > faults || given.channel == UNSET)
         return false;
     *output = (struct zr_output){.channel = (enum zr_channel)given.channel, .scale = given.scale};
     if (!check_encoding(json, path, &given, output) || !check_space(json, path, &given, output)) return false;
@@ -91,7 +91,7 @@ static bool clashes(struct zr_json *json, const struct zr_json_path *path, const
 bool zr_read_outputs(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field,
                      void *out)
 {
-    struct zr_draft *draft = out;
+    struct zr_given_scene *root = out;
     size_t count = 0, number = 0;
     (void)field;
     if (!zr_json_list(json, path)) return false;
@@ -103,7 +103,7 @@ bool zr_read_outputs(struct zr_json *json, const struct zr_json_path *path, cons
         if (read_output(json, at, &output) && !clashes(json, at, outputs, count, &output)) outputs[count++] = output;
     }
     if (number == 0) return zr_json_fault(json, path, "an empty list; leave it out for a colour image");
-    draft->scene->views[0].outputs = outputs;
-    draft->scene->views[0].output_count = (uint32_t)count;
+    root->scene->views[0].outputs = outputs;
+    root->scene->views[0].output_count = (uint32_t)count;
     return true;
 }

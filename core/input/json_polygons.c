@@ -51,8 +51,10 @@ static bool read_ring(struct zr_json *json, const struct zr_json_path *path, con
     const size_t first = positions->count;
     (void)field;
     if (!zr_json_list(json, path)) return false;
-    zr_json_enter(json, '[');
+    if (!zr_json_enter(json, '[')) return false;
+    const unsigned inside = json->depth;
     zr_rows_read_positions(json, path, positions, first, json->end);
+    zr_json_check_closed(json, inside);
     const size_t count = positions->count - first, most = json->limits->polygon_vertices_max;
     const size_t all = positions->count - polygon->first_vertex;
     if (first > polygon->first_vertex && count < 3)
@@ -83,8 +85,10 @@ static bool read_colors(struct zr_json *json, const struct zr_json_path *path, c
     struct zr_growing *colors = &polygon->soup->colors;
     (void)field;
     if (!zr_json_list(json, path) || !fill(colors, json, polygon->first_vertex, &white)) return false;
-    zr_json_enter(json, '[');
+    if (!zr_json_enter(json, '[')) return false;
+    const unsigned inside = json->depth;
     zr_rows_read_colors(json, path, colors, polygon->first_vertex, json->end);
+    zr_json_check_closed(json, inside);
     return true;
 }
 
@@ -96,8 +100,10 @@ static bool read_normals(struct zr_json *json, const struct zr_json_path *path, 
     struct zr_growing *normals = &polygon->soup->normals;
     (void)field;
     if (!zr_json_list(json, path) || !fill(normals, json, polygon->first_vertex, &computed)) return false;
-    zr_json_enter(json, '[');
+    if (!zr_json_enter(json, '[')) return false;
+    const unsigned inside = json->depth;
     zr_rows_read_vec3s(json, path, normals, polygon->first_vertex, json->end);
+    zr_json_check_closed(json, inside);
     return true;
 }
 
@@ -211,14 +217,14 @@ static void read_polygon(struct zr_json *json, const struct zr_json_path *path, 
     struct polygon polygon = {.soup = soup,
                               .first_vertex = soup->positions.count,
                               .color = white,
-                              .style = {.polygon = (uint32_t)soup->offsets.count, .look = zr_look_unsaid}};
+                              .style = {.polygon = (uint32_t)soup->offsets.count, .look = zr_look_unset}};
     uint64_t keys;
     if (!add(&soup->offsets, json, polygon.first_vertex)) return;
     zr_json_fields(json, path, &object, &polygon, &keys);
     const bool has_color = zr_json_gives(keys, COLOR), has_colors = zr_json_gives(keys, COLORS),
                has_normals = zr_json_gives(keys, NORMALS);
-    if (polygon.holes && json->is_ahead) json->ended = true; /* rings are counted by one thread */
-    if (json->error->count > 0 || json->ended) return;       /* nothing will be drawn */
+    if (polygon.holes && json->is_ahead) zr_json_give_up(json); /* rings are counted by one thread */
+    if (json->error->count > 0 || json->ended) return;          /* nothing will be drawn */
     if (polygon.holes || soup->rings.count > 0) read_holes(json, path, &polygon);
     if (has_color || soup->face_colors.items) {
         if (!fill(&soup->face_colors, json, soup->offsets.count - 1, &white) ||
@@ -326,36 +332,36 @@ bool zr_read_polygons(struct zr_json *json, const struct zr_json_path *path, con
     (void)field;
     if (!soup) return false;
     *soup = empty_soup();
-    ((struct zr_draft *)out)->soup = soup;
+    ((struct zr_given_scene *)out)->soup = soup;
     return zr_json_list_read(json, path, &list, soup);
 }
 
 /* ---- a mesh ---- */
 
 /* The material of each style, in place of the number of the style at each face. */
-static void find_materials(struct zr_draft *draft, const struct zr_json_path *path, struct zr_soup *soup)
+static void find_materials(struct zr_given_scene *root, const struct zr_json_path *path, struct zr_soup *soup)
 {
     const struct style *styles = soup->styles.items;
-    uint32_t *materials = zr_arena_alloc(draft->json.arena, soup->styles.count, sizeof *materials);
+    uint32_t *materials = zr_arena_alloc(root->json.arena, soup->styles.count, sizeof *materials);
     uint32_t *faces = soup->face_styles.items;
-    for (size_t i = 0; materials && i < soup->styles.count; i++) {
-        struct zr_style style = {.given = draft->given_count, .look = styles[i].look};
-        const char *name = styles[i].material.at ? zr_json_decode(&draft->json, &styles[i].material) : NULL;
+    for (size_t i = 0; materials && i < soup->styles.count && !zr_json_stops(&root->json); i++) {
+        struct zr_style style = {.given = root->given_count, .look = styles[i].look};
+        const char *name = styles[i].material.at ? zr_json_decode(&root->json, &styles[i].material) : NULL;
         if (name)
-            style.given = zr_draft_find_material(
-                draft, ZR_JSON_KEY(ZR_JSON_ITEM(path, styles[i].polygon), fields[MATERIAL].key), name);
-        style.is_plain = !(styles[i].has & HAS_COLORS);
-        materials[i] = zr_draft_make_material(draft, &style, styles[i].has & (HAS_COLOR | HAS_COLORS),
+            style.given = zr_given_find_material(
+                root, ZR_JSON_KEY(ZR_JSON_ITEM(path, styles[i].polygon), fields[MATERIAL].key), name);
+        style.is_uniform = !(styles[i].has & HAS_COLORS);
+        materials[i] = zr_given_make_material(root, &style, styles[i].has & (HAS_COLOR | HAS_COLORS),
                                               styles[i].has & (HAS_COLORS | HAS_NORMALS));
     }
     for (size_t f = 0; materials && f < soup->face_styles.count; f++)
         faces[f] = materials[faces[f]];
 }
 
-bool zr_draft_make_polygons(struct zr_draft *draft, const struct zr_json_path *path, struct zr_mesh *mesh)
+bool zr_given_make_polygons(struct zr_given_scene *root, const struct zr_json_path *path, struct zr_mesh *mesh)
 {
-    struct zr_json *json = &draft->json;
-    struct zr_soup *soup = draft->soup;
+    struct zr_json *json = &root->json;
+    struct zr_soup *soup = root->soup;
     if (!soup || soup->offsets.count == 0) return false;
     const size_t faces = soup->offsets.count, vertices = soup->positions.count;
     *mesh = (struct zr_mesh){.name = "polygons"};
@@ -363,10 +369,10 @@ bool zr_draft_make_polygons(struct zr_draft *draft, const struct zr_json_path *p
     if (soup->rings.count > 0 &&
         (!add(&soup->rings, json, soup->ring_offsets.count) || !add(&soup->ring_offsets, json, vertices)))
         return true;
-    find_materials(draft, path, soup);
+    find_materials(root, path, soup);
     if (!add(&soup->offsets, json, vertices)) return true;
-    zr_draft_note_alpha(draft, soup->face_colors.items, soup->face_colors.count);
-    zr_draft_note_alpha(draft, soup->colors.items, soup->colors.count);
+    zr_given_note_alpha(root, soup->face_colors.items, soup->face_colors.count);
+    zr_given_note_alpha(root, soup->colors.items, soup->colors.count);
     *mesh = (struct zr_mesh){.name = "polygons",
                              .position_count = (uint32_t)vertices,
                              .positions = soup->positions.items,

@@ -45,10 +45,10 @@ static const struct zr_json_object window_object = ZR_JSON_OBJECT_OF("window", w
 static bool read_window(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field,
                         void *out)
 {
-    struct zr_draft *draft = out;
+    struct zr_given_scene *root = out;
     uint64_t keys;
     (void)field;
-    return zr_json_fields(json, path, &window_object, &draft->scene->views[0], &keys);
+    return zr_json_fields(json, path, &window_object, &root->scene->views[0], &keys);
 }
 
 enum {
@@ -69,7 +69,7 @@ enum {
     NODES,
     FOG
 };
-#define AT(member) offsetof(struct zr_draft, member)
+#define AT(member) offsetof(struct zr_given_scene, member)
 static const struct zr_json_field fields[] = {
     [VERSION] = {"version", read_version, 0, .otherwise = "1", .text = "of the contract"},
     [WINDOW] = {"window", read_window, 0, .text = "the size of the picture"},
@@ -85,11 +85,11 @@ static const struct zr_json_field fields[] = {
                           .otherwise = "none", .text = "none: colours are computed with as they are given"},
     [SAMPLES] = {"samples", read_samples, 0, .otherwise = "1", .text = "for each pixel"},
     [ALGORITHM] = {"algorithm", zr_json_choice, AT(algorithm), .words = &zr_algorithm_names, .otherwise = "halfspace",
-                   .text = "how it is decided what is seen; the picture is the same"},
+                   .text = "the hidden-surface algorithm; all give the same picture"},
     [BASE] = {"base", zr_json_place, AT(base), .text = "a picture that is drawn into"},
     [NODES] = {"nodes", zr_json_place, AT(nodes), .otherwise = "each mesh where it is", .text = "what places meshes"},
     [FOG] = {"fog", zr_read_fog, 0, .text = "what is farther away fades"},
-    ZR_LOOK_FIELDS(struct zr_draft, look),
+    ZR_LOOK_FIELDS(struct zr_given_scene, look),
     {.key = "views"},
     {.key = "turntable"}};
 static const struct zr_json_object object = ZR_JSON_OBJECT_OF("scene", fields);
@@ -100,71 +100,68 @@ static const struct zr_json_object object = ZR_JSON_OBJECT_OF("scene", fields);
 
 /* Meshes in their order, then all polygons as one more. Returns how many meshes are placed
  * by nodes, where there are nodes: all but the polygons. */
-static uint32_t make_meshes(struct zr_draft *draft)
+static uint32_t make_meshes(struct zr_given_scene *root)
 {
-    struct zr_scene *scene = draft->scene;
-    const uint32_t listed = (uint32_t)draft->meshes.count;
-    struct zr_mesh *meshes = zr_scene_builder_meshes(draft->builder, (size_t)listed + 1);
+    struct zr_scene *scene = root->scene;
+    const uint32_t listed = (uint32_t)root->meshes.count;
+    struct zr_mesh *meshes = zr_scene_builder_meshes(root->builder, (size_t)listed + 1);
     if (!meshes) return 0;
-    zr_draft_make_meshes(draft, ROOT_PATH(MESHES), meshes);
-    scene->mesh_count = listed + zr_draft_make_polygons(draft, ROOT_PATH(POLYGONS), &meshes[listed]);
+    zr_given_make_meshes(root, ROOT_PATH(MESHES), meshes);
+    scene->mesh_count = listed + zr_given_make_polygons(root, ROOT_PATH(POLYGONS), &meshes[listed]);
     return listed;
 }
 
 /* Where nodes have the say, they place the `listed` meshes; else each is where it is. The
  * polygons always are. */
-static void place_meshes(struct zr_draft *draft, uint32_t listed)
+static void place_meshes(struct zr_given_scene *root, uint32_t listed)
 {
-    struct zr_scene *scene = draft->scene;
-    uint32_t count = 0, next = draft->nodes ? listed : 0;
-    struct zr_instance *instances = draft->nodes
-                                        ? zr_draft_read_nodes(draft, ROOT_PATH(NODES), scene->meshes, listed, &count)
-                                        : zr_arena_alloc(draft->json.arena, scene->mesh_count, sizeof *instances);
+    struct zr_scene *scene = root->scene;
+    uint32_t count = 0, next = root->nodes ? listed : 0;
+    struct zr_instance *instances = root->nodes
+                                        ? zr_given_read_nodes(root, ROOT_PATH(NODES), scene->meshes, listed, &count)
+                                        : zr_arena_alloc(root->json.arena, scene->mesh_count, sizeof *instances);
     if (!instances) return;
     for (; next < scene->mesh_count; next++)
         instances[count++] = (struct zr_instance){.mesh = next, .object_to_world = zr_mat4_identity()};
-    zr_scene_builder_place(draft->builder, instances, count);
+    zr_scene_builder_place(root->builder, instances, count);
 }
 
 /* `listed`: meshes that nodes may place. */
-static void warn(struct zr_draft *draft, uint32_t listed)
+static void warn(struct zr_given_scene *root, uint32_t listed)
 {
-    struct zr_warning_list *warnings = &draft->builder->warnings;
-    if (draft->transparent)
-        zr_warning_list_add(draft->json.arena, warnings, "transparency is not supported in this version: drawn opaque");
-    if (draft->unplaced_meshes > 0)
-        zr_warning_list_add(draft->json.arena, warnings, "%u of %u meshes are placed by no node and are not drawn",
-                            draft->unplaced_meshes, listed);
-    for (size_t i = 0; i < draft->asset_count; i++)
-        if (!draft->assets_used[i])
-            zr_warning_list_add(draft->json.arena, warnings, "the asset %s is not used by the scene",
-                                zr_quote(draft->assets[i].name, strlen(draft->assets[i].name)).text);
+    struct zr_warning_list *warnings = &root->builder->warnings;
+    if (root->transparent)
+        zr_warning_list_add(root->json.arena, warnings, "transparency is not supported in this version: drawn opaque");
+    if (root->unplaced_meshes > 0)
+        zr_warning_list_add(root->json.arena, warnings, "%u of %u meshes are placed by no node and are not drawn",
+                            root->unplaced_meshes, listed);
+    for (size_t i = 0; i < root->asset_count; i++)
+        if (!root->assets_used[i]) zr_warn_of_unused_asset(root->builder, &root->assets[i]);
 }
 
-static void use_colors(struct zr_draft *draft)
+static void use_colors(struct zr_given_scene *root)
 {
-    struct zr_scene *scene = draft->scene;
-    scene->algorithm = (enum zr_algorithm)draft->algorithm;
-    scene->background = draft->background;
-    if (zr_json_gives(draft->given, AMBIENT))
-        scene->ambient = (zr_vec3){draft->ambient.x, draft->ambient.y, draft->ambient.z};
-    else if (zr_json_gives(draft->given, LIGHTS))
+    struct zr_scene *scene = root->scene;
+    scene->algorithm = (enum zr_algorithm)root->algorithm;
+    scene->background = root->background;
+    if (zr_json_gives(root->given, AMBIENT))
+        scene->ambient = (zr_vec3){root->ambient.x, root->ambient.y, root->ambient.z};
+    else if (zr_json_gives(root->given, LIGHTS))
         scene->ambient = zr_default_ambient_of_own_lights();
-    if (!draft->fog_has_color)
-        scene->fog.color = (zr_vec3){draft->background.x, draft->background.y, draft->background.z};
+    if (!root->fog_has_color) scene->fog.color = (zr_vec3){root->background.x, root->background.y, root->background.z};
 }
 
-static void build(struct zr_draft *draft)
+static void build(struct zr_given_scene *root)
 {
-    struct zr_json *json = &draft->json;
-    use_colors(draft);
-    zr_draft_sort_materials(draft, ROOT_PATH(MATERIALS));
-    const uint32_t listed = make_meshes(draft);
+    struct zr_json *json = &root->json;
+    use_colors(root);
+    zr_given_sort_materials(root, ROOT_PATH(MATERIALS));
+    const uint32_t listed = make_meshes(root);
     if (zr_json_stops(json)) return;
-    place_meshes(draft, listed);
-    if (draft->base) zr_draft_read_base(draft, ROOT_PATH(BASE));
-    if (draft->fit_mesh && zr_arena_ok(json->arena)) zr_draft_find_fit_mesh(draft, ROOT_PATH(VIEW));
-    warn(draft, listed);
+    place_meshes(root, listed);
+    if (root->base) zr_given_read_base(root, ROOT_PATH(BASE));
+    if (root->fit_mesh && zr_arena_ok(json->arena)) zr_given_find_fit_mesh(root, ROOT_PATH(VIEW));
+    warn(root, listed);
 }
 
 /* Looks at the whole text first. */
@@ -182,24 +179,23 @@ enum zr_status zr_json_read(struct zr_scene_builder *builder, const struct zr_re
     struct zr_scene *scene = builder->scene;
     struct zr_limits used = *limits;
     if (used.json_depth_max > ZR_JSON_DEPTH_MAX) used.json_depth_max = ZR_JSON_DEPTH_MAX;
-    struct zr_draft draft = {.json = {.arena = builder->arena,
-                                      .team = builder->team,
-                                      .cancel = request->cancel,
-                                      .limits = &used,
-                                      .error = error},
-                             .builder = builder,
-                             .scene = scene,
-                             .background = scene->background,
-                             .algorithm = (int)scene->algorithm,
-                             .look = zr_look_unsaid,
-                             .asset_count = request->asset_count,
-                             .assets = request->assets,
-                             .stored = request->stored};
-    struct zr_json *json = &draft.json;
+    struct zr_given_scene root = {.json = {.arena = builder->arena,
+                                           .team = builder->team,
+                                           .cancel = request->cancel,
+                                           .limits = &used,
+                                           .error = error},
+                                  .builder = builder,
+                                  .scene = scene,
+                                  .background = scene->background,
+                                  .algorithm = (int)scene->algorithm,
+                                  .look = zr_look_unset,
+                                  .asset_count = request->asset_count,
+                                  .assets = request->assets,
+                                  .stored = request->stored};
+    struct zr_json *json = &root.json;
     zr_json_open(json, request->bytes, request->size);
-    draft.assets_used = zr_arena_zero(builder->arena, draft.asset_count, sizeof *draft.assets_used);
+    root.assets_used = zr_arena_zero(builder->arena, root.asset_count, sizeof *root.assets_used);
     if (used.json_depth_max < DEPTH_OF_LISTS && !is_shallow(json)) return zr_json_close(json);
-    if (draft.assets_used && zr_json_fields(json, NULL, &object, &draft, &draft.given) && zr_json_end(json))
-        build(&draft);
+    if (root.assets_used && zr_json_fields(json, NULL, &object, &root, &root.given) && zr_json_end(json)) build(&root);
     return zr_json_close(json);
 }

@@ -31,7 +31,7 @@ struct zr_given_mesh;
 struct zr_soup;
 
 /* A scene while its JSON is being read. */
-struct zr_draft {
+struct zr_given_scene {
     struct zr_json json;
     struct zr_scene_builder *builder;
     struct zr_scene *scene; /* the builder's */
@@ -62,10 +62,10 @@ struct zr_draft {
 
 /* What a mesh or a polygon says of its looks. */
 struct zr_style {
-    size_t given; /* index into draft->materials_given, or given_count: none */
+    size_t given; /* index into root->materials_given, or given_count: none */
     struct zr_look look;
-    bool is_plain; /* has no colours of its own, whatever others of its mesh have */
-    bool is_open;  /* an open surface: two-sided where nobody says otherwise */
+    bool is_uniform; /* has no colours of its own, whatever others of its mesh have */
+    bool is_open;    /* an open surface: two-sided where nobody says otherwise */
 };
 
 /* json_material.c. The keys of a look have the same names wherever they may stand: rows for the table of an object that
@@ -96,32 +96,32 @@ zr_json_read_fn zr_read_outline; /* struct zr_look */
 
 /* json_material.c: a list of materials; by their names, once the root is read; the index of one by its name, or
  * given_count, and a fault at `path`. */
-zr_json_read_fn zr_read_materials; /* struct zr_draft, as all that follow */
-void zr_draft_sort_materials(struct zr_draft *draft, const struct zr_json_path *path);
-size_t zr_draft_find_material(struct zr_draft *draft, const struct zr_json_path *path, const char *name);
+zr_json_read_fn zr_read_materials; /* struct zr_given_scene, as all that follow */
+void zr_given_sort_materials(struct zr_given_scene *root, const struct zr_json_path *path);
+size_t zr_given_find_material(struct zr_given_scene *root, const struct zr_json_path *path, const char *name);
 
 /* The number of the resolved material. coloured: the mesh has colours of its own;
  * smooth: it has normals or vertex colours. */
-uint32_t zr_draft_make_material(struct zr_draft *draft, const struct zr_style *style, bool coloured, bool smooth);
+uint32_t zr_given_make_material(struct zr_given_scene *root, const struct zr_style *style, bool coloured, bool smooth);
 
 /* Notes colours that are not opaque. */
-void zr_draft_note_alpha(struct zr_draft *draft, const zr_vec4 *colors, size_t count);
+void zr_given_note_alpha(struct zr_given_scene *root, const zr_vec4 *colors, size_t count);
 
-/* json_mesh.c and json_polygons.c: read a list, and make meshes of it once the root is read: as many as draft->meshes
+/* json_mesh.c and json_polygons.c: read a list, and make meshes of it once the root is read: as many as root->meshes
  * has, and one, or none where there is no polygon. */
 zr_json_read_fn zr_read_meshes, zr_read_polygons;
-void zr_draft_make_meshes(struct zr_draft *draft, const struct zr_json_path *path, struct zr_mesh *meshes);
-bool zr_draft_make_polygons(struct zr_draft *draft, const struct zr_json_path *path, struct zr_mesh *mesh);
+void zr_given_make_meshes(struct zr_given_scene *root, const struct zr_json_path *path, struct zr_mesh *meshes);
+bool zr_given_make_polygons(struct zr_given_scene *root, const struct zr_json_path *path, struct zr_mesh *mesh);
 
 /* json_nodes.c: the instances that nodes place, *count of them and room for one more; each
  * mesh is one of meshes[0..mesh_count-1]. NULL where there was a fault, here or before. */
-struct zr_instance *zr_draft_read_nodes(struct zr_draft *draft, const struct zr_json_path *path,
+struct zr_instance *zr_given_read_nodes(struct zr_given_scene *root, const struct zr_json_path *path,
                                         const struct zr_mesh *meshes, uint32_t mesh_count, uint32_t *count);
 
 /* json_view.c: over the defaults that scene->views[0] already has; and, once there are meshes, the one that the view is
  * fitted to. */
 zr_json_read_fn zr_read_view;
-void zr_draft_find_fit_mesh(struct zr_draft *draft, const struct zr_json_path *path);
+void zr_given_find_fit_mesh(struct zr_given_scene *root, const struct zr_json_path *path);
 
 /* Into the scene. */
 zr_json_read_fn zr_read_fog, zr_read_lights, zr_read_outputs;
@@ -132,10 +132,10 @@ struct zr_given_bytes {
     const void *bytes;
     size_t size;
 };
-bool zr_draft_read_bytes(struct zr_draft *draft, struct zr_json *json, const struct zr_json_path *path,
+bool zr_given_read_bytes(struct zr_given_scene *root, struct zr_json *json, const struct zr_json_path *path,
                          struct zr_given_bytes *out);
 
 /* json_base.c. Needs the window, the background, the view and the meshes. */
-void zr_draft_read_base(struct zr_draft *draft, const struct zr_json_path *path);
+void zr_given_read_base(struct zr_given_scene *root, const struct zr_json_path *path);
 
 #endif

@@ -54,7 +54,7 @@ static void write_pointer(const struct zr_json_path *path, char text[POINTER_ROO
 bool zr_json_fault(struct zr_json *json, const struct zr_json_path *path, const char *format, ...)
 {
     char pointer[POINTER_ROOM], detail[ZR_DETAIL_SIZE + 8];
-    if (json->is_ahead) json->ended = true;
+    if (json->is_ahead) zr_json_give_up(json);
     if (json->ended || !zr_arena_ok(json->arena)) return false;
     write_pointer(path, pointer);
     va_list arguments;
@@ -147,7 +147,8 @@ bool zr_json_fields(struct zr_json *json, const struct zr_json_path *path, const
     size_t number = 0;
     *given = 0;
     if (!expect(json, path, ZR_JSON_OBJECT, "an object") || !zr_json_enter(json, '{')) return false;
-    if (take_first(json, object->fields[0].key)) read_field(json, path, object, &key, 0, out, given);
+    if (object->fields[0].read && take_first(json, object->fields[0].key))
+        read_field(json, path, object, &key, 0, out, given);
     while (zr_json_member(json, &key)) {
         number = find_field(object, &key, number < object->count ? number : 0);
         read_field(json, path, object, &key, number, out, given);
@@ -246,8 +247,7 @@ bool zr_json_whole(struct zr_json *json, const struct zr_json_path *path, const 
 bool zr_json_bad_index(struct zr_json *json, const struct zr_json_path *path, double value, uint32_t count,
                        const char *of)
 {
-    if (value >= 0 && value < (double)count)
-        return zr_json_fault(json, path, "index %.9g is not a whole number", value);
+    if (value != floor(value)) return zr_json_fault(json, path, "index %.9g is not a whole number", value);
     return zr_json_fault(json, path, "index %.15g of %u %s%s", value, count, of,
                          count > 0 && value == (double)count ? "; they count from 0" : "");
 }
@@ -256,8 +256,10 @@ bool zr_json_index(struct zr_json *json, const struct zr_json_path *path, uint32
 {
     double value;
     if (!expect(json, path, ZR_JSON_NUMBER, "an index") || !zr_json_take_number(json, &value)) return false;
-    if (!(value >= 0 && value < (double)count) || (double)(uint32_t)value != value)
-        return zr_json_bad_index(json, path, value, count, of);
+    if (!(value >= 0 && value < (double)count) || (double)(uint32_t)value != value) {
+        if (count < UINT32_MAX) return zr_json_bad_index(json, path, value, count, of);
+        return zr_json_fault(json, path, "index %.15g is not a whole number from 0 on", value);
+    }
     *out = (uint32_t)value;
     return true;
 }

@@ -2,7 +2,8 @@
  * tables of fields by which objects are read.
  *
  * Every reader takes one value, right or wrong, and returns false after reporting ZR_BAD_SCENE, so that whoever calls
- * it may go on with what else is there and report up to ZR_ERROR_ITEMS faults at once. *out is untouched then.
+ * it may go on with what else is there and report up to ZR_ERROR_ITEMS faults at once. *out is untouched then. Where
+ * memory fails, a value may stay unread: reading stops at the next item or member.
  */
 #ifndef ZR_JSON_VALUE_H
 #define ZR_JSON_VALUE_H
@@ -27,7 +28,7 @@ struct zr_json_path {
 /* ---- complaints ---- */
 
 /* Reports ZR_BAD_SCENE at `path` (NULL: the root); returns false. Once the arena has failed nothing is reported: what
- * could not be kept looks as if the scene lacked it. */
+ * could not be kept looks as if the scene lacked it. Of a part that is read ahead it is the end. */
 bool zr_json_fault(struct zr_json *json, const struct zr_json_path *path, const char *format, ...)
     __attribute__((format(printf, 3, 4)));
 
@@ -43,7 +44,7 @@ typedef bool zr_json_read_fn(struct zr_json *json, const struct zr_json_path *pa
 /* One key of an object. */
 struct zr_json_field {
     const char *key;
-    zr_json_read_fn *read; /* NULL: the contract has the key, and this version does not */
+    zr_json_read_fn *read; /* NULL: of a later version */
     size_t offset;         /* of what is read, in what the object fills */
     double low, high;      /* of a number */
     const struct zr_names *words;
@@ -51,7 +52,7 @@ struct zr_json_field {
     const char *unit, *otherwise, *text; /* for people: the unit, what holds where the key is not given, what it is */
 };
 
-/* All keys of a kind of object, up to 64. */
+/* All keys of a kind of object, up to 64; the first is one that is read. */
 struct zr_json_object {
     const char *name;
     size_t count;
@@ -89,7 +90,8 @@ zr_json_read_fn zr_json_length, zr_json_positive, zr_json_coordinate;
 /* uint32_t: a whole number, 0..UINT32_MAX. */
 zr_json_read_fn zr_json_whole;
 
-/* A whole number below `count`; `of` names what is counted ("positions"). */
+/* A whole number below `count`, which is UINT32_MAX where nobody knows it yet; `of` names what is counted
+ * ("positions"). */
 bool zr_json_index(struct zr_json *json, const struct zr_json_path *path, uint32_t count, const char *of,
                    uint32_t *out);
 
@@ -119,7 +121,7 @@ bool zr_json_numbers(struct zr_json *json, const struct zr_json_path *path, size
 /* A list; reported where the next value is something else. */
 bool zr_json_list(struct zr_json *json, const struct zr_json_path *path);
 
-/* How many items the list has that is next, which stays the next value. */
+/* How many items the list has that is next, which stays the next value; fewer where reading stops. */
 bool zr_json_count(struct zr_json *json, const struct zr_json_path *path, size_t *count);
 
 #endif

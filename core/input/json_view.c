@@ -143,11 +143,11 @@ static void find_planes(struct zr_given_view *given)
 
 bool zr_read_view(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field, void *out)
 {
-    struct zr_draft *draft = out;
+    struct zr_given_scene *root = out;
     struct zr_given_view given = {.json = json,
                                   .path = path,
-                                  .view = draft->scene->views[0],
-                                  .preset = (int)draft->scene->views[0].preset,
+                                  .view = root->scene->views[0],
+                                  .preset = (int)root->scene->views[0].preset,
                                   .convention = -1,
                                   .pixel_center = 0.5};
     const size_t faults = json->error->count;
@@ -157,16 +157,16 @@ bool zr_read_view(struct zr_json *json, const struct zr_json_path *path, const s
     zr_view_find_pose(&given);
     zr_view_find_projection(&given);
     find_planes(&given);
-    draft->fit_mesh = given.fit_mesh;
-    draft->scene->views[0] = given.view;
+    root->fit_mesh = given.fit_mesh;
+    root->scene->views[0] = given.view;
     return true;
 }
 
-void zr_draft_find_fit_mesh(struct zr_draft *draft, const struct zr_json_path *path)
+void zr_given_find_fit_mesh(struct zr_given_scene *root, const struct zr_json_path *path)
 {
-    const struct zr_scene *scene = draft->scene;
-    struct zr_view *view = &draft->scene->views[0];
-    const char *name = draft->fit_mesh;
+    const struct zr_scene *scene = root->scene;
+    struct zr_view *view = &root->scene->views[0];
+    const char *name = root->fit_mesh;
     const struct zr_json_path *fit = ZR_JSON_KEY(path, zr_view_fields[ZR_VIEW_FIT].key);
     const struct zr_json_path *at = ZR_JSON_KEY(fit, fit_fields[MESH].key);
     struct zr_nearest nearest = {.word = name};
@@ -174,7 +174,7 @@ void zr_draft_find_fit_mesh(struct zr_draft *draft, const struct zr_json_path *p
         zr_nearest_offer(&nearest, scene->meshes[i].name);
         if (*name == '\0' || strcmp(scene->meshes[i].name, name) != 0) continue;
         if (view->fit_to_mesh) {
-            zr_json_fault(&draft->json, at, "two meshes have the name %s: %u and %u", zr_quote(name, strlen(name)).text,
+            zr_json_fault(&root->json, at, "two meshes have the name %s: %u and %u", zr_quote(name, strlen(name)).text,
                           view->fit_mesh, i);
             return;
         }
@@ -182,6 +182,6 @@ void zr_draft_find_fit_mesh(struct zr_draft *draft, const struct zr_json_path *p
         view->fit_mesh = i;
     }
     if (!view->fit_to_mesh)
-        zr_json_fault(&draft->json, at, "no mesh is named %s%s", zr_quote(name, strlen(name)).text,
+        zr_json_fault(&root->json, at, "no mesh is named %s%s", zr_quote(name, strlen(name)).text,
                       zr_nearest_text(&nearest).text);
 }

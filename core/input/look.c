@@ -2,16 +2,16 @@
 
 #include "input/defaults.h"
 
-const struct zr_look zr_look_unsaid = {ZR_UNSAID, ZR_UNSAID, ZR_UNSAID, ZR_UNSAID, {0, 0, 0, 1}};
+const struct zr_look zr_look_unset = {ZR_UNSET, ZR_UNSET, ZR_UNSET, ZR_UNSET, {0, 0, 0, 1}};
 
 static int said(int first, int second)
 {
-    return first != ZR_UNSAID ? first : second;
+    return first != ZR_UNSET ? first : second;
 }
 
-struct zr_look zr_look_over(const struct zr_look *first, const struct zr_look *second)
+struct zr_look zr_look_merge(const struct zr_look *first, const struct zr_look *second)
 {
-    const struct zr_look *outlined = first->outline != ZR_UNSAID ? first : second;
+    const struct zr_look *outlined = first->outline != ZR_UNSET ? first : second;
     return (struct zr_look){.shading = said(first->shading, second->shading),
                             .double_sided = said(first->double_sided, second->double_sided),
                             .fill = said(first->fill, second->fill),
@@ -23,13 +23,13 @@ struct zr_look zr_look_over(const struct zr_look *first, const struct zr_look *s
 struct zr_material zr_look_material(const struct zr_look *look, zr_vec4 base_color, bool smooth)
 {
     struct zr_material material = {.base_color = base_color,
-                                   .shading = look->shading == ZR_UNSAID ? zr_default_shading(smooth)
-                                                                         : (enum zr_shading)look->shading,
+                                   .shading = look->shading == ZR_UNSET ? zr_default_shading(smooth)
+                                                                        : (enum zr_shading)look->shading,
                                    .double_sided = look->double_sided == 1,
-                                   .hollow = look->fill == 0,
+                                   .unfilled = look->fill == 0,
                                    .outline_color = {0, 0, 0, 1}};
-    if (look->outline == ZR_OUTLINE_SAID_IN_COLOR) material.outline_color = look->outline_color;
-    if (look->outline == ZR_OUTLINE_SAID) material.outline = material.hollow ? ZR_OUTLINE_OWN : ZR_OUTLINE_COLORED;
-    if (look->outline == ZR_OUTLINE_SAID_IN_COLOR) material.outline = ZR_OUTLINE_COLORED;
+    if (look->outline == ZR_OUTLINE_SET_COLOR) material.outline_color = look->outline_color;
+    if (look->outline == ZR_OUTLINE_SET_ON) material.outline = material.unfilled ? ZR_OUTLINE_OWN : ZR_OUTLINE_COLORED;
+    if (look->outline == ZR_OUTLINE_SET_COLOR) material.outline = ZR_OUTLINE_COLORED;
     return material;
 }

@@ -2,7 +2,8 @@
 
 #include <stdio.h>
 
-enum { LETTERS_MAX = 40 };
+/* OFFERS_MAX: a scene may have any number of names, and each costs microseconds. */
+enum { LETTERS_MAX = 40, OFFERS_MAX = 1000, DISTANCE_MAX = 2 };
 
 /* Small letters and digits only; how many there are, or LETTERS_MAX + 1. */
 static size_t fold(const char *word, char out[LETTERS_MAX])
@@ -45,10 +46,12 @@ static size_t distance_of(const char *a, size_t a_count, const char *b, size_t b
 void zr_nearest_offer(struct zr_nearest *nearest, const char *known)
 {
     char a[LETTERS_MAX], b[LETTERS_MAX];
+    if (nearest->offers++ >= OFFERS_MAX) return;
     const size_t a_count = fold(nearest->word, a), b_count = fold(known, b);
     if (a_count > LETTERS_MAX || b_count > LETTERS_MAX || a_count == 0) return;
+    if (a_count > b_count + DISTANCE_MAX || b_count > a_count + DISTANCE_MAX) return;
     const size_t distance = distance_of(a, a_count, b, b_count);
-    if (distance > least(2, (b_count - 1) / 3) || (nearest->known && distance >= nearest->distance)) return;
+    if (distance > least(DISTANCE_MAX, (b_count - 1) / 3) || (nearest->known && distance >= nearest->distance)) return;
     nearest->known = known;
     nearest->distance = distance;
 }

@@ -121,7 +121,8 @@ ZR_INLINED const char *zr_number_quicker(const char *at, double *value)
 
 enum { ZR_QUICK_ROW_BYTES = 32 + 8 };
 
-/* Whole numbers of up to 7 digits without leading zeros, the first one behind `at`, one `separator` between two, `most`
+/* Whole numbers of up to 7 digits without leading zeros, the first one behind `at`, one `separator` and perhaps a blank
+ * between two, `most`
  * of them at most, which end within 32 bytes, where ZR_QUICK_ROW_BYTES may be read: each is from + what becomes out[i],
  * which is less than `count`. Returns where the last one ends, *used of them; NULL where there is anything else.
  * All ends are found at once, so that no number waits for the one before. */
@@ -142,8 +143,10 @@ ZR_INLINED const char *zr_number_quick_row(const char *at, char separator, uint3
             *used = i + 1;
             return at + behind;
         }
+        const uint32_t blank = at[behind + 1] == ' ';
         others &= others - 1;
-        start = behind + 1;
+        others &= others - blank;
+        start = behind + 1 + blank;
     }
     return NULL;
 }

@@ -205,11 +205,11 @@ static void read_outline(const struct reading *r, const char *text)
 {
     struct zr_look *look = &r->query->look;
     if (strcmp(text, "false") == 0)
-        look->outline = ZR_OUTLINE_SAID_NONE;
+        look->outline = ZR_OUTLINE_SET_OFF;
     else if (strcmp(text, "true") == 0)
-        look->outline = ZR_OUTLINE_SAID;
+        look->outline = ZR_OUTLINE_SET_ON;
     else if (read_opaque(r, "outline", text, &look->outline_color))
-        look->outline = ZR_OUTLINE_SAID_IN_COLOR;
+        look->outline = ZR_OUTLINE_SET_COLOR;
 }
 
 static void read_fill(const struct reading *r, const char *text)
@@ -233,7 +233,7 @@ enum zr_status zr_query_read(const struct zr_request *request, const struct zr_l
     *query = (struct zr_query){.output = {.channel = ZR_CHANNEL_COLOR, .encoding = ZR_ENCODING_PNG},
                                .view = defaults->views[0],
                                .background = defaults->background,
-                               .look = zr_look_unsaid};
+                               .look = zr_look_unset};
     query->look.double_sided = true; /* nobody said which side is meant */
 #define PARAMETER(name, of, value, words) {#name, request->name, of, read_##name},
     const struct {

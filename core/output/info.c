@@ -232,7 +232,7 @@ static cJSON *build(struct writer *w, const struct zr_scene *scene, const struct
  * name or a text: one in the tree, and printed up to six in memory that doubles, beside what it was copied from. */
 enum { LISTED_BYTES = 2 << 10, OTHER_BYTES = 32 << 10, BYTES_OF_A_CHARACTER = 1 + 3 * 6 };
 
-static bool foresee_memory(const struct zr_scene *scene, const struct zr_warning_list *warnings, uint32_t face_count,
+static bool predict_memory(const struct zr_scene *scene, const struct zr_warning_list *warnings, uint32_t face_count,
                            size_t *bytes)
 {
     const uint32_t faces = face_count <= ZR_INFO_FACES_MAX ? face_count : 0;
@@ -257,8 +257,8 @@ enum zr_status zr_info_write(const struct zr_scene *scene, const struct zr_frame
     for (uint32_t i = 0; i < scene->instance_count; i++)
         face_count += (uint32_t)zr_mesh_ids(&scene->meshes[scene->instances[i].mesh]);
     const struct patch *patches = patches_of(out->arena, frame, face_count);
-    size_t foreseen;
-    if (!patches || !foresee_memory(scene, warnings, face_count, &foreseen) || !zr_arena_charge(out->arena, foreseen))
+    size_t predicted;
+    if (!patches || !predict_memory(scene, warnings, face_count, &predicted) || !zr_arena_charge(out->arena, predicted))
         return ZR_NO_MEMORY;
     struct writer w = {.ok = true};
     cJSON *root = build(&w, scene, frame, depth_scale, misfits, warnings, patches, face_count);
@@ -266,6 +266,6 @@ enum zr_status zr_info_write(const struct zr_scene *scene, const struct zr_frame
     cJSON_Delete(root);
     bool ok = text && zr_buffer_add(out, text, strlen(text)) && zr_buffer_add(out, "\n", 1);
     cJSON_free(text);
-    zr_arena_refund(out->arena, foreseen);
+    zr_arena_refund(out->arena, predicted);
     return ok ? ZR_OK : ZR_NO_MEMORY;
 }

@@ -1,4 +1,4 @@
-/* algorithms.h - raster: the textbooks' ways to decide who is seen, beside production's.
+/* algorithms.h - raster: the textbooks' hidden-surface algorithms, beside production's.
  *
  * Each is a zr_visibility_fn (visibility.h) in a file of its own, whose head names its
  * source. No two of these four find an edge's crossings with the rows of samples in the same

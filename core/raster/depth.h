@@ -27,7 +27,8 @@ static inline struct zr_depth zr_depth_make(const struct zr_window_vertex *verti
     }
     struct zr_plane_basis basis = zr_plane_basis_make(v0, v1, v2);
     depth.plane = zr_plane_make(&basis, v0->z, v1->z, v2->z);
-    if (ZR_MUTANT(no_depth_offset, triangle->pushed, false)) depth.offset = zr_depth_offset(v0, v1, v2, 1.0f, 1.0f);
+    if (ZR_MUTANT(no_depth_offset, triangle->depth_offset, false))
+        depth.offset = zr_depth_offset(v0, v1, v2, 1.0f, 1.0f);
     return depth;
 }
 

@@ -2,10 +2,10 @@
  *
  * Space:  window space; depth 0..1 in a float buffer.
  * Why:    a surface drawn again, as lines on top of it, would fight with itself over
- *         each pixel; pushed back by a multiple of its slope it stays behind.
+ *         each pixel; moved back by a multiple of its slope it stays behind.
  * Use:    z = clamp(zr_plane_at(depth, X, Y) + offset): added to each pixel's depth after
  *         interpolation and before it is brought to 0..1. Not added to the plane's a0,
- *         which rounds differently. Lines and outlines are not pushed. Each piece of a
+ *         which rounds differently. Lines and outlines are not moved. Each piece of a
  *         clipped triangle has an offset of its own.
  * Exact:  llvmpipe's for a depth buffer of floats (the reference's rule 15).
  */

@@ -20,7 +20,7 @@ struct zr_halfspace {
     void (*draw)(struct zr_tile *tile, const struct zr_setup *setup, uint32_t owner);
 
     /* Writes what is not written yet, of any tile. */
-    void (*settle)(struct zr_tile *tile);
+    void (*flush)(struct zr_tile *tile);
 };
 
 const struct zr_halfspace *zr_halfspace_of(enum zr_isa isa);

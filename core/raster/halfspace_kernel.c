@@ -269,9 +269,9 @@ static void begin(struct zr_tile *tile)
     tile->is_empty = false;
 }
 
-static void settle(struct zr_tile *tile)
+static void flush(struct zr_tile *tile)
 {
     write_blocks(tile, UINT32_MAX);
 }
 
-const struct zr_halfspace ZR_KERNEL(zr_halfspace) = {begin, draw, settle};
+const struct zr_halfspace ZR_KERNEL(zr_halfspace) = {begin, draw, flush};

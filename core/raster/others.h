@@ -1,4 +1,4 @@
-/* others.h - raster: which shapes, lines and pushed triangles each tile has to look at. All other
+/* others.h - raster: which shapes, lines and triangles with a depth offset each tile has to look at. All other
  * triangles are in bins (bins.h).
  *
  * A primitive that touches up to ZR_OTHERS_TILES tiles is listed in each of them; a

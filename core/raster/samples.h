@@ -1,4 +1,4 @@
-/* samples.h - raster: who is seen at every sample of a window, for algorithms that do not work
+/* samples.h - raster: visibility at every sample of a window, for algorithms that do not work
  * tile by tile.
  *
  * Space:  window space, y up: sample x, y is at [y * width + x], row 0 the lowest.

@@ -10,7 +10,7 @@
 #include "raster/tile.h"
 
 /* Where the triangles, given by their numbers, are seen (zr_tile_put), writes depths and owners. All of the tile
- * must be written (zr_halfspace.settle). payloads: one a draw, or NULL. */
+ * must be written (zr_halfspace.flush). payloads: one a draw, or NULL. */
 typedef void zr_small_fn(struct zr_tile *tile, const struct zr_geometry *geometry, const struct zr_payload *payloads,
                          const uint32_t *numbers, uint32_t count);
 

@@ -45,8 +45,8 @@ static inline zr_vf zr_tile_put_first_v(float *depth, uint32_t *owners, zr_vm in
 
 /* ---- blocks ---- */
 
-/* Vectors across a block. What is streamed must be written row by row: past the caches go whole lines, or each write is
- * one of its own. */
+/* Vectors across a block. What is streamed must be written row by row: non-temporal stores take whole lines, or each
+ * write is one of its own. */
 enum { ZR_BLOCK_PARTS = ZR_BLOCK_WIDTH / ZR_LANES };
 
 static inline size_t zr_block_first(int block)

@@ -156,7 +156,7 @@ static void draw_tiny_ones(const struct zr_visible *visible, uint32_t number, st
             draw_fragments(visible, (const struct zr_bin_fragments *)b, tile);
 }
 
-/* ---- shapes, lines, pushed triangles ---- */
+/* ---- shapes, lines, triangles with a depth offset ---- */
 
 static void draw_other(const struct zr_visible *visible, const struct zr_draw *draw, uint32_t number,
                        struct zr_tile *tile)
@@ -263,7 +263,7 @@ bool zr_visibility_tile(const struct zr_visible *visible, uint32_t number, const
     /* The largest first: they hide most, and they alone can leave blocks unwritten. */
     if (!draw_wide_ones(visible, number, cancel, tile)) return false;
     if (!has_more(visible, number) && zr_tile_has_whole_blocks(tile)) return true;
-    visible->halfspace->settle(tile);
+    visible->halfspace->flush(tile);
     tile->knows_owners = false;
     tile->has_words = keeps_words(visible, number);
     if (tile->has_words) memset(tile->words, 0, sizeof tile->words);

@@ -1,4 +1,4 @@
-/* visibility.h - raster, the whole floor: primitives -> who is seen, sample by sample.
+/* visibility.h - raster, the whole floor: primitives -> visibility, sample by sample.
  *
  * Production works tile by tile (zr_visibility_tile). The textbooks' other ways stand beside
  * it, each in a file of its own behind zr_visibility_fn. They share the snapped grid, the

@@ -1,4 +1,4 @@
-/* camera.h - scene: what a view leads to (sight.h): matrices.
+/* camera.h - scene: what a view leads to (resolved_view.h): matrices.
  *
  * Space:  world -> eye (the camera looks along -z, y up) -> clip, as in GL.
  * Exact:  a view given as matrices passes through untouched, so that the same

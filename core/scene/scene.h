@@ -37,9 +37,9 @@ struct zr_material {
     zr_vec3 specular;   /* of ZR_SHADING_PHONG */
     float shininess;
     enum zr_shading shading;
-    bool double_sided; /* false: polygons that turn away are not drawn */
-    bool plain;        /* unlit: its faces have one colour each, though others of their mesh have one a vertex */
-    bool hollow;       /* faces are not filled: a wireframe, where there is an outline */
+    bool double_sided;  /* false: polygons that turn away are not drawn */
+    bool uniform_color; /* unlit: its faces have one colour each, though others of their mesh have one a vertex */
+    bool unfilled;      /* faces are not filled: a wireframe, where there is an outline */
     enum zr_outline outline;
     zr_vec4 outline_color;
 };
@@ -160,7 +160,7 @@ struct zr_intrinsics {
     double cx, cy;
 };
 
-/* The independent ways to decide who is seen (raster/): all give the same pixels. */
+/* Hidden-surface algorithms (raster/): all give the same pixels. */
 enum zr_algorithm {
     ZR_ALGORITHM_HALFSPACE, /* production: edge functions, tile by tile */
     ZR_ALGORITHM_EDGELIST,

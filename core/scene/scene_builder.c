@@ -31,8 +31,8 @@ void zr_scene_builder_place(struct zr_scene_builder *builder, const struct zr_in
 
 static bool is_same(const struct zr_material *a, const struct zr_material *b)
 {
-    return a->shading == b->shading && a->double_sided == b->double_sided && a->hollow == b->hollow &&
-           a->plain == b->plain && a->outline == b->outline && a->shininess == b->shininess &&
+    return a->shading == b->shading && a->double_sided == b->double_sided && a->unfilled == b->unfilled &&
+           a->uniform_color == b->uniform_color && a->outline == b->outline && a->shininess == b->shininess &&
            zr_vec4_equal(a->base_color, b->base_color) && zr_vec4_equal(a->outline_color, b->outline_color) &&
            a->specular.x == b->specular.x && a->specular.y == b->specular.y && a->specular.z == b->specular.z;
 }
@@ -50,7 +50,7 @@ static uint32_t hash(const struct zr_material *m)
         value = (value ^ word ^ word >> 16) * 16777619u;
     }
     word = (uint32_t)m->shading << 8 | (uint32_t)m->outline << 4 | (uint32_t)m->double_sided << 2 |
-           (uint32_t)m->hollow << 1 | (uint32_t)m->plain;
+           (uint32_t)m->unfilled << 1 | (uint32_t)m->uniform_color;
     return (value ^ word) * 16777619u;
 }
 

@@ -25,7 +25,7 @@ struct coloring {
 bool zr_material_is_smooth(const struct zr_mesh *mesh, const struct zr_material *material)
 {
     return material->shading >= ZR_SHADING_GOURAUD ||
-           (material->shading == ZR_SHADING_UNLIT && mesh->colors && !material->plain);
+           (material->shading == ZR_SHADING_UNLIT && mesh->colors && !material->uniform_color);
 }
 
 /* Light evaluations of a range, between two looks at the cancellation: less than a millisecond's worth. */

@@ -1,16 +1,16 @@
 #include "shade/frame.h"
 
 #include "raster/tile.h"
-#include "scene/sight.h"
+#include "scene/resolved_view.h"
 
-enum zr_status zr_frame_make(struct zr_arena *arena, const struct zr_view *view, const struct zr_sight *sight,
-                             struct zr_frame *frame)
+enum zr_status zr_frame_make(struct zr_arena *arena, const struct zr_view *view,
+                             const struct zr_resolved_view *resolved, struct zr_frame *frame)
 {
     const size_t pixels = (size_t)view->width * view->height;
     frame->width = view->width;
     frame->height = view->height;
-    frame->bounds = sight->bounds;
-    frame->camera = sight->camera;
+    frame->bounds = resolved->bounds;
+    frame->camera = resolved->camera;
     for (int c = 0; c < ZR_CHANNEL_COUNT; c++) {
         const bool counted = c == ZR_CHANNEL_FACE_ID && zr_view_wants(view, ZR_CHANNEL_INFO);
         const size_t words = zr_channel_rows[c].words;

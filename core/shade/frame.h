@@ -34,11 +34,11 @@ struct zr_frame {
     float deepest;            /* of `depth`, infinity left out; 0 where nothing is */
 };
 
-struct zr_sight;
+struct zr_resolved_view;
 
 /* Room for the channels that the outputs are made of, and what is known of the view. ZR_OK or ZR_NO_MEMORY. */
-enum zr_status zr_frame_make(struct zr_arena *arena, const struct zr_view *view, const struct zr_sight *sight,
-                             struct zr_frame *frame);
+enum zr_status zr_frame_make(struct zr_arena *arena, const struct zr_view *view,
+                             const struct zr_resolved_view *resolved, struct zr_frame *frame);
 
 /* Fills in `reaches`, from which tiles show anything: tile 0 is at the window's lower left. */
 void zr_frame_find_reaches(const struct zr_frame *frame, const uint8_t *occupied);

@@ -24,8 +24,8 @@ enum { ZR_VALUES_FEW = 3, ZR_VALUES_LATE = 9, ZR_VALUES_MOST = 10 };
 struct zr_pixel_rows {
     uint32_t *first;  /* of its lowest row */
     ptrdiff_t stride; /* to the next row above */
-    bool streamed;    /* past the caches, which takes whole lines of them (resolve.c). Others see what is written so
-                         as zr_vi_stream says. */
+    bool streamed; /* by non-temporal stores, which take whole lines of them (resolve.c). Others see what is written so
+                      as zr_vi_stream says. */
 };
 
 /* Where what is shaded of a tile goes. */

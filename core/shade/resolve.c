@@ -153,7 +153,7 @@ struct zr_resolved zr_resolve_tile(const struct zr_geometry *geometry, const str
         paint->depths(tile, &rows);
     }
     const bool points = zr_surface_points_are_wanted(frame);
-    if (frame->depth || points) zr_halfspace_of(isa)->settle(tile); /* these look at every sample */
+    if (frame->depth || points) zr_halfspace_of(isa)->flush(tile); /* these look at every sample */
     if (points)
         zr_surface_points_tile(geometry, zr_eye_depths_of(isa), paint->ends,
                                zr_view_space(&scene->views[0], ZR_CHANNEL_POSITION), tile, frame);

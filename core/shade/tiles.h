@@ -1,4 +1,4 @@
-/* tiles.h - shade: all tiles of a window, one after the other by each thread: who is seen in it, and its pixels in
+/* tiles.h - shade: all tiles of a window, one after the other by each thread: visibility in it, and its pixels in
  * every channel. Nothing of a tile is kept.
  */
 #ifndef ZR_TILES_H

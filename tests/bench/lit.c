@@ -7,7 +7,7 @@
 #include "bench/sides.h"
 #include "input/defaults.h"
 #include "scene/camera.h"
-#include "scene/sight.h"
+#include "scene/resolved_view.h"
 #include "support/look.h"
 
 enum { PLAIN, LIT, DEPTH, SIDES };

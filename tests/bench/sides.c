@@ -25,7 +25,7 @@ void ours_close(struct ours *ours)
 void ours_take(struct ours *ours, const struct work *work, const struct variant *variant)
 {
     subject_make(&ours->subject, &work->drawing);
-    ours->subject.material.plain = variant->shade == WORK_FLAT;
+    ours->subject.material.uniform_color = variant->shade == WORK_FLAT;
     ours->subject.material.double_sided = !variant->culled;
 }
 

@@ -98,12 +98,12 @@ static bool compare(const struct bench *bench, void *context, const struct sink 
 /* ---- is it fast? ---- */
 
 /* What the daemon foresaw over what it took, the median of its log lines. */
-static double foresight(const struct daemon *daemon)
+static double prediction(const struct daemon *daemon)
 {
     static struct series ratios;
     char *log = daemon_log(daemon), *save = NULL;
     for (char *line = log ? strtok_r(log, "\n", &save) : NULL; line; line = strtok_r(NULL, "\n", &save)) {
-        static const char *const keys[] = {"\"foreseenMs\":", "\"renderMs\":", "\"encodeMs\":"};
+        static const char *const keys[] = {"\"predictedMs\":", "\"renderMs\":", "\"encodeMs\":"};
         double ms[3] = {0};
         for (int k = 0; k < 3; k++) {
             const char *at = strstr(line, keys[k]);
@@ -144,9 +144,9 @@ static bool measure(const struct bench *bench, void *context, const struct sink 
         .ours_ms = series_median(&series[OURS]), .theirs_ms = series_median(&series[THEIRS]), .bar = http_bar};
     row.wrong = task->wrong[0];
     name_row(task, row.work, sizeof row.work);
-    snprintf(row.note, sizeof row.note, "parse %.1f, render %.1f, encode %.1f ms; foreseen %.1fx of the last two",
+    snprintf(row.note, sizeof row.note, "parse %.1f, render %.1f, encode %.1f ms; predicted %.1fx of the last two",
              series_median(&series[PARSE]), series_median(&series[RENDER]), series_median(&series[ENCODE]),
-             foresight(&daemon));
+             prediction(&daemon));
     daemon_stop(&daemon);
     if (ok) sink_row(sink, &row);
     return ok;

@@ -175,7 +175,7 @@ for size in 640 640x 640x480x1 -1x5 +5x5 ' 5x5' 5x99999999; do
 done
 for option in --preset=top --shading=flat --size=8x8; do
     check "a scene with ${option%=*} ends with 2" 2 "$client" render scene.json "$option"
-    verdict "and is told where the scene has it" grep -q -e "${option%=*} is for meshes (.obj, .stl); a JSON scene has keys of its own" complained
+    verdict "and is told where the scene has it" grep -q -e "${option%=*} is for meshes, ending with .obj .stl; a JSON scene has keys of its own" complained
 done
 check "a server's word on a parameter" 1 "$client" render "part one.stl" --preset iso
 verdict "is about the option" grep -q "^  --preset: 'iso' is unknown; allowed: front," complained

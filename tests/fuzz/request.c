@@ -4,8 +4,8 @@
 #include <string.h>
 
 #include "fuzz/fuzz.h"
+#include "scene/resolved_view.h"
 #include "scene/scene.h"
-#include "scene/sight.h"
 #include "shade/frame.h"
 
 /* How many corners, over all instances, are drawn; the painter compares them pair by pair. */
@@ -47,18 +47,18 @@ static void expect_message(enum zr_status status, const struct zr_error *error)
         fuzz_expect(*error->items[i].detail, "no message is empty");
 }
 
-static enum zr_status draw(struct zr_arena *arena, const struct zr_scene *scene, const struct zr_sight *sight,
-                           const struct zr_frame **frame)
+static enum zr_status draw(struct zr_arena *arena, const struct zr_scene *scene,
+                           const struct zr_resolved_view *resolved, const struct zr_frame **frame)
 {
     struct zr_error error = {0};
-    enum zr_status status = zr_render(arena, NULL, scene, sight, NULL, frame, &error);
+    enum zr_status status = zr_render(arena, NULL, scene, resolved, NULL, frame, &error);
     if (status != ZR_OK) expect_message(status, &error);
     return status;
 }
 
 /* One of the others, by whatever the corners come to. */
-static void compare_algorithms(struct zr_arena *arena, const struct zr_scene *scene, const struct zr_sight *sight,
-                               const struct zr_frame *frame)
+static void compare_algorithms(struct zr_arena *arena, const struct zr_scene *scene,
+                               const struct zr_resolved_view *resolved, const struct zr_frame *frame)
 {
     const uint64_t corners = corners_of(scene);
     struct zr_scene other = *scene;
@@ -67,7 +67,7 @@ static void compare_algorithms(struct zr_arena *arena, const struct zr_scene *sc
     if (other.algorithm == scene->algorithm ||
         (other.algorithm == ZR_ALGORITHM_PAINTER && corners > CORNERS_MAX_PAINTER))
         return;
-    if (draw(arena, &other, sight, &again) != ZR_OK) return;
+    if (draw(arena, &other, resolved, &again) != ZR_OK) return;
     const size_t pixels = (size_t)scene->views[0].width * scene->views[0].height;
     const struct {
         const char *what;
@@ -87,19 +87,19 @@ static void compare_algorithms(struct zr_arena *arena, const struct zr_scene *sc
 static void go_on(struct zr_arena *arena, const struct zr_scene *scene)
 {
     struct zr_error error = {0};
-    const struct zr_sight *sight = NULL;
+    const struct zr_resolved_view *resolved = NULL;
     const struct zr_frame *frame;
     struct zr_answer answer;
-    enum zr_status status = zr_sight_find(arena, NULL, scene, NULL, &sight, &error);
+    enum zr_status status = zr_resolved_view_find(arena, NULL, scene, NULL, &resolved, &error);
     if (status != ZR_OK) {
         expect_message(status, &error);
         return;
     }
-    struct zr_cost cost = zr_scene_cost(scene, sight, COST_CORNERS, NULL);
+    struct zr_cost cost = zr_scene_cost(scene, resolved, COST_CORNERS, NULL);
     fuzz_expect(cost.triangles >= 0 && cost.fragments >= 0 && cost.pixels > 0, "a cost is a number");
     if (corners_of(scene) > (scene->algorithm == ZR_ALGORITHM_PAINTER ? CORNERS_MAX_PAINTER : CORNERS_MAX)) return;
-    if (draw(arena, scene, sight, &frame) != ZR_OK) return;
-    compare_algorithms(arena, scene, sight, frame);
+    if (draw(arena, scene, resolved, &frame) != ZR_OK) return;
+    compare_algorithms(arena, scene, resolved, frame);
     status = zr_encode(arena, NULL, scene, frame, NULL, &answer, &error);
     if (status != ZR_OK) {
         expect_message(status, &error);

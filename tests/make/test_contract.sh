@@ -15,8 +15,22 @@ lists() { # HEADER FIELD LEAST: at least so many, each of them as `name`, or as 
     done
     [ $named -ge "$3" ]
 }
+keys() { # of all tables of fields, but for those that this version refuses, which have no reader
+    cat core/input/json_*.[ch] | grep -oE '(\{|IMAGE\(|PIXELS\()"[A-Za-z]+", [A-Za-z_]+|\.key = "[A-Za-z]+",' |
+        sed 's/[^"]*"\([A-Za-z]*\)".*/\1/' | sort -u
+}
+names_keys() { # LEAST OTHERS: at least so many, and others
+    named=0
+    for name in $(keys) $2; do
+        named=$((named + 1))
+        grep -q "\`[^\`]*\b$name\b[^\`]*\`" $contract || { echo "# $contract lacks $name" && return 1; }
+    done
+    [ $named -ge "$1" ]
+}
 verdict "every parameter of a query is in the contract" lists core/base/parameter_rows.h 1 17
 verdict "every media type is" lists core/base/format_rows.h 3 7
 verdict "every channel is" lists core/scene/channels.h 2 11
+verdict "every key of a scene is" names_keys 90 ""
+verdict "and a key that is not there would be found" eval "! names_keys 90 notAKey >/dev/null"
 verdict "and what is not there would be found" eval "! lists core/base/parameter_rows.h 3 17 >/dev/null"
 verdicts

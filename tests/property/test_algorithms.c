@@ -240,7 +240,7 @@ static uint32_t random_corners(struct random *random)
     return kind < 5 ? 12 + random_below(random, 100) : 4 + random_below(random, 8);
 }
 
-/* Records with planes of their own, which need not meet: who is seen depends on each. */
+/* Records with planes of their own, which need not meet: visibility depends on each. */
 static void add_records(struct random *random, const struct ring *ring, struct test_geometry *test)
 {
     uint32_t count = random_below(random, 3) ? 1 : 1 + random_below(random, 6);

@@ -4,7 +4,7 @@
 #include <string.h>
 
 #include "geometry/build.h"
-#include "scene/sight.h"
+#include "scene/resolved_view.h"
 #include "shade/surfaces.h"
 #include "support/isas.h"
 #include "support/random.h"

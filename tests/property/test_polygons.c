@@ -354,7 +354,7 @@ static void make_tangle(struct tangle *t, struct random *r)
                                     .colors = t->colors};
     t->test.material.double_sided = random_below(r, 3) > 0;
     t->test.material.outline = (enum zr_outline)random_below(r, 3);
-    t->test.material.hollow = random_below(r, 4) == 0;
+    t->test.material.unfilled = random_below(r, 4) == 0;
 }
 
 static uint32_t polygons_wanted(void)

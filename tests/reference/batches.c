@@ -58,7 +58,7 @@ static bool same_state(const struct reference_batch *a, const struct reference_b
 {
     return a->mode == b->mode && a->modelview == b->modelview && a->smooth == b->smooth && a->light == b->light &&
            a->normal_rows == b->normal_rows && a->cull == b->cull && a->mirrored == b->mirrored &&
-           a->outline == b->outline && a->pushed == b->pushed && a->late == b->late;
+           a->outline == b->outline && a->depth_offset == b->depth_offset && a->late == b->late;
 }
 
 /* Joins the batch before, where the mode allows it and the state is the same. */
@@ -340,8 +340,8 @@ static bool append_face(struct builder *b, const struct source *s)
     uint32_t begin = s->mesh->face_offsets[s->face], end = s->mesh->face_offsets[s->face + 1];
     struct reference_batch batch = state_of(b, s);
     b->out->triangles += end - begin - 2;
-    if (s->material->hollow) return true;
-    batch.pushed = s->material->outline != ZR_OUTLINE_NONE;
+    if (s->material->unfilled) return true;
+    batch.depth_offset = s->material->outline != ZR_OUTLINE_NONE;
     if (batches_face_is_parity(s->mesh, s->face)) return append_parity(b, s, &batch);
     if (is_fan_by_parity(b, s)) return append_fan_by_parity(b, s, &batch);
     const bool as_triangles = end - begin == 3 || b->options.purpose == BATCHES_CHANNELS;

@@ -14,7 +14,7 @@ void drawing_start(struct drawing *drawing, uint32_t width, uint32_t height)
     drawing->position_count = drawing->face_count = drawing->corner_count = 0;
     drawing->ring_count = drawing->line_count = 0;
     drawing->outline = ZR_OUTLINE_NONE;
-    drawing->hollow = drawing->lit = drawing->given_normals = false;
+    drawing->unfilled = drawing->lit = drawing->given_normals = false;
     drawing->light_count = 0;
 }
 

@@ -43,7 +43,7 @@ struct drawing {
     uint32_t *lines; /* two positions each */
 
     enum zr_outline outline;
-    bool hollow; /* outlines alone */
+    bool unfilled; /* outlines alone */
 
     uint32_t corner_count, corner_room;
     uint32_t *indices;

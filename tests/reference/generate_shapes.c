@@ -110,7 +110,7 @@ static zr_mat4 slanted(struct random *r)
 void fill_outlines(struct drawing *drawing, struct random *r)
 {
     drawing->outline = random_below(r, 2) ? ZR_OUTLINE_OWN : ZR_OUTLINE_COLORED;
-    drawing->hollow = true;
+    drawing->unfilled = true;
     fill_shapes(drawing, r);
     fill_polygons(drawing, r);
 }
@@ -118,7 +118,7 @@ void fill_outlines(struct drawing *drawing, struct random *r)
 void fill_outlines_clipped(struct drawing *drawing, struct random *r)
 {
     drawing->outline = random_below(r, 2) ? ZR_OUTLINE_OWN : ZR_OUTLINE_COLORED;
-    drawing->hollow = true;
+    drawing->unfilled = true;
     fill_shapes_clipped(drawing, r);
     fill_polygons_clipped(drawing, r);
 }

@@ -73,7 +73,7 @@ struct reference_batch {
     bool cull;               /* what shows its back is not drawn */
     bool mirrored;           /* clockwise is the front */
     bool outline;            /* edges instead of areas (glPolygonMode) */
-    bool pushed;             /* moved back by glPolygonOffset(1, 1), to make room for outlines */
+    bool depth_offset;       /* moved back by glPolygonOffset(1, 1), to make room for outlines */
 };
 
 /* `front` is what is seen of unlit batches, and the surface's own colour of lit ones. */

@@ -262,7 +262,7 @@ static void draw_batch(const struct reference *reference, const struct reference
     glFrontFace(batch->mirrored ? GL_CW : GL_CCW);
     glPolygonMode(GL_FRONT_AND_BACK, batch->outline ? GL_LINE : GL_FILL);
     enable(GL_CULL_FACE, batch->cull);
-    enable(GL_POLYGON_OFFSET_FILL, batch->pushed);
+    enable(GL_POLYGON_OFFSET_FILL, batch->depth_offset);
     if (program)
         reference_program_batch(program, batch);
     else

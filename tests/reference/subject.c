@@ -15,8 +15,8 @@ void subject_make(struct subject *subject, const struct drawing *drawing)
     subject->material = (struct zr_material){.base_color = {1, 1, 1, 1},
                                              .shading = drawing->lit ? lit : ZR_SHADING_UNLIT,
                                              .double_sided = true,
-                                             .plain = drawing->first_corner,
-                                             .hollow = drawing->hollow,
+                                             .uniform_color = drawing->first_corner,
+                                             .unfilled = drawing->unfilled,
                                              .outline = drawing->outline,
                                              .outline_color = {0.25f, 0.5f, 0.125f, 1}};
     bool per_vertex = drawing->smooth || drawing->first_corner;

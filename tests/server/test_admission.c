@@ -24,7 +24,7 @@ static void remove_file(const char *folder, const char *name)
     unlink(path);
 }
 
-static void scene_foreseen_over_the_budget_gives_422_with_the_figures(void **state)
+static void scene_predicted_over_the_budget_gives_422_with_the_figures(void **state)
 {
     (void)state;
     struct daemon daemon = daemon_start((const char *const[]){"--cost-max-ms=50", NULL});
@@ -37,7 +37,7 @@ static void scene_foreseen_over_the_budget_gives_422_with_the_figures(void **sta
     free(scene);
     assert_int_equal(client_render_status(&daemon, GOOD_SCENE), 200);
     char *line = daemon_wait_for_log(&daemon, "\"status\":200");
-    assert_non_null(strstr(line, "\"foreseenMs\":"));
+    assert_non_null(strstr(line, "\"predictedMs\":"));
     free(line);
     daemon_stop(&daemon);
 }
@@ -86,7 +86,7 @@ static void control_group_nearly_full_gives_503_until_it_is_not(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(scene_foreseen_over_the_budget_gives_422_with_the_figures),
+        cmocka_unit_test(scene_predicted_over_the_budget_gives_422_with_the_figures),
         cmocka_unit_test(control_group_nearly_full_gives_503_until_it_is_not),
     };
     return cmocka_run_group_tests_name("admission", tests, NULL, NULL);

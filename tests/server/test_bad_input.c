@@ -69,8 +69,8 @@ static void check_suite_file(const char *folder, const char *name)
     struct reply reply =
         client_send(&server, "POST", "/v1/render", (const char *const[]){JSON_TYPE, NULL}, bytes, size);
     const bool is_deep = reply.status == 422 && strstr(reply.body, "nested deeper than"); /* judged as soon as it is */
-    bool is_right = name[0] == 'n' ? reply.status == 400 || is_deep
-                                   : reply.status > 0 && reply.status != 400 && reply.status < 500;
+    bool is_right =
+        name[0] == 'n' ? reply.status == 400 || is_deep : reply.status > 0 && reply.status != 400 && reply.status < 500;
     if (!is_right) fail_msg("%s: got %ld %s", name, reply.status, reply.body);
     reply_free(&reply);
     free(bytes);

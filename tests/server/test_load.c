@@ -25,7 +25,7 @@ struct post {
     bool has_retry_after;
 };
 
-/* Slow scenes are what these tests are about: none is refused for what it is foreseen to take. */
+/* Slow scenes are what these tests are about: none is refused for what it is predicted to take. */
 #define LET_IN "--cost-max-ms=86400000"
 
 static void *run_post(void *argument)

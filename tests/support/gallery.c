@@ -247,7 +247,7 @@ static bool make_outlines(struct set *s)
     return true;
 }
 
-/* A hollow soup in its own colours, and lines across the window. */
+/* A unfilled soup in its own colours, and lines across the window. */
 static bool make_wires(struct set *s)
 {
     enum { POINTS = 300, LINES = 600, FACES = 200 };
@@ -262,7 +262,7 @@ static bool make_wires(struct set *s)
         s->indices[i] = random_below(&s->random, POINTS);
     for (uint32_t f = 0; f <= FACES; f++)
         s->face_offsets[f] = 3 * f;
-    s->material.hollow = true;
+    s->material.unfilled = true;
     s->material.outline = ZR_OUTLINE_OWN;
     return true;
 }

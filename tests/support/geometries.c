@@ -114,7 +114,7 @@ static enum zr_status draw_tiles(struct zr_arena *arena, const struct zr_geometr
         zr_visible_make(arena, NULL, geometry, NULL, samples->width, samples->height, NULL, &visible);
     for (uint32_t t = 0; status == ZR_OK && t < zr_tile_count(samples->width, samples->height); t++) {
         zr_visibility_tile(&visible, t, NULL, NULL, &tile);
-        if (!tile.is_empty) visible.halfspace->settle(&tile);
+        if (!tile.is_empty) visible.halfspace->flush(&tile);
         for (int32_t y = 0; y < tile.height; y++)
             for (int32_t x = 0; x < tile.width; x++) {
                 size_t i = (size_t)(tile.y + y) * samples->width + (size_t)(tile.x + x);

@@ -2,7 +2,7 @@
 
 #include <string.h>
 
-#include "scene/sight.h"
+#include "scene/resolved_view.h"
 #include "support/cmocka_all.h"
 
 void scene_of_triangles(struct test_scene *test, uint32_t width, uint32_t height, const zr_vec4 *positions,
@@ -67,12 +67,12 @@ struct zr_answer scene_encode(struct zr_arena *arena, struct zr_team *team, cons
 struct zr_cost scene_cost(const struct zr_scene *scene, uint32_t corners_max)
 {
     struct zr_error error = {.count = 0};
-    const struct zr_sight *sight = NULL;
+    const struct zr_resolved_view *resolved = NULL;
     struct zr_arena arena;
     zr_arena_init(&arena, 1 << 20);
-    enum zr_status status = zr_sight_find(&arena, NULL, scene, NULL, &sight, &error);
+    enum zr_status status = zr_resolved_view_find(&arena, NULL, scene, NULL, &resolved, &error);
     if (status != ZR_OK) fail_msg("status %d: %s", (int)status, error.count ? error.items[0].detail : "");
-    const struct zr_cost cost = zr_scene_cost(scene, sight, corners_max, NULL);
+    const struct zr_cost cost = zr_scene_cost(scene, resolved, corners_max, NULL);
     zr_arena_free(&arena);
     return cost;
 }

@@ -5,7 +5,7 @@
 
 #include "guarded.h"
 #include "scene/camera_parts.h"
-#include "scene/sight.h"
+#include "scene/resolved_view.h"
 #include "support/isas.h"
 #include "support/look.h"
 #include "support/random.h"

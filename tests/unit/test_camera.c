@@ -2,7 +2,7 @@
 #include <string.h>
 
 #include "scene/camera.h"
-#include "scene/sight.h"
+#include "scene/resolved_view.h"
 #include "support/cmocka_all.h"
 #include "support/scenes.h"
 

@@ -1,4 +1,6 @@
 /* Faults in the large lists of a scene: wherever one is, the pointer to it. */
+#include <time.h>
+
 #include "base/team.h"
 #include "json_texts.h"
 
@@ -186,6 +188,62 @@ static void text_cut_short_anywhere_is_bad_syntax(void **state)
     drop(&text);
 }
 
+static void text_cut_in_a_list_names_the_bracket_of_the_list(void **state)
+{
+    (void)state;
+    static const char *const cuts[][2] = {
+        {"{\"polygons\":[", "expected a value or ']', found the end"},
+        {"{\"meshes\":[{\"positions\":[", "expected a value or ']', found the end"},
+        {"{\"meshes\":[{\"heights\":[", "expected a value or ']', found the end"},
+        {"{\"meshes\":[{\"positions\":[[0,0,0]", "expected ',' or ']', found the end"},
+        {"{\"meshes\":[{\"positions\":[[0,0,0],", "expected a value, found the end"},
+        {"{\"meshes\":[{\"faces\":[[0,1,2]", "expected ',' or ']', found the end"},
+        {"{\"polygons\":[{}", "expected ',' or ']', found the end"},
+        {"{\"polygons\":[{\"vertices\":[[0,0,0]", "expected ',' or ']', found the end"},
+        {"{\"polygons\":[{\"colors\":[", "expected a value or ']', found the end"},
+        {"{\"polygons\":[{\"vertices\":[[0,0,0]]", "expected ',' or '}', found the end"}};
+    for (size_t i = 0; i < sizeof cuts / sizeof *cuts; i++)
+        refuses(ZR_FORMAT_JSON, cuts[i][0], ZR_BAD_SYNTAX, "", cuts[i][1]);
+}
+
+static void indices_before_their_positions_have_the_same_complaints(void **state)
+{
+    (void)state;
+    static const char *const words[] = {"expected an index, found a string", "index -1",
+                                        "index 2.5 is not a whole number"};
+    struct reading *first = read_text(ZR_FORMAT_JSON, "{\"meshes\":[{" POSITIONS ",\"faces\":[[\"0\",-1,2.5]]}]}"),
+                   *last = read_text(ZR_FORMAT_JSON, "{\"meshes\":[{\"faces\":[[\"0\",-1,2.5]]," POSITIONS "}]}");
+    for (int i = 0; i < 3; i++) {
+        assert_string_equal(first->error.items[i].pointer, last->error.items[i].pointer);
+        assert_non_null(strstr(first->error.items[i].detail, words[i]));
+        assert_non_null(strstr(last->error.items[i].detail, words[i]));
+    }
+    reading_free(first);
+    reading_free(last);
+}
+
+/* A suggestion for each of thousands, out of thousands, would take minutes. */
+static void thousands_of_unknown_materials_are_told_at_once(void **state)
+{
+    (void)state;
+    struct text text = {0};
+    add(&text, "{\"materials\":[");
+    for (size_t i = 0; i < 20000; i++)
+        add(&text, "%s{\"name\":\"abcdabcdabcdabcdabcdabcdabcd%08zu\"}", i ? "," : "", i);
+    add(&text, "],\"polygons\":[");
+    for (size_t i = 0; i < 20000; i++)
+        add(&text, "%s" CORNERS ",\"material\":\"abcdabcdabcdabcdabcdabcdabce%08zu\"}", i ? "," : "", i + 50000);
+    add(&text, "]}");
+    const clock_t begin = clock();
+    struct reading *reading = read_bytes(ZR_FORMAT_JSON, text.bytes, text.size);
+    const double seconds = (double)(clock() - begin) / CLOCKS_PER_SEC;
+    assert_complaint(reading, ZR_BAD_SCENE, "/polygons/0/material", "no material has the name");
+    assert_int_equal(reading->error.count, ZR_ERROR_ITEMS);
+    assert_true(seconds < 30); /* 0.2 s; it was 40 minutes */
+    reading_free(reading);
+    drop(&text);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -193,6 +251,9 @@ int main(void)
         cmocka_unit_test(last_fault_that_is_kept_is_the_last_complaint),
         cmocka_unit_test(bad_syntax_in_a_list_comes_before_other_faults),
         cmocka_unit_test(text_cut_short_anywhere_is_bad_syntax),
+        cmocka_unit_test(text_cut_in_a_list_names_the_bracket_of_the_list),
+        cmocka_unit_test(indices_before_their_positions_have_the_same_complaints),
+        cmocka_unit_test(thousands_of_unknown_materials_are_told_at_once),
     };
     return cmocka_run_group_tests_name("json_list_faults", tests, NULL, NULL);
 }

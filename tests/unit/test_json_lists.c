@@ -92,11 +92,11 @@ static void polygons_written_alike_are_alike(void **state)
             if (face == 3) continue;
             assert_memory_equal(&material->base_color, &first->base_color, sizeof first->base_color);
             assert_int_equal(material->double_sided, first->double_sided);
-            assert_int_equal(material->hollow, first->hollow);
+            assert_int_equal(material->unfilled, first->unfilled);
             assert_int_equal(material->shading, first->shading);
             assert_int_equal(material->outline, first->outline);
             assert_int_equal(first->double_sided, strstr(rest[i], "doubleSided") != NULL);
-            assert_int_equal(first->hollow, strstr(rest[i], "fill") != NULL);
+            assert_int_equal(first->unfilled, strstr(rest[i], "fill") != NULL);
         }
         reading_free(reading);
         drop(&text);

@@ -17,12 +17,12 @@ static void outline_alone_is_black_on_faces_and_their_own_colour_without(void **
     struct reading *reading = read_scene("{\"polygons\": [{" TRIANGLE ", \"outline\": true}]}");
     const struct zr_material *material = material_of_first_face(reading);
     assert_int_equal(material->outline, ZR_OUTLINE_COLORED);
-    assert_true(material->outline_color.x == 0 && material->outline_color.w == 1 && !material->hollow);
+    assert_true(material->outline_color.x == 0 && material->outline_color.w == 1 && !material->unfilled);
     reading_free(reading);
     reading = read_scene("{\"polygons\": [{" TRIANGLE ", \"outline\": true, \"fill\": false}]}");
     material = material_of_first_face(reading);
     assert_int_equal(material->outline, ZR_OUTLINE_OWN);
-    assert_true(material->hollow);
+    assert_true(material->unfilled);
     reading_free(reading);
 }
 
@@ -35,8 +35,8 @@ static void outline_may_be_a_colour(void **state)
     assert_read(reading);
     const uint32_t *numbers = reading->scene->meshes[0].face_materials;
     const struct zr_material *materials = reading->scene->materials;
-    assert_true(materials[numbers[0]].outline_color.x == 1 && !materials[numbers[0]].hollow);
-    assert_true(materials[numbers[1]].outline_color.y == 1 && materials[numbers[1]].hollow);
+    assert_true(materials[numbers[0]].outline_color.x == 1 && !materials[numbers[0]].unfilled);
+    assert_true(materials[numbers[1]].outline_color.y == 1 && materials[numbers[1]].unfilled);
     assert_int_equal(materials[numbers[1]].outline, ZR_OUTLINE_COLORED);
     assert_int_equal(numbers[1], numbers[2]);
     reading_free(reading);
@@ -55,10 +55,10 @@ static void nearest_word_on_looks_counts(void **state)
     const struct zr_material *scene_wide = &reading->scene->materials[numbers[0]],
                              *by_material = &reading->scene->materials[numbers[1]],
                              *by_polygon = &reading->scene->materials[numbers[2]];
-    assert_true(scene_wide->outline == ZR_OUTLINE_COLORED && scene_wide->outline_color.z == 1 && scene_wide->hollow);
-    assert_true(by_material->outline == ZR_OUTLINE_NONE && by_material->hollow && by_material->double_sided);
+    assert_true(scene_wide->outline == ZR_OUTLINE_COLORED && scene_wide->outline_color.z == 1 && scene_wide->unfilled);
+    assert_true(by_material->outline == ZR_OUTLINE_NONE && by_material->unfilled && by_material->double_sided);
     assert_true(by_polygon->outline == ZR_OUTLINE_COLORED && by_polygon->outline_color.z == 0);
-    assert_true(!by_polygon->hollow && !by_polygon->double_sided && by_polygon->shading == ZR_SHADING_UNLIT);
+    assert_true(!by_polygon->unfilled && !by_polygon->double_sided && by_polygon->shading == ZR_SHADING_UNLIT);
     reading_free(reading);
 }
 

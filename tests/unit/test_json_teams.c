@@ -118,12 +118,56 @@ static void rows_of_any_length_are_read(void **state)
     }
 }
 
+/* Too deep an item in a list of which parts are read ahead: nobody goes on in it for ever. */
+static void too_deep_an_item_ends_every_team(void **state)
+{
+    (void)state;
+    static const char *const lists[] = {"positions", "normals", "colors", "faces", "lines", "heights"};
+    for (size_t i = 0; i < sizeof lists / sizeof *lists; i++)
+        for (size_t deep = 0; deep < 30000; deep += 2999) {
+            struct text text = {0};
+            add(&text, "{\"meshes\":[{\"%s\":[[0,1,0]", lists[i]);
+            for (size_t k = 0; k < 30000; k++) {
+                if (k != deep) add(&text, ",[0,1,0]");
+                for (size_t level = 0; k == deep && level < 100; level++)
+                    add(&text, level ? "[" : ",[");
+            }
+            struct reading *alone = read_by_all(ZR_FORMAT_JSON, &text);
+            assert_complaint(alone, ZR_BAD_SCENE, "", "nested deeper than 64 levels");
+            reading_free(alone);
+            drop(&text);
+        }
+}
+
+/* What the first row is, no part can know by itself. */
+static void heights_that_begin_oddly_have_the_same_complaints(void **state)
+{
+    (void)state;
+    for (size_t rows = 60; rows < 100; rows++) {
+        struct text text = {0};
+        add(&text, "{\"meshes\":[{\"heights\":[\"");
+        for (size_t k = 0; k < 20; k++)
+            add(&text, "%01000d", 0);
+        add(&text, "\"");
+        for (size_t k = 0; k < rows + 240; k++)
+            add(&text, k < rows ? ",[1,2,3%1000s]" : ",[1,2,3,4%1000s]", "");
+        add(&text, "]}]}");
+        struct reading *alone = read_by_all(ZR_FORMAT_JSON, &text);
+        assert_complaint(alone, ZR_BAD_SCENE, "/meshes/0/heights/0", "expected a list, found a string");
+        assert_true(alone->error.count >= ZR_ERROR_ITEMS);
+        reading_free(alone);
+        drop(&text);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(every_team_reads_the_same_scene),
         cmocka_unit_test(every_team_has_the_same_complaints),
         cmocka_unit_test(rows_of_any_length_are_read),
+        cmocka_unit_test(too_deep_an_item_ends_every_team),
+        cmocka_unit_test(heights_that_begin_oddly_have_the_same_complaints),
     };
     return cmocka_run_group_tests_name("json_teams", tests, start_teams, end_teams);
 }

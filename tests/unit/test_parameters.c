@@ -74,12 +74,12 @@ static void query_says_how_a_mesh_looks(void **state)
     assert_true(reading->scene->background.w == 0);
     assert_int_equal(material->outline, ZR_OUTLINE_COLORED);
     assert_true(material->outline_color.z == 1 && material->outline_color.x == 0);
-    assert_false(material->double_sided || material->hollow);
+    assert_false(material->double_sided || material->unfilled);
     reading_free(reading);
     reading = read_triangle((struct zr_request){.outline = "true", .fill = "false", .background = "#0000"});
     material = &reading->scene->materials[0];
     assert_int_equal(material->outline, ZR_OUTLINE_OWN);
-    assert_true(material->double_sided && material->hollow);
+    assert_true(material->double_sided && material->unfilled);
     reading_free(reading);
     reading = read_triangle((struct zr_request){.outline = "false"});
     assert_int_equal(reading->scene->materials[0].outline, ZR_OUTLINE_NONE);
@@ -93,7 +93,8 @@ static void wrong_query_gives_bad_request_naming_the_parameter(void **state)
         struct zr_request request;
         const char *detail;
     } cases[] = {
-        {{.format = ZR_FORMAT_OBJ, .channel = "colour"}, "channel: 'colour' is unknown (did you mean color?); allowed: color, depth"},
+        {{.format = ZR_FORMAT_OBJ, .channel = "colour"},
+         "channel: 'colour' is unknown (did you mean color?); allowed: color, depth"},
         {{.format = ZR_FORMAT_OBJ, .channel = "texcoord"}, "channel: 'texcoord' is not supported"},
         {{.format = ZR_FORMAT_OBJ, .channel = "depth", .encoding = "png"}, "encoding: 'png' is not one"},
         {{.format = ZR_FORMAT_OBJ, .channel = "depth", .scale = "2"}, "scale: only the encoding png16"},

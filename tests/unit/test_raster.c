@@ -32,7 +32,7 @@ static void draw(struct zr_tile *tile, const struct zr_window_vertex v[3])
 static void draw_tile(const struct zr_visible *visible, uint32_t number, struct zr_tile *tile)
 {
     assert_true(zr_visibility_tile(visible, number, NULL, NULL, tile));
-    if (!tile->is_empty) visible->halfspace->settle(tile);
+    if (!tile->is_empty) visible->halfspace->flush(tile);
 }
 
 /* At the origin. */

@@ -18,7 +18,7 @@ enum { ARENA_BYTES = 1 << 28, MESSAGE_SIZE = 512 };
 struct trial {
     struct folder folder;
     struct config config;
-    struct foresight foresight;
+    struct prediction prediction;
     struct service service;
 };
 
@@ -29,14 +29,14 @@ static void trial_open(struct trial *trial)
     trial->folder = folder_make();
     struct store *store = store_open(trial->folder.path, trial->config.assets_max_bytes, message, sizeof message);
     if (!store) fail_msg("%s", message);
-    foresight_init(&trial->foresight);
-    service_init(&trial->service, &trial->config, NULL, &trial->foresight, store);
+    prediction_init(&trial->prediction);
+    service_init(&trial->service, &trial->config, NULL, &trial->prediction, store);
 }
 
 static void trial_close(struct trial *trial)
 {
     store_close(trial->service.store);
-    foresight_free(&trial->foresight);
+    prediction_free(&trial->prediction);
     folder_remove(&trial->folder);
 }
 

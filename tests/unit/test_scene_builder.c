@@ -3,9 +3,9 @@
 #include "scene/scene_builder.h"
 #include "support/cmocka_all.h"
 
-static struct zr_material material(float red, bool hollow)
+static struct zr_material material(float red, bool unfilled)
 {
-    return (struct zr_material){.base_color = {red, 0, 0, 1}, .hollow = hollow, .outline_color = {0, 0, 0, 1}};
+    return (struct zr_material){.base_color = {red, 0, 0, 1}, .unfilled = unfilled, .outline_color = {0, 0, 0, 1}};
 }
 
 static void equal_materials_have_one_number(void **state)
@@ -18,9 +18,9 @@ static void equal_materials_have_one_number(void **state)
     struct zr_scene_builder builder = zr_scene_builder_open(&arena, NULL, &scene);
     for (int again = 0; again < 2; again++)
         for (uint32_t i = 0; i < KINDS; i++) {
-            const struct zr_material filled = material((float)i, false), hollow = material((float)i, true);
+            const struct zr_material filled = material((float)i, false), unfilled = material((float)i, true);
             assert_int_equal(zr_scene_builder_material(&builder, &filled), 2 * i);
-            assert_int_equal(zr_scene_builder_material(&builder, &hollow), 2 * i + 1);
+            assert_int_equal(zr_scene_builder_material(&builder, &unfilled), 2 * i + 1);
         }
     const struct zr_material minus_zero = material(-0.0f, false);
     assert_int_equal(zr_scene_builder_material(&builder, &minus_zero), 0);
@@ -28,7 +28,7 @@ static void equal_materials_have_one_number(void **state)
     assert_int_equal(scene.material_count, 2 * KINDS);
     for (uint32_t i = 0; i < 2 * KINDS; i++) {
         assert_true(scene.materials[i].base_color.x == (float)(i / 2));
-        assert_int_equal(scene.materials[i].hollow, i % 2);
+        assert_int_equal(scene.materials[i].unfilled, i % 2);
     }
     zr_arena_free(&arena);
 }

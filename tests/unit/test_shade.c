@@ -4,7 +4,7 @@
 
 #include "geometry/build.h"
 #include "raster/visibility.h"
-#include "scene/sight.h"
+#include "scene/resolved_view.h"
 #include "shade/paint.h"
 #include "support/isas.h"
 #include "support/random.h"
@@ -378,8 +378,9 @@ static void faces_may_have_any_colour_beside_any_background(void **state)
     zr_arena_free(&arena);
 }
 
-/* Of a view that is fitted, from a sight that was found before or while it is drawn; the sight is what decides. */
-static void picture_is_that_of_its_sight(void **state)
+/* Of a view that is fitted, from a resolved that was found before or while it is drawn; the resolved is what decides.
+ */
+static void picture_is_that_of_its_view(void **state)
 {
     (void)state;
     const zr_vec4 p[] = {{-1, -1, 0, 1}, {3, -1, 1, 1}, {-1, 3, 2, 1}};
@@ -389,16 +390,16 @@ static void picture_is_that_of_its_sight(void **state)
     struct zr_arena arena;
     zr_arena_init(&arena, 1 << 24);
     struct zr_error error = {.count = 0};
-    const struct zr_sight *sight;
+    const struct zr_resolved_view *resolved;
     const struct zr_frame *found_before, *found_by_it, *narrow;
-    assert_int_equal(zr_sight_find(&arena, NULL, &test.scene, NULL, &sight, &error), ZR_OK);
-    assert_int_equal(zr_render(&arena, NULL, &test.scene, sight, NULL, &found_before, &error), ZR_OK);
+    assert_int_equal(zr_resolved_view_find(&arena, NULL, &test.scene, NULL, &resolved, &error), ZR_OK);
+    assert_int_equal(zr_render(&arena, NULL, &test.scene, resolved, NULL, &found_before, &error), ZR_OK);
     assert_int_equal(zr_render(&arena, NULL, &test.scene, NULL, NULL, &found_by_it, &error), ZR_OK);
     assert_memory_equal(found_before->color, found_by_it->color, 64 * 48 * 4);
-    assert_memory_equal(&found_before->camera, &found_by_it->camera, sizeof sight->camera);
+    assert_memory_equal(&found_before->camera, &found_by_it->camera, sizeof resolved->camera);
     assert_memory_equal(&found_before->bounds.min, &found_by_it->bounds.min, sizeof(zr_vec3));
     assert_true(found_by_it->bounds.valid && found_by_it->covered_pixels > 200);
-    struct zr_sight narrowed = *sight;
+    struct zr_resolved_view narrowed = *resolved;
     narrowed.camera.projection.m[0] *= 0.5f;
     assert_int_equal(zr_render(&arena, NULL, &test.scene, &narrowed, NULL, &narrow, &error), ZR_OK);
     assert_true(narrow->covered_pixels < found_by_it->covered_pixels * 3 / 4);
@@ -408,12 +409,12 @@ static void picture_is_that_of_its_sight(void **state)
                                              .world_to_camera = zr_mat4_identity(),
                                              .projection = ZR_PROJECTION_MATRIX,
                                              .projection_matrix = zr_mat4_identity()});
-    assert_int_equal(zr_sight_find(&arena, NULL, &test.scene, NULL, &sight, &error), ZR_OK);
-    assert_false(sight->bounds.valid);
+    assert_int_equal(zr_resolved_view_find(&arena, NULL, &test.scene, NULL, &resolved, &error), ZR_OK);
+    assert_false(resolved->bounds.valid);
     test.scene.views[0].outputs = &info;
     test.scene.views[0].output_count = 1;
-    assert_int_equal(zr_sight_find(&arena, NULL, &test.scene, NULL, &sight, &error), ZR_OK);
-    assert_true(sight->bounds.valid && sight->bounds.max.x == 3.0f && sight->bounds.max.z == 2.0f);
+    assert_int_equal(zr_resolved_view_find(&arena, NULL, &test.scene, NULL, &resolved, &error), ZR_OK);
+    assert_true(resolved->bounds.valid && resolved->bounds.max.x == 3.0f && resolved->bounds.max.z == 2.0f);
     zr_arena_free(&arena);
 }
 
@@ -477,7 +478,7 @@ int main(void)
         TEST_EACH_ISA(early_colours_give_way_to_what_is_seen),
         TEST_EACH_ISA(early_colours_give_way_to_larger_triangles),
         TEST_EACH_ISA(faces_may_have_any_colour_beside_any_background),
-        cmocka_unit_test(picture_is_that_of_its_sight),
+        cmocka_unit_test(picture_is_that_of_its_view),
         cmocka_unit_test(render_that_is_cancelled_says_so),
         cmocka_unit_test(render_under_every_memory_ceiling_fails_cleanly_or_gives_the_picture),
     };

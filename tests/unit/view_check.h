@@ -10,7 +10,7 @@
 #include "geometry/viewport.h"
 #include "json_check.h"
 #include "scene/camera.h"
-#include "scene/sight.h"
+#include "scene/resolved_view.h"
 
 /* A cube from -1 to 1. */
 #define CUBE                                                                                                           \

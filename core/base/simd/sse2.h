@@ -31,7 +31,7 @@ static inline zr_vf zr_vf_select(zr_vm m, zr_vf a, zr_vf b)
 {
     return (zr_vf)zr_vi_select(m, (zr_vi)a, (zr_vi)b);
 }
-/* maskmovdqu would write past the caches. */
+/* maskmovdqu would be a non-temporal store. */
 static inline void zr_vi_store_first(void *p, zr_vi v, uint32_t n)
 {
     if (n == ZR_LANES) {

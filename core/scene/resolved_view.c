@@ -1,4 +1,4 @@
-#include "scene/sight.h"
+#include "scene/resolved_view.h"
 
 #include "scene/camera_parts.h"
 
@@ -51,13 +51,14 @@ enum zr_status zr_camera_resolve(const struct zr_scene *scene, const struct zr_b
     return status == ZR_OK ? check_range(camera, error) : status;
 }
 
-enum zr_status zr_sight_find(struct zr_arena *arena, struct zr_team *team, const struct zr_scene *scene,
-                             const struct zr_cancel *cancel, const struct zr_sight **out, struct zr_error *error)
+enum zr_status zr_resolved_view_find(struct zr_arena *arena, struct zr_team *team, const struct zr_scene *scene,
+                                     const struct zr_cancel *cancel, const struct zr_resolved_view **out,
+                                     struct zr_error *error)
 {
-    struct zr_sight *sight = zr_arena_zero(arena, 1, sizeof *sight);
-    *out = sight;
-    if (!sight) return ZR_NO_MEMORY;
+    struct zr_resolved_view *resolved = zr_arena_zero(arena, 1, sizeof *resolved);
+    *out = resolved;
+    if (!resolved) return ZR_NO_MEMORY;
     if (zr_view_needs_bounds(&scene->views[0]) || zr_view_wants(&scene->views[0], ZR_CHANNEL_INFO))
-        sight->bounds = zr_bounds_of(scene, team, cancel);
-    return zr_camera_resolve(scene, &sight->bounds, team, cancel, &sight->camera, error);
+        resolved->bounds = zr_bounds_of(scene, team, cancel);
+    return zr_camera_resolve(scene, &resolved->bounds, team, cancel, &resolved->camera, error);
 }

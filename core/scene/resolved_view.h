@@ -1,18 +1,18 @@
-/* sight.h - scene, last step: a view (pose, projection, fit) -> a camera.
+/* resolved_view.h - scene, last step: a view (pose, projection, fit) -> a camera.
  *
  * Fits:   a pose that names no eye shows all of the geometry, or of one mesh of it; near
  *         and far plane hold all of it in any case.
  */
-#ifndef ZR_SIGHT_H
-#define ZR_SIGHT_H
+#ifndef ZR_RESOLVED_VIEW_H
+#define ZR_RESOLVED_VIEW_H
 
 #include "base/status.h"
 #include "scene/camera.h"
 #include "scene/scene.h"
 #include "zraster.h"
 
-/* What zr_sight_find finds. */
-struct zr_sight {
+/* What zr_resolved_view_find finds. */
+struct zr_resolved_view {
     struct zr_bounds bounds; /* of the geometry; not valid where neither the view nor an output needs them */
     struct zr_camera camera;
 };
