@@ -24,7 +24,7 @@ static void dress_meshes(struct zr_scene_builder *builder, const struct zr_reque
     if (!instances) return;
     for (size_t i = 0; i < request->asset_count; i++)
         zr_warn_of_unused_asset(builder, &request->assets[i]);
-    if (format->is_soup && query->look.shading >= ZR_SHADING_GOURAUD)
+    if (format->reader->is_soup && query->look.shading >= ZR_SHADING_GOURAUD)
         zr_warning_list_add(builder->arena, &builder->warnings,
                             "shading=%s looks flat here: the triangles of %s share no corners; OBJ can be smooth",
                             zr_shading_names.words[query->look.shading], format->name);
@@ -75,7 +75,7 @@ static void skip_byte_order_mark(struct zr_request *request)
 static enum zr_status name_bytes(const struct zr_request *request, enum zr_status status, struct zr_error *error)
 {
     const struct zr_format_row *said = &zr_format_rows[request->format];
-    if (status != ZR_BAD_SYNTAX || said->looks_so(request->bytes, request->size) ||
+    if (status != ZR_BAD_SYNTAX || said->reader->looks_so(request->bytes, request->size) ||
         zr_format_of_bytes(request->bytes, request->size) == request->format)
         return status;
     const char *words = zr_bytes_in_words(request->bytes, request->size);
@@ -109,7 +109,7 @@ static enum zr_status read_scene(struct zr_arena *arena, struct zr_team *team, c
     if (status != ZR_OK) return status;
     const struct zr_format_row *format = &zr_format_rows[request->format];
     struct zr_scene_builder builder = zr_scene_builder_open(arena, team, scene);
-    status = name_bytes(request, format->read(&builder, request, limits, error), error);
+    status = name_bytes(request, format->reader->read(&builder, request, limits, error), error);
     if (status != ZR_OK) return status;
     if (!format->has_view) dress_meshes(&builder, request, &query);
     zr_scene_builder_close(&builder);

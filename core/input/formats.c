@@ -6,52 +6,9 @@
 
 /* ---- what bytes look like ---- */
 
-enum { LOOKED_AT = 64 << 10 }; /* bytes, at most */
-
 static bool begins_with(const char *bytes, size_t size, const char *begin, size_t length)
 {
     return size >= length && memcmp(bytes, begin, length) == 0;
-}
-
-static bool is_blank(char byte)
-{
-    return byte == ' ' || byte == '\t' || byte == '\r' || byte == '\n';
-}
-
-static size_t count_blanks(const char *bytes, size_t size)
-{
-    size_t count = 0;
-    while (count < size && count < LOOKED_AT && is_blank(bytes[count]))
-        count++;
-    return count;
-}
-
-/* An object is all that a scene can be; but whoever sends a list means JSON, too. */
-static bool looks_like_json(const char *bytes, size_t size)
-{
-    const size_t blanks = count_blanks(bytes, size);
-    return blanks < size && (bytes[blanks] == '{' || bytes[blanks] == '[');
-}
-
-/* The first statement that is not a comment begins with one of the words of OBJ. */
-static bool looks_like_obj(const char *bytes, size_t size)
-{
-    static const char *const words[] = {"v", "vn", "vt", "f", "l", "p", "g", "o", "s", "mtllib", "usemtl"};
-    const char *at = bytes, *const end = bytes + (size < LOOKED_AT ? size : LOOKED_AT);
-    for (;;) {
-        at += count_blanks(at, (size_t)(end - at));
-        if (at == end || *at != '#') break;
-        const char *next = memchr(at, '\n', (size_t)(end - at));
-        if (!next) return false;
-        at = next;
-    }
-    size_t length = 0;
-    while (at + length < end && !is_blank(at[length]))
-        length++;
-    if (at + length == end) return false;
-    for (size_t i = 0; i < sizeof words / sizeof *words; i++)
-        if (strlen(words[i]) == length && memcmp(at, words[i], length) == 0) return true;
-    return false;
 }
 
 static const struct {
@@ -79,12 +36,7 @@ size_t zr_byte_order_mark(const char *bytes, size_t size)
     return begins_with(bytes, size, mark, sizeof mark - 1) ? sizeof mark - 1 : 0;
 }
 
-/* looks_so, read, is_soup */
-#define OF_JSON looks_like_json, zr_json_read, false
-#define OF_OBJ  looks_like_obj, zr_obj_read, false
-#define OF_STL  zr_stl_looks_so, zr_stl_read, true
-
-#define FORMAT_ROW(ID, suffix, media_types, has_view) {#ID, suffix, media_types, has_view, OF_##ID},
+#define FORMAT_ROW(ID, suffix, media_types, has_view) {#ID, suffix, media_types, has_view, &zr_reader_##ID},
 const struct zr_format_row zr_format_rows[ZR_FORMAT_COUNT] = {ZR_FORMAT_ROWS(FORMAT_ROW)};
 
 /* ---- types ---- */
@@ -141,7 +93,7 @@ enum zr_format zr_format_of_bytes(const char *bytes, size_t size)
 {
     const size_t mark = zr_byte_order_mark(bytes, size);
     for (int i = 0; i < ZR_FORMAT_COUNT; i++)
-        if (zr_format_rows[i].looks_so(bytes + mark, size - mark)) return (enum zr_format)i;
+        if (zr_format_rows[i].reader->looks_so(bytes + mark, size - mark)) return (enum zr_format)i;
     return ZR_FORMAT_UNKNOWN;
 }
 

@@ -1,6 +1,6 @@
 /* formats.h - input: the formats of bodies, a row each (base/format_rows.h), and what bytes look like.
  *
- * A new format is a row there, a function that reads it and one that knows its bytes (formats.c), and a test.
+ * A new format is a row there, a file with its reader (input.h), and a test.
  */
 #ifndef ZR_FORMATS_H
 #define ZR_FORMATS_H
@@ -12,9 +12,7 @@ struct zr_format_row {
     const char *suffix;      /* of files */
     const char *media_types; /* apart by blanks; the first is the usual one */
     bool has_view;           /* a scene, with a view of its own; else a bare mesh */
-    bool (*looks_so)(const char *bytes, size_t size);
-    zr_format_read_fn *read;
-    bool is_soup; /* triangles share no corners */
+    const struct zr_format_reader *reader;
 };
 
 extern const struct zr_format_row zr_format_rows[ZR_FORMAT_COUNT];

@@ -9,6 +9,7 @@
 #ifndef ZR_INPUT_H
 #define ZR_INPUT_H
 
+#include "base/format_rows.h"
 #include "scene/scene_builder.h"
 #include "zraster.h"
 
@@ -16,16 +17,19 @@
 typedef enum zr_status zr_format_read_fn(struct zr_scene_builder *builder, const struct zr_request *request,
                                          const struct zr_limits *limits, struct zr_error *error);
 
-/* A scene (the contract: server/api/v1.md). */
-zr_format_read_fn zr_json_read;
+/* How bytes of a format are known and read: zr_reader_OBJ for the row OBJ, and so on, each in the file of its format.
+ * Of a bare mesh the query says how it looks and where it is; of the request, only its bytes and its cancel are looked
+ * at. Errors name the line, the triangle or the byte in `detail`. */
+struct zr_format_reader {
+    bool (*looks_so)(const char *bytes, size_t size);
+    zr_format_read_fn *read;
+    bool is_soup; /* triangles share no corners */
+};
 
-/* Bare meshes: how they look and where they are is for the query to say. Of the request only its bytes and its cancel
- * are looked at. Errors name the line, the triangle or the byte in `detail`. */
-zr_format_read_fn zr_obj_read, zr_stl_read;
+#define READER(ID, suffix, media_types, has_view) extern const struct zr_format_reader zr_reader_##ID;
+ZR_FORMAT_ROWS(READER)
+#undef READER
 
 void zr_warn_of_unused_asset(struct zr_scene_builder *builder, const struct zr_asset *asset);
-
-/* Whether bytes look like STL, text or binary. */
-bool zr_stl_looks_so(const char *bytes, size_t size);
 
 #endif

@@ -173,8 +173,8 @@ static bool is_shallow(struct zr_json *json)
     return good;
 }
 
-enum zr_status zr_json_read(struct zr_scene_builder *builder, const struct zr_request *request,
-                            const struct zr_limits *limits, struct zr_error *error)
+static enum zr_status read_json(struct zr_scene_builder *builder, const struct zr_request *request,
+                                const struct zr_limits *limits, struct zr_error *error)
 {
     struct zr_scene *scene = builder->scene;
     struct zr_limits used = *limits;
@@ -199,3 +199,12 @@ enum zr_status zr_json_read(struct zr_scene_builder *builder, const struct zr_re
     if (root.assets_used && zr_json_fields(json, NULL, &object, &root, &root.given) && zr_json_end(json)) build(&root);
     return zr_json_close(json);
 }
+
+/* An object is all that a scene can be; but whoever sends a list means JSON, too. */
+static bool looks_so(const char *bytes, size_t size)
+{
+    const size_t blanks = zr_count_blanks(bytes, size);
+    return blanks < size && (bytes[blanks] == '{' || bytes[blanks] == '[');
+}
+
+const struct zr_format_reader zr_reader_JSON = {looks_so, read_json, false};

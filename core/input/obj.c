@@ -428,8 +428,8 @@ static void warn_of_unread(const struct file *file, struct zr_scene_builder *bui
     warn_of(builder, all.curved, "curves and curved surfaces are not drawn");
 }
 
-enum zr_status zr_obj_read(struct zr_scene_builder *builder, const struct zr_request *request,
-                           const struct zr_limits *limits, struct zr_error *error)
+static enum zr_status read_obj(struct zr_scene_builder *builder, const struct zr_request *request,
+                               const struct zr_limits *limits, struct zr_error *error)
 {
     struct zr_arena *arena = builder->arena;
     struct zr_team *team = builder->team;
@@ -467,3 +467,26 @@ enum zr_status zr_obj_read(struct zr_scene_builder *builder, const struct zr_req
     warn_of_unread(&file, builder);
     return zr_arena_ok(arena) ? ZR_OK : ZR_NO_MEMORY;
 }
+
+/* The first statement that is not a comment begins with one of the words of OBJ. */
+static bool looks_so(const char *bytes, size_t size)
+{
+    static const char *const words[] = {"v", "vn", "vt", "f", "l", "p", "g", "o", "s", "mtllib", "usemtl"};
+    const char *at = bytes, *const end = bytes + (size < ZR_BLANKS_MAX ? size : ZR_BLANKS_MAX);
+    for (;;) {
+        at += zr_count_blanks(at, (size_t)(end - at));
+        if (at == end || *at != '#') break;
+        const char *next = memchr(at, '\n', (size_t)(end - at));
+        if (!next) return false;
+        at = next;
+    }
+    size_t length = 0;
+    while (at + length < end && zr_count_blanks(at + length, 1) == 0)
+        length++;
+    if (at + length == end) return false;
+    for (size_t i = 0; i < sizeof words / sizeof *words; i++)
+        if (strlen(words[i]) == length && memcmp(at, words[i], length) == 0) return true;
+    return false;
+}
+
+const struct zr_format_reader zr_reader_OBJ = {looks_so, read_obj, false};

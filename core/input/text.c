@@ -23,6 +23,14 @@ size_t zr_utf8_length(const char *at, const char *end)
     return in(at[1], lead == 0xF0 ? 0x90 : 0x80, lead == 0xF4 ? 0x8F : 0xBF) ? 4 : 0;
 }
 
+size_t zr_count_blanks(const char *bytes, size_t size)
+{
+    size_t count = 0;
+    while (count < size && count < ZR_BLANKS_MAX && bytes[count] && strchr(" \t\r\n", bytes[count]))
+        count++;
+    return count;
+}
+
 struct zr_quote zr_quote(const char *bytes, size_t size)
 {
     static const char cut[] = "...";

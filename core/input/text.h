@@ -9,6 +9,10 @@
  * Source: RFC 3629, section 4. Requires at < end. */
 size_t zr_utf8_length(const char *at, const char *end);
 
+/* How many blanks, tabs and ends of lines bytes begin with, of the first ZR_BLANKS_MAX. */
+enum { ZR_BLANKS_MAX = 64 << 10 };
+size_t zr_count_blanks(const char *bytes, size_t size);
+
 /* Foreign bytes made fit for an error message: in single quotes, cut at a whole
  * character, whatever is not printable UTF-8 replaced by '?'. */
 struct zr_quote {

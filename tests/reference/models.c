@@ -28,11 +28,11 @@ static bool mesh_read(struct zr_arena *arena, const char *bytes, size_t size, st
     struct zr_scene_builder builder = zr_scene_builder_open(arena, NULL, &scene);
     struct zr_error error = {.status = ZR_OK};
     const struct zr_request request = {.format = ZR_FORMAT_OBJ, .bytes = bytes, .size = size};
-    enum zr_status status = zr_obj_read(&builder, &request, &limits, &error);
+    enum zr_status status = zr_reader_OBJ.read(&builder, &request, &limits, &error);
     zr_scene_builder_close(&builder);
     if (status == ZR_OK) *mesh = builder.meshes[0];
     if (status == ZR_OK) return true;
-    fprintf(stderr, "zr_obj_read: status %d, %s\n", (int)status, error.count ? error.items[0].detail : "");
+    fprintf(stderr, "OBJ: status %d, %s\n", (int)status, error.count ? error.items[0].detail : "");
     return false;
 }
 

@@ -1,6 +1,7 @@
 #include <math.h>
 
 #include "guarded.h"
+#include "input/json_rows.h"
 #include "input/number.h"
 #include "input/number_quick.h"
 #include "support/cmocka_all.h"
@@ -233,6 +234,33 @@ static void ten_million_random_numbers_have_the_value_strtod_gives(void **state)
     }
 }
 
+/* Rows as positions have them, in all of the ways that they are written: floats of what strtod gives. */
+static void ten_million_numbers_in_rows_have_the_value_strtod_gives(void **state)
+{
+    (void)state;
+    static const char *const commas[] = {",", ",", ", ", " ,\n"};
+    const double limit = 1e300;
+    for (int i = 0; i < 10000000 / 4; i++) {
+        char text[700] = "[";
+        size_t length = 1, starts[4];
+        for (int k = 0; k < 4; k++) {
+            if (k > 0) length += (size_t)sprintf(text + length, "%s", commas[below(4)]);
+            starts[k] = length;
+            length += (i + k) % 8 ? put_random_number(text + length) : put_hard_number(text + length);
+        }
+        length += (size_t)sprintf(text + length, "],");
+        const float want[] = {(float)strtod(text + starts[0], NULL), (float)strtod(text + starts[1], NULL),
+                              (float)strtod(text + starts[2], NULL), (float)strtod(text + starts[3], NULL)};
+        bool fits = true;
+        for (int k = 0; k < 4; k++)
+            fits = fits && fabs(strtod(text + starts[k], NULL)) <= limit;
+        zr_vec4 got;
+        const char *behind = zr_row_vec4(text, text + length + (i % 2 ? 100 : 0), -limit, limit, &got);
+        if (behind != (fits ? text + length - 1 : NULL)) fail_msg("%s: ends at %td", text, behind ? behind - text : -1);
+        if (fits && memcmp(&got, want, sizeof want) != 0) fail_msg("%s", text);
+    }
+}
+
 static void what_json_does_not_have_is_refused(void **state)
 {
     (void)state;
@@ -283,6 +311,7 @@ int main(void)
         cmocka_unit_test(digit_a_thousand_places_on_decides_a_tie),
         cmocka_unit_test(million_digits_are_read),
         cmocka_unit_test(ten_million_random_numbers_have_the_value_strtod_gives),
+        cmocka_unit_test(ten_million_numbers_in_rows_have_the_value_strtod_gives),
         cmocka_unit_test(what_json_does_not_have_is_refused),
         cmocka_unit_test(what_is_no_number_is_refused),
         cmocka_unit_test(number_ends_where_something_else_begins),
