@@ -398,30 +398,34 @@ static bool has_rows(const struct zr_json *json)
     return zr_json_enter(&there, '[') && zr_json_any_item(&there) && *there.at == '[';
 }
 
+bool zr_json_square(struct zr_json *json, const struct zr_json_path *path, size_t side, double limit, double *out,
+                    bool *nested)
+{
+    size_t count, row = 0;
+    bool good = expect(json, path, ZR_JSON_LIST, "a matrix");
+    if (!good) return false;
+    *nested = has_rows(json);
+    if (!*nested) return zr_json_numbers(json, path, side * side, side * side, -limit, limit, out, &count);
+    for (zr_json_enter(json, '['); zr_json_any_item(json); row++)
+        good = (row < side ? zr_json_numbers(json, ZR_JSON_ITEM(path, row), side, side, -limit, limit, &out[side * row],
+                                             &count)
+                           : zr_json_skip(json)) &&
+               good;
+    return row == side ? good : zr_json_fault(json, path, "expected %zu rows, found %zu", side, row);
+}
+
 bool zr_json_mat4(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field, void *out)
 {
-    const double limit = (double)ZR_MATRIX_MAX;
     double m[16] = {0};
-    size_t count, row = 0;
+    bool rows;
     zr_mat4 matrix;
-    bool good = expect(json, path, ZR_JSON_LIST, "a matrix");
     (void)field;
-    if (!good) return false;
-    const bool rows = has_rows(json);
-    if (!rows) {
-        if (!zr_json_numbers(json, path, 16, 16, -limit, limit, m, &count)) return false;
-    } else {
-        for (zr_json_enter(json, '['); zr_json_any_item(json); row++)
-            good = (row < 4 ? zr_json_numbers(json, ZR_JSON_ITEM(path, row), 4, 4, -limit, limit, &m[4 * row], &count)
-                            : zr_json_skip(json)) &&
-                   good;
-        if (row != 4) return zr_json_fault(json, path, "expected 4 rows, found %zu", row);
-    }
+    if (!zr_json_square(json, path, 4, (double)ZR_MATRIX_MAX, m, &rows)) return false;
     for (int i = 0; i < 4; i++)
         for (int k = 0; k < 4; k++)
             matrix.m[4 * i + k] = (float)m[rows ? 4 * k + i : 4 * i + k];
-    if (good) *(zr_mat4 *)out = matrix;
-    return good;
+    *(zr_mat4 *)out = matrix;
+    return true;
 }
 
 /* Whoever writes a flat one row by row has the translation in the bottom row, and is told so. */

@@ -118,6 +118,11 @@ zr_json_read_fn zr_json_affine; /* zr_mat4 that keeps points points: its bottom 
 bool zr_json_numbers(struct zr_json *json, const struct zr_json_path *path, size_t least, size_t most, double low,
                      double high, double *out, size_t *count);
 
+/* A matrix of so many rows and columns, magnitudes up to `limit`, in the order of the text: rows, or, where it is not
+ * *nested, all numbers in one list. */
+bool zr_json_square(struct zr_json *json, const struct zr_json_path *path, size_t side, double limit, double *out,
+                    bool *nested);
+
 /* A list; reported where the next value is something else. */
 bool zr_json_list(struct zr_json *json, const struct zr_json_path *path);
 

@@ -15,34 +15,16 @@
 
 /* ---- values ---- */
 
-/* Is the list that is next one of lists? */
-static bool has_rows(const struct zr_json *json)
-{
-    struct zr_json there = *json;
-    return zr_json_enter(&there, '[') && zr_json_item(&there) && *there.at == '[';
-}
-
 /* double[9]: three rows of three numbers, or nine numbers row by row, as OpenCV and ROS write them: magnitudes up to
  * field->high. */
 static bool read_rows(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field,
                       void *out)
 {
-    const double limit = field->high;
     double m[9] = {0};
-    size_t count, row = 0;
-    bool good = zr_json_list(json, path);
-    if (!good) return false;
-    if (!has_rows(json)) {
-        if (!zr_json_numbers(json, path, 9, 9, -limit, limit, m, &count)) return false;
-    } else {
-        for (zr_json_enter(json, '['); zr_json_item(json); row++)
-            good = (row < 3 ? zr_json_numbers(json, ZR_JSON_ITEM(path, row), 3, 3, -limit, limit, &m[3 * row], &count)
-                            : zr_json_skip(json)) &&
-                   good;
-        if (row != 3) return zr_json_fault(json, path, "expected 3 rows, found %zu", row);
-    }
-    if (good) memcpy(out, m, sizeof m);
-    return good;
+    bool nested;
+    if (!zr_json_square(json, path, 3, field->high, m, &nested)) return false;
+    memcpy(out, m, sizeof m);
+    return true;
 }
 
 /* All but which mesh is meant: not all meshes have been read yet. */

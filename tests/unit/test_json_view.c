@@ -131,7 +131,7 @@ static void bad_views_give_pointer_and_names(void **state)
         {"{\"azimuthDegrees\": 3, \"distance\": 0}", "/view/distance", "0 is not greater than 0"},
         {"{\"R\": [1,0,0,0,1,0,0,0]}", "/view/R", "expected 9 numbers, found 8"},
         {"{\"R\": []}", "/view/R", "expected 9 numbers, found 0"},
-        {"{\"R\": 1}", "/view/R", "expected a list, found a number"},
+        {"{\"R\": 1}", "/view/R", "expected a matrix, found a number"},
         {"{\"R\": [[1,0,0],[0,1,0]]}", "/view/R", "expected 3 rows, found 2"},
         {"{\"R\": [[1,0,0],[0,1],[0,0,1]]}", "/view/R/1", "expected 3 numbers, found 2"},
         {"{\"R\": [[1,0,0],3,[0,0,1]]}", "/view/R/1", "expected a list of numbers, found a number"},
