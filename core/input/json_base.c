@@ -3,6 +3,7 @@
 #include <inttypes.h>
 #include <math.h>
 
+#include "input/json_objects.h"
 #include "input/json_scene.h"
 #include "input/npy_read.h"
 #include "input/png_read.h"
@@ -37,7 +38,7 @@ static const struct zr_json_field fields[] = {
               .text = "which is seen at equal depth"},
     [FIRST_FACE_ID] = {"firstFaceId", zr_json_whole, offsetof(struct reader, first_face_id),
                        .otherwise = "the largest id of the base and one more", .text = "the id of the first new face"}};
-static const struct zr_json_object object = ZR_JSON_OBJECT_OF("base", fields);
+const struct zr_json_object zr_json_object_base = ZR_JSON_OBJECT_OF("base", fields);
 
 static bool has(const struct reader *reader, int key)
 {
@@ -211,7 +212,7 @@ void zr_given_read_base(struct zr_given_scene *root, const struct zr_json_path *
 {
     struct zr_json there = zr_json_at(&root->json, root->base), *json = &root->json;
     struct reader reader = {.root = root, .path = path, .first_face_id = 1};
-    if (!zr_json_fields(&there, path, &object, &reader, &reader.keys)) return;
+    if (!zr_json_fields(&there, path, &zr_json_object_base, &reader, &reader.keys)) return;
     reader.base = zr_arena_zero(json->arena, 1, sizeof *reader.base);
     if (!reader.base) return;
     check_words(&reader);

@@ -3,6 +3,7 @@
 
 #include "input/data_uri.h"
 #include "input/input.h"
+#include "input/json_objects.h"
 #include "input/json_scene.h"
 
 struct given {
@@ -13,7 +14,7 @@ static const struct zr_json_field fields[] = {
     [URI] = {"uri", zr_json_string, offsetof(struct given, uri), .text = "a data: URI with the bytes"},
     [ASSET] = {"asset", zr_json_string, offsetof(struct given, asset),
                .text = "the name of a part of the request, or sha256: and the hash of what was uploaded before"}};
-static const struct zr_json_object object = ZR_JSON_OBJECT_OF("bytes", fields);
+const struct zr_json_object zr_json_object_bytes = ZR_JSON_OBJECT_OF("bytes", fields);
 
 static bool read_uri(struct zr_given_scene *root, const struct zr_json_path *path, const char *text,
                      struct zr_given_bytes *out)
@@ -83,7 +84,7 @@ bool zr_given_read_bytes(struct zr_given_scene *root, struct zr_json *json, cons
     if (type != ZR_JSON_OBJECT)
         return zr_json_skip(json) &&
                zr_json_fault(json, path, "expected a data: URI, {\"uri\": ...} or {\"asset\": ...}");
-    zr_json_fields(json, path, &object, &given, &keys);
+    zr_json_fields(json, path, &zr_json_object_bytes, &given, &keys);
     if (zr_json_gives(keys, URI) == zr_json_gives(keys, ASSET))
         return zr_json_fault(json, path, "%s of uri and asset is needed",
                              zr_json_gives(keys, URI) ? "only one" : "one");

@@ -1,3 +1,4 @@
+#include "input/json_objects.h"
 #include "input/json_scene.h"
 
 struct given_fog {
@@ -15,7 +16,7 @@ static const struct zr_json_field fields[] = {
     [COLOR] = {"color", zr_json_color, AT(color), .otherwise = "the background", .text = "of what is far away"},
     {.key = "mode"},
     {.key = "density"}};
-static const struct zr_json_object object = ZR_JSON_OBJECT_OF("fog", fields);
+const struct zr_json_object zr_json_object_fog = ZR_JSON_OBJECT_OF("fog", fields);
 
 bool zr_read_fog(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field, void *out)
 {
@@ -23,7 +24,8 @@ bool zr_read_fog(struct zr_json *json, const struct zr_json_path *path, const st
     struct given_fog given = {.near = -1, .far = -1};
     uint64_t keys;
     (void)field;
-    if (!zr_json_fields(json, path, &object, &given, &keys) || given.near < 0 || given.far < 0) return false;
+    if (!zr_json_fields(json, path, &zr_json_object_fog, &given, &keys) || given.near < 0 || given.far < 0)
+        return false;
     if (!(given.near < given.far))
         return zr_json_fault(json, path, "near is %g and far %g: fog begins at near, and far must be farther",
                              (double)given.near, (double)given.far);

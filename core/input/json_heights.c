@@ -1,4 +1,5 @@
 #include "input/json_heights.h"
+#include "input/json_objects.h"
 
 #include <math.h>
 #include <stdint.h>
@@ -148,14 +149,14 @@ static const struct zr_json_field fields[] = {
            .text = "where the first and the last column are"},
     [Y] = {"y", read_range, offsetof(struct zr_heights, y), .unit = "scene units", .otherwise = "[0, rows - 1]",
            .text = "where the first and the last row are"}};
-static const struct zr_json_object object = ZR_JSON_OBJECT_OF("heights", fields);
+const struct zr_json_object zr_json_object_heights = ZR_JSON_OBJECT_OF("heights", fields);
 
 bool zr_read_heights(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field,
                      void *out)
 {
     struct zr_heights *heights = out;
     if (zr_json_type(json) != ZR_JSON_OBJECT) return read_values(json, path, field, out);
-    return zr_json_fields(json, path, &object, out, &heights->given);
+    return zr_json_fields(json, path, &zr_json_object_heights, out, &heights->given);
 }
 
 /* ---- a mesh ---- */

@@ -1,3 +1,4 @@
+#include "input/json_objects.h"
 #include "input/json_scene.h"
 
 #define INTENSITY_MAX 1e6
@@ -39,13 +40,13 @@ static const struct zr_json_field fields[] = {
     {.key = "spot"},
     {.key = "shadows"},
     {.key = "name"}};
-static const struct zr_json_object object = ZR_JSON_OBJECT_OF("light", fields);
+const struct zr_json_object zr_json_object_light = ZR_JSON_OBJECT_OF("light", fields);
 
 static void read_light(struct zr_json *json, const struct zr_json_path *path, struct zr_light *light)
 {
     struct given_light given = {.color = {1, 1, 1, 1}, .intensity = 1};
     uint64_t keys;
-    zr_json_fields(json, path, &object, &given, &keys);
+    zr_json_fields(json, path, &zr_json_object_light, &given, &keys);
     light->direction = given.direction;
     light->color = zr_vec3_scale((zr_vec3){given.color.x, given.color.y, given.color.z}, (float)given.intensity);
     light->camera_frame = given.frame == FRAME_CAMERA;

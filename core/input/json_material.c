@@ -2,6 +2,7 @@
 #include <string.h>
 
 #include "input/defaults.h"
+#include "input/json_objects.h"
 #include "input/json_scene.h"
 #include "input/nearest.h"
 #include "input/text.h"
@@ -42,7 +43,7 @@ static const struct zr_json_field fields[] = {
     {.key = "alphaCutoff"},
     {.key = "diffuse"},
     {.key = "emissive"}};
-static const struct zr_json_object object = ZR_JSON_OBJECT_OF("material", fields);
+const struct zr_json_object zr_json_object_material = ZR_JSON_OBJECT_OF("material", fields);
 
 /* Equal names stay in the scene's order, so that the later one is the repetition. */
 static int compare_given(const void *left, const void *right)
@@ -73,7 +74,7 @@ bool zr_read_materials(struct zr_json *json, const struct zr_json_path *path, co
                                             .base_color = {1, 1, 1, 1},
                                             .shininess = ZR_SHININESS,
                                             .look = zr_look_unset};
-        zr_json_fields(json, ZR_JSON_ITEM(path, list.count), &object, given, &keys);
+        zr_json_fields(json, ZR_JSON_ITEM(path, list.count), &zr_json_object_material, given, &keys);
         zr_given_note_alpha(root, &given->base_color, 1);
     }
     root->materials_given = list.items;

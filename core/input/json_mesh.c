@@ -2,6 +2,7 @@
 
 #include "input/json_heights.h"
 #include "input/json_list.h"
+#include "input/json_objects.h"
 #include "input/json_rows.h"
 #include "input/json_scene.h"
 
@@ -262,7 +263,7 @@ static const struct zr_json_field fields[] = {
     ZR_SIDES_FIELD(struct zr_given_mesh, look),
     {.key = "texcoords"},
     {.key = "data"}};
-static const struct zr_json_object object = ZR_JSON_OBJECT_OF("mesh", fields);
+const struct zr_json_object zr_json_object_mesh = ZR_JSON_OBJECT_OF("mesh", fields);
 
 bool zr_read_meshes(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field, void *out)
 {
@@ -280,7 +281,7 @@ bool zr_read_meshes(struct zr_json *json, const struct zr_json_path *path, const
                                       .faces = {.ends.size = sizeof(uint32_t), .indices.size = sizeof(uint32_t)},
                                       .lines.ends.size = 2 * sizeof(uint32_t),
                                       .heights.values.size = sizeof(float)};
-        zr_json_fields(json, ZR_JSON_ITEM(path, list->count), &object, &given, &given.given);
+        zr_json_fields(json, ZR_JSON_ITEM(path, list->count), &zr_json_object_mesh, &given, &given.given);
         struct zr_given_mesh *kept = zr_growing_next(list, json);
         if (!kept) return false;
         *kept = given;

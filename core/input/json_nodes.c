@@ -1,4 +1,5 @@
 /* The hierarchy of nodes as JSON has it -> the instances that it places. */
+#include "input/json_objects.h"
 #include "input/json_scene.h"
 
 #include <stdlib.h>
@@ -130,7 +131,7 @@ static const struct zr_json_field fields[] = {
     [SCALE] = {"scale", zr_json_vec3, AT(scale), .otherwise = "[1, 1, 1]", .text = "a factor for each axis"},
     [CHILDREN] = {"children", zr_json_place, AT(children), .otherwise = "[]",
                   .text = "the numbers or the names of nodes that go with it"}};
-static const struct zr_json_object object = ZR_JSON_OBJECT_OF("node", fields);
+const struct zr_json_object zr_json_object_node = ZR_JSON_OBJECT_OF("node", fields);
 
 /* Nodes while they are read. Children wait until every name is known. */
 struct reader {
@@ -165,7 +166,7 @@ static void read_node(struct reader *reader, struct zr_json *json, const struct 
     struct given_node given = {.name = "", .matrix = zr_mat4_identity(), .rotation = {0, 0, 0, 1}, .scale = {1, 1, 1}};
     uint64_t keys;
     *node = (struct zr_node){.mesh = ZR_NODE_NO_MESH};
-    zr_json_fields(json, path, &object, &given, &keys);
+    zr_json_fields(json, path, &zr_json_object_node, &given, &keys);
     add_name(&reader->nodes, given.name, number);
     if (*given.name && given.mesh) node->name = given.name;
     if (given.mesh) {

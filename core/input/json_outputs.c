@@ -1,3 +1,4 @@
+#include "input/json_objects.h"
 #include "input/json_scene.h"
 #include "input/outputs.h"
 
@@ -27,7 +28,7 @@ static const struct zr_json_field fields[] = {
     [SPACE] = {"space", read_space, AT(space), .otherwise = "camera", .text = "of positions and normals"},
     [SCALE] = {"scale", zr_json_positive, AT(scale), .unit = "scene units", .otherwise = "the far plane is 65535",
                .text = "of one step of a png16"}};
-static const struct zr_json_object object = ZR_JSON_OBJECT_OF("output", fields);
+const struct zr_json_object zr_json_object_output = ZR_JSON_OBJECT_OF("output", fields);
 
 static bool check_encoding(struct zr_json *json, const struct zr_json_path *path, const struct given_output *given,
                            struct zr_output *output)
@@ -61,7 +62,8 @@ static bool read_output(struct zr_json *json, const struct zr_json_path *path, s
     struct given_output given = {UNSET, UNSET, UNSET, 0};
     const size_t faults = json->error->count;
     uint64_t keys;
-    if (!zr_json_fields(json, path, &object, &given, &keys) || json->error->count > faults || given.channel == UNSET)
+    if (!zr_json_fields(json, path, &zr_json_object_output, &given, &keys) || json->error->count > faults ||
+        given.channel == UNSET)
         return false;
     *output = (struct zr_output){.channel = (enum zr_channel)given.channel, .scale = given.scale};
     if (!check_encoding(json, path, &given, output) || !check_space(json, path, &given, output)) return false;

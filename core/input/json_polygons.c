@@ -3,6 +3,7 @@
 #include <string.h>
 
 #include "input/json_list.h"
+#include "input/json_objects.h"
 #include "input/json_rows.h"
 #include "input/json_scene.h"
 
@@ -141,7 +142,7 @@ static const struct zr_json_field fields[] = {
     [MATERIAL] = {"material", read_material, AT(style.material), .otherwise = "none", .text = "the name of a material"},
     ZR_LOOK_FIELDS(struct polygon, style.look),
     ZR_SIDES_FIELD(struct polygon, style.look)};
-static const struct zr_json_object object = ZR_JSON_OBJECT_OF("polygon", fields);
+const struct zr_json_object zr_json_object_polygon = ZR_JSON_OBJECT_OF("polygon", fields);
 
 static bool add(struct zr_growing *array, struct zr_json *json, size_t value)
 {
@@ -220,7 +221,7 @@ static void read_polygon(struct zr_json *json, const struct zr_json_path *path, 
                               .style = {.polygon = (uint32_t)soup->offsets.count, .look = zr_look_unset}};
     uint64_t keys;
     if (!add(&soup->offsets, json, polygon.first_vertex)) return;
-    zr_json_fields(json, path, &object, &polygon, &keys);
+    zr_json_fields(json, path, &zr_json_object_polygon, &polygon, &keys);
     const bool has_color = zr_json_gives(keys, COLOR), has_colors = zr_json_gives(keys, COLORS),
                has_normals = zr_json_gives(keys, NORMALS);
     if (polygon.holes && json->is_ahead) zr_json_give_up(json); /* rings are counted by one thread */

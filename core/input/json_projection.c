@@ -1,5 +1,6 @@
 /* The projection of a view. */
 #include "input/defaults.h"
+#include "input/json_objects.h"
 #include "input/json_view.h"
 
 #define PI 3.14159265358979323846
@@ -46,7 +47,7 @@ static const struct zr_json_field angle_fields[] = {
     {"xfov", read_angle, AT(xfov), 0, PI, .unit = "radians", .text = "the angle of view from left to right"},
     {"xfovDegrees", read_angle, AT(xfov), 0, 180, .unit = "degrees", .text = "the angle of view from left to right"}};
 #undef AT
-static const struct zr_json_object perspective_object = ZR_JSON_OBJECT_OF("perspective", angle_fields);
+const struct zr_json_object zr_json_object_perspective = ZR_JSON_OBJECT_OF("perspective", angle_fields);
 
 bool zr_read_perspective(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field,
                          void *out)
@@ -57,8 +58,8 @@ bool zr_read_perspective(struct zr_json *json, const struct zr_json_path *path, 
     uint64_t keys;
     int said = -1;
     (void)field;
-    if (!zr_json_fields(json, path, &perspective_object, &angles, &keys)) return false;
-    for (int i = 0; i < (int)perspective_object.count; i++) {
+    if (!zr_json_fields(json, path, &zr_json_object_perspective, &angles, &keys)) return false;
+    for (int i = 0; i < (int)zr_json_object_perspective.count; i++) {
         if (!zr_json_gives(keys, i)) continue;
         if (said >= 0)
             zr_json_fault(json, path, "two angles: %s and %s", angle_fields[said].key, angle_fields[i].key);
@@ -80,14 +81,14 @@ static const struct zr_json_field orthographic_fields[] = {
               .otherwise = "so that the geometry fills the window", .text = "half of the width that is seen"},
     [YMAG] = {"ymag", zr_json_positive, offsetof(struct zr_given_view, view.ymag), .unit = "scene units",
               .otherwise = "so that the geometry fills the window", .text = "half of the height that is seen"}};
-static const struct zr_json_object orthographic_object = ZR_JSON_OBJECT_OF("orthographic", orthographic_fields);
+const struct zr_json_object zr_json_object_orthographic = ZR_JSON_OBJECT_OF("orthographic", orthographic_fields);
 
 bool zr_read_orthographic(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field,
                           void *out)
 {
     uint64_t keys;
     (void)field;
-    if (!zr_json_fields(json, path, &orthographic_object, out, &keys)) return false;
+    if (!zr_json_fields(json, path, &zr_json_object_orthographic, out, &keys)) return false;
     const bool has_xmag = zr_json_gives(keys, XMAG);
     return has_xmag == zr_json_gives(keys, YMAG) ||
            zr_json_fault(json, path, "%s is missing; give xmag and ymag, or neither to fit the geometry",
@@ -120,7 +121,7 @@ static const struct zr_json_field intrinsics_fields[] = {
     [CX] = {PIXELS("cx", zr_json_number, cx), .otherwise = "the middle", .text = "the optical axis, from the left"},
     [CY] = {PIXELS("cy", zr_json_number, cy), .otherwise = "the middle", .text = "the optical axis, from the top"},
     [SKEW] = {PIXELS("skew", zr_json_number, skew), .otherwise = "0", .text = "how far x moves with y"}};
-static const struct zr_json_object intrinsics_object = ZR_JSON_OBJECT_OF("intrinsics", intrinsics_fields);
+const struct zr_json_object zr_json_object_intrinsics = ZR_JSON_OBJECT_OF("intrinsics", intrinsics_fields);
 
 bool zr_read_intrinsics(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field,
                         void *out)
@@ -128,7 +129,7 @@ bool zr_read_intrinsics(struct zr_json *json, const struct zr_json_path *path, c
     struct zr_intrinsics *intrinsics = &((struct zr_given_view *)out)->intrinsics;
     uint64_t keys;
     (void)field;
-    if (!zr_json_fields(json, path, &intrinsics_object, intrinsics, &keys)) return false;
+    if (!zr_json_fields(json, path, &zr_json_object_intrinsics, intrinsics, &keys)) return false;
     if (!zr_json_gives(keys, FY)) intrinsics->fy = intrinsics->fx;
     intrinsics->has_cx = zr_json_gives(keys, CX);
     intrinsics->has_cy = zr_json_gives(keys, CY);

@@ -1,5 +1,6 @@
 /* The root of a scene: all of it is read first, in the order of the text, and then put together. */
 #include "input/json_scene.h"
+#include "input/json_objects.h"
 
 #include <string.h>
 
@@ -40,7 +41,7 @@ static const struct zr_json_field window_fields[] = {
      .text = "from left to right"},
     {"height", zr_json_whole, offsetof(struct zr_view, height), .unit = "pixels", .otherwise = "480",
      .text = "from top to bottom"}};
-static const struct zr_json_object window_object = ZR_JSON_OBJECT_OF("window", window_fields);
+const struct zr_json_object zr_json_object_window = ZR_JSON_OBJECT_OF("window", window_fields);
 
 static bool read_window(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field,
                         void *out)
@@ -48,7 +49,7 @@ static bool read_window(struct zr_json *json, const struct zr_json_path *path, c
     struct zr_given_scene *root = out;
     uint64_t keys;
     (void)field;
-    return zr_json_fields(json, path, &window_object, &root->scene->views[0], &keys);
+    return zr_json_fields(json, path, &zr_json_object_window, &root->scene->views[0], &keys);
 }
 
 enum {
@@ -92,7 +93,7 @@ static const struct zr_json_field fields[] = {
     ZR_LOOK_FIELDS(struct zr_given_scene, look),
     {.key = "views"},
     {.key = "turntable"}};
-static const struct zr_json_object object = ZR_JSON_OBJECT_OF("scene", fields);
+const struct zr_json_object zr_json_object_scene = ZR_JSON_OBJECT_OF("scene", fields);
 
 #define ROOT_PATH(which) ZR_JSON_KEY(NULL, fields[which].key)
 
@@ -196,7 +197,8 @@ static enum zr_status read_json(struct zr_scene_builder *builder, const struct z
     zr_json_open(json, request->bytes, request->size);
     root.assets_used = zr_arena_zero(builder->arena, root.asset_count, sizeof *root.assets_used);
     if (used.json_depth_max < DEPTH_OF_LISTS && !is_shallow(json)) return zr_json_close(json);
-    if (root.assets_used && zr_json_fields(json, NULL, &object, &root, &root.given) && zr_json_end(json)) build(&root);
+    if (root.assets_used && zr_json_fields(json, NULL, &zr_json_object_scene, &root, &root.given) && zr_json_end(json))
+        build(&root);
     return zr_json_close(json);
 }
 

@@ -4,6 +4,7 @@
 
 #include <string.h>
 
+#include "input/json_objects.h"
 #include "input/json_scene.h"
 #include "input/nearest.h"
 #include "input/text.h"
@@ -38,7 +39,7 @@ static const struct zr_json_field fit_fields[] = {
                  .text = "the share of the window left free on each side"},
     [MESH] = {"mesh", zr_json_string, offsetof(struct given_fit, mesh), .otherwise = "all geometry",
               .text = "the name of the mesh whose instances are to fill the window"}};
-static const struct zr_json_object fit_object = ZR_JSON_OBJECT_OF("fit", fit_fields);
+const struct zr_json_object zr_json_object_fit = ZR_JSON_OBJECT_OF("fit", fit_fields);
 
 static bool read_fit(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field,
                      void *out)
@@ -47,7 +48,7 @@ static bool read_fit(struct zr_json *json, const struct zr_json_path *path, cons
     struct given_fit fit = {given->view.fit_padding, NULL};
     uint64_t keys;
     (void)field;
-    if (!zr_json_fields(json, path, &fit_object, &fit, &keys)) return false;
+    if (!zr_json_fields(json, path, &zr_json_object_fit, &fit, &keys)) return false;
     given->view.fit_padding = fit.padding;
     given->fit_mesh = fit.mesh;
     return true;
@@ -99,7 +100,7 @@ const struct zr_json_field zr_view_fields[] = {
     [ZR_VIEW_FIT] = {"fit", read_fit, 0, .text = "how the geometry fills the window"},
     {.key = "name"},
     {.key = "window"}};
-static const struct zr_json_object object = ZR_JSON_OBJECT_OF("view", zr_view_fields);
+const struct zr_json_object zr_json_object_view = ZR_JSON_OBJECT_OF("view", zr_view_fields);
 
 /* ---- the view ---- */
 
@@ -134,7 +135,7 @@ bool zr_read_view(struct zr_json *json, const struct zr_json_path *path, const s
                                   .pixel_center = 0.5};
     const size_t faults = json->error->count;
     (void)field;
-    if (!zr_json_fields(json, path, &object, &given, &given.keys)) return false;
+    if (!zr_json_fields(json, path, &zr_json_object_view, &given, &given.keys)) return false;
     if (json->error->count > faults) return false; /* what is not known cannot be judged */
     zr_view_find_pose(&given);
     zr_view_find_projection(&given);
