@@ -6,6 +6,10 @@
 #include "input/number_quick.h"
 #include "support/cmocka_all.h"
 #include "support/random.h"
+#include "support/sanitized.h"
+
+/* Sanitizers take ten times as long. */
+enum { NUMBERS = IS_SANITIZED ? 1000000 : 10000000 };
 
 static uint64_t bits_of(double value)
 {
@@ -225,7 +229,7 @@ static void ten_million_random_numbers_have_the_value_strtod_gives(void **state)
 {
     (void)state;
     char text[160];
-    for (int i = 0; i < 10000000; i++) {
+    for (int i = 0; i < NUMBERS; i++) {
         size_t length = i % 8 ? put_random_number(text) : put_hard_number(text);
         memset(text + length, ',', 32);
         text[length + 32] = '\0';
@@ -240,7 +244,7 @@ static void ten_million_numbers_in_rows_have_the_value_strtod_gives(void **state
     (void)state;
     static const char *const commas[] = {",", ",", ", ", " ,\n"};
     const double limit = 1e300;
-    for (int i = 0; i < 10000000 / 4; i++) {
+    for (int i = 0; i < NUMBERS / 4; i++) {
         char text[700] = "[";
         size_t length = 1, starts[4];
         for (int k = 0; k < 4; k++) {
