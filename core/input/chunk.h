@@ -22,14 +22,6 @@ static inline zr_chunk zr_chunk_load(const void *at)
     return bytes;
 }
 
-/* All ones in the first `count` bytes, 0 to ZR_CHUNK; zeros in the others. */
-static inline zr_chunk zr_chunk_of_first(size_t count)
-{
-    static const uint8_t ones[2 * ZR_CHUNK] = {255, 255, 255, 255, 255, 255, 255, 255,
-                                               255, 255, 255, 255, 255, 255, 255, 255};
-    return zr_chunk_load(ones + ZR_CHUNK - count);
-}
-
 /* All ones where white space is, as isspace() has it in the "C" locale. */
 static inline zr_chunk zr_chunk_spaces(zr_chunk bytes)
 {

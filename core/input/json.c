@@ -9,7 +9,7 @@
 #include "input/text.h"
 
 /* BYTES_A_LOOK: between two looks at the flag of cancellation. */
-enum { WORD_BITS = 64, BYTES_A_LOOK = 1 << 20, ESCAPED_WORD_MAX = 64 };
+enum { WORD_BITS = 64, BYTES_A_LOOK = 1 << 20 };
 
 static const char A_VALUE[] = "a value";
 
@@ -89,35 +89,6 @@ static bool needs_a_look(uint64_t word)
     return ((word | (word - ones * 0x20) | (quote - ones) | (backslash - ones)) & tops) != 0;
 }
 
-/* The value of the four hexadecimal digits of a \u escape, or -1. */
-static int read_hex(const char *at, const char *end)
-{
-    if (end - at < 4) return -1;
-    int value = 0;
-    for (int i = 0; i < 4; i++) {
-        char c = at[i];
-        int digit = is_digit(c)            ? c - '0'
-                    : c >= 'a' && c <= 'f' ? c - 'a' + 10
-                    : c >= 'A' && c <= 'F' ? c - 'A' + 10
-                                           : -1;
-        if (digit < 0) return -1;
-        value = value * 16 + digit;
-    }
-    return value;
-}
-
-/* The character of the \u escape at `at`, of one unit or of a surrogate pair, and how long it is written; -1 where
- * there is none. */
-static int32_t read_unit(const char *at, const char *end, size_t *length)
-{
-    int unit = read_hex(at + 2, end);
-    *length = 6;
-    if (unit < 0xD800 || unit > 0xDFFF) return unit;
-    int low = unit < 0xDC00 && end - at >= 8 && at[6] == '\\' && at[7] == 'u' ? read_hex(at + 8, end) : -1;
-    *length = 12;
-    return low < 0xDC00 || low > 0xDFFF ? -1 : 0x10000 + ((unit - 0xD800) << 10) + (low - 0xDC00);
-}
-
 /* `at` is a backslash; returns behind the escape, or NULL. */
 static const char *pass_escape(struct zr_json *json, const char *at)
 {
@@ -127,14 +98,12 @@ static const char *pass_escape(struct zr_json *json, const char *at)
         return NULL;
     }
     if (at[1] != 'u') return at + 2;
-    if (read_hex(at + 2, json->end) < 0)
-        fail(json, at, "four hexadecimal digits after \\u");
-    else if (read_unit(at, json->end, &length) < 0)
-        fail(json, at, "both halves of a surrogate pair");
-    else if (read_unit(at, json->end, &length) == 0)
+    const int32_t character = zr_json_text_unit(at, json->end, &length);
+    if (character > 0) return at + length;
+    if (character == 0)
         fail_limit(json, at, "U+0000 in a string", 0);
     else
-        return at + length;
+        fail(json, at, length > 0 ? "both halves of a surrogate pair" : "four hexadecimal digits after \\u");
     return NULL;
 }
 
@@ -190,127 +159,67 @@ bool zr_json_take_string(struct zr_json *json, struct zr_json_text *text)
     return take_string(json, text);
 }
 
-static size_t write_utf8(int32_t character, char *out)
-{
-    const uint32_t c = (uint32_t)character;
-    if (c < 0x80) {
-        out[0] = (char)c;
-        return 1;
-    }
-    const size_t more = c < 0x800 ? 1 : c < 0x10000 ? 2 : 3;
-    static const unsigned char leads[] = {0, 0xC0, 0xE0, 0xF0};
-    out[0] = (char)(leads[more] | c >> (6 * more));
-    for (size_t i = 1; i <= more; i++)
-        out[i] = (char)(0x80 | (c >> (6 * (more - i)) & 0x3F));
-    return more + 1;
-}
-
-/* No escape is shorter than what it stands for. */
-static size_t resolve(const char *at, const char *end, char *out)
-{
-    static const char letters[] = "bfnrt", meant[] = "\b\f\n\r\t";
-    size_t used = 0, length;
-    while (at < end) {
-        const char *letter;
-        if (*at != '\\') {
-            out[used++] = *at++;
-        } else if (at[1] == 'u') {
-            used += write_utf8(read_unit(at, end, &length), out + used);
-            at += length;
-        } else {
-            letter = strchr(letters, at[1]);
-            out[used++] = letter ? meant[letter - letters] : at[1];
-            at += 2;
-        }
-    }
-    return used;
-}
-
 const char *zr_json_decode(struct zr_json *json, const struct zr_json_text *text)
 {
-    size_t size = (size_t)(text->end - text->at);
-    char *out = zr_arena_alloc(json->arena, size + 1, 1);
+    char *out = zr_arena_alloc(json->arena, (size_t)(text->end - text->at) + 1, 1);
     if (!out) {
         zr_json_look(json);
         return NULL;
     }
-    if (text->has_escapes)
-        size = resolve(text->at, text->end, out);
-    else
-        memcpy(out, text->at, size);
-    out[size] = '\0';
+    out[zr_json_text_resolve(text, out)] = '\0';
     return out;
-}
-
-bool zr_json_is(const struct zr_json_text *text, const char *word)
-{
-    size_t size = (size_t)(text->end - text->at);
-    const char *at = text->at;
-    char plain[6 * ESCAPED_WORD_MAX];
-    if (text->has_escapes) {
-        if (size > sizeof plain) return false;
-        size = resolve(text->at, text->end, plain);
-        at = plain;
-    }
-    return strncmp(at, word, size) == 0 && word[size] == '\0';
 }
 
 /* ---- numbers and words ---- */
 
-/* Why what begins at `at` is no number. */
-static bool fail_number(struct zr_json *json, const char *at)
+/* What is missing, and where, of what begins like a number. */
+struct lack {
+    const char *at, *what;
+};
+
+static const char *pass_digits(const char *at, const char *end, struct lack *lack)
 {
-    const char *end = json->end, *first = at;
-    if (at < end && *at == '-') at++;
-    first = at;
+    const char *first = at;
     while (at < end && is_digit(*at))
         at++;
-    if (at == first) return fail(json, at, "a digit");
-    if (*first == '0' && at - first > 1) return fail(json, first, "a number without leading zeros");
-    if (at < end && *at == '.') {
-        first = ++at;
-        while (at < end && is_digit(*at))
-            at++;
-        if (at == first) return fail(json, at, "a digit");
-    }
-    at++; /* an 'e' */
-    if (at < end && (*at == '+' || *at == '-')) at++;
-    return fail(json, at < end ? at : end, "a digit");
+    if (at > first) return at;
+    *lack = (struct lack){at, "a digit"};
+    return NULL;
 }
 
-bool zr_json_take_number(struct zr_json *json, double *value)
+/* RFC 8259, section 6. Returns behind the number at `at`, or NULL and what it lacks. */
+static const char *pass_number(const char *at, const char *end, struct lack *lack)
 {
-    const char *at = zr_json_skip_space(json->at, json->end), *behind = zr_number_quick(at, json->end, value);
-    if (!behind) behind = zr_number_read_json(at, json->end, value);
-    if (!behind) return fail_number(json, at);
+    if (at < end && *at == '-') at++;
+    const char *first = at;
+    if (!(at = pass_digits(at, end, lack))) return NULL;
+    if (*first == '0' && at - first > 1) {
+        *lack = (struct lack){first, "a number without leading zeros"};
+        return NULL;
+    }
+    if (at < end && *at == '.' && !(at = pass_digits(at + 1, end, lack))) return NULL;
+    if (at == end || (*at != 'e' && *at != 'E')) return at;
+    at++;
+    if (at < end && (*at == '+' || *at == '-')) at++;
+    return pass_digits(at, end, lack);
+}
+
+static bool skip_number(struct zr_json *json)
+{
+    struct lack lack = {json->at, A_VALUE};
+    const char *behind = pass_number(json->at, json->end, &lack);
+    if (!behind) return fail(json, lack.at, lack.what);
     json->at = behind;
     return true;
 }
 
-/* Without reading it. */
-static bool pass_number(struct zr_json *json)
+bool zr_json_take_number(struct zr_json *json, double *value)
 {
-    const char *at = json->at, *end = json->end;
-    if (*at == '-') at++;
-    const char *first = at;
-    while (at < end && is_digit(*at))
-        at++;
-    if (at == first || (*first == '0' && at - first > 1)) return fail_number(json, json->at);
-    if (at < end && *at == '.') {
-        first = ++at;
-        while (at < end && is_digit(*at))
-            at++;
-        if (at == first) return fail_number(json, json->at);
-    }
-    if (at < end && (*at == 'e' || *at == 'E')) {
-        at++;
-        if (at < end && (*at == '+' || *at == '-')) at++;
-        first = at;
-        while (at < end && is_digit(*at))
-            at++;
-        if (at == first) return fail_number(json, json->at);
-    }
-    json->at = at;
+    json->at = zr_json_skip_space(json->at, json->end);
+    const char *behind = zr_number_quick(json->at, json->end, value);
+    if (!behind) behind = zr_number_read_json(json->at, json->end, value);
+    if (!behind) return skip_number(json); /* which says why */
+    json->at = behind;
     return true;
 }
 
@@ -435,7 +344,7 @@ static bool skip_simple(struct zr_json *json, enum zr_json_type type)
     case ZR_JSON_STRING:
         return take_string(json, &text);
     case ZR_JSON_NUMBER:
-        return pass_number(json);
+        return skip_number(json);
     case ZR_JSON_BOOL:
         return take_word(json, *json->at == 't' ? "true" : "false");
     case ZR_JSON_NULL:

@@ -8,6 +8,7 @@
  *         (zr_json_close sees to that); so readers may stop at whatever they dislike.
  * Places: a value that was skipped is known to be well-formed, and may be read later from where it began
  *         (zr_json_at), as often as it takes. So no tree is made, and the order of keys does not matter.
+ * Ending: once nothing more is to be read, `at` and `look` are at `end`, and so no loop goes on.
  * Bytes:  nothing is read at `end` or behind it.
  */
 #ifndef ZR_JSON_H
@@ -18,6 +19,7 @@
 
 #include "base/arena.h"
 #include "base/status.h"
+#include "input/json_text.h"
 #include "zraster.h"
 
 /* What json_depth_max may be. */
@@ -38,12 +40,6 @@ struct zr_json {
     bool ended;     /* nothing more is read: the text is malformed or too deep, or the request cancelled */
     bool is_ahead;  /* of a part of a list that is read beside others: whatever is wrong only ends it (json_list.h) */
     char *room;     /* for such parts, once there are some */
-};
-
-/* In double quotes, as it is written: from behind the first to the second. */
-struct zr_json_text {
-    const char *at, *end;
-    bool has_escapes;
 };
 
 enum zr_json_type {
@@ -112,8 +108,8 @@ static inline bool zr_json_item(struct zr_json *json)
     return true;
 }
 
-/* A list that was entered at this depth, and of which all items are read that the text has: reported where the text
- * ends in it. For loops that look for the text's end themselves. */
+/* For loops over items that stop at the text's end by themselves: reports a list, entered at this depth, that is still
+ * open there. */
 void zr_json_check_closed(struct zr_json *json, unsigned inside);
 
 /* Behind the next value, whatever it is. */
@@ -130,10 +126,7 @@ bool zr_json_end(struct zr_json *json);
 /* As it is meant, escapes resolved, zero-terminated and in the arena; NULL where that has failed. */
 const char *zr_json_decode(struct zr_json *json, const struct zr_json_text *text);
 
-/* The same word? */
-bool zr_json_is(const struct zr_json_text *text, const char *word);
-
-/* Nothing more is read. `at` goes to the end, so that no loop over items or members goes on where it is. */
+/* Nothing more is read. */
 static inline void zr_json_give_up(struct zr_json *json)
 {
     json->ended = true;

@@ -1,5 +1,4 @@
 #include "input/json_heights.h"
-#include "input/json_objects.h"
 
 #include <math.h>
 #include <stdint.h>
@@ -7,6 +6,7 @@
 
 #include "base/checked.h"
 #include "input/json_list.h"
+#include "input/json_objects.h"
 #include "input/json_rows.h"
 
 /* Corner slots are counted in 32 bits, four a cell. */
@@ -156,7 +156,7 @@ bool zr_read_heights(struct zr_json *json, const struct zr_json_path *path, cons
 {
     struct zr_heights *heights = out;
     if (zr_json_type(json) != ZR_JSON_OBJECT) return read_values(json, path, field, out);
-    return zr_json_fields(json, path, &zr_json_object_heights, out, &heights->given);
+    return zr_json_fields(json, path, &zr_json_object_heights, out, &heights->keys);
 }
 
 /* ---- a mesh ---- */
@@ -171,7 +171,7 @@ static bool find_range(struct zr_json *json, const struct zr_json_path *path, co
                        size_t count, float out[2])
 {
     const double last = (double)(count - 1), limit = (double)json->limits->coordinate_max;
-    if (zr_json_gives(heights->given, key)) return true;
+    if (zr_json_gives(heights->keys, key)) return true;
     out[0] = 0.0f;
     out[1] = (float)last;
     return last <= limit ||

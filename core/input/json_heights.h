@@ -11,7 +11,7 @@ struct zr_heights {
     struct zr_growing values; /* row by row; NaN where there is a hole */
     size_t rows, columns;     /* columns: of the first row; 0 where rows are missing or differ, which is reported */
     bool has_holes;
-    uint64_t given;   /* keys */
+    uint64_t keys;    /* those that are there */
     float x[2], y[2]; /* of the first and the last column, and row, where they are given */
 };
 

@@ -77,15 +77,15 @@ bool zr_read_materials(struct zr_json *json, const struct zr_json_path *path, co
         zr_json_fields(json, ZR_JSON_ITEM(path, list.count), &zr_json_object_material, given, &keys);
         zr_given_note_alpha(root, &given->base_color, 1);
     }
-    root->materials_given = list.items;
-    root->given_count = list.count;
+    root->materials = list.items;
+    root->material_count = list.count;
     return true;
 }
 
 static void refuse_repeated_names(struct zr_given_scene *root, const struct zr_json_path *path)
 {
-    for (size_t i = 1; i < root->given_count; i++) {
-        const struct zr_given_material *before = &root->materials_given[i - 1], *given = before + 1;
+    for (size_t i = 1; i < root->material_count; i++) {
+        const struct zr_given_material *before = &root->materials[i - 1], *given = before + 1;
         if (*given->name && strcmp(before->name, given->name) == 0)
             zr_json_fault(&root->json, ZR_JSON_KEY(ZR_JSON_ITEM(path, given->number), fields[NAME].key),
                           "%s is the name of material %zu already", zr_quote(given->name, strlen(given->name)).text,
@@ -95,33 +95,32 @@ static void refuse_repeated_names(struct zr_given_scene *root, const struct zr_j
 
 void zr_given_sort_materials(struct zr_given_scene *root, const struct zr_json_path *path)
 {
-    if (root->given_count > 0)
-        qsort(root->materials_given, root->given_count, sizeof *root->materials_given, compare_given);
+    if (root->material_count > 0) qsort(root->materials, root->material_count, sizeof *root->materials, compare_given);
     refuse_repeated_names(root, path);
 }
 
 size_t zr_given_find_material(struct zr_given_scene *root, const struct zr_json_path *path, const char *name)
 {
     const struct zr_given_material *given =
-        root->given_count == 0 ? NULL
-                               : bsearch(name, root->materials_given, root->given_count, sizeof *given, compare_name);
-    if (given) return (size_t)(given - root->materials_given);
+        root->material_count == 0 ? NULL
+                                  : bsearch(name, root->materials, root->material_count, sizeof *given, compare_name);
+    if (given) return (size_t)(given - root->materials);
     struct zr_nearest nearest = {.word = name};
-    for (size_t i = 0; i < root->given_count; i++)
-        zr_nearest_offer(&nearest, root->materials_given[i].name);
+    for (size_t i = 0; i < root->material_count; i++)
+        zr_nearest_offer(&nearest, root->materials[i].name);
     zr_json_fault(&root->json, path, "no material has the name %s%s", zr_quote(name, strlen(name)).text,
                   zr_nearest_text(&nearest).text);
-    return root->given_count;
+    return root->material_count;
 }
 
 /* ---- materials as they are drawn ---- */
 
 uint32_t zr_given_make_material(struct zr_given_scene *root, const struct zr_style *style, bool coloured, bool smooth)
 {
-    bool has_given = style->given < root->given_count;
+    bool has_given = style->material < root->material_count;
     const struct zr_given_material none = {
         .name = "", .base_color = zr_default_base_color(coloured), .look = zr_look_unset};
-    const struct zr_given_material *given = has_given ? &root->materials_given[style->given] : &none;
+    const struct zr_given_material *given = has_given ? &root->materials[style->material] : &none;
     struct zr_look look = zr_look_merge(&style->look, &given->look);
     look = zr_look_merge(&look, &root->look);
     if (look.double_sided == ZR_UNSET) look.double_sided = style->is_open;

@@ -23,7 +23,7 @@ struct lines {
 
 /* A mesh as the scene has it. Lists are in arrays; what they must agree on is looked at once all are read. */
 struct zr_given_mesh {
-    uint64_t given;
+    uint64_t keys;               /* those that are there */
     const char *name, *material; /* NULL: no word of it */
     struct zr_look look;
     struct zr_growing positions, normals, colors, face_colors;
@@ -281,7 +281,7 @@ bool zr_read_meshes(struct zr_json *json, const struct zr_json_path *path, const
                                       .faces = {.ends.size = sizeof(uint32_t), .indices.size = sizeof(uint32_t)},
                                       .lines.ends.size = 2 * sizeof(uint32_t),
                                       .heights.values.size = sizeof(float)};
-        zr_json_fields(json, ZR_JSON_ITEM(path, list->count), &zr_json_object_mesh, &given, &given.given);
+        zr_json_fields(json, ZR_JSON_ITEM(path, list->count), &zr_json_object_mesh, &given, &given.keys);
         struct zr_given_mesh *kept = zr_growing_next(list, json);
         if (!kept) return false;
         *kept = given;
@@ -293,7 +293,7 @@ bool zr_read_meshes(struct zr_json *json, const struct zr_json_path *path, const
 
 static bool gives(const struct zr_given_mesh *given, int key)
 {
-    return zr_json_gives(given->given, key);
+    return zr_json_gives(given->keys, key);
 }
 
 /* Either positions with faces, lines or both, or heights. */
@@ -356,11 +356,11 @@ static void make_mesh(struct zr_given_scene *root, const struct zr_json_path *pa
                       struct zr_mesh *mesh)
 {
     struct zr_json *json = &root->json;
-    struct zr_style style = {.given = root->given_count, .look = given->look, .is_open = gives(given, HEIGHTS)};
+    struct zr_style style = {.material = root->material_count, .look = given->look, .is_open = gives(given, HEIGHTS)};
     *mesh = (struct zr_mesh){.name = given->name ? given->name : ""};
     check_shape(json, path, given);
     if (given->material)
-        style.given = zr_given_find_material(root, ZR_JSON_KEY(path, fields[MATERIAL].key), given->material);
+        style.material = zr_given_find_material(root, ZR_JSON_KEY(path, fields[MATERIAL].key), given->material);
     if (gives(given, HEIGHTS)) {
         if (!zr_heights_make(json, ZR_JSON_KEY(path, fields[HEIGHTS].key), &given->heights, mesh)) return;
     } else {

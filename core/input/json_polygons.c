@@ -78,34 +78,33 @@ static bool fill(struct zr_growing *array, struct zr_json *json, size_t count, c
 static const zr_vec4 white = {1, 1, 1, 1};
 static const zr_vec3 computed = {0, 0, 0}; /* as a normal */
 
-/* struct polygon */
-static bool read_colors(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field,
-                        void *out)
+/* A list with something for each vertex; earlier polygons get `item`, where this is the first that has one. */
+static bool read_each(struct zr_json *json, const struct zr_json_path *path, const struct polygon *polygon,
+                      struct zr_growing *list, const void *item, zr_rows_read_fn *read)
 {
-    const struct polygon *polygon = out;
-    struct zr_growing *colors = &polygon->soup->colors;
-    (void)field;
-    if (!zr_json_list(json, path) || !fill(colors, json, polygon->first_vertex, &white)) return false;
-    if (!zr_json_enter(json, '[')) return false;
+    if (!zr_json_list(json, path) || !fill(list, json, polygon->first_vertex, item) || !zr_json_enter(json, '['))
+        return false;
     const unsigned inside = json->depth;
-    zr_rows_read_colors(json, path, colors, polygon->first_vertex, json->end);
+    read(json, path, list, polygon->first_vertex, json->end);
     zr_json_check_closed(json, inside);
     return true;
 }
 
-/* struct polygon */
+/* struct polygon, as the next one */
+static bool read_colors(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field,
+                        void *out)
+{
+    const struct polygon *polygon = out;
+    (void)field;
+    return read_each(json, path, polygon, &polygon->soup->colors, &white, zr_rows_read_colors);
+}
+
 static bool read_normals(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field,
                          void *out)
 {
     const struct polygon *polygon = out;
-    struct zr_growing *normals = &polygon->soup->normals;
     (void)field;
-    if (!zr_json_list(json, path) || !fill(normals, json, polygon->first_vertex, &computed)) return false;
-    if (!zr_json_enter(json, '[')) return false;
-    const unsigned inside = json->depth;
-    zr_rows_read_vec3s(json, path, normals, polygon->first_vertex, json->end);
-    zr_json_check_closed(json, inside);
-    return true;
+    return read_each(json, path, polygon, &polygon->soup->normals, &computed, zr_rows_read_vec3s);
 }
 
 /* zr_vec4 */
@@ -213,19 +212,31 @@ static bool find_style(struct zr_json *json, struct zr_soup *soup, const struct 
     return true;
 }
 
+/* Of a polygon with faults, so that the next one can be judged by itself. */
+static void drop_vertices(const struct polygon *polygon)
+{
+    struct zr_growing *const lists[] = {&polygon->soup->positions, &polygon->soup->colors, &polygon->soup->normals};
+    for (size_t i = 0; i < sizeof lists / sizeof *lists; i++)
+        if (lists[i]->count > polygon->first_vertex) lists[i]->count = polygon->first_vertex;
+}
+
 static void read_polygon(struct zr_json *json, const struct zr_json_path *path, struct zr_soup *soup)
 {
     struct polygon polygon = {.soup = soup,
                               .first_vertex = soup->positions.count,
                               .color = white,
                               .style = {.polygon = (uint32_t)soup->offsets.count, .look = zr_look_unset}};
+    const size_t faults = json->error->count;
     uint64_t keys;
     if (!add(&soup->offsets, json, polygon.first_vertex)) return;
     zr_json_fields(json, path, &zr_json_object_polygon, &polygon, &keys);
     const bool has_color = zr_json_gives(keys, COLOR), has_colors = zr_json_gives(keys, COLORS),
                has_normals = zr_json_gives(keys, NORMALS);
     if (polygon.holes && json->is_ahead) zr_json_give_up(json); /* rings are counted by one thread */
-    if (json->error->count > 0 || json->ended) return;          /* nothing will be drawn */
+    if (json->error->count > faults || json->ended) {
+        drop_vertices(&polygon);
+        return;
+    }
     if (polygon.holes || soup->rings.count > 0) read_holes(json, path, &polygon);
     if (has_color || soup->face_colors.items) {
         if (!fill(&soup->face_colors, json, soup->offsets.count - 1, &white) ||
@@ -345,11 +356,12 @@ static void find_materials(struct zr_given_scene *root, const struct zr_json_pat
     const struct style *styles = soup->styles.items;
     uint32_t *materials = zr_arena_alloc(root->json.arena, soup->styles.count, sizeof *materials);
     uint32_t *faces = soup->face_styles.items;
-    for (size_t i = 0; materials && i < soup->styles.count && !zr_json_stops(&root->json); i++) {
-        struct zr_style style = {.given = root->given_count, .look = styles[i].look};
+    for (size_t i = 0; materials && i < soup->styles.count; i++) {
+        if (zr_json_stops(&root->json)) return;
+        struct zr_style style = {.material = root->material_count, .look = styles[i].look};
         const char *name = styles[i].material.at ? zr_json_decode(&root->json, &styles[i].material) : NULL;
         if (name)
-            style.given = zr_given_find_material(
+            style.material = zr_given_find_material(
                 root, ZR_JSON_KEY(ZR_JSON_ITEM(path, styles[i].polygon), fields[MATERIAL].key), name);
         style.is_uniform = !(styles[i].has & HAS_COLORS);
         materials[i] = zr_given_make_material(root, &style, styles[i].has & (HAS_COLOR | HAS_COLORS),

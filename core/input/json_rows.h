@@ -132,11 +132,9 @@ ZR_INLINED const char *zr_row_indices(const char *at, const char *end, uint32_t 
 /* Items of a list, from where `json` is in it up to one that begins at `until` or behind it, or to the list's end,
  * behind what the array holds. Their numbers in the path count from the array's item `first`. What is odd or wrong is
  * read by the readers of json_value.h. */
-void zr_rows_read_positions(struct zr_json *json, const struct zr_json_path *path, struct zr_growing *array,
-                            size_t first, const char *until); /* zr_vec4 */
-void zr_rows_read_colors(struct zr_json *json, const struct zr_json_path *path, struct zr_growing *array, size_t first,
-                         const char *until); /* zr_vec4 */
-void zr_rows_read_vec3s(struct zr_json *json, const struct zr_json_path *path, struct zr_growing *array, size_t first,
-                        const char *until); /* zr_vec3 */
+typedef void zr_rows_read_fn(struct zr_json *json, const struct zr_json_path *path, struct zr_growing *array,
+                             size_t first, const char *until);
+zr_rows_read_fn zr_rows_read_positions, zr_rows_read_colors; /* zr_vec4 */
+zr_rows_read_fn zr_rows_read_vec3s;                          /* zr_vec3 */
 
 #endif

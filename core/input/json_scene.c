@@ -1,11 +1,11 @@
 /* The root of a scene: all of it is read first, in the order of the text, and then put together. */
 #include "input/json_scene.h"
-#include "input/json_objects.h"
 
 #include <string.h>
 
 #include "input/defaults.h"
 #include "input/input.h"
+#include "input/json_objects.h"
 #include "input/text.h"
 
 /* Rows of numbers are read without counting levels. This deep an item of a list may be: /meshes/0/heights/values/0/0.
@@ -145,9 +145,9 @@ static void use_colors(struct zr_given_scene *root)
     struct zr_scene *scene = root->scene;
     scene->algorithm = (enum zr_algorithm)root->algorithm;
     scene->background = root->background;
-    if (zr_json_gives(root->given, AMBIENT))
+    if (zr_json_gives(root->keys, AMBIENT))
         scene->ambient = (zr_vec3){root->ambient.x, root->ambient.y, root->ambient.z};
-    else if (zr_json_gives(root->given, LIGHTS))
+    else if (zr_json_gives(root->keys, LIGHTS))
         scene->ambient = zr_default_ambient_of_own_lights();
     if (!root->fog_has_color) scene->fog.color = (zr_vec3){root->background.x, root->background.y, root->background.z};
 }
@@ -197,7 +197,7 @@ static enum zr_status read_json(struct zr_scene_builder *builder, const struct z
     zr_json_open(json, request->bytes, request->size);
     root.assets_used = zr_arena_zero(builder->arena, root.asset_count, sizeof *root.assets_used);
     if (used.json_depth_max < DEPTH_OF_LISTS && !is_shallow(json)) return zr_json_close(json);
-    if (root.assets_used && zr_json_fields(json, NULL, &zr_json_object_scene, &root, &root.given) && zr_json_end(json))
+    if (root.assets_used && zr_json_fields(json, NULL, &zr_json_object_scene, &root, &root.keys) && zr_json_end(json))
         build(&root);
     return zr_json_close(json);
 }

@@ -36,8 +36,7 @@ struct zr_given_scene {
     struct zr_scene_builder *builder;
     struct zr_scene *scene; /* the builder's */
 
-    uint64_t given; /* keys of the root */
-    uint32_t version, samples;
+    uint64_t keys; /* those of the root that are there */
     int algorithm, color_management;
     zr_vec4 background, ambient;
     struct zr_look look; /* the scene's own */
@@ -45,10 +44,10 @@ struct zr_given_scene {
     const char *fit_mesh;     /* the name of the mesh that the view is fitted to, or NULL */
     const char *nodes, *base; /* where they are in the text, or NULL */
 
-    size_t given_count;
-    struct zr_given_material *materials_given; /* sorted by name */
-    struct zr_growing meshes;                  /* struct zr_given_mesh */
-    struct zr_soup *soup;                      /* or NULL */
+    size_t material_count;
+    struct zr_given_material *materials; /* sorted by name */
+    struct zr_growing meshes;            /* struct zr_given_mesh */
+    struct zr_soup *soup;                /* or NULL */
 
     bool transparent; /* some colour wants to be */
 
@@ -62,7 +61,7 @@ struct zr_given_scene {
 
 /* What a mesh or a polygon says of its looks. */
 struct zr_style {
-    size_t given; /* index into root->materials_given, or given_count: none */
+    size_t material; /* index into root->materials, or material_count: none */
     struct zr_look look;
     bool is_uniform; /* has no colours of its own, whatever others of its mesh have */
     bool is_open;    /* an open surface: two-sided where nobody says otherwise */
@@ -95,7 +94,7 @@ struct zr_style {
 zr_json_read_fn zr_read_outline; /* struct zr_look */
 
 /* json_material.c: a list of materials; by their names, once the root is read; the index of one by its name, or
- * given_count, and a fault at `path`. */
+ * material_count, and a fault at `path`. */
 zr_json_read_fn zr_read_materials; /* struct zr_given_scene, as all that follow */
 void zr_given_sort_materials(struct zr_given_scene *root, const struct zr_json_path *path);
 size_t zr_given_find_material(struct zr_given_scene *root, const struct zr_json_path *path, const char *name);

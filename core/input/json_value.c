@@ -293,14 +293,15 @@ bool zr_json_string(struct zr_json *json, const struct zr_json_path *path, const
 bool zr_json_choice(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field, void *out)
 {
     const struct zr_names *names = field->words;
-    const char *word;
-    if (!zr_json_string(json, path, NULL, &word)) return false;
-    const int found = zr_names_find(names, word);
-    if (found >= 0 && found < names->count) {
-        *(int *)out = found;
-        return true;
-    }
-    return zr_json_fault(json, path, "%s", zr_names_refuse(names, word).text);
+    struct zr_json_text text;
+    if (!expect(json, path, ZR_JSON_STRING, "a string") || !zr_json_take_string(json, &text)) return false;
+    for (int i = 0; i < names->count; i++)
+        if (zr_json_is(&text, names->words[i])) {
+            *(int *)out = i;
+            return true;
+        }
+    const char *word = zr_json_decode(json, &text);
+    return word && zr_json_fault(json, path, "%s", zr_names_refuse(names, word).text);
 }
 
 /* ---- vectors ---- */
@@ -381,12 +382,15 @@ bool zr_json_color(struct zr_json *json, const struct zr_json_path *path, const 
         "[r,g,b] or [r,g,b,a] of 0..1, \"#rrggbb\", \"#rrggbbaa\", \"#rgb\", \"#rgba\" or a name "
         "of CSS";
     const enum zr_json_type type = zr_json_type(json);
-    const char *text;
+    struct zr_json_text text;
+    (void)field;
     if (type == ZR_JSON_LIST) return read_vec4(json, path, 3, 0.0, 1.0, out);
     if (type == ZR_JSON_STRING) {
-        if (!zr_json_string(json, path, field, &text)) return false;
-        return zr_color_of_text(text, strlen(text), out) ||
-               zr_json_fault(json, path, "%s is not a colour: %s", zr_quote(text, strlen(text)).text, forms);
+        if (!zr_json_take_string(json, &text)) return false;
+        if (!text.has_escapes && zr_color_of_text(text.at, (size_t)(text.end - text.at), out)) return true;
+        const char *word = zr_json_decode(json, &text);
+        return word && (zr_color_of_text(word, strlen(word), out) ||
+                        zr_json_fault(json, path, "%s is not a colour: %s", zr_quote(word, strlen(word)).text, forms));
     }
     return zr_json_skip(json) && zr_json_fault(json, path, "expected a colour, found %s: %s", kinds[type], forms);
 }

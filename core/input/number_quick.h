@@ -122,10 +122,9 @@ ZR_INLINED const char *zr_number_quicker(const char *at, double *value)
 enum { ZR_QUICK_ROW_BYTES = 32 + 8 };
 
 /* Whole numbers of up to 7 digits without leading zeros, the first one behind `at`, one `separator` and perhaps a blank
- * between two, `most`
- * of them at most, which end within 32 bytes, where ZR_QUICK_ROW_BYTES may be read: each is from + what becomes out[i],
- * which is less than `count`. Returns where the last one ends, *used of them; NULL where there is anything else.
- * All ends are found at once, so that no number waits for the one before. */
+ * between two, `most` of them at most, which end within 32 bytes, where ZR_QUICK_ROW_BYTES may be read: each is from +
+ * what becomes out[i], which is less than `count`. Returns where the last one ends, *used of them; NULL where there is
+ * anything else. All ends are found at once, so that no number waits for the one before. */
 ZR_INLINED const char *zr_number_quick_row(const char *at, char separator, uint32_t from, uint32_t count, size_t most,
                                            uint32_t *out, size_t *used)
 {

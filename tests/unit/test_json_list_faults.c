@@ -222,6 +222,23 @@ static void indices_before_their_positions_have_the_same_complaints(void **state
     reading_free(last);
 }
 
+static void each_polygon_is_judged_by_itself(void **state)
+{
+    (void)state;
+    struct reading *reading =
+        read_text(ZR_FORMAT_JSON, "{\"nodez\":1,\"polygons\":[" CORNERS ",\"colors\":[\"red\",\"red\",\"red\"]},"
+                                  "{\"vertices\":[[0,0,0],[1,0]],\"colors\":[\"red\"]}," CORNERS
+                                  ",\"colors\":[\"red\"]}," CORNERS ",\"normals\":[[0,0,1],[0,0,1]]}," CORNERS "}]}");
+    static const char *const pointers[] = {"/nodez", "/polygons/1/vertices/1", "/polygons/1/vertices",
+                                           "/polygons/2/colors", "/polygons/3/normals"};
+    assert_int_equal(reading->error.count, 5);
+    for (int i = 0; i < 5; i++)
+        assert_string_equal(reading->error.items[i].pointer, pointers[i]);
+    assert_string_equal(reading->error.items[3].detail, "1 items for 3 vertices; one each is needed");
+    assert_string_equal(reading->error.items[4].detail, "2 items for 3 vertices; one each is needed");
+    reading_free(reading);
+}
+
 /* A suggestion for each of thousands, out of thousands, would take minutes. */
 static void thousands_of_unknown_materials_are_told_at_once(void **state)
 {
@@ -253,6 +270,7 @@ int main(void)
         cmocka_unit_test(text_cut_short_anywhere_is_bad_syntax),
         cmocka_unit_test(text_cut_in_a_list_names_the_bracket_of_the_list),
         cmocka_unit_test(indices_before_their_positions_have_the_same_complaints),
+        cmocka_unit_test(each_polygon_is_judged_by_itself),
         cmocka_unit_test(thousands_of_unknown_materials_are_told_at_once),
     };
     return cmocka_run_group_tests_name("json_list_faults", tests, NULL, NULL);

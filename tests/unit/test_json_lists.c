@@ -55,9 +55,9 @@ static void arrays_take_little_more_than_themselves(void **state)
     for (size_t i = 0; i < COUNT; i++) {
         add(&text, "%s{\"vertices\":[", i ? "," : "");
         add_places(&text, 3, 3);
-        add(&text, "]}");
+        add(&text, "],\"shading\":\"flat\",\"outline\":\"red\",\"material\":\"m\"}");
     }
-    add(&text, "]}");
+    add(&text, "],\"materials\":[{\"name\":\"m\"}]}");
     struct reading *reading = read_bytes(ZR_FORMAT_JSON, text.bytes, text.size);
     assert_read(reading);
     size_t arrays = (size_t)COUNT * (3 * (sizeof(zr_vec4) + sizeof(uint32_t)) + 2 * sizeof(uint32_t));
