@@ -15,6 +15,7 @@
 
 #include "base/vec.h"
 #include "scene/channels.h"
+#include "scene/picture.h"
 
 enum zr_shading {
     ZR_SHADING_UNLIT,   /* colours as given, interpolated where given per vertex */
@@ -22,6 +23,8 @@ enum zr_shading {
     ZR_SHADING_GOURAUD, /* lit at each vertex, interpolated */
     ZR_SHADING_PHONG,   /* normals interpolated, lit at each pixel */
     ZR_SHADING_NORMALS, /* normals in camera space as colours */
+    ZR_SHADING_PBR,     /* metals and plastics, as glTF 2.0 has them */
+    ZR_SHADING_GOOCH,   /* from a cool colour to the surface's own, by the side that faces a lamp of the camera's */
     ZR_SHADING_COUNT
 };
 
@@ -36,6 +39,9 @@ struct zr_material {
     zr_vec4 base_color; /* multiplies the colours of faces and vertices */
     zr_vec3 specular;   /* of ZR_SHADING_PHONG */
     float shininess;
+    float metallic, roughness; /* of ZR_SHADING_PBR, 0..1 */
+    zr_vec3 emissive;          /* likewise: light of its own, linear */
+    zr_vec3 cool;              /* of ZR_SHADING_GOOCH */
     enum zr_shading shading;
     bool double_sided;  /* false: polygons that turn away are not drawn */
     bool uniform_color; /* unlit: its faces have one colour each, though others of their mesh have one a vertex */
@@ -111,11 +117,22 @@ enum { ZR_LIGHTS_MAX = 1024 };
  * and NaN come of that. */
 #define ZR_MATRIX_MAX 1e15f
 
-/* Light from one direction, as from the sun. */
+enum zr_light_type {
+    ZR_LIGHT_DIRECTIONAL, /* from one direction, as from the sun */
+    ZR_LIGHT_HEMISPHERE   /* from all around: from the sky above to the ground below */
+};
+
+/* Which shadings a lamp lights. A look's lamps stand in for its environment where that is not seen. */
+enum zr_lit { ZR_LIT_ALL, ZR_LIT_CLASSIC /* flat, gouraud, phong */, ZR_LIT_PBR };
+
 struct zr_light {
-    zr_vec3 direction; /* the way the light travels; unit length */
-    zr_vec3 color;     /* times intensity */
+    zr_vec3 direction; /* the way the light travels; of a hemisphere, to the sky; unit length */
+    zr_vec3 color;     /* times intensity; of a hemisphere, of the sky */
     bool camera_frame; /* direction is in eye space (it goes with the camera), else in world space */
+    enum zr_light_type type;
+    zr_vec3 ground; /* times intensity, of a hemisphere */
+    bool has_shadows;
+    enum zr_lit lit;
 };
 
 /* Depth cueing: what is seen up to `near` has its own colour, from `far` on that of the fog, and in between more and
@@ -227,6 +244,7 @@ struct zr_scene {
     zr_vec4 background;
     zr_vec3 ambient;
     struct zr_fog fog;
+    struct zr_picture picture;
     enum zr_algorithm algorithm;
     uint32_t material_count, mesh_count, instance_count, light_count, warning_count;
     const struct zr_material *materials;

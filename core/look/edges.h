@@ -1,0 +1,40 @@
+/* edges.h - look: silhouettes and creases, found between neighbouring samples and widened to lines.
+ *
+ * In:     tile by tile, the G-buffer of samples (owner, normal, point). Out: the share of each pixel that edges cover.
+ * How:    a silhouette is where one of two horizontal or vertical neighbours is empty, or
+ *         the smaller of both points' distances to the other's plane exceeds 1.5 sample widths; a crease where normals
+ *         differ by more than an angle. Both samples are marked; connected creases whose box is under 12 pixels in both
+ *         directions are dropped; marks are widened by a disc.
+ * Memory: two bits a sample, and the rows and columns at the sides of tiles, which are compared when all are drawn.
+ */
+#ifndef ZR_EDGES_H
+#define ZR_EDGES_H
+
+#include "base/arena.h"
+#include "base/isa.h"
+#include "base/team.h"
+#include "look/gbuffer.h"
+#include "look/occlusion.h"
+#include "scene/picture.h"
+#include "zraster.h"
+
+/* Marks of a picture of width x height pixels with side x side samples each. Tiles are squares of ZR_TILE_SIZE samples
+ * (raster/tile.h), tile 0 at the lower left, numbered along the row. */
+struct zr_edge_marks;
+
+struct zr_edge_marks *zr_edge_marks_make(struct zr_arena *arena, uint32_t width, uint32_t height, uint32_t side,
+                                         const struct zr_edges *edges, const struct zr_pixel_scale *scale);
+
+/* Marks what is found inside of tile `number`, and keeps its sides for zr_edges_finish. One thread a tile. */
+void zr_edges_mark_tile(struct zr_edge_marks *marks, enum zr_isa isa, uint32_t number, const struct zr_gbuffer *tile);
+
+/* A tile in which nobody is seen. */
+void zr_edges_mark_empty(struct zr_edge_marks *marks, uint32_t number);
+
+/* Compares tiles' sides, drops specks, widens. Of each pixel the opacity of ink, 0..1: (share of samples that are within
+ * width / 2 of a silhouette, or else 0.85 of those of a crease); row 0 is the lowest, rows of `width`. NULL where the
+ * arena has failed; cancelled, it returns early. */
+const float *zr_edges_finish(struct zr_edge_marks *marks, struct zr_arena *arena, struct zr_team *team,
+                             const struct zr_cancel *cancel);
+
+#endif
