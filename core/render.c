@@ -1,52 +1,72 @@
-/* render.c - the pipeline, from top to bottom: each STAGE of run_pipeline is one. */
+/* render.c - the pipeline, from top to bottom: each STAGE is one; those of a pass are in look/pass.c, those of pictures
+ * in linear light in look/picture.c. */
 #include "zraster.h"
 
-#include "geometry/build.h"
-#include "raster/visibility.h"
+#include "look/pass.h"
+#include "look/picture.h"
 #include "scene/base_depth.h"
 #include "scene/resolved_view.h"
 #include "scene/scene.h"
-#include "shade/frame.h"
-#include "shade/paint.h"
-#include "shade/surfaces.h"
-#include "shade/tiles.h"
 
 /* Goes on only where the stage before went well. */
 #define STAGE(call)                                                                                                    \
     if (status == ZR_OK) status = (call)
 
+/* Channels of pixels' centres, and colours with them where they are in the textbook's way. */
+static enum zr_status draw_channels(struct zr_arena *arena, struct zr_team *team, const struct zr_scene *scene,
+                                    const struct zr_cancel *cancel, struct zr_frame *frame)
+{
+    const float line_width = scene->picture.line_width + 0.5f;
+    const struct zr_pass_of of = {
+        .scene = scene,
+        .camera = &frame->camera,
+        .window = {frame->width, frame->height, line_width > 1.0f ? (int32_t)line_width : 1},
+        .wants = {.colors = frame->color, .normals = frame->channels[ZR_CHANNEL_NORMALS]},
+        .base = frame->base};
+    enum zr_status status = ZR_OK;
+    struct zr_pass pass;
+    STAGE(zr_pass_make(arena, team, &of, cancel, &pass));
+    STAGE(zr_tiles_draw(arena, team, &pass.tiles, cancel, frame));
+    if (status == ZR_OK) frame->counts = zr_pass_counts(&pass);
+    return status;
+}
+
+static bool has_channels(const struct zr_frame *frame)
+{
+    for (int c = 0; c < ZR_CHANNEL_COUNT; c++)
+        if (frame->channels[c]) return true;
+    return false;
+}
+
+/* No data channel knows of samples and effects. */
+static enum zr_status draw_apart(struct zr_arena *arena, struct zr_team *team, const struct zr_scene *scene,
+                                 const struct zr_cancel *cancel, struct zr_frame *frame)
+{
+    struct zr_frame picture = *frame;
+    enum zr_status status = ZR_OK;
+    frame->color = NULL;
+    STAGE(zr_picture_draw(arena, team, scene, cancel, &picture));
+    if (has_channels(frame)) {
+        STAGE(draw_channels(arena, team, scene, cancel, frame));
+    } else {
+        *frame = picture;
+    }
+    frame->color = picture.color;
+    frame->reaches = NULL;
+    return status;
+}
+
 static enum zr_status run_pipeline(struct zr_arena *arena, struct zr_team *team, const struct zr_scene *scene,
                                    const struct zr_resolved_view *resolved, const struct zr_cancel *cancel,
                                    struct zr_frame *frame, struct zr_error *error)
 {
-    const struct zr_view *view = &scene->views[0];
-    const uint32_t width = view->width, height = view->height;
-    zr_visibility_fn *window_at_once = zr_visibility_of(scene->algorithm); /* else tile by tile */
     enum zr_status status = ZR_OK;
-    struct zr_geometry geometry;
-    struct zr_surfaces surfaces;
-    const struct zr_payload *payloads = NULL;
-    struct zr_visible visible;
-    struct zr_samples samples;
-    struct zr_tiles tiles = {scene, &geometry, &surfaces, &visible, window_at_once ? &samples : NULL};
-
     if (!resolved) status = zr_resolved_view_find(arena, team, scene, cancel, &resolved, error);
-    STAGE(zr_frame_make(arena, view, resolved, frame));
+    STAGE(zr_frame_make(arena, &scene->views[0], resolved, frame));
     STAGE(zr_base_place(arena, scene, &frame->camera, &frame->base, error));
-    STAGE(zr_geometry_build(arena, team, scene, &frame->camera, cancel, window_at_once != NULL, &geometry));
-    STAGE(zr_surfaces_make(arena, team, scene, &frame->camera, &geometry, cancel, &surfaces));
-    if (window_at_once) {
-        STAGE(zr_visibility_window(arena, &geometry, window_at_once, width, height, frame->base, cancel, &samples));
-    } else {
-        if (frame->color)
-            STAGE(zr_paint_prepare(arena, team, &geometry, &surfaces, (uint64_t)width * height, &payloads));
-        STAGE(zr_visible_make(arena, team, &geometry, payloads, width, height, cancel, &visible));
-    }
-    STAGE(zr_tiles_draw(arena, team, &tiles, cancel, frame));
     if (status != ZR_OK) return status;
-    frame->counts = geometry.counts;
-    if (!window_at_once) zr_counts_add(&frame->counts, &visible.bins.counts);
-    return ZR_OK;
+    return frame->color && zr_picture_is_apart(&scene->picture) ? draw_apart(arena, team, scene, cancel, frame)
+                                                                : draw_channels(arena, team, scene, cancel, frame);
 }
 
 enum zr_status zr_render(struct zr_arena *arena, struct zr_team *team, const struct zr_scene *scene,

@@ -80,17 +80,17 @@ static enum zr_status build_instance(struct zr_builder *builder, const struct zr
 }
 
 enum zr_status zr_geometry_build(struct zr_arena *arena, struct zr_team *team, const struct zr_scene *scene,
-                                 const struct zr_camera *camera, const struct zr_cancel *cancel, bool singly,
-                                 struct zr_geometry *geometry)
+                                 const struct zr_camera *camera, const struct zr_window *window,
+                                 const struct zr_cancel *cancel, bool singly, struct zr_geometry *geometry)
 {
-    *geometry = (struct zr_geometry){.vertex_count = 0};
+    *geometry = (struct zr_geometry){.window = *window};
     struct zr_builder builder = {.arena = arena,
                                  .team = team,
                                  .cancel = cancel,
                                  .scene = scene,
                                  .geometry = geometry,
                                  .singly = singly,
-                                 .viewport = zr_viewport_make(scene->views[0].width, scene->views[0].height),
+                                 .viewport = zr_viewport_make(window->width, window->height),
                                  .cutting.triangulator.loops.cancel = cancel,
                                  .first_face_id = 1};
     if (!make_room(&builder)) return ZR_NO_MEMORY;

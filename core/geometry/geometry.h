@@ -31,6 +31,7 @@ struct zr_eye {
 };
 
 struct zr_geometry {
+    struct zr_window window;
     uint32_t vertex_count, primitive_count, shape_count, edge_count, draw_count, cut_count;
     struct zr_window_vertex *vertices; /* instance by instance: its mesh's positions, and what clipping made */
     struct zr_eye *eyes;               /* one a vertex; only those of lines and of what clipping made are defined */

@@ -20,6 +20,12 @@ enum { ZR_SUBPIXEL_BITS = 8, ZR_SUBPIXELS = 1 << ZR_SUBPIXEL_BITS };
  * Edge functions are then below 2^46 and fit int64 with room to spare. */
 enum { ZR_SNAP_MAX = 1 << (14 + ZR_SUBPIXEL_BITS) };
 
+/* What is drawn into. */
+struct zr_window {
+    uint32_t width, height; /* pixels */
+    int32_t line_width;     /* of lines and outlines, pixels */
+};
+
 struct zr_viewport {
     float scale_x, scale_y, trans_x, trans_y;
 };

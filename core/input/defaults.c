@@ -24,6 +24,7 @@ void zr_scene_defaults(struct zr_scene *scene)
     *scene = (struct zr_scene){
         .background = {1, 1, 1, 1},
         .ambient = {0.34f, 0.34f, 0.34f},
+        .picture = {.side = 1, .line_width = 1.0f, .exposure = 1.0f, .crease_degrees = 180.0f},
         .light_count = sizeof LIGHTS / sizeof LIGHTS[0],
         .lights = LIGHTS,
         .views[0] = {.width = 640,

@@ -13,7 +13,7 @@
 #include "base/arena.h"
 #include "base/isa.h"
 #include "base/team.h"
-#include "look/gbuffer.h"
+#include "shade/gbuffer.h"
 #include "look/occlusion.h"
 #include "scene/picture.h"
 #include "zraster.h"

@@ -1,27 +1,23 @@
 /* lighting.h - look: G-buffer -> colours of samples, in linear light, tone mapped, 0..1. A kernel.
  *
  * Space:  eye space. E is irradiance / pi: a white diffuse surface under E = 1 is 1.
- * Source: glTF 2.0, appendix B; environment.h.
+ * Models: surface_pbr_simd.h, surface_classic_simd.h. Unlit surfaces, lines and normals as colours are as they are.
  */
 #ifndef ZR_LOOK_LIGHTING_H
 #define ZR_LOOK_LIGHTING_H
 
 #include "base/isa.h"
-#include "look/gbuffer.h"
+#include "look/environment.h"
 #include "scene/scene.h"
+#include "shade/gbuffer.h"
 
-enum { ZR_ENVIRONMENT_BOXES = 4, ZR_ENVIRONMENT_LOBES = 1, ZR_HARMONICS = 9 };
-
-/* Values of an environment: rows of environment.c. */
-struct zr_environment_row;
-
-/* Of one lamp. */
+/* Of one light of the scene. */
 struct zr_lamp {
-    zr_vec3 to_light;    /* unit; of a hemisphere: its up */
-    zr_vec3 color;       /* E at normal incidence; of a hemisphere: from the sky */
-    zr_vec3 ground;      /* of a hemisphere */
+    zr_vec3 to_light; /* unit; of a hemisphere: its up */
+    zr_vec3 color;    /* E at normal incidence; of a hemisphere: from the sky */
+    zr_vec3 ground;   /* of a hemisphere */
     bool is_hemisphere;
-    bool lights_pbr, lights_classic; /* classic: flat, gouraud, phong */
+    bool lights_pbr, lights_classic;    /* classic: flat, gouraud, phong */
     const struct zr_shadow_map *shadow; /* shadow_map.h; NULL: it casts none */
 };
 
@@ -31,17 +27,17 @@ struct zr_look_lighting {
     zr_vec3 ambient; /* E of what is lit from all sides alike, for all shadings */
     uint32_t lamp_count;
     const struct zr_lamp *lamps;
-    const struct zr_environment_row *environment; /* NULL: none */
+    bool has_environment;
+    struct zr_environment_light environment;
     float environment_intensity;
-    float eye_to_environment[3][3]; /* rows */
-    bool is_parallel; /* all rays of sight are: */
-    zr_vec3 to_eye;   /* a unit vector */
+    zr_vec3 eye_to_environment[3]; /* rows */
+    bool is_parallel;              /* all rays of sight are: */
+    zr_vec3 to_eye;                /* a unit vector */
     enum zr_tone tone;
     float exposure;
-    bool has_occlusion;
 };
 
-/* Colours of `count` samples from `first` on (a multiple of 16; up to 15 more may be written) to out[0..2][first ..].
+/* Colours of `count` samples from `first` on (up to 15 more may be looked at, and written) to out[0..2][first ..].
  * `occlusion`: one a sample, at the same places, or NULL. Where nobody is seen: 0. */
 typedef void zr_look_light_fn(const struct zr_look_lighting *lighting, const struct zr_gbuffer *samples,
                               const float *occlusion, size_t first, size_t count, float *const out[3]);

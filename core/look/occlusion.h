@@ -11,7 +11,7 @@
 
 #include "base/arena.h"
 #include "base/team.h"
-#include "look/gbuffer.h"
+#include "shade/gbuffer.h"
 #include "scene/picture.h"
 #include "zraster.h"
 

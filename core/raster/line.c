@@ -2,7 +2,7 @@
 
 #include "base/mutant.h"
 
-enum { X, Y, HALF_WIDTH = ZR_SUBPIXELS / 2 };
+enum { X, Y, HALF_PIXEL = ZR_SUBPIXELS / 2 };
 
 /* A line as the rules below need it, by axis, so that one text serves both. */
 struct course {
@@ -107,9 +107,10 @@ static bool course_make(const struct zr_window_vertex *v0, const struct zr_windo
     return true;
 }
 
-bool zr_line_corners_make(const struct zr_window_vertex *v0, const struct zr_window_vertex *v1,
+bool zr_line_corners_make(const struct zr_window_vertex *v0, const struct zr_window_vertex *v1, int32_t width,
                           struct zr_line_corners *out)
 {
+    const int32_t half = width * HALF_PIXEL;
     struct course course;
     if (!course_make(v0, v1, &course)) return false;
     bool rising = course.d[course.major] < 0.0f;
@@ -123,11 +124,12 @@ bool zr_line_corners_make(const struct zr_window_vertex *v0, const struct zr_win
     if (course.major == X)
         *out = (struct zr_line_corners){
             .x = {high[X], low[X], low[X], high[X]},
-            .y = {high[Y] - HALF_WIDTH, low[Y] - HALF_WIDTH, low[Y] + HALF_WIDTH, high[Y] + HALF_WIDTH}};
+            .y = {high[Y] - half, low[Y] - half, low[Y] + half, high[Y] + half}};
     else
         *out = (struct zr_line_corners){
-            .x = {low[X] - HALF_WIDTH, high[X] - HALF_WIDTH, high[X] + HALF_WIDTH, low[X] + HALF_WIDTH},
+            .x = {low[X] - half, high[X] - half, high[X] + half, low[X] + half},
             .y = {low[Y], high[Y], high[Y], low[Y]}};
+    out->width = width;
     out->along_x = course.major == X;
     for (int axis = X; axis <= Y; axis++) {
         out->low[axis] = low[axis];
@@ -142,14 +144,14 @@ static int64_t divide_down(int64_t numerator, int64_t denominator)
     return quotient * denominator > numerator ? quotient - 1 : quotient;
 }
 
-/* One side of the parallelogram, half a pixel below the middle, at the column's centre; the other one is a pixel
- * above, so one centre lies between. A centre on the side itself is inside where it is a left or a
+/* One side of the parallelogram, half its width below the middle, at the column's centre; the other one is so many
+ * pixels above, and so many centres lie between. A centre on the side itself is inside where it is a left or a
  * bottom one (rule 7): of a rising line that is the upper one, else the lower. */
 int32_t zr_line_pixel(const struct zr_line_corners *line, int32_t at)
 {
     int major = line->along_x ? X : Y, minor = Y - major;
     int64_t run = (int64_t)line->high[major] - line->low[major], rise = (int64_t)line->high[minor] - line->low[minor];
-    int64_t side = (line->low[minor] - HALF_WIDTH) * run + rise * ((int64_t)at * ZR_SUBPIXELS - line->low[major]);
+    int64_t side = (line->low[minor] - line->width * HALF_PIXEL) * run + rise * ((int64_t)at * ZR_SUBPIXELS - line->low[major]);
     int64_t step = run * ZR_SUBPIXELS;
     bool upper_counts = line->along_x && rise > 0;
     return (int32_t)(upper_counts ? divide_down(side, step) + 1 : -divide_down(-side, step));

@@ -1,7 +1,7 @@
-/* line.h - raster: a line of width 1 -> the parallelogram that it covers, and its planes.
+/* line.h - raster: a line of some whole width -> the parallelogram that it covers, and its planes.
  *
  * Space:  window space, y up; corners on the snapped grid of geometry/viewport.h.
- * Exact:  as llvmpipe draws GL_LINES of width 1, to the last bit (the reference's rule 12).
+ * Exact:  as llvmpipe draws GL_LINES without antialiasing, to the last bit (the reference's rule 12).
  * Terms:  a line's major axis is the one it goes farther along, x where both are alike; the
  *         other one is minor. Its direction, v0 to v1, matters: of a chain of lines each
  *         pixel belongs to the line that leaves the diamond |x| + |y| < 1/2 around its centre.
@@ -11,10 +11,11 @@
 
 #include "raster/plane.h"
 
-/* Clockwise. 256 subpixels thick along the minor axis, ends parallel to it: each column
- * (row, where y is major) of pixel centres between the ends has one centre inside. */
+/* Clockwise. 256 subpixels thick along the minor axis for each pixel of width, ends parallel to it: each column
+ * (row, where y is major) of pixel centres between the ends has so many centres inside. */
 struct zr_line_corners {
     int32_t x[4], y[4];
+    int32_t width;           /* pixels */
     bool along_x;            /* the major axis */
     int32_t low[2], high[2]; /* x, y of the ends of its middle, the lower along the major axis first */
 };
@@ -23,7 +24,7 @@ struct zr_line_corners {
  * none: no length, or none left after the ends have moved. The vertices must have been
  * placed by zr_viewport_apply; zr_snapped_x and zr_snapped_y are not asked, for ends are moved
  * first and then snapped. */
-bool zr_line_corners_make(const struct zr_window_vertex *v0, const struct zr_window_vertex *v1,
+bool zr_line_corners_make(const struct zr_window_vertex *v0, const struct zr_window_vertex *v1, int32_t width,
                           struct zr_line_corners *out);
 
 /* What all planes of one line share. Values vary along the major axis alone. */
@@ -44,7 +45,8 @@ static inline struct zr_plane zr_line_plane_make(const struct zr_line_basis *bas
     return (struct zr_plane){p0 - (dadx * basis->x0 + dady * basis->y0), dadx, dady};
 }
 
-/* The one pixel that the line has in column `at`, where x is major, or in row `at`: its row or column. Only for
+/* The first of the `width` pixels that the line has in column `at`, where x is major, or in row `at`: its row or
+ * column; the others follow. Only for
  * columns (rows) whose centre lies between the ends, the lower end included and the higher one not. */
 int32_t zr_line_pixel(const struct zr_line_corners *line, int32_t at);
 

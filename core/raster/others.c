@@ -56,7 +56,8 @@ static void add_line(struct binning *b)
 {
     const struct zr_triangle line = zr_triangle_of(b->geometry, b->draw, b->number);
     struct zr_line_corners corners;
-    if (zr_line_corners_make(&b->geometry->vertices[line.v[0]], &b->geometry->vertices[line.v[1]], &corners))
+    if (zr_line_corners_make(&b->geometry->vertices[line.v[0]], &b->geometry->vertices[line.v[1]],
+                             b->geometry->window.line_width, &corners))
         zr_line_tiles(&corners, b->width, b->height, add_to_tile, b);
 }
 

@@ -8,7 +8,8 @@
 static void line_box(const struct zr_geometry *geometry, const struct zr_triangle *line, int32_t box[4])
 {
     struct zr_line_corners c;
-    if (!zr_line_corners_make(&geometry->vertices[line->v[0]], &geometry->vertices[line->v[1]], &c)) {
+    if (!zr_line_corners_make(&geometry->vertices[line->v[0]], &geometry->vertices[line->v[1]], geometry->window.line_width,
+                              &c)) {
         box[0] = box[1] = 0;
         box[2] = box[3] = -1;
         return;
@@ -74,11 +75,12 @@ static void add_triangle_edges(struct zr_primitive *primitive, const struct zr_w
     }
 }
 
-static void add_line_edges(struct zr_primitive *primitive, const struct zr_window_vertex *vertices,
+static void add_line_edges(struct zr_primitive *primitive, const struct zr_geometry *geometry,
                            const struct zr_triangle *line)
 {
+    const struct zr_window_vertex *vertices = geometry->vertices;
     struct zr_line_corners c;
-    if (!zr_line_corners_make(&vertices[line->v[0]], &vertices[line->v[1]], &c)) return;
+    if (!zr_line_corners_make(&vertices[line->v[0]], &vertices[line->v[1]], geometry->window.line_width, &c)) return;
     for (int k = 0; k < 4; k++)
         add_edge(primitive, c.x[k], c.y[k], c.x[(k + 1) % 4], c.y[(k + 1) % 4]);
 }
@@ -100,7 +102,7 @@ void zr_primitive_make(const struct zr_geometry *geometry, const struct zr_draw 
         return;
     }
     if (triangle.line)
-        add_line_edges(primitive, geometry->vertices, &triangle);
+        add_line_edges(primitive, geometry, &triangle);
     else
         add_triangle_edges(primitive, geometry->vertices, &triangle);
 }

@@ -58,7 +58,8 @@ enum zr_status zr_resolved_view_find(struct zr_arena *arena, struct zr_team *tea
     struct zr_resolved_view *resolved = zr_arena_zero(arena, 1, sizeof *resolved);
     *out = resolved;
     if (!resolved) return ZR_NO_MEMORY;
-    if (zr_view_needs_bounds(&scene->views[0]) || zr_view_wants(&scene->views[0], ZR_CHANNEL_INFO))
+    if (zr_view_needs_bounds(&scene->views[0]) || zr_view_wants(&scene->views[0], ZR_CHANNEL_INFO) ||
+        scene->picture.is_linear)
         resolved->bounds = zr_bounds_of(scene, team, cancel);
     return zr_camera_resolve(scene, &resolved->bounds, team, cancel, &resolved->camera, error);
 }

@@ -61,6 +61,11 @@ uint32_t zr_colors_count(const struct zr_scene *scene, const struct zr_mesh *mes
     return count_at(mesh, zr_colors_rate(scene, mesh));
 }
 
+static bool is_lit(const struct coloring *coloring, const struct zr_material *material)
+{
+    return !coloring->lighting->is_late && zr_material_is_lit_before(material);
+}
+
 /* ---- many at once ---- */
 
 enum { LIT_AT_ONCE = 64 };
@@ -123,7 +128,7 @@ static void color_vertices(void *context, size_t begin, size_t end)
     for (uint32_t v = (uint32_t)begin; v < end; v++) {
         zr_vec4 base = material->base_color;
         if (mesh->colors) base = zr_vec4_mul(base, mesh->colors[v]);
-        if (!zr_material_is_lit_before(material))
+        if (!is_lit(coloring, material))
             put_unlit(coloring, v, base);
         else
             add_point(coloring, &points, v, zr_corner_normal(mesh, coloring->computed, v, 0), base);
@@ -137,7 +142,7 @@ static void color_flat_face(const struct coloring *coloring, const struct zr_mat
     const struct zr_mesh *mesh = coloring->mesh;
     const uint32_t begin = mesh->face_offsets[face], slot = coloring->per_corner ? begin : face;
     if (mesh->colors) base = zr_vec4_mul(base, mesh->colors[mesh->indices[begin]]);
-    if (!zr_material_is_lit_before(material))
+    if (!is_lit(coloring, material))
         put_unlit(coloring, slot, base);
     else
         add_point(coloring, points, slot, zr_face_normal(normals, face), base);
@@ -150,7 +155,7 @@ static void color_smooth_face(const struct coloring *coloring, const struct zr_m
     for (uint32_t slot = mesh->face_offsets[face]; slot < mesh->face_offsets[face + 1]; slot++) {
         const uint32_t vertex = mesh->indices[slot];
         const zr_vec4 color = mesh->colors ? zr_vec4_mul(base, mesh->colors[vertex]) : base;
-        if (!zr_material_is_lit_before(material))
+        if (!is_lit(coloring, material))
             put_unlit(coloring, slot, color);
         else
             add_point(coloring, points, slot, zr_corner_normal(mesh, coloring->computed, vertex, slot), color);
@@ -182,8 +187,8 @@ static void color_faces(void *context, size_t begin, size_t end)
 static bool is_of_one_color(const struct coloring *coloring, enum zr_shading shading)
 {
     const struct zr_mesh *mesh = coloring->mesh;
-    return coloring->scene->materials[mesh->material].shading == shading && !mesh->face_materials &&
-           !mesh->face_colors && !mesh->colors;
+    return !coloring->lighting->is_late && coloring->scene->materials[mesh->material].shading == shading &&
+           !mesh->face_materials && !mesh->face_colors && !mesh->colors;
 }
 
 static bool are_alike_triangles(const struct coloring *coloring)
@@ -297,7 +302,7 @@ struct zr_colors zr_colors_make(struct zr_arena *arena, struct zr_team *team, co
     coloring.front = front;
     coloring.back = back;
     coloring.per_corner = rate == ZR_RATE_CORNER;
-    if (rate != ZR_RATE_FACE && needs_computed_normals(scene, mesh)) {
+    if (rate != ZR_RATE_FACE && !lighting->is_late && needs_computed_normals(scene, mesh)) {
         if (!*normals) *normals = zr_vertex_normals_make(arena, team, cancel, mesh);
         coloring.computed = *normals;
     }

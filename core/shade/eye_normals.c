@@ -10,6 +10,7 @@ enum { NORMALS_A_RANGE = 1 << 13 };
 struct making {
     const struct zr_mesh *mesh;
     const zr_vec4 *computed; /* of vertices; NULL where none is needed */
+    const zr_vec4 *creases;  /* of corners, instead; or NULL */
     const struct zr_cancel *cancel;
     struct zr_normal_matrix to_eye;
     enum zr_rate rate;
@@ -17,12 +18,28 @@ struct making {
     zr_vec4 *out;
 };
 
-enum zr_rate zr_eye_normals_rate(const struct zr_mesh *mesh, const struct zr_material *material)
+/* Lit by normals of vertices wherever they come from. */
+static bool wants_smooth_normals(enum zr_shading shading)
 {
-    const bool is_flat =
-        material->shading == ZR_SHADING_FLAT || (material->shading == ZR_SHADING_UNLIT && mesh->normal_count == 0);
-    if (is_flat) return ZR_RATE_FACE;
+    return shading == ZR_SHADING_GOURAUD || shading == ZR_SHADING_PHONG || shading == ZR_SHADING_NORMALS;
+}
+
+enum zr_rate zr_eye_normals_rate(const struct zr_mesh *mesh, const struct zr_material *material, bool has_creases)
+{
+    if (material->shading == ZR_SHADING_FLAT) return ZR_RATE_FACE;
+    if (has_creases) return ZR_RATE_CORNER;
+    if (!wants_smooth_normals(material->shading) && mesh->normal_count == 0) return ZR_RATE_FACE;
     return mesh->normal_indices ? ZR_RATE_CORNER : ZR_RATE_VERTEX;
+}
+
+/* Of face, vertex or corner i. */
+static zr_vec3 normal_of(const struct making *m, uint32_t i)
+{
+    if (m->rate == ZR_RATE_FACE) return zr_normal_of_face(m->mesh, i);
+    if (m->rate == ZR_RATE_VERTEX) return zr_corner_normal(m->mesh, m->computed, i, 0);
+    const zr_vec3 own = zr_corner_normal(m->mesh, m->computed, m->mesh->indices[i], i);
+    const bool has_own = own.x != 0.0f || own.y != 0.0f || own.z != 0.0f;
+    return has_own || !m->creases ? own : (zr_vec3){m->creases[i].x, m->creases[i].y, m->creases[i].z};
 }
 
 static void make_range(void *context, size_t begin, size_t end)
@@ -31,9 +48,7 @@ static void make_range(void *context, size_t begin, size_t end)
     const struct zr_mesh *mesh = m->mesh;
     if (zr_is_cancelled(m->cancel)) return;
     for (uint32_t i = (uint32_t)begin; i < end; i++) {
-        const zr_vec3 normal = m->rate == ZR_RATE_FACE     ? zr_normal_of_face(mesh, i)
-                               : m->rate == ZR_RATE_CORNER ? zr_corner_normal(mesh, m->computed, mesh->indices[i], i)
-                                                           : zr_corner_normal(mesh, m->computed, i, 0);
+        const zr_vec3 normal = normal_of(m, i);
         m->out[i] = (zr_vec4){normal.x, normal.y, normal.z, 0.0f};
     }
     zr_to_eye_of(m->isa)(&m->to_eye, m->out + begin, end - begin);
@@ -47,15 +62,16 @@ uint32_t zr_eye_normals_count(const struct zr_mesh *mesh, enum zr_rate rate)
 
 bool zr_eye_normals_make(struct zr_arena *arena, struct zr_team *team, const struct zr_cancel *cancel,
                          const struct zr_mesh *mesh, const zr_mat4 *object_to_eye, enum zr_rate rate,
-                         const zr_vec4 **vertex_normals, zr_vec4 *out)
+                         const zr_vec4 *crease_normals, const zr_vec4 **vertex_normals, zr_vec4 *out)
 {
     struct making making = {.mesh = mesh,
                             .cancel = cancel,
                             .to_eye = zr_normal_matrix_make(object_to_eye),
                             .rate = rate,
+                            .creases = rate == ZR_RATE_CORNER ? crease_normals : NULL,
                             .isa = zr_team_isa(team),
                             .out = out};
-    if (rate != ZR_RATE_FACE && zr_mesh_lacks_normals(mesh)) {
+    if (rate != ZR_RATE_FACE && !making.creases && zr_mesh_lacks_normals(mesh)) {
         if (!*vertex_normals) *vertex_normals = zr_vertex_normals_make(arena, team, cancel, mesh);
         making.computed = *vertex_normals;
     }

@@ -16,6 +16,7 @@ struct zr_lighting {
     uint32_t count;
     const zr_vec3 *to_light; /* unit vectors towards the lights */
     const zr_vec3 *colors;
+    bool is_late; /* all shadings are lit when it is known what is seen, from the surfaces' own colours */
 };
 
 /* How directions of one instance get to eye space. */

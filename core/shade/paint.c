@@ -154,3 +154,31 @@ bool zr_line_color(const struct zr_geometry *geometry, const struct zr_surface *
             line_plane(&basis, v, points[zr_draw_corner(draw, t, 0)].w, points[zr_draw_corner(draw, t, 1)].w);
     return n0 == n1;
 }
+
+void zr_line_sample(const struct zr_geometry *geometry, const struct zr_surface *surface, uint32_t number,
+                    struct zr_plane planes[1 + ZR_VALUES_LATE])
+{
+    const struct zr_draw *draw = surface->draw;
+    const struct zr_triangle line = zr_triangle_of(geometry, draw, number);
+    const struct zr_attribute *color = &surface->attributes[ZR_ATTRIBUTE_COLOR];
+    const zr_vec4 *points = surface->attributes[ZR_ATTRIBUTE_POINT].values;
+    const struct zr_window_vertex *const v[2] = {&geometry->vertices[line.v[0]], &geometry->vertices[line.v[1]]};
+    const struct zr_line_basis basis = zr_line_basis_make(v[0], v[1]);
+    const uint32_t t = number - draw->first;
+    const bool flat = zr_rate_is_flat(color->rate);
+    const zr_vec4 *ends[2][2]; /* colour and point of each */
+    for (uint32_t k = 0; k < 2; k++) {
+        const uint32_t n =
+            flat ? zr_flat_number(draw, color->rate, t) : zr_smooth_number(draw, color->rate, t, k);
+        ends[k][0] = &color->values[n];
+        ends[k][1] = &points[zr_draw_corner(draw, t, k)];
+    }
+    memset(planes, 0, (1 + ZR_VALUES_LATE) * sizeof *planes);
+    planes[0] = line_plane(&basis, v, 1.0f, 1.0f);
+    for (int i = 0; i < 2; i++) {
+        struct zr_plane *out = planes + 1 + 6 * i;
+        out[0] = line_plane(&basis, v, ends[0][i]->x, ends[1][i]->x);
+        out[1] = line_plane(&basis, v, ends[0][i]->y, ends[1][i]->y);
+        out[2] = line_plane(&basis, v, ends[0][i]->z, ends[1][i]->z);
+    }
+}

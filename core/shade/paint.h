@@ -14,6 +14,7 @@
 #include "raster/payload.h"
 #include "raster/plane.h"
 #include "raster/tile.h"
+#include "shade/gbuffer.h"
 #include "shade/surfaces.h"
 
 /* Values that vary over a surface: a colour; of what is shaded late, a normal and the way from the eye to it; in fog,
@@ -39,6 +40,11 @@ struct zr_shaded {
 struct zr_paint {
     void (*shade)(const struct zr_geometry *geometry, const struct zr_surfaces *surfaces, const struct zr_tile *tile,
                   const struct zr_shaded *to);
+
+    /* The samples of a tile, all of whose blocks are written; its first one is at the first of `to`, where up to 15
+     * beyond its width may be written, and 7 rows beyond its height. */
+    void (*samples)(const struct zr_geometry *geometry, const struct zr_surfaces *surfaces, const struct zr_tile *tile,
+                    const struct zr_gbuffer *to);
 
     /* The depths of a tile. Where some are not written, none of its blocks is cut. */
     void (*depths)(const struct zr_tile *tile, const struct zr_pixel_rows *out);
@@ -79,5 +85,9 @@ enum zr_status zr_paint_prepare(struct zr_arena *arena, struct zr_team *team, co
  * as bytes, and in planes that are the same all over, not over w. */
 bool zr_line_color(const struct zr_geometry *geometry, const struct zr_surface *surface, uint32_t number,
                    struct zr_plane planes[1 + ZR_VALUES_MOST], uint32_t *color);
+
+/* Of a line, for a G-buffer: planes of 1/w, and over that of its colour, of a normal that is 0, and of its point. */
+void zr_line_sample(const struct zr_geometry *geometry, const struct zr_surface *surface, uint32_t number,
+                    struct zr_plane planes[1 + ZR_VALUES_LATE]);
 
 #endif

@@ -1,6 +1,7 @@
 #include "shade/paint.h"
 
 #include "shade/channels/color_simd.h"
+#include "shade/channels/gbuffer_simd.h"
 #include "shade/channels_simd.h"
 
 /* Finds what is seen from block `begin` on, as many rows of blocks as there is room for. Returns where it ended. */
@@ -45,6 +46,58 @@ static void shade(const struct zr_geometry *geometry, const struct zr_surfaces *
     shade_parts(&s, tile, to, colors, others && together);
     if (!together) shade_parts(&s, tile, to, false, others);
     zr_shade_channels_of_words(&s, tile, to);
+}
+
+/* ---- G-buffers ---- */
+
+static void clear_samples(const struct zr_gbuffer *to, int32_t rows, int32_t columns)
+{
+    const struct zr_sample_v none = zr_no_sample();
+    for (int32_t y = 0; y < rows; y++)
+        for (int32_t x = 0; x < columns; x += ZR_LANES) {
+            zr_put_samples(to, y * to->stride + x, &none);
+            zr_vi_store(to->owner + y * to->stride + x, zr_vi_set(0));
+            zr_vi_store(to->material + y * to->stride + x, zr_vi_set(0));
+        }
+}
+
+/* Those of whole blocks need not be written in the tile. */
+static void owner_words(const struct zr_tile *tile, const struct zr_pixel_rows *out)
+{
+    const struct zr_finish to = {tile, false, NULL, out};
+    for (uint32_t bits = zr_tile_blocks(tile); bits; bits &= bits - 1) {
+        const int block = zr_lowest_bit(bits);
+        const uint32_t *owners = &tile->owner[zr_block_first(block)];
+        if (tile->knows_owners && tile->block_owner[block] != ZR_BLOCK_SHARED) {
+            zr_finish_alike(&to, block, zr_vi_set((int32_t)tile->block_owner[block]));
+            continue;
+        }
+        for (int32_t y = 0; y < ZR_BLOCK_HEIGHT; y++, owners += ZR_TILE_STRIDE)
+            for (int32_t x = 0; x < ZR_BLOCK_WIDTH; x += ZR_LANES)
+                zr_finish_pixels(&to, zr_block_left(block) + x, zr_block_low(block) + y, zr_vi_load(owners + x));
+    }
+}
+
+static void samples(const struct zr_geometry *geometry, const struct zr_surfaces *surfaces, const struct zr_tile *tile,
+                    const struct zr_gbuffer *to)
+{
+    struct zr_shader s;
+    const int all = (tile->height + ZR_BLOCK_HEIGHT - 1) / ZR_BLOCK_HEIGHT * ZR_BLOCK_COLUMNS;
+    const struct zr_pixel_rows owners = {.first = to->owner, .stride = to->stride};
+    const struct zr_pixel_rows materials = {.first = to->material, .stride = to->stride};
+    if (tile->is_empty) {
+        clear_samples(to, tile->height, tile->width);
+        return;
+    }
+    s.geometry = geometry;
+    s.surfaces = surfaces;
+    s.draw = &geometry->draws[0];
+    for (int begin = 0, end; begin < all; begin = end) {
+        end = find_parts(&s, tile, begin, false);
+        zr_sample_blocks(&s, tile, begin, end, to);
+    }
+    zr_shade_words(&s, tile, zr_material_words, 0, &materials);
+    owner_words(tile, &owners);
 }
 
 /* ---- arrays ---- */
@@ -121,4 +174,4 @@ static void depths(const struct zr_tile *tile, const struct zr_pixel_rows *out)
     }
 }
 
-const struct zr_paint ZR_KERNEL(zr_paint) = {shade, depths, count, ends, fill, copy};
+const struct zr_paint ZR_KERNEL(zr_paint) = {shade, samples, depths, count, ends, fill, copy};

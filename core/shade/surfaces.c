@@ -15,7 +15,8 @@ struct making {
     const struct zr_scene *scene;
     const struct zr_geometry *geometry;
     struct zr_surfaces *out;
-    bool colors, backs, all_normals; /* are wanted; backs: in colours of their own */
+    const struct zr_surface_wants *wants;
+    bool colors, backs; /* are wanted; backs: in colours of their own */
     const zr_vec4 *points;           /* one a window vertex; NULL: not wanted */
     const zr_vec4 **vertex_normals;  /* of each mesh's vertices, or NULL: not needed so far */
 
@@ -117,7 +118,7 @@ static bool find_mesh_colors(struct making *m)
     if (m->has_colors) return true;
     m->has_colors = true;
     if (ZR_FAST(given_colors, zr_colors_are_given(m->scene, m->mesh, &m->mesh_colors))) return copy_given(m);
-    return ZR_FAST(packed_colors, !m->out->fog.is_on && zr_colors_can_be_packed(m->scene, m->mesh)) ? make_packed(m)
+    return ZR_FAST(packed_colors, !m->out->fog.is_on && !m->wants->samples && zr_colors_can_be_packed(m->scene, m->mesh)) ? make_packed(m)
                                                                                                     : make_floats(m);
 }
 
@@ -179,13 +180,15 @@ static bool color(struct making *m, const struct zr_draw *draw, struct zr_surfac
 
 static bool find_normals(struct making *m, const struct zr_draw *draw, struct zr_attribute *out)
 {
-    const enum zr_rate rate = zr_eye_normals_rate(m->mesh, draw->material);
+    const size_t number = (size_t)(m->mesh - m->scene->meshes);
+    const zr_vec4 *crease = m->wants->samples && m->wants->crease_normals ? m->wants->crease_normals[number] : NULL;
+    const enum zr_rate rate = zr_eye_normals_rate(m->mesh, draw->material, crease != NULL);
     const zr_vec4 **normals = &m->normals[rate];
     if (!*normals) {
         const uint32_t own = zr_eye_normals_count(m->mesh, rate);
         zr_vec4 *made = zr_arena_alloc(m->arena, count_with_made(m, rate, own), sizeof *made);
         if (!made || !zr_eye_normals_make(m->arena, m->team, m->cancel, m->mesh, &m->instance->to_eye, rate,
-                                          &m->vertex_normals[m->mesh - m->scene->meshes], made))
+                                          crease, &m->vertex_normals[number], made))
             return false;
         extend(m, rate, own, made);
         *normals = made;
@@ -225,21 +228,22 @@ static bool make_points(struct making *m)
 static bool make_surface(struct making *m, const struct zr_draw *draw, struct zr_surface *surface)
 {
     surface->draw = draw;
+    surface->material = (uint32_t)(draw->material - m->scene->materials);
     if (m->colors && !color(m, draw, surface)) return false;
     const bool of_lines = zr_draw_is_of_lines(draw);
     const bool by_normals = m->colors && !of_lines && zr_material_is_shaded_late(draw->material);
     surface->is_late = by_normals || (m->colors && m->out->fog.is_on);
-    if (surface->is_late)
+    if (surface->is_late || m->wants->samples)
         surface->attributes[ZR_ATTRIBUTE_POINT] = (struct zr_attribute){ZR_RATE_VERTEX, m->points + draw->first_vertex};
-    return of_lines || !(by_normals || m->all_normals) ||
+    return of_lines || !(by_normals || m->wants->normals || m->wants->samples) ||
            find_normals(m, draw, &surface->attributes[ZR_ATTRIBUTE_NORMAL]);
 }
 
 static void look_at_scene(struct making *m)
 {
-    if (m->colors) m->out->fog = m->scene->fog;
+    if (m->wants->colors) m->out->fog = m->scene->fog;
     m->out->any_late = m->out->fog.is_on;
-    for (uint32_t i = 0; m->colors && i < m->scene->material_count; i++) {
+    for (uint32_t i = 0; m->wants->colors && i < m->scene->material_count; i++) {
         const struct zr_material *material = &m->scene->materials[i];
         m->out->any_late |= zr_material_is_shaded_late(material);
         m->backs |= material->double_sided && zr_material_is_lit_before(material);
@@ -248,7 +252,8 @@ static void look_at_scene(struct making *m)
 
 enum zr_status zr_surfaces_make(struct zr_arena *arena, struct zr_team *team, const struct zr_scene *scene,
                                 const struct zr_camera *camera, const struct zr_geometry *geometry,
-                                const struct zr_cancel *cancel, struct zr_surfaces *surfaces)
+                                const struct zr_surface_wants *wants, const struct zr_cancel *cancel,
+                                struct zr_surfaces *surfaces)
 {
     struct making m = {.arena = arena,
                        .team = team,
@@ -256,14 +261,15 @@ enum zr_status zr_surfaces_make(struct zr_arena *arena, struct zr_team *team, co
                        .scene = scene,
                        .geometry = geometry,
                        .out = surfaces,
-                       .colors = zr_view_wants(&scene->views[0], ZR_CHANNEL_COLOR),
-                       .all_normals = zr_view_wants(&scene->views[0], ZR_CHANNEL_NORMALS),
+                       .wants = wants,
+                       .colors = wants->colors || wants->samples,
                        .vertex_normals = zr_arena_zero(arena, scene->mesh_count, sizeof *m.vertex_normals)};
     *surfaces = (struct zr_surfaces){.eye = zr_camera_eye(camera)};
     surfaces->of_draw = zr_arena_zero(arena, (size_t)geometry->draw_count + 1, sizeof *surfaces->of_draw);
     zr_lighting_make(arena, scene, &camera->world_to_eye, &surfaces->lighting);
+    surfaces->lighting.is_late = wants->samples;
     look_at_scene(&m);
-    if (!zr_arena_ok(arena) || (surfaces->any_late && !make_points(&m))) return ZR_NO_MEMORY;
+    if (!zr_arena_ok(arena) || ((surfaces->any_late || wants->samples) && !make_points(&m))) return ZR_NO_MEMORY;
     for (uint32_t i = 0; i < geometry->draw_count; i++) {
         const struct zr_draw *draw = &geometry->draws[i];
         if (m.instance != &geometry->instances[draw->instance]) begin_instance(&m, draw->instance);

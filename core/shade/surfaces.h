@@ -27,9 +27,21 @@ struct zr_surface {
     const uint32_t *packed; /* colours of faces, as zr_rgba_opaque, fronts and, where there are backs, those behind
                                them: instead of values, or beside them; NULL: not made */
     uint32_t color_count;   /* fronts, without those that clipping made */
+    uint32_t material;      /* its number in the scene */
     bool sided;             /* backs are drawn, in colours of their own */
     bool is_late;           /* zr_material_is_shaded_late, or in fog */
     const uint32_t *backs;  /* those of its zr_payload (zr_paint_prepare), which sorting fills in; NULL: it has none */
+};
+
+/* What is wanted of surfaces. */
+struct zr_surface_wants {
+    bool colors;  /* as pixels show them, lit where that is done before it is known what is seen */
+    bool normals; /* of all faces: the channel normals */
+    /* Of all draws, the surface's own colour, normals and points: what a G-buffer is made of (gbuffer.h). */
+    bool samples;
+    /* Then: of each mesh, one a corner, in object space (crease_normals.h), where it has none of its own; NULL: no mesh
+     * has any. */
+    const zr_vec4 *const *crease_normals;
 };
 
 struct zr_surfaces {
@@ -44,7 +56,8 @@ struct zr_surfaces {
  * ZR_CANCELLED or ZR_NO_MEMORY. */
 enum zr_status zr_surfaces_make(struct zr_arena *arena, struct zr_team *team, const struct zr_scene *scene,
                                 const struct zr_camera *camera, const struct zr_geometry *geometry,
-                                const struct zr_cancel *cancel, struct zr_surfaces *surfaces);
+                                const struct zr_surface_wants *wants, const struct zr_cancel *cancel,
+                                struct zr_surfaces *surfaces);
 
 static inline bool zr_surface_is_smooth(const struct zr_surface *surface)
 {

@@ -33,6 +33,14 @@ static void raise_to(atomic_uint *most, float value)
         ;
 }
 
+bool zr_tiles_see(const struct zr_tiles *tiles, uint32_t number, const struct zr_base *base,
+                  const struct zr_cancel *cancel, struct zr_tile *tile)
+{
+    if (!tiles->samples) return zr_visibility_tile(tiles->visible, number, base, cancel, tile);
+    zr_visibility_load(tiles->samples, number, tile);
+    return true;
+}
+
 static void draw_range(void *context, size_t begin, size_t end)
 {
     struct drawing *d = context;
@@ -41,10 +49,7 @@ static void draw_range(void *context, size_t begin, size_t end)
     uint64_t covered = 0;
     float deepest = 0.0f;
     for (size_t number = begin; number < end; number++) {
-        if (from->samples)
-            zr_visibility_load(from->samples, (uint32_t)number, &tile);
-        else if (!zr_visibility_tile(from->visible, (uint32_t)number, d->frame->base, d->cancel, &tile))
-            return;
+        if (!zr_tiles_see(from, (uint32_t)number, d->frame->base, d->cancel, &tile)) return;
         const struct zr_resolved resolved =
             zr_resolve_tile(from->geometry, from->surfaces, d->isa, from->scene, &tile, d->frame);
         d->occupied[number] = !tile.is_empty;

@@ -17,6 +17,10 @@ struct zr_tiles {
     const struct zr_samples *samples; /* or of the other algorithms, which have decided the whole window; else NULL */
 };
 
+/* Tile `number`, ready to be shaded; `base` may be NULL. One thread a tile. False where it was cancelled. */
+bool zr_tiles_see(const struct zr_tiles *tiles, uint32_t number, const struct zr_base *base,
+                  const struct zr_cancel *cancel, struct zr_tile *tile);
+
 /* Writes all channels of the frame, and what of it is known then: reaches, covered_pixels, deepest. ZR_OK, ZR_CANCELLED
  * or ZR_NO_MEMORY. */
 enum zr_status zr_tiles_draw(struct zr_arena *arena, struct zr_team *team, const struct zr_tiles *tiles,

@@ -149,6 +149,8 @@ static void colors_are_those_of_primitives_that_are_placed_singly(void **state)
     zr_arena_free(&arena);
 }
 
+static const struct zr_window window = {WIDTH, HEIGHT, 1};
+
 /* What lit triangles that show their backs show, flat and drawn from both sides, as many as are a draw by themselves,
  * and one that the window cuts. */
 static struct zr_surfaces surfaces_of(bool colored, bool singly, struct zr_geometry *geometry)
@@ -171,8 +173,9 @@ static struct zr_surfaces surfaces_of(bool colored, bool singly, struct zr_geome
         test.scene.views[0].output_count--;
     }
     assert_int_equal(zr_camera_resolve(&test.scene, NULL, NULL, NULL, &camera, &error), ZR_OK);
-    assert_int_equal(zr_geometry_build(&arena, NULL, &test.scene, &camera, NULL, singly, geometry), ZR_OK);
-    assert_int_equal(zr_surfaces_make(&arena, NULL, &test.scene, &camera, geometry, NULL, &surfaces), ZR_OK);
+    const struct zr_surface_wants wants = {.colors = colored};
+    assert_int_equal(zr_geometry_build(&arena, NULL, &test.scene, &camera, &window, NULL, singly, geometry), ZR_OK);
+    assert_int_equal(zr_surfaces_make(&arena, NULL, &test.scene, &camera, geometry, &wants, NULL, &surfaces), ZR_OK);
     return surfaces;
 }
 
@@ -225,9 +228,11 @@ static void points_are_there_though_their_making_was_cancelled(void **state)
     zr_arena_init(&arena, 1 << 24);
     scene_of_triangles(&test, WIDTH, HEIGHT, p, 1);
     test.material.shading = ZR_SHADING_PHONG;
+    const struct zr_surface_wants wants = {.colors = true};
     assert_int_equal(zr_camera_resolve(&test.scene, NULL, NULL, NULL, &camera, &error), ZR_OK);
-    assert_int_equal(zr_geometry_build(&arena, NULL, &test.scene, &camera, NULL, false, &geometry), ZR_OK);
-    assert_int_equal(zr_surfaces_make(&arena, NULL, &test.scene, &camera, &geometry, &cancel, &surfaces), ZR_CANCELLED);
+    assert_int_equal(zr_geometry_build(&arena, NULL, &test.scene, &camera, &window, NULL, false, &geometry), ZR_OK);
+    assert_int_equal(zr_surfaces_make(&arena, NULL, &test.scene, &camera, &geometry, &wants, &cancel, &surfaces),
+                     ZR_CANCELLED);
     assert_non_null(surfaces.of_draw[0].attributes[ZR_ATTRIBUTE_POINT].values);
     zr_arena_free(&arena);
 }

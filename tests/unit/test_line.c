@@ -48,7 +48,7 @@ static struct cover cover_of(float x0, float y0, float x1, float y1)
     struct cover cover = {0};
     struct zr_line_corners corners;
     struct zr_window_vertex v0 = at(x0, y0), v1 = at(x1, y1);
-    if (!zr_line_corners_make(&v0, &v1, &corners)) return cover;
+    if (!zr_line_corners_make(&v0, &v1, 1, &corners)) return cover;
     int32_t box[2][2] = {{corners.x[0], corners.x[0]}, {corners.y[0], corners.y[0]}};
     for (int i = 1; i < 4; i++) {
         box[0][0] = corners.x[i] < box[0][0] ? corners.x[i] : box[0][0];
@@ -96,12 +96,12 @@ static void corners_go_round_clockwise_with_the_ends_moved_to_pixel_borders(void
     struct zr_window_vertex v0 = at(1.5f, 2.5f), v1 = at(4.5f, 2.5f);
     struct zr_line_corners c;
     /* x: from the centre 1.5, 256 on the grid, to the centre 4.5, 1024, whose pixel the fill rule leaves out. */
-    assert_true(zr_line_corners_make(&v0, &v1, &c));
+    assert_true(zr_line_corners_make(&v0, &v1, 1, &c));
     const int32_t right_x[4] = {1024, 256, 256, 1024}, right_y[4] = {384, 384, 640, 640};
     assert_memory_equal(c.x, right_x, sizeof right_x);
     assert_memory_equal(c.y, right_y, sizeof right_y);
     /* Back: from the border 5.0, 1152, so that its first pixel is kept, to 2.0, 384. */
-    assert_true(zr_line_corners_make(&v1, &v0, &c));
+    assert_true(zr_line_corners_make(&v1, &v0, 1, &c));
     const int32_t left_x[4] = {1152, 384, 384, 1152};
     assert_memory_equal(c.x, left_x, sizeof left_x);
     assert_memory_equal(c.y, right_y, sizeof right_y);
@@ -113,11 +113,11 @@ static void ends_are_snapped_half_to_even(void **state)
     /* Minor coordinates of -1.5, 0.5 and 2.5 subpixels from the centre of row 0. */
     struct zr_window_vertex v0 = at(1.25f, 0.5f - 1.5f / 256), v1 = at(9.25f, 0.5f + 0.5f / 256);
     struct zr_line_corners c;
-    assert_true(zr_line_corners_make(&v0, &v1, &c));
+    assert_true(zr_line_corners_make(&v0, &v1, 1, &c));
     assert_int_equal(c.y[1] + 128, -2);
     assert_int_equal(c.y[0] + 128, 0);
     v1.y = 0.5f + 2.5f / 256;
-    assert_true(zr_line_corners_make(&v0, &v1, &c));
+    assert_true(zr_line_corners_make(&v0, &v1, 1, &c));
     assert_int_equal(c.y[0] + 128, 2);
 }
 
@@ -133,7 +133,7 @@ static void line_that_leaves_no_diamond_is_dropped(void **state)
     (void)state;
     struct zr_line_corners c;
     struct zr_window_vertex a = at(2.5f, 2.5f), b = at(2.375f, 2.5f), d = at(2.625f, 2.5f);
-    assert_false(zr_line_corners_make(&a, &a, &c));
+    assert_false(zr_line_corners_make(&a, &a, 1, &c));
     assert_int_equal(cover_of(b.x, b.y, d.x, d.y).count, 0);
     assert_int_equal(cover_of(d.x, d.y, b.x, b.y).count, 0);
     /* Half a pixel on, out of the diamond: drawn, though only a pixel's quarter long. */

@@ -209,9 +209,12 @@ static uint32_t count_early(struct zr_arena *arena, struct zr_team *team, const 
     struct zr_error error = {.count = 0};
     struct zr_tile *tile = zr_arena_alloc(arena, 1, sizeof *tile);
     assert_int_equal(zr_camera_resolve(scene, NULL, NULL, NULL, &camera, &error), ZR_OK);
-    assert_int_equal(zr_geometry_build(arena, team, scene, &camera, NULL, false, &geometry), ZR_OK);
     const uint32_t width = scene->views[0].width, height = scene->views[0].height;
-    assert_int_equal(zr_surfaces_make(arena, team, scene, &camera, &geometry, NULL, &surfaces), ZR_OK);
+    const struct zr_window window = {width, height, 1};
+    const struct zr_surface_wants wants = {.colors = zr_view_wants(&scene->views[0], ZR_CHANNEL_COLOR),
+                                           .normals = zr_view_wants(&scene->views[0], ZR_CHANNEL_NORMALS)};
+    assert_int_equal(zr_geometry_build(arena, team, scene, &camera, &window, NULL, false, &geometry), ZR_OK);
+    assert_int_equal(zr_surfaces_make(arena, team, scene, &camera, &geometry, &wants, NULL, &surfaces), ZR_OK);
     assert_int_equal(zr_paint_prepare(arena, team, &geometry, &surfaces, width * height, &payloads), ZR_OK);
     assert_int_equal(zr_visible_make(arena, team, &geometry, payloads, width, height, NULL, &visible), ZR_OK);
     assert_true(zr_visibility_tile(&visible, 0, NULL, NULL, tile));

@@ -130,7 +130,7 @@ static void draw_window_line(struct drawer *drawer, const struct corner *c0, con
     struct zr_line_corners corners;
     bool reversed = drawer->fault == FAULT_REVERSED;
     drawer->stats->lines++;
-    if (!c0->placed || !c1->placed || !zr_line_corners_make(reversed ? &v1 : &v0, reversed ? &v0 : &v1, &corners)) {
+    if (!c0->placed || !c1->placed || !zr_line_corners_make(reversed ? &v1 : &v0, reversed ? &v0 : &v1, 1, &corners)) {
         drawer->stats->dropped++;
         return;
     }

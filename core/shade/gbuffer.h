@@ -1,4 +1,4 @@
-/* gbuffer.h - look: what is seen at each sample, as plain arrays: the G-buffer of deferred shading.
+/* gbuffer.h - shade: what is seen at each sample, as plain arrays: the G-buffer of deferred shading.
  *
  * Space:  eye space; rows run upwards, row 0 is the lowest, sample x, y is at [y * stride + x]. A row has room for
  *         vectors behind its end: `stride` is a multiple of 16 and at least the width rounded up to 16.

@@ -1,0 +1,76 @@
+/* environment_simd.h - look: what comes from an environment (environment.h), ZR_LANES directions at once, for kernels. */
+#ifndef ZR_ENVIRONMENT_SIMD_H
+#define ZR_ENVIRONMENT_SIMD_H
+
+#include "base/rsqrt_simd.h"
+#include "look/environment.h"
+#include "look/tone_simd.h"
+#include "shade/model.h"
+
+/* x / sqrt(x^2 + w^2): -1 .. 1. */
+static inline zr_vf zr_blurred_sign_v(zr_vf x, zr_vf square_w)
+{
+    return x * zr_rsqrt_v(x * x + square_w);
+}
+
+static inline struct zr_vec3_v zr_add_scaled_v(struct zr_vec3_v sum, zr_vec3 color, zr_vf share)
+{
+    return (struct zr_vec3_v){sum.x + zr_vf_set(color.x) * share, sum.y + zr_vf_set(color.y) * share,
+                              sum.z + zr_vf_set(color.z) * share};
+}
+
+static inline zr_vf zr_box_share_v(const struct zr_environment_box *box, struct zr_vec3_v d, zr_vf square_blur)
+{
+    const zr_vf half = zr_vf_set(0.5f), a = zr_vf_set(box->a), h = zr_vf_set(box->h);
+    const zr_vf square_w = square_blur + zr_vf_set(box->w0 * box->w0);
+    const zr_vf u = zr_dot_v(d, zr_spread_v(box->across)), v = zr_dot_v(d, zr_spread_v(box->along));
+    const zr_vf across = zr_blurred_sign_v(u + a, square_w) - zr_blurred_sign_v(u - a, square_w);
+    const zr_vf along = zr_blurred_sign_v(v + h, square_w) - zr_blurred_sign_v(v - h, square_w);
+    const zr_vf front = half + half * zr_blurred_sign_v(zr_dot_v(d, zr_spread_v(box->middle)), square_w);
+    return half * across * (half * along) * front;
+}
+
+/* w0^2 / w^2 / (1 + 2 (1 - d.m) / w^2)^2, with one quotient. */
+static inline zr_vf zr_lobe_share_v(const struct zr_environment_light *light, struct zr_vec3_v d, zr_vf square_blur)
+{
+    const zr_vf square_0 = zr_vf_set(light->lobe_width * light->lobe_width), square_w = square_blur + square_0;
+    const zr_vf away = zr_vf_set(2.0f) * (zr_vf_set(1.0f) - zr_dot_v(d, zr_spread_v(light->lobe)));
+    const zr_vf sum = square_w + away;
+    return square_0 * square_w / (sum * sum);
+}
+
+/* E: irradiance / pi. */
+static inline struct zr_vec3_v zr_environment_diffuse_v(const struct zr_environment_light *light, struct zr_vec3_v n)
+{
+    const zr_vf zero = zr_vf_set(0.0f), one = zr_vf_set(1.0f), three = zr_vf_set(3.0f);
+    const zr_vf f[ZR_HARMONICS] = {one,       n.x,       n.y,       n.z, n.x * n.y, n.y * n.z,
+                                   n.z * n.x, three * n.z * n.z - one, n.x * n.x - n.y * n.y};
+    struct zr_vec3_v sum = {zero, zero, zero};
+    for (int i = 0; i < ZR_HARMONICS; i++)
+        sum = zr_add_scaled_v(sum, light->harmonics[i], f[i]);
+    return (struct zr_vec3_v){zr_vf_max(sum.x, zero), zr_vf_max(sum.y, zero), zr_vf_max(sum.z, zero)};
+}
+
+/* L: radiance around d that roughness alpha gathers. */
+static inline struct zr_vec3_v zr_environment_specular_v(const struct zr_environment_light *light, struct zr_vec3_v d,
+                                                         float alpha)
+{
+    const float blur = 2.0f * alpha / (1.0f + 2.2f * alpha), diffuse = (alpha - 0.2f) / 0.6f;
+    const zr_vf square_blur = zr_vf_set(blur * blur), half = zr_vf_set(0.5f);
+    const zr_vf up = half + half * zr_blurred_sign_v(d.y, zr_vf_set(light->half_width * light->half_width) + square_blur);
+    const struct zr_vec3_v sky = zr_spread_v(light->sky), ground = zr_spread_v(light->ground);
+    struct zr_vec3_v sharp = {zr_mix_v(ground.x, sky.x, up), zr_mix_v(ground.y, sky.y, up),
+                              zr_mix_v(ground.z, sky.z, up)};
+    if (diffuse >= 1.0f) return zr_environment_diffuse_v(light, d);
+    for (uint32_t i = 0; i < light->box_count; i++)
+        sharp = zr_add_scaled_v(sharp, light->boxes[i].color, zr_box_share_v(&light->boxes[i], d, square_blur));
+    if (light->lobe_width > 0.0f)
+        sharp = zr_add_scaled_v(sharp, light->lobe_color, zr_lobe_share_v(light, d, square_blur));
+    if (diffuse <= 0.0f) return sharp;
+    const struct zr_vec3_v soft = zr_environment_diffuse_v(light, d);
+    const zr_vf share = zr_vf_set(diffuse);
+    return (struct zr_vec3_v){zr_mix_v(sharp.x, soft.x, share), zr_mix_v(sharp.y, soft.y, share),
+                              zr_mix_v(sharp.z, soft.z, share)};
+}
+
+#endif

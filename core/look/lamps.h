@@ -1,0 +1,18 @@
+/* lamps.h - look: what a scene says of light -> lighting.h's, in the eye space of a camera. */
+#ifndef ZR_LAMPS_H
+#define ZR_LAMPS_H
+
+#include "base/arena.h"
+#include "look/lighting.h"
+#include "look/shadow_map.h"
+#include "scene/camera.h"
+
+/* The scene's up, unit length, in world space. */
+zr_vec3 zr_look_up(const struct zr_scene *scene);
+
+/* `shadows`: one a light of the scene, whose depths are NULL where it casts none; or NULL. Points into the arena, to the
+ * scene and to `shadows`; fails only with the arena. */
+void zr_look_lighting_make(struct zr_arena *arena, const struct zr_scene *scene, const struct zr_camera *camera,
+                           const struct zr_shadow_map *shadows, struct zr_look_lighting *lighting);
+
+#endif

@@ -1,0 +1,116 @@
+#include "look/lighting.h"
+
+#include "look/srgb_simd.h"
+#include "look/surface_classic_simd.h"
+#include "look/surface_pbr_simd.h"
+
+/* What is kept from vector to vector: most have the colour and the material of the one before. */
+struct kept {
+    struct zr_vec3_v encoded, linear;
+    struct zr_split_columns columns; /* of the last roughness; less than 0: none so far */
+};
+
+static inline bool is_same(zr_vf a, zr_vf b)
+{
+    return zr_vm_bits(zr_vi_eq(zr_vi_bits_of(a), zr_vi_bits_of(b))) == ZR_ALL_BITS;
+}
+
+static inline struct zr_vec3_v decode(struct kept *kept, struct zr_vec3_v c)
+{
+    if (is_same(c.x, kept->encoded.x) && is_same(c.y, kept->encoded.y) && is_same(c.z, kept->encoded.z))
+        return kept->linear;
+    kept->encoded = c;
+    kept->linear = (struct zr_vec3_v){zr_srgb_decode_v(c.x), zr_srgb_decode_v(c.y), zr_srgb_decode_v(c.z)};
+    return kept->linear;
+}
+
+static inline struct zr_vec3_v three_of(float *const from[3], size_t at)
+{
+    return (struct zr_vec3_v){zr_vf_load(from[0] + at), zr_vf_load(from[1] + at), zr_vf_load(from[2] + at)};
+}
+
+static inline struct zr_vec3_v exposed(const struct zr_look_lighting *lighting, struct zr_vec3_v color)
+{
+    return zr_tone_v(zr_scale_v(color, zr_vf_set(lighting->exposure)), lighting->tone);
+}
+
+static inline struct zr_vec3_v normals_as_colors(struct zr_vec3_v n)
+{
+    const zr_vf half = zr_vf_set(0.5f);
+    return (struct zr_vec3_v){zr_srgb_decode_v(n.x * half + half), zr_srgb_decode_v(n.y * half + half),
+                              zr_srgb_decode_v(n.z * half + half)};
+}
+
+static inline struct zr_vec3_v cool_of(const struct zr_material *material)
+{
+    const struct zr_vec3_v cool = zr_spread_v(material->cool);
+    return (struct zr_vec3_v){zr_srgb_decode_v(cool.x), zr_srgb_decode_v(cool.y), zr_srgb_decode_v(cool.z)};
+}
+
+/* Samples of one material. */
+static inline struct zr_vec3_v shade(const struct zr_look_lighting *lighting, const struct zr_material *material,
+                                     struct kept *kept, const struct zr_shading_v *s)
+{
+    switch (material->shading) {
+    case ZR_SHADING_FLAT:
+    case ZR_SHADING_GOURAUD:
+    case ZR_SHADING_PHONG:
+        return exposed(lighting, zr_surface_classic_v(lighting, material, s));
+    case ZR_SHADING_PBR:
+        if (kept->columns.roughness != material->roughness)
+            zr_split_columns_make(&kept->columns, material->roughness);
+        return exposed(lighting, zr_surface_pbr_v(lighting, material, &kept->columns, s));
+    case ZR_SHADING_GOOCH:
+        return zr_surface_gooch_v(cool_of(material), s);
+    case ZR_SHADING_NORMALS:
+        return normals_as_colors(s->normal);
+    default:
+        return s->base;
+    }
+}
+
+static inline struct zr_vec3_v to_eye_of(const struct zr_look_lighting *lighting, struct zr_vec3_v point)
+{
+    if (lighting->is_parallel) return zr_spread_v(lighting->to_eye);
+    return zr_normalize_v(zr_scale_v(point, zr_vf_set(-1.0f)));
+}
+
+/* One material after the other, of those that are seen. */
+static inline struct zr_vec3_v shade_all(const struct zr_look_lighting *lighting, struct kept *kept, zr_vi numbers,
+                                         zr_vm seen, const struct zr_shading_v *s)
+{
+    const zr_vf zero = zr_vf_set(0.0f);
+    struct zr_vec3_v out = {zero, zero, zero};
+    uint32_t each[ZR_LANES], left = zr_vm_bits(seen);
+    zr_vi_store(each, numbers);
+    while (left) {
+        const uint32_t number = each[zr_lowest_bit(left)];
+        const zr_vm of_it = zr_vi_eq(numbers, zr_vi_set((int32_t)number));
+        out = zr_choose_v(zr_vm_and(seen, of_it), shade(lighting, &lighting->materials[number], kept, s), out);
+        left &= ~zr_vm_bits(of_it);
+    }
+    return out;
+}
+
+void ZR_KERNEL(zr_look_light)(const struct zr_look_lighting *lighting, const struct zr_gbuffer *samples,
+                              const float *occlusion, size_t first, size_t count, float *const out[3])
+{
+    const zr_vf zero = zr_vf_set(0.0f), one = zr_vf_set(1.0f), none = zr_vf_set(-1.0f);
+    struct kept kept = {.encoded = {none, none, none}, .linear = {zero, zero, zero}, .columns.roughness = -1.0f};
+    for (size_t at = first; at < first + count; at += ZR_LANES) {
+        const zr_vm seen = zr_vi_lt(zr_vi_set(0), zr_vi_load(samples->owner + at));
+        struct zr_vec3_v color = {zero, zero, zero};
+        if (zr_vm_any(seen)) {
+            struct zr_shading_v s = {.normal = three_of(samples->normal, at), .point = three_of(samples->point, at)};
+            s.base = decode(&kept, three_of(samples->base, at));
+            s.to_eye = to_eye_of(lighting, s.point);
+            s.open = occlusion ? zr_vf_load(occlusion + at) : one;
+            const zr_vm is_line = zr_vf_eq(zr_dot_v(s.normal, s.normal), zero);
+            color = shade_all(lighting, &kept, zr_vi_load(samples->material + at), seen, &s);
+            color = zr_choose_v(zr_vm_and(seen, is_line), s.base, color);
+        }
+        zr_vf_store(out[0] + at, color.x);
+        zr_vf_store(out[1] + at, color.y);
+        zr_vf_store(out[2] + at, color.z);
+    }
+}

@@ -1,0 +1,35 @@
+/* pass.h - look: the scene drawn once, in a window of some size: all that tiles are made from.
+ *
+ * A picture takes some of them: of pixels' centres, of samples, of maps from below or along a lamp's light.
+ */
+#ifndef ZR_PASS_H
+#define ZR_PASS_H
+
+#include "shade/tiles.h"
+
+struct zr_pass {
+    struct zr_geometry geometry;
+    struct zr_surfaces surfaces;
+    struct zr_visible visible;
+    struct zr_samples samples;
+    struct zr_tiles tiles;
+};
+
+/* What is drawn, and where to. `base` may be NULL. */
+struct zr_pass_of {
+    const struct zr_scene *scene;
+    const struct zr_camera *camera;
+    struct zr_window window;
+    struct zr_surface_wants wants;
+    const struct zr_base *base;
+};
+
+/* Decides what tiles hold. The pass points into the arena, to the scene and into itself. ZR_OK, ZR_CANCELLED,
+ * ZR_NO_MEMORY, or ZR_INTERNAL where an algorithm finds itself wrong. */
+enum zr_status zr_pass_make(struct zr_arena *arena, struct zr_team *team, const struct zr_pass_of *of,
+                            const struct zr_cancel *cancel, struct zr_pass *pass);
+
+/* What was clipped, turned away and so on. */
+struct zr_counts zr_pass_counts(const struct zr_pass *pass);
+
+#endif

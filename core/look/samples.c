@@ -1,0 +1,184 @@
+#include "look/samples.h"
+
+#include <stdatomic.h>
+
+#include "base/rgba.h"
+#include "shade/paint.h"
+
+const struct zr_averages *zr_averages_of(enum zr_isa isa)
+{
+    static const struct zr_averages *const table[ZR_ISA_COUNT] = ZR_KERNELS(&zr_averages);
+    return table[isa];
+}
+
+/* As of tiles.c. */
+enum { TILES_A_RANGE = 2 };
+
+/* What the threads share. */
+struct drawing {
+    const struct zr_pass *pass;
+    const struct zr_sample_stages *stages;
+    const struct zr_paint *paint;
+    const struct zr_averages *averages;
+    enum zr_isa isa;
+    uint32_t side;
+    uint32_t background; /* of bytes */
+    const struct zr_frame *frame;
+    const struct zr_cancel *cancel;
+    atomic_uint_fast64_t covered; /* samples */
+};
+
+/* Where a tile of samples lies in the picture. Rows run upwards; a tile's size is a multiple of side. */
+struct place {
+    uint32_t x, y, width, height; /* pixels */
+};
+
+static struct place place_of(const struct drawing *d, const struct zr_tile *tile)
+{
+    const uint32_t side = d->side;
+    return (struct place){(uint32_t)tile->x / side, (uint32_t)tile->y / side, (uint32_t)tile->width / side,
+                          (uint32_t)tile->height / side};
+}
+
+/* ---- bytes ---- */
+
+static void average_bytes(struct drawing *d, struct zr_tile *tile, uint32_t *words)
+{
+    const struct place place = place_of(d, tile);
+    struct zr_shaded to = {.nothing = d->background};
+    to.channels[ZR_CHANNEL_COLOR] = (struct zr_pixel_rows){.first = words, .stride = ZR_TILE_SIZE};
+    if (tile->is_empty)
+        d->paint->fill(&to.channels[ZR_CHANNEL_COLOR], tile->width, tile->height, d->background);
+    else
+        d->paint->shade(&d->pass->geometry, &d->pass->surfaces, tile, &to);
+    for (uint32_t y = 0; y < place.height; y++) {
+        const size_t row = d->frame->height - 1 - (place.y + y);
+        uint32_t *out = (uint32_t *)(void *)d->frame->color + row * d->frame->width + place.x;
+        d->averages->bytes(words + (size_t)y * d->side * ZR_TILE_SIZE, d->side, place.width, out);
+    }
+}
+
+/* ---- light ---- */
+
+enum { TILE_WORDS = ZR_TILE_STRIDE * ZR_TILE_SIZE };
+
+/* A tile's G-buffer and what is made of it. */
+struct lit_tile {
+    _Alignas(64) float floats[9][TILE_WORDS];
+    float occlusion[TILE_WORDS];
+    float color[3][TILE_WORDS];
+    uint32_t owner[TILE_WORDS], material[TILE_WORDS];
+};
+
+static struct zr_gbuffer gbuffer_of(struct lit_tile *lit, const struct zr_tile *tile)
+{
+    struct zr_gbuffer out = {.width = tile->width,
+                             .height = tile->height,
+                             .stride = ZR_TILE_STRIDE,
+                             .owner = lit->owner,
+                             .material = lit->material};
+    for (int k = 0; k < 3; k++) {
+        out.base[k] = lit->floats[k];
+        out.normal[k] = lit->floats[3 + k];
+        out.point[k] = lit->floats[6 + k];
+    }
+    return out;
+}
+
+static void light_rows(const struct drawing *d, struct lit_tile *lit, const struct zr_gbuffer *samples)
+{
+    const struct zr_sample_stages *stages = d->stages;
+    float *const color[3] = {lit->color[0], lit->color[1], lit->color[2]};
+    for (int32_t y = 0; y < samples->height; y++)
+        zr_look_light_of(d->isa)(stages->lighting, samples, stages->occlusion ? lit->occlusion : NULL,
+                                 (size_t)(y * samples->stride), (size_t)samples->width, color);
+}
+
+static void average_light(const struct drawing *d, const struct place *place, const struct lit_tile *lit)
+{
+    const struct zr_linear_frame *to = d->stages->out;
+    for (uint32_t y = 0; y < place->height; y++) {
+        const size_t from = (size_t)y * d->side * ZR_TILE_STRIDE, at = (place->y + y) * to->stride + place->x;
+        const float *const color[3] = {lit->color[0] + from, lit->color[1] + from, lit->color[2] + from};
+        float *const out[4] = {to->color[0] + at, to->color[1] + at, to->color[2] + at, to->cover + at};
+        d->averages->light(color, lit->owner + from, d->side, place->width, out);
+    }
+}
+
+static void clear_light(const struct drawing *d, const struct place *place)
+{
+    const struct zr_linear_frame *to = d->stages->out;
+    for (uint32_t y = place->y; y < place->y + place->height; y++)
+        for (size_t at = y * to->stride + place->x; at < y * to->stride + place->x + place->width; at++)
+            to->color[0][at] = to->color[1][at] = to->color[2][at] = to->cover[at] = 0.0f;
+}
+
+static void light_tile(const struct drawing *d, uint32_t number, const struct zr_tile *tile, struct lit_tile *lit)
+{
+    const struct zr_sample_stages *stages = d->stages;
+    const struct place place = place_of(d, tile);
+    if (tile->is_empty) {
+        clear_light(d, &place);
+        if (stages->edges) zr_edges_mark_empty(stages->edges, number);
+        return;
+    }
+    const struct zr_gbuffer samples = gbuffer_of(lit, tile);
+    d->paint->samples(&d->pass->geometry, &d->pass->surfaces, tile, &samples);
+    if (stages->occlusion)
+        zr_occlusion_samples_of(d->isa)(stages->occlusion, &samples, d->side, tile->x, tile->y, lit->occlusion);
+    light_rows(d, lit, &samples);
+    average_light(d, &place, lit);
+    if (stages->edges) zr_edges_mark_tile(stages->edges, d->isa, number, &samples);
+}
+
+/* ---- all tiles ---- */
+
+static void draw_range(void *context, size_t begin, size_t end)
+{
+    struct drawing *d = context;
+    struct zr_tile tile;
+    union {
+        uint32_t words[ZR_TILE_SIZE * ZR_TILE_SIZE];
+        struct lit_tile lit;
+    } room;
+    uint64_t covered = 0;
+    for (size_t number = begin; number < end; number++) {
+        if (!zr_tiles_see(&d->pass->tiles, (uint32_t)number, NULL, d->cancel, &tile)) return;
+        if (d->stages)
+            light_tile(d, (uint32_t)number, &tile, &room.lit);
+        else
+            average_bytes(d, &tile, room.words);
+        if (!tile.is_empty) covered += d->paint->count(&tile);
+    }
+    atomic_fetch_add_explicit(&d->covered, covered, memory_order_relaxed);
+}
+
+static enum zr_status draw(struct zr_team *team, struct drawing *d, struct zr_frame *frame)
+{
+    const uint32_t side = d->side;
+    d->isa = zr_team_isa(team);
+    d->paint = zr_paint_of(d->isa);
+    d->averages = zr_averages_of(d->isa);
+    d->frame = frame;
+    zr_team_ranges(team, zr_tile_count(frame->width * side, frame->height * side), TILES_A_RANGE, draw_range, d);
+    if (zr_is_cancelled(d->cancel)) return ZR_CANCELLED;
+    frame->covered_pixels = (d->covered + side * side / 2) / (side * side);
+    frame->reaches = NULL;
+    return ZR_OK;
+}
+
+enum zr_status zr_samples_of_bytes(struct zr_team *team, const struct zr_pass *pass,
+                                   uint32_t side, const struct zr_cancel *cancel, struct zr_frame *frame)
+{
+    struct drawing drawing = {
+        .pass = pass, .side = side, .background = zr_rgba_make(pass->tiles.scene->background), .cancel = cancel};
+    return draw(team, &drawing, frame);
+}
+
+enum zr_status zr_samples_of_light(struct zr_team *team, const struct zr_pass *pass,
+                                   const struct zr_sample_stages *stages, uint32_t side,
+                                   const struct zr_cancel *cancel, struct zr_frame *frame)
+{
+    struct drawing drawing = {.pass = pass, .stages = stages, .side = side, .cancel = cancel};
+    return draw(team, &drawing, frame);
+}

@@ -1,0 +1,57 @@
+/* samples.h - look: the channel color of several samples a pixel: the same scene at `side` times the size, averaged.
+ *
+ * Tile by tile: nothing of the larger picture is kept. Samples have a visibility of their own, for none but with side 1
+ * lies at a pixel's centre.
+ * Exact:  bytes are averaged as integers, half up, by opacity where the background is not opaque; so the reference can
+ *         draw it, too.
+ */
+#ifndef ZR_LOOK_SAMPLES_H
+#define ZR_LOOK_SAMPLES_H
+
+#include "look/edges.h"
+#include "look/lighting.h"
+#include "look/occlusion.h"
+#include "look/pass.h"
+
+/* Colours in linear light of all pixels, for finish.h. Rows run upwards; a row has `stride` values. */
+struct zr_linear_frame {
+    uint32_t width, height;
+    size_t stride;
+    float *color[3]; /* the sum over what is covered, a share of all samples: premultiplied */
+    float *cover;    /* 0..1 */
+};
+
+/* What a linear picture's samples are made with. */
+struct zr_sample_stages {
+    const struct zr_look_lighting *lighting;
+    const struct zr_occlusion_map *occlusion; /* or NULL */
+    struct zr_edge_marks *edges;              /* or NULL */
+    struct zr_linear_frame *out;
+};
+
+/* To frame->color, and what else is known of the frame then. The pass is of frame's size times side. ZR_OK, ZR_CANCELLED
+ * or ZR_NO_MEMORY. */
+enum zr_status zr_samples_of_bytes(struct zr_team *team, const struct zr_pass *pass,
+                                   uint32_t side, const struct zr_cancel *cancel, struct zr_frame *frame);
+
+/* The same, lit in linear light, to stages->out. */
+enum zr_status zr_samples_of_light(struct zr_team *team, const struct zr_pass *pass,
+                                   const struct zr_sample_stages *stages, uint32_t side,
+                                   const struct zr_cancel *cancel, struct zr_frame *frame);
+
+/* Averages of a tile's samples. A kernel. */
+struct zr_averages {
+    /* `pixels` pixels of a row: samples have rows of ZR_TILE_SIZE words. */
+    void (*bytes)(const uint32_t *samples, uint32_t side, uint32_t pixels, uint32_t *out);
+
+    /* Of samples in rows of ZR_TILE_STRIDE, row by row in one order. */
+    void (*light)(const float *const color[3], const uint32_t *owner, uint32_t side, uint32_t pixels,
+                  float *const out[4]);
+};
+
+extern const struct zr_averages zr_averages_scalar, zr_averages_sse2, zr_averages_avx2, zr_averages_avx512,
+    zr_averages_neon;
+
+const struct zr_averages *zr_averages_of(enum zr_isa isa);
+
+#endif

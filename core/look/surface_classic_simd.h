@@ -1,0 +1,68 @@
+/* surface_classic_simd.h - look: the textbook's surfaces in linear light (flat, gouraud, phong: flat and smooth ones
+ * differ in their normals alone), and Gooch's, for kernels.
+ */
+#ifndef ZR_SURFACE_CLASSIC_SIMD_H
+#define ZR_SURFACE_CLASSIC_SIMD_H
+
+#include "base/pow_simd.h"
+#include "look/surface_simd.h"
+
+/* Where phong says nothing of its highlights: 0.12 (N.H)^32 of the lamp's colour. */
+#define ZR_PLAIN_HIGHLIGHT 0.12f
+
+/* c^32. */
+static inline zr_vf zr_power_32_v(zr_vf c)
+{
+    for (int i = 0; i < 5; i++)
+        c = c * c;
+    return c;
+}
+
+static inline struct zr_vec3_v zr_highlight_v(const struct zr_material *material, zr_vf cosine)
+{
+    const zr_vec3 specular = material->specular;
+    const bool shines = specular.x > 0.0f || specular.y > 0.0f || specular.z > 0.0f;
+    const zr_vf plain = zr_vf_set(ZR_PLAIN_HIGHLIGHT) * zr_power_32_v(cosine);
+    if (!shines) return (struct zr_vec3_v){plain, plain, plain};
+    return zr_scale_v(zr_spread_v(specular), zr_pow_v(cosine, zr_vf_set(material->shininess)));
+}
+
+static inline struct zr_vec3_v zr_surface_classic_v(const struct zr_look_lighting *lighting,
+                                                    const struct zr_material *material, const struct zr_shading_v *s)
+{
+    const zr_vf zero = zr_vf_set(0.0f), one = zr_vf_set(1.0f);
+    struct zr_vec3_v around = zr_spread_v(lighting->ambient), direct = {zero, zero, zero}, shine = direct;
+    for (uint32_t i = 0; i < lighting->lamp_count; i++) {
+        const struct zr_lamp *lamp = &lighting->lamps[i];
+        if (!lamp->lights_classic) continue;
+        if (lamp->is_hemisphere) {
+            around = zr_add_v(around, zr_hemisphere_v(lamp, s->normal));
+            continue;
+        }
+        const struct zr_vec3_v to_light = zr_spread_v(lamp->to_light);
+        const zr_vf facing = zr_vf_max(zr_dot_v(s->normal, to_light), zero);
+        const struct zr_vec3_v color = zr_scale_v(zr_spread_v(lamp->color), zr_lamp_share_v(lamp, s));
+        direct = zr_add_v(direct, zr_scale_v(color, facing));
+        if (material->shading != ZR_SHADING_PHONG) continue;
+        const struct zr_vec3_v half = zr_normalize_v(zr_add_v(to_light, s->to_eye));
+        const zr_vf cosine = zr_vf_min(zr_vf_max(zr_dot_v(s->normal, half), zero), one);
+        const zr_vf lit = zr_vf_select(zr_vf_lt(zero, facing), one, zero);
+        shine = zr_add_v(shine, zr_mul_v(color, zr_scale_v(zr_highlight_v(material, cosine), lit)));
+    }
+    const struct zr_vec3_v reaching = zr_mul_v(around, zr_bounced3_v(s->open, s->base));
+    return zr_add_v(zr_mul_v(s->base, zr_add_v(reaching, direct)), shine);
+}
+
+/* From the material's cool colour, on the side that turns away from a lamp above on the left, to the surface's own;
+ * creases are darkened. Source: Gooch and others, "A Non-Photorealistic Lighting Model For Automatic Technical
+ * Illustration", 1998. */
+static inline struct zr_vec3_v zr_surface_gooch_v(struct zr_vec3_v cool, const struct zr_shading_v *s)
+{
+    const zr_vec3 to_lamp = zr_vec3_normalize((zr_vec3){-0.45f, 0.65f, 0.61f});
+    const zr_vf half = zr_vf_set(0.5f);
+    const zr_vf facing = zr_clamp01_v(half + half * zr_dot_v(s->normal, zr_spread_v(to_lamp)));
+    const struct zr_vec3_v color = zr_mix3_v(cool, s->base, facing * zr_vf_sqrt(facing));
+    return zr_scale_v(color, zr_vf_set(0.35f) + zr_vf_set(0.65f) * s->open);
+}
+
+#endif

@@ -1,0 +1,177 @@
+/* surface_pbr_simd.h - look: metals and plastics by base colour, metallic factor and roughness, for kernels.
+ *
+ * Lamps:  glTF 2.0, appendix B: a mix of Lambert's diffuse and GGX's specular term with height-correlated Smith and
+ *         Schlick. A lamp of colour 1 has the irradiance pi at normal incidence.
+ * Around: the split sum (split_sum.h), and what bounces between the microfacets, so that no energy is lost:
+ *         Fss = F0 A + B, Ems = 1 - A - B, Favg = F0 + (1 - F0) / 21, Fms = Fss Favg / (1 - Ems Favg); the colour is
+ *         Fss L(R) + (Fms Ems + c (1 - Fss - Fms Ems)) E(N).
+ * Source: Fdez-Aguera, "A Multiple-Scattering Microfacet Model for Real-Time Image-based Lighting", 2019.
+ */
+#ifndef ZR_SURFACE_PBR_SIMD_H
+#define ZR_SURFACE_PBR_SIMD_H
+
+#include "look/split_sum.h"
+#include "look/surface_simd.h"
+
+/* The columns of the table at one roughness; the last one twice. */
+struct zr_split_columns {
+    float roughness;
+    float a[ZR_SPLIT_SIDE + 1], b[ZR_SPLIT_SIDE + 1];
+};
+
+static inline void zr_split_columns_make(struct zr_split_columns *out, float roughness)
+{
+    const float row = roughness * (float)(ZR_SPLIT_SIDE - 1);
+    const int low = row < (float)(ZR_SPLIT_SIDE - 2) ? (int)row : ZR_SPLIT_SIDE - 2;
+    const float share = row - (float)low;
+    out->roughness = roughness;
+    for (int i = 0; i < ZR_SPLIT_SIDE; i++) {
+        out->a[i] = zr_split_sum[low][0][i] + (zr_split_sum[low + 1][0][i] - zr_split_sum[low][0][i]) * share;
+        out->b[i] = zr_split_sum[low][1][i] + (zr_split_sum[low + 1][1][i] - zr_split_sum[low][1][i]) * share;
+    }
+    out->a[ZR_SPLIT_SIDE] = out->a[ZR_SPLIT_SIDE - 1];
+    out->b[ZR_SPLIT_SIDE] = out->b[ZR_SPLIT_SIDE - 1];
+}
+
+static inline void zr_split_at_v(const struct zr_split_columns *columns, zr_vf facing, zr_vf *a, zr_vf *b)
+{
+    const zr_vf column = zr_vf_sqrt(facing) * zr_vf_set((float)(ZR_SPLIT_SIDE - 1)), half = zr_vf_set(0.5f);
+    const zr_vi low = zr_vi_max(zr_vi_round(column - half), zr_vi_set(0)), one = zr_vi_set(1);
+    const zr_vf share = column - zr_vf_of(low);
+    const zr_vm all = ZR_ALL_LANES;
+    *a = zr_mix_v(zr_vf_bits(zr_vi_gather(all, columns->a, low)), zr_vf_bits(zr_vi_gather(all, columns->a, low + one)),
+                  share);
+    *b = zr_mix_v(zr_vf_bits(zr_vi_gather(all, columns->b, low)), zr_vf_bits(zr_vi_gather(all, columns->b, low + one)),
+                  share);
+}
+
+/* What a surface does with light. */
+struct zr_pbr_v {
+    struct zr_vec3_v diffuse, f0; /* base (1 - metallic); what is reflected at normal incidence */
+    zr_vf facing;                 /* N.V, above 0 */
+    float alpha;
+};
+
+static inline struct zr_pbr_v zr_pbr_make(const struct zr_material *material, const struct zr_shading_v *s)
+{
+    const zr_vf metallic = zr_vf_set(material->metallic), plastic = zr_vf_set(0.04f);
+    const struct zr_vec3_v dielectric = {plastic, plastic, plastic};
+    return (struct zr_pbr_v){
+        .diffuse = zr_scale_v(s->base, zr_vf_set(1.0f - material->metallic)),
+        .f0 = zr_mix3_v(dielectric, s->base, metallic),
+        .facing = zr_vf_min(zr_vf_max(zr_dot_v(s->normal, s->to_eye), zr_vf_set(1e-4f)), zr_vf_set(1.0f)),
+        .alpha = material->roughness * material->roughness};
+}
+
+/* ---- from all around ---- */
+
+/* One channel: `around` is E and `mirrored` L, as they reach the surface. */
+static inline zr_vf zr_pbr_around_v(zr_vf f0, zr_vf diffuse, zr_vf a, zr_vf b, zr_vf around, zr_vf mirrored)
+{
+    const zr_vf one = zr_vf_set(1.0f), single = f0 * a + b, lost = one - a - b;
+    const zr_vf average = f0 + (one - f0) * zr_vf_set(1.0f / 21.0f);
+    const zr_vf several = single * average / (one - lost * average) * lost;
+    return single * mirrored + (several + diffuse * (one - single - several)) * around;
+}
+
+struct zr_around_v {
+    struct zr_vec3_v diffuse, specular; /* E(N) and L(R) */
+};
+
+static inline struct zr_vec3_v zr_to_environment_v(const struct zr_look_lighting *lighting, struct zr_vec3_v v)
+{
+    const zr_vec3 *rows = lighting->eye_to_environment;
+    return (struct zr_vec3_v){zr_dot_v(zr_spread_v(rows[0]), v), zr_dot_v(zr_spread_v(rows[1]), v),
+                              zr_dot_v(zr_spread_v(rows[2]), v)};
+}
+
+static inline struct zr_around_v zr_pbr_gather_v(const struct zr_look_lighting *lighting, const struct zr_pbr_v *pbr,
+                                                 const struct zr_shading_v *s)
+{
+    const zr_vf twice = zr_vf_set(2.0f) * zr_dot_v(s->normal, s->to_eye);
+    const struct zr_vec3_v mirrored = zr_minus_v(zr_scale_v(s->normal, twice), s->to_eye);
+    struct zr_around_v out = {zr_spread_v(lighting->ambient), zr_spread_v(lighting->ambient)};
+    if (lighting->has_environment) {
+        const struct zr_environment_light *light = &lighting->environment;
+        const zr_vf intensity = zr_vf_set(lighting->environment_intensity);
+        const struct zr_vec3_v n = zr_to_environment_v(lighting, s->normal), r = zr_to_environment_v(lighting, mirrored);
+        out.diffuse = zr_add_v(out.diffuse, zr_scale_v(zr_environment_diffuse_v(light, n), intensity));
+        out.specular = zr_add_v(out.specular, zr_scale_v(zr_environment_specular_v(light, r, pbr->alpha), intensity));
+    }
+    for (uint32_t i = 0; i < lighting->lamp_count; i++) {
+        const struct zr_lamp *lamp = &lighting->lamps[i];
+        if (!lamp->lights_pbr || !lamp->is_hemisphere) continue;
+        out.diffuse = zr_add_v(out.diffuse, zr_hemisphere_v(lamp, s->normal));
+        out.specular = zr_add_v(out.specular, zr_hemisphere_v(lamp, mirrored));
+    }
+    return out;
+}
+
+static inline struct zr_vec3_v zr_pbr_from_around_v(const struct zr_look_lighting *lighting,
+                                                    const struct zr_split_columns *columns, const struct zr_pbr_v *pbr,
+                                                    const struct zr_shading_v *s)
+{
+    struct zr_around_v around = zr_pbr_gather_v(lighting, pbr, s);
+    zr_vf a, b;
+    around.diffuse = zr_mul_v(around.diffuse, zr_bounced3_v(s->open, zr_add_v(pbr->diffuse, pbr->f0)));
+    around.specular = zr_scale_v(around.specular, s->open);
+    zr_split_at_v(columns, pbr->facing, &a, &b);
+    return (struct zr_vec3_v){
+        zr_pbr_around_v(pbr->f0.x, pbr->diffuse.x, a, b, around.diffuse.x, around.specular.x),
+        zr_pbr_around_v(pbr->f0.y, pbr->diffuse.y, a, b, around.diffuse.y, around.specular.y),
+        zr_pbr_around_v(pbr->f0.z, pbr->diffuse.z, a, b, around.diffuse.z, around.specular.z)};
+}
+
+/* ---- from lamps ---- */
+
+/* A mirror would hardly ever show a lamp, which has no size. */
+#define ZR_LAMP_ALPHA_LEAST 0.06f
+
+/* pi D V: of N.H, N.V and N.L. */
+static inline zr_vf zr_ggx_v(float alpha, zr_vf nh, zr_vf nv, zr_vf nl)
+{
+    const zr_vf one = zr_vf_set(1.0f), square = zr_vf_set(alpha * alpha), rest = zr_vf_set(1.0f - alpha * alpha);
+    const zr_vf spread = one - nh * nh * rest;
+    const zr_vf smith = nl * zr_vf_sqrt(nv * nv * rest + square) + nv * zr_vf_sqrt(nl * nl * rest + square);
+    return square / (spread * spread) * zr_vf_set(0.5f) / smith;
+}
+
+static inline zr_vf zr_pbr_reflected_v(zr_vf f0, zr_vf diffuse, zr_vf fresnel, zr_vf specular)
+{
+    const zr_vf f = f0 + (zr_vf_set(1.0f) - f0) * fresnel;
+    return f * specular + (zr_vf_set(1.0f) - f) * diffuse;
+}
+
+static inline struct zr_vec3_v zr_pbr_from_lamp_v(const struct zr_lamp *lamp, const struct zr_pbr_v *pbr,
+                                                  const struct zr_shading_v *s)
+{
+    const zr_vf zero = zr_vf_set(0.0f), one = zr_vf_set(1.0f);
+    const struct zr_vec3_v to_light = zr_spread_v(lamp->to_light);
+    const struct zr_vec3_v half = zr_normalize_v(zr_add_v(to_light, s->to_eye));
+    const zr_vf nl = zr_vf_max(zr_dot_v(s->normal, to_light), zero);
+    const zr_vf nh = zr_clamp01_v(zr_dot_v(s->normal, half)), vh = zr_clamp01_v(zr_dot_v(s->to_eye, half));
+    const float alpha = pbr->alpha > ZR_LAMP_ALPHA_LEAST ? pbr->alpha : ZR_LAMP_ALPHA_LEAST;
+    const zr_vf specular = zr_ggx_v(alpha, nh, pbr->facing, zr_vf_max(nl, zr_vf_set(1e-6f)));
+    const zr_vf away = one - vh, square = away * away, fresnel = square * square * away;
+    const struct zr_vec3_v reflected = {zr_pbr_reflected_v(pbr->f0.x, pbr->diffuse.x, fresnel, specular),
+                                        zr_pbr_reflected_v(pbr->f0.y, pbr->diffuse.y, fresnel, specular),
+                                        zr_pbr_reflected_v(pbr->f0.z, pbr->diffuse.z, fresnel, specular)};
+    return zr_scale_v(zr_mul_v(zr_spread_v(lamp->color), reflected), nl * zr_lamp_share_v(lamp, s));
+}
+
+/* ---- all ---- */
+
+static inline struct zr_vec3_v zr_surface_pbr_v(const struct zr_look_lighting *lighting,
+                                                const struct zr_material *material,
+                                                const struct zr_split_columns *columns, const struct zr_shading_v *s)
+{
+    const struct zr_pbr_v pbr = zr_pbr_make(material, s);
+    struct zr_vec3_v sum = zr_add_v(zr_pbr_from_around_v(lighting, columns, &pbr, s), zr_spread_v(material->emissive));
+    for (uint32_t i = 0; i < lighting->lamp_count; i++) {
+        const struct zr_lamp *lamp = &lighting->lamps[i];
+        if (lamp->lights_pbr && !lamp->is_hemisphere) sum = zr_add_v(sum, zr_pbr_from_lamp_v(lamp, &pbr, s));
+    }
+    return sum;
+}
+
+#endif

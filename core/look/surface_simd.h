@@ -1,0 +1,63 @@
+/* surface_simd.h - look: what a surface is shaded from, ZR_LANES samples at once, for kernels. */
+#ifndef ZR_SURFACE_SIMD_H
+#define ZR_SURFACE_SIMD_H
+
+#include "look/environment_simd.h"
+#include "look/lighting.h"
+#include "look/shadow_map_simd.h"
+#include "look/tone_simd.h"
+
+struct zr_shading_v {
+    struct zr_vec3_v base;   /* linear */
+    struct zr_vec3_v normal; /* unit */
+    struct zr_vec3_v to_eye; /* unit */
+    struct zr_vec3_v point;  /* as in the G-buffer */
+    zr_vf open;              /* share of the light from all around */
+};
+
+static inline struct zr_vec3_v zr_mul_v(struct zr_vec3_v a, struct zr_vec3_v b)
+{
+    return (struct zr_vec3_v){a.x * b.x, a.y * b.y, a.z * b.z};
+}
+
+static inline struct zr_vec3_v zr_add_v(struct zr_vec3_v a, struct zr_vec3_v b)
+{
+    return (struct zr_vec3_v){a.x + b.x, a.y + b.y, a.z + b.z};
+}
+
+static inline struct zr_vec3_v zr_mix3_v(struct zr_vec3_v a, struct zr_vec3_v b, zr_vf share)
+{
+    return (struct zr_vec3_v){zr_mix_v(a.x, b.x, share), zr_mix_v(a.y, b.y, share), zr_mix_v(a.z, b.z, share)};
+}
+
+/* From the ground of a hemisphere to its sky, in a direction. */
+static inline struct zr_vec3_v zr_hemisphere_v(const struct zr_lamp *lamp, struct zr_vec3_v d)
+{
+    const zr_vf half = zr_vf_set(0.5f), up = half + half * zr_dot_v(d, zr_spread_v(lamp->to_light));
+    return zr_mix3_v(zr_spread_v(lamp->ground), zr_spread_v(lamp->color), up);
+}
+
+/* The share of a lamp's light that reaches the points. */
+static inline zr_vf zr_lamp_share_v(const struct zr_lamp *lamp, const struct zr_shading_v *s)
+{
+    return lamp->shadow ? zr_shadow_share_v(lamp->shadow, s->point, s->normal) : zr_vf_set(1.0f);
+}
+
+/* Of light from all around, how much reaches a surface that reflects `albedo`: what is bounced between the walls of a
+ * crease is no less for being dark there. Source: Jimenez and others, "Practical Realtime Strategies for Accurate
+ * Indirect Occlusion", 2016. */
+static inline zr_vf zr_bounced_v(zr_vf open, zr_vf albedo)
+{
+    albedo = zr_clamp01_v(albedo);
+    const zr_vf p = zr_vf_set(2.0404f) * albedo - zr_vf_set(0.3324f);
+    const zr_vf q = zr_vf_set(0.6417f) - zr_vf_set(4.7951f) * albedo;
+    const zr_vf s = zr_vf_set(2.7552f) * albedo + zr_vf_set(0.6903f);
+    return zr_vf_max(open, ((open * p + q) * open + s) * open);
+}
+
+static inline struct zr_vec3_v zr_bounced3_v(zr_vf open, struct zr_vec3_v albedo)
+{
+    return (struct zr_vec3_v){zr_bounced_v(open, albedo.x), zr_bounced_v(open, albedo.y), zr_bounced_v(open, albedo.z)};
+}
+
+#endif

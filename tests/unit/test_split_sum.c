@@ -1,0 +1,88 @@
+/* Every value of the table is the integral. PRINT=1 prints core/look/split_sum.c. */
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+#include <cmocka.h>
+
+#include "look/split_sum.h"
+#include "split_sum_integral.h"
+
+static double cosine_of(int column)
+{
+    const double share = (double)column / (ZR_SPLIT_SIDE - 1);
+    return share * share;
+}
+
+static void print_table(void)
+{
+    printf("#include \"look/split_sum.h\"\n\n/* clang-format off */\n"
+           "const float zr_split_sum[ZR_SPLIT_SIDE][2][ZR_SPLIT_SIDE] = {\n");
+    for (int row = 0; row < ZR_SPLIT_SIDE; row++) {
+        printf("    {");
+        for (int which = 0; which < 2; which++) {
+            printf("%s{", which ? ",\n     " : "");
+            for (int column = 0; column < ZR_SPLIT_SIDE; column++) {
+                double ab[2];
+                integrate_split_sum((double)row / (ZR_SPLIT_SIDE - 1), cosine_of(column), 1024, &ab[0], &ab[1]);
+                printf("%.6ff%s", ab[which], column + 1 < ZR_SPLIT_SIDE ? (column % 8 == 7 ? ",\n      " : ", ") : "");
+            }
+            printf("}");
+        }
+        printf("}%s\n", row + 1 < ZR_SPLIT_SIDE ? "," : "");
+    }
+    printf("};\n/* clang-format on */\n");
+}
+
+static void values_are_integrals(void **state)
+{
+    double worst = 0.0;
+    (void)state;
+    for (int row = 0; row < ZR_SPLIT_SIDE; row++)
+        for (int column = 0; column < ZR_SPLIT_SIDE; column++) {
+            double a, b;
+            integrate_split_sum((double)row / (ZR_SPLIT_SIDE - 1), cosine_of(column), 160, &a, &b);
+            worst = fmax(worst, fabs((double)zr_split_sum[row][0][column] - a));
+            worst = fmax(worst, fabs((double)zr_split_sum[row][1][column] - b));
+        }
+    print_message("worst difference: %.5f\n", worst);
+    assert_true(worst < 0.004);
+}
+
+/* What lies between two columns and two rows. */
+static void values_between_are_close(void **state)
+{
+    double worst = 0.0;
+    (void)state;
+    for (int row = 0; row + 1 < ZR_SPLIT_SIDE; row++)
+        for (int column = 1; column + 1 < ZR_SPLIT_SIDE; column++) {
+            const double share = (column + 0.5) / (ZR_SPLIT_SIDE - 1);
+            double want[2];
+            integrate_split_sum((row + 0.5) / (ZR_SPLIT_SIDE - 1), share * share, 160, &want[0], &want[1]);
+            for (int k = 0; k < 2; k++) {
+                const float *here = zr_split_sum[row][k], *next = zr_split_sum[row + 1][k];
+                const double got = 0.25 * ((double)here[column] + (double)here[column + 1] + (double)next[column] +
+                                           (double)next[column + 1]);
+                worst = fmax(worst, fabs(got - want[k]));
+            }
+        }
+    print_message("worst difference between: %.5f\n", worst);
+    assert_true(worst < 0.01);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(values_are_integrals),
+        cmocka_unit_test(values_between_are_close),
+    };
+    if (getenv("PRINT")) {
+        print_table();
+        return 0;
+    }
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
