@@ -47,7 +47,8 @@ static void count_chunks(void *context, size_t begin, size_t end)
     for (size_t chunk = begin; chunk < end; chunk++) {
         uint32_t *counts = c->counts + chunk * c->vertex_count;
         memset(counts, 0, c->vertex_count * sizeof *counts);
-        for (size_t slot = chunk_begin(c, chunk); slot < chunk_begin(c, chunk + 1); slot++)
+        const size_t last = chunk_begin(c, chunk + 1);
+        for (size_t slot = chunk_begin(c, chunk); slot < last; slot++)
             counts[vertex_at(c, slot)]++;
     }
 }
@@ -69,7 +70,8 @@ static void fill_chunks(void *context, size_t begin, size_t end)
     const struct creasing *c = context;
     for (size_t chunk = begin; chunk < end; chunk++) {
         uint32_t *next = c->counts + chunk * c->vertex_count;
-        for (size_t slot = chunk_begin(c, chunk); slot < chunk_begin(c, chunk + 1); slot++)
+        const size_t last = chunk_begin(c, chunk + 1);
+        for (size_t slot = chunk_begin(c, chunk); slot < last; slot++)
             c->slots[next[vertex_at(c, slot)]++] = (uint32_t)slot;
     }
 }

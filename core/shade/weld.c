@@ -4,7 +4,8 @@
 
 enum { POSITIONS_A_PART = 1 << 13, POSITIONS_A_RANGE = 1 << 12 };
 
-/* Positions that are looked up while memory for the next ones is on its way: without, a million take twice as long. */
+/* Positions that are looked up while memory for the next ones is on its way: without, the three million corners of a
+ * million triangles took two thirds longer. */
 enum { AT_ONCE = 64 };
 
 /* Cells are dealt out to parts by their hashes. Each part has a hash table of its own, with linear probing, of the
