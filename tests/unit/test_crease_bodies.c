@@ -1,0 +1,224 @@
+/* Normals of corners of bodies that are known: sharp where they should be, and smooth elsewhere. */
+#include "crease_check.h"
+#include "support/isas.h"
+
+static struct zr_mesh soup_of(const zr_vec4 *positions, uint32_t triangles)
+{
+    static uint32_t offsets[200001], indices[600000];
+    for (uint32_t i = 0; i < 3 * triangles; i++)
+        indices[i] = i;
+    for (uint32_t i = 0; i <= triangles; i++)
+        offsets[i] = 3 * i;
+    return (struct zr_mesh){.position_count = 3 * triangles,
+                            .positions = positions,
+                            .face_count = triangles,
+                            .face_offsets = offsets,
+                            .indices = indices};
+}
+
+/* Corners by the bits of x, y, z: 1 is +1. */
+static const int cube_faces[6][4] = {{1, 3, 7, 5}, {0, 4, 6, 2}, {2, 6, 7, 3},
+                                     {0, 1, 5, 4}, {4, 5, 7, 6}, {0, 2, 3, 1}};
+static const float cube_normals[6][3] = {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}};
+
+static zr_vec4 cube_corner(int bits)
+{
+    return (zr_vec4){bits & 1 ? 1.0f : -1.0f, bits & 2 ? 1.0f : -1.0f, bits & 4 ? 1.0f : -1.0f, 1.0f};
+}
+
+static struct zr_mesh soup_of_cube(zr_vec4 positions[36])
+{
+    for (int f = 0; f < 6; f++)
+        for (int i = 0; i < 6; i++) {
+            static const int order[6] = {0, 1, 2, 0, 2, 3};
+            positions[6 * f + i] = cube_corner(cube_faces[f][order[i]]);
+        }
+    return soup_of(positions, 12);
+}
+
+static void cubes_are_sharp_up_to_90_degrees(void **state)
+{
+    (void)state;
+    zr_vec4 positions[36];
+    const struct zr_mesh mesh = soup_of_cube(positions);
+    static const float angles[] = {0, 35, 89.9f, 90, 180};
+    const double even = 1.0 / sqrt(3.0);
+    for (int a = 0; a < 5; a++) {
+        const zr_vec4 *n = make(NULL, &mesh, angles[a]);
+        for (int i = 0; i < 36; i++) {
+            const float *flat = cube_normals[i / 6];
+            const zr_vec4 p = positions[i];
+            if (a < 3)
+                assert_near(n[i], (double)flat[0], (double)flat[1], (double)flat[2], 1e-7);
+            else
+                assert_near(n[i], even * (double)p.x, even * (double)p.y, even * (double)p.z, 1e-6);
+        }
+    }
+}
+
+/* Whatever borders of cells are between them: a point far away, on which the cells depend, is everywhere. */
+static void positions_that_nearly_agree_are_one_vertex(void **state)
+{
+    (void)state;
+    for (int round = 0; round < 2000; round++) {
+        zr_vec4 positions[39];
+        const zr_vec4 far = {-3.0f + any(), -3.0f + any(), -3.0f + any(), 1};
+        soup_of_cube(positions);
+        for (int i = 0; i < 36; i++) {
+            positions[i].x += 9e-7f * any();
+            positions[i].y += 9e-7f * any();
+            positions[i].z += 9e-7f * any();
+        }
+        positions[36] = positions[37] = positions[38] = far;
+        const struct zr_mesh mesh = soup_of(positions, 13);
+        const zr_vec4 *n = make(NULL, &mesh, 180);
+        for (int i = 0; i < 36; i++) {
+            const double even = 1.0 / sqrt(3.0);
+            assert_near(n[i], positions[i].x > 0 ? even : -even, positions[i].y > 0 ? even : -even,
+                        positions[i].z > 0 ? even : -even, 1e-4);
+        }
+        zr_arena_reset(&arena, ARENA_BYTES);
+    }
+}
+
+static void positions_farther_apart_are_not(void **state)
+{
+    (void)state;
+    for (int round = 0; round < 200; round++) {
+        zr_vec4 positions[36];
+        const struct zr_mesh mesh = soup_of_cube(positions);
+        const float x = any();
+        for (int i = 0; i < 36; i++)
+            positions[i].x += x + (i < 6 ? 5e-6f : 0.0f);
+        const zr_vec4 *n = make(NULL, &mesh, 180);
+        for (int i = 0; i < 6; i++)
+            assert_near(n[i], 1.0, 0.0, 0.0, 1e-6);
+        zr_arena_reset(&arena, ARENA_BYTES);
+    }
+}
+
+/* A face in the plane z = 0 and one in x = 0, with corners of given angles at the origin. */
+static void corners_weigh_their_angles_and_areas(void **state)
+{
+    (void)state;
+    for (int a = 1; a < 180; a++)
+        for (int b = 1; b < 180; b += 13) {
+            const double unit = 3.14159265358979323846 / 180.0, s = 2.0, t = 3.0;
+            const zr_vec4 positions[6] = {
+                {0, 0, 0, 1}, {(float)s, 0, 0, 1}, {(float)cos(a * unit), (float)sin(a * unit), 0, 1},
+                {0, 0, 0, 1}, {0, (float)t, 0, 1}, {0, (float)cos(b * unit), (float)sin(b * unit), 1}};
+            const struct zr_mesh mesh = soup_of(positions, 2);
+            const zr_vec4 *n = make(NULL, &mesh, 90);
+            const double z = s * sin(a * unit) * a, x = t * sin(b * unit) * b, size = sqrt(x * x + z * z);
+            assert_near(n[0], x / size, 0.0, z / size, 3e-6);
+            assert_near(n[3], x / size, 0.0, z / size, 3e-6);
+            assert_near(n[1], 0.0, 0.0, 1.0, 1e-7);
+            zr_arena_reset(&arena, ARENA_BYTES);
+        }
+}
+
+static void faces_without_area_take_what_is_around(void **state)
+{
+    (void)state;
+    const zr_vec4 positions[] = {{0, 0, 0, 1}, {1, 0, 0, 1}, {0, 1, 0, 1}, {0, 0, 0, 1}, {1, 0, 0, 1},
+                                 {1, 0, 0, 1}, {5, 5, 5, 1}, {5, 5, 5, 1}, {5, 5, 5, 1}};
+    const struct zr_mesh mesh = soup_of(positions, 3);
+    const zr_vec4 *n = make(NULL, &mesh, 10);
+    for (int i = 0; i < 6; i++)
+        assert_near(n[i], 0.0, 0.0, 1.0, 1e-7);
+    for (int i = 6; i < 9; i++)
+        assert_near(n[i], 0.0, 0.0, 0.0, 0.0);
+}
+
+/* ---- crowds ---- */
+
+enum { ROUND_MOST = 100000 };
+
+/* A cone of so many faces, its tip at the origin and half as high as wide. */
+static struct zr_mesh cone_of(uint32_t faces)
+{
+    static zr_vec4 positions[3 * ROUND_MOST];
+    for (uint32_t i = 0; i < faces; i++) {
+        const double a = 6.283185307179586 * i / faces, b = 6.283185307179586 * (i + 1) / faces;
+        positions[3 * i] = (zr_vec4){0, 0, 0, 1};
+        positions[3 * i + 1] = (zr_vec4){(float)cos(a), (float)sin(a), -0.5f, 1};
+        positions[3 * i + 2] = (zr_vec4){(float)cos(b), (float)sin(b), -0.5f, 1};
+    }
+    return soup_of(positions, faces);
+}
+
+/* Sums over groups are those over faces, but for what is in groups that the angle leads through. */
+static void tips_of_many_faces_are_smooth_along_the_side(void **state)
+{
+    static const uint32_t counts[] = {ZR_CREASE_EXACT, ZR_CREASE_EXACT + 1, 1001, ROUND_MOST};
+    struct zr_team *teams[2] = {zr_team_create_for(1, ZR_ISA_SCALAR), zr_team_create_for(3, isa_under_test(state))};
+    for (int k = 0; k < 4; k++) {
+        const struct zr_mesh mesh = cone_of(counts[k]);
+        const zr_vec4 *n = make(teams[0], &mesh, 35), *all = make(teams[0], &mesh, 180);
+        assert_memory_equal(n, make(teams[1], &mesh, 35), 3 * (size_t)counts[k] * sizeof *n);
+        /* Faces with normals (cos, sin, 2) / sqrt 5 whose turn t against this one's has 1/5 cos t + 4/5 >= cos 35. */
+        const double most = acos(5.0 * cos(35.0 * 3.14159265358979323846 / 180.0) - 4.0);
+        const double side = sin(most) / most, size = sqrt(side * side + 4.0);
+        for (uint32_t i = 0; i < counts[k]; i++) {
+            const double at = 6.283185307179586 * (i + 0.5) / counts[k];
+            assert_near(n[3 * i], cos(at) * side / size, sin(at) * side / size, 2.0 / size, 0.05);
+            assert_near(all[3 * i], 0.0, 0.0, 1.0, 1e-3);
+        }
+        zr_arena_reset(&arena, ARENA_BYTES);
+    }
+    zr_team_destroy(teams[0]);
+    zr_team_destroy(teams[1]);
+}
+
+/* ---- ends ---- */
+
+static void room_is_given_back(void **state)
+{
+    (void)state;
+    zr_vec4 positions[36];
+    const struct zr_mesh mesh = soup_of_cube(positions);
+    make(NULL, &mesh, 35);
+    assert_int_equal(arena.used, 36 * sizeof(zr_vec4));
+    assert_true(arena.peak > arena.used);
+}
+
+static void without_memory_there_are_none(void **state)
+{
+    (void)state;
+    zr_vec4 positions[36];
+    const struct zr_mesh mesh = soup_of_cube(positions);
+    struct zr_arena small;
+    for (size_t bytes = 0; bytes <= 1024; bytes += 512) {
+        zr_arena_init(&small, bytes);
+        assert_null(zr_crease_normals_make(&small, NULL, NULL, &mesh, 35));
+        zr_arena_free(&small);
+    }
+}
+
+static void what_was_cancelled_ends_early(void **state)
+{
+    (void)state;
+    const struct zr_mesh mesh = cone_of(ROUND_MOST);
+    const struct zr_cancel cancel = {.raised = true};
+    struct zr_team *team = zr_team_create(3);
+    assert_non_null(zr_crease_normals_make(&arena, team, &cancel, &mesh, 35));
+    assert_int_equal(arena.used, 3 * ROUND_MOST * sizeof(zr_vec4));
+    zr_team_destroy(team);
+}
+
+int main(void)
+{
+#define ALONE(f) cmocka_unit_test_setup(f, empty_arena)
+    const struct CMUnitTest tests[] = {
+        TEST_EACH_ISA(tips_of_many_faces_are_smooth_along_the_side),
+        ALONE(cubes_are_sharp_up_to_90_degrees),
+        ALONE(positions_that_nearly_agree_are_one_vertex),
+        ALONE(positions_farther_apart_are_not),
+        ALONE(corners_weigh_their_angles_and_areas),
+        ALONE(faces_without_area_take_what_is_around),
+        ALONE(room_is_given_back),
+        ALONE(without_memory_there_are_none),
+        ALONE(what_was_cancelled_ends_early),
+    };
+    return cmocka_run_group_tests_name("crease_bodies", tests, open_arena, close_arena);
+}
