@@ -1,11 +1,14 @@
 /* edges.h - look: silhouettes and creases, found between neighbouring samples and widened to lines.
  *
  * In:     tile by tile, the G-buffer of samples (owner, normal, point). Out: the share of each pixel that edges cover.
- * How:    a silhouette is where one of two horizontal or vertical neighbours is empty, or
- *         the smaller of both points' distances to the other's plane exceeds 1.5 sample widths; a crease where normals
- *         differ by more than an angle. Both samples are marked; connected creases whose box is under 12 pixels in both
- *         directions are dropped; marks are widened by a disc.
- * Memory: two bits a sample, and the rows and columns at the sides of tiles, which are compared when all are drawn.
+ * How:    a silhouette is where one of two horizontal or vertical neighbours is empty, or where both points are
+ *         more than 1.5 sample widths (at the one further away) from the other's plane; a crease is where normals
+ *         differ by more than an angle. Samples without a normal, of lines, have silhouettes against nothing only.
+ *         Both neighbours are marked; connected creases whose box is under 12 pixels in both directions are dropped;
+ *         marks are widened by a disc.
+ * Exact:  every instruction set, thread count and order of tiles gives the same bytes.
+ * Memory: two bits a sample, and 7 KiB a tile: the rows and columns at its sides, which are compared when all are
+ *         drawn.
  */
 #ifndef ZR_EDGES_H
 #define ZR_EDGES_H
@@ -31,9 +34,9 @@ void zr_edges_mark_tile(struct zr_edge_marks *marks, enum zr_isa isa, uint32_t n
 /* A tile in which nobody is seen. */
 void zr_edges_mark_empty(struct zr_edge_marks *marks, uint32_t number);
 
-/* Compares tiles' sides, drops specks, widens. Of each pixel the opacity of ink, 0..1: (share of samples that are within
- * width / 2 of a silhouette, or else 0.85 of those of a crease); row 0 is the lowest, rows of `width`. NULL where the
- * arena has failed; cancelled, it returns early. */
+/* When each tile was marked, once: compares tiles' sides, drops specks, widens. Of each pixel the opacity of ink, 0..1:
+ * (share of samples that are within width / 2 of a silhouette, or else 0.85 of those of a crease); row 0 is the lowest,
+ * rows of `width`. NULL where the arena has failed; cancelled, it returns early. */
 const float *zr_edges_finish(struct zr_edge_marks *marks, struct zr_arena *arena, struct zr_team *team,
                              const struct zr_cancel *cancel);
 

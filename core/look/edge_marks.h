@@ -1,0 +1,84 @@
+/* edge_marks.h - look: what the files of edges.h share: marks of samples, and the steps that they go through.
+ *
+ * Layout: a bit a sample, two planes; a tile's row of samples is one word, so no two tiles have a word in common. Row 0
+ *         is the lowest, bit 0 the leftmost. Bits beyond the picture are 0, until lines are widened.
+ */
+#ifndef ZR_EDGE_MARKS_H
+#define ZR_EDGE_MARKS_H
+
+#include "look/edges.h"
+#include "raster/tile.h"
+
+_Static_assert(ZR_TILE_SIZE == 64, "a row of a tile is a word");
+
+/* ---- comparisons of neighbours: edges_kernel.c ---- */
+
+/* A silhouette: both points are further from the other's plane than limit * w, w = slope . point + offset being the
+ * larger one of both points. A crease: the dot product of normals is below `cosine`. */
+struct zr_edge_rule {
+    float slope[3], offset;
+    float limit;
+    float cosine;
+};
+
+/* Samples side by side, or above each other. */
+struct zr_edge_line {
+    const uint32_t *owner;
+    const float *normal[3], *point[3];
+};
+
+/* Of up to 64 samples, or pairs of them. */
+struct zr_edge_bits {
+    uint64_t silhouettes, creases;
+};
+
+/* Bit i: what is between samples i of both lines, of `count` <= 64. It does not matter which one comes first, and
+ * nothing beyond is read. A kernel. */
+typedef struct zr_edge_bits zr_edge_pairs_fn(const struct zr_edge_rule *rule, const struct zr_edge_line *a,
+                                             const struct zr_edge_line *b, int32_t count);
+
+/* Marks within a tile, for each of its rows. A kernel. */
+typedef void zr_edge_tile_fn(const struct zr_edge_rule *rule, const struct zr_gbuffer *tile, struct zr_edge_bits *rows);
+
+zr_edge_pairs_fn zr_edge_pairs_scalar, zr_edge_pairs_sse2, zr_edge_pairs_avx2, zr_edge_pairs_avx512, zr_edge_pairs_neon;
+zr_edge_tile_fn zr_edge_tile_scalar, zr_edge_tile_sse2, zr_edge_tile_avx2, zr_edge_tile_avx512, zr_edge_tile_neon;
+
+/* ---- marks of the picture ---- */
+
+/* One side of a tile. */
+struct zr_edge_side {
+    uint32_t owner[ZR_TILE_SIZE];
+    float normal[3][ZR_TILE_SIZE], point[3][ZR_TILE_SIZE];
+};
+
+enum { ZR_EDGE_BOTTOM, ZR_EDGE_TOP, ZR_EDGE_LEFT, ZR_EDGE_RIGHT, ZR_EDGE_SIDES };
+
+struct zr_edge_tile {
+    bool is_empty; /* and its sides are not written */
+    struct zr_edge_side sides[ZR_EDGE_SIDES];
+};
+
+struct zr_edge_marks {
+    uint32_t width, height, side; /* pixels, and samples along one of them */
+    uint32_t columns, rows;       /* samples */
+    uint32_t words;               /* a row; as many tiles are side by side */
+    float line_width;             /* pixels */
+    struct zr_edge_rule rule;
+    uint64_t *silhouettes, *creases; /* [row * words + column of tiles] */
+    struct zr_edge_tile *tiles;
+};
+
+/* ---- steps of zr_edges_finish ---- */
+
+/* edge_specks.c: connected creases whose box is smaller than this are dropped. */
+enum { ZR_EDGE_SPECK_PIXELS = 12 };
+
+/* Touching corners connect. False where the arena has failed; cancelled, it returns early. */
+bool zr_edge_specks_drop(struct zr_edge_marks *marks, struct zr_arena *arena, struct zr_team *team,
+                         const struct zr_cancel *cancel);
+
+/* edge_width.c: widens marks, and writes each pixel's opacity. False and cancelled as above. */
+bool zr_edge_width_cover(const struct zr_edge_marks *marks, struct zr_arena *arena, struct zr_team *team,
+                         const struct zr_cancel *cancel, float *opacity);
+
+#endif

@@ -1,0 +1,16 @@
+/* shadow_map_kernel.h - support: zr_shadow_share_v of look/shadow_map_simd.h on arrays, for each instruction set. */
+#ifndef ZR_TEST_SHADOW_MAP_KERNEL_H
+#define ZR_TEST_SHADOW_MAP_KERNEL_H
+
+#include <stddef.h>
+
+#include "base/isa.h"
+#include "look/shadow_map.h"
+
+/* `count` is a multiple of 16. */
+typedef void shadow_shares_fn(const struct zr_shadow_map *map, const float *const point[3],
+                              const float *const normal[3], size_t count, float *out);
+
+shadow_shares_fn shadow_shares_scalar, shadow_shares_sse2, shadow_shares_avx2, shadow_shares_avx512, shadow_shares_neon;
+
+#endif

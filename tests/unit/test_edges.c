@@ -1,0 +1,528 @@
+/* Edges are those that a plain search finds sample by sample, whatever the tiles, the threads and the kernels. */
+#include <math.h>
+#include <string.h>
+
+#include "guarded.h"
+#include "look/edges.h"
+#include "raster/tile.h"
+#include "support/isas.h"
+#include "support/random.h"
+
+static struct zr_arena arena;
+
+static struct random numbers = {{RANDOM_STATE_1}};
+
+static float between(double low, double high)
+{
+    return (float)random_range(&numbers, low, high);
+}
+
+/* ---- pictures: planes, spheres' normals, lines and holes, one over the other ---- */
+
+enum { MOST = 512 }; /* samples a row */
+
+struct sample {
+    uint32_t owner;
+    zr_vec3 normal, point;
+};
+
+struct picture {
+    uint32_t width, height, side;
+    int columns, rows;
+    struct zr_edges edges;
+    struct zr_pixel_scale scale;
+    struct sample samples[MOST * MOST]; /* [row * MOST + column] */
+};
+
+static struct picture picture;
+
+static void begin_picture(uint32_t width, uint32_t height, uint32_t side, bool is_parallel)
+{
+    picture.width = width, picture.height = height, picture.side = side;
+    picture.columns = (int)(width * side), picture.rows = (int)(height * side);
+    picture.edges = (struct zr_edges){.is_on = true, .width = 1.5f, .crease_degrees = 30.0f};
+    /* 20 pixels a unit; of a perspective, at a depth of 1 */
+    picture.scale = (struct zr_pixel_scale){20.0f, {0.0f, 0.0f, is_parallel ? 0.0f : -1.0f}, is_parallel ? 1.0f : 0.0f};
+    const struct sample nobody = {0, {0, 0, 0}, {1e18f, 1e18f, 1e18f}};
+    for (int i = 0; i < MOST * MOST; i++)
+        picture.samples[i] = nobody;
+}
+
+static zr_vec3 any_normal(void)
+{
+    const float x = between(-1.0, 1.0), y = between(-1.0, 1.0), z = between(0.5, 1.0);
+    return zr_vec3_normalize((zr_vec3){x, y, z});
+}
+
+/* Where the ray of a sample meets the plane through the middle of its own depth. */
+static zr_vec3 point_on(int x, int y, zr_vec3 normal, float depth)
+{
+    const float step = 1.0f / (20.0f * (float)picture.side);
+    const float u = ((float)(x - picture.columns / 2) + 0.5f) * step;
+    const float v = ((float)(y - picture.rows / 2) + 0.5f) * step;
+    if (picture.scale.offset > 0.0f) return (zr_vec3){u, v, -depth - (normal.x * u + normal.y * v) / normal.z};
+    const float t = depth * normal.z / (normal.z - normal.x * u - normal.y * v);
+    return (zr_vec3){u * t, v * t, -t};
+}
+
+enum kind { PLANE, BALL, LINE, HOLE, KINDS };
+
+struct patch {
+    enum kind kind;
+    uint32_t owner;
+    int left, bottom, right, top;
+    zr_vec3 normal;
+    float depth;
+};
+
+static void draw_sample(const struct patch *patch, int x, int y)
+{
+    const float u = 1.6f * (float)(x - patch->left) / (float)(patch->right - patch->left) - 0.8f;
+    const float v = 1.6f * (float)(y - patch->bottom) / (float)(patch->top - patch->bottom) - 0.8f;
+    struct sample *sample = &picture.samples[y * MOST + x];
+    *sample = (struct sample){patch->owner, patch->normal, point_on(x, y, patch->normal, patch->depth)};
+    if (patch->kind == BALL) sample->normal = zr_vec3_normalize((zr_vec3){u, v, 0.5f});
+    if (patch->kind == LINE) sample->normal = (zr_vec3){0, 0, 0};
+    if (patch->kind == HOLE) *sample = (struct sample){0, {0, 0, 0}, {1e18f, 1e18f, 1e18f}};
+}
+
+static void draw_patch(const struct patch *patch)
+{
+    for (int y = patch->bottom; y < patch->top && y < picture.rows; y++)
+        for (int x = patch->left; x < patch->right && x < picture.columns; x++)
+            draw_sample(patch, x, y);
+}
+
+static void draw_patches(int count)
+{
+    for (int i = 0; i < count; i++) {
+        struct patch patch = {.kind = (enum kind)random_below(&numbers, KINDS), .owner = (uint32_t)i + 1};
+        const uint32_t most = random_below(&numbers, 3) ? 100 : 5;
+        patch.left = (int)random_below(&numbers, (uint32_t)picture.columns);
+        patch.bottom = (int)random_below(&numbers, (uint32_t)picture.rows);
+        patch.right = patch.left + 1 + (int)random_below(&numbers, most);
+        patch.top = patch.bottom + 1 + (int)random_below(&numbers, most);
+        patch.normal = any_normal();
+        patch.depth = between(4.0, 4.5);
+        draw_patch(&patch);
+    }
+}
+
+/* ---- the reference ---- */
+
+enum { SILHOUETTE = 1, CREASE = 2 };
+
+struct vec {
+    double x, y, z;
+};
+
+static struct vec wide(zr_vec3 v)
+{
+    return (struct vec){(double)v.x, (double)v.y, (double)v.z};
+}
+
+static double dot(struct vec a, struct vec b)
+{
+    return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+
+static double sample_width(struct vec point)
+{
+    const struct vec slope = {(double)picture.scale.slope[0], (double)picture.scale.slope[1],
+                              (double)picture.scale.slope[2]};
+    const double pixels = (double)picture.scale.scale / (dot(slope, point) + (double)picture.scale.offset);
+    return 1.0 / (pixels * picture.side);
+}
+
+static int unsure; /* comparisons that floats may decide otherwise */
+
+static bool is_less(double a, double b)
+{
+    unsure += fabs(a - b) < 4e-6;
+    return a < b;
+}
+
+static int reference_pair(const struct sample *a, const struct sample *b)
+{
+    if (!a->owner || !b->owner) return a->owner || b->owner ? SILHOUETTE : 0;
+    const struct vec n1 = wide(a->normal), n2 = wide(b->normal), p1 = wide(a->point), p2 = wide(b->point);
+    if (dot(n1, n1) < 0.5 || dot(n2, n2) < 0.5) return 0;
+    const struct vec way = {p2.x - p1.x, p2.y - p1.y, p2.z - p1.z};
+    const double distance = fmin(fabs(dot(way, n1)), fabs(dot(way, n2)));
+    const double cosine = cos((double)picture.edges.crease_degrees * 3.14159265358979323846 / 180.0);
+    return (is_less(1.5 * fmax(sample_width(p1), sample_width(p2)), distance) ? SILHOUETTE : 0) |
+           (is_less(dot(n1, n2), cosine) ? CREASE : 0);
+}
+
+static unsigned char found[MOST * MOST];
+
+static void reference_marks(void)
+{
+    memset(found, 0, sizeof found);
+    unsure = 0;
+    for (int y = 0; y < picture.rows; y++)
+        for (int x = 0; x < picture.columns; x++)
+            for (int up = 0; up < 2; up++) {
+                if (up ? y + 1 == picture.rows : x + 1 == picture.columns) continue;
+                const int i = y * MOST + x, j = up ? i + MOST : i + 1;
+                const int marks = reference_pair(&picture.samples[i], &picture.samples[j]);
+                found[i] |= (unsigned char)marks;
+                found[j] |= (unsigned char)marks;
+            }
+}
+
+/* Creases are visited by depth-first search, then dropped where their box is small. */
+static void reference_speck(int first, unsigned char *visited)
+{
+    static int members[MOST * MOST];
+    int count = 1, left = first % MOST, right = left, bottom = first / MOST, top = bottom;
+    members[0] = first;
+    visited[first] = 1;
+    for (int k = 0; k < count; k++) {
+        const int x = members[k] % MOST, y = members[k] / MOST;
+        left = x < left ? x : left, right = x > right ? x : right;
+        bottom = y < bottom ? y : bottom, top = y > top ? y : top;
+        for (int j = y - 1; j <= y + 1; j++)
+            for (int i = x - 1; i <= x + 1; i++) {
+                if (i < 0 || j < 0 || i >= picture.columns || j >= picture.rows) continue;
+                if (visited[j * MOST + i] || !(found[j * MOST + i] & CREASE)) continue;
+                visited[j * MOST + i] = 1;
+                members[count++] = j * MOST + i;
+            }
+    }
+    const int size = 12 * (int)picture.side;
+    if (right - left + 1 < size && top - bottom + 1 < size)
+        for (int k = 0; k < count; k++)
+            found[members[k]] &= SILHOUETTE;
+}
+
+static void reference_specks(void)
+{
+    static unsigned char visited[MOST * MOST];
+    memset(visited, 0, sizeof visited);
+    for (int y = 0; y < picture.rows; y++)
+        for (int x = 0; x < picture.columns; x++)
+            if ((found[y * MOST + x] & CREASE) && !visited[y * MOST + x]) reference_speck(y * MOST + x, visited);
+}
+
+static unsigned char covered[MOST * MOST];
+
+static void reference_disc(int x, int y, unsigned char marks)
+{
+    const double radius = 0.5 * (double)picture.edges.width * picture.side;
+    const int reach = (int)radius + 1;
+    for (int j = y - reach; j <= y + reach; j++)
+        for (int i = x - reach; i <= x + reach; i++)
+            if (i >= 0 && j >= 0 && i < picture.columns && j < picture.rows &&
+                (double)((i - x) * (i - x) + (j - y) * (j - y)) <= radius * radius)
+                covered[j * MOST + i] |= marks;
+}
+
+static double reference_opacity(uint32_t px, uint32_t py)
+{
+    const uint32_t side = picture.side;
+    double sum = 0.0;
+    for (uint32_t y = py * side; y < (py + 1) * side; y++)
+        for (uint32_t x = px * side; x < (px + 1) * side; x++)
+            sum += covered[y * MOST + x] & SILHOUETTE ? 1.0 : covered[y * MOST + x] & CREASE ? 0.85 : 0.0;
+    return sum / (side * side);
+}
+
+/* False where it is not certain what floats must find. */
+static bool reference_picture(void)
+{
+    reference_marks();
+    if (unsure) return false;
+    reference_specks();
+    memset(covered, 0, sizeof covered);
+    for (int y = 0; y < picture.rows; y++)
+        for (int x = 0; x < picture.columns; x++)
+            if (found[y * MOST + x]) reference_disc(x, y, found[y * MOST + x]);
+    return true;
+}
+
+/* ---- what is tested ---- */
+
+/* A tile in pages of its own, with no more room than a G-buffer must have, and full of anything beyond its samples. */
+struct guarded_tile {
+    struct zr_gbuffer buffer;
+    struct guarded arrays[7];
+    bool is_empty;
+};
+
+static uint32_t word_of_sample(const struct sample *sample, int array)
+{
+    const float values[6] = {sample->normal.x, sample->normal.y, sample->normal.z,
+                             sample->point.x,  sample->point.y,  sample->point.z};
+    uint32_t word;
+    if (array == 0) return sample->owner;
+    memcpy(&word, &values[array - 1], sizeof word);
+    return word;
+}
+
+static struct guarded_tile make_tile(int number)
+{
+    static uint32_t words[ZR_TILE_SIZE * ZR_TILE_SIZE];
+    const int across = (int)zr_tile_across((uint32_t)picture.columns);
+    const int left = number % across * ZR_TILE_SIZE, bottom = number / across * ZR_TILE_SIZE;
+    const int width = picture.columns - left < ZR_TILE_SIZE ? picture.columns - left : ZR_TILE_SIZE;
+    const int height = picture.rows - bottom < ZR_TILE_SIZE ? picture.rows - bottom : ZR_TILE_SIZE;
+    const int stride = (width + 15) / 16 * 16;
+    struct guarded_tile tile = {.buffer = {.width = width, .height = height, .stride = stride}, .is_empty = true};
+    for (int k = 0; k < 7; k++) {
+        for (int i = 0; i < stride * height; i++)
+            words[i] = k == 0 ? 99u : 0x7fc00000u; /* not a number */
+        for (int y = 0; y < height; y++)
+            for (int x = 0; x < width; x++) {
+                const struct sample *sample = &picture.samples[(bottom + y) * MOST + left + x];
+                words[y * stride + x] = word_of_sample(sample, k);
+                if (sample->owner) tile.is_empty = false;
+            }
+        tile.arrays[k] = guarded_copy(words, (size_t)(stride * height) * sizeof *words);
+    }
+    tile.buffer.owner = (uint32_t *)(uintptr_t)tile.arrays[0].bytes;
+    for (int k = 0; k < 3; k++) {
+        tile.buffer.normal[k] = (float *)(uintptr_t)tile.arrays[1 + k].bytes;
+        tile.buffer.point[k] = (float *)(uintptr_t)tile.arrays[4 + k].bytes;
+    }
+    return tile;
+}
+
+static void mark_tile(struct zr_edge_marks *marks, enum zr_isa isa, int number, bool skips_empty)
+{
+    struct guarded_tile tile = make_tile(number);
+    if (tile.is_empty && skips_empty)
+        zr_edges_mark_empty(marks, (uint32_t)number);
+    else
+        zr_edges_mark_tile(marks, isa, (uint32_t)number, &tile.buffer);
+    for (int k = 0; k < 7; k++)
+        guarded_free(&tile.arrays[k]);
+}
+
+/* From the first tile to the last, or the other way round. */
+static const float *find_edges(enum zr_isa isa, int threads, bool backwards)
+{
+    struct zr_edge_marks *marks =
+        zr_edge_marks_make(&arena, picture.width, picture.height, picture.side, &picture.edges, &picture.scale);
+    assert_non_null(marks);
+    const int count = (int)zr_tile_count((uint32_t)picture.columns, (uint32_t)picture.rows);
+    for (int i = 0; i < count; i++)
+        mark_tile(marks, isa, backwards ? count - 1 - i : i, !backwards);
+    struct zr_team *team = zr_team_create_for(threads, isa);
+    const float *opacity = zr_edges_finish(marks, &arena, team, NULL);
+    zr_team_destroy(team);
+    assert_non_null(opacity);
+    return opacity;
+}
+
+static void assert_is_reference(const float *opacity, const char *what)
+{
+    for (uint32_t y = 0; y < picture.height; y++)
+        for (uint32_t x = 0; x < picture.width; x++) {
+            const double want = reference_opacity(x, y), got = (double)opacity[y * picture.width + x];
+            if (!(fabs(got - want) < 1e-6))
+                fail_msg("%s, %ux%u with %u, pixel %u, %u: %g, not %g", what, picture.width, picture.height,
+                         picture.side, x, y, got, want);
+        }
+}
+
+static double mean_of(const float *opacity)
+{
+    double sum = 0.0;
+    for (uint32_t i = 0; i < picture.width * picture.height; i++)
+        sum += (double)opacity[i];
+    return sum / (picture.width * picture.height);
+}
+
+static void edges_are_those_of_a_plain_search(void **state)
+{
+    const enum zr_isa isa = isa_under_test(state);
+    static const float widths[] = {1.5f, 0.0f, 1.0f, 3.3f, 0.4f, 24.0f};
+    int compared = 0, inked = 0;
+    for (int round = 0; round < 60; round++) {
+        const uint32_t side = 1u << round % 4, most = round < 8 ? MOST / side : 200 / side;
+        const uint32_t width = 1 + random_below(&numbers, most), height = 1 + random_below(&numbers, most);
+        begin_picture(width, height, side, round % 3 == 0);
+        draw_patches((int)random_below(&numbers, 30));
+        picture.edges.width = widths[round % 6];
+        picture.edges.crease_degrees = between(10.0, 50.0);
+        if (!reference_picture()) continue;
+        zr_arena_reset(&arena, SIZE_MAX);
+        const float *opacity = find_edges(isa, 1, false);
+        assert_is_reference(opacity, "patches");
+        compared++, inked += mean_of(opacity) > 0.02 && mean_of(opacity) < 0.9;
+    }
+    assert_true(compared > 40 && inked > 20);
+}
+
+/* Of marks all over, as scans have them; and more than one chunk of rows to be widened. */
+static void noise_is_found_as_by_a_plain_search(void **state)
+{
+    const enum zr_isa isa = isa_under_test(state);
+    for (uint32_t side = 1; side <= 8; side *= 2) {
+        begin_picture(MOST / side - 1, MOST / side, side, true);
+        for (int i = 0; i < MOST * MOST; i++) {
+            const bool is_bent = random_below(&numbers, 10) == 0;
+            const zr_vec3 normal = {is_bent ? 0.8f : 0.0f, 0.0f, is_bent ? 0.6f : 1.0f};
+            picture.samples[i] = (struct sample){1, normal, {0, 0, 0}};
+        }
+        assert_true(reference_picture());
+        zr_arena_reset(&arena, SIZE_MAX);
+        const float *opacity = find_edges(isa, 2, false);
+        assert_is_reference(opacity, "noise");
+        assert_true(mean_of(opacity) > 0.1 && mean_of(opacity) < 0.7); /* some are specks */
+    }
+}
+
+/* Normals not a number and points far away, too. */
+static void all_instruction_sets_threads_and_orders_give_the_same_edges(void **state)
+{
+    const enum zr_isa isa = isa_under_test(state);
+    static const float odd[] = {NAN, INFINITY, -INFINITY, 3e38f, 1e-40f, -0.0f, 1e18f};
+    for (int round = 0; round < 8; round++) {
+        begin_picture(61, 45, 4, round % 2);
+        draw_patches(25);
+        for (int i = 0; i < 300; i++) {
+            struct sample *sample = &picture.samples[random_below(&numbers, 180) * MOST + random_below(&numbers, 244)];
+            sample->normal.y = odd[random_below(&numbers, 7)];
+            if (i % 2) sample->point.x = odd[random_below(&numbers, 7)];
+        }
+        zr_arena_reset(&arena, SIZE_MAX);
+        const size_t size = sizeof(float) * 61 * 45;
+        const float *want = find_edges(ZR_ISA_SCALAR, 1, false);
+        for (int threads = 1; threads <= 4; threads++) {
+            assert_memory_equal(find_edges(isa, threads, false), want, size);
+            assert_memory_equal(find_edges(isa, threads, true), want, size);
+        }
+    }
+}
+
+static void fill(int left, int bottom, int right, int top, zr_vec3 normal, float depth)
+{
+    draw_patch(&(struct patch){PLANE, 1, left, bottom, right, top, normal, depth});
+}
+
+static const zr_vec3 front = {0, 0, 1}, bent = {0.6f, 0, 0.8f};
+
+static void creases_are_dropped_under_12_pixels(void **state)
+{
+    const enum zr_isa isa = isa_under_test(state);
+    /* A box of creases is a sample wider at both ends than what is bent: 22 and 23 samples of 24. */
+    static const struct {
+        int width, height;
+        bool is_drawn;
+    } cases[] = {{21, 21, false}, {22, 3, true}, {3, 22, true}, {21, 2, false}, {1, 1, false}};
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        begin_picture(80, 80, 2, true);
+        fill(0, 0, 160, 160, front, 4.0f);
+        for (int y = 0; y < 22; y++) /* across the corner of four tiles */
+            for (int x = 0; x < 22; x++)
+                if (x < cases[i].width && y < cases[i].height) picture.samples[(55 + y) * MOST + 55 + x].normal = bent;
+        assert_true(reference_picture());
+        const float *opacity = find_edges(isa, 2, false);
+        assert_is_reference(opacity, "a patch");
+        assert_true((mean_of(opacity) > 0.0) == cases[i].is_drawn);
+    }
+}
+
+/* Of two creases, 6 and 7 pixels wide, the corners of one touch the other, or are a pixel away. */
+static void corners_that_touch_connect(void **state)
+{
+    const enum zr_isa isa = isa_under_test(state);
+    for (int gap = 0; gap < 2; gap++) {
+        begin_picture(70, 70, 1, true);
+        fill(0, 0, 70, 70, front, 4.0f);
+        for (int i = 0; i < 4; i++)
+            picture.samples[61 * MOST + 56 + i].normal = bent;
+        for (int i = 0; i < 5; i++)
+            picture.samples[63 * MOST + 61 + gap + i].normal = bent;
+        assert_true(reference_picture());
+        const float *opacity = find_edges(isa, 1, false);
+        assert_is_reference(opacity, "two creases");
+        assert_true((mean_of(opacity) > 0.0) == (gap == 0));
+    }
+}
+
+static void steps_are_silhouettes_and_lines_are_not(void **state)
+{
+    const enum zr_isa isa = isa_under_test(state);
+    begin_picture(40, 40, 4, true); /* samples are 1/80 apart: a step of 1/50 is one, of 1/60 is none */
+    fill(0, 0, 160, 160, front, 4.0f);
+    fill(80, 0, 160, 160, front, 4.0f + 1.0f / 50);
+    fill(0, 120, 160, 160, front, 4.0f + 1.0f / 120);
+    draw_patch(&(struct patch){LINE, 2, 0, 40, 160, 42, front, 3.0f});
+    const float *opacity = find_edges(isa, 1, false);
+    for (uint32_t y = 0; y < 40; y++)
+        for (uint32_t x = 0; x < 40; x++) {
+            const float got = opacity[y * 40 + x];
+            if (x < 18 || x > 21) assert_true(got == 0.0f);
+            /* marks at 79 and 80, and 3 samples to both sides, except where the line is, and where both are one plane
+             */
+            if ((x == 19 || x == 20) && ((y < 9) || (y > 11 && y < 28))) assert_true(got == 1.0f);
+            if (y > 31) assert_true(got == 0.0f);
+        }
+}
+
+static void nothing_has_no_edges(void **state)
+{
+    const enum zr_isa isa = isa_under_test(state);
+    begin_picture(50, 33, 4, false);
+    const float *opacity = find_edges(isa, 1, false);
+    assert_true(mean_of(opacity) == 0.0);
+    fill(0, 0, 200, 132, front, 4.0f); /* nor has what fills the window */
+    assert_true(mean_of(find_edges(isa, 1, false)) == 0.0);
+}
+
+/* ---- failures ---- */
+
+static void a_failed_arena_gives_no_edges(void **state)
+{
+    (void)state;
+    begin_picture(60, 60, 4, true);
+    draw_patches(20);
+    bool has_succeeded = false;
+    for (size_t ceiling = 1000; !has_succeeded; ceiling += 4000) {
+        struct zr_arena small;
+        zr_arena_init(&small, ceiling);
+        struct zr_edge_marks *marks = zr_edge_marks_make(&small, 60, 60, 4, &picture.edges, &picture.scale);
+        assert_true((marks != NULL) == zr_arena_ok(&small));
+        if (marks) {
+            for (int i = 0; i < 16; i++)
+                mark_tile(marks, ZR_ISA_SCALAR, i, true);
+            const float *opacity = zr_edges_finish(marks, &small, NULL, NULL);
+            assert_true((opacity != NULL) == zr_arena_ok(&small));
+            has_succeeded = opacity != NULL;
+        }
+        zr_arena_free(&small);
+    }
+}
+
+static void cancelled_it_returns(void **state)
+{
+    (void)state;
+    begin_picture(60, 60, 4, true);
+    struct zr_edge_marks *marks = zr_edge_marks_make(&arena, 60, 60, 4, &picture.edges, &picture.scale);
+    assert_non_null(marks);
+    struct zr_cancel cancel = {.parent = NULL};
+    atomic_init(&cancel.raised, true);
+    assert_non_null(zr_edges_finish(marks, &arena, NULL, &cancel)); /* no tile was marked */
+}
+
+int main(void)
+{
+    zr_arena_init(&arena, 1 << 28);
+    const struct CMUnitTest tests[] = {
+        TEST_EACH_ISA(edges_are_those_of_a_plain_search),
+        TEST_EACH_ISA(noise_is_found_as_by_a_plain_search),
+        TEST_EACH_ISA(all_instruction_sets_threads_and_orders_give_the_same_edges),
+        TEST_EACH_ISA(creases_are_dropped_under_12_pixels),
+        TEST_EACH_ISA(corners_that_touch_connect),
+        TEST_EACH_ISA(steps_are_silhouettes_and_lines_are_not),
+        TEST_EACH_ISA(nothing_has_no_edges),
+        cmocka_unit_test(a_failed_arena_gives_no_edges),
+        cmocka_unit_test(cancelled_it_returns),
+    };
+    const int failed = cmocka_run_group_tests_name("edges", tests, NULL, NULL);
+    zr_arena_free(&arena);
+    return failed;
+}
