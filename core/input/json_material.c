@@ -15,13 +15,13 @@
 bool zr_read_outline(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field,
                      void *out)
 {
-    struct zr_look *look = out;
+    struct zr_face_style *faces = out;
     const enum zr_json_type type = zr_json_type(json);
-    if (type == ZR_JSON_BOOL) return zr_json_flag(json, path, field, &look->outline);
+    if (type == ZR_JSON_BOOL) return zr_json_flag(json, path, field, &faces->outline);
     if (type != ZR_JSON_STRING && type != ZR_JSON_LIST)
         return zr_json_skip(json) && zr_json_fault(json, path, "true, false or a colour is needed");
-    if (!zr_json_color(json, path, field, &look->outline_color)) return false;
-    look->outline = ZR_OUTLINE_SET_COLOR;
+    if (!zr_json_color(json, path, field, &faces->outline_color)) return false;
+    faces->outline = ZR_OUTLINE_SET_COLOR;
     return true;
 }
 
@@ -36,8 +36,8 @@ static const struct zr_json_field fields[] = {
     {"specular", zr_json_color, AT(specular), .otherwise = "black", .text = "the colour of highlights"},
     {"shininess", zr_json_float, AT(shininess), 0, SHININESS_MAX, .otherwise = "32",
      .text = "how narrow highlights are: the exponent"},
-    ZR_LOOK_FIELDS(struct zr_given_material, look),
-    ZR_SIDES_FIELD(struct zr_given_material, look),
+    ZR_FACE_STYLE_FIELDS(struct zr_given_material, face_style),
+    ZR_SIDES_FIELD(struct zr_given_material, face_style),
     {.key = "baseColorTexture"},
     {.key = "alphaMode"},
     {.key = "alphaCutoff"},
@@ -73,7 +73,7 @@ bool zr_read_materials(struct zr_json *json, const struct zr_json_path *path, co
                                             .number = list.count,
                                             .base_color = {1, 1, 1, 1},
                                             .shininess = ZR_SHININESS,
-                                            .look = zr_look_unset};
+                                            .face_style = zr_face_style_unset};
         zr_json_fields(json, ZR_JSON_ITEM(path, list.count), &zr_json_object_material, given, &keys);
         zr_given_note_alpha(root, &given->base_color, 1);
     }
@@ -119,12 +119,12 @@ uint32_t zr_given_make_material(struct zr_given_scene *root, const struct zr_sty
 {
     bool has_given = style->material < root->material_count;
     const struct zr_given_material none = {
-        .name = "", .base_color = zr_default_base_color(coloured), .look = zr_look_unset};
+        .name = "", .base_color = zr_default_base_color(coloured), .face_style = zr_face_style_unset};
     const struct zr_given_material *given = has_given ? &root->materials[style->material] : &none;
-    struct zr_look look = zr_look_merge(&style->look, &given->look);
-    look = zr_look_merge(&look, &root->look);
-    if (look.double_sided == ZR_UNSET) look.double_sided = style->is_open;
-    struct zr_material material = zr_look_material(&look, given->base_color, smooth);
+    struct zr_face_style faces = zr_face_style_merge(&style->face_style, &given->face_style);
+    faces = zr_face_style_merge(&faces, &root->face_style);
+    if (faces.double_sided == ZR_UNSET) faces.double_sided = style->is_open;
+    struct zr_material material = zr_face_style_material(&faces, given->base_color, smooth);
     material.specular = (zr_vec3){given->specular.x, given->specular.y, given->specular.z};
     material.shininess = given->shininess;
     zr_given_note_alpha(root, &material.outline_color, 1);

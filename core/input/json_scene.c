@@ -90,7 +90,7 @@ static const struct zr_json_field fields[] = {
     [BASE] = {"base", zr_json_place, AT(base), .text = "a picture that is drawn into"},
     [NODES] = {"nodes", zr_json_place, AT(nodes), .otherwise = "each mesh where it is", .text = "what places meshes"},
     [FOG] = {"fog", zr_read_fog, 0, .text = "what is farther away fades"},
-    ZR_LOOK_FIELDS(struct zr_given_scene, look),
+    ZR_FACE_STYLE_FIELDS(struct zr_given_scene, face_style),
     {.key = "views"},
     {.key = "turntable"}};
 const struct zr_json_object zr_json_object_scene = ZR_JSON_OBJECT_OF("scene", fields);
@@ -189,7 +189,7 @@ static enum zr_status read_json(struct zr_scene_builder *builder, const struct z
                                   .scene = scene,
                                   .background = scene->background,
                                   .algorithm = (int)scene->algorithm,
-                                  .look = zr_look_unset,
+                                  .face_style = zr_face_style_unset,
                                   .asset_count = request->asset_count,
                                   .assets = request->assets,
                                   .stored = request->stored};

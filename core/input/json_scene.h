@@ -10,9 +10,9 @@
 #ifndef ZR_JSON_SCENE_H
 #define ZR_JSON_SCENE_H
 
+#include "input/face_style.h"
 #include "input/growing.h"
 #include "input/json_value.h"
-#include "input/look.h"
 #include "scene/scene_builder.h"
 
 /* A material as the scene has it, under its name. */
@@ -21,7 +21,7 @@ struct zr_given_material {
     size_t number; /* in the scene's list */
     zr_vec4 base_color, specular;
     float shininess;
-    struct zr_look look;
+    struct zr_face_style face_style;
 };
 
 /* A mesh as the scene has it, before what it refers to is known. */
@@ -39,7 +39,7 @@ struct zr_given_scene {
     uint64_t keys; /* those of the root that are there */
     int algorithm, color_management;
     zr_vec4 background, ambient;
-    struct zr_look look; /* the scene's own */
+    struct zr_face_style face_style; /* the scene's own */
     bool fog_has_color;
     const char *fit_mesh;     /* the name of the mesh that the view is fitted to, or NULL */
     const char *nodes, *base; /* where they are in the text, or NULL */
@@ -62,36 +62,36 @@ struct zr_given_scene {
 /* What a mesh or a polygon says of its looks. */
 struct zr_style {
     size_t material; /* index into root->materials, or material_count: none */
-    struct zr_look look;
+    struct zr_face_style face_style;
     bool is_uniform; /* has no colours of its own, whatever others of its mesh have */
     bool is_open;    /* an open surface: two-sided where nobody says otherwise */
 };
 
-/* json_material.c. The keys of a look have the same names wherever they may stand: rows for the table of an object that
- * fills a `type`, whose member `look` is a struct zr_look. A scene's own look is one without sides: those are a
- * body's. */
-#define ZR_LOOK_FIELDS(type, look)                                                                                     \
+/* json_material.c. The keys of a face style have the same names wherever they may stand: rows for the table of an
+ * object that fills a `type`, whose member `faces` is a struct zr_face_style. That of a scene is one without sides:
+ * those are a body's. */
+#define ZR_FACE_STYLE_FIELDS(type, faces)                                                                              \
     {.key = "shading",                                                                                                 \
      .read = zr_json_choice,                                                                                           \
-     .offset = offsetof(type, look.shading),                                                                           \
+     .offset = offsetof(type, faces.shading),                                                                          \
      .words = &zr_shading_names,                                                                                       \
      .otherwise = "gouraud where there are normals or vertex colours, else flat",                                      \
      .text = "how faces are coloured"},                                                                                \
         {.key = "fill",                                                                                                \
          .read = zr_json_flag,                                                                                         \
-         .offset = offsetof(type, look.fill),                                                                          \
+         .offset = offsetof(type, faces.fill),                                                                         \
          .otherwise = "true",                                                                                          \
          .text = "false: faces are left out, and only their outlines are drawn"},                                      \
     {                                                                                                                  \
-        .key = "outline", .read = zr_read_outline, .offset = offsetof(type, look), .otherwise = "false",               \
+        .key = "outline", .read = zr_read_outline, .offset = offsetof(type, faces), .otherwise = "false",              \
         .text = "the edges of faces: true, false or a colour"                                                          \
     }
-#define ZR_SIDES_FIELD(type, look)                                                                                     \
+#define ZR_SIDES_FIELD(type, faces)                                                                                    \
     {                                                                                                                  \
-        .key = "doubleSided", .read = zr_json_flag, .offset = offsetof(type, look.double_sided), .otherwise = "false", \
-        .text = "faces are seen from behind too"                                                                       \
+        .key = "doubleSided", .read = zr_json_flag, .offset = offsetof(type, faces.double_sided),                      \
+        .otherwise = "false", .text = "faces are seen from behind too"                                                 \
     }
-zr_json_read_fn zr_read_outline; /* struct zr_look */
+zr_json_read_fn zr_read_outline; /* struct zr_face_style */
 
 /* json_material.c: a list of materials; by their names, once the root is read; the index of one by its name, or
  * material_count, and a fault at `path`. */
