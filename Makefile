@@ -89,7 +89,7 @@ for_isas = $(foreach isa,$(isas),$(1:%=$(BUILD)/%.$(isa).o))
 kernel_objects := $(call for_isas,$(kernels))
 core := $(filter-out %_kernel.o,$(call objects,core/*.c core/*/*.c)) $(kernel_objects)
 # The part of it that needs no library.
-renderer := $(filter-out %_kernel.o,$(call objects,core/render.c $(patsubst %,core/%/*.c,base scene geometry raster shade))) \
+renderer := $(filter-out %_kernel.o,$(call objects,core/render.c $(patsubst %,core/%/*.c,base scene geometry raster shade look))) \
 	$(kernel_objects)
 server := $(call objects,server/*.c)
 client := $(call objects,clients/*.c)

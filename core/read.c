@@ -31,9 +31,9 @@ static void dress_meshes(struct zr_scene_builder *builder, const struct zr_reque
     for (uint32_t i = 0; i < scene->mesh_count; i++) {
         struct zr_mesh *mesh = &builder->meshes[i];
         const bool is_colored = mesh->colors != NULL;
-        const zr_vec4 color = query->has_color ? query->color : zr_default_base_color(is_colored);
+        const zr_vec4 color = query->has_color ? query->color : zr_default_base_color(scene->look, is_colored);
         const struct zr_material material =
-            zr_face_style_material(&query->face_style, color, mesh->normal_count > 0 || is_colored);
+            zr_face_style_material(&query->face_style, scene->look, color, mesh->normal_count > 0 || is_colored);
         mesh->material = zr_scene_builder_material(builder, &material);
         instances[i] = (struct zr_instance){.mesh = i, .object_to_world = upright(query->z_is_up)};
     }

@@ -2,7 +2,7 @@
 #ifndef ZR_FACE_STYLE_H
 #define ZR_FACE_STYLE_H
 
-#include "scene/scene.h"
+#include "scene/looks.h"
 
 enum { ZR_UNSET = -1 };
 
@@ -20,7 +20,8 @@ extern const struct zr_face_style zr_face_style_unset;
 /* What `first` leaves unset is as `second` says. */
 struct zr_face_style zr_face_style_merge(const struct zr_face_style *first, const struct zr_face_style *second);
 
-/* The material that faces of this style have. */
-struct zr_material zr_face_style_material(const struct zr_face_style *faces, zr_vec4 base_color, bool smooth);
+/* The material that faces of this style have; the rest of it is the look's. */
+struct zr_material zr_face_style_material(const struct zr_face_style *faces, const struct zr_look *look,
+                                          zr_vec4 base_color, bool smooth);
 
 #endif

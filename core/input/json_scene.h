@@ -19,8 +19,10 @@
 struct zr_given_material {
     const char *name;
     size_t number; /* in the scene's list */
-    zr_vec4 base_color, specular;
-    float shininess;
+    uint64_t keys; /* those that it gives; the rest is the look's */
+    zr_vec4 base_color, specular, cool;
+    float shininess, metallic, roughness;
+    zr_vec3 emissive;
     struct zr_face_style face_style;
 };
 
@@ -49,7 +51,8 @@ struct zr_given_scene {
     struct zr_growing meshes;            /* struct zr_given_mesh */
     struct zr_soup *soup;                /* or NULL */
 
-    bool transparent; /* some colour wants to be */
+    bool transparent;       /* some colour wants to be */
+    const char *linear_key; /* one that needs linear light, in whatever part of the scene; or NULL */
 
     size_t asset_count;
     const struct zr_asset *assets;
