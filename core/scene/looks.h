@@ -40,7 +40,7 @@ struct zr_look {
 
 enum { ZR_LOOKS = 8 };
 
-/* All looks; of one name, the oldest version first. */
+/* All looks. Those of one name stand together, the oldest version first. */
 extern const struct zr_look zr_looks[ZR_LOOKS];
 
 /* What a scene in JSON has that names no look: drawn as GL 2.1 would, with values that go to pixels as they are. */
