@@ -24,15 +24,16 @@ static void dress_meshes(struct zr_scene_builder *builder, const struct zr_reque
     if (!instances) return;
     for (size_t i = 0; i < request->asset_count; i++)
         zr_warn_of_unused_asset(builder, &request->assets[i]);
-    if (format->reader->is_soup && query->look.shading >= ZR_SHADING_GOURAUD)
+    if (format->reader->is_soup && query->face_style.shading >= ZR_SHADING_GOURAUD)
         zr_warning_list_add(builder->arena, &builder->warnings,
                             "shading=%s looks flat here: the triangles of %s share no corners; OBJ can be smooth",
-                            zr_shading_names.words[query->look.shading], format->name);
+                            zr_shading_names.words[query->face_style.shading], format->name);
     for (uint32_t i = 0; i < scene->mesh_count; i++) {
         struct zr_mesh *mesh = &builder->meshes[i];
         const bool is_colored = mesh->colors != NULL;
-        const zr_vec4 color = query->has_color ? query->color : zr_default_base_color(is_colored);
-        const struct zr_material material = zr_look_material(&query->look, color, mesh->normal_count > 0 || is_colored);
+        const zr_vec4 color = query->has_color ? query->color : zr_default_base_color(scene->look, is_colored);
+        const struct zr_material material =
+            zr_face_style_material(&query->face_style, scene->look, color, mesh->normal_count > 0 || is_colored);
         mesh->material = zr_scene_builder_material(builder, &material);
         instances[i] = (struct zr_instance){.mesh = i, .object_to_world = upright(query->z_is_up)};
     }

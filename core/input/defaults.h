@@ -4,24 +4,30 @@
 
 #include <stdbool.h>
 
-#include "scene/scene.h"
+#include "scene/looks.h"
 
-#define ZR_FIT_PADDING 0.05f
-#define ZR_SHININESS   32.0f
-#define ZR_YFOV        0.78539816f /* of perspective views, radians: 45 degrees */
+#define ZR_YFOV 0.78539816f /* of perspective views that scenes ask for, radians: 45 degrees */
 
-/* Window 640x480, white background, ambient light and two that go with the camera, an isometric
- * view fitted to the geometry, a colour image as the one output; no geometry. */
+/* Window 640x480, a colour image as the one output, no geometry, and the look textbook. */
 void zr_scene_defaults(struct zr_scene *scene);
+
+/* The scene gets all that the look has: picture, background, lamps, ambient light; of views nothing. */
+void zr_look_dress(const struct zr_look *look, struct zr_scene *scene);
+
+/* Pose and projection of a look, in a window whose size is known; y is up. */
+void zr_look_aim(const struct zr_look *look, struct zr_view *view);
+
+/* An angle of view over the smaller side of the window. */
+void zr_view_set_fov(struct zr_view *view, float radians);
 
 /* The ambient light of a scene that says which lights it has. */
 zr_vec3 zr_default_ambient_of_own_lights(void);
 
-/* The colour of what has no material: grey, or, where it has colours of its own, white, which leaves them as they
+/* The colour of what has no material: the look's, or, where it has colours of its own, white, which leaves them as they
  * are. */
-zr_vec4 zr_default_base_color(bool coloured);
+zr_vec4 zr_default_base_color(const struct zr_look *look, bool coloured);
 
-/* Smooth where normals or vertex colours ask for it. */
-enum zr_shading zr_default_shading(bool smooth);
+/* The look's; by the textbook smooth where normals or vertex colours ask for it. */
+enum zr_shading zr_default_shading(const struct zr_look *look, bool smooth);
 
 #endif

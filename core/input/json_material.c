@@ -10,34 +10,56 @@
 /* Of shininess: more than can be told apart at a pixel. */
 #define SHININESS_MAX 10000.0
 
+#define EMISSIVE_MAX 1e6
+
 /* ---- looks ---- */
 
 bool zr_read_outline(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field,
                      void *out)
 {
-    struct zr_look *look = out;
+    struct zr_face_style *faces = out;
     const enum zr_json_type type = zr_json_type(json);
-    if (type == ZR_JSON_BOOL) return zr_json_flag(json, path, field, &look->outline);
+    if (type == ZR_JSON_BOOL) return zr_json_flag(json, path, field, &faces->outline);
     if (type != ZR_JSON_STRING && type != ZR_JSON_LIST)
         return zr_json_skip(json) && zr_json_fault(json, path, "true, false or a colour is needed");
-    if (!zr_json_color(json, path, field, &look->outline_color)) return false;
-    look->outline = ZR_OUTLINE_SET_COLOR;
+    if (!zr_json_color(json, path, field, &faces->outline_color)) return false;
+    faces->outline = ZR_OUTLINE_SET_COLOR;
     return true;
 }
 
 /* ---- materials as they are given ---- */
 
-enum { NAME, BASE_COLOR };
+/* zr_vec3: linear light, and so no colour of a text. */
+static bool read_emissive(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field,
+                          void *out)
+{
+    double v[3] = {0};
+    size_t count;
+    if (!zr_json_numbers(json, path, 3, 3, field->low, field->high, v, &count)) return false;
+    *(zr_vec3 *)out = (zr_vec3){(float)v[0], (float)v[1], (float)v[2]};
+    return true;
+}
+
+enum { NAME, BASE_COLOR, SPECULAR, SHININESS, METALLIC, ROUGHNESS, EMISSIVE, COOL };
 #define AT(member) offsetof(struct zr_given_material, member)
 static const struct zr_json_field fields[] = {
     [NAME] = {"name", zr_json_string, AT(name), .required = true, .text = "it is asked for by its name"},
     [BASE_COLOR] = {"baseColorFactor", zr_json_color, AT(base_color), .otherwise = "white",
                     .text = "multiplies the colours of what is drawn"},
-    {"specular", zr_json_color, AT(specular), .otherwise = "black", .text = "the colour of highlights"},
-    {"shininess", zr_json_float, AT(shininess), 0, SHININESS_MAX, .otherwise = "32",
-     .text = "how narrow highlights are: the exponent"},
-    ZR_LOOK_FIELDS(struct zr_given_material, look),
-    ZR_SIDES_FIELD(struct zr_given_material, look),
+    [SPECULAR] = {"specular", zr_json_color, AT(specular), .otherwise = "the look's; black",
+                  .text = "the colour of highlights"},
+    [SHININESS] = {"shininess", zr_json_float, AT(shininess), 0, SHININESS_MAX, .otherwise = "the look's; 32",
+                   .text = "how narrow highlights are: the exponent"},
+    [METALLIC] = {"metallicFactor", zr_json_float, AT(metallic), 0, 1, .otherwise = "the look's; 0",
+                  .text = "of pbr: 0 is plastic, 1 metal"},
+    [ROUGHNESS] = {"roughnessFactor", zr_json_float, AT(roughness), 0, 1, .otherwise = "the look's; 0.55",
+                   .text = "of pbr: 0 is a mirror, 1 has no highlights"},
+    [EMISSIVE] = {"emissiveFactor", read_emissive, AT(emissive), 0, EMISSIVE_MAX, .otherwise = "[0, 0, 0]",
+                  .text = "of pbr: light of its own, linear"},
+    [COOL] = {"cool", zr_json_color, AT(cool), .otherwise = "the look's; #9fb0c3",
+              .text = "of gooch: the colour of what turns away from the light"},
+    ZR_FACE_STYLE_FIELDS(struct zr_given_material, face_style),
+    ZR_SIDES_FIELD(struct zr_given_material, face_style),
     {.key = "baseColorTexture"},
     {.key = "alphaMode"},
     {.key = "alphaCutoff"},
@@ -58,23 +80,27 @@ static int compare_name(const void *name, const void *given)
     return strcmp(name, ((const struct zr_given_material *)given)->name);
 }
 
+/* Keys that nothing but linear light has a use for. */
+static void note_linear_keys(struct zr_given_scene *root, uint64_t keys)
+{
+    for (int key = METALLIC; key <= COOL && !root->linear_key; key++)
+        if (zr_json_gives(keys, key)) root->linear_key = fields[key].key;
+}
+
 bool zr_read_materials(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field,
                        void *out)
 {
     struct zr_given_scene *root = out;
     struct zr_growing list = {.size = sizeof(struct zr_given_material)};
-    uint64_t keys;
     (void)field;
     if (!zr_json_list(json, path)) return false;
     for (zr_json_enter(json, '['); zr_json_item(json); list.count++) {
         struct zr_given_material *given = zr_growing_next(&list, json);
         if (!given) return false;
-        *given = (struct zr_given_material){.name = "",
-                                            .number = list.count,
-                                            .base_color = {1, 1, 1, 1},
-                                            .shininess = ZR_SHININESS,
-                                            .look = zr_look_unset};
-        zr_json_fields(json, ZR_JSON_ITEM(path, list.count), &zr_json_object_material, given, &keys);
+        *given = (struct zr_given_material){
+            .name = "", .number = list.count, .base_color = {1, 1, 1, 1}, .face_style = zr_face_style_unset};
+        zr_json_fields(json, ZR_JSON_ITEM(path, list.count), &zr_json_object_material, given, &given->keys);
+        note_linear_keys(root, given->keys);
         zr_given_note_alpha(root, &given->base_color, 1);
     }
     root->materials = list.items;
@@ -115,19 +141,36 @@ size_t zr_given_find_material(struct zr_given_scene *root, const struct zr_json_
 
 /* ---- materials as they are drawn ---- */
 
+static zr_vec3 rgb(zr_vec4 color)
+{
+    return (zr_vec3){color.x, color.y, color.z};
+}
+
+/* What the material says goes before what the look has. */
+static void put_values(const struct zr_given_material *given, struct zr_material *material)
+{
+    if (zr_json_gives(given->keys, SPECULAR)) material->specular = rgb(given->specular);
+    if (zr_json_gives(given->keys, SHININESS)) material->shininess = given->shininess;
+    if (zr_json_gives(given->keys, METALLIC)) material->metallic = given->metallic;
+    if (zr_json_gives(given->keys, ROUGHNESS)) material->roughness = given->roughness;
+    if (zr_json_gives(given->keys, EMISSIVE)) material->emissive = given->emissive;
+    if (zr_json_gives(given->keys, COOL)) material->cool = rgb(given->cool);
+}
+
 uint32_t zr_given_make_material(struct zr_given_scene *root, const struct zr_style *style, bool coloured, bool smooth)
 {
+    const struct zr_look *look = root->scene->look;
     bool has_given = style->material < root->material_count;
     const struct zr_given_material none = {
-        .name = "", .base_color = zr_default_base_color(coloured), .look = zr_look_unset};
+        .name = "", .base_color = zr_default_base_color(look, coloured), .face_style = zr_face_style_unset};
     const struct zr_given_material *given = has_given ? &root->materials[style->material] : &none;
-    struct zr_look look = zr_look_merge(&style->look, &given->look);
-    look = zr_look_merge(&look, &root->look);
-    if (look.double_sided == ZR_UNSET) look.double_sided = style->is_open;
-    struct zr_material material = zr_look_material(&look, given->base_color, smooth);
-    material.specular = (zr_vec3){given->specular.x, given->specular.y, given->specular.z};
-    material.shininess = given->shininess;
+    struct zr_face_style faces = zr_face_style_merge(&style->face_style, &given->face_style);
+    faces = zr_face_style_merge(&faces, &root->face_style);
+    if (faces.double_sided == ZR_UNSET) faces.double_sided = style->is_open;
+    struct zr_material material = zr_face_style_material(&faces, look, given->base_color, smooth);
+    put_values(given, &material);
     zr_given_note_alpha(root, &material.outline_color, 1);
+    if (material.shading >= ZR_SHADING_PBR && !root->linear_key) root->linear_key = "shading";
     material.uniform_color = style->is_uniform && material.shading == ZR_SHADING_UNLIT;
     return zr_scene_builder_material(root->builder, &material);
 }

@@ -25,7 +25,7 @@ struct lines {
 struct zr_given_mesh {
     uint64_t keys;               /* those that are there */
     const char *name, *material; /* NULL: no word of it */
-    struct zr_look look;
+    struct zr_face_style face_style;
     struct zr_growing positions, normals, colors, face_colors;
     struct faces faces;
     struct lines lines;
@@ -259,8 +259,8 @@ static const struct zr_json_field fields[] = {
     [LINES] = {"lines", read_lines, 0, .text = "two indices of positions each"},
     [HEIGHTS] = {"heights", zr_read_heights, AT(heights), .unit = "scene units",
                  .text = "a grid instead of positions and faces"},
-    ZR_LOOK_FIELDS(struct zr_given_mesh, look),
-    ZR_SIDES_FIELD(struct zr_given_mesh, look),
+    ZR_FACE_STYLE_FIELDS(struct zr_given_mesh, face_style),
+    ZR_SIDES_FIELD(struct zr_given_mesh, face_style),
     {.key = "texcoords"},
     {.key = "data"}};
 const struct zr_json_object zr_json_object_mesh = ZR_JSON_OBJECT_OF("mesh", fields);
@@ -273,7 +273,7 @@ bool zr_read_meshes(struct zr_json *json, const struct zr_json_path *path, const
     if (!zr_json_list(json, path)) return false;
     for (zr_json_enter(json, '['); zr_json_item(json); list->count++) {
         /* By itself, so that its lists find it where it is, and can be the newest in the arena. */
-        struct zr_given_mesh given = {.look = zr_look_unset,
+        struct zr_given_mesh given = {.face_style = zr_face_style_unset,
                                       .positions.size = sizeof(zr_vec4),
                                       .normals.size = sizeof(zr_vec3),
                                       .colors.size = sizeof(zr_vec4),
@@ -356,7 +356,8 @@ static void make_mesh(struct zr_given_scene *root, const struct zr_json_path *pa
                       struct zr_mesh *mesh)
 {
     struct zr_json *json = &root->json;
-    struct zr_style style = {.material = root->material_count, .look = given->look, .is_open = gives(given, HEIGHTS)};
+    struct zr_style style = {
+        .material = root->material_count, .face_style = given->face_style, .is_open = gives(given, HEIGHTS)};
     *mesh = (struct zr_mesh){.name = given->name ? given->name : ""};
     check_shape(json, path, given);
     if (given->material)

@@ -17,7 +17,7 @@ struct style {
     uint32_t polygon; /* the first that has it */
     int has;
     struct zr_json_text material; /* its name as it is written; at: NULL: none */
-    struct zr_look look;
+    struct zr_face_style face_style;
 };
 
 /* All polygons so far. Arrays of what some of them have hold something for each from the first such polygon on. */
@@ -139,8 +139,8 @@ static const struct zr_json_field fields[] = {
     [COLORS] = {"colors", read_colors, 0, .text = "one for each vertex"},
     [NORMALS] = {"normals", read_normals, 0, .otherwise = "computed", .text = "one for each vertex"},
     [MATERIAL] = {"material", read_material, AT(style.material), .otherwise = "none", .text = "the name of a material"},
-    ZR_LOOK_FIELDS(struct polygon, style.look),
-    ZR_SIDES_FIELD(struct polygon, style.look)};
+    ZR_FACE_STYLE_FIELDS(struct polygon, style.face_style),
+    ZR_SIDES_FIELD(struct polygon, style.face_style)};
 const struct zr_json_object zr_json_object_polygon = ZR_JSON_OBJECT_OF("polygon", fields);
 
 static bool add(struct zr_growing *array, struct zr_json *json, size_t value)
@@ -190,7 +190,7 @@ static bool same_text(const struct zr_json_text *a, const struct zr_json_text *b
     return a->end - a->at == b->end - b->at && memcmp(a->at, b->at, (size_t)(a->end - a->at)) == 0;
 }
 
-static bool same_look(const struct zr_look *a, const struct zr_look *b)
+static bool same_face_style(const struct zr_face_style *a, const struct zr_face_style *b)
 {
     return a->shading == b->shading && a->double_sided == b->double_sided && a->fill == b->fill &&
            a->outline == b->outline && zr_vec4_equal(a->outline_color, b->outline_color);
@@ -202,7 +202,7 @@ static bool find_style(struct zr_json *json, struct zr_soup *soup, const struct 
     uint32_t *last = &soup->last_styles[style->has];
     const struct style *styles = soup->styles.items;
     if (*last == NO_STYLE || !same_text(&styles[*last].material, &style->material) ||
-        !same_look(&styles[*last].look, &style->look)) {
+        !same_face_style(&styles[*last].face_style, &style->face_style)) {
         struct style *place = zr_growing_next(&soup->styles, json);
         if (!place) return false;
         *place = *style;
@@ -225,7 +225,7 @@ static void read_polygon(struct zr_json *json, const struct zr_json_path *path, 
     struct polygon polygon = {.soup = soup,
                               .first_vertex = soup->positions.count,
                               .color = white,
-                              .style = {.polygon = (uint32_t)soup->offsets.count, .look = zr_look_unset}};
+                              .style = {.polygon = (uint32_t)soup->offsets.count, .face_style = zr_face_style_unset}};
     const size_t faults = json->error->count;
     uint64_t keys;
     if (!add(&soup->offsets, json, polygon.first_vertex)) return;
@@ -358,7 +358,7 @@ static void find_materials(struct zr_given_scene *root, const struct zr_json_pat
     uint32_t *faces = soup->face_styles.items;
     for (size_t i = 0; materials && i < soup->styles.count; i++) {
         if (zr_json_stops(&root->json)) return;
-        struct zr_style style = {.material = root->material_count, .look = styles[i].look};
+        struct zr_style style = {.material = root->material_count, .face_style = styles[i].face_style};
         const char *name = styles[i].material.at ? zr_json_decode(&root->json, &styles[i].material) : NULL;
         if (name)
             style.material = zr_given_find_material(

@@ -12,8 +12,7 @@
  */
 enum { DEPTH_OF_LISTS = 6 };
 
-static const char *const managements[] = {"none", "srgb"};
-static const struct zr_names management_names = ZR_NAMES(1, managements);
+#define EXPOSURE_MAX 1e6
 
 /* ---- keys ---- */
 
@@ -25,15 +24,6 @@ static bool read_version(struct zr_json *json, const struct zr_json_path *path, 
     (void)out;
     if (!zr_json_whole(json, path, field, &number)) return false;
     return number == 1 || zr_json_fault(json, path, "%u; this is version 1 of the contract", number);
-}
-
-static bool read_samples(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field,
-                         void *out)
-{
-    uint32_t number;
-    (void)out;
-    if (!zr_json_whole(json, path, field, &number)) return false;
-    return number == 1 || zr_json_fault(json, path, "%u; only 1 is supported in this version", number);
 }
 
 static const struct zr_json_field window_fields[] = {
@@ -52,50 +42,60 @@ static bool read_window(struct zr_json *json, const struct zr_json_path *path, c
     return zr_json_fields(json, path, &zr_json_object_window, &root->scene->views[0], &keys);
 }
 
-enum {
-    VERSION,
-    WINDOW,
-    BACKGROUND,
-    VIEW,
-    AMBIENT,
-    LIGHTS,
-    MATERIALS,
-    MESHES,
-    POLYGONS,
-    OUTPUTS,
-    COLOR_MANAGEMENT,
-    SAMPLES,
-    ALGORITHM,
-    BASE,
-    NODES,
-    FOG
-};
-#define AT(member) offsetof(struct zr_given_scene, member)
-static const struct zr_json_field fields[] = {
-    [VERSION] = {"version", read_version, 0, .otherwise = "1", .text = "of the contract"},
-    [WINDOW] = {"window", read_window, 0, .text = "the size of the picture"},
-    [BACKGROUND] = {"background", zr_json_color, AT(background), .otherwise = "white", .text = "where nothing is"},
-    [VIEW] = {"view", zr_read_view, 0, .text = "a pose and a projection"},
-    [AMBIENT] = {"ambient", zr_json_color, AT(ambient), .text = "light from everywhere"},
-    [LIGHTS] = {"lights", zr_read_lights, 0, .otherwise = "two that go with the camera", .text = "lamps"},
-    [MATERIALS] = {"materials", zr_read_materials, 0, .otherwise = "[]", .text = "looks that meshes share"},
-    [MESHES] = {"meshes", zr_read_meshes, 0, .otherwise = "[]", .text = "positions and faces, lines or heights"},
-    [POLYGONS] = {"polygons", zr_read_polygons, 0, .otherwise = "[]", .text = "each with vertices of its own"},
-    [OUTPUTS] = {"outputs", zr_read_outputs, 0, .otherwise = "a colour image", .text = "what is asked for"},
-    [COLOR_MANAGEMENT] = {"colorManagement", zr_json_choice, AT(color_management), .words = &management_names,
-                          .otherwise = "none", .text = "none: colours are computed with as they are given"},
-    [SAMPLES] = {"samples", read_samples, 0, .otherwise = "1", .text = "for each pixel"},
-    [ALGORITHM] = {"algorithm", zr_json_choice, AT(algorithm), .words = &zr_algorithm_names, .otherwise = "halfspace",
-                   .text = "the hidden-surface algorithm; all give the same picture"},
-    [BASE] = {"base", zr_json_place, AT(base), .text = "a picture that is drawn into"},
-    [NODES] = {"nodes", zr_json_place, AT(nodes), .otherwise = "each mesh where it is", .text = "what places meshes"},
-    [FOG] = {"fog", zr_read_fog, 0, .text = "what is farther away fades"},
-    ZR_LOOK_FIELDS(struct zr_given_scene, look),
+#define AT(member)      offsetof(struct zr_given_scene, member)
+#define PICTURE(member) AT(picture.picture.member)
+const struct zr_json_field zr_scene_fields[] = {
+    [ZR_SCENE_VERSION] = {"version", read_version, 0, .otherwise = "1", .text = "of the contract"},
+    [ZR_SCENE_WINDOW] = {"window", read_window, 0, .text = "the size of the picture"},
+    [ZR_SCENE_LOOK] = {"look", zr_read_look, 0, .otherwise = "textbook",
+                       .text = "what the scene has where it does not say otherwise; NAME@VERSION pins it"},
+    [ZR_SCENE_BACKGROUND] = {"background", zr_read_background, 0, .otherwise = "the look's; white",
+                             .text = "where nothing is: a colour, or top and bottom of a gradient"},
+    [ZR_SCENE_VIEW] = {"view", zr_read_view, 0, .otherwise = "the look's", .text = "a pose and a projection"},
+    [ZR_SCENE_UP] = {"up", zr_json_choice, AT(up), .words = &zr_up_names, .otherwise = "y",
+                     .text = "the axis that points up: of views, of what an environment has above, and of the ground"},
+    [ZR_SCENE_AMBIENT] = {"ambient", zr_json_color, AT(ambient), .text = "light from everywhere"},
+    [ZR_SCENE_LIGHTS] = {"lights", zr_read_lights, 0, .otherwise = "the look's", .text = "lamps"},
+    [ZR_SCENE_ENVIRONMENT] = {"environment", zr_read_environment, 0, .otherwise = "the look's; false",
+                              .text = "light from all around, of the shading pbr: a name, or false"},
+    [ZR_SCENE_MATERIALS] = {"materials", zr_read_materials, 0, .otherwise = "[]",
+                            .text = "what meshes and polygons share"},
+    [ZR_SCENE_MESHES] = {"meshes", zr_read_meshes, 0, .otherwise = "[]",
+                         .text = "positions and faces, lines or heights"},
+    [ZR_SCENE_POLYGONS] = {"polygons", zr_read_polygons, 0, .otherwise = "[]", .text = "each with vertices of its own"},
+    [ZR_SCENE_OUTPUTS] = {"outputs", zr_read_outputs, 0, .otherwise = "a colour image", .text = "what is asked for"},
+    [ZR_SCENE_COLOR_MANAGEMENT] = {"colorManagement", zr_json_choice, AT(color_management),
+                                   .words = &zr_management_names, .otherwise = "srgb where a key needs it, else none",
+                                   .text = "none: colours are computed with as they are given; srgb: in linear light"},
+    [ZR_SCENE_TONE_MAPPING] = {"toneMapping", zr_json_choice, AT(tone), .words = &zr_tone_names,
+                               .otherwise = "the look's; none",
+                               .text = "how what is brighter than white is brought into the picture"},
+    [ZR_SCENE_EXPOSURE] = {"exposure", zr_json_float, PICTURE(exposure), 0, EXPOSURE_MAX, .otherwise = "the look's; 1",
+                           .text = "a factor of all light, before the tone mapping"},
+    [ZR_SCENE_SAMPLES] = {"samples", zr_read_samples, 0, .otherwise = "the look's; 1",
+                          .text = "for each pixel: 1, 4, 16 or 64"},
+    [ZR_SCENE_LINE_WIDTH] = {"lineWidth", zr_json_float, PICTURE(line_width), 0.1, 64, .unit = "pixels",
+                             .otherwise = "1", .text = "of lines and outlines"},
+    [ZR_SCENE_OCCLUSION] = {"occlusion", zr_read_occlusion, 0, .otherwise = "the look's; false",
+                            .text = "creases and holes get less of the light from all around"},
+    [ZR_SCENE_GROUND_SHADOW] = {"groundShadow", zr_json_bool, PICTURE(has_ground), .otherwise = "the look's; false",
+                                .text = "a soft shadow on the plane under the scene"},
+    [ZR_SCENE_EDGES] = {"edges", zr_read_edges, 0, .otherwise = "the look's; false",
+                        .text = "silhouettes and creases are drawn over the picture"},
+    [ZR_SCENE_CREASE_DEGREES] = {"creaseDegrees", zr_json_float, PICTURE(crease_degrees), 0, 180, .unit = "degrees",
+                                 .otherwise = "the look's; 180",
+                                 .text = "faces that meet at less share their normals, where none are given"},
+    [ZR_SCENE_ALGORITHM] = {"algorithm", zr_json_choice, AT(algorithm), .words = &zr_algorithm_names,
+                            .otherwise = "halfspace",
+                            .text = "the hidden-surface algorithm; all give the same picture"},
+    [ZR_SCENE_BASE] = {"base", zr_json_place, AT(base), .text = "a picture that is drawn into"},
+    [ZR_SCENE_NODES] = {"nodes", zr_json_place, AT(nodes), .otherwise = "each mesh where it is",
+                        .text = "what places meshes"},
+    [ZR_SCENE_FOG] = {"fog", zr_read_fog, 0, .text = "what is farther away fades"},
+    ZR_FACE_STYLE_FIELDS(struct zr_given_scene, face_style),
     {.key = "views"},
     {.key = "turntable"}};
-const struct zr_json_object zr_json_object_scene = ZR_JSON_OBJECT_OF("scene", fields);
-
-#define ROOT_PATH(which) ZR_JSON_KEY(NULL, fields[which].key)
+const struct zr_json_object zr_json_object_scene = ZR_JSON_OBJECT_OF("scene", zr_scene_fields);
 
 /* ---- what refers to something else ---- */
 
@@ -107,8 +107,8 @@ static uint32_t make_meshes(struct zr_given_scene *root)
     const uint32_t listed = (uint32_t)root->meshes.count;
     struct zr_mesh *meshes = zr_scene_builder_meshes(root->builder, (size_t)listed + 1);
     if (!meshes) return 0;
-    zr_given_make_meshes(root, ROOT_PATH(MESHES), meshes);
-    scene->mesh_count = listed + zr_given_make_polygons(root, ROOT_PATH(POLYGONS), &meshes[listed]);
+    zr_given_make_meshes(root, ZR_SCENE_PATH(ZR_SCENE_MESHES), meshes);
+    scene->mesh_count = listed + zr_given_make_polygons(root, ZR_SCENE_PATH(ZR_SCENE_POLYGONS), &meshes[listed]);
     return listed;
 }
 
@@ -118,9 +118,9 @@ static void place_meshes(struct zr_given_scene *root, uint32_t listed)
 {
     struct zr_scene *scene = root->scene;
     uint32_t count = 0, next = root->nodes ? listed : 0;
-    struct zr_instance *instances = root->nodes
-                                        ? zr_given_read_nodes(root, ROOT_PATH(NODES), scene->meshes, listed, &count)
-                                        : zr_arena_alloc(root->json.arena, scene->mesh_count, sizeof *instances);
+    struct zr_instance *instances =
+        root->nodes ? zr_given_read_nodes(root, ZR_SCENE_PATH(ZR_SCENE_NODES), scene->meshes, listed, &count)
+                    : zr_arena_alloc(root->json.arena, scene->mesh_count, sizeof *instances);
     if (!instances) return;
     for (; next < scene->mesh_count; next++)
         instances[count++] = (struct zr_instance){.mesh = next, .object_to_world = zr_mat4_identity()};
@@ -144,24 +144,22 @@ static void use_colors(struct zr_given_scene *root)
 {
     struct zr_scene *scene = root->scene;
     scene->algorithm = (enum zr_algorithm)root->algorithm;
-    scene->background = root->background;
-    if (zr_json_gives(root->keys, AMBIENT))
-        scene->ambient = (zr_vec3){root->ambient.x, root->ambient.y, root->ambient.z};
-    else if (zr_json_gives(root->keys, LIGHTS))
-        scene->ambient = zr_default_ambient_of_own_lights();
-    if (!root->fog_has_color) scene->fog.color = (zr_vec3){root->background.x, root->background.y, root->background.z};
+    if (!root->fog_has_color)
+        scene->fog.color = (zr_vec3){scene->background.x, scene->background.y, scene->background.z};
 }
 
 static void build(struct zr_given_scene *root)
 {
     struct zr_json *json = &root->json;
+    zr_given_use_look(root);
     use_colors(root);
-    zr_given_sort_materials(root, ROOT_PATH(MATERIALS));
+    zr_given_sort_materials(root, ZR_SCENE_PATH(ZR_SCENE_MATERIALS));
     const uint32_t listed = make_meshes(root);
     if (zr_json_stops(json)) return;
+    zr_given_settle_light(root);
     place_meshes(root, listed);
-    if (root->base) zr_given_read_base(root, ROOT_PATH(BASE));
-    if (root->fit_mesh && zr_arena_ok(json->arena)) zr_given_find_fit_mesh(root, ROOT_PATH(VIEW));
+    if (root->base) zr_given_read_base(root, ZR_SCENE_PATH(ZR_SCENE_BASE));
+    if (root->fit_mesh && zr_arena_ok(json->arena)) zr_given_find_fit_mesh(root, ZR_SCENE_PATH(ZR_SCENE_VIEW));
     warn(root, listed);
 }
 
@@ -187,9 +185,8 @@ static enum zr_status read_json(struct zr_scene_builder *builder, const struct z
                                            .error = error},
                                   .builder = builder,
                                   .scene = scene,
-                                  .background = scene->background,
                                   .algorithm = (int)scene->algorithm,
-                                  .look = zr_look_unset,
+                                  .face_style = zr_face_style_unset,
                                   .asset_count = request->asset_count,
                                   .assets = request->assets,
                                   .stored = request->stored};

@@ -10,18 +10,21 @@
 #ifndef ZR_JSON_SCENE_H
 #define ZR_JSON_SCENE_H
 
+#include "input/face_style.h"
+#include "input/given_picture.h"
 #include "input/growing.h"
 #include "input/json_value.h"
-#include "input/look.h"
 #include "scene/scene_builder.h"
 
 /* A material as the scene has it, under its name. */
 struct zr_given_material {
     const char *name;
     size_t number; /* in the scene's list */
-    zr_vec4 base_color, specular;
-    float shininess;
-    struct zr_look look;
+    uint64_t keys; /* those that it gives; the rest is the look's */
+    zr_vec4 base_color, specular, cool;
+    float shininess, metallic, roughness;
+    zr_vec3 emissive;
+    struct zr_face_style face_style;
 };
 
 /* A mesh as the scene has it, before what it refers to is known. */
@@ -30,6 +33,36 @@ struct zr_given_mesh;
 /* The polygons of a scene, likewise. */
 struct zr_soup;
 
+/* Keys of a scene. */
+enum zr_scene_key {
+    ZR_SCENE_VERSION,
+    ZR_SCENE_WINDOW,
+    ZR_SCENE_LOOK,
+    ZR_SCENE_BACKGROUND,
+    ZR_SCENE_VIEW,
+    ZR_SCENE_UP,
+    ZR_SCENE_AMBIENT,
+    ZR_SCENE_LIGHTS,
+    ZR_SCENE_ENVIRONMENT,
+    ZR_SCENE_MATERIALS,
+    ZR_SCENE_MESHES,
+    ZR_SCENE_POLYGONS,
+    ZR_SCENE_OUTPUTS,
+    ZR_SCENE_COLOR_MANAGEMENT,
+    ZR_SCENE_TONE_MAPPING,
+    ZR_SCENE_EXPOSURE,
+    ZR_SCENE_SAMPLES,
+    ZR_SCENE_LINE_WIDTH,
+    ZR_SCENE_OCCLUSION,
+    ZR_SCENE_GROUND_SHADOW,
+    ZR_SCENE_EDGES,
+    ZR_SCENE_CREASE_DEGREES,
+    ZR_SCENE_ALGORITHM,
+    ZR_SCENE_BASE,
+    ZR_SCENE_NODES,
+    ZR_SCENE_FOG
+};
+
 /* A scene while its JSON is being read. */
 struct zr_given_scene {
     struct zr_json json;
@@ -37,9 +70,14 @@ struct zr_given_scene {
     struct zr_scene *scene; /* the builder's */
 
     uint64_t keys; /* those of the root that are there */
-    int algorithm, color_management;
+    int algorithm, color_management, tone, up;
     zr_vec4 background, ambient;
-    struct zr_look look; /* the scene's own */
+    struct zr_face_style face_style; /* the scene's own */
+    const struct zr_look *look;      /* the one that it names, or NULL */
+    struct zr_given_picture picture; /* complete once the root is read */
+    uint32_t light_count;
+    struct zr_light *lights; /* without a direction: the scene's up */
+    bool view_says_up;
     bool fog_has_color;
     const char *fit_mesh;     /* the name of the mesh that the view is fitted to, or NULL */
     const char *nodes, *base; /* where they are in the text, or NULL */
@@ -49,7 +87,8 @@ struct zr_given_scene {
     struct zr_growing meshes;            /* struct zr_given_mesh */
     struct zr_soup *soup;                /* or NULL */
 
-    bool transparent; /* some colour wants to be */
+    bool transparent;       /* some colour wants to be */
+    const char *linear_key; /* one that needs linear light, in whatever part of the scene; or NULL */
 
     size_t asset_count;
     const struct zr_asset *assets;
@@ -59,39 +98,49 @@ struct zr_given_scene {
     uint32_t unplaced_meshes; /* by any node */
 };
 
-/* What a mesh or a polygon says of its looks. */
+extern const struct zr_json_field zr_scene_fields[]; /* enum zr_scene_key, and others */
+
+static inline bool zr_scene_gives(const struct zr_given_scene *root, enum zr_scene_key key)
+{
+    return zr_json_gives(root->keys, (int)key);
+}
+
+/* The path of a key, as ZR_JSON_KEY has it. */
+#define ZR_SCENE_PATH(which) ZR_JSON_KEY(NULL, zr_scene_fields[which].key)
+
+/* What a mesh or a polygon says of its faces. */
 struct zr_style {
     size_t material; /* index into root->materials, or material_count: none */
-    struct zr_look look;
+    struct zr_face_style face_style;
     bool is_uniform; /* has no colours of its own, whatever others of its mesh have */
     bool is_open;    /* an open surface: two-sided where nobody says otherwise */
 };
 
-/* json_material.c. The keys of a look have the same names wherever they may stand: rows for the table of an object that
- * fills a `type`, whose member `look` is a struct zr_look. A scene's own look is one without sides: those are a
- * body's. */
-#define ZR_LOOK_FIELDS(type, look)                                                                                     \
+/* json_material.c. The keys of a face style have the same names wherever they may stand: rows for the table of an
+ * object that fills a `type`, whose member `faces` is a struct zr_face_style. That of a scene is one without sides:
+ * those are a body's. */
+#define ZR_FACE_STYLE_FIELDS(type, faces)                                                                              \
     {.key = "shading",                                                                                                 \
      .read = zr_json_choice,                                                                                           \
-     .offset = offsetof(type, look.shading),                                                                           \
+     .offset = offsetof(type, faces.shading),                                                                          \
      .words = &zr_shading_names,                                                                                       \
      .otherwise = "gouraud where there are normals or vertex colours, else flat",                                      \
      .text = "how faces are coloured"},                                                                                \
         {.key = "fill",                                                                                                \
          .read = zr_json_flag,                                                                                         \
-         .offset = offsetof(type, look.fill),                                                                          \
+         .offset = offsetof(type, faces.fill),                                                                         \
          .otherwise = "true",                                                                                          \
          .text = "false: faces are left out, and only their outlines are drawn"},                                      \
     {                                                                                                                  \
-        .key = "outline", .read = zr_read_outline, .offset = offsetof(type, look), .otherwise = "false",               \
+        .key = "outline", .read = zr_read_outline, .offset = offsetof(type, faces), .otherwise = "false",              \
         .text = "the edges of faces: true, false or a colour"                                                          \
     }
-#define ZR_SIDES_FIELD(type, look)                                                                                     \
+#define ZR_SIDES_FIELD(type, faces)                                                                                    \
     {                                                                                                                  \
-        .key = "doubleSided", .read = zr_json_flag, .offset = offsetof(type, look.double_sided), .otherwise = "false", \
-        .text = "faces are seen from behind too"                                                                       \
+        .key = "doubleSided", .read = zr_json_flag, .offset = offsetof(type, faces.double_sided),                      \
+        .otherwise = "false", .text = "faces are seen from behind too"                                                 \
     }
-zr_json_read_fn zr_read_outline; /* struct zr_look */
+zr_json_read_fn zr_read_outline; /* struct zr_face_style */
 
 /* json_material.c: a list of materials; by their names, once the root is read; the index of one by its name, or
  * material_count, and a fault at `path`. */
@@ -122,8 +171,18 @@ struct zr_instance *zr_given_read_nodes(struct zr_given_scene *root, const struc
 zr_json_read_fn zr_read_view;
 void zr_given_find_fit_mesh(struct zr_given_scene *root, const struct zr_json_path *path);
 
-/* Into the scene. */
+/* Into the scene, and lights into root->lights. */
 zr_json_read_fn zr_read_fog, zr_read_lights, zr_read_outputs;
+
+/* json_picture.c: into root->look and root->picture. */
+zr_json_read_fn zr_read_look, zr_read_samples, zr_read_background, zr_read_environment, zr_read_occlusion,
+    zr_read_edges;
+extern const struct zr_names zr_management_names, zr_tone_names, zr_up_names;
+
+/* json_looks.c: what the scene does not say is as its look has it. First the picture, lamps, view and window; and, once
+ * there are materials, whether light is linear, and what does not go with that. */
+void zr_given_use_look(struct zr_given_scene *root);
+void zr_given_settle_light(struct zr_given_scene *root);
 
 /* json_bytes.c: what a data: URI, {"uri": one}, {"asset": name} or {"asset": "sha256:..."} stands for.
  * In the arena or the request. */

@@ -62,7 +62,7 @@ const struct zr_json_field zr_view_fields[] = {
     [ZR_VIEW_EYE] = {"eye", zr_json_vec3, VIEW(eye), .unit = "scene units", .text = "where the camera is"},
     [ZR_VIEW_TARGET] = {"target", zr_json_vec3, VIEW(target), .unit = "scene units",
                         .text = "what the camera looks at"},
-    [ZR_VIEW_UP] = {"up", zr_json_vec3, VIEW(up), .otherwise = "[0, 1, 0]", .text = "what is up in the picture"},
+    [ZR_VIEW_UP] = {"up", zr_json_vec3, VIEW(up), .otherwise = "the scene's", .text = "what is up in the picture"},
     [ZR_VIEW_PRESET] = {"preset", zr_json_choice, AT(preset), .words = &zr_preset_names, .otherwise = "isometric",
                         .text = "a side to look from; the geometry fills the window"},
     [ZR_VIEW_DIRECTION] = {"direction", zr_json_vec3, VIEW(direction),
@@ -141,6 +141,7 @@ bool zr_read_view(struct zr_json *json, const struct zr_json_path *path, const s
     zr_view_find_projection(&given);
     find_planes(&given);
     root->fit_mesh = given.fit_mesh;
+    root->view_says_up = zr_view_gives(&given, ZR_VIEW_UP);
     root->scene->views[0] = given.view;
     return true;
 }

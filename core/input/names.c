@@ -6,9 +6,9 @@
 
 #include "input/nearest.h"
 #include "input/text.h"
-#include "scene/scene.h"
+#include "scene/looks.h"
 
-static const char *const shadings[] = {"unlit", "flat", "gouraud", "phong", "normals"};
+static const char *const shadings[] = {"unlit", "flat", "gouraud", "phong", "normals", "pbr", "gooch"};
 static const char *const presets[] = {"front", "back", "left", "right", "top", "bottom", "isometric"};
 static const char *const algorithms[] = {"halfspace", "edgelist", "trapezoid", "scanline", "painter"};
 static const char *const compressions[] = {"fast", "small"};
@@ -44,6 +44,18 @@ struct zr_names_refusal zr_names_refuse(const struct zr_names *names, const char
              is_known ? "not supported in this version" : "unknown", zr_nearest_text(&nearest).text,
              zr_names_join(names).text);
     return refusal;
+}
+
+/* Versions of one look have one name. */
+struct zr_names_refusal zr_looks_refuse(const char *word)
+{
+    const char *words[ZR_LOOKS];
+    struct zr_names names = {.words = words};
+    for (int i = 0; i < ZR_LOOKS; i++)
+        if (names.count == 0 || strcmp(words[names.count - 1], zr_looks[i].name) != 0)
+            words[names.count++] = zr_looks[i].name;
+    names.all = names.count;
+    return zr_names_refuse(&names, word);
 }
 
 struct zr_names_text zr_names_join(const struct zr_names *names)

@@ -36,6 +36,9 @@ struct zr_names_refusal {
 };
 struct zr_names_refusal zr_names_refuse(const struct zr_names *names, const char *word);
 
+/* Why a word is no look. */
+struct zr_names_refusal zr_looks_refuse(const char *word);
+
 extern const struct zr_names zr_shading_names;   /* enum zr_shading */
 extern const struct zr_names zr_preset_names;    /* enum zr_preset */
 extern const struct zr_names zr_algorithm_names; /* enum zr_algorithm */

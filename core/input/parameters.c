@@ -185,7 +185,7 @@ static void read_projection(const struct reading *r, const char *text)
 
 static void read_shading(const struct reading *r, const char *text)
 {
-    read_word(r, "shading", text, &zr_shading_names, &r->query->look.shading);
+    read_word(r, "shading", text, &zr_shading_names, &r->query->face_style.shading);
 }
 
 static void read_color(const struct reading *r, const char *text)
@@ -203,23 +203,23 @@ static void read_background(const struct reading *r, const char *text)
 
 static void read_outline(const struct reading *r, const char *text)
 {
-    struct zr_look *look = &r->query->look;
+    struct zr_face_style *faces = &r->query->face_style;
     if (strcmp(text, "false") == 0)
-        look->outline = ZR_OUTLINE_SET_OFF;
+        faces->outline = ZR_OUTLINE_SET_OFF;
     else if (strcmp(text, "true") == 0)
-        look->outline = ZR_OUTLINE_SET_ON;
-    else if (read_opaque(r, "outline", text, &look->outline_color))
-        look->outline = ZR_OUTLINE_SET_COLOR;
+        faces->outline = ZR_OUTLINE_SET_ON;
+    else if (read_opaque(r, "outline", text, &faces->outline_color))
+        faces->outline = ZR_OUTLINE_SET_COLOR;
 }
 
 static void read_fill(const struct reading *r, const char *text)
 {
-    read_flag(r, "fill", text, &r->query->look.fill);
+    read_flag(r, "fill", text, &r->query->face_style.fill);
 }
 
 static void read_doubleSided(const struct reading *r, const char *text)
 {
-    read_flag(r, "doubleSided", text, &r->query->look.double_sided);
+    read_flag(r, "doubleSided", text, &r->query->face_style.double_sided);
 }
 
 /* ---- all of them ---- */
@@ -233,8 +233,8 @@ enum zr_status zr_query_read(const struct zr_request *request, const struct zr_l
     *query = (struct zr_query){.output = {.channel = ZR_CHANNEL_COLOR, .encoding = ZR_ENCODING_PNG},
                                .view = defaults->views[0],
                                .background = defaults->background,
-                               .look = zr_look_unset};
-    query->look.double_sided = true; /* nobody said which side is meant */
+                               .face_style = zr_face_style_unset};
+    query->face_style.double_sided = true; /* nobody said which side is meant */
 #define PARAMETER(name, of, value, words) {#name, request->name, of, read_##name},
     const struct {
         const char *name, *text;

@@ -5,7 +5,7 @@
 #ifndef ZR_PARAMETERS_H
 #define ZR_PARAMETERS_H
 
-#include "input/look.h"
+#include "input/face_style.h"
 #include "scene/scene.h"
 #include "zraster.h"
 
@@ -20,7 +20,7 @@ struct zr_query {
     zr_vec4 background;
     bool has_color, z_is_up;
     zr_vec4 color;
-    struct zr_look look;
+    struct zr_face_style face_style;
 };
 
 /* Fails with ZR_BAD_REQUEST, or ZR_BAD_SCENE for what is well-formed and more than may be drawn. `defaults` are of a

@@ -15,19 +15,6 @@ static zr_vec3 to_eye_space(const zr_mat4 *world_to_eye, zr_vec3 d)
     return zr_vec3_normalize((zr_vec3){out.x, out.y, out.z});
 }
 
-static struct zr_lamp lamp_of(const struct zr_light *light, const zr_mat4 *world_to_eye)
-{
-    const zr_vec3 d =
-        light->camera_frame ? zr_vec3_normalize(light->direction) : to_eye_space(world_to_eye, light->direction);
-    const bool is_hemisphere = light->type == ZR_LIGHT_HEMISPHERE;
-    return (struct zr_lamp){.to_light = is_hemisphere ? d : zr_vec3_scale(d, -1.0f),
-                            .color = light->color,
-                            .ground = light->ground,
-                            .is_hemisphere = is_hemisphere,
-                            .lights_pbr = light->lit != ZR_LIT_CLASSIC,
-                            .lights_classic = light->lit != ZR_LIT_PBR};
-}
-
 /* ---- environment ---- */
 
 /* What of v is not along a unit vector. */
@@ -63,6 +50,36 @@ static void turn_environment(const struct zr_scene *scene, const zr_mat4 *world_
     rows[2] = zr_vec3_add(zr_vec3_scale(axes[0], s), zr_vec3_scale(axes[2], c));
 }
 
+/* ---- lamps ---- */
+
+/* The way that a light travels, or to a hemisphere's sky, in eye space. */
+static zr_vec3 direction_of(const struct zr_light *light, const zr_mat4 *world_to_eye, const zr_vec3 environment[3])
+{
+    const zr_vec3 d = light->direction;
+    if (!light->environment_frame)
+        return light->camera_frame ? zr_vec3_normalize(d) : to_eye_space(world_to_eye, d);
+    return zr_vec3_normalize(zr_vec3_add(zr_vec3_add(zr_vec3_scale(environment[0], d.x), zr_vec3_scale(environment[1], d.y)),
+                                         zr_vec3_scale(environment[2], d.z)));
+}
+
+zr_vec3 zr_look_light_direction(const struct zr_scene *scene, const struct zr_light *light, const zr_mat4 *world_to_eye)
+{
+    zr_vec3 environment[3];
+    turn_environment(scene, world_to_eye, environment);
+    return direction_of(light, world_to_eye, environment);
+}
+
+static struct zr_lamp lamp_of(const struct zr_light *light, zr_vec3 direction)
+{
+    const bool is_hemisphere = light->type == ZR_LIGHT_HEMISPHERE;
+    return (struct zr_lamp){.to_light = is_hemisphere ? direction : zr_vec3_scale(direction, -1.0f),
+                            .color = light->color,
+                            .ground = light->ground,
+                            .is_hemisphere = is_hemisphere,
+                            .lights_pbr = light->lit != ZR_LIT_CLASSIC,
+                            .lights_classic = light->lit != ZR_LIT_PBR};
+}
+
 /* ---- all ---- */
 
 void zr_look_lighting_make(struct zr_arena *arena, const struct zr_scene *scene, const struct zr_camera *camera,
@@ -84,7 +101,9 @@ void zr_look_lighting_make(struct zr_arena *arena, const struct zr_scene *scene,
     turn_environment(scene, &camera->world_to_eye, lighting->eye_to_environment);
     lighting->lamp_count = scene->light_count;
     for (uint32_t i = 0; i < scene->light_count; i++) {
-        lamps[i] = lamp_of(&scene->lights[i], &camera->world_to_eye);
+        const zr_vec3 direction =
+            direction_of(&scene->lights[i], &camera->world_to_eye, lighting->eye_to_environment);
+        lamps[i] = lamp_of(&scene->lights[i], direction);
         if (shadows && shadows[i].depths) lamps[i].shadow = &shadows[i];
     }
 }

@@ -258,10 +258,9 @@ static enum zr_status make_shadow(struct zr_arena *arena, struct zr_team *team, 
     const zr_vec4 eye = zr_camera_eye(camera);
     const zr_vec3 start = eye.w != 0.0f ? (zr_vec3){eye.x, eye.y, eye.z} : (zr_vec3){0, 0, 0};
     zr_mat4 eye_to_world;
-    zr_vec3 right, up, back = zr_vec3_scale(light->direction, -1.0f);
+    zr_vec3 right, up, back = zr_look_light_direction(scene, light, &camera->world_to_eye);
     if (!zr_mat4_invert(&camera->world_to_eye, &eye_to_world)) return ZR_OK;
-    if (light->camera_frame) back = direction_in(&eye_to_world, back);
-    back = zr_vec3_normalize(back);
+    back = zr_vec3_normalize(zr_vec3_scale(direction_in(&eye_to_world, back), -1.0f));
     axes_across(back, &right, &up);
     const struct zr_camera along = map_camera(right, up, back, middle, radius, -radius, radius);
     const float *m = along.world_to_eye.m, *depths;

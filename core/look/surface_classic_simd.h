@@ -7,23 +7,12 @@
 #include "base/pow_simd.h"
 #include "look/surface_simd.h"
 
-/* Where phong says nothing of its highlights: 0.12 (N.H)^32 of the lamp's colour. */
-#define ZR_PLAIN_HIGHLIGHT 0.12f
-
-/* c^32. */
-static inline zr_vf zr_power_32_v(zr_vf c)
-{
-    for (int i = 0; i < 5; i++)
-        c = c * c;
-    return c;
-}
-
 static inline struct zr_vec3_v zr_highlight_v(const struct zr_material *material, zr_vf cosine)
 {
     const zr_vec3 specular = material->specular;
+    const zr_vf zero = zr_vf_set(0.0f);
     const bool shines = specular.x > 0.0f || specular.y > 0.0f || specular.z > 0.0f;
-    const zr_vf plain = zr_vf_set(ZR_PLAIN_HIGHLIGHT) * zr_power_32_v(cosine);
-    if (!shines) return (struct zr_vec3_v){plain, plain, plain};
+    if (!shines) return (struct zr_vec3_v){zero, zero, zero};
     return zr_scale_v(zr_spread_v(specular), zr_pow_v(cosine, zr_vf_set(material->shininess)));
 }
 

@@ -11,19 +11,14 @@
 
 #include "base/vec.h"
 
-enum zr_environment_name {
-    ZR_ENVIRONMENT_NONE,
-    ZR_ENVIRONMENT_STUDIO,
-    ZR_ENVIRONMENT_OUTDOOR,
-    ZR_ENVIRONMENT_COUNT
-};
+enum zr_environment_name { ZR_ENVIRONMENT_NONE, ZR_ENVIRONMENT_STUDIO, ZR_ENVIRONMENT_OUTDOOR, ZR_ENVIRONMENT_COUNT };
 
 /* Light from all around; it lights ZR_SHADING_PBR. */
 struct zr_environment {
     enum zr_environment_name name;
     float intensity;
     double rotation_degrees; /* around its up, counter-clockwise seen from above */
-    bool camera_frame;       /* it goes with the camera; else its up is the scene's, and its z leads towards the camera */
+    bool camera_frame; /* it goes with the camera; else its up is the scene's, and its z leads towards the camera */
 };
 
 /* How what is brighter than white is brought into 0..1. */
@@ -49,14 +44,15 @@ struct zr_edges {
     float crease_degrees;
 };
 
-enum { ZR_SAMPLE_SIDE_MAX = 8 };
+/* Of samples, those of a window's larger side at most. */
+enum { ZR_SAMPLE_SIDE_MAX = 8, ZR_WINDOW_SAMPLES_MAX = 16384 };
 
 struct zr_picture {
-    bool is_linear;    /* lit in linear light and encoded as sRGB; else values go to pixels as they are, and there are
-                          no effects */
-    uint32_t side;     /* samples a pixel are side x side: 1, 2, 4 or 8 */
-    float line_width;  /* of lines and outlines, pixels */
-    bool has_gradient; /* the background runs from top to bottom in linear light; else it is the scene's */
+    bool is_linear;      /* lit in linear light and encoded as sRGB; else values go to pixels as they are, and there are
+                            no effects */
+    uint32_t side;       /* samples a pixel are side x side: 1, 2, 4 or 8 */
+    float line_width;    /* of lines and outlines, pixels */
+    bool has_gradient;   /* the background runs from top to bottom in linear light; else it is the scene's */
     zr_vec3 top, bottom; /* sRGB-encoded */
     struct zr_environment environment;
     enum zr_tone tone;

@@ -133,6 +133,7 @@ struct zr_light {
     zr_vec3 ground; /* times intensity, of a hemisphere */
     bool has_shadows;
     enum zr_lit lit;
+    bool environment_frame; /* direction is in the frame of picture.environment, named or not, and turns with it */
 };
 
 /* Depth cueing: what is seen up to `near` has its own colour, from `far` on that of the fog, and in between more and
@@ -240,7 +241,10 @@ struct zr_base {
 
 enum { ZR_VIEWS_MOST = 1 };
 
+struct zr_look; /* scene/looks.h */
+
 struct zr_scene {
+    const struct zr_look *look; /* which one it has; what else is here is that of the scene, over the look's */
     zr_vec4 background;
     zr_vec3 ambient;
     struct zr_fog fog;

@@ -29,12 +29,18 @@ void zr_scene_builder_place(struct zr_scene_builder *builder, const struct zr_in
 
 /* ---- materials ---- */
 
+static bool is_same_color(zr_vec3 a, zr_vec3 b)
+{
+    return a.x == b.x && a.y == b.y && a.z == b.z;
+}
+
 static bool is_same(const struct zr_material *a, const struct zr_material *b)
 {
     return a->shading == b->shading && a->double_sided == b->double_sided && a->unfilled == b->unfilled &&
            a->uniform_color == b->uniform_color && a->outline == b->outline && a->shininess == b->shininess &&
-           zr_vec4_equal(a->base_color, b->base_color) && zr_vec4_equal(a->outline_color, b->outline_color) &&
-           a->specular.x == b->specular.x && a->specular.y == b->specular.y && a->specular.z == b->specular.z;
+           a->metallic == b->metallic && a->roughness == b->roughness && zr_vec4_equal(a->base_color, b->base_color) &&
+           zr_vec4_equal(a->outline_color, b->outline_color) && is_same_color(a->specular, b->specular) &&
+           is_same_color(a->emissive, b->emissive) && is_same_color(a->cool, b->cool);
 }
 
 /* Equal materials have equal ones; most others, others. Source: FNV-1a, by words. */
@@ -42,7 +48,9 @@ static uint32_t hash(const struct zr_material *m)
 {
     const float numbers[] = {m->base_color.x,    m->base_color.y,    m->base_color.z,    m->base_color.w,
                              m->shininess,       m->specular.x,      m->specular.y,      m->specular.z,
-                             m->outline_color.x, m->outline_color.y, m->outline_color.z, m->outline_color.w};
+                             m->outline_color.x, m->outline_color.y, m->outline_color.z, m->outline_color.w,
+                             m->metallic,        m->roughness,       m->emissive.x,      m->emissive.y,
+                             m->emissive.z,      m->cool.x,          m->cool.y,          m->cool.z};
     uint32_t value = 2166136261u, word;
     for (size_t i = 0; i < sizeof numbers / sizeof *numbers; i++) {
         const float number = numbers[i] + 0.0f; /* -0 equals 0 */

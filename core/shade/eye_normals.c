@@ -45,7 +45,6 @@ static zr_vec3 normal_of(const struct making *m, uint32_t i)
 static void make_range(void *context, size_t begin, size_t end)
 {
     const struct making *m = context;
-    const struct zr_mesh *mesh = m->mesh;
     if (zr_is_cancelled(m->cancel)) return;
     for (uint32_t i = (uint32_t)begin; i < end; i++) {
         const zr_vec3 normal = normal_of(m, i);

@@ -64,7 +64,7 @@ static void take(struct ours *ours, const struct task *task, int side)
     if (task->pair->shading[side] == ZR_SHADING_UNLIT) return;
     subject->material.shading = task->pair->shading[side];
     subject->material.specular = (zr_vec3){0.5f, 0.5f, 0.5f};
-    subject->material.shininess = ZR_SHININESS;
+    subject->material.shininess = zr_look_textbook->material.shininess;
     subject->scene.ambient = zr_default_ambient_of_own_lights();
     subject->scene.lights = &lamp;
     subject->scene.light_count = 1;

@@ -49,7 +49,7 @@ static double share(const struct look *look, int id)
     return look->colors[id][0] / 255.0;
 }
 
-/* Prints a row of the table that is quoted in core/input/defaults.c. */
+/* Prints a row of the table that is quoted in core/scene/looks.c. */
 static void assert_distinct_faces(const char *view, const struct look *look, double least)
 {
     double difference = 1;

@@ -225,10 +225,10 @@ static void wrong_values_give_pointer_to_them(void **state)
 {
     (void)state;
     refuses_rest("\"version\": 2", "/version", "2; this is version 1");
-    refuses_rest("\"samples\": 4", "/samples", "only 1 is supported in this version");
+    refuses_rest("\"samples\": 9", "/samples", "9; 1, 4, 16 or 64 are allowed");
     refuses_rest("\"algorithm\": \"warnock\"", "/algorithm",
                  "allowed: halfspace, edgelist, trapezoid, scanline, painter");
-    refuses_rest("\"colorManagement\": \"srgb\"", "/colorManagement", "not supported in this version; allowed: none");
+    refuses_rest("\"colorManagement\": \"linear\"", "/colorManagement", "'linear' is unknown; allowed: none, srgb");
     refuses_rest("\"shading\": \"toon\"", "/shading", "allowed: unlit, flat, gouraud, phong, normals");
     refuses_rest("\"shading\": \"smooth\"", "/shading", "'smooth' is unknown; allowed: unlit, flat, gouraud");
     refuses_rest("\"background\": \"rot\"", "/background", "'rot' is not a colour");

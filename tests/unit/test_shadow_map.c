@@ -3,7 +3,7 @@
 #include <string.h>
 
 #include "guarded.h"
-#include "look/gbuffer.h"
+#include "shade/gbuffer.h"
 #include "support/isas.h"
 #include "support/random.h"
 #include "support/shadow_map_kernel.h"

@@ -1,4 +1,4 @@
-/* Looks, lines and holes: what a scene says of how its faces are drawn. */
+/* Face styles, lines and holes: what a scene says of how its faces are drawn. */
 #include "json_check.h"
 
 #include "shade/frame.h"
@@ -42,7 +42,7 @@ static void outline_may_be_a_colour(void **state)
     reading_free(reading);
 }
 
-static void nearest_word_on_looks_counts(void **state)
+static void nearest_word_on_faces_counts(void **state)
 {
     (void)state;
     struct reading *reading =
@@ -62,7 +62,7 @@ static void nearest_word_on_looks_counts(void **state)
     reading_free(reading);
 }
 
-static void looks_that_are_none_are_refused(void **state)
+static void styles_that_are_none_are_refused(void **state)
 {
     (void)state;
     refuses_rest("\"outline\": 3", "/outline", "true, false or a colour is needed");
@@ -163,13 +163,13 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(outline_alone_is_black_on_faces_and_their_own_colour_without),
         cmocka_unit_test(outline_may_be_a_colour),
-        cmocka_unit_test(nearest_word_on_looks_counts),
-        cmocka_unit_test(looks_that_are_none_are_refused),
+        cmocka_unit_test(nearest_word_on_faces_counts),
+        cmocka_unit_test(styles_that_are_none_are_refused),
         cmocka_unit_test(lines_are_pairs_of_positions),
         cmocka_unit_test(holes_become_rings_of_the_face),
         cmocka_unit_test(colours_of_a_polygon_with_holes_count_all_its_vertices),
         cmocka_unit_test(colours_of_one_polygon_do_not_change_another),
         cmocka_unit_test(bad_holes_are_refused_with_pointer_to_them),
     };
-    return cmocka_run_group_tests_name("json_look", tests, NULL, NULL);
+    return cmocka_run_group_tests_name("json_face_style", tests, NULL, NULL);
 }

@@ -1,0 +1,197 @@
+/* What a scene says of its picture: the look that it has, and what goes before that look. */
+#include "input/json_objects.h"
+#include "input/json_scene.h"
+
+#define INTENSITY_MAX 1e6
+#define ANGLE_MAX     1e6 /* degrees: turns beyond this are a slip */
+#define STRENGTH_MAX  10.0
+#define RADIUS_MIN    1e-3 /* shares of the diagonal */
+#define RADIUS_MAX    10.0
+
+static const char *const managements[] = {"none", "srgb"};
+static const char *const tones[] = {"none", "khronos-neutral", "neutral"};
+static const char *const axes[] = {"y", "z"};
+const struct zr_names zr_management_names = ZR_NAMES(2, managements);
+const struct zr_names zr_tone_names = ZR_NAMES(ZR_TONE_COUNT, tones);
+const struct zr_names zr_up_names = ZR_NAMES(2, axes);
+
+/* ---- the look ---- */
+
+bool zr_read_look(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field, void *out)
+{
+    struct zr_given_scene *root = out;
+    const char *word = "";
+    if (!zr_json_string(json, path, field, &word)) return false;
+    root->look = zr_look_find(word);
+    return root->look || zr_json_fault(json, path, "%s", zr_looks_refuse(word).text);
+}
+
+/* ---- samples ---- */
+
+bool zr_read_samples(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field,
+                     void *out)
+{
+    struct zr_given_scene *root = out;
+    uint32_t number, side = 1;
+    if (!zr_json_whole(json, path, field, &number)) return false;
+    while (side < ZR_SAMPLE_SIDE_MAX && side * side < number)
+        side *= 2;
+    if (side * side != number) return zr_json_fault(json, path, "%u; 1, 4, 16 or 64 are allowed", number);
+    root->picture.picture.side = side;
+    return true;
+}
+
+/* ---- the background ---- */
+
+/* zr_vec3 */
+static bool read_opaque(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field,
+                        void *out)
+{
+    zr_vec4 color;
+    if (!zr_json_color(json, path, field, &color)) return false;
+    if (color.w < 1.0f) return zr_json_fault(json, path, "an alpha of %.9g: it has to be opaque", (double)color.w);
+    *(zr_vec3 *)out = (zr_vec3){color.x, color.y, color.z};
+    return true;
+}
+
+enum { TOP, BOTTOM };
+static const struct zr_json_field gradient_fields[] = {
+    [TOP] = {"top", read_opaque, offsetof(struct zr_picture, top), .required = true,
+             .text = "the colour of the upper edge of the picture"},
+    [BOTTOM] = {"bottom", read_opaque, offsetof(struct zr_picture, bottom), .required = true,
+                .text = "the colour of the lower edge of the picture"}};
+const struct zr_json_object zr_json_object_gradient = ZR_JSON_OBJECT_OF("gradient", gradient_fields);
+
+bool zr_read_background(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field,
+                        void *out)
+{
+    struct zr_given_scene *root = out;
+    struct zr_picture *picture = &root->picture.picture;
+    uint64_t keys;
+    zr_picture_give(&root->picture, ZR_PICTURE_BACKGROUND);
+    if (zr_json_type(json) != ZR_JSON_OBJECT) return zr_json_color(json, path, field, &root->background);
+    if (!zr_json_fields(json, path, &zr_json_object_gradient, picture, &keys)) return false;
+    picture->has_gradient = true;
+    root->background = (zr_vec4){picture->top.x, picture->top.y, picture->top.z, 1};
+    return true;
+}
+
+/* ---- what may be false ---- */
+
+/* Notes those of `count` keys, from `first` on, that are among `keys` of an object in the same order. */
+static void give_all(struct zr_given_picture *given, uint64_t keys, int count, enum zr_picture_key first)
+{
+    for (int i = 0; i < count; i++)
+        if (zr_json_gives(keys, i)) zr_picture_give(given, (enum zr_picture_key)((int)first + i));
+}
+
+/* true, false, or an object that says more of what is on, whose keys are those from the one behind `key` on. */
+static bool read_effect(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_object *object,
+                        struct zr_given_picture *given, enum zr_picture_key key, void *effect, bool *is_on)
+{
+    const enum zr_json_type type = zr_json_type(json);
+    uint64_t keys;
+    zr_picture_give(given, key);
+    if (type == ZR_JSON_BOOL) return zr_json_take_bool(json, is_on);
+    if (type != ZR_JSON_OBJECT) return zr_json_expect(json, path, "true, false or an object");
+    if (!zr_json_fields(json, path, object, effect, &keys)) return false;
+    give_all(given, keys, (int)object->count, (enum zr_picture_key)((int)key + 1));
+    *is_on = true;
+    return true;
+}
+
+static const struct zr_json_field occlusion_fields[] = {
+    {"radius", zr_json_float, offsetof(struct zr_occlusion, radius), RADIUS_MIN, RADIUS_MAX,
+     .unit = "shares of the diagonal of the bounds", .otherwise = "the look's; 0.2",
+     .text = "how far away may be what keeps light off"},
+    {"strength", zr_json_float, offsetof(struct zr_occlusion, strength), 0, STRENGTH_MAX, .otherwise = "the look's; 2",
+     .text = "a factor of the darkening"}};
+const struct zr_json_object zr_json_object_occlusion = ZR_JSON_OBJECT_OF("occlusion", occlusion_fields);
+
+bool zr_read_occlusion(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field,
+                       void *out)
+{
+    struct zr_given_picture *given = &((struct zr_given_scene *)out)->picture;
+    struct zr_occlusion *occlusion = &given->picture.occlusion;
+    (void)field;
+    return read_effect(json, path, &zr_json_object_occlusion, given, ZR_PICTURE_OCCLUSION, occlusion,
+                       &occlusion->is_on);
+}
+
+static const struct zr_json_field edge_fields[] = {
+    {"color", read_opaque, offsetof(struct zr_edges, color), .otherwise = "the look's; #1f2a36", .text = "of the ink"},
+    {"width", zr_json_float, offsetof(struct zr_edges, width), 0.1, 64, .unit = "pixels",
+     .otherwise = "the look's; 1.5", .text = "of the lines"},
+    {"creaseDegrees", zr_json_float, offsetof(struct zr_edges, crease_degrees), 0, 180, .unit = "degrees",
+     .otherwise = "the look's; 30", .text = "faces that meet at more have an edge between them"}};
+const struct zr_json_object zr_json_object_edges = ZR_JSON_OBJECT_OF("edges", edge_fields);
+
+bool zr_read_edges(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field, void *out)
+{
+    struct zr_given_picture *given = &((struct zr_given_scene *)out)->picture;
+    struct zr_edges *edges = &given->picture.edges;
+    (void)field;
+    return read_effect(json, path, &zr_json_object_edges, given, ZR_PICTURE_EDGES, edges, &edges->is_on);
+}
+
+/* ---- the environment ---- */
+
+/* Names are those of enum zr_environment_name from 1 on. */
+static const char *const environments[] = {"studio", "outdoor"};
+static const struct zr_names environment_names = ZR_NAMES(ZR_ENVIRONMENT_COUNT - 1, environments);
+
+enum { FRAME_WORLD, FRAME_CAMERA, FRAMES };
+static const char *const frames[] = {"world", "camera"};
+static const struct zr_names frame_names = ZR_NAMES(FRAMES, frames);
+
+struct given_environment {
+    int name, frame;
+    float intensity;
+    double rotation_degrees;
+};
+
+/* In the order of ZR_PICTURE_ENVIRONMENT and what is behind it. */
+enum { NAME, INTENSITY, ROTATION, FRAME, KEYS };
+#define AT(member) offsetof(struct given_environment, member)
+static const struct zr_json_field environment_fields[] = {
+    [NAME] = {"name", zr_json_choice, AT(name), .words = &environment_names, .otherwise = "the look's",
+              .text = "which one"},
+    [INTENSITY] = {"intensity", zr_json_float, AT(intensity), 0, INTENSITY_MAX, .otherwise = "1",
+                   .text = "a factor of its light"},
+    [ROTATION] = {"rotationDegrees", zr_json_number, AT(rotation_degrees), -ANGLE_MAX, ANGLE_MAX, .unit = "degrees",
+                  .otherwise = "0", .text = "around its up, counter-clockwise seen from above"},
+    [FRAME] = {"frame", zr_json_choice, AT(frame), .words = &frame_names,
+               .otherwise = "camera of studio, world of outdoor",
+               .text = "camera: it goes with the camera; world: its up is the scene's, and its front on the side of "
+                       "the camera"}};
+#undef AT
+const struct zr_json_object zr_json_object_environment = ZR_JSON_OBJECT_OF("environment", environment_fields);
+
+static bool read_environment(struct zr_json *json, const struct zr_json_path *path, struct given_environment *given,
+                             uint64_t *keys)
+{
+    const enum zr_json_type type = zr_json_type(json);
+    bool is_on;
+    *keys = UINT64_C(1) << NAME;
+    if (type == ZR_JSON_STRING) return zr_json_choice(json, path, &environment_fields[NAME], &given->name);
+    if (type == ZR_JSON_OBJECT) return zr_json_fields(json, path, &zr_json_object_environment, given, keys);
+    if (type != ZR_JSON_BOOL) return zr_json_expect(json, path, "false, a name or an object");
+    return zr_json_take_bool(json, &is_on) &&
+           (!is_on || zr_json_fault(json, path, "expected false, a name or an object: which one is true?"));
+}
+
+bool zr_read_environment(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field,
+                         void *out)
+{
+    struct zr_given_picture *picture = &((struct zr_given_scene *)out)->picture;
+    struct given_environment given = {.name = -1};
+    uint64_t keys;
+    (void)field;
+    if (!read_environment(json, path, &given, &keys)) return false;
+    picture->picture.environment = (struct zr_environment){.name = (enum zr_environment_name)(given.name + 1),
+                                                           .intensity = given.intensity,
+                                                           .rotation_degrees = given.rotation_degrees,
+                                                           .camera_frame = given.frame == FRAME_CAMERA};
+    give_all(picture, keys, KEYS, ZR_PICTURE_ENVIRONMENT);
+    return true;
+}

@@ -1,0 +1,192 @@
+#include "scene/looks.h"
+
+#include <stdio.h>
+#include <string.h>
+
+#define RGB(hex)                                                                                                       \
+    {                                                                                                                  \
+        (float)((hex) >> 16 & 255) / 255.0f, (float)((hex) >> 8 & 255) / 255.0f, (float)((hex)&255) / 255.0f           \
+    }
+#define OPAQUE(hex)                                                                                                    \
+    {                                                                                                                  \
+        (float)((hex) >> 16 & 255) / 255.0f, (float)((hex) >> 8 & 255) / 255.0f, (float)((hex)&255) / 255.0f, 1        \
+    }
+
+/* ---- lamps ---- */
+
+/* A key in front, from the left, and a weaker light from above. Both stand beside the camera's axis: a light on it
+ * makes one grey hexagon of a cube that is seen isometrically. Of the lights whose directions are of unit length as
+ * they stand, by which no face has less than a third of its colour and no normal more than all of it, the faces of a
+ * cube seen from ten sides differ most by these (tests/unit/test_default_light.c prints the table):
+ *
+ *     azimuth, elevation    left    right   top        azimuth, elevation    left    right   top
+ *     isometric             0.663   0.341   0.965      30, 35                0.627   0.376   0.965
+ *     isometric, below      0.894   0.631   0.392 *    30, 50                0.557   0.341   0.953
+ *     45, 20                0.714   0.396   0.933      60, 20                0.714   0.416   0.933
+ *     45, 50                0.608   0.341   0.953      60, 35                0.678   0.341   0.965
+ *     30, 20                0.690   0.420   0.933      60, 50                0.639   0.341   0.953
+ *                                                      * the underside
+ */
+static const struct zr_light textbook_lights[] = {
+    {.direction = {2.0f / 3, -1.0f / 3, -2.0f / 3}, .color = {0.45f, 0.45f, 0.45f}, .camera_frame = true},
+    {.direction = {-4.0f / 13, -12.0f / 13, -3.0f / 13}, .color = {0.37f, 0.37f, 0.37f}, .camera_frame = true},
+};
+
+/* The environment studio for flat, gouraud and phong: a least-squares fit. The key comes along
+ * -normalize(-0.55, 0.70, 0.46): of ten directions tried that one keeps the faces of a cube apart best. */
+#define CLASSIC_LIGHTS                                                                                                 \
+    {.type = ZR_LIGHT_HEMISPHERE,                                                                                      \
+     .direction = {0, 1, 0},                                                                                           \
+     .color = {0.53f, 0.54f, 0.555f},                                                                                  \
+     .ground = {0.24f, 0.235f, 0.23f},                                                                                 \
+     .camera_frame = true,                                                                                             \
+     .lit = ZR_LIT_CLASSIC},                                                                                           \
+    {                                                                                                                  \
+        .type = ZR_LIGHT_DIRECTIONAL, .direction = {0.548875955f, -0.698569398f, -0.459059890f},                       \
+        .color = {1.03f, 1.00f, 0.965f}, .camera_frame = true, .lit = ZR_LIT_CLASSIC                                   \
+    }
+
+static const struct zr_light studio_lights[] = {CLASSIC_LIGHTS};
+
+/* The sun stands where the sky of the environment is brightest: it comes along -normalize(-0.48, 0.67, 0.57). */
+static const struct zr_light outdoor_lights[] = {
+    CLASSIC_LIGHTS,
+    {.type = ZR_LIGHT_DIRECTIONAL,
+     .direction = {0.478995164f, -0.668597417f, -0.568806757f},
+     .color = {1.15f, 1.15f * 0.93f, 1.15f * 0.82f},
+     .environment_frame = true,
+     .has_shadows = true,
+     .lit = ZR_LIT_PBR},
+};
+
+#define LIGHTS(array) .light_count = sizeof(array) / sizeof(array)[0], .lights = (array)
+
+/* ---- what most rows have ---- */
+
+/* 16 samples, and normals that leave chamfers of 45 degrees sharp and make cylinders of 12 sides round. */
+#define LINEAR                .is_linear = true, .side = 4, .line_width = 1, .crease_degrees = 35
+#define NEUTRAL(factor)       .tone = ZR_TONE_NEUTRAL, .exposure = (factor)
+#define NO_TONE               .tone = ZR_TONE_NONE, .exposure = 1
+#define STUDIO                .environment = {ZR_ENVIRONMENT_STUDIO, 1, 0, true}
+#define OUTDOOR               .environment = {ZR_ENVIRONMENT_OUTDOOR, 1, 0, false}
+#define GRADIENT(from, to)    .has_gradient = true, .top = RGB(from), .bottom = RGB(to)
+#define OCCLUSION(on, factor) .occlusion = {(on), 0.2f, (factor)}
+#define EDGES(on, ink)        .edges = {(on), RGB(ink), 1.5f, 30}
+#define INK                   0x1f2a36
+#define COOL                  0x9fb0c3
+
+#define GROUNDED OCCLUSION(true, 2), .has_ground = true, EDGES(false, INK)
+
+/* Phong's highlights are weak ones, as plastic has them. */
+#define MATERIAL(model, hex, metal, rough)                                                                             \
+    .material = {.shading = (model),                                                                                   \
+                 .base_color = OPAQUE(hex),                                                                            \
+                 .specular = {0.12f, 0.12f, 0.12f},                                                                    \
+                 .shininess = 32,                                                                                      \
+                 .metallic = (metal),                                                                                  \
+                 .roughness = (rough),                                                                                 \
+                 .cool = RGB(COOL)}
+
+/* Isometric views look down on cars and animals; from below 25 degrees plates become slivers. 45 degrees of view bulge,
+ * and 20 are flat. The margin has room for the ground's shadow. */
+#define FROM_ASIDE                                                                                                     \
+    .view = {.pose = ZR_POSE_ORBIT,                                                                                    \
+             .preset = ZR_PRESET_ISOMETRIC,                                                                            \
+             .azimuth_degrees = 35,                                                                                    \
+             .elevation_degrees = 28,                                                                                  \
+             .projection = ZR_PROJECTION_PERSPECTIVE,                                                                  \
+             .fov_radians = 0.52359878f, /* 30 degrees */                                                              \
+             .padding = 0.07f}
+#define ISOMETRIC(share)                                                                                               \
+    .view = {.pose = ZR_POSE_PRESET,                                                                                   \
+             .preset = ZR_PRESET_ISOMETRIC,                                                                            \
+             .projection = ZR_PROJECTION_ORTHOGRAPHIC,                                                                 \
+             .padding = (share)}
+
+/* ---- the rows ---- */
+
+/* The base of studio: greys melt into a grey background, tints do not. */
+const struct zr_look zr_looks[ZR_LOOKS] = {
+    {.name = "studio",
+     .version = 1,
+     .picture = {LINEAR, NEUTRAL(1), STUDIO, GRADIENT(0xf4f6f8, 0xd3dae1), GROUNDED},
+     .background = OPAQUE(0xf4f6f8),
+     MATERIAL(ZR_SHADING_PBR, 0x8fa3b8, 0, 0.55f),
+     LIGHTS(studio_lights),
+     FROM_ASIDE},
+    {.name = "technical",
+     .version = 1,
+     .picture = {LINEAR, NO_TONE, STUDIO, OCCLUSION(true, 1.1f), EDGES(true, INK)},
+     .background = OPAQUE(0xffffff),
+     MATERIAL(ZR_SHADING_GOOCH, 0xffffff, 0, 0.55f),
+     LIGHTS(studio_lights),
+     ISOMETRIC(0.07f)},
+    {.name = "clay",
+     .version = 1,
+     .picture = {LINEAR, NEUTRAL(1), STUDIO, GRADIENT(0xf7f4f0, 0xded6cc), GROUNDED},
+     .background = OPAQUE(0xf7f4f0),
+     MATERIAL(ZR_SHADING_PBR, 0xcbb29c, 0, 0.9f),
+     LIGHTS(studio_lights),
+     FROM_ASIDE},
+    {.name = "dark",
+     .version = 1,
+     .picture = {LINEAR, NEUTRAL(1), STUDIO, GRADIENT(0x3c444d, 0x191d22), GROUNDED},
+     .background = OPAQUE(0x3c444d),
+     MATERIAL(ZR_SHADING_PBR, 0xc9ced4, 0, 0.45f),
+     LIGHTS(studio_lights),
+     FROM_ASIDE},
+    {.name = "metal",
+     .version = 1,
+     .picture = {LINEAR, NEUTRAL(1), STUDIO, GRADIENT(0xf4f6f8, 0xd3dae1), GROUNDED},
+     .background = OPAQUE(0xf4f6f8),
+     MATERIAL(ZR_SHADING_PBR, 0xd4d6da, 1, 0.32f),
+     LIGHTS(studio_lights),
+     FROM_ASIDE},
+    {.name = "outdoor",
+     .version = 1,
+     .picture = {LINEAR, NEUTRAL(0.78f), OUTDOOR, GRADIENT(0xbcd6f0, 0xefe9de), GROUNDED},
+     .background = OPAQUE(0xbcd6f0),
+     MATERIAL(ZR_SHADING_PBR, 0xb9b4aa, 0, 0.55f),
+     LIGHTS(outdoor_lights),
+     FROM_ASIDE},
+    {.name = "blueprint",
+     .version = 1,
+     .picture = {LINEAR, NO_TONE, STUDIO, OCCLUSION(false, 2), EDGES(true, 0xe8f0fa)},
+     .background = OPAQUE(0x1d4a86),
+     MATERIAL(ZR_SHADING_UNLIT, 0x1d4a86, 0, 0.55f),
+     LIGHTS(studio_lights),
+     ISOMETRIC(0.07f)},
+    {.name = "textbook",
+     .version = 1,
+     .picture = {.side = 1,
+                 .line_width = 1,
+                 .crease_degrees = 180,
+                 .environment = {ZR_ENVIRONMENT_NONE, 1, 0, true},
+                 NO_TONE,
+                 OCCLUSION(false, 2),
+                 EDGES(false, INK)},
+     .background = OPAQUE(0xffffff),
+     .material = {.base_color = {0.7f, 0.7f, 0.7f, 1}, .shininess = 32, .roughness = 0.55f, .cool = RGB(COOL)},
+     .shades_by_mesh = true,
+     .ambient = {0.34f, 0.34f, 0.34f},
+     LIGHTS(textbook_lights),
+     ISOMETRIC(0.05f)},
+};
+
+const struct zr_look *const zr_look_textbook = &zr_looks[ZR_LOOKS - 1];
+
+/* `text` is "NAME@VERSION" of the row. */
+static bool is_pinned(const struct zr_look *look, const char *text)
+{
+    char pinned[64];
+    snprintf(pinned, sizeof pinned, "%s@%u", look->name, look->version);
+    return strcmp(pinned, text) == 0;
+}
+
+const struct zr_look *zr_look_find(const char *text)
+{
+    const struct zr_look *found = NULL;
+    for (int i = 0; i < ZR_LOOKS; i++)
+        if (strcmp(zr_looks[i].name, text) == 0 || is_pinned(&zr_looks[i], text)) found = &zr_looks[i];
+    return found;
+}
