@@ -6,7 +6,14 @@
 #ifndef ZR_EDGE_MARKS_H
 #define ZR_EDGE_MARKS_H
 
-#include "look/edges.h"
+#include <stdbool.h>
+#include <stdint.h>
+
+#include "base/arena.h"
+#include "base/cancel.h"
+#include "base/isa.h"
+#include "base/team.h"
+#include "look/gbuffer.h"
 #include "raster/tile.h"
 
 _Static_assert(ZR_TILE_SIZE == 64, "a row of a tile is a word");
