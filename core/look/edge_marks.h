@@ -13,7 +13,7 @@
 #include "base/cancel.h"
 #include "base/isa.h"
 #include "base/team.h"
-#include "look/gbuffer.h"
+#include "shade/gbuffer.h"
 #include "raster/tile.h"
 
 _Static_assert(ZR_TILE_SIZE == 64, "a row of a tile is a word");
