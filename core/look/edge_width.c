@@ -31,7 +31,9 @@ struct width {
 static bool make_disc(struct width *width, struct zr_arena *arena)
 {
     const struct zr_edge_marks *marks = width->marks;
-    const float radius = 0.5f * marks->line_width * (float)marks->side, square = radius * radius;
+    /* Marks are two samples wide as they are, of which half a sample lies beyond the middle of either. */
+    const float wanted = 0.5f * marks->line_width * (float)marks->side - 0.5f;
+    const float radius = wanted > 0.0f ? wanted : 0.0f, square = radius * radius;
     const uint32_t most = marks->rows > marks->columns ? marks->rows : marks->columns;
     width->radius = radius < (float)most ? (uint32_t)radius : most;
     width->half_width = zr_arena_alloc(arena, (size_t)width->radius + 1, sizeof *width->half_width);
