@@ -14,32 +14,62 @@ static zr_mat4 upright(bool z_is_up)
     return (zr_mat4){{1, 0, 0, 0, 0, 0, -1, 0, 0, 1, 0, 0, 0, 0, 0, 1}};
 }
 
-/* Bare meshes become what the query makes of them: their looks, where they are, and the view of them. */
-static void dress_meshes(struct zr_scene_builder *builder, const struct zr_request *request,
-                         const struct zr_query *query)
+/* A query that says how many samples is refused where the window cannot have them. */
+static enum zr_status fit_samples(struct zr_scene_builder *builder, const struct zr_query *query,
+                                  struct zr_error *error)
 {
-    const struct zr_format_row *format = &zr_format_rows[request->format];
+    struct zr_picture *picture = &builder->scene->picture;
+    const struct zr_view *view = &query->view;
+    const uint32_t side = picture->side, fits = zr_picture_side_in(side, view->width, view->height);
+    picture->side = fits;
+    if (fits == side) return ZR_OK;
+    if (zr_picture_gives(&query->picture, ZR_PICTURE_SIDE))
+        return zr_error_add(error, ZR_BAD_SCENE, NULL,
+                            "query parameter samples: %u; in a window of %u x %u up to %u are allowed", side * side,
+                            view->width, view->height, fits * fits);
+    zr_warn_of_fewer_samples(builder, side, fits);
+    return ZR_OK;
+}
+
+static bool is_of_linear_light(const struct zr_query *query)
+{
+    return query->look->picture.is_linear || query->face_style.shading >= ZR_SHADING_PBR;
+}
+
+static void warn_of_soup(struct zr_scene_builder *builder, const struct zr_format_row *format, int shading)
+{
+    if (!format->reader->is_soup || builder->scene->picture.is_linear || shading < ZR_SHADING_GOURAUD) return;
+    zr_warning_list_add(builder->arena, &builder->warnings,
+                        "shading=%s looks flat here: the triangles of %s share no corners; OBJ can be smooth",
+                        zr_shading_names.words[shading], format->name);
+}
+
+/* Bare meshes become what the query makes of them: their looks, where they are, and the view of them. */
+static enum zr_status dress_meshes(struct zr_scene_builder *builder, const struct zr_request *request,
+                                   const struct zr_query *query, struct zr_error *error)
+{
     struct zr_scene *scene = builder->scene;
     struct zr_instance *instances = zr_arena_alloc(builder->arena, scene->mesh_count, sizeof *instances);
-    if (!instances) return;
+    if (!instances) return ZR_NO_MEMORY;
+    zr_look_dress(query->look, scene);
+    scene->picture = zr_picture_merge(&query->picture, query->look);
+    scene->picture.is_linear = is_of_linear_light(query);
+    scene->background = query->background;
+    scene->views[0] = query->view;
     for (size_t i = 0; i < request->asset_count; i++)
         zr_warn_of_unused_asset(builder, &request->assets[i]);
-    if (format->reader->is_soup && query->face_style.shading >= ZR_SHADING_GOURAUD)
-        zr_warning_list_add(builder->arena, &builder->warnings,
-                            "shading=%s looks flat here: the triangles of %s share no corners; OBJ can be smooth",
-                            zr_shading_names.words[query->face_style.shading], format->name);
+    warn_of_soup(builder, &zr_format_rows[request->format], query->face_style.shading);
     for (uint32_t i = 0; i < scene->mesh_count; i++) {
         struct zr_mesh *mesh = &builder->meshes[i];
         const bool is_colored = mesh->colors != NULL;
-        const zr_vec4 color = query->has_color ? query->color : zr_default_base_color(scene->look, is_colored);
+        const zr_vec4 color = query->has_color ? query->color : zr_default_base_color(query->look, is_colored);
         const struct zr_material material =
-            zr_face_style_material(&query->face_style, scene->look, color, mesh->normal_count > 0 || is_colored);
+            zr_face_style_material(&query->face_style, query->look, color, mesh->normal_count > 0 || is_colored);
         mesh->material = zr_scene_builder_material(builder, &material);
         instances[i] = (struct zr_instance){.mesh = i, .object_to_world = upright(query->z_is_up)};
     }
     zr_scene_builder_place(builder, instances, scene->mesh_count);
-    scene->views[0] = query->view;
-    scene->background = query->background;
+    return fit_samples(builder, query, error);
 }
 
 static enum zr_status apply_output(struct zr_arena *arena, const struct zr_query *query, struct zr_scene *scene)
@@ -112,7 +142,8 @@ static enum zr_status read_scene(struct zr_arena *arena, struct zr_team *team, c
     struct zr_scene_builder builder = zr_scene_builder_open(arena, team, scene);
     status = name_bytes(request, format->reader->read(&builder, request, limits, error), error);
     if (status != ZR_OK) return status;
-    if (!format->has_view) dress_meshes(&builder, request, &query);
+    if (!format->has_view) status = dress_meshes(&builder, request, &query, error);
+    if (status != ZR_OK) return status;
     zr_scene_builder_close(&builder);
     if (!zr_arena_ok(arena)) return ZR_NO_MEMORY;
     if (query.has_compress) scene->compress = query.compress;

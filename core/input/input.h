@@ -24,6 +24,7 @@ struct zr_format_reader {
     bool (*looks_so)(const char *bytes, size_t size);
     zr_format_read_fn *read;
     bool is_soup; /* triangles share no corners */
+    bool z_is_up; /* of bare meshes, where nobody says so: else y */
 };
 
 #define READER(ID, suffix, media_types, has_view) extern const struct zr_format_reader zr_reader_##ID;

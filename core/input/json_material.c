@@ -170,7 +170,7 @@ uint32_t zr_given_make_material(struct zr_given_scene *root, const struct zr_sty
     struct zr_material material = zr_face_style_material(&faces, look, given->base_color, smooth);
     put_values(given, &material);
     zr_given_note_alpha(root, &material.outline_color, 1);
-    if (material.shading >= ZR_SHADING_PBR && !root->linear_key) root->linear_key = "shading";
+    if (faces.shading >= ZR_SHADING_PBR && !root->linear_key) root->linear_key = "shading";
     material.uniform_color = style->is_uniform && material.shading == ZR_SHADING_UNLIT;
     return zr_scene_builder_material(root->builder, &material);
 }

@@ -10,10 +10,8 @@
 
 static const char *const managements[] = {"none", "srgb"};
 static const char *const tones[] = {"none", "khronos-neutral", "neutral"};
-static const char *const axes[] = {"y", "z"};
 const struct zr_names zr_management_names = ZR_NAMES(2, managements);
 const struct zr_names zr_tone_names = ZR_NAMES(ZR_TONE_COUNT, tones);
-const struct zr_names zr_up_names = ZR_NAMES(2, axes);
 
 /* ---- the look ---- */
 

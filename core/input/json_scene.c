@@ -206,4 +206,4 @@ static bool looks_so(const char *bytes, size_t size)
     return blanks < size && (bytes[blanks] == '{' || bytes[blanks] == '[');
 }
 
-const struct zr_format_reader zr_reader_JSON = {looks_so, read_json, false};
+const struct zr_format_reader zr_reader_JSON = {looks_so, read_json, false, false};

@@ -177,7 +177,7 @@ zr_json_read_fn zr_read_fog, zr_read_lights, zr_read_outputs;
 /* json_picture.c: into root->look and root->picture. */
 zr_json_read_fn zr_read_look, zr_read_samples, zr_read_background, zr_read_environment, zr_read_occlusion,
     zr_read_edges;
-extern const struct zr_names zr_management_names, zr_tone_names, zr_up_names;
+extern const struct zr_names zr_management_names, zr_tone_names;
 
 /* json_looks.c: what the scene does not say is as its look has it. First the picture, lamps, view and window; and, once
  * there are materials, whether light is linear, and what does not go with that. */

@@ -489,4 +489,4 @@ static bool looks_so(const char *bytes, size_t size)
     return false;
 }
 
-const struct zr_format_reader zr_reader_OBJ = {looks_so, read_obj, false};
+const struct zr_format_reader zr_reader_OBJ = {looks_so, read_obj, false, false};

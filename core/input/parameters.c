@@ -138,6 +138,33 @@ static void read_compress(const struct reading *r, const char *text)
     if (r->query->has_compress) r->query->compress = (enum zr_compress)compress;
 }
 
+/* Before all that goes over it. */
+static void use_look(struct zr_query *query, const struct zr_look *look)
+{
+    query->look = look;
+    query->background = look->background;
+    zr_look_aim(look, &query->view);
+}
+
+static void read_look(const struct reading *r, const char *text)
+{
+    const struct zr_look *look = zr_look_find(text);
+    if (look)
+        use_look(r->query, look);
+    else
+        zr_error_add(r->error, ZR_BAD_REQUEST, NULL, "query parameter look: %s", zr_looks_refuse(text).text);
+}
+
+static void read_samples(const struct reading *r, const char *text)
+{
+    static const char *const words[] = {"1", "4", "16", "64"};
+    static const struct zr_names names = ZR_NAMES(4, words);
+    int found = 0;
+    if (!read_word(r, "samples", text, &names, &found)) return;
+    r->query->picture.picture.side = UINT32_C(1) << found;
+    zr_picture_give(&r->query->picture, ZR_PICTURE_SIDE);
+}
+
 static void read_width(const struct reading *r, const char *text)
 {
     read_side(r, "width", text, &r->query->view.width);
@@ -151,7 +178,9 @@ static void read_height(const struct reading *r, const char *text)
 static void read_preset(const struct reading *r, const char *text)
 {
     int preset;
-    if (read_word(r, "preset", text, &zr_preset_names, &preset)) r->query->view.preset = (enum zr_preset)preset;
+    if (!read_word(r, "preset", text, &zr_preset_names, &preset)) return;
+    r->query->view.preset = (enum zr_preset)preset;
+    r->query->view.pose = ZR_POSE_PRESET;
 }
 
 static void read_azimuth(const struct reading *r, const char *text)
@@ -166,10 +195,8 @@ static void read_elevation(const struct reading *r, const char *text)
 
 static void read_up(const struct reading *r, const char *text)
 {
-    static const char *const words[] = {"y", "z"};
-    static const struct zr_names names = ZR_NAMES(2, words);
     int axis = 0;
-    read_word(r, "up", text, &names, &axis);
+    read_word(r, "up", text, &zr_up_names, &axis);
     r->query->z_is_up = axis == 1;
 }
 
@@ -178,9 +205,8 @@ static void read_projection(const struct reading *r, const char *text)
     static const char *const words[] = {"orthographic", "perspective"};
     static const struct zr_names names = ZR_NAMES(2, words);
     int projection = 0;
-    if (!read_word(r, "projection", text, &names, &projection) || projection == 0) return;
-    r->query->view.projection = ZR_PROJECTION_PERSPECTIVE;
-    r->query->view.yfov_radians = ZR_YFOV;
+    if (!read_word(r, "projection", text, &names, &projection)) return;
+    r->query->view.projection = projection == 0 ? ZR_PROJECTION_ORTHOGRAPHIC : ZR_PROJECTION_PERSPECTIVE;
 }
 
 static void read_shading(const struct reading *r, const char *text)
@@ -195,6 +221,7 @@ static void read_color(const struct reading *r, const char *text)
 
 static void read_background(const struct reading *r, const char *text)
 {
+    zr_picture_give(&r->query->picture, ZR_PICTURE_BACKGROUND);
     if (strcmp(text, "transparent") == 0)
         r->query->background = (zr_vec4){0, 0, 0, 0};
     else if (!zr_color_of_text(text, strlen(text), &r->query->background))
@@ -226,15 +253,29 @@ static void read_doubleSided(const struct reading *r, const char *text)
 
 enum whose { ANY, MESH };
 
+/* The angle of a look that is orthographic is that of scenes. */
+static void find_fov(struct zr_query *query)
+{
+    const float look = query->look->view.fov_radians;
+    zr_view_set_fov(&query->view, 0.0f);
+    if (query->view.projection != ZR_PROJECTION_PERSPECTIVE) return;
+    if (look > 0.0f)
+        zr_view_set_fov(&query->view, look);
+    else
+        query->view.yfov_radians = ZR_YFOV;
+}
+
 enum zr_status zr_query_read(const struct zr_request *request, const struct zr_limits *limits,
                              const struct zr_scene *defaults, struct zr_query *query, struct zr_error *error)
 {
     const struct reading r = {request, limits, query, error};
+    const struct zr_format_row *format = &zr_format_rows[request->format];
     *query = (struct zr_query){.output = {.channel = ZR_CHANNEL_COLOR, .encoding = ZR_ENCODING_PNG},
+                               .z_is_up = format->reader->z_is_up,
                                .view = defaults->views[0],
-                               .background = defaults->background,
                                .face_style = zr_face_style_unset};
     query->face_style.double_sided = true; /* nobody said which side is meant */
+    use_look(query, zr_look_find("studio"));
 #define PARAMETER(name, of, value, words) {#name, request->name, of, read_##name},
     const struct {
         const char *name, *text;
@@ -244,12 +285,13 @@ enum zr_status zr_query_read(const struct zr_request *request, const struct zr_l
 #undef PARAMETER
     for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++) {
         if (!rows[i].text) continue;
-        if (rows[i].of == MESH && zr_format_rows[request->format].has_view)
+        if (rows[i].of == MESH && format->has_view)
             zr_error_add(error, ZR_BAD_REQUEST, NULL,
                          "query parameter %s belongs to bodies that are a bare mesh; a scene says it in its own keys",
                          rows[i].name);
         else
             rows[i].read(&r, rows[i].text);
     }
+    find_fov(query);
     return error->count > 0 ? error->status : ZR_OK;
 }

@@ -6,7 +6,7 @@
 #define ZR_PARAMETERS_H
 
 #include "input/face_style.h"
-#include "scene/scene.h"
+#include "input/given_picture.h"
 #include "zraster.h"
 
 /* What it says, over what a bare mesh has where nobody says anything. */
@@ -16,8 +16,10 @@ struct zr_query {
     enum zr_compress compress;
 
     /* Of bare meshes. */
-    struct zr_view view;
-    zr_vec4 background;
+    const struct zr_look *look; /* studio, where none is said */
+    struct zr_given_picture picture;
+    struct zr_view view; /* over the look's */
+    zr_vec4 background;  /* likewise; with ZR_PICTURE_BACKGROUND where it is said */
     bool has_color, z_is_up;
     zr_vec4 color;
     struct zr_face_style face_style;

@@ -140,4 +140,4 @@ static enum zr_status read_stl(struct zr_scene_builder *builder, const struct zr
     return ZR_OK;
 }
 
-const struct zr_format_reader zr_reader_STL = {looks_so, read_stl, true};
+const struct zr_format_reader zr_reader_STL = {looks_so, read_stl, true, true};

@@ -101,7 +101,10 @@ static enum verdict check_file(const struct checking *c, const char *path, enum 
 {
     struct zr_request request = {.format = format};
     struct zr_arena arena;
-    if (format != ZR_FORMAT_JSON) request.preset = c->options->preset;
+    if (format != ZR_FORMAT_JSON) {
+        request.preset = c->options->preset;
+        request.look = "textbook"; /* the only one that Mesa knows */
+    }
     char *bytes = file_read(path, &request.size);
     if (!bytes) {
         fprintf(stderr, "%s: %s\n", path, strerror(errno));

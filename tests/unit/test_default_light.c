@@ -121,14 +121,15 @@ static void red_looks_red_on_every_face(void **state)
     }
 }
 
-static void a_bare_mesh_gets_the_same_light(void **state)
+static void a_bare_mesh_gets_the_same_light_by_the_textbook(void **state)
 {
     static const char obj[] = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 1\nv 1 0 1\nv 1 1 1\nv 0 1 1\n"
                               "f 5 6 7 8\nf 2 1 4 3\nf 6 2 3 7\nf 1 5 8 4\nf 8 7 3 4\nf 1 2 6 5\n";
     (void)state;
     struct look json, bare;
     look_at_cube("[0.7, 0.7, 0.7]", "\"preset\": \"isometric\"", &json);
-    struct reading *reading = read_text(ZR_FORMAT_OBJ, obj);
+    struct reading *reading = read_request((struct zr_request){.format = ZR_FORMAT_OBJ, .look = "textbook"}, obj,
+                                           sizeof obj - 1, zr_limits_default(), (size_t)1 << 28);
     struct zr_scene scene = *reading->scene;
     const struct zr_output outputs[] = {{.channel = ZR_CHANNEL_COLOR, .encoding = ZR_ENCODING_PNG},
                                         {.channel = ZR_CHANNEL_FACE_ID, .encoding = ZR_ENCODING_NPY}};
@@ -172,7 +173,7 @@ int main(void)
         cmocka_unit_test(three_faces_of_a_cube_differ_in_ten_views),
         cmocka_unit_test(every_preset_shows_faces_that_differ_and_are_neither_black_nor_burnt),
         cmocka_unit_test(red_looks_red_on_every_face),
-        cmocka_unit_test(a_bare_mesh_gets_the_same_light),
+        cmocka_unit_test(a_bare_mesh_gets_the_same_light_by_the_textbook),
         cmocka_unit_test(no_direction_burns_out),
     };
     return cmocka_run_group_tests_name("default light", tests, NULL, NULL);

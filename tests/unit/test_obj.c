@@ -9,7 +9,8 @@ static struct reading *read_rest(const char *rest)
 {
     char text[2048];
     snprintf(text, sizeof text, "%s%s", triangle, rest);
-    return read_text(ZR_FORMAT_OBJ, text);
+    return read_request((struct zr_request){.format = ZR_FORMAT_OBJ, .look = "textbook"}, text, strlen(text),
+                        zr_limits_default(), (size_t)1 << 28);
 }
 
 static void refuses_rest(const char *rest, enum zr_status status, const char *detail)
@@ -19,7 +20,7 @@ static void refuses_rest(const char *rest, enum zr_status status, const char *de
     reading_free(reading);
 }
 
-static void triangle_becomes_a_scene_with_defaults(void **state)
+static void triangle_becomes_a_scene_of_the_textbook(void **state)
 {
     (void)state;
     struct reading *reading = read_rest("f 1 2 3");
@@ -344,7 +345,7 @@ static void small_arena_gives_no_memory_naming_the_ceiling(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(triangle_becomes_a_scene_with_defaults),
+        cmocka_unit_test(triangle_becomes_a_scene_of_the_textbook),
         cmocka_unit_test(every_corner_form_is_read),
         cmocka_unit_test(normals_at_all_corners_need_no_zero_normal),
         cmocka_unit_test(negative_indices_count_back_from_here),

@@ -38,14 +38,15 @@ static struct reading *read_triangle(struct zr_request request)
 static void query_says_where_a_mesh_is_seen_from(void **state)
 {
     (void)state;
-    struct reading *reading = read_triangle((struct zr_request){.azimuth = "-30.5", .projection = "perspective"});
+    struct reading *reading =
+        read_triangle((struct zr_request){.look = "textbook", .azimuth = "-30.5", .projection = "perspective"});
     const struct zr_view *view = &reading->scene->views[0];
     assert_int_equal(view->pose, ZR_POSE_ORBIT);
     assert_true(view->azimuth_degrees == -30.5 && view->elevation_degrees == 0 && view->distance == 0.0f);
     assert_int_equal(view->projection, ZR_PROJECTION_PERSPECTIVE);
     assert_true(view->yfov_radians == (float)(45 * 3.14159265358979323846 / 180));
     reading_free(reading);
-    reading = read_triangle((struct zr_request){.elevation = "90", .projection = "orthographic"});
+    reading = read_triangle((struct zr_request){.look = "textbook", .elevation = "90", .projection = "orthographic"});
     assert_int_equal(reading->scene->views[0].pose, ZR_POSE_ORBIT);
     assert_true(reading->scene->views[0].elevation_degrees == 90);
     assert_int_equal(reading->scene->views[0].projection, ZR_PROJECTION_ORTHOGRAPHIC);
@@ -103,6 +104,12 @@ static void wrong_query_gives_bad_request_naming_the_parameter(void **state)
         {{.format = ZR_FORMAT_OBJ, .channel = "depth", .encoding = "png16", .scale = "1e39"}, "scale: '1e39'"},
         {{.format = ZR_FORMAT_OBJ, .preset = "up"}, "preset: 'up' is unknown; allowed: front"},
         {{.format = ZR_FORMAT_OBJ, .shading = "toon"}, "shading: 'toon' is"},
+        {{.format = ZR_FORMAT_OBJ, .look = "stduio"},
+         "look: 'stduio' is unknown (did you mean studio?); allowed: studio, technical, clay"},
+        {{.format = ZR_FORMAT_STL, .look = "studio@01"}, "look: 'studio@01' is unknown"},
+        {{.format = ZR_FORMAT_JSON, .look = "studio"}, "query parameter look belongs to bodies that are a bare mesh"},
+        {{.format = ZR_FORMAT_OBJ, .samples = "9"}, "samples: '9' is unknown; allowed: 1, 4, 16, 64"},
+        {{.format = ZR_FORMAT_JSON, .samples = "4"}, "query parameter samples belongs to bodies that are a bare mesh"},
         {{.format = ZR_FORMAT_OBJ, .compress = "best"}, "compress: 'best' is unknown; allowed: fast, small"},
         {{.format = ZR_FORMAT_JSON, .compress = ""}, "compress: '' is unknown; allowed: fast, small"},
         {{.format = ZR_FORMAT_OBJ, .width = "0"}, "width: '0'"},

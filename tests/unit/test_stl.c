@@ -40,7 +40,9 @@ static void binary_gives_three_vertices_a_triangle(void **state)
     static const char *const headers[] = {"made by hand", "solid that is binary", ""};
     unsigned char bytes[BYTES_MAX];
     for (size_t h = 0; h < 3; h++) {
-        struct reading *reading = read_bytes(ZR_FORMAT_STL, bytes, make_binary(bytes, headers[h], 3));
+        const struct zr_request request = {.format = ZR_FORMAT_STL, .look = "textbook"};
+        const size_t size = make_binary(bytes, headers[h], 3);
+        struct reading *reading = read_request(request, bytes, size, zr_limits_default(), (size_t)1 << 24);
         assert_read(reading);
         const struct zr_mesh *mesh = &reading->scene->meshes[0];
         assert_int_equal(mesh->face_count, 3);
@@ -112,14 +114,16 @@ static void place_out_of_range_gives_bad_scene_with_triangle(void **state)
 }
 
 /* A binary file whose header happens to begin like gzip is no gzip. */
-static void smooth_shading_is_warned_of(void **state)
+static void smooth_shading_by_the_textbook_is_warned_of(void **state)
 {
     (void)state;
-    static const char *const shadings[] = {"gouraud", "flat", NULL};
+    static const struct {
+        const char *shading, *look;
+    } cases[] = {{"gouraud", "textbook"}, {"flat", "textbook"}, {NULL, "textbook"}, {"gouraud", NULL}, {NULL, NULL}};
     unsigned char bytes[BYTES_MAX];
     const size_t size = make_binary(bytes, "\x1F\x8B", 2);
-    for (size_t i = 0; i < sizeof shadings / sizeof shadings[0]; i++) {
-        const struct zr_request request = {.format = ZR_FORMAT_STL, .shading = shadings[i]};
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        const struct zr_request request = {.format = ZR_FORMAT_STL, .shading = cases[i].shading, .look = cases[i].look};
         struct reading *reading = read_request(request, bytes, size, zr_limits_default(), (size_t)1 << 24);
         assert_read(reading);
         assert_int_equal(reading->scene->warning_count, i == 0);
@@ -232,7 +236,7 @@ int main(void)
         cmocka_unit_test(count_beyond_the_bytes_is_refused_before_allocating),
         cmocka_unit_test(binary_without_triangles_gives_no_geometry),
         cmocka_unit_test(place_out_of_range_gives_bad_scene_with_triangle),
-        cmocka_unit_test(smooth_shading_is_warned_of),
+        cmocka_unit_test(smooth_shading_by_the_textbook_is_warned_of),
         cmocka_unit_test(ascii_gives_its_triangles),
         cmocka_unit_test(words_of_every_length_are_passed_over),
         cmocka_unit_test(every_prefix_of_ascii_is_refused_within_its_bytes),

@@ -1,0 +1,327 @@
+/* Looks: what rows must have, and that what a scene says of its picture goes before them, key by key. */
+#include "looks_check.h"
+
+/* ---- rows ---- */
+
+static bool is_unit(zr_vec3 v)
+{
+    return fabsf(zr_vec3_dot(v, v) - 1.0f) < 1e-6f;
+}
+
+static bool is_color(zr_vec3 v)
+{
+    return v.x >= 0 && v.x <= 1 && v.y >= 0 && v.y <= 1 && v.z >= 0 && v.z <= 1;
+}
+
+static void assert_good_lamps(const struct zr_look *look)
+{
+    bool classic = false, pbr = look->picture.environment.name != ZR_ENVIRONMENT_NONE;
+    for (uint32_t i = 0; i < look->light_count; i++) {
+        const struct zr_light *light = &look->lights[i];
+        assert_true(is_unit(light->direction));
+        assert_true(light->color.x >= 0 && light->color.x < 2 && light->ground.x >= 0 && light->ground.x < 1);
+        assert_false(light->has_shadows && light->type == ZR_LIGHT_HEMISPHERE);
+        classic |= light->lit != ZR_LIT_PBR;
+        pbr |= light->lit != ZR_LIT_CLASSIC;
+    }
+    assert_true(classic && pbr); /* no shading is left in the dark */
+}
+
+static void each_row_has_what_rows_must_have(void **state)
+{
+    (void)state;
+    for (int i = 0; i < ZR_LOOKS; i++) {
+        const struct zr_look *look = &zr_looks[i];
+        const struct zr_picture *p = &look->picture;
+        print_message("%s@%u\n", look->name, look->version);
+        assert_true(look->version >= 1 && strlen(look->name) > 0);
+        assert_true(p->side == 1 || p->side == 2 || p->side == 4 || p->side == ZR_SAMPLE_SIDE_MAX);
+        assert_true(p->line_width == 1 && p->exposure > 0 && p->environment.intensity == 1);
+        assert_true(p->crease_degrees > 0 && p->crease_degrees <= 180);
+        assert_true(p->occlusion.radius > 0 && p->occlusion.strength > 0);
+        assert_true(p->edges.width > 0 && p->edges.crease_degrees > 0 && is_color(p->edges.color));
+        assert_true(is_color(p->top) && is_color(p->bottom) && look->background.w == 1);
+        assert_true(look->material.base_color.w == 1 && look->material.shading < ZR_SHADING_COUNT);
+        assert_true(look->material.roughness > 0 && look->material.shininess > 0 && is_color(look->material.cool));
+        assert_true(look->view.padding > 0 && look->view.padding < 0.45f);
+        assert_int_equal(look->view.projection == ZR_PROJECTION_PERSPECTIVE, look->view.fov_radians > 0);
+        assert_good_lamps(look);
+    }
+}
+
+static void effects_are_of_linear_light_only(void **state)
+{
+    (void)state;
+    for (int i = 0; i < ZR_LOOKS; i++) {
+        const struct zr_picture *p = &zr_looks[i].picture;
+        if (p->is_linear) continue;
+        assert_ptr_equal(&zr_looks[i], zr_look_textbook);
+        assert_false(p->has_gradient || p->has_ground || p->occlusion.is_on || p->edges.is_on);
+        assert_true(p->environment.name == ZR_ENVIRONMENT_NONE && p->tone == ZR_TONE_NONE && p->side == 1);
+        assert_true(p->crease_degrees == 180 && zr_looks[i].material.shading < ZR_SHADING_PBR);
+    }
+}
+
+static void lamps_of_an_environment_are_found_in_a_row_that_has_it(void **state)
+{
+    (void)state;
+    for (int name = ZR_ENVIRONMENT_NONE; name < ZR_ENVIRONMENT_COUNT; name++) {
+        int rows = 0;
+        for (int i = 0; i < ZR_LOOKS; i++)
+            rows += (int)zr_looks[i].picture.environment.name == name;
+        assert_true(rows > 0);
+    }
+}
+
+static void looks_are_found_by_name_and_version(void **state)
+{
+    (void)state;
+    static const char *const strangers[] = {"",         "studi", "Studio",    "studio@",   "studio@0",  "studio@01",
+                                            "studio@2", "@1",    "studio@1 ", "studio@@1", "studio@1@1"};
+    for (int i = 0; i < ZR_LOOKS; i++) {
+        char pinned[64];
+        snprintf(pinned, sizeof pinned, "%s@%u", zr_looks[i].name, zr_looks[i].version);
+        assert_ptr_equal(zr_look_find(pinned), &zr_looks[i]);
+        const struct zr_look *newest = zr_look_find(zr_looks[i].name);
+        assert_string_equal(newest->name, zr_looks[i].name);
+        assert_true(newest->version >= zr_looks[i].version);
+        for (int k = 0; k < i; k++)
+            assert_true(strcmp(zr_looks[k].name, zr_looks[i].name) != 0 || zr_looks[k].version < zr_looks[i].version);
+    }
+    for (size_t i = 0; i < sizeof strangers / sizeof strangers[0]; i++)
+        assert_null(zr_look_find(strangers[i]));
+    assert_string_equal(zr_look_textbook->name, "textbook");
+}
+
+/* A released row does not change: its newest version may have another one behind it. */
+static void version_1_has_the_values_that_it_was_released_with(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *name;
+        enum zr_shading shading;
+        uint32_t base;
+        float metallic, roughness;
+        uint32_t top, bottom;
+        float exposure;
+        enum zr_tone tone;
+    } rows[] = {
+        {"studio@1", ZR_SHADING_PBR, 0x8fa3b8, 0, 0.55f, 0xf4f6f8, 0xd3dae1, 1, ZR_TONE_NEUTRAL},
+        {"clay@1", ZR_SHADING_PBR, 0xcbb29c, 0, 0.9f, 0xf7f4f0, 0xded6cc, 1, ZR_TONE_NEUTRAL},
+        {"dark@1", ZR_SHADING_PBR, 0xc9ced4, 0, 0.45f, 0x3c444d, 0x191d22, 1, ZR_TONE_NEUTRAL},
+        {"metal@1", ZR_SHADING_PBR, 0xd4d6da, 1, 0.32f, 0xf4f6f8, 0xd3dae1, 1, ZR_TONE_NEUTRAL},
+        {"outdoor@1", ZR_SHADING_PBR, 0xb9b4aa, 0, 0.55f, 0xbcd6f0, 0xefe9de, 0.78f, ZR_TONE_NEUTRAL},
+        {"technical@1", ZR_SHADING_GOOCH, 0xffffff, 0, 0.55f, 0, 0, 1, ZR_TONE_NONE},
+        {"blueprint@1", ZR_SHADING_UNLIT, 0x1d4a86, 0, 0.55f, 0, 0, 1, ZR_TONE_NONE},
+    };
+    for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++) {
+        const struct zr_look *look = zr_look_find(rows[i].name);
+        const zr_vec4 base = look->material.base_color;
+        const float bytes[9] = {base.x,
+                                base.y,
+                                base.z,
+                                look->picture.top.x,
+                                look->picture.top.y,
+                                look->picture.top.z,
+                                look->picture.bottom.x,
+                                look->picture.bottom.y,
+                                look->picture.bottom.z};
+        const uint32_t wanted[3] = {rows[i].base, rows[i].top, rows[i].bottom};
+        for (int k = 0; k < 9; k++)
+            assert_true(bytes[k] == (float)(wanted[k / 3] >> (16 - 8 * (k % 3)) & 255) / 255.0f);
+        assert_int_equal(look->material.shading, rows[i].shading);
+        assert_true(look->material.metallic == rows[i].metallic && look->material.roughness == rows[i].roughness);
+        assert_true(look->picture.exposure == rows[i].exposure && look->picture.tone == rows[i].tone);
+        assert_int_equal(look->picture.has_gradient, rows[i].top != 0);
+        assert_true(look->picture.is_linear && look->picture.side == 4);
+    }
+}
+
+/* ---- scenes ---- */
+
+static void every_look_dresses_a_scene(void **state)
+{
+    (void)state;
+    for (int i = 0; i < ZR_LOOKS; i++) {
+        const struct zr_look *look = &zr_looks[i];
+        struct reading *reading = read_look(look->name, "");
+        const struct zr_scene *scene = reading->scene;
+        const struct zr_material *material = &scene->materials[0];
+        assert_ptr_equal(scene->look, look);
+        assert_true(is_same_picture(&scene->picture, &look->picture));
+        assert_ptr_equal(scene->lights, look->lights);
+        assert_int_equal(scene->light_count, look->light_count);
+        assert_true(zr_vec4_equal(scene->background, look->background) && scene->ambient.x == look->ambient.x);
+        assert_true(zr_vec4_equal(material->base_color, look->material.base_color));
+        assert_int_equal(material->shading, look->shades_by_mesh ? ZR_SHADING_FLAT : look->material.shading);
+        assert_true(material->roughness == look->material.roughness && material->metallic == look->material.metallic);
+        assert_int_equal(scene->views[0].pose, look->view.pose);
+        assert_int_equal(scene->views[0].projection, look->view.projection);
+        assert_true(scene->views[0].azimuth_degrees == look->view.azimuth_degrees);
+        assert_true(scene->views[0].fit_padding == look->view.padding);
+        assert_true(scene->views[0].yfov_radians == look->view.fov_radians && scene->views[0].xfov_radians == 0);
+        assert_int_equal(scene->warning_count, 0);
+        reading_free(reading);
+    }
+}
+
+static void a_scene_without_a_look_is_the_textbooks(void **state)
+{
+    (void)state;
+    struct reading *reading = read_rest("");
+    assert_read(reading);
+    assert_ptr_equal(reading->scene->look, zr_look_textbook);
+    assert_false(reading->scene->picture.is_linear);
+    assert_int_equal(reading->scene->picture.side, 1);
+    reading_free(reading);
+    refuses_rest("\"look\": \"stduio\"", "/look", "'stduio' is unknown (did you mean studio?); allowed: studio, tech");
+    refuses_rest("\"look\": \"studio@2\"", "/look", "'studio@2' is unknown");
+    refuses_rest("\"look\": 1", "/look", "expected a string");
+}
+
+static void an_upright_window_has_the_angle_across(void **state)
+{
+    (void)state;
+    struct reading *reading = read_look("studio", "\"window\": {\"width\": 300, \"height\": 400}");
+    assert_true(reading->scene->views[0].xfov_radians == zr_look_find("studio")->view.fov_radians);
+    assert_true(reading->scene->views[0].yfov_radians == 0);
+    reading_free(reading);
+}
+
+/* The picture of a scene with a look and the members `rest`. */
+static void expect_picture(const char *look, const char *rest, struct zr_picture wanted)
+{
+    for (int behind = 0; behind < 2; behind++) { /* a look may be named before and after */
+        char text[2048];
+        if (behind)
+            snprintf(text, sizeof text, "%s, \"look\": \"%s\"", rest, look);
+        else
+            snprintf(text, sizeof text, "\"look\": \"%s\", %s", look, rest);
+        struct reading *reading = read_rest(text);
+        assert_read(reading);
+        if (!is_same_picture(&reading->scene->picture, &wanted)) fail_msg("%s", text);
+        reading_free(reading);
+    }
+}
+
+#define EXPECT(look, rest, ...)                                                                                        \
+    do {                                                                                                               \
+        struct zr_picture w = zr_look_find(look)->picture;                                                             \
+        __VA_ARGS__;                                                                                                   \
+        expect_picture(look, rest, w);                                                                                 \
+    } while (0)
+
+static void every_key_goes_before_the_look(void **state)
+{
+    (void)state;
+    EXPECT("studio", "\"samples\": 1", w.side = 1);
+    EXPECT("studio", "\"samples\": 4", w.side = 2);
+    EXPECT("textbook", "\"samples\": 64", w.side = 8);
+    EXPECT("studio", "\"lineWidth\": 2.5", w.line_width = 2.5f);
+    EXPECT("studio", "\"toneMapping\": \"none\"", w.tone = ZR_TONE_NONE);
+    EXPECT("studio", "\"toneMapping\": \"khronos-neutral\"", w.tone = ZR_TONE_KHRONOS);
+    EXPECT("technical", "\"toneMapping\": \"neutral\"", w.tone = ZR_TONE_NEUTRAL);
+    EXPECT("outdoor", "\"exposure\": 2", w.exposure = 2);
+    EXPECT("studio", "\"creaseDegrees\": 60", w.crease_degrees = 60);
+    EXPECT("studio", "\"groundShadow\": false", w.has_ground = false);
+    EXPECT("technical", "\"groundShadow\": true", w.has_ground = true);
+    EXPECT("studio", "\"up\": \"z\"", w.z_is_up = true);
+    EXPECT("studio", "\"up\": \"y\"", w.z_is_up = false);
+    EXPECT("studio", "\"background\": \"#00ff00\"", w.has_gradient = false, w.top = w.bottom = (zr_vec3){0, 0, 0});
+    EXPECT("studio", "\"background\": {\"top\": \"red\", \"bottom\": [0, 0, 1]}", w.top = (zr_vec3){1, 0, 0},
+           w.bottom = (zr_vec3){0, 0, 1});
+    EXPECT("studio", "\"colorManagement\": \"srgb\"", w.is_linear = true);
+    EXPECT("textbook", "\"colorManagement\": \"none\"", w.is_linear = false);
+    EXPECT("textbook", "\"colorManagement\": \"srgb\"", w.is_linear = true);
+}
+
+static void keys_of_effects_go_before_the_look_one_by_one(void **state)
+{
+    (void)state;
+    EXPECT("studio", "\"occlusion\": false", w.occlusion.is_on = false);
+    EXPECT("blueprint", "\"occlusion\": true", w.occlusion.is_on = true);
+    EXPECT("technical", "\"occlusion\": {\"radius\": 0.5}", w.occlusion.radius = 0.5f);
+    EXPECT("studio", "\"occlusion\": {\"strength\": 1}", w.occlusion.strength = 1);
+    EXPECT("textbook", "\"occlusion\": {}", w.occlusion.is_on = w.is_linear = true);
+    EXPECT("technical", "\"edges\": false", w.edges.is_on = false);
+    EXPECT("studio", "\"edges\": true", w.edges.is_on = true);
+    EXPECT("blueprint", "\"edges\": {\"width\": 3}", w.edges.width = 3);
+    EXPECT("studio", "\"edges\": {\"color\": \"lime\"}", w.edges.is_on = true, w.edges.color = (zr_vec3){0, 1, 0});
+    EXPECT("technical", "\"edges\": {\"creaseDegrees\": 12}", w.edges.crease_degrees = 12);
+}
+
+static void keys_of_environments_go_before_the_look_one_by_one(void **state)
+{
+    (void)state;
+    EXPECT("studio", "\"environment\": false", w.environment.name = ZR_ENVIRONMENT_NONE);
+    EXPECT("studio", "\"environment\": \"outdoor\"", w.environment.name = ZR_ENVIRONMENT_OUTDOOR,
+           w.environment.camera_frame = false);
+    EXPECT("outdoor", "\"environment\": {\"name\": \"studio\", \"intensity\": 2}",
+           w.environment = ((struct zr_environment){ZR_ENVIRONMENT_STUDIO, 2, 0, true}));
+    EXPECT("outdoor", "\"environment\": {\"rotationDegrees\": 90}", w.environment.rotation_degrees = 90);
+    EXPECT("studio", "\"environment\": {\"frame\": \"world\"}", w.environment.camera_frame = false);
+    EXPECT("textbook", "\"environment\": \"studio\"", w.environment.name = ZR_ENVIRONMENT_STUDIO, w.is_linear = true);
+    EXPECT("textbook", "\"environment\": false", w.is_linear = false);
+    refuses_rest("\"environment\": {\"intensity\": 2}", "/environment", "name is missing: the look textbook has none");
+    refuses_rest("\"environment\": true", "/environment", "expected false, a name or an object");
+    refuses_rest("\"environment\": 1", "/environment", "expected false, a name or an object, found a number");
+    refuses_rest("\"environment\": \"night\"", "/environment", "'night' is unknown; allowed: studio, outdoor");
+    refuses_rest("\"environment\": {\"name\": \"none\"}", "/environment/name", "allowed: studio, outdoor");
+    refuses_rest("\"environment\": {\"intensity\": -1}", "/environment/intensity", "-1 is outside of 0 to 1000000");
+}
+
+static void backgrounds_are_colours_or_gradients(void **state)
+{
+    (void)state;
+    struct reading *reading = read_look("studio", "\"background\": \"#0000\"");
+    assert_true(reading->scene->background.w == 0 && !reading->scene->picture.has_gradient);
+    reading_free(reading);
+    reading = read_look("textbook", "\"background\": {\"top\": \"red\", \"bottom\": \"blue\"}");
+    assert_true(reading->scene->background.w == 1 && reading->scene->picture.has_gradient);
+    assert_true(reading->scene->picture.is_linear);
+    reading_free(reading);
+    refuses_rest("\"background\": {\"top\": \"red\"}", "/background", "bottom is missing");
+    refuses_rest("\"background\": {\"top\": \"red\", \"bottom\": \"#0000ff80\"}", "/background/bottom", "opaque");
+}
+
+static void values_out_of_bounds_are_refused(void **state)
+{
+    (void)state;
+    refuses_rest("\"samples\": 2", "/samples", "2; 1, 4, 16 or 64 are allowed");
+    refuses_rest("\"samples\": 0", "/samples", "0; 1, 4");
+    refuses_rest("\"samples\": 256", "/samples", "256; 1, 4");
+    refuses_rest("\"samples\": 4294967295", "/samples", "4294967295; 1, 4");
+    refuses_rest("\"lineWidth\": 0", "/lineWidth", "0 is outside of 0.1 to 64");
+    refuses_rest("\"toneMapping\": \"aces\"", "/toneMapping", "allowed: none, khronos-neutral, neutral");
+    refuses_rest("\"exposure\": -1", "/exposure", "-1 is outside of 0 to 1000000");
+    refuses_rest("\"creaseDegrees\": 181", "/creaseDegrees", "181 is outside of 0 to 180");
+    refuses_rest("\"occlusion\": 1", "/occlusion", "expected true, false or an object, found a number");
+    refuses_rest("\"occlusion\": {\"radius\": 0}", "/occlusion/radius", "0 is outside of 0.001 to 10");
+    refuses_rest("\"edges\": \"red\"", "/edges", "expected true, false or an object, found a string");
+    refuses_rest("\"edges\": {\"width\": 65}", "/edges/width", "65 is outside");
+    refuses_rest("\"edges\": {\"color\": \"#0000\"}", "/edges/color", "an alpha of 0: it has to be opaque");
+    refuses_rest("\"up\": \"x\"", "/up", "'x' is unknown; allowed: y, z");
+    refuses_rest("\"materials\": [{\"name\": \"m\", \"metallicFactor\": 2}]", "/materials/0/metallicFactor", "2 is");
+    refuses_rest("\"materials\": [{\"name\": \"m\", \"emissiveFactor\": [0, 1]}]", "/materials/0/emissiveFactor",
+                 "expected 3 numbers, found 2");
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(each_row_has_what_rows_must_have),
+        cmocka_unit_test(effects_are_of_linear_light_only),
+        cmocka_unit_test(lamps_of_an_environment_are_found_in_a_row_that_has_it),
+        cmocka_unit_test(looks_are_found_by_name_and_version),
+        cmocka_unit_test(version_1_has_the_values_that_it_was_released_with),
+        cmocka_unit_test(every_look_dresses_a_scene),
+        cmocka_unit_test(a_scene_without_a_look_is_the_textbooks),
+        cmocka_unit_test(an_upright_window_has_the_angle_across),
+        cmocka_unit_test(every_key_goes_before_the_look),
+        cmocka_unit_test(keys_of_effects_go_before_the_look_one_by_one),
+        cmocka_unit_test(keys_of_environments_go_before_the_look_one_by_one),
+        cmocka_unit_test(backgrounds_are_colours_or_gradients),
+        cmocka_unit_test(values_out_of_bounds_are_refused),
+    };
+    return cmocka_run_group_tests_name("looks", tests, NULL, NULL);
+}
