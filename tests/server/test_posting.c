@@ -65,7 +65,7 @@ static void unknown_parameter_is_named_with_the_known_ones(void **state)
     (void)state;
     assert_problem(post("/v1/render?colour=red", JSON_TYPE, GOOD_SCENE), 400, "'colour'");
     assert_problem(post("/v1/render?colour=red", JSON_TYPE, GOOD_SCENE), 400,
-                   "known: channel, encoding, scale, compress, width, height, preset, azimuth, elevation, up, "
+                   "known: channel, encoding, scale, compress, look, samples, width, height, preset, azimuth, elevation, up, "
                    "projection, shading, ");
 }
 
