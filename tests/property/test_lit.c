@@ -62,9 +62,9 @@ static void make_materials(struct subject *s, struct random *random, uint32_t sh
                                                .shading = all[random_below(random, shadings)],
                                                .double_sided = random_below(random, 4) > 0};
     for (int i = 0; i < 2; i++)
-        s->lights[i] = (struct zr_light){{any(random) - 0.5f, any(random) - 0.5f, any(random) - 0.8f},
-                                         {any(random), any(random), any(random)},
-                                         true};
+        s->lights[i] = (struct zr_light){.direction = {any(random) - 0.5f, any(random) - 0.5f, any(random) - 0.8f},
+                                         .color = {any(random), any(random), any(random)},
+                                         .camera_frame = true};
 }
 
 /* CUT by the window, and twice, the second time in a mirror and smaller; or wholly in view and once, so that nothing is

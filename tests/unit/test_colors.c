@@ -47,7 +47,9 @@ static void make_look(struct subject *s)
                                  .light_count = light_counts[random_below(&numbers, 4)],
                                  .ambient = {0.1f, 0.2f, 0.0f}};
     for (uint32_t i = 0; i < s->scene.light_count; i++)
-        s->lights[i] = (struct zr_light){{any() - 0.5f, any() - 0.5f, any() - 0.4f}, {any(), any(), any()}, coin()};
+        s->lights[i] = (struct zr_light){.direction = {any() - 0.5f, any() - 0.5f, any() - 0.4f},
+                                         .color = {any(), any(), any()},
+                                         .camera_frame = coin()};
     for (int i = 0; i < MATERIALS; i++) {
         static const enum zr_shading shadings[] = {ZR_SHADING_UNLIT, ZR_SHADING_FLAT, ZR_SHADING_GOURAUD};
         s->materials[i] = (struct zr_material){.base_color = i == 0 ? white : (zr_vec4){any(), any(), any(), any()},

@@ -18,7 +18,7 @@ static void make_solid(zr_vec4 out[12])
 
 static void light(struct test_scene *test, enum zr_shading shading, bool double_sided)
 {
-    static const struct zr_light lamp = {{-0.5f, -0.25f, 0.75f}, {0.75f, 0.5f, 1}, false};
+    static const struct zr_light lamp = {.direction = {-0.5f, -0.25f, 0.75f}, .color = {0.75f, 0.5f, 1}};
     test->material.shading = shading;
     test->material.double_sided = double_sided;
     test->scene.lights = &lamp;
@@ -137,7 +137,7 @@ static void stretched_sphere_is_lit_by_the_normals_of_an_ellipsoid(void **state)
     (void)state;
     const zr_vec4 facet[3] = {{-0.25f, -0.5f, 0, 1}, {0.25f, -0.5f, 0, 1}, {0, 0.5f, 0, 1}};
     const zr_vec3 normals[3] = {{1, 0, 1}, {2, 0, 2}, {0.5f, 0, 0.5f}};
-    const struct zr_light headlight = {{0, 0, -1}, {1, 1, 1}, true};
+    const struct zr_light headlight = {.direction = {0, 0, -1}, .color = {1, 1, 1}, .camera_frame = true};
     static struct test_scene test;
     scene_of_triangles(&test, 33, 33, facet, 1);
     test.mesh.normals = normals;

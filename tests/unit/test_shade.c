@@ -109,7 +109,7 @@ static void lit_backs_are_shown_where_both_sides_are_drawn(void **state)
     (void)state;
     const zr_vec4 p[] = {{-1, -1, 0, 1}, {3, -1, 0, 1}, {-1, 3, 0, 1}};
     const zr_vec4 away[] = {{-1, -1, 0, 1}, {-1, 3, 0, 1}, {3, -1, 0, 1}};
-    const struct zr_light headlight = {{0, 0, -1}, {1, 1, 1}, true};
+    const struct zr_light headlight = {.direction = {0, 0, -1}, .color = {1, 1, 1}, .camera_frame = true};
     static struct test_scene test;
     struct zr_arena arena;
     zr_arena_init(&arena, 1 << 24);
