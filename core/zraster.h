@@ -100,6 +100,7 @@ struct zr_answer {
     const char *content_type;
     const void *bytes;
     size_t size;
+    const char *look;     /* that the scene has, pinned: "studio@1" */
     const char *warnings; /* one line of whole warnings; "; and 3 more" at its end where not all have room; "": none */
 };
 

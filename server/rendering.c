@@ -232,6 +232,7 @@ static enum zr_status run_steps(struct rendering *r, const struct zr_request *re
 static void answer_image(struct answer *answer, const struct zr_answer *result)
 {
     answer_copy(answer, result->content_type, result->bytes, result->size);
+    answer_header(answer, "Zraster-Look", "%s", result->look);
     if (result->warnings && *result->warnings) {
         char warnings[ZR_WARNINGS_SIZE];
         text_to_ascii(warnings, sizeof warnings, result->warnings);
