@@ -3,6 +3,7 @@
 #include <math.h>
 
 #include "look/ground.h"
+#include "look/maps.h"
 #include "look/picture.h"
 #include "look/shadow_map.h"
 #include "raster/tile.h"
@@ -34,9 +35,11 @@ struct zr_cost_passes zr_cost_passes_of(const struct zr_scene *scene, const stru
     passes.side = picture->side;
     passes.centres = wants_channels(view);
     if (!picture->is_linear) return passes;
-    const uint32_t shadows = bounds->valid ? shadow_count(scene) : 0, ground = bounds->valid && picture->has_ground;
+    const bool has_maps = zr_diagonal_of(bounds) > 0.0f;
+    const uint32_t shadows = has_maps ? shadow_count(scene) : 0, ground = has_maps && picture->has_ground;
     passes.centres += picture->occlusion.is_on;
     passes.maps = shadows + ground;
+    passes.lamp_maps = shadows;
     passes.map_texels = (double)shadows * ((double)ZR_SHADOW_SIDE * ZR_SHADOW_SIDE) +
                         (double)ground * ((double)ZR_GROUND_SIDE * ZR_GROUND_SIDE);
     passes.makes_normals = true;
@@ -128,8 +131,17 @@ double zr_cost_of_light(const struct zr_scene *scene, const struct zr_cost_passe
 
 /* ---- memory ---- */
 
-/* Bytes of a pixel or a sample. EDGE_BYTES: of a tile, whose sides are kept. */
-enum { WORD_BYTES = 4, SAMPLE_BYTES = 8, GBUFFER_BYTES = 28, OPENNESS_BYTES = 4, LINEAR_BYTES = 16, EDGE_BYTES = 7196 };
+/* Bytes of a pixel or a sample. EDGE_BYTES: of a tile, whose sides are kept. LAMP_MAP_BYTES: of a map, as it is drawn
+ * and with a border. */
+enum {
+    WORD_BYTES = 4,
+    SAMPLE_BYTES = 8,
+    GBUFFER_BYTES = 28,
+    OPENNESS_BYTES = 4,
+    LINEAR_BYTES = 16,
+    EDGE_BYTES = 7196,
+    LAMP_MAP_BYTES = 2 * WORD_BYTES * ZR_SHADOW_SIDE * ZR_SHADOW_SIDE
+};
 
 static double bytes_of_channels(const struct zr_view *view)
 {
@@ -156,7 +168,7 @@ double zr_cost_window_bytes(const struct zr_scene *scene, const struct zr_cost_p
     if (scene->algorithm != ZR_ALGORITHM_HALFSPACE) /* each of them has the whole window at once */
         sum += SAMPLE_BYTES * (pixels * (double)passes->centres + samples * (double)passes->samples);
     if (passes->samples == 0 || !picture->is_linear) return sum;
-    sum += pixels * LINEAR_BYTES + 2.0 * WORD_BYTES * passes->map_texels;
+    sum += pixels * LINEAR_BYTES + LAMP_MAP_BYTES * (double)passes->lamp_maps;
     if (picture->occlusion.is_on) sum += pixels * (GBUFFER_BYTES + OPENNESS_BYTES);
     if (picture->edges.is_on) sum += bytes_of_edges(pixels, samples);
     return sum;

@@ -15,6 +15,7 @@ struct zr_cost_passes {
     uint32_t samples; /* in one of `side` times the size: 0 or 1 */
     uint32_t side;
     uint32_t maps;      /* for shadows, of lamps and on the ground */
+    uint32_t lamp_maps; /* those of lamps */
     double map_texels;  /* of all of them */
     bool makes_normals; /* averages them over faces */
 };
