@@ -29,7 +29,8 @@ static inline struct sums sums_of(const uint32_t *samples, uint32_t side)
 /* Half up. */
 static inline uint8_t divided(uint32_t sum, uint32_t by)
 {
-    return by > 0 ? (uint8_t)((2 * sum + by) / (2 * by)) : 0;
+    if (by == 0) return 0;
+    return (uint8_t)((2 * sum + by) / (2 * by));
 }
 
 static inline uint32_t average(const uint32_t *samples, uint32_t side)
