@@ -20,7 +20,7 @@ static inline struct zr_vec3_v decode(struct kept *kept, struct zr_vec3_v c)
     if (is_same(c.x, kept->encoded.x) && is_same(c.y, kept->encoded.y) && is_same(c.z, kept->encoded.z))
         return kept->linear;
     kept->encoded = c;
-    kept->linear = (struct zr_vec3_v){zr_srgb_decode_v(c.x), zr_srgb_decode_v(c.y), zr_srgb_decode_v(c.z)};
+    kept->linear = zr_srgb_decode_color_v(c);
     return kept->linear;
 }
 
@@ -37,14 +37,12 @@ static inline struct zr_vec3_v exposed(const struct zr_look_lighting *lighting, 
 static inline struct zr_vec3_v normals_as_colors(struct zr_vec3_v n)
 {
     const zr_vf half = zr_vf_set(0.5f);
-    return (struct zr_vec3_v){zr_srgb_decode_v(n.x * half + half), zr_srgb_decode_v(n.y * half + half),
-                              zr_srgb_decode_v(n.z * half + half)};
+    return zr_srgb_decode_color_v((struct zr_vec3_v){n.x * half + half, n.y * half + half, n.z * half + half});
 }
 
 static inline struct zr_vec3_v cool_of(const struct zr_material *material)
 {
-    const struct zr_vec3_v cool = zr_spread_v(material->cool);
-    return (struct zr_vec3_v){zr_srgb_decode_v(cool.x), zr_srgb_decode_v(cool.y), zr_srgb_decode_v(cool.z)};
+    return zr_srgb_decode_color_v(zr_spread_v(material->cool));
 }
 
 /* Samples of one material. */
