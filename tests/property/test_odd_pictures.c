@@ -25,8 +25,8 @@ static const char *const bodies[] = {
     CUBE("0.999999", "1"),
     CUBE("0", "0"),
     "\"positions\":[[3,3,3],[3,3,3],[3,3,3]],\"faces\":[[0,1,2]]",
-    "\"positions\":[[0,0,0],[0,0,0],[1,0,0],[2,0,0],[0,1,0],[1e-30,0,0],[1,1e-20,0]],"
-    "\"faces\":[[0,1,2],[0,2,3],[0,0,0],[0,2,4],[0,5,6],[1,5,2]]",
+    ("\"positions\":[[0,0,0],[0,0,0],[1,0,0],[2,0,0],[0,1,0],[1e-30,0,0],[1,1e-20,0]],"
+     "\"faces\":[[0,1,2],[0,2,3],[0,0,0],[0,2,4],[0,5,6],[1,5,2]]"),
     "\"positions\":[[0,0,0],[1,0,0],[0,1,0],[0,0,1]],\"lines\":[[0,1],[0,2],[0,3],[0,0]]",
     "\"positions\":[[0,0,0,1],[1,0,0,0],[0,1,0,0],[0,0,1,-1]],\"faces\":[[0,1,2],[0,1,3]]",
     "\"heights\":[[0,1,0,3],[1,null,1,2],[0,1,0,1]]"};
@@ -77,7 +77,7 @@ static const uint8_t *draw(struct zr_arena *arena, struct zr_team *team, const c
     const struct zr_request request = {.format = ZR_FORMAT_JSON, .bytes = text, .size = strlen(text)};
     const struct zr_scene *scene;
     const struct zr_resolved_view *resolved = NULL;
-    const struct zr_frame *frame;
+    const struct zr_frame *frame = NULL;
     struct zr_error error = {.count = 0};
     enum zr_status status = zr_scene_read(arena, team, &request, &limits, &scene, &error);
     if (status == ZR_OK) status = zr_resolved_view_find(arena, team, scene, NULL, &resolved, &error);
