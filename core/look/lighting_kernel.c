@@ -20,6 +20,7 @@ static inline struct zr_vec3_v decode(struct kept *kept, struct zr_vec3_v c)
     if (is_same(c.x, kept->encoded.x) && is_same(c.y, kept->encoded.y) && is_same(c.z, kept->encoded.z))
         return kept->linear;
     kept->encoded = c;
+    if (ZR_MUTANT(colors_not_decoded, false, true)) return kept->linear = c;
     kept->linear = (struct zr_vec3_v){zr_srgb_decode_v(c.x), zr_srgb_decode_v(c.y), zr_srgb_decode_v(c.z)};
     return kept->linear;
 }

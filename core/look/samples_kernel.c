@@ -2,6 +2,7 @@
 
 #include <string.h>
 
+#include "base/mutant.h"
 #include "base/simd.h"
 #include "raster/tile.h"
 
@@ -20,7 +21,7 @@ static inline struct sums sums_of(const uint32_t *samples, uint32_t side)
             uint8_t bytes[4];
             memcpy(bytes, &samples[y * ZR_TILE_SIZE + x], sizeof bytes);
             for (int k = 0; k < 3; k++)
-                sums.of[k] += (uint32_t)bytes[k] * bytes[3];
+                sums.of[k] += (uint32_t)bytes[k] * ZR_MUTANT(samples_not_by_opacity, bytes[3], 1u);
             sums.of[3] += bytes[3];
         }
     return sums;
@@ -29,7 +30,7 @@ static inline struct sums sums_of(const uint32_t *samples, uint32_t side)
 /* Half up. */
 static inline uint8_t divided(uint32_t sum, uint32_t by)
 {
-    return by > 0 ? (uint8_t)((2 * sum + by) / (2 * by)) : 0;
+    return by > 0 ? (uint8_t)ZR_MUTANT(samples_rounded_down, (2 * sum + by) / (2 * by), sum / by) : 0;
 }
 
 static inline uint32_t average(const uint32_t *samples, uint32_t side)
@@ -38,7 +39,7 @@ static inline uint32_t average(const uint32_t *samples, uint32_t side)
     uint8_t bytes[4];
     uint32_t word;
     for (int k = 0; k < 3; k++)
-        bytes[k] = divided(sums.of[k], sums.of[3]);
+        bytes[k] = divided(sums.of[k], ZR_MUTANT(samples_not_by_opacity, sums.of[3], side * side));
     bytes[3] = divided(sums.of[3], side * side);
     memcpy(&word, bytes, sizeof word);
     return word;
