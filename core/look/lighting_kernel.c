@@ -20,8 +20,7 @@ static inline struct zr_vec3_v decode(struct kept *kept, struct zr_vec3_v c)
     if (is_same(c.x, kept->encoded.x) && is_same(c.y, kept->encoded.y) && is_same(c.z, kept->encoded.z))
         return kept->linear;
     kept->encoded = c;
-    if (ZR_MUTANT(colors_not_decoded, false, true)) return kept->linear = c;
-    kept->linear = (struct zr_vec3_v){zr_srgb_decode_v(c.x), zr_srgb_decode_v(c.y), zr_srgb_decode_v(c.z)};
+    kept->linear = ZR_MUTANT(colors_not_decoded, zr_srgb_decode_color_v(c), c);
     return kept->linear;
 }
 
@@ -38,14 +37,12 @@ static inline struct zr_vec3_v exposed(const struct zr_look_lighting *lighting, 
 static inline struct zr_vec3_v normals_as_colors(struct zr_vec3_v n)
 {
     const zr_vf half = zr_vf_set(0.5f);
-    return (struct zr_vec3_v){zr_srgb_decode_v(n.x * half + half), zr_srgb_decode_v(n.y * half + half),
-                              zr_srgb_decode_v(n.z * half + half)};
+    return zr_srgb_decode_color_v((struct zr_vec3_v){n.x * half + half, n.y * half + half, n.z * half + half});
 }
 
 static inline struct zr_vec3_v cool_of(const struct zr_material *material)
 {
-    const struct zr_vec3_v cool = zr_spread_v(material->cool);
-    return (struct zr_vec3_v){zr_srgb_decode_v(cool.x), zr_srgb_decode_v(cool.y), zr_srgb_decode_v(cool.z)};
+    return zr_srgb_decode_color_v(zr_spread_v(material->cool));
 }
 
 /* Samples of one material. */
@@ -58,8 +55,7 @@ static inline struct zr_vec3_v shade(const struct zr_look_lighting *lighting, co
     case ZR_SHADING_PHONG:
         return exposed(lighting, zr_surface_classic_v(lighting, material, s));
     case ZR_SHADING_PBR:
-        if (kept->columns.roughness != material->roughness)
-            zr_split_columns_make(&kept->columns, material->roughness);
+        if (kept->columns.roughness != material->roughness) zr_split_columns_make(&kept->columns, material->roughness);
         return exposed(lighting, zr_surface_pbr_v(lighting, material, &kept->columns, s));
     case ZR_SHADING_GOOCH:
         return zr_surface_gooch_v(cool_of(material), s);
@@ -99,7 +95,9 @@ void ZR_KERNEL(zr_look_light)(const struct zr_look_lighting *lighting, const str
     const zr_vf zero = zr_vf_set(0.0f), one = zr_vf_set(1.0f), none = zr_vf_set(-1.0f);
     struct kept kept = {.encoded = {none, none, none}, .linear = {zero, zero, zero}, .columns.roughness = -1.0f};
     for (size_t at = first; at < first + count; at += ZR_LANES) {
-        const zr_vm seen = zr_vi_lt(zr_vi_set(0), zr_vi_load(samples->owner + at));
+        /* What is behind the end was written by nobody: its materials may be none. */
+        const zr_vm within = zr_vm_first((uint32_t)(first + count - at));
+        const zr_vm seen = zr_vm_and(within, zr_vi_lt(zr_vi_set(0), zr_vi_load(samples->owner + at)));
         struct zr_vec3_v color = {zero, zero, zero};
         if (zr_vm_any(seen)) {
             struct zr_shading_v s = {.normal = three_of(samples->normal, at), .point = three_of(samples->point, at)};

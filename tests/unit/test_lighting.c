@@ -1,0 +1,326 @@
+/* The kernel that lights samples: every instruction set gives the same bytes, whatever stands beside a sample, and no
+ * input gives what is no colour. LIGHTING_SPEED=1 prints times. */
+#include <stdlib.h>
+#include <time.h>
+
+#include "lit_samples.h"
+#include "scene/looks.h"
+
+enum { MATERIALS = 24, LAMPS = 4 };
+
+static struct lit_samples samples, others;
+static struct zr_material materials[MATERIALS];
+static struct zr_lamp lamps[LAMPS];
+
+static void make_materials(struct random *r)
+{
+    for (int i = 0; i < MATERIALS; i++)
+        materials[i] = (struct zr_material){.shading = (enum zr_shading)(i % ZR_SHADING_COUNT),
+                                            .metallic = any(r, 0, 1),
+                                            .roughness = any(r, 0, 1),
+                                            .specular = any3(r, 0, 0.5),
+                                            .shininess = any(r, 0, 100),
+                                            .emissive = any3(r, 0, 0.1),
+                                            .cool = any3(r, 0, 1)};
+}
+
+static struct zr_look_lighting make_lighting(struct random *r)
+{
+    struct zr_look_lighting lighting = no_light(materials);
+    for (int i = 0; i < LAMPS; i++)
+        lamps[i] = (struct zr_lamp){.to_light = any_unit(r),
+                                    .color = any3(r, 0, 0.5),
+                                    .ground = any3(r, 0, 0.2),
+                                    .is_hemisphere = i % 2,
+                                    .lights_pbr = i != 2,
+                                    .lights_classic = i != 3};
+    lighting.ambient = any3(r, 0, 0.1);
+    lighting.lamps = lamps;
+    lighting.lamp_count = LAMPS;
+    lighting.has_environment = zr_environment_make(ZR_ENVIRONMENT_OUTDOOR, &lighting.environment);
+    lighting.tone = ZR_TONE_NEUTRAL;
+    return lighting;
+}
+
+/* Runs of one material and base colour, as pictures have them, and mixed ones; lines, and nobody, here and there. */
+static void make_samples(struct lit_samples *s, struct random *r)
+{
+    samples_clear(s);
+    for (size_t i = 0; i < SAMPLES; i++) {
+        const uint32_t kind = random_below(r, 16);
+        const bool goes_on = i > 0 && i / 512 % 2 && kind > 3 && s->owner[i - 1];
+        if (kind == 0) continue;
+        samples_set_any(s, r, i, goes_on ? s->material[i - 1] : random_below(r, MATERIALS));
+        if (goes_on) put3(s->g.base, i, get3(s->g.base, i - 1));
+        if (kind == 1) put3(s->g.normal, i, (zr_vec3){0, 0, 0});
+    }
+}
+
+/* ---- the same bytes ---- */
+
+static void assert_same_outs(const struct lit_samples *a, const struct lit_samples *b, size_t first, size_t count)
+{
+    for (int k = 0; k < 3; k++)
+        assert_memory_equal(a->out[k] + first, b->out[k] + first, count * sizeof a->out[k][0]);
+}
+
+static void every_instruction_set_gives_the_same_bytes(void **state)
+{
+    const enum zr_isa isa = isa_under_test(state);
+    for (uint64_t seed = 1; seed <= 8; seed++) {
+        struct random r = random_seeded(seed);
+        make_materials(&r);
+        make_samples(&samples, &r);
+        struct zr_look_lighting lighting = make_lighting(&r);
+        lighting.is_parallel = seed % 2;
+        lighting.to_eye = any_unit(&r);
+        others = samples; /* its planes are those of samples, its colours its own */
+        samples_light(&samples, ZR_ISA_SCALAR, &lighting, 0, SAMPLES);
+        samples_light(&others, isa, &lighting, 0, SAMPLES);
+        assert_same_outs(&samples, &others, 0, SAMPLES);
+    }
+}
+
+/* From anywhere, any count, and at most 15 more are written. */
+static void odd_counts_are_part_of_all(void **state)
+{
+    const enum zr_isa isa = isa_under_test(state);
+    struct random r = random_seeded(31);
+    make_materials(&r);
+    make_samples(&samples, &r);
+    const struct zr_look_lighting lighting = make_lighting(&r);
+    samples_light(&samples, ZR_ISA_SCALAR, &lighting, 0, SAMPLES);
+    for (int round = 0; round < 300; round++) {
+        const size_t first = random_below(&r, SAMPLES - 70), count = random_below(&r, 70);
+        float *const out[3] = {others.out[0], others.out[1], others.out[2]};
+        for (int k = 0; k < 3; k++)
+            for (int i = 0; i < ROOM; i++)
+                others.out[k][i] = -7.0f;
+        zr_look_light_of(isa)(&lighting, &samples.g, samples.open, first, count, out);
+        assert_same_outs(&samples, &others, first, count);
+        for (int k = 0; k < 3; k++)
+            for (size_t i = 0; i < ROOM; i++)
+                if (i < first || i >= first + count + (count > 0 ? 15 : 0)) assert_true(others.out[k][i] == -7.0f);
+    }
+}
+
+static void no_occlusion_is_all_open(void **state)
+{
+    const enum zr_isa isa = isa_under_test(state);
+    struct random r = random_seeded(32);
+    make_materials(&r);
+    make_samples(&samples, &r);
+    const struct zr_look_lighting lighting = make_lighting(&r);
+    float *const out[3] = {others.out[0], others.out[1], others.out[2]};
+    for (size_t i = 0; i < ROOM; i++)
+        samples.open[i] = 1.0f;
+    samples_light(&samples, isa, &lighting, 0, SAMPLES);
+    zr_look_light_of(isa)(&lighting, &samples.g, NULL, 0, SAMPLES, out);
+    assert_same_outs(&samples, &others, 0, SAMPLES);
+}
+
+/* ---- who is not lit ---- */
+
+static void assert_color(size_t at, d3 want)
+{
+    const d3 got = samples_color(&samples, at);
+    for (int k = 0; k < 3; k++)
+        if (!(fabs(got.v[k] - want.v[k]) < 1e-6)) fail_msg("sample %zu: %g, not %g", at, got.v[k], want.v[k]);
+}
+
+static d3 decoded(zr_vec3 c)
+{
+    return (d3){{reference_decode((double)c.x), reference_decode((double)c.y), reference_decode((double)c.z)}};
+}
+
+static void what_is_not_lit_is_as_given(void **state)
+{
+    const enum zr_isa isa = isa_under_test(state);
+    struct random r = random_seeded(33);
+    int lines = 0, nobodies = 0, unlit = 0, normals = 0;
+    make_materials(&r);
+    make_samples(&samples, &r);
+    struct zr_look_lighting lighting = make_lighting(&r);
+    lighting.exposure = 5.0f;
+    samples_light(&samples, isa, &lighting, 0, SAMPLES);
+    for (size_t i = 0; i < SAMPLES; i++) {
+        const zr_vec3 base = get3(samples.g.base, i), n = get3(samples.g.normal, i);
+        const enum zr_shading shading = materials[samples.material[i]].shading;
+        if (!samples.owner[i]) {
+            for (int k = 0; k < 3; k++)
+                assert_true(samples.out[k][i] == 0.0f);
+            nobodies++;
+        } else if (n.x == 0.0f && n.y == 0.0f && n.z == 0.0f) {
+            assert_color(i, decoded(base));
+            lines++;
+        } else if (shading == ZR_SHADING_UNLIT) {
+            assert_color(i, decoded(base));
+            unlit++;
+        } else if (shading == ZR_SHADING_NORMALS) {
+            assert_color(i, decoded((zr_vec3){0.5f + 0.5f * n.x, 0.5f + 0.5f * n.y, 0.5f + 0.5f * n.z}));
+            normals++;
+        }
+    }
+    assert_true(lines > 50 && nobodies > 50 && unlit > 50 && normals > 50);
+}
+
+/* ---- what may happen ---- */
+
+static float extreme(struct random *r)
+{
+    static const float values[] = {0.0f, -0.0f, 1e-45f, 1e-38f, 1e-20f, 1e-7f, 0.5f, 1.0f, -1.0f, -1e-30f};
+    return values[random_below(r, sizeof values / sizeof values[0])];
+}
+
+static zr_vec3 extreme3(struct random *r)
+{
+    zr_vec3 v = {extreme(r), extreme(r), extreme(r)};
+    return v;
+}
+
+/* Points at the eye and as far as there are any; normals that are not quite unit, or turn away; colours beyond 0..1. */
+static void make_extreme_samples(struct random *r)
+{
+    samples_clear(&samples);
+    for (size_t i = 0; i < SAMPLES; i++) {
+        const float far = i % 3 ? 1.0f : ZR_FAR_POINT;
+        const zr_vec3 normal = i % 2 ? extreme3(r) : any_unit(r), point = zr_vec3_scale(extreme3(r), far);
+        samples_set(&samples, i, random_below(r, MATERIALS), zr_vec3_scale(extreme3(r), i % 5 ? 1.0f : 1e30f), normal,
+                    point);
+        samples.open[i] = (float)(i % 2);
+    }
+}
+
+static float powers(struct random *r)
+{
+    return (float)pow(10.0, random_range(r, -12, 6));
+}
+
+/* Lights and exposure as strong as scenes may have them, and so weak that they are hardly there. */
+static struct zr_look_lighting make_extreme_lighting(struct random *r, uint32_t round)
+{
+    struct zr_look_lighting lighting = make_lighting(r);
+    for (int i = 0; i < MATERIALS; i++) {
+        materials[i].roughness = (float[]){0, 1e-20f, 1e-6f, 0.999999f, 1, 0.5f}[random_below(r, 6)];
+        materials[i].metallic = (float)random_below(r, 2);
+        materials[i].shininess = (float[]){0, 1e-6f, 1, 10000}[random_below(r, 4)];
+    }
+    for (int i = 0; i < LAMPS; i++)
+        lamps[i].color = zr_vec3_scale(lamps[i].color, powers(r));
+    lighting.environment_intensity = powers(r);
+    lighting.exposure = powers(r);
+    lighting.tone = (enum zr_tone)(round % ZR_TONE_COUNT);
+    return lighting;
+}
+
+static void all_input_gives_colors(void **state)
+{
+    const enum zr_isa isa = isa_under_test(state);
+    struct random r = random_seeded(34);
+    for (uint32_t round = 0; round < 60; round++) {
+        make_materials(&r);
+        make_extreme_samples(&r);
+        const struct zr_look_lighting lighting = make_extreme_lighting(&r, round);
+        samples_light(&samples, isa, &lighting, 0, SAMPLES);
+        for (size_t i = 0; i < SAMPLES; i++)
+            for (int k = 0; k < 3; k++)
+                if (!(samples.out[k][i] >= 0.0f && samples.out[k][i] <= 1.0f))
+                    fail_msg("sample %zu, shading %d: %g", i, (int)materials[samples.material[i]].shading,
+                             (double)samples.out[k][i]);
+        others = samples;
+        samples_light(&samples, ZR_ISA_SCALAR, &lighting, 0, SAMPLES);
+        assert_same_outs(&samples, &others, 0, SAMPLES);
+    }
+}
+
+/* Not black, as where a number had no value and was clamped. */
+static void strong_light_is_white(void **state)
+{
+    const enum zr_isa isa = isa_under_test(state);
+    struct random r = random_seeded(35);
+    for (int round = 0; round < 12; round++) {
+        make_materials(&r);
+        struct zr_look_lighting lighting = make_lighting(&r);
+        lighting.exposure = lighting.environment_intensity = 1e6f;
+        lighting.tone = (enum zr_tone)(round % ZR_TONE_COUNT);
+        lamps[0].color = lamps[1].color = lamps[2].color = (zr_vec3){1e6f, 1e6f, 1e6f};
+        make_extreme_samples(&r);
+        for (size_t i = 0; i < SAMPLES; i++) {
+            samples.material[i] = 2 * (uint32_t)i % MATERIALS; /* flat, phong, pbr, and what is not lit */
+            samples.open[i] = 1.0f;
+            put3(samples.g.base, i, (zr_vec3){0.9f, 0.9f, 0.9f});
+            put3(samples.g.normal, i, any_unit(&r));
+        }
+        samples_light(&samples, isa, &lighting, 0, SAMPLES);
+        for (size_t i = 0; i < SAMPLES; i++) {
+            const enum zr_shading shading = materials[samples.material[i]].shading;
+            if (shading == ZR_SHADING_PBR || shading == ZR_SHADING_FLAT || shading == ZR_SHADING_PHONG)
+                for (int k = 0; k < 3; k++)
+                    assert_true(samples.out[k][i] > 0.99f);
+        }
+    }
+}
+
+/* ---- speed ---- */
+
+static double seconds(void)
+{
+    struct timespec now;
+    clock_gettime(CLOCK_MONOTONIC, &now);
+    return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
+}
+
+static double best_time(enum zr_isa isa, const struct zr_look_lighting *lighting)
+{
+    double best = 1.0;
+    for (int round = 0; round < 400; round++) {
+        const double begin = seconds();
+        samples_light(&samples, isa, lighting, 0, SAMPLES);
+        best = fmin(best, seconds() - begin);
+    }
+    return 1e9 * best / SAMPLES;
+}
+
+/* One material and base colour, as in most pictures of one part. */
+static void make_part(const struct zr_material *material, struct random *r)
+{
+    materials[0] = *material;
+    samples_clear(&samples);
+    for (size_t i = 0; i < SAMPLES; i++) {
+        samples_set_any(&samples, r, i, 0);
+        put3(samples.g.base, i, (zr_vec3){material->base_color.x, material->base_color.y, material->base_color.z});
+    }
+}
+
+static void speed(void **state)
+{
+    const enum zr_isa isa = isa_under_test(state);
+    static const char *const names[] = {"studio", "technical", "metal", "outdoor"};
+    for (int i = 0; i < 4; i++) {
+        const struct zr_look *look = zr_look_find(names[i]);
+        const struct zr_lamp sun = {.to_light = {0, 0.6f, 0.8f}, .color = {1, 1, 1}, .lights_pbr = true};
+        struct random r = random_seeded(1);
+        make_part(&look->material, &r);
+        struct zr_look_lighting lighting = no_light(materials);
+        lighting.has_environment = zr_environment_make(look->picture.environment.name, &lighting.environment);
+        lighting.tone = look->picture.tone;
+        lighting.lamps = &sun;
+        lighting.lamp_count = i == 3;
+        print_message("%s, %s: %.2f ns a sample\n", zr_isa_name(isa), names[i], best_time(isa, &lighting));
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        TEST_EACH_ISA(every_instruction_set_gives_the_same_bytes),
+        TEST_EACH_ISA(odd_counts_are_part_of_all),
+        TEST_EACH_ISA(no_occlusion_is_all_open),
+        TEST_EACH_ISA(what_is_not_lit_is_as_given),
+        TEST_EACH_ISA(all_input_gives_colors),
+        TEST_EACH_ISA(strong_light_is_white),
+    };
+    const struct CMUnitTest timed[] = {TEST_EACH_ISA(speed)};
+    if (getenv("LIGHTING_SPEED")) return cmocka_run_group_tests_name("lighting, times", timed, NULL, NULL);
+    return cmocka_run_group_tests_name("lighting", tests, NULL, NULL);
+}
