@@ -71,6 +71,7 @@
     row(hemisphere_turned)          /* 24, the sky is below */                                                        \
     row(gooch_linear)               /* 24, no power of 1.5 */                                                         \
     row(bounces_once)               /* 25, what rough metals reflect more than once is lost */                        \
+    row(open_beyond_1)              /* 25, where nothing occludes, white gets 1.0001 of the light from all around */  \
     row(fresnel_of_4th_power)       /* 25, of lamps */                                                                \
     row(environment_not_blurred)    /* 26, as mirrors show it */                                                      \
     row(environment_not_turned)     /* 26, it goes with the camera */                                                 \
