@@ -66,7 +66,7 @@ static inline struct zr_vec3_v zr_environment_specular_v(const struct zr_environ
                                                          float alpha)
 {
     const float blur = 2.0f * alpha / (1.0f + 2.2f * alpha), diffuse = (alpha - 0.2f) / 0.6f;
-    const zr_vf square_blur = zr_vf_set(blur * blur), half = zr_vf_set(0.5f);
+    const zr_vf square_blur = zr_vf_set(ZR_MUTANT(environment_not_blurred, blur * blur, 0.0f)), half = zr_vf_set(0.5f);
     const zr_vf up = half + half * zr_blurred_sign_v(d.y, zr_vf_set(light->half_width * light->half_width) + square_blur);
     const struct zr_vec3_v sky = zr_spread_v(light->sky), ground = zr_spread_v(light->ground);
     struct zr_vec3_v sharp = {zr_mix_v(ground.x, sky.x, up), zr_mix_v(ground.y, sky.y, up),

@@ -20,7 +20,7 @@ static inline struct zr_vec3_v decode(struct kept *kept, struct zr_vec3_v c)
     if (is_same(c.x, kept->encoded.x) && is_same(c.y, kept->encoded.y) && is_same(c.z, kept->encoded.z))
         return kept->linear;
     kept->encoded = c;
-    kept->linear = zr_srgb_decode_color_v(c);
+    kept->linear = ZR_MUTANT(colors_not_decoded, zr_srgb_decode_color_v(c), c);
     return kept->linear;
 }
 

@@ -1,6 +1,7 @@
 /* The stages of a picture, from top to bottom: each STAGE of draw_light is one. */
 #include "look/picture.h"
 
+#include "base/mutant.h"
 #include "look/finish.h"
 #include "look/lamps.h"
 #include "look/maps.h"
@@ -31,7 +32,8 @@ static enum zr_status status_of(const struct drawing *d)
 /* The window at `side` times its size, and lines as wide as they are without. */
 static struct zr_pass_of pass_at(const struct drawing *d, uint32_t side, bool linear)
 {
-    const float width = d->scene->picture.line_width * (float)side;
+    const float wanted = d->scene->picture.line_width;
+    const float width = ZR_MUTANT(line_width_rounded_early, wanted, floorf(wanted + 0.5f)) * (float)side;
     const int32_t line_width = width > 1.0f ? (int32_t)(width + 0.5f) : 1;
     return (struct zr_pass_of){.scene = d->scene,
                                .camera = &d->frame->camera,

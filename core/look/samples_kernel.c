@@ -2,6 +2,7 @@
 
 #include <string.h>
 
+#include "base/mutant.h"
 #include "base/simd.h"
 #include "raster/tile.h"
 
@@ -20,7 +21,7 @@ static inline struct sums sums_of(const uint32_t *samples, uint32_t side)
             uint8_t bytes[4];
             memcpy(bytes, &samples[y * ZR_TILE_SIZE + x], sizeof bytes);
             for (int k = 0; k < 3; k++)
-                sums.of[k] += (uint32_t)bytes[k] * bytes[3];
+                sums.of[k] += (uint32_t)bytes[k] * ZR_MUTANT(samples_not_by_opacity, bytes[3], 1u);
             sums.of[3] += bytes[3];
         }
     return sums;
@@ -30,7 +31,7 @@ static inline struct sums sums_of(const uint32_t *samples, uint32_t side)
 static inline uint8_t divided(uint32_t sum, uint32_t by)
 {
     if (by == 0) return 0;
-    return (uint8_t)((2 * sum + by) / (2 * by));
+    return (uint8_t)ZR_MUTANT(samples_rounded_down, (2 * sum + by) / (2 * by), sum / by);
 }
 
 static inline uint32_t average(const uint32_t *samples, uint32_t side)
@@ -39,7 +40,7 @@ static inline uint32_t average(const uint32_t *samples, uint32_t side)
     uint8_t bytes[4];
     uint32_t word;
     for (int k = 0; k < 3; k++)
-        bytes[k] = divided(sums.of[k], sums.of[3]);
+        bytes[k] = divided(sums.of[k], ZR_MUTANT(samples_not_by_opacity, sums.of[3], side * side));
     bytes[3] = divided(sums.of[3], side * side);
     memcpy(&word, bytes, sizeof word);
     return word;
@@ -78,7 +79,8 @@ static inline void sum_columns(const uint32_t *samples, uint32_t side, uint32_t 
  * 512x512, one by one. */
 static inline void opaque_bytes(const uint32_t *samples, uint32_t side, uint32_t pixels, uint32_t *out)
 {
-    const uint32_t shift = 2 * (uint32_t)zr_lowest_bit(side), half = (side * side / 2) * 0x00010001u;
+    const uint32_t shift = 2 * (uint32_t)zr_lowest_bit(side);
+    const uint32_t half = ZR_MUTANT(samples_rounded_down, side * side / 2, 0u) * 0x00010001u;
     struct columns columns;
     sum_columns(samples, side, pixels * side, &columns);
     for (uint32_t i = 0; i < pixels; i++) {
