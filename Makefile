@@ -126,6 +126,12 @@ demo: ## installs what is missing, builds, renders two scenes into build/demo/
 	@$(MAKE) -s -j$(JOBS) all
 	@clients/demo.sh $(BUILD)
 
+.PHONY: gallery
+gallery: ## a picture of each feature beside its scene: build/gallery/index.html
+	@.ci/need $(NEED_BUILD)
+	@$(MAKE) -s -j$(JOBS) all
+	@clients/gallery/gallery.sh $(BUILD)
+
 .PHONY: test
 test: ## installs what tests need and runs every test
 	@.ci/need $(NEED_BUILD) $(NEED_TEST)
