@@ -9,6 +9,7 @@
 #include "output/npy.h"
 #include "output/png.h"
 #include "output/zip.h"
+#include "scene/looks.h"
 #include "scene/scene.h"
 #include "shade/frame.h"
 
@@ -135,6 +136,14 @@ static enum zr_status encode_all(struct encoding *e, struct zr_zip_entry *entrie
     return ZR_OK;
 }
 
+static const char *pin_look(const struct encoding *e)
+{
+    struct zr_look_pin *pin = zr_arena_alloc(e->arena, 1, sizeof *pin);
+    if (!pin) return NULL;
+    *pin = zr_look_pin_of(e->scene->look);
+    return pin->text;
+}
+
 static enum zr_status make_answer(struct encoding *e, struct zr_answer *answer)
 {
     const struct zr_view *view = &e->scene->views[0];
@@ -142,14 +151,15 @@ static enum zr_status make_answer(struct encoding *e, struct zr_answer *answer)
     if (!entries) return ZR_NO_MEMORY;
     enum zr_status status = encode_all(e, entries);
     if (status != ZR_OK) return status;
-    const char *warnings = zr_warnings_join(e->arena, &e->warnings);
+    const char *warnings = zr_warnings_join(e->arena, &e->warnings), *look = pin_look(e);
     if (view->output_count == 1) {
         const struct zr_output *output = &view->outputs[0];
-        *answer = (struct zr_answer){FILE_TYPES[output->encoding].type, entries[0].bytes, entries[0].size, warnings};
+        *answer =
+            (struct zr_answer){FILE_TYPES[output->encoding].type, entries[0].bytes, entries[0].size, look, warnings};
     } else {
         struct zr_buffer out = {.arena = e->arena};
         status = zr_zip_write(entries, view->output_count, &out);
-        *answer = (struct zr_answer){"application/zip", out.bytes, out.size, warnings};
+        *answer = (struct zr_answer){"application/zip", out.bytes, out.size, look, warnings};
     }
     return status == ZR_OK && !zr_arena_ok(e->arena) ? ZR_NO_MEMORY : status;
 }

@@ -90,8 +90,10 @@ struct zr_cost {
     double triangles;                        /* and what takes as long: points without faces, visits of tiles */
     double fragments;                        /* pixels of all triangles, hidden ones too; those of lines take longer */
     double shape_triangles, shape_fragments; /* of faces that are not convex: their cuts and visits, their pixels */
+    double samples;                          /* of pictures of several or in linear light, lit ones counted manifold */
     double pixels;                           /* of all outputs */
     double png_pixels; /* of those that become PNGs; times what it takes longer where they are to be small */
+    double window_bytes; /* memory of whole windows that rendering has at once: it takes more, but no less */
 };
 
 enum { ZR_WARNINGS_SIZE = 2048 }; /* of a line of warnings and the zero behind it: a header that proxies let pass */
@@ -100,6 +102,7 @@ struct zr_answer {
     const char *content_type;
     const void *bytes;
     size_t size;
+    const char *look;     /* that the scene has, pinned: "studio@1" */
     const char *warnings; /* one line of whole warnings; "; and 3 more" at its end where not all have room; "": none */
 };
 

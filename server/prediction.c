@@ -10,7 +10,8 @@
  * enough to tell a second from a minute. */
 static const double INITIAL_NS[PREDICTION_KINDS] = {
     [PREDICTION_TRIANGLE] = 150.0,     [PREDICTION_FRAGMENT] = 0.6, [PREDICTION_SHAPE_TRIANGLE] = 150.0,
-    [PREDICTION_SHAPE_FRAGMENT] = 0.6, [PREDICTION_PIXEL] = 1.0,    [PREDICTION_PNG_PIXEL] = 8.0};
+    [PREDICTION_SHAPE_FRAGMENT] = 0.6, [PREDICTION_SAMPLE] = 8.0,   [PREDICTION_PIXEL] = 1.0,
+    [PREDICTION_PNG_PIXEL] = 8.0};
 
 /* INITIAL_WEIGHT: the figures above count as a quarter of a request. WEIGHT_MAX: a new request
  * always counts for an eighth, so that what is known keeps up with the machine. */
@@ -48,6 +49,7 @@ static struct units rendered(const struct zr_cost *cost)
                            [PREDICTION_FRAGMENT] = cost->fragments,
                            [PREDICTION_SHAPE_TRIANGLE] = cost->shape_triangles,
                            [PREDICTION_SHAPE_FRAGMENT] = cost->shape_fragments,
+                           [PREDICTION_SAMPLE] = cost->samples,
                            [PREDICTION_PIXEL] = cost->pixels}};
 }
 

@@ -23,6 +23,7 @@ enum prediction_kind {
     PREDICTION_FRAGMENT,
     PREDICTION_SHAPE_TRIANGLE, /* meshes, which are drawn many triangles at once, teach nothing about shapes */
     PREDICTION_SHAPE_FRAGMENT,
+    PREDICTION_SAMPLE,
     PREDICTION_PIXEL,
     PREDICTION_PNG_PIXEL,
     PREDICTION_KINDS

@@ -180,6 +180,14 @@ static enum zr_status read_stored(void *context, const char *sha256, struct zr_a
 
 /* ---- steps ---- */
 
+/* What windows take can be told before anything is drawn, and what is refused so has taken no time. */
+static bool has_memory(const struct rendering *r, const struct zr_cost *cost)
+{
+    struct zr_arena *arena = r->arena;
+    if (cost->window_bytes <= (double)(arena->ceiling - arena->used)) return true;
+    return zr_arena_charge(arena, cost->window_bytes < 1e18 ? (size_t)cost->window_bytes + 1 : SIZE_MAX);
+}
+
 /* A sample may mislead: before a scene is refused, all of it is measured. Where looking for the view was cancelled,
  * what is large has yet to be told from what is not, and pixels and triangles can be counted without. */
 static enum zr_status predict(struct rendering *r, const struct zr_scene *scene,
@@ -193,15 +201,16 @@ static enum zr_status predict(struct rendering *r, const struct zr_scene *scene,
         *cost = zr_scene_cost(scene, *resolved, samples[i], r->cancel);
         r->times->predicted_ms = prediction_ms(service->prediction, cost);
         if (too_large(r, r->times->predicted_ms > SMALL_MS)) return ZR_CANCELLED;
+        if (!has_memory(r, cost)) return ZR_NO_MEMORY;
         if (r->times->predicted_ms <= (double)service->config->cost_max_ms) return status;
     }
     prediction_refused(service->prediction, cost);
-    return zr_error_add(
-        error, ZR_BAD_SCENE, NULL,
-        "work like that of %.0f triangles and %.3g pixels is predicted to take %.3g s, more than costMaxMs, %" PRIu64
-        " ms",
-        cost->triangles + cost->shape_triangles, cost->fragments + cost->shape_fragments, r->times->predicted_ms * 1e-3,
-        service->config->cost_max_ms);
+    return zr_error_add(error, ZR_BAD_SCENE, NULL,
+                        "work like that of %.0f triangles, %.3g pixels and %.3g samples is predicted to take %.3g s, "
+                        "more than costMaxMs, "
+                        "%" PRIu64 " ms",
+                        cost->triangles + cost->shape_triangles, cost->fragments + cost->shape_fragments, cost->samples,
+                        r->times->predicted_ms * 1e-3, service->config->cost_max_ms);
 }
 
 static enum zr_status run_steps(struct rendering *r, const struct zr_request *request, struct zr_answer *result,
@@ -232,6 +241,7 @@ static enum zr_status run_steps(struct rendering *r, const struct zr_request *re
 static void answer_image(struct answer *answer, const struct zr_answer *result)
 {
     answer_copy(answer, result->content_type, result->bytes, result->size);
+    answer_header(answer, "Zraster-Look", "%s", result->look);
     if (result->warnings && *result->warnings) {
         char warnings[ZR_WARNINGS_SIZE];
         text_to_ascii(warnings, sizeof warnings, result->warnings);

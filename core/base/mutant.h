@@ -62,6 +62,20 @@
     row(positions_of_the_camera)    /* channels: whatever space is asked for */                                       \
     row(shares_of_turned_corners)   /* channels: the two that rule 6 exchanges are not changed back */                \
     row(instances_from_0)           /* channels: the first one has the number of nobody */                            \
+    row(samples_rounded_down)       /* samples, not half up */                                                        \
+    row(samples_not_by_opacity)     /* samples: what is hardly there counts as much */                                \
+    row(wide_lines_off_middle)      /* 12, their first side is as far from the middle as that of a line of width 1 */ \
+    row(line_width_rounded_early)   /* 22, before it is made as much larger as the window */                          \
+    row(colors_not_decoded)         /* 23, what is lit is not linear */                                               \
+    row(gradient_turned)            /* 23, backgrounds */                                                             \
+    row(hemisphere_turned)          /* 24, the sky is below */                                                        \
+    row(gooch_linear)               /* 24, no power of 1.5 */                                                         \
+    row(bounces_once)               /* 25, what rough metals reflect more than once is lost */                        \
+    row(open_beyond_1)              /* 25, where nothing occludes, white gets 1.0001 of the light from all around */  \
+    row(fresnel_of_4th_power)       /* 25, of lamps */                                                                \
+    row(environment_not_blurred)    /* 26, as mirrors show it */                                                      \
+    row(environment_not_turned)     /* 26, it goes with the camera */                                                 \
+    row(tone_keeps_hue)             /* 27, what is too bright does not fade to white */                               \
     row(upside_down)                /* the picture */
 /* clang-format on */
 

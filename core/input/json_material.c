@@ -44,7 +44,7 @@ enum { NAME, BASE_COLOR, SPECULAR, SHININESS, METALLIC, ROUGHNESS, EMISSIVE, COO
 #define AT(member) offsetof(struct zr_given_material, member)
 static const struct zr_json_field fields[] = {
     [NAME] = {"name", zr_json_string, AT(name), .required = true, .text = "it is asked for by its name"},
-    [BASE_COLOR] = {"baseColorFactor", zr_json_color, AT(base_color), .otherwise = "white",
+    [BASE_COLOR] = {"baseColorFactor", zr_json_color, AT(base_color), .otherwise = "the look's; white",
                     .text = "multiplies the colours of what is drawn"},
     [SPECULAR] = {"specular", zr_json_color, AT(specular), .otherwise = "the look's; black",
                   .text = "the colour of highlights"},
@@ -164,10 +164,11 @@ uint32_t zr_given_make_material(struct zr_given_scene *root, const struct zr_sty
     const struct zr_given_material none = {
         .name = "", .base_color = zr_default_base_color(look, coloured), .face_style = zr_face_style_unset};
     const struct zr_given_material *given = has_given ? &root->materials[style->material] : &none;
+    const bool has_color = zr_json_gives(given->keys, BASE_COLOR) || (has_given && look == zr_look_textbook);
     struct zr_face_style faces = zr_face_style_merge(&style->face_style, &given->face_style);
     faces = zr_face_style_merge(&faces, &root->face_style);
     if (faces.double_sided == ZR_UNSET) faces.double_sided = style->is_open;
-    struct zr_material material = zr_face_style_material(&faces, look, given->base_color, smooth);
+    struct zr_material material = zr_face_style_material(&faces, look, has_color ? given->base_color : none.base_color, smooth);
     put_values(given, &material);
     zr_given_note_alpha(root, &material.outline_color, 1);
     if (faces.shading >= ZR_SHADING_PBR && !root->linear_key) root->linear_key = "shading";

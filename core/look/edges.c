@@ -179,8 +179,10 @@ const float *zr_edges_finish(struct zr_edge_marks *marks, struct zr_arena *arena
                              const struct zr_cancel *cancel)
 {
     static zr_edge_pairs_fn *const kernels[ZR_ISA_COUNT] = ZR_KERNELS(zr_edge_pairs);
-    float *opacity = zr_arena_alloc(arena, (size_t)marks->width * marks->height, sizeof *opacity);
+    const size_t pixels = (size_t)marks->width * marks->height;
+    float *opacity = zr_arena_alloc(arena, pixels + ZR_EDGE_ROOM, sizeof *opacity);
     if (!opacity) return NULL;
+    memset(opacity + pixels, 0, ZR_EDGE_ROOM * sizeof *opacity);
     struct join join = {marks, kernels[zr_team_isa(team)], cancel};
     zr_team_ranges(team, zr_tile_count(marks->columns, marks->rows), marks->words, join_tiles, &join);
     if (!zr_edge_specks_drop(marks, arena, team, cancel) || !zr_edge_width_cover(marks, arena, team, cancel, opacity))

@@ -34,6 +34,9 @@ void zr_edges_mark_tile(struct zr_edge_marks *marks, enum zr_isa isa, uint32_t n
 /* A tile in which nobody is seen. */
 void zr_edges_mark_empty(struct zr_edge_marks *marks, uint32_t number);
 
+/* What is behind the last pixel's opacity: 0, for vectors that are loaded whole. */
+enum { ZR_EDGE_ROOM = 15 };
+
 /* When each tile was marked, once: compares tiles' sides, drops specks, widens. Of each pixel the opacity of ink, 0..1:
  * (share of samples that are within width / 2 of a silhouette, or else 0.85 of those of a crease); row 0 is the lowest,
  * rows of `width`. NULL where the arena has failed; cancelled, it returns early. */

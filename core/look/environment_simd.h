@@ -2,7 +2,6 @@
 #ifndef ZR_ENVIRONMENT_SIMD_H
 #define ZR_ENVIRONMENT_SIMD_H
 
-#include "base/rsqrt_simd.h"
 #include "look/environment.h"
 #include "look/tone_simd.h"
 #include "shade/model.h"
@@ -10,7 +9,7 @@
 /* x / sqrt(x^2 + w^2): -1 .. 1. */
 static inline zr_vf zr_blurred_sign_v(zr_vf x, zr_vf square_w)
 {
-    return x * zr_rsqrt_v(x * x + square_w);
+    return x / zr_vf_sqrt(x * x + square_w);
 }
 
 static inline struct zr_vec3_v zr_add_scaled_v(struct zr_vec3_v sum, zr_vec3 color, zr_vf share)
@@ -19,15 +18,26 @@ static inline struct zr_vec3_v zr_add_scaled_v(struct zr_vec3_v sum, zr_vec3 col
                               sum.z + zr_vf_set(color.z) * share};
 }
 
+/* p / sqrt(p^2 + w^2) - q / sqrt(q^2 + w^2), as a fraction. */
+struct zr_fraction_v {
+    zr_vf above, below;
+};
+
+static inline struct zr_fraction_v zr_between_v(zr_vf x, float half, zr_vf square_w)
+{
+    const zr_vf p = x + zr_vf_set(half), q = x - zr_vf_set(half);
+    const zr_vf p_root = zr_vf_sqrt(p * p + square_w), q_root = zr_vf_sqrt(q * q + square_w);
+    return (struct zr_fraction_v){p * q_root - q * p_root, p_root * q_root};
+}
+
+/* The three factors have one quotient together. */
 static inline zr_vf zr_box_share_v(const struct zr_environment_box *box, struct zr_vec3_v d, zr_vf square_blur)
 {
-    const zr_vf half = zr_vf_set(0.5f), a = zr_vf_set(box->a), h = zr_vf_set(box->h);
     const zr_vf square_w = square_blur + zr_vf_set(box->w0 * box->w0);
-    const zr_vf u = zr_dot_v(d, zr_spread_v(box->across)), v = zr_dot_v(d, zr_spread_v(box->along));
-    const zr_vf across = zr_blurred_sign_v(u + a, square_w) - zr_blurred_sign_v(u - a, square_w);
-    const zr_vf along = zr_blurred_sign_v(v + h, square_w) - zr_blurred_sign_v(v - h, square_w);
-    const zr_vf front = half + half * zr_blurred_sign_v(zr_dot_v(d, zr_spread_v(box->middle)), square_w);
-    return half * across * (half * along) * front;
+    const struct zr_fraction_v u = zr_between_v(zr_dot_v(d, zr_spread_v(box->across)), box->a, square_w);
+    const struct zr_fraction_v v = zr_between_v(zr_dot_v(d, zr_spread_v(box->along)), box->h, square_w);
+    const zr_vf m = zr_dot_v(d, zr_spread_v(box->middle)), m_root = zr_vf_sqrt(m * m + square_w);
+    return (zr_vf_set(0.125f) * u.above) * v.above * (m_root + m) / (u.below * v.below * m_root);
 }
 
 /* w0^2 / w^2 / (1 + 2 (1 - d.m) / w^2)^2, with one quotient. */
@@ -56,7 +66,7 @@ static inline struct zr_vec3_v zr_environment_specular_v(const struct zr_environ
                                                          float alpha)
 {
     const float blur = 2.0f * alpha / (1.0f + 2.2f * alpha), diffuse = (alpha - 0.2f) / 0.6f;
-    const zr_vf square_blur = zr_vf_set(blur * blur), half = zr_vf_set(0.5f);
+    const zr_vf square_blur = zr_vf_set(ZR_MUTANT(environment_not_blurred, blur * blur, 0.0f)), half = zr_vf_set(0.5f);
     const zr_vf up = half + half * zr_blurred_sign_v(d.y, zr_vf_set(light->half_width * light->half_width) + square_blur);
     const struct zr_vec3_v sky = zr_spread_v(light->sky), ground = zr_spread_v(light->ground);
     struct zr_vec3_v sharp = {zr_mix_v(ground.x, sky.x, up), zr_mix_v(ground.y, sky.y, up),

@@ -1,5 +1,7 @@
 #include "look/finish.h"
 
+#include "base/mutant.h"
+
 enum { ROWS_A_RANGE = 8 };
 
 static zr_finish_row_fn *finish_row_of(enum zr_isa isa)
@@ -26,7 +28,8 @@ static void background_of(const struct rows *rows, uint32_t y, float out[4])
 {
     const struct zr_scene *scene = rows->of->scene;
     const uint32_t height = rows->of->light->height;
-    const float up = height > 1 ? (float)y / (float)(height - 1) : 1.0f;
+    const float rise = height > 1 ? (float)y / (float)(height - 1) : 1.0f;
+    const float up = ZR_MUTANT(gradient_turned, rise, 1.0f - rise);
     for (int k = 0; k < 3; k++)
         out[k] = rows->bottom[k] + (rows->top[k] - rows->bottom[k]) * up;
     out[3] = scene->picture.has_gradient ? 1.0f : scene->background.w;

@@ -24,7 +24,7 @@ struct zr_finishing {
 void zr_finish_picture(struct zr_team *team, const struct zr_finishing *finishing, const struct zr_cancel *cancel);
 
 /* One row. `background`: linear red, green and blue, and opacity; `share`: the ground's T of each pixel, or NULL; `ink`
- * opacities, or NULL, in linear `ink_color`. A kernel. */
+ * opacities, or NULL, in linear `ink_color`. Of all arrays up to 15 more values are looked at. A kernel. */
 struct zr_finish_row {
     const float *color[3], *cover, *share, *ink;
     float background[4], ink_color[3];

@@ -23,7 +23,7 @@ static inline struct zr_vec3_v decode(struct kept *kept, struct zr_vec3_v c)
     if (is_same(c.x, kept->encoded.x) && is_same(c.y, kept->encoded.y) && is_same(c.z, kept->encoded.z))
         return kept->linear;
     kept->encoded = c;
-    kept->linear = (struct zr_vec3_v){zr_srgb_decode_v(c.x), zr_srgb_decode_v(c.y), zr_srgb_decode_v(c.z)};
+    kept->linear = ZR_MUTANT(colors_not_decoded, zr_srgb_decode_color_v(c), c);
     return kept->linear;
 }
 
@@ -40,16 +40,14 @@ static inline struct zr_vec3_v exposed(const struct zr_look_lighting *lighting, 
 static inline struct zr_vec3_v normals_as_colors(struct zr_vec3_v n)
 {
     const zr_vf half = zr_vf_set(0.5f);
-    return (struct zr_vec3_v){zr_srgb_decode_v(n.x * half + half), zr_srgb_decode_v(n.y * half + half),
-                              zr_srgb_decode_v(n.z * half + half)};
+    return zr_srgb_decode_color_v((struct zr_vec3_v){n.x * half + half, n.y * half + half, n.z * half + half});
 }
 
 static inline struct zr_vec3_v cool_of(struct kept *kept, const struct zr_material *material)
 {
     if (kept->cool_of == material) return kept->cool;
-    const struct zr_vec3_v cool = zr_spread_v(material->cool);
     kept->cool_of = material;
-    kept->cool = (struct zr_vec3_v){zr_srgb_decode_v(cool.x), zr_srgb_decode_v(cool.y), zr_srgb_decode_v(cool.z)};
+    kept->cool = zr_srgb_decode_color_v(zr_spread_v(material->cool));
     return kept->cool;
 }
 
@@ -119,7 +117,9 @@ void ZR_KERNEL(zr_look_light)(const struct zr_look_lighting *lighting, const str
     for (int32_t y = 0; y < samples->height; y++) {
         const size_t begin = (size_t)(y * samples->stride), end = begin + (size_t)samples->width;
         for (size_t at = begin; at < end; at += ZR_LANES) {
-            const zr_vm seen = zr_vi_lt(zr_vi_set(0), zr_vi_load(samples->owner + at));
+            /* What is behind the end was written by nobody: its materials may be none. */
+            const zr_vm within = zr_vm_first((uint32_t)(end - at));
+            const zr_vm seen = zr_vm_and(within, zr_vi_lt(zr_vi_set(0), zr_vi_load(samples->owner + at)));
             struct zr_vec3_v color = {zero, zero, zero};
             if (zr_vm_any(seen)) color = colors_of(lighting, &kept, samples, occlusion, at, seen);
             zr_vf_store(out[0] + at, color.x);

@@ -1,6 +1,7 @@
 /* The stages of a picture, from top to bottom: each STAGE of draw_light is one. */
 #include "look/picture.h"
 
+#include "base/mutant.h"
 #include "look/finish.h"
 #include "look/lamps.h"
 #include "look/maps.h"
@@ -31,7 +32,8 @@ static enum zr_status status_of(const struct drawing *d)
 /* The window at `side` times its size, and lines as wide as they are without. */
 static struct zr_pass_of pass_at(const struct drawing *d, uint32_t side, bool linear)
 {
-    const float width = d->scene->picture.line_width * (float)side;
+    const float wanted = d->scene->picture.line_width;
+    const float width = ZR_MUTANT(line_width_rounded_early, wanted, floorf(wanted + 0.5f)) * (float)side;
     const int32_t line_width = width > 1.0f ? (int32_t)(width + 0.5f) : 1;
     return (struct zr_pass_of){.scene = d->scene,
                                .camera = &d->frame->camera,
@@ -73,7 +75,7 @@ static float *floats(const struct drawing *d, size_t count)
     return zr_arena_alloc(d->arena, count, sizeof(float));
 }
 
-/* Rows have room for whole blocks of tiles. */
+/* Of points and normals. Rows have room for whole blocks of tiles. */
 static enum zr_status make_gbuffer(const struct drawing *d, struct zr_gbuffer *out)
 {
     const size_t stride = ((size_t)d->frame->width + 15) / 16 * 16;
@@ -81,10 +83,8 @@ static enum zr_status make_gbuffer(const struct drawing *d, struct zr_gbuffer *o
     *out = (struct zr_gbuffer){.width = (int32_t)d->frame->width,
                                .height = (int32_t)d->frame->height,
                                .stride = (ptrdiff_t)stride,
-                               .owner = zr_arena_alloc(d->arena, count, sizeof *out->owner),
-                               .material = zr_arena_alloc(d->arena, count, sizeof *out->material)};
+                               .owner = zr_arena_alloc(d->arena, count, sizeof *out->owner)};
     for (int k = 0; k < 3; k++) {
-        out->base[k] = floats(d, count);
         out->normal[k] = floats(d, count);
         out->point[k] = floats(d, count);
     }
@@ -107,9 +107,7 @@ static void draw_gbuffer_range(void *context, size_t begin, size_t end)
         const ptrdiff_t at = tile.y * g->out->stride + tile.x;
         struct zr_gbuffer to = *g->out;
         to.owner += at;
-        to.material += at;
         for (int k = 0; k < 3; k++) {
-            to.base[k] += at;
             to.normal[k] += at;
             to.point[k] += at;
         }

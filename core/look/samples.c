@@ -54,7 +54,8 @@ static void average_bytes(struct drawing *d, struct zr_tile *tile, uint32_t *wor
     for (uint32_t y = 0; y < place.height; y++) {
         const size_t row = d->frame->height - 1 - (place.y + y);
         uint32_t *out = (uint32_t *)(void *)d->frame->color + row * d->frame->width + place.x;
-        d->averages->bytes(words + (size_t)y * d->side * ZR_TILE_SIZE, d->side, place.width, out);
+        d->averages->bytes(words + (size_t)y * d->side * ZR_TILE_SIZE, d->side, place.width,
+                           d->pass->tiles.scene->background.w >= 1.0f, out);
     }
 }
 

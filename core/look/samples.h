@@ -41,8 +41,8 @@ enum zr_status zr_samples_of_light(struct zr_team *team, const struct zr_pass *p
 
 /* Averages of a tile's samples. A kernel. */
 struct zr_averages {
-    /* `pixels` pixels of a row: samples have rows of ZR_TILE_SIZE words. */
-    void (*bytes)(const uint32_t *samples, uint32_t side, uint32_t pixels, uint32_t *out);
+    /* `pixels` pixels of a row: samples have rows of ZR_TILE_SIZE words. is_opaque: all of them are. */
+    void (*bytes)(const uint32_t *samples, uint32_t side, uint32_t pixels, bool is_opaque, uint32_t *out);
 
     /* Of samples in rows of ZR_TILE_STRIDE, row by row in one order. */
     void (*light)(const float *const color[3], const uint32_t *owner, uint32_t side, uint32_t pixels,

@@ -50,7 +50,8 @@ static inline struct zr_vec3_v zr_surface_gooch_v(struct zr_vec3_v cool, const s
     const zr_vec3 to_lamp = zr_vec3_normalize((zr_vec3){-0.45f, 0.65f, 0.61f});
     const zr_vf half = zr_vf_set(0.5f);
     const zr_vf facing = zr_clamp01_v(half + half * zr_dot_v(s->normal, zr_spread_v(to_lamp)));
-    const struct zr_vec3_v color = zr_mix3_v(cool, s->base, facing * zr_vf_sqrt(facing));
+    const zr_vf share = ZR_MUTANT(gooch_linear, facing * zr_vf_sqrt(facing), facing);
+    const struct zr_vec3_v color = zr_mix3_v(cool, s->base, share);
     return zr_scale_v(color, zr_vf_set(0.35f) + zr_vf_set(0.65f) * s->open);
 }
 

@@ -78,7 +78,7 @@ static inline zr_vf zr_pbr_around_v(zr_vf f0, zr_vf diffuse, zr_vf a, zr_vf b, z
 {
     const zr_vf one = zr_vf_set(1.0f), single = f0 * a + b, lost = one - a - b;
     const zr_vf average = f0 + (one - f0) * zr_vf_set(1.0f / 21.0f);
-    const zr_vf several = single * average / (one - lost * average) * lost;
+    const zr_vf several = ZR_MUTANT(bounces_once, single * average / (one - lost * average) * lost, zr_vf_set(0.0f));
     return single * mirrored + (several + diffuse * (one - single - several)) * around;
 }
 
@@ -89,6 +89,7 @@ struct zr_around_v {
 static inline struct zr_vec3_v zr_to_environment_v(const struct zr_look_lighting *lighting, struct zr_vec3_v v)
 {
     const zr_vec3 *rows = lighting->eye_to_environment;
+    if (ZR_MUTANT(environment_not_turned, false, true)) return v;
     return (struct zr_vec3_v){zr_dot_v(zr_spread_v(rows[0]), v), zr_dot_v(zr_spread_v(rows[1]), v),
                               zr_dot_v(zr_spread_v(rows[2]), v)};
 }
@@ -160,7 +161,8 @@ static inline struct zr_vec3_v zr_pbr_from_lamp_v(const struct zr_lamp *lamp, co
     const zr_vf nh = zr_clamp01_v(zr_dot_v(s->normal, half)), vh = zr_clamp01_v(zr_dot_v(s->to_eye, half));
     const float alpha = pbr->alpha > ZR_LAMP_ALPHA_LEAST ? pbr->alpha : ZR_LAMP_ALPHA_LEAST;
     const zr_vf specular = zr_ggx_v(alpha, nh, pbr->facing, zr_vf_max(nl, zr_vf_set(1e-6f)));
-    const zr_vf away = one - vh, square = away * away, fresnel = square * square * away;
+    const zr_vf away = one - vh, square = away * away;
+    const zr_vf fresnel = ZR_MUTANT(fresnel_of_4th_power, square * square * away, square * square);
     const struct zr_vec3_v reflected = {zr_pbr_reflected_v(pbr->f0.x, pbr->diffuse.x, fresnel, specular),
                                         zr_pbr_reflected_v(pbr->f0.y, pbr->diffuse.y, fresnel, specular),
                                         zr_pbr_reflected_v(pbr->f0.z, pbr->diffuse.z, fresnel, specular)};

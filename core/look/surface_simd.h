@@ -33,7 +33,8 @@ static inline struct zr_vec3_v zr_mix3_v(struct zr_vec3_v a, struct zr_vec3_v b,
 /* From the ground of a hemisphere to its sky, in a direction. */
 static inline struct zr_vec3_v zr_hemisphere_v(const struct zr_lamp *lamp, struct zr_vec3_v d)
 {
-    const zr_vf half = zr_vf_set(0.5f), up = half + half * zr_dot_v(d, zr_spread_v(lamp->to_light));
+    const zr_vf half = zr_vf_set(0.5f), share = half * zr_dot_v(d, zr_spread_v(lamp->to_light));
+    const zr_vf up = ZR_MUTANT(hemisphere_turned, half + share, half - share);
     return zr_mix3_v(zr_spread_v(lamp->ground), zr_spread_v(lamp->color), up);
 }
 
@@ -52,7 +53,8 @@ static inline zr_vf zr_bounced_v(zr_vf open, zr_vf albedo)
     const zr_vf p = zr_vf_set(2.0404f) * albedo - zr_vf_set(0.3324f);
     const zr_vf q = zr_vf_set(0.6417f) - zr_vf_set(4.7951f) * albedo;
     const zr_vf s = zr_vf_set(2.7552f) * albedo + zr_vf_set(0.6903f);
-    return zr_vf_max(open, ((open * p + q) * open + s) * open);
+    const zr_vf reaching = zr_vf_max(open, ((open * p + q) * open + s) * open);
+    return ZR_MUTANT(open_beyond_1, zr_vf_min(reaching, zr_vf_set(1.0f)), reaching);
 }
 
 static inline struct zr_vec3_v zr_bounced3_v(zr_vf open, struct zr_vec3_v albedo)

@@ -6,6 +6,7 @@
 #ifndef ZR_TONE_SIMD_H
 #define ZR_TONE_SIMD_H
 
+#include "base/mutant.h"
 #include "scene/picture.h"
 #include "shade/vec3_simd.h"
 
@@ -30,7 +31,8 @@ static inline struct zr_vec3_v zr_tone_neutral_v(struct zr_vec3_v c, float toe)
     const zr_vm bright = zr_vf_le(start, peak);
     if (!zr_vm_any(bright)) return c;
     const zr_vf new_peak = one - d * d / (peak + d - start), scale = new_peak / peak;
-    const zr_vf white = one - one / (zr_vf_set(0.15f) * (peak - new_peak) + one);
+    const zr_vf white =
+        ZR_MUTANT(tone_keeps_hue, one - one / (zr_vf_set(0.15f) * (peak - new_peak) + one), zr_vf_set(0.0f));
     return zr_choose_v(bright,
                        (struct zr_vec3_v){zr_mix_v(c.x * scale, new_peak, white), zr_mix_v(c.y * scale, new_peak, white),
                                           zr_mix_v(c.z * scale, new_peak, white)},

@@ -6,6 +6,9 @@
 #include <string.h>
 
 #include "base/checked.h"
+#include "output/palette.h"
+#include "scene/looks.h"
+#include "scene/orbit.h"
 #include "version.h"
 
 /* Pixels of one id, and the box that holds them: x1 and y1 exclusive. */
@@ -86,7 +89,19 @@ static void put_intrinsics(struct writer *w, cJSON *object, const struct zr_fram
     put(w, object, "K", k);
 }
 
-static cJSON *camera_of(struct writer *w, const struct zr_frame *frame)
+/* For people: where the view leads to. */
+static void put_orbit(struct writer *w, cJSON *object, const struct zr_camera *camera, bool z_is_up)
+{
+    const struct zr_orbit orbit = zr_orbit_of(camera, z_is_up);
+    put(w, object, "up", check(w, cJSON_CreateString(z_is_up ? "z" : "y")));
+    if (orbit.has_angles) {
+        put(w, object, "azimuthDegrees", number(w, (float)orbit.azimuth_degrees));
+        put(w, object, "elevationDegrees", number(w, (float)orbit.elevation_degrees));
+    }
+    if (orbit.has_eye) put(w, object, "eye", vec3(w, orbit.eye));
+}
+
+static cJSON *camera_of(struct writer *w, const struct zr_frame *frame, bool z_is_up)
 {
     const struct zr_camera *camera = &frame->camera;
     cJSON *object = check(w, cJSON_CreateObject());
@@ -97,6 +112,7 @@ static cJSON *camera_of(struct writer *w, const struct zr_frame *frame)
         put(w, object, "znear", number(w, camera->znear));
         put(w, object, "zfar", number(w, camera->zfar));
     }
+    put_orbit(w, object, camera, z_is_up);
     return object;
 }
 
@@ -158,6 +174,25 @@ static void put_patch(struct writer *w, cJSON *object, const struct patch *patch
     put(w, object, "box", check(w, cJSON_CreateIntArray(box, 4)));
 }
 
+/* What tells a useless picture from others. What is covered is told by pixels' centres, as by all data channels. */
+static cJSON *picture_of(struct writer *w, const struct zr_scene *scene, const struct zr_frame *frame,
+                         const struct patch *patches, uint32_t face_count)
+{
+    const size_t pixels = (size_t)frame->width * frame->height;
+    const uint32_t colors = zr_palette_count(frame->color, pixels, scene->background.w >= 1.0f);
+    struct patch all = {.pixels = 0};
+    for (uint32_t i = 1; i <= face_count + 1; i++)
+        if (patches[i].pixels > 0)
+            extend(&all, patches[i].x0, patches[i].y0, patches[i].x1, patches[i].y1, patches[i].pixels);
+    const bool touches = all.x0 == 0 || all.y0 == 0 || all.x1 == frame->width || all.y1 == frame->height;
+    cJSON *object = check(w, cJSON_CreateObject());
+    put(w, object, "coveredShare", number(w, (float)((double)all.pixels / (double)pixels)));
+    put(w, object, "touchesBorder", check(w, cJSON_CreateBool(all.pixels > 0 && touches)));
+    put(w, object, "blank", check(w, cJSON_CreateBool(all.pixels == 0 || colors == 1)));
+    put_count(w, object, "colors", colors);
+    return object;
+}
+
 static cJSON *faces_of(struct writer *w, const struct patch *patches, uint32_t face_count, uint32_t first)
 {
     cJSON *array = check(w, cJSON_CreateArray());
@@ -203,7 +238,7 @@ static cJSON *build(struct writer *w, const struct zr_scene *scene, const struct
     put_count(w, window, "width", frame->width);
     put_count(w, window, "height", frame->height);
     put(w, root, "window", window);
-    put(w, root, "camera", camera_of(w, frame));
+    put(w, root, "camera", camera_of(w, frame, scene->picture.z_is_up));
     if (frame->bounds.valid) {
         cJSON *bounds = check(w, cJSON_CreateObject());
         put(w, bounds, "min", vec3(w, frame->bounds.min));
@@ -212,6 +247,8 @@ static cJSON *build(struct writer *w, const struct zr_scene *scene, const struct
     }
     if (depth_scale > 0.0f) put(w, root, "depthScale", number(w, depth_scale));
     put(w, root, "counts", counts_of(w, &frame->counts, misfits));
+    put(w, root, "look", check(w, cJSON_CreateString(zr_look_pin_of(scene->look).text)));
+    if (frame->color) put(w, root, "picture", picture_of(w, scene, frame, patches, face_count));
     put_count(w, root, "backgroundPixels", patches[0].pixels);
     if (frame->base) {
         cJSON *base = check(w, cJSON_CreateObject());

@@ -179,3 +179,18 @@ bool zr_palette_make(struct zr_palette *palette, struct zr_arena *arena, const u
     }
     return true;
 }
+
+uint32_t zr_palette_count(const uint8_t *pixels, size_t count, bool opaque)
+{
+    struct set set;
+    set_init(&set, opaque);
+    if (!sample(&set, pixels, count)) return ZR_PALETTE_MAX + 1;
+    uint32_t last = 0; /* runs of one colour are looked up once */
+    for (size_t i = 0; i < count; i++) {
+        const uint32_t color = color_at(&set, pixels + 4 * i);
+        if (i > 0 && color == last) continue;
+        if (!add(&set, color)) return ZR_PALETTE_MAX + 1;
+        last = color;
+    }
+    return set.count;
+}

@@ -8,6 +8,7 @@
 #define ZR_PALETTE_H
 
 #include <stdbool.h>
+#include <stddef.h>
 #include <stdint.h>
 
 #include "base/arena.h"
@@ -25,5 +26,8 @@ struct zr_palette {
  * thousand pixels for most pictures, where there are more than ZR_PALETTE_MAX colours, or the arena has failed. */
 bool zr_palette_make(struct zr_palette *palette, struct zr_arena *arena, const uint8_t *pixels, uint32_t width,
                      uint32_t height, const struct zr_reach *reaches, bool opaque);
+
+/* How many colours; ZR_PALETTE_MAX + 1: more than ZR_PALETTE_MAX. */
+uint32_t zr_palette_count(const uint8_t *pixels, size_t count, bool opaque);
 
 #endif

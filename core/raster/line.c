@@ -4,6 +4,12 @@
 
 enum { X, Y, HALF_PIXEL = ZR_SUBPIXELS / 2 };
 
+/* Subpixels from the middle of a line to its sides. */
+static int32_t half_of(int32_t width)
+{
+    return ZR_MUTANT(wide_lines_off_middle, width * HALF_PIXEL, HALF_PIXEL);
+}
+
 /* A line as the rules below need it, by axis, so that one text serves both. */
 struct course {
     float d[2]; /* from v1 to v0: against the direction of travel */
@@ -110,7 +116,7 @@ static bool course_make(const struct zr_window_vertex *v0, const struct zr_windo
 bool zr_line_corners_make(const struct zr_window_vertex *v0, const struct zr_window_vertex *v1, int32_t width,
                           struct zr_line_corners *out)
 {
-    const int32_t half = width * HALF_PIXEL;
+    const int32_t half = half_of(width);
     struct course course;
     if (!course_make(v0, v1, &course)) return false;
     bool rising = course.d[course.major] < 0.0f;
@@ -151,7 +157,8 @@ int32_t zr_line_pixel(const struct zr_line_corners *line, int32_t at)
 {
     int major = line->along_x ? X : Y, minor = Y - major;
     int64_t run = (int64_t)line->high[major] - line->low[major], rise = (int64_t)line->high[minor] - line->low[minor];
-    int64_t side = (line->low[minor] - line->width * HALF_PIXEL) * run + rise * ((int64_t)at * ZR_SUBPIXELS - line->low[major]);
+    int64_t first = line->low[minor] - half_of(line->width);
+    int64_t side = first * run + rise * ((int64_t)at * ZR_SUBPIXELS - line->low[major]);
     int64_t step = run * ZR_SUBPIXELS;
     bool upper_counts = line->along_x && rise > 0;
     return (int32_t)(upper_counts ? divide_down(side, step) + 1 : -divide_down(-side, step));

@@ -175,18 +175,18 @@ const struct zr_look zr_looks[ZR_LOOKS] = {
 
 const struct zr_look *const zr_look_textbook = &zr_looks[ZR_LOOKS - 1];
 
-/* `text` is "NAME@VERSION" of the row. */
-static bool is_pinned(const struct zr_look *look, const char *text)
+struct zr_look_pin zr_look_pin_of(const struct zr_look *look)
 {
-    char pinned[64];
-    snprintf(pinned, sizeof pinned, "%s@%u", look->name, look->version);
-    return strcmp(pinned, text) == 0;
+    struct zr_look_pin pin;
+    snprintf(pin.text, sizeof pin.text, "%s@%u", look->name, look->version);
+    return pin;
 }
 
 const struct zr_look *zr_look_find(const char *text)
 {
     const struct zr_look *found = NULL;
     for (int i = 0; i < ZR_LOOKS; i++)
-        if (strcmp(zr_looks[i].name, text) == 0 || is_pinned(&zr_looks[i], text)) found = &zr_looks[i];
+        if (strcmp(zr_looks[i].name, text) == 0 || strcmp(zr_look_pin_of(&zr_looks[i]).text, text) == 0)
+            found = &zr_looks[i];
     return found;
 }

@@ -49,4 +49,11 @@ extern const struct zr_look *const zr_look_textbook;
 /* "studio": its newest version; "studio@2": that one, the number without leading zeros. NULL: there is none. */
 const struct zr_look *zr_look_find(const char *text);
 
+/* "studio@1": the row for ever. */
+struct zr_look_pin {
+    char text[48];
+};
+
+struct zr_look_pin zr_look_pin_of(const struct zr_look *look);
+
 #endif

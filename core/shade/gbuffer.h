@@ -17,8 +17,8 @@ struct zr_gbuffer {
     int32_t width, height;
     ptrdiff_t stride;
     uint32_t *owner;    /* 1 + number of the primitive; lines have no normals: 0, 0, 0 */
-    uint32_t *material; /* of the scene */
-    float *base[3];     /* the surface's own colour, sRGB-encoded as the scene has it */
+    uint32_t *material; /* of the scene; or NULL */
+    float *base[3];     /* the surface's own colour, sRGB-encoded as the scene has it; or NULL, all three */
     float *normal[3];   /* unit, of the side that is seen */
     float *point[3];    /* the point that is seen, counted from the eye (zr_camera_eye); of parallel rays, from the
                            origin of eye space */

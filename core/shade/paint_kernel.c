@@ -55,9 +55,9 @@ static void clear_samples(const struct zr_gbuffer *to, int32_t rows, int32_t col
     const struct zr_sample_v none = zr_no_sample();
     for (int32_t y = 0; y < rows; y++)
         for (int32_t x = 0; x < columns; x += ZR_LANES) {
-            zr_put_samples(to, y * to->stride + x, &none);
+            zr_put_samples(to, y * to->stride + x, &none, to->base[0] ? 0 : 3);
             zr_vi_store(to->owner + y * to->stride + x, zr_vi_set(0));
-            zr_vi_store(to->material + y * to->stride + x, zr_vi_set(0));
+            if (to->material) zr_vi_store(to->material + y * to->stride + x, zr_vi_set(0));
         }
 }
 
@@ -96,7 +96,7 @@ static void samples(const struct zr_geometry *geometry, const struct zr_surfaces
         end = find_parts(&s, tile, begin, false);
         zr_sample_blocks(&s, tile, begin, end, to);
     }
-    zr_shade_words(&s, tile, zr_material_words, 0, &materials);
+    if (to->material) zr_shade_words(&s, tile, zr_material_words, 0, &materials);
     owner_words(tile, &owners);
 }
 

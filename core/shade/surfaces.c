@@ -155,6 +155,11 @@ static bool color_faces(struct making *m, const struct zr_draw *draw, struct zr_
 {
     struct zr_attribute *attributes = surface->attributes;
     const struct zr_colors *colors = &m->mesh_colors;
+    if (m->wants->samples && !m->mesh->colors && !m->mesh->face_colors) {
+        attributes[ZR_ATTRIBUTE_COLOR] = (struct zr_attribute){ZR_RATE_DRAW, &draw->material->base_color};
+        surface->color_count = 1;
+        return true;
+    }
     if (!find_mesh_colors(m)) return false;
     enum zr_rate rate = colors->rate;
     if (rate == ZR_RATE_CORNER && !zr_material_is_smooth(m->mesh, draw->material)) rate = ZR_RATE_FIRST_CORNER;

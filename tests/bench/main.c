@@ -12,6 +12,7 @@
 #include "bench/bench.h"
 #include "bench/compare.h"
 #include "bench/growth.h"
+#include "bench/looks.h"
 #include "bench/machine.h"
 #include "bench/series.h"
 #include "bench/service.h"
@@ -146,9 +147,12 @@ int main(int count, char **arguments)
     growth_of_threads(&bench);
     growth_of_channels(&bench);
     growth_of_light(&bench);
+    looks_against_plain(&bench);
+    looks_against_llvmpipe(&bench);
     versus_libpng(&bench);
     versus_cjson(&bench);
     service_against_stock(&bench);
+    looks_over_http(&bench);
     service_against_bare_http(&bench);
     service_cold_start(&bench);
     service_beside_large(&bench);

@@ -6,6 +6,7 @@
 #include <string.h>
 #include <time.h>
 
+#include "scene/looks.h"
 #include "support/cmocka_all.h"
 #include "support/random.h"
 #include "support/sanitized.h"
@@ -220,6 +221,109 @@ static void every_algorithm_stops_amid_large_triangles(void **state)
     }
 }
 
+/* ---- pictures of looks ---- */
+
+#if IS_SANITIZED
+enum { WINDOW = SIDE / 4, FEW = 30, MANY = 200 };
+#else
+enum { WINDOW = SIDE, FEW = 30, MANY = 1200 };
+#endif
+
+/* A bumpy ground of cells x cells squares, of two triangles each. */
+static void make_ground(uint32_t cells)
+{
+    const uint32_t row = cells + 1, triangles = 2 * cells * cells;
+    zr_vec4 *points = zr_arena_alloc(&arena, row * row, sizeof *points);
+    uint32_t *indices = zr_arena_alloc(&arena, 3 * triangles, sizeof *indices), *corner = indices;
+    uint32_t *offsets = counting(triangles + 1);
+    assert_true(zr_arena_ok(&arena));
+    for (uint32_t i = 0; i < row * row; i++) {
+        const float x = (float)(i % row) / (float)cells, y = (float)(i / row) / (float)cells;
+        points[i] = (zr_vec4){2 * x - 1, 0.05f * (float)(i * 2654435761u >> 28) / 16.0f, 2 * y - 1, 1};
+    }
+    for (uint32_t i = 0; i < cells * cells; i++, corner += 6) {
+        const uint32_t a = i / cells * row + i % cells;
+        const uint32_t two[6] = {a, a + row, a + 1, a + 1, a + row, a + row + 1};
+        memcpy(corner, two, sizeof two);
+    }
+    for (uint32_t f = 0; f <= triangles; f++)
+        offsets[f] *= 3;
+    test.mesh.positions = points;
+    test.mesh.position_count = row * row;
+    test.mesh.face_count = triangles;
+    test.mesh.face_offsets = offsets;
+    test.mesh.indices = indices;
+}
+
+/* Small faces in a small window, or large ones in a large window. */
+static void make_look(const char *name, bool large_window)
+{
+    zr_arena_init(&arena, (size_t)3 << 30);
+    scene_of_triangles(&test, WINDOW / 8, WINDOW / 8, NULL, 1);
+    if (large_window) test.scene.views[0].width = test.scene.views[0].height = WINDOW;
+    make_ground(large_window ? FEW : MANY);
+    const struct zr_look *look = zr_look_find(name);
+    test.scene.look = look;
+    test.scene.picture = look->picture;
+    test.scene.lights = look->lights;
+    test.scene.light_count = look->light_count;
+    test.material = look->material;
+    test.material.double_sided = true;
+    scene_look(&test.scene, (struct zr_view){.pose = ZR_POSE_ORBIT,
+                                             .azimuth_degrees = 35,
+                                             .elevation_degrees = 28,
+                                             .up = {0, 1, 0},
+                                             .projection = ZR_PROJECTION_PERSPECTIVE,
+                                             .yfov_radians = 0.5f});
+    test.scene.views[0].output_count = 1;
+}
+
+static double whole_time_ms(const struct zr_scene *scene)
+{
+    clockid_t clock;
+    struct zr_error error = {.count = 0};
+    const struct zr_frame *frame;
+    assert_int_equal(pthread_getcpuclockid(pthread_self(), &clock), 0);
+    const double begin_ms = now_ms(clock);
+    assert_int_equal(zr_render(&arena, NULL, scene, NULL, NULL, &frame, &error), ZR_OK);
+    return now_ms(clock) - begin_ms;
+}
+
+/* At some times from the beginning to shortly before the end: so in each stage that takes long. */
+static void pictures_of_looks_stop_in_all_stages(void **state)
+{
+    enum { TIMES = 12 };
+    static const struct {
+        const char *look;
+        uint32_t side;
+        bool large_window;
+        float edge_width;
+    } cases[] = {{"studio", 1, true, 0},     {"technical", 2, true, 0}, {"technical", 1, true, 64},
+                 {"outdoor", 1, true, 0},    {"textbook", 2, true, 0},  {"studio", 1, false, 0},
+                 {"technical", 4, false, 0}, {"outdoor", 1, false, 0}};
+    (void)state;
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        make_look(cases[i].look, cases[i].large_window);
+        test.scene.picture.side = cases[i].side;
+        if (cases[i].edge_width > 0) test.scene.picture.edges.width = cases[i].edge_width;
+        whole_time_ms(&test.scene); /* the first one pays for pages */
+        zr_arena_reset(&arena, SIZE_MAX);
+        make_ground(cases[i].large_window ? FEW : MANY);
+        const double whole_ms = whole_time_ms(&test.scene);
+        for (int k = 0; k < TIMES; k++) {
+            struct later later;
+            struct zr_error error = {.count = 0};
+            const struct zr_frame *frame;
+            zr_arena_reset(&arena, SIZE_MAX);
+            make_ground(cases[i].large_window ? FEW : MANY);
+            begin(&later, 0.85 * whole_ms * k / TIMES);
+            assert_ended_soon(&later, zr_render(&arena, NULL, &test.scene, NULL, &later.cancel, &frame, &error));
+        }
+        print_message("%s, %u samples: %.0f ms\n", cases[i].look, cases[i].side * cases[i].side, whole_ms);
+        zr_arena_free(&arena);
+    }
+}
+
 /* `begin`, and then `unit` again and again, up to the size that a body may have. */
 static void reading_stops(const char *begin_text, const char *unit)
 {
@@ -269,6 +373,7 @@ int main(void)
         cmocka_unit_test(face_of_very_many_corners_stops),
         cmocka_unit_test(reading_of_brackets_and_of_what_is_odd_stops),
         cmocka_unit_test(every_algorithm_stops_amid_large_triangles),
+        cmocka_unit_test(pictures_of_looks_stop_in_all_stages),
     };
     return cmocka_run_group_tests_name("cancel", tests, NULL, NULL);
 }

@@ -6,6 +6,7 @@
 #include "geometry/triangulate.h"
 #include "scene/scene.h"
 #include "shade/colors.h"
+#include "shade/crease_normals.h"
 #include "shade/light.h"
 #include "shade/normals.h"
 #include "shade/vertex_normals.h"
@@ -33,6 +34,7 @@ struct source {
     const zr_mat4 *modelview;
     const zr_vec3 *normal_rows; /* as struct reference_batch has them */
     const zr_vec4 *computed;    /* normals of vertices; NULL: none were needed so far */
+    const zr_vec4 *creases;     /* of corners, likewise, for BATCHES_LIGHT */
     bool mirrored;
     const struct zr_material *material; /* of the face under way */
     bool smooth;                        /* what the purpose wants to vary does so over the face */
@@ -58,7 +60,8 @@ static bool same_state(const struct reference_batch *a, const struct reference_b
 {
     return a->mode == b->mode && a->modelview == b->modelview && a->smooth == b->smooth && a->light == b->light &&
            a->normal_rows == b->normal_rows && a->cull == b->cull && a->mirrored == b->mirrored &&
-           a->outline == b->outline && a->depth_offset == b->depth_offset && a->late == b->late;
+           a->outline == b->outline && a->depth_offset == b->depth_offset && a->late == b->late &&
+           a->material == b->material;
 }
 
 /* Joins the batch before, where the mode allows it and the state is the same. */
@@ -115,7 +118,7 @@ static zr_vec4 base_color(const struct source *s, uint32_t slot)
     return color;
 }
 
-/* The one given, or the mean of the faces around the vertex. */
+/* The one given, or the mean of the faces around the vertex, or of those within the crease angle. */
 static zr_vec3 vertex_normal(const struct source *s, uint32_t slot)
 {
     const struct zr_mesh *mesh = s->mesh;
@@ -123,7 +126,22 @@ static zr_vec3 vertex_normal(const struct source *s, uint32_t slot)
     zr_vec3 given = no_normal;
     if (mesh->normal_count > 0) given = mesh->normals[mesh->normal_indices ? mesh->normal_indices[slot] : vertex];
     if (given.x != 0.0f || given.y != 0.0f || given.z != 0.0f) return given;
+    const zr_vec4 *crease = s->creases ? &s->creases[slot] : NULL;
+    if (crease) return (zr_vec3){crease->x, crease->y, crease->z};
+    if (!s->computed) return no_normal;
     return (zr_vec3){s->computed[vertex].x, s->computed[vertex].y, s->computed[vertex].z};
+}
+
+/* In linear light all but flat surfaces have normals of corners. */
+static bool find_creases(struct builder *b, struct source *s)
+{
+    s->face_normal = no_normal;
+    s->has_vertex_normals = s->material->shading != ZR_SHADING_FLAT;
+    s->smooth = zr_material_is_smooth(s->mesh, s->material);
+    if (!s->has_vertex_normals) s->face_normal = zr_normal_of_face(s->mesh, s->face);
+    if (s->has_vertex_normals && !s->creases && zr_mesh_lacks_normals(s->mesh))
+        s->creases = zr_crease_normals_make(b->arena, NULL, NULL, s->mesh, b->scene->picture.crease_degrees);
+    return zr_arena_ok(b->arena);
 }
 
 /* Readies s for its face. */
@@ -131,9 +149,10 @@ static bool find_normals(struct builder *b, struct source *s)
 {
     const enum zr_shading shading = s->material->shading;
     const bool channels = b->options.purpose == BATCHES_CHANNELS;
+    if (b->options.purpose == BATCHES_LIGHT) return find_creases(b, s);
     s->face_normal = no_normal;
-    s->has_vertex_normals =
-        shading >= ZR_SHADING_GOURAUD || (channels && shading == ZR_SHADING_UNLIT && s->mesh->normal_count > 0);
+    const bool wants_any = shading == ZR_SHADING_UNLIT || shading > ZR_SHADING_NORMALS; /* those that are given */
+    s->has_vertex_normals = wants_any ? channels && s->mesh->normal_count > 0 : shading >= ZR_SHADING_GOURAUD;
     s->smooth = channels ? s->has_vertex_normals : zr_material_is_smooth(s->mesh, s->material);
     if (b->options.purpose == BATCHES_OWNERS) return true;
     if (!s->has_vertex_normals && (channels || shading == ZR_SHADING_FLAT))
@@ -318,7 +337,8 @@ static bool append_fan_by_parity(struct builder *b, const struct source *s, stru
 
 static struct reference_batch state_of(const struct builder *b, const struct source *s)
 {
-    bool owners = b->options.purpose == BATCHES_OWNERS, channels = b->options.purpose == BATCHES_CHANNELS;
+    bool owners = b->options.purpose == BATCHES_OWNERS, light = b->options.purpose == BATCHES_LIGHT;
+    bool channels = b->options.purpose == BATCHES_CHANNELS || light;
     bool lit = channels || (s->material->shading != ZR_SHADING_UNLIT && !owners);
     return (struct reference_batch){.modelview = s->modelview,
                                     .to_world = &s->instance->object_to_world,
@@ -328,6 +348,7 @@ static struct reference_batch state_of(const struct builder *b, const struct sou
                                                                          : REFERENCE_LIT_FRONT,
                                     .normal_rows = lit ? s->normal_rows : NULL,
                                     .late = lit && s->material->shading > ZR_SHADING_GOURAUD ? s->material : NULL,
+                                    .material = light ? s->material : NULL,
                                     .to_eye = b->options.transformed ? b->clip_to_eye : s->modelview,
                                     .eye = zr_camera_eye(b->camera),
                                     .smooth = s->smooth && !owners,
@@ -344,7 +365,7 @@ static bool append_face(struct builder *b, const struct source *s)
     batch.depth_offset = s->material->outline != ZR_OUTLINE_NONE;
     if (batches_face_is_parity(s->mesh, s->face)) return append_parity(b, s, &batch);
     if (is_fan_by_parity(b, s)) return append_fan_by_parity(b, s, &batch);
-    const bool as_triangles = end - begin == 3 || b->options.purpose == BATCHES_CHANNELS;
+    const bool as_triangles = end - begin == 3 || b->options.purpose >= BATCHES_LIGHT;
     if (!reserve_corners(b, 3 * (uint64_t)(end - begin))) return false;
     batch.mode = as_triangles ? REFERENCE_TRIANGLES : REFERENCE_POLYGON;
     batch.first = b->corner_count;
@@ -364,7 +385,8 @@ static bool append_ring(struct builder *b, const struct source *s, uint32_t begi
                         bool back)
 {
     struct reference_batch batch = state_of(b, s);
-    bool colored = s->material->outline == ZR_OUTLINE_COLORED && b->options.purpose == BATCHES_COLORS;
+    bool colored = s->material->outline == ZR_OUTLINE_COLORED && b->options.purpose <= BATCHES_LIGHT &&
+                   b->options.purpose != BATCHES_OWNERS;
     if (!reserve_corners(b, end - begin)) return false;
     batch.mode = end - begin == 3 ? REFERENCE_TRIANGLES : REFERENCE_POLYGON;
     batch.outline = true;
@@ -459,6 +481,13 @@ static bool append_instance(struct builder *b, const struct zr_instance *instanc
     return true;
 }
 
+/* Whole pixels, half up, and at least one. */
+static float line_width_of(const struct zr_picture *picture)
+{
+    const float whole = floorf(picture->line_width + 0.5f);
+    return whole > 1.0f ? whole : 1.0f;
+}
+
 bool batches_make(struct zr_arena *arena, const struct zr_scene *scene, const struct zr_camera *camera,
                   const struct batches_options *options, struct batches *batches)
 {
@@ -480,7 +509,9 @@ bool batches_make(struct zr_arena *arena, const struct zr_scene *scene, const st
     }
     arrays->batches = builder.batches;
     if (options->purpose == BATCHES_COLORS) arrays->fog = scene->fog;
+    arrays->line_width = line_width_of(&scene->picture);
     arrays->projection = options->transformed ? zr_mat4_identity() : camera->projection;
-    arrays->background = options->purpose == BATCHES_COLORS ? scene->background : (zr_vec4){0, 0, 0, 1};
+    arrays->background = (zr_vec4){0, 0, 0, options->purpose == BATCHES_LIGHT ? 0 : 1};
+    if (options->purpose == BATCHES_COLORS) arrays->background = scene->background;
     return true;
 }

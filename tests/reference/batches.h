@@ -16,6 +16,8 @@
 enum batches_purpose {
     BATCHES_COLORS,  /* as the scene looks */
     BATCHES_OWNERS,  /* each face and line in a flat colour of its own, batches_owner_color, on black */
+    BATCHES_LIGHT,   /* for look_twin.h: areas as for channels, in the surfaces' own colours and with the normals of
+                      * creases; lines are in their own colours */
     BATCHES_CHANNELS /* for twins.h: all areas are triangles, also those of polygons, and have normals; they are smooth
                       * where their normals are those of vertices */
 };

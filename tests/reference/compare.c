@@ -39,6 +39,12 @@ static uint32_t color_lsb(const uint8_t *a, const uint8_t *b)
     return most;
 }
 
+/* 0 where there is nothing to compare. */
+static uint32_t color_off(const struct picture *want, const struct picture *got, size_t pixel)
+{
+    return want->color_slack == COMPARE_NO_COLORS ? 0 : color_lsb(want->rgba + pixel * 4, got->rgba + pixel * 4);
+}
+
 static bool is_gap(const struct picture *want, size_t pixel)
 {
     return want->gaps && want->gaps[pixel];
@@ -48,7 +54,7 @@ bool compare_pixel_equal(const struct picture *want, const struct picture *got, 
 {
     if (is_gap(want, pixel)) return true;
     return want->owner[pixel] == got->owner[pixel] && compare_ulp(want->depth[pixel], got->depth[pixel]) == 0 &&
-           color_lsb(want->rgba + pixel * 4, got->rgba + pixel * 4) == 0;
+           color_off(want, got, pixel) <= want->color_slack;
 }
 
 /* One pixel that differs, and what is known of it. */
@@ -108,15 +114,17 @@ static bool compare_pixel(const struct difference *d, enum compare_bar bar, stru
 {
     if (d->want->owner[d->pixel] != d->got->owner[d->pixel]) return compare_owners(d, bar, sum) && bar != COMPARE_EXACT;
     uint32_t ulp = compare_ulp(d->want->depth[d->pixel], d->got->depth[d->pixel]);
-    uint32_t lsb = color_lsb(d->want->rgba + d->pixel * 4, d->got->rgba + d->pixel * 4);
+    uint32_t lsb = color_off(d->want, d->got, d->pixel);
+    const bool beyond = lsb > d->want->color_slack;
     bool near = ulp == 0 || bar == COMPARE_SECOND_OPINION || compare_depths(d, ulp, sum);
     if (bar == COMPARE_SECOND_OPINION && ulp != 0) {
         sum->depth++;
         sum->depth_max_ulp = max(sum->depth_max_ulp, ulp);
     }
-    sum->color += lsb != 0;
+    sum->color += beyond;
+    sum->color_near += lsb > 0 && !beyond;
     sum->color_max_lsb = max(sum->color_max_lsb, lsb);
-    return bar == COMPARE_EXACT ? ulp == 0 && lsb == 0 : near;
+    return bar == COMPARE_EXACT ? ulp == 0 && !beyond : near;
 }
 
 struct compare_missed compare_pictures(const struct picture *want, const struct picture *got, uint32_t width,
@@ -133,7 +141,7 @@ struct compare_missed compare_pictures(const struct picture *want, const struct 
         }
         sum->pixels++;
         sum->visible += (want->owner[i] | got->owner[i]) != 0;
-        if (compare_pixel_equal(want, got, i)) continue;
+        if (compare_pixel_equal(want, got, i) && color_off(want, got, i) == 0) continue;
         bool measure = bar != COMPARE_EXACT || measured++ < MEASURED_MAX;
         struct difference difference = {.want = want,
                                         .got = got,
@@ -162,5 +170,6 @@ void compare_add(struct comparison *sum, const struct comparison *more)
     sum->depth_max_px = fmax(sum->depth_max_px, more->depth_max_px);
     sum->depth_astray += more->depth_astray;
     sum->color += more->color;
+    sum->color_near += more->color_near;
     sum->color_max_lsb = max(sum->color_max_lsb, more->color_max_lsb);
 }

@@ -13,12 +13,15 @@
 
 #include "reference/nearness.h"
 
+enum { COMPARE_NO_COLORS = 255 };
+
 /* Row 0 on top. `owner` is the face's number from 1, or 0 for the background. */
 struct picture {
     const uint8_t *rgba;
     const float *depth;
     const uint32_t *owner;
-    const uint8_t *gaps; /* NULL, or 1 where the picture does not tell who owns the pixel */
+    const uint8_t *gaps;  /* NULL, or 1 where the picture does not tell who owns the pixel */
+    uint32_t color_slack; /* so many LSB may colours be off by; COMPARE_NO_COLORS: it has none that could be compared */
 };
 
 /* What must hold. An ulp is one of the largest numbers that are added up on the way to depth (nearness_rounding). */
@@ -43,7 +46,8 @@ struct comparison {
     double depth_max_px;   /* the largest difference, in pixels of the face's slope */
     uint64_t depth_astray; /* beyond 1 ulp + 0.1 px of slope */
 
-    uint64_t color; /* of pixels with the same owner: different colours */
+    uint64_t color;      /* of pixels with the same owner: different colours, by more than they may be */
+    uint64_t color_near; /* different, but by no more */
     uint32_t color_max_lsb;
 };
 
@@ -60,6 +64,7 @@ struct compare_missed compare_pictures(const struct picture *want, const struct 
                                        uint32_t height, enum compare_bar bar, struct nearness *nearness,
                                        struct comparison *sum);
 
+/* As far as it must be: colours may be off by their slack. */
 bool compare_pixel_equal(const struct picture *want, const struct picture *got, size_t pixel);
 
 /* How many floats lie between: 0 for equal ones and for -0 and 0. UINT32_MAX

@@ -10,6 +10,8 @@ void drawing_start(struct drawing *drawing, uint32_t width, uint32_t height)
     drawing->width = width;
     drawing->height = height;
     drawing->smooth = drawing->first_corner = false;
+    drawing->side = 1;
+    drawing->line_width = 1.0f;
     drawing->modelview = drawing->projection = zr_mat4_identity();
     drawing->position_count = drawing->face_count = drawing->corner_count = 0;
     drawing->ring_count = drawing->line_count = 0;

@@ -20,6 +20,8 @@ struct drawing {
     bool smooth;       /* compare colours per vertex; else each face has one colour, that of its number, */
     bool first_corner; /* or that of its first corner */
     bool failed;
+    uint32_t side;    /* samples a pixel are side x side */
+    float line_width; /* pixels */
     zr_mat4 modelview, projection;
 
     uint32_t position_count, position_room;

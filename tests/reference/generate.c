@@ -3,7 +3,7 @@
 #include <math.h>
 
 /* One picture in so many has colours per vertex, one in so many those of first corners. */
-enum { SMOOTH_SHARE = 3, FIRST_CORNER_SHARE = 6 };
+enum { SMOOTH_SHARE = 3, FIRST_CORNER_SHARE = 6, SAMPLES_SHARE = 8, WIDE_SHARE = 4 };
 
 double random_power(struct random *r, int low, int high)
 {
@@ -284,6 +284,17 @@ static const uint32_t *pick_window(enum windows windows, struct random *r)
     return any[random_below(r, sizeof any / sizeof *any)];
 }
 
+/* Some pictures have several samples a pixel, and some wide lines; by numbers of their own, so that nothing else of the
+ * picture depends on it. Large windows have fewer samples, for they take as much longer. */
+static void choose_samples(const struct generator *generator, uint64_t seed, uint64_t frame, struct drawing *drawing)
+{
+    enum { MANY_SAMPLES_MAX = 20000 };
+    struct random r = random_seeded(~seed ^ (frame << 8));
+    if (frame % SAMPLES_SHARE == SAMPLES_SHARE - 3)
+        drawing->side = drawing->width * drawing->height <= MANY_SAMPLES_MAX ? 4 : 2;
+    if (generator->wires && frame % WIDE_SHARE == 1) drawing->line_width = (float)random_range(&r, 0.3, 9.0);
+}
+
 void generate(const struct generator *generator, uint64_t seed, uint64_t frame, struct drawing *drawing)
 {
     uint64_t kind = (uint64_t)(generator - generators);
@@ -291,6 +302,7 @@ void generate(const struct generator *generator, uint64_t seed, uint64_t frame, 
     const uint32_t *size = pick_window(generator->windows, &r);
     drawing_start(drawing, size[0], size[1]);
     generator->fill(drawing, &r);
+    choose_samples(generator, seed, frame, drawing);
     drawing->smooth = frame % SMOOTH_SHARE == SMOOTH_SHARE - 1;
     drawing->first_corner = frame % FIRST_CORNER_SHARE == FIRST_CORNER_SHARE / 2;
 }

@@ -4,7 +4,9 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "reference/average.h"
 #include "reference/batches.h"
+#include "reference/look_twin.h"
 #include "reference/report.h"
 #include "reference/subject.h"
 
@@ -67,18 +69,71 @@ static bool make_room(struct harness *harness, size_t pixels)
 
 /* ---- the reference's side ---- */
 
+/* Where a picture goes; depth and gaps NULL: not wanted. */
+struct target {
+    uint8_t *rgba, *gaps;
+    float *depth;
+};
+
 static bool draw_and_read(struct harness *harness, const struct zr_scene *scene, const struct batches *batches,
-                          bool with_depth)
+                          const struct target *to)
 {
     struct reference_error error = {""};
     if (reference_resize(harness->reference, scene->views[0].width, scene->views[0].height, batches->parity_faces > 0,
                          &error) &&
         reference_draw(harness->reference, &batches->arrays, &error) &&
-        reference_read(harness->reference, harness->rgba, with_depth ? harness->depth : NULL, &error) &&
-        (!with_depth || reference_read_gaps(harness->reference, harness->gaps, &error)))
+        reference_read(harness->reference, to->rgba, to->depth, &error) &&
+        (!to->gaps || reference_read_gaps(harness->reference, to->gaps, &error)))
         return true;
     fprintf(stderr, "reference: %s\n", error.text);
     return false;
+}
+
+/* Of several samples a pixel, as bytes. */
+static bool draw_average(struct harness *harness, const struct zr_scene *scene, const struct zr_camera *camera,
+                         const struct batches_options *options)
+{
+    const struct zr_scene large = average_scene(scene);
+    const uint32_t side = scene->picture.side, width = scene->views[0].width, height = scene->views[0].height;
+    const size_t samples = (size_t)large.views[0].width * large.views[0].height;
+    const struct target to = {zr_arena_alloc(&harness->arena, samples, 4), zr_arena_alloc(&harness->arena, samples, 1),
+                              NULL};
+    struct batches batches;
+    if (!to.rgba || !to.gaps || !batches_make(&harness->arena, &large, camera, options, &batches) ||
+        !draw_and_read(harness, &large, &batches, &to))
+        return false;
+    batches_mark_thin(&batches, large.views[0].width, large.views[0].height, to.gaps);
+    average_bytes(to.rgba, side, width, height, harness->rgba);
+    average_gaps(to.gaps, side, width, height, harness->gaps);
+    return true;
+}
+
+static bool draw_look(struct harness *harness, const struct zr_scene *scene, const struct zr_camera *camera,
+                      const struct batches_options *options)
+{
+    struct look_twin twin = {harness->reference, &harness->arena, &harness->look_program, scene, camera, *options};
+    struct reference_error error = {"out of memory, or too many lamps"};
+    twin.options.purpose = BATCHES_LIGHT;
+    if (look_twin_draw(&twin, harness->rgba, harness->gaps, &error)) return true;
+    fprintf(stderr, "reference: linear light: %s\n", error.text);
+    return false;
+}
+
+/* Colours are for the exact comparison alone where they are not those of pixels' centres. */
+static bool has_colors(const struct harness *harness, const struct zr_scene *scene)
+{
+    const bool is_exact = harness->options.bar == COMPARE_EXACT;
+    if (scene->picture.is_linear) return is_exact && !look_twin_lacks(scene);
+    return is_exact || scene->picture.side <= 1;
+}
+
+/* Instead of the colours of pixels' centres, which may be others than the picture's. */
+static bool draw_colors(struct harness *harness, const struct zr_scene *scene, const struct zr_camera *camera,
+                        const struct batches_options *options)
+{
+    if (!has_colors(harness, scene)) return true;
+    if (scene->picture.is_linear) return draw_look(harness, scene, camera, options);
+    return scene->picture.side <= 1 || draw_average(harness, scene, camera, options);
 }
 
 /* Who owns a pixel is read from one colour a face; then the scene is drawn as it looks. */
@@ -97,15 +152,15 @@ static bool reference_render(struct harness *harness, const struct zr_scene *sce
         fprintf(stderr, "reference: out of memory, or too many faces\n");
         return false;
     }
-    if (!draw_and_read(harness, scene, batches, false)) return false;
+    if (!draw_and_read(harness, scene, batches, &(struct target){harness->rgba, NULL, NULL})) return false;
     for (size_t i = 0; i < pixels; i++)
         harness->owner[i] = batches_owner_number(harness->rgba + i * 4);
     options.purpose = BATCHES_COLORS;
     if (!batches_make(&harness->arena, scene, &camera, &options, batches) ||
-        !draw_and_read(harness, scene, batches, true))
+        !draw_and_read(harness, scene, batches, &(struct target){harness->rgba, harness->gaps, harness->depth}))
         return false;
     batches_mark_thin(batches, scene->views[0].width, scene->views[0].height, harness->gaps);
-    return true;
+    return draw_colors(harness, scene, &camera, &options);
 }
 
 /* ---- both ---- */
@@ -132,6 +187,19 @@ static bool lacks_line_rule(const struct harness *harness, const struct zr_scene
     return true;
 }
 
+static uint32_t color_slack(const struct harness *harness, const struct zr_scene *scene)
+{
+    if (!has_colors(harness, scene)) return COMPARE_NO_COLORS;
+    return scene->picture.is_linear ? LOOK_TWIN_SLACK : 0;
+}
+
+/* Off by one step now and then is what rounding does; more than that, and it is another light. */
+static bool too_many_near(const struct comparison *before, const struct comparison *after)
+{
+    const uint64_t near = after->color_near - before->color_near, pixels = after->pixels - before->pixels;
+    return near > LOOK_TWIN_NEAR_MAX + pixels / LOOK_TWIN_PIXELS_A_NEAR;
+}
+
 /* Both pictures stand until the next call; out->frame tells whether both sides gave one. */
 static enum verdict compare_sides(struct harness *harness, const struct zr_scene *scene, struct tally *tally,
                                   struct harness_pictures *out)
@@ -144,8 +212,9 @@ static enum verdict compare_sides(struct harness *harness, const struct zr_scene
     struct batches batches;
     if (!reference_render(harness, scene, frame, &batches)) return VERDICT_UNPROVED;
     out->frame = frame;
-    out->want = (struct picture){harness->rgba, harness->depth, harness->owner, harness->gaps};
-    out->got = (struct picture){frame->color, frame->window_depth, frame->face_id, NULL};
+    out->want =
+        (struct picture){harness->rgba, harness->depth, harness->owner, harness->gaps, color_slack(harness, scene)};
+    out->got = (struct picture){frame->color, frame->window_depth, frame->face_id, NULL, 0};
     struct rounding rounding = nearness_rounding(scene, &frame->camera);
     bool too_coarse = rounding.px > rounding_max_px || rounding.depth > rounding_max_depth;
     if ((harness->options.transformed && too_coarse) || (harness->options.bar != COMPARE_EXACT && has_wires(scene))) {
@@ -153,15 +222,21 @@ static enum verdict compare_sides(struct harness *harness, const struct zr_scene
         return VERDICT_EQUAL;
     }
     tally->pictures++;
+    tally->colors_left_out += scene->picture.is_linear && !has_colors(harness, scene);
     tally->triangles += batches.triangles;
     const struct zr_counts *counts = &frame->counts;
     tally->clipped += counts->clipped + counts->clipped_lines + counts->clipped_outlines;
     tally->parity_faces += batches.parity_faces;
     struct nearness nearness = {
         .scene = scene, .camera = &frame->camera, .arena = &harness->arena, .depth_rounding = rounding.depth};
+    const struct comparison before = tally->comparison;
     out->missed = compare_pictures(&out->want, &out->got, scene->views[0].width, scene->views[0].height,
                                    harness->options.bar, &nearness, &tally->comparison);
     nearness_free(&nearness);
+    if (scene->picture.is_linear && too_many_near(&before, &tally->comparison)) {
+        tally->comparison.color += tally->comparison.color_near - before.color_near;
+        return VERDICT_DIFFERENT;
+    }
     return out->missed.count ? VERDICT_DIFFERENT : VERDICT_EQUAL;
 }
 
@@ -248,6 +323,7 @@ void tally_add(struct tally *sum, const struct tally *more)
     sum->triangles += more->triangles;
     sum->clipped += more->clipped;
     sum->left_out += more->left_out;
+    sum->colors_left_out += more->colors_left_out;
     sum->parity_faces += more->parity_faces;
     sum->twins_pixels += more->twins_pixels;
     sum->twins_beyond += more->twins_beyond;

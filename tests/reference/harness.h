@@ -20,6 +20,7 @@ struct tally {
     uint64_t pictures, triangles, clipped, parity_faces;
     uint64_t left_out; /* of bars that are not exact: float itself is too coarse, or there are outlines or lines */
     uint64_t twins_pixels, twins_beyond; /* of channels (twins.h): compared, and differ by more than they may */
+    uint64_t colors_left_out; /* of pictures in linear light that have no twin (look_twin.h): the rest is compared */
     struct comparison comparison;
 };
 
@@ -41,6 +42,7 @@ struct harness {
     struct reference *reference;
     enum line_rule line_rule; /* the reference's */
     bool lines_compare;       /* our side can draw by it */
+    unsigned look_program;    /* look_twin.h */
     struct zr_arena arena;
     struct zr_team *team;
     int failures_left; /* how many may still be written */

@@ -64,16 +64,17 @@ struct reference_batch {
         *normal_rows; /* of what is lit: the three rows of the matrix from object-space normals to eye space */
     /* Of what is shaded by normals, pixel by pixel; else NULL. It is lit, too, and smooth. */
     const struct zr_material *late;
-    const zr_mat4 *to_eye;   /* positions -> eye space, for points */
-    const zr_mat4 *to_world; /* positions -> world space, for programs that look at it */
-    uint32_t instance;       /* of the scene; from 0 */
-    zr_vec4 eye;             /* zr_camera_eye */
-    bool smooth;             /* false: all corners of a primitive must have one colour, but for first_provokes */
-    bool first_provokes;     /* a flat triangle has the colour of its first corner, GL's own rule is the last */
-    bool cull;               /* what shows its back is not drawn */
-    bool mirrored;           /* clockwise is the front */
-    bool outline;            /* edges instead of areas (glPolygonMode) */
-    bool depth_offset;       /* moved back by glPolygonOffset(1, 1), to make room for outlines */
+    const struct zr_material *material; /* of areas drawn by a program that looks at it; else NULL */
+    const zr_mat4 *to_eye;              /* positions -> eye space, for points */
+    const zr_mat4 *to_world;            /* positions -> world space, for programs that look at it */
+    uint32_t instance;                  /* of the scene; from 0 */
+    zr_vec4 eye;                        /* zr_camera_eye */
+    bool smooth;         /* false: all corners of a primitive must have one colour, but for first_provokes */
+    bool first_provokes; /* a flat triangle has the colour of its first corner, GL's own rule is the last */
+    bool cull;           /* what shows its back is not drawn */
+    bool mirrored;       /* clockwise is the front */
+    bool outline;        /* edges instead of areas (glPolygonMode) */
+    bool depth_offset;   /* moved back by glPolygonOffset(1, 1), to make room for outlines */
 };
 
 /* `front` is what is seen of unlit batches, and the surface's own colour of lit ones. */
@@ -87,6 +88,7 @@ struct reference_arrays {
     zr_mat4 projection;
     zr_vec4 background;
     struct zr_fog fog;
+    float line_width; /* of lines and outlines, whole pixels; 0: 1 */
 };
 
 struct reference_error {

@@ -85,7 +85,7 @@ bool reference_draw_floats(struct reference *reference, const struct reference_a
 {
     if (!have_target(reference, error)) return false;
     glBindFramebuffer(GL_FRAMEBUFFER, reference->float_frame_buffer);
-    bool ok = set_inputs(shader, error);
+    bool ok = reference_set_line_width(arrays->line_width, error) && set_inputs(shader, error);
     if (ok && !shader->program && arrays->lighting) ok = reference_light_begin(reference, arrays, error);
     if (ok) {
         reference_draw_batches(reference, arrays, shader->program);

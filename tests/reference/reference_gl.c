@@ -288,6 +288,20 @@ static void set_fog(const struct zr_fog *fog)
         glDisable(GL_FOG);
 }
 
+bool reference_set_line_width(float pixels, struct reference_error *error)
+{
+    GLfloat range[2] = {0, 0};
+    const GLfloat width = pixels > 0.0f ? pixels : 1.0f;
+    glGetFloatv(GL_ALIASED_LINE_WIDTH_RANGE, range);
+    if (width > range[1]) {
+        snprintf(error->text, sizeof error->text, "%s has no lines %g pixels wide, but up to %g",
+                 reference_context.name, (double)width, (double)range[1]);
+        return false;
+    }
+    glLineWidth(width);
+    return reference_gl_ok(error, "line width");
+}
+
 void reference_draw_batches(const struct reference *reference, const struct reference_arrays *arrays, GLuint program)
 {
     const zr_mat4 *modelview = NULL;
@@ -313,6 +327,7 @@ void reference_draw_batches(const struct reference *reference, const struct refe
 bool reference_draw(struct reference *reference, const struct reference_arrays *arrays, struct reference_error *error)
 {
     if (arrays->lighting && !reference_light_begin(reference, arrays, error)) return false;
+    if (!reference_set_line_width(arrays->line_width, error)) return false;
     reference_draw_batches(reference, arrays, 0);
     return reference_gl_ok(error, "draw");
 }

@@ -35,6 +35,9 @@ bool reference_failed(struct reference_error *error, const char *what);
 /* The same where GL has an error to tell, else true. */
 bool reference_gl_ok(struct reference_error *error, const char *what);
 
+/* Of lines and outlines from now on; false where the driver has none so wide. */
+bool reference_set_line_width(float pixels, struct reference_error *error);
+
 /* Clears the frame buffer that is bound, draws into it, and waits. `program` 0: the batches choose theirs. */
 void reference_draw_batches(const struct reference *reference, const struct reference_arrays *arrays, GLuint program);
 

@@ -35,10 +35,22 @@ void reference_program_delete(unsigned program)
     glDeleteProgram(program);
 }
 
+static void set_material(GLuint program, const struct zr_material *material)
+{
+    glUniform1i(glGetUniformLocation(program, "shading"), (GLint)material->shading);
+    glUniform1f(glGetUniformLocation(program, "shininess"), material->shininess);
+    glUniform1f(glGetUniformLocation(program, "metallic"), material->metallic);
+    glUniform1f(glGetUniformLocation(program, "roughness"), material->roughness);
+    glUniform3fv(glGetUniformLocation(program, "specular"), 1, &material->specular.x);
+    glUniform3fv(glGetUniformLocation(program, "emissive"), 1, &material->emissive.x);
+    glUniform3fv(glGetUniformLocation(program, "cool"), 1, &material->cool.x);
+}
+
 /* GL passes over uniforms that the program does not have. */
 void reference_program_batch(GLuint program, const struct reference_batch *batch)
 {
     glUseProgram(program);
     if (batch->normal_rows) glUniform3fv(glGetUniformLocation(program, "normal_rows"), 3, &batch->normal_rows[0].x);
+    if (batch->material) set_material(program, batch->material);
     if (batch->to_world) glUniformMatrix4fv(glGetUniformLocation(program, "to_world"), 1, GL_FALSE, batch->to_world->m);
 }

@@ -2,8 +2,8 @@
  *
  * What a program gets: gl_Vertex and the matrices as every batch has them, so that ftransform() puts its vertices where
  *         the comparison has them; attributes of its own, one a corner; uniforms. It may also look at gl_Color and
- *         gl_Normal of the arrays, and has from each batch `uniform vec3 normal_rows[3]` and `uniform mat4 to_world`,
- *         where it declares them and the batch knows them.
+ *         gl_Normal of the arrays, and has from each batch `uniform vec3 normal_rows[3]`, `uniform mat4 to_world`,
+ *         `uniform int shading` and what else a material says, where it declares them and the batch knows them.
  * What it gives: gl_FragColor, written to 32-bit floats, neither clamped nor rounded, in a frame buffer object that has
  *         the depth buffer of the other one. GL clamps gl_FrontColor and gl_BackColor, but no other varying.
  *

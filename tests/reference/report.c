@@ -28,6 +28,8 @@ static void print_tally(const char *name, const struct tally *tally, enum compar
            c->color_max_lsb);
     print_explanations(c, bar);
     if (tally->parity_faces) printf("  by parity %" PRIu64 "  gaps %" PRIu64, tally->parity_faces, c->gaps);
+    if (c->color_near) printf("  within 1 LSB %" PRIu64, c->color_near);
+    if (tally->colors_left_out) printf("  COLOURS LEFT OUT of %" PRIu64 " pictures", tally->colors_left_out);
     if (tally->twins_pixels) printf("  channels %" PRIu64, tally->twins_beyond);
     putchar('\n');
 }
@@ -74,6 +76,15 @@ void report_refused(struct report *report, const char *name, const char *reason)
     report->refused++;
     if (report->page) page_refused(report->page, name, reason);
     printf("# refused by our reader: %s: %s\n", name, reason);
+    fflush(stdout);
+}
+
+void report_no_colors(struct report *report, const char *name, const char *what)
+{
+    char reason[120];
+    snprintf(reason, sizeof reason, "colours, since %s is drawn by no twin; all else is compared", what);
+    if (report->page) page_refused(report->page, name, reason);
+    printf("# left out: %s: %s\n", name, reason);
     fflush(stdout);
 }
 

@@ -26,6 +26,9 @@ void report_channel(struct report *report, const char *name, enum verdict verdic
 /* A file that our readers refuse: not passed over in silence. */
 void report_refused(struct report *report, const char *name, const char *reason);
 
+/* Pictures whose colours nothing is held against: `what` they have that has no twin (look_twin.h). */
+void report_no_colors(struct report *report, const char *name, const char *what);
+
 /* Pictures of which the bar cannot be asked (struct tally). */
 void report_left_out(struct report *report, const char *name, uint64_t pictures);
 

@@ -9,6 +9,7 @@
 #include <sys/stat.h>
 
 #include "input/names.h"
+#include "reference/look_twin.h"
 #include "reference/page.h"
 #include "support/files.h"
 
@@ -62,9 +63,12 @@ static enum verdict check_view(const struct checking *c, const struct zr_scene *
                                uint64_t number, struct tally *tally)
 {
     struct harness_pictures pictures;
+    const uint64_t left_out = tally->colors_left_out;
     enum verdict verdict = harness_check(c->harness, scene, name, number, tally, &pictures);
     enum verdict channels = twins_check(c->options->twins, c->harness, scene, name, &pictures, tally);
     if (channels > verdict) verdict = channels;
+    if (tally->colors_left_out > left_out)
+        report_no_colors(c->report, name, look_twin_lacks(scene) ? look_twin_lacks(scene) : "linear light by this bar");
     if (c->report->page) page_picture(c->report->page, name, verdict, &pictures);
     if (c->options->pictures && pictures.frame) report_pictures(c->options->pictures, name, number, &pictures);
     return verdict;

@@ -2,6 +2,8 @@
 
 #include <stdio.h>
 
+#include "scene/looks.h"
+
 static const struct zr_output outputs[] = {{.channel = ZR_CHANNEL_COLOR, .encoding = ZR_ENCODING_PNG},
                                            {.channel = ZR_CHANNEL_WINDOW_DEPTH, .encoding = ZR_ENCODING_NPY},
                                            {.channel = ZR_CHANNEL_FACE_ID, .encoding = ZR_ENCODING_NPY}};
@@ -36,7 +38,9 @@ void subject_make(struct subject *subject, const struct drawing *drawing)
                                      .colors = per_vertex ? drawing->colors : NULL,
                                      .face_colors = per_vertex ? NULL : drawing->face_colors};
     subject->instance = (struct zr_instance){.mesh = 0, .object_to_world = zr_mat4_identity()};
-    subject->scene = (struct zr_scene){.background = {0, 0, 0, 1},
+    subject->scene = (struct zr_scene){.look = zr_look_textbook,
+                                       .background = {0, 0, 0, 1},
+                                       .picture = {.side = drawing->side, .line_width = drawing->line_width},
                                        .ambient = drawing->ambient,
                                        .light_count = drawing->light_count,
                                        .lights = drawing->lights,

@@ -123,6 +123,7 @@ struct checking {
     const char *label;
     const struct harness_pictures *pictures;
     struct reference_arrays arrays;
+    bool has_parity;         /* some are drawn by the odd-even rule */
     struct zr_camera camera; /* the reference's */
     const struct twin *twin;
     struct interpolation interpolation;
@@ -148,6 +149,7 @@ static bool make_arrays(struct checking *c)
     uint32_t corners = 0;
     if (!batches_make(arena, c->scene, &c->camera, &options, &batches)) return false;
     c->arrays = batches.arrays;
+    c->has_parity = batches.parity_faces > 0;
     c->arrays.background = (zr_vec4){0, 0, 0, 0};
     for (uint32_t i = 0; i < c->arrays.batch_count; i++)
         corners = c->arrays.batches[i].first + c->arrays.batches[i].count;
@@ -172,7 +174,9 @@ static bool draw(struct checking *c, unsigned program, float *rgba, struct refer
     struct reference_shader shader = {.program = program, .uniforms = used};
     for (size_t i = 0; i < sizeof known / sizeof *known; i++)
         if (strstr(c->twin->value, known[i].name)) used[shader.uniform_count++] = known[i];
-    return reference_draw_floats(c->harness->reference, &c->arrays, &shader, rgba, error);
+    return reference_resize(c->harness->reference, c->scene->views[0].width, c->scene->views[0].height, c->has_parity,
+                            error) &&
+           reference_draw_floats(c->harness->reference, &c->arrays, &shader, rgba, error);
 }
 
 /* ---- pixels ---- */

@@ -42,6 +42,80 @@ static void scene_predicted_over_the_budget_gives_422_with_the_figures(void **st
     daemon_stop(&daemon);
 }
 
+/* A square over most of the window, lit by so many lamps, with more keys of the scene. To be freed. */
+static char *scene_of_lamps(unsigned lamps, bool have_shadows, const char *keys)
+{
+    enum { LAMP_SIZE = 100, REST_SIZE = 600 };
+    const size_t size = REST_SIZE + lamps * LAMP_SIZE;
+    char *scene = malloc(size);
+    assert_non_null(scene);
+    int used = snprintf(
+        scene, size,
+        "{%s,\"view\":{\"preset\":\"front\"},\"polygons\":[{\"vertices\":[[-2,-1,0],[2,-1,0],[2,1,0],[-2,1,0]],"
+        "\"shading\":\"pbr\"},{\"vertices\":[[0,0,0],[1,0,0],[0,1,1]]}],\"lights\":[",
+        keys);
+    for (unsigned i = 0; i < lamps; i++)
+        used += snprintf(scene + used, size - (size_t)used,
+                         "%s{\"type\":\"directional\",\"direction\":[0,0,-1],\"shadows\":%s}", i ? "," : "",
+                         have_shadows ? "true" : "false");
+    snprintf(scene + used, size - (size_t)used, "]}");
+    return scene;
+}
+
+static void light_that_takes_too_long_is_refused_beforehand(void **state)
+{
+    (void)state;
+    static const struct {
+        unsigned lamps;
+        bool have_shadows;
+        const char *keys;
+        bool is_refused;
+    } cases[] = {
+        {50, true, "\"samples\":64,\"window\":{\"width\":1920,\"height\":1080}", true},
+        {1024, false, "\"samples\":64,\"window\":{\"width\":1920,\"height\":1080}", true},
+        {50, true, "\"samples\":1,\"window\":{\"width\":64,\"height\":32}", false},
+        {1024, false, "\"samples\":64,\"window\":{\"width\":64,\"height\":32}", false},
+        {1, true, "\"samples\":16,\"window\":{\"width\":640,\"height\":480}", false},
+    };
+    struct daemon daemon = daemon_start(NULL);
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        char *scene = scene_of_lamps(cases[i].lamps, cases[i].have_shadows, cases[i].keys);
+        struct reply reply = client_render(&daemon, scene);
+        assert_int_equal(reply.status, cases[i].is_refused ? 422 : 200);
+        assert_int_equal(strstr(reply.body, "costMaxMs") != NULL, cases[i].is_refused);
+        assert_int_equal(strstr(reply_header(&reply, "Server-Timing"), "render;") == NULL, cases[i].is_refused);
+        reply_free(&reply);
+        free(scene);
+    }
+    daemon_stop(&daemon);
+}
+
+static void window_that_takes_too_much_memory_is_refused_beforehand(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *keys;
+        bool is_refused;
+    } cases[] = {
+        {"\"look\":\"studio\",\"window\":{\"width\":8192,\"height\":4096}", true},
+        {"\"look\":\"technical\",\"window\":{\"width\":8192,\"height\":2304}", true},
+        {"\"samples\":64,\"algorithm\":\"scanline\",\"window\":{\"width\":2048,\"height\":2048}", true},
+        {"\"window\":{\"width\":200,\"height\":100}", false},
+        {"\"look\":\"technical\",\"window\":{\"width\":200,\"height\":100}", false},
+    };
+    struct daemon daemon = daemon_start((const char *const[]){"--cost-max-ms=86400000", NULL});
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        char *scene = scene_of_lamps(1, false, cases[i].keys);
+        struct reply reply = client_render(&daemon, scene);
+        assert_int_equal(reply.status, cases[i].is_refused ? 422 : 200);
+        assert_int_equal(strstr(reply.body, "requestMemoryBytes") != NULL, cases[i].is_refused);
+        assert_int_equal(strstr(reply_header(&reply, "Server-Timing"), "render;") == NULL, cases[i].is_refused);
+        reply_free(&reply);
+        free(scene);
+    }
+    daemon_stop(&daemon);
+}
+
 static void assert_busy(const struct daemon *daemon)
 {
     struct reply reply = client_render(daemon, GOOD_SCENE);
@@ -87,6 +161,8 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(scene_predicted_over_the_budget_gives_422_with_the_figures),
+        cmocka_unit_test(light_that_takes_too_long_is_refused_beforehand),
+        cmocka_unit_test(window_that_takes_too_much_memory_is_refused_beforehand),
         cmocka_unit_test(control_group_nearly_full_gives_503_until_it_is_not),
     };
     return cmocka_run_group_tests_name("admission", tests, NULL, NULL);

@@ -51,6 +51,27 @@ static void meshes_are_rendered_with_parameters(void **state)
     reply_free(&reply);
 }
 
+static void answers_tell_the_look_with_its_version(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *target, *type, *body, *look;
+    } cases[] = {
+        {"/v1/render", "Content-Type: model/obj", TRIANGLE_OBJ, "studio@1"},
+        {"/v1/render?channel=depth", "Content-Type: model/stl", TRIANGLE_STL, "studio@1"},
+        {"/v1/render?look=technical", "Content-Type: model/obj", TRIANGLE_OBJ, "technical@1"},
+        {"/v1/render?look=textbook@1", "Content-Type: model/obj", TRIANGLE_OBJ, "textbook@1"},
+        {"/v1/render", NULL, "{\"polygons\":[{\"vertices\":[[0,0,0],[1,0,0],[0,1,0]]}]}", "textbook@1"},
+        {"/v1/render", NULL, "{\"look\":\"dark\",\"polygons\":[{\"vertices\":[[0,0,0],[1,0,0],[0,1,0]]}]}", "dark@1"},
+        {"/v1/render", NULL, "{\"polygons\":[]}", ""}}; /* refused: nothing was drawn */
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        struct reply reply = post(cases[i].target, cases[i].type, cases[i].body);
+        assert_int_equal(reply.status, *cases[i].look ? 200 : 422);
+        assert_string_equal(reply_header(&reply, "Zraster-Look"), cases[i].look);
+        reply_free(&reply);
+    }
+}
+
 static void parameters_are_percent_decoded(void **state)
 {
     (void)state;
@@ -64,9 +85,10 @@ static void unknown_parameter_is_named_with_the_known_ones(void **state)
 {
     (void)state;
     assert_problem(post("/v1/render?colour=red", JSON_TYPE, GOOD_SCENE), 400, "'colour'");
-    assert_problem(post("/v1/render?colour=red", JSON_TYPE, GOOD_SCENE), 400,
-                   "known: channel, encoding, scale, compress, look, samples, width, height, preset, azimuth, elevation, up, "
-                   "projection, shading, ");
+    assert_problem(
+        post("/v1/render?colour=red", JSON_TYPE, GOOD_SCENE), 400,
+        "known: channel, encoding, scale, compress, look, samples, width, height, preset, azimuth, elevation, up, "
+        "projection, shading, ");
 }
 
 static void duplicate_parameter_is_refused(void **state)
@@ -124,6 +146,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(meshes_are_rendered_with_parameters),
+        cmocka_unit_test(answers_tell_the_look_with_its_version),
         cmocka_unit_test(parameters_are_percent_decoded),
         cmocka_unit_test(unknown_parameter_is_named_with_the_known_ones),
         cmocka_unit_test(duplicate_parameter_is_refused),

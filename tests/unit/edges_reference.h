@@ -207,7 +207,7 @@ static unsigned char covered[MOST * MOST];
 
 static void reference_disc(int x, int y, unsigned char marks)
 {
-    const double radius = 0.5 * (double)picture.edges.width * picture.side;
+    const double wanted = 0.5 * (double)picture.edges.width * picture.side - 0.5, radius = wanted > 0.0 ? wanted : 0.0;
     const int reach = (int)radius + 1;
     for (int j = y - reach; j <= y + reach; j++)
         for (int i = x - reach; i <= x + reach; i++)

@@ -1,6 +1,7 @@
 /* The channel info: what it lists, and the memory that it takes. */
 #include <cjson/cJSON.h>
 #include <malloc.h>
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -170,6 +171,198 @@ static void info_lists_the_first_thousand_instances(void **state)
     cJSON_Delete(info);
 }
 
+/* ---- what tells a useless picture from others ---- */
+
+static const struct zr_output with_color[] = {{.channel = ZR_CHANNEL_COLOR, .encoding = ZR_ENCODING_PNG},
+                                              {.channel = ZR_CHANNEL_INFO, .encoding = ZR_ENCODING_JSON}};
+
+/* The info of a frame that has colours, too. */
+static cJSON *info_beside_color(struct test_scene *test)
+{
+    struct zr_buffer out = {.arena = &arena};
+    const struct zr_warning_list none = {.count = 0};
+    test->scene.views[0].outputs = with_color;
+    test->scene.views[0].output_count = 2;
+    const struct zr_frame *frame = scene_render(&arena, NULL, &test->scene);
+    assert_int_equal(zr_info_write(&test->scene, frame, 0, 0, &none, &out), ZR_OK);
+    cJSON *info = cJSON_ParseWithLength((const char *)out.bytes, out.size);
+    assert_non_null(info);
+    return info;
+}
+
+static void picture_says_how_much_is_covered_and_whether_that_leaves_the_window(void **state)
+{
+    (void)state;
+    static const struct {
+        float x0, y0, x1, y1; /* of a rectangle's lower left and upper right corner, in a window of 16 x 16 */
+        double share;
+        bool touches, blank;
+    } cases[] = {{-0.5f, -0.5f, 0.5f, 0.5f, 0.25, false, false},
+                 {-1, -0.5f, 0, 0.5f, 0.25, true, false},
+                 {0, -0.5f, 1, 0.5f, 0.25, true, false},
+                 {-0.5f, -1, 0.5f, 0, 0.25, true, false},
+                 {-0.5f, 0, 0.5f, 1, 0.25, true, false},
+                 {-0.875f, -0.875f, 0.875f, 0.875f, 0.765625, false, false},
+                 {-2, -2, 2, 2, 1, true, true},
+                 {2, 2, 3, 3, 0, false, true}};
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        const float x0 = cases[i].x0, y0 = cases[i].y0, x1 = cases[i].x1, y1 = cases[i].y1;
+        const zr_vec4 p[] = {{x0, y0, 0, 1}, {x1, y0, 0, 1}, {x1, y1, 0, 1},
+                             {x0, y0, 0, 1}, {x1, y1, 0, 1}, {x0, y1, 0, 1}};
+        static struct test_scene test;
+        scene_of_triangles(&test, 16, 16, p, 2);
+        cJSON *info = info_beside_color(&test);
+        const cJSON *picture = cJSON_GetObjectItem(info, "picture");
+        const cJSON *share = cJSON_GetObjectItem(picture, "coveredShare");
+        assert_true(cJSON_IsNumber(share) && share->valuedouble == cases[i].share);
+        assert_int_equal(cJSON_IsTrue(cJSON_GetObjectItem(picture, "touchesBorder")), cases[i].touches);
+        assert_int_equal(cJSON_IsFalse(cJSON_GetObjectItem(picture, "touchesBorder")), !cases[i].touches);
+        assert_int_equal(cJSON_IsTrue(cJSON_GetObjectItem(picture, "blank")), cases[i].blank);
+        assert_int_equal(cJSON_IsFalse(cJSON_GetObjectItem(picture, "blank")), !cases[i].blank);
+        assert_true(cJSON_GetObjectItem(picture, "colors")->valuedouble == (cases[i].blank ? 1 : 2));
+        assert_string_equal(cJSON_GetObjectItem(info, "look")->valuestring, "textbook@1");
+        cJSON_Delete(info);
+    }
+}
+
+/* A row of triangles, each with a colour of its own, beside a background of another. */
+static double colors_of(uint32_t triangles)
+{
+    static struct test_scene test;
+    static zr_vec4 p[3 * TEST_TRIANGLES_MAX], colors[TEST_TRIANGLES_MAX];
+    for (uint32_t t = 0; t < triangles; t++) {
+        const float x = (float)(t % 32) / 16.0f - 1.0f, y = (float)(t / 32) / 16.0f - 1.0f, size = 1.0f / 16.0f;
+        p[3 * t] = (zr_vec4){x, y, 0, 1};
+        p[3 * t + 1] = (zr_vec4){x + size, y, 0, 1};
+        p[3 * t + 2] = (zr_vec4){x, y + size, 0, 1};
+        colors[t] = (zr_vec4){(float)(t % 16) / 15.0f, (float)(t / 16 % 16) / 15.0f, t < 256 ? 0.5f : 0.75f, 1};
+    }
+    scene_of_triangles(&test, 256, 256, p, triangles);
+    test.mesh.face_colors = colors;
+    cJSON *info = info_beside_color(&test);
+    const double count = cJSON_GetObjectItem(cJSON_GetObjectItem(info, "picture"), "colors")->valuedouble;
+    cJSON_Delete(info);
+    return count;
+}
+
+static void colors_are_counted_up_to_256(void **state)
+{
+    (void)state;
+    assert_true(colors_of(1) == 2);
+    assert_true(colors_of(100) == 101);
+    assert_true(colors_of(255) == 256);
+    assert_true(colors_of(256) == 257);
+    assert_true(colors_of(400) == 257);
+}
+
+static void picture_is_missing_where_color_is_no_output(void **state)
+{
+    (void)state;
+    const zr_vec4 p[] = {{-1, 0, 0, 1}, {0, 0, 0, 1}, {-1, 1, 0, 1}};
+    static struct test_scene test;
+    scene_of_triangles(&test, 16, 16, p, 1);
+    const struct zr_answer answer = info_of(&test);
+    cJSON *info = cJSON_ParseWithLength(answer.bytes, answer.size);
+    assert_null(cJSON_GetObjectItem(info, "picture"));
+    assert_non_null(cJSON_GetObjectItem(info, "backgroundPixels"));
+    cJSON_Delete(info);
+}
+
+/* ---- where the camera stands ---- */
+
+/* The info of a request, to be deleted. */
+static cJSON *info_of_text(enum zr_format format, const char *text, const char *look)
+{
+    const struct zr_limits limits = zr_limits_default();
+    const struct zr_request request = {
+        .format = format, .bytes = text, .size = strlen(text), .channel = "info", .look = look};
+    const struct zr_scene *scene;
+    struct zr_error error = {.count = 0};
+    const enum zr_status status = zr_scene_read(&arena, NULL, &request, &limits, &scene, &error);
+    if (status != ZR_OK) fail_msg("%s: %s", text, error.count ? error.items[0].detail : "");
+    const struct zr_answer answer = scene_encode(&arena, NULL, scene);
+    cJSON *info = cJSON_ParseWithLength(answer.bytes, answer.size);
+    assert_non_null(info);
+    return info;
+}
+
+static void assert_angles(cJSON *info, const char *up, double azimuth, double elevation)
+{
+    const cJSON *camera = cJSON_GetObjectItem(info, "camera");
+    const cJSON *got[2] = {cJSON_GetObjectItem(camera, "azimuthDegrees"),
+                           cJSON_GetObjectItem(camera, "elevationDegrees")};
+    assert_true(cJSON_IsNumber(got[0]) && cJSON_IsNumber(got[1]));
+    if (got[0]->valuedouble != azimuth || got[1]->valuedouble != elevation)
+        fail_msg("%g, %g instead of %g, %g", got[0]->valuedouble, got[1]->valuedouble, azimuth, elevation);
+    assert_string_equal(cJSON_GetObjectItem(camera, "up")->valuestring, up);
+}
+
+static void default_views_of_looks_are_seen_in_info(void **state)
+{
+    (void)state;
+    static const char obj[] = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 2 3\nf 1 2 4\nf 2 3 4\n";
+    static const char stl[] = "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 1\n"
+                              "endloop\nendfacet\nendsolid a\n";
+    cJSON *info = info_of_text(ZR_FORMAT_OBJ, obj, NULL);
+    assert_angles(info, "y", 35, 28);
+    assert_non_null(cJSON_GetObjectItem(cJSON_GetObjectItem(info, "camera"), "eye"));
+    assert_string_equal(cJSON_GetObjectItem(info, "look")->valuestring, "studio@1");
+    cJSON_Delete(info);
+    info = info_of_text(ZR_FORMAT_STL, stl, "outdoor");
+    assert_angles(info, "y", 35, 28); /* the mesh is turned, and the world with it */
+    assert_string_equal(cJSON_GetObjectItem(info, "look")->valuestring, "outdoor@1");
+    cJSON_Delete(info);
+    info = info_of_text(ZR_FORMAT_OBJ, obj, "technical");
+    assert_angles(info, "y", 45, 35.264);
+    assert_null(cJSON_GetObjectItem(cJSON_GetObjectItem(info, "camera"), "eye"));
+    cJSON_Delete(info);
+}
+
+#define SCENE(view) "{\"polygons\":[{\"vertices\":[[0,0,0],[1,0,0],[0,1,1]]}]," view "}"
+
+static void angles_of_views_are_those_that_they_say(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *text, *up;
+        double azimuth, elevation;
+    } cases[] = {
+        {SCENE("\"view\":{\"preset\":\"front\"}"), "y", 0, 0},
+        {SCENE("\"view\":{\"preset\":\"back\"}"), "y", 180, 0},
+        {SCENE("\"view\":{\"preset\":\"left\"}"), "y", -90, 0},
+        {SCENE("\"view\":{\"preset\":\"top\"}"), "y", 0, 90},
+        {SCENE("\"view\":{\"preset\":\"bottom\"}"), "y", 0, -90},
+        {SCENE("\"view\":{\"azimuthDegrees\":-120.5,\"elevationDegrees\":-33.25}"), "y", -120.5, -33.25},
+        {SCENE("\"up\":\"z\",\"view\":{\"azimuthDegrees\":200,\"elevationDegrees\":10}"), "z", -160, 10},
+        {SCENE("\"up\":\"z\",\"view\":{\"preset\":\"right\"}"), "z", 90, 0},
+        {SCENE("\"up\":\"z\",\"look\":\"studio\""), "z", 35, 28},
+        {SCENE("\"view\":{\"eye\":[3,0,3],\"target\":[0,0,0]}"), "y", 45, 0},
+        /* One that is wider than it is high: what it looks along is z all the same. */
+        {SCENE("\"view\":{\"worldToCamera\":[[2,0,0,0],[0,1,0,0],[0,0,3,-9],[0,0,0,1]]}"), "y", 0, 0},
+        {SCENE("\"view\":{\"projectionMatrix\":[[1,0,0,0],[0,1,0,0],[0,0,-0.1,0],[0,0,0,1]]}"), "y", 0, 0},
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        cJSON *info = info_of_text(ZR_FORMAT_JSON, cases[i].text, NULL);
+        assert_angles(info, cases[i].up, cases[i].azimuth, cases[i].elevation);
+        cJSON_Delete(info);
+        zr_arena_reset(&arena, SIZE_MAX);
+    }
+}
+
+static void eye_is_where_the_view_has_it(void **state)
+{
+    (void)state;
+    cJSON *info = info_of_text(ZR_FORMAT_JSON, SCENE("\"view\":{\"eye\":[3,1,-2],\"target\":[0,0,0]}"), NULL);
+    const cJSON *eye = cJSON_GetObjectItem(cJSON_GetObjectItem(info, "camera"), "eye");
+    const double want[3] = {3, 1, -2};
+    assert_int_equal(cJSON_GetArraySize(eye), 3);
+    for (int k = 0; k < 3; k++)
+        assert_true(fabs(cJSON_GetArrayItem(eye, k)->valuedouble - want[k]) < 1e-5);
+    cJSON_Delete(info);
+}
+
+/* ---- memory ---- */
+
 /* What cJSON holds, and the most that it held. */
 static size_t held, most;
 
@@ -239,6 +432,13 @@ int main(void)
         cmocka_unit_test_setup_teardown(info_names_meshes_and_the_nodes_that_place_them, open_arena, close_arena),
         cmocka_unit_test_setup_teardown(names_in_info_keep_quotes_and_utf8, open_arena, close_arena),
         cmocka_unit_test_setup_teardown(info_lists_the_first_thousand_instances, open_arena, close_arena),
+        cmocka_unit_test_setup_teardown(picture_says_how_much_is_covered_and_whether_that_leaves_the_window, open_arena,
+                                        close_arena),
+        cmocka_unit_test_setup_teardown(colors_are_counted_up_to_256, open_arena, close_arena),
+        cmocka_unit_test_setup_teardown(picture_is_missing_where_color_is_no_output, open_arena, close_arena),
+        cmocka_unit_test_setup_teardown(default_views_of_looks_are_seen_in_info, open_arena, close_arena),
+        cmocka_unit_test_setup_teardown(angles_of_views_are_those_that_they_say, open_arena, close_arena),
+        cmocka_unit_test_setup_teardown(eye_is_where_the_view_has_it, open_arena, close_arena),
         cmocka_unit_test_setup_teardown(info_takes_no_memory_that_a_request_may_not_have, open_arena, close_counted),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

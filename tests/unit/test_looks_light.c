@@ -103,8 +103,9 @@ static void what_a_material_says_goes_before_the_look_key_by_key(void **state)
     (void)state;
     struct reading *reading = read_scene(
         "{\"materials\": [{\"name\": \"m\", \"baseColorFactor\": \"red\", \"roughnessFactor\": 0.125,"
-        " \"emissiveFactor\": [1, 2, 3], \"cool\": \"blue\"}], \"look\": \"metal\","
-        " \"polygons\": [{" TRIANGLE ", \"material\": \"m\"}, {" TRIANGLE ", \"color\": \"lime\"}, {" TRIANGLE "}]}");
+        " \"emissiveFactor\": [1, 2, 3], \"cool\": \"blue\"}, {\"name\": \"plain\"}], \"look\": \"metal\","
+        " \"polygons\": [{" TRIANGLE ", \"material\": \"m\"}, {" TRIANGLE ", \"color\": \"lime\"}, {" TRIANGLE "},"
+        " {" TRIANGLE ", \"material\": \"plain\"}]}");
     const uint32_t *numbers = reading->scene->meshes[0].face_materials;
     const struct zr_material *given = &reading->scene->materials[numbers[0]],
                              *coloured = &reading->scene->materials[numbers[1]],
@@ -114,6 +115,7 @@ static void what_a_material_says_goes_before_the_look_key_by_key(void **state)
     assert_true(given->specular.x == 0.12f && given->shininess == 32 && given->shading == ZR_SHADING_PBR);
     assert_true(coloured->base_color.x == 1 && coloured->base_color.y == 1 && coloured->roughness == 0.32f);
     assert_true(zr_vec4_equal(bare->base_color, zr_look_find("metal")->material.base_color));
+    assert_ptr_equal(&reading->scene->materials[numbers[3]], bare);
     reading_free(reading);
 }
 

@@ -94,6 +94,16 @@ static const char into_base[] =
 static const char refused[] = "{" WINDOW ",\"polygons\":[{\"vertices\":[[0,0,0],[1,0,0]],\"color\":\"red?\"}],\"a\":1}";
 static const char obj[] = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 2 3\nf 1 2 4\nf 2 3 4\n";
 
+#define LIT_MESH                                                                                                       \
+    "\"meshes\":[{\"positions\":[[0,0,0],[1,0,0],[0,1,0],[0,0,1]],\"faces\":[[0,1,2],[0,1,3],[1,2,3]],\"lines\":[[0,"  \
+    "1]],"                                                                                                             \
+    "\"outline\":true}],\"lineWidth\":2.5,\"samples\":16,\"edges\":{\"width\":3},\"lights\":[{\"type\":"               \
+    "\"directional\","                                                                                                 \
+    "\"direction\":[0,-1,-1],\"shadows\":true},{\"type\":\"hemisphere\"}]"
+static const char *const lit[] = {
+    "{" WINDOW ",\"look\":\"outdoor\"," LIT_MESH ",\"outputs\":[{\"channel\":\"color\"}]}",
+    "{" WINDOW ",\"look\":\"studio\",\"algorithm\":\"painter\",\"shading\":\"phong\"," LIT_MESH "," OUTPUTS "}"};
+
 static struct zr_asset assets[3];
 
 /* What comes of one. */
@@ -256,6 +266,28 @@ static void info_of_a_bare_mesh(void **state)
                     ZR_OK, false);
 }
 
+/* Each look, with samples and all effects that it has; shadows, edges and lines besides. */
+static void pictures_of_looks(void **state)
+{
+    static const char *const looks[] = {"studio", "technical", "outdoor", "blueprint", "textbook"};
+    (void)state;
+    for (size_t i = 0; i < sizeof looks / sizeof looks[0]; i++)
+        assert_survives(looks[i],
+                        &(struct zr_request){.format = ZR_FORMAT_OBJ,
+                                             .bytes = obj,
+                                             .size = strlen(obj),
+                                             .look = looks[i],
+                                             .samples = "4",
+                                             .width = "24",
+                                             .height = "17"},
+                        ZR_OK, false);
+    if (__lsan_disable) __lsan_disable(); /* the second is an archive */
+    for (size_t i = 0; i < sizeof lit / sizeof lit[0]; i++)
+        assert_survives("lit", &(struct zr_request){.format = ZR_FORMAT_JSON, .bytes = lit[i], .size = strlen(lit[i])},
+                        ZR_OK, true);
+    if (__lsan_enable) __lsan_enable();
+}
+
 static void a_scene_that_is_refused(void **state)
 {
     (void)state;
@@ -270,6 +302,7 @@ int main(void)
         cmocka_unit_test(each_channel_alone),  cmocka_unit_test(several_outputs_in_an_archive),
         cmocka_unit_test(small_pngs),          cmocka_unit_test(pictures_that_are_drawn_into),
         cmocka_unit_test(info_of_a_bare_mesh), cmocka_unit_test(a_scene_that_is_refused),
+        cmocka_unit_test(pictures_of_looks),
     };
     return cmocka_run_group_tests_name("no memory", tests, make_assets, free_assets);
 }

@@ -73,6 +73,24 @@ static void meshes_teach_nothing_about_shapes(void **state)
     prediction_free(&prediction);
 }
 
+/* Pictures by the textbook have no samples that are lit apart, and say nothing about them. */
+static void textbook_teaches_nothing_about_samples(void **state)
+{
+    (void)state;
+    static const struct zr_cost textbook = {.triangles = 50000, .fragments = 500000}, look = {.samples = 10000000};
+    struct prediction prediction;
+    prediction_init(&prediction);
+    const double before = prediction_ms(&prediction, &look), slow = prediction_ms(&prediction, &textbook);
+    assert_true(before > 10 && before < 1000); /* ten million of them */
+    for (int i = 0; i < 50; i++)
+        prediction_learn(&prediction, &textbook, slow / 20, -1.0);
+    assert_true(fabs(prediction_ms(&prediction, &look) - before) < 1e-9);
+    for (int i = 0; i < 50; i++)
+        prediction_learn(&prediction, &look, before / 4, -1.0);
+    assert_true(fabs(prediction_ms(&prediction, &look) / before - 0.25) < 0.05);
+    prediction_free(&prediction);
+}
+
 static void one_strange_request_moves_what_is_known_by_little(void **state)
 {
     (void)state;
@@ -180,6 +198,7 @@ int main(void)
         cmocka_unit_test(few_requests_teach_what_the_machine_takes),
         cmocka_unit_test(kind_that_is_not_in_a_request_is_left_alone),
         cmocka_unit_test(meshes_teach_nothing_about_shapes),
+        cmocka_unit_test(textbook_teaches_nothing_about_samples),
         cmocka_unit_test(one_strange_request_moves_what_is_known_by_little),
         cmocka_unit_test(what_only_looks_slow_raises_what_is_known_to_twice_at_most),
         cmocka_unit_test(algorithms_teach_one_another_nothing),

@@ -53,13 +53,15 @@ static void values_are_integrals(void **state)
     assert_true(worst < 0.004);
 }
 
-/* What lies between two columns and two rows. */
+/* What lies between two columns and two rows; of near-mirrors seen edge-on, which change from 0 to 1 within a column,
+ * only the mean. */
 static void values_between_are_close(void **state)
 {
-    double worst = 0.0;
+    enum { NEAR_MIRRORS = 2, CELLS = (ZR_SPLIT_SIDE - 1) * (ZR_SPLIT_SIDE - 1) * 2 };
+    double worst = 0.0, sum = 0.0;
     (void)state;
     for (int row = 0; row + 1 < ZR_SPLIT_SIDE; row++)
-        for (int column = 1; column + 1 < ZR_SPLIT_SIDE; column++) {
+        for (int column = 0; column + 1 < ZR_SPLIT_SIDE; column++) {
             const double share = (column + 0.5) / (ZR_SPLIT_SIDE - 1);
             double want[2];
             integrate_split_sum((row + 0.5) / (ZR_SPLIT_SIDE - 1), share * share, 160, &want[0], &want[1]);
@@ -67,11 +69,12 @@ static void values_between_are_close(void **state)
                 const float *here = zr_split_sum[row][k], *next = zr_split_sum[row + 1][k];
                 const double got = 0.25 * ((double)here[column] + (double)here[column + 1] + (double)next[column] +
                                            (double)next[column + 1]);
-                worst = fmax(worst, fabs(got - want[k]));
+                sum += fabs(got - want[k]);
+                if (row >= NEAR_MIRRORS) worst = fmax(worst, fabs(got - want[k]));
             }
         }
-    print_message("worst difference between: %.5f\n", worst);
-    assert_true(worst < 0.01);
+    print_message("between: mean %.5f, worst %.5f\n", sum / CELLS, worst);
+    assert_true(worst < 0.01 && sum / CELLS < 0.001);
 }
 
 int main(void)

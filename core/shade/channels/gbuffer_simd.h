@@ -1,10 +1,11 @@
 /* gbuffer_simd.h - shade: what is seen at the samples of a tile, as a G-buffer (gbuffer.h), for the kernel that shades.
  *
- * Every part has planes: of 1/w, of its own colour, its normal and its point. What is flat has the same at all corners.
+ * Every part has planes: of 1/w, of its own colour, its normal and its point. Those of what is flat are 1/w's, times it.
  */
 #ifndef ZR_GBUFFER_SIMD_H
 #define ZR_GBUFFER_SIMD_H
 
+#include "base/inlined.h"
 #include "shade/blocks_simd.h"
 #include "shade/gbuffer.h"
 
@@ -21,30 +22,49 @@ static void zr_make_sample_lines(struct zr_shader *s, const struct zr_run *run)
     }
 }
 
-static inline void zr_make_samples(struct zr_shader *s, const struct zr_run *run)
+/* Three values, from plane k on. */
+static inline void zr_put_values(struct zr_shader *s, const struct zr_run *run, int k, const struct zr_way_v *way,
+                                 const struct zr_vec3_v values[3], bool flat)
+{
+    const zr_vf each[3] = {values[0].x, values[0].y, values[0].z};
+    if (!flat) {
+        const struct zr_planes3_v planes = zr_planes3_make(way, values);
+        zr_put_three(s, run->first, k, ZR_SAMPLE_PLANES, &planes);
+        return;
+    }
+    for (int i = 0; i < 3; i++) {
+        const struct zr_plane_v oow = way->oow_plane,
+                                plane = {oow.a0 * each[i], oow.dadx * each[i], oow.dady * each[i]};
+        zr_put_plane(s, run->first, k + i, ZR_SAMPLE_PLANES, &plane);
+    }
+}
+
+static inline void zr_make_samples(struct zr_shader *s, const struct zr_run *run, bool with_base)
 {
     if (zr_draw_is_of_lines(run->draw)) {
         zr_make_sample_lines(s, run);
         return;
     }
     const struct zr_surface *surface = run->surface;
-    const struct zr_attribute *color = &surface->attributes[ZR_ATTRIBUTE_COLOR];
+    const struct zr_attribute *color = &surface->attributes[ZR_ATTRIBUTE_COLOR],
+                              *normal = &surface->attributes[ZR_ATTRIBUTE_NORMAL];
     const zr_vec4 *points = surface->attributes[ZR_ATTRIBUTE_POINT].values - run->draw->first_vertex;
     const zr_vi numbers = zr_run_numbers(s, run);
     const struct zr_corner_numbers corners = zr_corner_numbers_of(run->draw, color->rate, numbers);
     const struct zr_way_v way = zr_way_of(s->geometry->vertices, corners.vertex);
     struct zr_vec3_v values[3];
-    struct zr_planes3_v planes;
     zr_put_plane(s, run->first, 0, ZR_SAMPLE_PLANES, &way.oow_plane);
-    zr_values_load(color->values, corners.value, values);
-    planes = zr_planes3_make(&way, values);
-    zr_put_three(s, run->first, 1, ZR_SAMPLE_PLANES, &planes);
+    if (with_base && color->rate == ZR_RATE_DRAW) {
+        values[0] = zr_spread_v((zr_vec3){color->values->x, color->values->y, color->values->z});
+        zr_put_values(s, run, 1, &way, values, true);
+    } else if (with_base) {
+        zr_values_load(color->values, corners.value, values);
+        zr_put_values(s, run, 1, &way, values, zr_rate_is_flat(color->rate));
+    }
     zr_normals_load(surface, numbers, way.turned, values);
-    planes = zr_planes3_make(&way, values);
-    zr_put_three(s, run->first, 4, ZR_SAMPLE_PLANES, &planes);
+    zr_put_values(s, run, 4, &way, values, zr_rate_is_flat(normal->rate));
     zr_values_load(points, corners.vertex, values);
-    planes = zr_planes3_make(&way, values);
-    zr_put_three(s, run->first, 7, ZR_SAMPLE_PLANES, &planes);
+    zr_put_values(s, run, 7, &way, values, false);
 }
 
 /* ---- samples ---- */
@@ -62,12 +82,12 @@ static inline struct zr_sample_v zr_no_sample(void)
     return out;
 }
 
-static inline struct zr_sample_v zr_sample_of(zr_vf (*planes)[3], zr_vm seen, zr_vf x, zr_vf y)
+ZR_INLINED struct zr_sample_v zr_sample_of(zr_vf (*planes)[3], zr_vm seen, zr_vf x, zr_vf y, int first)
 {
     const zr_vf w = zr_vf_set(1.0f) / zr_shaded_value(planes, 0, x, y);
     const struct zr_vec3_v normal = zr_normalize_v(zr_shaded_three(planes, 4, w, x, y));
     struct zr_sample_v out = zr_no_sample();
-    for (int k = 0; k < ZR_VALUES_LATE; k++)
+    for (int k = first; k < ZR_VALUES_LATE; k++)
         out.value[k] = zr_vf_select(seen, zr_shaded_value(planes, 1 + k, x, y) * w, out.value[k]);
     out.value[3] = zr_vf_select(seen, normal.x, out.value[3]);
     out.value[4] = zr_vf_select(seen, normal.y, out.value[4]);
@@ -80,16 +100,16 @@ static inline float *zr_sample_row(const struct zr_gbuffer *to, int k)
     return k < 3 ? to->base[k] : k < 6 ? to->normal[k - 3] : to->point[k - 6];
 }
 
-static inline void zr_put_samples(const struct zr_gbuffer *to, ptrdiff_t at, const struct zr_sample_v *sample)
+ZR_INLINED void zr_put_samples(const struct zr_gbuffer *to, ptrdiff_t at, const struct zr_sample_v *sample, int first)
 {
-    for (int k = 0; k < ZR_VALUES_LATE; k++)
+    for (int k = first; k < ZR_VALUES_LATE; k++)
         zr_vf_store(zr_sample_row(to, k) + at, sample->value[k]);
 }
 
 /* ---- blocks ---- */
 
-static inline void zr_sample_whole_block(const struct zr_shader *s, const struct zr_tile *tile, int number,
-                                         const struct zr_gbuffer *to)
+ZR_INLINED void zr_sample_whole_block(const struct zr_shader *s, const struct zr_tile *tile, int number,
+                                         const struct zr_gbuffer *to, int first)
 {
     const uint32_t part = s->parts.blocks[number].first;
     const zr_vi owner = zr_vi_set((int32_t)s->parts.owners[part]);
@@ -102,14 +122,14 @@ static inline void zr_sample_whole_block(const struct zr_shader *s, const struct
             const zr_vf x = zr_vf_of(zr_vi_set(tile->x + left + column) + zr_vi_ramp());
             const zr_vf y = zr_vf_set((float)(tile->y + low + row));
             const ptrdiff_t at = (low + row) * to->stride + left + column;
-            const struct zr_sample_v sample = part > 0 ? zr_sample_of(planes, ZR_ALL_LANES, x, y) : none;
-            zr_put_samples(to, at, &sample);
+            const struct zr_sample_v sample = part > 0 ? zr_sample_of(planes, ZR_ALL_LANES, x, y, first) : none;
+            zr_put_samples(to, at, &sample, first);
         }
 }
 
 /* Patches side by side, as many as make whole rows of ZR_LANES. */
-static inline void zr_sample_patches(const struct zr_shader *s, const struct zr_tile *tile, int number,
-                                     const struct zr_gbuffer *to)
+ZR_INLINED void zr_sample_patches(const struct zr_shader *s, const struct zr_tile *tile, int number,
+                                     const struct zr_gbuffer *to, int first)
 {
     const struct zr_block_parts *block = &s->parts.blocks[number];
     const struct zr_patch_place place = zr_patch_place_of(tile, number);
@@ -126,13 +146,13 @@ static inline void zr_sample_patches(const struct zr_shader *s, const struct zr_
             if (count > 0) {
                 zr_vf planes[ZR_SAMPLE_PLANES][3];
                 zr_select_planes(s, part, count, owner, ZR_SAMPLE_PLANES, planes);
-                sample = zr_sample_of(planes, zr_vi_lt(zr_vi_set(0), owner), fx, fy);
+                sample = zr_sample_of(planes, zr_vi_lt(zr_vi_set(0), owner), fx, fy, first);
             }
-            for (int v = 0; v < ZR_VALUES_LATE; v++)
+            for (int v = first; v < ZR_VALUES_LATE; v++)
                 rows[v][k] = zr_vi_bits_of(sample.value[v]);
             part += count;
         }
-        for (int v = 0; v < ZR_VALUES_LATE; v++) {
+        for (int v = first; v < ZR_VALUES_LATE; v++) {
             zr_vi_rows_of_patches(rows[v]);
             float *out = zr_sample_row(to, v) + (place.low - tile->y + y) * to->stride + place.left - tile->x + x;
             for (int k = 0; k < ZR_PATCH_ROWS; k++)
@@ -141,19 +161,29 @@ static inline void zr_sample_patches(const struct zr_shader *s, const struct zr_
     }
 }
 
-static inline void zr_sample_blocks(struct zr_shader *s, const struct zr_tile *tile, int begin, int end,
-                                    const struct zr_gbuffer *to)
+/* `first`: 0, or 3: without the surfaces' own colours. Known when this is compiled. */
+ZR_INLINED void zr_sample_blocks_by(struct zr_shader *s, const struct zr_tile *tile, int begin, int end,
+                                    const struct zr_gbuffer *to, int first)
 {
     const int across = (tile->width + ZR_BLOCK_WIDTH - 1) / ZR_BLOCK_WIDTH;
     for (uint32_t i = 0; i < s->run_count; i++)
-        zr_make_samples(s, &s->runs[i]);
+        zr_make_samples(s, &s->runs[i], first == 0);
     for (int b = begin; b < end; b++) {
         if (b % ZR_BLOCK_COLUMNS >= across) continue;
         if (s->parts.blocks[b].is_whole)
-            zr_sample_whole_block(s, tile, b, to);
+            zr_sample_whole_block(s, tile, b, to, first);
         else
-            zr_sample_patches(s, tile, b, to);
+            zr_sample_patches(s, tile, b, to, first);
     }
+}
+
+static inline void zr_sample_blocks(struct zr_shader *s, const struct zr_tile *tile, int begin, int end,
+                                    const struct zr_gbuffer *to)
+{
+    if (to->base[0])
+        zr_sample_blocks_by(s, tile, begin, end, to, 0);
+    else
+        zr_sample_blocks_by(s, tile, begin, end, to, 3);
 }
 
 static inline zr_vi zr_material_words(const struct zr_geometry *geometry, const struct zr_surface *surface,

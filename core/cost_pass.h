@@ -1,0 +1,39 @@
+/* cost_pass.h - the core: what it takes to draw a scene once, in a window of some size, from a sample of its faces.
+ *
+ * Space:  triangles are placed, clipped and measured in the window just as for drawing;
+ *         of a large scene a sample will do, one polygon out of each stretch of them, at a
+ *         place that no regular pattern in the scene can keep to. The same scene gives
+ *         the same cost.
+ */
+#ifndef ZR_COST_PASS_H
+#define ZR_COST_PASS_H
+
+#include "scene/camera.h"
+#include "scene/scene.h"
+#include "zraster.h"
+
+/* Where a scene is drawn, and how. */
+struct zr_cost_target {
+    uint32_t width, height;
+    double line_width; /* pixels of it, 1 at least */
+};
+
+/* How many faces and lines a scene has, and how many of them are looked at. */
+struct zr_cost_sampling {
+    uint64_t things, samples;
+};
+
+struct zr_cost_pass {
+    double triangle_times; /* how many times longer the algorithm takes for a triangle; `cost` has it in it */
+    struct zr_cost cost;   /* beside placing what there is: triangles, fragments, and those of shapes */
+    double covered;        /* pixels of all faces and lines, hidden ones too */
+    double faces;          /* that are seen, or hidden by others only */
+    double surface;        /* of all faces, in the world, scene units squared; 0 unless it is wanted */
+};
+
+/* `cancel` may be NULL; cancelled, it returns early with too little. */
+struct zr_cost_pass zr_cost_pass_measure(const struct zr_scene *scene, const struct zr_camera *camera,
+                                         struct zr_cost_target target, bool wants_surface,
+                                         const struct zr_cancel *cancel, struct zr_cost_sampling sampling);
+
+#endif

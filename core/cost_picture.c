@@ -1,0 +1,175 @@
+#include "cost_picture.h"
+
+#include <math.h>
+
+#include "look/ground.h"
+#include "look/maps.h"
+#include "look/picture.h"
+#include "look/shadow_map.h"
+#include "raster/tile.h"
+
+/* ---- passes ---- */
+
+static bool wants_channels(const struct zr_view *view)
+{
+    for (uint32_t i = 0; i < view->output_count; i++)
+        if (view->outputs[i].channel != ZR_CHANNEL_COLOR) return true;
+    return false;
+}
+
+static uint32_t shadow_count(const struct zr_scene *scene)
+{
+    uint32_t count = 0;
+    for (uint32_t i = 0; i < scene->light_count; i++)
+        count += scene->lights[i].has_shadows && scene->lights[i].type == ZR_LIGHT_DIRECTIONAL;
+    return count;
+}
+
+struct zr_cost_passes zr_cost_passes_of(const struct zr_scene *scene, const struct zr_bounds *bounds)
+{
+    const struct zr_picture *picture = &scene->picture;
+    const struct zr_view *view = &scene->views[0];
+    struct zr_cost_passes passes = {.centres = 1, .side = 1};
+    if (!zr_view_wants(view, ZR_CHANNEL_COLOR) || !zr_picture_is_apart(picture)) return passes;
+    passes.samples = 1;
+    passes.side = picture->side;
+    passes.centres = wants_channels(view);
+    if (!picture->is_linear) return passes;
+    const bool has_maps = zr_diagonal_of(bounds) > 0.0f;
+    const uint32_t shadows = has_maps ? shadow_count(scene) : 0, ground = has_maps && picture->has_ground;
+    passes.centres += picture->occlusion.is_on;
+    passes.maps = shadows + ground;
+    passes.lamp_maps = shadows;
+    passes.map_texels = (double)shadows * ((double)ZR_SHADOW_SIDE * ZR_SHADOW_SIDE) +
+                        (double)ground * ((double)ZR_GROUND_SIDE * ZR_GROUND_SIDE);
+    passes.makes_normals = true;
+    return passes;
+}
+
+/* ---- light ---- */
+
+/* Of a sample or a pixel, in those samples of unlit surfaces that take as long: about 6 ns on an AVX-512 machine. */
+static const double BYTES_SAMPLE = 0.25; /* averaged; seen or not */
+static const double PIXEL = 1.0;         /* finished, and what is kept of it until then; seen or not */
+static const double ENVIRONMENT = 1.2;   /* a sample that it lights */
+static const double PBR_LAMP = 0.25;
+static const double PHONG_LAMP = 0.4;
+static const double OTHER_LAMP = 0.08; /* of flat surfaces, and hemispheres */
+static const double SHADOW = 5.0;      /* of one lamp: the texels around a place */
+static const double OCCLUSION_PIXEL = 24.0;
+static const double OCCLUSION_SAMPLE = 0.2;
+static const double EDGE_SAMPLE = 0.6;
+static const double EDGE_WORD = 0.2; /* of 64 samples, widened by one */
+static const double MAP_TEXEL = 0.5;
+enum { LANES_MOST = 16, WORD = 64 };
+
+/* All lamps that light surfaces of the shading, on one sample. */
+static double cost_of_lamps(const struct zr_scene *scene, enum zr_shading shading)
+{
+    const bool is_pbr = shading == ZR_SHADING_PBR;
+    double sum = 0.0;
+    for (uint32_t i = 0; i < scene->light_count; i++) {
+        const struct zr_light *light = &scene->lights[i];
+        const bool directional = light->type == ZR_LIGHT_DIRECTIONAL;
+        if (light->lit == (is_pbr ? ZR_LIT_CLASSIC : ZR_LIT_PBR)) continue;
+        const double direct = is_pbr ? PBR_LAMP : shading == ZR_SHADING_PHONG ? PHONG_LAMP : OTHER_LAMP;
+        sum += directional ? direct : OTHER_LAMP;
+        if (directional && light->has_shadows) sum += SHADOW;
+    }
+    return sum;
+}
+
+static double cost_of_shading(const struct zr_scene *scene, enum zr_shading shading)
+{
+    switch (shading) {
+    case ZR_SHADING_FLAT:
+    case ZR_SHADING_GOURAUD:
+    case ZR_SHADING_PHONG:
+        return cost_of_lamps(scene, shading);
+    case ZR_SHADING_PBR:
+        return ENVIRONMENT + cost_of_lamps(scene, shading);
+    default:
+        return 0.0;
+    }
+}
+
+/* The dearest of all materials. Samples are lit many at once, and anew for each material among them, of which there
+ * are many only where faces are small. */
+static double cost_of_a_sample(const struct zr_scene *scene, double samples_a_face)
+{
+    double most = 0.0;
+    for (int shading = 0; shading < ZR_SHADING_COUNT; shading++)
+        for (uint32_t i = 0; i < scene->material_count; i++)
+            if ((int)scene->materials[i].shading == shading) {
+                most = fmax(most, cost_of_shading(scene, (enum zr_shading)shading));
+                break;
+            }
+    const double faces_at_once = fmin((double)LANES_MOST / fmax(samples_a_face, 1.0), LANES_MOST);
+    return 1.0 + most * fmax(fmin(faces_at_once, (double)scene->material_count), 1.0);
+}
+
+static double cost_of_edges(const struct zr_scene *scene, double window_samples)
+{
+    const struct zr_edges *edges = &scene->picture.edges;
+    const double radius = 0.5 * (double)edges->width * (double)scene->picture.side;
+    return edges->is_on ? window_samples * (EDGE_SAMPLE + EDGE_WORD * radius / WORD) : 0.0;
+}
+
+double zr_cost_of_light(const struct zr_scene *scene, const struct zr_cost_passes *passes,
+                        const struct zr_cost_covered *covered)
+{
+    const struct zr_view *view = &scene->views[0];
+    const double pixels = (double)view->width * (double)view->height;
+    const double window_samples = pixels * (double)passes->side * (double)passes->side;
+    if (passes->samples == 0) return 0.0;
+    if (!scene->picture.is_linear) return BYTES_SAMPLE * window_samples;
+    double sum = PIXEL * pixels + MAP_TEXEL * passes->map_texels + cost_of_edges(scene, window_samples);
+    sum += covered->samples * cost_of_a_sample(scene, covered->samples_a_face);
+    if (scene->picture.occlusion.is_on) sum += covered->centres * OCCLUSION_PIXEL + covered->samples * OCCLUSION_SAMPLE;
+    return sum;
+}
+
+/* ---- memory ---- */
+
+/* Bytes of a pixel or a sample. EDGE_BYTES: of a tile, whose sides are kept. LAMP_MAP_BYTES: of a map, as it is drawn
+ * and with a border. */
+enum {
+    WORD_BYTES = 4,
+    SAMPLE_BYTES = 8,
+    GBUFFER_BYTES = 28,
+    OPENNESS_BYTES = 4,
+    LINEAR_BYTES = 16,
+    EDGE_BYTES = 7196,
+    LAMP_MAP_BYTES = 2 * WORD_BYTES * ZR_SHADOW_SIDE * ZR_SHADOW_SIDE
+};
+
+static double bytes_of_channels(const struct zr_view *view)
+{
+    double words = 0.0;
+    for (int c = 0; c < ZR_CHANNEL_COUNT; c++)
+        if (zr_view_wants(view, (enum zr_channel)c) ||
+            (c == ZR_CHANNEL_FACE_ID && zr_view_wants(view, ZR_CHANNEL_INFO)))
+            words += (double)zr_channel_rows[c].words;
+    return WORD_BYTES * words;
+}
+
+static double bytes_of_edges(double pixels, double samples)
+{
+    return pixels * WORD_BYTES + samples * 2.0 / 8.0 + samples / (ZR_TILE_SIZE * ZR_TILE_SIZE) * EDGE_BYTES;
+}
+
+double zr_cost_window_bytes(const struct zr_scene *scene, const struct zr_cost_passes *passes)
+{
+    const struct zr_picture *picture = &scene->picture;
+    const struct zr_view *view = &scene->views[0];
+    const double pixels = (double)view->width * (double)view->height;
+    const double samples = pixels * (double)passes->side * (double)passes->side;
+    double sum = pixels * bytes_of_channels(view);
+    if (scene->algorithm != ZR_ALGORITHM_HALFSPACE) /* each of them has the whole window at once */
+        sum += SAMPLE_BYTES * (pixels * (double)passes->centres + samples * (double)passes->samples);
+    if (passes->samples == 0 || !picture->is_linear) return sum;
+    sum += pixels * LINEAR_BYTES + LAMP_MAP_BYTES * (double)passes->lamp_maps;
+    if (picture->occlusion.is_on) sum += pixels * (GBUFFER_BYTES + OPENNESS_BYTES);
+    if (picture->edges.is_on) sum += bytes_of_edges(pixels, samples);
+    return sum;
+}

@@ -1,0 +1,142 @@
+/* Pictures of looks that nobody would ask for: odd windows, cameras, bodies. Each is drawn, and all instruction sets
+ * and numbers of threads give the same bytes: a number that is none would not, since they compare it in different ways.
+ */
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "scene/resolved_view.h"
+#include "scene/scene.h"
+#include "shade/frame.h"
+#include "support/cmocka_all.h"
+#include "zraster.h"
+
+#define CUBE_FACES "\"faces\":[[0,1,3,2],[4,6,7,5],[0,4,5,1],[2,3,7,6],[0,2,6,4],[1,5,7,3]]"
+#define CUBE(a, b)                                                                                                     \
+    "\"positions\":[[" a "," a "," a "],[" a "," a "," b "],[" a "," b "," a "],[" a "," b "," b "],[" b "," a "," a   \
+    "],[" b "," a "," b "],[" b "," b "," a "],[" b "," b "," b "]]," CUBE_FACES
+
+static const char *const bodies[] = {
+    CUBE("-1", "1"),
+    CUBE("0", "1e6"),
+    CUBE("999998", "1e6"), /* small, and far from the origin */
+    CUBE("-1e-6", "1e-6"),
+    CUBE("0.999999", "1"),
+    CUBE("0", "0"),
+    "\"positions\":[[3,3,3],[3,3,3],[3,3,3]],\"faces\":[[0,1,2]]",
+    ("\"positions\":[[0,0,0],[0,0,0],[1,0,0],[2,0,0],[0,1,0],[1e-30,0,0],[1,1e-20,0]],"
+     "\"faces\":[[0,1,2],[0,2,3],[0,0,0],[0,2,4],[0,5,6],[1,5,2]]"),
+    "\"positions\":[[0,0,0],[1,0,0],[0,1,0],[0,0,1]],\"lines\":[[0,1],[0,2],[0,3],[0,0]]",
+    "\"positions\":[[0,0,0,1],[1,0,0,0],[0,1,0,0],[0,0,1,-1]],\"faces\":[[0,1,2],[0,1,3]]",
+    "\"heights\":[[0,1,0,3],[1,null,1,2],[0,1,0,1]]"};
+
+static const char *const views[] = {
+    "",
+    ",\"view\":{\"azimuthDegrees\":20,\"elevationDegrees\":-50}", /* below the ground */
+    ",\"view\":{\"preset\":\"top\"}",
+    ",\"view\":{\"preset\":\"bottom\"}",
+    ",\"view\":{\"eye\":[0,1,50],\"target\":[0,9,100]}", /* away from it */
+    ",\"view\":{\"eye\":[0.1,0.2,0.3],\"target\":[1,1,1]}",
+    ",\"view\":{\"projectionMatrix\":[[1,0,0,0],[0,1,0,0],[0,0,-0.1,0],[0,0,0,1]]}",
+    ",\"view\":{\"projectionMatrix\":[[1,0.2,0.1,0],[0,1,0.3,0],[0.1,0.1,0,0.5],[0.1,0.2,0.3,4]]}",
+    ",\"view\":{\"projectionMatrix\":[[0,0,0,0],[0,0,0,0],[0,0,0,0],[0,0,0,1]]}",
+    ",\"view\":{\"projectionMatrix\":[[1,0,0,0],[0,1,0,0],[0,0,0.1,0],[0,0,0,-1]]}",
+    ",\"view\":{\"worldToCamera\":[[2,0.5,0,0],[0,0.1,0,0],[0.3,0,-3,-9],[0,0,0,1]],\"perspective\":{\"yfovDegrees\":"
+    "40}}",
+    ",\"view\":{\"worldToCamera\":[[-1,0,0,0],[0,1,0,0],[0,0,1,-9],[0,0,0,1]],\"orthographic\":{\"xmag\":2,\"ymag\":2}"
+    "}",
+    ",\"view\":{\"preset\":\"front\",\"orthographic\":{\"xmag\":1e8,\"ymag\":1e-6}}"};
+
+static const struct {
+    uint32_t width, height;
+} windows[] = {{1, 1}, {3, 17}, {65, 63}, {130, 40}, {8192, 1}, {1, 300}};
+
+#define LAMPS                                                                                                          \
+    "\"lights\":[{\"type\":\"directional\",\"direction\":[0,-1,0],\"shadows\":true},{\"type\":\"hemisphere\"}]"
+static const char *const looks[] = {
+    "\"look\":\"studio\",\"samples\":4",
+    "\"look\":\"technical\",\"samples\":1",
+    "\"look\":\"outdoor\"",
+    "\"look\":\"blueprint\",\"samples\":4,\"lineWidth\":64,\"outline\":\"#ff0000\"",
+    "\"look\":\"technical\",\"samples\":4,\"edges\":{\"width\":64,\"creaseDegrees\":0},\"creaseDegrees\":0",
+    "\"look\":\"dark\",\"samples\":4,\"shading\":\"phong\",\"occlusion\":true," LAMPS,
+    "\"look\":\"studio\",\"samples\":1,\"background\":[0,0,0,0],\"up\":\"z\"",
+    "\"look\":\"metal\",\"samples\":4,\"algorithm\":\"scanline\",\"shading\":\"gouraud\"",
+    "\"look\":\"studio\",\"occlusion\":{\"radius\":10,\"strength\":10},\"exposure\":1e6,\"toneMapping\":\"khronos-"
+    "neutral\"",
+    "\"look\":\"textbook\",\"samples\":4"};
+
+enum { BODIES = sizeof bodies / sizeof *bodies, VIEWS = sizeof views / sizeof *views };
+enum { WINDOWS = sizeof windows / sizeof *windows, LOOKS = sizeof looks / sizeof *looks };
+
+/* The picture's bytes, in the arena. NULL, and the test fails, where it could not be drawn. */
+static const uint8_t *draw(struct zr_arena *arena, struct zr_team *team, const char *text, size_t *size)
+{
+    const struct zr_limits limits = zr_limits_default();
+    const struct zr_request request = {.format = ZR_FORMAT_JSON, .bytes = text, .size = strlen(text)};
+    const struct zr_scene *scene;
+    const struct zr_resolved_view *resolved = NULL;
+    const struct zr_frame *frame = NULL;
+    struct zr_error error = {.count = 0};
+    enum zr_status status = zr_scene_read(arena, team, &request, &limits, &scene, &error);
+    if (status == ZR_OK) status = zr_resolved_view_find(arena, team, scene, NULL, &resolved, &error);
+    if (status == ZR_OK) {
+        const struct zr_cost cost = zr_scene_cost(scene, resolved, 1024, NULL);
+        const double sum = cost.triangles + cost.fragments + cost.shape_triangles + cost.shape_fragments + cost.samples;
+        const size_t used = arena->used;
+        status = zr_render(arena, team, scene, resolved, NULL, &frame, &error);
+        if (!isfinite(sum) || sum < 0.0) fail_msg("a cost of %g: %s", sum, text);
+        if (status == ZR_OK && cost.window_bytes > (double)(arena->peak - used))
+            fail_msg("%.0f bytes told, %zu taken: %s", cost.window_bytes, arena->peak - used, text);
+    }
+    if (status != ZR_OK) fail_msg("%s: %s", text, error.count ? error.items[0].detail : "");
+    *size = (size_t)frame->width * frame->height * 4;
+    return frame->color;
+}
+
+static void assert_same_by_all(struct zr_team *const *teams, int count, const char *text)
+{
+    struct zr_arena first, others;
+    size_t size, other_size;
+    zr_arena_init(&first, (size_t)1 << 28);
+    zr_arena_init(&others, (size_t)1 << 28);
+    const uint8_t *want = draw(&first, NULL, text, &size);
+    for (int i = 0; i < count; i++) {
+        const uint8_t *got = draw(&others, teams[i], text, &other_size);
+        if (size != other_size || memcmp(want, got, size) != 0)
+            fail_msg("other bytes by %s: %s", zr_isa_name(zr_team_isa(teams[i])), text);
+        zr_arena_reset(&others, SIZE_MAX);
+    }
+    zr_arena_free(&first);
+    zr_arena_free(&others);
+}
+
+static void odd_pictures_are_the_same_everywhere(void **state)
+{
+    struct zr_team *teams[ZR_ISA_COUNT + 1];
+    int count = 0, pictures = 0;
+    (void)state;
+    for (int isa = 0; isa < ZR_ISA_COUNT; isa++)
+        if (zr_isa_is_available((enum zr_isa)isa)) teams[count++] = zr_team_create_for(1, (enum zr_isa)isa);
+    teams[count++] = zr_team_create(7);
+    for (int i = 0; i < count; i++)
+        assert_non_null(teams[i]);
+    for (int body = 0; body < BODIES; body++)
+        for (int view = 0; view < VIEWS; view++)
+            for (int round = 0; round < 3; round++, pictures++) {
+                char text[4096];
+                const int window = pictures % WINDOWS, look = (pictures / WINDOWS + pictures * 7) % LOOKS;
+                snprintf(text, sizeof text, "{\"window\":{\"width\":%u,\"height\":%u},%s,\"meshes\":[{%s}]%s}",
+                         windows[window].width, windows[window].height, looks[look], bodies[body], views[view]);
+                assert_same_by_all(teams, count, text);
+            }
+    for (int i = 0; i < count; i++)
+        zr_team_destroy(teams[i]);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {cmocka_unit_test(odd_pictures_are_the_same_everywhere)};
+    return cmocka_run_group_tests_name("odd pictures", tests, NULL, NULL);
+}

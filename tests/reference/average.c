@@ -1,0 +1,54 @@
+#include "reference/average.h"
+
+#include <string.h>
+
+enum { CHANNELS = 4 };
+
+struct zr_scene average_scene(const struct zr_scene *scene)
+{
+    struct zr_scene large = *scene;
+    const uint32_t side = scene->picture.side;
+    large.views[0].width *= side;
+    large.views[0].height *= side;
+    large.picture.line_width *= (float)side;
+    large.picture.side = 1;
+    return large;
+}
+
+static uint8_t half_up(uint64_t sum, uint64_t by)
+{
+    return (uint8_t)((sum + by / 2) / by);
+}
+
+/* What cannot be seen has no colour, but where all samples have the same one. */
+static void average_pixel(const uint8_t *corner, uint32_t side, size_t row_bytes, uint8_t *out)
+{
+    uint64_t sums[CHANNELS] = {0};
+    bool alike = true;
+    for (uint32_t i = 0; i < side * side; i++) {
+        const uint8_t *sample = corner + i / side * row_bytes + i % side * CHANNELS;
+        for (int k = 0; k < 3; k++)
+            sums[k] += (uint64_t)sample[k] * sample[3];
+        sums[3] += sample[3];
+        alike = alike && memcmp(sample, corner, CHANNELS) == 0;
+    }
+    memcpy(out, corner, CHANNELS);
+    for (int k = 0; k < 3 && !alike; k++)
+        out[k] = sums[3] > 0 ? half_up(sums[k], sums[3]) : 0;
+    if (!alike) out[3] = half_up(sums[3], (uint64_t)side * side);
+}
+
+void average_bytes(const uint8_t *samples, uint32_t side, uint32_t width, uint32_t height, uint8_t *out)
+{
+    const size_t row_bytes = (size_t)width * side * CHANNELS;
+    for (uint32_t y = 0; y < height; y++)
+        for (uint32_t x = 0; x < width; x++, out += CHANNELS)
+            average_pixel(samples + (size_t)y * side * row_bytes + (size_t)x * side * CHANNELS, side, row_bytes, out);
+}
+
+void average_gaps(const uint8_t *samples, uint32_t side, uint32_t width, uint32_t height, uint8_t *gaps)
+{
+    for (size_t y = 0; y < (size_t)height * side; y++)
+        for (size_t x = 0; x < (size_t)width * side; x++)
+            gaps[y / side * width + x / side] |= samples[y * width * side + x];
+}

@@ -1,0 +1,261 @@
+#include "reference/look_twin.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "look/split_sum.h"
+#include "reference/average.h"
+
+typedef double vec3[3];
+
+/* ---- what has no twin ---- */
+
+const char *look_twin_lacks(const struct zr_scene *scene)
+{
+    const struct zr_picture *picture = &scene->picture;
+    if (picture->occlusion.is_on) return "occlusion";
+    if (picture->has_ground) return "the ground's shadow";
+    if (picture->edges.is_on) return "edges";
+    for (uint32_t i = 0; i < scene->light_count; i++)
+        if (scene->lights[i].has_shadows) return "shadows of lamps";
+    return NULL;
+}
+
+/* ---- directions, in eye space ---- */
+
+static double dot(const vec3 a, const vec3 b)
+{
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+static void make_unit(vec3 v)
+{
+    const double length = sqrt(dot(v, v));
+    for (int k = 0; k < 3; k++)
+        v[k] /= length;
+}
+
+static void to_eye(const struct zr_camera *camera, const vec3 world, vec3 out)
+{
+    const float *m = camera->world_to_eye.m;
+    for (int k = 0; k < 3; k++)
+        out[k] = (double)m[k] * world[0] + (double)m[4 + k] * world[1] + (double)m[8 + k] * world[2];
+    make_unit(out);
+}
+
+/* Rows that lead from eye space to the environment's: its up is the scene's or the camera's, its front is on the
+ * camera's side, or, seen from straight above, at the bottom of the picture; turned counter-clockwise, from above. */
+static void environment_rows(const struct look_twin *twin, vec3 rows[3])
+{
+    const struct zr_environment *environment = &twin->scene->picture.environment;
+    const double angle = environment->rotation_degrees * acos(-1.0) / 180.0, c = cos(angle), s = sin(angle);
+    const vec3 world_up = {0, !twin->scene->picture.z_is_up, twin->scene->picture.z_is_up};
+    vec3 up = {0, 1, 0}, front = {0, 0, 1}, right;
+    if (!environment->camera_frame) {
+        to_eye(twin->camera, world_up, up);
+        const bool is_above = 1.0 - up[2] * up[2] <= 1e-6;
+        const vec3 wanted = {0, is_above ? -1 : 0, is_above ? 0 : 1};
+        for (int k = 0; k < 3; k++)
+            front[k] = wanted[k] - up[k] * dot(wanted, up);
+        make_unit(front);
+    }
+    for (int k = 0; k < 3; k++)
+        right[k] = up[(k + 1) % 3] * front[(k + 2) % 3] - up[(k + 2) % 3] * front[(k + 1) % 3];
+    for (int k = 0; k < 3; k++) {
+        rows[0][k] = right[k] * c - front[k] * s;
+        rows[1][k] = up[k];
+        rows[2][k] = right[k] * s + front[k] * c;
+    }
+}
+
+/* Towards a lamp, or to the sky of a hemisphere. */
+static void direction_to(const struct look_twin *twin, const struct zr_light *light, vec3 rows[3], vec3 out)
+{
+    const vec3 d = {(double)light->direction.x, (double)light->direction.y, (double)light->direction.z};
+    const double sign = light->type == ZR_LIGHT_HEMISPHERE ? 1.0 : -1.0;
+    if (light->environment_frame)
+        for (int k = 0; k < 3; k++)
+            out[k] = rows[0][k] * d[0] + rows[1][k] * d[1] + rows[2][k] * d[2];
+    else if (light->camera_frame)
+        memcpy(out, d, sizeof(vec3));
+    else
+        to_eye(twin->camera, d, out);
+    make_unit(out);
+    for (int k = 0; k < 3; k++)
+        out[k] *= sign;
+}
+
+/* ---- uniforms ---- */
+
+struct uniforms {
+    zr_vec4 viewer;
+    zr_vec3 ambient;
+    float exposure, toe, environment, intensity, lamp_count;
+    float to_environment[3][3];
+    float lamp_to[LOOK_LAMPS_MAX][3];
+    zr_vec3 lamp_color[LOOK_LAMPS_MAX], lamp_ground[LOOK_LAMPS_MAX], lamp_kind[LOOK_LAMPS_MAX];
+    float split[ZR_SPLIT_SIDE * ZR_SPLIT_SIDE][2];
+};
+
+static void set_lamps(const struct look_twin *twin, struct uniforms *u)
+{
+    vec3 rows[3], to;
+    environment_rows(twin, rows);
+    for (int i = 0; i < 9; i++)
+        u->to_environment[i / 3][i % 3] = (float)rows[i / 3][i % 3];
+    u->lamp_count = (float)twin->scene->light_count;
+    for (uint32_t i = 0; i < twin->scene->light_count; i++) {
+        const struct zr_light *light = &twin->scene->lights[i];
+        direction_to(twin, light, rows, to);
+        for (int k = 0; k < 3; k++)
+            u->lamp_to[i][k] = (float)to[k] + (k == 0 ? twin->options.more_to_x : 0.0f);
+        u->lamp_color[i] = light->color;
+        u->lamp_ground[i] = light->ground;
+        u->lamp_kind[i] =
+            (zr_vec3){light->type == ZR_LIGHT_HEMISPHERE, light->lit != ZR_LIT_CLASSIC, light->lit != ZR_LIT_PBR};
+    }
+}
+
+static void set_uniforms(const struct look_twin *twin, struct uniforms *u)
+{
+    static const float toes[] = {[ZR_TONE_NONE] = -1.0f, [ZR_TONE_KHRONOS] = 0.04f, [ZR_TONE_NEUTRAL] = 0.02f};
+    const struct zr_scene *scene = twin->scene;
+    const float more = twin->options.more_ambient;
+    memset(u, 0, sizeof *u);
+    u->viewer = zr_camera_eye(twin->camera);
+    u->ambient = zr_vec3_add(scene->ambient, (zr_vec3){more, more, more});
+    u->exposure = scene->picture.exposure;
+    u->toe = toes[scene->picture.tone];
+    u->environment = (float)scene->picture.environment.name;
+    u->intensity = scene->picture.environment.intensity;
+    for (int i = 0; i < ZR_SPLIT_SIDE * ZR_SPLIT_SIDE; i++)
+        for (int k = 0; k < 2; k++)
+            u->split[i][k] = zr_split_sum[i / ZR_SPLIT_SIDE][k][i % ZR_SPLIT_SIDE];
+    set_lamps(twin, u);
+}
+
+/* ---- drawing ---- */
+
+/* Which side a program is to take, as look_program.c has it. */
+static bool put_sides(struct zr_arena *arena, struct reference_arrays *arrays)
+{
+    uint32_t corners = 0;
+    for (uint32_t i = 0; i < arrays->batch_count; i++)
+        corners = arrays->batches[i].first + arrays->batches[i].count;
+    zr_vec4 *front = zr_arena_alloc(arena, corners, sizeof *front);
+    if (!front) return false;
+    if (corners > 0) memcpy(front, arrays->front, corners * sizeof *front);
+    for (uint32_t i = 0; i < arrays->batch_count; i++) {
+        const struct reference_batch *batch = &arrays->batches[i];
+        const bool is_line = batch->outline || batch->mode == REFERENCE_LINES;
+        const float side = batch->light == REFERENCE_LIT_FRONT  ? 1.0f
+                           : batch->light == REFERENCE_LIT_BACK ? 2.0f
+                                                                : 0.0f;
+        for (uint32_t k = batch->first; k < batch->first + batch->count; k++)
+            front[k].w = is_line ? 3.0f : side;
+    }
+    arrays->front = front;
+    return true;
+}
+
+/* Four floats a sample: linear light, and 1 where something is. */
+static bool draw_samples(const struct look_twin *twin, const struct zr_scene *large, float *samples, uint8_t *gaps,
+                         struct reference_error *error)
+{
+    static struct uniforms u;
+    struct batches batches;
+    const uint32_t width = large->views[0].width, height = large->views[0].height;
+    if (!*twin->program) *twin->program = look_program(error);
+    if (!*twin->program) return false;
+    if (!batches_make(twin->arena, large, twin->camera, &twin->options, &batches) ||
+        !put_sides(twin->arena, &batches.arrays))
+        return false;
+    set_uniforms(twin, &u);
+    const struct reference_uniform uniforms[] = {{"viewer", 4, 1, &u.viewer.x},
+                                                 {"ambient", 3, 1, &u.ambient.x},
+                                                 {"exposure", 1, 1, &u.exposure},
+                                                 {"toe", 1, 1, &u.toe},
+                                                 {"environment", 1, 1, &u.environment},
+                                                 {"intensity", 1, 1, &u.intensity},
+                                                 {"to_environment", 3, 3, u.to_environment[0]},
+                                                 {"lamp_count", 1, 1, &u.lamp_count},
+                                                 {"lamp_to", 3, LOOK_LAMPS_MAX, u.lamp_to[0]},
+                                                 {"lamp_color", 3, LOOK_LAMPS_MAX, &u.lamp_color[0].x},
+                                                 {"lamp_ground", 3, LOOK_LAMPS_MAX, &u.lamp_ground[0].x},
+                                                 {"lamp_kind", 3, LOOK_LAMPS_MAX, &u.lamp_kind[0].x},
+                                                 {"split", 2, ZR_SPLIT_SIDE * ZR_SPLIT_SIDE, u.split[0]}};
+    const struct reference_shader shader = {
+        .program = *twin->program, .uniform_count = sizeof uniforms / sizeof *uniforms, .uniforms = uniforms};
+    if (!reference_resize(twin->reference, width, height, batches.parity_faces > 0, error) ||
+        !reference_draw_floats(twin->reference, &batches.arrays, &shader, samples, error) ||
+        !reference_read_gaps(twin->reference, gaps, error))
+        return false;
+    batches_mark_thin(&batches, width, height, gaps);
+    return true;
+}
+
+/* ---- averages, backgrounds, encoding ---- */
+
+static double decode(double v)
+{
+    return v <= 0.04045 ? v / 12.92 : pow((v + 0.055) / 1.055, 2.4);
+}
+
+static double encode(double v)
+{
+    return v <= 0.0031308 ? v * 12.92 : 1.055 * pow(v, 1.0 / 2.4) - 0.055;
+}
+
+static uint8_t byte_of(double v)
+{
+    return (uint8_t)nearbyint(fmin(fmax(v, 0.0), 1.0) * 255.0);
+}
+
+/* Linear, and its opacity; a gradient goes from the middle of the first row to that of the last one. */
+static void background_of(const struct zr_scene *scene, uint32_t row, double out[4])
+{
+    const struct zr_picture *picture = &scene->picture;
+    const uint32_t height = scene->views[0].height;
+    const double down = height > 1 ? (double)row / (height - 1) : 0.0;
+    const float *top = picture->has_gradient ? &picture->top.x : &scene->background.x;
+    const float *bottom = picture->has_gradient ? &picture->bottom.x : &scene->background.x;
+    for (int k = 0; k < 3; k++)
+        out[k] = decode((double)top[k]) * (1.0 - down) + decode((double)bottom[k]) * down;
+    out[3] = picture->has_gradient ? 1.0 : (double)scene->background.w;
+}
+
+/* `corner`: of a pixel's samples. */
+static void finish_pixel(const float *corner, uint32_t side, size_t row_floats, const double background[4],
+                         uint8_t out[4])
+{
+    double sum[4] = {0};
+    for (uint32_t i = 0; i < side * side; i++)
+        for (int k = 0; k < 4; k++)
+            sum[k] += (double)corner[i / side * row_floats + i % side * 4 + (uint32_t)k] / (side * side);
+    const double rest = 1.0 - sum[3], opacity = sum[3] + rest * background[3];
+    for (int k = 0; k < 3; k++)
+        out[k] = opacity > 0.0 ? byte_of(encode((sum[k] + rest * background[3] * background[k]) / opacity)) : 0;
+    out[3] = byte_of(opacity);
+}
+
+bool look_twin_draw(const struct look_twin *twin, uint8_t *rgba, uint8_t *gaps, struct reference_error *error)
+{
+    const struct zr_scene large = average_scene(twin->scene);
+    const uint32_t side = twin->scene->picture.side;
+    const uint32_t width = twin->scene->views[0].width, height = twin->scene->views[0].height;
+    const size_t count = (size_t)large.views[0].width * large.views[0].height;
+    const size_t row_floats = (size_t)large.views[0].width * 4;
+    float *samples = zr_arena_alloc(twin->arena, count, 4 * sizeof *samples);
+    uint8_t *sample_gaps = zr_arena_alloc(twin->arena, count, 1);
+    if (twin->scene->light_count > LOOK_LAMPS_MAX || !samples || !sample_gaps) return false;
+    if (!draw_samples(twin, &large, samples, sample_gaps, error)) return false;
+    average_gaps(sample_gaps, side, width, height, gaps);
+    for (uint32_t y = 0; y < height; y++) {
+        double background[4];
+        background_of(twin->scene, y, background);
+        for (uint32_t x = 0; x < width; x++)
+            finish_pixel(samples + (size_t)y * side * row_floats + (size_t)x * side * 4, side, row_floats, background,
+                         rgba + 4 * ((size_t)y * width + x));
+    }
+    return true;
+}

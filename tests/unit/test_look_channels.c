@@ -1,0 +1,100 @@
+/* No data channel changes with a look, with samples or with an effect; and a picture does not change with them. */
+#include <string.h>
+
+#include "json_check.h"
+#include "shade/frame.h"
+
+/* A house with a hole in its wall, one smooth mesh without normals, one with, lines, and two materials. */
+#define SCENE_                                                                                                         \
+    "\"window\": {\"width\": 75, \"height\": 50},"                                                                     \
+    "\"view\": {\"eye\": [3, 2.5, 4], \"target\": [0.4, 0.3, 0], \"perspective\": {\"yfovDegrees\": 40}},"             \
+    "\"polygons\": [{\"vertices\": [[-1,0,0],[1,0,0],[1,1,0],[0,1.7,0],[-1,1,0]],"                                     \
+    "                \"holes\": [[[-0.5,0.2,0],[-0.5,0.8,0],[0.1,0.8,0],[0.1,0.2,0]]], \"color\": \"#cc3333\"}],"      \
+    "\"meshes\": [{\"positions\": [[0,0,1],[1,0,1],[1,0,2],[0,0,2],[0.5,1,1.5]], \"doubleSided\": true,"               \
+    "              \"faces\": [[0,4,1],[1,4,2],[2,4,3],[3,4,0]], \"lines\": [[0,2],[1,3]]},"                           \
+    "             {\"positions\": [[-1,0,1],[-0.2,0,1],[-0.2,0.8,1.2]], \"normals\": [[0,0,1],[1,0,1],[0,1,1]],"        \
+    "              \"faces\": [[0,1,2]]}]"
+#define DATA                                                                                                           \
+    "{\"channel\": \"depth\"}, {\"channel\": \"windowDepth\"}, {\"channel\": \"faceId\"}, {\"channel\": \"distance\"},"  \
+    "{\"channel\": \"instanceId\"}, {\"channel\": \"frontFacing\"}, {\"channel\": \"barycentrics\"},"                  \
+    "{\"channel\": \"position\"}, {\"channel\": \"normals\"}"
+
+enum { PIXELS = 75 * 50, TEXT_SIZE = 4096 };
+
+struct drawing {
+    struct reading *reading;
+    struct zr_arena arena;
+    const struct zr_frame *frame;
+};
+
+static void draw(struct drawing *d, const char *outputs, const char *rest)
+{
+    char text[TEXT_SIZE];
+    struct zr_error error = {.status = ZR_OK};
+    const int length = snprintf(text, sizeof text, "{" SCENE_ ", \"outputs\": [%s]%s%s}", outputs, *rest ? ", " : "", rest);
+    assert_in_range(length, 1, TEXT_SIZE - 1);
+    d->reading = read_scene(text);
+    zr_arena_init(&d->arena, (size_t)1 << 28);
+    assert_int_equal(zr_render(&d->arena, NULL, d->reading->scene, NULL, NULL, &d->frame, &error), ZR_OK);
+}
+
+static void end(struct drawing *d)
+{
+    zr_arena_free(&d->arena);
+    reading_free(d->reading);
+}
+
+static const char *const pictures[] = {
+    "\"look\": \"studio\"",
+    "\"look\": \"technical\"",
+    "\"look\": \"outdoor\"",
+    "\"look\": \"blueprint\"",
+    "\"samples\": 16",
+    "\"samples\": 4, \"colorManagement\": \"srgb\", \"occlusion\": true, \"edges\": {\"width\": 3}",
+    "\"creaseDegrees\": 60, \"groundShadow\": true, \"exposure\": 2, \"toneMapping\": \"khronos-neutral\"",
+};
+
+static void data_channels_know_nothing_of_pictures(void **state)
+{
+    struct drawing plain;
+    (void)state;
+    draw(&plain, DATA, "");
+    for (size_t i = 0; i < sizeof pictures / sizeof *pictures; i++)
+        for (int with_color = 0; with_color < 2; with_color++) {
+            struct drawing other;
+            draw(&other, with_color ? DATA ", {\"channel\": \"color\"}" : DATA, pictures[i]);
+            for (int c = 0; c < ZR_CHANNEL_COUNT; c++) {
+                const size_t bytes = (size_t)PIXELS * zr_channel_rows[c].words * 4;
+                if (c == ZR_CHANNEL_COLOR || !plain.frame->channels[c]) continue;
+                assert_non_null(other.frame->channels[c]);
+                if (memcmp(plain.frame->channels[c], other.frame->channels[c], bytes) != 0)
+                    fail_msg("%s is another with %s", zr_channel_rows[c].name, pictures[i]);
+            }
+            assert_true(plain.frame->deepest == other.frame->deepest);
+            assert_int_equal(plain.frame->covered_pixels, other.frame->covered_pixels);
+            end(&other);
+        }
+    end(&plain);
+}
+
+static void pictures_know_nothing_of_data_channels(void **state)
+{
+    (void)state;
+    for (size_t i = 0; i < sizeof pictures / sizeof *pictures; i++) {
+        struct drawing alone, beside;
+        draw(&alone, "{\"channel\": \"color\"}", pictures[i]);
+        draw(&beside, "{\"channel\": \"color\"}, " DATA, pictures[i]);
+        assert_memory_equal(alone.frame->color, beside.frame->color, PIXELS * 4);
+        end(&beside);
+        end(&alone);
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(data_channels_know_nothing_of_pictures),
+        cmocka_unit_test(pictures_know_nothing_of_data_channels),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
