@@ -6,7 +6,7 @@
 #include <string.h>
 
 #include "lighting_reference.h"
-#include "support/isas.h"
+#include "support/cmocka_all.h"
 #include "support/random.h"
 
 enum { SAMPLES = 4096, ROOM = SAMPLES + 16 };

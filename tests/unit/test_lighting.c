@@ -5,6 +5,7 @@
 
 #include "lit_samples.h"
 #include "scene/looks.h"
+#include "support/isas.h"
 
 enum { MATERIALS = 24, LAMPS = 4 };
 

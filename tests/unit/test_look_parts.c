@@ -1,6 +1,7 @@
 /* What the light of looks is made of is what its definitions say: sRGB, tone mapping, occlusion, environments. */
 
 #include "lit_samples.h"
+#include "support/isas.h"
 #include "support/look_kernel.h"
 
 enum { COUNT = 1 << 16, DIRECTIONS = 4096 };

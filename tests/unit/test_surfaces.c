@@ -1,5 +1,6 @@
 /* Surfaces of looks are lit as their definitions say, evaluated in double: pbr, flat, gouraud, phong, gooch. */
 #include "lit_samples.h"
+#include "support/isas.h"
 
 enum { MATERIALS = 64 };
 
