@@ -95,7 +95,7 @@ server := $(call objects,server/*.c)
 client := $(call objects,clients/*.c)
 support_kernels := $(call for_isas,$(basename $(wildcard tests/support/*_kernel.c)))
 support := $(filter-out %_kernel.o,$(call objects,tests/support/*.c)) $(support_kernels)
-cross := $(call objects,tests/cross/*.c tests/support/gallery.c tests/support/simd_check.c) $(support_kernels)
+cross := $(call objects,tests/cross/*.c tests/support/gallery.c tests/support/look_scenes.c tests/support/simd_check.c) $(support_kernels)
 lines := $(call objects,tests/reference/lines/*.c)
 # The reference behind two doors: OSMesa, and EGL without a surface. One of them is there everywhere.
 reference_doors := $(BUILD)/tests/reference/reference_osmesa.o $(BUILD)/tests/reference/reference_egl.o
