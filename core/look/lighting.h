@@ -37,10 +37,10 @@ struct zr_look_lighting {
     float exposure;
 };
 
-/* Colours of `count` samples from `first` on (up to 15 more may be looked at, and written) to out[0..2][first ..].
- * `occlusion`: one a sample, at the same places, or NULL. Where nobody is seen: 0. */
+/* Colours of all samples to out[0..2], at the same places; up to 15 more behind each row's end may be looked at, and
+ * written. `occlusion`: one a sample, likewise, or NULL. Where nobody is seen: 0. */
 typedef void zr_look_light_fn(const struct zr_look_lighting *lighting, const struct zr_gbuffer *samples,
-                              const float *occlusion, size_t first, size_t count, float *const out[3]);
+                              const float *occlusion, float *const out[3]);
 
 zr_look_light_fn zr_look_light_scalar, zr_look_light_sse2, zr_look_light_avx2, zr_look_light_avx512, zr_look_light_neon;
 

@@ -86,15 +86,6 @@ static struct zr_gbuffer gbuffer_of(struct lit_tile *lit, const struct zr_tile *
     return out;
 }
 
-static void light_rows(const struct drawing *d, struct lit_tile *lit, const struct zr_gbuffer *samples)
-{
-    const struct zr_sample_stages *stages = d->stages;
-    float *const color[3] = {lit->color[0], lit->color[1], lit->color[2]};
-    for (int32_t y = 0; y < samples->height; y++)
-        zr_look_light_of(d->isa)(stages->lighting, samples, stages->occlusion ? lit->occlusion : NULL,
-                                 (size_t)(y * samples->stride), (size_t)samples->width, color);
-}
-
 static void average_light(const struct drawing *d, const struct place *place, const struct lit_tile *lit)
 {
     const struct zr_linear_frame *to = d->stages->out;
@@ -127,7 +118,8 @@ static void light_tile(const struct drawing *d, uint32_t number, const struct zr
     d->paint->samples(&d->pass->geometry, &d->pass->surfaces, tile, &samples);
     if (stages->occlusion)
         zr_occlusion_samples_of(d->isa)(stages->occlusion, &samples, d->side, tile->x, tile->y, lit->occlusion);
-    light_rows(d, lit, &samples);
+    float *const color[3] = {lit->color[0], lit->color[1], lit->color[2]};
+    zr_look_light_of(d->isa)(stages->lighting, &samples, stages->occlusion ? lit->occlusion : NULL, color);
     average_light(d, &place, lit);
     if (stages->edges) zr_edges_mark_tile(stages->edges, d->isa, number, &samples);
 }
@@ -168,8 +160,8 @@ static enum zr_status draw(struct zr_team *team, struct drawing *d, struct zr_fr
     return ZR_OK;
 }
 
-enum zr_status zr_samples_of_bytes(struct zr_team *team, const struct zr_pass *pass,
-                                   uint32_t side, const struct zr_cancel *cancel, struct zr_frame *frame)
+enum zr_status zr_samples_of_bytes(struct zr_team *team, const struct zr_pass *pass, uint32_t side,
+                                   const struct zr_cancel *cancel, struct zr_frame *frame)
 {
     struct drawing drawing = {
         .pass = pass, .side = side, .background = zr_rgba_make(pass->tiles.scene->background), .cancel = cancel};
@@ -177,8 +169,8 @@ enum zr_status zr_samples_of_bytes(struct zr_team *team, const struct zr_pass *p
 }
 
 enum zr_status zr_samples_of_light(struct zr_team *team, const struct zr_pass *pass,
-                                   const struct zr_sample_stages *stages, uint32_t side,
-                                   const struct zr_cancel *cancel, struct zr_frame *frame)
+                                   const struct zr_sample_stages *stages, uint32_t side, const struct zr_cancel *cancel,
+                                   struct zr_frame *frame)
 {
     struct drawing drawing = {.pass = pass, .stages = stages, .side = side, .cancel = cancel};
     return draw(team, &drawing, frame);

@@ -13,10 +13,11 @@
 #include "look/split_sum.h"
 #include "look/surface_simd.h"
 
-/* The columns of the table at one roughness; the last one twice. */
+/* The table at one roughness: of each column A and B, and what they have more in the next one, so that a lane loads all
+ * it needs at once. The last column is the end of the one before. */
 struct zr_split_columns {
     float roughness;
-    float a[ZR_SPLIT_SIDE + 1], b[ZR_SPLIT_SIDE + 1];
+    _Alignas(16) float fours[ZR_SPLIT_SIDE - 1][4];
 };
 
 static inline void zr_split_columns_make(struct zr_split_columns *out, float roughness)
@@ -24,25 +25,32 @@ static inline void zr_split_columns_make(struct zr_split_columns *out, float rou
     const float row = roughness * (float)(ZR_SPLIT_SIDE - 1);
     const int low = row < (float)(ZR_SPLIT_SIDE - 2) ? (int)row : ZR_SPLIT_SIDE - 2;
     const float share = row - (float)low;
+    float values[2][ZR_SPLIT_SIDE];
+    for (int k = 0; k < 2; k++)
+        for (int i = 0; i < ZR_SPLIT_SIDE; i++)
+            values[k][i] = zr_split_sum[low][k][i] + (zr_split_sum[low + 1][k][i] - zr_split_sum[low][k][i]) * share;
     out->roughness = roughness;
-    for (int i = 0; i < ZR_SPLIT_SIDE; i++) {
-        out->a[i] = zr_split_sum[low][0][i] + (zr_split_sum[low + 1][0][i] - zr_split_sum[low][0][i]) * share;
-        out->b[i] = zr_split_sum[low][1][i] + (zr_split_sum[low + 1][1][i] - zr_split_sum[low][1][i]) * share;
-    }
-    out->a[ZR_SPLIT_SIDE] = out->a[ZR_SPLIT_SIDE - 1];
-    out->b[ZR_SPLIT_SIDE] = out->b[ZR_SPLIT_SIDE - 1];
+    for (int i = 0; i + 1 < ZR_SPLIT_SIDE; i++)
+        for (int k = 0; k < 2; k++) {
+            out->fours[i][2 * k] = values[k][i];
+            out->fours[i][2 * k + 1] = values[k][i + 1] - values[k][i];
+        }
 }
 
 static inline void zr_split_at_v(const struct zr_split_columns *columns, zr_vf facing, zr_vf *a, zr_vf *b)
 {
     const zr_vf column = zr_vf_sqrt(facing) * zr_vf_set((float)(ZR_SPLIT_SIDE - 1)), half = zr_vf_set(0.5f);
-    const zr_vi low = zr_vi_max(zr_vi_round(column - half), zr_vi_set(0)), one = zr_vi_set(1);
+    const zr_vi last = zr_vi_set(ZR_SPLIT_SIDE - 2);
+    const zr_vi low = zr_vi_min(zr_vi_max(zr_vi_round(column - half), zr_vi_set(0)), last);
     const zr_vf share = column - zr_vf_of(low);
-    const zr_vm all = ZR_ALL_LANES;
-    *a = zr_mix_v(zr_vf_bits(zr_vi_gather(all, columns->a, low)), zr_vf_bits(zr_vi_gather(all, columns->a, low + one)),
-                  share);
-    *b = zr_mix_v(zr_vf_bits(zr_vi_gather(all, columns->b, low)), zr_vf_bits(zr_vi_gather(all, columns->b, low + one)),
-                  share);
+    int32_t each[ZR_LANES];
+    zr_vf more_a, more_b;
+    zr_vi_store(each, low);
+#define ZR_FOUR(lane) (columns->fours[each[lane]])
+    ZR_LOAD4(*a, more_a, *b, more_b, ZR_FOUR);
+#undef ZR_FOUR
+    *a = *a + more_a * share;
+    *b = *b + more_b * share;
 }
 
 /* What a surface does with light. */
@@ -95,7 +103,8 @@ static inline struct zr_around_v zr_pbr_gather_v(const struct zr_look_lighting *
     if (lighting->has_environment) {
         const struct zr_environment_light *light = &lighting->environment;
         const zr_vf intensity = zr_vf_set(lighting->environment_intensity);
-        const struct zr_vec3_v n = zr_to_environment_v(lighting, s->normal), r = zr_to_environment_v(lighting, mirrored);
+        const struct zr_vec3_v n = zr_to_environment_v(lighting, s->normal),
+                               r = zr_to_environment_v(lighting, mirrored);
         out.diffuse = zr_add_v(out.diffuse, zr_scale_v(zr_environment_diffuse_v(light, n), intensity));
         out.specular = zr_add_v(out.specular, zr_scale_v(zr_environment_specular_v(light, r, pbr->alpha), intensity));
     }
@@ -117,10 +126,9 @@ static inline struct zr_vec3_v zr_pbr_from_around_v(const struct zr_look_lightin
     around.diffuse = zr_mul_v(around.diffuse, zr_bounced3_v(s->open, zr_add_v(pbr->diffuse, pbr->f0)));
     around.specular = zr_scale_v(around.specular, s->open);
     zr_split_at_v(columns, pbr->facing, &a, &b);
-    return (struct zr_vec3_v){
-        zr_pbr_around_v(pbr->f0.x, pbr->diffuse.x, a, b, around.diffuse.x, around.specular.x),
-        zr_pbr_around_v(pbr->f0.y, pbr->diffuse.y, a, b, around.diffuse.y, around.specular.y),
-        zr_pbr_around_v(pbr->f0.z, pbr->diffuse.z, a, b, around.diffuse.z, around.specular.z)};
+    return (struct zr_vec3_v){zr_pbr_around_v(pbr->f0.x, pbr->diffuse.x, a, b, around.diffuse.x, around.specular.x),
+                              zr_pbr_around_v(pbr->f0.y, pbr->diffuse.y, a, b, around.diffuse.y, around.specular.y),
+                              zr_pbr_around_v(pbr->f0.z, pbr->diffuse.z, a, b, around.diffuse.z, around.specular.z)};
 }
 
 /* ---- from lamps ---- */

@@ -46,11 +46,12 @@ static inline d3 reference_tone(enum zr_tone tone, d3 c)
     return d3_clamped(c);
 }
 
-/* The share of light from all around that reaches a surface in a crease: a cubic fit by Jimenez and others, 2016. */
+/* The share of light from all around that reaches a surface in a crease: a cubic fit by Jimenez and others, 2016,
+ * which ends at 1.0001: where nothing occludes, no more than all arrives. */
 static inline double reference_bounced(double open, double albedo)
 {
     const double a = 2.0404 * albedo - 0.3324, b = -4.7951 * albedo + 0.6417, c = 2.7552 * albedo + 0.6903;
-    return fmax(open, ((open * a + b) * open + c) * open);
+    return fmin(fmax(open, ((open * a + b) * open + c) * open), 1.0);
 }
 
 /* ---- surfaces ---- */

@@ -6,7 +6,7 @@
 #include <string.h>
 
 #include "lighting_reference.h"
-#include "support/isas.h"
+#include "support/cmocka_all.h"
 #include "support/random.h"
 
 enum { SAMPLES = 4096, ROOM = SAMPLES + 16 };
@@ -58,11 +58,10 @@ static inline void samples_set(struct lit_samples *s, size_t at, uint32_t materi
     put3(s->g.point, at, point);
 }
 
-static inline void samples_light(struct lit_samples *s, enum zr_isa isa, const struct zr_look_lighting *lighting,
-                                 size_t first, size_t count)
+static inline void samples_light(struct lit_samples *s, enum zr_isa isa, const struct zr_look_lighting *lighting)
 {
     float *const out[3] = {s->out[0], s->out[1], s->out[2]};
-    zr_look_light_of(isa)(lighting, &s->g, s->open, first, count, out);
+    zr_look_light_of(isa)(lighting, &s->g, s->open, out);
 }
 
 static inline d3 samples_color(const struct lit_samples *s, size_t at)

@@ -1,5 +1,6 @@
 /* Surfaces of looks are lit as their definitions say, evaluated in double: pbr, flat, gouraud, phong, gooch. */
 #include "lit_samples.h"
+#include "support/isas.h"
 
 enum { MATERIALS = 64 };
 
@@ -81,7 +82,7 @@ static void lamps_are_those_of_gltf(void **state)
         struct zr_look_lighting lighting = no_light(materials);
         lighting.lamps = &lamp;
         lighting.lamp_count = 1;
-        samples_light(&samples, isa, &lighting, 0, SAMPLES);
+        samples_light(&samples, isa, &lighting);
         worst = fmax(worst, worst_of(&lighting, lamp_expected, 1e-3));
     }
     assert_below(worst, 1e-4, "one lamp, worst relative difference");
@@ -120,7 +121,7 @@ static void lamps_behind_and_of_others_give_nothing(void **state)
     struct zr_look_lighting lighting = no_light(materials);
     lighting.lamps = lamps;
     lighting.lamp_count = 2;
-    samples_light(&samples, isa, &lighting, 0, SAMPLES);
+    samples_light(&samples, isa, &lighting);
     for (size_t i = 0; i < SAMPLES; i++)
         if (samples.g.normal[2][i] >= 0.0f)
             for (int k = 0; k < 3; k++)
@@ -173,7 +174,7 @@ static void light_from_all_around_is_as_defined(void **state)
         lighting.eye_to_environment[0] = x;
         lighting.eye_to_environment[1] = y;
         lighting.eye_to_environment[2] = zr_vec3_cross(x, y);
-        samples_light(&samples, isa, &lighting, 0, SAMPLES);
+        samples_light(&samples, isa, &lighting);
         worst = fmax(worst, worst_of(&lighting, around_expected, 0.01));
     }
     assert_below(worst, 1e-4, "all around, worst relative difference");
@@ -198,7 +199,7 @@ static void furnace(enum zr_isa isa, const struct zr_look_lighting *lighting, do
         samples_set(&samples, i, (uint32_t)(i % MATERIALS), (zr_vec3){1, 1, 1},
                     (zr_vec3){sqrtf(fmaxf(0.0f, 1.0f - nv * nv)), 0, nv}, (zr_vec3){0, 0, -2});
     }
-    samples_light(&samples, isa, lighting, 0, SAMPLES);
+    samples_light(&samples, isa, lighting);
     for (size_t i = 0; i < SAMPLES; i++)
         for (int k = 0; k < 3; k++) {
             *least = fmin(*least, 2.0 * samples_color(&samples, i).v[k]);
@@ -238,11 +239,11 @@ static void occlusion_does_not_touch_lamps(void **state)
         struct zr_look_lighting lighting = no_light(materials);
         lighting.lamps = &lamp;
         lighting.lamp_count = 1;
-        samples_light(&samples, isa, &lighting, 0, SAMPLES);
+        samples_light(&samples, isa, &lighting);
         for (int k = 0; k < 3; k++)
             memcpy(open[k], samples.out[k], sizeof open[k]);
         memset(samples.open, 0, sizeof samples.open);
-        samples_light(&samples, isa, &lighting, 0, SAMPLES);
+        samples_light(&samples, isa, &lighting);
         for (int k = 0; k < 3; k++)
             assert_memory_equal(samples.out[k], open[k], sizeof open[k]);
         assert_true(open[0][0] > 0.0f || open[0][1] > 0.0f || open[0][2] > 0.0f || open[0][3] > 0.0f);
@@ -289,7 +290,7 @@ static void classic_surfaces_are_as_defined(void **state)
         lighting.ambient = any3(&r, 0, 0.1);
         lighting.lamps = lamps;
         lighting.lamp_count = 3;
-        samples_light(&samples, isa, &lighting, 0, SAMPLES);
+        samples_light(&samples, isa, &lighting);
         worst = fmax(worst, worst_of(&lighting, classic_expected, 0.01));
     }
     assert_below(worst, 1e-4, "flat, gouraud, phong, worst relative difference");
@@ -317,7 +318,7 @@ static void gooch_is_as_defined(void **state)
     struct zr_look_lighting lighting = no_light(materials);
     lighting.exposure = 3.0f;
     lighting.tone = ZR_TONE_NEUTRAL;
-    samples_light(&samples, isa, &lighting, 0, SAMPLES);
+    samples_light(&samples, isa, &lighting);
     assert_below(worst_of(&lighting, gooch_expected, 0.01), 1e-5, "gooch, worst relative difference");
 }
 
@@ -345,7 +346,7 @@ static void exposure_comes_before_the_tone(void **state)
         lighting.lamps = &none;
         lighting.tone = (enum zr_tone)tone;
         lighting.exposure = 0.7f;
-        samples_light(&samples, isa, &lighting, 0, SAMPLES);
+        samples_light(&samples, isa, &lighting);
         assert_below(worst_of(&lighting, exposed_expected, 0.02), 1e-4, "exposed, worst relative difference");
     }
 }
