@@ -136,7 +136,8 @@ static void check_samples(enum zr_isa isa, const struct sight *sight, surface_fn
 static void samples_are_those_of_the_reference(void **state)
 {
     const enum zr_isa isa = isa_under_test(state);
-    for (int i = 0; i < SIGHTS * SURFACES; i++)
+    /* Each instruction set has a quarter of them, since the reference takes long. */
+    for (int i = (int)isa % 4; i < SIGHTS * SURFACES; i += 4)
         check_samples(isa, &sights[i % SIGHTS], surfaces[i / SIGHTS], 2 << (i + i / SIGHTS) % 3);
 }
 
