@@ -13,15 +13,15 @@
 #include "base/cancel.h"
 #include "base/isa.h"
 #include "base/team.h"
-#include "shade/gbuffer.h"
 #include "raster/tile.h"
+#include "shade/gbuffer.h"
 
 _Static_assert(ZR_TILE_SIZE == 64, "a row of a tile is a word");
 
 /* ---- comparisons of neighbours: edges_kernel.c ---- */
 
 /* A silhouette: both points are further from the other's plane than limit * w, w = slope . point + offset being the
- * larger one of both points. A crease: the dot product of normals is below `cosine`. */
+ * larger one of both points. A crease: no silhouette, and the dot product of normals is below `cosine`. */
 struct zr_edge_rule {
     float slope[3], offset;
     float limit;
@@ -77,10 +77,12 @@ struct zr_edge_marks {
 
 /* ---- steps of zr_edges_finish ---- */
 
-/* edge_specks.c: connected creases whose box is smaller than this are dropped. */
+/* edge_specks.c: connected creases are dropped where their box, from the middle of its first pixel to that of its last
+ * one, is smaller than this. */
 enum { ZR_EDGE_SPECK_PIXELS = 12 };
 
-/* Touching corners connect. False where the arena has failed; cancelled, it returns early. */
+/* Pixels count, whatever share of them is marked: of a crease seen from aside, marked samples are no unbroken line.
+ * Touching corners connect. False where the arena has failed; cancelled, it returns early. */
 bool zr_edge_specks_drop(struct zr_edge_marks *marks, struct zr_arena *arena, struct zr_team *team,
                          const struct zr_cancel *cancel);
 

@@ -1,13 +1,14 @@
-/* Connected components by runs of marks in rows, joined by union-find. Bands of rows are joined by themselves, then
- * across their borders; a component and its box are the same, whatever the order. */
+/* Connected components by runs of marked pixels in rows, joined by union-find. Bands of rows are joined by themselves,
+ * then across their borders; a component and its box are the same, whatever the order. */
 #include "look/edge_marks.h"
 
-enum { BAND = 64 }; /* rows that one thread takes at once */
+enum { BAND = 16 }; /* rows of pixels that one thread takes at once */
 
 struct run {
-    uint32_t first, last; /* columns */
+    uint32_t first, last; /* columns of samples, of whole pixels */
     uint32_t parent;      /* itself: this is the root of its component, and the box is that of all */
-    uint32_t left, right, bottom, top;
+    uint32_t left, right; /* columns of samples */
+    uint32_t bottom, top; /* rows of pixels */
 };
 
 struct specks {
@@ -17,30 +18,63 @@ struct specks {
     struct run *runs;
 };
 
-static const uint64_t *row_of(const struct specks *specks, size_t y)
+/* All bits of each `side` of which one is set. */
+static uint64_t fill_pixels(uint64_t bits, uint32_t side)
 {
-    return specks->marks->creases + y * specks->marks->words;
+    static const uint64_t first_bits[] = {
+        [2] = UINT64_C(0x5555555555555555), [4] = UINT64_C(0x1111111111111111), [8] = UINT64_C(0x0101010101010101)};
+    if (side == 1) return bits;
+    for (uint32_t i = 1; i < side; i *= 2)
+        bits |= bits >> i;
+    return (bits & first_bits[side]) * ((1u << side) - 1);
 }
 
-static uint64_t starts(const uint64_t *row, uint32_t i)
+/* Word i of row y of pixels, each of which is as wide as its samples. Nothing is beyond the picture. */
+static uint64_t word_at(const struct specks *specks, size_t y, uint32_t i)
 {
-    return row[i] & ~(row[i] << 1 | (i > 0 ? row[i - 1] >> 63 : 0));
+    const struct zr_edge_marks *marks = specks->marks;
+    const uint64_t *samples = marks->creases + y * marks->side * marks->words + i;
+    uint64_t any = 0;
+    for (uint32_t row = 0; row < marks->side; row++)
+        any |= samples[(size_t)row * marks->words];
+    return fill_pixels(any, marks->side);
 }
 
-static uint64_t ends(const uint64_t *row, uint32_t i, uint32_t words)
+/* A word of a row, and those before and behind it. */
+struct window {
+    uint64_t before, own, behind;
+};
+
+static struct window first_window(const struct specks *specks, size_t y)
 {
-    return row[i] & ~(row[i] >> 1 | (i + 1 < words ? row[i + 1] << 63 : 0));
+    return (struct window){0, 0, word_at(specks, y, 0)};
+}
+
+/* That of word i, from the one of word i - 1. */
+static struct window next_window(const struct specks *specks, size_t y, uint32_t i, const struct window *last)
+{
+    return (struct window){last->own, last->behind, i + 1 < specks->marks->words ? word_at(specks, y, i + 1) : 0};
+}
+
+static uint64_t starts(const struct window *window)
+{
+    return window->own & ~(window->own << 1 | window->before >> 63);
+}
+
+static uint64_t ends(const struct window *window)
+{
+    return window->own & ~(window->own >> 1 | window->behind << 63);
 }
 
 static size_t bands_of(const struct zr_edge_marks *marks)
 {
-    return (marks->rows + BAND - 1) / BAND;
+    return (marks->height + BAND - 1) / BAND;
 }
 
 static size_t end_row(const struct specks *specks, size_t band)
 {
     const size_t end = band * BAND;
-    return end < specks->marks->rows ? end : specks->marks->rows;
+    return end < specks->marks->height ? end : specks->marks->height;
 }
 
 static void count_runs(void *context, size_t begin, size_t end)
@@ -48,10 +82,12 @@ static void count_runs(void *context, size_t begin, size_t end)
     const struct specks *specks = context;
     if (zr_is_cancelled(specks->cancel)) return;
     for (size_t y = begin * BAND; y < end_row(specks, end); y++) {
-        const uint64_t *row = row_of(specks, y);
+        struct window window = first_window(specks, y);
         uint32_t count = 0;
-        for (uint32_t i = 0; i < specks->marks->words; i++)
-            if (row[i]) count += (uint32_t)__builtin_popcountll(starts(row, i));
+        for (uint32_t i = 0; i < specks->marks->words; i++) {
+            window = next_window(specks, y, i, &window);
+            if (window.own) count += (uint32_t)__builtin_popcountll(starts(&window));
+        }
         specks->row_begin[y] = count;
     }
 }
@@ -70,15 +106,15 @@ static uint32_t add_up(uint32_t *row_begin, uint32_t rows)
 
 static void list_row(const struct specks *specks, size_t y)
 {
-    const uint32_t begin = specks->row_begin[y], end = specks->row_begin[y + 1], words = specks->marks->words;
+    const uint32_t begin = specks->row_begin[y], end = specks->row_begin[y + 1];
     if (begin == end) return;
-    const uint64_t *row = row_of(specks, y);
+    struct window window = first_window(specks, y);
     uint32_t first = begin, last = begin;
-    for (uint32_t i = 0; i < words; i++) {
-        if (!row[i]) continue;
-        for (uint64_t bits = starts(row, i); bits; bits &= bits - 1)
+    for (uint32_t i = 0; i < specks->marks->words; i++) {
+        window = next_window(specks, y, i, &window);
+        for (uint64_t bits = starts(&window); bits; bits &= bits - 1)
             specks->runs[first++].first = i * 64 + (uint32_t)__builtin_ctzll(bits);
-        for (uint64_t bits = ends(row, i, words); bits; bits &= bits - 1)
+        for (uint64_t bits = ends(&window); bits; bits &= bits - 1)
             specks->runs[last++].last = i * 64 + (uint32_t)__builtin_ctzll(bits);
     }
     for (uint32_t i = begin; i < end; i++) {
@@ -139,42 +175,43 @@ static bool is_speck(const struct specks *specks, uint32_t i)
     const struct run *runs = specks->runs;
     while (runs[i].parent != i) /* nothing is written: other threads are here, too */
         i = runs[i].parent;
-    const uint32_t size = ZR_EDGE_SPECK_PIXELS * specks->marks->side;
-    return runs[i].right - runs[i].left + 1 < size && runs[i].top - runs[i].bottom + 1 < size;
+    const uint32_t across = runs[i].right / specks->marks->side - runs[i].left / specks->marks->side;
+    return across < ZR_EDGE_SPECK_PIXELS && runs[i].top - runs[i].bottom < ZR_EDGE_SPECK_PIXELS;
 }
 
-static void clear_run(uint64_t *row, uint32_t first, uint32_t last)
+static void clear_run(const struct zr_edge_marks *marks, size_t y, const struct run *run)
 {
-    const uint64_t from = UINT64_MAX << first % 64, to = UINT64_MAX >> (63 - last % 64);
-    const uint32_t begin = first / 64, end = last / 64;
-    for (uint32_t i = begin; i <= end; i++)
-        row[i] &= ~((i == begin ? from : UINT64_MAX) & (i == end ? to : UINT64_MAX));
+    const uint64_t from = UINT64_MAX << run->first % 64, to = UINT64_MAX >> (63 - run->last % 64);
+    const uint32_t begin = run->first / 64, end = run->last / 64;
+    for (uint32_t k = 0; k < marks->side; k++) {
+        uint64_t *row = marks->creases + (y * marks->side + k) * marks->words;
+        for (uint32_t i = begin; i <= end; i++)
+            row[i] &= ~((i == begin ? from : UINT64_MAX) & (i == end ? to : UINT64_MAX));
+    }
 }
 
 static void clear_specks(void *context, size_t begin, size_t end)
 {
     const struct specks *specks = context;
     if (zr_is_cancelled(specks->cancel)) return;
-    for (size_t y = begin * BAND; y < end_row(specks, end); y++) {
-        uint64_t *row = specks->marks->creases + y * specks->marks->words;
+    for (size_t y = begin * BAND; y < end_row(specks, end); y++)
         for (uint32_t i = specks->row_begin[y]; i < specks->row_begin[y + 1]; i++)
-            if (is_speck(specks, i)) clear_run(row, specks->runs[i].first, specks->runs[i].last);
-    }
+            if (is_speck(specks, i)) clear_run(specks->marks, y, &specks->runs[i]);
 }
 
 bool zr_edge_specks_drop(struct zr_edge_marks *marks, struct zr_arena *arena, struct zr_team *team,
                          const struct zr_cancel *cancel)
 {
     struct specks specks = {.marks = marks, .cancel = cancel};
-    specks.row_begin = zr_arena_alloc(arena, (size_t)marks->rows + 1, sizeof *specks.row_begin);
+    specks.row_begin = zr_arena_alloc(arena, (size_t)marks->height + 1, sizeof *specks.row_begin);
     if (!specks.row_begin) return false;
     zr_team_ranges(team, bands_of(marks), 1, count_runs, &specks);
     if (zr_is_cancelled(cancel)) return true; /* counts may be missing */
-    specks.runs = zr_arena_alloc(arena, add_up(specks.row_begin, marks->rows), sizeof *specks.runs);
+    specks.runs = zr_arena_alloc(arena, add_up(specks.row_begin, marks->height), sizeof *specks.runs);
     if (!specks.runs) return false;
     zr_team_ranges(team, bands_of(marks), 1, join_band, &specks);
     if (zr_is_cancelled(cancel)) return true;
-    for (size_t y = BAND; y < marks->rows; y += BAND)
+    for (size_t y = BAND; y < marks->height; y += BAND)
         join_rows(&specks, y);
     zr_team_ranges(team, bands_of(marks), 1, clear_specks, &specks);
     return true;

@@ -3,9 +3,9 @@
  * In:     tile by tile, the G-buffer of samples (owner, normal, point). Out: the share of each pixel that edges cover.
  * How:    a silhouette is where one of two horizontal or vertical neighbours is empty, or where both points are
  *         more than 1.5 sample widths (at the one further away) from the other's plane; a crease is where normals
- *         differ by more than an angle. Samples without a normal, of lines, have silhouettes against nothing only.
- *         Both neighbours are marked; connected creases whose box is under 12 pixels in both directions are dropped;
- *         marks are widened by a disc.
+ *         differ by more than an angle and there is no silhouette. Samples without a normal, of lines, have
+ *         silhouettes against nothing only. Both neighbours are marked; creases whose pixels connect, and fill a box of
+ *         12 pixels at most in both directions, are dropped; marks are widened by a disc.
  * Exact:  every instruction set, thread count and order of tiles gives the same bytes.
  * Memory: two bits a sample, and 7 KiB a tile: the rows and columns at its sides, which are compared when all are
  *         drawn.
@@ -16,9 +16,9 @@
 #include "base/arena.h"
 #include "base/isa.h"
 #include "base/team.h"
-#include "shade/gbuffer.h"
 #include "look/occlusion.h"
 #include "scene/picture.h"
+#include "shade/gbuffer.h"
 #include "zraster.h"
 
 /* Marks of a picture of width x height pixels with side x side samples each. Tiles are squares of ZR_TILE_SIZE samples

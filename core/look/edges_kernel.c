@@ -42,7 +42,7 @@ static inline void compare(const struct zr_edge_rule *rule, const struct zr_edge
         zr_vm apart, bent;
         compare_faces(rule, a, b, at, &apart, &bent);
         silhouettes |= zr_vm_bits(apart) & both;
-        creases = zr_vm_bits(bent) & both;
+        creases = zr_vm_bits(bent) & both & ~silhouettes;
     }
     bits->silhouettes |= (uint64_t)silhouettes << at;
     bits->creases |= (uint64_t)creases << at;

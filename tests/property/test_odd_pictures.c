@@ -1,16 +1,10 @@
 /* Pictures of looks that nobody would ask for: odd windows, cameras, bodies. Each is drawn, and all instruction sets
  * and numbers of threads give the same bytes: a number that is none would not, since they compare it in different ways.
  */
-#include <math.h>
 #include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
 
-#include "scene/resolved_view.h"
-#include "scene/scene.h"
-#include "shade/frame.h"
 #include "support/cmocka_all.h"
-#include "zraster.h"
+#include "support/pictures.h"
 
 #define CUBE_FACES "\"faces\":[[0,1,3,2],[4,6,7,5],[0,4,5,1],[2,3,7,6],[0,2,6,4],[1,5,7,3]]"
 #define CUBE(a, b)                                                                                                     \
@@ -70,53 +64,13 @@ static const char *const looks[] = {
 enum { BODIES = sizeof bodies / sizeof *bodies, VIEWS = sizeof views / sizeof *views };
 enum { WINDOWS = sizeof windows / sizeof *windows, LOOKS = sizeof looks / sizeof *looks };
 
-/* The picture's bytes, in the arena. NULL, and the test fails, where it could not be drawn. */
-static const uint8_t *draw(struct zr_arena *arena, struct zr_team *team, const char *text, size_t *size)
-{
-    const struct zr_limits limits = zr_limits_default();
-    const struct zr_request request = {.format = ZR_FORMAT_JSON, .bytes = text, .size = strlen(text)};
-    const struct zr_scene *scene;
-    const struct zr_resolved_view *resolved = NULL;
-    const struct zr_frame *frame = NULL;
-    struct zr_error error = {.count = 0};
-    enum zr_status status = zr_scene_read(arena, team, &request, &limits, &scene, &error);
-    if (status == ZR_OK) status = zr_resolved_view_find(arena, team, scene, NULL, &resolved, &error);
-    if (status == ZR_OK) {
-        const struct zr_cost cost = zr_scene_cost(scene, resolved, 1024, NULL);
-        const double sum = cost.triangles + cost.fragments + cost.shape_triangles + cost.shape_fragments + cost.samples;
-        const size_t used = arena->used;
-        status = zr_render(arena, team, scene, resolved, NULL, &frame, &error);
-        if (!isfinite(sum) || sum < 0.0) fail_msg("a cost of %g: %s", sum, text);
-        if (status == ZR_OK && cost.window_bytes > (double)(arena->peak - used))
-            fail_msg("%.0f bytes told, %zu taken: %s", cost.window_bytes, arena->peak - used, text);
-    }
-    if (status != ZR_OK) fail_msg("%s: %s", text, error.count ? error.items[0].detail : "");
-    *size = (size_t)frame->width * frame->height * 4;
-    return frame->color;
-}
-
-static void assert_same_by_all(struct zr_team *const *teams, int count, const char *text)
-{
-    struct zr_arena first, others;
-    size_t size, other_size;
-    zr_arena_init(&first, (size_t)1 << 28);
-    zr_arena_init(&others, (size_t)1 << 28);
-    const uint8_t *want = draw(&first, NULL, text, &size);
-    for (int i = 0; i < count; i++) {
-        const uint8_t *got = draw(&others, teams[i], text, &other_size);
-        if (size != other_size || memcmp(want, got, size) != 0)
-            fail_msg("other bytes by %s: %s", zr_isa_name(zr_team_isa(teams[i])), text);
-        zr_arena_reset(&others, SIZE_MAX);
-    }
-    zr_arena_free(&first);
-    zr_arena_free(&others);
-}
-
 static void odd_pictures_are_the_same_everywhere(void **state)
 {
     struct zr_team *teams[ZR_ISA_COUNT + 1];
+    struct zr_arena arena;
     int count = 0, pictures = 0;
     (void)state;
+    zr_arena_init(&arena, (size_t)1 << 28);
     for (int isa = 0; isa < ZR_ISA_COUNT; isa++)
         if (zr_isa_is_available((enum zr_isa)isa)) teams[count++] = zr_team_create_for(1, (enum zr_isa)isa);
     teams[count++] = zr_team_create(7);
@@ -129,10 +83,12 @@ static void odd_pictures_are_the_same_everywhere(void **state)
                 const int window = pictures % WINDOWS, look = (pictures / WINDOWS + pictures * 7) % LOOKS;
                 snprintf(text, sizeof text, "{\"window\":{\"width\":%u,\"height\":%u},%s,\"meshes\":[{%s}]%s}",
                          windows[window].width, windows[window].height, looks[look], bodies[body], views[view]);
-                assert_same_by_all(teams, count, text);
+                picture_assert_same(&arena, teams, count, text);
+                zr_arena_reset(&arena, SIZE_MAX);
             }
     for (int i = 0; i < count; i++)
         zr_team_destroy(teams[i]);
+    zr_arena_free(&arena);
 }
 
 int main(void)

@@ -148,8 +148,8 @@ static int reference_pair(const struct sample *a, const struct sample *b)
     const struct vec way = {p2.x - p1.x, p2.y - p1.y, p2.z - p1.z};
     const double distance = fmin(fabs(dot(way, n1)), fabs(dot(way, n2)));
     const double cosine = cos((double)picture.edges.crease_degrees * 3.14159265358979323846 / 180.0);
-    return (is_less(1.5 * fmax(sample_width(p1), sample_width(p2)), distance) ? SILHOUETTE : 0) |
-           (is_less(dot(n1, n2), cosine) ? CREASE : 0);
+    if (is_less(1.5 * fmax(sample_width(p1), sample_width(p2)), distance)) return SILHOUETTE;
+    return is_less(dot(n1, n2), cosine) ? CREASE : 0;
 }
 
 static unsigned char found[MOST * MOST];
@@ -169,7 +169,24 @@ static void reference_marks(void)
             }
 }
 
-/* Creases are visited by depth-first search, then dropped where their box is small. */
+static bool has_crease(int px, int py)
+{
+    const int side = (int)picture.side;
+    for (int y = py * side; y < (py + 1) * side; y++)
+        for (int x = px * side; x < (px + 1) * side; x++)
+            if (found[y * MOST + x] & CREASE) return true;
+    return false;
+}
+
+static void drop_creases(int px, int py)
+{
+    const int side = (int)picture.side;
+    for (int y = py * side; y < (py + 1) * side; y++)
+        for (int x = px * side; x < (px + 1) * side; x++)
+            found[y * MOST + x] &= SILHOUETTE;
+}
+
+/* Pixels with creases are visited breadth first, then dropped where their box is small. */
 static void reference_speck(int first, unsigned char *visited)
 {
     static int members[MOST * MOST];
@@ -182,25 +199,24 @@ static void reference_speck(int first, unsigned char *visited)
         bottom = y < bottom ? y : bottom, top = y > top ? y : top;
         for (int j = y - 1; j <= y + 1; j++)
             for (int i = x - 1; i <= x + 1; i++) {
-                if (i < 0 || j < 0 || i >= picture.columns || j >= picture.rows) continue;
-                if (visited[j * MOST + i] || !(found[j * MOST + i] & CREASE)) continue;
+                if (i < 0 || j < 0 || i >= (int)picture.width || j >= (int)picture.height) continue;
+                if (visited[j * MOST + i] || !has_crease(i, j)) continue;
                 visited[j * MOST + i] = 1;
                 members[count++] = j * MOST + i;
             }
     }
-    const int size = 12 * (int)picture.side;
-    if (right - left + 1 < size && top - bottom + 1 < size)
+    if (right - left < 12 && top - bottom < 12)
         for (int k = 0; k < count; k++)
-            found[members[k]] &= SILHOUETTE;
+            drop_creases(members[k] % MOST, members[k] / MOST);
 }
 
 static void reference_specks(void)
 {
     static unsigned char visited[MOST * MOST];
     memset(visited, 0, sizeof visited);
-    for (int y = 0; y < picture.rows; y++)
-        for (int x = 0; x < picture.columns; x++)
-            if ((found[y * MOST + x] & CREASE) && !visited[y * MOST + x]) reference_speck(y * MOST + x, visited);
+    for (int y = 0; y < (int)picture.height; y++)
+        for (int x = 0; x < (int)picture.width; x++)
+            if (!visited[y * MOST + x] && has_crease(x, y)) reference_speck(y * MOST + x, visited);
 }
 
 static unsigned char covered[MOST * MOST];
