@@ -203,6 +203,12 @@ bench: ## our times beside llvmpipe's, libpng's, cJSON's, in one run; ARGS="--on
 	@$(MAKE) -s -j$(JOBS) $(BUILD)/zrasterd $(BUILD)/zraster-bench $(bench_alone)
 	@ZRASTERD=$(BUILD)/zrasterd $(BUILD)/zraster-bench --models $(DATA)/models --output $(BUILD)/bench/results.json $(ARGS)
 
+.PHONY: bench-rivals
+bench-rivals: ## the look studio beside F3D and VTK, which it installs (some 600 MB): MESH=../shared/data/models/stanford-bunny.obj
+	@.ci/need $(NEED_BUILD) f3d=f3d xvfb-run=xvfb xauth=xauth /usr/share/doc/python3-vtk9=python3-vtk9
+	@$(MAKE) -s -j$(JOBS) $(BUILD)/zrasterd
+	@xvfb-run -a /usr/bin/python3 tests/bench/rivals/compare.py $(BUILD) $(or $(MESH),$(DATA)/models/stanford-bunny.obj)
+
 .PHONY: fuzz
 fuzz: ## clang's libFuzzer on all that reads strangers' bytes, FUZZ_SECONDS=20 for each; what it finds lands in build/fuzz/found
 	@.ci/need $(NEED_BUILD)
