@@ -1,11 +1,14 @@
 #!/bin/sh
-# gallery.sh BUILD: draws every line of scenes.txt, and a grid of balls, with a daemon of its own on a free port, and leaves
-# a page of them in BUILD/gallery/index.html.
+# gallery.sh BUILD: draws every line of scenes.txt, grids of balls, and what the README shows, with a daemon of its own on
+# a free port. Leaves a page of them in BUILD/gallery/index.html, with each picture's scene beside it.
 set -eu
 build=$1
 here=clients/gallery
 out=$build/gallery
+page=$out/index.html
+rm -rf "$out"
 mkdir -p "$out"
+: >"$out/daemon.out"
 
 "$build/zrasterd" --port 0 >"$out/daemon.out" 2>"$out/daemon.log" &
 daemon=$!
@@ -20,81 +23,101 @@ until server=$(sed -n 's/^listening on //p' "$out/daemon.out") && [ -n "$server"
     fi
     sleep 0.05
 done
-render() { "$build/zraster" render --server "$server" "$@" >"$out/client.log" 2>&1 || { cat "$out/client.log" >&2; exit 1; }; }
 
-pawn=$(awk -v model=pawn -f $here/models.awk)
-ball=$(awk -v model=ball -f $here/models.awk)
-view='"view": {"azimuthDegrees": 35, "elevationDegrees": 28, "perspective": {"yfovDegrees": 30}, "fit": {"padding": 0.07}}'
-window='"window": {"width": 300, "height": 300}'
-escape() { sed 's/&/\&amp;/g; s/</\&lt;/g'; }
+render() { # NAME OPTION...: NAME.json -> NAME.png
+    name=$1
+    shift
+    "$build/zraster" render "$out/$name.json" --server "$server" "$@" -o "$out/$name.png" >"$out/client.log" 2>&1 || {
+        echo "error: $name:" >&2
+        cat "$out/client.log" >&2
+        exit 1
+    }
+    count=$((count + 1))
+}
+count=0
 
-page=$out/index.html
+# ---- the page ----
+
 cat >"$page" <<'END'
 <!DOCTYPE html><html lang="en"><meta charset="utf-8"><title>zraster: a picture a feature</title>
 <style>body{font:15px/1.4 sans-serif;margin:2em auto;max-width:1320px;color:#222}h2{clear:both;padding-top:1em}
-figure{float:left;width:300px;margin:0 14px 18px 0}img{background:repeating-conic-gradient(#eee 0 25%,#fff 0 50%) 0 0/20px 20px}
-figcaption{height:7em;overflow:auto}code{font-size:12px;color:#456;overflow-wrap:anywhere}</style>
-<h1>zraster: a picture a feature</h1><p>Beside each picture: the members of its scene, but for its mesh, view and window.</p>
+figure{float:left;width:300px;margin:0 14px 18px 0}figure.wide{width:620px}figcaption{height:8em;overflow:auto}
+img{width:100%;image-rendering:pixelated;background:repeating-conic-gradient(#eee 0 25%,#fff 0 50%) 0 0/20px 20px}
+code{font-size:12px;color:#456;overflow-wrap:anywhere}</style>
+<h1>zraster: a picture a feature</h1>
+<p>Beside each picture: the members of its scene but for its mesh, view and window; its name leads to the whole scene.</p>
 END
-figure() { # NAME TITLE MEMBERS
-    printf '<figure><img src="%s.png" alt="%s" width="300" height="300"><figcaption><b>%s</b> %s<br><code>%s</code></figcaption></figure>\n' \
-        "$1" "$1" "$1" "$(printf %s "$2" | escape)" "$(printf %s "$3" | escape)" >>"$page"
+escape() { sed 's/&/\&amp;/g; s/</\&lt;/g'; }
+figure() { # NAME CLASS WHAT MEMBERS
+    printf '<figure class="%s"><img src="%s.png" alt="%s"><figcaption><a href="%s.json"><b>%s</b></a> %s<br><code>%s</code></figcaption></figure>\n' \
+        "$2" "$1" "$1" "$1" "$1" "$(printf %s "$3" | escape)" "$(printf %s "$4" | escape)" >>"$page"
 }
 
-count=0
+# ---- a scene a line ----
+
+view='"view": {"azimuthDegrees": 35, "elevationDegrees": 28, "perspective": {"yfovDegrees": 30}, "fit": {"padding": 0.07}}'
+# The view is that of studio, also where a look has another: the pictures can be compared.
+scene() { # MEMBERS MODEL
+    window=', "window": {"width": 300, "height": 300}' material=
+    case $1 in *'"window"'*) window= ;; esac
+    case $1 in *'"materials"'*) material='"material": "m", ' ;; esac
+    printf '{%s%s, %s, "meshes": [{%s%s}]}\n' "$1" "$window" "$view" "$material" "$2"
+}
+
 while IFS= read -r line; do
     case $line in
     '#'* | '') continue ;;
-    =*) printf '<h2>%s</h2>\n' "${line#= }" >>"$page"; continue ;;
+    =*) printf '<h2>%s</h2>\n' "${line#= }" >>"$page" ;;
+    @*) model=$(awk -v model="${line#@ }" -f $here/models.awk) ;;
+    *)
+        rest=${line#*| }
+        members=${rest#*| }
+        name=${line%% |*}
+        scene "$members" "$model" >"$out/$name.json"
+        render "$name"
+        figure "$name" "" "${rest%%|*}" "$members"
+        ;;
     esac
-    name=${line%% |*} rest=${line#*| }
-    title=${rest%%|*} members=${rest#*| }
-    case $members in
-    *'"color"'*) # a mesh's own colour
-        color=$(printf %s "$members" | sed 's/.*"color": \("#[0-9a-f]*"\).*/\1/')
-        case $members in *edges*) scene=$members material= ;; *)
-            scene=$(printf %s "$members" | sed 's/, "color": "#[0-9a-f]*"//')
-            material="\"materials\": [{\"name\": \"m\", \"baseColorFactor\": $color}], " ;; esac ;;
-    *) scene=$members material= ;;
-    esac
-    mesh=$pawn
-    [ -z "$material" ] || mesh="\"material\": \"m\", $pawn"
-    printf '{%s, %s, %s, %s"meshes": [{%s}]}\n' "$scene" "$window" "$view" "$material" "$mesh" >"$out/$name.json"
-    render "$out/$name.json" -o "$out/$name.png"
-    figure "$name" "$title" "$members"
-    count=$((count + 1))
 done <$here/scenes.txt
 
+# ---- balls ----
+
+ball=$(awk -v model=ball -f $here/models.awk)
+balls() { # ENVIRONMENT: metallic 0, 0.5 and 1 from the front to the back, roughness 0.05 to 1 from the left
+    awk -v look="$1" -v ball="$ball" 'BEGIN {
+        for (m = 0; m < 3; m++)
+            for (r = 0; r < 5; r++) {
+                name = "\"m" m r "\""
+                materials = materials comma "{\"name\": " name ", \"baseColorFactor\": \"#d8a040\", \"metallicFactor\": " (m / 2) \
+                    ", \"roughnessFactor\": " (0.05 + 0.2375 * r) "}"
+                nodes = nodes comma "{\"mesh\": " name ", \"translation\": [" (2.5 * r) ", 0, " (-3.4 * m) "]}"
+                meshes = meshes comma "{\"name\": " name ", \"material\": " name ", " ball "}"
+                comma = ", "
+            }
+        printf "{\"look\": \"%s\", \"window\": {\"width\": 620, \"height\": 400}, ", look
+        printf "\"view\": {\"azimuthDegrees\": 0, \"elevationDegrees\": 42, \"perspective\": {\"yfovDegrees\": 22}}, "
+        printf "\"materials\": [%s], \"nodes\": [%s], \"meshes\": [%s]}\n", materials, nodes, meshes
+    }'
+}
 echo '<h2>Metals and plastics</h2>' >>"$page"
 for environment in studio outdoor; do
-    materials= nodes= comma=
-    for metallic in 0 1; do
-        for step in 0 1 2 3 4; do
-            name="m$metallic$step"
-            roughness=$(awk "BEGIN { print 0.05 + 0.2375 * $step }")
-            materials="$materials$comma{\"name\": \"$name\", \"metallicFactor\": $metallic, \"roughnessFactor\": $roughness, \"baseColorFactor\": \"#d8a040\"}"
-            nodes="$nodes$comma{\"mesh\": \"$name\", \"translation\": [$((step * 23)).0e-1, 0, $((metallic * -26)).0e-1]}"
-            comma=', '
-        done
-    done
-    meshes=$(for m in 00 01 02 03 04 10 11 12 13 14; do printf '%s{"name": "m%s", "material": "m%s", %s}' "${sep-}" "$m" "$m" "$ball"; sep=', '; done)
-    members="\"look\": \"$environment\""
-    printf '{%s, "window": {"width": 620, "height": 300}, "view": {"azimuthDegrees": 0, "elevationDegrees": 25, "perspective": {"yfovDegrees": 25}}, "materials": [%s], "nodes": [%s], "meshes": [%s]}\n' \
-        "$members" "$materials" "$nodes" "$meshes" >"$out/balls-$environment.json"
-    render "$out/balls-$environment.json" -o "$out/balls-$environment.png"
-    printf '<figure style="width:620px"><img src="balls-%s.png" alt="balls"><figcaption><b>%s</b> roughness 0.05 to 1; plastic in front, metal behind</figcaption></figure>\n' \
-        "$environment" "$environment" >>"$page"
-    count=$((count + 1))
+    balls $environment >"$out/balls-$environment.json"
+    render balls-$environment
+    figure balls-$environment wide \
+        "Roughness 0.05 to 1 from the left; plastic in front, metal behind, half of each between." "\"look\": \"$environment\""
 done
-# What the README shows.
+
+# ---- what the README shows ----
+
+pawn=$(awk -v model=pawn -f $here/models.awk)
 materials='"materials": [{"name": "slate"}, {"name": "gold", "baseColorFactor": "#e0a83a", "metallicFactor": 1, "roughnessFactor": 0.25}, {"name": "red", "baseColorFactor": "#cc3333", "roughnessFactor": 0.3}, {"name": "white", "baseColorFactor": "#f2f2f2", "roughnessFactor": 0.8}]'
 meshes="{\"name\": \"pawn\", \"material\": \"slate\", $pawn}, {\"name\": \"gold\", \"material\": \"gold\", $ball}, {\"name\": \"red\", \"material\": \"red\", $ball}, {\"name\": \"white\", \"material\": \"white\", $pawn}"
 nodes='"nodes": [{"mesh": "pawn"}, {"mesh": "gold", "translation": [2.3, 0, -0.3]}, {"mesh": "red", "translation": [1.35, 0, 1.5], "scale": [0.6, 0.6, 0.6]}, {"mesh": "white", "translation": [-2.2, 0, -0.9], "scale": [0.9, 0.9, 0.9]}, {"mesh": "gold", "translation": [-1.25, 0, 0.95], "scale": [0.35, 0.35, 0.35]}]'
-printf '{"look": "studio", "window": {"width": 960, "height": 480}, "view": {"azimuthDegrees": 12, "elevationDegrees": 20, "perspective": {"yfovDegrees": 26}}, %s, %s, "meshes": [%s]}\n' \
+printf '{"look": "studio", "window": {"width": 800, "height": 400}, "view": {"azimuthDegrees": 12, "elevationDegrees": 20, "perspective": {"yfovDegrees": 26}}, %s, %s, "meshes": [%s]}\n' \
     "$materials" "$nodes" "$meshes" >"$out/still.json"
-render "$out/still.json" --compress small -o "$out/still.png"
+render still --compress small
 for look in studio technical clay dark metal outdoor blueprint; do
-    printf '{"look": "%s", "window": {"width": 128, "height": 160}, %s, "meshes": [{%s}]}\n' "$look" "$view" "$pawn" >"$out/look.json"
-    render "$out/look.json" --compress small -o "$out/look-$look.png"
+    scene "\"look\": \"$look\", \"window\": {\"width\": 128, \"height\": 160}" "$pawn" >"$out/look-$look.json"
+    render look-$look --compress small
 done
 echo "$count pictures: $page"

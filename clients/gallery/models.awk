@@ -1,22 +1,28 @@
-# models.awk -v model=pawn|ball: a body of revolution as the members of a mesh in JSON, counter-clockwise seen from
-# outside. Prints "positions": [...], "faces": [...].
-function put(r, y) { radius[++rings] = r; height[rings] = y }
+# models.awk -v model=pawn|ball|coarse|gear: a body of revolution as the members of a mesh in JSON, counter-clockwise
+# seen from outside. Rings of points follow its outline from the bottom upwards; those of a gear have teeth.
+# Prints "positions": [...], "faces": [...].
+function put(r, y, deep) { radius[++rings] = r; height[rings] = y; depth[rings] = deep }
+function put_all(outline, count, i, p, q) {
+    count = split(outline, p, " ")
+    for (i = 1; i <= count; i++) { split(p[i], q, ","); put(q[1], q[2], q[3]) }
+}
+function put_ball(r, y, first, last, i) { for (i = first; i <= last; i++) put(r * sin(pi * i / last), y - r * cos(pi * i / last)) }
+function at(ring, k) { return radius[ring] - (k % 4 == 0 || k % 4 == 3 ? depth[ring] : 0) }
 BEGIN {
     pi = 3.14159265358979
-    if (model == "ball") {
-        sides = 48
-        for (i = 0; i <= 24; i++) put(sin(pi * i / 24), 1 - cos(pi * i / 24))
-    } else {
-        sides = 64
-        split("0,0 1.1,0 1.1,0.25 0.95,0.4 0.95,0.55 0.62,0.85 0.42,1.4 0.36,1.9 0.62,2.0 0.62,2.1 0.34,2.2", p, " ")
-        for (i = 1; i <= 11; i++) { split(p[i], q, ","); put(q[1], q[2]) }
-        for (i = 6; i <= 24; i++) put(0.52 * sin(pi * i / 24), 2.62 - 0.52 * cos(pi * i / 24))
+    sides = model == "coarse" ? 12 : model == "pawn" ? 64 : 48
+    if (model == "ball") put_ball(1, 1, 0, 24)
+    if (model == "coarse") put_all("0,0 0.8,0 1,0.25 1,0.75 0.6,1.1 0.6,1.5 0,1.5")
+    if (model == "gear") put_all("0.36,0 1.2,0,0.24 1.2,0.45,0.24 0.72,0.45 0.72,0.85 0.64,0.93 0.36,0.93 0.36,0")
+    if (model == "pawn") {
+        put_all("0,0 1.1,0 1.1,0.25 0.95,0.4 0.95,0.55 0.62,0.85 0.42,1.4 0.36,1.9 0.62,2.0 0.62,2.1 0.34,2.2")
+        put_ball(0.52, 2.62, 6, 24)
     }
     printf "\"positions\": ["
     for (i = 1; i <= rings; i++)
         for (k = 0; k < sides; k++)
-            printf "%s[%.4f,%.4f,%.4f]", (i + k == 1 ? "" : ","), radius[i] * cos(2 * pi * k / sides), height[i],
-                radius[i] * sin(2 * pi * k / sides)
+            printf "%s[%.4f,%.4f,%.4f]", (i + k == 1 ? "" : ","), at(i, k) * cos(2 * pi * k / sides), height[i],
+                at(i, k) * sin(2 * pi * k / sides)
     printf "], \"faces\": ["
     for (i = 1; i < rings; i++)
         for (k = 0; k < sides; k++) {

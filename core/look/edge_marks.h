@@ -15,10 +15,17 @@
 #include "base/team.h"
 #include "raster/tile.h"
 #include "shade/gbuffer.h"
+#include "shade/surfaces.h"
 
 _Static_assert(ZR_TILE_SIZE == 64, "a row of a tile is a word");
 
 /* ---- comparisons of neighbours: edges_kernel.c ---- */
+
+/* Where faces lie, which shading normals do not say. What they point to lives until zr_edges_finish is done. */
+struct zr_edge_faces {
+    const struct zr_geometry *geometry;
+    const struct zr_surface *of_draw; /* with points */
+};
 
 /* A silhouette: both points are further from the other's plane than limit * w, w = slope . point + offset being the
  * larger one of both points. A crease: no silhouette, and the dot product of normals is below `cosine`. */
@@ -26,6 +33,7 @@ struct zr_edge_rule {
     float slope[3], offset;
     float limit;
     float cosine;
+    const struct zr_edge_faces *faces; /* NULL: they are as normals say */
 };
 
 /* Samples side by side, or above each other. */
@@ -38,6 +46,13 @@ struct zr_edge_line {
 struct zr_edge_bits {
     uint64_t silhouettes, creases;
 };
+
+/* Of the bits of `pairs`, of which bit i is that of samples first + i: those whose points are on no common surface.
+ * Such a one is a triangle, or two that have a corner in common where one point is no further than `limit` from the
+ * plane of the other's triangle. Of coarse meshes with smooth normals, points of a triangle that is seen from aside are
+ * far from the planes that normals make. */
+uint32_t zr_edge_faces_apart(const struct zr_edge_rule *rule, const struct zr_edge_line *a,
+                             const struct zr_edge_line *b, int32_t first, uint32_t pairs);
 
 /* Bit i: what is between samples i of both lines, of `count` <= 64. It does not matter which one comes first, and
  * nothing beyond is read. A kernel. */
@@ -71,6 +86,7 @@ struct zr_edge_marks {
     uint32_t words;               /* a row; as many tiles are side by side */
     float line_width;             /* pixels */
     struct zr_edge_rule rule;
+    struct zr_edge_faces faces;
     uint64_t *silhouettes, *creases; /* [row * words + column of tiles] */
     struct zr_edge_tile *tiles;
 };

@@ -41,6 +41,13 @@ struct zr_edge_marks *zr_edge_marks_make(struct zr_arena *arena, uint32_t width,
     return marks;
 }
 
+void zr_edges_know_faces(struct zr_edge_marks *marks, const struct zr_geometry *geometry,
+                         const struct zr_surfaces *surfaces)
+{
+    marks->faces = (struct zr_edge_faces){geometry, surfaces->of_draw};
+    marks->rule.faces = &marks->faces;
+}
+
 /* ---- within tiles ---- */
 
 /* The tile's word of its row y. */

@@ -2,10 +2,11 @@
  *
  * In:     tile by tile, the G-buffer of samples (owner, normal, point). Out: the share of each pixel that edges cover.
  * How:    a silhouette is where one of two horizontal or vertical neighbours is empty, or where both points are
- *         more than 1.5 sample widths (at the one further away) from the other's plane; a crease is where normals
- *         differ by more than an angle and there is no silhouette. Samples without a normal, of lines, have
- *         silhouettes against nothing only. Both neighbours are marked; creases whose pixels connect, and fill a box of
- *         12 pixels at most in both directions, are dropped; marks are widened by a disc.
+ *         more than 1.5 sample widths (at the one further away) from the other's plane and are on no common surface
+ *         (zr_edges_know_faces); a crease is where normals differ by more than an angle and there is no silhouette.
+ *         Samples without a normal, of lines, have silhouettes against nothing only. Both neighbours are marked;
+ *         creases whose pixels connect, and fill a box of 12 pixels at most in both directions, are dropped; marks are
+ *         widened by a disc.
  * Exact:  every instruction set, thread count and order of tiles gives the same bytes.
  * Memory: two bits a sample, and 7 KiB a tile: the rows and columns at its sides, which are compared when all are
  *         drawn.
@@ -19,6 +20,7 @@
 #include "look/occlusion.h"
 #include "scene/picture.h"
 #include "shade/gbuffer.h"
+#include "shade/surfaces.h"
 #include "zraster.h"
 
 /* Marks of a picture of width x height pixels with side x side samples each. Tiles are squares of ZR_TILE_SIZE samples
@@ -27,6 +29,11 @@ struct zr_edge_marks;
 
 struct zr_edge_marks *zr_edge_marks_make(struct zr_arena *arena, uint32_t width, uint32_t height, uint32_t side,
                                          const struct zr_edges *edges, const struct zr_pixel_scale *scale);
+
+/* Before the first tile, of the triangles that owners are numbers of: with these, parts of one surface have no
+ * silhouette between them, whatever their normals are. What both point to lives until zr_edges_finish is done. */
+void zr_edges_know_faces(struct zr_edge_marks *marks, const struct zr_geometry *geometry,
+                         const struct zr_surfaces *surfaces);
 
 /* Marks what is found inside of tile `number`, and keeps its sides for zr_edges_finish. One thread a tile. */
 void zr_edges_mark_tile(struct zr_edge_marks *marks, enum zr_isa isa, uint32_t number, const struct zr_gbuffer *tile);

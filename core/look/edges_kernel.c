@@ -41,7 +41,9 @@ static inline void compare(const struct zr_edge_rule *rule, const struct zr_edge
     if (both) {
         zr_vm apart, bent;
         compare_faces(rule, a, b, at, &apart, &bent);
-        silhouettes |= zr_vm_bits(apart) & both;
+        uint32_t steps = zr_vm_bits(apart) & both;
+        if (steps && rule->faces) steps = zr_edge_faces_apart(rule, a, b, at, steps);
+        silhouettes |= steps;
         creases = zr_vm_bits(bent) & both & ~silhouettes;
     }
     bits->silhouettes |= (uint64_t)silhouettes << at;

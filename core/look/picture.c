@@ -151,15 +151,16 @@ static enum zr_status make_light(const struct drawing *d, struct zr_linear_frame
     return zr_arena_ok(d->arena) ? ZR_OK : ZR_NO_MEMORY;
 }
 
-static enum zr_status draw_samples(const struct drawing *d, const struct zr_sample_stages *stages)
+/* Edges point into the pass until they are finished. */
+static enum zr_status draw_samples(const struct drawing *d, const struct zr_sample_stages *stages, struct zr_pass *pass)
 {
     const uint32_t side = d->scene->picture.side;
     const struct zr_pass_of of = pass_at(d, side, true);
-    struct zr_pass pass;
     enum zr_status status = ZR_OK;
-    STAGE(zr_pass_make(d->arena, d->team, &of, d->cancel, &pass));
-    STAGE(zr_samples_of_light(d->team, &pass, stages, side, d->cancel, d->frame));
-    if (status == ZR_OK) d->frame->counts = zr_pass_counts(&pass);
+    STAGE(zr_pass_make(d->arena, d->team, &of, d->cancel, pass));
+    if (status == ZR_OK && stages->edges) zr_edges_know_faces(stages->edges, &pass->geometry, &pass->surfaces);
+    STAGE(zr_samples_of_light(d->team, pass, stages, side, d->cancel, d->frame));
+    if (status == ZR_OK) d->frame->counts = zr_pass_counts(pass);
     return status;
 }
 
@@ -188,6 +189,7 @@ static enum zr_status draw_light(struct drawing *d)
     const struct zr_shadow_map *shadows = NULL;
     struct zr_linear_frame light;
     struct zr_gbuffer pixels;
+    struct zr_pass pass;
     struct zr_occlusion_map occlusion;
     struct zr_look_lighting lighting;
     struct zr_ground ground = {.light = NULL};
@@ -205,7 +207,7 @@ static enum zr_status draw_light(struct drawing *d)
     zr_look_lighting_make(d->arena, d->scene, camera, shadows, &lighting);
     STAGE(make_light(d, &light));
     if (picture->edges.is_on) STAGE(begin_edges(d, &stages.edges));
-    STAGE(draw_samples(d, &stages));
+    STAGE(draw_samples(d, &stages, &pass));
     STAGE(finish(d, &finishing, stages.edges));
     return status;
 }

@@ -14,12 +14,12 @@ static const struct {
     uint64_t digest;
 } released[] = {
     {"studio@1", UINT64_C(0x1ee504c64bb847f3)},
-    {"technical@1", UINT64_C(0x53d3997f80964634)},
+    {"technical@1", UINT64_C(0x484b8c65d4a97e7e)},
     {"clay@1", UINT64_C(0xa08c08d543b57c27)},
     {"dark@1", UINT64_C(0xead62af450689e9f)},
     {"metal@1", UINT64_C(0x8c446ccaaab75555)},
     {"outdoor@1", UINT64_C(0x45b8f13eaec3d5cd)},
-    {"blueprint@1", UINT64_C(0x357ad78cd601af1b)},
+    {"blueprint@1", UINT64_C(0xd1f028a733764f00)},
     {"textbook@1", UINT64_C(0xeec2ebd6a7c10fe5)},
 };
 enum { RELEASED = sizeof released / sizeof *released };
