@@ -14,12 +14,12 @@ static const struct {
     uint64_t digests[LOOK_SCENES];
 } released[] = {
     {"studio@1", {UINT64_C(0x1ee504c64bb847f3), UINT64_C(0xfa5110207a758821)}},
-    {"technical@1", {UINT64_C(0x53d3997f80964634), UINT64_C(0x0ecffd85f5891bd0)}},
+    {"technical@1", {UINT64_C(0x484b8c65d4a97e7e), UINT64_C(0x3b58cae8420562b8)}},
     {"clay@1", {UINT64_C(0xa08c08d543b57c27), UINT64_C(0xd5590fa8429efad0)}},
     {"dark@1", {UINT64_C(0xead62af450689e9f), UINT64_C(0x03fc9c83b7137408)}},
     {"metal@1", {UINT64_C(0x8c446ccaaab75555), UINT64_C(0x4aabf3d57b4d88bc)}},
     {"outdoor@1", {UINT64_C(0x45b8f13eaec3d5cd), UINT64_C(0x4f3f753228a67098)}},
-    {"blueprint@1", {UINT64_C(0x357ad78cd601af1b), UINT64_C(0x5f0595f27a22f7ec)}},
+    {"blueprint@1", {UINT64_C(0xd1f028a733764f00), UINT64_C(0xff99e64233fbfa95)}},
     {"textbook@1", {UINT64_C(0xeec2ebd6a7c10fe5), UINT64_C(0xef093eb2f6c56f29)}},
 };
 enum { RELEASED = sizeof released / sizeof *released };
