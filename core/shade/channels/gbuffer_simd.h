@@ -97,7 +97,8 @@ ZR_INLINED struct zr_sample_v zr_sample_of(zr_vf (*planes)[3], zr_vm seen, zr_vf
 
 static inline float *zr_sample_row(const struct zr_gbuffer *to, int k)
 {
-    return k < 3 ? to->base[k] : k < 6 ? to->normal[k - 3] : to->point[k - 6];
+    float *const *const rows = k < 3 ? to->base : k < 6 ? to->normal : to->point;
+    return rows[k % 3];
 }
 
 ZR_INLINED void zr_put_samples(const struct zr_gbuffer *to, ptrdiff_t at, const struct zr_sample_v *sample, int first)
