@@ -40,17 +40,18 @@ static bool draw(struct zr_arena *arena, struct zr_team *team, int number, const
     return true;
 }
 
-static bool draw_look(struct zr_arena *arena, struct zr_team *team, const struct zr_look *look)
+static bool draw_look(struct zr_arena *arena, struct zr_team *team, int number, const struct zr_look *look)
 {
-    const struct zr_scene *scene = look_scene(arena, look, LOOK_WIDTH, LOOK_HEIGHT);
+    const struct zr_scene *scene = look_scene(arena, number, look, LOOK_WIDTH, LOOK_HEIGHT);
     const struct zr_frame *frame = NULL;
     struct zr_error error = {.count = 0};
     if (!scene || zr_render(arena, team, scene, NULL, NULL, &frame, &error) != ZR_OK) {
         fprintf(stderr, "zraster-cross: %s: %s\n", look->name, error.count ? error.items[0].detail : "no memory");
         return false;
     }
-    printf("%s, %d threads\t%s@%" PRIu32 ", %d x %d, color\t%016" PRIx64 "\n", zr_isa_name(zr_team_isa(team)),
-           zr_team_size(team), look->name, look->version, LOOK_WIDTH, LOOK_HEIGHT, look_digest(frame));
+    printf("%s, %d threads\t%s, %s@%" PRIu32 ", %d x %d, color\t%016" PRIx64 "\n", zr_isa_name(zr_team_isa(team)),
+           zr_team_size(team), look_scene_names[number], look->name, look->version, LOOK_WIDTH, LOOK_HEIGHT,
+           look_digest(frame));
     zr_arena_reset(arena, ceiling);
     return true;
 }
@@ -65,7 +66,8 @@ static bool draw_all(struct zr_arena *arena, struct zr_team *team)
         for (int w = 0; w < GALLERY_WINDOWS; w++)
             if (!draw(arena, team, number, gallery_windows[w])) return false;
     for (int i = 0; i < ZR_LOOKS; i++)
-        if (!draw_look(arena, team, &zr_looks[i])) return false;
+        for (int number = 0; number < LOOK_SCENES; number++)
+            if (!draw_look(arena, team, number, &zr_looks[i])) return false;
     return true;
 }
 

@@ -16,11 +16,16 @@ enum {
     CORNERS = 30 + 4 * BALL_FACES
 };
 
-struct set {
+/* What every scene has beside its mesh. */
+struct stage {
     struct zr_scene scene;
-    struct zr_mesh mesh;
     struct zr_material material;
     struct zr_instance instance;
+};
+
+struct set {
+    struct stage stage;
+    struct zr_mesh mesh;
     zr_vec4 positions[POINTS];
     uint32_t face_offsets[FACES + 1], indices[CORNERS], lines[4];
 };
@@ -28,8 +33,8 @@ struct set {
 /* The edge above on the right is cut off. */
 static void make_box(struct set *s)
 {
-    static const zr_vec4 points[BOX_POINTS] = {{-1, 0, -1, 1}, {1, 0, -1, 1},     {1, 0, 1, 1},    {-1, 0, 1, 1},
-                                               {-1, 1, -1, 1}, {0.75f, 1, -1, 1}, {0.75f, 1, 1, 1}, {-1, 1, 1, 1},
+    static const zr_vec4 points[BOX_POINTS] = {{-1, 0, -1, 1},    {1, 0, -1, 1},     {1, 0, 1, 1},     {-1, 0, 1, 1},
+                                               {-1, 1, -1, 1},    {0.75f, 1, -1, 1}, {0.75f, 1, 1, 1}, {-1, 1, 1, 1},
                                                {1, 0.75f, -1, 1}, {1, 0.75f, 1, 1}};
     static const uint32_t corners[30] = {0, 1, 2, 3, 4, 7, 6, 5, 3, 2, 9, 6, 7, 1, 0,
                                          4, 5, 8, 0, 3, 7, 4, 2, 1, 8, 9, 5, 6, 9, 8};
@@ -87,22 +92,10 @@ static void aim(const struct zr_look_view *from, struct zr_view *view)
     view->world_to_camera = view->projection_matrix = zr_mat4_identity();
 }
 
-const struct zr_scene *look_scene(struct zr_arena *arena, const struct zr_look *look, uint32_t width, uint32_t height)
+static const struct zr_scene *put_on_stage(struct stage *s, const struct zr_mesh *mesh, const struct zr_look *look,
+                                           uint32_t width, uint32_t height)
 {
     static const struct zr_output color = {.channel = ZR_CHANNEL_COLOR, .encoding = ZR_ENCODING_PNG};
-    struct set *s = zr_arena_zero(arena, 1, sizeof *s);
-    if (!s) return NULL;
-    make_box(s);
-    make_ball(s);
-    make_lines(s);
-    s->mesh = (struct zr_mesh){.name = "",
-                               .position_count = POINTS,
-                               .positions = s->positions,
-                               .face_count = FACES,
-                               .face_offsets = s->face_offsets,
-                               .indices = s->indices,
-                               .line_count = 2,
-                               .lines = s->lines};
     s->material = look->material;
     if (look->shades_by_mesh) s->material.shading = ZR_SHADING_FLAT;
     s->instance = (struct zr_instance){.object_to_world = zr_mat4_identity()};
@@ -116,11 +109,151 @@ const struct zr_scene *look_scene(struct zr_arena *arena, const struct zr_look *
                                  .mesh_count = 1,
                                  .instance_count = 1,
                                  .materials = &s->material,
-                                 .meshes = &s->mesh,
+                                 .meshes = mesh,
                                  .instances = &s->instance};
     s->scene.views[0] = (struct zr_view){.width = width, .height = height, .output_count = 1, .outputs = &color};
     aim(&look->view, &s->scene.views[0]);
     return &s->scene;
+}
+
+static const struct zr_scene *make_solids(struct zr_arena *arena, const struct zr_look *look, uint32_t width,
+                                          uint32_t height)
+{
+    struct set *s = zr_arena_zero(arena, 1, sizeof *s);
+    if (!s) return NULL;
+    make_box(s);
+    make_ball(s);
+    make_lines(s);
+    s->mesh = (struct zr_mesh){.name = "",
+                               .position_count = POINTS,
+                               .positions = s->positions,
+                               .face_count = FACES,
+                               .face_offsets = s->face_offsets,
+                               .indices = s->indices,
+                               .line_count = 2,
+                               .lines = s->lines};
+    return put_on_stage(&s->stage, &s->mesh, look, width, height);
+}
+
+/* ---- surfaces that are open, and sides that are round beside lids that are not ---- */
+
+enum {
+    STEPS = 4, /* of a quarter of the circle: none is wider than what looks make smooth */
+    SIDES = 4 * STEPS,
+    PATCH = 6, /* cells each way */
+    PATCH_POINTS = (PATCH + 1) * (PATCH + 1),
+    PLANE_AT = 0,
+    PIPE_AT = 4,
+    PATCH_AT = PIPE_AT + 2 * SIDES,
+    WIRE_AT = PATCH_AT + PATCH_POINTS,
+    OPEN_POINTS = WIRE_AT + 2,
+    OPEN_FACES = 1 + SIDES + 2 + PATCH * PATCH,
+    OPEN_CORNERS = 4 + 4 * SIDES + 2 * SIDES + 4 * PATCH * PATCH
+};
+
+struct open_set {
+    struct stage stage;
+    struct zr_mesh mesh;
+    zr_vec4 positions[OPEN_POINTS];
+    uint32_t face_offsets[OPEN_FACES + 1], indices[OPEN_CORNERS], lines[2];
+    uint32_t faces, corners; /* so far */
+};
+
+static void add_corner(struct open_set *s, uint32_t position)
+{
+    s->indices[s->corners++] = position;
+}
+
+static void end_face(struct open_set *s)
+{
+    s->face_offsets[++s->faces] = s->corners;
+}
+
+static void add_quad(struct open_set *s, uint32_t a, uint32_t b, uint32_t c, uint32_t d)
+{
+    add_corner(s, a);
+    add_corner(s, b);
+    add_corner(s, c);
+    add_corner(s, d);
+    end_face(s);
+}
+
+static void make_plane(struct open_set *s)
+{
+    static const zr_vec4 points[4] = {
+        {-1.6f, 0, -1.4f, 1}, {-1.6f, 0, 1.4f, 1}, {1.6f, 0, 1.4f, 1}, {1.6f, 0, -1.4f, 1}};
+    memcpy(s->positions + PLANE_AT, points, sizeof points);
+    add_quad(s, 0, 1, 2, 3);
+}
+
+/* A place of the circle without a sine: by the half angle's tangent, turned by quarters. */
+static void circle_point(uint32_t i, float *x, float *z)
+{
+    const float t = (float)(i % STEPS) / STEPS, below = 1.0f + t * t, c = (1.0f - t * t) / below, d = 2.0f * t / below;
+    const float at[4][2] = {{c, d}, {-d, c}, {-c, -d}, {d, -c}};
+    *x = at[i / STEPS][0];
+    *z = at[i / STEPS][1];
+}
+
+static void make_pipe(struct open_set *s)
+{
+    for (uint32_t i = 0; i < SIDES; i++) {
+        float x, z;
+        circle_point(i, &x, &z);
+        s->positions[PIPE_AT + 2 * i] = (zr_vec4){0.5f * x - 0.7f, 0.25f, 0.5f * z - 0.4f, 1};
+        s->positions[PIPE_AT + 2 * i + 1] = (zr_vec4){0.5f * x - 0.7f, 1.25f, 0.5f * z - 0.4f, 1};
+        const uint32_t own = PIPE_AT + 2 * i, next = PIPE_AT + 2 * ((i + 1) % SIDES);
+        add_quad(s, own, own + 1, next + 1, next);
+    }
+    for (uint32_t i = 0; i < SIDES; i++)
+        add_corner(s, PIPE_AT + 2 * i);
+    end_face(s);
+    for (uint32_t i = SIDES; i-- > 0;)
+        add_corner(s, PIPE_AT + 2 * i + 1);
+    end_face(s);
+}
+
+/* Of a sphere, open, its hollow towards the camera. */
+static void make_patch(struct open_set *s)
+{
+    for (uint32_t i = 0; i < PATCH_POINTS; i++) {
+        const uint32_t column = i % (PATCH + 1), row = i / (PATCH + 1), at = PATCH_AT + i;
+        const float u = (float)column / PATCH - 0.5f, v = (float)row / PATCH - 0.5f;
+        s->positions[at] = (zr_vec4){1.1f - sqrtf(0.64f - u * u - v * v), v + 0.7f, u + 0.5f, 1};
+        if (column < PATCH && row < PATCH) add_quad(s, at, at + 1, at + PATCH + 2, at + PATCH + 1);
+    }
+}
+
+static const struct zr_scene *make_open(struct zr_arena *arena, const struct zr_look *look, uint32_t width,
+                                        uint32_t height)
+{
+    struct open_set *s = zr_arena_zero(arena, 1, sizeof *s);
+    if (!s) return NULL;
+    make_plane(s);
+    make_pipe(s);
+    make_patch(s);
+    s->positions[WIRE_AT] = (zr_vec4){-1.5f, 0.1f, 1.3f, 1};
+    s->positions[WIRE_AT + 1] = (zr_vec4){1.5f, 1.3f, -1.2f, 1};
+    s->lines[0] = WIRE_AT, s->lines[1] = WIRE_AT + 1;
+    s->mesh = (struct zr_mesh){.name = "",
+                               .position_count = OPEN_POINTS,
+                               .positions = s->positions,
+                               .face_count = OPEN_FACES,
+                               .face_offsets = s->face_offsets,
+                               .indices = s->indices,
+                               .line_count = 1,
+                               .lines = s->lines};
+    const struct zr_scene *scene = put_on_stage(&s->stage, &s->mesh, look, width, height);
+    s->stage.material.double_sided = true;
+    return scene;
+}
+
+const char *const look_scene_names[LOOK_SCENES] = {"solids", "open"};
+
+const struct zr_scene *look_scene(struct zr_arena *arena, int number, const struct zr_look *look, uint32_t width,
+                                  uint32_t height)
+{
+    return number == 0 ? make_solids(arena, look, width, height) : make_open(arena, look, width, height);
 }
 
 uint64_t look_digest(const struct zr_frame *frame)
