@@ -39,7 +39,7 @@ NEED_BUILD := cc=gcc stdlib.h=libc6-dev microhttpd.h=libmicrohttpd-dev cjson/cJS
 NEED_EGL := EGL/eglext.h=libegl-dev -lOpenGL=libopengl-dev /usr/share/glvnd/egl_vendor.d/50_mesa.json=libegl-mesa0 \
 	/usr/share/drirc.d/00-mesa-defaults.conf=libgl1-mesa-dri
 NEED_REFERENCE := $(need_osmesa) $(NEED_EGL)
-NEED_TEST := cmocka.h=libcmocka-dev pngcheck=pngcheck $(NEED_REFERENCE)
+NEED_TEST := cmocka.h=libcmocka-dev pngcheck=pngcheck curl=curl $(NEED_REFERENCE)
 NEED_CROSS := aarch64-linux-gnu-gcc=gcc-aarch64-linux-gnu /usr/aarch64-linux-gnu/include/stdlib.h=libc6-dev-arm64-cross \
 	qemu-aarch64=qemu-user
 NEED_EMULATED := simde/x86/avx512.h=libsimde-dev

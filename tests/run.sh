@@ -102,7 +102,11 @@ for part in "$@"; do
             ZRASTERD=$build/zrasterd ZRASTER_DATA=$data run "server-$(basename "$test")" "$test"
         done
         ;;
-    clients) ZRASTERD=$build/zrasterd ZRASTER=$build/zraster run client tests/clients/test_client.sh ;;
+    clients)
+        ZRASTERD=$build/zrasterd ZRASTER=$build/zraster run client tests/clients/test_client.sh
+        run gallery tests/clients/test_gallery.sh "$build"
+        run readme tests/clients/test_readme.sh "$build"
+        ;;
     reference)
         triangles=${REFERENCE_TRIANGLES:-210000}
         verify reference "$programs/zraster-verify" --triangles "$triangles" --floats 300

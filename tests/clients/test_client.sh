@@ -6,6 +6,7 @@ daemon=${ZRASTERD:-build/zrasterd}
 client=$(realpath "${ZRASTER:-build/zraster}")
 work=$(mktemp -d)
 . tests/support/verdict.sh
+. tests/support/address.sh
 said=said complained=complained
 
 secret=s3cret.Token-of/64+characters=
@@ -15,15 +16,6 @@ pid=$!
 ZRASTER_TOKEN=$secret "$daemon" --port 0 >"$work/guarded-out" 2>"$work/guarded-log" &
 guarded_pid=$!
 trap 'kill "$pid" "$guarded_pid" 2>/dev/null; wait 2>/dev/null; rm -rf "$work"' EXIT
-address_in() { # FILE: where the daemon listens that writes it
-    tries=0
-    until address=$(sed -n 's/^listening on //p' "$1") && [ -n "$address" ]; do
-        tries=$((tries + 1))
-        [ "$tries" -lt 200 ] || { echo "Bail out! the daemon does not listen"; exit 1; }
-        sleep 0.05
-    done
-    echo "$address"
-}
 server=$(address_in "$work/out")
 guarded=$(address_in "$work/guarded-out")
 case $server$guarded in *Bail*) echo "$server $guarded"; exit 1 ;; esac

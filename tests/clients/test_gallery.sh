@@ -1,0 +1,77 @@
+#!/bin/sh
+# test_gallery.sh BUILD: the gallery has a picture of every scene, no feature leaves its picture as it was, and the README
+# shows what this version draws. Prints TAP.
+set -u
+build=$1
+out=$build/gallery
+work=$(mktemp -d)
+. tests/support/verdict.sh
+. tests/support/address.sh
+said=$work/said complained=$work/complained
+daemon=
+trap '[ -z "$daemon" ] || kill "$daemon" 2>/dev/null; wait 2>/dev/null; rm -rf "$work"' EXIT
+
+clients/gallery/gallery.sh "$build" >"$said" 2>"$complained"
+status=$?
+verdict "every scene of the gallery is drawn" [ "$status" = 0 ]
+
+scenes=$(grep -c '^[a-z][a-z0-9.-]* |' clients/gallery/scenes.txt)
+names=$(sed -n 's/^<figure[^>]*><img src="\([^"]*\)\.png".*/\1/p' "$out/index.html")
+shown=$(echo "$names" | wc -l)
+verdict "the page shows $scenes scenes and 2 grids of balls" [ "$shown" = $((scenes + 2)) ]
+verdict "each under a name of its own" [ "$(echo "$names" | sort -u | wc -l)" = "$shown" ]
+is_png() { [ "$(head -c 8 "$1" | od -An -tx1 | tr -d ' \n')" = 89504e470d0a1a0a ]; }
+all_there() {
+    for name in $names; do
+        is_png "$out/$name.png" && [ -s "$out/$name.json" ] || { echo "$name" >>"$said"; return 1; }
+    done
+}
+verdict "with its picture and its scene beside it" all_there
+
+# What is shown twice is what a look has anyway.
+twins() {
+    for name in $names; do
+        echo "$(cksum <"$out/$name.png") $name"
+    done | sort | awk '{ key = $1 " " $2; if (key == last) print name, $3; last = key; name = $3 }' | sort
+}
+twins >"$said"
+verdict "no two pictures are the same, but those of a default" [ "$(cat "$said")" = "crease-35 studio
+gear-studio occlusion" ]
+
+# Libraries that pack PNGs differ in bytes: pixels are compared once each picture has been packed here, as a base that
+# nothing is drawn into.
+: >"$work/out"
+"$build/zrasterd" --port 0 >"$work/out" 2>"$work/log" &
+daemon=$!
+server=$(address_in "$work/out") || { echo "$server"; exit 1; }
+side() { od -An -j"$2" -N4 -tu1 "$1" | awk '{ print $3 * 256 + $4 }'; }
+depths() { # WIDTH HEIGHT: an array of zeros, the depth of what is nearest
+    printf '\223NUMPY\001\000\166\000%-117s\n' "{'descr': '<f4', 'fortran_order': False, 'shape': ($2, $1)}"
+    head -c $(($1 * $2 * 4)) /dev/zero
+}
+repack() { # PNG OUT
+    width=$(side "$1" 16) height=$(side "$1" 20)
+    {
+        printf '{"window": {"width": %s, "height": %s}, "view": {"preset": "front", "znear": 1, "zfar": 2}, ' "$width" "$height"
+        printf '"polygons": [{"vertices": [[0,0,0], [1,0,0], [0,1,0]]}], "base": {"color": "data:image/png;base64,%s", ' "$(base64 -w 0 "$1")"
+        printf '"windowDepth": "data:;base64,%s"}}' "$(depths "$width" "$height" | base64 -w 0)"
+    } >"$work/base.json"
+    "$build/zraster" render "$work/base.json" --server "$server" -o "$2" >>"$said" 2>>"$complained"
+}
+is_todays() { # PNG
+    cmp -s "$1" "$out/${1##*/}" && return 0
+    repack "$1" "$work/a.png" && repack "$out/${1##*/}" "$work/b.png" && cmp "$work/a.png" "$work/b.png" >>"$said" 2>&1
+}
+pictures=$(grep -oE '(\]\(|src=")clients/[^")]*\.png' README.md | sed 's/.*[("]//')
+verdict "the README has a picture, and one of each look but textbook" [ "$(echo "$pictures" | wc -l)" = 8 ]
+for picture in $pictures; do
+    verdict "$picture is as it is drawn now" is_todays "$picture"
+done
+"$build/zraster" render "$out/look-clay.json" --server "$server" -o "$work/clay.png" >>"$said" 2>>"$complained"
+verdict "other bytes of a picture" is_png "$work/clay.png"
+verdict "are not those that are shown" eval '! cmp -s "$work/clay.png" "$out/look-clay.png"'
+cp "$work/clay.png" "$work/look-clay.png"
+verdict "but the same pixels" is_todays "$work/look-clay.png"
+cp "$work/clay.png" "$work/look-dark.png"
+verdict "and other pixels are noticed" eval '! is_todays "$work/look-dark.png" && is_png "$work/a.png" && is_png "$work/b.png"'
+verdicts
