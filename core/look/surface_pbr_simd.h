@@ -136,11 +136,18 @@ static inline struct zr_vec3_v zr_pbr_from_around_v(const struct zr_look_lightin
 /* A mirror would hardly ever show a lamp, which has no size. */
 #define ZR_LAMP_ALPHA_LEAST 0.06f
 
-/* pi D V: of N.H, N.V and N.L. */
-static inline zr_vf zr_ggx_v(float alpha, zr_vf nh, zr_vf nv, zr_vf nl)
+/* The square of the sine between unit vectors, which 1 - cosine^2 has no digits of where that is small. */
+static inline zr_vf zr_square_sine_v(struct zr_vec3_v a, struct zr_vec3_v b)
 {
-    const zr_vf one = zr_vf_set(1.0f), square = zr_vf_set(alpha * alpha), rest = zr_vf_set(1.0f - alpha * alpha);
-    const zr_vf spread = one - nh * nh * rest;
+    const struct zr_vec3_v c = {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+    return zr_dot_v(c, c);
+}
+
+/* pi D V: of N.H, and 1 less its square, of N.V and N.L. */
+static inline zr_vf zr_ggx_v(float alpha, zr_vf nh, zr_vf square_sine, zr_vf nv, zr_vf nl)
+{
+    const zr_vf square = zr_vf_set(alpha * alpha), rest = zr_vf_set(1.0f - alpha * alpha);
+    const zr_vf spread = square_sine + nh * nh * square;
     const zr_vf smith = nl * zr_vf_sqrt(nv * nv * rest + square) + nv * zr_vf_sqrt(nl * nl * rest + square);
     return square / (spread * spread) * zr_vf_set(0.5f) / smith;
 }
@@ -160,7 +167,8 @@ static inline struct zr_vec3_v zr_pbr_from_lamp_v(const struct zr_lamp *lamp, co
     const zr_vf nl = zr_vf_max(zr_dot_v(s->normal, to_light), zero);
     const zr_vf nh = zr_clamp01_v(zr_dot_v(s->normal, half)), vh = zr_clamp01_v(zr_dot_v(s->to_eye, half));
     const float alpha = pbr->alpha > ZR_LAMP_ALPHA_LEAST ? pbr->alpha : ZR_LAMP_ALPHA_LEAST;
-    const zr_vf specular = zr_ggx_v(alpha, nh, pbr->facing, zr_vf_max(nl, zr_vf_set(1e-6f)));
+    const zr_vf specular =
+        zr_ggx_v(alpha, nh, zr_square_sine_v(s->normal, half), pbr->facing, zr_vf_max(nl, zr_vf_set(1e-6f)));
     const zr_vf away = one - vh, square = away * away;
     const zr_vf fresnel = ZR_MUTANT(fresnel_of_4th_power, square * square * away, square * square);
     const struct zr_vec3_v reflected = {zr_pbr_reflected_v(pbr->f0.x, pbr->diffuse.x, fresnel, specular),
