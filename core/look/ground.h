@@ -38,7 +38,8 @@ float zr_ground_at(const struct zr_ground *ground, float x, float y);
 /* Where the plane is. */
 struct zr_ground_frame {
     zr_vec3 origin;                 /* the middle of the map */
-    zr_vec3 x_axis, y_axis, z_axis; /* unit; z the plane's normal, up */
+    zr_vec3 x_axis, y_axis, z_axis; /* unit, or as long as 1 over the scale of eye space, by which the
+                                       map's units are; z the plane's normal, up */
 };
 
 /* The ray of sight through window position X, Y (in pixels, row 0 the lowest, centres at + 1/2) starts at origin +

@@ -11,6 +11,15 @@ float zr_diagonal_of(const struct zr_bounds *bounds)
     return sqrtf(zr_vec3_dot(size, size));
 }
 
+/* What rounding makes of 1 is 1. */
+float zr_eye_scale_of(const struct zr_camera *camera)
+{
+    const float *m = camera->world_to_eye.m;
+    const zr_vec3 up = {m[4], m[5], m[6]};
+    const float scale = sqrtf(zr_vec3_dot(up, up));
+    return fabsf(scale - 1.0f) < 1e-3f || !(scale > 0.0f) ? 1.0f : scale;
+}
+
 /* Points of the G-buffer are counted from the eye. */
 struct zr_pixel_scale zr_pixel_scale_of(const struct zr_camera *camera, uint32_t height)
 {
@@ -108,13 +117,21 @@ static zr_vec3 direction_in(const zr_mat4 *m, zr_vec3 d)
     return (zr_vec3){out.x, out.y, out.z};
 }
 
+/* An axis by which what is that long in the world has the coordinate 1. */
+static zr_vec3 axis_in(const zr_mat4 *m, zr_vec3 axis, float scale)
+{
+    const zr_vec3 v = direction_in(m, axis);
+    return scale == 1.0f ? v : zr_vec3_scale(v, 1.0f / (scale * scale));
+}
+
 static struct zr_ground_frame frame_of(const struct plane *plane, const struct zr_camera *camera)
 {
     const zr_mat4 *m = &camera->world_to_eye;
+    const float scale = zr_eye_scale_of(camera);
     const zr_vec4 middle = zr_mat4_apply(m, (zr_vec4){plane->middle.x, plane->middle.y, plane->middle.z, 1.0f});
     return (struct zr_ground_frame){.origin = {middle.x, middle.y, middle.z},
-                                    .x_axis = direction_in(m, plane->x),
-                                    .y_axis = direction_in(m, plane->y),
+                                    .x_axis = axis_in(m, plane->x, scale),
+                                    .y_axis = axis_in(m, plane->y, scale),
                                     .z_axis = direction_in(m, plane->up)};
 }
 

@@ -133,7 +133,7 @@ static enum zr_status draw_occlusion(const struct drawing *d, struct zr_gbuffer 
 {
     const struct zr_occlusion *occlusion = &d->scene->picture.occlusion;
     const struct zr_pixel_scale scale = zr_pixel_scale_of(&d->frame->camera, d->frame->height);
-    const float diagonal = zr_diagonal_of(&d->frame->bounds);
+    const float diagonal = zr_diagonal_of(&d->frame->bounds) * zr_eye_scale_of(&d->frame->camera);
     enum zr_status status = draw_gbuffer(d, pixels);
     if (status != ZR_OK) return status;
     const float *light = zr_occlusion_make(d->arena, d->team, d->cancel, pixels, occlusion, &scale, diagonal);

@@ -1,4 +1,5 @@
 /* No data channel changes with a look, with samples or with an effect; and a picture does not change with them. */
+#include <stdlib.h>
 #include <string.h>
 
 #include "json_check.h"
@@ -90,11 +91,51 @@ static void pictures_know_nothing_of_data_channels(void **state)
     }
 }
 
+/* A cube on the ground, seen by a camera that is a matrix, whose upper 3x3 is that of a turn times `scale`. */
+static const struct zr_frame *draw_scaled(struct reading **reading, struct zr_arena *in, double scale)
+{
+    char text[TEXT_SIZE];
+    struct zr_error error = {.status = ZR_OK};
+    const struct zr_frame *frame;
+    const double s = scale;
+    snprintf(text, sizeof text,
+             "{\"look\": \"studio\", \"window\": {\"width\": 75, \"height\": 50}, \"view\": {\"perspective\":"
+             "{\"yfovDegrees\": 40}, \"worldToCamera\": [%g,0,0,0, 0,%g,%g,0, 0,%g,%g,0, %g,%g,%g,1]}, \"meshes\": [{"
+             "\"doubleSided\": true, \"positions\": [[0,0,0],[1,0,0],[1,1,0],[0,1,0],[0,0,1],[1,0,1],[1,1,1],[0,1,1]],"
+             "\"faces\": [[0,3,2,1],[4,5,6,7],[0,1,5,4],[3,7,6,2],[0,4,7,3],[1,2,6,5]]}]}",
+             s, 0.8 * s, 0.6 * s, -0.6 * s, 0.8 * s, -0.5 * s, 0.1 * s, -4 * s);
+    *reading = read_scene(text);
+    zr_arena_init(in, (size_t)1 << 28);
+    assert_int_equal(zr_render(in, NULL, (*reading)->scene, NULL, NULL, &frame, &error), ZR_OK);
+    return frame;
+}
+
+static void cameras_that_scale_show_the_same(void **state)
+{
+    static const double scales[] = {0.01, 100};
+    struct reading *plain, *scaled;
+    struct zr_arena of_plain, of_scaled;
+    (void)state;
+    const struct zr_frame *want = draw_scaled(&plain, &of_plain, 1);
+    assert_true(want->covered_pixels > 300);
+    for (int i = 0; i < 2; i++) {
+        const struct zr_frame *got = draw_scaled(&scaled, &of_scaled, scales[i]);
+        for (size_t k = 0; k < (size_t)PIXELS * 4; k++)
+            if (abs(got->color[k] - want->color[k]) > 2)
+                fail_msg("scale %g, pixel %zu: %d, not %d", scales[i], k / 4, got->color[k], want->color[k]);
+        zr_arena_free(&of_scaled);
+        reading_free(scaled);
+    }
+    zr_arena_free(&of_plain);
+    reading_free(plain);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(data_channels_know_nothing_of_pictures),
         cmocka_unit_test(pictures_know_nothing_of_data_channels),
+        cmocka_unit_test(cameras_that_scale_show_the_same),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
