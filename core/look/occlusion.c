@@ -26,7 +26,7 @@ static void set_pattern(struct zr_occlusion_work *work, int y, int x)
 /* The work, the kernels that do it, and who may stop it. */
 struct job {
     struct zr_occlusion_work work;
-    zr_occlusion_row_fn *row, *blur;
+    zr_occlusion_row_fn *points, *row, *blur;
     const struct zr_cancel *cancel;
 };
 
@@ -34,6 +34,12 @@ static void do_rows(const struct job *job, zr_occlusion_row_fn *row, size_t begi
 {
     for (size_t y = begin; y < end && !zr_is_cancelled(job->cancel); y++)
         row(&job->work, (int32_t)y);
+}
+
+static void lay_out_rows(void *context, size_t begin, size_t end)
+{
+    const struct job *job = context;
+    do_rows(job, job->points, begin, end);
 }
 
 static void find_rows(void *context, size_t begin, size_t end)
@@ -52,14 +58,17 @@ const float *zr_occlusion_make(struct zr_arena *arena, struct zr_team *team, con
                                const struct zr_gbuffer *pixels, const struct zr_occlusion *occlusion,
                                const struct zr_pixel_scale *scale, float diagonal)
 {
+    static zr_occlusion_row_fn *const points[ZR_ISA_COUNT] = ZR_KERNELS(zr_occlusion_points);
     static zr_occlusion_row_fn *const row[ZR_ISA_COUNT] = ZR_KERNELS(zr_occlusion_row);
     static zr_occlusion_row_fn *const blur[ZR_ISA_COUNT] = ZR_KERNELS(zr_occlusion_blur);
     const size_t height = (size_t)pixels->height, size = (size_t)pixels->stride * height;
     const float radius = occlusion->radius * diagonal;
-    struct job job = {.row = row[zr_team_isa(team)], .blur = blur[zr_team_isa(team)], .cancel = cancel};
+    const enum zr_isa isa = zr_team_isa(team);
+    struct job job = {.points = points[isa], .row = row[isa], .blur = blur[isa], .cancel = cancel};
     struct zr_occlusion_work *work = &job.work;
     work->light = zr_arena_alloc(arena, size, sizeof *work->light);
     work->rows = zr_arena_alloc(arena, size, sizeof *work->rows);
+    work->points = zr_arena_alloc(arena, size, sizeof *work->points);
     if (!zr_arena_ok(arena)) return NULL;
     work->pixels = pixels;
     work->scale = *scale;
@@ -70,8 +79,10 @@ const float *zr_occlusion_make(struct zr_arena *arena, struct zr_team *team, con
     for (int y = 0; y < ZR_OCCLUSION_TILE; y++)
         for (int x = 0; x < 16; x++)
             set_pattern(work, y, x);
+    zr_team_ranges(team, height, 8, lay_out_rows, &job);
     zr_team_ranges(team, height, 2, find_rows, &job);
     zr_team_ranges(team, height, 8, blur_rows, &job);
+    zr_arena_trim(arena, work->points, size, 0, sizeof *work->points);
     zr_arena_trim(arena, work->rows, size, 0, sizeof *work->rows);
     return work->light;
 }

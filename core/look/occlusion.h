@@ -14,8 +14,8 @@
 #include "base/arena.h"
 #include "base/isa.h"
 #include "base/team.h"
-#include "shade/gbuffer.h"
 #include "scene/picture.h"
+#include "shade/gbuffer.h"
 #include "zraster.h"
 
 /* Points no farther than this share of the diagonal from a point's plane are on the same surface. */
@@ -64,15 +64,20 @@ struct zr_occlusion_work {
     float radius, over_square_radius; /* in the scene's units; 1 / radius^2 */
     float strength;
     float plane_limit; /* ZR_OCCLUSION_PLANE of the diagonal */
+    zr_vec4 *points;   /* of pixels, laid out as they are; x, y and z side by side, so that a lane loads one at once */
     float *rows;       /* blurred along rows */
     float *light;      /* the result; until a row is blurred, what is found at its pixels */
     float cosine[ZR_OCCLUSION_TILE][ZR_OCCLUSION_DIRECTIONS][16], sine[ZR_OCCLUSION_TILE][ZR_OCCLUSION_DIRECTIONS][16];
     float step[ZR_OCCLUSION_TILE][ZR_OCCLUSION_STEPS][16]; /* shares of the radius */
 };
 
-/* Finds row y, and blurs it along the row: light and rows. */
+/* Lays out the points of row y. */
 typedef void zr_occlusion_row_fn(const struct zr_occlusion_work *work, int32_t y);
 
+zr_occlusion_row_fn zr_occlusion_points_scalar, zr_occlusion_points_sse2, zr_occlusion_points_avx2,
+    zr_occlusion_points_avx512, zr_occlusion_points_neon;
+
+/* Finds row y, when all points are there, and blurs it along the row: light and rows. */
 zr_occlusion_row_fn zr_occlusion_row_scalar, zr_occlusion_row_sse2, zr_occlusion_row_avx2, zr_occlusion_row_avx512,
     zr_occlusion_row_neon;
 
