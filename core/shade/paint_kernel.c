@@ -53,9 +53,10 @@ static void shade(const struct zr_geometry *geometry, const struct zr_surfaces *
 static void clear_samples(const struct zr_gbuffer *to, int32_t rows, int32_t columns)
 {
     const struct zr_sample_v none = zr_no_sample();
+    const struct zr_sample_rows out = zr_sample_rows_of(to);
     for (int32_t y = 0; y < rows; y++)
         for (int32_t x = 0; x < columns; x += ZR_LANES) {
-            zr_put_samples(to, y * to->stride + x, &none, to->base[0] ? 0 : 3);
+            zr_put_samples(&out, y * to->stride + x, &none, to->base[0] ? 0 : 3);
             zr_vi_store(to->owner + y * to->stride + x, zr_vi_set(0));
             if (to->material) zr_vi_store(to->material + y * to->stride + x, zr_vi_set(0));
         }

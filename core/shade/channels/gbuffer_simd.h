@@ -95,22 +95,30 @@ ZR_INLINED struct zr_sample_v zr_sample_of(zr_vf (*planes)[3], zr_vm seen, zr_vf
     return out;
 }
 
-static inline float *zr_sample_row(const struct zr_gbuffer *to, int k)
+/* The rows of a G-buffer, in the order of the planes. */
+struct zr_sample_rows {
+    float *of[ZR_VALUES_LATE];
+    ptrdiff_t stride;
+};
+
+static inline struct zr_sample_rows zr_sample_rows_of(const struct zr_gbuffer *to)
 {
-    float *const *const rows = k < 3 ? to->base : k < 6 ? to->normal : to->point;
-    return rows[k % 3];
+    return (struct zr_sample_rows){{to->base[0], to->base[1], to->base[2], to->normal[0], to->normal[1], to->normal[2],
+                                    to->point[0], to->point[1], to->point[2]},
+                                   to->stride};
 }
 
-ZR_INLINED void zr_put_samples(const struct zr_gbuffer *to, ptrdiff_t at, const struct zr_sample_v *sample, int first)
+ZR_INLINED void zr_put_samples(const struct zr_sample_rows *to, ptrdiff_t at, const struct zr_sample_v *sample,
+                               int first)
 {
     for (int k = first; k < ZR_VALUES_LATE; k++)
-        zr_vf_store(zr_sample_row(to, k) + at, sample->value[k]);
+        zr_vf_store(to->of[k] + at, sample->value[k]);
 }
 
 /* ---- blocks ---- */
 
 ZR_INLINED void zr_sample_whole_block(const struct zr_shader *s, const struct zr_tile *tile, int number,
-                                         const struct zr_gbuffer *to, int first)
+                                      const struct zr_sample_rows *to, int first)
 {
     const uint32_t part = s->parts.blocks[number].first;
     const zr_vi owner = zr_vi_set((int32_t)s->parts.owners[part]);
@@ -130,7 +138,7 @@ ZR_INLINED void zr_sample_whole_block(const struct zr_shader *s, const struct zr
 
 /* Patches side by side, as many as make whole rows of ZR_LANES. */
 ZR_INLINED void zr_sample_patches(const struct zr_shader *s, const struct zr_tile *tile, int number,
-                                     const struct zr_gbuffer *to, int first)
+                                  const struct zr_sample_rows *to, int first)
 {
     const struct zr_block_parts *block = &s->parts.blocks[number];
     const struct zr_patch_place place = zr_patch_place_of(tile, number);
@@ -155,7 +163,7 @@ ZR_INLINED void zr_sample_patches(const struct zr_shader *s, const struct zr_til
         }
         for (int v = first; v < ZR_VALUES_LATE; v++) {
             zr_vi_rows_of_patches(rows[v]);
-            float *out = zr_sample_row(to, v) + (place.low - tile->y + y) * to->stride + place.left - tile->x + x;
+            float *out = to->of[v] + (place.low - tile->y + y) * to->stride + place.left - tile->x + x;
             for (int k = 0; k < ZR_PATCH_ROWS; k++)
                 zr_vi_store(out + k * to->stride, rows[v][k]);
         }
@@ -164,7 +172,7 @@ ZR_INLINED void zr_sample_patches(const struct zr_shader *s, const struct zr_til
 
 /* `first`: 0, or 3: without the surfaces' own colours. Known when this is compiled. */
 ZR_INLINED void zr_sample_blocks_by(struct zr_shader *s, const struct zr_tile *tile, int begin, int end,
-                                    const struct zr_gbuffer *to, int first)
+                                    const struct zr_sample_rows *to, int first)
 {
     const int across = (tile->width + ZR_BLOCK_WIDTH - 1) / ZR_BLOCK_WIDTH;
     for (uint32_t i = 0; i < s->run_count; i++)
@@ -181,10 +189,11 @@ ZR_INLINED void zr_sample_blocks_by(struct zr_shader *s, const struct zr_tile *t
 static inline void zr_sample_blocks(struct zr_shader *s, const struct zr_tile *tile, int begin, int end,
                                     const struct zr_gbuffer *to)
 {
+    const struct zr_sample_rows rows = zr_sample_rows_of(to);
     if (to->base[0])
-        zr_sample_blocks_by(s, tile, begin, end, to, 0);
+        zr_sample_blocks_by(s, tile, begin, end, &rows, 0);
     else
-        zr_sample_blocks_by(s, tile, begin, end, to, 3);
+        zr_sample_blocks_by(s, tile, begin, end, &rows, 3);
 }
 
 static inline zr_vi zr_material_words(const struct zr_geometry *geometry, const struct zr_surface *surface,
