@@ -198,10 +198,15 @@ systems: ## make demo and make test in bare roots of Debian 12, 13 and testing (
 	@SYSTEMS="$(SYSTEMS)" ROOTS="$(ROOTS)" MIRROR="$(MIRROR)" TARGETS="$(TARGETS)" KEEP="$(KEEP)" DATA="$(DATA)" tests/systems/run.sh
 
 .PHONY: bench
-bench: ## our times beside llvmpipe's, libpng's, cJSON's, in one run; ARGS="--only PNG", --isa avx2, --rounds N, --list
+bench: ## our times beside llvmpipe's, libpng's, cJSON's, in one run; ARGS="--only PNG", --isa avx2, --rounds N, --list; RIVALS=1: then bench-rivals
 	@.ci/need $(NEED_BUILD) $(NEED_TEST)
 	@$(MAKE) -s -j$(JOBS) $(BUILD)/zrasterd $(BUILD)/zraster-bench $(bench_alone)
 	@ZRASTERD=$(BUILD)/zrasterd $(BUILD)/zraster-bench --models $(DATA)/models --output $(BUILD)/bench/results.json $(ARGS)
+ifdef RIVALS
+	@$(MAKE) -s bench-rivals
+else
+	@echo "LEFT OUT: F3D and VTK; RIVALS=1 installs (some 600 MB) and measures them" >&2
+endif
 
 .PHONY: bench-rivals
 bench-rivals: ## the look studio beside F3D and VTK, which it installs (some 600 MB): MESH=../shared/data/models/stanford-bunny.obj

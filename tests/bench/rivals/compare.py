@@ -36,6 +36,7 @@ def f3d_round(folder):
     if shutil.which("xvfb-run") and not os.environ.get("DISPLAY"):
         sys.exit("DISPLAY is not set: this is to be run below xvfb-run")
     subprocess.run(command, check=True, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, timeout=120)
+    assert os.path.getsize(f"{folder}/f3d.png") > 1000
 
 
 def timed(work):
