@@ -30,7 +30,7 @@ struct zr_cost_passes zr_cost_passes_of(const struct zr_scene *scene, const stru
     const struct zr_picture *picture = &scene->picture;
     const struct zr_view *view = &scene->views[0];
     struct zr_cost_passes passes = {.centres = 1, .side = 1};
-    if (!zr_view_wants(view, ZR_CHANNEL_COLOR) || !zr_picture_is_apart(picture)) return passes;
+    if (!zr_view_wants(view, ZR_CHANNEL_COLOR) || !zr_picture_has_own_passes(picture)) return passes;
     passes.samples = 1;
     passes.side = picture->side;
     passes.centres = wants_channels(view);
@@ -137,7 +137,7 @@ enum {
     WORD_BYTES = 4,
     SAMPLE_BYTES = 8,
     GBUFFER_BYTES = 28,
-    OPENNESS_BYTES = 4,
+    OCCLUSION_BYTES = 4,
     LINEAR_BYTES = 16,
     EDGE_BYTES = 7196,
     LAMP_MAP_BYTES = 2 * WORD_BYTES * ZR_SHADOW_SIDE * ZR_SHADOW_SIDE
@@ -169,7 +169,7 @@ double zr_cost_window_bytes(const struct zr_scene *scene, const struct zr_cost_p
         sum += SAMPLE_BYTES * (pixels * (double)passes->centres + samples * (double)passes->samples);
     if (passes->samples == 0 || !picture->is_linear) return sum;
     sum += pixels * LINEAR_BYTES + LAMP_MAP_BYTES * (double)passes->lamp_maps;
-    if (picture->occlusion.is_on) sum += pixels * (GBUFFER_BYTES + OPENNESS_BYTES);
+    if (picture->occlusion.is_on) sum += pixels * (GBUFFER_BYTES + OCCLUSION_BYTES);
     if (picture->edges.is_on) sum += bytes_of_edges(pixels, samples);
     return sum;
 }

@@ -45,13 +45,13 @@ static void warn_of_soup(struct zr_scene_builder *builder, const struct zr_forma
 }
 
 /* Bare meshes become what the query makes of them: their looks, where they are, and the view of them. */
-static enum zr_status dress_meshes(struct zr_scene_builder *builder, const struct zr_request *request,
+static enum zr_status apply_query(struct zr_scene_builder *builder, const struct zr_request *request,
                                    const struct zr_query *query, struct zr_error *error)
 {
     struct zr_scene *scene = builder->scene;
     struct zr_instance *instances = zr_arena_alloc(builder->arena, scene->mesh_count, sizeof *instances);
     if (!instances) return ZR_NO_MEMORY;
-    zr_look_dress(query->look, scene);
+    zr_look_apply(query->look, scene);
     scene->picture = zr_picture_merge(&query->picture, query->look);
     scene->picture.is_linear = is_of_linear_light(query);
     scene->background = query->background;
@@ -142,7 +142,7 @@ static enum zr_status read_scene(struct zr_arena *arena, struct zr_team *team, c
     struct zr_scene_builder builder = zr_scene_builder_open(arena, team, scene);
     status = name_bytes(request, format->reader->read(&builder, request, limits, error), error);
     if (status != ZR_OK) return status;
-    if (!format->has_view) status = dress_meshes(&builder, request, &query, error);
+    if (!format->has_view) status = apply_query(&builder, request, &query, error);
     if (status != ZR_OK) return status;
     zr_scene_builder_close(&builder);
     if (!zr_arena_ok(arena)) return ZR_NO_MEMORY;

@@ -39,7 +39,7 @@ static bool has_channels(const struct zr_frame *frame)
 }
 
 /* No data channel knows of samples and effects. */
-static enum zr_status draw_apart(struct zr_arena *arena, struct zr_team *team, const struct zr_scene *scene,
+static enum zr_status draw_own_passes(struct zr_arena *arena, struct zr_team *team, const struct zr_scene *scene,
                                  const struct zr_cancel *cancel, struct zr_frame *frame)
 {
     struct zr_frame picture = *frame;
@@ -65,7 +65,7 @@ static enum zr_status run_pipeline(struct zr_arena *arena, struct zr_team *team,
     STAGE(zr_frame_make(arena, &scene->views[0], resolved, frame));
     STAGE(zr_base_place(arena, scene, &frame->camera, &frame->base, error));
     if (status != ZR_OK) return status;
-    return frame->color && zr_picture_is_apart(&scene->picture) ? draw_apart(arena, team, scene, cancel, frame)
+    return frame->color && zr_picture_has_own_passes(&scene->picture) ? draw_own_passes(arena, team, scene, cancel, frame)
                                                                 : draw_channels(arena, team, scene, cancel, frame);
 }
 

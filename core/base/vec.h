@@ -90,6 +90,13 @@ static inline zr_vec4 zr_vec4_mul(zr_vec4 a, zr_vec4 b)
     return (zr_vec4){a.x * b.x, a.y * b.y, a.z * b.z, a.w * b.w};
 }
 
+/* Where a homogeneous point is; what is at infinity (w = 0) is its direction. */
+static inline zr_vec3 zr_vec4_over_w(zr_vec4 p)
+{
+    if (p.w == 1.0f || p.w == 0.0f) return (zr_vec3){p.x, p.y, p.z};
+    return (zr_vec3){p.x / p.w, p.y / p.w, p.z / p.w};
+}
+
 static inline bool zr_vec4_equal(zr_vec4 a, zr_vec4 b)
 {
     return a.x == b.x && a.y == b.y && a.z == b.z && a.w == b.w;

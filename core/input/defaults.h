@@ -11,15 +11,6 @@
 /* Window 640x480, a colour image as the one output, no geometry, and the look textbook. */
 void zr_scene_defaults(struct zr_scene *scene);
 
-/* The scene gets all that the look has: picture, background, lamps, ambient light; of views nothing. */
-void zr_look_dress(const struct zr_look *look, struct zr_scene *scene);
-
-/* Pose and projection of a look, in a window whose size is known; y is up. */
-void zr_look_aim(const struct zr_look *look, struct zr_view *view);
-
-/* An angle of view over the smaller side of the window. */
-void zr_view_set_fov(struct zr_view *view, float radians);
-
 /* The ambient light of a scene that says which lights it has. */
 zr_vec3 zr_default_ambient_of_own_lights(void);
 

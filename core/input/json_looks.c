@@ -135,11 +135,11 @@ void zr_given_use_look(struct zr_given_scene *root)
 {
     struct zr_scene *scene = root->scene;
     const struct zr_look *look = root->look ? root->look : zr_look_textbook;
-    zr_look_dress(look, scene);
+    zr_look_apply(look, scene);
     use_picture(root);
     fit_samples(root);
     use_lights(root);
-    if (!zr_scene_gives(root, ZR_SCENE_VIEW)) zr_look_aim(look, &scene->views[0]);
+    if (!zr_scene_gives(root, ZR_SCENE_VIEW)) zr_look_set_view(look, &scene->views[0]);
     if (scene->picture.z_is_up) zr_view_put_z_up(&scene->views[0], root->view_says_up);
 }
 

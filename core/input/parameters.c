@@ -143,7 +143,7 @@ static void use_look(struct zr_query *query, const struct zr_look *look)
 {
     query->look = look;
     query->background = look->background;
-    zr_look_aim(look, &query->view);
+    zr_look_set_view(look, &query->view);
 }
 
 static void read_look(const struct reading *r, const char *text)

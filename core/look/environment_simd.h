@@ -4,7 +4,6 @@
 
 #include "look/environment.h"
 #include "look/tone_simd.h"
-#include "shade/model.h"
 
 /* x / sqrt(x^2 + w^2): -1 .. 1. */
 static inline zr_vf zr_blurred_sign_v(zr_vf x, zr_vf square_w)

@@ -9,7 +9,7 @@
 
 #include "base/team.h"
 #include "look/ground.h"
-#include "look/samples.h"
+#include "look/supersample.h"
 
 struct zr_finishing {
     const struct zr_scene *scene;

@@ -6,7 +6,7 @@
 
 /* What is kept from vector to vector: most have the colour and the material of the one before. Found anew for every 64
  * samples, it took a sixteenth of the time. */
-struct kept {
+struct cache {
     struct zr_vec3_v encoded, linear;
     const struct zr_material *cool_of; /* NULL: none so far */
     struct zr_vec3_v cool;
@@ -18,13 +18,13 @@ static inline bool is_same(zr_vf a, zr_vf b)
     return zr_vm_bits(zr_vi_eq(zr_vi_bits_of(a), zr_vi_bits_of(b))) == ZR_ALL_BITS;
 }
 
-static inline struct zr_vec3_v decode(struct kept *kept, struct zr_vec3_v c)
+static inline struct zr_vec3_v decode(struct cache *cache, struct zr_vec3_v c)
 {
-    if (is_same(c.x, kept->encoded.x) && is_same(c.y, kept->encoded.y) && is_same(c.z, kept->encoded.z))
-        return kept->linear;
-    kept->encoded = c;
-    kept->linear = ZR_MUTANT(colors_not_decoded, zr_srgb_decode_color_v(c), c);
-    return kept->linear;
+    if (is_same(c.x, cache->encoded.x) && is_same(c.y, cache->encoded.y) && is_same(c.z, cache->encoded.z))
+        return cache->linear;
+    cache->encoded = c;
+    cache->linear = ZR_MUTANT(colors_not_decoded, zr_srgb_decode_color_v(c), c);
+    return cache->linear;
 }
 
 static inline struct zr_vec3_v three_of(float *const from[3], size_t at)
@@ -43,17 +43,17 @@ static inline struct zr_vec3_v normals_as_colors(struct zr_vec3_v n)
     return zr_srgb_decode_color_v((struct zr_vec3_v){n.x * half + half, n.y * half + half, n.z * half + half});
 }
 
-static inline struct zr_vec3_v cool_of(struct kept *kept, const struct zr_material *material)
+static inline struct zr_vec3_v cool_of(struct cache *cache, const struct zr_material *material)
 {
-    if (kept->cool_of == material) return kept->cool;
-    kept->cool_of = material;
-    kept->cool = zr_srgb_decode_color_v(zr_spread_v(material->cool));
-    return kept->cool;
+    if (cache->cool_of == material) return cache->cool;
+    cache->cool_of = material;
+    cache->cool = zr_srgb_decode_color_v(zr_spread_v(material->cool));
+    return cache->cool;
 }
 
 /* Samples of one material. */
 static inline struct zr_vec3_v shade(const struct zr_look_lighting *lighting, const struct zr_material *material,
-                                     struct kept *kept, const struct zr_shading_v *s)
+                                     struct cache *cache, const struct zr_shading_v *s)
 {
     switch (material->shading) {
     case ZR_SHADING_FLAT:
@@ -61,10 +61,10 @@ static inline struct zr_vec3_v shade(const struct zr_look_lighting *lighting, co
     case ZR_SHADING_PHONG:
         return exposed(lighting, zr_surface_classic_v(lighting, material, s));
     case ZR_SHADING_PBR:
-        if (kept->columns.roughness != material->roughness) zr_split_columns_make(&kept->columns, material->roughness);
-        return exposed(lighting, zr_surface_pbr_v(lighting, material, &kept->columns, s));
+        if (cache->columns.roughness != material->roughness) zr_split_columns_make(&cache->columns, material->roughness);
+        return exposed(lighting, zr_surface_pbr_v(lighting, material, &cache->columns, s));
     case ZR_SHADING_GOOCH:
-        return zr_surface_gooch_v(cool_of(kept, material), s);
+        return zr_surface_gooch_v(cool_of(cache, material), s);
     case ZR_SHADING_NORMALS:
         return normals_as_colors(s->normal);
     default:
@@ -79,7 +79,7 @@ static inline struct zr_vec3_v to_eye_of(const struct zr_look_lighting *lighting
 }
 
 /* One material after the other, of those that are seen. */
-static inline struct zr_vec3_v shade_all(const struct zr_look_lighting *lighting, struct kept *kept, zr_vi numbers,
+static inline struct zr_vec3_v shade_all(const struct zr_look_lighting *lighting, struct cache *cache, zr_vi numbers,
                                          zr_vm seen, const struct zr_shading_v *s)
 {
     const zr_vf zero = zr_vf_set(0.0f);
@@ -89,23 +89,23 @@ static inline struct zr_vec3_v shade_all(const struct zr_look_lighting *lighting
     while (left) {
         const uint32_t number = each[zr_lowest_bit(left)];
         const zr_vm of_it = zr_vi_eq(numbers, zr_vi_set((int32_t)number));
-        out = zr_choose_v(zr_vm_and(seen, of_it), shade(lighting, &lighting->materials[number], kept, s), out);
+        out = zr_choose_v(zr_vm_and(seen, of_it), shade(lighting, &lighting->materials[number], cache, s), out);
         left &= ~zr_vm_bits(of_it);
     }
     return out;
 }
 
 /* Of ZR_LANES samples, some of which are seen. */
-static inline struct zr_vec3_v colors_of(const struct zr_look_lighting *lighting, struct kept *kept,
+static inline struct zr_vec3_v colors_of(const struct zr_look_lighting *lighting, struct cache *cache,
                                          const struct zr_gbuffer *samples, const float *occlusion, size_t at,
                                          zr_vm seen)
 {
     struct zr_shading_v s = {.normal = three_of(samples->normal, at), .point = three_of(samples->point, at)};
-    s.base = decode(kept, three_of(samples->base, at));
+    s.base = decode(cache, three_of(samples->base, at));
     s.to_eye = to_eye_of(lighting, s.point);
-    s.open = occlusion ? zr_vf_load(occlusion + at) : zr_vf_set(1.0f);
+    s.ao = occlusion ? zr_vf_load(occlusion + at) : zr_vf_set(1.0f);
     const zr_vm is_line = zr_vf_eq(zr_dot_v(s.normal, s.normal), zr_vf_set(0.0f));
-    const struct zr_vec3_v color = shade_all(lighting, kept, zr_vi_load(samples->material + at), seen, &s);
+    const struct zr_vec3_v color = shade_all(lighting, cache, zr_vi_load(samples->material + at), seen, &s);
     return zr_choose_v(zr_vm_and(seen, is_line), s.base, color);
 }
 
@@ -113,7 +113,7 @@ void ZR_KERNEL(zr_look_light)(const struct zr_look_lighting *lighting, const str
                               const float *occlusion, float *const out[3])
 {
     const zr_vf zero = zr_vf_set(0.0f), none = zr_vf_set(-1.0f);
-    struct kept kept = {.encoded = {none, none, none}, .linear = {zero, zero, zero}, .columns.roughness = -1.0f};
+    struct cache cache = {.encoded = {none, none, none}, .linear = {zero, zero, zero}, .columns.roughness = -1.0f};
     for (int32_t y = 0; y < samples->height; y++) {
         const size_t begin = (size_t)(y * samples->stride), end = begin + (size_t)samples->width;
         for (size_t at = begin; at < end; at += ZR_LANES) {
@@ -121,7 +121,7 @@ void ZR_KERNEL(zr_look_light)(const struct zr_look_lighting *lighting, const str
             const zr_vm within = zr_vm_first((uint32_t)(end - at));
             const zr_vm seen = zr_vm_and(within, zr_vi_lt(zr_vi_set(0), zr_vi_load(samples->owner + at)));
             struct zr_vec3_v color = {zero, zero, zero};
-            if (zr_vm_any(seen)) color = colors_of(lighting, &kept, samples, occlusion, at, seen);
+            if (zr_vm_any(seen)) color = colors_of(lighting, &cache, samples, occlusion, at, seen);
             zr_vf_store(out[0] + at, color.x);
             zr_vf_store(out[1] + at, color.y);
             zr_vf_store(out[2] + at, color.z);

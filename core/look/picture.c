@@ -5,7 +5,7 @@
 #include "look/finish.h"
 #include "look/lamps.h"
 #include "look/maps.h"
-#include "look/samples.h"
+#include "look/supersample.h"
 #include "shade/crease_normals.h"
 #include "shade/normals.h"
 #include "shade/paint.h"
@@ -50,7 +50,7 @@ static enum zr_status draw_bytes(const struct drawing *d)
     struct zr_pass pass;
     enum zr_status status = ZR_OK;
     STAGE(zr_pass_make(d->arena, d->team, &of, d->cancel, &pass));
-    STAGE(zr_samples_of_bytes(d->team, &pass, side, d->cancel, d->frame));
+    STAGE(zr_supersample_bytes(d->team, &pass, side, d->cancel, d->frame));
     if (status == ZR_OK) d->frame->counts = zr_pass_counts(&pass);
     return status;
 }
@@ -159,7 +159,7 @@ static enum zr_status draw_samples(const struct drawing *d, const struct zr_samp
     enum zr_status status = ZR_OK;
     STAGE(zr_pass_make(d->arena, d->team, &of, d->cancel, pass));
     if (status == ZR_OK && stages->edges) zr_edges_know_faces(stages->edges, &pass->geometry, &pass->surfaces);
-    STAGE(zr_samples_of_light(d->team, pass, stages, side, d->cancel, d->frame));
+    STAGE(zr_supersample_light(d->team, pass, stages, side, d->cancel, d->frame));
     if (status == ZR_OK) d->frame->counts = zr_pass_counts(pass);
     return status;
 }

@@ -9,7 +9,7 @@
 #include "shade/frame.h"
 
 /* True where the channel color takes these stages, and not the tiles of the data channels. */
-static inline bool zr_picture_is_apart(const struct zr_picture *picture)
+static inline bool zr_picture_has_own_passes(const struct zr_picture *picture)
 {
     return picture->is_linear || picture->side > 1;
 }

@@ -38,7 +38,7 @@ static inline struct zr_vec3_v zr_surface_classic_v(const struct zr_look_lightin
         const zr_vf lit = zr_vf_select(zr_vf_lt(zero, facing), one, zero);
         shine = zr_add_v(shine, zr_mul_v(color, zr_scale_v(zr_highlight_v(material, cosine), lit)));
     }
-    const struct zr_vec3_v reaching = zr_mul_v(around, zr_bounced3_v(s->open, s->base));
+    const struct zr_vec3_v reaching = zr_mul_v(around, zr_bounced3_v(s->ao, s->base));
     return zr_add_v(zr_mul_v(s->base, zr_add_v(reaching, direct)), shine);
 }
 
@@ -52,7 +52,7 @@ static inline struct zr_vec3_v zr_surface_gooch_v(struct zr_vec3_v cool, const s
     const zr_vf facing = zr_clamp01_v(half + half * zr_dot_v(s->normal, zr_spread_v(to_lamp)));
     const zr_vf share = ZR_MUTANT(gooch_linear, facing * zr_vf_sqrt(facing), facing);
     const struct zr_vec3_v color = zr_mix3_v(cool, s->base, share);
-    return zr_scale_v(color, zr_vf_set(0.35f) + zr_vf_set(0.65f) * s->open);
+    return zr_scale_v(color, zr_vf_set(0.35f) + zr_vf_set(0.65f) * s->ao);
 }
 
 #endif

@@ -123,8 +123,8 @@ static inline struct zr_vec3_v zr_pbr_from_around_v(const struct zr_look_lightin
 {
     struct zr_around_v around = zr_pbr_gather_v(lighting, pbr, s);
     zr_vf a, b;
-    around.diffuse = zr_mul_v(around.diffuse, zr_bounced3_v(s->open, zr_add_v(pbr->diffuse, pbr->f0)));
-    around.specular = zr_scale_v(around.specular, s->open);
+    around.diffuse = zr_mul_v(around.diffuse, zr_bounced3_v(s->ao, zr_add_v(pbr->diffuse, pbr->f0)));
+    around.specular = zr_scale_v(around.specular, s->ao);
     zr_split_at_v(columns, pbr->facing, &a, &b);
     return (struct zr_vec3_v){zr_pbr_around_v(pbr->f0.x, pbr->diffuse.x, a, b, around.diffuse.x, around.specular.x),
                               zr_pbr_around_v(pbr->f0.y, pbr->diffuse.y, a, b, around.diffuse.y, around.specular.y),
@@ -139,7 +139,7 @@ static inline struct zr_vec3_v zr_pbr_from_around_v(const struct zr_look_lightin
 /* The square of the sine between unit vectors, which 1 - cosine^2 has no digits of where that is small. */
 static inline zr_vf zr_square_sine_v(struct zr_vec3_v a, struct zr_vec3_v b)
 {
-    const struct zr_vec3_v c = {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+    const struct zr_vec3_v c = zr_cross_v(a, b);
     return zr_dot_v(c, c);
 }
 

@@ -12,18 +12,8 @@ struct zr_shading_v {
     struct zr_vec3_v normal; /* unit */
     struct zr_vec3_v to_eye; /* unit */
     struct zr_vec3_v point;  /* as in the G-buffer */
-    zr_vf open;              /* share of the light from all around */
+    zr_vf ao;                /* ambient occlusion: the share of the light from all around that arrives */
 };
-
-static inline struct zr_vec3_v zr_mul_v(struct zr_vec3_v a, struct zr_vec3_v b)
-{
-    return (struct zr_vec3_v){a.x * b.x, a.y * b.y, a.z * b.z};
-}
-
-static inline struct zr_vec3_v zr_add_v(struct zr_vec3_v a, struct zr_vec3_v b)
-{
-    return (struct zr_vec3_v){a.x + b.x, a.y + b.y, a.z + b.z};
-}
 
 static inline struct zr_vec3_v zr_mix3_v(struct zr_vec3_v a, struct zr_vec3_v b, zr_vf share)
 {
@@ -47,19 +37,19 @@ static inline zr_vf zr_lamp_share_v(const struct zr_lamp *lamp, const struct zr_
 /* Of light from all around, how much reaches a surface that reflects `albedo`: what is bounced between the walls of a
  * crease is no less for being dark there. Source: Jimenez and others, "Practical Realtime Strategies for Accurate
  * Indirect Occlusion", 2016. */
-static inline zr_vf zr_bounced_v(zr_vf open, zr_vf albedo)
+static inline zr_vf zr_bounced_v(zr_vf ao, zr_vf albedo)
 {
     albedo = zr_clamp01_v(albedo);
     const zr_vf p = zr_vf_set(2.0404f) * albedo - zr_vf_set(0.3324f);
     const zr_vf q = zr_vf_set(0.6417f) - zr_vf_set(4.7951f) * albedo;
     const zr_vf s = zr_vf_set(2.7552f) * albedo + zr_vf_set(0.6903f);
-    const zr_vf reaching = zr_vf_max(open, ((open * p + q) * open + s) * open);
+    const zr_vf reaching = zr_vf_max(ao, ((ao * p + q) * ao + s) * ao);
     return ZR_MUTANT(open_beyond_1, zr_vf_min(reaching, zr_vf_set(1.0f)), reaching);
 }
 
-static inline struct zr_vec3_v zr_bounced3_v(zr_vf open, struct zr_vec3_v albedo)
+static inline struct zr_vec3_v zr_bounced3_v(zr_vf ao, struct zr_vec3_v albedo)
 {
-    return (struct zr_vec3_v){zr_bounced_v(open, albedo.x), zr_bounced_v(open, albedo.y), zr_bounced_v(open, albedo.z)};
+    return (struct zr_vec3_v){zr_bounced_v(ao, albedo.x), zr_bounced_v(ao, albedo.y), zr_bounced_v(ao, albedo.z)};
 }
 
 #endif

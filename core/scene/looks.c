@@ -190,3 +190,33 @@ const struct zr_look *zr_look_find(const char *text)
             found = &zr_looks[i];
     return found;
 }
+
+void zr_look_apply(const struct zr_look *look, struct zr_scene *scene)
+{
+    scene->look = look;
+    scene->picture = look->picture;
+    scene->background = look->background;
+    scene->ambient = look->ambient;
+    scene->light_count = look->light_count;
+    scene->lights = look->lights;
+}
+
+void zr_view_set_fov(struct zr_view *view, float radians)
+{
+    const bool is_upright = view->width < view->height;
+    view->xfov_radians = is_upright ? radians : 0.0f;
+    view->yfov_radians = is_upright ? 0.0f : radians;
+}
+
+void zr_look_set_view(const struct zr_look *look, struct zr_view *view)
+{
+    const struct zr_look_view *from = &look->view;
+    view->pose = from->pose;
+    view->preset = from->preset;
+    view->azimuth_degrees = from->azimuth_degrees;
+    view->elevation_degrees = from->elevation_degrees;
+    view->up = (zr_vec3){0, 1, 0};
+    view->projection = from->projection;
+    view->fit_padding = from->padding;
+    zr_view_set_fov(view, from->fov_radians);
+}

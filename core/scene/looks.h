@@ -56,4 +56,13 @@ struct zr_look_pin {
 
 struct zr_look_pin zr_look_pin_of(const struct zr_look *look);
 
+/* The scene gets all that the look has: picture, background, lamps, ambient light; of views nothing. */
+void zr_look_apply(const struct zr_look *look, struct zr_scene *scene);
+
+/* Pose and projection of a look, in a window whose size is known; y is up. */
+void zr_look_set_view(const struct zr_look *look, struct zr_view *view);
+
+/* An angle of view over the smaller side of the window. */
+void zr_view_set_fov(struct zr_view *view, float radians);
+
 #endif

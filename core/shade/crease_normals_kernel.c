@@ -6,11 +6,6 @@
 
 /* ---- corners ---- */
 
-static inline struct zr_vec3_v cross_v(struct zr_vec3_v a, struct zr_vec3_v b)
-{
-    return (struct zr_vec3_v){a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-}
-
 /* A vector's direction and length, or 0 where it has none, or is not finite. */
 static inline struct zr_vec3_v split(struct zr_vec3_v v, zr_vf *length)
 {
@@ -42,7 +37,7 @@ static inline void put_triangles(const struct zr_mesh *mesh, const uint32_t *ind
     const struct zr_vec3_v ab = zr_minus_v(b, a), ac = zr_minus_v(c, a), bc = zr_minus_v(c, b);
     const zr_vf zero = zr_vf_set(0.0f);
     zr_vf area;
-    const struct zr_vec3_v unit = split(cross_v(ab, ac), &area);
+    const struct zr_vec3_v unit = split(zr_cross_v(ab, ac), &area);
     const zr_vf cosines[3] = {zr_dot_v(ab, ac), zero - zr_dot_v(ab, bc), zr_dot_v(ac, bc)};
     for (int k = 0; k < 3; k++) {
         zr_vec4 corners[ZR_LANES];
@@ -107,7 +102,7 @@ static inline zr_vf ring_angles(const struct zr_mesh *mesh, uint32_t begin, uint
     const struct zr_vec3_v p = load_places(mesh, slots), a = zr_minus_v(load_places(mesh, before), p),
                            b = zr_minus_v(load_places(mesh, behind), p);
     zr_vf sine;
-    split(cross_v(b, a), &sine);
+    split(zr_cross_v(b, a), &sine);
     return zr_angle_v(sine, zr_dot_v(b, a));
 }
 

@@ -4,21 +4,6 @@
 
 _Static_assert(sizeof(zr_vec4) == 4 * sizeof(float), "loaded and stored as four floats");
 
-static inline struct zr_vec3_v spread(zr_vec3 v)
-{
-    return (struct zr_vec3_v){zr_vf_set(v.x), zr_vf_set(v.y), zr_vf_set(v.z)};
-}
-
-static inline struct zr_vec3_v add(struct zr_vec3_v a, struct zr_vec3_v b)
-{
-    return (struct zr_vec3_v){a.x + b.x, a.y + b.y, a.z + b.z};
-}
-
-static inline struct zr_vec3_v mul(struct zr_vec3_v a, struct zr_vec3_v b)
-{
-    return (struct zr_vec3_v){a.x * b.x, a.y * b.y, a.z * b.z};
-}
-
 static inline zr_vf clamp01(zr_vf v)
 {
     const zr_vf zero = zr_vf_set(0.0f), one = zr_vf_set(1.0f);
@@ -39,8 +24,8 @@ static inline struct zr_vec3_v unit_normals(const struct zr_normal_matrix *to_ey
     zr_vf_load_fours((const float *)normals, &n.x, &n.y, &n.z, &w);
     (void)w;
     n = zr_normalize_v(n); /* first: a tiny face would underflow below */
-    n = (struct zr_vec3_v){zr_dot_v(spread(to_eye->rows[0]), n), zr_dot_v(spread(to_eye->rows[1]), n),
-                           zr_dot_v(spread(to_eye->rows[2]), n)};
+    n = (struct zr_vec3_v){zr_dot_v(zr_spread_v(to_eye->rows[0]), n), zr_dot_v(zr_spread_v(to_eye->rows[1]), n),
+                           zr_dot_v(zr_spread_v(to_eye->rows[2]), n)};
     return zr_normalize_v(n);
 }
 
@@ -50,14 +35,14 @@ static inline void light_group(const struct zr_lighting *lighting, struct zr_vec
     struct zr_vec3_v base;
     zr_vf alpha;
     zr_vf_load_fours((const float *)bases, &base.x, &base.y, &base.z, &alpha);
-    struct zr_vec3_v front = mul(spread(lighting->ambient), base), back = front;
+    struct zr_vec3_v front = zr_mul_v(zr_spread_v(lighting->ambient), base), back = front;
     for (uint32_t i = 0; i < lighting->count; i++) {
-        const zr_vf facing = zr_dot_v(n, spread(lighting->to_light[i]));
-        const struct zr_vec3_v diffuse = mul(spread(lighting->colors[i]), base);
+        const zr_vf facing = zr_dot_v(n, zr_spread_v(lighting->to_light[i]));
+        const struct zr_vec3_v diffuse = zr_mul_v(zr_spread_v(lighting->colors[i]), base);
         const zr_vm lit = zr_vf_lt(zr_vf_set(0.0f), facing);
         front =
-            zr_choose_v(ZR_MUTANT(lit_from_behind, lit, ZR_ALL_LANES), add(front, zr_scale_v(diffuse, facing)), front);
-        back = zr_choose_v(lit, back, add(back, zr_scale_v(diffuse, facing * zr_vf_set(-1.0f))));
+            zr_choose_v(ZR_MUTANT(lit_from_behind, lit, ZR_ALL_LANES), zr_add_v(front, zr_scale_v(diffuse, facing)), front);
+        back = zr_choose_v(lit, back, zr_add_v(back, zr_scale_v(diffuse, facing * zr_vf_set(-1.0f))));
     }
     if (back_out != front_out) store(back, alpha, back_out);
     store(front, alpha, front_out);

@@ -36,11 +36,6 @@ struct zr_model_inputs {
     struct zr_vec3_v color, normal, point;
 };
 
-static inline struct zr_vec3_v zr_spread_v(zr_vec3 v)
-{
-    return (struct zr_vec3_v){zr_vf_set(v.x), zr_vf_set(v.y), zr_vf_set(v.z)};
-}
-
 /* What is seen of colours through fog, as GL 2.1 has it: colours are kept within 0..1 before.
  * Exact: Mesa's order. */
 static inline struct zr_vec3_v zr_fogged_v(const struct zr_model_context *context, struct zr_vec3_v color, zr_vf depth)

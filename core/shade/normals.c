@@ -4,9 +4,7 @@
 
 static zr_vec3 corner(const struct zr_mesh *mesh, uint32_t slot)
 {
-    zr_vec4 p = mesh->positions[mesh->indices[slot]];
-    if (p.w == 1.0f || p.w == 0.0f) return (zr_vec3){p.x, p.y, p.z};
-    return (zr_vec3){p.x / p.w, p.y / p.w, p.z / p.w};
+    return zr_vec4_over_w(mesh->positions[mesh->indices[slot]]);
 }
 
 /* Cross products are taken from the first corner, so that a small face far from

@@ -17,12 +17,6 @@ struct measuring {
     struct measured results[RANGES_MOST];
 };
 
-static zr_vec3 divided(const zr_vec4 *p)
-{
-    if (p->w == 1.0f || p->w == 0.0f) return (zr_vec3){p->x, p->y, p->z};
-    return (zr_vec3){p->x / p->w, p->y / p->w, p->z / p->w};
-}
-
 static void raise_one(zr_vec3 place, double most[ZR_MEASURES])
 {
     const float at[3] = {place.x, place.y, place.z};
@@ -45,7 +39,7 @@ static void measure_range(void *context, size_t begin, size_t end)
     for (size_t i = begin; i < end; i++) {
         const zr_vec4 *p = &m->mesh->positions[i];
         result->is_plain = result->is_plain && p->w == 1.0f;
-        raise_one(divided(p), result->most);
+        raise_one(zr_vec4_over_w(*p), result->most);
     }
 }
 
@@ -93,7 +87,7 @@ static void copy_range(void *context, size_t begin, size_t end)
 {
     const struct copying *c = context;
     for (size_t i = begin; i < end; i++) {
-        const zr_vec3 place = zr_vec3_scale(divided(&c->mesh->positions[i]), c->scale);
+        const zr_vec3 place = zr_vec3_scale(zr_vec4_over_w(c->mesh->positions[i]), c->scale);
         c->to[i] = (zr_vec4){place.x, place.y, place.z, 1.0f};
     }
 }

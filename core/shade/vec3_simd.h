@@ -3,10 +3,27 @@
 #define ZR_VEC3_SIMD_H
 
 #include "base/simd.h"
+#include "base/vec.h"
 
 struct zr_vec3_v {
     zr_vf x, y, z;
 };
+
+static inline struct zr_vec3_v zr_spread_v(zr_vec3 v)
+{
+    return (struct zr_vec3_v){zr_vf_set(v.x), zr_vf_set(v.y), zr_vf_set(v.z)};
+}
+
+static inline struct zr_vec3_v zr_add_v(struct zr_vec3_v a, struct zr_vec3_v b)
+{
+    return (struct zr_vec3_v){a.x + b.x, a.y + b.y, a.z + b.z};
+}
+
+/* Colour by colour. */
+static inline struct zr_vec3_v zr_mul_v(struct zr_vec3_v a, struct zr_vec3_v b)
+{
+    return (struct zr_vec3_v){a.x * b.x, a.y * b.y, a.z * b.z};
+}
 
 static inline struct zr_vec3_v zr_minus_v(struct zr_vec3_v a, struct zr_vec3_v b)
 {
@@ -22,6 +39,12 @@ static inline struct zr_vec3_v zr_choose_v(zr_vm where, struct zr_vec3_v a, stru
 {
     return (struct zr_vec3_v){zr_vf_select(where, a.x, b.x), zr_vf_select(where, a.y, b.y),
                               zr_vf_select(where, a.z, b.z)};
+}
+
+/* As zr_vec3_cross. */
+static inline struct zr_vec3_v zr_cross_v(struct zr_vec3_v a, struct zr_vec3_v b)
+{
+    return (struct zr_vec3_v){a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 
 /* As zr_vec3_dot. */

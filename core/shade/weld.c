@@ -177,14 +177,14 @@ static int list_neighbours(const struct welding *w, uint32_t position, uint32_t 
     return count;
 }
 
-/* A look at a cell. */
-struct look {
+/* A cell in which a position is looked for. */
+struct probe {
     uint32_t position, hash;
 };
 
-enum { LOOKS_MOST = 7 * AT_ONCE };
+enum { PROBES_MOST = 7 * AT_ONCE };
 
-static uint32_t list_looks(const struct welding *w, size_t begin, size_t end, struct look looks[LOOKS_MOST])
+static uint32_t list_probes(const struct welding *w, size_t begin, size_t end, struct probe probes[PROBES_MOST])
 {
     uint32_t count = 0, hashes[7];
     for (uint32_t i = (uint32_t)begin; i < end; i++) {
@@ -194,22 +194,22 @@ static uint32_t list_looks(const struct welding *w, size_t begin, size_t end, st
             const struct table *table = &w->tables[part_of(w, hashes[k])];
             if (table->count == 0) continue;
             zr_expect(&table->slots[slot_of(w, table, hashes[k])], 0, sizeof *table->slots);
-            looks[count++] = (struct look){i, hashes[k]};
+            probes[count++] = (struct probe){i, hashes[k]};
         }
     }
     return count;
 }
 
-/* Each changes what is said of its own positions only, and looks at no others'. */
+/* Each changes what is said of its own positions only, and probes at no others'. */
 static void join_range(void *context, size_t begin, size_t end)
 {
     const struct welding *w = context;
-    struct look looks[LOOKS_MOST];
+    struct probe probes[PROBES_MOST];
     if (zr_is_cancelled(w->cancel)) return;
     for (size_t at = begin; at < end; at += AT_ONCE) {
-        const uint32_t count = list_looks(w, at, end - at < AT_ONCE ? end : at + AT_ONCE, looks);
+        const uint32_t count = list_probes(w, at, end - at < AT_ONCE ? end : at + AT_ONCE, probes);
         for (uint32_t i = 0; i < count; i++) {
-            const uint32_t position = looks[i].position, hash = looks[i].hash;
+            const uint32_t position = probes[i].position, hash = probes[i].hash;
             uint32_t last;
             const uint32_t first = find(w, &w->tables[part_of(w, hash)], hash, position, &last);
             if (first < w->firsts[position]) w->firsts[position] = first;

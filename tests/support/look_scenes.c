@@ -79,19 +79,6 @@ static void make_lines(struct set *s)
         s->lines[i] = BOX_POINTS + BALL_POINTS + lines[i];
 }
 
-static void aim(const struct zr_look_view *from, struct zr_view *view)
-{
-    view->pose = from->pose;
-    view->preset = from->preset;
-    view->azimuth_degrees = from->azimuth_degrees;
-    view->elevation_degrees = from->elevation_degrees;
-    view->up = (zr_vec3){0, 1, 0};
-    view->projection = from->projection;
-    view->yfov_radians = from->fov_radians;
-    view->fit_padding = from->padding;
-    view->world_to_camera = view->projection_matrix = zr_mat4_identity();
-}
-
 static const struct zr_scene *put_on_stage(struct stage *s, const struct zr_mesh *mesh, const struct zr_look *look,
                                            uint32_t width, uint32_t height)
 {
@@ -99,20 +86,20 @@ static const struct zr_scene *put_on_stage(struct stage *s, const struct zr_mesh
     s->material = look->material;
     if (look->shades_by_mesh) s->material.shading = ZR_SHADING_FLAT;
     s->instance = (struct zr_instance){.object_to_world = zr_mat4_identity()};
-    s->scene = (struct zr_scene){.look = look,
-                                 .picture = look->picture,
-                                 .background = look->background,
-                                 .ambient = look->ambient,
-                                 .light_count = look->light_count,
-                                 .lights = look->lights,
-                                 .material_count = 1,
+    s->scene = (struct zr_scene){.material_count = 1,
                                  .mesh_count = 1,
                                  .instance_count = 1,
                                  .materials = &s->material,
                                  .meshes = mesh,
                                  .instances = &s->instance};
-    s->scene.views[0] = (struct zr_view){.width = width, .height = height, .output_count = 1, .outputs = &color};
-    aim(&look->view, &s->scene.views[0]);
+    s->scene.views[0] = (struct zr_view){.width = width,
+                                         .height = height,
+                                         .output_count = 1,
+                                         .outputs = &color,
+                                         .world_to_camera = zr_mat4_identity(),
+                                         .projection_matrix = zr_mat4_identity()};
+    zr_look_apply(look, &s->scene);
+    zr_look_set_view(look, &s->scene.views[0]);
     return &s->scene;
 }
 

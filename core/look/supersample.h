@@ -1,12 +1,12 @@
-/* samples.h - look: the channel color of several samples a pixel: the same scene at `side` times the size, averaged.
+/* supersample.h - look: the channel color of several samples a pixel: the same scene at `side` times the size, averaged.
  *
  * Tile by tile: nothing of the larger picture is kept. Samples have a visibility of their own, for none but with side 1
  * lies at a pixel's centre.
  * Exact:  bytes are averaged as integers, half up, by opacity where the background is not opaque; so the reference can
  *         draw it, too.
  */
-#ifndef ZR_LOOK_SAMPLES_H
-#define ZR_LOOK_SAMPLES_H
+#ifndef ZR_SUPERSAMPLE_H
+#define ZR_SUPERSAMPLE_H
 
 #include "look/edges.h"
 #include "look/lighting.h"
@@ -31,11 +31,11 @@ struct zr_sample_stages {
 
 /* To frame->color, and what else is known of the frame then. The pass is of frame's size times side. ZR_OK, ZR_CANCELLED
  * or ZR_NO_MEMORY. */
-enum zr_status zr_samples_of_bytes(struct zr_team *team, const struct zr_pass *pass,
+enum zr_status zr_supersample_bytes(struct zr_team *team, const struct zr_pass *pass,
                                    uint32_t side, const struct zr_cancel *cancel, struct zr_frame *frame);
 
 /* The same, lit in linear light, to stages->out. */
-enum zr_status zr_samples_of_light(struct zr_team *team, const struct zr_pass *pass,
+enum zr_status zr_supersample_light(struct zr_team *team, const struct zr_pass *pass,
                                    const struct zr_sample_stages *stages, uint32_t side,
                                    const struct zr_cancel *cancel, struct zr_frame *frame);
 

@@ -1,4 +1,4 @@
-#include "look/samples.h"
+#include "look/supersample.h"
 
 #include <string.h>
 

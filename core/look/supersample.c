@@ -1,4 +1,4 @@
-#include "look/samples.h"
+#include "look/supersample.h"
 
 #include <stdatomic.h>
 
@@ -160,7 +160,7 @@ static enum zr_status draw(struct zr_team *team, struct drawing *d, struct zr_fr
     return ZR_OK;
 }
 
-enum zr_status zr_samples_of_bytes(struct zr_team *team, const struct zr_pass *pass, uint32_t side,
+enum zr_status zr_supersample_bytes(struct zr_team *team, const struct zr_pass *pass, uint32_t side,
                                    const struct zr_cancel *cancel, struct zr_frame *frame)
 {
     struct drawing drawing = {
@@ -168,7 +168,7 @@ enum zr_status zr_samples_of_bytes(struct zr_team *team, const struct zr_pass *p
     return draw(team, &drawing, frame);
 }
 
-enum zr_status zr_samples_of_light(struct zr_team *team, const struct zr_pass *pass,
+enum zr_status zr_supersample_light(struct zr_team *team, const struct zr_pass *pass,
                                    const struct zr_sample_stages *stages, uint32_t side, const struct zr_cancel *cancel,
                                    struct zr_frame *frame)
 {
