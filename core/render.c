@@ -40,7 +40,7 @@ static bool has_channels(const struct zr_frame *frame)
 
 /* No data channel knows of samples and effects. */
 static enum zr_status draw_own_passes(struct zr_arena *arena, struct zr_team *team, const struct zr_scene *scene,
-                                 const struct zr_cancel *cancel, struct zr_frame *frame)
+                                      const struct zr_cancel *cancel, struct zr_frame *frame)
 {
     struct zr_frame picture = *frame;
     enum zr_status status = ZR_OK;
@@ -49,9 +49,11 @@ static enum zr_status draw_own_passes(struct zr_arena *arena, struct zr_team *te
     if (has_channels(frame)) {
         STAGE(draw_channels(arena, team, scene, cancel, frame));
     } else {
-        *frame = picture;
+        frame->counts = picture.counts;
     }
     frame->color = picture.color;
+    frame->covered_samples = picture.covered_samples;
+    frame->samples_a_pixel = picture.samples_a_pixel;
     frame->reaches = NULL;
     return status;
 }
@@ -65,8 +67,9 @@ static enum zr_status run_pipeline(struct zr_arena *arena, struct zr_team *team,
     STAGE(zr_frame_make(arena, &scene->views[0], resolved, frame));
     STAGE(zr_base_place(arena, scene, &frame->camera, &frame->base, error));
     if (status != ZR_OK) return status;
-    return frame->color && zr_picture_has_own_passes(&scene->picture) ? draw_own_passes(arena, team, scene, cancel, frame)
-                                                                : draw_channels(arena, team, scene, cancel, frame);
+    if (frame->color && zr_picture_has_own_passes(&scene->picture))
+        return draw_own_passes(arena, team, scene, cancel, frame);
+    return draw_channels(arena, team, scene, cancel, frame);
 }
 
 enum zr_status zr_render(struct zr_arena *arena, struct zr_team *team, const struct zr_scene *scene,

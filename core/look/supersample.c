@@ -155,7 +155,8 @@ static enum zr_status draw(struct zr_team *team, struct drawing *d, struct zr_fr
     d->frame = frame;
     zr_team_ranges(team, zr_tile_count(frame->width * side, frame->height * side), TILES_A_RANGE, draw_range, d);
     if (zr_is_cancelled(d->cancel)) return ZR_CANCELLED;
-    frame->covered_pixels = (d->covered + side * side / 2) / (side * side);
+    frame->covered_samples = d->covered;
+    frame->samples_a_pixel = side * side;
     frame->reaches = NULL;
     return ZR_OK;
 }

@@ -174,7 +174,15 @@ static void put_patch(struct writer *w, cJSON *object, const struct patch *patch
     put(w, object, "box", check(w, cJSON_CreateIntArray(box, 4)));
 }
 
-/* What tells a useless picture from others. What is covered is told by pixels' centres, as by all data channels. */
+/* Of a picture of several samples, of these; else of pixels, by their centres, the base's included. */
+static double covered_share(const struct zr_frame *frame, uint64_t covered_pixels)
+{
+    const double pixels = (double)frame->width * (double)frame->height;
+    if (frame->samples_a_pixel == 0) return (double)covered_pixels / pixels;
+    return (double)frame->covered_samples / (pixels * (double)frame->samples_a_pixel);
+}
+
+/* What tells a useless picture from others. */
 static cJSON *picture_of(struct writer *w, const struct zr_scene *scene, const struct zr_frame *frame,
                          const struct patch *patches, uint32_t face_count)
 {
@@ -185,10 +193,11 @@ static cJSON *picture_of(struct writer *w, const struct zr_scene *scene, const s
         if (patches[i].pixels > 0)
             extend(&all, patches[i].x0, patches[i].y0, patches[i].x1, patches[i].y1, patches[i].pixels);
     const bool touches = all.x0 == 0 || all.y0 == 0 || all.x1 == frame->width || all.y1 == frame->height;
+    const double share = covered_share(frame, all.pixels);
     cJSON *object = check(w, cJSON_CreateObject());
-    put(w, object, "coveredShare", number(w, (float)((double)all.pixels / (double)pixels)));
+    put(w, object, "coveredShare", number(w, (float)share));
     put(w, object, "touchesBorder", check(w, cJSON_CreateBool(all.pixels > 0 && touches)));
-    put(w, object, "blank", check(w, cJSON_CreateBool(all.pixels == 0 || colors == 1)));
+    put(w, object, "blank", check(w, cJSON_CreateBool(share == 0.0 || colors == 1)));
     put_count(w, object, "colors", colors);
     return object;
 }

@@ -29,7 +29,10 @@ struct zr_frame {
     struct zr_camera camera;
     struct zr_bounds bounds; /* of the scene; looked for where the view needs them or info is asked for, else invalid */
     struct zr_counts counts;
-    uint64_t covered_pixels;  /* that belong to a primitive, not to the base */
+    uint64_t covered_pixels;  /* whose centres belong to a primitive, not to the base; 0 where `color` alone is
+                                 drawn, and has passes of its own */
+    uint64_t covered_samples; /* of `color`, where that has passes of its own, with so many a pixel; else 0 of 0 */
+    uint32_t samples_a_pixel;
     struct zr_reach *reaches; /* of each row: outside of it nothing is, in no channel. NULL: not known */
     float deepest;            /* of `depth`, infinity left out; 0 where nothing is */
 };

@@ -225,6 +225,26 @@ static void picture_says_how_much_is_covered_and_whether_that_leaves_the_window(
     }
 }
 
+/* A thin rectangle beside the centres of row 9, on the lower of its two rows of samples. */
+static void what_no_pixel_centre_is_on_is_not_blank(void **state)
+{
+    (void)state;
+    const float low = 9.15f / 8.0f - 1.0f, high = 9.35f / 8.0f - 1.0f; /* that are at 9.25 */
+    const zr_vec4 p[] = {{-1, low, 0, 1}, {1, low, 0, 1}, {-1, high, 0, 1}, {1, low, 0, 1}, {1, high, 0, 1}, {-1, high, 0, 1}};
+    static struct test_scene test;
+    scene_of_triangles(&test, 16, 16, p, 2);
+    for (uint32_t side = 1; side <= 2; side++) {
+        test.scene.picture.side = side;
+        cJSON *info = info_beside_color(&test);
+        const cJSON *picture = cJSON_GetObjectItem(info, "picture");
+        assert_true(cJSON_IsTrue(cJSON_GetObjectItem(picture, "blank")) == (side == 1));
+        assert_true(cJSON_GetObjectItem(picture, "coveredShare")->valuedouble == (side == 1 ? 0.0 : 1.0 / 32));
+        cJSON_Delete(info);
+        const struct zr_frame *frame = scene_render(&arena, NULL, &test.scene);
+        assert_int_equal(zr_warnings_make(&arena, &test.scene, frame, 0).count, side == 1);
+    }
+}
+
 /* A row of triangles, each with a colour of its own, beside a background of another. */
 static double colors_of(uint32_t triangles)
 {
@@ -434,6 +454,7 @@ int main(void)
         cmocka_unit_test_setup_teardown(info_lists_the_first_thousand_instances, open_arena, close_arena),
         cmocka_unit_test_setup_teardown(picture_says_how_much_is_covered_and_whether_that_leaves_the_window, open_arena,
                                         close_arena),
+        cmocka_unit_test_setup_teardown(what_no_pixel_centre_is_on_is_not_blank, open_arena, close_arena),
         cmocka_unit_test_setup_teardown(colors_are_counted_up_to_256, open_arena, close_arena),
         cmocka_unit_test_setup_teardown(picture_is_missing_where_color_is_no_output, open_arena, close_arena),
         cmocka_unit_test_setup_teardown(default_views_of_looks_are_seen_in_info, open_arena, close_arena),
