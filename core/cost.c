@@ -7,6 +7,7 @@
 
 #include "cost_pass.h"
 #include "cost_picture.h"
+#include "look/maps.h"
 #include "scene/resolved_view.h"
 
 static const double POINT_T = 0.4;          /* placed without a face, in triangles */
@@ -91,12 +92,11 @@ static void add_pass(struct zr_cost *sum, const struct zr_cost_pass *pass, doubl
     sum->shape_fragments += times * cost->shape_fragments;
 }
 
-/* In a map no face can cover more than it would if it faced the lamp. A map is about a diagonal wide. */
-static double fragments_of_maps(const struct zr_cost_passes *passes, const struct zr_bounds *bounds, double surface)
+/* Of a map, which is about a diagonal of the bounds wide. */
+static double square_of_map(const struct zr_bounds *bounds)
 {
-    const zr_vec3 size = zr_vec3_sub(bounds->max, bounds->min);
-    const double square = (double)zr_vec3_dot(size, size);
-    return square > 0.0 ? passes->map_texels * surface / square : 0.0;
+    const double diagonal = (double)zr_diagonal_of(bounds);
+    return diagonal * diagonal;
 }
 
 /* What the two sizes of window come to. */
@@ -121,15 +121,17 @@ struct zr_cost zr_scene_cost(const struct zr_scene *scene, const struct zr_resol
     const struct work work = work_of(scene, corners_max);
     struct zr_cost cost = {.algorithm = (int)scene->algorithm};
     count_outputs(scene, &cost);
+    /* In a map no face can cover more than it would if it faced the lamp, nor more than all of it. */
+    const double of_map = passes.maps > 0 ? square_of_map(&resolved->bounds) : 0.0;
     const struct zr_cost_pass centres =
-        zr_cost_pass_measure(scene, &resolved->camera, window, passes.maps > 0, cancel, work.sampling);
+        zr_cost_pass_measure(scene, &resolved->camera, window, of_map, cancel, work.sampling);
     struct zr_cost_pass samples = centres;
-    if (passes.side > 1) samples = zr_cost_pass_measure(scene, &resolved->camera, larger, false, cancel, work.sampling);
+    if (passes.side > 1) samples = zr_cost_pass_measure(scene, &resolved->camera, larger, 0.0, cancel, work.sampling);
     add_pass(&cost, &centres, work.placing, (double)passes.centres);
     add_pass(&cost, &samples, work.placing, (double)passes.samples);
     cost.triangles += (double)passes.maps * work.placing + (passes.makes_normals ? CREASE_T * work.triangles : 0.0);
     const struct zr_cost_covered covered = covered_by(view, passes.side, &centres, &samples);
-    cost.fragments += fragments_of_maps(&passes, &resolved->bounds, centres.surface) +
+    cost.fragments += (of_map > 0.0 ? passes.map_texels * centres.surface / of_map : 0.0) +
                       covered.centres * work_of_channels(view) + covered.samples * work_of_colors(scene);
     cost.samples = zr_cost_of_light(scene, &passes, &covered);
     cost.window_bytes = zr_cost_window_bytes(scene, &passes);

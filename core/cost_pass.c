@@ -111,7 +111,7 @@ static void measure_fans(struct measure *measure, const struct zr_mesh *mesh, st
 struct tally {
     struct zr_cost_target target;
     struct zr_viewport viewport;
-    bool maps; /* surfaces are wanted */
+    double surface_most; /* of a face; 0: surfaces are not wanted */
     struct zr_cost cost;
     double covered;                /* pixels of all faces and lines */
     double surface;                /* of all faces, in the world, scene units squared */
@@ -231,7 +231,7 @@ static struct zr_cost_triangle stand_in(const struct measure *measure, const str
     return whole;
 }
 
-/* Of all rings, holes too, in the world. */
+/* Of all rings, holes too, in the world. A corner at infinity makes it so large. */
 static double surface_of(const struct zr_mesh *mesh, struct zr_rings rings, const zr_mat4 *object_to_world)
 {
     double sum = 0.0;
@@ -240,7 +240,8 @@ static double surface_of(const struct zr_mesh *mesh, struct zr_rings rings, cons
         zr_vec3 corners[3];
         for (uint32_t i = 0; i < rings.offsets[r + 1] - rings.offsets[r]; i++) {
             const zr_vec4 p = zr_mat4_apply(object_to_world, mesh->positions[indices[i]]);
-            corners[i < 2 ? i : 2] = (zr_vec3){p.x, p.y, p.z};
+            if (p.w == 0.0f) return HUGE_VAL;
+            corners[i < 2 ? i : 2] = zr_vec4_over_w(p);
             if (i < 2) continue;
             const zr_vec3 doubled =
                 zr_vec3_cross(zr_vec3_sub(corners[1], corners[0]), zr_vec3_sub(corners[2], corners[0]));
@@ -248,7 +249,7 @@ static double surface_of(const struct zr_mesh *mesh, struct zr_rings rings, cons
             corners[1] = corners[2];
         }
     }
-    return isfinite(sum) ? sum : 0.0;
+    return isnan(sum) ? 0.0 : sum;
 }
 
 static void add_face(struct tally *tally, const struct zr_scene *scene, const struct zr_mesh *mesh, uint32_t face,
@@ -262,7 +263,8 @@ static void add_face(struct tally *tally, const struct zr_scene *scene, const st
     uint32_t corners = rings.offsets[rings.count] - rings.offsets[0];
     if (material->outline != ZR_OUTLINE_NONE) add_outline(tally, mesh, rings, placed);
     if (material->unfilled) return;
-    if (tally->maps) tally->surface += surface_of(mesh, rings, &placed->object_to_world);
+    if (tally->surface_most > 0.0)
+        tally->surface += fmin(surface_of(mesh, rings, &placed->object_to_world), tally->surface_most);
     measure_fans(&measure, mesh, rings, placed);
     bool shape = zr_face_is_shape(mesh, face);
     if (shape) cost->shape_triangles += CUT_T * (double)corners * (double)corners;
@@ -303,8 +305,8 @@ static struct zr_cost_pass pass_of(const struct tally *sum, struct zr_cost_sampl
 }
 
 struct zr_cost_pass zr_cost_pass_measure(const struct zr_scene *scene, const struct zr_camera *camera,
-                                         struct zr_cost_target target, bool maps, const struct zr_cancel *cancel,
-                                         struct zr_cost_sampling sampling)
+                                         struct zr_cost_target target, double surface_most,
+                                         const struct zr_cancel *cancel, struct zr_cost_sampling sampling)
 {
     struct zr_cost_triangle kept[ZR_COST_PAIRS_SAMPLE];
     const uint64_t things = sampling.things, samples = sampling.samples;
@@ -315,7 +317,7 @@ struct zr_cost_pass zr_cost_pass_measure(const struct zr_scene *scene, const str
     uint32_t next_instance = 0;
     struct tally sum = {.target = target,
                         .viewport = zr_viewport_make(target.width, target.height),
-                        .maps = maps,
+                        .surface_most = surface_most,
                         .kept = scene->algorithm == ZR_ALGORITHM_PAINTER ? kept : NULL};
     for (uint64_t k = 0; k < samples && !zr_is_cancelled(cancel); k++) {
         uint64_t begin = k * things / samples, size = (k + 1) * things / samples - begin;

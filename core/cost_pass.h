@@ -28,12 +28,12 @@ struct zr_cost_pass {
     struct zr_cost cost;   /* beside placing what there is: triangles, fragments, and those of shapes */
     double covered;        /* pixels of all faces and lines, hidden ones too */
     double faces;          /* that are seen, or hidden by others only */
-    double surface;        /* of all faces, in the world, scene units squared; 0 unless it is wanted */
+    double surface;        /* of all faces, in the world, scene units squared, of each `surface_most` at most */
 };
 
 /* `cancel` may be NULL; cancelled, it returns early with too little. */
 struct zr_cost_pass zr_cost_pass_measure(const struct zr_scene *scene, const struct zr_camera *camera,
-                                         struct zr_cost_target target, bool wants_surface,
+                                         struct zr_cost_target target, double surface_most,
                                          const struct zr_cancel *cancel, struct zr_cost_sampling sampling);
 
 #endif

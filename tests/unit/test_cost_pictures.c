@@ -138,6 +138,29 @@ static void scene_is_drawn_once_for_each_lamp_that_casts_shadows(void **state)
     assert_true(fabs(all.window_bytes - one.window_bytes - 99 * 2 * 4 * texels) < 1);
 }
 
+/* Of two triangles, of which one has a corner far away, or at infinity: it covers a map at most. */
+static void no_face_covers_more_than_a_map(void **state)
+{
+    static const zr_vec4 corners[] = {{1e6f, 0, 0, 1}, {1, 0, 0, 0}};
+    (void)state;
+    for (size_t i = 0; i < sizeof corners / sizeof corners[0]; i++) {
+        zr_vec4 p[6] = {{0, 0, 0, 1}, corners[i], {0, 1, 0, 1}, {0, 0, 0, 1}, {1, 0, 0, 1}, {0, 1, 0, 1}};
+        static struct test_scene test;
+        struct zr_light light = {.direction = {0, 0, -1}, .color = {1, 1, 1}, .has_shadows = true};
+        scene_of_triangles(&test, WIDTH, HEIGHT, p, 2);
+        test.scene.views[0].outputs = &color_alone;
+        test.scene.views[0].output_count = 1;
+        test.scene.picture.is_linear = true;
+        test.scene.picture.side = 1;
+        test.scene.lights = &light;
+        test.scene.light_count = 1;
+        const double with = scene_cost(&test.scene, 1024).fragments;
+        light.has_shadows = false;
+        const double maps = with - scene_cost(&test.scene, 1024).fragments;
+        assert_true(maps > 0 && maps <= 2 * 1024.0 * 1024.0);
+    }
+}
+
 /* Of a window with `side` squared samples a pixel: bytes a pixel. */
 static double bytes_a_pixel(enum zr_algorithm algorithm, uint32_t side, bool occluded, bool has_edges)
 {
@@ -244,6 +267,7 @@ int main(void)
         cmocka_unit_test(effects_without_linear_light_cost_nothing),
         cmocka_unit_test(lamps_cost_at_each_sample),
         cmocka_unit_test(scene_is_drawn_once_for_each_lamp_that_casts_shadows),
+        cmocka_unit_test(no_face_covers_more_than_a_map),
         cmocka_unit_test(memory_of_whole_windows_is_told),
         cmocka_unit_test(told_memory_is_needed),
         cmocka_unit_test(wide_lines_cost_their_pixels_and_samples),
