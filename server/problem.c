@@ -111,7 +111,8 @@ void problem_memory(struct answer *answer, const struct zr_arena *arena)
                        arena->ceiling);
     else
         problem_answer(answer, 422,
-                       "the request needs at least %zu bytes of memory; requestMemoryBytes, for one, is %zu bytes",
+                       "the request needs at least %zu bytes of memory; requestMemoryBytes, for one, is %zu bytes: fewer "
+                       "pixels, samples or faces need less",
                        arena->wanted, arena->ceiling);
 }
 

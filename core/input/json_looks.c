@@ -165,12 +165,12 @@ static void check_base(struct zr_given_scene *root, const char *linear_key)
         zr_json_fault(&root->json, path, "does not go with the look %s: textbook is the only one for it",
                       scene->look->name);
     else if (linear_key)
-        zr_json_fault(&root->json, path, "does not go with linear light, which %s asks for", linear_key);
+        zr_json_fault(&root->json, path, "does not go with linear light, which is needed for: %s", linear_key);
     else if (scene->picture.side > 1)
         zr_json_fault(&root->json, path, "does not go with samples other than 1");
 }
 
-void zr_given_settle_light(struct zr_given_scene *root)
+void zr_given_check_light(struct zr_given_scene *root)
 {
     const bool is_said = zr_scene_gives(root, ZR_SCENE_COLOR_MANAGEMENT);
     const bool is_srgb = is_said && root->color_management == 1;
@@ -182,6 +182,6 @@ void zr_given_settle_light(struct zr_given_scene *root)
     root->scene->picture.is_linear = key != NULL;
     if (key && zr_scene_gives(root, ZR_SCENE_FOG))
         zr_json_fault(&root->json, ZR_SCENE_PATH(ZR_SCENE_FOG),
-                      "not supported in linear light in this version, which %s asks for", key);
+                      "not supported in this version together with linear light, which is needed for: %s", key);
     check_base(root, key);
 }

@@ -1,4 +1,6 @@
 /* What a scene says of its picture: the look that it has, and what goes before that look. */
+#include <float.h>
+
 #include "input/json_objects.h"
 #include "input/json_scene.h"
 
@@ -30,11 +32,14 @@ bool zr_read_samples(struct zr_json *json, const struct zr_json_path *path, cons
                      void *out)
 {
     struct zr_given_scene *root = out;
-    uint32_t number, side = 1;
-    if (!zr_json_whole(json, path, field, &number)) return false;
-    while (side < ZR_SAMPLE_SIDE_MAX && side * side < number)
+    uint32_t side = 1;
+    double number;
+    (void)field;
+    if (!zr_json_number_in(json, path, -DBL_MAX, DBL_MAX, &number)) return false;
+    while (side < ZR_SAMPLE_SIDE_MAX && (double)(side * side) < number)
         side *= 2;
-    if (side * side != number) return zr_json_fault(json, path, "%u; 1, 4, 16 or 64 are allowed", number);
+    if ((double)(side * side) != number)
+        return zr_json_fault(json, path, "%.15g; 1, 4, 16 or 64 are allowed", number);
     root->picture.picture.side = side;
     return true;
 }
@@ -185,7 +190,10 @@ bool zr_read_environment(struct zr_json *json, const struct zr_json_path *path, 
     struct given_environment given = {.name = -1};
     uint64_t keys;
     (void)field;
-    if (!read_environment(json, path, &given, &keys)) return false;
+    if (!read_environment(json, path, &given, &keys)) {
+        zr_picture_give(picture, ZR_PICTURE_ENVIRONMENT); /* that it has no name is not said, too */
+        return false;
+    }
     picture->picture.environment = (struct zr_environment){.name = (enum zr_environment_name)(given.name + 1),
                                                            .intensity = given.intensity,
                                                            .rotation_degrees = given.rotation_degrees,

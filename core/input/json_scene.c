@@ -72,7 +72,7 @@ const struct zr_json_field zr_scene_fields[] = {
                                .text = "how what is brighter than white is brought into the picture"},
     [ZR_SCENE_EXPOSURE] = {"exposure", zr_json_float, PICTURE(exposure), 0, EXPOSURE_MAX, .otherwise = "the look's; 1",
                            .text = "a factor of all light, before the tone mapping"},
-    [ZR_SCENE_SAMPLES] = {"samples", zr_read_samples, 0, .otherwise = "the look's; 1",
+    [ZR_SCENE_SAMPLES] = {"samples", zr_read_samples, 0, 1, 64, .otherwise = "the look's; 1",
                           .text = "for each pixel: 1, 4, 16 or 64"},
     [ZR_SCENE_LINE_WIDTH] = {"lineWidth", zr_json_float, PICTURE(line_width), 0.1, 64, .unit = "pixels",
                              .otherwise = "1", .text = "of lines and outlines"},
@@ -156,7 +156,7 @@ static void build(struct zr_given_scene *root)
     zr_given_sort_materials(root, ZR_SCENE_PATH(ZR_SCENE_MATERIALS));
     const uint32_t listed = make_meshes(root);
     if (zr_json_stops(json)) return;
-    zr_given_settle_light(root);
+    zr_given_check_light(root);
     place_meshes(root, listed);
     if (root->base) zr_given_read_base(root, ZR_SCENE_PATH(ZR_SCENE_BASE));
     if (root->fit_mesh && zr_arena_ok(json->arena)) zr_given_find_fit_mesh(root, ZR_SCENE_PATH(ZR_SCENE_VIEW));

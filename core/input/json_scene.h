@@ -182,7 +182,7 @@ extern const struct zr_names zr_management_names, zr_tone_names;
 /* json_looks.c: what the scene does not say is as its look has it. First the picture, lamps, view and window; and, once
  * there are materials, whether light is linear, and what does not go with that. */
 void zr_given_use_look(struct zr_given_scene *root);
-void zr_given_settle_light(struct zr_given_scene *root);
+void zr_given_check_light(struct zr_given_scene *root);
 
 /* json_bytes.c: what a data: URI, {"uri": one}, {"asset": name} or {"asset": "sha256:..."} stands for.
  * In the arena or the request. */

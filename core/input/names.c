@@ -57,7 +57,10 @@ struct zr_names_refusal zr_looks_refuse(const char *word)
         if (names.count == 0 || strcmp(words[names.count - 1], zr_looks[i].name) != 0)
             words[names.count++] = zr_looks[i].name;
     names.all = names.count;
-    return zr_names_refuse(&names, word);
+    struct zr_names_refusal refusal = zr_names_refuse(&names, word);
+    const size_t used = strlen(refusal.text);
+    snprintf(refusal.text + used, sizeof refusal.text - used, "; or one of these with @ and a version that it has");
+    return refusal;
 }
 
 struct zr_names_text zr_names_join(const struct zr_names *names)
