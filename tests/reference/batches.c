@@ -1,114 +1,21 @@
-#include "reference/batches.h"
+#include "reference/batches_builder.h"
 
 #include "geometry/clip.h"
 #include "geometry/face.h"
 #include "geometry/place.h"
 #include "geometry/triangulate.h"
-#include "scene/scene.h"
 #include "shade/colors.h"
 #include "shade/crease_normals.h"
 #include "shade/light.h"
 #include "shade/normals.h"
 #include "shade/vertex_normals.h"
 
-/* ---- building ---- */
-
-struct builder {
-    struct zr_arena *arena;
-    const struct zr_scene *scene;
-    const struct zr_camera *camera;
-    struct batches_options options;
-    struct batches *out;
-    zr_vec4 *positions, *front;
-    zr_vec3 *normals;
-    struct reference_batch *batches;
-    uint32_t corner_count, corner_room, batch_room, thin_room;
-    uint32_t owner;       /* of the first face of the instance under way */
-    zr_mat4 *clip_to_eye; /* outlives this */
-};
-
-/* One instance of a mesh on its way, and one of its faces. */
-struct source {
-    const struct zr_mesh *mesh;
-    const struct zr_instance *instance;
-    const zr_mat4 *modelview;
-    const zr_vec3 *normal_rows; /* as struct reference_batch has them */
-    const zr_vec4 *computed;    /* normals of vertices; NULL: none were needed so far */
-    const zr_vec4 *creases;     /* of corners, likewise, for BATCHES_LIGHT */
-    bool mirrored;
-    const struct zr_material *material; /* of the face under way */
-    bool smooth;                        /* what the purpose wants to vary does so over the face */
-    bool has_vertex_normals;
-    zr_vec3 face_normal; /* where it has none of vertices: the face's own, or 0 */
-    uint32_t face;
-};
-
-static bool reserve_corners(struct builder *b, uint64_t more)
-{
-    uint64_t wanted = b->corner_count + more;
-    if (wanted <= b->corner_room) return true;
-    if (wanted > INT32_MAX) return false;
-    uint32_t room = (uint32_t)(wanted + wanted / 2);
-    b->positions = zr_arena_grow(b->arena, b->positions, b->corner_count, room, sizeof *b->positions);
-    b->front = zr_arena_grow(b->arena, b->front, b->corner_count, room, sizeof *b->front);
-    b->normals = zr_arena_grow(b->arena, b->normals, b->corner_count, room, sizeof *b->normals);
-    b->corner_room = room;
-    return zr_arena_ok(b->arena);
-}
-
-static bool same_state(const struct reference_batch *a, const struct reference_batch *b)
-{
-    return a->mode == b->mode && a->modelview == b->modelview && a->smooth == b->smooth && a->light == b->light &&
-           a->normal_rows == b->normal_rows && a->cull == b->cull && a->mirrored == b->mirrored &&
-           a->outline == b->outline && a->depth_offset == b->depth_offset && a->late == b->late &&
-           a->material == b->material;
-}
-
-/* Joins the batch before, where the mode allows it and the state is the same. */
-static bool append_batch(struct builder *b, const struct reference_batch *batch)
-{
-    struct reference_batch *last = b->out->arrays.batch_count ? &b->batches[b->out->arrays.batch_count - 1] : NULL;
-    bool joins = batch->mode == REFERENCE_TRIANGLES || batch->mode == REFERENCE_LINES;
-    if (joins && last && same_state(last, batch) && last->first + last->count == batch->first) {
-        last->count += batch->count;
-        return true;
-    }
-    if (b->out->arrays.batch_count == b->batch_room) {
-        uint32_t room = b->batch_room * 2 + 64;
-        b->batches = zr_arena_grow(b->arena, b->batches, b->batch_room, room, sizeof *b->batches);
-        if (!b->batches) return false;
-        b->batch_room = room;
-    }
-    b->batches[b->out->arrays.batch_count++] = *batch;
-    return true;
-}
-
-static zr_vec4 opaque(zr_vec4 color)
-{
-    color.w = 1.0f; /* what we draw is, whatever its colour says */
-    return color;
-}
-
-static void append_vertex(struct builder *b, const struct source *s, uint32_t vertex, zr_vec4 color, zr_vec3 normal)
-{
-    uint32_t at = b->corner_count++;
-    zr_vec4 position = s->mesh->positions[vertex];
-    if (b->options.transformed) {
-        double clip[4];
-        batches_transform(b->camera, &s->instance->object_to_world, position, clip);
-        position = (zr_vec4){(float)clip[0], (float)clip[1], (float)clip[2], (float)clip[3]};
-    }
-    b->positions[at] = position;
-    b->front[at] = opaque(color);
-    b->normals[at] = normal;
-}
-
 /* ---- what is lit ---- */
 
 static const zr_vec3 no_normal = {0, 0, 0};
 
 /* The surface's own colour; a flat face has that of its first corner. */
-static zr_vec4 base_color(const struct source *s, uint32_t slot)
+static zr_vec4 base_color(const struct batches_source *s, uint32_t slot)
 {
     const struct zr_mesh *mesh = s->mesh;
     zr_vec4 color = s->material->base_color;
@@ -119,7 +26,7 @@ static zr_vec4 base_color(const struct source *s, uint32_t slot)
 }
 
 /* The one given, or the mean of the faces around the vertex, or of those within the crease angle. */
-static zr_vec3 vertex_normal(const struct source *s, uint32_t slot)
+static zr_vec3 vertex_normal(const struct batches_source *s, uint32_t slot)
 {
     const struct zr_mesh *mesh = s->mesh;
     const uint32_t vertex = mesh->indices[slot];
@@ -133,7 +40,7 @@ static zr_vec3 vertex_normal(const struct source *s, uint32_t slot)
 }
 
 /* In linear light all but flat surfaces have normals of corners. */
-static bool find_creases(struct builder *b, struct source *s)
+static bool find_creases(struct batches_builder *b, struct batches_source *s)
 {
     s->face_normal = no_normal;
     s->has_vertex_normals = s->material->shading != ZR_SHADING_FLAT;
@@ -145,7 +52,7 @@ static bool find_creases(struct builder *b, struct source *s)
 }
 
 /* Readies s for its face. */
-static bool find_normals(struct builder *b, struct source *s)
+static bool find_normals(struct batches_builder *b, struct batches_source *s)
 {
     const enum zr_shading shading = s->material->shading;
     const bool channels = b->options.purpose == BATCHES_CHANNELS;
@@ -162,14 +69,15 @@ static bool find_normals(struct builder *b, struct source *s)
 }
 
 /* Corner `slot` of the mesh's indices, in the colours of its face. */
-static void append_corner(struct builder *b, const struct source *s, uint32_t slot)
+static void append_corner(struct batches_builder *b, const struct batches_source *s, uint32_t slot)
 {
     uint32_t vertex = s->mesh->indices[slot];
     if (b->options.purpose == BATCHES_OWNERS) {
-        append_vertex(b, s, vertex, batches_owner_color(b->owner + s->face), no_normal);
+        batches_append_vertex(b, s, vertex, batches_owner_color(b->owner + s->face), no_normal);
         return;
     }
-    append_vertex(b, s, vertex, base_color(s, slot), s->has_vertex_normals ? vertex_normal(s, slot) : s->face_normal);
+    batches_append_vertex(b, s, vertex, base_color(s, slot),
+                          s->has_vertex_normals ? vertex_normal(s, slot) : s->face_normal);
 }
 
 /* ---- faces ---- */
@@ -182,7 +90,7 @@ bool batches_face_is_parity(const struct zr_mesh *mesh, uint32_t face)
 }
 
 /* The fan (i - 1, i, 0), as GL_POLYGON has it. */
-static void append_fan(struct builder *b, const struct source *s, uint32_t begin, uint32_t end)
+static void append_fan(struct batches_builder *b, const struct batches_source *s, uint32_t begin, uint32_t end)
 {
     for (uint32_t i = begin + 2; i < end; i++) {
         append_corner(b, s, i - 1);
@@ -193,7 +101,7 @@ static void append_fan(struct builder *b, const struct source *s, uint32_t begin
 
 /* Which side of the whole face is seen: the sign of the volume between the eye and the outer ring, which a
  * corner behind the eye does not turn around. */
-static bool shows_back(const struct builder *b, const struct source *s)
+static bool shows_back(const struct batches_builder *b, const struct batches_source *s)
 {
     const struct zr_mesh *mesh = s->mesh;
     struct zr_rings rings = zr_mesh_rings(mesh, s->face);
@@ -235,7 +143,7 @@ bool batches_cut_face(struct zr_arena *arena, const struct zr_mesh *mesh, uint32
     return true;
 }
 
-static void append_thin(struct builder *b, const struct zr_window_vertex *v0, const struct zr_window_vertex *v1,
+static void append_thin(struct batches_builder *b, const struct zr_window_vertex *v0, const struct zr_window_vertex *v1,
                         const struct zr_window_vertex *v2)
 {
     struct batches *out = b->out;
@@ -255,7 +163,7 @@ static void append_thin(struct builder *b, const struct zr_window_vertex *v0, co
 }
 
 /* Pieces of a shape's triangle that the core finds too thin to tell a plane. */
-static void find_thin(struct builder *b, const struct source *s, const uint32_t slots[3])
+static void find_thin(struct batches_builder *b, const struct batches_source *s, const uint32_t slots[3])
 {
     struct zr_viewport viewport = zr_viewport_make(b->scene->views[0].width, b->scene->views[0].height);
     zr_mat4 object_to_eye = zr_mat4_mul(&b->camera->world_to_eye, &s->instance->object_to_world);
@@ -275,11 +183,11 @@ static void find_thin(struct builder *b, const struct source *s, const uint32_t 
         append_thin(b, &v[i - 1], &v[i], &v[0]);
 }
 
-static bool append_triangles(struct builder *b, const struct source *s)
+static bool append_triangles(struct batches_builder *b, const struct batches_source *s)
 {
     struct batches_cut cut;
     uint32_t begin = s->mesh->face_offsets[s->face];
-    if (!batches_cut_face(b->arena, s->mesh, s->face, &cut) || !reserve_corners(b, 3 * (uint64_t)cut.count))
+    if (!batches_cut_face(b->arena, s->mesh, s->face, &cut) || !batches_reserve_corners(b, 3 * (uint64_t)cut.count))
         return false;
     for (uint32_t i = 0; i < cut.count; i++) {
         const uint32_t *t = cut.triangles[i], slots[3] = {begin + t[0], begin + t[1], begin + t[2]};
@@ -290,12 +198,12 @@ static bool append_triangles(struct builder *b, const struct source *s)
     return true;
 }
 
-static bool append_parity(struct builder *b, const struct source *s, struct reference_batch *batch)
+static bool append_parity(struct batches_builder *b, const struct batches_source *s, struct reference_batch *batch)
 {
     struct zr_rings rings = zr_mesh_rings(s->mesh, s->face);
     bool back = shows_back(b, s);
     if (back && batch->cull) return true;
-    if (!reserve_corners(b, 3 * (uint64_t)(rings.offsets[rings.count] - rings.offsets[0]))) return false;
+    if (!batches_reserve_corners(b, 3 * (uint64_t)(rings.offsets[rings.count] - rings.offsets[0]))) return false;
     batch->rings_first = b->corner_count;
     for (uint32_t r = 0; r < rings.count; r++)
         append_fan(b, s, rings.offsets[r], rings.offsets[r + 1]);
@@ -307,12 +215,12 @@ static bool append_parity(struct builder *b, const struct source *s, struct refe
     batch->mode = REFERENCE_PARITY;
     batch->cull = false;
     b->out->parity_faces++;
-    return append_batch(b, batch);
+    return batches_append(b, batch);
 }
 
 /* A convex polygon as GL_POLYGON would cut it, by parity: it must change nothing. Done wherever a corner is at infinity
  * or behind the eye (w <= 0), where it is easily mistaken what is convex. */
-static bool is_fan_by_parity(const struct builder *b, const struct source *s)
+static bool is_fan_by_parity(const struct batches_builder *b, const struct batches_source *s)
 {
     uint32_t begin = s->mesh->face_offsets[s->face], end = s->mesh->face_offsets[s->face + 1];
     bool behind = false;
@@ -321,10 +229,11 @@ static bool is_fan_by_parity(const struct builder *b, const struct source *s)
     return end - begin > 3 && (behind || b->options.all_parity);
 }
 
-static bool append_fan_by_parity(struct builder *b, const struct source *s, struct reference_batch *batch)
+static bool append_fan_by_parity(struct batches_builder *b, const struct batches_source *s,
+                                 struct reference_batch *batch)
 {
     uint32_t begin = s->mesh->face_offsets[s->face], end = s->mesh->face_offsets[s->face + 1];
-    if (!reserve_corners(b, 6 * (uint64_t)(end - begin))) return false;
+    if (!batches_reserve_corners(b, 6 * (uint64_t)(end - begin))) return false;
     batch->mode = REFERENCE_PARITY;
     batch->rings_first = b->corner_count;
     append_fan(b, s, begin, end);
@@ -332,10 +241,10 @@ static bool append_fan_by_parity(struct builder *b, const struct source *s, stru
     batch->rings_count = batch->count = batch->first - batch->rings_first;
     append_fan(b, s, begin, end);
     b->out->parity_faces++;
-    return append_batch(b, batch);
+    return batches_append(b, batch);
 }
 
-static struct reference_batch state_of(const struct builder *b, const struct source *s)
+static struct reference_batch state_of(const struct batches_builder *b, const struct batches_source *s)
 {
     bool owners = b->options.purpose == BATCHES_OWNERS, light = b->options.purpose == BATCHES_LIGHT;
     bool channels = b->options.purpose == BATCHES_CHANNELS || light;
@@ -356,7 +265,7 @@ static struct reference_batch state_of(const struct builder *b, const struct sou
                                     .mirrored = s->mirrored};
 }
 
-static bool append_face(struct builder *b, const struct source *s)
+static bool append_face(struct batches_builder *b, const struct batches_source *s)
 {
     uint32_t begin = s->mesh->face_offsets[s->face], end = s->mesh->face_offsets[s->face + 1];
     struct reference_batch batch = state_of(b, s);
@@ -366,7 +275,7 @@ static bool append_face(struct builder *b, const struct source *s)
     if (batches_face_is_parity(s->mesh, s->face)) return append_parity(b, s, &batch);
     if (is_fan_by_parity(b, s)) return append_fan_by_parity(b, s, &batch);
     const bool as_triangles = end - begin == 3 || b->options.purpose >= BATCHES_LIGHT;
-    if (!reserve_corners(b, 3 * (uint64_t)(end - begin))) return false;
+    if (!batches_reserve_corners(b, 3 * (uint64_t)(end - begin))) return false;
     batch.mode = as_triangles ? REFERENCE_TRIANGLES : REFERENCE_POLYGON;
     batch.first = b->corner_count;
     if (as_triangles && end - begin > 3)
@@ -375,26 +284,26 @@ static bool append_face(struct builder *b, const struct source *s)
         for (uint32_t slot = begin; slot < end; slot++)
             append_corner(b, s, slot);
     batch.count = b->corner_count - batch.first;
-    return append_batch(b, &batch);
+    return batches_append(b, &batch);
 }
 
 /* ---- outlines and lines ---- */
 
 /* One ring of a face, as a polygon of which only the edges are drawn. */
-static bool append_ring(struct builder *b, const struct source *s, uint32_t begin, uint32_t end, bool concave,
-                        bool back)
+static bool append_ring(struct batches_builder *b, const struct batches_source *s, uint32_t begin, uint32_t end,
+                        bool concave, bool back)
 {
     struct reference_batch batch = state_of(b, s);
     bool colored = s->material->outline == ZR_OUTLINE_COLORED && b->options.purpose <= BATCHES_LIGHT &&
                    b->options.purpose != BATCHES_OWNERS;
-    if (!reserve_corners(b, end - begin)) return false;
+    if (!batches_reserve_corners(b, end - begin)) return false;
     batch.mode = end - begin == 3 ? REFERENCE_TRIANGLES : REFERENCE_POLYGON;
     batch.outline = true;
     batch.first = b->corner_count;
     batch.count = end - begin;
     for (uint32_t slot = begin; slot < end; slot++)
         if (colored)
-            append_vertex(b, s, s->mesh->indices[slot], s->material->outline_color, no_normal);
+            batches_append_vertex(b, s, s->mesh->indices[slot], s->material->outline_color, no_normal);
         else
             append_corner(b, s, slot);
     if (batch.late) batch.light = REFERENCE_UNLIT;
@@ -407,10 +316,10 @@ static bool append_ring(struct builder *b, const struct source *s, uint32_t begi
         batch.light = REFERENCE_UNLIT;
         batch.smooth = false;
     }
-    return append_batch(b, &batch);
+    return batches_append(b, &batch);
 }
 
-static bool append_outline(struct builder *b, const struct source *s)
+static bool append_outline(struct batches_builder *b, const struct batches_source *s)
 {
     struct zr_rings rings = zr_mesh_rings(s->mesh, s->face);
     if (s->material->outline == ZR_OUTLINE_NONE) return true;
@@ -422,7 +331,7 @@ static bool append_outline(struct builder *b, const struct source *s)
 }
 
 /* In the colours of their ends, unlit. */
-static bool append_lines(struct builder *b, const struct source *s)
+static bool append_lines(struct batches_builder *b, const struct batches_source *s)
 {
     const struct zr_mesh *mesh = s->mesh;
     bool owners = b->options.purpose == BATCHES_OWNERS;
@@ -433,20 +342,21 @@ static bool append_lines(struct builder *b, const struct source *s)
                                     .first = b->corner_count,
                                     .count = 2 * mesh->line_count};
     if (mesh->line_count == 0) return true;
-    if (!reserve_corners(b, batch.count)) return false;
+    if (!batches_reserve_corners(b, batch.count)) return false;
     b->out->triangles += mesh->line_count;
     for (uint32_t i = 0; i < batch.count; i++) {
         zr_vec4 color = b->scene->materials[mesh->material].base_color;
         if (mesh->colors) color = zr_vec4_mul(color, mesh->colors[mesh->lines[i]]);
         if (owners) color = batches_owner_color(b->owner + mesh->face_count + i / 2);
-        append_vertex(b, s, mesh->lines[i], color, no_normal);
+        batches_append_vertex(b, s, mesh->lines[i], color, no_normal);
     }
-    return append_batch(b, &batch);
+    return batches_append(b, &batch);
 }
 
 /* ---- instances ---- */
 
-static bool for_each_face(struct builder *b, struct source *s, bool (*work)(struct builder *b, const struct source *s))
+static bool for_each_face(struct batches_builder *b, struct batches_source *s,
+                          bool (*work)(struct batches_builder *b, const struct batches_source *s))
 {
     for (s->face = 0; s->face < s->mesh->face_count; s->face++) {
         s->material = zr_material_of_face(b->scene, s->mesh, s->face);
@@ -461,7 +371,7 @@ struct placement {
     struct zr_normal_matrix normals;
 };
 
-static bool append_instance(struct builder *b, const struct zr_instance *instance)
+static bool append_instance(struct batches_builder *b, const struct zr_instance *instance)
 {
     const struct zr_mesh *mesh = &b->scene->meshes[instance->mesh];
     struct placement *placement = zr_arena_alloc(b->arena, 1, sizeof *placement);
@@ -469,11 +379,11 @@ static bool append_instance(struct builder *b, const struct zr_instance *instanc
     zr_mat4 object_to_eye = zr_mat4_mul(&b->camera->world_to_eye, &instance->object_to_world);
     placement->modelview = b->options.transformed ? zr_mat4_identity() : object_to_eye;
     placement->normals = zr_normal_matrix_make(&object_to_eye);
-    struct source source = {.mesh = mesh,
-                            .instance = instance,
-                            .modelview = &placement->modelview,
-                            .normal_rows = placement->normals.rows,
-                            .mirrored = zr_mat4_is_mirror(&instance->object_to_world)};
+    struct batches_source source = {.mesh = mesh,
+                                    .instance = instance,
+                                    .modelview = &placement->modelview,
+                                    .normal_rows = placement->normals.rows,
+                                    .mirrored = zr_mat4_is_mirror(&instance->object_to_world)};
     if (b->owner + zr_mesh_ids(mesh) > (uint64_t)BATCHES_OWNERS_MAX + 1) return false;
     if (!for_each_face(b, &source, append_face) || !for_each_face(b, &source, append_outline)) return false;
     if (!append_lines(b, &source)) return false;
@@ -492,7 +402,7 @@ bool batches_make(struct zr_arena *arena, const struct zr_scene *scene, const st
                   const struct batches_options *options, struct batches *batches)
 {
     *batches = (struct batches){.triangles = 0};
-    struct builder builder = {
+    struct batches_builder builder = {
         .arena = arena, .scene = scene, .camera = camera, .options = *options, .out = batches, .owner = 1};
     builder.clip_to_eye = zr_arena_alloc(arena, 1, sizeof *builder.clip_to_eye);
     if (!builder.clip_to_eye) return false;
