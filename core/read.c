@@ -46,7 +46,7 @@ static void warn_of_soup(struct zr_scene_builder *builder, const struct zr_forma
 
 /* Bare meshes become what the query makes of them: their looks, where they are, and the view of them. */
 static enum zr_status apply_query(struct zr_scene_builder *builder, const struct zr_request *request,
-                                   const struct zr_query *query, struct zr_error *error)
+                                  const struct zr_query *query, struct zr_error *error)
 {
     struct zr_scene *scene = builder->scene;
     struct zr_instance *instances = zr_arena_alloc(builder->arena, scene->mesh_count, sizeof *instances);

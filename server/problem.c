@@ -110,10 +110,11 @@ void problem_memory(struct answer *answer, const struct zr_arena *arena)
         problem_answer(answer, 422, "the request needs more memory than can be had; requestMemoryBytes is %zu bytes",
                        arena->ceiling);
     else
-        problem_answer(answer, 422,
-                       "the request needs at least %zu bytes of memory; requestMemoryBytes, for one, is %zu bytes: fewer "
-                       "pixels, samples or faces need less",
-                       arena->wanted, arena->ceiling);
+        problem_answer(
+            answer, 422,
+            "the request needs at least %zu bytes of memory; requestMemoryBytes, for one, is %zu bytes: fewer "
+            "pixels, samples or faces need less",
+            arena->wanted, arena->ceiling);
 }
 
 void problem_late(struct answer *answer, uint64_t timeout_ms)

@@ -168,7 +168,8 @@ uint32_t zr_given_make_material(struct zr_given_scene *root, const struct zr_sty
     struct zr_face_style faces = zr_face_style_merge(&style->face_style, &given->face_style);
     faces = zr_face_style_merge(&faces, &root->face_style);
     if (faces.double_sided == ZR_UNSET) faces.double_sided = style->is_open;
-    struct zr_material material = zr_face_style_material(&faces, look, has_color ? given->base_color : none.base_color, smooth);
+    struct zr_material material =
+        zr_face_style_material(&faces, look, has_color ? given->base_color : none.base_color, smooth);
     put_values(given, &material);
     zr_given_note_alpha(root, &material.outline_color, 1);
     if (faces.shading >= ZR_SHADING_PBR && !root->linear_key) root->linear_key = "shading";

@@ -38,8 +38,7 @@ bool zr_read_samples(struct zr_json *json, const struct zr_json_path *path, cons
     if (!zr_json_number_in(json, path, -DBL_MAX, DBL_MAX, &number)) return false;
     while (side < ZR_SAMPLE_SIDE_MAX && (double)(side * side) < number)
         side *= 2;
-    if ((double)(side * side) != number)
-        return zr_json_fault(json, path, "%.15g; 1, 4, 16 or 64 are allowed", number);
+    if ((double)(side * side) != number) return zr_json_fault(json, path, "%.15g; 1, 4, 16 or 64 are allowed", number);
     root->picture.picture.side = side;
     return true;
 }

@@ -1,8 +1,18 @@
 #include "look/environment.h"
 
-#define GREY(v)              {v, v, v}
-#define TINT(v, r, g, b)     {(v) * (r), (v) * (g), (v) * (b)}
-#define SIDES_ARE_MADE_LATER {0, 0, 0}, {0, 0, 0}
+#define GREY(v)                                                                                                        \
+    {                                                                                                                  \
+        v, v, v                                                                                                        \
+    }
+#define TINT(v, r, g, b)                                                                                               \
+    {                                                                                                                  \
+        (v) * (r), (v) * (g), (v) * (b)                                                                                \
+    }
+#define SIDES_ARE_MADE_LATER                                                                                           \
+    {0, 0, 0},                                                                                                         \
+    {                                                                                                                  \
+        0, 0, 0                                                                                                        \
+    }
 
 /* A studio: a large soft key above on the left, a strip that tells round metal from flat, a rim behind, and what the
  * floor throws back, without which both sides of a metal cube are one grey. */

@@ -1,7 +1,8 @@
 /* environment.h - look: light from all around, as formulas: a gradient, soft boxes, round lobes.
  *
  * Space:  the environment's own: y up, z towards the camera.
- * How:    radiance L in a direction d that a surface of GGX roughness alpha gathers, with b^2 = (2 alpha / (1 + 2.2 alpha))^2:
+ * How:    radiance L in a direction d that a surface of GGX roughness alpha gathers, with b^2 = (2 alpha / (1 + 2.2
+ * alpha))^2:
  *
  *             S(x, w)  = 1/2 + 1/2 x / sqrt(x^2 + w^2)          a step, blurred as GGX blurs it
  *             gradient = mix(ground, sky, S(d.y, sqrt(hw^2 + b^2)))
@@ -20,8 +21,8 @@
 enum { ZR_ENVIRONMENT_BOXES = 4, ZR_HARMONICS = 9 };
 
 struct zr_environment_box {
-    zr_vec3 middle;         /* m; any length, and unit where the light is made */
-    zr_vec3 across, along;  /* the sides' directions */
+    zr_vec3 middle;        /* m; any length, and unit where the light is made */
+    zr_vec3 across, along; /* the sides' directions */
     float a, h, w0;
     zr_vec3 color;
 };

@@ -1,4 +1,5 @@
-/* environment_simd.h - look: what comes from an environment (environment.h), ZR_LANES directions at once, for kernels. */
+/* environment_simd.h - look: what comes from an environment (environment.h), ZR_LANES directions at once, for kernels.
+ */
 #ifndef ZR_ENVIRONMENT_SIMD_H
 #define ZR_ENVIRONMENT_SIMD_H
 
@@ -52,8 +53,8 @@ static inline zr_vf zr_lobe_share_v(const struct zr_environment_light *light, st
 static inline struct zr_vec3_v zr_environment_diffuse_v(const struct zr_environment_light *light, struct zr_vec3_v n)
 {
     const zr_vf zero = zr_vf_set(0.0f), one = zr_vf_set(1.0f), three = zr_vf_set(3.0f);
-    const zr_vf f[ZR_HARMONICS] = {one,       n.x,       n.y,       n.z, n.x * n.y, n.y * n.z,
-                                   n.z * n.x, three * n.z * n.z - one, n.x * n.x - n.y * n.y};
+    const zr_vf f[ZR_HARMONICS] = {
+        one, n.x, n.y, n.z, n.x * n.y, n.y * n.z, n.z * n.x, three * n.z * n.z - one, n.x * n.x - n.y * n.y};
     struct zr_vec3_v sum = {zero, zero, zero};
     for (int i = 0; i < ZR_HARMONICS; i++)
         sum = zr_add_scaled_v(sum, light->harmonics[i], f[i]);
@@ -66,7 +67,8 @@ static inline struct zr_vec3_v zr_environment_specular_v(const struct zr_environ
 {
     const float blur = 2.0f * alpha / (1.0f + 2.2f * alpha), diffuse = (alpha - 0.2f) / 0.6f;
     const zr_vf square_blur = zr_vf_set(ZR_MUTANT(environment_not_blurred, blur * blur, 0.0f)), half = zr_vf_set(0.5f);
-    const zr_vf up = half + half * zr_blurred_sign_v(d.y, zr_vf_set(light->half_width * light->half_width) + square_blur);
+    const zr_vf up =
+        half + half * zr_blurred_sign_v(d.y, zr_vf_set(light->half_width * light->half_width) + square_blur);
     const struct zr_vec3_v sky = zr_spread_v(light->sky), ground = zr_spread_v(light->ground);
     struct zr_vec3_v sharp = {zr_mix_v(ground.x, sky.x, up), zr_mix_v(ground.y, sky.y, up),
                               zr_mix_v(ground.z, sky.z, up)};

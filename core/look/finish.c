@@ -57,8 +57,7 @@ static void finish_range(void *context, size_t begin, size_t end)
             row.share = shares;
         }
         if (of->ink) row.ink = of->ink + y * light->width;
-        finish_row_of(rows->isa)(
-            &row, (uint32_t *)(void *)of->out + (size_t)(light->height - 1 - y) * light->width);
+        finish_row_of(rows->isa)(&row, (uint32_t *)(void *)of->out + (size_t)(light->height - 1 - y) * light->width);
     }
 }
 

@@ -56,10 +56,10 @@ static void turn_environment(const struct zr_scene *scene, const zr_mat4 *world_
 static zr_vec3 direction_of(const struct zr_light *light, const zr_mat4 *world_to_eye, const zr_vec3 environment[3])
 {
     const zr_vec3 d = light->direction;
-    if (!light->environment_frame)
-        return light->camera_frame ? zr_vec3_normalize(d) : to_eye_space(world_to_eye, d);
-    return zr_vec3_normalize(zr_vec3_add(zr_vec3_add(zr_vec3_scale(environment[0], d.x), zr_vec3_scale(environment[1], d.y)),
-                                         zr_vec3_scale(environment[2], d.z)));
+    if (!light->environment_frame) return light->camera_frame ? zr_vec3_normalize(d) : to_eye_space(world_to_eye, d);
+    return zr_vec3_normalize(
+        zr_vec3_add(zr_vec3_add(zr_vec3_scale(environment[0], d.x), zr_vec3_scale(environment[1], d.y)),
+                    zr_vec3_scale(environment[2], d.z)));
 }
 
 zr_vec3 zr_look_light_direction(const struct zr_scene *scene, const struct zr_light *light, const zr_mat4 *world_to_eye)
@@ -101,8 +101,7 @@ void zr_look_lighting_make(struct zr_arena *arena, const struct zr_scene *scene,
     turn_environment(scene, &camera->world_to_eye, lighting->eye_to_environment);
     lighting->lamp_count = scene->light_count;
     for (uint32_t i = 0; i < scene->light_count; i++) {
-        const zr_vec3 direction =
-            direction_of(&scene->lights[i], &camera->world_to_eye, lighting->eye_to_environment);
+        const zr_vec3 direction = direction_of(&scene->lights[i], &camera->world_to_eye, lighting->eye_to_environment);
         lamps[i] = lamp_of(&scene->lights[i], direction);
         if (shadows && shadows[i].depths) lamps[i].shadow = &shadows[i];
     }

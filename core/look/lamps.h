@@ -11,10 +11,11 @@
 zr_vec3 zr_look_up(const struct zr_scene *scene);
 
 /* The way that a directional light travels, or to a hemisphere's sky: unit length, in eye space. */
-zr_vec3 zr_look_light_direction(const struct zr_scene *scene, const struct zr_light *light, const zr_mat4 *world_to_eye);
+zr_vec3 zr_look_light_direction(const struct zr_scene *scene, const struct zr_light *light,
+                                const zr_mat4 *world_to_eye);
 
-/* `shadows`: one a light of the scene, whose depths are NULL where it casts none; or NULL. Points into the arena, to the
- * scene and to `shadows`; fails only with the arena. */
+/* `shadows`: one a light of the scene, whose depths are NULL where it casts none; or NULL. Points into the arena, to
+ * the scene and to `shadows`; fails only with the arena. */
 void zr_look_lighting_make(struct zr_arena *arena, const struct zr_scene *scene, const struct zr_camera *camera,
                            const struct zr_shadow_map *shadows, struct zr_look_lighting *lighting);
 

@@ -61,7 +61,8 @@ static inline struct zr_vec3_v shade(const struct zr_look_lighting *lighting, co
     case ZR_SHADING_PHONG:
         return exposed(lighting, zr_surface_classic_v(lighting, material, s));
     case ZR_SHADING_PBR:
-        if (cache->columns.roughness != material->roughness) zr_split_columns_make(&cache->columns, material->roughness);
+        if (cache->columns.roughness != material->roughness)
+            zr_split_columns_make(&cache->columns, material->roughness);
         return exposed(lighting, zr_surface_pbr_v(lighting, material, &cache->columns, s));
     case ZR_SHADING_GOOCH:
         return zr_surface_gooch_v(cool_of(cache, material), s);

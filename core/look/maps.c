@@ -28,9 +28,8 @@ struct zr_pixel_scale zr_pixel_scale_of(const struct zr_camera *camera, uint32_t
     const zr_vec3 slope = {p[3], p[7], p[11]};
     float offset = p[15];
     if (eye.w != 0.0f) offset = p[15] + zr_vec3_dot(slope, (zr_vec3){eye.x, eye.y, eye.z});
-    return (struct zr_pixel_scale){.scale = 0.5f * (float)height * fabsf(p[5]),
-                                   .slope = {slope.x, slope.y, slope.z},
-                                   .offset = offset};
+    return (struct zr_pixel_scale){
+        .scale = 0.5f * (float)height * fabsf(p[5]), .slope = {slope.x, slope.y, slope.z}, .offset = offset};
 }
 
 /* ---- drawing ---- */
@@ -40,9 +39,8 @@ static struct zr_camera map_camera(zr_vec3 right, zr_vec3 up, zr_vec3 back, zr_v
                                    float far)
 {
     struct zr_camera camera = {.znear = near, .zfar = far};
-    camera.world_to_eye =
-        (zr_mat4){{right.x, up.x, back.x, 0, right.y, up.y, back.y, 0, right.z, up.z, back.z, 0,
-                   -zr_vec3_dot(right, eye), -zr_vec3_dot(up, eye), -zr_vec3_dot(back, eye), 1}};
+    camera.world_to_eye = (zr_mat4){{right.x, up.x, back.x, 0, right.y, up.y, back.y, 0, right.z, up.z, back.z, 0,
+                                     -zr_vec3_dot(right, eye), -zr_vec3_dot(up, eye), -zr_vec3_dot(back, eye), 1}};
     camera.projection = (zr_mat4){{1.0f / half_size, 0, 0, 0, 0, 1.0f / half_size, 0, 0, 0, 0, 2.0f / (near - far), 0,
                                    0, 0, (far + near) / (near - far), 1}};
     return camera;
@@ -218,8 +216,7 @@ bool zr_rays_of(const struct zr_camera *camera, uint32_t width, uint32_t height,
     corner_of(&back, eye, -1.0, 1.0, top);
     *rays = (struct zr_rays){.origin = {eye.x, eye.y, eye.z}};
     if (eye.w != 0.0f) {
-        spread(at, right, top, (double)width, (double)height, &rays->direction, &rays->direction_x,
-               &rays->direction_y);
+        spread(at, right, top, (double)width, (double)height, &rays->direction, &rays->direction_x, &rays->direction_y);
     } else {
         rays->direction = (zr_vec3){-eye.x, -eye.y, -eye.z};
         spread(at, right, top, (double)width, (double)height, &rays->origin, &rays->origin_x, &rays->origin_y);
@@ -244,8 +241,8 @@ static zr_vec3 row_of_eye(const zr_mat4 *eye_to_world, zr_vec3 eye, const float 
     zr_vec3 out;
     float *components[3] = {&out.x, &out.y, &out.z};
     for (int k = 0; k < 3; k++)
-        *components[k] = zr_vec3_dot(in_world, (zr_vec3){eye_to_world->m[4 * k], eye_to_world->m[4 * k + 1],
-                                                         eye_to_world->m[4 * k + 2]});
+        *components[k] = zr_vec3_dot(
+            in_world, (zr_vec3){eye_to_world->m[4 * k], eye_to_world->m[4 * k + 1], eye_to_world->m[4 * k + 2]});
     const zr_vec3 origin = {eye_to_world->m[12], eye_to_world->m[13], eye_to_world->m[14]};
     *offset = zr_vec3_dot(in_world, origin) + row[3] + zr_vec3_dot(out, eye);
     return out;

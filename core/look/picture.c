@@ -64,8 +64,8 @@ static enum zr_status make_creases(struct drawing *d)
     const zr_vec4 **creases = zr_arena_zero(d->arena, scene->mesh_count, sizeof *creases);
     for (uint32_t i = 0; creases && i < scene->mesh_count; i++)
         if (zr_mesh_lacks_normals(&scene->meshes[i]) && scene->meshes[i].face_count > 0)
-            creases[i] = zr_crease_normals_make(d->arena, d->team, d->cancel, &scene->meshes[i],
-                                                scene->picture.crease_degrees);
+            creases[i] =
+                zr_crease_normals_make(d->arena, d->team, d->cancel, &scene->meshes[i], scene->picture.crease_degrees);
     d->creases = creases;
     return status_of(d);
 }
@@ -128,8 +128,7 @@ static enum zr_status draw_gbuffer(const struct drawing *d, struct zr_gbuffer *p
     return status_of(d);
 }
 
-static enum zr_status draw_occlusion(const struct drawing *d, struct zr_gbuffer *pixels,
-                                     struct zr_occlusion_map *map)
+static enum zr_status draw_occlusion(const struct drawing *d, struct zr_gbuffer *pixels, struct zr_occlusion_map *map)
 {
     const struct zr_occlusion *occlusion = &d->scene->picture.occlusion;
     const struct zr_pixel_scale scale = zr_pixel_scale_of(&d->frame->camera, d->frame->height);
@@ -194,8 +193,7 @@ static enum zr_status draw_light(struct drawing *d)
     struct zr_look_lighting lighting;
     struct zr_ground ground = {.light = NULL};
     struct zr_sample_stages stages = {&lighting, picture->occlusion.is_on ? &occlusion : NULL, NULL, &light};
-    struct zr_finishing finishing = {
-        .scene = d->scene, .light = &light, .ground = &ground, .out = d->frame->color};
+    struct zr_finishing finishing = {.scene = d->scene, .light = &light, .ground = &ground, .out = d->frame->color};
     enum zr_status status = ZR_OK;
 
     STAGE(make_creases(d));

@@ -11,9 +11,9 @@
 enum { ZR_SHADOW_SIDE = 1024, ZR_SHADOW_BORDER = 4 };
 
 /* A point p of the G-buffer has map coordinates u = u_axis . p + u_offset in texels, v likewise, and depth
- * d = depth_axis . p + depth_offset along the light, in scene units. Texel x, y is at [(y + ZR_SHADOW_BORDER) * stride +
- * x + ZR_SHADOW_BORDER] and has its centre at (x + 1/2, y + 1/2); there is a border of that many texels around,
- * in which nothing is: INFINITY. */
+ * d = depth_axis . p + depth_offset along the light, in scene units. Texel x, y is at [(y + ZR_SHADOW_BORDER) * stride
+ * + x + ZR_SHADOW_BORDER] and has its centre at (x + 1/2, y + 1/2); there is a border of that many texels around, in
+ * which nothing is: INFINITY. */
 struct zr_shadow_map {
     const float *depths;
     int32_t stride;

@@ -162,7 +162,7 @@ static enum zr_status draw(struct zr_team *team, struct drawing *d, struct zr_fr
 }
 
 enum zr_status zr_supersample_bytes(struct zr_team *team, const struct zr_pass *pass, uint32_t side,
-                                   const struct zr_cancel *cancel, struct zr_frame *frame)
+                                    const struct zr_cancel *cancel, struct zr_frame *frame)
 {
     struct drawing drawing = {
         .pass = pass, .side = side, .background = zr_rgba_make(pass->tiles.scene->background), .cancel = cancel};
@@ -170,8 +170,8 @@ enum zr_status zr_supersample_bytes(struct zr_team *team, const struct zr_pass *
 }
 
 enum zr_status zr_supersample_light(struct zr_team *team, const struct zr_pass *pass,
-                                   const struct zr_sample_stages *stages, uint32_t side, const struct zr_cancel *cancel,
-                                   struct zr_frame *frame)
+                                    const struct zr_sample_stages *stages, uint32_t side,
+                                    const struct zr_cancel *cancel, struct zr_frame *frame)
 {
     struct drawing drawing = {.pass = pass, .stages = stages, .side = side, .cancel = cancel};
     return draw(team, &drawing, frame);

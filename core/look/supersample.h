@@ -1,4 +1,5 @@
-/* supersample.h - look: the channel color of several samples a pixel: the same scene at `side` times the size, averaged.
+/* supersample.h - look: the channel color of several samples a pixel: the same scene at `side` times the size,
+ * averaged.
  *
  * Tile by tile: nothing of the larger picture is kept. Samples have a visibility of their own, for none but with side 1
  * lies at a pixel's centre.
@@ -29,15 +30,15 @@ struct zr_sample_stages {
     struct zr_linear_frame *out;
 };
 
-/* To frame->color, and what else is known of the frame then. The pass is of frame's size times side. ZR_OK, ZR_CANCELLED
- * or ZR_NO_MEMORY. */
-enum zr_status zr_supersample_bytes(struct zr_team *team, const struct zr_pass *pass,
-                                   uint32_t side, const struct zr_cancel *cancel, struct zr_frame *frame);
+/* To frame->color, and what else is known of the frame then. The pass is of frame's size times side. ZR_OK,
+ * ZR_CANCELLED or ZR_NO_MEMORY. */
+enum zr_status zr_supersample_bytes(struct zr_team *team, const struct zr_pass *pass, uint32_t side,
+                                    const struct zr_cancel *cancel, struct zr_frame *frame);
 
 /* The same, lit in linear light, to stages->out. */
 enum zr_status zr_supersample_light(struct zr_team *team, const struct zr_pass *pass,
-                                   const struct zr_sample_stages *stages, uint32_t side,
-                                   const struct zr_cancel *cancel, struct zr_frame *frame);
+                                    const struct zr_sample_stages *stages, uint32_t side,
+                                    const struct zr_cancel *cancel, struct zr_frame *frame);
 
 /* Averages of a tile's samples. A kernel. */
 struct zr_averages {

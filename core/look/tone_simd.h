@@ -34,7 +34,8 @@ static inline struct zr_vec3_v zr_tone_neutral_v(struct zr_vec3_v c, float toe)
     const zr_vf white =
         ZR_MUTANT(tone_keeps_hue, one - one / (zr_vf_set(0.15f) * (peak - new_peak) + one), zr_vf_set(0.0f));
     return zr_choose_v(bright,
-                       (struct zr_vec3_v){zr_mix_v(c.x * scale, new_peak, white), zr_mix_v(c.y * scale, new_peak, white),
+                       (struct zr_vec3_v){zr_mix_v(c.x * scale, new_peak, white),
+                                          zr_mix_v(c.y * scale, new_peak, white),
                                           zr_mix_v(c.z * scale, new_peak, white)},
                        c);
 }

@@ -128,13 +128,11 @@ bool zr_line_corners_make(const struct zr_window_vertex *v0, const struct zr_win
     place_end(&last, &course, fill_last, last_pixel_is_drawn(&last, &course), rising ? high : low);
     if (low[course.major] >= high[course.major]) return false;
     if (course.major == X)
-        *out = (struct zr_line_corners){
-            .x = {high[X], low[X], low[X], high[X]},
-            .y = {high[Y] - half, low[Y] - half, low[Y] + half, high[Y] + half}};
+        *out = (struct zr_line_corners){.x = {high[X], low[X], low[X], high[X]},
+                                        .y = {high[Y] - half, low[Y] - half, low[Y] + half, high[Y] + half}};
     else
-        *out = (struct zr_line_corners){
-            .x = {low[X] - half, high[X] - half, high[X] + half, low[X] + half},
-            .y = {low[Y], high[Y], high[Y], low[Y]}};
+        *out = (struct zr_line_corners){.x = {low[X] - half, high[X] - half, high[X] + half, low[X] + half},
+                                        .y = {low[Y], high[Y], high[Y], low[Y]}};
     out->width = width;
     out->along_x = course.major == X;
     for (int axis = X; axis <= Y; axis++) {

@@ -8,8 +8,8 @@
 static void line_box(const struct zr_geometry *geometry, const struct zr_triangle *line, int32_t box[4])
 {
     struct zr_line_corners c;
-    if (!zr_line_corners_make(&geometry->vertices[line->v[0]], &geometry->vertices[line->v[1]], geometry->window.line_width,
-                              &c)) {
+    if (!zr_line_corners_make(&geometry->vertices[line->v[0]], &geometry->vertices[line->v[1]],
+                              geometry->window.line_width, &c)) {
         box[0] = box[1] = 0;
         box[2] = box[3] = -1;
         return;

@@ -17,8 +17,8 @@ enum zr_rate zr_eye_normals_rate(const struct zr_mesh *mesh, const struct zr_mat
 /* How many a mesh has at that rate. */
 uint32_t zr_eye_normals_count(const struct zr_mesh *mesh, enum zr_rate rate);
 
-/* All of them, to out[]. crease_normals: of corners, for ZR_RATE_CORNER, or NULL. *vertex_normals as in zr_colors_make. False where the arena has failed. Cancelled, it returns
- * early. */
+/* All of them, to out[]. crease_normals: of corners, for ZR_RATE_CORNER, or NULL. *vertex_normals as in zr_colors_make.
+ * False where the arena has failed. Cancelled, it returns early. */
 bool zr_eye_normals_make(struct zr_arena *arena, struct zr_team *team, const struct zr_cancel *cancel,
                          const struct zr_mesh *mesh, const zr_mat4 *object_to_eye, enum zr_rate rate,
                          const zr_vec4 *crease_normals, const zr_vec4 **vertex_normals, zr_vec4 *out);

@@ -40,8 +40,8 @@ static inline void light_group(const struct zr_lighting *lighting, struct zr_vec
         const zr_vf facing = zr_dot_v(n, zr_spread_v(lighting->to_light[i]));
         const struct zr_vec3_v diffuse = zr_mul_v(zr_spread_v(lighting->colors[i]), base);
         const zr_vm lit = zr_vf_lt(zr_vf_set(0.0f), facing);
-        front =
-            zr_choose_v(ZR_MUTANT(lit_from_behind, lit, ZR_ALL_LANES), zr_add_v(front, zr_scale_v(diffuse, facing)), front);
+        front = zr_choose_v(ZR_MUTANT(lit_from_behind, lit, ZR_ALL_LANES), zr_add_v(front, zr_scale_v(diffuse, facing)),
+                            front);
         back = zr_choose_v(lit, back, zr_add_v(back, zr_scale_v(diffuse, facing * zr_vf_set(-1.0f))));
     }
     if (back_out != front_out) store(back, alpha, back_out);

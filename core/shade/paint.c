@@ -168,8 +168,7 @@ void zr_line_sample(const struct zr_geometry *geometry, const struct zr_surface 
     const bool flat = zr_rate_is_flat(color->rate);
     const zr_vec4 *ends[2][2]; /* colour and point of each */
     for (uint32_t k = 0; k < 2; k++) {
-        const uint32_t n =
-            flat ? zr_flat_number(draw, color->rate, t) : zr_smooth_number(draw, color->rate, t, k);
+        const uint32_t n = flat ? zr_flat_number(draw, color->rate, t) : zr_smooth_number(draw, color->rate, t, k);
         ends[k][0] = &color->values[n];
         ends[k][1] = &points[zr_draw_corner(draw, t, k)];
     }

@@ -16,9 +16,9 @@ struct making {
     const struct zr_geometry *geometry;
     struct zr_surfaces *out;
     const struct zr_surface_wants *wants;
-    bool colors, backs; /* are wanted; backs: in colours of their own */
-    const zr_vec4 *points;           /* one a window vertex; NULL: not wanted */
-    const zr_vec4 **vertex_normals;  /* of each mesh's vertices, or NULL: not needed so far */
+    bool colors, backs;             /* are wanted; backs: in colours of their own */
+    const zr_vec4 *points;          /* one a window vertex; NULL: not wanted */
+    const zr_vec4 **vertex_normals; /* of each mesh's vertices, or NULL: not needed so far */
 
     /* of the instance under way */
     const struct zr_source_instance *instance;
@@ -118,8 +118,10 @@ static bool find_mesh_colors(struct making *m)
     if (m->has_colors) return true;
     m->has_colors = true;
     if (ZR_FAST(given_colors, zr_colors_are_given(m->scene, m->mesh, &m->mesh_colors))) return copy_given(m);
-    return ZR_FAST(packed_colors, !m->out->fog.is_on && !m->wants->samples && zr_colors_can_be_packed(m->scene, m->mesh)) ? make_packed(m)
-                                                                                                    : make_floats(m);
+    return ZR_FAST(packed_colors,
+                   !m->out->fog.is_on && !m->wants->samples && zr_colors_can_be_packed(m->scene, m->mesh))
+               ? make_packed(m)
+               : make_floats(m);
 }
 
 /* Those of the vertices, times the material's. */
@@ -192,8 +194,8 @@ static bool find_normals(struct making *m, const struct zr_draw *draw, struct zr
     if (!*normals) {
         const uint32_t own = zr_eye_normals_count(m->mesh, rate);
         zr_vec4 *made = zr_arena_alloc(m->arena, count_with_made(m, rate, own), sizeof *made);
-        if (!made || !zr_eye_normals_make(m->arena, m->team, m->cancel, m->mesh, &m->instance->to_eye, rate,
-                                          crease, &m->vertex_normals[number], made))
+        if (!made || !zr_eye_normals_make(m->arena, m->team, m->cancel, m->mesh, &m->instance->to_eye, rate, crease,
+                                          &m->vertex_normals[number], made))
             return false;
         extend(m, rate, own, made);
         *normals = made;

@@ -44,7 +44,8 @@ static char *document_of(const struct drawing *drawing, const char *head)
     size_t size = 0;
     FILE *out = open_memstream(&text, &size);
     if (!out) return NULL;
-    fprintf(out, "{\"window\":{\"width\":512,\"height\":512},%s,\"meshes\":[{\"doubleSided\":true,\"positions\":[", head);
+    fprintf(out, "{\"window\":{\"width\":512,\"height\":512},%s,\"meshes\":[{\"doubleSided\":true,\"positions\":[",
+            head);
     for (uint32_t i = 0; i < drawing->position_count; i++) {
         const zr_vec4 *p = &drawing->positions[i];
         fprintf(out, "%s[%.6g,%.6g,%.6g]", i ? "," : "", (double)p->x, (double)p->y, (double)p->z);
@@ -84,9 +85,8 @@ static bool measure(const struct bench *bench, void *context, const struct sink 
     snprintf(head, sizeof head, "\"look\":\"%s\"", looks[task->number].look);
     asking.documents[OURS] = document_of(&task->work->drawing, head);
     asking.documents[THEIRS] = document_of(
-        &task->work->drawing,
-        "\"shading\":\"flat\",\"view\":{\"azimuthDegrees\":35,\"elevationDegrees\":28,"
-        "\"perspective\":{\"yfovDegrees\":30},\"fit\":{\"padding\":0.07}}");
+        &task->work->drawing, "\"shading\":\"flat\",\"view\":{\"azimuthDegrees\":35,\"elevationDegrees\":28,"
+                              "\"perspective\":{\"yfovDegrees\":30},\"fit\":{\"padding\":0.07}}");
     struct daemon daemon = daemon_start((const char *const[]){"--workers=1", "--threads=2", NULL});
     const bool ok = asking.documents[OURS] && asking.documents[THEIRS] && wire_open(&asking.wire, daemon.port) &&
                     series_run(series, SIDES, bench->rounds, run_round, &asking);

@@ -203,7 +203,8 @@ static bool make_ball(struct set *s, uint32_t cells, int sides)
                                            .fit_padding = 0.02f});
     s->material.shading = ZR_SHADING_GOURAUD;
     s->lights[0] = (struct zr_light){.direction = {0.6f, -0.8f, 0}, .color = {0.7f, 0.6f, 0.5f}, .camera_frame = false};
-    s->lights[1] = (struct zr_light){.direction = {-0.36f, 0.48f, 0.8f}, .color = {0.2f, 0.4f, 0.4f}, .camera_frame = false};
+    s->lights[1] =
+        (struct zr_light){.direction = {-0.36f, 0.48f, 0.8f}, .color = {0.2f, 0.4f, 0.4f}, .camera_frame = false};
     s->lights[2] = (struct zr_light){.direction = {0, 0, -1}, .color = {0.3f, 0.3f, 0.3f}, .camera_frame = true};
     s->scene.light_count = 3;
     s->scene.ambient = (zr_vec3){0.1f, 0.1f, 0.15f};

@@ -18,8 +18,8 @@ static void integrate_split_sum(double roughness, double nv, int steps, double *
             const double nh = sqrt((1.0 - u) / (1.0 + (square - 1.0) * u)), hx = sqrt(1.0 - nh * nh) * cos(phi);
             const double vh = vx * hx + nv * nh, nl = 2.0 * vh * nh - nv;
             if (nl <= 0.0 || vh <= 0.0) continue;
-            const double smith = 0.5 / (nl * sqrt(nv * nv * (1.0 - square) + square) +
-                                        nv * sqrt(nl * nl * (1.0 - square) + square));
+            const double smith =
+                0.5 / (nl * sqrt(nv * nv * (1.0 - square) + square) + nv * sqrt(nl * nl * (1.0 - square) + square));
             const double weight = 3.0 * t * t * 4.0 * smith * nl * vh / nh, fresnel = pow(1.0 - vh, 5.0);
             *a += weight * (1.0 - fresnel) / ((double)steps * steps);
             *b += weight * fresnel / ((double)steps * steps);

@@ -1,8 +1,8 @@
 /* What pictures of several samples, in linear light and with effects cost, in time and memory. */
-#include <math.h>
 #include "support/cmocka_all.h"
 #include "support/random.h"
 #include "support/scenes.h"
+#include <math.h>
 
 enum { WIDTH = 200, HEIGHT = 100, PIXELS = WIDTH * HEIGHT };
 

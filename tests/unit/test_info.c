@@ -230,7 +230,8 @@ static void what_no_pixel_centre_is_on_is_not_blank(void **state)
 {
     (void)state;
     const float low = 9.15f / 8.0f - 1.0f, high = 9.35f / 8.0f - 1.0f; /* that are at 9.25 */
-    const zr_vec4 p[] = {{-1, low, 0, 1}, {1, low, 0, 1}, {-1, high, 0, 1}, {1, low, 0, 1}, {1, high, 0, 1}, {-1, high, 0, 1}};
+    const zr_vec4 p[] = {{-1, low, 0, 1}, {1, low, 0, 1},  {-1, high, 0, 1},
+                         {1, low, 0, 1},  {1, high, 0, 1}, {-1, high, 0, 1}};
     static struct test_scene test;
     scene_of_triangles(&test, 16, 16, p, 2);
     for (uint32_t side = 1; side <= 2; side++) {

@@ -13,10 +13,11 @@
     "                \"holes\": [[[-0.5,0.2,0],[-0.5,0.8,0],[0.1,0.8,0],[0.1,0.2,0]]], \"color\": \"#cc3333\"}],"      \
     "\"meshes\": [{\"positions\": [[0,0,1],[1,0,1],[1,0,2],[0,0,2],[0.5,1,1.5]], \"doubleSided\": true,"               \
     "              \"faces\": [[0,4,1],[1,4,2],[2,4,3],[3,4,0]], \"lines\": [[0,2],[1,3]]},"                           \
-    "             {\"positions\": [[-1,0,1],[-0.2,0,1],[-0.2,0.8,1.2]], \"normals\": [[0,0,1],[1,0,1],[0,1,1]],"        \
+    "             {\"positions\": [[-1,0,1],[-0.2,0,1],[-0.2,0.8,1.2]], \"normals\": [[0,0,1],[1,0,1],[0,1,1]],"       \
     "              \"faces\": [[0,1,2]]}]"
 #define DATA                                                                                                           \
-    "{\"channel\": \"depth\"}, {\"channel\": \"windowDepth\"}, {\"channel\": \"faceId\"}, {\"channel\": \"distance\"},"  \
+    "{\"channel\": \"depth\"}, {\"channel\": \"windowDepth\"}, {\"channel\": \"faceId\"}, {\"channel\": "              \
+    "\"distance\"},"                                                                                                   \
     "{\"channel\": \"instanceId\"}, {\"channel\": \"frontFacing\"}, {\"channel\": \"barycentrics\"},"                  \
     "{\"channel\": \"position\"}, {\"channel\": \"normals\"}"
 
@@ -32,7 +33,8 @@ static void draw(struct drawing *d, const char *outputs, const char *rest)
 {
     char text[TEXT_SIZE];
     struct zr_error error = {.status = ZR_OK};
-    const int length = snprintf(text, sizeof text, "{" SCENE_ ", \"outputs\": [%s]%s%s}", outputs, *rest ? ", " : "", rest);
+    const int length =
+        snprintf(text, sizeof text, "{" SCENE_ ", \"outputs\": [%s]%s%s}", outputs, *rest ? ", " : "", rest);
     assert_in_range(length, 1, TEXT_SIZE - 1);
     d->reading = read_scene(text);
     zr_arena_init(&d->arena, (size_t)1 << 28);

@@ -190,7 +190,8 @@ static void odd_even_rule_covers_the_triangle_that_the_kernel_covers(void **stat
         if (area == 0) continue;
         struct zr_triangle triangle = {.v = {area < 0 ? 1 : 0, area < 0 ? 0 : 1, 2}};
         const struct zr_draw drawn = draw_of(ZR_DRAW_TRIANGLES, (const uint32_t[3]){0, 1, 2}, 1);
-        const struct zr_geometry geometry = {.window.line_width = 1, .vertices = v, .vertex_count = 3, .primitive_count = 1};
+        const struct zr_geometry geometry = {
+            .window.line_width = 1, .vertices = v, .vertex_count = 3, .primitive_count = 1};
         struct zr_tile *tile = cleared_tile();
         by_edges = *tile;
         struct zr_setup setup = zr_setup_make(v, &triangle);
@@ -224,9 +225,12 @@ static void lines_have_the_pixels_of_their_parallelogram_in_the_tiles_that_list_
         }
         static const uint32_t corners[3] = {0, 1, 1};
         struct zr_draw draw = draw_of(ZR_DRAW_LINES, corners, 1);
-        const struct zr_geometry geometry = {
-            .window.line_width = 1,
-            .vertices = v, .vertex_count = 2, .primitive_count = 1, .draw_count = 1, .draws = &draw};
+        const struct zr_geometry geometry = {.window.line_width = 1,
+                                             .vertices = v,
+                                             .vertex_count = 2,
+                                             .primitive_count = 1,
+                                             .draw_count = 1,
+                                             .draws = &draw};
         struct zr_visible visible;
         struct zr_primitive primitive;
         zr_arena_reset(&arena, 1 << 20);
@@ -349,9 +353,12 @@ static void bins_lose_no_triangle_and_invent_none(enum zr_isa isa, int threads)
             }
     }
     struct zr_draw draw = draw_of(ZR_DRAW_TRIANGLES, corners, COUNT);
-    const struct zr_geometry geometry = {
-        .window.line_width = 1,
-        .vertices = vertices, .vertex_count = 3 * COUNT, .primitive_count = COUNT, .draw_count = 1, .draws = &draw};
+    const struct zr_geometry geometry = {.window.line_width = 1,
+                                         .vertices = vertices,
+                                         .vertex_count = 3 * COUNT,
+                                         .primitive_count = COUNT,
+                                         .draw_count = 1,
+                                         .draws = &draw};
     struct zr_arena arena;
     struct zr_visible visible;
     struct zr_team *team = zr_team_create_for(threads, isa);
@@ -399,7 +406,8 @@ static void fragments_of_far_apart_owners_keep_them(void **state)
         for (uint32_t k = 0; k < 3; k++)
             corners[3 * i + k] = 3 * (i < FEW || i >= COUNT - FEW ? i % PIXELS : PIXELS + i % PIXELS) + k;
     struct zr_draw draw = draw_of(ZR_DRAW_TRIANGLES, corners, COUNT);
-    const struct zr_geometry geometry = {.window.line_width = 1, .vertices = vertices,
+    const struct zr_geometry geometry = {.window.line_width = 1,
+                                         .vertices = vertices,
                                          .vertex_count = 2 * 3 * PIXELS,
                                          .primitive_count = COUNT,
                                          .draw_count = 1,

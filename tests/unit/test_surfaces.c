@@ -169,7 +169,8 @@ static void light_from_all_around_is_as_defined(void **state)
         lighting.ambient = any3(&r, 0, 0.1);
         lighting.lamps = &lamp;
         lighting.lamp_count = 1;
-        lighting.has_environment = zr_environment_make(round % 2 ? ZR_ENVIRONMENT_OUTDOOR : ZR_ENVIRONMENT_STUDIO, &lighting.environment);
+        lighting.has_environment =
+            zr_environment_make(round % 2 ? ZR_ENVIRONMENT_OUTDOOR : ZR_ENVIRONMENT_STUDIO, &lighting.environment);
         lighting.environment_intensity = any(&r, 0.1, 0.6);
         lighting.eye_to_environment[0] = x;
         lighting.eye_to_environment[1] = y;

@@ -1,6 +1,7 @@
 /* gbuffer_simd.h - shade: what is seen at the samples of a tile, as a G-buffer (gbuffer.h), for the kernel that shades.
  *
- * Every part has planes: of 1/w, of its own colour, its normal and its point. Those of what is flat are 1/w's, times it.
+ * Every part has planes: of 1/w, of its own colour, its normal and its point. Those of what is flat are 1/w's, times
+ * it.
  */
 #ifndef ZR_GBUFFER_SIMD_H
 #define ZR_GBUFFER_SIMD_H
