@@ -8,11 +8,6 @@
     {                                                                                                                  \
         (v) * (r), (v) * (g), (v) * (b)                                                                                \
     }
-#define SIDES_ARE_MADE_LATER                                                                                           \
-    {0, 0, 0},                                                                                                         \
-    {                                                                                                                  \
-        0, 0, 0                                                                                                        \
-    }
 
 /* A studio: a large soft key above on the left, a strip that tells round metal from flat, a rim behind, and what the
  * floor throws back, without which both sides of a metal cube are one grey. */
@@ -21,10 +16,22 @@ static const struct zr_environment_light STUDIO = {
     .ground = TINT(0.15f, 1.03f, 1.0f, 0.97f),
     .half_width = 0.10f,
     .box_count = 4,
-    .boxes = {{{-0.55f, 0.70f, 0.46f}, SIDES_ARE_MADE_LATER, 0.42f, 0.32f, 0.06f, TINT(6.4f, 1.02f, 1.0f, 0.97f)},
-              {{0.95f, 0.10f, 0.25f}, SIDES_ARE_MADE_LATER, 0.07f, 0.62f, 0.05f, TINT(0.6f, 0.95f, 0.99f, 1.05f)},
-              {{0.35f, 0.45f, -0.85f}, SIDES_ARE_MADE_LATER, 0.55f, 0.13f, 0.06f, GREY(1.8f)},
-              {{-0.85f, -0.42f, 0.25f}, SIDES_ARE_MADE_LATER, 0.50f, 0.30f, 0.25f, TINT(0.6f, 1.04f, 1.0f, 0.96f)}},
+    .boxes = {{.middle = {-0.55f, 0.70f, 0.46f},
+               .a = 0.42f,
+               .h = 0.32f,
+               .w0 = 0.06f,
+               .color = TINT(6.4f, 1.02f, 1.0f, 0.97f)},
+              {.middle = {0.95f, 0.10f, 0.25f},
+               .a = 0.07f,
+               .h = 0.62f,
+               .w0 = 0.05f,
+               .color = TINT(0.6f, 0.95f, 0.99f, 1.05f)},
+              {.middle = {0.35f, 0.45f, -0.85f}, .a = 0.55f, .h = 0.13f, .w0 = 0.06f, .color = GREY(1.8f)},
+              {.middle = {-0.85f, -0.42f, 0.25f},
+               .a = 0.50f,
+               .h = 0.30f,
+               .w0 = 0.25f,
+               .color = TINT(0.6f, 1.04f, 1.0f, 0.96f)}},
     .harmonics = {{0.6571f, 0.6521f, 0.6463f},
                   {-0.3070f, -0.2986f, -0.2870f},
                   {0.5184f, 0.5178f, 0.5154f},
@@ -41,8 +48,8 @@ static const struct zr_environment_light OUTDOOR = {
     .ground = {0.30f, 0.27f, 0.22f},
     .half_width = 0.04f,
     .box_count = 2,
-    .boxes = {{{0, 0.18f, -1}, SIDES_ARE_MADE_LATER, 1.2f, 0.18f, 0.15f, {0.55f, 0.50f, 0.42f}},
-              {{0, 0.18f, 1}, SIDES_ARE_MADE_LATER, 1.2f, 0.18f, 0.15f, {0.55f, 0.50f, 0.42f}}},
+    .boxes = {{.middle = {0, 0.18f, -1}, .a = 1.2f, .h = 0.18f, .w0 = 0.15f, .color = {0.55f, 0.50f, 0.42f}},
+              {.middle = {0, 0.18f, 1}, .a = 1.2f, .h = 0.18f, .w0 = 0.15f, .color = {0.55f, 0.50f, 0.42f}}},
     .lobe = {-0.48f, 0.67f, 0.57f},
     .lobe_width = 0.7f,
     .lobe_color = TINT(0.45f, 1.0f, 0.95f, 0.85f),
