@@ -26,7 +26,8 @@ static struct zr_arena arena;
 /* Raised by a thread of its own once the test's has worked for so long. */
 struct later {
     struct zr_cancel cancel;
-    clockid_t clock; /* of the test's thread */
+    atomic_bool given_up; /* the work ended before */
+    clockid_t clock;      /* of the test's thread */
     double after_ms, raised_ms;
     pthread_t thread;
 };
@@ -42,7 +43,7 @@ static void *raise_later(void *argument)
 {
     struct later *later = argument;
     const double begin_ms = now_ms(later->clock);
-    while (now_ms(later->clock) < begin_ms + later->after_ms)
+    while (now_ms(later->clock) < begin_ms + later->after_ms && !atomic_load(&later->given_up))
         nanosleep(&(struct timespec){.tv_nsec = 100000}, NULL);
     atomic_store(&later->cancel.raised, true);
     later->raised_ms = now_ms(later->clock);
@@ -56,11 +57,17 @@ static void begin(struct later *later, double after_ms)
     assert_int_equal(pthread_create(&later->thread, NULL, raise_later, later), 0);
 }
 
+static void end(struct later *later)
+{
+    atomic_store(&later->given_up, true);
+    pthread_join(later->thread, NULL);
+}
+
 static void assert_ended_soon(struct later *later, enum zr_status status)
 {
     const double ended_ms = now_ms(later->clock);
-    assert_int_equal(status, ZR_CANCELLED); /* else it may never be raised */
-    pthread_join(later->thread, NULL);
+    end(later);
+    assert_int_equal(status, ZR_CANCELLED);
     if (ended_ms - later->raised_ms > LATE_MS)
         fail_msg("told to stop after %.0f ms, it took %.0f ms more", later->after_ms, ended_ms - later->raised_ms);
 }
@@ -278,21 +285,32 @@ static void make_look(const char *name, bool large_window)
     test.scene.views[0].output_count = 1;
 }
 
-static double whole_time_ms(const struct zr_scene *scene)
+/* Told to stop after so long: whether it was before the picture was complete. The time that it took goes to taken_ms.
+ */
+static bool stops_amid(uint32_t cells, double after_ms, double *taken_ms)
 {
-    clockid_t clock;
+    struct later later;
     struct zr_error error = {.count = 0};
     const struct zr_frame *frame;
-    assert_int_equal(pthread_getcpuclockid(pthread_self(), &clock), 0);
-    const double begin_ms = now_ms(clock);
-    assert_int_equal(zr_render(&arena, NULL, scene, NULL, NULL, &frame, &error), ZR_OK);
-    return now_ms(clock) - begin_ms;
+    zr_arena_reset(&arena, SIZE_MAX);
+    make_ground(cells);
+    begin(&later, after_ms);
+    const double begin_ms = now_ms(later.clock);
+    const enum zr_status status = zr_render(&arena, NULL, &test.scene, NULL, &later.cancel, &frame, &error);
+    *taken_ms = now_ms(later.clock) - begin_ms;
+    if (status != ZR_OK) {
+        assert_ended_soon(&later, status);
+        return true;
+    }
+    end(&later);
+    return false;
 }
 
-/* At some times from the beginning to shortly before the end: so in each stage that takes long. */
+/* At some times from the beginning to shortly before the end: so in each stage that takes long. The same picture may
+ * take half the time of the turn before, where the machine is shared: then its end moves to what it took. */
 static void pictures_of_looks_stop_in_all_stages(void **state)
 {
-    enum { TIMES = 5 };
+    enum { TIMES = 5, TURNS = 10 };
     static const struct {
         const char *look;
         uint32_t side;
@@ -305,21 +323,19 @@ static void pictures_of_looks_stop_in_all_stages(void **state)
                  {"outdoor", 1, false, 0}};
     (void)state;
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        const uint32_t cells = cases[i].large_window ? FEW : MANY;
+        double whole_ms = 0, taken_ms;
         make_look(cases[i].look, cases[i].large_window);
         test.scene.picture.side = cases[i].side;
         if (cases[i].edge_width > 0) test.scene.picture.edges.width = cases[i].edge_width;
-        whole_time_ms(&test.scene); /* the first one pays for pages */
-        zr_arena_reset(&arena, SIZE_MAX);
-        make_ground(cases[i].large_window ? FEW : MANY);
-        const double whole_ms = whole_time_ms(&test.scene);
+        for (int turn = 0; turn < 2; turn++) /* the first one pays for pages */
+            assert_false(stops_amid(cells, INFINITY, &whole_ms));
         for (int k = 0; k < TIMES; k++) {
-            struct later later;
-            struct zr_error error = {.count = 0};
-            const struct zr_frame *frame;
-            zr_arena_reset(&arena, SIZE_MAX);
-            make_ground(cases[i].large_window ? FEW : MANY);
-            begin(&later, 0.85 * whole_ms * k / TIMES);
-            assert_ended_soon(&later, zr_render(&arena, NULL, &test.scene, NULL, &later.cancel, &frame, &error));
+            int turn = 0;
+            while (!stops_amid(cells, 0.85 * whole_ms * k / TIMES, &taken_ms)) {
+                assert_true(++turn < TURNS);
+                whole_ms = fmin(whole_ms, taken_ms);
+            }
         }
         print_message("%s, %u samples: %.0f ms\n", cases[i].look, cases[i].side * cases[i].side, whole_ms);
         zr_arena_free(&arena);
