@@ -61,10 +61,16 @@ static inline bool zr_draw_is_of_lines(const struct zr_draw *draw)
     return draw->kind == ZR_DRAW_OUTLINES || draw->kind == ZR_DRAW_LINES;
 }
 
-/* Triangles, and nothing more: those that can be looked at many at once. */
+/* All of its samples are kept, in lists (raster/fragments.h), not only the nearest ones. */
+static inline bool zr_draw_is_see_through(const struct zr_draw *draw)
+{
+    return draw->material->alpha_mode != ZR_ALPHA_OPAQUE;
+}
+
+/* Opaque triangles, and nothing more: those that can be looked at many at once. */
 static inline bool zr_draw_is_plain(const struct zr_draw *draw)
 {
-    return draw->kind == ZR_DRAW_TRIANGLES && !draw->depth_offset;
+    return draw->kind == ZR_DRAW_TRIANGLES && !draw->depth_offset && !zr_draw_is_see_through(draw);
 }
 
 /* Of primitive `t` of a draw, counted from its first. */

@@ -2,7 +2,11 @@
 
 #include "input/defaults.h"
 
-const struct zr_face_style zr_face_style_unset = {ZR_UNSET, ZR_UNSET, ZR_UNSET, ZR_UNSET, {0, 0, 0, 1}};
+/* As in glTF. */
+#define ALPHA_CUTOFF 0.5f
+
+const struct zr_face_style zr_face_style_unset = {
+    ZR_UNSET, ZR_UNSET, ZR_UNSET, ZR_UNSET, {0, 0, 0, 1}, ZR_UNSET, ZR_UNSET};
 
 static int said(int first, int second)
 {
@@ -16,7 +20,10 @@ struct zr_face_style zr_face_style_merge(const struct zr_face_style *first, cons
                                   .double_sided = said(first->double_sided, second->double_sided),
                                   .fill = said(first->fill, second->fill),
                                   .outline = outlined->outline,
-                                  .outline_color = outlined->outline_color};
+                                  .outline_color = outlined->outline_color,
+                                  .alpha_mode = said(first->alpha_mode, second->alpha_mode),
+                                  .alpha_cutoff = first->alpha_cutoff >= 0.0f ? first->alpha_cutoff
+                                                                              : second->alpha_cutoff};
 }
 
 /* Outlines on faces would not be seen in the faces' own colours: they are black unless told otherwise. */
@@ -28,6 +35,9 @@ struct zr_material zr_face_style_material(const struct zr_face_style *faces, con
     material.shading = faces->shading == ZR_UNSET ? zr_default_shading(look, smooth) : (enum zr_shading)faces->shading;
     material.double_sided = faces->double_sided == 1;
     material.unfilled = faces->fill == 0;
+    if (faces->alpha_mode != ZR_UNSET) material.alpha_mode = (enum zr_alpha_mode)faces->alpha_mode;
+    if (material.alpha_mode == ZR_ALPHA_MASK)
+        material.alpha_cutoff = faces->alpha_cutoff >= 0.0f ? faces->alpha_cutoff : ALPHA_CUTOFF;
     material.outline_color = faces->outline == ZR_OUTLINE_SET_COLOR ? faces->outline_color : (zr_vec4){0, 0, 0, 1};
     if (faces->outline == ZR_OUTLINE_SET_ON) material.outline = material.unfilled ? ZR_OUTLINE_OWN : ZR_OUTLINE_COLORED;
     if (faces->outline == ZR_OUTLINE_SET_COLOR) material.outline = ZR_OUTLINE_COLORED;

@@ -13,6 +13,8 @@ struct zr_face_style {
     int shading, double_sided, fill;
     int outline; /* enum zr_outline_setting */
     zr_vec4 outline_color;
+    int alpha_mode;
+    float alpha_cutoff;
 };
 
 extern const struct zr_face_style zr_face_style_unset;

@@ -61,8 +61,6 @@ static const struct zr_json_field fields[] = {
     ZR_FACE_STYLE_FIELDS(struct zr_given_material, face_style),
     ZR_SIDES_FIELD(struct zr_given_material, face_style),
     {.key = "baseColorTexture"},
-    {.key = "alphaMode"},
-    {.key = "alphaCutoff"},
     {.key = "diffuse"},
     {.key = "emissive"}};
 const struct zr_json_object zr_json_object_material = ZR_JSON_OBJECT_OF("material", fields);

@@ -193,7 +193,8 @@ static bool same_text(const struct zr_json_text *a, const struct zr_json_text *b
 static bool same_face_style(const struct zr_face_style *a, const struct zr_face_style *b)
 {
     return a->shading == b->shading && a->double_sided == b->double_sided && a->fill == b->fill &&
-           a->outline == b->outline && zr_vec4_equal(a->outline_color, b->outline_color);
+           a->outline == b->outline && zr_vec4_equal(a->outline_color, b->outline_color) &&
+           a->alpha_mode == b->alpha_mode && a->alpha_cutoff == b->alpha_cutoff;
 }
 
 /* The number of a style like this. */

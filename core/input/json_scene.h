@@ -131,6 +131,19 @@ struct zr_style {
          .offset = offsetof(type, faces.fill),                                                                         \
          .otherwise = "true",                                                                                          \
          .text = "false: faces are left out, and only their outlines are drawn"},                                      \
+        {.key = "alphaMode",                                                                                           \
+         .read = zr_json_choice,                                                                                       \
+         .offset = offsetof(type, faces.alpha_mode),                                                                   \
+         .words = &zr_alpha_mode_names,                                                                                \
+         .otherwise = "OPAQUE",                                                                                        \
+         .text = "what opacity does: nothing, or it is compared with alphaCutoff, or what is behind shows through"},   \
+        {.key = "alphaCutoff",                                                                                         \
+         .read = zr_json_float,                                                                                        \
+         .offset = offsetof(type, faces.alpha_cutoff),                                                                 \
+         .low = 0,                                                                                                     \
+         .high = 1,                                                                                                    \
+         .otherwise = "0.5",                                                                                           \
+         .text = "of MASK: where the opacity is less, nothing is there"},                                              \
     {                                                                                                                  \
         .key = "outline", .read = zr_read_outline, .offset = offsetof(type, faces), .otherwise = "false",              \
         .text = "the edges of faces: true, false or a colour"                                                          \

@@ -40,6 +40,7 @@ struct zr_names_refusal zr_names_refuse(const struct zr_names *names, const char
 struct zr_names_refusal zr_looks_refuse(const char *word);
 
 extern const struct zr_names zr_shading_names;   /* enum zr_shading */
+extern const struct zr_names zr_alpha_mode_names; /* enum zr_alpha_mode */
 extern const struct zr_names zr_preset_names;    /* enum zr_preset */
 extern const struct zr_names zr_algorithm_names; /* enum zr_algorithm */
 extern const struct zr_names zr_up_names;        /* the axis that is up: y, z */

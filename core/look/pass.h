@@ -5,13 +5,15 @@
 #ifndef ZR_PASS_H
 #define ZR_PASS_H
 
-#include "shade/tiles.h"
+#include "shade/layers.h"
 
 struct zr_pass {
     struct zr_geometry geometry;
     struct zr_surfaces surfaces;
     struct zr_visible visible;
     struct zr_samples samples;
+    struct zr_fragments masked, blended; /* beside samples */
+    struct zr_layers_pool layers;
     struct zr_tiles tiles;
 };
 

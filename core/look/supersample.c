@@ -1,8 +1,10 @@
 #include "look/supersample.h"
 
 #include <stdatomic.h>
+#include <string.h>
 
 #include "base/rgba.h"
+#include "shade/layers.h"
 #include "shade/paint.h"
 
 const struct zr_averages *zr_averages_of(enum zr_isa isa)
@@ -42,7 +44,8 @@ static struct place place_of(const struct drawing *d, const struct zr_tile *tile
 
 /* ---- bytes ---- */
 
-static void average_bytes(struct drawing *d, struct zr_tile *tile, uint32_t *words)
+static void average_bytes(struct drawing *d, struct zr_tile *tile, struct zr_layers *blended, uint32_t *words,
+                          uint64_t *covered)
 {
     const struct place place = place_of(d, tile);
     struct zr_shaded to = {.nothing = d->background};
@@ -51,6 +54,7 @@ static void average_bytes(struct drawing *d, struct zr_tile *tile, uint32_t *wor
         d->paint->fill(&to.channels[ZR_CHANNEL_COLOR], tile->width, tile->height, d->background);
     else
         d->paint->shade(&d->pass->geometry, &d->pass->surfaces, tile, &to);
+    if (blended) *covered += zr_layers_put(&d->pass->tiles, blended, tile, &to.channels[ZR_CHANNEL_COLOR]);
     for (uint32_t y = 0; y < place.height; y++) {
         const size_t row = d->frame->height - 1 - (place.y + y);
         uint32_t *out = (uint32_t *)(void *)d->frame->color + row * d->frame->width + place.x;
@@ -105,14 +109,64 @@ static void clear_light(const struct drawing *d, const struct place *place)
             to->color[0][at] = to->color[1][at] = to->color[2][at] = to->cover[at] = 0.0f;
 }
 
-static void light_tile(const struct drawing *d, uint32_t number, const struct zr_tile *tile, struct lit_tile *lit)
+/* Layer by layer over what is lit: color[3] and cover. Lit as what is opaque, but nothing occludes it. */
+static void blend_light(const struct drawing *d, struct zr_layers *blended, struct lit_tile *lit)
+{
+    const struct zr_tile *layer = &blended->tile;
+    float *const color[3] = {blended->front[0], blended->front[1], blended->front[2]};
+    float *const opacity[4] = {lit->color[0], lit->color[1], lit->color[2], blended->front[3]};
+    const float *const front[4] = {color[0], color[1], color[2], blended->front[3]};
+    float *const sum[4] = {blended->sum[0], blended->sum[1], blended->sum[2], blended->sum[3]};
+    const struct zr_gbuffer samples = gbuffer_of(lit, layer);
+    for (uint32_t depth = 0; depth < blended->most && !zr_is_cancelled(d->cancel); depth++) {
+        zr_layers_show(blended, depth);
+        d->paint->floats(&d->pass->geometry, &d->pass->surfaces, layer, opacity);
+        d->paint->samples(&d->pass->geometry, &d->pass->surfaces, layer, &samples);
+        zr_look_light_of(d->isa)(d->stages->lighting, &samples, NULL, color);
+        d->paint->blend(layer, front, sum);
+    }
+}
+
+/* What is opaque is behind all layers. */
+static void begin_blending(const struct zr_tile *tile, const struct lit_tile *lit, struct zr_layers *blended)
+{
+    for (int k = 0; k < 3; k++)
+        memcpy(blended->sum[k], lit->color[k], sizeof lit->color[k]);
+    for (uint32_t i = 0; i < TILE_WORDS; i++)
+        blended->sum[3][i] = tile->owner[i] > 0 ? 1.0f : 0.0f;
+}
+
+/* Returns how many samples show nothing but what is blended. */
+static uint32_t light_layers(const struct drawing *d, const struct zr_tile *tile, const struct place *place,
+                             struct zr_layers *blended, struct lit_tile *lit)
+{
+    const struct zr_linear_frame *to = d->stages->out;
+    uint32_t uncovered = 0;
+    begin_blending(tile, lit, blended);
+    blend_light(d, blended, lit);
+    for (uint32_t y = 0; y < place->height; y++) {
+        const size_t from = (size_t)y * d->side * ZR_TILE_STRIDE, at = (place->y + y) * to->stride + place->x;
+        const float *const sum[4] = {blended->sum[0] + from, blended->sum[1] + from, blended->sum[2] + from,
+                                     blended->sum[3] + from};
+        float *const out[4] = {to->color[0] + at, to->color[1] + at, to->color[2] + at, to->cover + at};
+        d->averages->blended(sum, d->side, place->width, out);
+    }
+    for (uint32_t i = 0; i < TILE_WORDS; i++)
+        uncovered += tile->owner[i] == 0 && blended->fragments.ends[i] < blended->fragments.ends[i + 1];
+    zr_layers_give(d->pass->tiles.layers, blended);
+    return uncovered;
+}
+
+/* Returns as light_layers. */
+static uint32_t light_tile(const struct drawing *d, uint32_t number, const struct zr_tile *tile,
+                           struct zr_layers *blended, struct lit_tile *lit)
 {
     const struct zr_sample_stages *stages = d->stages;
     const struct place place = place_of(d, tile);
     if (tile->is_empty) {
         clear_light(d, &place);
         if (stages->edges) zr_edges_mark_empty(stages->edges, number);
-        return;
+        return 0;
     }
     const struct zr_gbuffer samples = gbuffer_of(lit, tile);
     d->paint->samples(&d->pass->geometry, &d->pass->surfaces, tile, &samples);
@@ -120,8 +174,10 @@ static void light_tile(const struct drawing *d, uint32_t number, const struct zr
         zr_occlusion_samples_of(d->isa)(stages->occlusion, &samples, d->side, tile->x, tile->y, lit->occlusion);
     float *const color[3] = {lit->color[0], lit->color[1], lit->color[2]};
     zr_look_light_of(d->isa)(stages->lighting, &samples, stages->occlusion ? lit->occlusion : NULL, color);
-    average_light(d, &place, lit);
     if (stages->edges) zr_edges_mark_tile(stages->edges, d->isa, number, &samples);
+    if (blended) return light_layers(d, tile, &place, blended, lit);
+    average_light(d, &place, lit);
+    return 0;
 }
 
 /* ---- all tiles ---- */
@@ -136,11 +192,14 @@ static void draw_range(void *context, size_t begin, size_t end)
     } room;
     uint64_t covered = 0;
     for (size_t number = begin; number < end; number++) {
-        if (!zr_tiles_see(&d->pass->tiles, (uint32_t)number, NULL, d->cancel, &tile)) return;
+        struct zr_layers *blended;
+        if (!zr_tiles_see(&d->pass->tiles, (uint32_t)number, NULL, d->cancel, &tile) ||
+            !zr_layers_blend(&d->pass->tiles, (uint32_t)number, d->cancel, &tile, &blended))
+            return;
         if (d->stages)
-            light_tile(d, (uint32_t)number, &tile, &room.lit);
+            covered += light_tile(d, (uint32_t)number, &tile, blended, &room.lit);
         else
-            average_bytes(d, &tile, room.words);
+            average_bytes(d, &tile, blended, room.words, &covered);
         if (!tile.is_empty) covered += d->paint->count(&tile);
     }
     atomic_fetch_add_explicit(&d->covered, covered, memory_order_relaxed);
@@ -155,6 +214,7 @@ static enum zr_status draw(struct zr_team *team, struct drawing *d, struct zr_fr
     d->frame = frame;
     zr_team_ranges(team, zr_tile_count(frame->width * side, frame->height * side), TILES_A_RANGE, draw_range, d);
     if (zr_is_cancelled(d->cancel)) return ZR_CANCELLED;
+    if (d->pass->tiles.layers && !zr_arena_ok(d->pass->tiles.layers->arena)) return ZR_NO_MEMORY;
     frame->covered_samples = d->covered;
     frame->samples_a_pixel = side * side;
     frame->reaches = NULL;

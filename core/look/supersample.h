@@ -48,6 +48,9 @@ struct zr_averages {
     /* Of samples in rows of ZR_TILE_STRIDE, row by row in one order. */
     void (*light)(const float *const color[3], const uint32_t *owner, uint32_t side, uint32_t pixels,
                   float *const out[4]);
+
+    /* The same where things are blended: of colours times opacity, and opacity. */
+    void (*blended)(const float *const sum[4], uint32_t side, uint32_t pixels, float *const out[4]);
 };
 
 extern const struct zr_averages zr_averages_scalar, zr_averages_sse2, zr_averages_avx2, zr_averages_avx512,

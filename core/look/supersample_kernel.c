@@ -193,4 +193,17 @@ static void light(const float *const color[3], const uint32_t *owner, uint32_t s
     if (side == 8) light_by(color, owner, 8, pixels, out);
 }
 
-const struct zr_averages ZR_KERNEL(zr_averages) = {bytes, light};
+static void blended(const float *const sum[4], uint32_t side, uint32_t pixels, float *const out[4])
+{
+    const float share = 1.0f / (float)(side * side);
+    for (int k = 0; k < 4; k++)
+        for (uint32_t i = 0; i < pixels; i++) {
+            float total = 0.0f;
+            for (uint32_t y = 0; y < side; y++)
+                for (uint32_t x = 0; x < side; x++)
+                    total += sum[k][y * ZR_TILE_STRIDE + i * side + x];
+            out[k][i] = total * share;
+        }
+}
+
+const struct zr_averages ZR_KERNEL(zr_averages) = {bytes, light, blended};

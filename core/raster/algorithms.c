@@ -12,8 +12,9 @@ zr_visibility_fn *zr_visibility_of(enum zr_algorithm algorithm)
     return table[algorithm];
 }
 
-enum zr_status zr_primitives_make(struct zr_arena *arena, const struct zr_geometry *geometry, uint32_t width,
-                                  uint32_t height, const struct zr_cancel *cancel, struct zr_primitives *primitives)
+enum zr_status zr_primitives_make(struct zr_arena *arena, const struct zr_geometry *geometry,
+                                  const struct zr_samples *samples, const struct zr_cancel *cancel,
+                                  struct zr_primitives *primitives)
 {
     const struct zr_draw *draw = &geometry->draws[0];
     uint32_t room = 0, step, visited = 0;
@@ -27,8 +28,9 @@ enum zr_status zr_primitives_make(struct zr_arena *arena, const struct zr_geomet
         if (visited++ % PRIMITIVES_A_CANCEL_CHECK == 0 && zr_is_cancelled(cancel)) return ZR_CANCELLED;
         struct zr_primitive *primitive = &primitives->items[primitives->count];
         draw = zr_draw_next(geometry, draw, first);
-        zr_primitive_make(geometry, draw, first, width, height, primitive);
-        step = primitive->count;
+        step = zr_primitive_count(geometry, draw, first);
+        if (!zr_samples_take(samples, draw)) continue;
+        zr_primitive_make(geometry, draw, first, samples->width, samples->height, primitive);
         if (!zr_primitive_is_empty(primitive)) primitives->count++;
     }
     return ZR_OK;

@@ -19,9 +19,10 @@ struct zr_primitives {
     struct zr_primitive *items; /* in the order of the scene */
 };
 
-/* For those who look at all primitives at once. ZR_OK, ZR_CANCELLED or ZR_NO_MEMORY. */
-enum zr_status zr_primitives_make(struct zr_arena *arena, const struct zr_geometry *geometry, uint32_t width,
-                                  uint32_t height, const struct zr_cancel *cancel, struct zr_primitives *primitives);
+/* For those who look at all primitives at once: those that the samples take. ZR_OK, ZR_CANCELLED or ZR_NO_MEMORY. */
+enum zr_status zr_primitives_make(struct zr_arena *arena, const struct zr_geometry *geometry,
+                                  const struct zr_samples *samples, const struct zr_cancel *cancel,
+                                  struct zr_primitives *primitives);
 
 static inline bool zr_primitive_is_empty(const struct zr_primitive *primitive)
 {

@@ -144,6 +144,10 @@ enum zr_status zr_edgelist(struct zr_arena *arena, const struct zr_geometry *geo
     struct zr_primitive primitive;
     for (uint32_t first = 0; first < geometry->primitive_count; first += primitive.count) {
         of = zr_draw_next(geometry, of, first);
+        if (!zr_samples_take(samples, of)) {
+            primitive.count = zr_primitive_count(geometry, of, first);
+            continue;
+        }
         zr_primitive_make(geometry, of, first, samples->width, samples->height, &primitive);
         if (zr_primitive_is_empty(&primitive)) continue;
         enum zr_status status = draw(arena, geometry, &primitive, cancel, &lists, samples);

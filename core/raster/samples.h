@@ -6,19 +6,31 @@
 #ifndef ZR_SAMPLES_H
 #define ZR_SAMPLES_H
 
+#include "raster/fragments.h"
 #include "raster/primitive.h"
 
 struct zr_samples {
     uint32_t width, height;
     float *depth;    /* window depth */
     uint32_t *owner; /* 1 + number of the primitive, 0 where nothing is seen */
+    enum zr_alpha_mode drawn;       /* primitives of other materials are left out */
+    struct zr_fragments *fragments; /* what is put goes into these lists instead; NULL of opaque ones */
 };
+
+static inline bool zr_samples_take(const struct zr_samples *samples, const struct zr_draw *draw)
+{
+    return draw->material->alpha_mode == samples->drawn;
+}
 
 /* The z-buffer: the hit is seen where it is nearer than what is there. At equal depth the earlier stays. */
 static inline void zr_samples_put(struct zr_samples *samples, int32_t x, int32_t y, struct zr_hit hit)
 {
     size_t i = (size_t)y * samples->width + (size_t)x;
     if (!(hit.depth < samples->depth[i])) return;
+    if (samples->fragments) {
+        zr_fragments_put(samples->fragments, (uint32_t)i, hit.depth, hit.owner);
+        return;
+    }
     samples->depth[i] = hit.depth;
     samples->owner[i] = hit.owner;
 }

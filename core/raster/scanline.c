@@ -242,6 +242,16 @@ static void resolve(struct sweep *sweep, int32_t y, int32_t begin, int32_t end)
         zr_samples_put(sweep->samples, x, y, nearest[x - begin]); /* once a sample */
 }
 
+/* All samples of all polygons, for lists. */
+static void keep_all(struct sweep *sweep, int32_t y, int32_t begin, int32_t end)
+{
+    for (uint32_t i = 0; i < sweep->inside_count && !zr_is_cancelled(sweep->cancel); i++) {
+        zr_primitive_hits(sweep->geometry, &sweep->primitives[sweep->inside[i]], y, begin, end, sweep->hits);
+        for (int32_t x = begin; x < end; x++)
+            zr_samples_put(sweep->samples, x, y, sweep->hits[x - begin]);
+    }
+}
+
 static void sweep_row(struct sweep *sweep, int32_t y)
 {
     int32_t width = (int32_t)sweep->samples->width;
@@ -250,7 +260,11 @@ static void sweep_row(struct sweep *sweep, int32_t y)
             cross(sweep, sweep->passing[i - 1].owner);
         for (end = begin + 1; end < width && sweep->at[end] == 0;)
             end++;
-        if (sweep->inside_count > 0) resolve(sweep, y, begin, end);
+        if (sweep->inside_count == 0) continue;
+        if (sweep->samples->fragments)
+            keep_all(sweep, y, begin, end);
+        else
+            resolve(sweep, y, begin, end);
     }
     while (sweep->inside_count > 0)
         sweep->places[sweep->inside[--sweep->inside_count]] = 0;
@@ -263,7 +277,7 @@ enum zr_status zr_scanline(struct zr_arena *arena, const struct zr_geometry *geo
 {
     struct zr_primitives primitives;
     struct table table;
-    enum zr_status status = zr_primitives_make(arena, geometry, samples->width, samples->height, cancel, &primitives);
+    enum zr_status status = zr_primitives_make(arena, geometry, samples, cancel, &primitives);
     if (status != ZR_OK) return status;
     if (!make_table(arena, &primitives, (int32_t)samples->height, &table)) return ZR_NO_MEMORY;
     struct sweep sweep = {.geometry = geometry, .primitives = primitives.items, .cancel = cancel, .samples = samples};

@@ -5,6 +5,7 @@
 void zr_tile_place(struct zr_tile *tile, uint32_t number, uint32_t width, uint32_t height)
 {
     uint32_t columns = zr_tile_across(width);
+    tile->fragments = NULL;
     tile->x = (int32_t)(number % columns) * ZR_TILE_SIZE;
     tile->y = (int32_t)(number / columns) * ZR_TILE_SIZE;
     tile->width = (int32_t)width - tile->x < ZR_TILE_SIZE ? (int32_t)width - tile->x : ZR_TILE_SIZE;

@@ -11,6 +11,7 @@
 #include <stdint.h>
 
 #include "raster/depth.h"
+#include "raster/fragments.h"
 #include "scene/scene.h"
 
 /* A row has room behind it, so that vectors may look beyond its end, and so that rows do not fall on
@@ -32,6 +33,7 @@ struct zr_tile {
     int32_t x, y;          /* lowest pixel */
     int32_t width, height; /* smaller at the window's upper and right border */
     bool is_empty;         /* nothing is drawn, and nothing below is defined */
+    struct zr_fragments *fragments; /* what is put goes into these lists instead, where it is in front; else NULL */
     float far;             /* no sample is deeper */
     /* [row of blocks * ZR_BLOCK_COLUMNS + column]: no sample of the block is deeper. 0 where the window ends before it.
      */
@@ -98,7 +100,11 @@ static inline bool zr_tile_put_at(struct zr_tile *tile, uint32_t i, float depth,
 
 static inline void zr_tile_put(struct zr_tile *tile, int32_t x, int32_t y, float depth, uint32_t owner)
 {
-    zr_tile_put_at(tile, (uint32_t)((y - tile->y) * ZR_TILE_STRIDE + x - tile->x), depth, owner);
+    const uint32_t place = (uint32_t)((y - tile->y) * ZR_TILE_STRIDE + x - tile->x);
+    if (!tile->fragments)
+        zr_tile_put_at(tile, place, depth, owner);
+    else if (depth < tile->depth[place])
+        zr_fragments_put(tile->fragments, place, depth, owner);
 }
 
 /* Whether a box of pixels (min x, min y, max x, max y) has one of the tile's. */

@@ -29,7 +29,9 @@ enum zr_status zr_visible_make(struct zr_arena *arena, struct zr_team *team, con
     visible->draw_small = zr_small_of(zr_team_isa(team));
     enum zr_status status = zr_bins_build(arena, team, geometry, payloads, width, height, cancel, &visible->bins);
     if (status != ZR_OK) return status;
-    return zr_others_build(arena, geometry, width, height, cancel, &visible->others);
+    status = zr_others_build(arena, geometry, false, width, height, cancel, &visible->others);
+    if (status != ZR_OK) return status;
+    return zr_others_build(arena, geometry, true, width, height, cancel, &visible->see_through);
 }
 
 /* ---- large and wide triangles ---- */
@@ -175,6 +177,15 @@ static void draw_other(const struct zr_visible *visible, const struct zr_draw *d
     }
 }
 
+/* As every algorithm has them: triangles, too, are polygons of any shape here. */
+static void list_other(const struct zr_visible *visible, const struct zr_draw *draw, uint32_t number,
+                       struct zr_tile *tile)
+{
+    struct zr_primitive primitive;
+    zr_primitive_make(visible->geometry, draw, number, visible->bins.width, visible->bins.height, &primitive);
+    zr_oddeven_draw(visible->geometry, &primitive, tile);
+}
+
 static uint32_t parts_of(const struct zr_geometry *geometry, const struct zr_draw *draw, uint32_t number)
 {
     if (draw->kind != ZR_DRAW_SHAPES) return 1;
@@ -182,13 +193,14 @@ static uint32_t parts_of(const struct zr_geometry *geometry, const struct zr_dra
     return shape->edge_count + shape->triangle_count;
 }
 
-static bool draw_list(const struct zr_visible *visible, const uint32_t *others, size_t count, bool may_miss,
-                      const struct zr_cancel *cancel, struct zr_tile *tile)
+static bool draw_list(const struct zr_visible *visible, enum zr_alpha_mode mode, const uint32_t *others, size_t count,
+                      bool may_miss, const struct zr_cancel *cancel, struct zr_tile *tile)
 {
     const struct zr_draw *draw = &visible->geometry->draws[0];
     uint64_t parts = PARTS_A_CANCEL_CHECK;
     for (size_t i = 0; i < count; i++) {
         draw = zr_draw_next(visible->geometry, draw, others[i]);
+        if (draw->material->alpha_mode != mode) continue;
         if (parts >= PARTS_A_CANCEL_CHECK) {
             if (zr_is_cancelled(cancel)) return false;
             parts = 0;
@@ -196,27 +208,45 @@ static bool draw_list(const struct zr_visible *visible, const uint32_t *others, 
         int32_t box[4];
         parts += parts_of(visible->geometry, draw, others[i]);
         if (may_miss) zr_primitive_box(visible->geometry, draw, others[i], box);
-        if (!may_miss || zr_tile_touches(tile, box)) draw_other(visible, draw, others[i], tile);
+        if (may_miss && !zr_tile_touches(tile, box)) continue;
+        if (mode == ZR_ALPHA_OPAQUE)
+            draw_other(visible, draw, others[i], tile);
+        else
+            list_other(visible, draw, others[i], tile);
     }
     return true;
 }
 
-static bool draw_others(const struct zr_visible *visible, uint32_t number, const struct zr_cancel *cancel,
-                        struct zr_tile *tile)
+static bool draw_others(const struct zr_visible *visible, const struct zr_others *others, enum zr_alpha_mode mode,
+                        uint32_t number, const struct zr_cancel *cancel, struct zr_tile *tile)
 {
-    const struct zr_others *others = &visible->others;
     if (others->count == 0) return true;
     size_t begin = others->offsets[number], end = others->offsets[number + 1];
-    return draw_list(visible, others->entries + begin, end - begin, false, cancel, tile) &&
-           draw_list(visible, others->large, others->large_count, true, cancel, tile);
+    return draw_list(visible, mode, others->entries + begin, end - begin, false, cancel, tile) &&
+           draw_list(visible, mode, others->large, others->large_count, true, cancel, tile);
+}
+
+static bool any_listed(const struct zr_others *others, uint32_t number)
+{
+    return others->count > 0 && (others->large_count > 0 || others->offsets[number] < others->offsets[number + 1]);
+}
+
+bool zr_visibility_has_fragments(const struct zr_visible *visible, uint32_t number)
+{
+    return any_listed(&visible->see_through, number);
+}
+
+bool zr_visibility_fragments(const struct zr_visible *visible, uint32_t number, enum zr_alpha_mode mode,
+                             const struct zr_cancel *cancel, struct zr_tile *tile)
+{
+    return draw_others(visible, &visible->see_through, mode, number, cancel, tile);
 }
 
 /* ---- a tile ---- */
 
 static bool has_others(const struct zr_visible *visible, uint32_t number)
 {
-    const struct zr_others *others = &visible->others;
-    return others->count > 0 && (others->large_count > 0 || others->offsets[number] < others->offsets[number + 1]);
+    return any_listed(&visible->others, number);
 }
 
 /* Besides large and wide triangles. */
@@ -269,7 +299,7 @@ bool zr_visibility_tile(const struct zr_visible *visible, uint32_t number, const
     if (tile->has_words) memset(tile->words, 0, sizeof tile->words);
     if (!draw_small_ones(visible, number, cancel, tile)) return false;
     draw_tiny_ones(visible, number, tile);
-    return draw_others(visible, number, cancel, tile);
+    return draw_others(visible, &visible->others, ZR_ALPHA_OPAQUE, number, cancel, tile);
 }
 
 /* ---- the whole window ---- */
@@ -290,8 +320,10 @@ enum zr_status zr_visibility_window(struct zr_arena *arena, const struct zr_geom
                                     struct zr_samples *samples)
 {
     size_t pixels = (size_t)width * height;
-    *samples = (struct zr_samples){width, height, zr_arena_alloc(arena, pixels, sizeof *samples->depth),
-                                   zr_arena_alloc(arena, pixels, sizeof *samples->owner)};
+    *samples = (struct zr_samples){.width = width,
+                                   .height = height,
+                                   .depth = zr_arena_alloc(arena, pixels, sizeof *samples->depth),
+                                   .owner = zr_arena_alloc(arena, pixels, sizeof *samples->owner)};
     struct zr_tile *tile = zr_arena_alloc(arena, 1, sizeof *tile);
     if (!zr_arena_ok(arena)) return ZR_NO_MEMORY;
     for (uint32_t number = 0; number < zr_tile_count(width, height); number++) {
@@ -301,6 +333,24 @@ enum zr_status zr_visibility_window(struct zr_arena *arena, const struct zr_geom
         begin_rows(samples, tile);
     }
     return visibility(arena, geometry, cancel, samples);
+}
+
+enum zr_status zr_visibility_window_fragments(struct zr_arena *arena, const struct zr_geometry *geometry,
+                                              zr_visibility_fn *visibility, enum zr_alpha_mode mode,
+                                              const struct zr_cancel *cancel, struct zr_samples *samples,
+                                              struct zr_fragments *fragments)
+{
+    enum zr_status status = ZR_OK;
+    samples->drawn = mode;
+    samples->fragments = fragments;
+    if (!zr_fragments_begin(arena, NULL, samples->width * samples->height, fragments)) return ZR_NO_MEMORY;
+    status = visibility(arena, geometry, cancel, samples);
+    if (status != ZR_OK) return status;
+    if (!zr_fragments_fill_in(arena, NULL, fragments)) return ZR_NO_MEMORY;
+    status = visibility(arena, geometry, cancel, samples);
+    zr_fragments_sort(fragments);
+    samples->fragments = NULL;
+    return status;
 }
 
 void zr_visibility_load(const struct zr_samples *samples, uint32_t number, struct zr_tile *tile)

@@ -21,7 +21,7 @@ struct zr_visible {
     const struct zr_halfspace *halfspace;
     zr_small_fn *draw_small;
     struct zr_bins bins;
-    struct zr_others others;
+    struct zr_others others, see_through;
 };
 
 /* Sorts the geometry into tiles. payloads: one a draw; NULL: none. What became of draws that are not `counted` is then
@@ -36,8 +36,16 @@ enum zr_status zr_visible_make(struct zr_arena *arena, struct zr_team *team, con
 bool zr_visibility_tile(const struct zr_visible *visible, uint32_t number, const struct zr_base *base,
                         const struct zr_cancel *cancel, struct zr_tile *tile);
 
-/* Draws all primitives into samples that have been cleared: no owner, and the depth below which
- * something is seen. One thread. ZR_OK, ZR_CANCELLED or ZR_NO_MEMORY; the painter's could also find its own proof
+/* Whether any see-through primitive is listed for tile `number`. */
+bool zr_visibility_has_fragments(const struct zr_visible *visible, uint32_t number);
+
+/* Puts what primitives of such materials cover of the tile, in front of what is seen there, into its lists
+ * (zr_tile.fragments); all of the tile is written. False where it was cancelled. */
+bool zr_visibility_fragments(const struct zr_visible *visible, uint32_t number, enum zr_alpha_mode mode,
+                             const struct zr_cancel *cancel, struct zr_tile *tile);
+
+/* Draws the primitives that they take into samples that have been cleared: no owner, and the depth below which
+ * something is seen; or into their lists. One thread. ZR_OK, ZR_CANCELLED or ZR_NO_MEMORY; the painter's could also find its own proof
  * wrong, ZR_INTERNAL. All of the geometry's draws are `counted`. */
 typedef enum zr_status zr_visibility_fn(struct zr_arena *arena, const struct zr_geometry *geometry,
                                         const struct zr_cancel *cancel, struct zr_samples *samples);
@@ -45,11 +53,18 @@ typedef enum zr_status zr_visibility_fn(struct zr_arena *arena, const struct zr_
 /* NULL for ZR_ALGORITHM_HALFSPACE, which works in tiles. */
 zr_visibility_fn *zr_visibility_of(enum zr_algorithm algorithm);
 
-/* Makes samples for the whole window, begins them as tiles begin, draws into them, and leaves them in the arena. */
+/* Makes samples for the whole window, begins them as tiles begin, draws what is opaque into them, and leaves them in
+ * the arena. */
 enum zr_status zr_visibility_window(struct zr_arena *arena, const struct zr_geometry *geometry,
                                     zr_visibility_fn *visibility, uint32_t width, uint32_t height,
                                     const struct zr_base *base, const struct zr_cancel *cancel,
                                     struct zr_samples *samples);
+
+/* Lists of what primitives of such materials cover in front of samples that are decided: one a sample. */
+enum zr_status zr_visibility_window_fragments(struct zr_arena *arena, const struct zr_geometry *geometry,
+                                              zr_visibility_fn *visibility, enum zr_alpha_mode mode,
+                                              const struct zr_cancel *cancel, struct zr_samples *samples,
+                                              struct zr_fragments *fragments);
 
 /* Tile `number` of a window whose samples are decided: all of them are written. */
 void zr_visibility_load(const struct zr_samples *samples, uint32_t number, struct zr_tile *tile);

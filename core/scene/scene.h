@@ -35,8 +35,18 @@ enum zr_outline {
     ZR_OUTLINE_COLORED /* all in outline_color */
 };
 
+/* What a surface's opacity is for, as in glTF. */
+enum zr_alpha_mode {
+    ZR_ALPHA_OPAQUE, /* nothing */
+    ZR_ALPHA_MASK,   /* where it is below the cutoff, nothing is there; else the surface is opaque */
+    ZR_ALPHA_BLEND,  /* what is behind shows through */
+    ZR_ALPHA_COUNT
+};
+
 struct zr_material {
     zr_vec4 base_color; /* multiplies the colours of faces and vertices */
+    enum zr_alpha_mode alpha_mode;
+    float alpha_cutoff; /* of ZR_ALPHA_MASK */
     zr_vec3 specular;   /* of ZR_SHADING_PHONG */
     float shininess;
     float metallic, roughness; /* of ZR_SHADING_PBR, 0..1 */
@@ -265,6 +275,13 @@ static inline const struct zr_material *zr_material_of_face(const struct zr_scen
                                                             uint32_t face)
 {
     return &scene->materials[mesh->face_materials ? mesh->face_materials[face] : mesh->material];
+}
+
+static inline bool zr_any_is_see_through(const struct zr_material *materials, uint32_t count)
+{
+    for (uint32_t i = 0; i < count; i++)
+        if (materials[i].alpha_mode != ZR_ALPHA_OPAQUE) return true;
+    return false;
 }
 
 /* True where one of the outputs shows the channel. */

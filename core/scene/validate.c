@@ -63,11 +63,23 @@ static void check_base(const struct zr_scene *scene, struct zr_error *error)
         zr_error_add(error, ZR_BAD_SCENE, "/base/faceId", "missing: the outputs faceId and info need it");
 }
 
+static void check_see_through(const struct zr_scene *scene, struct zr_error *error)
+{
+    if (!zr_any_is_see_through(scene->materials, scene->material_count)) return;
+    if (scene->base)
+        zr_error_add(error, ZR_BAD_SCENE, "/base",
+                     "nothing with the alphaMode MASK or BLEND is drawn into a base: leave out one of them");
+    if (scene->algorithm == ZR_ALGORITHM_PAINTER)
+        zr_error_add(error, ZR_BAD_SCENE, "/algorithm",
+                     "painter keeps no fragments, which the alphaMode MASK or BLEND needs; the other algorithms do");
+}
+
 enum zr_status zr_scene_validate(const struct zr_scene *scene, const struct zr_limits *limits, struct zr_error *error)
 {
     size_t before = error->count;
     check_view(&scene->views[0], limits, error);
     check_geometry(scene, error);
     check_base(scene, error);
+    check_see_through(scene, error);
     return error->count > before ? ZR_BAD_SCENE : ZR_OK;
 }

@@ -21,6 +21,9 @@
  * its depth, too. */
 enum { ZR_VALUES_FEW = 3, ZR_VALUES_LATE = 9, ZR_VALUES_MOST = 10 };
 
+/* Of colours as floats: of 1/w, all of these, and of the opacity. */
+enum { ZR_OPACITY_PLANE = 1 + ZR_VALUES_MOST, ZR_FLOAT_PLANES };
+
 /* Where a tile lies in a channel, whose values have four bytes each. */
 struct zr_pixel_rows {
     uint32_t *first;  /* of its lowest row */
@@ -45,6 +48,15 @@ struct zr_paint {
      * beyond its width may be written, and 7 rows beyond its height. */
     void (*samples)(const struct zr_geometry *geometry, const struct zr_surfaces *surfaces, const struct zr_tile *tile,
                     const struct zr_gbuffer *to);
+
+    /* Red, green, blue and opacity of the samples of a tile, 0..1, in rows of ZR_TILE_STRIDE; where nobody is seen,
+     * anything. All of its blocks are written. */
+    void (*floats)(const struct zr_geometry *geometry, const struct zr_surfaces *surfaces, const struct zr_tile *tile,
+                   float *const out[4]);
+
+    /* Where the tile has an owner, front over what is there, in rows of ZR_TILE_STRIDE. Both have an opacity, and
+     * `to` has its colours times that. Exact: each product and sum is rounded, as GL's blending into floats does. */
+    void (*blend)(const struct zr_tile *tile, const float *const front[4], float *const to[4]);
 
     /* The depths of a tile. Where some are not written, none of its blocks is cut. */
     void (*depths)(const struct zr_tile *tile, const struct zr_pixel_rows *out);
@@ -85,6 +97,10 @@ enum zr_status zr_paint_prepare(struct zr_arena *arena, struct zr_team *team, co
  * as bytes, and in planes that are the same all over, not over w. */
 bool zr_line_color(const struct zr_geometry *geometry, const struct zr_surface *surface, uint32_t number,
                    struct zr_plane planes[1 + ZR_VALUES_MOST], uint32_t *color);
+
+/* The same planes, and that of its opacity behind them, whatever else is known of the line. */
+bool zr_line_floats(const struct zr_geometry *geometry, const struct zr_surface *surface, uint32_t number,
+                    struct zr_plane planes[ZR_FLOAT_PLANES]);
 
 /* Of a line, for a G-buffer: planes of 1/w, and over that of its colour, of a normal that is 0, and of its point. */
 void zr_line_sample(const struct zr_geometry *geometry, const struct zr_surface *surface, uint32_t number,

@@ -1,6 +1,7 @@
 #include "shade/paint.h"
 
 #include "shade/channels/color_simd.h"
+#include "shade/channels/floats_simd.h"
 #include "shade/channels/gbuffer_simd.h"
 #include "shade/channels_simd.h"
 
@@ -46,6 +47,37 @@ static void shade(const struct zr_geometry *geometry, const struct zr_surfaces *
     shade_parts(&s, tile, to, colors, others && together);
     if (!together) shade_parts(&s, tile, to, false, others);
     zr_shade_channels_of_words(&s, tile, to);
+}
+
+/* ---- floats ---- */
+
+static void floats(const struct zr_geometry *geometry, const struct zr_surfaces *surfaces, const struct zr_tile *tile,
+                   float *const out[4])
+{
+    struct zr_shader s;
+    const int all = (tile->height + ZR_BLOCK_HEIGHT - 1) / ZR_BLOCK_HEIGHT * ZR_BLOCK_COLUMNS;
+    s.geometry = geometry;
+    s.surfaces = surfaces;
+    s.draw = &geometry->draws[0];
+    s.model = zr_model_context_of(&surfaces->lighting, surfaces->eye, &surfaces->fog);
+    for (int begin = 0, end; begin < all; begin = end) {
+        end = find_parts(&s, tile, begin, false);
+        zr_float_blocks(&s, tile, begin, end, out);
+    }
+}
+
+static void blend(const struct zr_tile *tile, const float *const front[4], float *const to[4])
+{
+    const zr_vf one = zr_vf_set(1.0f);
+    for (int32_t i = 0; i < tile->height * ZR_TILE_STRIDE; i += ZR_LANES) {
+        const zr_vm here = zr_vi_lt(zr_vi_set(0), zr_vi_load(tile->owner + i));
+        if (!zr_vm_any(here)) continue;
+        const zr_vf opacity = zr_vf_load(front[3] + i), rest = one - opacity;
+        for (int k = 0; k < 4; k++) {
+            const zr_vf source = k < 3 ? zr_vf_load(front[k] + i) * opacity : opacity, old = zr_vf_load(to[k] + i);
+            zr_vf_store(to[k] + i, zr_vf_select(here, source + old * rest, old));
+        }
+    }
 }
 
 /* ---- G-buffers ---- */
@@ -175,4 +207,4 @@ static void depths(const struct zr_tile *tile, const struct zr_pixel_rows *out)
     }
 }
 
-const struct zr_paint ZR_KERNEL(zr_paint) = {shade, samples, depths, count, ends, fill, copy};
+const struct zr_paint ZR_KERNEL(zr_paint) = {shade, samples, floats, blend, depths, count, ends, fill, copy};

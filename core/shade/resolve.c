@@ -76,7 +76,7 @@ static struct zr_pixel_rows rows_in(const struct zr_frame *frame, const struct z
                                   .streamed = is_streamed(frame, tile)};
 }
 
-static struct zr_pixel_rows rows_of(const struct zr_frame *frame, const struct zr_tile *tile, enum zr_channel channel)
+struct zr_pixel_rows zr_resolve_rows(const struct zr_frame *frame, const struct zr_tile *tile, enum zr_channel channel)
 {
     return rows_in(frame, tile, frame->channels[channel], zr_channel_rows[channel].words);
 }
@@ -87,7 +87,7 @@ static void fill_all(const struct zr_paint *paint, const struct zr_frame *frame,
 {
     for (int c = 0; c < ZR_CHANNEL_COUNT; c++) {
         const struct zr_channel_row *row = &zr_channel_rows[c];
-        const struct zr_pixel_rows rows = rows_of(frame, tile, (enum zr_channel)c);
+        const struct zr_pixel_rows rows = zr_resolve_rows(frame, tile, (enum zr_channel)c);
         const uint32_t nothing = c == ZR_CHANNEL_COLOR ? background : row->nothing;
         if (rows.first) paint->fill(&rows, tile->width * (int32_t)row->words, tile->height, nothing);
     }
@@ -97,7 +97,7 @@ static float resolve_depth(const struct zr_geometry *geometry, enum zr_isa isa, 
                            const struct zr_frame *frame)
 {
     const struct zr_paint *paint = zr_paint_of(isa);
-    const struct zr_pixel_rows rows = rows_of(frame, tile, ZR_CHANNEL_DEPTH);
+    const struct zr_pixel_rows rows = zr_resolve_rows(frame, tile, ZR_CHANNEL_DEPTH);
     const float deepest =
         zr_depths_tile(geometry, zr_eye_depths_of(isa), paint->ends, frame->width, frame->height, tile);
     paint->copy(&rows, tile->width, tile->height, tile->depth);
@@ -121,7 +121,7 @@ static void shade(const struct zr_geometry *geometry, const struct zr_surfaces *
     const struct zr_base *base = frame->base;
     struct zr_shaded to = {.nothing = nothing};
     for (int c = 0; c < ZR_CHANNEL_COUNT; c++)
-        to.channels[c] = rows_of(frame, tile, (enum zr_channel)c);
+        to.channels[c] = zr_resolve_rows(frame, tile, (enum zr_channel)c);
     if (base) to.behind = rows_in(frame, tile, (void *)(uintptr_t)base->color, 1);
     normals_to_space(&frame->camera.world_to_eye, zr_view_space(&scene->views[0], ZR_CHANNEL_NORMALS),
                      to.normals_to_space);
@@ -149,7 +149,7 @@ struct zr_resolved zr_resolve_tile(const struct zr_geometry *geometry, const str
     /* Depths come last: they are streamed, and what is looked up right behind them waits (fills take 7 % longer). */
     shade(geometry, surfaces, paint, scene, nothing, tile, frame);
     if (frame->window_depth) {
-        const struct zr_pixel_rows rows = rows_of(frame, tile, ZR_CHANNEL_WINDOW_DEPTH);
+        const struct zr_pixel_rows rows = zr_resolve_rows(frame, tile, ZR_CHANNEL_WINDOW_DEPTH);
         paint->depths(tile, &rows);
     }
     const bool points = zr_surface_points_are_wanted(frame);

@@ -9,6 +9,7 @@
 #include "base/isa.h"
 #include "raster/tile.h"
 #include "shade/frame.h"
+#include "shade/paint.h"
 #include "shade/surfaces.h"
 
 /* What a tile adds to what is known of all of the frame. */
@@ -22,5 +23,8 @@ struct zr_resolved {
 struct zr_resolved zr_resolve_tile(const struct zr_geometry *geometry, const struct zr_surfaces *surfaces,
                                    enum zr_isa isa, const struct zr_scene *scene, struct zr_tile *tile,
                                    const struct zr_frame *frame);
+
+/* Where the tile lies in a channel; `first` is NULL where the frame has it not. */
+struct zr_pixel_rows zr_resolve_rows(const struct zr_frame *frame, const struct zr_tile *tile, enum zr_channel channel);
 
 #endif

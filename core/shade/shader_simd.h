@@ -35,7 +35,7 @@ struct zr_shader {
     bool any_late;
     struct zr_model_context model;
     /* Some for each part, one part after the other: of 1/w, and of each of its values. */
-    float planes[ZR_PARTS_ROOM * (1 + ZR_VALUES_MOST)][4]; /* a0, dadx, dady */
+    float planes[ZR_PARTS_ROOM * ZR_FLOAT_PLANES][4]; /* a0, dadx, dady */
 };
 
 static inline const struct zr_surface *zr_surface_of_draw(const struct zr_shader *s, const struct zr_draw *draw)

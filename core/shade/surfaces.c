@@ -17,6 +17,7 @@ struct making {
     struct zr_surfaces *out;
     const struct zr_surface_wants *wants;
     bool colors, backs;             /* are wanted; backs: in colours of their own */
+    bool any_see_through;           /* which needs colours as floats */
     const zr_vec4 *points;          /* one a window vertex; NULL: not wanted */
     const zr_vec4 **vertex_normals; /* of each mesh's vertices, or NULL: not needed so far */
 
@@ -119,7 +120,8 @@ static bool find_mesh_colors(struct making *m)
     m->has_colors = true;
     if (ZR_FAST(given_colors, zr_colors_are_given(m->scene, m->mesh, &m->mesh_colors))) return copy_given(m);
     return ZR_FAST(packed_colors,
-                   !m->out->fog.is_on && !m->wants->samples && zr_colors_can_be_packed(m->scene, m->mesh))
+                   !m->out->fog.is_on && !m->wants->samples && !m->any_see_through &&
+                       zr_colors_can_be_packed(m->scene, m->mesh))
                ? make_packed(m)
                : make_floats(m);
 }
@@ -257,6 +259,19 @@ static void look_at_scene(struct making *m)
     }
 }
 
+/* Which samples masked surfaces have is told by their colours, whatever is wanted. */
+static struct zr_surface_wants with_masks(const struct zr_scene *scene, const struct zr_surface_wants *wants,
+                                          bool *any_see_through)
+{
+    struct zr_surface_wants out = *wants;
+    for (uint32_t i = 0; i < scene->material_count; i++) {
+        const enum zr_alpha_mode mode = scene->materials[i].alpha_mode;
+        *any_see_through |= mode != ZR_ALPHA_OPAQUE;
+        out.colors |= mode == ZR_ALPHA_MASK && !wants->samples;
+    }
+    return out;
+}
+
 enum zr_status zr_surfaces_make(struct zr_arena *arena, struct zr_team *team, const struct zr_scene *scene,
                                 const struct zr_camera *camera, const struct zr_geometry *geometry,
                                 const struct zr_surface_wants *wants, const struct zr_cancel *cancel,
@@ -268,9 +283,10 @@ enum zr_status zr_surfaces_make(struct zr_arena *arena, struct zr_team *team, co
                        .scene = scene,
                        .geometry = geometry,
                        .out = surfaces,
-                       .wants = wants,
-                       .colors = wants->colors || wants->samples,
                        .vertex_normals = zr_arena_zero(arena, scene->mesh_count, sizeof *m.vertex_normals)};
+    const struct zr_surface_wants all = with_masks(scene, wants, &m.any_see_through);
+    m.wants = &all;
+    m.colors = all.colors || all.samples;
     *surfaces = (struct zr_surfaces){.eye = zr_camera_eye(camera)};
     surfaces->of_draw = zr_arena_zero(arena, (size_t)geometry->draw_count + 1, sizeof *surfaces->of_draw);
     zr_lighting_make(arena, scene, &camera->world_to_eye, &surfaces->lighting);

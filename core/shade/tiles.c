@@ -3,6 +3,7 @@
 #include <stdatomic.h>
 #include <string.h>
 
+#include "shade/layers.h"
 #include "shade/resolve.h"
 
 /* Each claim waits for all that was stored before to be written; of single tiles there are too many at the end (3 % of
@@ -36,22 +37,38 @@ static void raise_to(atomic_uint *most, float value)
 bool zr_tiles_see(const struct zr_tiles *tiles, uint32_t number, const struct zr_base *base,
                   const struct zr_cancel *cancel, struct zr_tile *tile)
 {
-    if (!tiles->samples) return zr_visibility_tile(tiles->visible, number, base, cancel, tile);
-    zr_visibility_load(tiles->samples, number, tile);
+    if (tiles->samples)
+        zr_visibility_load(tiles->samples, number, tile);
+    else if (!zr_visibility_tile(tiles->visible, number, base, cancel, tile))
+        return false;
+    return zr_layers_mask(tiles, number, cancel, tile);
+}
+
+/* False where it was cancelled, or there was no memory. */
+static bool draw_tile(const struct drawing *d, uint32_t number, struct zr_tile *tile, struct zr_resolved *resolved)
+{
+    const struct zr_tiles *from = d->tiles;
+    const struct zr_frame *frame = d->frame;
+    struct zr_layers *blended;
+    if (!zr_tiles_see(from, number, frame->base, d->cancel, tile) ||
+        !zr_layers_blend(from, number, d->cancel, tile, &blended))
+        return false;
+    *resolved = zr_resolve_tile(from->geometry, from->surfaces, d->isa, from->scene, tile, frame);
+    if (!blended) return true;
+    const struct zr_pixel_rows colors = zr_resolve_rows(frame, tile, ZR_CHANNEL_COLOR);
+    resolved->covered += zr_layers_put(from, blended, tile, &colors);
     return true;
 }
 
 static void draw_range(void *context, size_t begin, size_t end)
 {
     struct drawing *d = context;
-    const struct zr_tiles *from = d->tiles;
     struct zr_tile tile;
+    struct zr_resolved resolved;
     uint64_t covered = 0;
     float deepest = 0.0f;
     for (size_t number = begin; number < end; number++) {
-        if (!zr_tiles_see(from, (uint32_t)number, d->frame->base, d->cancel, &tile)) return;
-        const struct zr_resolved resolved =
-            zr_resolve_tile(from->geometry, from->surfaces, d->isa, from->scene, &tile, d->frame);
+        if (!draw_tile(d, (uint32_t)number, &tile, &resolved)) return;
         d->occupied[number] = !tile.is_empty;
         covered += resolved.covered;
         if (resolved.deepest > deepest) deepest = resolved.deepest;
@@ -72,6 +89,7 @@ enum zr_status zr_tiles_draw(struct zr_arena *arena, struct zr_team *team, const
     if (!drawing.occupied) return ZR_NO_MEMORY;
     zr_team_ranges(count > TILES_ALONE ? team : NULL, count, TILES_A_RANGE, draw_range, &drawing);
     if (zr_is_cancelled(cancel)) return ZR_CANCELLED;
+    if (!zr_arena_ok(arena)) return ZR_NO_MEMORY;
     zr_frame_find_reaches(frame, drawing.occupied);
     frame->covered_pixels = drawing.covered;
     const unsigned deepest = drawing.deepest;

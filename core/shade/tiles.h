@@ -8,6 +8,8 @@
 #include "shade/frame.h"
 #include "shade/surfaces.h"
 
+struct zr_layers_pool; /* layers.h */
+
 /* What tiles are made from. */
 struct zr_tiles {
     const struct zr_scene *scene;
@@ -15,9 +17,16 @@ struct zr_tiles {
     const struct zr_surfaces *surfaces;
     const struct zr_visible *visible; /* of production, */
     const struct zr_samples *samples; /* or of the other algorithms, which have decided the whole window; else NULL */
+    enum zr_isa isa;
+
+    /* Of what is see-through. */
+    struct zr_layers_pool *layers;              /* NULL: nothing is */
+    bool any_masked, any_blended;               /* blended: and colours are wanted */
+    const struct zr_fragments *masked, *blended; /* beside samples; NULL: there are none */
 };
 
-/* Tile `number`, ready to be shaded; `base` may be NULL. One thread a tile. False where it was cancelled. */
+/* Tile `number`, ready to be shaded: opaque and masked surfaces; `base` may be NULL. One thread a tile. False where it
+ * was cancelled, or there was no memory. */
 bool zr_tiles_see(const struct zr_tiles *tiles, uint32_t number, const struct zr_base *base,
                   const struct zr_cancel *cancel, struct zr_tile *tile);
 

@@ -1,0 +1,63 @@
+#include "raster/fragments.h"
+
+static void *take(struct zr_arena *arena, pthread_mutex_t *lock, size_t count, size_t size)
+{
+    if (lock) pthread_mutex_lock(lock);
+    void *taken = zr_arena_alloc(arena, count, size);
+    if (lock) pthread_mutex_unlock(lock);
+    return taken;
+}
+
+bool zr_fragments_begin(struct zr_arena *arena, pthread_mutex_t *lock, uint32_t places, struct zr_fragments *fragments)
+{
+    if (!fragments->ends) fragments->ends = take(arena, lock, (size_t)places + 1, sizeof *fragments->ends);
+    if (!fragments->ends) return false;
+    memset(fragments->ends, 0, ((size_t)places + 1) * sizeof *fragments->ends);
+    fragments->places = places;
+    fragments->is_filled_in = false;
+    return true;
+}
+
+/* A tile's lists are the next one's room: it grows by half at least, so that what is outgrown is a constant share. */
+static bool make_room(struct zr_arena *arena, pthread_mutex_t *lock, uint64_t total, struct zr_fragments *fragments)
+{
+    if (fragments->keys && total <= fragments->room) return true;
+    const uint64_t grown = (uint64_t)fragments->room + fragments->room / 2, room = total > grown ? total : grown;
+    fragments->keys = take(arena, lock, room, sizeof *fragments->keys);
+    fragments->room = (uint32_t)room;
+    return fragments->keys != NULL;
+}
+
+bool zr_fragments_fill_in(struct zr_arena *arena, pthread_mutex_t *lock, struct zr_fragments *fragments)
+{
+    uint64_t total = 0;
+    for (uint32_t i = 0; i < fragments->places; i++) {
+        const uint32_t count = fragments->ends[i + 1];
+        fragments->ends[i] = (uint32_t)total; /* where list i goes on: at first, where it begins */
+        total += count;
+    }
+    fragments->is_filled_in = true;
+    return total <= UINT32_MAX / 2 && make_room(arena, lock, total, fragments);
+}
+
+/* Shell's sort: most lists are short, and the longest as long as there are primitives. Gaps: Ciura 2001. */
+static void sort(uint64_t *keys, uint32_t count)
+{
+    static const uint32_t gaps[] = {1398101, 345000, 86961, 21907, 5501, 1750, 701, 301, 132, 57, 23, 10, 4, 1};
+    for (size_t g = 0; g < sizeof gaps / sizeof gaps[0]; g++)
+        for (uint32_t i = gaps[g]; i < count; i++) {
+            const uint64_t key = keys[i];
+            uint32_t to = i;
+            for (; to >= gaps[g] && keys[to - gaps[g]] > key; to -= gaps[g])
+                keys[to] = keys[to - gaps[g]];
+            keys[to] = key;
+        }
+}
+
+void zr_fragments_sort(struct zr_fragments *fragments)
+{
+    memmove(fragments->ends + 1, fragments->ends, fragments->places * sizeof *fragments->ends);
+    fragments->ends[0] = 0;
+    for (uint32_t i = 0; i < fragments->places; i++)
+        sort(fragments->keys + fragments->ends[i], fragments->ends[i + 1] - fragments->ends[i]);
+}
