@@ -41,6 +41,8 @@ struct zr_warning_list zr_warnings_make(struct zr_arena *arena, const struct zr_
     if (misfits > 0)
         zr_warning_list_add(arena, &w, "the depth of %" PRIu64 " pixels does not fit 16 bits at this scale", misfits);
     if (frame->covered_pixels > 0 || frame->covered_samples > 0) return w;
+    /* What is blended is drawn in colours only. */
+    if (!frame->color && zr_any_is_see_through(scene->materials, scene->material_count)) return w;
     bool drawn = counts->drawn_whole + counts->drawn_pieces > 0;
     if (!drawn && counts->culled + counts->culled_pieces > 0)
         zr_warning_list_add(arena, &w, "nothing is seen: what is in view faces away (doubleSided draws both sides)");

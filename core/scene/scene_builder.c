@@ -40,7 +40,8 @@ static bool is_same(const struct zr_material *a, const struct zr_material *b)
            a->uniform_color == b->uniform_color && a->outline == b->outline && a->shininess == b->shininess &&
            a->metallic == b->metallic && a->roughness == b->roughness && zr_vec4_equal(a->base_color, b->base_color) &&
            zr_vec4_equal(a->outline_color, b->outline_color) && is_same_color(a->specular, b->specular) &&
-           is_same_color(a->emissive, b->emissive) && is_same_color(a->cool, b->cool);
+           is_same_color(a->emissive, b->emissive) && is_same_color(a->cool, b->cool) &&
+           a->alpha_mode == b->alpha_mode && a->alpha_cutoff == b->alpha_cutoff;
 }
 
 /* Equal materials have equal ones; most others, others. Source: FNV-1a, by words. */
@@ -50,14 +51,15 @@ static uint32_t hash(const struct zr_material *m)
                              m->shininess,       m->specular.x,      m->specular.y,      m->specular.z,
                              m->outline_color.x, m->outline_color.y, m->outline_color.z, m->outline_color.w,
                              m->metallic,        m->roughness,       m->emissive.x,      m->emissive.y,
-                             m->emissive.z,      m->cool.x,          m->cool.y,          m->cool.z};
+                             m->emissive.z,      m->cool.x,          m->cool.y,          m->cool.z,
+                             m->alpha_cutoff};
     uint32_t value = 2166136261u, word;
     for (size_t i = 0; i < sizeof numbers / sizeof *numbers; i++) {
         const float number = numbers[i] + 0.0f; /* -0 equals 0 */
         memcpy(&word, &number, sizeof word);
         value = (value ^ word ^ word >> 16) * 16777619u;
     }
-    word = (uint32_t)m->shading << 8 | (uint32_t)m->outline << 4 | (uint32_t)m->double_sided << 2 |
+    word = (uint32_t)m->alpha_mode << 16 | (uint32_t)m->shading << 8 | (uint32_t)m->outline << 4 | (uint32_t)m->double_sided << 2 |
            (uint32_t)m->unfilled << 1 | (uint32_t)m->uniform_color;
     return (value ^ word) * 16777619u;
 }

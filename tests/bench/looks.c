@@ -55,8 +55,8 @@ static void make_linear(struct ours *ours)
     scene->picture = studio->picture;
     scene->picture.side = 1;
     scene->picture.occlusion.is_on = scene->picture.has_ground = false;
-    ours->subject.material.shading = ZR_SHADING_PBR;
-    ours->subject.material.roughness = studio->material.roughness;
+    ours->subject.materials[0].shading = ZR_SHADING_PBR;
+    ours->subject.materials[0].roughness = studio->material.roughness;
 }
 
 static void add(struct ours *ours, enum added added)

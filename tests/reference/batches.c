@@ -331,7 +331,7 @@ static bool append_outline(struct batches_builder *b, const struct batches_sourc
 }
 
 /* In the colours of their ends, unlit. */
-static bool append_lines(struct batches_builder *b, const struct batches_source *s)
+static bool append_line_range(struct batches_builder *b, const struct batches_source *s, uint32_t begin, uint32_t end)
 {
     const struct zr_mesh *mesh = s->mesh;
     bool owners = b->options.purpose == BATCHES_OWNERS;
@@ -340,11 +340,11 @@ static bool append_lines(struct batches_builder *b, const struct batches_source 
                                     .instance = (uint32_t)(s->instance - b->scene->instances),
                                     .smooth = mesh->colors && !owners,
                                     .first = b->corner_count,
-                                    .count = 2 * mesh->line_count};
-    if (mesh->line_count == 0) return true;
+                                    .count = 2 * (end - begin)};
+    if (begin == end) return true;
     if (!batches_reserve_corners(b, batch.count)) return false;
-    b->out->triangles += mesh->line_count;
-    for (uint32_t i = 0; i < batch.count; i++) {
+    b->out->triangles += end - begin;
+    for (uint32_t i = 2 * begin; i < 2 * end; i++) {
         zr_vec4 color = b->scene->materials[mesh->material].base_color;
         if (mesh->colors) color = zr_vec4_mul(color, mesh->colors[mesh->lines[i]]);
         if (owners) color = batches_owner_color(b->owner + mesh->face_count + i / 2);
@@ -353,13 +353,38 @@ static bool append_lines(struct batches_builder *b, const struct batches_source 
     return batches_append(b, &batch);
 }
 
+/* ---- what is drawn ---- */
+
+static bool is_drawn(const struct batches_builder *b, const struct batches_source *s, enum batches_kind kind,
+                     uint32_t number, const struct zr_material *material)
+{
+    const struct batches_only *only = b->options.only;
+    if (!only) return true;
+    if (material->alpha_mode != only->mode) return false;
+    return !only->one || (only->instance == (uint32_t)(s->instance - b->scene->instances) && only->kind == kind &&
+                          only->number == number);
+}
+
+static bool append_lines(struct batches_builder *b, const struct batches_source *s)
+{
+    const struct zr_material *material = &b->scene->materials[s->mesh->material];
+    if (!b->options.only || !b->options.only->one) {
+        const bool drawn = is_drawn(b, s, BATCHES_LINE, 0, material);
+        return append_line_range(b, s, 0, drawn ? s->mesh->line_count : 0);
+    }
+    for (uint32_t i = 0; i < s->mesh->line_count; i++)
+        if (is_drawn(b, s, BATCHES_LINE, i, material) && !append_line_range(b, s, i, i + 1)) return false;
+    return true;
+}
+
 /* ---- instances ---- */
 
-static bool for_each_face(struct batches_builder *b, struct batches_source *s,
+static bool for_each_face(struct batches_builder *b, struct batches_source *s, enum batches_kind kind,
                           bool (*work)(struct batches_builder *b, const struct batches_source *s))
 {
     for (s->face = 0; s->face < s->mesh->face_count; s->face++) {
         s->material = zr_material_of_face(b->scene, s->mesh, s->face);
+        if (!is_drawn(b, s, kind, s->face, s->material)) continue;
         if (!find_normals(b, s) || !work(b, s)) return false;
     }
     return true;
@@ -385,7 +410,9 @@ static bool append_instance(struct batches_builder *b, const struct zr_instance 
                                     .normal_rows = placement->normals.rows,
                                     .mirrored = zr_mat4_is_mirror(&instance->object_to_world)};
     if (b->owner + zr_mesh_ids(mesh) > (uint64_t)BATCHES_OWNERS_MAX + 1) return false;
-    if (!for_each_face(b, &source, append_face) || !for_each_face(b, &source, append_outline)) return false;
+    if (!for_each_face(b, &source, BATCHES_FACE, append_face) ||
+        !for_each_face(b, &source, BATCHES_OUTLINE, append_outline))
+        return false;
     if (!append_lines(b, &source)) return false;
     b->owner += (uint32_t)zr_mesh_ids(mesh);
     return true;

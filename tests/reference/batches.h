@@ -22,8 +22,18 @@ enum batches_purpose {
                       * where their normals are those of vertices */
 };
 
+/* What of a scene is drawn. */
+enum batches_kind { BATCHES_FACE, BATCHES_OUTLINE, BATCHES_LINE };
+struct batches_only {
+    enum zr_alpha_mode mode; /* of materials; */
+    bool one;                /* and this part of it alone: */
+    uint32_t instance, number;
+    enum batches_kind kind;
+};
+
 struct batches_options {
     enum batches_purpose purpose;
+    const struct batches_only *only; /* NULL: everything */
     bool transformed;   /* positions brought to clip space here, in double, and GL's matrices left at identity */
     bool all_parity;    /* convex polygons of more than three corners are drawn by the odd-even rule too */
     float more_ambient; /* added to the ambient light, to see a comparison fail */

@@ -39,9 +39,11 @@ bool batches_append(struct batches_builder *b, const struct reference_batch *bat
     return true;
 }
 
-static zr_vec4 opaque(zr_vec4 color)
+/* What is not see-through is opaque, whatever its colour says. */
+static zr_vec4 with_opacity(const struct batches_builder *b, zr_vec4 color)
 {
-    color.w = 1.0f; /* what we draw is, whatever its colour says */
+    const struct batches_only *only = b->options.only;
+    if (!only || only->mode == ZR_ALPHA_OPAQUE) color.w = 1.0f;
     return color;
 }
 
@@ -56,6 +58,6 @@ void batches_append_vertex(struct batches_builder *b, const struct batches_sourc
         position = (zr_vec4){(float)clip[0], (float)clip[1], (float)clip[2], (float)clip[3]};
     }
     b->positions[at] = position;
-    b->front[at] = opaque(color);
+    b->front[at] = with_opacity(b, color);
     b->normals[at] = normal;
 }

@@ -16,7 +16,7 @@ void drawing_start(struct drawing *drawing, uint32_t width, uint32_t height)
     drawing->position_count = drawing->face_count = drawing->corner_count = 0;
     drawing->ring_count = drawing->line_count = 0;
     drawing->outline = ZR_OUTLINE_NONE;
-    drawing->unfilled = drawing->lit = drawing->given_normals = false;
+    drawing->unfilled = drawing->lit = drawing->given_normals = drawing->see_through = false;
     drawing->light_count = 0;
 }
 
@@ -30,6 +30,7 @@ void drawing_free(struct drawing *drawing)
     free(drawing->ring_offsets);
     free(drawing->lines);
     free(drawing->face_colors);
+    free(drawing->face_materials);
     free(drawing->indices);
     memset(drawing, 0, sizeof *drawing);
 }
@@ -69,7 +70,8 @@ static bool have_face_room(struct drawing *drawing)
     if (drawing->face_count < drawing->face_room) return true;
     if (!widen(&drawing->face_offsets, room + 1, sizeof *drawing->face_offsets) ||
         !widen(&drawing->face_rings, room + 1, sizeof *drawing->face_rings) ||
-        !widen(&drawing->face_colors, room, sizeof *drawing->face_colors))
+        !widen(&drawing->face_colors, room, sizeof *drawing->face_colors) ||
+        !widen(&drawing->face_materials, room, sizeof *drawing->face_materials))
         return false;
     drawing->face_room = room;
     return true;
@@ -99,6 +101,7 @@ void drawing_face(struct drawing *drawing, const uint32_t *indices, uint32_t cou
     drawing->face_offsets[drawing->face_count] = drawing->corner_count;
     drawing->face_rings[drawing->face_count] = drawing->ring_count;
     drawing->face_colors[drawing->face_count] = batches_owner_color(drawing->face_count + 1);
+    drawing->face_materials[drawing->face_count] = ZR_ALPHA_OPAQUE;
     drawing->face_count++;
     drawing_hole(drawing, indices, count);
 }

@@ -25,7 +25,7 @@ struct drawing {
     zr_mat4 modelview, projection;
 
     uint32_t position_count, position_room;
-    zr_vec4 *positions, *colors; /* colours 0..1, alpha 1 */
+    zr_vec4 *positions, *colors; /* colours 0..1; alpha is looked at where see_through */
     zr_vec3 *normals;            /* looked at where given_normals */
 
     bool lit, given_normals; /* lit: a vertex or, where colours are not smooth, a face */
@@ -37,6 +37,9 @@ struct drawing {
     uint32_t *face_offsets; /* face_count + 1 */
     uint32_t *face_rings;   /* face_count + 1 */
     zr_vec4 *face_colors;
+    bool see_through;         /* some faces are: then each has */
+    uint32_t *face_materials; /* an enum zr_alpha_mode */
+    float alpha_cutoff;
 
     uint32_t ring_count, ring_room;
     uint32_t *ring_offsets; /* ring_count + 1 */

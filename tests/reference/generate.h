@@ -24,7 +24,7 @@ enum windows {
 struct generator {
     const char *name;
     bool clips; /* must make triangles that get clipped */
-    bool wires; /* outlines or lines: for the exact comparison alone */
+    bool wires; /* outlines, lines or layers: for the exact comparison alone */
     enum windows windows;
     void (*fill)(struct drawing *drawing, struct random *r);
 };
@@ -69,6 +69,10 @@ void fill_matrix_any(struct drawing *drawing, struct random *r);
 
 /* generate_lit.c */
 void fill_lit(struct drawing *drawing, struct random *r);
+
+/* generate_layers.c */
+void fill_blended(struct drawing *drawing, struct random *r);
+void fill_masked(struct drawing *drawing, struct random *r);
 
 /* generate_shapes.c: polygons of any shape, outlines and lines. */
 void fill_shapes(struct drawing *drawing, struct random *r);

@@ -6,6 +6,7 @@
 
 #include "reference/average.h"
 #include "reference/batches.h"
+#include "reference/layers_twin.h"
 #include "reference/look_twin.h"
 #include "reference/report.h"
 #include "reference/subject.h"
@@ -89,6 +90,30 @@ static bool draw_and_read(struct harness *harness, const struct zr_scene *scene,
     return false;
 }
 
+/* With what is see-through; to->depth may be NULL, and `owner`. Our own sums before the last rounding must be the
+ * reference's. */
+static bool draw_layers(struct harness *harness, const struct zr_scene *scene, const struct zr_camera *camera,
+                        const struct batches_options *options, const struct target *to, uint32_t *owner)
+{
+    const struct layers_twin twin = {harness->reference, &harness->arena, scene, camera, *options};
+    const size_t pixels = (size_t)scene->views[0].width * scene->views[0].height;
+    struct layers_picture picture = {.rgba = to->rgba, .gaps = to->gaps, .depth = to->depth, .owner = owner};
+    struct reference_error error = {"out of memory"};
+    if (!picture.depth) picture.depth = zr_arena_alloc(&harness->arena, pixels, sizeof *picture.depth);
+    if (!picture.owner) picture.owner = zr_arena_alloc(&harness->arena, pixels, sizeof *picture.owner);
+    picture.sum = zr_arena_alloc(&harness->arena, pixels, 4 * sizeof *picture.sum);
+    picture.count = zr_arena_alloc(&harness->arena, pixels, sizeof *picture.count);
+    if (!zr_arena_ok(&harness->arena) || !layers_twin_draw(&twin, &picture, &error)) {
+        fprintf(stderr, "reference: layers: %s\n", error.text);
+        return false;
+    }
+    for (size_t i = 0; i < pixels; i++)
+        harness->layers_alone += picture.count[i] > 0 && picture.owner[i] == 0;
+    if (!scene->picture.is_linear)
+        harness->sums_different += layers_twin_compare(&harness->arena, harness->team, scene, camera, &picture);
+    return true;
+}
+
 /* Of several samples a pixel, as bytes. */
 static bool draw_average(struct harness *harness, const struct zr_scene *scene, const struct zr_camera *camera,
                          const struct batches_options *options)
@@ -99,10 +124,15 @@ static bool draw_average(struct harness *harness, const struct zr_scene *scene, 
     const struct target to = {zr_arena_alloc(&harness->arena, samples, 4), zr_arena_alloc(&harness->arena, samples, 1),
                               NULL};
     struct batches batches;
-    if (!to.rgba || !to.gaps || !batches_make(&harness->arena, &large, camera, options, &batches) ||
-        !draw_and_read(harness, &large, &batches, &to))
-        return false;
-    batches_mark_thin(&batches, large.views[0].width, large.views[0].height, to.gaps);
+    if (!to.rgba || !to.gaps) return false;
+    if (layers_twin_is_for(scene)) {
+        if (!draw_layers(harness, &large, camera, options, &to, NULL)) return false;
+    } else {
+        if (!batches_make(&harness->arena, &large, camera, options, &batches) ||
+            !draw_and_read(harness, &large, &batches, &to))
+            return false;
+        batches_mark_thin(&batches, large.views[0].width, large.views[0].height, to.gaps);
+    }
     average_bytes(to.rgba, side, width, height, harness->rgba);
     average_gaps(to.gaps, side, width, height, harness->gaps);
     return true;
@@ -152,6 +182,10 @@ static bool reference_render(struct harness *harness, const struct zr_scene *sce
         fprintf(stderr, "reference: out of memory, or too many faces\n");
         return false;
     }
+    if (layers_twin_is_for(scene))
+        return draw_layers(harness, scene, &camera, &options,
+                           &(struct target){harness->rgba, harness->gaps, harness->depth}, harness->owner) &&
+               draw_colors(harness, scene, &camera, &options);
     if (!draw_and_read(harness, scene, batches, &(struct target){harness->rgba, NULL, NULL})) return false;
     for (size_t i = 0; i < pixels; i++)
         harness->owner[i] = batches_owner_number(harness->rgba + i * 4);
@@ -210,6 +244,7 @@ static enum verdict compare_sides(struct harness *harness, const struct zr_scene
     const struct zr_frame *frame = subject_render(&harness->arena, harness->team, scene);
     if (!frame) return VERDICT_DIFFERENT;
     struct batches batches;
+    harness->layers_alone = harness->sums_different = 0;
     if (!reference_render(harness, scene, frame, &batches)) return VERDICT_UNPROVED;
     out->frame = frame;
     out->want =
@@ -233,11 +268,16 @@ static enum verdict compare_sides(struct harness *harness, const struct zr_scene
     out->missed = compare_pictures(&out->want, &out->got, scene->views[0].width, scene->views[0].height,
                                    harness->options.bar, &nearness, &tally->comparison);
     nearness_free(&nearness);
+    tally->comparison.visible += harness->layers_alone;
+    tally->comparison.color += harness->sums_different;
     if (scene->picture.is_linear && too_many_near(&before, &tally->comparison)) {
         tally->comparison.color += tally->comparison.color_near - before.color_near;
         return VERDICT_DIFFERENT;
     }
-    return out->missed.count ? VERDICT_DIFFERENT : VERDICT_EQUAL;
+    if (harness->sums_different > 0)
+        fprintf(stderr, "%llu pixels of what is blended differ before they are rounded\n",
+                (unsigned long long)harness->sums_different);
+    return out->missed.count || harness->sums_different > 0 ? VERDICT_DIFFERENT : VERDICT_EQUAL;
 }
 
 /* ---- the smallest failing case ---- */

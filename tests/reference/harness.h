@@ -50,6 +50,8 @@ struct harness {
     uint8_t *rgba, *gaps;
     float *depth;
     uint32_t *owner;
+    /* Pixels of the picture at hand: show nothing but layers; have other sums (layers_twin.h). */
+    uint64_t layers_alone, sums_different;
 };
 
 /* What both sides drew; stands until the harness's next picture. */

@@ -16,6 +16,7 @@ const char *look_twin_lacks(const struct zr_scene *scene)
     if (picture->occlusion.is_on) return "occlusion";
     if (picture->has_ground) return "the ground's shadow";
     if (picture->edges.is_on) return "edges";
+    if (zr_any_is_see_through(scene->materials, scene->material_count)) return "what is see-through";
     for (uint32_t i = 0; i < scene->light_count; i++)
         if (scene->lights[i].has_shadows) return "shadows of lamps";
     return NULL;

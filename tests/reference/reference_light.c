@@ -42,7 +42,7 @@ static const char *const source = "#version 120\n#define precise\n"
 static const char *const late_vertex =
     "uniform vec3 normal_rows[3];\n"
     "uniform vec4 to_eye[4], eye;\n" /* columns */
-    "varying float depth;\n"
+    "varying float depth, opacity;\n"
     "varying vec3 own_color, normal, point;\n" GLSL_UNIT "void main()\n"
     "{\n"
     "    vec3 n = unit(gl_Normal);\n"
@@ -53,6 +53,7 @@ static const char *const late_vertex =
     "    precise vec3 way = p.xyz - eye.xyz * p.w;\n"
     "    point = eye.w == 0.0 ? p.xyz : way;\n"
     "    own_color = gl_Color.rgb;\n"
+    "    opacity = gl_Color.a;\n"
     "    depth = abs(p.z);\n"
     "    gl_Position = ftransform();\n"
     "}\n";
@@ -61,7 +62,7 @@ static const char *const late_fragment =
     "uniform vec3 ambient, specular;\n"
     "uniform float shininess;\n"
     "uniform int light_count, side, model, in_fog;\n"
-    "varying float depth;\n"
+    "varying float depth, opacity;\n"
     "uniform vec4 eye;\n"
     "uniform vec3 to_light[1024];\n"
     "uniform vec3 light_color[1024];\n"
@@ -88,7 +89,7 @@ static const char *const late_fragment =
     "    precise float slope = -1.0 / (gl_Fog.end - gl_Fog.start);\n"
     "    precise float own = clamp(depth * slope + gl_Fog.end * -slope, 0.0, 1.0);\n"
     "    precise vec3 fogged = gl_Fog.color.rgb * (1.0 - own) + clamp(sum, 0.0, 1.0) * own;\n"
-    "    gl_FragColor = vec4(in_fog == 1 ? fogged : sum, 1.0);\n"
+    "    gl_FragColor = vec4(in_fog == 1 ? fogged : sum, opacity);\n"
     "}\n";
 
 static bool make_lighter(struct reference_lighter *lighter, const char *vertex, const char *fragment,

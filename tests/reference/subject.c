@@ -14,13 +14,18 @@ void subject_make(struct subject *subject, const struct drawing *drawing)
     /* Unlit but for those that are to be lit, so that colours reach the pixels as they are, and double sided: with
      * culling on, Mesa's answer depends on its batches (RULES.md, rule 11). */
     const enum zr_shading lit = drawing->smooth ? ZR_SHADING_GOURAUD : ZR_SHADING_FLAT;
-    subject->material = (struct zr_material){.base_color = {1, 1, 1, 1},
+    subject->materials[0] = (struct zr_material){.base_color = {1, 1, 1, 1},
                                              .shading = drawing->lit ? lit : ZR_SHADING_UNLIT,
                                              .double_sided = true,
                                              .uniform_color = drawing->first_corner,
                                              .unfilled = drawing->unfilled,
                                              .outline = drawing->outline,
                                              .outline_color = {0.25f, 0.5f, 0.125f, 1}};
+    for (int mode = 0; mode < ZR_ALPHA_COUNT; mode++) {
+        subject->materials[mode] = subject->materials[0];
+        subject->materials[mode].alpha_mode = (enum zr_alpha_mode)mode;
+        subject->materials[mode].alpha_cutoff = drawing->alpha_cutoff;
+    }
     bool per_vertex = drawing->smooth || drawing->first_corner;
     bool holes = drawing->ring_count > drawing->face_count;
     subject->mesh = (struct zr_mesh){.name = "",
@@ -36,7 +41,8 @@ void subject_make(struct subject *subject, const struct drawing *drawing)
                                      .normal_count = drawing->given_normals ? drawing->position_count : 0,
                                      .normals = drawing->given_normals ? drawing->normals : NULL,
                                      .colors = per_vertex ? drawing->colors : NULL,
-                                     .face_colors = per_vertex ? NULL : drawing->face_colors};
+                                     .face_colors = per_vertex ? NULL : drawing->face_colors,
+                                     .face_materials = drawing->see_through ? drawing->face_materials : NULL};
     subject->instance = (struct zr_instance){.mesh = 0, .object_to_world = zr_mat4_identity()};
     subject->scene = (struct zr_scene){.look = zr_look_textbook,
                                        .background = {0, 0, 0, 1},
@@ -44,8 +50,8 @@ void subject_make(struct subject *subject, const struct drawing *drawing)
                                        .ambient = drawing->ambient,
                                        .light_count = drawing->light_count,
                                        .lights = drawing->lights,
-                                       .material_count = 1,
-                                       .materials = &subject->material,
+                                       .material_count = drawing->see_through ? ZR_ALPHA_COUNT : 1,
+                                       .materials = subject->materials,
                                        .mesh_count = 1,
                                        .meshes = &subject->mesh,
                                        .instance_count = 1,

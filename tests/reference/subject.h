@@ -11,7 +11,7 @@
  * Points into itself and into the drawing: do not copy. */
 struct subject {
     struct zr_scene scene;
-    struct zr_material material;
+    struct zr_material materials[ZR_ALPHA_COUNT]; /* by alphaMode */
     struct zr_mesh mesh;
     struct zr_instance instance;
 };
