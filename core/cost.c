@@ -106,7 +106,8 @@ static struct zr_cost_covered covered_by(const struct zr_view *view, uint32_t si
     const double pixels = pixels_of(view);
     return (struct zr_cost_covered){.centres = fmin(centres->covered, pixels),
                                     .samples = fmin(samples->covered, pixels * (double)side * (double)side),
-                                    .samples_a_face = samples->covered / fmax(samples->faces, 1.0)};
+                                    .samples_a_face = samples->covered / fmax(samples->faces, 1.0),
+                                    .layered = samples->layered};
 }
 
 struct zr_cost zr_scene_cost(const struct zr_scene *scene, const struct zr_resolved_view *resolved,
@@ -134,6 +135,6 @@ struct zr_cost zr_scene_cost(const struct zr_scene *scene, const struct zr_resol
     cost.fragments += (of_map > 0.0 ? passes.map_texels * centres.surface / of_map : 0.0) +
                       covered.centres * work_of_channels(view) + covered.samples * work_of_colors(scene);
     cost.samples = zr_cost_of_light(scene, &passes, &covered);
-    cost.window_bytes = zr_cost_window_bytes(scene, &passes);
+    cost.window_bytes = zr_cost_window_bytes(scene, &passes, &covered);
     return cost;
 }

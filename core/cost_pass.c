@@ -18,6 +18,8 @@ static const double SHAPE_OVERLAP_F = 0.2;     /* a sample looked up in one of a
 static const double SHAPE_VISIT_T = 1.0 / 8.0; /* an edge or a triangle of a shape, met by a tile */
 static const double WIDE_VISIT_T = 1.0 / 8.0;  /* a triangle of some tiles, in one of them */
 static const double LARGE_TRY_T = 1.0 / 16.0;  /* one of more tiles, in each of the window: is it there? */
+static const double LAYER_T = 10.0;            /* a see-through triangle: placed by itself, listed, met twice */
+static const double LAYER_F = 40.0;            /* one of its pixels: kept, sorted, shaded and blended */
 enum { TILES_OF_SMALL = 4, TILES_OF_LISTED = ZR_BIN_TILES };
 static const double STAND_IN_MAX = 16.0; /* times the area of three of a face's corners */
 
@@ -115,6 +117,7 @@ struct tally {
     struct zr_cost cost;
     double covered;                /* pixels of all faces and lines */
     double surface;                /* of all faces, in the world, scene units squared */
+    double layered;                /* of these, pixels of what is see-through */
     double faces;                  /* whose pixels count */
     double seen;                   /* those of them that `kept` has been offered */
     struct zr_cost_triangle *kept; /* of some of these, for the painter; or NULL: of none */
@@ -271,6 +274,11 @@ static void add_face(struct tally *tally, const struct zr_scene *scene, const st
     bool turned_away = (placed->mirrored ? measure.net > 0.0 : measure.net < 0.0) && !material->double_sided;
     if (measure.area <= 0.0 || turned_away) return;
     add_filled(tally, &measure, shape, (double)corners);
+    if (material->alpha_mode != ZR_ALPHA_OPAQUE) {
+        tally->layered += measure.area;
+        cost->triangles += LAYER_T * ((double)corners - 2.0);
+        cost->fragments += LAYER_F * measure.area;
+    }
     if (measure.is_seen) tally->faces += 1.0;
     if (!tally->kept) return;
     const struct zr_cost_triangle whole = stand_in(&measure, mesh, rings, placed);
@@ -300,6 +308,7 @@ static struct zr_cost_pass pass_of(const struct tally *sum, struct zr_cost_sampl
                                           .shape_triangles = sum->cost.shape_triangles * scale * triangle_times,
                                           .shape_fragments = sum->cost.shape_fragments * scale * fragment_times},
                                  .covered = sum->covered * scale,
+                                 .layered = sum->layered * scale,
                                  .faces = sum->faces * scale,
                                  .surface = sum->surface * scale};
 }

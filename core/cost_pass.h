@@ -27,6 +27,7 @@ struct zr_cost_pass {
     double triangle_times; /* how many times longer the algorithm takes for a triangle; `cost` has it in it */
     struct zr_cost cost;   /* beside placing what there is: triangles, fragments, and those of shapes */
     double covered;        /* pixels of all faces and lines, hidden ones too */
+    double layered;        /* of these, pixels of see-through faces: fragments that are kept */
     double faces;          /* that are seen, or hidden by others only */
     double surface;        /* of all faces, in the world, scene units squared, of each `surface_most` at most */
 };

@@ -7,6 +7,7 @@
 #include "look/picture.h"
 #include "look/shadow_map.h"
 #include "raster/tile.h"
+#include "shade/layers.h"
 
 /* ---- passes ---- */
 
@@ -124,7 +125,7 @@ double zr_cost_of_light(const struct zr_scene *scene, const struct zr_cost_passe
     if (passes->samples == 0) return 0.0;
     if (!scene->picture.is_linear) return BYTES_SAMPLE * window_samples;
     double sum = PIXEL * pixels + MAP_TEXEL * passes->map_texels + cost_of_edges(scene, window_samples);
-    sum += covered->samples * cost_of_a_sample(scene, covered->samples_a_face);
+    sum += (covered->samples + covered->layered) * cost_of_a_sample(scene, covered->samples_a_face);
     if (scene->picture.occlusion.is_on) sum += covered->centres * OCCLUSION_PIXEL + covered->samples * OCCLUSION_SAMPLE;
     return sum;
 }
@@ -139,6 +140,7 @@ enum {
     GBUFFER_BYTES = 28,
     OCCLUSION_BYTES = 4,
     LINEAR_BYTES = 16,
+    FRAGMENT_BYTES = 8,
     EDGE_BYTES = 7196,
     LAMP_MAP_BYTES = 2 * WORD_BYTES * ZR_SHADOW_SIDE * ZR_SHADOW_SIDE
 };
@@ -158,7 +160,17 @@ static double bytes_of_edges(double pixels, double samples)
     return pixels * WORD_BYTES + samples * 2.0 / 8.0 + samples / (ZR_TILE_SIZE * ZR_TILE_SIZE) * EDGE_BYTES;
 }
 
-double zr_cost_window_bytes(const struct zr_scene *scene, const struct zr_cost_passes *passes)
+/* Fragments of a tile at once, of as many as tiles have on the average; of the other algorithms, those of the window. */
+static double bytes_of_layers(const struct zr_scene *scene, double samples, double layered)
+{
+    const double tiles = fmax(samples / (ZR_TILE_SIZE * ZR_TILE_SIZE), 1.0);
+    if (layered <= 0.0) return 0.0;
+    if (scene->algorithm != ZR_ALGORITHM_HALFSPACE) return layered * FRAGMENT_BYTES + samples * WORD_BYTES;
+    return (double)sizeof(struct zr_layers) + layered / tiles * FRAGMENT_BYTES;
+}
+
+double zr_cost_window_bytes(const struct zr_scene *scene, const struct zr_cost_passes *passes,
+                            const struct zr_cost_covered *covered)
 {
     const struct zr_picture *picture = &scene->picture;
     const struct zr_view *view = &scene->views[0];
@@ -167,6 +179,7 @@ double zr_cost_window_bytes(const struct zr_scene *scene, const struct zr_cost_p
     double sum = pixels * bytes_of_channels(view);
     if (scene->algorithm != ZR_ALGORITHM_HALFSPACE) /* each of them has the whole window at once */
         sum += SAMPLE_BYTES * (pixels * (double)passes->centres + samples * (double)passes->samples);
+    sum += bytes_of_layers(scene, samples, covered->layered);
     if (passes->samples == 0 || !picture->is_linear) return sum;
     sum += pixels * LINEAR_BYTES + LAMP_MAP_BYTES * (double)passes->lamp_maps;
     if (picture->occlusion.is_on) sum += pixels * (GBUFFER_BYTES + OCCLUSION_BYTES);

@@ -26,6 +26,7 @@ struct zr_cost_passes zr_cost_passes_of(const struct zr_scene *scene, const stru
 struct zr_cost_covered {
     double centres, samples;
     double samples_a_face; /* of those that are seen */
+    double layered;        /* samples of see-through faces, in all layers */
 };
 
 /* All but drawing, in samples of unlit surfaces. */
@@ -33,6 +34,7 @@ double zr_cost_of_light(const struct zr_scene *scene, const struct zr_cost_passe
                         const struct zr_cost_covered *covered);
 
 /* Bytes that a request has at once for arrays of whole windows: what it takes at least. */
-double zr_cost_window_bytes(const struct zr_scene *scene, const struct zr_cost_passes *passes);
+double zr_cost_window_bytes(const struct zr_scene *scene, const struct zr_cost_passes *passes,
+                            const struct zr_cost_covered *covered);
 
 #endif

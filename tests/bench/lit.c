@@ -42,8 +42,8 @@ static bool take(struct ours *ours, const struct task *task, bool lit)
     scene_look(&subject->scene, defaults.views[0]);
     if (lit) {
         subject->mesh.colors = subject->mesh.face_colors = NULL;
-        subject->material.base_color = zr_default_base_color(defaults.look, false);
-        subject->material.shading = zr_default_shading(defaults.look, task->shade != WORK_FLAT);
+        subject->materials[0].base_color = zr_default_base_color(defaults.look, false);
+        subject->materials[0].shading = zr_default_shading(defaults.look, task->shade != WORK_FLAT);
         subject->scene.ambient = defaults.ambient;
         subject->scene.lights = defaults.lights;
         subject->scene.light_count = defaults.light_count;

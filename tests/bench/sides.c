@@ -25,8 +25,8 @@ void ours_close(struct ours *ours)
 void ours_take(struct ours *ours, const struct work *work, const struct variant *variant)
 {
     subject_make(&ours->subject, &work->drawing);
-    ours->subject.material.uniform_color = variant->shade == WORK_FLAT;
-    ours->subject.material.double_sided = !variant->culled;
+    ours->subject.materials[0].uniform_color = variant->shade == WORK_FLAT;
+    ours->subject.materials[0].double_sided = !variant->culled;
 }
 
 const struct zr_frame *ours_render(struct ours *ours, const struct zr_output *outputs, uint32_t count)

@@ -5,6 +5,7 @@
 #include <stdbool.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "support/random.h"
 
@@ -14,6 +15,7 @@ static char text[TEXT_SIZE];
 static int length;
 static struct random dice;
 static bool is_textbook; /* nothing in the scene needs linear light */
+static bool is_painted;  /* by an algorithm that keeps no fragments */
 
 #define PICK(list) ((list)[random_below(&dice, sizeof(list) / sizeof *(list))])
 
@@ -169,7 +171,12 @@ static void add_keys(void)
         if (once_in(2)) add(",\"groundShadow\":%s", truth());
         if (once_in(2)) add(",\"creaseDegrees\":%.6g", once_in(4) ? 180.0 : between(0.0, 90.0));
     }
-    if (once_in(8)) add(",\"algorithm\":\"%s\"", PICK(algorithms));
+    is_painted = false;
+    if (once_in(8)) {
+        const char *algorithm = PICK(algorithms);
+        is_painted = strcmp(algorithm, "painter") == 0;
+        add(",\"algorithm\":\"%s\"", algorithm);
+    }
 }
 
 static void add_lamp(void)
@@ -214,7 +221,11 @@ static void add_materials(void)
     for (int i = 0; i < MESHES; i++) {
         const double metallic = share(), rough = share();
         add("%s{\"name\":\"m%d\"", i > 0 ? "," : "", i);
-        if (once_in(2)) add(",\"baseColorFactor\":\"#%06x\"", color());
+        if (once_in(4) && !is_painted)
+            add(",\"alphaMode\":\"%s\",\"baseColorFactor\":\"#%06x%02x\"", once_in(3) ? "MASK" : "BLEND", color(),
+                random_below(&dice, 256));
+        else if (once_in(2))
+            add(",\"baseColorFactor\":\"#%06x\"", color());
         if (!is_textbook) {
             if (once_in(2)) add(",\"metallicFactor\":%.6g,\"roughnessFactor\":%.6g", metallic, rough);
             if (once_in(6)) add(",\"emissiveFactor\":[%.6g,0,0.5]", between(0.0, 3.0));

@@ -182,7 +182,7 @@ static void what_is_not_nearer_than_the_start_is_not_seen(void **state)
     for (int a = ZR_ALGORITHM_EDGELIST; a < ZR_ALGORITHM_COUNT; a++) {
         float depth[64];
         uint32_t owner[64] = {0};
-        struct zr_samples samples = {8, 8, depth, owner};
+        struct zr_samples samples = {.width = 8, .height = 8, .depth = depth, .owner = owner};
         for (int i = 0; i < 64; i++)
             depth[i] = i % 8 < 4 ? 0.5f : 1.0f;
         assert_int_equal(zr_visibility_of((enum zr_algorithm)a)(&arena, &test.geometry, NULL, &samples), ZR_OK);

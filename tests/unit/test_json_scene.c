@@ -372,7 +372,7 @@ static void alpha_gives_one_warning(void **state)
     for (size_t i = 0; i < sizeof texts / sizeof texts[0]; i++) {
         struct reading *reading = read_scene(texts[i]);
         assert_int_equal(reading->scene->warning_count, 1);
-        assert_non_null(strstr(reading->scene->warnings[0], "transparency is not supported"));
+        assert_non_null(strstr(reading->scene->warnings[0], "alpha below 1"));
         reading_free(reading);
     }
     struct reading *reading = read_rest("\"background\": \"#ffffff00\"");
