@@ -2,6 +2,7 @@
  * in linear light in look/picture.c. */
 #include "zraster.h"
 
+#include "look/layer_channels.h"
 #include "look/pass.h"
 #include "look/picture.h"
 #include "scene/base_depth.h"
@@ -57,6 +58,14 @@ static enum zr_status draw_own_passes(struct zr_arena *arena, struct zr_team *te
     return status;
 }
 
+static enum zr_status draw_frame(struct zr_arena *arena, struct zr_team *team, const struct zr_scene *scene,
+                                 const struct zr_cancel *cancel, struct zr_frame *frame)
+{
+    if (frame->color && zr_picture_has_own_passes(&scene->picture))
+        return draw_own_passes(arena, team, scene, cancel, frame);
+    return draw_channels(arena, team, scene, cancel, frame);
+}
+
 static enum zr_status run_pipeline(struct zr_arena *arena, struct zr_team *team, const struct zr_scene *scene,
                                    const struct zr_resolved_view *resolved, const struct zr_cancel *cancel,
                                    struct zr_frame *frame, struct zr_error *error)
@@ -65,10 +74,10 @@ static enum zr_status run_pipeline(struct zr_arena *arena, struct zr_team *team,
     if (!resolved) status = zr_resolved_view_find(arena, team, scene, cancel, &resolved, error);
     STAGE(zr_frame_make(arena, &scene->views[0], resolved, frame));
     STAGE(zr_base_place(arena, scene, &frame->camera, &frame->base, error));
-    if (status != ZR_OK) return status;
-    if (frame->color && zr_picture_has_own_passes(&scene->picture))
-        return draw_own_passes(arena, team, scene, cancel, frame);
-    return draw_channels(arena, team, scene, cancel, frame);
+    STAGE(draw_frame(arena, team, scene, cancel, frame));
+    if (status == ZR_OK && zr_layer_channels_are_wanted(frame))
+        STAGE(zr_layer_channels_draw(arena, team, scene, cancel, frame));
+    return status;
 }
 
 enum zr_status zr_render(struct zr_arena *arena, struct zr_team *team, const struct zr_scene *scene,

@@ -52,7 +52,11 @@ enum zr_space { ZR_SPACE_CAMERA, ZR_SPACE_WORLD, ZR_SPACE_OBJECT, ZR_SPACE_COUNT
     /* of the point that is seen */                                                                                    \
     ROW(POSITION, "position", FLOAT32, 3, ZERO, 3, ZR_ENCODING_NPY)                                                    \
     /* of the side that is seen, as it is shaded; unit length, 0 on lines */                                           \
-    ROW(NORMALS, "normals", FLOAT32, 3, ZERO, 2, ZR_ENCODING_NPY, ZR_ENCODING_PNG)
+    ROW(NORMALS, "normals", FLOAT32, 3, ZERO, 2, ZR_ENCODING_NPY, ZR_ENCODING_PNG)                                     \
+    /* how many surfaces and lines lie over one another, hidden ones too */                                            \
+    ROW(LAYERS, "layers", UINT32, 1, ZERO, 0, ZR_ENCODING_NPY)                                                         \
+    /* how much of the ray lies inside of closed meshes, scene units */                                                \
+    ROW(THICKNESS, "thickness", FLOAT32, 1, ZERO, 0, ZR_ENCODING_NPY)
 
 enum zr_channel {
 #define ZR_CHANNEL_ENUM(ID, ...) ZR_CHANNEL_##ID,

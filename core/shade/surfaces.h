@@ -37,6 +37,7 @@ struct zr_surface {
 struct zr_surface_wants {
     bool colors;  /* as pixels show them, lit where that is done before it is known what is seen */
     bool normals; /* of all faces: the channel normals */
+    bool layers;  /* lists of what is blended, whether or not colours are wanted */
     /* Of all draws, the surface's own colour, normals and points: what a G-buffer is made of (gbuffer.h). */
     bool samples;
     /* Then: of each mesh, one a corner, in object space (crease_normals.h), where it has none of its own; NULL: no mesh
