@@ -353,6 +353,29 @@ static bool append_lines(struct batches_builder *b, const struct batches_source 
     return batches_append(b, &batch);
 }
 
+/* In their own colours, unlit. */
+static bool append_points(struct batches_builder *b, const struct batches_source *s)
+{
+    const struct zr_mesh *mesh = s->mesh;
+    struct reference_batch batch = {.mode = REFERENCE_POINTS,
+                                    .modelview = s->modelview,
+                                    .instance = (uint32_t)(s->instance - b->scene->instances),
+                                    .point_size = mesh->point_size,
+                                    .first = b->corner_count,
+                                    .count = mesh->point_count};
+    if (mesh->point_count == 0) return true;
+    if (!batches_reserve_corners(b, batch.count)) return false;
+    b->out->triangles += mesh->point_count;
+    for (uint32_t i = 0; i < batch.count; i++) {
+        zr_vec4 color = b->scene->materials[mesh->material].base_color;
+        if (mesh->colors) color = zr_vec4_mul(color, mesh->colors[mesh->points[i]]);
+        if (b->options.purpose == BATCHES_OWNERS)
+            color = batches_owner_color(b->owner + mesh->face_count + mesh->line_count + i);
+        batches_append_vertex(b, s, mesh->points[i], color, no_normal);
+    }
+    return batches_append(b, &batch);
+}
+
 /* ---- instances ---- */
 
 static bool for_each_face(struct batches_builder *b, struct batches_source *s,
@@ -386,7 +409,7 @@ static bool append_instance(struct batches_builder *b, const struct zr_instance 
                                     .mirrored = zr_mat4_is_mirror(&instance->object_to_world)};
     if (b->owner + zr_mesh_ids(mesh) > (uint64_t)BATCHES_OWNERS_MAX + 1) return false;
     if (!for_each_face(b, &source, append_face) || !for_each_face(b, &source, append_outline)) return false;
-    if (!append_lines(b, &source)) return false;
+    if (!append_lines(b, &source) || !append_points(b, &source)) return false;
     b->owner += (uint32_t)zr_mesh_ids(mesh);
     return true;
 }

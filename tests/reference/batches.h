@@ -39,7 +39,7 @@ struct batches {
     struct reference_arrays arrays;
     uint32_t thin_count;
     struct batches_thin *thin;
-    uint64_t triangles;    /* of faces cut to triangles; a line counts as one */
+    uint64_t triangles;    /* of faces cut to triangles; a line or a point counts as one */
     uint32_t parity_faces; /* drawn by the odd-even rule */
 };
 
