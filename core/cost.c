@@ -72,7 +72,7 @@ static struct work work_of(const struct zr_scene *scene, uint32_t corners_max)
     for (uint32_t i = 0; i < scene->instance_count; i++) {
         const struct zr_mesh *mesh = &scene->meshes[scene->instances[i].mesh];
         things += zr_mesh_ids(mesh);
-        corners += mesh->face_offsets[mesh->face_count] + 2 * (uint64_t)mesh->line_count;
+        corners += zr_mesh_corners(mesh);
         points += (double)mesh->position_count;
         work.triangles += (double)mesh->face_offsets[mesh->face_count] - 2.0 * (double)mesh->face_count;
     }
@@ -116,9 +116,9 @@ struct zr_cost zr_scene_cost(const struct zr_scene *scene, const struct zr_resol
     const struct zr_view *view = &scene->views[0];
     const struct zr_cost_passes passes = zr_cost_passes_of(scene, &resolved->bounds);
     const double line_width = (double)scene->picture.line_width;
-    const struct zr_cost_target window = {view->width, view->height, fmax(line_width, 1.0)},
+    const struct zr_cost_target window = {view->width, view->height, fmax(line_width, 1.0), 1.0},
                                 larger = {view->width * passes.side, view->height * passes.side,
-                                          fmax(line_width * (double)passes.side, 1.0)};
+                                          fmax(line_width * (double)passes.side, 1.0), (double)passes.side};
     const struct work work = work_of(scene, corners_max);
     struct zr_cost cost = {.algorithm = (int)scene->algorithm};
     count_outputs(scene, &cost);

@@ -12,6 +12,8 @@
 static const double LINE_T = 1.5;              /* beside its pixels, and again in each tile */
 static const double LINE_PIXEL_F = 10.0;       /* one column or row */
 static const double WIDE_PIXEL_F = 2.0;        /* each pixel more of it, where lines are wide */
+static const double POINT_T = 1.0;             /* beside its pixels, and again in each tile */
+static const double POINT_PIXEL_F = 2.0;       /* of the window */
 static const double CUT_T = 1.0 / 80.0;        /* triangulation: a corner times a corner */
 static const double SHAPE_PIXEL_F = 10.0;      /* decided by the odd-even rule */
 static const double SHAPE_OVERLAP_F = 0.2;     /* a sample looked up in one of a shape's triangles */
@@ -109,13 +111,13 @@ static void measure_fans(struct measure *measure, const struct zr_mesh *mesh, st
     }
 }
 
-/* What a walk over faces and lines adds up. */
+/* What a walk over faces, lines and points adds up. */
 struct tally {
     struct zr_cost_target target;
     struct zr_viewport viewport;
     double surface_most; /* of a face; 0: surfaces are not wanted */
     struct zr_cost cost;
-    double covered;                /* pixels of all faces and lines */
+    double covered;                /* pixels of all faces, lines and points */
     double surface;                /* of all faces, in the world, scene units squared */
     double layered;                /* of these, pixels of what is see-through */
     double faces;                  /* whose pixels count */
@@ -201,6 +203,29 @@ static void keep(struct tally *tally, const struct zr_cost_triangle *triangle)
     if (place >= ZR_COST_PAIRS_SAMPLE) return;
     tally->kept[place] = *triangle;
     if (tally->kept_count <= place) tally->kept_count = place + 1;
+}
+
+/* A square around its middle, as much of it as is in the window. Where pairs are counted half of it stands for it. */
+static void add_point(struct tally *tally, const struct zr_mesh *mesh, zr_vec4 middle)
+{
+    const double width = fmax((double)mesh->point_size, 1.0) * tally->target.side;
+    struct zr_window_vertex at;
+    tally->cost.triangles += POINT_T;
+    if (zr_clip_outcode(middle) != 0 || !zr_viewport_apply(&tally->viewport, middle, &at)) return;
+    const double x = (double)at.x - 0.5 * width, y = (double)at.y - 0.5 * width;
+    const double across = fmin(x + width, (double)tally->target.width) - fmax(x, 0.0);
+    const double up = fmin(y + width, (double)tally->target.height) - fmax(y, 0.0);
+    const double pixels = fmax(across, 0.0) * fmax(up, 0.0);
+    tally->covered += pixels;
+    tally->cost.fragments += POINT_PIXEL_F * pixels;
+    tally->cost.triangles += POINT_T * tiles_of(across, up);
+    if (!tally->kept) return;
+    struct zr_cost_triangle half = {{at, at, at}};
+    half.corners[0].x = half.corners[2].x = (float)x;
+    half.corners[0].y = half.corners[1].y = (float)y;
+    half.corners[1].x = (float)(x + width);
+    half.corners[2].y = (float)(y + width);
+    keep(tally, &half);
 }
 
 /* A triangle that stands for the whole face where pairs are counted: three corners far apart, in their plane as large
@@ -322,7 +347,7 @@ struct zr_cost_pass zr_cost_pass_measure(const struct zr_scene *scene, const str
     zr_mat4 world_to_clip = zr_mat4_mul(&camera->projection, &camera->world_to_eye);
     struct placed placed = {.mirrored = false};
     const struct zr_mesh *mesh = NULL;
-    uint64_t first = 0, end = 0; /* the faces and lines of `mesh`, counted over all instances */
+    uint64_t first = 0, end = 0; /* the faces, lines and points of `mesh`, counted over all instances */
     uint32_t next_instance = 0;
     struct tally sum = {.target = target,
                         .viewport = zr_viewport_make(target.width, target.height),
@@ -345,7 +370,12 @@ struct zr_cost_pass zr_cost_pass_measure(const struct zr_scene *scene, const str
             add_face(&sum, scene, mesh, number, &placed);
             continue;
         }
-        const uint32_t *line = mesh->lines + 2 * (size_t)(number - mesh->face_count);
+        number -= mesh->face_count;
+        if (number >= mesh->line_count) {
+            add_point(&sum, mesh, corner_of(mesh, &placed, mesh->points[number - mesh->line_count]));
+            continue;
+        }
+        const uint32_t *line = mesh->lines + 2 * (size_t)number;
         const zr_vec4 ends[2] = {corner_of(mesh, &placed, line[0]), corner_of(mesh, &placed, line[1])};
         add_line(&sum, ends);
     }

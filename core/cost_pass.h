@@ -16,9 +16,10 @@
 struct zr_cost_target {
     uint32_t width, height;
     double line_width; /* pixels of it, 1 at least */
+    double side;       /* how many times as large as their sizes points are */
 };
 
-/* How many faces and lines a scene has, and how many of them are looked at. */
+/* How many faces, lines and points a scene has, and how many of them are looked at. */
 struct zr_cost_sampling {
     uint64_t things, samples;
 };
@@ -26,7 +27,7 @@ struct zr_cost_sampling {
 struct zr_cost_pass {
     double triangle_times; /* how many times longer the algorithm takes for a triangle; `cost` has it in it */
     struct zr_cost cost;   /* beside placing what there is: triangles, fragments, and those of shapes */
-    double covered;        /* pixels of all faces and lines, hidden ones too */
+    double covered;        /* pixels of all faces, lines and points, hidden ones too */
     double layered;        /* of these, pixels of see-through faces: fragments that are kept */
     double faces;          /* that are seen, or hidden by others only */
     double surface;        /* of all faces, in the world, scene units squared, of each `surface_most` at most */

@@ -1,6 +1,7 @@
 # models.awk -v model=pawn|ball|coarse|gear: a body of revolution as the members of a mesh in JSON, counter-clockwise
 # seen from outside. Rings of points follow its outline from the bottom upwards; those of a gear have teeth.
-# Prints "positions": [...], "faces": [...].
+# Prints "positions": [...], "faces": [...]. model=cloud: points on a knotted tube, those that a lamp shines on brighter,
+# with "colors", "points" and "pointSize".
 function put(r, y, deep) { radius[++rings] = r; height[rings] = y; depth[rings] = deep }
 function put_all(outline, count, i, p, q) {
     count = split(outline, p, " ")
@@ -8,8 +9,34 @@ function put_all(outline, count, i, p, q) {
 }
 function put_ball(r, y, first, last, i) { for (i = first; i <= last; i++) put(r * sin(pi * i / last), y - r * cos(pi * i / last)) }
 function at(ring, k) { return radius[ring] - (k % 4 == 0 || k % 4 == 3 ? depth[ring] : 0) }
+function channel(t, phase, light) { return light * (0.55 + 0.45 * cos(2 * pi * (t + phase))) }
+function knot(t, axis) {
+    if (axis == 0) return (2 + cos(3 * t)) * cos(2 * t)
+    return axis == 1 ? 1.1 * sin(3 * t) : (2 + cos(3 * t)) * sin(2 * t)
+}
+# A point around the knot's way at t, off it by an angle: across the way, as far to the side as up.
+function put_points(count, i, k, t, angle, c, d, n, side, up, length_of, light) {
+    for (i = 0; i < count; i++) {
+        t = 2 * pi * i / count; angle = 2.399963 * i
+        for (k = 0; k < 3; k++) { c[k] = knot(t, k); d[k] = (knot(t + 0.001, k) - c[k]) / 0.001 }
+        length_of = sqrt(d[0] * d[0] + d[2] * d[2])
+        side[0] = -d[2] / length_of; side[1] = 0; side[2] = d[0] / length_of
+        up[0] = d[1] * side[2]; up[1] = d[2] * side[0] - d[0] * side[2]; up[2] = -d[1] * side[0]
+        length_of = sqrt(up[0] * up[0] + up[1] * up[1] + up[2] * up[2])
+        for (k = 0; k < 3; k++) n[k] = cos(angle) * side[k] + sin(angle) * up[k] / length_of
+        light = 0.5 * n[0] - 0.1 * n[1] + 0.6 * n[2]
+        light = 0.25 + (n[1] + light > 0 ? 0.6 * (n[1] + light) : 0)
+        if (light > 1) light = 1
+        places = places sprintf("%s[%.4f,%.4f,%.4f]", (i ? "," : ""), c[0] + 0.62 * n[0], c[1] + 0.62 * n[1], c[2] + 0.62 * n[2])
+        colors = colors sprintf("%s[%.3f,%.3f,%.3f]", (i ? "," : ""), channel(t / (2 * pi), 0, light),
+            channel(t / (2 * pi), 0.33, light), channel(t / (2 * pi), 0.67, light))
+        numbers = numbers (i ? "," : "") i
+    }
+    printf "\"positions\": [%s], \"colors\": [%s], \"points\": [%s], \"pointSize\": 2", places, colors, numbers
+}
 BEGIN {
     pi = 3.14159265358979
+    if (model == "cloud") { put_points(9000); exit }
     sides = model == "coarse" ? 12 : model == "pawn" ? 64 : 48
     if (model == "ball") put_ball(1, 1, 0, 24)
     if (model == "coarse") put_all("0,0 0.8,0 1,0.25 1,0.75 0.6,1.1 0.6,1.5 0,1.5")

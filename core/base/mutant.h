@@ -67,6 +67,9 @@
     row(samples_not_by_opacity)     /* samples: what is hardly there counts as much */                                \
     row(wide_lines_off_middle)      /* 12, their first side is as far from the middle as that of a line of width 1 */ \
     row(line_width_rounded_early)   /* 22, before it is made as much larger as the window */                          \
+    row(point_sizes_half_up)        /* 28 */                                                                          \
+    row(even_points_lean)           /* 28, to the corner below them on the left */                                    \
+    row(points_cut_by_depth_alone)  /* 28, whose middle is beside the window */                                       \
     row(colors_not_decoded)         /* 23, what is lit is not linear */                                               \
     row(gradient_turned)            /* 23, backgrounds */                                                             \
     row(hemisphere_turned)          /* 24, the sky is below */                                                        \

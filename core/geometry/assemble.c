@@ -170,5 +170,6 @@ enum zr_status zr_assemble_mesh(struct zr_builder *builder)
 {
     enum zr_status status = fill_faces(builder);
     if (status == ZR_OK && has_outlines(builder)) status = for_each_face(builder, outline_face);
-    return status == ZR_OK ? zr_wire_lines(builder) : status;
+    if (status == ZR_OK) status = zr_wire_lines(builder);
+    return status == ZR_OK ? zr_wire_points(builder) : status;
 }

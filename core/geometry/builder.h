@@ -60,7 +60,7 @@ bool zr_builder_reserve_shape(struct zr_builder *builder, uint64_t edges);
  * filled in, nor `first`. False where the arena has failed. */
 bool zr_builder_add_draw(struct zr_builder *builder, struct zr_draw draw);
 
-/* What all primitives of a face, or a line, have in common. */
+/* What all primitives of a face, a line, or points have in common. */
 struct zr_common {
     uint32_t face; /* as in zr_draw.faces */
     const struct zr_material *material;

@@ -1,9 +1,9 @@
-/* counts.h - geometry: where polygons, triangles and lines went. Of draws that are not `counted` (draw.h) that is
- * known once they are sorted (raster/visibility.h), before which their triangles are counted as such alone.
+/* counts.h - geometry: where polygons, triangles, lines and points went. Of draws that are not `counted` (draw.h) that
+ * is known once they are sorted (raster/visibility.h), before which their triangles are counted as such alone.
  *
  * Every triangle handed in is counted in exactly one of outside, clipped, culled,
  * zero_area and drawn_whole; the pieces of a clipped one are counted apart. So are lines, of
- * which those not outside are drawn, and outlines.
+ * which those not outside are drawn, points likewise, and outlines.
  */
 #ifndef ZR_COUNTS_H
 #define ZR_COUNTS_H
@@ -25,6 +25,8 @@ struct zr_counts {
     uint64_t lines;               /* handed in; outlines are not counted */
     uint64_t outside_lines;       /* wholly outside the view volume, or without a place in the window */
     uint64_t clipped_lines;       /* cut by the view volume */
+    uint64_t points;              /* handed in */
+    uint64_t outside_points;      /* whose middle is outside the view volume, or without a place in the window */
     uint64_t clipped_outlines;    /* triangles of outlined faces that were cut */
 };
 
@@ -45,6 +47,8 @@ static inline void zr_counts_add(struct zr_counts *sum, const struct zr_counts *
     sum->lines += counts->lines;
     sum->outside_lines += counts->outside_lines;
     sum->clipped_lines += counts->clipped_lines;
+    sum->points += counts->points;
+    sum->outside_points += counts->outside_points;
     sum->clipped_outlines += counts->clipped_outlines;
 }
 

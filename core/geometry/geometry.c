@@ -28,7 +28,7 @@ struct zr_triangle zr_triangle_of(const struct zr_geometry *geometry, const stru
 {
     const uint32_t t = number - draw->first, trait = draw->traits ? draw->traits[t] : 0;
     const struct zr_window_vertex *vertices = geometry->vertices;
-    struct zr_triangle out = {.line = zr_draw_is_of_lines(draw), .depth_offset = draw->depth_offset};
+    struct zr_triangle out = {.line = zr_draw_is_of_wires(draw), .depth_offset = draw->depth_offset};
     uint32_t *v = out.v;
     for (uint32_t k = 0; k < 3; k++)
         v[k] = draw->first_vertex + zr_draw_corner(draw, t, k);

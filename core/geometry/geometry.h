@@ -34,8 +34,8 @@ struct zr_geometry {
     struct zr_window window;
     uint32_t vertex_count, primitive_count, shape_count, edge_count, draw_count, cut_count;
     struct zr_window_vertex *vertices; /* instance by instance: its mesh's positions, and what clipping made */
-    struct zr_eye *eyes;               /* one a vertex; only those of lines and of what clipping made are defined */
-    struct zr_draw *draws;             /* by their numbers; draws[0] is there even where there are none, and empty */
+    struct zr_eye *eyes;   /* one a vertex; only those of lines, points and what clipping made are defined */
+    struct zr_draw *draws; /* by their numbers; draws[0] is there even where there are none, and empty */
     struct zr_shape *shapes;
     struct zr_grid_edge *edges;
     struct zr_cut *cuts;                  /* by their vertices */

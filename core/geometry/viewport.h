@@ -24,6 +24,7 @@ enum { ZR_SNAP_MAX = 1 << (14 + ZR_SUBPIXEL_BITS) };
 struct zr_window {
     uint32_t width, height; /* pixels */
     int32_t line_width;     /* of lines and outlines, pixels */
+    float point_scale;      /* how many times as large as their sizes points are; 0: all are one pixel */
 };
 
 struct zr_viewport {

@@ -2,12 +2,13 @@
 
 #include <string.h>
 
+#include "base/mutant.h"
 #include "geometry/face.h"
 #include "geometry/outline.h"
 #include "geometry/shape.h"
 
-/* A line takes as long as some corners do. */
-enum { LINE_WORK = 256 };
+/* A line or a point takes as long as some corners do. */
+enum { LINE_WORK = 256, POINT_WORK = 64 };
 
 /* The depth of a vertex that is a position's; those that clipping made have theirs. */
 static void own_eye(struct zr_builder *builder, uint32_t vertex)
@@ -143,6 +144,39 @@ enum zr_status zr_wire_lines(struct zr_builder *builder)
         if (!zr_builder_go_on(builder, LINE_WORK)) return ZR_CANCELLED;
         common.face = mesh->face_count + i;
         place_line(builder, &common, ends);
+        if (!zr_arena_ok(builder->arena)) return ZR_NO_MEMORY;
+    }
+    return ZR_OK;
+}
+
+/* ---- points ---- */
+
+/* What a middle may not be outside of. */
+static unsigned outcode_of_point(const struct zr_builder *builder, uint32_t position)
+{
+    const unsigned code = builder->outcodes[position];
+    return ZR_MUTANT(points_cut_by_depth_alone, code, code & (3u << 4 | ZR_OUTCODE_UNPLACED));
+}
+
+static void place_point(struct zr_builder *builder, const struct zr_common *common, uint32_t position)
+{
+    struct zr_counts *counts = &builder->geometry->counts;
+    const struct zr_corner middle = {position, 0};
+    counts->points++;
+    if (outcode_of_point(builder, position))
+        counts->outside_points++;
+    else
+        append_line(builder, common, middle, middle);
+}
+
+enum zr_status zr_wire_points(struct zr_builder *builder)
+{
+    const struct zr_mesh *mesh = builder->mesh;
+    struct zr_common common = {.material = &builder->scene->materials[mesh->material], .kind = ZR_DRAW_POINTS};
+    for (uint32_t i = 0; i < mesh->point_count; i++) {
+        if (!zr_builder_go_on(builder, POINT_WORK)) return ZR_CANCELLED;
+        common.face = mesh->face_count + mesh->line_count + i;
+        place_point(builder, &common, mesh->points[i]);
         if (!zr_arena_ok(builder->arena)) return ZR_NO_MEMORY;
     }
     return ZR_OK;

@@ -9,8 +9,8 @@
 /* Corners that a face may have beside those in its list's room, before it is read with more care. */
 enum { CORNERS_AT_HAND = 64 };
 
-/* Faces and lines while they are read. positions: what indices are known to be below, UINT32_MAX where these come later
- * in the text. */
+/* Faces, lines and points while they are read. positions: what indices are known to be below, UINT32_MAX where these
+ * come later in the text. */
 struct faces {
     struct zr_growing ends, indices; /* ends: of each face in indices, behind a first one that is 0 */
     uint32_t positions;
@@ -18,6 +18,11 @@ struct faces {
 
 struct lines {
     struct zr_growing ends; /* two a line */
+    uint32_t positions;
+};
+
+struct points {
+    struct zr_growing indices;
     uint32_t positions;
 };
 
@@ -29,6 +34,8 @@ struct zr_given_mesh {
     struct zr_growing positions, normals, colors, face_colors;
     struct faces faces;
     struct lines lines;
+    struct points points;
+    float point_size;
     struct zr_heights heights;
 };
 
@@ -243,9 +250,26 @@ static bool read_lines(struct zr_json *json, const struct zr_json_path *path, co
     return good;
 }
 
+/* struct zr_given_mesh */
+static bool read_points(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field,
+                        void *out)
+{
+    struct points *points = &((struct zr_given_mesh *)out)->points;
+    struct zr_growing *indices = &points->indices;
+    uint32_t *index;
+    (void)field;
+    points->positions = known_positions(out);
+    if (!zr_json_list(json, path) || !zr_growing_reserve(indices, json, 1)) return false;
+    for (zr_json_enter(json, '['); zr_json_item(json) && (index = zr_growing_next(indices, json)); indices->count++)
+        zr_json_index(json, ZR_JSON_ITEM(path, indices->count), points->positions, "positions", index);
+    zr_growing_trim(indices, json->arena);
+    return true;
+}
+
 /* ---- keys ---- */
 
-enum { NAME, MATERIAL, POSITIONS, NORMALS, COLORS, FACE_COLORS, FACES, LINES, HEIGHTS };
+enum { POINT_SIZE_MAX = 64 };
+enum { NAME, MATERIAL, POSITIONS, NORMALS, COLORS, FACE_COLORS, FACES, LINES, POINTS, POINT_SIZE, HEIGHTS };
 #define AT(member) offsetof(struct zr_given_mesh, member)
 static const struct zr_json_field fields[] = {
     [NAME] = {"name", zr_json_string, AT(name), .text = "what nodes and fit may call it by; info has it"},
@@ -257,6 +281,9 @@ static const struct zr_json_field fields[] = {
     [FACE_COLORS] = {"faceColors", read_colors, AT(face_colors), .text = "one for each face"},
     [FACES] = {"faces", read_faces, 0, .text = "three or more indices of positions each, counter-clockwise"},
     [LINES] = {"lines", read_lines, 0, .text = "two indices of positions each"},
+    [POINTS] = {"points", read_points, 0, .text = "indices of positions"},
+    [POINT_SIZE] = {"pointSize", zr_json_float, AT(point_size), 1, POINT_SIZE_MAX, .unit = "pixels", .otherwise = "1",
+                    .text = "along a side of a point, which is a square"},
     [HEIGHTS] = {"heights", zr_read_heights, AT(heights), .unit = "scene units",
                  .text = "a grid instead of positions and faces"},
     ZR_FACE_STYLE_FIELDS(struct zr_given_mesh, face_style),
@@ -280,6 +307,8 @@ bool zr_read_meshes(struct zr_json *json, const struct zr_json_path *path, const
                                       .face_colors.size = sizeof(zr_vec4),
                                       .faces = {.ends.size = sizeof(uint32_t), .indices.size = sizeof(uint32_t)},
                                       .lines.ends.size = 2 * sizeof(uint32_t),
+                                      .points.indices.size = sizeof(uint32_t),
+                                      .point_size = 1.0f,
                                       .heights.values.size = sizeof(float)};
         zr_json_fields(json, ZR_JSON_ITEM(path, list->count), &zr_json_object_mesh, &given, &given.keys);
         struct zr_given_mesh *kept = zr_growing_next(list, json);
@@ -296,17 +325,18 @@ static bool gives(const struct zr_given_mesh *given, int key)
     return zr_json_gives(given->keys, key);
 }
 
-/* Either positions with faces, lines or both, or heights. */
+/* Either positions with faces, lines, points or some of these, or heights. */
 static void check_shape(struct zr_json *json, const struct zr_json_path *path, const struct zr_given_mesh *given)
 {
-    static const int others[] = {POSITIONS, FACES, LINES};
+    static const int others[] = {POSITIONS, FACES, LINES, POINTS};
     if (gives(given, HEIGHTS)) {
         for (size_t i = 0; i < sizeof others / sizeof *others; i++)
             if (gives(given, others[i])) zr_json_fault(json, path, "two shapes: heights and %s", fields[others[i]].key);
         return;
     }
     if (!gives(given, POSITIONS)) zr_json_fault(json, path, "positions is missing");
-    if (!gives(given, FACES) && !gives(given, LINES)) zr_json_fault(json, path, "faces is missing, and so is lines");
+    if (!gives(given, FACES) && !gives(given, LINES) && !gives(given, POINTS))
+        zr_json_fault(json, path, "faces is missing, and so are lines and points");
 }
 
 /* The items of a list that must have one for each of `wanted` things; NULL where it is not given or not right. */
@@ -352,6 +382,19 @@ static void make_faces(struct zr_json *json, const struct zr_json_path *path, co
                       mesh->position_count);
 }
 
+static void make_points(struct zr_json *json, const struct zr_json_path *path, const struct points *points,
+                        struct zr_mesh *mesh)
+{
+    const uint32_t *indices = points->indices.items;
+    mesh->point_count = (uint32_t)points->indices.count;
+    mesh->points = indices;
+    if (points->positions == mesh->position_count) return;
+    for (uint32_t i = 0; i < mesh->point_count; i++)
+        if (indices[i] >= mesh->position_count && json->error->count < ZR_ERROR_ITEMS)
+            zr_json_bad_index(json, ZR_JSON_ITEM(ZR_JSON_KEY(path, fields[POINTS].key), i), (double)indices[i],
+                              mesh->position_count, "positions");
+}
+
 static void make_mesh(struct zr_given_scene *root, const struct zr_json_path *path, const struct zr_given_mesh *given,
                       struct zr_mesh *mesh)
 {
@@ -369,6 +412,8 @@ static void make_mesh(struct zr_given_scene *root, const struct zr_json_path *pa
         mesh->position_count = (uint32_t)given->positions.count;
         mesh->positions = given->positions.items;
         make_faces(json, path, given, mesh);
+        make_points(json, path, &given->points, mesh);
+        mesh->point_size = given->point_size;
     }
     mesh->normals = one_each(json, path, given, NORMALS, &given->normals, mesh->position_count, "positions");
     mesh->normal_count = mesh->normals ? mesh->position_count : 0;

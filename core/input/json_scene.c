@@ -61,7 +61,7 @@ const struct zr_json_field zr_scene_fields[] = {
     [ZR_SCENE_MATERIALS] = {"materials", zr_read_materials, 0, .otherwise = "[]",
                             .text = "what meshes and polygons share"},
     [ZR_SCENE_MESHES] = {"meshes", zr_read_meshes, 0, .otherwise = "[]",
-                         .text = "positions and faces, lines or heights"},
+                         .text = "positions and faces, lines or points, or heights"},
     [ZR_SCENE_POLYGONS] = {"polygons", zr_read_polygons, 0, .otherwise = "[]", .text = "each with vertices of its own"},
     [ZR_SCENE_OUTPUTS] = {"outputs", zr_read_outputs, 0, .otherwise = "a colour image", .text = "what is asked for"},
     [ZR_SCENE_COLOR_MANAGEMENT] = {"colorManagement", zr_json_choice, AT(color_management),

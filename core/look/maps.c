@@ -72,7 +72,7 @@ static enum zr_status draw_map(struct zr_arena *arena, struct zr_team *team, con
     struct zr_frame *frame = zr_arena_zero(arena, 1, sizeof *frame);
     struct zr_scene of_maps;
     if (!pass || !frame || !scene_of_maps(arena, scene, &of_maps)) return ZR_NO_MEMORY;
-    const struct zr_pass_of of = {.scene = &of_maps, .camera = camera, .window = {side, side, 1}};
+    const struct zr_pass_of of = {.scene = &of_maps, .camera = camera, .window = {side, side, 1, 0.0f}};
     frame->width = frame->height = side;
     frame->camera = *camera;
     frame->depth = zr_arena_alloc(arena, (size_t)side * side, sizeof *frame->depth);

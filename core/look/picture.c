@@ -29,7 +29,7 @@ static enum zr_status status_of(const struct drawing *d)
     return zr_arena_ok(d->arena) ? ZR_OK : ZR_NO_MEMORY;
 }
 
-/* The window at `side` times its size, and lines as wide as they are without. */
+/* The window at `side` times its size, with lines as wide and points as large as they are without. */
 static struct zr_pass_of pass_at(const struct drawing *d, uint32_t side, bool linear)
 {
     const float wanted = d->scene->picture.line_width;
@@ -37,7 +37,7 @@ static struct zr_pass_of pass_at(const struct drawing *d, uint32_t side, bool li
     const int32_t line_width = width > 1.0f ? (int32_t)(width + 0.5f) : 1;
     return (struct zr_pass_of){.scene = d->scene,
                                .camera = &d->frame->camera,
-                               .window = {d->frame->width * side, d->frame->height * side, line_width},
+                               .window = {d->frame->width * side, d->frame->height * side, line_width, (float)side},
                                .wants = {.colors = !linear, .samples = linear, .crease_normals = d->creases}};
 }
 

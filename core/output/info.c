@@ -132,6 +132,8 @@ static cJSON *counts_of(struct writer *w, const struct zr_counts *c, uint64_t mi
     put_count(w, object, "lines", c->lines);
     put_count(w, object, "outsideLines", c->outside_lines);
     put_count(w, object, "clippedLines", c->clipped_lines);
+    put_count(w, object, "points", c->points);
+    put_count(w, object, "outsidePoints", c->outside_points);
     put_count(w, object, "saturatedDepths", misfits);
     return object;
 }
@@ -227,6 +229,7 @@ static cJSON *meshes_of(struct writer *w, const struct zr_scene *scene, const st
         put_count(w, object, "firstFaceId", first + (id - 1));
         put_count(w, object, "faces", mesh->face_count);
         if (mesh->line_count > 0) put_count(w, object, "lines", mesh->line_count);
+        if (mesh->point_count > 0) put_count(w, object, "points", mesh->point_count);
         struct patch all = {.pixels = 0};
         for (uint64_t ids = zr_mesh_ids(mesh); ids > 0; ids--, id++)
             if (patches[id].pixels > 0)

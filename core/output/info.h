@@ -6,7 +6,7 @@
 #include "output/warnings.h"
 #include "zraster.h"
 
-/* Faces and lines are listed one by one up to this many in the scene. */
+/* Faces, lines and points are listed one by one up to this many in the scene. */
 enum { ZR_INFO_FACES_MAX = 1000 };
 
 /* Of the placed meshes, so many are listed, the first ones. */

@@ -43,11 +43,11 @@ struct zr_warning_list zr_warnings_make(struct zr_arena *arena, const struct zr_
     if (frame->covered_pixels > 0 || frame->covered_samples > 0) return w;
     /* What is blended is drawn in colours only. */
     if (!frame->color && zr_any_is_see_through(scene->materials, scene->material_count)) return w;
+    const uint64_t things = counts->triangles + counts->lines + counts->points;
     bool drawn = counts->drawn_whole + counts->drawn_pieces > 0;
     if (!drawn && counts->culled + counts->culled_pieces > 0)
         zr_warning_list_add(arena, &w, "nothing is seen: what is in view faces away (doubleSided draws both sides)");
-    else if (counts->outside + counts->outside_lines == counts->triangles + counts->lines &&
-             counts->triangles + counts->lines > 0)
+    else if (counts->outside + counts->outside_lines + counts->outside_points == things && things > 0)
         zr_warning_list_add(arena, &w, "nothing is seen: all geometry is outside the view");
     else if (counts->triangles > 0 && are_lines(scene))
         zr_warning_list_add(arena, &w, "nothing is seen: the corners of each polygon are collinear, on one line");

@@ -173,6 +173,7 @@ struct zr_line_basis zr_line_basis_make(const struct zr_window_vertex *v0, const
 {
     struct zr_line_basis basis = {.x0 = v0->x - 0.5f, .y0 = v0->y - 0.5f};
     float dx = v0->x - v1->x, dy = v0->y - v1->y;
+    if (dx == 0.0f && dy == 0.0f) return basis;
     basis.ooa = 1.0f / (dx * dx + dy * dy);
     if (fabsf(dx) >= fabsf(dy))
         basis.dx = dx * (1.0f + (dy / dx) * ZR_MUTANT(line_depth_along, dy / dx, 0.0f));

@@ -30,11 +30,11 @@ bool zr_line_corners_make(const struct zr_window_vertex *v0, const struct zr_win
 /* What all planes of one line share. Values vary along the major axis alone. */
 struct zr_line_basis {
     float dx, dy; /* v1 to v0; the major one lengthened by 1 + slope squared, the minor one 0 */
-    float ooa;    /* 1 over the squared length */
+    float ooa;    /* 1 over the squared length; of a point 0 */
     float x0, y0; /* v0, from the centre of pixel (0, 0) */
 };
 
-/* For lines that zr_line_corners_make does not drop. */
+/* For lines that zr_line_corners_make does not drop, and for points: v0 and v1 are one, and so all planes are level. */
 struct zr_line_basis zr_line_basis_make(const struct zr_window_vertex *v0, const struct zr_window_vertex *v1);
 
 /* The plane through the values p0 at v0 and p1 at v1, as they were before the ends moved. */

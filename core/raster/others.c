@@ -43,7 +43,7 @@ static void add_box(struct binning *b)
     if (box[0] > box[2] || box[1] > box[3]) return;
     for (int k = 0; k < 4; k++)
         box[k] /= ZR_TILE_SIZE;
-    if ((box[2] - box[0] + 1) * (box[3] - box[1] + 1) > ZR_OTHERS_TILES) {
+    if (b->draw->kind != ZR_DRAW_POINTS && (box[2] - box[0] + 1) * (box[3] - box[1] + 1) > ZR_OTHERS_TILES) {
         add_large(b);
         return;
     }

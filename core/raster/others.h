@@ -1,9 +1,10 @@
-/* others.h - raster: which shapes, lines and triangles with a depth offset each tile has to look at; or, apart from
+/* others.h - raster: which shapes, lines, points and triangles with a depth offset each tile has to look at; or, apart from
  * these, which see-through primitives. All other triangles are in bins (bins.h).
  *
  * A primitive that touches up to ZR_OTHERS_TILES tiles is listed in each of them; a
  * larger one goes into one list that every tile goes through. A line is listed in the
- * tiles that it passes through. So memory is bounded by the primitives, and by the length of lines.
+ * tiles that it passes through, and a point in all that it touches. So memory is bounded by the primitives, by the
+ * length of lines, and by the pixels of points.
  */
 #ifndef ZR_OTHERS_H
 #define ZR_OTHERS_H

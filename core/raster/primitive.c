@@ -1,5 +1,6 @@
 #include "raster/primitive.h"
 
+#include "raster/point.h"
 #include "raster/setup.h"
 
 /* ---- box ---- */
@@ -27,8 +28,13 @@ static void line_box(const struct zr_geometry *geometry, const struct zr_triangl
     box[3] = zr_viewport_last_centre(high[1]);
 }
 
-static void find_box(const struct zr_geometry *geometry, const struct zr_triangle *triangle, int32_t box[4])
+static void find_box(const struct zr_geometry *geometry, const struct zr_draw *draw, uint32_t first,
+                     const struct zr_triangle *triangle, int32_t box[4])
 {
+    if (draw->kind == ZR_DRAW_POINTS) {
+        zr_point_box(geometry, draw, first, box);
+        return;
+    }
     if (triangle->line) {
         line_box(geometry, triangle, box);
         return;
@@ -47,7 +53,7 @@ static void find_box(const struct zr_geometry *geometry, const struct zr_triangl
 void zr_primitive_box(const struct zr_geometry *geometry, const struct zr_draw *draw, uint32_t first, int32_t box[4])
 {
     const struct zr_triangle triangle = zr_triangle_of(geometry, draw, first);
-    find_box(geometry, &triangle, box);
+    find_box(geometry, draw, first, &triangle, box);
 }
 
 static void cut_box(struct zr_primitive *primitive, const int32_t box[4], uint32_t width, uint32_t height)
@@ -85,6 +91,15 @@ static void add_line_edges(struct zr_primitive *primitive, const struct zr_geome
         add_edge(primitive, c.x[k], c.y[k], c.x[(k + 1) % 4], c.y[(k + 1) % 4]);
 }
 
+/* Around the centres of its pixels, left and bottom ones on the edges. */
+static void add_point_edges(struct zr_primitive *primitive, const int32_t box[4])
+{
+    const int32_t x0 = box[0] * ZR_SUBPIXELS, x1 = (box[2] + 1) * ZR_SUBPIXELS;
+    const int32_t y0 = box[1] * ZR_SUBPIXELS, y1 = (box[3] + 1) * ZR_SUBPIXELS;
+    add_edge(primitive, x0, y0, x0, y1);
+    add_edge(primitive, x1, y0, x1, y1);
+}
+
 void zr_primitive_make(const struct zr_geometry *geometry, const struct zr_draw *draw, uint32_t first, uint32_t width,
                        uint32_t height, struct zr_primitive *primitive)
 {
@@ -93,7 +108,7 @@ void zr_primitive_make(const struct zr_geometry *geometry, const struct zr_draw 
     *primitive =
         (struct zr_primitive){.draw = draw, .first = first, .count = zr_primitive_count(geometry, draw, first)};
     primitive->depth = zr_depth_make(geometry->vertices, &triangle);
-    find_box(geometry, &triangle, box);
+    find_box(geometry, draw, first, &triangle, box);
     cut_box(primitive, box, width, height);
     if (triangle.shape > 0) {
         const struct zr_shape *shape = &geometry->shapes[triangle.shape - 1];
@@ -101,7 +116,9 @@ void zr_primitive_make(const struct zr_geometry *geometry, const struct zr_draw 
         primitive->edge_count = shape->edge_count;
         return;
     }
-    if (triangle.line)
+    if (draw->kind == ZR_DRAW_POINTS)
+        add_point_edges(primitive, box);
+    else if (triangle.line)
         add_line_edges(primitive, geometry, &triangle);
     else
         add_triangle_edges(primitive, geometry->vertices, &triangle);

@@ -1,5 +1,5 @@
 /* primitive.h - raster: what can be seen, in the one form that every algorithm takes: a
- * triangle, a polygon of any shape, or a line.
+ * triangle, a polygon of any shape, a line, or a point.
  *
  * Space:  window space, y up; edges on the snapped grid of geometry/viewport.h, where the
  *         centre of pixel X, Y lies at 256 X, 256 Y.
@@ -17,15 +17,15 @@
 
 struct zr_primitive {
     const struct zr_draw *draw; /* of the first */
-    uint32_t first, count;      /* numbers of its triangles, or the number of its line */
+    uint32_t first, count;      /* numbers of its triangles, or the number of its line or point */
     uint32_t edge_count;
     const struct zr_grid_edge *shape_edges; /* NULL: own_edges */
-    struct zr_grid_edge own_edges[4];       /* of a triangle or a line */
+    struct zr_grid_edge own_edges[4];       /* of a triangle, a line or a point */
     struct zr_depth depth;                  /* of the first; of the only one, where count is 1 */
     int32_t min_x, min_y, max_x, max_y;     /* pixels in its box and in the window, inclusive; none where min > max */
 };
 
-/* The depth at a sample, and its owner: 1 + the number of the triangle or line. */
+/* The depth at a sample, and its owner: 1 + the number of the triangle, line or point. */
 struct zr_hit {
     float depth;
     uint32_t owner;

@@ -7,6 +7,7 @@
 #include "geometry/geometry.h"
 #include "raster/line_draw.h"
 #include "raster/oddeven.h"
+#include "raster/point.h"
 
 /* Triangles, or edges and triangles of shapes: less than a millisecond of work. */
 enum { PARTS_A_CANCEL_CHECK = 1024 };
@@ -158,12 +159,16 @@ static void draw_tiny_ones(const struct zr_visible *visible, uint32_t number, st
             draw_fragments(visible, (const struct zr_bin_fragments *)b, tile);
 }
 
-/* ---- shapes, lines, triangles with a depth offset ---- */
+/* ---- shapes, lines, points, triangles with a depth offset ---- */
 
 static void draw_other(const struct zr_visible *visible, const struct zr_draw *draw, uint32_t number,
                        struct zr_tile *tile)
 {
     const struct zr_geometry *geometry = visible->geometry;
+    if (draw->kind == ZR_DRAW_POINTS) {
+        zr_point_draw(geometry, draw, number, tile);
+        return;
+    }
     const struct zr_triangle triangle = zr_triangle_of(geometry, draw, number);
     if (triangle.line) {
         zr_line_draw(geometry, &triangle, number + 1, tile);

@@ -60,7 +60,7 @@ struct zr_material {
     zr_vec4 outline_color;
 };
 
-/* Indexed polygons and lines. Face f has the corners indices[face_offsets[f]] to
+/* Indexed polygons, lines and points. Face f has the corners indices[face_offsets[f]] to
  * indices[face_offsets[f + 1] - 1], counter-clockwise seen from its front; what is
  * inside is decided by the odd-even rule over all of its rings. */
 struct zr_mesh {
@@ -82,6 +82,10 @@ struct zr_mesh {
 
     uint32_t line_count;
     const uint32_t *lines; /* into positions, two a line */
+
+    uint32_t point_count;
+    const uint32_t *points; /* into positions */
+    float point_size;       /* pixels; below 1 it is 1 */
 
     uint32_t normal_count;          /* 0: normals are computed */
     const zr_vec3 *normals;         /* any length; a zero normal is computed instead */
@@ -107,10 +111,16 @@ static inline struct zr_rings zr_mesh_rings(const struct zr_mesh *mesh, uint32_t
     return (struct zr_rings){mesh->face_rings[face + 1] - first, mesh->ring_offsets + first};
 }
 
-/* What pixels are owned by: faces, and after them lines, one id each. */
+/* What pixels are owned by: faces, after them lines, and after these points, one id each. */
 static inline uint64_t zr_mesh_ids(const struct zr_mesh *mesh)
 {
-    return (uint64_t)mesh->face_count + mesh->line_count;
+    return (uint64_t)mesh->face_count + mesh->line_count + mesh->point_count;
+}
+
+/* What drawing looks up, one by one: corners of faces, ends of lines, points. */
+static inline uint64_t zr_mesh_corners(const struct zr_mesh *mesh)
+{
+    return mesh->face_offsets[mesh->face_count] + 2 * (uint64_t)mesh->line_count + mesh->point_count;
 }
 
 /* A mesh, placed. */

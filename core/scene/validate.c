@@ -30,12 +30,13 @@ static void check_geometry(const struct zr_scene *scene, struct zr_error *error)
     for (uint32_t i = 0; i < scene->instance_count && corners <= ZR_SCENE_CORNERS_MAX; i++) {
         const struct zr_mesh *mesh = &scene->meshes[scene->instances[i].mesh];
         things += zr_mesh_ids(mesh);
-        corners += mesh->face_offsets[mesh->face_count] + 2 * (uint64_t)mesh->line_count;
+        corners += zr_mesh_corners(mesh);
     }
-    if (things == 0) zr_error_add(error, ZR_BAD_SCENE, NULL, "no geometry: the scene has no face or line to draw");
+    if (things == 0)
+        zr_error_add(error, ZR_BAD_SCENE, NULL, "no geometry: the scene has no face, line or point to draw");
     if (corners > ZR_SCENE_CORNERS_MAX)
         zr_error_add(error, ZR_BAD_SCENE, NULL,
-                     "the faces and lines have more than the limit of %" PRIu64 " corners in all",
+                     "the faces, lines and points have more than the limit of %" PRIu64 " corners in all",
                      ZR_SCENE_CORNERS_MAX);
 }
 

@@ -36,6 +36,7 @@ static struct zr_eye_plane line_plane(const struct zr_window_vertex *const v[2],
 {
     double x0 = (double)v[0]->x, y0 = (double)v[0]->y, dx = x0 - (double)v[1]->x, dy = y0 - (double)v[1]->y;
     bool along_x = fabs(dx) >= fabs(dy);
+    if (dx == 0.0 && dy == 0.0) return (struct zr_eye_plane){p0, 0.0, 0.0}; /* a point */
     double dadx = along_x ? (p0 - p1) / dx : 0.0, dady = along_x ? 0.0 : (p0 - p1) / dy;
     return (struct zr_eye_plane){p0 - (dadx * (x0 - 0.5) + dady * (y0 - 0.5)), dadx, dady};
 }

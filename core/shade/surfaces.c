@@ -177,7 +177,7 @@ static bool color_faces(struct making *m, const struct zr_draw *draw, struct zr_
 
 static bool color(struct making *m, const struct zr_draw *draw, struct zr_surface *surface)
 {
-    if (draw->kind == ZR_DRAW_LINES) return color_lines(m, draw, surface);
+    if (draw->kind == ZR_DRAW_LINES || draw->kind == ZR_DRAW_POINTS) return color_lines(m, draw, surface);
     if (draw->kind != ZR_DRAW_OUTLINES || draw->material->outline != ZR_OUTLINE_COLORED)
         return color_faces(m, draw, surface);
     surface->attributes[ZR_ATTRIBUTE_COLOR] = (struct zr_attribute){ZR_RATE_DRAW, &draw->material->outline_color};
@@ -239,12 +239,12 @@ static bool make_surface(struct making *m, const struct zr_draw *draw, struct zr
     surface->draw = draw;
     surface->material = (uint32_t)(draw->material - m->scene->materials);
     if (m->colors && !color(m, draw, surface)) return false;
-    const bool of_lines = zr_draw_is_of_lines(draw);
-    const bool by_normals = m->colors && !of_lines && zr_material_is_shaded_late(draw->material);
+    const bool of_wires = zr_draw_is_of_wires(draw);
+    const bool by_normals = m->colors && !of_wires && zr_material_is_shaded_late(draw->material);
     surface->is_late = by_normals || (m->colors && m->out->fog.is_on);
     if (surface->is_late || m->wants->samples)
         surface->attributes[ZR_ATTRIBUTE_POINT] = (struct zr_attribute){ZR_RATE_VERTEX, m->points + draw->first_vertex};
-    return of_lines || !(by_normals || m->wants->normals || m->wants->samples) ||
+    return of_wires || !(by_normals || m->wants->normals || m->wants->samples) ||
            find_normals(m, draw, &surface->attributes[ZR_ATTRIBUTE_NORMAL]);
 }
 

@@ -34,7 +34,7 @@ static uint64_t corners_of(const struct zr_scene *scene)
     uint64_t corners = 0;
     for (uint32_t i = 0; i < scene->instance_count; i++) {
         const struct zr_mesh *mesh = &scene->meshes[scene->instances[i].mesh];
-        corners += mesh->face_offsets[mesh->face_count] + 2 * (uint64_t)mesh->line_count;
+        corners += zr_mesh_corners(mesh);
     }
     return corners;
 }

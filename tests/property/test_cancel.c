@@ -132,7 +132,7 @@ static void cutting_of_many_large_faces_stops(void **state)
     zr_arena_free(&arena);
 }
 
-static void drawing_of_many_lines_and_walking_over_many_points_stop(void **state)
+static void drawing_of_many_lines_and_points_and_walking_over_many_points_stop(void **state)
 {
     enum { POINTS = 1 << 16, LINES = 1 << 20, INSTANCES = 5000 };
     (void)state;
@@ -148,6 +148,11 @@ static void drawing_of_many_lines_and_walking_over_many_points_stop(void **state
     test.mesh.line_count = LINES;
     assert_ends_soon(&test.scene);
     test.mesh.line_count = 0;
+    test.mesh.points = lines;
+    test.mesh.point_count = 2 * LINES;
+    test.mesh.point_size = 3.0f;
+    assert_ends_soon(&test.scene);
+    test.mesh.point_count = 0;
     test.scene.instances = instances;
     test.scene.instance_count = INSTANCES;
     test.scene.views[0].pose = ZR_POSE_PRESET; /* fitted, for which all points are walked over */
@@ -385,7 +390,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(cutting_of_many_large_faces_stops),
-        cmocka_unit_test(drawing_of_many_lines_and_walking_over_many_points_stop),
+        cmocka_unit_test(drawing_of_many_lines_and_points_and_walking_over_many_points_stop),
         cmocka_unit_test(many_small_instances_stop),
         cmocka_unit_test(instances_of_shapes_that_cross_themselves_stop),
         cmocka_unit_test(face_of_very_many_corners_stops),

@@ -149,7 +149,7 @@ static void colors_are_those_of_primitives_that_are_placed_singly(void **state)
     zr_arena_free(&arena);
 }
 
-static const struct zr_window window = {WIDTH, HEIGHT, 1};
+static const struct zr_window window = {WIDTH, HEIGHT, 1, 1.0f};
 
 /* What lit triangles that show their backs show, flat and drawn from both sides, as many as are a draw by themselves,
  * and one that the window cuts. */

@@ -4,7 +4,18 @@
 
 enum { CHANNELS = 4 };
 
-struct zr_scene average_scene(const struct zr_scene *scene)
+/* Where the arena fails, points are as they were. */
+static const struct zr_mesh *meshes_of_large(struct zr_arena *arena, const struct zr_scene *scene)
+{
+    struct zr_mesh *meshes = zr_arena_alloc(arena, scene->mesh_count, sizeof *meshes);
+    for (uint32_t i = 0; meshes && i < scene->mesh_count; i++) {
+        meshes[i] = scene->meshes[i];
+        meshes[i].point_size *= (float)scene->picture.side;
+    }
+    return meshes ? meshes : scene->meshes;
+}
+
+struct zr_scene average_scene(struct zr_arena *arena, const struct zr_scene *scene)
 {
     struct zr_scene large = *scene;
     const uint32_t side = scene->picture.side;
@@ -12,6 +23,7 @@ struct zr_scene average_scene(const struct zr_scene *scene)
     large.views[0].height *= side;
     large.picture.line_width *= (float)side;
     large.picture.side = 1;
+    large.meshes = meshes_of_large(arena, scene);
     return large;
 }
 

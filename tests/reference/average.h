@@ -6,10 +6,12 @@
 
 #include <stdint.h>
 
+#include "base/arena.h"
 #include "scene/scene.h"
 
-/* The scene whose picture has `side` times the width and the height, and lines that are as much wider. */
-struct zr_scene average_scene(const struct zr_scene *scene);
+/* The scene whose picture has `side` times the width and the height, lines that are as much wider, and points
+ * that are as much larger: its meshes lie in the arena. */
+struct zr_scene average_scene(struct zr_arena *arena, const struct zr_scene *scene);
 
 /* `samples` has side x side as many pixels as `out`, which has width x height. */
 void average_bytes(const uint8_t *samples, uint32_t side, uint32_t width, uint32_t height, uint8_t *out);

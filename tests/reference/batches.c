@@ -353,6 +353,29 @@ static bool append_line_range(struct batches_builder *b, const struct batches_so
     return batches_append(b, &batch);
 }
 
+/* In their own colours, unlit. */
+static bool append_point_range(struct batches_builder *b, const struct batches_source *s, uint32_t begin, uint32_t end)
+{
+    const struct zr_mesh *mesh = s->mesh;
+    struct reference_batch batch = {.mode = REFERENCE_POINTS,
+                                    .modelview = s->modelview,
+                                    .instance = (uint32_t)(s->instance - b->scene->instances),
+                                    .point_size = mesh->point_size,
+                                    .first = b->corner_count,
+                                    .count = end - begin};
+    if (begin == end) return true;
+    if (!batches_reserve_corners(b, batch.count)) return false;
+    b->out->triangles += end - begin;
+    for (uint32_t i = begin; i < end; i++) {
+        zr_vec4 color = b->scene->materials[mesh->material].base_color;
+        if (mesh->colors) color = zr_vec4_mul(color, mesh->colors[mesh->points[i]]);
+        if (b->options.purpose == BATCHES_OWNERS)
+            color = batches_owner_color(b->owner + mesh->face_count + mesh->line_count + i);
+        batches_append_vertex(b, s, mesh->points[i], color, no_normal);
+    }
+    return batches_append(b, &batch);
+}
+
 /* ---- what is drawn ---- */
 
 static bool is_drawn(const struct batches_builder *b, const struct batches_source *s, enum batches_kind kind,
@@ -365,15 +388,17 @@ static bool is_drawn(const struct batches_builder *b, const struct batches_sourc
                           only->number == number);
 }
 
-static bool append_lines(struct batches_builder *b, const struct batches_source *s)
+/* Lines or points of the mesh. */
+static bool append_wires(struct batches_builder *b, const struct batches_source *s, enum batches_kind kind,
+                         uint32_t count,
+                         bool (*append)(struct batches_builder *b, const struct batches_source *s, uint32_t begin,
+                                        uint32_t end))
 {
     const struct zr_material *material = &b->scene->materials[s->mesh->material];
-    if (!b->options.only || !b->options.only->one) {
-        const bool drawn = is_drawn(b, s, BATCHES_LINE, 0, material);
-        return append_line_range(b, s, 0, drawn ? s->mesh->line_count : 0);
-    }
-    for (uint32_t i = 0; i < s->mesh->line_count; i++)
-        if (is_drawn(b, s, BATCHES_LINE, i, material) && !append_line_range(b, s, i, i + 1)) return false;
+    if (!b->options.only || !b->options.only->one)
+        return append(b, s, 0, is_drawn(b, s, kind, 0, material) ? count : 0);
+    for (uint32_t i = 0; i < count; i++)
+        if (is_drawn(b, s, kind, i, material) && !append(b, s, i, i + 1)) return false;
     return true;
 }
 
@@ -413,7 +438,9 @@ static bool append_instance(struct batches_builder *b, const struct zr_instance 
     if (!for_each_face(b, &source, BATCHES_FACE, append_face) ||
         !for_each_face(b, &source, BATCHES_OUTLINE, append_outline))
         return false;
-    if (!append_lines(b, &source)) return false;
+    if (!append_wires(b, &source, BATCHES_LINE, mesh->line_count, append_line_range) ||
+        !append_wires(b, &source, BATCHES_POINT, mesh->point_count, append_point_range))
+        return false;
     b->owner += (uint32_t)zr_mesh_ids(mesh);
     return true;
 }

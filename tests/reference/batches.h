@@ -23,7 +23,7 @@ enum batches_purpose {
 };
 
 /* What of a scene is drawn. */
-enum batches_kind { BATCHES_FACE, BATCHES_OUTLINE, BATCHES_LINE };
+enum batches_kind { BATCHES_FACE, BATCHES_OUTLINE, BATCHES_LINE, BATCHES_POINT };
 struct batches_only {
     enum zr_alpha_mode mode; /* of materials; */
     bool one;                /* and this part of it alone: */
@@ -49,7 +49,7 @@ struct batches {
     struct reference_arrays arrays;
     uint32_t thin_count;
     struct batches_thin *thin;
-    uint64_t triangles;    /* of faces cut to triangles; a line counts as one */
+    uint64_t triangles;    /* of faces cut to triangles; a line or a point counts as one */
     uint32_t parity_faces; /* drawn by the odd-even rule */
 };
 

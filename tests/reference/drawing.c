@@ -11,10 +11,10 @@ void drawing_start(struct drawing *drawing, uint32_t width, uint32_t height)
     drawing->height = height;
     drawing->smooth = drawing->first_corner = false;
     drawing->side = 1;
-    drawing->line_width = 1.0f;
+    drawing->line_width = drawing->point_size = 1.0f;
     drawing->modelview = drawing->projection = zr_mat4_identity();
     drawing->position_count = drawing->face_count = drawing->corner_count = 0;
-    drawing->ring_count = drawing->line_count = 0;
+    drawing->ring_count = drawing->line_count = drawing->point_count = 0;
     drawing->outline = ZR_OUTLINE_NONE;
     drawing->unfilled = drawing->lit = drawing->given_normals = drawing->see_through = false;
     drawing->light_count = 0;
@@ -29,6 +29,7 @@ void drawing_free(struct drawing *drawing)
     free(drawing->face_rings);
     free(drawing->ring_offsets);
     free(drawing->lines);
+    free(drawing->points);
     free(drawing->face_colors);
     free(drawing->face_materials);
     free(drawing->indices);
@@ -134,6 +135,19 @@ void drawing_line(struct drawing *drawing, uint32_t a, uint32_t b)
     drawing->lines[2 * drawing->line_count++ + 1] = b;
 }
 
+void drawing_point(struct drawing *drawing, uint32_t position)
+{
+    uint32_t room = drawing->point_room * 2 + 64;
+    if (drawing->point_count == drawing->point_room) {
+        if (drawing->failed || !widen(&drawing->points, room, sizeof *drawing->points)) {
+            drawing->failed = true;
+            return;
+        }
+        drawing->point_room = room;
+    }
+    drawing->points[drawing->point_count++] = position;
+}
+
 void drawing_triangle(struct drawing *drawing, uint32_t a, uint32_t b, uint32_t c)
 {
     drawing_face(drawing, (uint32_t[]){a, b, c}, 3);
@@ -141,5 +155,5 @@ void drawing_triangle(struct drawing *drawing, uint32_t a, uint32_t b, uint32_t 
 
 uint32_t drawing_triangles(const struct drawing *drawing)
 {
-    return drawing->corner_count - 2 * drawing->ring_count + drawing->line_count;
+    return drawing->corner_count - 2 * drawing->ring_count + drawing->line_count + drawing->point_count;
 }

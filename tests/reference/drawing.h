@@ -1,4 +1,4 @@
-/* drawing.h - reference: one picture's worth of polygons and lines, as generators and models make them.
+/* drawing.h - reference: one picture's worth of polygons, lines and points, as generators and models make them.
  *
  * Both sides get the same floats: subject_make puts a scene around the polygons, past
  * input/, and the scene is what is compared.
@@ -11,7 +11,7 @@
 
 #include "scene/scene.h"
 
-/* Indexed polygons and lines as in struct zr_mesh, in memory of its own that is kept from
+/* Indexed polygons, lines and points as in struct zr_mesh, in memory of its own that is kept from
  * one picture to the next. `failed` is sticky: memory ran out. */
 enum { DRAWING_LIGHTS_MAX = 8 };
 
@@ -47,6 +47,10 @@ struct drawing {
     uint32_t line_count, line_room;
     uint32_t *lines; /* two positions each */
 
+    uint32_t point_count, point_room;
+    uint32_t *points; /* positions */
+    float point_size; /* pixels */
+
     enum zr_outline outline;
     bool unfilled; /* outlines alone */
 
@@ -64,9 +68,10 @@ void drawing_face(struct drawing *drawing, const uint32_t *indices, uint32_t cou
 /* One more ring of the last face. */
 void drawing_hole(struct drawing *drawing, const uint32_t *indices, uint32_t count);
 void drawing_line(struct drawing *drawing, uint32_t a, uint32_t b);
+void drawing_point(struct drawing *drawing, uint32_t position);
 void drawing_triangle(struct drawing *drawing, uint32_t a, uint32_t b, uint32_t c);
 
-/* Triangles after cutting polygons to fans; a line counts as one. */
+/* Triangles after cutting polygons to fans; a line or a point counts as one. */
 uint32_t drawing_triangles(const struct drawing *drawing);
 
 #endif

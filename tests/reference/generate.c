@@ -257,6 +257,8 @@ const struct generator generators[] = {
     {"hidden-lines", true, true, WINDOWS_ANY, fill_hidden_lines},
     {"lines", false, true, WINDOWS_ANY, fill_lines},
     {"lines-clipped", true, true, WINDOWS_ANY, fill_lines_clipped},
+    {"points", false, true, WINDOWS_ANY, fill_points},
+    {"points-clipped", true, true, WINDOWS_ANY, fill_points_clipped},
     {"tiny", false, false, WINDOWS_LARGE, fill_tiny},
     {"layers", false, false, WINDOWS_LARGE, fill_layers},
     {"crowd", false, false, WINDOWS_LARGE, fill_crowd},

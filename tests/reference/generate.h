@@ -24,7 +24,7 @@ enum windows {
 struct generator {
     const char *name;
     bool clips; /* must make triangles that get clipped */
-    bool wires; /* outlines, lines or layers: for the exact comparison alone */
+    bool wires; /* outlines, lines, points or layers: for the exact comparison alone */
     enum windows windows;
     void (*fill)(struct drawing *drawing, struct random *r);
 };
@@ -74,13 +74,15 @@ void fill_lit(struct drawing *drawing, struct random *r);
 void fill_blended(struct drawing *drawing, struct random *r);
 void fill_masked(struct drawing *drawing, struct random *r);
 
-/* generate_shapes.c: polygons of any shape, outlines and lines. */
+/* generate_shapes.c: polygons of any shape, outlines, lines and points. */
 void fill_shapes(struct drawing *drawing, struct random *r);
 void fill_shapes_clipped(struct drawing *drawing, struct random *r);
 void fill_outlines(struct drawing *drawing, struct random *r);
 void fill_outlines_clipped(struct drawing *drawing, struct random *r);
 void fill_hidden_lines(struct drawing *drawing, struct random *r);
 void fill_lines(struct drawing *drawing, struct random *r);
+void fill_points(struct drawing *drawing, struct random *r);
+void fill_points_clipped(struct drawing *drawing, struct random *r);
 void fill_lines_clipped(struct drawing *drawing, struct random *r);
 
 #endif

@@ -1,4 +1,4 @@
-/* Generators of polygons of any shape, of outlines and of lines. */
+/* Generators of polygons of any shape, of outlines, of lines and of points. */
 #include <math.h>
 
 #include "reference/generate.h"
@@ -170,4 +170,64 @@ void fill_lines_clipped(struct drawing *drawing, struct random *r)
         double reach = random_power(r, -2, 1);
         add_line(drawing, r, 2.5, reach, random_below(r, 4) ? 0.25 : -0.5, 1.5);
     }
+}
+
+/* Sizes whole, by halves, near halves, or any. */
+static float point_size(struct random *r)
+{
+    enum { LARGEST = 48 };
+    const double whole = 1 + random_below(r, LARGEST);
+    switch (random_below(r, 5)) {
+    case 0:
+        return 1.0f;
+    case 1:
+        return (float)(whole + 0.5);
+    case 2:
+        return (float)(whole + 0.5 + random_range(r, -1, 1) / 128);
+    case 3:
+        return (float)random_range(r, 1, 6);
+    default:
+        return (float)whole;
+    }
+}
+
+/* Anywhere, on the borders of the view, or on corners and centres of pixels or a hair beside them. */
+static void add_point(struct drawing *drawing, struct random *r, double room, double w_low, double z_room)
+{
+    double x = random_range(r, -room, room), y = random_range(r, -room, room), z = random_range(r, -z_room, z_room);
+    double w = random_range(r, w_low, 2);
+    const uint32_t kind = random_below(r, 8);
+    if (kind < 2) {
+        const double steps = random_below(r, 2) ? 1 : 256;
+        x = floor(x * drawing->width * steps) / (drawing->width * steps);
+        y = floor(y * drawing->height * steps) / (drawing->height * steps);
+        w = 1;
+    }
+    if (kind == 2 && room > 1) x = x < 0 ? -1 : 1;
+    if (kind == 3 && room > 1) y = y < 0 ? -1 : 1;
+    if (kind == 4 && room > 1) z = z < 0 ? -1 : 1;
+    drawing_point(drawing, random_vertex(drawing, r, x, y, z, w));
+}
+
+void fill_points(struct drawing *drawing, struct random *r)
+{
+    drawing->point_size = point_size(r);
+    for (int i = 0; i < 200; i++)
+        add_point(drawing, r, 0.98, 0.25, 0.99);
+}
+
+/* Beside the window, at its border, before the near plane, behind the far one and behind the eye; and faces among them.
+ */
+void fill_points_clipped(struct drawing *drawing, struct random *r)
+{
+    const double low[3] = {-1, -1, -1}, high[3] = {1, 1, 1};
+    uint32_t v[3];
+    drawing->point_size = point_size(r);
+    for (int i = 0; i < 4; i++) {
+        for (int k = 0; k < 3; k++)
+            v[k] = random_vertex_in(drawing, r, low, high, 1);
+        drawing_triangle(drawing, v[0], v[1], v[2]);
+    }
+    for (int i = 0; i < 200; i++)
+        add_point(drawing, r, 1.3, random_below(r, 4) ? 0.25 : -0.5, 1.3);
 }

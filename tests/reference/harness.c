@@ -118,7 +118,7 @@ static bool draw_layers(struct harness *harness, const struct zr_scene *scene, c
 static bool draw_average(struct harness *harness, const struct zr_scene *scene, const struct zr_camera *camera,
                          const struct batches_options *options)
 {
-    const struct zr_scene large = average_scene(scene);
+    const struct zr_scene large = average_scene(&harness->arena, scene);
     const uint32_t side = scene->picture.side, width = scene->views[0].width, height = scene->views[0].height;
     const size_t samples = (size_t)large.views[0].width * large.views[0].height;
     const struct target to = {zr_arena_alloc(&harness->arena, samples, 4), zr_arena_alloc(&harness->arena, samples, 1),
@@ -199,7 +199,14 @@ static bool reference_render(struct harness *harness, const struct zr_scene *sce
 
 /* ---- both ---- */
 
-/* Outlines and lines end where rounding says: they are for the exact comparison alone. */
+/* Points and lines end where rounding says: they are for the exact comparison alone. */
+static bool has_points(const struct zr_scene *scene)
+{
+    for (uint32_t i = 0; i < scene->mesh_count; i++)
+        if (scene->meshes[i].point_count > 0) return true;
+    return false;
+}
+
 static bool has_wires(const struct zr_scene *scene)
 {
     for (uint32_t i = 0; i < scene->material_count; i++)
@@ -252,7 +259,8 @@ static enum verdict compare_sides(struct harness *harness, const struct zr_scene
     out->got = (struct picture){frame->color, frame->window_depth, frame->face_id, NULL, 0};
     struct rounding rounding = nearness_rounding(scene, &frame->camera);
     bool too_coarse = rounding.px > rounding_max_px || rounding.depth > rounding_max_depth;
-    if ((harness->options.transformed && too_coarse) || (harness->options.bar != COMPARE_EXACT && has_wires(scene))) {
+    const bool exact_alone = has_wires(scene) || has_points(scene);
+    if ((harness->options.transformed && too_coarse) || (harness->options.bar != COMPARE_EXACT && exact_alone)) {
         tally->left_out++;
         return VERDICT_EQUAL;
     }
@@ -260,7 +268,7 @@ static enum verdict compare_sides(struct harness *harness, const struct zr_scene
     tally->colors_left_out += scene->picture.is_linear && !has_colors(harness, scene);
     tally->triangles += batches.triangles;
     const struct zr_counts *counts = &frame->counts;
-    tally->clipped += counts->clipped + counts->clipped_lines + counts->clipped_outlines;
+    tally->clipped += counts->clipped + counts->clipped_lines + counts->clipped_outlines + counts->outside_points;
     tally->parity_faces += batches.parity_faces;
     struct nearness nearness = {
         .scene = scene, .camera = &frame->camera, .arena = &harness->arena, .depth_rounding = rounding.depth};
@@ -298,7 +306,7 @@ static void single_make(struct single *single, const struct zr_scene *scene, con
     single->mesh = *from;
     single->instance = (struct zr_instance){.object_to_world = scene->instances[instance].object_to_world};
     single->mesh.face_count = 1;
-    single->mesh.line_count = 0;
+    single->mesh.line_count = single->mesh.point_count = 0;
     single->mesh.face_offsets = from->face_offsets + face;
     if (from->face_rings) single->mesh.face_rings = from->face_rings + face;
     if (from->face_colors) single->mesh.face_colors = from->face_colors + face;

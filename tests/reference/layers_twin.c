@@ -106,7 +106,7 @@ static bool add_kind(const struct layers_twin *twin, struct parts *parts, struct
     const struct zr_mesh *mesh = &twin->scene->meshes[twin->scene->instances[only->instance].mesh];
     only->kind = kind;
     for (only->number = 0; only->number < count; only->number++) {
-        const struct zr_material *material = kind == BATCHES_LINE
+        const struct zr_material *material = kind >= BATCHES_LINE
                                                  ? &twin->scene->materials[mesh->material]
                                                  : zr_material_of_face(twin->scene, mesh, only->number);
         if (material->alpha_mode != only->mode) continue;
@@ -124,7 +124,8 @@ static bool find_parts(const struct layers_twin *twin, enum zr_alpha_mode mode, 
         struct batches_only only = {.mode = mode, .one = true, .instance = i};
         if (!add_kind(twin, parts, &only, BATCHES_FACE, mesh->face_count, error) ||
             !add_kind(twin, parts, &only, BATCHES_OUTLINE, mesh->face_count, error) ||
-            !add_kind(twin, parts, &only, BATCHES_LINE, mesh->line_count, error))
+            !add_kind(twin, parts, &only, BATCHES_LINE, mesh->line_count, error) ||
+            !add_kind(twin, parts, &only, BATCHES_POINT, mesh->point_count, error))
             return false;
     }
     return true;
@@ -135,14 +136,16 @@ static uint32_t id_of(const struct zr_scene *scene, const struct batches_only *o
     uint32_t id = 1 + only->number;
     for (uint32_t i = 0; i < only->instance; i++)
         id += (uint32_t)zr_mesh_ids(&scene->meshes[scene->instances[i].mesh]);
-    if (only->kind == BATCHES_LINE) id += scene->meshes[scene->instances[only->instance].mesh].face_count;
+    const struct zr_mesh *mesh = &scene->meshes[scene->instances[only->instance].mesh];
+    if (only->kind >= BATCHES_LINE) id += mesh->face_count;
+    if (only->kind == BATCHES_POINT) id += mesh->line_count;
     return id;
 }
 
 static const struct zr_material *material_of(const struct zr_scene *scene, const struct batches_only *only)
 {
     const struct zr_mesh *mesh = &scene->meshes[scene->instances[only->instance].mesh];
-    if (only->kind == BATCHES_LINE) return &scene->materials[mesh->material];
+    if (only->kind >= BATCHES_LINE) return &scene->materials[mesh->material];
     return zr_material_of_face(scene, mesh, only->number);
 }
 
@@ -300,7 +303,7 @@ uint64_t layers_twin_compare(struct zr_arena *arena, struct zr_team *team, const
     const float line_width = scene->picture.line_width + 0.5f;
     const struct zr_pass_of of = {.scene = scene,
                                   .camera = camera,
-                                  .window = {width, height, line_width > 1.0f ? (int32_t)line_width : 1},
+                                  .window = {width, height, line_width > 1.0f ? (int32_t)line_width : 1, 1.0f},
                                   .wants = {.colors = true}};
     struct zr_pass *pass = zr_arena_alloc(arena, 1, sizeof *pass);
     struct zr_tile *tile = zr_arena_alloc(arena, 1, sizeof *tile);

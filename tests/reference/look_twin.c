@@ -148,7 +148,7 @@ static bool put_sides(struct zr_arena *arena, struct reference_arrays *arrays)
     if (corners > 0) memcpy(front, arrays->front, corners * sizeof *front);
     for (uint32_t i = 0; i < arrays->batch_count; i++) {
         const struct reference_batch *batch = &arrays->batches[i];
-        const bool is_line = batch->outline || batch->mode == REFERENCE_LINES;
+        const bool is_line = batch->outline || batch->mode == REFERENCE_LINES || batch->mode == REFERENCE_POINTS;
         const float side = batch->light == REFERENCE_LIT_FRONT  ? 1.0f
                            : batch->light == REFERENCE_LIT_BACK ? 2.0f
                                                                 : 0.0f;
@@ -241,7 +241,7 @@ static void finish_pixel(const float *corner, uint32_t side, size_t row_floats, 
 
 bool look_twin_draw(const struct look_twin *twin, uint8_t *rgba, uint8_t *gaps, struct reference_error *error)
 {
-    const struct zr_scene large = average_scene(twin->scene);
+    const struct zr_scene large = average_scene(twin->arena, twin->scene);
     const uint32_t side = twin->scene->picture.side;
     const uint32_t width = twin->scene->views[0].width, height = twin->scene->views[0].height;
     const size_t count = (size_t)large.views[0].width * large.views[0].height;

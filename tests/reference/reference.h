@@ -31,7 +31,8 @@ enum reference_mode {
     REFERENCE_TRIANGLES,
     REFERENCE_POLYGON, /* one convex polygon */
     REFERENCE_PARITY,  /* one polygon of any shape: the odd-even rule over its rings */
-    REFERENCE_LINES
+    REFERENCE_LINES,
+    REFERENCE_POINTS
 };
 
 /* Which colours a batch has. The two lit colours of a corner are those of its normal and of the opposite one. */
@@ -74,6 +75,7 @@ struct reference_batch {
     bool cull;           /* what shows its back is not drawn */
     bool mirrored;       /* clockwise is the front */
     bool outline;        /* edges instead of areas (glPolygonMode) */
+    float point_size;    /* of points, pixels */
     bool depth_offset;   /* moved back by glPolygonOffset(1, 1), to make room for outlines */
 };
 

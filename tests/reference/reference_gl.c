@@ -255,12 +255,15 @@ static void draw_parity(const struct reference *reference, const struct referenc
 static void draw_batch(const struct reference *reference, const struct reference_arrays *arrays,
                        const struct reference_batch *batch, GLuint program)
 {
-    static const GLenum modes[] = {
-        [REFERENCE_TRIANGLES] = GL_TRIANGLES, [REFERENCE_POLYGON] = GL_POLYGON, [REFERENCE_LINES] = GL_LINES};
+    static const GLenum modes[] = {[REFERENCE_TRIANGLES] = GL_TRIANGLES,
+                                   [REFERENCE_POLYGON] = GL_POLYGON,
+                                   [REFERENCE_LINES] = GL_LINES,
+                                   [REFERENCE_POINTS] = GL_POINTS};
     glShadeModel(batch->smooth ? GL_SMOOTH : GL_FLAT);
     glProvokingVertex(batch->first_provokes ? GL_FIRST_VERTEX_CONVENTION : GL_LAST_VERTEX_CONVENTION);
     glFrontFace(batch->mirrored ? GL_CW : GL_CCW);
     glPolygonMode(GL_FRONT_AND_BACK, batch->outline ? GL_LINE : GL_FILL);
+    if (batch->mode == REFERENCE_POINTS) glPointSize(batch->point_size);
     enable(GL_CULL_FACE, batch->cull);
     enable(GL_POLYGON_OFFSET_FILL, batch->depth_offset);
     if (program)
@@ -302,6 +305,20 @@ bool reference_set_line_width(float pixels, struct reference_error *error)
     return reference_gl_ok(error, "line width");
 }
 
+bool reference_has_point_sizes(const struct reference_arrays *arrays, struct reference_error *error)
+{
+    GLfloat range[2] = {0, 0};
+    glGetFloatv(GL_ALIASED_POINT_SIZE_RANGE, range);
+    for (uint32_t i = 0; i < arrays->batch_count; i++) {
+        const struct reference_batch *batch = &arrays->batches[i];
+        if (batch->mode != REFERENCE_POINTS || batch->point_size <= range[1]) continue;
+        snprintf(error->text, sizeof error->text, "%s has no points of %g pixels, but up to %g", reference_context.name,
+                 (double)batch->point_size, (double)range[1]);
+        return false;
+    }
+    return true;
+}
+
 void reference_draw_batches(const struct reference *reference, const struct reference_arrays *arrays, GLuint program)
 {
     const zr_mat4 *modelview = NULL;
@@ -327,7 +344,7 @@ void reference_draw_batches(const struct reference *reference, const struct refe
 bool reference_draw(struct reference *reference, const struct reference_arrays *arrays, struct reference_error *error)
 {
     if (arrays->lighting && !reference_light_begin(reference, arrays, error)) return false;
-    if (!reference_set_line_width(arrays->line_width, error)) return false;
+    if (!reference_set_line_width(arrays->line_width, error) || !reference_has_point_sizes(arrays, error)) return false;
     reference_draw_batches(reference, arrays, 0);
     return reference_gl_ok(error, "draw");
 }

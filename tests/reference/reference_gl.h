@@ -38,6 +38,9 @@ bool reference_gl_ok(struct reference_error *error, const char *what);
 /* Of lines and outlines from now on; false where the driver has none so wide. */
 bool reference_set_line_width(float pixels, struct reference_error *error);
 
+/* The same of points, for all that are to come. */
+bool reference_has_point_sizes(const struct reference_arrays *arrays, struct reference_error *error);
+
 /* Clears the frame buffer that is bound, draws into it, and waits. `program` 0: the batches choose theirs. */
 void reference_draw_batches(const struct reference *reference, const struct reference_arrays *arrays, GLuint program);
 

@@ -134,7 +134,7 @@ struct checking {
 
 static void put_facts(const struct reference_batch *batch, zr_vec4 *front)
 {
-    const bool line = batch->outline || batch->mode == REFERENCE_LINES;
+    const bool line = batch->outline || batch->mode == REFERENCE_LINES || batch->mode == REFERENCE_POINTS;
     const float side = batch->light == REFERENCE_LIT_FRONT ? 1.0f : batch->light == REFERENCE_LIT_BACK ? 2.0f : 0.0f;
     for (uint32_t i = 0; i < batch->count; i++)
         front[batch->first + i] = (zr_vec4){(float)batch->instance + 1.0f, side, batch->smooth ? 1.0f : 0.0f,

@@ -267,6 +267,7 @@ static int add_box(void)
         add("%s[%.6g,%.6g,%.6g]", i > 0 ? "," : "", x + dx, y + dy, z + dz);
     }
     add("],\"faces\":[[0,1,3,2],[4,6,7,5],[0,4,5,1],[2,3,7,6],[0,2,6,4],[1,5,7,3]],\"lines\":[[0,7],[1,6]]");
+    if (once_in(3)) add(",\"points\":[7,0,3,2,5,5],\"pointSize\":%.6g", once_in(4) ? 64.0 : between(1.0, 9.0));
     return 8;
 }
 

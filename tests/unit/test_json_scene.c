@@ -146,7 +146,7 @@ static void bad_geometry_gives_pointer_to_it(void **state)
                   "a face of 2 corners; 3 to 1024 are allowed");
     refuses_scene("{\"meshes\": [{" POSITIONS ", \"faces\": [7]}]}", "/meshes/0/faces/0",
                   "expected a list, found a number");
-    refuses_scene("{\"meshes\": [{" POSITIONS "}]}", "/meshes/0", "faces is missing, and so is lines");
+    refuses_scene("{\"meshes\": [{" POSITIONS "}]}", "/meshes/0", "faces is missing, and so are lines and points");
     refuses_scene("{\"meshes\": [{\"positions\": [[0,0]], \"faces\": []}]}", "/meshes/0/positions/0",
                   "expected 3 or 4 numbers, found 2");
     refuses_scene("{\"meshes\": [{\"positions\": [[0,0,1000001]], \"faces\": []}]}", "/meshes/0/positions/0/2",

@@ -82,7 +82,8 @@ static const char several[] =
     "{" WINDOW "," OUTPUTS ",\"polygons\":[{\"vertices\":[[0,0,0],[1,0,0],[0,1,0]],\"colors\":[\"#ff0000\",\"#00ff00\","
     "\"#0000ff\"]},{\"vertices\":[[0,0,1],[1,0,1],[1,1,1],[0,1,1]],\"holes\":[[[0.2,0.2,1],[0.2,0.4,1],[0.4,0.2,1]]]}],"
     "\"materials\":[{\"name\":\"m\",\"baseColorFactor\":[0.5,0.25,1,0.5]}],\"meshes\":[{\"name\":\"a\",\"positions\":["
-    "[0,0,2],[1,0,2],[0,1,2]],\"faces\":[[0,1,2]],\"lines\":[[0,1]],\"material\":\"m\",\"outline\":true},{\"name\":"
+    "[0,0,2],[1,0,2],[0,1,2]],\"faces\":[[0,1,2]],\"lines\":[[0,1]],\"points\":[2],\"material\":\"m\",\"outline\":true}"
+    ",{\"name\":"
     "\"b\",\"heights\":[[0,1],[1,0]]}],\"nodes\":[{\"mesh\":0,\"children\":[1]},{\"mesh\":\"a\",\"translation\":[1,0,0]"
     "}"
     "],\"lights\":[{\"type\":\"directional\",\"direction\":[0,0,-1]}]}";

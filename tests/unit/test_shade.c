@@ -210,7 +210,7 @@ static uint32_t count_early(struct zr_arena *arena, struct zr_team *team, const 
     struct zr_tile *tile = zr_arena_alloc(arena, 1, sizeof *tile);
     assert_int_equal(zr_camera_resolve(scene, NULL, NULL, NULL, &camera, &error), ZR_OK);
     const uint32_t width = scene->views[0].width, height = scene->views[0].height;
-    const struct zr_window window = {width, height, 1};
+    const struct zr_window window = {width, height, 1, 1.0f};
     const struct zr_surface_wants wants = {.colors = zr_view_wants(&scene->views[0], ZR_CHANNEL_COLOR),
                                            .normals = zr_view_wants(&scene->views[0], ZR_CHANNEL_NORMALS)};
     assert_int_equal(zr_geometry_build(arena, team, scene, &camera, &window, NULL, false, &geometry), ZR_OK);

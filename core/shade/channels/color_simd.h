@@ -39,7 +39,7 @@ static inline void zr_look_up_smooth(const struct zr_shader *s, const struct zr_
 static inline void zr_look_up_colors(const struct zr_shader *s, const struct zr_run *run, struct zr_color_places *out)
 {
     const struct zr_surface *surface = run->surface;
-    if (zr_draw_is_of_lines(run->draw)) return;
+    if (zr_draw_is_of_wires(run->draw)) return;
     if (zr_run_has_planes(run)) {
         zr_look_up_smooth(s, run, &out->smooth);
         return;
@@ -128,7 +128,7 @@ static inline void zr_make_colors(struct zr_shader *s, const struct zr_run *run,
     if (count > 1 + ZR_VALUES_FEW)
         for (uint32_t i = first; i < first + ZR_LANES; i++)
             s->materials[i] = NULL;
-    if (zr_draw_is_of_lines(run->draw)) {
+    if (zr_draw_is_of_wires(run->draw)) {
         zr_make_lines(s, run, count);
     } else if (zr_run_has_planes(run)) {
         zr_put_smooth(s, run, &places->smooth, count);

@@ -40,7 +40,7 @@ static inline void zr_put_opacity(struct zr_shader *s, const struct zr_run *run,
 
 static inline void zr_make_floats(struct zr_shader *s, const struct zr_run *run)
 {
-    if (zr_draw_is_of_lines(run->draw)) {
+    if (zr_draw_is_of_wires(run->draw)) {
         zr_make_float_lines(s, run);
         return;
     }

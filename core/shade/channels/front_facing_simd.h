@@ -8,7 +8,7 @@
 static inline zr_vi zr_front_facing_words(const struct zr_geometry *geometry, const struct zr_surface *surface,
                                           zr_vi numbers)
 {
-    if (zr_draw_is_of_lines(surface->draw)) return zr_vi_set(0);
+    if (zr_draw_is_of_wires(surface->draw)) return zr_vi_set(0);
     const zr_vm backs = zr_flat_backs(geometry, surface, numbers);
     return zr_vi_select(backs, zr_vi_set(2), zr_vi_set(1));
 }

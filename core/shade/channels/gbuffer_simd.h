@@ -42,7 +42,7 @@ static inline void zr_put_values(struct zr_shader *s, const struct zr_run *run, 
 
 static inline void zr_make_samples(struct zr_shader *s, const struct zr_run *run, bool with_base)
 {
-    if (zr_draw_is_of_lines(run->draw)) {
+    if (zr_draw_is_of_wires(run->draw)) {
         zr_make_sample_lines(s, run);
         return;
     }

@@ -19,7 +19,7 @@ static inline void zr_put_no_normal(struct zr_shader *s, uint32_t part)
 static inline void zr_make_normals(struct zr_shader *s, const struct zr_run *run)
 {
     const uint32_t first = run->first;
-    if (zr_draw_is_of_lines(run->draw)) {
+    if (zr_draw_is_of_wires(run->draw)) {
         for (uint32_t i = first; i < first + run->count; i++)
             zr_put_no_normal(s, i);
         return;

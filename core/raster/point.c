@@ -1,0 +1,51 @@
+#include "raster/point.h"
+
+#include "base/mutant.h"
+#include "raster/depth.h"
+
+enum { HALF_PIXEL = ZR_SUBPIXELS / 2 };
+
+/* Half down, once it is a whole number of subpixels. */
+int32_t zr_point_width(float size, float scale)
+{
+    const int32_t subpixels = (int32_t)(size * scale * (float)ZR_SUBPIXELS + 0.5f);
+    const int32_t width = (subpixels + ZR_MUTANT(point_sizes_half_up, HALF_PIXEL - 1, HALF_PIXEL)) >> ZR_SUBPIXEL_BITS;
+    return width > 1 ? width : 1;
+}
+
+static const struct zr_window_vertex *middle_of(const struct zr_geometry *geometry, const struct zr_draw *draw,
+                                                uint32_t number)
+{
+    return &geometry->vertices[draw->first_vertex + zr_draw_corner(draw, number - draw->first, 0)];
+}
+
+/* Of an odd number the middle one is the pixel that the point lies in; of an even number the two in the middle meet
+ * at the corner nearest to it. Snapped coordinates count from a pixel's centre (viewport.h). */
+static int32_t first_of(int32_t snapped, int32_t width)
+{
+    const int32_t from_corner = snapped + HALF_PIXEL;
+    if (width % 2 != 0) return (from_corner >> ZR_SUBPIXEL_BITS) - width / 2;
+    return ((from_corner + ZR_MUTANT(even_points_lean, HALF_PIXEL, 0)) >> ZR_SUBPIXEL_BITS) - width / 2;
+}
+
+void zr_point_box(const struct zr_geometry *geometry, const struct zr_draw *draw, uint32_t number, int32_t box[4])
+{
+    const struct zr_window_vertex *middle = middle_of(geometry, draw, number);
+    const int32_t width = zr_point_width(draw->mesh->point_size, geometry->window.point_scale);
+    box[0] = first_of(zr_snapped_x(middle), width);
+    box[1] = first_of(zr_snapped_y(middle), width);
+    box[2] = box[0] + width - 1;
+    box[3] = box[1] + width - 1;
+}
+
+void zr_point_draw(const struct zr_geometry *geometry, const struct zr_draw *draw, uint32_t number,
+                   struct zr_tile *tile)
+{
+    const int32_t last_x = tile->x + tile->width - 1, last_y = tile->y + tile->height - 1;
+    const float depth = zr_depth_clamp(middle_of(geometry, draw, number)->z);
+    int32_t box[4];
+    zr_point_box(geometry, draw, number, box);
+    for (int32_t y = box[1] > tile->y ? box[1] : tile->y; y <= box[3] && y <= last_y; y++)
+        for (int32_t x = box[0] > tile->x ? box[0] : tile->x; x <= box[2] && x <= last_x; x++)
+            zr_tile_put(tile, x, y, depth, number + 1);
+}
