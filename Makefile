@@ -21,7 +21,7 @@ endif
 Q := $(if $(V),,@)
 JOBS := $(shell getconf _NPROCESSORS_ONLN 2>/dev/null || echo 1)
 
-CORE_LIBS := -lcjson -lpng -lisal -lzip -lm
+CORE_LIBS := -lcjson -lpng -ljpeg -lisal -lzip -lm
 SERVER_LIBS := -lmicrohttpd -lnettle -lz
 CLIENT_LIBS := -lcurl -lcjson
 TEST_LIBS := -lcmocka -lcurl -lz
@@ -34,7 +34,7 @@ REFERENCE := $(or $(REFERENCE),$(shell $(CC) -E -include GL/osmesa.h -x c /dev/n
 
 # FILE=PACKAGE: what each kind of target wants on the machine, and the Debian package that has it; PACKAGE?: unless there is
 # no such package.
-NEED_BUILD := cc=gcc stdlib.h=libc6-dev microhttpd.h=libmicrohttpd-dev cjson/cJSON.h=libcjson-dev png.h=libpng-dev \
+NEED_BUILD := cc=gcc stdlib.h=libc6-dev microhttpd.h=libmicrohttpd-dev cjson/cJSON.h=libcjson-dev png.h=libpng-dev jpeglib.h=libjpeg62-turbo-dev \
 	isa-l/igzip_lib.h=libisal-dev zip.h=libzip-dev zlib.h=zlib1g-dev nettle/sha2.h=nettle-dev curl/curl.h=libcurl4-gnutls-dev
 NEED_EGL := EGL/eglext.h=libegl-dev -lOpenGL=libopengl-dev /usr/share/glvnd/egl_vendor.d/50_mesa.json=libegl-mesa0 \
 	/usr/share/drirc.d/00-mesa-defaults.conf=libgl1-mesa-dri

@@ -197,6 +197,26 @@ void zr_arena_refund(struct zr_arena *arena, size_t bytes)
     arena->used -= bytes;
 }
 
+struct zr_arena zr_arena_open_scratch(const struct zr_arena *arena)
+{
+    return (struct zr_arena){.ceiling = arena->ceiling - arena->used, .failed = arena->failed, .cancel = arena->cancel};
+}
+
+void zr_arena_bound_scratch(struct zr_arena *scratch, const struct zr_arena *arena)
+{
+    scratch->ceiling = arena->ceiling - arena->used;
+    if (scratch->used <= scratch->ceiling) return;
+    scratch->ceiling = scratch->used;
+    fail(scratch, ZR_ARENA_ALIGN);
+}
+
+void zr_arena_close_scratch(struct zr_arena *scratch, struct zr_arena *arena)
+{
+    if (arena->used + scratch->peak > arena->peak) arena->peak = arena->used + scratch->peak;
+    if (scratch->failed) fail(arena, scratch->wanted);
+    zr_arena_free(scratch);
+}
+
 bool zr_arena_ok(const struct zr_arena *arena)
 {
     return !arena->failed;
