@@ -202,10 +202,10 @@ struct zr_arena zr_arena_open_scratch(const struct zr_arena *arena)
     return (struct zr_arena){.ceiling = arena->ceiling - arena->used, .failed = arena->failed, .cancel = arena->cancel};
 }
 
-void *zr_arena_zero_beside(struct zr_arena *arena, struct zr_arena *scratch, size_t count, size_t size)
+void *zr_arena_alloc_beside(struct zr_arena *arena, struct zr_arena *scratch, size_t count, size_t size)
 {
     if (!zr_arena_charge(arena, scratch->used)) return NULL;
-    void *result = zr_arena_zero(arena, count, size);
+    void *result = zr_arena_alloc(arena, count, size);
     zr_arena_refund(arena, scratch->used);
     scratch->ceiling = arena->ceiling - arena->used;
     return result;

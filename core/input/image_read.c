@@ -30,7 +30,7 @@ static enum zr_status read_png(struct zr_arena *arena, struct zr_arena *scratch,
 {
     if (!zr_image_fits(head->width, head->height, texels_max, reason)) return ZR_BAD_SCENE;
     const size_t texel_bytes = head->bits == 16 ? 8 : 4;
-    void *rgba = zr_arena_zero_beside(arena, scratch, (size_t)head->width * head->height, texel_bytes);
+    void *rgba = zr_arena_alloc_beside(arena, scratch, (size_t)head->width * head->height, texel_bytes);
     if (!rgba) return ZR_NO_MEMORY;
     *image = (struct zr_image){head->width, head->height, head->bits == 16 ? 16 : 8, rgba};
     return zr_png_read_whole(scratch, bytes, size, head, rgba, reason);

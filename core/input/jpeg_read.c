@@ -165,7 +165,7 @@ static void read_picture(struct reading *reading, uint64_t texels_max, struct zr
     if (!zr_image_fits(jpeg->image_width, jpeg->image_height, texels_max, reading->reason))
         leave(reading, ZR_BAD_SCENE);
     const size_t texels = (size_t)jpeg->image_width * jpeg->image_height;
-    uint8_t *rgba = zr_arena_zero_beside(reading->arena, reading->scratch, texels, 4);
+    uint8_t *rgba = zr_arena_alloc_beside(reading->arena, reading->scratch, texels, 4);
     if (!rgba) leave(reading, ZR_NO_MEMORY);
     *image = (struct zr_image){jpeg->image_width, jpeg->image_height, 8, rgba};
     set_output(jpeg);
