@@ -1,4 +1,5 @@
 /* Images by the names that scenes have for them: decoded once, counted together, and refused at their place. */
+#include "base/cancel.h"
 #include "input/json_scene.h"
 #include "support/base64.h"
 #include "support/cmocka_all.h"
@@ -201,6 +202,19 @@ static void memory_that_is_short_is_no_fault_of_the_scene(void **state)
     assert_int_equal(zr_json_close(&f->root.json), ZR_NO_MEMORY);
 }
 
+static void cancelled_requests_decode_nothing(void **state)
+{
+    (void)state;
+    struct fixture *f = open_fixture();
+    struct zr_cancel cancel = {.raised = true};
+    uint32_t number = 77;
+    f->root.json.cancel = arena.cancel = &cancel;
+    assert_false(zr_given_find_image(&f->root, ZR_JSON_KEY(NULL, "t"), &(struct zr_bytes_name){NULL, "red"}, &number));
+    arena.cancel = NULL;
+    assert_int_equal(zr_json_close(&f->root.json), ZR_CANCELLED);
+    assert_int_equal(f->scene.image_count, 0);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -210,6 +224,7 @@ int main(void)
         cmocka_unit_test(pixels_of_all_images_are_counted_together),
         cmocka_unit_test(names_are_counted),
         cmocka_unit_test(memory_that_is_short_is_no_fault_of_the_scene),
+        cmocka_unit_test(cancelled_requests_decode_nothing),
     };
     return cmocka_run_group_tests_name("json_image", tests, make_pngs, free_pngs);
 }
