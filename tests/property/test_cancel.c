@@ -332,7 +332,7 @@ static void pictures_of_looks_stop_in_all_stages(void **state)
         test.scene.picture.side = cases[i].side;
         if (cases[i].edge_width > 0) test.scene.picture.edges.width = cases[i].edge_width;
         for (int turn = 0; turn < 2; turn++) /* the first one pays for pages */
-            assert_false(stops_amid(cells, INFINITY, &whole_ms));
+            assert_false(stops_amid(cells, (double)INFINITY, &whole_ms));
         for (int k = 0; k < TIMES; k++) {
             int turn = 0;
             while (!stops_amid(cells, 0.85 * whole_ms * k / TIMES, &taken_ms)) {
