@@ -261,8 +261,8 @@ static const struct zr_json_field fields[] = {
     [LINES] = {"lines", read_lines, 0, .text = "two indices of positions each"},
     [HEIGHTS] = {"heights", zr_read_heights, AT(heights), .unit = "scene units",
                  .text = "a grid instead of positions and faces"},
-    ZR_SCALARS_FIELDS(struct zr_given_mesh, scalars),
     ZR_FACE_STYLE_FIELDS(struct zr_given_mesh, face_style),
+    ZR_SCALARS_FIELDS(struct zr_given_mesh, scalars),
     ZR_SIDES_FIELD(struct zr_given_mesh, face_style),
     {.key = "texcoords"},
     {.key = "data"}};
