@@ -21,7 +21,7 @@ endif
 Q := $(if $(V),,@)
 JOBS := $(shell getconf _NPROCESSORS_ONLN 2>/dev/null || echo 1)
 
-CORE_LIBS := -lcjson -lpng -lisal -lzip -lm
+CORE_LIBS := -lcjson -lpng -ljpeg -lisal -lzip -lm
 SERVER_LIBS := -lmicrohttpd -lnettle -lz
 CLIENT_LIBS := -lcurl -lcjson
 TEST_LIBS := -lcmocka -lcurl -lz
@@ -34,7 +34,7 @@ REFERENCE := $(or $(REFERENCE),$(shell $(CC) -E -include GL/osmesa.h -x c /dev/n
 
 # FILE=PACKAGE: what each kind of target wants on the machine, and the Debian package that has it; PACKAGE?: unless there is
 # no such package.
-NEED_BUILD := cc=gcc stdlib.h=libc6-dev microhttpd.h=libmicrohttpd-dev cjson/cJSON.h=libcjson-dev png.h=libpng-dev \
+NEED_BUILD := cc=gcc stdlib.h=libc6-dev microhttpd.h=libmicrohttpd-dev cjson/cJSON.h=libcjson-dev png.h=libpng-dev jpeglib.h=libjpeg62-turbo-dev \
 	isa-l/igzip_lib.h=libisal-dev zip.h=libzip-dev zlib.h=zlib1g-dev nettle/sha2.h=nettle-dev curl/curl.h=libcurl4-gnutls-dev
 NEED_EGL := EGL/eglext.h=libegl-dev -lOpenGL=libopengl-dev /usr/share/glvnd/egl_vendor.d/50_mesa.json=libegl-mesa0 \
 	/usr/share/drirc.d/00-mesa-defaults.conf=libgl1-mesa-dri
@@ -109,7 +109,7 @@ bench_alone := $(patsubst %.c,$(BUILD)/%,$(wildcard tests/bench/alone/*.c))
 server_support := $(filter-out $(BUILD)/tests/server/test_%,$(call objects,tests/server/*.c))
 unit_tests := $(patsubst %.c,$(BUILD)/%,$(wildcard tests/unit/test_*.c tests/property/test_*.c))
 fuzz_targets := $(patsubst %.c,$(BUILD)/%,$(wildcard tests/fuzz/fuzz_*.c))
-fuzz_support := $(call objects,tests/fuzz/request.c)
+fuzz_support := $(call objects,tests/fuzz/request.c tests/fuzz/image.c)
 server_tests := $(patsubst %.c,$(BUILD)/%,$(wildcard tests/server/test_*.c))
 
 # Objects before archives, whatever the order that rules name them in.
@@ -306,7 +306,7 @@ $(fuzz_targets): $(BUILD)/%: $(BUILD)/%.o $(fuzz_main) $(fuzz_support) $(BUILD)/
 $(BUILD)/tests/fuzz/fuzz_gzip: $(BUILD)/server/gunzip.o
 $(BUILD)/tests/fuzz/fuzz_multipart: $(BUILD)/server/multipart.o
 $(BUILD)/tests/fuzz/seeds: $(BUILD)/tests/fuzz/seeds.o $(BUILD)/libsupport.a
-	$(LINK) -lcmocka -lpng -lz
+	$(LINK) -lcmocka -lpng -ljpeg -lz
 
 # Of the server's files, those that can do without a daemon around them are tested as units.
 $(BUILD)/tests/unit/test_multipart: $(BUILD)/server/multipart.o

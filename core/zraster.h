@@ -32,8 +32,9 @@ struct zr_limits {
     uint32_t window_side_max;   /* pixels */
     uint64_t window_pixels_max; /* pixels, summed over all outputs */
     uint32_t polygon_vertices_max;
-    uint32_t instances_max; /* of meshes, that nodes may place */
-    float coordinate_max;   /* magnitude of every number that is a place */
+    uint32_t instances_max;    /* of meshes, that nodes may place */
+    uint64_t image_pixels_max; /* pixels, summed over all images of textures */
+    float coordinate_max;      /* magnitude of every number that is a place */
 };
 
 struct zr_limits zr_limits_default(void);

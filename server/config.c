@@ -88,6 +88,8 @@ static const struct setting SETTINGS[] = {
     {"window-pixels-max", NUMBER, AT(window_pixels_max), true, 0, 1, GIB, NULL, "pixels", "summed over all outputs"},
     {"polygon-vertices-max", NUMBER, AT(polygon_vertices_max), true, 0, 3, 8192, NULL, "", "vertices of one polygon"},
     {"instances-max", NUMBER, AT(instances_max), true, 0, 1, 1u << 24, NULL, "", "meshes that nodes may place"},
+    {"image-pixels-max", NUMBER, AT(image_pixels_max), true, 0, 1, GIB, NULL, "pixels",
+     "summed over all images of a scene's textures"},
     {"coordinate-max", NUMBER, AT(coordinate_max), true, 0, 1, 1000000, NULL, "", "magnitude of a coordinate"},
 };
 
@@ -119,6 +121,7 @@ static void set_defaults(struct config *config)
     config->window_pixels_max = limits.window_pixels_max;
     config->polygon_vertices_max = limits.polygon_vertices_max;
     config->instances_max = limits.instances_max;
+    config->image_pixels_max = limits.image_pixels_max;
     config->coordinate_max = (uint64_t)limits.coordinate_max;
 }
 
@@ -278,6 +281,7 @@ struct zr_limits config_limits(const struct config *config)
     limits.window_pixels_max = config->window_pixels_max;
     limits.polygon_vertices_max = (uint32_t)config->polygon_vertices_max;
     limits.instances_max = (uint32_t)config->instances_max;
+    limits.image_pixels_max = config->image_pixels_max;
     limits.coordinate_max = (float)config->coordinate_max;
     return limits;
 }

@@ -1,7 +1,8 @@
-# models.awk -v model=pawn|ball|coarse|gear: a body of revolution as the members of a mesh in JSON, counter-clockwise
-# seen from outside. Rings of points follow its outline from the bottom upwards; those of a gear have teeth.
-# Prints "positions": [...], "faces": [...]. model=cloud: points on a knotted tube, those that a lamp shines on brighter,
-# with "colors", "points" and "pointSize".
+# models.awk -v model=pawn|ball|coarse|gear|waves: a body of revolution as the members of a mesh in JSON, counter-clockwise
+# seen from outside. Rings of points follow its outline from the bottom upwards; those of a gear have teeth. Waves are a grid
+# of heights. Prints "positions": [...], "faces": [...], or "heights": [...]. A second word, such as "ball turbo", is a
+# colormap: of heights, or of numbers that go round the body; "gear faces turbo": of faces.
+# model=cloud: points on a knotted tube, those that a lamp shines on brighter, with "colors", "points" and "pointSize".
 function put(r, y, deep) { radius[++rings] = r; height[rings] = y; depth[rings] = deep }
 function put_all(outline, count, i, p, q) {
     count = split(outline, p, " ")
@@ -34,8 +35,31 @@ function put_points(count, i, k, t, angle, c, d, n, side, up, length_of, light) 
     }
     printf "\"positions\": [%s], \"colors\": [%s], \"points\": [%s], \"pointSize\": 2", places, colors, numbers
 }
+function wave(x, y, r) { r = sqrt(x * x + y * y) + 0.001; return 3 * sin(2.2 * r) / (1 + r) + 0.3 * x }
+function print_waves(cells, x, y) {
+    printf "\"heights\": {\"x\": [-4, 4], \"y\": [-4, 4], \"values\": ["
+    for (y = 0; y <= cells; y++)
+        for (x = 0; x <= cells; x++)
+            printf "%s%.4f%s", (x ? "," : y ? ",[" : "["), wave(8 * x / cells - 4, 8 * y / cells - 4), (x == cells ? "]" : "")
+    printf "]}"
+}
+function print_scalars(of_faces, i, k) {
+    printf ", \"scalars\": ["
+    for (i = 1; i <= rings - of_faces; i++)
+        for (k = 0; k < sides; k++)
+            printf "%s%.4f", (i + k == 1 ? "" : ","), sin(2 * pi * (k + of_faces / 2) / sides * 3) + height[i]
+    printf "]"
+}
 BEGIN {
     pi = 3.14159265358979
+    words = split(model, word, " ")
+    model = word[1]
+    if (words > 1) map = ", \"colormap\": \"" word[words] "\""
+    if (model == "waves") {
+        print_waves(56)
+        printf "%s", map
+        exit
+    }
     if (model == "cloud") { put_points(9000); exit }
     sides = model == "coarse" ? 12 : model == "pawn" ? 64 : 48
     if (model == "ball") put_ball(1, 1, 0, 24)
@@ -60,4 +84,6 @@ BEGIN {
             else printf "%d,%d,%d,%d]", a, a + sides, b + sides, b
         }
     printf "]"
+    if (words > 1) print_scalars(word[2] == "faces")
+    printf "%s", map
 }

@@ -197,6 +197,27 @@ void zr_arena_refund(struct zr_arena *arena, size_t bytes)
     arena->used -= bytes;
 }
 
+struct zr_arena zr_arena_open_scratch(const struct zr_arena *arena)
+{
+    return (struct zr_arena){.ceiling = arena->ceiling - arena->used, .failed = arena->failed, .cancel = arena->cancel};
+}
+
+void *zr_arena_alloc_beside(struct zr_arena *arena, struct zr_arena *scratch, size_t count, size_t size)
+{
+    if (!zr_arena_charge(arena, scratch->used)) return NULL;
+    void *result = zr_arena_alloc(arena, count, size);
+    zr_arena_refund(arena, scratch->used);
+    scratch->ceiling = arena->ceiling - arena->used;
+    return result;
+}
+
+void zr_arena_close_scratch(struct zr_arena *scratch, struct zr_arena *arena)
+{
+    if (arena->used + scratch->peak > arena->peak) arena->peak = arena->used + scratch->peak;
+    if (scratch->failed) fail(arena, scratch->wanted);
+    zr_arena_free(scratch);
+}
+
 bool zr_arena_ok(const struct zr_arena *arena)
 {
     return !arena->failed;

@@ -25,6 +25,14 @@ static const struct {
     {"ply\r", 4, "PLY"},
     {"\x93NUMPY", 6, "an NPY array"},
     {"%PDF", 4, "a PDF document"},
+    {"GIF8", 4, "a GIF picture"},
+    {"RIFF", 4, "a RIFF file, as WebP pictures are"},
+    {"II*\0", 4, "a TIFF picture"},
+    {"MM\0*", 4, "a TIFF picture"},
+    {"BM", 2, "a BMP picture"},
+    {"\xABKTX ", 5, "a KTX texture"},
+    {"DDS ", 4, "a DDS texture"},
+    {"#?RADIANCE", 10, "a Radiance picture"},
     {"<", 1, "XML or HTML"},
 };
 

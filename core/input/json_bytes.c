@@ -7,13 +7,9 @@
 #include "input/json_scene.h"
 
 struct given {
-    const char *uri, *asset;
+    struct zr_bytes_name name;
 };
-enum { URI, ASSET };
-static const struct zr_json_field fields[] = {
-    [URI] = {"uri", zr_json_string, offsetof(struct given, uri), .text = "a data: URI with the bytes"},
-    [ASSET] = {"asset", zr_json_string, offsetof(struct given, asset),
-               .text = "the name of a part of the request, or sha256: and the hash of what was uploaded before"}};
+static const struct zr_json_field fields[] = {ZR_BYTES_NAME_FIELDS(struct given, name)};
 const struct zr_json_object zr_json_object_bytes = ZR_JSON_OBJECT_OF("bytes", fields);
 
 static bool read_uri(struct zr_given_scene *root, const struct zr_json_path *path, const char *text,
@@ -73,21 +69,27 @@ void zr_warn_of_unused_asset(struct zr_scene_builder *builder, const struct zr_a
                         zr_quote(asset->name, strlen(asset->name)).text);
 }
 
+bool zr_given_read_named(struct zr_given_scene *root, const struct zr_json_path *path, const struct zr_bytes_name *name,
+                         struct zr_given_bytes *out)
+{
+    if (!name->uri == !name->asset)
+        return zr_json_fault(&root->json, path, "%s of uri and asset is needed", name->uri ? "only one" : "one");
+    return name->uri ? read_uri(root, ZR_JSON_KEY(path, ZR_BYTES_URI), name->uri, out)
+                     : read_asset(root, ZR_JSON_KEY(path, ZR_BYTES_ASSET), name->asset, out);
+}
+
 bool zr_given_read_bytes(struct zr_given_scene *root, struct zr_json *json, const struct zr_json_path *path,
                          struct zr_given_bytes *out)
 {
     const enum zr_json_type type = zr_json_type(json);
-    struct given given = {NULL, NULL};
+    struct given given = {{NULL, NULL}};
     uint64_t keys;
     if (type == ZR_JSON_STRING)
-        return zr_json_string(json, path, NULL, &given.uri) && read_uri(root, path, given.uri, out);
+        return zr_json_string(json, path, NULL, &given.name.uri) && read_uri(root, path, given.name.uri, out);
     if (type != ZR_JSON_OBJECT)
         return zr_json_skip(json) &&
                zr_json_fault(json, path, "expected a data: URI, {\"uri\": ...} or {\"asset\": ...}");
+    const size_t faults = json->error->count;
     zr_json_fields(json, path, &zr_json_object_bytes, &given, &keys);
-    if (zr_json_gives(keys, URI) == zr_json_gives(keys, ASSET))
-        return zr_json_fault(json, path, "%s of uri and asset is needed",
-                             zr_json_gives(keys, URI) ? "only one" : "one");
-    if (given.uri) return read_uri(root, ZR_JSON_KEY(path, fields[URI].key), given.uri, out);
-    return given.asset && read_asset(root, ZR_JSON_KEY(path, fields[ASSET].key), given.asset, out);
+    return json->error->count == faults && zr_given_read_named(root, path, &given.name, out);
 }

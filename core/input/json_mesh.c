@@ -4,6 +4,7 @@
 #include "input/json_list.h"
 #include "input/json_objects.h"
 #include "input/json_rows.h"
+#include "input/json_scalars.h"
 #include "input/json_scene.h"
 
 /* Corners that a face may have beside those in its list's room, before it is read with more care. */
@@ -37,6 +38,7 @@ struct zr_given_mesh {
     struct points points;
     float point_size;
     struct zr_heights heights;
+    struct zr_scalars scalars;
 };
 
 /* ---- lists ---- */
@@ -287,6 +289,7 @@ static const struct zr_json_field fields[] = {
     [HEIGHTS] = {"heights", zr_read_heights, AT(heights), .unit = "scene units",
                  .text = "a grid instead of positions and faces"},
     ZR_FACE_STYLE_FIELDS(struct zr_given_mesh, face_style),
+    ZR_SCALARS_FIELDS(struct zr_given_mesh, scalars),
     ZR_SIDES_FIELD(struct zr_given_mesh, face_style),
     {.key = "texcoords"},
     {.key = "data"}};
@@ -309,7 +312,8 @@ bool zr_read_meshes(struct zr_json *json, const struct zr_json_path *path, const
                                       .lines.ends.size = 2 * sizeof(uint32_t),
                                       .points.indices.size = sizeof(uint32_t),
                                       .point_size = 1.0f,
-                                      .heights.values.size = sizeof(float)};
+                                      .heights.values.size = sizeof(float),
+                                      .scalars = ZR_SCALARS_UNSET};
         zr_json_fields(json, ZR_JSON_ITEM(path, list->count), &zr_json_object_mesh, &given, &given.keys);
         struct zr_given_mesh *kept = zr_growing_next(list, json);
         if (!kept) return false;
@@ -419,6 +423,8 @@ static void make_mesh(struct zr_given_scene *root, const struct zr_json_path *pa
     mesh->normal_count = mesh->normals ? mesh->position_count : 0;
     mesh->colors = one_each(json, path, given, COLORS, &given->colors, mesh->position_count, "positions");
     mesh->face_colors = one_each(json, path, given, FACE_COLORS, &given->face_colors, mesh->face_count, "faces");
+    zr_scalars_apply(json, path, &given->scalars, gives(given, HEIGHTS) ? given->heights.values.items : NULL,
+                     &root->builder->warnings, mesh);
     if (json->error->count > 0) return;
     zr_given_note_alpha(root, mesh->colors, mesh->colors ? mesh->position_count : 0);
     zr_given_note_alpha(root, mesh->face_colors, mesh->face_colors ? mesh->face_count : 0);

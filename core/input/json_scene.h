@@ -94,6 +94,8 @@ struct zr_given_scene {
     const struct zr_asset *assets;
     bool *assets_used;
     struct zr_stored stored;
+    struct zr_growing images; /* json_image.c's */
+    uint64_t image_pixels;    /* of all of them */
 
     uint32_t unplaced_meshes; /* by any node */
 };
@@ -197,14 +199,40 @@ extern const struct zr_names zr_management_names, zr_tone_names;
 void zr_given_use_look(struct zr_given_scene *root);
 void zr_given_check_light(struct zr_given_scene *root);
 
-/* json_bytes.c: what a data: URI, {"uri": one}, {"asset": name} or {"asset": "sha256:..."} stands for.
- * In the arena or the request. */
+/* json_bytes.c: bytes have a name by one of two keys; rows for the table of an object that fills a `type`, whose member
+ * `name` is a struct zr_bytes_name. */
+#define ZR_BYTES_URI   "uri"
+#define ZR_BYTES_ASSET "asset"
+#define ZR_BYTES_NAME_FIELDS(type, name)                                                                               \
+    {.key = ZR_BYTES_URI,                                                                                              \
+     .read = zr_json_string,                                                                                           \
+     .offset = offsetof(type, name.uri),                                                                               \
+     .text = "a data: URI with the bytes"},                                                                            \
+    {                                                                                                                  \
+        .key = ZR_BYTES_ASSET, .read = zr_json_string, .offset = offsetof(type, name.asset),                           \
+        .text = "the name of a part of the request, or sha256: and the hash of what was uploaded before"               \
+    }
+struct zr_bytes_name {
+    const char *uri, *asset; /* NULL: not given */
+};
+
+/* What a data: URI, {"uri": one}, {"asset": name} or {"asset": "sha256:..."} stands for. In the arena or the
+ * request. */
 struct zr_given_bytes {
     const void *bytes;
     size_t size;
 };
+bool zr_given_read_named(struct zr_given_scene *root, const struct zr_json_path *path, const struct zr_bytes_name *name,
+                         struct zr_given_bytes *out);
 bool zr_given_read_bytes(struct zr_given_scene *root, struct zr_json *json, const struct zr_json_path *path,
                          struct zr_given_bytes *out);
+
+/* json_image.c: the number of the image in scene->images that the bytes of this name are, decoded where they were not
+ * asked for before; `path` is that of the object which has the keys of ZR_BYTES_NAME_FIELDS. False, and reported, where
+ * it cannot be had. The bytes are not looked at before, and so keys may be read at any time, and images once the root
+ * is read. */
+bool zr_given_find_image(struct zr_given_scene *root, const struct zr_json_path *path, const struct zr_bytes_name *name,
+                         uint32_t *number);
 
 /* json_base.c. Needs the window, the background, the view and the meshes. */
 void zr_given_read_base(struct zr_given_scene *root, const struct zr_json_path *path);

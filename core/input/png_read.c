@@ -3,8 +3,9 @@
 #include <inttypes.h>
 #include <png.h>
 #include <setjmp.h>
-#include <stdbool.h>
 #include <string.h>
+
+#include "base/cancel.h"
 
 /* The signature, then IHDR: its length and name, width, height and bits a channel. */
 enum { SIGNATURE = 8, IHDR_NAME = 12, WIDTH = 16, HEIGHT = 20, BITS = 24, HEAD = 33 };
@@ -15,25 +16,28 @@ enum { CHUNK_BYTES_MAX = 4096, PUSHED = 4096 };
 /* What libpng calls back with. The file is pushed through it, so that it stops with the last row: asked for the
  * rows itself, it would go on to inflate whatever follows them, however much that is. */
 struct reading {
-    struct zr_arena *arena;
+    struct zr_arena *arena; /* libpng's */
     struct zr_reason *reason;
     uint32_t width, height;
+    size_t row_bytes;
     uint8_t *rgba;
+    bool is_strict; /* up to the end of the file, and without a warning */
     int passes;
-    bool done;
+    bool has_rows, done;
 };
-
-static void ignore_warning(png_structp png, png_const_charp message)
-{
-    (void)png;
-    (void)message;
-}
 
 static void leave(png_structp png, png_const_charp message)
 {
     struct reading *reading = png_get_error_ptr(png);
     zr_reason_give(reading->reason, "a broken PNG: %s", message);
     png_longjmp(png, 1);
+}
+
+/* Of a file that is broken, too: no other chunks are pushed than those that make the picture. */
+static void take_warning(png_structp png, png_const_charp message)
+{
+    const struct reading *reading = png_get_error_ptr(png);
+    if (reading->is_strict) png_error(png, message);
 }
 
 static png_voidp allocate(png_structp png, png_alloc_size_t size)
@@ -53,26 +57,31 @@ static uint32_t big_endian(const unsigned char *at)
     return (uint32_t)at[0] << 24 | (uint32_t)at[1] << 16 | (uint32_t)at[2] << 8 | at[3];
 }
 
-/* Before libpng sees the file, so that a picture of the wrong size costs nothing. */
-static bool check_head(const unsigned char *bytes, size_t size, uint32_t width, uint32_t height,
-                       struct zr_reason *reason)
+bool zr_png_head_read(const void *bytes, size_t size, struct zr_png_head *head)
 {
-    if (size < HEAD || png_sig_cmp(bytes, 0, SIGNATURE) != 0 || memcmp(bytes + IHDR_NAME, "IHDR", 4) != 0) {
+    const unsigned char *at = bytes;
+    if (size < HEAD || png_sig_cmp(at, 0, SIGNATURE) != 0 || memcmp(at + IHDR_NAME, "IHDR", 4) != 0) return false;
+    *head = (struct zr_png_head){big_endian(at + WIDTH), big_endian(at + HEIGHT), at[BITS]};
+    return true;
+}
+
+/* Before libpng sees the file, so that a picture of the wrong size costs nothing. */
+static bool check_head(const void *bytes, size_t size, uint32_t width, uint32_t height, struct zr_reason *reason)
+{
+    struct zr_png_head head;
+    if (!zr_png_head_read(bytes, size, &head))
         zr_reason_give(reason, "not a PNG");
-        return false;
-    }
-    uint32_t has_width = big_endian(bytes + WIDTH), has_height = big_endian(bytes + HEIGHT);
-    if (has_width != width || has_height != height)
-        zr_reason_give(reason, "%" PRIu32 " x %" PRIu32 " pixels, not the window's %" PRIu32 " x %" PRIu32, has_width,
-                       has_height, width, height);
-    else if (bytes[BITS] > 8)
-        zr_reason_give(reason, "%u bits a channel; 8 are needed, as pictures here have", bytes[BITS]);
+    else if (head.width != width || head.height != height)
+        zr_reason_give(reason, "%" PRIu32 " x %" PRIu32 " pixels, not the window's %" PRIu32 " x %" PRIu32, head.width,
+                       head.height, width, height);
+    else if (head.bits > 8)
+        zr_reason_give(reason, "%" PRIu32 " bits a channel; 8 are needed, as pictures here have", head.bits);
     else
         return true;
     return false;
 }
 
-/* To RGBA of 8 bits. Returns how often the rows must be gone through: an interlaced picture
+/* To RGBA of 8 bits, or of 16. Returns how often the rows must be gone through: an interlaced picture
  * comes in several passes. */
 static int set_transforms(png_structp png, png_infop info)
 {
@@ -84,7 +93,10 @@ static int set_transforms(png_structp png, png_infop info)
     if (has_key)
         png_set_tRNS_to_alpha(png);
     else if (!(color & PNG_COLOR_MASK_ALPHA))
-        png_set_add_alpha(png, 0xff, PNG_FILLER_AFTER);
+        png_set_add_alpha(png, 0xffff, PNG_FILLER_AFTER); /* of 8 bits, the lower ones */
+#if __BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__
+    if (png_get_bit_depth(png, info) == 16) png_set_swap(png);
+#endif
     int passes = png_set_interlace_handling(png);
     png_read_update_info(png, info);
     return passes;
@@ -94,15 +106,23 @@ static void begin_rows(png_structp png, png_infop info)
 {
     struct reading *reading = png_get_progressive_ptr(png);
     reading->passes = set_transforms(png, info);
-    if (png_get_rowbytes(png, info) != (size_t)reading->width * 4) png_error(png, "its rows are not RGBA");
+    if (png_get_rowbytes(png, info) != reading->row_bytes) png_error(png, "its rows are not RGBA");
 }
 
 static void take_row(png_structp png, png_bytep row, png_uint_32 number, int pass)
 {
     struct reading *reading = png_get_progressive_ptr(png);
-    if (number < reading->height)
-        png_progressive_combine_row(png, reading->rgba + (size_t)number * reading->width * 4, row);
-    reading->done = pass + 1 >= reading->passes && number + 1 >= reading->height;
+    if (number < reading->height) png_progressive_combine_row(png, reading->rgba + number * reading->row_bytes, row);
+    reading->has_rows = pass + 1 >= reading->passes && number + 1 >= reading->height;
+    reading->done = reading->has_rows && !reading->is_strict;
+}
+
+static void take_end(png_structp png, png_infop info)
+{
+    struct reading *reading = png_get_progressive_ptr(png);
+    (void)info;
+    if (!reading->has_rows) png_error(png, "it lacks rows");
+    reading->done = true;
 }
 
 /* In parts, and no more once the last row is there: what comes behind it is neither read nor inflated. */
@@ -112,6 +132,7 @@ static void push(png_structp png, png_infop info, const unsigned char *bytes, si
     unsigned char part[PUSHED];
     for (size_t at = 0; at < size && !reading->done; at += PUSHED) {
         size_t count = size - at < PUSHED ? size - at : PUSHED;
+        if (zr_is_cancelled(reading->arena->cancel)) png_error(png, "reading was stopped");
         memcpy(part, bytes + at, count); /* libpng wants bytes that it may write to */
         png_process_data(png, info, part, count);
     }
@@ -119,7 +140,7 @@ static void push(png_structp png, png_infop info, const unsigned char *bytes, si
 
 static bool is_wanted(const unsigned char *name)
 {
-    static const char wanted[][5] = {"IHDR", "PLTE", "tRNS", "IDAT"};
+    static const char wanted[][5] = {"IHDR", "PLTE", "tRNS", "IDAT", "IEND"};
     for (size_t i = 0; i < sizeof wanted / sizeof *wanted; i++)
         if (memcmp(name, wanted[i], 4) == 0) return true;
     return false;
@@ -150,25 +171,50 @@ static void set_bounds(png_structp png, uint32_t width, uint32_t height)
     png_set_chunk_cache_max(png, 1); /* 0 would be no limit; 1 leaves room for none */
 }
 
+/* Into reading->rgba. */
+static enum zr_status read_rows(struct reading *reading, const void *bytes, size_t size)
+{
+    png_structp png =
+        png_create_read_struct_2(PNG_LIBPNG_VER_STRING, reading, leave, take_warning, reading, allocate, keep);
+    if (!png) return ZR_NO_MEMORY;
+    png_infop info = png_create_info_struct(png);
+    /* Nothing that is set below is read after the jump; it lands here, once. */
+    if (!info || setjmp(png_jmpbuf(png))) {
+        png_destroy_read_struct(&png, &info, NULL);
+        if (!zr_arena_ok(reading->arena)) return ZR_NO_MEMORY;
+        return zr_is_cancelled(reading->arena->cancel) ? ZR_CANCELLED : ZR_BAD_SCENE;
+    }
+    set_bounds(png, reading->width, reading->height);
+    png_set_progressive_read_fn(png, reading, begin_rows, take_row, take_end);
+    push_chunks(png, info, bytes, size, reading);
+    png_destroy_read_struct(&png, &info, NULL);
+    return ZR_OK;
+}
+
 enum zr_status zr_png_read(struct zr_arena *arena, const void *bytes, size_t size, uint32_t width, uint32_t height,
                            uint8_t **rgba, struct zr_reason *reason)
 {
     if (!check_head(bytes, size, width, height, reason)) return ZR_BAD_SCENE;
     *rgba = zr_arena_zero(arena, (size_t)width * height, 4);
     if (!*rgba) return ZR_NO_MEMORY;
-    struct reading reading = {.arena = arena, .reason = reason, .width = width, .height = height, .rgba = *rgba};
-    png_structp png =
-        png_create_read_struct_2(PNG_LIBPNG_VER_STRING, &reading, leave, ignore_warning, &reading, allocate, keep);
-    if (!png) return ZR_NO_MEMORY;
-    png_infop info = png_create_info_struct(png);
-    /* Nothing that is set below is read after the jump; it lands here, once. */
-    if (!info || setjmp(png_jmpbuf(png))) {
-        png_destroy_read_struct(&png, &info, NULL);
-        return zr_arena_ok(arena) ? ZR_BAD_SCENE : ZR_NO_MEMORY;
-    }
-    set_bounds(png, width, height);
-    png_set_progressive_read_fn(png, &reading, begin_rows, take_row, NULL);
-    push_chunks(png, info, bytes, size, &reading);
-    png_destroy_read_struct(&png, &info, NULL);
-    return ZR_OK;
+    struct reading reading = {.arena = arena,
+                              .reason = reason,
+                              .width = width,
+                              .height = height,
+                              .row_bytes = (size_t)width * 4,
+                              .rgba = *rgba};
+    return read_rows(&reading, bytes, size);
+}
+
+enum zr_status zr_png_read_whole(struct zr_arena *arena, const void *bytes, size_t size, const struct zr_png_head *head,
+                                 void *rgba, struct zr_reason *reason)
+{
+    struct reading reading = {.arena = arena,
+                              .reason = reason,
+                              .width = head->width,
+                              .height = head->height,
+                              .row_bytes = (size_t)head->width * (head->bits == 16 ? 8 : 4),
+                              .rgba = rgba,
+                              .is_strict = true};
+    return read_rows(&reading, bytes, size);
 }

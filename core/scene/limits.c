@@ -8,6 +8,7 @@ struct zr_limits zr_limits_default(void)
         .window_pixels_max = (uint64_t)32 * 1024 * 1024,
         .polygon_vertices_max = 1024,
         .instances_max = 100000,
+        .image_pixels_max = (uint64_t)64 * 1024 * 1024,
         .coordinate_max = 1e6f,
     };
 }

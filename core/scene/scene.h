@@ -15,6 +15,7 @@
 
 #include "base/vec.h"
 #include "scene/channels.h"
+#include "scene/image.h"
 #include "scene/picture.h"
 
 enum zr_shading {
@@ -279,6 +280,8 @@ struct zr_scene {
     const char *const *warnings; /* what input/ and scene/ found odd but drawable */
     struct zr_view views[ZR_VIEWS_MOST];
     const struct zr_base *base; /* NULL: the geometry is all there is */
+    uint32_t image_count;
+    const struct zr_image *images; /* no two of the same bytes */
 };
 
 static inline const struct zr_material *zr_material_of_face(const struct zr_scene *scene, const struct zr_mesh *mesh,

@@ -4,7 +4,7 @@
 
 #include "base/team.h"
 
-enum { MATERIALS_AT_FIRST = 16, RANGE_AT_ONCE = 1 << 14 };
+enum { MATERIALS_AT_FIRST = 16, IMAGES_AT_FIRST = 4, RANGE_AT_ONCE = 1 << 14 };
 
 struct zr_scene_builder zr_scene_builder_open(struct zr_arena *arena, struct zr_team *team, struct zr_scene *scene)
 {
@@ -100,6 +100,23 @@ uint32_t zr_scene_builder_material(struct zr_scene_builder *builder, const struc
         *slot = (*count)++;
     }
     return *slot;
+}
+
+/* ---- images ---- */
+
+uint32_t zr_scene_builder_image(struct zr_scene_builder *builder, const struct zr_image *image)
+{
+    struct zr_scene *scene = builder->scene;
+    if (scene->image_count == builder->image_room) {
+        const size_t room = builder->image_room ? 2 * builder->image_room : IMAGES_AT_FIRST;
+        struct zr_image *more = zr_arena_grow(builder->arena, builder->images, scene->image_count, room, sizeof *more);
+        if (!more) return 0;
+        builder->images = more;
+        builder->image_room = room;
+    }
+    builder->images[scene->image_count] = *image;
+    scene->images = builder->images;
+    return scene->image_count++;
 }
 
 /* ---- what is open ---- */

@@ -27,6 +27,8 @@ struct zr_scene_builder {
     struct zr_material *materials;
     size_t material_room;
     uint32_t *slots; /* 2 * material_room: numbers of materials, by what they are; UINT32_MAX where there is none */
+    struct zr_image *images;
+    size_t image_room;
 };
 
 /* Over what *scene already has: the defaults. */
@@ -40,6 +42,9 @@ void zr_scene_builder_place(struct zr_scene_builder *builder, const struct zr_in
 
 /* The number of a material: the same for all that are equal. 0 where there is no memory. */
 uint32_t zr_scene_builder_material(struct zr_scene_builder *builder, const struct zr_material *material);
+
+/* The number of one more image. 0 where there is no memory. */
+uint32_t zr_scene_builder_image(struct zr_scene_builder *builder, const struct zr_image *image);
 
 /* The scene has all that was made. Meshes may have face_offsets NULL: triangles; and indices NULL: each corner of a
  * face is the next position. Both become arrays here, since the kernels gather through them. */

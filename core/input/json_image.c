@@ -1,0 +1,86 @@
+/* Images by the names that a scene has for their bytes: each is decoded once, whoever asks for it. */
+#include <string.h>
+
+#include "input/image_read.h"
+#include "input/json_scene.h"
+
+/* Names of images in a scene, each of which is compared with all others. */
+enum { NAMES_MAX = 1024 };
+
+struct named {
+    const char *text; /* the URI, or the name of the asset */
+    size_t length;
+    bool is_asset;
+    uint32_t image;
+    struct zr_given_bytes bytes;
+};
+
+/* By its name alone, so that no asset is read twice. */
+static const struct named *find_name(const struct zr_growing *names, const struct named *wanted)
+{
+    const struct named *named = names->items;
+    for (size_t i = 0; i < names->count; i++)
+        if (named[i].is_asset == wanted->is_asset && named[i].length == wanted->length &&
+            memcmp(named[i].text, wanted->text, wanted->length) == 0)
+            return &named[i];
+    return NULL;
+}
+
+static const struct named *find_bytes(const struct zr_growing *names, const struct zr_given_bytes *wanted)
+{
+    const struct named *named = names->items;
+    for (size_t i = 0; i < names->count; i++)
+        if (named[i].bytes.size == wanted->size &&
+            (named[i].bytes.bytes == wanted->bytes || memcmp(named[i].bytes.bytes, wanted->bytes, wanted->size) == 0))
+            return &named[i];
+    return NULL;
+}
+
+static bool decode(struct zr_given_scene *root, const struct zr_json_path *path, struct named *named)
+{
+    struct zr_json *json = &root->json;
+    const uint64_t most = json->limits->image_pixels_max;
+    struct zr_image image;
+    struct zr_reason reason;
+    const enum zr_status status =
+        zr_image_read(json->arena, named->bytes.bytes, named->bytes.size, most - root->image_pixels, &image, &reason);
+    if (status == ZR_BAD_SCENE) return zr_json_fault(json, path, "%s", reason.text);
+    if (status == ZR_CANCELLED) zr_error_add(json->error, ZR_CANCELLED, NULL, "reading was stopped");
+    if (status != ZR_OK) return false;
+    root->image_pixels += (uint64_t)image.width * image.height;
+    named->image = zr_scene_builder_image(root->builder, &image);
+    return zr_arena_ok(json->arena);
+}
+
+static bool read_named(struct zr_given_scene *root, const struct zr_json_path *path, const struct zr_bytes_name *name,
+                       struct named *named)
+{
+    const struct zr_json_path *at = ZR_JSON_KEY(path, named->is_asset ? ZR_BYTES_ASSET : ZR_BYTES_URI);
+    if (root->images.count == NAMES_MAX)
+        return zr_json_fault(&root->json, at, "more than the %d images that are allowed", NAMES_MAX);
+    if (!zr_given_read_named(root, path, name, &named->bytes)) return false;
+    const struct named *same = find_bytes(&root->images, &named->bytes);
+    if (!same) return decode(root, at, named);
+    named->image = same->image;
+    return true;
+}
+
+bool zr_given_find_image(struct zr_given_scene *root, const struct zr_json_path *path, const struct zr_bytes_name *name,
+                         uint32_t *number)
+{
+    const char *text = name->asset ? name->asset : name->uri;
+    struct named named = {.text = text, .length = text ? strlen(text) : 0, .is_asset = name->asset != NULL};
+    if (zr_json_stops(&root->json)) return false;
+    root->images.size = sizeof named;
+    const struct named *same = text && !(name->uri && name->asset) ? find_name(&root->images, &named) : NULL;
+    if (!same) {
+        if (!read_named(root, path, name, &named)) return false;
+        struct named *kept = zr_growing_next(&root->images, &root->json);
+        if (!kept) return false;
+        *kept = named;
+        root->images.count++;
+        same = kept;
+    }
+    *number = same->image;
+    return true;
+}
