@@ -143,11 +143,14 @@ static inline zr_vf zr_square_sine_v(struct zr_vec3_v a, struct zr_vec3_v b)
     return zr_dot_v(c, c);
 }
 
+/* Less than `spread` is where H is a unit vector; where light comes from straight behind, H is none. */
+#define ZR_GGX_SPREAD_LEAST 1e-6f
+
 /* pi D V: of N.H, and 1 less its square, of N.V and N.L. */
 static inline zr_vf zr_ggx_v(float alpha, zr_vf nh, zr_vf square_sine, zr_vf nv, zr_vf nl)
 {
     const zr_vf square = zr_vf_set(alpha * alpha), rest = zr_vf_set(1.0f - alpha * alpha);
-    const zr_vf spread = square_sine + nh * nh * square;
+    const zr_vf spread = zr_vf_max(square_sine + nh * nh * square, zr_vf_set(ZR_GGX_SPREAD_LEAST));
     const zr_vf smith = nl * zr_vf_sqrt(nv * nv * rest + square) + nv * zr_vf_sqrt(nl * nl * rest + square);
     return square / (spread * spread) * zr_vf_set(0.5f) / smith;
 }

@@ -287,6 +287,27 @@ static void strong_light_is_white(void **state)
     }
 }
 
+/* Halfway between the light and the eye there is no direction then. */
+static void light_from_straight_behind_changes_nothing(void **state)
+{
+    const enum zr_isa isa = isa_under_test(state);
+    static const struct zr_material metal = {.shading = ZR_SHADING_PBR, .roughness = 0.5f, .metallic = 0.5f};
+    static const struct zr_lamp behind = {.to_light = {0, 0, -1}, .color = {1, 1, 1}, .lights_pbr = true};
+    struct zr_look_lighting lighting = no_light(&metal);
+    lighting.ambient = (zr_vec3){0.5f, 0.5f, 0.5f};
+    lighting.is_parallel = true;
+    lighting.to_eye = (zr_vec3){0, 0, 1};
+    lighting.lamps = &behind;
+    samples_clear(&samples);
+    samples_set(&samples, 0, 0, (zr_vec3){1, 1, 1}, (zr_vec3){0, 0.6f, 0.8f}, (zr_vec3){0, 0, 0});
+    samples_light(&samples, isa, &lighting);
+    others = samples;
+    lighting.lamp_count = 1;
+    samples_light(&samples, isa, &lighting);
+    assert_true(samples.out[0][0] > 0.1f);
+    assert_same_outs(&samples, &others, 0, 1);
+}
+
 /* ---- speed ---- */
 
 static double seconds(void)
@@ -349,6 +370,7 @@ int main(void)
         TEST_EACH_ISA(what_is_not_lit_is_as_given),
         TEST_EACH_ISA(all_input_gives_colors),
         TEST_EACH_ISA(strong_light_is_white),
+        TEST_EACH_ISA(light_from_straight_behind_changes_nothing),
     };
     const struct CMUnitTest timed[] = {TEST_EACH_ISA(speed)};
     if (getenv("LIGHTING_SPEED")) return cmocka_run_group_tests_name("lighting, times", timed, NULL, NULL);
