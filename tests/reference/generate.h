@@ -69,6 +69,8 @@ void fill_matrix_any(struct drawing *drawing, struct random *r);
 
 /* generate_lit.c */
 void fill_lit(struct drawing *drawing, struct random *r);
+void fill_lamps(struct drawing *drawing, struct random *r);
+void fill_spots(struct drawing *drawing, struct random *r);
 
 /* generate_shapes.c: polygons of any shape, outlines and lines. */
 void fill_shapes(struct drawing *drawing, struct random *r);
