@@ -58,6 +58,9 @@
     row(lit_from_behind)            /* 16, whatever faces away from a light, too */                                   \
     row(half_not_unit)              /* highlights: the way between light and eye is not made unit */                  \
     row(backs_keep_normals)         /* what is shaded late: backs have the normals of fronts */                       \
+    row(falls_off_by_distance)      /* 28, not by its square */                                                       \
+    row(range_of_2nd_power)         /* 28, the window of a range */                                                   \
+    row(cone_not_squared)           /* 28, of spots */                                                                \
     row(fog_turned)                 /* 21: far is clear, and near is not */                                           \
     row(distance_is_depth)          /* channels: not the length of the ray */                                         \
     row(positions_of_the_camera)    /* channels: whatever space is asked for */                                       \

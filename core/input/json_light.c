@@ -1,11 +1,20 @@
+#include <float.h>
+
 #include "input/json_objects.h"
 #include "input/json_scene.h"
 
-#define INTENSITY_MAX 1e6
+/* Of lamps that have a place: so much as lights what is as far away as coordinates can be. */
+#define INTENSITY_MAX        1e6
+#define INTENSITY_PLACED_MAX 1e15
 
-/* In the order of enum zr_light_type, and what is not supported. */
+#define PI 3.14159265358979323846
+
+/* Of a wider cone's map, hardly any texels would be left for its middle. */
+#define SHADOW_DEGREES_MAX 80.0
+
+/* In the order of enum zr_light_type. */
 static const char *const types[] = {"directional", "hemisphere", "point", "spot"};
-static const struct zr_names type_names = ZR_NAMES(2, types);
+static const struct zr_names type_names = ZR_NAMES(ZR_LIGHT_SPOT + 1, types);
 
 enum { FRAME_WORLD, FRAME_CAMERA, FRAMES };
 static const char *const frames[] = {"world", "camera"};
@@ -13,9 +22,10 @@ static const struct zr_names frame_names = ZR_NAMES(FRAMES, frames);
 
 struct given_light {
     int type, frame;
-    zr_vec3 direction, up;
+    zr_vec3 direction, up, position;
     zr_vec4 color, sky, ground;
-    double intensity;
+    double intensity, inner_degrees, outer_degrees;
+    float range;
     bool has_shadows;
 };
 
@@ -29,36 +39,144 @@ static bool read_direction(struct zr_json *json, const struct zr_json_path *path
     return true;
 }
 
-enum { TYPE, DIRECTION, COLOR, SHADOWS, SKY, GROUND, UP, INTENSITY, FRAME };
+/* double: how much is too much is known once the type is. */
+static bool read_intensity(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field,
+                           void *out)
+{
+    (void)field;
+    return zr_json_number_in(json, path, -DBL_MAX, DBL_MAX, out);
+}
+
+/* double: degrees; field->high is a quarter turn. Whoever gives degrees for radians is told so. */
+static bool read_half_angle(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field,
+                            void *out)
+{
+    const bool degrees = field->high > 4.0;
+    double value;
+    if (!zr_json_number_in(json, path, -DBL_MAX, DBL_MAX, &value)) return false;
+    if (!degrees && value > field->high && value <= 90.0)
+        return zr_json_fault(json, path, "%.9g is more than a quarter turn: %s takes radians, %sDegrees takes degrees",
+                             value, field->key, field->key);
+    if (!(value >= 0.0 && value <= field->high))
+        return zr_json_fault(json, path, "%.10g is outside of %.10g to %.10g", value, 0.0, field->high);
+    value = degrees ? value : value * 180.0 / PI;
+    *(double *)out = value < 90.0 ? value : 90.0;
+    return true;
+}
+
+enum {
+    TYPE,
+    DIRECTION,
+    COLOR,
+    SHADOWS,
+    SKY,
+    GROUND,
+    UP,
+    INTENSITY,
+    FRAME,
+    POSITION,
+    RANGE,
+    INNER,
+    INNER_DEGREES,
+    OUTER,
+    OUTER_DEGREES
+};
 #define AT(member) offsetof(struct given_light, member)
 static const struct zr_json_field fields[] = {
     [TYPE] = {"type", zr_json_choice, AT(type), .words = &type_names, .required = true, .text = "the kind of lamp"},
-    [DIRECTION] = {"direction", read_direction, AT(direction), .text = "of directional: the way the light travels"},
-    [COLOR] = {"color", zr_json_color, AT(color), .otherwise = "white", .text = "of directional: of the light"},
+    [DIRECTION] = {"direction", read_direction, AT(direction),
+                   .text = "of directional and spot: the way the light travels"},
+    [COLOR] = {"color", zr_json_color, AT(color), .otherwise = "white", .text = "of all but hemisphere: of the light"},
     [SHADOWS] = {"shadows", zr_json_bool, AT(has_shadows), .otherwise = "false",
-                 .text = "of directional: what the light does not reach is dark"},
+                 .text = "of directional and spot: what the light does not reach is dark"},
     [SKY] = {"sky", zr_json_color, AT(sky), .otherwise = "white", .text = "of hemisphere: of the light from above"},
     [GROUND] = {"ground", zr_json_color, AT(ground), .otherwise = "black",
                 .text = "of hemisphere: of the light from below"},
     [UP] = {"up", read_direction, AT(up), .otherwise = "the scene's; y in the camera's frame",
             .text = "of hemisphere: where the sky is"},
-    [INTENSITY] = {"intensity", zr_json_number, AT(intensity), 0, INTENSITY_MAX, .otherwise = "1",
-                   .text = "a factor of its colours"},
+    [INTENSITY] = {"intensity", read_intensity, AT(intensity), 0, INTENSITY_PLACED_MAX, .otherwise = "1",
+                   .text = "a factor of its colours; of point and spot: at a distance of 1"},
     [FRAME] = {"frame", zr_json_choice, AT(frame), .words = &frame_names, .otherwise = "world",
-               .text = "where directions are measured; camera: the lamp goes with the camera"},
-    {.key = "position"},
-    {.key = "range"},
+               .text = "where directions and places are measured; camera: the lamp goes with the camera"},
+    [POSITION] = {"position", zr_json_vec3, AT(position), .unit = "scene units",
+                  .text = "of point and spot: where the lamp is"},
+    [RANGE] = {"range", zr_json_positive, AT(range), .unit = "scene units", .otherwise = "none",
+               .text = "of point and spot: at this distance nothing arrives any more"},
+    [INNER] = {"innerConeAngle", read_half_angle, AT(inner_degrees), 0, PI / 2, .unit = "radians", .otherwise = "0",
+               .text = "of spot: from its axis; outside, light begins to fall off"},
+    [INNER_DEGREES] = {"innerConeAngleDegrees", read_half_angle, AT(inner_degrees), 0, 90, .unit = "degrees",
+                       .otherwise = "0", .text = "of spot: from its axis; outside, light begins to fall off"},
+    [OUTER] = {"outerConeAngle", read_half_angle, AT(outer_degrees), 0, PI / 2, .unit = "radians", .otherwise = "pi/4",
+               .text = "of spot: from its axis; outside, there is no light"},
+    [OUTER_DEGREES] = {"outerConeAngleDegrees", read_half_angle, AT(outer_degrees), 0, 90, .unit = "degrees",
+                       .otherwise = "45", .text = "of spot: from its axis; outside, there is no light"},
     {.key = "spot"},
     {.key = "name"}};
 const struct zr_json_object zr_json_object_light = ZR_JSON_OBJECT_OF("light", fields);
 
-/* Keys from `first` to `last` are those of the other type. */
-static void refuse_strange_keys(struct zr_json *json, const struct zr_json_path *path, uint64_t keys, int first,
-                                int last, const char *type)
+/* Which types have keys that not all have. */
+enum {
+    OF_DIRECTIONAL = 1 << ZR_LIGHT_DIRECTIONAL,
+    OF_HEMISPHERE = 1 << ZR_LIGHT_HEMISPHERE,
+    OF_POINT = 1 << ZR_LIGHT_POINT,
+    OF_SPOT = 1 << ZR_LIGHT_SPOT
+};
+static const struct {
+    int key, types;
+    const char *named;
+} owners[] = {{DIRECTION, OF_DIRECTIONAL | OF_SPOT, "types directional and spot"},
+              {COLOR, OF_DIRECTIONAL | OF_POINT | OF_SPOT, "types directional, point and spot"},
+              {SHADOWS, OF_DIRECTIONAL | OF_SPOT, "types directional and spot"},
+              {SKY, OF_HEMISPHERE, "type hemisphere"},
+              {GROUND, OF_HEMISPHERE, "type hemisphere"},
+              {UP, OF_HEMISPHERE, "type hemisphere"},
+              {POSITION, OF_POINT | OF_SPOT, "types point and spot"},
+              {RANGE, OF_POINT | OF_SPOT, "types point and spot"},
+              {INNER, OF_SPOT, "type spot"},
+              {INNER_DEGREES, OF_SPOT, "type spot"},
+              {OUTER, OF_SPOT, "type spot"},
+              {OUTER_DEGREES, OF_SPOT, "type spot"}};
+
+static void refuse_strange_keys(struct zr_json *json, const struct zr_json_path *path, uint64_t keys, int type)
 {
-    for (int key = first; key <= last; key++)
-        if (zr_json_gives(keys, key))
-            zr_json_fault(json, ZR_JSON_KEY(path, fields[key].key), "belongs to lights of the type %s only", type);
+    for (size_t i = 0; i < sizeof owners / sizeof *owners; i++)
+        if (zr_json_gives(keys, owners[i].key) && !(owners[i].types >> type & 1))
+            zr_json_fault(json, ZR_JSON_KEY(path, fields[owners[i].key].key), "belongs to lights of the %s only",
+                          owners[i].named);
+}
+
+static void ask_for(struct zr_json *json, const struct zr_json_path *path, uint64_t keys, int key)
+{
+    if (!zr_json_gives(keys, key)) zr_json_fault(json, path, "%s is missing: %s", fields[key].key, fields[key].text);
+}
+
+static void check_cone(struct zr_json *json, const struct zr_json_path *path, uint64_t keys,
+                       const struct given_light *given)
+{
+    for (int key = INNER; key <= OUTER; key += OUTER - INNER)
+        if (zr_json_gives(keys, key) && zr_json_gives(keys, key + 1))
+            zr_json_fault(json, path, "two angles: %s and %s", fields[key].key, fields[key + 1].key);
+    if (!(given->inner_degrees < given->outer_degrees))
+        zr_json_fault(json, path, "innerConeAngle must be smaller than outerConeAngle: %.9g and %.9g degrees",
+                      given->inner_degrees, given->outer_degrees);
+    if (given->has_shadows && given->outer_degrees > SHADOW_DEGREES_MAX)
+        zr_json_fault(json, ZR_JSON_KEY(path, fields[SHADOWS].key),
+                      "spots whose outerConeAngle is up to %g degrees have shadows; this one's is %.9g",
+                      SHADOW_DEGREES_MAX, given->outer_degrees);
+}
+
+static void check_light(struct zr_json *json, const struct zr_json_path *path, uint64_t keys,
+                        const struct given_light *given)
+{
+    const bool is_placed = given->type == ZR_LIGHT_POINT || given->type == ZR_LIGHT_SPOT;
+    const double most = is_placed ? INTENSITY_PLACED_MAX : INTENSITY_MAX;
+    refuse_strange_keys(json, path, keys, given->type);
+    if (given->type == ZR_LIGHT_DIRECTIONAL || given->type == ZR_LIGHT_SPOT) ask_for(json, path, keys, DIRECTION);
+    if (is_placed) ask_for(json, path, keys, POSITION);
+    if (given->type == ZR_LIGHT_SPOT) check_cone(json, path, keys, given);
+    if (!(given->intensity >= 0.0 && given->intensity <= most))
+        zr_json_fault(json, ZR_JSON_KEY(path, fields[INTENSITY].key), "%.10g is outside of %.10g to %.10g",
+                      given->intensity, 0.0, most);
 }
 
 static zr_vec3 light_of(zr_vec4 color, double intensity)
@@ -78,22 +196,25 @@ static void make_light(const struct given_light *given, struct zr_light *light)
         light->direction = given->direction;
         light->color = light_of(given->color, given->intensity);
         light->has_shadows = given->has_shadows;
+        light->position = given->position;
+        light->range = given->range;
+        light->inner_degrees = given->inner_degrees;
+        light->outer_degrees = given->outer_degrees;
     }
 }
 
 static void read_light(struct zr_given_scene *root, struct zr_json *json, const struct zr_json_path *path,
                        struct zr_light *light)
 {
-    struct given_light given = {
-        .type = -1, .color = {1, 1, 1, 1}, .sky = {1, 1, 1, 1}, .ground = {0, 0, 0, 1}, .intensity = 1};
+    struct given_light given = {.type = -1,
+                                .color = {1, 1, 1, 1},
+                                .sky = {1, 1, 1, 1},
+                                .ground = {0, 0, 0, 1},
+                                .intensity = 1,
+                                .outer_degrees = 45};
     uint64_t keys;
     if (!zr_json_fields(json, path, &zr_json_object_light, &given, &keys) || given.type < 0) return;
-    if (given.type == ZR_LIGHT_HEMISPHERE)
-        refuse_strange_keys(json, path, keys, DIRECTION, SHADOWS, types[ZR_LIGHT_DIRECTIONAL]);
-    else
-        refuse_strange_keys(json, path, keys, SKY, UP, types[ZR_LIGHT_HEMISPHERE]);
-    if (given.type == ZR_LIGHT_DIRECTIONAL && !zr_json_gives(keys, DIRECTION))
-        zr_json_fault(json, path, "direction is missing: %s", fields[DIRECTION].text);
+    check_light(json, path, keys, &given);
     make_light(&given, light);
     if (light->type == ZR_LIGHT_HEMISPHERE) root->linear_key = "the type hemisphere of lights";
     if (light->has_shadows) root->linear_key = "the key shadows of lights";

@@ -80,6 +80,14 @@ static struct zr_lamp lamp_of(const struct zr_light *light, zr_vec3 direction)
                             .lights_classic = light->lit != ZR_LIT_PBR};
 }
 
+static struct zr_placed_lamp placed_lamp_of(const struct zr_light *light, const struct zr_camera *camera)
+{
+    return (struct zr_placed_lamp){.place = zr_lamp_place_of(light, camera),
+                                   .color = light->color,
+                                   .lights_pbr = light->lit != ZR_LIT_CLASSIC,
+                                   .lights_classic = light->lit != ZR_LIT_PBR};
+}
+
 /* ---- all ---- */
 
 void zr_look_lighting_make(struct zr_arena *arena, const struct zr_scene *scene, const struct zr_camera *camera,
@@ -88,21 +96,30 @@ void zr_look_lighting_make(struct zr_arena *arena, const struct zr_scene *scene,
     const struct zr_picture *picture = &scene->picture;
     const zr_vec4 eye = zr_camera_eye(camera);
     struct zr_lamp *lamps = zr_arena_alloc(arena, scene->light_count, sizeof *lamps);
+    struct zr_placed_lamp *placed = zr_arena_alloc(arena, scene->light_count, sizeof *placed);
     *lighting = (struct zr_look_lighting){.materials = scene->materials,
                                           .ambient = scene->ambient,
                                           .lamps = lamps,
+                                          .placed = placed,
                                           .environment_intensity = picture->environment.intensity,
                                           .is_parallel = eye.w == 0.0f,
                                           .to_eye = {eye.x, eye.y, eye.z},
                                           .tone = picture->tone,
                                           .exposure = picture->exposure};
     lighting->has_environment = zr_environment_make(picture->environment.name, &lighting->environment);
-    if (!lamps) return;
+    if (!lamps || !placed) return;
     turn_environment(scene, &camera->world_to_eye, lighting->eye_to_environment);
-    lighting->lamp_count = scene->light_count;
     for (uint32_t i = 0; i < scene->light_count; i++) {
-        const zr_vec3 direction = direction_of(&scene->lights[i], &camera->world_to_eye, lighting->eye_to_environment);
-        lamps[i] = lamp_of(&scene->lights[i], direction);
-        if (shadows && shadows[i].depths) lamps[i].shadow = &shadows[i];
+        const struct zr_light *light = &scene->lights[i];
+        const struct zr_shadow_map *shadow = shadows && shadows[i].depths ? &shadows[i] : NULL;
+        if (zr_light_has_place(light)) {
+            struct zr_placed_lamp *lamp = &placed[lighting->placed_count++];
+            *lamp = placed_lamp_of(light, camera);
+            lamp->shadow = shadow;
+        } else {
+            struct zr_lamp *lamp = &lamps[lighting->lamp_count++];
+            *lamp = lamp_of(light, direction_of(light, &camera->world_to_eye, lighting->eye_to_environment));
+            lamp->shadow = shadow;
+        }
     }
 }

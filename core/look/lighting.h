@@ -10,8 +10,9 @@
 #include "look/environment.h"
 #include "scene/scene.h"
 #include "shade/gbuffer.h"
+#include "shade/lamp_place.h"
 
-/* Of one light of the scene. */
+/* Of one light of the scene that has no place. */
 struct zr_lamp {
     zr_vec3 to_light; /* unit; of a hemisphere: its up */
     zr_vec3 color;    /* E at normal incidence; of a hemisphere: from the sky */
@@ -21,12 +22,22 @@ struct zr_lamp {
     const struct zr_shadow_map *shadow; /* shadow_map.h; NULL: it casts none */
 };
 
+/* Of one that has a place. */
+struct zr_placed_lamp {
+    struct zr_lamp_place place;
+    zr_vec3 color; /* E at normal incidence, at a distance of 1 */
+    bool lights_pbr, lights_classic;
+    const struct zr_shadow_map *shadow; /* of a spot; NULL: it casts none */
+};
+
 /* What is the same for the whole picture. */
 struct zr_look_lighting {
     const struct zr_material *materials;
     zr_vec3 ambient; /* E of what is lit from all sides alike, for all shadings */
     uint32_t lamp_count;
     const struct zr_lamp *lamps;
+    uint32_t placed_count;
+    const struct zr_placed_lamp *placed;
     bool has_environment;
     struct zr_environment_light environment;
     float environment_intensity;

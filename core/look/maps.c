@@ -11,15 +11,6 @@ float zr_diagonal_of(const struct zr_bounds *bounds)
     return sqrtf(zr_vec3_dot(size, size));
 }
 
-/* What rounding makes of 1 is 1. */
-float zr_eye_scale_of(const struct zr_camera *camera)
-{
-    const float *m = camera->world_to_eye.m;
-    const zr_vec3 up = {m[4], m[5], m[6]};
-    const float scale = sqrtf(zr_vec3_dot(up, up));
-    return fabsf(scale - 1.0f) < 1e-3f || !(scale > 0.0f) ? 1.0f : scale;
-}
-
 /* Points of the G-buffer are counted from the eye. */
 struct zr_pixel_scale zr_pixel_scale_of(const struct zr_camera *camera, uint32_t height)
 {

@@ -16,9 +16,6 @@
 /* The diagonal of the bounds; 0 where there are none. */
 float zr_diagonal_of(const struct zr_bounds *bounds);
 
-/* How much longer things are in eye space than in the world: 1, but with a worldToCamera that scales. */
-float zr_eye_scale_of(const struct zr_camera *camera);
-
 /* How large things are in pixels, in a window of that height. */
 struct zr_pixel_scale zr_pixel_scale_of(const struct zr_camera *camera, uint32_t height);
 

@@ -143,11 +143,14 @@ static inline zr_vf zr_square_sine_v(struct zr_vec3_v a, struct zr_vec3_v b)
     return zr_dot_v(c, c);
 }
 
+/* Less than `spread` is where H is a unit vector; where light comes from straight behind, H is none. */
+#define ZR_GGX_SPREAD_LEAST 1e-6f
+
 /* pi D V: of N.H, and 1 less its square, of N.V and N.L. */
 static inline zr_vf zr_ggx_v(float alpha, zr_vf nh, zr_vf square_sine, zr_vf nv, zr_vf nl)
 {
     const zr_vf square = zr_vf_set(alpha * alpha), rest = zr_vf_set(1.0f - alpha * alpha);
-    const zr_vf spread = square_sine + nh * nh * square;
+    const zr_vf spread = zr_vf_max(square_sine + nh * nh * square, zr_vf_set(ZR_GGX_SPREAD_LEAST));
     const zr_vf smith = nl * zr_vf_sqrt(nv * nv * rest + square) + nv * zr_vf_sqrt(nl * nl * rest + square);
     return square / (spread * spread) * zr_vf_set(0.5f) / smith;
 }
@@ -158,11 +161,11 @@ static inline zr_vf zr_pbr_reflected_v(zr_vf f0, zr_vf diffuse, zr_vf fresnel, z
     return f * specular + (zr_vf_set(1.0f) - f) * diffuse;
 }
 
-static inline struct zr_vec3_v zr_pbr_from_lamp_v(const struct zr_lamp *lamp, const struct zr_pbr_v *pbr,
-                                                  const struct zr_shading_v *s)
+/* From a unit vector, of `color` the share that arrives. */
+static inline struct zr_vec3_v zr_pbr_from_v(struct zr_vec3_v to_light, zr_vec3 color, zr_vf share,
+                                             const struct zr_pbr_v *pbr, const struct zr_shading_v *s)
 {
     const zr_vf zero = zr_vf_set(0.0f), one = zr_vf_set(1.0f);
-    const struct zr_vec3_v to_light = zr_spread_v(lamp->to_light);
     const struct zr_vec3_v half = zr_normalize_v(zr_add_v(to_light, s->to_eye));
     const zr_vf nl = zr_vf_max(zr_dot_v(s->normal, to_light), zero);
     const zr_vf nh = zr_clamp01_v(zr_dot_v(s->normal, half)), vh = zr_clamp01_v(zr_dot_v(s->to_eye, half));
@@ -174,7 +177,20 @@ static inline struct zr_vec3_v zr_pbr_from_lamp_v(const struct zr_lamp *lamp, co
     const struct zr_vec3_v reflected = {zr_pbr_reflected_v(pbr->f0.x, pbr->diffuse.x, fresnel, specular),
                                         zr_pbr_reflected_v(pbr->f0.y, pbr->diffuse.y, fresnel, specular),
                                         zr_pbr_reflected_v(pbr->f0.z, pbr->diffuse.z, fresnel, specular)};
-    return zr_scale_v(zr_mul_v(zr_spread_v(lamp->color), reflected), nl * zr_lamp_share_v(lamp, s));
+    return zr_scale_v(zr_mul_v(zr_spread_v(color), reflected), nl * share);
+}
+
+static inline struct zr_vec3_v zr_pbr_from_lamp_v(const struct zr_lamp *lamp, const struct zr_pbr_v *pbr,
+                                                  const struct zr_shading_v *s)
+{
+    return zr_pbr_from_v(zr_spread_v(lamp->to_light), lamp->color, zr_lamp_share_v(lamp, s), pbr, s);
+}
+
+static inline struct zr_vec3_v zr_pbr_from_placed_v(const struct zr_placed_lamp *lamp, const struct zr_pbr_v *pbr,
+                                                    const struct zr_shading_v *s)
+{
+    const struct zr_arriving_v arriving = zr_placed_arriving_v(lamp, s);
+    return zr_pbr_from_v(arriving.to_light, lamp->color, arriving.share, pbr, s);
 }
 
 /* ---- all ---- */
@@ -189,6 +205,8 @@ static inline struct zr_vec3_v zr_surface_pbr_v(const struct zr_look_lighting *l
         const struct zr_lamp *lamp = &lighting->lamps[i];
         if (lamp->lights_pbr && !lamp->is_hemisphere) sum = zr_add_v(sum, zr_pbr_from_lamp_v(lamp, &pbr, s));
     }
+    for (uint32_t i = 0; i < lighting->placed_count; i++)
+        if (lighting->placed[i].lights_pbr) sum = zr_add_v(sum, zr_pbr_from_placed_v(&lighting->placed[i], &pbr, s));
     return sum;
 }
 

@@ -6,6 +6,7 @@
 #include "look/lighting.h"
 #include "look/shadow_map_simd.h"
 #include "look/tone_simd.h"
+#include "shade/lamp_place_simd.h"
 
 struct zr_shading_v {
     struct zr_vec3_v base;   /* linear */
@@ -32,6 +33,12 @@ static inline struct zr_vec3_v zr_hemisphere_v(const struct zr_lamp *lamp, struc
 static inline zr_vf zr_lamp_share_v(const struct zr_lamp *lamp, const struct zr_shading_v *s)
 {
     return lamp->shadow ? zr_shadow_share_v(lamp->shadow, s->point, s->normal) : zr_vf_set(1.0f);
+}
+
+/* What arrives from a lamp that has a place. */
+static inline struct zr_arriving_v zr_placed_arriving_v(const struct zr_placed_lamp *lamp, const struct zr_shading_v *s)
+{
+    return zr_arriving_from_v(&lamp->place, s->point);
 }
 
 /* Of light from all around, how much reaches a surface that reflects `albedo`: what is bounced between the walls of a

@@ -37,3 +37,12 @@ zr_vec4 zr_camera_eye(const struct zr_camera *camera)
                          v[3] != 0.0 ? 1.0f : 0.0f};
     return isfinite(eye.x) && isfinite(eye.y) && isfinite(eye.z) ? eye : origin;
 }
+
+/* What rounding makes of 1 is 1. */
+float zr_eye_scale_of(const struct zr_camera *camera)
+{
+    const float *m = camera->world_to_eye.m;
+    const zr_vec3 up = {m[4], m[5], m[6]};
+    const float scale = sqrtf(zr_vec3_dot(up, up));
+    return fabsf(scale - 1.0f) < 1e-3f || !(scale > 0.0f) ? 1.0f : scale;
+}

@@ -29,6 +29,9 @@ struct zr_camera {
  * there (w = 0). The origin, but with a projection that moves the eye, or has none. */
 zr_vec4 zr_camera_eye(const struct zr_camera *camera);
 
+/* How much longer things are in eye space than in the world: 1, but with a worldToCamera that scales. */
+float zr_eye_scale_of(const struct zr_camera *camera);
+
 /* Points at infinity (w = 0), or beyond the range of float, are left out. Walks over all placed points, as
  * zr_camera_resolve does some times more; cancelled, both return early, with what they have. `team` and `cancel` may be
  * NULL. */

@@ -140,22 +140,35 @@ enum { ZR_LIGHTS_MAX = 1024 };
 
 enum zr_light_type {
     ZR_LIGHT_DIRECTIONAL, /* from one direction, as from the sun */
-    ZR_LIGHT_HEMISPHERE   /* from all around: from the sky above to the ground below */
+    ZR_LIGHT_HEMISPHERE,  /* from all around: from the sky above to the ground below */
+    ZR_LIGHT_POINT,       /* from a place, in all directions */
+    ZR_LIGHT_SPOT         /* from a place, within a cone */
 };
 
 /* Which shadings a lamp lights. A look's lamps stand in for its environment where that is not seen. */
 enum zr_lit { ZR_LIT_ALL, ZR_LIT_CLASSIC /* flat, gouraud, phong */, ZR_LIT_PBR };
 
 struct zr_light {
-    zr_vec3 direction; /* the way the light travels; of a hemisphere, to the sky; unit length */
+    zr_vec3 direction; /* the way the light travels, of a spot along its axis; of a hemisphere, to the sky; unit */
     zr_vec3 color;     /* times intensity; of a hemisphere, of the sky */
-    bool camera_frame; /* direction is in eye space (it goes with the camera), else in world space */
+    bool camera_frame; /* direction and position are in eye space (it goes with the camera), else in world space */
     enum zr_light_type type;
     zr_vec3 ground; /* times intensity, of a hemisphere */
     bool has_shadows;
     enum zr_lit lit;
     bool environment_frame; /* direction is in the frame of picture.environment, named or not, and turns with it */
+
+    /* Of point and spot lamps. `color` is what arrives at a distance of 1, in scene units; it falls off by the square
+     * of the distance. */
+    zr_vec3 position;
+    float range;                         /* at this distance nothing arrives any more; 0: there is no such distance */
+    double inner_degrees, outer_degrees; /* of a spot: from its axis, 0 <= inner < outer <= 90 */
 };
+
+static inline bool zr_light_has_place(const struct zr_light *light)
+{
+    return light->type == ZR_LIGHT_POINT || light->type == ZR_LIGHT_SPOT;
+}
 
 /* Depth cueing: what is seen up to `near` has its own colour, from `far` on that of the fog, and in between more and
  * more of it; both are depths along the view axis. What is behind all geometry is not in the fog. */

@@ -40,6 +40,25 @@ static void check_geometry(const struct zr_scene *scene, struct zr_error *error)
                      ZR_SCENE_CORNERS_MAX);
 }
 
+/* Points that are seen are known up to their w, which is enough for all but distances (shade/surfaces.h). */
+static void check_lamps(const struct zr_scene *scene, struct zr_error *error)
+{
+    uint32_t lamp = 0;
+    while (lamp < scene->light_count && !zr_light_has_place(&scene->lights[lamp]))
+        lamp++;
+    for (uint32_t i = 0; lamp < scene->light_count && i < scene->mesh_count; i++) {
+        const struct zr_mesh *mesh = &scene->meshes[i];
+        for (uint32_t v = 0; v < mesh->position_count; v++)
+            if (mesh->positions[v].w != 1.0f) {
+                zr_error_add(error, ZR_BAD_SCENE, "/lights",
+                             "point and spot lamps light positions of three numbers, or with a fourth of 1; a position "
+                             "of mesh %" PRIu32 " has %.9g",
+                             i, (double)mesh->positions[v].w);
+                return;
+            }
+    }
+}
+
 /* Where the base is seen, every channel that is asked for must come from it. */
 static void check_base(const struct zr_scene *scene, struct zr_error *error)
 {
@@ -80,6 +99,7 @@ enum zr_status zr_scene_validate(const struct zr_scene *scene, const struct zr_l
     size_t before = error->count;
     check_view(&scene->views[0], limits, error);
     check_geometry(scene, error);
+    check_lamps(scene, error);
     check_base(scene, error);
     check_see_through(scene, error);
     return error->count > before ? ZR_BAD_SCENE : ZR_OK;

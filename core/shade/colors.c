@@ -12,6 +12,7 @@ struct coloring {
     const struct zr_mesh *mesh;
     const struct zr_lighting *lighting;
     struct zr_normal_matrix to_eye;
+    const zr_mat4 *object_to_eye;
     const zr_vec4 *computed; /* normals of vertices; NULL where nothing needs them */
     enum zr_isa isa;
     zr_vec4 *front, *back;
@@ -19,6 +20,7 @@ struct coloring {
     uint32_t count;   /* so many of each side */
     bool sided;
     bool per_corner; /* else faces are flat, all of them */
+    bool per_vertex;
     const struct zr_cancel *cancel;
 };
 
@@ -76,19 +78,49 @@ struct points {
     zr_vec4 normals[LIT_AT_ONCE], bases[LIT_AT_ONCE];
 };
 
+/* The vertex that a slot is lit at: a flat face, which has a slot, or that of its first corner, at its first one. */
+static inline uint32_t vertex_of_slot(const struct coloring *coloring, uint32_t slot)
+{
+    const struct zr_mesh *mesh = coloring->mesh;
+    if (coloring->per_vertex) return slot;
+    return mesh->indices[coloring->per_corner ? slot : mesh->face_offsets[slot]];
+}
+
+/* Where some light has a place. Up to LIT_AT_ONCE, whose slots follow one another. */
+static void light_placed(const struct coloring *coloring, size_t first, const zr_vec4 *normals, const zr_vec4 *bases,
+                         size_t count, zr_vec4 *front, zr_vec4 *back)
+{
+    const struct zr_lighting *lighting = coloring->lighting;
+    const zr_vec3 start = lighting->start;
+    zr_vec4 points[LIT_AT_ONCE];
+    for (size_t i = 0; i < count; i++) {
+        const zr_vec4 position = coloring->mesh->positions[vertex_of_slot(coloring, (uint32_t)(first + i))];
+        const zr_vec4 p = zr_mat4_apply(coloring->object_to_eye, position);
+        points[i] = (zr_vec4){p.x - start.x, p.y - start.y, p.z - start.z, 0.0f};
+    }
+    zr_light_placed_of(coloring->isa)(lighting, &coloring->to_eye, normals, points, bases, count, front, back);
+}
+
+static void light_some(const struct coloring *coloring, size_t first, const zr_vec4 *normals, const zr_vec4 *bases,
+                       size_t count, zr_vec4 *front, zr_vec4 *back)
+{
+    if (coloring->lighting->places)
+        light_placed(coloring, first, normals, bases, count, front, back);
+    else
+        zr_light_of(coloring->isa)(coloring->lighting, &coloring->to_eye, normals, bases, count, front, back);
+}
+
 /* Up to LIT_AT_ONCE. */
 static void put_lit(const struct coloring *coloring, size_t first, const zr_vec4 *normals, const zr_vec4 *bases,
                     size_t count)
 {
-    zr_light_fn *light = zr_light_of(coloring->isa);
     zr_rgba_pack_fn *pack = zr_rgba_pack_of(coloring->isa);
     zr_vec4 front[LIT_AT_ONCE], back[LIT_AT_ONCE];
     if (!coloring->packed) {
-        light(coloring->lighting, &coloring->to_eye, normals, bases, count, coloring->front + first,
-              coloring->back + first);
+        light_some(coloring, first, normals, bases, count, coloring->front + first, coloring->back + first);
         return;
     }
-    light(coloring->lighting, &coloring->to_eye, normals, bases, count, front, coloring->sided ? back : front);
+    light_some(coloring, first, normals, bases, count, front, coloring->sided ? back : front);
     pack(front, count, coloring->packed + first);
     if (coloring->sided) pack(back, count, coloring->packed + coloring->count + first);
 }
@@ -267,6 +299,7 @@ static struct coloring coloring_make(struct zr_team *team, const struct zr_cance
                              .mesh = mesh,
                              .lighting = lighting,
                              .to_eye = zr_normal_matrix_make(object_to_eye),
+                             .object_to_eye = object_to_eye,
                              .isa = zr_team_isa(team),
                              .cancel = cancel};
 }
@@ -302,6 +335,7 @@ struct zr_colors zr_colors_make(struct zr_arena *arena, struct zr_team *team, co
     coloring.front = front;
     coloring.back = back;
     coloring.per_corner = rate == ZR_RATE_CORNER;
+    coloring.per_vertex = rate == ZR_RATE_VERTEX;
     if (rate != ZR_RATE_FACE && !lighting->is_late && needs_computed_normals(scene, mesh)) {
         if (!*normals) *normals = zr_vertex_normals_make(arena, team, cancel, mesh);
         coloring.computed = *normals;

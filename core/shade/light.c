@@ -24,6 +24,22 @@ void zr_lighting_make(struct zr_arena *arena, const struct zr_scene *scene, cons
     }
 }
 
+void zr_lighting_place(struct zr_arena *arena, const struct zr_scene *scene, const struct zr_camera *camera,
+                       struct zr_lighting *lighting)
+{
+    const zr_vec4 eye = zr_camera_eye(camera);
+    bool any = false;
+    for (uint32_t i = 0; i < scene->light_count; i++)
+        any |= zr_light_has_place(&scene->lights[i]);
+    if (!any) return;
+    struct zr_lamp_place *places = zr_arena_zero(arena, scene->light_count, sizeof *places);
+    if (!places) return;
+    for (uint32_t i = 0; i < scene->light_count; i++)
+        if (zr_light_has_place(&scene->lights[i])) places[i] = zr_lamp_place_of(&scene->lights[i], camera);
+    lighting->places = places;
+    if (eye.w != 0.0f) lighting->start = (zr_vec3){eye.x, eye.y, eye.z};
+}
+
 /* Cofactors are the inverse transpose times the determinant: of it only the sign
  * matters, since normals are normalised afterwards. */
 struct zr_normal_matrix zr_normal_matrix_make(const zr_mat4 *object_to_eye)
@@ -39,6 +55,12 @@ struct zr_normal_matrix zr_normal_matrix_make(const zr_mat4 *object_to_eye)
 zr_light_fn *zr_light_of(enum zr_isa isa)
 {
     static zr_light_fn *const table[ZR_ISA_COUNT] = ZR_KERNELS(zr_light);
+    return table[isa];
+}
+
+zr_light_placed_fn *zr_light_placed_of(enum zr_isa isa)
+{
+    static zr_light_placed_fn *const table[ZR_ISA_COUNT] = ZR_KERNELS(zr_light_placed);
     return table[isa];
 }
 

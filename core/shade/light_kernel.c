@@ -1,4 +1,5 @@
 #include "base/mutant.h"
+#include "shade/lamp_place_simd.h"
 #include "shade/light.h"
 #include "shade/vec3_simd.h"
 
@@ -81,6 +82,45 @@ void ZR_KERNEL(zr_light)(const struct zr_lighting *lighting, const struct zr_nor
     light_groups(lighting, to_eye, last_normals, last_bases, 1, fronts, backs);
     memcpy(back + i, backs, left);
     memcpy(front + i, fronts, left); /* last: both may be one array */
+}
+
+/* ---- lights that have a place ---- */
+
+static inline void light_placed_group(const struct zr_lighting *lighting, struct zr_vec3_v n, const zr_vec4 *points,
+                                      const zr_vec4 *bases, zr_vec4 *front_out, zr_vec4 *back_out)
+{
+    struct zr_vec3_v base, point;
+    zr_vf alpha, w;
+    zr_vf_load_fours((const float *)bases, &base.x, &base.y, &base.z, &alpha);
+    zr_vf_load_fours((const float *)points, &point.x, &point.y, &point.z, &w);
+    (void)w;
+    struct zr_vec3_v front = zr_mul_v(zr_spread_v(lighting->ambient), base), back = front;
+    for (uint32_t i = 0; i < lighting->count; i++) {
+        const struct zr_arriving_v arriving = zr_arriving_of_v(lighting, i, point);
+        const zr_vf facing = zr_dot_v(n, arriving.to_light), away = facing * zr_vf_set(-1.0f);
+        const struct zr_vec3_v diffuse = zr_mul_v(zr_spread_v(lighting->colors[i]), base);
+        const zr_vm lit = zr_vf_lt(zr_vf_set(0.0f), facing);
+        front = zr_choose_v(lit, zr_add_v(front, zr_scale_v(diffuse, facing * arriving.share)), front);
+        back = zr_choose_v(lit, back, zr_add_v(back, zr_scale_v(diffuse, away * arriving.share)));
+    }
+    if (back_out != front_out) store(back, alpha, back_out);
+    store(front, alpha, front_out);
+}
+
+void ZR_KERNEL(zr_light_placed)(const struct zr_lighting *lighting, const struct zr_normal_matrix *to_eye,
+                                const zr_vec4 *normals, const zr_vec4 *points, const zr_vec4 *bases, size_t count,
+                                zr_vec4 *front, zr_vec4 *back)
+{
+    for (size_t i = 0; i < count; i += ZR_LANES) {
+        zr_vec4 in[3][ZR_LANES] = {{{0, 0, 0, 0}}}, fronts[ZR_LANES], backs[ZR_LANES];
+        const size_t left = (count - i < ZR_LANES ? count - i : ZR_LANES) * sizeof *front;
+        memcpy(in[0], normals + i, left);
+        memcpy(in[1], points + i, left);
+        memcpy(in[2], bases + i, left);
+        light_placed_group(lighting, unit_normals(to_eye, in[0]), in[1], in[2], fronts, backs);
+        memcpy(back + i, backs, left);
+        memcpy(front + i, fronts, left); /* last: both may be one array */
+    }
 }
 
 void ZR_KERNEL(zr_to_eye)(const struct zr_normal_matrix *to_eye, zr_vec4 *normals, size_t count)

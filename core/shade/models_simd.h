@@ -3,14 +3,15 @@
 #define ZR_MODELS_SIMD_H
 
 #include "shade/models/normals_simd.h"
-#include "shade/models/phong_simd.h"
+#include "shade/models/phong_placed_simd.h"
 
 static inline struct zr_vec3_v zr_model_color(const struct zr_model_context *context,
                                               const struct zr_material *material, const struct zr_model_inputs *in)
 {
     switch (material->shading) {
     case ZR_SHADING_PHONG:
-        return zr_model_phong(context, material, in);
+        return context->lighting->places ? zr_model_phong_placed(context, material, in)
+                                         : zr_model_phong(context, material, in);
     case ZR_SHADING_NORMALS:
         return zr_model_normals(context, material, in);
     default:

@@ -290,6 +290,7 @@ enum zr_status zr_surfaces_make(struct zr_arena *arena, struct zr_team *team, co
     *surfaces = (struct zr_surfaces){.eye = zr_camera_eye(camera)};
     surfaces->of_draw = zr_arena_zero(arena, (size_t)geometry->draw_count + 1, sizeof *surfaces->of_draw);
     zr_lighting_make(arena, scene, &camera->world_to_eye, &surfaces->lighting);
+    if (!wants->samples) zr_lighting_place(arena, scene, camera, &surfaces->lighting);
     surfaces->lighting.is_late = wants->samples;
     look_at_scene(&m);
     if (!zr_arena_ok(arena) || ((surfaces->any_late || wants->samples) && !make_points(&m))) return ZR_NO_MEMORY;

@@ -417,7 +417,7 @@ static bool for_each_face(struct batches_builder *b, struct batches_source *s, e
 
 /* The matrices of an instance, for GL: in memory of their own, since batches point to them. */
 struct placement {
-    zr_mat4 modelview;
+    zr_mat4 modelview, object_to_eye;
     struct zr_normal_matrix normals;
 };
 
@@ -428,11 +428,13 @@ static bool append_instance(struct batches_builder *b, const struct zr_instance 
     if (!placement) return false;
     zr_mat4 object_to_eye = zr_mat4_mul(&b->camera->world_to_eye, &instance->object_to_world);
     placement->modelview = b->options.transformed ? zr_mat4_identity() : object_to_eye;
+    placement->object_to_eye = object_to_eye;
     placement->normals = zr_normal_matrix_make(&object_to_eye);
     struct batches_source source = {.mesh = mesh,
                                     .instance = instance,
                                     .modelview = &placement->modelview,
                                     .normal_rows = placement->normals.rows,
+                                    .object_to_eye = &placement->object_to_eye,
                                     .mirrored = zr_mat4_is_mirror(&instance->object_to_world)};
     if (b->owner + zr_mesh_ids(mesh) > (uint64_t)BATCHES_OWNERS_MAX + 1) return false;
     if (!for_each_face(b, &source, BATCHES_FACE, append_face) ||
@@ -467,6 +469,8 @@ bool batches_make(struct zr_arena *arena, const struct zr_scene *scene, const st
     arrays->positions = builder.positions;
     arrays->front = builder.front;
     if (options->purpose != BATCHES_OWNERS) arrays->normals = builder.normals;
+    arrays->unit_normals = builder.unit_normals;
+    arrays->light_points = builder.light_points;
     if (options->purpose == BATCHES_COLORS) {
         arrays->lighting = batches_light(arena, scene, camera, options);
         if (!arrays->lighting) return false;

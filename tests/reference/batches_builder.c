@@ -9,6 +9,8 @@ bool batches_reserve_corners(struct batches_builder *b, uint64_t more)
     b->positions = zr_arena_grow(b->arena, b->positions, b->corner_count, room, sizeof *b->positions);
     b->front = zr_arena_grow(b->arena, b->front, b->corner_count, room, sizeof *b->front);
     b->normals = zr_arena_grow(b->arena, b->normals, b->corner_count, room, sizeof *b->normals);
+    b->unit_normals = zr_arena_grow(b->arena, b->unit_normals, b->corner_count, room, sizeof *b->unit_normals);
+    b->light_points = zr_arena_grow(b->arena, b->light_points, b->corner_count, room, sizeof *b->light_points);
     b->corner_room = room;
     return zr_arena_ok(b->arena);
 }
@@ -47,6 +49,20 @@ static zr_vec4 with_opacity(const struct batches_builder *b, zr_vec4 color)
     return color;
 }
 
+/* What lamps that have a place look at: a flat face is lit at its first corner. */
+static void put_light_point(struct batches_builder *b, const struct batches_source *s, uint32_t at, uint32_t vertex,
+                            zr_vec3 normal)
+{
+    const bool is_flat = s->material && s->material->shading == ZR_SHADING_FLAT;
+    const zr_vec4 eye = zr_camera_eye(b->camera);
+    if (is_flat) vertex = s->mesh->indices[s->mesh->face_offsets[s->face]];
+    const zr_vec4 p = zr_mat4_apply(s->object_to_eye, s->mesh->positions[vertex]);
+    const zr_vec3 point = {p.x, p.y, p.z}, n = zr_vec3_normalize(normal), *rows = s->normal_rows;
+    b->light_points[at] = eye.w == 0.0f ? point : zr_vec3_sub(point, (zr_vec3){eye.x, eye.y, eye.z});
+    b->unit_normals[at] =
+        zr_vec3_normalize((zr_vec3){zr_vec3_dot(rows[0], n), zr_vec3_dot(rows[1], n), zr_vec3_dot(rows[2], n)});
+}
+
 void batches_append_vertex(struct batches_builder *b, const struct batches_source *s, uint32_t vertex, zr_vec4 color,
                            zr_vec3 normal)
 {
@@ -60,4 +76,5 @@ void batches_append_vertex(struct batches_builder *b, const struct batches_sourc
     b->positions[at] = position;
     b->front[at] = with_opacity(b, color);
     b->normals[at] = normal;
+    put_light_point(b, s, at, vertex, normal);
 }

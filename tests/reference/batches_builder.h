@@ -12,7 +12,7 @@ struct batches_builder {
     struct batches_options options;
     struct batches *out;
     zr_vec4 *positions, *front;
-    zr_vec3 *normals;
+    zr_vec3 *normals, *unit_normals, *light_points;
     struct reference_batch *batches;
     uint32_t corner_count, corner_room, batch_room, thin_room;
     uint32_t owner;       /* of the first face of the instance under way */
@@ -25,8 +25,9 @@ struct batches_source {
     const struct zr_instance *instance;
     const zr_mat4 *modelview;
     const zr_vec3 *normal_rows; /* as struct reference_batch has them */
-    const zr_vec4 *computed;    /* normals of vertices; NULL: none were needed so far */
-    const zr_vec4 *creases;     /* of corners, likewise, for BATCHES_LIGHT */
+    const zr_mat4 *object_to_eye;
+    const zr_vec4 *computed; /* normals of vertices; NULL: none were needed so far */
+    const zr_vec4 *creases;  /* of corners, likewise, for BATCHES_LIGHT */
     bool mirrored;
     const struct zr_material *material; /* of the face under way */
     bool smooth;                        /* what the purpose wants to vary does so over the face */

@@ -234,8 +234,10 @@ static struct reference_lighting reference_light(const struct harness_options *o
         to_light[i] = s->to_light[i];
         to_light[i].x += options->more_to_x;
     }
-    return (struct reference_lighting){zr_vec3_add(s->ambient, (zr_vec3){more, more, more}), s->light_count, to_light,
-                                       s->colors};
+    return (struct reference_lighting){.ambient = zr_vec3_add(s->ambient, (zr_vec3){more, more, more}),
+                                       .count = s->light_count,
+                                       .to_light = to_light,
+                                       .colors = s->colors};
 }
 
 static bool draw(struct harness *harness, const struct sample *s, const struct part *part, unsigned program,

@@ -266,6 +266,8 @@ const struct generator generators[] = {
     {"dense", false, false, WINDOWS_LARGE, fill_dense},
     {"stamps", false, false, WINDOWS_ANY, fill_stamps},
     {"lit", true, false, WINDOWS_ANY, fill_lit},
+    {"lamps", true, false, WINDOWS_ANY, fill_lamps},
+    {"spots", true, false, WINDOWS_ANY, fill_spots},
     {"blended", true, true, WINDOWS_ANY, fill_blended},
     {"masked", true, true, WINDOWS_ANY, fill_masked},
 };

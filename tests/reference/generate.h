@@ -69,6 +69,8 @@ void fill_matrix_any(struct drawing *drawing, struct random *r);
 
 /* generate_lit.c */
 void fill_lit(struct drawing *drawing, struct random *r);
+void fill_lamps(struct drawing *drawing, struct random *r);
+void fill_spots(struct drawing *drawing, struct random *r);
 
 /* generate_layers.c */
 void fill_blended(struct drawing *drawing, struct random *r);

@@ -34,8 +34,11 @@ static const char *const declarations =
     "uniform vec3 to_environment[3];\n"       /* rows */
     "uniform float lamp_count;\n"
     "uniform vec3 lamp_to[64], lamp_color[64], lamp_ground[64];\n"
-    "uniform vec3 lamp_kind[64];\n" /* a hemisphere; lights pbr; lights flat, gouraud and phong */
-    "uniform vec2 split[1024];\n"   /* rows of 32 columns: A, B */
+    "uniform vec3 lamp_kind[64];\n"  /* a hemisphere; lights pbr; lights flat, gouraud and phong */
+    "uniform vec4 lamp_place[64];\n" /* from the eye; w: 1 where the lamp has a place */
+    "uniform vec4 lamp_spot[64];\n"  /* of a spot: the way of its light; w: cos of the outer angle, or -2: no spot */
+    "uniform vec2 lamp_end[64];\n"   /* cos of the inner angle; range, or 0 */
+    "uniform vec2 split[1024];\n"    /* rows of 32 columns: A, B */
     "uniform int shading;\n"
     "uniform vec3 specular, emissive, cool;\n"
     "uniform float shininess, metallic, roughness;\n"
@@ -43,6 +46,21 @@ static const char *const declarations =
     "{\n"
     "    vec3 curve = pow((c + 0.055) / 1.055, vec3(2.4)), line = c / 12.92;\n"
     "    return mix(curve, line, lessThanEqual(c, vec3(0.04045)));\n"
+    "}\n"
+    "vec3 lamp_way(int i)\n"
+    "{\n"
+    "    return lamp_place[i].w == 0.0 ? lamp_to[i] : normalize(lamp_place[i].xyz - way);\n"
+    "}\n"
+    /* KHR_lights_punctual. */
+    "vec3 lamp_light(int i)\n"
+    "{\n"
+    "    if (lamp_place[i].w == 0.0) return lamp_color[i];\n"
+    "    float d = length(lamp_place[i].xyz - way), share = 1.0 / (d * d), outer = lamp_spot[i].w;\n"
+    "    if (lamp_end[i].y > 0.0) share *= max(min(1.0 - pow(d / lamp_end[i].y, 4.0), 1.0), 0.0);\n"
+    "    float angle = dot(-lamp_way(i), lamp_spot[i].xyz);\n"
+    "    float cone = clamp((angle - outer) / max(0.001, lamp_end[i].x - outer), 0.0, 1.0);\n"
+    "    if (outer > -2.0) share *= cone * cone;\n"
+    "    return lamp_color[i] * share;\n"
     "}\n"
     "vec3 hemisphere(int i, vec3 d)\n"
     "{\n"
@@ -141,7 +159,7 @@ static const char *const pbr =
     "{\n"
     "    const float pi = 3.14159265358979;\n"
     "    float alpha = max(roughness * roughness, 0.06), a2 = alpha * alpha;\n"
-    "    vec3 l = lamp_to[i], h = normalize(l + v);\n"
+    "    vec3 l = lamp_way(i), h = normalize(l + v);\n"
     "    float nl = dot(n, l);\n"
     "    if (nl <= 0.0) return vec3(0.0);\n"
     "    float nh = clamp(dot(n, h), 0.0, 1.0), vh = clamp(dot(v, h), 0.0, 1.0);\n"
@@ -150,7 +168,7 @@ static const char *const pbr =
     "    float V = 0.5 / (nl * sqrt(nv * nv * (1.0 - a2) + a2) + nv * sqrt(nl * nl * (1.0 - a2) + a2));\n"
     "    vec3 f0 = mix(vec3(0.04), own, metallic), F = f0 + (1.0 - f0) * pow(1.0 - vh, 5.0);\n"
     "    vec3 brdf = (1.0 - F) * (1.0 - metallic) * own / pi + F * D * V;\n"
-    "    return pi * lamp_color[i] * brdf * nl;\n"
+    "    return pi * lamp_light(i) * brdf * nl;\n"
     "}\n"
     "vec3 pbr_of(vec3 n, vec3 v, vec3 own)\n"
     "{\n"
@@ -187,11 +205,12 @@ static const char *const surfaces =
     "            E += hemisphere(i, n);\n"
     "            continue;\n"
     "        }\n"
-    "        float facing = dot(n, lamp_to[i]);\n"
+    "        vec3 l = lamp_way(i), light = lamp_light(i);\n"
+    "        float facing = dot(n, l);\n"
     "        if (facing <= 0.0) continue;\n"
-    "        E += facing * lamp_color[i];\n"
-    "        float cosine = clamp(dot(n, normalize(lamp_to[i] + v)), 0.0, 1.0);\n"
-    "        if (shading == 3 && cosine > 0.0) shine += lamp_color[i] * specular * pow(cosine, shininess);\n"
+    "        E += facing * light;\n"
+    "        float cosine = clamp(dot(n, normalize(l + v)), 0.0, 1.0);\n"
+    "        if (shading == 3 && cosine > 0.0) shine += light * specular * pow(cosine, shininess);\n"
     "    }\n"
     "    return own * E + shine;\n"
     "}\n"

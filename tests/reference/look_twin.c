@@ -81,6 +81,7 @@ static void direction_to(const struct look_twin *twin, const struct zr_light *li
         memcpy(out, d, sizeof(vec3));
     else
         to_eye(twin->camera, d, out);
+    if (light->type == ZR_LIGHT_POINT) return; /* it has none */
     make_unit(out);
     for (int k = 0; k < 3; k++)
         out[k] *= sign;
@@ -94,9 +95,49 @@ struct uniforms {
     float exposure, toe, environment, intensity, lamp_count;
     float to_environment[3][3];
     float lamp_to[LOOK_LAMPS_MAX][3];
+    float lamp_place[LOOK_LAMPS_MAX][4], lamp_spot[LOOK_LAMPS_MAX][4], lamp_end[LOOK_LAMPS_MAX][2];
     zr_vec3 lamp_color[LOOK_LAMPS_MAX], lamp_ground[LOOK_LAMPS_MAX], lamp_kind[LOOK_LAMPS_MAX];
     float split[ZR_SPLIT_SIDE * ZR_SPLIT_SIDE][2];
 };
+
+/* Counted from the eye, in the units of the eye's space. */
+static void place_of(const struct look_twin *twin, const struct zr_light *light, float out[4])
+{
+    const float *m = twin->camera->world_to_eye.m;
+    const zr_vec4 viewer = zr_camera_eye(twin->camera);
+    const double from[3] = {(double)viewer.x, (double)viewer.y, (double)viewer.z};
+    const vec3 at = {(double)light->position.x, (double)light->position.y, (double)light->position.z};
+    for (int k = 0; k < 3; k++) {
+        double p = at[k];
+        if (!light->camera_frame)
+            p = (double)m[k] * at[0] + (double)m[4 + k] * at[1] + (double)m[8 + k] * at[2] + (double)m[12 + k];
+        out[k] = (float)(p - (viewer.w != 0.0f ? from[k] : 0.0));
+    }
+    out[3] = 1.0f;
+}
+
+/* What a lamp that has a place is. How long a unit of the scene is in the eye's space is told by the length of its up.
+ */
+static void set_place(const struct look_twin *twin, struct uniforms *u, uint32_t i, vec3 rows[3])
+{
+    const struct zr_light *light = &twin->scene->lights[i];
+    const float *m = twin->camera->world_to_eye.m;
+    const vec3 up = {(double)m[4], (double)m[5], (double)m[6]};
+    const double degree = acos(-1.0) / 180.0, unit = sqrt(dot(up, up));
+    vec3 to;
+    u->lamp_spot[i][3] = -2.0f;
+    if (!zr_light_has_place(light)) return;
+    place_of(twin, light, u->lamp_place[i]);
+    u->lamp_place[i][0] += twin->options.more_to_x;
+    u->lamp_color[i] = zr_vec3_scale(light->color, (float)(unit * unit));
+    u->lamp_end[i][1] = (float)((double)light->range * unit);
+    if (light->type != ZR_LIGHT_SPOT) return;
+    direction_to(twin, light, rows, to);
+    for (int k = 0; k < 3; k++)
+        u->lamp_spot[i][k] = (float)-to[k];
+    u->lamp_spot[i][3] = (float)cos(light->outer_degrees * degree);
+    u->lamp_end[i][0] = (float)cos(light->inner_degrees * degree);
+}
 
 static void set_lamps(const struct look_twin *twin, struct uniforms *u)
 {
@@ -114,6 +155,7 @@ static void set_lamps(const struct look_twin *twin, struct uniforms *u)
         u->lamp_ground[i] = light->ground;
         u->lamp_kind[i] =
             (zr_vec3){light->type == ZR_LIGHT_HEMISPHERE, light->lit != ZR_LIT_CLASSIC, light->lit != ZR_LIT_PBR};
+        set_place(twin, u, i, rows);
     }
 }
 
@@ -184,6 +226,9 @@ static bool draw_samples(const struct look_twin *twin, const struct zr_scene *la
                                                  {"lamp_color", 3, LOOK_LAMPS_MAX, &u.lamp_color[0].x},
                                                  {"lamp_ground", 3, LOOK_LAMPS_MAX, &u.lamp_ground[0].x},
                                                  {"lamp_kind", 3, LOOK_LAMPS_MAX, &u.lamp_kind[0].x},
+                                                 {"lamp_place", 4, LOOK_LAMPS_MAX, u.lamp_place[0]},
+                                                 {"lamp_spot", 4, LOOK_LAMPS_MAX, u.lamp_spot[0]},
+                                                 {"lamp_end", 2, LOOK_LAMPS_MAX, u.lamp_end[0]},
                                                  {"split", 2, ZR_SPLIT_SIDE * ZR_SPLIT_SIDE, u.split[0]}};
     const struct reference_shader shader = {
         .program = *twin->program, .uniform_count = sizeof uniforms / sizeof *uniforms, .uniforms = uniforms};

@@ -51,7 +51,8 @@ check_perturbed() {
 
 # Light that is wrong on the reference's side, by one step of 255 or by about half a degree.
 check_perturbed_light() {
-    for lit in flat-lit.json gouraud-computed-normals.json two-sided-wave-gouraud.json lights-in-plenty.json; do
+    for lit in flat-lit.json gouraud-computed-normals.json two-sided-wave-gouraud.json lights-in-plenty.json \
+        lamps-spots-flat.json lamps-fixed-functions.json; do
         for options in '--perturb-ambient 0.00392157' '--perturb-lights 0.01'; do
             # shellcheck disable=SC2086
             verify $lit $options

@@ -43,13 +43,23 @@ enum reference_light {
     REFERENCE_LIT_BACK   /* both sides have the other */
 };
 
-/* Ambient light and directional lights, in eye space. */
-enum { REFERENCE_LIGHTS_MAX = 1024 };
+/* A lamp that has a place, in eye space, counted from the eye as `light_points` are; by KHR_lights_punctual. */
+struct reference_place {
+    float position[4];   /* w: 1 where the lamp has a place, else 0, and nothing else is looked at */
+    float axis[4];       /* of a spot: unit, against its light; else 0; w: 1 / range^2, or 0 */
+    float scale, offset; /* of the cosine of the angle from the axis */
+    float unit, least;   /* the square of a scene unit; the least square of a distance */
+};
+
+/* Ambient light and lights, in eye space. */
+enum { REFERENCE_LIGHTS_MAX = 1024, REFERENCE_PLACED_MAX = 64, REFERENCE_FIXED_MAX = 8 };
 struct reference_lighting {
     zr_vec3 ambient;
     uint32_t count;          /* at most REFERENCE_LIGHTS_MAX */
     const zr_vec3 *to_light; /* unit vectors towards the lights */
     const zr_vec3 *colors;
+    const struct reference_place *places; /* one a light, at most REFERENCE_PLACED_MAX; NULL: no light has one */
+    bool is_fixed; /* the fixed functions can light: all are point lamps without a range, and the eye is the origin */
 };
 
 /* A run of primitives of one mode, drawn with one state. Counts are of corners. */
@@ -81,8 +91,10 @@ struct reference_batch {
 
 /* `front` is what is seen of unlit batches, and the surface's own colour of lit ones. */
 struct reference_arrays {
-    const zr_vec4 *positions, *front;          /* one a corner, or, with `indices`, one a vertex */
-    const zr_vec3 *normals;                    /* in object space, of any length; NULL where no batch is lit */
+    const zr_vec4 *positions, *front; /* one a corner, or, with `indices`, one a vertex */
+    const zr_vec3 *normals;           /* in object space, of any length; NULL where no batch is lit */
+    /* Where lighting->places: normals in eye space, unit, and the places where corners are lit. */
+    const zr_vec3 *unit_normals, *light_points;
     const struct reference_lighting *lighting; /* NULL where no batch is lit */
     const uint32_t *indices;                   /* NULL, or one a corner */
     uint32_t batch_count;

@@ -196,6 +196,9 @@ static void point_at_arrays(const struct reference *reference, const struct refe
     if (!arrays->normals) return;
     glEnableClientState(GL_NORMAL_ARRAY);
     glNormalPointer(GL_FLOAT, sizeof *arrays->normals, arrays->normals);
+    if (!arrays->lighting || !arrays->lighting->places) return;
+    glEnableClientState(GL_TEXTURE_COORD_ARRAY);
+    glTexCoordPointer(3, GL_FLOAT, sizeof *arrays->light_points, arrays->light_points);
 }
 
 static void draw_corners(const struct reference *reference, const struct reference_arrays *arrays, GLenum mode,
@@ -252,7 +255,7 @@ static void draw_parity(const struct reference *reference, const struct referenc
     glDisable(GL_STENCIL_TEST);
 }
 
-static void draw_batch(const struct reference *reference, const struct reference_arrays *arrays,
+static void draw_batch(struct reference *reference, const struct reference_arrays *arrays,
                        const struct reference_batch *batch, GLuint program)
 {
     static const GLenum modes[] = {[REFERENCE_TRIANGLES] = GL_TRIANGLES,
@@ -266,14 +269,17 @@ static void draw_batch(const struct reference *reference, const struct reference
     if (batch->mode == REFERENCE_POINTS) glPointSize(batch->point_size);
     enable(GL_CULL_FACE, batch->cull);
     enable(GL_POLYGON_OFFSET_FILL, batch->depth_offset);
+    const bool is_fixed = !program && reference_fixed_can(arrays, batch);
     if (program)
         reference_program_batch(program, batch);
     else
-        reference_light_batch(reference, batch);
+        reference_light_batch(reference, arrays, batch);
+    if (is_fixed) reference_fixed_begin(arrays);
     if (batch->mode == REFERENCE_PARITY)
         draw_parity(reference, arrays, batch);
     else
         draw_corners(reference, arrays, modes[batch->mode], batch->first, batch->count);
+    if (is_fixed) reference_fixed_end(arrays);
 }
 
 /* Of fixed functions, and of the programs, which look at what is said here. */
@@ -319,7 +325,7 @@ bool reference_has_point_sizes(const struct reference_arrays *arrays, struct ref
     return true;
 }
 
-void reference_draw_batches(const struct reference *reference, const struct reference_arrays *arrays, GLuint program)
+void reference_draw_batches(struct reference *reference, const struct reference_arrays *arrays, GLuint program)
 {
     const zr_mat4 *modelview = NULL;
     glClearColor(arrays->background.x, arrays->background.y, arrays->background.z, arrays->background.w);
@@ -337,6 +343,7 @@ void reference_draw_batches(const struct reference *reference, const struct refe
         draw_batch(reference, arrays, batch, program);
     }
     glDisableClientState(GL_NORMAL_ARRAY);
+    glDisableClientState(GL_TEXTURE_COORD_ARRAY);
     glUseProgram(0);
     glFinish();
 }

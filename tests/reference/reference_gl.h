@@ -12,6 +12,7 @@
 struct reference_lighter {
     GLuint program; /* 0: not made yet */
     GLint ambient, light_count, to_light, light_color, normal_rows, side;
+    GLint lamp_at, lamp_axis, lamp_fall;                   /* of lamps that have a place */
     GLint to_eye, model, specular, shininess, eye, in_fog; /* of what is shaded late */
 };
 
@@ -24,9 +25,10 @@ struct reference {
     GLuint frame_buffer, color, depth;
     GLuint float_frame_buffer, float_color; /* 0: not made yet; its depth is that above */
     struct reference_lighter lighter, late_lighter;
-    uint8_t *row;        /* of the widest attachment */
-    GLuint buffers[3];   /* of what is kept: positions, front, indices */
-    const zr_vec4 *kept; /* whose positions these are; NULL: nothing is kept */
+    struct reference_lighter placed_lighter, placed_late_lighter; /* the same where some lamp has a place */
+    uint8_t *row;                                                 /* of the widest attachment */
+    GLuint buffers[3];                                            /* of what is kept: positions, front, indices */
+    const zr_vec4 *kept;                                          /* whose positions these are; NULL: nothing is kept */
 };
 
 /* Says in *error what failed, with GL's error code, and returns false. */
@@ -42,7 +44,7 @@ bool reference_set_line_width(float pixels, struct reference_error *error);
 bool reference_has_point_sizes(const struct reference_arrays *arrays, struct reference_error *error);
 
 /* Clears the frame buffer that is bound, draws into it, and waits. `program` 0: the batches choose theirs. */
-void reference_draw_batches(const struct reference *reference, const struct reference_arrays *arrays, GLuint program);
+void reference_draw_batches(struct reference *reference, const struct reference_arrays *arrays, GLuint program);
 
 /* Chooses a program of a test's own, and gives it what it gets from each batch. */
 void reference_program_batch(GLuint program, const struct reference_batch *batch);
@@ -55,6 +57,13 @@ bool reference_light_begin(struct reference *reference, const struct reference_a
                            struct reference_error *error);
 
 /* Chooses the program of one batch: the one that lights, or the fixed functions. */
-void reference_light_batch(const struct reference *reference, const struct reference_batch *batch);
+void reference_light_batch(struct reference *reference, const struct reference_arrays *arrays,
+                           const struct reference_batch *batch);
+
+/* reference_fixed.c: whether the fixed functions can light a batch, so that no program need; and turns them on, or off
+ * again. */
+bool reference_fixed_can(const struct reference_arrays *arrays, const struct reference_batch *batch);
+void reference_fixed_begin(const struct reference_arrays *arrays);
+void reference_fixed_end(const struct reference_arrays *arrays);
 
 #endif

@@ -1,8 +1,30 @@
 /* Lighting that the reference computes: a vertex program in the order of Mesa's own fixed functions. */
 #include <stdio.h>
+#include <string.h>
 
 #include "reference/glsl_unit.h"
 #include "reference/reference_gl.h"
+
+/* The way to light i, and the share of its colour that arrives: RULES.md, rule 28. What is said of lamps without a
+ * place is a constant 1, which changes no bit. */
+#define LAMP                                                                                                           \
+    "#ifdef PLACED\n"                                                                                                  \
+    "uniform vec4 lamp_at[LIGHTS], lamp_axis[LIGHTS], lamp_fall[LIGHTS];\n"                                            \
+    "vec4 lamp_at_point(int i, vec3 point)\n"                                                                          \
+    "{\n"                                                                                                              \
+    "    if (lamp_at[i].w == 0.0) return vec4(to_light[i], 1.0);\n"                                                    \
+    "    precise vec3 way = lamp_at[i].xyz - point, l = unit(way);\n"                                                  \
+    "    precise float q = sum_of_products(way, way), t = q * lamp_axis[i].w;\n"                                       \
+    "    precise float window = clamp(1.0 - t * t, 0.0, 1.0);\n"                                                       \
+    "    precise float cosine = sum_of_products(l, lamp_axis[i].xyz);\n"                                               \
+    "    precise float cone = clamp(cosine * lamp_fall[i].x + lamp_fall[i].y, 0.0, 1.0);\n"                            \
+    "    precise float fall = lamp_fall[i].z / max(q, lamp_fall[i].w);\n"                                              \
+    "    precise float share = (fall * window) * (cone * cone);\n"                                                     \
+    "    return vec4(l, share);\n"                                                                                     \
+    "}\n"                                                                                                              \
+    "#else\n"                                                                                                          \
+    "vec4 lamp_at_point(int i, vec3 point) { return vec4(to_light[i], 1.0); }\n"                                       \
+    "#endif\n"
 
 /* RULES.md, rule 16. The fixed functions would
  * light in object space, through an inverse of their own, where the modelview matrix is not the identity: so it is a
@@ -10,26 +32,26 @@
  * The number of lights is a uniform also so that the loop stays one: Mesa's compiler would factor gl_Color out of a sum
  * that is written out (rule 18). GL itself clamps gl_FrontColor and gl_BackColor to 0..1, as it does after
  * fixed-function lighting. */
-static const char *const source = "#version 120\n#define precise\n"
-                                  "uniform vec3 ambient;\n"
+static const char *const source = "uniform vec3 ambient;\n"
                                   "uniform int light_count;\n"
-                                  "uniform vec3 to_light[1024];\n"
-                                  "uniform vec3 light_color[1024];\n"
+                                  "uniform vec3 to_light[LIGHTS];\n"
+                                  "uniform vec3 light_color[LIGHTS];\n"
                                   "uniform vec3 normal_rows[3];\n"
-                                  "uniform int side;\n" GLSL_UNIT "void main()\n"
+                                  "uniform int side;\n" GLSL_UNIT LAMP "void main()\n"
                                   "{\n"
                                   "    vec3 object_normal = unit(gl_Normal);\n"
                                   "    vec3 normal = unit(vec3(sum_of_products(normal_rows[0], object_normal),\n"
                                   "                            sum_of_products(normal_rows[1], object_normal),\n"
                                   "                            sum_of_products(normal_rows[2], object_normal)));\n"
-                                  "    vec3 front = ambient * gl_Color.rgb, back = front;\n"
+                                  "    precise vec3 front = ambient * gl_Color.rgb, back = front;\n"
                                   "    for (int i = 0; i < light_count; i++) {\n"
-                                  "        float facing = sum_of_products(normal, to_light[i]);\n"
-                                  "        vec3 diffuse = light_color[i] * gl_Color.rgb;\n"
+                                  "        precise vec4 lamp = lamp_at_point(i, gl_MultiTexCoord0.xyz);\n"
+                                  "        precise float facing = sum_of_products(normal, lamp.xyz);\n"
+                                  "        precise vec3 diffuse = light_color[i] * gl_Color.rgb;\n"
                                   "        if (facing > 0.0)\n"
-                                  "            front += diffuse * facing;\n"
+                                  "            front += diffuse * (facing * lamp.w);\n"
                                   "        else\n"
-                                  "            back += diffuse * -facing;\n"
+                                  "            back += diffuse * (-facing * lamp.w);\n"
                                   "    }\n"
                                   "    gl_Position = ftransform();\n"
                                   "    gl_FogFragCoord = abs((gl_ModelViewMatrix * gl_Vertex).z);\n"
@@ -64,9 +86,9 @@ static const char *const late_fragment =
     "uniform int light_count, side, model, in_fog;\n"
     "varying float depth, opacity;\n"
     "uniform vec4 eye;\n"
-    "uniform vec3 to_light[1024];\n"
-    "uniform vec3 light_color[1024];\n"
-    "varying vec3 own_color, normal, point;\n" GLSL_UNIT "void main()\n"
+    "uniform vec3 to_light[LIGHTS];\n"
+    "uniform vec3 light_color[LIGHTS];\n"
+    "varying vec3 own_color, normal, point;\n" GLSL_UNIT LAMP "void main()\n"
     "{\n"
     "    bool back = side == 0 ? !gl_FrontFacing : side == 2;\n"
     "    precise vec3 n = unit(back ? -normal : normal), sum;\n"
@@ -76,13 +98,15 @@ static const char *const late_fragment =
     "        vec3 to_viewer = eye.w == 0.0 ? eye.xyz : unit(-point);\n"
     "        sum = ambient * own_color;\n"
     "        for (int i = 0; i < light_count; i++) {\n"
-    "            precise float facing = sum_of_products(n, to_light[i]);\n"
+    "            precise vec4 lamp = lamp_at_point(i, point);\n"
+    "            precise float facing = sum_of_products(n, lamp.xyz), share = max(facing, 0.0) * lamp.w;\n"
     "            precise vec3 diffuse = light_color[i] * own_color, shine = light_color[i] * specular;\n"
-    "            sum = sum + max(facing, 0.0) * diffuse;\n"
+    "            sum = sum + share * diffuse;\n"
     "            if (facing > 0.0) {\n"
-    "                precise vec3 between = to_light[i] + to_viewer;\n"
+    "                precise vec3 between = lamp.xyz + to_viewer;\n"
     "                float cosine = min(max(sum_of_products(n, unit(between)), 0.0), 1.0);\n"
-    "                sum = sum + (cosine > 0.0 ? pow(cosine, shininess) : 0.0) * shine;\n"
+    "                precise float power = (cosine > 0.0 ? pow(cosine, shininess) : 0.0) * lamp.w;\n"
+    "                sum = sum + power * shine;\n"
     "            }\n"
     "        }\n"
     "    }\n"
@@ -92,11 +116,22 @@ static const char *const late_fragment =
     "    gl_FragColor = vec4(in_fog == 1 ? fogged : sum, opacity);\n"
     "}\n";
 
-static bool make_lighter(struct reference_lighter *lighter, const char *vertex, const char *fragment,
+/* Drivers that know no `precise` do without: they are held to what rounding explains. Vertices that only directional
+ * lights light have always done without. */
+static bool make_lighter(struct reference_lighter *lighter, const char *vertex, const char *fragment, bool is_placed,
                          struct reference_error *error)
 {
-    GLuint program = lighter->program = reference_program(vertex, fragment, error);
-    if (!program) return false;
+    static const char *const versions[] = {"#version 400 compatibility\n", "#version 120\n#define precise\n"};
+    static char whole_vertex[1 << 13], whole_fragment[1 << 13];
+    const char *const lights = is_placed ? "#define PLACED\n#define LIGHTS 64\n" : "#define LIGHTS 1024\n";
+    for (size_t i = fragment || is_placed ? 0 : 1; i < sizeof versions / sizeof versions[0]; i++) {
+        snprintf(whole_vertex, sizeof whole_vertex, "%s%s%s", versions[i], lights, vertex);
+        snprintf(whole_fragment, sizeof whole_fragment, "%s%s%s", versions[i], lights, fragment ? fragment : "");
+        lighter->program = reference_program(whole_vertex, fragment ? whole_fragment : NULL, error);
+        if (lighter->program) break;
+    }
+    if (!lighter->program) return false;
+    const GLuint program = lighter->program;
     lighter->ambient = glGetUniformLocation(program, "ambient");
     lighter->light_count = glGetUniformLocation(program, "light_count");
     lighter->to_light = glGetUniformLocation(program, "to_light");
@@ -109,20 +144,26 @@ static bool make_lighter(struct reference_lighter *lighter, const char *vertex, 
     lighter->shininess = glGetUniformLocation(program, "shininess");
     lighter->eye = glGetUniformLocation(program, "eye");
     lighter->in_fog = glGetUniformLocation(program, "in_fog");
+    lighter->lamp_at = glGetUniformLocation(program, "lamp_at");
+    lighter->lamp_axis = glGetUniformLocation(program, "lamp_axis");
+    lighter->lamp_fall = glGetUniformLocation(program, "lamp_fall");
     return true;
 }
+_Static_assert(REFERENCE_LIGHTS_MAX == 1024 && REFERENCE_PLACED_MAX == 64, "the programs have these numbers");
 
-/* Drivers that know no `precise` do without: they are held to what rounding explains. */
-static bool make_late_lighter(struct reference_lighter *lighter, struct reference_error *error)
+static void set_places(const struct reference_lighter *lighter, const struct reference_lighting *lighting)
 {
-    static const char *const versions[] = {"#version 400 compatibility\n", "#version 120\n#define precise\n"};
-    static char vertex[1 << 13], fragment[1 << 13];
-    for (size_t i = 0; i < sizeof versions / sizeof versions[0]; i++) {
-        snprintf(vertex, sizeof vertex, "%s%s", versions[i], late_vertex);
-        snprintf(fragment, sizeof fragment, "%s%s", versions[i], late_fragment);
-        if (make_lighter(lighter, vertex, fragment, error)) return true;
+    float at[REFERENCE_PLACED_MAX][4], axis[REFERENCE_PLACED_MAX][4], fall[REFERENCE_PLACED_MAX][4];
+    for (uint32_t i = 0; i < lighting->count; i++) {
+        const struct reference_place *place = &lighting->places[i];
+        const float numbers[4] = {place->scale, place->offset, place->unit, place->least};
+        memcpy(at[i], place->position, sizeof at[i]);
+        memcpy(axis[i], place->axis, sizeof axis[i]);
+        memcpy(fall[i], numbers, sizeof fall[i]);
     }
-    return false;
+    glUniform4fv(lighter->lamp_at, (GLsizei)lighting->count, at[0]);
+    glUniform4fv(lighter->lamp_axis, (GLsizei)lighting->count, axis[0]);
+    glUniform4fv(lighter->lamp_fall, (GLsizei)lighting->count, fall[0]);
 }
 
 static void set_lights(const struct reference_lighter *lighter, const struct reference_lighting *lighting)
@@ -133,6 +174,7 @@ static void set_lights(const struct reference_lighter *lighter, const struct ref
     if (lighting->count == 0) return;
     glUniform3fv(lighter->to_light, (GLsizei)lighting->count, &lighting->to_light[0].x);
     glUniform3fv(lighter->light_color, (GLsizei)lighting->count, &lighting->colors[0].x);
+    if (lighting->places) set_places(lighter, lighting);
 }
 
 static bool any_late(const struct reference_arrays *arrays)
@@ -142,29 +184,41 @@ static bool any_late(const struct reference_arrays *arrays)
     return false;
 }
 
+static struct reference_lighter *lighter_of(struct reference *reference, const struct reference_lighting *lighting,
+                                            bool is_late)
+{
+    if (lighting->places) return is_late ? &reference->placed_late_lighter : &reference->placed_lighter;
+    return is_late ? &reference->late_lighter : &reference->lighter;
+}
+
 bool reference_light_begin(struct reference *reference, const struct reference_arrays *arrays,
                            struct reference_error *error)
 {
     const struct reference_lighting *lighting = arrays->lighting;
-    struct reference_lighter *lighter = &reference->lighter, *late_lighter = &reference->late_lighter;
-    if (lighting->count > REFERENCE_LIGHTS_MAX) return reference_failed(error, "too many lights");
-    if (!lighter->program && !make_lighter(lighter, source, NULL, error)) return false;
+    const bool is_placed = lighting->places != NULL;
+    struct reference_lighter *lighter = lighter_of(reference, lighting, false),
+                             *late_lighter = lighter_of(reference, lighting, true);
+    if (lighting->count > (is_placed ? REFERENCE_PLACED_MAX : REFERENCE_LIGHTS_MAX))
+        return reference_failed(error, "too many lights");
+    if (!lighter->program && !make_lighter(lighter, source, NULL, is_placed, error)) return false;
     set_lights(lighter, lighting);
     if (any_late(arrays)) {
-        if (!late_lighter->program && !make_late_lighter(late_lighter, error)) return false;
+        if (!late_lighter->program && !make_lighter(late_lighter, late_vertex, late_fragment, is_placed, error))
+            return false;
         set_lights(late_lighter, lighting);
     }
     return reference_gl_ok(error, "light");
 }
 
-void reference_light_batch(const struct reference *reference, const struct reference_batch *batch)
+void reference_light_batch(struct reference *reference, const struct reference_arrays *arrays,
+                           const struct reference_batch *batch)
 {
     static const GLint sides[] = {[REFERENCE_LIT] = 0, [REFERENCE_LIT_FRONT] = 1, [REFERENCE_LIT_BACK] = 2};
-    const struct reference_lighter *lighter = batch->late ? &reference->late_lighter : &reference->lighter;
     if (batch->light == REFERENCE_UNLIT) {
         glUseProgram(0);
         return;
     }
+    const struct reference_lighter *lighter = lighter_of(reference, arrays->lighting, batch->late);
     glUseProgram(lighter->program);
     glUniform3fv(lighter->normal_rows, 3, &batch->normal_rows[0].x);
     glUniform1i(lighter->side, sides[batch->light]);

@@ -18,6 +18,8 @@ const char *const gallery_names[GALLERY_SCENES] = {"soup",
                                                    "inside a ball",
                                                    "layers into a base",
                                                    "balls, smooth and one-sided",
+                                                   "lamps on vertices",
+                                                   "lamps on pixels",
                                                    "nothing into a base"};
 /* The last is large enough to be written past the caches. */
 const uint32_t gallery_windows[GALLERY_WINDOWS][2] = {{1, 1}, {65, 1}, {333, 517}, {640, 480}, {1024, 512}};
@@ -241,6 +243,38 @@ static bool make_smooth_balls(struct set *s)
     return true;
 }
 
+/* A point lamp, a spot with a range that goes with the camera, and a directional light. */
+static void light_by_lamps(struct set *s)
+{
+    s->lights[1] =
+        (struct zr_light){.type = ZR_LIGHT_POINT, .position = {1.2f, 0.9f, 0.7f}, .color = {0.9f, 0.6f, 0.4f}};
+    s->lights[2] = (struct zr_light){.type = ZR_LIGHT_SPOT,
+                                     .position = {-0.4f, 0.6f, 0.2f},
+                                     .direction = {0.18f, -0.24f, -0.954f},
+                                     .color = {3, 4, 5},
+                                     .range = 9,
+                                     .inner_degrees = 5,
+                                     .outer_degrees = 25,
+                                     .camera_frame = true};
+}
+
+static bool make_lamps_on_vertices(struct set *s)
+{
+    if (!make_ball(s, 24, 5)) return false;
+    light_by_lamps(s);
+    return true;
+}
+
+static bool make_lamps_on_pixels(struct set *s)
+{
+    if (!make_ball(s, 12, 5)) return false;
+    light_by_lamps(s);
+    s->material.shading = ZR_SHADING_PHONG;
+    s->material.specular = (zr_vec3){0.5f, 0.5f, 0.5f};
+    s->material.shininess = 20;
+    return true;
+}
+
 static bool make_outlines(struct set *s)
 {
     if (!make_ball(s, 12, 5)) return false;
@@ -370,8 +404,9 @@ static void set_init(struct set *s, struct zr_arena *arena, uint32_t width, uint
 const struct zr_scene *gallery_scene(struct zr_arena *arena, int number, uint32_t width, uint32_t height)
 {
     static bool (*const make[GALLERY_SCENES])(struct set *) = {
-        make_large_soup, make_tiny_soup, make_layers, make_smooth_ball, make_mirrored_ball, make_outlines,
-        make_wires,      make_polygons,  make_inside, make_based,       make_smooth_balls,  make_bare_base};
+        make_large_soup,      make_tiny_soup, make_layers, make_smooth_ball, make_mirrored_ball, make_outlines,
+        make_wires,           make_polygons,  make_inside, make_based,       make_smooth_balls,  make_lamps_on_vertices,
+        make_lamps_on_pixels, make_bare_base};
     struct set *s = zr_arena_zero(arena, 1, sizeof *s);
     if (!s) return NULL;
     set_init(s, arena, width, height);

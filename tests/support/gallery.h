@@ -11,7 +11,7 @@
 #include "zraster.h"
 
 /* The last scene draws nothing. */
-enum { GALLERY_SCENES = 12, GALLERY_WINDOWS = 5, GALLERY_CHANNELS = 4 };
+enum { GALLERY_SCENES = 14, GALLERY_WINDOWS = 5, GALLERY_CHANNELS = 4 };
 
 extern const char *const gallery_names[GALLERY_SCENES];
 extern const uint32_t gallery_windows[GALLERY_WINDOWS][2]; /* width, height */

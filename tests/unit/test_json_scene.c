@@ -244,7 +244,7 @@ static void wrong_values_give_pointer_to_them(void **state)
                  "expected true or false, found a number");
     refuses_scene("{\"polygons\": [{" TRIANGLE ", \"material\": \"x\"}]}", "/polygons/0/material",
                   "no material has the name 'x'");
-    refuses_rest("\"lights\": [{\"type\": \"point\"}]", "/lights/0/type", "not supported in this version");
+    refuses_rest("\"lights\": [{\"type\": \"point\"}]", "/lights/0", "position is missing");
     refuses_rest("\"fog\": {}", "/fog", "near is missing");
     refuses_rest("\"fog\": {\"near\": 1}", "/fog", "far is missing");
     refuses_rest("\"fog\": {\"near\": 2, \"far\": 2}", "/fog", "far must be farther");
@@ -336,6 +336,53 @@ static void lights_are_normalised_and_scaled(void **state)
     assert_int_equal(reading->scene->light_count, 2);
     assert_true(reading->scene->ambient.y == 0.5f);
     reading_free(reading);
+}
+
+#define POINT "\"lights\": [{\"type\": \"point\", \"position\": [1,2,3]"
+#define SPOT  "\"lights\": [{\"type\": \"spot\", \"position\": [1,2,3], \"direction\": [0,0,-2]"
+
+static void lamps_have_places_ranges_and_cones(void **state)
+{
+    (void)state;
+    struct reading *reading =
+        read_rest(POINT ", \"intensity\": 1e12, \"color\": [1,0.5,0]}, {\"type\": \"spot\", \"position\": [0,0,1],"
+                        " \"direction\": [0,0,-2], \"range\": 5, \"frame\": \"camera\", \"innerConeAngle\": 0.5},"
+                        " {\"type\": \"spot\", \"position\": [0,0,1], \"direction\": [0,0,-2],"
+                        " \"innerConeAngleDegrees\": 10, \"outerConeAngle\": 1.5707963267948966}]");
+    assert_read(reading);
+    const struct zr_light *lights = reading->scene->lights;
+    assert_true(lights[0].type == ZR_LIGHT_POINT && lights[0].position.z == 3 && lights[0].color.x == 1e12f &&
+                lights[0].range == 0 && !reading->scene->picture.is_linear);
+    assert_true(lights[1].type == ZR_LIGHT_SPOT && lights[1].camera_frame && lights[1].range == 5 &&
+                lights[1].direction.z == -1 && lights[1].outer_degrees == 45);
+    assert_true(fabs(lights[1].inner_degrees - 28.64788975654116) < 1e-12);
+    assert_true(lights[2].inner_degrees == 10 && lights[2].outer_degrees == 90);
+    reading_free(reading);
+}
+
+static void wrong_lamps_are_refused(void **state)
+{
+    (void)state;
+    refuses_rest("\"lights\": [{\"type\": \"spot\", \"position\": [0,0,0]}]", "/lights/0", "direction is missing");
+    refuses_rest("\"lights\": [{\"type\": \"spot\", \"direction\": [0,0,1]}]", "/lights/0", "position is missing");
+    refuses_rest(POINT ", \"direction\": [0,0,1]}]", "/lights/0/direction", "directional and spot only");
+    refuses_rest(POINT ", \"shadows\": true}]", "/lights/0/shadows", "types directional and spot only");
+    refuses_rest(POINT ", \"outerConeAngle\": 1}]", "/lights/0/outerConeAngle", "type spot only");
+    refuses_rest(POINT ", \"range\": 0}]", "/lights/0/range", "0 is not greater than 0");
+    refuses_rest(POINT ", \"intensity\": 1e16}]", "/lights/0/intensity", "1e+16 is outside of 0 to 1e+15");
+    refuses_rest(SPOT ", \"innerConeAngleDegrees\": 45}]", "/lights/0",
+                 "must be smaller than outerConeAngle: 45 and 45");
+    refuses_rest(SPOT ", \"outerConeAngle\": 45}]", "/lights/0/outerConeAngle", "outerConeAngleDegrees takes degrees");
+    refuses_rest(SPOT ", \"outerConeAngleDegrees\": 91}]", "/lights/0/outerConeAngleDegrees",
+                 "91 is outside of 0 to 90");
+    refuses_rest(SPOT ", \"outerConeAngleDegrees\": 20, \"outerConeAngle\": 0.3}]", "/lights/0", "two angles");
+    refuses_rest(SPOT ", \"outerConeAngleDegrees\": 81, \"shadows\": true}]", "/lights/0/shadows", "80 degrees");
+    refuses_rest("\"lights\": [{\"type\": \"directional\", \"direction\": [0,0,1], \"position\": [0,0,0]}]",
+                 "/lights/0/position", "types point and spot only");
+    refuses_rest("\"lights\": [{\"type\": \"directional\", \"direction\": [0,0,1], \"intensity\": 1e7}]",
+                 "/lights/0/intensity", "10000000 is outside of 0 to 1000000");
+    refuses_scene("{\"polygons\": [{\"vertices\": [[0,0,0],[1,0,0],[0,2,0,2]]}], " POINT "}]}", "/lights",
+                  "positions of three numbers");
 }
 
 static struct reading *read_lights(uint32_t count)
@@ -476,6 +523,8 @@ int main(void)
         cmocka_unit_test(every_algorithm_is_chosen_by_its_name),
         cmocka_unit_test(window_limits_are_named),
         cmocka_unit_test(lights_are_normalised_and_scaled),
+        cmocka_unit_test(lamps_have_places_ranges_and_cones),
+        cmocka_unit_test(wrong_lamps_are_refused),
         cmocka_unit_test(lights_are_up_to_1024),
         cmocka_unit_test(alpha_gives_one_warning),
         cmocka_unit_test(bad_json_gives_bad_syntax),

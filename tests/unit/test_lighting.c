@@ -7,11 +7,12 @@
 #include "scene/looks.h"
 #include "support/isas.h"
 
-enum { MATERIALS = 24, LAMPS = 4 };
+enum { MATERIALS = 24, LAMPS = 4, PLACED = 3 };
 
 static struct lit_samples samples, others;
 static struct zr_material materials[MATERIALS];
 static struct zr_lamp lamps[LAMPS];
+static struct zr_placed_lamp placed[PLACED];
 
 static void make_materials(struct random *r)
 {
@@ -23,6 +24,27 @@ static void make_materials(struct random *r)
                                             .shininess = any(r, 0, 100),
                                             .emissive = any3(r, 0, 0.1),
                                             .cool = any3(r, 0, 1)};
+}
+
+/* A point lamp, one with a range, and a spot; one lights not all shadings. `scale`: of their light. */
+static void make_placed(struct random *r, float scale)
+{
+    static const struct zr_camera camera = {.world_to_eye = {{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1}},
+                                            .projection = {{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, -1, -1, 0, 0, -1, 0}}};
+    for (int i = 0; i < PLACED; i++) {
+        struct zr_light light = {.type = i == 2 ? ZR_LIGHT_SPOT : ZR_LIGHT_POINT,
+                                 .position = {any(r, -3, 3), any(r, -3, 3), any(r, -6, 1)},
+                                 .color = zr_vec3_scale(any3(r, 0, 2), scale),
+                                 .direction = any_unit(r),
+                                 .range = i == 1 ? any(r, 1, 9) : 0.0f,
+                                 .inner_degrees = 20,
+                                 .outer_degrees = 80};
+        if (random_below(r, 4) == 0) light.position = (zr_vec3){0, 0, 0};
+        placed[i] = (struct zr_placed_lamp){.place = zr_lamp_place_of(&light, &camera),
+                                            .color = light.color,
+                                            .lights_pbr = i != 1,
+                                            .lights_classic = i != 0};
+    }
 }
 
 static struct zr_look_lighting make_lighting(struct random *r)
@@ -38,6 +60,9 @@ static struct zr_look_lighting make_lighting(struct random *r)
     lighting.ambient = any3(r, 0, 0.1);
     lighting.lamps = lamps;
     lighting.lamp_count = LAMPS;
+    make_placed(r, 1.0f);
+    lighting.placed = placed;
+    lighting.placed_count = PLACED;
     lighting.has_environment = zr_environment_make(ZR_ENVIRONMENT_OUTDOOR, &lighting.environment);
     lighting.tone = ZR_TONE_NEUTRAL;
     return lighting;
@@ -233,6 +258,7 @@ static struct zr_look_lighting make_extreme_lighting(struct random *r, uint32_t 
     }
     for (int i = 0; i < LAMPS; i++)
         lamps[i].color = zr_vec3_scale(lamps[i].color, powers(r));
+    make_placed(r, round % 2 ? 1e15f : powers(r));
     lighting.environment_intensity = powers(r);
     lighting.exposure = powers(r);
     lighting.tone = (enum zr_tone)(round % ZR_TONE_COUNT);
@@ -285,6 +311,27 @@ static void strong_light_is_white(void **state)
                     assert_true(samples.out[k][i] > 0.99f);
         }
     }
+}
+
+/* Halfway between the light and the eye there is no direction then. */
+static void light_from_straight_behind_changes_nothing(void **state)
+{
+    const enum zr_isa isa = isa_under_test(state);
+    static const struct zr_material metal = {.shading = ZR_SHADING_PBR, .roughness = 0.5f, .metallic = 0.5f};
+    static const struct zr_lamp behind = {.to_light = {0, 0, -1}, .color = {1, 1, 1}, .lights_pbr = true};
+    struct zr_look_lighting lighting = no_light(&metal);
+    lighting.ambient = (zr_vec3){0.5f, 0.5f, 0.5f};
+    lighting.is_parallel = true;
+    lighting.to_eye = (zr_vec3){0, 0, 1};
+    lighting.lamps = &behind;
+    samples_clear(&samples);
+    samples_set(&samples, 0, 0, (zr_vec3){1, 1, 1}, (zr_vec3){0, 0.6f, 0.8f}, (zr_vec3){0, 0, 0});
+    samples_light(&samples, isa, &lighting);
+    others = samples;
+    lighting.lamp_count = 1;
+    samples_light(&samples, isa, &lighting);
+    assert_true(samples.out[0][0] > 0.1f);
+    assert_same_outs(&samples, &others, 0, 1);
 }
 
 /* ---- speed ---- */
@@ -349,6 +396,7 @@ int main(void)
         TEST_EACH_ISA(what_is_not_lit_is_as_given),
         TEST_EACH_ISA(all_input_gives_colors),
         TEST_EACH_ISA(strong_light_is_white),
+        TEST_EACH_ISA(light_from_straight_behind_changes_nothing),
     };
     const struct CMUnitTest timed[] = {TEST_EACH_ISA(speed)};
     if (getenv("LIGHTING_SPEED")) return cmocka_run_group_tests_name("lighting, times", timed, NULL, NULL);

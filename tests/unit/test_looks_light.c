@@ -89,7 +89,7 @@ static void lights_are_of_two_types(void **state)
     reading_free(reading);
     refuses_rest("\"lights\": [{\"type\": \"directional\"}]", "/lights/0", "direction is missing");
     refuses_rest("\"lights\": [{\"type\": \"hemisphere\", \"direction\": [0, 0, 1]}]", "/lights/0/direction",
-                 "belongs to lights of the type directional only");
+                 "belongs to lights of the types directional and spot only");
     refuses_rest("\"lights\": [{\"type\": \"hemisphere\", \"shadows\": true}]", "/lights/0/shadows", "directional");
     refuses_rest("\"lights\": [{\"type\": \"directional\", \"direction\": [0, 0, 1], \"sky\": \"red\"}]",
                  "/lights/0/sky", "belongs to lights of the type hemisphere only");
