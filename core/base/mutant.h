@@ -75,6 +75,8 @@
     row(fresnel_of_4th_power)       /* 25, of lamps */                                                                \
     row(environment_not_blurred)    /* 26, as mirrors show it */                                                      \
     row(environment_not_turned)     /* 26, it goes with the camera */                                                 \
+    row(texels_from_corners)        /* 28, places between texels count from their corners, not their middles */       \
+    row(levels_half_off)            /* 28, which level */                                                             \
     row(tone_keeps_hue)             /* 27, what is too bright does not fade to white */                               \
     row(upside_down)                /* the picture */
 /* clang-format on */

@@ -18,8 +18,8 @@
 #include "shade/surfaces.h"
 
 /* Values that vary over a surface: a colour; of what is shaded late, a normal and the way from the eye to it; in fog,
- * its depth, too. */
-enum { ZR_VALUES_FEW = 3, ZR_VALUES_LATE = 9, ZR_VALUES_MOST = 10 };
+ * its depth, too; and where there are textures, a place in one. */
+enum { ZR_VALUES_FEW = 3, ZR_VALUES_LATE = 9, ZR_VALUES_FOG = 10, ZR_VALUES_MOST = 12 };
 
 /* Where a tile lies in a channel, whose values have four bytes each. */
 struct zr_pixel_rows {

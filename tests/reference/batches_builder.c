@@ -9,6 +9,7 @@ bool batches_reserve_corners(struct batches_builder *b, uint64_t more)
     b->positions = zr_arena_grow(b->arena, b->positions, b->corner_count, room, sizeof *b->positions);
     b->front = zr_arena_grow(b->arena, b->front, b->corner_count, room, sizeof *b->front);
     b->normals = zr_arena_grow(b->arena, b->normals, b->corner_count, room, sizeof *b->normals);
+    b->texcoords = zr_arena_grow(b->arena, b->texcoords, b->corner_count, room, sizeof *b->texcoords);
     b->corner_room = room;
     return zr_arena_ok(b->arena);
 }
@@ -18,7 +19,7 @@ static bool same_state(const struct reference_batch *a, const struct reference_b
     return a->mode == b->mode && a->modelview == b->modelview && a->smooth == b->smooth && a->light == b->light &&
            a->normal_rows == b->normal_rows && a->cull == b->cull && a->mirrored == b->mirrored &&
            a->outline == b->outline && a->depth_offset == b->depth_offset && a->late == b->late &&
-           a->material == b->material;
+           a->material == b->material && a->textured == b->textured;
 }
 
 bool batches_append(struct batches_builder *b, const struct reference_batch *batch)
@@ -45,6 +46,18 @@ static zr_vec4 opaque(zr_vec4 color)
     return color;
 }
 
+/* In the image of the base colour; for BATCHES_LIGHT as the mesh has them. */
+static zr_vec4 texcoord_of(const struct batches_builder *b, const struct batches_source *s, uint32_t vertex)
+{
+    const zr_vec4 none = {0, 0, 0, 0}, given = s->mesh->texcoords ? s->mesh->texcoords[vertex] : none;
+    const uint32_t number = s->material ? s->material->textures[ZR_TEXTURE_BASE_COLOR] : 0;
+    if (b->options.purpose != BATCHES_COLORS || number == 0) return given;
+    const struct zr_texture *texture = &b->scene->textures[number - 1];
+    float place[2];
+    zr_texture_transform(texture, texture->texcoord ? given.z : given.x, texture->texcoord ? given.w : given.y, place);
+    return (zr_vec4){place[0], place[1], 0, 1};
+}
+
 void batches_append_vertex(struct batches_builder *b, const struct batches_source *s, uint32_t vertex, zr_vec4 color,
                            zr_vec3 normal)
 {
@@ -58,4 +71,5 @@ void batches_append_vertex(struct batches_builder *b, const struct batches_sourc
     b->positions[at] = position;
     b->front[at] = opaque(color);
     b->normals[at] = normal;
+    b->texcoords[at] = texcoord_of(b, s, vertex);
 }

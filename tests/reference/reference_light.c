@@ -32,6 +32,7 @@ static const char *const source = "#version 120\n#define precise\n"
                                   "            back += diffuse * -facing;\n"
                                   "    }\n"
                                   "    gl_Position = ftransform();\n"
+                                  "    gl_TexCoord[0] = gl_MultiTexCoord0;\n"
                                   "    gl_FogFragCoord = abs((gl_ModelViewMatrix * gl_Vertex).z);\n"
                                   "    gl_FrontColor = vec4(side == 2 ? back : front, gl_Color.a);\n"
                                   "    gl_BackColor = vec4(side == 1 ? front : back, gl_Color.a);\n"
@@ -43,8 +44,10 @@ static const char *const late_vertex =
     "uniform vec3 normal_rows[3];\n"
     "uniform vec4 to_eye[4], eye;\n" /* columns */
     "varying float depth;\n"
+    "varying vec2 place;\n"
     "varying vec3 own_color, normal, point;\n" GLSL_UNIT "void main()\n"
     "{\n"
+    "    place = gl_MultiTexCoord0.xy;\n"
     "    vec3 n = unit(gl_Normal);\n"
     "    normal = unit(vec3(sum_of_products(normal_rows[0], n), sum_of_products(normal_rows[1], n),\n"
     "                       sum_of_products(normal_rows[2], n)));\n"
@@ -61,6 +64,9 @@ static const char *const late_fragment =
     "uniform vec3 ambient, specular;\n"
     "uniform float shininess;\n"
     "uniform int light_count, side, model, in_fog;\n"
+    "uniform bool textured;\n"
+    "uniform sampler2D image;\n"
+    "varying vec2 place;\n"
     "varying float depth;\n"
     "uniform vec4 eye;\n"
     "uniform vec3 to_light[1024];\n"
@@ -72,11 +78,12 @@ static const char *const late_fragment =
     "    if (model == 1) {\n"
     "        sum = n * 0.5 + 0.5;\n"
     "    } else {\n"
+    "        precise vec3 base = textured ? own_color * texture2D(image, place).rgb : own_color;\n"
     "        vec3 to_viewer = eye.w == 0.0 ? eye.xyz : unit(-point);\n"
-    "        sum = ambient * own_color;\n"
+    "        sum = ambient * base;\n"
     "        for (int i = 0; i < light_count; i++) {\n"
     "            precise float facing = sum_of_products(n, to_light[i]);\n"
-    "            precise vec3 diffuse = light_color[i] * own_color, shine = light_color[i] * specular;\n"
+    "            precise vec3 diffuse = light_color[i] * base, shine = light_color[i] * specular;\n"
     "            sum = sum + max(facing, 0.0) * diffuse;\n"
     "            if (facing > 0.0) {\n"
     "                precise vec3 between = to_light[i] + to_viewer;\n"
@@ -108,6 +115,7 @@ static bool make_lighter(struct reference_lighter *lighter, const char *vertex, 
     lighter->shininess = glGetUniformLocation(program, "shininess");
     lighter->eye = glGetUniformLocation(program, "eye");
     lighter->in_fog = glGetUniformLocation(program, "in_fog");
+    lighter->textured = glGetUniformLocation(program, "textured");
     return true;
 }
 
@@ -169,6 +177,7 @@ void reference_light_batch(const struct reference *reference, const struct refer
     glUniform1i(lighter->side, sides[batch->light]);
     if (!batch->late) return;
     glUniform1i(lighter->in_fog, glIsEnabled(GL_FOG));
+    glUniform1i(lighter->textured, batch->textured != NULL);
     glUniform4fv(lighter->to_eye, 4, batch->to_eye->m);
     glUniform1i(lighter->model, batch->late->shading == ZR_SHADING_NORMALS);
     glUniform3fv(lighter->specular, 1, &batch->late->specular.x);
