@@ -183,9 +183,5 @@ void zr_given_check_light(struct zr_given_scene *root)
     if (key && zr_scene_gives(root, ZR_SCENE_FOG))
         zr_json_fault(&root->json, ZR_SCENE_PATH(ZR_SCENE_FOG),
                       "not supported in this version together with linear light, which is needed for: %s", key);
-    if (key && root->scene->texture_count > 0)
-        zr_json_fault(&root->json, ZR_SCENE_PATH(ZR_SCENE_MATERIALS),
-                      "textures are not supported in this version together with linear light, which is needed for: %s",
-                      key);
     check_base(root, key);
 }

@@ -13,7 +13,8 @@
     ROW(environment)                                                                                                   \
     ROW(occlusion)                                                                                                     \
     ROW(edges)                                                                                                         \
-    ROW(fit) ROW(perspective) ROW(orthographic) ROW(intrinsics) ROW(light) ROW(fog) ROW(material) ROW(texture)         \
+    ROW(fit)                                                                                                           \
+    ROW(perspective) ROW(orthographic) ROW(intrinsics) ROW(light) ROW(fog) ROW(material) ROW(texture)                  \
         ROW(normalTexture) ROW(occlusionTexture) ROW(sampler) ROW(mesh) ROW(heights) ROW(polygon) ROW(node)            \
             ROW(output) ROW(base) ROW(bytes)
 

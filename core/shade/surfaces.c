@@ -31,6 +31,7 @@ struct making {
     const zr_vec4 *normals[ZR_RATE_CORNER + 1];
     const zr_vec4 *texcoords; /* as zr_texture texcoords_of has them */
     const struct zr_texture *texcoords_of;
+    const zr_vec4 *tangents; /* in eye space; NULL: not made */
 };
 
 /* ---- what clipping made ---- */
@@ -70,7 +71,7 @@ static void begin_instance(struct making *m, uint32_t number)
     m->made = end - m->instance->first_vertex - m->mesh->position_count;
     m->has_colors = false;
     m->line_colors = NULL;
-    m->texcoords = NULL;
+    m->texcoords = m->tangents = NULL;
     memset(m->normals, 0, sizeof m->normals);
 }
 
@@ -272,6 +273,32 @@ static bool find_texcoords(struct making *m, const struct zr_draw *draw, struct 
     return true;
 }
 
+/* In eye space; the sign of a mirrored bitangent is the other one. */
+static void put_tangents(const struct zr_mesh *mesh, const zr_mat4 *to_eye, zr_vec4 *out)
+{
+    const float turn = zr_mat4_is_mirror(to_eye) ? -1.0f : 1.0f;
+    for (uint32_t i = 0; i < mesh->position_count; i++) {
+        const zr_vec4 given = mesh->tangents[i];
+        const zr_vec4 t = zr_mat4_apply(to_eye, (zr_vec4){given.x, given.y, given.z, 0.0f});
+        out[i] = (zr_vec4){t.x, t.y, t.z, given.w < 0.0f ? -turn : turn};
+    }
+}
+
+static bool find_tangents(struct making *m, struct zr_attribute *out)
+{
+    const uint32_t own = m->mesh->position_count;
+    if (!m->mesh->tangents) return true;
+    if (!m->tangents) {
+        zr_vec4 *made = zr_arena_alloc(m->arena, count_with_made(m, ZR_RATE_VERTEX, own), sizeof *made);
+        if (!made) return false;
+        put_tangents(m->mesh, &m->instance->to_eye, made);
+        extend(m, ZR_RATE_VERTEX, own, made);
+        m->tangents = made;
+    }
+    *out = (struct zr_attribute){ZR_RATE_VERTEX, m->tangents};
+    return true;
+}
+
 /* ---- all ---- */
 
 static bool make_surface(struct making *m, const struct zr_draw *draw, struct zr_surface *surface)
@@ -284,6 +311,9 @@ static bool make_surface(struct making *m, const struct zr_draw *draw, struct zr
     const bool textured = is_textured(m, draw);
     surface->is_late = by_normals || textured || (m->colors && m->out->fog.is_on);
     if (textured && !find_texcoords(m, draw, &surface->attributes[ZR_ATTRIBUTE_TEXCOORD])) return false;
+    if (textured && m->wants->samples && draw->material->textures[ZR_TEXTURE_NORMAL] &&
+        !find_tangents(m, &surface->attributes[ZR_ATTRIBUTE_TANGENT]))
+        return false;
     if (surface->is_late || m->wants->samples)
         surface->attributes[ZR_ATTRIBUTE_POINT] = (struct zr_attribute){ZR_RATE_VERTEX, m->points + draw->first_vertex};
     return of_lines || !(by_normals || m->wants->normals || m->wants->samples) ||

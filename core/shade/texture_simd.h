@@ -127,7 +127,7 @@ static inline struct zr_vec3_v zr_texel_v(const struct zr_texture_map *map, cons
                               zr_texel_value_v(map, zr_word_part_v(second, 0, 16))};
 }
 
-static inline struct zr_vec3_v zr_between_v(struct zr_vec3_v a, struct zr_vec3_v b, zr_vf share)
+static inline struct zr_vec3_v zr_lerp3_v(struct zr_vec3_v a, struct zr_vec3_v b, zr_vf share)
 {
     return (struct zr_vec3_v){a.x + share * (b.x - a.x), a.y + share * (b.y - a.y), a.z + share * (b.z - a.z)};
 }
@@ -145,10 +145,10 @@ static inline struct zr_vec3_v zr_sample_level_v(const struct zr_texture_map *ma
     const struct zr_taps_v x = zr_taps_of(texture->wrap_s, level->width, s),
                            y = zr_taps_of(texture->wrap_t, level->height, t);
     const struct zr_vec3_v above =
-        zr_between_v(zr_texel_v(map, level, x.low, y.low), zr_texel_v(map, level, x.high, y.low), x.share);
+        zr_lerp3_v(zr_texel_v(map, level, x.low, y.low), zr_texel_v(map, level, x.high, y.low), x.share);
     const struct zr_vec3_v below =
-        zr_between_v(zr_texel_v(map, level, x.low, y.high), zr_texel_v(map, level, x.high, y.high), x.share);
-    return zr_between_v(above, below, y.share);
+        zr_lerp3_v(zr_texel_v(map, level, x.low, y.high), zr_texel_v(map, level, x.high, y.high), x.share);
+    return zr_lerp3_v(above, below, y.share);
 }
 
 /* Each lane at its own level: most often there is one, or there are two. */
@@ -208,7 +208,7 @@ static inline struct zr_vec3_v zr_sample_minified_v(const struct zr_texture_map 
     const zr_vi low = zr_vi_round(whole), high = zr_vi_min(low + zr_vi_set(1), zr_vi_round(last));
     const struct zr_vec3_v fine = zr_sample_levels_v(map, low, linear, s, t);
     if (!zr_vm_any(zr_vf_lt(zero, share))) return fine;
-    return zr_between_v(fine, zr_sample_levels_v(map, high, linear, s, t), share);
+    return zr_lerp3_v(fine, zr_sample_levels_v(map, high, linear, s, t), share);
 }
 
 /* rho_squared is looked at where zr_texture_needs_rho. as_mesa: how levels are told. */

@@ -431,6 +431,7 @@ bool batches_make(struct zr_arena *arena, const struct zr_scene *scene, const st
     if (options->purpose == BATCHES_COLORS) arrays->fog = scene->fog;
     if (scene->texture_count > 0 && (options->purpose == BATCHES_COLORS || options->purpose == BATCHES_LIGHT)) {
         arrays->texcoords = builder.texcoords;
+        arrays->tangents = builder.tangents;
         arrays->textures_of = scene;
         arrays->decode = options->purpose == BATCHES_LIGHT;
     }

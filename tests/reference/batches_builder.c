@@ -10,6 +10,7 @@ bool batches_reserve_corners(struct batches_builder *b, uint64_t more)
     b->front = zr_arena_grow(b->arena, b->front, b->corner_count, room, sizeof *b->front);
     b->normals = zr_arena_grow(b->arena, b->normals, b->corner_count, room, sizeof *b->normals);
     b->texcoords = zr_arena_grow(b->arena, b->texcoords, b->corner_count, room, sizeof *b->texcoords);
+    b->tangents = zr_arena_grow(b->arena, b->tangents, b->corner_count, room, sizeof *b->tangents);
     b->corner_room = room;
     return zr_arena_ok(b->arena);
 }
@@ -72,4 +73,5 @@ void batches_append_vertex(struct batches_builder *b, const struct batches_sourc
     b->front[at] = opaque(color);
     b->normals[at] = normal;
     b->texcoords[at] = texcoord_of(b, s, vertex);
+    b->tangents[at] = s->mesh->tangents ? s->mesh->tangents[vertex] : (zr_vec4){0, 0, 0, 0};
 }

@@ -85,6 +85,7 @@ struct reference_arrays {
     const struct reference_lighting *lighting; /* NULL where no batch is lit */
     const uint32_t *indices;                   /* NULL, or one a corner */
     const zr_vec4 *texcoords;                  /* one a corner; NULL where no batch is textured */
+    const zr_vec4 *tangents;                   /* likewise, object space; w = 0: there is none */
     const struct zr_scene *textures_of;        /* of what is textured */
     bool decode;                               /* textures are in linear light */
     uint32_t batch_count;

@@ -281,7 +281,7 @@ static void draw_batch(const struct reference *reference, const struct reference
     enable(GL_POLYGON_OFFSET_FILL, batch->depth_offset);
     set_textures(batch, textures);
     if (program)
-        reference_program_batch(program, batch);
+        reference_program_batch(program, batch, arrays->textures_of);
     else
         reference_light_batch(reference, batch);
     if (batch->mode == REFERENCE_PARITY)

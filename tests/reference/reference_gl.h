@@ -43,7 +43,7 @@ bool reference_draw_batches(const struct reference *reference, const struct refe
                             struct reference_error *error);
 
 /* Chooses a program of a test's own, and gives it what it gets from each batch. */
-void reference_program_batch(GLuint program, const struct reference_batch *batch);
+void reference_program_batch(GLuint program, const struct reference_batch *batch, const struct zr_scene *textures_of);
 
 /* Turns rows around: GL's row 0 is the bottom. */
 void reference_flip(const struct reference *reference, void *pixels, size_t pixel_bytes);
