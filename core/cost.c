@@ -9,6 +9,7 @@
 #include "cost_picture.h"
 #include "look/maps.h"
 #include "scene/resolved_view.h"
+#include "shade/texture_maps.h"
 
 static const double POINT_T = 0.4;          /* placed without a face, in triangles */
 static const double CREASE_T = 4.0;         /* normals averaged at a triangle's corners */
@@ -33,7 +34,8 @@ static void count_outputs(const struct zr_scene *scene, struct zr_cost *cost)
 }
 
 /* What is done at each pixel that is seen, in fragments: about what an AVX-512 machine takes; others take no less. */
-static const double LIGHT_F = 0.6, POINT_F = 4.0;
+static const double LIGHT_F = 0.6, POINT_F = 4.0, TEXTURE_F = 8.0;
+static const double TEXEL_F = 4.0; /* of a level that is made */
 
 static double work_of_channels(const struct zr_view *view)
 {
@@ -49,11 +51,14 @@ static double work_of_channels(const struct zr_view *view)
 static double work_of_colors(const struct zr_scene *scene)
 {
     double work = 0.0;
-    bool phong = false;
-    for (uint32_t i = 0; i < scene->material_count; i++)
+    bool phong = false, textured = false;
+    for (uint32_t i = 0; i < scene->material_count; i++) {
         phong |= scene->materials[i].shading == ZR_SHADING_PHONG;
+        textured |= scene->materials[i].textures[ZR_TEXTURE_BASE_COLOR] > 0;
+    }
     if (scene->picture.is_linear || !zr_view_wants(&scene->views[0], ZR_CHANNEL_COLOR)) return 0.0;
     if (scene->fog.is_on) work += 1.0;
+    if (textured) work += TEXTURE_F;
     if (phong) work += 1.0 + LIGHT_F * (double)scene->light_count;
     return work;
 }
@@ -134,6 +139,8 @@ struct zr_cost zr_scene_cost(const struct zr_scene *scene, const struct zr_resol
     const struct zr_cost_covered covered = covered_by(view, passes.side, &centres, &samples);
     cost.fragments += (of_map > 0.0 ? passes.map_texels * centres.surface / of_map : 0.0) +
                       covered.centres * work_of_channels(view) + covered.samples * work_of_colors(scene);
+    if (zr_view_wants(view, ZR_CHANNEL_COLOR))
+        cost.fragments += TEXEL_F * zr_texture_maps_measure(scene, scene->picture.is_linear).texels;
     cost.samples = zr_cost_of_light(scene, &passes, &covered);
     cost.window_bytes = zr_cost_window_bytes(scene, &passes, &covered);
     return cost;

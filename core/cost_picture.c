@@ -8,6 +8,7 @@
 #include "look/shadow_map.h"
 #include "raster/tile.h"
 #include "shade/layers.h"
+#include "shade/texture_maps.h"
 
 /* ---- passes ---- */
 
@@ -177,6 +178,7 @@ double zr_cost_window_bytes(const struct zr_scene *scene, const struct zr_cost_p
     const double pixels = (double)view->width * (double)view->height;
     const double samples = pixels * (double)passes->side * (double)passes->side;
     double sum = pixels * bytes_of_channels(view);
+    if (zr_view_wants(view, ZR_CHANNEL_COLOR)) sum += zr_texture_maps_measure(scene, picture->is_linear).bytes;
     if (scene->algorithm != ZR_ALGORITHM_HALFSPACE) /* each of them has the whole window at once */
         sum += SAMPLE_BYTES * (pixels * (double)passes->centres + samples * (double)passes->samples);
     sum += bytes_of_layers(scene, samples, covered->layered);

@@ -18,7 +18,7 @@ static enum zr_status draw_channels(struct zr_arena *arena, struct zr_team *team
                                     const struct zr_cancel *cancel, struct zr_frame *frame)
 {
     const float line_width = scene->picture.line_width + 0.5f;
-    const struct zr_pass_of of = {
+    struct zr_pass_of of = {
         .scene = scene,
         .camera = &frame->camera,
         .window = {frame->width, frame->height, line_width > 1.0f ? (int32_t)line_width : 1, 1.0f},
@@ -26,6 +26,8 @@ static enum zr_status draw_channels(struct zr_arena *arena, struct zr_team *team
         .base = frame->base};
     enum zr_status status = ZR_OK;
     struct zr_pass pass;
+    if (frame->color || zr_any_is_masked(scene->materials, scene->material_count))
+        STAGE(zr_texture_maps_make(arena, team, scene, false, cancel, &of.wants.textures));
     STAGE(zr_pass_make(arena, team, &of, cancel, &pass));
     STAGE(zr_tiles_draw(arena, team, &pass.tiles, cancel, frame));
     if (status == ZR_OK) frame->counts = zr_pass_counts(&pass);

@@ -48,7 +48,7 @@
     row(outlines_of_the_fan)        /* 14 */                                                                          \
     row(outlines_of_backs)          /* 14 */                                                                          \
     row(no_depth_offset)            /* 15 */                                                                          \
-    row(layers_front_first)         /* 28, blended from the nearest to the farthest */                                \
+    row(layers_front_first)         /* 30, blended from the nearest to the farthest */                                \
     row(right_edges_inside)         /* odd-even rule */                                                               \
     row(holes_filled)               /* odd-even rule */                                                               \
     row(last_triangle_decides)      /* odd-even rule: depth */                                                        \
@@ -58,9 +58,9 @@
     row(lit_from_behind)            /* 16, whatever faces away from a light, too */                                   \
     row(half_not_unit)              /* highlights: the way between light and eye is not made unit */                  \
     row(backs_keep_normals)         /* what is shaded late: backs have the normals of fronts */                       \
-    row(falls_off_by_distance)      /* 28, not by its square */                                                       \
-    row(range_of_2nd_power)         /* 28, the window of a range */                                                   \
-    row(cone_not_squared)           /* 28, of spots */                                                                \
+    row(falls_off_by_distance)      /* 29, not by its square */                                                       \
+    row(range_of_2nd_power)         /* 29, the window of a range */                                                   \
+    row(cone_not_squared)           /* 29, of spots */                                                                \
     row(fog_turned)                 /* 21: far is clear, and near is not */                                           \
     row(distance_is_depth)          /* channels: not the length of the ray */                                         \
     row(positions_of_the_camera)    /* channels: whatever space is asked for */                                       \
@@ -82,6 +82,8 @@
     row(fresnel_of_4th_power)       /* 25, of lamps */                                                                \
     row(environment_not_blurred)    /* 26, as mirrors show it */                                                      \
     row(environment_not_turned)     /* 26, it goes with the camera */                                                 \
+    row(texels_from_corners)        /* 31, places between texels count from their corners, not their middles */       \
+    row(levels_half_off)            /* 31, which level */                                                             \
     row(tone_keeps_hue)             /* 27, what is too bright does not fade to white */                               \
     row(upside_down)                /* the picture */
 /* clang-format on */
@@ -89,8 +91,9 @@
 #ifdef ZR_MUTANTS
 #define ZR_MUTANT_ITEM(name) ZR_MUTANT_##name,
 enum zr_mutant { ZR_EACH_MUTANT(ZR_MUTANT_ITEM) ZR_MUTANT_COUNT };
-extern uint64_t zr_mutants_chosen; /* a bit each */
-#define ZR_MUTANT(name, right, wrong) (zr_mutants_chosen >> ZR_MUTANT_##name & 1 ? (wrong) : (right))
+extern uint64_t zr_mutants_chosen[ZR_MUTANT_COUNT / 64 + 1]; /* a bit each */
+#define ZR_MUTANT(name, right, wrong)                                                                                  \
+    (zr_mutants_chosen[ZR_MUTANT_##name / 64] >> (ZR_MUTANT_##name % 64) & 1 ? (wrong) : (right))
 #else
 #define ZR_MUTANT(name, right, wrong) (true ? (right) : (wrong))
 #endif

@@ -222,8 +222,22 @@ static bool make_cells(struct zr_arena *arena, const struct grid *grid, struct z
     return true;
 }
 
+/* An image over all of it: its left is column 0, and its top the last row. */
+static bool make_texcoords(struct zr_arena *arena, const struct grid *grid, struct zr_mesh *mesh)
+{
+    static const float across[2] = {0, 1}, down[2] = {1, 0};
+    zr_vec4 *texcoords = zr_arena_alloc(arena, grid->rows * grid->columns, sizeof *texcoords);
+    if (!texcoords) return false;
+    for (size_t row = 0; row < grid->rows; row++)
+        for (size_t column = 0; column < grid->columns; column++)
+            texcoords[row * grid->columns + column] =
+                (zr_vec4){place(across, column, grid->columns), place(down, row, grid->rows), 0.0f, 0.0f};
+    mesh->texcoords = texcoords;
+    return true;
+}
+
 bool zr_heights_make(struct zr_json *json, const struct zr_json_path *path, const struct zr_heights *heights,
-                     struct zr_mesh *mesh)
+                     bool with_texcoords, struct zr_mesh *mesh)
 {
     struct grid grid = {.rows = heights->rows, .columns = heights->columns};
     memcpy(grid.x, heights->x, sizeof grid.x);
@@ -232,7 +246,7 @@ bool zr_heights_make(struct zr_json *json, const struct zr_json_path *path, cons
     const bool has_x = find_range(json, path, heights, X, grid.columns, grid.x);
     if (!find_range(json, path, heights, Y, grid.rows, grid.y) || !has_x || json->error->count > 0) return false;
     zr_vec4 *positions = zr_arena_alloc(json->arena, heights->values.count, sizeof *positions);
-    if (!positions) return false;
+    if (!positions || (with_texcoords && !make_texcoords(json->arena, &grid, mesh))) return false;
     place_values(&grid, heights->values.items, positions);
     if (!make_cells(json->arena, &grid, mesh)) return false;
     mesh->position_count = (uint32_t)heights->values.count;
@@ -294,6 +308,8 @@ void zr_heights_drop_holes(struct zr_arena *arena, const struct zr_heights *heig
     zr_vec4 *face_colors = mesh->face_colors ? zr_arena_alloc(arena, cells, sizeof *face_colors) : NULL;
     mesh->normals = keep_normals(arena, mesh, new_index, positions);
     mesh->colors = keep_positions(arena, mesh, mesh->colors, new_index, positions);
+    mesh->texcoords = keep_positions(arena, mesh, mesh->texcoords, new_index, positions);
+    mesh->tangents = keep_positions(arena, mesh, mesh->tangents, new_index, positions);
     mesh->positions = keep_positions(arena, mesh, mesh->positions, new_index, positions);
     if (!zr_arena_ok(arena)) return;
     for (uint32_t cell = 0; cell < cells; cell++) {

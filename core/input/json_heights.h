@@ -18,11 +18,12 @@ struct zr_heights {
 /* struct zr_heights: a list of rows, or an object that has one. */
 zr_json_read_fn zr_read_heights;
 
-/* Positions and faces of the mesh, holes included; false where there was a fault, here or before. Once everything else
+/* Positions, faces and, where they are wanted, texture coordinates of the mesh, holes included; false where there was a
+ * fault, here or before. Once everything else
  * of the mesh is there, zr_heights_drop_holes takes away the cells that touch a hole, and positions left without a
  * cell. */
 bool zr_heights_make(struct zr_json *json, const struct zr_json_path *path, const struct zr_heights *heights,
-                     struct zr_mesh *mesh);
+                     bool with_texcoords, struct zr_mesh *mesh);
 void zr_heights_drop_holes(struct zr_arena *arena, const struct zr_heights *heights, struct zr_mesh *mesh);
 
 #endif

@@ -4,6 +4,7 @@
 #include "input/defaults.h"
 #include "input/json_objects.h"
 #include "input/json_scene.h"
+#include "input/json_texture.h"
 #include "input/nearest.h"
 #include "input/text.h"
 
@@ -40,7 +41,21 @@ static bool read_emissive(struct zr_json *json, const struct zr_json_path *path,
     return true;
 }
 
-enum { NAME, BASE_COLOR, SPECULAR, SHININESS, METALLIC, ROUGHNESS, EMISSIVE, COOL };
+enum {
+    NAME,
+    BASE_COLOR,
+    SPECULAR,
+    SHININESS,
+    METALLIC,
+    ROUGHNESS,
+    EMISSIVE,
+    COOL,
+    METALLIC_ROUGHNESS_TEXTURE,
+    NORMAL_TEXTURE,
+    OCCLUSION_TEXTURE,
+    EMISSIVE_TEXTURE,
+    BASE_COLOR_TEXTURE
+};
 #define AT(member) offsetof(struct zr_given_material, member)
 static const struct zr_json_field fields[] = {
     [NAME] = {"name", zr_json_string, AT(name), .required = true, .text = "it is asked for by its name"},
@@ -58,9 +73,19 @@ static const struct zr_json_field fields[] = {
                   .text = "of pbr: light of its own, linear"},
     [COOL] = {"cool", zr_json_color, AT(cool), .otherwise = "the look's; #9fb0c3",
               .text = "of gooch: the colour of what turns away from the light"},
+    [METALLIC_ROUGHNESS_TEXTURE] = {"metallicRoughnessTexture", zr_read_texture,
+                                    AT(textures[ZR_TEXTURE_METALLIC_ROUGHNESS]), .otherwise = "none",
+                                    .text = "of pbr: factors of roughness, in green, and of metallic, in blue"},
+    [NORMAL_TEXTURE] = {"normalTexture", zr_read_normal_texture, AT(textures[ZR_TEXTURE_NORMAL]), .otherwise = "none",
+                        .text = "normals along the surface, as glTF has them"},
+    [OCCLUSION_TEXTURE] = {"occlusionTexture", zr_read_occlusion_texture, AT(textures[ZR_TEXTURE_OCCLUSION]),
+                           .otherwise = "none", .text = "the share of the light from all around, in red"},
+    [EMISSIVE_TEXTURE] = {"emissiveTexture", zr_read_texture, AT(textures[ZR_TEXTURE_EMISSIVE]), .otherwise = "none",
+                          .text = "of pbr: a factor of emissiveFactor"},
+    [BASE_COLOR_TEXTURE] = {"baseColorTexture", zr_read_texture, AT(textures[ZR_TEXTURE_BASE_COLOR]),
+                            .otherwise = "none", .text = "a factor of the colours of faces"},
     ZR_FACE_STYLE_FIELDS(struct zr_given_material, face_style),
     ZR_SIDES_FIELD(struct zr_given_material, face_style),
-    {.key = "baseColorTexture"},
     {.key = "diffuse"},
     {.key = "emissive"}};
 const struct zr_json_object zr_json_object_material = ZR_JSON_OBJECT_OF("material", fields);
@@ -81,7 +106,7 @@ static int compare_name(const void *name, const void *given)
 /* Keys that nothing but linear light has a use for. */
 static void note_linear_keys(struct zr_given_scene *root, uint64_t keys)
 {
-    for (int key = METALLIC; key <= COOL && !root->linear_key; key++)
+    for (int key = METALLIC; key <= EMISSIVE_TEXTURE && !root->linear_key; key++)
         if (zr_json_gives(keys, key)) root->linear_key = fields[key].key;
 }
 
@@ -155,6 +180,21 @@ static void put_values(const struct zr_given_material *given, struct zr_material
     if (zr_json_gives(given->keys, COOL)) material->cool = rgb(given->cool);
 }
 
+/* A factor of a texture that is not given changes nothing. */
+static void put_textures(const struct zr_given_material *given, struct zr_material *material)
+{
+    for (int slot = 0; slot < ZR_TEXTURE_SLOTS; slot++)
+        material->textures[slot] = given->textures[slot].number;
+    material->normal_scale = given->textures[ZR_TEXTURE_NORMAL].strength;
+    material->occlusion_strength = given->textures[ZR_TEXTURE_OCCLUSION].strength;
+    if (zr_json_gives(given->keys, METALLIC_ROUGHNESS_TEXTURE)) {
+        if (!zr_json_gives(given->keys, METALLIC)) material->metallic = 1.0f;
+        if (!zr_json_gives(given->keys, ROUGHNESS)) material->roughness = 1.0f;
+    }
+    if (zr_json_gives(given->keys, EMISSIVE_TEXTURE) && !zr_json_gives(given->keys, EMISSIVE))
+        material->emissive = (zr_vec3){1, 1, 1};
+}
+
 uint32_t zr_given_make_material(struct zr_given_scene *root, const struct zr_style *style, bool coloured, bool smooth)
 {
     const struct zr_look *look = root->scene->look;
@@ -162,13 +202,15 @@ uint32_t zr_given_make_material(struct zr_given_scene *root, const struct zr_sty
     const struct zr_given_material none = {
         .name = "", .base_color = zr_default_base_color(look, coloured), .face_style = zr_face_style_unset};
     const struct zr_given_material *given = has_given ? &root->materials[style->material] : &none;
-    const bool has_color = zr_json_gives(given->keys, BASE_COLOR) || (has_given && look == zr_look_textbook);
+    const bool has_color = zr_json_gives(given->keys, BASE_COLOR) || (has_given && look == zr_look_textbook) ||
+                           zr_json_gives(given->keys, BASE_COLOR_TEXTURE);
     struct zr_face_style faces = zr_face_style_merge(&style->face_style, &given->face_style);
     faces = zr_face_style_merge(&faces, &root->face_style);
     if (faces.double_sided == ZR_UNSET) faces.double_sided = style->is_open;
     struct zr_material material =
         zr_face_style_material(&faces, look, has_color ? given->base_color : none.base_color, smooth);
     put_values(given, &material);
+    put_textures(given, &material);
     zr_given_note_alpha(root, &material.outline_color, 1);
     if (faces.shading >= ZR_SHADING_PBR && !root->linear_key) root->linear_key = "shading";
     material.uniform_color = style->is_uniform && material.shading == ZR_SHADING_UNLIT;

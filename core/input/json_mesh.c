@@ -6,6 +6,7 @@
 #include "input/json_rows.h"
 #include "input/json_scalars.h"
 #include "input/json_scene.h"
+#include "input/json_texture.h"
 
 /* Corners that a face may have beside those in its list's room, before it is read with more care. */
 enum { CORNERS_AT_HAND = 64 };
@@ -32,7 +33,7 @@ struct zr_given_mesh {
     uint64_t keys;               /* those that are there */
     const char *name, *material; /* NULL: no word of it */
     struct zr_face_style face_style;
-    struct zr_growing positions, normals, colors, face_colors;
+    struct zr_growing positions, normals, colors, face_colors, texcoords, texcoords1, tangents;
     struct faces faces;
     struct lines lines;
     struct points points;
@@ -78,7 +79,17 @@ static void read_normal_items(struct zr_json *json, const struct zr_json_path *p
     zr_rows_read_vec3s(json, path, state, 0, until);
 }
 
-/* struct zr_growing, as the next two */
+static void read_texcoord_items(struct zr_json *json, const struct zr_json_path *path, void *state, const char *until)
+{
+    zr_rows_read_texcoords(json, path, state, 0, until);
+}
+
+static void read_tangent_items(struct zr_json *json, const struct zr_json_path *path, void *state, const char *until)
+{
+    zr_rows_read_tangents(json, path, state, 0, until);
+}
+
+/* struct zr_growing, as the next four */
 static bool read_positions(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field,
                            void *out)
 {
@@ -99,6 +110,22 @@ static bool read_normals(struct zr_json *json, const struct zr_json_path *path, 
                          void *out)
 {
     static const struct zr_json_list list = {'[', read_normal_items, begin_array, join_array};
+    (void)field;
+    return read_array(json, path, &list, out);
+}
+
+static bool read_texcoords(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field,
+                           void *out)
+{
+    static const struct zr_json_list list = {'[', read_texcoord_items, begin_array, join_array};
+    (void)field;
+    return read_array(json, path, &list, out);
+}
+
+static bool read_tangents(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field,
+                          void *out)
+{
+    static const struct zr_json_list list = {'[', read_tangent_items, begin_array, join_array};
     (void)field;
     return read_array(json, path, &list, out);
 }
@@ -271,7 +298,8 @@ static bool read_points(struct zr_json *json, const struct zr_json_path *path, c
 /* ---- keys ---- */
 
 enum { POINT_SIZE_MAX = 64 };
-enum { NAME, MATERIAL, POSITIONS, NORMALS, COLORS, FACE_COLORS, FACES, LINES, POINTS, POINT_SIZE, HEIGHTS };
+enum {
+    NAME, MATERIAL, POSITIONS, NORMALS, COLORS, FACE_COLORS, FACES, LINES, POINTS, POINT_SIZE, HEIGHTS, TEXCOORDS, TEXCOORDS1, TANGENTS };
 #define AT(member) offsetof(struct zr_given_mesh, member)
 static const struct zr_json_field fields[] = {
     [NAME] = {"name", zr_json_string, AT(name), .text = "what nodes and fit may call it by; info has it"},
@@ -288,10 +316,14 @@ static const struct zr_json_field fields[] = {
                     .text = "along a side of a point, which is a square"},
     [HEIGHTS] = {"heights", zr_read_heights, AT(heights), .unit = "scene units",
                  .text = "a grid instead of positions and faces"},
+    [TEXCOORDS] = {"texcoords", read_texcoords, AT(texcoords), .otherwise = "of heights: the image over all of them",
+                   .text = "[u,v] of each position; [0,0] is the top left corner of an image"},
+    [TEXCOORDS1] = {"texcoords1", read_texcoords, AT(texcoords1), .text = "others, of textures that ask for them"},
+    [TANGENTS] = {"tangents", read_tangents, AT(tangents), .otherwise = "along u",
+                  .text = "[x,y,z,w] of each position: x of normalTexture, and w, the sign of y"},
     ZR_FACE_STYLE_FIELDS(struct zr_given_mesh, face_style),
     ZR_SCALARS_FIELDS(struct zr_given_mesh, scalars),
     ZR_SIDES_FIELD(struct zr_given_mesh, face_style),
-    {.key = "texcoords"},
     {.key = "data"}};
 const struct zr_json_object zr_json_object_mesh = ZR_JSON_OBJECT_OF("mesh", fields);
 
@@ -308,6 +340,9 @@ bool zr_read_meshes(struct zr_json *json, const struct zr_json_path *path, const
                                       .normals.size = sizeof(zr_vec3),
                                       .colors.size = sizeof(zr_vec4),
                                       .face_colors.size = sizeof(zr_vec4),
+                                      .texcoords.size = 2 * sizeof(float),
+                                      .texcoords1.size = 2 * sizeof(float),
+                                      .tangents.size = sizeof(zr_vec4),
                                       .faces = {.ends.size = sizeof(uint32_t), .indices.size = sizeof(uint32_t)},
                                       .lines.ends.size = 2 * sizeof(uint32_t),
                                       .points.indices.size = sizeof(uint32_t),
@@ -399,6 +434,24 @@ static void make_points(struct zr_json *json, const struct zr_json_path *path, c
                               mesh->position_count, "positions");
 }
 
+/* Both sets side by side; what is not given is 0. */
+static void make_texcoords(struct zr_json *json, const struct zr_json_path *path, const struct zr_given_mesh *given,
+                           struct zr_mesh *mesh)
+{
+    const size_t count = mesh->position_count;
+    const float *first = one_each(json, path, given, TEXCOORDS, &given->texcoords, count, "positions");
+    const float *second = one_each(json, path, given, TEXCOORDS1, &given->texcoords1, count, "positions");
+    mesh->tangents = one_each(json, path, given, TANGENTS, &given->tangents, count, "positions");
+    if ((!first && !second) || json->error->count > 0) return;
+    zr_vec4 *texcoords = zr_arena_alloc(json->arena, count, sizeof *texcoords);
+    for (size_t i = 0; texcoords && i < count; i++) {
+        const zr_vec4 over_heights = mesh->texcoords ? mesh->texcoords[i] : (zr_vec4){0, 0, 0, 0};
+        texcoords[i] = (zr_vec4){first ? first[2 * i] : over_heights.x, first ? first[2 * i + 1] : over_heights.y,
+                                 second ? second[2 * i] : 0.0f, second ? second[2 * i + 1] : 0.0f};
+    }
+    mesh->texcoords = texcoords;
+}
+
 static void make_mesh(struct zr_given_scene *root, const struct zr_json_path *path, const struct zr_given_mesh *given,
                       struct zr_mesh *mesh)
 {
@@ -410,7 +463,8 @@ static void make_mesh(struct zr_given_scene *root, const struct zr_json_path *pa
     if (given->material)
         style.material = zr_given_find_material(root, ZR_JSON_KEY(path, fields[MATERIAL].key), given->material);
     if (gives(given, HEIGHTS)) {
-        if (!zr_heights_make(json, ZR_JSON_KEY(path, fields[HEIGHTS].key), &given->heights, mesh)) return;
+        const bool textured = zr_given_has_textures(root, style.material) && !gives(given, TEXCOORDS);
+        if (!zr_heights_make(json, ZR_JSON_KEY(path, fields[HEIGHTS].key), &given->heights, textured, mesh)) return;
     } else {
         if (!given->positions.items) return; /* no count to hold the rest against */
         mesh->position_count = (uint32_t)given->positions.count;
@@ -425,6 +479,10 @@ static void make_mesh(struct zr_given_scene *root, const struct zr_json_path *pa
     mesh->face_colors = one_each(json, path, given, FACE_COLORS, &given->face_colors, mesh->face_count, "faces");
     zr_scalars_apply(json, path, &given->scalars, gives(given, HEIGHTS) ? given->heights.values.items : NULL,
                      &root->builder->warnings, mesh);
+    make_texcoords(json, path, given, mesh);
+    if (given->faces.ends.items || gives(given, HEIGHTS))
+        zr_given_check_texcoords(root, path, style.material, gives(given, TEXCOORDS) || gives(given, HEIGHTS),
+                                 gives(given, TEXCOORDS1));
     if (json->error->count > 0) return;
     zr_given_note_alpha(root, mesh->colors, mesh->colors ? mesh->position_count : 0);
     zr_given_note_alpha(root, mesh->face_colors, mesh->face_colors ? mesh->face_count : 0);

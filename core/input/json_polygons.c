@@ -6,6 +6,7 @@
 #include "input/json_objects.h"
 #include "input/json_rows.h"
 #include "input/json_scene.h"
+#include "input/json_texture.h"
 
 /* What polygons have of their own, beside vertices. */
 enum { HAS_COLOR = 1, HAS_COLORS = 2, HAS_NORMALS = 4, KINDS = 8 };
@@ -364,6 +365,9 @@ static void find_materials(struct zr_given_scene *root, const struct zr_json_pat
         if (name)
             style.material = zr_given_find_material(
                 root, ZR_JSON_KEY(ZR_JSON_ITEM(path, styles[i].polygon), fields[MATERIAL].key), name);
+        if (zr_given_has_textures(root, style.material))
+            zr_json_fault(&root->json, ZR_JSON_KEY(ZR_JSON_ITEM(path, styles[i].polygon), fields[MATERIAL].key),
+                          "it has textures, which need texcoords: meshes have them, and polygons have not");
         style.is_uniform = !(styles[i].has & HAS_COLORS);
         materials[i] = zr_given_make_material(root, &style, styles[i].has & (HAS_COLOR | HAS_COLORS),
                                               styles[i].has & (HAS_COLORS | HAS_NORMALS));

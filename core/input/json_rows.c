@@ -1,5 +1,7 @@
 #include "input/json_rows.h"
 
+#include "scene/texture.h"
+
 const char *zr_row_any_next(const char *at, const char *end, double low, double high, float *out)
 {
     double value;
@@ -98,6 +100,60 @@ void zr_rows_read_vec3s(struct zr_json *json, const struct zr_json_path *path, s
             json->at = behind;
         else
             zr_json_vec3(json, ZR_JSON_ITEM(path, array->count - first), NULL, row);
+        array->count++;
+    }
+}
+
+static const char *row_texcoord(const char *at, const char *end, float out[2])
+{
+    const double limit = (double)ZR_TEXCOORD_MAX;
+    if (at == end || *at != '[') return NULL;
+    at = zr_row_next(at, end, -limit, limit, &out[0]);
+    if (!at || *at != ',') return NULL;
+    at = zr_row_next(at, end, -limit, limit, &out[1]);
+    return at && *at == ']' ? at + 1 : NULL;
+}
+
+void zr_rows_read_texcoords(struct zr_json *json, const struct zr_json_path *path, struct zr_growing *array,
+                            size_t first, const char *until)
+{
+    const double limit = (double)ZR_TEXCOORD_MAX;
+    float *row;
+    while (json->at < until && zr_json_item(json) && (row = zr_growing_next(array, json))) {
+        const char *behind = row_texcoord(json->at, json->end, row);
+        double v[2] = {0};
+        size_t count;
+        if (behind)
+            json->at = behind;
+        else if (zr_json_numbers(json, ZR_JSON_ITEM(path, array->count - first), 2, 2, -limit, limit, v, &count))
+            for (int k = 0; k < 2; k++)
+                row[k] = (float)v[k];
+        array->count++;
+    }
+}
+
+static const char *row_tangent(const char *at, const char *end, double limit, zr_vec4 *out)
+{
+    zr_vec3 v;
+    float w;
+    at = zr_row_three(at, end, -limit, limit, &v);
+    if (!at || *at != ',') return NULL;
+    at = zr_row_next(at, end, -limit, limit, &w);
+    *out = (zr_vec4){v.x, v.y, v.z, w};
+    return at && *at == ']' ? at + 1 : NULL;
+}
+
+void zr_rows_read_tangents(struct zr_json *json, const struct zr_json_path *path, struct zr_growing *array,
+                           size_t first, const char *until)
+{
+    const double limit = (double)json->limits->coordinate_max;
+    zr_vec4 *row;
+    while (json->at < until && zr_json_item(json) && (row = zr_growing_next(array, json))) {
+        const char *behind = row_tangent(json->at, json->end, limit, row);
+        if (behind)
+            json->at = behind;
+        else
+            zr_json_vec4(json, ZR_JSON_ITEM(path, array->count - first), NULL, row);
         array->count++;
     }
 }

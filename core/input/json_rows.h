@@ -136,5 +136,7 @@ typedef void zr_rows_read_fn(struct zr_json *json, const struct zr_json_path *pa
                              size_t first, const char *until);
 zr_rows_read_fn zr_rows_read_positions, zr_rows_read_colors; /* zr_vec4 */
 zr_rows_read_fn zr_rows_read_vec3s;                          /* zr_vec3 */
+zr_rows_read_fn zr_rows_read_texcoords;                      /* float[2] */
+zr_rows_read_fn zr_rows_read_tangents;                       /* zr_vec4, of four numbers */
 
 #endif

@@ -6,6 +6,7 @@
 #include "input/defaults.h"
 #include "input/input.h"
 #include "input/json_objects.h"
+#include "input/json_texture.h"
 #include "input/text.h"
 
 /* Rows of numbers are read without counting levels. This deep an item of a list may be: /meshes/0/heights/values/0/0.
@@ -157,6 +158,7 @@ static void build(struct zr_given_scene *root)
     zr_given_use_look(root);
     use_colors(root);
     zr_given_sort_materials(root, ZR_SCENE_PATH(ZR_SCENE_MATERIALS));
+    zr_given_find_textures(root, ZR_SCENE_PATH(ZR_SCENE_MATERIALS));
     const uint32_t listed = make_meshes(root);
     if (zr_json_stops(json)) return;
     zr_given_check_light(root);

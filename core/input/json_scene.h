@@ -16,6 +16,28 @@
 #include "input/json_value.h"
 #include "scene/scene_builder.h"
 
+/* Bytes have a name by one of two keys. */
+struct zr_bytes_name {
+    const char *uri, *asset; /* NULL: not given */
+};
+
+/* How texels become pixels: enum zr_filter and enum zr_wrap. */
+struct zr_given_sampler {
+    int magnify, minify, wrap_s, wrap_t;
+};
+
+/* A texture as a material has it (json_texture.h). */
+struct zr_given_texture {
+    bool is_given;
+    struct zr_bytes_name name;
+    uint32_t texcoord;
+    struct zr_given_sampler sampler;
+    float offset[2], scale[2];
+    double rotation; /* radians */
+    float strength;  /* of normals and of occlusion */
+    uint32_t number; /* 1 + that in the scene, once the root is read; 0: it was refused */
+};
+
 /* A material as the scene has it, under its name. */
 struct zr_given_material {
     const char *name;
@@ -24,6 +46,7 @@ struct zr_given_material {
     zr_vec4 base_color, specular, cool;
     float shininess, metallic, roughness;
     zr_vec3 emissive;
+    struct zr_given_texture textures[ZR_TEXTURE_SLOTS];
     struct zr_face_style face_style;
 };
 
@@ -199,8 +222,7 @@ extern const struct zr_names zr_management_names, zr_tone_names;
 void zr_given_use_look(struct zr_given_scene *root);
 void zr_given_check_light(struct zr_given_scene *root);
 
-/* json_bytes.c: bytes have a name by one of two keys; rows for the table of an object that fills a `type`, whose member
- * `name` is a struct zr_bytes_name. */
+/* json_bytes.c: rows for the table of an object that fills a `type`, whose member `name` is a struct zr_bytes_name. */
 #define ZR_BYTES_URI   "uri"
 #define ZR_BYTES_ASSET "asset"
 #define ZR_BYTES_NAME_FIELDS(type, name)                                                                               \
@@ -212,9 +234,6 @@ void zr_given_check_light(struct zr_given_scene *root);
         .key = ZR_BYTES_ASSET, .read = zr_json_string, .offset = offsetof(type, name.asset),                           \
         .text = "the name of a part of the request, or sha256: and the hash of what was uploaded before"               \
     }
-struct zr_bytes_name {
-    const char *uri, *asset; /* NULL: not given */
-};
 
 /* What a data: URI, {"uri": one}, {"asset": name} or {"asset": "sha256:..."} stands for. In the arena or the
  * request. */

@@ -61,27 +61,57 @@ static inline struct zr_vec3_v zr_environment_diffuse_v(const struct zr_environm
     return (struct zr_vec3_v){zr_vf_max(sum.x, zero), zr_vf_max(sum.y, zero), zr_vf_max(sum.z, zero)};
 }
 
-/* L: radiance around d that roughness alpha gathers. */
-static inline struct zr_vec3_v zr_environment_specular_v(const struct zr_environment_light *light, struct zr_vec3_v d,
-                                                         float alpha)
+/* How a roughness gathers what is around a direction. */
+struct zr_gathering_v {
+    zr_vf square_blur, share; /* share: of what diffuse surfaces gather, 0 .. 1 */
+    bool is_sharp, is_soft;   /* all lanes have 0, have 1 */
+};
+
+static inline struct zr_gathering_v zr_gathering_of(float alpha)
 {
     const float blur = 2.0f * alpha / (1.0f + 2.2f * alpha), diffuse = (alpha - 0.2f) / 0.6f;
-    const zr_vf square_blur = zr_vf_set(ZR_MUTANT(environment_not_blurred, blur * blur, 0.0f)), half = zr_vf_set(0.5f);
+    return (struct zr_gathering_v){zr_vf_set(ZR_MUTANT(environment_not_blurred, blur * blur, 0.0f)), zr_vf_set(diffuse),
+                                   diffuse <= 0.0f, diffuse >= 1.0f};
+}
+
+/* Each lane with its own. */
+static inline struct zr_gathering_v zr_gathering_of_each(zr_vf alpha)
+{
+    const zr_vf zero = zr_vf_set(0.0f), one = zr_vf_set(1.0f);
+    const zr_vf blur = zr_vf_set(2.0f) * alpha / (one + zr_vf_set(2.2f) * alpha);
+    const zr_vf share = (alpha - zr_vf_set(0.2f)) / zr_vf_set(0.6f);
+    return (struct zr_gathering_v){ZR_MUTANT(environment_not_blurred, blur * blur, zero),
+                                   zr_vf_min(zr_vf_max(share, zero), one), false, false};
+}
+
+/* L: radiance around d that a roughness gathers. */
+static inline struct zr_vec3_v zr_environment_gathered_v(const struct zr_environment_light *light, struct zr_vec3_v d,
+                                                         const struct zr_gathering_v *gathering)
+{
+    const zr_vf square_blur = gathering->square_blur, half = zr_vf_set(0.5f);
     const zr_vf up =
         half + half * zr_blurred_sign_v(d.y, zr_vf_set(light->half_width * light->half_width) + square_blur);
     const struct zr_vec3_v sky = zr_spread_v(light->sky), ground = zr_spread_v(light->ground);
     struct zr_vec3_v sharp = {zr_mix_v(ground.x, sky.x, up), zr_mix_v(ground.y, sky.y, up),
                               zr_mix_v(ground.z, sky.z, up)};
-    if (diffuse >= 1.0f) return zr_environment_diffuse_v(light, d);
+    if (gathering->is_soft) return zr_environment_diffuse_v(light, d);
     for (uint32_t i = 0; i < light->box_count; i++)
         sharp = zr_add_scaled_v(sharp, light->boxes[i].color, zr_box_share_v(&light->boxes[i], d, square_blur));
     if (light->lobe_width > 0.0f)
         sharp = zr_add_scaled_v(sharp, light->lobe_color, zr_lobe_share_v(light, d, square_blur));
-    if (diffuse <= 0.0f) return sharp;
+    if (gathering->is_sharp) return sharp;
     const struct zr_vec3_v soft = zr_environment_diffuse_v(light, d);
-    const zr_vf share = zr_vf_set(diffuse);
+    const zr_vf share = gathering->share;
     return (struct zr_vec3_v){zr_mix_v(sharp.x, soft.x, share), zr_mix_v(sharp.y, soft.y, share),
                               zr_mix_v(sharp.z, soft.z, share)};
+}
+
+/* The same by its alpha. */
+static inline struct zr_vec3_v zr_environment_specular_v(const struct zr_environment_light *light, struct zr_vec3_v d,
+                                                         float alpha)
+{
+    const struct zr_gathering_v gathering = zr_gathering_of(alpha);
+    return zr_environment_gathered_v(light, d, &gathering);
 }
 
 #endif

@@ -1,5 +1,6 @@
 #include "look/lighting.h"
 
+#include "base/inlined.h"
 #include "look/srgb_simd.h"
 #include "look/surface_classic_simd.h"
 #include "look/surface_pbr_simd.h"
@@ -52,8 +53,8 @@ static inline struct zr_vec3_v cool_of(struct cache *cache, const struct zr_mate
 }
 
 /* Samples of one material. */
-static inline struct zr_vec3_v shade(const struct zr_look_lighting *lighting, const struct zr_material *material,
-                                     struct cache *cache, const struct zr_shading_v *s)
+ZR_INLINED struct zr_vec3_v shade(const struct zr_look_lighting *lighting, const struct zr_material *material,
+                                  struct cache *cache, const struct zr_shading_v *s)
 {
     switch (material->shading) {
     case ZR_SHADING_FLAT:
@@ -61,7 +62,7 @@ static inline struct zr_vec3_v shade(const struct zr_look_lighting *lighting, co
     case ZR_SHADING_PHONG:
         return exposed(lighting, zr_surface_classic_v(lighting, material, s));
     case ZR_SHADING_PBR:
-        if (cache->columns.roughness != material->roughness)
+        if (!s->textured && cache->columns.roughness != material->roughness)
             zr_split_columns_make(&cache->columns, material->roughness);
         return exposed(lighting, zr_surface_pbr_v(lighting, material, &cache->columns, s));
     case ZR_SHADING_GOOCH:
@@ -79,8 +80,26 @@ static inline struct zr_vec3_v to_eye_of(const struct zr_look_lighting *lighting
     return zr_normalize_v(zr_scale_v(point, zr_vf_set(-1.0f)));
 }
 
+/* Samples of one that has textures: what these make of the surface goes before it. */
+static struct zr_vec3_v shade_textured(const struct zr_look_lighting *lighting, const struct zr_material *material,
+                                       struct cache *cache, const struct zr_gbuffer_textures *textures, size_t at,
+                                       const struct zr_shading_v *plain)
+{
+    const zr_vf one = zr_vf_set(1.0f), strength = zr_vf_set(material->occlusion_strength);
+    const struct zr_textured_v textured = {
+        .roughness = zr_vf_load(textures->roughness + at) * zr_vf_set(material->roughness),
+        .metallic = zr_vf_load(textures->metallic + at) * zr_vf_set(material->metallic),
+        .occlusion = one + strength * (zr_vf_load(textures->occlusion + at) - one),
+        .emissive = three_of(textures->emissive, at)};
+    struct zr_shading_v s = *plain;
+    s.base = zr_mul_v(plain->base, three_of(textures->base, at));
+    s.textured = &textured;
+    return shade(lighting, material, cache, &s);
+}
+
 /* One material after the other, of those that are seen. */
-static inline struct zr_vec3_v shade_all(const struct zr_look_lighting *lighting, struct cache *cache, zr_vi numbers,
+static inline struct zr_vec3_v shade_all(const struct zr_look_lighting *lighting, struct cache *cache,
+                                         const struct zr_gbuffer_textures *textures, size_t at, zr_vi numbers,
                                          zr_vm seen, const struct zr_shading_v *s)
 {
     const zr_vf zero = zr_vf_set(0.0f);
@@ -90,7 +109,11 @@ static inline struct zr_vec3_v shade_all(const struct zr_look_lighting *lighting
     while (left) {
         const uint32_t number = each[zr_lowest_bit(left)];
         const zr_vm of_it = zr_vi_eq(numbers, zr_vi_set((int32_t)number));
-        out = zr_choose_v(zr_vm_and(seen, of_it), shade(lighting, &lighting->materials[number], cache, s), out);
+        const struct zr_material *material = &lighting->materials[number];
+        const struct zr_vec3_v color = textures && zr_material_has_textures(material)
+                                           ? shade_textured(lighting, material, cache, textures, at, s)
+                                           : shade(lighting, material, cache, s);
+        out = zr_choose_v(zr_vm_and(seen, of_it), color, out);
         left &= ~zr_vm_bits(of_it);
     }
     return out;
@@ -106,7 +129,8 @@ static inline struct zr_vec3_v colors_of(const struct zr_look_lighting *lighting
     s.to_eye = to_eye_of(lighting, s.point);
     s.ao = occlusion ? zr_vf_load(occlusion + at) : zr_vf_set(1.0f);
     const zr_vm is_line = zr_vf_eq(zr_dot_v(s.normal, s.normal), zr_vf_set(0.0f));
-    const struct zr_vec3_v color = shade_all(lighting, cache, zr_vi_load(samples->material + at), seen, &s);
+    const struct zr_vec3_v color =
+        shade_all(lighting, cache, samples->textures, at, zr_vi_load(samples->material + at), seen, &s);
     return zr_choose_v(zr_vm_and(seen, is_line), s.base, color);
 }
 

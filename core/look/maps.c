@@ -63,14 +63,18 @@ static enum zr_status draw_map(struct zr_arena *arena, struct zr_team *team, con
     struct zr_frame *frame = zr_arena_zero(arena, 1, sizeof *frame);
     struct zr_scene of_maps;
     if (!pass || !frame || !scene_of_maps(arena, scene, &of_maps)) return ZR_NO_MEMORY;
-    const struct zr_pass_of of = {.scene = &of_maps, .camera = camera, .window = {side, side, 1, 0.0f}};
+    struct zr_pass_of of = {.scene = &of_maps, .camera = camera, .window = {side, side, 1, 0.0f}};
     frame->width = frame->height = side;
     frame->camera = *camera;
     frame->depth = zr_arena_alloc(arena, (size_t)side * side, sizeof *frame->depth);
     frame->reaches = zr_arena_alloc(arena, side, sizeof *frame->reaches);
     if (!zr_arena_ok(arena)) return ZR_NO_MEMORY;
     *depths = frame->depth;
-    const enum zr_status status = zr_pass_make(arena, team, &of, cancel, pass);
+    enum zr_status status = ZR_OK;
+    if (zr_any_is_masked(scene->materials, scene->material_count))
+        status = zr_texture_maps_make(arena, team, scene, false, cancel, &of.wants.textures);
+    if (status != ZR_OK) return status;
+    status = zr_pass_make(arena, team, &of, cancel, pass);
     return status == ZR_OK ? zr_tiles_draw(arena, team, &pass->tiles, cancel, frame) : status;
 }
 

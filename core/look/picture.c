@@ -46,9 +46,10 @@ static struct zr_pass_of pass_at(const struct drawing *d, uint32_t side, bool li
 static enum zr_status draw_bytes(const struct drawing *d)
 {
     const uint32_t side = d->scene->picture.side;
-    const struct zr_pass_of of = pass_at(d, side, false);
+    struct zr_pass_of of = pass_at(d, side, false);
     struct zr_pass pass;
     enum zr_status status = ZR_OK;
+    STAGE(zr_texture_maps_make(d->arena, d->team, d->scene, false, d->cancel, &of.wants.textures));
     STAGE(zr_pass_make(d->arena, d->team, &of, d->cancel, &pass));
     STAGE(zr_supersample_bytes(d->team, &pass, side, d->cancel, d->frame));
     if (status == ZR_OK) d->frame->counts = zr_pass_counts(&pass);
@@ -154,8 +155,9 @@ static enum zr_status make_light(const struct drawing *d, struct zr_linear_frame
 static enum zr_status draw_samples(const struct drawing *d, const struct zr_sample_stages *stages, struct zr_pass *pass)
 {
     const uint32_t side = d->scene->picture.side;
-    const struct zr_pass_of of = pass_at(d, side, true);
+    struct zr_pass_of of = pass_at(d, side, true);
     enum zr_status status = ZR_OK;
+    STAGE(zr_texture_maps_make(d->arena, d->team, d->scene, true, d->cancel, &of.wants.textures));
     STAGE(zr_pass_make(d->arena, d->team, &of, d->cancel, pass));
     if (status == ZR_OK && stages->edges) zr_edges_know_faces(stages->edges, &pass->geometry, &pass->surfaces);
     STAGE(zr_supersample_light(d->team, pass, stages, side, d->cancel, d->frame));

@@ -73,9 +73,22 @@ struct lit_tile {
     float occlusion[TILE_WORDS];
     float color[3][TILE_WORDS];
     uint32_t owner[TILE_WORDS], material[TILE_WORDS];
+    struct zr_gbuffer_textures textures;
+    float texels[ZR_TEXTURE_VALUES][TILE_WORDS]; /* in their order */
 };
 
-static struct zr_gbuffer gbuffer_of(struct lit_tile *lit, const struct zr_tile *tile)
+static void point_at_texels(struct lit_tile *lit)
+{
+    for (int k = 0; k < 3; k++) {
+        lit->textures.base[k] = lit->texels[k];
+        lit->textures.emissive[k] = lit->texels[6 + k];
+    }
+    lit->textures.roughness = lit->texels[3];
+    lit->textures.metallic = lit->texels[4];
+    lit->textures.occlusion = lit->texels[5];
+}
+
+static struct zr_gbuffer gbuffer_of(struct lit_tile *lit, const struct zr_tile *tile, bool textured)
 {
     struct zr_gbuffer out = {.width = tile->width,
                              .height = tile->height,
@@ -86,6 +99,10 @@ static struct zr_gbuffer gbuffer_of(struct lit_tile *lit, const struct zr_tile *
         out.base[k] = lit->floats[k];
         out.normal[k] = lit->floats[3 + k];
         out.point[k] = lit->floats[6 + k];
+    }
+    if (textured) {
+        point_at_texels(lit);
+        out.textures = &lit->textures;
     }
     return out;
 }
@@ -117,7 +134,7 @@ static void blend_light(const struct drawing *d, struct zr_layers *blended, stru
     float *const opacity[4] = {lit->color[0], lit->color[1], lit->color[2], blended->front[3]};
     const float *const front[4] = {color[0], color[1], color[2], blended->front[3]};
     float *const sum[4] = {blended->sum[0], blended->sum[1], blended->sum[2], blended->sum[3]};
-    const struct zr_gbuffer samples = gbuffer_of(lit, layer);
+    const struct zr_gbuffer samples = gbuffer_of(lit, layer, d->pass->surfaces.textures.of != NULL);
     for (uint32_t depth = 0; depth < blended->most && !zr_is_cancelled(d->cancel); depth++) {
         zr_layers_show(blended, depth);
         d->paint->floats(&d->pass->geometry, &d->pass->surfaces, layer, opacity);
@@ -168,7 +185,7 @@ static uint32_t light_tile(const struct drawing *d, uint32_t number, const struc
         if (stages->edges) zr_edges_mark_empty(stages->edges, number);
         return 0;
     }
-    const struct zr_gbuffer samples = gbuffer_of(lit, tile);
+    const struct zr_gbuffer samples = gbuffer_of(lit, tile, d->pass->surfaces.textures.of != NULL);
     d->paint->samples(&d->pass->geometry, &d->pass->surfaces, tile, &samples);
     if (stages->occlusion)
         zr_occlusion_samples_of(d->isa)(stages->occlusion, &samples, d->side, tile->x, tile->y, lit->occlusion);

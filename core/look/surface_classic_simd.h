@@ -4,6 +4,7 @@
 #ifndef ZR_SURFACE_CLASSIC_SIMD_H
 #define ZR_SURFACE_CLASSIC_SIMD_H
 
+#include "base/inlined.h"
 #include "base/pow_simd.h"
 #include "look/surface_simd.h"
 
@@ -35,8 +36,8 @@ static inline void zr_add_direct_v(struct zr_direct_v *sum, struct zr_vec3_v to_
     sum->shine = zr_add_v(sum->shine, zr_mul_v(color, zr_scale_v(zr_highlight_v(material, cosine), lit)));
 }
 
-static inline struct zr_vec3_v zr_surface_classic_v(const struct zr_look_lighting *lighting,
-                                                    const struct zr_material *material, const struct zr_shading_v *s)
+ZR_INLINED struct zr_vec3_v zr_surface_classic_v(const struct zr_look_lighting *lighting,
+                                                 const struct zr_material *material, const struct zr_shading_v *s)
 {
     const zr_vf zero = zr_vf_set(0.0f);
     const struct zr_vec3_v none = {zero, zero, zero};
@@ -59,21 +60,23 @@ static inline struct zr_vec3_v zr_surface_classic_v(const struct zr_look_lightin
         const struct zr_vec3_v color = zr_scale_v(zr_spread_v(lamp->color), arriving.share);
         zr_add_direct_v(&direct, arriving.to_light, color, material, s);
     }
-    const struct zr_vec3_v reaching = zr_mul_v(around, zr_bounced3_v(s->ao, s->base));
+    struct zr_vec3_v reaching = zr_mul_v(around, zr_bounced3_v(s->ao, s->base));
+    if (s->textured) reaching = zr_scale_v(reaching, s->textured->occlusion);
     return zr_add_v(zr_mul_v(s->base, zr_add_v(reaching, direct.light)), direct.shine);
 }
 
 /* From the material's cool colour, on the side that turns away from a lamp above on the left, to the surface's own;
  * creases are darkened. Source: Gooch and others, "A Non-Photorealistic Lighting Model For Automatic Technical
  * Illustration", 1998. */
-static inline struct zr_vec3_v zr_surface_gooch_v(struct zr_vec3_v cool, const struct zr_shading_v *s)
+ZR_INLINED struct zr_vec3_v zr_surface_gooch_v(struct zr_vec3_v cool, const struct zr_shading_v *s)
 {
     const zr_vec3 to_lamp = zr_vec3_normalize((zr_vec3){-0.45f, 0.65f, 0.61f});
     const zr_vf half = zr_vf_set(0.5f);
     const zr_vf facing = zr_clamp01_v(half + half * zr_dot_v(s->normal, zr_spread_v(to_lamp)));
     const zr_vf share = ZR_MUTANT(gooch_linear, facing * zr_vf_sqrt(facing), facing);
     const struct zr_vec3_v color = zr_mix3_v(cool, s->base, share);
-    return zr_scale_v(color, zr_vf_set(0.35f) + zr_vf_set(0.65f) * s->ao);
+    const zr_vf ao = s->textured ? s->ao * s->textured->occlusion : s->ao;
+    return zr_scale_v(color, zr_vf_set(0.35f) + zr_vf_set(0.65f) * ao);
 }
 
 #endif

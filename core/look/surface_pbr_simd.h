@@ -10,6 +10,7 @@
 #ifndef ZR_SURFACE_PBR_SIMD_H
 #define ZR_SURFACE_PBR_SIMD_H
 
+#include "base/inlined.h"
 #include "look/split_sum.h"
 #include "look/surface_simd.h"
 
@@ -53,22 +54,71 @@ static inline void zr_split_at_v(const struct zr_split_columns *columns, zr_vf f
     *b = *b + more_b * share;
 }
 
+/* Each lane at its own roughness. */
+static inline void zr_split_at_each_v(zr_vf roughness, zr_vf facing, zr_vf *a, zr_vf *b)
+{
+    const zr_vf side = zr_vf_set((float)(ZR_SPLIT_SIDE - 1)), half = zr_vf_set(0.5f);
+    const zr_vf row = roughness * side, column = zr_vf_sqrt(facing) * side;
+    const zr_vi none = zr_vi_set(0), last = zr_vi_set(ZR_SPLIT_SIDE - 2), next = zr_vi_set(2 * ZR_SPLIT_SIDE);
+    const zr_vi i = zr_vi_min(zr_vi_max(zr_vi_round(row - half), none), last);
+    const zr_vi j = zr_vi_min(zr_vi_max(zr_vi_round(column - half), none), last);
+    const zr_vf down = row - zr_vf_of(i), right = column - zr_vf_of(j);
+    zr_vf *const out[2] = {a, b};
+    for (int k = 0; k < 2; k++) {
+        const zr_vi at = i * next + zr_vi_set(k * ZR_SPLIT_SIDE) + j;
+        zr_vf corners[2][2];
+        for (int c = 0; c < 4; c++)
+            corners[c / 2][c % 2] =
+                zr_vf_bits(zr_vi_gather(ZR_ALL_LANES, zr_split_sum, at + zr_vi_set(c / 2 * 2 * ZR_SPLIT_SIDE + c % 2)));
+        const zr_vf left_of = zr_mix_v(corners[0][0], corners[1][0], down),
+                    right_of = zr_mix_v(corners[0][1], corners[1][1], down);
+        *out[k] = zr_mix_v(left_of, right_of, right);
+    }
+}
+
+/* A mirror would hardly ever show a lamp, which has no size. */
+#define ZR_LAMP_ALPHA_LEAST 0.06f
+
 /* What a surface does with light. */
 struct zr_pbr_v {
     struct zr_vec3_v diffuse, f0; /* base (1 - metallic); what is reflected at normal incidence */
     zr_vf facing;                 /* N.V, above 0 */
-    float alpha;
+    struct zr_gathering_v gathering;
+    zr_vf lamp_square, lamp_rest; /* alpha^2 of lamps, and 1 less that */
 };
+
+static inline zr_vf zr_pbr_facing_v(const struct zr_shading_v *s)
+{
+    return zr_vf_min(zr_vf_max(zr_dot_v(s->normal, s->to_eye), zr_vf_set(1e-4f)), zr_vf_set(1.0f));
+}
 
 static inline struct zr_pbr_v zr_pbr_make(const struct zr_material *material, const struct zr_shading_v *s)
 {
     const zr_vf metallic = zr_vf_set(material->metallic), plastic = zr_vf_set(0.04f);
     const struct zr_vec3_v dielectric = {plastic, plastic, plastic};
-    return (struct zr_pbr_v){
-        .diffuse = zr_scale_v(s->base, zr_vf_set(1.0f - material->metallic)),
-        .f0 = zr_mix3_v(dielectric, s->base, metallic),
-        .facing = zr_vf_min(zr_vf_max(zr_dot_v(s->normal, s->to_eye), zr_vf_set(1e-4f)), zr_vf_set(1.0f)),
-        .alpha = material->roughness * material->roughness};
+    const float alpha = material->roughness * material->roughness;
+    const float of_lamps = alpha > ZR_LAMP_ALPHA_LEAST ? alpha : ZR_LAMP_ALPHA_LEAST;
+    return (struct zr_pbr_v){.diffuse = zr_scale_v(s->base, zr_vf_set(1.0f - material->metallic)),
+                             .f0 = zr_mix3_v(dielectric, s->base, metallic),
+                             .facing = zr_pbr_facing_v(s),
+                             .gathering = zr_gathering_of(alpha),
+                             .lamp_square = zr_vf_set(of_lamps * of_lamps),
+                             .lamp_rest = zr_vf_set(1.0f - of_lamps * of_lamps)};
+}
+
+/* Each lane with its own values. */
+static inline struct zr_pbr_v zr_pbr_make_each(const struct zr_shading_v *s)
+{
+    const zr_vf one = zr_vf_set(1.0f), plastic = zr_vf_set(0.04f), metallic = s->textured->metallic;
+    const struct zr_vec3_v dielectric = {plastic, plastic, plastic};
+    const zr_vf alpha = s->textured->roughness * s->textured->roughness;
+    const zr_vf of_lamps = zr_vf_max(alpha, zr_vf_set(ZR_LAMP_ALPHA_LEAST));
+    return (struct zr_pbr_v){.diffuse = zr_scale_v(s->base, one - metallic),
+                             .f0 = zr_mix3_v(dielectric, s->base, metallic),
+                             .facing = zr_pbr_facing_v(s),
+                             .gathering = zr_gathering_of_each(alpha),
+                             .lamp_square = of_lamps * of_lamps,
+                             .lamp_rest = one - of_lamps * of_lamps};
 }
 
 /* ---- from all around ---- */
@@ -106,7 +156,8 @@ static inline struct zr_around_v zr_pbr_gather_v(const struct zr_look_lighting *
         const struct zr_vec3_v n = zr_to_environment_v(lighting, s->normal),
                                r = zr_to_environment_v(lighting, mirrored);
         out.diffuse = zr_add_v(out.diffuse, zr_scale_v(zr_environment_diffuse_v(light, n), intensity));
-        out.specular = zr_add_v(out.specular, zr_scale_v(zr_environment_specular_v(light, r, pbr->alpha), intensity));
+        out.specular =
+            zr_add_v(out.specular, zr_scale_v(zr_environment_gathered_v(light, r, &pbr->gathering), intensity));
     }
     for (uint32_t i = 0; i < lighting->lamp_count; i++) {
         const struct zr_lamp *lamp = &lighting->lamps[i];
@@ -117,24 +168,27 @@ static inline struct zr_around_v zr_pbr_gather_v(const struct zr_look_lighting *
     return out;
 }
 
-static inline struct zr_vec3_v zr_pbr_from_around_v(const struct zr_look_lighting *lighting,
-                                                    const struct zr_split_columns *columns, const struct zr_pbr_v *pbr,
-                                                    const struct zr_shading_v *s)
+ZR_INLINED struct zr_vec3_v zr_pbr_from_around_v(const struct zr_look_lighting *lighting,
+                                                 const struct zr_split_columns *columns, const struct zr_pbr_v *pbr,
+                                                 const struct zr_shading_v *s)
 {
     struct zr_around_v around = zr_pbr_gather_v(lighting, pbr, s);
     zr_vf a, b;
     around.diffuse = zr_mul_v(around.diffuse, zr_bounced3_v(s->ao, zr_add_v(pbr->diffuse, pbr->f0)));
     around.specular = zr_scale_v(around.specular, s->ao);
-    zr_split_at_v(columns, pbr->facing, &a, &b);
+    if (s->textured) {
+        around.diffuse = zr_scale_v(around.diffuse, s->textured->occlusion);
+        around.specular = zr_scale_v(around.specular, s->textured->occlusion);
+        zr_split_at_each_v(s->textured->roughness, pbr->facing, &a, &b);
+    } else {
+        zr_split_at_v(columns, pbr->facing, &a, &b);
+    }
     return (struct zr_vec3_v){zr_pbr_around_v(pbr->f0.x, pbr->diffuse.x, a, b, around.diffuse.x, around.specular.x),
                               zr_pbr_around_v(pbr->f0.y, pbr->diffuse.y, a, b, around.diffuse.y, around.specular.y),
                               zr_pbr_around_v(pbr->f0.z, pbr->diffuse.z, a, b, around.diffuse.z, around.specular.z)};
 }
 
 /* ---- from lamps ---- */
-
-/* A mirror would hardly ever show a lamp, which has no size. */
-#define ZR_LAMP_ALPHA_LEAST 0.06f
 
 /* The square of the sine between unit vectors, which 1 - cosine^2 has no digits of where that is small. */
 static inline zr_vf zr_square_sine_v(struct zr_vec3_v a, struct zr_vec3_v b)
@@ -146,10 +200,9 @@ static inline zr_vf zr_square_sine_v(struct zr_vec3_v a, struct zr_vec3_v b)
 /* Less than `spread` is where H is a unit vector; where light comes from straight behind, H is none. */
 #define ZR_GGX_SPREAD_LEAST 1e-6f
 
-/* pi D V: of N.H, and 1 less its square, of N.V and N.L. */
-static inline zr_vf zr_ggx_v(float alpha, zr_vf nh, zr_vf square_sine, zr_vf nv, zr_vf nl)
+/* pi D V: of alpha^2, and 1 less that, of N.H, and 1 less its square, of N.V and N.L. */
+static inline zr_vf zr_ggx_v(zr_vf square, zr_vf rest, zr_vf nh, zr_vf square_sine, zr_vf nv, zr_vf nl)
 {
-    const zr_vf square = zr_vf_set(alpha * alpha), rest = zr_vf_set(1.0f - alpha * alpha);
     const zr_vf spread = zr_vf_max(square_sine + nh * nh * square, zr_vf_set(ZR_GGX_SPREAD_LEAST));
     const zr_vf smith = nl * zr_vf_sqrt(nv * nv * rest + square) + nv * zr_vf_sqrt(nl * nl * rest + square);
     return square / (spread * spread) * zr_vf_set(0.5f) / smith;
@@ -169,9 +222,8 @@ static inline struct zr_vec3_v zr_pbr_from_v(struct zr_vec3_v to_light, zr_vec3 
     const struct zr_vec3_v half = zr_normalize_v(zr_add_v(to_light, s->to_eye));
     const zr_vf nl = zr_vf_max(zr_dot_v(s->normal, to_light), zero);
     const zr_vf nh = zr_clamp01_v(zr_dot_v(s->normal, half)), vh = zr_clamp01_v(zr_dot_v(s->to_eye, half));
-    const float alpha = pbr->alpha > ZR_LAMP_ALPHA_LEAST ? pbr->alpha : ZR_LAMP_ALPHA_LEAST;
-    const zr_vf specular =
-        zr_ggx_v(alpha, nh, zr_square_sine_v(s->normal, half), pbr->facing, zr_vf_max(nl, zr_vf_set(1e-6f)));
+    const zr_vf specular = zr_ggx_v(pbr->lamp_square, pbr->lamp_rest, nh, zr_square_sine_v(s->normal, half),
+                                    pbr->facing, zr_vf_max(nl, zr_vf_set(1e-6f)));
     const zr_vf away = one - vh, square = away * away;
     const zr_vf fresnel = ZR_MUTANT(fresnel_of_4th_power, square * square * away, square * square);
     const struct zr_vec3_v reflected = {zr_pbr_reflected_v(pbr->f0.x, pbr->diffuse.x, fresnel, specular),
@@ -195,12 +247,15 @@ static inline struct zr_vec3_v zr_pbr_from_placed_v(const struct zr_placed_lamp 
 
 /* ---- all ---- */
 
-static inline struct zr_vec3_v zr_surface_pbr_v(const struct zr_look_lighting *lighting,
-                                                const struct zr_material *material,
-                                                const struct zr_split_columns *columns, const struct zr_shading_v *s)
+/* columns: of what is not textured. */
+ZR_INLINED struct zr_vec3_v zr_surface_pbr_v(const struct zr_look_lighting *lighting,
+                                             const struct zr_material *material, const struct zr_split_columns *columns,
+                                             const struct zr_shading_v *s)
 {
-    const struct zr_pbr_v pbr = zr_pbr_make(material, s);
-    struct zr_vec3_v sum = zr_add_v(zr_pbr_from_around_v(lighting, columns, &pbr, s), zr_spread_v(material->emissive));
+    const struct zr_pbr_v pbr = s->textured ? zr_pbr_make_each(s) : zr_pbr_make(material, s);
+    struct zr_vec3_v emissive = zr_spread_v(material->emissive);
+    if (s->textured) emissive = zr_mul_v(emissive, s->textured->emissive);
+    struct zr_vec3_v sum = zr_add_v(zr_pbr_from_around_v(lighting, columns, &pbr, s), emissive);
     for (uint32_t i = 0; i < lighting->lamp_count; i++) {
         const struct zr_lamp *lamp = &lighting->lamps[i];
         if (lamp->lights_pbr && !lamp->is_hemisphere) sum = zr_add_v(sum, zr_pbr_from_lamp_v(lamp, &pbr, s));

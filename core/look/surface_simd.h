@@ -14,6 +14,14 @@ struct zr_shading_v {
     struct zr_vec3_v to_eye; /* unit */
     struct zr_vec3_v point;  /* as in the G-buffer */
     zr_vf ao;                /* ambient occlusion: the share of the light from all around that arrives */
+    /* Of what is textured; else NULL. `base` has its factor already. */
+    const struct zr_textured_v *textured;
+};
+
+struct zr_textured_v {
+    zr_vf roughness, metallic;
+    zr_vf occlusion;           /* another share of that light, which does not depend on what is reflected */
+    struct zr_vec3_v emissive; /* a factor */
 };
 
 static inline struct zr_vec3_v zr_mix3_v(struct zr_vec3_v a, struct zr_vec3_v b, zr_vf share)

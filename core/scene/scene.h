@@ -17,6 +17,7 @@
 #include "scene/channels.h"
 #include "scene/image.h"
 #include "scene/picture.h"
+#include "scene/texture.h"
 
 enum zr_shading {
     ZR_SHADING_UNLIT,   /* colours as given, interpolated where given per vertex */
@@ -59,7 +60,17 @@ struct zr_material {
     bool unfilled;      /* faces are not filled: a wireframe, where there is an outline */
     enum zr_outline outline;
     zr_vec4 outline_color;
+    uint32_t textures[ZR_TEXTURE_SLOTS]; /* 1 + their numbers in the scene; 0: none. Faces alone have textures */
+    float normal_scale;                  /* of ZR_TEXTURE_NORMAL, */
+    float occlusion_strength;            /* of ZR_TEXTURE_OCCLUSION, 0..1 */
 };
+
+static inline bool zr_material_has_textures(const struct zr_material *material)
+{
+    for (int slot = 0; slot < ZR_TEXTURE_SLOTS; slot++)
+        if (material->textures[slot]) return true;
+    return false;
+}
 
 /* Indexed polygons, lines and points. Face f has the corners indices[face_offsets[f]] to
  * indices[face_offsets[f + 1] - 1], counter-clockwise seen from its front; what is
@@ -91,6 +102,9 @@ struct zr_mesh {
     uint32_t normal_count;          /* 0: normals are computed */
     const zr_vec3 *normals;         /* any length; a zero normal is computed instead */
     const uint32_t *normal_indices; /* one a corner; NULL: the corner's position index */
+
+    const zr_vec4 *texcoords; /* position_count, or NULL: u, v of texcoord 0 and of 1, which is 0 where not given */
+    const zr_vec4 *tangents;  /* position_count, or NULL: xyz along u, of any length, and the sign of the bitangent */
 
     const zr_vec4 *colors;      /* position_count, or NULL */
     const zr_vec4 *face_colors; /* face_count, or NULL */
@@ -295,6 +309,8 @@ struct zr_scene {
     const struct zr_base *base; /* NULL: the geometry is all there is */
     uint32_t image_count;
     const struct zr_image *images; /* no two of the same bytes */
+    uint32_t texture_count;
+    const struct zr_texture *textures;
 };
 
 static inline const struct zr_material *zr_material_of_face(const struct zr_scene *scene, const struct zr_mesh *mesh,
@@ -307,6 +323,14 @@ static inline bool zr_any_is_see_through(const struct zr_material *materials, ui
 {
     for (uint32_t i = 0; i < count; i++)
         if (materials[i].alpha_mode != ZR_ALPHA_OPAQUE) return true;
+    return false;
+}
+
+/* What of these is seen, their opacity tells. */
+static inline bool zr_any_is_masked(const struct zr_material *materials, uint32_t count)
+{
+    for (uint32_t i = 0; i < count; i++)
+        if (materials[i].alpha_mode == ZR_ALPHA_MASK) return true;
     return false;
 }
 

@@ -41,7 +41,9 @@ static bool is_same(const struct zr_material *a, const struct zr_material *b)
            a->metallic == b->metallic && a->roughness == b->roughness && zr_vec4_equal(a->base_color, b->base_color) &&
            zr_vec4_equal(a->outline_color, b->outline_color) && is_same_color(a->specular, b->specular) &&
            is_same_color(a->emissive, b->emissive) && is_same_color(a->cool, b->cool) &&
-           a->alpha_mode == b->alpha_mode && a->alpha_cutoff == b->alpha_cutoff;
+           a->alpha_mode == b->alpha_mode && a->alpha_cutoff == b->alpha_cutoff &&
+           a->normal_scale == b->normal_scale && a->occlusion_strength == b->occlusion_strength &&
+           memcmp(a->textures, b->textures, sizeof a->textures) == 0;
 }
 
 /* Equal materials have equal ones; most others, others. Source: FNV-1a, by words. */
@@ -61,6 +63,8 @@ static uint32_t hash(const struct zr_material *m)
     }
     word = (uint32_t)m->alpha_mode << 16 | (uint32_t)m->shading << 8 | (uint32_t)m->outline << 4 | (uint32_t)m->double_sided << 2 |
            (uint32_t)m->unfilled << 1 | (uint32_t)m->uniform_color;
+    for (int slot = 0; slot < ZR_TEXTURE_SLOTS; slot++)
+        word = word * 31u + m->textures[slot];
     return (value ^ word) * 16777619u;
 }
 
@@ -117,6 +121,33 @@ uint32_t zr_scene_builder_image(struct zr_scene_builder *builder, const struct z
     builder->images[scene->image_count] = *image;
     scene->images = builder->images;
     return scene->image_count++;
+}
+
+/* ---- textures ---- */
+
+static bool is_same_texture(const struct zr_texture *a, const struct zr_texture *b)
+{
+    return a->image == b->image && a->texcoord == b->texcoord && a->wrap_s == b->wrap_s && a->wrap_t == b->wrap_t &&
+           a->magnify == b->magnify && a->minify == b->minify && a->is_color == b->is_color &&
+           memcmp(a->rows, b->rows, sizeof a->rows) == 0;
+}
+
+uint32_t zr_scene_builder_texture(struct zr_scene_builder *builder, const struct zr_texture *texture)
+{
+    struct zr_scene *scene = builder->scene;
+    for (uint32_t i = scene->texture_count; i-- > 0;)
+        if (is_same_texture(&builder->textures[i], texture)) return i;
+    if (scene->texture_count == builder->texture_room) {
+        const size_t room = builder->texture_room ? 2 * builder->texture_room : IMAGES_AT_FIRST;
+        struct zr_texture *more =
+            zr_arena_grow(builder->arena, builder->textures, scene->texture_count, room, sizeof *more);
+        if (!more) return 0;
+        builder->textures = more;
+        builder->texture_room = room;
+    }
+    builder->textures[scene->texture_count] = *texture;
+    scene->textures = builder->textures;
+    return scene->texture_count++;
 }
 
 /* ---- what is open ---- */

@@ -29,6 +29,8 @@ struct zr_scene_builder {
     uint32_t *slots; /* 2 * material_room: numbers of materials, by what they are; UINT32_MAX where there is none */
     struct zr_image *images;
     size_t image_room;
+    struct zr_texture *textures;
+    size_t texture_room;
 };
 
 /* Over what *scene already has: the defaults. */
@@ -45,6 +47,9 @@ uint32_t zr_scene_builder_material(struct zr_scene_builder *builder, const struc
 
 /* The number of one more image. 0 where there is no memory. */
 uint32_t zr_scene_builder_image(struct zr_scene_builder *builder, const struct zr_image *image);
+
+/* The number of a texture: the same for all that are equal. 0 where there is no memory. */
+uint32_t zr_scene_builder_texture(struct zr_scene_builder *builder, const struct zr_texture *texture);
 
 /* The scene has all that was made. Meshes may have face_offsets NULL: triangles; and indices NULL: each corner of a
  * face is the next position. Both become arrays here, since the kernels gather through them. */

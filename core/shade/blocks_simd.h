@@ -6,6 +6,7 @@
 #include "base/rgba_simd.h"
 #include "raster/tile_simd.h"
 #include "shade/shader_simd.h"
+#include "shade/texture_simd.h"
 
 /* ---- pixels ---- */
 
@@ -23,14 +24,54 @@ static inline zr_vi zr_words_at(const struct zr_shader *s, uint32_t first, uint3
     return words;
 }
 
+/* A pixel's place in a texture. GL's fixed functions divide by the fourth coordinate, too, which is 1 at all corners
+ * and, rounded, not always in between; programs, as phong's, do not. */
+struct zr_texture_place_v {
+    zr_vf s, t;
+};
+
+static inline struct zr_texture_place_v zr_texture_place_of(zr_vf (*planes)[3], bool is_projected, zr_vf x, zr_vf y)
+{
+    const zr_vf one = zr_vf_set(1.0f), oow = zr_shaded_value(planes, 0, x, y), w = one / oow;
+    const zr_vf s = zr_shaded_value(planes, 1 + ZR_VALUES_FOG, x, y) * w,
+                t = zr_shaded_value(planes, 2 + ZR_VALUES_FOG, x, y) * w;
+    if (!is_projected) return (struct zr_texture_place_v){s, t};
+    const zr_vf over_q = one / (oow * w);
+    return (struct zr_texture_place_v){s * over_q, t * over_q};
+}
+
+/* How far the places of pixels are from one to the next, as the reference has it: in each quad of 2x2 from its lowest
+ * row and its left column, for all four alike. */
+static inline zr_vf zr_rho_of_quads_v(const struct zr_texture_map *map, zr_vf (*planes)[3], bool is_projected, zr_vf x,
+                                      zr_vf y)
+{
+    const zr_vf half = zr_vf_set(0.5f), two = zr_vf_set(2.0f), one = zr_vf_set(1.0f);
+    const zr_vf left = zr_floor_v(x * half) * two, low = zr_floor_v(y * half) * two;
+    const struct zr_texture_place_v at = zr_texture_place_of(planes, is_projected, left, low),
+                                    right = zr_texture_place_of(planes, is_projected, left + one, low),
+                                    above = zr_texture_place_of(planes, is_projected, left, low + one);
+    return zr_rho_squared_v(map, right.s - at.s, right.t - at.t, above.s - at.s, above.t - at.t);
+}
+
+static inline struct zr_vec3_v zr_textured_v(const struct zr_texture_map *map, const struct zr_material *material,
+                                             struct zr_vec3_v color, zr_vf (*planes)[3], zr_vf x, zr_vf y)
+{
+    const bool is_projected = material->shading != ZR_SHADING_PHONG;
+    const struct zr_texture_place_v at = zr_texture_place_of(planes, is_projected, x, y);
+    zr_vf rho = zr_vf_set(0.0f);
+    if (zr_texture_needs_rho(map)) rho = zr_rho_of_quads_v(map, planes, is_projected, x, y);
+    return zr_mul_v(color, zr_texture_color_v(map, at.s, at.t, rho, true));
+}
+
 /* Pixels of parts that are shaded late take their model's colour; the others stay. */
 static inline zr_vi zr_shade_late(const struct zr_shader *s, uint32_t first, uint32_t count, zr_vi owner,
                                   zr_vf (*planes)[3], zr_vf x, zr_vf y, int plane_count, zr_vi words)
 {
-    const bool in_fog = plane_count > 1 + ZR_VALUES_LATE;
+    const bool has_constants = plane_count > 1 + ZR_VALUES_LATE, has_textures = plane_count > 1 + ZR_VALUES_FOG;
+    const bool in_fog = has_textures ? s->surfaces->fog.is_on : has_constants;
     const zr_vf one = zr_vf_set(1.0f), w = one / zr_shaded_value(planes, 0, x, y);
     zr_vf color_w = w;
-    for (uint32_t i = first; in_fog && i < first + count; i++)
+    for (uint32_t i = first; has_constants && i < first + count; i++)
         if (s->is_constant[i])
             color_w = zr_vf_select(zr_vi_eq(owner, zr_vi_set((int32_t)s->parts.owners[i])), one, color_w);
     const struct zr_model_inputs in = {zr_shaded_three(planes, 1, color_w, x, y), zr_shaded_three(planes, 4, w, x, y),
@@ -43,7 +84,11 @@ static inline zr_vi zr_shade_late(const struct zr_shader *s, uint32_t first, uin
         for (uint32_t other = i; other < first + count; other++)
             if (s->materials[other] == material)
                 of_it = zr_vm_or(of_it, zr_vi_eq(owner, zr_vi_set((int32_t)s->parts.owners[other])));
-        struct zr_vec3_v color = zr_model_color(&s->model, material, &in);
+        struct zr_model_inputs of_material = in;
+        const struct zr_texture_map *map =
+            has_textures ? zr_texture_map_of(&s->surfaces->textures, material, ZR_TEXTURE_BASE_COLOR) : NULL;
+        if (map) of_material.color = zr_textured_v(map, material, in.color, planes, x, y);
+        struct zr_vec3_v color = zr_model_color(&s->model, material, &of_material);
         if (in_fog) color = zr_fogged_v(&s->model, color, zr_shaded_value(planes, 1 + ZR_VALUES_LATE, x, y) * w);
         words = zr_vi_select(of_it, zr_rgba_opaque_v(color.x, color.y, color.z), words);
         done = material;

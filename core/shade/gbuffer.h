@@ -13,6 +13,15 @@
 /* So far that its distance squared is still a float. */
 #define ZR_FAR_POINT 1e18f
 
+/* What textures make of surfaces, at the same places; where the material has none of a kind: 1. */
+struct zr_gbuffer_textures {
+    float *base[3];              /* factors of the surface's own colour, in linear light */
+    float *roughness, *metallic; /* factors */
+    float *occlusion;            /* the share of the light from all around that arrives */
+    float *emissive[3];          /* factors, linear */
+};
+enum { ZR_TEXTURE_VALUES = 9 }; /* of a sample, in this order */
+
 struct zr_gbuffer {
     int32_t width, height;
     ptrdiff_t stride;
@@ -22,6 +31,8 @@ struct zr_gbuffer {
     float *normal[3];   /* unit, of the side that is seen */
     float *point[3];    /* the point that is seen, counted from the eye (zr_camera_eye); of parallel rays, from the
                            origin of eye space */
+    const struct zr_gbuffer_textures *textures; /* NULL: of no interest. Else of samples whose materials have textures;
+                                                   `normal` is then that of normal maps, too */
 };
 
 #endif

@@ -18,8 +18,8 @@
 #include "shade/surfaces.h"
 
 /* Values that vary over a surface: a colour; of what is shaded late, a normal and the way from the eye to it; in fog,
- * its depth, too. */
-enum { ZR_VALUES_FEW = 3, ZR_VALUES_LATE = 9, ZR_VALUES_MOST = 10 };
+ * its depth, too; and where there are textures, a place in one. */
+enum { ZR_VALUES_FEW = 3, ZR_VALUES_LATE = 9, ZR_VALUES_FOG = 10, ZR_VALUES_MOST = 12 };
 
 /* Of colours as floats: of 1/w, all of these, and of the opacity. */
 enum { ZR_OPACITY_PLANE = 1 + ZR_VALUES_MOST, ZR_FLOAT_PLANES };

@@ -28,7 +28,8 @@ struct zr_shader {
     struct zr_run runs[ZR_PARTS_MOST];
     bool any_planes;
     bool has_planes[ZR_PARTS_ROOM];
-    bool is_constant[ZR_PARTS_ROOM]; /* in fog: the colour's planes are the same all over, and not over w */
+    bool is_constant[ZR_PARTS_ROOM]; /* in fog and with textures: the colour's planes are the same all over, and not
+                                        over w */
     uint32_t words[ZR_PARTS_ROOM];
     const struct zr_material
         *materials[ZR_PARTS_ROOM]; /* of those that are shaded late, else NULL; not set where no surface is */

@@ -30,6 +30,9 @@ struct making {
     struct zr_colors mesh_colors;
     const zr_vec4 *line_colors;
     const zr_vec4 *normals[ZR_RATE_CORNER + 1];
+    const zr_vec4 *texcoords; /* as zr_texture texcoords_of has them */
+    const struct zr_texture *texcoords_of;
+    const zr_vec4 *tangents; /* in eye space; NULL: not made */
 };
 
 /* ---- what clipping made ---- */
@@ -69,6 +72,7 @@ static void begin_instance(struct making *m, uint32_t number)
     m->made = end - m->instance->first_vertex - m->mesh->position_count;
     m->has_colors = false;
     m->line_colors = NULL;
+    m->texcoords = m->tangents = NULL;
     memset(m->normals, 0, sizeof m->normals);
 }
 
@@ -120,7 +124,7 @@ static bool find_mesh_colors(struct making *m)
     m->has_colors = true;
     if (ZR_FAST(given_colors, zr_colors_are_given(m->scene, m->mesh, &m->mesh_colors))) return copy_given(m);
     return ZR_FAST(packed_colors,
-                   !m->out->fog.is_on && !m->wants->samples && !m->any_see_through &&
+                   !m->out->fog.is_on && !m->wants->samples && !m->any_see_through && !m->out->any_textured &&
                        zr_colors_can_be_packed(m->scene, m->mesh))
                ? make_packed(m)
                : make_floats(m);
@@ -232,6 +236,71 @@ static bool make_points(struct making *m)
     return true;
 }
 
+/* ---- textures ---- */
+
+static bool is_textured(const struct making *m, const struct zr_draw *draw)
+{
+    return m->colors && m->out->textures.of && !zr_draw_is_of_wires(draw) && draw->mesh->texcoords &&
+           (m->wants->samples ? zr_material_has_textures(draw->material)
+                              : draw->material->textures[ZR_TEXTURE_BASE_COLOR] > 0);
+}
+
+/* In the image of `texture`; NULL: those of the mesh. */
+static void put_texcoords(const struct zr_mesh *mesh, const struct zr_texture *texture, zr_vec4 *out)
+{
+    for (uint32_t i = 0; i < mesh->position_count; i++) {
+        const zr_vec4 given = mesh->texcoords[i];
+        float in_image[2];
+        out[i] = given;
+        if (!texture) continue;
+        zr_texture_transform(texture, texture->texcoord == 0 ? given.x : given.z,
+                             texture->texcoord == 0 ? given.y : given.w, in_image);
+        out[i] = (zr_vec4){in_image[0], in_image[1], 0.0f, 0.0f};
+    }
+}
+
+static bool find_texcoords(struct making *m, const struct zr_draw *draw, struct zr_attribute *out)
+{
+    const uint32_t own = m->mesh->position_count, base = draw->material->textures[ZR_TEXTURE_BASE_COLOR];
+    const struct zr_texture *texture = m->wants->samples ? NULL : &m->scene->textures[base - 1];
+    if (!m->texcoords || m->texcoords_of != texture) {
+        zr_vec4 *made = zr_arena_alloc(m->arena, count_with_made(m, ZR_RATE_VERTEX, own), sizeof *made);
+        if (!made) return false;
+        put_texcoords(m->mesh, texture, made);
+        extend(m, ZR_RATE_VERTEX, own, made);
+        m->texcoords = made;
+        m->texcoords_of = texture;
+    }
+    *out = (struct zr_attribute){ZR_RATE_VERTEX, m->texcoords};
+    return true;
+}
+
+/* In eye space; the sign of a mirrored bitangent is the other one. */
+static void put_tangents(const struct zr_mesh *mesh, const zr_mat4 *to_eye, zr_vec4 *out)
+{
+    const float turn = zr_mat4_is_mirror(to_eye) ? -1.0f : 1.0f;
+    for (uint32_t i = 0; i < mesh->position_count; i++) {
+        const zr_vec4 given = mesh->tangents[i];
+        const zr_vec4 t = zr_mat4_apply(to_eye, (zr_vec4){given.x, given.y, given.z, 0.0f});
+        out[i] = (zr_vec4){t.x, t.y, t.z, given.w < 0.0f ? -turn : turn};
+    }
+}
+
+static bool find_tangents(struct making *m, struct zr_attribute *out)
+{
+    const uint32_t own = m->mesh->position_count;
+    if (!m->mesh->tangents) return true;
+    if (!m->tangents) {
+        zr_vec4 *made = zr_arena_alloc(m->arena, count_with_made(m, ZR_RATE_VERTEX, own), sizeof *made);
+        if (!made) return false;
+        put_tangents(m->mesh, &m->instance->to_eye, made);
+        extend(m, ZR_RATE_VERTEX, own, made);
+        m->tangents = made;
+    }
+    *out = (struct zr_attribute){ZR_RATE_VERTEX, m->tangents};
+    return true;
+}
+
 /* ---- all ---- */
 
 static bool make_surface(struct making *m, const struct zr_draw *draw, struct zr_surface *surface)
@@ -241,7 +310,12 @@ static bool make_surface(struct making *m, const struct zr_draw *draw, struct zr
     if (m->colors && !color(m, draw, surface)) return false;
     const bool of_wires = zr_draw_is_of_wires(draw);
     const bool by_normals = m->colors && !of_wires && zr_material_is_shaded_late(draw->material);
-    surface->is_late = by_normals || (m->colors && m->out->fog.is_on);
+    const bool textured = is_textured(m, draw);
+    surface->is_late = by_normals || textured || (m->colors && m->out->fog.is_on);
+    if (textured && !find_texcoords(m, draw, &surface->attributes[ZR_ATTRIBUTE_TEXCOORD])) return false;
+    if (textured && m->wants->samples && draw->material->textures[ZR_TEXTURE_NORMAL] &&
+        !find_tangents(m, &surface->attributes[ZR_ATTRIBUTE_TANGENT]))
+        return false;
     if (surface->is_late || m->wants->samples)
         surface->attributes[ZR_ATTRIBUTE_POINT] = (struct zr_attribute){ZR_RATE_VERTEX, m->points + draw->first_vertex};
     return of_wires || !(by_normals || m->wants->normals || m->wants->samples) ||
@@ -251,10 +325,13 @@ static bool make_surface(struct making *m, const struct zr_draw *draw, struct zr
 static void look_at_scene(struct making *m)
 {
     if (m->wants->colors) m->out->fog = m->scene->fog;
+    if (m->colors) m->out->textures = m->wants->textures;
+    m->out->texcoords_as_given = m->wants->samples;
     m->out->any_late = m->out->fog.is_on;
     for (uint32_t i = 0; m->wants->colors && i < m->scene->material_count; i++) {
         const struct zr_material *material = &m->scene->materials[i];
-        m->out->any_late |= zr_material_is_shaded_late(material);
+        m->out->any_textured |= m->out->textures.of && material->textures[ZR_TEXTURE_BASE_COLOR] > 0;
+        m->out->any_late |= zr_material_is_shaded_late(material) || m->out->any_textured;
         m->backs |= material->double_sided && zr_material_is_lit_before(material);
     }
 }

@@ -10,6 +10,7 @@
 #include "geometry/geometry.h"
 #include "shade/attribute.h"
 #include "shade/light.h"
+#include "shade/texture_maps.h"
 
 enum {
     ZR_ATTRIBUTE_COLOR,
@@ -17,6 +18,9 @@ enum {
     ZR_ATTRIBUTE_NORMAL,     /* of fronts, in eye space (eye_normals.h) */
     ZR_ATTRIBUTE_POINT,      /* xyz: the way from the eye, times w: that is linear over a face, as the quotient is not;
                                 w: how deep the vertex lies along the view axis, for fog */
+    ZR_ATTRIBUTE_TEXCOORD,   /* x, y: where the base colour's texture is looked at, transformed; of samples: those that
+                                the mesh has, 0 in x, y and 1 in z, w */
+    ZR_ATTRIBUTE_TANGENT,    /* of samples: of fronts, in eye space, unit, and the sign of the bitangent; or none */
     ZR_ATTRIBUTE_COUNT
 };
 
@@ -29,7 +33,7 @@ struct zr_surface {
     uint32_t color_count;   /* fronts, without those that clipping made */
     uint32_t material;      /* its number in the scene */
     bool sided;             /* backs are drawn, in colours of their own */
-    bool is_late;           /* zr_material_is_shaded_late, or in fog */
+    bool is_late;           /* zr_material_is_shaded_late, or in fog, or textured */
     const uint32_t *backs;  /* those of its zr_payload (zr_paint_prepare), which sorting fills in; NULL: it has none */
 };
 
@@ -43,11 +47,14 @@ struct zr_surface_wants {
     /* Then: of each mesh, one a corner, in object space (crease_normals.h), where it has none of its own; NULL: no mesh
      * has any. */
     const zr_vec4 *const *crease_normals;
+    struct zr_texture_maps textures; /* of colours and samples; none: those are without */
 };
 
 struct zr_surfaces {
     struct zr_surface *of_draw; /* one a draw */
-    bool any_late;
+    bool any_late, any_textured;
+    bool texcoords_as_given; /* else they are places in the image of the base colour */
+    struct zr_texture_maps textures;
     struct zr_fog fog;
     zr_vec4 eye; /* zr_camera_eye */
     struct zr_lighting lighting;

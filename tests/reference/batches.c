@@ -244,6 +244,14 @@ static bool append_fan_by_parity(struct batches_builder *b, const struct batches
     return batches_append(b, batch);
 }
 
+static bool shows_textures(const struct batches_builder *b, const struct batches_source *s)
+{
+    if (!s->mesh->texcoords) return false;
+    if (b->options.purpose == BATCHES_LIGHT) return zr_material_has_textures(s->material);
+    return b->options.purpose == BATCHES_COLORS && s->material->textures[ZR_TEXTURE_BASE_COLOR] > 0 &&
+           s->material->shading != ZR_SHADING_NORMALS;
+}
+
 static struct reference_batch state_of(const struct batches_builder *b, const struct batches_source *s)
 {
     bool owners = b->options.purpose == BATCHES_OWNERS, light = b->options.purpose == BATCHES_LIGHT;
@@ -258,6 +266,7 @@ static struct reference_batch state_of(const struct batches_builder *b, const st
                                     .normal_rows = lit ? s->normal_rows : NULL,
                                     .late = lit && s->material->shading > ZR_SHADING_GOURAUD ? s->material : NULL,
                                     .material = light ? s->material : NULL,
+                                    .textured = shows_textures(b, s) ? s->material : NULL,
                                     .to_eye = b->options.transformed ? b->clip_to_eye : s->modelview,
                                     .eye = zr_camera_eye(b->camera),
                                     .smooth = s->smooth && !owners,
@@ -308,6 +317,7 @@ static bool append_ring(struct batches_builder *b, const struct batches_source *
             append_corner(b, s, slot);
     if (batch.late) batch.light = REFERENCE_UNLIT;
     batch.late = NULL; /* lines are not shaded by normals */
+    batch.textured = NULL;
     if (concave) {
         light_one_side(&batch, back);
         batch.cull = false;
@@ -477,6 +487,12 @@ bool batches_make(struct zr_arena *arena, const struct zr_scene *scene, const st
     }
     arrays->batches = builder.batches;
     if (options->purpose == BATCHES_COLORS) arrays->fog = scene->fog;
+    if (scene->texture_count > 0 && (options->purpose == BATCHES_COLORS || options->purpose == BATCHES_LIGHT)) {
+        arrays->texcoords = builder.texcoords;
+        arrays->tangents = builder.tangents;
+        arrays->textures_of = scene;
+        arrays->decode = options->purpose == BATCHES_LIGHT;
+    }
     arrays->line_width = line_width_of(&scene->picture);
     arrays->projection = options->transformed ? zr_mat4_identity() : camera->projection;
     arrays->background = (zr_vec4){0, 0, 0, options->purpose == BATCHES_LIGHT ? 0 : 1};

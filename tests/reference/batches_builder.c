@@ -11,6 +11,8 @@ bool batches_reserve_corners(struct batches_builder *b, uint64_t more)
     b->normals = zr_arena_grow(b->arena, b->normals, b->corner_count, room, sizeof *b->normals);
     b->unit_normals = zr_arena_grow(b->arena, b->unit_normals, b->corner_count, room, sizeof *b->unit_normals);
     b->light_points = zr_arena_grow(b->arena, b->light_points, b->corner_count, room, sizeof *b->light_points);
+    b->texcoords = zr_arena_grow(b->arena, b->texcoords, b->corner_count, room, sizeof *b->texcoords);
+    b->tangents = zr_arena_grow(b->arena, b->tangents, b->corner_count, room, sizeof *b->tangents);
     b->corner_room = room;
     return zr_arena_ok(b->arena);
 }
@@ -20,7 +22,7 @@ static bool same_state(const struct reference_batch *a, const struct reference_b
     return a->mode == b->mode && a->modelview == b->modelview && a->smooth == b->smooth && a->light == b->light &&
            a->normal_rows == b->normal_rows && a->cull == b->cull && a->mirrored == b->mirrored &&
            a->outline == b->outline && a->depth_offset == b->depth_offset && a->late == b->late &&
-           a->material == b->material;
+           a->material == b->material && a->textured == b->textured;
 }
 
 bool batches_append(struct batches_builder *b, const struct reference_batch *batch)
@@ -63,6 +65,18 @@ static void put_light_point(struct batches_builder *b, const struct batches_sour
         zr_vec3_normalize((zr_vec3){zr_vec3_dot(rows[0], n), zr_vec3_dot(rows[1], n), zr_vec3_dot(rows[2], n)});
 }
 
+/* In the image of the base colour; for BATCHES_LIGHT as the mesh has them. */
+static zr_vec4 texcoord_of(const struct batches_builder *b, const struct batches_source *s, uint32_t vertex)
+{
+    const zr_vec4 none = {0, 0, 0, 0}, given = s->mesh->texcoords ? s->mesh->texcoords[vertex] : none;
+    const uint32_t number = s->material ? s->material->textures[ZR_TEXTURE_BASE_COLOR] : 0;
+    if (b->options.purpose != BATCHES_COLORS || number == 0) return given;
+    const struct zr_texture *texture = &b->scene->textures[number - 1];
+    float place[2];
+    zr_texture_transform(texture, texture->texcoord ? given.z : given.x, texture->texcoord ? given.w : given.y, place);
+    return (zr_vec4){place[0], place[1], 0, 1};
+}
+
 void batches_append_vertex(struct batches_builder *b, const struct batches_source *s, uint32_t vertex, zr_vec4 color,
                            zr_vec3 normal)
 {
@@ -77,4 +91,6 @@ void batches_append_vertex(struct batches_builder *b, const struct batches_sourc
     b->front[at] = with_opacity(b, color);
     b->normals[at] = normal;
     put_light_point(b, s, at, vertex, normal);
+    b->texcoords[at] = texcoord_of(b, s, vertex);
+    b->tangents[at] = s->mesh->tangents ? s->mesh->tangents[vertex] : (zr_vec4){0, 0, 0, 0};
 }

@@ -13,6 +13,7 @@ struct batches_builder {
     struct batches *out;
     zr_vec4 *positions, *front;
     zr_vec3 *normals, *unit_normals, *light_points;
+    zr_vec4 *texcoords, *tangents;
     struct reference_batch *batches;
     uint32_t corner_count, corner_room, batch_room, thin_room;
     uint32_t owner;       /* of the first face of the instance under way */

@@ -5,6 +5,7 @@
 
 #include "look/split_sum.h"
 #include "reference/average.h"
+#include "reference/look_texture.h"
 
 typedef double vec3[3];
 
@@ -207,11 +208,12 @@ static bool draw_samples(const struct look_twin *twin, const struct zr_scene *la
 {
     static struct uniforms u;
     struct batches batches;
+    struct look_corners corners;
     const uint32_t width = large->views[0].width, height = large->views[0].height;
     if (!*twin->program) *twin->program = look_program(error);
     if (!*twin->program) return false;
     if (!batches_make(twin->arena, large, twin->camera, &twin->options, &batches) ||
-        !put_sides(twin->arena, &batches.arrays))
+        !put_sides(twin->arena, &batches.arrays) || !look_corners_make(twin->arena, large, &batches.arrays, &corners))
         return false;
     set_uniforms(twin, &u);
     const struct reference_uniform uniforms[] = {{"viewer", 4, 1, &u.viewer.x},
@@ -230,8 +232,15 @@ static bool draw_samples(const struct look_twin *twin, const struct zr_scene *la
                                                  {"lamp_spot", 4, LOOK_LAMPS_MAX, u.lamp_spot[0]},
                                                  {"lamp_end", 2, LOOK_LAMPS_MAX, u.lamp_end[0]},
                                                  {"split", 2, ZR_SPLIT_SIDE * ZR_SPLIT_SIDE, u.split[0]}};
-    const struct reference_shader shader = {
-        .program = *twin->program, .uniform_count = sizeof uniforms / sizeof *uniforms, .uniforms = uniforms};
+    const struct reference_attribute attributes[] = {{"tangent", 4, &corners.tangents->x},
+                                                     {"along_x", 4, &corners.along_x->x},
+                                                     {"along_y", 4, &corners.along_y->x},
+                                                     {"w_along", 4, &corners.w_along->x}};
+    const struct reference_shader shader = {.program = *twin->program,
+                                            .attribute_count = sizeof attributes / sizeof *attributes,
+                                            .attributes = attributes,
+                                            .uniform_count = sizeof uniforms / sizeof *uniforms,
+                                            .uniforms = uniforms};
     if (!reference_resize(twin->reference, width, height, batches.parity_faces > 0, error) ||
         !reference_draw_floats(twin->reference, &batches.arrays, &shader, samples, error) ||
         !reference_read_gaps(twin->reference, gaps, error))

@@ -76,6 +76,7 @@ struct reference_batch {
     /* Of what is shaded by normals, pixel by pixel; else NULL. It is lit, too, and smooth. */
     const struct zr_material *late;
     const struct zr_material *material; /* of areas drawn by a program that looks at it; else NULL */
+    const struct zr_material *textured; /* of what shows textures, whose these are; else NULL */
     const zr_mat4 *to_eye;              /* positions -> eye space, for points */
     const zr_mat4 *to_world;            /* positions -> world space, for programs that look at it */
     uint32_t instance;                  /* of the scene; from 0 */
@@ -97,6 +98,10 @@ struct reference_arrays {
     const zr_vec3 *unit_normals, *light_points;
     const struct reference_lighting *lighting; /* NULL where no batch is lit */
     const uint32_t *indices;                   /* NULL, or one a corner */
+    const zr_vec4 *texcoords;                  /* one a corner; NULL where no batch is textured */
+    const zr_vec4 *tangents;                   /* likewise, object space; w = 0: there is none */
+    const struct zr_scene *textures_of;        /* of what is textured */
+    bool decode;                               /* textures are in linear light */
     uint32_t batch_count;
     const struct reference_batch *batches; /* drawn in this order */
     zr_mat4 projection;

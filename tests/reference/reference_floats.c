@@ -87,8 +87,8 @@ bool reference_draw_floats(struct reference *reference, const struct reference_a
     glBindFramebuffer(GL_FRAMEBUFFER, reference->float_frame_buffer);
     bool ok = reference_set_line_width(arrays->line_width, error) && set_inputs(shader, error);
     if (ok && !shader->program && arrays->lighting) ok = reference_light_begin(reference, arrays, error);
+    ok = ok && reference_draw_batches(reference, arrays, shader->program, error);
     if (ok) {
-        reference_draw_batches(reference, arrays, shader->program);
         glReadPixels(0, 0, (GLsizei)reference->width, (GLsizei)reference->height, GL_RGBA, GL_FLOAT, rgba);
         reference_flip(reference, rgba, 4 * sizeof *rgba);
         ok = reference_gl_ok(error, "draw into floats");

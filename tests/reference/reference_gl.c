@@ -1,6 +1,8 @@
 /* Drawing in plain GL 2.1 with frame buffer objects, whoever made the context. */
 #include "reference/reference_gl.h"
 
+#include "reference/reference_texture.h"
+
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -35,6 +37,8 @@ bool reference_gl_ok(struct reference_error *error, const char *what)
 
 static void set_environment(const struct reference_options *options)
 {
+    /* Textures are sampled in floats, not in bytes. */
+    setenv("GALLIVM_PERF", "no_aos_sampling", 1);
     /* "avx" would leave fused multiply-add on; SSE4.1 has none. On machines other
      * than x86 Mesa ignores it. */
     if (options->native)
@@ -193,12 +197,18 @@ static void point_at_arrays(const struct reference *reference, const struct refe
     glColorPointer(4, GL_FLOAT, sizeof *arrays->front, kept ? NULL : arrays->front);
     glBindBuffer(GL_ARRAY_BUFFER, 0);
     glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, kept ? reference->buffers[2] : 0);
+    if (arrays->texcoords) {
+        glEnableClientState(GL_TEXTURE_COORD_ARRAY);
+        glTexCoordPointer(4, GL_FLOAT, sizeof *arrays->texcoords, arrays->texcoords);
+    }
     if (!arrays->normals) return;
     glEnableClientState(GL_NORMAL_ARRAY);
     glNormalPointer(GL_FLOAT, sizeof *arrays->normals, arrays->normals);
     if (!arrays->lighting || !arrays->lighting->places) return;
+    glClientActiveTexture(GL_TEXTURE1); /* beside the place in an image */
     glEnableClientState(GL_TEXTURE_COORD_ARRAY);
     glTexCoordPointer(3, GL_FLOAT, sizeof *arrays->light_points, arrays->light_points);
+    glClientActiveTexture(GL_TEXTURE0);
 }
 
 static void draw_corners(const struct reference *reference, const struct reference_arrays *arrays, GLenum mode,
@@ -255,8 +265,16 @@ static void draw_parity(const struct reference *reference, const struct referenc
     glDisable(GL_STENCIL_TEST);
 }
 
+/* Fixed functions multiply by the texture of unit 0, whichever program lights vertices. */
+static void set_textures(const struct reference_batch *batch, const GLuint *textures)
+{
+    if (batch->textured && textures) reference_textures_bind(textures, batch->textured);
+    glTexEnvi(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, GL_MODULATE);
+    enable(GL_TEXTURE_2D, batch->textured && textures);
+}
+
 static void draw_batch(struct reference *reference, const struct reference_arrays *arrays,
-                       const struct reference_batch *batch, GLuint program)
+                       const struct reference_batch *batch, const GLuint *textures, GLuint program)
 {
     static const GLenum modes[] = {[REFERENCE_TRIANGLES] = GL_TRIANGLES,
                                    [REFERENCE_POLYGON] = GL_POLYGON,
@@ -269,9 +287,10 @@ static void draw_batch(struct reference *reference, const struct reference_array
     if (batch->mode == REFERENCE_POINTS) glPointSize(batch->point_size);
     enable(GL_CULL_FACE, batch->cull);
     enable(GL_POLYGON_OFFSET_FILL, batch->depth_offset);
+    set_textures(batch, textures);
     const bool is_fixed = !program && reference_fixed_can(arrays, batch);
     if (program)
-        reference_program_batch(program, batch);
+        reference_program_batch(program, batch, arrays->textures_of);
     else
         reference_light_batch(reference, arrays, batch);
     if (is_fixed) reference_fixed_begin(arrays);
@@ -325,9 +344,13 @@ bool reference_has_point_sizes(const struct reference_arrays *arrays, struct ref
     return true;
 }
 
-void reference_draw_batches(struct reference *reference, const struct reference_arrays *arrays, GLuint program)
+bool reference_draw_batches(struct reference *reference, const struct reference_arrays *arrays, GLuint program,
+                            struct reference_error *error)
 {
     const zr_mat4 *modelview = NULL;
+    GLuint *textures = NULL;
+    if (arrays->textures_of && !(textures = reference_textures_make(arrays->textures_of, arrays->decode, error)))
+        return false;
     glClearColor(arrays->background.x, arrays->background.y, arrays->background.z, arrays->background.w);
     glStencilMask(INSIDE | GAP);
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | (reference->stencil ? GL_STENCIL_BUFFER_BIT : 0u));
@@ -340,20 +363,25 @@ void reference_draw_batches(struct reference *reference, const struct reference_
         const struct reference_batch *batch = &arrays->batches[i];
         if (batch->modelview != modelview) glLoadMatrixf(batch->modelview->m);
         modelview = batch->modelview;
-        draw_batch(reference, arrays, batch, program);
+        draw_batch(reference, arrays, batch, textures, program);
     }
     glDisableClientState(GL_NORMAL_ARRAY);
     glDisableClientState(GL_TEXTURE_COORD_ARRAY);
+    glClientActiveTexture(GL_TEXTURE1);
+    glDisableClientState(GL_TEXTURE_COORD_ARRAY);
+    glClientActiveTexture(GL_TEXTURE0);
+    glDisable(GL_TEXTURE_2D);
     glUseProgram(0);
     glFinish();
+    if (textures) reference_textures_delete(arrays->textures_of, textures);
+    return true;
 }
 
 bool reference_draw(struct reference *reference, const struct reference_arrays *arrays, struct reference_error *error)
 {
     if (arrays->lighting && !reference_light_begin(reference, arrays, error)) return false;
     if (!reference_set_line_width(arrays->line_width, error) || !reference_has_point_sizes(arrays, error)) return false;
-    reference_draw_batches(reference, arrays, 0);
-    return reference_gl_ok(error, "draw");
+    return reference_draw_batches(reference, arrays, 0, error) && reference_gl_ok(error, "draw");
 }
 
 /* ---- reading ---- */

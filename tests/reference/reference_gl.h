@@ -13,7 +13,7 @@ struct reference_lighter {
     GLuint program; /* 0: not made yet */
     GLint ambient, light_count, to_light, light_color, normal_rows, side;
     GLint lamp_at, lamp_axis, lamp_fall;                   /* of lamps that have a place */
-    GLint to_eye, model, specular, shininess, eye, in_fog; /* of what is shaded late */
+    GLint to_eye, model, specular, shininess, eye, in_fog, textured; /* of what is shaded late */
 };
 
 struct reference {
@@ -44,10 +44,11 @@ bool reference_set_line_width(float pixels, struct reference_error *error);
 bool reference_has_point_sizes(const struct reference_arrays *arrays, struct reference_error *error);
 
 /* Clears the frame buffer that is bound, draws into it, and waits. `program` 0: the batches choose theirs. */
-void reference_draw_batches(struct reference *reference, const struct reference_arrays *arrays, GLuint program);
+bool reference_draw_batches(struct reference *reference, const struct reference_arrays *arrays, GLuint program,
+                            struct reference_error *error);
 
 /* Chooses a program of a test's own, and gives it what it gets from each batch. */
-void reference_program_batch(GLuint program, const struct reference_batch *batch);
+void reference_program_batch(GLuint program, const struct reference_batch *batch, const struct zr_scene *textures_of);
 
 /* Turns rows around: GL's row 0 is the bottom. */
 void reference_flip(const struct reference *reference, void *pixels, size_t pixel_bytes);

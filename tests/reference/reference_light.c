@@ -45,7 +45,7 @@ static const char *const source = "uniform vec3 ambient;\n"
                                   "                            sum_of_products(normal_rows[2], object_normal)));\n"
                                   "    precise vec3 front = ambient * gl_Color.rgb, back = front;\n"
                                   "    for (int i = 0; i < light_count; i++) {\n"
-                                  "        precise vec4 lamp = lamp_at_point(i, gl_MultiTexCoord0.xyz);\n"
+                                  "        precise vec4 lamp = lamp_at_point(i, gl_MultiTexCoord1.xyz);\n"
                                   "        precise float facing = sum_of_products(normal, lamp.xyz);\n"
                                   "        precise vec3 diffuse = light_color[i] * gl_Color.rgb;\n"
                                   "        if (facing > 0.0)\n"
@@ -54,6 +54,7 @@ static const char *const source = "uniform vec3 ambient;\n"
                                   "            back += diffuse * (-facing * lamp.w);\n"
                                   "    }\n"
                                   "    gl_Position = ftransform();\n"
+                                  "    gl_TexCoord[0] = gl_MultiTexCoord0;\n"
                                   "    gl_FogFragCoord = abs((gl_ModelViewMatrix * gl_Vertex).z);\n"
                                   "    gl_FrontColor = vec4(side == 2 ? back : front, gl_Color.a);\n"
                                   "    gl_BackColor = vec4(side == 1 ? front : back, gl_Color.a);\n"
@@ -65,8 +66,10 @@ static const char *const late_vertex =
     "uniform vec3 normal_rows[3];\n"
     "uniform vec4 to_eye[4], eye;\n" /* columns */
     "varying float depth, opacity;\n"
+    "varying vec2 place;\n"
     "varying vec3 own_color, normal, point;\n" GLSL_UNIT "void main()\n"
     "{\n"
+    "    place = gl_MultiTexCoord0.xy;\n"
     "    vec3 n = unit(gl_Normal);\n"
     "    normal = unit(vec3(sum_of_products(normal_rows[0], n), sum_of_products(normal_rows[1], n),\n"
     "                       sum_of_products(normal_rows[2], n)));\n"
@@ -84,6 +87,9 @@ static const char *const late_fragment =
     "uniform vec3 ambient, specular;\n"
     "uniform float shininess;\n"
     "uniform int light_count, side, model, in_fog;\n"
+    "uniform bool textured;\n"
+    "uniform sampler2D image;\n"
+    "varying vec2 place;\n"
     "varying float depth, opacity;\n"
     "uniform vec4 eye;\n"
     "uniform vec3 to_light[LIGHTS];\n"
@@ -95,12 +101,13 @@ static const char *const late_fragment =
     "    if (model == 1) {\n"
     "        sum = n * 0.5 + 0.5;\n"
     "    } else {\n"
+    "        precise vec3 base = textured ? own_color * texture2D(image, place).rgb : own_color;\n"
     "        vec3 to_viewer = eye.w == 0.0 ? eye.xyz : unit(-point);\n"
-    "        sum = ambient * own_color;\n"
+    "        sum = ambient * base;\n"
     "        for (int i = 0; i < light_count; i++) {\n"
     "            precise vec4 lamp = lamp_at_point(i, point);\n"
     "            precise float facing = sum_of_products(n, lamp.xyz), share = max(facing, 0.0) * lamp.w;\n"
-    "            precise vec3 diffuse = light_color[i] * own_color, shine = light_color[i] * specular;\n"
+    "            precise vec3 diffuse = light_color[i] * base, shine = light_color[i] * specular;\n"
     "            sum = sum + share * diffuse;\n"
     "            if (facing > 0.0) {\n"
     "                precise vec3 between = lamp.xyz + to_viewer;\n"
@@ -113,7 +120,8 @@ static const char *const late_fragment =
     "    precise float slope = -1.0 / (gl_Fog.end - gl_Fog.start);\n"
     "    precise float own = clamp(depth * slope + gl_Fog.end * -slope, 0.0, 1.0);\n"
     "    precise vec3 fogged = gl_Fog.color.rgb * (1.0 - own) + clamp(sum, 0.0, 1.0) * own;\n"
-    "    gl_FragColor = vec4(in_fog == 1 ? fogged : sum, opacity);\n"
+    "    float through = textured ? texture2D(image, place).a : 1.0;\n"
+    "    gl_FragColor = vec4(in_fog == 1 ? fogged : sum, opacity * through);\n"
     "}\n";
 
 /* Drivers that know no `precise` do without: they are held to what rounding explains. Vertices that only directional
@@ -147,6 +155,7 @@ static bool make_lighter(struct reference_lighter *lighter, const char *vertex, 
     lighter->lamp_at = glGetUniformLocation(program, "lamp_at");
     lighter->lamp_axis = glGetUniformLocation(program, "lamp_axis");
     lighter->lamp_fall = glGetUniformLocation(program, "lamp_fall");
+    lighter->textured = glGetUniformLocation(program, "textured");
     return true;
 }
 _Static_assert(REFERENCE_LIGHTS_MAX == 1024 && REFERENCE_PLACED_MAX == 64, "the programs have these numbers");
@@ -224,6 +233,7 @@ void reference_light_batch(struct reference *reference, const struct reference_a
     glUniform1i(lighter->side, sides[batch->light]);
     if (!batch->late) return;
     glUniform1i(lighter->in_fog, glIsEnabled(GL_FOG));
+    glUniform1i(lighter->textured, batch->textured != NULL);
     glUniform4fv(lighter->to_eye, 4, batch->to_eye->m);
     glUniform1i(lighter->model, batch->late->shading == ZR_SHADING_NORMALS);
     glUniform3fv(lighter->specular, 1, &batch->late->specular.x);

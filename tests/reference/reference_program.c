@@ -46,11 +46,34 @@ static void set_material(GLuint program, const struct zr_material *material)
     glUniform3fv(glGetUniformLocation(program, "cool"), 1, &material->cool.x);
 }
 
+/* Of textures that the material has; units have the numbers of slots. */
+static void set_textures(GLuint program, const struct zr_material *material, const struct zr_scene *scene)
+{
+    static const char *const names[] = {"base_map", "roughness_map", "normal_map", "occlusion_map", "emissive_map"};
+    float has[ZR_TEXTURE_SLOTS] = {0}, second[ZR_TEXTURE_SLOTS] = {0}, rows[2 * ZR_TEXTURE_SLOTS][3] = {{0}};
+    for (int slot = 0; slot < ZR_TEXTURE_SLOTS; slot++) {
+        glUniform1i(glGetUniformLocation(program, names[slot]), slot);
+        if (!material || !material->textures[slot]) continue;
+        const struct zr_texture *texture = &scene->textures[material->textures[slot] - 1];
+        has[slot] = 1.0f;
+        second[slot] = (float)texture->texcoord;
+        for (int k = 0; k < 6; k++)
+            rows[2 * slot + k / 3][k % 3] = texture->rows[k / 3][k % 3];
+    }
+    glUniform1fv(glGetUniformLocation(program, "has"), ZR_TEXTURE_SLOTS, has);
+    glUniform1fv(glGetUniformLocation(program, "second"), ZR_TEXTURE_SLOTS, second);
+    glUniform3fv(glGetUniformLocation(program, "rows"), 2 * ZR_TEXTURE_SLOTS, rows[0]);
+    if (!material) return;
+    glUniform1f(glGetUniformLocation(program, "normal_scale"), material->normal_scale);
+    glUniform1f(glGetUniformLocation(program, "occlusion_strength"), material->occlusion_strength);
+}
+
 /* GL passes over uniforms that the program does not have. */
-void reference_program_batch(GLuint program, const struct reference_batch *batch)
+void reference_program_batch(GLuint program, const struct reference_batch *batch, const struct zr_scene *textures_of)
 {
     glUseProgram(program);
     if (batch->normal_rows) glUniform3fv(glGetUniformLocation(program, "normal_rows"), 3, &batch->normal_rows[0].x);
     if (batch->material) set_material(program, batch->material);
+    set_textures(program, batch->textured, textures_of);
     if (batch->to_world) glUniformMatrix4fv(glGetUniformLocation(program, "to_world"), 1, GL_FALSE, batch->to_world->m);
 }

@@ -111,7 +111,7 @@ static void every_instruction_set_gives_the_same_bytes(void **state)
 static struct zr_gbuffer part_of(const struct zr_gbuffer *g, size_t first, int32_t width, int32_t height,
                                  ptrdiff_t stride)
 {
-    struct zr_gbuffer part = {width, height, stride, g->owner + first, g->material + first, {0}, {0}, {0}};
+    struct zr_gbuffer part = {width, height, stride, g->owner + first, g->material + first, {0}, {0}, {0}, NULL};
     for (int k = 0; k < 3; k++) {
         part.base[k] = g->base[k] + first;
         part.normal[k] = g->normal[k] + first;

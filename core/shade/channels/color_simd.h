@@ -57,15 +57,31 @@ static void zr_make_lines(struct zr_shader *s, const struct zr_run *run, int cou
     for (uint32_t i = run->first; i < run->first + run->count; i++) {
         static const struct zr_material unlit = {.shading = ZR_SHADING_UNLIT};
         struct zr_plane planes[1 + ZR_VALUES_MOST];
-        const bool in_fog = count > 1 + ZR_VALUES_LATE;
+        const bool is_late = count > 1 + ZR_VALUES_LATE;
         const bool flat = zr_line_color(s->geometry, run->surface, s->parts.owners[i] - 1, planes, &s->words[i]);
         s->has_planes[i] = false;
-        if (!flat || in_fog) zr_put_alone(s, i, planes, 1 + ZR_VALUES_MOST, count);
-        if (!in_fog) continue;
+        if (!flat || is_late) zr_put_alone(s, i, planes, 1 + ZR_VALUES_MOST, count);
+        if (!is_late) continue;
         s->is_constant[i] = flat;
         s->materials[i] = &unlit;
         s->any_late = true;
     }
+}
+
+/* Where they lie in a texture; 0 where they have none. */
+static inline void zr_put_texcoords(struct zr_shader *s, const struct zr_run *run, const struct zr_way_v *way,
+                                    const int32_t (*vertices)[ZR_LANES], int count)
+{
+    const zr_vec4 *texcoords = run->surface->attributes[ZR_ATTRIBUTE_TEXCOORD].values;
+    const struct zr_plane_v none = {zr_vf_set(0.0f), zr_vf_set(0.0f), zr_vf_set(0.0f)};
+    struct zr_planes3_v planes = {none, none, none};
+    if (texcoords) {
+        struct zr_vec3_v values[3];
+        zr_values_load(texcoords - run->draw->first_vertex, vertices, values);
+        planes = zr_planes3_make(way, values);
+    }
+    zr_put_plane(s, run->first, 1 + ZR_VALUES_FOG, count, &planes.x);
+    zr_put_plane(s, run->first, 2 + ZR_VALUES_FOG, count, &planes.y);
 }
 
 /* Of triangles whose normals and points are wanted beside their colours. */
@@ -93,6 +109,7 @@ static inline void zr_put_late(struct zr_shader *s, const struct zr_run *run, co
             zr_plane1_make(way, zr_vf_load(depths[0]), zr_vf_load(depths[1]), zr_vf_load(depths[2]));
         zr_put_plane(s, run->first, 1 + ZR_VALUES_LATE, count, &depth);
     }
+    if (count > 1 + ZR_VALUES_FOG) zr_put_texcoords(s, run, way, vertices, count);
     for (uint32_t i = run->first; i < run->first + ZR_LANES; i++)
         s->materials[i] = run->draw->material;
     s->any_late = true;
@@ -160,8 +177,10 @@ static inline void zr_shade_colors(struct zr_shader *s, const struct zr_tile *ti
     s->words[0] = to->nothing;
     s->materials[0] = NULL;
     s->has_planes[0] = s->any_planes = s->any_late = false;
-    if (s->surfaces->fog.is_on)
+    if (s->surfaces->any_textured)
         zr_shade_colors_by(s, tile, begin, end, to, 1 + ZR_VALUES_MOST);
+    else if (s->surfaces->fog.is_on)
+        zr_shade_colors_by(s, tile, begin, end, to, 1 + ZR_VALUES_FOG);
     else if (s->surfaces->any_late)
         zr_shade_colors_by(s, tile, begin, end, to, 1 + ZR_VALUES_LATE);
     else

@@ -38,6 +38,31 @@ static inline void zr_put_opacity(struct zr_shader *s, const struct zr_run *run,
     zr_put_plane(s, run->first, ZR_OPACITY_PLANE, ZR_FLOAT_PLANES, &plane);
 }
 
+/* Where they lie in the image of the base colour, of texcoords as the mesh has them. */
+static inline void zr_put_places(struct zr_shader *s, const struct zr_run *run, const struct zr_way_v *way,
+                                 const int32_t (*vertices)[ZR_LANES])
+{
+    const struct zr_texture_map *map = zr_opacity_map_of(&s->surfaces->textures, run->draw->material);
+    const zr_vec4 *texcoords = run->surface->attributes[ZR_ATTRIBUTE_TEXCOORD].values;
+    float places[2][3][ZR_LANES];
+    if (!map || !texcoords) return;
+    texcoords -= run->draw->first_vertex;
+    for (int i = 0; i < ZR_LANES; i++)
+        for (int k = 0; k < 3; k++) {
+            const zr_vec4 given = texcoords[vertices[k][i]];
+            const bool second = map->texture->texcoord;
+            float place[2];
+            zr_texture_transform(map->texture, second ? given.z : given.x, second ? given.w : given.y, place);
+            places[0][k][i] = place[0];
+            places[1][k][i] = place[1];
+        }
+    for (int c = 0; c < 2; c++) {
+        const struct zr_plane_v plane = zr_plane1_make(way, zr_vf_load(places[c][0]), zr_vf_load(places[c][1]),
+                                                       zr_vf_load(places[c][2]));
+        zr_put_plane(s, run->first, 1 + ZR_VALUES_FOG + c, ZR_FLOAT_PLANES, &plane);
+    }
+}
+
 static inline void zr_make_floats(struct zr_shader *s, const struct zr_run *run)
 {
     if (zr_draw_is_of_wires(run->draw)) {
@@ -63,7 +88,9 @@ static inline void zr_make_floats(struct zr_shader *s, const struct zr_run *run)
     memset(s->is_constant + run->first, flat, ZR_LANES);
     for (uint32_t i = run->first; i < run->first + ZR_LANES; i++)
         s->materials[i] = NULL;
-    if (surface->is_late) zr_put_late(s, run, &way, corners.vertex, ZR_FLOAT_PLANES);
+    if (!surface->is_late) return;
+    zr_put_late(s, run, &way, corners.vertex, ZR_FLOAT_PLANES);
+    if (s->surfaces->texcoords_as_given) zr_put_places(s, run, &way, corners.vertex);
 }
 
 /* ---- samples ---- */
@@ -73,13 +100,15 @@ struct zr_rgba_v {
 };
 
 /* Samples of parts that are shaded late take their model's colour; the others keep their own. */
-static inline struct zr_vec3_v zr_late_floats(const struct zr_shader *s, uint32_t first, uint32_t count, zr_vi owner,
-                                              zr_vf (*planes)[3], zr_vf w, zr_vf x, zr_vf y, struct zr_vec3_v color)
+static inline void zr_late_floats(const struct zr_shader *s, uint32_t first, uint32_t count, zr_vi owner,
+                                  zr_vf (*planes)[3], zr_vf w, zr_vf x, zr_vf y, struct zr_vec3_v *color,
+                                  zr_vf *opacity)
 {
-    const bool in_fog = s->surfaces->fog.is_on;
-    const struct zr_model_inputs in = {color, zr_shaded_three(planes, 4, w, x, y), zr_shaded_three(planes, 7, w, x, y)};
+    const struct zr_texture_maps *textures = &s->surfaces->textures;
+    const zr_vf one = zr_vf_set(1.0f);
+    const struct zr_model_inputs in = {*color, zr_shaded_three(planes, 4, w, x, y),
+                                       zr_shaded_three(planes, 7, w, x, y)};
     const struct zr_material *done = NULL;
-    struct zr_vec3_v out = color;
     for (uint32_t i = first; i < first + count; i++) {
         const struct zr_material *material = s->materials[i];
         if (!material || material == done) continue;
@@ -87,12 +116,21 @@ static inline struct zr_vec3_v zr_late_floats(const struct zr_shader *s, uint32_
         for (uint32_t other = i; other < first + count; other++)
             if (s->materials[other] == material)
                 of_it = zr_vm_or(of_it, zr_vi_eq(owner, zr_vi_set((int32_t)s->parts.owners[other])));
-        struct zr_vec3_v late = zr_model_color(&s->model, material, &in);
-        if (in_fog) late = zr_fogged_v(&s->model, late, zr_shaded_value(planes, 1 + ZR_VALUES_LATE, x, y) * w);
-        out = zr_choose_v(of_it, late, out);
+        struct zr_model_inputs of_material = in;
+        const struct zr_texture_map *map = zr_texture_map_of(textures, material, ZR_TEXTURE_BASE_COLOR),
+                                    *alpha = zr_opacity_map_of(textures, material);
+        if (map && !s->surfaces->texcoords_as_given)
+            of_material.color = zr_textured_v(map, material, in.color, planes, x, y);
+        if (alpha)
+            *opacity = zr_vf_select(
+                of_it, *opacity * zr_textured_v(alpha, material, (struct zr_vec3_v){one, one, one}, planes, x, y).x,
+                *opacity);
+        struct zr_vec3_v late = zr_model_color(&s->model, material, &of_material);
+        if (s->surfaces->fog.is_on)
+            late = zr_fogged_v(&s->model, late, zr_shaded_value(planes, 1 + ZR_VALUES_LATE, x, y) * w);
+        *color = zr_choose_v(of_it, late, *color);
         done = material;
     }
-    return out;
 }
 
 static inline zr_vf zr_within_1(zr_vf v)
@@ -111,9 +149,11 @@ static inline struct zr_rgba_v zr_floats_at(const struct zr_shader *s, uint32_t 
         if (s->is_constant[i])
             color_w = zr_vf_select(zr_vi_eq(owner, zr_vi_set((int32_t)s->parts.owners[i])), one, color_w);
     struct zr_vec3_v color = zr_shaded_three(planes, 1, color_w, x, y);
-    if (s->surfaces->any_late) color = zr_late_floats(s, first, count, owner, planes, w, x, y, color);
-    return (struct zr_rgba_v){{zr_within_1(color.x), zr_within_1(color.y), zr_within_1(color.z),
-                               zr_within_1(zr_shaded_value(planes, ZR_OPACITY_PLANE, x, y) * color_w)}};
+    zr_vf opacity = zr_shaded_value(planes, ZR_OPACITY_PLANE, x, y) * color_w;
+    if (s->surfaces->any_late || s->surfaces->textures.of)
+        zr_late_floats(s, first, count, owner, planes, w, x, y, &color, &opacity);
+    return (struct zr_rgba_v){
+        {zr_within_1(color.x), zr_within_1(color.y), zr_within_1(color.z), zr_within_1(opacity)}};
 }
 
 /* ---- blocks ---- */

@@ -1,0 +1,225 @@
+#include "input/json_texture.h"
+
+#include "base/trig.h"
+#include "input/json_objects.h"
+
+const char *const zr_texture_keys[ZR_TEXTURE_SLOTS] = {"baseColorTexture", "metallicRoughnessTexture", "normalTexture",
+                                                       "occlusionTexture", "emissiveTexture"};
+
+/* ---- samplers ---- */
+
+/* A word, or the number that glTF has for it. */
+struct numbered {
+    struct zr_names names;
+    const uint32_t *numbers;
+};
+
+static const char *const filter_words[] = {
+    "nearest", "linear", "nearestMipmapNearest", "linearMipmapNearest", "nearestMipmapLinear", "linearMipmapLinear"};
+static const uint32_t filter_numbers[] = {9728, 9729, 9984, 9985, 9986, 9987};
+static const char *const wrap_words[] = {"repeat", "mirror", "clamp"};
+static const uint32_t wrap_numbers[] = {10497, 33648, 33071};
+static const struct numbered magnify = {ZR_NAMES(2, filter_words), filter_numbers};
+static const struct numbered minify = {ZR_NAMES(ZR_FILTER_COUNT, filter_words), filter_numbers};
+static const struct numbered wraps = {ZR_NAMES(ZR_WRAP_COUNT, wrap_words), wrap_numbers};
+
+/* int: the index of the word. field->words is the first member of a struct numbered. */
+static bool read_numbered(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field,
+                          void *out)
+{
+    const struct numbered *of = (const struct numbered *)(const void *)field->words;
+    uint32_t number;
+    if (zr_json_type(json) != ZR_JSON_NUMBER) return zr_json_choice(json, path, field, out);
+    if (!zr_json_whole(json, path, field, &number)) return false;
+    for (int i = 0; i < of->names.count; i++)
+        if (of->numbers[i] == number) {
+            *(int *)out = i;
+            return true;
+        }
+    return zr_json_fault(json, path, "%u is none of the numbers that glTF has for %s", number,
+                         zr_names_join(&of->names).text);
+}
+
+#define SAMPLER(member) offsetof(struct zr_given_sampler, member)
+static const struct zr_json_field sampler_fields[] = {
+    {"magFilter", read_numbered, SAMPLER(magnify), .words = &magnify.names, .otherwise = "linear",
+     .text = "where a texel is larger than a pixel"},
+    {"minFilter", read_numbered, SAMPLER(minify), .words = &minify.names, .otherwise = "linearMipmapLinear",
+     .text = "where it is smaller"},
+    {"wrapS", read_numbered, SAMPLER(wrap_s), .words = &wraps.names, .otherwise = "repeat",
+     .text = "what is beyond the image along u"},
+    {"wrapT", read_numbered, SAMPLER(wrap_t), .words = &wraps.names, .otherwise = "repeat",
+     .text = "what is beyond the image along v"}};
+const struct zr_json_object zr_json_object_sampler = ZR_JSON_OBJECT_OF("sampler", sampler_fields);
+
+static bool read_sampler(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field,
+                         void *out)
+{
+    uint64_t keys;
+    (void)field;
+    return zr_json_fields(json, path, &zr_json_object_sampler, out, &keys);
+}
+
+/* ---- textures ---- */
+
+#define OFFSET_MAX (double)ZR_TEXCOORD_MAX
+#define SCALE_MAX  1000.0
+
+/* float[2] */
+static bool read_two(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field,
+                     void *out)
+{
+    double v[2] = {0};
+    size_t count;
+    if (!zr_json_numbers(json, path, 2, 2, field->low, field->high, v, &count)) return false;
+    for (int k = 0; k < 2; k++)
+        ((float *)out)[k] = (float)v[k];
+    return true;
+}
+
+/* uint32_t: 0 or 1 */
+static bool read_texcoord(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field,
+                          void *out)
+{
+    uint32_t number;
+    if (!zr_json_whole(json, path, field, &number)) return false;
+    *(uint32_t *)out = number;
+    return number <= 1 || zr_json_fault(json, path, "%u; a mesh has texcoords, 0, and texcoords1, 1", number);
+}
+
+#define TEXTURE(member) offsetof(struct zr_given_texture, member)
+#define TEXTURE_FIELDS                                                                                                 \
+    ZR_BYTES_NAME_FIELDS(struct zr_given_texture, name),                                                               \
+        {"texcoord", read_texcoord, TEXTURE(texcoord), .otherwise = "0",                                               \
+         .text = "which coordinates of the mesh: 0 or 1"},                                                             \
+        {"sampler", read_sampler, TEXTURE(sampler), .otherwise = "linear, with mipmaps, repeated",                     \
+         .text = "how texels become pixels"},                                                                          \
+        {"offset",                                                                                                     \
+         read_two,                                                                                                     \
+         TEXTURE(offset),                                                                                              \
+         -OFFSET_MAX,                                                                                                  \
+         OFFSET_MAX,                                                                                                   \
+         .otherwise = "[0, 0]",                                                                                        \
+         .text = "added to the coordinates"},                                                                          \
+        {"rotation",                                                                                                   \
+         zr_json_number,                                                                                               \
+         TEXTURE(rotation),                                                                                            \
+         -1e6,                                                                                                         \
+         1e6,                                                                                                          \
+         .unit = "radians",                                                                                            \
+         .otherwise = "0",                                                                                             \
+         .text = "of the coordinates, around [0, 0]; the image turns clockwise"},                                      \
+    {                                                                                                                  \
+        "scale", read_two, TEXTURE(scale), -SCALE_MAX, SCALE_MAX,                                                      \
+            .otherwise = "[1, 1]", .text = "of the coordinates: 2 shows the image twice"                               \
+    }
+static const struct zr_json_field fields[] = {TEXTURE_FIELDS};
+const struct zr_json_object zr_json_object_texture = ZR_JSON_OBJECT_OF("texture", fields);
+
+static const struct zr_json_field normal_fields[] = {TEXTURE_FIELDS,
+                                                     {"normalScale", zr_json_float, TEXTURE(strength), -1000, 1000,
+                                                      .otherwise = "1",
+                                                      .text = "a factor of what the normals lean to"}};
+const struct zr_json_object zr_json_object_normalTexture = ZR_JSON_OBJECT_OF("normalTexture", normal_fields);
+
+static const struct zr_json_field occlusion_fields[] = {
+    TEXTURE_FIELDS,
+    {"strength", zr_json_float, TEXTURE(strength), 0, 1, .otherwise = "1", .text = "how much of it is applied"}};
+const struct zr_json_object zr_json_object_occlusionTexture = ZR_JSON_OBJECT_OF("occlusionTexture", occlusion_fields);
+
+static bool read_by(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_object *object,
+                    struct zr_given_texture *out)
+{
+    uint64_t keys;
+    const size_t faults = json->error->count;
+    *out =
+        (struct zr_given_texture){.scale = {1, 1}, .strength = 1, .sampler = {1, ZR_FILTER_LINEAR_MIPMAP_LINEAR, 0, 0}};
+    out->is_given = zr_json_fields(json, path, object, out, &keys) && json->error->count == faults;
+    return out->is_given;
+}
+
+bool zr_read_texture(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field,
+                     void *out)
+{
+    (void)field;
+    return read_by(json, path, &zr_json_object_texture, out);
+}
+
+bool zr_read_normal_texture(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field,
+                            void *out)
+{
+    (void)field;
+    return read_by(json, path, &zr_json_object_normalTexture, out);
+}
+
+bool zr_read_occlusion_texture(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field,
+                               void *out)
+{
+    (void)field;
+    return read_by(json, path, &zr_json_object_occlusionTexture, out);
+}
+
+/* ---- in the scene ---- */
+
+/* Scaled, turned and moved. */
+static void put_transform(const struct zr_given_texture *given, struct zr_texture *texture)
+{
+    const double to_degrees = 57.295779513082321;
+    double sine, cosine;
+    zr_sine_cosine(given->rotation * to_degrees, &sine, &cosine);
+    const double x = (double)given->scale[0], y = (double)given->scale[1];
+    const double rows[2][3] = {{cosine * x, sine * y, (double)given->offset[0]},
+                               {-sine * x, cosine * y, (double)given->offset[1]}};
+    for (int row = 0; row < 2; row++)
+        for (int k = 0; k < 3; k++)
+            texture->rows[row][k] = (float)rows[row][k];
+}
+
+static bool find_texture(struct zr_given_scene *root, const struct zr_json_path *path, enum zr_texture_slot slot,
+                         struct zr_given_texture *given)
+{
+    struct zr_texture texture = {.texcoord = given->texcoord,
+                                 .wrap_s = (enum zr_wrap)given->sampler.wrap_s,
+                                 .wrap_t = (enum zr_wrap)given->sampler.wrap_t,
+                                 .magnify = (enum zr_filter)given->sampler.magnify,
+                                 .minify = (enum zr_filter)given->sampler.minify,
+                                 .is_color = slot == ZR_TEXTURE_BASE_COLOR || slot == ZR_TEXTURE_EMISSIVE};
+    if (!zr_given_find_image(root, path, &given->name, &texture.image)) return false;
+    if (root->scene->texture_count >= ZR_TEXTURES_MAX)
+        return zr_json_fault(&root->json, path, "more than the %d textures that are allowed", ZR_TEXTURES_MAX);
+    put_transform(given, &texture);
+    given->number = 1 + zr_scene_builder_texture(root->builder, &texture);
+    return true;
+}
+
+void zr_given_find_textures(struct zr_given_scene *root, const struct zr_json_path *path)
+{
+    for (size_t i = 0; i < root->material_count && !zr_json_stops(&root->json); i++) {
+        struct zr_given_material *material = &root->materials[i];
+        for (int slot = 0; slot < ZR_TEXTURE_SLOTS; slot++)
+            if (material->textures[slot].is_given)
+                find_texture(root, ZR_JSON_KEY(ZR_JSON_ITEM(path, material->number), zr_texture_keys[slot]),
+                             (enum zr_texture_slot)slot, &material->textures[slot]);
+    }
+}
+
+bool zr_given_has_textures(const struct zr_given_scene *root, size_t material)
+{
+    for (int slot = 0; material < root->material_count && slot < ZR_TEXTURE_SLOTS; slot++)
+        if (root->materials[material].textures[slot].is_given) return true;
+    return false;
+}
+
+bool zr_given_check_texcoords(struct zr_given_scene *root, const struct zr_json_path *path, size_t material,
+                              bool has_texcoords, bool has_texcoords1)
+{
+    if (material >= root->material_count) return true;
+    const struct zr_given_material *given = &root->materials[material];
+    for (int slot = 0; slot < ZR_TEXTURE_SLOTS; slot++) {
+        const struct zr_given_texture *texture = &given->textures[slot];
+        if (!texture->is_given || (texture->texcoord == 0 ? has_texcoords : has_texcoords1)) continue;
+        return zr_json_fault(&root->json, path, "%s of its material needs %s, which are missing", zr_texture_keys[slot],
+                             texture->texcoord == 0 ? "texcoords" : "texcoords1");
+    }
+    return true;
+}

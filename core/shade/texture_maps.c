@@ -1,0 +1,270 @@
+#include "shade/texture_maps.h"
+
+#include <string.h>
+
+#include "base/srgb.h"
+
+/* Some hundred microseconds' worth of texels. */
+enum { TEXELS_A_RANGE = 1 << 14 };
+
+/* An image in one way: as it is, or what it is in linear light. */
+struct chain {
+    uint32_t level_count;
+    struct zr_texture_level levels[ZR_TEXTURE_LEVELS_MAX];
+};
+
+/* Of colours of so many bits. */
+struct decoding {
+    const float *values;     /* each one's light */
+    const float *thresholds; /* the light that lies between it and the next one, as they are encoded */
+};
+
+struct making {
+    struct zr_arena *arena;
+    struct zr_team *team;
+    const struct zr_scene *scene;
+    const struct zr_cancel *cancel;
+    bool decode;
+    struct decoding decodings[2]; /* of 8 bits, of 16; NULL: not needed so far */
+    struct chain *chains;         /* two an image: not decoded, decoded */
+};
+
+/* ---- tables ---- */
+
+enum { ROOM_BEHIND = 16 };
+
+static bool make_decoding(struct making *m, uint32_t bits, struct decoding *out)
+{
+    const size_t count = (size_t)1 << bits, last = 2 * (count - 1);
+    float *ramp = zr_arena_alloc(m->arena, last + ROOM_BEHIND, sizeof *ramp);
+    float *values = zr_arena_alloc(m->arena, count, sizeof *values);
+    float *thresholds = zr_arena_alloc(m->arena, count, sizeof *thresholds);
+    if (!zr_arena_ok(m->arena)) return false;
+    zr_srgb_ramp_of(zr_team_isa(m->team))(last, ramp);
+    for (size_t i = 0; i < count; i++) {
+        values[i] = ramp[2 * i];
+        thresholds[i] = i + 1 < count ? ramp[2 * i + 1] : 2.0f;
+    }
+    *out = (struct decoding){values, thresholds};
+    return true;
+}
+
+/* NULL where memory is short. */
+static const struct decoding *find_decoding(struct making *m, uint32_t bits)
+{
+    struct decoding *decoding = &m->decodings[bits == 16];
+    return decoding->values || make_decoding(m, bits, decoding) ? decoding : NULL;
+}
+
+/* How many thresholds are not above it. */
+static uint32_t encode(const struct decoding *decoding, uint32_t bits, double light)
+{
+    uint32_t code = 0;
+    for (uint32_t step = 1u << (bits - 1); step > 0; step >>= 1)
+        if ((double)decoding->thresholds[code + step - 1] <= light) code += step;
+    return code;
+}
+
+/* ---- levels ---- */
+
+/* The texels of one axis that texel i of the next level covers, and shares of them. */
+struct span {
+    uint32_t first, count, shares[3], all;
+};
+
+static struct span span_of(uint32_t side, uint32_t i)
+{
+    const uint32_t half = side / 2;
+    if (side == 1) return (struct span){0, 1, {1}, 1};
+    if (side % 2 == 0) return (struct span){2 * i, 2, {1, 1}, 2};
+    return (struct span){2 * i, 3, {half - i, half, i + 1}, side};
+}
+
+struct halving {
+    const struct zr_texture_level *from, *to;
+    void *texels; /* of `to` */
+    uint32_t bits;
+    const struct decoding *decoding; /* or NULL */
+    const struct zr_cancel *cancel;
+};
+
+static uint32_t value_of(const void *texels, uint32_t bits, size_t number)
+{
+    return bits == 8 ? ((const uint8_t *)texels)[number] : ((const uint16_t *)texels)[number];
+}
+
+static uint32_t mean_of(const struct halving *h, const struct span *x, const struct span *y, uint32_t channel)
+{
+    uint64_t sum = 0, all = (uint64_t)x->all * y->all;
+    double light = 0.0;
+    const bool decodes = h->decoding && channel < 3;
+    for (uint32_t j = 0; j < y->count; j++)
+        for (uint32_t i = 0; i < x->count; i++) {
+            const size_t texel = (size_t)(y->first + j) * h->from->width + x->first + i;
+            const uint32_t value = value_of(h->from->texels, h->bits, 4 * texel + channel);
+            const uint64_t share = (uint64_t)x->shares[i] * y->shares[j];
+            if (decodes)
+                light += (double)share * (double)h->decoding->values[value];
+            else
+                sum += share * value;
+        }
+    if (decodes) return encode(h->decoding, h->bits, light / (double)all);
+    return (uint32_t)((2 * sum + all) / (2 * all));
+}
+
+/* Rows of the smaller level. */
+static void halve_rows(void *context, size_t begin, size_t end)
+{
+    const struct halving *h = context;
+    if (zr_is_cancelled(h->cancel)) return;
+    for (size_t row = begin; row < end; row++) {
+        const struct span y = span_of(h->from->height, (uint32_t)row);
+        for (uint32_t column = 0; column < h->to->width; column++) {
+            const struct span x = span_of(h->from->width, column);
+            const size_t at = 4 * (row * h->to->width + column);
+            for (uint32_t channel = 0; channel < 4; channel++) {
+                const uint32_t mean = mean_of(h, &x, &y, channel);
+                if (h->bits == 8)
+                    ((uint8_t *)h->texels)[at + channel] = (uint8_t)mean;
+                else
+                    ((uint16_t *)h->texels)[at + channel] = (uint16_t)mean;
+            }
+        }
+    }
+}
+
+static uint32_t half_of(uint32_t side)
+{
+    return side > 1 ? side / 2 : 1;
+}
+
+static bool make_levels(struct making *m, uint32_t bits, const struct decoding *decoding, struct chain *chain)
+{
+    while (chain->level_count < ZR_TEXTURE_LEVELS_MAX) {
+        const struct zr_texture_level *from = &chain->levels[chain->level_count - 1];
+        struct zr_texture_level *to = &chain->levels[chain->level_count];
+        if (from->width == 1 && from->height == 1) return true;
+        *to = (struct zr_texture_level){.width = half_of(from->width), .height = half_of(from->height)};
+        void *texels = zr_arena_alloc(m->arena, (size_t)to->width * to->height, bits / 2);
+        if (!texels) return false;
+        to->texels = texels;
+        struct halving halving = {from, to, texels, bits, decoding, m->cancel};
+        zr_team_ranges(m->team, to->height, TEXELS_A_RANGE / to->width + 1, halve_rows, &halving);
+        chain->level_count++;
+    }
+    return true;
+}
+
+/* ---- all ---- */
+
+static bool is_see_through(const struct zr_scene *scene, uint32_t texture)
+{
+    for (uint32_t i = 0; i < scene->material_count; i++) {
+        const struct zr_material *material = &scene->materials[i];
+        if (material->alpha_mode != ZR_ALPHA_OPAQUE && material->textures[ZR_TEXTURE_BASE_COLOR] == 1 + texture)
+            return true;
+    }
+    return false;
+}
+
+/* Alpha four times for each texel. */
+static const void *spread_alpha(struct zr_arena *arena, const struct zr_image *image)
+{
+    const size_t texels = (size_t)image->width * image->height;
+    uint8_t *bytes = zr_arena_alloc(arena, texels, image->bits / 2);
+    for (size_t i = 0; bytes && i < 4 * texels; i++) {
+        const uint32_t alpha = value_of(image->texels, image->bits, i / 4 * 4 + 3);
+        if (image->bits == 8)
+            bytes[i] = (uint8_t)alpha;
+        else
+            ((uint16_t *)(void *)bytes)[i] = (uint16_t)alpha;
+    }
+    return bytes;
+}
+
+static bool make_opacity(struct making *m, const struct zr_texture *texture, struct zr_texture_map *map)
+{
+    const struct zr_image *image = &m->scene->images[texture->image];
+    struct chain chain = {.level_count = 1};
+    chain.levels[0] = (struct zr_texture_level){image->width, image->height, spread_alpha(m->arena, image)};
+    if (!chain.levels[0].texels) return false;
+    if (zr_filter_has_levels(texture->minify) && !make_levels(m, image->bits, NULL, &chain)) return false;
+    *map = (struct zr_texture_map){.texture = texture, .bits = image->bits, .level_count = chain.level_count};
+    memcpy(map->levels, chain.levels, sizeof map->levels);
+    return true;
+}
+
+static bool make_map(struct making *m, const struct zr_texture *texture, struct zr_texture_map *map)
+{
+    const struct zr_image *image = &m->scene->images[texture->image];
+    const bool decodes = m->decode && texture->is_color;
+    const struct decoding *decoding = decodes ? find_decoding(m, image->bits) : NULL;
+    struct chain *chain = &m->chains[2 * (size_t)texture->image + decodes];
+    if (decodes && !decoding) return false;
+    if (chain->level_count == 0) {
+        chain->levels[0] = (struct zr_texture_level){image->width, image->height, image->texels};
+        chain->level_count = 1;
+    }
+    const bool wants_levels = zr_filter_has_levels(texture->minify);
+    if (wants_levels && chain->level_count == 1 && !make_levels(m, image->bits, decoding, chain)) return false;
+    *map = (struct zr_texture_map){.texture = texture,
+                                   .bits = image->bits,
+                                   .decoded = decoding ? decoding->values : NULL,
+                                   .level_count = wants_levels ? chain->level_count : 1};
+    for (uint32_t i = 0; i < map->level_count; i++)
+        map->levels[i] = chain->levels[i];
+    return true;
+}
+
+enum zr_status zr_texture_maps_make(struct zr_arena *arena, struct zr_team *team, const struct zr_scene *scene,
+                                    bool decode, const struct zr_cancel *cancel, struct zr_texture_maps *maps)
+{
+    struct making m = {.arena = arena, .team = team, .scene = scene, .cancel = cancel, .decode = decode};
+    *maps = (struct zr_texture_maps){NULL, NULL};
+    if (scene->texture_count == 0) return ZR_OK;
+    struct zr_texture_map *of = zr_arena_zero(arena, scene->texture_count, sizeof *of);
+    struct zr_texture_map *opacity = zr_arena_zero(arena, scene->texture_count, sizeof *opacity);
+    m.chains = zr_arena_zero(arena, 2 * (size_t)scene->image_count, sizeof *m.chains);
+    if (!zr_arena_ok(arena)) return ZR_NO_MEMORY;
+    for (uint32_t i = 0; i < scene->texture_count; i++) {
+        if (!make_map(&m, &scene->textures[i], &of[i])) return ZR_NO_MEMORY;
+        if (is_see_through(scene, i) && !make_opacity(&m, &scene->textures[i], &opacity[i])) return ZR_NO_MEMORY;
+        if (zr_is_cancelled(cancel)) return ZR_CANCELLED;
+    }
+    *maps = (struct zr_texture_maps){of, opacity};
+    return ZR_OK;
+}
+
+struct zr_texture_maps_size zr_texture_maps_measure(const struct zr_scene *scene, bool decode)
+{
+    struct zr_texture_maps_size sum = {0.0, 0.0};
+    bool has_tables[2] = {false, false};
+    for (uint32_t i = 0; i < scene->texture_count; i++) {
+        const struct zr_texture *texture = &scene->textures[i];
+        const struct zr_image *image = &scene->images[texture->image];
+        sum.bytes += 2.0 * (double)sizeof(struct zr_texture_map);
+        if (is_see_through(scene, i)) {
+            const double spread = (double)image->width * (double)image->height * 4.0 / 3.0;
+            sum.texels += spread;
+            sum.bytes += spread * (double)image->bits / 2.0;
+        }
+        if (decode && texture->is_color && !has_tables[image->bits == 16]) {
+            has_tables[image->bits == 16] = true;
+            sum.bytes += 4.0 * sizeof(float) * (double)((size_t)1 << image->bits);
+        }
+        if (!zr_filter_has_levels(texture->minify)) continue;
+        bool is_made = false; /* for one before */
+        for (uint32_t k = 0; k < i && !is_made; k++) {
+            const struct zr_texture *other = &scene->textures[k];
+            is_made = other->image == texture->image && zr_filter_has_levels(other->minify) &&
+                      (!decode || other->is_color == texture->is_color);
+        }
+        /* No level has more than half of the one before, and most a quarter. */
+        const double texels = (double)image->width * (double)image->height;
+        const double made = image->width == 1 || image->height == 1 ? texels : texels / 3.0;
+        if (is_made) continue;
+        sum.texels += made;
+        sum.bytes += made * (double)image->bits / 2.0;
+    }
+    return sum;
+}

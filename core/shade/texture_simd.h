@@ -1,0 +1,226 @@
+/* texture_simd.h - shade: what textures show at ZR_LANES points, for kernels.
+ *
+ * Exact:  of images of 8 bits to the last bit what Mesa's llvmpipe has where it samples in floats
+ *         (tests/reference/RULES.md, rule 28): coordinates times the size of the level, then wrapped; a + t (b - a),
+ *         along u first.
+ */
+#ifndef ZR_TEXTURE_SIMD_H
+#define ZR_TEXTURE_SIMD_H
+
+#include "base/inlined.h"
+#include "base/mutant.h"
+#include "base/pow_simd.h"
+#include "base/round_simd.h"
+#include "shade/texture_maps.h"
+#include "shade/vec3_simd.h"
+
+/* ---- one axis ---- */
+
+/* Two texels side by side, and how far the place is from the middle of the first one to that of the other. */
+struct zr_taps_v {
+    zr_vi low, high;
+    zr_vf share;
+};
+
+/* A whole float as a texel's number, which is one whatever it is. */
+static inline zr_vi zr_texel_number_v(zr_vf whole, float last)
+{
+    return zr_vi_round(zr_vf_min(zr_vf_max(whole, zr_vf_set(0.0f)), zr_vf_set(last)));
+}
+
+static inline bool zr_is_power_of_2(uint32_t size)
+{
+    return (size & (size - 1)) == 0;
+}
+
+/* A whole float modulo a power of 2. */
+static inline zr_vf zr_modulo_v(zr_vf whole, float size)
+{
+    return whole - zr_floor_v(whole * zr_vf_set(1.0f / size)) * zr_vf_set(size);
+}
+
+/* Every other unit turned around: 0 .. 1. */
+static inline zr_vf zr_mirrored_v(zr_vf s)
+{
+    const zr_vf half = s * zr_vf_set(0.5f), rest = half - zr_nearest_v(half);
+    return zr_vf_abs(rest + rest);
+}
+
+static inline zr_vf zr_fraction_v(zr_vf s)
+{
+    return s - zr_floor_v(s);
+}
+
+static inline zr_vi zr_nearest_texel_v(enum zr_wrap wrap, uint32_t size, zr_vf s)
+{
+    const zr_vf length = zr_vf_set((float)size), below_1 = zr_vf_set(0.99999994f);
+    const float last = (float)(size - 1);
+    if (wrap == ZR_WRAP_CLAMP) return zr_texel_number_v(zr_floor_v(s * length), last);
+    if (wrap == ZR_WRAP_MIRROR) return zr_texel_number_v(zr_floor_v(zr_mirrored_v(s) * length), last);
+    if (zr_is_power_of_2(size)) return zr_texel_number_v(zr_modulo_v(zr_floor_v(s * length), (float)size), last);
+    return zr_texel_number_v(zr_floor_v(zr_vf_min(zr_fraction_v(s), below_1) * length), last);
+}
+
+/* From the corner of a texel to its middle. */
+static inline zr_vf zr_half_texel_v(void)
+{
+    return zr_vf_set(ZR_MUTANT(texels_from_corners, 0.5f, 0.0f));
+}
+
+static inline struct zr_taps_v zr_repeated_taps_v(uint32_t size, zr_vf s)
+{
+    const zr_vf length = zr_vf_set((float)size), half = zr_half_texel_v(), zero = zr_vf_set(0.0f);
+    const zr_vi last = zr_vi_set((int32_t)size - 1), none = zr_vi_set(0);
+    const bool is_even = zr_is_power_of_2(size);
+    const zr_vf at = (is_even ? s : zr_fraction_v(s)) * length - half, whole = zr_floor_v(at);
+    const zr_vf wrapped = is_even ? zr_modulo_v(whole, (float)size)
+                                  : zr_vf_select(zr_vf_lt(whole, zero), length - zr_vf_set(1.0f), whole);
+    const zr_vi low = zr_texel_number_v(wrapped, (float)(size - 1));
+    return (struct zr_taps_v){low, zr_vi_select(zr_vi_eq(low, last), none, low + zr_vi_set(1)), at - whole};
+}
+
+static inline struct zr_taps_v zr_taps_of(enum zr_wrap wrap, uint32_t size, zr_vf s)
+{
+    const zr_vf length = zr_vf_set((float)size), half = zr_half_texel_v();
+    const float last = (float)(size - 1);
+    if (wrap == ZR_WRAP_REPEAT) return zr_repeated_taps_v(size, s);
+    zr_vf at = zr_vf_min((wrap == ZR_WRAP_MIRROR ? zr_mirrored_v(s) : s) * length, length) - half;
+    if (wrap == ZR_WRAP_CLAMP) at = zr_vf_max(at, zr_vf_set(0.0f));
+    const zr_vf whole = zr_floor_v(at);
+    return (struct zr_taps_v){zr_texel_number_v(whole, last), zr_texel_number_v(whole + zr_vf_set(1.0f), last),
+                              at - whole};
+}
+
+/* ---- texels ---- */
+
+static inline zr_vf zr_texel_value_v(const struct zr_texture_map *map, zr_vi value)
+{
+    if (map->decoded) return zr_vf_bits(zr_vi_gather(ZR_ALL_LANES, map->decoded, value));
+    return zr_vf_of(value) * zr_vf_set(map->bits == 8 ? 1.0f / 255.0f : 1.0f / 65535.0f);
+}
+
+/* Byte k of words in memory, or half k. */
+static inline zr_vi zr_word_part_v(zr_vi word, int k, int bits)
+{
+#if __BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__
+    const int shift = k * bits;
+#else
+    const int shift = 32 - bits - k * bits;
+#endif
+    return (shift ? word >> shift : word) & zr_vi_set((1 << bits) - 1);
+}
+
+static inline struct zr_vec3_v zr_texel_v(const struct zr_texture_map *map, const struct zr_texture_level *level,
+                                          zr_vi x, zr_vi y)
+{
+    const zr_vi number = y * zr_vi_set((int32_t)level->width) + x;
+    if (map->bits == 8) {
+        const zr_vi word = zr_vi_gather(ZR_ALL_LANES, level->texels, number);
+        return (struct zr_vec3_v){zr_texel_value_v(map, zr_word_part_v(word, 0, 8)),
+                                  zr_texel_value_v(map, zr_word_part_v(word, 1, 8)),
+                                  zr_texel_value_v(map, zr_word_part_v(word, 2, 8))};
+    }
+    const zr_vi first = zr_vi_gather(ZR_ALL_LANES, level->texels, number + number);
+    const zr_vi second = zr_vi_gather(ZR_ALL_LANES, level->texels, number + number + zr_vi_set(1));
+    return (struct zr_vec3_v){zr_texel_value_v(map, zr_word_part_v(first, 0, 16)),
+                              zr_texel_value_v(map, zr_word_part_v(first, 1, 16)),
+                              zr_texel_value_v(map, zr_word_part_v(second, 0, 16))};
+}
+
+static inline struct zr_vec3_v zr_lerp3_v(struct zr_vec3_v a, struct zr_vec3_v b, zr_vf share)
+{
+    return (struct zr_vec3_v){a.x + share * (b.x - a.x), a.y + share * (b.y - a.y), a.z + share * (b.z - a.z)};
+}
+
+/* ---- levels ---- */
+
+static inline struct zr_vec3_v zr_sample_level_v(const struct zr_texture_map *map, uint32_t number, bool linear,
+                                                 zr_vf s, zr_vf t)
+{
+    const struct zr_texture_level *level = &map->levels[number];
+    const struct zr_texture *texture = map->texture;
+    if (!linear)
+        return zr_texel_v(map, level, zr_nearest_texel_v(texture->wrap_s, level->width, s),
+                          zr_nearest_texel_v(texture->wrap_t, level->height, t));
+    const struct zr_taps_v x = zr_taps_of(texture->wrap_s, level->width, s),
+                           y = zr_taps_of(texture->wrap_t, level->height, t);
+    const struct zr_vec3_v above =
+        zr_lerp3_v(zr_texel_v(map, level, x.low, y.low), zr_texel_v(map, level, x.high, y.low), x.share);
+    const struct zr_vec3_v below =
+        zr_lerp3_v(zr_texel_v(map, level, x.low, y.high), zr_texel_v(map, level, x.high, y.high), x.share);
+    return zr_lerp3_v(above, below, y.share);
+}
+
+/* Each lane at its own level: most often there is one, or there are two. */
+static inline struct zr_vec3_v zr_sample_levels_v(const struct zr_texture_map *map, zr_vi numbers, bool linear, zr_vf s,
+                                                  zr_vf t)
+{
+    uint32_t each[ZR_LANES], left = ZR_ALL_BITS;
+    const zr_vf zero = zr_vf_set(0.0f);
+    struct zr_vec3_v out = {zero, zero, zero};
+    zr_vi_store(each, numbers);
+    while (left) {
+        const uint32_t number = each[zr_lowest_bit(left)];
+        const zr_vm of_it = zr_vi_eq(numbers, zr_vi_set((int32_t)number));
+        out = zr_choose_v(of_it, zr_sample_level_v(map, number, linear, s, t), out);
+        left &= ~zr_vm_bits(of_it);
+    }
+    return out;
+}
+
+/* ---- filters ---- */
+
+/* How many texels of the largest level a pixel's step is long, squared: the longer one of the steps along x and y. */
+static inline zr_vf zr_rho_squared_v(const struct zr_texture_map *map, zr_vf s_x, zr_vf t_x, zr_vf s_y, zr_vf t_y)
+{
+    const zr_vf width = zr_vf_set((float)map->levels[0].width), height = zr_vf_set((float)map->levels[0].height);
+    const zr_vf u_x = s_x * width, v_x = t_x * height, u_y = s_y * width, v_y = t_y * height;
+    return zr_vf_max(u_x * u_x + v_x * v_x, u_y * u_y + v_y * v_y);
+}
+
+/* Whether anybody asks for it. */
+static inline bool zr_texture_needs_rho(const struct zr_texture_map *map)
+{
+    return map->texture->minify != map->texture->magnify;
+}
+
+/* The logarithm of rho, kept to what levels there may be. Mesa's own is a line from each power of 2 to the next. */
+static inline zr_vf zr_lod_v(zr_vf rho_squared, bool as_mesa)
+{
+    const zr_vf square = zr_vf_min(zr_vf_max(rho_squared, zr_vf_set(1e-9f)), zr_vf_set(1e18f));
+    const zr_vi bits = zr_vi_bits_of(square);
+    const zr_vf mantissa = zr_vf_bits((bits & zr_vi_set(0x7fffff)) | zr_vi_set(0x3f800000));
+    const zr_vf line = zr_vf_of((bits >> 23) - zr_vi_set(128)) + mantissa;
+    const zr_vf lod = (as_mesa ? line : zr_log2_v(square)) * zr_vf_set(0.5f);
+    return ZR_MUTANT(levels_half_off, lod, lod + zr_vf_set(0.5f));
+}
+
+static inline struct zr_vec3_v zr_sample_minified_v(const struct zr_texture_map *map, zr_vf lod, zr_vf s, zr_vf t)
+{
+    const enum zr_filter filter = map->texture->minify;
+    const bool linear = zr_filter_is_linear(filter);
+    const zr_vf last = zr_vf_set((float)(map->level_count - 1)), zero = zr_vf_set(0.0f);
+    if (!zr_filter_has_levels(filter)) return zr_sample_level_v(map, 0, linear, s, t);
+    const zr_vf kept = zr_vf_min(zr_vf_max(lod, zero), last);
+    if (filter == ZR_FILTER_NEAREST_MIPMAP_NEAREST || filter == ZR_FILTER_LINEAR_MIPMAP_NEAREST)
+        return zr_sample_levels_v(map, zr_vi_round(zr_floor_v(kept + zr_vf_set(0.5f))), linear, s, t);
+    const zr_vf whole = zr_floor_v(kept), share = kept - whole;
+    const zr_vi low = zr_vi_round(whole), high = zr_vi_min(low + zr_vi_set(1), zr_vi_round(last));
+    const struct zr_vec3_v fine = zr_sample_levels_v(map, low, linear, s, t);
+    if (!zr_vm_any(zr_vf_lt(zero, share))) return fine;
+    return zr_lerp3_v(fine, zr_sample_levels_v(map, high, linear, s, t), share);
+}
+
+/* rho_squared is looked at where zr_texture_needs_rho. as_mesa: how levels are told. */
+static inline struct zr_vec3_v zr_texture_color_v(const struct zr_texture_map *map, zr_vf s, zr_vf t, zr_vf rho_squared,
+                                                  bool as_mesa)
+{
+    const bool linear = zr_filter_is_linear(map->texture->magnify);
+    if (!zr_texture_needs_rho(map)) return zr_sample_level_v(map, 0, linear, s, t);
+    const zr_vm smaller = zr_vf_lt(zr_vf_set(1.0f), rho_squared);
+    const struct zr_vec3_v large = zr_sample_level_v(map, 0, linear, s, t);
+    if (!zr_vm_any(smaller)) return large;
+    return zr_choose_v(smaller, zr_sample_minified_v(map, zr_lod_v(rho_squared, as_mesa), s, t), large);
+}
+
+#endif
