@@ -292,7 +292,7 @@ $(BUILD)/zraster-bench: $(bench) $(filter-out %/main.o,$(reference)) $(door) $(B
 
 $(bench_alone): $(BUILD)/%: $(BUILD)/%.o
 $(BUILD)/tests/bench/alone/first_frame: $(reference_gl) $(door) $(BUILD)/reference-door
-	$(LINK) $(DOOR_LIBS)
+	$(LINK) $(DOOR_LIBS) -lm
 $(BUILD)/tests/bench/alone/bare_http:
 	$(LINK) -lmicrohttpd
 

@@ -12,8 +12,8 @@
 static const double LINE_T = 1.5;              /* beside its pixels, and again in each tile */
 static const double LINE_PIXEL_F = 10.0;       /* one column or row */
 static const double WIDE_PIXEL_F = 2.0;        /* each pixel more of it, where lines are wide */
-static const double POINT_T = 1.0;             /* beside its pixels, and again in each tile */
-static const double POINT_PIXEL_F = 2.0;       /* of the window */
+static const double SQUARE_T = 2.0;            /* a point, beside its pixels, and again in each tile */
+static const double SQUARE_PIXEL_F = 2.0;      /* of the window */
 static const double CUT_T = 1.0 / 80.0;        /* triangulation: a corner times a corner */
 static const double SHAPE_PIXEL_F = 10.0;      /* decided by the odd-even rule */
 static const double SHAPE_OVERLAP_F = 0.2;     /* a sample looked up in one of a shape's triangles */
@@ -210,15 +210,15 @@ static void add_point(struct tally *tally, const struct zr_mesh *mesh, zr_vec4 m
 {
     const double width = fmax((double)mesh->point_size, 1.0) * tally->target.side;
     struct zr_window_vertex at;
-    tally->cost.triangles += POINT_T;
+    tally->cost.triangles += SQUARE_T;
     if (zr_clip_outcode(middle) != 0 || !zr_viewport_apply(&tally->viewport, middle, &at)) return;
     const double x = (double)at.x - 0.5 * width, y = (double)at.y - 0.5 * width;
     const double across = fmin(x + width, (double)tally->target.width) - fmax(x, 0.0);
     const double up = fmin(y + width, (double)tally->target.height) - fmax(y, 0.0);
     const double pixels = fmax(across, 0.0) * fmax(up, 0.0);
     tally->covered += pixels;
-    tally->cost.fragments += POINT_PIXEL_F * pixels;
-    tally->cost.triangles += POINT_T * tiles_of(across, up);
+    tally->cost.fragments += SQUARE_PIXEL_F * pixels;
+    tally->cost.triangles += SQUARE_T * tiles_of(across, up);
     if (!tally->kept) return;
     struct zr_cost_triangle half = {{at, at, at}};
     half.corners[0].x = half.corners[2].x = (float)x;

@@ -12,6 +12,7 @@
 #include "scene/looks.h"
 #include "scene/scene.h"
 #include "shade/frame.h"
+#include "strict.h"
 
 static const struct {
     const char *extension, *type;
@@ -30,6 +31,7 @@ struct encoding {
     float depth_scale; /* 0: no 16-bit depth */
     uint64_t misfits;
     struct zr_warning_list warnings;
+    struct zr_error *error;
 };
 
 static enum zr_status encode_color(const struct encoding *e, struct zr_buffer *out)
@@ -117,6 +119,14 @@ static const char *file_name(struct zr_arena *arena, const struct zr_output *out
     return name;
 }
 
+/* All that is known of by now. */
+static enum zr_status find_warnings(struct encoding *e)
+{
+    e->warnings = zr_warnings_make(e->arena, e->scene, e->frame, e->misfits);
+    if (!zr_arena_ok(e->arena)) return ZR_NO_MEMORY;
+    return zr_strict_check(e->scene, e->warnings.texts, e->warnings.count, e->error);
+}
+
 /* Pictures first, then the warnings that they gave rise to, then what reports them. */
 static enum zr_status encode_all(struct encoding *e, struct zr_zip_entry *entries)
 {
@@ -130,8 +140,9 @@ static enum zr_status encode_all(struct encoding *e, struct zr_zip_entry *entrie
             if (status != ZR_OK) return status;
             entries[i] = (struct zr_zip_entry){file_name(e->arena, output), out.bytes, out.size};
         }
-        if (!reports) e->warnings = zr_warnings_make(e->arena, e->scene, e->frame, e->misfits);
-        if (!zr_arena_ok(e->arena)) return ZR_NO_MEMORY;
+        if (reports) continue;
+        const enum zr_status status = find_warnings(e);
+        if (status != ZR_OK) return status;
     }
     return ZR_OK;
 }
@@ -168,8 +179,10 @@ enum zr_status zr_encode(struct zr_arena *arena, struct zr_team *team, const str
                          const struct zr_frame *frame, const struct zr_cancel *cancel, struct zr_answer *answer,
                          struct zr_error *error)
 {
-    struct encoding encoding = {.arena = arena, .team = team, .scene = scene, .frame = frame, .cancel = cancel};
-    enum zr_status status = make_answer(&encoding, answer);
+    struct encoding encoding = {
+        .arena = arena, .team = team, .scene = scene, .frame = frame, .cancel = cancel, .error = error};
+    enum zr_status status = scene->is_strict ? find_warnings(&encoding) : ZR_OK; /* before any picture is packed */
+    if (status == ZR_OK) status = make_answer(&encoding, answer);
     if (status == ZR_NO_MEMORY)
         zr_error_add(error, status, NULL, "encoding needs more than the %zu bytes a request may use", arena->ceiling);
     if (status == ZR_CANCELLED) zr_error_add(error, status, NULL, "encoding was stopped before it was done");

@@ -6,6 +6,7 @@
 #include "input/names.h"
 #include "input/parameters.h"
 #include "scene/validate.h"
+#include "strict.h"
 
 /* Turns what is up in the mesh to the y axis. */
 static zr_mat4 upright(bool z_is_up)
@@ -147,8 +148,10 @@ static enum zr_status read_scene(struct zr_arena *arena, struct zr_team *team, c
     zr_scene_builder_close(&builder);
     if (!zr_arena_ok(arena)) return ZR_NO_MEMORY;
     if (query.has_compress) scene->compress = query.compress;
+    scene->is_strict = query.is_strict;
     status = apply_output(arena, &query, scene);
     if (status == ZR_OK) status = zr_scene_validate(scene, limits, error);
+    if (status == ZR_OK) status = zr_strict_check(scene, scene->warnings, scene->warning_count, error);
     return status == ZR_OK && !fits_memory(arena, scene) ? ZR_NO_MEMORY : status;
 }
 

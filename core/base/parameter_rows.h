@@ -12,6 +12,7 @@
     ROW(encoding, ANY, "NAME", "png, npy, png16 or json; each channel has a default")                                  \
     ROW(scale, ANY, "UNITS", "scene units a step of a 16-bit depth picture")                                           \
     ROW(compress, ANY, "HOW", "fast (default) or small: PNGs of fewer bytes that take longer")                         \
+    ROW(strict, ANY, "BOOL", "true: what would be warned of is refused; false (default)")                              \
     ROW(look, MESH, "NAME", "studio (default), technical, clay, dark, metal, outdoor, blueprint or textbook")          \
     ROW(samples, MESH, "COUNT", "for each pixel: 1, 4, 16 or 64; the look's")                                          \
     ROW(width, MESH, "PIXELS", "of the window; 640")                                                                   \

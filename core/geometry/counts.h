@@ -3,7 +3,8 @@
  *
  * Every triangle handed in is counted in exactly one of outside, clipped, culled,
  * zero_area and drawn_whole; the pieces of a clipped one are counted apart. So are lines, of
- * which those not outside are drawn, points likewise, and outlines.
+ * which those that have a length and are not outside are drawn, points likewise, and outlines. What has no place in the
+ * window, as the corner (0, 0, 0, 0) has none, is among these, and counted as `unplaced` besides.
  */
 #ifndef ZR_COUNTS_H
 #define ZR_COUNTS_H
@@ -23,10 +24,12 @@ struct zr_counts {
     uint64_t drawn_pieces;        /* of clipped triangles, handed to the rasterizer */
     uint64_t culled_pieces;       /* of clipped triangles, turned away */
     uint64_t lines;               /* handed in; outlines are not counted */
+    uint64_t degenerate_lines;    /* from a place to the same one: dropped */
     uint64_t outside_lines;       /* wholly outside the view volume, or without a place in the window */
     uint64_t clipped_lines;       /* cut by the view volume */
     uint64_t points;              /* handed in */
     uint64_t outside_points;      /* whose middle is outside the view volume, or without a place in the window */
+    uint64_t unplaced;            /* triangles, pieces of these, lines and points with a corner that has no place */
     uint64_t clipped_outlines;    /* triangles of outlined faces that were cut */
 };
 
@@ -45,10 +48,12 @@ static inline void zr_counts_add(struct zr_counts *sum, const struct zr_counts *
     sum->drawn_pieces += counts->drawn_pieces;
     sum->culled_pieces += counts->culled_pieces;
     sum->lines += counts->lines;
+    sum->degenerate_lines += counts->degenerate_lines;
     sum->outside_lines += counts->outside_lines;
     sum->clipped_lines += counts->clipped_lines;
     sum->points += counts->points;
     sum->outside_points += counts->outside_points;
+    sum->unplaced += counts->unplaced;
     sum->clipped_outlines += counts->clipped_outlines;
 }
 

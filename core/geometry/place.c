@@ -59,13 +59,22 @@ static void clip_and_append(struct zr_builder *builder, const struct zr_corner c
     const struct zr_counts before = geometry->counts;
     for (int i = 2; i < count; i++) {
         const struct zr_corner piece[3] = {ends[i - 1], ends[i], ends[0]};
-        if (!placed[i - 1] || !placed[i] || !placed[0]) continue;
+        if (!placed[i - 1] || !placed[i] || !placed[0]) {
+            geometry->counts.unplaced++;
+            continue;
+        }
         if (append_triangle(builder, piece, common)) geometry->counts.drawn_pieces++;
     }
     /* The triangle is counted once, as clipped: what became of its pieces is counted apart. */
     geometry->counts.culled_pieces += geometry->counts.culled - before.culled;
     geometry->counts.culled = before.culled;
     geometry->counts.zero_area = before.zero_area;
+}
+
+static void count_unplaced(struct zr_counts *counts)
+{
+    counts->zero_area++;
+    counts->unplaced++;
 }
 
 void zr_place_triangle(struct zr_builder *builder, const uint32_t slots[3], const struct zr_common *common)
@@ -79,7 +88,7 @@ void zr_place_triangle(struct zr_builder *builder, const uint32_t slots[3], cons
     if (codes.all)
         counts->outside++;
     else if (codes.any & ZR_OUTCODE_UNPLACED)
-        counts->zero_area++;
+        count_unplaced(counts);
     else if (codes.any)
         clip_and_append(builder, corners, codes.any, common);
     else

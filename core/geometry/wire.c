@@ -108,14 +108,24 @@ void zr_wire_outline(struct zr_builder *builder, uint32_t face)
 
 /* ---- lines ---- */
 
+static bool has_no_length(const struct zr_mesh *mesh, const struct zr_corner ends[2])
+{
+    return zr_vec4_equal(mesh->positions[ends[0].vertex], mesh->positions[ends[1].vertex]);
+}
+
 static void place_line(struct zr_builder *builder, const struct zr_common *common, const struct zr_corner given[2])
 {
     struct zr_counts *counts = &builder->geometry->counts;
     const struct zr_outcodes codes = zr_builder_outcodes(builder, given, 2);
     struct zr_corner ends[ZR_CLIP_MAX] = {given[0], given[1]};
     counts->lines++;
+    if (has_no_length(builder->mesh, given)) {
+        counts->degenerate_lines++;
+        return;
+    }
     if (codes.all || codes.any & ZR_OUTCODE_UNPLACED) {
         counts->outside_lines++;
+        counts->unplaced += !codes.all;
         return;
     }
     if (codes.any) {
@@ -162,11 +172,11 @@ static void place_point(struct zr_builder *builder, const struct zr_common *comm
 {
     struct zr_counts *counts = &builder->geometry->counts;
     const struct zr_corner middle = {position, 0};
+    const unsigned code = outcode_of_point(builder, position);
     counts->points++;
-    if (outcode_of_point(builder, position))
-        counts->outside_points++;
-    else
-        append_line(builder, common, middle, middle);
+    counts->outside_points += code != 0;
+    counts->unplaced += code == ZR_OUTCODE_UNPLACED;
+    if (code == 0) append_line(builder, common, middle, middle);
 }
 
 enum zr_status zr_wire_points(struct zr_builder *builder)

@@ -484,11 +484,14 @@ static void make_mesh(struct zr_given_scene *root, const struct zr_json_path *pa
         zr_given_check_texcoords(root, path, style.material, gives(given, TEXCOORDS) || gives(given, HEIGHTS),
                                  gives(given, TEXCOORDS1));
     if (json->error->count > 0) return;
+    zr_scene_builder_note_normals(root->builder, mesh->normals, mesh->normal_count);
     zr_given_note_alpha(root, mesh->colors, mesh->colors ? mesh->position_count : 0);
     zr_given_note_alpha(root, mesh->face_colors, mesh->face_colors ? mesh->face_count : 0);
     mesh->material = zr_given_make_material(root, &style, mesh->colors || mesh->face_colors,
                                             mesh->normals || mesh->colors || gives(given, HEIGHTS));
+    const uint32_t cells = mesh->face_count;
     if (gives(given, HEIGHTS)) zr_heights_drop_holes(json->arena, &given->heights, mesh);
+    root->scene->counts.left_out_cells += cells - mesh->face_count;
 }
 
 void zr_given_make_meshes(struct zr_given_scene *root, const struct zr_json_path *path, struct zr_mesh *meshes)

@@ -376,6 +376,19 @@ static void find_materials(struct zr_given_scene *root, const struct zr_json_pat
         faces[f] = materials[faces[f]];
 }
 
+/* Of the polygons that have some: of others zeros stand there. As long as faces have numbers of styles. */
+static void note_normals(struct zr_scene_builder *builder, const struct zr_soup *soup)
+{
+    const struct style *styles = soup->styles.items;
+    const uint32_t *numbers = soup->face_styles.items, *offsets = soup->offsets.items;
+    const zr_vec3 *normals = soup->normals.items;
+    for (size_t f = 0; normals && f < soup->face_styles.count; f++) {
+        const size_t end = f + 1 < soup->offsets.count ? offsets[f + 1] : soup->positions.count;
+        if (styles[numbers[f]].has & HAS_NORMALS)
+            zr_scene_builder_note_normals(builder, normals + offsets[f], end - offsets[f]);
+    }
+}
+
 bool zr_given_make_polygons(struct zr_given_scene *root, const struct zr_json_path *path, struct zr_mesh *mesh)
 {
     struct zr_json *json = &root->json;
@@ -387,6 +400,7 @@ bool zr_given_make_polygons(struct zr_given_scene *root, const struct zr_json_pa
     if (soup->rings.count > 0 &&
         (!add(&soup->rings, json, soup->ring_offsets.count) || !add(&soup->ring_offsets, json, vertices)))
         return true;
+    note_normals(root->builder, soup);
     find_materials(root, path, soup);
     if (!add(&soup->offsets, json, vertices)) return true;
     zr_given_note_alpha(root, soup->face_colors.items, soup->face_colors.count);

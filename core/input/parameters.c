@@ -138,6 +138,14 @@ static void read_compress(const struct reading *r, const char *text)
     if (r->query->has_compress) r->query->compress = (enum zr_compress)compress;
 }
 
+static void read_strict(const struct reading *r, const char *text)
+{
+    static const char *const words[] = {"false", "true", "0", "1"};
+    static const struct zr_names names = ZR_NAMES(4, words);
+    int found = 0;
+    if (read_word(r, "strict", text, &names, &found)) r->query->is_strict = found % 2 != 0;
+}
+
 /* Before all that goes over it. */
 static void use_look(struct zr_query *query, const struct zr_look *look)
 {

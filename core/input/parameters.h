@@ -14,6 +14,7 @@ struct zr_query {
     bool has_output, has_compress;
     struct zr_output output;
     enum zr_compress compress;
+    bool is_strict;
 
     /* Of bare meshes. */
     const struct zr_look *look; /* studio, where none is said */

@@ -116,8 +116,9 @@ static cJSON *camera_of(struct writer *w, const struct zr_frame *frame, bool z_i
     return object;
 }
 
-static cJSON *counts_of(struct writer *w, const struct zr_counts *c, uint64_t misfits)
+static cJSON *counts_of(struct writer *w, const struct zr_scene *scene, const struct zr_frame *frame, uint64_t misfits)
 {
+    const struct zr_counts *c = &frame->counts;
     cJSON *object = check(w, cJSON_CreateObject());
     put_count(w, object, "polygons", c->polygons);
     put_count(w, object, "degeneratePolygons", c->degenerate_polygons);
@@ -129,12 +130,19 @@ static cJSON *counts_of(struct writer *w, const struct zr_counts *c, uint64_t mi
     put_count(w, object, "zeroArea", c->zero_area);
     put_count(w, object, "drawnWhole", c->drawn_whole);
     put_count(w, object, "drawnPieces", c->drawn_pieces);
+    put_count(w, object, "culledPieces", c->culled_pieces);
+    put_count(w, object, "clippedOutlines", c->clipped_outlines);
     put_count(w, object, "lines", c->lines);
+    put_count(w, object, "degenerateLines", c->degenerate_lines);
     put_count(w, object, "outsideLines", c->outside_lines);
     put_count(w, object, "clippedLines", c->clipped_lines);
     put_count(w, object, "points", c->points);
     put_count(w, object, "outsidePoints", c->outside_points);
+    put_count(w, object, "unplaced", c->unplaced);
+    put_count(w, object, "zeroNormals", scene->counts.zero_normals);
+    put_count(w, object, "leftOutCells", scene->counts.left_out_cells);
     put_count(w, object, "saturatedDepths", misfits);
+    if (frame->base) put_count(w, object, "clampedBaseDepths", frame->base->clamped_depths);
     return object;
 }
 
@@ -258,7 +266,7 @@ static cJSON *build(struct writer *w, const struct zr_scene *scene, const struct
         put(w, root, "bounds", bounds);
     }
     if (depth_scale > 0.0f) put(w, root, "depthScale", number(w, depth_scale));
-    put(w, root, "counts", counts_of(w, &frame->counts, misfits));
+    put(w, root, "counts", counts_of(w, scene, frame, misfits));
     put(w, root, "look", check(w, cJSON_CreateString(zr_look_pin_of(scene->look).text)));
     if (frame->color) put(w, root, "picture", picture_of(w, scene, frame, patches, face_count));
     put_count(w, root, "backgroundPixels", patches[0].pixels);

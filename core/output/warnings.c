@@ -5,9 +5,7 @@
 #include <string.h>
 
 #include "geometry/face.h"
-
-/* A share of the geometry's size that is seen. */
-static const float MARGIN_SEEN = 0.01f;
+#include "scene/resolved_view.h"
 
 /* Stops at the first face that is none. */
 static bool are_lines(const struct zr_scene *scene)
@@ -20,45 +18,63 @@ static bool are_lines(const struct zr_scene *scene)
     return true;
 }
 
+/* What was left out, replaced or moved, of what there was. */
+static void add_counts(struct zr_arena *arena, const struct zr_scene *scene, const struct zr_frame *frame,
+                       struct zr_warning_list *w)
+{
+    const struct zr_counts *counts = &frame->counts;
+    if (counts->degenerate_polygons > 0)
+        zr_warning_list_add(
+            arena, w, "%" PRIu64 " of %" PRIu64 " polygons have fewer than three distinct corners and were dropped",
+            counts->degenerate_polygons, counts->polygons);
+    if (counts->degenerate_lines > 0)
+        zr_warning_list_add(arena, w, "%" PRIu64 " of %" PRIu64 " lines have no length and were dropped",
+                            counts->degenerate_lines, counts->lines);
+    if (counts->unplaced > 0)
+        zr_warning_list_add(arena, w,
+                            "%" PRIu64 " triangles, lines and points have a corner that is nowhere, such as (0, 0, 0, "
+                            "0), and were dropped",
+                            counts->unplaced);
+    if (scene->counts.zero_normals > 0)
+        zr_warning_list_add(arena, w, "%" PRIu64 " of %" PRIu64 " normals are zero: they are computed instead",
+                            scene->counts.zero_normals, scene->counts.normals);
+    if (frame->base && frame->base->clamped_depths > 0)
+        zr_warning_list_add(arena, w,
+                            "%" PRIu64 " depths of the base are not between the near and the far plane: they are "
+                            "taken to be on the nearer of these",
+                            frame->base->clamped_depths);
+}
+
+static const char *why_nothing_is_seen(const struct zr_scene *scene, const struct zr_frame *frame)
+{
+    const struct zr_counts *counts = &frame->counts;
+    const bool drawn = counts->drawn_whole + counts->drawn_pieces > 0;
+    const uint64_t things = counts->triangles + counts->lines - counts->degenerate_lines + counts->points;
+    const uint64_t outside = counts->outside + counts->outside_lines + counts->outside_points;
+    if (!drawn && counts->culled + counts->culled_pieces > 0)
+        return "what is in view faces away (doubleSided draws both sides)";
+    if (outside == things && things > 0) return "all geometry is outside the view";
+    if (counts->triangles > 0 && are_lines(scene)) return "the corners of each polygon are collinear, on one line";
+    if (!drawn && counts->zero_area > 0) return "the polygons in view are edge-on, or smaller than 1/256 pixel";
+    if (frame->base) return "no pixel is covered in front of the base";
+    return "no pixel is covered (edge-on, smaller than a pixel, or at the far plane)";
+}
+
 struct zr_warning_list zr_warnings_make(struct zr_arena *arena, const struct zr_scene *scene,
                                         const struct zr_frame *frame, uint64_t misfits)
 {
-    const struct zr_counts *counts = &frame->counts;
     struct zr_warning_list w = {.count = 0};
+    char text[ZR_VIEW_WARNING_SIZE];
     for (uint32_t i = 0; i < scene->warning_count; i++)
         zr_warning_list_add(arena, &w, "%s", scene->warnings[i]);
-    if (counts->degenerate_polygons > 0)
-        zr_warning_list_add(
-            arena, &w, "%" PRIu64 " of %" PRIu64 " polygons have fewer than three distinct corners and were dropped",
-            counts->degenerate_polygons, counts->polygons);
-    if (frame->camera.fit_margin > MARGIN_SEEN)
-        zr_warning_list_add(
-            arena, &w,
-            "the geometry is small and far from the origin: rounding may move it by %.2g of its size, and the fitted "
-            "view "
-            "leaves room for that",
-            (double)frame->camera.fit_margin);
+    add_counts(arena, scene, frame, &w);
+    if (zr_view_warns(&frame->camera, text)) zr_warning_list_add(arena, &w, "%s", text);
     if (misfits > 0)
         zr_warning_list_add(arena, &w, "the depth of %" PRIu64 " pixels does not fit 16 bits at this scale", misfits);
-    if (frame->covered_pixels > 0 || frame->covered_samples > 0) return w;
     /* What is blended is drawn in colours only. */
-    if (!frame->color && zr_any_is_see_through(scene->materials, scene->material_count)) return w;
-    const uint64_t things = counts->triangles + counts->lines + counts->points;
-    bool drawn = counts->drawn_whole + counts->drawn_pieces > 0;
-    if (!drawn && counts->culled + counts->culled_pieces > 0)
-        zr_warning_list_add(arena, &w, "nothing is seen: what is in view faces away (doubleSided draws both sides)");
-    else if (counts->outside + counts->outside_lines + counts->outside_points == things && things > 0)
-        zr_warning_list_add(arena, &w, "nothing is seen: all geometry is outside the view");
-    else if (counts->triangles > 0 && are_lines(scene))
-        zr_warning_list_add(arena, &w, "nothing is seen: the corners of each polygon are collinear, on one line");
-    else if (!drawn && counts->zero_area > 0)
-        zr_warning_list_add(arena, &w,
-                            "nothing is seen: the polygons in view are edge-on, or smaller than 1/256 pixel");
-    else if (frame->base)
-        zr_warning_list_add(arena, &w, "nothing is seen: no pixel is covered in front of the base");
-    else
-        zr_warning_list_add(
-            arena, &w, "nothing is seen: no pixel is covered (edge-on, smaller than a pixel, or at the far plane)");
+    const bool may_show = !frame->color && zr_any_is_see_through(scene->materials, scene->material_count);
+    if (frame->covered_pixels == 0 && frame->covered_samples == 0 && !may_show)
+        zr_warning_list_add(arena, &w, "nothing is seen: %s", why_nothing_is_seen(scene, frame));
     return w;
 }
 

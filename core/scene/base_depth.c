@@ -2,18 +2,22 @@
 
 #include <math.h>
 
+/* Of depths that lie on one of the planes, as floats: that is nobody's fault. */
+static const double rounding = 1e-5;
+
 /* The rows of the projection that make z and w of a point (0, 0, -depth). */
 struct rows {
     double z_slope, z, w_slope, w;
 };
 
-static float window_depth(const struct rows *rows, float depth)
+/* Kept within 0 to 1, and noted where it was not. */
+static float window_depth(const struct rows *rows, float depth, uint64_t *clamped)
 {
     if (depth == INFINITY) return 1.0f;
     double w = rows->w - rows->w_slope * (double)depth;
     double z = rows->z - rows->z_slope * (double)depth;
-    if (!(w > 0.0)) return 0.0f; /* not in front of the eye */
-    double window = 0.5 * (z / w) + 0.5;
+    double window = w > 0.0 ? 0.5 * (z / w) + 0.5 : -1.0; /* not in front of the eye */
+    *clamped += window < -rounding || window > 1.0 + rounding;
     return window > 0.0 ? window < 1.0 ? (float)window : 1.0f : 0.0f;
 }
 
@@ -31,10 +35,12 @@ enum zr_status zr_base_place(struct zr_arena *arena, const struct zr_scene *scen
     struct zr_base *base = zr_arena_alloc(arena, 1, sizeof *base);
     float *made = zr_arena_alloc(arena, pixels, sizeof *made);
     if (!zr_arena_ok(arena)) return ZR_NO_MEMORY;
+    uint64_t clamped = 0;
     const struct rows rows = {(double)m[10], (double)m[14], (double)m[11], (double)m[15]};
     for (size_t i = 0; i < pixels; i++)
-        made[i] = window_depth(&rows, scene->base->depth[i]);
+        made[i] = window_depth(&rows, scene->base->depth[i], &clamped);
     *base = *scene->base;
+    base->clamped_depths = clamped;
     base->window_depth = made;
     *placed = base;
     return ZR_OK;

@@ -1,5 +1,7 @@
 #include "scene/resolved_view.h"
 
+#include <stdio.h>
+
 #include "scene/camera_parts.h"
 
 static enum zr_status check_range(const struct zr_camera *camera, struct zr_error *error)
@@ -42,13 +44,35 @@ static enum zr_status resolve(const struct zr_points *points, const struct zr_bo
     return zr_camera_project(points, bounds, &fitted, camera, error);
 }
 
+/* A share of the geometry's size that is seen. */
+static const float MARGIN_SEEN = 0.01f;
+
+bool zr_view_warns(const struct zr_camera *camera, char text[ZR_VIEW_WARNING_SIZE])
+{
+    if (!(camera->fit_margin > MARGIN_SEEN)) return false;
+    snprintf(text, ZR_VIEW_WARNING_SIZE,
+             "the geometry is small and far from the origin: rounding may move it by %.2g of its size, and the fitted "
+             "view leaves room for that",
+             (double)camera->fit_margin);
+    return true;
+}
+
+/* Of what is strict. */
+static enum zr_status refuse_odd(const struct zr_scene *scene, const struct zr_camera *camera, struct zr_error *error)
+{
+    char text[ZR_VIEW_WARNING_SIZE];
+    if (!scene->is_strict || !zr_view_warns(camera, text)) return ZR_OK;
+    return zr_error_add(error, ZR_BAD_SCENE, NULL, "%s", text);
+}
+
 enum zr_status zr_camera_resolve(const struct zr_scene *scene, const struct zr_bounds *bounds, struct zr_team *team,
                                  const struct zr_cancel *cancel, struct zr_camera *camera, struct zr_error *error)
 {
     const struct zr_points points = {.scene = scene, .team = team, .cancel = cancel};
     enum zr_status status = resolve(&points, bounds, camera, error);
     if (status == ZR_OK && zr_is_cancelled(cancel)) return ZR_CANCELLED;
-    return status == ZR_OK ? check_range(camera, error) : status;
+    if (status == ZR_OK) status = check_range(camera, error);
+    return status == ZR_OK ? refuse_odd(scene, camera, error) : status;
 }
 
 enum zr_status zr_resolved_view_find(struct zr_arena *arena, struct zr_team *team, const struct zr_scene *scene,

@@ -18,9 +18,13 @@ struct zr_resolved_view {
 };
 
 /* `bounds` need not be defined where the view does not need them. Fails with ZR_BAD_SCENE where the view has no
- * solution (an eye on its target, an up along the view, a target that a fitted distance cannot show), or where an entry
- * of a matrix is beyond ZR_MATRIX_MAX. */
+ * solution (an eye on its target, an up along the view, a target that a fitted distance cannot show), where an entry
+ * of a matrix is beyond ZR_MATRIX_MAX, or where zr_view_warns and the scene is strict. */
 enum zr_status zr_camera_resolve(const struct zr_scene *scene, const struct zr_bounds *bounds, struct zr_team *team,
                                  const struct zr_cancel *cancel, struct zr_camera *camera, struct zr_error *error);
+
+/* What is odd about the view, into `text`. False: nothing is. */
+enum { ZR_VIEW_WARNING_SIZE = 160 };
+bool zr_view_warns(const struct zr_camera *camera, char text[ZR_VIEW_WARNING_SIZE]);
 
 #endif

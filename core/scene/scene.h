@@ -113,6 +113,12 @@ struct zr_mesh {
     uint32_t material;
 };
 
+/* Then it is computed instead. */
+static inline bool zr_normal_is_zero(zr_vec3 normal)
+{
+    return normal.x == 0.0f && normal.y == 0.0f && normal.z == 0.0f;
+}
+
 /* The rings of a face: ring r of `count` has the corners offsets[r] .. offsets[r + 1] - 1. */
 struct zr_rings {
     uint32_t count;
@@ -285,11 +291,19 @@ struct zr_base {
     const uint32_t *face_id;   /* 0 where nothing is */
     bool scene_wins_ties;      /* at equal depth the new geometry is seen, else the base is */
     uint32_t first_face_id;    /* of the new geometry; at least 1 */
+    uint64_t
+        clamped_depths; /* of window_depth, where it was made from depth: before the near plane, or behind the far */
 };
 
 enum { ZR_VIEWS_MOST = 1 };
 
 struct zr_look; /* scene/looks.h */
+
+/* What readers left out or replaced. */
+struct zr_read_counts {
+    uint64_t normals, zero_normals; /* given, and of these: computed instead */
+    uint64_t left_out_cells;        /* of grids of heights, for their holes */
+};
 
 struct zr_scene {
     const struct zr_look *look; /* which one it has; what else is here is that of the scene, over the look's */
@@ -305,6 +319,8 @@ struct zr_scene {
     const struct zr_light *lights;
     enum zr_compress compress;   /* of all outputs that are PNGs */
     const char *const *warnings; /* what input/ and scene/ found odd but drawable */
+    bool is_strict;              /* what is warned of is refused instead */
+    struct zr_read_counts counts;
     struct zr_view views[ZR_VIEWS_MOST];
     const struct zr_base *base; /* NULL: the geometry is all there is */
     uint32_t image_count;

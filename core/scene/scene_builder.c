@@ -150,6 +150,14 @@ uint32_t zr_scene_builder_texture(struct zr_scene_builder *builder, const struct
     return scene->texture_count++;
 }
 
+void zr_scene_builder_note_normals(struct zr_scene_builder *builder, const zr_vec3 *normals, size_t count)
+{
+    struct zr_read_counts *counts = &builder->scene->counts;
+    counts->normals += count;
+    for (size_t i = 0; i < count; i++)
+        counts->zero_normals += zr_normal_is_zero(normals[i]);
+}
+
 /* ---- what is open ---- */
 
 struct counting {

@@ -51,6 +51,9 @@ uint32_t zr_scene_builder_image(struct zr_scene_builder *builder, const struct z
 /* The number of a texture: the same for all that are equal. 0 where there is no memory. */
 uint32_t zr_scene_builder_texture(struct zr_scene_builder *builder, const struct zr_texture *texture);
 
+/* Counts normals that were given, and those that are zero. */
+void zr_scene_builder_note_normals(struct zr_scene_builder *builder, const zr_vec3 *normals, size_t count);
+
 /* The scene has all that was made. Meshes may have face_offsets NULL: triangles; and indices NULL: each corner of a
  * face is the next position. Both become arrays here, since the kernels gather through them. */
 void zr_scene_builder_close(struct zr_scene_builder *builder);

@@ -22,21 +22,25 @@
 /* Of primitives `numbers` of the surface's draw. */
 typedef zr_vi zr_words_fn(const struct zr_geometry *geometry, const struct zr_surface *surface, zr_vi numbers);
 
-/* Of pixels whose owners they are: draw by draw, of which s->draw is the last that was met. */
+/* Of pixels whose owners they are: draw by draw, of which s->draw is the last that was met. What is left is a mask, and
+ * no word with the mask's bits: of such a word gcc 12 stores 16 bits by kmovw, and loads 32, so that the loop had no
+ * end.
+ */
 ZR_INLINED zr_vi zr_words_of(struct zr_shader *s, zr_words_fn *words, zr_vi owners, zr_vi nothing)
 {
-    uint32_t left = zr_vm_bits(zr_vi_lt(zr_vi_set(0), owners)), each[ZR_LANES];
+    zr_vm left = zr_vi_lt(zr_vi_set(0), owners);
+    uint32_t each[ZR_LANES];
     zr_vi out = nothing;
-    while (left) {
+    while (zr_vm_any(left)) {
         const struct zr_draw *draw = s->draw;
         const zr_vi t = owners - zr_vi_set((int32_t)draw->first + 1), none = zr_vi_set(-1);
         const zr_vm of_draw = zr_vi_lt_where(zr_vi_lt(none, t), t, zr_vi_set((int32_t)draw->count));
         const zr_vi numbers = zr_vi_select(of_draw, t, zr_vi_set(0));
-        left &= ~zr_vm_bits(of_draw);
+        left = zr_vm_andnot(left, of_draw);
         out = zr_vi_select(of_draw, words(s->geometry, zr_surface_of_draw(s, draw), numbers), out);
-        if (left) {
+        if (zr_vm_any(left)) {
             zr_vi_store(each, owners);
-            s->draw = zr_draw_next(s->geometry, draw, each[zr_lowest_bit(left)] - 1);
+            s->draw = zr_draw_next(s->geometry, draw, each[zr_lowest_bit(zr_vm_bits(left))] - 1);
         }
     }
     return out;

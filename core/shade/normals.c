@@ -43,16 +43,11 @@ void zr_face_normals_make(struct zr_face_normals *normals, uint32_t face)
     normals->make_many(normals->mesh, face, normals->count, normals->normals);
 }
 
-static bool is_zero(zr_vec3 normal)
-{
-    return normal.x == 0.0f && normal.y == 0.0f && normal.z == 0.0f;
-}
-
 zr_vec3 zr_corner_normal(const struct zr_mesh *mesh, const zr_vec4 *computed, uint32_t vertex, uint32_t slot)
 {
     zr_vec3 normal = {0, 0, 0};
     if (mesh->normal_count > 0) normal = mesh->normals[mesh->normal_indices ? mesh->normal_indices[slot] : vertex];
-    if (!is_zero(normal) || !computed) return normal;
+    if (!zr_normal_is_zero(normal) || !computed) return normal;
     return (zr_vec3){computed[vertex].x, computed[vertex].y, computed[vertex].z};
 }
 
@@ -60,6 +55,6 @@ bool zr_mesh_lacks_normals(const struct zr_mesh *mesh)
 {
     if (mesh->normal_count == 0) return true;
     for (uint32_t n = 0; n < mesh->normal_count; n++)
-        if (is_zero(mesh->normals[n])) return true;
+        if (zr_normal_is_zero(mesh->normals[n])) return true;
     return false;
 }

@@ -73,6 +73,9 @@ verdict "and nothing is saved" [ ! -e bad.png ]
 printf '{"polygons": [{"vertices": [[0,0,0],[0,1,0],[1,0,0]]}]}' >away.json
 check "a scene that shows nothing is saved" 0 "$client" render away.json
 verdict "with a warning" grep -q '^warning: nothing is seen' complained
+check "who is strict is refused instead" 1 "$client" render away.json --strict true -o strict.png
+verdict "for the same reason" grep -q 'nothing is seen' complained
+verdict "and nothing is saved" [ ! -e strict.png ]
 check "a server that is not there ends with 1" 1 "$client" render scene.json --server http://127.0.0.1:1
 verdict "and is named" grep -q 127.0.0.1:1 complained
 verdict "and it is asked whether a daemon runs there" grep -q 'Does zrasterd run there' complained

@@ -92,7 +92,8 @@ void report_left_out(struct report *report, const char *name, uint64_t pictures)
 {
     char reason[200];
     snprintf(reason, sizeof reason,
-             "%" PRIu64 " pictures: outlines and lines are for the exact comparison, and float may move corners by "
+             "%" PRIu64
+             " pictures: outlines, lines and points are for the exact comparison, and float may move corners by "
              "1/256 px or leave fewer than 16 bits of depth",
              pictures);
     report->refused++;

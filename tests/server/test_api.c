@@ -84,6 +84,34 @@ static void render_says_how_long_each_step_took(void **state)
     reply_free(&reply);
 }
 
+/* The same scene without anything odd is drawn, and so is this one where nobody is strict. */
+static void strict_requests_get_warnings_as_errors(void **state)
+{
+    static const char ODD[] = "{\"meshes\":[{\"positions\":[[0,0,0],[1,0,0],[0,1,0]],\"faces\":[[0,1,2],[0,1,0]],"
+                              "\"lines\":[[0,0]]}]}";
+    static const char *const headers[] = {JSON_TYPE, NULL};
+    (void)state;
+    struct reply reply = client_send(&server, "POST", "/v1/render?strict=0", headers, ODD, strlen(ODD));
+    assert_int_equal(reply.status, 200);
+    assert_string_equal(reply_header(&reply, "Zraster-Warnings"),
+                        "1 of 2 polygons have fewer than three distinct corners and were dropped; 1 of 1 lines have no "
+                        "length and were dropped");
+    reply_free(&reply);
+    reply = client_send(&server, "POST", "/v1/render?strict=1", headers, ODD, strlen(ODD));
+    assert_int_equal(reply.status, 422);
+    assert_string_equal(reply_header(&reply, "Content-Type"), "application/problem+json");
+    cJSON *problem = cJSON_ParseWithLength(reply.body, reply.size);
+    const cJSON *errors = cJSON_GetObjectItem(problem, "errors");
+    assert_int_equal(cJSON_GetArraySize(errors), 2);
+    assert_string_equal(cJSON_GetStringValue(cJSON_GetObjectItem(cJSON_GetArrayItem(errors, 1), "detail")),
+                        "1 of 1 lines have no length and were dropped");
+    cJSON_Delete(problem);
+    reply_free(&reply);
+    reply = client_send(&server, "POST", "/v1/render?strict=1", headers, GOOD_SCENE, strlen(GOOD_SCENE));
+    assert_int_equal(reply.status, 200);
+    reply_free(&reply);
+}
+
 static void unknown_content_encoding_is_refused(void **state)
 {
     (void)state;
@@ -370,6 +398,7 @@ int main(void)
         cmocka_unit_test(same_scene_gives_same_picture),
         cmocka_unit_test(every_algorithm_gives_the_same_picture),
         cmocka_unit_test(render_says_how_long_each_step_took),
+        cmocka_unit_test(strict_requests_get_warnings_as_errors),
         cmocka_unit_test(unknown_content_encoding_is_refused),
         cmocka_unit_test(gzip_body_renders_the_same_picture),
         cmocka_unit_test(gzip_body_of_several_members_is_taken_whole),
