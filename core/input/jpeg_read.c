@@ -4,7 +4,7 @@
 #include <string.h>
 
 #include "base/cancel.h"
-#include "input/image_read.h"
+#include "input/image_size.h"
 #include "input/jpeg_memory.h"
 
 #include <jerror.h>

@@ -19,15 +19,21 @@ struct image_reading {
     struct zr_reason reason;
 };
 
-/* What lay in the arena before is `byte`; bytes end at a page that nobody may read. */
-static inline struct image_reading read_image_over(int byte, const void *bytes, size_t size)
+/* What lies in the arena from now on. */
+static inline void fill_arena(int byte)
 {
     enum { ROOM = 1 << 17 };
-    struct image_reading reading = {.reason = {""}};
-    struct guarded guarded = guarded_copy(bytes, size);
     zr_arena_reset(&arena, 1 << 26);
     memset(zr_arena_alloc(&arena, ROOM, 1), byte, ROOM);
     zr_arena_reset(&arena, 1 << 26);
+}
+
+/* What lay in the arena before is `byte`; bytes end at a page that nobody may read. */
+static inline struct image_reading read_image_over(int byte, const void *bytes, size_t size)
+{
+    struct image_reading reading = {.reason = {""}};
+    struct guarded guarded = guarded_copy(bytes, size);
+    fill_arena(byte);
     reading.status = zr_image_read(&arena, guarded.bytes, size, TEXELS_MAX, &reading.image, &reading.reason);
     guarded_free(&guarded);
     return reading;

@@ -111,6 +111,14 @@ static void more_data_than_rows_are_refused(void **state)
     assert_refused(longer.bytes, longer.size, "a broken PNG: Extra compress");
 }
 
+static void what_follows_the_end_is_not_looked_at(void **state)
+{
+    (void)state;
+    struct png_file file = a_file(PNG_COLOR_TYPE_RGB, 8, 1);
+    memset(file.bytes + file.size, 0xff, 5000);
+    assert_int_equal(read_image(file.bytes, file.size + 5000).status, ZR_OK);
+}
+
 static void huge_pictures_cost_nothing(void **state)
 {
     (void)state;
@@ -225,6 +233,7 @@ int main(void)
         cmocka_unit_test(files_cut_anywhere_are_refused),
         cmocka_unit_test(no_bit_may_be_wrong),
         cmocka_unit_test(more_data_than_rows_are_refused),
+        cmocka_unit_test(what_follows_the_end_is_not_looked_at),
         cmocka_unit_test(huge_pictures_cost_nothing),
         cmocka_unit_test(libraries_give_back_what_they_took),
         cmocka_unit_test(every_ceiling_is_enough_or_fails_cleanly),
