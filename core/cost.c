@@ -34,7 +34,7 @@ static void count_outputs(const struct zr_scene *scene, struct zr_cost *cost)
 }
 
 /* What is done at each pixel that is seen, in fragments: about what an AVX-512 machine takes; others take no less. */
-static const double LIGHT_F = 0.6, PLACED_F = 0.4, POINT_F = 4.0;
+static const double LIGHT_F = 0.6, PLACED_F = 0.5, POINT_F = 4.0;
 
 static double work_of_channels(const struct zr_view *view)
 {
