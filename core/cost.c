@@ -8,6 +8,7 @@
 #include "cost_pass.h"
 #include "cost_picture.h"
 #include "look/maps.h"
+#include "look/shadow_map.h"
 #include "scene/resolved_view.h"
 #include "shade/texture_maps.h"
 
@@ -34,7 +35,7 @@ static void count_outputs(const struct zr_scene *scene, struct zr_cost *cost)
 }
 
 /* What is done at each pixel that is seen, in fragments: about what an AVX-512 machine takes; others take no less. */
-static const double LIGHT_F = 0.6, POINT_F = 4.0, TEXTURE_F = 8.0;
+static const double LIGHT_F = 0.6, PLACED_F = 0.5, POINT_F = 4.0, TEXTURE_F = 8.0;
 static const double TEXEL_F = 4.0; /* of a level that is made */
 
 static double work_of_channels(const struct zr_view *view)
@@ -60,6 +61,8 @@ static double work_of_colors(const struct zr_scene *scene)
     if (scene->fog.is_on) work += 1.0;
     if (textured) work += TEXTURE_F;
     if (phong) work += 1.0 + LIGHT_F * (double)scene->light_count;
+    for (uint32_t i = 0; phong && i < scene->light_count; i++)
+        if (zr_light_has_place(&scene->lights[i])) work += PLACED_F;
     return work;
 }
 
@@ -104,6 +107,28 @@ static double square_of_map(const struct zr_bounds *bounds)
     return diagonal * diagonal;
 }
 
+/* Drawn in the maps of spots, in which a face may cover much more than in one along a direction. Of many spots some are
+ * looked at. Maps have both sides of all faces; so that closed bodies cover twice what is measured. */
+static double fragments_of_spots(const struct zr_scene *scene, const struct zr_resolved_view *resolved, uint32_t spots,
+                                 const struct zr_cancel *cancel, struct zr_cost_sampling sampling)
+{
+    enum { MEASURED_MOST = 4, SIDES = 2 };
+    const struct zr_cost_target map = {ZR_SHADOW_SIDE, ZR_SHADOW_SIDE, 1.0};
+    const uint32_t stride = (spots + MEASURED_MOST - 1) / MEASURED_MOST;
+    double sum = 0.0, measured = 0.0;
+    uint32_t number = 0;
+    for (uint32_t i = 0; spots > 0 && i < scene->light_count; i++) {
+        const struct zr_light *light = &scene->lights[i];
+        struct zr_camera camera;
+        if (light->type != ZR_LIGHT_SPOT || !zr_light_casts_shadows(light)) continue;
+        if (!zr_spot_camera(scene, light, &resolved->camera, &resolved->bounds, &camera)) continue;
+        if (number++ % stride != 0) continue;
+        measured += 1.0;
+        sum += zr_cost_pass_measure(scene, &camera, map, 0.0, cancel, sampling).covered;
+    }
+    return measured > 0.0 ? SIDES * sum * (double)spots / measured : 0.0;
+}
+
 /* What the two sizes of window come to. */
 static struct zr_cost_covered covered_by(const struct zr_view *view, uint32_t side, const struct zr_cost_pass *centres,
                                          const struct zr_cost_pass *samples)
@@ -119,7 +144,7 @@ struct zr_cost zr_scene_cost(const struct zr_scene *scene, const struct zr_resol
                              uint32_t corners_max, const struct zr_cancel *cancel)
 {
     const struct zr_view *view = &scene->views[0];
-    const struct zr_cost_passes passes = zr_cost_passes_of(scene, &resolved->bounds);
+    const struct zr_cost_passes passes = zr_cost_passes_of(scene, resolved);
     const double line_width = (double)scene->picture.line_width;
     const struct zr_cost_target window = {view->width, view->height, fmax(line_width, 1.0), 1.0},
                                 larger = {view->width * passes.side, view->height * passes.side,
@@ -137,7 +162,9 @@ struct zr_cost zr_scene_cost(const struct zr_scene *scene, const struct zr_resol
     add_pass(&cost, &samples, work.placing, (double)passes.samples);
     cost.triangles += (double)passes.maps * work.placing + (passes.makes_normals ? CREASE_T * work.triangles : 0.0);
     const struct zr_cost_covered covered = covered_by(view, passes.side, &centres, &samples);
-    cost.fragments += (of_map > 0.0 ? passes.map_texels * centres.surface / of_map : 0.0) +
+    const double spot_texels = (double)passes.spot_maps * ((double)ZR_SHADOW_SIDE * ZR_SHADOW_SIDE);
+    cost.fragments += fragments_of_spots(scene, resolved, passes.spot_maps, cancel, work.sampling);
+    cost.fragments += (of_map > 0.0 ? (passes.map_texels - spot_texels) * centres.surface / of_map : 0.0) +
                       covered.centres * work_of_channels(view) + covered.samples * work_of_colors(scene);
     if (zr_view_wants(view, ZR_CHANNEL_COLOR))
         cost.fragments += TEXEL_F * zr_texture_maps_measure(scene, scene->picture.is_linear).texels;

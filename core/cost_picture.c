@@ -19,15 +19,26 @@ static bool wants_channels(const struct zr_view *view)
     return false;
 }
 
-static uint32_t shadow_count(const struct zr_scene *scene)
+static uint32_t sun_count(const struct zr_scene *scene)
 {
     uint32_t count = 0;
     for (uint32_t i = 0; i < scene->light_count; i++)
-        count += scene->lights[i].has_shadows && scene->lights[i].type == ZR_LIGHT_DIRECTIONAL;
+        count += zr_light_casts_shadows(&scene->lights[i]) && scene->lights[i].type == ZR_LIGHT_DIRECTIONAL;
     return count;
 }
 
-struct zr_cost_passes zr_cost_passes_of(const struct zr_scene *scene, const struct zr_bounds *bounds)
+/* Those that see something. */
+static uint32_t spot_count(const struct zr_scene *scene, const struct zr_resolved_view *resolved)
+{
+    uint32_t count = 0;
+    struct zr_camera camera;
+    for (uint32_t i = 0; i < scene->light_count; i++)
+        count += zr_light_casts_shadows(&scene->lights[i]) && scene->lights[i].type == ZR_LIGHT_SPOT &&
+                 zr_spot_camera(scene, &scene->lights[i], &resolved->camera, &resolved->bounds, &camera);
+    return count;
+}
+
+struct zr_cost_passes zr_cost_passes_of(const struct zr_scene *scene, const struct zr_resolved_view *resolved)
 {
     const struct zr_picture *picture = &scene->picture;
     const struct zr_view *view = &scene->views[0];
@@ -37,11 +48,14 @@ struct zr_cost_passes zr_cost_passes_of(const struct zr_scene *scene, const stru
     passes.side = picture->side;
     passes.centres = wants_channels(view);
     if (!picture->is_linear) return passes;
-    const bool has_maps = zr_diagonal_of(bounds) > 0.0f;
-    const uint32_t shadows = has_maps ? shadow_count(scene) : 0, ground = has_maps && picture->has_ground;
+    const bool has_maps = zr_diagonal_of(&resolved->bounds) > 0.0f;
+    const uint32_t spots = has_maps ? spot_count(scene, resolved) : 0;
+    const uint32_t shadows = spots + (has_maps ? sun_count(scene) : 0);
+    const uint32_t ground = has_maps && picture->has_ground;
     passes.centres += picture->occlusion.is_on;
     passes.maps = shadows + ground;
     passes.lamp_maps = shadows;
+    passes.spot_maps = spots;
     passes.map_texels = (double)shadows * ((double)ZR_SHADOW_SIDE * ZR_SHADOW_SIDE) +
                         (double)ground * ((double)ZR_GROUND_SIDE * ZR_GROUND_SIDE);
     passes.makes_normals = true;
@@ -57,6 +71,7 @@ static const double ENVIRONMENT = 1.2;   /* a sample that it lights */
 static const double PBR_LAMP = 0.25;
 static const double PHONG_LAMP = 0.4;
 static const double OTHER_LAMP = 0.08; /* of flat surfaces, and hemispheres */
+static const double PLACE = 0.45;      /* of a lamp that has one: the way there, and what arrives */
 static const double SHADOW = 5.0;      /* of one lamp: the texels around a place */
 static const double OCCLUSION_PIXEL = 24.0;
 static const double OCCLUSION_SAMPLE = 0.2;
@@ -72,11 +87,12 @@ static double cost_of_lamps(const struct zr_scene *scene, enum zr_shading shadin
     double sum = 0.0;
     for (uint32_t i = 0; i < scene->light_count; i++) {
         const struct zr_light *light = &scene->lights[i];
-        const bool directional = light->type == ZR_LIGHT_DIRECTIONAL;
+        const bool around = light->type == ZR_LIGHT_HEMISPHERE;
         if (light->lit == (is_pbr ? ZR_LIT_CLASSIC : ZR_LIT_PBR)) continue;
         const double direct = is_pbr ? PBR_LAMP : shading == ZR_SHADING_PHONG ? PHONG_LAMP : OTHER_LAMP;
-        sum += directional ? direct : OTHER_LAMP;
-        if (directional && light->has_shadows) sum += SHADOW;
+        sum += around ? OTHER_LAMP : direct;
+        if (zr_light_has_place(light)) sum += PLACE;
+        if (zr_light_casts_shadows(light)) sum += SHADOW;
     }
     return sum;
 }

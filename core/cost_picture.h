@@ -6,7 +6,7 @@
 #ifndef ZR_COST_PICTURE_H
 #define ZR_COST_PICTURE_H
 
-#include "scene/camera.h"
+#include "scene/resolved_view.h"
 #include "scene/scene.h"
 
 /* How often the scene is drawn. */
@@ -15,12 +15,13 @@ struct zr_cost_passes {
     uint32_t samples; /* in one of `side` times the size: 0 or 1 */
     uint32_t side;
     uint32_t maps;      /* for shadows, of lamps and on the ground */
-    uint32_t lamp_maps; /* those of lamps */
+    uint32_t lamp_maps; /* those of lamps, */
+    uint32_t spot_maps; /* and of spots among them */
     double map_texels;  /* of all of them */
     bool makes_normals; /* averages them over faces */
 };
 
-struct zr_cost_passes zr_cost_passes_of(const struct zr_scene *scene, const struct zr_bounds *bounds);
+struct zr_cost_passes zr_cost_passes_of(const struct zr_scene *scene, const struct zr_resolved_view *resolved);
 
 /* What passes are made of: pixels, and samples, at which something is. */
 struct zr_cost_covered {

@@ -95,9 +95,21 @@ for environment in studio outdoor; do
         "Roughness 0.05 to 1 from the left; plastic in front, metal behind, half of each between." "\"look\": \"$environment\""
 done
 
-# ---- what the README shows ----
+# ---- lamps ----
 
 pawn=$(awk -v model=pawn -f $here/models.awk)
+lights='"lights": [{"type": "spot", "position": [4.6, 6, 4.2], "direction": [-4.2, -5.4, -4.2], "color": "#ffd9a8", "intensity": 120, "innerConeAngleDegrees": 10, "outerConeAngleDegrees": 24, "shadows": true}, {"type": "spot", "position": [-5.6, 4.6, 2.6], "direction": [5.2, -4.2, -2.6], "color": "#86b4ff", "intensity": 75, "innerConeAngleDegrees": 8, "outerConeAngleDegrees": 26, "shadows": true}, {"type": "point", "position": [0.7, 0.45, 2.5], "color": "#ff8a5c", "intensity": 1.1, "range": 4}]'
+materials='"materials": [{"name": "floor", "baseColorFactor": "#9a948c", "roughnessFactor": 0.6}, {"name": "white", "baseColorFactor": "#f2efe8", "roughnessFactor": 0.45}, {"name": "gold", "baseColorFactor": "#e0a83a", "metallicFactor": 1, "roughnessFactor": 0.3}, {"name": "bulb", "shading": "unlit", "baseColorFactor": "#ffc09a"}]'
+nodes='"nodes": [{"mesh": "floor"}, {"mesh": "pawn"}, {"mesh": "pawn", "translation": [-2.5, 0, -2]}, {"mesh": "gold", "translation": [1.9, 0, 0.3], "scale": [0.7, 0.7, 0.7]}, {"mesh": "gold", "translation": [-1.25, 0, 1.4], "scale": [0.35, 0.35, 0.35]}, {"mesh": "bulb", "translation": [0.7, 0.39, 2.5], "scale": [0.06, 0.06, 0.06]}]'
+meshes="{\"name\": \"floor\", \"material\": \"floor\", \"positions\": [[-12, 0, -12], [12, 0, -12], [12, 0, 12], [-12, 0, 12]], \"faces\": [[0, 3, 2, 1]]}, {\"name\": \"pawn\", \"material\": \"white\", $pawn}, {\"name\": \"gold\", \"material\": \"gold\", $ball}, {\"name\": \"bulb\", \"material\": \"bulb\", $ball}"
+printf '{"look": "studio", "environment": false, "groundShadow": false, "background": "#0f1216", "ambient": [0.02, 0.022, 0.03], "window": {"width": 620, "height": 400}, "view": {"eye": [1.4, 4.2, 12.5], "target": [0.1, 0.85, 0], "perspective": {"yfovDegrees": 24}}, %s, %s, %s, "meshes": [%s]}\n' \
+    "$lights" "$materials" "$nodes" "$meshes" >"$out/lamps.json"
+echo '<h2>Lamps that have a place</h2>' >>"$page"
+render lamps
+figure lamps wide "Two spots with shadows, and a point lamp near the floor." "$lights"
+
+# ---- what the README shows ----
+
 materials='"materials": [{"name": "slate"}, {"name": "gold", "baseColorFactor": "#e0a83a", "metallicFactor": 1, "roughnessFactor": 0.25}, {"name": "red", "baseColorFactor": "#cc3333", "roughnessFactor": 0.3}, {"name": "white", "baseColorFactor": "#f2f2f2", "roughnessFactor": 0.8}]'
 meshes="{\"name\": \"pawn\", \"material\": \"slate\", $pawn}, {\"name\": \"gold\", \"material\": \"gold\", $ball}, {\"name\": \"red\", \"material\": \"red\", $ball}, {\"name\": \"white\", \"material\": \"white\", $pawn}"
 nodes='"nodes": [{"mesh": "pawn"}, {"mesh": "gold", "translation": [2.3, 0, -0.3]}, {"mesh": "red", "translation": [1.35, 0, 1.5], "scale": [0.6, 0.6, 0.6]}, {"mesh": "white", "translation": [-2.2, 0, -0.9], "scale": [0.9, 0.9, 0.9]}, {"mesh": "gold", "translation": [-1.25, 0, 0.95], "scale": [0.35, 0.35, 0.35]}]'

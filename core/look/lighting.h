@@ -55,6 +55,10 @@ typedef void zr_look_light_fn(const struct zr_look_lighting *lighting, const str
 
 zr_look_light_fn zr_look_light_scalar, zr_look_light_sse2, zr_look_light_avx2, zr_look_light_avx512, zr_look_light_neon;
 
+/* What those call where there are lamps that have a place. */
+zr_look_light_fn zr_look_light_placed_scalar, zr_look_light_placed_sse2, zr_look_light_placed_avx2,
+    zr_look_light_placed_avx512, zr_look_light_placed_neon;
+
 zr_look_light_fn *zr_look_light_of(enum zr_isa isa);
 
 #endif

@@ -5,6 +5,11 @@
 #include "look/surface_classic_simd.h"
 #include "look/surface_pbr_simd.h"
 
+/* lighting_placed_kernel.c is this once more, with another name. */
+#ifndef ZR_LIGHTING_KERNEL
+#define ZR_LIGHTING_KERNEL ZR_KERNEL(zr_look_light)
+#endif
+
 /* What is kept from vector to vector: most have the colour and the material of the one before. Found anew for every 64
  * samples, it took a sixteenth of the time. */
 struct cache {
@@ -134,9 +139,13 @@ static inline struct zr_vec3_v colors_of(const struct zr_look_lighting *lighting
     return zr_choose_v(zr_vm_and(seen, is_line), s.base, color);
 }
 
-void ZR_KERNEL(zr_look_light)(const struct zr_look_lighting *lighting, const struct zr_gbuffer *samples,
-                              const float *occlusion, float *const out[3])
+void ZR_LIGHTING_KERNEL(const struct zr_look_lighting *lighting, const struct zr_gbuffer *samples,
+                        const float *occlusion, float *const out[3])
 {
+    if (!ZR_LIGHTS_PLACED && lighting->placed_count > 0) {
+        ZR_KERNEL(zr_look_light_placed)(lighting, samples, occlusion, out);
+        return;
+    }
     const zr_vf zero = zr_vf_set(0.0f), none = zr_vf_set(-1.0f);
     struct cache cache = {.encoded = {none, none, none}, .linear = {zero, zero, zero}, .columns.roughness = -1.0f};
     for (int32_t y = 0; y < samples->height; y++) {

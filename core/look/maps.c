@@ -1,6 +1,7 @@
 #include "look/maps.h"
 
 #include "base/matrix.h"
+#include "base/trig.h"
 #include "look/lamps.h"
 #include "look/pass.h"
 
@@ -279,7 +280,80 @@ static enum zr_status make_shadow(struct zr_arena *arena, struct zr_team *team, 
     const float v_row[4] = {m[1] * to_texels, m[5] * to_texels, m[9] * to_texels, (m[13] + radius) * to_texels};
     const float depth_row[4] = {-m[2], -m[6], -m[10], -m[14]};
     map->stride = ZR_SHADOW_SIDE + 2 * ZR_SHADOW_BORDER;
-    map->bias = 0.004f * zr_diagonal_of(bounds);
+    map->bias = ZR_SHADOW_BIAS * zr_diagonal_of(bounds);
+    map->u_axis = row_of_eye(&eye_to_world, start, u_row, &map->u_offset);
+    map->v_axis = row_of_eye(&eye_to_world, start, v_row, &map->v_offset);
+    map->depth_axis = row_of_eye(&eye_to_world, start, depth_row, &map->depth_offset);
+    map->depths = bordered(arena, depths, map->stride);
+    return map->depths ? ZR_OK : ZR_NO_MEMORY;
+}
+
+/* The half width of a spot's map at a depth of 1: its cone, and the texels around places at the cone's border. */
+static float half_width_of(const struct zr_light *light)
+{
+    double sine, cosine;
+    zr_sine_cosine(light->outer_degrees, &sine, &cosine);
+    return (float)(sine / cosine * (1.0 + 8.0 / ZR_SHADOW_SIDE));
+}
+
+/* How deep the bounds' corners lie along an axis from a place. */
+static void depths_of(const struct zr_bounds *bounds, zr_vec3 from, zr_vec3 axis, float *least, float *most)
+{
+    for (int i = 0; i < 8; i++) {
+        const zr_vec3 corner = {i & 1 ? bounds->max.x : bounds->min.x, i & 2 ? bounds->max.y : bounds->min.y,
+                                i & 4 ? bounds->max.z : bounds->min.z};
+        const float depth = zr_vec3_dot(zr_vec3_sub(corner, from), axis);
+        if (i == 0 || depth < *least) *least = depth;
+        if (i == 0 || depth > *most) *most = depth;
+    }
+}
+
+/* What is nearer to the lamp than a directional lamp's bias casts no shadow: it may be what the lamp is in. */
+bool zr_spot_camera(const struct zr_scene *scene, const struct zr_light *light, const struct zr_camera *camera,
+                    const struct zr_bounds *bounds, struct zr_camera *out)
+{
+    const float margin = ZR_SHADOW_BIAS * zr_diagonal_of(bounds), half_width = half_width_of(light);
+    zr_vec3 right, up, at = light->position, back = zr_look_light_direction(scene, light, &camera->world_to_eye);
+    float least = 0.0f, most = 0.0f;
+    zr_mat4 eye_to_world;
+    if (!zr_mat4_invert(&camera->world_to_eye, &eye_to_world)) return false;
+    back = zr_vec3_normalize(zr_vec3_scale(direction_in(&eye_to_world, back), -1.0f));
+    if (light->camera_frame) at = zr_vec4_over_w(zr_mat4_apply(&eye_to_world, (zr_vec4){at.x, at.y, at.z, 1.0f}));
+    depths_of(bounds, at, zr_vec3_scale(back, -1.0f), &least, &most);
+    const float far = most + margin, near = least - margin > margin ? least - margin : margin;
+    if (!(far > near) || !isfinite(far)) return false;
+    axes_across(back, &right, &up);
+    *out = map_camera(right, up, back, at, half_width, near, far);
+    out->projection = (zr_mat4){{1.0f / half_width, 0, 0, 0, 0, 1.0f / half_width, 0, 0, 0, 0,
+                                 (far + near) / (near - far), -1, 0, 0, 2.0f * far * near / (near - far), 0}};
+    return true;
+}
+
+static enum zr_status make_spot_shadow(struct zr_arena *arena, struct zr_team *team, const struct zr_scene *scene,
+                                       const struct zr_camera *camera, const struct zr_bounds *bounds,
+                                       const struct zr_light *light, const struct zr_cancel *cancel,
+                                       struct zr_shadow_map *map)
+{
+    const float half_width = half_width_of(light), middle = 0.5f * ZR_SHADOW_SIDE, to_texels = middle / half_width;
+    const zr_vec4 eye = zr_camera_eye(camera);
+    const zr_vec3 start = eye.w != 0.0f ? (zr_vec3){eye.x, eye.y, eye.z} : (zr_vec3){0, 0, 0};
+    struct zr_camera along;
+    zr_mat4 eye_to_world;
+    const float *depths;
+    if (!zr_spot_camera(scene, light, camera, bounds, &along)) return ZR_OK;
+    if (!zr_mat4_invert(&camera->world_to_eye, &eye_to_world)) return ZR_OK;
+    const enum zr_status status = draw_map(arena, team, scene, &along, ZR_SHADOW_SIDE, cancel, &depths);
+    if (status != ZR_OK) return status;
+    const float *m = along.world_to_eye.m;
+    float u_row[4], v_row[4], depth_row[4];
+    for (int k = 0; k < 4; k++) {
+        depth_row[k] = -m[4 * k + 2];
+        u_row[k] = m[4 * k] * to_texels + depth_row[k] * middle;
+        v_row[k] = m[4 * k + 1] * to_texels + depth_row[k] * middle;
+    }
+    map->stride = ZR_SHADOW_SIDE + 2 * ZR_SHADOW_BORDER;
+    map->bias = ZR_SHADOW_BIAS_TEXELS / to_texels;
+    map->eye_scale = zr_eye_scale_of(camera);
     map->u_axis = row_of_eye(&eye_to_world, start, u_row, &map->u_offset);
     map->v_axis = row_of_eye(&eye_to_world, start, v_row, &map->v_offset);
     map->depth_axis = row_of_eye(&eye_to_world, start, depth_row, &map->depth_offset);
@@ -294,15 +368,17 @@ enum zr_status zr_shadow_maps_make(struct zr_arena *arena, struct zr_team *team,
     bool any = false;
     *maps = NULL;
     for (uint32_t i = 0; i < scene->light_count; i++)
-        any |= scene->lights[i].has_shadows;
+        any |= zr_light_casts_shadows(&scene->lights[i]);
     if (!any || !(zr_diagonal_of(bounds) > 0.0f)) return ZR_OK;
     struct zr_shadow_map *out = zr_arena_zero(arena, scene->light_count, sizeof *out);
     if (!out) return ZR_NO_MEMORY;
     *maps = out;
     for (uint32_t i = 0; i < scene->light_count; i++) {
         const struct zr_light *light = &scene->lights[i];
-        if (!light->has_shadows || light->type != ZR_LIGHT_DIRECTIONAL) continue;
-        const enum zr_status status = make_shadow(arena, team, scene, camera, bounds, light, cancel, &out[i]);
+        if (!zr_light_casts_shadows(light)) continue;
+        const enum zr_status status = light->type == ZR_LIGHT_SPOT
+                                          ? make_spot_shadow(arena, team, scene, camera, bounds, light, cancel, &out[i])
+                                          : make_shadow(arena, team, scene, camera, bounds, light, cancel, &out[i]);
         if (status != ZR_OK) return status;
     }
     return ZR_OK;

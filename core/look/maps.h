@@ -30,6 +30,11 @@ enum zr_status zr_ground_map_make(struct zr_arena *arena, struct zr_team *team, 
  * it. False where the projection has none. */
 bool zr_rays_of(const struct zr_camera *camera, uint32_t width, uint32_t height, struct zr_rays *rays);
 
+/* What a spot sees of the scene, within its cone and a little more: a camera at its place, whose window is square.
+ * False where it sees nothing. */
+bool zr_spot_camera(const struct zr_scene *scene, const struct zr_light *light, const struct zr_camera *camera,
+                    const struct zr_bounds *bounds, struct zr_camera *out);
+
 /* One a light of the scene, for those that cast shadows. NULL where none does. */
 enum zr_status zr_shadow_maps_make(struct zr_arena *arena, struct zr_team *team, const struct zr_scene *scene,
                                    const struct zr_camera *camera, const struct zr_bounds *bounds,

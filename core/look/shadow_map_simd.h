@@ -1,4 +1,4 @@
-/* shadow_map_simd.h - look: how much of a directional lamp's light reaches points, by its depth map; for kernels. */
+/* shadow_map_simd.h - look: how much of a lamp's light reaches points, by its depth map; for kernels. */
 #ifndef ZR_SHADOW_MAP_SIMD_H
 #define ZR_SHADOW_MAP_SIMD_H
 
@@ -33,16 +33,10 @@ static inline zr_vi zr_shadow_clamp(zr_vi texel)
     return zr_vi_max(zr_vi_min(texel, last), zr_vi_set(0));
 }
 
-/* Share of the lamp's light that reaches points of the G-buffer with unit normals: 0 .. 1, in steps of 1 / 37. The
- * point is moved by the bias along its normal, and by as much against the light. */
-static inline zr_vf zr_shadow_share_v(const struct zr_shadow_map *map, struct zr_vec3_v point, struct zr_vec3_v normal)
+/* The share of the texels around a place that do not lie before a depth. */
+static inline zr_vf zr_shadow_mean_v(const struct zr_shadow_map *map, zr_vi x, zr_vi y, zr_vf depth)
 {
     enum { REACH = ZR_SHADOW_REACH };
-    const zr_vf bias = zr_vf_set(map->bias);
-    const struct zr_vec3_v p = {point.x + normal.x * bias, point.y + normal.y * bias, point.z + normal.z * bias};
-    const zr_vf depth = zr_shadow_along(map->depth_axis, p, map->depth_offset) - bias;
-    const zr_vi x = zr_shadow_texel(zr_shadow_along(map->u_axis, p, map->u_offset));
-    const zr_vi y = zr_shadow_texel(zr_shadow_along(map->v_axis, p, map->v_offset));
     zr_vi columns[2 * REACH + 1], lit = zr_vi_set(0);
     for (int dx = -REACH; dx <= REACH; dx++)
         columns[dx + REACH] = zr_shadow_clamp(x + zr_vi_set(dx));
@@ -55,6 +49,31 @@ static inline zr_vf zr_shadow_share_v(const struct zr_shadow_map *map, struct zr
         }
     }
     return zr_vf_of(lit) / zr_vf_set((float)ZR_SHADOW_TEXELS);
+}
+
+/* Share of a directional lamp's light that reaches points of the G-buffer with unit normals: 0 .. 1, in steps of
+ * 1 / 37. The point is moved by the bias along its normal, and by as much against the light. */
+static inline zr_vf zr_shadow_share_v(const struct zr_shadow_map *map, struct zr_vec3_v point, struct zr_vec3_v normal)
+{
+    const zr_vf bias = zr_vf_set(map->bias);
+    const struct zr_vec3_v p = {point.x + normal.x * bias, point.y + normal.y * bias, point.z + normal.z * bias};
+    const zr_vf depth = zr_shadow_along(map->depth_axis, p, map->depth_offset) - bias;
+    const zr_vi x = zr_shadow_texel(zr_shadow_along(map->u_axis, p, map->u_offset));
+    const zr_vi y = zr_shadow_texel(zr_shadow_along(map->v_axis, p, map->v_offset));
+    return zr_shadow_mean_v(map, x, y, depth);
+}
+
+/* The same of a spot's: the bias grows with the distance, as texels do. What is behind the lamp is anything. */
+static inline zr_vf zr_shadow_cone_share_v(const struct zr_shadow_map *map, struct zr_vec3_v point,
+                                           struct zr_vec3_v normal)
+{
+    const zr_vf own = zr_vf_max(zr_shadow_along(map->depth_axis, point, map->depth_offset), zr_vf_set(0.0f));
+    const zr_vf bias = own * zr_vf_set(map->bias), along = bias * zr_vf_set(map->eye_scale);
+    const struct zr_vec3_v p = {point.x + normal.x * along, point.y + normal.y * along, point.z + normal.z * along};
+    const zr_vf depth = zr_shadow_along(map->depth_axis, p, map->depth_offset);
+    const zr_vi x = zr_shadow_texel(zr_shadow_along(map->u_axis, p, map->u_offset) / depth);
+    const zr_vi y = zr_shadow_texel(zr_shadow_along(map->v_axis, p, map->v_offset) / depth);
+    return zr_shadow_mean_v(map, x, y, depth - bias);
 }
 
 #endif

@@ -260,7 +260,7 @@ ZR_INLINED struct zr_vec3_v zr_surface_pbr_v(const struct zr_look_lighting *ligh
         const struct zr_lamp *lamp = &lighting->lamps[i];
         if (lamp->lights_pbr && !lamp->is_hemisphere) sum = zr_add_v(sum, zr_pbr_from_lamp_v(lamp, &pbr, s));
     }
-    for (uint32_t i = 0; i < lighting->placed_count; i++)
+    for (uint32_t i = 0; ZR_LIGHTS_PLACED && i < lighting->placed_count; i++)
         if (lighting->placed[i].lights_pbr) sum = zr_add_v(sum, zr_pbr_from_placed_v(&lighting->placed[i], &pbr, s));
     return sum;
 }

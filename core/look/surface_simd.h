@@ -8,6 +8,12 @@
 #include "look/tone_simd.h"
 #include "shade/lamp_place_simd.h"
 
+/* Whether there may be lamps that have a place. A constant, for their code would slow down that of other pictures:
+ * there is a kernel for each case. */
+#ifndef ZR_LIGHTS_PLACED
+#define ZR_LIGHTS_PLACED false
+#endif
+
 struct zr_shading_v {
     struct zr_vec3_v base;   /* linear */
     struct zr_vec3_v normal; /* unit */
@@ -43,10 +49,13 @@ static inline zr_vf zr_lamp_share_v(const struct zr_lamp *lamp, const struct zr_
     return lamp->shadow ? zr_shadow_share_v(lamp->shadow, s->point, s->normal) : zr_vf_set(1.0f);
 }
 
-/* What arrives from a lamp that has a place. */
+/* What arrives from a lamp that has a place, in its shadows and out of them. */
 static inline struct zr_arriving_v zr_placed_arriving_v(const struct zr_placed_lamp *lamp, const struct zr_shading_v *s)
 {
-    return zr_arriving_from_v(&lamp->place, s->point);
+    struct zr_arriving_v arriving = zr_arriving_from_v(&lamp->place, s->point);
+    if (lamp->shadow && zr_vm_any(zr_vf_lt(zr_vf_set(0.0f), arriving.share)))
+        arriving.share = arriving.share * zr_shadow_cone_share_v(lamp->shadow, s->point, s->normal);
+    return arriving;
 }
 
 /* Of light from all around, how much reaches a surface that reflects `albedo`: what is bounced between the walls of a

@@ -185,6 +185,12 @@ struct zr_light {
     double inner_degrees, outer_degrees; /* of a spot: from its axis, 0 <= inner < outer <= 90 */
 };
 
+/* Has a map for it. */
+static inline bool zr_light_casts_shadows(const struct zr_light *light)
+{
+    return light->has_shadows && (light->type == ZR_LIGHT_DIRECTIONAL || light->type == ZR_LIGHT_SPOT);
+}
+
 static inline bool zr_light_has_place(const struct zr_light *light)
 {
     return light->type == ZR_LIGHT_POINT || light->type == ZR_LIGHT_SPOT;

@@ -10,8 +10,11 @@ static inline struct zr_vec3_v zr_model_color(const struct zr_model_context *con
 {
     switch (material->shading) {
     case ZR_SHADING_PHONG:
-        return context->lighting->places ? zr_model_phong_placed(context, material, in)
-                                         : zr_model_phong(context, material, in);
+        if (context->lighting->places) {
+            const struct zr_model_inputs copy = *in; /* what is handed over by its address is in no register */
+            return zr_model_phong_placed(context, material, &copy);
+        }
+        return zr_model_phong(context, material, in);
     case ZR_SHADING_NORMALS:
         return zr_model_normals(context, material, in);
     default:

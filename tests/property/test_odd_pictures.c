@@ -48,9 +48,15 @@ static const struct {
 
 #define LAMPS                                                                                                          \
     "\"lights\":[{\"type\":\"directional\",\"direction\":[0,-1,0],\"shadows\":true},{\"type\":\"hemisphere\"}]"
+#define PLACED                                                                                                         \
+    "\"lights\":[{\"type\":\"spot\",\"position\":[0,0,1],\"direction\":[0,-1,-1],\"outerConeAngleDegrees\":80,"        \
+    "\"shadows\":"                                                                                                     \
+    "true},{\"type\":\"point\",\"position\":[0,0,0],\"intensity\":1e15},{\"type\":\"spot\",\"position\":[0,0,0],"      \
+    "\"direction\":[0,0,-1],\"frame\":\"camera\",\"range\":1e-6,\"shadows\":true}]"
 static const char *const looks[] = {
     "\"look\":\"studio\",\"samples\":4",
     "\"look\":\"technical\",\"samples\":1",
+    "\"look\":\"studio\",\"samples\":1,\"environment\":false," PLACED,
     "\"look\":\"outdoor\"",
     "\"look\":\"blueprint\",\"samples\":4,\"lineWidth\":64,\"outline\":\"#ff0000\"",
     "\"look\":\"technical\",\"samples\":4,\"edges\":{\"width\":64,\"creaseDegrees\":0},\"creaseDegrees\":0",
@@ -63,6 +69,17 @@ static const char *const looks[] = {
 
 enum { BODIES = sizeof bodies / sizeof *bodies, VIEWS = sizeof views / sizeof *views };
 enum { WINDOWS = sizeof windows / sizeof *windows, LOOKS = sizeof looks / sizeof *looks };
+
+/* Lamps that have a place refuse positions of four numbers. */
+static bool is_refused(const char *look, const char *body)
+{
+    const char *corner = strstr(body, "\"positions\":[[");
+    int commas = 0;
+    if (!strstr(look, "\"position\":") || !corner) return false;
+    for (corner += 14; *corner != ']'; corner++)
+        commas += *corner == ',';
+    return commas > 2;
+}
 
 static void odd_pictures_are_the_same_everywhere(void **state)
 {
@@ -81,6 +98,7 @@ static void odd_pictures_are_the_same_everywhere(void **state)
             for (int round = 0; round < 3; round++, pictures++) {
                 char text[4096];
                 const int window = pictures % WINDOWS, look = (pictures / WINDOWS + pictures * 7) % LOOKS;
+                if (is_refused(looks[look], bodies[body])) continue;
                 snprintf(text, sizeof text, "{\"window\":{\"width\":%u,\"height\":%u},%s,\"meshes\":[{%s}]%s}",
                          windows[window].width, windows[window].height, looks[look], bodies[body], views[view]);
                 picture_assert_same(&arena, teams, count, text);

@@ -16,13 +16,20 @@ static uint64_t number_of(const char *variable, uint64_t otherwise)
 
 /* How many pictures have what is to be tried. */
 struct seen {
-    uint64_t linear, textbook, gradients, environments, occluded, grounded, edged, shadowed, shown, several;
+    uint64_t linear, textbook, gradients, environments, occluded, grounded, edged, shadowed, placed, shown, several;
 };
 
 static bool has_shadows(const struct zr_scene *scene)
 {
     for (uint32_t i = 0; i < scene->light_count; i++)
         if (scene->lights[i].has_shadows) return true;
+    return false;
+}
+
+static bool has_placed_lamps(const struct zr_scene *scene)
+{
+    for (uint32_t i = 0; i < scene->light_count; i++)
+        if (zr_light_has_place(&scene->lights[i])) return true;
     return false;
 }
 
@@ -45,6 +52,7 @@ static void count(const struct drawn_picture *drawn, struct seen *seen)
     seen->grounded += picture->is_linear && picture->has_ground;
     seen->edged += picture->is_linear && picture->edges.is_on;
     seen->shadowed += picture->is_linear && has_shadows(drawn->scene);
+    seen->placed += has_placed_lamps(drawn->scene);
     seen->several += picture->side > 1;
     seen->shown += shows_something(drawn->frame);
 }
@@ -57,6 +65,7 @@ static void assert_enough(const struct seen *seen, uint64_t pictures)
         if (least[i] < pictures / 6)
             fail_msg("only %" PRIu64 " of %" PRIu64 " have feature %zu", least[i], pictures, i);
     assert_true(seen->textbook >= pictures / 50);
+    assert_true(seen->placed >= pictures / 10);
     assert_true(seen->shown >= pictures * 3 / 4);
 }
 

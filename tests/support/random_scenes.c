@@ -179,6 +179,20 @@ static void add_keys(void)
     }
 }
 
+/* Up to its frame. */
+static void add_placed_lamp(void)
+{
+    const bool is_spot = once_in(2);
+    add("{\"type\":\"%s\",\"color\":\"#%06x\",\"position\":", is_spot ? "spot" : "point", color());
+    add_vector(3.0);
+    if (once_in(2)) add(",\"range\":%.6g", between(0.1, 8.0));
+    if (!is_spot) return;
+    const double outer = between(1.0, 80.0);
+    add(",\"shadows\":%s,\"outerConeAngleDegrees\":%.6g,\"innerConeAngleDegrees\":%.6g,\"direction\":",
+        is_textbook || once_in(4) ? "false" : "true", outer, between(0.0, 0.9) * outer);
+    add_vector(1.0);
+}
+
 static void add_lamp(void)
 {
     static const char *const frames[] = {"camera", "world"};
@@ -187,6 +201,8 @@ static void add_lamp(void)
     if (!is_textbook && once_in(3)) {
         add("{\"type\":\"hemisphere\",\"sky\":\"#%06x\",\"ground\":\"#%06x\",\"up\":", color(), color());
         add_vector(1.0);
+    } else if (once_in(3)) {
+        add_placed_lamp();
     } else {
         add("{\"type\":\"directional\",\"color\":\"#%06x\",\"shadows\":%s,\"direction\":", color(),
             is_textbook ? "false" : truth());

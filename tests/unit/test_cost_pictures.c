@@ -138,6 +138,42 @@ static void scene_is_drawn_once_for_each_lamp_that_casts_shadows(void **state)
     assert_true(fabs(all.window_bytes - one.window_bytes - 99 * 2 * 4 * texels) < 1);
 }
 
+/* So many spots, so far before two triangles that face them. */
+static struct zr_cost cost_of_spots(uint32_t count, bool have_shadows, float distance)
+{
+    static struct test_scene test;
+    static struct zr_light lights[ZR_LIGHTS_MAX];
+    for (uint32_t i = 0; i < count; i++)
+        lights[i] = (struct zr_light){.type = ZR_LIGHT_SPOT,
+                                      .position = {0, 0, distance},
+                                      .direction = {0, 0, -1},
+                                      .color = {1, 1, 1},
+                                      .outer_degrees = 45,
+                                      .has_shadows = have_shadows};
+    half_a_window(&test);
+    test.material.shading = ZR_SHADING_PBR;
+    test.scene.picture.side = 1;
+    test.scene.picture.is_linear = true;
+    test.scene.lights = lights;
+    test.scene.light_count = count;
+    return scene_cost(&test.scene, 1024);
+}
+
+static void spots_cost_their_maps_and_what_lamps_cost(void **state)
+{
+    (void)state;
+    const double texels = 1024.0 * 1024.0;
+    const struct zr_cost none = cost_of_spots(100, false, 3), all = cost_of_spots(100, true, 3),
+                         one = cost_of_spots(1, true, 3), near = cost_of_spots(100, true, 1.5f);
+    assert_true(none.samples > cost_of_lamps(100, false, ZR_SHADING_PBR, 1).samples);
+    assert_true(fabs(all.triangles - none.triangles - 100 * 2) < 1);
+    assert_true(fabs(all.window_bytes - one.window_bytes - 99 * 2 * 4 * texels) < 1);
+    assert_true(all.samples - none.samples > 100 * (PIXELS / 2 + 0.25 * texels));
+    /* An area of 2 at a depth of 3 or 1.5, where the map is 6 or 3 wide, on both sides. */
+    assert_true(fabs((all.fragments - none.fragments) / (100 * 2 * texels * 2 / 36) - 1) < 0.1);
+    assert_true(fabs((near.fragments - none.fragments) / (all.fragments - none.fragments) - 4) < 0.1);
+}
+
 /* Of two triangles, of which one has a corner far away, or at infinity: it covers a map at most. */
 static void no_face_covers_more_than_a_map(void **state)
 {
@@ -267,6 +303,7 @@ int main(void)
         cmocka_unit_test(effects_without_linear_light_cost_nothing),
         cmocka_unit_test(lamps_cost_at_each_sample),
         cmocka_unit_test(scene_is_drawn_once_for_each_lamp_that_casts_shadows),
+        cmocka_unit_test(spots_cost_their_maps_and_what_lamps_cost),
         cmocka_unit_test(no_face_covers_more_than_a_map),
         cmocka_unit_test(memory_of_whole_windows_is_told),
         cmocka_unit_test(told_memory_is_needed),

@@ -102,7 +102,8 @@ static const char obj[] = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 2 3\nf 1 2 4\
     "1]],"                                                                                                             \
     "\"outline\":true}],\"lineWidth\":2.5,\"samples\":16,\"edges\":{\"width\":3},\"lights\":[{\"type\":"               \
     "\"directional\","                                                                                                 \
-    "\"direction\":[0,-1,-1],\"shadows\":true},{\"type\":\"hemisphere\"}]"
+    "\"direction\":[0,-1,-1],\"shadows\":true},{\"type\":\"hemisphere\"},{\"type\":\"spot\",\"position\":[0,2,2],"     \
+    "\"direction\":[0,-1,-1],\"shadows\":true},{\"type\":\"point\",\"position\":[1,1,1]}]"
 static const char *const lit[] = {
     "{" WINDOW ",\"look\":\"outdoor\"," LIT_MESH ",\"outputs\":[{\"channel\":\"color\"}]}",
     "{" WINDOW ",\"look\":\"studio\",\"algorithm\":\"painter\",\"shading\":\"phong\"," LIT_MESH "," OUTPUTS "}"};

@@ -1,6 +1,7 @@
 /* phong_placed_simd.h - shade: phong_simd.h where some light has a place (lamp_place.h).
  *
- * Why:    a loop of its own: where all lights are directional, nothing is asked for each of them.
+ * Why:    a loop of its own: where all lights are directional, nothing is asked for each of them. It is kept apart, for
+ *         the code of other shadings is slower with it.
  * Exact:  what arrives is multiplied with the cosine, or with the highlight, and that with light times surface, as
  *         Mesa's fixed functions do it.
  */
@@ -18,9 +19,9 @@ static inline zr_vf zr_phong_shine_v(const struct zr_material *material, struct 
     return zr_pow_v(cosine, zr_vf_set(material->shininess));
 }
 
-static inline struct zr_vec3_v zr_model_phong_placed(const struct zr_model_context *context,
-                                                     const struct zr_material *material,
-                                                     const struct zr_model_inputs *in)
+static __attribute__((noinline)) struct zr_vec3_v zr_model_phong_placed(const struct zr_model_context *context,
+                                                                        const struct zr_material *material,
+                                                                        const struct zr_model_inputs *in)
 {
     const struct zr_lighting *lighting = context->lighting;
     const struct zr_vec3_v n = zr_normalize_v(in->normal), away = zr_scale_v(in->point, zr_vf_set(-1.0f));

@@ -1,0 +1,175 @@
+/* Shadows of spots: a plane has none of itself, at whatever angle light comes and whatever looks at it; what stands on
+ * a plane has its shadow from its foot on; and nothing that the cone misses changes. */
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "support/cmocka_all.h"
+#include "support/random.h"
+#include "support/scenes.h"
+
+enum { WIDTH = 160, HEIGHT = 120, PIXELS = WIDTH * HEIGHT };
+
+static struct zr_arena arena;
+static char text[4096];
+
+/* Draws what `text` says; the picture stays until the arena is reset. */
+static const uint8_t *draw(void)
+{
+    const struct zr_request request = {.format = ZR_FORMAT_JSON, .size = strlen(text), .bytes = text};
+    const struct zr_limits limits = zr_limits_default();
+    struct zr_error error = {.count = 0};
+    const struct zr_scene *scene;
+    if (zr_scene_read(&arena, NULL, &request, &limits, &scene, &error) != ZR_OK)
+        fail_msg("%s %s: %s", error.items[0].pointer, error.items[0].detail, text);
+    return scene_render(&arena, NULL, scene)->color;
+}
+
+/* A scene of these polygons, seen by this view, under one spot and a little ambient light. `shading` and the spot's
+ * cone are as given; members of the spot follow. */
+struct setting {
+    const char *polygons, *view, *shading;
+    double at[3], to[3], outer;
+};
+
+/* `strength`: of the light, where the lamp looks. */
+static void write_scene(const struct setting *s, double strength, const char *shadows)
+{
+    const double intensity = strength * (s->at[0] * s->at[0] + s->at[1] * s->at[1] + s->at[2] * s->at[2]);
+    snprintf(
+        text, sizeof text,
+        "{\"colorManagement\": \"srgb\", \"window\": {\"width\": %d, \"height\": %d}, \"ambient\": [0.05, 0.05, 0.05], "
+        "\"shading\": \"%s\", \"view\": {%s}, \"lights\": [{\"type\": \"spot\", \"position\": [%.6f, %.6f, %.6f], "
+        "\"direction\": [%.6f, %.6f, %.6f], \"outerConeAngleDegrees\": %.4f, \"intensity\": %.6f, \"shadows\": %s}], "
+        "\"polygons\": [%s]}",
+        WIDTH, HEIGHT, s->shading, s->view, s->at[0], s->at[1], s->at[2], s->to[0] - s->at[0], s->to[1] - s->at[1],
+        s->to[2] - s->at[2], s->outer, intensity, shadows, s->polygons);
+}
+
+static int count_differences(const struct setting *s)
+{
+    int count = 0;
+    write_scene(s, 0.8, "false");
+    const uint8_t *without = draw();
+    write_scene(s, 0.8, "true");
+    const uint8_t *with = draw();
+    for (int i = 0; i < PIXELS; i++)
+        count += memcmp(with + 4 * i, without + 4 * i, 4) != 0;
+    return count;
+}
+
+/* Pixels that the spot lights: those that differ from what they are under one of no intensity. */
+static int count_lit(const struct setting *s)
+{
+    int count = 0;
+    write_scene(s, 0.8, "false");
+    const uint8_t *with = draw();
+    write_scene(s, 0.0, "false");
+    const uint8_t *without = draw();
+    for (int i = 0; i < PIXELS; i++)
+        count += memcmp(with + 4 * i, without + 4 * i, 4) != 0;
+    return count;
+}
+
+static const char *const views[] = {
+    "\"eye\": [1, -2, 5], \"target\": [0, 0, 0], \"perspective\": {\"yfovDegrees\": 45}",
+    "\"eye\": [-2, 3, 4], \"target\": [0, 0, 0], \"orthographic\": {\"xmag\": 3.2, \"ymag\": 2.4}",
+    "\"worldToCamera\": [[3, 0, 0, 0], [0, 3, 0, 0], [0, 0, 3, -15], [0, 0, 0, 1]], \"perspective\": {\"yfovDegrees\": "
+    "50}",
+};
+static const char *const shadings[] = {"flat", "phong", "pbr"};
+
+#define PLANE "{\"doubleSided\": true, \"vertices\": [[-3, -3, 0], [3, -3, 0], [3, 3, 0], [-3, 3, 0]]}"
+
+static void a_plane_has_no_shadow_of_itself(void **state)
+{
+    (void)state;
+    struct random r = random_seeded(91);
+    int lit = 0;
+    zr_arena_init(&arena, (size_t)1 << 28);
+    for (int round = 0; round < 60; round++) {
+        const double height = random_range(&r, 1, 85) * acos(-1.0) / 180, turn = random_range(&r, 0, 6.2831853);
+        const double d = pow(10.0, random_range(&r, -0.2, 1.5)), side = round % 4 == 3 ? -1 : 1;
+        struct setting s = {.polygons = PLANE,
+                            .view = views[round % 3],
+                            .shading = shadings[round / 3 % 3],
+                            .at = {d * cos(height) * cos(turn), d * cos(height) * sin(turn), side * d * sin(height)},
+                            .to = {random_range(&r, -0.3, 0.3), random_range(&r, -0.3, 0.3), 0},
+                            .outer = random_range(&r, 2, 80)};
+        const int differ = count_differences(&s);
+        if (differ) fail_msg("round %d: %d pixels of a plane are in its own shadow: %s", round, differ, text);
+        lit += count_lit(&s);
+        zr_arena_reset(&arena, (size_t)1 << 28);
+    }
+    assert_true(lit > 60 * PIXELS / 20);
+    zr_arena_free(&arena);
+}
+
+/* A wall on a plane, lit from one side by a lamp that is as high as the wall is wide; seen from above. */
+#define WALL PLANE ", {\"doubleSided\": true, \"vertices\": [[0, -1, 0], [0, 1, 0], [0, 1, 1], [0, -1, 1]]}"
+
+static int red_at(const uint8_t *rgba, double x, double y)
+{
+    const int column = (int)((x + 3.2) / 6.4 * WIDTH), row = (int)((2.4 - y) / 4.8 * HEIGHT);
+    return rgba[4 * (row * WIDTH + column)];
+}
+
+static void a_wall_has_its_shadow_from_its_foot_on(void **state)
+{
+    (void)state;
+    static const double cones[] = {20, 35, 60};
+    zr_arena_init(&arena, (size_t)1 << 28);
+    for (size_t i = 0; i < sizeof cones / sizeof *cones; i++) {
+        const struct setting s = {.polygons = WALL,
+                                  .view = "\"eye\": [0, 0, 5], \"target\": [0, 0, 0], \"up\": [0, 1, 0], "
+                                          "\"orthographic\": {\"xmag\": 3.2, \"ymag\": 2.4}",
+                                  .shading = "flat",
+                                  .at = {-3, 0, 3},
+                                  .to = {0, 0, 0},
+                                  .outer = cones[i]};
+        write_scene(&s, 0.8, "true");
+        const uint8_t *rgba = draw();
+        const int dark = red_at(rgba, 0.5, 0), lit = red_at(rgba, -0.3, 0);
+        assert_true(lit > dark + 40);
+        for (double x = 0.1; x < 1.3; x += 0.04) /* behind the wall, up to where the light comes over it at x = 1.5 */
+            if (red_at(rgba, x, 0) != dark)
+                fail_msg("outer %g: there is light behind the wall's foot, at %g", cones[i], x);
+        for (double x = -0.08; x > -0.6; x -= 0.04)
+            if (red_at(rgba, x, 0) <= dark + 40) fail_msg("outer %g: it is dark before the wall, at %g", cones[i], x);
+        if (cones[i] > 30) assert_true(red_at(rgba, 1.7, 0) > dark + 15);
+        zr_arena_reset(&arena, (size_t)1 << 28);
+    }
+    zr_arena_free(&arena);
+}
+
+/* Behind the lamp, out of its cone, or of no size: nothing of it is in the map. */
+static void what_the_cone_misses_casts_no_shadow(void **state)
+{
+    (void)state;
+    static const char *const others[] = {
+        PLANE ", {\"doubleSided\": true, \"vertices\": [[-1, -1, 4], [1, -1, 4], [1, 1, 4], [-1, 1, 4]]}",
+        PLANE ", {\"doubleSided\": true, \"vertices\": [[2.2, -1, 1], [3, -1, 1], [3, 1, 1], [2.2, 1, 1]]}"};
+    zr_arena_init(&arena, (size_t)1 << 28);
+    for (size_t i = 0; i < sizeof others / sizeof *others; i++) {
+        const struct setting s = {
+            .polygons = others[i],
+            .view = "\"eye\": [0, -6, 2], \"target\": [0, 0, 0.5], \"perspective\": {\"yfovDegrees\": 60}",
+            .shading = "flat",
+            .at = {0, 0, 3},
+            .to = {0, 0, 0},
+            .outer = 30};
+        assert_int_equal(count_differences(&s), 0);
+        zr_arena_reset(&arena, (size_t)1 << 28);
+    }
+    zr_arena_free(&arena);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(a_plane_has_no_shadow_of_itself),
+        cmocka_unit_test(a_wall_has_its_shadow_from_its_foot_on),
+        cmocka_unit_test(what_the_cone_misses_casts_no_shadow),
+    };
+    return cmocka_run_group_tests_name("spot_shadows", tests, NULL, NULL);
+}
