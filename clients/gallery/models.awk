@@ -1,6 +1,6 @@
 # models.awk -v model=pawn|ball|coarse|gear: a body of revolution as the members of a mesh in JSON, counter-clockwise
 # seen from outside. Rings of points follow its outline from the bottom upwards; those of a gear have teeth.
-# Prints "positions": [...], "faces": [...].
+# Prints "positions": [...], "faces": [...]. model=ring: a torus with "normals" and "texcoords", on which an image lies several times.
 function put(r, y, deep) { radius[++rings] = r; height[rings] = y; depth[rings] = deep }
 function put_all(outline, count, i, p, q) {
     count = split(outline, p, " ")
@@ -8,8 +8,23 @@ function put_all(outline, count, i, p, q) {
 }
 function put_ball(r, y, first, last, i) { for (i = first; i <= last; i++) put(r * sin(pi * i / last), y - r * cos(pi * i / last)) }
 function at(ring, k) { return radius[ring] - (k % 4 == 0 || k % 4 == 3 ? depth[ring] : 0) }
+# The corners of a seam are there twice, for u and v go on across it.
+function put_ring(around, across, i, k, t, p, r, places, normals, texcoords, faces, n, a) {
+    for (i = 0; i <= around; i++)
+        for (k = 0; k <= across; k++) {
+            t = 2 * pi * i / around; p = 2 * pi * k / across; r = 1 + 0.45 * cos(p)
+            places = places sprintf("%s[%.4f,%.4f,%.4f]", (i + k ? "," : ""), r * cos(t), 0.45 + 0.45 * sin(p), -r * sin(t))
+            normals = normals sprintf("%s[%.4f,%.4f,%.4f]", (i + k ? "," : ""), cos(p) * cos(t), sin(p), -cos(p) * sin(t))
+            texcoords = texcoords sprintf("%s[%.4f,%.4f]", (i + k ? "," : ""), 6 * i / around, 3 - 3 * k / across)
+            if (i == around || k == across) continue
+            a = i * (across + 1) + k
+            faces = faces sprintf("%s[%d,%d,%d,%d]", (n++ ? "," : ""), a, a + across + 1, a + across + 2, a + 1)
+        }
+    printf "\"positions\": [%s], \"normals\": [%s], \"texcoords\": [%s], \"faces\": [%s]", places, normals, texcoords, faces
+}
 BEGIN {
     pi = 3.14159265358979
+    if (model == "ring") { put_ring(96, 32); exit }
     sides = model == "coarse" ? 12 : model == "pawn" ? 64 : 48
     if (model == "ball") put_ball(1, 1, 0, 24)
     if (model == "coarse") put_all("0,0 0.8,0 1,0.25 1,0.75 0.6,1.1 0.6,1.5 0,1.5")
