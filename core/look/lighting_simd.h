@@ -42,7 +42,7 @@ static inline struct zr_vec3_v zr_cool_of(struct zr_light_cache *cache, const st
 
 /* Samples of one material. Of what has no textures, `cache` has its columns. */
 ZR_INLINED struct zr_vec3_v zr_shade_v(const struct zr_look_lighting *lighting, const struct zr_material *material,
-                                  struct zr_light_cache *cache, const struct zr_shading_v *s)
+                                       struct zr_light_cache *cache, const struct zr_shading_v *s)
 {
     switch (material->shading) {
     case ZR_SHADING_FLAT:
