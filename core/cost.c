@@ -40,7 +40,7 @@ static const double TEXEL_F = 4.0; /* of a level that is made */
 static double work_of_channels(const struct zr_view *view)
 {
     static const enum zr_channel slow[] = {ZR_CHANNEL_DISTANCE, ZR_CHANNEL_POSITION, ZR_CHANNEL_BARYCENTRICS,
-                                           ZR_CHANNEL_NORMALS};
+                                           ZR_CHANNEL_NORMALS, ZR_CHANNEL_TEXCOORD};
     double work = 0.0;
     for (size_t i = 0; i < sizeof slow / sizeof slow[0]; i++)
         if (zr_view_wants(view, slow[i])) work += POINT_F;
