@@ -1,14 +1,14 @@
-# models.awk -v model=pawn|ball|coarse|gear|waves: a body of revolution as the members of a mesh in JSON, counter-clockwise
-# seen from outside. Rings of points follow its outline from the bottom upwards; those of a gear have teeth. Waves are a grid
-# of heights. Prints "positions": [...], "faces": [...], or "heights": [...]. A second word, such as "ball turbo", is a
-# colormap: of heights, or of numbers that go round the body; "gear faces turbo": of faces.
+# models.awk -v model=pawn|ball|coarse|gear: a body of revolution as the members of a mesh in JSON, counter-clockwise
+# seen from outside. Rings of points follow its outline from the bottom upwards; those of a gear have teeth.
+# Prints "positions": [...], "faces": [...].
 function put(r, y, deep) { radius[++rings] = r; height[rings] = y; depth[rings] = deep }
 function put_all(outline, count, i, p, q) {
     count = split(outline, p, " ")
     for (i = 1; i <= count; i++) { split(p[i], q, ","); put(q[1], q[2], q[3]) }
 }
 function put_ball(r, y, first, last, i) { for (i = first; i <= last; i++) put(r * sin(pi * i / last), y - r * cos(pi * i / last)) }
-function at(ring, k) { return radius[ring] - (k % 4 == 0 || k % 4 == 3 ? depth[ring] : 0) }
+# model=waves is a grid: "heights": [...]. A second word of a model, as in "waves viridis", is a colormap: of heights, or of
+# numbers that go round the body, one for each position, or, as in "gear faces turbo", one for each face.
 function wave(x, y, r) { r = sqrt(x * x + y * y) + 0.001; return 3 * sin(2.2 * r) / (1 + r) + 0.3 * x }
 function print_waves(cells, x, y) {
     printf "\"heights\": {\"x\": [-4, 4], \"y\": [-4, 4], \"values\": ["
@@ -24,8 +24,8 @@ function print_scalars(of_faces, i, k) {
             printf "%s%.4f", (i + k == 1 ? "" : ","), sin(2 * pi * (k + of_faces / 2) / sides * 3) + height[i]
     printf "]"
 }
+function at(ring, k) { return radius[ring] - (k % 4 == 0 || k % 4 == 3 ? depth[ring] : 0) }
 BEGIN {
-    pi = 3.14159265358979
     words = split(model, word, " ")
     model = word[1]
     if (words > 1) map = ", \"colormap\": \"" word[words] "\""
@@ -34,6 +34,7 @@ BEGIN {
         printf "%s", map
         exit
     }
+    pi = 3.14159265358979
     sides = model == "coarse" ? 12 : model == "pawn" ? 64 : 48
     if (model == "ball") put_ball(1, 1, 0, 24)
     if (model == "coarse") put_all("0,0 0.8,0 1,0.25 1,0.75 0.6,1.1 0.6,1.5 0,1.5")
