@@ -378,9 +378,9 @@ static void make_mesh(struct zr_given_scene *root, const struct zr_json_path *pa
     mesh->normal_count = mesh->normals ? mesh->position_count : 0;
     mesh->colors = one_each(json, path, given, COLORS, &given->colors, mesh->position_count, "positions");
     mesh->face_colors = one_each(json, path, given, FACE_COLORS, &given->face_colors, mesh->face_count, "faces");
+    if (json->error->count > 0) return;
     zr_scalars_apply(json, path, &given->scalars, gives(given, HEIGHTS) ? given->heights.values.items : NULL,
                      &root->builder->warnings, mesh);
-    if (json->error->count > 0) return;
     zr_given_note_alpha(root, mesh->colors, mesh->colors ? mesh->position_count : 0);
     zr_given_note_alpha(root, mesh->face_colors, mesh->face_colors ? mesh->face_count : 0);
     mesh->material = zr_given_make_material(root, &style, mesh->colors || mesh->face_colors,
