@@ -41,7 +41,7 @@ static const double TEXEL_F = 4.0; /* of a level that is made */
 static double work_of_channels(const struct zr_view *view)
 {
     static const enum zr_channel slow[] = {ZR_CHANNEL_DISTANCE, ZR_CHANNEL_POSITION, ZR_CHANNEL_BARYCENTRICS,
-                                           ZR_CHANNEL_NORMALS};
+                                           ZR_CHANNEL_NORMALS, ZR_CHANNEL_TEXCOORD};
     double work = 0.0;
     for (size_t i = 0; i < sizeof slow / sizeof slow[0]; i++)
         if (zr_view_wants(view, slow[i])) work += POINT_F;
@@ -113,7 +113,7 @@ static double fragments_of_spots(const struct zr_scene *scene, const struct zr_r
                                  const struct zr_cancel *cancel, struct zr_cost_sampling sampling)
 {
     enum { MEASURED_MOST = 4, SIDES = 2 };
-    const struct zr_cost_target map = {ZR_SHADOW_SIDE, ZR_SHADOW_SIDE, 1.0};
+    const struct zr_cost_target map = {ZR_SHADOW_SIDE, ZR_SHADOW_SIDE, 1.0, 0.0};
     const uint32_t stride = (spots + MEASURED_MOST - 1) / MEASURED_MOST;
     double sum = 0.0, measured = 0.0;
     uint32_t number = 0;

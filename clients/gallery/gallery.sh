@@ -49,8 +49,13 @@ scene() { # MEMBERS MODEL
     window=', "window": {"width": 300, "height": 300}' material=
     case $1 in *'"window"'*) window= ;; esac
     case $1 in *'"materials"'*) material='"material": "m", ' ;; esac
-    printf '{%s%s, %s, "meshes": [{%s%s}]}\n' "$1" "$window" "$view" "$material" "$2"
+    printf '{%s%s, %s, "meshes": [{%s%s}]}\n' "$1" "$window" "$view" "$material" "$2" | with_images
 }
+# "@NAME.png", a picture of this folder, becomes a data: URI.
+for image in "$here"/bricks*.png; do
+    printf 's|"@%s"|"data:image/png;base64,%s"|g\n' "${image##*/}" "$(base64 <"$image" | tr -d '\n')"
+done >"$out/images.sed"
+with_images() { sed -f "$out/images.sed"; }
 
 while IFS= read -r line; do
     case $line in

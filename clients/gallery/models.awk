@@ -3,13 +3,13 @@
 # of heights. Prints "positions": [...], "faces": [...], or "heights": [...]. A second word, such as "ball turbo", is a
 # colormap: of heights, or of numbers that go round the body; "gear faces turbo": of faces.
 # model=cloud: points on a knotted tube, those that a lamp shines on brighter, with "colors", "points" and "pointSize".
+# model=ring: a torus with "normals" and "texcoords", on which an image lies several times.
 function put(r, y, deep) { radius[++rings] = r; height[rings] = y; depth[rings] = deep }
 function put_all(outline, count, i, p, q) {
     count = split(outline, p, " ")
     for (i = 1; i <= count; i++) { split(p[i], q, ","); put(q[1], q[2], q[3]) }
 }
 function put_ball(r, y, first, last, i) { for (i = first; i <= last; i++) put(r * sin(pi * i / last), y - r * cos(pi * i / last)) }
-function at(ring, k) { return radius[ring] - (k % 4 == 0 || k % 4 == 3 ? depth[ring] : 0) }
 function channel(t, phase, light) { return light * (0.55 + 0.45 * cos(2 * pi * (t + phase))) }
 function knot(t, axis) {
     if (axis == 0) return (2 + cos(3 * t)) * cos(2 * t)
@@ -50,6 +50,21 @@ function print_scalars(of_faces, i, k) {
             printf "%s%.4f", (i + k == 1 ? "" : ","), sin(2 * pi * (k + of_faces / 2) / sides * 3) + height[i]
     printf "]"
 }
+function at(ring, k) { return radius[ring] - (k % 4 == 0 || k % 4 == 3 ? depth[ring] : 0) }
+# The corners of a seam are there twice, for u and v go on across it.
+function put_ring(around, across, i, k, t, p, r, places, normals, texcoords, faces, n, a) {
+    for (i = 0; i <= around; i++)
+        for (k = 0; k <= across; k++) {
+            t = 2 * pi * i / around; p = 2 * pi * k / across; r = 1 + 0.45 * cos(p)
+            places = places sprintf("%s[%.4f,%.4f,%.4f]", (i + k ? "," : ""), r * cos(t), 0.45 + 0.45 * sin(p), -r * sin(t))
+            normals = normals sprintf("%s[%.4f,%.4f,%.4f]", (i + k ? "," : ""), cos(p) * cos(t), sin(p), -cos(p) * sin(t))
+            texcoords = texcoords sprintf("%s[%.4f,%.4f]", (i + k ? "," : ""), 6 * i / around, 3 - 3 * k / across)
+            if (i == around || k == across) continue
+            a = i * (across + 1) + k
+            faces = faces sprintf("%s[%d,%d,%d,%d]", (n++ ? "," : ""), a, a + across + 1, a + across + 2, a + 1)
+        }
+    printf "\"positions\": [%s], \"normals\": [%s], \"texcoords\": [%s], \"faces\": [%s]", places, normals, texcoords, faces
+}
 BEGIN {
     pi = 3.14159265358979
     words = split(model, word, " ")
@@ -61,6 +76,7 @@ BEGIN {
         exit
     }
     if (model == "cloud") { put_points(9000); exit }
+    if (model == "ring") { put_ring(96, 32); exit }
     sides = model == "coarse" ? 12 : model == "pawn" ? 64 : 48
     if (model == "ball") put_ball(1, 1, 0, 24)
     if (model == "coarse") put_all("0,0 0.8,0 1,0.25 1,0.75 0.6,1.1 0.6,1.5 0,1.5")

@@ -4,7 +4,6 @@
 #include "input/defaults.h"
 #include "input/json_objects.h"
 #include "input/json_scene.h"
-#include "input/json_texture.h"
 #include "input/nearest.h"
 #include "input/text.h"
 

@@ -6,7 +6,6 @@
 #include "input/json_rows.h"
 #include "input/json_scalars.h"
 #include "input/json_scene.h"
-#include "input/json_texture.h"
 
 /* Corners that a face may have beside those in its list's room, before it is read with more care. */
 enum { CORNERS_AT_HAND = 64 };

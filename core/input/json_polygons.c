@@ -6,7 +6,6 @@
 #include "input/json_objects.h"
 #include "input/json_rows.h"
 #include "input/json_scene.h"
-#include "input/json_texture.h"
 
 /* What polygons have of their own, beside vertices. */
 enum { HAS_COLOR = 1, HAS_COLORS = 2, HAS_NORMALS = 4, KINDS = 8 };

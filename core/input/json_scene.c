@@ -6,7 +6,6 @@
 #include "input/defaults.h"
 #include "input/input.h"
 #include "input/json_objects.h"
-#include "input/json_texture.h"
 #include "input/text.h"
 
 /* Rows of numbers are read without counting levels. This deep an item of a list may be: /meshes/0/heights/values/0/0.

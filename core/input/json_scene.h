@@ -26,7 +26,7 @@ struct zr_given_sampler {
     int magnify, minify, wrap_s, wrap_t;
 };
 
-/* A texture as a material has it (json_texture.h). */
+/* A texture as a material has it. */
 struct zr_given_texture {
     bool is_given;
     struct zr_bytes_name name;
@@ -252,6 +252,23 @@ bool zr_given_read_bytes(struct zr_given_scene *root, struct zr_json *json, cons
  * is read. */
 bool zr_given_find_image(struct zr_given_scene *root, const struct zr_json_path *path, const struct zr_bytes_name *name,
                          uint32_t *number);
+
+/* json_texture.c: reads an object into a struct zr_given_texture: that of a normal map and that of occlusion have a key
+ * more. */
+zr_json_read_fn zr_read_texture, zr_read_normal_texture, zr_read_occlusion_texture;
+
+/* What materials need of their textures, in the scene: `path` is that of the list of materials. */
+void zr_given_find_textures(struct zr_given_scene *root, const struct zr_json_path *path);
+
+/* The keys of materials that have textures, by enum zr_texture_slot. */
+extern const char *const zr_texture_keys[ZR_TEXTURE_SLOTS];
+
+/* Whether the material, by its number in the scene's list, has any; false of the number behind the last one. */
+bool zr_given_has_textures(const struct zr_given_scene *root, size_t material);
+
+/* Reports, at `path`, what a mesh lacks that is drawn with the material. */
+bool zr_given_check_texcoords(struct zr_given_scene *root, const struct zr_json_path *path, size_t material,
+                              bool has_texcoords, bool has_texcoords1);
 
 /* json_base.c. Needs the window, the background, the view and the meshes. */
 void zr_given_read_base(struct zr_given_scene *root, const struct zr_json_path *path);

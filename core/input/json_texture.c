@@ -1,7 +1,6 @@
-#include "input/json_texture.h"
-
 #include "base/trig.h"
 #include "input/json_objects.h"
+#include "input/json_scene.h"
 
 const char *const zr_texture_keys[ZR_TEXTURE_SLOTS] = {"baseColorTexture", "metallicRoughnessTexture", "normalTexture",
                                                        "occlusionTexture", "emissiveTexture"};

@@ -4,7 +4,7 @@
 #include <string.h>
 
 #define NAME(ID, NAME, ...) NAME,
-static const char *const channels[] = {ZR_CHANNEL_ROWS(NAME) "texcoord", "coverage", "overdraw"};
+static const char *const channels[] = {ZR_CHANNEL_ROWS(NAME) "coverage", "overdraw"};
 static const char *const encodings[] = {"png", "png16", "npy", "json", "pfm", "tiff"};
 static const char *const spaces[] = {"camera", "world", "object"};
 

@@ -1,30 +1,18 @@
 #include "look/lighting.h"
 
-#include "base/inlined.h"
-#include "look/srgb_simd.h"
-#include "look/surface_classic_simd.h"
-#include "look/surface_pbr_simd.h"
+#include "look/lighting_simd.h"
 
 /* lighting_placed_kernel.c is this once more, with another name. */
 #ifndef ZR_LIGHTING_KERNEL
 #define ZR_LIGHTING_KERNEL ZR_KERNEL(zr_look_light)
 #endif
 
-/* What is kept from vector to vector: most have the colour and the material of the one before. Found anew for every 64
- * samples, it took a sixteenth of the time. */
-struct cache {
-    struct zr_vec3_v encoded, linear;
-    const struct zr_material *cool_of; /* NULL: none so far */
-    struct zr_vec3_v cool;
-    struct zr_split_columns columns; /* of the last roughness; less than 0: none so far */
-};
-
 static inline bool is_same(zr_vf a, zr_vf b)
 {
     return zr_vm_bits(zr_vi_eq(zr_vi_bits_of(a), zr_vi_bits_of(b))) == ZR_ALL_BITS;
 }
 
-static inline struct zr_vec3_v decode(struct cache *cache, struct zr_vec3_v c)
+static inline struct zr_vec3_v decode(struct zr_light_cache *cache, struct zr_vec3_v c)
 {
     if (is_same(c.x, cache->encoded.x) && is_same(c.y, cache->encoded.y) && is_same(c.z, cache->encoded.z))
         return cache->linear;
@@ -33,77 +21,26 @@ static inline struct zr_vec3_v decode(struct cache *cache, struct zr_vec3_v c)
     return cache->linear;
 }
 
-static inline struct zr_vec3_v three_of(float *const from[3], size_t at)
-{
-    return (struct zr_vec3_v){zr_vf_load(from[0] + at), zr_vf_load(from[1] + at), zr_vf_load(from[2] + at)};
-}
-
-static inline struct zr_vec3_v exposed(const struct zr_look_lighting *lighting, struct zr_vec3_v color)
-{
-    return zr_tone_v(zr_scale_v(color, zr_vf_set(lighting->exposure)), lighting->tone);
-}
-
-static inline struct zr_vec3_v normals_as_colors(struct zr_vec3_v n)
-{
-    const zr_vf half = zr_vf_set(0.5f);
-    return zr_srgb_decode_color_v((struct zr_vec3_v){n.x * half + half, n.y * half + half, n.z * half + half});
-}
-
-static inline struct zr_vec3_v cool_of(struct cache *cache, const struct zr_material *material)
-{
-    if (cache->cool_of == material) return cache->cool;
-    cache->cool_of = material;
-    cache->cool = zr_srgb_decode_color_v(zr_spread_v(material->cool));
-    return cache->cool;
-}
-
-/* Samples of one material. */
-ZR_INLINED struct zr_vec3_v shade(const struct zr_look_lighting *lighting, const struct zr_material *material,
-                                  struct cache *cache, const struct zr_shading_v *s)
-{
-    switch (material->shading) {
-    case ZR_SHADING_FLAT:
-    case ZR_SHADING_GOURAUD:
-    case ZR_SHADING_PHONG:
-        return exposed(lighting, zr_surface_classic_v(lighting, material, s));
-    case ZR_SHADING_PBR:
-        if (!s->textured && cache->columns.roughness != material->roughness)
-            zr_split_columns_make(&cache->columns, material->roughness);
-        return exposed(lighting, zr_surface_pbr_v(lighting, material, &cache->columns, s));
-    case ZR_SHADING_GOOCH:
-        return zr_surface_gooch_v(cool_of(cache, material), s);
-    case ZR_SHADING_NORMALS:
-        return normals_as_colors(s->normal);
-    default:
-        return s->base;
-    }
-}
-
 static inline struct zr_vec3_v to_eye_of(const struct zr_look_lighting *lighting, struct zr_vec3_v point)
 {
     if (lighting->is_parallel) return zr_spread_v(lighting->to_eye);
     return zr_normalize_v(zr_scale_v(point, zr_vf_set(-1.0f)));
 }
 
-/* Samples of one that has textures: what these make of the surface goes before it. */
+/* Of a kernel of its own (lighting_textured_kernel.c): in this one, compilers would make less of what has no textures.
+ */
 static struct zr_vec3_v shade_textured(const struct zr_look_lighting *lighting, const struct zr_material *material,
-                                       struct cache *cache, const struct zr_gbuffer_textures *textures, size_t at,
-                                       const struct zr_shading_v *plain)
+                                       const struct zr_gbuffer_textures *textures, size_t at,
+                                       const struct zr_shading_v *s)
 {
-    const zr_vf one = zr_vf_set(1.0f), strength = zr_vf_set(material->occlusion_strength);
-    const struct zr_textured_v textured = {
-        .roughness = zr_vf_load(textures->roughness + at) * zr_vf_set(material->roughness),
-        .metallic = zr_vf_load(textures->metallic + at) * zr_vf_set(material->metallic),
-        .occlusion = one + strength * (zr_vf_load(textures->occlusion + at) - one),
-        .emissive = three_of(textures->emissive, at)};
-    struct zr_shading_v s = *plain;
-    s.base = zr_mul_v(plain->base, three_of(textures->base, at));
-    s.textured = &textured;
-    return shade(lighting, material, cache, &s);
+    const struct zr_shading_v copy = *s; /* so that what others are lit by stays in registers */
+    struct zr_vec3_v color;
+    ZR_KERNEL(zr_look_textured)(lighting, material, textures, at, &copy, &color);
+    return color;
 }
 
 /* One material after the other, of those that are seen. */
-static inline struct zr_vec3_v shade_all(const struct zr_look_lighting *lighting, struct cache *cache,
+static inline struct zr_vec3_v shade_all(const struct zr_look_lighting *lighting, struct zr_light_cache *cache,
                                          const struct zr_gbuffer_textures *textures, size_t at, zr_vi numbers,
                                          zr_vm seen, const struct zr_shading_v *s)
 {
@@ -116,8 +53,8 @@ static inline struct zr_vec3_v shade_all(const struct zr_look_lighting *lighting
         const zr_vm of_it = zr_vi_eq(numbers, zr_vi_set((int32_t)number));
         const struct zr_material *material = &lighting->materials[number];
         const struct zr_vec3_v color = textures && zr_material_has_textures(material)
-                                           ? shade_textured(lighting, material, cache, textures, at, s)
-                                           : shade(lighting, material, cache, s);
+                                           ? shade_textured(lighting, material, textures, at, s)
+                                           : zr_shade_v(lighting, material, cache, s);
         out = zr_choose_v(zr_vm_and(seen, of_it), color, out);
         left &= ~zr_vm_bits(of_it);
     }
@@ -125,12 +62,12 @@ static inline struct zr_vec3_v shade_all(const struct zr_look_lighting *lighting
 }
 
 /* Of ZR_LANES samples, some of which are seen. */
-static inline struct zr_vec3_v colors_of(const struct zr_look_lighting *lighting, struct cache *cache,
+static inline struct zr_vec3_v colors_of(const struct zr_look_lighting *lighting, struct zr_light_cache *cache,
                                          const struct zr_gbuffer *samples, const float *occlusion, size_t at,
                                          zr_vm seen)
 {
-    struct zr_shading_v s = {.normal = three_of(samples->normal, at), .point = three_of(samples->point, at)};
-    s.base = decode(cache, three_of(samples->base, at));
+    struct zr_shading_v s = {.normal = zr_three_of(samples->normal, at), .point = zr_three_of(samples->point, at)};
+    s.base = decode(cache, zr_three_of(samples->base, at));
     s.to_eye = to_eye_of(lighting, s.point);
     s.ao = occlusion ? zr_vf_load(occlusion + at) : zr_vf_set(1.0f);
     const zr_vm is_line = zr_vf_eq(zr_dot_v(s.normal, s.normal), zr_vf_set(0.0f));
@@ -147,7 +84,8 @@ void ZR_LIGHTING_KERNEL(const struct zr_look_lighting *lighting, const struct zr
         return;
     }
     const zr_vf zero = zr_vf_set(0.0f), none = zr_vf_set(-1.0f);
-    struct cache cache = {.encoded = {none, none, none}, .linear = {zero, zero, zero}, .columns.roughness = -1.0f};
+    struct zr_light_cache cache = {
+        .encoded = {none, none, none}, .linear = {zero, zero, zero}, .columns.roughness = -1.0f};
     for (int32_t y = 0; y < samples->height; y++) {
         const size_t begin = (size_t)(y * samples->stride), end = begin + (size_t)samples->width;
         for (size_t at = begin; at < end; at += ZR_LANES) {

@@ -83,42 +83,22 @@ static inline void zr_split_at_each_v(zr_vf roughness, zr_vf facing, zr_vf *a, z
 struct zr_pbr_v {
     struct zr_vec3_v diffuse, f0; /* base (1 - metallic); what is reflected at normal incidence */
     zr_vf facing;                 /* N.V, above 0 */
-    struct zr_gathering_v gathering;
-    zr_vf lamp_square, lamp_rest; /* alpha^2 of lamps, and 1 less that */
+    float alpha;                  /* of all lanes; of what is textured, */
+    zr_vf alphas;                 /* each lane's own */
 };
-
-static inline zr_vf zr_pbr_facing_v(const struct zr_shading_v *s)
-{
-    return zr_vf_min(zr_vf_max(zr_dot_v(s->normal, s->to_eye), zr_vf_set(1e-4f)), zr_vf_set(1.0f));
-}
 
 static inline struct zr_pbr_v zr_pbr_make(const struct zr_material *material, const struct zr_shading_v *s)
 {
-    const zr_vf metallic = zr_vf_set(material->metallic), plastic = zr_vf_set(0.04f);
+    const zr_vf one = zr_vf_set(1.0f), plastic = zr_vf_set(0.04f);
+    const zr_vf metallic = s->textured ? s->textured->metallic : zr_vf_set(material->metallic);
     const struct zr_vec3_v dielectric = {plastic, plastic, plastic};
-    const float alpha = material->roughness * material->roughness;
-    const float of_lamps = alpha > ZR_LAMP_ALPHA_LEAST ? alpha : ZR_LAMP_ALPHA_LEAST;
-    return (struct zr_pbr_v){.diffuse = zr_scale_v(s->base, zr_vf_set(1.0f - material->metallic)),
-                             .f0 = zr_mix3_v(dielectric, s->base, metallic),
-                             .facing = zr_pbr_facing_v(s),
-                             .gathering = zr_gathering_of(alpha),
-                             .lamp_square = zr_vf_set(of_lamps * of_lamps),
-                             .lamp_rest = zr_vf_set(1.0f - of_lamps * of_lamps)};
-}
-
-/* Each lane with its own values. */
-static inline struct zr_pbr_v zr_pbr_make_each(const struct zr_shading_v *s)
-{
-    const zr_vf one = zr_vf_set(1.0f), plastic = zr_vf_set(0.04f), metallic = s->textured->metallic;
-    const struct zr_vec3_v dielectric = {plastic, plastic, plastic};
-    const zr_vf alpha = s->textured->roughness * s->textured->roughness;
-    const zr_vf of_lamps = zr_vf_max(alpha, zr_vf_set(ZR_LAMP_ALPHA_LEAST));
-    return (struct zr_pbr_v){.diffuse = zr_scale_v(s->base, one - metallic),
-                             .f0 = zr_mix3_v(dielectric, s->base, metallic),
-                             .facing = zr_pbr_facing_v(s),
-                             .gathering = zr_gathering_of_each(alpha),
-                             .lamp_square = of_lamps * of_lamps,
-                             .lamp_rest = one - of_lamps * of_lamps};
+    struct zr_pbr_v pbr = {.diffuse =
+                               zr_scale_v(s->base, s->textured ? one - metallic : zr_vf_set(1.0f - material->metallic)),
+                           .f0 = zr_mix3_v(dielectric, s->base, metallic),
+                           .facing = zr_vf_min(zr_vf_max(zr_dot_v(s->normal, s->to_eye), zr_vf_set(1e-4f)), one),
+                           .alpha = material->roughness * material->roughness};
+    if (s->textured) pbr.alphas = s->textured->roughness * s->textured->roughness;
+    return pbr;
 }
 
 /* ---- from all around ---- */
@@ -156,8 +136,9 @@ static inline struct zr_around_v zr_pbr_gather_v(const struct zr_look_lighting *
         const struct zr_vec3_v n = zr_to_environment_v(lighting, s->normal),
                                r = zr_to_environment_v(lighting, mirrored);
         out.diffuse = zr_add_v(out.diffuse, zr_scale_v(zr_environment_diffuse_v(light, n), intensity));
-        out.specular =
-            zr_add_v(out.specular, zr_scale_v(zr_environment_gathered_v(light, r, &pbr->gathering), intensity));
+        const struct zr_gathering_v gathering =
+            s->textured ? zr_gathering_of_each(pbr->alphas) : zr_gathering_of(pbr->alpha);
+        out.specular = zr_add_v(out.specular, zr_scale_v(zr_environment_gathered_v(light, r, &gathering), intensity));
     }
     for (uint32_t i = 0; i < lighting->lamp_count; i++) {
         const struct zr_lamp *lamp = &lighting->lamps[i];
@@ -222,8 +203,15 @@ static inline struct zr_vec3_v zr_pbr_from_v(struct zr_vec3_v to_light, zr_vec3 
     const struct zr_vec3_v half = zr_normalize_v(zr_add_v(to_light, s->to_eye));
     const zr_vf nl = zr_vf_max(zr_dot_v(s->normal, to_light), zero);
     const zr_vf nh = zr_clamp01_v(zr_dot_v(s->normal, half)), vh = zr_clamp01_v(zr_dot_v(s->to_eye, half));
-    const zr_vf specular = zr_ggx_v(pbr->lamp_square, pbr->lamp_rest, nh, zr_square_sine_v(s->normal, half),
-                                    pbr->facing, zr_vf_max(nl, zr_vf_set(1e-6f)));
+    const float alpha = pbr->alpha > ZR_LAMP_ALPHA_LEAST ? pbr->alpha : ZR_LAMP_ALPHA_LEAST;
+    zr_vf square_alpha = zr_vf_set(alpha * alpha), rest = zr_vf_set(1.0f - alpha * alpha);
+    if (s->textured) {
+        const zr_vf alphas = zr_vf_max(pbr->alphas, zr_vf_set(ZR_LAMP_ALPHA_LEAST));
+        square_alpha = alphas * alphas;
+        rest = one - square_alpha;
+    }
+    const zr_vf specular = zr_ggx_v(square_alpha, rest, nh, zr_square_sine_v(s->normal, half), pbr->facing,
+                                    zr_vf_max(nl, zr_vf_set(1e-6f)));
     const zr_vf away = one - vh, square = away * away;
     const zr_vf fresnel = ZR_MUTANT(fresnel_of_4th_power, square * square * away, square * square);
     const struct zr_vec3_v reflected = {zr_pbr_reflected_v(pbr->f0.x, pbr->diffuse.x, fresnel, specular),
@@ -252,7 +240,7 @@ ZR_INLINED struct zr_vec3_v zr_surface_pbr_v(const struct zr_look_lighting *ligh
                                              const struct zr_material *material, const struct zr_split_columns *columns,
                                              const struct zr_shading_v *s)
 {
-    const struct zr_pbr_v pbr = s->textured ? zr_pbr_make_each(s) : zr_pbr_make(material, s);
+    const struct zr_pbr_v pbr = zr_pbr_make(material, s);
     struct zr_vec3_v emissive = zr_spread_v(material->emissive);
     if (s->textured) emissive = zr_mul_v(emissive, s->textured->emissive);
     struct zr_vec3_v sum = zr_add_v(zr_pbr_from_around_v(lighting, columns, &pbr, s), emissive);

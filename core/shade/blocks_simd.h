@@ -8,6 +8,12 @@
 #include "shade/shader_simd.h"
 #include "shade/texture_simd.h"
 
+/* Set by the kernel that has textures: where they only depend on plane_count, compilers find what is left too large to
+ * be inlined (a twentieth of phong's time). */
+#ifndef ZR_WITH_TEXTURES
+#define ZR_WITH_TEXTURES false
+#endif
+
 /* ---- pixels ---- */
 
 /* What `count` parts from `first` on show in a patch. Some that follow are looked at with them, since the processor
@@ -67,7 +73,8 @@ static inline struct zr_vec3_v zr_textured_v(const struct zr_texture_map *map, c
 static inline zr_vi zr_shade_late(const struct zr_shader *s, uint32_t first, uint32_t count, zr_vi owner,
                                   zr_vf (*planes)[3], zr_vf x, zr_vf y, int plane_count, zr_vi words)
 {
-    const bool has_constants = plane_count > 1 + ZR_VALUES_LATE, has_textures = plane_count > 1 + ZR_VALUES_FOG;
+    const bool has_constants = plane_count > 1 + ZR_VALUES_LATE,
+               has_textures = ZR_WITH_TEXTURES && plane_count > 1 + ZR_VALUES_FOG;
     const bool in_fog = has_textures ? s->surfaces->fog.is_on : has_constants;
     const zr_vf one = zr_vf_set(1.0f), w = one / zr_shaded_value(planes, 0, x, y);
     zr_vf color_w = w;

@@ -3,7 +3,6 @@
 #include "shade/channels/color_simd.h"
 #include "shade/channels/floats_simd.h"
 #include "shade/channels/gbuffer_simd.h"
-#include "shade/channels/textures_simd.h"
 #include "shade/channels_simd.h"
 
 /* Finds what is seen from block `begin` on, as many rows of blocks as there is room for. Returns where it ended. */
@@ -129,7 +128,7 @@ static void samples(const struct zr_geometry *geometry, const struct zr_surfaces
     for (int begin = 0, end; begin < all; begin = end) {
         end = find_parts(&s, tile, begin, false);
         zr_sample_blocks(&s, tile, begin, end, to);
-        if (to->textures) zr_texture_blocks(&s, tile, begin, end, to);
+        if (to->textures) ZR_KERNEL(zr_sample_textures)(&s, tile, begin, end, to);
     }
     if (to->material) zr_shade_words(&s, tile, zr_material_words, 0, &materials);
     owner_words(tile, &owners);

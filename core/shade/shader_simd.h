@@ -39,6 +39,13 @@ struct zr_shader {
     float planes[ZR_PARTS_ROOM * ZR_FLOAT_PLANES][4]; /* a0, dadx, dady */
 };
 
+/* Of a kernel of its own (paint_textured_kernel.c): beside these, compilers would make less of what has no textures.
+ * The channel color of a scene that has textures, and what they make of samples. Blocks begin .. end - 1. */
+void ZR_KERNEL(zr_paint_textured)(struct zr_shader *s, const struct zr_tile *tile, int begin, int end,
+                                  const struct zr_shaded *to);
+void ZR_KERNEL(zr_sample_textures)(struct zr_shader *s, const struct zr_tile *tile, int begin, int end,
+                                   const struct zr_gbuffer *to);
+
 static inline const struct zr_surface *zr_surface_of_draw(const struct zr_shader *s, const struct zr_draw *draw)
 {
     return &s->surfaces->of_draw[draw - s->geometry->draws];

@@ -209,12 +209,27 @@ static double length_from(zr_vec4 eye, const double point[4])
     return sqrt((x * x + y * y) + z * z);
 }
 
+/* As corners have them, whatever a texture makes of them: linear over their homogeneous points. */
+static void put_texcoord(const struct shown *shown, const double parts[3], float *out)
+{
+    const struct zr_mesh *mesh = shown->instance->mesh;
+    double u = 0.0, v = 0.0;
+    for (int k = 0; shown->corners[0] && mesh->texcoords && k < 3; k++) {
+        const zr_vec4 *texcoord = &mesh->texcoords[shown->corners[k] - mesh->positions];
+        u += parts[k] * (double)texcoord->x;
+        v += parts[k] * (double)texcoord->y;
+    }
+    out[0] = (float)u;
+    out[1] = (float)v;
+}
+
 static void put_sample(struct points *points, const struct shown *shown, double x, double y, size_t pixel)
 {
     const struct zr_eye_depth *d = &shown->depth;
     float *distance = points->frame->channels[ZR_CHANNEL_DISTANCE];
     float *position = points->frame->channels[ZR_CHANNEL_POSITION];
     float *shares = points->frame->channels[ZR_CHANNEL_BARYCENTRICS];
+    float *texcoord = points->frame->channels[ZR_CHANNEL_TEXCOORD];
     double eye[4], parts[3] = {0, 0, 0};
     const double depth = kept_within(plane_at(&d->depth, x, y) / plane_at(&d->one, x, y), d->min, d->max);
     eye_point(points, x, y, depth, eye);
@@ -223,11 +238,13 @@ static void put_sample(struct points *points, const struct shown *shown, double 
     if (shown->corners[0]) find_parts(shown, x, y, parts);
     if (position) put_position(points, shown, eye, parts, position + 3 * pixel);
     if (shares) put_shares(shown, parts, shares + 3 * pixel);
+    if (texcoord) put_texcoord(shown, parts, texcoord + 2 * pixel);
 }
 
 static void put_nothing(const struct zr_frame *frame, size_t pixel)
 {
-    static const enum zr_channel channels[] = {ZR_CHANNEL_DISTANCE, ZR_CHANNEL_POSITION, ZR_CHANNEL_BARYCENTRICS};
+    static const enum zr_channel channels[] = {ZR_CHANNEL_DISTANCE, ZR_CHANNEL_POSITION, ZR_CHANNEL_BARYCENTRICS,
+                                               ZR_CHANNEL_TEXCOORD};
     for (size_t i = 0; i < sizeof channels / sizeof channels[0]; i++) {
         const struct zr_channel_row *row = &zr_channel_rows[channels[i]];
         uint32_t *words = frame->channels[channels[i]];
@@ -239,7 +256,7 @@ static void put_nothing(const struct zr_frame *frame, size_t pixel)
 bool zr_surface_points_are_wanted(const struct zr_frame *frame)
 {
     return frame->channels[ZR_CHANNEL_DISTANCE] || frame->channels[ZR_CHANNEL_POSITION] ||
-           frame->channels[ZR_CHANNEL_BARYCENTRICS];
+           frame->channels[ZR_CHANNEL_BARYCENTRICS] || frame->channels[ZR_CHANNEL_TEXCOORD];
 }
 
 void zr_surface_points_tile(const struct zr_geometry *geometry, const struct zr_eye_depths *kernel,
@@ -249,7 +266,8 @@ void zr_surface_points_tile(const struct zr_geometry *geometry, const struct zr_
     struct points points = {
         .geometry = geometry, .kernel = kernel, .frame = frame, .draw = &geometry->draws[0], .space = position};
     const struct zr_matrix view = zr_matrix_of(&frame->camera.world_to_eye);
-    points.wants_shares = frame->channels[ZR_CHANNEL_BARYCENTRICS] || position == ZR_SPACE_OBJECT;
+    points.wants_shares =
+        frame->channels[ZR_CHANNEL_BARYCENTRICS] || frame->channels[ZR_CHANNEL_TEXCOORD] || position == ZR_SPACE_OBJECT;
     points.projection = zr_matrix_of(&frame->camera.projection);
     (void)zr_matrix_invert(&view, &points.to_world);
     points.eye = zr_camera_eye(&frame->camera);

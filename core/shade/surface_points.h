@@ -1,5 +1,5 @@
-/* surface_points.h - shade: a tile's owners -> the points of the mesh that its samples see: channels distance, position
- * and barycentrics.
+/* surface_points.h - shade: a tile's owners -> the points of the mesh that its samples see: channels distance,
+ * position, barycentrics and texcoord.
  *
  * Space:  as the channel has it; eye space is the camera's.
  * Exact:  in double, on the plane that the channel depth uses (eye_depth.h), so that -z of a point in eye space is its

@@ -487,6 +487,7 @@ bool batches_make(struct zr_arena *arena, const struct zr_scene *scene, const st
     }
     arrays->batches = builder.batches;
     if (options->purpose == BATCHES_COLORS) arrays->fog = scene->fog;
+    if (options->purpose == BATCHES_CHANNELS) arrays->texcoords = builder.texcoords;
     if (scene->texture_count > 0 && (options->purpose == BATCHES_COLORS || options->purpose == BATCHES_LIGHT)) {
         arrays->texcoords = builder.texcoords;
         arrays->tangents = builder.tangents;

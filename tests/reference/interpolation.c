@@ -35,7 +35,7 @@ static void reach_through(const zr_mat4 *m, const double in[4], double out[4])
     }
 }
 
-static void reach_corner(struct interpolation *p, const struct reference_batch *batch, zr_vec4 at)
+static void reach_corner(struct interpolation *p, const struct reference_batch *batch, zr_vec4 at, zr_vec4 texcoord)
 {
     const double object[4] = {fabs((double)at.x), fabs((double)at.y), fabs((double)at.z), fabs((double)at.w)};
     double world[4], eye[4], clip[4];
@@ -43,14 +43,16 @@ static void reach_corner(struct interpolation *p, const struct reference_batch *
     reach_through(p->world_to_eye, world, eye);
     reach_through(&p->arrays->projection, eye, clip);
     const double shares[4] = {eye[3], eye[3], eye[3], eye[3]};
-    const double *const ways[INTERPOLATION_OF_COUNT] = {eye, world, object, shares}; /* as the enum has them */
+    const double place[4] = {fabs((double)texcoord.x), fabs((double)texcoord.y), 0.0, 1.0};
+    const double *const ways[INTERPOLATION_OF_COUNT] = {eye, world, object, shares, place}; /* as the enum has them */
     for (int k = 0; k < 3; k++)
         raise(&p->reach, ways[p->of][k]);
     raise(&p->reach_w, ways[p->of][3]);
     raise(&p->reach_clip, fmax(clip[3], fmax(clip[0], clip[1])));
 }
 
-static zr_vec4 value_of(const struct interpolation *p, const struct reference_batch *batch, zr_vec4 at, int corner)
+static zr_vec4 value_of(const struct interpolation *p, const struct reference_batch *batch, zr_vec4 at,
+                        zr_vec4 texcoord, int corner)
 {
     const float w = zr_mat4_apply(batch->modelview, at).w;
     switch (p->of) {
@@ -60,6 +62,8 @@ static zr_vec4 value_of(const struct interpolation *p, const struct reference_ba
         return zr_mat4_apply(batch->to_world, at);
     case INTERPOLATION_SHARES:
         return (zr_vec4){corner == 0 ? w : 0.0f, corner == 1 ? w : 0.0f, corner == 2 ? w : 0.0f, w};
+    case INTERPOLATION_TEXCOORD:
+        return (zr_vec4){texcoord.x, texcoord.y, 0.0f, 1.0f};
     default:
         return at;
     }
@@ -107,8 +111,9 @@ void interpolation_enter(struct interpolation *p, uint32_t first)
     p->reach = p->reach_w = p->reach_clip = 0.0;
     for (int k = 0; k < 3; k++) {
         const zr_vec4 at = p->arrays->positions[first + (uint32_t)k];
-        reach_corner(p, batch, at);
-        values[k] = value_of(p, batch, at, k);
+        const zr_vec4 texcoord = p->arrays->texcoords[first + (uint32_t)k];
+        reach_corner(p, batch, at, texcoord);
+        values[k] = value_of(p, batch, at, texcoord, k);
         corners[k] = zr_mat4_apply(&to_clip, at);
         any |= zr_clip_outcode(corners[k]);
     }

@@ -26,7 +26,8 @@ enum interpolation_of {
     INTERPOLATION_EYE, /* the place in eye space */
     INTERPOLATION_WORLD,
     INTERPOLATION_OBJECT,
-    INTERPOLATION_SHARES, /* 1 for each corner, times w of eye space, and that w itself */
+    INTERPOLATION_SHARES,   /* 1 for each corner, times w of eye space, and that w itself */
+    INTERPOLATION_TEXCOORD, /* u, v and 0, with a w of 1 */
     INTERPOLATION_OF_COUNT
 };
 

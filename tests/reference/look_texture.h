@@ -1,7 +1,7 @@
 /* look_texture.h - reference: what the program of linear light needs of each corner to look at textures.
  *
- * Tangents, given or derived from positions and texture coordinates, and how the coordinates over w change along x and y
- * of the window: solved for each triangle in double, from its corners in clip space.
+ * Tangents, given or derived from positions and texture coordinates, and how the coordinates over w change along x and
+ * y of the window: solved for each triangle in double, from its corners in clip space.
  */
 #ifndef ZR_TEST_LOOK_TEXTURE_H
 #define ZR_TEST_LOOK_TEXTURE_H

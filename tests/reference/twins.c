@@ -15,8 +15,8 @@
 /* How much may be off, in losses of interpolation.h. RULES.md has what was measured. */
 static const double losses_max = 2.0;
 
-/* `value` is a vec3 of GLSL, made of what `fragment` below has. On lines all that is exact is compared, and shares,
- * which are 0 there. */
+/* `value` is a vec3 of GLSL, made of what `fragment` below has. On lines all that is exact is compared, and shares and
+ * texture coordinates, which are 0 there. */
 static const struct twin {
     const char *name;
     enum zr_channel channel;
@@ -31,6 +31,7 @@ static const struct twin {
     {"position-world", ZR_CHANNEL_POSITION, ZR_SPACE_WORLD, "point(world)", ROUNDED, INTERPOLATION_WORLD},
     {"position-object", ZR_CHANNEL_POSITION, ZR_SPACE_OBJECT, "point(object)", ROUNDED, INTERPOLATION_OBJECT},
     {"barycentrics", ZR_CHANNEL_BARYCENTRICS, ZR_SPACE_CAMERA, "point(shares)", ROUNDED, INTERPOLATION_SHARES},
+    {"texcoord", ZR_CHANNEL_TEXCOORD, ZR_SPACE_CAMERA, "place()", ROUNDED, INTERPOLATION_TEXCOORD},
     {"normals", ZR_CHANNEL_NORMALS, ZR_SPACE_CAMERA, "own_normal(axes)", EXACT, 0},
     {"normals-world", ZR_CHANNEL_NORMALS, ZR_SPACE_WORLD, "own_normal(axes)", EXACT, 0},
     {"instanceId", ZR_CHANNEL_INSTANCE_ID, ZR_SPACE_CAMERA, "facts.xxx", EXACT, 0},
@@ -56,6 +57,7 @@ static const char *const vertex =
     VERSION ROWS_TIMES "uniform vec3 normal_rows[3];\n"
                        "uniform mat4 to_world;\n"
                        "out vec4 eye, world, object, shares;\n"
+                       "out vec2 texcoord;\n"
                        "out vec3 normal;\n"
                        "flat out vec3 flat_normal;\n"
                        "flat out vec4 facts;\n"
@@ -63,6 +65,7 @@ static const char *const vertex =
                        "void main()\n"
                        "{\n"
                        "    normal = flat_normal = unit(rows_times(normal_rows, unit(gl_Normal)));\n"
+                       "    texcoord = gl_MultiTexCoord0.xy;\n"
                        "    object = gl_Vertex;\n"
                        "    world = to_world * gl_Vertex;\n"
                        "    eye = gl_ModelViewMatrix * gl_Vertex;\n"
@@ -77,6 +80,7 @@ static const char *const fragment =
     VERSION ROWS_TIMES "uniform vec4 viewer;\n"
                        "uniform vec3 axes[3];\n"
                        "in vec4 eye, world, object, shares;\n"
+                       "in vec2 texcoord;\n"
                        "in vec3 normal;\n"
                        "flat in vec3 flat_normal;\n"
                        "flat in vec4 facts;\n"
@@ -84,6 +88,10 @@ static const char *const fragment =
                        "vec3 point(vec4 p)\n"
                        "{\n"
                        "    return p.xyz / p.w;\n"
+                       "}\n"
+                       "vec3 place()\n"
+                       "{\n"
+                       "    return facts.w == 3.0 ? vec3(0.0) : vec3(texcoord, 0.0);\n"
                        "}\n"
                        "vec3 way(vec3 to, vec4 from)\n"
                        "{\n"
@@ -225,7 +233,7 @@ static bool is_left_out(struct checking *c, bool is_line)
 {
     const enum interpolation_of of = c->twin->of;
     const bool is_rounded = c->twin->bar == ROUNDED;
-    const bool line = is_rounded && is_line && of != INTERPOLATION_SHARES;
+    const bool line = is_rounded && is_line && of != INTERPOLATION_SHARES && of != INTERPOLATION_TEXCOORD;
     c->sum->lines += line;
     return line;
 }

@@ -96,7 +96,7 @@ static void wrong_query_gives_bad_request_naming_the_parameter(void **state)
     } cases[] = {
         {{.format = ZR_FORMAT_OBJ, .channel = "colour"},
          "channel: 'colour' is unknown (did you mean color?); allowed: color, depth"},
-        {{.format = ZR_FORMAT_OBJ, .channel = "texcoord"}, "channel: 'texcoord' is not supported"},
+        {{.format = ZR_FORMAT_OBJ, .channel = "overdraw"}, "channel: 'overdraw' is not supported"},
         {{.format = ZR_FORMAT_OBJ, .channel = "depth", .encoding = "png"}, "encoding: 'png' is not one"},
         {{.format = ZR_FORMAT_OBJ, .channel = "depth", .scale = "2"}, "scale: only the encoding png16"},
         {{.format = ZR_FORMAT_OBJ, .channel = "depth", .encoding = "png16", .scale = "0"}, "scale: '0' is not"},

@@ -109,7 +109,7 @@ static inline void zr_put_late(struct zr_shader *s, const struct zr_run *run, co
             zr_plane1_make(way, zr_vf_load(depths[0]), zr_vf_load(depths[1]), zr_vf_load(depths[2]));
         zr_put_plane(s, run->first, 1 + ZR_VALUES_LATE, count, &depth);
     }
-    if (count > 1 + ZR_VALUES_FOG) zr_put_texcoords(s, run, way, vertices, count);
+    if (ZR_WITH_TEXTURES && count > 1 + ZR_VALUES_FOG) zr_put_texcoords(s, run, way, vertices, count);
     for (uint32_t i = run->first; i < run->first + ZR_LANES; i++)
         s->materials[i] = run->draw->material;
     s->any_late = true;
@@ -178,7 +178,7 @@ static inline void zr_shade_colors(struct zr_shader *s, const struct zr_tile *ti
     s->materials[0] = NULL;
     s->has_planes[0] = s->any_planes = s->any_late = false;
     if (s->surfaces->any_textured)
-        zr_shade_colors_by(s, tile, begin, end, to, 1 + ZR_VALUES_MOST);
+        ZR_KERNEL(zr_paint_textured)(s, tile, begin, end, to);
     else if (s->surfaces->fog.is_on)
         zr_shade_colors_by(s, tile, begin, end, to, 1 + ZR_VALUES_FOG);
     else if (s->surfaces->any_late)

@@ -35,12 +35,13 @@ static inline void zr_fours_load(const zr_vec4 *values, const int32_t (*numbers)
 }
 
 /* In the image of a texture. */
-static inline void zr_texture_transform_v(const struct zr_texture *texture, const struct zr_fours_v *given, zr_vf out[2])
+static inline void zr_texture_transform_v(const struct zr_texture *texture, const struct zr_fours_v *given,
+                                          zr_vf out[2])
 {
     const zr_vf u = texture->texcoord == 0 ? given->x : given->z, v = texture->texcoord == 0 ? given->y : given->w;
     for (int k = 0; k < 2; k++)
-        out[k] = (zr_vf_set(texture->rows[k][0]) * u + zr_vf_set(texture->rows[k][1]) * v) +
-                 zr_vf_set(texture->rows[k][2]);
+        out[k] =
+            (zr_vf_set(texture->rows[k][0]) * u + zr_vf_set(texture->rows[k][1]) * v) + zr_vf_set(texture->rows[k][2]);
 }
 
 struct zr_tangent_v {
@@ -49,8 +50,7 @@ struct zr_tangent_v {
 };
 
 /* Of whole triangles, from their corners: P_u = (e1 v2 - e2 v1) / (u1 v2 - u2 v1). */
-static inline struct zr_tangent_v zr_tangent_of(const struct zr_vec3_v points[3], zr_vf (*places)[2],
-                                                bool is_mirror)
+static inline struct zr_tangent_v zr_tangent_of(const struct zr_vec3_v points[3], zr_vf (*places)[2], bool is_mirror)
 {
     const zr_vf zero = zr_vf_set(0.0f), one = zr_vf_set(1.0f), turn = zr_vf_set(is_mirror ? -1.0f : 1.0f);
     const struct zr_vec3_v e1 = zr_minus_v(points[1], points[0]), e2 = zr_minus_v(points[2], points[0]);
@@ -72,7 +72,8 @@ static inline void zr_put_tangents(struct zr_shader *s, const struct zr_run *run
     const struct zr_texture *texture =
         zr_texture_map_of(&s->surfaces->textures, run->draw->material, ZR_TEXTURE_NORMAL)->texture;
     const zr_vf one = zr_vf_set(1.0f);
-    const zr_vf side = zr_vf_select(zr_shown_backs(run->draw, zr_run_numbers(s, run), way->turned), zr_vf_set(-1.0f), one);
+    const zr_vf side =
+        zr_vf_select(zr_shown_backs(run->draw, zr_run_numbers(s, run), way->turned), zr_vf_set(-1.0f), one);
     struct zr_vec3_v along[3];
     zr_vf sign;
     if (given) {
@@ -117,10 +118,9 @@ static inline bool zr_make_textures(struct zr_shader *s, const struct zr_run *ru
     const struct zr_way_v way = zr_way_of(s->geometry->vertices, corners.vertex);
     struct zr_fours_v c[3] = {{zero, zero, zero, zero}, {zero, zero, zero, zero}, {zero, zero, zero, zero}};
     if (values) zr_fours_load(values - run->draw->first_vertex, corners.vertex, c);
-    const struct zr_plane_v planes[5] = {way.oow_plane, zr_plane1_make(&way, c[0].x, c[1].x, c[2].x),
-                                         zr_plane1_make(&way, c[0].y, c[1].y, c[2].y),
-                                         zr_plane1_make(&way, c[0].z, c[1].z, c[2].z),
-                                         zr_plane1_make(&way, c[0].w, c[1].w, c[2].w)};
+    const struct zr_plane_v planes[5] = {
+        way.oow_plane, zr_plane1_make(&way, c[0].x, c[1].x, c[2].x), zr_plane1_make(&way, c[0].y, c[1].y, c[2].y),
+        zr_plane1_make(&way, c[0].z, c[1].z, c[2].z), zr_plane1_make(&way, c[0].w, c[1].w, c[2].w)};
     for (int k = 0; k < 5; k++)
         zr_put_plane(s, run->first, k, ZR_TEXTURE_PLANES, &planes[k]);
     if (material->textures[ZR_TEXTURE_NORMAL]) {
@@ -185,11 +185,11 @@ static inline struct zr_vec3_v zr_mapped_normal_v(struct zr_vec3_v texel, float 
     const struct zr_vec3_v normal = frame->normal, along = frame->along;
     const zr_vf one = zr_vf_set(1.0f), two = zr_vf_set(2.0f), factor = zr_vf_set(scale);
     const struct zr_vec3_v flat = zr_minus_v(along, zr_scale_v(normal, zr_dot_v(normal, along)));
-    const struct zr_vec3_v tangent = zr_normalize_v(flat), bitangent = zr_scale_v(zr_cross_v(normal, tangent), frame->sign);
-    const struct zr_vec3_v sum =
-        zr_add_v(zr_add_v(zr_scale_v(tangent, (texel.x * two - one) * factor),
-                          zr_scale_v(bitangent, (texel.y * two - one) * factor)),
-                 zr_scale_v(normal, texel.z * two - one));
+    const struct zr_vec3_v tangent = zr_normalize_v(flat),
+                           bitangent = zr_scale_v(zr_cross_v(normal, tangent), frame->sign);
+    const struct zr_vec3_v sum = zr_add_v(zr_add_v(zr_scale_v(tangent, (texel.x * two - one) * factor),
+                                                   zr_scale_v(bitangent, (texel.y * two - one) * factor)),
+                                          zr_scale_v(normal, texel.z * two - one));
     const zr_vm has_one = zr_vm_and(zr_vf_lt(zr_vf_set(0.5f), zr_dot_v(tangent, tangent)),
                                     zr_vf_lt(zr_vf_set(1e-12f), zr_dot_v(sum, sum)));
     return zr_choose_v(has_one, zr_normalize_v(sum), normal);
@@ -226,9 +226,8 @@ static inline void zr_take_textures(struct zr_textures_v *out, const struct zr_t
     if ((map = zr_texture_map_of(maps, material, ZR_TEXTURE_EMISSIVE)))
         zr_take_color(out, 6, where, zr_texture_at_v(map, texcoords));
     if ((map = zr_texture_map_of(maps, material, ZR_TEXTURE_NORMAL)))
-        out->normal = zr_choose_v(where,
-                                  zr_mapped_normal_v(zr_texture_at_v(map, texcoords), material->normal_scale, frame),
-                                  out->normal);
+        out->normal = zr_choose_v(
+            where, zr_mapped_normal_v(zr_texture_at_v(map, texcoords), material->normal_scale, frame), out->normal);
 }
 
 static inline zr_vf zr_patch_load(const float *from, ptrdiff_t stride)
