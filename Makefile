@@ -102,7 +102,7 @@ reference_doors := $(BUILD)/tests/reference/reference_osmesa.o $(BUILD)/tests/re
 door := $(BUILD)/tests/reference/reference_$(REFERENCE).o
 DOOR_LIBS := $(reference_libs_$(REFERENCE))
 reference := $(filter-out $(reference_doors),$(call objects,tests/reference/*.c))
-reference_gl := $(patsubst %,$(BUILD)/tests/reference/reference_%.o,gl light program texture)
+reference_gl := $(patsubst %,$(BUILD)/tests/reference/reference_%.o,fixed gl light program texture)
 bench := $(call objects,tests/bench/*.c)
 # What the bench runs on the other side, in processes that load nothing but what they need.
 bench_alone := $(patsubst %.c,$(BUILD)/%,$(wildcard tests/bench/alone/*.c))

@@ -72,6 +72,13 @@ struct zr_paint {
     void (*copy)(const struct zr_pixel_rows *out, int32_t width, int32_t height, const void *in);
 };
 
+/* zr_paint.floats. */
+typedef void zr_paint_floats_fn(const struct zr_geometry *geometry, const struct zr_surfaces *surfaces,
+                                const struct zr_tile *tile, float *const out[4]);
+
+zr_paint_floats_fn zr_paint_floats_scalar, zr_paint_floats_sse2, zr_paint_floats_avx2, zr_paint_floats_avx512,
+    zr_paint_floats_neon;
+
 extern const struct zr_paint zr_paint_scalar, zr_paint_sse2, zr_paint_avx2, zr_paint_avx512, zr_paint_neon;
 
 const struct zr_paint *zr_paint_of(enum zr_isa isa);

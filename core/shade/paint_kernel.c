@@ -1,34 +1,15 @@
 #include "shade/paint.h"
 
 #include "shade/channels/color_simd.h"
-#include "shade/channels/floats_simd.h"
 #include "shade/channels/gbuffer_simd.h"
 #include "shade/channels_simd.h"
-
-/* Finds what is seen from block `begin` on, as many rows of blocks as there is room for. Returns where it ended. */
-static inline int find_parts(struct zr_shader *s, const struct zr_tile *tile, int begin, bool without_known)
-{
-    const int end = (tile->height + ZR_BLOCK_HEIGHT - 1) / ZR_BLOCK_HEIGHT * ZR_BLOCK_COLUMNS;
-    const int across = (tile->width + ZR_BLOCK_WIDTH - 1) / ZR_BLOCK_WIDTH;
-    int row = begin;
-    uint32_t count = 1;
-    s->parts.owners[0] = 0;
-    for (; row < end && count + ZR_PARTS_A_ROW <= ZR_PARTS_MOST; row += ZR_BLOCK_COLUMNS)
-        for (int b = row; b < row + across; b++)
-            count = zr_parts_find(&s->parts, count, tile, b, without_known);
-    s->parts.count = count;
-    for (uint32_t i = 0; i < ZR_PARTS_AT_ONCE; i++)
-        s->parts.owners[count + i] = UINT32_MAX;
-    zr_find_runs(s);
-    return row;
-}
 
 static void shade_parts(struct zr_shader *s, const struct zr_tile *tile, const struct zr_shaded *to, bool colors,
                         bool others)
 {
     const int all = (tile->height + ZR_BLOCK_HEIGHT - 1) / ZR_BLOCK_HEIGHT * ZR_BLOCK_COLUMNS;
     for (int begin = 0, end; (colors || others) && begin < all; begin = end) {
-        end = find_parts(s, tile, begin, tile->has_words && !others);
+        end = zr_find_parts(s, tile, begin, tile->has_words && !others);
         if (colors) zr_shade_colors(s, tile, begin, end, to);
         if (others) zr_shade_channels_of_parts(s, tile, begin, end, to);
     }
@@ -49,22 +30,7 @@ static void shade(const struct zr_geometry *geometry, const struct zr_surfaces *
     zr_shade_channels_of_words(&s, tile, to);
 }
 
-/* ---- floats ---- */
-
-static void floats(const struct zr_geometry *geometry, const struct zr_surfaces *surfaces, const struct zr_tile *tile,
-                   float *const out[4])
-{
-    struct zr_shader s;
-    const int all = (tile->height + ZR_BLOCK_HEIGHT - 1) / ZR_BLOCK_HEIGHT * ZR_BLOCK_COLUMNS;
-    s.geometry = geometry;
-    s.surfaces = surfaces;
-    s.draw = &geometry->draws[0];
-    s.model = zr_model_context_of(&surfaces->lighting, surfaces->eye, &surfaces->fog);
-    for (int begin = 0, end; begin < all; begin = end) {
-        end = find_parts(&s, tile, begin, false);
-        zr_float_blocks(&s, tile, begin, end, out);
-    }
-}
+/* ---- blending ---- */
 
 static void blend(const struct zr_tile *tile, const float *const front[4], float *const to[4])
 {
@@ -126,7 +92,7 @@ static void samples(const struct zr_geometry *geometry, const struct zr_surfaces
     s.surfaces = surfaces;
     s.draw = &geometry->draws[0];
     for (int begin = 0, end; begin < all; begin = end) {
-        end = find_parts(&s, tile, begin, false);
+        end = zr_find_parts(&s, tile, begin, false);
         zr_sample_blocks(&s, tile, begin, end, to);
         if (to->textures) ZR_KERNEL(zr_sample_textures)(&s, tile, begin, end, to);
     }
@@ -208,4 +174,4 @@ static void depths(const struct zr_tile *tile, const struct zr_pixel_rows *out)
     }
 }
 
-const struct zr_paint ZR_KERNEL(zr_paint) = {shade, samples, floats, blend, depths, count, ends, fill, copy};
+const struct zr_paint ZR_KERNEL(zr_paint) = {shade, samples, ZR_KERNEL(zr_paint_floats), blend, depths, count, ends, fill, copy};

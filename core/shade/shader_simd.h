@@ -78,6 +78,24 @@ static inline void zr_find_runs(struct zr_shader *s)
     }
 }
 
+/* Finds what is seen from block `begin` on, as many rows of blocks as there is room for. Returns where it ended. */
+static inline int zr_find_parts(struct zr_shader *s, const struct zr_tile *tile, int begin, bool without_known)
+{
+    const int end = (tile->height + ZR_BLOCK_HEIGHT - 1) / ZR_BLOCK_HEIGHT * ZR_BLOCK_COLUMNS;
+    const int across = (tile->width + ZR_BLOCK_WIDTH - 1) / ZR_BLOCK_WIDTH;
+    int row = begin;
+    uint32_t count = 1;
+    s->parts.owners[0] = 0;
+    for (; row < end && count + ZR_PARTS_A_ROW <= ZR_PARTS_MOST; row += ZR_BLOCK_COLUMNS)
+        for (int b = row; b < row + across; b++)
+            count = zr_parts_find(&s->parts, count, tile, b, without_known);
+    s->parts.count = count;
+    for (uint32_t i = 0; i < ZR_PARTS_AT_ONCE; i++)
+        s->parts.owners[count + i] = UINT32_MAX;
+    zr_find_runs(s);
+    return row;
+}
+
 static inline void zr_put_words(struct zr_shader *s, const struct zr_run *run, zr_vi words)
 {
     zr_vi_store(s->words + run->first, words);
