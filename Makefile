@@ -109,7 +109,7 @@ bench_alone := $(patsubst %.c,$(BUILD)/%,$(wildcard tests/bench/alone/*.c))
 server_support := $(filter-out $(BUILD)/tests/server/test_%,$(call objects,tests/server/*.c))
 unit_tests := $(patsubst %.c,$(BUILD)/%,$(wildcard tests/unit/test_*.c tests/property/test_*.c))
 fuzz_targets := $(patsubst %.c,$(BUILD)/%,$(wildcard tests/fuzz/fuzz_*.c))
-fuzz_support := $(call objects,tests/fuzz/request.c)
+fuzz_support := $(call objects,tests/fuzz/request.c tests/fuzz/image.c)
 server_tests := $(patsubst %.c,$(BUILD)/%,$(wildcard tests/server/test_*.c))
 
 # Objects before archives, whatever the order that rules name them in.
@@ -306,7 +306,7 @@ $(fuzz_targets): $(BUILD)/%: $(BUILD)/%.o $(fuzz_main) $(fuzz_support) $(BUILD)/
 $(BUILD)/tests/fuzz/fuzz_gzip: $(BUILD)/server/gunzip.o
 $(BUILD)/tests/fuzz/fuzz_multipart: $(BUILD)/server/multipart.o
 $(BUILD)/tests/fuzz/seeds: $(BUILD)/tests/fuzz/seeds.o $(BUILD)/libsupport.a
-	$(LINK) -lcmocka -lpng -lz
+	$(LINK) -lcmocka -lpng -ljpeg -lz
 
 # Of the server's files, those that can do without a daemon around them are tested as units.
 $(BUILD)/tests/unit/test_multipart: $(BUILD)/server/multipart.o

@@ -7,6 +7,23 @@ function put_all(outline, count, i, p, q) {
     for (i = 1; i <= count; i++) { split(p[i], q, ","); put(q[1], q[2], q[3]) }
 }
 function put_ball(r, y, first, last, i) { for (i = first; i <= last; i++) put(r * sin(pi * i / last), y - r * cos(pi * i / last)) }
+# model=waves is a grid: "heights": [...]. A second word of a model, as in "waves viridis", is a colormap: of heights, or of
+# numbers that go round the body, one for each position, or, as in "gear faces turbo", one for each face.
+function wave(x, y, r) { r = sqrt(x * x + y * y) + 0.001; return 3 * sin(2.2 * r) / (1 + r) + 0.3 * x }
+function print_waves(cells, x, y) {
+    printf "\"heights\": {\"x\": [-4, 4], \"y\": [-4, 4], \"values\": ["
+    for (y = 0; y <= cells; y++)
+        for (x = 0; x <= cells; x++)
+            printf "%s%.4f%s", (x ? "," : y ? ",[" : "["), wave(8 * x / cells - 4, 8 * y / cells - 4), (x == cells ? "]" : "")
+    printf "]}"
+}
+function print_scalars(of_faces, i, k) {
+    printf ", \"scalars\": ["
+    for (i = 1; i <= rings - of_faces; i++)
+        for (k = 0; k < sides; k++)
+            printf "%s%.4f", (i + k == 1 ? "" : ","), sin(2 * pi * (k + of_faces / 2) / sides * 3) + height[i]
+    printf "]"
+}
 function at(ring, k) { return radius[ring] - (k % 4 == 0 || k % 4 == 3 ? depth[ring] : 0) }
 # The corners of a seam are there twice, for u and v go on across it.
 function put_ring(around, across, i, k, t, p, r, places, normals, texcoords, faces, n, a) {
@@ -23,6 +40,14 @@ function put_ring(around, across, i, k, t, p, r, places, normals, texcoords, fac
     printf "\"positions\": [%s], \"normals\": [%s], \"texcoords\": [%s], \"faces\": [%s]", places, normals, texcoords, faces
 }
 BEGIN {
+    words = split(model, word, " ")
+    model = word[1]
+    if (words > 1) map = ", \"colormap\": \"" word[words] "\""
+    if (model == "waves") {
+        print_waves(56)
+        printf "%s", map
+        exit
+    }
     pi = 3.14159265358979
     if (model == "ring") { put_ring(96, 32); exit }
     sides = model == "coarse" ? 12 : model == "pawn" ? 64 : 48
@@ -48,4 +73,6 @@ BEGIN {
             else printf "%d,%d,%d,%d]", a, a + sides, b + sides, b
         }
     printf "]"
+    if (words > 1) print_scalars(word[2] == "faces")
+    printf "%s", map
 }

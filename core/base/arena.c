@@ -202,12 +202,13 @@ struct zr_arena zr_arena_open_scratch(const struct zr_arena *arena)
     return (struct zr_arena){.ceiling = arena->ceiling - arena->used, .failed = arena->failed, .cancel = arena->cancel};
 }
 
-void zr_arena_bound_scratch(struct zr_arena *scratch, const struct zr_arena *arena)
+void *zr_arena_alloc_beside(struct zr_arena *arena, struct zr_arena *scratch, size_t count, size_t size)
 {
+    if (!zr_arena_charge(arena, scratch->used)) return NULL;
+    void *result = zr_arena_alloc(arena, count, size);
+    zr_arena_refund(arena, scratch->used);
     scratch->ceiling = arena->ceiling - arena->used;
-    if (scratch->used <= scratch->ceiling) return;
-    scratch->ceiling = scratch->used;
-    fail(scratch, ZR_ARENA_ALIGN);
+    return result;
 }
 
 void zr_arena_close_scratch(struct zr_arena *scratch, struct zr_arena *arena)

@@ -1,42 +1,17 @@
 #include "input/image_read.h"
 
-#include <inttypes.h>
-
 #include "input/formats.h"
+#include "input/image_size.h"
 #include "input/jpeg_read.h"
 #include "input/png_read.h"
-
-bool zr_image_fits(uint32_t width, uint32_t height, uint64_t texels_max, struct zr_reason *reason)
-{
-    const uint64_t texels = (uint64_t)width * height;
-    if (texels == 0)
-        zr_reason_give(reason, "an image of %" PRIu32 " x %" PRIu32 " texels, which is none", width, height);
-    else if (width > ZR_IMAGE_SIDE_MAX || height > ZR_IMAGE_SIDE_MAX)
-        zr_reason_give(reason, "an image of %" PRIu32 " x %" PRIu32 " texels; up to %d a side are allowed", width,
-                       height, ZR_IMAGE_SIDE_MAX);
-    else if (texels > texels_max)
-        zr_reason_give(reason,
-                       "an image of %" PRIu32 " x %" PRIu32 " texels; %" PRIu64
-                       " are left of what all images of a request may have together (imagePixelsMax)",
-                       width, height, texels_max);
-    else
-        return true;
-    return false;
-}
-
-void *zr_image_room(struct zr_arena *arena, struct zr_arena *scratch, uint32_t width, uint32_t height, uint32_t bits)
-{
-    void *texels = zr_arena_zero(arena, (size_t)width * height, bits == 16 ? 8 : 4);
-    zr_arena_bound_scratch(scratch, arena);
-    return zr_arena_ok(scratch) ? texels : NULL;
-}
 
 static enum zr_status read_png(struct zr_arena *arena, struct zr_arena *scratch, const void *bytes, size_t size,
                                const struct zr_png_head *head, uint64_t texels_max, struct zr_image *image,
                                struct zr_reason *reason)
 {
     if (!zr_image_fits(head->width, head->height, texels_max, reason)) return ZR_BAD_SCENE;
-    void *rgba = zr_image_room(arena, scratch, head->width, head->height, head->bits);
+    const size_t texel_bytes = head->bits == 16 ? 8 : 4;
+    void *rgba = zr_arena_alloc_beside(arena, scratch, (size_t)head->width * head->height, texel_bytes);
     if (!rgba) return ZR_NO_MEMORY;
     *image = (struct zr_image){head->width, head->height, head->bits == 16 ? 16 : 8, rgba};
     return zr_png_read_whole(scratch, bytes, size, head, rgba, reason);

@@ -11,20 +11,9 @@
 #include "input/text.h"
 #include "scene/image.h"
 
-#include <stdbool.h>
-
-/* Texels from side to side, as llvmpipe has it. */
-enum { ZR_IMAGE_SIDE_MAX = 16384 };
-
 /* The image's texels, in the arena; beside them `texels_max` may be there at most. What libraries need meanwhile is
  * given back. ZR_OK, ZR_NO_MEMORY, ZR_CANCELLED (arena->cancel), or ZR_BAD_SCENE with the reason. */
 enum zr_status zr_image_read(struct zr_arena *arena, const void *bytes, size_t size, uint64_t texels_max,
                              struct zr_image *image, struct zr_reason *reason);
-
-/* Room for the texels, zeros; `scratch` may take what is left beside it. NULL where one of the two has failed. */
-void *zr_image_room(struct zr_arena *arena, struct zr_arena *scratch, uint32_t width, uint32_t height, uint32_t bits);
-
-/* Whether a picture of this size may be decoded; if not, with the reason. */
-bool zr_image_fits(uint32_t width, uint32_t height, uint64_t texels_max, struct zr_reason *reason);
 
 #endif

@@ -1,5 +1,7 @@
 #include "input/jpeg_memory.h"
 
+#include <string.h>
+
 #include <jerror.h>
 
 /* Of AVX-512, and more than libjpeg-turbo asks for. */
@@ -10,12 +12,13 @@ _Static_assert(ZR_ARENA_ALIGN % ROW_ALIGN == 0, "the first row is aligned as all
 struct jvirt_sarray_control {
     struct jvirt_sarray_control *next;
     JDIMENSION samples_per_row, rows;
-    JSAMPARRAY array; /* NULL: not realized */
+    JDIMENSION zeroed; /* of the rows, the first ones */
+    JSAMPARRAY array;  /* NULL: not realized */
 };
 
 struct jvirt_barray_control {
     struct jvirt_barray_control *next;
-    JDIMENSION blocks_per_row, rows;
+    JDIMENSION blocks_per_row, rows, zeroed;
     JBLOCKARRAY array;
 };
 
@@ -27,7 +30,7 @@ static struct zr_jpeg_memory *memory_of(j_common_ptr jpeg)
 /* Never NULL: libjpeg does not look. */
 static void *allocate(j_common_ptr jpeg, size_t count, size_t size)
 {
-    void *result = zr_arena_zero(memory_of(jpeg)->arena, count, size);
+    void *result = zr_arena_alloc(memory_of(jpeg)->arena, count, size);
     if (!result) ERREXIT1(jpeg, JERR_OUT_OF_MEMORY, 0);
     return result;
 }
@@ -69,7 +72,7 @@ static jvirt_sarray_ptr request_samples(j_common_ptr jpeg, int pool, boolean zer
     (void)pool;
     (void)zero;
     (void)at_once;
-    *virtual = (struct jvirt_sarray_control){memory->samples, samples_per_row, rows, NULL};
+    *virtual = (struct jvirt_sarray_control){memory->samples, samples_per_row, rows, 0, NULL};
     memory->samples = virtual;
     return virtual;
 }
@@ -82,7 +85,7 @@ static jvirt_barray_ptr request_blocks(j_common_ptr jpeg, int pool, boolean zero
     (void)pool;
     (void)zero;
     (void)at_once;
-    *virtual = (struct jvirt_barray_control){memory->blocks, blocks_per_row, rows, NULL};
+    *virtual = (struct jvirt_barray_control){memory->blocks, blocks_per_row, rows, 0, NULL};
     memory->blocks = virtual;
     return virtual;
 }
@@ -102,6 +105,8 @@ static JSAMPARRAY access_samples(j_common_ptr jpeg, jvirt_sarray_ptr virtual, JD
     (void)writes;
     if (!virtual->array || first > virtual->rows || rows > virtual->rows - first)
         ERREXIT(jpeg, JERR_BAD_VIRTUAL_ACCESS);
+    for (; virtual->zeroed < first + rows; virtual->zeroed++)
+        memset(virtual->array[virtual->zeroed], 0, virtual->samples_per_row * sizeof(JSAMPLE));
     return virtual->array + first;
 }
 
@@ -111,6 +116,8 @@ static JBLOCKARRAY access_blocks(j_common_ptr jpeg, jvirt_barray_ptr virtual, JD
     (void)writes;
     if (!virtual->array || first > virtual->rows || rows > virtual->rows - first)
         ERREXIT(jpeg, JERR_BAD_VIRTUAL_ACCESS);
+    for (; virtual->zeroed < first + rows; virtual->zeroed++)
+        memset(virtual->array[virtual->zeroed], 0, virtual->blocks_per_row * sizeof(JBLOCK));
     return virtual->array + first;
 }
 

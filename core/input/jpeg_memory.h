@@ -3,7 +3,8 @@
  * Why:    what libjpeg takes is foreign bytes' choice, the coefficients of a whole picture where it is progressive. Its
  *         own manager asks malloc and knows no ceiling; it may be replaced (jpeglib.h: struct jpeg_memory_mgr).
  * Layout: rows of samples are padded to ROW_ALIGN bytes, since its SIMD code reads and writes whole vectors. Virtual
- *         arrays are there as a whole, zeros to begin with.
+ *         arrays are there as a whole; their rows become zeros when they are first asked for, since to fill them all at
+ *         once takes longer than a cancelled request may.
  */
 #ifndef ZR_JPEG_MEMORY_H
 #define ZR_JPEG_MEMORY_H

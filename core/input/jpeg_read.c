@@ -4,7 +4,7 @@
 #include <string.h>
 
 #include "base/cancel.h"
-#include "input/image_read.h"
+#include "input/image_size.h"
 #include "input/jpeg_memory.h"
 
 #include <jerror.h>
@@ -164,7 +164,8 @@ static void read_picture(struct reading *reading, uint64_t texels_max, struct zr
     check_kind(reading);
     if (!zr_image_fits(jpeg->image_width, jpeg->image_height, texels_max, reading->reason))
         leave(reading, ZR_BAD_SCENE);
-    uint8_t *rgba = zr_image_room(reading->arena, reading->scratch, jpeg->image_width, jpeg->image_height, 8);
+    const size_t texels = (size_t)jpeg->image_width * jpeg->image_height;
+    uint8_t *rgba = zr_arena_alloc_beside(reading->arena, reading->scratch, texels, 4);
     if (!rgba) leave(reading, ZR_NO_MEMORY);
     *image = (struct zr_image){jpeg->image_width, jpeg->image_height, 8, rgba};
     set_output(jpeg);

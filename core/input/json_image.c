@@ -70,6 +70,7 @@ bool zr_given_find_image(struct zr_given_scene *root, const struct zr_json_path 
 {
     const char *text = name->asset ? name->asset : name->uri;
     struct named named = {.text = text, .length = text ? strlen(text) : 0, .is_asset = name->asset != NULL};
+    if (zr_json_stops(&root->json)) return false;
     root->images.size = sizeof named;
     const struct named *same = text && !(name->uri && name->asset) ? find_name(&root->images, &named) : NULL;
     if (!same) {

@@ -4,6 +4,7 @@
 #include "input/json_list.h"
 #include "input/json_objects.h"
 #include "input/json_rows.h"
+#include "input/json_scalars.h"
 #include "input/json_scene.h"
 
 /* Corners that a face may have beside those in its list's room, before it is read with more care. */
@@ -30,6 +31,7 @@ struct zr_given_mesh {
     struct faces faces;
     struct lines lines;
     struct zr_heights heights;
+    struct zr_scalars scalars;
 };
 
 /* ---- lists ---- */
@@ -304,6 +306,7 @@ static const struct zr_json_field fields[] = {
     [TANGENTS] = {"tangents", read_tangents, AT(tangents), .otherwise = "along u",
                   .text = "[x,y,z,w] of each position: x of normalTexture, and w, the sign of y"},
     ZR_FACE_STYLE_FIELDS(struct zr_given_mesh, face_style),
+    ZR_SCALARS_FIELDS(struct zr_given_mesh, scalars),
     ZR_SIDES_FIELD(struct zr_given_mesh, face_style),
     {.key = "data"}};
 const struct zr_json_object zr_json_object_mesh = ZR_JSON_OBJECT_OF("mesh", fields);
@@ -326,7 +329,8 @@ bool zr_read_meshes(struct zr_json *json, const struct zr_json_path *path, const
                                       .tangents.size = sizeof(zr_vec4),
                                       .faces = {.ends.size = sizeof(uint32_t), .indices.size = sizeof(uint32_t)},
                                       .lines.ends.size = 2 * sizeof(uint32_t),
-                                      .heights.values.size = sizeof(float)};
+                                      .heights.values.size = sizeof(float),
+                                      .scalars = ZR_SCALARS_UNSET};
         zr_json_fields(json, ZR_JSON_ITEM(path, list->count), &zr_json_object_mesh, &given, &given.keys);
         struct zr_given_mesh *kept = zr_growing_next(list, json);
         if (!kept) return false;
@@ -444,6 +448,8 @@ static void make_mesh(struct zr_given_scene *root, const struct zr_json_path *pa
         zr_given_check_texcoords(root, path, style.material, gives(given, TEXCOORDS) || gives(given, HEIGHTS),
                                  gives(given, TEXCOORDS1));
     if (json->error->count > 0) return;
+    zr_scalars_apply(json, path, &given->scalars, gives(given, HEIGHTS) ? given->heights.values.items : NULL,
+                     &root->builder->warnings, mesh);
     zr_given_note_alpha(root, mesh->colors, mesh->colors ? mesh->position_count : 0);
     zr_given_note_alpha(root, mesh->face_colors, mesh->face_colors ? mesh->face_count : 0);
     mesh->material = zr_given_make_material(root, &style, mesh->colors || mesh->face_colors,

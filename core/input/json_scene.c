@@ -93,6 +93,7 @@ const struct zr_json_field zr_scene_fields[] = {
                         .text = "what places meshes"},
     [ZR_SCENE_FOG] = {"fog", zr_read_fog, 0, .text = "what is farther away fades"},
     ZR_FACE_STYLE_FIELDS(struct zr_given_scene, face_style),
+    {.key = "colorbar"},
     {.key = "views"},
     {.key = "turntable"}};
 const struct zr_json_object zr_json_object_scene = ZR_JSON_OBJECT_OF("scene", zr_scene_fields);

@@ -28,7 +28,7 @@ enum zr_status zr_png_read(struct zr_arena *arena, const void *bytes, size_t siz
 
 /* A picture of any kind, whole: also refused is what libpng warns of, and what lacks its end. `head` is what
  * zr_png_head_read made of it; of 16 bits come four uint16_t a pixel, in the machine's order, else four bytes, into
- * `rgba`, which has room for them. The arena is for libpng. Otherwise as above. */
+ * `rgba`, which has room for them and all of which is written. The arena is for libpng. Otherwise as above. */
 enum zr_status zr_png_read_whole(struct zr_arena *arena, const void *bytes, size_t size, const struct zr_png_head *head,
                                  void *rgba, struct zr_reason *reason);
 

@@ -19,7 +19,7 @@ size_t LLVMFuzzerCustomMutator(uint8_t *data, size_t size, size_t max, unsigned 
 /* libFuzzer's own; there is none in a replay. */
 __attribute__((weak)) size_t LLVMFuzzerMutate(uint8_t *data, size_t size, size_t max);
 
-enum { FUZZ_SIDE_MAX = 64, FUZZ_ARENA_BYTES = 1 << 26 };
+enum { FUZZ_SIDE_MAX = 64, FUZZ_ARENA_BYTES = 1 << 26, FUZZ_TEXELS_MAX = 1 << 14 };
 
 /* Whether the last input was accepted, and went all the way: seeds must. */
 extern bool fuzz_accepted;
@@ -28,6 +28,9 @@ extern bool fuzz_accepted;
  * not take long, since a slow input finds less than a thousand small ones. Where the scene is drawn, all algorithms
  * must agree. */
 void fuzz_request(const struct zr_request *request);
+
+/* The bytes as an image, twice: what was in memory before must not show. */
+void fuzz_image(const uint8_t *data, size_t size);
 
 /* Says what is wrong and aborts, where `holds` is false. */
 void fuzz_expect(bool holds, const char *what);

@@ -26,6 +26,7 @@ static struct zr_limits small_limits(void)
     limits.window_side_max = FUZZ_SIDE_MAX;
     limits.window_pixels_max = 8 * FUZZ_SIDE_MAX * FUZZ_SIDE_MAX;
     limits.instances_max = 1000;
+    limits.image_pixels_max = FUZZ_TEXELS_MAX;
     return limits;
 }
 

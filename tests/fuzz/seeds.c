@@ -14,11 +14,12 @@
 #include "fuzz/base.h"
 #include "support/base64.h"
 #include "support/files.h"
+#include "support/jpeg.h"
 
 enum { PATH_SIZE = 4096, FILE_MAX = 1 << 16 };
 
 static const char *top;
-static const char *const targets[] = {"json", "obj", "stl", "png", "npy", "gzip", "multipart"};
+static const char *const targets[] = {"json", "obj", "stl", "png", "npy", "gzip", "multipart", "image_png", "jpeg"};
 
 static void fail(const char *what)
 {
@@ -161,7 +162,7 @@ static void append(png_structp png, png_bytep bytes, size_t size)
 static void write_png(int color, int bits, int interlace, bool key)
 {
     static struct file file;
-    static png_byte samples[BASE_WIDTH * 4];
+    static png_byte samples[BASE_WIDTH * 4 * 2];
     const png_color palette[4] = {{1, 2, 3}, {200, 100, 50}, {255, 0, 128}, {7, 7, 7}};
     const png_byte alphas[2] = {255, 77};
     const png_color_16 color_key = {.red = 0, .green = 1, .blue = 2, .gray = 1};
@@ -182,7 +183,31 @@ static void write_png(int color, int bits, int interlace, bool key)
     png_destroy_write_struct(&png, &info);
     char name[64];
     snprintf(name, sizeof name, "color%d-bits%d-interlace%d-key%d", color, bits, interlace, key);
-    write_seed("png", name, file.bytes, file.size);
+    if (bits <= 8) write_seed("png", name, file.bytes, file.size);
+    write_seed("image_png", name, file.bytes, file.size);
+}
+
+static void write_jpegs(void)
+{
+    uint8_t pixels[BASE_PIXELS * 3];
+    for (size_t i = 0; i < sizeof pixels; i++)
+        pixels[i] = (uint8_t)(i * 13);
+    for (int i = 0; i < 16; i++) {
+        const struct jpeg_kind kind = {.colors = i % 4 ? JPEG_YCBCR : JPEG_GREY,
+                                       .across = i % 4 < 2 ? 1 : 2,
+                                       .down = i % 4 < 3 ? 1 : 2,
+                                       .is_progressive = i & 4,
+                                       .restart_rows = i > 11,
+                                       .is_arithmetic = i & 8,
+                                       .quality = 40 + i};
+        char name[32];
+        size_t size;
+        uint8_t *bytes = jpeg_memory_write(&kind, pixels, BASE_WIDTH, BASE_HEIGHT, &size);
+        if (!bytes) fail("a JPEG");
+        snprintf(name, sizeof name, "kind%d", i);
+        write_seed("jpeg", name, bytes, size);
+        free(bytes);
+    }
 }
 
 static void write_pictures(void)
@@ -190,6 +215,8 @@ static void write_pictures(void)
     for (int interlace = 0; interlace < 2; interlace++)
         for (int key = 0; key < 2; key++) {
             write_png(PNG_COLOR_TYPE_RGB, 8, interlace, key);
+            write_png(PNG_COLOR_TYPE_RGB, 16, interlace, key);
+            write_png(PNG_COLOR_TYPE_GRAY, 16, interlace, key);
             for (int bits = 1; bits <= 8; bits *= 2) {
                 write_png(PNG_COLOR_TYPE_GRAY, bits, interlace, key);
                 write_png(PNG_COLOR_TYPE_PALETTE, bits, interlace, key);
@@ -197,6 +224,8 @@ static void write_pictures(void)
             if (key) continue;
             write_png(PNG_COLOR_TYPE_RGB_ALPHA, 8, interlace, key);
             write_png(PNG_COLOR_TYPE_GRAY_ALPHA, 8, interlace, key);
+            write_png(PNG_COLOR_TYPE_RGB_ALPHA, 16, interlace, key);
+            write_png(PNG_COLOR_TYPE_GRAY_ALPHA, 16, interlace, key);
         }
     char npy[NPY_BYTES];
     static const float depths[BASE_PIXELS] = {0.5f, 1, 0.25f};
@@ -259,6 +288,7 @@ int main(int count, char **arguments)
     write_scenes();
     write_meshes();
     write_pictures();
+    write_jpegs();
     write_bodies();
     return 0;
 }

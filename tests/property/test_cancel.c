@@ -6,8 +6,11 @@
 #include <string.h>
 #include <time.h>
 
+#include "input/image_read.h"
+#include "output/png.h"
 #include "scene/looks.h"
 #include "support/cmocka_all.h"
+#include "support/jpeg.h"
 #include "support/random.h"
 #include "support/sanitized.h"
 #include "support/scenes.h"
@@ -329,7 +332,7 @@ static void pictures_of_looks_stop_in_all_stages(void **state)
         test.scene.picture.side = cases[i].side;
         if (cases[i].edge_width > 0) test.scene.picture.edges.width = cases[i].edge_width;
         for (int turn = 0; turn < 2; turn++) /* the first one pays for pages */
-            assert_false(stops_amid(cells, INFINITY, &whole_ms));
+            assert_false(stops_amid(cells, (double)INFINITY, &whole_ms));
         for (int k = 0; k < TIMES; k++) {
             int turn = 0;
             while (!stops_amid(cells, 0.85 * whole_ms * k / TIMES, &taken_ms)) {
@@ -381,6 +384,44 @@ static void reading_of_brackets_and_of_what_is_odd_stops(void **state)
     reading_stops("{\"polygons\":[", "{\"vertices\":[[0,0,0],[1,0,0],[0,1,0]],\"material\":{\"x\":[[]]}},");
 }
 
+static void decoding_stops(const void *bytes, size_t size)
+{
+    struct zr_arena images;
+    struct zr_image image;
+    struct zr_reason reason;
+    struct later later;
+    zr_arena_init(&images, (size_t)1 << 30);
+    begin(&later, RAISED_MS);
+    images.cancel = &later.cancel;
+    assert_ended_soon(&later, zr_image_read(&images, bytes, size, UINT64_MAX, &image, &reason));
+    zr_arena_free(&images);
+}
+
+/* Of one colour: so small that a few bytes of them are many rows. */
+static void decoding_of_large_pictures_stops(void **state)
+{
+    enum { WIDTH = 16384, HEIGHT = 4096 };
+    static const struct jpeg_kind kinds[] = {
+        {.colors = JPEG_GREY, .across = 1, .down = 1, .quality = 75},
+        {.colors = JPEG_GREY, .across = 1, .down = 1, .is_progressive = true, .quality = 75}};
+    (void)state;
+    zr_arena_init(&arena, (size_t)1 << 30);
+    uint8_t *pixels = zr_arena_zero(&arena, (size_t)WIDTH * HEIGHT, 4);
+    struct zr_buffer png = {.arena = &arena};
+    assert_non_null(pixels);
+    const struct zr_png picture = {.kind = ZR_PNG_RGBA, .width = WIDTH, .height = HEIGHT, .pixels = pixels};
+    assert_int_equal(zr_png_write(&picture, NULL, NULL, &png), ZR_OK);
+    decoding_stops(png.bytes, png.size);
+    for (size_t i = 0; i < sizeof kinds / sizeof kinds[0]; i++) {
+        size_t size;
+        uint8_t *jpeg = jpeg_memory_write(&kinds[i], pixels, WIDTH, HEIGHT, &size);
+        assert_non_null(jpeg);
+        decoding_stops(jpeg, size);
+        free(jpeg);
+    }
+    zr_arena_free(&arena);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -390,6 +431,7 @@ int main(void)
         cmocka_unit_test(instances_of_shapes_that_cross_themselves_stop),
         cmocka_unit_test(face_of_very_many_corners_stops),
         cmocka_unit_test(reading_of_brackets_and_of_what_is_odd_stops),
+        cmocka_unit_test(decoding_of_large_pictures_stops),
         cmocka_unit_test(every_algorithm_stops_amid_large_triangles),
         cmocka_unit_test(pictures_of_looks_stop_in_all_stages),
     };

@@ -27,8 +27,8 @@ static void help_lists_every_flag(void **state)
                     "--body-timeout-ms", "--body-min-bytes-per-second", "--write-timeout-ms", "--render-timeout-ms",
                     "--drain-timeout-ms", "--request-memory-bytes", "--keep-memory-bytes", "--token",
                     "--json-depth-max", "--window-side-max", "--window-pixels-max", "--polygon-vertices-max",
-                    "--assets-dir", "--assets-max-bytes", "--instances-max", "--coordinate-max", "--isa", "--health",
-                    "--version", "ZRASTER_"));
+                    "--assets-dir", "--assets-max-bytes", "--instances-max", "--image-pixels-max", "--coordinate-max",
+                    "--isa", "--health", "--version", "ZRASTER_"));
 }
 
 static void help_does_not_show_the_token(void **state)

@@ -28,6 +28,47 @@ static void arena_over_its_ceiling_fails_and_stays_failed(void **state)
     zr_arena_free(&arena);
 }
 
+static void scratch_arena_shares_the_ceiling_and_gives_its_memory_back(void **state)
+{
+    (void)state;
+    struct zr_arena arena;
+    zr_arena_init(&arena, 10240);
+    assert_non_null(zr_arena_alloc(&arena, 1024, 1));
+    struct zr_arena scratch = zr_arena_open_scratch(&arena);
+    assert_non_null(zr_arena_alloc(&scratch, 4096, 1));
+    assert_non_null(zr_arena_alloc_beside(&arena, &scratch, 1024, 1));
+    assert_non_null(zr_arena_alloc(&scratch, 4096, 1)); /* all that is left */
+    assert_true(zr_arena_ok(&scratch));
+    zr_arena_close_scratch(&scratch, &arena);
+    assert_true(zr_arena_ok(&arena));
+    assert_int_equal(arena.used, 2048);
+    assert_int_equal(arena.peak, 10240);
+    scratch = zr_arena_open_scratch(&arena);
+    assert_null(zr_arena_alloc(&scratch, 8193, 1));
+    zr_arena_close_scratch(&scratch, &arena);
+    assert_false(zr_arena_ok(&arena));
+    assert_int_equal(arena.wanted, 2048 + 8192 + ZR_ARENA_ALIGN);
+    scratch = zr_arena_open_scratch(&arena);
+    assert_null(zr_arena_alloc(&scratch, 1, 1)); /* what has failed stays failed */
+    zr_arena_close_scratch(&scratch, &arena);
+    zr_arena_free(&arena);
+}
+
+static void memory_beside_a_scratch_arena_leaves_it_what_it_has(void **state)
+{
+    (void)state;
+    struct zr_arena arena;
+    zr_arena_init(&arena, 10240);
+    struct zr_arena scratch = zr_arena_open_scratch(&arena);
+    assert_non_null(zr_arena_alloc(&scratch, 4096, 1));
+    assert_null(zr_arena_alloc_beside(&arena, &scratch, 6145, 1));
+    assert_false(zr_arena_ok(&arena));
+    assert_int_equal(arena.wanted, 4096 + 6144 + ZR_ARENA_ALIGN);
+    zr_arena_close_scratch(&scratch, &arena);
+    assert_true(arena.peak <= arena.ceiling);
+    zr_arena_free(&arena);
+}
+
 static void arena_product_that_overflows_fails(void **state)
 {
     (void)state;
@@ -316,6 +357,8 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(arena_over_its_ceiling_fails_and_stays_failed),
+        cmocka_unit_test(scratch_arena_shares_the_ceiling_and_gives_its_memory_back),
+        cmocka_unit_test(memory_beside_a_scratch_arena_leaves_it_what_it_has),
         cmocka_unit_test(arena_product_that_overflows_fails),
         cmocka_unit_test(arena_allocations_are_aligned_and_apart),
         cmocka_unit_test(arena_forbids_what_is_not_allocated_under_address_sanitizer),

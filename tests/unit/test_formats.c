@@ -82,6 +82,10 @@ static void bytes_look_like_what_they_are(void **state)
                  {"\x89PN", ZR_FORMAT_UNKNOWN, NULL},
                  {"\x89PNG", ZR_FORMAT_UNKNOWN, "a PNG picture"},
                  {"PK\x03\x04", ZR_FORMAT_UNKNOWN, "a ZIP archive, as 3MF files are"},
+                 {"GIF89a", ZR_FORMAT_UNKNOWN, "a GIF picture"},
+                 {"RIFF", ZR_FORMAT_UNKNOWN, "a RIFF file, as WebP pictures are"},
+                 {"#?RADIANCE\n", ZR_FORMAT_UNKNOWN, "a Radiance picture"},
+                 {"BMP", ZR_FORMAT_UNKNOWN, "a BMP picture"},
                  {"<html>", ZR_FORMAT_UNKNOWN, "XML or HTML"}};
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++)
         expect(cases[i].text, strlen(cases[i].text), cases[i].format, cases[i].words);

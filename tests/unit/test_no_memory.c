@@ -5,10 +5,12 @@
 #include <string.h>
 
 #include "base/arena.h"
+#include "input/image_read.h"
 #include "output/npy.h"
 #include "output/png.h"
 #include "support/cmocka_all.h"
 #include "support/failing_malloc.h"
+#include "support/jpeg.h"
 #include "support/sanitized.h"
 #include "zraster.h"
 
@@ -152,9 +154,10 @@ static int free_assets(void **state)
     return 0;
 }
 
-/* From the body to the answer, as the server does it. */
-static void run(const struct zr_request *request, struct outcome *outcome)
+/* From the body to the answer, as the server does it. `subject` is a struct zr_request. */
+static void run_request(const void *subject, struct outcome *outcome)
 {
+    const struct zr_request *request = subject;
     const struct zr_limits limits = zr_limits_default();
     const struct zr_scene *scene = NULL;
     const struct zr_frame *frame = NULL;
@@ -173,11 +176,30 @@ static void run(const struct zr_request *request, struct outcome *outcome)
     zr_arena_free(&arena);
 }
 
+/* From bytes to texels. `subject` is a struct zr_asset. */
+static void run_image(const void *subject, struct outcome *outcome)
+{
+    const struct zr_asset *picture = subject;
+    struct zr_image image = {0};
+    struct zr_reason reason;
+    struct zr_arena arena;
+    zr_arena_init(&arena, (size_t)1 << 26);
+    outcome->size = 0;
+    outcome->status = zr_image_read(&arena, picture->bytes, picture->size, sizeof outcome->bytes / 4, &image, &reason);
+    if (outcome->status == ZR_OK) {
+        outcome->size = (size_t)image.width * image.height * 4;
+        memcpy(outcome->bytes, image.texels, outcome->size);
+    }
+    zr_arena_free(&arena);
+}
+
+typedef void run_fn(const void *subject, struct outcome *outcome);
+
 /* `loses`: what a library loses is not looked at. */
-static void assert_survives(const char *name, const struct zr_request *request, enum zr_status status, bool loses)
+static void assert_run_survives(const char *name, run_fn *run, const void *subject, enum zr_status status, bool loses)
 {
     static struct outcome whole, got;
-    run(request, &whole); /* what libraries keep for good they keep from now on */
+    run(subject, &whole); /* what libraries keep for good they keep from now on */
     assert_int_equal(whole.status, status);
     assert_true((whole.size > 0) == (status == ZR_OK));
     unsigned runs = 0;
@@ -186,7 +208,7 @@ static void assert_survives(const char *name, const struct zr_request *request, 
         unsigned failed = 1;
         for (unsigned first = 1; failed > 0; first++, runs++) {
             failing_malloc_arm(&control, first, every);
-            run(request, &got);
+            run(subject, &got);
             atomic_store(&control.first, 0);
             failed = atomic_load(&control.failed);
             if (!loses && live != live_before)
@@ -199,6 +221,11 @@ static void assert_survives(const char *name, const struct zr_request *request, 
     }
     print_message("%s: %u runs\n", name, runs);
     assert_true(runs >= 8);
+}
+
+static void assert_survives(const char *name, const struct zr_request *request, enum zr_status status, bool loses)
+{
+    assert_run_survives(name, run_request, request, status, loses);
 }
 
 static void each_channel_alone(void **state)
@@ -296,13 +323,35 @@ static void a_scene_that_is_refused(void **state)
                     ZR_BAD_SCENE, false);
 }
 
+/* The allocations of libpng and libjpeg are the arena's, but for those by which libjpeg begins. */
+static void images_of_textures(void **state)
+{
+    (void)state;
+    static const struct jpeg_kind kinds[] = {
+        {.colors = JPEG_YCBCR, .across = 2, .down = 2, .quality = 75},
+        {.colors = JPEG_YCBCR, .across = 1, .down = 1, .is_progressive = true, .quality = 75}};
+    uint8_t pixels[24 * 17 * 3];
+    for (size_t i = 0; i < sizeof pixels; i++)
+        pixels[i] = (uint8_t)(i * 7);
+    assert_run_survives("PNG", run_image, &assets[0], ZR_OK, false);
+    for (size_t i = 0; i < sizeof kinds / sizeof kinds[0]; i++) {
+        size_t size;
+        uint8_t *bytes = jpeg_memory_write(&kinds[i], pixels, 24, 17, &size);
+        assert_non_null(bytes);
+        assert_run_survives("JPEG", run_image, &(struct zr_asset){"jpeg", bytes, size}, ZR_OK, false);
+        assert_run_survives("JPEG cut short", run_image, &(struct zr_asset){"jpeg", bytes, size / 2}, ZR_BAD_SCENE,
+                            false);
+        free(bytes);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(each_channel_alone),  cmocka_unit_test(several_outputs_in_an_archive),
         cmocka_unit_test(small_pngs),          cmocka_unit_test(pictures_that_are_drawn_into),
         cmocka_unit_test(info_of_a_bare_mesh), cmocka_unit_test(a_scene_that_is_refused),
-        cmocka_unit_test(pictures_of_looks),
+        cmocka_unit_test(pictures_of_looks),   cmocka_unit_test(images_of_textures),
     };
     return cmocka_run_group_tests_name("no memory", tests, make_assets, free_assets);
 }

@@ -1,0 +1,177 @@
+#include "input/json_scalars.h"
+
+#include <float.h>
+#include <math.h>
+#include <stdint.h>
+#include <string.h>
+
+#include "base/cancel.h"
+#include "input/json_rows.h"
+
+#define VALUE_MAX ((double)FLT_MAX)
+
+/* Between two looks at the flag of cancellation. */
+enum { VALUES_A_LOOK = 1 << 16 };
+
+/* ---- reading ---- */
+
+/* Plain numbers up to the first that is not; true behind the list's end. `json` is at the list, and then at the '[' or
+ * ',' before what is not plain. */
+static bool read_plain(struct zr_json *json, struct zr_growing *values)
+{
+    const char *behind;
+    float *value;
+    while ((value = zr_growing_next(values, json)) &&
+           (behind = zr_row_next(json->at, json->end, -VALUE_MAX, VALUE_MAX, value))) {
+        values->count++;
+        json->at = behind;
+        if (*behind == ']') {
+            json->at++;
+            return true;
+        }
+        if (values->count % VALUES_A_LOOK == 0 && zr_json_stops(json)) return false;
+    }
+    return false;
+}
+
+/* The rest, with a complaint for each that is no number. */
+static void read_odd(struct zr_json *json, const struct zr_json_path *path, struct zr_growing *values)
+{
+    for (; zr_json_item(json); values->count++) {
+        double number = 0.0;
+        float *value = zr_growing_next(values, json);
+        if (!value) return;
+        zr_json_number_in(json, ZR_JSON_ITEM(path, values->count), -VALUE_MAX, VALUE_MAX, &number);
+        *value = (float)number;
+    }
+}
+
+bool zr_read_scalars(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field,
+                     void *out)
+{
+    struct zr_growing *values = &((struct zr_scalars *)out)->values;
+    (void)field;
+    if (!zr_json_list(json, path) || !zr_growing_reserve(values, json, 1)) return false;
+    if (!read_plain(json, values)) {
+        if (values->count == 0)
+            zr_json_enter(json, '[');
+        else
+            json->depth++;
+        read_odd(json, path, values);
+    }
+    zr_growing_trim(values, json->arena);
+    return true;
+}
+
+bool zr_read_scalar_range(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field,
+                          void *out)
+{
+    struct zr_scalars *scalars = out;
+    double ends[2] = {0, 0};
+    size_t count;
+    (void)field;
+    if (!zr_json_numbers(json, path, 2, 2, -VALUE_MAX, VALUE_MAX, ends, &count)) return false;
+    if (ends[0] > ends[1])
+        return zr_json_fault(json, path, "from %.9g to %.9g; the lower end comes first", ends[0], ends[1]);
+    scalars->range[0] = (float)ends[0];
+    scalars->range[1] = (float)ends[1];
+    return scalars->has_range = true;
+}
+
+/* ---- colours ---- */
+
+/* What is coloured: numbers, and where their colours go. */
+struct coloring {
+    const float *values;
+    size_t count;
+    float low, high;
+    enum zr_colormap map;
+    uint64_t below, above; /* numbers beyond the ends */
+};
+
+static void find_range(struct coloring *coloring)
+{
+    coloring->low = FLT_MAX;
+    coloring->high = -FLT_MAX;
+    for (size_t i = 0; i < coloring->count; i++) { /* false for what is NaN */
+        if (coloring->values[i] < coloring->low) coloring->low = coloring->values[i];
+        if (coloring->values[i] > coloring->high) coloring->high = coloring->values[i];
+    }
+}
+
+/* Where in the map the number is. In double, where the difference of two floats is finite. In a range of no length what
+ * is neither below nor above it is in the middle. */
+static float place(struct coloring *coloring, float value)
+{
+    const double low = (double)coloring->low, high = (double)coloring->high;
+    if (isnan(value)) return 0.0f; /* a hole */
+    coloring->below += value < coloring->low;
+    coloring->above += value > coloring->high;
+    if (value < coloring->low) return 0.0f;
+    if (value > coloring->high) return 1.0f;
+    return low < high ? (float)(((double)value - low) / (high - low)) : 0.5f;
+}
+
+static const zr_vec4 *make_colors(struct zr_json *json, struct coloring *coloring)
+{
+    zr_vec4 *colors = zr_arena_alloc(json->arena, coloring->count, sizeof *colors);
+    for (size_t i = 0; colors && i < coloring->count; i++) {
+        if (i % VALUES_A_LOOK == 0 && zr_is_cancelled(json->cancel)) return NULL;
+        colors[i] = zr_colormap_color(coloring->map, place(coloring, coloring->values[i]));
+    }
+    return colors;
+}
+
+static void warn(struct zr_json *json, const struct zr_json_path *path, const struct coloring *coloring,
+                 struct zr_warning_list *warnings)
+{
+    const unsigned long long outside = coloring->below + coloring->above;
+    if (outside > 0)
+        zr_warning_list_add(json->arena, warnings,
+                            "mesh %zu: %llu of %zu scalars are outside of the range from %.9g to %.9g and have the "
+                            "colours of its ends",
+                            path->index, outside, coloring->count, (double)coloring->low, (double)coloring->high);
+}
+
+/* False where there is nothing to be coloured, or a fault. */
+static bool choose(struct zr_json *json, const struct zr_json_path *path, const struct zr_scalars *scalars,
+                   const float *z, const struct zr_mesh *mesh)
+{
+    const bool has_values = scalars->values.items != NULL, has_map = scalars->colormap >= 0;
+    if (!has_values && !(z && has_map)) {
+        if (has_map) zr_json_fault(json, ZR_JSON_KEY(path, "colormap"), "a map without scalars, or heights, to colour");
+        if (scalars->has_range)
+            zr_json_fault(json, ZR_JSON_KEY(path, "range"), "a range without scalars%s", z ? " or a colormap" : "");
+        return false;
+    }
+    if (!mesh->colors && !mesh->face_colors) return true;
+    return zr_json_fault(json, ZR_JSON_KEY(path, has_values ? "scalars" : "colormap"),
+                         "two kinds of colours: %s and %s", has_values ? "scalars" : "a colormap",
+                         mesh->colors ? "colors" : "faceColors");
+}
+
+void zr_scalars_apply(struct zr_json *json, const struct zr_json_path *path, const struct zr_scalars *scalars,
+                      const float *z, struct zr_warning_list *warnings, struct zr_mesh *mesh)
+{
+    if (!choose(json, path, scalars, z, mesh)) return;
+    const bool has_values = scalars->values.items != NULL;
+    struct coloring coloring = {.values = has_values ? scalars->values.items : z,
+                                .count = has_values ? scalars->values.count : mesh->position_count,
+                                .low = scalars->range[0],
+                                .high = scalars->range[1],
+                                .map =
+                                    scalars->colormap < 0 ? ZR_COLORMAP_VIRIDIS : (enum zr_colormap)scalars->colormap};
+    if (coloring.count != mesh->position_count && coloring.count != mesh->face_count) {
+        zr_json_fault(json, ZR_JSON_KEY(path, "scalars"),
+                      "%zu items for %u positions and %u faces; one for each of these or of those is needed",
+                      coloring.count, mesh->position_count, mesh->face_count);
+        return;
+    }
+    if (!scalars->has_range) find_range(&coloring);
+    const zr_vec4 *colors = make_colors(json, &coloring);
+    if (coloring.count == mesh->position_count)
+        mesh->colors = colors;
+    else
+        mesh->face_colors = colors;
+    if (scalars->has_range) warn(json, path, &coloring, warnings);
+}

@@ -1,0 +1,50 @@
+/* json_scalars.h - input: numbers of a mesh, and a map that makes colours of them.
+ *
+ * Colours are made while the scene is read: drawing knows nothing of numbers. Between corners colours are interpolated,
+ * not numbers, as with all colours of vertices.
+ */
+#ifndef ZR_JSON_SCALARS_H
+#define ZR_JSON_SCALARS_H
+
+#include "input/colormap.h"
+#include "input/growing.h"
+#include "input/json_value.h"
+#include "scene/scene_builder.h"
+
+struct zr_scalars {
+    struct zr_growing values; /* floats; items is NULL where none are given */
+    int colormap;             /* -1: not given */
+    bool has_range;
+    float range[2];
+};
+#define ZR_SCALARS_UNSET                                                                                               \
+    {                                                                                                                  \
+        .values.size = sizeof(float), .colormap = -1                                                                   \
+    }
+
+/* Rows for the table of an object that fills a `type`, whose member `member` is a struct zr_scalars. */
+#define ZR_SCALARS_FIELDS(type, member)                                                                                \
+    {.key = "scalars",                                                                                                 \
+     .read = zr_read_scalars,                                                                                          \
+     .offset = offsetof(type, member),                                                                                 \
+     .text = "one number for each position, or for each face, to be coloured by a map"},                               \
+        {.key = "colormap",                                                                                            \
+         .read = zr_json_choice,                                                                                       \
+         .offset = offsetof(type, member.colormap),                                                                    \
+         .words = &zr_colormap_names,                                                                                  \
+         .otherwise = "viridis",                                                                                       \
+         .text = "which colours numbers have; of heights without scalars: of their z"},                                \
+    {                                                                                                                  \
+        .key = "range", .read = zr_read_scalar_range, .offset = offsetof(type, member),                                \
+        .otherwise = "the smallest and the largest of them",                                                           \
+        .text = "the numbers that have the first and the last colour of the map"                                       \
+    }
+zr_json_read_fn zr_read_scalars, zr_read_scalar_range; /* struct zr_scalars */
+
+/* Colours of the mesh's positions or faces, which are there, and nothing else of it that has a colour: nothing where
+ * there are neither scalars nor a map. `z`: of a grid, each position's, NaN in holes; else NULL. `path` is the mesh's.
+ * Faults are reported, and scalars that the range cuts off are warned of. */
+void zr_scalars_apply(struct zr_json *json, const struct zr_json_path *path, const struct zr_scalars *scalars,
+                      const float *z, struct zr_warning_list *warnings, struct zr_mesh *mesh);
+
+#endif

@@ -1,0 +1,224 @@
+/* Meshes whose numbers become colours. */
+#include "json_check.h"
+
+#include "input/colormap.h"
+
+#define SQUARE "\"positions\": [[0,0,0],[1,0,0],[1,1,0],[0,1,0]], \"faces\": [[0,1,2],[0,2,3]]"
+
+static const char *with_mesh(const char *mesh)
+{
+    static char text[8192];
+    snprintf(text, sizeof text, "{\"meshes\": [{%s}]}", mesh);
+    return text;
+}
+
+static struct reading *read_mesh(const char *mesh)
+{
+    return read_scene(with_mesh(mesh));
+}
+
+static void refuses_mesh(const char *mesh, const char *pointer, const char *detail)
+{
+    refuses_scene(with_mesh(mesh), pointer, detail);
+}
+
+static void assert_colors(const zr_vec4 *colors, enum zr_colormap map, const float *at, size_t count)
+{
+    assert_non_null(colors);
+    for (size_t i = 0; i < count; i++) {
+        const zr_vec4 want = zr_colormap_color(map, at[i]);
+        if (!zr_vec4_equal(colors[i], want))
+            fail_msg("colour %zu is %g %g %g", i, (double)colors[i].x, (double)colors[i].y, (double)colors[i].z);
+    }
+}
+
+static void numbers_of_positions_become_colors_of_vertices(void **state)
+{
+    (void)state;
+    struct reading *reading = read_mesh(SQUARE ", \"scalars\": [-10, 0, 30, 10]");
+    const struct zr_mesh *mesh = &reading->scene->meshes[0];
+    assert_colors(mesh->colors, ZR_COLORMAP_VIRIDIS, (float[]){0, 0.25f, 1, 0.5f}, 4);
+    assert_null(mesh->face_colors);
+    const struct zr_material *material = &reading->scene->materials[mesh->material];
+    assert_int_equal(material->shading, ZR_SHADING_GOURAUD); /* as with all colours of vertices */
+    assert_true(material->base_color.x == 1 && material->base_color.y == 1 && material->base_color.z == 1);
+    assert_int_equal(reading->scene->warning_count, 0);
+    reading_free(reading);
+}
+
+static void numbers_of_faces_become_colors_of_faces(void **state)
+{
+    (void)state;
+    struct reading *reading = read_mesh(SQUARE ", \"scalars\": [1e30, -1e30], \"colormap\": \"turbo\"");
+    const struct zr_mesh *mesh = &reading->scene->meshes[0];
+    assert_colors(mesh->face_colors, ZR_COLORMAP_TURBO, (float[]){1, 0}, 2);
+    assert_null(mesh->colors);
+    assert_int_equal(reading->scene->materials[mesh->material].shading, ZR_SHADING_FLAT);
+    reading_free(reading);
+}
+
+static void where_there_are_as_many_they_are_of_positions(void **state)
+{
+    (void)state;
+    struct reading *reading = read_mesh("\"positions\": [[0,0,0],[1,0,0],[0,1,0],[0,0,1]], \"faces\": "
+                                        "[[0,1,2],[0,1,3],[0,2,3],[1,2,3]], \"scalars\": [0,1,2,4]");
+    assert_colors(reading->scene->meshes[0].colors, ZR_COLORMAP_VIRIDIS, (float[]){0, 0.25f, 0.5f, 1}, 4);
+    assert_null(reading->scene->meshes[0].face_colors);
+    reading_free(reading);
+}
+
+static void each_map_has_its_name(void **state)
+{
+    (void)state;
+    static const char *const names[] = {"viridis", "turbo", "gray", "coolwarm"};
+    for (int map = 0; map < ZR_COLORMAP_COUNT; map++) {
+        char text[512];
+        snprintf(text, sizeof text, SQUARE ", \"colormap\": \"%s\", \"scalars\": [0,1,2,4]", names[map]);
+        struct reading *reading = read_mesh(text);
+        assert_colors(reading->scene->meshes[0].colors, (enum zr_colormap)map, (float[]){0, 0.25f, 0.5f, 1}, 4);
+        reading_free(reading);
+    }
+    refuses_mesh(SQUARE ", \"scalars\": [0,1,2,4], \"colormap\": \"virids\"", "/meshes/0/colormap", "viridis");
+}
+
+static void what_is_outside_of_the_range_is_counted(void **state)
+{
+    (void)state;
+    struct reading *reading = read_mesh(SQUARE ", \"scalars\": [-1, 0, 1.5, 3], \"range\": [0, 2]");
+    assert_colors(reading->scene->meshes[0].colors, ZR_COLORMAP_VIRIDIS, (float[]){0, 0, 0.75f, 1}, 4);
+    assert_int_equal(reading->scene->warning_count, 1);
+    assert_string_equal(reading->scene->warnings[0], "mesh 0: 2 of 4 scalars are outside of the range from 0 to 2 and "
+                                                     "have the colours of its ends");
+    reading_free(reading);
+    reading = read_mesh(SQUARE ", \"scalars\": [0, 0, 1.5, 2], \"range\": [0, 2]");
+    assert_int_equal(reading->scene->warning_count, 0);
+    reading_free(reading);
+}
+
+/* Neither below nor above: the middle. */
+static void ranges_of_no_length_have_a_middle(void **state)
+{
+    (void)state;
+    struct reading *reading = read_mesh(SQUARE ", \"scalars\": [7, 7, 7, 7]");
+    assert_colors(reading->scene->meshes[0].colors, ZR_COLORMAP_VIRIDIS, (float[]){0.5f, 0.5f, 0.5f, 0.5f}, 4);
+    assert_int_equal(reading->scene->warning_count, 0);
+    reading_free(reading);
+    reading = read_mesh(SQUARE ", \"scalars\": [6, 7, 8, 7], \"range\": [7, 7]");
+    assert_colors(reading->scene->meshes[0].colors, ZR_COLORMAP_VIRIDIS, (float[]){0, 0.5f, 1, 0.5f}, 4);
+    assert_int_equal(reading->scene->warning_count, 1);
+    reading_free(reading);
+}
+
+static void ranges_may_be_as_long_as_floats_are(void **state)
+{
+    (void)state;
+    struct reading *reading = read_mesh(SQUARE ", \"scalars\": [-3.4e38, 0, 3.4e38, 1]");
+    assert_colors(reading->scene->meshes[0].colors, ZR_COLORMAP_VIRIDIS, (float[]){0, 0.5f, 1, 0.5f}, 4);
+    reading_free(reading);
+}
+
+static void heights_have_the_colors_of_their_z_where_a_map_is_named(void **state)
+{
+    (void)state;
+    struct reading *reading = read_mesh("\"heights\": [[0,1],[2,4]], \"colormap\": \"coolwarm\"");
+    assert_colors(reading->scene->meshes[0].colors, ZR_COLORMAP_COOLWARM, (float[]){0, 0.25f, 0.5f, 1}, 4);
+    reading_free(reading);
+    reading = read_mesh("\"heights\": [[0,1],[2,4]]");
+    assert_null(reading->scene->meshes[0].colors);
+    reading_free(reading);
+    reading = read_mesh("\"heights\": [[0,1],[2,4]], \"scalars\": [0,0,0,9]");
+    assert_colors(reading->scene->meshes[0].colors, ZR_COLORMAP_VIRIDIS, (float[]){0, 0, 0, 1}, 4);
+    reading_free(reading);
+    reading = read_mesh("\"heights\": [[0,1,0],[2,4,0]], \"scalars\": [5,6]");
+    assert_colors(reading->scene->meshes[0].face_colors, ZR_COLORMAP_VIRIDIS, (float[]){0, 1}, 2);
+    reading_free(reading);
+    reading = read_mesh("\"heights\": [[0,1],[2,4]], \"colormap\": \"gray\", \"range\": [0, 8]");
+    assert_colors(reading->scene->meshes[0].colors, ZR_COLORMAP_GRAY, (float[]){0, 0.125f, 0.25f, 0.5f}, 4);
+    reading_free(reading);
+}
+
+/* Holes have no z, and go with their cells. */
+static void holes_have_no_share_in_the_range(void **state)
+{
+    (void)state;
+    struct reading *reading = read_mesh("\"heights\": [[null,1,2],[3,5,2]], \"colormap\": \"turbo\"");
+    const struct zr_mesh *mesh = &reading->scene->meshes[0];
+    assert_int_equal(mesh->position_count, 4);
+    assert_colors(mesh->colors, ZR_COLORMAP_TURBO, (float[]){0, 0.25f, 1, 0.25f}, 4);
+    reading_free(reading);
+}
+
+static void what_does_not_fit_is_refused(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *mesh, *pointer, *detail;
+    } cases[] = {
+        {SQUARE ", \"scalars\": [1,2,3]", "/meshes/0/scalars",
+         "3 items for 4 positions and 2 faces; one for each of these or of those is needed"},
+        {SQUARE ", \"scalars\": []", "/meshes/0/scalars", "0 items for 4 positions"},
+        {SQUARE ", \"scalars\": [1,2,null,3]", "/meshes/0/scalars/2", "null"},
+        {SQUARE ", \"scalars\": [[1],2,3,4]", "/meshes/0/scalars/0", "a list"},
+        {SQUARE ", \"scalars\": [1,2,3,1e39]", "/meshes/0/scalars/3", "e+39"},
+        {SQUARE ", \"scalars\": 5", "/meshes/0/scalars", "list"},
+        {SQUARE ", \"scalars\": [1,2,3,4], \"colors\": [\"red\",\"red\",\"red\",\"red\"]", "/meshes/0/scalars",
+         "two kinds of colours: scalars and colors"},
+        {SQUARE ", \"faceColors\": [\"red\",\"red\"], \"scalars\": [1,2,3,4]", "/meshes/0/scalars",
+         "two kinds of colours: scalars and faceColors"},
+        {"\"heights\": [[0,1],[2,4]], \"colormap\": \"gray\", \"faceColors\": [\"red\"]", "/meshes/0/colormap",
+         "two kinds of colours: a colormap and faceColors"},
+        {SQUARE ", \"scalars\": [1,2,3,4], \"range\": [2,1]", "/meshes/0/range",
+         "from 2 to 1; the lower end comes first"},
+        {SQUARE ", \"scalars\": [1,2,3,4], \"range\": [2]", "/meshes/0/range", "expected 2 numbers, found 1"},
+        {SQUARE ", \"range\": [1,2]", "/meshes/0/range", "a range without scalars"},
+        {SQUARE ", \"colormap\": \"turbo\"", "/meshes/0/colormap", "a map without scalars, or heights, to colour"},
+        {"\"heights\": [[0,1],[2,4]], \"range\": [0,1]", "/meshes/0/range", "a range without scalars or a colormap"}};
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++)
+        refuses_mesh(cases[i].mesh, cases[i].pointer, cases[i].detail);
+}
+
+static void bars_of_colors_are_of_a_later_version(void **state)
+{
+    (void)state;
+    refuses_rest("\"colorbar\": true", "/colorbar", "not supported in this version");
+}
+
+/* Numbers in forms that the quick reader does not take, and blanks. */
+static void numbers_may_have_any_form(void **state)
+{
+    (void)state;
+    struct reading *reading = read_mesh(
+        SQUARE ", \"scalars\": [ 0.0000000000000000000000000000000000000000000000 ,\n1.00000000000000000000000000000,"
+               "\t2e+0 , 0.4E1 ]");
+    assert_colors(reading->scene->meshes[0].colors, ZR_COLORMAP_VIRIDIS, (float[]){0, 0.25f, 0.5f, 1}, 4);
+    reading_free(reading);
+}
+
+static void every_ceiling_is_enough_or_fails_cleanly(void **state)
+{
+    (void)state;
+    const char *text = with_mesh(SQUARE ", \"scalars\": [1,2,3,4], \"range\": [2,3]");
+    const size_t enough =
+        smallest_ceiling((struct zr_request){.format = ZR_FORMAT_JSON}, text, strlen(text), (size_t)1 << 20);
+    assert_true(enough > 0);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(numbers_of_positions_become_colors_of_vertices),
+        cmocka_unit_test(numbers_of_faces_become_colors_of_faces),
+        cmocka_unit_test(where_there_are_as_many_they_are_of_positions),
+        cmocka_unit_test(each_map_has_its_name),
+        cmocka_unit_test(what_is_outside_of_the_range_is_counted),
+        cmocka_unit_test(ranges_of_no_length_have_a_middle),
+        cmocka_unit_test(ranges_may_be_as_long_as_floats_are),
+        cmocka_unit_test(heights_have_the_colors_of_their_z_where_a_map_is_named),
+        cmocka_unit_test(holes_have_no_share_in_the_range),
+        cmocka_unit_test(what_does_not_fit_is_refused),
+        cmocka_unit_test(bars_of_colors_are_of_a_later_version),
+        cmocka_unit_test(numbers_may_have_any_form),
+        cmocka_unit_test(every_ceiling_is_enough_or_fails_cleanly),
+    };
+    return cmocka_run_group_tests_name("json scalars", tests, NULL, NULL);
+}
