@@ -71,12 +71,12 @@ static int count_lit(const struct setting *s)
     return count;
 }
 
+/* A camera in whose axes all is three times as large. */
+#define LARGER "\"worldToCamera\": [[3, 0, 0, 0], [0, 3, 0, 0], [0, 0, 3, -15], [0, 0, 0, 1]]"
 static const char *const views[] = {
     "\"eye\": [1, -2, 5], \"target\": [0, 0, 0], \"perspective\": {\"yfovDegrees\": 45}",
     "\"eye\": [-2, 3, 4], \"target\": [0, 0, 0], \"orthographic\": {\"xmag\": 3.2, \"ymag\": 2.4}",
-    "\"worldToCamera\": [[3, 0, 0, 0], [0, 3, 0, 0], [0, 0, 3, -15], [0, 0, 0, 1]], \"perspective\": {\"yfovDegrees\": "
-    "50}",
-};
+    LARGER ", \"perspective\": {\"yfovDegrees\": 50}"};
 static const char *const shadings[] = {"flat", "phong", "pbr"};
 
 #define PLANE "{\"doubleSided\": true, \"vertices\": [[-3, -3, 0], [3, -3, 0], [3, 3, 0], [-3, 3, 0]]}"
