@@ -281,6 +281,7 @@ static enum zr_status make_shadow(struct zr_arena *arena, struct zr_team *team, 
     const float depth_row[4] = {-m[2], -m[6], -m[10], -m[14]};
     map->stride = ZR_SHADOW_SIDE + 2 * ZR_SHADOW_BORDER;
     map->bias = ZR_SHADOW_BIAS * zr_diagonal_of(bounds);
+    map->eye_scale = zr_eye_scale_of(camera);
     map->u_axis = row_of_eye(&eye_to_world, start, u_row, &map->u_offset);
     map->v_axis = row_of_eye(&eye_to_world, start, v_row, &map->v_offset);
     map->depth_axis = row_of_eye(&eye_to_world, start, depth_row, &map->depth_offset);

@@ -25,11 +25,8 @@ struct zr_shadow_map {
     int32_t stride;
     zr_vec3 u_axis, v_axis, depth_axis;
     float u_offset, v_offset, depth_offset;
-    float bias; /* scene units; of a spot: for each of depth */
-
-    /* Of a spot's map the two rows above give u and v times the depth, from the lamp on. */
-    float
-        eye_scale; /* a scene unit in eye space, in which normals are moved along; of directional lamps not looked at */
+    float bias;      /* scene units; of a spot, whose rows for u and v give these times the depth: for each of depth */
+    float eye_scale; /* a scene unit in eye space, in which points are moved along normals */
 };
 
 #endif

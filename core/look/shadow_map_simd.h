@@ -55,8 +55,8 @@ static inline zr_vf zr_shadow_mean_v(const struct zr_shadow_map *map, zr_vi x, z
  * 1 / 37. The point is moved by the bias along its normal, and by as much against the light. */
 static inline zr_vf zr_shadow_share_v(const struct zr_shadow_map *map, struct zr_vec3_v point, struct zr_vec3_v normal)
 {
-    const zr_vf bias = zr_vf_set(map->bias);
-    const struct zr_vec3_v p = {point.x + normal.x * bias, point.y + normal.y * bias, point.z + normal.z * bias};
+    const zr_vf bias = zr_vf_set(map->bias), along = zr_vf_set(map->bias * map->eye_scale);
+    const struct zr_vec3_v p = {point.x + normal.x * along, point.y + normal.y * along, point.z + normal.z * along};
     const zr_vf depth = zr_shadow_along(map->depth_axis, p, map->depth_offset) - bias;
     const zr_vi x = zr_shadow_texel(zr_shadow_along(map->u_axis, p, map->u_offset));
     const zr_vi y = zr_shadow_texel(zr_shadow_along(map->v_axis, p, map->v_offset));

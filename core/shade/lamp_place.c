@@ -1,5 +1,7 @@
 #include "shade/lamp_place.h"
 
+#include <math.h>
+
 #include "base/trig.h"
 
 /* The cosines of KHR_lights_punctual, as a factor and a term of the cosine. Its 0.001 makes narrow cones darker. */
@@ -35,10 +37,10 @@ struct zr_lamp_place zr_lamp_place_of(const struct zr_light *light, const struct
     if (eye.w != 0.0f) place.position = zr_vec3_sub(place.position, (zr_vec3){eye.x, eye.y, eye.z});
     if (light->range > 0.0f) {
         const double range = (double)light->range * (double)scale, end = 1.0 / (range * range);
-        place.end = (float)(end < 1e30 ? end : 1e30);
+        place.end = (float)fmin(end, 1e30);
     }
-    const float least = largest_of(light->color) * place.gain / ZR_LAMP_SHARE_MAX;
-    place.least = least > 1e-30f ? least : 1e-30f;
+    const double least = (double)largest_of(light->color) * (double)place.gain / (double)ZR_LAMP_SHARE_MAX;
+    place.least = (float)fmin(fmax(least, 1e-30), 1e30);
     if (light->type != ZR_LIGHT_SPOT) return place;
     set_cone(&place, light);
     place.axis = to_eye(light, &camera->world_to_eye, light->direction, 0.0f);

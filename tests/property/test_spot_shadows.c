@@ -1,5 +1,5 @@
-/* Shadows of spots: a plane has none of itself, at whatever angle light comes and whatever looks at it; what stands on
- * a plane has its shadow from its foot on; and nothing that the cone misses changes. */
+/* Shadows of spots, and of directional lamps: a plane has none of itself, at whatever angle light comes and whatever
+ * looks at it; what stands on a plane has its shadow from its foot on; and nothing that the cone misses changes. */
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -25,8 +25,8 @@ static const uint8_t *draw(void)
     return scene_render(&arena, NULL, scene)->color;
 }
 
-/* A scene of these polygons, seen by this view, under one spot and a little ambient light. `shading` and the spot's
- * cone are as given; members of the spot follow. */
+/* A scene of these polygons, seen by this view, under one spot from a place to another, and a little ambient light; or,
+ * where `outer` is 0, under a directional lamp. */
 struct setting {
     const char *polygons, *view, *shading;
     double at[3], to[3], outer;
@@ -35,15 +35,18 @@ struct setting {
 /* `strength`: of the light, where the lamp looks. */
 static void write_scene(const struct setting *s, double strength, const char *shadows)
 {
-    const double intensity = strength * (s->at[0] * s->at[0] + s->at[1] * s->at[1] + s->at[2] * s->at[2]);
-    snprintf(
-        text, sizeof text,
-        "{\"colorManagement\": \"srgb\", \"window\": {\"width\": %d, \"height\": %d}, \"ambient\": [0.05, 0.05, 0.05], "
-        "\"shading\": \"%s\", \"view\": {%s}, \"lights\": [{\"type\": \"spot\", \"position\": [%.6f, %.6f, %.6f], "
-        "\"direction\": [%.6f, %.6f, %.6f], \"outerConeAngleDegrees\": %.4f, \"intensity\": %.6f, \"shadows\": %s}], "
-        "\"polygons\": [%s]}",
-        WIDTH, HEIGHT, s->shading, s->view, s->at[0], s->at[1], s->at[2], s->to[0] - s->at[0], s->to[1] - s->at[1],
-        s->to[2] - s->at[2], s->outer, intensity, shadows, s->polygons);
+    const double square = s->at[0] * s->at[0] + s->at[1] * s->at[1] + s->at[2] * s->at[2];
+    char lamp[256] = "\"type\": \"directional\"";
+    if (s->outer > 0.0)
+        snprintf(lamp, sizeof lamp,
+                 "\"type\": \"spot\", \"position\": [%.6f, %.6f, %.6f], \"outerConeAngleDegrees\": %.4f", s->at[0],
+                 s->at[1], s->at[2], s->outer);
+    snprintf(text, sizeof text,
+             "{\"colorManagement\": \"srgb\", \"window\": {\"width\": %d, \"height\": %d}, \"ambient\": [0.05, 0.05, "
+             "0.05], \"shading\": \"%s\", \"view\": {%s}, \"lights\": [{%s, \"direction\": [%.6f, %.6f, %.6f], "
+             "\"intensity\": %.6f, \"shadows\": %s}], \"polygons\": [%s]}",
+             WIDTH, HEIGHT, s->shading, s->view, lamp, s->to[0] - s->at[0], s->to[1] - s->at[1], s->to[2] - s->at[2],
+             s->outer > 0.0 ? strength * square : strength, shadows, s->polygons);
 }
 
 static int count_differences(const struct setting *s)
@@ -71,38 +74,52 @@ static int count_lit(const struct setting *s)
     return count;
 }
 
+/* Cameras in whose axes all is thirty times as large, or as small. */
+#define LARGER  "\"worldToCamera\": [[30, 0, 0, 0], [0, 30, 0, 0], [0, 0, 30, -150], [0, 0, 0, 1]]"
+#define SMALLER "\"worldToCamera\": [[0.03, 0, 0, 0], [0, 0.03, 0, 0], [0, 0, 0.03, -0.15], [0, 0, 0, 1]]"
 static const char *const views[] = {
     "\"eye\": [1, -2, 5], \"target\": [0, 0, 0], \"perspective\": {\"yfovDegrees\": 45}",
     "\"eye\": [-2, 3, 4], \"target\": [0, 0, 0], \"orthographic\": {\"xmag\": 3.2, \"ymag\": 2.4}",
-    "\"worldToCamera\": [[3, 0, 0, 0], [0, 3, 0, 0], [0, 0, 3, -15], [0, 0, 0, 1]], \"perspective\": {\"yfovDegrees\": "
-    "50}",
-};
+    LARGER ", \"perspective\": {\"yfovDegrees\": 50}", SMALLER ", \"perspective\": {\"yfovDegrees\": 50}"};
+enum { VIEWS = sizeof views / sizeof *views };
 static const char *const shadings[] = {"flat", "phong", "pbr"};
 
 #define PLANE "{\"doubleSided\": true, \"vertices\": [[-3, -3, 0], [3, -3, 0], [3, 3, 0], [-3, 3, 0]]}"
 
-static void a_plane_has_no_shadow_of_itself(void **state)
+/* Returns how many pixels are lit, in all rounds. */
+static int check_planes(uint64_t seed, bool by_spots)
 {
-    (void)state;
-    struct random r = random_seeded(91);
+    struct random r = random_seeded(seed);
     int lit = 0;
     zr_arena_init(&arena, (size_t)1 << 28);
     for (int round = 0; round < 60; round++) {
         const double height = random_range(&r, 1, 85) * acos(-1.0) / 180, turn = random_range(&r, 0, 6.2831853);
         const double d = pow(10.0, random_range(&r, -0.2, 1.5)), side = round % 4 == 3 ? -1 : 1;
         struct setting s = {.polygons = PLANE,
-                            .view = views[round % 3],
+                            .view = views[round % VIEWS],
                             .shading = shadings[round / 3 % 3],
                             .at = {d * cos(height) * cos(turn), d * cos(height) * sin(turn), side * d * sin(height)},
                             .to = {random_range(&r, -0.3, 0.3), random_range(&r, -0.3, 0.3), 0},
-                            .outer = random_range(&r, 2, 80)};
+                            .outer = by_spots ? random_range(&r, 2, 80) : 0};
         const int differ = count_differences(&s);
         if (differ) fail_msg("round %d: %d pixels of a plane are in its own shadow: %s", round, differ, text);
         lit += count_lit(&s);
         zr_arena_reset(&arena, (size_t)1 << 28);
     }
-    assert_true(lit > 60 * PIXELS / 20);
     zr_arena_free(&arena);
+    return lit;
+}
+
+static void a_plane_has_no_shadow_of_itself(void **state)
+{
+    (void)state;
+    assert_true(check_planes(91, true) > 60 * PIXELS / 20);
+}
+
+static void nor_has_it_one_by_directional_lamps(void **state)
+{
+    (void)state;
+    assert_true(check_planes(92, false) > 60 * PIXELS / 20);
 }
 
 /* A wall on a plane, lit from one side by a lamp that is as high as the wall is wide; seen from above. */
@@ -168,6 +185,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_plane_has_no_shadow_of_itself),
+        cmocka_unit_test(nor_has_it_one_by_directional_lamps),
         cmocka_unit_test(a_wall_has_its_shadow_from_its_foot_on),
         cmocka_unit_test(what_the_cone_misses_casts_no_shadow),
     };

@@ -11,8 +11,9 @@ bool reference_fixed_can(const struct reference_arrays *arrays, const struct ref
     const zr_mat4 identity = zr_mat4_identity();
     const bool is_sided = batch->light == REFERENCE_LIT || (batch->light == REFERENCE_LIT_FRONT && batch->cull);
     const bool is_first = batch->mode == REFERENCE_POLYGON || (batch->smooth && batch->mode == REFERENCE_TRIANGLES);
-    return arrays->lighting && arrays->lighting->is_fixed && is_sided && is_first && !batch->late &&
-           memcmp(batch->modelview, &identity, sizeof identity) == 0;
+    const bool is_eye_space = batch->to_eye && memcmp(batch->modelview, &identity, sizeof identity) == 0 &&
+                              memcmp(batch->to_eye, &identity, sizeof identity) == 0;
+    return arrays->lighting && arrays->lighting->is_fixed && is_sided && is_first && is_eye_space && !batch->late;
 }
 
 static void set_light(const struct reference_lighting *lighting, uint32_t i)

@@ -70,7 +70,8 @@ static void make_scene(struct scene *scene)
                                         .u_offset = texels,
                                         .v_offset = texels,
                                         .depth_offset = 0.25f,
-                                        .bias = 0.01f};
+                                        .bias = 0.01f,
+                                        .eye_scale = 1.0f};
     for (int i = 0; i < POINTS; i++) {
         const zr_vec3 n = any_unit();
         const float a = between(-1.02, 1.02), b = between(-1.02, 1.02), c = between(-1.3, 1.3);
@@ -127,12 +128,11 @@ struct share {
 static struct share reference_share(const struct scene *scene, int i)
 {
     const struct zr_shadow_map *map = &scene->map;
-    double p[3], bias = (double)map->bias, scale = 1.0;
+    double p[3], bias = (double)map->bias, scale = (double)map->eye_scale;
     for (int k = 0; k < 3; k++)
         p[k] = (double)scene->point[k][i];
     if (scene->is_cone) {
         bias *= fmax(along(map->depth_axis, p, map->depth_offset), 0.0);
-        scale = (double)map->eye_scale;
     }
     for (int k = 0; k < 3; k++)
         p[k] += bias * scale * (double)scene->normal[k][i];
@@ -210,7 +210,8 @@ static void the_border_of_a_shadow_is_soft(void **state)
                                       .u_axis = {1, 0, 0},
                                       .v_axis = {0, 1, 0},
                                       .depth_axis = {0, 0, 1},
-                                      .bias = 0.1f};
+                                      .bias = 0.1f,
+                                      .eye_scale = 1.0f};
     float x[16], y[16], z[16], none[16] = {0}, up[16];
     for (int i = 0; i < 16; i++) {
         x[i] = 494.5f + (float)i, y[i] = 512.0f, z[i] = 20.0f, up[i] = -1.0f;
