@@ -100,11 +100,13 @@ static void add_pass(struct zr_cost *sum, const struct zr_cost_pass *pass, doubl
     sum->shape_fragments += times * cost->shape_fragments;
 }
 
-/* Of a map, which is about a diagonal of the bounds wide. */
+/* Of a map, which is about a diagonal of the bounds wide. That may be infinite, where a corner has next to no w, and
+ * shares of such a map would be no numbers. */
 static double square_of_map(const struct zr_bounds *bounds)
 {
+    static const double largest = 1e60;
     const double diagonal = (double)zr_diagonal_of(bounds);
-    return diagonal * diagonal;
+    return fmin(diagonal * diagonal, largest);
 }
 
 /* Drawn in the maps of spots, in which a face may cover much more than in one along a direction. Of many spots some are

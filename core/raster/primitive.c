@@ -28,13 +28,8 @@ static void line_box(const struct zr_geometry *geometry, const struct zr_triangl
     box[3] = zr_viewport_last_centre(high[1]);
 }
 
-static void find_box(const struct zr_geometry *geometry, const struct zr_draw *draw, uint32_t first,
-                     const struct zr_triangle *triangle, int32_t box[4])
+static void find_box(const struct zr_geometry *geometry, const struct zr_triangle *triangle, int32_t box[4])
 {
-    if (draw->kind == ZR_DRAW_POINTS) {
-        zr_point_box(geometry, draw, first, box);
-        return;
-    }
     if (triangle->line) {
         line_box(geometry, triangle, box);
         return;
@@ -52,8 +47,12 @@ static void find_box(const struct zr_geometry *geometry, const struct zr_draw *d
 
 void zr_primitive_box(const struct zr_geometry *geometry, const struct zr_draw *draw, uint32_t first, int32_t box[4])
 {
+    if (draw->kind == ZR_DRAW_POINTS) {
+        zr_point_box(geometry, draw, first, box);
+        return;
+    }
     const struct zr_triangle triangle = zr_triangle_of(geometry, draw, first);
-    find_box(geometry, draw, first, &triangle, box);
+    find_box(geometry, &triangle, box);
 }
 
 static void cut_box(struct zr_primitive *primitive, const int32_t box[4], uint32_t width, uint32_t height)
@@ -108,7 +107,7 @@ void zr_primitive_make(const struct zr_geometry *geometry, const struct zr_draw 
     *primitive =
         (struct zr_primitive){.draw = draw, .first = first, .count = zr_primitive_count(geometry, draw, first)};
     primitive->depth = zr_depth_make(geometry->vertices, &triangle);
-    find_box(geometry, draw, first, &triangle, box);
+    zr_primitive_box(geometry, draw, first, box);
     cut_box(primitive, box, width, height);
     if (triangle.shape > 0) {
         const struct zr_shape *shape = &geometry->shapes[triangle.shape - 1];

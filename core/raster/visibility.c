@@ -198,6 +198,21 @@ static uint32_t parts_of(const struct zr_geometry *geometry, const struct zr_dra
     return shape->edge_count + shape->triangle_count;
 }
 
+/* Points of a tile lie anywhere in memory: corners are prefetched first, and then the vertices that they name (a
+ * quarter of the time of a million points of one pixel). */
+enum { POINTS_AHEAD = 12 };
+
+static void expect_points(const struct zr_geometry *geometry, const struct zr_draw *draw, const uint32_t *numbers,
+                          size_t left)
+{
+    if (left > 2 * POINTS_AHEAD && zr_draw_holds(draw, numbers[2 * POINTS_AHEAD]))
+        zr_expect(&draw->corners[3 * (size_t)(numbers[2 * POINTS_AHEAD] - draw->first)], 0, sizeof *draw->corners);
+    if (left > POINTS_AHEAD && zr_draw_holds(draw, numbers[POINTS_AHEAD])) {
+        const uint32_t corner = zr_draw_corner(draw, numbers[POINTS_AHEAD] - draw->first, 0);
+        zr_expect(&geometry->vertices[draw->first_vertex + corner], 0, sizeof *geometry->vertices);
+    }
+}
+
 static bool draw_list(const struct zr_visible *visible, enum zr_alpha_mode mode, const uint32_t *others, size_t count,
                       bool may_miss, const struct zr_cancel *cancel, struct zr_tile *tile)
 {
@@ -211,6 +226,7 @@ static bool draw_list(const struct zr_visible *visible, enum zr_alpha_mode mode,
             parts = 0;
         }
         int32_t box[4];
+        if (draw->kind == ZR_DRAW_POINTS) expect_points(visible->geometry, draw, others + i, count - i);
         parts += parts_of(visible->geometry, draw, others[i]);
         if (may_miss) zr_primitive_box(visible->geometry, draw, others[i], box);
         if (may_miss && !zr_tile_touches(tile, box)) continue;

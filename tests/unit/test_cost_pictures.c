@@ -41,6 +41,21 @@ static void each_sample_is_drawn_and_lit(void **state)
     assert_true(scene_cost(&test.scene, 1024).samples > 5 * unlit.samples);
 }
 
+/* A corner that has next to no w is so far away that the bounds' diagonal is infinite. */
+static void maps_of_endless_scenes_cost_something_finite(void **state)
+{
+    (void)state;
+    static const zr_vec4 p[] = {{-1, -1, 0, 1}, {0, -1, 0, 1}, {0, 1, 0, 1},
+                                {-1, -1, 0, 1}, {0, 1, 0, 1},  {-1, 1, 1, 1e-30f}};
+    static struct test_scene test;
+    half_a_window(&test);
+    test.mesh.positions = p;
+    test.scene.picture.is_linear = true;
+    test.scene.picture.has_ground = true;
+    const struct zr_cost cost = scene_cost(&test.scene, 1024);
+    assert_true(isfinite(cost.fragments) && cost.fragments > PIXELS / 4);
+}
+
 static void only_pictures_that_are_asked_for_cost(void **state)
 {
     (void)state;
@@ -298,6 +313,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(each_sample_is_drawn_and_lit),
+        cmocka_unit_test(maps_of_endless_scenes_cost_something_finite),
         cmocka_unit_test(only_pictures_that_are_asked_for_cost),
         cmocka_unit_test(channels_beside_a_picture_and_its_occlusion_are_drawn_for_themselves),
         cmocka_unit_test(effects_without_linear_light_cost_nothing),
