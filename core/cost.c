@@ -48,6 +48,13 @@ static double work_of_channels(const struct zr_view *view)
     return work;
 }
 
+/* How often all faces are drawn as layers, in sides. Both sides are for thickness. */
+static double sides_of_layers(const struct zr_view *view)
+{
+    return (zr_view_wants(view, ZR_CHANNEL_LAYERS) ? 1.0 : 0.0) +
+           (zr_view_wants(view, ZR_CHANNEL_THICKNESS) ? 2.0 : 0.0);
+}
+
 /* By the textbook. */
 static double work_of_colors(const struct zr_scene *scene)
 {
@@ -170,6 +177,8 @@ struct zr_cost zr_scene_cost(const struct zr_scene *scene, const struct zr_resol
                       covered.centres * work_of_channels(view) + covered.samples * work_of_colors(scene);
     if (zr_view_wants(view, ZR_CHANNEL_COLOR))
         cost.fragments += TEXEL_F * zr_texture_maps_measure(scene, scene->picture.is_linear).texels;
+    cost.triangles += ZR_COST_LAYER_T * work.triangles * sides_of_layers(view);
+    cost.fragments += ZR_COST_LAYER_F * centres.covered * sides_of_layers(view);
     cost.samples = zr_cost_of_light(scene, &passes, &covered);
     cost.window_bytes = zr_cost_window_bytes(scene, &passes, &covered);
     return cost;

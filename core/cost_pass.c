@@ -20,8 +20,6 @@ static const double SHAPE_OVERLAP_F = 0.2;     /* a sample looked up in one of a
 static const double SHAPE_VISIT_T = 1.0 / 8.0; /* an edge or a triangle of a shape, met by a tile */
 static const double WIDE_VISIT_T = 1.0 / 8.0;  /* a triangle of some tiles, in one of them */
 static const double LARGE_TRY_T = 1.0 / 16.0;  /* one of more tiles, in each of the window: is it there? */
-static const double LAYER_T = 10.0;            /* a see-through triangle: placed by itself, listed, met twice */
-static const double LAYER_F = 40.0;            /* one of its pixels: kept, sorted, shaded and blended */
 enum { TILES_OF_SMALL = 4, TILES_OF_LISTED = ZR_BIN_TILES };
 static const double STAND_IN_MAX = 16.0; /* times the area of three of a face's corners */
 
@@ -301,8 +299,8 @@ static void add_face(struct tally *tally, const struct zr_scene *scene, const st
     add_filled(tally, &measure, shape, (double)corners);
     if (material->alpha_mode != ZR_ALPHA_OPAQUE) {
         tally->layered += measure.area;
-        cost->triangles += LAYER_T * ((double)corners - 2.0);
-        cost->fragments += LAYER_F * measure.area;
+        cost->triangles += ZR_COST_LAYER_T * ((double)corners - 2.0);
+        cost->fragments += ZR_COST_LAYER_F * measure.area;
     }
     if (measure.is_seen) tally->faces += 1.0;
     if (!tally->kept) return;

@@ -6,6 +6,7 @@
 #define ZR_PASS_H
 
 #include "shade/layers.h"
+#include "shade/tiles.h"
 
 struct zr_pass {
     struct zr_geometry geometry;

@@ -10,7 +10,7 @@
 #define ZR_LAYERS_H
 
 #include "shade/paint.h"
-#include "shade/tiles.h"
+#include "shade/tile_source.h"
 
 enum { ZR_LAYER_FLOATS = ZR_TILE_STRIDE * ZR_TILE_SIZE };
 

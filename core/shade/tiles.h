@@ -4,26 +4,8 @@
 #ifndef ZR_TILES_H
 #define ZR_TILES_H
 
-#include "raster/visibility.h"
 #include "shade/frame.h"
-#include "shade/surfaces.h"
-
-struct zr_layers_pool; /* layers.h */
-
-/* What tiles are made from. */
-struct zr_tiles {
-    const struct zr_scene *scene;
-    const struct zr_geometry *geometry;
-    const struct zr_surfaces *surfaces;
-    const struct zr_visible *visible; /* of production, */
-    const struct zr_samples *samples; /* or of the other algorithms, which have decided the whole window; else NULL */
-    enum zr_isa isa;
-
-    /* Of what is see-through. */
-    struct zr_layers_pool *layers;              /* NULL: nothing is */
-    bool any_masked, any_blended;               /* blended: and colours are wanted */
-    const struct zr_fragments *masked, *blended; /* beside samples; NULL: there are none */
-};
+#include "shade/tile_source.h"
 
 /* Tile `number`, ready to be shaded: opaque and masked surfaces; `base` may be NULL. One thread a tile. False where it
  * was cancelled, or there was no memory. */

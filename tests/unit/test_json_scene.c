@@ -502,9 +502,48 @@ static void byte_order_mark_is_passed_over(void **state)
     refuses(ZR_FORMAT_JSON, "\xEF\xBB\xBF\xEF\xBB\xBF{" POLYGONS "}", ZR_BAD_SYNTAX, "", "found a byte order mark");
 }
 
+/* The nearest alphaMode counts; alpha is then nothing to warn of. */
+static void alpha_modes_are_those_of_the_nearest_that_say_one(void **state)
+{
+    (void)state;
+    struct reading *reading = read_scene(
+        "{\"alphaMode\": \"BLEND\", \"materials\": [{\"name\": \"m\", \"alphaMode\": \"MASK\", \"alphaCutoff\": 0.25}], "
+        "\"polygons\": [{" TRIANGLE ", \"color\": \"#ff000080\"}, {" TRIANGLE ", \"material\": \"m\"}, "
+        "{" TRIANGLE ", \"material\": \"m\", \"alphaMode\": \"OPAQUE\"}, {" TRIANGLE ", \"alphaMode\": \"MASK\"}]}");
+    assert_read(reading);
+    const struct zr_scene *scene = reading->scene;
+    static const enum zr_alpha_mode want[] = {ZR_ALPHA_BLEND, ZR_ALPHA_MASK, ZR_ALPHA_OPAQUE, ZR_ALPHA_MASK};
+    for (uint32_t f = 0; f < 4; f++) {
+        const struct zr_material *material = zr_material_of_face(scene, &scene->meshes[0], f);
+        assert_int_equal(material->alpha_mode, want[f]);
+        if (want[f] == ZR_ALPHA_MASK) assert_true(material->alpha_cutoff == (f == 1 ? 0.25f : 0.5f));
+    }
+    assert_int_equal(scene->warning_count, 0);
+    reading_free(reading);
+}
+
+static void alpha_modes_that_are_none_and_what_cannot_have_any_are_refused(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *rest, *pointer, *detail;
+    } cases[] = {{"\"alphaMode\": \"blend\"", "/alphaMode", "BLEND"},
+                 {"\"alphaMode\": \"MASK\", \"alphaCutoff\": 1.5", "/alphaCutoff", "1"},
+                 {"\"alphaMode\": \"BLEND\", \"algorithm\": \"painter\"", "/algorithm", "painter keeps no fragments"}};
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        struct reading *reading = read_rest(cases[i].rest);
+        assert_int_equal(reading->status, ZR_BAD_SCENE);
+        assert_string_equal(reading->error.items[0].pointer, cases[i].pointer);
+        assert_non_null(strstr(reading->error.items[0].detail, cases[i].detail));
+        reading_free(reading);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(alpha_modes_are_those_of_the_nearest_that_say_one),
+        cmocka_unit_test(alpha_modes_that_are_none_and_what_cannot_have_any_are_refused),
         cmocka_unit_test(smallest_scene_has_defaults),
         cmocka_unit_test(mesh_is_read_whole),
         cmocka_unit_test(polygons_become_the_last_mesh),
