@@ -35,8 +35,9 @@ static void count_outputs(const struct zr_scene *scene, struct zr_cost *cost)
 }
 
 /* What is done at each pixel that is seen, in fragments: about what an AVX-512 machine takes; others take no less. */
-static const double LIGHT_F = 0.6, PLACED_F = 0.5, POINT_F = 4.0, TEXTURE_F = 8.0;
-static const double TEXEL_F = 4.0; /* of a level that is made */
+static const double LIGHT_F = 0.6, PLACED_F = 0.5, POINT_F = 4.0;
+static const double NEAREST_F = 5.0, LINEAR_F = 8.0, LEVELS_F = 27.0; /* a texture, by how it is filtered */
+static const double TEXEL_F = 21.0, LIT_TEXEL_F = 80.0;               /* of a level that is made; in linear light */
 
 static double work_of_channels(const struct zr_view *view)
 {
@@ -55,18 +56,28 @@ static double sides_of_layers(const struct zr_view *view)
            (zr_view_wants(view, ZR_CHANNEL_THICKNESS) ? 2.0 : 0.0);
 }
 
+/* The base colour's texture; 0: there is none. */
+static double work_of_texture(const struct zr_scene *scene, const struct zr_material *material)
+{
+    const uint32_t number = material->textures[ZR_TEXTURE_BASE_COLOR];
+    if (number == 0) return 0.0;
+    const struct zr_texture *texture = &scene->textures[number - 1];
+    if (zr_filter_has_levels(texture->minify)) return LEVELS_F;
+    return zr_filter_is_linear(texture->minify) || zr_filter_is_linear(texture->magnify) ? LINEAR_F : NEAREST_F;
+}
+
 /* By the textbook. */
 static double work_of_colors(const struct zr_scene *scene)
 {
-    double work = 0.0;
-    bool phong = false, textured = false;
+    double work = 0.0, textured = 0.0;
+    bool phong = false;
     for (uint32_t i = 0; i < scene->material_count; i++) {
         phong |= scene->materials[i].shading == ZR_SHADING_PHONG;
-        textured |= scene->materials[i].textures[ZR_TEXTURE_BASE_COLOR] > 0;
+        textured = fmax(textured, work_of_texture(scene, &scene->materials[i]));
     }
     if (scene->picture.is_linear || !zr_view_wants(&scene->views[0], ZR_CHANNEL_COLOR)) return 0.0;
     if (scene->fog.is_on) work += 1.0;
-    if (textured) work += TEXTURE_F;
+    work += textured;
     if (phong) work += 1.0 + LIGHT_F * (double)scene->light_count;
     for (uint32_t i = 0; phong && i < scene->light_count; i++)
         if (zr_light_has_place(&scene->lights[i])) work += PLACED_F;
@@ -176,7 +187,8 @@ struct zr_cost zr_scene_cost(const struct zr_scene *scene, const struct zr_resol
     cost.fragments += (of_map > 0.0 ? (passes.map_texels - spot_texels) * centres.surface / of_map : 0.0) +
                       covered.centres * work_of_channels(view) + covered.samples * work_of_colors(scene);
     if (zr_view_wants(view, ZR_CHANNEL_COLOR))
-        cost.fragments += TEXEL_F * zr_texture_maps_measure(scene, scene->picture.is_linear).texels;
+        cost.fragments += (scene->picture.is_linear ? LIT_TEXEL_F : TEXEL_F) *
+                          zr_texture_maps_measure(scene, scene->picture.is_linear).texels;
     cost.triangles += ZR_COST_LAYER_T * work.triangles * sides_of_layers(view);
     cost.fragments += ZR_COST_LAYER_F * centres.covered * sides_of_layers(view);
     cost.samples = zr_cost_of_light(scene, &passes, &covered);

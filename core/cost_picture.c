@@ -73,6 +73,7 @@ static const double PHONG_LAMP = 0.4;
 static const double OTHER_LAMP = 0.08; /* of flat surfaces, and hemispheres */
 static const double PLACE = 0.45;      /* of a lamp that has one: the way there, and what arrives */
 static const double SHADOW = 5.0;      /* of one lamp: the texels around a place */
+static const double TEXTURE = 6.0;     /* of one */
 static const double OCCLUSION_PIXEL = 24.0;
 static const double OCCLUSION_SAMPLE = 0.2;
 static const double EDGE_SAMPLE = 0.6;
@@ -115,13 +116,20 @@ static double cost_of_shading(const struct zr_scene *scene, enum zr_shading shad
  * are many only where faces are small. */
 static double cost_of_a_sample(const struct zr_scene *scene, double samples_a_face)
 {
-    double most = 0.0;
+    double most = 0.0, textures_most = 0.0;
+    for (uint32_t i = 0; i < scene->material_count; i++) {
+        double textures = 0.0;
+        for (int slot = 0; slot < ZR_TEXTURE_SLOTS; slot++)
+            textures += scene->materials[i].textures[slot] > 0;
+        textures_most = fmax(textures_most, TEXTURE * textures);
+    }
     for (int shading = 0; shading < ZR_SHADING_COUNT; shading++)
         for (uint32_t i = 0; i < scene->material_count; i++)
             if ((int)scene->materials[i].shading == shading) {
                 most = fmax(most, cost_of_shading(scene, (enum zr_shading)shading));
                 break;
             }
+    most += textures_most;
     const double faces_at_once = fmin((double)LANES_MOST / fmax(samples_a_face, 1.0), LANES_MOST);
     return 1.0 + most * fmax(fmin(faces_at_once, (double)scene->material_count), 1.0);
 }

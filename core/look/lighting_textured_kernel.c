@@ -15,6 +15,7 @@ void ZR_KERNEL(zr_look_textured)(const struct zr_look_lighting *lighting, const 
         .emissive = zr_three_of(textures->emissive, at)};
     struct zr_shading_v s = *plain;
     s.base = zr_mul_v(plain->base, zr_three_of(textures->base, at));
+    s.normal = zr_three_of(textures->normal, at);
     s.textured = &textured;
     *color = zr_shade_v(lighting, material, &cache, &s);
 }

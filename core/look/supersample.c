@@ -82,6 +82,7 @@ static void point_at_texels(struct lit_tile *lit)
     for (int k = 0; k < 3; k++) {
         lit->textures.base[k] = lit->texels[k];
         lit->textures.emissive[k] = lit->texels[6 + k];
+        lit->textures.normal[k] = lit->texels[9 + k];
     }
     lit->textures.roughness = lit->texels[3];
     lit->textures.metallic = lit->texels[4];

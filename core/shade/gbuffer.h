@@ -13,14 +13,16 @@
 /* So far that its distance squared is still a float. */
 #define ZR_FAR_POINT 1e18f
 
-/* What textures make of surfaces, at the same places; where the material has none of a kind: 1. */
+/* What textures make of surfaces, at the same places; where the material has none of a kind: 1, and the surface's own
+ * normal. */
 struct zr_gbuffer_textures {
     float *base[3];              /* factors of the surface's own colour, in linear light */
     float *roughness, *metallic; /* factors */
     float *occlusion;            /* the share of the light from all around that arrives */
     float *emissive[3];          /* factors, linear */
+    float *normal[3];            /* unit, of the side that is seen */
 };
-enum { ZR_TEXTURE_VALUES = 9 }; /* of a sample, in this order */
+enum { ZR_TEXTURE_VALUES = 12 }; /* of a sample, in this order */
 
 struct zr_gbuffer {
     int32_t width, height;
@@ -31,8 +33,8 @@ struct zr_gbuffer {
     float *normal[3];   /* unit, of the side that is seen */
     float *point[3];    /* the point that is seen, counted from the eye (zr_camera_eye); of parallel rays, from the
                            origin of eye space */
-    const struct zr_gbuffer_textures *textures; /* NULL: of no interest. Else of samples whose materials have textures;
-                                                   `normal` is then that of normal maps, too */
+    const struct zr_gbuffer_textures
+        *textures; /* NULL: of no interest. Else of samples whose materials have textures */
 };
 
 #endif

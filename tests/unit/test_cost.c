@@ -275,9 +275,40 @@ static void painter_cuts_whole_polygons_however_many_corners_they_have(void **st
     assert_true(many > few && many < 1.5 * few); /* the more corners, the larger the disc */
 }
 
+/* A pixel of one, and texels of its levels, which are made once. */
+static void textures_cost_pixels_and_levels(void **state)
+{
+    (void)state;
+    enum { SIDE = 256 };
+    static uint8_t texels[SIDE * SIDE * 4];
+    const zr_vec4 p[] = {{-1, -1, 0, 1}, {1, -1, 0, 1}, {1, 1, 0, 1}, {-1, -1, 0, 1}, {1, 1, 0, 1}, {-1, 1, 0, 1}};
+    static struct test_scene test;
+    const struct zr_image image = {SIDE, SIDE, 8, texels};
+    struct zr_texture texture = {.magnify = ZR_FILTER_NEAREST, .minify = ZR_FILTER_NEAREST};
+    scene_of_triangles(&test, 200, 100, p, 2);
+    const struct zr_cost plain = scene_cost(&test.scene, 1024);
+    test.scene.images = &image;
+    test.scene.textures = &texture;
+    test.scene.image_count = test.scene.texture_count = 1;
+    test.material.textures[ZR_TEXTURE_BASE_COLOR] = 1;
+    const struct zr_cost nearest = scene_cost(&test.scene, 1024);
+    texture.minify = ZR_FILTER_LINEAR_MIPMAP_LINEAR;
+    const struct zr_cost levels = scene_cost(&test.scene, 1024);
+    test.scene.picture.is_linear = true;
+    test.scene.picture.side = 1;
+    const struct zr_cost lit = scene_cost(&test.scene, 1024);
+    test.material.textures[ZR_TEXTURE_NORMAL] = 1;
+    const struct zr_cost two = scene_cost(&test.scene, 1024);
+    assert_true(nearest.fragments >= plain.fragments + 20000 && nearest.window_bytes < plain.window_bytes + 4096);
+    assert_true(levels.fragments >= nearest.fragments + 20000 + SIDE * SIDE / 3.0);
+    assert_true(levels.window_bytes >= nearest.window_bytes + SIDE * SIDE * 4 / 3.0);
+    assert_true(two.samples >= lit.samples + 20000);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(textures_cost_pixels_and_levels),
         cmocka_unit_test(whole_window_costs_its_pixels),
         cmocka_unit_test(only_what_is_in_the_window_counts),
         cmocka_unit_test(what_faces_away_counts_only_where_it_is_drawn),

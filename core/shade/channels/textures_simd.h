@@ -195,13 +195,13 @@ static inline struct zr_vec3_v zr_mapped_normal_v(struct zr_vec3_v texel, float 
     return zr_choose_v(has_one, zr_normalize_v(sum), normal);
 }
 
-/* All values of ZR_LANES samples, and their normals. */
+/* All values of ZR_LANES samples, in the order of the G-buffer's. */
 struct zr_textures_v {
     zr_vf value[ZR_TEXTURE_VALUES];
-    struct zr_vec3_v normal;
 };
+enum { ZR_ROUGHNESS_VALUE = 3, ZR_METALLIC_VALUE, ZR_OCCLUSION_VALUE, ZR_EMISSIVE_VALUE, ZR_NORMAL_VALUE = 9 };
 
-static inline void zr_take_color(struct zr_textures_v *out, int first, zr_vm where, struct zr_vec3_v color)
+static inline void zr_take_three(struct zr_textures_v *out, int first, zr_vm where, struct zr_vec3_v color)
 {
     out->value[first] = zr_vf_select(where, color.x, out->value[first]);
     out->value[first + 1] = zr_vf_select(where, color.y, out->value[first + 1]);
@@ -215,19 +215,20 @@ static inline void zr_take_textures(struct zr_textures_v *out, const struct zr_t
 {
     const struct zr_texture_map *map;
     if ((map = zr_texture_map_of(maps, material, ZR_TEXTURE_BASE_COLOR)))
-        zr_take_color(out, 0, where, zr_texture_at_v(map, texcoords));
+        zr_take_three(out, 0, where, zr_texture_at_v(map, texcoords));
     if ((map = zr_texture_map_of(maps, material, ZR_TEXTURE_METALLIC_ROUGHNESS))) {
         const struct zr_vec3_v texel = zr_texture_at_v(map, texcoords);
-        out->value[3] = zr_vf_select(where, texel.y, out->value[3]);
-        out->value[4] = zr_vf_select(where, texel.z, out->value[4]);
+        out->value[ZR_ROUGHNESS_VALUE] = zr_vf_select(where, texel.y, out->value[ZR_ROUGHNESS_VALUE]);
+        out->value[ZR_METALLIC_VALUE] = zr_vf_select(where, texel.z, out->value[ZR_METALLIC_VALUE]);
     }
     if ((map = zr_texture_map_of(maps, material, ZR_TEXTURE_OCCLUSION)))
-        out->value[5] = zr_vf_select(where, zr_texture_at_v(map, texcoords).x, out->value[5]);
+        out->value[ZR_OCCLUSION_VALUE] =
+            zr_vf_select(where, zr_texture_at_v(map, texcoords).x, out->value[ZR_OCCLUSION_VALUE]);
     if ((map = zr_texture_map_of(maps, material, ZR_TEXTURE_EMISSIVE)))
-        zr_take_color(out, 6, where, zr_texture_at_v(map, texcoords));
+        zr_take_three(out, ZR_EMISSIVE_VALUE, where, zr_texture_at_v(map, texcoords));
     if ((map = zr_texture_map_of(maps, material, ZR_TEXTURE_NORMAL)))
-        out->normal = zr_choose_v(
-            where, zr_mapped_normal_v(zr_texture_at_v(map, texcoords), material->normal_scale, frame), out->normal);
+        zr_take_three(out, ZR_NORMAL_VALUE, where,
+                      zr_mapped_normal_v(zr_texture_at_v(map, texcoords), material->normal_scale, frame));
 }
 
 static inline zr_vf zr_patch_load(const float *from, ptrdiff_t stride)
@@ -240,7 +241,7 @@ static inline struct zr_textures_v zr_textures_at(const struct zr_shader *s, uin
                                                   zr_vi owner, zr_vf x, zr_vf y, struct zr_vec3_v normal)
 {
     const zr_vf one = zr_vf_set(1.0f);
-    struct zr_textures_v out = {{one, one, one, one, one, one, one, one, one}, normal};
+    struct zr_textures_v out = {{one, one, one, one, one, one, one, one, one, normal.x, normal.y, normal.z}};
     const struct zr_material *done = NULL; /* most often there is one */
     zr_vf planes[ZR_TEXTURE_PLANES][3];
     if (count == 0) return out;
@@ -264,18 +265,20 @@ static inline struct zr_textures_v zr_textures_at(const struct zr_shader *s, uin
 
 /* ---- blocks ---- */
 
-/* The rows of a G-buffer, in the order of zr_textures_v. */
+/* The rows of a G-buffer: surfaces' own normals, and what is made, in its order. */
 struct zr_texture_rows {
-    float *of[ZR_TEXTURE_VALUES + 3];
+    const float *normal[3];
+    float *of[ZR_TEXTURE_VALUES];
     ptrdiff_t stride;
 };
 
 static inline struct zr_texture_rows zr_texture_rows_of(const struct zr_gbuffer *to)
 {
     const struct zr_gbuffer_textures *t = to->textures;
-    return (struct zr_texture_rows){{t->base[0], t->base[1], t->base[2], t->roughness, t->metallic, t->occlusion,
-                                     t->emissive[0], t->emissive[1], t->emissive[2], to->normal[0], to->normal[1],
-                                     to->normal[2]},
+    return (struct zr_texture_rows){{to->normal[0], to->normal[1], to->normal[2]},
+                                    {t->base[0], t->base[1], t->base[2], t->roughness, t->metallic, t->occlusion,
+                                     t->emissive[0], t->emissive[1], t->emissive[2], t->normal[0], t->normal[1],
+                                     t->normal[2]},
                                     to->stride};
 }
 
@@ -302,27 +305,23 @@ static void zr_texture_block(const struct zr_shader *s, const struct zr_tile *ti
         const int32_t x = p % ZR_PATCHES_ACROSS * ZR_PATCH_COLUMNS, y = p / ZR_PATCHES_ACROSS * ZR_PATCH_ROWS;
         const ptrdiff_t at = (place.low - tile->y + y) * to->stride + place.left - tile->x + x;
         const zr_vf fy = zr_vf_of(place.row + zr_vi_set(place.low + y));
-        zr_vi rows[ZR_TEXTURE_VALUES + 3][ZR_PATCH_ROWS];
+        zr_vi rows[ZR_TEXTURE_VALUES][ZR_PATCH_ROWS];
         for (int k = 0; k < ZR_PATCH_ROWS; k++) {
             const uint32_t count = block->is_whole ? 1 : block->patches[p + k];
             const zr_vi owner = block->is_whole
                                     ? zr_vi_set((int32_t)s->parts.owners[part])
                                     : zr_vi_load_patch(tile->owner + zr_patch_first(number, p + k), ZR_TILE_STRIDE);
             const zr_vf fx = zr_vf_of(place.column + zr_vi_set(place.left + x + k * ZR_PATCH_COLUMNS));
-            struct zr_vec3_v normal;
             const ptrdiff_t patch = at + k * ZR_PATCH_COLUMNS;
-            normal.x = zr_patch_load(to->of[ZR_TEXTURE_VALUES] + patch, to->stride);
-            normal.y = zr_patch_load(to->of[ZR_TEXTURE_VALUES + 1] + patch, to->stride);
-            normal.z = zr_patch_load(to->of[ZR_TEXTURE_VALUES + 2] + patch, to->stride);
+            const struct zr_vec3_v normal = {zr_patch_load(to->normal[0] + patch, to->stride),
+                                             zr_patch_load(to->normal[1] + patch, to->stride),
+                                             zr_patch_load(to->normal[2] + patch, to->stride)};
             const struct zr_textures_v textures = zr_textures_at(s, part, count, owner, fx, fy, normal);
             for (int v = 0; v < ZR_TEXTURE_VALUES; v++)
                 rows[v][k] = zr_vi_bits_of(textures.value[v]);
-            rows[ZR_TEXTURE_VALUES][k] = zr_vi_bits_of(textures.normal.x);
-            rows[ZR_TEXTURE_VALUES + 1][k] = zr_vi_bits_of(textures.normal.y);
-            rows[ZR_TEXTURE_VALUES + 2][k] = zr_vi_bits_of(textures.normal.z);
             if (!block->is_whole) part += count;
         }
-        for (int v = 0; v < ZR_TEXTURE_VALUES + 3; v++) {
+        for (int v = 0; v < ZR_TEXTURE_VALUES; v++) {
             zr_vi_rows_of_patches(rows[v]);
             for (int k = 0; k < ZR_PATCH_ROWS; k++)
                 zr_vi_store(to->of[v] + at + k * to->stride, rows[v][k]);
