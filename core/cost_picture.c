@@ -185,7 +185,8 @@ static double bytes_of_edges(double pixels, double samples)
     return pixels * WORD_BYTES + samples * 2.0 / 8.0 + samples / (ZR_TILE_SIZE * ZR_TILE_SIZE) * EDGE_BYTES;
 }
 
-/* Fragments of a tile at once, of as many as tiles have on the average; of the other algorithms, those of the window. */
+/* Fragments of a tile at once, of as many as tiles have on the average; of the other algorithms, those of the window.
+ */
 static double bytes_of_layers(const struct zr_scene *scene, double samples, double layered)
 {
     const double tiles = fmax(samples / (ZR_TILE_SIZE * ZR_TILE_SIZE), 1.0);

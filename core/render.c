@@ -18,12 +18,11 @@ static enum zr_status draw_channels(struct zr_arena *arena, struct zr_team *team
                                     const struct zr_cancel *cancel, struct zr_frame *frame)
 {
     const float line_width = scene->picture.line_width + 0.5f;
-    struct zr_pass_of of = {
-        .scene = scene,
-        .camera = &frame->camera,
-        .window = {frame->width, frame->height, line_width > 1.0f ? (int32_t)line_width : 1, 1.0f},
-        .wants = {.colors = frame->color, .normals = frame->channels[ZR_CHANNEL_NORMALS]},
-        .base = frame->base};
+    struct zr_pass_of of = {.scene = scene,
+                            .camera = &frame->camera,
+                            .window = {frame->width, frame->height, line_width > 1.0f ? (int32_t)line_width : 1, 1.0f},
+                            .wants = {.colors = frame->color, .normals = frame->channels[ZR_CHANNEL_NORMALS]},
+                            .base = frame->base};
     enum zr_status status = ZR_OK;
     struct zr_pass pass;
     if (frame->color || zr_any_is_masked(scene->materials, scene->material_count))

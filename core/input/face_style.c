@@ -5,8 +5,8 @@
 /* As in glTF. */
 #define ALPHA_CUTOFF 0.5f
 
-const struct zr_face_style zr_face_style_unset = {
-    ZR_UNSET, ZR_UNSET, ZR_UNSET, ZR_UNSET, {0, 0, 0, 1}, ZR_UNSET, ZR_UNSET};
+const struct zr_face_style zr_face_style_unset = {ZR_UNSET,     ZR_UNSET, ZR_UNSET, ZR_UNSET,
+                                                  {0, 0, 0, 1}, ZR_UNSET, ZR_UNSET};
 
 static int said(int first, int second)
 {
@@ -22,8 +22,8 @@ struct zr_face_style zr_face_style_merge(const struct zr_face_style *first, cons
                                   .outline = outlined->outline,
                                   .outline_color = outlined->outline_color,
                                   .alpha_mode = said(first->alpha_mode, second->alpha_mode),
-                                  .alpha_cutoff = first->alpha_cutoff >= 0.0f ? first->alpha_cutoff
-                                                                              : second->alpha_cutoff};
+                                  .alpha_cutoff =
+                                      first->alpha_cutoff >= 0.0f ? first->alpha_cutoff : second->alpha_cutoff};
 }
 
 /* Outlines on faces would not be seen in the faces' own colours: they are black unless told otherwise. */

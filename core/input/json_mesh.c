@@ -298,7 +298,21 @@ static bool read_points(struct zr_json *json, const struct zr_json_path *path, c
 
 enum { POINT_SIZE_MAX = 64 };
 enum {
-    NAME, MATERIAL, POSITIONS, NORMALS, COLORS, FACE_COLORS, FACES, LINES, POINTS, POINT_SIZE, HEIGHTS, TEXCOORDS, TEXCOORDS1, TANGENTS };
+    NAME,
+    MATERIAL,
+    POSITIONS,
+    NORMALS,
+    COLORS,
+    FACE_COLORS,
+    FACES,
+    LINES,
+    POINTS,
+    POINT_SIZE,
+    HEIGHTS,
+    TEXCOORDS,
+    TEXCOORDS1,
+    TANGENTS
+};
 #define AT(member) offsetof(struct zr_given_mesh, member)
 static const struct zr_json_field fields[] = {
     [NAME] = {"name", zr_json_string, AT(name), .text = "what nodes and fit may call it by; info has it"},

@@ -39,11 +39,11 @@ struct zr_names_refusal zr_names_refuse(const struct zr_names *names, const char
 /* Why a word is no look. */
 struct zr_names_refusal zr_looks_refuse(const char *word);
 
-extern const struct zr_names zr_shading_names;   /* enum zr_shading */
+extern const struct zr_names zr_shading_names;    /* enum zr_shading */
 extern const struct zr_names zr_alpha_mode_names; /* enum zr_alpha_mode */
-extern const struct zr_names zr_preset_names;    /* enum zr_preset */
-extern const struct zr_names zr_algorithm_names; /* enum zr_algorithm */
-extern const struct zr_names zr_up_names;        /* the axis that is up: y, z */
-extern const struct zr_names zr_compress_names;  /* enum zr_compress */
+extern const struct zr_names zr_preset_names;     /* enum zr_preset */
+extern const struct zr_names zr_algorithm_names;  /* enum zr_algorithm */
+extern const struct zr_names zr_up_names;         /* the axis that is up: y, z */
+extern const struct zr_names zr_compress_names;   /* enum zr_compress */
 
 #endif

@@ -167,10 +167,11 @@ static enum zr_status draw(struct zr_arena *arena, struct zr_team *team, const s
     struct drawing drawing = {.pass = pass, .cancel = cancel, .frame = frame, .solid = solid};
     struct zr_scene through;
     if (!pass || !see_through_scene(arena, scene, solid, &through)) return ZR_NO_MEMORY;
-    const struct zr_pass_of of = {.scene = &through,
-                                  .camera = &frame->camera,
-                                  .window = {frame->width, frame->height, line_width > 1.0f ? (int32_t)line_width : 1, 1.0f},
-                                  .wants = {.layers = true}};
+    const struct zr_pass_of of = {
+        .scene = &through,
+        .camera = &frame->camera,
+        .window = {frame->width, frame->height, line_width > 1.0f ? (int32_t)line_width : 1, 1.0f},
+        .wants = {.layers = true}};
     const enum zr_status status = zr_pass_make(arena, team, &of, cancel, pass);
     if (status != ZR_OK) return status;
     const enum zr_channel channel = solid ? ZR_CHANNEL_THICKNESS : ZR_CHANNEL_LAYERS;

@@ -36,7 +36,8 @@ static void find_see_through(struct zr_arena *arena, const struct zr_surface_wan
 {
     struct zr_tiles *tiles = &pass->tiles;
     tiles->any_masked = any_draw(&pass->geometry, ZR_ALPHA_MASK);
-    tiles->any_blended = (wants->colors || wants->samples || wants->layers) && any_draw(&pass->geometry, ZR_ALPHA_BLEND);
+    tiles->any_blended =
+        (wants->colors || wants->samples || wants->layers) && any_draw(&pass->geometry, ZR_ALPHA_BLEND);
     pass->layers = (struct zr_layers_pool){.arena = arena, .lock = PTHREAD_MUTEX_INITIALIZER};
     if (tiles->any_masked || tiles->any_blended) tiles->layers = &pass->layers;
 }

@@ -1,5 +1,5 @@
-/* others.h - raster: which shapes, lines, points and triangles with a depth offset each tile has to look at; or, apart from
- * these, which see-through primitives. All other triangles are in bins (bins.h).
+/* others.h - raster: which shapes, lines, points and triangles with a depth offset each tile has to look at; or, apart
+ * from these, which see-through primitives. All other triangles are in bins (bins.h).
  *
  * A primitive that touches up to ZR_OTHERS_TILES tiles is listed in each of them; a
  * larger one goes into one list that every tile goes through. A line is listed in the

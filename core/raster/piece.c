@@ -167,8 +167,7 @@ enum zr_status zr_pieces_make(struct zr_arena *arena, const struct zr_geometry *
 {
     *pieces = (struct zr_pieces){
         .arena = arena, .geometry = geometry, .cancel = cancel, .samples = samples, .count = 1, .span_count = 1};
-    enum zr_status status =
-        zr_primitives_make(arena, geometry, samples, cancel, &pieces->primitives);
+    enum zr_status status = zr_primitives_make(arena, geometry, samples, cancel, &pieces->primitives);
     if (status != ZR_OK) return status;
     pieces->marks = zr_arena_zero(arena, (size_t)samples->width + 1, sizeof *pieces->marks);
     pieces->hits = zr_arena_alloc(arena, samples->width, sizeof *pieces->hits);

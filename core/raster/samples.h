@@ -11,8 +11,8 @@
 
 struct zr_samples {
     uint32_t width, height;
-    float *depth;    /* window depth */
-    uint32_t *owner; /* 1 + number of the primitive, 0 where nothing is seen */
+    float *depth;                   /* window depth */
+    uint32_t *owner;                /* 1 + number of the primitive, 0 where nothing is seen */
     enum zr_alpha_mode drawn;       /* primitives of other materials are left out */
     struct zr_fragments *fragments; /* what is put goes into these lists instead; NULL of opaque ones */
 };

@@ -30,11 +30,11 @@ enum {
 enum { ZR_BLOCK_SHARED = INT32_MAX };
 
 struct zr_tile {
-    int32_t x, y;          /* lowest pixel */
-    int32_t width, height; /* smaller at the window's upper and right border */
-    bool is_empty;         /* nothing is drawn, and nothing below is defined */
+    int32_t x, y;                   /* lowest pixel */
+    int32_t width, height;          /* smaller at the window's upper and right border */
+    bool is_empty;                  /* nothing is drawn, and nothing below is defined */
     struct zr_fragments *fragments; /* what is put goes into these lists instead, where it is in front; else NULL */
-    float far;             /* no sample is deeper */
+    float far;                      /* no sample is deeper */
     /* [row of blocks * ZR_BLOCK_COLUMNS + column]: no sample of the block is deeper. 0 where the window ends before it.
      */
     float block_far[ZR_BLOCKS];

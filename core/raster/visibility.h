@@ -45,8 +45,8 @@ bool zr_visibility_fragments(const struct zr_visible *visible, uint32_t number, 
                              const struct zr_cancel *cancel, struct zr_tile *tile);
 
 /* Draws the primitives that they take into samples that have been cleared: no owner, and the depth below which
- * something is seen; or into their lists. One thread. ZR_OK, ZR_CANCELLED or ZR_NO_MEMORY; the painter's could also find its own proof
- * wrong, ZR_INTERNAL. All of the geometry's draws are `counted`. */
+ * something is seen; or into their lists. One thread. ZR_OK, ZR_CANCELLED or ZR_NO_MEMORY; the painter's could also
+ * find its own proof wrong, ZR_INTERNAL. All of the geometry's draws are `counted`. */
 typedef enum zr_status zr_visibility_fn(struct zr_arena *arena, const struct zr_geometry *geometry,
                                         const struct zr_cancel *cancel, struct zr_samples *samples);
 

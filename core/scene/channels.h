@@ -54,7 +54,7 @@ enum zr_space { ZR_SPACE_CAMERA, ZR_SPACE_WORLD, ZR_SPACE_OBJECT, ZR_SPACE_COUNT
     /* of the side that is seen, as it is shaded; unit length, 0 on lines */                                           \
     ROW(NORMALS, "normals", FLOAT32, 3, ZERO, 2, ZR_ENCODING_NPY, ZR_ENCODING_PNG)                                     \
     /* u and v of texcoord 0; 0 on lines, and of meshes that have none */                                              \
-    ROW(TEXCOORD, "texcoord", FLOAT32, 2, ZERO, 0, ZR_ENCODING_NPY)\
+    ROW(TEXCOORD, "texcoord", FLOAT32, 2, ZERO, 0, ZR_ENCODING_NPY)                                                    \
     /* how many surfaces and lines lie over one another, hidden ones too */                                            \
     ROW(LAYERS, "layers", UINT32, 1, ZERO, 0, ZR_ENCODING_NPY)                                                         \
     /* how much of the ray lies inside of closed meshes, scene units */                                                \

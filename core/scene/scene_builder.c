@@ -41,9 +41,8 @@ static bool is_same(const struct zr_material *a, const struct zr_material *b)
            a->metallic == b->metallic && a->roughness == b->roughness && zr_vec4_equal(a->base_color, b->base_color) &&
            zr_vec4_equal(a->outline_color, b->outline_color) && is_same_color(a->specular, b->specular) &&
            is_same_color(a->emissive, b->emissive) && is_same_color(a->cool, b->cool) &&
-           a->alpha_mode == b->alpha_mode && a->alpha_cutoff == b->alpha_cutoff &&
-           a->normal_scale == b->normal_scale && a->occlusion_strength == b->occlusion_strength &&
-           memcmp(a->textures, b->textures, sizeof a->textures) == 0;
+           a->alpha_mode == b->alpha_mode && a->alpha_cutoff == b->alpha_cutoff && a->normal_scale == b->normal_scale &&
+           a->occlusion_strength == b->occlusion_strength && memcmp(a->textures, b->textures, sizeof a->textures) == 0;
 }
 
 /* Equal materials have equal ones; most others, others. Source: FNV-1a, by words. */
@@ -61,8 +60,8 @@ static uint32_t hash(const struct zr_material *m)
         memcpy(&word, &number, sizeof word);
         value = (value ^ word ^ word >> 16) * 16777619u;
     }
-    word = (uint32_t)m->alpha_mode << 16 | (uint32_t)m->shading << 8 | (uint32_t)m->outline << 4 | (uint32_t)m->double_sided << 2 |
-           (uint32_t)m->unfilled << 1 | (uint32_t)m->uniform_color;
+    word = (uint32_t)m->alpha_mode << 16 | (uint32_t)m->shading << 8 | (uint32_t)m->outline << 4 |
+           (uint32_t)m->double_sided << 2 | (uint32_t)m->unfilled << 1 | (uint32_t)m->uniform_color;
     for (int slot = 0; slot < ZR_TEXTURE_SLOTS; slot++)
         word = word * 31u + m->textures[slot];
     return (value ^ word) * 16777619u;

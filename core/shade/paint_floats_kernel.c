@@ -4,8 +4,8 @@
 
 #include "shade/channels/floats_simd.h"
 
-void ZR_KERNEL(zr_paint_floats)(const struct zr_geometry *geometry, const struct zr_surfaces *surfaces, const struct zr_tile *tile,
-                   float *const out[4])
+void ZR_KERNEL(zr_paint_floats)(const struct zr_geometry *geometry, const struct zr_surfaces *surfaces,
+                                const struct zr_tile *tile, float *const out[4])
 {
     struct zr_shader s;
     const int all = (tile->height + ZR_BLOCK_HEIGHT - 1) / ZR_BLOCK_HEIGHT * ZR_BLOCK_COLUMNS;

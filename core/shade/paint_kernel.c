@@ -174,4 +174,5 @@ static void depths(const struct zr_tile *tile, const struct zr_pixel_rows *out)
     }
 }
 
-const struct zr_paint ZR_KERNEL(zr_paint) = {shade, samples, ZR_KERNEL(zr_paint_floats), blend, depths, count, ends, fill, copy};
+const struct zr_paint ZR_KERNEL(zr_paint) = {shade, samples, ZR_KERNEL(zr_paint_floats), blend, depths, count, ends,
+                                             fill,  copy};

@@ -123,9 +123,8 @@ static bool find_mesh_colors(struct making *m)
     if (m->has_colors) return true;
     m->has_colors = true;
     if (ZR_FAST(given_colors, zr_colors_are_given(m->scene, m->mesh, &m->mesh_colors))) return copy_given(m);
-    return ZR_FAST(packed_colors,
-                   !m->out->fog.is_on && !m->wants->samples && !m->any_see_through && !m->out->any_textured &&
-                       zr_colors_can_be_packed(m->scene, m->mesh))
+    return ZR_FAST(packed_colors, !m->out->fog.is_on && !m->wants->samples && !m->any_see_through &&
+                                      !m->out->any_textured && zr_colors_can_be_packed(m->scene, m->mesh))
                ? make_packed(m)
                : make_floats(m);
 }

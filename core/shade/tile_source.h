@@ -17,8 +17,8 @@ struct zr_tiles {
     enum zr_isa isa;
 
     /* Of what is see-through. */
-    struct zr_layers_pool *layers;              /* NULL: nothing is */
-    bool any_masked, any_blended;               /* blended: and colours are wanted */
+    struct zr_layers_pool *layers;               /* NULL: nothing is */
+    bool any_masked, any_blended;                /* blended: and colours are wanted */
     const struct zr_fragments *masked, *blended; /* beside samples; NULL: there are none */
 };
 

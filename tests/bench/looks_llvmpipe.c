@@ -123,8 +123,8 @@ static bool compare(const struct bench *bench, void *context, const struct sink 
         if (!ok) break;
         const size_t differing = count_differing(frame, s.small);
         row.wrong = differing > 0 || frame->covered_samples == 0;
-        snprintf(row.note, sizeof row.note, "16 samples: %zu pixels differ from Mesa's, %llu samples covered", differing,
-                 (unsigned long long)frame->covered_samples);
+        snprintf(row.note, sizeof row.note, "16 samples: %zu pixels differ from Mesa's, %llu samples covered",
+                 differing, (unsigned long long)frame->covered_samples);
         sink_row(sink, &row);
     }
     close_sides(&s);

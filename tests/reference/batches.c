@@ -399,10 +399,9 @@ static bool is_drawn(const struct batches_builder *b, const struct batches_sourc
 }
 
 /* Lines or points of the mesh. */
-static bool append_wires(struct batches_builder *b, const struct batches_source *s, enum batches_kind kind,
-                         uint32_t count,
-                         bool (*append)(struct batches_builder *b, const struct batches_source *s, uint32_t begin,
-                                        uint32_t end))
+static bool
+append_wires(struct batches_builder *b, const struct batches_source *s, enum batches_kind kind, uint32_t count,
+             bool (*append)(struct batches_builder *b, const struct batches_source *s, uint32_t begin, uint32_t end))
 {
     const struct zr_material *material = &b->scene->materials[s->mesh->material];
     if (!b->options.only || !b->options.only->one)

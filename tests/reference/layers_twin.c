@@ -76,8 +76,7 @@ static bool draw_owners(const struct layers_twin *twin, const struct batches_onl
     options.purpose = BATCHES_OWNERS;
     options.only = only;
     if (!rgba || !batches_make(twin->arena, twin->scene, twin->camera, &options, &batches) ||
-        !reference_draw(twin->reference, &batches.arrays, error) ||
-        !reference_read(twin->reference, rgba, NULL, error))
+        !reference_draw(twin->reference, &batches.arrays, error) || !reference_read(twin->reference, rgba, NULL, error))
         return false;
     for (size_t i = 0; i < pixels; i++)
         owner[i] = batches_owner_number(rgba + 4 * i);
@@ -220,8 +219,7 @@ static bool blend_layers(const struct layers_twin *twin, const struct parts *par
         memset(layer, 0, 4 * pixels * sizeof *layer);
         for (size_t i = 0; i < pixels; i++)
             for (int c = 0; c < 4 && k < picture->count[i]; c++)
-                layer[4 * i + (size_t)c] =
-                    clamped(parts->items[orders[i * count + k]].drawn.rgba[4 * i + (size_t)c]);
+                layer[4 * i + (size_t)c] = clamped(parts->items[orders[i * count + k]].drawn.rgba[4 * i + (size_t)c]);
         if (!reference_blend_layer(twin->reference, layer, error)) return false;
     }
     return reference_blend_end(twin->reference, picture->sum, error);
@@ -302,9 +300,9 @@ uint64_t layers_twin_compare(struct zr_arena *arena, struct zr_team *team, const
     const uint32_t width = scene->views[0].width, height = scene->views[0].height;
     const float line_width = scene->picture.line_width + 0.5f;
     struct zr_pass_of of = {.scene = scene,
-                                  .camera = camera,
-                                  .window = {width, height, line_width > 1.0f ? (int32_t)line_width : 1, 1.0f},
-                                  .wants = {.colors = true}};
+                            .camera = camera,
+                            .window = {width, height, line_width > 1.0f ? (int32_t)line_width : 1, 1.0f},
+                            .wants = {.colors = true}};
     struct zr_pass *pass = zr_arena_alloc(arena, 1, sizeof *pass);
     struct zr_tile *tile = zr_arena_alloc(arena, 1, sizeof *tile);
     const uint64_t all = (uint64_t)width * height;

@@ -12,7 +12,7 @@
 struct reference_lighter {
     GLuint program; /* 0: not made yet */
     GLint ambient, light_count, to_light, light_color, normal_rows, side;
-    GLint lamp_at, lamp_axis, lamp_fall;                   /* of lamps that have a place */
+    GLint lamp_at, lamp_axis, lamp_fall;                             /* of lamps that have a place */
     GLint to_eye, model, specular, shininess, eye, in_fog, textured; /* of what is shaded late */
 };
 

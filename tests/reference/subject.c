@@ -15,12 +15,12 @@ void subject_make(struct subject *subject, const struct drawing *drawing)
      * culling on, Mesa's answer depends on its batches (RULES.md, rule 11). */
     const enum zr_shading lit = drawing->smooth ? ZR_SHADING_GOURAUD : ZR_SHADING_FLAT;
     subject->materials[0] = (struct zr_material){.base_color = {1, 1, 1, 1},
-                                             .shading = drawing->lit ? lit : ZR_SHADING_UNLIT,
-                                             .double_sided = true,
-                                             .uniform_color = drawing->first_corner,
-                                             .unfilled = drawing->unfilled,
-                                             .outline = drawing->outline,
-                                             .outline_color = {0.25f, 0.5f, 0.125f, 1}};
+                                                 .shading = drawing->lit ? lit : ZR_SHADING_UNLIT,
+                                                 .double_sided = true,
+                                                 .uniform_color = drawing->first_corner,
+                                                 .unfilled = drawing->unfilled,
+                                                 .outline = drawing->outline,
+                                                 .outline_color = {0.25f, 0.5f, 0.125f, 1}};
     for (int mode = 0; mode < ZR_ALPHA_COUNT; mode++) {
         subject->materials[mode] = subject->materials[0];
         subject->materials[mode].alpha_mode = (enum zr_alpha_mode)mode;

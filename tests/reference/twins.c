@@ -6,9 +6,9 @@
 #include <string.h>
 
 #include "reference/batches.h"
-#include "reference/layers_twin.h"
 #include "reference/glsl_unit.h"
 #include "reference/interpolation.h"
+#include "reference/layers_twin.h"
 #include "reference/reference_program.h"
 #include "reference/subject.h"
 

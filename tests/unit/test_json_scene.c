@@ -507,7 +507,8 @@ static void alpha_modes_are_those_of_the_nearest_that_say_one(void **state)
 {
     (void)state;
     struct reading *reading = read_scene(
-        "{\"alphaMode\": \"BLEND\", \"materials\": [{\"name\": \"m\", \"alphaMode\": \"MASK\", \"alphaCutoff\": 0.25}], "
+        "{\"alphaMode\": \"BLEND\", \"materials\": [{\"name\": \"m\", \"alphaMode\": \"MASK\", \"alphaCutoff\": "
+        "0.25}], "
         "\"polygons\": [{" TRIANGLE ", \"color\": \"#ff000080\"}, {" TRIANGLE ", \"material\": \"m\"}, "
         "{" TRIANGLE ", \"material\": \"m\", \"alphaMode\": \"OPAQUE\"}, {" TRIANGLE ", \"alphaMode\": \"MASK\"}]}");
     assert_read(reading);

@@ -234,7 +234,8 @@ static double volume_of(uint32_t triangles)
     double sum = 0.0;
     for (uint32_t t = 0; t < triangles; t++) {
         const zr_vec4 *a = &points[faces[3 * t]], *b = &points[faces[3 * t + 1]], *c = &points[faces[3 * t + 2]];
-        const double u[3] = {(double)a->x, (double)a->y, (double)a->z}, v[3] = {(double)b->x, (double)b->y, (double)b->z},
+        const double u[3] = {(double)a->x, (double)a->y, (double)a->z},
+                     v[3] = {(double)b->x, (double)b->y, (double)b->z},
                      w[3] = {(double)c->x, (double)c->y, (double)c->z};
         sum += u[0] * (v[1] * w[2] - v[2] * w[1]) - u[1] * (v[0] * w[2] - v[2] * w[0]) +
                u[2] * (v[0] * w[1] - v[1] * w[0]);
@@ -278,10 +279,10 @@ static double sum_of(const float *thickness)
 static void thickness_sums_to_the_volume_of_closed_meshes(void **state)
 {
     (void)state;
-    static const struct body bodies[] = {
-        {{1, 1, 1}, 0, 40, 60, false},       {{1.5, 0.3, 0.8}, 0, 30, 40, false}, {{1, 1, 1}, 0.35, 40, 60, false},
-        {{0.4, 1.6, 0.4}, 0.2, 20, 12, false}, {{1, 1, 1}, 0, 4, 4, false},         {{1, 1, 1}, 0, 40, 60, true},
-        {{1.2, 0.7, 1}, 0.3, 40, 60, true},  {{1.7, 0.05, 1.7}, 0.1, 16, 48, false}};
+    static const struct body bodies[] = {{{1, 1, 1}, 0, 40, 60, false},      {{1.5, 0.3, 0.8}, 0, 30, 40, false},
+                                         {{1, 1, 1}, 0.35, 40, 60, false},   {{0.4, 1.6, 0.4}, 0.2, 20, 12, false},
+                                         {{1, 1, 1}, 0, 4, 4, false},        {{1, 1, 1}, 0, 40, 60, true},
+                                         {{1.2, 0.7, 1}, 0.3, 40, 60, true}, {{1.7, 0.05, 1.7}, 0.1, 16, 48, false}};
     for (size_t i = 0; i < sizeof bodies / sizeof *bodies; i++) {
         uint32_t triangles;
         const double got = sum_of(thickness_of(&bodies[i], ZR_ALGORITHM_HALFSPACE, &triangles));

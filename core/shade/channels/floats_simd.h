@@ -57,8 +57,8 @@ static inline void zr_put_places(struct zr_shader *s, const struct zr_run *run, 
             places[1][k][i] = place[1];
         }
     for (int c = 0; c < 2; c++) {
-        const struct zr_plane_v plane = zr_plane1_make(way, zr_vf_load(places[c][0]), zr_vf_load(places[c][1]),
-                                                       zr_vf_load(places[c][2]));
+        const struct zr_plane_v plane =
+            zr_plane1_make(way, zr_vf_load(places[c][0]), zr_vf_load(places[c][1]), zr_vf_load(places[c][2]));
         zr_put_plane(s, run->first, 1 + ZR_VALUES_FOG + c, ZR_FLOAT_PLANES, &plane);
     }
 }
@@ -152,8 +152,7 @@ static inline struct zr_rgba_v zr_floats_at(const struct zr_shader *s, uint32_t 
     zr_vf opacity = zr_shaded_value(planes, ZR_OPACITY_PLANE, x, y) * color_w;
     if (s->surfaces->any_late || s->surfaces->textures.of)
         zr_late_floats(s, first, count, owner, planes, w, x, y, &color, &opacity);
-    return (struct zr_rgba_v){
-        {zr_within_1(color.x), zr_within_1(color.y), zr_within_1(color.z), zr_within_1(opacity)}};
+    return (struct zr_rgba_v){{zr_within_1(color.x), zr_within_1(color.y), zr_within_1(color.z), zr_within_1(opacity)}};
 }
 
 /* ---- blocks ---- */
