@@ -83,6 +83,16 @@ static void check_base(const struct zr_scene *scene, struct zr_error *error)
         zr_error_add(error, ZR_BAD_SCENE, "/base/faceId", "missing: the outputs faceId and info need it");
 }
 
+static void check_layers(const struct zr_scene *scene, struct zr_error *error)
+{
+    const struct zr_view *view = &scene->views[0];
+    if (scene->algorithm != ZR_ALGORITHM_PAINTER) return;
+    if (zr_view_wants(view, ZR_CHANNEL_LAYERS) || zr_view_wants(view, ZR_CHANNEL_THICKNESS))
+        zr_error_add(
+            error, ZR_BAD_SCENE, "/algorithm",
+            "painter keeps no fragments, which the channels layers and thickness need; the other algorithms do");
+}
+
 static void check_see_through(const struct zr_scene *scene, struct zr_error *error)
 {
     if (!zr_any_is_see_through(scene->materials, scene->material_count)) return;
@@ -102,5 +112,6 @@ enum zr_status zr_scene_validate(const struct zr_scene *scene, const struct zr_l
     check_lamps(scene, error);
     check_base(scene, error);
     check_see_through(scene, error);
+    check_layers(scene, error);
     return error->count > before ? ZR_BAD_SCENE : ZR_OK;
 }

@@ -19,7 +19,7 @@ size_t LLVMFuzzerCustomMutator(uint8_t *data, size_t size, size_t max, unsigned 
 /* libFuzzer's own; there is none in a replay. */
 __attribute__((weak)) size_t LLVMFuzzerMutate(uint8_t *data, size_t size, size_t max);
 
-enum { FUZZ_SIDE_MAX = 64, FUZZ_ARENA_BYTES = 1 << 26, FUZZ_TEXELS_MAX = 1 << 14 };
+enum { FUZZ_SIDE_MAX = 64, FUZZ_ARENA_BYTES = 1 << 26, FUZZ_TEXELS_MAX = 1 << 16 };
 
 /* Whether the last input was accepted, and went all the way: seeds must. */
 extern bool fuzz_accepted;

@@ -319,7 +319,7 @@ static void bad_outputs_give_pointer_and_what_is_allowed(void **state)
     (void)state;
     refuses_rest("\"outputs\": []", "/outputs", "an empty list");
     refuses_rest("\"outputs\": [{}]", "/outputs/0", "channel is missing");
-    refuses_rest("\"outputs\": [{\"channel\": \"texcoord\"}]", "/outputs/0/channel", "not supported in this version");
+    refuses_rest("\"outputs\": [{\"channel\": \"overdraw\"}]", "/outputs/0/channel", "not supported in this version");
     refuses_rest("\"outputs\": [{\"channel\": \"depth\", \"space\": \"world\"}]", "/outputs/0/space",
                  "the channel depth lies in no space");
     refuses_rest("\"outputs\": [{\"channel\": \"normals\", \"space\": \"object\"}]", "/outputs/0/space",

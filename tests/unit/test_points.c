@@ -40,10 +40,12 @@ struct one {
 static void one_make(struct one *one, float x, float y, float z, float size)
 {
     static const uint32_t corners[3] = {0, 0, 0};
+    static const struct zr_material opaque = {.alpha_mode = ZR_ALPHA_OPAQUE};
     one->mesh = (struct zr_mesh){.point_size = size};
     one->vertex = (struct zr_window_vertex){.x = x, .y = y, .z = z, .oow = 1};
     one->draw = (struct zr_draw){.count = 1, .kind = ZR_DRAW_POINTS, .counted = true, .corners = corners};
     one->draw.mesh = &one->mesh;
+    one->draw.material = &opaque;
     one->geometry = (struct zr_geometry){.window = {.line_width = 1, .point_scale = 1},
                                          .vertices = &one->vertex,
                                          .vertex_count = 1,

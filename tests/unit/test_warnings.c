@@ -130,7 +130,7 @@ static void strict_reading_refuses_every_warning_of_the_scene(void **state)
         ", \"faces\": [[0,1,2]]}], \"nodes\": [{\"mesh\": \"a\"}], "
         "\"background\": \"white\", \"polygons\": [{" TRIANGLE ", \"color\": \"#ff000080\"}]}";
     struct reading *reading = read_for(ZR_FORMAT_JSON, text, NULL, "1");
-    assert_complaint(reading, ZR_BAD_SCENE, "", "transparency is not supported");
+    assert_complaint(reading, ZR_BAD_SCENE, "", "alpha below 1");
     assert_int_equal(reading->error.count, 2);
     assert_non_null(strstr(reading->error.items[1].detail, "1 of 2 meshes are placed by no node"));
     reading_free(reading);
