@@ -29,7 +29,7 @@ struct buffer {
 
 static inline struct buffer buffer_make(int width, int height)
 {
-    struct buffer b = {.g = {width, height, (width + 15) / 16 * 16, NULL, NULL, {NULL}, {NULL}, {NULL}}};
+    struct buffer b = {.g = {.width = width, .height = height, .stride = (width + 15) / 16 * 16}};
     const size_t count = (size_t)b.g.stride * (size_t)height;
     float *blank = malloc(count * sizeof *blank + 1);
     for (size_t i = 0; i < count; i++)
