@@ -16,7 +16,7 @@
 #include "support/files.h"
 #include "support/jpeg.h"
 
-enum { PATH_SIZE = 4096, FILE_MAX = 1 << 16 };
+enum { PATH_SIZE = 4096, FILE_MAX = 1 << 18 };
 
 static const char *top;
 static const char *const targets[] = {"json", "obj", "stl", "png", "npy", "gzip", "multipart", "image_png", "jpeg"};

@@ -204,8 +204,9 @@ static void add_lamp(void)
     } else if (once_in(3)) {
         add_placed_lamp();
     } else {
+        const bool casts = !is_textbook && !once_in(4);
         add("{\"type\":\"directional\",\"color\":\"#%06x\",\"shadows\":%s,\"direction\":", color(),
-            is_textbook ? "false" : truth());
+            casts ? "true" : "false");
         add_vector(1.0);
     }
     add(",\"frame\":\"%s\",\"intensity\":%.6g}", frame, intensity);
@@ -214,7 +215,7 @@ static void add_lamp(void)
 static void add_lamps(void)
 {
     if (once_in(4)) add(",\"ambient\":\"#%06x\"", color());
-    if (!once_in(3)) return;
+    if (once_in(3)) return;
     const uint32_t count = random_below(&dice, 4);
     add(",\"lights\":[");
     for (uint32_t i = 0; i < count; i++) {
@@ -237,11 +238,13 @@ static void add_materials(void)
     for (int i = 0; i < MESHES; i++) {
         const double metallic = share(), rough = share();
         add("%s{\"name\":\"m%d\"", i > 0 ? "," : "", i);
-        if (once_in(4) && !is_painted)
-            add(",\"alphaMode\":\"%s\",\"baseColorFactor\":\"#%06x%02x\"", once_in(3) ? "MASK" : "BLEND", color(),
-                random_below(&dice, 256));
-        else if (once_in(2))
+        if (once_in(4) && !is_painted) {
+            const uint32_t opacity = random_below(&dice, 256), rgb = color();
+            const char *mode = once_in(3) ? "MASK" : "BLEND";
+            add(",\"alphaMode\":\"%s\",\"baseColorFactor\":\"#%06x%02x\"", mode, rgb, opacity);
+        } else if (once_in(2)) {
             add(",\"baseColorFactor\":\"#%06x\"", color());
+        }
         if (!is_textbook) {
             if (once_in(2)) add(",\"metallicFactor\":%.6g,\"roughnessFactor\":%.6g", metallic, rough);
             if (once_in(6)) add(",\"emissiveFactor\":[%.6g,0,0.5]", between(0.0, 3.0));
