@@ -117,7 +117,8 @@ struct tally {
     struct zr_cost cost;
     double covered;                /* pixels of all faces, lines and points */
     double surface;                /* of all faces, in the world, scene units squared */
-    double layered;                /* of these, pixels of what is see-through */
+    double layered;                /* of these, pixels of what is see-through, */
+    double layered_triangles;      /* and its triangles */
     double faces;                  /* whose pixels count */
     double seen;                   /* those of them that `kept` has been offered */
     struct zr_cost_triangle *kept; /* of some of these, for the painter; or NULL: of none */
@@ -299,8 +300,7 @@ static void add_face(struct tally *tally, const struct zr_scene *scene, const st
     add_filled(tally, &measure, shape, (double)corners);
     if (material->alpha_mode != ZR_ALPHA_OPAQUE) {
         tally->layered += measure.area;
-        cost->triangles += ZR_COST_LAYER_T * ((double)corners - 2.0);
-        cost->fragments += ZR_COST_LAYER_F * measure.area;
+        tally->layered_triangles += (double)corners - 2.0;
     }
     if (measure.is_seen) tally->faces += 1.0;
     if (!tally->kept) return;
@@ -326,8 +326,9 @@ static struct zr_cost_pass pass_of(const struct tally *sum, struct zr_cost_sampl
     const double scale = sampling.samples > 0 ? (double)sampling.things / (double)sampling.samples : 0.0;
     const double more = sum->kept ? comparisons(sum, sum->seen * scale) : 0.0;
     return (struct zr_cost_pass){.triangle_times = triangle_times,
-                                 .cost = {.triangles = sum->cost.triangles * scale * triangle_times,
-                                          .fragments = sum->cost.fragments * scale * fragment_times + more,
+                                 .cost = {.triangles = (sum->cost.triangles * triangle_times + sum->layered_triangles * ZR_COST_LAYER_T) * scale,
+                                          .fragments = (sum->cost.fragments * fragment_times + sum->layered * ZR_COST_LAYER_F) * scale +
+                                                       more,
                                           .shape_triangles = sum->cost.shape_triangles * scale * triangle_times,
                                           .shape_fragments = sum->cost.shape_fragments * scale * fragment_times},
                                  .covered = sum->covered * scale,

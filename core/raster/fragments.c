@@ -54,10 +54,19 @@ static void sort(uint64_t *keys, uint32_t count)
         }
 }
 
-void zr_fragments_sort(struct zr_fragments *fragments)
+/* So few lists that all are short are sorted in no time; of long ones, each is looked after by itself. */
+enum { FRAGMENTS_A_CANCEL_CHECK = 1 << 16 };
+
+void zr_fragments_sort(const struct zr_cancel *cancel, struct zr_fragments *fragments)
 {
+    uint32_t next = 0;
     memmove(fragments->ends + 1, fragments->ends, fragments->places * sizeof *fragments->ends);
     fragments->ends[0] = 0;
-    for (uint32_t i = 0; i < fragments->places; i++)
+    for (uint32_t i = 0; i < fragments->places; i++) {
+        if (fragments->ends[i] >= next) {
+            if (zr_is_cancelled(cancel)) return;
+            next = fragments->ends[i] + FRAGMENTS_A_CANCEL_CHECK;
+        }
         sort(fragments->keys + fragments->ends[i], fragments->ends[i + 1] - fragments->ends[i]);
+    }
 }

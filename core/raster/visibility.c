@@ -369,7 +369,7 @@ enum zr_status zr_visibility_window_fragments(struct zr_arena *arena, const stru
     if (status != ZR_OK) return status;
     if (!zr_fragments_fill_in(arena, NULL, fragments)) return ZR_NO_MEMORY;
     status = visibility(arena, geometry, cancel, samples);
-    zr_fragments_sort(fragments);
+    zr_fragments_sort(cancel, fragments);
     samples->fragments = NULL;
     return status;
 }

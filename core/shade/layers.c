@@ -74,7 +74,7 @@ bool zr_layers_find(const struct zr_tiles *tiles, uint32_t number, enum zr_alpha
         !zr_fragments_fill_in(pool->arena, &pool->lock, fragments) ||
         !put_all(tiles, number, mode, cancel, tile, fragments))
         return false;
-    zr_fragments_sort(fragments);
+    zr_fragments_sort(cancel, fragments);
     layers->most = 0;
     for (uint32_t i = 0; i < fragments->places; i++) {
         const uint32_t count = fragments->ends[i + 1] - fragments->ends[i];

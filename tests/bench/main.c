@@ -12,6 +12,7 @@
 #include "bench/bench.h"
 #include "bench/compare.h"
 #include "bench/growth.h"
+#include "bench/layers.h"
 #include "bench/looks.h"
 #include "bench/machine.h"
 #include "bench/series.h"
@@ -149,6 +150,7 @@ int main(int count, char **arguments)
     growth_of_light(&bench);
     looks_against_plain(&bench);
     looks_against_llvmpipe(&bench);
+    layers_against_llvmpipe(&bench);
     versus_libpng(&bench);
     versus_cjson(&bench);
     service_against_stock(&bench);

@@ -108,6 +108,7 @@ struct reference_arrays {
     zr_vec4 background;
     struct zr_fog fog;
     float line_width; /* of lines and outlines, whole pixels; 0: 1 */
+    bool blended;     /* all batches are, by their alpha, in the order in which they come, without depths */
 };
 
 struct reference_error {

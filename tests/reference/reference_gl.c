@@ -355,6 +355,9 @@ bool reference_draw_batches(struct reference *reference, const struct reference_
     glStencilMask(INSIDE | GAP);
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | (reference->stencil ? GL_STENCIL_BUFFER_BIT : 0u));
     set_fog(&arrays->fog);
+    enable(GL_BLEND, arrays->blended);
+    enable(GL_DEPTH_TEST, !arrays->blended);
+    glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
     glMatrixMode(GL_PROJECTION);
     glLoadMatrixf(arrays->projection.m);
     glMatrixMode(GL_MODELVIEW);
@@ -371,6 +374,8 @@ bool reference_draw_batches(struct reference *reference, const struct reference_
     glDisableClientState(GL_TEXTURE_COORD_ARRAY);
     glClientActiveTexture(GL_TEXTURE0);
     glDisable(GL_TEXTURE_2D);
+    glDisable(GL_BLEND);
+    glEnable(GL_DEPTH_TEST);
     glUseProgram(0);
     glFinish();
     if (textures) reference_textures_delete(arrays->textures_of, textures);

@@ -55,7 +55,7 @@ static void lists_are_complete_and_sorted_by_depth_and_then_by_owner(void **stat
     assert_true(zr_fragments_fill_in(&arena, NULL, &fragments));
     for (int i = 0; i < FRAGMENTS; i++)
         zr_fragments_put(&fragments, place[i], depth[i], owner[i]);
-    zr_fragments_sort(&fragments);
+    zr_fragments_sort(NULL, &fragments);
     assert_int_equal(zr_fragments_count(&fragments), FRAGMENTS);
     for (uint32_t p = 0; p < PLACES; p++) {
         static uint64_t want[FRAGMENTS];
@@ -321,6 +321,27 @@ static void what_is_open_has_no_thickness_and_still_layers(void **state)
     }
 }
 
+/* Work, and memory: of production, a tile's; of the others, the window's. */
+static void layers_are_foretold(void **state)
+{
+    (void)state;
+    enum { LAYERS = 1000 };
+    static zr_vec4 many[3 * LAYERS];
+    for (int i = 0; i < 3 * LAYERS; i++)
+        many[i] = (zr_vec4){i % 3 == 1 ? 4.0f : -1.5f, i % 3 == 2 ? 4.0f : -1.5f, 0, 1};
+    scene_of_triangles(&test, 256, 256, many, LAYERS);
+    const struct zr_cost opaque = scene_cost(&test.scene, UINT32_MAX);
+    test.material.alpha_mode = ZR_ALPHA_BLEND;
+    const struct zr_cost blended = scene_cost(&test.scene, UINT32_MAX);
+    test.scene.algorithm = ZR_ALGORITHM_EDGELIST;
+    const struct zr_cost listed = scene_cost(&test.scene, UINT32_MAX);
+    const double fragments = (double)LAYERS * 256 * 256;
+    assert_true(blended.fragments - opaque.fragments > 39.0 * fragments);
+    assert_true(blended.fragments - opaque.fragments < 41.0 * fragments);
+    assert_true(blended.window_bytes > opaque.window_bytes + 8.0 * LAYERS * 64 * 64);
+    assert_true(listed.window_bytes > opaque.window_bytes + 8.0 * fragments);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -332,6 +353,7 @@ int main(void)
         cmocka_unit_test_setup_teardown(what_is_opaque_hides_layers_at_its_depth_and_behind, open_arena, close_arena),
         cmocka_unit_test_setup_teardown(masks_decide_what_is_there_in_all_channels, open_arena, close_arena),
         cmocka_unit_test_setup_teardown(alpha_of_a_clear_background_is_straight, open_arena, close_arena),
+        cmocka_unit_test_setup_teardown(layers_are_foretold, open_arena, close_arena),
         cmocka_unit_test_setup_teardown(layers_end_where_memory_does, open_arena, close_arena),
         cmocka_unit_test_setup_teardown(thickness_sums_to_the_volume_of_closed_meshes, open_arena, close_arena),
         cmocka_unit_test_setup_teardown(thickness_is_the_same_by_every_algorithm_that_keeps_fragments, open_arena,
