@@ -58,7 +58,8 @@ static void zr_make_lines(struct zr_shader *s, const struct zr_run *run, int cou
         static const struct zr_material unlit = {.shading = ZR_SHADING_UNLIT};
         struct zr_plane planes[1 + ZR_VALUES_MOST];
         const bool is_late = count > 1 + ZR_VALUES_LATE;
-        const bool flat = zr_line_color(s->geometry, run->surface, s->parts.owners[i] - 1, planes, &s->words[i]);
+        const bool flat =
+            zr_line_color(s->geometry, run->surface, s->parts.owners[i] - 1, is_late, planes, &s->words[i]);
         s->has_planes[i] = false;
         if (!flat || is_late) zr_put_alone(s, i, planes, 1 + ZR_VALUES_MOST, count);
         if (!is_late) continue;
