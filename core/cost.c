@@ -49,11 +49,13 @@ static double work_of_channels(const struct zr_view *view)
     return work;
 }
 
-/* How often all faces are drawn as layers, in sides. Both sides are for thickness. */
+/* How often all faces are drawn as layers, in sides. Both sides are for thickness; for one pixel, some algorithms draw
+ * one tile. */
 static double sides_of_layers(const struct zr_view *view)
 {
     return (zr_view_wants(view, ZR_CHANNEL_LAYERS) ? 1.0 : 0.0) +
-           (zr_view_wants(view, ZR_CHANNEL_THICKNESS) ? 2.0 : 0.0);
+           (zr_view_wants(view, ZR_CHANNEL_THICKNESS) ? 2.0 : 0.0) +
+           (zr_view_wants(view, ZR_CHANNEL_FRAGMENTS) ? 1.0 : 0.0);
 }
 
 /* The base colour's texture; 0: there is none. */

@@ -131,7 +131,14 @@ static double tiles_of(double width, double height)
     return (width / ZR_TILE_SIZE + 1.0) * (height / ZR_TILE_SIZE + 1.0);
 }
 
-static void add_line(struct tally *tally, const zr_vec4 ends[2])
+/* Of what is see-through. */
+static void add_layers(struct tally *tally, double pixels, double triangles)
+{
+    tally->layered += pixels;
+    tally->layered_triangles += triangles;
+}
+
+static void add_line(struct tally *tally, const struct zr_material *material, const zr_vec4 ends[2])
 {
     const unsigned codes[2] = {zr_clip_outcode(ends[0]), zr_clip_outcode(ends[1])};
     const double width = tally->target.line_width;
@@ -147,10 +154,11 @@ static void add_line(struct tally *tally, const zr_vec4 ends[2])
     cost->fragments += length * (LINE_PIXEL_F + WIDE_PIXEL_F * (width - 1.0));
     cost->triangles += LINE_T * length / ZR_TILE_SIZE * (1.0 + width / ZR_TILE_SIZE);
     tally->covered += length * width;
+    if (material->alpha_mode != ZR_ALPHA_OPAQUE) add_layers(tally, length * width, 1.0);
 }
 
-static void add_outline(struct tally *tally, const struct zr_mesh *mesh, struct zr_rings rings,
-                        const struct placed *placed)
+static void add_outline(struct tally *tally, const struct zr_material *material, const struct zr_mesh *mesh,
+                        struct zr_rings rings, const struct placed *placed)
 {
     for (uint32_t r = 0; r < rings.count; r++) {
         const uint32_t *indices = mesh->indices + rings.offsets[r];
@@ -158,7 +166,7 @@ static void add_outline(struct tally *tally, const struct zr_mesh *mesh, struct 
         zr_vec4 ends[2] = {corner_of(mesh, placed, indices[count - 1])};
         for (uint32_t i = 0; i < count; i++) {
             ends[1] = corner_of(mesh, placed, indices[i]);
-            add_line(tally, ends);
+            add_line(tally, material, ends);
             ends[0] = ends[1];
         }
     }
@@ -205,7 +213,8 @@ static void keep(struct tally *tally, const struct zr_cost_triangle *triangle)
 }
 
 /* A square around its middle, as much of it as is in the window. Where pairs are counted half of it stands for it. */
-static void add_point(struct tally *tally, const struct zr_mesh *mesh, zr_vec4 middle)
+static void add_point(struct tally *tally, const struct zr_material *material, const struct zr_mesh *mesh,
+                      zr_vec4 middle)
 {
     const double width = fmax((double)mesh->point_size, 1.0) * tally->target.side;
     struct zr_window_vertex at;
@@ -216,6 +225,7 @@ static void add_point(struct tally *tally, const struct zr_mesh *mesh, zr_vec4 m
     const double up = fmin(y + width, (double)tally->target.height) - fmax(y, 0.0);
     const double pixels = fmax(across, 0.0) * fmax(up, 0.0);
     tally->covered += pixels;
+    if (material->alpha_mode != ZR_ALPHA_OPAQUE) add_layers(tally, pixels, 1.0);
     tally->cost.fragments += SQUARE_PIXEL_F * pixels;
     tally->cost.triangles += SQUARE_T * tiles_of(across, up);
     if (!tally->kept) return;
@@ -288,7 +298,7 @@ static void add_face(struct tally *tally, const struct zr_scene *scene, const st
     struct measure measure = {
         .viewport = &tally->viewport, .min_x = HUGE_VAL, .min_y = HUGE_VAL, .max_x = -HUGE_VAL, .max_y = -HUGE_VAL};
     uint32_t corners = rings.offsets[rings.count] - rings.offsets[0];
-    if (material->outline != ZR_OUTLINE_NONE) add_outline(tally, mesh, rings, placed);
+    if (material->outline != ZR_OUTLINE_NONE) add_outline(tally, material, mesh, rings, placed);
     if (material->unfilled) return;
     if (tally->surface_most > 0.0)
         tally->surface += fmin(surface_of(mesh, rings, &placed->object_to_world), tally->surface_most);
@@ -298,10 +308,7 @@ static void add_face(struct tally *tally, const struct zr_scene *scene, const st
     bool turned_away = (placed->mirrored ? measure.net > 0.0 : measure.net < 0.0) && !material->double_sided;
     if (measure.area <= 0.0 || turned_away) return;
     add_filled(tally, &measure, shape, (double)corners);
-    if (material->alpha_mode != ZR_ALPHA_OPAQUE) {
-        tally->layered += measure.area;
-        tally->layered_triangles += (double)corners - 2.0;
-    }
+    if (material->alpha_mode != ZR_ALPHA_OPAQUE) add_layers(tally, measure.area, (double)corners - 2.0);
     if (measure.is_seen) tally->faces += 1.0;
     if (!tally->kept) return;
     const struct zr_cost_triangle whole = stand_in(&measure, mesh, rings, placed);
@@ -325,16 +332,16 @@ static struct zr_cost_pass pass_of(const struct tally *sum, struct zr_cost_sampl
     const double triangle_times = TIMES[algorithm].triangle, fragment_times = TIMES[algorithm].fragment;
     const double scale = sampling.samples > 0 ? (double)sampling.things / (double)sampling.samples : 0.0;
     const double more = sum->kept ? comparisons(sum, sum->seen * scale) : 0.0;
-    return (struct zr_cost_pass){.triangle_times = triangle_times,
-                                 .cost = {.triangles = (sum->cost.triangles * triangle_times + sum->layered_triangles * ZR_COST_LAYER_T) * scale,
-                                          .fragments = (sum->cost.fragments * fragment_times + sum->layered * ZR_COST_LAYER_F) * scale +
-                                                       more,
-                                          .shape_triangles = sum->cost.shape_triangles * scale * triangle_times,
-                                          .shape_fragments = sum->cost.shape_fragments * scale * fragment_times},
-                                 .covered = sum->covered * scale,
-                                 .layered = sum->layered * scale,
-                                 .faces = sum->faces * scale,
-                                 .surface = sum->surface * scale};
+    return (struct zr_cost_pass){
+        .triangle_times = triangle_times,
+        .cost = {.triangles = (sum->cost.triangles * triangle_times + sum->layered_triangles * ZR_COST_LAYER_T) * scale,
+                 .fragments = (sum->cost.fragments * fragment_times + sum->layered * ZR_COST_LAYER_F) * scale + more,
+                 .shape_triangles = sum->cost.shape_triangles * scale * triangle_times,
+                 .shape_fragments = sum->cost.shape_fragments * scale * fragment_times},
+        .covered = sum->covered * scale,
+        .layered = sum->layered * scale,
+        .faces = sum->faces * scale,
+        .surface = sum->surface * scale};
 }
 
 struct zr_cost_pass zr_cost_pass_measure(const struct zr_scene *scene, const struct zr_camera *camera,
@@ -371,12 +378,13 @@ struct zr_cost_pass zr_cost_pass_measure(const struct zr_scene *scene, const str
         }
         number -= mesh->face_count;
         if (number >= mesh->line_count) {
-            add_point(&sum, mesh, corner_of(mesh, &placed, mesh->points[number - mesh->line_count]));
+            add_point(&sum, &scene->materials[mesh->material], mesh,
+                      corner_of(mesh, &placed, mesh->points[number - mesh->line_count]));
             continue;
         }
         const uint32_t *line = mesh->lines + 2 * (size_t)number;
         const zr_vec4 ends[2] = {corner_of(mesh, &placed, line[0]), corner_of(mesh, &placed, line[1])};
-        add_line(&sum, ends);
+        add_line(&sum, &scene->materials[mesh->material], ends);
     }
     return pass_of(&sum, sampling, scene->algorithm);
 }

@@ -174,9 +174,7 @@ static double bytes_of_channels(const struct zr_view *view)
 {
     double words = 0.0;
     for (int c = 0; c < ZR_CHANNEL_COUNT; c++)
-        if (zr_view_wants(view, (enum zr_channel)c) ||
-            (c == ZR_CHANNEL_FACE_ID && zr_view_wants(view, ZR_CHANNEL_INFO)))
-            words += (double)zr_channel_rows[c].words;
+        if (zr_view_needs(view, (enum zr_channel)c)) words += (double)zr_channel_rows[c].words;
     return WORD_BYTES * words;
 }
 

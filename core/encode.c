@@ -5,6 +5,7 @@
 
 #include "base/rgba.h"
 #include "output/depth16.h"
+#include "output/fragments_json.h"
 #include "output/info.h"
 #include "output/npy.h"
 #include "output/png.h"
@@ -102,6 +103,7 @@ static enum zr_status encode_output(struct encoding *e, const struct zr_output *
         return zr_npy_write(row->values == ZR_VALUES_UINT32 ? ZR_NPY_UINT32 : ZR_NPY_FLOAT32, f->width, f->height,
                             row->words, f->channels[output->channel], out);
     case ZR_ENCODING_JSON:
+        if (output->channel == ZR_CHANNEL_FRAGMENTS) return zr_fragments_json_write(e->scene, f, out);
         return zr_info_write(e->scene, f, e->depth_scale, e->misfits, &e->warnings, out);
     case ZR_ENCODING_COUNT:
         break;

@@ -5,6 +5,7 @@
 #include "look/layer_channels.h"
 #include "look/pass.h"
 #include "look/picture.h"
+#include "look/pixel_fragments.h"
 #include "scene/base_depth.h"
 #include "scene/resolved_view.h"
 #include "scene/scene.h"
@@ -79,6 +80,8 @@ static enum zr_status run_pipeline(struct zr_arena *arena, struct zr_team *team,
     STAGE(draw_frame(arena, team, scene, cancel, frame));
     if (status == ZR_OK && zr_layer_channels_are_wanted(frame))
         STAGE(zr_layer_channels_draw(arena, team, scene, cancel, frame));
+    const struct zr_output *pixel = zr_view_output(&scene->views[0], ZR_CHANNEL_FRAGMENTS);
+    if (pixel) STAGE(zr_pixel_fragments_find(arena, team, scene, pixel->x, pixel->y, cancel, frame));
     return status;
 }
 

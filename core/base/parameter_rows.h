@@ -11,6 +11,8 @@
     ROW(channel, ANY, "NAME", "one output instead of the scene's: color, depth, normals and others")                   \
     ROW(encoding, ANY, "NAME", "png, npy, png16 or json; each channel has a default")                                  \
     ROW(scale, ANY, "UNITS", "scene units a step of a 16-bit depth picture")                                           \
+    ROW(x, ANY, "PIXELS", "of the pixel whose fragments are asked for; the leftmost has 0")                            \
+    ROW(y, ANY, "PIXELS", "of that pixel; the uppermost has 0")                                                        \
     ROW(compress, ANY, "HOW", "fast (default) or small: PNGs of fewer bytes that take longer")                         \
     ROW(strict, ANY, "BOOL", "true: what would be warned of is refused; false (default)")                              \
     ROW(look, MESH, "NAME", "studio (default), technical, clay, dark, metal, outdoor, blueprint or textbook")          \

@@ -7,6 +7,7 @@ enum { UNSET = -1, OUTPUTS_MAX = ZR_CHANNEL_COUNT * ZR_ENCODING_COUNT };
 struct given_output {
     int channel, encoding, space;
     float scale;
+    uint32_t x, y;
 };
 
 /* Words that name a space; which of them a channel has is looked at once the channel is known. */
@@ -18,7 +19,7 @@ static bool read_space(struct zr_json *json, const struct zr_json_path *path, co
     return zr_json_choice(json, path, &any, out);
 }
 
-enum { CHANNEL, ENCODING, SPACE, SCALE };
+enum { CHANNEL, ENCODING, SPACE, SCALE, X, Y };
 #define AT(member) offsetof(struct given_output, member)
 static const struct zr_json_field fields[] = {
     [CHANNEL] = {"channel", zr_json_choice, AT(channel), .words = &zr_channel_names, .required = true,
@@ -27,7 +28,10 @@ static const struct zr_json_field fields[] = {
                   .otherwise = "the first one of the channel", .text = "the format of the file"},
     [SPACE] = {"space", read_space, AT(space), .otherwise = "camera", .text = "of positions and normals"},
     [SCALE] = {"scale", zr_json_positive, AT(scale), .unit = "scene units", .otherwise = "the far plane is 65535",
-               .text = "of one step of a png16"}};
+               .text = "of one step of a png16"},
+    [X] = {"x", zr_json_whole, AT(x), .unit = "pixels",
+           .text = "of the pixel whose fragments are asked for; the leftmost has 0"},
+    [Y] = {"y", zr_json_whole, AT(y), .unit = "pixels", .text = "of that pixel; the uppermost has 0"}};
 const struct zr_json_object zr_json_object_output = ZR_JSON_OBJECT_OF("output", fields);
 
 static bool check_encoding(struct zr_json *json, const struct zr_json_path *path, const struct given_output *given,
@@ -57,16 +61,31 @@ static bool check_space(struct zr_json *json, const struct zr_json_path *path, c
     return true;
 }
 
+/* Of the channel fragments, and of no other. */
+static bool check_pixel(struct zr_json *json, const struct zr_json_path *path, uint64_t keys,
+                        const struct zr_output *output)
+{
+    const bool x = zr_json_gives(keys, X), y = zr_json_gives(keys, Y);
+    if (output->channel != ZR_CHANNEL_FRAGMENTS)
+        return (!x && !y) ||
+               zr_json_fault(json, ZR_JSON_KEY(path, fields[x ? X : Y].key), "only the channel fragments has one");
+    return (x && y) ||
+           zr_json_fault(json, path, "missing the key %s: fragments are of one pixel", fields[x ? Y : X].key);
+}
+
 static bool read_output(struct zr_json *json, const struct zr_json_path *path, struct zr_output *output)
 {
-    struct given_output given = {UNSET, UNSET, UNSET, 0};
+    struct given_output given = {UNSET, UNSET, UNSET, 0, 0, 0};
     const size_t faults = json->error->count;
     uint64_t keys;
     if (!zr_json_fields(json, path, &zr_json_object_output, &given, &keys) || json->error->count > faults ||
         given.channel == UNSET)
         return false;
-    *output = (struct zr_output){.channel = (enum zr_channel)given.channel, .scale = given.scale};
-    if (!check_encoding(json, path, &given, output) || !check_space(json, path, &given, output)) return false;
+    *output =
+        (struct zr_output){.channel = (enum zr_channel)given.channel, .scale = given.scale, .x = given.x, .y = given.y};
+    if (!check_encoding(json, path, &given, output) || !check_space(json, path, &given, output) ||
+        !check_pixel(json, path, keys, output))
+        return false;
     return !zr_json_gives(keys, SCALE) || output->encoding == ZR_ENCODING_PNG16 ||
            zr_json_fault(json, ZR_JSON_KEY(path, fields[SCALE].key), "only the encoding png16 has one");
 }

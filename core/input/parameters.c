@@ -131,6 +131,32 @@ static void read_scale(const struct reading *r, const char *text)
         r->query->output.scale = (float)value;
 }
 
+static void read_pixel(const struct reading *r, const char *name, const char *text, uint32_t *out)
+{
+    uint64_t value = 0;
+    const char *at = text;
+    for (; *at >= '0' && *at <= '9'; at++)
+        if (value <= UINT32_MAX) value = value * 10 + (uint64_t)(*at - '0');
+    r->query->has_output = true;
+    if (r->error->count > 0) return;
+    if (r->query->output.channel != ZR_CHANNEL_FRAGMENTS)
+        zr_error_add(r->error, ZR_BAD_REQUEST, NULL, "query parameter %s: only the channel fragments has one", name);
+    else if (*at != '\0' || at == text || value > UINT32_MAX)
+        refuse(r, name, text, "the number of a pixel, counted from 0");
+    else
+        *out = (uint32_t)value;
+}
+
+static void read_x(const struct reading *r, const char *text)
+{
+    read_pixel(r, "x", text, &r->query->output.x);
+}
+
+static void read_y(const struct reading *r, const char *text)
+{
+    read_pixel(r, "y", text, &r->query->output.y);
+}
+
 static void read_compress(const struct reading *r, const char *text)
 {
     int compress = 0;
@@ -301,5 +327,9 @@ enum zr_status zr_query_read(const struct zr_request *request, const struct zr_l
             rows[i].read(&r, rows[i].text);
     }
     find_fov(query);
+    if (error->count == 0 && query->output.channel == ZR_CHANNEL_FRAGMENTS && !(request->x && request->y))
+        zr_error_add(error, ZR_BAD_REQUEST, NULL,
+                     "query parameter %s: missing; the channel fragments is of the pixel that x and y say",
+                     request->x ? "y" : "x");
     return error->count > 0 ? error->status : ZR_OK;
 }

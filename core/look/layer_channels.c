@@ -3,44 +3,12 @@
 #include <math.h>
 #include <string.h>
 
+#include "look/layer_pass.h"
 #include "look/maps.h"
-#include "look/pass.h"
 #include "shade/depths.h"
 
-/* ---- a pass in which everything is see-through ---- */
-
-/* All meshes without their lines. */
-static const struct zr_mesh *faces_alone(struct zr_arena *arena, const struct zr_scene *scene)
-{
-    struct zr_mesh *meshes = zr_arena_alloc(arena, scene->mesh_count, sizeof *meshes);
-    for (uint32_t i = 0; meshes && i < scene->mesh_count; i++) {
-        meshes[i] = scene->meshes[i];
-        meshes[i].line_count = 0;
-    }
-    return meshes;
-}
-
-/* solid: faces alone, filled, and from both sides. */
-static bool see_through_scene(struct zr_arena *arena, const struct zr_scene *scene, bool solid, struct zr_scene *out)
-{
-    struct zr_material *materials = zr_arena_alloc(arena, scene->material_count, sizeof *materials);
-    *out = *scene;
-    out->materials = materials;
-    if (solid) out->meshes = faces_alone(arena, scene);
-    if (!zr_arena_ok(arena)) return false;
-    for (uint32_t i = 0; i < scene->material_count; i++) {
-        materials[i] = scene->materials[i];
-        materials[i].alpha_mode = ZR_ALPHA_BLEND;
-        if (!solid) continue;
-        materials[i].double_sided = true;
-        materials[i].unfilled = false;
-        materials[i].outline = ZR_OUTLINE_NONE;
-    }
-    return true;
-}
-
 struct drawing {
-    const struct zr_pass *pass;
+    const struct zr_layer_pass *pass;
     const struct zr_cancel *cancel;
     const struct zr_frame *frame;
     bool solid;
@@ -88,8 +56,8 @@ static void pass_surface(struct walk *walk, int32_t place, double depth, bool ba
 /* Depths of the layer become those of the channel depth. */
 static void walk_layer(const struct drawing *d, struct zr_tile *layer, struct walk *walk)
 {
-    const struct zr_geometry *geometry = &d->pass->geometry;
-    const enum zr_isa isa = d->pass->tiles.isa;
+    const struct zr_geometry *geometry = &d->pass->pass.geometry;
+    const enum zr_isa isa = d->pass->pass.tiles.isa;
     const struct zr_draw *draw = &geometry->draws[0];
     zr_depths_tile(geometry, zr_eye_depths_of(isa), zr_paint_of(isa)->ends, d->frame->width, d->frame->height, layer);
     for (int32_t y = 0; y < layer->height; y++)
@@ -137,18 +105,13 @@ static void measure_thickness(const struct drawing *d, struct zr_layers *layers)
 
 static void draw_tile(const struct drawing *d, uint32_t number, struct zr_tile *tile)
 {
-    const struct zr_tiles *tiles = &d->pass->tiles;
-    if (!zr_tiles_see(tiles, number, NULL, d->cancel, tile)) return;
-    struct zr_layers *layers = zr_layers_take(tiles->layers);
+    struct zr_layers *layers = zr_layer_pass_find(d->pass, number, d->cancel, tile);
     if (!layers) return;
-    if (tile->is_empty) zr_tile_begin(tile, NULL, 0, 0);
-    if (zr_layers_find(tiles, number, ZR_ALPHA_BLEND, d->cancel, tile, layers)) {
-        if (d->solid)
-            measure_thickness(d, layers);
-        else
-            count_layers(d, layers);
-    }
-    zr_layers_give(tiles->layers, layers);
+    if (d->solid)
+        measure_thickness(d, layers);
+    else
+        count_layers(d, layers);
+    zr_layers_give(d->pass->pass.tiles.layers, layers);
 }
 
 static void draw_range(void *context, size_t begin, size_t end)
@@ -162,21 +125,14 @@ static void draw_range(void *context, size_t begin, size_t end)
 static enum zr_status draw(struct zr_arena *arena, struct zr_team *team, const struct zr_scene *scene, bool solid,
                            const struct zr_cancel *cancel, struct zr_frame *frame)
 {
-    const float line_width = scene->picture.line_width + 0.5f;
-    struct zr_pass *pass = zr_arena_zero(arena, 1, sizeof *pass);
+    struct zr_layer_pass *pass = zr_arena_zero(arena, 1, sizeof *pass);
     struct drawing drawing = {.pass = pass, .cancel = cancel, .frame = frame, .solid = solid};
-    struct zr_scene through;
-    if (!pass || !see_through_scene(arena, scene, solid, &through)) return ZR_NO_MEMORY;
-    const struct zr_pass_of of = {
-        .scene = &through,
-        .camera = &frame->camera,
-        .window = {frame->width, frame->height, line_width > 1.0f ? (int32_t)line_width : 1, 1.0f},
-        .wants = {.layers = true}};
-    const enum zr_status status = zr_pass_make(arena, team, &of, cancel, pass);
+    if (!pass) return ZR_NO_MEMORY;
+    const enum zr_status status = zr_layer_pass_make(arena, team, scene, solid, frame, cancel, pass);
     if (status != ZR_OK) return status;
     const enum zr_channel channel = solid ? ZR_CHANNEL_THICKNESS : ZR_CHANNEL_LAYERS;
     const bool has_rays = zr_rays_of(&frame->camera, frame->width, frame->height, &drawing.rays);
-    if (!pass->tiles.layers || (solid && !has_rays)) {
+    if (!pass->pass.tiles.layers || (solid && !has_rays)) {
         memset(frame->channels[channel], 0, (size_t)frame->width * frame->height * sizeof(uint32_t));
         return ZR_OK;
     }

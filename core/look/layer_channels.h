@@ -1,13 +1,12 @@
-/* layer_channels.h - look: what all fragments over a pixel tell, hidden ones too: the channels layers and thickness,
- * and the list of one pixel.
+/* layer_channels.h - look: how many fragments lie over a pixel, and what they enclose: the channels layers and
+ * thickness.
  *
- * In passes of their own, in which everything is see-through: every fragment is kept (raster/fragments.h). What opacity
- * masks is not looked at: a masked surface is there wherever it covers a pixel's centre.
+ * In passes of their own, in which everything is see-through (layer_pass.h).
  * layers:    how many fragments there are.
  * thickness: how much of the ray lies inside, in scene units, for closed meshes. Faces are seen from both sides here;
  *            from behind, each back adds one to the winding number and each front takes one away; the ray is inside
  *            where that is not 0. Where surfaces are open it may never become 0 again: what is not closed counts
- *            nothing. Lines and outlines have no inside.
+ *            nothing. Lines, points and outlines have no inside.
  */
 #ifndef ZR_LAYER_CHANNELS_H
 #define ZR_LAYER_CHANNELS_H

@@ -58,7 +58,9 @@ enum zr_space { ZR_SPACE_CAMERA, ZR_SPACE_WORLD, ZR_SPACE_OBJECT, ZR_SPACE_COUNT
     /* how many surfaces and lines lie over one another, hidden ones too */                                            \
     ROW(LAYERS, "layers", UINT32, 1, ZERO, 0, ZR_ENCODING_NPY)                                                         \
     /* how much of the ray lies inside of closed meshes, scene units */                                                \
-    ROW(THICKNESS, "thickness", FLOAT32, 1, ZERO, 0, ZR_ENCODING_NPY)
+    ROW(THICKNESS, "thickness", FLOAT32, 1, ZERO, 0, ZR_ENCODING_NPY)                                                  \
+    /* JSON: all that lies over one pixel, one by one, nearest first */                                                \
+    ROW(FRAGMENTS, "fragments", NONE, 0, ZERO, 0, ZR_ENCODING_JSON)
 
 enum zr_channel {
 #define ZR_CHANNEL_ENUM(ID, ...) ZR_CHANNEL_##ID,

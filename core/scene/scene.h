@@ -256,6 +256,7 @@ struct zr_output {
     enum zr_encoding encoding;
     float scale;         /* png16: scene units a step; 0: the far plane is 65535 */
     enum zr_space space; /* of channels that have some; all outputs of one channel have the same */
+    uint32_t x, y;       /* fragments: the pixel, counted from the top left corner */
 };
 
 /* A picture of the scene: one window, pose and projection, as asked for (resolved by scene/camera.h), and what is to be
@@ -356,12 +357,25 @@ static inline bool zr_any_is_masked(const struct zr_material *materials, uint32_
     return false;
 }
 
-/* True where one of the outputs shows the channel. */
-static inline bool zr_view_wants(const struct zr_view *view, enum zr_channel channel)
+/* The first of the outputs that shows the channel; NULL: none does. */
+static inline const struct zr_output *zr_view_output(const struct zr_view *view, enum zr_channel channel)
 {
     for (uint32_t i = 0; i < view->output_count; i++)
-        if (view->outputs[i].channel == channel) return true;
-    return false;
+        if (view->outputs[i].channel == channel) return &view->outputs[i];
+    return NULL;
+}
+
+static inline bool zr_view_wants(const struct zr_view *view, enum zr_channel channel)
+{
+    return zr_view_output(view, channel) != NULL;
+}
+
+/* True where it is wanted, or what reports in words is made from it. */
+static inline bool zr_view_needs(const struct zr_view *view, enum zr_channel channel)
+{
+    const bool lists = zr_view_wants(view, ZR_CHANNEL_FRAGMENTS);
+    return zr_view_wants(view, channel) || (lists && channel == ZR_CHANNEL_WINDOW_DEPTH) ||
+           (channel == ZR_CHANNEL_FACE_ID && (lists || zr_view_wants(view, ZR_CHANNEL_INFO)));
 }
 
 /* The space of a channel that is wanted. */

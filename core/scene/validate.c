@@ -86,11 +86,26 @@ static void check_base(const struct zr_scene *scene, struct zr_error *error)
 static void check_layers(const struct zr_scene *scene, struct zr_error *error)
 {
     const struct zr_view *view = &scene->views[0];
+    static const enum zr_channel channels[] = {ZR_CHANNEL_LAYERS, ZR_CHANNEL_THICKNESS, ZR_CHANNEL_FRAGMENTS};
     if (scene->algorithm != ZR_ALGORITHM_PAINTER) return;
-    if (zr_view_wants(view, ZR_CHANNEL_LAYERS) || zr_view_wants(view, ZR_CHANNEL_THICKNESS))
-        zr_error_add(
-            error, ZR_BAD_SCENE, "/algorithm",
-            "painter keeps no fragments, which the channels layers and thickness need; the other algorithms do");
+    for (size_t i = 0; i < sizeof channels / sizeof channels[0]; i++)
+        if (zr_view_wants(view, channels[i]))
+            zr_error_add(error, ZR_BAD_SCENE, "/algorithm",
+                         "painter keeps no fragments, which the channel %s needs; the other algorithms do",
+                         zr_channel_rows[channels[i]].name);
+}
+
+/* A query's output has no place in the scene. */
+static void check_pixels(const struct zr_view *view, struct zr_error *error)
+{
+    for (uint32_t i = 0; i < view->output_count; i++) {
+        const struct zr_output *output = &view->outputs[i];
+        if (output->channel == ZR_CHANNEL_FRAGMENTS && (output->x >= view->width || output->y >= view->height))
+            zr_error_add(error, ZR_BAD_SCENE, NULL,
+                         "the output fragments is of pixel %" PRIu32 ", %" PRIu32 ", beside the window of %" PRIu32
+                         "x%" PRIu32 " pixels, the first of which has 0, 0",
+                         output->x, output->y, view->width, view->height);
+    }
 }
 
 static void check_see_through(const struct zr_scene *scene, struct zr_error *error)
@@ -113,5 +128,6 @@ enum zr_status zr_scene_validate(const struct zr_scene *scene, const struct zr_l
     check_base(scene, error);
     check_see_through(scene, error);
     check_layers(scene, error);
+    check_pixels(&scene->views[0], error);
     return error->count > before ? ZR_BAD_SCENE : ZR_OK;
 }

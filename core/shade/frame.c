@@ -12,9 +12,8 @@ enum zr_status zr_frame_make(struct zr_arena *arena, const struct zr_view *view,
     frame->bounds = resolved->bounds;
     frame->camera = resolved->camera;
     for (int c = 0; c < ZR_CHANNEL_COUNT; c++) {
-        const bool counted = c == ZR_CHANNEL_FACE_ID && zr_view_wants(view, ZR_CHANNEL_INFO);
         const size_t words = zr_channel_rows[c].words;
-        if (words > 0 && (counted || zr_view_wants(view, (enum zr_channel)c)))
+        if (words > 0 && zr_view_needs(view, (enum zr_channel)c))
             frame->channels[c] = zr_arena_alloc(arena, pixels, 4 * words);
     }
     frame->reaches = zr_arena_alloc(arena, frame->height, sizeof *frame->reaches);

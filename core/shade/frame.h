@@ -12,7 +12,26 @@
 #include "geometry/counts.h"
 #include "scene/camera.h"
 #include "scene/channels.h"
+#include "scene/scene.h"
 #include "zraster.h"
+
+/* What lies over a pixel's centre. */
+struct zr_pixel_fragment {
+    float depth;       /* as in the channel depth, scene units */
+    float position[3]; /* world space */
+    uint32_t face_id;  /* as in the channel */
+    uint32_t instance; /* number of it, counted from 0 */
+    enum zr_alpha_mode alpha_mode;
+    int front_facing; /* as in the channel */
+    bool is_shown;    /* not hidden by what is opaque, nor masked: it is a part of the pixel's colour */
+};
+
+/* Nearest first; at equal depth the earlier in the scene. */
+struct zr_pixel_fragments {
+    uint32_t x, y; /* the pixel */
+    uint32_t count;
+    const struct zr_pixel_fragment *at;
+};
 
 struct zr_frame {
     uint32_t width, height;
@@ -25,7 +44,8 @@ struct zr_frame {
             uint32_t *face_id;
         };
     };
-    const struct zr_base *base; /* what is seen where no primitive is, its window_depth made; NULL: nothing */
+    struct zr_pixel_fragments fragments; /* of a pixel, where they are wanted */
+    const struct zr_base *base;          /* what is seen where no primitive is, its window_depth made; NULL: nothing */
     struct zr_camera camera;
     struct zr_bounds bounds; /* of the scene; looked for where the view needs them or info is asked for, else invalid */
     struct zr_counts counts;

@@ -223,15 +223,20 @@ static void put_texcoord(const struct shown *shown, const double parts[3], float
     out[1] = (float)v;
 }
 
-static void put_sample(struct points *points, const struct shown *shown, double x, double y, size_t pixel)
+static double depth_at(const struct shown *shown, double x, double y)
 {
     const struct zr_eye_depth *d = &shown->depth;
+    return kept_within(plane_at(&d->depth, x, y) / plane_at(&d->one, x, y), d->min, d->max);
+}
+
+static void put_sample(struct points *points, const struct shown *shown, double x, double y, size_t pixel)
+{
     float *distance = points->frame->channels[ZR_CHANNEL_DISTANCE];
     float *position = points->frame->channels[ZR_CHANNEL_POSITION];
     float *shares = points->frame->channels[ZR_CHANNEL_BARYCENTRICS];
     float *texcoord = points->frame->channels[ZR_CHANNEL_TEXCOORD];
     double eye[4], parts[3] = {0, 0, 0};
-    const double depth = kept_within(plane_at(&d->depth, x, y) / plane_at(&d->one, x, y), d->min, d->max);
+    const double depth = depth_at(shown, x, y);
     eye_point(points, x, y, depth, eye);
     const bool is_parallel = ZR_MUTANT(distance_is_depth, points->eye.w == 0.0f, true);
     if (distance) distance[pixel] = (float)(is_parallel ? depth : length_from(points->eye, eye));
@@ -259,18 +264,38 @@ bool zr_surface_points_are_wanted(const struct zr_frame *frame)
            frame->channels[ZR_CHANNEL_BARYCENTRICS] || frame->channels[ZR_CHANNEL_TEXCOORD];
 }
 
-void zr_surface_points_tile(const struct zr_geometry *geometry, const struct zr_eye_depths *kernel,
-                            uint64_t (*ends)(const uint32_t *owners, int32_t width), enum zr_space position,
-                            const struct zr_tile *tile, const struct zr_frame *frame)
+static struct points points_of(const struct zr_geometry *geometry, const struct zr_eye_depths *kernel,
+                               enum zr_space position, const struct zr_frame *frame)
 {
     struct points points = {
         .geometry = geometry, .kernel = kernel, .frame = frame, .draw = &geometry->draws[0], .space = position};
     const struct zr_matrix view = zr_matrix_of(&frame->camera.world_to_eye);
-    points.wants_shares =
-        frame->channels[ZR_CHANNEL_BARYCENTRICS] || frame->channels[ZR_CHANNEL_TEXCOORD] || position == ZR_SPACE_OBJECT;
     points.projection = zr_matrix_of(&frame->camera.projection);
     (void)zr_matrix_invert(&view, &points.to_world);
     points.eye = zr_camera_eye(&frame->camera);
+    return points;
+}
+
+void zr_surface_point_find(const struct zr_geometry *geometry, const struct zr_eye_depths *kernel,
+                           const struct zr_frame *frame, uint32_t owner, int32_t x, int32_t y, float *depth,
+                           float position[3])
+{
+    struct points points = points_of(geometry, kernel, ZR_SPACE_WORLD, frame);
+    const struct shown *shown = shown_of(&points, owner);
+    const double z = depth_at(shown, (double)x, (double)y), no_parts[3] = {0, 0, 0};
+    double eye[4];
+    eye_point(&points, (double)x, (double)y, z, eye);
+    *depth = (float)z;
+    put_position(&points, shown, eye, no_parts, position);
+}
+
+void zr_surface_points_tile(const struct zr_geometry *geometry, const struct zr_eye_depths *kernel,
+                            uint64_t (*ends)(const uint32_t *owners, int32_t width), enum zr_space position,
+                            const struct zr_tile *tile, const struct zr_frame *frame)
+{
+    struct points points = points_of(geometry, kernel, position, frame);
+    points.wants_shares =
+        frame->channels[ZR_CHANNEL_BARYCENTRICS] || frame->channels[ZR_CHANNEL_TEXCOORD] || position == ZR_SPACE_OBJECT;
     for (int32_t y = 0; y < tile->height; y++) {
         const uint32_t *owners = &tile->owner[y * ZR_TILE_STRIDE];
         const size_t first = (size_t)(frame->height - 1 - (uint32_t)(tile->y + y)) * frame->width + (size_t)tile->x;

@@ -22,4 +22,10 @@ void zr_surface_points_tile(const struct zr_geometry *geometry, const struct zr_
                             uint64_t (*ends)(const uint32_t *owners, int32_t width), enum zr_space position,
                             const struct zr_tile *tile, const struct zr_frame *frame);
 
+/* Where the sample x, y (from the window's lower left) sees primitive `owner` - 1, whether that covers it or not: its
+ * depth in scene units, and the point in world space. */
+void zr_surface_point_find(const struct zr_geometry *geometry, const struct zr_eye_depths *kernel,
+                           const struct zr_frame *frame, uint32_t owner, int32_t x, int32_t y, float *depth,
+                           float position[3]);
+
 #endif

@@ -530,7 +530,11 @@ static void alpha_modes_that_are_none_and_what_cannot_have_any_are_refused(void 
         const char *rest, *pointer, *detail;
     } cases[] = {{"\"alphaMode\": \"blend\"", "/alphaMode", "BLEND"},
                  {"\"alphaMode\": \"MASK\", \"alphaCutoff\": 1.5", "/alphaCutoff", "1"},
-                 {"\"alphaMode\": \"BLEND\", \"algorithm\": \"painter\"", "/algorithm", "painter keeps no fragments"}};
+                 {"\"alphaMode\": \"BLEND\", \"algorithm\": \"painter\"", "/algorithm", "painter keeps no fragments"},
+                 {"\"outputs\": [{\"channel\": \"fragments\", \"x\": 640, \"y\": 0}]", "", "640, 0, beside the window"},
+                 {"\"outputs\": [{\"channel\": \"fragments\", \"x\": 0, \"y\": 480}]", "", "0, 480, beside the window"},
+                 {"\"outputs\": [{\"channel\": \"fragments\", \"x\": 639, \"y\": 479}], \"algorithm\": \"painter\"",
+                  "/algorithm", "fragments needs"}};
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
         struct reading *reading = read_rest(cases[i].rest);
         assert_int_equal(reading->status, ZR_BAD_SCENE);

@@ -331,6 +331,10 @@ static void bad_outputs_give_pointer_and_what_is_allowed(void **state)
                  "allowed: color, depth, windowDepth, faceId, info");
     refuses_rest("\"outputs\": [{\"channel\": \"color\", \"encoding\": \"npy\"}]", "/outputs/0/encoding",
                  "the channel color cannot be had as npy; allowed: png");
+    refuses_rest("\"outputs\": [{\"channel\": \"depth\", \"x\": 1}]", "/outputs/0/x", "only the channel fragments");
+    refuses_rest("\"outputs\": [{\"channel\": \"fragments\", \"x\": 1}]", "/outputs/0", "missing the key y");
+    refuses_rest("\"outputs\": [{\"channel\": \"fragments\", \"y\": 1}]", "/outputs/0", "missing the key x");
+    refuses_rest("\"outputs\": [{\"channel\": \"fragments\", \"x\": -1, \"y\": 1}]", "/outputs/0/x", "outside of 0");
     refuses_rest("\"outputs\": [{\"channel\": \"depth\", \"scale\": 1}]", "/outputs/0/scale",
                  "only the encoding png16");
     refuses_rest("\"outputs\": [{\"channel\": \"depth\", \"encoding\": \"png16\", \"scale\": 0}]", "/outputs/0/scale",

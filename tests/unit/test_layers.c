@@ -321,6 +321,47 @@ static void what_is_open_has_no_thickness_and_still_layers(void **state)
     }
 }
 
+/* In the middle of a box, seen from the front, and on the way out of it. */
+static void points_and_lines_have_no_inside(void **state)
+{
+    (void)state;
+    static const struct body body = {{1.2, 0.7, 1}, 0.3, 20, 30, true};
+    static const uint32_t some[] = {0, 7, 31, 60, 99, 140};
+    uint32_t triangles;
+    const float *want = thickness_of(&body, ZR_ALGORITHM_HALFSPACE, &triangles);
+    test.mesh.points = some;
+    test.mesh.point_count = sizeof some / sizeof some[0];
+    test.mesh.point_size = 40.0f;
+    test.mesh.lines = some;
+    test.mesh.line_count = test.mesh.point_count / 2;
+    const struct zr_frame *frame = scene_render(&arena, NULL, &test.scene);
+    assert_memory_equal(frame->channels[ZR_CHANNEL_THICKNESS], want, (size_t)BODY_SIDE * BODY_SIDE * sizeof *want);
+}
+
+/* Squares of 64 pixels. */
+static void see_through_points_are_foretold(void **state)
+{
+    (void)state;
+    enum { POINTS = 300 };
+    static zr_vec4 middles[POINTS];
+    static uint32_t all[POINTS];
+    for (uint32_t i = 0; i < POINTS; i++) {
+        middles[i] = (zr_vec4){0, 0, 0, 1};
+        all[i] = i;
+    }
+    scene_of_triangles(&test, 256, 256, middles, 1);
+    test.mesh.position_count = POINTS;
+    test.mesh.points = all;
+    test.mesh.point_count = POINTS;
+    test.mesh.point_size = 64.0f;
+    const struct zr_cost opaque = scene_cost(&test.scene, UINT32_MAX);
+    test.material.alpha_mode = ZR_ALPHA_BLEND;
+    const struct zr_cost blended = scene_cost(&test.scene, UINT32_MAX);
+    const double fragments = (double)POINTS * 64 * 64;
+    assert_true(blended.fragments - opaque.fragments > 39.0 * fragments);
+    assert_true(blended.fragments - opaque.fragments < 41.0 * fragments);
+}
+
 /* Work, and memory: of production, a tile's; of the others, the window's. */
 static void layers_are_foretold(void **state)
 {
@@ -342,6 +383,86 @@ static void layers_are_foretold(void **state)
     assert_true(listed.window_bytes > opaque.window_bytes + 8.0 * fragments);
 }
 
+/* ---- what lies over a pixel ---- */
+
+static const struct zr_pixel_fragments *fragments_of(enum zr_algorithm algorithm, uint32_t x, uint32_t y)
+{
+    static struct zr_output output;
+    output = (struct zr_output){.channel = ZR_CHANNEL_FRAGMENTS, .encoding = ZR_ENCODING_JSON, .x = x, .y = y};
+    test.scene.algorithm = algorithm;
+    test.scene.views[0].outputs = &output;
+    test.scene.views[0].output_count = 1;
+    return &scene_render(&arena, NULL, &test.scene)->fragments;
+}
+
+/* In front of what is opaque a mask that nothing passes, and what is blended; behind it, and at its depth, what it
+ * hides. */
+static void fragments_of_a_pixel_tell_what_is_shown(void **state)
+{
+    (void)state;
+    static const struct {
+        float depths[SHEETS];
+        enum zr_alpha_mode modes[SHEETS];
+        uint32_t ids[SHEETS]; /* from the front on */
+        bool shown[SHEETS];
+    } cases[] = {
+        {{0.7f, 0.1f, 0.4f}, {ZR_ALPHA_OPAQUE, ZR_ALPHA_BLEND, ZR_ALPHA_OPAQUE}, {2, 3, 1}, {true, true, false}},
+        {{0.7f, 0.1f, 0.4f}, {ZR_ALPHA_BLEND, ZR_ALPHA_MASK, ZR_ALPHA_MASK}, {2, 3, 1}, {false, true, false}},
+        {{0.7f, 0.1f, 0.4f}, {ZR_ALPHA_BLEND, ZR_ALPHA_MASK, ZR_ALPHA_BLEND}, {2, 3, 1}, {false, true, true}},
+        {{0.4f, 0.4f, 0.4f}, {ZR_ALPHA_BLEND, ZR_ALPHA_OPAQUE, ZR_ALPHA_BLEND}, {1, 2, 3}, {false, true, false}},
+    };
+    for (size_t c = 0; c < sizeof cases / sizeof cases[0]; c++)
+        for (int a = 0; a < ZR_ALGORITHM_PAINTER; a++) {
+            make_sheets(cases[c].depths, (const zr_vec4[]){red, green, blue}, cases[c].modes);
+            const struct zr_pixel_fragments *fragments = fragments_of((enum zr_algorithm)a, 3, 12);
+            assert_int_equal(fragments->count, SHEETS);
+            for (int i = 0; i < SHEETS; i++) {
+                const struct zr_pixel_fragment *fragment = &fragments->at[i];
+                assert_int_equal(fragment->face_id, cases[c].ids[i]);
+                assert_int_equal(fragment->alpha_mode, cases[c].modes[cases[c].ids[i] - 1]);
+                assert_int_equal(fragment->is_shown, cases[c].shown[i]);
+                assert_int_equal(fragment->instance, 0);
+            }
+        }
+}
+
+/* Every pixel of a body: as many as layers has, and the first as the channels have it. */
+static void fragments_are_those_of_the_channels(void **state)
+{
+    (void)state;
+    static const struct body body = {{1.2, 0.7, 1}, 0.3, 20, 30, true};
+    static const struct zr_output outputs[] = {
+        {.channel = ZR_CHANNEL_DEPTH, .encoding = ZR_ENCODING_NPY},
+        {.channel = ZR_CHANNEL_LAYERS, .encoding = ZR_ENCODING_NPY},
+        {.channel = ZR_CHANNEL_FACE_ID, .encoding = ZR_ENCODING_NPY},
+        {.channel = ZR_CHANNEL_INSTANCE_ID, .encoding = ZR_ENCODING_NPY},
+        {.channel = ZR_CHANNEL_FRONT_FACING, .encoding = ZR_ENCODING_NPY},
+        {.channel = ZR_CHANNEL_POSITION, .encoding = ZR_ENCODING_NPY, .space = ZR_SPACE_WORLD}};
+    uint32_t triangles, most = 0;
+    (void)thickness_of(&body, ZR_ALGORITHM_HALFSPACE, &triangles);
+    test.scene.views[0].outputs = outputs;
+    test.scene.views[0].output_count = sizeof outputs / sizeof outputs[0];
+    const struct zr_frame *frame = scene_render(&arena, NULL, &test.scene);
+    for (uint32_t y = 5; y < BODY_SIDE; y += 97)
+        for (uint32_t x = 0; x < BODY_SIDE; x += 61) {
+            const size_t pixel = (size_t)y * BODY_SIDE + x;
+            const struct zr_pixel_fragments *fragments = fragments_of(ZR_ALGORITHM_HALFSPACE, x, y);
+            assert_int_equal(fragments->count, ((const uint32_t *)frame->channels[ZR_CHANNEL_LAYERS])[pixel]);
+            if (fragments->count > most) most = fragments->count;
+            if (fragments->count == 0) continue;
+            const struct zr_pixel_fragment *first = &fragments->at[0];
+            assert_true(first->is_shown && first->depth == frame->depth[pixel]);
+            assert_int_equal(first->face_id, frame->face_id[pixel]);
+            assert_int_equal(1 + first->instance, ((const uint32_t *)frame->channels[ZR_CHANNEL_INSTANCE_ID])[pixel]);
+            assert_int_equal(first->front_facing, ((const uint32_t *)frame->channels[ZR_CHANNEL_FRONT_FACING])[pixel]);
+            assert_memory_equal(first->position, (const float *)frame->channels[ZR_CHANNEL_POSITION] + 3 * pixel,
+                                sizeof first->position);
+            for (uint32_t i = 1; i < fragments->count; i++)
+                assert_true(fragments->at[i].depth >= first->depth && !fragments->at[i].is_shown);
+        }
+    assert_true(most > 1);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -358,6 +479,10 @@ int main(void)
         cmocka_unit_test_setup_teardown(thickness_sums_to_the_volume_of_closed_meshes, open_arena, close_arena),
         cmocka_unit_test_setup_teardown(thickness_is_the_same_by_every_algorithm_that_keeps_fragments, open_arena,
                                         close_arena),
+        cmocka_unit_test_setup_teardown(points_and_lines_have_no_inside, open_arena, close_arena),
+        cmocka_unit_test_setup_teardown(see_through_points_are_foretold, open_arena, close_arena),
+        cmocka_unit_test_setup_teardown(fragments_of_a_pixel_tell_what_is_shown, open_arena, close_arena),
+        cmocka_unit_test_setup_teardown(fragments_are_those_of_the_channels, open_arena, close_arena),
         cmocka_unit_test_setup_teardown(what_is_open_has_no_thickness_and_still_layers, open_arena, close_arena),
     };
     return cmocka_run_group_tests_name("layers", tests, NULL, NULL);
