@@ -85,10 +85,11 @@ static void unknown_parameter_is_named_with_the_known_ones(void **state)
 {
     (void)state;
     assert_problem(post("/v1/render?colour=red", JSON_TYPE, GOOD_SCENE), 400, "'colour'");
-    assert_problem(post("/v1/render?colour=red", JSON_TYPE, GOOD_SCENE), 400,
-                   "known: channel, encoding, scale, compress, strict, look, samples, width, height, preset, azimuth, "
-                   "elevation, up, "
-                   "projection, shading, ");
+    assert_problem(
+        post("/v1/render?colour=red", JSON_TYPE, GOOD_SCENE), 400,
+        "known: channel, encoding, scale, x, y, compress, strict, look, samples, width, height, preset, azimuth, "
+        "elevation, up, "
+        "projection, shading, ");
 }
 
 static void duplicate_parameter_is_refused(void **state)
