@@ -146,6 +146,7 @@ static inline void zr_make_colors(struct zr_shader *s, const struct zr_run *run,
     if (count > 1 + ZR_VALUES_FEW)
         for (uint32_t i = first; i < first + ZR_LANES; i++)
             s->materials[i] = NULL;
+    if (count > 1 + ZR_VALUES_LATE) memset(s->is_constant + first, false, ZR_LANES);
     if (zr_draw_is_of_wires(run->draw)) {
         zr_make_lines(s, run, count);
     } else if (zr_run_has_planes(run)) {
@@ -177,7 +178,7 @@ static inline void zr_shade_colors(struct zr_shader *s, const struct zr_tile *ti
 {
     s->words[0] = to->nothing;
     s->materials[0] = NULL;
-    s->has_planes[0] = s->any_planes = s->any_late = false;
+    s->is_constant[0] = s->has_planes[0] = s->any_planes = s->any_late = false;
     if (s->surfaces->any_textured)
         ZR_KERNEL(zr_paint_textured)(s, tile, begin, end, to);
     else if (s->surfaces->fog.is_on)
