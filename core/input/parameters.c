@@ -41,14 +41,20 @@ static bool read_flag(const struct reading *r, const char *name, const char *tex
     return read_word(r, name, text, &names, out);
 }
 
+/* Digits alone, at least one of them; beyond UINT32_MAX all numbers are some number that is. */
+static bool read_whole(const char *text, uint64_t *value)
+{
+    const char *at = text;
+    for (*value = 0; *at >= '0' && *at <= '9'; at++)
+        if (*value <= UINT32_MAX) *value = *value * 10 + (uint64_t)(*at - '0');
+    return *at == '\0' && at != text;
+}
+
 static void read_side(const struct reading *r, const char *name, const char *text, uint32_t *out)
 {
     const uint32_t most = r->limits->window_side_max;
-    uint64_t value = 0;
-    const char *at = text;
-    for (; *at >= '0' && *at <= '9'; at++)
-        if (value <= UINT32_MAX) value = value * 10 + (uint64_t)(*at - '0');
-    if (*at != '\0' || value < 1)
+    uint64_t value;
+    if (!read_whole(text, &value) || value < 1)
         zr_error_add(r->error, ZR_BAD_REQUEST, NULL,
                      "query parameter %s: %s is not a whole number of pixels from 1 to %u", name,
                      zr_quote(text, strlen(text)).text, most);
@@ -133,15 +139,12 @@ static void read_scale(const struct reading *r, const char *text)
 
 static void read_pixel(const struct reading *r, const char *name, const char *text, uint32_t *out)
 {
-    uint64_t value = 0;
-    const char *at = text;
-    for (; *at >= '0' && *at <= '9'; at++)
-        if (value <= UINT32_MAX) value = value * 10 + (uint64_t)(*at - '0');
+    uint64_t value;
     r->query->has_output = true;
     if (r->error->count > 0) return;
     if (r->query->output.channel != ZR_CHANNEL_FRAGMENTS)
         zr_error_add(r->error, ZR_BAD_REQUEST, NULL, "query parameter %s: only the channel fragments has one", name);
-    else if (*at != '\0' || at == text || value > UINT32_MAX)
+    else if (!read_whole(text, &value) || value > UINT32_MAX)
         refuse(r, name, text, "the number of a pixel, counted from 0");
     else
         *out = (uint32_t)value;

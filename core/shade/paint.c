@@ -178,11 +178,11 @@ bool zr_line_floats(const struct zr_geometry *geometry, const struct zr_surface 
 }
 
 bool zr_line_color(const struct zr_geometry *geometry, const struct zr_surface *surface, uint32_t number,
-                   bool wanted_always, struct zr_plane planes[1 + ZR_VALUES_MOST], uint32_t *color)
+                   bool needs_planes, struct zr_plane planes[1 + ZR_VALUES_MOST], uint32_t *color)
 {
     const struct line_colors colors = line_colors_of(geometry, surface, number);
     struct zr_plane all[ZR_FLOAT_PLANES];
-    if (surface->packed && !wanted_always) {
+    if (surface->packed && !needs_planes) {
         *color = surface->packed[colors.back ? surface->color_count + colors.ends[0] : colors.ends[0]];
         return true;
     }
