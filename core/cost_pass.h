@@ -12,9 +12,9 @@
 #include "scene/scene.h"
 #include "zraster.h"
 
-/* In triangles, what is see-through: placed by itself, listed, and met twice; in fragments, one of its pixels: kept,
+/* In triangles, what is see-through: met twice more; in fragments, one of its pixels: kept,
  * sorted, shaded and blended. */
-#define ZR_COST_LAYER_T 10.0
+#define ZR_COST_LAYER_T 2.0
 #define ZR_COST_LAYER_F 40.0
 
 /* Where a scene is drawn, and how. */

@@ -117,8 +117,7 @@ static enum zr_status assemble_faces(struct zr_builder *builder, const struct zr
     for (struct run run = {.begin = 0}; run.begin < mesh->face_count; run.begin = run.end) {
         run.end = run.begin;
         run.material = zr_material_of_face(builder->scene, mesh, run.begin);
-        bool filled = !run.material->unfilled && run.material->outline == ZR_OUTLINE_NONE &&
-                      run.material->alpha_mode == ZR_ALPHA_OPAQUE;
+        bool filled = !run.material->unfilled && run.material->outline == ZR_OUTLINE_NONE;
         const bool all_plain = filled && !mesh->face_materials && !fans->is_other && !builder->any_outcodes;
         if (ZR_FAST(whole_meshes, all_plain)) run.end = mesh->face_count;
         while (run.end < mesh->face_count && filled && face_is_plain(builder, fans, run.end) &&

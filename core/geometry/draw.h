@@ -76,10 +76,10 @@ static inline bool zr_draw_is_see_through(const struct zr_draw *draw)
     return draw->material->alpha_mode != ZR_ALPHA_OPAQUE;
 }
 
-/* Opaque triangles, and nothing more: those that can be looked at many at once. */
+/* Triangles, and nothing more: those that can be looked at many at once. */
 static inline bool zr_draw_is_plain(const struct zr_draw *draw)
 {
-    return draw->kind == ZR_DRAW_TRIANGLES && !draw->depth_offset && !zr_draw_is_see_through(draw);
+    return draw->kind == ZR_DRAW_TRIANGLES && !draw->depth_offset;
 }
 
 /* Of primitive `t` of a draw, counted from its first. */

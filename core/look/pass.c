@@ -75,6 +75,7 @@ enum zr_status zr_pass_make(struct zr_arena *arena, struct zr_team *team, const 
 struct zr_counts zr_pass_counts(const struct zr_pass *pass)
 {
     struct zr_counts counts = pass->geometry.counts;
-    if (pass->tiles.visible) zr_counts_add(&counts, &pass->visible.bins.counts);
+    for (int mode = 0; pass->tiles.visible && mode < ZR_ALPHA_COUNT; mode++)
+        zr_counts_add(&counts, &pass->visible.sorted[mode].bins.counts);
     return counts;
 }

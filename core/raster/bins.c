@@ -141,17 +141,22 @@ static void sort_shares(void *context, int worker, size_t begin, size_t end)
     }
 }
 
+static bool is_wanted(const struct zr_bins *bins, const struct zr_draw *draw)
+{
+    return zr_draw_is_plain(draw) && draw->material->alpha_mode == bins->mode;
+}
+
 static bool make_shares(struct sorting *s)
 {
     const struct zr_geometry *geometry = s->bins->geometry;
     size_t count = 0;
     for (uint32_t i = 0; i < geometry->draw_count; i++)
-        if (zr_draw_is_plain(&geometry->draws[i])) count += (geometry->draws[i].count - 1) / TRIANGLES_A_RANGE + 1;
+        if (is_wanted(s->bins, &geometry->draws[i])) count += (geometry->draws[i].count - 1) / TRIANGLES_A_RANGE + 1;
     s->shares = zr_arena_alloc(s->bins->arena, count, sizeof *s->shares);
     if (!s->shares) return false;
     for (uint32_t i = 0; i < geometry->draw_count; i++) {
         const struct zr_draw *draw = &geometry->draws[i];
-        if (!zr_draw_is_plain(draw)) continue;
+        if (!is_wanted(s->bins, draw)) continue;
         s->bins->has_words |= s->bins->payloads && s->bins->payloads[i].make;
         s->triangle_count += draw->count;
         for (uint32_t begin = 0; begin < draw->count; begin += TRIANGLES_A_RANGE) {
@@ -211,11 +216,12 @@ static enum zr_status build(struct zr_team *team, const struct zr_cancel *cancel
 }
 
 enum zr_status zr_bins_build(struct zr_arena *arena, struct zr_team *team, const struct zr_geometry *geometry,
-                             const struct zr_payload *payloads, uint32_t width, uint32_t height,
-                             const struct zr_cancel *cancel, struct zr_bins *bins)
+                             enum zr_alpha_mode mode, const struct zr_payload *payloads, uint32_t width,
+                             uint32_t height, const struct zr_cancel *cancel, struct zr_bins *bins)
 {
     *bins = (struct zr_bins){.arena = arena,
                              .geometry = geometry,
+                             .mode = mode,
                              .payloads = payloads,
                              .width = width,
                              .height = height,

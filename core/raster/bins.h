@@ -87,6 +87,7 @@ struct zr_binner {
 struct zr_bins {
     struct zr_arena *arena;
     const struct zr_geometry *geometry;
+    enum zr_alpha_mode mode;           /* of what is sorted */
     const struct zr_payload *payloads; /* one a draw, or NULL */
     struct zr_counts counts;           /* of draws that are not `counted` */
     pthread_mutex_t arena_lock;
@@ -99,10 +100,10 @@ struct zr_bins {
     const struct zr_wide **large;
 };
 
-/* ZR_OK, ZR_CANCELLED or ZR_NO_MEMORY. */
+/* Of draws of such materials. ZR_OK, ZR_CANCELLED or ZR_NO_MEMORY. */
 enum zr_status zr_bins_build(struct zr_arena *arena, struct zr_team *team, const struct zr_geometry *geometry,
-                             const struct zr_payload *payloads, uint32_t width, uint32_t height,
-                             const struct zr_cancel *cancel, struct zr_bins *bins);
+                             enum zr_alpha_mode mode, const struct zr_payload *payloads, uint32_t width,
+                             uint32_t height, const struct zr_cancel *cancel, struct zr_bins *bins);
 
 /* ---- for the kernel ---- */
 

@@ -44,7 +44,10 @@ bool zr_fragments_fill_in(struct zr_arena *arena, pthread_mutex_t *lock, struct 
 static void sort(uint64_t *keys, uint32_t count)
 {
     static const uint32_t gaps[] = {1398101, 345000, 86961, 21907, 5501, 1750, 701, 301, 132, 57, 23, 10, 4, 1};
-    for (size_t g = 0; g < sizeof gaps / sizeof gaps[0]; g++)
+    size_t g = 0;
+    while (g < sizeof gaps / sizeof gaps[0] && gaps[g] >= count)
+        g++;
+    for (; g < sizeof gaps / sizeof gaps[0]; g++)
         for (uint32_t i = gaps[g]; i < count; i++) {
             const uint64_t key = keys[i];
             uint32_t to = i;

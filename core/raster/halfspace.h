@@ -19,6 +19,10 @@ struct zr_halfspace {
      * that it covers whole, before anything else is drawn there, is not written, but told of in block_owner. */
     void (*draw)(struct zr_tile *tile, const struct zr_setup *setup, uint32_t owner);
 
+    /* Puts it into the tile's lists (zr_tile.fragments) wherever it is in front of what is seen; all of the tile is
+     * written. */
+    void (*list)(struct zr_tile *tile, const struct zr_setup *setup, uint32_t owner);
+
     /* Writes what is not written yet, of any tile. */
     void (*flush)(struct zr_tile *tile);
 };

@@ -14,12 +14,23 @@ struct piece {
     uint32_t owner;
 };
 
-/* ZR_LANES columns from x on, which is a multiple of ZR_LANES: those of `lanes` that the edges do not keep out.
- * `fresh`: nothing is written there yet. Returns each column's farthest depth in the piece's rows. */
-static inline zr_vf draw_columns(struct zr_tile *tile, const struct piece *p, int32_t x, zr_vm lanes, bool fresh)
+/* What becomes of a sample: it is seen if it is the nearest, or the first; or it is one of many. */
+enum way { NEAREST, FIRST, LISTED };
+
+static inline zr_vf put(struct zr_tile *tile, size_t i, zr_vm inside, zr_vf z, uint32_t owner, enum way way)
 {
-    const zr_vi below_zero = zr_vi_set(-1), owner = zr_vi_set((int32_t)p->owner), ramp = zr_vi_ramp();
-    const zr_vi skip = zr_vi_set(x - p->x0) + ramp;
+    const zr_vi owners = zr_vi_set((int32_t)owner);
+    if (way == FIRST) return zr_tile_put_first_v(&tile->depth[i], &tile->owner[i], inside, z, owners);
+    if (way == NEAREST) return zr_tile_put_v(&tile->depth[i], &tile->owner[i], inside, z, owners).nearest;
+    zr_tile_list_v(tile, i, inside, z, owner);
+    return z;
+}
+
+/* ZR_LANES columns from x on, which is a multiple of ZR_LANES: those of `lanes` that the edges do not keep out.
+ * FIRST: nothing is written there yet. Returns each column's farthest depth in the piece's rows. */
+static inline zr_vf draw_columns(struct zr_tile *tile, const struct piece *p, int32_t x, zr_vm lanes, enum way way)
+{
+    const zr_vi below_zero = zr_vi_set(-1), ramp = zr_vi_ramp(), skip = zr_vi_set(x - p->x0) + ramp;
     const zr_vi up[3] = {zr_vi_set(p->up[0]), zr_vi_set(p->up[1]), zr_vi_set(p->up[2])};
     zr_vi e[3];
     for (int k = 0; k < 3; k++)
@@ -30,8 +41,7 @@ static inline zr_vf draw_columns(struct zr_tile *tile, const struct piece *p, in
     for (int32_t y = p->y0; y <= p->y1; y++, i += ZR_TILE_STRIDE, fy = fy + zr_vf_set(1.0f)) {
         const zr_vm inside = zr_vi_lt_where(lanes, below_zero, e[0] | e[1] | e[2]);
         const zr_vf z = zr_depth_columns_at(&columns, fy);
-        far = zr_vf_max(far, fresh ? zr_tile_put_first_v(&tile->depth[i], &tile->owner[i], inside, z, owner)
-                                   : zr_tile_put_v(&tile->depth[i], &tile->owner[i], inside, z, owner).nearest);
+        far = zr_vf_max(far, put(tile, i, inside, z, p->owner, way));
         for (int k = 0; k < 3; k++)
             e[k] += up[k];
     }
@@ -41,6 +51,14 @@ static inline zr_vf draw_columns(struct zr_tile *tile, const struct piece *p, in
 static inline int32_t first_lane(int32_t x)
 {
     return x & ~(ZR_LANES - 1);
+}
+
+/* Of ZR_LANES columns from x on, those that the piece has. */
+static inline zr_vm lanes_of(const struct piece *p, int32_t x)
+{
+    const zr_vi columns = zr_vi_set(x) + zr_vi_ramp();
+    const zr_vm before = zr_vi_lt(columns, zr_vi_set(p->x0));
+    return zr_vm_andnot(zr_vi_lt(columns, zr_vi_set(p->x1 + 1)), before);
 }
 
 /* ---- triangles of any size ---- */
@@ -158,17 +176,13 @@ static inline void bound_block(struct zr_tile *tile, int block, zr_vf far)
 
 /* Triangles that share an edge cover a block together: then it has a bound too (a fifth of the time of large ones,
  * which clipping cuts to pieces). */
-static inline void draw_in_block(struct zr_tile *tile, const struct piece *p, int block, bool fresh)
+static inline void draw_in_block(struct zr_tile *tile, const struct piece *p, int block, enum way way)
 {
     const struct piece part = part_of(tile, p, block);
     const int32_t begin = first_lane(part.x0);
     zr_vf far = zr_vf_set(0.0f);
-    for (int32_t x = begin; x <= part.x1; x += ZR_LANES) {
-        const zr_vi columns = zr_vi_set(x) + zr_vi_ramp();
-        const zr_vm before = zr_vi_lt(columns, zr_vi_set(part.x0));
-        const zr_vm lanes = zr_vm_andnot(zr_vi_lt(columns, zr_vi_set(part.x1 + 1)), before);
-        far = zr_vf_max(far, draw_columns(tile, &part, x, lanes, fresh));
-    }
+    for (int32_t x = begin; x <= part.x1; x += ZR_LANES)
+        far = zr_vf_max(far, draw_columns(tile, &part, x, lanes_of(&part, x), way));
     const bool all =
         part.y1 - part.y0 == ZR_BLOCK_HEIGHT - 1 && first_lane(part.x1) - begin == ZR_BLOCK_WIDTH - ZR_LANES;
     if (all) bound_block(tile, block, far);
@@ -200,11 +214,11 @@ static inline void draw_shared(struct zr_tile *tile, const struct piece *p, int 
         const uint32_t bit = bits & -bits;
         const int block = first + zr_lowest_bit(bits);
         if (fresh & bit)
-            draw_in_block(tile, p, block, true);
+            draw_in_block(tile, p, block, FIRST);
         else if (filled & bit)
             fill_block(tile, p, block);
         else
-            draw_in_block(tile, p, block, false);
+            draw_in_block(tile, p, block, NEAREST);
     }
 }
 
@@ -232,17 +246,27 @@ static inline bool draw_blocks(struct zr_tile *tile, const struct piece *p, int 
     return zr_vm_any(blocks.open);
 }
 
+/* False where it is seen to have no sample in the tile. */
+static inline bool make_piece(const struct zr_tile *tile, const struct zr_setup *setup, uint32_t owner,
+                              struct piece *out)
+{
+    const struct piece p = {.depth = &setup->depth,
+                            .x0 = setup->min_x > tile->x ? setup->min_x : tile->x,
+                            .y0 = setup->min_y > tile->y ? setup->min_y : tile->y,
+                            .x1 = setup->max_x < tile->x + tile->width ? setup->max_x : tile->x + tile->width - 1,
+                            .y1 = setup->max_y < tile->y + tile->height ? setup->max_y : tile->y + tile->height - 1,
+                            .owner = owner};
+    *out = p;
+    if (p.x0 > p.x1 || p.y0 > p.y1) return false;
+    for (int k = 0; k < 3; k++)
+        if (!cut_by(&setup->edges[k], out, k)) return false;
+    return true;
+}
+
 static void draw(struct zr_tile *tile, const struct zr_setup *setup, uint32_t owner)
 {
-    struct piece p = {.depth = &setup->depth,
-                      .x0 = setup->min_x > tile->x ? setup->min_x : tile->x,
-                      .y0 = setup->min_y > tile->y ? setup->min_y : tile->y,
-                      .x1 = setup->max_x < tile->x + tile->width ? setup->max_x : tile->x + tile->width - 1,
-                      .y1 = setup->max_y < tile->y + tile->height ? setup->max_y : tile->y + tile->height - 1,
-                      .owner = owner};
-    if (p.x0 > p.x1 || p.y0 > p.y1) return;
-    for (int k = 0; k < 3; k++)
-        if (!cut_by(&setup->edges[k], &p, k)) return;
+    struct piece p;
+    if (!make_piece(tile, setup, owner, &p)) return;
     if (zr_depth_range_of(&setup->depth, p.x0, p.y0, p.x1, p.y1).near > tile->far) return;
     /* Blocks below the piece and above it are not looked at. */
     const int lowest = (p.y0 - tile->y) / ZR_BLOCK_HEIGHT * ZR_BLOCK_COLUMNS;
@@ -251,6 +275,14 @@ static void draw(struct zr_tile *tile, const struct zr_setup *setup, uint32_t ow
     for (int first = lowest - lowest % ZR_LANES; first < end; first += ZR_LANES)
         drawn |= draw_blocks(tile, &p, first);
     if (drawn) bound_tile(tile);
+}
+
+static void list(struct zr_tile *tile, const struct zr_setup *setup, uint32_t owner)
+{
+    struct piece p;
+    if (!make_piece(tile, setup, owner, &p)) return;
+    for (int32_t x = first_lane(p.x0); x <= p.x1; x += ZR_LANES)
+        draw_columns(tile, &p, x, lanes_of(&p, x), LISTED);
 }
 
 /* ---- */
@@ -274,4 +306,4 @@ static void flush(struct zr_tile *tile)
     write_blocks(tile, UINT32_MAX);
 }
 
-const struct zr_halfspace ZR_KERNEL(zr_halfspace) = {begin, draw, flush};
+const struct zr_halfspace ZR_KERNEL(zr_halfspace) = {begin, draw, list, flush};

@@ -8,7 +8,7 @@ enum { PRIMITIVES_A_CANCEL_CHECK = 4096 };
 /* Two passes: without `entries` they are counted, with them they are filled in. */
 struct binning {
     const struct zr_geometry *geometry;
-    bool see_through;
+    enum zr_alpha_mode mode;
     uint32_t width, height, columns;
     size_t *offsets;           /* by tile: so many entries, or where the next one goes */
     uint32_t *entries, *large; /* or NULL */
@@ -62,9 +62,9 @@ static void add_line(struct binning *b)
         zr_line_tiles(&corners, b->width, b->height, add_to_tile, b);
 }
 
-static bool is_wanted(const struct zr_draw *draw, bool see_through)
+static bool is_wanted(const struct zr_draw *draw, enum zr_alpha_mode mode)
 {
-    return !zr_draw_is_plain(draw) && zr_draw_is_see_through(draw) == see_through;
+    return !zr_draw_is_plain(draw) && draw->material->alpha_mode == mode;
 }
 
 /* False where it was cancelled. */
@@ -75,7 +75,7 @@ static bool add_all(struct binning *b, const struct zr_cancel *cancel)
     b->draw = &geometry->draws[0];
     for (b->number = 0; b->number < geometry->primitive_count;) {
         b->draw = zr_draw_next(geometry, b->draw, b->number);
-        if (!is_wanted(b->draw, b->see_through)) {
+        if (!is_wanted(b->draw, b->mode)) {
             b->number = b->draw->first + b->draw->count;
             continue;
         }
@@ -90,19 +90,18 @@ static bool add_all(struct binning *b, const struct zr_cancel *cancel)
 }
 
 /* A counting sort: counts, then offsets, then entries, each in the order of the scene. */
-enum zr_status zr_others_build(struct zr_arena *arena, const struct zr_geometry *geometry, bool see_through,
+enum zr_status zr_others_build(struct zr_arena *arena, const struct zr_geometry *geometry, enum zr_alpha_mode mode,
                                uint32_t width, uint32_t height, const struct zr_cancel *cancel,
                                struct zr_others *others)
 {
     bool any = false;
     for (uint32_t i = 0; i < geometry->draw_count && !any; i++)
-        any = is_wanted(&geometry->draws[i], see_through);
+        any = is_wanted(&geometry->draws[i], mode);
     *others = (struct zr_others){.count = 0};
     if (!any) return ZR_OK;
     uint32_t columns = zr_tile_across(width);
     size_t tiles = zr_tile_count(width, height), total = 0;
-    struct binning binning = {
-        .geometry = geometry, .see_through = see_through, .width = width, .height = height, .columns = columns};
+    struct binning binning = {.geometry = geometry, .mode = mode, .width = width, .height = height, .columns = columns};
     binning.offsets = zr_arena_zero(arena, tiles + 1, sizeof *binning.offsets);
     if (!binning.offsets) return ZR_NO_MEMORY;
     if (!add_all(&binning, cancel)) return ZR_CANCELLED;

@@ -1,5 +1,5 @@
-/* others.h - raster: which shapes, lines, points and triangles with a depth offset each tile has to look at; or, apart
- * from these, which see-through primitives. All other triangles are in bins (bins.h).
+/* others.h - raster: which shapes, lines, points and triangles with a depth offset each tile has to look at. All other
+ * triangles are in bins (bins.h).
  *
  * A primitive that touches up to ZR_OTHERS_TILES tiles is listed in each of them; a
  * larger one goes into one list that every tile goes through. A line is listed in the
@@ -24,9 +24,9 @@ struct zr_others {
     uint32_t large_count;
 };
 
-/* Of opaque primitives, or of those that are see_through. Such that hold no pixel centre are in none. ZR_OK,
+/* Of primitives of such materials. Such that hold no pixel centre are in none. ZR_OK,
  * ZR_CANCELLED, or ZR_NO_MEMORY where the arena failed. */
-enum zr_status zr_others_build(struct zr_arena *arena, const struct zr_geometry *geometry, bool see_through,
+enum zr_status zr_others_build(struct zr_arena *arena, const struct zr_geometry *geometry, enum zr_alpha_mode mode,
                                uint32_t width, uint32_t height, const struct zr_cancel *cancel,
                                struct zr_others *others);
 

@@ -9,8 +9,9 @@
 #include "raster/payload.h"
 #include "raster/tile.h"
 
-/* Where the triangles, given by their numbers, are seen (zr_tile_put), writes depths and owners. All of the tile
- * must be written (zr_halfspace.flush). payloads: one a draw, or NULL. */
+/* Where the triangles, given by their numbers, are seen (zr_tile_put), writes depths and owners, or puts them into the
+ * tile's lists, where it has some (zr_tile.fragments). All of the tile must be written (zr_halfspace.flush). payloads:
+ * one a draw, or NULL. */
 typedef void zr_small_fn(struct zr_tile *tile, const struct zr_geometry *geometry, const struct zr_payload *payloads,
                          const uint32_t *numbers, uint32_t count);
 

@@ -131,12 +131,15 @@ static inline const struct zr_draw *load_mixed_corners(const struct zr_geometry 
 
 /* ---- one triangle ---- */
 
+/* What becomes of a sample. It is seen if it is the nearest; with a word, where the tile keeps some. Or it is one of
+ * many, in a list. */
+enum way { SEEN, SEEN_WITH_WORDS, LISTED };
+
 /* Triangle i, in ZR_LANES columns from x on, which is a multiple of ZR_LANES: its edges keep out what is not its own,
  * and columns beyond the window, since it lies inside of the view volume.
- * All that it is made of is spread over the lanes as it is loaded (a tenth of the time). keeps_words: the tile keeps
- * words, and it has none. */
-static inline void draw_columns(struct zr_tile *tile, const struct group *g, uint32_t i, int32_t x, zr_vi owner,
-                                bool keeps_words)
+ * All that it is made of is spread over the lanes as it is loaded (a tenth of the time). It has no words. */
+static inline void draw_columns(struct zr_tile *tile, const struct group *g, uint32_t i, int32_t x, uint32_t owner,
+                                enum way way)
 {
     const zr_vi below_zero = zr_vi_set(-1), ramp = zr_vi_ramp(), skip = zr_vi_set(x - g->x0[i]) + ramp;
     zr_vi e0 = zr_vi_set(g->at[0][i]) + zr_vi_set(g->right[0][i]) * skip;
@@ -150,29 +153,34 @@ static inline void draw_columns(struct zr_tile *tile, const struct group *g, uin
     for (int32_t y = g->y0[i]; y <= g->y1[i]; y++, at += ZR_TILE_STRIDE, fy = fy + zr_vf_set(1.0f)) {
         const zr_vm inside = zr_vi_lt(below_zero, e0 | e1 | e2);
         const zr_vf z = zr_depth_clamp_v(column + dady * fy);
-        const struct zr_put_v put = zr_tile_put_v(&tile->depth[at], &tile->owner[at], inside, z, owner);
-        if (keeps_words) zr_vi_store_where(&tile->words[at], put.seen, zr_vi_set(0));
+        if (way == LISTED) {
+            zr_tile_list_v(tile, at, inside, z, owner);
+        } else {
+            const zr_vi owners = zr_vi_set((int32_t)owner);
+            const struct zr_put_v put = zr_tile_put_v(&tile->depth[at], &tile->owner[at], inside, z, owners);
+            if (way == SEEN_WITH_WORDS) zr_vi_store_where(&tile->words[at], put.seen, zr_vi_set(0));
+        }
         e0 += up0;
         e1 += up1;
         e2 += up2;
     }
 }
 
-static inline void draw_triangle(struct zr_tile *tile, const struct group *g, uint32_t i, zr_vi owner, bool keeps_words)
+static inline void draw_triangle(struct zr_tile *tile, const struct group *g, uint32_t i, uint32_t owner, enum way way)
 {
     for (int32_t x = g->x0[i] & ~(ZR_LANES - 1); x <= g->x1[i]; x += ZR_LANES)
-        draw_columns(tile, g, i, x, owner, keeps_words);
+        draw_columns(tile, g, i, x, owner, way);
 }
 
 /* ---- a group ---- */
 
 /* Those of the first `count` that are not in stamps. */
 static inline void draw_one_by_one(struct zr_tile *tile, const struct group *g, const uint32_t *numbers, uint32_t count,
-                                   bool keeps_words)
+                                   enum way way)
 {
     for (uint32_t bits = ZR_ALL_BITS >> (ZR_LANES - count) & ~g->in_stamp; bits; bits &= bits - 1) {
         const uint32_t i = (uint32_t)zr_lowest_bit(bits);
-        draw_triangle(tile, g, i, zr_vi_set((int32_t)(numbers[i] + 1)), keeps_words);
+        draw_triangle(tile, g, i, numbers[i] + 1, way);
     }
 }
 
@@ -214,10 +222,9 @@ __attribute__((noinline)) static void find_words(const struct worded *of, const 
 
 /* Those in stamps, sample by sample: most cover two or three. All that a sample needs is made for many at once, and no
  * loop depends on how many rows or columns a triangle has, which the processor cannot guess (a fifth of the time of
- * small triangles of the bunny at 512x512). keeps_words: the tile keeps words; what is seen gets its own, or 0 where
- * there are none. */
+ * small triangles of the bunny at 512x512). SEEN_WITH_WORDS: what is seen gets its own, or 0 where there are none. */
 static inline void draw_stamps(struct zr_tile *tile, const struct group *g, const uint32_t *numbers,
-                               const struct worded *of, bool keeps_words)
+                               const struct worded *of, enum way way)
 {
     uint32_t samples[ZR_STAMP_LIST], at[ZR_LANES], owners[ZR_LANES], words[ZR_STAMP_LIST];
     float depths[ZR_LANES];
@@ -234,8 +241,12 @@ static inline void draw_stamps(struct zr_tile *tile, const struct group *g, cons
         zr_vi_store(owners, zr_vi_bits_of(zr_vf_pick(owner, places.lane)));
         const uint32_t some = count - i < ZR_LANES ? count - i : ZR_LANES;
         for (uint32_t k = 0; k < some; k++) {
+            if (way == LISTED) {
+                zr_tile_list_at(tile, at[k], depths[k], owners[k]);
+                continue;
+            }
             const bool seen = zr_tile_put_at(tile, at[k], depths[k], owners[k]);
-            if (keeps_words && seen) tile->words[at[k]] = of ? words[i + k] : 0;
+            if (way == SEEN_WITH_WORDS && seen) tile->words[at[k]] = of ? words[i + k] : 0;
         }
     }
 }
@@ -247,18 +258,25 @@ __attribute__((noinline)) static void draw_worded_group(struct zr_tile *tile, co
                                                         const uint32_t *numbers, uint32_t count,
                                                         const struct worded *of)
 {
-    draw_one_by_one(tile, g, numbers, count, true);
+    draw_one_by_one(tile, g, numbers, count, SEEN_WITH_WORDS);
     if (!g->in_stamp) return;
     if (of)
-        draw_stamps(tile, g, numbers, of, true);
+        draw_stamps(tile, g, numbers, of, SEEN_WITH_WORDS);
     else
-        draw_stamps(tile, g, numbers, NULL, true);
+        draw_stamps(tile, g, numbers, NULL, SEEN_WITH_WORDS);
+}
+
+__attribute__((noinline)) static void list_group(struct zr_tile *tile, const struct group *g, const uint32_t *numbers,
+                                                 uint32_t count)
+{
+    draw_one_by_one(tile, g, numbers, count, LISTED);
+    if (g->in_stamp) draw_stamps(tile, g, numbers, NULL, LISTED);
 }
 
 static inline void draw_group(struct zr_tile *tile, const struct group *g, const uint32_t *numbers, uint32_t count)
 {
-    draw_one_by_one(tile, g, numbers, count, false);
-    if (g->in_stamp) draw_stamps(tile, g, numbers, NULL, false);
+    draw_one_by_one(tile, g, numbers, count, SEEN);
+    if (g->in_stamp) draw_stamps(tile, g, numbers, NULL, SEEN);
 }
 
 void ZR_KERNEL(zr_small)(struct zr_tile *tile, const struct zr_geometry *geometry, const struct zr_payload *payloads,
@@ -270,7 +288,7 @@ void ZR_KERNEL(zr_small)(struct zr_tile *tile, const struct zr_geometry *geometr
         uint32_t last[ZR_LANES];
         struct zr_corner_v v[3];
         struct group group;
-        if (some < ZR_LANES) { /* what is missing is the first once more, which is not seen twice */
+        if (some < ZR_LANES) { /* what is missing is the first once more */
             for (uint32_t i = 0; i < ZR_LANES; i++)
                 last[i] = here[i < some ? i : 0];
             here = last;
@@ -284,7 +302,12 @@ void ZR_KERNEL(zr_small)(struct zr_tile *tile, const struct zr_geometry *geometr
         }
         expect_corners(draw, numbers + done, count - done);
         set_up(tile, v, &group);
-        if (payload && payload->make && group.in_stamp) {
+        if (group.in_stamp) /* and is not drawn twice */
+            for (uint32_t i = some; i < ZR_LANES; i++)
+                group.covered[i] = 0;
+        if (tile->fragments) {
+            list_group(tile, &group, here, some);
+        } else if (payload && payload->make && group.in_stamp) {
             struct worded worded = {.payload = payload};
             zr_corners_store(v, worded.corners);
             draw_worded_group(tile, &group, here, some, &worded);

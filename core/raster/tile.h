@@ -98,13 +98,19 @@ static inline bool zr_tile_put_at(struct zr_tile *tile, uint32_t i, float depth,
     return true;
 }
 
+/* Puts into the tile's lists what is in front of all that is seen there. */
+static inline void zr_tile_list_at(struct zr_tile *tile, uint32_t i, float depth, uint32_t owner)
+{
+    if (depth < tile->depth[i]) zr_fragments_put(tile->fragments, i, depth, owner);
+}
+
 static inline void zr_tile_put(struct zr_tile *tile, int32_t x, int32_t y, float depth, uint32_t owner)
 {
     const uint32_t place = (uint32_t)((y - tile->y) * ZR_TILE_STRIDE + x - tile->x);
-    if (!tile->fragments)
+    if (tile->fragments)
+        zr_tile_list_at(tile, place, depth, owner);
+    else
         zr_tile_put_at(tile, place, depth, owner);
-    else if (depth < tile->depth[place])
-        zr_fragments_put(tile->fragments, place, depth, owner);
 }
 
 /* Whether a box of pixels (min x, min y, max x, max y) has one of the tile's. */

@@ -43,6 +43,19 @@ static inline zr_vf zr_tile_put_first_v(float *depth, uint32_t *owners, zr_vm in
     return nearest;
 }
 
+/* Lanes that are in front of what is seen there go into the tile's lists. `first`: the place of lane 0. */
+static inline void zr_tile_list_v(struct zr_tile *tile, size_t first, zr_vm inside, zr_vf z, uint32_t owner)
+{
+    float depths[ZR_LANES];
+    uint32_t bits = zr_vm_bits(zr_vf_lt_where(inside, z, zr_vf_load(tile->depth + first)));
+    if (!bits) return;
+    zr_vf_store(depths, z);
+    for (; bits; bits &= bits - 1) {
+        const uint32_t lane = (uint32_t)zr_lowest_bit(bits);
+        zr_fragments_put(tile->fragments, (uint32_t)first + lane, depths[lane], owner);
+    }
+}
+
 /* ---- blocks ---- */
 
 /* Vectors across a block. What is streamed must be written row by row: non-temporal stores take whole lines, or each

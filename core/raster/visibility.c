@@ -28,11 +28,15 @@ enum zr_status zr_visible_make(struct zr_arena *arena, struct zr_team *team, con
     visible->payloads = payloads;
     visible->halfspace = zr_halfspace_of(zr_team_isa(team));
     visible->draw_small = zr_small_of(zr_team_isa(team));
-    enum zr_status status = zr_bins_build(arena, team, geometry, payloads, width, height, cancel, &visible->bins);
-    if (status != ZR_OK) return status;
-    status = zr_others_build(arena, geometry, false, width, height, cancel, &visible->others);
-    if (status != ZR_OK) return status;
-    return zr_others_build(arena, geometry, true, width, height, cancel, &visible->see_through);
+    visible->width = width;
+    visible->height = height;
+    enum zr_status status = ZR_OK;
+    for (int mode = 0; status == ZR_OK && mode < ZR_ALPHA_COUNT; mode++) {
+        struct zr_sorted *sorted = &visible->sorted[mode];
+        status = zr_bins_build(arena, team, geometry, mode, payloads, width, height, cancel, &sorted->bins);
+        if (status == ZR_OK) status = zr_others_build(arena, geometry, mode, width, height, cancel, &sorted->others);
+    }
+    return status;
 }
 
 /* ---- large and wide triangles ---- */
@@ -85,7 +89,7 @@ static void add_candidate(const struct zr_visible *visible, const struct zr_wide
 static bool draw_wide_ones(const struct zr_visible *visible, uint32_t number, const struct zr_cancel *cancel,
                            struct zr_tile *tile)
 {
-    const struct zr_bins *bins = &visible->bins;
+    const struct zr_bins *bins = &visible->sorted[ZR_ALPHA_OPAQUE].bins;
     struct candidates candidates;
     candidates.count = 0;
     for (uint32_t i = 0; i < bins->large_count; i++) {
@@ -107,7 +111,8 @@ static bool draw_wide_ones(const struct zr_visible *visible, uint32_t number, co
 /* The next block is asked for before it is needed (a quarter of the time that this takes), and so is what painting will
  * look up first: with a million triangles each pixel has a place in memory of its own (4 % of the time of these). What
  * has its word is not looked up. */
-static void draw_fragments(const struct zr_visible *visible, const struct zr_bin_fragments *block, struct zr_tile *tile)
+static void draw_fragments(const struct zr_visible *visible, const struct zr_bin_fragments *block, size_t block_size,
+                           struct zr_tile *tile)
 {
     const struct zr_geometry *geometry = visible->geometry;
     const bool has_words = tile->has_words;
@@ -116,7 +121,7 @@ static void draw_fragments(const struct zr_visible *visible, const struct zr_bin
     const struct zr_payload *payload = visible->payloads ? &visible->payloads[draw - geometry->draws] : NULL;
     const size_t step = payload ? payload->step : 0;
     const uintptr_t first = payload ? payload->first + step * (first_number - draw->first) : (uintptr_t)block;
-    if (block->head.next) zr_expect(block->head.next, 0, visible->bins.fragments_size);
+    if (block->head.next) zr_expect(block->head.next, 0, block_size);
     for (uint32_t i = 0; i < block->head.used; i++) {
         const uint32_t place = block->places[i] >> ZR_BIN_OWNER_BITS;
         const uint32_t owner = block->places[i] & ((1u << ZR_BIN_OWNER_BITS) - 1);
@@ -132,12 +137,12 @@ static void draw_fragments(const struct zr_visible *visible, const struct zr_bin
 enum { SMALL_AT_ONCE = 16 * ZR_BIN_NUMBERS_A_BLOCK };
 
 /* From all lists in one array, so that the kernel has whole groups, and sees what is to come. */
-static bool draw_small_ones(const struct zr_visible *visible, uint32_t number, const struct zr_cancel *cancel,
-                            struct zr_tile *tile)
+static bool draw_small_ones(const struct zr_visible *visible, const struct zr_bins *bins, uint32_t number,
+                            const struct zr_cancel *cancel, struct zr_tile *tile)
 {
     uint32_t numbers[SMALL_AT_ONCE], count = 0;
-    for (int i = 0; i < visible->bins.worker_count; i++)
-        for (const struct zr_bin_head *b = visible->bins.workers[i].tiles[number].small.first; b; b = b->next) {
+    for (int i = 0; i < bins->worker_count; i++)
+        for (const struct zr_bin_head *b = bins->workers[i].tiles[number].small.first; b; b = b->next) {
             if (count + b->used > SMALL_AT_ONCE) {
                 if (zr_is_cancelled(cancel)) return false;
                 visible->draw_small(tile, visible->geometry, visible->payloads, numbers, count);
@@ -153,10 +158,47 @@ static bool draw_small_ones(const struct zr_visible *visible, uint32_t number, c
 
 static void draw_tiny_ones(const struct zr_visible *visible, uint32_t number, struct zr_tile *tile)
 {
-    const struct zr_bins *bins = &visible->bins;
+    const struct zr_bins *bins = &visible->sorted[ZR_ALPHA_OPAQUE].bins;
     for (int i = 0; i < bins->worker_count; i++)
         for (const struct zr_bin_head *b = bins->workers[i].tiles[number].fragments.first; b; b = b->next)
-            draw_fragments(visible, (const struct zr_bin_fragments *)b, tile);
+            draw_fragments(visible, (const struct zr_bin_fragments *)b, bins->fragments_size, tile);
+}
+
+/* ---- what is listed, of what is see-through ---- */
+
+static void list_wide(const struct zr_visible *visible, const struct zr_wide *wide, struct zr_tile *tile)
+{
+    const struct zr_setup *setup = &wide->setup;
+    if (zr_tile_touches(tile, (const int32_t[4]){setup->min_x, setup->min_y, setup->max_x, setup->max_y}))
+        visible->halfspace->list(tile, setup, wide->owner);
+}
+
+static bool list_wide_ones(const struct zr_visible *visible, const struct zr_bins *bins, uint32_t number,
+                           const struct zr_cancel *cancel, struct zr_tile *tile)
+{
+    for (uint32_t i = 0; i < bins->large_count; i++) {
+        if (i % PARTS_A_CANCEL_CHECK == 0 && zr_is_cancelled(cancel)) return false;
+        list_wide(visible, bins->large[i], tile);
+    }
+    for (int i = 0; i < bins->worker_count; i++)
+        for (const struct zr_bin_head *b = bins->workers[i].tiles[number].wide.first; b; b = b->next) {
+            if (zr_is_cancelled(cancel)) return false;
+            for (uint32_t k = 0; k < b->used; k++)
+                list_wide(visible, ((const struct zr_bin_wides *)b)->items[k], tile);
+        }
+    return true;
+}
+
+static void list_tiny_ones(const struct zr_bins *bins, uint32_t number, struct zr_tile *tile)
+{
+    const uint32_t owners = (1u << ZR_BIN_OWNER_BITS) - 1;
+    for (int i = 0; i < bins->worker_count; i++)
+        for (const struct zr_bin_head *b = bins->workers[i].tiles[number].fragments.first; b; b = b->next) {
+            const struct zr_bin_fragments *block = (const struct zr_bin_fragments *)b;
+            for (uint32_t k = 0; k < b->used; k++)
+                zr_tile_list_at(tile, block->places[k] >> ZR_BIN_OWNER_BITS, block->depths[k],
+                                block->first_owner + (block->places[k] & owners));
+        }
 }
 
 /* ---- shapes, lines, points, triangles with a depth offset ---- */
@@ -177,7 +219,7 @@ static void draw_other(const struct zr_visible *visible, const struct zr_draw *d
         visible->halfspace->draw(tile, &setup, number + 1);
     } else {
         struct zr_primitive primitive;
-        zr_primitive_make(geometry, draw, number, visible->bins.width, visible->bins.height, &primitive);
+        zr_primitive_make(geometry, draw, number, visible->width, visible->height, &primitive);
         zr_oddeven_draw(geometry, &primitive, tile);
     }
 }
@@ -187,7 +229,7 @@ static void list_other(const struct zr_visible *visible, const struct zr_draw *d
                        struct zr_tile *tile)
 {
     struct zr_primitive primitive;
-    zr_primitive_make(visible->geometry, draw, number, visible->bins.width, visible->bins.height, &primitive);
+    zr_primitive_make(visible->geometry, draw, number, visible->width, visible->height, &primitive);
     zr_oddeven_draw(visible->geometry, &primitive, tile);
 }
 
@@ -213,14 +255,13 @@ static void expect_points(const struct zr_geometry *geometry, const struct zr_dr
     }
 }
 
-static bool draw_list(const struct zr_visible *visible, enum zr_alpha_mode mode, const uint32_t *others, size_t count,
-                      bool may_miss, const struct zr_cancel *cancel, struct zr_tile *tile)
+static bool draw_list(const struct zr_visible *visible, const uint32_t *others, size_t count, bool may_miss,
+                      const struct zr_cancel *cancel, struct zr_tile *tile)
 {
     const struct zr_draw *draw = &visible->geometry->draws[0];
     uint64_t parts = PARTS_A_CANCEL_CHECK;
     for (size_t i = 0; i < count; i++) {
         draw = zr_draw_next(visible->geometry, draw, others[i]);
-        if (draw->material->alpha_mode != mode) continue;
         if (parts >= PARTS_A_CANCEL_CHECK) {
             if (zr_is_cancelled(cancel)) return false;
             parts = 0;
@@ -230,21 +271,21 @@ static bool draw_list(const struct zr_visible *visible, enum zr_alpha_mode mode,
         parts += parts_of(visible->geometry, draw, others[i]);
         if (may_miss) zr_primitive_box(visible->geometry, draw, others[i], box);
         if (may_miss && !zr_tile_touches(tile, box)) continue;
-        if (mode == ZR_ALPHA_OPAQUE)
-            draw_other(visible, draw, others[i], tile);
-        else
+        if (tile->fragments)
             list_other(visible, draw, others[i], tile);
+        else
+            draw_other(visible, draw, others[i], tile);
     }
     return true;
 }
 
-static bool draw_others(const struct zr_visible *visible, const struct zr_others *others, enum zr_alpha_mode mode,
-                        uint32_t number, const struct zr_cancel *cancel, struct zr_tile *tile)
+static bool draw_others(const struct zr_visible *visible, const struct zr_others *others, uint32_t number,
+                        const struct zr_cancel *cancel, struct zr_tile *tile)
 {
     if (others->count == 0) return true;
     size_t begin = others->offsets[number], end = others->offsets[number + 1];
-    return draw_list(visible, mode, others->entries + begin, end - begin, false, cancel, tile) &&
-           draw_list(visible, mode, others->large, others->large_count, true, cancel, tile);
+    return draw_list(visible, others->entries + begin, end - begin, false, cancel, tile) &&
+           draw_list(visible, others->large, others->large_count, true, cancel, tile);
 }
 
 static bool any_listed(const struct zr_others *others, uint32_t number)
@@ -252,75 +293,70 @@ static bool any_listed(const struct zr_others *others, uint32_t number)
     return others->count > 0 && (others->large_count > 0 || others->offsets[number] < others->offsets[number + 1]);
 }
 
-bool zr_visibility_has_fragments(const struct zr_visible *visible, uint32_t number)
-{
-    return any_listed(&visible->see_through, number);
-}
-
-bool zr_visibility_fragments(const struct zr_visible *visible, uint32_t number, enum zr_alpha_mode mode,
-                             const struct zr_cancel *cancel, struct zr_tile *tile)
-{
-    return draw_others(visible, &visible->see_through, mode, number, cancel, tile);
-}
-
 /* ---- a tile ---- */
 
-static bool has_others(const struct zr_visible *visible, uint32_t number)
+/* Besides large and wide triangles. */
+static bool has_more(const struct zr_sorted *sorted, uint32_t number)
 {
-    return any_listed(&visible->others, number);
+    const struct zr_bins *bins = &sorted->bins;
+    for (int i = 0; i < bins->worker_count; i++)
+        if (bins->workers[i].tiles[number].small.first || bins->workers[i].tiles[number].fragments.first) return true;
+    return any_listed(&sorted->others, number);
 }
 
-/* Besides large and wide triangles. */
-static bool has_more(const struct zr_visible *visible, uint32_t number)
+bool zr_visibility_has_any(const struct zr_visible *visible, uint32_t number, enum zr_alpha_mode mode)
 {
-    for (int i = 0; i < visible->bins.worker_count; i++)
-        if (visible->bins.workers[i].tiles[number].small.first ||
-            visible->bins.workers[i].tiles[number].fragments.first)
-            return true;
-    return has_others(visible, number);
+    const struct zr_sorted *sorted = &visible->sorted[mode];
+    if (sorted->bins.large_count > 0) return true;
+    for (int i = 0; i < sorted->bins.worker_count; i++)
+        if (sorted->bins.workers[i].tiles[number].wide.first) return true;
+    return has_more(sorted, number);
 }
 
 /* Whether words are kept: there are enough of them to earn that, and nothing is drawn over them. */
-static bool keeps_words(const struct zr_visible *visible, uint32_t number)
+static bool keeps_words(const struct zr_sorted *sorted, uint32_t number)
 {
+    const struct zr_bins *bins = &sorted->bins;
     uint32_t fragments = 0, small = 0;
-    for (int i = 0; visible->bins.has_words && i < visible->bins.worker_count; i++) {
-        fragments += visible->bins.workers[i].tiles[number].fragments.block_count;
-        small += visible->bins.workers[i].tiles[number].small.block_count;
+    for (int i = 0; bins->has_words && i < bins->worker_count; i++) {
+        fragments += bins->workers[i].tiles[number].fragments.block_count;
+        small += bins->workers[i].tiles[number].small.block_count;
     }
-    return (fragments >= BLOCKS_WITH_WORDS || small >= SMALL_BLOCKS_WITH_WORDS) && !has_others(visible, number);
-}
-
-static bool has_anything(const struct zr_visible *visible, uint32_t number)
-{
-    if (visible->bins.large_count > 0) return true;
-    for (int i = 0; i < visible->bins.worker_count; i++)
-        if (visible->bins.workers[i].tiles[number].wide.first) return true;
-    return has_more(visible, number);
+    return (fragments >= BLOCKS_WITH_WORDS || small >= SMALL_BLOCKS_WITH_WORDS) && !any_listed(&sorted->others, number);
 }
 
 bool zr_visibility_tile(const struct zr_visible *visible, uint32_t number, const struct zr_base *base,
                         const struct zr_cancel *cancel, struct zr_tile *tile)
 {
-    const struct zr_bins *bins = &visible->bins;
-    zr_tile_place(tile, number, bins->width, bins->height);
+    const struct zr_sorted *opaque = &visible->sorted[ZR_ALPHA_OPAQUE];
+    zr_tile_place(tile, number, visible->width, visible->height);
     tile->has_words = false;
-    tile->is_empty = !base && !has_anything(visible, number);
+    tile->is_empty = !base && !zr_visibility_has_any(visible, number, ZR_ALPHA_OPAQUE);
     if (tile->is_empty) return !zr_is_cancelled(cancel);
     if (base)
-        zr_tile_begin(tile, base, bins->width, bins->height);
+        zr_tile_begin(tile, base, visible->width, visible->height);
     else
         visible->halfspace->begin(tile);
     /* The largest first: they hide most, and they alone can leave blocks unwritten. */
     if (!draw_wide_ones(visible, number, cancel, tile)) return false;
-    if (!has_more(visible, number) && zr_tile_has_whole_blocks(tile)) return true;
+    if (!has_more(opaque, number) && zr_tile_has_whole_blocks(tile)) return true;
     visible->halfspace->flush(tile);
     tile->knows_owners = false;
-    tile->has_words = keeps_words(visible, number);
+    tile->has_words = keeps_words(opaque, number);
     if (tile->has_words) memset(tile->words, 0, sizeof tile->words);
-    if (!draw_small_ones(visible, number, cancel, tile)) return false;
+    if (!draw_small_ones(visible, &opaque->bins, number, cancel, tile)) return false;
     draw_tiny_ones(visible, number, tile);
-    return draw_others(visible, &visible->others, ZR_ALPHA_OPAQUE, number, cancel, tile);
+    return draw_others(visible, &opaque->others, number, cancel, tile);
+}
+
+bool zr_visibility_fragments(const struct zr_visible *visible, uint32_t number, enum zr_alpha_mode mode,
+                             const struct zr_cancel *cancel, struct zr_tile *tile)
+{
+    const struct zr_sorted *sorted = &visible->sorted[mode];
+    if (!list_wide_ones(visible, &sorted->bins, number, cancel, tile)) return false;
+    if (!draw_small_ones(visible, &sorted->bins, number, cancel, tile)) return false;
+    list_tiny_ones(&sorted->bins, number, tile);
+    return draw_others(visible, &sorted->others, number, cancel, tile);
 }
 
 /* ---- the whole window ---- */

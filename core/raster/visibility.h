@@ -14,18 +14,24 @@
 #include "raster/samples.h"
 #include "raster/small.h"
 
+/* Primitives of materials of one mode, sorted into tiles. */
+struct zr_sorted {
+    struct zr_bins bins;
+    struct zr_others others;
+};
+
 /* All that tiles are drawn from. */
 struct zr_visible {
     const struct zr_geometry *geometry;
     const struct zr_payload *payloads; /* one a draw, or NULL */
     const struct zr_halfspace *halfspace;
     zr_small_fn *draw_small;
-    struct zr_bins bins;
-    struct zr_others others, see_through;
+    uint32_t width, height;
+    struct zr_sorted sorted[ZR_ALPHA_COUNT];
 };
 
 /* Sorts the geometry into tiles. payloads: one a draw; NULL: none. What became of draws that are not `counted` is then
- * in visible->bins.counts. ZR_OK, ZR_CANCELLED or ZR_NO_MEMORY. */
+ * in their bins' counts. ZR_OK, ZR_CANCELLED or ZR_NO_MEMORY. */
 enum zr_status zr_visible_make(struct zr_arena *arena, struct zr_team *team, const struct zr_geometry *geometry,
                                const struct zr_payload *payloads, uint32_t width, uint32_t height,
                                const struct zr_cancel *cancel, struct zr_visible *visible);
@@ -36,8 +42,8 @@ enum zr_status zr_visible_make(struct zr_arena *arena, struct zr_team *team, con
 bool zr_visibility_tile(const struct zr_visible *visible, uint32_t number, const struct zr_base *base,
                         const struct zr_cancel *cancel, struct zr_tile *tile);
 
-/* Whether any see-through primitive is listed for tile `number`. */
-bool zr_visibility_has_fragments(const struct zr_visible *visible, uint32_t number);
+/* Whether any primitive of such a material may touch tile `number`. */
+bool zr_visibility_has_any(const struct zr_visible *visible, uint32_t number, enum zr_alpha_mode mode);
 
 /* Puts what primitives of such materials cover of the tile, in front of what is seen there, into its lists
  * (zr_tile.fragments); all of the tile is written. False where it was cancelled. */

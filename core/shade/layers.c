@@ -109,9 +109,14 @@ void zr_layers_show(struct zr_layers *layers, uint32_t depth)
 
 /* ---- masks ---- */
 
-static bool has_any(const struct zr_tiles *tiles, uint32_t number)
+static bool has_any(const struct zr_tiles *tiles, uint32_t number, enum zr_alpha_mode mode)
 {
-    return tiles->layers && (tiles->samples || zr_visibility_has_fragments(tiles->visible, number));
+    return tiles->layers && (tiles->samples || zr_visibility_has_any(tiles->visible, number, mode));
+}
+
+bool zr_layers_has_blended(const struct zr_tiles *tiles, uint32_t number)
+{
+    return tiles->any_blended && has_any(tiles, number, ZR_ALPHA_BLEND);
 }
 
 /* Of an opacity, compared as GL compares it with RGBA of 8 bits: both are rounded first. */
@@ -165,9 +170,9 @@ static void write_all(const struct zr_tiles *tiles, struct zr_tile *tile)
 
 bool zr_layers_mask(const struct zr_tiles *tiles, uint32_t number, const struct zr_cancel *cancel, struct zr_tile *tile)
 {
-    if (!has_any(tiles, number)) return true;
-    write_all(tiles, tile);
-    if (!tiles->any_masked) return true;
+    const bool masked = tiles->any_masked && has_any(tiles, number, ZR_ALPHA_MASK);
+    if (masked || zr_layers_has_blended(tiles, number)) write_all(tiles, tile);
+    if (!masked) return true;
     struct zr_layers *layers = zr_layers_take(tiles->layers);
     if (!layers) return false;
     const bool found = zr_layers_find(tiles, number, ZR_ALPHA_MASK, cancel, tile, layers);
@@ -177,11 +182,6 @@ bool zr_layers_mask(const struct zr_tiles *tiles, uint32_t number, const struct 
 }
 
 /* ---- blending ---- */
-
-bool zr_layers_has_blended(const struct zr_tiles *tiles, uint32_t number)
-{
-    return tiles->any_blended && has_any(tiles, number);
-}
 
 /* What is behind all layers: the tile's colours, or the background's, times their opacity. */
 static void begin_sum(const struct zr_tiles *tiles, const struct zr_tile *tile, struct zr_layers *layers)

@@ -90,8 +90,8 @@ const struct zr_paint *zr_paint_of(enum zr_isa isa);
  * either way; and where backs are drawn too, half of what would be painted is hidden. */
 static inline bool zr_surface_is_painted_early(const struct zr_surface *surface)
 {
-    return zr_draw_is_plain(surface->draw) && zr_surface_is_smooth(surface) && !surface->is_late &&
-           !surface->draw->material->double_sided;
+    return zr_draw_is_plain(surface->draw) && !zr_draw_is_see_through(surface->draw) && zr_surface_is_smooth(surface) &&
+           !surface->is_late && !surface->draw->material->double_sided;
 }
 
 /* What raster/ carries along, one a draw: which are painted early, where what is known of sides goes when they are

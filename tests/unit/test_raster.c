@@ -364,8 +364,8 @@ static void bins_lose_no_triangle_and_invent_none(enum zr_isa isa, int threads)
     struct zr_team *team = zr_team_create_for(threads, isa);
     zr_arena_init(&arena, 1 << 24);
     assert_int_equal(zr_visible_make(&arena, team, &geometry, NULL, WIDTH, HEIGHT, NULL, &visible), ZR_OK);
-    assert_in_range(visible.bins.large_count, 1, COUNT - 1);
-    assert_int_equal(visible.bins.worker_count, threads > 1 ? 2 : 1);
+    assert_in_range(visible.sorted[ZR_ALPHA_OPAQUE].bins.large_count, 1, COUNT - 1);
+    assert_int_equal(visible.sorted[ZR_ALPHA_OPAQUE].bins.worker_count, threads > 1 ? 2 : 1);
     for (uint32_t number = 0; number < zr_tile_count(WIDTH, HEIGHT); number++) {
         draw_tile(&visible, number, &tile);
         for (int y = 0; y < tile.height; y++)
