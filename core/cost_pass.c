@@ -138,6 +138,15 @@ static void add_layers(struct tally *tally, double pixels, double triangles)
     tally->layered_triangles += triangles;
 }
 
+/* Of a line's width, what is in the window: of a line at its border, half. */
+static double width_in_window(const struct tally *tally, const struct zr_window_vertex *a,
+                              const struct zr_window_vertex *b)
+{
+    const bool goes_across = fabs((double)a->x - (double)b->x) >= fabs((double)a->y - (double)b->y);
+    const double room = (double)(goes_across ? tally->target.height : tally->target.width);
+    return fmin(fmax(0.5 * tally->target.line_width, 1.0), room);
+}
+
 static void add_line(struct tally *tally, const struct zr_material *material, const zr_vec4 ends[2])
 {
     const unsigned codes[2] = {zr_clip_outcode(ends[0]), zr_clip_outcode(ends[1])};
@@ -154,7 +163,7 @@ static void add_line(struct tally *tally, const struct zr_material *material, co
     cost->fragments += length * (LINE_PIXEL_F + WIDE_PIXEL_F * (width - 1.0));
     cost->triangles += LINE_T * length / ZR_TILE_SIZE * (1.0 + width / ZR_TILE_SIZE);
     tally->covered += length * width;
-    if (material->alpha_mode != ZR_ALPHA_OPAQUE) add_layers(tally, length * width, 1.0);
+    if (zr_material_is_layered(material)) add_layers(tally, length * width_in_window(tally, &a, &b), 1.0);
 }
 
 static void add_outline(struct tally *tally, const struct zr_material *material, const struct zr_mesh *mesh,
@@ -225,7 +234,7 @@ static void add_point(struct tally *tally, const struct zr_material *material, c
     const double up = fmin(y + width, (double)tally->target.height) - fmax(y, 0.0);
     const double pixels = fmax(across, 0.0) * fmax(up, 0.0);
     tally->covered += pixels;
-    if (material->alpha_mode != ZR_ALPHA_OPAQUE) add_layers(tally, pixels, 1.0);
+    if (zr_material_is_layered(material)) add_layers(tally, pixels, 1.0);
     tally->cost.fragments += SQUARE_PIXEL_F * pixels;
     tally->cost.triangles += SQUARE_T * tiles_of(across, up);
     if (!tally->kept) return;
@@ -308,7 +317,7 @@ static void add_face(struct tally *tally, const struct zr_scene *scene, const st
     bool turned_away = (placed->mirrored ? measure.net > 0.0 : measure.net < 0.0) && !material->double_sided;
     if (measure.area <= 0.0 || turned_away) return;
     add_filled(tally, &measure, shape, (double)corners);
-    if (material->alpha_mode != ZR_ALPHA_OPAQUE) add_layers(tally, measure.area, (double)corners - 2.0);
+    if (zr_material_is_layered(material)) add_layers(tally, measure.area, (double)corners - 2.0);
     if (measure.is_seen) tally->faces += 1.0;
     if (!tally->kept) return;
     const struct zr_cost_triangle whole = stand_in(&measure, mesh, rings, placed);

@@ -183,12 +183,21 @@ static double bytes_of_edges(double pixels, double samples)
     return pixels * WORD_BYTES + samples * 2.0 / 8.0 + samples / (ZR_TILE_SIZE * ZR_TILE_SIZE) * EDGE_BYTES;
 }
 
+/* What is opaque hides layers, nobody knows how many: those are not kept. */
+static bool may_hide_layers(const struct zr_scene *scene)
+{
+    for (uint32_t i = 0; i < scene->material_count; i++)
+        if (!zr_material_is_layered(&scene->materials[i])) return true;
+    return false;
+}
+
 /* Fragments of a tile at once, of as many as tiles have on the average; of the other algorithms, those of the window.
  */
 static double bytes_of_layers(const struct zr_scene *scene, double samples, double layered)
 {
     const double tiles = fmax(samples / (ZR_TILE_SIZE * ZR_TILE_SIZE), 1.0);
-    if (layered <= 0.0) return 0.0;
+    if (layered < ZR_TILE_SIZE) return 0.0; /* so little may cover the centre of no pixel */
+    if (may_hide_layers(scene)) layered = 0.0;
     if (scene->algorithm != ZR_ALGORITHM_HALFSPACE) return layered * FRAGMENT_BYTES + samples * WORD_BYTES;
     return (double)sizeof(struct zr_layers) + layered / tiles * FRAGMENT_BYTES;
 }

@@ -121,7 +121,7 @@ nodes='"nodes": [{"mesh": "pawn"}, {"mesh": "gold", "translation": [2.3, 0, -0.3
 printf '{"look": "studio", "window": {"width": 800, "height": 400}, "view": {"azimuthDegrees": 12, "elevationDegrees": 20, "perspective": {"yfovDegrees": 26}}, %s, %s, "meshes": [%s]}\n' \
     "$materials" "$nodes" "$meshes" >"$out/still.json"
 render still --compress small
-for look in studio technical clay dark metal outdoor blueprint; do
+for look in studio technical clay dark metal outdoor blueprint xray; do
     scene "\"look\": \"$look\", \"window\": {\"width\": 128, \"height\": 160}" "$pawn" >"$out/look-$look.json"
     render look-$look --compress small
 done

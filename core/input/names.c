@@ -8,7 +8,7 @@
 #include "input/text.h"
 #include "scene/looks.h"
 
-static const char *const shadings[] = {"unlit", "flat", "gouraud", "phong", "normals", "pbr", "gooch"};
+static const char *const shadings[] = {"unlit", "flat", "gouraud", "phong", "normals", "pbr", "gooch", "xray"};
 static const char *const presets[] = {"front", "back", "left", "right", "top", "bottom", "isometric"};
 static const char *const algorithms[] = {"halfspace", "edgelist", "trapezoid", "scanline", "painter"};
 static const char *const axes[] = {"y", "z"};

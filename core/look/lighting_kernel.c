@@ -21,12 +21,6 @@ static inline struct zr_vec3_v decode(struct zr_light_cache *cache, struct zr_ve
     return cache->linear;
 }
 
-static inline struct zr_vec3_v to_eye_of(const struct zr_look_lighting *lighting, struct zr_vec3_v point)
-{
-    if (lighting->is_parallel) return zr_spread_v(lighting->to_eye);
-    return zr_normalize_v(zr_scale_v(point, zr_vf_set(-1.0f)));
-}
-
 /* Of a kernel of its own (lighting_textured_kernel.c): in this one, compilers would make less of what has no textures.
  */
 static struct zr_vec3_v shade_textured(const struct zr_look_lighting *lighting, const struct zr_material *material,
@@ -68,7 +62,7 @@ static inline struct zr_vec3_v colors_of(const struct zr_look_lighting *lighting
 {
     struct zr_shading_v s = {.normal = zr_three_of(samples->normal, at), .point = zr_three_of(samples->point, at)};
     s.base = decode(cache, zr_three_of(samples->base, at));
-    s.to_eye = to_eye_of(lighting, s.point);
+    s.to_eye = zr_to_eye_v(lighting, s.point);
     s.ao = occlusion ? zr_vf_load(occlusion + at) : zr_vf_set(1.0f);
     const zr_vm is_line = zr_vf_eq(zr_dot_v(s.normal, s.normal), zr_vf_set(0.0f));
     const struct zr_vec3_v color =

@@ -16,11 +16,6 @@ struct zr_light_cache {
     struct zr_split_columns columns; /* of the last roughness; less than 0: none so far */
 };
 
-static inline struct zr_vec3_v zr_three_of(float *const from[3], size_t at)
-{
-    return (struct zr_vec3_v){zr_vf_load(from[0] + at), zr_vf_load(from[1] + at), zr_vf_load(from[2] + at)};
-}
-
 static inline struct zr_vec3_v zr_exposed(const struct zr_look_lighting *lighting, struct zr_vec3_v color)
 {
     return zr_tone_v(zr_scale_v(color, zr_vf_set(lighting->exposure)), lighting->tone);

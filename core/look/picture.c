@@ -6,6 +6,7 @@
 #include "look/lamps.h"
 #include "look/maps.h"
 #include "look/supersample.h"
+#include "look/xray.h"
 #include "shade/crease_normals.h"
 #include "shade/normals.h"
 #include "shade/paint.h"
@@ -194,7 +195,10 @@ static enum zr_status draw_light(struct drawing *d)
     struct zr_occlusion_map occlusion;
     struct zr_look_lighting lighting;
     struct zr_ground ground = {.light = NULL};
-    struct zr_sample_stages stages = {&lighting, picture->occlusion.is_on ? &occlusion : NULL, NULL, &light};
+    struct zr_sample_stages stages = {.lighting = &lighting,
+                                      .occlusion = picture->occlusion.is_on ? &occlusion : NULL,
+                                      .has_xrays = zr_any_is_xray(d->scene->materials, d->scene->material_count),
+                                      .out = &light};
     struct zr_finishing finishing = {.scene = d->scene, .light = &light, .ground = &ground, .out = d->frame->color};
     enum zr_status status = ZR_OK;
 
@@ -216,5 +220,10 @@ enum zr_status zr_picture_draw(struct zr_arena *arena, struct zr_team *team, con
                                const struct zr_cancel *cancel, struct zr_frame *frame)
 {
     struct drawing drawing = {arena, team, scene, cancel, frame, NULL};
+    struct zr_scene with_xrays;
+    if (zr_any_is_xray(scene->materials, scene->material_count)) {
+        if (!zr_xray_scene(arena, scene, &with_xrays)) return ZR_NO_MEMORY;
+        drawing.scene = &with_xrays;
+    }
     return scene->picture.is_linear ? draw_light(&drawing) : draw_bytes(&drawing);
 }

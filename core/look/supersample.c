@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "base/rgba.h"
+#include "look/xray.h"
 #include "shade/layers.h"
 #include "shade/paint.h"
 
@@ -141,6 +142,7 @@ static void blend_light(const struct drawing *d, struct zr_layers *blended, stru
         d->paint->floats(&d->pass->geometry, &d->pass->surfaces, layer, opacity);
         d->paint->samples(&d->pass->geometry, &d->pass->surfaces, layer, &samples);
         zr_look_light_of(d->isa)(d->stages->lighting, &samples, NULL, color);
+        if (d->stages->has_xrays) zr_xray_of(d->isa)(d->stages->lighting, &samples, blended->front[3]);
         d->paint->blend(layer, front, sum);
     }
 }
@@ -212,7 +214,7 @@ static void draw_range(void *context, size_t begin, size_t end)
     for (size_t number = begin; number < end; number++) {
         struct zr_layers *blended;
         if (!zr_tiles_see(&d->pass->tiles, (uint32_t)number, NULL, d->cancel, &tile) ||
-            !zr_layers_blend(&d->pass->tiles, (uint32_t)number, d->cancel, &tile, &blended))
+            !zr_layers_blend(&d->pass->tiles, (uint32_t)number, d->cancel, &tile, !d->stages, &blended))
             return;
         if (d->stages)
             covered += light_tile(d, (uint32_t)number, &tile, blended, &room.lit);

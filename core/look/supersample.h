@@ -27,6 +27,7 @@ struct zr_sample_stages {
     const struct zr_look_lighting *lighting;
     const struct zr_occlusion_map *occlusion; /* or NULL */
     struct zr_edge_marks *edges;              /* or NULL */
+    bool has_xrays;                           /* some material is of that shading */
     struct zr_linear_frame *out;
 };
 

@@ -30,6 +30,18 @@ struct zr_textured_v {
     struct zr_vec3_v emissive; /* a factor */
 };
 
+static inline struct zr_vec3_v zr_three_of(float *const from[3], size_t at)
+{
+    return (struct zr_vec3_v){zr_vf_load(from[0] + at), zr_vf_load(from[1] + at), zr_vf_load(from[2] + at)};
+}
+
+/* From points to the eye. */
+static inline struct zr_vec3_v zr_to_eye_v(const struct zr_look_lighting *lighting, struct zr_vec3_v point)
+{
+    if (lighting->is_parallel) return zr_spread_v(lighting->to_eye);
+    return zr_normalize_v(zr_scale_v(point, zr_vf_set(-1.0f)));
+}
+
 static inline struct zr_vec3_v zr_mix3_v(struct zr_vec3_v a, struct zr_vec3_v b, zr_vf share)
 {
     return (struct zr_vec3_v){zr_mix_v(a.x, b.x, share), zr_mix_v(a.y, b.y, share), zr_mix_v(a.z, b.z, share)};

@@ -38,7 +38,7 @@ struct zr_look {
     struct zr_look_view view;
 };
 
-enum { ZR_LOOKS = 8 };
+enum { ZR_LOOKS = 9 };
 
 /* All looks. Those of one name stand together, the oldest version first. */
 extern const struct zr_look zr_looks[ZR_LOOKS];

@@ -27,6 +27,7 @@ enum zr_shading {
     ZR_SHADING_NORMALS, /* normals in camera space as colours */
     ZR_SHADING_PBR,     /* metals and plastics, as glTF 2.0 has them */
     ZR_SHADING_GOOCH,   /* from a cool colour to the surface's own, by the side that faces a lamp of the camera's */
+    ZR_SHADING_XRAY,    /* in pictures see-through, from both sides, least where it is seen along its surface */
     ZR_SHADING_COUNT
 };
 
@@ -340,6 +341,19 @@ static inline const struct zr_material *zr_material_of_face(const struct zr_scen
                                                             uint32_t face)
 {
     return &scene->materials[mesh->face_materials ? mesh->face_materials[face] : mesh->material];
+}
+
+/* Whether pictures show what is behind it. */
+static inline bool zr_material_is_layered(const struct zr_material *material)
+{
+    return material->alpha_mode != ZR_ALPHA_OPAQUE || material->shading == ZR_SHADING_XRAY;
+}
+
+static inline bool zr_any_is_xray(const struct zr_material *materials, uint32_t count)
+{
+    for (uint32_t i = 0; i < count; i++)
+        if (materials[i].shading == ZR_SHADING_XRAY) return true;
+    return false;
 }
 
 static inline bool zr_any_is_see_through(const struct zr_material *materials, uint32_t count)

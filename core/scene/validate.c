@@ -108,6 +108,14 @@ static void check_pixels(const struct zr_view *view, struct zr_error *error)
     }
 }
 
+static void check_xrays(const struct zr_scene *scene, struct zr_error *error)
+{
+    if (scene->algorithm == ZR_ALGORITHM_PAINTER && zr_view_wants(&scene->views[0], ZR_CHANNEL_COLOR) &&
+        zr_any_is_xray(scene->materials, scene->material_count))
+        zr_error_add(error, ZR_BAD_SCENE, "/algorithm",
+                     "painter keeps no fragments, which the shading xray needs; the other algorithms do");
+}
+
 static void check_see_through(const struct zr_scene *scene, struct zr_error *error)
 {
     if (!zr_any_is_see_through(scene->materials, scene->material_count)) return;
@@ -127,6 +135,7 @@ enum zr_status zr_scene_validate(const struct zr_scene *scene, const struct zr_l
     check_lamps(scene, error);
     check_base(scene, error);
     check_see_through(scene, error);
+    check_xrays(scene, error);
     check_layers(scene, error);
     check_pixels(&scene->views[0], error);
     return error->count > before ? ZR_BAD_SCENE : ZR_OK;

@@ -219,7 +219,7 @@ static void add_layers(const struct zr_tiles *tiles, const struct zr_cancel *can
 }
 
 bool zr_layers_blend(const struct zr_tiles *tiles, uint32_t number, const struct zr_cancel *cancel,
-                     struct zr_tile *tile, struct zr_layers **blended)
+                     struct zr_tile *tile, bool summed, struct zr_layers **blended)
 {
     *blended = NULL;
     if (!zr_layers_has_blended(tiles, number)) return true;
@@ -227,8 +227,8 @@ bool zr_layers_blend(const struct zr_tiles *tiles, uint32_t number, const struct
     if (!layers) return false;
     const bool found = zr_layers_find(tiles, number, ZR_ALPHA_BLEND, cancel, tile, layers);
     if (found && layers->most > 0) {
-        begin_sum(tiles, tile, layers);
-        add_layers(tiles, cancel, layers);
+        if (summed) begin_sum(tiles, tile, layers);
+        if (summed) add_layers(tiles, cancel, layers);
         *blended = layers;
     } else {
         zr_layers_give(tiles->layers, layers);

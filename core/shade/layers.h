@@ -49,10 +49,10 @@ void zr_layers_show(struct zr_layers *layers, uint32_t depth);
 /* Whether anything may be blended over tile `number`. */
 bool zr_layers_has_blended(const struct zr_tiles *tiles, uint32_t number);
 
-/* Blends what is to be over the colours of a tile, before its depths are used up: *blended is NULL where nothing is.
- * False as above. */
+/* Finds what is to be over the colours of a tile, before its depths are used up: *blended is NULL where nothing is.
+ * summed: blends it by the textbook, too. False as above. */
 bool zr_layers_blend(const struct zr_tiles *tiles, uint32_t number, const struct zr_cancel *cancel,
-                     struct zr_tile *tile, struct zr_layers **blended);
+                     struct zr_tile *tile, bool summed, struct zr_layers **blended);
 
 /* Puts that over the tile's colours, which `out` has, and gives *blended back. Returns how many pixels show nothing but
  * what is blended. */

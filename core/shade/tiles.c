@@ -51,7 +51,7 @@ static bool draw_tile(const struct drawing *d, uint32_t number, struct zr_tile *
     const struct zr_frame *frame = d->frame;
     struct zr_layers *blended;
     if (!zr_tiles_see(from, number, frame->base, d->cancel, tile) ||
-        !zr_layers_blend(from, number, d->cancel, tile, &blended))
+        !zr_layers_blend(from, number, d->cancel, tile, true, &blended))
         return false;
     *resolved = zr_resolve_tile(from->geometry, from->surfaces, d->isa, from->scene, tile, frame);
     if (!blended) return true;

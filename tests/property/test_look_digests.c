@@ -20,6 +20,7 @@ static const struct {
     {"metal@1", {UINT64_C(0x8c446ccaaab75555), UINT64_C(0x4aabf3d57b4d88bc)}},
     {"outdoor@1", {UINT64_C(0x45b8f13eaec3d5cd), UINT64_C(0x4f3f753228a67098)}},
     {"blueprint@1", {UINT64_C(0xd1f028a733764f00), UINT64_C(0xff99e64233fbfa95)}},
+    {"xray@1", {UINT64_C(0x204672fa157c4e71), UINT64_C(0xd285b3828be66162)}},
     {"textbook@1", {UINT64_C(0xeec2ebd6a7c10fe5), UINT64_C(0xef093eb2f6c56f29)}},
 };
 enum { RELEASED = sizeof released / sizeof *released };

@@ -105,6 +105,7 @@ static void check_file(const char *path, const struct teams *teams)
                         zr_isa_name((enum zr_isa)isa));
         }
     const bool is_see_through = zr_any_is_see_through(scene.materials, scene.material_count);
+    const bool has_xrays = zr_any_is_xray(scene.materials, scene.material_count); /* which the painter has none of */
     for (int a = ZR_ALGORITHM_EDGELIST; a < ZR_ALGORITHM_COUNT; a++) {
         if (a == ZR_ALGORITHM_PAINTER && is_see_through) continue; /* it is refused */
         if (a == ZR_ALGORITHM_PAINTER) {
@@ -112,7 +113,8 @@ static void check_file(const char *path, const struct teams *teams)
             uncolored = without_color(&scene);
         }
         scene.algorithm = uncolored.algorithm = (enum zr_algorithm)a;
-        assert_same(want, scene_render(&arena, teams->of[zr_isa_best()], &scene), false, path, algorithm_words[a]);
+        if (a != ZR_ALGORITHM_PAINTER || !has_xrays)
+            assert_same(want, scene_render(&arena, teams->of[zr_isa_best()], &scene), false, path, algorithm_words[a]);
         assert_same(want, scene_render(&arena, teams->of[zr_isa_best()], &uncolored), true, path, algorithm_words[a]);
     }
     zr_arena_free(&arena);

@@ -313,7 +313,7 @@ uint64_t layers_twin_compare(struct zr_arena *arena, struct zr_team *team, const
     for (uint32_t number = 0; number < zr_tile_count(width, height); number++) {
         struct zr_layers *blended;
         if (!zr_tiles_see(&pass->tiles, number, NULL, NULL, tile) ||
-            !zr_layers_blend(&pass->tiles, number, NULL, tile, &blended))
+            !zr_layers_blend(&pass->tiles, number, NULL, tile, true, &blended))
             return all;
         different += compare_tile(scene, tile, blended, picture);
         if (blended) zr_layers_give(&pass->layers, blended);

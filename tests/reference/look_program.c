@@ -265,7 +265,7 @@ static const char *const surfaces =
     "}\n"
     "vec3 color_of(vec3 n, vec3 v, vec3 own)\n"
     "{\n"
-    "    if (side == 3.0 || shading == 0) return own;\n"
+    "    if (side == 3.0 || shading == 0 || shading == 7) return own;\n"
     "    if (shading == 4) return decode(n * 0.5 + 0.5);\n"
     "    if (shading == 5) return mapped(pbr_of(n, v, own));\n"
     "    if (shading == 6) return gooch_of(n, own);\n"
@@ -284,11 +284,12 @@ static const char *const surfaces =
     "        own *= texel(base_map, 0);\n"
     "        n = mapped_normal(n);\n"
     "    }\n"
-    "    gl_FragColor = vec4(color_of(back ? -n : n, v, own), 1.0);\n"
+    "    float film = shading == 7 && side != 3.0 ? 0.07 + 0.68 * pow(1.0 - min(abs(dot(n, v)), 1.0), 3.0) : 1.0;\n"
+    "    gl_FragColor = vec4(color_of(back ? -n : n, v, own), film);\n"
     "}\n";
 
 _Static_assert(ZR_SHADING_UNLIT == 0 && ZR_SHADING_PHONG == 3 && ZR_SHADING_NORMALS == 4 && ZR_SHADING_PBR == 5 &&
-                   ZR_SHADING_GOOCH == 6 && LOOK_LAMPS_MAX == 64,
+                   ZR_SHADING_GOOCH == 6 && ZR_SHADING_XRAY == 7 && LOOK_LAMPS_MAX == 64,
                "the program has these numbers");
 
 unsigned look_program(struct reference_error *error)

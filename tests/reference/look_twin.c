@@ -11,6 +11,22 @@ typedef double vec3[3];
 
 /* ---- what has no twin ---- */
 
+/* Faces of one colour, and nothing else: their order makes no difference. */
+static bool is_of_one_ink(const struct zr_scene *scene)
+{
+    for (uint32_t i = 0; i < scene->material_count; i++) {
+        const struct zr_material *material = &scene->materials[i];
+        if (material->shading != ZR_SHADING_XRAY || material->outline != ZR_OUTLINE_NONE ||
+            !zr_vec4_equal(material->base_color, scene->materials[0].base_color))
+            return false;
+    }
+    for (uint32_t i = 0; i < scene->mesh_count; i++) {
+        const struct zr_mesh *mesh = &scene->meshes[i];
+        if (mesh->line_count > 0 || mesh->point_count > 0 || mesh->colors || mesh->face_colors) return false;
+    }
+    return true;
+}
+
 const char *look_twin_lacks(const struct zr_scene *scene)
 {
     const struct zr_picture *picture = &scene->picture;
@@ -18,6 +34,8 @@ const char *look_twin_lacks(const struct zr_scene *scene)
     if (picture->has_ground) return "the ground's shadow";
     if (picture->edges.is_on) return "edges";
     if (zr_any_is_see_through(scene->materials, scene->material_count)) return "what is see-through";
+    if (zr_any_is_xray(scene->materials, scene->material_count) && !is_of_one_ink(scene))
+        return "x-rays beside other colours";
     for (uint32_t i = 0; i < scene->light_count; i++)
         if (scene->lights[i].has_shadows) return "shadows of lamps";
     return NULL;
@@ -202,7 +220,20 @@ static bool put_sides(struct zr_arena *arena, struct reference_arrays *arrays)
     return true;
 }
 
-/* Four floats a sample: linear light, and 1 where something is. */
+/* X-rays are seen from both sides. */
+static bool show_backs(struct zr_arena *arena, struct zr_scene *scene)
+{
+    struct zr_material *materials = zr_arena_alloc(arena, scene->material_count, sizeof *materials);
+    if (!materials) return false;
+    for (uint32_t i = 0; i < scene->material_count; i++) {
+        materials[i] = scene->materials[i];
+        materials[i].double_sided = true;
+    }
+    scene->materials = materials;
+    return true;
+}
+
+/* Four floats a sample: linear light, times its opacity, and that: 1 where something is that is no x-ray. */
 static bool draw_samples(const struct look_twin *twin, const struct zr_scene *large, float *samples, uint8_t *gaps,
                          struct reference_error *error)
 {
@@ -215,6 +246,7 @@ static bool draw_samples(const struct look_twin *twin, const struct zr_scene *la
     if (!batches_make(twin->arena, large, twin->camera, &twin->options, &batches) ||
         !put_sides(twin->arena, &batches.arrays) || !look_corners_make(twin->arena, large, &batches.arrays, &corners))
         return false;
+    batches.arrays.blended = zr_any_is_xray(large->materials, large->material_count);
     set_uniforms(twin, &u);
     const struct reference_uniform uniforms[] = {{"viewer", 4, 1, &u.viewer.x},
                                                  {"ambient", 3, 1, &u.ambient.x},
@@ -295,14 +327,16 @@ static void finish_pixel(const float *corner, uint32_t side, size_t row_floats, 
 
 bool look_twin_draw(const struct look_twin *twin, uint8_t *rgba, uint8_t *gaps, struct reference_error *error)
 {
-    const struct zr_scene large = average_scene(twin->arena, twin->scene);
+    struct zr_scene large = average_scene(twin->arena, twin->scene);
     const uint32_t side = twin->scene->picture.side;
     const uint32_t width = twin->scene->views[0].width, height = twin->scene->views[0].height;
     const size_t count = (size_t)large.views[0].width * large.views[0].height;
     const size_t row_floats = (size_t)large.views[0].width * 4;
     float *samples = zr_arena_alloc(twin->arena, count, 4 * sizeof *samples);
     uint8_t *sample_gaps = zr_arena_alloc(twin->arena, count, 1);
+    const bool has_xrays = zr_any_is_xray(large.materials, large.material_count);
     if (twin->scene->light_count > LOOK_LAMPS_MAX || !samples || !sample_gaps) return false;
+    if (has_xrays && !show_backs(twin->arena, &large)) return false;
     if (!draw_samples(twin, &large, samples, sample_gaps, error)) return false;
     average_gaps(sample_gaps, side, width, height, gaps);
     for (uint32_t y = 0; y < height; y++) {

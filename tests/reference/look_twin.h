@@ -4,7 +4,8 @@
  * its normal and the way to the eye, which it interpolates itself. The formulas and the constants of environments are
  * written down here once more, from their definition, and not taken from the core; of the core's are normals of
  * vertices and creases, and the table of the split sum, which a unit test integrates. Samples are averaged here, over
- * the background, and encoded as sRGB, in double.
+ * the background, and encoded as sRGB, in double. X-rays of one ink are blended as they come, without depths: in which
+ * order they are makes no difference.
  */
 #ifndef ZR_TEST_LOOK_TWIN_H
 #define ZR_TEST_LOOK_TWIN_H

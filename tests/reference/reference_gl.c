@@ -357,7 +357,7 @@ bool reference_draw_batches(struct reference *reference, const struct reference_
     set_fog(&arrays->fog);
     enable(GL_BLEND, arrays->blended);
     enable(GL_DEPTH_TEST, !arrays->blended);
-    glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
+    glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
     glMatrixMode(GL_PROJECTION);
     glLoadMatrixf(arrays->projection.m);
     glMatrixMode(GL_MODELVIEW);

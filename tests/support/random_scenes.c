@@ -16,6 +16,7 @@ static int length;
 static struct random dice;
 static bool is_textbook; /* nothing in the scene needs linear light */
 static bool is_painted;  /* by an algorithm that keeps no fragments */
+static bool has_xrays;   /* which need some */
 
 #define PICK(list) ((list)[random_below(&dice, sizeof(list) / sizeof *(list))])
 
@@ -146,11 +147,13 @@ static void add_fog(void)
     add(",\"fog\":{\"color\":\"#%06x\",\"near\":%.6g,\"far\":%.6g}", color(), near, far);
 }
 
-/* The last two need linear light. */
+/* The last three need linear light, and the last one of all an algorithm that keeps fragments. */
 static const char *shading(void)
 {
-    static const char *const shadings[] = {"unlit", "flat", "gouraud", "phong", "normals", "pbr", "gooch"};
-    return shadings[random_below(&dice, is_textbook ? 5 : 7)];
+    static const char *const shadings[] = {"unlit", "flat", "gouraud", "phong", "normals", "pbr", "gooch", "xray"};
+    const char *shading = shadings[random_below(&dice, is_textbook ? 5 : is_painted ? 7 : 8)];
+    has_xrays |= strcmp(shading, "xray") == 0;
+    return shading;
 }
 
 /* What looks say, now and then said by the scene. */
@@ -158,6 +161,7 @@ static void add_keys(void)
 {
     static const char *const ups[] = {"y", "z"};
     static const char *const algorithms[] = {"edgelist", "trapezoid", "scanline", "painter"};
+    is_painted = false; /* so far */
     if (once_in(3)) add_background();
     if (once_in(3)) add(",\"up\":\"%s\"", PICK(ups));
     if (once_in(3)) add(",\"shading\":\"%s\"", shading());
@@ -171,9 +175,8 @@ static void add_keys(void)
         if (once_in(2)) add(",\"groundShadow\":%s", truth());
         if (once_in(2)) add(",\"creaseDegrees\":%.6g", once_in(4) ? 180.0 : between(0.0, 90.0));
     }
-    is_painted = false;
     if (once_in(8)) {
-        const char *algorithm = PICK(algorithms);
+        const char *algorithm = has_xrays ? algorithms[random_below(&dice, 3)] : PICK(algorithms);
         is_painted = strcmp(algorithm, "painter") == 0;
         add(",\"algorithm\":\"%s\"", algorithm);
     }
@@ -405,15 +408,18 @@ static void add_view(void)
 
 const char *random_scene(uint64_t number)
 {
-    static const char *const looks[] = {"studio",  "technical", "clay",     "dark",        "metal",
-                                        "outdoor", "blueprint", "studio@1", "technical@1", "textbook"};
+    static const char *const looks[] = {"studio",    "technical", "clay",     "dark",        "metal",   "outdoor",
+                                        "blueprint", "xray",      "studio@1", "technical@1", "textbook"};
     length = 0;
     dice = random_seeded(number);
     is_textbook = once_in(6);
     const int meshes = 1 + (int)random_below(&dice, MESHES);
     add("{");
     add_size();
-    if (!once_in(8)) add(",\"look\":\"%s\"", is_textbook ? "textbook" : PICK(looks));
+    const char *look = is_textbook ? "textbook" : PICK(looks);
+    const bool has_look = !once_in(8);
+    has_xrays = has_look && strcmp(look, "xray") == 0;
+    if (has_look) add(",\"look\":\"%s\"", look);
     add_keys();
     add_lamps();
     add_materials();

@@ -52,6 +52,7 @@ static const char *const pictures[] = {
     "\"look\": \"technical\"",
     "\"look\": \"outdoor\"",
     "\"look\": \"blueprint\"",
+    "\"look\": \"xray\"",
     "\"samples\": 16",
     "\"samples\": 4, \"colorManagement\": \"srgb\", \"occlusion\": true, \"edges\": {\"width\": 3}",
     "\"creaseDegrees\": 60, \"groundShadow\": true, \"exposure\": 2, \"toneMapping\": \"khronos-neutral\"",

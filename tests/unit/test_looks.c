@@ -113,6 +113,7 @@ static void version_1_has_the_values_that_it_was_released_with(void **state)
         {"outdoor@1", ZR_SHADING_PBR, 0xb9b4aa, 0, 0.55f, 0xbcd6f0, 0xefe9de, 0.78f, ZR_TONE_NEUTRAL},
         {"technical@1", ZR_SHADING_GOOCH, 0xffffff, 0, 0.55f, 0, 0, 1, ZR_TONE_NONE},
         {"blueprint@1", ZR_SHADING_UNLIT, 0x1d4a86, 0, 0.55f, 0, 0, 1, ZR_TONE_NONE},
+        {"xray@1", ZR_SHADING_XRAY, 0x2b6cb0, 0, 0.55f, 0xffffff, 0xf1f4f8, 1, ZR_TONE_NONE},
     };
     for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++) {
         const struct zr_look *look = zr_look_find(rows[i].name);

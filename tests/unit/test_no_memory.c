@@ -298,7 +298,7 @@ static void info_of_a_bare_mesh(void **state)
 /* Each look, with samples and all effects that it has; shadows, edges and lines besides. */
 static void pictures_of_looks(void **state)
 {
-    static const char *const looks[] = {"studio", "technical", "outdoor", "blueprint", "textbook"};
+    static const char *const looks[] = {"studio", "technical", "outdoor", "blueprint", "xray", "textbook"};
     (void)state;
     for (size_t i = 0; i < sizeof looks / sizeof looks[0]; i++)
         assert_survives(looks[i],
