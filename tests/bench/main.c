@@ -20,6 +20,7 @@
 #include "bench/sides.h"
 #include "bench/turns.h"
 #include "bench/versus_cjson.h"
+#include "bench/versus_glsl.h"
 #include "bench/versus_libpng.h"
 #include "bench/versus_llvmpipe.h"
 
@@ -145,6 +146,7 @@ int main(int count, char **arguments)
     growth_floors(&bench);
     growth_past_caches(&bench);
     versus_llvmpipe(&bench);
+    versus_glsl(&bench);
     growth_of_threads(&bench);
     growth_of_channels(&bench);
     growth_of_light(&bench);
