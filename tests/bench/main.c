@@ -157,6 +157,7 @@ int main(int count, char **arguments)
     versus_cjson(&bench);
     service_against_stock(&bench);
     looks_over_http(&bench);
+    service_for_simulator(&bench);
     service_against_bare_http(&bench);
     service_cold_start(&bench);
     service_beside_large(&bench);
