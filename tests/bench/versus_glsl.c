@@ -56,15 +56,17 @@ struct lit {
     struct zr_image image;
 };
 
-/* As a file would have brought them. */
+/* As a file would have brought them. Vertices of no face have some, too: where one is missing, all are computed. */
 static bool give_normals(struct lit *lit)
 {
     struct zr_mesh *mesh = &lit->ours.subject.mesh;
     struct zr_arena *arena = &lit->theirs.arena;
     const zr_vec4 *made = zr_vertex_normals_make(arena, NULL, NULL, mesh);
     zr_vec3 *normals = zr_arena_alloc(arena, mesh->position_count, sizeof *normals);
-    for (uint32_t i = 0; made && normals && i < mesh->position_count; i++)
+    for (uint32_t i = 0; made && normals && i < mesh->position_count; i++) {
         normals[i] = (zr_vec3){made[i].x, made[i].y, made[i].z};
+        if (zr_normal_is_zero(normals[i])) normals[i].z = 1.0f;
+    }
     mesh->normals = normals;
     mesh->normal_count = mesh->position_count;
     return made && normals;
