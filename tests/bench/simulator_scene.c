@@ -75,7 +75,7 @@ static void make_cylinder(struct solid *solid)
     add_band(solid, (struct profile){1, -1, 0, -1}, (struct profile){0, -1, 0, -1}, 0.75, 1);
 }
 
-/* Its rows share no vertices otherwise: a grid. */
+/* A grid, closed around y. */
 static void make_ball(struct solid *solid)
 {
     *solid = (struct solid){.name = "ball", .material = "clouds"};

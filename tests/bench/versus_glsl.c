@@ -16,7 +16,8 @@ enum { OURS, THEIRS, SIDES, THREADS_MAX = 2, IMAGE_SIDE = 1024 };
 
 /* `steps` of 255 is how far colours may be apart, and in one pixel of `one_in` they may be farther. Phong's are equal,
  * but for the compiler's liberties with what is timed. Trilinear textures are sampled by a plain texture2D on their
- * side: its level is one for 2x2 pixels and comes from differences, ours from the derivatives at each pixel. */
+ * side: its level is one for 2x2 pixels and comes from differences, ours from the derivatives at each pixel. Ours makes
+ * all levels anew for each picture, as for each request; theirs has them. */
 static const struct shading {
     const char *name;
     enum zr_shading shading;

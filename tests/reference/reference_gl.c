@@ -37,7 +37,7 @@ bool reference_gl_ok(struct reference_error *error, const char *what)
 
 static void set_environment(const struct reference_options *options)
 {
-    /* Textures are sampled in floats, not in bytes, which is the driver's own way. */
+    /* The driver would sample textures of bytes in bytes, for speed. What ours equals are floats. */
     if (options->native)
         unsetenv("GALLIVM_PERF");
     else
