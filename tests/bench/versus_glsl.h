@@ -4,8 +4,8 @@
 
 #include "bench/bench.h"
 
-/* An animal with normals at its vertices, on 1 and 2 threads, after the pictures were compared: colours to a step or
- * two, depths to the last bit. */
+/* An animal with normals at its vertices, on 1 and 2 threads, after the pictures were compared: Phong's and all
+ * depths to the last bit, pbr's colours to a step of 255. */
 void versus_glsl(struct bench *bench);
 
 #endif
