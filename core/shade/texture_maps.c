@@ -13,7 +13,8 @@ struct chain {
     struct zr_texture_level levels[ZR_TEXTURE_LEVELS_MAX];
 };
 
-/* In 0..1: fewer than there are between two thresholds of 8 bits, 3294 being the least. */
+/* Of light from 0 to 1. A step is narrower than what lies between two thresholds of 8 bits, at least a 3294th: it has
+ * one threshold at most. */
 enum { CODE_STEPS = 4096 };
 
 /* Of colours of so many bits. */
