@@ -218,9 +218,10 @@ static inline struct zr_vec3_v zr_texture_color_v(const struct zr_texture_map *m
     const bool linear = zr_filter_is_linear(map->texture->magnify);
     if (!zr_texture_needs_rho(map)) return zr_sample_level_v(map, 0, linear, s, t);
     const zr_vm smaller = zr_vf_lt(zr_vf_set(1.0f), rho_squared);
-    const struct zr_vec3_v large = zr_sample_level_v(map, 0, linear, s, t);
-    if (!zr_vm_any(smaller)) return large;
-    return zr_choose_v(smaller, zr_sample_minified_v(map, zr_lod_v(rho_squared, as_mesa), s, t), large);
+    if (!zr_vm_any(smaller)) return zr_sample_level_v(map, 0, linear, s, t);
+    const struct zr_vec3_v small = zr_sample_minified_v(map, zr_lod_v(rho_squared, as_mesa), s, t);
+    if (zr_vm_bits(smaller) == ZR_ALL_BITS) return small;
+    return zr_choose_v(smaller, small, zr_sample_level_v(map, 0, linear, s, t));
 }
 
 #endif

@@ -47,8 +47,7 @@ static void name_row(const struct task *task, char *name, size_t size)
     snprintf(name, size, "%s: %.50s %dT %s", rows[task->row].name, what, task->threads, machine_isa_name());
 }
 
-/* Studio with one sample and no effect. */
-static void make_linear(struct ours *ours)
+void looks_make_linear(struct ours *ours)
 {
     const struct zr_look *studio = zr_look_find("studio");
     struct zr_scene *scene = &ours->subject.scene;
@@ -65,7 +64,7 @@ static void add(struct ours *ours, enum added added)
     if (added == SAMPLES_4) picture->side = 2;
     if (added == SAMPLES_16) picture->side = 4;
     if (added == SAMPLES_64) picture->side = 8;
-    if (added == LINEAR || added == ALL) make_linear(ours);
+    if (added == LINEAR || added == ALL) looks_make_linear(ours);
     if (added == ALL) *picture = zr_look_find("studio")->picture;
     if (added == OCCLUSION) picture->occlusion.is_on = true;
     if (added == GROUND) picture->has_ground = true;
@@ -89,7 +88,7 @@ static void light_lamp(struct ours *ours, bool has_shadows)
 static void take(struct ours *ours, const struct task *task, int side)
 {
     ours_take(ours, task->work, &(struct variant){rows[task->row].shade, true});
-    if (rows[task->row].is_linear) make_linear(ours);
+    if (rows[task->row].is_linear) looks_make_linear(ours);
     if (rows[task->row].added == SHADOWS) light_lamp(ours, side == WITH);
     if (side == WITH) add(ours, rows[task->row].added);
 }

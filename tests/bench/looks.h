@@ -3,6 +3,7 @@
 #define ZR_BENCH_LOOKS_H
 
 #include "bench/bench.h"
+#include "bench/sides.h"
 
 /* Samples, linear light and each effect, on 1 and 2 threads: "theirs" is ours without, in the same run. */
 void looks_against_plain(struct bench *bench);
@@ -13,5 +14,8 @@ void looks_against_llvmpipe(struct bench *bench);
 
 /* Whole requests over HTTP, on 2 threads: looks of a mesh, against the plain flat picture of it. */
 void looks_over_http(struct bench *bench);
+
+/* What ours draws from now on: as the look studio shades it, with one sample and no effect. */
+void looks_make_linear(struct ours *ours);
 
 #endif

@@ -20,6 +20,7 @@
 #include "bench/sides.h"
 #include "bench/turns.h"
 #include "bench/versus_cjson.h"
+#include "bench/versus_glsl.h"
 #include "bench/versus_libpng.h"
 #include "bench/versus_llvmpipe.h"
 
@@ -145,6 +146,7 @@ int main(int count, char **arguments)
     growth_floors(&bench);
     growth_past_caches(&bench);
     versus_llvmpipe(&bench);
+    versus_glsl(&bench);
     growth_of_threads(&bench);
     growth_of_channels(&bench);
     growth_of_light(&bench);
@@ -155,6 +157,7 @@ int main(int count, char **arguments)
     versus_cjson(&bench);
     service_against_stock(&bench);
     looks_over_http(&bench);
+    service_for_simulator(&bench);
     service_against_bare_http(&bench);
     service_cold_start(&bench);
     service_beside_large(&bench);

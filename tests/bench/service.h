@@ -8,6 +8,10 @@
  * both are compared. The note tells what the daemon says of its steps. */
 void service_against_stock(struct bench *bench);
 
+/* A scene of textured objects, its colours, depths and ids in one request, on 1 thread, against llvmpipe that draws it
+ * and reads them back, in this process; first all that is read is compared. The note tells what the steps take. */
+void service_for_simulator(struct bench *bench);
+
 /* The daemon's cheapest answer against libmicrohttpd alone, giving the same bytes. */
 void service_against_bare_http(struct bench *bench);
 

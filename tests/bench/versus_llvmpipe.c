@@ -3,6 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "bench/likeness.h"
 #include "bench/machine.h"
 #include "bench/series.h"
 #include "bench/sides.h"
@@ -111,21 +112,9 @@ static bool run_round(void *context, struct series *series)
  * that depth begins at, move it a little. All but a hundredth of what is seen must have the same colour, to 2 steps. */
 static bool is_alike(const struct zr_frame *frame, struct theirs *theirs)
 {
-    size_t pixels = (size_t)frame->width * frame->height, seen = 0, differing = 0;
-    struct reference_error error = {""};
-    uint8_t *rgba = malloc(pixels * 4);
-    bool ok = rgba && theirs_draw(theirs) && reference_read(theirs->reference, rgba, NULL, &error);
-    for (size_t i = 0; ok && i < pixels; i++) {
-        int most = 0;
-        for (size_t c = 4 * i; c < 4 * i + 3; c++) {
-            int difference = abs(rgba[c] - frame->color[c]);
-            most = difference > most ? difference : most;
-        }
-        differing += most > 2;
-        seen += frame->window_depth[i] < 1.0f;
-    }
-    free(rgba);
-    return ok && seen > 0 && differing <= seen / 100;
+    struct likeness likeness;
+    return theirs_draw(theirs) && likeness_find(frame, theirs->reference, 2, &likeness) && likeness.seen > 0 &&
+           likeness.off <= likeness.seen / 100;
 }
 
 static void name_row(const struct task *task, const struct variant *variant, bool ids, struct row *row)

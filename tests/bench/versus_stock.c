@@ -29,17 +29,15 @@ static void name_row(const struct task *task, char *name, size_t size)
 
 /* What a round takes: the daemon, what it tells of its steps in Server-Timing, and the stock path. */
 enum { OURS, PARSE, RENDER, ENCODE, THEIRS, TIMES };
-static const char *const step_names[] = {[PARSE] = "parse;dur=", [RENDER] = "render;dur=", [ENCODE] = "encode;dur="};
+static const char *const step_names[] = {[PARSE] = "parse", [RENDER] = "render", [ENCODE] = "encode"};
 
 static bool ask(struct wire *wire, const struct document *document, struct series *series, struct wire_answer *answer)
 {
     double begin = now_ms();
     bool ok = wire_ask(wire, "POST", "/v1/render", document->bytes, document->size, answer) && answer->status == 200;
     series_add(&series[OURS], now_ms() - begin);
-    for (int s = PARSE; ok && s <= ENCODE; s++) {
-        const char *at = strstr(answer->headers, step_names[s]);
-        series_add(&series[s], at ? strtod(at + strlen(step_names[s]), NULL) : 0.0);
-    }
+    for (int s = PARSE; ok && s <= ENCODE; s++)
+        series_add(&series[s], wire_step_ms(answer, step_names[s]));
     return ok || bench_complain("the daemon answered %d", answer->status);
 }
 

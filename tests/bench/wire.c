@@ -93,3 +93,11 @@ bool wire_ask(struct wire *wire, const char *method, const char *target, const v
     struct iovec parts[] = {{head, (size_t)length}, {(void *)(uintptr_t)body, size}};
     return send_all(wire->fd, parts, body ? 2 : 1) && read_answer(wire, answer);
 }
+
+double wire_step_ms(const struct wire_answer *answer, const char *step)
+{
+    char key[32];
+    const int length = snprintf(key, sizeof key, "%s;dur=", step);
+    const char *at = strstr(answer->headers, key);
+    return at ? strtod(at + length, NULL) : 0.0;
+}

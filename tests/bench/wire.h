@@ -27,4 +27,7 @@ void wire_close(struct wire *wire);
 bool wire_ask(struct wire *wire, const char *method, const char *target, const void *body, size_t size,
               struct wire_answer *answer);
 
+/* Of a step that Server-Timing tells of: "parse", "render", "encode". 0 where it does not. */
+double wire_step_ms(const struct wire_answer *answer, const char *step);
+
 #endif

@@ -32,31 +32,36 @@ static const char *const vertex =
     "    gl_Position = ftransform();\n"
     "}\n";
 
+static const char *const version = "#version 400 compatibility\n";
+
 static const char *const declarations =
-    "#version 400 compatibility\n"
     "in vec4 place;\n"
     "in vec3 base, normal, way, lean;\n"
-    "flat in float side, hand;\n"
+    "flat in float hand;\n"
     "flat in vec4 step_x, step_y, step_w;\n"
-    "uniform sampler2D base_map, roughness_map, normal_map, occlusion_map, emissive_map;\n"
+    "#ifndef FIXED\n"
+    "flat in float side;\n"
     "uniform float has[5], second[5];\n" /* second: coordinates 1 instead of 0 */
+    "uniform float toe;\n"               /* less than 0: no tone mapping */
+    "uniform float environment;\n"       /* 0: none, 1: studio, 2: outdoor */
+    "uniform float lamp_count;\n"
+    "uniform int shading;\n"
+    "#endif\n"
+    "uniform sampler2D base_map, roughness_map, normal_map, occlusion_map, emissive_map;\n"
     "uniform vec3 rows[10];\n"
     "uniform float normal_scale, occlusion_strength;\n"
     "float rough, metal, open;\n"
     "vec3 glow;\n"
     "uniform vec4 viewer;\n"
     "uniform vec3 ambient;\n"
-    "uniform float exposure, toe;\n"          /* toe: less than 0: no tone mapping */
-    "uniform float environment, intensity;\n" /* 0: none, 1: studio, 2: outdoor */
-    "uniform vec3 to_environment[3];\n"       /* rows */
-    "uniform float lamp_count;\n"
+    "uniform float exposure, intensity;\n"
+    "uniform vec3 to_environment[3];\n" /* rows */
     "uniform vec3 lamp_to[64], lamp_color[64], lamp_ground[64];\n"
     "uniform vec3 lamp_kind[64];\n"  /* a hemisphere; lights pbr; lights flat, gouraud and phong */
     "uniform vec4 lamp_place[64];\n" /* from the eye; w: 1 where the lamp has a place */
     "uniform vec4 lamp_spot[64];\n"  /* of a spot: the way of its light; w: cos of the outer angle, or -2: no spot */
     "uniform vec2 lamp_end[64];\n"   /* cos of the inner angle; range, or 0 */
     "uniform vec2 split[1024];\n"    /* rows of 32 columns: A, B */
-    "uniform int shading;\n"
     "uniform vec3 specular, emissive, cool;\n"
     "uniform float shininess, metallic, roughness;\n"
     "vec3 decode(vec3 c)\n"
@@ -84,7 +89,8 @@ static const char *const declarations =
     "    return mix(lamp_ground[i], lamp_color[i], 0.5 + 0.5 * dot(d, lamp_to[i]));\n"
     "}\n";
 
-/* The level is that of the derivatives of the coordinates, which are those of coordinates over w and of 1/w. */
+/* The level is that of the derivatives of the coordinates, which are those of coordinates over w and of 1/w. FIXED: the
+ * plain call, whose level is told by differences between neighbours. */
 static const char *const textures =
     "vec2 moved(int slot, vec4 p, float one)\n"
     "{\n"
@@ -95,10 +101,14 @@ static const char *const textures =
     "vec3 texel(sampler2D map, int slot)\n"
     "{\n"
     "    if (has[slot] == 0.0) return vec3(1.0);\n"
+    "#ifdef FIXED\n"
+    "    return texture2D(map, moved(slot, place, 1.0)).rgb;\n"
+    "#else\n"
     "    vec4 x = (step_x - place * step_w.x) / gl_FragCoord.w, y = (step_y - place * step_w.y) / gl_FragCoord.w;\n"
     "    vec2 size = vec2(textureSize(map, 0)), u = moved(slot, x, 0.0) * size, v = moved(slot, y, 0.0) * size;\n"
     "    float lod = 0.5 * log2(clamp(max(dot(u, u), dot(v, v)), 1e-9, 1e18));\n"
     "    return textureLod(map, moved(slot, place, 1.0), lod).rgb;\n"
+    "#endif\n"
     "}\n"
     "vec3 mapped_normal(vec3 n)\n"
     "{\n"
@@ -292,9 +302,10 @@ _Static_assert(ZR_SHADING_UNLIT == 0 && ZR_SHADING_PHONG == 3 && ZR_SHADING_NORM
                    ZR_SHADING_GOOCH == 6 && ZR_SHADING_XRAY == 7 && LOOK_LAMPS_MAX == 64,
                "the program has these numbers");
 
-unsigned look_program(struct reference_error *error)
+unsigned look_program(const char *fixed, struct reference_error *error)
 {
     static char fragment[1 << 15];
-    snprintf(fragment, sizeof fragment, "%s%s%s%s%s%s", declarations, textures, tone, environments, pbr, surfaces);
+    snprintf(fragment, sizeof fragment, "%s%s%s%s%s%s%s%s", version, fixed ? fixed : "", declarations, textures, tone,
+             environments, pbr, surfaces);
     return reference_program(vertex, fragment, error);
 }

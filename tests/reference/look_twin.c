@@ -196,6 +196,31 @@ static void set_uniforms(const struct look_twin *twin, struct uniforms *u)
     set_lamps(twin, u);
 }
 
+const struct reference_uniform *look_twin_uniforms(const struct look_twin *twin)
+{
+    static struct uniforms u;
+    static const struct reference_uniform uniforms[LOOK_UNIFORMS] = {
+        {"viewer", 4, 1, &u.viewer.x},
+        {"ambient", 3, 1, &u.ambient.x},
+        {"exposure", 1, 1, &u.exposure},
+        {"toe", 1, 1, &u.toe},
+        {"environment", 1, 1, &u.environment},
+        {"intensity", 1, 1, &u.intensity},
+        {"to_environment", 3, 3, u.to_environment[0]},
+        {"lamp_count", 1, 1, &u.lamp_count},
+        {"lamp_to", 3, LOOK_LAMPS_MAX, u.lamp_to[0]},
+        {"lamp_color", 3, LOOK_LAMPS_MAX, &u.lamp_color[0].x},
+        {"lamp_ground", 3, LOOK_LAMPS_MAX, &u.lamp_ground[0].x},
+        {"lamp_kind", 3, LOOK_LAMPS_MAX, &u.lamp_kind[0].x},
+        {"lamp_place", 4, LOOK_LAMPS_MAX, u.lamp_place[0]},
+        {"lamp_spot", 4, LOOK_LAMPS_MAX, u.lamp_spot[0]},
+        {"lamp_end", 2, LOOK_LAMPS_MAX, u.lamp_end[0]},
+        {"split", 2, ZR_SPLIT_SIDE * ZR_SPLIT_SIDE, u.split[0]},
+    };
+    set_uniforms(twin, &u);
+    return uniforms;
+}
+
 /* ---- drawing ---- */
 
 /* Which side a program is to take, as look_program.c has it. */
@@ -237,33 +262,15 @@ static bool show_backs(struct zr_arena *arena, struct zr_scene *scene)
 static bool draw_samples(const struct look_twin *twin, const struct zr_scene *large, float *samples, uint8_t *gaps,
                          struct reference_error *error)
 {
-    static struct uniforms u;
     struct batches batches;
     struct look_corners corners;
     const uint32_t width = large->views[0].width, height = large->views[0].height;
-    if (!*twin->program) *twin->program = look_program(error);
+    if (!*twin->program) *twin->program = look_program(NULL, error);
     if (!*twin->program) return false;
     if (!batches_make(twin->arena, large, twin->camera, &twin->options, &batches) ||
         !put_sides(twin->arena, &batches.arrays) || !look_corners_make(twin->arena, large, &batches.arrays, &corners))
         return false;
     batches.arrays.blended = zr_any_is_xray(large->materials, large->material_count);
-    set_uniforms(twin, &u);
-    const struct reference_uniform uniforms[] = {{"viewer", 4, 1, &u.viewer.x},
-                                                 {"ambient", 3, 1, &u.ambient.x},
-                                                 {"exposure", 1, 1, &u.exposure},
-                                                 {"toe", 1, 1, &u.toe},
-                                                 {"environment", 1, 1, &u.environment},
-                                                 {"intensity", 1, 1, &u.intensity},
-                                                 {"to_environment", 3, 3, u.to_environment[0]},
-                                                 {"lamp_count", 1, 1, &u.lamp_count},
-                                                 {"lamp_to", 3, LOOK_LAMPS_MAX, u.lamp_to[0]},
-                                                 {"lamp_color", 3, LOOK_LAMPS_MAX, &u.lamp_color[0].x},
-                                                 {"lamp_ground", 3, LOOK_LAMPS_MAX, &u.lamp_ground[0].x},
-                                                 {"lamp_kind", 3, LOOK_LAMPS_MAX, &u.lamp_kind[0].x},
-                                                 {"lamp_place", 4, LOOK_LAMPS_MAX, u.lamp_place[0]},
-                                                 {"lamp_spot", 4, LOOK_LAMPS_MAX, u.lamp_spot[0]},
-                                                 {"lamp_end", 2, LOOK_LAMPS_MAX, u.lamp_end[0]},
-                                                 {"split", 2, ZR_SPLIT_SIDE * ZR_SPLIT_SIDE, u.split[0]}};
     const struct reference_attribute attributes[] = {{"tangent", 4, &corners.tangents->x},
                                                      {"along_x", 4, &corners.along_x->x},
                                                      {"along_y", 4, &corners.along_y->x},
@@ -271,8 +278,8 @@ static bool draw_samples(const struct look_twin *twin, const struct zr_scene *la
     const struct reference_shader shader = {.program = *twin->program,
                                             .attribute_count = sizeof attributes / sizeof *attributes,
                                             .attributes = attributes,
-                                            .uniform_count = sizeof uniforms / sizeof *uniforms,
-                                            .uniforms = uniforms};
+                                            .uniform_count = LOOK_UNIFORMS,
+                                            .uniforms = look_twin_uniforms(twin)};
     if (!reference_resize(twin->reference, width, height, batches.parity_faces > 0, error) ||
         !reference_draw_floats(twin->reference, &batches.arrays, &shader, samples, error) ||
         !reference_read_gaps(twin->reference, gaps, error))

@@ -33,8 +33,12 @@ struct look_twin {
 /* To rgba, row 0 on top, as the channel color has it; gaps[pixel] is set where a sample of it is one. */
 bool look_twin_draw(const struct look_twin *twin, uint8_t *rgba, uint8_t *gaps, struct reference_error *error);
 
-/* look_program.c: the GLSL. */
-unsigned look_program(struct reference_error *error);
+/* look_program.c: the GLSL. `fixed` as in struct reference; NULL: uniforms. */
+unsigned look_program(const char *fixed, struct reference_error *error);
+
+/* All that it has as uniforms of the whole picture. They stand until the next call. */
+enum { LOOK_UNIFORMS = 16 };
+const struct reference_uniform *look_twin_uniforms(const struct look_twin *twin);
 enum { LOOK_LAMPS_MAX = 64 };
 
 #endif

@@ -27,7 +27,7 @@ static bool no_such(const char *kind, const char *name, struct reference_error *
     return false;
 }
 
-static bool set_uniform(unsigned program, const struct reference_uniform *uniform, struct reference_error *error)
+bool reference_uniform_set(unsigned program, const struct reference_uniform *uniform, struct reference_error *error)
 {
     GLint at = glGetUniformLocation(program, uniform->name);
     if (at < 0) return no_such("uniform", uniform->name, error);
@@ -74,7 +74,7 @@ static bool set_inputs(const struct reference_shader *shader, struct reference_e
     glUseProgram(shader->program);
     glBindBuffer(GL_ARRAY_BUFFER, 0);
     for (uint32_t i = 0; i < shader->uniform_count; i++)
-        if (!set_uniform(shader->program, &shader->uniforms[i], error)) return false;
+        if (!reference_uniform_set(shader->program, &shader->uniforms[i], error)) return false;
     for (uint32_t i = 0; i < shader->attribute_count; i++)
         if (!point_at_attribute(shader->program, &shader->attributes[i], error)) return false;
     return true;

@@ -37,8 +37,11 @@ bool reference_gl_ok(struct reference_error *error, const char *what)
 
 static void set_environment(const struct reference_options *options)
 {
-    /* Textures are sampled in floats, not in bytes. */
-    setenv("GALLIVM_PERF", "no_aos_sampling", 1);
+    /* The driver would sample textures of bytes in bytes, for speed. What ours equals are floats. */
+    if (options->native)
+        unsetenv("GALLIVM_PERF");
+    else
+        setenv("GALLIVM_PERF", "no_aos_sampling", 1);
     /* "avx" would leave fused multiply-add on; SSE4.1 has none. On machines other
      * than x86 Mesa ignores it. */
     if (options->native)

@@ -29,6 +29,10 @@ struct reference {
     uint8_t *row;                                                 /* of the widest attachment */
     GLuint buffers[3];                                            /* of what is kept: positions, front, indices */
     const zr_vec4 *kept;                                          /* whose positions these are; NULL: nothing is kept */
+
+    /* For benchmarks, GLSL that late lighters to come have as constants: "#define FIXED", and declarations of all that
+     * are uniforms without it, since branches of a uniform are computed on both sides. NULL: they are uniforms. */
+    const char *fixed;
 };
 
 /* Says in *error what failed, with GL's error code, and returns false. */

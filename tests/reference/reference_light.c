@@ -61,7 +61,7 @@ static const char *const source = "uniform vec3 ambient;\n"
                                   "}\n";
 
 /* What is shaded pixel by pixel: its own colour, normal and point are varyings. The power has an exponent that the
- * compiler does not know. */
+ * compiler does not know. FIXED: see struct reference. */
 static const char *const late_vertex =
     "uniform vec3 normal_rows[3];\n"
     "uniform vec4 to_eye[4], eye;\n" /* columns */
@@ -86,8 +86,10 @@ static const char *const late_vertex =
 static const char *const late_fragment =
     "uniform vec3 ambient, specular;\n"
     "uniform float shininess;\n"
+    "#ifndef FIXED\n"
     "uniform int light_count, side, model, in_fog;\n"
     "uniform bool textured;\n"
+    "#endif\n"
     "uniform sampler2D image;\n"
     "varying vec2 place;\n"
     "varying float depth, opacity;\n"
@@ -127,14 +129,15 @@ static const char *const late_fragment =
 /* Drivers that know no `precise` do without: they are held to what rounding explains. Vertices that only directional
  * lights light have always done without. */
 static bool make_lighter(struct reference_lighter *lighter, const char *vertex, const char *fragment, bool is_placed,
-                         struct reference_error *error)
+                         const char *fixed, struct reference_error *error)
 {
     static const char *const versions[] = {"#version 400 compatibility\n", "#version 120\n#define precise\n"};
     static char whole_vertex[1 << 13], whole_fragment[1 << 13];
     const char *const lights = is_placed ? "#define PLACED\n#define LIGHTS 64\n" : "#define LIGHTS 1024\n";
     for (size_t i = fragment || is_placed ? 0 : 1; i < sizeof versions / sizeof versions[0]; i++) {
         snprintf(whole_vertex, sizeof whole_vertex, "%s%s%s", versions[i], lights, vertex);
-        snprintf(whole_fragment, sizeof whole_fragment, "%s%s%s", versions[i], lights, fragment ? fragment : "");
+        snprintf(whole_fragment, sizeof whole_fragment, "%s%s%s%s", versions[i], lights, fixed ? fixed : "",
+                 fragment ? fragment : "");
         lighter->program = reference_program(whole_vertex, fragment ? whole_fragment : NULL, error);
         if (lighter->program) break;
     }
@@ -209,10 +212,11 @@ bool reference_light_begin(struct reference *reference, const struct reference_a
                              *late_lighter = lighter_of(reference, lighting, true);
     if (lighting->count > (is_placed ? REFERENCE_PLACED_MAX : REFERENCE_LIGHTS_MAX))
         return reference_failed(error, "too many lights");
-    if (!lighter->program && !make_lighter(lighter, source, NULL, is_placed, error)) return false;
+    if (!lighter->program && !make_lighter(lighter, source, NULL, is_placed, NULL, error)) return false;
     set_lights(lighter, lighting);
     if (any_late(arrays)) {
-        if (!late_lighter->program && !make_lighter(late_lighter, late_vertex, late_fragment, is_placed, error))
+        if (!late_lighter->program &&
+            !make_lighter(late_lighter, late_vertex, late_fragment, is_placed, reference->fixed, error))
             return false;
         set_lights(late_lighter, lighting);
     }

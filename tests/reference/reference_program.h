@@ -44,6 +44,9 @@ struct reference_shader {
 unsigned reference_program(const char *vertex, const char *fragment, struct reference_error *error);
 void reference_program_delete(unsigned program);
 
+/* Of the program in use. A name that it does not have is an error. */
+bool reference_uniform_set(unsigned program, const struct reference_uniform *uniform, struct reference_error *error);
+
 /* Clears to the background and depth 1, and draws all batches by the program. Of a window of the size last given to
  * reference_resize: 4 floats a pixel to rgba, row 0 on top. A name that the program does not have, or does not use, is
  * an error. reference_read reads the depths of this draw. */

@@ -121,6 +121,25 @@ static void odd_sides_are_shared_by_area(void **state)
     zr_arena_free(&arena);
 }
 
+/* Even sides of 8 bits are halved another way than odd ones: the same comes of it, whatever two texels meet. */
+static void two_rows_that_are_alike_halve_as_one_row_does(void **state)
+{
+    (void)state;
+    enum { WIDTH = 512 };
+    static uint8_t texels[2 * WIDTH * 4];
+    for (int value = 0; value < 256; value++)
+        for (int decode = 0; decode < 2; decode++) {
+            struct test one = {.texture.minify = ZR_FILTER_NEAREST_MIPMAP_NEAREST}, two = one;
+            for (int i = 0; i < 2 * WIDTH * 4; i++)
+                texels[i] = (uint8_t)(i / 4 % 2 ? value : i / 8 % 256);
+            open_arena();
+            make(&one, WIDTH, 1, 8, texels, decode);
+            make(&two, WIDTH, 2, 8, texels, decode);
+            assert_memory_equal(texel(&two, 1, 0), texel(&one, 1, 0), WIDTH / 2 * 4);
+            zr_arena_free(&arena);
+        }
+}
+
 /* As much as was foretold, but for what arrays are aligned to; and not a third less. */
 static void memory_is_foretold(void **state)
 {
@@ -163,6 +182,7 @@ int main(void)
                                        cmocka_unit_test(colours_are_averaged_in_linear_light),
                                        cmocka_unit_test(colours_that_are_alike_stay),
                                        cmocka_unit_test(odd_sides_are_shared_by_area),
+                                       cmocka_unit_test(two_rows_that_are_alike_halve_as_one_row_does),
                                        cmocka_unit_test(memory_is_foretold),
                                        cmocka_unit_test(memory_that_is_short_is_told)};
     return cmocka_run_group_tests(tests, NULL, NULL);
