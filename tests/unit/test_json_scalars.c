@@ -1,7 +1,7 @@
 /* Meshes whose numbers become colours. */
 #include "json_check.h"
 
-#include "input/colormap.h"
+#include "scene/colormap.h"
 
 #define SQUARE "\"positions\": [[0,0,0],[1,0,0],[1,1,0],[0,1,0]], \"faces\": [[0,1,2],[0,2,3]]"
 
