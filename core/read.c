@@ -5,6 +5,7 @@
 #include "input/formats.h"
 #include "input/names.h"
 #include "input/parameters.h"
+#include "look/color_bar.h"
 #include "scene/validate.h"
 #include "strict.h"
 
@@ -96,6 +97,13 @@ static bool fits_memory(struct zr_arena *arena, const struct zr_scene *scene)
     return zr_arena_charge(arena, points < SIZE_MAX / point_bytes ? points * point_bytes : SIZE_MAX); /* fails */
 }
 
+/* Whether there is a colour bar; what it is like, a scene says. */
+static void apply_color_bar(struct zr_scene_builder *builder, const struct zr_query *query)
+{
+    if (query->has_color_bar) builder->scene->color_bar.is_on = query->color_bar != 0;
+    zr_color_bar_warn(builder->arena, builder->scene, &builder->warnings);
+}
+
 static void skip_byte_order_mark(struct zr_request *request)
 {
     const size_t mark = request->format == ZR_FORMAT_STL ? 0 : zr_byte_order_mark(request->bytes, request->size);
@@ -144,13 +152,14 @@ static enum zr_status read_scene(struct zr_arena *arena, struct zr_team *team, c
     status = name_bytes(request, format->reader->read(&builder, request, limits, error), error);
     if (status != ZR_OK) return status;
     if (!format->has_view) status = apply_query(&builder, request, &query, error);
+    if (status == ZR_OK) status = apply_output(arena, &query, scene);
     if (status != ZR_OK) return status;
+    apply_color_bar(&builder, &query);
     zr_scene_builder_close(&builder);
     if (!zr_arena_ok(arena)) return ZR_NO_MEMORY;
     if (query.has_compress) scene->compress = query.compress;
     scene->is_strict = query.is_strict;
-    status = apply_output(arena, &query, scene);
-    if (status == ZR_OK) status = zr_scene_validate(scene, limits, error);
+    status = zr_scene_validate(scene, limits, error);
     if (status == ZR_OK) status = zr_strict_check(scene, scene->warnings, scene->warning_count, error);
     return status == ZR_OK && !fits_memory(arena, scene) ? ZR_NO_MEMORY : status;
 }

@@ -2,6 +2,7 @@
  * in linear light in look/picture.c. */
 #include "zraster.h"
 
+#include "look/color_bar.h"
 #include "look/layer_channels.h"
 #include "look/pass.h"
 #include "look/picture.h"
@@ -78,6 +79,7 @@ static enum zr_status run_pipeline(struct zr_arena *arena, struct zr_team *team,
     STAGE(zr_frame_make(arena, &scene->views[0], resolved, frame));
     STAGE(zr_base_place(arena, scene, &frame->camera, &frame->base, error));
     STAGE(draw_frame(arena, team, scene, cancel, frame));
+    if (status == ZR_OK) zr_color_bar_draw(scene, frame);
     if (status == ZR_OK && zr_layer_channels_are_wanted(frame))
         STAGE(zr_layer_channels_draw(arena, team, scene, cancel, frame));
     const struct zr_output *pixel = zr_view_output(&scene->views[0], ZR_CHANNEL_FRAGMENTS);

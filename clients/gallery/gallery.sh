@@ -113,6 +113,16 @@ echo '<h2>Lamps that have a place</h2>' >>"$page"
 render lamps
 figure lamps wide "Two spots with shadows, and a point lamp near the floor." "$lights"
 
+# ---- a colour bar ----
+
+waves=$(awk -v model="waves viridis" -f $here/models.awk)
+bar='"colorBar": {"title": "height, mm"}'
+printf '{"look": "studio", "up": "z", "window": {"width": 620, "height": 400}, "view": {"azimuthDegrees": 35, "elevationDegrees": 30, "perspective": {"yfovDegrees": 30}, "fit": {"padding": 0.12}}, %s, "meshes": [{%s}]}\n' \
+    "$bar" "$waves" >"$out/color-bar.json"
+echo '<h2>A colour bar</h2>' >>"$page"
+render color-bar
+figure color-bar wide "The colormap with its numbers, over any look in its own colours." "$bar"
+
 # ---- what the README shows ----
 
 materials='"materials": [{"name": "slate"}, {"name": "gold", "baseColorFactor": "#e0a83a", "metallicFactor": 1, "roughnessFactor": 0.25}, {"name": "red", "baseColorFactor": "#cc3333", "roughnessFactor": 0.3}, {"name": "white", "baseColorFactor": "#f2f2f2", "roughnessFactor": 0.8}]'

@@ -15,6 +15,7 @@
     ROW(y, ANY, "PIXELS", "of that pixel; the uppermost has 0")                                                        \
     ROW(compress, ANY, "HOW", "fast (default) or small: PNGs of fewer bytes that take longer")                         \
     ROW(strict, ANY, "BOOL", "true: what would be warned of is refused; false (default)")                              \
+    ROW(colorBar, ANY, "BOOL", "true: the colormap of a scene with its numbers over the picture; as the scene says")   \
     ROW(look, MESH, "NAME", "studio (default), technical, clay, dark, metal, outdoor, blueprint, xray or textbook")    \
     ROW(samples, MESH, "COUNT", "for each pixel: 1, 4, 16 or 64; the look's")                                          \
     ROW(width, MESH, "PIXELS", "of the window; 640")                                                                   \

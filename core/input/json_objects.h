@@ -13,6 +13,7 @@
     ROW(environment)                                                                                                   \
     ROW(occlusion)                                                                                                     \
     ROW(edges)                                                                                                         \
+    ROW(colorBar)                                                                                                      \
     ROW(fit)                                                                                                           \
     ROW(perspective)                                                                                                   \
     ROW(orthographic)                                                                                                  \

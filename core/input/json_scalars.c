@@ -133,6 +133,15 @@ static void warn(struct zr_json *json, const struct zr_json_path *path, const st
                             path->index, outside, coloring->count, (double)coloring->low, (double)coloring->high);
 }
 
+/* NULL where all numbers are holes, and where there is no memory. */
+static const struct zr_color_scale *make_scale(struct zr_json *json, const struct coloring *coloring, bool is_asked)
+{
+    if (coloring->low > coloring->high) return NULL;
+    struct zr_color_scale *scale = zr_arena_alloc(json->arena, 1, sizeof *scale);
+    if (scale) *scale = (struct zr_color_scale){coloring->map, coloring->low, coloring->high, is_asked};
+    return scale;
+}
+
 /* False where there is nothing to be coloured, or a fault. */
 static bool choose(struct zr_json *json, const struct zr_json_path *path, const struct zr_scalars *scalars,
                    const float *z, const struct zr_mesh *mesh)
@@ -173,5 +182,6 @@ void zr_scalars_apply(struct zr_json *json, const struct zr_json_path *path, con
         mesh->colors = colors;
     else
         mesh->face_colors = colors;
+    mesh->scale = make_scale(json, &coloring, scalars->has_range);
     if (scalars->has_range) warn(json, path, &coloring, warnings);
 }

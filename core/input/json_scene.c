@@ -6,6 +6,7 @@
 #include "input/defaults.h"
 #include "input/input.h"
 #include "input/json_objects.h"
+#include "input/nearest.h"
 #include "input/text.h"
 
 /* Rows of numbers are read without counting levels. This deep an item of a list may be: /meshes/0/heights/values/0/0.
@@ -92,8 +93,9 @@ const struct zr_json_field zr_scene_fields[] = {
     [ZR_SCENE_NODES] = {"nodes", zr_json_place, AT(nodes), .otherwise = "each mesh where it is",
                         .text = "what places meshes"},
     [ZR_SCENE_FOG] = {"fog", zr_read_fog, 0, .text = "what is farther away fades"},
+    [ZR_SCENE_COLOR_BAR] = {"colorBar", zr_read_color_bar, 0, .otherwise = "false",
+                            .text = "the colormap with its numbers is drawn over the picture"},
     ZR_FACE_STYLE_FIELDS(struct zr_given_scene, face_style),
-    {.key = "colorbar"},
     {.key = "views"},
     {.key = "turntable"}};
 const struct zr_json_object zr_json_object_scene = ZR_JSON_OBJECT_OF("scene", zr_scene_fields);
@@ -111,6 +113,24 @@ static uint32_t make_meshes(struct zr_given_scene *root)
     zr_given_make_meshes(root, ZR_SCENE_PATH(ZR_SCENE_MESHES), meshes);
     scene->mesh_count = listed + zr_given_make_polygons(root, ZR_SCENE_PATH(ZR_SCENE_POLYGONS), &meshes[listed]);
     return listed;
+}
+
+bool zr_given_find_mesh(struct zr_given_scene *root, const struct zr_json_path *path, const char *name, uint32_t *out)
+{
+    const struct zr_scene *scene = root->scene;
+    struct zr_nearest nearest = {.word = name};
+    bool found = false;
+    for (uint32_t i = 0; i < scene->mesh_count; i++) {
+        zr_nearest_offer(&nearest, scene->meshes[i].name);
+        if (*name == '\0' || strcmp(scene->meshes[i].name, name) != 0) continue;
+        if (found)
+            return zr_json_fault(&root->json, path, "two meshes have the name %s: %u and %u",
+                                 zr_quote(name, strlen(name)).text, *out, i);
+        found = true;
+        *out = i;
+    }
+    return found || zr_json_fault(&root->json, path, "no mesh is named %s%s", zr_quote(name, strlen(name)).text,
+                                  zr_nearest_text(&nearest).text);
 }
 
 /* Where nodes have the say, they place the `listed` meshes; else each is where it is. The
@@ -164,6 +184,8 @@ static void build(struct zr_given_scene *root)
     place_meshes(root, listed);
     if (root->base) zr_given_read_base(root, ZR_SCENE_PATH(ZR_SCENE_BASE));
     if (root->fit_mesh && zr_arena_ok(json->arena)) zr_given_find_fit_mesh(root, ZR_SCENE_PATH(ZR_SCENE_VIEW));
+    if (root->color_bar_mesh && zr_arena_ok(json->arena))
+        zr_given_find_color_bar_mesh(root, ZR_SCENE_PATH(ZR_SCENE_COLOR_BAR));
     warn(root, listed);
 }
 

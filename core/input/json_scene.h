@@ -83,7 +83,8 @@ enum zr_scene_key {
     ZR_SCENE_ALGORITHM,
     ZR_SCENE_BASE,
     ZR_SCENE_NODES,
-    ZR_SCENE_FOG
+    ZR_SCENE_FOG,
+    ZR_SCENE_COLOR_BAR
 };
 
 /* A scene while its JSON is being read. */
@@ -102,8 +103,9 @@ struct zr_given_scene {
     struct zr_light *lights; /* without a direction: the scene's up */
     bool view_says_up;
     bool fog_has_color;
-    const char *fit_mesh;     /* the name of the mesh that the view is fitted to, or NULL */
-    const char *nodes, *base; /* where they are in the text, or NULL */
+    const char *fit_mesh;       /* the name of the mesh that the view is fitted to, or NULL */
+    const char *color_bar_mesh; /* that of the mesh whose scale the colour bar shows, or NULL */
+    const char *nodes, *base;   /* where they are in the text, or NULL */
 
     size_t material_count;
     struct zr_given_material *materials; /* sorted by name */
@@ -204,10 +206,18 @@ bool zr_given_make_polygons(struct zr_given_scene *root, const struct zr_json_pa
 struct zr_instance *zr_given_read_nodes(struct zr_given_scene *root, const struct zr_json_path *path,
                                         const struct zr_mesh *meshes, uint32_t mesh_count, uint32_t *count);
 
+/* json_scene.c: once there are meshes, the number of the only one that has this name. False, and a fault at `path`,
+ * where none has it, or two. */
+bool zr_given_find_mesh(struct zr_given_scene *root, const struct zr_json_path *path, const char *name, uint32_t *out);
+
 /* json_view.c: over the defaults that scene->views[0] already has; and, once there are meshes, the one that the view is
  * fitted to. */
 zr_json_read_fn zr_read_view;
 void zr_given_find_fit_mesh(struct zr_given_scene *root, const struct zr_json_path *path);
+
+/* json_color_bar.c: into the scene; and, once there are meshes, the one that it is of. */
+zr_json_read_fn zr_read_color_bar;
+void zr_given_find_color_bar_mesh(struct zr_given_scene *root, const struct zr_json_path *path);
 
 /* Into the scene, and lights into root->lights. */
 zr_json_read_fn zr_read_fog, zr_read_lights, zr_read_outputs;

@@ -6,8 +6,6 @@
 
 #include "input/json_objects.h"
 #include "input/json_scene.h"
-#include "input/nearest.h"
-#include "input/text.h"
 
 #define ANGLE_MAX    1e6 /* degrees: turns beyond this are a slip */
 #define ROTATION_MAX 1e3 /* entries of R */
@@ -148,24 +146,8 @@ bool zr_read_view(struct zr_json *json, const struct zr_json_path *path, const s
 
 void zr_given_find_fit_mesh(struct zr_given_scene *root, const struct zr_json_path *path)
 {
-    const struct zr_scene *scene = root->scene;
     struct zr_view *view = &root->scene->views[0];
-    const char *name = root->fit_mesh;
     const struct zr_json_path *fit = ZR_JSON_KEY(path, zr_view_fields[ZR_VIEW_FIT].key);
-    const struct zr_json_path *at = ZR_JSON_KEY(fit, fit_fields[MESH].key);
-    struct zr_nearest nearest = {.word = name};
-    for (uint32_t i = 0; i < scene->mesh_count; i++) {
-        zr_nearest_offer(&nearest, scene->meshes[i].name);
-        if (*name == '\0' || strcmp(scene->meshes[i].name, name) != 0) continue;
-        if (view->fit_to_mesh) {
-            zr_json_fault(&root->json, at, "two meshes have the name %s: %u and %u", zr_quote(name, strlen(name)).text,
-                          view->fit_mesh, i);
-            return;
-        }
-        view->fit_to_mesh = true;
-        view->fit_mesh = i;
-    }
-    if (!view->fit_to_mesh)
-        zr_json_fault(&root->json, at, "no mesh is named %s%s", zr_quote(name, strlen(name)).text,
-                      zr_nearest_text(&nearest).text);
+    view->fit_to_mesh =
+        zr_given_find_mesh(root, ZR_JSON_KEY(fit, fit_fields[MESH].key), root->fit_mesh, &view->fit_mesh);
 }

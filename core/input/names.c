@@ -6,12 +6,14 @@
 
 #include "input/nearest.h"
 #include "input/text.h"
+#include "scene/colormap.h"
 #include "scene/looks.h"
 
 static const char *const shadings[] = {"unlit", "flat", "gouraud", "phong", "normals", "pbr", "gooch", "xray"};
 static const char *const presets[] = {"front", "back", "left", "right", "top", "bottom", "isometric"};
 static const char *const algorithms[] = {"halfspace", "edgelist", "trapezoid", "scanline", "painter"};
 static const char *const axes[] = {"y", "z"};
+static const char *const colormaps[] = {"viridis", "turbo", "gray", "coolwarm"};
 static const char *const compressions[] = {"fast", "small"};
 
 const struct zr_names zr_shading_names = ZR_NAMES(ZR_SHADING_COUNT, shadings);
@@ -21,6 +23,7 @@ const struct zr_names zr_alpha_mode_names = ZR_NAMES(ZR_ALPHA_COUNT, alpha_modes
 const struct zr_names zr_preset_names = ZR_NAMES(ZR_PRESET_COUNT, presets);
 const struct zr_names zr_algorithm_names = ZR_NAMES(ZR_ALGORITHM_COUNT, algorithms);
 const struct zr_names zr_up_names = ZR_NAMES(2, axes);
+const struct zr_names zr_colormap_names = ZR_NAMES(ZR_COLORMAP_COUNT, colormaps);
 const struct zr_names zr_compress_names = ZR_NAMES(ZR_COMPRESS_COUNT, compressions);
 
 int zr_names_find(const struct zr_names *names, const char *word)

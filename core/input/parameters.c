@@ -175,6 +175,11 @@ static void read_strict(const struct reading *r, const char *text)
     if (read_word(r, "strict", text, &names, &found)) r->query->is_strict = found % 2 != 0;
 }
 
+static void read_colorBar(const struct reading *r, const char *text)
+{
+    r->query->has_color_bar = read_flag(r, "colorBar", text, &r->query->color_bar);
+}
+
 /* Before all that goes over it. */
 static void use_look(struct zr_query *query, const struct zr_look *look)
 {

@@ -15,6 +15,8 @@ struct zr_query {
     struct zr_output output;
     enum zr_compress compress;
     bool is_strict;
+    bool has_color_bar;
+    int color_bar; /* 0 or 1, where it says which */
 
     /* Of bare meshes. */
     const struct zr_look *look; /* studio, where none is said */

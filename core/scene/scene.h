@@ -15,6 +15,7 @@
 
 #include "base/vec.h"
 #include "scene/channels.h"
+#include "scene/colormap.h"
 #include "scene/image.h"
 #include "scene/picture.h"
 #include "scene/texture.h"
@@ -107,8 +108,9 @@ struct zr_mesh {
     const zr_vec4 *texcoords; /* position_count, or NULL: u, v of texcoord 0 and of 1, which is 0 where not given */
     const zr_vec4 *tangents;  /* position_count, or NULL: xyz along u, of any length, and the sign of the bitangent */
 
-    const zr_vec4 *colors;      /* position_count, or NULL */
-    const zr_vec4 *face_colors; /* face_count, or NULL */
+    const zr_vec4 *colors;              /* position_count, or NULL */
+    const zr_vec4 *face_colors;         /* face_count, or NULL */
+    const struct zr_color_scale *scale; /* by which these stand for numbers; NULL: they are just colours */
 
     const uint32_t *face_materials; /* face_count, or NULL: all have `material` */
     uint32_t material;
@@ -305,6 +307,15 @@ struct zr_base {
 
 enum { ZR_VIEWS_MOST = 1 };
 
+/* A scale of colours, drawn over the output color with numbers beside it (look/color_bar.h). */
+struct zr_color_bar {
+    bool is_on;
+    bool is_left;      /* at the left edge, else at the right one */
+    bool has_mesh;     /* it shows the scale of `mesh`, else of the first mesh drawn that has one */
+    uint32_t mesh;     /* number of it */
+    const char *title; /* above the bar, UTF-8; NULL: none */
+};
+
 struct zr_look; /* scene/looks.h */
 
 /* What readers left out or replaced. */
@@ -319,6 +330,7 @@ struct zr_scene {
     zr_vec3 ambient;
     struct zr_fog fog;
     struct zr_picture picture;
+    struct zr_color_bar color_bar;
     enum zr_algorithm algorithm;
     uint32_t material_count, mesh_count, instance_count, light_count, warning_count;
     const struct zr_material *materials;

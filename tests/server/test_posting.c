@@ -81,15 +81,47 @@ static void parameters_are_percent_decoded(void **state)
     assert_int_equal(post_status("/v1/render?channel=depth%", "Content-Type: model/obj", TRIANGLE_OBJ), 400);
 }
 
+#define HEIGHTS "{\"meshes\": [{\"heights\": [[0,1,3],[2,4,1]], \"colormap\": \"viridis\"}]"
+
+/* Asked for by the scene or by the query, it is the same; data have none, and what has no numbers has a warning. */
+static void colour_bars_are_drawn_over_pictures_alone(void **state)
+{
+    (void)state;
+    static const char with[] = HEIGHTS ", \"colorBar\": true}", without[] = HEIGHTS "}";
+    struct reply plain = post("/v1/render", JSON_TYPE, without), bar = post("/v1/render", JSON_TYPE, with);
+    struct reply asked = post("/v1/render?colorBar=true", JSON_TYPE, without);
+    struct reply off = post("/v1/render?colorBar=false", JSON_TYPE, with);
+    assert_true(plain.status == 200 && bar.status == 200 && asked.status == 200 && off.status == 200);
+    assert_true(bar.size == asked.size && memcmp(bar.body, asked.body, bar.size) == 0);
+    assert_true(plain.size == off.size && memcmp(plain.body, off.body, off.size) == 0);
+    assert_false(bar.size == plain.size && memcmp(bar.body, plain.body, bar.size) == 0);
+    assert_string_equal(reply_header(&bar, "Zraster-Warnings"), "");
+    reply_free(&plain);
+    reply_free(&bar);
+    reply_free(&asked);
+    reply_free(&off);
+    struct reply depth = post("/v1/render?channel=depth", JSON_TYPE, without);
+    struct reply same = post("/v1/render?channel=depth&colorBar=true", JSON_TYPE, without);
+    assert_true(depth.size == same.size && memcmp(depth.body, same.body, depth.size) == 0);
+    reply_free(&depth);
+    reply_free(&same);
+    struct reply none = post("/v1/render?colorBar=true", "Content-Type: model/obj", TRIANGLE_OBJ);
+    assert_int_equal(none.status, 200);
+    assert_non_null(strstr(reply_header(&none, "Zraster-Warnings"), "colorBar: no mesh that is drawn has scalars"));
+    reply_free(&none);
+    assert_problem(post("/v1/render?colorBar=maybe", JSON_TYPE, with), 400, "colorBar: 'maybe' is unknown");
+    assert_problem(post("/v1/render?colorBar=true&strict=1", "Content-Type: model/obj", TRIANGLE_OBJ), 422, "colorBar");
+    assert_problem(post("/v1/render", JSON_TYPE, HEIGHTS ", \"colorBar\": 1}"), 422,
+                   "expected true, false or an object");
+}
+
 static void unknown_parameter_is_named_with_the_known_ones(void **state)
 {
     (void)state;
     assert_problem(post("/v1/render?colour=red", JSON_TYPE, GOOD_SCENE), 400, "'colour'");
-    assert_problem(
-        post("/v1/render?colour=red", JSON_TYPE, GOOD_SCENE), 400,
-        "known: channel, encoding, scale, x, y, compress, strict, look, samples, width, height, preset, azimuth, "
-        "elevation, up, "
-        "projection, shading, ");
+    assert_problem(post("/v1/render?colour=red", JSON_TYPE, GOOD_SCENE), 400,
+                   "known: channel, encoding, scale, x, y, compress, strict, colorBar, look, samples, width, height, "
+                   "preset, azimuth, elevation, up, projection, shading, ");
 }
 
 static void duplicate_parameter_is_refused(void **state)
@@ -149,6 +181,7 @@ int main(void)
         cmocka_unit_test(meshes_are_rendered_with_parameters),
         cmocka_unit_test(answers_tell_the_look_with_its_version),
         cmocka_unit_test(parameters_are_percent_decoded),
+        cmocka_unit_test(colour_bars_are_drawn_over_pictures_alone),
         cmocka_unit_test(unknown_parameter_is_named_with_the_known_ones),
         cmocka_unit_test(duplicate_parameter_is_refused),
         cmocka_unit_test(view_of_a_mesh_is_refused_with_json),

@@ -1,5 +1,5 @@
 /* Maps of colours against what their authors define. */
-#include "input/colormap.h"
+#include "scene/colormap.h"
 #include "support/cmocka_all.h"
 
 #include <math.h>

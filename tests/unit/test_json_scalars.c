@@ -1,7 +1,7 @@
 /* Meshes whose numbers become colours. */
 #include "json_check.h"
 
-#include "input/colormap.h"
+#include "scene/colormap.h"
 
 #define SQUARE "\"positions\": [[0,0,0],[1,0,0],[1,1,0],[0,1,0]], \"faces\": [[0,1,2],[0,2,3]]"
 
@@ -177,12 +177,6 @@ static void what_does_not_fit_is_refused(void **state)
         refuses_mesh(cases[i].mesh, cases[i].pointer, cases[i].detail);
 }
 
-static void bars_of_colors_are_of_a_later_version(void **state)
-{
-    (void)state;
-    refuses_rest("\"colorbar\": true", "/colorbar", "not supported in this version");
-}
-
 /* Numbers in forms that the quick reader does not take, and blanks. */
 static void numbers_may_have_any_form(void **state)
 {
@@ -216,7 +210,6 @@ int main(void)
         cmocka_unit_test(heights_have_the_colors_of_their_z_where_a_map_is_named),
         cmocka_unit_test(holes_have_no_share_in_the_range),
         cmocka_unit_test(what_does_not_fit_is_refused),
-        cmocka_unit_test(bars_of_colors_are_of_a_later_version),
         cmocka_unit_test(numbers_may_have_any_form),
         cmocka_unit_test(every_ceiling_is_enough_or_fails_cleanly),
     };

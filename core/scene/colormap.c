@@ -1,4 +1,4 @@
-#include "input/colormap.h"
+#include "scene/colormap.h"
 
 #include <stddef.h>
 #include <stdint.h>
@@ -52,9 +52,6 @@ static const uint32_t coolwarm[KNOTS] = {
 static const uint32_t gray[] = {0x000000, 0xffffff};
 
 /* ---- maps ---- */
-
-static const char *const words[] = {"viridis", "turbo", "gray", "coolwarm"};
-const struct zr_names zr_colormap_names = ZR_NAMES(ZR_COLORMAP_COUNT, words);
 
 static const struct {
     const uint32_t *knots;

@@ -1,4 +1,4 @@
-/* colormap.h - input: a number of 0..1 -> a colour, by maps that others have published.
+/* colormap.h - scene: a number of 0..1 -> a colour, by maps that others have published.
  *
  * Source: viridis: N. Smith and S. van der Walt, matplotlib (CC0). turbo: A. Mikhailov, Google. coolwarm: K. Moreland,
  *         "Diverging Color Maps for Scientific Visualization" (2009), from (59, 76, 192) to (180, 4, 38). Each is 129
@@ -8,14 +8,21 @@
 #ifndef ZR_COLORMAP_H
 #define ZR_COLORMAP_H
 
+#include <stdbool.h>
+
 #include "base/vec.h"
-#include "input/names.h"
 
 enum zr_colormap { ZR_COLORMAP_VIRIDIS, ZR_COLORMAP_TURBO, ZR_COLORMAP_GRAY, ZR_COLORMAP_COOLWARM, ZR_COLORMAP_COUNT };
 
-extern const struct zr_names zr_colormap_names;
-
 /* 0 <= at <= 1. An opaque colour, encoded as sRGB, as those of scenes are. */
 zr_vec4 zr_colormap_color(enum zr_colormap map, float at);
+
+/* What colours of a mesh stand for: numbers from `low`, which has the first colour of the map, to `high`, which has the
+ * last one. Both are finite, low <= high; where they are equal, that number has the colour of the middle. */
+struct zr_color_scale {
+    enum zr_colormap map;
+    float low, high;
+    bool is_asked; /* these ends were asked for; else they are those of the numbers that there are */
+};
 
 #endif

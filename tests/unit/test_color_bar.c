@@ -1,0 +1,460 @@
+/* Colour bars: what a scene says of one, where it is in windows of every size, and what its pixels are. */
+#include "look/color_bar.h"
+
+#include <string.h>
+
+#include "base/rgba.h"
+#include "json_check.h"
+#include "look/glyphs.h"
+#include "output/npy.h"
+#include "output/png.h"
+#include "support/png.h"
+#include "support/scenes.h"
+
+static const struct zr_color_bar plain_bar = {.is_on = true};
+static const struct zr_color_scale unit_scale = {ZR_COLORMAP_VIRIDIS, 0, 1, false};
+
+/* ---- where ---- */
+
+static void assert_inside(struct zr_box box, uint32_t width, uint32_t height)
+{
+    if (box.x < 0 || box.y < 0 || box.x + box.width > (int32_t)width || box.y + box.height > (int32_t)height)
+        fail_msg("%u x %u: %d %d, %d x %d", width, height, box.x, box.y, box.width, box.height);
+}
+
+static const struct zr_color_scale scales[] = {
+    {ZR_COLORMAP_VIRIDIS, 0, 1, false},      {ZR_COLORMAP_TURBO, -1.7f, 1.97f, false},
+    {ZR_COLORMAP_GRAY, -3e38f, 3e38f, true}, {ZR_COLORMAP_GRAY, 0.12345678f, 0.12345679f, true},
+    {ZR_COLORMAP_COOLWARM, 7, 7, true},      {ZR_COLORMAP_GRAY, -1e30f, 37, true}};
+enum { SCALES = sizeof scales / sizeof *scales };
+
+static const struct zr_color_bar bars[] = {{.is_on = true},
+                                           {.is_on = true, .is_left = true, .title = "T, °C"},
+                                           {.is_on = true, .title = "a title that is long gets smaller dots"}};
+enum { BARS = sizeof bars / sizeof *bars };
+
+static void all_of_a_bar_is_in_the_window_whatever_its_size(void **state)
+{
+    (void)state;
+    enum { SIDE_MAX = 300 };
+    uint32_t drawn = 0;
+    for (uint32_t height = 1; height <= SIDE_MAX; height++)
+        for (uint32_t width = 1; width <= SIDE_MAX; width++)
+            for (int k = 0; k < SCALES * BARS; k += 1 + (int)((width + height) % 3)) {
+                struct zr_color_bar_layout l;
+                if (!zr_color_bar_lay_out(&bars[k % BARS], &scales[k / BARS], width, height, &l)) continue;
+                drawn++;
+                assert_inside(l.all, width, height);
+                assert_true(2 * l.block.width <= (int32_t)width);
+                assert_true(bars[k % BARS].is_left ? 2 * l.bar.x < (int32_t)width : 2 * l.bar.x >= (int32_t)width);
+            }
+    assert_true(drawn > 100000);
+}
+
+static void large_windows_have_large_letters_and_small_ones_none(void **state)
+{
+    (void)state;
+    static const struct {
+        uint32_t width, height;
+        int dot; /* 0: no bar */
+    } cases[] = {{1, 1, 0},        {40, 480, 0},   {640, 60, 0},   {128, 128, 1},
+                 {320, 240, 1},    {640, 480, 2},  {1280, 720, 2}, {1920, 1080, 3},
+                 {8192, 8192, 26}, {100, 8192, 1}, {0, 0, 0},      {UINT32_MAX, UINT32_MAX, 205}};
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        struct zr_color_bar_layout l;
+        const bool fits = zr_color_bar_lay_out(&plain_bar, &unit_scale, cases[i].width, cases[i].height, &l);
+        assert_int_equal(fits, cases[i].dot > 0);
+        if (fits) assert_int_equal(l.dot, cases[i].dot);
+    }
+}
+
+/* ---- pixels ---- */
+
+enum { CANVAS_SIDE = 300 };
+static uint32_t pixels[CANVAS_SIDE * CANVAS_SIDE];
+
+static uint32_t pixel(const struct zr_canvas *canvas, int32_t x, int32_t y)
+{
+    return canvas->pixels[y * canvas->width + x];
+}
+
+/* Painted on `paper`; nothing outside of what it says is touched. */
+static void paint(const struct zr_color_bar_layout *l, uint32_t width, uint32_t height, uint32_t paper,
+                  struct zr_canvas *canvas)
+{
+    *canvas = (struct zr_canvas){pixels, (int32_t)width, (int32_t)height};
+    for (uint32_t i = 0; i < width * height; i++)
+        pixels[i] = paper;
+    zr_color_bar_paint(l, canvas);
+    for (int32_t y = 0; y < canvas->height; y++)
+        for (int32_t x = 0; x < canvas->width; x++) {
+            const bool is_in =
+                x >= l->all.x && x < l->all.x + l->all.width && y >= l->all.y && y < l->all.y + l->all.height;
+            if (!is_in) assert_int_equal(pixel(canvas, x, y), paper);
+        }
+}
+
+static void rows_have_the_colors_of_the_map(void **state)
+{
+    (void)state;
+    for (int k = 0; k < SCALES; k++)
+        for (uint32_t side = 90; side <= CANVAS_SIDE; side += 35) {
+            struct zr_color_bar_layout l;
+            struct zr_canvas canvas;
+            const struct zr_color_scale *scale = &scales[k];
+            if (!zr_color_bar_lay_out(&bars[k % BARS], scale, side, side, &l)) continue;
+            paint(&l, side, side, 0xFF336699, &canvas);
+            for (int32_t r = 0; r < l.bar.height; r++) {
+                const double low = (double)scale->low, high = (double)scale->high;
+                const double value = low + (high - low) * r / (l.bar.height - 1);
+                const float at = low < high ? (float)((value - low) / (high - low)) : 0.5f;
+                const zr_vec4 color = zr_rgba_floats(zr_rgba_opaque(zr_colormap_color(scale->map, at)));
+                for (int32_t x = l.bar.x; x < l.bar.x + l.bar.width; x += l.bar.width - 1) {
+                    const zr_vec4 got = zr_rgba_floats(pixel(&canvas, x, l.bar.y + l.bar.height - 1 - r));
+                    const float off[] = {got.x - color.x, got.y - color.y, got.z - color.z};
+                    for (int c = 0; c < 3; c++) /* value / (high - low) is rounded once more here */
+                        assert_true(off[c] <= 1.01f / 255 && off[c] >= -1.01f / 255);
+                    assert_true(got.w == 1.0f);
+                }
+            }
+            const float first = scale->low < scale->high ? 0.0f : 0.5f, last = 1.0f - first;
+            assert_int_equal(pixel(&canvas, l.bar.x, l.bar.y + l.bar.height - 1),
+                             zr_rgba_opaque(zr_colormap_color(scale->map, first)));
+            assert_int_equal(pixel(&canvas, l.bar.x, l.bar.y), zr_rgba_opaque(zr_colormap_color(scale->map, last)));
+        }
+}
+
+/* The text at a tick's row is that of its number. */
+static void ticks_are_at_the_rows_of_their_numbers(void **state)
+{
+    (void)state;
+    struct zr_color_bar_layout l;
+    struct zr_canvas canvas;
+    assert_true(zr_color_bar_lay_out(&plain_bar, &unit_scale, 240, 200, &l));
+    paint(&l, 240, 200, 0xFFFFFFFF, &canvas);
+    assert_int_equal(l.bar.height, 140);
+    assert_int_equal(l.ticks.count, 6);
+    uint32_t label[ZR_GLYPH_CAPITAL_ROWS * 24];
+    for (int i = 0; i <= 5; i++) {
+        static const char *const texts[] = {"0", "0.2", "0.4", "0.6", "0.8", "1"};
+        const int32_t y = l.bar.y + 139 - (int32_t)(139 * 0.2 * i + 0.5);
+        for (int32_t x = 0; x < l.tick_width; x++)
+            assert_int_equal(pixel(&canvas, l.tick_x + x, y), 0xFF000000);
+        const int32_t width = zr_glyphs_width(texts[i]);
+        const struct zr_canvas small = {label, width, ZR_GLYPH_CAPITAL_ROWS};
+        zr_canvas_fill(&small, (struct zr_box){0, 0, width, ZR_GLYPH_CAPITAL_ROWS}, 0xFFFFFFFF);
+        zr_glyphs_draw(&small, texts[i], 0, 0, 1, 0, 0xFF000000);
+        for (int32_t v = 0; v < ZR_GLYPH_CAPITAL_ROWS; v++)
+            for (int32_t x = 0; x < width; x++)
+                assert_int_equal(pixel(&canvas, l.label_x + x, y - 3 + v), label[v * width + x]);
+    }
+}
+
+static uint32_t count_of(const struct zr_canvas *canvas, uint32_t color)
+{
+    uint32_t count = 0;
+    for (int32_t i = 0; i < canvas->width * canvas->height; i++)
+        count += canvas->pixels[i] == color;
+    return count;
+}
+
+static void ink_is_black_on_light_and_white_on_dark(void **state)
+{
+    (void)state;
+    const struct zr_color_scale gray = {ZR_COLORMAP_COOLWARM, 0, 1, false}; /* has neither black nor white */
+    static const uint32_t light[] = {0xFFFFFFFF, 0xFF808080, 0xFF00FFFF}, dark[] = {0xFF000000, 0xFF606060, 0xFFFF0000};
+    struct zr_color_bar_layout l;
+    struct zr_canvas canvas;
+    assert_true(zr_color_bar_lay_out(&bars[1], &gray, 200, 200, &l));
+    for (int i = 0; i < 3; i++) {
+        paint(&l, 200, 200, light[i], &canvas);
+        assert_true(count_of(&canvas, 0xFF000000) > 500);
+        paint(&l, 200, 200, dark[i], &canvas);
+        assert_true(count_of(&canvas, 0xFFFFFFFF) > 500);
+    }
+}
+
+static void what_is_drawn_on_nothing_is_opaque(void **state)
+{
+    (void)state;
+    struct zr_color_bar_layout l;
+    struct zr_canvas canvas;
+    assert_true(zr_color_bar_lay_out(&bars[1], &unit_scale, 200, 200, &l));
+    paint(&l, 200, 200, 0, &canvas);
+    for (int32_t i = 0; i < 200 * 200; i++)
+        assert_true(pixels[i] == 0 || pixels[i] >> 24 == 255);
+    assert_true(count_of(&canvas, 0xFFFFFFFF) > 500); /* the rim */
+    for (int32_t x = 0; x < l.bar.width; x++)
+        assert_int_equal(pixel(&canvas, l.bar.x + x, l.bar.y), zr_rgba_opaque(zr_colormap_color(0, 1)));
+}
+
+/* ---- scenes ---- */
+
+#define SQUARE  "\"positions\": [[0,0,0],[1,0,0],[1,1,0],[0,1,0]], \"faces\": [[0,1,2],[0,2,3]]"
+#define SCALARS SQUARE ", \"scalars\": [1,2,3,4]"
+#define WINDOW  "\"window\": {\"width\": 200, \"height\": 160}, "
+#define MESH    "\"meshes\": [{" SCALARS "}], "
+#define ALL_DATA                                                                                                       \
+    "\"outputs\": [{\"channel\": \"color\"}, {\"channel\": \"depth\"}, {\"channel\": \"windowDepth\"}, {\"channel\": " \
+    "\"faceId\"}, {\"channel\": \"instanceId\"}, {\"channel\": \"normals\"}, {\"channel\": \"position\"}, "            \
+    "{\"channel\": \"layers\"}]"
+
+static void a_scene_says_what_the_bar_is_like(void **state)
+{
+    (void)state;
+    struct reading *reading = read_scene("{" MESH "\"colorBar\": true}");
+    const struct zr_color_bar *bar = &reading->scene->color_bar;
+    assert_true(bar->is_on && !bar->is_left && !bar->has_mesh && !bar->title);
+    assert_int_equal(reading->scene->warning_count, 0);
+    reading_free(reading);
+    reading = read_scene("{" MESH "\"colorBar\": {}}");
+    assert_true(reading->scene->color_bar.is_on);
+    reading_free(reading);
+    reading = read_scene("{\"colorBar\": {\"mesh\": \"b\", \"title\": \"p, Pa\", \"place\": \"left\"}, \"meshes\": "
+                         "[{\"name\": \"a\", " SCALARS "}, {\"name\": \"b\", " SCALARS "}]}");
+    bar = &reading->scene->color_bar;
+    assert_true(bar->is_on && bar->is_left && bar->has_mesh);
+    assert_int_equal(bar->mesh, 1);
+    assert_string_equal(bar->title, "p, Pa");
+    reading_free(reading);
+    static const char *const off[] = {"{" MESH "\"colorBar\": false}", "{\"meshes\": [{" SCALARS "}]}"};
+    for (int i = 0; i < 2; i++) {
+        reading = read_scene(off[i]);
+        assert_false(reading->scene->color_bar.is_on);
+        reading_free(reading);
+    }
+}
+
+static void what_no_bar_can_have_is_refused(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *bar, *pointer, *detail;
+    } cases[] = {{"1", "/colorBar", "expected true, false or an object"},
+                 {"\"right\"", "/colorBar", "expected true, false or an object"},
+                 {"null", "/colorBar", "expected true, false or an object"},
+                 {"{\"place\": \"top\"}", "/colorBar/place", "'top' is unknown"},
+                 {"{\"title\": 5}", "/colorBar/title", "string"},
+                 {"{\"titel\": \"\"}", "/colorBar/titel", "title"},
+                 {"{\"mesh\": \"sphere\"}", "/colorBar/mesh", "no mesh is named 'sphere'"},
+                 {"{\"mesh\": \"\"}", "/colorBar/mesh", "no mesh is named ''"},
+                 {"{\"mesh\": 0}", "/colorBar/mesh", "string"}};
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        char text[512];
+        snprintf(text, sizeof text, "{" MESH "\"colorBar\": %s}", cases[i].bar);
+        refuses_scene(text, cases[i].pointer, cases[i].detail);
+    }
+    refuses_scene("{\"colorBar\": {\"mesh\": \"a\"}, \"meshes\": [{\"name\": \"a\", " SCALARS
+                  "}, {\"name\": \"a\", " SCALARS "}]}",
+                  "/colorBar/mesh", "two meshes have the name 'a': 0 and 1");
+    refuses_scene("{" MESH "\"colorbar\": true}", "/colorbar", "colorBar");
+}
+
+static void what_is_odd_about_a_bar_is_warned_of(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *text, *warning; /* NULL: none */
+    } cases[] = {
+        {"{\"colorBar\": true, \"meshes\": [{" SQUARE "}]}", "no mesh that is drawn has scalars"},
+        {"{\"colorBar\": false, \"meshes\": [{" SQUARE "}]}", NULL},
+        {"{\"colorBar\": true, \"outputs\": [{\"channel\": \"depth\"}], \"meshes\": [{" SQUARE "}]}", NULL},
+        {"{\"colorBar\": true, \"meshes\": [{\"heights\": [[0,1],[2,4]]}]}", "no mesh that is drawn has scalars"},
+        {"{\"colorBar\": true, \"meshes\": [{\"heights\": [[0,1],[2,4]], \"colormap\": \"gray\"}]}", NULL},
+        {"{\"colorBar\": {\"mesh\": \"a\"}, \"meshes\": [{\"name\": \"a\", " SQUARE "}, {" SCALARS "}]}",
+         "the mesh has neither scalars nor"},
+        {"{\"colorBar\": true, \"meshes\": [{" SQUARE "}, {" SCALARS "}]}", NULL},
+        {"{\"colorBar\": true, \"meshes\": [{" SCALARS "}, {" SCALARS "}]}", NULL}, /* the same range */
+        {"{\"colorBar\": true, \"meshes\": [{" SCALARS "}, {" SCALARS ", \"colormap\": \"gray\"}, {" SCALARS
+         ", \"range\": [0, 9]}]}",
+         "2 of the meshes drawn have another colormap or range"},
+        {"{\"colorBar\": {\"mesh\": \"a\"}, \"meshes\": [{" SCALARS "}, {\"name\": \"a\", " SCALARS
+         ", \"range\": [0, 9]}]}",
+         NULL}, /* the scene knows that there are others */
+        {"{\"colorBar\": true, \"window\": {\"width\": 48, \"height\": 48}, " MESH "\"up\": \"y\"}",
+         "a window of 48 x 48 has no room"},
+        {"{\"colorBar\": {\"title\": \"as long as a whole sentence can be\"}, " WINDOW MESH "\"up\": \"y\"}", NULL},
+        {"{\"colorBar\": {\"title\": \"so long a title is not for pictures of two hundred pixels\"}, " WINDOW MESH
+         "\"up\": \"y\"}",
+         "the title is too long"},
+        {"{\"colorBar\": {\"title\": \"\\u2202T\"}, " WINDOW MESH "\"up\": \"y\"}", "characters that have no glyph"},
+        {"{\"colorBar\": true, \"nodes\": [{\"mesh\": 1}], \"meshes\": [{" SCALARS "}, {" SQUARE "}]}",
+         "no mesh that is drawn has scalars"}};
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        struct reading *reading = read_scene(cases[i].text);
+        const uint32_t count = reading->scene->warning_count;
+        const char *last = count > 0 ? reading->scene->warnings[count - 1] : "";
+        if (!cases[i].warning && count > 0) fail_msg("%s: %s", cases[i].text, last);
+        if (cases[i].warning && (!strstr(last, cases[i].warning) || strncmp(last, "colorBar: ", 10) != 0))
+            fail_msg("%s: '%s'", cases[i].text, last);
+        assert_true(strlen(last) < 159); /* none is cut */
+        scene_encode(&reading->arena, NULL, reading->scene);
+        reading_free(reading);
+    }
+}
+
+static void queries_switch_bars_on_and_off(void **state)
+{
+    (void)state;
+    static const char with[] = "{" MESH "\"colorBar\": {\"title\": \"T\"}}",
+                      without[] = "{\"meshes\": [{" SCALARS "}]}";
+    static const struct {
+        const char *text, *query;
+        bool is_on;
+    } cases[] = {{with, "true", true}, {with, "false", false}, {without, "true", true}, {without, "false", false}};
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        struct reading *reading =
+            read_request((struct zr_request){.format = ZR_FORMAT_JSON, .colorBar = cases[i].query}, cases[i].text,
+                         strlen(cases[i].text), zr_limits_default(), 1 << 24);
+        assert_read(reading);
+        assert_int_equal(reading->scene->color_bar.is_on, cases[i].is_on);
+        assert_true((reading->scene->color_bar.title != NULL) == (cases[i].text == with));
+        reading_free(reading);
+    }
+    static const char obj[] = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+    struct reading *reading = read_request((struct zr_request){.format = ZR_FORMAT_OBJ, .colorBar = "true"}, obj,
+                                           strlen(obj), zr_limits_default(), 1 << 24);
+    assert_read(reading);
+    assert_int_equal(reading->scene->warning_count, 1);
+    reading_free(reading);
+    reading = read_request((struct zr_request){.format = ZR_FORMAT_JSON, .colorBar = "yes"}, without, strlen(without),
+                           zr_limits_default(), 1 << 24);
+    assert_complaint(reading, ZR_BAD_REQUEST, "", "query parameter colorBar: 'yes' is unknown");
+    reading_free(reading);
+    reading = read_request((struct zr_request){.format = ZR_FORMAT_OBJ, .colorBar = "true", .strict = "1"}, obj,
+                           strlen(obj), zr_limits_default(), 1 << 24);
+    assert_complaint(reading, ZR_BAD_SCENE, "", "colorBar: no mesh");
+    reading_free(reading);
+}
+
+static const char *const looks[] = {
+    "\"look\": \"textbook\"",
+    "\"look\": \"textbook\", \"samples\": 16, \"background\": \"#00000000\"",
+    "\"look\": \"studio\"",
+    "\"look\": \"dark\", \"background\": \"#00000000\"",
+    "\"look\": \"technical\", \"samples\": 1",
+};
+
+/* Two pictures of a scene, with a bar and without. */
+static void only_the_color_channel_has_the_bar_and_only_where_it_is(void **state)
+{
+    (void)state;
+    for (size_t i = 0; i < sizeof looks / sizeof looks[0]; i++) {
+        char text[2][1024];
+        for (int on = 0; on < 2; on++)
+            snprintf(text[on], sizeof text[on], "{" WINDOW MESH "%s, \"colorBar\": %s, " ALL_DATA "}", looks[i],
+                     on ? "{\"title\": \"T\"}" : "false");
+        struct reading *off = read_scene(text[0]), *on = read_scene(text[1]);
+        const struct zr_frame *a = scene_render(&off->arena, NULL, off->scene);
+        const struct zr_frame *b = scene_render(&on->arena, NULL, on->scene);
+        const size_t count = (size_t)a->width * a->height;
+        for (int c = ZR_CHANNEL_COLOR + 1; c < ZR_CHANNEL_COUNT; c++)
+            if (a->channels[c])
+                assert_memory_equal(a->channels[c], b->channels[c], count * 4 * zr_channel_rows[c].words);
+        assert_true(a->covered_pixels == b->covered_pixels && a->covered_samples == b->covered_samples);
+        struct zr_color_bar_layout l;
+        assert_true(zr_color_bar_lay_out(&on->scene->color_bar, on->scene->meshes[0].scale, 200, 160, &l));
+        uint32_t differ = 0;
+        for (int32_t y = 0; y < 160; y++)
+            for (int32_t x = 0; x < 200; x++) {
+                const bool is_in =
+                    x >= l.all.x && x < l.all.x + l.all.width && y >= l.all.y && y < l.all.y + l.all.height;
+                const bool is_same = memcmp(a->color + 4 * (y * 200 + x), b->color + 4 * (y * 200 + x), 4) == 0;
+                assert_true(is_in || is_same);
+                differ += !is_same;
+            }
+        assert_true(differ > (uint32_t)(l.bar.width * l.bar.height));
+        for (int32_t r = 0; r < l.bar.height; r++) { /* exact, whatever the look: behind light and tone mapping */
+            uint32_t got;
+            memcpy(&got, b->color + 4 * ((l.bar.y + l.bar.height - 1 - r) * 200 + l.bar.x), 4);
+            assert_int_equal(got, zr_rgba_opaque(zr_colormap_color(0, (float)r / (float)(l.bar.height - 1))));
+        }
+        reading_free(off);
+        reading_free(on);
+    }
+}
+
+/* A base is what is behind it. */
+static void a_bar_is_drawn_over_a_base(void **state)
+{
+    (void)state;
+    enum { WIDTH = 200, HEIGHT = 160, PIXELS = WIDTH * HEIGHT };
+    static uint32_t colors[PIXELS];
+    static float depths[PIXELS];
+    for (int i = 0; i < PIXELS; i++) {
+        colors[i] = 0xFF503010;
+        depths[i] = 1.0f; /* nothing is there */
+    }
+    struct zr_arena files;
+    zr_arena_init(&files, 1 << 24);
+    struct zr_buffer color = {.arena = &files}, depth = {.arena = &files};
+    const struct zr_png png = {.kind = ZR_PNG_RGB, .width = WIDTH, .height = HEIGHT, .pixels = colors};
+    assert_int_equal(zr_png_write(&png, NULL, NULL, &color), ZR_OK);
+    assert_int_equal(zr_npy_write(ZR_NPY_FLOAT32, WIDTH, HEIGHT, 1, depths, &depth), ZR_OK);
+    const struct zr_asset assets[] = {{"c", color.bytes, color.size}, {"w", depth.bytes, depth.size}};
+    static const char text[] =
+        "{" WINDOW MESH "\"view\": {\"eye\": [0, 0, 5], \"target\": [0, 0, 9], \"znear\": 1, \"zfar\": 9}, "
+        "\"colorBar\": true, \"base\": {\"color\": {\"asset\": \"c\"}, \"windowDepth\": {\"asset\": \"w\"}}}";
+    struct reading *reading =
+        read_request((struct zr_request){.format = ZR_FORMAT_JSON, .assets = assets, .asset_count = 2}, text,
+                     strlen(text), zr_limits_default(), 1 << 28);
+    assert_read(reading);
+    const struct zr_frame *frame = scene_render(&reading->arena, NULL, reading->scene);
+    struct zr_color_bar_layout l;
+    struct zr_canvas canvas;
+    assert_true(zr_color_bar_lay_out(&plain_bar, reading->scene->meshes[0].scale, WIDTH, HEIGHT, &l));
+    paint(&l, WIDTH, HEIGHT, 0xFF503010, &canvas);
+    assert_memory_equal(frame->color, canvas.pixels, 4 * PIXELS);
+    reading_free(reading);
+    zr_arena_free(&files);
+}
+
+/* Where nothing else is in a row, too: the encoder skips what it is told to be empty. */
+static void the_png_has_what_was_drawn(void **state)
+{
+    (void)state;
+    static const char *const views[] = {
+        "\"view\": {\"preset\": \"front\"}",
+        "\"view\": {\"eye\": [-4, 3, 5], \"target\": [3, -2, 0]}", /* the mesh in a corner */
+        "\"view\": {\"eye\": [0, 0, 5], \"target\": [0, 0, 9]}"};  /* behind the eye */
+    for (size_t i = 0; i < sizeof views / sizeof views[0]; i++)
+        for (int compress = 0; compress < 2; compress++)
+            for (int look = 0; look < 3; look++) {
+                char text[1024];
+                snprintf(text, sizeof text,
+                         "{\"window\": {\"width\": 640, \"height\": 480}, " MESH "%s, %s, \"colorBar\": true}",
+                         views[i], looks[look]);
+                struct reading *reading =
+                    read_request((struct zr_request){.format = ZR_FORMAT_JSON, .compress = compress ? "small" : "fast"},
+                                 text, strlen(text), zr_limits_default(), 1 << 28);
+                assert_read(reading);
+                const struct zr_frame *frame = scene_render(&reading->arena, NULL, reading->scene);
+                const struct zr_answer answer = scene_encode(&reading->arena, NULL, reading->scene);
+                uint32_t width, height;
+                uint8_t *got = png_memory_read(answer.bytes, answer.size, PNG_AS_RGBA, &width, &height);
+                assert_true(got && width == 640 && height == 480);
+                assert_memory_equal(got, frame->color, (size_t)640 * 480 * 4);
+                free(got);
+                reading_free(reading);
+            }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(all_of_a_bar_is_in_the_window_whatever_its_size),
+        cmocka_unit_test(large_windows_have_large_letters_and_small_ones_none),
+        cmocka_unit_test(rows_have_the_colors_of_the_map),
+        cmocka_unit_test(ticks_are_at_the_rows_of_their_numbers),
+        cmocka_unit_test(ink_is_black_on_light_and_white_on_dark),
+        cmocka_unit_test(what_is_drawn_on_nothing_is_opaque),
+        cmocka_unit_test(a_scene_says_what_the_bar_is_like),
+        cmocka_unit_test(what_no_bar_can_have_is_refused),
+        cmocka_unit_test(what_is_odd_about_a_bar_is_warned_of),
+        cmocka_unit_test(queries_switch_bars_on_and_off),
+        cmocka_unit_test(only_the_color_channel_has_the_bar_and_only_where_it_is),
+        cmocka_unit_test(a_bar_is_drawn_over_a_base),
+        cmocka_unit_test(the_png_has_what_was_drawn),
+    };
+    return cmocka_run_group_tests_name("color_bar", tests, NULL, NULL);
+}
