@@ -60,11 +60,31 @@ static inline zr_vi bytes_of(const struct pixels *p)
 #endif
 }
 
+/* Nothing is drawn there, and no shadow falls. */
+static inline bool shows_background_alone(const struct zr_finish_row *row, uint32_t x)
+{
+    const zr_vf zero = zr_vf_set(0.0f);
+    zr_vm others = zr_vf_lt(zero, zr_vf_load(row->cover + x));
+    if (row->share) others = zr_vm_or(others, zr_vf_lt(zr_vf_load(row->share + x), zr_vf_set(1.0f)));
+    if (row->ink) others = zr_vm_or(others, zr_vf_lt(zero, zr_vf_load(row->ink + x)));
+    return !zr_vm_any(zr_vm_and(others, zr_vm_first(row->count - x)));
+}
+
+/* A row's background is one colour, and encoded once (an eighth of a picture's time, where half of it is empty). */
 void ZR_KERNEL(zr_finish_row)(const struct zr_finish_row *row, uint32_t *out)
 {
+    zr_vi background = zr_vi_set(0);
+    bool has_background = false;
     for (uint32_t x = 0; x < row->count; x += ZR_LANES) {
-        const struct pixels pixels = pixels_of(row, x);
-        zr_vi_store_first(out + x, bytes_of(&pixels), row->count - x < ZR_LANES ? row->count - x : ZR_LANES);
+        const bool is_empty = shows_background_alone(row, x);
+        zr_vi bytes = background;
+        if (!is_empty || !has_background) {
+            const struct pixels pixels = pixels_of(row, x);
+            bytes = bytes_of(&pixels);
+        }
+        if (is_empty) background = bytes;
+        has_background |= is_empty;
+        zr_vi_store_first(out + x, bytes, row->count - x < ZR_LANES ? row->count - x : ZR_LANES);
     }
 }
 
