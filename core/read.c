@@ -92,7 +92,7 @@ static bool fits_memory(struct zr_arena *arena, const struct zr_scene *scene)
     for (uint32_t i = 0; i < scene->instance_count; i++)
         points += scene->meshes[scene->instances[i].mesh].position_count;
     const uint64_t point_bytes = sizeof(struct zr_window_vertex) + sizeof(struct zr_eye);
-    if (points <= (arena->ceiling - arena->used) / point_bytes) return true;
+    if (points <= zr_arena_left(arena) / point_bytes) return true;
     return zr_arena_charge(arena, points < SIZE_MAX / point_bytes ? points * point_bytes : SIZE_MAX); /* fails */
 }
 
