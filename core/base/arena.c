@@ -167,7 +167,8 @@ static void use(struct zr_arena *arena, size_t bytes)
 /* Spares are not held: they go where `more` bytes would not fit beside them. */
 static void make_room(struct zr_arena *arena, size_t more)
 {
-    if (arena->spares && more + arena->spare_bytes > zr_arena_left(arena)) free_spares(arena);
+    struct zr_arena *keeper = arena->lender ? arena->lender : arena;
+    if (keeper->spares && more + keeper->spare_bytes > zr_arena_left(arena)) free_spares(keeper);
 }
 
 /* A block that is new to the request. */
@@ -281,21 +282,13 @@ void zr_arena_refund(struct zr_arena *arena, size_t bytes)
 
 struct zr_arena zr_arena_open_scratch(struct zr_arena *arena)
 {
-    const struct zr_arena scratch = {.ceiling = zr_arena_left(arena),
-                                     .failed = arena->failed,
-                                     .cancel = arena->cancel,
-                                     .spares = arena->spares,
-                                     .spare_bytes = arena->spare_bytes};
-    arena->spares = NULL;
-    arena->spare_bytes = 0;
-    return scratch;
+    return (struct zr_arena){
+        .ceiling = zr_arena_left(arena), .failed = arena->failed, .cancel = arena->cancel, .lender = arena};
 }
 
 void *zr_arena_alloc_beside(struct zr_arena *arena, struct zr_arena *scratch, size_t count, size_t size)
 {
-    size_t bytes;
-    const size_t held = scratch->held; /* what it had when it was opened is not its own any more */
-    if (zr_mul_size(count, size, &bytes)) make_room(scratch, bytes);
+    const size_t held = scratch->held;
     if (!zr_arena_charge(arena, held)) return NULL;
     void *result = zr_arena_alloc(arena, count, size);
     zr_arena_refund(arena, held);
@@ -307,9 +300,7 @@ void zr_arena_close_scratch(struct zr_arena *scratch, struct zr_arena *arena)
 {
     if (arena->used + scratch->peak > arena->peak) arena->peak = arena->used + scratch->peak;
     if (scratch->failed) fail(arena, scratch->wanted);
-    zr_arena_reset(scratch, SIZE_MAX);
-    arena->spares = scratch->spares;
-    arena->spare_bytes = scratch->spare_bytes;
+    zr_arena_free(scratch);
 }
 
 bool zr_arena_ok(const struct zr_arena *arena)

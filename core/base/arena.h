@@ -35,6 +35,7 @@ struct zr_arena {
     struct zr_arena_block *first, *spares; /* those with allocations, and those that a reset kept */
     struct zr_arena_block *current;        /* with the newest allocation */
     size_t spare_bytes;
+    struct zr_arena *lender; /* of a scratch arena: the one that it is beside */
 };
 
 void zr_arena_init(struct zr_arena *arena, size_t ceiling);
@@ -78,7 +79,7 @@ void zr_arena_refund(struct zr_arena *arena, size_t bytes);
 
 /* An arena for what one step needs and the request does not keep, such as what a library works with: it may take what
  * `arena` has left. Meanwhile that is allocated from by zr_arena_alloc_beside alone, which leaves the scratch what it
- * has. `arena` has no spare blocks meanwhile; once it is closed, it has those of the scratch, its peak and its failure.
+ * has. To close it gives its memory back to the system; `arena` has its peak and its failure from then on.
  */
 struct zr_arena zr_arena_open_scratch(struct zr_arena *arena);
 void *zr_arena_alloc_beside(struct zr_arena *arena, struct zr_arena *scratch, size_t count, size_t size);
