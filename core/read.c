@@ -40,7 +40,7 @@ static bool is_of_linear_light(const struct zr_query *query)
 static void warn_of_soup(struct zr_scene_builder *builder, const struct zr_format_row *format, int shading)
 {
     if (!format->reader->is_soup || builder->scene->picture.is_linear || shading < ZR_SHADING_GOURAUD) return;
-    zr_warning_list_add(builder->arena, &builder->warnings,
+    zr_warning_list_add(builder->arena, &builder->color_warnings,
                         "shading=%s looks flat here: the triangles of %s share no corners; OBJ can be smooth",
                         zr_shading_names.words[shading], format->name);
 }
@@ -145,12 +145,13 @@ static enum zr_status read_scene(struct zr_arena *arena, struct zr_team *team, c
     if (status != ZR_OK) return status;
     if (!format->has_view) status = apply_query(&builder, request, &query, error);
     if (status != ZR_OK) return status;
+    status = apply_output(arena, &query, scene);
+    if (status != ZR_OK) return status;
     zr_scene_builder_close(&builder);
     if (!zr_arena_ok(arena)) return ZR_NO_MEMORY;
     if (query.has_compress) scene->compress = query.compress;
     scene->is_strict = query.is_strict;
-    status = apply_output(arena, &query, scene);
-    if (status == ZR_OK) status = zr_scene_validate(scene, limits, error);
+    status = zr_scene_validate(scene, limits, error);
     if (status == ZR_OK) status = zr_strict_check(scene, scene->warnings, scene->warning_count, error);
     return status == ZR_OK && !fits_memory(arena, scene) ? ZR_NO_MEMORY : status;
 }

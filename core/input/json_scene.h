@@ -13,6 +13,7 @@
 #include "input/face_style.h"
 #include "input/given_picture.h"
 #include "input/growing.h"
+#include "input/json_oddities.h"
 #include "input/json_value.h"
 #include "scene/scene_builder.h"
 
@@ -48,6 +49,8 @@ struct zr_given_material {
     zr_vec3 emissive;
     struct zr_given_texture textures[ZR_TEXTURE_SLOTS];
     struct zr_face_style face_style;
+    bool is_used, is_masked; /* by a mesh, and by one whose alphaMode is MASK */
+    uint32_t shadings;       /* those that its meshes have, a bit each */
 };
 
 /* A mesh as the scene has it, before what it refers to is known. */
@@ -110,7 +113,7 @@ struct zr_given_scene {
     struct zr_growing meshes;            /* struct zr_given_mesh */
     struct zr_soup *soup;                /* or NULL */
 
-    bool transparent;       /* some colour wants to be */
+    struct zr_oddity_note oddities[ZR_ODDITIES];
     const char *linear_key; /* one that needs linear light, in whatever part of the scene; or NULL */
 
     size_t asset_count;
@@ -139,6 +142,10 @@ struct zr_style {
     struct zr_face_style face_style;
     bool is_uniform; /* has no colours of its own, whatever others of its mesh have */
     bool is_open;    /* an open surface: two-sided where nobody says otherwise */
+    bool has_faces;  /* else what has it are lines and points */
+    uint32_t number; /* of the mesh, or of the first polygon, that has it */
+    bool is_polygon;
+    struct zr_alpha_range alpha; /* of colours of its own */
 };
 
 /* json_material.c. The keys of a face style have the same names wherever they may stand: rows for the table of an
@@ -190,8 +197,8 @@ size_t zr_given_find_material(struct zr_given_scene *root, const struct zr_json_
  * smooth: it has normals or vertex colours. */
 uint32_t zr_given_make_material(struct zr_given_scene *root, const struct zr_style *style, bool coloured, bool smooth);
 
-/* Notes colours that are not opaque. */
-void zr_given_note_alpha(struct zr_given_scene *root, const zr_vec4 *colors, size_t count);
+/* Of materials that nothing uses, and of what they have for other shadings than those of their meshes. */
+void zr_given_warn_of_materials(struct zr_given_scene *root);
 
 /* json_mesh.c and json_polygons.c: read a list, and make meshes of it once the root is read: as many as root->meshes
  * has, and one, or none where there is no polygon. */

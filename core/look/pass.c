@@ -76,5 +76,6 @@ struct zr_counts zr_pass_counts(const struct zr_pass *pass)
 {
     struct zr_counts counts = pass->geometry.counts;
     if (pass->tiles.visible) zr_counts_add(&counts, &pass->visible.bins.counts);
+    counts.masked_tiles = pass->layers.masked_tiles;
     return counts;
 }
