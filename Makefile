@@ -43,6 +43,7 @@ NEED_TEST := cmocka.h=libcmocka-dev pngcheck=pngcheck curl=curl $(NEED_REFERENCE
 NEED_CROSS := aarch64-linux-gnu-gcc=gcc-aarch64-linux-gnu /usr/aarch64-linux-gnu/include/stdlib.h=libc6-dev-arm64-cross \
 	qemu-aarch64=qemu-user
 NEED_EMULATED := simde/x86/avx512.h=libsimde-dev
+NEED_UNINITIALISED := valgrind=valgrind
 NEED_FUZZ := cmocka.h=libcmocka-dev clang=clang -fsanitize=address=libclang-rt-dev
 NEED_SYSTEMS := debootstrap=debootstrap /usr/share/keyrings/debian-archive-keyring.gpg=debian-archive-keyring git=git \
 	unshare=util-linux
@@ -192,6 +193,13 @@ test-emulated: $(BUILD)/zraster-cross $(unit_tests) $(verify) mutants
 	@tests/cross/compare.sh $< "$(isas_x86_64)"
 	@DATA="$(DATA)" REFERENCE_TRIANGLES=60000 REFERENCE_LINES=10000 tests/run.sh $(BUILD) unit reference
 
+# Without lanes, in which much is computed that nobody looks at, and which valgrind knows only some of.
+.PHONY: uninitialised
+uninitialised: ## valgrind over every scene of tests, all channels: no value is used that was never written; SCENES="tests/scenes/a.json"
+	@.ci/need $(NEED_BUILD) $(NEED_UNINITIALISED)
+	@$(MAKE) -s -j$(JOBS) BUILD=$(BUILD)/uninitialised SAN= CFLAGS="-O1 -g" isas=scalar $(BUILD)/uninitialised/zraster-uninitialised
+	@tests/uninitialised/check.sh $(BUILD)/uninitialised/zraster-uninitialised $(JOBS) $(or $(SCENES),$(sort $(wildcard tests/scenes/*.json)))
+
 .PHONY: systems
 systems: ## make demo and make test in bare roots of Debian 12, 13 and testing (root); SYSTEMS=13, KEEP=1: tests/systems/run.sh
 	@.ci/need $(NEED_SYSTEMS)
@@ -286,6 +294,9 @@ $(BUILD)/zraster-verify-lines: $(lines) $(filter-out %/main.o,$(reference)) $(do
 $(BUILD)/zraster-cross: $(cross) $(renderer)
 	$(LINK) -lm
 
+$(BUILD)/zraster-uninitialised: $(BUILD)/tests/uninitialised/main.o $(BUILD)/libsupport.a $(BUILD)/libzraster.a
+	$(LINK) $(CORE_LIBS)
+
 $(BUILD)/zraster-bench: $(bench) $(filter-out %/main.o,$(reference)) $(door) $(BUILD)/reference-door \
 		$(server_support) $(BUILD)/libsupport.a $(BUILD)/libzraster.a
 	$(LINK) $(DOOR_LIBS) $(TEST_LIBS) $(CORE_LIBS)
@@ -343,5 +354,5 @@ $(BUILD)/%_kernel.$(1).o: %_kernel.c | $(missing_compiler)
 endef
 $(foreach isa,$(isas),$(eval $(call kernel_rule,$(isa))))
 
--include $(patsubst %.o,%.d,$(core) $(server) $(client) $(support) $(reference) $(reference_doors) $(lines) $(bench) $(cross) $(server_support) \
+-include $(patsubst %.o,%.d,$(core) $(server) $(client) $(support) $(reference) $(reference_doors) $(lines) $(bench) $(cross) $(BUILD)/tests/uninitialised/main.o $(server_support) \
 	$(fuzz_support) $(fuzz_main) $(addsuffix .o,$(unit_tests) $(server_tests) $(bench_alone) $(fuzz_targets) $(BUILD)/tests/fuzz/seeds))

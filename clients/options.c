@@ -74,14 +74,40 @@ static const char **slot_of(struct options *o, const char *flag, size_t length)
     return NULL;
 }
 
-/* --name VALUE or --name=VALUE at arguments[*at], which is moved to the last argument that was taken. */
+/* The slot is that of a parameter which is true or false. */
+static bool is_boolean(const struct options *o, const char **slot)
+{
+    for (size_t i = 0; i < OPTIONS_PARAMETERS; i++)
+        if (slot == &o->parameters[i]) return options_parameters[i].value[0] == '[';
+    return false;
+}
+
+static bool is_truth(const char *text)
+{
+    static const char *const words[] = {"true", "false", "1", "0"};
+    for (size_t i = 0; i < sizeof words / sizeof *words; i++)
+        if (strcmp(text, words[i]) == 0) return true;
+    return false;
+}
+
+static bool is_option(const char *text)
+{
+    return strncmp(text, "--", 2) == 0 || strcmp(text, "-o") == 0;
+}
+
+/* --name VALUE or --name=VALUE at arguments[*at], which is moved to the last argument that was taken. What is true or
+ * false takes the next argument only where that says which: it may be the file. */
 static int read_option(int count, char **arguments, int *at, struct options *options)
 {
     const char *flag = arguments[*at], *equals = strchr(flag, '=');
     const char **slot = slot_of(options, flag, equals ? (size_t)(equals - flag) : strlen(flag));
     if (!slot) return unknown(flag);
+    if (!equals && is_boolean(options, slot) && (*at + 1 >= count || !is_truth(arguments[*at + 1]))) {
+        *slot = "true";
+        return 0;
+    }
     const char *value = equals ? equals + 1 : *at + 1 < count ? arguments[++*at] : "";
-    if (*value == '\0' || (!equals && strncmp(value, "--", 2) == 0)) {
+    if (*value == '\0' || (!equals && is_option(value))) {
         char name[64];
         snprintf(name, sizeof name, "%.*s", (int)strcspn(flag, "="), flag);
         return options_wrong("a value is missing behind", name);

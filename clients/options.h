@@ -13,8 +13,9 @@
 /* What the query may say: each is an option, doubleSided being --double-sided. */
 struct parameter {
     const char *name;
-    bool of_mesh;             /* and not of scenes */
-    const char *value, *help; /* what stands for it, and what it is */
+    bool of_mesh; /* and not of scenes */
+    const char *value,
+        *help; /* what stands for it, and what it is; in brackets: it may be left out, and is true then */
 };
 #define OPTIONS_COUNT(...) +1
 enum { OPTIONS_PARAMETERS = 0 ZR_PARAMETER_ROWS(OPTIONS_COUNT) };

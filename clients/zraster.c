@@ -44,7 +44,8 @@ static void print_usage(void)
           "  --token-file FILE     its first line is the token that the server wants (default: $ZRASTER_TOKEN)\n"
           "  --help, --version\n"
           "\n"
-          "--name=value is the same as --name value. Behind -- an argument is a file, whatever it begins with.\n",
+          "--name=value is the same as --name value; where BOOL is left out, it is true. Behind -- an argument is a "
+          "file, whatever it begins with.\n",
           stdout);
 }
 

@@ -194,6 +194,8 @@ struct zr_cost zr_scene_cost(const struct zr_scene *scene, const struct zr_resol
     cost.triangles += ZR_COST_LAYER_T * work.triangles * sides_of_layers(view);
     cost.fragments += ZR_COST_LAYER_F * centres.covered * sides_of_layers(view);
     cost.samples = zr_cost_of_light(scene, &passes, &covered);
+    cost.lamp_maps = passes.lamp_maps;
+    cost.lamp_map_bytes = zr_cost_lamp_map_bytes(&passes);
     cost.window_bytes = zr_cost_window_bytes(scene, &passes, &covered);
     return cost;
 }

@@ -2,6 +2,7 @@
 
 #include <math.h>
 
+#include "base/arena.h"
 #include "look/ground.h"
 #include "look/maps.h"
 #include "look/picture.h"
@@ -157,8 +158,7 @@ double zr_cost_of_light(const struct zr_scene *scene, const struct zr_cost_passe
 
 /* ---- memory ---- */
 
-/* Bytes of a pixel or a sample. EDGE_BYTES: of a tile, whose sides are kept. LAMP_MAP_BYTES: of a map, as it is drawn
- * and with a border. */
+/* Bytes of a pixel or a sample. EDGE_BYTES: of a tile, whose sides are kept. */
 enum {
     WORD_BYTES = 4,
     SAMPLE_BYTES = 8,
@@ -166,8 +166,7 @@ enum {
     OCCLUSION_BYTES = 4,
     LINEAR_BYTES = 16,
     FRAGMENT_BYTES = 8,
-    EDGE_BYTES = 7196,
-    LAMP_MAP_BYTES = 2 * WORD_BYTES * ZR_SHADOW_SIDE * ZR_SHADOW_SIDE
+    EDGE_BYTES = 7196
 };
 
 static double bytes_of_channels(const struct zr_view *view)
@@ -202,6 +201,16 @@ static double bytes_of_layers(const struct zr_scene *scene, double samples, doub
     return (double)sizeof(struct zr_layers) + layered / tiles * FRAGMENT_BYTES;
 }
 
+/* Each as it is drawn and with a border, which are blocks of their own. */
+double zr_cost_lamp_map_bytes(const struct zr_cost_passes *passes)
+{
+    const size_t drawn = ZR_SHADOW_SIDE, bordered = ZR_SHADOW_SIDE + 2 * ZR_SHADOW_BORDER;
+    const bool are_made = passes->samples > 0 && passes->lamp_maps > 0;
+    const size_t bytes =
+        zr_arena_block_bytes(drawn * drawn * WORD_BYTES) + zr_arena_block_bytes(bordered * bordered * WORD_BYTES);
+    return are_made ? (double)bytes * (double)passes->lamp_maps : 0.0;
+}
+
 double zr_cost_window_bytes(const struct zr_scene *scene, const struct zr_cost_passes *passes,
                             const struct zr_cost_covered *covered)
 {
@@ -215,7 +224,7 @@ double zr_cost_window_bytes(const struct zr_scene *scene, const struct zr_cost_p
         sum += SAMPLE_BYTES * (pixels * (double)passes->centres + samples * (double)passes->samples);
     sum += bytes_of_layers(scene, samples, covered->layered);
     if (passes->samples == 0 || !picture->is_linear) return sum;
-    sum += pixels * LINEAR_BYTES + LAMP_MAP_BYTES * (double)passes->lamp_maps;
+    sum += pixels * LINEAR_BYTES + zr_cost_lamp_map_bytes(passes);
     if (picture->occlusion.is_on) sum += pixels * (GBUFFER_BYTES + OCCLUSION_BYTES);
     if (picture->edges.is_on) sum += bytes_of_edges(pixels, samples);
     return sum;

@@ -34,6 +34,9 @@ struct zr_cost_covered {
 double zr_cost_of_light(const struct zr_scene *scene, const struct zr_cost_passes *passes,
                         const struct zr_cost_covered *covered);
 
+/* Bytes of the depth maps of lamps with shadows. */
+double zr_cost_lamp_map_bytes(const struct zr_cost_passes *passes);
+
 /* Bytes that a request has at once for arrays of whole windows: what it takes at least. */
 double zr_cost_window_bytes(const struct zr_scene *scene, const struct zr_cost_passes *passes,
                             const struct zr_cost_covered *covered);

@@ -41,7 +41,7 @@ static bool is_of_linear_light(const struct zr_query *query)
 static void warn_of_soup(struct zr_scene_builder *builder, const struct zr_format_row *format, int shading)
 {
     if (!format->reader->is_soup || builder->scene->picture.is_linear || shading < ZR_SHADING_GOURAUD) return;
-    zr_warning_list_add(builder->arena, &builder->warnings,
+    zr_warning_list_add(builder->arena, &builder->color_warnings,
                         "shading=%s looks flat here: the triangles of %s share no corners; OBJ can be smooth",
                         zr_shading_names.words[shading], format->name);
 }
@@ -93,7 +93,7 @@ static bool fits_memory(struct zr_arena *arena, const struct zr_scene *scene)
     for (uint32_t i = 0; i < scene->instance_count; i++)
         points += scene->meshes[scene->instances[i].mesh].position_count;
     const uint64_t point_bytes = sizeof(struct zr_window_vertex) + sizeof(struct zr_eye);
-    if (points <= (arena->ceiling - arena->used) / point_bytes) return true;
+    if (points <= zr_arena_left(arena) / point_bytes) return true;
     return zr_arena_charge(arena, points < SIZE_MAX / point_bytes ? points * point_bytes : SIZE_MAX); /* fails */
 }
 

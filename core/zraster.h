@@ -93,8 +93,10 @@ struct zr_cost {
     double shape_triangles, shape_fragments; /* of faces that are not convex: their cuts and visits, their pixels */
     double samples;                          /* of pictures of several or in linear light, lit ones counted manifold */
     double pixels;                           /* of all outputs */
-    double png_pixels;   /* of those that become PNGs; times what it takes longer where they are to be small */
-    double window_bytes; /* memory of whole windows that rendering has at once: it takes more, but no less */
+    double png_pixels;     /* of those that become PNGs; times what it takes longer where they are to be small */
+    double window_bytes;   /* memory of whole windows that rendering has at once: it takes more, but no less */
+    double lamp_map_bytes; /* of these, those of the depth maps of lamps with shadows, */
+    uint32_t lamp_maps;    /* of which there are so many */
 };
 
 enum { ZR_WARNINGS_SIZE = 2048 }; /* of a line of warnings and the zero behind it: a header that proxies let pass */

@@ -31,7 +31,7 @@ static enum body_status decompress(const struct request *request, size_t max, st
         problem_answer(answer, 413, "the body inflates to more than bodyMaxBytes, %zu bytes", max);
         break;
     case GUNZIP_NO_MEMORY:
-        problem_memory(answer, arena);
+        problem_memory(answer, arena, NULL);
         break;
     case GUNZIP_CANCELLED:
         return BODY_CANCELLED;
@@ -59,7 +59,7 @@ static bool unpack_parts(const struct request *request, struct zr_arena *arena, 
     struct multipart *parts = zr_arena_alloc(arena, 1, sizeof *parts);
     struct zr_asset *assets = zr_arena_alloc(arena, MULTIPART_PARTS_MAX, sizeof *assets);
     if (!parts || !assets) {
-        problem_memory(answer, arena);
+        problem_memory(answer, arena, NULL);
         return false;
     }
     if (!multipart_parse(request->boundary, render->bytes, render->size, parts, &fault)) {

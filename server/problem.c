@@ -102,13 +102,25 @@ void problem_busy(struct answer *answer, unsigned retry_after_s, const char *det
     problem_answer(answer, 503, "%s", detail);
 }
 
-void problem_memory(struct answer *answer, const struct zr_arena *arena)
+/* Without the depth maps of its lamps the request would fit. */
+static bool are_lamps_too_many(const struct zr_arena *arena, const struct zr_cost *cost)
+{
+    return cost && cost->lamp_maps > 0 && (double)arena->wanted - cost->lamp_map_bytes <= (double)arena->ceiling;
+}
+
+void problem_memory(struct answer *answer, const struct zr_arena *arena, const struct zr_cost *cost)
 {
     if (arena->wanted == 0)
         problem_busy(answer, 1, "the system has no memory for the request now");
     else if (arena->wanted == SIZE_MAX)
         problem_answer(answer, 422, "the request needs more memory than can be had; requestMemoryBytes is %zu bytes",
                        arena->ceiling);
+    else if (are_lamps_too_many(arena, cost))
+        problem_answer(answer, 422,
+                       "the request needs at least %zu bytes of memory, %.0f of them for the depth maps of %" PRIu32
+                       " lamps with shadows; requestMemoryBytes, for one, is %zu bytes: fewer lamps with shadows need "
+                       "less",
+                       arena->wanted, cost->lamp_map_bytes, cost->lamp_maps, arena->ceiling);
     else
         problem_answer(
             answer, 422,

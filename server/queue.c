@@ -240,11 +240,11 @@ static void end_job(struct worker *worker)
 
 /* ---- threads ---- */
 
-/* Blocks of an arena are not filled to their ends, so somewhat more than was used is kept, and one block at least: a
+/* Somewhat more than was held is kept, and one block at least: a
  * new one costs a small request more than its picture does. */
 static void reset_arena(struct worker *worker)
 {
-    size_t used = worker->arena.used, older = worker->used - worker->used / 8;
+    size_t used = worker->arena.held, older = worker->used - worker->used / 8;
     worker->used = used > older ? used : older;
     if (worker->used == 0) worker->used = 1; /* something was done: libraries may have memory */
     const size_t keep = worker->used + worker->used / 2 + ZR_ARENA_BLOCK;

@@ -129,6 +129,7 @@ struct rendering {
     struct zr_stored stored; /* of all assets, large ones too */
     size_t small_left;       /* bytes that a small request may still read */
     bool is_large;           /* and request->small_only: to be given up */
+    struct zr_cost cost;     /* predicted; all 0 before */
 };
 
 static double ms_since(int64_t *mark_us)
@@ -181,18 +182,20 @@ static enum zr_status read_stored(void *context, const char *sha256, struct zr_a
 /* ---- steps ---- */
 
 /* What windows take can be told before anything is drawn, and what is refused so has taken no time. */
-static bool has_memory(const struct rendering *r, const struct zr_cost *cost)
+static bool has_memory(const struct rendering *r)
 {
+    const struct zr_cost *cost = &r->cost;
     struct zr_arena *arena = r->arena;
-    if (cost->window_bytes <= (double)(arena->ceiling - arena->used)) return true;
+    if (cost->window_bytes <= (double)zr_arena_left(arena)) return true;
     return zr_arena_charge(arena, cost->window_bytes < 1e18 ? (size_t)cost->window_bytes + 1 : SIZE_MAX);
 }
 
 /* A sample may mislead: before a scene is refused, all of it is measured. Where looking for the view was cancelled,
  * what is large has yet to be told from what is not, and pixels and triangles can be counted without. */
 static enum zr_status predict(struct rendering *r, const struct zr_scene *scene,
-                              const struct zr_resolved_view **resolved, struct zr_cost *cost, struct zr_error *error)
+                              const struct zr_resolved_view **resolved, struct zr_error *error)
 {
+    struct zr_cost *cost = &r->cost;
     const uint32_t samples[] = {COST_CORNERS, COST_CORNERS_MORE};
     const struct service *service = r->service;
     const enum zr_status status = zr_resolved_view_find(r->arena, service->team, scene, r->cancel, resolved, error);
@@ -201,7 +204,7 @@ static enum zr_status predict(struct rendering *r, const struct zr_scene *scene,
         *cost = zr_scene_cost(scene, *resolved, samples[i], r->cancel);
         r->times->predicted_ms = prediction_ms(service->prediction, cost);
         if (too_large(r, r->times->predicted_ms > SMALL_MS)) return ZR_CANCELLED;
-        if (!has_memory(r, cost)) return ZR_NO_MEMORY;
+        if (!has_memory(r)) return ZR_NO_MEMORY;
         if (r->times->predicted_ms <= (double)service->config->cost_max_ms) return status;
     }
     prediction_refused(service->prediction, cost);
@@ -220,10 +223,9 @@ static enum zr_status run_steps(struct rendering *r, const struct zr_request *re
     const struct zr_scene *scene = NULL;
     const struct zr_resolved_view *resolved = NULL;
     const struct zr_frame *frame = NULL;
-    struct zr_cost cost = {0};
     int64_t mark = clock_us();
     enum zr_status status = zr_scene_read(r->arena, service->team, request, &service->limits, &scene, error);
-    if (status == ZR_OK) status = predict(r, scene, &resolved, &cost, error);
+    if (status == ZR_OK) status = predict(r, scene, &resolved, error);
     r->times->parse_ms = ms_since(&mark);
     if (status != ZR_OK) return status;
     struct prediction_lap lap = prediction_start_lap(service->prediction);
@@ -234,7 +236,7 @@ static enum zr_status run_steps(struct rendering *r, const struct zr_request *re
     status = zr_encode(r->arena, service->team, scene, frame, r->cancel, result, error);
     double encode_ms = prediction_end_lap(service->prediction, &lap);
     r->times->encode_ms = ms_since(&mark);
-    if (status == ZR_OK) prediction_learn(service->prediction, &cost, render_ms, encode_ms);
+    if (status == ZR_OK) prediction_learn(service->prediction, &r->cost, render_ms, encode_ms);
     return status;
 }
 
@@ -284,7 +286,7 @@ enum request_next rendering_work(const struct service *service, const struct req
     if (status == ZR_OK) {
         answer_image(answer, &result);
     } else if (status == ZR_NO_MEMORY) {
-        problem_memory(answer, arena);
+        problem_memory(answer, arena, &r.cost);
     } else if (status == ZR_CANCELLED) {
         problem_late(answer, service->config->render_timeout_ms);
     } else {

@@ -9,16 +9,18 @@
 #include "base/forbid.h"
 
 #ifndef MADV_HUGEPAGE
-#define MADV_HUGEPAGE MADV_NORMAL /* a system that has one size of pages */
+#define MADV_HUGEPAGE   MADV_NORMAL /* a system that has one size of pages */
+#define MADV_NOHUGEPAGE MADV_NORMAL
 #endif
 
 /* Behind each allocation where AddressSanitizer watches: it forbids what was not allocated, so that one byte too far is
  * seen though the block goes on. */
-enum { HEADER = ZR_ARENA_ALIGN, GAP = ZR_ASAN ? ZR_ARENA_ALIGN : 0 };
+enum { HEADER = ZR_ARENA_ALIGN, GAP = ZR_ASAN ? ZR_ARENA_ALIGN : 0, PAGE = 4096 };
 
 struct zr_arena_block {
     struct zr_arena_block *next;
-    size_t capacity, used;
+    size_t size;           /* with the header */
+    size_t capacity, used; /* of what comes behind it */
 };
 
 _Static_assert(sizeof(struct zr_arena_block) <= HEADER, "the header fits before the first allocation");
@@ -28,6 +30,85 @@ static char *block_bytes(struct zr_arena_block *block)
     return (char *)block + HEADER;
 }
 
+static size_t room_in(const struct zr_arena_block *block)
+{
+    return block ? block->capacity - block->used : 0;
+}
+
+static size_t rounded_up(size_t bytes, size_t unit)
+{
+    return (bytes + unit - 1) & ~(unit - 1);
+}
+
+/* ---- blocks ---- */
+
+/* With room for so many bytes, header included: of whole large pages, where that takes at most an eighth more. SIZE_MAX
+ * where there can be none. */
+static size_t block_size(size_t bytes)
+{
+    if (bytes > SIZE_MAX - HEADER - ZR_ARENA_BLOCK) return SIZE_MAX;
+    const size_t whole = rounded_up(HEADER + bytes, ZR_ARENA_BLOCK);
+    return whole == ZR_ARENA_BLOCK || whole - bytes <= bytes / 8 ? whole : rounded_up(HEADER + bytes, PAGE);
+}
+
+size_t zr_arena_block_bytes(size_t bytes)
+{
+    return block_size(rounded_up(bytes, ZR_ARENA_ALIGN)) - HEADER;
+}
+
+/* NULL where the system has no more. */
+static struct zr_arena_block *block_make(size_t size)
+{
+    void *bytes;
+    if (size == SIZE_MAX || posix_memalign(&bytes, ZR_ARENA_BLOCK, size) != 0) return NULL;
+    /* So that the processor looks up 2 MB at a time, and not 4 KB: 5 % of a million triangles, and what comes after
+     * other work is up to 16 % faster. What lies behind the last whole 2 MB would take as much, though most of that is
+     * not the block's. The system may refuse. */
+    const size_t whole = size & ~((size_t)ZR_ARENA_BLOCK - 1);
+    madvise(bytes, whole, MADV_HUGEPAGE);
+    if (size > whole) madvise((char *)bytes + whole, size - whole, MADV_NOHUGEPAGE);
+    struct zr_arena_block *block = bytes;
+    *block = (struct zr_arena_block){.size = size, .capacity = size - HEADER};
+    ZR_FORBID(block_bytes(block), block->capacity);
+    return block;
+}
+
+static void free_spares(struct zr_arena *arena)
+{
+    while (arena->spares) {
+        struct zr_arena_block *block = arena->spares;
+        arena->spares = block->next;
+        free(block);
+    }
+    arena->spare_bytes = 0;
+}
+
+/* The smallest spare block that is large enough, but for one in which most would be left over; NULL: there is none.
+ * What a new block would not have goes back to the system, so that a request holds as much as it would by itself. */
+static struct zr_arena_block *take_spare(struct zr_arena *arena, size_t size)
+{
+    struct zr_arena_block **best = NULL;
+    for (struct zr_arena_block **link = &arena->spares; *link; link = &(*link)->next)
+        if ((*link)->size >= size && (*link)->size / 2 <= size && (!best || (*link)->size < (*best)->size)) best = link;
+    if (!best) return NULL;
+    struct zr_arena_block *block = *best;
+    *best = block->next;
+    arena->spare_bytes -= block->size;
+    block->capacity = size - HEADER;
+    if (block->size > size) madvise((char *)block + size, block->size - size, MADV_DONTNEED);
+    return block;
+}
+
+/* One with allocations that has room for more; NULL: there is none. */
+static struct zr_arena_block *find_room(const struct zr_arena *arena, size_t bytes)
+{
+    for (struct zr_arena_block *block = arena->first; block; block = block->next)
+        if (room_in(block) >= bytes) return block;
+    return NULL;
+}
+
+/* ---- arenas ---- */
+
 void zr_arena_init(struct zr_arena *arena, size_t ceiling)
 {
     *arena = (struct zr_arena){.ceiling = ceiling};
@@ -35,21 +116,23 @@ void zr_arena_init(struct zr_arena *arena, size_t ceiling)
 
 void zr_arena_reset(struct zr_arena *arena, size_t keep)
 {
-    struct zr_arena_block **link = &arena->first;
-    while (*link) {
-        struct zr_arena_block *block = *link;
-        if (block->capacity <= keep) {
-            keep -= block->capacity;
+    struct zr_arena_block *lists[] = {arena->first, arena->spares};
+    arena->first = arena->current = arena->spares = NULL;
+    arena->spare_bytes = 0;
+    for (int i = 0; i < 2; i++)
+        for (struct zr_arena_block *block = lists[i], *next; block; block = next) {
+            next = block->next;
+            if (block->size > keep - arena->spare_bytes) {
+                free(block);
+                continue;
+            }
             ZR_FORBID(block_bytes(block), block->used); /* what lies behind is forbidden still */
             block->used = 0;
-            link = &block->next;
-        } else {
-            *link = block->next;
-            free(block);
+            block->next = arena->spares;
+            arena->spares = block;
+            arena->spare_bytes += block->size;
         }
-    }
-    arena->current = arena->first;
-    arena->used = arena->peak = 0;
+    arena->used = arena->held = arena->peak = 0;
     arena->failed = false;
     arena->wanted = 0;
 }
@@ -63,13 +146,13 @@ void zr_arena_init_within(struct zr_arena *arena, void *bytes, size_t size)
 {
     struct zr_arena_block *block = bytes;
     *arena = (struct zr_arena){.ceiling = size - HEADER, .is_within = true, .first = block, .current = block};
-    *block = (struct zr_arena_block){.capacity = size - HEADER};
+    *block = (struct zr_arena_block){.size = size, .capacity = size - HEADER};
 }
 
-/* `more` bytes beside those that are used: too many, or 0 where it is the system that has none. */
+/* `more` bytes beside those that are held: too many, or 0 where it is the system that has none. */
 static void *fail(struct zr_arena *arena, size_t more)
 {
-    if (!arena->failed && more > 0) arena->wanted = more > SIZE_MAX - arena->used ? SIZE_MAX : arena->used + more;
+    if (!arena->failed && more > 0) arena->wanted = more > SIZE_MAX - arena->held ? SIZE_MAX : arena->held + more;
     arena->failed = true;
     return NULL;
 }
@@ -77,47 +160,50 @@ static void *fail(struct zr_arena *arena, size_t more)
 static void use(struct zr_arena *arena, size_t bytes)
 {
     arena->used += bytes;
+    arena->held += bytes;
     if (arena->used > arena->peak) arena->peak = arena->used;
 }
 
-static size_t rounded_up(size_t bytes, size_t unit)
+/* Spares are not held: they go where `more` bytes would not fit beside them. */
+static void make_room(struct zr_arena *arena, size_t more)
 {
-    return (bytes + unit - 1) & ~(unit - 1);
+    struct zr_arena *keeper = arena->lender ? arena->lender : arena;
+    if (keeper->spares && more + keeper->spare_bytes > zr_arena_left(arena)) free_spares(keeper);
 }
 
-/* With room for `bytes` at least. NULL where the system has no more. */
-static struct zr_arena_block *block_make(size_t bytes)
+/* A block that is new to the request. */
+static struct zr_arena_block *add_block(struct zr_arena *arena, size_t bytes)
 {
-    if (bytes > SIZE_MAX - HEADER - ZR_ARENA_BLOCK) return NULL;
-    const size_t size = rounded_up(HEADER + bytes, ZR_ARENA_BLOCK);
-    struct zr_arena_block *block = aligned_alloc(ZR_ARENA_BLOCK, size);
+    const size_t size = block_size(bytes);
+    struct zr_arena_block *block = take_spare(arena, size);
+    if (!block && !arena->is_within) {
+        make_room(arena, size);
+        block = block_make(size);
+    }
     if (!block) return NULL;
-    /* So that the processor looks up 2 MB at a time, and not 4 KB: 5 % of a million triangles, and what comes after
-     * other work is up to 16 % faster. The system may refuse. */
-    madvise(block, size, MADV_HUGEPAGE);
-    *block = (struct zr_arena_block){.capacity = size - HEADER};
-    ZR_FORBID(block_bytes(block), block->capacity);
+    block->next = arena->first;
+    arena->first = block;
     return block;
 }
 
-/* A block with room for `bytes` behind `current`: one that a reset left, or a
- * new one, linked in so that no kept block is lost. */
-static struct zr_arena_block *next_block(struct zr_arena *arena, size_t bytes)
+/* The current block becomes one with room for `bytes`. What is free in the last one is held from then on. */
+static bool change_block(struct zr_arena *arena, size_t bytes)
 {
-    struct zr_arena_block **link = arena->current ? &arena->current->next : &arena->first;
-    for (struct zr_arena_block **search = link; *search; search = &(*search)->next)
-        if ((*search)->capacity >= bytes) {
-            struct zr_arena_block *found = *search;
-            *search = found->next;
-            found->next = *link;
-            *link = found;
-            return found;
-        }
-    struct zr_arena_block *block = arena->is_within ? NULL : block_make(bytes);
-    if (!block) return NULL;
-    block->next = *link;
-    *link = block;
-    return block;
+    const size_t left_over = room_in(arena->current);
+    struct zr_arena_block *block = find_room(arena, bytes);
+    const size_t held = arena->held + left_over - room_in(block);
+    if (held > arena->ceiling || bytes - GAP > arena->ceiling - held) {
+        fail(arena, left_over - room_in(block) + bytes - GAP);
+        return false;
+    }
+    arena->held = held;
+    if (!block) block = add_block(arena, bytes);
+    if (!block) {
+        fail(arena, 0);
+        return false;
+    }
+    arena->current = block;
+    return true;
 }
 
 void *zr_arena_alloc(struct zr_arena *arena, size_t count, size_t size)
@@ -125,19 +211,13 @@ void *zr_arena_alloc(struct zr_arena *arena, size_t count, size_t size)
     size_t bytes;
     if (arena->failed || !zr_mul_size(count, size, &bytes) || bytes > SIZE_MAX - ZR_ARENA_ALIGN - GAP)
         return fail(arena, SIZE_MAX);
-    const size_t held = rounded_up(bytes, ZR_ARENA_ALIGN);
-    if (held > arena->ceiling - arena->used) return fail(arena, held);
-
+    const size_t taken = rounded_up(bytes, ZR_ARENA_ALIGN);
+    if (taken > zr_arena_left(arena)) return fail(arena, taken);
+    if ((!arena->current || taken + GAP > room_in(arena->current)) && !change_block(arena, taken + GAP)) return NULL;
     struct zr_arena_block *block = arena->current;
-    if (!block || held + GAP > block->capacity - block->used) {
-        block = next_block(arena, held + GAP);
-        if (!block) return fail(arena, 0);
-        block->used = 0;
-        arena->current = block;
-    }
     void *result = block_bytes(block) + block->used;
-    block->used += held + GAP;
-    use(arena, held);
+    block->used += taken + GAP;
+    use(arena, taken);
     ZR_PERMIT(result, bytes);
     return result;
 }
@@ -155,12 +235,12 @@ void *zr_arena_grow(struct zr_arena *arena, void *old, size_t count, size_t new_
     if (arena->failed || !zr_mul_size(count, size, &old_bytes) || !zr_mul_size(new_count, size, &new_bytes) ||
         new_bytes > SIZE_MAX - ZR_ARENA_ALIGN - GAP)
         return fail(arena, SIZE_MAX);
-    size_t held = rounded_up(old_bytes, ZR_ARENA_ALIGN);
+    const size_t taken = rounded_up(old_bytes, ZR_ARENA_ALIGN);
     struct zr_arena_block *block = arena->current;
-    if (old && new_bytes >= old_bytes && block && (char *)old + held + GAP == block_bytes(block) + block->used) {
+    if (old && new_bytes >= old_bytes && block && (char *)old + taken + GAP == block_bytes(block) + block->used) {
         /* The newest allocation: what follows it, if it fits, is its own. */
-        size_t more = rounded_up(new_bytes, ZR_ARENA_ALIGN) - held;
-        if (more <= block->capacity - block->used && more <= arena->ceiling - arena->used) {
+        size_t more = rounded_up(new_bytes, ZR_ARENA_ALIGN) - taken;
+        if (more <= room_in(block) && more <= zr_arena_left(arena)) {
             block->used += more;
             use(arena, more);
             ZR_PERMIT(old, new_bytes);
@@ -174,20 +254,22 @@ void *zr_arena_grow(struct zr_arena *arena, void *old, size_t count, size_t new_
 
 void zr_arena_trim(struct zr_arena *arena, void *array, size_t count, size_t new_count, size_t size)
 {
-    const size_t held = rounded_up(count * size, ZR_ARENA_ALIGN), kept = rounded_up(new_count * size, ZR_ARENA_ALIGN);
+    const size_t taken = rounded_up(count * size, ZR_ARENA_ALIGN), kept = rounded_up(new_count * size, ZR_ARENA_ALIGN);
     struct zr_arena_block *block = arena->current;
-    if (!block || (char *)array + held + GAP != block_bytes(block) + block->used) return;
-    ZR_FORBID((char *)array + new_count * size, held + GAP - new_count * size);
-    block->used -= held - kept;
-    arena->used -= held - kept;
+    if (!block || (char *)array + taken + GAP != block_bytes(block) + block->used) return;
+    ZR_FORBID((char *)array + new_count * size, taken + GAP - new_count * size);
+    block->used -= taken - kept;
+    arena->used -= taken - kept;
+    arena->held -= taken - kept;
 }
 
 bool zr_arena_charge(struct zr_arena *arena, size_t bytes)
 {
-    if (arena->failed || bytes > arena->ceiling - arena->used) {
+    if (arena->failed || bytes > zr_arena_left(arena)) {
         fail(arena, bytes);
         return false;
     }
+    make_room(arena, bytes);
     use(arena, bytes);
     return true;
 }
@@ -195,19 +277,22 @@ bool zr_arena_charge(struct zr_arena *arena, size_t bytes)
 void zr_arena_refund(struct zr_arena *arena, size_t bytes)
 {
     arena->used -= bytes;
+    arena->held -= bytes;
 }
 
-struct zr_arena zr_arena_open_scratch(const struct zr_arena *arena)
+struct zr_arena zr_arena_open_scratch(struct zr_arena *arena)
 {
-    return (struct zr_arena){.ceiling = arena->ceiling - arena->used, .failed = arena->failed, .cancel = arena->cancel};
+    return (struct zr_arena){
+        .ceiling = zr_arena_left(arena), .failed = arena->failed, .cancel = arena->cancel, .lender = arena};
 }
 
 void *zr_arena_alloc_beside(struct zr_arena *arena, struct zr_arena *scratch, size_t count, size_t size)
 {
-    if (!zr_arena_charge(arena, scratch->used)) return NULL;
+    const size_t held = scratch->held;
+    if (!zr_arena_charge(arena, held)) return NULL;
     void *result = zr_arena_alloc(arena, count, size);
-    zr_arena_refund(arena, scratch->used);
-    scratch->ceiling = arena->ceiling - arena->used;
+    zr_arena_refund(arena, held);
+    scratch->ceiling = zr_arena_left(arena);
     return result;
 }
 

@@ -6,7 +6,7 @@
 #define ZR_PARAMETER_ROWS_H
 
 /* ROW(name, ANY: of all bodies, or MESH: of those that are a bare mesh, what stands for a value in help,
- *     what it is in words) */
+ *     what it is in words); in brackets: it is true or false, and a command line may leave it out for true */
 #define ZR_PARAMETER_ROWS(ROW)                                                                                         \
     ROW(channel, ANY, "NAME", "one output instead of the scene's: color, depth, normals and others")                   \
     ROW(encoding, ANY, "NAME", "png, npy, png16 or json; each channel has a default")                                  \
@@ -14,8 +14,8 @@
     ROW(x, ANY, "PIXELS", "of the pixel whose fragments are asked for; the leftmost has 0")                            \
     ROW(y, ANY, "PIXELS", "of that pixel; the uppermost has 0")                                                        \
     ROW(compress, ANY, "HOW", "fast (default) or small: PNGs of fewer bytes that take longer")                         \
-    ROW(strict, ANY, "BOOL", "true: what would be warned of is refused; false (default)")                              \
-    ROW(colorBar, ANY, "BOOL", "true: the colormap of a scene with its numbers over the picture; as the scene says")   \
+    ROW(strict, ANY, "[BOOL]", "true: what would be warned of is refused; false (default)")                            \
+    ROW(colorBar, ANY, "[BOOL]", "true: the colormap of a scene with its numbers over the picture; as the scene says") \
     ROW(look, MESH, "NAME", "studio (default), technical, clay, dark, metal, outdoor, blueprint, xray or textbook")    \
     ROW(samples, MESH, "COUNT", "for each pixel: 1, 4, 16 or 64; the look's")                                          \
     ROW(width, MESH, "PIXELS", "of the window; 640")                                                                   \
@@ -29,7 +29,7 @@
     ROW(color, MESH, "COLOR", "of the mesh, such as tomato or #ff6347")                                                \
     ROW(background, MESH, "COLOR", "the look's; transparent, too")                                                     \
     ROW(outline, MESH, "COLOR", "of the edges of faces; or true, or false (default)")                                  \
-    ROW(fill, MESH, "BOOL", "true (default), or false: a wireframe")                                                   \
-    ROW(doubleSided, MESH, "BOOL", "true (default), or false: faces that turn away are not drawn")
+    ROW(fill, MESH, "[BOOL]", "true (default), or false: a wireframe")                                                 \
+    ROW(doubleSided, MESH, "[BOOL]", "true (default), or false: faces that turn away are not drawn")
 
 #endif

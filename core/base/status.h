@@ -20,7 +20,7 @@ enum zr_status {
     ZR_INTERNAL     /* our own fault */
 };
 
-enum { ZR_ERROR_ITEMS = 20, ZR_POINTER_SIZE = 160, ZR_DETAIL_SIZE = 280 };
+enum { ZR_ERROR_ITEMS = 20, ZR_POINTER_SIZE = 160, ZR_DETAIL_SIZE = 520 };
 
 struct zr_error_item {
     char pointer[ZR_POINTER_SIZE]; /* JSON Pointer; "" where none applies */

@@ -3,7 +3,7 @@
 #include <stdarg.h>
 #include <stdio.h>
 
-enum { TEXT_SIZE = 160, ROOM_AT_FIRST = 8 };
+enum { TEXT_SIZE = 256, ROOM_AT_FIRST = 8 };
 
 void zr_warning_list_add(struct zr_arena *arena, struct zr_warning_list *list, const char *format, ...)
 {
@@ -21,4 +21,10 @@ void zr_warning_list_add(struct zr_arena *arena, struct zr_warning_list *list, c
     vsnprintf(text, TEXT_SIZE, format, arguments);
     va_end(arguments);
     list->texts[list->count++] = text;
+}
+
+void zr_warning_list_append(struct zr_arena *arena, struct zr_warning_list *list, const struct zr_warning_list *more)
+{
+    for (size_t i = 0; i < more->count; i++)
+        zr_warning_list_add(arena, list, "%s", more->texts[i]);
 }

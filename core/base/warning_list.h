@@ -12,7 +12,10 @@ struct zr_warning_list {
     const char **texts;
 };
 
-/* Cut to 160 bytes. Lost where the arena has failed, which is noticed anyway. */
+/* Adds those of another list, which may be in another arena's memory. */
+void zr_warning_list_append(struct zr_arena *arena, struct zr_warning_list *list, const struct zr_warning_list *more);
+
+/* Cut to 256 bytes. Lost where the arena has failed, which is noticed anyway. */
 void zr_warning_list_add(struct zr_arena *arena, struct zr_warning_list *list, const char *format, ...)
     __attribute__((format(printf, 3, 4)));
 

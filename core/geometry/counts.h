@@ -31,6 +31,7 @@ struct zr_counts {
     uint64_t outside_points;      /* whose middle is outside the view volume, or without a place in the window */
     uint64_t unplaced;            /* triangles, pieces of these, lines and points with a corner that has no place */
     uint64_t clipped_outlines;    /* triangles of outlined faces that were cut */
+    uint64_t masked_tiles;        /* where masked fragments were left out, and nothing masked was seen in their place */
 };
 
 /* Modulo 2^64: what is less than none is taken away. */
@@ -55,6 +56,7 @@ static inline void zr_counts_add(struct zr_counts *sum, const struct zr_counts *
     sum->outside_points += counts->outside_points;
     sum->unplaced += counts->unplaced;
     sum->clipped_outlines += counts->clipped_outlines;
+    sum->masked_tiles += counts->masked_tiles;
 }
 
 #endif

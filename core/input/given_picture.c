@@ -71,7 +71,7 @@ uint32_t zr_picture_side_in(uint32_t side, uint32_t width, uint32_t height)
 
 void zr_warn_of_fewer_samples(struct zr_scene_builder *builder, uint32_t side, uint32_t fits)
 {
-    zr_warning_list_add(builder->arena, &builder->warnings,
+    zr_warning_list_add(builder->arena, &builder->color_warnings,
                         "samples: %u a pixel instead of the look's %u, which are more than this window can have",
                         fits * fits, side * side);
 }

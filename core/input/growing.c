@@ -17,7 +17,7 @@ bool zr_growing_reserve(struct zr_growing *array, struct zr_json *json, size_t m
     size_t room = array->room < ITEMS_AT_FIRST ? ITEMS_AT_FIRST : array->room * 2;
     if (!array->start) array->start = json->at;
     if (array->count >= ITEMS_TO_GUESS_FROM) {
-        const size_t guessed = guess(array, json), left = json->arena->ceiling - json->arena->used;
+        const size_t guessed = guess(array, json), left = zr_arena_left(json->arena);
         if (guessed > room && guessed < left / 2 / array->size) room = guessed;
     }
     if (room < array->count + more) room = array->count + more;

@@ -101,7 +101,7 @@ static void read_color(struct reader *reader)
     for (size_t i = 0; i < count_pixels(reader); i++)
         alpha &= rgba[4 * i + 3];
     if (alpha != 255 && reader->root->scene->background.w >= 1.0f)
-        zr_warning_list_add(reader->root->json.arena, &reader->root->builder->warnings,
+        zr_warning_list_add(reader->root->json.arena, &reader->root->builder->color_warnings,
                             "base.color is transparent in parts and the background is not: its alpha is left out");
 }
 

@@ -120,7 +120,7 @@ bool zr_json_list_read(struct zr_json *json, const struct zr_json_path *path, co
     const unsigned inside = json->depth;
     /* Where memory is short, it is better used for the scene. */
     if (json->team && zr_team_size(json->team) > 1 && json->end - json->at > LARGE_BYTES &&
-        (json->arena->ceiling - json->arena->used) / 8 > (size_t)WINDOW_PARTS * ROOM_BYTES)
+        zr_arena_left(json->arena) / 8 > (size_t)WINDOW_PARTS * ROOM_BYTES)
         read_ahead(json, path, list, state);
     if (json->depth == inside && !zr_json_stops(json)) list->read(json, path, state, json->end);
     zr_json_check_closed(json, inside);

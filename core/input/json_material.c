@@ -1,9 +1,12 @@
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/rgba.h"
 #include "input/defaults.h"
 #include "input/json_objects.h"
 #include "input/json_scene.h"
+#include "input/names.h"
 #include "input/nearest.h"
 #include "input/text.h"
 
@@ -123,7 +126,6 @@ bool zr_read_materials(struct zr_json *json, const struct zr_json_path *path, co
             .name = "", .number = list.count, .base_color = {1, 1, 1, 1}, .face_style = zr_face_style_unset};
         zr_json_fields(json, ZR_JSON_ITEM(path, list.count), &zr_json_object_material, given, &given->keys);
         note_linear_keys(root, given->keys);
-        zr_given_note_alpha(root, &given->base_color, 1);
     }
     root->materials = list.items;
     root->material_count = list.count;
@@ -194,6 +196,150 @@ static void put_textures(const struct zr_given_material *given, struct zr_materi
         material->emissive = (zr_vec3){1, 1, 1};
 }
 
+/* ---- what is odd about them ---- */
+
+static void note(struct zr_given_scene *root, const struct zr_style *style, enum zr_oddity oddity)
+{
+    zr_given_note_oddity(root, oddity, style->number, style->is_polygon);
+}
+
+/* `faces`: the style, the material's and the scene's, merged. */
+static void note_oddities(struct zr_given_scene *root, const struct zr_style *style, const struct zr_face_style *faces,
+                          const struct zr_material *material)
+{
+    const bool has_outline = material->outline == ZR_OUTLINE_COLORED;
+    const float least = style->alpha.least * material->base_color.w, most = style->alpha.most * material->base_color.w;
+    if (style->face_style.alpha_cutoff >= 0.0f && material->alpha_mode != ZR_ALPHA_MASK)
+        note(root, style, ZR_ODD_CUTOFF);
+    const bool has_mode = faces->alpha_mode != ZR_UNSET || material->shading == ZR_SHADING_XRAY;
+    if (!has_mode && (least < 1.0f || (has_outline && material->outline_color.w < 1.0f)))
+        note(root, style, ZR_ODD_ALPHA);
+    if (has_outline) return; /* of a colour of its own */
+    if (material->alpha_mode == ZR_ALPHA_BLEND && most <= 0.0f) note(root, style, ZR_ODD_UNSEEN);
+    if (material->alpha_mode == ZR_ALPHA_MASK && zr_rgba_byte(most) < zr_rgba_byte(material->alpha_cutoff))
+        note(root, style, ZR_ODD_MASKED);
+}
+
+static void note_use(struct zr_given_material *given, const struct zr_style *style, const struct zr_material *material)
+{
+    given->is_used = true;
+    given->is_masked |= material->alpha_mode == ZR_ALPHA_MASK;
+    if (style->has_faces) given->shadings |= 1u << material->shading;
+}
+
+#define SHADED(word) (1u << ZR_SHADING_##word)
+#define ALL_SHADINGS ((1u << ZR_SHADING_COUNT) - 1)
+#define LIT_SHADINGS (ALL_SHADINGS & ~(SHADED(UNLIT) | SHADED(NORMALS) | SHADED(XRAY)))
+
+/* Which shadings look at a key; 0: it is for all that there is, lines too. */
+static uint32_t shadings_of(int key)
+{
+    switch (key) {
+    case SPECULAR:
+    case SHININESS:
+        return SHADED(PHONG);
+    case METALLIC:
+    case ROUGHNESS:
+    case EMISSIVE:
+    case METALLIC_ROUGHNESS_TEXTURE:
+    case EMISSIVE_TEXTURE:
+        return SHADED(PBR);
+    case COOL:
+        return SHADED(GOOCH);
+    case NORMAL_TEXTURE:
+        return ALL_SHADINGS & ~(SHADED(UNLIT) | SHADED(XRAY));
+    case OCCLUSION_TEXTURE:
+        return LIT_SHADINGS;
+    case BASE_COLOR_TEXTURE:
+        return ALL_SHADINGS & ~SHADED(NORMALS);
+    default:
+        return 0;
+    }
+}
+
+struct words {
+    char text[120];
+};
+
+static void add_word(struct words *words, const char *word)
+{
+    const size_t used = strlen(words->text);
+    snprintf(words->text + used, sizeof words->text - used, "%s%s", used ? ", " : "", word);
+}
+
+/* Keys of a material that none of its meshes has a use for. */
+static struct words unused_keys(const struct zr_given_material *given)
+{
+    struct words words = {""};
+    for (int key = 0; given->is_used && key <= BASE_COLOR_TEXTURE; key++)
+        if (zr_json_gives(given->keys, key) && shadings_of(key) != 0 && !(shadings_of(key) & given->shadings))
+            add_word(&words, fields[key].key);
+    return words;
+}
+
+/* "with the shading phong": those of its meshes, as far as these have faces. */
+static struct words shadings_in_words(const struct zr_given_material *given)
+{
+    struct words words = {""};
+    if (given->shadings == 0) return (struct words){"without faces"};
+    for (int shading = 0; shading < ZR_SHADING_COUNT; shading++)
+        if (given->shadings >> shading & 1u) add_word(&words, zr_shading_names.words[shading]);
+    struct words all;
+    snprintf(all.text, sizeof all.text, "with the shading %.100s", words.text);
+    return all;
+}
+
+/* Room for how many more there are. */
+struct more {
+    char text[40];
+};
+
+static struct more more_than_one(size_t count)
+{
+    struct more more = {""};
+    if (count > 1) snprintf(more.text, sizeof more.text, " (and %zu more)", count - 1);
+    return more;
+}
+
+/* Some of the materials: how many, and the first of them. */
+struct some {
+    const struct zr_given_material *first;
+    size_t count;
+};
+
+/* Of the scene's order, for they are sorted by their names. */
+static void add_to(struct some *some, const struct zr_given_material *given)
+{
+    if (some->count++ == 0 || given->number < some->first->number) some->first = given;
+}
+
+static void warn_of(struct zr_given_scene *root, const struct some *some, const char *text)
+{
+    if (some->count > 0)
+        zr_warning_list_add(root->json.arena, &root->builder->color_warnings, "material %s%s%s",
+                            zr_quote(some->first->name, strlen(some->first->name)).text,
+                            more_than_one(some->count).text, text);
+}
+
+void zr_given_warn_of_materials(struct zr_given_scene *root)
+{
+    struct some idle = {NULL, 0}, uncut = {NULL, 0}, odd = {NULL, 0};
+    for (size_t i = 0; i < root->material_count; i++) {
+        const struct zr_given_material *given = &root->materials[i];
+        if (!given->is_used) add_to(&idle, given);
+        if (given->is_used && given->face_style.alpha_cutoff >= 0.0f && !given->is_masked) add_to(&uncut, given);
+        if (*unused_keys(given).text) add_to(&odd, given);
+    }
+    warn_of(root, &idle, " is used by nothing");
+    warn_of(root, &uncut, ": alphaCutoff has no effect without \"alphaMode\": \"MASK\"");
+    if (odd.count == 0) return;
+    char text[2 * sizeof(struct words) + 32];
+    snprintf(text, sizeof text, ": no effect of %s %s", unused_keys(odd.first).text, shadings_in_words(odd.first).text);
+    warn_of(root, &odd, text);
+}
+
+/* ---- made ---- */
+
 uint32_t zr_given_make_material(struct zr_given_scene *root, const struct zr_style *style, bool coloured, bool smooth)
 {
     const struct zr_look *look = root->scene->look;
@@ -210,14 +356,9 @@ uint32_t zr_given_make_material(struct zr_given_scene *root, const struct zr_sty
         zr_face_style_material(&faces, look, has_color ? given->base_color : none.base_color, smooth);
     put_values(given, &material);
     put_textures(given, &material);
-    zr_given_note_alpha(root, &material.outline_color, 1);
+    note_oddities(root, style, &faces, &material);
+    if (has_given) note_use(&root->materials[style->material], style, &material);
     if (faces.shading >= ZR_SHADING_PBR && !root->linear_key) root->linear_key = "shading";
     material.uniform_color = style->is_uniform && material.shading == ZR_SHADING_UNLIT;
     return zr_scene_builder_material(root->builder, &material);
-}
-
-void zr_given_note_alpha(struct zr_given_scene *root, const zr_vec4 *colors, size_t count)
-{
-    for (size_t i = 0; i < count && !root->transparent; i++)
-        root->transparent = colors[i].w < 1.0f;
 }

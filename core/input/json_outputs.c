@@ -50,7 +50,7 @@ static bool check_space(struct zr_json *json, const struct zr_json_path *path, c
                         struct zr_output *output)
 {
     const int count = zr_channel_rows[output->channel].space_count;
-    const struct zr_names allowed = {count, ZR_SPACE_COUNT, zr_space_names.words};
+    const struct zr_names allowed = {count, ZR_SPACE_COUNT, zr_space_names.words, NULL};
     const struct zr_json_path *at = ZR_JSON_KEY(path, fields[SPACE].key);
     if (given->space == UNSET) return true;
     if (count == 0)

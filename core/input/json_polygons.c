@@ -351,15 +351,41 @@ bool zr_read_polygons(struct zr_json *json, const struct zr_json_path *path, con
 
 /* ---- a mesh ---- */
 
+/* What the polygons of each style have of opacities: in an array of these. */
+static struct zr_alpha_range *find_alphas(struct zr_json *json, const struct zr_soup *soup)
+{
+    struct zr_alpha_range *alphas = zr_arena_alloc(json->arena, soup->styles.count, sizeof *alphas);
+    const uint32_t *styles = soup->face_styles.items, *offsets = soup->offsets.items;
+    const zr_vec4 *face_colors = soup->face_colors.items, *colors = soup->colors.items;
+    for (size_t i = 0; alphas && i < soup->styles.count; i++)
+        alphas[i] = (struct zr_alpha_range){1.0f, 0.0f};
+    for (size_t f = 0; alphas && f < soup->face_styles.count; f++) {
+        struct zr_alpha_range *all = &alphas[styles[f]];
+        const size_t end = f + 1 < soup->offsets.count ? offsets[f + 1] : soup->positions.count;
+        const struct zr_alpha_range range =
+            zr_alpha_range_times(face_colors ? zr_alpha_range_of(&face_colors[f], 1) : zr_alpha_opaque,
+                                 colors ? zr_alpha_range_of(colors + offsets[f], end - offsets[f]) : zr_alpha_opaque);
+        if (range.least < all->least) all->least = range.least;
+        if (range.most > all->most) all->most = range.most;
+    }
+    return alphas;
+}
+
 /* The material of each style, in place of the number of the style at each face. */
 static void find_materials(struct zr_given_scene *root, const struct zr_json_path *path, struct zr_soup *soup)
 {
     const struct style *styles = soup->styles.items;
     uint32_t *materials = zr_arena_alloc(root->json.arena, soup->styles.count, sizeof *materials);
     uint32_t *faces = soup->face_styles.items;
-    for (size_t i = 0; materials && i < soup->styles.count; i++) {
+    const struct zr_alpha_range *alphas = find_alphas(&root->json, soup);
+    for (size_t i = 0; materials && alphas && i < soup->styles.count; i++) {
         if (zr_json_stops(&root->json)) return;
-        struct zr_style style = {.material = root->material_count, .face_style = styles[i].face_style};
+        struct zr_style style = {.material = root->material_count,
+                                 .face_style = styles[i].face_style,
+                                 .has_faces = true,
+                                 .number = styles[i].polygon,
+                                 .is_polygon = true,
+                                 .alpha = alphas[i]};
         const char *name = styles[i].material.at ? zr_json_decode(&root->json, &styles[i].material) : NULL;
         if (name)
             style.material = zr_given_find_material(
@@ -371,12 +397,12 @@ static void find_materials(struct zr_given_scene *root, const struct zr_json_pat
         materials[i] = zr_given_make_material(root, &style, styles[i].has & (HAS_COLOR | HAS_COLORS),
                                               styles[i].has & (HAS_COLORS | HAS_NORMALS));
     }
-    for (size_t f = 0; materials && f < soup->face_styles.count; f++)
+    for (size_t f = 0; materials && alphas && f < soup->face_styles.count; f++)
         faces[f] = materials[faces[f]];
 }
 
 /* Of the polygons that have some: of others zeros stand there. As long as faces have numbers of styles. */
-static void note_normals(struct zr_scene_builder *builder, const struct zr_soup *soup)
+static void note_normals(struct zr_scene_builder *builder, uint32_t mesh, const struct zr_soup *soup)
 {
     const struct style *styles = soup->styles.items;
     const uint32_t *numbers = soup->face_styles.items, *offsets = soup->offsets.items;
@@ -384,7 +410,7 @@ static void note_normals(struct zr_scene_builder *builder, const struct zr_soup 
     for (size_t f = 0; normals && f < soup->face_styles.count; f++) {
         const size_t end = f + 1 < soup->offsets.count ? offsets[f + 1] : soup->positions.count;
         if (styles[numbers[f]].has & HAS_NORMALS)
-            zr_scene_builder_note_normals(builder, normals + offsets[f], end - offsets[f]);
+            zr_scene_builder_note_normals(builder, mesh, normals + offsets[f], end - offsets[f]);
     }
 }
 
@@ -399,11 +425,9 @@ bool zr_given_make_polygons(struct zr_given_scene *root, const struct zr_json_pa
     if (soup->rings.count > 0 &&
         (!add(&soup->rings, json, soup->ring_offsets.count) || !add(&soup->ring_offsets, json, vertices)))
         return true;
-    note_normals(root->builder, soup);
+    note_normals(root->builder, (uint32_t)root->meshes.count, soup);
     find_materials(root, path, soup);
     if (!add(&soup->offsets, json, vertices)) return true;
-    zr_given_note_alpha(root, soup->face_colors.items, soup->face_colors.count);
-    zr_given_note_alpha(root, soup->colors.items, soup->colors.count);
     *mesh = (struct zr_mesh){.name = "polygons",
                              .position_count = (uint32_t)vertices,
                              .positions = soup->positions.items,

@@ -132,6 +132,12 @@ void zr_rows_read_texcoords(struct zr_json *json, const struct zr_json_path *pat
     }
 }
 
+/* Of the bitangent. */
+static bool is_sign(float w)
+{
+    return w == 1.0f || w == -1.0f;
+}
+
 static const char *row_tangent(const char *at, const char *end, double limit, zr_vec4 *out)
 {
     zr_vec3 v;
@@ -140,7 +146,14 @@ static const char *row_tangent(const char *at, const char *end, double limit, zr
     if (!at || *at != ',') return NULL;
     at = zr_row_next(at, end, -limit, limit, &w);
     *out = (zr_vec4){v.x, v.y, v.z, w};
-    return at && *at == ']' ? at + 1 : NULL;
+    return at && *at == ']' && is_sign(w) ? at + 1 : NULL;
+}
+
+static void read_tangent(struct zr_json *json, const struct zr_json_path *path, zr_vec4 *tangent)
+{
+    if (zr_json_vec4(json, path, NULL, tangent) && !is_sign(tangent->w))
+        zr_json_fault(json, ZR_JSON_ITEM(path, 3), "%.9g; 1 and -1 are allowed: the sign of the bitangent",
+                      (double)tangent->w);
 }
 
 void zr_rows_read_tangents(struct zr_json *json, const struct zr_json_path *path, struct zr_growing *array,
@@ -153,7 +166,7 @@ void zr_rows_read_tangents(struct zr_json *json, const struct zr_json_path *path
         if (behind)
             json->at = behind;
         else
-            zr_json_vec4(json, ZR_JSON_ITEM(path, array->count - first), NULL, row);
+            read_tangent(json, ZR_JSON_ITEM(path, array->count - first), row);
         array->count++;
     }
 }

@@ -7,6 +7,7 @@
 
 #include "base/cancel.h"
 #include "input/json_rows.h"
+#include "scene/mesh_label.h"
 
 #define VALUE_MAX ((double)FLT_MAX)
 
@@ -122,15 +123,16 @@ static const zr_vec4 *make_colors(struct zr_json *json, struct coloring *colorin
     return colors;
 }
 
-static void warn(struct zr_json *json, const struct zr_json_path *path, const struct coloring *coloring,
-                 struct zr_warning_list *warnings)
+static void warn(struct zr_json *json, const struct zr_json_path *path, const struct zr_mesh *mesh,
+                 const struct coloring *coloring, struct zr_warning_list *warnings)
 {
     const unsigned long long outside = coloring->below + coloring->above;
     if (outside > 0)
         zr_warning_list_add(json->arena, warnings,
-                            "mesh %zu: %llu of %zu scalars are outside of the range from %.9g to %.9g and have the "
+                            "%s: %llu of %zu scalars are outside of the range from %.9g to %.9g and have the "
                             "colours of its ends",
-                            path->index, outside, coloring->count, (double)coloring->low, (double)coloring->high);
+                            zr_mesh_label_of(path->index, mesh->name).text, outside, coloring->count,
+                            (double)coloring->low, (double)coloring->high);
 }
 
 /* NULL where all numbers are holes, and where there is no memory. */
@@ -183,5 +185,5 @@ void zr_scalars_apply(struct zr_json *json, const struct zr_json_path *path, con
     else
         mesh->face_colors = colors;
     mesh->scale = make_scale(json, &coloring, scalars->has_range);
-    if (scalars->has_range) warn(json, path, &coloring, warnings);
+    if (scalars->has_range) warn(json, path, mesh, &coloring, warnings);
 }

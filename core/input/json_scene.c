@@ -152,10 +152,8 @@ static void place_meshes(struct zr_given_scene *root, uint32_t listed)
 static void warn(struct zr_given_scene *root, uint32_t listed)
 {
     struct zr_warning_list *warnings = &root->builder->warnings;
-    if (root->transparent && !zr_any_is_see_through(root->builder->materials, root->scene->material_count))
-        zr_warning_list_add(root->json.arena, warnings,
-                            "colours have an alpha below 1, which nothing is made of: drawn opaque; \"alphaMode\": "
-                            "\"BLEND\" lets what is behind show through");
+    zr_given_warn_of_oddities(root);
+    zr_given_warn_of_materials(root);
     if (root->unplaced_meshes > 0)
         zr_warning_list_add(root->json.arena, warnings, "%u of %u meshes are placed by no node and are not drawn",
                             root->unplaced_meshes, listed);

@@ -10,6 +10,7 @@
 #ifndef ZR_JSON_SCENE_H
 #define ZR_JSON_SCENE_H
 
+#include "input/alpha_range.h"
 #include "input/face_style.h"
 #include "input/given_picture.h"
 #include "input/growing.h"
@@ -48,6 +49,25 @@ struct zr_given_material {
     zr_vec3 emissive;
     struct zr_given_texture textures[ZR_TEXTURE_SLOTS];
     struct zr_face_style face_style;
+    bool is_used, is_masked; /* by a mesh, and by one whose alphaMode is MASK */
+    uint32_t shadings;       /* those that its meshes have, a bit each */
+};
+
+/* What meshes say that shows nothing, or not what is meant: opacities that nothing is made of, or that hide all of a
+ * mesh, and keys that nothing uses. Each kind is one warning, of the first mesh and how many more there are. */
+enum zr_oddity {
+    ZR_ODD_ALPHA,      /* an alpha below 1, and no word of what it is for */
+    ZR_ODD_UNSEEN,     /* BLEND, with an alpha of 0 everywhere */
+    ZR_ODD_MASKED,     /* MASK, with an alpha below the cutoff everywhere */
+    ZR_ODD_CUTOFF,     /* an alphaCutoff of its own, without MASK */
+    ZR_ODD_POINT_SIZE, /* a pointSize without points */
+    ZR_ODDITIES
+};
+
+/* What has it first: a mesh, or a polygon, by its number. */
+struct zr_oddity_note {
+    uint32_t count, number;
+    bool is_polygon;
 };
 
 /* A mesh as the scene has it, before what it refers to is known. */
@@ -112,7 +132,7 @@ struct zr_given_scene {
     struct zr_growing meshes;            /* struct zr_given_mesh */
     struct zr_soup *soup;                /* or NULL */
 
-    bool transparent;       /* some colour wants to be */
+    struct zr_oddity_note oddities[ZR_ODDITIES];
     const char *linear_key; /* one that needs linear light, in whatever part of the scene; or NULL */
 
     size_t asset_count;
@@ -141,6 +161,10 @@ struct zr_style {
     struct zr_face_style face_style;
     bool is_uniform; /* has no colours of its own, whatever others of its mesh have */
     bool is_open;    /* an open surface: two-sided where nobody says otherwise */
+    bool has_faces;  /* else what has it are lines and points */
+    uint32_t number; /* of the mesh, or of the first polygon, that has it */
+    bool is_polygon;
+    struct zr_alpha_range alpha; /* of colours of its own */
 };
 
 /* json_material.c. The keys of a face style have the same names wherever they may stand: rows for the table of an
@@ -192,8 +216,14 @@ size_t zr_given_find_material(struct zr_given_scene *root, const struct zr_json_
  * smooth: it has normals or vertex colours. */
 uint32_t zr_given_make_material(struct zr_given_scene *root, const struct zr_style *style, bool coloured, bool smooth);
 
-/* Notes colours that are not opaque. */
-void zr_given_note_alpha(struct zr_given_scene *root, const zr_vec4 *colors, size_t count);
+/* json_oddities.c: notes what a mesh or a polygon, by its number, has; and warns of all that was noted, once there are
+ * meshes. */
+void zr_given_note_oddity(struct zr_given_scene *root, enum zr_oddity oddity, uint32_t number, bool is_polygon);
+void zr_given_warn_of_oddities(struct zr_given_scene *root);
+
+/* json_material.c: of materials that nothing uses, and of what they have for other shadings than those of their meshes.
+ */
+void zr_given_warn_of_materials(struct zr_given_scene *root);
 
 /* json_mesh.c and json_polygons.c: read a list, and make meshes of it once the root is read: as many as root->meshes
  * has, and one, or none where there is no polygon. */

@@ -1,3 +1,5 @@
+#include <float.h>
+
 #include "base/trig.h"
 #include "input/json_objects.h"
 #include "input/json_scene.h"
@@ -18,7 +20,8 @@ static const char *const filter_words[] = {
 static const uint32_t filter_numbers[] = {9728, 9729, 9984, 9985, 9986, 9987};
 static const char *const wrap_words[] = {"repeat", "mirror", "clamp"};
 static const uint32_t wrap_numbers[] = {10497, 33648, 33071};
-static const struct numbered magnify = {ZR_NAMES(2, filter_words), filter_numbers};
+static const struct numbered magnify = {{2, ZR_FILTER_COUNT, filter_words, "for minFilter, which alone has mipmaps"},
+                                        filter_numbers};
 static const struct numbered minify = {ZR_NAMES(ZR_FILTER_COUNT, filter_words), filter_numbers};
 static const struct numbered wraps = {ZR_NAMES(ZR_WRAP_COUNT, wrap_words), wrap_numbers};
 
@@ -35,6 +38,9 @@ static bool read_numbered(struct zr_json *json, const struct zr_json_path *path,
             *(int *)out = i;
             return true;
         }
+    for (int i = of->names.count; i < of->names.all; i++)
+        if (of->numbers[i] == number)
+            return zr_json_fault(json, path, "%u, %s", number, zr_names_refuse(&of->names, of->names.words[i]).text);
     return zr_json_fault(json, path, "%u is none of the numbers that glTF has for %s", number,
                          zr_names_join(&of->names).text);
 }
@@ -80,10 +86,12 @@ static bool read_two(struct zr_json *json, const struct zr_json_path *path, cons
 static bool read_texcoord(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field,
                           void *out)
 {
-    uint32_t number;
-    if (!zr_json_whole(json, path, field, &number)) return false;
-    *(uint32_t *)out = number;
-    return number <= 1 || zr_json_fault(json, path, "%u; a mesh has texcoords, 0, and texcoords1, 1", number);
+    double number;
+    (void)field;
+    if (!zr_json_number_in(json, path, -DBL_MAX, DBL_MAX, &number)) return false;
+    *(uint32_t *)out = number == 1.0;
+    return number == 0.0 || number == 1.0 ||
+           zr_json_fault(json, path, "%.9g; 0 and 1 are allowed, for the mesh's texcoords and texcoords1", number);
 }
 
 #define TEXTURE(member) offsetof(struct zr_given_texture, member)

@@ -49,8 +49,10 @@ struct zr_names_refusal zr_names_refuse(const struct zr_names *names, const char
     for (int i = 0; !is_known && i < names->count; i++)
         zr_nearest_offer(&nearest, names->words[i]);
     snprintf(refusal.text, sizeof refusal.text, "%s is %s%s; allowed: %.200s", zr_quote(word, strlen(word)).text,
-             is_known ? "not supported in this version" : "unknown", zr_nearest_text(&nearest).text,
-             zr_names_join(names).text);
+             !is_known       ? "unknown"
+             : names->others ? names->others
+                             : "not supported in this version",
+             zr_nearest_text(&nearest).text, zr_names_join(names).text);
     return refusal;
 }
 

@@ -10,12 +10,13 @@
 struct zr_names {
     int count, all;
     const char *const *words;
+    const char *others; /* what those behind are, where they are not just what this version lacks */
 };
 
 /* Fills a struct zr_names from an array of words of which the first `works` work. */
 #define ZR_NAMES(works, array)                                                                                         \
     {                                                                                                                  \
-        (works), (int)(sizeof(array) / sizeof((array)[0])), (array)                                                    \
+        (works), (int)(sizeof(array) / sizeof((array)[0])), (array), NULL                                              \
     }
 
 /* The index of a word, below `all`, or -1. Case matters. */
@@ -26,7 +27,7 @@ int zr_names_of_query(const char *parameter, const struct zr_names *names, const
 
 /* Those that work, for a message: "a, b, c". */
 struct zr_names_text {
-    char text[256];
+    char text[440];
 };
 struct zr_names_text zr_names_join(const struct zr_names *names);
 

@@ -464,7 +464,7 @@ static enum zr_status read_obj(struct zr_scene_builder *builder, const struct zr
                              .normals = normal_count ? file.normals : NULL,
                              .normal_indices = normal_count ? file.normal_indices : NULL,
                              .colors = file.colors};
-    if (normal_count) zr_scene_builder_note_normals(builder, file.normals, total->normals);
+    if (normal_count) zr_scene_builder_note_normals(builder, 0, file.normals, total->normals);
     warn_of_unread(&file, builder);
     return zr_arena_ok(arena) ? ZR_OK : ZR_NO_MEMORY;
 }

@@ -18,7 +18,7 @@ struct zr_names_text zr_channel_encodings_join(enum zr_channel channel)
     const char *words[ZR_ENCODING_COUNT];
     for (int i = 0; i < row->encoding_count; i++)
         words[i] = encodings[row->encodings[i]];
-    return zr_names_join(&(struct zr_names){row->encoding_count, row->encoding_count, words});
+    return zr_names_join(&(struct zr_names){row->encoding_count, row->encoding_count, words, NULL});
 }
 
 bool zr_outputs_clash(const struct zr_output *a, const struct zr_output *b)

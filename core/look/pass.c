@@ -77,5 +77,6 @@ struct zr_counts zr_pass_counts(const struct zr_pass *pass)
     struct zr_counts counts = pass->geometry.counts;
     for (int mode = 0; pass->tiles.visible && mode < ZR_ALPHA_COUNT; mode++)
         zr_counts_add(&counts, &pass->visible.sorted[mode].bins.counts);
+    counts.masked_tiles = pass->layers.masked_tiles;
     return counts;
 }

@@ -4,7 +4,9 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "base/matrix.h"
 #include "geometry/face.h"
+#include "scene/mesh_label.h"
 #include "scene/resolved_view.h"
 
 /* Stops at the first face that is none. */
@@ -18,6 +20,66 @@ static bool are_lines(const struct zr_scene *scene)
     return true;
 }
 
+/* ---- what it is in ---- */
+
+static struct zr_mesh_label label_of(const struct zr_scene *scene, uint32_t mesh)
+{
+    return zr_mesh_label_of(mesh, scene->meshes[mesh].name);
+}
+
+/* The first of what a mesh has of a kind, in words; false: it has none. */
+struct found {
+    char text[128];
+};
+typedef bool find_fn(const struct zr_mesh *mesh, struct found *found);
+
+static bool find_degenerate_face(const struct zr_mesh *mesh, struct found *found)
+{
+    for (uint32_t face = 0; face < mesh->face_count; face++)
+        if (zr_face_is_degenerate(mesh, face)) {
+            snprintf(found->text, sizeof found->text, "face %" PRIu32 " of ", face);
+            return true;
+        }
+    return false;
+}
+
+static bool find_line_without_length(const struct zr_mesh *mesh, struct found *found)
+{
+    for (uint32_t line = 0; line < mesh->line_count; line++)
+        if (zr_vec4_equal(mesh->positions[mesh->lines[2 * line]], mesh->positions[mesh->lines[2 * line + 1]])) {
+            snprintf(found->text, sizeof found->text, "line %" PRIu32 " of ", line);
+            return true;
+        }
+    return false;
+}
+
+static bool find_nowhere(const struct zr_mesh *mesh, struct found *found)
+{
+    for (uint32_t i = 0; i < mesh->position_count; i++)
+        if (zr_vec4_equal(mesh->positions[i], (zr_vec4){0, 0, 0, 0})) {
+            snprintf(found->text, sizeof found->text, "position %" PRIu32 " of ", i);
+            return true;
+        }
+    return false;
+}
+
+/* ", the first: face 1 of mesh 0", counted from 0; "" where no mesh that is placed has any, such as where its matrix is
+ * to blame. Walks over all meshes up to that one, which only scenes with something odd in them pay for. */
+static struct found first_in(const struct zr_scene *scene, find_fn *find)
+{
+    struct found found, text = {""};
+    for (uint32_t i = 0; i < scene->instance_count; i++) {
+        const uint32_t mesh = scene->instances[i].mesh;
+        if (i > 0 && mesh == scene->instances[i - 1].mesh) continue;
+        if (!find(&scene->meshes[mesh], &found)) continue;
+        snprintf(text.text, sizeof text.text, ", the first: %.31s%s", found.text, label_of(scene, mesh).text);
+        break;
+    }
+    return text;
+}
+
+/* ---- kinds of them ---- */
+
 /* What was left out, replaced or moved, of what there was. */
 static void add_counts(struct zr_arena *arena, const struct zr_scene *scene, const struct zr_frame *frame,
                        struct zr_warning_list *w)
@@ -25,24 +87,61 @@ static void add_counts(struct zr_arena *arena, const struct zr_scene *scene, con
     const struct zr_counts *counts = &frame->counts;
     if (counts->degenerate_polygons > 0)
         zr_warning_list_add(
-            arena, w, "%" PRIu64 " of %" PRIu64 " polygons have fewer than three distinct corners and were dropped",
-            counts->degenerate_polygons, counts->polygons);
+            arena, w, "%" PRIu64 " of %" PRIu64 " polygons have fewer than three distinct corners and were dropped%s",
+            counts->degenerate_polygons, counts->polygons, first_in(scene, find_degenerate_face).text);
     if (counts->degenerate_lines > 0)
-        zr_warning_list_add(arena, w, "%" PRIu64 " of %" PRIu64 " lines have no length and were dropped",
-                            counts->degenerate_lines, counts->lines);
+        zr_warning_list_add(arena, w, "%" PRIu64 " of %" PRIu64 " lines have no length and were dropped%s",
+                            counts->degenerate_lines, counts->lines, first_in(scene, find_line_without_length).text);
     if (counts->unplaced > 0)
         zr_warning_list_add(arena, w,
                             "%" PRIu64 " triangles, lines and points have a corner that is nowhere, such as (0, 0, 0, "
-                            "0), and were dropped",
-                            counts->unplaced);
+                            "0), and were dropped%s",
+                            counts->unplaced, first_in(scene, find_nowhere).text);
     if (scene->counts.zero_normals > 0)
-        zr_warning_list_add(arena, w, "%" PRIu64 " of %" PRIu64 " normals are zero: they are computed instead",
-                            scene->counts.zero_normals, scene->counts.normals);
+        zr_warning_list_add(arena, w,
+                            "%" PRIu64 " of %" PRIu64 " normals are zero, the first in %s: they are computed "
+                            "instead",
+                            scene->counts.zero_normals, scene->counts.normals,
+                            label_of(scene, scene->counts.zero_normals_mesh).text);
     if (frame->base && frame->base->clamped_depths > 0)
         zr_warning_list_add(arena, w,
                             "%" PRIu64 " depths of the base are not between the near and the far plane: they are "
                             "taken to be on the nearer of these",
                             frame->base->clamped_depths);
+}
+
+/* Some of what is placed is cut off by the near plane: it is before it, as far as it has a place there at all, and not
+ * behind an eye. */
+static bool near_plane_cuts(const struct zr_scene *scene, const struct zr_camera *camera)
+{
+    bool before = false, behind = false;
+    for (uint32_t i = 0; i < scene->instance_count && !(before && behind); i++) {
+        const struct zr_mesh *mesh = &scene->meshes[scene->instances[i].mesh];
+        const zr_mat4 to_eye = zr_mat4_mul(&camera->world_to_eye, &scene->instances[i].object_to_world),
+                      to_clip = zr_mat4_mul(&camera->projection, &to_eye);
+        for (uint32_t k = 0; k < mesh->position_count && !(before && behind); k++) {
+            const zr_vec4 clip = zr_mat4_apply(&to_clip, mesh->positions[k]);
+            before |= clip.z < -clip.w;
+            behind |= clip.z > -clip.w;
+        }
+    }
+    return before && behind;
+}
+
+static bool any_is_blended(const struct zr_scene *scene)
+{
+    for (uint32_t i = 0; i < scene->material_count; i++)
+        if (scene->materials[i].alpha_mode == ZR_ALPHA_BLEND) return true;
+    return false;
+}
+
+/* It has no colours, and is of all faces, turned away or not. */
+static bool has_thickness(const struct zr_frame *frame)
+{
+    const float *thickness = frame->channels[ZR_CHANNEL_THICKNESS];
+    for (size_t i = 0; thickness && i < (size_t)frame->width * frame->height; i++)
+        if (thickness[i] > 0.0f) return true;
+    return false;
 }
 
 static const char *why_nothing_is_seen(const struct zr_scene *scene, const struct zr_frame *frame)
@@ -52,7 +151,10 @@ static const char *why_nothing_is_seen(const struct zr_scene *scene, const struc
     const uint64_t things = counts->triangles + counts->lines - counts->degenerate_lines + counts->points;
     const uint64_t outside = counts->outside + counts->outside_lines + counts->outside_points;
     if (!drawn && counts->culled + counts->culled_pieces > 0)
-        return "what is in view faces away (doubleSided draws both sides)";
+        return near_plane_cuts(scene, &frame->camera)
+                   ? "the near plane (znear) cuts off what faces the camera, and what is left faces away"
+                   : "what is in view faces away (doubleSided draws both sides)";
+    if (counts->masked_tiles > 0) return "alpha is below alphaCutoff wherever something is drawn";
     if (outside == things && things > 0) return "all geometry is outside the view";
     if (counts->triangles > 0 && are_lines(scene)) return "the corners of each polygon are collinear, on one line";
     if (!drawn && counts->zero_area > 0) return "the polygons in view are edge-on, or smaller than 1/256 pixel";
@@ -72,8 +174,8 @@ struct zr_warning_list zr_warnings_make(struct zr_arena *arena, const struct zr_
     if (misfits > 0)
         zr_warning_list_add(arena, &w, "the depth of %" PRIu64 " pixels does not fit 16 bits at this scale", misfits);
     /* What is blended is drawn in colours only. */
-    const bool may_show = !frame->color && zr_any_is_see_through(scene->materials, scene->material_count);
-    if (frame->covered_pixels == 0 && frame->covered_samples == 0 && !may_show)
+    const bool may_show = !frame->color && any_is_blended(scene);
+    if (frame->covered_pixels == 0 && frame->covered_samples == 0 && !may_show && !has_thickness(frame))
         zr_warning_list_add(arena, &w, "nothing is seen: %s", why_nothing_is_seen(scene, frame));
     return w;
 }

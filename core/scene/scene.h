@@ -321,6 +321,7 @@ struct zr_look; /* scene/looks.h */
 /* What readers left out or replaced. */
 struct zr_read_counts {
     uint64_t normals, zero_normals; /* given, and of these: computed instead */
+    uint32_t zero_normals_mesh;     /* the first that has some */
     uint64_t left_out_cells;        /* of grids of heights, for their holes */
 };
 

@@ -149,12 +149,13 @@ uint32_t zr_scene_builder_texture(struct zr_scene_builder *builder, const struct
     return scene->texture_count++;
 }
 
-void zr_scene_builder_note_normals(struct zr_scene_builder *builder, const zr_vec3 *normals, size_t count)
+void zr_scene_builder_note_normals(struct zr_scene_builder *builder, uint32_t mesh, const zr_vec3 *normals,
+                                   size_t count)
 {
     struct zr_read_counts *counts = &builder->scene->counts;
     counts->normals += count;
     for (size_t i = 0; i < count; i++)
-        counts->zero_normals += zr_normal_is_zero(normals[i]);
+        if (zr_normal_is_zero(normals[i]) && counts->zero_normals++ == 0) counts->zero_normals_mesh = mesh;
 }
 
 /* ---- what is open ---- */
@@ -188,6 +189,8 @@ void zr_scene_builder_close(struct zr_scene_builder *builder)
             mesh->indices = count_up(builder, mesh->face_offsets[mesh->face_count], 1);
     }
     scene->materials = builder->materials;
+    if (zr_view_wants(&scene->views[0], ZR_CHANNEL_COLOR))
+        zr_warning_list_append(builder->arena, &builder->warnings, &builder->color_warnings);
     scene->warnings = builder->warnings.texts;
     scene->warning_count = (uint32_t)builder->warnings.count;
 }

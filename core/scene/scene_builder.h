@@ -23,6 +23,7 @@ struct zr_scene_builder {
     struct zr_team *team; /* may be NULL */
     struct zr_scene *scene;
     struct zr_warning_list warnings;
+    struct zr_warning_list color_warnings; /* about colours: of no interest where no output shows any */
     struct zr_mesh *meshes;
     struct zr_material *materials;
     size_t material_room;
@@ -51,11 +52,13 @@ uint32_t zr_scene_builder_image(struct zr_scene_builder *builder, const struct z
 /* The number of a texture: the same for all that are equal. 0 where there is no memory. */
 uint32_t zr_scene_builder_texture(struct zr_scene_builder *builder, const struct zr_texture *texture);
 
-/* Counts normals that were given, and those that are zero. */
-void zr_scene_builder_note_normals(struct zr_scene_builder *builder, const zr_vec3 *normals, size_t count);
+/* Counts normals of a mesh that were given, and those that are zero. */
+void zr_scene_builder_note_normals(struct zr_scene_builder *builder, uint32_t mesh, const zr_vec3 *normals,
+                                   size_t count);
 
-/* The scene has all that was made. Meshes may have face_offsets NULL: triangles; and indices NULL: each corner of a
- * face is the next position. Both become arrays here, since the kernels gather through them. */
+/* The scene, whose outputs are known by now, has all that was made. Meshes may have face_offsets NULL: triangles; and
+ * indices NULL: each corner of a face is the next position. Both become arrays here, since the kernels gather through
+ * them. */
 void zr_scene_builder_close(struct zr_scene_builder *builder);
 
 #endif

@@ -140,8 +140,8 @@ static void pass_layer(const struct zr_tiles *tiles, const struct zr_layers *lay
     }
 }
 
-/* Layers from the front on. */
-static void pass_all(const struct zr_tiles *tiles, struct zr_layers *layers, const struct zr_cancel *cancel,
+/* Layers from the front on. False where none of the fragments over some pixel has passed. */
+static bool pass_all(const struct zr_tiles *tiles, struct zr_layers *layers, const struct zr_cancel *cancel,
                      struct zr_tile *tile)
 {
     float *const front[4] = {layers->front[0], layers->front[1], layers->front[2], layers->front[3]};
@@ -156,6 +156,16 @@ static void pass_all(const struct zr_tiles *tiles, struct zr_layers *layers, con
         zr_paint_of(tiles->isa)->floats(tiles->geometry, tiles->surfaces, &layers->tile, front);
         pass_layer(tiles, layers, done, tile);
     }
+    for (uint32_t place = 0; place < ZR_LAYER_FLOATS; place++)
+        if (!done[place] && layers->fragments.ends[place] < layers->fragments.ends[place + 1]) return false;
+    return true;
+}
+
+static void count_masked(struct zr_layers_pool *pool)
+{
+    pthread_mutex_lock(&pool->lock);
+    pool->masked_tiles++;
+    pthread_mutex_unlock(&pool->lock);
 }
 
 static void write_all(const struct zr_tiles *tiles, struct zr_tile *tile)
@@ -176,7 +186,7 @@ bool zr_layers_mask(const struct zr_tiles *tiles, uint32_t number, const struct 
     struct zr_layers *layers = zr_layers_take(tiles->layers);
     if (!layers) return false;
     const bool found = zr_layers_find(tiles, number, ZR_ALPHA_MASK, cancel, tile, layers);
-    if (found) pass_all(tiles, layers, cancel, tile);
+    if (found && !pass_all(tiles, layers, cancel, tile)) count_masked(tiles->layers);
     zr_layers_give(tiles->layers, layers);
     return found && !zr_is_cancelled(cancel);
 }
@@ -190,12 +200,14 @@ static void begin_sum(const struct zr_tiles *tiles, const struct zr_tile *tile, 
     float *const sum[4] = {layers->sum[0], layers->sum[1], layers->sum[2], layers->sum[3]};
     const float background[4] = {nothing.x * nothing.w, nothing.y * nothing.w, nothing.z * nothing.w, nothing.w};
     zr_paint_of(tiles->isa)->floats(tiles->geometry, tiles->surfaces, tile, sum);
-    for (uint32_t i = 0; i < ZR_LAYER_FLOATS; i++) {
-        const bool owned = tile->owner[i] > 0;
-        for (int k = 0; k < 3; k++)
-            sum[k][i] = owned ? sum[k][i] : background[k];
-        sum[3][i] = owned ? 1.0f : background[3];
-    }
+    for (int32_t y = 0; y < tile->height; y++)
+        for (int32_t x = 0; x < tile->width; x++) {
+            const uint32_t i = place_of(x, y);
+            const bool owned = tile->owner[i] > 0; /* beside the tile nobody has written owners */
+            for (int k = 0; k < 3; k++)
+                sum[k][i] = owned ? sum[k][i] : background[k];
+            sum[3][i] = owned ? 1.0f : background[3];
+        }
 }
 
 static zr_vec4 straight(const struct zr_layers *layers, uint32_t place)

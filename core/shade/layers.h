@@ -28,6 +28,7 @@ struct zr_layers_pool {
     struct zr_arena *arena;
     pthread_mutex_t lock; /* of all that follows, and of the arena meanwhile */
     struct zr_layers *free;
+    uint64_t masked_tiles; /* see geometry/counts.h */
 };
 
 /* NULL where there is no memory: the arena has failed then. */

@@ -76,6 +76,14 @@ verdict "with a warning" grep -q '^warning: nothing is seen' complained
 check "who is strict is refused instead" 1 "$client" render away.json --strict true -o strict.png
 verdict "for the same reason" grep -q 'nothing is seen' complained
 verdict "and nothing is saved" [ ! -e strict.png ]
+check "strict alone means true" 1 "$client" render --strict -o strict.png away.json
+verdict "and takes no option for its value" grep -q 'nothing is seen' complained
+check "nor the file" 1 "$client" render --strict away.json -o strict.png
+check "and is the last, too" 1 "$client" render away.json -o strict.png --strict
+check "with an equals sign it is refused what is no truth" 1 "$client" render away.json --strict=yes -o strict.png
+check "and false is not strict" 0 "$client" render --strict false -o lax.png away.json
+check "the same of other truths" 0 "$client" render "part one.stl" --double-sided --fill -o both.png
+check "-o is no value of an option" 2 "$client" render away.json --channel -o strict.png
 check "a server that is not there ends with 1" 1 "$client" render scene.json --server http://127.0.0.1:1
 verdict "and is named" grep -q 127.0.0.1:1 complained
 verdict "and it is asked whether a daemon runs there" grep -q 'Does zrasterd run there' complained

@@ -296,7 +296,7 @@ static bool append_face(struct batches_builder *b, const struct batches_source *
     return batches_append(b, &batch);
 }
 
-/* ---- outlines and lines ---- */
+/* ---- outlines ---- */
 
 /* One ring of a face, as a polygon of which only the edges are drawn. */
 static bool append_ring(struct batches_builder *b, const struct batches_source *s, uint32_t begin, uint32_t end,
@@ -338,52 +338,6 @@ static bool append_outline(struct batches_builder *b, const struct batches_sourc
     for (uint32_t r = 0; r < rings.count; r++)
         if (!append_ring(b, s, rings.offsets[r], rings.offsets[r + 1], concave, back)) return false;
     return true;
-}
-
-/* In the colours of their ends, unlit. */
-static bool append_line_range(struct batches_builder *b, const struct batches_source *s, uint32_t begin, uint32_t end)
-{
-    const struct zr_mesh *mesh = s->mesh;
-    bool owners = b->options.purpose == BATCHES_OWNERS;
-    struct reference_batch batch = {.mode = REFERENCE_LINES,
-                                    .modelview = s->modelview,
-                                    .instance = (uint32_t)(s->instance - b->scene->instances),
-                                    .smooth = mesh->colors && !owners,
-                                    .first = b->corner_count,
-                                    .count = 2 * (end - begin)};
-    if (begin == end) return true;
-    if (!batches_reserve_corners(b, batch.count)) return false;
-    b->out->triangles += end - begin;
-    for (uint32_t i = 2 * begin; i < 2 * end; i++) {
-        zr_vec4 color = b->scene->materials[mesh->material].base_color;
-        if (mesh->colors) color = zr_vec4_mul(color, mesh->colors[mesh->lines[i]]);
-        if (owners) color = batches_owner_color(b->owner + mesh->face_count + i / 2);
-        batches_append_vertex(b, s, mesh->lines[i], color, no_normal);
-    }
-    return batches_append(b, &batch);
-}
-
-/* In their own colours, unlit. */
-static bool append_point_range(struct batches_builder *b, const struct batches_source *s, uint32_t begin, uint32_t end)
-{
-    const struct zr_mesh *mesh = s->mesh;
-    struct reference_batch batch = {.mode = REFERENCE_POINTS,
-                                    .modelview = s->modelview,
-                                    .instance = (uint32_t)(s->instance - b->scene->instances),
-                                    .point_size = mesh->point_size,
-                                    .first = b->corner_count,
-                                    .count = end - begin};
-    if (begin == end) return true;
-    if (!batches_reserve_corners(b, batch.count)) return false;
-    b->out->triangles += end - begin;
-    for (uint32_t i = begin; i < end; i++) {
-        zr_vec4 color = b->scene->materials[mesh->material].base_color;
-        if (mesh->colors) color = zr_vec4_mul(color, mesh->colors[mesh->points[i]]);
-        if (b->options.purpose == BATCHES_OWNERS)
-            color = batches_owner_color(b->owner + mesh->face_count + mesh->line_count + i);
-        batches_append_vertex(b, s, mesh->points[i], color, no_normal);
-    }
-    return batches_append(b, &batch);
 }
 
 /* ---- what is drawn ---- */
@@ -449,8 +403,8 @@ static bool append_instance(struct batches_builder *b, const struct zr_instance 
     if (!for_each_face(b, &source, BATCHES_FACE, append_face) ||
         !for_each_face(b, &source, BATCHES_OUTLINE, append_outline))
         return false;
-    if (!append_wires(b, &source, BATCHES_LINE, mesh->line_count, append_line_range) ||
-        !append_wires(b, &source, BATCHES_POINT, mesh->point_count, append_point_range))
+    if (!append_wires(b, &source, BATCHES_LINE, mesh->line_count, batches_append_lines) ||
+        !append_wires(b, &source, BATCHES_POINT, mesh->point_count, batches_append_points))
         return false;
     b->owner += (uint32_t)zr_mesh_ids(mesh);
     return true;

@@ -1,4 +1,4 @@
-/* batches_builder.h - reference: batches on their way: corners and states, one behind the other; for batches.c. */
+/* batches_builder.h - reference: batches on their way: corners and states, one behind the other; for batches*.c. */
 #ifndef ZR_TEST_BATCHES_BUILDER_H
 #define ZR_TEST_BATCHES_BUILDER_H
 
@@ -46,5 +46,9 @@ bool batches_append(struct batches_builder *b, const struct reference_batch *bat
 /* A corner at a vertex of the mesh, for which room was reserved. */
 void batches_append_vertex(struct batches_builder *b, const struct batches_source *s, uint32_t vertex, zr_vec4 color,
                            zr_vec3 normal);
+
+/* batches_lines.c: lines of the mesh, in the colours of their ends, and points, in their own; unlit both. */
+bool batches_append_lines(struct batches_builder *b, const struct batches_source *s, uint32_t begin, uint32_t end);
+bool batches_append_points(struct batches_builder *b, const struct batches_source *s, uint32_t begin, uint32_t end);
 
 #endif

@@ -294,7 +294,8 @@ static const char *const surfaces =
     "        own *= texel(base_map, 0);\n"
     "        n = mapped_normal(n);\n"
     "    }\n"
-    "    float film = shading == 7 && side != 3.0 ? 0.07 + 0.68 * pow(1.0 - min(abs(dot(n, v)), 1.0), 3.0) : 1.0;\n"
+    "    float film = shading == 7 && side != 3.0 ? 0.07 + 0.68 * pow(1.0 - min(abs(dot(normal, v)) / length(normal), "
+    "1.0), 3.0) : 1.0;\n"
     "    gl_FragColor = vec4(color_of(back ? -n : n, v, own), film);\n"
     "}\n";
 

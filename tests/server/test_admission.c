@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include "client.h"
+#include "problems.h"
 #include "support/cmocka_all.h"
 
 static void write_file(const char *folder, const char *name, const char *text)
@@ -116,6 +117,23 @@ static void window_that_takes_too_much_memory_is_refused_beforehand(void **state
     daemon_stop(&daemon);
 }
 
+static void lamps_that_take_too_much_memory_are_named_beforehand(void **state)
+{
+    (void)state;
+    struct daemon daemon = daemon_start((const char *const[]){"--cost-max-ms=86400000", NULL});
+    char *scene = scene_of_lamps(140, true, "\"window\":{\"width\":64,\"height\":64}");
+    struct reply reply = client_render(&daemon, scene);
+    assert_problem(reply, 422, "140 lamps with shadows");
+    free(scene);
+    scene = scene_of_lamps(100, true, "\"look\":\"studio\",\"window\":{\"width\":8192,\"height\":4096}");
+    reply = client_render(&daemon, scene);
+    assert_int_equal(reply.status, 422);
+    assert_null(strstr(reply.body, "lamps")); /* its pixels alone are too many */
+    reply_free(&reply);
+    free(scene);
+    daemon_stop(&daemon);
+}
+
 static void assert_busy(const struct daemon *daemon)
 {
     struct reply reply = client_render(daemon, GOOD_SCENE);
@@ -163,6 +181,7 @@ int main(void)
         cmocka_unit_test(scene_predicted_over_the_budget_gives_422_with_the_figures),
         cmocka_unit_test(light_that_takes_too_long_is_refused_beforehand),
         cmocka_unit_test(window_that_takes_too_much_memory_is_refused_beforehand),
+        cmocka_unit_test(lamps_that_take_too_much_memory_are_named_beforehand),
         cmocka_unit_test(control_group_nearly_full_gives_503_until_it_is_not),
     };
     return cmocka_run_group_tests_name("admission", tests, NULL, NULL);

@@ -93,9 +93,10 @@ static void strict_requests_get_warnings_as_errors(void **state)
     (void)state;
     struct reply reply = client_send(&server, "POST", "/v1/render?strict=0", headers, ODD, strlen(ODD));
     assert_int_equal(reply.status, 200);
-    assert_string_equal(reply_header(&reply, "Zraster-Warnings"),
-                        "1 of 2 polygons have fewer than three distinct corners and were dropped; 1 of 1 lines have no "
-                        "length and were dropped");
+    assert_string_equal(
+        reply_header(&reply, "Zraster-Warnings"),
+        "1 of 2 polygons have fewer than three distinct corners and were dropped, the first: face 1 of mesh "
+        "0; 1 of 1 lines have no length and were dropped, the first: line 0 of mesh 0");
     reply_free(&reply);
     reply = client_send(&server, "POST", "/v1/render?strict=1", headers, ODD, strlen(ODD));
     assert_int_equal(reply.status, 422);
@@ -104,7 +105,7 @@ static void strict_requests_get_warnings_as_errors(void **state)
     const cJSON *errors = cJSON_GetObjectItem(problem, "errors");
     assert_int_equal(cJSON_GetArraySize(errors), 2);
     assert_string_equal(cJSON_GetStringValue(cJSON_GetObjectItem(cJSON_GetArrayItem(errors, 1), "detail")),
-                        "1 of 1 lines have no length and were dropped");
+                        "1 of 1 lines have no length and were dropped, the first: line 0 of mesh 0");
     cJSON_Delete(problem);
     reply_free(&reply);
     reply = client_send(&server, "POST", "/v1/render?strict=1", headers, GOOD_SCENE, strlen(GOOD_SCENE));

@@ -150,7 +150,9 @@ static void scene_is_drawn_once_for_each_lamp_that_casts_shadows(void **state)
     assert_true(fabs((all.fragments - none.fragments) / (100 * texels * 2 / 5) - 1) < 0.05);
     assert_true(all.samples - none.samples > 100 * (PIXELS / 2 + 0.25 * texels));
     assert_true(all.window_bytes - one.window_bytes > 99 * 2 * 4 * texels - 1); /* all of them at once */
-    assert_true(fabs(all.window_bytes - one.window_bytes - 99 * 2 * 4 * texels) < 1);
+    const double maps = all.window_bytes - one.window_bytes;
+    assert_true(maps > 99 * 2 * 4 * texels && maps < 1.02 * 99 * 2 * 4 * texels);
+    assert_true(all.lamp_maps == 100 && fabs(all.lamp_map_bytes - maps * 100 / 99) < 1 && none.lamp_map_bytes == 0);
 }
 
 /* So many spots, so far before two triangles that face them. */
@@ -182,7 +184,9 @@ static void spots_cost_their_maps_and_what_lamps_cost(void **state)
                          one = cost_of_spots(1, true, 3), near = cost_of_spots(100, true, 1.5f);
     assert_true(none.samples > cost_of_lamps(100, false, ZR_SHADING_PBR, 1).samples);
     assert_true(fabs(all.triangles - none.triangles - 100 * 2) < 1);
-    assert_true(fabs(all.window_bytes - one.window_bytes - 99 * 2 * 4 * texels) < 1);
+    const double maps = all.window_bytes - one.window_bytes;
+    assert_true(maps > 99 * 2 * 4 * texels && maps < 1.02 * 99 * 2 * 4 * texels);
+    assert_true(all.lamp_maps == 100 && fabs(all.lamp_map_bytes - maps * 100 / 99) < 1 && none.lamp_map_bytes == 0);
     assert_true(all.samples - none.samples > 100 * (PIXELS / 2 + 0.25 * texels));
     /* An area of 2 at a depth of 3 or 1.5, where the map is 6 or 3 wide, on both sides. */
     assert_true(fabs((all.fragments - none.fragments) / (100 * 2 * texels * 2 / 36) - 1) < 0.1);

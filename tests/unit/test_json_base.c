@@ -210,7 +210,7 @@ static void what_may_be_meant_otherwise_is_warned_of(void **state)
 {
     (void)state;
     static const char middle[] = ",\"polygons\":[{\"vertices\":[[0,0,0],[1,0,0],[0,1,0]]}],\"window\":{\"width\":4,"
-                                 "\"height\":2},\"outputs\":[{\"channel\":\"depth\"}],\"base\":{";
+                                 "\"height\":2},\"outputs\":[{\"channel\":\"%s\"}],\"base\":{";
     static const char metric[] = "\"depth\":{\"asset\":\"d\"}";
     static const struct {
         const char *head, *base, *warning;
@@ -228,7 +228,9 @@ static void what_may_be_meant_otherwise_is_warned_of(void **state)
     };
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
         char text[1024];
-        snprintf(text, sizeof text, "%s%s%s}}", cases[i].head, middle, cases[i].base);
+        char between[512];
+        snprintf(between, sizeof between, middle, cases[i].base == metric ? "depth" : "color");
+        snprintf(text, sizeof text, "%s%s%s}}", cases[i].head, between, cases[i].base);
         struct reading *reading = read_good(text);
         assert_warned(reading->scene, cases[i].warning);
         reading_free(reading);

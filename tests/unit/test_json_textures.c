@@ -113,10 +113,41 @@ static void what_a_texture_cannot_be_is_refused(void **state)
     refuses_texture("\"texcoord\": 0", at, "one of uri and asset is needed");
     refuses_texture(IMAGE ", \"asset\": \"a\"", at, "only one of uri and asset is needed");
     refuses_texture(IMAGE ", \"texcoord\": 2", "/materials/0/baseColorTexture/texcoord",
-                    "2; a mesh has texcoords, 0, and texcoords1, 1");
+                    "2; 0 and 1 are allowed, for the mesh's texcoords and texcoords1");
+    refuses_texture(IMAGE ", \"texcoord\": -1", "/materials/0/baseColorTexture/texcoord",
+                    "-1; 0 and 1 are allowed, for the mesh's texcoords and texcoords1");
+    refuses_texture(IMAGE ", \"texcoord\": 0.5", "/materials/0/baseColorTexture/texcoord", "0.5; 0 and 1 are allowed");
+    refuses_texture(IMAGE ", \"sampler\": {\"magFilter\": \"linearMipmapLinear\"}",
+                    "/materials/0/baseColorTexture/sampler/magFilter",
+                    "'linearMipmapLinear' is for minFilter, which alone has mipmaps; allowed: nearest, linear");
     refuses_texture(IMAGE ", \"sampler\": {\"magFilter\": 9987}", "/materials/0/baseColorTexture/sampler/magFilter",
-                    "9987 is none of the numbers that glTF has for nearest, linear");
+                    "9987, 'linearMipmapLinear' is for minFilter, which alone has mipmaps; allowed: nearest, linear");
+    refuses_texture(IMAGE ", \"sampler\": {\"magFilter\": 3}", "/materials/0/baseColorTexture/sampler/magFilter",
+                    "3 is none of the numbers that glTF has for nearest, linear");
     refuses_texture(IMAGE ", \"strength\": 1", "/materials/0/baseColorTexture/strength", "unknown key");
+}
+
+/* One by one, and among many that are read at once. */
+static void tangents_have_a_sign(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *sign, *detail; /* NULL: it is good */
+    } cases[] = {{"1", NULL},
+                 {"-1", NULL},
+                 {"1.0", NULL},
+                 {"0", "0; 1 and -1 are allowed"},
+                 {"0.5", "0.5; 1 and -1 are allowed"}};
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        char text[512];
+        snprintf(text, sizeof text,
+                 "{\"meshes\": [{" FACES ", \"tangents\": [[1,0,0,1],[1,0,0,-1],[1,0,0,%s],[1,0,0,1]]}]}",
+                 cases[i].sign);
+        if (cases[i].detail)
+            refuses_scene(text, "/meshes/0/tangents/2/3", cases[i].detail);
+        else
+            reading_free(read_scene(text));
+    }
 }
 
 static void meshes_lack_nothing_that_their_textures_need(void **state)
@@ -146,6 +177,7 @@ int main(void)
                                        cmocka_unit_test(equal_textures_are_one),
                                        cmocka_unit_test(heights_have_the_image_over_all_of_them),
                                        cmocka_unit_test(what_a_texture_cannot_be_is_refused),
+                                       cmocka_unit_test(tangents_have_a_sign),
                                        cmocka_unit_test(meshes_lack_nothing_that_their_textures_need)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

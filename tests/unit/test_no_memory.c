@@ -1,6 +1,7 @@
 /* The system's memory is used up, at each allocation of whole requests in turn: every request ends as one that has no
  * memory, or as if nothing had happened, and nothing is lost. */
 #include <dlfcn.h>
+#include <errno.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -64,6 +65,15 @@ void *aligned_alloc(size_t alignment, size_t size)
 {
     NEXT(aligned_alloc);
     return fails() ? NULL : counted(next(alignment, size));
+}
+
+int posix_memalign(void **out, size_t alignment, size_t size)
+{
+    NEXT(posix_memalign);
+    if (fails()) return ENOMEM;
+    const int status = next(out, alignment, size);
+    if (status == 0) live++;
+    return status;
 }
 
 void free(void *old)

@@ -20,7 +20,7 @@ struct task {
 static void work(struct queue_job *job, struct zr_arena *arena)
 {
     struct task *task = (struct task *)(void *)job;
-    task->had_memory = arena->first != NULL;
+    task->had_memory = arena->spares != NULL;
     zr_arena_alloc(arena, LITTLE, 1);
     sem_post(&task->begun);
     sem_wait(&task->may_end);

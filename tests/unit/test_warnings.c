@@ -42,17 +42,19 @@ static const struct {
     const char *warning; /* NULL: none */
 } CASES[] = {
     {ZR_FORMAT_JSON, MESH("\"faces\": [[0,1,2]]"), "degeneratePolygons", 0, NULL},
-    {ZR_FORMAT_JSON, MESH("\"faces\": [[0,1,2],[0,1,1]]"), "degeneratePolygons", 1, "1 of 2 polygons have fewer than"},
+    {ZR_FORMAT_JSON, MESH("\"faces\": [[0,1,2],[0,1,1]]"), "degeneratePolygons", 1,
+     "1 of 2 polygons have fewer than three distinct corners and were dropped, the first: face 1 of mesh 0"},
     {ZR_FORMAT_JSON, MESH("\"lines\": [[0,1],[1,2]]"), "degenerateLines", 0, NULL},
-    {ZR_FORMAT_JSON, MESH("\"lines\": [[0,1],[1,1],[2,2]]"), "degenerateLines", 2, "2 of 3 lines have no length"},
+    {ZR_FORMAT_JSON, MESH("\"lines\": [[0,1],[1,1],[2,2]]"), "degenerateLines", 2,
+     "2 of 3 lines have no length and were dropped, the first: line 1 of mesh 0"},
     {ZR_FORMAT_JSON, MESH("\"points\": [0,0,1]"), "unplaced", 0, NULL},
     {ZR_FORMAT_JSON, NOWHERE "\"faces\": [[0,1,2],[0,1,3]], \"lines\": [[0,3],[1,2]], \"points\": [3,3,1]}]}",
-     "unplaced", 4, "4 triangles, lines and points have a corner that is nowhere"},
+     "unplaced", 4, "were dropped, the first: position 3 of mesh 0"},
     {ZR_FORMAT_JSON, MESH("\"faces\": [[0,1,2]], \"normals\": [[0,0,1],[1,0,0],[0,1,0],[0,0,2]]"), "zeroNormals", 0,
      NULL},
     {ZR_FORMAT_JSON, MESH("\"faces\": [[0,1,2]], \"normals\": [[0,0,1],[0,0,0],[0,1,0],[0,0,0]]"), "zeroNormals", 2,
-     "2 of 4 normals are zero"},
-    {ZR_FORMAT_JSON, NORMALS_OF_POLYGONS, "zeroNormals", 2, "2 of 3 normals are zero"},
+     "2 of 4 normals are zero, the first in mesh 0:"},
+    {ZR_FORMAT_JSON, NORMALS_OF_POLYGONS, "zeroNormals", 2, "2 of 3 normals are zero, the first in mesh 0 'polygons':"},
     {ZR_FORMAT_OBJ, "v 0 0 0\nv 1 0 0\nv 0 1 0\nvn 0 0 1\nvn 0 0 0\nf 1//1 2//2 3//1\nf 1 2 3\n", "zeroNormals", 1,
      "1 of 2 normals are zero"},
     {ZR_FORMAT_OBJ, "v 0 0 0\nv 1 0 0\nv 0 1 0\nvn 0 0 1\nf 1//1 2//1 3//1\nf 1 2 3\n", "zeroNormals", 0, NULL},
@@ -130,9 +132,9 @@ static void strict_reading_refuses_every_warning_of_the_scene(void **state)
         ", \"faces\": [[0,1,2]]}], \"nodes\": [{\"mesh\": \"a\"}], "
         "\"background\": \"white\", \"polygons\": [{" TRIANGLE ", \"color\": \"#ff000080\"}]}";
     struct reading *reading = read_for(ZR_FORMAT_JSON, text, NULL, "1");
-    assert_complaint(reading, ZR_BAD_SCENE, "", "alpha below 1");
+    assert_complaint(reading, ZR_BAD_SCENE, "", "1 of 2 meshes are placed by no node");
     assert_int_equal(reading->error.count, 2);
-    assert_non_null(strstr(reading->error.items[1].detail, "1 of 2 meshes are placed by no node"));
+    assert_non_null(strstr(reading->error.items[1].detail, "alpha below 1"));
     reading_free(reading);
     reading = read_for(ZR_FORMAT_JSON, text, NULL, "0");
     assert_read(reading);

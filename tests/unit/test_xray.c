@@ -190,6 +190,15 @@ static void painter_draws_none(void **state)
     end(&depths);
 }
 
+/* What makes the ink thinner is no alpha that nobody looks at. */
+static void alpha_is_no_oddity(void **state)
+{
+    (void)state;
+    struct reading *reading = read_scene("{" VIEW ", \"polygons\": [{" SQUARE ", \"color\": \"#2b6cb080\"}]}");
+    assert_int_equal(reading->scene->warning_count, 0);
+    reading_free(reading);
+}
+
 static void they_want_linear_light(void **state)
 {
     (void)state;
@@ -203,6 +212,7 @@ int main(void)
         cmocka_unit_test(outlines_stay_opaque),
         cmocka_unit_test(what_is_solid_hides_layers),
         cmocka_unit_test(painter_draws_none),
+        cmocka_unit_test(alpha_is_no_oddity),
         cmocka_unit_test(they_want_linear_light),
     };
     return cmocka_run_group_tests_name("xray", tests, NULL, NULL);

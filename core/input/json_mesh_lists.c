@@ -1,0 +1,257 @@
+#include "input/json_list.h"
+#include "input/json_mesh.h"
+#include "input/json_rows.h"
+
+/* Corners that a face may have beside those in its list's room, before it is read with more care. */
+enum { CORNERS_AT_HAND = 64 };
+
+/* ---- arrays ---- */
+
+/* The list that is next, into an array, which is there from then on though it may be empty. */
+static bool read_array(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_list *list,
+                       struct zr_growing *array)
+{
+    if (!zr_json_list(json, path) || !zr_growing_reserve(array, json, 1)) return false;
+    const bool good = zr_json_list_read(json, path, list, array);
+    zr_growing_trim(array, json->arena);
+    return good;
+}
+
+static bool begin_array(struct zr_json *json, const void *state, void *part, double share)
+{
+    return zr_growing_begin_part(json, state, part, share, 1);
+}
+
+static bool join_array(struct zr_json *json, void *state, const void *part)
+{
+    return zr_growing_join(json, state, part);
+}
+
+static void read_position_items(struct zr_json *json, const struct zr_json_path *path, void *state, const char *until)
+{
+    zr_rows_read_positions(json, path, state, 0, until);
+}
+
+static void read_color_items(struct zr_json *json, const struct zr_json_path *path, void *state, const char *until)
+{
+    zr_rows_read_colors(json, path, state, 0, until);
+}
+
+static void read_normal_items(struct zr_json *json, const struct zr_json_path *path, void *state, const char *until)
+{
+    zr_rows_read_vec3s(json, path, state, 0, until);
+}
+
+static void read_texcoord_items(struct zr_json *json, const struct zr_json_path *path, void *state, const char *until)
+{
+    zr_rows_read_texcoords(json, path, state, 0, until);
+}
+
+static void read_tangent_items(struct zr_json *json, const struct zr_json_path *path, void *state, const char *until)
+{
+    zr_rows_read_tangents(json, path, state, 0, until);
+}
+
+bool zr_read_mesh_positions(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field,
+                            void *out)
+{
+    static const struct zr_json_list list = {'[', read_position_items, begin_array, join_array};
+    (void)field;
+    return read_array(json, path, &list, out);
+}
+
+bool zr_read_mesh_colors(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field,
+                         void *out)
+{
+    static const struct zr_json_list list = {'[', read_color_items, begin_array, join_array};
+    (void)field;
+    return read_array(json, path, &list, out);
+}
+
+bool zr_read_mesh_normals(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field,
+                          void *out)
+{
+    static const struct zr_json_list list = {'[', read_normal_items, begin_array, join_array};
+    (void)field;
+    return read_array(json, path, &list, out);
+}
+
+bool zr_read_mesh_texcoords(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field,
+                            void *out)
+{
+    static const struct zr_json_list list = {'[', read_texcoord_items, begin_array, join_array};
+    (void)field;
+    return read_array(json, path, &list, out);
+}
+
+bool zr_read_mesh_tangents(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field,
+                           void *out)
+{
+    static const struct zr_json_list list = {'[', read_tangent_items, begin_array, join_array};
+    (void)field;
+    return read_array(json, path, &list, out);
+}
+
+/* ---- indices ---- */
+
+static uint32_t known_positions(const struct zr_given_mesh *given)
+{
+    return given->positions.items ? (uint32_t)given->positions.count : UINT32_MAX;
+}
+
+/* The face at hand, when it is not plainly one. */
+static void read_face(struct zr_json *json, const struct zr_json_path *path, uint32_t positions,
+                      struct zr_growing *indices)
+{
+    const size_t most = json->limits->polygon_vertices_max;
+    size_t count = 0;
+    uint32_t *corner;
+    if (!zr_json_list(json, path)) return;
+    for (zr_json_enter(json, '['); zr_json_item(json); count++) {
+        if (count >= most) {
+            zr_json_skip(json);
+            continue;
+        }
+        if (!(corner = zr_growing_next(indices, json))) return;
+        if (zr_json_index(json, ZR_JSON_ITEM(path, count), positions, "positions", corner)) indices->count++;
+    }
+    if (count < 3 || count > most)
+        zr_json_fault(json, path, "a face of %zu corners; 3 to %zu are allowed", count, most);
+}
+
+static void read_face_items(struct zr_json *json, const struct zr_json_path *path, void *state, const char *until)
+{
+    struct zr_given_faces *faces = state;
+    struct zr_growing *indices = &faces->indices, *ends = &faces->ends;
+    const size_t most = json->limits->polygon_vertices_max;
+    uint32_t *end;
+    while (json->at < until && zr_json_item(json)) {
+        if (!(end = zr_growing_next(ends, json)) || !zr_growing_reserve(indices, json, CORNERS_AT_HAND)) return;
+        const size_t room = indices->room - indices->count;
+        uint32_t *corners = (uint32_t *)indices->items + indices->count;
+        size_t count = 0;
+        const char *behind =
+            zr_row_indices(json->at, json->end, faces->positions, most < room ? most : room, corners, &count);
+        if (behind && count >= 3) {
+            json->at = behind;
+            indices->count += count;
+        } else {
+            read_face(json, ZR_JSON_ITEM(path, ends->count - 1), faces->positions, indices);
+        }
+        *end = (uint32_t)indices->count;
+        ends->count++;
+    }
+}
+
+static bool begin_faces(struct zr_json *json, const void *state, void *part, double share)
+{
+    const struct zr_given_faces *all = state;
+    struct zr_given_faces *faces = part;
+    faces->positions = all->positions;
+    return zr_growing_begin_part(json, &all->ends, &faces->ends, share, 1) &&
+           zr_growing_begin_part(json, &all->indices, &faces->indices, share, CORNERS_AT_HAND);
+}
+
+static bool join_faces(struct zr_json *json, void *state, const void *part)
+{
+    struct zr_given_faces *all = state;
+    const struct zr_given_faces *faces = part;
+    const uint32_t before = (uint32_t)all->indices.count, *from = faces->ends.items;
+    if (!zr_growing_join(json, &all->indices, &faces->indices) ||
+        !zr_growing_reserve(&all->ends, json, faces->ends.count))
+        return false;
+    uint32_t *to = (uint32_t *)all->ends.items + all->ends.count;
+    for (size_t i = 0; i < faces->ends.count; i++)
+        to[i] = before + from[i];
+    all->ends.count += faces->ends.count;
+    return true;
+}
+
+bool zr_read_mesh_faces(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field,
+                        void *out)
+{
+    static const struct zr_json_list list = {'[', read_face_items, begin_faces, join_faces};
+    struct zr_given_mesh *given = out;
+    struct zr_given_faces *faces = &given->faces;
+    uint32_t *first;
+    (void)field;
+    faces->positions = known_positions(given);
+    if (!zr_json_list(json, path) || !(first = zr_growing_next(&faces->ends, json))) return false;
+    *first = 0;
+    faces->ends.count = 1;
+    const bool good = zr_json_list_read(json, path, &list, faces);
+    zr_growing_trim(&faces->indices, json->arena);
+    zr_growing_trim(&faces->ends, json->arena);
+    zr_growing_trim(&faces->indices, json->arena);
+    return good;
+}
+
+static void read_line(struct zr_json *json, const struct zr_json_path *path, uint32_t positions, uint32_t line[2])
+{
+    size_t ends = 0;
+    if (!zr_json_list(json, path)) return;
+    for (zr_json_enter(json, '['); zr_json_item(json); ends++) {
+        if (ends < 2)
+            zr_json_index(json, ZR_JSON_ITEM(path, ends), positions, "positions", &line[ends]);
+        else
+            zr_json_skip(json);
+    }
+    if (ends != 2) zr_json_fault(json, path, "a line of %zu ends; it has two", ends);
+}
+
+static void read_line_items(struct zr_json *json, const struct zr_json_path *path, void *state, const char *until)
+{
+    struct zr_given_lines *lines = state;
+    struct zr_growing *ends = &lines->ends;
+    uint32_t *line;
+    while (json->at < until && zr_json_item(json) && (line = zr_growing_next(ends, json))) {
+        size_t count = 0;
+        const char *behind = zr_row_indices(json->at, json->end, lines->positions, 2, line, &count);
+        if (behind && count == 2)
+            json->at = behind;
+        else
+            read_line(json, ZR_JSON_ITEM(path, ends->count), lines->positions, line);
+        ends->count++;
+    }
+}
+
+static bool begin_lines(struct zr_json *json, const void *state, void *part, double share)
+{
+    const struct zr_given_lines *all = state;
+    struct zr_given_lines *lines = part;
+    lines->positions = all->positions;
+    return zr_growing_begin_part(json, &all->ends, &lines->ends, share, 1);
+}
+
+static bool join_lines(struct zr_json *json, void *state, const void *part)
+{
+    return zr_growing_join(json, &((struct zr_given_lines *)state)->ends, &((const struct zr_given_lines *)part)->ends);
+}
+
+bool zr_read_mesh_lines(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field,
+                        void *out)
+{
+    static const struct zr_json_list list = {'[', read_line_items, begin_lines, join_lines};
+    struct zr_given_mesh *given = out;
+    (void)field;
+    given->lines.positions = known_positions(given);
+    if (!zr_json_list(json, path) || !zr_growing_reserve(&given->lines.ends, json, 1)) return false;
+    const bool good = zr_json_list_read(json, path, &list, &given->lines);
+    zr_growing_trim(&given->lines.ends, json->arena);
+    return good;
+}
+
+bool zr_read_mesh_points(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field,
+                         void *out)
+{
+    struct zr_given_points *points = &((struct zr_given_mesh *)out)->points;
+    struct zr_growing *indices = &points->indices;
+    uint32_t *index;
+    (void)field;
+    points->positions = known_positions(out);
+    if (!zr_json_list(json, path) || !zr_growing_reserve(indices, json, 1)) return false;
+    for (zr_json_enter(json, '['); zr_json_item(json) && (index = zr_growing_next(indices, json)); indices->count++)
+        zr_json_index(json, ZR_JSON_ITEM(path, indices->count), points->positions, "positions", index);
+    zr_growing_trim(indices, json->arena);
+    return true;
+}

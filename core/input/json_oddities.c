@@ -1,0 +1,52 @@
+#include "input/json_scene.h"
+
+#include <stdio.h>
+
+#include "scene/mesh_label.h"
+
+void zr_given_note_oddity(struct zr_given_scene *root, enum zr_oddity oddity, uint32_t number, bool is_polygon)
+{
+    struct zr_oddity_note *note = &root->oddities[oddity];
+    if (note->count++ == 0) *note = (struct zr_oddity_note){1, number, is_polygon};
+}
+
+/* What of them only matters in colours, and what is said. */
+static const struct {
+    bool is_of_colors;
+    const char *text;
+} ROWS[ZR_ODDITIES] = {
+    [ZR_ODD_ALPHA] = {true,
+                      "colours have an alpha below 1, which nothing is made of: drawn opaque; \"alphaMode\": \"BLEND\" "
+                      "lets what is behind show through, and \"OPAQUE\" says that this is meant"},
+    [ZR_ODD_UNSEEN] = {true, "alpha is 0 everywhere, and by \"alphaMode\": \"BLEND\" nothing of it is seen"},
+    [ZR_ODD_MASKED] = {false,
+                       "alpha is below alphaCutoff everywhere, and by \"alphaMode\": \"MASK\" nothing of it is seen"},
+    [ZR_ODD_CUTOFF] = {false, "alphaCutoff has no effect without \"alphaMode\": \"MASK\""},
+    [ZR_ODD_POINT_SIZE] = {false, "pointSize has no effect without points"},
+};
+
+struct what {
+    char text[96];
+};
+
+/* "mesh 3 'bunny' and 2 more" */
+static struct what what_of(const struct zr_given_scene *root, const struct zr_oddity_note *note)
+{
+    struct what what;
+    int used = note->is_polygon ? snprintf(what.text, sizeof what.text, "polygon %u", note->number)
+                                : snprintf(what.text, sizeof what.text, "%s",
+                                           zr_mesh_label_of(note->number, root->scene->meshes[note->number].name).text);
+    if (note->count > 1) snprintf(what.text + used, sizeof what.text - (size_t)used, " and %u more", note->count - 1);
+    return what;
+}
+
+void zr_given_warn_of_oddities(struct zr_given_scene *root)
+{
+    struct zr_scene_builder *builder = root->builder;
+    for (int i = 0; i < ZR_ODDITIES; i++)
+        if (root->oddities[i].count > 0)
+            zr_warning_list_add(root->json.arena, ROWS[i].is_of_colors ? &builder->color_warnings : &builder->warnings,
+                                "%s: %s", what_of(root, &root->oddities[i]).text, ROWS[i].text);
+    if (root->face_style.alpha_cutoff >= 0.0f && !zr_any_is_masked(builder->materials, builder->scene->material_count))
+        zr_warning_list_add(root->json.arena, &builder->warnings, "the scene's %s", ROWS[ZR_ODD_CUTOFF].text);
+}

@@ -1,0 +1,120 @@
+#include "json_check.h"
+
+static void direction_of_a_light_may_have_any_length(void **state)
+{
+    (void)state;
+    struct reading *reading = read_text(ZR_FORMAT_JSON, "{\"lights\": [{\"type\": \"directional\", \"direction\": "
+                                                        "[0,0,-1e-25]}], \"polygons\": [{" TRIANGLE "}]}");
+    assert_int_equal(reading->status, ZR_OK);
+    assert_true(reading->scene->lights[0].direction.z == -1.0f);
+    reading_free(reading);
+}
+
+static void lights_are_normalised_and_scaled(void **state)
+{
+    (void)state;
+    struct reading *reading =
+        read_rest("\"ambient\": [0, 0.5, 1], \"lights\": [{\"type\": \"directional\", \"direction\": [0,0,-4], "
+                  "\"color\": [1,0.5,0], "
+                  "\"intensity\": 2}, {\"type\": \"directional\", \"direction\": [3,4,0], \"frame\": \"camera\"}]");
+    assert_read(reading);
+    const struct zr_light *lights = reading->scene->lights;
+    assert_int_equal(reading->scene->light_count, 2);
+    assert_true(lights[0].direction.z == -1 && lights[0].color.x == 2 && lights[0].color.y == 1 &&
+                !lights[0].camera_frame);
+    assert_true(lights[1].direction.x == 3 * (1.0f / 5) && lights[1].color.z == 1 && lights[1].camera_frame);
+    assert_true(reading->scene->ambient.y == 0.5f);
+    reading_free(reading);
+    reading = read_rest("\"lights\": []");
+    assert_read(reading);
+    assert_int_equal(reading->scene->light_count, 0);
+    assert_true(reading->scene->ambient.y == 0.2f);
+    reading_free(reading);
+    reading = read_rest("\"ambient\": [0, 0.5, 1]");
+    assert_read(reading);
+    assert_int_equal(reading->scene->light_count, 2);
+    assert_true(reading->scene->ambient.y == 0.5f);
+    reading_free(reading);
+}
+
+#define POINT "\"lights\": [{\"type\": \"point\", \"position\": [1,2,3]"
+#define SPOT  "\"lights\": [{\"type\": \"spot\", \"position\": [1,2,3], \"direction\": [0,0,-2]"
+
+static void lamps_have_places_ranges_and_cones(void **state)
+{
+    (void)state;
+    struct reading *reading =
+        read_rest(POINT ", \"intensity\": 1e12, \"color\": [1,0.5,0]}, {\"type\": \"spot\", \"position\": [0,0,1],"
+                        " \"direction\": [0,0,-2], \"range\": 5, \"frame\": \"camera\", \"innerConeAngle\": 0.5},"
+                        " {\"type\": \"spot\", \"position\": [0,0,1], \"direction\": [0,0,-2],"
+                        " \"innerConeAngleDegrees\": 10, \"outerConeAngle\": 1.5707963267948966}]");
+    assert_read(reading);
+    const struct zr_light *lights = reading->scene->lights;
+    assert_true(lights[0].type == ZR_LIGHT_POINT && lights[0].position.z == 3 && lights[0].color.x == 1e12f &&
+                lights[0].range == 0 && !reading->scene->picture.is_linear);
+    assert_true(lights[1].type == ZR_LIGHT_SPOT && lights[1].camera_frame && lights[1].range == 5 &&
+                lights[1].direction.z == -1 && lights[1].outer_degrees == 45);
+    assert_true(fabs(lights[1].inner_degrees - 28.64788975654116) < 1e-12);
+    assert_true(lights[2].inner_degrees == 10 && lights[2].outer_degrees == 90);
+    reading_free(reading);
+}
+
+static void wrong_lamps_are_refused(void **state)
+{
+    (void)state;
+    refuses_rest("\"lights\": [{\"type\": \"spot\", \"position\": [0,0,0]}]", "/lights/0", "direction is missing");
+    refuses_rest("\"lights\": [{\"type\": \"spot\", \"direction\": [0,0,1]}]", "/lights/0", "position is missing");
+    refuses_rest(POINT ", \"direction\": [0,0,1]}]", "/lights/0/direction", "directional and spot only");
+    refuses_rest(POINT ", \"shadows\": true}]", "/lights/0/shadows", "types directional and spot only");
+    refuses_rest(POINT ", \"outerConeAngle\": 1}]", "/lights/0/outerConeAngle", "type spot only");
+    refuses_rest(POINT ", \"range\": 0}]", "/lights/0/range", "0 is not greater than 0");
+    refuses_rest(POINT ", \"intensity\": 1e16}]", "/lights/0/intensity", "1e+16 is outside of 0 to 1e+15");
+    refuses_rest(SPOT ", \"innerConeAngleDegrees\": 45}]", "/lights/0",
+                 "must be smaller than outerConeAngle: 45 and 45");
+    refuses_rest(SPOT ", \"outerConeAngle\": 45}]", "/lights/0/outerConeAngle", "outerConeAngleDegrees takes degrees");
+    refuses_rest(SPOT ", \"outerConeAngleDegrees\": 91}]", "/lights/0/outerConeAngleDegrees",
+                 "91 is outside of 0 to 90");
+    refuses_rest(SPOT ", \"outerConeAngleDegrees\": 20, \"outerConeAngle\": 0.3}]", "/lights/0", "two angles");
+    refuses_rest(SPOT ", \"outerConeAngleDegrees\": 81, \"shadows\": true}]", "/lights/0/shadows", "80 degrees");
+    refuses_rest("\"lights\": [{\"type\": \"directional\", \"direction\": [0,0,1], \"position\": [0,0,0]}]",
+                 "/lights/0/position", "types point and spot only");
+    refuses_rest("\"lights\": [{\"type\": \"directional\", \"direction\": [0,0,1], \"intensity\": 1e7}]",
+                 "/lights/0/intensity", "10000000 is outside of 0 to 1000000");
+    refuses_scene("{\"polygons\": [{\"vertices\": [[0,0,0],[1,0,0],[0,2,0,2]]}], " POINT "}]}", "/lights",
+                  "positions of three numbers");
+}
+
+static struct reading *read_lights(uint32_t count)
+{
+    static const char light[] = "{\"type\": \"directional\", \"direction\": [0,0,-1]},";
+    static char text[(ZR_LIGHTS_MAX + 1) * sizeof light + 100];
+    char *end = stpcpy(text, "{" POLYGONS ", \"lights\": [");
+    for (uint32_t i = 0; i < count; i++)
+        end = stpcpy(end, light);
+    strcpy(end - 1, "]}"); /* over the last comma */
+    return read_text(ZR_FORMAT_JSON, text);
+}
+
+static void lights_are_up_to_1024(void **state)
+{
+    (void)state;
+    struct reading *reading = read_lights(1024);
+    assert_read(reading);
+    assert_int_equal(reading->scene->light_count, 1024);
+    reading_free(reading);
+    reading = read_lights(1025);
+    assert_complaint(reading, ZR_BAD_SCENE, "/lights", "1025 lights; up to 1024 are allowed");
+    reading_free(reading);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(direction_of_a_light_may_have_any_length),
+        cmocka_unit_test(lights_are_normalised_and_scaled),
+        cmocka_unit_test(lamps_have_places_ranges_and_cones),
+        cmocka_unit_test(wrong_lamps_are_refused),
+        cmocka_unit_test(lights_are_up_to_1024),
+    };
+    return cmocka_run_group_tests_name("json_lights", tests, NULL, NULL);
+}

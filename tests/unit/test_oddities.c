@@ -1,0 +1,181 @@
+/* What scenes say without effect, or not as it is meant: each is warned of by its name, and where it is about colours,
+ * only requests for colours hear of it. */
+#include "json_check.h"
+#include "support/scenes.h"
+
+#define FACE           "{" POSITIONS ", \"faces\": [[0,1,2]]"
+#define MESHES(meshes) "\"meshes\": [" meshes "]"
+#define PIXEL                                                                                                          \
+    "{\"uri\": \"data:image/png;base64,iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAAAAAA6"                                       \
+    "fptVAAAACklEQVR4nGNoAAAAggCBd81ytgAAAABJRU5ErkJggg==\"}"
+#define TEXCOORDS  "\"texcoords\": [[0,0],[1,0],[0,1],[1,1]]"
+#define WITH(more) MESHES(FACE ", " TEXCOORDS ", \"material\": \"m\"}") ", \"materials\": [{\"name\": \"m\", " more "}]"
+#define CLEAR      "[1,0,0,0]"
+#define FAINT      "[1,0,0,0.25]"
+
+static const struct {
+    const char *text;    /* without braces */
+    bool is_of_colors;   /* and not said where only depth is asked for */
+    const char *warning; /* NULL: none */
+} CASES[] = {
+    {MESHES(FACE ", \"colors\": [" FAINT "," FAINT "," FAINT "," FAINT "]}"), true,
+     "mesh 0: colours have an alpha below 1"},
+    {MESHES(FACE "}, " FACE ", \"name\": \"glass\", \"faceColors\": [" FAINT "]}, " FACE ", \"faceColors\": [" FAINT
+                 "]}"),
+     true, "mesh 1 'glass' and 1 more: colours have an alpha below 1"},
+    {"\"polygons\": [{" TRIANGLE "}, {" TRIANGLE ", \"color\": " FAINT "}]", true,
+     "polygon 1: colours have an alpha below 1"},
+    {"\"alphaMode\": \"BLEND\", " MESHES(FACE ", \"faceColors\": [" CLEAR "]}"), true, "mesh 0: alpha is 0 everywhere"},
+    {"\"alphaMode\": \"BLEND\", " MESHES(FACE ", \"faceColors\": [" FAINT "]}"), true, NULL},
+    {"\"alphaMode\": \"BLEND\", \"polygons\": [{" TRIANGLE ", \"colors\": [" CLEAR "," CLEAR "," CLEAR "]}]", true,
+     "polygon 0: alpha is 0 everywhere"},
+    {"\"alphaMode\": \"BLEND\", \"polygons\": [{" TRIANGLE ", \"colors\": [" CLEAR "," CLEAR "," FAINT "]}]", true,
+     NULL},
+    {"\"alphaMode\": \"MASK\", " MESHES(FACE ", \"faceColors\": [" FAINT "]}"), false,
+     "mesh 0: alpha is below alphaCutoff everywhere"},
+    {"\"alphaMode\": \"MASK\", \"alphaCutoff\": 0.25, " MESHES(FACE ", \"faceColors\": [" FAINT "]}"), false, NULL},
+    {"\"alphaCutoff\": 0.25, " POLYGONS, false, "the scene's alphaCutoff has no effect"},
+    {"\"alphaMode\": \"BLEND\", " MESHES(FACE ", \"alphaCutoff\": 0.3}"), false, "mesh 0: alphaCutoff has no effect"},
+    {MESHES(FACE ", \"alphaMode\": \"MASK\", \"alphaCutoff\": 0.3}"), false, NULL},
+    {MESHES(FACE ", \"pointSize\": 3}"), false, "mesh 0: pointSize has no effect without points"},
+    {MESHES(FACE ", \"points\": [0], \"pointSize\": 3}"), false, NULL},
+    {POLYGONS ", \"materials\": [{\"name\": \"b\"}, {\"name\": \"a\"}]", true,
+     "material 'b' (and 1 more) is used by nothing"},
+    {WITH("\"alphaCutoff\": 0.5"), true, "material 'm': alphaCutoff has no effect"},
+    {WITH("\"alphaCutoff\": 0.5, \"alphaMode\": \"MASK\""), true, NULL},
+    {WITH("\"specular\": \"white\""), true, "material 'm': no effect of specular with the shading flat"},
+    {WITH("\"specular\": \"white\", \"shininess\": 9") ", \"shading\": \"phong\"", true, NULL},
+    {WITH("\"metallicFactor\": 1, \"emissiveTexture\": " PIXEL ", \"shading\": \"phong\""), true,
+     "material 'm': no effect of metallicFactor, emissiveTexture with the shading phong"},
+    {WITH("\"metallicFactor\": 1, \"emissiveTexture\": " PIXEL ", \"shading\": \"pbr\""), true, NULL},
+    {WITH("\"metallicRoughnessTexture\": " PIXEL), true, "no effect of metallicRoughnessTexture with the shading flat"},
+    {WITH("\"normalTexture\": " PIXEL ", \"shading\": \"unlit\""), true,
+     "no effect of normalTexture with the shading unlit"},
+    {WITH("\"normalTexture\": " PIXEL ", \"shading\": \"normals\""), true, NULL},
+    {WITH("\"occlusionTexture\": " PIXEL ", \"shading\": \"normals\""), true,
+     "no effect of occlusionTexture with the shading normals"},
+    {WITH("\"baseColorTexture\": " PIXEL ", \"shading\": \"normals\""), true,
+     "no effect of baseColorTexture with the shading normals"},
+    {WITH("\"cool\": \"blue\""), true, "no effect of cool with the shading flat"},
+    {MESHES("{" POSITIONS ", \"lines\": [[0,1]], " TEXCOORDS
+            ", \"material\": \"m\"}") ", \"materials\": [{\"name\": \"m\", "
+                                      "\"baseColorTexture\": " PIXEL "}]",
+     true, "no effect of baseColorTexture without faces"},
+    /* One of its meshes has a use for it. */
+    {MESHES(FACE ", \"material\": \"m\", \"shading\": \"phong\"}, " FACE
+                 ", \"material\": \"m\"}") ", \"materials\": [{\"name\": \"m\", \"specular\": \"white\"}]",
+     true, NULL},
+    {MESHES(FACE ", \"name\": \"terrain\", \"scalars\": [0,1,2,9], \"range\": [0,3]}"), true,
+     "mesh 0 'terrain': 1 of 4 scalars are outside of the range"},
+};
+
+static struct reading *read_case(size_t i, const char *channel, const char *strict)
+{
+    static char text[4096];
+    snprintf(text, sizeof text, "{%s}", CASES[i].text);
+    return read_request((struct zr_request){.format = ZR_FORMAT_JSON, .channel = channel, .strict = strict}, text,
+                        strlen(text), zr_limits_default(), (size_t)1 << 28);
+}
+
+static void oddities_are_warned_of_by_the_name_of_what_has_them(void **state)
+{
+    (void)state;
+    for (size_t i = 0; i < sizeof CASES / sizeof *CASES; i++) {
+        struct reading *reading = read_case(i, NULL, NULL);
+        assert_read(reading);
+        const uint32_t count = reading->scene->warning_count;
+        if (count != (CASES[i].warning != NULL))
+            fail_msg("case %zu: %u warnings: %s", i, count, count ? reading->scene->warnings[0] : "");
+        if (count && !strstr(reading->scene->warnings[0], CASES[i].warning))
+            fail_msg("case %zu: %s", i, reading->scene->warnings[0]);
+        reading_free(reading);
+    }
+}
+
+static void oddities_of_colours_do_not_refuse_data_channels(void **state)
+{
+    (void)state;
+    for (size_t i = 0; i < sizeof CASES / sizeof *CASES; i++) {
+        struct reading *reading = read_case(i, "depth", "1");
+        if ((reading->status == ZR_OK) != (CASES[i].is_of_colors || !CASES[i].warning)) fail_msg("case %zu", i);
+        reading_free(reading);
+        reading = read_case(i, "color", "1");
+        if ((reading->status == ZR_OK) != !CASES[i].warning) fail_msg("case %zu in colours", i);
+        reading_free(reading);
+    }
+}
+
+/* By info's own warnings. */
+static void assert_says(const char *text, const char *channel, const char *wanted)
+{
+    struct reading *reading = read_request((struct zr_request){.format = ZR_FORMAT_JSON, .channel = channel}, text,
+                                           strlen(text), zr_limits_default(), (size_t)1 << 28);
+    assert_read(reading);
+    const struct zr_answer answer = scene_encode(&reading->arena, NULL, reading->scene);
+    if (wanted ? !strstr(answer.warnings, wanted) : *answer.warnings != '\0') fail_msg("%s: %s", text, answer.warnings);
+    reading_free(reading);
+}
+
+#define CUBE                                                                                                           \
+    "{\"positions\": [[0,0,0],[0,0,1],[0,1,0],[0,1,1],[1,0,0],[1,0,1],[1,1,0],[1,1,1]], \"faces\": [[0,1,3,2],"        \
+    "[4,6,7,5],[0,4,5,1],[2,3,7,6],[0,2,6,4],[1,5,7,3]]"
+#define SMALL "\"window\": {\"width\": 16, \"height\": 16}, "
+
+static void what_hides_everything_is_the_reason_given(void **state)
+{
+    (void)state;
+    static const char masked[] = "{" SMALL "\"alphaMode\": \"MASK\", \"meshes\": [" CUBE ", \"faceColors\": [" FAINT
+                                 "," FAINT "," FAINT "," FAINT "," FAINT "," FAINT "]}]%s}";
+    static const char *const ways[] = {"", ", \"algorithm\": \"scanline\"", ", \"samples\": 4",
+                                       ", \"look\": \"studio\", \"shading\": \"flat\""};
+    for (size_t i = 0; i < sizeof ways / sizeof *ways; i++) {
+        char text[1024];
+        snprintf(text, sizeof text, masked, ways[i]);
+        assert_says(text, "color", "nothing is seen: alpha is below alphaCutoff wherever something is drawn");
+        assert_says(text, "info", "nothing is seen: alpha is below alphaCutoff wherever something is drawn");
+    }
+    static const char cut[] =
+        "{" SMALL "\"view\": {\"eye\": [0.5,0.5,3], \"target\": [0.5,0.5,0], \"znear\": %s, \"zfar\": 10}, "
+        "\"meshes\": [" CUBE "}]}";
+    char text[1024];
+    snprintf(text, sizeof text, cut, "2.5");
+    assert_says(text, "thickness", "nothing is seen: the near plane (znear) cuts off what faces the camera");
+    snprintf(text, sizeof text, cut, "1");
+    assert_says(text, "thickness", NULL);
+    assert_says("{" SMALL "\"view\": {\"eye\": [0,0,-5]}, " POLYGONS "}", "depth", "what is in view faces away");
+}
+
+/* Of all faces, seen or not. */
+static void thickness_is_something_that_is_seen(void **state)
+{
+    (void)state;
+    struct reading *reading =
+        read_scene("{" SMALL "\"alphaMode\": \"MASK\", \"outputs\": [{\"channel\": \"thickness\"}], \"meshes\": [" CUBE
+                   ", \"faceColors\": [" FAINT "," FAINT "," FAINT "," FAINT "," FAINT "," FAINT "]}]}");
+    const struct zr_answer answer = scene_encode(&reading->arena, NULL, reading->scene);
+    assert_non_null(strstr(answer.warnings, "alpha is below"));
+    assert_null(strstr(answer.warnings, "nothing is seen"));
+    reading_free(reading);
+}
+
+static void names_of_meshes_are_cut_and_clean(void **state)
+{
+    (void)state;
+    assert_says("{" SMALL "\"meshes\": [{\"name\": \"a\\nb\", " POSITIONS ", \"faces\": [[0,1,2],[0,0,1]]}]}", "color",
+                "the first: face 1 of mesh 0 'a?b'");
+    assert_says("{" SMALL "\"meshes\": [{\"name\": \"1234567890123456789012345678901\\u00e4\", " POSITIONS
+                ", \"faces\": [[0,1,2]], \"lines\": [[0,0]]}]}",
+                "color", "the first: line 0 of mesh 0 '1234567890123456789012345678901'");
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(oddities_are_warned_of_by_the_name_of_what_has_them),
+        cmocka_unit_test(oddities_of_colours_do_not_refuse_data_channels),
+        cmocka_unit_test(what_hides_everything_is_the_reason_given),
+        cmocka_unit_test(thickness_is_something_that_is_seen),
+        cmocka_unit_test(names_of_meshes_are_cut_and_clean),
+    };
+    return cmocka_run_group_tests_name("oddities", tests, NULL, NULL);
+}
