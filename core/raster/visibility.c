@@ -31,7 +31,8 @@ enum zr_status zr_visible_make(struct zr_arena *arena, struct zr_team *team, con
     visible->width = width;
     visible->height = height;
     enum zr_status status = ZR_OK;
-    for (int mode = 0; status == ZR_OK && mode < ZR_ALPHA_COUNT; mode++) {
+    for (int i = 0; status == ZR_OK && i < ZR_ALPHA_COUNT; i++) {
+        const enum zr_alpha_mode mode = (enum zr_alpha_mode)i;
         struct zr_sorted *sorted = &visible->sorted[mode];
         status = zr_bins_build(arena, team, geometry, mode, payloads, width, height, cancel, &sorted->bins);
         if (status == ZR_OK) status = zr_others_build(arena, geometry, mode, width, height, cancel, &sorted->others);
