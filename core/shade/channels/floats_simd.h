@@ -105,7 +105,7 @@ static inline void zr_late_floats(const struct zr_shader *s, uint32_t first, uin
                                   zr_vf *opacity)
 {
     const struct zr_texture_maps *textures = &s->surfaces->textures;
-    const zr_vf one = zr_vf_set(1.0f);
+    const zr_vf one = zr_vf_set(1.0f), own = *opacity; /* a material may come again, behind others */
     const struct zr_model_inputs in = {*color, zr_shaded_three(planes, 4, w, x, y),
                                        zr_shaded_three(planes, 7, w, x, y)};
     const struct zr_material *done = NULL;
@@ -123,7 +123,7 @@ static inline void zr_late_floats(const struct zr_shader *s, uint32_t first, uin
             of_material.color = zr_textured_v(map, material, in.color, planes, x, y);
         if (alpha)
             *opacity = zr_vf_select(
-                of_it, *opacity * zr_textured_v(alpha, material, (struct zr_vec3_v){one, one, one}, planes, x, y).x,
+                of_it, own * zr_textured_v(alpha, material, (struct zr_vec3_v){one, one, one}, planes, x, y).x,
                 *opacity);
         struct zr_vec3_v late = zr_model_color(&s->model, material, &of_material);
         if (s->surfaces->fog.is_on)
