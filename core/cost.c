@@ -146,7 +146,8 @@ static double fragments_of_spots(const struct zr_scene *scene, const struct zr_r
         if (!zr_spot_camera(scene, light, &resolved->camera, &resolved->bounds, &camera)) continue;
         if (number++ % stride != 0) continue;
         measured += 1.0;
-        sum += zr_cost_pass_measure(scene, &camera, map, 0.0, cancel, sampling).covered;
+        const struct zr_cost_pass pass = zr_cost_pass_measure(scene, &camera, map, 0.0, cancel, sampling);
+        sum += pass.covered + ZR_COST_LAYER_F * pass.masked;
     }
     return measured > 0.0 ? SIDES * sum * (double)spots / measured : 0.0;
 }

@@ -117,8 +117,8 @@ struct tally {
     struct zr_cost cost;
     double covered;                /* pixels of all faces, lines and points */
     double surface;                /* of all faces, in the world, scene units squared */
-    double layered;                /* of these, pixels of what is see-through, */
-    double layered_triangles;      /* and its triangles */
+    double layered, masked;        /* of these, pixels of what is see-through, and what has a mask */
+    double layered_triangles;      /* triangles of what is see-through */
     double faces;                  /* whose pixels count */
     double seen;                   /* those of them that `kept` has been offered */
     struct zr_cost_triangle *kept; /* of some of these, for the painter; or NULL: of none */
@@ -131,9 +131,10 @@ static double tiles_of(double width, double height)
     return (width / ZR_TILE_SIZE + 1.0) * (height / ZR_TILE_SIZE + 1.0);
 }
 
-/* Of what is see-through. */
-static void add_layers(struct tally *tally, double pixels, double triangles)
+static void add_layers(struct tally *tally, const struct zr_material *material, double pixels, double triangles)
 {
+    if (!zr_material_is_layered(material)) return;
+    if (material->alpha_mode == ZR_ALPHA_MASK) tally->masked += pixels;
     tally->layered += pixels;
     tally->layered_triangles += triangles;
 }
@@ -163,7 +164,7 @@ static void add_line(struct tally *tally, const struct zr_material *material, co
     cost->fragments += length * (LINE_PIXEL_F + WIDE_PIXEL_F * (width - 1.0));
     cost->triangles += LINE_T * length / ZR_TILE_SIZE * (1.0 + width / ZR_TILE_SIZE);
     tally->covered += length * width;
-    if (zr_material_is_layered(material)) add_layers(tally, length * width_in_window(tally, &a, &b), 1.0);
+    add_layers(tally, material, length * width_in_window(tally, &a, &b), 1.0);
 }
 
 static void add_outline(struct tally *tally, const struct zr_material *material, const struct zr_mesh *mesh,
@@ -234,7 +235,7 @@ static void add_point(struct tally *tally, const struct zr_material *material, c
     const double up = fmin(y + width, (double)tally->target.height) - fmax(y, 0.0);
     const double pixels = fmax(across, 0.0) * fmax(up, 0.0);
     tally->covered += pixels;
-    if (zr_material_is_layered(material)) add_layers(tally, pixels, 1.0);
+    add_layers(tally, material, pixels, 1.0);
     tally->cost.fragments += SQUARE_PIXEL_F * pixels;
     tally->cost.triangles += SQUARE_T * tiles_of(across, up);
     if (!tally->kept) return;
@@ -310,14 +311,15 @@ static void add_face(struct tally *tally, const struct zr_scene *scene, const st
     if (material->outline != ZR_OUTLINE_NONE) add_outline(tally, material, mesh, rings, placed);
     if (material->unfilled) return;
     if (tally->surface_most > 0.0)
-        tally->surface += fmin(surface_of(mesh, rings, &placed->object_to_world), tally->surface_most);
+        tally->surface += fmin(surface_of(mesh, rings, &placed->object_to_world), tally->surface_most) *
+                          (material->alpha_mode == ZR_ALPHA_MASK ? 1.0 + ZR_COST_LAYER_F : 1.0);
     measure_fans(&measure, mesh, rings, placed);
     bool shape = zr_face_is_shape(mesh, face);
     if (shape) cost->shape_triangles += CUT_T * (double)corners * (double)corners;
     bool turned_away = (placed->mirrored ? measure.net > 0.0 : measure.net < 0.0) && !material->double_sided;
     if (measure.area <= 0.0 || turned_away) return;
     add_filled(tally, &measure, shape, (double)corners);
-    if (zr_material_is_layered(material)) add_layers(tally, measure.area, (double)corners - 2.0);
+    add_layers(tally, material, measure.area, (double)corners - 2.0);
     if (measure.is_seen) tally->faces += 1.0;
     if (!tally->kept) return;
     const struct zr_cost_triangle whole = stand_in(&measure, mesh, rings, placed);
@@ -349,6 +351,7 @@ static struct zr_cost_pass pass_of(const struct tally *sum, struct zr_cost_sampl
                  .shape_fragments = sum->cost.shape_fragments * scale * fragment_times},
         .covered = sum->covered * scale,
         .layered = sum->layered * scale,
+        .masked = sum->masked * scale,
         .faces = sum->faces * scale,
         .surface = sum->surface * scale};
 }

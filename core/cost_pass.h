@@ -34,8 +34,11 @@ struct zr_cost_pass {
     struct zr_cost cost;   /* beside placing what there is: triangles, fragments, and those of shapes */
     double covered;        /* pixels of all faces, lines and points, hidden ones too */
     double layered;        /* of these, pixels of see-through faces: fragments that are kept */
+    double masked;         /* of those, pixels of faces that have a mask */
     double faces;          /* that are seen, or hidden by others only */
-    double surface;        /* of all faces, in the world, scene units squared, of each `surface_most` at most */
+    /* Of all faces, in the world, scene units squared, of each `surface_most` at most; of masked ones as often as each
+     * of their pixels takes longer. */
+    double surface;
 };
 
 /* `cancel` may be NULL; cancelled, it returns early with too little. */

@@ -104,6 +104,8 @@ static void effects_without_linear_light_cost_nothing(void **state)
     assert_true(cost.samples == 0 && fabs(cost.fragments - PIXELS / 2) < 1);
 }
 
+static enum zr_alpha_mode alpha_mode; /* of the faces below */
+
 /* So many lamps in a scene of two triangles that have an area of 2 each, and bounds with a diagonal of sqrt(5). */
 static struct zr_cost cost_of_lamps(uint32_t count, bool have_shadows, enum zr_shading shading, uint32_t side)
 {
@@ -113,6 +115,7 @@ static struct zr_cost cost_of_lamps(uint32_t count, bool have_shadows, enum zr_s
         lights[i] = (struct zr_light){.direction = {0, 0, -1}, .color = {1, 1, 1}, .has_shadows = have_shadows};
     half_a_window(&test);
     test.material.shading = shading;
+    test.material.alpha_mode = alpha_mode;
     test.scene.picture.side = side;
     test.scene.picture.is_linear = true;
     test.scene.lights = lights;
@@ -169,6 +172,7 @@ static struct zr_cost cost_of_spots(uint32_t count, bool have_shadows, float dis
                                       .has_shadows = have_shadows};
     half_a_window(&test);
     test.material.shading = ZR_SHADING_PBR;
+    test.material.alpha_mode = alpha_mode;
     test.scene.picture.side = 1;
     test.scene.picture.is_linear = true;
     test.scene.lights = lights;
@@ -191,6 +195,22 @@ static void spots_cost_their_maps_and_what_lamps_cost(void **state)
     /* An area of 2 at a depth of 3 or 1.5, where the map is 6 or 3 wide, on both sides. */
     assert_true(fabs((all.fragments - none.fragments) / (100 * 2 * texels * 2 / 36) - 1) < 0.1);
     assert_true(fabs((near.fragments - none.fragments) / (all.fragments - none.fragments) - 4) < 0.1);
+}
+
+/* All layers of what is masked are kept in maps, too. What is blended casts no shadow. */
+static void masks_cost_their_layers_in_maps(void **state)
+{
+    (void)state;
+    double lamp[2], spot[2];
+    for (int masked = 0; masked < 2; masked++) {
+        alpha_mode = masked ? ZR_ALPHA_MASK : ZR_ALPHA_OPAQUE;
+        lamp[masked] = cost_of_lamps(1, true, ZR_SHADING_PBR, 1).fragments -
+                       cost_of_lamps(1, false, ZR_SHADING_PBR, 1).fragments;
+        spot[masked] = cost_of_spots(1, true, 3).fragments - cost_of_spots(1, false, 3).fragments;
+    }
+    alpha_mode = ZR_ALPHA_OPAQUE;
+    assert_true(lamp[1] > 20 * lamp[0] && lamp[1] < 100 * lamp[0]);
+    assert_true(spot[1] > 20 * spot[0] && spot[1] < 100 * spot[0]);
 }
 
 /* Of two triangles, of which one has a corner far away, or at infinity: it covers a map at most. */
@@ -324,6 +344,7 @@ int main(void)
         cmocka_unit_test(lamps_cost_at_each_sample),
         cmocka_unit_test(scene_is_drawn_once_for_each_lamp_that_casts_shadows),
         cmocka_unit_test(spots_cost_their_maps_and_what_lamps_cost),
+        cmocka_unit_test(masks_cost_their_layers_in_maps),
         cmocka_unit_test(no_face_covers_more_than_a_map),
         cmocka_unit_test(memory_of_whole_windows_is_told),
         cmocka_unit_test(told_memory_is_needed),
