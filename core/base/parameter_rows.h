@@ -25,7 +25,7 @@
     ROW(elevation, MESH, "DEGREES", "and from so far above, -90 to 90")                                                \
     ROW(up, MESH, "AXIS", "y or z: the axis of the mesh that points up; z of STL, else y")                             \
     ROW(projection, MESH, "NAME", "orthographic or perspective; the look's")                                           \
-    ROW(shading, MESH, "NAME", "unlit, flat, gouraud, phong, normals, pbr or gooch; the look's")                       \
+    ROW(shading, MESH, "NAME", "unlit, flat, gouraud, phong, normals, pbr, gooch or xray; the look's")                 \
     ROW(color, MESH, "COLOR", "of the mesh, such as tomato or #ff6347")                                                \
     ROW(background, MESH, "COLOR", "the look's; transparent, too")                                                     \
     ROW(outline, MESH, "COLOR", "of the edges of faces; or true, or false (default)")                                  \

@@ -85,16 +85,23 @@ bool zr_read_scalar_range(struct zr_json *json, const struct zr_json_path *path,
 struct coloring {
     const float *values;
     size_t count;
+    const float *z; /* as of zr_scalars_apply, where values are of positions; else NULL */
     float low, high;
     enum zr_colormap map;
     uint64_t below, above; /* numbers beyond the ends */
 };
 
+static bool is_hole(const struct coloring *coloring, size_t i)
+{
+    return coloring->z && isnan(coloring->z[i]);
+}
+
 static void find_range(struct coloring *coloring)
 {
     coloring->low = FLT_MAX;
     coloring->high = -FLT_MAX;
-    for (size_t i = 0; i < coloring->count; i++) { /* false for what is NaN */
+    for (size_t i = 0; i < coloring->count; i++) {
+        if (is_hole(coloring, i)) continue;
         if (coloring->values[i] < coloring->low) coloring->low = coloring->values[i];
         if (coloring->values[i] > coloring->high) coloring->high = coloring->values[i];
     }
@@ -102,10 +109,11 @@ static void find_range(struct coloring *coloring)
 
 /* Where in the map the number is. In double, where the difference of two floats is finite. In a range of no length what
  * is neither below nor above it is in the middle. */
-static float place(struct coloring *coloring, float value)
+static float place(struct coloring *coloring, size_t i)
 {
     const double low = (double)coloring->low, high = (double)coloring->high;
-    if (isnan(value)) return 0.0f; /* a hole */
+    const float value = coloring->values[i];
+    if (is_hole(coloring, i)) return 0.0f;
     coloring->below += value < coloring->low;
     coloring->above += value > coloring->high;
     if (value < coloring->low) return 0.0f;
@@ -118,7 +126,7 @@ static const zr_vec4 *make_colors(struct zr_json *json, struct coloring *colorin
     zr_vec4 *colors = zr_arena_alloc(json->arena, coloring->count, sizeof *colors);
     for (size_t i = 0; colors && i < coloring->count; i++) {
         if (i % VALUES_A_LOOK == 0 && zr_is_cancelled(json->cancel)) return NULL;
-        colors[i] = zr_colormap_color(coloring->map, place(coloring, coloring->values[i]));
+        colors[i] = zr_colormap_color(coloring->map, place(coloring, i));
     }
     return colors;
 }
@@ -178,6 +186,7 @@ void zr_scalars_apply(struct zr_json *json, const struct zr_json_path *path, con
                       coloring.count, mesh->position_count, mesh->face_count);
         return;
     }
+    if (coloring.count == mesh->position_count) coloring.z = z;
     if (!scalars->has_range) find_range(&coloring);
     const zr_vec4 *colors = make_colors(json, &coloring);
     if (coloring.count == mesh->position_count)

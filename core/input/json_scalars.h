@@ -42,8 +42,9 @@ struct zr_scalars {
 zr_json_read_fn zr_read_scalars, zr_read_scalar_range; /* struct zr_scalars */
 
 /* Colours of the mesh's positions or faces, which are there, and nothing else of it that has a colour, and the scale
- * that they have: nothing where there are neither scalars nor a map. `z`: of a grid, each position's, NaN in holes; else NULL. `path` is the mesh's.
- * Faults are reported, and scalars that the range cuts off are warned of. */
+ * that they have: nothing where there are neither scalars nor a map. `z`: of a grid, each position's, NaN in holes,
+ * whose scalars count for nothing; else NULL. `path` is the mesh's. Faults are reported, and scalars that the range
+ * cuts off are warned of. */
 void zr_scalars_apply(struct zr_json *json, const struct zr_json_path *path, const struct zr_scalars *scalars,
                       const float *z, struct zr_warning_list *warnings, struct zr_mesh *mesh);
 

@@ -36,9 +36,12 @@ static bool read_word(const struct reading *r, const char *name, const char *tex
 
 static bool read_flag(const struct reading *r, const char *name, const char *text, int *out)
 {
-    static const char *const words[] = {"false", "true"};
-    static const struct zr_names names = ZR_NAMES(2, words);
-    return read_word(r, name, text, &names, out);
+    static const char *const words[] = {"false", "true", "0", "1"};
+    static const struct zr_names names = ZR_NAMES(4, words);
+    int found = 0;
+    if (!read_word(r, name, text, &names, &found)) return false;
+    *out = found % 2;
+    return true;
 }
 
 /* Digits alone, at least one of them; beyond UINT32_MAX all numbers are some number that is. */
@@ -169,10 +172,8 @@ static void read_compress(const struct reading *r, const char *text)
 
 static void read_strict(const struct reading *r, const char *text)
 {
-    static const char *const words[] = {"false", "true", "0", "1"};
-    static const struct zr_names names = ZR_NAMES(4, words);
-    int found = 0;
-    if (read_word(r, "strict", text, &names, &found)) r->query->is_strict = found % 2 != 0;
+    int strict = 0;
+    if (read_flag(r, "strict", text, &strict)) r->query->is_strict = strict != 0;
 }
 
 static void read_colorBar(const struct reading *r, const char *text)

@@ -2,31 +2,21 @@
 
 #include <string.h>
 
-static int32_t lesser(int32_t a, int32_t b)
-{
-    return a < b ? a : b;
-}
-
-static int32_t greater(int32_t a, int32_t b)
-{
-    return a > b ? a : b;
-}
-
 static struct zr_box between(int32_t x0, int32_t y0, int32_t x1, int32_t y1)
 {
-    return (struct zr_box){x0, y0, greater(x1 - x0, 0), greater(y1 - y0, 0)};
+    return (struct zr_box){x0, y0, zr_greater(x1 - x0, 0), zr_greater(y1 - y0, 0)};
 }
 
 struct zr_box zr_box_join(struct zr_box a, struct zr_box b)
 {
-    return between(lesser(a.x, b.x), lesser(a.y, b.y), greater(a.x + a.width, b.x + b.width),
-                   greater(a.y + a.height, b.y + b.height));
+    return between(zr_lesser(a.x, b.x), zr_lesser(a.y, b.y), zr_greater(a.x + a.width, b.x + b.width),
+                   zr_greater(a.y + a.height, b.y + b.height));
 }
 
 struct zr_box zr_canvas_clip(const struct zr_canvas *canvas, struct zr_box box)
 {
-    return between(greater(box.x, 0), greater(box.y, 0), lesser(box.x + box.width, canvas->width),
-                   lesser(box.y + box.height, canvas->height));
+    return between(zr_greater(box.x, 0), zr_greater(box.y, 0), zr_lesser(box.x + box.width, canvas->width),
+                   zr_lesser(box.y + box.height, canvas->height));
 }
 
 void zr_canvas_fill(const struct zr_canvas *canvas, struct zr_box box, uint32_t color)

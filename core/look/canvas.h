@@ -16,6 +16,16 @@ struct zr_box {
     int32_t x, y, width, height;
 };
 
+static inline int32_t zr_lesser(int32_t a, int32_t b)
+{
+    return a < b ? a : b;
+}
+
+static inline int32_t zr_greater(int32_t a, int32_t b)
+{
+    return a > b ? a : b;
+}
+
 /* With `by` more on all sides. */
 static inline struct zr_box zr_box_grow(struct zr_box box, int32_t by)
 {

@@ -52,23 +52,13 @@ enum { HEIGHT_A_DOT = 320, MARGINS_A_SIDE = 32, BAR_WIDTHS_A_SIDE = 20 };
 #define TICKS_APART     0.125
 #define TICKS_APART_MAX 0.2
 
-static int32_t greater(int32_t a, int32_t b)
-{
-    return a > b ? a : b;
-}
-
-static int32_t lesser(int32_t a, int32_t b)
-{
-    return a < b ? a : b;
-}
-
 static int32_t label_width(const struct zr_ticks *ticks)
 {
     int32_t most = 0;
     char text[ZR_DECIMAL_SIZE];
     for (int i = 0; i < ticks->count; i++) {
         zr_decimal_write(ticks->at[i], ticks->is_scientific, text);
-        most = greater(most, zr_glyphs_width(text));
+        most = zr_greater(most, zr_glyphs_width(text));
     }
     return most;
 }
@@ -78,12 +68,12 @@ static void place_title(struct zr_color_bar_layout *l, const char *title, bool i
                         int32_t width)
 {
     const int32_t wide = zr_glyphs_width(title), most = width - 2 * MARGIN * l->dot;
-    l->title_dot = wide > 0 ? lesser(l->dot, most / wide) : 0;
+    l->title_dot = wide > 0 ? zr_lesser(l->dot, most / wide) : 0;
     if (l->title_dot < 1) return;
     const int32_t taken = wide * l->title_dot;
     l->title = title;
     l->title_x = is_left || taken <= end - begin ? begin : end - taken;
-    l->title_x = greater(MARGIN * l->dot, lesser(l->title_x, width - MARGIN * l->dot - taken));
+    l->title_x = zr_greater(MARGIN * l->dot, zr_lesser(l->title_x, width - MARGIN * l->dot - taken));
     l->title_y = l->bar.y - l->line - TITLE_GAP * l->dot - ZR_GLYPH_CAPITAL_ROWS * l->title_dot;
     l->all = zr_box_join(l->all, (struct zr_box){l->title_x, l->title_y, taken, ZR_GLYPH_ROWS * l->title_dot});
 }
@@ -92,9 +82,9 @@ static void place_title(struct zr_color_bar_layout *l, const char *title, bool i
 static bool lay_out(const struct zr_color_bar *bar, const struct zr_color_scale *scale, int32_t width, int32_t height,
                     int32_t dot, struct zr_color_bar_layout *l)
 {
-    const int32_t margin = greater(MARGIN * dot, lesser(width, height) / MARGINS_A_SIDE), line = (dot + 1) / 2;
+    const int32_t margin = zr_greater(MARGIN * dot, zr_lesser(width, height) / MARGINS_A_SIDE), line = (dot + 1) / 2;
     const int32_t title = bar->title && *bar->title ? (TITLE_GAP + ZR_GLYPH_CAPITAL_ROWS) * dot : 0;
-    const int32_t rows = lesser(height * 7 / 10, height - 2 * (margin + 4 * dot) - title);
+    const int32_t rows = zr_lesser(height * 7 / 10, height - 2 * (margin + 4 * dot) - title);
     if (rows * TICKS_APART_MAX < LABELS_APART * dot) return false;
     const double apart = (double)(LABELS_APART * dot) / rows;
     *l = (struct zr_color_bar_layout){
@@ -103,7 +93,7 @@ static bool lay_out(const struct zr_color_bar *bar, const struct zr_color_scale 
         .line = line,
         .tick_width = TICK * dot,
         .ticks = zr_ticks_make(scale->low, scale->high, apart > TICKS_APART ? apart : TICKS_APART, scale->is_asked)};
-    const int32_t bar_width = greater(BAR_WIDTH * dot, lesser(rows, width) / BAR_WIDTHS_A_SIDE);
+    const int32_t bar_width = zr_greater(BAR_WIDTH * dot, zr_lesser(rows, width) / BAR_WIDTHS_A_SIDE);
     const int32_t taken = 2 * line + bar_width + (TICK + GAP + label_width(&l->ticks)) * dot;
     if (taken + 2 * margin > width / 2) return false;
     const int32_t x = bar->is_left ? margin : width - margin - taken;
@@ -122,22 +112,22 @@ bool zr_color_bar_lay_out(const struct zr_color_bar *bar, const struct zr_color_
     enum { SIDE_MAX = 1 << 16 }; /* what is larger is refused, but later than this is asked */
     const int32_t columns = (int32_t)(width < SIDE_MAX ? width : SIDE_MAX);
     const int32_t rows = (int32_t)(height < SIDE_MAX ? height : SIDE_MAX);
-    for (int32_t dot = greater((rows + HEIGHT_A_DOT / 2) / HEIGHT_A_DOT, 1); dot >= 1; dot--)
+    for (int32_t dot = zr_greater((rows + HEIGHT_A_DOT / 2) / HEIGHT_A_DOT, 1); dot >= 1; dot--)
         if (lay_out(bar, scale, columns, rows, dot, out)) return true;
     return false;
 }
 
 /* ---- drawing ---- */
 
-static void draw_tick(const struct zr_color_bar_layout *l, const struct zr_canvas *canvas, struct zr_decimal tick,
-                      int32_t grow, uint32_t color)
+static void draw_tick(const struct zr_color_bar_layout *l, const struct zr_canvas *canvas, int i, int32_t grow,
+                      uint32_t color)
 {
-    const double share = zr_tick_share(tick, l->scale->low, l->scale->high);
+    const double share = zr_tick_share(&l->ticks, i, l->scale->low, l->scale->high);
     const int32_t row = l->bar.height - 1 - (int32_t)floor(share * (double)(l->bar.height - 1) + 0.5);
     const int32_t y = l->bar.y + row - (l->line - 1) / 2;
     char text[ZR_DECIMAL_SIZE];
     zr_canvas_fill(canvas, zr_box_grow((struct zr_box){l->tick_x, y, l->tick_width, l->line}, grow), color);
-    zr_decimal_write(tick, l->ticks.is_scientific, text);
+    zr_decimal_write(l->ticks.at[i], l->ticks.is_scientific, text);
     zr_glyphs_draw(canvas, text, l->label_x, y + (l->line - ZR_GLYPH_CAPITAL_ROWS * l->dot) / 2, l->dot, grow, color);
 }
 
@@ -146,7 +136,7 @@ static void draw_ink(const struct zr_color_bar_layout *l, const struct zr_canvas
 {
     zr_canvas_fill(canvas, zr_box_grow(l->bar, l->line + grow), color);
     for (int i = 0; i < l->ticks.count; i++)
-        draw_tick(l, canvas, l->ticks.at[i], grow, color);
+        draw_tick(l, canvas, i, grow, color);
     if (l->title) zr_glyphs_draw(canvas, l->title, l->title_x, l->title_y, l->title_dot, grow, color);
 }
 
@@ -223,7 +213,7 @@ void zr_color_bar_warn(struct zr_arena *arena, const struct zr_scene *scene, str
     const uint32_t others = bar->has_mesh ? 0 : count_others(scene, scale);
     if (others > 0)
         zr_warning_list_add(arena, warnings,
-                            "colorBar: %u of the meshes drawn have another colormap or range than the bar shows; its "
+                            "colorBar: meshes have another colormap or range than the bar shows, at %u places; its "
                             "\"mesh\" chooses one",
                             others);
 }

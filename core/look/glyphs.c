@@ -65,7 +65,8 @@ static const char *const sheet[] = {
     "# ##   ## # #     ####    ##   ## #   #    # #  #   #  #### #####    ##   #   ##          #####",
     "#         #                                               #               #                    ",
     "#         #                                            ###                #                    ",
-    /* U+00B0 U+00B1 U+00B9 U+00B2 U+00B3 U+207B U+00B5 U+00B7 U+00D7 U+2212 U+0394 U+03A9 U+00C5 U+03BB U+03C1 U+03C3 */
+    /* U+00B0 U+00B1 U+00B9 U+00B2 U+00B3 U+207B U+00B5 U+00B7
+     * U+00D7 U+2212 U+0394 U+03A9 U+00C5 U+03BB U+03C1 U+03C3 */
     " ##     #    #    ##    ###                                        ###    #   #                ",
     "#  #    #   ##      #    ##                                   #   #   #  # #   #               ",
     "#  #  #####  #     #      #   ###   #   #       #   #         #   #   #   #    #     ###   ####",
@@ -81,9 +82,13 @@ static const char *const sheet[] = {
 static const uint32_t others[A_LINE] = {0x00B0, 0x00B1, 0x00B9, 0x00B2, 0x00B3, 0x207B, 0x00B5, 0x00B7,
                                         0x00D7, 0x2212, 0x0394, 0x03A9, 0x00C5, 0x03BB, 0x03C1, 0x03C3};
 
+/* They look the same, and keyboards have the one or the other. */
+enum { MICRO = 0x00B5, GREEK_MU = 0x03BC };
+
 static int glyph_of(uint32_t character)
 {
     if (character >= FIRST && character < FIRST + ASCII) return (int)(character - FIRST);
+    if (character == GREEK_MU) character = MICRO;
     for (int i = 0; i < A_LINE; i++)
         if (others[i] == character) return NONE + 1 + i;
     return NONE;

@@ -80,6 +80,7 @@ static void add_ends(struct zr_ticks *ticks, struct zr_decimal step, float low, 
         if (value >= least) add(ticks, multiple(step, i));
     }
     add(ticks, last);
+    ticks->has_ends = true;
 }
 
 struct zr_ticks zr_ticks_make(float low, float high, double apart, bool ends)
@@ -96,9 +97,12 @@ struct zr_ticks zr_ticks_make(float low, float high, double apart, bool ends)
     return ticks;
 }
 
-double zr_tick_share(struct zr_decimal tick, float low, float high)
+/* The few digits of an end may be another number, and far away in a range of a few floats. */
+double zr_tick_share(const struct zr_ticks *ticks, int i, float low, float high)
 {
     if (!(low < high)) return 0.5;
-    const double share = (zr_decimal_value(tick) - (double)low) / ((double)high - (double)low);
+    if (ticks->has_ends && i == 0) return 0.0;
+    if (ticks->has_ends && i == ticks->count - 1) return 1.0;
+    const double share = (zr_decimal_value(ticks->at[i]) - (double)low) / ((double)high - (double)low);
     return share < 0.0 ? 0.0 : share > 1.0 ? 1.0 : share;
 }

@@ -10,7 +10,7 @@ bool zr_xray_scene(struct zr_arena *arena, const struct zr_scene *scene, struct 
         materials[i] = scene->materials[i];
         if (materials[i].shading != ZR_SHADING_XRAY) continue;
         materials[i].double_sided = true;
-        if (materials[i].alpha_mode == ZR_ALPHA_OPAQUE) materials[i].alpha_mode = ZR_ALPHA_BLEND;
+        materials[i].alpha_mode = ZR_ALPHA_BLEND;
     }
     *out = *scene;
     out->materials = materials;

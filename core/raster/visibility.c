@@ -137,9 +137,10 @@ static void draw_fragments(const struct zr_visible *visible, const struct zr_bin
 /* Where blocks are full, a whole number of groups, whatever the instruction set. */
 enum { SMALL_AT_ONCE = 16 * ZR_BIN_NUMBERS_A_BLOCK };
 
-/* From all lists in one array, so that the kernel has whole groups, and sees what is to come. */
-static bool draw_small_ones(const struct zr_visible *visible, const struct zr_bins *bins, uint32_t number,
-                            const struct zr_cancel *cancel, struct zr_tile *tile)
+/* To the tile, or to its lists. From all lists of numbers in one array, so that the kernel has whole groups, and sees
+ * what is to come. */
+static bool put_small_ones(const struct zr_visible *visible, const struct zr_bins *bins, uint32_t number,
+                           const struct zr_cancel *cancel, struct zr_tile *tile)
 {
     uint32_t numbers[SMALL_AT_ONCE], count = 0;
     for (int i = 0; i < bins->worker_count; i++)
@@ -345,7 +346,7 @@ bool zr_visibility_tile(const struct zr_visible *visible, uint32_t number, const
     tile->knows_owners = false;
     tile->has_words = keeps_words(opaque, number);
     if (tile->has_words) memset(tile->words, 0, sizeof tile->words);
-    if (!draw_small_ones(visible, &opaque->bins, number, cancel, tile)) return false;
+    if (!put_small_ones(visible, &opaque->bins, number, cancel, tile)) return false;
     draw_tiny_ones(visible, number, tile);
     return draw_others(visible, &opaque->others, number, cancel, tile);
 }
@@ -355,7 +356,7 @@ bool zr_visibility_fragments(const struct zr_visible *visible, uint32_t number, 
 {
     const struct zr_sorted *sorted = &visible->sorted[mode];
     if (!list_wide_ones(visible, &sorted->bins, number, cancel, tile)) return false;
-    if (!draw_small_ones(visible, &sorted->bins, number, cancel, tile)) return false;
+    if (!put_small_ones(visible, &sorted->bins, number, cancel, tile)) return false;
     list_tiny_ones(&sorted->bins, number, tile);
     return draw_others(visible, &sorted->others, number, cancel, tile);
 }

@@ -267,7 +267,7 @@ static void what_is_odd_about_a_bar_is_warned_of(void **state)
         {"{\"colorBar\": true, \"meshes\": [{" SCALARS "}, {" SCALARS "}]}", NULL}, /* the same range */
         {"{\"colorBar\": true, \"meshes\": [{" SCALARS "}, {" SCALARS ", \"colormap\": \"gray\"}, {" SCALARS
          ", \"range\": [0, 9]}]}",
-         "2 of the meshes drawn have another colormap or range"},
+         "meshes have another colormap or range than the bar shows, at 2 places"},
         {"{\"colorBar\": {\"mesh\": \"a\"}, \"meshes\": [{" SCALARS "}, {\"name\": \"a\", " SCALARS
          ", \"range\": [0, 9]}]}",
          NULL}, /* the scene knows that there are others */

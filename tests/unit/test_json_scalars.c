@@ -146,6 +146,11 @@ static void holes_have_no_share_in_the_range(void **state)
     assert_int_equal(mesh->position_count, 4);
     assert_colors(mesh->colors, ZR_COLORMAP_TURBO, (float[]){0, 0.25f, 1, 0.25f}, 4);
     reading_free(reading);
+    reading = read_mesh("\"heights\": [[0,1,null],[1,3,5],[1,1,1]], \"scalars\": [1,2,99,3,4,5,6,7,9]");
+    mesh = &reading->scene->meshes[0];
+    assert_true(mesh->scale->low == 1 && mesh->scale->high == 9);
+    assert_colors(mesh->colors, ZR_COLORMAP_VIRIDIS, (float[]){0, 0.125f}, 2);
+    reading_free(reading);
 }
 
 static void what_does_not_fit_is_refused(void **state)
