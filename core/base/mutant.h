@@ -40,7 +40,7 @@
     row(bytes_rounded_down)         /* 9 */                                                                           \
     row(fans_from_the_first)        /* 10 */                                                                          \
     row(culls_fronts)               /* 11 */                                                                          \
-    row(older_lines)                /* 12, of Mesa 22.3: what lines are compared with where Mesa is that old */       \
+    row(older_lines)                /* 12, 28, of Mesa 22.3: what lines and points are compared with by it */          \
     row(no_diamonds)                /* 12, ends that do not move */                                                   \
     row(line_depth_along)           /* 12, planes */                                                                  \
     row(line_ends_clipped_apart)    /* 13 */                                                                          \

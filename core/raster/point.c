@@ -5,10 +5,17 @@
 
 enum { HALF_PIXEL = ZR_SUBPIXELS / 2 };
 
-/* Half down, once it is a whole number of subpixels. */
+/* To a whole number of subpixels, ties to even; up, by Mesa 22.3. */
+static int32_t subpixels_of(float size)
+{
+    const float no_fraction = 12582912.0f, subpixels = size * (float)ZR_SUBPIXELS; /* 1.5 * 2^23 */
+    return (int32_t)ZR_MUTANT(older_lines, (subpixels + no_fraction) - no_fraction, subpixels + 0.5f);
+}
+
+/* Half down. */
 int32_t zr_point_width(float size, float scale)
 {
-    const int32_t subpixels = (int32_t)(size * scale * (float)ZR_SUBPIXELS + 0.5f);
+    const int32_t subpixels = subpixels_of(size * scale);
     const int32_t width = (subpixels + ZR_MUTANT(point_sizes_half_up, HALF_PIXEL - 1, HALF_PIXEL)) >> ZR_SUBPIXEL_BITS;
     return width > 1 ? width : 1;
 }

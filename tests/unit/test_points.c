@@ -22,9 +22,9 @@ static void sizes_are_whole_pixels_half_down_and_one_at_least(void **state)
     static const struct {
         float size, scale;
         int32_t width;
-    } cases[] = {
-        {1, 1, 1},   {1.25f, 1, 1}, {1.5f, 1, 1}, {1.501953125f, 1, 2}, {1.6f, 1, 2}, {2.5f, 1, 2},  {2.6f, 1, 3},
-        {64, 1, 64}, {0, 1, 1},     {9, 0, 1},    {1.5f, 2, 3},         {1.3f, 4, 5}, {2.6f, 8, 21}, {64, 8, 512}};
+    } cases[] = {{1, 1, 1},    {1.25f, 1, 1}, {1.5f, 1, 1}, {1.501953125f, 1, 1}, {1.50390625f, 1, 2},
+                 {1.6f, 1, 2}, {2.5f, 1, 2},  {2.6f, 1, 3}, {64, 1, 64},          {0, 1, 1},
+                 {9, 0, 1},    {1.5f, 2, 3},  {1.3f, 4, 5}, {2.6f, 8, 21},        {64, 8, 512}};
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++)
         assert_int_equal(zr_point_width(cases[i].size, cases[i].scale), cases[i].width);
 }
