@@ -200,6 +200,7 @@ static enum zr_status build(struct zr_team *team, const struct zr_cancel *cancel
     static zr_binning_fn *const kernels[ZR_ISA_COUNT] = ZR_KERNELS(zr_binning);
     struct sorting sorting = {.bins = bins, .cancel = cancel, .sort = kernels[zr_team_isa(team)]};
     if (!make_shares(&sorting)) return ZR_NO_MEMORY;
+    if (sorting.share_count == 0) return ZR_OK; /* no helper is woken for nothing */
     bins->fragments_size = bins->has_words ? sizeof(struct zr_bin_fragments) : offsetof(struct zr_bin_fragments, words);
     /* A few are sorted before a helper is awake (a fifth of a cube's time on two threads). */
     if (sorting.triangle_count <= TRIANGLES_A_RANGE) team = NULL;
