@@ -14,10 +14,12 @@ static void set_cone(struct reference_place *place, const struct zr_light *light
     place->offset = (float)(-outer * scale);
 }
 
-/* Of ours are only places and directions in eye space. */
-static void set_place(struct reference_place *place, const struct zr_light *light, const struct zr_lamp_place *ours)
+/* Of ours are only places and directions in eye space, and `scale`, how long a unit of the scene is there: as the root
+ * of `gain` it would be rounded once more. */
+static void set_place(struct reference_place *place, const struct zr_light *light, const struct zr_lamp_place *ours,
+                      float scale)
 {
-    const double range = (double)light->range * sqrt((double)ours->gain);
+    const double range = (double)light->range * (double)scale;
     if (!ours->is_placed) return;
     *place = (struct reference_place){
         .position = {ours->position.x, ours->position.y, ours->position.z, 1},
@@ -40,7 +42,7 @@ static bool set_places(struct zr_arena *arena, const struct zr_scene *scene, con
     if (!places) return false;
     for (uint32_t i = 0; i < scene->light_count; i++) {
         const struct zr_light *light = &scene->lights[i];
-        set_place(&places[i], light, &made.places[i]);
+        set_place(&places[i], light, &made.places[i], zr_eye_scale_of(camera));
         places[i].position[0] += options->more_to_x;
         is_fixed &= light->type == ZR_LIGHT_POINT && light->range == 0.0f;
     }
