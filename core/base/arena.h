@@ -79,8 +79,7 @@ void zr_arena_refund(struct zr_arena *arena, size_t bytes);
 
 /* An arena for what one step needs and the request does not keep, such as what a library works with: it may take what
  * `arena` has left. Meanwhile that is allocated from by zr_arena_alloc_beside alone, which leaves the scratch what it
- * has. To close it gives its memory back to the system; `arena` has its peak and its failure from then on.
- */
+ * has. To close it gives its memory back to the system; `arena` has its peak and its failure from then on. */
 struct zr_arena zr_arena_open_scratch(struct zr_arena *arena);
 void *zr_arena_alloc_beside(struct zr_arena *arena, struct zr_arena *scratch, size_t count, size_t size);
 void zr_arena_close_scratch(struct zr_arena *scratch, struct zr_arena *arena);

@@ -257,8 +257,9 @@ static uint32_t shadings_of(int key)
     }
 }
 
+/* Room for all keys, or all shadings. */
 struct words {
-    char text[120];
+    char text[240];
 };
 
 static void add_word(struct words *words, const char *word)

@@ -52,45 +52,20 @@ static void read_tangent_items(struct zr_json *json, const struct zr_json_path *
     zr_rows_read_tangents(json, path, state, 0, until);
 }
 
-bool zr_read_mesh_positions(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field,
-                            void *out)
-{
-    static const struct zr_json_list list = {'[', read_position_items, begin_array, join_array};
-    (void)field;
-    return read_array(json, path, &list, out);
-}
-
-bool zr_read_mesh_colors(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field,
-                         void *out)
-{
-    static const struct zr_json_list list = {'[', read_color_items, begin_array, join_array};
-    (void)field;
-    return read_array(json, path, &list, out);
-}
-
-bool zr_read_mesh_normals(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field,
-                          void *out)
-{
-    static const struct zr_json_list list = {'[', read_normal_items, begin_array, join_array};
-    (void)field;
-    return read_array(json, path, &list, out);
-}
-
-bool zr_read_mesh_texcoords(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field,
-                            void *out)
-{
-    static const struct zr_json_list list = {'[', read_texcoord_items, begin_array, join_array};
-    (void)field;
-    return read_array(json, path, &list, out);
-}
-
-bool zr_read_mesh_tangents(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field,
-                           void *out)
-{
-    static const struct zr_json_list list = {'[', read_tangent_items, begin_array, join_array};
-    (void)field;
-    return read_array(json, path, &list, out);
-}
+#define READER(what, read_items)                                                                                       \
+    bool zr_read_mesh_##what(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field, \
+                             void *out)                                                                                \
+    {                                                                                                                  \
+        static const struct zr_json_list list = {'[', read_items, begin_array, join_array};                            \
+        (void)field;                                                                                                   \
+        return read_array(json, path, &list, out);                                                                     \
+    }
+READER(positions, read_position_items)
+READER(colors, read_color_items)
+READER(normals, read_normal_items)
+READER(texcoords, read_texcoord_items)
+READER(tangents, read_tangent_items)
+#undef READER
 
 /* ---- indices ---- */
 

@@ -44,6 +44,13 @@ static const struct {
     {WITH("\"alphaCutoff\": 0.5"), true, "material 'm': alphaCutoff has no effect"},
     {WITH("\"alphaCutoff\": 0.5, \"alphaMode\": \"MASK\""), true, NULL},
     {WITH("\"specular\": \"white\""), true, "material 'm': no effect of specular with the shading flat"},
+    {WITH("\"shading\": \"unlit\", \"specular\": \"white\", \"shininess\": 3, \"metallicFactor\": 1, "
+          "\"roughnessFactor\": 1, "
+          "\"emissiveFactor\": [1, 1, 1], \"cool\": \"red\", \"metallicRoughnessTexture\": " PIXEL
+          ", \"normalTexture\": " PIXEL ", \"occlusionTexture\": " PIXEL ", \"emissiveTexture\": " PIXEL),
+     true,
+     "material 'm': no effect of specular, shininess, metallicFactor, roughnessFactor, emissiveFactor, cool, "
+     "metallicRoughnessTexture, normalTexture, occlusionTexture, emissiveTexture with the shading unlit"},
     {WITH("\"specular\": \"white\", \"shininess\": 9") ", \"shading\": \"phong\"", true, NULL},
     {WITH("\"metallicFactor\": 1, \"emissiveTexture\": " PIXEL ", \"shading\": \"phong\""), true,
      "material 'm': no effect of metallicFactor, emissiveTexture with the shading phong"},
