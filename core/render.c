@@ -95,7 +95,8 @@ enum zr_status zr_render(struct zr_arena *arena, struct zr_team *team, const str
     enum zr_status status = frame ? run_pipeline(arena, team, scene, resolved, cancel, frame, error) : ZR_NO_MEMORY;
     if (status == ZR_NO_MEMORY)
         zr_error_add(error, status, NULL, "rendering needs more than the %zu bytes a request may use%s", arena->ceiling,
-                     zr_any_is_see_through(scene->materials, scene->material_count)
+                     zr_any_is_see_through(scene->materials, scene->material_count) ||
+                             zr_any_is_xray(scene->materials, scene->material_count)
                          ? ": all layers of what is see-through are kept, 8 bytes for each pixel of each"
                          : "");
     if (status == ZR_CANCELLED) zr_error_add(error, status, NULL, "rendering was stopped before it was done");

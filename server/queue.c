@@ -240,12 +240,12 @@ static void end_job(struct worker *worker)
 
 /* ---- threads ---- */
 
-/* Somewhat more than was held is kept, and one block at least: a
- * new one costs a small request more than its picture does. */
+/* Somewhat more than was held is kept, and one block at least: a new one costs a small request more than its picture
+ * does. */
 static void reset_arena(struct worker *worker)
 {
-    size_t used = worker->arena.held, older = worker->used - worker->used / 8;
-    worker->used = used > older ? used : older;
+    const size_t held = worker->arena.held, older = worker->used - worker->used / 8;
+    worker->used = held > older ? held : older;
     if (worker->used == 0) worker->used = 1; /* something was done: libraries may have memory */
     const size_t keep = worker->used + worker->used / 2 + ZR_ARENA_BLOCK;
     const size_t most = worker->queue->options.keep_memory_bytes;

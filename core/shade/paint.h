@@ -101,8 +101,7 @@ enum zr_status zr_paint_prepare(struct zr_arena *arena, struct zr_team *team, co
                                 struct zr_surfaces *surfaces, uint64_t pixels, const struct zr_payload **payloads);
 
 /* Of a line: planes of 1/w and of its colour over that, and in fog of its depth. True where it has one colour: `color`,
- * as bytes, and in planes that are the same all over, not over w; without `needs_planes` these may stay unwritten.
- */
+ * as bytes, and in planes that are the same all over, not over w; without `needs_planes` these may stay unwritten. */
 bool zr_line_color(const struct zr_geometry *geometry, const struct zr_surface *surface, uint32_t number,
                    bool needs_planes, struct zr_plane planes[1 + ZR_VALUES_MOST], uint32_t *color);
 
