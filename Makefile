@@ -85,12 +85,13 @@ kernel_avx512 := $(kernel_avx2) -Itests/emulated -Wno-psabi
 $(BUILD)/core/base/isa.o: OURS += '-D__builtin_cpu_supports(name)=(__builtin_cpu_supports("avx2") \
 	&& (!__builtin_strncmp(name, "avx512", 6) || __builtin_cpu_supports(name)))'
 endif
-kernels := $(basename $(wildcard core/*/*_kernel.c))
+kernels := $(basename $(wildcard core/*/*_kernel.c core/*/*/*_kernel.c))
 for_isas = $(foreach isa,$(isas),$(1:%=$(BUILD)/%.$(isa).o))
 kernel_objects := $(call for_isas,$(kernels))
-core := $(filter-out %_kernel.o,$(call objects,core/*.c core/*/*.c)) $(kernel_objects)
+core := $(filter-out %_kernel.o,$(call objects,core/*.c core/*/*.c core/*/*/*.c)) $(kernel_objects)
 # The part of it that needs no library.
-renderer := $(filter-out %_kernel.o,$(call objects,core/render.c $(patsubst %,core/%/*.c,base scene geometry raster shade look))) \
+renderer_rooms := base scene geometry mesh raster shade effects overlay render
+renderer := $(filter-out %_kernel.o,$(call objects,$(foreach room,$(renderer_rooms),core/$(room)/*.c core/$(room)/*/*.c))) \
 	$(kernel_objects)
 server := $(call objects,server/*.c)
 client := $(call objects,clients/*.c)

@@ -5,7 +5,7 @@
 #include <string.h>
 #include <strings.h>
 
-#include "base/format_rows.h"
+#include "format_rows.h"
 
 enum { EXIT_USAGE = 2, SIZE_DIGITS = 7 };
 

@@ -5,8 +5,8 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-#include "base/format_rows.h"
-#include "base/parameter_rows.h"
+#include "format_rows.h"
+#include "parameter_rows.h"
 
 #define DEFAULT_SERVER "http://127.0.0.1:8080"
 

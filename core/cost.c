@@ -7,9 +7,9 @@
 
 #include "cost_pass.h"
 #include "cost_picture.h"
-#include "look/maps.h"
-#include "look/shadow_map.h"
+#include "render/maps.h"
 #include "scene/resolved_view.h"
+#include "shade/lights/shadow_map.h"
 #include "shade/texture_maps.h"
 
 static const double POINT_T = 0.4;          /* placed without a face, in triangles */

@@ -2,7 +2,7 @@
  *
  * Space:  window space.
  * Why:    the painter compares and cuts what is neither nearer nor farther than something else, pair by pair
- *         (raster/painter.c); no other algorithm minds.
+ *         (raster/textbook/painter.c); no other algorithm minds.
  */
 #ifndef ZR_COST_PAIRS_H
 #define ZR_COST_PAIRS_H

@@ -3,12 +3,12 @@
 #include <math.h>
 
 #include "base/arena.h"
-#include "look/ground.h"
-#include "look/maps.h"
-#include "look/picture.h"
-#include "look/shadow_map.h"
+#include "effects/ground.h"
 #include "raster/tile.h"
-#include "shade/layers.h"
+#include "render/layers.h"
+#include "render/maps.h"
+#include "render/picture.h"
+#include "shade/lights/shadow_map.h"
 #include "shade/texture_maps.h"
 
 /* ---- passes ---- */

@@ -5,7 +5,7 @@
 #include "input/formats.h"
 #include "input/names.h"
 #include "input/parameters.h"
-#include "look/color_bar.h"
+#include "overlay/color_bar.h"
 #include "scene/validate.h"
 #include "strict.h"
 

@@ -19,10 +19,10 @@
 
 #include "base/arena.h"
 #include "base/cancel.h"
-#include "base/format_rows.h"
-#include "base/parameter_rows.h"
 #include "base/status.h"
 #include "base/team.h"
+#include "format_rows.h"
+#include "parameter_rows.h"
 #include "version.h"
 
 /* ---- limits: what one request may ask for ---- */
@@ -72,7 +72,7 @@ struct zr_request {
     const struct zr_asset *assets; /* no two of one name; formats other than JSON have none */
     size_t asset_count;
     struct zr_stored stored; /* read may be NULL: nothing is kept */
-    /* What the query says: NULL, not given; base/parameter_rows.h says what it is. */
+    /* What the query says: NULL, not given; parameter_rows.h says what it is. */
 #define ZR_PARAMETER_FIELD(name, ...) const char *name;
     ZR_PARAMETER_ROWS(ZR_PARAMETER_FIELD)
 #undef ZR_PARAMETER_FIELD

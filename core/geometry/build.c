@@ -2,7 +2,7 @@
 
 #include <stdatomic.h>
 
-#include "base/expect.h"
+#include "base/prefetch.h"
 #include "geometry/assemble.h"
 
 /* So many vertices are more than what the caches of a core have to spare. Written past these, a million triangles take

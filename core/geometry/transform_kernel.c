@@ -1,7 +1,7 @@
 #include "geometry/transform.h"
 
-#include "base/expect.h"
 #include "base/mutant.h"
+#include "base/prefetch.h"
 #include "base/simd.h"
 
 _Static_assert(sizeof(zr_vec4) == 4 * sizeof(float) && sizeof(struct zr_window_vertex) == 4 * sizeof(float),
@@ -134,8 +134,8 @@ unsigned ZR_KERNEL(zr_transform)(const zr_mat4 *object_to_clip, const struct zr_
     size_t i = 0;
     for (; i + ZR_LANES <= count; i += ZR_LANES) {
         /* Worth a quarter of the time of many vertices. */
-        zr_expect(positions + i, ZR_PAGE, ZR_LANES * sizeof *positions);
-        if (!streamed) zr_expect_written(out + i, ZR_PAGE, ZR_LANES * sizeof *out);
+        zr_prefetch(positions + i, ZR_PAGE, ZR_LANES * sizeof *positions);
+        if (!streamed) zr_prefetch_written(out + i, ZR_PAGE, ZR_LANES * sizeof *out);
         any |= transform_group(&mapping, positions + i, out + i, outcodes + i, streamed);
     }
     if (i == count) return any;

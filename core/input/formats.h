@@ -1,4 +1,4 @@
-/* formats.h - input: the formats of bodies, a row each (base/format_rows.h), and what bytes look like.
+/* formats.h - input: the formats of bodies, a row each (format_rows.h), and what bytes look like.
  *
  * A new format is a row there, a file with its reader (input.h), and a test.
  */

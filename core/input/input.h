@@ -9,7 +9,7 @@
 #ifndef ZR_INPUT_H
 #define ZR_INPUT_H
 
-#include "base/format_rows.h"
+#include "format_rows.h"
 #include "scene/scene_builder.h"
 #include "zraster.h"
 

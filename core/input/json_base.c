@@ -14,13 +14,13 @@ static const struct zr_names side_names = ZR_NAMES(2, sides);
 enum { COLOR, WINDOW_DEPTH, DEPTH, FACE_ID, TIES, FIRST_FACE_ID, IMAGES = FACE_ID + 1 };
 
 struct reader {
-    struct zr_given_scene *root;
+    struct zr_parsed_scene *root;
     const struct zr_json_path *path;
     uint64_t keys;
     const char *places[IMAGES]; /* in the text */
     int ties;
     uint32_t first_face_id;
-    struct zr_given_bytes given[IMAGES];
+    struct zr_parsed_bytes given[IMAGES];
     struct zr_base *base;
     uint64_t largest_id; /* in base->face_id */
 };
@@ -46,7 +46,7 @@ static bool has(const struct reader *reader, int key)
 }
 
 /* The window, as far as it is right: zr_scene_validate reports one that is not. */
-static bool window_is_good(const struct zr_given_scene *root)
+static bool window_is_good(const struct zr_parsed_scene *root)
 {
     const struct zr_view *view = &root->scene->views[0];
     const struct zr_limits *limits = root->json.limits;
@@ -193,7 +193,7 @@ static void check_planes(struct reader *reader)
 }
 
 /* What is left open is fitted to the new geometry, and then it is not the base's view. */
-static void warn_of_fitted_view(struct zr_given_scene *root)
+static void warn_of_fitted_view(struct zr_parsed_scene *root)
 {
     const struct zr_view *view = &root->scene->views[0];
     bool fitted_pose = view->pose == ZR_POSE_PRESET || view->pose == ZR_POSE_DIRECTION ||
@@ -208,7 +208,7 @@ static void warn_of_fitted_view(struct zr_given_scene *root)
                                           : "znear and zfar are");
 }
 
-void zr_given_read_base(struct zr_given_scene *root, const struct zr_json_path *path)
+void zr_parsed_read_base(struct zr_parsed_scene *root, const struct zr_json_path *path)
 {
     struct zr_json there = zr_json_at(&root->json, root->base), *json = &root->json;
     struct reader reader = {.root = root, .path = path, .first_face_id = 1};
@@ -220,7 +220,7 @@ void zr_given_read_base(struct zr_given_scene *root, const struct zr_json_path *
     for (int key = COLOR; key < IMAGES; key++) {
         struct zr_json image = zr_json_at(json, reader.places[key]);
         if (has(&reader, key))
-            zr_given_read_bytes(root, &image, ZR_JSON_KEY(path, fields[key].key), &reader.given[key]);
+            zr_parsed_read_bytes(root, &image, ZR_JSON_KEY(path, fields[key].key), &reader.given[key]);
     }
     if (!has(&reader, WINDOW_DEPTH) && !has(&reader, DEPTH))
         zr_json_fault(json, path, "windowDepth is missing, or depth to make it from: nothing says what hides what");

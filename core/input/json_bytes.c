@@ -12,8 +12,8 @@ struct given {
 static const struct zr_json_field fields[] = {ZR_BYTES_NAME_FIELDS(struct given, name)};
 const struct zr_json_object zr_json_object_bytes = ZR_JSON_OBJECT_OF("bytes", fields);
 
-static bool read_uri(struct zr_given_scene *root, const struct zr_json_path *path, const char *text,
-                     struct zr_given_bytes *out)
+static bool read_uri(struct zr_parsed_scene *root, const struct zr_json_path *path, const char *text,
+                     struct zr_parsed_bytes *out)
 {
     struct zr_reason reason;
     enum zr_status status = zr_data_uri_read(root->json.arena, text, &out->bytes, &out->size, &reason);
@@ -21,8 +21,8 @@ static bool read_uri(struct zr_given_scene *root, const struct zr_json_path *pat
     return status == ZR_OK;
 }
 
-static bool read_stored(struct zr_given_scene *root, const struct zr_json_path *path, const char *sha256,
-                        struct zr_given_bytes *out)
+static bool read_stored(struct zr_parsed_scene *root, const struct zr_json_path *path, const char *sha256,
+                        struct zr_parsed_bytes *out)
 {
     enum { DIGITS = 64 };
     struct zr_json *json = &root->json;
@@ -48,15 +48,15 @@ static bool read_stored(struct zr_given_scene *root, const struct zr_json_path *
     }
 }
 
-static bool read_asset(struct zr_given_scene *root, const struct zr_json_path *path, const char *name,
-                       struct zr_given_bytes *out)
+static bool read_asset(struct zr_parsed_scene *root, const struct zr_json_path *path, const char *name,
+                       struct zr_parsed_bytes *out)
 {
     static const char STORED[] = "sha256:";
     if (strncmp(name, STORED, sizeof STORED - 1) == 0) return read_stored(root, path, name + sizeof STORED - 1, out);
     for (size_t i = 0; i < root->asset_count; i++)
         if (strcmp(root->assets[i].name, name) == 0) {
             root->assets_used[i] = true;
-            *out = (struct zr_given_bytes){root->assets[i].bytes, root->assets[i].size};
+            *out = (struct zr_parsed_bytes){root->assets[i].bytes, root->assets[i].size};
             return true;
         }
     return zr_json_fault(&root->json, path, "no part of a multipart/form-data request has the name %s",
@@ -69,8 +69,8 @@ void zr_warn_of_unused_asset(struct zr_scene_builder *builder, const struct zr_a
                         zr_quote(asset->name, strlen(asset->name)).text);
 }
 
-bool zr_given_read_named(struct zr_given_scene *root, const struct zr_json_path *path, const struct zr_bytes_name *name,
-                         struct zr_given_bytes *out)
+bool zr_parsed_read_named(struct zr_parsed_scene *root, const struct zr_json_path *path,
+                          const struct zr_bytes_name *name, struct zr_parsed_bytes *out)
 {
     if (!name->uri == !name->asset)
         return zr_json_fault(&root->json, path, "%s of uri and asset is needed", name->uri ? "only one" : "one");
@@ -78,8 +78,8 @@ bool zr_given_read_named(struct zr_given_scene *root, const struct zr_json_path 
                      : read_asset(root, ZR_JSON_KEY(path, ZR_BYTES_ASSET), name->asset, out);
 }
 
-bool zr_given_read_bytes(struct zr_given_scene *root, struct zr_json *json, const struct zr_json_path *path,
-                         struct zr_given_bytes *out)
+bool zr_parsed_read_bytes(struct zr_parsed_scene *root, struct zr_json *json, const struct zr_json_path *path,
+                          struct zr_parsed_bytes *out)
 {
     const enum zr_json_type type = zr_json_type(json);
     struct given given = {{NULL, NULL}};
@@ -91,5 +91,5 @@ bool zr_given_read_bytes(struct zr_given_scene *root, struct zr_json *json, cons
                zr_json_fault(json, path, "expected a data: URI, {\"uri\": ...} or {\"asset\": ...}");
     const size_t faults = json->error->count;
     zr_json_fields(json, path, &zr_json_object_bytes, &given, &keys);
-    return json->error->count == faults && zr_given_read_named(root, path, &given.name, out);
+    return json->error->count == faults && zr_parsed_read_named(root, path, &given.name, out);
 }

@@ -24,7 +24,7 @@ const struct zr_json_object zr_json_object_colorBar = ZR_JSON_OBJECT_OF("colorBa
 bool zr_read_color_bar(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field,
                        void *out)
 {
-    struct zr_given_scene *root = out;
+    struct zr_parsed_scene *root = out;
     struct zr_color_bar *bar = &root->scene->color_bar;
     const enum zr_json_type type = zr_json_type(json);
     struct given_color_bar given = {.place = 0};
@@ -38,8 +38,8 @@ bool zr_read_color_bar(struct zr_json *json, const struct zr_json_path *path, co
     return true;
 }
 
-void zr_given_find_color_bar_mesh(struct zr_given_scene *root, const struct zr_json_path *path)
+void zr_parsed_find_color_bar_mesh(struct zr_parsed_scene *root, const struct zr_json_path *path)
 {
     struct zr_color_bar *bar = &root->scene->color_bar;
-    bar->has_mesh = zr_given_find_mesh(root, ZR_JSON_KEY(path, fields[MESH].key), root->color_bar_mesh, &bar->mesh);
+    bar->has_mesh = zr_parsed_find_mesh(root, ZR_JSON_KEY(path, fields[MESH].key), root->color_bar_mesh, &bar->mesh);
 }

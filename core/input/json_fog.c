@@ -20,7 +20,7 @@ const struct zr_json_object zr_json_object_fog = ZR_JSON_OBJECT_OF("fog", fields
 
 bool zr_read_fog(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field, void *out)
 {
-    struct zr_given_scene *root = out;
+    struct zr_parsed_scene *root = out;
     struct given_fog given = {.near = -1, .far = -1};
     uint64_t keys;
     (void)field;

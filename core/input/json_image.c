@@ -12,7 +12,7 @@ struct named {
     size_t length;
     bool is_asset;
     uint32_t image;
-    struct zr_given_bytes bytes;
+    struct zr_parsed_bytes bytes;
 };
 
 /* By its name alone, so that no asset is read twice. */
@@ -26,7 +26,7 @@ static const struct named *find_name(const struct zr_growing *names, const struc
     return NULL;
 }
 
-static const struct named *find_bytes(const struct zr_growing *names, const struct zr_given_bytes *wanted)
+static const struct named *find_bytes(const struct zr_growing *names, const struct zr_parsed_bytes *wanted)
 {
     const struct named *named = names->items;
     for (size_t i = 0; i < names->count; i++)
@@ -36,7 +36,7 @@ static const struct named *find_bytes(const struct zr_growing *names, const stru
     return NULL;
 }
 
-static bool decode(struct zr_given_scene *root, const struct zr_json_path *path, struct named *named)
+static bool decode(struct zr_parsed_scene *root, const struct zr_json_path *path, struct named *named)
 {
     struct zr_json *json = &root->json;
     const uint64_t most = json->limits->image_pixels_max;
@@ -52,21 +52,21 @@ static bool decode(struct zr_given_scene *root, const struct zr_json_path *path,
     return zr_arena_ok(json->arena);
 }
 
-static bool read_named(struct zr_given_scene *root, const struct zr_json_path *path, const struct zr_bytes_name *name,
+static bool read_named(struct zr_parsed_scene *root, const struct zr_json_path *path, const struct zr_bytes_name *name,
                        struct named *named)
 {
     const struct zr_json_path *at = ZR_JSON_KEY(path, named->is_asset ? ZR_BYTES_ASSET : ZR_BYTES_URI);
     if (root->images.count == NAMES_MAX)
         return zr_json_fault(&root->json, at, "more than the %d images that are allowed", NAMES_MAX);
-    if (!zr_given_read_named(root, path, name, &named->bytes)) return false;
+    if (!zr_parsed_read_named(root, path, name, &named->bytes)) return false;
     const struct named *same = find_bytes(&root->images, &named->bytes);
     if (!same) return decode(root, at, named);
     named->image = same->image;
     return true;
 }
 
-bool zr_given_find_image(struct zr_given_scene *root, const struct zr_json_path *path, const struct zr_bytes_name *name,
-                         uint32_t *number)
+bool zr_parsed_find_image(struct zr_parsed_scene *root, const struct zr_json_path *path,
+                          const struct zr_bytes_name *name, uint32_t *number)
 {
     const char *text = name->asset ? name->asset : name->uri;
     struct named named = {.text = text, .length = text ? strlen(text) : 0, .is_asset = name->asset != NULL};

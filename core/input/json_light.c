@@ -203,7 +203,7 @@ static void make_light(const struct given_light *given, struct zr_light *light)
     }
 }
 
-static void read_light(struct zr_given_scene *root, struct zr_json *json, const struct zr_json_path *path,
+static void read_light(struct zr_parsed_scene *root, struct zr_json *json, const struct zr_json_path *path,
                        struct zr_light *light)
 {
     struct given_light given = {.type = -1,
@@ -222,7 +222,7 @@ static void read_light(struct zr_given_scene *root, struct zr_json *json, const 
 
 bool zr_read_lights(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field, void *out)
 {
-    struct zr_given_scene *root = out;
+    struct zr_parsed_scene *root = out;
     size_t count, number = 0;
     (void)field;
     if (!zr_json_count(json, path, &count)) return false;

@@ -9,7 +9,7 @@
 /* ---- the picture ---- */
 
 /* Keys that ordinary readers have read. */
-static void gather_keys(struct zr_given_scene *root)
+static void gather_keys(struct zr_parsed_scene *root)
 {
     static const struct {
         enum zr_scene_key from;
@@ -27,7 +27,7 @@ static void gather_keys(struct zr_given_scene *root)
     root->picture.picture.z_is_up = root->up == 1;
 }
 
-static void use_picture(struct zr_given_scene *root)
+static void use_picture(struct zr_parsed_scene *root)
 {
     struct zr_scene *scene = root->scene;
     struct zr_environment *environment = &scene->picture.environment;
@@ -44,7 +44,7 @@ static void use_picture(struct zr_given_scene *root)
 }
 
 /* The look's samples may be too many for a large window; a scene that says how many is to know. */
-static void fit_samples(struct zr_given_scene *root)
+static void fit_samples(struct zr_parsed_scene *root)
 {
     struct zr_scene *scene = root->scene;
     const struct zr_view *view = &scene->views[0];
@@ -63,7 +63,7 @@ static void fit_samples(struct zr_given_scene *root)
 /* ---- lamps ---- */
 
 /* Lamps without a direction shine from the sky above. */
-static void use_own_lights(struct zr_given_scene *root)
+static void use_own_lights(struct zr_parsed_scene *root)
 {
     struct zr_scene *scene = root->scene;
     for (uint32_t i = 0; i < root->light_count; i++) {
@@ -83,7 +83,7 @@ static bool lights_pbr(const struct zr_scene *scene)
 }
 
 /* Without the environment that they stand in for, they stand in for it in all shadings. */
-static void light_pbr_too(struct zr_given_scene *root)
+static void light_pbr_too(struct zr_parsed_scene *root)
 {
     struct zr_scene *scene = root->scene;
     if (scene->light_count == 0 || lights_pbr(scene)) return;
@@ -97,7 +97,7 @@ static void light_pbr_too(struct zr_given_scene *root)
 }
 
 /* Lamps go with the environment: those of another one are those of the first look that has it. */
-static void use_lights_of_environment(struct zr_given_scene *root)
+static void use_lights_of_environment(struct zr_parsed_scene *root)
 {
     struct zr_scene *scene = root->scene;
     const enum zr_environment_name name = scene->picture.environment.name;
@@ -115,7 +115,7 @@ static void use_lights_of_environment(struct zr_given_scene *root)
 }
 
 /* By the textbook ambient light and lamps are two things, and a scene may say either. */
-static void use_lights(struct zr_given_scene *root)
+static void use_lights(struct zr_parsed_scene *root)
 {
     struct zr_scene *scene = root->scene;
     const bool has_environment = scene->picture.environment.name != ZR_ENVIRONMENT_NONE;
@@ -131,7 +131,7 @@ static void use_lights(struct zr_given_scene *root)
         scene->ambient = (zr_vec3){root->ambient.x, root->ambient.y, root->ambient.z};
 }
 
-void zr_given_use_look(struct zr_given_scene *root)
+void zr_parsed_use_look(struct zr_parsed_scene *root)
 {
     struct zr_scene *scene = root->scene;
     const struct zr_look *look = root->look ? root->look : zr_look_textbook;
@@ -146,7 +146,7 @@ void zr_given_use_look(struct zr_given_scene *root)
 /* ---- linear light ---- */
 
 /* A key that asks for it; NULL: none does. */
-static const char *linear_key_of(const struct zr_given_scene *root)
+static const char *linear_key_of(const struct zr_parsed_scene *root)
 {
     const struct zr_scene *scene = root->scene;
     const char *key = zr_picture_linear_key(&root->picture, &scene->picture);
@@ -156,7 +156,7 @@ static const char *linear_key_of(const struct zr_given_scene *root)
 }
 
 /* What is drawn into a picture that is there has one sample a pixel, in values as they are. */
-static void check_base(struct zr_given_scene *root, const char *linear_key)
+static void check_base(struct zr_parsed_scene *root, const char *linear_key)
 {
     const struct zr_scene *scene = root->scene;
     const struct zr_json_path *path = ZR_SCENE_PATH(ZR_SCENE_BASE);
@@ -170,7 +170,7 @@ static void check_base(struct zr_given_scene *root, const char *linear_key)
         zr_json_fault(&root->json, path, "does not go with samples other than 1");
 }
 
-void zr_given_check_light(struct zr_given_scene *root)
+void zr_parsed_check_light(struct zr_parsed_scene *root)
 {
     const bool is_said = zr_scene_gives(root, ZR_SCENE_COLOR_MANAGEMENT);
     const bool is_srgb = is_said && root->color_management == 1;

@@ -58,7 +58,7 @@ enum {
     EMISSIVE_TEXTURE,
     BASE_COLOR_TEXTURE
 };
-#define AT(member) offsetof(struct zr_given_material, member)
+#define AT(member) offsetof(struct zr_parsed_material, member)
 static const struct zr_json_field fields[] = {
     [NAME] = {"name", zr_json_string, AT(name), .required = true, .text = "it is asked for by its name"},
     [BASE_COLOR] = {"baseColorFactor", zr_json_color, AT(base_color), .otherwise = "the look's; white",
@@ -86,8 +86,8 @@ static const struct zr_json_field fields[] = {
                           .text = "of pbr: a factor of emissiveFactor"},
     [BASE_COLOR_TEXTURE] = {"baseColorTexture", zr_read_texture, AT(textures[ZR_TEXTURE_BASE_COLOR]),
                             .otherwise = "none", .text = "a factor of the colours of faces"},
-    ZR_FACE_STYLE_FIELDS(struct zr_given_material, face_style),
-    ZR_SIDES_FIELD(struct zr_given_material, face_style),
+    ZR_FACE_STYLE_FIELDS(struct zr_parsed_material, face_style),
+    ZR_SIDES_FIELD(struct zr_parsed_material, face_style),
     {.key = "diffuse"},
     {.key = "emissive"}};
 const struct zr_json_object zr_json_object_material = ZR_JSON_OBJECT_OF("material", fields);
@@ -95,18 +95,18 @@ const struct zr_json_object zr_json_object_material = ZR_JSON_OBJECT_OF("materia
 /* Equal names stay in the scene's order, so that the later one is the repetition. */
 static int compare_given(const void *left, const void *right)
 {
-    const struct zr_given_material *a = left, *b = right;
+    const struct zr_parsed_material *a = left, *b = right;
     int order = strcmp(a->name, b->name);
     return order != 0 ? order : a->number < b->number ? -1 : a->number > b->number;
 }
 
 static int compare_name(const void *name, const void *given)
 {
-    return strcmp(name, ((const struct zr_given_material *)given)->name);
+    return strcmp(name, ((const struct zr_parsed_material *)given)->name);
 }
 
 /* Keys that nothing but linear light has a use for. */
-static void note_linear_keys(struct zr_given_scene *root, uint64_t keys)
+static void note_linear_keys(struct zr_parsed_scene *root, uint64_t keys)
 {
     for (int key = METALLIC; key <= EMISSIVE_TEXTURE && !root->linear_key; key++)
         if (zr_json_gives(keys, key)) root->linear_key = fields[key].key;
@@ -115,14 +115,14 @@ static void note_linear_keys(struct zr_given_scene *root, uint64_t keys)
 bool zr_read_materials(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field,
                        void *out)
 {
-    struct zr_given_scene *root = out;
-    struct zr_growing list = {.size = sizeof(struct zr_given_material)};
+    struct zr_parsed_scene *root = out;
+    struct zr_growing list = {.size = sizeof(struct zr_parsed_material)};
     (void)field;
     if (!zr_json_list(json, path)) return false;
     for (zr_json_enter(json, '['); zr_json_item(json); list.count++) {
-        struct zr_given_material *given = zr_growing_next(&list, json);
+        struct zr_parsed_material *given = zr_growing_next(&list, json);
         if (!given) return false;
-        *given = (struct zr_given_material){
+        *given = (struct zr_parsed_material){
             .name = "", .number = list.count, .base_color = {1, 1, 1, 1}, .face_style = zr_face_style_unset};
         zr_json_fields(json, ZR_JSON_ITEM(path, list.count), &zr_json_object_material, given, &given->keys);
         note_linear_keys(root, given->keys);
@@ -132,10 +132,10 @@ bool zr_read_materials(struct zr_json *json, const struct zr_json_path *path, co
     return true;
 }
 
-static void refuse_repeated_names(struct zr_given_scene *root, const struct zr_json_path *path)
+static void refuse_repeated_names(struct zr_parsed_scene *root, const struct zr_json_path *path)
 {
     for (size_t i = 1; i < root->material_count; i++) {
-        const struct zr_given_material *before = &root->materials[i - 1], *given = before + 1;
+        const struct zr_parsed_material *before = &root->materials[i - 1], *given = before + 1;
         if (*given->name && strcmp(before->name, given->name) == 0)
             zr_json_fault(&root->json, ZR_JSON_KEY(ZR_JSON_ITEM(path, given->number), fields[NAME].key),
                           "%s is the name of material %zu already", zr_quote(given->name, strlen(given->name)).text,
@@ -143,15 +143,15 @@ static void refuse_repeated_names(struct zr_given_scene *root, const struct zr_j
     }
 }
 
-void zr_given_sort_materials(struct zr_given_scene *root, const struct zr_json_path *path)
+void zr_parsed_sort_materials(struct zr_parsed_scene *root, const struct zr_json_path *path)
 {
     if (root->material_count > 0) qsort(root->materials, root->material_count, sizeof *root->materials, compare_given);
     refuse_repeated_names(root, path);
 }
 
-size_t zr_given_find_material(struct zr_given_scene *root, const struct zr_json_path *path, const char *name)
+size_t zr_parsed_find_material(struct zr_parsed_scene *root, const struct zr_json_path *path, const char *name)
 {
-    const struct zr_given_material *given =
+    const struct zr_parsed_material *given =
         root->material_count == 0 ? NULL
                                   : bsearch(name, root->materials, root->material_count, sizeof *given, compare_name);
     if (given) return (size_t)(given - root->materials);
@@ -171,7 +171,7 @@ static zr_vec3 rgb(zr_vec4 color)
 }
 
 /* What the material says goes before what the look has. */
-static void put_values(const struct zr_given_material *given, struct zr_material *material)
+static void put_values(const struct zr_parsed_material *given, struct zr_material *material)
 {
     if (zr_json_gives(given->keys, SPECULAR)) material->specular = rgb(given->specular);
     if (zr_json_gives(given->keys, SHININESS)) material->shininess = given->shininess;
@@ -182,7 +182,7 @@ static void put_values(const struct zr_given_material *given, struct zr_material
 }
 
 /* A factor of a texture that is not given changes nothing. */
-static void put_textures(const struct zr_given_material *given, struct zr_material *material)
+static void put_textures(const struct zr_parsed_material *given, struct zr_material *material)
 {
     for (int slot = 0; slot < ZR_TEXTURE_SLOTS; slot++)
         material->textures[slot] = given->textures[slot].number;
@@ -198,13 +198,13 @@ static void put_textures(const struct zr_given_material *given, struct zr_materi
 
 /* ---- what is odd about them ---- */
 
-static void note(struct zr_given_scene *root, const struct zr_style *style, enum zr_oddity oddity)
+static void note(struct zr_parsed_scene *root, const struct zr_style *style, enum zr_oddity oddity)
 {
-    zr_given_note_oddity(root, oddity, style->number, style->is_polygon);
+    zr_parsed_note_oddity(root, oddity, style->number, style->is_polygon);
 }
 
 /* `faces`: the style, the material's and the scene's, merged. */
-static void note_oddities(struct zr_given_scene *root, const struct zr_style *style, const struct zr_face_style *faces,
+static void note_oddities(struct zr_parsed_scene *root, const struct zr_style *style, const struct zr_face_style *faces,
                           const struct zr_material *material)
 {
     const bool has_outline = material->outline == ZR_OUTLINE_COLORED;
@@ -220,7 +220,7 @@ static void note_oddities(struct zr_given_scene *root, const struct zr_style *st
         note(root, style, ZR_ODD_MASKED);
 }
 
-static void note_use(struct zr_given_material *given, const struct zr_style *style, const struct zr_material *material)
+static void note_use(struct zr_parsed_material *given, const struct zr_style *style, const struct zr_material *material)
 {
     given->is_used = true;
     given->is_masked |= material->alpha_mode == ZR_ALPHA_MASK;
@@ -269,7 +269,7 @@ static void add_word(struct words *words, const char *word)
 }
 
 /* Keys of a material that none of its meshes has a use for. */
-static struct words unused_keys(const struct zr_given_material *given)
+static struct words unused_keys(const struct zr_parsed_material *given)
 {
     struct words words = {""};
     for (int key = 0; given->is_used && key <= BASE_COLOR_TEXTURE; key++)
@@ -279,7 +279,7 @@ static struct words unused_keys(const struct zr_given_material *given)
 }
 
 /* "with the shading phong": those of its meshes, as far as these have faces. */
-static struct words shadings_in_words(const struct zr_given_material *given)
+static struct words shadings_in_words(const struct zr_parsed_material *given)
 {
     struct words words = {""};
     if (given->shadings == 0) return (struct words){"without faces"};
@@ -304,17 +304,17 @@ static struct more more_than_one(size_t count)
 
 /* Some of the materials: how many, and the first of them. */
 struct some {
-    const struct zr_given_material *first;
+    const struct zr_parsed_material *first;
     size_t count;
 };
 
 /* Of the scene's order, for they are sorted by their names. */
-static void add_to(struct some *some, const struct zr_given_material *given)
+static void add_to(struct some *some, const struct zr_parsed_material *given)
 {
     if (some->count++ == 0 || given->number < some->first->number) some->first = given;
 }
 
-static void warn_of(struct zr_given_scene *root, const struct some *some, const char *text)
+static void warn_of(struct zr_parsed_scene *root, const struct some *some, const char *text)
 {
     if (some->count > 0)
         zr_warning_list_add(root->json.arena, &root->builder->color_warnings, "material %s%s%s",
@@ -322,11 +322,11 @@ static void warn_of(struct zr_given_scene *root, const struct some *some, const 
                             more_than_one(some->count).text, text);
 }
 
-void zr_given_warn_of_materials(struct zr_given_scene *root)
+void zr_parsed_warn_of_materials(struct zr_parsed_scene *root)
 {
     struct some idle = {NULL, 0}, uncut = {NULL, 0}, odd = {NULL, 0};
     for (size_t i = 0; i < root->material_count; i++) {
-        const struct zr_given_material *given = &root->materials[i];
+        const struct zr_parsed_material *given = &root->materials[i];
         if (!given->is_used) add_to(&idle, given);
         if (given->is_used && given->face_style.alpha_cutoff >= 0.0f && !given->is_masked) add_to(&uncut, given);
         if (*unused_keys(given).text) add_to(&odd, given);
@@ -341,13 +341,13 @@ void zr_given_warn_of_materials(struct zr_given_scene *root)
 
 /* ---- made ---- */
 
-uint32_t zr_given_make_material(struct zr_given_scene *root, const struct zr_style *style, bool coloured, bool smooth)
+uint32_t zr_parsed_make_material(struct zr_parsed_scene *root, const struct zr_style *style, bool coloured, bool smooth)
 {
     const struct zr_look *look = root->scene->look;
     bool has_given = style->material < root->material_count;
-    const struct zr_given_material none = {
+    const struct zr_parsed_material none = {
         .name = "", .base_color = zr_default_base_color(look, coloured), .face_style = zr_face_style_unset};
-    const struct zr_given_material *given = has_given ? &root->materials[style->material] : &none;
+    const struct zr_parsed_material *given = has_given ? &root->materials[style->material] : &none;
     const bool has_color = zr_json_gives(given->keys, BASE_COLOR) || (has_given && look == zr_look_textbook) ||
                            zr_json_gives(given->keys, BASE_COLOR_TEXTURE);
     struct zr_face_style faces = zr_face_style_merge(&style->face_style, &given->face_style);

@@ -22,7 +22,7 @@ enum {
     TEXCOORDS1,
     TANGENTS
 };
-#define AT(member) offsetof(struct zr_given_mesh, member)
+#define AT(member) offsetof(struct zr_parsed_mesh, member)
 static const struct zr_json_field fields[] = {
     [NAME] = {"name", zr_json_string, AT(name), .text = "what nodes and fit may call it by; info has it"},
     [MATERIAL] = {"material", zr_json_string, AT(material), .otherwise = "none", .text = "the name of a material"},
@@ -46,36 +46,36 @@ static const struct zr_json_field fields[] = {
                     .text = "others, of textures that ask for them"},
     [TANGENTS] = {"tangents", zr_read_mesh_tangents, AT(tangents), .otherwise = "along u",
                   .text = "[x,y,z,w] of each position: x of normalTexture, and w, the sign of y"},
-    ZR_FACE_STYLE_FIELDS(struct zr_given_mesh, face_style),
-    ZR_SCALARS_FIELDS(struct zr_given_mesh, scalars),
-    ZR_SIDES_FIELD(struct zr_given_mesh, face_style),
+    ZR_FACE_STYLE_FIELDS(struct zr_parsed_mesh, face_style),
+    ZR_SCALARS_FIELDS(struct zr_parsed_mesh, scalars),
+    ZR_SIDES_FIELD(struct zr_parsed_mesh, face_style),
     {.key = "data"}};
 const struct zr_json_object zr_json_object_mesh = ZR_JSON_OBJECT_OF("mesh", fields);
 
 bool zr_read_meshes(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field, void *out)
 {
-    struct zr_growing *list = &((struct zr_given_scene *)out)->meshes;
+    struct zr_growing *list = &((struct zr_parsed_scene *)out)->meshes;
     (void)field;
-    list->size = sizeof(struct zr_given_mesh);
+    list->size = sizeof(struct zr_parsed_mesh);
     if (!zr_json_list(json, path)) return false;
     for (zr_json_enter(json, '['); zr_json_item(json); list->count++) {
         /* By itself, so that its lists find it where it is, and can be the newest in the arena. */
-        struct zr_given_mesh given = {.face_style = zr_face_style_unset,
-                                      .positions.size = sizeof(zr_vec4),
-                                      .normals.size = sizeof(zr_vec3),
-                                      .colors.size = sizeof(zr_vec4),
-                                      .face_colors.size = sizeof(zr_vec4),
-                                      .texcoords.size = 2 * sizeof(float),
-                                      .texcoords1.size = 2 * sizeof(float),
-                                      .tangents.size = sizeof(zr_vec4),
-                                      .faces = {.ends.size = sizeof(uint32_t), .indices.size = sizeof(uint32_t)},
-                                      .lines.ends.size = 2 * sizeof(uint32_t),
-                                      .points.indices.size = sizeof(uint32_t),
-                                      .point_size = 1.0f,
-                                      .heights.values.size = sizeof(float),
-                                      .scalars = ZR_SCALARS_UNSET};
+        struct zr_parsed_mesh given = {.face_style = zr_face_style_unset,
+                                       .positions.size = sizeof(zr_vec4),
+                                       .normals.size = sizeof(zr_vec3),
+                                       .colors.size = sizeof(zr_vec4),
+                                       .face_colors.size = sizeof(zr_vec4),
+                                       .texcoords.size = 2 * sizeof(float),
+                                       .texcoords1.size = 2 * sizeof(float),
+                                       .tangents.size = sizeof(zr_vec4),
+                                       .faces = {.ends.size = sizeof(uint32_t), .indices.size = sizeof(uint32_t)},
+                                       .lines.ends.size = 2 * sizeof(uint32_t),
+                                       .points.indices.size = sizeof(uint32_t),
+                                       .point_size = 1.0f,
+                                       .heights.values.size = sizeof(float),
+                                       .scalars = ZR_SCALARS_UNSET};
         zr_json_fields(json, ZR_JSON_ITEM(path, list->count), &zr_json_object_mesh, &given, &given.keys);
-        struct zr_given_mesh *kept = zr_growing_next(list, json);
+        struct zr_parsed_mesh *kept = zr_growing_next(list, json);
         if (!kept) return false;
         *kept = given;
     }
@@ -84,13 +84,13 @@ bool zr_read_meshes(struct zr_json *json, const struct zr_json_path *path, const
 
 /* ---- meshes ---- */
 
-static bool gives(const struct zr_given_mesh *given, int key)
+static bool gives(const struct zr_parsed_mesh *given, int key)
 {
     return zr_json_gives(given->keys, key);
 }
 
 /* Either positions with faces, lines, points or some of these, or heights. */
-static void check_shape(struct zr_json *json, const struct zr_json_path *path, const struct zr_given_mesh *given)
+static void check_shape(struct zr_json *json, const struct zr_json_path *path, const struct zr_parsed_mesh *given)
 {
     static const int others[] = {POSITIONS, FACES, LINES, POINTS};
     if (gives(given, HEIGHTS)) {
@@ -104,7 +104,7 @@ static void check_shape(struct zr_json *json, const struct zr_json_path *path, c
 }
 
 /* The items of a list that must have one for each of `wanted` things; NULL where it is not given or not right. */
-static const void *one_each(struct zr_json *json, const struct zr_json_path *path, const struct zr_given_mesh *given,
+static const void *one_each(struct zr_json *json, const struct zr_json_path *path, const struct zr_parsed_mesh *given,
                             int key, const struct zr_growing *list, size_t wanted, const char *of)
 {
     if (!gives(given, key)) return NULL;
@@ -128,7 +128,7 @@ static void check_indices(struct zr_json *json, const struct zr_json_path *path,
     }
 }
 
-static void make_faces(struct zr_json *json, const struct zr_json_path *path, const struct zr_given_mesh *given,
+static void make_faces(struct zr_json *json, const struct zr_json_path *path, const struct zr_parsed_mesh *given,
                        struct zr_mesh *mesh)
 {
     if (gives(given, FACES) && given->faces.ends.count > 0) {
@@ -146,7 +146,7 @@ static void make_faces(struct zr_json *json, const struct zr_json_path *path, co
                       mesh->position_count);
 }
 
-static void make_points(struct zr_json *json, const struct zr_json_path *path, const struct zr_given_points *points,
+static void make_points(struct zr_json *json, const struct zr_json_path *path, const struct zr_parsed_points *points,
                         struct zr_mesh *mesh)
 {
     const uint32_t *indices = points->indices.items;
@@ -160,7 +160,7 @@ static void make_points(struct zr_json *json, const struct zr_json_path *path, c
 }
 
 /* Both sets side by side; what is not given is 0. */
-static void make_texcoords(struct zr_json *json, const struct zr_json_path *path, const struct zr_given_mesh *given,
+static void make_texcoords(struct zr_json *json, const struct zr_json_path *path, const struct zr_parsed_mesh *given,
                            struct zr_mesh *mesh)
 {
     const size_t count = mesh->position_count;
@@ -177,7 +177,7 @@ static void make_texcoords(struct zr_json *json, const struct zr_json_path *path
     mesh->texcoords = texcoords;
 }
 
-static void make_mesh(struct zr_given_scene *root, const struct zr_json_path *path, const struct zr_given_mesh *given,
+static void make_mesh(struct zr_parsed_scene *root, const struct zr_json_path *path, const struct zr_parsed_mesh *given,
                       struct zr_mesh *mesh)
 {
     struct zr_json *json = &root->json;
@@ -188,9 +188,9 @@ static void make_mesh(struct zr_given_scene *root, const struct zr_json_path *pa
     *mesh = (struct zr_mesh){.name = given->name ? given->name : ""};
     check_shape(json, path, given);
     if (given->material)
-        style.material = zr_given_find_material(root, ZR_JSON_KEY(path, fields[MATERIAL].key), given->material);
+        style.material = zr_parsed_find_material(root, ZR_JSON_KEY(path, fields[MATERIAL].key), given->material);
     if (gives(given, HEIGHTS)) {
-        const bool textured = zr_given_has_textures(root, style.material) && !gives(given, TEXCOORDS);
+        const bool textured = zr_parsed_has_textures(root, style.material) && !gives(given, TEXCOORDS);
         if (!zr_heights_make(json, ZR_JSON_KEY(path, fields[HEIGHTS].key), &given->heights, textured, mesh)) return;
     } else {
         if (!given->positions.items) return; /* no count to hold the rest against */
@@ -208,25 +208,25 @@ static void make_mesh(struct zr_given_scene *root, const struct zr_json_path *pa
                      &root->builder->color_warnings, mesh);
     make_texcoords(json, path, given, mesh);
     if (given->faces.ends.items || gives(given, HEIGHTS))
-        zr_given_check_texcoords(root, path, style.material, gives(given, TEXCOORDS) || gives(given, HEIGHTS),
-                                 gives(given, TEXCOORDS1));
+        zr_parsed_check_texcoords(root, path, style.material, gives(given, TEXCOORDS) || gives(given, HEIGHTS),
+                                  gives(given, TEXCOORDS1));
     if (json->error->count > 0) return;
     zr_scene_builder_note_normals(root->builder, style.number, mesh->normals, mesh->normal_count);
     if (gives(given, POINT_SIZE) && mesh->point_count == 0)
-        zr_given_note_oddity(root, ZR_ODD_POINT_SIZE, style.number, false);
+        zr_parsed_note_oddity(root, ZR_ODD_POINT_SIZE, style.number, false);
     style.alpha = zr_alpha_range_times(zr_alpha_range_of(mesh->colors, mesh->position_count),
                                        zr_alpha_range_of(mesh->face_colors, mesh->face_count));
     style.has_faces = mesh->face_count > 0;
-    mesh->material = zr_given_make_material(root, &style, mesh->colors || mesh->face_colors,
-                                            mesh->normals || mesh->colors || gives(given, HEIGHTS));
+    mesh->material = zr_parsed_make_material(root, &style, mesh->colors || mesh->face_colors,
+                                             mesh->normals || mesh->colors || gives(given, HEIGHTS));
     const uint32_t cells = mesh->face_count;
     if (gives(given, HEIGHTS)) zr_heights_drop_holes(json->arena, &given->heights, mesh);
     root->scene->counts.left_out_cells += cells - mesh->face_count;
 }
 
-void zr_given_make_meshes(struct zr_given_scene *root, const struct zr_json_path *path, struct zr_mesh *meshes)
+void zr_parsed_make_meshes(struct zr_parsed_scene *root, const struct zr_json_path *path, struct zr_mesh *meshes)
 {
-    const struct zr_given_mesh *given = root->meshes.items;
+    const struct zr_parsed_mesh *given = root->meshes.items;
     for (size_t i = 0; i < root->meshes.count && !zr_json_stops(&root->json); i++)
         make_mesh(root, ZR_JSON_ITEM(path, i), &given[i], &meshes[i]);
 }

@@ -69,7 +69,7 @@ READER(tangents, read_tangent_items)
 
 /* ---- indices ---- */
 
-static uint32_t known_positions(const struct zr_given_mesh *given)
+static uint32_t known_positions(const struct zr_parsed_mesh *given)
 {
     return given->positions.items ? (uint32_t)given->positions.count : UINT32_MAX;
 }
@@ -96,7 +96,7 @@ static void read_face(struct zr_json *json, const struct zr_json_path *path, uin
 
 static void read_face_items(struct zr_json *json, const struct zr_json_path *path, void *state, const char *until)
 {
-    struct zr_given_faces *faces = state;
+    struct zr_parsed_faces *faces = state;
     struct zr_growing *indices = &faces->indices, *ends = &faces->ends;
     const size_t most = json->limits->polygon_vertices_max;
     uint32_t *end;
@@ -120,8 +120,8 @@ static void read_face_items(struct zr_json *json, const struct zr_json_path *pat
 
 static bool begin_faces(struct zr_json *json, const void *state, void *part, double share)
 {
-    const struct zr_given_faces *all = state;
-    struct zr_given_faces *faces = part;
+    const struct zr_parsed_faces *all = state;
+    struct zr_parsed_faces *faces = part;
     faces->positions = all->positions;
     return zr_growing_begin_part(json, &all->ends, &faces->ends, share, 1) &&
            zr_growing_begin_part(json, &all->indices, &faces->indices, share, CORNERS_AT_HAND);
@@ -129,8 +129,8 @@ static bool begin_faces(struct zr_json *json, const void *state, void *part, dou
 
 static bool join_faces(struct zr_json *json, void *state, const void *part)
 {
-    struct zr_given_faces *all = state;
-    const struct zr_given_faces *faces = part;
+    struct zr_parsed_faces *all = state;
+    const struct zr_parsed_faces *faces = part;
     const uint32_t before = (uint32_t)all->indices.count, *from = faces->ends.items;
     if (!zr_growing_join(json, &all->indices, &faces->indices) ||
         !zr_growing_reserve(&all->ends, json, faces->ends.count))
@@ -146,8 +146,8 @@ bool zr_read_mesh_faces(struct zr_json *json, const struct zr_json_path *path, c
                         void *out)
 {
     static const struct zr_json_list list = {'[', read_face_items, begin_faces, join_faces};
-    struct zr_given_mesh *given = out;
-    struct zr_given_faces *faces = &given->faces;
+    struct zr_parsed_mesh *given = out;
+    struct zr_parsed_faces *faces = &given->faces;
     uint32_t *first;
     (void)field;
     faces->positions = known_positions(given);
@@ -176,7 +176,7 @@ static void read_line(struct zr_json *json, const struct zr_json_path *path, uin
 
 static void read_line_items(struct zr_json *json, const struct zr_json_path *path, void *state, const char *until)
 {
-    struct zr_given_lines *lines = state;
+    struct zr_parsed_lines *lines = state;
     struct zr_growing *ends = &lines->ends;
     uint32_t *line;
     while (json->at < until && zr_json_item(json) && (line = zr_growing_next(ends, json))) {
@@ -192,22 +192,23 @@ static void read_line_items(struct zr_json *json, const struct zr_json_path *pat
 
 static bool begin_lines(struct zr_json *json, const void *state, void *part, double share)
 {
-    const struct zr_given_lines *all = state;
-    struct zr_given_lines *lines = part;
+    const struct zr_parsed_lines *all = state;
+    struct zr_parsed_lines *lines = part;
     lines->positions = all->positions;
     return zr_growing_begin_part(json, &all->ends, &lines->ends, share, 1);
 }
 
 static bool join_lines(struct zr_json *json, void *state, const void *part)
 {
-    return zr_growing_join(json, &((struct zr_given_lines *)state)->ends, &((const struct zr_given_lines *)part)->ends);
+    return zr_growing_join(json, &((struct zr_parsed_lines *)state)->ends,
+                           &((const struct zr_parsed_lines *)part)->ends);
 }
 
 bool zr_read_mesh_lines(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field,
                         void *out)
 {
     static const struct zr_json_list list = {'[', read_line_items, begin_lines, join_lines};
-    struct zr_given_mesh *given = out;
+    struct zr_parsed_mesh *given = out;
     (void)field;
     given->lines.positions = known_positions(given);
     if (!zr_json_list(json, path) || !zr_growing_reserve(&given->lines.ends, json, 1)) return false;
@@ -219,7 +220,7 @@ bool zr_read_mesh_lines(struct zr_json *json, const struct zr_json_path *path, c
 bool zr_read_mesh_points(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field,
                          void *out)
 {
-    struct zr_given_points *points = &((struct zr_given_mesh *)out)->points;
+    struct zr_parsed_points *points = &((struct zr_parsed_mesh *)out)->points;
     struct zr_growing *indices = &points->indices;
     uint32_t *index;
     (void)field;

@@ -206,7 +206,7 @@ static const uint32_t *read_children(struct reader *reader, uint32_t *total)
     return children;
 }
 
-static bool report(const struct reader *reader, const struct zr_placement *placement)
+static bool report(const struct reader *reader, const struct zr_punctual_light *placement)
 {
     struct zr_json *json = reader->json;
     const struct zr_json_path *node = ZR_JSON_ITEM(reader->path, placement->node);
@@ -242,8 +242,8 @@ static uint32_t count_unplaced(struct zr_arena *arena, const struct reader *read
     return unplaced;
 }
 
-struct zr_instance *zr_given_read_nodes(struct zr_given_scene *root, const struct zr_json_path *path,
-                                        const struct zr_mesh *meshes, uint32_t mesh_count, uint32_t *count)
+struct zr_instance *zr_parsed_read_nodes(struct zr_parsed_scene *root, const struct zr_json_path *path,
+                                         const struct zr_mesh *meshes, uint32_t mesh_count, uint32_t *count)
 {
     struct zr_json there = zr_json_at(&root->json, root->nodes), *json = &there;
     struct zr_arena *arena = json->arena;
@@ -268,7 +268,7 @@ struct zr_instance *zr_given_read_nodes(struct zr_given_scene *root, const struc
     struct zr_nodes hierarchy = {.count = reader.nodes.count, .nodes = reader.made};
     hierarchy.children = read_children(&reader, &hierarchy.child_count);
     if (!zr_arena_ok(arena) || json->error->count > 0) return NULL;
-    struct zr_placement placement = zr_nodes_place(arena, &hierarchy, json->limits->instances_max);
+    struct zr_punctual_light placement = zr_nodes_place(arena, &hierarchy, json->limits->instances_max);
     if (!zr_arena_ok(arena) || !report(&reader, &placement)) return NULL;
     root->unplaced_meshes = count_unplaced(arena, &reader);
     *count = placement.count;

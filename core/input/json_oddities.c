@@ -4,7 +4,7 @@
 
 #include "scene/mesh_label.h"
 
-void zr_given_note_oddity(struct zr_given_scene *root, enum zr_oddity oddity, uint32_t number, bool is_polygon)
+void zr_parsed_note_oddity(struct zr_parsed_scene *root, enum zr_oddity oddity, uint32_t number, bool is_polygon)
 {
     struct zr_oddity_note *note = &root->oddities[oddity];
     if (note->count++ == 0) *note = (struct zr_oddity_note){1, number, is_polygon};
@@ -30,7 +30,7 @@ struct what {
 };
 
 /* "mesh 3 'bunny' and 2 more" */
-static struct what what_of(const struct zr_given_scene *root, const struct zr_oddity_note *note)
+static struct what what_of(const struct zr_parsed_scene *root, const struct zr_oddity_note *note)
 {
     struct what what;
     int used = note->is_polygon ? snprintf(what.text, sizeof what.text, "polygon %u", note->number)
@@ -40,7 +40,7 @@ static struct what what_of(const struct zr_given_scene *root, const struct zr_od
     return what;
 }
 
-void zr_given_warn_of_oddities(struct zr_given_scene *root)
+void zr_parsed_warn_of_oddities(struct zr_parsed_scene *root)
 {
     struct zr_scene_builder *builder = root->builder;
     for (int i = 0; i < ZR_ODDITIES; i++)

@@ -112,7 +112,7 @@ static bool clashes(struct zr_json *json, const struct zr_json_path *path, const
 bool zr_read_outputs(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field,
                      void *out)
 {
-    struct zr_given_scene *root = out;
+    struct zr_parsed_scene *root = out;
     size_t count = 0, number = 0;
     (void)field;
     if (!zr_json_list(json, path)) return false;

@@ -19,7 +19,7 @@ const struct zr_names zr_tone_names = ZR_NAMES(ZR_TONE_COUNT, tones);
 
 bool zr_read_look(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field, void *out)
 {
-    struct zr_given_scene *root = out;
+    struct zr_parsed_scene *root = out;
     const char *word = "";
     if (!zr_json_string(json, path, field, &word)) return false;
     root->look = zr_look_find(word);
@@ -31,7 +31,7 @@ bool zr_read_look(struct zr_json *json, const struct zr_json_path *path, const s
 bool zr_read_samples(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field,
                      void *out)
 {
-    struct zr_given_scene *root = out;
+    struct zr_parsed_scene *root = out;
     uint32_t side = 1;
     double number;
     (void)field;
@@ -67,7 +67,7 @@ const struct zr_json_object zr_json_object_gradient = ZR_JSON_OBJECT_OF("gradien
 bool zr_read_background(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field,
                         void *out)
 {
-    struct zr_given_scene *root = out;
+    struct zr_parsed_scene *root = out;
     struct zr_picture *picture = &root->picture.picture;
     uint64_t keys;
     zr_picture_give(&root->picture, ZR_PICTURE_BACKGROUND);
@@ -81,7 +81,7 @@ bool zr_read_background(struct zr_json *json, const struct zr_json_path *path, c
 /* ---- what may be false ---- */
 
 /* Notes those of `count` keys, from `first` on, that are among `keys` of an object in the same order. */
-static void give_all(struct zr_given_picture *given, uint64_t keys, int count, enum zr_picture_key first)
+static void give_all(struct zr_parsed_picture *given, uint64_t keys, int count, enum zr_picture_key first)
 {
     for (int i = 0; i < count; i++)
         if (zr_json_gives(keys, i)) zr_picture_give(given, (enum zr_picture_key)((int)first + i));
@@ -89,7 +89,7 @@ static void give_all(struct zr_given_picture *given, uint64_t keys, int count, e
 
 /* true, false, or an object that says more of what is on, whose keys are those from the one behind `key` on. */
 static bool read_effect(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_object *object,
-                        struct zr_given_picture *given, enum zr_picture_key key, void *effect, bool *is_on)
+                        struct zr_parsed_picture *given, enum zr_picture_key key, void *effect, bool *is_on)
 {
     const enum zr_json_type type = zr_json_type(json);
     uint64_t keys;
@@ -113,7 +113,7 @@ const struct zr_json_object zr_json_object_occlusion = ZR_JSON_OBJECT_OF("occlus
 bool zr_read_occlusion(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field,
                        void *out)
 {
-    struct zr_given_picture *given = &((struct zr_given_scene *)out)->picture;
+    struct zr_parsed_picture *given = &((struct zr_parsed_scene *)out)->picture;
     struct zr_occlusion *occlusion = &given->picture.occlusion;
     (void)field;
     return read_effect(json, path, &zr_json_object_occlusion, given, ZR_PICTURE_OCCLUSION, occlusion,
@@ -130,7 +130,7 @@ const struct zr_json_object zr_json_object_edges = ZR_JSON_OBJECT_OF("edges", ed
 
 bool zr_read_edges(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field, void *out)
 {
-    struct zr_given_picture *given = &((struct zr_given_scene *)out)->picture;
+    struct zr_parsed_picture *given = &((struct zr_parsed_scene *)out)->picture;
     struct zr_edges *edges = &given->picture.edges;
     (void)field;
     return read_effect(json, path, &zr_json_object_edges, given, ZR_PICTURE_EDGES, edges, &edges->is_on);
@@ -185,7 +185,7 @@ static bool read_environment(struct zr_json *json, const struct zr_json_path *pa
 bool zr_read_environment(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field,
                          void *out)
 {
-    struct zr_given_picture *picture = &((struct zr_given_scene *)out)->picture;
+    struct zr_parsed_picture *picture = &((struct zr_parsed_scene *)out)->picture;
     struct given_environment given = {.name = -1};
     uint64_t keys;
     (void)field;

@@ -345,7 +345,7 @@ bool zr_read_polygons(struct zr_json *json, const struct zr_json_path *path, con
     (void)field;
     if (!soup) return false;
     *soup = empty_soup();
-    ((struct zr_given_scene *)out)->soup = soup;
+    ((struct zr_parsed_scene *)out)->soup = soup;
     return zr_json_list_read(json, path, &list, soup);
 }
 
@@ -372,7 +372,7 @@ static struct zr_alpha_range *find_alphas(struct zr_json *json, const struct zr_
 }
 
 /* The material of each style, in place of the number of the style at each face. */
-static void find_materials(struct zr_given_scene *root, const struct zr_json_path *path, struct zr_soup *soup)
+static void find_materials(struct zr_parsed_scene *root, const struct zr_json_path *path, struct zr_soup *soup)
 {
     const struct style *styles = soup->styles.items;
     uint32_t *materials = zr_arena_alloc(root->json.arena, soup->styles.count, sizeof *materials);
@@ -388,14 +388,14 @@ static void find_materials(struct zr_given_scene *root, const struct zr_json_pat
                                  .alpha = alphas[i]};
         const char *name = styles[i].material.at ? zr_json_decode(&root->json, &styles[i].material) : NULL;
         if (name)
-            style.material = zr_given_find_material(
+            style.material = zr_parsed_find_material(
                 root, ZR_JSON_KEY(ZR_JSON_ITEM(path, styles[i].polygon), fields[MATERIAL].key), name);
-        if (zr_given_has_textures(root, style.material))
+        if (zr_parsed_has_textures(root, style.material))
             zr_json_fault(&root->json, ZR_JSON_KEY(ZR_JSON_ITEM(path, styles[i].polygon), fields[MATERIAL].key),
                           "it has textures, which need texcoords: meshes have them, and polygons have not");
         style.is_uniform = !(styles[i].has & HAS_COLORS);
-        materials[i] = zr_given_make_material(root, &style, styles[i].has & (HAS_COLOR | HAS_COLORS),
-                                              styles[i].has & (HAS_COLORS | HAS_NORMALS));
+        materials[i] = zr_parsed_make_material(root, &style, styles[i].has & (HAS_COLOR | HAS_COLORS),
+                                               styles[i].has & (HAS_COLORS | HAS_NORMALS));
     }
     for (size_t f = 0; materials && alphas && f < soup->face_styles.count; f++)
         faces[f] = materials[faces[f]];
@@ -414,7 +414,7 @@ static void note_normals(struct zr_scene_builder *builder, uint32_t mesh, const 
     }
 }
 
-bool zr_given_make_polygons(struct zr_given_scene *root, const struct zr_json_path *path, struct zr_mesh *mesh)
+bool zr_parsed_make_polygons(struct zr_parsed_scene *root, const struct zr_json_path *path, struct zr_mesh *mesh)
 {
     struct zr_json *json = &root->json;
     struct zr_soup *soup = root->soup;

@@ -35,7 +35,7 @@ static const struct part {
              {ZR_VIEW_T, "R"}};
 enum { PARTS = sizeof parts / sizeof parts[0] };
 
-static unsigned said(const struct zr_given_view *given, unsigned mask)
+static unsigned said(const struct zr_parsed_view *given, unsigned mask)
 {
     return (unsigned)given->keys & mask;
 }
@@ -49,7 +49,7 @@ static const char *first_word(unsigned bits)
 }
 
 /* The one form that is said, or NULL: none is, or more than one, which is reported. */
-static const struct form *find_form(struct zr_given_view *given)
+static const struct form *find_form(struct zr_parsed_view *given)
 {
     const struct form *form = NULL;
     bool many = false;
@@ -82,7 +82,7 @@ static const struct form *find_form(struct zr_given_view *given)
 
 /* Straight up and down there is no y in the picture to be up: where nobody says what is, it
  * is as in the presets top and bottom. */
-static void check_direction(struct zr_given_view *given)
+static void check_direction(struct zr_parsed_view *given)
 {
     const zr_vec3 d = given->view.direction;
     if (!zr_view_gives(given, ZR_VIEW_UP) && d.x == 0.0f && d.z == 0.0f)
@@ -92,7 +92,7 @@ static void check_direction(struct zr_given_view *given)
                       "the direction is zero: there is none to look in");
 }
 
-static bool check_inverse(struct zr_given_view *given, enum zr_view_key key, const zr_mat4 *matrix, zr_mat4 *inverse)
+static bool check_inverse(struct zr_parsed_view *given, enum zr_view_key key, const zr_mat4 *matrix, zr_mat4 *inverse)
 {
     return zr_mat4_invert(matrix, inverse) ||
            zr_json_fault(given->json, ZR_VIEW_PATH(given, key), "the matrix has no inverse");
@@ -132,7 +132,7 @@ static void flip_camera(zr_mat4 *world_to_camera)
             world_to_camera->m[column * 4 + row] = 0.0f - world_to_camera->m[column * 4 + row];
 }
 
-static void find_matrix(struct zr_given_view *given)
+static void find_matrix(struct zr_parsed_view *given)
 {
     zr_mat4 *out = &given->view.world_to_camera, inverse;
     if (zr_view_gives(given, ZR_VIEW_WORLD_TO_CAMERA)) check_inverse(given, ZR_VIEW_WORLD_TO_CAMERA, out, &inverse);
@@ -143,7 +143,7 @@ static void find_matrix(struct zr_given_view *given)
     if (given->convention == OPENCV) flip_camera(out);
 }
 
-static void check_convention(struct zr_given_view *given)
+static void check_convention(struct zr_parsed_view *given)
 {
     const bool matrices = said(given, BIT(CAMERA_TO_WORLD) | BIT(WORLD_TO_CAMERA) | BIT(R)) != 0;
     if (!zr_view_gives(given, ZR_VIEW_CONVENTION))
@@ -153,7 +153,7 @@ static void check_convention(struct zr_given_view *given)
                       "opencv belongs to cameraToWorld, worldToCamera and R: no other pose has axes to be told apart");
 }
 
-void zr_view_find_pose(struct zr_given_view *given)
+void zr_view_find_pose(struct zr_parsed_view *given)
 {
     struct zr_view *view = &given->view;
     const struct form *form = find_form(given);

@@ -52,7 +52,7 @@ const struct zr_json_object zr_json_object_perspective = ZR_JSON_OBJECT_OF("pers
 bool zr_read_perspective(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field,
                          void *out)
 {
-    struct zr_given_view *given = out;
+    struct zr_parsed_view *given = out;
     struct given_angles angles = {0, 0};
     const size_t faults = json->error->count;
     uint64_t keys;
@@ -77,9 +77,9 @@ bool zr_read_perspective(struct zr_json *json, const struct zr_json_path *path, 
 
 enum { XMAG, YMAG };
 static const struct zr_json_field orthographic_fields[] = {
-    [XMAG] = {"xmag", zr_json_positive, offsetof(struct zr_given_view, view.xmag), .unit = "scene units",
+    [XMAG] = {"xmag", zr_json_positive, offsetof(struct zr_parsed_view, view.xmag), .unit = "scene units",
               .otherwise = "so that the geometry fills the window", .text = "half of the width that is seen"},
-    [YMAG] = {"ymag", zr_json_positive, offsetof(struct zr_given_view, view.ymag), .unit = "scene units",
+    [YMAG] = {"ymag", zr_json_positive, offsetof(struct zr_parsed_view, view.ymag), .unit = "scene units",
               .otherwise = "so that the geometry fills the window", .text = "half of the height that is seen"}};
 const struct zr_json_object zr_json_object_orthographic = ZR_JSON_OBJECT_OF("orthographic", orthographic_fields);
 
@@ -126,7 +126,7 @@ const struct zr_json_object zr_json_object_intrinsics = ZR_JSON_OBJECT_OF("intri
 bool zr_read_intrinsics(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field,
                         void *out)
 {
-    struct zr_intrinsics *intrinsics = &((struct zr_given_view *)out)->intrinsics;
+    struct zr_intrinsics *intrinsics = &((struct zr_parsed_view *)out)->intrinsics;
     uint64_t keys;
     (void)field;
     if (!zr_json_fields(json, path, &zr_json_object_intrinsics, intrinsics, &keys)) return false;
@@ -136,7 +136,7 @@ bool zr_read_intrinsics(struct zr_json *json, const struct zr_json_path *path, c
     return true;
 }
 
-static void check_k(struct zr_given_view *given)
+static void check_k(struct zr_parsed_view *given)
 {
     const struct zr_json_path *path = ZR_VIEW_PATH(given, ZR_VIEW_K);
     const double *k = given->k;
@@ -151,7 +151,7 @@ static void check_k(struct zr_given_view *given)
 
 /* (0, 0) is the corner of the picture; in the other convention it is the centre of the first
  * pixel, which is half a pixel further. */
-static void check_pixel_center(struct zr_given_view *given)
+static void check_pixel_center(struct zr_parsed_view *given)
 {
     const struct zr_json_path *path = ZR_VIEW_PATH(given, ZR_VIEW_PIXEL_CENTER);
     const double center = given->pixel_center;
@@ -174,7 +174,7 @@ static void suggest_projection(struct zr_view *view)
     if (placed) view->yfov_radians = ZR_YFOV;
 }
 
-void zr_view_find_projection(struct zr_given_view *given)
+void zr_view_find_projection(struct zr_parsed_view *given)
 {
     static const struct {
         enum zr_view_key key;

@@ -37,13 +37,13 @@ const struct zr_json_object zr_json_object_window = ZR_JSON_OBJECT_OF("window", 
 static bool read_window(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field,
                         void *out)
 {
-    struct zr_given_scene *root = out;
+    struct zr_parsed_scene *root = out;
     uint64_t keys;
     (void)field;
     return zr_json_fields(json, path, &zr_json_object_window, &root->scene->views[0], &keys);
 }
 
-#define AT(member)      offsetof(struct zr_given_scene, member)
+#define AT(member)      offsetof(struct zr_parsed_scene, member)
 #define PICTURE(member) AT(picture.picture.member)
 const struct zr_json_field zr_scene_fields[] = {
     [ZR_SCENE_VERSION] = {"version", read_version, 0, .otherwise = "1", .text = "of the contract"},
@@ -95,7 +95,7 @@ const struct zr_json_field zr_scene_fields[] = {
     [ZR_SCENE_FOG] = {"fog", zr_read_fog, 0, .text = "what is farther away fades"},
     [ZR_SCENE_COLOR_BAR] = {"colorBar", zr_read_color_bar, 0, .otherwise = "false",
                             .text = "the colormap with its numbers is drawn over the picture"},
-    ZR_FACE_STYLE_FIELDS(struct zr_given_scene, face_style),
+    ZR_FACE_STYLE_FIELDS(struct zr_parsed_scene, face_style),
     {.key = "views"},
     {.key = "turntable"}};
 const struct zr_json_object zr_json_object_scene = ZR_JSON_OBJECT_OF("scene", zr_scene_fields);
@@ -104,18 +104,18 @@ const struct zr_json_object zr_json_object_scene = ZR_JSON_OBJECT_OF("scene", zr
 
 /* Meshes in their order, then all polygons as one more. Returns how many meshes are placed
  * by nodes, where there are nodes: all but the polygons. */
-static uint32_t make_meshes(struct zr_given_scene *root)
+static uint32_t make_meshes(struct zr_parsed_scene *root)
 {
     struct zr_scene *scene = root->scene;
     const uint32_t listed = (uint32_t)root->meshes.count;
     struct zr_mesh *meshes = zr_scene_builder_meshes(root->builder, (size_t)listed + 1);
     if (!meshes) return 0;
-    zr_given_make_meshes(root, ZR_SCENE_PATH(ZR_SCENE_MESHES), meshes);
-    scene->mesh_count = listed + zr_given_make_polygons(root, ZR_SCENE_PATH(ZR_SCENE_POLYGONS), &meshes[listed]);
+    zr_parsed_make_meshes(root, ZR_SCENE_PATH(ZR_SCENE_MESHES), meshes);
+    scene->mesh_count = listed + zr_parsed_make_polygons(root, ZR_SCENE_PATH(ZR_SCENE_POLYGONS), &meshes[listed]);
     return listed;
 }
 
-bool zr_given_find_mesh(struct zr_given_scene *root, const struct zr_json_path *path, const char *name, uint32_t *out)
+bool zr_parsed_find_mesh(struct zr_parsed_scene *root, const struct zr_json_path *path, const char *name, uint32_t *out)
 {
     const struct zr_scene *scene = root->scene;
     struct zr_nearest nearest = {.word = name};
@@ -135,12 +135,12 @@ bool zr_given_find_mesh(struct zr_given_scene *root, const struct zr_json_path *
 
 /* Where nodes have the say, they place the `listed` meshes; else each is where it is. The
  * polygons always are. */
-static void place_meshes(struct zr_given_scene *root, uint32_t listed)
+static void place_meshes(struct zr_parsed_scene *root, uint32_t listed)
 {
     struct zr_scene *scene = root->scene;
     uint32_t count = 0, next = root->nodes ? listed : 0;
     struct zr_instance *instances =
-        root->nodes ? zr_given_read_nodes(root, ZR_SCENE_PATH(ZR_SCENE_NODES), scene->meshes, listed, &count)
+        root->nodes ? zr_parsed_read_nodes(root, ZR_SCENE_PATH(ZR_SCENE_NODES), scene->meshes, listed, &count)
                     : zr_arena_alloc(root->json.arena, scene->mesh_count, sizeof *instances);
     if (!instances) return;
     for (; next < scene->mesh_count; next++)
@@ -149,11 +149,11 @@ static void place_meshes(struct zr_given_scene *root, uint32_t listed)
 }
 
 /* `listed`: meshes that nodes may place. */
-static void warn(struct zr_given_scene *root, uint32_t listed)
+static void warn(struct zr_parsed_scene *root, uint32_t listed)
 {
     struct zr_warning_list *warnings = &root->builder->warnings;
-    zr_given_warn_of_oddities(root);
-    zr_given_warn_of_materials(root);
+    zr_parsed_warn_of_oddities(root);
+    zr_parsed_warn_of_materials(root);
     if (root->unplaced_meshes > 0)
         zr_warning_list_add(root->json.arena, warnings, "%u of %u meshes are placed by no node and are not drawn",
                             root->unplaced_meshes, listed);
@@ -161,7 +161,7 @@ static void warn(struct zr_given_scene *root, uint32_t listed)
         if (!root->assets_used[i]) zr_warn_of_unused_asset(root->builder, &root->assets[i]);
 }
 
-static void use_colors(struct zr_given_scene *root)
+static void use_colors(struct zr_parsed_scene *root)
 {
     struct zr_scene *scene = root->scene;
     scene->algorithm = (enum zr_algorithm)root->algorithm;
@@ -169,21 +169,21 @@ static void use_colors(struct zr_given_scene *root)
         scene->fog.color = (zr_vec3){scene->background.x, scene->background.y, scene->background.z};
 }
 
-static void build(struct zr_given_scene *root)
+static void build(struct zr_parsed_scene *root)
 {
     struct zr_json *json = &root->json;
-    zr_given_use_look(root);
+    zr_parsed_use_look(root);
     use_colors(root);
-    zr_given_sort_materials(root, ZR_SCENE_PATH(ZR_SCENE_MATERIALS));
-    zr_given_find_textures(root, ZR_SCENE_PATH(ZR_SCENE_MATERIALS));
+    zr_parsed_sort_materials(root, ZR_SCENE_PATH(ZR_SCENE_MATERIALS));
+    zr_parsed_find_textures(root, ZR_SCENE_PATH(ZR_SCENE_MATERIALS));
     const uint32_t listed = make_meshes(root);
     if (zr_json_stops(json)) return;
-    zr_given_check_light(root);
+    zr_parsed_check_light(root);
     place_meshes(root, listed);
-    if (root->base) zr_given_read_base(root, ZR_SCENE_PATH(ZR_SCENE_BASE));
-    if (root->fit_mesh && zr_arena_ok(json->arena)) zr_given_find_fit_mesh(root, ZR_SCENE_PATH(ZR_SCENE_VIEW));
+    if (root->base) zr_parsed_read_base(root, ZR_SCENE_PATH(ZR_SCENE_BASE));
+    if (root->fit_mesh && zr_arena_ok(json->arena)) zr_parsed_find_fit_mesh(root, ZR_SCENE_PATH(ZR_SCENE_VIEW));
     if (root->color_bar_mesh && zr_arena_ok(json->arena))
-        zr_given_find_color_bar_mesh(root, ZR_SCENE_PATH(ZR_SCENE_COLOR_BAR));
+        zr_parsed_find_color_bar_mesh(root, ZR_SCENE_PATH(ZR_SCENE_COLOR_BAR));
     warn(root, listed);
 }
 
@@ -202,18 +202,18 @@ static enum zr_status read_json(struct zr_scene_builder *builder, const struct z
     struct zr_scene *scene = builder->scene;
     struct zr_limits used = *limits;
     if (used.json_depth_max > ZR_JSON_DEPTH_MAX) used.json_depth_max = ZR_JSON_DEPTH_MAX;
-    struct zr_given_scene root = {.json = {.arena = builder->arena,
-                                           .team = builder->team,
-                                           .cancel = request->cancel,
-                                           .limits = &used,
-                                           .error = error},
-                                  .builder = builder,
-                                  .scene = scene,
-                                  .algorithm = (int)scene->algorithm,
-                                  .face_style = zr_face_style_unset,
-                                  .asset_count = request->asset_count,
-                                  .assets = request->assets,
-                                  .stored = request->stored};
+    struct zr_parsed_scene root = {.json = {.arena = builder->arena,
+                                            .team = builder->team,
+                                            .cancel = request->cancel,
+                                            .limits = &used,
+                                            .error = error},
+                                   .builder = builder,
+                                   .scene = scene,
+                                   .algorithm = (int)scene->algorithm,
+                                   .face_style = zr_face_style_unset,
+                                   .asset_count = request->asset_count,
+                                   .assets = request->assets,
+                                   .stored = request->stored};
     struct zr_json *json = &root.json;
     zr_json_open(json, request->bytes, request->size);
     root.assets_used = zr_arena_zero(builder->arena, root.asset_count, sizeof *root.assets_used);

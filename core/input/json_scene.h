@@ -12,9 +12,9 @@
 
 #include "input/alpha_range.h"
 #include "input/face_style.h"
-#include "input/given_picture.h"
 #include "input/growing.h"
 #include "input/json_value.h"
+#include "input/parsed_picture.h"
 #include "scene/scene_builder.h"
 
 /* Bytes have a name by one of two keys. */
@@ -23,16 +23,16 @@ struct zr_bytes_name {
 };
 
 /* How texels become pixels: enum zr_filter and enum zr_wrap. */
-struct zr_given_sampler {
+struct zr_parsed_sampler {
     int magnify, minify, wrap_s, wrap_t;
 };
 
 /* A texture as a material has it. */
-struct zr_given_texture {
+struct zr_parsed_texture {
     bool is_given;
     struct zr_bytes_name name;
     uint32_t texcoord;
-    struct zr_given_sampler sampler;
+    struct zr_parsed_sampler sampler;
     float offset[2], scale[2];
     double rotation; /* radians */
     float strength;  /* of normals and of occlusion */
@@ -40,14 +40,14 @@ struct zr_given_texture {
 };
 
 /* A material as the scene has it, under its name. */
-struct zr_given_material {
+struct zr_parsed_material {
     const char *name;
     size_t number; /* in the scene's list */
     uint64_t keys; /* those that it gives; the rest is the look's */
     zr_vec4 base_color, specular, cool;
     float shininess, metallic, roughness;
     zr_vec3 emissive;
-    struct zr_given_texture textures[ZR_TEXTURE_SLOTS];
+    struct zr_parsed_texture textures[ZR_TEXTURE_SLOTS];
     struct zr_face_style face_style;
     bool is_used, is_masked; /* by a mesh, and by one whose alphaMode is MASK */
     uint32_t shadings;       /* those that its meshes have, a bit each */
@@ -71,7 +71,7 @@ struct zr_oddity_note {
 };
 
 /* A mesh as the scene has it, before what it refers to is known. */
-struct zr_given_mesh;
+struct zr_parsed_mesh;
 
 /* The polygons of a scene, likewise. */
 struct zr_soup;
@@ -108,7 +108,7 @@ enum zr_scene_key {
 };
 
 /* A scene while its JSON is being read. */
-struct zr_given_scene {
+struct zr_parsed_scene {
     struct zr_json json;
     struct zr_scene_builder *builder;
     struct zr_scene *scene; /* the builder's */
@@ -116,9 +116,9 @@ struct zr_given_scene {
     uint64_t keys; /* those of the root that are there */
     int algorithm, color_management, tone, up;
     zr_vec4 background, ambient;
-    struct zr_face_style face_style; /* the scene's own */
-    const struct zr_look *look;      /* the one that it names, or NULL */
-    struct zr_given_picture picture; /* complete once the root is read */
+    struct zr_face_style face_style;  /* the scene's own */
+    const struct zr_look *look;       /* the one that it names, or NULL */
+    struct zr_parsed_picture picture; /* complete once the root is read */
     uint32_t light_count;
     struct zr_light *lights; /* without a direction: the scene's up */
     bool view_says_up;
@@ -128,9 +128,9 @@ struct zr_given_scene {
     const char *nodes, *base;   /* where they are in the text, or NULL */
 
     size_t material_count;
-    struct zr_given_material *materials; /* sorted by name */
-    struct zr_growing meshes;            /* struct zr_given_mesh */
-    struct zr_soup *soup;                /* or NULL */
+    struct zr_parsed_material *materials; /* sorted by name */
+    struct zr_growing meshes;             /* struct zr_parsed_mesh */
+    struct zr_soup *soup;                 /* or NULL */
 
     struct zr_oddity_note oddities[ZR_ODDITIES];
     const char *linear_key; /* one that needs linear light, in whatever part of the scene; or NULL */
@@ -147,7 +147,7 @@ struct zr_given_scene {
 
 extern const struct zr_json_field zr_scene_fields[]; /* enum zr_scene_key, and others */
 
-static inline bool zr_scene_gives(const struct zr_given_scene *root, enum zr_scene_key key)
+static inline bool zr_scene_gives(const struct zr_parsed_scene *root, enum zr_scene_key key)
 {
     return zr_json_gives(root->keys, (int)key);
 }
@@ -208,46 +208,48 @@ zr_json_read_fn zr_read_outline; /* struct zr_face_style */
 
 /* json_material.c: a list of materials; by their names, once the root is read; the index of one by its name, or
  * material_count, and a fault at `path`. */
-zr_json_read_fn zr_read_materials; /* struct zr_given_scene, as all that follow */
-void zr_given_sort_materials(struct zr_given_scene *root, const struct zr_json_path *path);
-size_t zr_given_find_material(struct zr_given_scene *root, const struct zr_json_path *path, const char *name);
+zr_json_read_fn zr_read_materials; /* struct zr_parsed_scene, as all that follow */
+void zr_parsed_sort_materials(struct zr_parsed_scene *root, const struct zr_json_path *path);
+size_t zr_parsed_find_material(struct zr_parsed_scene *root, const struct zr_json_path *path, const char *name);
 
 /* The number of the resolved material. coloured: the mesh has colours of its own;
  * smooth: it has normals or vertex colours. */
-uint32_t zr_given_make_material(struct zr_given_scene *root, const struct zr_style *style, bool coloured, bool smooth);
+uint32_t zr_parsed_make_material(struct zr_parsed_scene *root, const struct zr_style *style, bool coloured,
+                                 bool smooth);
 
 /* json_oddities.c: notes what a mesh or a polygon, by its number, has; and warns of all that was noted, once there are
  * meshes. */
-void zr_given_note_oddity(struct zr_given_scene *root, enum zr_oddity oddity, uint32_t number, bool is_polygon);
-void zr_given_warn_of_oddities(struct zr_given_scene *root);
+void zr_parsed_note_oddity(struct zr_parsed_scene *root, enum zr_oddity oddity, uint32_t number, bool is_polygon);
+void zr_parsed_warn_of_oddities(struct zr_parsed_scene *root);
 
 /* json_material.c: of materials that nothing uses, and of what they have for other shadings than those of their meshes.
  */
-void zr_given_warn_of_materials(struct zr_given_scene *root);
+void zr_parsed_warn_of_materials(struct zr_parsed_scene *root);
 
 /* json_mesh.c and json_polygons.c: read a list, and make meshes of it once the root is read: as many as root->meshes
  * has, and one, or none where there is no polygon. */
 zr_json_read_fn zr_read_meshes, zr_read_polygons;
-void zr_given_make_meshes(struct zr_given_scene *root, const struct zr_json_path *path, struct zr_mesh *meshes);
-bool zr_given_make_polygons(struct zr_given_scene *root, const struct zr_json_path *path, struct zr_mesh *mesh);
+void zr_parsed_make_meshes(struct zr_parsed_scene *root, const struct zr_json_path *path, struct zr_mesh *meshes);
+bool zr_parsed_make_polygons(struct zr_parsed_scene *root, const struct zr_json_path *path, struct zr_mesh *mesh);
 
 /* json_nodes.c: the instances that nodes place, *count of them and room for one more; each
  * mesh is one of meshes[0..mesh_count-1]. NULL where there was a fault, here or before. */
-struct zr_instance *zr_given_read_nodes(struct zr_given_scene *root, const struct zr_json_path *path,
-                                        const struct zr_mesh *meshes, uint32_t mesh_count, uint32_t *count);
+struct zr_instance *zr_parsed_read_nodes(struct zr_parsed_scene *root, const struct zr_json_path *path,
+                                         const struct zr_mesh *meshes, uint32_t mesh_count, uint32_t *count);
 
 /* json_scene.c: once there are meshes, the number of the only one that has this name. False, and a fault at `path`,
  * where none has it, or two. */
-bool zr_given_find_mesh(struct zr_given_scene *root, const struct zr_json_path *path, const char *name, uint32_t *out);
+bool zr_parsed_find_mesh(struct zr_parsed_scene *root, const struct zr_json_path *path, const char *name,
+                         uint32_t *out);
 
 /* json_view.c: over the defaults that scene->views[0] already has; and, once there are meshes, the one that the view is
  * fitted to. */
 zr_json_read_fn zr_read_view;
-void zr_given_find_fit_mesh(struct zr_given_scene *root, const struct zr_json_path *path);
+void zr_parsed_find_fit_mesh(struct zr_parsed_scene *root, const struct zr_json_path *path);
 
 /* json_color_bar.c: into the scene; and, once there are meshes, the one that it is of. */
 zr_json_read_fn zr_read_color_bar;
-void zr_given_find_color_bar_mesh(struct zr_given_scene *root, const struct zr_json_path *path);
+void zr_parsed_find_color_bar_mesh(struct zr_parsed_scene *root, const struct zr_json_path *path);
 
 /* Into the scene, and lights into root->lights. */
 zr_json_read_fn zr_read_fog, zr_read_lights, zr_read_outputs;
@@ -259,8 +261,8 @@ extern const struct zr_names zr_management_names, zr_tone_names;
 
 /* json_looks.c: what the scene does not say is as its look has it. First the picture, lamps, view and window; and, once
  * there are materials, whether light is linear, and what does not go with that. */
-void zr_given_use_look(struct zr_given_scene *root);
-void zr_given_check_light(struct zr_given_scene *root);
+void zr_parsed_use_look(struct zr_parsed_scene *root);
+void zr_parsed_check_light(struct zr_parsed_scene *root);
 
 /* json_bytes.c: rows for the table of an object that fills a `type`, whose member `name` is a struct zr_bytes_name. */
 #define ZR_BYTES_URI   "uri"
@@ -277,40 +279,40 @@ void zr_given_check_light(struct zr_given_scene *root);
 
 /* What a data: URI, {"uri": one}, {"asset": name} or {"asset": "sha256:..."} stands for. In the arena or the
  * request. */
-struct zr_given_bytes {
+struct zr_parsed_bytes {
     const void *bytes;
     size_t size;
 };
-bool zr_given_read_named(struct zr_given_scene *root, const struct zr_json_path *path, const struct zr_bytes_name *name,
-                         struct zr_given_bytes *out);
-bool zr_given_read_bytes(struct zr_given_scene *root, struct zr_json *json, const struct zr_json_path *path,
-                         struct zr_given_bytes *out);
+bool zr_parsed_read_named(struct zr_parsed_scene *root, const struct zr_json_path *path,
+                          const struct zr_bytes_name *name, struct zr_parsed_bytes *out);
+bool zr_parsed_read_bytes(struct zr_parsed_scene *root, struct zr_json *json, const struct zr_json_path *path,
+                          struct zr_parsed_bytes *out);
 
 /* json_image.c: the number of the image in scene->images that the bytes of this name are, decoded where they were not
  * asked for before; `path` is that of the object which has the keys of ZR_BYTES_NAME_FIELDS. False, and reported, where
  * it cannot be had. The bytes are not looked at before, and so keys may be read at any time, and images once the root
  * is read. */
-bool zr_given_find_image(struct zr_given_scene *root, const struct zr_json_path *path, const struct zr_bytes_name *name,
-                         uint32_t *number);
+bool zr_parsed_find_image(struct zr_parsed_scene *root, const struct zr_json_path *path,
+                          const struct zr_bytes_name *name, uint32_t *number);
 
-/* json_texture.c: reads an object into a struct zr_given_texture: that of a normal map and that of occlusion have a key
- * more. */
+/* json_texture.c: reads an object into a struct zr_parsed_texture: that of a normal map and that of occlusion have a
+ * key more. */
 zr_json_read_fn zr_read_texture, zr_read_normal_texture, zr_read_occlusion_texture;
 
 /* What materials need of their textures, in the scene: `path` is that of the list of materials. */
-void zr_given_find_textures(struct zr_given_scene *root, const struct zr_json_path *path);
+void zr_parsed_find_textures(struct zr_parsed_scene *root, const struct zr_json_path *path);
 
 /* The keys of materials that have textures, by enum zr_texture_slot. */
 extern const char *const zr_texture_keys[ZR_TEXTURE_SLOTS];
 
 /* Whether the material, by its number in the scene's list, has any; false of the number behind the last one. */
-bool zr_given_has_textures(const struct zr_given_scene *root, size_t material);
+bool zr_parsed_has_textures(const struct zr_parsed_scene *root, size_t material);
 
 /* Reports, at `path`, what a mesh lacks that is drawn with the material. */
-bool zr_given_check_texcoords(struct zr_given_scene *root, const struct zr_json_path *path, size_t material,
-                              bool has_texcoords, bool has_texcoords1);
+bool zr_parsed_check_texcoords(struct zr_parsed_scene *root, const struct zr_json_path *path, size_t material,
+                               bool has_texcoords, bool has_texcoords1);
 
 /* json_base.c. Needs the window, the background, the view and the meshes. */
-void zr_given_read_base(struct zr_given_scene *root, const struct zr_json_path *path);
+void zr_parsed_read_base(struct zr_parsed_scene *root, const struct zr_json_path *path);
 
 #endif

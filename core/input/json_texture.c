@@ -45,7 +45,7 @@ static bool read_numbered(struct zr_json *json, const struct zr_json_path *path,
                          zr_names_join(&of->names).text);
 }
 
-#define SAMPLER(member) offsetof(struct zr_given_sampler, member)
+#define SAMPLER(member) offsetof(struct zr_parsed_sampler, member)
 static const struct zr_json_field sampler_fields[] = {
     {"magFilter", read_numbered, SAMPLER(magnify), .words = &magnify.names, .otherwise = "linear",
      .text = "where a texel is larger than a pixel"},
@@ -94,9 +94,9 @@ static bool read_texcoord(struct zr_json *json, const struct zr_json_path *path,
            zr_json_fault(json, path, "%.9g; 0 and 1 are allowed, for the mesh's texcoords and texcoords1", number);
 }
 
-#define TEXTURE(member) offsetof(struct zr_given_texture, member)
+#define TEXTURE(member) offsetof(struct zr_parsed_texture, member)
 #define TEXTURE_FIELDS                                                                                                 \
-    ZR_BYTES_NAME_FIELDS(struct zr_given_texture, name),                                                               \
+    ZR_BYTES_NAME_FIELDS(struct zr_parsed_texture, name),                                                              \
         {"texcoord", read_texcoord, TEXTURE(texcoord), .otherwise = "0",                                               \
          .text = "which coordinates of the mesh: 0 or 1"},                                                             \
         {"sampler", read_sampler, TEXTURE(sampler), .otherwise = "linear, with mipmaps, repeated",                     \
@@ -135,12 +135,12 @@ static const struct zr_json_field occlusion_fields[] = {
 const struct zr_json_object zr_json_object_occlusionTexture = ZR_JSON_OBJECT_OF("occlusionTexture", occlusion_fields);
 
 static bool read_by(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_object *object,
-                    struct zr_given_texture *out)
+                    struct zr_parsed_texture *out)
 {
     uint64_t keys;
     const size_t faults = json->error->count;
-    *out =
-        (struct zr_given_texture){.scale = {1, 1}, .strength = 1, .sampler = {1, ZR_FILTER_LINEAR_MIPMAP_LINEAR, 0, 0}};
+    *out = (struct zr_parsed_texture){
+        .scale = {1, 1}, .strength = 1, .sampler = {1, ZR_FILTER_LINEAR_MIPMAP_LINEAR, 0, 0}};
     out->is_given = zr_json_fields(json, path, object, out, &keys) && json->error->count == faults;
     return out->is_given;
 }
@@ -169,7 +169,7 @@ bool zr_read_occlusion_texture(struct zr_json *json, const struct zr_json_path *
 /* ---- in the scene ---- */
 
 /* Scaled, turned and moved. */
-static void put_transform(const struct zr_given_texture *given, struct zr_texture *texture)
+static void put_transform(const struct zr_parsed_texture *given, struct zr_texture *texture)
 {
     const double to_degrees = 57.295779513082321;
     double sine, cosine;
@@ -182,8 +182,8 @@ static void put_transform(const struct zr_given_texture *given, struct zr_textur
             texture->rows[row][k] = (float)rows[row][k];
 }
 
-static bool find_texture(struct zr_given_scene *root, const struct zr_json_path *path, enum zr_texture_slot slot,
-                         struct zr_given_texture *given)
+static bool find_texture(struct zr_parsed_scene *root, const struct zr_json_path *path, enum zr_texture_slot slot,
+                         struct zr_parsed_texture *given)
 {
     struct zr_texture texture = {.texcoord = given->texcoord,
                                  .wrap_s = (enum zr_wrap)given->sampler.wrap_s,
@@ -191,7 +191,7 @@ static bool find_texture(struct zr_given_scene *root, const struct zr_json_path 
                                  .magnify = (enum zr_filter)given->sampler.magnify,
                                  .minify = (enum zr_filter)given->sampler.minify,
                                  .is_color = slot == ZR_TEXTURE_BASE_COLOR || slot == ZR_TEXTURE_EMISSIVE};
-    if (!zr_given_find_image(root, path, &given->name, &texture.image)) return false;
+    if (!zr_parsed_find_image(root, path, &given->name, &texture.image)) return false;
     if (root->scene->texture_count >= ZR_TEXTURES_MAX)
         return zr_json_fault(&root->json, path, "more than the %d textures that are allowed", ZR_TEXTURES_MAX);
     put_transform(given, &texture);
@@ -199,10 +199,10 @@ static bool find_texture(struct zr_given_scene *root, const struct zr_json_path 
     return true;
 }
 
-void zr_given_find_textures(struct zr_given_scene *root, const struct zr_json_path *path)
+void zr_parsed_find_textures(struct zr_parsed_scene *root, const struct zr_json_path *path)
 {
     for (size_t i = 0; i < root->material_count && !zr_json_stops(&root->json); i++) {
-        struct zr_given_material *material = &root->materials[i];
+        struct zr_parsed_material *material = &root->materials[i];
         for (int slot = 0; slot < ZR_TEXTURE_SLOTS; slot++)
             if (material->textures[slot].is_given)
                 find_texture(root, ZR_JSON_KEY(ZR_JSON_ITEM(path, material->number), zr_texture_keys[slot]),
@@ -210,20 +210,20 @@ void zr_given_find_textures(struct zr_given_scene *root, const struct zr_json_pa
     }
 }
 
-bool zr_given_has_textures(const struct zr_given_scene *root, size_t material)
+bool zr_parsed_has_textures(const struct zr_parsed_scene *root, size_t material)
 {
     for (int slot = 0; material < root->material_count && slot < ZR_TEXTURE_SLOTS; slot++)
         if (root->materials[material].textures[slot].is_given) return true;
     return false;
 }
 
-bool zr_given_check_texcoords(struct zr_given_scene *root, const struct zr_json_path *path, size_t material,
-                              bool has_texcoords, bool has_texcoords1)
+bool zr_parsed_check_texcoords(struct zr_parsed_scene *root, const struct zr_json_path *path, size_t material,
+                               bool has_texcoords, bool has_texcoords1)
 {
     if (material >= root->material_count) return true;
-    const struct zr_given_material *given = &root->materials[material];
+    const struct zr_parsed_material *given = &root->materials[material];
     for (int slot = 0; slot < ZR_TEXTURE_SLOTS; slot++) {
-        const struct zr_given_texture *texture = &given->textures[slot];
+        const struct zr_parsed_texture *texture = &given->textures[slot];
         if (!texture->is_given || (texture->texcoord == 0 ? has_texcoords : has_texcoords1)) continue;
         return zr_json_fault(&root->json, path, "%s of its material needs %s, which are missing", zr_texture_keys[slot],
                              texture->texcoord == 0 ? "texcoords" : "texcoords1");

@@ -42,7 +42,7 @@ const struct zr_json_object zr_json_object_fit = ZR_JSON_OBJECT_OF("fit", fit_fi
 static bool read_fit(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field,
                      void *out)
 {
-    struct zr_given_view *given = out;
+    struct zr_parsed_view *given = out;
     struct given_fit fit = {given->view.fit_padding, NULL};
     uint64_t keys;
     (void)field;
@@ -54,8 +54,8 @@ static bool read_fit(struct zr_json *json, const struct zr_json_path *path, cons
 
 /* ---- keys ---- */
 
-#define AT(member)   offsetof(struct zr_given_view, member)
-#define VIEW(member) offsetof(struct zr_given_view, view.member)
+#define AT(member)   offsetof(struct zr_parsed_view, member)
+#define VIEW(member) offsetof(struct zr_parsed_view, view.member)
 const struct zr_json_field zr_view_fields[] = {
     [ZR_VIEW_EYE] = {"eye", zr_json_vec3, VIEW(eye), .unit = "scene units", .text = "where the camera is"},
     [ZR_VIEW_TARGET] = {"target", zr_json_vec3, VIEW(target), .unit = "scene units",
@@ -103,7 +103,7 @@ const struct zr_json_object zr_json_object_view = ZR_JSON_OBJECT_OF("view", zr_v
 /* ---- the view ---- */
 
 /* Has the plane been given rightly? */
-static bool check_plane(struct zr_given_view *given, enum zr_view_key key, float distance)
+static bool check_plane(struct zr_parsed_view *given, enum zr_view_key key, float distance)
 {
     if (!zr_view_gives(given, key)) return false;
     if (given->view.projection == ZR_PROJECTION_MATRIX)
@@ -112,7 +112,7 @@ static bool check_plane(struct zr_given_view *given, enum zr_view_key key, float
            zr_json_fault(given->json, ZR_VIEW_PATH(given, key), "%.9g is not greater than 0", (double)distance);
 }
 
-static void find_planes(struct zr_given_view *given)
+static void find_planes(struct zr_parsed_view *given)
 {
     struct zr_view *view = &given->view;
     view->has_znear = check_plane(given, ZR_VIEW_ZNEAR, view->znear);
@@ -124,13 +124,13 @@ static void find_planes(struct zr_given_view *given)
 
 bool zr_read_view(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field, void *out)
 {
-    struct zr_given_scene *root = out;
-    struct zr_given_view given = {.json = json,
-                                  .path = path,
-                                  .view = root->scene->views[0],
-                                  .preset = (int)root->scene->views[0].preset,
-                                  .convention = -1,
-                                  .pixel_center = 0.5};
+    struct zr_parsed_scene *root = out;
+    struct zr_parsed_view given = {.json = json,
+                                   .path = path,
+                                   .view = root->scene->views[0],
+                                   .preset = (int)root->scene->views[0].preset,
+                                   .convention = -1,
+                                   .pixel_center = 0.5};
     const size_t faults = json->error->count;
     (void)field;
     if (!zr_json_fields(json, path, &zr_json_object_view, &given, &given.keys)) return false;
@@ -144,10 +144,10 @@ bool zr_read_view(struct zr_json *json, const struct zr_json_path *path, const s
     return true;
 }
 
-void zr_given_find_fit_mesh(struct zr_given_scene *root, const struct zr_json_path *path)
+void zr_parsed_find_fit_mesh(struct zr_parsed_scene *root, const struct zr_json_path *path)
 {
     struct zr_view *view = &root->scene->views[0];
     const struct zr_json_path *fit = ZR_JSON_KEY(path, zr_view_fields[ZR_VIEW_FIT].key);
     view->fit_to_mesh =
-        zr_given_find_mesh(root, ZR_JSON_KEY(fit, fit_fields[MESH].key), root->fit_mesh, &view->fit_mesh);
+        zr_parsed_find_mesh(root, ZR_JSON_KEY(fit, fit_fields[MESH].key), root->fit_mesh, &view->fit_mesh);
 }

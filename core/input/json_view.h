@@ -36,7 +36,7 @@ enum zr_view_key {
 };
 
 /* What a view says, as far as it can be judged by itself. */
-struct zr_given_view {
+struct zr_parsed_view {
     struct zr_json *json;
     const struct zr_json_path *path; /* of the view */
     uint64_t keys;                   /* those that are there */
@@ -52,7 +52,7 @@ struct zr_given_view {
 
 extern const struct zr_json_field zr_view_fields[]; /* enum zr_view_key, and those that are not supported */
 
-static inline bool zr_view_gives(const struct zr_given_view *given, enum zr_view_key key)
+static inline bool zr_view_gives(const struct zr_parsed_view *given, enum zr_view_key key)
 {
     return zr_json_gives(given->keys, (int)key);
 }
@@ -61,11 +61,11 @@ static inline bool zr_view_gives(const struct zr_given_view *given, enum zr_view
 #define ZR_VIEW_PATH(given, which) ZR_JSON_KEY((given)->path, zr_view_fields[which].key)
 
 /* json_pose.c: the pose, and which way its axes go. */
-void zr_view_find_pose(struct zr_given_view *given);
+void zr_view_find_pose(struct zr_parsed_view *given);
 extern const struct zr_names zr_convention_names;
 
 /* json_projection.c: the projection that is said, or else the one that the pose suggests. */
-void zr_view_find_projection(struct zr_given_view *given);
-zr_json_read_fn zr_read_perspective, zr_read_orthographic, zr_read_intrinsics; /* struct zr_given_view */
+void zr_view_find_projection(struct zr_parsed_view *given);
+zr_json_read_fn zr_read_perspective, zr_read_orthographic, zr_read_intrinsics; /* struct zr_parsed_view */
 
 #endif

@@ -1,4 +1,4 @@
-/* parameters.h - input: what the query of a request says (base/parameter_rows.h), read and checked.
+/* parameters.h - input: what the query of a request says (parameter_rows.h), read and checked.
  *
  * A new parameter is a row there, a function here that reads it, and a test.
  */
@@ -6,7 +6,7 @@
 #define ZR_PARAMETERS_H
 
 #include "input/face_style.h"
-#include "input/given_picture.h"
+#include "input/parsed_picture.h"
 #include "zraster.h"
 
 /* What it says, over what a bare mesh has where nobody says anything. */
@@ -20,7 +20,7 @@ struct zr_query {
 
     /* Of bare meshes. */
     const struct zr_look *look; /* studio, where none is said */
-    struct zr_given_picture picture;
+    struct zr_parsed_picture picture;
     struct zr_view view; /* over the look's */
     zr_vec4 background;  /* likewise; with ZR_PICTURE_BACKGROUND where it is said */
     bool has_color, z_is_up;

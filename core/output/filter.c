@@ -11,7 +11,8 @@
  * the last 64 bytes are looked into too. */
 enum { STEP = 512, LAST_STEP = 64 };
 
-struct zr_reach zr_filter_reach(enum zr_layout layout, const uint8_t *row, const uint8_t *above, struct zr_reach reach)
+struct zr_column_span zr_filter_reach(enum zr_layout layout, const uint8_t *row, const uint8_t *above,
+                                      struct zr_column_span reach)
 {
     size_t pixel = zr_layout_memory(layout), begin = reach.begin * pixel, end = reach.end * pixel, size = end;
     for (size_t step = STEP; step >= LAST_STEP; step /= STEP / LAST_STEP)
@@ -20,7 +21,7 @@ struct zr_reach zr_filter_reach(enum zr_layout layout, const uint8_t *row, const
     for (size_t step = STEP; step >= LAST_STEP; step /= STEP / LAST_STEP)
         while (end >= begin + step && memcmp(row + end - step, above + end - step, step) == 0)
             end -= step;
-    return (struct zr_reach){(uint32_t)(begin / pixel), (uint32_t)(end / pixel)};
+    return (struct zr_column_span){(uint32_t)(begin / pixel), (uint32_t)(end / pixel)};
 }
 
 /* ---- differences ---- */
@@ -134,10 +135,10 @@ static void sum_bytes(const uint8_t *bytes, size_t size, struct zr_adler *sum)
 #endif
 
 void zr_filter_row(enum zr_layout layout, const uint8_t *row, const uint8_t *above, uint32_t width,
-                   struct zr_reach reach, uint8_t *out, struct zr_adler *sum)
+                   struct zr_column_span reach, uint8_t *out, struct zr_adler *sum)
 {
     const size_t memory = zr_layout_memory(layout), file = zr_layout_file(layout);
-    const struct zr_reach span = zr_filter_reach(layout, row, above, reach);
+    const struct zr_column_span span = zr_filter_reach(layout, row, above, reach);
     size_t count = span.end - span.begin, lead = span.begin * file, tail = (width - span.end) * file;
     *out++ = ZR_FILTER_UP;
     zr_adler_add(sum, 1, ZR_FILTER_UP, ZR_FILTER_UP);

@@ -10,7 +10,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
-#include "base/reach.h"
+#include "base/column_span.h"
 #include "output/adler.h"
 
 enum {
@@ -39,12 +39,13 @@ static inline unsigned zr_layout_file(enum zr_layout layout)
 
 /* The part of a reach outside of which all pixels are equal to those above; at its ends some may be, up to 64 bytes of
  * them. */
-struct zr_reach zr_filter_reach(enum zr_layout layout, const uint8_t *row, const uint8_t *above, struct zr_reach reach);
+struct zr_column_span zr_filter_reach(enum zr_layout layout, const uint8_t *row, const uint8_t *above,
+                                      struct zr_column_span reach);
 
 /* Writes the filter's number and the row, 1 + width * zr_layout_file(layout) bytes, to `out` and adds them to `sum`.
  * Pixels that are equal to those above take next to no time; what is outside of `reach` is known to be, and is not even
  * read. */
 void zr_filter_row(enum zr_layout layout, const uint8_t *row, const uint8_t *above, uint32_t width,
-                   struct zr_reach reach, uint8_t *out, struct zr_adler *sum);
+                   struct zr_column_span reach, uint8_t *out, struct zr_adler *sum);
 
 #endif

@@ -18,7 +18,7 @@ struct zr_idat_image {
     uint32_t width, height; /* at least 1 */
     const uint8_t *pixels;  /* rows follow one another without a gap; where it is NULL: */
     struct zr_rows rows;
-    const struct zr_reach *reaches; /* of each row: pixels outside of it are all the same. NULL: not known */
+    const struct zr_column_span *reaches; /* of each row: pixels outside of it are all the same. NULL: not known */
 };
 
 /* Calls take(context, bytes, size) for each part, in order, on this thread; it may leave by longjmp. ZR_OK,

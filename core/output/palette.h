@@ -12,7 +12,7 @@
 #include <stdint.h>
 
 #include "base/arena.h"
-#include "base/reach.h"
+#include "base/column_span.h"
 
 enum { ZR_PALETTE_MAX = 256 };
 
@@ -25,7 +25,7 @@ struct zr_palette {
 /* Of RGBA pixels, whose alpha counts as 255 if `opaque`; `reaches` as in zr_png, or NULL. False, after a look at a few
  * thousand pixels for most pictures, where there are more than ZR_PALETTE_MAX colours, or the arena has failed. */
 bool zr_palette_make(struct zr_palette *palette, struct zr_arena *arena, const uint8_t *pixels, uint32_t width,
-                     uint32_t height, const struct zr_reach *reaches, bool opaque);
+                     uint32_t height, const struct zr_column_span *reaches, bool opaque);
 
 /* How many colours; ZR_PALETTE_MAX + 1: more than ZR_PALETTE_MAX. */
 uint32_t zr_palette_count(const uint8_t *pixels, size_t count, bool opaque);

@@ -15,7 +15,7 @@
 #ifndef ZR_PNG_H
 #define ZR_PNG_H
 
-#include "base/reach.h"
+#include "base/column_span.h"
 #include "output/buffer.h"
 #include "output/rows.h"
 #include "scene/scene.h"
@@ -32,7 +32,7 @@ struct zr_png {
     uint32_t width, height;
     const void *pixels;  /* NULL: */
     struct zr_rows rows; /* for ZR_PNG_GREY16 */
-    const struct zr_reach
+    const struct zr_column_span
         *reaches;     /* of each row: pixels outside of it are all the same, in all rows. NULL: not known */
     const char *text; /* a comment kept in the file, ASCII; NULL: none */
     enum zr_compress compress;

@@ -1,6 +1,6 @@
 #include "raster/bins.h"
 
-#include "base/expect.h"
+#include "base/prefetch.h"
 #include "geometry/face.h"
 #include "geometry/geometry.h"
 
@@ -35,7 +35,7 @@ struct zr_bin_head *zr_binner_block(struct zr_binner *binner, struct zr_bin *bin
     struct zr_bin_head *block = take(binner, size);
     if (!block) return NULL;
     /* What is taken next is asked for before it is written (a twentieth of a million triangles' time). */
-    zr_expect_written(binner->free, 0, size);
+    zr_prefetch_written(binner->free, 0, size);
     block->next = NULL;
     block->used = 0;
     bin->block_count++;
@@ -84,7 +84,7 @@ static void add_wide(struct zr_binner *binner, struct zr_bin *bin, const struct 
 void zr_binner_add_spanning(struct zr_binner *binner, const struct zr_draw *draw, uint32_t number)
 {
     const struct zr_bins *bins = binner->bins;
-    const struct zr_payload *payload = zr_binner_payload(binner, draw);
+    const struct zr_prepaint *payload = zr_binner_payload(binner, draw);
     const struct zr_window_vertex *vertices = bins->geometry->vertices;
     const struct zr_triangle triangle = zr_triangle_of(bins->geometry, draw, number);
     int32_t box[4];
@@ -97,7 +97,7 @@ void zr_binner_add_spanning(struct zr_binner *binner, const struct zr_draw *draw
         return;
     }
     binner->counts.drawn_whole += !draw->counted;
-    if (payload && payload->backs) zr_payload_add_backs(payload, number - draw->first, triangle.back);
+    if (payload && payload->backs) zr_prepaint_add_backs(payload, number - draw->first, triangle.back);
     zr_setup_box(vertices, &triangle, box);
     if (!cut_to_window(bins, box)) return;
     struct zr_wide *wide = take(binner, sizeof *wide);
@@ -217,7 +217,7 @@ static enum zr_status build(struct zr_team *team, const struct zr_cancel *cancel
 }
 
 enum zr_status zr_bins_build(struct zr_arena *arena, struct zr_team *team, const struct zr_geometry *geometry,
-                             enum zr_alpha_mode mode, const struct zr_payload *payloads, uint32_t width,
+                             enum zr_alpha_mode mode, const struct zr_prepaint *payloads, uint32_t width,
                              uint32_t height, const struct zr_cancel *cancel, struct zr_bins *bins)
 {
     *bins = (struct zr_bins){.arena = arena,

@@ -5,7 +5,7 @@
  *         waits for another; the order in a list means nothing (tile.h: zr_tile_put). What shows
  *         its back and must not, has no area, or holds no pixel centre is dropped here, many at once.
  *         - Tiny ones, of 2x2 pixel centres at most, are drawn then and there (tiny_simd.h), into fragments: 8 bytes
- *           each, and 4 for a word where a draw has some (payload.h).
+ *           each, and 4 for a word where a draw has some (prepaint.h).
  *         - Small ones, of up to 64 pixels, are listed by their number in the tiles that they touch: 4 bytes each.
  *         - Wide ones are set up once. Those that touch few tiles are listed there; large ones are not, and every tile
  *           goes through them.
@@ -17,7 +17,7 @@
 
 #include "base/isa.h"
 #include "geometry/geometry.h"
-#include "raster/payload.h"
+#include "raster/prepaint.h"
 #include "raster/setup.h"
 #include "raster/tile.h"
 
@@ -87,9 +87,9 @@ struct zr_binner {
 struct zr_bins {
     struct zr_arena *arena;
     const struct zr_geometry *geometry;
-    enum zr_alpha_mode mode;           /* of what is sorted */
-    const struct zr_payload *payloads; /* one a draw, or NULL */
-    struct zr_counts counts;           /* of draws that are not `counted` */
+    enum zr_alpha_mode mode;            /* of what is sorted */
+    const struct zr_prepaint *payloads; /* one a draw, or NULL */
+    struct zr_counts counts;            /* of draws that are not `counted` */
     pthread_mutex_t arena_lock;
     uint32_t width, height, columns;
     bool has_words;        /* some draw has words: fragments have them, and tiles may keep some */
@@ -102,13 +102,13 @@ struct zr_bins {
 
 /* Of draws of such materials. ZR_OK, ZR_CANCELLED or ZR_NO_MEMORY. */
 enum zr_status zr_bins_build(struct zr_arena *arena, struct zr_team *team, const struct zr_geometry *geometry,
-                             enum zr_alpha_mode mode, const struct zr_payload *payloads, uint32_t width,
+                             enum zr_alpha_mode mode, const struct zr_prepaint *payloads, uint32_t width,
                              uint32_t height, const struct zr_cancel *cancel, struct zr_bins *bins);
 
 /* ---- for the kernel ---- */
 
 /* Sorts the triangles begin .. end - 1 of a plain draw, counted from its first: begin is a multiple of 32, end - begin
- * less than 1 << ZR_BIN_OWNER_BITS. Notes which show their backs, where somebody asks (zr_payload.backs). */
+ * less than 1 << ZR_BIN_OWNER_BITS. Notes which show their backs, where somebody asks (zr_prepaint.backs). */
 typedef void zr_binning_fn(struct zr_binner *binner, const struct zr_draw *draw, uint32_t begin, uint32_t end);
 
 zr_binning_fn zr_binning_scalar, zr_binning_sse2, zr_binning_avx2, zr_binning_avx512, zr_binning_neon;
@@ -120,7 +120,7 @@ void zr_binner_add_spanning(struct zr_binner *binner, const struct zr_draw *draw
 void zr_binner_add_flat(struct zr_binner *binner, const struct zr_draw *draw, uint32_t number);
 
 /* Of a draw; NULL: none. */
-static inline const struct zr_payload *zr_binner_payload(const struct zr_binner *binner, const struct zr_draw *draw)
+static inline const struct zr_prepaint *zr_binner_payload(const struct zr_binner *binner, const struct zr_draw *draw)
 {
     const struct zr_bins *bins = binner->bins;
     return bins->payloads ? &bins->payloads[draw - bins->geometry->draws] : NULL;

@@ -1,7 +1,7 @@
 #include "raster/bins.h"
 
-#include "base/expect.h"
 #include "base/fast.h"
+#include "base/prefetch.h"
 #include "raster/tiny_simd.h"
 
 /* So many triangles are looked at before those of them that are tiny or small are drawn or listed. What is done with
@@ -23,7 +23,7 @@ struct in_several_tiles {
 struct sorter {
     struct zr_binner *binner;
     const struct zr_draw *draw;
-    const struct zr_payload *payload;
+    const struct zr_prepaint *payload;
     struct zr_corners corners;
     zr_vp last; /* place of the window */
     /* Of a part's triangles, pairs as in zr_vp: the pixel of corner 0, how far beyond that pixel's centre it is, and
@@ -144,7 +144,7 @@ static inline zr_vm shown_of(struct sorter *s, zr_vm small, zr_vi area)
 static inline void note_backs(const struct sorter *s, zr_vm small, zr_vi area, uint32_t first)
 {
     const zr_vm backs = zr_backs_v(zr_vi_lt(area, zr_vi_set(0)), s->draw->mirrored);
-    zr_payload_add_backs(s->payload, first - s->draw->first, zr_vm_bits(zr_vm_and(small, backs)));
+    zr_prepaint_add_backs(s->payload, first - s->draw->first, zr_vm_bits(zr_vm_and(small, backs)));
 }
 _Static_assert(PART % 32 == 0, "the lanes of a group have their bits in one word");
 
@@ -213,7 +213,7 @@ static void snap_part(struct sorter *s, uint32_t begin, uint32_t end)
     for (; t + ZR_LANES <= end; t += ZR_LANES) {
         const uint32_t *corners = all->corners + 3 * (size_t)t;
         if (t + EXPECTED_AHEAD + ZR_LANES <= s->draw->count) expect_group(s, corners + 3 * EXPECTED_AHEAD);
-        zr_expect(corners, ZR_PAGE, 3 * ZR_LANES * sizeof *corners); /* 4 % of sorting */
+        zr_prefetch(corners, ZR_PAGE, 3 * ZR_LANES * sizeof *corners); /* 4 % of sorting */
         snap_group(s, corners, t - begin);
     }
     if (t == end) return;

@@ -28,7 +28,7 @@ static bool make_room(struct zr_arena *arena, pthread_mutex_t *lock, uint64_t to
     return fragments->keys != NULL;
 }
 
-bool zr_fragments_fill_in(struct zr_arena *arena, pthread_mutex_t *lock, struct zr_fragments *fragments)
+bool zr_fragments_prefix_sum(struct zr_arena *arena, pthread_mutex_t *lock, struct zr_fragments *fragments)
 {
     uint64_t total = 0;
     for (uint32_t i = 0; i < fragments->places; i++) {

@@ -69,7 +69,7 @@ static inline void zr_fragments_put(struct zr_fragments *fragments, uint32_t pla
  * before, or had none. False where there is no memory, or are more fragments than can be counted. Cancelled,
  * zr_fragments_sort leaves some lists unsorted. */
 bool zr_fragments_begin(struct zr_arena *arena, pthread_mutex_t *lock, uint32_t places, struct zr_fragments *fragments);
-bool zr_fragments_fill_in(struct zr_arena *arena, pthread_mutex_t *lock, struct zr_fragments *fragments);
+bool zr_fragments_prefix_sum(struct zr_arena *arena, pthread_mutex_t *lock, struct zr_fragments *fragments);
 void zr_fragments_sort(const struct zr_cancel *cancel, struct zr_fragments *fragments);
 
 /* How many there are in all, once they are sorted. */

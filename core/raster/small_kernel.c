@@ -200,7 +200,7 @@ static inline struct places places_of(const struct group *g, const uint32_t *sam
 
 /* What triangles that have words are made of. */
 struct worded {
-    const struct zr_payload *payload;
+    const struct zr_prepaint *payload;
     float corners[3][3][ZR_LANES];
 };
 
@@ -279,7 +279,7 @@ static inline void draw_group(struct zr_tile *tile, const struct group *g, const
     if (g->in_stamp) draw_stamps(tile, g, numbers, NULL, SEEN);
 }
 
-void ZR_KERNEL(zr_small)(struct zr_tile *tile, const struct zr_geometry *geometry, const struct zr_payload *payloads,
+void ZR_KERNEL(zr_small)(struct zr_tile *tile, const struct zr_geometry *geometry, const struct zr_prepaint *payloads,
                          const uint32_t *numbers, uint32_t count)
 {
     const struct zr_draw *draw = &geometry->draws[0];
@@ -293,7 +293,7 @@ void ZR_KERNEL(zr_small)(struct zr_tile *tile, const struct zr_geometry *geometr
                 last[i] = here[i < some ? i : 0];
             here = last;
         }
-        const struct zr_payload *payload = NULL;
+        const struct zr_prepaint *payload = NULL;
         if (holds_all(draw, here)) {
             load_corners(geometry, draw, here, v);
             if (tile->has_words && payloads) payload = &payloads[draw - geometry->draws];

@@ -51,7 +51,7 @@ struct zr_tile {
     uint8_t apart[2048]; /* else a load of a depth would seem to want the owner that was stored 5 pages behind it */
     _Alignas(64) uint32_t owner[ZR_TILE_STRIDE * ZR_TILE_SIZE]; /* 1 + number of the primitive, 0 where nothing is */
     bool has_words;                                             /* else they mean nothing */
-    _Alignas(64) uint32_t words[ZR_TILE_STRIDE * ZR_TILE_SIZE]; /* of payloads (payload.h); 0: to be found */
+    _Alignas(64) uint32_t words[ZR_TILE_STRIDE * ZR_TILE_SIZE]; /* of payloads (prepaint.h); 0: to be found */
 };
 
 _Static_assert(ZR_BLOCKS == 32, "a bit each");

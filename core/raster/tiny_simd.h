@@ -34,7 +34,7 @@ static inline const float *zr_corner_at(const struct zr_corners *c, uint32_t t, 
 /* Where the triangles of a draw that are drawn come from, and where they go. */
 struct zr_tiny_target {
     const struct zr_draw *draw;
-    const struct zr_payload *payload; /* NULL: none */
+    const struct zr_prepaint *payload; /* NULL: none */
     const struct zr_corners *corners;
     struct zr_binner *binner;
     uint32_t first_owner, last_owner; /* of those that may come */
@@ -173,7 +173,7 @@ static inline struct zr_tiny_samples zr_tiny_draw_group(const uint32_t *numbers,
 {
     const struct zr_corners *corners = target->corners;
     const struct zr_draw *draw = target->draw;
-    const struct zr_payload *payload = target->payload;
+    const struct zr_prepaint *payload = target->payload;
     struct zr_corner_v c[3];
 #define ZR_TINY_CORNER_0(i) zr_corner_at(corners, numbers[i] - draw->first, 0)
 #define ZR_TINY_CORNER_1(i) zr_corner_at(corners, numbers[i] - draw->first, 1)

@@ -22,7 +22,7 @@ struct zr_corner_v {
         ZR_LOAD4((c)[2].x, (c)[2].y, (c)[2].z, (c)[2].oow, AT_2);                                                      \
     } while (0)
 
-/* As zr_payload_fn wants them. */
+/* As zr_prepaint_fn wants them. */
 static inline void zr_corners_store(const struct zr_corner_v c[3], float out[3][3][ZR_LANES])
 {
     for (int k = 0; k < 3; k++) {

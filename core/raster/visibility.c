@@ -2,8 +2,8 @@
 
 #include <string.h>
 
-#include "base/expect.h"
 #include "base/fast.h"
+#include "base/prefetch.h"
 #include "geometry/geometry.h"
 #include "raster/line_draw.h"
 #include "raster/oddeven.h"
@@ -20,9 +20,9 @@ enum { BLOCKS_WITH_WORDS = 3, SMALL_BLOCKS_WITH_WORDS = 9 };
 
 /* ---- sorting ---- */
 
-enum zr_status zr_visible_make(struct zr_arena *arena, struct zr_team *team, const struct zr_geometry *geometry,
-                               const struct zr_payload *payloads, uint32_t width, uint32_t height,
-                               const struct zr_cancel *cancel, struct zr_visible *visible)
+enum zr_status zr_binned_scene_make(struct zr_arena *arena, struct zr_team *team, const struct zr_geometry *geometry,
+                                    const struct zr_prepaint *payloads, uint32_t width, uint32_t height,
+                                    const struct zr_cancel *cancel, struct zr_binned_scene *visible)
 {
     visible->geometry = geometry;
     visible->payloads = payloads;
@@ -33,9 +33,9 @@ enum zr_status zr_visible_make(struct zr_arena *arena, struct zr_team *team, con
     enum zr_status status = ZR_OK;
     for (int i = 0; status == ZR_OK && i < ZR_ALPHA_COUNT; i++) {
         const enum zr_alpha_mode mode = (enum zr_alpha_mode)i;
-        struct zr_sorted *sorted = &visible->sorted[mode];
+        struct zr_mode_bins *sorted = &visible->sorted[mode];
         status = zr_bins_build(arena, team, geometry, mode, payloads, width, height, cancel, &sorted->bins);
-        if (status == ZR_OK) status = zr_others_build(arena, geometry, mode, width, height, cancel, &sorted->others);
+        if (status == ZR_OK) status = zr_misc_bins_build(arena, geometry, mode, width, height, cancel, &sorted->others);
     }
     return status;
 }
@@ -60,7 +60,7 @@ static int nearest_of(const struct candidates *c)
 }
 
 /* Nearest first, and only until what is left is hidden: most are never tried sample by sample, nor sorted. */
-static void draw_candidates(const struct zr_visible *visible, struct candidates *c, struct zr_tile *tile)
+static void draw_candidates(const struct zr_binned_scene *visible, struct candidates *c, struct zr_tile *tile)
 {
     while (c->count > 0) {
         const int i = ZR_FAST(nearest_first, true) ? nearest_of(c) : 0;
@@ -73,7 +73,7 @@ static void draw_candidates(const struct zr_visible *visible, struct candidates 
     c->count = 0;
 }
 
-static void add_candidate(const struct zr_visible *visible, const struct zr_wide *wide, struct candidates *c,
+static void add_candidate(const struct zr_binned_scene *visible, const struct zr_wide *wide, struct candidates *c,
                           struct zr_tile *tile)
 {
     const struct zr_setup *setup = &wide->setup;
@@ -87,7 +87,7 @@ static void add_candidate(const struct zr_visible *visible, const struct zr_wide
 }
 
 /* Those that every tile goes through, and those that are listed in this one: the back of a cube then costs half. */
-static bool draw_wide_ones(const struct zr_visible *visible, uint32_t number, const struct zr_cancel *cancel,
+static bool draw_wide_ones(const struct zr_binned_scene *visible, uint32_t number, const struct zr_cancel *cancel,
                            struct zr_tile *tile)
 {
     const struct zr_bins *bins = &visible->sorted[ZR_ALPHA_OPAQUE].bins;
@@ -112,17 +112,17 @@ static bool draw_wide_ones(const struct zr_visible *visible, uint32_t number, co
 /* The next block is asked for before it is needed (a quarter of the time that this takes), and so is what painting will
  * look up first: with a million triangles each pixel has a place in memory of its own (4 % of the time of these). What
  * has its word is not looked up. */
-static void draw_fragments(const struct zr_visible *visible, const struct zr_bin_fragments *block, size_t block_size,
-                           struct zr_tile *tile)
+static void draw_fragments(const struct zr_binned_scene *visible, const struct zr_bin_fragments *block,
+                           size_t block_size, struct zr_tile *tile)
 {
     const struct zr_geometry *geometry = visible->geometry;
     const bool has_words = tile->has_words;
     const uint32_t first_number = block->first_owner - 1;
     const struct zr_draw *draw = zr_draw_of(geometry, first_number); /* of most of them */
-    const struct zr_payload *payload = visible->payloads ? &visible->payloads[draw - geometry->draws] : NULL;
+    const struct zr_prepaint *payload = visible->payloads ? &visible->payloads[draw - geometry->draws] : NULL;
     const size_t step = payload ? payload->step : 0;
     const uintptr_t first = payload ? payload->first + step * (first_number - draw->first) : (uintptr_t)block;
-    if (block->head.next) zr_expect(block->head.next, 0, block_size);
+    if (block->head.next) zr_prefetch(block->head.next, 0, block_size);
     for (uint32_t i = 0; i < block->head.used; i++) {
         const uint32_t place = block->places[i] >> ZR_BIN_OWNER_BITS;
         const uint32_t owner = block->places[i] & ((1u << ZR_BIN_OWNER_BITS) - 1);
@@ -139,7 +139,7 @@ enum { SMALL_AT_ONCE = 16 * ZR_BIN_NUMBERS_A_BLOCK };
 
 /* To the tile, or to its lists. From all lists of numbers in one array, so that the kernel has whole groups, and sees
  * what is to come. */
-static bool put_small_ones(const struct zr_visible *visible, const struct zr_bins *bins, uint32_t number,
+static bool put_small_ones(const struct zr_binned_scene *visible, const struct zr_bins *bins, uint32_t number,
                            const struct zr_cancel *cancel, struct zr_tile *tile)
 {
     uint32_t numbers[SMALL_AT_ONCE], count = 0;
@@ -158,7 +158,7 @@ static bool put_small_ones(const struct zr_visible *visible, const struct zr_bin
     return true;
 }
 
-static void draw_tiny_ones(const struct zr_visible *visible, uint32_t number, struct zr_tile *tile)
+static void draw_tiny_ones(const struct zr_binned_scene *visible, uint32_t number, struct zr_tile *tile)
 {
     const struct zr_bins *bins = &visible->sorted[ZR_ALPHA_OPAQUE].bins;
     for (int i = 0; i < bins->worker_count; i++)
@@ -168,14 +168,14 @@ static void draw_tiny_ones(const struct zr_visible *visible, uint32_t number, st
 
 /* ---- what is listed, of what is see-through ---- */
 
-static void list_wide(const struct zr_visible *visible, const struct zr_wide *wide, struct zr_tile *tile)
+static void list_wide(const struct zr_binned_scene *visible, const struct zr_wide *wide, struct zr_tile *tile)
 {
     const struct zr_setup *setup = &wide->setup;
     if (zr_tile_touches(tile, (const int32_t[4]){setup->min_x, setup->min_y, setup->max_x, setup->max_y}))
         visible->halfspace->list(tile, setup, wide->owner);
 }
 
-static bool list_wide_ones(const struct zr_visible *visible, const struct zr_bins *bins, uint32_t number,
+static bool list_wide_ones(const struct zr_binned_scene *visible, const struct zr_bins *bins, uint32_t number,
                            const struct zr_cancel *cancel, struct zr_tile *tile)
 {
     for (uint32_t i = 0; i < bins->large_count; i++) {
@@ -205,7 +205,7 @@ static void list_tiny_ones(const struct zr_bins *bins, uint32_t number, struct z
 
 /* ---- shapes, lines, points, triangles with a depth offset ---- */
 
-static void draw_other(const struct zr_visible *visible, const struct zr_draw *draw, uint32_t number,
+static void draw_other(const struct zr_binned_scene *visible, const struct zr_draw *draw, uint32_t number,
                        struct zr_tile *tile)
 {
     const struct zr_geometry *geometry = visible->geometry;
@@ -227,7 +227,7 @@ static void draw_other(const struct zr_visible *visible, const struct zr_draw *d
 }
 
 /* As every algorithm has them: triangles, too, are polygons of any shape here. */
-static void list_other(const struct zr_visible *visible, const struct zr_draw *draw, uint32_t number,
+static void list_other(const struct zr_binned_scene *visible, const struct zr_draw *draw, uint32_t number,
                        struct zr_tile *tile)
 {
     struct zr_primitive primitive;
@@ -250,14 +250,14 @@ static void expect_points(const struct zr_geometry *geometry, const struct zr_dr
                           size_t left)
 {
     if (left > 2 * POINTS_AHEAD && zr_draw_holds(draw, numbers[2 * POINTS_AHEAD]))
-        zr_expect(&draw->corners[3 * (size_t)(numbers[2 * POINTS_AHEAD] - draw->first)], 0, sizeof *draw->corners);
+        zr_prefetch(&draw->corners[3 * (size_t)(numbers[2 * POINTS_AHEAD] - draw->first)], 0, sizeof *draw->corners);
     if (left > POINTS_AHEAD && zr_draw_holds(draw, numbers[POINTS_AHEAD])) {
         const uint32_t corner = zr_draw_corner(draw, numbers[POINTS_AHEAD] - draw->first, 0);
-        zr_expect(&geometry->vertices[draw->first_vertex + corner], 0, sizeof *geometry->vertices);
+        zr_prefetch(&geometry->vertices[draw->first_vertex + corner], 0, sizeof *geometry->vertices);
     }
 }
 
-static bool draw_list(const struct zr_visible *visible, const uint32_t *others, size_t count, bool may_miss,
+static bool draw_list(const struct zr_binned_scene *visible, const uint32_t *others, size_t count, bool may_miss,
                       const struct zr_cancel *cancel, struct zr_tile *tile)
 {
     const struct zr_draw *draw = &visible->geometry->draws[0];
@@ -281,7 +281,7 @@ static bool draw_list(const struct zr_visible *visible, const uint32_t *others, 
     return true;
 }
 
-static bool draw_others(const struct zr_visible *visible, const struct zr_others *others, uint32_t number,
+static bool draw_others(const struct zr_binned_scene *visible, const struct zr_misc_bins *others, uint32_t number,
                         const struct zr_cancel *cancel, struct zr_tile *tile)
 {
     if (others->count == 0) return true;
@@ -290,7 +290,7 @@ static bool draw_others(const struct zr_visible *visible, const struct zr_others
            draw_list(visible, others->large, others->large_count, true, cancel, tile);
 }
 
-static bool any_listed(const struct zr_others *others, uint32_t number)
+static bool any_listed(const struct zr_misc_bins *others, uint32_t number)
 {
     return others->count > 0 && (others->large_count > 0 || others->offsets[number] < others->offsets[number + 1]);
 }
@@ -298,7 +298,7 @@ static bool any_listed(const struct zr_others *others, uint32_t number)
 /* ---- a tile ---- */
 
 /* Besides large and wide triangles. */
-static bool has_more(const struct zr_sorted *sorted, uint32_t number)
+static bool has_more(const struct zr_mode_bins *sorted, uint32_t number)
 {
     const struct zr_bins *bins = &sorted->bins;
     for (int i = 0; i < bins->worker_count; i++)
@@ -306,9 +306,9 @@ static bool has_more(const struct zr_sorted *sorted, uint32_t number)
     return any_listed(&sorted->others, number);
 }
 
-bool zr_visibility_has_any(const struct zr_visible *visible, uint32_t number, enum zr_alpha_mode mode)
+bool zr_visibility_has_any(const struct zr_binned_scene *visible, uint32_t number, enum zr_alpha_mode mode)
 {
-    const struct zr_sorted *sorted = &visible->sorted[mode];
+    const struct zr_mode_bins *sorted = &visible->sorted[mode];
     if (sorted->bins.large_count > 0) return true;
     for (int i = 0; i < sorted->bins.worker_count; i++)
         if (sorted->bins.workers[i].tiles[number].wide.first) return true;
@@ -316,7 +316,7 @@ bool zr_visibility_has_any(const struct zr_visible *visible, uint32_t number, en
 }
 
 /* Whether words are kept: there are enough of them to earn that, and nothing is drawn over them. */
-static bool keeps_words(const struct zr_sorted *sorted, uint32_t number)
+static bool keeps_words(const struct zr_mode_bins *sorted, uint32_t number)
 {
     const struct zr_bins *bins = &sorted->bins;
     uint32_t fragments = 0, small = 0;
@@ -327,10 +327,10 @@ static bool keeps_words(const struct zr_sorted *sorted, uint32_t number)
     return (fragments >= BLOCKS_WITH_WORDS || small >= SMALL_BLOCKS_WITH_WORDS) && !any_listed(&sorted->others, number);
 }
 
-bool zr_visibility_tile(const struct zr_visible *visible, uint32_t number, const struct zr_base *base,
+bool zr_visibility_tile(const struct zr_binned_scene *visible, uint32_t number, const struct zr_base *base,
                         const struct zr_cancel *cancel, struct zr_tile *tile)
 {
-    const struct zr_sorted *opaque = &visible->sorted[ZR_ALPHA_OPAQUE];
+    const struct zr_mode_bins *opaque = &visible->sorted[ZR_ALPHA_OPAQUE];
     zr_tile_place(tile, number, visible->width, visible->height);
     tile->has_words = false;
     tile->is_empty = !base && !zr_visibility_has_any(visible, number, ZR_ALPHA_OPAQUE);
@@ -351,10 +351,10 @@ bool zr_visibility_tile(const struct zr_visible *visible, uint32_t number, const
     return draw_others(visible, &opaque->others, number, cancel, tile);
 }
 
-bool zr_visibility_fragments(const struct zr_visible *visible, uint32_t number, enum zr_alpha_mode mode,
+bool zr_visibility_fragments(const struct zr_binned_scene *visible, uint32_t number, enum zr_alpha_mode mode,
                              const struct zr_cancel *cancel, struct zr_tile *tile)
 {
-    const struct zr_sorted *sorted = &visible->sorted[mode];
+    const struct zr_mode_bins *sorted = &visible->sorted[mode];
     if (!list_wide_ones(visible, &sorted->bins, number, cancel, tile)) return false;
     if (!put_small_ones(visible, &sorted->bins, number, cancel, tile)) return false;
     list_tiny_ones(&sorted->bins, number, tile);
@@ -405,7 +405,7 @@ enum zr_status zr_visibility_window_fragments(struct zr_arena *arena, const stru
     if (!zr_fragments_begin(arena, NULL, samples->width * samples->height, fragments)) return ZR_NO_MEMORY;
     status = visibility(arena, geometry, cancel, samples);
     if (status != ZR_OK) return status;
-    if (!zr_fragments_fill_in(arena, NULL, fragments)) return ZR_NO_MEMORY;
+    if (!zr_fragments_prefix_sum(arena, NULL, fragments)) return ZR_NO_MEMORY;
     status = visibility(arena, geometry, cancel, samples);
     zr_fragments_sort(cancel, fragments);
     samples->fragments = NULL;

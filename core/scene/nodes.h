@@ -42,7 +42,7 @@ enum zr_nodes_fault {
     ZR_NODES_OUT_OF_RANGE /* the matrix of `node` in world space is beyond ZR_MATRIX_MAX */
 };
 
-struct zr_placement {
+struct zr_punctual_light {
     enum zr_nodes_fault fault;
     uint32_t node, child;
     uint32_t count;                /* of instances */
@@ -51,6 +51,6 @@ struct zr_placement {
 
 /* Everything points into the arena; check zr_arena_ok afterwards. Takes time for every node,
  * every child entry, and up to ZR_NODES_DEPTH_MAX matrices an instance. */
-struct zr_placement zr_nodes_place(struct zr_arena *arena, const struct zr_nodes *nodes, uint32_t instances_max);
+struct zr_punctual_light zr_nodes_place(struct zr_arena *arena, const struct zr_nodes *nodes, uint32_t instances_max);
 
 #endif

@@ -307,7 +307,7 @@ struct zr_base {
 
 enum { ZR_VIEWS_MOST = 1 };
 
-/* A scale of colours, drawn over the output color with numbers beside it (look/color_bar.h). */
+/* A scale of colours, drawn over the output color with numbers beside it (overlay/color_bar.h). */
 struct zr_color_bar {
     bool is_on;
     bool is_left;      /* at the left edge, else at the right one */

@@ -40,7 +40,7 @@ static void check_geometry(const struct zr_scene *scene, struct zr_error *error)
                      ZR_SCENE_CORNERS_MAX);
 }
 
-/* Points that are seen are known up to their w, which is enough for all but distances (shade/surfaces.h). */
+/* Points that are seen are known up to their w, which is enough for all but distances (shade/draw_attributes.h). */
 static void check_lamps(const struct zr_scene *scene, struct zr_error *error)
 {
     uint32_t lamp = 0;

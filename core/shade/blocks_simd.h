@@ -130,7 +130,7 @@ static inline zr_vi zr_shade_at(const struct zr_shader *s, uint32_t first, uint3
 /* ---- to the picture ---- */
 
 /* Where pixels of a tile go. */
-struct zr_finish {
+struct zr_store {
     const struct zr_tile *tile;
     bool with_known;                    /* words that the tile knows come first */
     const struct zr_pixel_rows *behind; /* where nobody is seen, what is behind; or NULL */
@@ -152,7 +152,7 @@ static inline zr_vi zr_behind_or(const struct zr_tile *tile, int32_t at, const u
 }
 
 /* ZR_LANES pixels of a row, from x, y of the tile on; what lies outside of the window is left out. */
-static inline void zr_finish_pixels(const struct zr_finish *to, int32_t x, int32_t y, zr_vi words)
+static inline void zr_store_pixels(const struct zr_store *to, int32_t x, int32_t y, zr_vi words)
 {
     const int32_t columns = to->tile->width - x, at = y * ZR_TILE_STRIDE + x;
     if (y >= to->tile->height || columns <= 0) return;
@@ -179,14 +179,14 @@ static inline int32_t zr_block_low(int block)
 }
 
 /* Whether its pixels go to the picture as they are. */
-static inline bool zr_block_is_plain(const struct zr_finish *to, int block)
+static inline bool zr_block_is_plain(const struct zr_store *to, int block)
 {
     return !to->with_known && !to->behind && zr_block_left(block) + ZR_BLOCK_WIDTH <= to->tile->width &&
            zr_block_low(block) + ZR_BLOCK_HEIGHT <= to->tile->height;
 }
 
 /* All pixels of a block. */
-static inline void zr_finish_alike(const struct zr_finish *to, int block, zr_vi words)
+static inline void zr_store_alike(const struct zr_store *to, int block, zr_vi words)
 {
     const int32_t left = zr_block_left(block), low = zr_block_low(block);
     const bool plain = zr_block_is_plain(to, block);
@@ -196,11 +196,11 @@ static inline void zr_finish_alike(const struct zr_finish *to, int block, zr_vi 
             if (plain)
                 zr_vi_put(out + x, words, to->out->streamed);
             else
-                zr_finish_pixels(to, left + x, low + y, words);
+                zr_store_pixels(to, left + x, low + y, words);
 }
 
 /* All pixels of a block, whose colour is planes of 1/w and of red, green and blue over that. */
-static inline void zr_finish_smooth(const struct zr_finish *to, int block, const float (*planes)[4])
+static inline void zr_store_smooth(const struct zr_store *to, int block, const float (*planes)[4])
 {
     const int32_t left = zr_block_left(block), low = zr_block_low(block);
     const bool plain = zr_block_is_plain(to, block);
@@ -219,12 +219,12 @@ static inline void zr_finish_smooth(const struct zr_finish *to, int block, const
             if (plain)
                 zr_vi_put(out + v * ZR_LANES, words, to->out->streamed);
             else
-                zr_finish_pixels(to, left + v * ZR_LANES, low + row, words);
+                zr_store_pixels(to, left + v * ZR_LANES, low + row, words);
         }
 }
 
 /* All of one part's, who is shaded late. */
-static inline void zr_finish_late(const struct zr_shader *s, int block, int plane_count, const struct zr_finish *to)
+static inline void zr_store_late(const struct zr_shader *s, int block, int plane_count, const struct zr_store *to)
 {
     const uint32_t part = s->parts.blocks[block].first;
     const zr_vi owner = zr_vi_set((int32_t)s->parts.owners[part]);
@@ -235,22 +235,22 @@ static inline void zr_finish_late(const struct zr_shader *s, int block, int plan
         for (int32_t column = 0; column < ZR_BLOCK_WIDTH; column += ZR_LANES) {
             const zr_vf x = zr_vf_of(zr_vi_set(to->tile->x + left + column) + zr_vi_ramp());
             const zr_vi words = zr_vi_set(0); /* all are replaced */
-            zr_finish_pixels(to, left + column, low + row,
-                             zr_shade_late(s, part, 1, owner, planes, x, y, plane_count, words));
+            zr_store_pixels(to, left + column, low + row,
+                            zr_shade_late(s, part, 1, owner, planes, x, y, plane_count, words));
         }
 }
 
 /* All of one part's. */
-static inline void zr_finish_whole_block(const struct zr_shader *s, int block, int plane_count,
-                                         const struct zr_finish *to)
+static inline void zr_store_whole_block(const struct zr_shader *s, int block, int plane_count,
+                                        const struct zr_store *to)
 {
     const uint32_t part = s->parts.blocks[block].first;
     if (!s->has_planes[part])
-        zr_finish_alike(to, block, zr_vi_set((int32_t)s->words[part]));
+        zr_store_alike(to, block, zr_vi_set((int32_t)s->words[part]));
     else if (plane_count > 1 + ZR_VALUES_FEW && s->materials[part])
-        zr_finish_late(s, block, plane_count, to);
+        zr_store_late(s, block, plane_count, to);
     else
-        zr_finish_smooth(to, block, &s->planes[part * (uint32_t)plane_count]);
+        zr_store_smooth(to, block, &s->planes[part * (uint32_t)plane_count]);
 }
 
 /* Where the patches of a block lie. */
@@ -268,7 +268,7 @@ static inline struct zr_patch_place zr_patch_place_of(const struct zr_tile *tile
 _Static_assert(ZR_PATCH_COLUMNS == 4 || ZR_LANES == 1, "rows are a shift");
 
 /* Patch by patch, as many side by side as make whole rows of ZR_LANES. */
-static inline void zr_finish_patches(const struct zr_shader *s, int number, int plane_count, const struct zr_finish *to)
+static inline void zr_store_patches(const struct zr_shader *s, int number, int plane_count, const struct zr_store *to)
 {
     const struct zr_block_parts *block = &s->parts.blocks[number];
     const struct zr_patch_place place = zr_patch_place_of(to->tile, number);
@@ -286,21 +286,21 @@ static inline void zr_finish_patches(const struct zr_shader *s, int number, int 
         }
         zr_vi_rows_of_patches(rows);
         for (int k = 0; k < ZR_PATCH_ROWS; k++)
-            zr_finish_pixels(to, place.left - to->tile->x + x, place.low - to->tile->y + y + k, rows[k]);
+            zr_store_pixels(to, place.left - to->tile->x + x, place.low - to->tile->y + y + k, rows[k]);
     }
 }
 
 /* Blocks begin .. end - 1 of a channel, whose parts have been made. */
-static inline void zr_finish_blocks(const struct zr_shader *s, const struct zr_finish *to, int begin, int end,
-                                    int plane_count)
+static inline void zr_store_blocks(const struct zr_shader *s, const struct zr_store *to, int begin, int end,
+                                   int plane_count)
 {
     const int across = (to->tile->width + ZR_BLOCK_WIDTH - 1) / ZR_BLOCK_WIDTH;
     for (int b = begin; b < end; b++) {
         if (b % ZR_BLOCK_COLUMNS >= across) continue;
         if (s->parts.blocks[b].is_whole)
-            zr_finish_whole_block(s, b, plane_count, to);
+            zr_store_whole_block(s, b, plane_count, to);
         else
-            zr_finish_patches(s, b, plane_count, to);
+            zr_store_patches(s, b, plane_count, to);
     }
 }
 

@@ -3,14 +3,14 @@
 #include "base/fast.h"
 #include "base/rgba.h"
 #include "geometry/face.h"
-#include "shade/normals.h"
-#include "shade/vertex_normals.h"
+#include "mesh/face_normals.h"
+#include "mesh/vertex_normals.h"
 
 /* What every colour of one mesh is made from. */
 struct coloring {
     const struct zr_scene *scene;
     const struct zr_mesh *mesh;
-    const struct zr_lighting *lighting;
+    const struct zr_gl_lighting *lighting;
     struct zr_normal_matrix to_eye;
     const zr_mat4 *object_to_eye;
     const zr_vec4 *computed; /* normals of vertices; NULL where nothing needs them */
@@ -65,7 +65,7 @@ uint32_t zr_colors_count(const struct zr_scene *scene, const struct zr_mesh *mes
 
 static bool is_lit(const struct coloring *coloring, const struct zr_material *material)
 {
-    return !coloring->lighting->is_late && zr_material_is_lit_before(material);
+    return !coloring->lighting->is_per_pixel && zr_material_is_lit_before(material);
 }
 
 /* ---- many at once ---- */
@@ -90,7 +90,7 @@ static inline uint32_t vertex_of_slot(const struct coloring *coloring, uint32_t 
 static void light_placed(const struct coloring *coloring, size_t first, const zr_vec4 *normals, const zr_vec4 *bases,
                          size_t count, zr_vec4 *front, zr_vec4 *back)
 {
-    const struct zr_lighting *lighting = coloring->lighting;
+    const struct zr_gl_lighting *lighting = coloring->lighting;
     const zr_vec3 start = lighting->start;
     zr_vec4 points[LIT_AT_ONCE];
     for (size_t i = 0; i < count; i++) {
@@ -219,7 +219,7 @@ static void color_faces(void *context, size_t begin, size_t end)
 static bool is_of_one_color(const struct coloring *coloring, enum zr_shading shading)
 {
     const struct zr_mesh *mesh = coloring->mesh;
-    return !coloring->lighting->is_late && coloring->scene->materials[mesh->material].shading == shading &&
+    return !coloring->lighting->is_per_pixel && coloring->scene->materials[mesh->material].shading == shading &&
            !mesh->face_materials && !mesh->face_colors && !mesh->colors;
 }
 
@@ -292,7 +292,7 @@ bool zr_colors_can_be_packed(const struct zr_scene *scene, const struct zr_mesh 
 }
 
 static struct coloring coloring_make(struct zr_team *team, const struct zr_cancel *cancel, const struct zr_scene *scene,
-                                     const struct zr_mesh *mesh, const struct zr_lighting *lighting,
+                                     const struct zr_mesh *mesh, const struct zr_gl_lighting *lighting,
                                      const zr_mat4 *object_to_eye)
 {
     return (struct coloring){.scene = scene,
@@ -312,7 +312,7 @@ static void make_of_faces(struct zr_team *team, struct coloring *coloring)
 
 struct zr_colors zr_colors_make_packed(struct zr_team *team, const struct zr_cancel *cancel,
                                        const struct zr_scene *scene, const struct zr_mesh *mesh,
-                                       const struct zr_lighting *lighting, const zr_mat4 *object_to_eye, bool sided,
+                                       const struct zr_gl_lighting *lighting, const zr_mat4 *object_to_eye, bool sided,
                                        uint32_t *out)
 {
     struct coloring coloring = coloring_make(team, cancel, scene, mesh, lighting, object_to_eye);
@@ -325,7 +325,7 @@ struct zr_colors zr_colors_make_packed(struct zr_team *team, const struct zr_can
 
 struct zr_colors zr_colors_make(struct zr_arena *arena, struct zr_team *team, const struct zr_cancel *cancel,
                                 const struct zr_scene *scene, const struct zr_mesh *mesh,
-                                const struct zr_lighting *lighting, const zr_mat4 *object_to_eye,
+                                const struct zr_gl_lighting *lighting, const zr_mat4 *object_to_eye,
                                 const zr_vec4 **normals, zr_vec4 *front, zr_vec4 *back)
 {
     enum zr_rate rate = zr_colors_rate(scene, mesh);
@@ -336,7 +336,7 @@ struct zr_colors zr_colors_make(struct zr_arena *arena, struct zr_team *team, co
     coloring.back = back;
     coloring.per_corner = rate == ZR_RATE_CORNER;
     coloring.per_vertex = rate == ZR_RATE_VERTEX;
-    if (rate != ZR_RATE_FACE && !lighting->is_late && needs_computed_normals(scene, mesh)) {
+    if (rate != ZR_RATE_FACE && !lighting->is_per_pixel && needs_computed_normals(scene, mesh)) {
         if (!*normals) *normals = zr_vertex_normals_make(arena, team, cancel, mesh);
         coloring.computed = *normals;
     }

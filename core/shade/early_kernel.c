@@ -16,12 +16,12 @@ static inline zr_vi color_at(const struct zr_plane_v *oow, const struct zr_plane
                            zr_plane_at_v(&p->z, x, y));
 }
 
-void ZR_KERNEL(zr_early)(const struct zr_payload *payload, const uint32_t *numbers, uint32_t turned,
+void ZR_KERNEL(zr_early)(const struct zr_prepaint *payload, const uint32_t *numbers, uint32_t turned,
                          const float *corners, const uint32_t *triangles, const float *x, const float *y,
                          uint32_t count, uint32_t *words)
 {
     const struct zr_draw *draw = payload->draw;
-    const struct zr_surface *surface = payload->context;
+    const struct zr_draw_attributes *surface = payload->context;
     const struct zr_attribute color = surface->attributes[ZR_ATTRIBUTE_COLOR];
     struct zr_corner_v v[3];
     struct zr_vec3_v c[3];
@@ -36,7 +36,7 @@ void ZR_KERNEL(zr_early)(const struct zr_payload *payload, const uint32_t *numbe
 #undef COLOR_1
 #undef COLOR_2
 #undef COLOR
-    const struct zr_way_v way = zr_way_make(zr_vm_of(turned), v);
+    const struct zr_triangle_setup_v way = zr_way_make(zr_vm_of(turned), v);
     const struct zr_planes3_v planes = zr_planes3_make(&way, c);
     if (!triangles) {
         zr_vi_store(words, color_at(&way.oow_plane, &planes, zr_vf_load(x), zr_vf_load(y)));

@@ -1,8 +1,8 @@
 #include "shade/eye_normals.h"
 
-#include "shade/light.h"
-#include "shade/normals.h"
-#include "shade/vertex_normals.h"
+#include "mesh/face_normals.h"
+#include "mesh/vertex_normals.h"
+#include "shade/lights/light.h"
 
 /* Less than a millisecond's worth. */
 enum { NORMALS_A_RANGE = 1 << 13 };

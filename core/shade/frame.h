@@ -8,7 +8,7 @@
 
 #include <stdint.h>
 
-#include "base/reach.h"
+#include "base/column_span.h"
 #include "geometry/counts.h"
 #include "scene/camera.h"
 #include "scene/channels.h"
@@ -53,8 +53,8 @@ struct zr_frame {
                                  drawn, and has passes of its own */
     uint64_t covered_samples; /* of `color`, where that has passes of its own, with so many a pixel; else 0 of 0 */
     uint32_t samples_a_pixel;
-    struct zr_reach *reaches; /* of each row: outside of it nothing is, in no channel. NULL: not known */
-    float deepest;            /* of `depth`, infinity left out; 0 where nothing is */
+    struct zr_column_span *reaches; /* of each row: outside of it nothing is, in no channel. NULL: not known */
+    float deepest;                  /* of `depth`, infinity left out; 0 where nothing is */
 };
 
 struct zr_resolved_view;

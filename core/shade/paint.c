@@ -32,14 +32,15 @@ static void pack_range(void *context, size_t begin, size_t end)
 }
 
 /* Draws of one mesh follow one another, and share what is packed. */
-static bool pack_colors(struct zr_arena *arena, struct zr_team *team, struct zr_surface *surfaces, uint32_t count,
-                        uint64_t pixels)
+static bool pack_colors(struct zr_arena *arena, struct zr_team *team, struct zr_draw_attributes *surfaces,
+                        uint32_t count, uint64_t pixels)
 {
-    const struct zr_surface *last = NULL; /* that was packed */
+    const struct zr_draw_attributes *last = NULL; /* that was packed */
     for (uint32_t i = 0; i < count; i++) {
-        struct zr_surface *surface = &surfaces[i];
+        struct zr_draw_attributes *surface = &surfaces[i];
         const struct zr_attribute *color = &surface->attributes[ZR_ATTRIBUTE_COLOR];
-        if (!color->values || !zr_rate_is_flat(color->rate) || surface->packed || surface->sided || surface->is_late)
+        if (!color->values || !zr_rate_is_flat(color->rate) || surface->packed || surface->sided ||
+            surface->is_per_pixel)
             continue;
         if (last && last->attributes[ZR_ATTRIBUTE_COLOR].values == color->values &&
             last->color_count == surface->color_count) {
@@ -60,20 +61,20 @@ static bool pack_colors(struct zr_arena *arena, struct zr_team *team, struct zr_
 
 /* ---- payloads ---- */
 
-static size_t words_of_backs(const struct zr_surface *surface)
+static size_t words_of_backs(const struct zr_draw_attributes *surface)
 {
-    const bool wanted = surface->sided && zr_draw_is_plain(surface->draw) && !zr_surface_is_smooth(surface);
+    const bool wanted = surface->sided && zr_draw_is_plain(surface->draw) && !zr_draw_is_smooth(surface);
     return wanted ? (surface->draw->count - 1) / 32 + 1 : 0;
 }
 
-static void look_first(const struct zr_surface *surface, struct zr_payload *payload)
+static void look_first(const struct zr_draw_attributes *surface, struct zr_prepaint *payload)
 {
     const struct zr_draw *draw = surface->draw;
     const struct zr_attribute *color = &surface->attributes[ZR_ATTRIBUTE_COLOR];
     const size_t word = sizeof(uint32_t);
     payload->first = (uintptr_t)draw; /* which is at hand: nothing to ask for */
     if (!color->values && !surface->packed) return;
-    if (zr_surface_is_smooth(surface) || (color->rate == ZR_RATE_FIRST_VERTEX && !draw->faces)) {
+    if (zr_draw_is_smooth(surface) || (color->rate == ZR_RATE_FIRST_VERTEX && !draw->faces)) {
         payload->first = (uintptr_t)draw->corners;
         payload->step = 3 * word;
     } else if (draw->faces) {
@@ -92,10 +93,11 @@ static void look_first(const struct zr_surface *surface, struct zr_payload *payl
 }
 
 enum zr_status zr_paint_prepare(struct zr_arena *arena, struct zr_team *team, const struct zr_geometry *geometry,
-                                struct zr_surfaces *surfaces, uint64_t pixels, const struct zr_payload **payloads)
+                                struct zr_scene_attributes *surfaces, uint64_t pixels,
+                                const struct zr_prepaint **payloads)
 {
     const uint32_t count = geometry->draw_count;
-    struct zr_payload *out = zr_arena_zero(arena, (size_t)count + 1, sizeof *out);
+    struct zr_prepaint *out = zr_arena_zero(arena, (size_t)count + 1, sizeof *out);
     size_t words = 0;
     if (!out || !pack_colors(arena, team, surfaces->of_draw, count, pixels)) return ZR_NO_MEMORY;
     for (uint32_t i = 0; i < count; i++)
@@ -103,10 +105,10 @@ enum zr_status zr_paint_prepare(struct zr_arena *arena, struct zr_team *team, co
     uint32_t *backs = zr_arena_zero(arena, words, sizeof *backs);
     if (!backs) return ZR_NO_MEMORY;
     for (uint32_t i = 0; i < count; i++) {
-        struct zr_surface *surface = &surfaces->of_draw[i];
+        struct zr_draw_attributes *surface = &surfaces->of_draw[i];
         words = ZR_FAST(noted_backs, words_of_backs(surface) > 0) ? words_of_backs(surface) : 0;
-        out[i] = (struct zr_payload){.context = surface, .draw = surface->draw, .backs = words > 0 ? backs : NULL};
-        if (ZR_FAST(early_words, zr_surface_is_painted_early(surface))) out[i].make = zr_early_of(zr_team_isa(team));
+        out[i] = (struct zr_prepaint){.context = surface, .draw = surface->draw, .backs = words > 0 ? backs : NULL};
+        if (ZR_FAST(early_words, zr_draw_is_painted_early(surface))) out[i].make = zr_early_of(zr_team_isa(team));
         look_first(surface, &out[i]);
         surface->backs = out[i].backs;
         backs += words;
@@ -132,12 +134,12 @@ struct line_colors {
     const zr_vec4 *values;
 };
 
-static struct line_colors line_colors_of(const struct zr_geometry *geometry, const struct zr_surface *surface,
+static struct line_colors line_colors_of(const struct zr_geometry *geometry, const struct zr_draw_attributes *surface,
                                          uint32_t number)
 {
     const struct zr_draw *draw = surface->draw;
     const struct zr_triangle line = zr_triangle_of(geometry, draw, number);
-    const bool back = surface->sided && line.back, smooth = zr_surface_is_smooth(surface);
+    const bool back = surface->sided && line.back, smooth = zr_draw_is_smooth(surface);
     const enum zr_rate rate = surface->attributes[ZR_ATTRIBUTE_COLOR].rate;
     const uint32_t t = number - draw->first;
     const uint32_t n0 = smooth ? zr_smooth_number(draw, rate, t, 0) : zr_flat_number(draw, rate, t);
@@ -147,7 +149,7 @@ static struct line_colors line_colors_of(const struct zr_geometry *geometry, con
 }
 
 /* True where both ends are alike. */
-static bool line_floats(const struct zr_geometry *geometry, const struct zr_surface *surface, uint32_t number,
+static bool line_floats(const struct zr_geometry *geometry, const struct zr_draw_attributes *surface, uint32_t number,
                         const struct line_colors *colors, struct zr_plane planes[ZR_FLOAT_PLANES])
 {
     const struct zr_draw *draw = surface->draw;
@@ -170,14 +172,14 @@ static bool line_floats(const struct zr_geometry *geometry, const struct zr_surf
     return flat;
 }
 
-bool zr_line_floats(const struct zr_geometry *geometry, const struct zr_surface *surface, uint32_t number,
+bool zr_line_floats(const struct zr_geometry *geometry, const struct zr_draw_attributes *surface, uint32_t number,
                     struct zr_plane planes[ZR_FLOAT_PLANES])
 {
     const struct line_colors colors = line_colors_of(geometry, surface, number);
     return line_floats(geometry, surface, number, &colors, planes);
 }
 
-bool zr_line_color(const struct zr_geometry *geometry, const struct zr_surface *surface, uint32_t number,
+bool zr_line_color(const struct zr_geometry *geometry, const struct zr_draw_attributes *surface, uint32_t number,
                    bool needs_planes, struct zr_plane planes[1 + ZR_VALUES_MOST], uint32_t *color)
 {
     const struct line_colors colors = line_colors_of(geometry, surface, number);
@@ -192,7 +194,7 @@ bool zr_line_color(const struct zr_geometry *geometry, const struct zr_surface *
     return flat;
 }
 
-void zr_line_sample(const struct zr_geometry *geometry, const struct zr_surface *surface, uint32_t number,
+void zr_line_sample(const struct zr_geometry *geometry, const struct zr_draw_attributes *surface, uint32_t number,
                     struct zr_plane planes[1 + ZR_VALUES_LATE])
 {
     const struct zr_draw *draw = surface->draw;

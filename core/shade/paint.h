@@ -11,11 +11,11 @@
 #define ZR_PAINT_H
 
 #include "base/isa.h"
-#include "raster/payload.h"
 #include "raster/plane.h"
+#include "raster/prepaint.h"
 #include "raster/tile.h"
+#include "shade/draw_attributes.h"
 #include "shade/gbuffer.h"
-#include "shade/surfaces.h"
 
 /* Values that vary over a surface: a colour; of what is shaded late, a normal and the way from the eye to it; in fog,
  * its depth, too; and where there are textures, a place in one. */
@@ -33,7 +33,7 @@ struct zr_pixel_rows {
 };
 
 /* Where what is shaded of a tile goes. */
-struct zr_shaded {
+struct zr_tile_targets {
     struct zr_pixel_rows channels[ZR_CHANNEL_COUNT]; /* where `first` is NULL, it is not wanted */
     uint32_t nothing;                                /* the colour where nobody is seen, but for what is */
     struct zr_pixel_rows behind;                     /* there, if that is not NULL */
@@ -41,18 +41,18 @@ struct zr_shaded {
 };
 
 struct zr_paint {
-    void (*shade)(const struct zr_geometry *geometry, const struct zr_surfaces *surfaces, const struct zr_tile *tile,
-                  const struct zr_shaded *to);
+    void (*shade)(const struct zr_geometry *geometry, const struct zr_scene_attributes *surfaces,
+                  const struct zr_tile *tile, const struct zr_tile_targets *to);
 
     /* The samples of a tile, all of whose blocks are written; its first one is at the first of `to`, where up to 15
      * beyond its width may be written, and 7 rows beyond its height. */
-    void (*samples)(const struct zr_geometry *geometry, const struct zr_surfaces *surfaces, const struct zr_tile *tile,
-                    const struct zr_gbuffer *to);
+    void (*samples)(const struct zr_geometry *geometry, const struct zr_scene_attributes *surfaces,
+                    const struct zr_tile *tile, const struct zr_gbuffer *to);
 
     /* Red, green, blue and opacity of the samples of a tile, 0..1, in rows of ZR_TILE_STRIDE; where nobody is seen,
      * anything. All of its blocks are written. */
-    void (*floats)(const struct zr_geometry *geometry, const struct zr_surfaces *surfaces, const struct zr_tile *tile,
-                   float *const out[4]);
+    void (*floats)(const struct zr_geometry *geometry, const struct zr_scene_attributes *surfaces,
+                   const struct zr_tile *tile, float *const out[4]);
 
     /* Where the tile has an owner, front over what is there, in rows of ZR_TILE_STRIDE. Both have an opacity, and
      * `to` has its colours times that. Exact: each product and sum is rounded, as GL's blending into floats does. */
@@ -73,7 +73,7 @@ struct zr_paint {
 };
 
 /* zr_paint.floats. */
-typedef void zr_paint_floats_fn(const struct zr_geometry *geometry, const struct zr_surfaces *surfaces,
+typedef void zr_paint_floats_fn(const struct zr_geometry *geometry, const struct zr_scene_attributes *surfaces,
                                 const struct zr_tile *tile, float *const out[4]);
 
 zr_paint_floats_fn zr_paint_floats_scalar, zr_paint_floats_sse2, zr_paint_floats_avx2, zr_paint_floats_avx512,
@@ -88,29 +88,30 @@ const struct zr_paint *zr_paint_of(enum zr_isa isa);
  * together, while later each pixel asks memory for its own (a tenth of the time of a million smooth triangles), and
  * triangles must be found again that were just set up (a quarter of the bunny's at 512x512). Flat ones ask for the same
  * either way; and where backs are drawn too, half of what would be painted is hidden. */
-static inline bool zr_surface_is_painted_early(const struct zr_surface *surface)
+static inline bool zr_draw_is_painted_early(const struct zr_draw_attributes *surface)
 {
-    return zr_draw_is_plain(surface->draw) && !zr_draw_is_see_through(surface->draw) && zr_surface_is_smooth(surface) &&
-           !surface->is_late && !surface->draw->material->double_sided;
+    return zr_draw_is_plain(surface->draw) && !zr_draw_is_see_through(surface->draw) && zr_draw_is_smooth(surface) &&
+           !surface->is_per_pixel && !surface->draw->material->double_sided;
 }
 
 /* What raster/ carries along, one a draw: which are painted early, where what is known of sides goes when they are
  * sorted, what to ask for first. And packs the colours of flat draws that have few of them for so many pixels: each is
  * then looked up in one place, and not in three (0.2 ms of the bunny at 1920x1080). ZR_OK or ZR_NO_MEMORY. */
 enum zr_status zr_paint_prepare(struct zr_arena *arena, struct zr_team *team, const struct zr_geometry *geometry,
-                                struct zr_surfaces *surfaces, uint64_t pixels, const struct zr_payload **payloads);
+                                struct zr_scene_attributes *surfaces, uint64_t pixels,
+                                const struct zr_prepaint **payloads);
 
 /* Of a line: planes of 1/w and of its colour over that, and in fog of its depth. True where it has one colour: `color`,
  * as bytes, and in planes that are the same all over, not over w; without `needs_planes` these may stay unwritten. */
-bool zr_line_color(const struct zr_geometry *geometry, const struct zr_surface *surface, uint32_t number,
+bool zr_line_color(const struct zr_geometry *geometry, const struct zr_draw_attributes *surface, uint32_t number,
                    bool needs_planes, struct zr_plane planes[1 + ZR_VALUES_MOST], uint32_t *color);
 
 /* The same planes, and that of its opacity behind them, whatever else is known of the line. */
-bool zr_line_floats(const struct zr_geometry *geometry, const struct zr_surface *surface, uint32_t number,
+bool zr_line_floats(const struct zr_geometry *geometry, const struct zr_draw_attributes *surface, uint32_t number,
                     struct zr_plane planes[ZR_FLOAT_PLANES]);
 
 /* Of a line, for a G-buffer: planes of 1/w, and over that of its colour, of a normal that is 0, and of its point. */
-void zr_line_sample(const struct zr_geometry *geometry, const struct zr_surface *surface, uint32_t number,
+void zr_line_sample(const struct zr_geometry *geometry, const struct zr_draw_attributes *surface, uint32_t number,
                     struct zr_plane planes[1 + ZR_VALUES_LATE]);
 
 #endif

@@ -4,7 +4,7 @@
 
 #include "shade/channels/floats_simd.h"
 
-void ZR_KERNEL(zr_paint_floats)(const struct zr_geometry *geometry, const struct zr_surfaces *surfaces,
+void ZR_KERNEL(zr_paint_floats)(const struct zr_geometry *geometry, const struct zr_scene_attributes *surfaces,
                                 const struct zr_tile *tile, float *const out[4])
 {
     struct zr_shader s;

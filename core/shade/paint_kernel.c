@@ -1,10 +1,10 @@
 #include "shade/paint.h"
 
+#include "shade/channels/channels_simd.h"
 #include "shade/channels/color_simd.h"
 #include "shade/channels/gbuffer_simd.h"
-#include "shade/channels_simd.h"
 
-static void shade_parts(struct zr_shader *s, const struct zr_tile *tile, const struct zr_shaded *to, bool colors,
+static void shade_parts(struct zr_shader *s, const struct zr_tile *tile, const struct zr_tile_targets *to, bool colors,
                         bool others)
 {
     const int all = (tile->height + ZR_BLOCK_HEIGHT - 1) / ZR_BLOCK_HEIGHT * ZR_BLOCK_COLUMNS;
@@ -16,8 +16,8 @@ static void shade_parts(struct zr_shader *s, const struct zr_tile *tile, const s
 }
 
 /* Where colours are known already, what is left of them has parts of its own. */
-static void shade(const struct zr_geometry *geometry, const struct zr_surfaces *surfaces, const struct zr_tile *tile,
-                  const struct zr_shaded *to)
+static void shade(const struct zr_geometry *geometry, const struct zr_scene_attributes *surfaces,
+                  const struct zr_tile *tile, const struct zr_tile_targets *to)
 {
     struct zr_shader s;
     const bool together = !tile->has_words, colors = to->channels[ZR_CHANNEL_COLOR].first, others = zr_wants_parts(to);
@@ -63,22 +63,22 @@ static void clear_samples(const struct zr_gbuffer *to, int32_t rows, int32_t col
 /* Those of whole blocks need not be written in the tile. */
 static void owner_words(const struct zr_tile *tile, const struct zr_pixel_rows *out)
 {
-    const struct zr_finish to = {tile, false, NULL, out};
+    const struct zr_store to = {tile, false, NULL, out};
     for (uint32_t bits = zr_tile_blocks(tile); bits; bits &= bits - 1) {
         const int block = zr_lowest_bit(bits);
         const uint32_t *owners = &tile->owner[zr_block_first(block)];
         if (tile->knows_owners && tile->block_owner[block] != ZR_BLOCK_SHARED) {
-            zr_finish_alike(&to, block, zr_vi_set((int32_t)tile->block_owner[block]));
+            zr_store_alike(&to, block, zr_vi_set((int32_t)tile->block_owner[block]));
             continue;
         }
         for (int32_t y = 0; y < ZR_BLOCK_HEIGHT; y++, owners += ZR_TILE_STRIDE)
             for (int32_t x = 0; x < ZR_BLOCK_WIDTH; x += ZR_LANES)
-                zr_finish_pixels(&to, zr_block_left(block) + x, zr_block_low(block) + y, zr_vi_load(owners + x));
+                zr_store_pixels(&to, zr_block_left(block) + x, zr_block_low(block) + y, zr_vi_load(owners + x));
     }
 }
 
-static void samples(const struct zr_geometry *geometry, const struct zr_surfaces *surfaces, const struct zr_tile *tile,
-                    const struct zr_gbuffer *to)
+static void samples(const struct zr_geometry *geometry, const struct zr_scene_attributes *surfaces,
+                    const struct zr_tile *tile, const struct zr_gbuffer *to)
 {
     struct zr_shader s;
     const int all = (tile->height + ZR_BLOCK_HEIGHT - 1) / ZR_BLOCK_HEIGHT * ZR_BLOCK_COLUMNS;

@@ -7,9 +7,9 @@
 #define ZR_PLANES_SIMD_H
 
 #include "base/rgba_simd.h"
+#include "base/vec3_simd.h"
 #include "raster/triangle_simd.h"
 #include "shade/paint.h"
-#include "shade/vec3_simd.h"
 
 /* ---- looking up ---- */
 
@@ -88,18 +88,18 @@ static inline void zr_values_load(const zr_vec4 *values, const int32_t (*numbers
 /* ---- planes ---- */
 
 /* How values lead to planes: what all planes of a triangle share. */
-struct zr_way_v {
+struct zr_triangle_setup_v {
     zr_vm turned;                /* two corners change places */
     zr_vf oow[3];                /* of the corners as they stand in the mesh */
     struct zr_basis_v basis;     /* of the corners as rule 6 wants them */
     struct zr_plane_v oow_plane; /* of 1/w itself */
 };
 
-static inline struct zr_way_v zr_way_make(zr_vm turned, const struct zr_corner_v corners[3])
+static inline struct zr_triangle_setup_v zr_way_make(zr_vm turned, const struct zr_corner_v corners[3])
 {
     struct zr_corner_v v[3] = {corners[0], corners[1], corners[2]};
     const int k = zr_swapped_corner();
-    struct zr_way_v way = {.turned = turned, .oow = {v[0].oow, v[1].oow, v[2].oow}};
+    struct zr_triangle_setup_v way = {.turned = turned, .oow = {v[0].oow, v[1].oow, v[2].oow}};
     zr_swap_vf(turned, &v[0].x, &v[k].x);
     zr_swap_vf(turned, &v[0].y, &v[k].y);
     zr_swap_vf(turned, &v[0].oow, &v[k].oow);
@@ -114,7 +114,8 @@ struct zr_planes3_v {
 };
 
 /* `values` are those of the corners as they stand in the mesh. */
-static inline struct zr_planes3_v zr_planes3_make(const struct zr_way_v *way, const struct zr_vec3_v values[3])
+static inline struct zr_planes3_v zr_planes3_make(const struct zr_triangle_setup_v *way,
+                                                  const struct zr_vec3_v values[3])
 {
     struct zr_vec3_v v[3] = {zr_scale_v(values[0], way->oow[0]), zr_scale_v(values[1], way->oow[1]),
                              zr_scale_v(values[2], way->oow[2])};
@@ -128,7 +129,7 @@ static inline struct zr_planes3_v zr_planes3_make(const struct zr_way_v *way, co
 }
 
 /* Of a value by itself, as the corners stand in the mesh. */
-static inline struct zr_plane_v zr_plane1_make(const struct zr_way_v *way, zr_vf v0, zr_vf v1, zr_vf v2)
+static inline struct zr_plane_v zr_plane1_make(const struct zr_triangle_setup_v *way, zr_vf v0, zr_vf v1, zr_vf v2)
 {
     zr_vf v[3] = {v0 * way->oow[0], v1 * way->oow[1], v2 * way->oow[2]};
     zr_swap_vf(way->turned, &v[0], &v[zr_swapped_corner()]);
@@ -156,7 +157,8 @@ static inline zr_vm zr_turned_of(const struct zr_window_vertex *vertices, const 
     return zr_turned_v(vertices, numbers[0], numbers[1], numbers[2], v);
 }
 
-static inline struct zr_way_v zr_way_of(const struct zr_window_vertex *vertices, const int32_t (*numbers)[ZR_LANES])
+static inline struct zr_triangle_setup_v zr_way_of(const struct zr_window_vertex *vertices,
+                                                   const int32_t (*numbers)[ZR_LANES])
 {
     struct zr_corner_v v[3];
     zr_vertices_load(vertices, numbers, v);
@@ -166,8 +168,8 @@ static inline struct zr_way_v zr_way_of(const struct zr_window_vertex *vertices,
 /* ---- colours ---- */
 
 /* Of the side that each triangle shows: a bit of `backs` each. */
-static inline void zr_colors_load(const struct zr_surface *surface, const int32_t (*numbers)[ZR_LANES], uint32_t backs,
-                                  struct zr_vec3_v c[3])
+static inline void zr_colors_load(const struct zr_draw_attributes *surface, const int32_t (*numbers)[ZR_LANES],
+                                  uint32_t backs, struct zr_vec3_v c[3])
 {
     const struct zr_attribute *attributes = surface->attributes;
     const zr_vec4 *const of_side[2] = {attributes[ZR_ATTRIBUTE_COLOR].values,
@@ -193,7 +195,8 @@ static inline zr_vi zr_color_over_w(zr_vf oow, zr_vf red, zr_vf green, zr_vf blu
 /* ---- normals ---- */
 
 /* Of the sides that triangles of a draw show. */
-static inline void zr_normals_load(const struct zr_surface *surface, zr_vi numbers, zr_vm turned, struct zr_vec3_v c[3])
+static inline void zr_normals_load(const struct zr_draw_attributes *surface, zr_vi numbers, zr_vm turned,
+                                   struct zr_vec3_v c[3])
 {
     const struct zr_attribute *normal = &surface->attributes[ZR_ATTRIBUTE_NORMAL];
     const struct zr_corner_numbers corners = zr_corner_numbers_of(surface->draw, normal->rate, numbers);

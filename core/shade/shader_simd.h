@@ -6,14 +6,14 @@
 #ifndef ZR_SHADER_SIMD_H
 #define ZR_SHADER_SIMD_H
 
-#include "shade/models_simd.h"
+#include "shade/models/models_simd.h"
 #include "shade/parts_simd.h"
 #include "shade/planes_simd.h"
 
 /* Parts that follow one another, up to ZR_LANES of them, all of one draw. */
 struct zr_run {
     const struct zr_draw *draw;
-    const struct zr_surface *surface;
+    const struct zr_draw_attributes *surface;
     uint32_t first, count;
 };
 
@@ -21,7 +21,7 @@ struct zr_run {
  * in fog, both. Part 0 is nobody's, and no run's. */
 struct zr_shader {
     const struct zr_geometry *geometry;
-    const struct zr_surfaces *surfaces;
+    const struct zr_scene_attributes *surfaces;
     const struct zr_draw *draw; /* of the last run: at first the first one */
     struct zr_parts parts;
     uint32_t run_count;
@@ -42,11 +42,12 @@ struct zr_shader {
 /* Of a kernel of its own (paint_textured_kernel.c): beside these, compilers would make less of what has no textures.
  * The channel color of a scene that has textures, and what they make of samples. Blocks begin .. end - 1. */
 void ZR_KERNEL(zr_paint_textured)(struct zr_shader *s, const struct zr_tile *tile, int begin, int end,
-                                  const struct zr_shaded *to);
+                                  const struct zr_tile_targets *to);
 void ZR_KERNEL(zr_sample_textures)(struct zr_shader *s, const struct zr_tile *tile, int begin, int end,
                                    const struct zr_gbuffer *to);
 
-static inline const struct zr_surface *zr_surface_of_draw(const struct zr_shader *s, const struct zr_draw *draw)
+static inline const struct zr_draw_attributes *zr_attributes_of_draw(const struct zr_shader *s,
+                                                                     const struct zr_draw *draw)
 {
     return &s->surfaces->of_draw[draw - s->geometry->draws];
 }
@@ -74,7 +75,7 @@ static inline void zr_find_runs(struct zr_shader *s)
         const uint32_t others = zr_vm_bits(of_draw) ^ ZR_ALL_BITS;
         count = others ? (uint32_t)zr_lowest_bit(others) : ZR_LANES;
         count = count < left ? count : left;
-        *run = (struct zr_run){draw, zr_surface_of_draw(s, draw), i, count};
+        *run = (struct zr_run){draw, zr_attributes_of_draw(s, draw), i, count};
     }
 }
 

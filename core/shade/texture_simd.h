@@ -11,8 +11,8 @@
 #include "base/mutant.h"
 #include "base/pow_simd.h"
 #include "base/round_simd.h"
+#include "base/vec3_simd.h"
 #include "shade/texture_maps.h"
-#include "shade/vec3_simd.h"
 
 /* ---- one axis ---- */
 

@@ -10,7 +10,7 @@
 /* ---- colours ---- */
 
 /* Which of primitives t show their backs, of any draw. Those that were noted are the same. */
-static inline zr_vm zr_flat_backs(const struct zr_geometry *geometry, const struct zr_surface *surface, zr_vi t)
+static inline zr_vm zr_flat_backs(const struct zr_geometry *geometry, const struct zr_draw_attributes *surface, zr_vi t)
 {
     const zr_vi one = zr_vi_set(1);
     if (surface->backs)
@@ -20,7 +20,8 @@ static inline zr_vm zr_flat_backs(const struct zr_geometry *geometry, const stru
 }
 
 /* Of primitives t: the number of the colour, backs being numbered behind all fronts. */
-static inline zr_vi zr_sided_number(const struct zr_geometry *geometry, const struct zr_surface *surface, zr_vi t)
+static inline zr_vi zr_sided_number(const struct zr_geometry *geometry, const struct zr_draw_attributes *surface,
+                                    zr_vi t)
 {
     const zr_vi number = zr_flat_number_v(surface->draw, surface->attributes[ZR_ATTRIBUTE_COLOR].rate, t);
     if (!surface->sided) return number;
@@ -29,7 +30,7 @@ static inline zr_vi zr_sided_number(const struct zr_geometry *geometry, const st
 }
 
 /* Where a colour that is not packed stands. */
-static inline const float *zr_flat_at(const struct zr_surface *surface, int32_t number)
+static inline const float *zr_flat_at(const struct zr_draw_attributes *surface, int32_t number)
 {
     const struct zr_attribute *attributes = surface->attributes;
     const uint32_t n = (uint32_t)number, count = surface->color_count;
@@ -38,7 +39,7 @@ static inline const float *zr_flat_at(const struct zr_surface *surface, int32_t 
 }
 
 /* Colours of sided draws, where they are not packed, stand in two arrays. */
-static inline zr_vi zr_flat_look_up_sided(const struct zr_surface *surface, zr_vi number)
+static inline zr_vi zr_flat_look_up_sided(const struct zr_draw_attributes *surface, zr_vi number)
 {
     int32_t numbers[ZR_LANES];
     zr_vf red, green, blue, alpha;
@@ -50,7 +51,7 @@ static inline zr_vi zr_flat_look_up_sided(const struct zr_surface *surface, zr_v
     return zr_rgba_opaque_v(red, green, blue);
 }
 
-static inline zr_vi zr_flat_look_up(const struct zr_surface *surface, zr_vi number)
+static inline zr_vi zr_flat_look_up(const struct zr_draw_attributes *surface, zr_vi number)
 {
     zr_vf red, green, blue;
     if (surface->packed) return zr_vi_gather(ZR_ALL_LANES, surface->packed, number);

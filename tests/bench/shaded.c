@@ -8,7 +8,7 @@
 #include "reference/reference_gl.h"
 #include "reference/reference_texture.h"
 #include "scene/resolved_view.h"
-#include "shade/light.h"
+#include "shade/lights/light.h"
 
 enum { POSITIONS, COLORS, NORMALS, TEXCOORDS, INDICES };
 _Static_assert(INDICES + 1 == SHADED_BUFFERS, "a buffer each");

@@ -10,7 +10,7 @@
 #include "bench/sides.h"
 #include "bench/texels.h"
 #include "input/defaults.h"
-#include "shade/vertex_normals.h"
+#include "mesh/vertex_normals.h"
 
 enum { OURS, THEIRS, SIDES, THREADS_MAX = 2, IMAGE_SIDE = 1024 };
 

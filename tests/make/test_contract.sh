@@ -35,12 +35,12 @@ names_looks() { # LEAST OTHERS: likewise
     done
     [ $named -ge "$1" ]
 }
-verdict "every parameter of a query is in the contract" lists core/base/parameter_rows.h 1 20
-verdict "every media type is" lists core/base/format_rows.h 3 7
+verdict "every parameter of a query is in the contract" lists core/parameter_rows.h 1 20
+verdict "every media type is" lists core/format_rows.h 3 7
 verdict "every channel is" lists core/scene/channels.h 2 11
 verdict "every look is" names_looks 8 ""
 verdict "and a look that is not there would be found" eval "! names_looks 8 notALook >/dev/null"
 verdict "every key of a scene is" names_keys 112 ""
 verdict "and a key that is not there would be found" eval "! names_keys 112 notAKey >/dev/null"
-verdict "and what is not there would be found" eval "! lists core/base/parameter_rows.h 3 20 >/dev/null"
+verdict "and what is not there would be found" eval "! lists core/parameter_rows.h 3 20 >/dev/null"
 verdicts

@@ -5,7 +5,7 @@
 
 #include "geometry/build.h"
 #include "scene/resolved_view.h"
-#include "shade/surfaces.h"
+#include "shade/draw_attributes.h"
 #include "support/isas.h"
 #include "support/random.h"
 #include "support/scenes.h"
@@ -153,14 +153,14 @@ static const struct zr_window window = {WIDTH, HEIGHT, 1, 1.0f};
 
 /* What lit triangles that show their backs show, flat and drawn from both sides, as many as are a draw by themselves,
  * and one that the window cuts. */
-static struct zr_surfaces surfaces_of(bool colored, bool singly, struct zr_geometry *geometry)
+static struct zr_scene_attributes surfaces_of(bool colored, bool singly, struct zr_geometry *geometry)
 {
     enum { WHOLE = 20 };
     static const zr_vec4 whole[3] = {{0, 0, 0, 1}, {0, 0.5f, 0, 1}, {0.5f, 0, 0, 1}},
                          cut[3] = {{0, 0, 0, 1}, {2, 0, 0, 1}, {0, 2, 0, 1}};
     static zr_vec4 p[WHOLE + 1][3];
     static struct test_scene test;
-    struct zr_surfaces surfaces;
+    struct zr_scene_attributes surfaces;
     struct zr_camera camera;
     struct zr_error error = {.count = 0};
     for (int i = 0; i <= WHOLE; i++)
@@ -173,9 +173,10 @@ static struct zr_surfaces surfaces_of(bool colored, bool singly, struct zr_geome
         test.scene.views[0].output_count--;
     }
     assert_int_equal(zr_camera_resolve(&test.scene, NULL, NULL, NULL, &camera, &error), ZR_OK);
-    const struct zr_surface_wants wants = {.colors = colored};
+    const struct zr_attribute_wants wants = {.colors = colored};
     assert_int_equal(zr_geometry_build(&arena, NULL, &test.scene, &camera, &window, NULL, singly, geometry), ZR_OK);
-    assert_int_equal(zr_surfaces_make(&arena, NULL, &test.scene, &camera, geometry, &wants, NULL, &surfaces), ZR_OK);
+    assert_int_equal(zr_scene_attributes_make(&arena, NULL, &test.scene, &camera, geometry, &wants, NULL, &surfaces),
+                     ZR_OK);
     return surfaces;
 }
 
@@ -185,7 +186,7 @@ static void nothing_is_lit_where_no_picture_is_wanted(void **state)
     zr_arena_init(&arena, 1 << 24);
     for (int singly = 0; singly <= 1; singly++) {
         struct zr_geometry geometry;
-        const struct zr_surfaces none = surfaces_of(false, singly, &geometry);
+        const struct zr_scene_attributes none = surfaces_of(false, singly, &geometry);
         assert_int_equal(geometry.draw_count, 2 - singly);
         for (uint32_t i = 0; i < geometry.draw_count; i++) {
             assert_false(none.of_draw[i].packed);
@@ -202,10 +203,10 @@ static void flat_colors_are_packed_once_for_all_draws_of_a_mesh(void **state)
     zr_arena_init(&arena, 1 << 24);
     for (int singly = 0; singly <= 1; singly++) {
         struct zr_geometry geometry;
-        const struct zr_surfaces made = surfaces_of(true, singly, &geometry);
+        const struct zr_scene_attributes made = surfaces_of(true, singly, &geometry);
         assert_int_equal(geometry.draw_count, 2 - singly); /* what is cut is a draw by itself */
         for (uint32_t i = 0; i < geometry.draw_count; i++) {
-            const struct zr_surface *surface = &made.of_draw[i];
+            const struct zr_draw_attributes *surface = &made.of_draw[i];
             assert_true(surface->sided && surface->packed && surface->packed == made.of_draw[0].packed);
             assert_false(surface->attributes[ZR_ATTRIBUTE_COLOR].values);
             assert_int_equal(geometry.draws[i].counted, singly || i == 1);
@@ -221,18 +222,19 @@ static void points_are_there_though_their_making_was_cancelled(void **state)
     static const zr_vec4 p[3] = {{0, 0, 0, 1}, {0, 0.5f, 0, 1}, {0.5f, 0, 0, 1}};
     static struct test_scene test;
     const struct zr_cancel cancel = {.raised = true};
-    struct zr_surfaces surfaces;
+    struct zr_scene_attributes surfaces;
     struct zr_geometry geometry;
     struct zr_camera camera;
     struct zr_error error = {.count = 0};
     zr_arena_init(&arena, 1 << 24);
     scene_of_triangles(&test, WIDTH, HEIGHT, p, 1);
     test.material.shading = ZR_SHADING_PHONG;
-    const struct zr_surface_wants wants = {.colors = true};
+    const struct zr_attribute_wants wants = {.colors = true};
     assert_int_equal(zr_camera_resolve(&test.scene, NULL, NULL, NULL, &camera, &error), ZR_OK);
     assert_int_equal(zr_geometry_build(&arena, NULL, &test.scene, &camera, &window, NULL, false, &geometry), ZR_OK);
-    assert_int_equal(zr_surfaces_make(&arena, NULL, &test.scene, &camera, &geometry, &wants, &cancel, &surfaces),
-                     ZR_CANCELLED);
+    assert_int_equal(
+        zr_scene_attributes_make(&arena, NULL, &test.scene, &camera, &geometry, &wants, &cancel, &surfaces),
+        ZR_CANCELLED);
     assert_non_null(surfaces.of_draw[0].attributes[ZR_ATTRIBUTE_POINT].values);
     zr_arena_free(&arena);
 }

@@ -4,11 +4,11 @@
 #include "geometry/face.h"
 #include "geometry/place.h"
 #include "geometry/triangulate.h"
+#include "mesh/crease_normals.h"
+#include "mesh/face_normals.h"
+#include "mesh/vertex_normals.h"
 #include "shade/colors.h"
-#include "shade/crease_normals.h"
-#include "shade/light.h"
-#include "shade/normals.h"
-#include "shade/vertex_normals.h"
+#include "shade/lights/light.h"
 
 /* ---- what is lit ---- */
 

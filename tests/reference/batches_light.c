@@ -2,7 +2,7 @@
 
 #include <math.h>
 
-#include "shade/light.h"
+#include "shade/lights/light.h"
 
 /* The factor and the term of KHR_lights_punctual. */
 static void set_cone(struct reference_place *place, const struct zr_light *light)
@@ -33,10 +33,10 @@ static void set_place(struct reference_place *place, const struct zr_light *ligh
 static bool set_places(struct zr_arena *arena, const struct zr_scene *scene, const struct zr_camera *camera,
                        const struct batches_options *options, struct reference_lighting *lighting)
 {
-    struct zr_lighting made = {.places = NULL};
+    struct zr_gl_lighting made = {.places = NULL};
     const zr_vec4 eye = zr_camera_eye(camera);
     bool is_fixed = scene->light_count <= REFERENCE_FIXED_MAX && eye.x == 0.0f && eye.y == 0.0f;
-    zr_lighting_place(arena, scene, camera, &made);
+    zr_gl_lighting_place(arena, scene, camera, &made);
     if (!made.places) return zr_arena_ok(arena);
     struct reference_place *places = zr_arena_zero(arena, scene->light_count, sizeof *places);
     if (!places) return false;
@@ -54,11 +54,11 @@ static bool set_places(struct zr_arena *arena, const struct zr_scene *scene, con
 const struct reference_lighting *batches_light(struct zr_arena *arena, const struct zr_scene *scene,
                                                const struct zr_camera *camera, const struct batches_options *options)
 {
-    struct zr_lighting made;
+    struct zr_gl_lighting made;
     const float more = options->more_ambient;
     struct reference_lighting *lighting = zr_arena_alloc(arena, 1, sizeof *lighting);
     zr_vec3 *to_light = zr_arena_alloc(arena, scene->light_count, sizeof *to_light);
-    zr_lighting_make(arena, scene, &camera->world_to_eye, &made);
+    zr_gl_lighting_make(arena, scene, &camera->world_to_eye, &made);
     if (!zr_arena_ok(arena)) return NULL;
     for (uint32_t i = 0; i < made.count; i++) {
         to_light[i] = made.to_light[i];

@@ -6,7 +6,7 @@
 #include "raster/setup.h"
 #include "reference/glsl_math.h"
 #include "reference/reference_program.h"
-#include "shade/light.h"
+#include "shade/lights/light.h"
 #include "support/random.h"
 
 enum { WIDTH = 61, HEIGHT = 47, PIXELS = WIDTH * HEIGHT, LIGHTS_MAX = 5 };
@@ -178,7 +178,7 @@ static void expect_math(const struct sample *s, const struct piece *piece, int32
 /* Flat: the last corner's. */
 static void expect_light(const struct sample *s, const struct piece *piece, int32_t x, int32_t y, float out[4])
 {
-    const struct zr_lighting lighting = {
+    const struct zr_gl_lighting lighting = {
         .ambient = s->ambient, .count = s->light_count, .to_light = s->to_light, .colors = s->colors};
     const zr_vec4 normal = {s->normals[2].x, s->normals[2].y, s->normals[2].z, 0};
     zr_vec4 front, back;

@@ -4,9 +4,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "look/pass.h"
 #include "reference/reference_blend.h"
 #include "reference/reference_program.h"
+#include "render/pass.h"
 
 bool layers_twin_is_for(const struct zr_scene *scene)
 {
@@ -299,10 +299,10 @@ uint64_t layers_twin_compare(struct zr_arena *arena, struct zr_team *team, const
 {
     const uint32_t width = scene->views[0].width, height = scene->views[0].height;
     const float line_width = scene->picture.line_width + 0.5f;
-    struct zr_pass_of of = {.scene = scene,
-                            .camera = camera,
-                            .window = {width, height, line_width > 1.0f ? (int32_t)line_width : 1, 1.0f},
-                            .wants = {.colors = true}};
+    struct zr_pass_desc of = {.scene = scene,
+                              .camera = camera,
+                              .window = {width, height, line_width > 1.0f ? (int32_t)line_width : 1, 1.0f},
+                              .wants = {.colors = true}};
     struct zr_pass *pass = zr_arena_alloc(arena, 1, sizeof *pass);
     struct zr_tile *tile = zr_arena_alloc(arena, 1, sizeof *tile);
     const uint64_t all = (uint64_t)width * height;
@@ -312,7 +312,7 @@ uint64_t layers_twin_compare(struct zr_arena *arena, struct zr_team *team, const
         return all;
     for (uint32_t number = 0; number < zr_tile_count(width, height); number++) {
         struct zr_layers *blended;
-        if (!zr_tiles_see(&pass->tiles, number, NULL, NULL, tile) ||
+        if (!zr_tile_find_visible(&pass->tiles, number, NULL, NULL, tile) ||
             !zr_layers_blend(&pass->tiles, number, NULL, tile, true, &blended))
             return all;
         different += compare_tile(scene, tile, blended, picture);

@@ -3,9 +3,9 @@
 #include <math.h>
 #include <string.h>
 
-#include "look/split_sum.h"
 #include "reference/average.h"
 #include "reference/look_texture.h"
+#include "shade/lights/dfg.h"
 
 typedef double vec3[3];
 
@@ -192,7 +192,7 @@ static void set_uniforms(const struct look_twin *twin, struct uniforms *u)
     u->intensity = scene->picture.environment.intensity;
     for (int i = 0; i < ZR_SPLIT_SIDE * ZR_SPLIT_SIDE; i++)
         for (int k = 0; k < 2; k++)
-            u->split[i][k] = zr_split_sum[i / ZR_SPLIT_SIDE][k][i % ZR_SPLIT_SIDE];
+            u->split[i][k] = zr_dfg_table[i / ZR_SPLIT_SIDE][k][i % ZR_SPLIT_SIDE];
     set_lamps(twin, u);
 }
 

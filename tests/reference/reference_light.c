@@ -197,10 +197,10 @@ static bool any_late(const struct reference_arrays *arrays)
 }
 
 static struct reference_lighter *lighter_of(struct reference *reference, const struct reference_lighting *lighting,
-                                            bool is_late)
+                                            bool is_per_pixel)
 {
-    if (lighting->places) return is_late ? &reference->placed_late_lighter : &reference->placed_lighter;
-    return is_late ? &reference->late_lighter : &reference->lighter;
+    if (lighting->places) return is_per_pixel ? &reference->placed_late_lighter : &reference->placed_lighter;
+    return is_per_pixel ? &reference->late_lighter : &reference->lighter;
 }
 
 bool reference_light_begin(struct reference *reference, const struct reference_arrays *arrays,

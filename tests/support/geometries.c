@@ -105,13 +105,13 @@ bool geometry_end_shape(struct test_geometry *test)
 
 static enum zr_status draw_tiles(struct zr_arena *arena, const struct zr_geometry *geometry, struct zr_samples *samples)
 {
-    struct zr_visible visible;
+    struct zr_binned_scene visible;
     struct zr_tile tile;
     size_t pixels = (size_t)samples->width * samples->height;
     samples->depth = zr_arena_alloc(arena, pixels, sizeof *samples->depth);
     samples->owner = zr_arena_alloc(arena, pixels, sizeof *samples->owner);
     enum zr_status status =
-        zr_visible_make(arena, NULL, geometry, NULL, samples->width, samples->height, NULL, &visible);
+        zr_binned_scene_make(arena, NULL, geometry, NULL, samples->width, samples->height, NULL, &visible);
     for (uint32_t t = 0; status == ZR_OK && t < zr_tile_count(samples->width, samples->height); t++) {
         zr_visibility_tile(&visible, t, NULL, NULL, &tile);
         if (!tile.is_empty) visible.halfspace->flush(&tile);

@@ -1,9 +1,9 @@
 #include "support/look_kernel.h"
 
-#include "look/environment_simd.h"
-#include "look/srgb_simd.h"
-#include "look/surface_simd.h"
-#include "look/tone_simd.h"
+#include "shade/lights/environment_simd.h"
+#include "shade/models/linear_simd.h"
+#include "shade/srgb_color_simd.h"
+#include "shade/tone_simd.h"
 
 static struct zr_vec3_v load3(const float *const from[3], size_t at)
 {

@@ -6,7 +6,7 @@
 #include <stddef.h>
 
 #include "base/isa.h"
-#include "look/environment.h"
+#include "shade/lights/environment.h"
 
 /* `count` is a multiple of 16. */
 struct look_parts {

@@ -1,6 +1,6 @@
 #include "support/shadow_map_kernel.h"
 
-#include "look/shadow_map_simd.h"
+#include "shade/lights/shadow_map_simd.h"
 
 void ZR_KERNEL(shadow_shares)(const struct zr_shadow_map *map, const float *const point[3],
                               const float *const normal[3], size_t count, float *out)

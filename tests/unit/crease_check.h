@@ -5,7 +5,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "shade/crease_normals.h"
+#include "mesh/crease_normals.h"
 #include "support/cmocka_all.h"
 #include "support/random.h"
 #include "support/test_arena.h"

@@ -5,7 +5,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "look/edges.h"
+#include "effects/edges.h"
 #include "support/random.h"
 
 static struct random dice = {{RANDOM_STATE_1}};

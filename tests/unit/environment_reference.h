@@ -5,7 +5,7 @@
 
 #include <math.h>
 
-#include "look/environment.h"
+#include "shade/lights/environment.h"
 
 typedef struct {
     double v[3];

@@ -2,7 +2,7 @@
 #ifndef ZR_TESTS_LIGHT_ONE_H
 #define ZR_TESTS_LIGHT_ONE_H
 
-#include "shade/light.h"
+#include "shade/lights/light.h"
 
 static inline float clamp01(float v)
 {
@@ -14,8 +14,8 @@ static inline float term(float light, float base, float facing)
     return light * base * facing;
 }
 
-static inline void light_one(const struct zr_lighting *lighting, const struct zr_normal_matrix *to_eye, zr_vec3 normal,
-                             zr_vec4 base, zr_vec4 *front, zr_vec4 *back)
+static inline void light_one(const struct zr_gl_lighting *lighting, const struct zr_normal_matrix *to_eye,
+                             zr_vec3 normal, zr_vec4 base, zr_vec4 *front, zr_vec4 *back)
 {
     zr_vec3 n = zr_vec3_normalize(normal);
     n = (zr_vec3){zr_vec3_dot(to_eye->rows[0], n), zr_vec3_dot(to_eye->rows[1], n), zr_vec3_dot(to_eye->rows[2], n)};

@@ -4,8 +4,8 @@
 #define ZR_TESTS_LIGHTING_REFERENCE_H
 
 #include "environment_reference.h"
-#include "look/lighting.h"
-#include "look/split_sum.h"
+#include "shade/lights/dfg.h"
+#include "shade/lights/lighting.h"
 
 static inline double reference_decode(double encoded)
 {
@@ -118,7 +118,7 @@ static inline void reference_split_sum(double roughness, double nv, double *a, d
     const double x = column - j, y = row - i;
     double out[2];
     for (int k = 0; k < 2; k++) {
-        const float *here = zr_split_sum[i][k], *next = zr_split_sum[i + 1][k];
+        const float *here = zr_dfg_table[i][k], *next = zr_dfg_table[i + 1][k];
         out[k] = (1 - y) * ((1 - x) * (double)here[j] + x * (double)here[j + 1]) +
                  y * ((1 - x) * (double)next[j] + x * (double)next[j + 1]);
     }

@@ -58,7 +58,7 @@ static inline void samples_set(struct lit_samples *s, size_t at, uint32_t materi
     put3(s->g.point, at, point);
 }
 
-static inline void samples_light(struct lit_samples *s, enum zr_isa isa, const struct zr_look_lighting *lighting)
+static inline void samples_light(struct lit_samples *s, enum zr_isa isa, const struct zr_linear_lighting *lighting)
 {
     float *const out[3] = {s->out[0], s->out[1], s->out[2]};
     zr_look_light_of(isa)(lighting, &s->g, s->open, out);
@@ -125,13 +125,13 @@ static inline void samples_set_any(struct lit_samples *s, struct random *r, size
 }
 
 /* Light of which nothing is there yet. */
-static inline struct zr_look_lighting no_light(const struct zr_material *materials)
+static inline struct zr_linear_lighting no_light(const struct zr_material *materials)
 {
-    return (struct zr_look_lighting){.materials = materials,
-                                     .environment_intensity = 1.0f,
-                                     .eye_to_environment = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}},
-                                     .tone = ZR_TONE_NONE,
-                                     .exposure = 1.0f};
+    return (struct zr_linear_lighting){.materials = materials,
+                                       .environment_intensity = 1.0f,
+                                       .eye_to_environment = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}},
+                                       .tone = ZR_TONE_NONE,
+                                       .exposure = 1.0f};
 }
 
 #endif

@@ -1,5 +1,5 @@
 /* occlusion_reference.h - tests: ambient occlusion pixel by pixel, in double. Only where a step of a direction ends is
- * found in float, in the order of core/look/occlusion_kernel.c: rounded the other way, it would be another pixel. */
+ * found in float, in the order of core/effects/occlusion_kernel.c: rounded the other way, it would be another pixel. */
 #ifndef ZR_TESTS_OCCLUSION_REFERENCE_H
 #define ZR_TESTS_OCCLUSION_REFERENCE_H
 
@@ -7,7 +7,7 @@
 #include <stdbool.h>
 #include <stdlib.h>
 
-#include "look/occlusion.h"
+#include "effects/occlusion.h"
 
 struct reference {
     const struct zr_gbuffer *pixels;

@@ -1,4 +1,4 @@
-/* A and B of core/look/split_sum.h, integrated in double. */
+/* A and B of core/shade/lights/dfg.h, integrated in double. */
 #ifndef SPLIT_SUM_INTEGRAL_H
 #define SPLIT_SUM_INTEGRAL_H
 

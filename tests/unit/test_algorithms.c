@@ -1,9 +1,9 @@
 /* The independent algorithms in small cases made by hand. */
-#include "raster/algorithms.h"
+#include "raster/textbook/algorithms.h"
 
 #include <string.h>
 
-#include "raster/piece.h"
+#include "raster/textbook/piece.h"
 #include "support/cmocka_all.h"
 #include "support/geometries.h"
 

@@ -1,13 +1,13 @@
 /* Colour bars: what a scene says of one, where it is in windows of every size, and what its pixels are. */
-#include "look/color_bar.h"
+#include "overlay/color_bar.h"
 
 #include <string.h>
 
 #include "base/rgba.h"
 #include "json_check.h"
-#include "look/glyphs.h"
 #include "output/npy.h"
 #include "output/png.h"
+#include "overlay/glyphs.h"
 #include "support/png.h"
 #include "support/scenes.h"
 

@@ -4,8 +4,8 @@
 #include "base/rgba.h"
 #include "guarded.h"
 #include "light_one.h"
+#include "mesh/face_normals.h"
 #include "shade/colors.h"
-#include "shade/normals.h"
 #include "support/isas.h"
 #include "support/random.h"
 
@@ -115,7 +115,7 @@ static zr_vec3 normal_at(const struct zr_mesh *mesh, uint32_t vertex, uint32_t s
 /* What the colours of a mesh are held against. */
 struct expected {
     const struct subject *subject;
-    struct zr_lighting lighting;
+    struct zr_gl_lighting lighting;
     struct zr_normal_matrix to_eye;
     struct zr_colors got;
 };
@@ -188,7 +188,7 @@ static void colors_of_meshes_are_those_of_each_face_alone(void **state)
         subject.mesh.indices = (const uint32_t *)(const void *)indices.bytes;
         struct expected e = {.subject = &subject, .to_eye = zr_normal_matrix_make(&subject.object_to_eye)};
         zr_arena_reset(&arena, 1 << 20);
-        zr_lighting_make(&arena, &subject.scene, &identity, &e.lighting);
+        zr_gl_lighting_make(&arena, &subject.scene, &identity, &e.lighting);
         const zr_vec4 *normals = NULL;
         e.got = zr_colors_make(&arena, team, NULL, &subject.scene, &subject.mesh, &e.lighting, &subject.object_to_eye,
                                &normals, (zr_vec4 *)(void *)front.bytes, (zr_vec4 *)(void *)back.bytes);

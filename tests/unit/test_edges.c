@@ -3,8 +3,8 @@
 #include <string.h>
 
 #include "edges_reference.h"
+#include "effects/edges.h"
 #include "guarded.h"
-#include "look/edges.h"
 #include "raster/tile.h"
 #include "support/isas.h"
 

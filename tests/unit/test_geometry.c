@@ -4,8 +4,8 @@
 #include "geometry/build.h"
 #include "geometry/clip.h"
 #include "geometry/face.h"
-#include "shade/light.h"
-#include "shade/normals.h"
+#include "mesh/face_normals.h"
+#include "shade/lights/light.h"
 #include "support/cmocka_all.h"
 #include "support/scenes.h"
 
@@ -250,7 +250,7 @@ static void light_follows_the_cosine_and_shows_on_one_side_only(void **state)
 {
     (void)state;
     const zr_vec3 to_light = {0, 0, 1}, color = {0.5f, 0.5f, 0.5f};
-    struct zr_lighting lighting = {
+    struct zr_gl_lighting lighting = {
         .ambient = {0.25f, 0.25f, 0.25f}, .count = 1, .to_light = &to_light, .colors = &color};
     zr_mat4 identity = zr_mat4_identity();
     struct zr_normal_matrix matrix = zr_normal_matrix_make(&identity);

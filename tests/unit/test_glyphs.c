@@ -1,5 +1,5 @@
-/* look/glyphs.c and look/canvas.c: text of dots, and boxes. */
-#include "look/glyphs.h"
+/* overlay/glyphs.c and overlay/canvas.c: text of dots, and boxes. */
+#include "overlay/glyphs.h"
 
 #include <string.h>
 

@@ -2,8 +2,8 @@
 #include <math.h>
 #include <string.h>
 
+#include "effects/ground.h"
 #include "guarded.h"
-#include "look/ground.h"
 #include "support/isas.h"
 #include "support/random.h"
 #include "support/test_arena.h"

@@ -55,7 +55,7 @@ static enum zr_status read_stored(void *context, const char *sha256, struct zr_a
 }
 
 struct fixture {
-    struct zr_given_scene root;
+    struct zr_parsed_scene root;
     struct zr_scene scene;
     struct zr_scene_builder builder;
     struct zr_limits limits;
@@ -74,13 +74,13 @@ static struct fixture *open_fixture(void)
                                    {"blue", pngs[BLUE], sizes[BLUE]},
                                    {"broken", pngs[BLUE], sizes[BLUE] - 1}}};
     f.builder = zr_scene_builder_open(&arena, NULL, &f.scene);
-    f.root = (struct zr_given_scene){.json = {.arena = &arena, .limits = &f.limits, .error = &f.error},
-                                     .builder = &f.builder,
-                                     .scene = &f.scene,
-                                     .assets = f.parts,
-                                     .asset_count = PARTS,
-                                     .assets_used = f.used,
-                                     .stored = {read_stored, &f.times_read}};
+    f.root = (struct zr_parsed_scene){.json = {.arena = &arena, .limits = &f.limits, .error = &f.error},
+                                      .builder = &f.builder,
+                                      .scene = &f.scene,
+                                      .assets = f.parts,
+                                      .asset_count = PARTS,
+                                      .assets_used = f.used,
+                                      .stored = {read_stored, &f.times_read}};
     zr_json_open(&f.root.json, "{}", 2);
     return &f;
 }
@@ -89,7 +89,7 @@ static uint32_t find(struct fixture *f, const char *uri, const char *asset)
 {
     uint32_t number = UINT32_MAX;
     const bool found =
-        zr_given_find_image(&f->root, ZR_JSON_KEY(NULL, "t"), &(struct zr_bytes_name){uri, asset}, &number);
+        zr_parsed_find_image(&f->root, ZR_JSON_KEY(NULL, "t"), &(struct zr_bytes_name){uri, asset}, &number);
     if (!found) fail_msg("%s: %s", f->error.items[0].pointer, f->error.items[0].detail);
     return number;
 }
@@ -98,7 +98,7 @@ static void refuse(struct fixture *f, const char *uri, const char *asset, const 
 {
     uint32_t number = 77;
     f->error.count = 0;
-    assert_false(zr_given_find_image(&f->root, ZR_JSON_KEY(NULL, "t"), &(struct zr_bytes_name){uri, asset}, &number));
+    assert_false(zr_parsed_find_image(&f->root, ZR_JSON_KEY(NULL, "t"), &(struct zr_bytes_name){uri, asset}, &number));
     assert_int_equal(number, 77);
     assert_int_equal(f->error.count, 1);
     assert_string_equal(f->error.items[0].pointer, pointer);
@@ -195,7 +195,7 @@ static void memory_that_is_short_is_no_fault_of_the_scene(void **state)
     struct fixture *f = open_fixture();
     uint32_t number = 77;
     arena.ceiling = arena.used + 1024;
-    assert_false(zr_given_find_image(&f->root, ZR_JSON_KEY(NULL, "t"), &(struct zr_bytes_name){NULL, "red"}, &number));
+    assert_false(zr_parsed_find_image(&f->root, ZR_JSON_KEY(NULL, "t"), &(struct zr_bytes_name){NULL, "red"}, &number));
     arena.ceiling = 1 << 26;
     assert_int_equal(f->error.count, 0);
     assert_false(zr_arena_ok(&arena));
@@ -209,7 +209,7 @@ static void cancelled_requests_decode_nothing(void **state)
     struct zr_cancel cancel = {.raised = true};
     uint32_t number = 77;
     f->root.json.cancel = arena.cancel = &cancel;
-    assert_false(zr_given_find_image(&f->root, ZR_JSON_KEY(NULL, "t"), &(struct zr_bytes_name){NULL, "red"}, &number));
+    assert_false(zr_parsed_find_image(&f->root, ZR_JSON_KEY(NULL, "t"), &(struct zr_bytes_name){NULL, "red"}, &number));
     arena.cancel = NULL;
     assert_int_equal(zr_json_close(&f->root.json), ZR_CANCELLED);
     assert_int_equal(f->scene.image_count, 0);

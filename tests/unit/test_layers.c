@@ -1,5 +1,5 @@
 /* Fragments, layers and what is made of them: lists, blending by hand, masks, thickness, limits. */
-#include "look/layer_channels.h"
+#include "render/layer_channels.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -52,7 +52,7 @@ static void lists_are_complete_and_sorted_by_depth_and_then_by_owner(void **stat
     assert_true(zr_fragments_begin(&arena, NULL, PLACES, &fragments));
     for (int i = 0; i < FRAGMENTS; i++)
         zr_fragments_put(&fragments, place[i], depth[i], owner[i]);
-    assert_true(zr_fragments_fill_in(&arena, NULL, &fragments));
+    assert_true(zr_fragments_prefix_sum(&arena, NULL, &fragments));
     for (int i = 0; i < FRAGMENTS; i++)
         zr_fragments_put(&fragments, place[i], depth[i], owner[i]);
     zr_fragments_sort(NULL, &fragments);

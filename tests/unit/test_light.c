@@ -4,8 +4,8 @@
 
 #include "guarded.h"
 #include "light_one.h"
-#include "shade/light.h"
-#include "shade/normals.h"
+#include "mesh/face_normals.h"
+#include "shade/lights/light.h"
 #include "support/isas.h"
 #include "support/random.h"
 
@@ -40,7 +40,7 @@ static zr_vec4 any_color(void)
 }
 
 struct lit_points {
-    struct zr_lighting lighting;
+    struct zr_gl_lighting lighting;
     struct zr_normal_matrix to_eye;
     zr_vec3 to_light[LIGHTS], colors[LIGHTS];
     zr_vec4 normals[MOST], bases[MOST];
@@ -52,7 +52,7 @@ static void make_points(struct lit_points *p, uint32_t lights)
     for (int i = 0; i < 16; i++)
         matrix.m[i] = (float)random_below(&numbers, 2001) / 1000.0f - 1.0f;
     p->to_eye = zr_normal_matrix_make(&matrix);
-    p->lighting = (struct zr_lighting){.ambient = {0.1f, 0.0f, 0.3f}, .count = lights};
+    p->lighting = (struct zr_gl_lighting){.ambient = {0.1f, 0.0f, 0.3f}, .count = lights};
     p->lighting.to_light = p->to_light;
     p->lighting.colors = p->colors;
     for (uint32_t i = 0; i < LIGHTS; i++) {

@@ -47,9 +47,9 @@ static void make_placed(struct random *r, float scale)
     }
 }
 
-static struct zr_look_lighting make_lighting(struct random *r)
+static struct zr_linear_lighting make_lighting(struct random *r)
 {
-    struct zr_look_lighting lighting = no_light(materials);
+    struct zr_linear_lighting lighting = no_light(materials);
     for (int i = 0; i < LAMPS; i++)
         lamps[i] = (struct zr_lamp){.to_light = any_unit(r),
                                     .color = any3(r, 0, 0.5),
@@ -97,7 +97,7 @@ static void every_instruction_set_gives_the_same_bytes(void **state)
         struct random r = random_seeded(seed);
         make_materials(&r);
         make_samples(&samples, &r);
-        struct zr_look_lighting lighting = make_lighting(&r);
+        struct zr_linear_lighting lighting = make_lighting(&r);
         lighting.is_parallel = seed % 2;
         lighting.to_eye = any_unit(&r);
         others = samples; /* its planes are those of samples, its colours its own */
@@ -135,7 +135,7 @@ static void odd_sizes_are_part_of_all(void **state)
     struct random r = random_seeded(31);
     make_materials(&r);
     make_samples(&samples, &r);
-    const struct zr_look_lighting lighting = make_lighting(&r);
+    const struct zr_linear_lighting lighting = make_lighting(&r);
     samples_light(&samples, ZR_ISA_SCALAR, &lighting);
     for (int round = 0; round < 300; round++) {
         const size_t width = random_below(&r, STRIDE - 15), height = random_below(&r, 5);
@@ -161,7 +161,7 @@ static void no_occlusion_is_all_open(void **state)
     struct random r = random_seeded(32);
     make_materials(&r);
     make_samples(&samples, &r);
-    const struct zr_look_lighting lighting = make_lighting(&r);
+    const struct zr_linear_lighting lighting = make_lighting(&r);
     float *const out[3] = {others.out[0], others.out[1], others.out[2]};
     for (size_t i = 0; i < ROOM; i++)
         samples.open[i] = 1.0f;
@@ -191,7 +191,7 @@ static void what_is_not_lit_is_as_given(void **state)
     int lines = 0, nobodies = 0, unlit = 0, normals = 0;
     make_materials(&r);
     make_samples(&samples, &r);
-    struct zr_look_lighting lighting = make_lighting(&r);
+    struct zr_linear_lighting lighting = make_lighting(&r);
     lighting.exposure = 5.0f;
     samples_light(&samples, isa, &lighting);
     for (size_t i = 0; i < SAMPLES; i++) {
@@ -248,9 +248,9 @@ static float powers(struct random *r)
 }
 
 /* Lights and exposure as strong as scenes may have them, and so weak that they are hardly there. */
-static struct zr_look_lighting make_extreme_lighting(struct random *r, uint32_t round)
+static struct zr_linear_lighting make_extreme_lighting(struct random *r, uint32_t round)
 {
-    struct zr_look_lighting lighting = make_lighting(r);
+    struct zr_linear_lighting lighting = make_lighting(r);
     for (int i = 0; i < MATERIALS; i++) {
         materials[i].roughness = (float[]){0, 1e-20f, 1e-6f, 0.999999f, 1, 0.5f}[random_below(r, 6)];
         materials[i].metallic = (float)random_below(r, 2);
@@ -272,7 +272,7 @@ static void all_input_gives_colors(void **state)
     for (uint32_t round = 0; round < 60; round++) {
         make_materials(&r);
         make_extreme_samples(&r);
-        const struct zr_look_lighting lighting = make_extreme_lighting(&r, round);
+        const struct zr_linear_lighting lighting = make_extreme_lighting(&r, round);
         samples_light(&samples, isa, &lighting);
         for (size_t i = 0; i < SAMPLES; i++)
             for (int k = 0; k < 3; k++)
@@ -292,7 +292,7 @@ static void strong_light_is_white(void **state)
     struct random r = random_seeded(35);
     for (int round = 0; round < 12; round++) {
         make_materials(&r);
-        struct zr_look_lighting lighting = make_lighting(&r);
+        struct zr_linear_lighting lighting = make_lighting(&r);
         lighting.exposure = lighting.environment_intensity = 1e6f;
         lighting.tone = (enum zr_tone)(round % ZR_TONE_COUNT);
         lamps[0].color = lamps[1].color = lamps[2].color = (zr_vec3){1e6f, 1e6f, 1e6f};
@@ -319,7 +319,7 @@ static void light_from_straight_behind_changes_nothing(void **state)
     const enum zr_isa isa = isa_under_test(state);
     static const struct zr_material metal = {.shading = ZR_SHADING_PBR, .roughness = 0.5f, .metallic = 0.5f};
     static const struct zr_lamp behind = {.to_light = {0, 0, -1}, .color = {1, 1, 1}, .lights_pbr = true};
-    struct zr_look_lighting lighting = no_light(&metal);
+    struct zr_linear_lighting lighting = no_light(&metal);
     lighting.ambient = (zr_vec3){0.5f, 0.5f, 0.5f};
     lighting.is_parallel = true;
     lighting.to_eye = (zr_vec3){0, 0, 1};
@@ -344,7 +344,7 @@ static double seconds(void)
 }
 
 /* As the tiles of a picture are: rows of 64. */
-static double best_time(enum zr_isa isa, const struct zr_look_lighting *lighting)
+static double best_time(enum zr_isa isa, const struct zr_linear_lighting *lighting)
 {
     enum { ROW = 64, STRIDE = 80, ROWS = ROOM / STRIDE };
     const struct zr_gbuffer tile = part_of(&samples.g, 0, ROW, ROWS, STRIDE);
@@ -378,7 +378,7 @@ static void speed(void **state)
         const struct zr_lamp sun = {.to_light = {0, 0.6f, 0.8f}, .color = {1, 1, 1}, .lights_pbr = true};
         struct random r = random_seeded(1);
         make_part(&look->material, &r);
-        struct zr_look_lighting lighting = no_light(materials);
+        struct zr_linear_lighting lighting = no_light(materials);
         lighting.has_environment = zr_environment_make(look->picture.environment.name, &lighting.environment);
         lighting.tone = look->picture.tone;
         lighting.lamps = &sun;

@@ -2,7 +2,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "look/lighting.h"
+#include "shade/lights/lighting.h"
 #include "support/cmocka_all.h"
 #include "support/isas.h"
 
@@ -32,12 +32,12 @@ static void light(struct row *row, enum zr_isa isa, size_t count)
     static const struct zr_material material = {.shading = ZR_SHADING_PBR, .roughness = 0.5f};
     struct zr_gbuffer samples = {
         .width = (int32_t)count, .height = 1, .stride = ROOM, .owner = row->owner, .material = row->material};
-    struct zr_look_lighting lighting = {.materials = &material,
-                                        .ambient = {0.5f, 0.5f, 0.5f},
-                                        .environment_intensity = 1,
-                                        .eye_to_environment = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}},
-                                        .tone = ZR_TONE_NEUTRAL,
-                                        .exposure = 1};
+    struct zr_linear_lighting lighting = {.materials = &material,
+                                          .ambient = {0.5f, 0.5f, 0.5f},
+                                          .environment_intensity = 1,
+                                          .eye_to_environment = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}},
+                                          .tone = ZR_TONE_NEUTRAL,
+                                          .exposure = 1};
     lighting.has_environment = zr_environment_make(ZR_ENVIRONMENT_STUDIO, &lighting.environment);
     for (int k = 0; k < 3; k++) {
         samples.base[k] = row->base[k];

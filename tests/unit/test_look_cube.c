@@ -85,9 +85,9 @@ static d3 point_of(const struct cube *cube, int face, int i)
 /* ---- its light ---- */
 
 /* The lamps of a look that go with the camera. */
-static struct zr_look_lighting lighting_of(const struct zr_look *look)
+static struct zr_linear_lighting lighting_of(const struct zr_look *look)
 {
-    struct zr_look_lighting lighting = no_light(&material);
+    struct zr_linear_lighting lighting = no_light(&material);
     for (uint32_t i = 0; i < look->light_count; i++) {
         const struct zr_light *light = &look->lights[i];
         const bool is_hemisphere = light->type == ZR_LIGHT_HEMISPHERE;
@@ -110,7 +110,7 @@ static struct zr_look_lighting lighting_of(const struct zr_look *look)
 }
 
 /* An environment that is level in the world: `up` is the world's in eye space. */
-static void level_environment(const struct zr_look *look, struct zr_look_lighting *lighting, zr_vec3 up)
+static void level_environment(const struct zr_look *look, struct zr_linear_lighting *lighting, zr_vec3 up)
 {
     const zr_vec3 towards = zr_vec3_normalize((zr_vec3){-up.x * up.z, -up.y * up.z, 1.0f - up.z * up.z});
     const zr_vec3 x = zr_vec3_cross(up, towards);
@@ -132,7 +132,7 @@ static zr_vec3 rgb_of(uint32_t hex)
 }
 
 /* The mean of a face in the picture, in linear light; a part of a face has the size of its picture. */
-static struct bytes face_color(const struct cube *cube, int face, const struct zr_look_lighting *lighting,
+static struct bytes face_color(const struct cube *cube, int face, const struct zr_linear_lighting *lighting,
                                uint32_t base)
 {
     d3 sum = {{0}};
@@ -160,7 +160,7 @@ static struct bytes face_color(const struct cube *cube, int face, const struct z
 /* What is not occluded. */
 static void cube_colors(const struct zr_look *look, uint32_t base, const struct cube *cube, struct bytes out[FACES])
 {
-    struct zr_look_lighting lighting = lighting_of(look);
+    struct zr_linear_lighting lighting = lighting_of(look);
     lighting.is_parallel = cube->is_parallel;
     level_environment(look, &lighting, cube->normals[TOP]);
     for (int f = 0; f < FACES; f++)

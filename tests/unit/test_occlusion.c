@@ -2,7 +2,7 @@
  * looks as it should. OCCLUSION_SPEED=1 prints times. */
 #include <time.h>
 
-#include "look/occlusion.h"
+#include "effects/occlusion.h"
 #include "occlusion_reference.h"
 #include "occlusion_scenes.h"
 #include "support/isas.h"

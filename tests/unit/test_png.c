@@ -265,10 +265,10 @@ static void filtered_rows_and_their_sum_are_as_defined(void **state)
                 want[1 + x * file + k] = (uint8_t)(row[from] - above[from]);
             }
         struct zr_adler sum = zr_adler_begin();
-        struct zr_reach reach = {0, width}; /* or what is known to be enough */
+        struct zr_column_span reach = {0, width}; /* or what is known to be enough */
         if (begin < end && i % 2)
-            reach = (struct zr_reach){begin - (uint32_t)(random_next(&random) % (begin + 1)),
-                                      end + (uint32_t)(random_next(&random) % (width - end + 1))};
+            reach = (struct zr_column_span){begin - (uint32_t)(random_next(&random) % (begin + 1)),
+                                            end + (uint32_t)(random_next(&random) % (width - end + 1))};
         zr_filter_row(layout, row, above, width, reach, got, &sum);
         assert_memory_equal(got, want, 1 + width * file);
         assert_int_equal(sum.b << 16 | sum.a, adler32(1, want, (uInt)(1 + width * file)));
@@ -284,7 +284,7 @@ static void sums_of_the_largest_bytes_do_not_overflow(void **state)
     uint8_t *out = zr_arena_alloc(&arena, 4 * WIDTH + 1 + ZR_FILTER_PADDING, 1);
     struct zr_adler sum = zr_adler_begin();
     memset(row, 255, 4 * (size_t)WIDTH);
-    zr_filter_row(ZR_LAYOUT_RGBA, row, above, WIDTH, (struct zr_reach){0, WIDTH}, out, &sum);
+    zr_filter_row(ZR_LAYOUT_RGBA, row, above, WIDTH, (struct zr_column_span){0, WIDTH}, out, &sum);
     assert_int_equal(sum.b << 16 | sum.a, adler32(1, out, 4 * WIDTH + 1));
 }
 

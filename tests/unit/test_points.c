@@ -105,11 +105,11 @@ static void points_have_the_pixels_of_their_edges_in_the_tiles_that_list_them(vo
         const float y = (float)(floor(random_range(&random, -3, HEIGHT + 3) / step) * step);
         const float z = (float)random_range(&random, 0, 1), size = (float)random_range(&random, 1, round % 9 ? 9 : 300);
         struct one one;
-        struct zr_visible visible;
+        struct zr_binned_scene visible;
         struct zr_primitive primitive;
         one_make(&one, x, y, z, size);
         zr_arena_reset(&arena, 1 << 20);
-        assert_int_equal(zr_visible_make(&arena, NULL, &one.geometry, NULL, WIDTH, HEIGHT, NULL, &visible), ZR_OK);
+        assert_int_equal(zr_binned_scene_make(&arena, NULL, &one.geometry, NULL, WIDTH, HEIGHT, NULL, &visible), ZR_OK);
         zr_primitive_make(&one.geometry, &one.draw, 0, WIDTH, HEIGHT, &primitive);
         for (uint32_t number = 0; number < TILES; number++) {
             zr_tile_place(&by_edges, number, WIDTH, HEIGHT);

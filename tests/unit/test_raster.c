@@ -29,7 +29,7 @@ static void draw(struct zr_tile *tile, const struct zr_window_vertex v[3])
 }
 
 /* With all samples written. */
-static void draw_tile(const struct zr_visible *visible, uint32_t number, struct zr_tile *tile)
+static void draw_tile(const struct zr_binned_scene *visible, uint32_t number, struct zr_tile *tile)
 {
     assert_true(zr_visibility_tile(visible, number, NULL, NULL, tile));
     if (!tile->is_empty) visible->halfspace->flush(tile);
@@ -231,10 +231,10 @@ static void lines_have_the_pixels_of_their_parallelogram_in_the_tiles_that_list_
                                              .primitive_count = 1,
                                              .draw_count = 1,
                                              .draws = &draw};
-        struct zr_visible visible;
+        struct zr_binned_scene visible;
         struct zr_primitive primitive;
         zr_arena_reset(&arena, 1 << 20);
-        assert_int_equal(zr_visible_make(&arena, NULL, &geometry, NULL, WIDTH, HEIGHT, NULL, &visible), ZR_OK);
+        assert_int_equal(zr_binned_scene_make(&arena, NULL, &geometry, NULL, WIDTH, HEIGHT, NULL, &visible), ZR_OK);
         zr_primitive_make(&geometry, &draw, 0, WIDTH, HEIGHT, &primitive);
         for (uint32_t number = 0; number < TILES; number++) {
             zr_tile_place(&by_edges, number, WIDTH, HEIGHT);
@@ -360,10 +360,10 @@ static void bins_lose_no_triangle_and_invent_none(enum zr_isa isa, int threads)
                                          .draw_count = 1,
                                          .draws = &draw};
     struct zr_arena arena;
-    struct zr_visible visible;
+    struct zr_binned_scene visible;
     struct zr_team *team = zr_team_create_for(threads, isa);
     zr_arena_init(&arena, 1 << 24);
-    assert_int_equal(zr_visible_make(&arena, team, &geometry, NULL, WIDTH, HEIGHT, NULL, &visible), ZR_OK);
+    assert_int_equal(zr_binned_scene_make(&arena, team, &geometry, NULL, WIDTH, HEIGHT, NULL, &visible), ZR_OK);
     assert_in_range(visible.sorted[ZR_ALPHA_OPAQUE].bins.large_count, 1, COUNT - 1);
     assert_int_equal(visible.sorted[ZR_ALPHA_OPAQUE].bins.worker_count, threads > 1 ? 2 : 1);
     for (uint32_t number = 0; number < zr_tile_count(WIDTH, HEIGHT); number++) {
@@ -414,11 +414,11 @@ static void fragments_of_far_apart_owners_keep_them(void **state)
                                          .draws = &draw};
     for (int threads = 1; threads <= 3; threads += 2) {
         struct zr_arena arena;
-        struct zr_visible visible;
+        struct zr_binned_scene visible;
         struct zr_team *team = zr_team_create(threads);
         zr_arena_init(&arena, 1 << 27);
-        assert_int_equal(zr_visible_make(&arena, team, &geometry, NULL, 2 * ZR_TILE_SIZE, ZR_TILE_SIZE, NULL, &visible),
-                         ZR_OK);
+        assert_int_equal(
+            zr_binned_scene_make(&arena, team, &geometry, NULL, 2 * ZR_TILE_SIZE, ZR_TILE_SIZE, NULL, &visible), ZR_OK);
         draw_tile(&visible, 0, &tile);
         for (uint32_t p = 0; p < PIXELS; p++) {
             const uint32_t last = p - (COUNT - FEW) % PIXELS;

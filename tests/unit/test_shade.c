@@ -203,20 +203,20 @@ static uint32_t count_early(struct zr_arena *arena, struct zr_team *team, const 
 {
     struct zr_camera camera;
     struct zr_geometry geometry;
-    struct zr_surfaces surfaces;
-    const struct zr_payload *payloads;
-    struct zr_visible visible;
+    struct zr_scene_attributes surfaces;
+    const struct zr_prepaint *payloads;
+    struct zr_binned_scene visible;
     struct zr_error error = {.count = 0};
     struct zr_tile *tile = zr_arena_alloc(arena, 1, sizeof *tile);
     assert_int_equal(zr_camera_resolve(scene, NULL, NULL, NULL, &camera, &error), ZR_OK);
     const uint32_t width = scene->views[0].width, height = scene->views[0].height;
     const struct zr_window window = {width, height, 1, 1.0f};
-    const struct zr_surface_wants wants = {.colors = zr_view_wants(&scene->views[0], ZR_CHANNEL_COLOR),
-                                           .normals = zr_view_wants(&scene->views[0], ZR_CHANNEL_NORMALS)};
+    const struct zr_attribute_wants wants = {.colors = zr_view_wants(&scene->views[0], ZR_CHANNEL_COLOR),
+                                             .normals = zr_view_wants(&scene->views[0], ZR_CHANNEL_NORMALS)};
     assert_int_equal(zr_geometry_build(arena, team, scene, &camera, &window, NULL, false, &geometry), ZR_OK);
-    assert_int_equal(zr_surfaces_make(arena, team, scene, &camera, &geometry, &wants, NULL, &surfaces), ZR_OK);
+    assert_int_equal(zr_scene_attributes_make(arena, team, scene, &camera, &geometry, &wants, NULL, &surfaces), ZR_OK);
     assert_int_equal(zr_paint_prepare(arena, team, &geometry, &surfaces, width * height, &payloads), ZR_OK);
-    assert_int_equal(zr_visible_make(arena, team, &geometry, payloads, width, height, NULL, &visible), ZR_OK);
+    assert_int_equal(zr_binned_scene_make(arena, team, &geometry, payloads, width, height, NULL, &visible), ZR_OK);
     assert_true(zr_visibility_tile(&visible, 0, NULL, NULL, tile));
     uint32_t early = 0;
     for (int32_t i = 0; tile->has_words && i < ZR_TILE_STRIDE * tile->height; i++)

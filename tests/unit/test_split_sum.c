@@ -1,4 +1,4 @@
-/* Every value of the table is the integral. PRINT=1 prints core/look/split_sum.c. */
+/* Every value of the table is the integral. PRINT=1 prints core/shade/lights/dfg.c. */
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -9,7 +9,7 @@
 
 #include <cmocka.h>
 
-#include "look/split_sum.h"
+#include "shade/lights/dfg.h"
 #include "split_sum_integral.h"
 
 static double cosine_of(int column)
@@ -20,8 +20,8 @@ static double cosine_of(int column)
 
 static void print_table(void)
 {
-    printf("#include \"look/split_sum.h\"\n\n/* clang-format off */\n"
-           "const float zr_split_sum[ZR_SPLIT_SIDE][2][ZR_SPLIT_SIDE] = {\n");
+    printf("#include \"shade/lights/dfg.h\"\n\n/* clang-format off */\n"
+           "const float zr_dfg_table[ZR_SPLIT_SIDE][2][ZR_SPLIT_SIDE] = {\n");
     for (int row = 0; row < ZR_SPLIT_SIDE; row++) {
         printf("    {");
         for (int which = 0; which < 2; which++) {
@@ -46,8 +46,8 @@ static void values_are_integrals(void **state)
         for (int column = 0; column < ZR_SPLIT_SIDE; column++) {
             double a, b;
             integrate_split_sum((double)row / (ZR_SPLIT_SIDE - 1), cosine_of(column), 160, &a, &b);
-            worst = fmax(worst, fabs((double)zr_split_sum[row][0][column] - a));
-            worst = fmax(worst, fabs((double)zr_split_sum[row][1][column] - b));
+            worst = fmax(worst, fabs((double)zr_dfg_table[row][0][column] - a));
+            worst = fmax(worst, fabs((double)zr_dfg_table[row][1][column] - b));
         }
     print_message("worst difference: %.5f\n", worst);
     assert_true(worst < 0.004);
@@ -66,7 +66,7 @@ static void values_between_are_close(void **state)
             double want[2];
             integrate_split_sum((row + 0.5) / (ZR_SPLIT_SIDE - 1), share * share, 160, &want[0], &want[1]);
             for (int k = 0; k < 2; k++) {
-                const float *here = zr_split_sum[row][k], *next = zr_split_sum[row + 1][k];
+                const float *here = zr_dfg_table[row][k], *next = zr_dfg_table[row + 1][k];
                 const double got = 0.25 * ((double)here[column] + (double)here[column + 1] + (double)next[column] +
                                            (double)next[column + 1]);
                 sum += fabs(got - want[k]);

@@ -1,7 +1,7 @@
 /* Averages of samples in linear light, by every instruction set: to the last bit what one sample after the other gives,
  * for every number of samples and pixels, and nothing beyond is written. */
-#include "look/supersample.h"
 #include "raster/tile.h"
+#include "render/supersample.h"
 #include "support/isas.h"
 #include "support/random.h"
 

@@ -7,7 +7,7 @@ enum { MATERIALS = 64 };
 static struct lit_samples samples;
 static struct zr_material materials[MATERIALS];
 
-typedef d3 expected_fn(const struct zr_look_lighting *lighting, size_t at);
+typedef d3 expected_fn(const struct zr_linear_lighting *lighting, size_t at);
 
 static void assert_below(double value, double bound, const char *what)
 {
@@ -40,7 +40,7 @@ static struct reference_surface surface(size_t at)
 }
 
 /* Worst difference, relative to what is more than `floor`, of samples that are not as bright as white. */
-static double worst_of(const struct zr_look_lighting *lighting, expected_fn *expected, double floor)
+static double worst_of(const struct zr_linear_lighting *lighting, expected_fn *expected, double floor)
 {
     double worst = 0.0;
     int compared = 0;
@@ -63,7 +63,7 @@ static d3 times_color(d3 a, zr_vec3 color)
     return (d3){{a.v[0] * c.v[0], a.v[1] * c.v[1], a.v[2] * c.v[2]}};
 }
 
-static d3 lamp_expected(const struct zr_look_lighting *lighting, size_t at)
+static d3 lamp_expected(const struct zr_linear_lighting *lighting, size_t at)
 {
     const struct reference_surface s = surface(at);
     return times_color(reference_lamp(&s, d3_unit(d3_of(lighting->lamps->to_light))), lighting->lamps->color);
@@ -79,7 +79,7 @@ static void lamps_are_those_of_gltf(void **state)
             .to_light = any_facing(&r, (zr_vec3){0, 0, 1}, 0.0f), .color = any3(&r, 0.1, 0.6), .lights_pbr = true};
         make_materials(&r, ZR_SHADING_PBR);
         make_samples(&r);
-        struct zr_look_lighting lighting = no_light(materials);
+        struct zr_linear_lighting lighting = no_light(materials);
         lighting.lamps = &lamp;
         lighting.lamp_count = 1;
         samples_light(&samples, isa, &lighting);
@@ -118,7 +118,7 @@ static void lamps_behind_and_of_others_give_nothing(void **state)
                                      {.to_light = {0, 0, -1}, .color = {1, 1, 1}, .lights_pbr = true}};
     make_materials(&r, ZR_SHADING_PBR);
     make_samples(&r);
-    struct zr_look_lighting lighting = no_light(materials);
+    struct zr_linear_lighting lighting = no_light(materials);
     lighting.lamps = lamps;
     lighting.lamp_count = 2;
     samples_light(&samples, isa, &lighting);
@@ -130,7 +130,7 @@ static void lamps_behind_and_of_others_give_nothing(void **state)
 
 /* ---- all around, on pbr ---- */
 
-static d3 around_expected(const struct zr_look_lighting *lighting, size_t at)
+static d3 around_expected(const struct zr_linear_lighting *lighting, size_t at)
 {
     const struct reference_surface s = surface(at);
     const struct zr_lamp *lamp = lighting->lamps;
@@ -165,7 +165,7 @@ static void light_from_all_around_is_as_defined(void **state)
         const zr_vec3 y = any_unit(&r), x = zr_vec3_normalize(zr_vec3_cross(y, any_unit(&r)));
         make_materials(&r, ZR_SHADING_PBR);
         make_samples(&r);
-        struct zr_look_lighting lighting = no_light(materials);
+        struct zr_linear_lighting lighting = no_light(materials);
         lighting.ambient = any3(&r, 0, 0.1);
         lighting.lamps = &lamp;
         lighting.lamp_count = 1;
@@ -189,7 +189,7 @@ static struct zr_environment_light uniform_environment(void)
         .sky = {1, 1, 1}, .ground = {1, 1, 1}, .half_width = 0.1f, .harmonics = {{1, 1, 1}}};
 }
 
-static void furnace(enum zr_isa isa, const struct zr_look_lighting *lighting, double *least, double *most)
+static void furnace(enum zr_isa isa, const struct zr_linear_lighting *lighting, double *least, double *most)
 {
     for (size_t i = 0; i < MATERIALS; i++)
         materials[i] = (struct zr_material){
@@ -212,7 +212,7 @@ static void furnace(enum zr_isa isa, const struct zr_look_lighting *lighting, do
 static void nothing_is_lost_in_a_white_furnace(void **state)
 {
     const enum zr_isa isa = isa_under_test(state);
-    struct zr_look_lighting ambient = no_light(materials), environment = ambient;
+    struct zr_linear_lighting ambient = no_light(materials), environment = ambient;
     double least = 1.0, most = 1.0;
     ambient.ambient = (zr_vec3){1, 1, 1};
     environment.environment = uniform_environment();
@@ -237,7 +237,7 @@ static void occlusion_does_not_touch_lamps(void **state)
     for (int i = 0; i < 4; i++) {
         make_materials(&r, shadings[i]);
         make_samples(&r);
-        struct zr_look_lighting lighting = no_light(materials);
+        struct zr_linear_lighting lighting = no_light(materials);
         lighting.lamps = &lamp;
         lighting.lamp_count = 1;
         samples_light(&samples, isa, &lighting);
@@ -253,7 +253,7 @@ static void occlusion_does_not_touch_lamps(void **state)
 
 /* ---- flat, gouraud, phong, gooch ---- */
 
-static d3 classic_expected(const struct zr_look_lighting *lighting, size_t at)
+static d3 classic_expected(const struct zr_linear_lighting *lighting, size_t at)
 {
     const struct reference_surface s = surface(at);
     const struct zr_material *material = &materials[samples.material[at]];
@@ -287,7 +287,7 @@ static void classic_surfaces_are_as_defined(void **state)
             {.to_light = any_unit(&r), .color = any3(&r, 0, 0.3), .lights_pbr = true}};
         make_materials(&r, (enum zr_shading[]){ZR_SHADING_FLAT, ZR_SHADING_GOURAUD, ZR_SHADING_PHONG}[round % 3]);
         make_samples(&r);
-        struct zr_look_lighting lighting = no_light(materials);
+        struct zr_linear_lighting lighting = no_light(materials);
         lighting.ambient = any3(&r, 0, 0.1);
         lighting.lamps = lamps;
         lighting.lamp_count = 3;
@@ -297,7 +297,7 @@ static void classic_surfaces_are_as_defined(void **state)
     assert_below(worst, 1e-4, "flat, gouraud, phong, worst relative difference");
 }
 
-static d3 gooch_expected(const struct zr_look_lighting *lighting, size_t at)
+static d3 gooch_expected(const struct zr_linear_lighting *lighting, size_t at)
 {
     const struct reference_surface s = surface(at);
     const d3 k = d3_unit((d3){{-0.45, 0.65, 0.61}}), cool = d3_of(materials[samples.material[at]].cool);
@@ -316,7 +316,7 @@ static void gooch_is_as_defined(void **state)
     struct random r = random_seeded(27);
     make_materials(&r, ZR_SHADING_GOOCH);
     make_samples(&r);
-    struct zr_look_lighting lighting = no_light(materials);
+    struct zr_linear_lighting lighting = no_light(materials);
     lighting.exposure = 3.0f;
     lighting.tone = ZR_TONE_NEUTRAL;
     samples_light(&samples, isa, &lighting);
@@ -325,7 +325,7 @@ static void gooch_is_as_defined(void **state)
 
 /* ---- what becomes of light ---- */
 
-static d3 exposed_expected(const struct zr_look_lighting *lighting, size_t at)
+static d3 exposed_expected(const struct zr_linear_lighting *lighting, size_t at)
 {
     const d3 emissive = d3_of(materials[samples.material[at]].emissive);
     const d3 light = d3_mad(around_expected(lighting, at), 1.0, emissive);
@@ -342,7 +342,7 @@ static void exposure_comes_before_the_tone(void **state)
         for (int i = 0; i < MATERIALS; i++)
             materials[i].emissive = any3(&r, 0, 0.2);
         make_samples(&r);
-        struct zr_look_lighting lighting = no_light(materials);
+        struct zr_linear_lighting lighting = no_light(materials);
         lighting.has_environment = zr_environment_make(ZR_ENVIRONMENT_STUDIO, &lighting.environment);
         lighting.lamps = &none;
         lighting.tone = (enum zr_tone)tone;

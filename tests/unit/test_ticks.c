@@ -1,5 +1,5 @@
-/* look/decimal.c and look/ticks.c: round numbers along a range, and how they are written. */
-#include "look/ticks.h"
+/* overlay/decimal.c and overlay/ticks.c: round numbers along a range, and how they are written. */
+#include "overlay/ticks.h"
 
 #include <float.h>
 #include <math.h>

@@ -1,11 +1,11 @@
 /* Normals of vertices are sums in the order of the faces, however many threads share them. */
-#include "shade/vertex_normals.h"
+#include "mesh/vertex_normals.h"
 
 #include <math.h>
 #include <string.h>
 
 #include "guarded.h"
-#include "shade/normals.h"
+#include "mesh/face_normals.h"
 #include "support/isas.h"
 #include "support/random.h"
 

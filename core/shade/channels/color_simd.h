@@ -20,7 +20,7 @@ enum { ZR_RUNS_AHEAD = 8 };
 
 static inline bool zr_run_has_planes(const struct zr_run *run)
 {
-    return zr_surface_is_smooth(run->surface) || run->surface->is_late;
+    return zr_draw_is_smooth(run->surface) || run->surface->is_per_pixel;
 }
 
 static inline void zr_look_up_smooth(const struct zr_shader *s, const struct zr_run *run, struct zr_corner_numbers *out)
@@ -38,7 +38,7 @@ static inline void zr_look_up_smooth(const struct zr_shader *s, const struct zr_
 
 static inline void zr_look_up_colors(const struct zr_shader *s, const struct zr_run *run, struct zr_color_places *out)
 {
-    const struct zr_surface *surface = run->surface;
+    const struct zr_draw_attributes *surface = run->surface;
     if (zr_draw_is_of_wires(run->draw)) return;
     if (zr_run_has_planes(run)) {
         zr_look_up_smooth(s, run, &out->smooth);
@@ -57,12 +57,12 @@ static void zr_make_lines(struct zr_shader *s, const struct zr_run *run, int cou
     for (uint32_t i = run->first; i < run->first + run->count; i++) {
         static const struct zr_material unlit = {.shading = ZR_SHADING_UNLIT};
         struct zr_plane planes[1 + ZR_VALUES_MOST];
-        const bool is_late = count > 1 + ZR_VALUES_LATE;
+        const bool is_per_pixel = count > 1 + ZR_VALUES_LATE;
         const bool flat =
-            zr_line_color(s->geometry, run->surface, s->parts.owners[i] - 1, is_late, planes, &s->words[i]);
+            zr_line_color(s->geometry, run->surface, s->parts.owners[i] - 1, is_per_pixel, planes, &s->words[i]);
         s->has_planes[i] = false;
-        if (!flat || is_late) zr_put_alone(s, i, planes, 1 + ZR_VALUES_MOST, count);
-        if (!is_late) continue;
+        if (!flat || is_per_pixel) zr_put_alone(s, i, planes, 1 + ZR_VALUES_MOST, count);
+        if (!is_per_pixel) continue;
         s->is_constant[i] = flat;
         s->materials[i] = &unlit;
         s->any_late = true;
@@ -70,8 +70,9 @@ static void zr_make_lines(struct zr_shader *s, const struct zr_run *run, int cou
 }
 
 /* Where they lie in a texture; 0 where they have none. */
-static inline void zr_put_texcoords(struct zr_shader *s, const struct zr_run *run, const struct zr_way_v *way,
-                                    const int32_t (*vertices)[ZR_LANES], int count)
+static inline void zr_put_texcoords(struct zr_shader *s, const struct zr_run *run,
+                                    const struct zr_triangle_setup_v *way, const int32_t (*vertices)[ZR_LANES],
+                                    int count)
 {
     const zr_vec4 *texcoords = run->surface->attributes[ZR_ATTRIBUTE_TEXCOORD].values;
     const struct zr_plane_v none = {zr_vf_set(0.0f), zr_vf_set(0.0f), zr_vf_set(0.0f)};
@@ -86,7 +87,7 @@ static inline void zr_put_texcoords(struct zr_shader *s, const struct zr_run *ru
 }
 
 /* Of triangles whose normals and points are wanted beside their colours. */
-static inline void zr_put_late(struct zr_shader *s, const struct zr_run *run, const struct zr_way_v *way,
+static inline void zr_put_late(struct zr_shader *s, const struct zr_run *run, const struct zr_triangle_setup_v *way,
                                const int32_t (*vertices)[ZR_LANES], int count)
 {
     const zr_vec4 *points = run->surface->attributes[ZR_ATTRIBUTE_POINT].values - run->draw->first_vertex;
@@ -119,10 +120,10 @@ static inline void zr_put_late(struct zr_shader *s, const struct zr_run *run, co
 static inline void zr_put_smooth(struct zr_shader *s, const struct zr_run *run, const struct zr_corner_numbers *corners,
                                  int count)
 {
-    const struct zr_surface *surface = run->surface;
+    const struct zr_draw_attributes *surface = run->surface;
     const enum zr_rate rate = surface->attributes[ZR_ATTRIBUTE_COLOR].rate;
     const zr_vi numbers = zr_run_numbers(s, run);
-    const struct zr_way_v way = zr_way_of(s->geometry->vertices, corners->vertex);
+    const struct zr_triangle_setup_v way = zr_way_of(s->geometry->vertices, corners->vertex);
     const uint32_t backs = surface->sided ? zr_vm_bits(zr_shown_backs(run->draw, numbers, way.turned)) : 0;
     struct zr_vec3_v values[3];
     zr_colors_load(surface, corners->value, backs, values);
@@ -136,7 +137,7 @@ static inline void zr_put_smooth(struct zr_shader *s, const struct zr_run *run, 
     zr_put_three(s, run->first, 1, count, &planes);
     memset(s->has_planes + run->first, true, ZR_LANES);
     s->any_planes = true;
-    if (count > 1 + ZR_VALUES_FEW && surface->is_late) zr_put_late(s, run, &way, corners->vertex, count);
+    if (count > 1 + ZR_VALUES_FEW && surface->is_per_pixel) zr_put_late(s, run, &way, corners->vertex, count);
 }
 
 static inline void zr_make_colors(struct zr_shader *s, const struct zr_run *run, const struct zr_color_places *places,
@@ -159,7 +160,7 @@ static inline void zr_make_colors(struct zr_shader *s, const struct zr_run *run,
 /* ---- the channel ---- */
 
 static inline void zr_shade_colors_by(struct zr_shader *s, const struct zr_tile *tile, int begin, int end,
-                                      const struct zr_shaded *to, int plane_count)
+                                      const struct zr_tile_targets *to, int plane_count)
 {
     struct zr_color_places places[ZR_RUNS_AHEAD];
     for (uint32_t i = 0; i < s->run_count + ZR_RUNS_AHEAD; i++) {
@@ -167,14 +168,14 @@ static inline void zr_shade_colors_by(struct zr_shader *s, const struct zr_tile 
         if (i >= ZR_RUNS_AHEAD) zr_make_colors(s, &s->runs[i - ZR_RUNS_AHEAD], of_run, plane_count);
         if (i < s->run_count) zr_look_up_colors(s, &s->runs[i], of_run);
     }
-    const struct zr_finish finish = {tile, tile->has_words, to->behind.first ? &to->behind : NULL,
-                                     &to->channels[ZR_CHANNEL_COLOR]};
-    zr_finish_blocks(s, &finish, begin, end, plane_count);
+    const struct zr_store finish = {tile, tile->has_words, to->behind.first ? &to->behind : NULL,
+                                    &to->channels[ZR_CHANNEL_COLOR]};
+    zr_store_blocks(s, &finish, begin, end, plane_count);
 }
 
 /* How many planes there are is known when this is compiled: else they would not stay in registers. */
 static inline void zr_shade_colors(struct zr_shader *s, const struct zr_tile *tile, int begin, int end,
-                                   const struct zr_shaded *to)
+                                   const struct zr_tile_targets *to)
 {
     s->words[0] = to->nothing;
     s->materials[0] = NULL;

@@ -22,7 +22,7 @@ static void zr_make_float_lines(struct zr_shader *s, const struct zr_run *run)
     }
 }
 
-static inline void zr_put_opacity(struct zr_shader *s, const struct zr_run *run, const struct zr_way_v *way,
+static inline void zr_put_opacity(struct zr_shader *s, const struct zr_run *run, const struct zr_triangle_setup_v *way,
                                   const struct zr_corner_numbers *corners, uint32_t backs, bool flat)
 {
     const struct zr_attribute *attributes = run->surface->attributes;
@@ -39,7 +39,7 @@ static inline void zr_put_opacity(struct zr_shader *s, const struct zr_run *run,
 }
 
 /* Where they lie in the image of the base colour, of texcoords as the mesh has them. */
-static inline void zr_put_places(struct zr_shader *s, const struct zr_run *run, const struct zr_way_v *way,
+static inline void zr_put_places(struct zr_shader *s, const struct zr_run *run, const struct zr_triangle_setup_v *way,
                                  const int32_t (*vertices)[ZR_LANES])
 {
     const struct zr_texture_map *map = zr_opacity_map_of(&s->surfaces->textures, run->draw->material);
@@ -69,12 +69,12 @@ static inline void zr_make_floats(struct zr_shader *s, const struct zr_run *run)
         zr_make_float_lines(s, run);
         return;
     }
-    const struct zr_surface *surface = run->surface;
+    const struct zr_draw_attributes *surface = run->surface;
     const enum zr_rate rate = surface->attributes[ZR_ATTRIBUTE_COLOR].rate;
     const bool flat = zr_rate_is_flat(rate);
     const zr_vi numbers = zr_run_numbers(s, run);
     const struct zr_corner_numbers corners = zr_corner_numbers_of(run->draw, rate, numbers);
-    const struct zr_way_v way = zr_way_of(s->geometry->vertices, corners.vertex);
+    const struct zr_triangle_setup_v way = zr_way_of(s->geometry->vertices, corners.vertex);
     const uint32_t backs = surface->sided ? zr_vm_bits(zr_shown_backs(run->draw, numbers, way.turned)) : 0;
     const zr_vf zero = zr_vf_set(0.0f);
     struct zr_vec3_v values[3];
@@ -88,7 +88,7 @@ static inline void zr_make_floats(struct zr_shader *s, const struct zr_run *run)
     memset(s->is_constant + run->first, flat, ZR_LANES);
     for (uint32_t i = run->first; i < run->first + ZR_LANES; i++)
         s->materials[i] = NULL;
-    if (!surface->is_late) return;
+    if (!surface->is_per_pixel) return;
     zr_put_late(s, run, &way, corners.vertex, ZR_FLOAT_PLANES);
     if (s->surfaces->texcoords_as_given) zr_put_places(s, run, &way, corners.vertex);
 }

@@ -5,7 +5,7 @@
 #include "shade/words_simd.h"
 
 /* Lines have no sides, though those that are edges of a face know which of its sides is seen: colours are of that. */
-static inline zr_vi zr_front_facing_words(const struct zr_geometry *geometry, const struct zr_surface *surface,
+static inline zr_vi zr_front_facing_words(const struct zr_geometry *geometry, const struct zr_draw_attributes *surface,
                                           zr_vi numbers)
 {
     if (zr_draw_is_of_wires(surface->draw)) return zr_vi_set(0);

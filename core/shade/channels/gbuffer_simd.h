@@ -24,8 +24,8 @@ static void zr_make_sample_lines(struct zr_shader *s, const struct zr_run *run)
 }
 
 /* Three values, from plane k on. */
-static inline void zr_put_values(struct zr_shader *s, const struct zr_run *run, int k, const struct zr_way_v *way,
-                                 const struct zr_vec3_v values[3], bool flat)
+static inline void zr_put_values(struct zr_shader *s, const struct zr_run *run, int k,
+                                 const struct zr_triangle_setup_v *way, const struct zr_vec3_v values[3], bool flat)
 {
     const zr_vf each[3] = {values[0].x, values[0].y, values[0].z};
     if (!flat) {
@@ -46,13 +46,13 @@ static inline void zr_make_samples(struct zr_shader *s, const struct zr_run *run
         zr_make_sample_lines(s, run);
         return;
     }
-    const struct zr_surface *surface = run->surface;
+    const struct zr_draw_attributes *surface = run->surface;
     const struct zr_attribute *color = &surface->attributes[ZR_ATTRIBUTE_COLOR],
                               *normal = &surface->attributes[ZR_ATTRIBUTE_NORMAL];
     const zr_vec4 *points = surface->attributes[ZR_ATTRIBUTE_POINT].values - run->draw->first_vertex;
     const zr_vi numbers = zr_run_numbers(s, run);
     const struct zr_corner_numbers corners = zr_corner_numbers_of(run->draw, color->rate, numbers);
-    const struct zr_way_v way = zr_way_of(s->geometry->vertices, corners.vertex);
+    const struct zr_triangle_setup_v way = zr_way_of(s->geometry->vertices, corners.vertex);
     struct zr_vec3_v values[3];
     zr_put_plane(s, run->first, 0, ZR_SAMPLE_PLANES, &way.oow_plane);
     if (with_base && color->rate == ZR_RATE_DRAW) {
@@ -197,7 +197,7 @@ static inline void zr_sample_blocks(struct zr_shader *s, const struct zr_tile *t
         zr_sample_blocks_by(s, tile, begin, end, &rows, 3);
 }
 
-static inline zr_vi zr_material_words(const struct zr_geometry *geometry, const struct zr_surface *surface,
+static inline zr_vi zr_material_words(const struct zr_geometry *geometry, const struct zr_draw_attributes *surface,
                                       zr_vi numbers)
 {
     (void)geometry;

@@ -4,14 +4,14 @@
 
 #include "shade/words_simd.h"
 
-static inline zr_vi zr_face_id_words(const struct zr_geometry *geometry, const struct zr_surface *surface,
+static inline zr_vi zr_face_id_words(const struct zr_geometry *geometry, const struct zr_draw_attributes *surface,
                                      zr_vi numbers)
 {
     (void)geometry;
     return zr_flat_number_v(surface->draw, ZR_RATE_FACE, numbers) + zr_vi_set((int32_t)surface->draw->first_id);
 }
 
-static inline zr_vi zr_instance_id_words(const struct zr_geometry *geometry, const struct zr_surface *surface,
+static inline zr_vi zr_instance_id_words(const struct zr_geometry *geometry, const struct zr_draw_attributes *surface,
                                          zr_vi numbers)
 {
     const int32_t instance = (int32_t)surface->draw->instance;

@@ -27,7 +27,7 @@ static inline void zr_make_normals(struct zr_shader *s, const struct zr_run *run
     const struct zr_attribute *normal = &run->surface->attributes[ZR_ATTRIBUTE_NORMAL];
     const zr_vi numbers = zr_run_numbers(s, run);
     const struct zr_corner_numbers corners = zr_corner_numbers_of(run->draw, normal->rate, numbers);
-    const struct zr_way_v way = zr_way_of(s->geometry->vertices, corners.vertex);
+    const struct zr_triangle_setup_v way = zr_way_of(s->geometry->vertices, corners.vertex);
     struct zr_vec3_v values[3];
     zr_normals_load(run->surface, numbers, way.turned, values);
     struct zr_plane_v oow = way.oow_plane;
@@ -63,7 +63,7 @@ static inline void zr_put_normals(struct zr_vec3_v n, uint32_t lanes, const stru
 }
 
 static inline struct zr_vec3_v zr_normals_at(const struct zr_shader *s, uint32_t first, uint32_t count, zr_vi owner,
-                                             const struct zr_shaded *to, zr_vf x, zr_vf y)
+                                             const struct zr_tile_targets *to, zr_vf x, zr_vf y)
 {
     zr_vf planes[ZR_NORMAL_PLANES][3];
     zr_select_planes(s, first, count, owner, ZR_NORMAL_PLANES, planes);
@@ -76,7 +76,7 @@ static inline struct zr_vec3_v zr_normals_at(const struct zr_shader *s, uint32_t
 }
 
 static inline void zr_shade_normals_of_block(const struct zr_shader *s, const struct zr_tile *tile, int number,
-                                             const struct zr_shaded *to)
+                                             const struct zr_tile_targets *to)
 {
     const struct zr_block_parts *block = &s->parts.blocks[number];
     const struct zr_patch_place place = zr_patch_place_of(tile, number);
@@ -102,7 +102,7 @@ static inline void zr_shade_normals_of_block(const struct zr_shader *s, const st
 }
 
 static inline void zr_shade_normals(struct zr_shader *s, const struct zr_tile *tile, int begin, int end,
-                                    const struct zr_shaded *to)
+                                    const struct zr_tile_targets *to)
 {
     const int across = (tile->width + ZR_BLOCK_WIDTH - 1) / ZR_BLOCK_WIDTH;
     zr_put_no_normal(s, 0);

@@ -64,10 +64,10 @@ static inline struct zr_tangent_v zr_tangent_of(const struct zr_vec3_v points[3]
 
 /* ---- making ---- */
 
-static inline void zr_put_tangents(struct zr_shader *s, const struct zr_run *run, const struct zr_way_v *way,
+static inline void zr_put_tangents(struct zr_shader *s, const struct zr_run *run, const struct zr_triangle_setup_v *way,
                                    const struct zr_corner_numbers *corners, const struct zr_fours_v texcoords[3])
 {
-    const struct zr_surface *surface = run->surface;
+    const struct zr_draw_attributes *surface = run->surface;
     const zr_vec4 *given = surface->attributes[ZR_ATTRIBUTE_TANGENT].values;
     const struct zr_texture *texture =
         zr_texture_map_of(&s->surfaces->textures, run->draw->material, ZR_TEXTURE_NORMAL)->texture;
@@ -115,7 +115,7 @@ static inline bool zr_make_textures(struct zr_shader *s, const struct zr_run *ru
     const zr_vf zero = zr_vf_set(0.0f);
     const struct zr_plane_v none = {zero, zero, zero};
     const struct zr_corner_numbers corners = zr_corner_numbers_of(run->draw, ZR_RATE_DRAW, zr_run_numbers(s, run));
-    const struct zr_way_v way = zr_way_of(s->geometry->vertices, corners.vertex);
+    const struct zr_triangle_setup_v way = zr_way_of(s->geometry->vertices, corners.vertex);
     struct zr_fours_v c[3] = {{zero, zero, zero, zero}, {zero, zero, zero, zero}, {zero, zero, zero, zero}};
     if (values) zr_fours_load(values - run->draw->first_vertex, corners.vertex, c);
     const struct zr_plane_v planes[5] = {

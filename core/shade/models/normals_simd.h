@@ -2,7 +2,7 @@
 #ifndef ZR_NORMALS_SIMD_H
 #define ZR_NORMALS_SIMD_H
 
-#include "shade/model.h"
+#include "shade/models/model.h"
 
 static inline struct zr_vec3_v zr_model_normals(const struct zr_model_context *context,
                                                 const struct zr_material *material, const struct zr_model_inputs *in)

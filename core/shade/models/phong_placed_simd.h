@@ -8,7 +8,7 @@
 #ifndef ZR_PHONG_PLACED_SIMD_H
 #define ZR_PHONG_PLACED_SIMD_H
 
-#include "shade/lamp_place_simd.h"
+#include "shade/lights/lamp_place_simd.h"
 #include "shade/models/phong_simd.h"
 
 static inline zr_vf zr_phong_shine_v(const struct zr_material *material, struct zr_vec3_v n, struct zr_vec3_v to_light,
@@ -23,7 +23,7 @@ static __attribute__((noinline)) struct zr_vec3_v zr_model_phong_placed(const st
                                                                         const struct zr_material *material,
                                                                         const struct zr_model_inputs *in)
 {
-    const struct zr_lighting *lighting = context->lighting;
+    const struct zr_gl_lighting *lighting = context->lighting;
     const struct zr_vec3_v n = zr_normalize_v(in->normal), away = zr_scale_v(in->point, zr_vf_set(-1.0f));
     const struct zr_vec3_v to_eye = context->is_parallel ? zr_spread_v(context->to_eye) : zr_normalize_v(away);
     const zr_vec3 specular = material->specular;

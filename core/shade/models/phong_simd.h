@@ -10,7 +10,7 @@
 
 #include "base/mutant.h"
 #include "base/pow_simd.h"
-#include "shade/model.h"
+#include "shade/models/model.h"
 
 static inline zr_vf zr_not_negative(zr_vf v)
 {
@@ -20,7 +20,7 @@ static inline zr_vf zr_not_negative(zr_vf v)
 static inline struct zr_vec3_v zr_model_phong(const struct zr_model_context *context,
                                               const struct zr_material *material, const struct zr_model_inputs *in)
 {
-    const struct zr_lighting *lighting = context->lighting;
+    const struct zr_gl_lighting *lighting = context->lighting;
     const struct zr_vec3_v n = zr_normalize_v(in->normal), ambient = zr_spread_v(lighting->ambient);
     const struct zr_vec3_v away = zr_scale_v(in->point, zr_vf_set(-1.0f));
     const struct zr_vec3_v to_eye = context->is_parallel ? zr_spread_v(context->to_eye) : zr_normalize_v(away);

@@ -1,0 +1,65 @@
+#include "effects/edge_marks.h"
+
+/* Corners of a triangle as it is drawn, counted from the eye, as points of samples are. */
+struct corners {
+    zr_vec3 at[3];
+};
+
+static struct corners corners_of(const struct zr_edge_faces *faces, uint32_t owner)
+{
+    const struct zr_draw *draw = zr_draw_of(faces->geometry, owner - 1);
+    const struct zr_draw_attributes *surface = &faces->of_draw[draw - faces->geometry->draws];
+    const zr_vec4 *points = surface->attributes[ZR_ATTRIBUTE_POINT].values;
+    struct corners out;
+    for (uint32_t k = 0; k < 3; k++) {
+        const zr_vec4 *p = &points[zr_draw_corner(draw, owner - 1 - draw->first, k)];
+        out.at[k] = (zr_vec3){p->x, p->y, p->z};
+    }
+    return out;
+}
+
+static bool share_a_corner(const struct corners *a, const struct corners *b)
+{
+    for (int i = 0; i < 3; i++)
+        for (int j = 0; j < 3; j++)
+            if (a->at[i].x == b->at[j].x && a->at[i].y == b->at[j].y && a->at[i].z == b->at[j].z) return true;
+    return false;
+}
+
+/* How far `way` leads from a plane that it begins or ends on. Of what has no area: 0. */
+static float distance_from(const struct corners *c, zr_vec3 way)
+{
+    const zr_vec3 normal = zr_vec3_cross(zr_vec3_sub(c->at[1], c->at[0]), zr_vec3_sub(c->at[2], c->at[0]));
+    return fabsf(zr_vec3_dot(zr_vec3_normalize(normal), way));
+}
+
+static zr_vec3 point_of(const struct zr_edge_line *line, int32_t at)
+{
+    return (zr_vec3){line->point[0][at], line->point[1][at], line->point[2][at]};
+}
+
+static float width_at(const struct zr_edge_rule *rule, zr_vec3 p)
+{
+    return (rule->slope[0] * p.x + rule->slope[1] * p.y) + (rule->slope[2] * p.z + rule->offset);
+}
+
+static bool are_joined(const struct zr_edge_rule *rule, const struct zr_edge_line *a, const struct zr_edge_line *b,
+                       int32_t at)
+{
+    if (a->owner[at] == b->owner[at]) return true;
+    const struct corners c1 = corners_of(rule->faces, a->owner[at]), c2 = corners_of(rule->faces, b->owner[at]);
+    if (!share_a_corner(&c1, &c2)) return false;
+    const zr_vec3 p1 = point_of(a, at), p2 = point_of(b, at), way = zr_vec3_sub(p2, p1);
+    const float limit = rule->limit * fmaxf(width_at(rule, p1), width_at(rule, p2));
+    return distance_from(&c1, way) <= limit || distance_from(&c2, way) <= limit;
+}
+
+uint32_t zr_edge_faces_apart(const struct zr_edge_rule *rule, const struct zr_edge_line *a,
+                             const struct zr_edge_line *b, int32_t first, uint32_t pairs)
+{
+    for (uint32_t bits = pairs; bits; bits &= bits - 1) {
+        const int i = __builtin_ctz(bits);
+        if (are_joined(rule, a, b, first + i)) pairs &= ~(1u << i);
+    }
+    return pairs;
+}

@@ -1,0 +1,122 @@
+#include "base/vec3_simd.h"
+#include "effects/edge_marks.h"
+
+static inline struct zr_vec3_v load3(const float *const v[3], int32_t at)
+{
+    return (struct zr_vec3_v){zr_vf_load(v[0] + at), zr_vf_load(v[1] + at), zr_vf_load(v[2] + at)};
+}
+
+static inline zr_vm is_nobody(const struct zr_edge_line *line, int32_t at)
+{
+    return zr_vi_eq(zr_vi_load(line->owner + at), zr_vi_set(0));
+}
+
+static inline zr_vf depth_of(const struct zr_edge_rule *rule, struct zr_vec3_v p)
+{
+    const struct zr_vec3_v slope = {zr_vf_set(rule->slope[0]), zr_vf_set(rule->slope[1]), zr_vf_set(rule->slope[2])};
+    return zr_dot_v(slope, p) + zr_vf_set(rule->offset);
+}
+
+/* The order of both does not matter to the last bit: differences only change their sign, and products are the same. */
+static inline void compare_faces(const struct zr_edge_rule *rule, const struct zr_edge_line *a,
+                                 const struct zr_edge_line *b, int32_t at, zr_vm *apart, zr_vm *bent)
+{
+    const struct zr_vec3_v n1 = load3(a->normal, at), n2 = load3(b->normal, at);
+    const struct zr_vec3_v p1 = load3(a->point, at), p2 = load3(b->point, at), way = zr_minus_v(p2, p1);
+    const zr_vf zero = zr_vf_set(0.0f);
+    const zr_vm are_faces = zr_vm_and(zr_vf_lt(zero, zr_dot_v(n1, n1)), zr_vf_lt(zero, zr_dot_v(n2, n2)));
+    const zr_vf distance = zr_vf_min(zr_vf_abs(zr_dot_v(way, n1)), zr_vf_abs(zr_dot_v(way, n2)));
+    const zr_vf depth = zr_vf_max(depth_of(rule, p1), depth_of(rule, p2));
+    *apart = zr_vm_and(are_faces, zr_vf_lt(depth * zr_vf_set(rule->limit), distance));
+    *bent = zr_vm_and(are_faces, zr_vf_lt(zr_dot_v(n1, n2), zr_vf_set(rule->cosine)));
+}
+
+/* Of ZR_LANES pairs, from `at` on. */
+static inline void compare(const struct zr_edge_rule *rule, const struct zr_edge_line *a, const struct zr_edge_line *b,
+                           int32_t at, struct zr_edge_bits *bits)
+{
+    const uint32_t nobody1 = zr_vm_bits(is_nobody(a, at)), nobody2 = zr_vm_bits(is_nobody(b, at));
+    const uint32_t both = ~(nobody1 | nobody2) & (uint32_t)ZR_ALL_BITS;
+    uint32_t silhouettes = nobody1 ^ nobody2, creases = 0;
+    if (both) {
+        zr_vm apart, bent;
+        compare_faces(rule, a, b, at, &apart, &bent);
+        uint32_t steps = zr_vm_bits(apart) & both;
+        if (steps && rule->faces) steps = zr_edge_faces_apart(rule, a, b, at, steps);
+        silhouettes |= steps;
+        creases = zr_vm_bits(bent) & both & ~silhouettes;
+    }
+    bits->silhouettes |= (uint64_t)silhouettes << at;
+    bits->creases |= (uint64_t)creases << at;
+}
+
+/* Fewer pairs than lanes: a copy of the line with nobody behind its end. */
+struct short_line {
+    uint32_t owner[ZR_LANES];
+    float vectors[6][ZR_LANES];
+};
+
+static inline struct zr_edge_line copy_line(const struct zr_edge_line *line, int32_t count, struct short_line *copy)
+{
+    memset(copy, 0, sizeof *copy);
+    struct zr_edge_line out = {.owner = copy->owner};
+    memcpy(copy->owner, line->owner, (size_t)count * sizeof *copy->owner);
+    for (int k = 0; k < 3; k++) {
+        memcpy(copy->vectors[k], line->normal[k], (size_t)count * sizeof(float));
+        memcpy(copy->vectors[3 + k], line->point[k], (size_t)count * sizeof(float));
+        out.normal[k] = copy->vectors[k];
+        out.point[k] = copy->vectors[3 + k];
+    }
+    return out;
+}
+
+static inline struct zr_edge_bits compare_lines(const struct zr_edge_rule *rule, const struct zr_edge_line *a,
+                                                const struct zr_edge_line *b, int32_t count)
+{
+    struct zr_edge_bits bits = {0, 0};
+    if (count >= ZR_LANES) {
+        for (int32_t at = 0; at + ZR_LANES <= count; at += ZR_LANES)
+            compare(rule, a, b, at, &bits);
+        /* What is left, together with pairs that were compared before. */
+        if (count % ZR_LANES) compare(rule, a, b, count - ZR_LANES, &bits);
+    } else if (count > 0) {
+        struct short_line copies[2];
+        const struct zr_edge_line short_a = copy_line(a, count, &copies[0]), short_b = copy_line(b, count, &copies[1]);
+        compare(rule, &short_a, &short_b, 0, &bits);
+    }
+    return bits;
+}
+
+struct zr_edge_bits ZR_KERNEL(zr_edge_pairs)(const struct zr_edge_rule *rule, const struct zr_edge_line *a,
+                                             const struct zr_edge_line *b, int32_t count)
+{
+    return compare_lines(rule, a, b, count);
+}
+
+static inline struct zr_edge_line line_at(const struct zr_gbuffer *tile, ptrdiff_t at)
+{
+    struct zr_edge_line line = {.owner = tile->owner + at};
+    for (int k = 0; k < 3; k++) {
+        line.normal[k] = tile->normal[k] + at;
+        line.point[k] = tile->point[k] + at;
+    }
+    return line;
+}
+
+void ZR_KERNEL(zr_edge_tile)(const struct zr_edge_rule *rule, const struct zr_gbuffer *tile, struct zr_edge_bits *rows)
+{
+    struct zr_edge_bits from_below = {0, 0};
+    for (int32_t y = 0; y < tile->height; y++) {
+        const ptrdiff_t at = y * tile->stride;
+        const struct zr_edge_line row = line_at(tile, at), next = line_at(tile, at + 1);
+        const struct zr_edge_bits along = compare_lines(rule, &row, &next, tile->width - 1);
+        struct zr_edge_bits upwards = {0, 0};
+        if (y + 1 < tile->height) {
+            const struct zr_edge_line above = line_at(tile, at + tile->stride);
+            upwards = compare_lines(rule, &row, &above, tile->width);
+        }
+        rows[y].silhouettes = along.silhouettes | along.silhouettes << 1 | upwards.silhouettes | from_below.silhouettes;
+        rows[y].creases = along.creases | along.creases << 1 | upwards.creases | from_below.creases;
+        from_below = upwards;
+    }
+}

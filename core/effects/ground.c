@@ -1,0 +1,163 @@
+#include "effects/ground.h"
+
+#include <stdint.h>
+
+enum { SIDE = ZR_GROUND_SIDE, TEXELS = SIDE * SIDE, PASSES = 3 };
+
+/* Columns that one thread takes at once, and that vectors go over side by side. */
+enum { STRIP = 32 };
+_Static_assert(SIDE % STRIP == 0, "strips are whole");
+
+/* Of a soft shadow: from which height on nothing darkens, how far it is blurred (shares of the diagonal), and how dark
+ * it is. */
+static const struct part {
+    float height, blur, strength;
+} parts[] = {{0.06f, 0.02f, 0.55f}, {0.35f, 0.07f, 0.45f}};
+enum { PARTS = sizeof parts / sizeof parts[0] };
+
+/* A box in texels: 2 whole + 1 of them, and `end` of one more at either end. */
+struct box {
+    int whole;
+    double end, share; /* share: 1 / width */
+};
+
+struct blur {
+    const float *heights;
+    float top[PARTS]; /* height from which on nothing darkens */
+    struct box boxes[PARTS];
+    float *columns[PARTS]; /* blurred along columns; [x * SIDE + y], so that the next step goes along columns, too */
+    float *light;
+};
+
+/* Texels are cells: what is narrower than one is one. Beyond the map nothing is, so no box need be wider than that. */
+static struct box make_box(float half_width, float texel)
+{
+    const double radius = (double)half_width / (double)texel;
+    double beyond = radius < (double)SIDE ? radius - 0.5 : (double)SIDE;
+    if (!(beyond > 0.0)) beyond = 0.0;
+    const int whole = (int)beyond;
+    const double end = beyond - (double)whole;
+    return (struct box){whole, end, 1.0 / ((double)(2 * whole + 1) + 2.0 * end)};
+}
+
+/* One pass along the columns of a strip. Sums run in double, so that what has left the box leaves nothing behind that
+ * shows in a float: where nothing is, T is 1 exactly. */
+static void blur_pass(const struct box *box, float in[SIDE][STRIP], float out[SIDE][STRIP])
+{
+    static const float nothing[STRIP];
+    double sum[STRIP] = {0.0};
+    for (int y = 0; y < box->whole && y < SIDE; y++)
+        for (int x = 0; x < STRIP; x++)
+            sum[x] += (double)in[y][x];
+    for (int y = 0; y < SIDE; y++) {
+        const int top = y + box->whole, bottom = y - box->whole;
+        const float *const enters = top < SIDE ? in[top] : nothing, *const above =
+                                                                        top + 1 < SIDE ? in[top + 1] : nothing;
+        const float *const leaves = bottom >= 0 ? in[bottom] : nothing, *const below =
+                                                                            bottom > 0 ? in[bottom - 1] : nothing;
+        for (int x = 0; x < STRIP; x++) {
+            const double inside = sum[x] + (double)enters[x];
+            out[y][x] = (float)((inside + box->end * ((double)above[x] + (double)below[x])) * box->share);
+            sum[x] = inside - (double)leaves[x];
+        }
+    }
+}
+
+static void blur_strip(const struct box *box, float strip[SIDE][STRIP])
+{
+    float other[SIDE][STRIP];
+    blur_pass(box, strip, other);
+    blur_pass(box, other, strip);
+    blur_pass(box, strip, other);
+    memcpy(strip, other, sizeof other);
+}
+_Static_assert(PASSES == 3, "as written above");
+
+static float near_plane(float height, float top)
+{
+    const float v = 1.0f - height / top;
+    return v > 1.0f ? 1.0f : v > 0.0f ? v : 0.0f; /* not a number: 0 */
+}
+
+/* First step: how near the scene is to the plane, blurred along columns from `begin` on. */
+static void blur_columns(void *context, size_t begin, size_t end)
+{
+    const struct blur *blur = context;
+    for (size_t first = begin * STRIP; first < end * STRIP; first += STRIP)
+        for (int part = 0; part < PARTS; part++) {
+            float strip[SIDE][STRIP];
+            for (size_t y = 0; y < SIDE; y++)
+                for (size_t x = 0; x < STRIP; x++)
+                    strip[y][x] = near_plane(blur->heights[y * SIDE + first + x], blur->top[part]);
+            blur_strip(&blur->boxes[part], strip);
+            for (size_t x = 0; x < STRIP; x++)
+                for (size_t y = 0; y < SIDE; y++)
+                    blur->columns[part][(first + x) * SIDE + y] = strip[y][x];
+        }
+}
+
+/* Second step: the same along rows, and what light is left. */
+static void blur_rows(void *context, size_t begin, size_t end)
+{
+    const struct blur *blur = context;
+    for (size_t first = begin * STRIP; first < end * STRIP; first += STRIP) {
+        float *const light = blur->light + first * SIDE;
+        for (size_t i = 0; i < STRIP * SIDE; i++)
+            light[i] = 1.0f;
+        for (int part = 0; part < PARTS; part++) {
+            float strip[SIDE][STRIP];
+            for (size_t x = 0; x < SIDE; x++)
+                memcpy(strip[x], &blur->columns[part][x * SIDE + first], sizeof strip[x]);
+            blur_strip(&blur->boxes[part], strip);
+            for (size_t y = 0; y < STRIP; y++)
+                for (size_t x = 0; x < SIDE; x++)
+                    light[y * SIDE + x] *= 1.0f - parts[part].strength * strip[x][y];
+        }
+    }
+}
+
+struct zr_ground zr_ground_make(struct zr_arena *arena, struct zr_team *team, const float *heights, float half_size,
+                                float diagonal)
+{
+    struct blur blur = {.heights = heights, .light = zr_arena_alloc(arena, TEXELS, sizeof *blur.light)};
+    for (int part = 0; part < PARTS; part++) {
+        blur.columns[part] = zr_arena_alloc(arena, TEXELS, sizeof *blur.columns[part]);
+        blur.top[part] = parts[part].height * diagonal;
+        blur.boxes[part] = make_box(parts[part].blur * diagonal, 2.0f * half_size / (float)SIDE);
+    }
+    if (!zr_arena_ok(arena)) return (struct zr_ground){half_size, NULL};
+    zr_team_ranges(team, SIDE / STRIP, 1, blur_columns, &blur);
+    zr_team_ranges(team, SIDE / STRIP, 1, blur_rows, &blur);
+    return (struct zr_ground){half_size, blur.light};
+}
+
+static float texel(const struct zr_ground *ground, int32_t x, int32_t y)
+{
+    return x >= 0 && x < SIDE && y >= 0 && y < SIDE ? ground->light[y * SIDE + x] : 1.0f;
+}
+
+/* In texels from the centre of the first; what is not on the map, or not a number, is clamped to where T is 1. */
+static float texel_place(float at, float half_size)
+{
+    const float place = (at / half_size + 1.0f) * (0.5f * (float)SIDE) - 0.5f;
+    const float most = place < (float)SIDE ? place : (float)SIDE;
+    return most > -1.0f ? most : -1.0f;
+}
+
+/* ground_kernel.c has the same operations. */
+float zr_ground_at(const struct zr_ground *ground, float x, float y)
+{
+    const float u = texel_place(x, ground->half_size), v = texel_place(y, ground->half_size);
+    const int32_t i = (int32_t)floorf(u), j = (int32_t)floorf(v);
+    const float a = u - (float)i, b = v - (float)j;
+    const float t00 = texel(ground, i, j), t10 = texel(ground, i + 1, j);
+    const float t01 = texel(ground, i, j + 1), t11 = texel(ground, i + 1, j + 1);
+    const float low = t00 + (t10 - t00) * a, high = t01 + (t11 - t01) * a;
+    return low + (high - low) * b;
+}
+
+zr_ground_row_fn *zr_ground_row_of(enum zr_isa isa)
+{
+    static zr_ground_row_fn *const table[ZR_ISA_COUNT] = ZR_KERNELS(zr_ground_row);
+    return table[isa];
+}

@@ -1,0 +1,103 @@
+/* Where rays of sight meet the plane is found in ground space, in which the plane is z = 0: along a row the three
+ * coordinates of a ray's origin and direction are linear in X. */
+#include "effects/ground.h"
+
+#include "base/simd.h"
+
+/* A coordinate along a row of pixels: at + X * step. */
+struct linear {
+    float at, step;
+};
+
+/* Those of the rays of one row, in ground space. */
+struct row {
+    struct linear origin[3], direction[3];
+};
+
+static inline struct linear along(zr_vec3 axis, zr_vec3 v, zr_vec3 v_x, zr_vec3 v_y, float y)
+{
+    return (struct linear){zr_vec3_dot(axis, v) + zr_vec3_dot(axis, v_y) * y, zr_vec3_dot(axis, v_x)};
+}
+
+static inline struct row make_row(const struct zr_ground_frame *frame, const struct zr_rays *rays, float y)
+{
+    const zr_vec3 axes[3] = {frame->x_axis, frame->y_axis, frame->z_axis};
+    const zr_vec3 origin = zr_vec3_sub(rays->origin, frame->origin);
+    struct row row;
+    for (int k = 0; k < 3; k++) {
+        row.origin[k] = along(axes[k], origin, rays->origin_x, rays->origin_y, y);
+        row.direction[k] = along(axes[k], rays->direction, rays->direction_x, rays->direction_y, y);
+    }
+    return row;
+}
+
+static inline zr_vf at(const struct linear *linear, zr_vf x)
+{
+    return zr_vf_set(linear->at) + x * zr_vf_set(linear->step);
+}
+
+/* As texel_place of ground.c. The order of operands matters: what is not a number becomes SIDE. */
+static inline zr_vf texel_place(zr_vf place, float half_size)
+{
+    const zr_vf side = zr_vf_set((float)ZR_GROUND_SIDE), one = zr_vf_set(1.0f);
+    const zr_vf u = (place / zr_vf_set(half_size) + one) * (zr_vf_set(0.5f) * side) - zr_vf_set(0.5f);
+    return zr_vf_max(zr_vf_min(u, side), zr_vf_set(-1.0f));
+}
+
+static inline zr_vi floor_of(zr_vf v)
+{
+    const zr_vi nearest = zr_vi_round(v);
+    return zr_vi_select(zr_vf_lt(v, zr_vf_of(nearest)), nearest - zr_vi_set(1), nearest);
+}
+
+static inline zr_vm is_texel(zr_vi i)
+{
+    return zr_vm_and(zr_vi_lt(zr_vi_set(-1), i), zr_vi_lt(i, zr_vi_set(ZR_GROUND_SIDE)));
+}
+
+static inline zr_vf texel(const struct zr_ground *ground, zr_vm inside, zr_vi x, zr_vi y)
+{
+    const zr_vi i = zr_vi_select(inside, y * zr_vi_set(ZR_GROUND_SIDE) + x, zr_vi_set(0));
+    return zr_vf_select(inside, zr_vf_bits(zr_vi_gather(inside, ground->light, i)), zr_vf_set(1.0f));
+}
+
+/* As zr_ground_at, u and v being in texels; 1 where not `met`. */
+static inline zr_vf light_at(const struct zr_ground *ground, zr_vm met, zr_vf u, zr_vf v)
+{
+    const zr_vi i = floor_of(u), j = floor_of(v), one = zr_vi_set(1);
+    const zr_vm left = zr_vm_and(met, is_texel(i)), right = zr_vm_and(met, is_texel(i + one));
+    const zr_vm low_row = is_texel(j), high_row = is_texel(j + one);
+    if (!zr_vm_any(zr_vm_and(zr_vm_or(left, right), zr_vm_or(low_row, high_row)))) return zr_vf_set(1.0f);
+    const zr_vf a = u - zr_vf_of(i), b = v - zr_vf_of(j);
+    const zr_vf t00 = texel(ground, zr_vm_and(left, low_row), i, j);
+    const zr_vf t10 = texel(ground, zr_vm_and(right, low_row), i + one, j);
+    const zr_vf t01 = texel(ground, zr_vm_and(left, high_row), i, j + one);
+    const zr_vf t11 = texel(ground, zr_vm_and(right, high_row), i + one, j + one);
+    const zr_vf low = t00 + (t10 - t00) * a, high = t01 + (t11 - t01) * a;
+    return low + (high - low) * b;
+}
+
+/* A ray along the plane gives an infinite quotient, or none; what comes of these is clamped as any place far away. */
+static inline zr_vf light_of_rays(const struct zr_ground *ground, const struct row *row, zr_vf x)
+{
+    const zr_vf distance = zr_vf_set(0.0f) - at(&row->origin[2], x) / at(&row->direction[2], x);
+    const zr_vm met = zr_vf_lt(zr_vf_set(0.0f), distance);
+    if (!zr_vm_any(met)) return zr_vf_set(1.0f);
+    const zr_vf u = at(&row->origin[0], x) + distance * at(&row->direction[0], x);
+    const zr_vf v = at(&row->origin[1], x) + distance * at(&row->direction[1], x);
+    return light_at(ground, met, texel_place(u, ground->half_size), texel_place(v, ground->half_size));
+}
+
+void ZR_KERNEL(zr_ground_row)(const struct zr_ground *ground, const struct zr_ground_frame *frame,
+                              const struct zr_rays *rays, int32_t y, int32_t width, float *out)
+{
+    const struct row row = make_row(frame, rays, (float)y + 0.5f);
+    const zr_vf centres = zr_vf_ramp() + zr_vf_set(0.5f);
+    for (int32_t x = 0; x < width; x += ZR_LANES) {
+        const zr_vf light = light_of_rays(ground, &row, zr_vf_set((float)x) + centres);
+        if (width - x >= ZR_LANES)
+            zr_vf_store(out + x, light);
+        else
+            zr_vi_store_first(out + x, zr_vi_bits_of(light), (uint32_t)(width - x));
+    }
+}

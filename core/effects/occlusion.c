@@ -1,0 +1,94 @@
+#include "effects/occlusion.h"
+
+#include "base/trig.h"
+
+/* Ordered 4 x 4: neighbours differ much, and any 4 x 4 pixels have all 16. */
+static const int bayer[ZR_OCCLUSION_TILE][ZR_OCCLUSION_TILE] = {
+    {0, 8, 2, 10}, {12, 4, 14, 6}, {3, 11, 1, 9}, {15, 7, 13, 5}};
+
+/* Pixel number i of 16 has its directions turned by i / 16 of the angle between two, and its steps shifted by another
+ * order of sixteenths, so that few pixels share both. Steps are squared: many are near, and few are far. */
+static void set_pattern(struct zr_occlusion_work *work, int y, int x)
+{
+    const int i = bayer[y][x % ZR_OCCLUSION_TILE];
+    for (int k = 0; k < ZR_OCCLUSION_DIRECTIONS; k++) {
+        double sine, cosine;
+        zr_sine_cosine(360.0 / ZR_OCCLUSION_DIRECTIONS * (k + i / 16.0), &sine, &cosine);
+        work->sine[y][k][x] = (float)sine;
+        work->cosine[y][k][x] = (float)cosine;
+    }
+    for (int j = 0; j < ZR_OCCLUSION_STEPS; j++) {
+        const float share = ((float)j + ((float)(5 * i % 16) + 0.5f) / 16.0f) / ZR_OCCLUSION_STEPS;
+        work->step[y][j][x] = share * share;
+    }
+}
+
+/* The work, the kernels that do it, and who may stop it. */
+struct job {
+    struct zr_occlusion_work work;
+    zr_occlusion_row_fn *points, *row, *blur;
+    const struct zr_cancel *cancel;
+};
+
+static void do_rows(const struct job *job, zr_occlusion_row_fn *row, size_t begin, size_t end)
+{
+    for (size_t y = begin; y < end && !zr_is_cancelled(job->cancel); y++)
+        row(&job->work, (int32_t)y);
+}
+
+static void lay_out_rows(void *context, size_t begin, size_t end)
+{
+    const struct job *job = context;
+    do_rows(job, job->points, begin, end);
+}
+
+static void find_rows(void *context, size_t begin, size_t end)
+{
+    const struct job *job = context;
+    do_rows(job, job->row, begin, end);
+}
+
+static void blur_rows(void *context, size_t begin, size_t end)
+{
+    const struct job *job = context;
+    do_rows(job, job->blur, begin, end);
+}
+
+const float *zr_occlusion_make(struct zr_arena *arena, struct zr_team *team, const struct zr_cancel *cancel,
+                               const struct zr_gbuffer *pixels, const struct zr_occlusion *occlusion,
+                               const struct zr_pixel_scale *scale, float diagonal)
+{
+    static zr_occlusion_row_fn *const points[ZR_ISA_COUNT] = ZR_KERNELS(zr_occlusion_points);
+    static zr_occlusion_row_fn *const row[ZR_ISA_COUNT] = ZR_KERNELS(zr_occlusion_row);
+    static zr_occlusion_row_fn *const blur[ZR_ISA_COUNT] = ZR_KERNELS(zr_occlusion_blur);
+    const size_t height = (size_t)pixels->height, size = (size_t)pixels->stride * height;
+    const float radius = occlusion->radius * diagonal;
+    const enum zr_isa isa = zr_team_isa(team);
+    struct job job = {.points = points[isa], .row = row[isa], .blur = blur[isa], .cancel = cancel};
+    struct zr_occlusion_work *work = &job.work;
+    work->light = zr_arena_alloc(arena, size, sizeof *work->light);
+    work->rows = zr_arena_alloc(arena, size, sizeof *work->rows);
+    work->points = zr_arena_alloc(arena, size, sizeof *work->points);
+    if (!zr_arena_ok(arena)) return NULL;
+    work->pixels = pixels;
+    work->scale = *scale;
+    work->radius = radius;
+    work->over_square_radius = 1.0f / (radius * radius);
+    work->strength = occlusion->strength;
+    work->plane_limit = ZR_OCCLUSION_PLANE * diagonal;
+    for (int y = 0; y < ZR_OCCLUSION_TILE; y++)
+        for (int x = 0; x < 16; x++)
+            set_pattern(work, y, x);
+    zr_team_ranges(team, height, 8, lay_out_rows, &job);
+    zr_team_ranges(team, height, 2, find_rows, &job);
+    zr_team_ranges(team, height, 8, blur_rows, &job);
+    zr_arena_trim(arena, work->points, size, 0, sizeof *work->points);
+    zr_arena_trim(arena, work->rows, size, 0, sizeof *work->rows);
+    return work->light;
+}
+
+zr_occlusion_samples_fn *zr_occlusion_samples_of(enum zr_isa isa)
+{
+    static zr_occlusion_samples_fn *const table[ZR_ISA_COUNT] = ZR_KERNELS(zr_occlusion_samples);
+    return table[isa];
+}

@@ -1,0 +1,248 @@
+#include "effects/occlusion_simd.h"
+
+static inline struct zr_vec3_v load3(float *const planes[3], ptrdiff_t at)
+{
+    return (struct zr_vec3_v){zr_vf_load(planes[0] + at), zr_vf_load(planes[1] + at), zr_vf_load(planes[2] + at)};
+}
+
+static inline struct zr_vec3_v gather3(float *const planes[3], zr_vm where, zr_vi at)
+{
+    return (struct zr_vec3_v){zr_vf_bits(zr_vi_gather(where, planes[0], at)),
+                              zr_vf_bits(zr_vi_gather(where, planes[1], at)),
+                              zr_vf_bits(zr_vi_gather(where, planes[2], at))};
+}
+
+/* Where anybody is seen from column x on, at [at]. */
+static inline zr_vm seen_at(const struct zr_gbuffer *pixels, int32_t x, ptrdiff_t at)
+{
+    const zr_vm nobody = zr_vi_eq(zr_vi_load(pixels->owner + at), zr_vi_set(0));
+    return zr_vm_andnot(zr_vm_first((uint32_t)(pixels->width - x)), nobody);
+}
+
+/* ---- what is found at pixels ---- */
+
+/* ZR_LANES pixels. Columns and rows are counted from INT32_MIN, so that one comparison sees both ends. */
+struct centers {
+    struct zr_vec3_v point, normal;
+    zr_vm seen;
+    zr_vi at, x, y;
+    zr_vf length[ZR_OCCLUSION_STEPS]; /* of steps, in pixels */
+};
+
+/* Longer steps leave every window. */
+#define LONGEST 65536.0f
+
+/* A radius of less than 4 pixels counts as 4, in effect: steps are 1, 2, 3 and 4 pixels at least. */
+static inline void set_lengths(const struct zr_occlusion_work *work, int32_t x, int32_t y, struct centers *c)
+{
+    const struct zr_pixel_scale *scale = &work->scale;
+    const struct zr_vec3_v slope = {zr_vf_set(scale->slope[0]), zr_vf_set(scale->slope[1]), zr_vf_set(scale->slope[2])};
+    const zr_vf w = zr_dot_v(slope, c->point) + zr_vf_set(scale->offset);
+    const zr_vf pixels = zr_vf_set(work->radius * scale->scale) / w;
+    const zr_vf radius = zr_vf_min(pixels, zr_vf_set(LONGEST));
+    for (int j = 0; j < ZR_OCCLUSION_STEPS; j++) {
+        const zr_vf length = radius * zr_vf_load(&work->step[y & 3][j][x & 15]);
+        c->length[j] = zr_vf_max(length, zr_vf_set(1.0f + (float)j));
+    }
+}
+
+static inline struct zr_vec3_v load_points(const zr_vec4 *points, zr_vi numbers)
+{
+    struct zr_vec3_v v;
+    zr_vf w;
+    uint32_t each[ZR_LANES];
+    zr_vi_store(each, numbers);
+#define POINT(i) (&points[each[i]].x)
+    ZR_LOAD4(v.x, v.y, v.z, w, POINT);
+#undef POINT
+    (void)w;
+    return v;
+}
+
+/* How much what is seen at [at] occludes: by how far it rises over the plane, and how near it is. To leave out the root
+ * and the quotient where no lane needs them costs a tenth of the time: the branch is mispredicted too often. */
+static inline zr_vf occlude(const struct zr_occlusion_work *work, const struct centers *c, zr_vm inside, zr_vi at)
+{
+    const zr_vf zero = zr_vf_set(0.0f);
+    const struct zr_vec3_v v = zr_minus_v(load_points(work->points, at), c->point);
+    const zr_vf square = zr_dot_v(v, v), height = zr_dot_v(v, c->normal);
+    const zr_vf nearness = zr_vf_set(1.0f) - square * zr_vf_set(work->over_square_radius);
+    const zr_vm occludes = zr_vf_lt_where(zr_vf_lt_where(inside, zero, height), zero, nearness);
+    const zr_vf rise = zr_vf_max(height / zr_vf_sqrt(square) - zr_vf_set(0.1f), zero);
+    return zr_vf_select(occludes, rise * nearness, zero);
+}
+
+/* The most that any step in one direction gives. */
+static inline zr_vf occlude_along(const struct zr_occlusion_work *work, const struct centers *c, zr_vf cosine,
+                                  zr_vf sine)
+{
+    const struct zr_gbuffer *pixels = work->pixels;
+    const zr_vi width = zr_vi_set(INT32_MIN + pixels->width), height = zr_vi_set(INT32_MIN + pixels->height);
+    const zr_vi stride = zr_vi_set((int32_t)pixels->stride);
+    zr_vf most = zr_vf_set(0.0f);
+    for (int j = 0; j < ZR_OCCLUSION_STEPS; j++) {
+        const zr_vi x = zr_vi_round(c->length[j] * cosine), y = zr_vi_round(c->length[j] * sine);
+        const zr_vm inside = zr_vi_lt_where(zr_vi_lt_where(c->seen, c->x + x, width), c->y + y, height);
+        const zr_vi at = zr_vi_select(inside, c->at + y * stride + x, zr_vi_set(0));
+        most = zr_vf_max(most, occlude(work, c, inside, at));
+    }
+    return most;
+}
+
+static inline zr_vf find(const struct zr_occlusion_work *work, int32_t x, int32_t y, zr_vm seen)
+{
+    const ptrdiff_t at = y * work->pixels->stride + x;
+    const zr_vf zero = zr_vf_set(0.0f), one = zr_vf_set(1.0f);
+    struct centers c = {.point = load3(work->pixels->point, at), .normal = load3(work->pixels->normal, at)};
+    c.seen = seen;
+    c.at = zr_vi_set((int32_t)at) + zr_vi_ramp();
+    c.x = zr_vi_set(INT32_MIN + x) + zr_vi_ramp();
+    c.y = zr_vi_set(INT32_MIN + y);
+    set_lengths(work, x, y, &c);
+    zr_vf sum = zero;
+    for (int k = 0; k < ZR_OCCLUSION_DIRECTIONS; k++)
+        sum = sum + occlude_along(work, &c, zr_vf_load(&work->cosine[y & 3][k][x & 15]),
+                                  zr_vf_load(&work->sine[y & 3][k][x & 15]));
+    const zr_vf mean = sum * zr_vf_set(1.0f / ZR_OCCLUSION_DIRECTIONS);
+    return zr_vf_max(zr_vf_min(one - zr_vf_set(work->strength) * mean, one), zero);
+}
+
+/* ---- blur ---- */
+
+enum { REACH = 2 };
+static const float blur_weights[2 * REACH + 1] = {1, 2, 2, 2, 1}; /* any 4 pixels in a row weigh the same in it */
+
+struct blur {
+    struct zr_vec3_v point, normal;
+    zr_vf limit, sum, weights;
+};
+
+static inline struct blur blur_begin(const struct zr_occlusion_work *work, ptrdiff_t at)
+{
+    return (struct blur){load3(work->pixels->point, at), load3(work->pixels->normal, at), zr_vf_set(work->plane_limit),
+                         zr_vf_set(0.0f), zr_vf_set(0.0f)};
+}
+
+static inline void blur_add(struct blur *blur, float weight, zr_vm there, struct zr_vec3_v point, zr_vf light)
+{
+    const zr_vf away = zr_vf_abs(zr_dot_v(zr_minus_v(point, blur->point), blur->normal)), zero = zr_vf_set(0.0f);
+    const zr_vm counts = zr_vm_and(zr_is_near_v(there, point.x), zr_vf_le(away, blur->limit));
+    blur->sum = blur->sum + zr_vf_select(counts, zr_vf_set(weight) * light, zero);
+    blur->weights = blur->weights + zr_vf_select(counts, zr_vf_set(weight), zero);
+}
+
+/* 1 where nobody is seen, and where there is no plane. */
+static inline zr_vf blur_end(const struct blur *blur, zr_vm seen)
+{
+    const zr_vm has_plane = zr_vf_lt_where(seen, zr_vf_set(0.0f), zr_dot_v(blur->normal, blur->normal));
+    return zr_vf_select(has_plane, blur->sum / blur->weights, zr_vf_set(1.0f));
+}
+
+static inline zr_vf blur_along(const struct zr_occlusion_work *work, int32_t x, int32_t y, zr_vm seen)
+{
+    const struct zr_gbuffer *pixels = work->pixels;
+    const ptrdiff_t start = y * pixels->stride;
+    const bool is_inside = x >= REACH && x + ZR_LANES + REACH <= pixels->width;
+    struct blur blur = blur_begin(work, start + x);
+    for (int i = -REACH; i <= REACH; i++) {
+        const ptrdiff_t at = start + x + i;
+        if (is_inside) {
+            blur_add(&blur, blur_weights[i + REACH], ZR_ALL_LANES, load3(pixels->point, at),
+                     zr_vf_load(work->light + at));
+            continue;
+        }
+        const zr_vi column = zr_vi_set(x + i) + zr_vi_ramp(), zero = zr_vi_set(0);
+        const zr_vm there = zr_vm_andnot(zr_vi_lt(column, zr_vi_set(pixels->width)), zr_vi_lt(column, zero));
+        const zr_vi each = zr_vi_select(there, zr_vi_set((int32_t)start) + column, zero);
+        blur_add(&blur, blur_weights[i + REACH], there, gather3(pixels->point, there, each),
+                 zr_vf_bits(zr_vi_gather(there, work->light, each)));
+    }
+    return blur_end(&blur, seen);
+}
+
+static inline zr_vf blur_across(const struct zr_occlusion_work *work, int32_t x, int32_t y, zr_vm seen)
+{
+    const struct zr_gbuffer *pixels = work->pixels;
+    struct blur blur = blur_begin(work, y * pixels->stride + x);
+    for (int i = -REACH; i <= REACH; i++) {
+        const ptrdiff_t at = (y + i) * pixels->stride + x;
+        if (y + i < 0 || y + i >= pixels->height) continue;
+        blur_add(&blur, blur_weights[i + REACH], ZR_ALL_LANES, load3(pixels->point, at), zr_vf_load(work->rows + at));
+    }
+    return blur_end(&blur, seen);
+}
+
+/* ---- rows ---- */
+
+typedef zr_vf row_step(const struct zr_occlusion_work *work, int32_t x, int32_t y, zr_vm seen);
+
+static inline __attribute__((always_inline)) void do_row(const struct zr_occlusion_work *work, int32_t y,
+                                                         row_step *step, float *out)
+{
+    const ptrdiff_t start = y * work->pixels->stride;
+    for (int32_t x = 0; x < work->pixels->width; x += ZR_LANES) {
+        const zr_vm seen = seen_at(work->pixels, x, start + x);
+        zr_vf_store(out + start + x, zr_vm_any(seen) ? step(work, x, y, seen) : zr_vf_set(1.0f));
+    }
+}
+
+void ZR_KERNEL(zr_occlusion_points)(const struct zr_occlusion_work *work, int32_t y)
+{
+    const ptrdiff_t start = y * work->pixels->stride;
+    for (ptrdiff_t at = start; at < start + work->pixels->width; at += ZR_LANES) {
+        const struct zr_vec3_v point = load3(work->pixels->point, at);
+        zr_vf_store4(&work->points[at].x, point.x, point.y, point.z, zr_vf_set(0.0f));
+    }
+}
+
+void ZR_KERNEL(zr_occlusion_row)(const struct zr_occlusion_work *work, int32_t y)
+{
+    do_row(work, y, find, work->light);
+    do_row(work, y, blur_along, work->rows);
+}
+
+void ZR_KERNEL(zr_occlusion_blur)(const struct zr_occlusion_work *work, int32_t y)
+{
+    do_row(work, y, blur_across, work->light);
+}
+
+/* ---- samples ---- */
+
+static void copy_pixels(const struct zr_occlusion_map *map, const struct zr_gbuffer *samples, int32_t tile_x,
+                        int32_t tile_y, float *out)
+{
+    for (int32_t y = 0; y < samples->height; y++)
+        memcpy(out + y * samples->stride, map->light + (tile_y + y) * map->pixels->stride + tile_x,
+               (size_t)samples->width * sizeof *out);
+}
+
+static inline zr_vf light_samples(const struct zr_occlusion_map *map, const struct zr_gbuffer *samples,
+                                  const struct zr_pixel_row *row, const struct zr_pixel_column *column, zr_vm seen,
+                                  ptrdiff_t at)
+{
+    const struct zr_vec3_v point = load3(samples->point, at), normal = load3(samples->normal, at);
+    const zr_vm has_plane = zr_vf_lt_where(seen, zr_vf_set(0.0f), zr_dot_v(normal, normal));
+    return zr_vf_select(has_plane, zr_occlusion_between_v(map, row, column, point, normal), zr_vf_set(1.0f));
+}
+
+void ZR_KERNEL(zr_occlusion_samples)(const struct zr_occlusion_map *map, const struct zr_gbuffer *samples,
+                                     uint32_t side, int32_t tile_x, int32_t tile_y, float *out)
+{
+    if (side == 1) {
+        copy_pixels(map, samples, tile_x, tile_y, out);
+        return;
+    }
+    for (int32_t y = 0; y < samples->height; y++) {
+        const struct zr_pixel_row row = zr_pixel_row_at(map->pixels, tile_y + y, (int32_t)side);
+        for (int32_t x = 0; x < samples->width; x += ZR_LANES) {
+            const ptrdiff_t at = y * samples->stride + x;
+            const zr_vm seen = seen_at(samples, x, at);
+            zr_vf light = zr_vf_set(1.0f);
+            if (zr_vm_any(seen)) {
+                const struct zr_pixel_column column = zr_pixel_column_at(map->pixels, tile_x + x, (int32_t)side);
+                light = light_samples(map, samples, &row, &column, seen, at);
+            }
+            zr_vf_store(out + at, light);
+        }
+    }
+}

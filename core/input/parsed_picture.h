@@ -1,0 +1,60 @@
+/* parsed_picture.h - input: what a scene or a query says of its picture, which goes before what its look has. */
+#ifndef ZR_PARSED_PICTURE_H
+#define ZR_PARSED_PICTURE_H
+
+#include "scene/looks.h"
+#include "scene/scene_builder.h"
+
+/* Values of a struct zr_picture that can be said one by one. */
+enum zr_picture_key {
+    ZR_PICTURE_SIDE,
+    ZR_PICTURE_LINE_WIDTH,
+    ZR_PICTURE_BACKGROUND, /* the gradient, or that there is none */
+    ZR_PICTURE_ENVIRONMENT,
+    ZR_PICTURE_ENVIRONMENT_INTENSITY,
+    ZR_PICTURE_ENVIRONMENT_ROTATION,
+    ZR_PICTURE_ENVIRONMENT_FRAME,
+    ZR_PICTURE_TONE,
+    ZR_PICTURE_EXPOSURE,
+    ZR_PICTURE_OCCLUSION,
+    ZR_PICTURE_OCCLUSION_RADIUS,
+    ZR_PICTURE_OCCLUSION_STRENGTH,
+    ZR_PICTURE_GROUND,
+    ZR_PICTURE_EDGES,
+    ZR_PICTURE_EDGES_COLOR,
+    ZR_PICTURE_EDGES_WIDTH,
+    ZR_PICTURE_EDGES_CREASE,
+    ZR_PICTURE_CREASE,
+    ZR_PICTURE_UP
+};
+
+struct zr_parsed_picture {
+    uint32_t keys; /* those that are said: 1 << enum zr_picture_key */
+    struct zr_picture picture;
+};
+
+static inline void zr_picture_give(struct zr_parsed_picture *given, enum zr_picture_key key)
+{
+    given->keys |= UINT32_C(1) << key;
+}
+
+static inline bool zr_picture_gives(const struct zr_parsed_picture *given, enum zr_picture_key key)
+{
+    return given->keys >> key & 1u;
+}
+
+/* What is said, and the rest from the look, is_linear included. An environment that is named has its own frame where
+ * none is said. */
+struct zr_picture zr_picture_merge(const struct zr_parsed_picture *given, const struct zr_look *look);
+
+/* The key of the contract that needs linear light, of those that are said; NULL: none does. `merged`: what came of it.
+ * What is switched off needs nothing. */
+const char *zr_picture_linear_key(const struct zr_parsed_picture *given, const struct zr_picture *merged);
+
+/* The most samples a pixel, up to `side` squared, that a window of these sides can have: their side. */
+uint32_t zr_picture_side_in(uint32_t side, uint32_t width, uint32_t height);
+
+/* Where nobody said how many, a look's samples are as many as the window can have. */
+void zr_warn_of_fewer_samples(struct zr_scene_builder *builder, uint32_t side, uint32_t fits);
+
+#endif

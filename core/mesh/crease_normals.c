@@ -1,0 +1,208 @@
+#include "mesh/crease_normals.h"
+
+#include "base/trig.h"
+#include "mesh/weld.h"
+#include "mesh/weld_input.h"
+
+enum { FACES_A_RANGE = 1 << 11, VERTICES_A_RANGE = 1 << 10 };
+
+/* Corners are sorted in chunks, by one thread each: more chunks take more memory. */
+enum { CHUNKS_MOST = 4, CORNERS_A_CHUNK = 1 << 14 };
+
+struct creasing {
+    const struct zr_cancel *cancel;
+    struct zr_mesh mesh; /* its positions being the places */
+    enum zr_isa isa;
+    const uint32_t *vertices; /* of positions; NULL: as numbered */
+    uint32_t vertex_count, corner_count, chunk_count;
+    uint32_t *counts; /* vertex_count a chunk; later where the next corner of each goes */
+    uint32_t *slots;
+    float cosine; /* of the crease angle, and a little more */
+    zr_vec4 *corners;
+};
+
+static void make_corners(void *context, size_t begin, size_t end)
+{
+    static zr_crease_corners_fn *const corners_of[ZR_ISA_COUNT] = ZR_KERNELS(zr_crease_corners);
+    const struct creasing *c = context;
+    if (!zr_is_cancelled(c->cancel)) corners_of[c->isa](&c->mesh, (uint32_t)begin, end - begin, c->corners);
+}
+
+/* ---- corners by vertex: a counting sort, each chunk's corners behind those of the chunks before ---- */
+
+static uint32_t vertex_at(const struct creasing *c, size_t slot)
+{
+    const uint32_t position = c->mesh.indices[slot];
+    return c->vertices ? c->vertices[position] : position;
+}
+
+static size_t chunk_begin(const struct creasing *c, size_t chunk)
+{
+    return chunk * c->corner_count / c->chunk_count;
+}
+
+static void count_chunks(void *context, size_t begin, size_t end)
+{
+    const struct creasing *c = context;
+    for (size_t chunk = begin; chunk < end; chunk++) {
+        uint32_t *counts = c->counts + chunk * c->vertex_count;
+        memset(counts, 0, c->vertex_count * sizeof *counts);
+        const size_t last = chunk_begin(c, chunk + 1);
+        for (size_t slot = chunk_begin(c, chunk); slot < last; slot++)
+            counts[vertex_at(c, slot)]++;
+    }
+}
+
+static void sum_counts(const struct creasing *c)
+{
+    uint32_t sum = 0;
+    for (size_t vertex = 0; vertex < c->vertex_count; vertex++)
+        for (uint32_t *count = c->counts + vertex; count < c->counts + (size_t)c->chunk_count * c->vertex_count;
+             count += c->vertex_count) {
+            const uint32_t own = *count;
+            *count = sum;
+            sum += own;
+        }
+}
+
+static void fill_chunks(void *context, size_t begin, size_t end)
+{
+    const struct creasing *c = context;
+    for (size_t chunk = begin; chunk < end; chunk++) {
+        uint32_t *next = c->counts + chunk * c->vertex_count;
+        const size_t last = chunk_begin(c, chunk + 1);
+        for (size_t slot = chunk_begin(c, chunk); slot < last; slot++)
+            c->slots[next[vertex_at(c, slot)]++] = (uint32_t)slot;
+    }
+}
+
+/* ---- sums ---- */
+
+/* Where the last chunk's next corner of a vertex would go, the corners of the one after it begin. */
+static void make_sums(void *context, size_t begin, size_t end)
+{
+    static zr_crease_sums_fn *const sums_of[ZR_ISA_COUNT] = ZR_KERNELS(zr_crease_sums);
+    const struct creasing *c = context;
+    const struct zr_vertex_corners of = {c->counts + (size_t)(c->chunk_count - 1) * c->vertex_count, c->slots};
+    if (!zr_is_cancelled(c->cancel)) sums_of[c->isa](&of, begin, end, c->cosine, c->corners);
+}
+
+static uint32_t step_of(float along, float largest)
+{
+    const float half = ZR_CREASE_GROUPS_A_SIDE / 2;
+    const uint32_t step = (uint32_t)((along / largest + 1.0f) * half);
+    return step < ZR_CREASE_GROUPS_A_SIDE ? step : ZR_CREASE_GROUPS_A_SIDE - 1;
+}
+
+/* Which square of which side of a cube a direction leads through. */
+static uint32_t group_of(const zr_vec4 *n)
+{
+    const float at[5] = {n->x, n->y, n->z, n->x, n->y};
+    int axis = fabsf(n->y) > fabsf(n->x) ? 1 : 0;
+    if (fabsf(n->z) > fabsf(at[axis])) axis = 2;
+    const uint32_t side = 2 * (uint32_t)axis + (at[axis] < 0.0f);
+    const float largest = fabsf(at[axis]);
+    return (side * ZR_CREASE_GROUPS_A_SIDE + step_of(at[axis + 1], largest)) * ZR_CREASE_GROUPS_A_SIDE +
+           step_of(at[axis + 2], largest);
+}
+
+uint32_t zr_crease_groups(const zr_vec4 *corners, const uint32_t *slots, uint32_t count,
+                          struct zr_crease_source groups[ZR_CREASE_GROUPS])
+{
+    zr_vec3 sums[ZR_CREASE_GROUPS] = {{0, 0, 0}};
+    for (uint32_t i = 0; i < count; i++) {
+        const zr_vec4 *corner = &corners[slots[i]];
+        if (!(corner->w > 0.0f)) continue;
+        zr_vec3 *sum = &sums[group_of(corner)];
+        *sum = zr_vec3_add(*sum, zr_vec3_scale((zr_vec3){corner->x, corner->y, corner->z}, corner->w));
+    }
+    uint32_t group_count = 0;
+    for (uint32_t g = 0; g < ZR_CREASE_GROUPS; g++) {
+        const zr_vec3 sum = sums[g], unit = zr_vec3_normalize(sum);
+        if (sum.x == 0.0f && sum.y == 0.0f && sum.z == 0.0f) continue;
+        groups[group_count++] = (struct zr_crease_source){{unit.x, unit.y, unit.z, 0}, {sum.x, sum.y, sum.z, 0}};
+    }
+    return group_count;
+}
+
+/* ---- all of it ---- */
+
+static uint32_t count_chunks_of(struct zr_team *team, uint32_t corners)
+{
+    const uint32_t threads = (uint32_t)zr_team_size(team);
+    if (corners < CORNERS_A_CHUNK) return 1;
+    return threads < CHUNKS_MOST ? threads : CHUNKS_MOST;
+}
+
+static size_t larger(size_t a, size_t b)
+{
+    return a > b ? a : b;
+}
+
+/* The cosine hardly changes near 0 degrees: floats that differ in their last bits are the same direction. */
+static float least_cosine(float degrees)
+{
+    double sine, cosine;
+    zr_sine_cosine((double)degrees, &sine, &cosine);
+    return (float)(cosine - 1e-6);
+}
+
+static void make_normals(struct zr_team *team, struct creasing *c)
+{
+    zr_team_ranges(team, c->mesh.face_count, FACES_A_RANGE, make_corners, c);
+    zr_team_ranges(team, c->chunk_count, 1, count_chunks, c);
+    sum_counts(c);
+    if (zr_is_cancelled(c->cancel)) return;
+    zr_team_ranges(team, c->chunk_count, 1, fill_chunks, c);
+    zr_team_ranges(team, c->vertex_count, VERTICES_A_RANGE, make_sums, c);
+}
+
+/* One allocation, which can be given back as the newest one. Sorting has the room that welding had. */
+struct rooms {
+    char *all;
+    size_t size;
+    zr_vec4 *places;
+    uint64_t *rest;
+    uint32_t *vertices;
+};
+
+static void find_rooms(struct zr_arena *arena, const struct zr_mesh_extent *extent, const struct creasing *c,
+                       struct rooms *rooms)
+{
+    const size_t positions = c->mesh.position_count, copied = extent->needs_copy ? positions * sizeof(zr_vec4) : 0;
+    const size_t welding = zr_weld_room(c->mesh.position_count) * sizeof(uint64_t);
+    const size_t sorting = (c->chunk_count * positions + c->corner_count) * sizeof(uint32_t);
+    const size_t rest = larger(welding, sorting + sorting % sizeof(uint64_t));
+    rooms->size = copied + rest + positions * sizeof(uint32_t);
+    rooms->all = zr_arena_alloc(arena, rooms->size, 1);
+    if (!rooms->all) return;
+    rooms->places = (zr_vec4 *)(void *)rooms->all;
+    rooms->rest = (uint64_t *)(void *)(rooms->all + copied);
+    rooms->vertices = (uint32_t *)(void *)(rooms->all + copied + rest);
+}
+
+zr_vec4 *zr_crease_normals_make(struct zr_arena *arena, struct zr_team *team, const struct zr_cancel *cancel,
+                                const struct zr_mesh *mesh, float degrees)
+{
+    const uint32_t corner_count = mesh->face_offsets[mesh->face_count];
+    struct creasing c = {.cancel = cancel,
+                         .mesh = *mesh,
+                         .isa = zr_team_isa(team),
+                         .corner_count = corner_count,
+                         .chunk_count = count_chunks_of(team, corner_count),
+                         .cosine = least_cosine(degrees),
+                         .corners = zr_arena_alloc(arena, corner_count, sizeof *c.corners)};
+    const struct zr_mesh_extent extent = zr_mesh_extent_of(team, mesh);
+    struct rooms rooms = {0};
+    find_rooms(arena, &extent, &c, &rooms);
+    if (!zr_arena_ok(arena)) return NULL;
+    const struct zr_weld_input places = zr_weld_input_make(team, mesh, &extent, rooms.places);
+    c.mesh.positions = places.at;
+    c.vertex_count = zr_weld_make(team, cancel, &places, rooms.rest, rooms.vertices);
+    c.vertices = c.vertex_count < places.count ? rooms.vertices : NULL;
+    c.slots = (uint32_t *)(void *)rooms.rest;
+    c.counts = c.slots + corner_count;
+    if (c.vertex_count > 0) make_normals(team, &c);
+    zr_arena_trim(arena, rooms.all, rooms.size, 0, 1);
+    return c.corners;
+}

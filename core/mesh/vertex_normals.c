@@ -1,0 +1,109 @@
+#include "mesh/vertex_normals.h"
+
+#include "geometry/face.h"
+#include "mesh/face_normals.h"
+
+/* So many faces' normals are held at once, in the caches: a mesh of a million has 16 MB of them. */
+enum { FACES_AT_ONCE = 1 << 14 };
+
+/* Fewer are added by one thread: each looks at all faces. */
+enum { FACES_ALONE = 1 << 12 };
+
+enum { FACES_A_RANGE = 1 << 11, VERTICES_A_RANGE = 1 << 13 };
+
+struct summing {
+    const struct zr_mesh *mesh;
+    enum zr_isa isa;
+    bool only_triangles;
+    uint32_t first, count; /* the faces at hand, */
+    zr_vec4 *normals;      /* and theirs */
+    uint32_t part_count;
+    zr_vec4 *sums; /* of vertices */
+};
+
+static zr_add_normals_fn *add_normals_of(enum zr_isa isa)
+{
+    static zr_add_normals_fn *const table[ZR_ISA_COUNT] = ZR_KERNELS(zr_add_normals);
+    return table[isa];
+}
+
+static zr_normalize_fn *normalize_of(enum zr_isa isa)
+{
+    static zr_normalize_fn *const table[ZR_ISA_COUNT] = ZR_KERNELS(zr_normalize);
+    return table[isa];
+}
+
+static void make_faces(void *context, size_t begin, size_t end)
+{
+    const struct summing *s = context;
+    const uint32_t first = s->first + (uint32_t)begin;
+    if (s->only_triangles) {
+        zr_triangle_normals_of(s->isa)(s->mesh, first, end - begin, s->normals + begin);
+        return;
+    }
+    for (size_t i = begin; i < end; i++) {
+        const zr_vec3 normal = zr_normal_of_face(s->mesh, s->first + (uint32_t)i);
+        s->normals[i] = (zr_vec4){normal.x, normal.y, normal.z, 0.0f};
+    }
+}
+
+static void add_polygons(const struct summing *s, struct zr_vertex_part part)
+{
+    const struct zr_mesh *mesh = s->mesh;
+    for (uint32_t face = s->first; face < s->first + s->count; face++) {
+        const zr_vec4 *normal = &s->normals[face - s->first];
+        for (uint32_t slot = mesh->face_offsets[face]; slot < mesh->face_offsets[face + 1]; slot++) {
+            const uint32_t vertex = mesh->indices[slot];
+            if (zr_vertex_is_of_part(vertex, part))
+                zr_four_store(&s->sums[vertex], zr_four_load(&s->sums[vertex]) + zr_four_load(normal));
+        }
+    }
+}
+
+static void add_parts(void *context, size_t begin, size_t end)
+{
+    const struct summing *s = context;
+    for (uint32_t number = (uint32_t)begin; number < end; number++) {
+        const struct zr_vertex_part part = {number, s->part_count};
+        if (s->only_triangles)
+            add_normals_of(s->isa)(s->mesh->indices + 3 * (size_t)s->first, s->count, s->normals, part, s->sums);
+        else
+            add_polygons(s, part);
+    }
+}
+
+static void normalize(void *context, size_t begin, size_t end)
+{
+    const struct summing *s = context;
+    normalize_of(s->isa)(s->sums + begin, end - begin);
+}
+
+/* The least power of two that gives each thread one. */
+static uint32_t count_parts(struct zr_team *team, const struct zr_mesh *mesh)
+{
+    uint32_t parts = 1;
+    while (mesh->face_count > FACES_ALONE && parts < (uint32_t)zr_team_size(team))
+        parts *= 2;
+    return parts;
+}
+
+zr_vec4 *zr_vertex_normals_make(struct zr_arena *arena, struct zr_team *team, const struct zr_cancel *cancel,
+                                const struct zr_mesh *mesh)
+{
+    const uint32_t at_once = mesh->face_count < FACES_AT_ONCE ? mesh->face_count : FACES_AT_ONCE;
+    struct summing s = {.mesh = mesh,
+                        .isa = zr_team_isa(team),
+                        .only_triangles = zr_mesh_is_of_triangles(mesh),
+                        .normals = zr_arena_alloc(arena, at_once, sizeof *s.normals),
+                        .part_count = count_parts(team, mesh),
+                        .sums = zr_arena_zero(arena, mesh->position_count, sizeof *s.sums)};
+    if (!zr_arena_ok(arena)) return NULL;
+    for (; s.first < mesh->face_count && !zr_is_cancelled(cancel); s.first += s.count) {
+        const uint32_t left = mesh->face_count - s.first;
+        s.count = left < at_once ? left : at_once;
+        zr_team_ranges(team, s.count, FACES_A_RANGE, make_faces, &s);
+        zr_team_ranges(team, s.part_count, 1, add_parts, &s);
+    }
+    zr_team_ranges(team, mesh->position_count, VERTICES_A_RANGE, normalize, &s);
+    return s.sums;
+}

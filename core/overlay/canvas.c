@@ -1,0 +1,81 @@
+#include "overlay/canvas.h"
+
+#include <string.h>
+
+static struct zr_box between(int32_t x0, int32_t y0, int32_t x1, int32_t y1)
+{
+    return (struct zr_box){x0, y0, zr_greater(x1 - x0, 0), zr_greater(y1 - y0, 0)};
+}
+
+struct zr_box zr_box_join(struct zr_box a, struct zr_box b)
+{
+    return between(zr_lesser(a.x, b.x), zr_lesser(a.y, b.y), zr_greater(a.x + a.width, b.x + b.width),
+                   zr_greater(a.y + a.height, b.y + b.height));
+}
+
+struct zr_box zr_canvas_clip(const struct zr_canvas *canvas, struct zr_box box)
+{
+    return between(zr_greater(box.x, 0), zr_greater(box.y, 0), zr_lesser(box.x + box.width, canvas->width),
+                   zr_lesser(box.y + box.height, canvas->height));
+}
+
+void zr_canvas_fill(const struct zr_canvas *canvas, struct zr_box box, uint32_t color)
+{
+    const struct zr_box in = zr_canvas_clip(canvas, box);
+    for (int32_t y = in.y; y < in.y + in.height; y++) {
+        uint32_t *row = canvas->pixels + (size_t)y * (size_t)canvas->width;
+        for (int32_t x = in.x; x < in.x + in.width; x++)
+            row[x] = color;
+    }
+}
+
+static uint32_t opaque_of(const uint8_t rgb[3])
+{
+    const uint8_t bytes[4] = {rgb[0], rgb[1], rgb[2], 255};
+    uint32_t color;
+    memcpy(&color, bytes, sizeof color);
+    return color;
+}
+
+/* The least value that at least half of all are not above. */
+static uint8_t median_of(const uint32_t counts[256], uint64_t all)
+{
+    uint64_t seen = 0;
+    int value = 0;
+    for (; value < 255; value++) {
+        seen += counts[value];
+        if (2 * seen >= all) break;
+    }
+    return (uint8_t)value;
+}
+
+uint32_t zr_canvas_median(const struct zr_canvas *canvas, struct zr_box box)
+{
+    const struct zr_box in = zr_canvas_clip(canvas, box);
+    const uint64_t all = (uint64_t)in.width * (uint64_t)in.height;
+    uint32_t counts[3][256] = {{0}};
+    uint8_t median[3] = {255, 255, 255};
+    for (int32_t y = in.y; y < in.y + in.height; y++) {
+        const uint32_t *row = canvas->pixels + (size_t)y * (size_t)canvas->width;
+        for (int32_t x = in.x; x < in.x + in.width; x++) {
+            uint8_t bytes[4];
+            memcpy(bytes, &row[x], sizeof bytes);
+            for (int c = 0; c < 3; c++)
+                counts[c][(bytes[c] * bytes[3] + 255 * (255 - bytes[3]) + 127) / 255]++;
+        }
+    }
+    for (int c = 0; c < 3 && all > 0; c++)
+        median[c] = median_of(counts[c], all);
+    return opaque_of(median);
+}
+
+uint32_t zr_canvas_ink(uint32_t paper)
+{
+    /* A grey of 118 differs from black as much as from white by the contrast of WCAG 2, (L1 + 0.05) / (L2 + 0.05);
+     * luma as in ITU-R BT.601 is near enough for other colours. */
+    enum { GREY = 118 };
+    static const uint8_t black[3] = {0, 0, 0}, white[3] = {255, 255, 255};
+    uint8_t rgb[4];
+    memcpy(rgb, &paper, sizeof rgb);
+    return opaque_of(299 * rgb[0] + 587 * rgb[1] + 114 * rgb[2] >= 1000 * GREY ? black : white);
+}

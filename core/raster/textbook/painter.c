@@ -1,0 +1,244 @@
+/* painter.c - raster: from back to front, each over what is there, without a z-buffer: the depth
+ * sort of Newell, Newell & Sancha ("A Solution to the Hidden Surface Problem", Proc. ACM
+ * National Conference, 1972; Sutherland, Sproull & Schumacker, "A Characterization of
+ * Ten Hidden-Surface Algorithms", 1974).
+ *
+ * Pieces are listed from the farthest on. The first is painted where it hides nothing of those
+ * behind it in the list that reach as far back as it does: because their boxes are apart, or
+ * because where they overlap it is nowhere the nearer. Where it hides one, that one
+ * has to be painted first, and is tried in its place. So a chain of pieces grows, of which each is
+ * hidden in part by the one before. Two that are each the nearer somewhere are cut; and so is a
+ * chain that comes back to one of its own pieces.
+ *
+ * Exact: pieces are sets of samples (piece.h), so no cut is rounded. At one sample an order
+ * is total: depth, and then the number of the primitive. In a chain C1 .. Ck that comes back to C1,
+ * each hides the next wherever both are, and Ck hides C1: were each within the next, and Ck
+ * within C1, all would be the same samples, and at each of them the order would go round. So one
+ * reaches beyond the next and is cut into what is inside of it and what is not.
+ * Every cut leaves two parts that are not empty; so it ends.
+ *
+ * Cost: what overlaps in depth is compared two by two, so a scene whose polygons all reach
+ * through one range of depths takes time by the square of their number, and more with cuts.
+ */
+#include <assert.h>
+
+#include "raster/textbook/piece.h"
+
+enum { PIECES_A_CANCEL_CHECK = 4096 };
+
+struct painting {
+    struct zr_pieces pieces;
+    uint32_t ranks;   /* 1 .. ranks - 1 */
+    uint32_t *firsts; /* by rank: its first piece in the list; 0: all are painted */
+    uint32_t *skips;  /* by rank without a piece: a higher one, with none in between that has one */
+    uint32_t *chain;  /* pieces that are tried, each hidden in part by the one before */
+    uint32_t length, room;
+};
+
+/* ---- the list ---- */
+
+/* Merges the ordered items begin .. middle - 1 and middle .. end - 1; the farther comes first. */
+static void merge(const struct zr_piece *from, struct zr_piece *to, uint32_t begin, uint32_t middle, uint32_t end)
+{
+    uint32_t a = begin, b = middle;
+    for (uint32_t i = begin; i < end; i++)
+        to[i] = b == end || (a < middle && from[a].far >= from[b].far) ? from[a++] : from[b++];
+}
+
+/* A merge sort from below, so that neighbours in the list are neighbours in memory. */
+static bool sort(struct zr_pieces *pieces)
+{
+    struct zr_piece *from = pieces->items, *to = zr_arena_alloc(pieces->arena, pieces->room, sizeof *to);
+    if (!to) return false;
+    for (uint64_t run = 1; run < pieces->count; run *= 2) {
+        for (uint64_t begin = 1; begin < pieces->count; begin += 2 * run) {
+            uint64_t middle = begin + run, end = begin + 2 * run;
+            if (middle > pieces->count) middle = pieces->count;
+            if (end > pieces->count) end = pieces->count;
+            merge(from, to, (uint32_t)begin, (uint32_t)middle, (uint32_t)end);
+        }
+        struct zr_piece *swap = from;
+        from = to;
+        to = swap;
+    }
+    pieces->items = from;
+    return true;
+}
+
+static bool make_list(struct painting *painting)
+{
+    struct zr_pieces *pieces = &painting->pieces;
+    painting->ranks = pieces->count;
+    painting->firsts = zr_arena_alloc(pieces->arena, painting->ranks, sizeof *painting->firsts);
+    painting->skips = zr_arena_alloc(pieces->arena, painting->ranks, sizeof *painting->skips);
+    if (!zr_arena_ok(pieces->arena)) return false;
+    for (uint32_t i = 1; i < pieces->count; i++) {
+        struct zr_piece *piece = &pieces->items[i];
+        piece->order = piece->far;
+        piece->rank = i;
+        piece->clear = 1;
+        piece->previous = i - 1;
+        piece->next = i + 1 < pieces->count ? i + 1 : 0;
+        painting->firsts[i] = i;
+        painting->skips[i] = i + 1;
+    }
+    return true;
+}
+
+/* The first piece in the list whose rank is not below `rank`, or 0. */
+static uint32_t first_from(struct painting *painting, uint32_t rank)
+{
+    uint32_t found = rank;
+    while (found < painting->ranks && painting->firsts[found] == 0)
+        found = painting->skips[found];
+    for (uint32_t next; rank < found; rank = next) { /* the shorter way for the next time */
+        next = painting->skips[rank];
+        painting->skips[rank] = found;
+    }
+    return found < painting->ranks ? painting->firsts[found] : 0;
+}
+
+/* Makes b follow a; 0 for either is the list's end. */
+static void link_up(struct zr_piece *items, uint32_t a, uint32_t b)
+{
+    if (a > 0) items[a].next = b;
+    if (b > 0) items[b].previous = a;
+}
+
+static void take_out(struct painting *painting, uint32_t piece)
+{
+    struct zr_piece *items = painting->pieces.items;
+    uint32_t rank = items[piece].rank, next = items[piece].next;
+    if (painting->firsts[rank] == piece) painting->firsts[rank] = next > 0 && items[next].rank == rank ? next : 0;
+    link_up(items, items[piece].previous, next);
+}
+
+/* Parts take the place of the whole. */
+static void put_in_place(struct painting *painting, uint32_t whole, uint32_t first, uint32_t second)
+{
+    struct zr_piece *items = painting->pieces.items;
+    items[first].order = items[second].order = items[whole].order;
+    items[first].rank = items[second].rank = items[whole].rank;
+    items[first].clear = items[second].clear = items[whole].clear;
+    if (painting->firsts[items[whole].rank] == whole) painting->firsts[items[whole].rank] = first;
+    link_up(items, items[whole].previous, first);
+    link_up(items, first, second);
+    link_up(items, second, items[whole].next);
+}
+
+/* ---- the chain ---- */
+
+static bool push(struct painting *painting, uint32_t piece)
+{
+    if (painting->length == painting->room) {
+        uint32_t room = painting->room > 0 ? 2 * painting->room : 64;
+        uint32_t *chain = zr_arena_grow(painting->pieces.arena, painting->chain, painting->length, room, sizeof *chain);
+        if (!chain) return false;
+        painting->chain = chain;
+        painting->room = room;
+    }
+    painting->chain[painting->length++] = piece;
+    painting->pieces.items[piece].in_chain = true;
+    return true;
+}
+
+static void shorten(struct painting *painting, uint32_t length)
+{
+    while (painting->length > length)
+        painting->pieces.items[painting->chain[--painting->length]].in_chain = false;
+}
+
+/* The last piece hides nothing of the rest. */
+static void paint_last(struct painting *painting)
+{
+    uint32_t piece = painting->chain[painting->length - 1];
+    zr_pieces_paint(&painting->pieces, piece);
+    shorten(painting, painting->length - 1);
+    take_out(painting, piece);
+    zr_pieces_free(&painting->pieces, piece);
+}
+
+/* Cuts the piece at `place` of the chain by another. The chain ends before it, and the part that may be
+ * hidden comes first in the list. */
+static bool cut(struct painting *painting, uint32_t place, uint32_t other, bool nearer)
+{
+    uint32_t piece = painting->chain[place], inside, rest;
+    shorten(painting, place);
+    if (!zr_pieces_split(&painting->pieces, piece, other, nearer, &inside, &rest)) return false;
+    put_in_place(painting, piece, rest, inside);
+    zr_pieces_free(&painting->pieces, piece);
+    return true;
+}
+
+/* The last piece hides a part of `start`, with which the chain has come round. */
+static enum zr_status cut_cycle(struct painting *painting, uint32_t start)
+{
+    struct zr_pieces *pieces = &painting->pieces;
+    uint32_t hidden = start;
+    for (uint32_t place = painting->length; place-- > 0;) {
+        uint32_t piece = painting->chain[place];
+        struct zr_overlap overlap = zr_pieces_compare(pieces, &pieces->items[piece], &pieces->items[hidden]);
+        if (zr_is_cancelled(pieces->cancel)) return ZR_CANCELLED;
+        if (overlap.nearer < pieces->items[piece].size)
+            return cut(painting, place, hidden, false) ? ZR_OK : ZR_NO_MEMORY;
+        assert(piece != start); /* as the head of this file shows: one before reaches beyond the next */
+        hidden = piece;
+    }
+    return ZR_INTERNAL;
+}
+
+/* ---- painting ---- */
+
+static bool boxes_overlap(const struct zr_piece *p, const struct zr_piece *q)
+{
+    return p->min_x <= q->max_x && q->min_x <= p->max_x && p->min_y <= q->max_y && q->min_y <= p->max_y;
+}
+
+/* A piece that the last of the chain hides in part, or 0. What it is clear of is not looked at again. */
+static uint32_t find_hidden(struct painting *painting, struct zr_overlap *overlap)
+{
+    const struct zr_pieces *pieces = &painting->pieces;
+    struct zr_piece *p = &pieces->items[painting->chain[painting->length - 1]];
+    uint32_t steps = 0;
+    for (uint32_t number = first_from(painting, p->clear); number > 0; number = pieces->items[number].next) {
+        const struct zr_piece *q = &pieces->items[number];
+        if (q->order < p->near) return 0;
+        if (++steps % PIECES_A_CANCEL_CHECK == 0 && zr_is_cancelled(pieces->cancel)) return 0;
+        if (q->far < p->near || q == p || !boxes_overlap(p, q)) continue;
+        p->clear = q->rank;
+        *overlap = zr_pieces_compare(pieces, p, q);
+        if (overlap->nearer > 0) return number;
+    }
+    return 0;
+}
+
+static enum zr_status paint(struct painting *painting)
+{
+    for (uint32_t first; (first = first_from(painting, 1)) > 0;) {
+        struct zr_overlap overlap;
+        if (painting->length == 0 && !push(painting, first)) return ZR_NO_MEMORY;
+        uint32_t hidden = find_hidden(painting, &overlap);
+        if (zr_is_cancelled(painting->pieces.cancel)) return ZR_CANCELLED;
+        enum zr_status status = ZR_OK;
+        if (hidden == 0)
+            paint_last(painting);
+        else if (overlap.farther > 0)
+            status = cut(painting, painting->length - 1, hidden, true) ? ZR_OK : ZR_NO_MEMORY;
+        else if (painting->pieces.items[hidden].in_chain)
+            status = cut_cycle(painting, hidden);
+        else
+            status = push(painting, hidden) ? ZR_OK : ZR_NO_MEMORY;
+        if (status != ZR_OK) return status;
+    }
+    return zr_is_cancelled(painting->pieces.cancel) ? ZR_CANCELLED : ZR_OK;
+}
+
+enum zr_status zr_painter(struct zr_arena *arena, const struct zr_geometry *geometry, const struct zr_cancel *cancel,
+                          struct zr_samples *samples)
+{
+    struct painting painting = {.room = 0};
+    enum zr_status status = zr_pieces_make(arena, geometry, cancel, samples, &painting.pieces);
+    if (status != ZR_OK) return status;
+    if (!sort(&painting.pieces) || !make_list(&painting)) return ZR_NO_MEMORY;
+    return paint(&painting);
+}

@@ -1,0 +1,300 @@
+/* scanline.c - raster: the whole picture in one pass from row to row, without a z-buffer.
+ *
+ * Edges wait in a table by the row that they begin in; those that a row passes are stepped from
+ * row to row. Sweeping along the row, each edge says that its polygon begins or ends there; so
+ * the row falls into intervals in which the same polygons are met, and in each the
+ * nearest is looked for among them (Wylie, Romney, Evans & Erdahl, "Half-tone Perspective
+ * Drawings by Computer", 1967; Bouknight, "A Procedure for Generation of Three-dimensional
+ * Half-toned Computer Graphics Presentations", 1970; intervals as in Watkins, "A Real-time
+ * Visible Surface Algorithm", 1970).
+ *
+ * Exact: an edge's x is walked column by column, by the sign of an integer (Bresenham,
+ * "Algorithm for computer control of a digital plotter", 1965). Along a row each float
+ * operation of a primitive's depth keeps to the order of its operands, so depth rises or falls
+ * throughout, and an interval's two ends bound it. Where that leaves one polygon, it fills the
+ * interval; where more are left, surfaces may cut each other, and each sample decides.
+ *
+ * Memory: all edges, and what one row needs.
+ */
+#include "raster/textbook/algorithms.h"
+
+enum { EDGES_A_CANCEL_CHECK = 1024 };
+
+/* An edge in the table. */
+struct entry {
+    uint32_t primitive, edge;
+};
+
+struct table {
+    size_t *begins;        /* of row y's entries; height + 1 */
+    struct entry *entries; /* by the row that they begin in */
+};
+
+/* An edge that the row passes. */
+struct passing {
+    int32_t x;      /* the first column not left of it */
+    int64_t excess; /* how far x lies right of it, 0 .. column - 1 */
+    int64_t column; /* what excess grows by from column to column, */
+    int64_t row;    /* and falls by from row to row */
+    int32_t end;    /* the row that it does not pass any more */
+    uint32_t owner; /* number of the primitive */
+    size_t same_x;  /* the next in this row with the same x: 1 + number */
+};
+
+/* A primitive that an interval meets. */
+struct layer {
+    uint32_t primitive;
+    float near, far; /* its depths in the interval lie between */
+};
+
+struct sweep {
+    const struct zr_geometry *geometry;
+    const struct zr_primitive *primitives;
+    const struct zr_cancel *cancel;
+    struct zr_samples *samples;
+    struct passing *passing;
+    size_t passing_count, passing_room;
+    size_t *at;       /* by column: the first edge there: 1 + number; 0: none */
+    uint32_t *inside; /* primitives that the sweep is inside of, in no order */
+    uint32_t inside_count;
+    uint32_t *places; /* by primitive: 1 + its place in `inside`, or 0 */
+    struct layer *layers;
+    struct zr_hit *hits, *nearest; /* of an interval */
+};
+
+/* ---- the table ---- */
+
+struct rows {
+    int32_t begin, end;
+};
+
+static struct rows rows_of(const struct zr_grid_edge *edge, int32_t height)
+{
+    struct rows rows = {(edge->y0 + ZR_SUBPIXELS - 1) >> ZR_SUBPIXEL_BITS,
+                        (edge->y1 + ZR_SUBPIXELS - 1) >> ZR_SUBPIXEL_BITS};
+    if (rows.begin < 0) rows.begin = 0;
+    if (rows.end > height) rows.end = height;
+    return rows;
+}
+
+/* A counting sort: counts, then offsets, then entries. */
+static bool make_table(struct zr_arena *arena, const struct zr_primitives *primitives, int32_t height,
+                       struct table *table)
+{
+    size_t *begins = zr_arena_zero(arena, (size_t)height + 1, sizeof *begins), total = 0;
+    if (!begins) return false;
+    for (uint32_t p = 0; p < primitives->count; p++) {
+        const struct zr_grid_edge *edges = zr_primitive_edges(&primitives->items[p]);
+        for (uint32_t e = 0; e < primitives->items[p].edge_count; e++) {
+            struct rows rows = rows_of(&edges[e], height);
+            if (rows.begin < rows.end) begins[rows.begin]++;
+        }
+    }
+    for (int32_t y = 0; y <= height; y++) {
+        size_t count = begins[y];
+        begins[y] = total;
+        total += count;
+    }
+    *table = (struct table){begins, zr_arena_alloc(arena, total, sizeof *table->entries)};
+    if (!table->entries) return false;
+    for (uint32_t p = 0; p < primitives->count; p++) {
+        const struct zr_grid_edge *edges = zr_primitive_edges(&primitives->items[p]);
+        for (uint32_t e = 0; e < primitives->items[p].edge_count; e++) {
+            struct rows rows = rows_of(&edges[e], height);
+            if (rows.begin < rows.end) table->entries[begins[rows.begin]++] = (struct entry){p, e};
+        }
+    }
+    for (int32_t y = height; y > 0; y--)
+        begins[y] = begins[y - 1];
+    begins[0] = 0;
+    return true;
+}
+
+/* ---- edges that the row passes ---- */
+
+static void walk(struct passing *edge)
+{
+    for (; edge->excess < 0; edge->excess += edge->column)
+        edge->x++;
+    for (; edge->excess >= edge->column; edge->excess -= edge->column)
+        edge->x--;
+}
+
+/* In row y. Starts in the column of the edge's lower end, and walks. */
+static struct passing make_passing(const struct sweep *sweep, struct entry entry, int32_t y)
+{
+    const struct zr_grid_edge *edge = &zr_primitive_edges(&sweep->primitives[entry.primitive])[entry.edge];
+    int64_t run = (int64_t)edge->x1 - edge->x0, rise = (int64_t)edge->y1 - edge->y0;
+    struct passing passing = {.x = edge->x0 >> ZR_SUBPIXEL_BITS,
+                              .column = rise * ZR_SUBPIXELS,
+                              .row = run * ZR_SUBPIXELS,
+                              .end = rows_of(edge, (int32_t)sweep->samples->height).end,
+                              .owner = entry.primitive};
+    passing.excess =
+        ((int64_t)passing.x * ZR_SUBPIXELS - edge->x0) * rise - run * ((int64_t)y * ZR_SUBPIXELS - edge->y0);
+    walk(&passing);
+    return passing;
+}
+
+/* Drops those that end here; the others go on to row y. */
+static void step_row(int32_t y, struct sweep *sweep)
+{
+    size_t kept = 0;
+    for (size_t i = 0; i < sweep->passing_count; i++) {
+        struct passing *edge = &sweep->passing[i];
+        if (edge->end <= y) continue;
+        edge->excess -= edge->row;
+        walk(edge);
+        sweep->passing[kept++] = *edge;
+    }
+    sweep->passing_count = kept;
+}
+
+static enum zr_status begin_edges(struct zr_arena *arena, const struct table *table, int32_t y, struct sweep *sweep)
+{
+    size_t count = sweep->passing_count + table->begins[y + 1] - table->begins[y];
+    if (count > sweep->passing_room) {
+        size_t room = count > 2 * sweep->passing_room ? count : 2 * sweep->passing_room;
+        sweep->passing = zr_arena_grow(arena, sweep->passing, sweep->passing_count, room, sizeof *sweep->passing);
+        if (!sweep->passing) return ZR_NO_MEMORY;
+        sweep->passing_room = room;
+    }
+    for (size_t i = table->begins[y]; i < table->begins[y + 1]; i++) {
+        if (i % EDGES_A_CANCEL_CHECK == 0 && zr_is_cancelled(sweep->cancel)) return ZR_CANCELLED;
+        sweep->passing[sweep->passing_count++] = make_passing(sweep, table->entries[i], y);
+    }
+    return ZR_OK;
+}
+
+/* Hangs each edge on its column: that sorts them. What ends right of the window needs no end. */
+static void sort_row(struct sweep *sweep)
+{
+    int32_t width = (int32_t)sweep->samples->width;
+    for (int32_t x = 0; x < width; x++)
+        sweep->at[x] = 0;
+    for (size_t i = 0; i < sweep->passing_count; i++) {
+        struct passing *edge = &sweep->passing[i];
+        if (edge->x >= width) continue;
+        size_t *at = &sweep->at[edge->x > 0 ? edge->x : 0];
+        edge->same_x = *at;
+        *at = i + 1;
+    }
+}
+
+/* ---- intervals ---- */
+
+/* Into the primitive, or out of it. */
+static void cross(struct sweep *sweep, uint32_t primitive)
+{
+    uint32_t place = sweep->places[primitive];
+    if (place == 0) {
+        sweep->inside[sweep->inside_count++] = primitive;
+        sweep->places[primitive] = sweep->inside_count;
+        return;
+    }
+    uint32_t last = sweep->inside[--sweep->inside_count];
+    sweep->inside[place - 1] = last;
+    sweep->places[last] = place;
+    sweep->places[primitive] = 0;
+}
+
+/* A shape has several triangles, and may change from one to another anywhere. */
+static struct layer make_layer(const struct sweep *sweep, uint32_t number, int32_t y, int32_t begin, int32_t end)
+{
+    const struct zr_primitive *primitive = &sweep->primitives[number];
+    if (primitive->count > 1) return (struct layer){number, 0.0f, 1.0f};
+    float left = zr_primitive_hit(sweep->geometry, primitive, begin, y).depth,
+          right = end - begin > 1 ? zr_primitive_hit(sweep->geometry, primitive, end - 1, y).depth : left;
+    return (struct layer){number, left < right ? left : right, left < right ? right : left};
+}
+
+/* What can be seen in the interval: all but those that lie behind the whole of another. */
+static uint32_t make_layers(struct sweep *sweep, int32_t y, int32_t begin, int32_t end)
+{
+    float least_far = 1.0f;
+    uint32_t count = 0;
+    for (uint32_t i = 0; i < sweep->inside_count; i++) {
+        struct layer layer = make_layer(sweep, sweep->inside[i], y, begin, end);
+        if (layer.near > least_far) continue;
+        if (layer.far < least_far) least_far = layer.far;
+        sweep->layers[count++] = layer;
+    }
+    uint32_t kept = 0;
+    for (uint32_t i = 0; i < count; i++)
+        if (sweep->layers[i].near <= least_far) sweep->layers[kept++] = sweep->layers[i];
+    return kept;
+}
+
+/* At each sample the nearest of the layers, and of equally near ones the earliest. One fills the interval. */
+static void resolve(struct sweep *sweep, int32_t y, int32_t begin, int32_t end)
+{
+    struct zr_hit *nearest = sweep->nearest, *hits = sweep->hits;
+    uint32_t count = make_layers(sweep, y, begin, end);
+    for (uint32_t i = 0; i < count && !zr_is_cancelled(sweep->cancel); i++) {
+        const struct zr_primitive *primitive = &sweep->primitives[sweep->layers[i].primitive];
+        zr_primitive_hits(sweep->geometry, primitive, y, begin, end, i == 0 ? nearest : hits);
+        for (int32_t k = 0; i > 0 && k < end - begin; k++)
+            if (hits[k].depth < nearest[k].depth ||
+                (hits[k].depth == nearest[k].depth && hits[k].owner < nearest[k].owner))
+                nearest[k] = hits[k];
+    }
+    for (int32_t x = begin; x < end; x++)
+        zr_samples_put(sweep->samples, x, y, nearest[x - begin]); /* once a sample */
+}
+
+/* All samples of all polygons, for lists. */
+static void keep_all(struct sweep *sweep, int32_t y, int32_t begin, int32_t end)
+{
+    for (uint32_t i = 0; i < sweep->inside_count && !zr_is_cancelled(sweep->cancel); i++) {
+        zr_primitive_hits(sweep->geometry, &sweep->primitives[sweep->inside[i]], y, begin, end, sweep->hits);
+        for (int32_t x = begin; x < end; x++)
+            zr_samples_put(sweep->samples, x, y, sweep->hits[x - begin]);
+    }
+}
+
+static void sweep_row(struct sweep *sweep, int32_t y)
+{
+    int32_t width = (int32_t)sweep->samples->width;
+    for (int32_t begin = 0, end; begin < width && !zr_is_cancelled(sweep->cancel); begin = end) {
+        for (size_t i = sweep->at[begin]; i > 0; i = sweep->passing[i - 1].same_x)
+            cross(sweep, sweep->passing[i - 1].owner);
+        for (end = begin + 1; end < width && sweep->at[end] == 0;)
+            end++;
+        if (sweep->inside_count == 0) continue;
+        if (sweep->samples->fragments)
+            keep_all(sweep, y, begin, end);
+        else
+            resolve(sweep, y, begin, end);
+    }
+    while (sweep->inside_count > 0)
+        sweep->places[sweep->inside[--sweep->inside_count]] = 0;
+}
+
+/* ---- */
+
+enum zr_status zr_scanline(struct zr_arena *arena, const struct zr_geometry *geometry, const struct zr_cancel *cancel,
+                           struct zr_samples *samples)
+{
+    struct zr_primitives primitives;
+    struct table table;
+    enum zr_status status = zr_primitives_make(arena, geometry, samples, cancel, &primitives);
+    if (status != ZR_OK) return status;
+    if (!make_table(arena, &primitives, (int32_t)samples->height, &table)) return ZR_NO_MEMORY;
+    struct sweep sweep = {.geometry = geometry, .primitives = primitives.items, .cancel = cancel, .samples = samples};
+    sweep.at = zr_arena_alloc(arena, samples->width, sizeof *sweep.at);
+    sweep.inside = zr_arena_alloc(arena, primitives.count, sizeof *sweep.inside);
+    sweep.places = zr_arena_zero(arena, primitives.count, sizeof *sweep.places);
+    sweep.layers = zr_arena_alloc(arena, primitives.count, sizeof *sweep.layers);
+    sweep.hits = zr_arena_alloc(arena, samples->width, sizeof *sweep.hits);
+    sweep.nearest = zr_arena_zero(arena, samples->width, sizeof *sweep.nearest);
+    if (!zr_arena_ok(arena)) return ZR_NO_MEMORY;
+    for (int32_t y = 0; y < (int32_t)samples->height; y++) {
+        if (zr_is_cancelled(cancel)) return ZR_CANCELLED;
+        step_row(y, &sweep);
+        if ((status = begin_edges(arena, &table, y, &sweep)) != ZR_OK) return status;
+        if (sweep.passing_count == 0) continue;
+        sort_row(&sweep);
+        sweep_row(&sweep, y);
+    }
+    return zr_is_cancelled(cancel) ? ZR_CANCELLED : ZR_OK;
+}

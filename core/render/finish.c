@@ -1,0 +1,77 @@
+#include "render/finish.h"
+
+#include "base/mutant.h"
+
+enum { ROWS_A_RANGE = 8 };
+
+static zr_finish_row_fn *finish_row_of(enum zr_isa isa)
+{
+    static zr_finish_row_fn *const table[ZR_ISA_COUNT] = ZR_KERNELS(zr_finish_row);
+    return table[isa];
+}
+
+static zr_decode_fn *decode_of(enum zr_isa isa)
+{
+    static zr_decode_fn *const table[ZR_ISA_COUNT] = ZR_KERNELS(zr_decode);
+    return table[isa];
+}
+
+struct rows {
+    const struct zr_post_desc *of;
+    enum zr_isa isa;
+    float top[3], bottom[3], ink_color[3];
+    const struct zr_cancel *cancel;
+};
+
+/* Of the row that is y rows above the lowest: linear between the middles of the first and the last row. */
+static void background_of(const struct rows *rows, uint32_t y, float out[4])
+{
+    const struct zr_scene *scene = rows->of->scene;
+    const uint32_t height = rows->of->light->height;
+    const float rise = height > 1 ? (float)y / (float)(height - 1) : 1.0f;
+    const float up = ZR_MUTANT(gradient_turned, rise, 1.0f - rise);
+    for (int k = 0; k < 3; k++)
+        out[k] = rows->bottom[k] + (rows->top[k] - rows->bottom[k]) * up;
+    out[3] = scene->picture.has_gradient ? 1.0f : scene->background.w;
+}
+
+enum { SHARES_AT_ONCE = 16384 + 16 };
+
+static void finish_range(void *context, size_t begin, size_t end)
+{
+    const struct rows *rows = context;
+    const struct zr_post_desc *of = rows->of;
+    const struct zr_linear_frame *light = of->light;
+    const bool has_ground = of->ground && of->ground->light;
+    float shares[SHARES_AT_ONCE];
+    for (size_t y = begin; y < end && !zr_is_cancelled(rows->cancel); y++) {
+        struct zr_finish_row row = {.cover = light->cover + y * light->stride, .count = light->width};
+        for (int k = 0; k < 3; k++) {
+            row.color[k] = light->color[k] + y * light->stride;
+            row.ink_color[k] = rows->ink_color[k];
+        }
+        background_of(rows, (uint32_t)y, row.background);
+        if (has_ground) {
+            zr_ground_row_of(rows->isa)(of->ground, &of->ground_frame, &of->rays, (int32_t)y, (int32_t)light->width,
+                                        shares);
+            row.share = shares;
+        }
+        if (of->ink) row.ink = of->ink + y * light->width;
+        finish_row_of(rows->isa)(&row, (uint32_t *)(void *)of->out + (size_t)(light->height - 1 - y) * light->width);
+    }
+}
+
+void zr_finish_picture(struct zr_team *team, const struct zr_post_desc *finishing, const struct zr_cancel *cancel)
+{
+    const struct zr_scene *scene = finishing->scene;
+    const struct zr_picture *picture = &scene->picture;
+    struct rows rows = {.of = finishing, .isa = zr_team_isa(team), .cancel = cancel};
+    const zr_vec3 plain = {scene->background.x, scene->background.y, scene->background.z};
+    const zr_vec3 top = picture->has_gradient ? picture->top : plain;
+    const zr_vec3 bottom = picture->has_gradient ? picture->bottom : plain;
+    const zr_vec3 ink = picture->edges.color;
+    decode_of(rows.isa)((const float[3]){top.x, top.y, top.z}, rows.top);
+    decode_of(rows.isa)((const float[3]){bottom.x, bottom.y, bottom.z}, rows.bottom);
+    decode_of(rows.isa)((const float[3]){ink.x, ink.y, ink.z}, rows.ink_color);
+    zr_team_ranges(team, finishing->light->height, ROWS_A_RANGE, finish_range, &rows);
+}

@@ -1,0 +1,43 @@
+/* finish.h - render, last step: averages of samples in linear light -> the bytes of the channel color.
+ *
+ * Each pixel: over the background, darkened by the ground's shadow; then ink of edges over that; then encoded as sRGB.
+ * Where the background is transparent, the ground's shadow is black of opacity 1 - T^(1/2.2), since viewers blend
+ * encoded values.
+ */
+#ifndef ZR_FINISH_H
+#define ZR_FINISH_H
+
+#include "base/team.h"
+#include "effects/ground.h"
+#include "render/supersample.h"
+
+struct zr_post_desc {
+    const struct zr_scene *scene;
+    const struct zr_linear_frame *light;
+    const struct zr_ground *ground; /* NULL, or without light: none */
+    struct zr_ground_frame ground_frame;
+    struct zr_rays rays;
+    const float *ink; /* opacity of edges, rows of light->width, row 0 the lowest; NULL: none */
+    uint8_t *out;     /* RGBA, row 0 on top */
+};
+
+void zr_finish_picture(struct zr_team *team, const struct zr_post_desc *finishing, const struct zr_cancel *cancel);
+
+/* One row. `background`: linear red, green and blue, and opacity; `share`: the ground's T of each pixel, or NULL; `ink`
+ * opacities, or NULL, in linear `ink_color`. Of all arrays up to 15 more values are looked at. A kernel. */
+struct zr_finish_row {
+    const float *color[3], *cover, *share, *ink;
+    float background[4], ink_color[3];
+    uint32_t count;
+};
+
+typedef void zr_finish_row_fn(const struct zr_finish_row *row, uint32_t *out);
+
+zr_finish_row_fn zr_finish_row_scalar, zr_finish_row_sse2, zr_finish_row_avx2, zr_finish_row_avx512, zr_finish_row_neon;
+
+/* Linear light of sRGB-encoded values, three of them. A kernel. */
+typedef void zr_decode_fn(const float encoded[3], float linear[3]);
+
+zr_decode_fn zr_decode_scalar, zr_decode_sse2, zr_decode_avx2, zr_decode_avx512, zr_decode_neon;
+
+#endif

@@ -1,0 +1,98 @@
+#include "render/finish.h"
+
+#include "base/pow_simd.h"
+#include "base/simd.h"
+#include "shade/srgb_color_simd.h"
+
+/* Of ZR_LANES pixels, premultiplied. */
+struct pixels {
+    zr_vf color[3], opacity;
+};
+
+/* How opaque the ground's shadow is over what is transparent: 1 - T^(1/2.2). */
+static inline zr_vf shadow_opacity(zr_vf share)
+{
+    const zr_vf one = zr_vf_set(1.0f);
+    return one - zr_vf_select(zr_vf_lt(share, one), zr_pow_v(share, zr_vf_set(1.0f / 2.2f)), one);
+}
+
+/* What is behind what is covered. */
+static inline struct pixels behind_of(const struct zr_finish_row *row, uint32_t x)
+{
+    const zr_vf one = zr_vf_set(1.0f), own = zr_vf_set(row->background[3]);
+    const zr_vf share = row->share ? zr_vf_load(row->share + x) : one;
+    struct pixels out;
+    for (int k = 0; k < 3; k++)
+        out.color[k] = zr_vf_set(row->background[k] * row->background[3]) * share;
+    out.opacity = own;
+    if (row->share && row->background[3] < 1.0f) out.opacity = own + shadow_opacity(share) * (one - own);
+    return out;
+}
+
+static inline struct pixels pixels_of(const struct zr_finish_row *row, uint32_t x)
+{
+    const zr_vf one = zr_vf_set(1.0f), cover = zr_vf_load(row->cover + x), rest = one - cover;
+    struct pixels out = behind_of(row, x);
+    for (int k = 0; k < 3; k++)
+        out.color[k] = zr_vf_load(row->color[k] + x) + out.color[k] * rest;
+    out.opacity = cover + out.opacity * rest;
+    if (!row->ink) return out;
+    const zr_vf ink = zr_vf_load(row->ink + x), kept = one - ink;
+    for (int k = 0; k < 3; k++)
+        out.color[k] = out.color[k] * kept + zr_vf_set(row->ink_color[k]) * ink;
+    out.opacity = out.opacity * kept + ink;
+    return out;
+}
+
+/* As straight alpha. What cannot be seen is black. */
+static inline zr_vi bytes_of(const struct pixels *p)
+{
+    const zr_vm seen = zr_vf_lt(zr_vf_set(0.0f), p->opacity);
+    const zr_vf opacity = zr_vf_select(seen, p->opacity, zr_vf_set(1.0f));
+    zr_vi bytes[4];
+    for (int k = 0; k < 3; k++)
+        bytes[k] = zr_rgba_bytes_v(zr_srgb_encode_v(p->color[k] / opacity));
+    bytes[3] = zr_rgba_bytes_v(p->opacity);
+#if __BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__
+    return bytes[0] | bytes[1] << 8 | bytes[2] << 16 | bytes[3] << 24;
+#else
+    return bytes[0] << 24 | bytes[1] << 16 | bytes[2] << 8 | bytes[3];
+#endif
+}
+
+/* Nothing is drawn there, and no shadow falls. */
+static inline bool shows_background_alone(const struct zr_finish_row *row, uint32_t x)
+{
+    const zr_vf zero = zr_vf_set(0.0f);
+    zr_vm others = zr_vf_lt(zero, zr_vf_load(row->cover + x));
+    if (row->share) others = zr_vm_or(others, zr_vf_lt(zr_vf_load(row->share + x), zr_vf_set(1.0f)));
+    if (row->ink) others = zr_vm_or(others, zr_vf_lt(zero, zr_vf_load(row->ink + x)));
+    return !zr_vm_any(zr_vm_and(others, zr_vm_first(row->count - x)));
+}
+
+/* A row's background is one colour, and encoded once (an eighth of a picture's time, where half of it is empty). */
+void ZR_KERNEL(zr_finish_row)(const struct zr_finish_row *row, uint32_t *out)
+{
+    zr_vi background = zr_vi_set(0);
+    bool has_background = false;
+    for (uint32_t x = 0; x < row->count; x += ZR_LANES) {
+        const bool is_empty = shows_background_alone(row, x);
+        zr_vi bytes = background;
+        if (!is_empty || !has_background) {
+            const struct pixels pixels = pixels_of(row, x);
+            bytes = bytes_of(&pixels);
+        }
+        if (is_empty) background = bytes;
+        has_background |= is_empty;
+        zr_vi_store_first(out + x, bytes, row->count - x < ZR_LANES ? row->count - x : ZR_LANES);
+    }
+}
+
+void ZR_KERNEL(zr_decode)(const float encoded[3], float linear[3])
+{
+    for (int k = 0; k < 3; k++) {
+        float lanes[ZR_LANES];
+        zr_vf_store(lanes, zr_srgb_decode_v(zr_vf_set(encoded[k])));
+        linear[k] = lanes[0];
+    }
+}

@@ -1,0 +1,269 @@
+#include "render/layers.h"
+
+#include <string.h>
+
+#include "base/mutant.h"
+#include "base/rgba.h"
+
+/* ---- the pool ---- */
+
+struct zr_layers *zr_layers_take(struct zr_layers_pool *pool)
+{
+    pthread_mutex_lock(&pool->lock);
+    struct zr_layers *layers = pool->free;
+    if (layers) {
+        pool->free = layers->next;
+    } else {
+        layers = zr_arena_alloc(pool->arena, 1, sizeof *layers);
+        if (layers) layers->fragments = (struct zr_fragments){.ends = NULL};
+    }
+    pthread_mutex_unlock(&pool->lock);
+    return layers;
+}
+
+void zr_layers_give(struct zr_layers_pool *pool, struct zr_layers *layers)
+{
+    pthread_mutex_lock(&pool->lock);
+    layers->next = pool->free;
+    pool->free = layers;
+    pthread_mutex_unlock(&pool->lock);
+}
+
+/* ---- lists of a tile ---- */
+
+static uint32_t place_of(int32_t x, int32_t y)
+{
+    return (uint32_t)(y * ZR_TILE_STRIDE + x);
+}
+
+/* Those of the window's lists that are still in front of what the tile has. */
+static void load_lists(const struct zr_samples *samples, const struct zr_fragments *from, const struct zr_tile *tile,
+                       struct zr_fragments *to)
+{
+    for (int32_t y = 0; y < tile->height; y++)
+        for (int32_t x = 0; x < tile->width; x++) {
+            const size_t at = (size_t)(tile->y + y) * samples->width + (size_t)(tile->x + x);
+            uint32_t count;
+            const uint64_t *keys = zr_fragments_of(from, (uint32_t)at, &count);
+            for (uint32_t i = 0; i < count && zr_fragment_depth(keys[i]) < tile->depth[place_of(x, y)]; i++)
+                zr_fragments_put(to, place_of(x, y), zr_fragment_depth(keys[i]), zr_fragment_owner(keys[i]));
+        }
+}
+
+static bool put_all(const struct zr_tile_source *tiles, uint32_t number, enum zr_alpha_mode mode,
+                    const struct zr_cancel *cancel, struct zr_tile *tile, struct zr_fragments *fragments)
+{
+    if (tiles->samples) {
+        const struct zr_fragments *from = mode == ZR_ALPHA_MASK ? tiles->masked : tiles->blended;
+        if (from) load_lists(tiles->samples, from, tile, fragments);
+        return true;
+    }
+    tile->fragments = fragments;
+    const bool complete = zr_visibility_fragments(tiles->visible, number, mode, cancel, tile);
+    tile->fragments = NULL;
+    return complete;
+}
+
+bool zr_layers_find(const struct zr_tile_source *tiles, uint32_t number, enum zr_alpha_mode mode,
+                    const struct zr_cancel *cancel, struct zr_tile *tile, struct zr_layers *layers)
+{
+    struct zr_layers_pool *pool = tiles->layers;
+    struct zr_fragments *fragments = &layers->fragments;
+    if (!zr_fragments_begin(pool->arena, &pool->lock, ZR_LAYER_FLOATS, fragments) ||
+        !put_all(tiles, number, mode, cancel, tile, fragments) ||
+        !zr_fragments_prefix_sum(pool->arena, &pool->lock, fragments) ||
+        !put_all(tiles, number, mode, cancel, tile, fragments))
+        return false;
+    zr_fragments_sort(cancel, fragments);
+    layers->most = 0;
+    for (uint32_t i = 0; i < fragments->places; i++) {
+        const uint32_t count = fragments->ends[i + 1] - fragments->ends[i];
+        if (count > layers->most) layers->most = count;
+    }
+    struct zr_tile *layer = &layers->tile;
+    layer->x = tile->x;
+    layer->y = tile->y;
+    layer->width = tile->width;
+    layer->height = tile->height;
+    layer->fragments = NULL;
+    layer->is_empty = layer->knows_owners = layer->has_words = false;
+    layer->unwritten = 0;
+    return true;
+}
+
+/* The fragment with `at` others in front of it, of pixels that have so many. */
+static void show(struct zr_layers *layers, uint32_t place, bool any, uint64_t key)
+{
+    layers->tile.owner[place] = any ? zr_fragment_owner(key) : 0;
+    layers->tile.depth[place] = any ? zr_fragment_depth(key) : 1.0f;
+}
+
+void zr_layers_show(struct zr_layers *layers, uint32_t depth)
+{
+    for (uint32_t place = 0; place < ZR_LAYER_FLOATS; place++) {
+        uint32_t count;
+        const uint64_t *keys = zr_fragments_of(&layers->fragments, place, &count);
+        show(layers, place, depth < count, depth < count ? keys[count - 1 - depth] : 0);
+    }
+}
+
+/* ---- masks ---- */
+
+static bool has_any(const struct zr_tile_source *tiles, uint32_t number, enum zr_alpha_mode mode)
+{
+    return tiles->layers && (tiles->samples || zr_visibility_has_any(tiles->visible, number, mode));
+}
+
+bool zr_layers_has_blended(const struct zr_tile_source *tiles, uint32_t number)
+{
+    return tiles->any_blended && has_any(tiles, number, ZR_ALPHA_BLEND);
+}
+
+/* Of an opacity, compared as GL compares it with RGBA of 8 bits: both are rounded first. */
+static bool passes(const struct zr_tile_source *tiles, uint32_t owner, float opacity)
+{
+    const struct zr_draw *draw = zr_draw_of(tiles->geometry, owner - 1);
+    return zr_rgba_byte(opacity) >= zr_rgba_byte(draw->material->alpha_cutoff);
+}
+
+/* Where nothing nearer has passed. */
+static void pass_layer(const struct zr_tile_source *tiles, const struct zr_layers *layers, uint8_t *done,
+                       struct zr_tile *tile)
+{
+    const struct zr_tile *layer = &layers->tile;
+    for (uint32_t i = 0; i < ZR_LAYER_FLOATS; i++) {
+        if (layer->owner[i] == 0 || done[i] || !passes(tiles, layer->owner[i], layers->front[3][i])) continue;
+        done[i] = true;
+        tile->owner[i] = layer->owner[i];
+        tile->depth[i] = layer->depth[i];
+        if (tile->has_words) tile->words[i] = 0;
+    }
+}
+
+/* Layers from the front on. False where none of the fragments over some pixel has passed. */
+static bool pass_all(const struct zr_tile_source *tiles, struct zr_layers *layers, const struct zr_cancel *cancel,
+                     struct zr_tile *tile)
+{
+    float *const front[4] = {layers->front[0], layers->front[1], layers->front[2], layers->front[3]};
+    uint8_t done[ZR_LAYER_FLOATS] = {false};
+    for (uint32_t at = 0; at < layers->most && !zr_is_cancelled(cancel); at++) {
+        for (uint32_t place = 0; place < ZR_LAYER_FLOATS; place++) {
+            uint32_t count;
+            const uint64_t *keys = zr_fragments_of(&layers->fragments, place, &count);
+            const bool any = at < count && !done[place];
+            show(layers, place, any, any ? keys[at] : 0);
+        }
+        zr_paint_of(tiles->isa)->floats(tiles->geometry, tiles->surfaces, &layers->tile, front);
+        pass_layer(tiles, layers, done, tile);
+    }
+    for (uint32_t place = 0; place < ZR_LAYER_FLOATS; place++)
+        if (!done[place] && layers->fragments.ends[place] < layers->fragments.ends[place + 1]) return false;
+    return true;
+}
+
+static void count_masked(struct zr_layers_pool *pool)
+{
+    pthread_mutex_lock(&pool->lock);
+    pool->masked_tiles++;
+    pthread_mutex_unlock(&pool->lock);
+}
+
+static void write_all(const struct zr_tile_source *tiles, struct zr_tile *tile)
+{
+    if (tiles->samples) return;
+    if (tile->is_empty)
+        zr_tile_begin(tile, NULL, 0, 0);
+    else
+        tiles->visible->halfspace->flush(tile);
+    tile->knows_owners = false;
+}
+
+bool zr_layers_mask(const struct zr_tile_source *tiles, uint32_t number, const struct zr_cancel *cancel,
+                    struct zr_tile *tile)
+{
+    const bool masked = tiles->any_masked && has_any(tiles, number, ZR_ALPHA_MASK);
+    if (masked || zr_layers_has_blended(tiles, number)) write_all(tiles, tile);
+    if (!masked) return true;
+    struct zr_layers *layers = zr_layers_take(tiles->layers);
+    if (!layers) return false;
+    const bool found = zr_layers_find(tiles, number, ZR_ALPHA_MASK, cancel, tile, layers);
+    if (found && !pass_all(tiles, layers, cancel, tile)) count_masked(tiles->layers);
+    zr_layers_give(tiles->layers, layers);
+    return found && !zr_is_cancelled(cancel);
+}
+
+/* ---- blending ---- */
+
+/* What is behind all layers: the tile's colours, or the background's, times their opacity. */
+static void begin_sum(const struct zr_tile_source *tiles, const struct zr_tile *tile, struct zr_layers *layers)
+{
+    const zr_vec4 nothing = tiles->scene->background;
+    float *const sum[4] = {layers->sum[0], layers->sum[1], layers->sum[2], layers->sum[3]};
+    const float background[4] = {nothing.x * nothing.w, nothing.y * nothing.w, nothing.z * nothing.w, nothing.w};
+    zr_paint_of(tiles->isa)->floats(tiles->geometry, tiles->surfaces, tile, sum);
+    for (int32_t y = 0; y < tile->height; y++)
+        for (int32_t x = 0; x < tile->width; x++) {
+            const uint32_t i = place_of(x, y);
+            const bool owned = tile->owner[i] > 0; /* beside the tile nobody has written owners */
+            for (int k = 0; k < 3; k++)
+                sum[k][i] = owned ? sum[k][i] : background[k];
+            sum[3][i] = owned ? 1.0f : background[3];
+        }
+}
+
+static zr_vec4 straight(const struct zr_layers *layers, uint32_t place)
+{
+    const float a = layers->sum[3][place];
+    const zr_vec4 c = {layers->sum[0][place], layers->sum[1][place], layers->sum[2][place], a};
+    return a > 0.0f ? (zr_vec4){c.x / a, c.y / a, c.z / a, a} : c;
+}
+
+static void add_layers(const struct zr_tile_source *tiles, const struct zr_cancel *cancel, struct zr_layers *layers)
+{
+    const struct zr_paint *paint = zr_paint_of(tiles->isa);
+    float *const front[4] = {layers->front[0], layers->front[1], layers->front[2], layers->front[3]};
+    float *const sum[4] = {layers->sum[0], layers->sum[1], layers->sum[2], layers->sum[3]};
+    const float *const shaded[4] = {front[0], front[1], front[2], front[3]};
+    for (uint32_t depth = 0; depth < layers->most && !zr_is_cancelled(cancel); depth++) {
+        zr_layers_show(layers, ZR_MUTANT(layers_front_first, depth, layers->most - 1 - depth));
+        paint->floats(tiles->geometry, tiles->surfaces, &layers->tile, front);
+        paint->blend(&layers->tile, shaded, sum);
+    }
+}
+
+bool zr_layers_blend(const struct zr_tile_source *tiles, uint32_t number, const struct zr_cancel *cancel,
+                     struct zr_tile *tile, bool summed, struct zr_layers **blended)
+{
+    *blended = NULL;
+    if (!zr_layers_has_blended(tiles, number)) return true;
+    struct zr_layers *layers = zr_layers_take(tiles->layers);
+    if (!layers) return false;
+    const bool found = zr_layers_find(tiles, number, ZR_ALPHA_BLEND, cancel, tile, layers);
+    if (found && layers->most > 0) {
+        if (summed) begin_sum(tiles, tile, layers);
+        if (summed) add_layers(tiles, cancel, layers);
+        *blended = layers;
+    } else {
+        zr_layers_give(tiles->layers, layers);
+    }
+    return found && !zr_is_cancelled(cancel);
+}
+
+/* Over an opaque background the sum is the colour, whatever rounding makes of opacities. */
+uint32_t zr_layers_put(const struct zr_tile_source *tiles, struct zr_layers *blended, const struct zr_tile *tile,
+                       const struct zr_pixel_rows *out)
+{
+    const bool is_opaque = tiles->scene->background.w >= 1.0f;
+    uint32_t uncovered = 0;
+    for (int32_t y = 0; y < tile->height; y++)
+        for (int32_t x = 0; x < tile->width; x++) {
+            const uint32_t place = place_of(x, y);
+            if (blended->fragments.ends[place] == blended->fragments.ends[place + 1]) continue;
+            const zr_vec4 c = {blended->sum[0][place], blended->sum[1][place], blended->sum[2][place], 1.0f};
+            out->first[y * out->stride + x] =
+                is_opaque || tile->owner[place] > 0 ? zr_rgba_opaque(c) : zr_rgba_make(straight(blended, place));
+            uncovered += tile->owner[place] == 0;
+        }
+    zr_layers_give(tiles->layers, blended);
+    return uncovered;
+}

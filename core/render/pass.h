@@ -1,0 +1,38 @@
+/* pass.h - render: the scene drawn once, in a window of some size: all that tiles are made from.
+ *
+ * A picture takes some of them: of pixels' centres, of samples, of maps from below or along a lamp's light.
+ */
+#ifndef ZR_PASS_H
+#define ZR_PASS_H
+
+#include "render/layers.h"
+#include "render/tiles.h"
+
+struct zr_pass {
+    struct zr_geometry geometry;
+    struct zr_scene_attributes surfaces;
+    struct zr_binned_scene visible;
+    struct zr_samples samples;
+    struct zr_fragments masked, blended; /* beside samples */
+    struct zr_layers_pool layers;
+    struct zr_tile_source tiles;
+};
+
+/* What is drawn, and where to. `base` may be NULL. */
+struct zr_pass_desc {
+    const struct zr_scene *scene;
+    const struct zr_camera *camera;
+    struct zr_window window;
+    struct zr_attribute_wants wants;
+    const struct zr_base *base;
+};
+
+/* Decides what tiles hold. The pass points into the arena, to the scene and into itself. ZR_OK, ZR_CANCELLED,
+ * ZR_NO_MEMORY, or ZR_INTERNAL where an algorithm finds itself wrong. */
+enum zr_status zr_pass_make(struct zr_arena *arena, struct zr_team *team, const struct zr_pass_desc *of,
+                            const struct zr_cancel *cancel, struct zr_pass *pass);
+
+/* What was clipped, turned away and so on. */
+struct zr_counts zr_pass_counts(const struct zr_pass *pass);
+
+#endif

@@ -1,0 +1,229 @@
+/* The stages of a picture, from top to bottom: each STAGE of draw_light is one. */
+#include "render/picture.h"
+
+#include "base/mutant.h"
+#include "mesh/crease_normals.h"
+#include "mesh/face_normals.h"
+#include "render/finish.h"
+#include "render/maps.h"
+#include "render/supersample.h"
+#include "shade/lights/lamps.h"
+#include "shade/models/xray.h"
+#include "shade/paint.h"
+
+/* Goes on only where the stage before went well. */
+#define STAGE(call)                                                                                                    \
+    if (status == ZR_OK) status = (call)
+
+struct drawing {
+    struct zr_arena *arena;
+    struct zr_team *team;
+    const struct zr_scene *scene;
+    const struct zr_cancel *cancel;
+    struct zr_frame *frame;
+    const zr_vec4 *const *creases;
+};
+
+static enum zr_status status_of(const struct drawing *d)
+{
+    if (zr_is_cancelled(d->cancel)) return ZR_CANCELLED;
+    return zr_arena_ok(d->arena) ? ZR_OK : ZR_NO_MEMORY;
+}
+
+/* The window at `side` times its size, with lines as wide and points as large as they are without. */
+static struct zr_pass_desc pass_at(const struct drawing *d, uint32_t side, bool linear)
+{
+    const float wanted = d->scene->picture.line_width;
+    const float width = ZR_MUTANT(line_width_rounded_early, wanted, floorf(wanted + 0.5f)) * (float)side;
+    const int32_t line_width = width > 1.0f ? (int32_t)(width + 0.5f) : 1;
+    return (struct zr_pass_desc){.scene = d->scene,
+                                 .camera = &d->frame->camera,
+                                 .window = {d->frame->width * side, d->frame->height * side, line_width, (float)side},
+                                 .wants = {.colors = !linear, .samples = linear, .crease_normals = d->creases}};
+}
+
+/* ---- several samples, as bytes ---- */
+
+static enum zr_status draw_bytes(const struct drawing *d)
+{
+    const uint32_t side = d->scene->picture.side;
+    struct zr_pass_desc of = pass_at(d, side, false);
+    struct zr_pass pass;
+    enum zr_status status = ZR_OK;
+    STAGE(zr_texture_maps_make(d->arena, d->team, d->scene, false, d->cancel, &of.wants.textures));
+    STAGE(zr_pass_make(d->arena, d->team, &of, d->cancel, &pass));
+    STAGE(zr_supersample_bytes(d->team, &pass, side, d->cancel, d->frame));
+    if (status == ZR_OK) d->frame->counts = zr_pass_counts(&pass);
+    return status;
+}
+
+/* ---- linear light ---- */
+
+/* Of meshes that have no normals of their own. */
+static enum zr_status make_creases(struct drawing *d)
+{
+    const struct zr_scene *scene = d->scene;
+    const zr_vec4 **creases = zr_arena_zero(d->arena, scene->mesh_count, sizeof *creases);
+    for (uint32_t i = 0; creases && i < scene->mesh_count; i++)
+        if (zr_mesh_lacks_normals(&scene->meshes[i]) && scene->meshes[i].face_count > 0)
+            creases[i] =
+                zr_crease_normals_make(d->arena, d->team, d->cancel, &scene->meshes[i], scene->picture.crease_degrees);
+    d->creases = creases;
+    return status_of(d);
+}
+
+static float *floats(const struct drawing *d, size_t count)
+{
+    return zr_arena_alloc(d->arena, count, sizeof(float));
+}
+
+/* Of points and normals. Rows have room for whole blocks of tiles. */
+static enum zr_status make_gbuffer(const struct drawing *d, struct zr_gbuffer *out)
+{
+    const size_t stride = ((size_t)d->frame->width + 15) / 16 * 16;
+    const size_t count = stride * (((size_t)d->frame->height + 7) / 8 * 8);
+    *out = (struct zr_gbuffer){.width = (int32_t)d->frame->width,
+                               .height = (int32_t)d->frame->height,
+                               .stride = (ptrdiff_t)stride,
+                               .owner = zr_arena_alloc(d->arena, count, sizeof *out->owner)};
+    for (int k = 0; k < 3; k++) {
+        out->normal[k] = floats(d, count);
+        out->point[k] = floats(d, count);
+    }
+    return zr_arena_ok(d->arena) ? ZR_OK : ZR_NO_MEMORY;
+}
+
+struct gbuffer_drawing {
+    const struct drawing *of;
+    const struct zr_pass *pass;
+    const struct zr_gbuffer *out;
+};
+
+static void draw_gbuffer_range(void *context, size_t begin, size_t end)
+{
+    const struct gbuffer_drawing *g = context;
+    const struct zr_paint *paint = zr_paint_of(zr_team_isa(g->of->team));
+    struct zr_tile tile;
+    for (size_t number = begin; number < end; number++) {
+        if (!zr_tile_find_visible(&g->pass->tiles, (uint32_t)number, NULL, g->of->cancel, &tile)) return;
+        const ptrdiff_t at = tile.y * g->out->stride + tile.x;
+        struct zr_gbuffer to = *g->out;
+        to.owner += at;
+        for (int k = 0; k < 3; k++) {
+            to.normal[k] += at;
+            to.point[k] += at;
+        }
+        paint->samples(&g->pass->geometry, &g->pass->surfaces, &tile, &to);
+    }
+}
+
+/* Of pixels' centres. */
+static enum zr_status draw_gbuffer(const struct drawing *d, struct zr_gbuffer *pixels)
+{
+    const struct zr_pass_desc of = pass_at(d, 1, true);
+    struct zr_pass pass;
+    struct gbuffer_drawing drawing = {d, &pass, pixels};
+    enum zr_status status = make_gbuffer(d, pixels);
+    STAGE(zr_pass_make(d->arena, d->team, &of, d->cancel, &pass));
+    if (status != ZR_OK) return status;
+    zr_team_ranges(d->team, zr_tile_count(d->frame->width, d->frame->height), 2, draw_gbuffer_range, &drawing);
+    return status_of(d);
+}
+
+static enum zr_status draw_occlusion(const struct drawing *d, struct zr_gbuffer *pixels, struct zr_occlusion_map *map)
+{
+    const struct zr_occlusion *occlusion = &d->scene->picture.occlusion;
+    const struct zr_pixel_scale scale = zr_pixel_scale_of(&d->frame->camera, d->frame->height);
+    const float diagonal = zr_diagonal_of(&d->frame->bounds) * zr_eye_scale_of(&d->frame->camera);
+    enum zr_status status = draw_gbuffer(d, pixels);
+    if (status != ZR_OK) return status;
+    const float *light = zr_occlusion_make(d->arena, d->team, d->cancel, pixels, occlusion, &scale, diagonal);
+    *map = (struct zr_occlusion_map){pixels, light, 1.0f / (ZR_OCCLUSION_PLANE * diagonal)};
+    return status_of(d);
+}
+
+static enum zr_status make_light(const struct drawing *d, struct zr_linear_frame *out)
+{
+    const size_t stride = ((size_t)d->frame->width + 15) / 16 * 16, count = stride * d->frame->height;
+    *out = (struct zr_linear_frame){.width = d->frame->width, .height = d->frame->height, .stride = stride};
+    for (int k = 0; k < 3; k++)
+        out->color[k] = floats(d, count);
+    out->cover = floats(d, count);
+    return zr_arena_ok(d->arena) ? ZR_OK : ZR_NO_MEMORY;
+}
+
+/* Edges point into the pass until they are finished. */
+static enum zr_status draw_samples(const struct drawing *d, const struct zr_sample_stages *stages, struct zr_pass *pass)
+{
+    const uint32_t side = d->scene->picture.side;
+    struct zr_pass_desc of = pass_at(d, side, true);
+    enum zr_status status = ZR_OK;
+    STAGE(zr_texture_maps_make(d->arena, d->team, d->scene, true, d->cancel, &of.wants.textures));
+    STAGE(zr_pass_make(d->arena, d->team, &of, d->cancel, pass));
+    if (status == ZR_OK && stages->edges) zr_edges_know_faces(stages->edges, &pass->geometry, &pass->surfaces);
+    STAGE(zr_supersample_light(d->team, pass, stages, side, d->cancel, d->frame));
+    if (status == ZR_OK) d->frame->counts = zr_pass_counts(pass);
+    return status;
+}
+
+static enum zr_status begin_edges(const struct drawing *d, struct zr_edge_marks **marks)
+{
+    const struct zr_picture *picture = &d->scene->picture;
+    const struct zr_pixel_scale scale = zr_pixel_scale_of(&d->frame->camera, d->frame->height);
+    *marks = zr_edge_marks_make(d->arena, d->frame->width, d->frame->height, picture->side, &picture->edges, &scale);
+    return status_of(d);
+}
+
+static enum zr_status finish(const struct drawing *d, struct zr_post_desc *finishing, struct zr_edge_marks *edges)
+{
+    if (edges) finishing->ink = zr_edges_finish(edges, d->arena, d->team, d->cancel);
+    if (status_of(d) != ZR_OK) return status_of(d);
+    if (!zr_rays_of(&d->frame->camera, d->frame->width, d->frame->height, &finishing->rays)) finishing->ground = NULL;
+    zr_finish_picture(d->team, finishing, d->cancel);
+    return status_of(d);
+}
+
+static enum zr_status draw_light(struct drawing *d)
+{
+    const struct zr_picture *picture = &d->scene->picture;
+    const struct zr_camera *camera = &d->frame->camera;
+    const struct zr_bounds *bounds = &d->frame->bounds;
+    const struct zr_shadow_map *shadows = NULL;
+    struct zr_linear_frame light;
+    struct zr_gbuffer pixels;
+    struct zr_pass pass;
+    struct zr_occlusion_map occlusion;
+    struct zr_linear_lighting lighting;
+    struct zr_ground ground = {.light = NULL};
+    struct zr_sample_stages stages = {.lighting = &lighting,
+                                      .occlusion = picture->occlusion.is_on ? &occlusion : NULL,
+                                      .has_xrays = zr_any_is_xray(d->scene->materials, d->scene->material_count),
+                                      .out = &light};
+    struct zr_post_desc finishing = {.scene = d->scene, .light = &light, .ground = &ground, .out = d->frame->color};
+    enum zr_status status = ZR_OK;
+
+    STAGE(make_creases(d));
+    if (picture->occlusion.is_on) STAGE(draw_occlusion(d, &pixels, &occlusion));
+    if (picture->has_ground)
+        STAGE(zr_ground_map_make(d->arena, d->team, d->scene, camera, bounds, d->cancel, &ground,
+                                 &finishing.ground_frame));
+    STAGE(zr_shadow_maps_make(d->arena, d->team, d->scene, camera, bounds, d->cancel, &shadows));
+    zr_linear_lighting_make(d->arena, d->scene, camera, shadows, &lighting);
+    STAGE(make_light(d, &light));
+    if (picture->edges.is_on) STAGE(begin_edges(d, &stages.edges));
+    STAGE(draw_samples(d, &stages, &pass));
+    STAGE(finish(d, &finishing, stages.edges));
+    return status;
+}
+
+enum zr_status zr_picture_draw(struct zr_arena *arena, struct zr_team *team, const struct zr_scene *scene,
+                               const struct zr_cancel *cancel, struct zr_frame *frame)
+{
+    struct drawing drawing = {arena, team, scene, cancel, frame, NULL};
+    struct zr_scene with_xrays;
+    if (zr_any_is_xray(scene->materials, scene->material_count)) {
+        if (!zr_xray_scene(arena, scene, &with_xrays)) return ZR_NO_MEMORY;
+        drawing.scene = &with_xrays;
+    }
+    return scene->picture.is_linear ? draw_light(&drawing) : draw_bytes(&drawing);
+}

@@ -1,0 +1,107 @@
+/* render.c - the pipeline, from top to bottom: each STAGE is one; those of a pass are in render/pass.c, those of
+ * pictures in linear light in render/picture.c. */
+#include "zraster.h"
+
+#include "overlay/color_bar.h"
+#include "render/layer_channels.h"
+#include "render/pass.h"
+#include "render/picture.h"
+#include "render/pixel_fragments.h"
+#include "scene/base_depth.h"
+#include "scene/resolved_view.h"
+#include "scene/scene.h"
+
+/* Goes on only where the stage before went well. */
+#define STAGE(call)                                                                                                    \
+    if (status == ZR_OK) status = (call)
+
+/* Channels of pixels' centres, and colours with them where they are in the textbook's way. */
+static enum zr_status draw_channels(struct zr_arena *arena, struct zr_team *team, const struct zr_scene *scene,
+                                    const struct zr_cancel *cancel, struct zr_frame *frame)
+{
+    const float line_width = scene->picture.line_width + 0.5f;
+    struct zr_pass_desc of = {
+        .scene = scene,
+        .camera = &frame->camera,
+        .window = {frame->width, frame->height, line_width > 1.0f ? (int32_t)line_width : 1, 1.0f},
+        .wants = {.colors = frame->color, .normals = frame->channels[ZR_CHANNEL_NORMALS]},
+        .base = frame->base};
+    enum zr_status status = ZR_OK;
+    struct zr_pass pass;
+    if (frame->color || zr_any_is_masked(scene->materials, scene->material_count))
+        STAGE(zr_texture_maps_make(arena, team, scene, false, cancel, &of.wants.textures));
+    STAGE(zr_pass_make(arena, team, &of, cancel, &pass));
+    STAGE(zr_tiles_draw(arena, team, &pass.tiles, cancel, frame));
+    if (status == ZR_OK) frame->counts = zr_pass_counts(&pass);
+    return status;
+}
+
+static bool has_channels(const struct zr_frame *frame)
+{
+    for (int c = 0; c < ZR_CHANNEL_COUNT; c++)
+        if (frame->channels[c]) return true;
+    return false;
+}
+
+/* No data channel knows of samples and effects. */
+static enum zr_status draw_own_passes(struct zr_arena *arena, struct zr_team *team, const struct zr_scene *scene,
+                                      const struct zr_cancel *cancel, struct zr_frame *frame)
+{
+    struct zr_frame picture = *frame;
+    enum zr_status status = ZR_OK;
+    frame->color = NULL;
+    STAGE(zr_picture_draw(arena, team, scene, cancel, &picture));
+    if (has_channels(frame)) {
+        STAGE(draw_channels(arena, team, scene, cancel, frame));
+    } else {
+        frame->counts = picture.counts;
+    }
+    frame->color = picture.color;
+    frame->covered_samples = picture.covered_samples;
+    frame->samples_a_pixel = picture.samples_a_pixel;
+    frame->reaches = NULL;
+    return status;
+}
+
+static enum zr_status draw_frame(struct zr_arena *arena, struct zr_team *team, const struct zr_scene *scene,
+                                 const struct zr_cancel *cancel, struct zr_frame *frame)
+{
+    if (frame->color && zr_picture_has_own_passes(&scene->picture))
+        return draw_own_passes(arena, team, scene, cancel, frame);
+    return draw_channels(arena, team, scene, cancel, frame);
+}
+
+static enum zr_status run_pipeline(struct zr_arena *arena, struct zr_team *team, const struct zr_scene *scene,
+                                   const struct zr_resolved_view *resolved, const struct zr_cancel *cancel,
+                                   struct zr_frame *frame, struct zr_error *error)
+{
+    enum zr_status status = ZR_OK;
+    if (!resolved) status = zr_resolved_view_find(arena, team, scene, cancel, &resolved, error);
+    STAGE(zr_frame_make(arena, &scene->views[0], resolved, frame));
+    STAGE(zr_base_place(arena, scene, &frame->camera, &frame->base, error));
+    STAGE(draw_frame(arena, team, scene, cancel, frame));
+    if (status == ZR_OK) zr_color_bar_draw(scene, frame);
+    if (status == ZR_OK && zr_layer_channels_are_wanted(frame))
+        STAGE(zr_layer_channels_draw(arena, team, scene, cancel, frame));
+    const struct zr_output *pixel = zr_view_output(&scene->views[0], ZR_CHANNEL_FRAGMENTS);
+    if (pixel) STAGE(zr_pixel_fragments_find(arena, team, scene, pixel->x, pixel->y, cancel, frame));
+    return status;
+}
+
+enum zr_status zr_render(struct zr_arena *arena, struct zr_team *team, const struct zr_scene *scene,
+                         const struct zr_resolved_view *resolved, const struct zr_cancel *cancel,
+                         const struct zr_frame **out, struct zr_error *error)
+{
+    struct zr_frame *frame = zr_arena_zero(arena, 1, sizeof *frame);
+    enum zr_status status = frame ? run_pipeline(arena, team, scene, resolved, cancel, frame, error) : ZR_NO_MEMORY;
+    if (status == ZR_NO_MEMORY)
+        zr_error_add(error, status, NULL, "rendering needs more than the %zu bytes a request may use%s", arena->ceiling,
+                     zr_any_is_see_through(scene->materials, scene->material_count) ||
+                             zr_any_is_xray(scene->materials, scene->material_count)
+                         ? ": all layers of what is see-through are kept, 8 bytes for each pixel of each"
+                         : "");
+    if (status == ZR_CANCELLED) zr_error_add(error, status, NULL, "rendering was stopped before it was done");
+    if (status == ZR_INTERNAL) zr_error_add(error, status, NULL, "the algorithm failed");
+    *out = frame;
+    return status;
+}

@@ -1,0 +1,258 @@
+#include "render/supersample.h"
+
+#include <stdatomic.h>
+#include <string.h>
+
+#include "base/rgba.h"
+#include "render/layers.h"
+#include "shade/models/xray.h"
+#include "shade/paint.h"
+
+const struct zr_averages *zr_averages_of(enum zr_isa isa)
+{
+    static const struct zr_averages *const table[ZR_ISA_COUNT] = ZR_KERNELS(&zr_averages);
+    return table[isa];
+}
+
+/* As of tiles.c. */
+enum { TILES_A_RANGE = 2 };
+
+/* What the threads share. */
+struct drawing {
+    const struct zr_pass *pass;
+    const struct zr_sample_stages *stages;
+    const struct zr_paint *paint;
+    const struct zr_averages *averages;
+    enum zr_isa isa;
+    uint32_t side;
+    uint32_t background; /* of bytes */
+    const struct zr_frame *frame;
+    const struct zr_cancel *cancel;
+    atomic_uint_fast64_t covered; /* samples */
+};
+
+/* Where a tile of samples lies in the picture. Rows run upwards; a tile's size is a multiple of side. */
+struct place {
+    uint32_t x, y, width, height; /* pixels */
+};
+
+static struct place place_of(const struct drawing *d, const struct zr_tile *tile)
+{
+    const uint32_t side = d->side;
+    return (struct place){(uint32_t)tile->x / side, (uint32_t)tile->y / side, (uint32_t)tile->width / side,
+                          (uint32_t)tile->height / side};
+}
+
+/* ---- bytes ---- */
+
+static void average_bytes(struct drawing *d, struct zr_tile *tile, struct zr_layers *blended, uint32_t *words,
+                          uint64_t *covered)
+{
+    const struct place place = place_of(d, tile);
+    struct zr_tile_targets to = {.nothing = d->background};
+    to.channels[ZR_CHANNEL_COLOR] = (struct zr_pixel_rows){.first = words, .stride = ZR_TILE_SIZE};
+    if (tile->is_empty)
+        d->paint->fill(&to.channels[ZR_CHANNEL_COLOR], tile->width, tile->height, d->background);
+    else
+        d->paint->shade(&d->pass->geometry, &d->pass->surfaces, tile, &to);
+    if (blended) *covered += zr_layers_put(&d->pass->tiles, blended, tile, &to.channels[ZR_CHANNEL_COLOR]);
+    for (uint32_t y = 0; y < place.height; y++) {
+        const size_t row = d->frame->height - 1 - (place.y + y);
+        uint32_t *out = (uint32_t *)(void *)d->frame->color + row * d->frame->width + place.x;
+        d->averages->bytes(words + (size_t)y * d->side * ZR_TILE_SIZE, d->side, place.width,
+                           d->pass->tiles.scene->background.w >= 1.0f, out);
+    }
+}
+
+/* ---- light ---- */
+
+enum { TILE_WORDS = ZR_TILE_STRIDE * ZR_TILE_SIZE };
+
+/* A tile's G-buffer and what is made of it. */
+struct lit_tile {
+    _Alignas(64) float floats[9][TILE_WORDS];
+    float occlusion[TILE_WORDS];
+    float color[3][TILE_WORDS];
+    uint32_t owner[TILE_WORDS], material[TILE_WORDS];
+    struct zr_gbuffer_textures textures;
+    float texels[ZR_TEXTURE_VALUES][TILE_WORDS]; /* in their order */
+};
+
+static void point_at_texels(struct lit_tile *lit)
+{
+    for (int k = 0; k < 3; k++) {
+        lit->textures.base[k] = lit->texels[k];
+        lit->textures.emissive[k] = lit->texels[6 + k];
+        lit->textures.normal[k] = lit->texels[9 + k];
+    }
+    lit->textures.roughness = lit->texels[3];
+    lit->textures.metallic = lit->texels[4];
+    lit->textures.occlusion = lit->texels[5];
+}
+
+static struct zr_gbuffer gbuffer_of(struct lit_tile *lit, const struct zr_tile *tile, bool textured)
+{
+    struct zr_gbuffer out = {.width = tile->width,
+                             .height = tile->height,
+                             .stride = ZR_TILE_STRIDE,
+                             .owner = lit->owner,
+                             .material = lit->material};
+    for (int k = 0; k < 3; k++) {
+        out.base[k] = lit->floats[k];
+        out.normal[k] = lit->floats[3 + k];
+        out.point[k] = lit->floats[6 + k];
+    }
+    if (textured) {
+        point_at_texels(lit);
+        out.textures = &lit->textures;
+    }
+    return out;
+}
+
+static void average_light(const struct drawing *d, const struct place *place, const struct lit_tile *lit)
+{
+    const struct zr_linear_frame *to = d->stages->out;
+    for (uint32_t y = 0; y < place->height; y++) {
+        const size_t from = (size_t)y * d->side * ZR_TILE_STRIDE, at = (place->y + y) * to->stride + place->x;
+        const float *const color[3] = {lit->color[0] + from, lit->color[1] + from, lit->color[2] + from};
+        float *const out[4] = {to->color[0] + at, to->color[1] + at, to->color[2] + at, to->cover + at};
+        d->averages->light(color, lit->owner + from, d->side, place->width, out);
+    }
+}
+
+static void clear_light(const struct drawing *d, const struct place *place)
+{
+    const struct zr_linear_frame *to = d->stages->out;
+    for (uint32_t y = place->y; y < place->y + place->height; y++)
+        for (size_t at = y * to->stride + place->x; at < y * to->stride + place->x + place->width; at++)
+            to->color[0][at] = to->color[1][at] = to->color[2][at] = to->cover[at] = 0.0f;
+}
+
+/* Layer by layer over what is lit: color[3] and cover. Lit as what is opaque, but nothing occludes it. */
+static void blend_light(const struct drawing *d, struct zr_layers *blended, struct lit_tile *lit)
+{
+    const struct zr_tile *layer = &blended->tile;
+    float *const color[3] = {blended->front[0], blended->front[1], blended->front[2]};
+    float *const opacity[4] = {lit->color[0], lit->color[1], lit->color[2], blended->front[3]};
+    const float *const front[4] = {color[0], color[1], color[2], blended->front[3]};
+    float *const sum[4] = {blended->sum[0], blended->sum[1], blended->sum[2], blended->sum[3]};
+    const struct zr_gbuffer samples = gbuffer_of(lit, layer, d->pass->surfaces.textures.of != NULL);
+    for (uint32_t depth = 0; depth < blended->most && !zr_is_cancelled(d->cancel); depth++) {
+        zr_layers_show(blended, depth);
+        d->paint->floats(&d->pass->geometry, &d->pass->surfaces, layer, opacity);
+        d->paint->samples(&d->pass->geometry, &d->pass->surfaces, layer, &samples);
+        zr_look_light_of(d->isa)(d->stages->lighting, &samples, NULL, color);
+        if (d->stages->has_xrays) zr_xray_of(d->isa)(d->stages->lighting, &samples, blended->front[3]);
+        d->paint->blend(layer, front, sum);
+    }
+}
+
+/* What is opaque is behind all layers. */
+static void begin_blending(const struct zr_tile *tile, const struct lit_tile *lit, struct zr_layers *blended)
+{
+    for (int k = 0; k < 3; k++)
+        memcpy(blended->sum[k], lit->color[k], sizeof lit->color[k]);
+    for (uint32_t i = 0; i < TILE_WORDS; i++)
+        blended->sum[3][i] = tile->owner[i] > 0 ? 1.0f : 0.0f;
+}
+
+/* Returns how many samples show nothing but what is blended. */
+static uint32_t light_layers(const struct drawing *d, const struct zr_tile *tile, const struct place *place,
+                             struct zr_layers *blended, struct lit_tile *lit)
+{
+    const struct zr_linear_frame *to = d->stages->out;
+    uint32_t uncovered = 0;
+    begin_blending(tile, lit, blended);
+    blend_light(d, blended, lit);
+    for (uint32_t y = 0; y < place->height; y++) {
+        const size_t from = (size_t)y * d->side * ZR_TILE_STRIDE, at = (place->y + y) * to->stride + place->x;
+        const float *const sum[4] = {blended->sum[0] + from, blended->sum[1] + from, blended->sum[2] + from,
+                                     blended->sum[3] + from};
+        float *const out[4] = {to->color[0] + at, to->color[1] + at, to->color[2] + at, to->cover + at};
+        d->averages->blended(sum, d->side, place->width, out);
+    }
+    for (uint32_t i = 0; i < TILE_WORDS; i++)
+        uncovered += tile->owner[i] == 0 && blended->fragments.ends[i] < blended->fragments.ends[i + 1];
+    zr_layers_give(d->pass->tiles.layers, blended);
+    return uncovered;
+}
+
+/* Returns as light_layers. */
+static uint32_t light_tile(const struct drawing *d, uint32_t number, const struct zr_tile *tile,
+                           struct zr_layers *blended, struct lit_tile *lit)
+{
+    const struct zr_sample_stages *stages = d->stages;
+    const struct place place = place_of(d, tile);
+    if (tile->is_empty) {
+        clear_light(d, &place);
+        if (stages->edges) zr_edges_mark_empty(stages->edges, number);
+        return 0;
+    }
+    const struct zr_gbuffer samples = gbuffer_of(lit, tile, d->pass->surfaces.textures.of != NULL);
+    d->paint->samples(&d->pass->geometry, &d->pass->surfaces, tile, &samples);
+    if (stages->occlusion)
+        zr_occlusion_samples_of(d->isa)(stages->occlusion, &samples, d->side, tile->x, tile->y, lit->occlusion);
+    float *const color[3] = {lit->color[0], lit->color[1], lit->color[2]};
+    zr_look_light_of(d->isa)(stages->lighting, &samples, stages->occlusion ? lit->occlusion : NULL, color);
+    if (stages->edges) zr_edges_mark_tile(stages->edges, d->isa, number, &samples);
+    if (blended) return light_layers(d, tile, &place, blended, lit);
+    average_light(d, &place, lit);
+    return 0;
+}
+
+/* ---- all tiles ---- */
+
+static void draw_range(void *context, size_t begin, size_t end)
+{
+    struct drawing *d = context;
+    struct zr_tile tile;
+    union {
+        uint32_t words[ZR_TILE_SIZE * ZR_TILE_SIZE];
+        struct lit_tile lit;
+    } room;
+    uint64_t covered = 0;
+    for (size_t number = begin; number < end; number++) {
+        struct zr_layers *blended;
+        if (!zr_tile_find_visible(&d->pass->tiles, (uint32_t)number, NULL, d->cancel, &tile) ||
+            !zr_layers_blend(&d->pass->tiles, (uint32_t)number, d->cancel, &tile, !d->stages, &blended))
+            return;
+        if (d->stages)
+            covered += light_tile(d, (uint32_t)number, &tile, blended, &room.lit);
+        else
+            average_bytes(d, &tile, blended, room.words, &covered);
+        if (!tile.is_empty) covered += d->paint->count(&tile);
+    }
+    atomic_fetch_add_explicit(&d->covered, covered, memory_order_relaxed);
+}
+
+static enum zr_status draw(struct zr_team *team, struct drawing *d, struct zr_frame *frame)
+{
+    const uint32_t side = d->side;
+    d->isa = zr_team_isa(team);
+    d->paint = zr_paint_of(d->isa);
+    d->averages = zr_averages_of(d->isa);
+    d->frame = frame;
+    zr_team_ranges(team, zr_tile_count(frame->width * side, frame->height * side), TILES_A_RANGE, draw_range, d);
+    if (zr_is_cancelled(d->cancel)) return ZR_CANCELLED;
+    if (d->pass->tiles.layers && !zr_arena_ok(d->pass->tiles.layers->arena)) return ZR_NO_MEMORY;
+    frame->covered_samples = d->covered;
+    frame->samples_a_pixel = side * side;
+    frame->reaches = NULL;
+    return ZR_OK;
+}
+
+enum zr_status zr_supersample_bytes(struct zr_team *team, const struct zr_pass *pass, uint32_t side,
+                                    const struct zr_cancel *cancel, struct zr_frame *frame)
+{
+    struct drawing drawing = {
+        .pass = pass, .side = side, .background = zr_rgba_make(pass->tiles.scene->background), .cancel = cancel};
+    return draw(team, &drawing, frame);
+}
+
+enum zr_status zr_supersample_light(struct zr_team *team, const struct zr_pass *pass,
+                                    const struct zr_sample_stages *stages, uint32_t side,
+                                    const struct zr_cancel *cancel, struct zr_frame *frame)
+{
+    struct drawing drawing = {.pass = pass, .stages = stages, .side = side, .cancel = cancel};
+    return draw(team, &drawing, frame);
+}

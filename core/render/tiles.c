@@ -1,0 +1,98 @@
+#include "render/tiles.h"
+
+#include <stdatomic.h>
+#include <string.h>
+
+#include "render/layers.h"
+#include "render/resolve.h"
+
+/* Each claim waits for all that was stored before to be written; of single tiles there are too many at the end (3 % of
+ * the bunny at 512x512 on two threads). */
+enum { TILES_A_RANGE = 2 };
+
+/* Up to so many tiles, waking a helper takes longer than it saves. */
+enum { TILES_ALONE = 16 };
+
+/* What the threads share. */
+struct drawing {
+    const struct zr_tile_source *tiles;
+    enum zr_isa isa;
+    const struct zr_frame *frame;
+    const struct zr_cancel *cancel;
+    uint8_t *occupied;            /* tiles that show anything */
+    atomic_uint_fast64_t covered; /* pixels */
+    atomic_uint deepest;          /* the bits of a float that is not negative, which are as great as it is */
+};
+
+static void raise_to(atomic_uint *most, float value)
+{
+    uint32_t bits;
+    memcpy(&bits, &value, sizeof bits);
+    unsigned old = atomic_load_explicit(most, memory_order_relaxed);
+    while (bits > old &&
+           !atomic_compare_exchange_weak_explicit(most, &old, bits, memory_order_relaxed, memory_order_relaxed))
+        ;
+}
+
+bool zr_tile_find_visible(const struct zr_tile_source *tiles, uint32_t number, const struct zr_base *base,
+                          const struct zr_cancel *cancel, struct zr_tile *tile)
+{
+    if (tiles->samples)
+        zr_visibility_load(tiles->samples, number, tile);
+    else if (!zr_visibility_tile(tiles->visible, number, base, cancel, tile))
+        return false;
+    return zr_layers_mask(tiles, number, cancel, tile);
+}
+
+/* False where it was cancelled, or there was no memory. */
+static bool draw_tile(const struct drawing *d, uint32_t number, struct zr_tile *tile, struct zr_resolved *resolved)
+{
+    const struct zr_tile_source *from = d->tiles;
+    const struct zr_frame *frame = d->frame;
+    struct zr_layers *blended;
+    if (!zr_tile_find_visible(from, number, frame->base, d->cancel, tile) ||
+        !zr_layers_blend(from, number, d->cancel, tile, true, &blended))
+        return false;
+    *resolved = zr_resolve_tile(from->geometry, from->surfaces, d->isa, from->scene, tile, frame);
+    if (!blended) return true;
+    const struct zr_pixel_rows colors = zr_resolve_rows(frame, tile, ZR_CHANNEL_COLOR);
+    resolved->covered += zr_layers_put(from, blended, tile, &colors);
+    return true;
+}
+
+static void draw_range(void *context, size_t begin, size_t end)
+{
+    struct drawing *d = context;
+    struct zr_tile tile;
+    struct zr_resolved resolved;
+    uint64_t covered = 0;
+    float deepest = 0.0f;
+    for (size_t number = begin; number < end; number++) {
+        if (!draw_tile(d, (uint32_t)number, &tile, &resolved)) return;
+        d->occupied[number] = !tile.is_empty;
+        covered += resolved.covered;
+        if (resolved.deepest > deepest) deepest = resolved.deepest;
+    }
+    atomic_fetch_add_explicit(&d->covered, covered, memory_order_relaxed);
+    raise_to(&d->deepest, deepest);
+}
+
+enum zr_status zr_tiles_draw(struct zr_arena *arena, struct zr_team *team, const struct zr_tile_source *tiles,
+                             const struct zr_cancel *cancel, struct zr_frame *frame)
+{
+    const size_t count = zr_tile_count(frame->width, frame->height);
+    struct drawing drawing = {.tiles = tiles,
+                              .isa = zr_team_isa(team),
+                              .frame = frame,
+                              .cancel = cancel,
+                              .occupied = zr_arena_alloc(arena, count, 1)};
+    if (!drawing.occupied) return ZR_NO_MEMORY;
+    zr_team_ranges(count > TILES_ALONE ? team : NULL, count, TILES_A_RANGE, draw_range, &drawing);
+    if (zr_is_cancelled(cancel)) return ZR_CANCELLED;
+    if (!zr_arena_ok(arena)) return ZR_NO_MEMORY;
+    zr_frame_find_reaches(frame, drawing.occupied);
+    frame->covered_pixels = drawing.covered;
+    const unsigned deepest = drawing.deepest;
+    memcpy(&frame->deepest, &deepest, sizeof frame->deepest);
+    return ZR_OK;
+}

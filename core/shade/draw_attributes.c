@@ -1,0 +1,380 @@
+#include "shade/draw_attributes.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "base/fast.h"
+#include "scene/camera.h"
+#include "shade/colors.h"
+#include "shade/eye_normals.h"
+
+struct making {
+    struct zr_arena *arena;
+    struct zr_team *team;
+    const struct zr_cancel *cancel;
+    const struct zr_scene *scene;
+    const struct zr_geometry *geometry;
+    struct zr_scene_attributes *out;
+    const struct zr_attribute_wants *wants;
+    bool colors, backs;             /* are wanted; backs: in colours of their own */
+    bool any_see_through;           /* which needs colours as floats */
+    const zr_vec4 *points;          /* one a window vertex; NULL: not wanted */
+    const zr_vec4 **vertex_normals; /* of each mesh's vertices, or NULL: not needed so far */
+
+    /* of the instance under way */
+    const struct zr_source_instance *instance;
+    const struct zr_mesh *mesh;
+    uint32_t made;               /* vertices that clipping made, */
+    uint32_t cut_begin, cut_end; /* and the cuts that they are of */
+    bool has_colors;
+    struct zr_colors mesh_colors;
+    const zr_vec4 *line_colors;
+    const zr_vec4 *normals[ZR_RATE_CORNER + 1];
+    const zr_vec4 *texcoords; /* as zr_texture texcoords_of has them */
+    const struct zr_texture *texcoords_of;
+    const zr_vec4 *tangents; /* in eye space; NULL: not made */
+};
+
+/* ---- what clipping made ---- */
+
+/* How many values there are of the instance, with those of what clipping made. */
+static size_t count_with_made(const struct making *m, enum zr_rate rate, uint32_t own)
+{
+    return (size_t)own + (zr_rate_is_flat(rate) ? 0 : m->made);
+}
+
+/* Of the vertices that clipping made, behind the instance's `own` ones. */
+static void extend(const struct making *m, enum zr_rate rate, uint32_t own, zr_vec4 *values)
+{
+    if (zr_rate_is_flat(rate)) return;
+    const uint32_t first = m->instance->first_vertex + m->mesh->position_count;
+    for (uint32_t i = m->cut_begin; i < m->cut_end; i++) {
+        const struct zr_cut *cut = &m->geometry->cuts[i];
+        zr_cut_values(cut, values, rate == ZR_RATE_VERTEX ? cut->corners : cut->slots,
+                      values + own + (cut->first_vertex - first));
+    }
+}
+
+static void begin_instance(struct making *m, uint32_t number)
+{
+    const struct zr_geometry *g = m->geometry;
+    const bool is_last = number + 1 == m->scene->instance_count;
+    const uint32_t end = is_last ? g->vertex_count : g->instances[number + 1].first_vertex;
+    uint32_t cut = m->cut_end;
+    m->instance = &g->instances[number];
+    m->mesh = m->instance->mesh;
+    while (cut < g->cut_count && g->cuts[cut].first_vertex < m->instance->first_vertex)
+        cut++;
+    m->cut_begin = cut;
+    while (cut < g->cut_count && g->cuts[cut].first_vertex < end)
+        cut++;
+    m->cut_end = cut;
+    m->made = end - m->instance->first_vertex - m->mesh->position_count;
+    m->has_colors = false;
+    m->line_colors = NULL;
+    m->texcoords = m->tangents = NULL;
+    memset(m->normals, 0, sizeof m->normals);
+}
+
+/* ---- colours ---- */
+
+/* The mesh's own, behind which there is no room. */
+static bool copy_given(struct making *m)
+{
+    struct zr_colors *colors = &m->mesh_colors;
+    if (zr_rate_is_flat(colors->rate) || m->made == 0) return true;
+    zr_vec4 *copy = zr_arena_alloc(m->arena, count_with_made(m, colors->rate, colors->count), sizeof *copy);
+    if (!copy) return false;
+    memcpy(copy, colors->front, colors->count * sizeof *copy);
+    extend(m, colors->rate, colors->count, copy);
+    colors->front = colors->back = copy;
+    return true;
+}
+
+static bool make_packed(struct making *m)
+{
+    const size_t count = (size_t)m->mesh->face_count << m->backs;
+    uint32_t *packed = zr_arena_alloc(m->arena, count, sizeof *packed);
+    if (!packed) return false;
+    m->mesh_colors = zr_colors_make_packed(m->team, m->cancel, m->scene, m->mesh, &m->out->lighting,
+                                           &m->instance->to_eye, m->backs, packed);
+    return true;
+}
+
+static bool make_floats(struct making *m)
+{
+    const enum zr_rate rate = zr_colors_rate(m->scene, m->mesh);
+    const uint32_t own = zr_colors_count(m->scene, m->mesh);
+    const size_t count = count_with_made(m, rate, own);
+    zr_vec4 *front = zr_arena_alloc(m->arena, count, sizeof *front);
+    zr_vec4 *back = m->backs ? zr_arena_alloc(m->arena, count, sizeof *back) : front;
+    if (!zr_arena_ok(m->arena)) return false;
+    m->mesh_colors = zr_colors_make(m->arena, m->team, m->cancel, m->scene, m->mesh, &m->out->lighting,
+                                    &m->instance->to_eye, &m->vertex_normals[m->mesh - m->scene->meshes], front, back);
+    if (!zr_arena_ok(m->arena)) return false;
+    extend(m, rate, own, front);
+    if (back != front) extend(m, rate, own, back);
+    return true;
+}
+
+/* The mesh's own where they will do, else made for this instance. */
+static bool find_mesh_colors(struct making *m)
+{
+    if (m->has_colors) return true;
+    m->has_colors = true;
+    if (ZR_FAST(given_colors, zr_colors_are_given(m->scene, m->mesh, &m->mesh_colors))) return copy_given(m);
+    return ZR_FAST(packed_colors, !m->out->fog.is_on && !m->wants->samples && !m->any_see_through &&
+                                      !m->out->any_textured && zr_colors_can_be_packed(m->scene, m->mesh))
+               ? make_packed(m)
+               : make_floats(m);
+}
+
+/* Those of the vertices, times the material's. */
+static bool find_line_colors(struct making *m)
+{
+    const struct zr_mesh *mesh = m->mesh;
+    const zr_vec4 base = m->scene->materials[mesh->material].base_color;
+    if (m->line_colors) return true;
+    zr_vec4 *colors =
+        zr_arena_alloc(m->arena, count_with_made(m, ZR_RATE_VERTEX, mesh->position_count), sizeof *colors);
+    if (!colors) return false;
+    for (uint32_t i = 0; i < mesh->position_count; i++)
+        colors[i] = zr_vec4_mul(base, mesh->colors[i]);
+    extend(m, ZR_RATE_VERTEX, mesh->position_count, colors);
+    m->line_colors = colors;
+    return true;
+}
+
+static bool color_lines(struct making *m, const struct zr_draw *draw, struct zr_draw_attributes *surface)
+{
+    struct zr_attribute *color = &surface->attributes[ZR_ATTRIBUTE_COLOR];
+    if (m->mesh->colors) {
+        if (!find_line_colors(m)) return false;
+        *color = (struct zr_attribute){ZR_RATE_VERTEX, m->line_colors};
+    } else {
+        *color = (struct zr_attribute){ZR_RATE_DRAW, &draw->material->base_color};
+    }
+    surface->color_count = 1;
+    return true;
+}
+
+static bool color_faces(struct making *m, const struct zr_draw *draw, struct zr_draw_attributes *surface)
+{
+    struct zr_attribute *attributes = surface->attributes;
+    const struct zr_colors *colors = &m->mesh_colors;
+    if (m->wants->samples && !m->mesh->colors && !m->mesh->face_colors) {
+        attributes[ZR_ATTRIBUTE_COLOR] = (struct zr_attribute){ZR_RATE_DRAW, &draw->material->base_color};
+        surface->color_count = 1;
+        return true;
+    }
+    if (!find_mesh_colors(m)) return false;
+    enum zr_rate rate = colors->rate;
+    if (rate == ZR_RATE_CORNER && !zr_material_is_smooth(m->mesh, draw->material)) rate = ZR_RATE_FIRST_CORNER;
+    attributes[ZR_ATTRIBUTE_COLOR] = (struct zr_attribute){rate, colors->front};
+    surface->packed = colors->packed;
+    surface->color_count = colors->count;
+    surface->sided = colors->sided && draw->material->double_sided;
+    if (surface->sided) attributes[ZR_ATTRIBUTE_BACK_COLOR] = (struct zr_attribute){rate, colors->back};
+    return true;
+}
+
+static bool color(struct making *m, const struct zr_draw *draw, struct zr_draw_attributes *surface)
+{
+    if (draw->kind == ZR_DRAW_LINES || draw->kind == ZR_DRAW_POINTS) return color_lines(m, draw, surface);
+    if (draw->kind != ZR_DRAW_OUTLINES || draw->material->outline != ZR_OUTLINE_COLORED)
+        return color_faces(m, draw, surface);
+    surface->attributes[ZR_ATTRIBUTE_COLOR] = (struct zr_attribute){ZR_RATE_DRAW, &draw->material->outline_color};
+    surface->color_count = 1;
+    return true;
+}
+
+/* ---- normals and points ---- */
+
+static bool find_normals(struct making *m, const struct zr_draw *draw, struct zr_attribute *out)
+{
+    const size_t number = (size_t)(m->mesh - m->scene->meshes);
+    const zr_vec4 *crease = m->wants->samples && m->wants->crease_normals ? m->wants->crease_normals[number] : NULL;
+    const enum zr_rate rate = zr_eye_normals_rate(m->mesh, draw->material, crease != NULL);
+    const zr_vec4 **normals = &m->normals[rate];
+    if (!*normals) {
+        const uint32_t own = zr_eye_normals_count(m->mesh, rate);
+        zr_vec4 *made = zr_arena_alloc(m->arena, count_with_made(m, rate, own), sizeof *made);
+        if (!made || !zr_eye_normals_make(m->arena, m->team, m->cancel, m->mesh, &m->instance->to_eye, rate, crease,
+                                          &m->vertex_normals[number], made))
+            return false;
+        extend(m, rate, own, made);
+        *normals = made;
+    }
+    *out = (struct zr_attribute){rate, *normals};
+    return true;
+}
+
+/* Of all window vertices. */
+static bool make_points(struct making *m)
+{
+    const struct zr_geometry *g = m->geometry;
+    const zr_vec4 eye = m->out->eye;
+    zr_vec4 *points = zr_arena_alloc(m->arena, g->vertex_count, sizeof *points);
+    if (!points) return false;
+    m->points = points; /* also where it is cancelled, and half done */
+    for (uint32_t number = 0; number < m->scene->instance_count; number++) {
+        begin_instance(m, number);
+        zr_vec4 *of_instance = points + m->instance->first_vertex;
+        if (zr_is_cancelled(m->cancel)) break;
+        for (uint32_t i = 0; i < m->mesh->position_count; i++) {
+            const zr_vec4 p = zr_mat4_apply(&m->instance->to_eye, m->mesh->positions[i]);
+            of_instance[i] = p;
+            if (eye.w != 0.0f)
+                of_instance[i] = (zr_vec4){p.x - eye.x * p.w, p.y - eye.y * p.w, p.z - eye.z * p.w, 0.0f};
+            of_instance[i].w = fabsf(p.w != 0.0f ? p.z / p.w : p.z);
+        }
+        extend(m, ZR_RATE_VERTEX, m->mesh->position_count, of_instance);
+    }
+    m->instance = NULL;
+    m->cut_end = 0;
+    return true;
+}
+
+/* ---- textures ---- */
+
+static bool is_textured(const struct making *m, const struct zr_draw *draw)
+{
+    return m->colors && m->out->textures.of && !zr_draw_is_of_wires(draw) && draw->mesh->texcoords &&
+           (m->wants->samples ? zr_material_has_textures(draw->material)
+                              : draw->material->textures[ZR_TEXTURE_BASE_COLOR] > 0);
+}
+
+/* In the image of `texture`; NULL: those of the mesh. */
+static void put_texcoords(const struct zr_mesh *mesh, const struct zr_texture *texture, zr_vec4 *out)
+{
+    for (uint32_t i = 0; i < mesh->position_count; i++) {
+        const zr_vec4 given = mesh->texcoords[i];
+        float in_image[2];
+        out[i] = given;
+        if (!texture) continue;
+        zr_texture_transform(texture, texture->texcoord == 0 ? given.x : given.z,
+                             texture->texcoord == 0 ? given.y : given.w, in_image);
+        out[i] = (zr_vec4){in_image[0], in_image[1], 0.0f, 0.0f};
+    }
+}
+
+static bool find_texcoords(struct making *m, const struct zr_draw *draw, struct zr_attribute *out)
+{
+    const uint32_t own = m->mesh->position_count, base = draw->material->textures[ZR_TEXTURE_BASE_COLOR];
+    const struct zr_texture *texture = m->wants->samples ? NULL : &m->scene->textures[base - 1];
+    if (!m->texcoords || m->texcoords_of != texture) {
+        zr_vec4 *made = zr_arena_alloc(m->arena, count_with_made(m, ZR_RATE_VERTEX, own), sizeof *made);
+        if (!made) return false;
+        put_texcoords(m->mesh, texture, made);
+        extend(m, ZR_RATE_VERTEX, own, made);
+        m->texcoords = made;
+        m->texcoords_of = texture;
+    }
+    *out = (struct zr_attribute){ZR_RATE_VERTEX, m->texcoords};
+    return true;
+}
+
+/* In eye space; the sign of a mirrored bitangent is the other one. */
+static void put_tangents(const struct zr_mesh *mesh, const zr_mat4 *to_eye, zr_vec4 *out)
+{
+    const float turn = zr_mat4_is_mirror(to_eye) ? -1.0f : 1.0f;
+    for (uint32_t i = 0; i < mesh->position_count; i++) {
+        const zr_vec4 given = mesh->tangents[i];
+        const zr_vec4 t = zr_mat4_apply(to_eye, (zr_vec4){given.x, given.y, given.z, 0.0f});
+        out[i] = (zr_vec4){t.x, t.y, t.z, given.w < 0.0f ? -turn : turn};
+    }
+}
+
+static bool find_tangents(struct making *m, struct zr_attribute *out)
+{
+    const uint32_t own = m->mesh->position_count;
+    if (!m->mesh->tangents) return true;
+    if (!m->tangents) {
+        zr_vec4 *made = zr_arena_alloc(m->arena, count_with_made(m, ZR_RATE_VERTEX, own), sizeof *made);
+        if (!made) return false;
+        put_tangents(m->mesh, &m->instance->to_eye, made);
+        extend(m, ZR_RATE_VERTEX, own, made);
+        m->tangents = made;
+    }
+    *out = (struct zr_attribute){ZR_RATE_VERTEX, m->tangents};
+    return true;
+}
+
+/* ---- all ---- */
+
+static bool make_surface(struct making *m, const struct zr_draw *draw, struct zr_draw_attributes *surface)
+{
+    surface->draw = draw;
+    surface->material = (uint32_t)(draw->material - m->scene->materials);
+    if (m->colors && !color(m, draw, surface)) return false;
+    const bool of_wires = zr_draw_is_of_wires(draw);
+    const bool by_normals = m->colors && !of_wires && zr_material_is_shaded_late(draw->material);
+    const bool textured = is_textured(m, draw);
+    surface->is_per_pixel = by_normals || textured || (m->colors && m->out->fog.is_on);
+    if (textured && !find_texcoords(m, draw, &surface->attributes[ZR_ATTRIBUTE_TEXCOORD])) return false;
+    if (textured && m->wants->samples && draw->material->textures[ZR_TEXTURE_NORMAL] &&
+        !find_tangents(m, &surface->attributes[ZR_ATTRIBUTE_TANGENT]))
+        return false;
+    if (surface->is_per_pixel || m->wants->samples)
+        surface->attributes[ZR_ATTRIBUTE_POINT] = (struct zr_attribute){ZR_RATE_VERTEX, m->points + draw->first_vertex};
+    return of_wires || !(by_normals || m->wants->normals || m->wants->samples) ||
+           find_normals(m, draw, &surface->attributes[ZR_ATTRIBUTE_NORMAL]);
+}
+
+static void look_at_scene(struct making *m)
+{
+    if (m->wants->colors) m->out->fog = m->scene->fog;
+    if (m->colors) m->out->textures = m->wants->textures;
+    m->out->texcoords_as_given = m->wants->samples;
+    m->out->any_late = m->out->fog.is_on;
+    for (uint32_t i = 0; m->wants->colors && i < m->scene->material_count; i++) {
+        const struct zr_material *material = &m->scene->materials[i];
+        m->out->any_textured |= m->out->textures.of && material->textures[ZR_TEXTURE_BASE_COLOR] > 0;
+        m->out->any_late |= zr_material_is_shaded_late(material) || m->out->any_textured;
+        m->backs |= material->double_sided && zr_material_is_lit_before(material);
+    }
+}
+
+/* Which samples masked surfaces have is told by their colours, whatever is wanted. */
+static struct zr_attribute_wants with_masks(const struct zr_scene *scene, const struct zr_attribute_wants *wants,
+                                            bool *any_see_through)
+{
+    struct zr_attribute_wants out = *wants;
+    for (uint32_t i = 0; i < scene->material_count; i++) {
+        const enum zr_alpha_mode mode = scene->materials[i].alpha_mode;
+        *any_see_through |= mode != ZR_ALPHA_OPAQUE;
+        out.colors |= mode == ZR_ALPHA_MASK && !wants->samples;
+    }
+    return out;
+}
+
+enum zr_status zr_scene_attributes_make(struct zr_arena *arena, struct zr_team *team, const struct zr_scene *scene,
+                                        const struct zr_camera *camera, const struct zr_geometry *geometry,
+                                        const struct zr_attribute_wants *wants, const struct zr_cancel *cancel,
+                                        struct zr_scene_attributes *surfaces)
+{
+    struct making m = {.arena = arena,
+                       .team = team,
+                       .cancel = cancel,
+                       .scene = scene,
+                       .geometry = geometry,
+                       .out = surfaces,
+                       .vertex_normals = zr_arena_zero(arena, scene->mesh_count, sizeof *m.vertex_normals)};
+    const struct zr_attribute_wants all = with_masks(scene, wants, &m.any_see_through);
+    m.wants = &all;
+    m.colors = all.colors || all.samples;
+    *surfaces = (struct zr_scene_attributes){.eye = zr_camera_eye(camera)};
+    surfaces->of_draw = zr_arena_zero(arena, (size_t)geometry->draw_count + 1, sizeof *surfaces->of_draw);
+    zr_gl_lighting_make(arena, scene, &camera->world_to_eye, &surfaces->lighting);
+    if (!wants->samples) zr_gl_lighting_place(arena, scene, camera, &surfaces->lighting);
+    surfaces->lighting.is_per_pixel = wants->samples;
+    look_at_scene(&m);
+    if (!zr_arena_ok(arena) || ((surfaces->any_late || wants->samples) && !make_points(&m))) return ZR_NO_MEMORY;
+    for (uint32_t i = 0; i < geometry->draw_count; i++) {
+        const struct zr_draw *draw = &geometry->draws[i];
+        if (m.instance != &geometry->instances[draw->instance]) begin_instance(&m, draw->instance);
+        if (!make_surface(&m, draw, &surfaces->of_draw[i])) return ZR_NO_MEMORY;
+        if (zr_is_cancelled(cancel)) return ZR_CANCELLED;
+    }
+    return zr_arena_ok(arena) ? ZR_OK : ZR_NO_MEMORY;
+}

@@ -1,0 +1,44 @@
+/* environment.h - shade: light from all around, as formulas: a gradient, soft boxes, round lobes.
+ *
+ * Space:  the environment's own: y up, z towards the camera.
+ * How:    radiance L in a direction d that a surface of GGX roughness alpha gathers, with b^2 = (2 alpha / (1 + 2.2
+ * alpha))^2:
+ *
+ *             S(x, w)  = 1/2 + 1/2 x / sqrt(x^2 + w^2)          a step, blurred as GGX blurs it
+ *             gradient = mix(ground, sky, S(d.y, sqrt(hw^2 + b^2)))
+ *             box      = c (S(u + a, w) - S(u - a, w)) (S(v + h, w) - S(v - h, w)) S(d.m, w),  w^2 = w0^2 + b^2
+ *             lobe     = c (w0^2 / w^2) / (1 + 2 (1 - d.m) / w^2)^2
+ *             L        = mix(gradient + boxes + lobes, E(d), clamp((alpha - 0.2) / 0.6))
+ *
+ *         u and v are d along the box's two sides. E is irradiance / pi, a polynomial of harmonics of order 2.
+ */
+#ifndef ZR_ENVIRONMENT_H
+#define ZR_ENVIRONMENT_H
+
+#include "base/vec.h"
+#include "scene/picture.h"
+
+enum { ZR_ENVIRONMENT_BOXES = 4, ZR_HARMONICS = 9 };
+
+struct zr_environment_box {
+    zr_vec3 middle;        /* m; any length, and unit where the light is made */
+    zr_vec3 across, along; /* the sides' directions */
+    float a, h, w0;
+    zr_vec3 color;
+};
+
+struct zr_environment_light {
+    zr_vec3 sky, ground;
+    float half_width; /* hw, of the horizon */
+    uint32_t box_count;
+    struct zr_environment_box boxes[ZR_ENVIRONMENT_BOXES];
+    zr_vec3 lobe; /* its direction; 0: there is none */
+    float lobe_width;
+    zr_vec3 lobe_color;
+    zr_vec3 harmonics[ZR_HARMONICS]; /* of 1, x, y, z, xy, yz, zx, 3z^2 - 1, x^2 - y^2 */
+};
+
+/* False for ZR_ENVIRONMENT_NONE. */
+bool zr_environment_make(enum zr_environment_name name, struct zr_environment_light *out);
+
+#endif

@@ -1,0 +1,64 @@
+/* lighting.h - shade: G-buffer -> colours of samples, in linear light, tone mapped, 0..1. A kernel.
+ *
+ * Space:  eye space. E is irradiance / pi: a white diffuse surface under E = 1 is 1.
+ * Models: pbr_simd.h, classic_simd.h. Unlit surfaces, lines and normals as colours are as they are.
+ */
+#ifndef ZR_LOOK_LIGHTING_H
+#define ZR_LOOK_LIGHTING_H
+
+#include "base/isa.h"
+#include "scene/scene.h"
+#include "shade/gbuffer.h"
+#include "shade/lights/environment.h"
+#include "shade/lights/lamp_place.h"
+
+/* Of one light of the scene that has no place. */
+struct zr_lamp {
+    zr_vec3 to_light; /* unit; of a hemisphere: its up */
+    zr_vec3 color;    /* E at normal incidence; of a hemisphere: from the sky */
+    zr_vec3 ground;   /* of a hemisphere */
+    bool is_hemisphere;
+    bool lights_pbr, lights_classic;    /* classic: flat, gouraud, phong */
+    const struct zr_shadow_map *shadow; /* shadow_map.h; NULL: it casts none */
+};
+
+/* Of one that has a place. */
+struct zr_placed_lamp {
+    struct zr_lamp_place place;
+    zr_vec3 color; /* E at normal incidence, at a distance of 1 */
+    bool lights_pbr, lights_classic;
+    const struct zr_shadow_map *shadow; /* of a spot; NULL: it casts none */
+};
+
+/* What is the same for the whole picture. */
+struct zr_linear_lighting {
+    const struct zr_material *materials;
+    zr_vec3 ambient; /* E of what is lit from all sides alike, for all shadings */
+    uint32_t lamp_count;
+    const struct zr_lamp *lamps;
+    uint32_t placed_count;
+    const struct zr_placed_lamp *placed;
+    bool has_environment;
+    struct zr_environment_light environment;
+    float environment_intensity;
+    zr_vec3 eye_to_environment[3]; /* rows */
+    bool is_parallel;              /* all rays of sight are: */
+    zr_vec3 to_eye;                /* a unit vector */
+    enum zr_tone tone;
+    float exposure;
+};
+
+/* Colours of all samples to out[0..2], at the same places; up to 15 more behind each row's end may be looked at, and
+ * written. `occlusion`: one a sample, likewise, or NULL. Where nobody is seen: 0. */
+typedef void zr_look_light_fn(const struct zr_linear_lighting *lighting, const struct zr_gbuffer *samples,
+                              const float *occlusion, float *const out[3]);
+
+zr_look_light_fn zr_look_light_scalar, zr_look_light_sse2, zr_look_light_avx2, zr_look_light_avx512, zr_look_light_neon;
+
+/* What those call where there are lamps that have a place. */
+zr_look_light_fn zr_look_light_placed_scalar, zr_look_light_placed_sse2, zr_look_light_placed_avx2,
+    zr_look_light_placed_avx512, zr_look_light_placed_neon;
+
+zr_look_light_fn *zr_look_light_of(enum zr_isa isa);
+
+#endif

@@ -1,0 +1,91 @@
+/* linear_simd.h - shade: what a surface is shaded from, ZR_LANES samples at once, for kernels. */
+#ifndef ZR_LINEAR_SIMD_H
+#define ZR_LINEAR_SIMD_H
+
+#include "shade/lights/environment_simd.h"
+#include "shade/lights/lamp_place_simd.h"
+#include "shade/lights/lighting.h"
+#include "shade/lights/shadow_map_simd.h"
+#include "shade/tone_simd.h"
+
+/* Whether there may be lamps that have a place. A constant, for their code would slow down that of other pictures:
+ * there is a kernel for each case. */
+#ifndef ZR_LIGHTS_PLACED
+#define ZR_LIGHTS_PLACED false
+#endif
+
+struct zr_shading_v {
+    struct zr_vec3_v base;   /* linear */
+    struct zr_vec3_v normal; /* unit */
+    struct zr_vec3_v to_eye; /* unit */
+    struct zr_vec3_v point;  /* as in the G-buffer */
+    zr_vf ao;                /* ambient occlusion: the share of the light from all around that arrives */
+    /* Of what is textured; else NULL. `base` has its factor already. */
+    const struct zr_textured_v *textured;
+};
+
+struct zr_textured_v {
+    zr_vf roughness, metallic;
+    zr_vf occlusion;           /* another share of that light, which does not depend on what is reflected */
+    struct zr_vec3_v emissive; /* a factor */
+};
+
+static inline struct zr_vec3_v zr_three_of(float *const from[3], size_t at)
+{
+    return (struct zr_vec3_v){zr_vf_load(from[0] + at), zr_vf_load(from[1] + at), zr_vf_load(from[2] + at)};
+}
+
+/* From points to the eye. */
+static inline struct zr_vec3_v zr_to_eye_v(const struct zr_linear_lighting *lighting, struct zr_vec3_v point)
+{
+    if (lighting->is_parallel) return zr_spread_v(lighting->to_eye);
+    return zr_normalize_v(zr_scale_v(point, zr_vf_set(-1.0f)));
+}
+
+static inline struct zr_vec3_v zr_mix3_v(struct zr_vec3_v a, struct zr_vec3_v b, zr_vf share)
+{
+    return (struct zr_vec3_v){zr_mix_v(a.x, b.x, share), zr_mix_v(a.y, b.y, share), zr_mix_v(a.z, b.z, share)};
+}
+
+/* From the ground of a hemisphere to its sky, in a direction. */
+static inline struct zr_vec3_v zr_hemisphere_v(const struct zr_lamp *lamp, struct zr_vec3_v d)
+{
+    const zr_vf half = zr_vf_set(0.5f), share = half * zr_dot_v(d, zr_spread_v(lamp->to_light));
+    const zr_vf up = ZR_MUTANT(hemisphere_turned, half + share, half - share);
+    return zr_mix3_v(zr_spread_v(lamp->ground), zr_spread_v(lamp->color), up);
+}
+
+/* The share of a lamp's light that reaches the points. */
+static inline zr_vf zr_lamp_share_v(const struct zr_lamp *lamp, const struct zr_shading_v *s)
+{
+    return lamp->shadow ? zr_shadow_share_v(lamp->shadow, s->point, s->normal) : zr_vf_set(1.0f);
+}
+
+/* What arrives from a lamp that has a place, in its shadows and out of them. */
+static inline struct zr_arriving_v zr_placed_arriving_v(const struct zr_placed_lamp *lamp, const struct zr_shading_v *s)
+{
+    struct zr_arriving_v arriving = zr_arriving_from_v(&lamp->place, s->point);
+    if (lamp->shadow && zr_vm_any(zr_vf_lt(zr_vf_set(0.0f), arriving.share)))
+        arriving.share = arriving.share * zr_shadow_cone_share_v(lamp->shadow, s->point, s->normal);
+    return arriving;
+}
+
+/* Of light from all around, how much reaches a surface that reflects `albedo`: what is bounced between the walls of a
+ * crease is no less for being dark there. Source: Jimenez and others, "Practical Realtime Strategies for Accurate
+ * Indirect Occlusion", 2016. */
+static inline zr_vf zr_bounced_v(zr_vf ao, zr_vf albedo)
+{
+    albedo = zr_clamp01_v(albedo);
+    const zr_vf p = zr_vf_set(2.0404f) * albedo - zr_vf_set(0.3324f);
+    const zr_vf q = zr_vf_set(0.6417f) - zr_vf_set(4.7951f) * albedo;
+    const zr_vf s = zr_vf_set(2.7552f) * albedo + zr_vf_set(0.6903f);
+    const zr_vf reaching = zr_vf_max(ao, ((ao * p + q) * ao + s) * ao);
+    return ZR_MUTANT(open_beyond_1, zr_vf_min(reaching, zr_vf_set(1.0f)), reaching);
+}
+
+static inline struct zr_vec3_v zr_bounced3_v(zr_vf ao, struct zr_vec3_v albedo)
+{
+    return (struct zr_vec3_v){zr_bounced_v(ao, albedo.x), zr_bounced_v(ao, albedo.y), zr_bounced_v(ao, albedo.z)};
+}
+
+#endif

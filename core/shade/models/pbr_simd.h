@@ -1,0 +1,256 @@
+/* pbr_simd.h - shade: metals and plastics by base colour, metallic factor and roughness, for kernels.
+ *
+ * Lamps:  glTF 2.0, appendix B: a mix of Lambert's diffuse and GGX's specular term with height-correlated Smith and
+ *         Schlick. A lamp of colour 1 has the irradiance pi at normal incidence.
+ * Around: the split sum (dfg.h), and what bounces between the microfacets, so that no energy is lost:
+ *         Fss = F0 A + B, Ems = 1 - A - B, Favg = F0 + (1 - F0) / 21, Fms = Fss Favg / (1 - Ems Favg); the colour is
+ *         Fss L(R) + (Fms Ems + c (1 - Fss - Fms Ems)) E(N).
+ * Source: Fdez-Aguera, "A Multiple-Scattering Microfacet Model for Real-Time Image-based Lighting", 2019.
+ */
+#ifndef ZR_PBR_SIMD_H
+#define ZR_PBR_SIMD_H
+
+#include "base/inlined.h"
+#include "shade/lights/dfg.h"
+#include "shade/models/linear_simd.h"
+
+/* The table at one roughness: of each column A and B, and what they have more in the next one, so that a lane loads all
+ * it needs at once. The last column is the end of the one before. */
+struct zr_dfg_columns {
+    float roughness;
+    _Alignas(16) float fours[ZR_SPLIT_SIDE - 1][4];
+};
+
+static inline void zr_dfg_columns_make(struct zr_dfg_columns *out, float roughness)
+{
+    const float row = roughness * (float)(ZR_SPLIT_SIDE - 1);
+    const int low = row < (float)(ZR_SPLIT_SIDE - 2) ? (int)row : ZR_SPLIT_SIDE - 2;
+    const float share = row - (float)low;
+    float values[2][ZR_SPLIT_SIDE];
+    for (int k = 0; k < 2; k++)
+        for (int i = 0; i < ZR_SPLIT_SIDE; i++)
+            values[k][i] = zr_dfg_table[low][k][i] + (zr_dfg_table[low + 1][k][i] - zr_dfg_table[low][k][i]) * share;
+    out->roughness = roughness;
+    for (int i = 0; i + 1 < ZR_SPLIT_SIDE; i++)
+        for (int k = 0; k < 2; k++) {
+            out->fours[i][2 * k] = values[k][i];
+            out->fours[i][2 * k + 1] = values[k][i + 1] - values[k][i];
+        }
+}
+
+static inline void zr_dfg_at_v(const struct zr_dfg_columns *columns, zr_vf facing, zr_vf *a, zr_vf *b)
+{
+    const zr_vf column = zr_vf_sqrt(facing) * zr_vf_set((float)(ZR_SPLIT_SIDE - 1)), half = zr_vf_set(0.5f);
+    const zr_vi last = zr_vi_set(ZR_SPLIT_SIDE - 2);
+    const zr_vi low = zr_vi_min(zr_vi_max(zr_vi_round(column - half), zr_vi_set(0)), last);
+    const zr_vf share = column - zr_vf_of(low);
+    int32_t each[ZR_LANES];
+    zr_vf more_a, more_b;
+    zr_vi_store(each, low);
+#define ZR_FOUR(lane) (columns->fours[each[lane]])
+    ZR_LOAD4(*a, more_a, *b, more_b, ZR_FOUR);
+#undef ZR_FOUR
+    *a = *a + more_a * share;
+    *b = *b + more_b * share;
+}
+
+/* Each lane at its own roughness. */
+static inline void zr_dfg_at_each_v(zr_vf roughness, zr_vf facing, zr_vf *a, zr_vf *b)
+{
+    const zr_vf side = zr_vf_set((float)(ZR_SPLIT_SIDE - 1)), half = zr_vf_set(0.5f);
+    const zr_vf row = roughness * side, column = zr_vf_sqrt(facing) * side;
+    const zr_vi none = zr_vi_set(0), last = zr_vi_set(ZR_SPLIT_SIDE - 2), next = zr_vi_set(2 * ZR_SPLIT_SIDE);
+    const zr_vi i = zr_vi_min(zr_vi_max(zr_vi_round(row - half), none), last);
+    const zr_vi j = zr_vi_min(zr_vi_max(zr_vi_round(column - half), none), last);
+    const zr_vf down = row - zr_vf_of(i), right = column - zr_vf_of(j);
+    zr_vf *const out[2] = {a, b};
+    for (int k = 0; k < 2; k++) {
+        const zr_vi at = i * next + zr_vi_set(k * ZR_SPLIT_SIDE) + j;
+        zr_vf corners[2][2];
+        for (int c = 0; c < 4; c++)
+            corners[c / 2][c % 2] =
+                zr_vf_bits(zr_vi_gather(ZR_ALL_LANES, zr_dfg_table, at + zr_vi_set(c / 2 * 2 * ZR_SPLIT_SIDE + c % 2)));
+        const zr_vf left_of = zr_mix_v(corners[0][0], corners[1][0], down),
+                    right_of = zr_mix_v(corners[0][1], corners[1][1], down);
+        *out[k] = zr_mix_v(left_of, right_of, right);
+    }
+}
+
+/* A mirror would hardly ever show a lamp, which has no size. */
+#define ZR_LAMP_ALPHA_LEAST 0.06f
+
+/* What a surface does with light. */
+struct zr_pbr_v {
+    struct zr_vec3_v diffuse, f0; /* base (1 - metallic); what is reflected at normal incidence */
+    zr_vf facing;                 /* N.V, above 0 */
+    float alpha;                  /* of all lanes; of what is textured, */
+    zr_vf alphas;                 /* each lane's own */
+};
+
+static inline struct zr_pbr_v zr_pbr_make(const struct zr_material *material, const struct zr_shading_v *s)
+{
+    const zr_vf one = zr_vf_set(1.0f), plastic = zr_vf_set(0.04f);
+    const zr_vf metallic = s->textured ? s->textured->metallic : zr_vf_set(material->metallic);
+    const struct zr_vec3_v dielectric = {plastic, plastic, plastic};
+    struct zr_pbr_v pbr = {.diffuse =
+                               zr_scale_v(s->base, s->textured ? one - metallic : zr_vf_set(1.0f - material->metallic)),
+                           .f0 = zr_mix3_v(dielectric, s->base, metallic),
+                           .facing = zr_vf_min(zr_vf_max(zr_dot_v(s->normal, s->to_eye), zr_vf_set(1e-4f)), one),
+                           .alpha = material->roughness * material->roughness};
+    if (s->textured) pbr.alphas = s->textured->roughness * s->textured->roughness;
+    return pbr;
+}
+
+/* ---- from all around ---- */
+
+/* One channel: `around` is E and `mirrored` L, as they reach the surface. */
+static inline zr_vf zr_pbr_around_v(zr_vf f0, zr_vf diffuse, zr_vf a, zr_vf b, zr_vf around, zr_vf mirrored)
+{
+    const zr_vf one = zr_vf_set(1.0f), single = f0 * a + b, lost = one - a - b;
+    const zr_vf average = f0 + (one - f0) * zr_vf_set(1.0f / 21.0f);
+    const zr_vf several = ZR_MUTANT(bounces_once, single * average / (one - lost * average) * lost, zr_vf_set(0.0f));
+    return single * mirrored + (several + diffuse * (one - single - several)) * around;
+}
+
+struct zr_ambient_v {
+    struct zr_vec3_v diffuse, specular; /* E(N) and L(R) */
+};
+
+static inline struct zr_vec3_v zr_to_environment_v(const struct zr_linear_lighting *lighting, struct zr_vec3_v v)
+{
+    const zr_vec3 *rows = lighting->eye_to_environment;
+    if (ZR_MUTANT(environment_not_turned, false, true)) return v;
+    return (struct zr_vec3_v){zr_dot_v(zr_spread_v(rows[0]), v), zr_dot_v(zr_spread_v(rows[1]), v),
+                              zr_dot_v(zr_spread_v(rows[2]), v)};
+}
+
+static inline struct zr_ambient_v zr_pbr_gather_v(const struct zr_linear_lighting *lighting, const struct zr_pbr_v *pbr,
+                                                  const struct zr_shading_v *s)
+{
+    const zr_vf twice = zr_vf_set(2.0f) * zr_dot_v(s->normal, s->to_eye);
+    const struct zr_vec3_v mirrored = zr_minus_v(zr_scale_v(s->normal, twice), s->to_eye);
+    struct zr_ambient_v out = {zr_spread_v(lighting->ambient), zr_spread_v(lighting->ambient)};
+    if (lighting->has_environment) {
+        const struct zr_environment_light *light = &lighting->environment;
+        const zr_vf intensity = zr_vf_set(lighting->environment_intensity);
+        const struct zr_vec3_v n = zr_to_environment_v(lighting, s->normal),
+                               r = zr_to_environment_v(lighting, mirrored);
+        out.diffuse = zr_add_v(out.diffuse, zr_scale_v(zr_environment_diffuse_v(light, n), intensity));
+        const struct zr_gathering_v gathering =
+            s->textured ? zr_gathering_of_each(pbr->alphas) : zr_gathering_of(pbr->alpha);
+        out.specular = zr_add_v(out.specular, zr_scale_v(zr_environment_gathered_v(light, r, &gathering), intensity));
+    }
+    for (uint32_t i = 0; i < lighting->lamp_count; i++) {
+        const struct zr_lamp *lamp = &lighting->lamps[i];
+        if (!lamp->lights_pbr || !lamp->is_hemisphere) continue;
+        out.diffuse = zr_add_v(out.diffuse, zr_hemisphere_v(lamp, s->normal));
+        out.specular = zr_add_v(out.specular, zr_hemisphere_v(lamp, mirrored));
+    }
+    return out;
+}
+
+ZR_INLINED struct zr_vec3_v zr_pbr_from_around_v(const struct zr_linear_lighting *lighting,
+                                                 const struct zr_dfg_columns *columns, const struct zr_pbr_v *pbr,
+                                                 const struct zr_shading_v *s)
+{
+    struct zr_ambient_v around = zr_pbr_gather_v(lighting, pbr, s);
+    zr_vf a, b;
+    around.diffuse = zr_mul_v(around.diffuse, zr_bounced3_v(s->ao, zr_add_v(pbr->diffuse, pbr->f0)));
+    around.specular = zr_scale_v(around.specular, s->ao);
+    if (s->textured) {
+        around.diffuse = zr_scale_v(around.diffuse, s->textured->occlusion);
+        around.specular = zr_scale_v(around.specular, s->textured->occlusion);
+        zr_dfg_at_each_v(s->textured->roughness, pbr->facing, &a, &b);
+    } else {
+        zr_dfg_at_v(columns, pbr->facing, &a, &b);
+    }
+    return (struct zr_vec3_v){zr_pbr_around_v(pbr->f0.x, pbr->diffuse.x, a, b, around.diffuse.x, around.specular.x),
+                              zr_pbr_around_v(pbr->f0.y, pbr->diffuse.y, a, b, around.diffuse.y, around.specular.y),
+                              zr_pbr_around_v(pbr->f0.z, pbr->diffuse.z, a, b, around.diffuse.z, around.specular.z)};
+}
+
+/* ---- from lamps ---- */
+
+/* The square of the sine between unit vectors, which 1 - cosine^2 has no digits of where that is small. */
+static inline zr_vf zr_square_sine_v(struct zr_vec3_v a, struct zr_vec3_v b)
+{
+    const struct zr_vec3_v c = zr_cross_v(a, b);
+    return zr_dot_v(c, c);
+}
+
+/* Less than `spread` is where H is a unit vector; where light comes from straight behind, H is none. */
+#define ZR_GGX_SPREAD_LEAST 1e-6f
+
+/* pi D V: of alpha^2, and 1 less that, of N.H, and 1 less its square, of N.V and N.L. */
+static inline zr_vf zr_ggx_v(zr_vf square, zr_vf rest, zr_vf nh, zr_vf square_sine, zr_vf nv, zr_vf nl)
+{
+    const zr_vf spread = zr_vf_max(square_sine + nh * nh * square, zr_vf_set(ZR_GGX_SPREAD_LEAST));
+    const zr_vf smith = nl * zr_vf_sqrt(nv * nv * rest + square) + nv * zr_vf_sqrt(nl * nl * rest + square);
+    return square / (spread * spread) * zr_vf_set(0.5f) / smith;
+}
+
+static inline zr_vf zr_pbr_reflected_v(zr_vf f0, zr_vf diffuse, zr_vf fresnel, zr_vf specular)
+{
+    const zr_vf f = f0 + (zr_vf_set(1.0f) - f0) * fresnel;
+    return f * specular + (zr_vf_set(1.0f) - f) * diffuse;
+}
+
+/* From a unit vector, of `color` the share that arrives. */
+static inline struct zr_vec3_v zr_pbr_from_v(struct zr_vec3_v to_light, zr_vec3 color, zr_vf share,
+                                             const struct zr_pbr_v *pbr, const struct zr_shading_v *s)
+{
+    const zr_vf zero = zr_vf_set(0.0f), one = zr_vf_set(1.0f);
+    const struct zr_vec3_v half = zr_normalize_v(zr_add_v(to_light, s->to_eye));
+    const zr_vf nl = zr_vf_max(zr_dot_v(s->normal, to_light), zero);
+    const zr_vf nh = zr_clamp01_v(zr_dot_v(s->normal, half)), vh = zr_clamp01_v(zr_dot_v(s->to_eye, half));
+    const float alpha = pbr->alpha > ZR_LAMP_ALPHA_LEAST ? pbr->alpha : ZR_LAMP_ALPHA_LEAST;
+    zr_vf square_alpha = zr_vf_set(alpha * alpha), rest = zr_vf_set(1.0f - alpha * alpha);
+    if (s->textured) {
+        const zr_vf alphas = zr_vf_max(pbr->alphas, zr_vf_set(ZR_LAMP_ALPHA_LEAST));
+        square_alpha = alphas * alphas;
+        rest = one - square_alpha;
+    }
+    const zr_vf specular = zr_ggx_v(square_alpha, rest, nh, zr_square_sine_v(s->normal, half), pbr->facing,
+                                    zr_vf_max(nl, zr_vf_set(1e-6f)));
+    const zr_vf away = one - vh, square = away * away;
+    const zr_vf fresnel = ZR_MUTANT(fresnel_of_4th_power, square * square * away, square * square);
+    const struct zr_vec3_v reflected = {zr_pbr_reflected_v(pbr->f0.x, pbr->diffuse.x, fresnel, specular),
+                                        zr_pbr_reflected_v(pbr->f0.y, pbr->diffuse.y, fresnel, specular),
+                                        zr_pbr_reflected_v(pbr->f0.z, pbr->diffuse.z, fresnel, specular)};
+    return zr_scale_v(zr_mul_v(zr_spread_v(color), reflected), nl * share);
+}
+
+static inline struct zr_vec3_v zr_pbr_from_lamp_v(const struct zr_lamp *lamp, const struct zr_pbr_v *pbr,
+                                                  const struct zr_shading_v *s)
+{
+    return zr_pbr_from_v(zr_spread_v(lamp->to_light), lamp->color, zr_lamp_share_v(lamp, s), pbr, s);
+}
+
+static inline struct zr_vec3_v zr_pbr_from_placed_v(const struct zr_placed_lamp *lamp, const struct zr_pbr_v *pbr,
+                                                    const struct zr_shading_v *s)
+{
+    const struct zr_arriving_v arriving = zr_placed_arriving_v(lamp, s);
+    return zr_pbr_from_v(arriving.to_light, lamp->color, arriving.share, pbr, s);
+}
+
+/* ---- all ---- */
+
+/* columns: of what is not textured. */
+ZR_INLINED struct zr_vec3_v zr_shade_pbr_v(const struct zr_linear_lighting *lighting,
+                                           const struct zr_material *material, const struct zr_dfg_columns *columns,
+                                           const struct zr_shading_v *s)
+{
+    const struct zr_pbr_v pbr = zr_pbr_make(material, s);
+    struct zr_vec3_v emissive = zr_spread_v(material->emissive);
+    if (s->textured) emissive = zr_mul_v(emissive, s->textured->emissive);
+    struct zr_vec3_v sum = zr_add_v(zr_pbr_from_around_v(lighting, columns, &pbr, s), emissive);
+    for (uint32_t i = 0; i < lighting->lamp_count; i++) {
+        const struct zr_lamp *lamp = &lighting->lamps[i];
+        if (lamp->lights_pbr && !lamp->is_hemisphere) sum = zr_add_v(sum, zr_pbr_from_lamp_v(lamp, &pbr, s));
+    }
+    for (uint32_t i = 0; ZR_LIGHTS_PLACED && i < lighting->placed_count; i++)
+        if (lighting->placed[i].lights_pbr) sum = zr_add_v(sum, zr_pbr_from_placed_v(&lighting->placed[i], &pbr, s));
+    return sum;
+}
+
+#endif

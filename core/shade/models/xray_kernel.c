@@ -1,0 +1,39 @@
+#include "shade/models/xray.h"
+
+#include "shade/models/linear_simd.h"
+
+/* Of all lanes, which samples of that shading are. */
+static inline zr_vm find_xrays(const struct zr_material *materials, const uint32_t *numbers, zr_vm seen)
+{
+    uint32_t bits = 0;
+    for (uint32_t left = zr_vm_bits(seen); left; left &= left - 1) {
+        const int lane = zr_lowest_bit(left);
+        bits |= (uint32_t)(materials[numbers[lane]].shading == ZR_SHADING_XRAY) << lane;
+    }
+    return zr_vm_of(bits);
+}
+
+static inline zr_vf opacity_of(zr_vf cosine)
+{
+    const zr_vf along = zr_clamp01_v(zr_vf_set(1.0f) - zr_vf_abs(cosine));
+    const zr_vf cube = ZR_MUTANT(xray_squared, along * along * along, along * along);
+    return zr_vf_set(0.07f) + zr_vf_set(0.68f) * cube;
+}
+
+void ZR_KERNEL(zr_xray)(const struct zr_linear_lighting *lighting, const struct zr_gbuffer *samples, float *opacity)
+{
+    for (int32_t y = 0; y < samples->height; y++) {
+        const size_t begin = (size_t)(y * samples->stride), end = begin + (size_t)samples->width;
+        for (size_t at = begin; at < end; at += ZR_LANES) {
+            const zr_vm within = zr_vm_first((uint32_t)(end - at));
+            const zr_vm seen = zr_vm_and(within, zr_vi_lt(zr_vi_set(0), zr_vi_load(samples->owner + at)));
+            if (!zr_vm_any(seen)) continue;
+            const struct zr_vec3_v normal = zr_three_of(samples->normal, at);
+            const zr_vm is_line = zr_vf_eq(zr_dot_v(normal, normal), zr_vf_set(0.0f));
+            const zr_vm xrays = zr_vm_andnot(find_xrays(lighting->materials, samples->material + at, seen), is_line);
+            const struct zr_vec3_v to_eye = zr_to_eye_v(lighting, zr_three_of(samples->point, at));
+            const zr_vf own = zr_vf_load(opacity + at);
+            zr_vf_store(opacity + at, zr_vf_select(xrays, own * opacity_of(zr_dot_v(normal, to_eye)), own));
+        }
+    }
+}

@@ -1,0 +1,313 @@
+#include "shade/visible_points.h"
+
+#include <string.h>
+
+#include "base/matrix.h"
+#include "geometry/geometry.h"
+
+/* What is the same for all samples of a primitive. */
+struct shown {
+    uint32_t owner; /* 0: none */
+    struct zr_eye_depth depth;
+    const struct zr_source_instance *instance;
+    const zr_vec4 *corners[3];         /* as given; NULL: of a line, or nothing needs them */
+    struct zr_eye_plane parts[2], one; /* of corners 1 and 2, and 1, all times the same; of lines 0 */
+    double w[3];                       /* of the corners in eye space */
+};
+
+/* They come back row by row: the last ones are remembered. */
+enum { REMEMBERED = 64 };
+
+struct points {
+    const struct zr_geometry *geometry;
+    const struct zr_eye_depths *kernel;
+    const struct zr_frame *frame;
+    const struct zr_draw *draw; /* of the last one */
+    enum zr_space space;
+    bool wants_shares;
+    zr_vec4 eye; /* zr_camera_eye */
+    struct zr_matrix projection, to_world;
+    const struct zr_source_instance *last; /* to_object is of */
+    struct zr_matrix to_object;
+    struct shown shown[REMEMBERED];
+};
+
+/* ---- primitives ---- */
+
+static void cross(const double *a, const double *b, double *out)
+{
+    out[0] = a[1] * b[2] - a[2] * b[1];
+    out[1] = a[2] * b[0] - a[0] * b[2];
+    out[2] = a[0] * b[1] - a[1] * b[0];
+}
+
+/* As value_planes of eye_depth_kernel.c has it: p0 the value at corner 0, p1 and p2 how much the others have more. */
+static struct zr_eye_plane value_plane(double (*c)[3], double p0, double p1, double p2, double width, double height)
+{
+    double normal[3], u[3], a[3];
+    cross(c[1], c[2], normal);
+    for (int k = 0; k < 3; k++)
+        u[k] = p2 * c[1][k] - p1 * c[2][k];
+    cross(c[0], u, a);
+    const double x = (a[0] + p0 * normal[0]) * height, y = (a[1] + p0 * normal[1]) * width;
+    const double one = (a[2] + p0 * normal[2]) * (width * height);
+    return (struct zr_eye_plane){(one + x * (1.0 - width)) + y * (1.0 - height), 2.0 * x, 2.0 * y};
+}
+
+static double source_value(const struct zr_source_instance *instance, const zr_vec4 *p, int row)
+{
+    const double(*m)[ZR_SOURCE_ROWS] = instance->columns;
+    return (((double)p->x * m[0][row] + (double)p->y * m[1][row]) + (double)p->z * m[2][row]) +
+           (double)p->w * m[3][row];
+}
+
+static void find_planes(const struct points *points, const struct zr_source *source, struct shown *shown)
+{
+    static const int rows[3] = {ZR_SOURCE_X, ZR_SOURCE_Y, ZR_SOURCE_W};
+    const double width = (double)points->frame->width, height = (double)points->frame->height;
+    double c[3][3]; /* corner 0, and the ways from there to the others */
+    for (int i = 0; i < 3; i++) {
+        zr_vec4 p = *source->corners[i];
+        if (i > 0) {
+            const zr_vec4 *o = source->corners[0];
+            p = (zr_vec4){p.x - o->x, p.y - o->y, p.z - o->z, p.w - o->w};
+        }
+        for (int r = 0; r < 3; r++)
+            c[i][r] = source_value(source->instance, &p, rows[r]);
+        shown->w[i] = source_value(source->instance, source->corners[i], ZR_SOURCE_EYE_W);
+    }
+    shown->one = value_plane(c, 1.0, 0.0, 0.0, width, height);
+    shown->parts[0] = value_plane(c, 0.0, 1.0, 0.0, width, height);
+    shown->parts[1] = value_plane(c, 0.0, 0.0, 1.0, width, height);
+}
+
+static struct zr_eye_depth depth_of(const struct points *points, const struct zr_triangle *triangle,
+                                    const struct zr_source *source)
+{
+    const zr_vec4 *corners[1 + ZR_EYE_ROOM][3];
+    struct zr_eye_depth out[1 + ZR_EYE_ROOM];
+    memcpy(corners[0], source->corners, sizeof corners[0]);
+    if (points->kernel->make(source->instance, corners, 1, points->frame->width, points->frame->height, out) > 0 &&
+        source->is_cut)
+        zr_eye_depth_take_piece(points->geometry, triangle, &out[0]);
+    return out[0];
+}
+
+static struct shown shown_make(struct points *points, uint32_t owner)
+{
+    const struct zr_geometry *geometry = points->geometry;
+    points->draw = zr_draw_next(geometry, points->draw, owner - 1);
+    const struct zr_triangle triangle = zr_triangle_of(geometry, points->draw, owner - 1);
+    struct shown shown = {.owner = owner, .instance = &geometry->instances[points->draw->instance]};
+    if (triangle.line) {
+        shown.depth = zr_eye_depth_of_line(geometry, &triangle);
+        return shown;
+    }
+    const struct zr_source source = zr_source_of(geometry, points->draw, triangle.v);
+    shown.depth = depth_of(points, &triangle, &source);
+    if (!points->wants_shares) return shown;
+    struct zr_source given = source;
+    const bool is_turned = ZR_MUTANT(shares_of_turned_corners, triangle.turned, false);
+    if (is_turned && !source.is_cut) { /* as rule 6 wants it: shares are of the corners as given */
+        given.corners[0] = source.corners[zr_swapped_corner()];
+        given.corners[zr_swapped_corner()] = source.corners[0];
+    }
+    memcpy(shown.corners, given.corners, sizeof shown.corners);
+    find_planes(points, &given, &shown);
+    return shown;
+}
+
+static const struct shown *shown_of(struct points *points, uint32_t owner)
+{
+    struct shown *shown = &points->shown[owner % REMEMBERED];
+    if (shown->owner != owner) *shown = shown_make(points, owner);
+    return shown;
+}
+
+/* ---- samples ---- */
+
+static double plane_at(const struct zr_eye_plane *plane, double x, double y)
+{
+    return (plane->a0 + plane->dady * y) + plane->dadx * x;
+}
+
+static double kept_within(double value, double least, double most)
+{
+    return value > least ? value < most ? value : most : least; /* NaN gives the least */
+}
+
+/* Where the ray of a sample is at a depth: both of its first two equations are linear in x and y. */
+static void eye_point(const struct points *points, double x, double y, double depth, double out[4])
+{
+    const double *m = points->projection.m, z = -depth;
+    const double nx = (2.0 * x + 1.0) / (double)points->frame->width - 1.0;
+    const double ny = (2.0 * y + 1.0) / (double)points->frame->height - 1.0;
+    double row[2][4];
+    for (int k = 0; k < 4; k++) {
+        row[0][k] = m[4 * k] - nx * m[4 * k + 3];
+        row[1][k] = m[4 * k + 1] - ny * m[4 * k + 3];
+    }
+    const double r0 = -(row[0][2] * z + row[0][3]), r1 = -(row[1][2] * z + row[1][3]);
+    const double determinant = row[0][0] * row[1][1] - row[0][1] * row[1][0];
+    out[0] = (r0 * row[1][1] - row[0][1] * r1) / determinant;
+    out[1] = (row[0][0] * r1 - r0 * row[1][0]) / determinant;
+    out[2] = z;
+    out[3] = 1.0;
+}
+
+/* How much of each corner as given is in the sample, as homogeneous points: what is seen of a triangle lies between its
+ * corners then, wherever these are, while their shares of the place are beyond 0..1 where some have a w below 0. */
+static void find_parts(const struct shown *shown, double x, double y, double out[3])
+{
+    const double one = plane_at(&shown->one, x, y);
+    out[1] = kept_within(plane_at(&shown->parts[0], x, y) / one, 0.0, 1.0);
+    out[2] = kept_within(plane_at(&shown->parts[1], x, y) / one, 0.0, 1.0 - out[1]);
+    out[0] = 1.0 - out[1] - out[2];
+}
+
+static void put_shares(const struct shown *shown, const double parts[3], float *out)
+{
+    const double all = (parts[0] * shown->w[0] + parts[1] * shown->w[1]) + parts[2] * shown->w[2];
+    for (int k = 0; k < 3; k++)
+        out[k] = shown->corners[0] && all != 0.0 ? (float)(parts[k] * shown->w[k] / all) : 0.0f;
+}
+
+/* Of a triangle, from its corners, since an instance may be flattened: there is no way back then, and lines have 0. */
+static void find_in_object(struct points *points, const struct shown *shown, const double eye[4], const double parts[3],
+                           double out[4])
+{
+    if (shown->corners[0]) {
+        memset(out, 0, 4 * sizeof *out);
+        for (int k = 0; k < 3; k++) {
+            const zr_vec4 *p = shown->corners[k];
+            out[0] += parts[k] * (double)p->x;
+            out[1] += parts[k] * (double)p->y;
+            out[2] += parts[k] * (double)p->z;
+            out[3] += parts[k] * (double)p->w;
+        }
+        return;
+    }
+    if (points->last != shown->instance) (void)zr_matrix_invert(&shown->instance->object_to_eye, &points->to_object);
+    points->last = shown->instance;
+    zr_matrix_apply(&points->to_object, eye, out);
+}
+
+static void put_position(struct points *points, const struct shown *shown, const double eye[4], const double parts[3],
+                         float *out)
+{
+    const enum zr_space space = ZR_MUTANT(positions_of_the_camera, points->space, ZR_SPACE_CAMERA);
+    double placed[4] = {eye[0], eye[1], eye[2], 1.0};
+    if (space == ZR_SPACE_WORLD) zr_matrix_apply(&points->to_world, eye, placed);
+    if (space == ZR_SPACE_OBJECT) find_in_object(points, shown, eye, parts, placed);
+    for (int k = 0; k < 3; k++)
+        out[k] = (float)(placed[3] != 0.0 ? placed[k] / placed[3] : placed[k]);
+}
+
+static double length_from(zr_vec4 eye, const double point[4])
+{
+    const double x = point[0] - (double)eye.x, y = point[1] - (double)eye.y, z = point[2] - (double)eye.z;
+    return sqrt((x * x + y * y) + z * z);
+}
+
+/* As corners have them, whatever a texture makes of them: linear over their homogeneous points. */
+static void put_texcoord(const struct shown *shown, const double parts[3], float *out)
+{
+    const struct zr_mesh *mesh = shown->instance->mesh;
+    double u = 0.0, v = 0.0;
+    for (int k = 0; shown->corners[0] && mesh->texcoords && k < 3; k++) {
+        const zr_vec4 *texcoord = &mesh->texcoords[shown->corners[k] - mesh->positions];
+        u += parts[k] * (double)texcoord->x;
+        v += parts[k] * (double)texcoord->y;
+    }
+    out[0] = (float)u;
+    out[1] = (float)v;
+}
+
+static double depth_at(const struct shown *shown, double x, double y)
+{
+    const struct zr_eye_depth *d = &shown->depth;
+    return kept_within(plane_at(&d->depth, x, y) / plane_at(&d->one, x, y), d->min, d->max);
+}
+
+static void put_sample(struct points *points, const struct shown *shown, double x, double y, size_t pixel)
+{
+    float *distance = points->frame->channels[ZR_CHANNEL_DISTANCE];
+    float *position = points->frame->channels[ZR_CHANNEL_POSITION];
+    float *shares = points->frame->channels[ZR_CHANNEL_BARYCENTRICS];
+    float *texcoord = points->frame->channels[ZR_CHANNEL_TEXCOORD];
+    double eye[4], parts[3] = {0, 0, 0};
+    const double depth = depth_at(shown, x, y);
+    eye_point(points, x, y, depth, eye);
+    const bool is_parallel = ZR_MUTANT(distance_is_depth, points->eye.w == 0.0f, true);
+    if (distance) distance[pixel] = (float)(is_parallel ? depth : length_from(points->eye, eye));
+    if (shown->corners[0]) find_parts(shown, x, y, parts);
+    if (position) put_position(points, shown, eye, parts, position + 3 * pixel);
+    if (shares) put_shares(shown, parts, shares + 3 * pixel);
+    if (texcoord) put_texcoord(shown, parts, texcoord + 2 * pixel);
+}
+
+static void put_nothing(const struct zr_frame *frame, size_t pixel)
+{
+    static const enum zr_channel channels[] = {ZR_CHANNEL_DISTANCE, ZR_CHANNEL_POSITION, ZR_CHANNEL_BARYCENTRICS,
+                                               ZR_CHANNEL_TEXCOORD};
+    for (size_t i = 0; i < sizeof channels / sizeof channels[0]; i++) {
+        const struct zr_channel_row *row = &zr_channel_rows[channels[i]];
+        uint32_t *words = frame->channels[channels[i]];
+        for (uint32_t k = 0; words && k < row->words; k++)
+            words[pixel * row->words + k] = row->nothing;
+    }
+}
+
+bool zr_visible_points_are_wanted(const struct zr_frame *frame)
+{
+    return frame->channels[ZR_CHANNEL_DISTANCE] || frame->channels[ZR_CHANNEL_POSITION] ||
+           frame->channels[ZR_CHANNEL_BARYCENTRICS] || frame->channels[ZR_CHANNEL_TEXCOORD];
+}
+
+static struct points points_of(const struct zr_geometry *geometry, const struct zr_eye_depths *kernel,
+                               enum zr_space position, const struct zr_frame *frame)
+{
+    struct points points = {
+        .geometry = geometry, .kernel = kernel, .frame = frame, .draw = &geometry->draws[0], .space = position};
+    const struct zr_matrix view = zr_matrix_of(&frame->camera.world_to_eye);
+    points.projection = zr_matrix_of(&frame->camera.projection);
+    (void)zr_matrix_invert(&view, &points.to_world);
+    points.eye = zr_camera_eye(&frame->camera);
+    return points;
+}
+
+void zr_visible_point_find(const struct zr_geometry *geometry, const struct zr_eye_depths *kernel,
+                           const struct zr_frame *frame, uint32_t owner, int32_t x, int32_t y, float *depth,
+                           float position[3])
+{
+    struct points points = points_of(geometry, kernel, ZR_SPACE_WORLD, frame);
+    const struct shown *shown = shown_of(&points, owner);
+    const double z = depth_at(shown, (double)x, (double)y), no_parts[3] = {0, 0, 0};
+    double eye[4];
+    eye_point(&points, (double)x, (double)y, z, eye);
+    *depth = (float)z;
+    put_position(&points, shown, eye, no_parts, position);
+}
+
+void zr_visible_points_tile(const struct zr_geometry *geometry, const struct zr_eye_depths *kernel,
+                            uint64_t (*ends)(const uint32_t *owners, int32_t width), enum zr_space position,
+                            const struct zr_tile *tile, const struct zr_frame *frame)
+{
+    struct points points = points_of(geometry, kernel, position, frame);
+    points.wants_shares =
+        frame->channels[ZR_CHANNEL_BARYCENTRICS] || frame->channels[ZR_CHANNEL_TEXCOORD] || position == ZR_SPACE_OBJECT;
+    for (int32_t y = 0; y < tile->height; y++) {
+        const uint32_t *owners = &tile->owner[y * ZR_TILE_STRIDE];
+        const size_t first = (size_t)(frame->height - 1 - (uint32_t)(tile->y + y)) * frame->width + (size_t)tile->x;
+        int32_t begin = 0, end;
+        for (uint64_t bits = ends(owners, tile->width); bits; bits &= bits - 1, begin = end) {
+            const struct shown *shown = owners[begin] > 0 ? shown_of(&points, owners[begin]) : NULL;
+            end = __builtin_ctzll(bits) + 1;
+            for (int32_t x = begin; x < end; x++)
+                if (shown)
+                    put_sample(&points, shown, (double)(tile->x + x), (double)(tile->y + y), first + (size_t)x);
+                else
+                    put_nothing(frame, first + (size_t)x);
+        }
+    }
+}
