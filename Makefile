@@ -97,7 +97,7 @@ server := $(call objects,server/*.c)
 client := $(call objects,clients/*.c)
 support_kernels := $(call for_isas,$(basename $(wildcard tests/support/*_kernel.c)))
 support := $(filter-out %_kernel.o,$(call objects,tests/support/*.c)) $(support_kernels)
-cross := $(call objects,tests/cross/*.c tests/support/gallery.c tests/support/look_scenes.c tests/support/simd_check.c) $(support_kernels)
+cross := $(call objects,tests/cross/main.c tests/support/gallery.c tests/support/look_scenes.c tests/support/simd_check.c) $(support_kernels)
 lines := $(call objects,tests/reference/lines/*.c)
 # The reference behind two doors: OSMesa, and EGL without a surface. One of them is there everywhere.
 reference_doors := $(BUILD)/tests/reference/reference_osmesa.o $(BUILD)/tests/reference/reference_egl.o
@@ -183,6 +183,13 @@ cross: ## the renderer built for arm64 and run under qemu: the same bytes as her
 .PHONY: compare-cross
 compare-cross: $(BUILD)/zraster-cross
 	@tests/cross/compare.sh $< "$(isas)" "qemu-aarch64 $(BUILD)/arm64/zraster-cross" "$(isas_aarch64)"
+
+.PHONY: same
+same: ## all answers of this build and of another, byte by byte: AGAINST=DIR (its build), SAME=quick, EXPECTED=FILE
+	@.ci/need $(NEED_BUILD) $(NEED_TEST)
+	@$(MAKE) -s -j$(JOBS) $(BUILD)/zrasterd $(BUILD)/zraster-same
+	@OUT=$(BUILD)/same EXPECTED="$(EXPECTED)" tests/cross/same.sh $(BUILD)/zraster-same $(BUILD)/zrasterd \
+		$(or $(AGAINST),$(error AGAINST=DIR: the build to compare with))/zrasterd $(or $(SAME),--models $(DATA)/models)
 
 .PHONY: emulated
 emulated: ## AVX-512 without a machine that has it, slowly: unit tests and the reference, and the same bytes as by all else
@@ -295,6 +302,9 @@ $(BUILD)/zraster-verify-lines: $(lines) $(filter-out %/main.o,$(reference)) $(do
 $(BUILD)/zraster-cross: $(cross) $(renderer)
 	$(LINK) -lm
 
+$(BUILD)/zraster-same: $(BUILD)/tests/cross/same.o $(server_support) $(BUILD)/libsupport.a $(BUILD)/libzraster.a
+	$(LINK) $(TEST_LIBS) $(CORE_LIBS)
+
 $(BUILD)/zraster-uninitialised: $(BUILD)/tests/uninitialised/main.o $(BUILD)/libsupport.a $(BUILD)/libzraster.a
 	$(LINK) $(CORE_LIBS)
 
@@ -355,5 +365,5 @@ $(BUILD)/%_kernel.$(1).o: %_kernel.c | $(missing_compiler)
 endef
 $(foreach isa,$(isas),$(eval $(call kernel_rule,$(isa))))
 
--include $(patsubst %.o,%.d,$(core) $(server) $(client) $(support) $(reference) $(reference_doors) $(lines) $(bench) $(cross) $(BUILD)/tests/uninitialised/main.o $(server_support) \
+-include $(patsubst %.o,%.d,$(core) $(server) $(client) $(support) $(reference) $(reference_doors) $(lines) $(bench) $(cross) $(BUILD)/tests/cross/same.o $(BUILD)/tests/uninitialised/main.o $(server_support) \
 	$(fuzz_support) $(fuzz_main) $(addsuffix .o,$(unit_tests) $(server_tests) $(bench_alone) $(fuzz_targets) $(BUILD)/tests/fuzz/seeds))
