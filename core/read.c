@@ -1,11 +1,11 @@
 /* A request -> a scene: picks the reader, puts a scene around a bare mesh, and
  * lets the query have its say. */
 #include "geometry/geometry.h"
-#include "input/defaults.h"
 #include "input/formats.h"
 #include "input/names.h"
 #include "input/parameters.h"
 #include "overlay/color_bar.h"
+#include "scene/defaults.h"
 #include "scene/validate.h"
 #include "strict.h"
 

@@ -2,9 +2,9 @@
  * read, since a look may be named behind all else. */
 #include <string.h>
 
-#include "input/defaults.h"
 #include "input/json_scene.h"
-#include "input/upright.h"
+#include "scene/defaults.h"
+#include "scene/upright.h"
 
 /* ---- the picture ---- */
 

@@ -3,12 +3,12 @@
 #include <string.h>
 
 #include "base/rgba.h"
-#include "input/defaults.h"
 #include "input/json_objects.h"
 #include "input/json_scene.h"
 #include "input/names.h"
 #include "input/nearest.h"
 #include "input/text.h"
+#include "scene/defaults.h"
 
 /* Of shininess: more than can be told apart at a pixel. */
 #define SHININESS_MAX 10000.0

@@ -1,7 +1,7 @@
 /* The projection of a view. */
-#include "input/defaults.h"
 #include "input/json_objects.h"
 #include "input/json_view.h"
+#include "scene/defaults.h"
 
 #define PI 3.14159265358979323846
 

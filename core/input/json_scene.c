@@ -3,11 +3,11 @@
 
 #include <string.h>
 
-#include "input/defaults.h"
 #include "input/input.h"
 #include "input/json_objects.h"
 #include "input/nearest.h"
 #include "input/text.h"
+#include "scene/defaults.h"
 
 /* Rows of numbers are read without counting levels. This deep an item of a list may be: /meshes/0/heights/values/0/0.
  */

@@ -10,11 +10,11 @@
 #ifndef ZR_JSON_SCENE_H
 #define ZR_JSON_SCENE_H
 
-#include "input/alpha_range.h"
-#include "input/face_style.h"
 #include "input/growing.h"
 #include "input/json_value.h"
-#include "input/parsed_picture.h"
+#include "scene/alpha_range.h"
+#include "scene/face_style.h"
+#include "scene/parsed_picture.h"
 #include "scene/scene_builder.h"
 
 /* Bytes have a name by one of two keys. */

@@ -4,11 +4,11 @@
 #include <string.h>
 
 #include "input/color_text.h"
-#include "input/defaults.h"
 #include "input/formats.h"
 #include "input/number.h"
 #include "input/outputs.h"
 #include "input/text.h"
+#include "scene/defaults.h"
 
 struct reading {
     const struct zr_request *request;

@@ -5,8 +5,8 @@
 #ifndef ZR_PARAMETERS_H
 #define ZR_PARAMETERS_H
 
-#include "input/face_style.h"
-#include "input/parsed_picture.h"
+#include "scene/face_style.h"
+#include "scene/parsed_picture.h"
 #include "zraster.h"
 
 /* What it says, over what a bare mesh has where nobody says anything. */

@@ -3,7 +3,7 @@
 #include "bench/machine.h"
 #include "bench/series.h"
 #include "bench/sides.h"
-#include "input/defaults.h"
+#include "scene/defaults.h"
 
 enum { WITHOUT, WITH, SIDES };
 

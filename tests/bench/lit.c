@@ -5,8 +5,8 @@
 #include "bench/machine.h"
 #include "bench/series.h"
 #include "bench/sides.h"
-#include "input/defaults.h"
 #include "scene/camera.h"
+#include "scene/defaults.h"
 #include "scene/resolved_view.h"
 #include "support/look.h"
 

@@ -9,8 +9,8 @@
 #include "bench/shaded.h"
 #include "bench/sides.h"
 #include "bench/texels.h"
-#include "input/defaults.h"
 #include "mesh/vertex_normals.h"
+#include "scene/defaults.h"
 
 enum { OURS, THEIRS, SIDES, THREADS_MAX = 2, IMAGE_SIDE = 1024 };
 

@@ -1,4 +1,4 @@
-/* upright.h - input: views of scenes whose z axis points up. */
+/* upright.h - scene: views of scenes whose z axis points up. */
 #ifndef ZR_UPRIGHT_H
 #define ZR_UPRIGHT_H
 

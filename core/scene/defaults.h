@@ -1,4 +1,4 @@
-/* defaults.h - input: what a scene is where nobody says otherwise. */
+/* defaults.h - scene: what a scene is where nobody says otherwise. */
 #ifndef ZR_DEFAULTS_H
 #define ZR_DEFAULTS_H
 

@@ -1,4 +1,4 @@
-#include "input/alpha_range.h"
+#include "scene/alpha_range.h"
 
 struct zr_alpha_range zr_alpha_range_of(const zr_vec4 *colors, size_t count)
 {

@@ -1,4 +1,4 @@
-#include "input/parsed_picture.h"
+#include "scene/parsed_picture.h"
 
 #define TAKE(key, member)                                                                                              \
     if (zr_picture_gives(given, ZR_PICTURE_##key)) merged.member = given->picture.member

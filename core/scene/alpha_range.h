@@ -1,4 +1,4 @@
-/* alpha_range.h - input: the alphas that colours have, from the least to the most. */
+/* alpha_range.h - scene: the alphas that colours have, from the least to the most. */
 #ifndef ZR_ALPHA_RANGE_H
 #define ZR_ALPHA_RANGE_H
 

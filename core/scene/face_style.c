@@ -1,6 +1,6 @@
-#include "input/face_style.h"
+#include "scene/face_style.h"
 
-#include "input/defaults.h"
+#include "scene/defaults.h"
 
 /* As in glTF. */
 #define ALPHA_CUTOFF 0.5f

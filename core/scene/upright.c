@@ -1,4 +1,4 @@
-#include "input/upright.h"
+#include "scene/upright.h"
 
 static const struct {
     double azimuth, elevation;

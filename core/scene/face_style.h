@@ -1,4 +1,4 @@
-/* face_style.h - input: what may be said of how faces look: by any part of a scene, and by a query of a bare mesh. */
+/* face_style.h - scene: what may be said of how faces look: by any part of a scene, and by a query of a bare mesh. */
 #ifndef ZR_FACE_STYLE_H
 #define ZR_FACE_STYLE_H
 

@@ -1,4 +1,4 @@
-#include "input/defaults.h"
+#include "scene/defaults.h"
 
 void zr_scene_defaults(struct zr_scene *scene)
 {
