@@ -118,7 +118,7 @@ static int read_option(int count, char **arguments, int *at, struct options *opt
 
 /* ---- checks ---- */
 
-#define FORMAT(ID, suffix, media_types, has_view) {suffix, media_types, has_view},
+#define FORMAT(ID, suffix, media_types, has_view, ...) {suffix, media_types, has_view},
 static const struct {
     const char *suffix, *media_types; /* the first of these */
     bool has_view;

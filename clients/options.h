@@ -45,10 +45,10 @@ int options_wrong(const char *what, const char *which);
 
 /* Endings of names, for messages: " .obj .stl", those of meshes; " json obj stl", all. */
 #define OPTIONS_ENDING_true(suffix)
-#define OPTIONS_ENDING_false(suffix)                           " ." suffix
-#define OPTIONS_MESH_ENDING(ID, suffix, media_types, has_view) OPTIONS_ENDING_##has_view(suffix)
-#define OPTIONS_ANY_ENDING(ID, suffix, media_types, has_view)  " " suffix
-#define OPTIONS_MESHES                                         ZR_FORMAT_ROWS(OPTIONS_MESH_ENDING)
-#define OPTIONS_TYPES                                          ZR_FORMAT_ROWS(OPTIONS_ANY_ENDING)
+#define OPTIONS_ENDING_false(suffix)                                " ." suffix
+#define OPTIONS_MESH_ENDING(ID, suffix, media_types, has_view, ...) OPTIONS_ENDING_##has_view(suffix)
+#define OPTIONS_ANY_ENDING(ID, suffix, ...)                         " " suffix
+#define OPTIONS_MESHES                                              ZR_FORMAT_ROWS(OPTIONS_MESH_ENDING)
+#define OPTIONS_TYPES                                               ZR_FORMAT_ROWS(OPTIONS_ANY_ENDING)
 
 #endif

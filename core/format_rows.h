@@ -3,10 +3,12 @@
 #ifndef ZR_FORMAT_ROWS_H
 #define ZR_FORMAT_ROWS_H
 
-/* ROW(ID, ending of file names, media types of which the first is the usual one, a scene with a view of its own) */
+/* ROW(ID, ending of file names, media types of which the first is the usual one, a scene with a view of its own,
+ *     binary, triangles share no corners, z is up unless the query has `up`) */
 #define ZR_FORMAT_ROWS(ROW)                                                                                            \
-    ROW(JSON, "json", "application/json", true)                                                                        \
-    ROW(OBJ, "obj", "model/obj", false)                                                                                \
-    ROW(STL, "stl", "model/stl application/sla application/vnd.ms-pki.stl model/x.stl-binary model/x.stl-ascii", false)
+    ROW(JSON, "json", "application/json", true, false, false, false)                                                   \
+    ROW(OBJ, "obj", "model/obj", false, false, false, false)                                                           \
+    ROW(STL, "stl", "model/stl application/sla application/vnd.ms-pki.stl model/x.stl-binary model/x.stl-ascii",       \
+        false, true, true, true)
 
 #endif

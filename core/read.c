@@ -4,6 +4,7 @@
 #include "input/formats.h"
 #include "input/names.h"
 #include "input/parameters.h"
+#include "input/sniff.h"
 #include "overlay/color_bar.h"
 #include "scene/defaults.h"
 #include "scene/validate.h"
@@ -40,7 +41,7 @@ static bool is_of_linear_light(const struct zr_query *query)
 
 static void warn_of_soup(struct zr_scene_builder *builder, const struct zr_format_row *format, int shading)
 {
-    if (!format->reader->is_soup || builder->scene->picture.is_linear || shading < ZR_SHADING_GOURAUD) return;
+    if (!format->is_soup || builder->scene->picture.is_linear || shading < ZR_SHADING_GOURAUD) return;
     zr_warning_list_add(builder->arena, &builder->color_warnings,
                         "shading=%s looks flat here: the triangles of %s share no corners; OBJ can be smooth",
                         zr_shading_names.words[shading], format->name);
@@ -106,7 +107,8 @@ static void apply_color_bar(struct zr_scene_builder *builder, const struct zr_qu
 
 static void skip_byte_order_mark(struct zr_request *request)
 {
-    const size_t mark = request->format == ZR_FORMAT_STL ? 0 : zr_byte_order_mark(request->bytes, request->size);
+    const size_t mark =
+        zr_format_rows[request->format].is_binary ? 0 : zr_byte_order_mark(request->bytes, request->size);
     request->bytes += mark;
     request->size -= mark;
 }
@@ -115,7 +117,7 @@ static void skip_byte_order_mark(struct zr_request *request)
 static enum zr_status name_bytes(const struct zr_request *request, enum zr_status status, struct zr_error *error)
 {
     const struct zr_format_row *said = &zr_format_rows[request->format];
-    if (status != ZR_BAD_SYNTAX || said->reader->looks_so(request->bytes, request->size) ||
+    if (status != ZR_BAD_SYNTAX || said->looks_so(request->bytes, request->size) ||
         zr_format_of_bytes(request->bytes, request->size) == request->format)
         return status;
     const char *words = zr_bytes_in_words(request->bytes, request->size);
@@ -149,7 +151,7 @@ static enum zr_status read_scene(struct zr_arena *arena, struct zr_team *team, c
     if (status != ZR_OK) return status;
     const struct zr_format_row *format = &zr_format_rows[request->format];
     struct zr_scene_builder builder = zr_scene_builder_open(arena, team, scene);
-    status = name_bytes(request, format->reader->read(&builder, request, limits, error), error);
+    status = name_bytes(request, format->read(&builder, request, limits, error), error);
     if (status != ZR_OK) return status;
     if (!format->has_view) status = apply_query(&builder, request, &query, error);
     if (status == ZR_OK) status = apply_output(arena, &query, scene);
@@ -171,7 +173,7 @@ enum zr_status zr_scene_read(struct zr_arena *arena, struct zr_team *team, const
     struct zr_request body = *request;
     if (body.size == 0) body.bytes = ""; /* no arithmetic on a null pointer */
     enum zr_status status = made ? find_format(&body, error) : ZR_NO_MEMORY;
-    skip_byte_order_mark(&body);
+    if (status == ZR_OK) skip_byte_order_mark(&body);
     arena->cancel = request->cancel;
     if (status == ZR_OK) status = read_scene(arena, team, &body, limits, made, error);
     arena->cancel = NULL;

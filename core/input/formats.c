@@ -4,50 +4,9 @@
 #include <string.h>
 #include <strings.h>
 
-/* ---- what bytes look like ---- */
-
-static bool begins_with(const char *bytes, size_t size, const char *begin, size_t length)
-{
-    return size >= length && memcmp(bytes, begin, length) == 0;
-}
-
-static const struct {
-    const char *begin;
-    size_t length;
-    const char *words;
-} strangers[] = {
-    {"\x1F\x8B", 2, "gzip (Content-Encoding: gzip is missing)"},
-    {"\x89PNG", 4, "a PNG picture"},
-    {"\xFF\xD8\xFF", 3, "a JPEG picture"},
-    {"PK\x03\x04", 4, "a ZIP archive, as 3MF files are"},
-    {"glTF", 4, "binary glTF"},
-    {"ply\n", 4, "PLY"},
-    {"ply\r", 4, "PLY"},
-    {"\x93NUMPY", 6, "an NPY array"},
-    {"%PDF", 4, "a PDF document"},
-    {"GIF8", 4, "a GIF picture"},
-    {"RIFF", 4, "a RIFF file, as WebP pictures are"},
-    {"II*\0", 4, "a TIFF picture"},
-    {"MM\0*", 4, "a TIFF picture"},
-    {"BM", 2, "a BMP picture"},
-    {"\xABKTX ", 5, "a KTX texture"},
-    {"DDS ", 4, "a DDS texture"},
-    {"#?RADIANCE", 10, "a Radiance picture"},
-    {"<", 1, "XML or HTML"},
-};
-
-/* ---- the table ---- */
-
-size_t zr_byte_order_mark(const char *bytes, size_t size)
-{
-    static const char mark[] = "\xEF\xBB\xBF";
-    return begins_with(bytes, size, mark, sizeof mark - 1) ? sizeof mark - 1 : 0;
-}
-
-#define FORMAT_ROW(ID, suffix, media_types, has_view) {#ID, suffix, media_types, has_view, &zr_reader_##ID},
+#define FORMAT_ROW(ID, suffix, media_types, ...)                                                                       \
+    {#ID, suffix, media_types, __VA_ARGS__, zr_looks_so_##ID, zr_read_##ID},
 const struct zr_format_row zr_format_rows[ZR_FORMAT_COUNT] = {ZR_FORMAT_ROWS(FORMAT_ROW)};
-
-/* ---- types ---- */
 
 static size_t type_length(const char *media_type)
 {
@@ -93,23 +52,4 @@ struct zr_format_types zr_format_types_join(void)
                                  (int)strcspn(types, " "), types);
     }
     return joined;
-}
-
-/* ---- bytes ---- */
-
-enum zr_format zr_format_of_bytes(const char *bytes, size_t size)
-{
-    const size_t mark = zr_byte_order_mark(bytes, size);
-    for (int i = 0; i < ZR_FORMAT_COUNT; i++)
-        if (zr_format_rows[i].reader->looks_so(bytes + mark, size - mark)) return (enum zr_format)i;
-    return ZR_FORMAT_UNKNOWN;
-}
-
-const char *zr_bytes_in_words(const char *bytes, size_t size)
-{
-    const enum zr_format format = zr_format_of_bytes(bytes, size);
-    if (format != ZR_FORMAT_UNKNOWN) return zr_format_rows[format].name;
-    for (size_t i = 0; i < sizeof strangers / sizeof *strangers; i++)
-        if (begins_with(bytes, size, strangers[i].begin, strangers[i].length)) return strangers[i].words;
-    return NULL;
 }

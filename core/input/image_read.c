@@ -1,9 +1,9 @@
 #include "input/image_read.h"
 
-#include "input/formats.h"
 #include "input/image_size.h"
 #include "input/jpeg_read.h"
 #include "input/png_read.h"
+#include "input/sniff.h"
 
 static enum zr_status read_png(struct zr_arena *arena, struct zr_arena *scratch, const void *bytes, size_t size,
                                const struct zr_png_head *head, uint64_t texels_max, struct zr_image *image,

@@ -17,17 +17,15 @@
 typedef enum zr_status zr_format_read_fn(struct zr_scene_builder *builder, const struct zr_request *request,
                                          const struct zr_limits *limits, struct zr_error *error);
 
-/* How bytes of a format are known and read: zr_reader_OBJ for the row OBJ, and so on, each in the file of its format.
- * Of a bare mesh the query says how it looks and where it is; of the request, only its bytes and its cancel are looked
- * at. Errors name the line, the triangle or the byte in `detail`. */
-struct zr_format_reader {
-    bool (*looks_so)(const char *bytes, size_t size);
-    zr_format_read_fn *read;
-    bool is_soup; /* triangles share no corners */
-    bool z_is_up; /* of bare meshes, where nobody says so: else y */
-};
+/* Whether bytes look like those of a format. */
+typedef bool zr_looks_so_fn(const char *bytes, size_t size);
 
-#define READER(ID, suffix, media_types, has_view) extern const struct zr_format_reader zr_reader_##ID;
+/* zr_looks_so_OBJ and zr_read_OBJ of the row OBJ, and so on, each in the file of its format. Of a bare mesh the query
+ * says how it looks and where it is; of the request, only its bytes and its cancel are looked at. Errors name the line,
+ * the triangle or the byte in `detail`. */
+#define READER(ID, ...)                                                                                                \
+    zr_looks_so_fn zr_looks_so_##ID;                                                                                   \
+    zr_format_read_fn zr_read_##ID;
 ZR_FORMAT_ROWS(READER)
 #undef READER
 

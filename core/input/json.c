@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "base/cancel.h"
+#include "input/input.h"
 #include "input/number_quick.h"
 #include "input/text.h"
 
@@ -413,4 +414,11 @@ enum zr_status zr_json_close(struct zr_json *json)
         }
     }
     return json->error->count > 0 ? json->error->status : ZR_NO_MEMORY;
+}
+
+/* An object is all that a scene can be; but whoever sends a list means JSON, too. */
+bool zr_looks_so_JSON(const char *bytes, size_t size)
+{
+    const size_t blanks = zr_count_blanks(bytes, size);
+    return blanks < size && (bytes[blanks] == '{' || bytes[blanks] == '[');
 }

@@ -2,6 +2,8 @@
 
 #include "input/json_mesh.h"
 #include "input/json_objects.h"
+#include "input/nearest.h"
+#include "input/text.h"
 
 /* ---- keys ---- */
 
@@ -229,4 +231,22 @@ void zr_parsed_make_meshes(struct zr_parsed_scene *root, const struct zr_json_pa
     const struct zr_parsed_mesh *given = root->meshes.items;
     for (size_t i = 0; i < root->meshes.count && !zr_json_stops(&root->json); i++)
         make_mesh(root, ZR_JSON_ITEM(path, i), &given[i], &meshes[i]);
+}
+
+bool zr_parsed_find_mesh(struct zr_parsed_scene *root, const struct zr_json_path *path, const char *name, uint32_t *out)
+{
+    const struct zr_scene *scene = root->scene;
+    struct zr_nearest nearest = {.word = name};
+    bool found = false;
+    for (uint32_t i = 0; i < scene->mesh_count; i++) {
+        zr_nearest_offer(&nearest, scene->meshes[i].name);
+        if (*name == '\0' || strcmp(scene->meshes[i].name, name) != 0) continue;
+        if (found)
+            return zr_json_fault(&root->json, path, "two meshes have the name %s: %u and %u",
+                                 zr_quote(name, strlen(name)).text, *out, i);
+        found = true;
+        *out = i;
+    }
+    return found || zr_json_fault(&root->json, path, "no mesh is named %s%s", zr_quote(name, strlen(name)).text,
+                                  zr_nearest_text(&nearest).text);
 }

@@ -6,10 +6,6 @@
 /* How far R may be from a rotation: what four digits in a file may do, and no more. */
 static const double ROTATION_TOLERANCE = 1e-3;
 
-static const char *const conventions[] = {"opengl", "opencv"};
-enum { OPENGL, OPENCV, CONVENTIONS };
-const struct zr_names zr_convention_names = ZR_NAMES(CONVENTIONS, conventions);
-
 /* ---- which pose is said ---- */
 
 #define BIT(key) (1u << ZR_VIEW_##key)
@@ -140,15 +136,15 @@ static void find_matrix(struct zr_parsed_view *given)
         *out = matrix_of(given->r, given->t);
     if (zr_view_gives(given, ZR_VIEW_CAMERA_TO_WORLD))
         check_inverse(given, ZR_VIEW_CAMERA_TO_WORLD, &given->camera_to_world, out);
-    if (given->convention == OPENCV) flip_camera(out);
+    if (given->convention == ZR_CONVENTION_OPENCV) flip_camera(out);
 }
 
 static void check_convention(struct zr_parsed_view *given)
 {
     const bool matrices = said(given, BIT(CAMERA_TO_WORLD) | BIT(WORLD_TO_CAMERA) | BIT(R)) != 0;
     if (!zr_view_gives(given, ZR_VIEW_CONVENTION))
-        given->convention = zr_view_gives(given, ZR_VIEW_R) ? OPENCV : OPENGL;
-    else if (given->convention == OPENCV && !matrices)
+        given->convention = zr_view_gives(given, ZR_VIEW_R) ? ZR_CONVENTION_OPENCV : ZR_CONVENTION_OPENGL;
+    else if (given->convention == ZR_CONVENTION_OPENCV && !matrices)
         zr_json_fault(given->json, ZR_VIEW_PATH(given, ZR_VIEW_CONVENTION),
                       "opencv belongs to cameraToWorld, worldToCamera and R: no other pose has axes to be told apart");
 }

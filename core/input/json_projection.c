@@ -1,7 +1,6 @@
-/* The projection of a view. */
+/* Readers of the projections that a view may have. */
 #include "input/json_objects.h"
 #include "input/json_view.h"
-#include "scene/defaults.h"
 
 #define PI 3.14159265358979323846
 
@@ -97,7 +96,7 @@ bool zr_read_orthographic(struct zr_json *json, const struct zr_json_path *path,
 
 /* ---- pinhole cameras ---- */
 
-static bool check_focal(struct zr_json *json, const struct zr_json_path *path, double value)
+bool zr_view_check_focal(struct zr_json *json, const struct zr_json_path *path, double value)
 {
     return value >= FOCAL_MIN ||
            zr_json_fault(json, path, "%.9g is no focal length in pixels: %g and more is allowed", value, FOCAL_MIN);
@@ -107,7 +106,7 @@ static bool read_focal(struct zr_json *json, const struct zr_json_path *path, co
                        void *out)
 {
     double value;
-    if (!zr_json_number(json, path, field, &value) || !check_focal(json, path, value)) return false;
+    if (!zr_json_number(json, path, field, &value) || !zr_view_check_focal(json, path, value)) return false;
     *(double *)out = value;
     return true;
 }
@@ -134,70 +133,4 @@ bool zr_read_intrinsics(struct zr_json *json, const struct zr_json_path *path, c
     intrinsics->has_cx = zr_json_gives(keys, CX);
     intrinsics->has_cy = zr_json_gives(keys, CY);
     return true;
-}
-
-static void check_k(struct zr_parsed_view *given)
-{
-    const struct zr_json_path *path = ZR_VIEW_PATH(given, ZR_VIEW_K);
-    const double *k = given->k;
-    if (k[6] != 0.0 || k[7] != 0.0 || k[8] != 1.0)
-        zr_json_fault(given->json, path, "the last row is %.9g %.9g %.9g, not 0 0 1 (a flat list goes row by row)",
-                      k[6], k[7], k[8]);
-    else if (k[3] != 0.0)
-        zr_json_fault(given->json, path, "the second row begins with %.9g, not 0", k[3]);
-    else if (check_focal(given->json, path, k[0]) && check_focal(given->json, path, k[4]))
-        given->intrinsics = (struct zr_intrinsics){k[0], k[4], k[1], true, true, k[2], k[5]};
-}
-
-/* (0, 0) is the corner of the picture; in the other convention it is the centre of the first
- * pixel, which is half a pixel further. */
-static void check_pixel_center(struct zr_parsed_view *given)
-{
-    const struct zr_json_path *path = ZR_VIEW_PATH(given, ZR_VIEW_PIXEL_CENTER);
-    const double center = given->pixel_center;
-    if (given->view.projection != ZR_PROJECTION_INTRINSICS)
-        zr_json_fault(given->json, path, "belongs to intrinsics and K only");
-    else if (center != 0.0 && center != 0.5)
-        zr_json_fault(given->json, path, "%.9g is neither 0 nor 0.5", center);
-    given->view.intrinsics.cx += 0.5 - center;
-    given->view.intrinsics.cy += 0.5 - center;
-}
-
-/* ---- which projection is said ---- */
-
-/* What stands at a place of its own is seen as by a lens; what is fitted, as in a drawing. */
-static void suggest_projection(struct zr_view *view)
-{
-    bool placed = view->pose == ZR_POSE_LOOK_AT || view->pose == ZR_POSE_MATRIX ||
-                  (view->pose == ZR_POSE_ORBIT && view->distance > 0.0f);
-    view->projection = placed ? ZR_PROJECTION_PERSPECTIVE : ZR_PROJECTION_ORTHOGRAPHIC;
-    if (placed) view->yfov_radians = ZR_YFOV;
-}
-
-void zr_view_find_projection(struct zr_parsed_view *given)
-{
-    static const struct {
-        enum zr_view_key key;
-        enum zr_projection projection;
-    } kinds[] = {{ZR_VIEW_PERSPECTIVE, ZR_PROJECTION_PERSPECTIVE},
-                 {ZR_VIEW_ORTHOGRAPHIC, ZR_PROJECTION_ORTHOGRAPHIC},
-                 {ZR_VIEW_INTRINSICS, ZR_PROJECTION_INTRINSICS},
-                 {ZR_VIEW_K, ZR_PROJECTION_INTRINSICS},
-                 {ZR_VIEW_PROJECTION_MATRIX, ZR_PROJECTION_MATRIX}};
-    int said = -1;
-    for (int i = 0; i < (int)(sizeof kinds / sizeof kinds[0]); i++) {
-        if (!zr_view_gives(given, kinds[i].key)) continue;
-        if (said >= 0)
-            zr_json_fault(given->json, given->path, "two projections: %s and %s", zr_view_fields[kinds[said].key].key,
-                          zr_view_fields[kinds[i].key].key);
-        else
-            said = i;
-    }
-    if (said < 0)
-        suggest_projection(&given->view);
-    else
-        given->view.projection = kinds[said].projection;
-    if (zr_view_gives(given, ZR_VIEW_K)) check_k(given);
-    given->view.intrinsics = given->intrinsics;
-    if (zr_view_gives(given, ZR_VIEW_PIXEL_CENTER)) check_pixel_center(given);
 }

@@ -145,7 +145,7 @@ struct zr_parsed_scene {
     uint32_t unplaced_meshes; /* by any node */
 };
 
-extern const struct zr_json_field zr_scene_fields[]; /* enum zr_scene_key, and others */
+extern const struct zr_json_field zr_scene_fields[]; /* json_scene_fields.c: enum zr_scene_key, and others */
 
 static inline bool zr_scene_gives(const struct zr_parsed_scene *root, enum zr_scene_key key)
 {
@@ -237,13 +237,13 @@ bool zr_parsed_make_polygons(struct zr_parsed_scene *root, const struct zr_json_
 struct zr_instance *zr_parsed_read_nodes(struct zr_parsed_scene *root, const struct zr_json_path *path,
                                          const struct zr_mesh *meshes, uint32_t mesh_count, uint32_t *count);
 
-/* json_scene.c: once there are meshes, the number of the only one that has this name. False, and a fault at `path`,
+/* json_mesh.c: once there are meshes, the number of the only one that has this name. False, and a fault at `path`,
  * where none has it, or two. */
 bool zr_parsed_find_mesh(struct zr_parsed_scene *root, const struct zr_json_path *path, const char *name,
                          uint32_t *out);
 
-/* json_view.c: over the defaults that scene->views[0] already has; and, once there are meshes, the one that the view is
- * fitted to. */
+/* json_view.c: over the defaults that scene->views[0] already has; json_view_fields.c: once there are meshes, the one
+ * that the view is fitted to. */
 zr_json_read_fn zr_read_view;
 void zr_parsed_find_fit_mesh(struct zr_parsed_scene *root, const struct zr_json_path *path);
 

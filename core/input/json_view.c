@@ -1,104 +1,75 @@
 /* A view is one pose and one projection. Two of a kind are refused by name: to
  * follow one and drop the other would draw a wrong picture without a word. */
 #include "input/json_view.h"
-
-#include <string.h>
-
 #include "input/json_objects.h"
 #include "input/json_scene.h"
+#include "scene/defaults.h"
 
-#define ANGLE_MAX    1e6 /* degrees: turns beyond this are a slip */
-#define ROTATION_MAX 1e3 /* entries of R */
-#define PIXELS_MAX   1e9 /* entries of K: far beyond any lens, and still a float once divided by a window */
-#define PADDING_MAX  0.45
+/* ---- the projection ---- */
 
-/* ---- values ---- */
-
-/* double[9]: three rows of three numbers, or nine numbers row by row, as OpenCV and ROS write them: magnitudes up to
- * field->high. */
-static bool read_rows(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field,
-                      void *out)
+static void check_k(struct zr_parsed_view *given)
 {
-    double m[9] = {0};
-    bool nested;
-    if (!zr_json_square(json, path, 3, field->high, m, &nested)) return false;
-    memcpy(out, m, sizeof m);
-    return true;
+    const struct zr_json_path *path = ZR_VIEW_PATH(given, ZR_VIEW_K);
+    const double *k = given->k;
+    if (k[6] != 0.0 || k[7] != 0.0 || k[8] != 1.0)
+        zr_json_fault(given->json, path, "the last row is %.9g %.9g %.9g, not 0 0 1 (a flat list goes row by row)",
+                      k[6], k[7], k[8]);
+    else if (k[3] != 0.0)
+        zr_json_fault(given->json, path, "the second row begins with %.9g, not 0", k[3]);
+    else if (zr_view_check_focal(given->json, path, k[0]) && zr_view_check_focal(given->json, path, k[4]))
+        given->intrinsics = (struct zr_intrinsics){k[0], k[4], k[1], true, true, k[2], k[5]};
 }
 
-/* All but which mesh is meant: not all meshes have been read yet. */
-struct given_fit {
-    float padding;
-    const char *mesh;
-};
-enum { PADDING, MESH };
-static const struct zr_json_field fit_fields[] = {
-    [PADDING] = {"padding", zr_json_float, offsetof(struct given_fit, padding), 0, PADDING_MAX, .otherwise = "0.05",
-                 .text = "the share of the window left free on each side"},
-    [MESH] = {"mesh", zr_json_string, offsetof(struct given_fit, mesh), .otherwise = "all geometry",
-              .text = "the name of the mesh whose instances are to fill the window"}};
-const struct zr_json_object zr_json_object_fit = ZR_JSON_OBJECT_OF("fit", fit_fields);
-
-static bool read_fit(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field,
-                     void *out)
+/* (0, 0) is the corner of the picture; in the other convention it is the centre of the first
+ * pixel, which is half a pixel further. */
+static void check_pixel_center(struct zr_parsed_view *given)
 {
-    struct zr_parsed_view *given = out;
-    struct given_fit fit = {given->view.fit_padding, NULL};
-    uint64_t keys;
-    (void)field;
-    if (!zr_json_fields(json, path, &zr_json_object_fit, &fit, &keys)) return false;
-    given->view.fit_padding = fit.padding;
-    given->fit_mesh = fit.mesh;
-    return true;
+    const struct zr_json_path *path = ZR_VIEW_PATH(given, ZR_VIEW_PIXEL_CENTER);
+    const double center = given->pixel_center;
+    if (given->view.projection != ZR_PROJECTION_INTRINSICS)
+        zr_json_fault(given->json, path, "belongs to intrinsics and K only");
+    else if (center != 0.0 && center != 0.5)
+        zr_json_fault(given->json, path, "%.9g is neither 0 nor 0.5", center);
+    given->view.intrinsics.cx += 0.5 - center;
+    given->view.intrinsics.cy += 0.5 - center;
 }
 
-/* ---- keys ---- */
+/* What stands at a place of its own is seen as by a lens; what is fitted, as in a drawing. */
+static void suggest_projection(struct zr_view *view)
+{
+    bool placed = view->pose == ZR_POSE_LOOK_AT || view->pose == ZR_POSE_MATRIX ||
+                  (view->pose == ZR_POSE_ORBIT && view->distance > 0.0f);
+    view->projection = placed ? ZR_PROJECTION_PERSPECTIVE : ZR_PROJECTION_ORTHOGRAPHIC;
+    if (placed) view->yfov_radians = ZR_YFOV;
+}
 
-#define AT(member)   offsetof(struct zr_parsed_view, member)
-#define VIEW(member) offsetof(struct zr_parsed_view, view.member)
-const struct zr_json_field zr_view_fields[] = {
-    [ZR_VIEW_EYE] = {"eye", zr_json_vec3, VIEW(eye), .unit = "scene units", .text = "where the camera is"},
-    [ZR_VIEW_TARGET] = {"target", zr_json_vec3, VIEW(target), .unit = "scene units",
-                        .text = "what the camera looks at"},
-    [ZR_VIEW_UP] = {"up", zr_json_vec3, VIEW(up), .otherwise = "the scene's", .text = "what is up in the picture"},
-    [ZR_VIEW_PRESET] = {"preset", zr_json_choice, AT(preset), .words = &zr_preset_names, .otherwise = "isometric",
-                        .text = "a side to look from; the geometry fills the window"},
-    [ZR_VIEW_DIRECTION] = {"direction", zr_json_vec3, VIEW(direction),
-                           .text = "the way the camera looks; the geometry fills the window"},
-    [ZR_VIEW_AZIMUTH_DEGREES] = {"azimuthDegrees", zr_json_number, VIEW(azimuth_degrees), -ANGLE_MAX, ANGLE_MAX,
-                                 .unit = "degrees", .otherwise = "0",
-                                 .text = "how far the camera has gone around the target, from the front to the right"},
-    [ZR_VIEW_ELEVATION_DEGREES] = {"elevationDegrees", zr_json_number, VIEW(elevation_degrees), -90, 90,
-                                   .unit = "degrees", .otherwise = "0",
-                                   .text = "how far the camera is above the target"},
-    [ZR_VIEW_DISTANCE] = {"distance", zr_json_positive, VIEW(distance), .unit = "scene units",
-                          .otherwise = "so that the geometry fills the window",
-                          .text = "of the camera from the target"},
-    [ZR_VIEW_CAMERA_TO_WORLD] = {"cameraToWorld", zr_json_affine, AT(camera_to_world), .text = "the pose as a matrix"},
-    [ZR_VIEW_WORLD_TO_CAMERA] = {"worldToCamera", zr_json_affine, VIEW(world_to_camera),
-                                 .text = "the inverse of the pose as a matrix"},
-    [ZR_VIEW_R] = {"R", read_rows, AT(r), 0, ROTATION_MAX, .text = "OpenCV's rotation from the world to the camera"},
-    [ZR_VIEW_T] = {"t", zr_json_vec3, AT(t), .otherwise = "[0, 0, 0]",
-                   .text = "OpenCV's translation, which goes with R"},
-    [ZR_VIEW_CONVENTION] = {"convention", zr_json_choice, AT(convention), .words = &zr_convention_names,
-                            .otherwise = "opengl, and opencv with R",
-                            .text = "which way the camera's axes go; opencv: y down, z into the picture"},
-    [ZR_VIEW_PERSPECTIVE] = {"perspective", zr_read_perspective, 0, .text = "an angle of view"},
-    [ZR_VIEW_ORTHOGRAPHIC] = {"orthographic", zr_read_orthographic, 0, .text = "no vanishing point"},
-    [ZR_VIEW_INTRINSICS] = {"intrinsics", zr_read_intrinsics, 0, .text = "a pinhole camera by its numbers"},
-    [ZR_VIEW_K] = {"K", read_rows, AT(k), 0, PIXELS_MAX, .unit = "pixels", .text = "a pinhole camera as a 3x3 matrix"},
-    [ZR_VIEW_PIXEL_CENTER] = {"pixelCenter", zr_json_number, AT(pixel_center), 0, 0.5, .unit = "pixels",
-                              .otherwise = "0.5", .text = "where the middle of the first pixel is: 0 or 0.5"},
-    [ZR_VIEW_PROJECTION_MATRIX] = {"projectionMatrix", zr_json_mat4, VIEW(projection_matrix),
-                                   .text = "from the camera's space to OpenGL's clip space"},
-    [ZR_VIEW_ZNEAR] = {"znear", zr_json_length, VIEW(znear), .unit = "scene units",
-                       .otherwise = "just before the geometry", .text = "what is nearer is cut off"},
-    [ZR_VIEW_ZFAR] = {"zfar", zr_json_length, VIEW(zfar), .unit = "scene units",
-                      .otherwise = "just behind the geometry", .text = "what is farther is cut off"},
-    [ZR_VIEW_FIT] = {"fit", read_fit, 0, .text = "how the geometry fills the window"},
-    {.key = "name"},
-    {.key = "window"}};
-const struct zr_json_object zr_json_object_view = ZR_JSON_OBJECT_OF("view", zr_view_fields);
+static void find_projection(struct zr_parsed_view *given)
+{
+    static const struct {
+        enum zr_view_key key;
+        enum zr_projection projection;
+    } kinds[] = {{ZR_VIEW_PERSPECTIVE, ZR_PROJECTION_PERSPECTIVE},
+                 {ZR_VIEW_ORTHOGRAPHIC, ZR_PROJECTION_ORTHOGRAPHIC},
+                 {ZR_VIEW_INTRINSICS, ZR_PROJECTION_INTRINSICS},
+                 {ZR_VIEW_K, ZR_PROJECTION_INTRINSICS},
+                 {ZR_VIEW_PROJECTION_MATRIX, ZR_PROJECTION_MATRIX}};
+    int said = -1;
+    for (int i = 0; i < (int)(sizeof kinds / sizeof kinds[0]); i++) {
+        if (!zr_view_gives(given, kinds[i].key)) continue;
+        if (said >= 0)
+            zr_json_fault(given->json, given->path, "two projections: %s and %s", zr_view_fields[kinds[said].key].key,
+                          zr_view_fields[kinds[i].key].key);
+        else
+            said = i;
+    }
+    if (said < 0)
+        suggest_projection(&given->view);
+    else
+        given->view.projection = kinds[said].projection;
+    if (zr_view_gives(given, ZR_VIEW_K)) check_k(given);
+    given->view.intrinsics = given->intrinsics;
+    if (zr_view_gives(given, ZR_VIEW_PIXEL_CENTER)) check_pixel_center(given);
+}
 
 /* ---- the view ---- */
 
@@ -136,18 +107,10 @@ bool zr_read_view(struct zr_json *json, const struct zr_json_path *path, const s
     if (!zr_json_fields(json, path, &zr_json_object_view, &given, &given.keys)) return false;
     if (json->error->count > faults) return false; /* what is not known cannot be judged */
     zr_view_find_pose(&given);
-    zr_view_find_projection(&given);
+    find_projection(&given);
     find_planes(&given);
     root->fit_mesh = given.fit_mesh;
     root->view_says_up = zr_view_gives(&given, ZR_VIEW_UP);
     root->scene->views[0] = given.view;
     return true;
-}
-
-void zr_parsed_find_fit_mesh(struct zr_parsed_scene *root, const struct zr_json_path *path)
-{
-    struct zr_view *view = &root->scene->views[0];
-    const struct zr_json_path *fit = ZR_JSON_KEY(path, zr_view_fields[ZR_VIEW_FIT].key);
-    view->fit_to_mesh =
-        zr_parsed_find_mesh(root, ZR_JSON_KEY(fit, fit_fields[MESH].key), root->fit_mesh, &view->fit_mesh);
 }

@@ -1,7 +1,7 @@
 /* json_view.h - input: what the readers of a view's parts share; nobody else includes it.
  *
- * All keys of a view are read first (json_view.c); a pose (json_pose.c) and a projection
- * (json_projection.c) are then made of those that belong to them.
+ * json_view_fields.c has the table of keys, json_projection.c the readers of projections. Once all keys are read,
+ * json_pose.c makes a pose of those that belong to it, and json_view.c the projection and the rest.
  */
 #ifndef ZR_JSON_VIEW_H
 #define ZR_JSON_VIEW_H
@@ -35,6 +35,9 @@ enum zr_view_key {
     ZR_VIEW_KEYS
 };
 
+/* Which way the axes of a camera go. */
+enum zr_convention { ZR_CONVENTION_OPENGL, ZR_CONVENTION_OPENCV };
+
 /* What a view says, as far as it can be judged by itself. */
 struct zr_parsed_view {
     struct zr_json *json;
@@ -62,10 +65,11 @@ static inline bool zr_view_gives(const struct zr_parsed_view *given, enum zr_vie
 
 /* json_pose.c: the pose, and which way its axes go. */
 void zr_view_find_pose(struct zr_parsed_view *given);
-extern const struct zr_names zr_convention_names;
 
-/* json_projection.c: the projection that is said, or else the one that the pose suggests. */
-void zr_view_find_projection(struct zr_parsed_view *given);
+/* json_projection.c */
 zr_json_read_fn zr_read_perspective, zr_read_orthographic, zr_read_intrinsics; /* struct zr_parsed_view */
+
+/* Reports a focal length, in pixels, that is too short. */
+bool zr_view_check_focal(struct zr_json *json, const struct zr_json_path *path, double value);
 
 #endif

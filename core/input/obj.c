@@ -428,8 +428,8 @@ static void warn_of_unread(const struct file *file, struct zr_scene_builder *bui
     warn_of(builder, all.curved, "curves and curved surfaces are not drawn");
 }
 
-static enum zr_status read_obj(struct zr_scene_builder *builder, const struct zr_request *request,
-                               const struct zr_limits *limits, struct zr_error *error)
+enum zr_status zr_read_OBJ(struct zr_scene_builder *builder, const struct zr_request *request,
+                           const struct zr_limits *limits, struct zr_error *error)
 {
     struct zr_arena *arena = builder->arena;
     struct zr_team *team = builder->team;
@@ -470,7 +470,7 @@ static enum zr_status read_obj(struct zr_scene_builder *builder, const struct zr
 }
 
 /* The first statement that is not a comment begins with one of the words of OBJ. */
-static bool looks_so(const char *bytes, size_t size)
+bool zr_looks_so_OBJ(const char *bytes, size_t size)
 {
     static const char *const words[] = {"v", "vn", "vt", "f", "l", "p", "g", "o", "s", "mtllib", "usemtl"};
     const char *at = bytes, *const end = bytes + (size < ZR_BLANKS_MAX ? size : ZR_BLANKS_MAX);
@@ -489,5 +489,3 @@ static bool looks_so(const char *bytes, size_t size)
         if (strlen(words[i]) == length && memcmp(at, words[i], length) == 0) return true;
     return false;
 }
-
-const struct zr_format_reader zr_reader_OBJ = {looks_so, read_obj, false, false};

@@ -314,7 +314,7 @@ enum zr_status zr_query_read(const struct zr_request *request, const struct zr_l
     const struct reading r = {request, limits, query, error};
     const struct zr_format_row *format = &zr_format_rows[request->format];
     *query = (struct zr_query){.output = {.channel = ZR_CHANNEL_COLOR, .encoding = ZR_ENCODING_PNG},
-                               .z_is_up = format->reader->z_is_up,
+                               .z_is_up = format->z_is_up,
                                .view = defaults->views[0],
                                .face_style = zr_face_style_unset};
     query->face_style.double_sided = true; /* nobody said which side is meant */

@@ -93,7 +93,7 @@ static bool is_binary(const char *bytes, size_t size)
     return size >= COUNT_END && COUNT_END + (uint64_t)read_u32(bytes + HEADER_BYTES) * TRIANGLE_BYTES == size;
 }
 
-static bool looks_so(const char *bytes, size_t size)
+bool zr_looks_so_STL(const char *bytes, size_t size)
 {
     return is_binary(bytes, size) || zr_stl_is_text(bytes, size);
 }
@@ -123,8 +123,8 @@ static enum zr_status read_positions(struct zr_arena *arena, struct zr_team *tea
     return read_binary(arena, team, request, limits, count, positions, error);
 }
 
-static enum zr_status read_stl(struct zr_scene_builder *builder, const struct zr_request *request,
-                               const struct zr_limits *limits, struct zr_error *error)
+enum zr_status zr_read_STL(struct zr_scene_builder *builder, const struct zr_request *request,
+                           const struct zr_limits *limits, struct zr_error *error)
 {
     zr_vec4 *positions = NULL;
     size_t triangles = 0;
@@ -139,5 +139,3 @@ static enum zr_status read_stl(struct zr_scene_builder *builder, const struct zr
     mesh->face_count = (uint32_t)triangles;
     return ZR_OK;
 }
-
-const struct zr_format_reader zr_reader_STL = {looks_so, read_stl, true, true};

@@ -1,101 +1,7 @@
-/* Bounds, and where the eye must stand so that the window holds them. */
+/* Where the eye must stand so that the window holds the geometry. */
 #include <float.h>
 
 #include "scene/camera_parts.h"
-
-/* False for points at infinity (w = 0), or beyond the range of float. By 1 nothing need be divided, and mostly that is
- * w: a third of the time of a walk. */
-static inline bool place_of(zr_vec4 p, zr_dvec3 *out)
-{
-    const double w = (double)p.w, most = (double)FLT_MAX;
-    *out = (zr_dvec3){(double)p.x, (double)p.y, (double)p.z};
-    if (p.w != 1.0f) *out = (zr_dvec3){out->x / w, out->y / w, out->z / w};
-    return p.w != 0.0f && fabs(out->x) <= most && fabs(out->y) <= most && fabs(out->z) <= most;
-}
-
-/* ---- extents ---- */
-
-static zr_fit_extent_fn *fit_extent_of(enum zr_isa isa)
-{
-    static zr_fit_extent_fn *const table[ZR_ISA_COUNT] = ZR_KERNELS(zr_fit_extent);
-    return table[isa];
-}
-
-/* As the kernel, one by one where that cannot. */
-static void measure_extent(const void *context, enum zr_isa isa, const zr_vec4 *points, uint32_t count,
-                           double most[ZR_MEASURES])
-{
-    (void)context;
-    if (fit_extent_of(isa)(points, count, most)) return;
-    for (uint32_t i = 0; i < count; i++) {
-        zr_dvec3 p;
-        if (!place_of(points[i], &p)) continue;
-        const double reached[ZR_MEASURES] = {p.x, p.y, p.z, -p.x, -p.y, -p.z};
-        for (int k = 0; k < ZR_MEASURES; k++)
-            zr_raise(&most[k], reached[k]);
-    }
-}
-
-/* False where no point has a place. */
-static bool find_extent(const struct zr_points *points, struct zr_extent *e)
-{
-    double most[ZR_MEASURES];
-    zr_points_most(points, measure_extent, NULL, most);
-    *e = (struct zr_extent){{0.0 - most[3], 0.0 - most[4], 0.0 - most[5]}, {most[0], most[1], most[2]}};
-    return e->min.x <= e->max.x;
-}
-
-/* Far from the origin rounding moves points, and the view must hold them where they are,
- * not where they should be. */
-struct zr_extent zr_extent_in_eye_space(const struct zr_points *points, const zr_mat4 *world_to_eye, bool fitted_only)
-{
-    struct zr_points placed = *points;
-    struct zr_extent e;
-    placed.world_to_eye = world_to_eye;
-    placed.fitted_only = fitted_only;
-    return find_extent(&placed, &e) ? e : (struct zr_extent){{0, 0, 0}, {0, 0, 0}};
-}
-
-static struct zr_bounds bounds_of(const struct zr_points *points)
-{
-    struct zr_extent e;
-    if (!find_extent(points, &e)) return (struct zr_bounds){.valid = false};
-    return (struct zr_bounds){
-        true, {(float)e.min.x, (float)e.min.y, (float)e.min.z}, {(float)e.max.x, (float)e.max.y, (float)e.max.z}};
-}
-
-struct zr_bounds zr_bounds_of(const struct zr_scene *scene, struct zr_team *team, const struct zr_cancel *cancel)
-{
-    return bounds_of(&(struct zr_points){.scene = scene, .team = team, .cancel = cancel});
-}
-
-struct zr_bounds zr_fit_bounds(const struct zr_points *points, const struct zr_bounds *whole)
-{
-    struct zr_points fitted = *points;
-    fitted.fitted_only = true;
-    return points->scene->views[0].fit_to_mesh ? bounds_of(&fitted) : *whole;
-}
-
-/* ---- fit ---- */
-
-double zr_size_of(const struct zr_bounds *bounds)
-{
-    zr_dvec3 diagonal = zr_dvec3_sub(zr_dvec3_of(bounds->max), zr_dvec3_of(bounds->min));
-    double size = bounds->valid ? sqrt(zr_dvec3_dot(diagonal, diagonal)) : 0.0;
-    return size > 0.0 ? size : 1.0;
-}
-
-/* Some operations on the largest numbers there are, `moved` among them, each off by half an
- * ulp at most. Sixteen are ample. */
-double zr_rounding_of(const struct zr_bounds *bounds, zr_dvec3 moved)
-{
-    const zr_vec3 low = bounds->min, high = bounds->max;
-    const float all[] = {low.x, low.y, low.z, high.x, high.y, high.z};
-    double largest = fmax(fabs(moved.x), fmax(fabs(moved.y), fabs(moved.z)));
-    for (int i = 0; i < 6 && bounds->valid; i++)
-        largest = fmax(largest, fabs((double)all[i]));
-    return 16.0 * (double)FLT_EPSILON * largest;
-}
 
 /* What a fit is measured with. */
 struct fitting {
@@ -131,7 +37,7 @@ static void measure_slopes(const void *context, enum zr_isa isa, const zr_vec4 *
     if (zr_fit_slopes_of(isa)(slopes->axes, o, points, count, most)) return;
     for (uint32_t i = 0; i < count; i++) {
         zr_dvec3 p;
-        if (!place_of(points[i], &p)) continue;
+        if (!zr_place_of(points[i], &p)) continue;
         const zr_dvec3 q = along(slopes->axes, p);
         const double x = q.x - o->shear * q.y;
         zr_raise(&most[ZR_SLOPE_RIGHT], x + o->right * q.z);
@@ -190,7 +96,7 @@ static void measure_retreat(const void *context, enum zr_isa isa, const zr_vec4 
     const double rounding = retreat->fitting->rounding, least = 0.05 * retreat->fitting->size;
     for (uint32_t i = 0; i < count; i++) {
         zr_dvec3 p;
-        if (!place_of(points[i], &p)) continue;
+        if (!zr_place_of(points[i], &p)) continue;
         const zr_dvec3 q = along(retreat->axes, p);
         double x = q.x - o->shear * q.y, around = rounding * (1.0 + fabs(o->shear));
         double wide = fmax((x + around) / o->right, (x - around) / o->left);

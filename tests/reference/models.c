@@ -28,7 +28,7 @@ static bool mesh_read(struct zr_arena *arena, const char *bytes, size_t size, st
     struct zr_scene_builder builder = zr_scene_builder_open(arena, NULL, &scene);
     struct zr_error error = {.status = ZR_OK};
     const struct zr_request request = {.format = ZR_FORMAT_OBJ, .bytes = bytes, .size = size};
-    enum zr_status status = zr_reader_OBJ.read(&builder, &request, &limits, &error);
+    enum zr_status status = zr_read_OBJ(&builder, &request, &limits, &error);
     zr_scene_builder_close(&builder);
     if (status == ZR_OK) *mesh = builder.meshes[0];
     if (status == ZR_OK) return true;

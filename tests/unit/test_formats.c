@@ -3,6 +3,7 @@
 #include <string.h>
 
 #include "input/formats.h"
+#include "input/sniff.h"
 #include "support/cmocka_all.h"
 
 static void each_media_type_leads_to_its_format(void **state)

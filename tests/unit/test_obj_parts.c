@@ -310,7 +310,7 @@ static void cancelled_reader_says_so(void **state)
         struct zr_error error = {.count = 0};
         zr_arena_init(&arena, CEILING);
         struct zr_scene_builder builder = zr_scene_builder_open(&arena, i ? teams[1] : NULL, &scene);
-        assert_int_equal(zr_reader_OBJ.read(&builder, &request, &limits, &error), ZR_CANCELLED);
+        assert_int_equal(zr_read_OBJ(&builder, &request, &limits, &error), ZR_CANCELLED);
         assert_true(arena.peak < said->text.size / 4); /* it was cut, and no array made */
         zr_arena_free(&arena);
     }

@@ -318,7 +318,7 @@ static void cancelled_reader_says_so(void **state)
         struct zr_error error = {.count = 0};
         zr_arena_init(&arena, CEILING);
         struct zr_scene_builder builder = zr_scene_builder_open(&arena, i & 2 ? teams[1] : NULL, &scene);
-        assert_int_equal(zr_reader_STL.read(&builder, &request, &limits, &error), ZR_CANCELLED);
+        assert_int_equal(zr_read_STL(&builder, &request, &limits, &error), ZR_CANCELLED);
         zr_arena_free(&arena);
     }
     drop(&binary);

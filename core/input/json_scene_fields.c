@@ -1,0 +1,88 @@
+/* The keys of a scene. */
+#include "input/json_objects.h"
+#include "input/json_scene.h"
+
+#define EXPOSURE_MAX 1e6
+
+/* uint32_t: of which this version knows one value, 1. */
+static bool read_version(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field,
+                         void *out)
+{
+    uint32_t number;
+    (void)out;
+    if (!zr_json_whole(json, path, field, &number)) return false;
+    return number == 1 || zr_json_fault(json, path, "%u; this is version 1 of the contract", number);
+}
+
+static const struct zr_json_field window_fields[] = {
+    {"width", zr_json_whole, offsetof(struct zr_view, width), .unit = "pixels", .otherwise = "640",
+     .text = "from left to right"},
+    {"height", zr_json_whole, offsetof(struct zr_view, height), .unit = "pixels", .otherwise = "480",
+     .text = "from top to bottom"}};
+const struct zr_json_object zr_json_object_window = ZR_JSON_OBJECT_OF("window", window_fields);
+
+static bool read_window(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field,
+                        void *out)
+{
+    struct zr_parsed_scene *root = out;
+    uint64_t keys;
+    (void)field;
+    return zr_json_fields(json, path, &zr_json_object_window, &root->scene->views[0], &keys);
+}
+
+#define AT(member)      offsetof(struct zr_parsed_scene, member)
+#define PICTURE(member) AT(picture.picture.member)
+const struct zr_json_field zr_scene_fields[] = {
+    [ZR_SCENE_VERSION] = {"version", read_version, 0, .otherwise = "1", .text = "of the contract"},
+    [ZR_SCENE_WINDOW] = {"window", read_window, 0, .text = "the size of the picture"},
+    [ZR_SCENE_LOOK] = {"look", zr_read_look, 0, .otherwise = "textbook",
+                       .text = "what the scene has where it does not say otherwise; NAME@VERSION pins it"},
+    [ZR_SCENE_BACKGROUND] = {"background", zr_read_background, 0, .otherwise = "the look's; white",
+                             .text = "where nothing is: a colour, or top and bottom of a gradient"},
+    [ZR_SCENE_VIEW] = {"view", zr_read_view, 0, .otherwise = "the look's", .text = "a pose and a projection"},
+    [ZR_SCENE_UP] = {"up", zr_json_choice, AT(up), .words = &zr_up_names, .otherwise = "y",
+                     .text = "the axis that points up: of views, of what an environment has above, and of the ground"},
+    [ZR_SCENE_AMBIENT] = {"ambient", zr_json_color, AT(ambient), .text = "light from everywhere"},
+    [ZR_SCENE_LIGHTS] = {"lights", zr_read_lights, 0, .otherwise = "the look's", .text = "lamps"},
+    [ZR_SCENE_ENVIRONMENT] = {"environment", zr_read_environment, 0, .otherwise = "the look's; false",
+                              .text = "light from all around, of the shading pbr: a name, or false"},
+    [ZR_SCENE_MATERIALS] = {"materials", zr_read_materials, 0, .otherwise = "[]",
+                            .text = "what meshes and polygons share"},
+    [ZR_SCENE_MESHES] = {"meshes", zr_read_meshes, 0, .otherwise = "[]",
+                         .text = "positions and faces, lines or points, or heights"},
+    [ZR_SCENE_POLYGONS] = {"polygons", zr_read_polygons, 0, .otherwise = "[]", .text = "each with vertices of its own"},
+    [ZR_SCENE_OUTPUTS] = {"outputs", zr_read_outputs, 0, .otherwise = "a colour image", .text = "what is asked for"},
+    [ZR_SCENE_COLOR_MANAGEMENT] = {"colorManagement", zr_json_choice, AT(color_management),
+                                   .words = &zr_management_names, .otherwise = "srgb where a key needs it, else none",
+                                   .text = "none: colours are computed with as they are given; srgb: in linear light"},
+    [ZR_SCENE_TONE_MAPPING] = {"toneMapping", zr_json_choice, AT(tone), .words = &zr_tone_names,
+                               .otherwise = "the look's; none",
+                               .text = "how what is brighter than white is brought into the picture"},
+    [ZR_SCENE_EXPOSURE] = {"exposure", zr_json_float, PICTURE(exposure), 0, EXPOSURE_MAX, .otherwise = "the look's; 1",
+                           .text = "a factor of all light, before the tone mapping"},
+    [ZR_SCENE_SAMPLES] = {"samples", zr_read_samples, 0, 1, 64, .otherwise = "the look's; 1",
+                          .text = "for each pixel: 1, 4, 16 or 64"},
+    [ZR_SCENE_LINE_WIDTH] = {"lineWidth", zr_json_float, PICTURE(line_width), 0.1, 64, .unit = "pixels",
+                             .otherwise = "1", .text = "of lines and outlines"},
+    [ZR_SCENE_OCCLUSION] = {"occlusion", zr_read_occlusion, 0, .otherwise = "the look's; false",
+                            .text = "creases and holes get less of the light from all around"},
+    [ZR_SCENE_GROUND_SHADOW] = {"groundShadow", zr_json_bool, PICTURE(has_ground), .otherwise = "the look's; false",
+                                .text = "a soft shadow on the plane under the scene"},
+    [ZR_SCENE_EDGES] = {"edges", zr_read_edges, 0, .otherwise = "the look's; false",
+                        .text = "silhouettes and creases are drawn over the picture"},
+    [ZR_SCENE_CREASE_DEGREES] = {"creaseDegrees", zr_json_float, PICTURE(crease_degrees), 0, 180, .unit = "degrees",
+                                 .otherwise = "the look's; 180",
+                                 .text = "faces that meet at less share their normals, where none are given"},
+    [ZR_SCENE_ALGORITHM] = {"algorithm", zr_json_choice, AT(algorithm), .words = &zr_algorithm_names,
+                            .otherwise = "halfspace",
+                            .text = "the hidden-surface algorithm; all give the same picture"},
+    [ZR_SCENE_BASE] = {"base", zr_json_place, AT(base), .text = "a picture that is drawn into"},
+    [ZR_SCENE_NODES] = {"nodes", zr_json_place, AT(nodes), .otherwise = "each mesh where it is",
+                        .text = "what places meshes"},
+    [ZR_SCENE_FOG] = {"fog", zr_read_fog, 0, .text = "what is farther away fades"},
+    [ZR_SCENE_COLOR_BAR] = {"colorBar", zr_read_color_bar, 0, .otherwise = "false",
+                            .text = "the colormap with its numbers is drawn over the picture"},
+    ZR_FACE_STYLE_FIELDS(struct zr_parsed_scene, face_style),
+    {.key = "views"},
+    {.key = "turntable"}};
+const struct zr_json_object zr_json_object_scene = ZR_JSON_OBJECT_OF("scene", zr_scene_fields);
