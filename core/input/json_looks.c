@@ -2,36 +2,18 @@
  * read, since a look may be named behind all else. */
 #include <string.h>
 
+#include "input/json_objects.h"
 #include "input/json_scene.h"
 #include "scene/defaults.h"
 #include "scene/upright.h"
 
 /* ---- the picture ---- */
 
-/* Keys that ordinary readers have read. */
-static void gather_keys(struct zr_parsed_scene *root)
-{
-    static const struct {
-        enum zr_scene_key from;
-        enum zr_picture_key to;
-    } rows[] = {{ZR_SCENE_SAMPLES, ZR_PICTURE_SIDE},
-                {ZR_SCENE_LINE_WIDTH, ZR_PICTURE_LINE_WIDTH},
-                {ZR_SCENE_TONE_MAPPING, ZR_PICTURE_TONE},
-                {ZR_SCENE_EXPOSURE, ZR_PICTURE_EXPOSURE},
-                {ZR_SCENE_GROUND_SHADOW, ZR_PICTURE_GROUND},
-                {ZR_SCENE_CREASE_DEGREES, ZR_PICTURE_CREASE},
-                {ZR_SCENE_UP, ZR_PICTURE_UP}};
-    for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++)
-        if (zr_scene_gives(root, rows[i].from)) zr_picture_give(&root->picture, rows[i].to);
-    root->picture.picture.tone = (enum zr_tone)root->tone;
-    root->picture.picture.z_is_up = root->up == 1;
-}
-
 static void use_picture(struct zr_parsed_scene *root)
 {
     struct zr_scene *scene = root->scene;
     struct zr_environment *environment = &scene->picture.environment;
-    gather_keys(root);
+    zr_parsed_note_keys(&root->picture, "", &zr_json_object_scene, root->keys);
     scene->picture = zr_picture_merge(&root->picture, scene->look);
     if (zr_scene_gives(root, ZR_SCENE_BACKGROUND)) scene->background = root->background;
     if (zr_scene_gives(root, ZR_SCENE_ENVIRONMENT)) {

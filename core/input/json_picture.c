@@ -15,6 +15,15 @@ static const char *const tones[] = {"none", "khronos-neutral", "neutral"};
 const struct zr_names zr_management_names = ZR_NAMES(2, managements);
 const struct zr_names zr_tone_names = ZR_NAMES(ZR_TONE_COUNT, tones);
 
+/* ---- keys that are given ---- */
+
+void zr_parsed_note_keys(struct zr_parsed_picture *given, const char *name, const struct zr_json_object *object,
+                         uint64_t keys)
+{
+    for (size_t i = 0; i < object->count; i++)
+        if (zr_json_gives(keys, (int)i)) zr_picture_give_key(given, name, object->fields[i].key);
+}
+
 /* ---- the look ---- */
 
 bool zr_read_look(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field, void *out)
@@ -24,6 +33,17 @@ bool zr_read_look(struct zr_json *json, const struct zr_json_path *path, const s
     if (!zr_json_string(json, path, field, &word)) return false;
     root->look = zr_look_find(word);
     return root->look || zr_json_fault(json, path, "%s", zr_looks_refuse(word).text);
+}
+
+/* ---- up ---- */
+
+/* bool: z, else y. */
+bool zr_read_up(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field, void *out)
+{
+    int axis = 0;
+    if (!zr_json_choice(json, path, field, &axis)) return false;
+    *(bool *)out = axis == 1;
+    return true;
 }
 
 /* ---- samples ---- */
@@ -70,7 +90,8 @@ bool zr_read_background(struct zr_json *json, const struct zr_json_path *path, c
     struct zr_parsed_scene *root = out;
     struct zr_picture *picture = &root->picture.picture;
     uint64_t keys;
-    zr_picture_give(&root->picture, ZR_PICTURE_BACKGROUND);
+    zr_picture_give(&root->picture, ZR_PICTURE_TOP);
+    zr_picture_give(&root->picture, ZR_PICTURE_BOTTOM);
     if (zr_json_type(json) != ZR_JSON_OBJECT) return zr_json_color(json, path, field, &root->background);
     if (!zr_json_fields(json, path, &zr_json_object_gradient, picture, &keys)) return false;
     picture->has_gradient = true;
@@ -80,24 +101,16 @@ bool zr_read_background(struct zr_json *json, const struct zr_json_path *path, c
 
 /* ---- what may be false ---- */
 
-/* Notes those of `count` keys, from `first` on, that are among `keys` of an object in the same order. */
-static void give_all(struct zr_parsed_picture *given, uint64_t keys, int count, enum zr_picture_key first)
-{
-    for (int i = 0; i < count; i++)
-        if (zr_json_gives(keys, i)) zr_picture_give(given, (enum zr_picture_key)((int)first + i));
-}
-
-/* true, false, or an object that says more of what is on, whose keys are those from the one behind `key` on. */
+/* true, false, or an object with the values of what is on. */
 static bool read_effect(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_object *object,
-                        struct zr_parsed_picture *given, enum zr_picture_key key, void *effect, bool *is_on)
+                        struct zr_parsed_picture *given, void *effect, bool *is_on)
 {
     const enum zr_json_type type = zr_json_type(json);
     uint64_t keys;
-    zr_picture_give(given, key);
     if (type == ZR_JSON_BOOL) return zr_json_take_bool(json, is_on);
     if (type != ZR_JSON_OBJECT) return zr_json_expect(json, path, "true, false or an object");
     if (!zr_json_fields(json, path, object, effect, &keys)) return false;
-    give_all(given, keys, (int)object->count, (enum zr_picture_key)((int)key + 1));
+    zr_parsed_note_keys(given, object->name, object, keys);
     *is_on = true;
     return true;
 }
@@ -116,8 +129,7 @@ bool zr_read_occlusion(struct zr_json *json, const struct zr_json_path *path, co
     struct zr_parsed_picture *given = &((struct zr_parsed_scene *)out)->picture;
     struct zr_occlusion *occlusion = &given->picture.occlusion;
     (void)field;
-    return read_effect(json, path, &zr_json_object_occlusion, given, ZR_PICTURE_OCCLUSION, occlusion,
-                       &occlusion->is_on);
+    return read_effect(json, path, &zr_json_object_occlusion, given, occlusion, &occlusion->is_on);
 }
 
 static const struct zr_json_field edge_fields[] = {
@@ -133,7 +145,7 @@ bool zr_read_edges(struct zr_json *json, const struct zr_json_path *path, const 
     struct zr_parsed_picture *given = &((struct zr_parsed_scene *)out)->picture;
     struct zr_edges *edges = &given->picture.edges;
     (void)field;
-    return read_effect(json, path, &zr_json_object_edges, given, ZR_PICTURE_EDGES, edges, &edges->is_on);
+    return read_effect(json, path, &zr_json_object_edges, given, edges, &edges->is_on);
 }
 
 /* ---- the environment ---- */
@@ -152,8 +164,7 @@ struct given_environment {
     double rotation_degrees;
 };
 
-/* In the order of ZR_PICTURE_ENVIRONMENT and what is behind it. */
-enum { NAME, INTENSITY, ROTATION, FRAME, KEYS };
+enum { NAME, INTENSITY, ROTATION, FRAME };
 #define AT(member) offsetof(struct given_environment, member)
 static const struct zr_json_field environment_fields[] = {
     [NAME] = {"name", zr_json_choice, AT(name), .words = &environment_names, .otherwise = "the look's",
@@ -197,6 +208,6 @@ bool zr_read_environment(struct zr_json *json, const struct zr_json_path *path, 
                                                            .intensity = given.intensity,
                                                            .rotation_degrees = given.rotation_degrees,
                                                            .camera_frame = given.frame == FRAME_CAMERA};
-    give_all(picture, keys, KEYS, ZR_PICTURE_ENVIRONMENT);
+    zr_parsed_note_keys(picture, zr_json_object_environment.name, &zr_json_object_environment, keys);
     return true;
 }

@@ -114,7 +114,7 @@ struct zr_parsed_scene {
     struct zr_scene *scene; /* the builder's */
 
     uint64_t keys; /* those of the root that are there */
-    int algorithm, color_management, tone, up;
+    int algorithm, color_management;
     zr_vec4 background, ambient;
     struct zr_face_style face_style;  /* the scene's own */
     const struct zr_look *look;       /* the one that it names, or NULL */
@@ -254,8 +254,12 @@ void zr_parsed_find_color_bar_mesh(struct zr_parsed_scene *root, const struct zr
 /* Into the scene, and lights into root->lights. */
 zr_json_read_fn zr_read_fog, zr_read_lights, zr_read_outputs;
 
-/* json_picture.c: into root->look and root->picture. */
-zr_json_read_fn zr_read_look, zr_read_samples, zr_read_background, zr_read_environment, zr_read_occlusion,
+/* json_picture.c: notes, in `given`, which keys of an object of this name are given. */
+void zr_parsed_note_keys(struct zr_parsed_picture *given, const char *name, const struct zr_json_object *object,
+                         uint64_t keys);
+
+/* Into root->look and root->picture. */
+zr_json_read_fn zr_read_look, zr_read_up, zr_read_samples, zr_read_background, zr_read_environment, zr_read_occlusion,
     zr_read_edges;
 extern const struct zr_names zr_management_names, zr_tone_names;
 

@@ -1,63 +1,48 @@
 #include "scene/parsed_picture.h"
 
-#define TAKE(key, member)                                                                                              \
-    if (zr_picture_gives(given, ZR_PICTURE_##key)) merged.member = given->picture.member
+#include <string.h>
 
-static struct zr_environment merge_environment(const struct zr_parsed_picture *given, const struct zr_environment *look)
+_Static_assert(ZR_PICTURE_KEY_COUNT <= 64, "a bit each");
+
+static const struct {
+    const char *object, *key;
+} keys[ZR_PICTURE_KEY_COUNT] = {
+#define KEY(ID, object, key, member, is_linear) {object, key},
+    ZR_PICTURE_KEYS(KEY)
+#undef KEY
+};
+
+void zr_picture_give_key(struct zr_parsed_picture *given, const char *object, const char *key)
 {
-    struct zr_picture merged = {.environment = *look};
-    TAKE(ENVIRONMENT, environment.name);
-    TAKE(ENVIRONMENT_INTENSITY, environment.intensity);
-    TAKE(ENVIRONMENT_ROTATION, environment.rotation_degrees);
-    if (zr_picture_gives(given, ZR_PICTURE_ENVIRONMENT) && merged.environment.name != ZR_ENVIRONMENT_NONE)
-        merged.environment.camera_frame = merged.environment.name != ZR_ENVIRONMENT_OUTDOOR;
-    TAKE(ENVIRONMENT_FRAME, environment.camera_frame);
-    return merged.environment;
+    for (int i = 0; i < ZR_PICTURE_KEY_COUNT; i++)
+        if (strcmp(keys[i].object, object) == 0 && strcmp(keys[i].key, key) == 0)
+            zr_picture_give(given, (enum zr_picture_key)i);
 }
 
 struct zr_picture zr_picture_merge(const struct zr_parsed_picture *given, const struct zr_look *look)
 {
     struct zr_picture merged = look->picture;
-    merged.environment = merge_environment(given, &look->picture.environment);
-    TAKE(SIDE, side);
-    TAKE(LINE_WIDTH, line_width);
-    TAKE(BACKGROUND, has_gradient);
-    TAKE(BACKGROUND, top);
-    TAKE(BACKGROUND, bottom);
-    TAKE(TONE, tone);
-    TAKE(EXPOSURE, exposure);
-    TAKE(OCCLUSION, occlusion.is_on);
-    TAKE(OCCLUSION_RADIUS, occlusion.radius);
-    TAKE(OCCLUSION_STRENGTH, occlusion.strength);
-    TAKE(GROUND, has_ground);
-    TAKE(EDGES, edges.is_on);
-    TAKE(EDGES_COLOR, edges.color);
-    TAKE(EDGES_WIDTH, edges.width);
-    TAKE(EDGES_CREASE, edges.crease_degrees);
-    TAKE(CREASE, crease_degrees);
-    TAKE(UP, z_is_up);
+#define TAKE(ID, object, key, member, is_linear)                                                                       \
+    if (zr_picture_gives(given, ZR_PICTURE_##ID)) merged.member = given->picture.member;
+    ZR_PICTURE_KEYS(TAKE)
+#undef TAKE
+    if (zr_picture_gives(given, ZR_PICTURE_ENVIRONMENT) && merged.environment.name != ZR_ENVIRONMENT_NONE &&
+        !zr_picture_gives(given, ZR_PICTURE_ENVIRONMENT_FRAME))
+        merged.environment.camera_frame = merged.environment.name != ZR_ENVIRONMENT_OUTDOOR;
     return merged;
 }
 
 const char *zr_picture_linear_key(const struct zr_parsed_picture *given, const struct zr_picture *merged)
 {
-    const struct {
-        enum zr_picture_key key;
-        bool is_on;
-        const char *name;
-    } rows[] = {{ZR_PICTURE_BACKGROUND, merged->has_gradient, "background"},
-                {ZR_PICTURE_ENVIRONMENT, merged->environment.name != ZR_ENVIRONMENT_NONE, "environment"},
-                {ZR_PICTURE_ENVIRONMENT_INTENSITY, true, "environment"},
-                {ZR_PICTURE_ENVIRONMENT_ROTATION, true, "environment"},
-                {ZR_PICTURE_ENVIRONMENT_FRAME, true, "environment"},
-                {ZR_PICTURE_TONE, merged->tone != ZR_TONE_NONE, "toneMapping"},
-                {ZR_PICTURE_EXPOSURE, true, "exposure"},
-                {ZR_PICTURE_OCCLUSION, merged->occlusion.is_on, "occlusion"},
-                {ZR_PICTURE_GROUND, merged->has_ground, "groundShadow"},
-                {ZR_PICTURE_EDGES, merged->edges.is_on, "edges"},
-                {ZR_PICTURE_CREASE, true, "creaseDegrees"}};
-    for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++)
-        if (rows[i].is_on && zr_picture_gives(given, rows[i].key)) return rows[i].name;
+    const struct zr_picture *p = merged;
+    const bool needs[ZR_PICTURE_KEY_COUNT] = {
+#define NEEDS(ID, object, key, member, is_linear) (is_linear),
+        ZR_PICTURE_KEYS(NEEDS)
+#undef NEEDS
+    };
+    for (int i = 0; i < ZR_PICTURE_KEY_COUNT; i++)
+        if (needs[i] && zr_picture_gives(given, (enum zr_picture_key)i))
+            return *keys[i].object ? keys[i].object : keys[i].key;
     return NULL;
 }
 

@@ -3,45 +3,33 @@
 #define ZR_PARSED_PICTURE_H
 
 #include "scene/looks.h"
+#include "scene/picture_keys.h"
 #include "scene/scene_builder.h"
 
-/* Values of a struct zr_picture that can be said one by one. */
 enum zr_picture_key {
-    ZR_PICTURE_SIDE,
-    ZR_PICTURE_LINE_WIDTH,
-    ZR_PICTURE_BACKGROUND, /* the gradient, or that there is none */
-    ZR_PICTURE_ENVIRONMENT,
-    ZR_PICTURE_ENVIRONMENT_INTENSITY,
-    ZR_PICTURE_ENVIRONMENT_ROTATION,
-    ZR_PICTURE_ENVIRONMENT_FRAME,
-    ZR_PICTURE_TONE,
-    ZR_PICTURE_EXPOSURE,
-    ZR_PICTURE_OCCLUSION,
-    ZR_PICTURE_OCCLUSION_RADIUS,
-    ZR_PICTURE_OCCLUSION_STRENGTH,
-    ZR_PICTURE_GROUND,
-    ZR_PICTURE_EDGES,
-    ZR_PICTURE_EDGES_COLOR,
-    ZR_PICTURE_EDGES_WIDTH,
-    ZR_PICTURE_EDGES_CREASE,
-    ZR_PICTURE_CREASE,
-    ZR_PICTURE_UP
+#define ZR_PICTURE_ENUM(ID, ...) ZR_PICTURE_##ID,
+    ZR_PICTURE_KEYS(ZR_PICTURE_ENUM)
+#undef ZR_PICTURE_ENUM
+        ZR_PICTURE_KEY_COUNT
 };
 
 struct zr_parsed_picture {
-    uint32_t keys; /* those that are said: 1 << enum zr_picture_key */
+    uint64_t keys; /* those that are given: 1 << enum zr_picture_key */
     struct zr_picture picture;
 };
 
 static inline void zr_picture_give(struct zr_parsed_picture *given, enum zr_picture_key key)
 {
-    given->keys |= UINT32_C(1) << key;
+    given->keys |= UINT64_C(1) << key;
 }
 
 static inline bool zr_picture_gives(const struct zr_parsed_picture *given, enum zr_picture_key key)
 {
     return given->keys >> key & 1u;
 }
+
+/* Notes that the key of this object is given; ignores keys that have no row. */
+void zr_picture_give_key(struct zr_parsed_picture *given, const char *object, const char *key);
 
 /* What is said, and the rest from the look, is_linear included. An environment that is named has its own frame where
  * none is said. */
