@@ -1,5 +1,7 @@
 #include "render/layer_pass.h"
 
+#include "scene/scene_edit.h"
+
 /* All meshes without their lines and points. */
 static const struct zr_mesh *faces_alone(struct zr_arena *arena, const struct zr_scene *scene)
 {
@@ -11,23 +13,25 @@ static const struct zr_mesh *faces_alone(struct zr_arena *arena, const struct zr
     return meshes;
 }
 
-/* solid: faces alone, filled, and from both sides. */
+static void make_see_through(struct zr_material *material)
+{
+    material->alpha_mode = ZR_ALPHA_BLEND;
+}
+
+/* Faces are filled, and both of their sides are drawn. */
+static void make_solid(struct zr_material *material)
+{
+    make_see_through(material);
+    material->double_sided = true;
+    material->unfilled = false;
+    material->outline = ZR_OUTLINE_NONE;
+}
+
 static bool see_through_scene(struct zr_arena *arena, const struct zr_scene *scene, bool solid, struct zr_scene *out)
 {
-    struct zr_material *materials = zr_arena_alloc(arena, scene->material_count, sizeof *materials);
-    *out = *scene;
-    out->materials = materials;
+    if (!zr_scene_edit_materials(arena, scene, solid ? make_solid : make_see_through, out)) return false;
     if (solid) out->meshes = faces_alone(arena, scene);
-    if (!zr_arena_ok(arena)) return false;
-    for (uint32_t i = 0; i < scene->material_count; i++) {
-        materials[i] = scene->materials[i];
-        materials[i].alpha_mode = ZR_ALPHA_BLEND;
-        if (!solid) continue;
-        materials[i].double_sided = true;
-        materials[i].unfilled = false;
-        materials[i].outline = ZR_OUTLINE_NONE;
-    }
-    return true;
+    return zr_arena_ok(arena);
 }
 
 enum zr_status zr_layer_pass_make(struct zr_arena *arena, struct zr_team *team, const struct zr_scene *scene,

@@ -3,6 +3,7 @@
 #include "base/matrix.h"
 #include "base/trig.h"
 #include "render/pass.h"
+#include "scene/scene_edit.h"
 #include "shade/lights/lamps.h"
 
 float zr_diagonal_of(const struct zr_bounds *bounds)
@@ -38,21 +39,11 @@ static struct zr_camera map_camera(zr_vec3 right, zr_vec3 up, zr_vec3 back, zr_v
     return camera;
 }
 
-/* The scene as maps have it: all faces filled and seen from both sides. */
-static bool scene_of_maps(struct zr_arena *arena, const struct zr_scene *scene, struct zr_scene *out)
+/* Maps show both sides of faces, and no outlines. */
+static void edit_material(struct zr_material *material)
 {
-    struct zr_material *materials = zr_arena_alloc(arena, scene->material_count, sizeof *materials);
-    if (!materials) return false;
-    for (uint32_t i = 0; i < scene->material_count; i++) {
-        materials[i] = scene->materials[i];
-        materials[i].double_sided = true;
-        materials[i].outline = ZR_OUTLINE_NONE;
-    }
-    *out = *scene;
-    out->materials = materials;
-    out->algorithm = ZR_ALGORITHM_HALFSPACE;
-    out->base = NULL;
-    return true;
+    material->double_sided = true;
+    material->outline = ZR_OUTLINE_NONE;
 }
 
 /* Depths along the camera's axis, INFINITY where nothing is; row 0 on top. */
@@ -63,7 +54,9 @@ static enum zr_status draw_map(struct zr_arena *arena, struct zr_team *team, con
     struct zr_pass *pass = zr_arena_zero(arena, 1, sizeof *pass);
     struct zr_frame *frame = zr_arena_zero(arena, 1, sizeof *frame);
     struct zr_scene of_maps;
-    if (!pass || !frame || !scene_of_maps(arena, scene, &of_maps)) return ZR_NO_MEMORY;
+    if (!pass || !frame || !zr_scene_edit_materials(arena, scene, edit_material, &of_maps)) return ZR_NO_MEMORY;
+    of_maps.algorithm = ZR_ALGORITHM_HALFSPACE;
+    of_maps.base = NULL;
     struct zr_pass_desc of = {.scene = &of_maps, .camera = camera, .window = {side, side, 1, 0.0f}};
     frame->width = frame->height = side;
     frame->camera = *camera;

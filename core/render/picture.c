@@ -7,8 +7,8 @@
 #include "render/finish.h"
 #include "render/maps.h"
 #include "render/supersample.h"
+#include "scene/scene_edit.h"
 #include "shade/lights/lamps.h"
-#include "shade/models/xray.h"
 #include "shade/paint.h"
 
 /* Goes on only where the stage before went well. */
@@ -216,13 +216,21 @@ static enum zr_status draw_light(struct drawing *d)
     return status;
 }
 
+/* Surfaces of the shading xray are blended, and both of their sides are drawn. */
+static void blend_xrays(struct zr_material *material)
+{
+    if (material->shading != ZR_SHADING_XRAY) return;
+    material->double_sided = true;
+    material->alpha_mode = ZR_ALPHA_BLEND;
+}
+
 enum zr_status zr_picture_draw(struct zr_arena *arena, struct zr_team *team, const struct zr_scene *scene,
                                const struct zr_cancel *cancel, struct zr_frame *frame)
 {
     struct drawing drawing = {arena, team, scene, cancel, frame, NULL};
     struct zr_scene with_xrays;
     if (zr_any_is_xray(scene->materials, scene->material_count)) {
-        if (!zr_xray_scene(arena, scene, &with_xrays)) return ZR_NO_MEMORY;
+        if (!zr_scene_edit_materials(arena, scene, blend_xrays, &with_xrays)) return ZR_NO_MEMORY;
         drawing.scene = &with_xrays;
     }
     return scene->picture.is_linear ? draw_light(&drawing) : draw_bytes(&drawing);

@@ -14,10 +14,6 @@
 
 #include "shade/lights/lighting.h"
 
-/* The same scene for one picture, where all of that shading is blended, and seen from both sides. Materials are the
- * arena's, all else is the scene's. False where there is no memory. */
-bool zr_xray_scene(struct zr_arena *arena, const struct zr_scene *scene, struct zr_scene *out);
-
 /* Multiplies the opacities of samples of that shading; lines keep theirs. At the same places as the samples'; up to 15
  * more behind each row's end may be looked at, and written. A kernel. */
 typedef void zr_xray_fn(const struct zr_linear_lighting *lighting, const struct zr_gbuffer *samples, float *opacity);

@@ -1,0 +1,16 @@
+/* scene_edit.h - scene: the same scene with other materials, for a pass that draws it in another way. */
+#ifndef ZR_SCENE_EDIT_H
+#define ZR_SCENE_EDIT_H
+
+#include "base/arena.h"
+#include "scene/scene.h"
+
+/* Changes one material in place. */
+typedef void zr_material_edit_fn(struct zr_material *material);
+
+/* Copies the scene and its materials, and edits each copied material. Materials keep their numbers. The copy shares
+ * everything else with `scene`. False: the arena has no memory. */
+bool zr_scene_edit_materials(struct zr_arena *arena, const struct zr_scene *scene, zr_material_edit_fn *edit,
+                             struct zr_scene *out);
+
+#endif
