@@ -7,7 +7,7 @@
 
 #include "cost_pass.h"
 #include "cost_picture.h"
-#include "render/maps.h"
+#include "effects/shadow_maps.h"
 #include "scene/resolved_view.h"
 #include "shade/lights/shadow_map.h"
 #include "shade/texture_maps.h"
@@ -143,7 +143,7 @@ static double fragments_of_spots(const struct zr_scene *scene, const struct zr_r
         const struct zr_light *light = &scene->lights[i];
         struct zr_camera camera;
         if (light->type != ZR_LIGHT_SPOT || !zr_light_casts_shadows(light)) continue;
-        if (!zr_spot_camera(scene, light, &resolved->camera, &resolved->bounds, &camera)) continue;
+        if (!zr_light_camera(scene, light, &resolved->camera, &resolved->bounds, &camera)) continue;
         if (number++ % stride != 0) continue;
         measured += 1.0;
         const struct zr_cost_pass pass = zr_cost_pass_measure(scene, &camera, map, 0.0, cancel, sampling);

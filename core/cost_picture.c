@@ -4,9 +4,9 @@
 
 #include "base/arena.h"
 #include "effects/ground.h"
+#include "effects/shadow_maps.h"
 #include "raster/tile.h"
 #include "render/layers.h"
-#include "render/maps.h"
 #include "render/picture.h"
 #include "shade/lights/shadow_map.h"
 #include "shade/texture_maps.h"
@@ -35,7 +35,7 @@ static uint32_t spot_count(const struct zr_scene *scene, const struct zr_resolve
     struct zr_camera camera;
     for (uint32_t i = 0; i < scene->light_count; i++)
         count += zr_light_casts_shadows(&scene->lights[i]) && scene->lights[i].type == ZR_LIGHT_SPOT &&
-                 zr_spot_camera(scene, &scene->lights[i], &resolved->camera, &resolved->bounds, &camera);
+                 zr_light_camera(scene, &scene->lights[i], &resolved->camera, &resolved->bounds, &camera);
     return count;
 }
 

@@ -13,7 +13,7 @@
 #include "base/arena.h"
 #include "base/isa.h"
 #include "base/team.h"
-#include "base/vec.h"
+#include "scene/rays.h"
 
 enum { ZR_GROUND_SIDE = 192 };
 
@@ -40,15 +40,6 @@ struct zr_ground_frame {
     zr_vec3 origin;                 /* the middle of the map */
     zr_vec3 x_axis, y_axis, z_axis; /* unit, or as long as 1 over the scale of eye space, by which the
                                        map's units are; z the plane's normal, up */
-};
-
-/* The ray of sight through window position X, Y (in pixels, row 0 the lowest, centres at + 1/2) starts at origin +
- * X * origin_x + Y * origin_y and leads along direction + X * direction_x + Y * direction_y, which has any length.
- * A perspective's rays start at the eye: origin_x and origin_y are 0. Parallel ones have one direction: direction_x and
- * direction_y are 0. */
-struct zr_rays {
-    zr_vec3 origin, origin_x, origin_y;
-    zr_vec3 direction, direction_x, direction_y;
 };
 
 /* T where the rays through the centres of a row's first `width` pixels meet the plane, from above or from below; 1

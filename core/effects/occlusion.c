@@ -92,3 +92,17 @@ zr_occlusion_samples_fn *zr_occlusion_samples_of(enum zr_isa isa)
     static zr_occlusion_samples_fn *const table[ZR_ISA_COUNT] = ZR_KERNELS(zr_occlusion_samples);
     return table[isa];
 }
+
+/* ---- pixels ---- */
+
+/* Points of the G-buffer are counted from the eye. */
+struct zr_pixel_scale zr_pixel_scale_of(const struct zr_camera *camera, uint32_t height)
+{
+    const float *p = camera->projection.m;
+    const zr_vec4 eye = zr_camera_eye(camera);
+    const zr_vec3 slope = {p[3], p[7], p[11]};
+    float offset = p[15];
+    if (eye.w != 0.0f) offset = p[15] + zr_vec3_dot(slope, (zr_vec3){eye.x, eye.y, eye.z});
+    return (struct zr_pixel_scale){
+        .scale = 0.5f * (float)height * fabsf(p[5]), .slope = {slope.x, slope.y, slope.z}, .offset = offset};
+}

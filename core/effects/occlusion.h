@@ -14,6 +14,7 @@
 #include "base/arena.h"
 #include "base/isa.h"
 #include "base/team.h"
+#include "scene/camera.h"
 #include "scene/picture.h"
 #include "shade/gbuffer.h"
 #include "zraster.h"
@@ -27,6 +28,9 @@ struct zr_pixel_scale {
     float scale;
     float slope[3], offset;
 };
+
+/* In a window of that height. */
+struct zr_pixel_scale zr_pixel_scale_of(const struct zr_camera *camera, uint32_t height);
 
 /* `diagonal` is that of the scene's bounds. NULL where the arena has failed. Cancelled, it returns early, with numbers
  * that mean nothing. */

@@ -4,7 +4,7 @@
 #include <string.h>
 
 #include "render/layer_pass.h"
-#include "render/maps.h"
+#include "scene/rays.h"
 #include "shade/depths.h"
 
 struct drawing {

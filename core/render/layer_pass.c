@@ -38,14 +38,12 @@ enum zr_status zr_layer_pass_make(struct zr_arena *arena, struct zr_team *team, 
                                   bool solid, const struct zr_frame *frame, const struct zr_cancel *cancel,
                                   struct zr_layer_pass *out)
 {
-    const float line_width = scene->picture.line_width + 0.5f;
     if (!see_through_scene(arena, scene, solid, &out->scene)) return ZR_NO_MEMORY;
-    const struct zr_pass_desc of = {
-        .scene = &out->scene,
-        .camera = &frame->camera,
-        .window = {frame->width, frame->height, line_width > 1.0f ? (int32_t)line_width : 1, 1.0f},
-        .wants = {.layers = true}};
-    return zr_pass_make(arena, team, &of, cancel, &out->pass);
+    const struct zr_pass_desc desc = {.scene = &out->scene,
+                                      .camera = &frame->camera,
+                                      .window = zr_window_of(scene, frame->width, frame->height, 1),
+                                      .wants = {.layers = true}};
+    return zr_pass_make(arena, team, &desc, cancel, &out->pass);
 }
 
 struct zr_layers *zr_layer_pass_find(const struct zr_layer_pass *pass, uint32_t number, const struct zr_cancel *cancel,

@@ -1,11 +1,9 @@
 #include "render/pass.h"
 
+#include "base/mutant.h"
 #include "geometry/build.h"
+#include "render/stage.h"
 #include "shade/paint.h"
-
-/* Goes on only where the stage before went well. */
-#define STAGE(call)                                                                                                    \
-    if (status == ZR_OK) status = (call)
 
 /* Whether there is a draw of such a material. */
 static bool any_draw(const struct zr_geometry *geometry, enum zr_alpha_mode mode)
@@ -42,22 +40,42 @@ static void find_see_through(struct zr_arena *arena, const struct zr_attribute_w
     if (tiles->any_masked || tiles->any_blended) tiles->layers = &pass->layers;
 }
 
-enum zr_status zr_pass_make(struct zr_arena *arena, struct zr_team *team, const struct zr_pass_desc *of,
+struct zr_window zr_window_of(const struct zr_scene *scene, uint32_t width, uint32_t height, uint32_t side)
+{
+    const float wanted = scene->picture.line_width;
+    const float line_width = ZR_MUTANT(line_width_rounded_early, wanted, floorf(wanted + 0.5f)) * (float)side;
+    return (struct zr_window){width * side, height * side, line_width > 1.0f ? (int32_t)(line_width + 0.5f) : 1,
+                              (float)side};
+}
+
+/* Masks need the opacity of their textures in every pass. */
+static enum zr_status make_textures(struct zr_arena *arena, struct zr_team *team, const struct zr_pass_desc *desc,
+                                    const struct zr_cancel *cancel, struct zr_attribute_wants *wants)
+{
+    const struct zr_scene *scene = desc->scene;
+    *wants = desc->wants;
+    if (desc->untextured) return ZR_OK;
+    if (!wants->colors && !wants->samples && !zr_any_is_masked(scene->materials, scene->material_count)) return ZR_OK;
+    return zr_texture_maps_make(arena, team, scene, wants->samples, cancel, &wants->textures);
+}
+
+enum zr_status zr_pass_make(struct zr_arena *arena, struct zr_team *team, const struct zr_pass_desc *desc,
                             const struct zr_cancel *cancel, struct zr_pass *pass)
 {
-    const struct zr_scene *scene = of->scene;
-    const uint32_t width = of->window.width, height = of->window.height;
+    const struct zr_scene *scene = desc->scene;
+    const uint32_t width = desc->window.width, height = desc->window.height;
     zr_visibility_fn *window_at_once = zr_visibility_of(scene->algorithm); /* else tile by tile */
     const struct zr_prepaint *payloads = NULL;
+    struct zr_attribute_wants wants;
     enum zr_status status = ZR_OK;
-    STAGE(zr_geometry_build(arena, team, scene, of->camera, &of->window, cancel, window_at_once, &pass->geometry));
-    STAGE(
-        zr_scene_attributes_make(arena, team, scene, of->camera, &pass->geometry, &of->wants, cancel, &pass->surfaces));
+    STAGE(make_textures(arena, team, desc, cancel, &wants));
+    STAGE(zr_geometry_build(arena, team, scene, desc->camera, &desc->window, cancel, window_at_once, &pass->geometry));
+    STAGE(zr_scene_attributes_make(arena, team, scene, desc->camera, &pass->geometry, &wants, cancel, &pass->surfaces));
     if (window_at_once) {
-        STAGE(zr_visibility_window(arena, &pass->geometry, window_at_once, width, height, of->base, cancel,
+        STAGE(zr_visibility_window(arena, &pass->geometry, window_at_once, width, height, desc->base, cancel,
                                    &pass->samples));
     } else {
-        if (of->wants.colors)
+        if (wants.colors)
             STAGE(zr_paint_prepare(arena, team, &pass->geometry, &pass->surfaces, (uint64_t)width * height, &payloads));
         STAGE(zr_binned_scene_make(arena, team, &pass->geometry, payloads, width, height, cancel, &pass->visible));
     }
@@ -68,7 +86,7 @@ enum zr_status zr_pass_make(struct zr_arena *arena, struct zr_team *team, const 
                                           .samples = window_at_once ? &pass->samples : NULL,
                                           .isa = zr_team_isa(team)};
     if (status != ZR_OK) return status;
-    find_see_through(arena, &of->wants, pass);
+    find_see_through(arena, &wants, pass);
     pass->masked = pass->blended = (struct zr_fragments){.ends = NULL};
     return window_at_once ? make_lists(arena, &pass->geometry, window_at_once, cancel, pass) : ZR_OK;
 }

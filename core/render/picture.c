@@ -1,19 +1,15 @@
 /* The stages of a picture, from top to bottom: each STAGE of draw_light is one. */
 #include "render/picture.h"
 
-#include "base/mutant.h"
 #include "mesh/crease_normals.h"
 #include "mesh/face_normals.h"
+#include "render/depth_maps.h"
 #include "render/finish.h"
-#include "render/maps.h"
+#include "render/stage.h"
 #include "render/supersample.h"
 #include "scene/scene_edit.h"
 #include "shade/lights/lamps.h"
 #include "shade/paint.h"
-
-/* Goes on only where the stage before went well. */
-#define STAGE(call)                                                                                                    \
-    if (status == ZR_OK) status = (call)
 
 struct drawing {
     struct zr_arena *arena;
@@ -30,15 +26,12 @@ static enum zr_status status_of(const struct drawing *d)
     return zr_arena_ok(d->arena) ? ZR_OK : ZR_NO_MEMORY;
 }
 
-/* The window at `side` times its size, with lines as wide and points as large as they are without. */
+/* The scene at side x side samples a pixel. */
 static struct zr_pass_desc pass_at(const struct drawing *d, uint32_t side, bool linear)
 {
-    const float wanted = d->scene->picture.line_width;
-    const float width = ZR_MUTANT(line_width_rounded_early, wanted, floorf(wanted + 0.5f)) * (float)side;
-    const int32_t line_width = width > 1.0f ? (int32_t)(width + 0.5f) : 1;
     return (struct zr_pass_desc){.scene = d->scene,
                                  .camera = &d->frame->camera,
-                                 .window = {d->frame->width * side, d->frame->height * side, line_width, (float)side},
+                                 .window = zr_window_of(d->scene, d->frame->width, d->frame->height, side),
                                  .wants = {.colors = !linear, .samples = linear, .crease_normals = d->creases}};
 }
 
@@ -47,11 +40,10 @@ static struct zr_pass_desc pass_at(const struct drawing *d, uint32_t side, bool 
 static enum zr_status draw_bytes(const struct drawing *d)
 {
     const uint32_t side = d->scene->picture.side;
-    struct zr_pass_desc of = pass_at(d, side, false);
+    const struct zr_pass_desc desc = pass_at(d, side, false);
     struct zr_pass pass;
     enum zr_status status = ZR_OK;
-    STAGE(zr_texture_maps_make(d->arena, d->team, d->scene, false, d->cancel, &of.wants.textures));
-    STAGE(zr_pass_make(d->arena, d->team, &of, d->cancel, &pass));
+    STAGE(zr_pass_make(d->arena, d->team, &desc, d->cancel, &pass));
     STAGE(zr_supersample_bytes(d->team, &pass, side, d->cancel, d->frame));
     if (status == ZR_OK) d->frame->counts = zr_pass_counts(&pass);
     return status;
@@ -120,11 +112,12 @@ static void draw_gbuffer_range(void *context, size_t begin, size_t end)
 /* Of pixels' centres. */
 static enum zr_status draw_gbuffer(const struct drawing *d, struct zr_gbuffer *pixels)
 {
-    const struct zr_pass_desc of = pass_at(d, 1, true);
+    struct zr_pass_desc desc = pass_at(d, 1, true);
     struct zr_pass pass;
+    desc.untextured = true;
     struct gbuffer_drawing drawing = {d, &pass, pixels};
     enum zr_status status = make_gbuffer(d, pixels);
-    STAGE(zr_pass_make(d->arena, d->team, &of, d->cancel, &pass));
+    STAGE(zr_pass_make(d->arena, d->team, &desc, d->cancel, &pass));
     if (status != ZR_OK) return status;
     zr_team_ranges(d->team, zr_tile_count(d->frame->width, d->frame->height), 2, draw_gbuffer_range, &drawing);
     return status_of(d);
@@ -156,10 +149,9 @@ static enum zr_status make_light(const struct drawing *d, struct zr_linear_frame
 static enum zr_status draw_samples(const struct drawing *d, const struct zr_sample_stages *stages, struct zr_pass *pass)
 {
     const uint32_t side = d->scene->picture.side;
-    struct zr_pass_desc of = pass_at(d, side, true);
+    const struct zr_pass_desc desc = pass_at(d, side, true);
     enum zr_status status = ZR_OK;
-    STAGE(zr_texture_maps_make(d->arena, d->team, d->scene, true, d->cancel, &of.wants.textures));
-    STAGE(zr_pass_make(d->arena, d->team, &of, d->cancel, pass));
+    STAGE(zr_pass_make(d->arena, d->team, &desc, d->cancel, pass));
     if (status == ZR_OK && stages->edges) zr_edges_know_faces(stages->edges, &pass->geometry, &pass->surfaces);
     STAGE(zr_supersample_light(d->team, pass, stages, side, d->cancel, d->frame));
     if (status == ZR_OK) d->frame->counts = zr_pass_counts(pass);
@@ -205,9 +197,9 @@ static enum zr_status draw_light(struct drawing *d)
     STAGE(make_creases(d));
     if (picture->occlusion.is_on) STAGE(draw_occlusion(d, &pixels, &occlusion));
     if (picture->has_ground)
-        STAGE(zr_ground_map_make(d->arena, d->team, d->scene, camera, bounds, d->cancel, &ground,
+        STAGE(zr_ground_map_draw(d->arena, d->team, d->scene, camera, bounds, d->cancel, &ground,
                                  &finishing.ground_frame));
-    STAGE(zr_shadow_maps_make(d->arena, d->team, d->scene, camera, bounds, d->cancel, &shadows));
+    STAGE(zr_shadow_maps_draw(d->arena, d->team, d->scene, camera, bounds, d->cancel, &shadows));
     zr_linear_lighting_make(d->arena, d->scene, camera, shadows, &lighting);
     STAGE(make_light(d, &light));
     if (picture->edges.is_on) STAGE(begin_edges(d, &stages.edges));

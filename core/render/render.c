@@ -7,30 +7,23 @@
 #include "render/pass.h"
 #include "render/picture.h"
 #include "render/pixel_fragments.h"
+#include "render/stage.h"
 #include "scene/base_depth.h"
 #include "scene/resolved_view.h"
 #include "scene/scene.h"
-
-/* Goes on only where the stage before went well. */
-#define STAGE(call)                                                                                                    \
-    if (status == ZR_OK) status = (call)
 
 /* Channels of pixels' centres, and colours with them where they are in the textbook's way. */
 static enum zr_status draw_channels(struct zr_arena *arena, struct zr_team *team, const struct zr_scene *scene,
                                     const struct zr_cancel *cancel, struct zr_frame *frame)
 {
-    const float line_width = scene->picture.line_width + 0.5f;
-    struct zr_pass_desc of = {
-        .scene = scene,
-        .camera = &frame->camera,
-        .window = {frame->width, frame->height, line_width > 1.0f ? (int32_t)line_width : 1, 1.0f},
-        .wants = {.colors = frame->color, .normals = frame->channels[ZR_CHANNEL_NORMALS]},
-        .base = frame->base};
+    const struct zr_pass_desc desc = {.scene = scene,
+                                      .camera = &frame->camera,
+                                      .window = zr_window_of(scene, frame->width, frame->height, 1),
+                                      .wants = {.colors = frame->color, .normals = frame->channels[ZR_CHANNEL_NORMALS]},
+                                      .base = frame->base};
     enum zr_status status = ZR_OK;
     struct zr_pass pass;
-    if (frame->color || zr_any_is_masked(scene->materials, scene->material_count))
-        STAGE(zr_texture_maps_make(arena, team, scene, false, cancel, &of.wants.textures));
-    STAGE(zr_pass_make(arena, team, &of, cancel, &pass));
+    STAGE(zr_pass_make(arena, team, &desc, cancel, &pass));
     STAGE(zr_tiles_draw(arena, team, &pass.tiles, cancel, frame));
     if (status == ZR_OK) frame->counts = zr_pass_counts(&pass);
     return status;

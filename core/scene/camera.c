@@ -46,3 +46,21 @@ float zr_eye_scale_of(const struct zr_camera *camera)
     const float scale = sqrtf(zr_vec3_dot(up, up));
     return fabsf(scale - 1.0f) < 1e-3f || !(scale > 0.0f) ? 1.0f : scale;
 }
+
+float zr_diagonal_of(const struct zr_bounds *bounds)
+{
+    if (!bounds->valid) return 0.0f;
+    const zr_vec3 size = zr_vec3_sub(bounds->max, bounds->min);
+    return sqrtf(zr_vec3_dot(size, size));
+}
+
+struct zr_camera zr_camera_orthographic(zr_vec3 right, zr_vec3 up, zr_vec3 back, zr_vec3 eye, float half_size,
+                                        float near, float far)
+{
+    struct zr_camera camera = {.znear = near, .zfar = far};
+    camera.world_to_eye = (zr_mat4){{right.x, up.x, back.x, 0, right.y, up.y, back.y, 0, right.z, up.z, back.z, 0,
+                                     -zr_vec3_dot(right, eye), -zr_vec3_dot(up, eye), -zr_vec3_dot(back, eye), 1}};
+    camera.projection = (zr_mat4){{1.0f / half_size, 0, 0, 0, 0, 1.0f / half_size, 0, 0, 0, 0, 2.0f / (near - far), 0,
+                                   0, 0, (far + near) / (near - far), 1}};
+    return camera;
+}

@@ -32,6 +32,14 @@ zr_vec4 zr_camera_eye(const struct zr_camera *camera);
 /* How much longer things are in eye space than in the world: 1, but with a worldToCamera that scales. */
 float zr_eye_scale_of(const struct zr_camera *camera);
 
+/* An orthographic camera at `eye` that looks along -back and sees half_size to each side. All in world space; right, up
+ * and back have unit length. */
+struct zr_camera zr_camera_orthographic(zr_vec3 right, zr_vec3 up, zr_vec3 back, zr_vec3 eye, float half_size,
+                                        float near, float far);
+
+/* The diagonal of the bounds; 0 where they are empty. */
+float zr_diagonal_of(const struct zr_bounds *bounds);
+
 /* Points at infinity (w = 0), or beyond the range of float, are left out. Walks over all placed points, as
  * zr_camera_resolve does some times more; cancelled, both return early, with what they have. `team` and `cancel` may be
  * NULL. */

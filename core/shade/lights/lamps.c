@@ -11,8 +11,7 @@ zr_vec3 zr_look_up(const struct zr_scene *scene)
 /* Of a direction of the world, of any length. */
 static zr_vec3 to_eye_space(const zr_mat4 *world_to_eye, zr_vec3 d)
 {
-    const zr_vec4 out = zr_mat4_apply(world_to_eye, (zr_vec4){d.x, d.y, d.z, 0.0f});
-    return zr_vec3_normalize((zr_vec3){out.x, out.y, out.z});
+    return zr_vec3_normalize(zr_mat4_direction(world_to_eye, d));
 }
 
 /* ---- environment ---- */

@@ -1,0 +1,9 @@
+/* stage.h - render: one step of a pipeline. Needs a local `enum zr_status status`. */
+#ifndef ZR_STAGE_H
+#define ZR_STAGE_H
+
+/* Runs the stage unless an earlier one failed. */
+#define STAGE(call)                                                                                                    \
+    if (status == ZR_OK) status = (call)
+
+#endif
