@@ -132,7 +132,7 @@ static enum zr_status find_warnings(struct encoding *e)
 /* Pictures first, then the warnings that they gave rise to, then what reports them. */
 static enum zr_status encode_all(struct encoding *e, struct zr_zip_entry *entries)
 {
-    const struct zr_view *view = &e->scene->views[0];
+    const struct zr_view *view = e->frame->view;
     for (int reports = 0; reports < 2; reports++) {
         for (uint32_t i = 0; i < view->output_count; i++) {
             const struct zr_output *output = &view->outputs[i];
@@ -159,7 +159,7 @@ static const char *pin_look(const struct encoding *e)
 
 static enum zr_status make_answer(struct encoding *e, struct zr_answer *answer)
 {
-    const struct zr_view *view = &e->scene->views[0];
+    const struct zr_view *view = e->frame->view;
     struct zr_zip_entry *entries = zr_arena_alloc(e->arena, view->output_count, sizeof *entries);
     if (!entries) return ZR_NO_MEMORY;
     enum zr_status status = encode_all(e, entries);

@@ -102,7 +102,7 @@ static bool fits_memory(struct zr_arena *arena, const struct zr_scene *scene)
 static void apply_color_bar(struct zr_scene_builder *builder, const struct zr_query *query)
 {
     if (query->has_color_bar) builder->scene->color_bar.is_on = query->color_bar != 0;
-    zr_color_bar_warn(builder->arena, builder->scene, &builder->warnings);
+    zr_color_bar_warn(builder->arena, builder->scene, &builder->scene->views[0], &builder->warnings);
 }
 
 static void skip_byte_order_mark(struct zr_request *request)

@@ -158,18 +158,13 @@ void zr_color_bar_paint(const struct zr_color_bar_layout *layout, const struct z
     draw_colors(layout, canvas);
 }
 
-static bool lay_out_scene(const struct zr_scene *scene, const struct zr_color_scale *scale,
-                          struct zr_color_bar_layout *layout)
-{
-    const struct zr_view *view = &scene->views[0];
-    return zr_color_bar_lay_out(&scene->color_bar, scale, view->width, view->height, layout);
-}
-
 void zr_color_bar_draw(const struct zr_scene *scene, struct zr_frame *frame)
 {
     const struct zr_color_scale *scale = scene->color_bar.is_on ? find_scale(scene) : NULL;
     struct zr_color_bar_layout layout;
-    if (!frame->color || !scale || !lay_out_scene(scene, scale, &layout)) return;
+    if (!frame->color || !scale ||
+        !zr_color_bar_lay_out(&scene->color_bar, scale, frame->width, frame->height, &layout))
+        return;
     const struct zr_canvas canvas = {(uint32_t *)(void *)frame->color, (int32_t)frame->width, (int32_t)frame->height};
     zr_color_bar_paint(&layout, &canvas);
     const struct zr_box all = zr_canvas_clip(&canvas, layout.all);
@@ -190,10 +185,10 @@ static void warn_of_title(struct zr_arena *arena, const struct zr_color_bar_layo
         zr_warning_list_add(arena, warnings, "colorBar: the title has characters that have no glyph: drawn as boxes");
 }
 
-void zr_color_bar_warn(struct zr_arena *arena, const struct zr_scene *scene, struct zr_warning_list *warnings)
+void zr_color_bar_warn(struct zr_arena *arena, const struct zr_scene *scene, const struct zr_view *view,
+                       struct zr_warning_list *warnings)
 {
     const struct zr_color_bar *bar = &scene->color_bar;
-    const struct zr_view *view = &scene->views[0];
     struct zr_color_bar_layout layout;
     if (!bar->is_on || !zr_view_wants(view, ZR_CHANNEL_COLOR)) return;
     const struct zr_color_scale *scale = find_scale(scene);
@@ -204,7 +199,7 @@ void zr_color_bar_warn(struct zr_arena *arena, const struct zr_scene *scene, str
                                             "no bar");
         return;
     }
-    if (!lay_out_scene(scene, scale, &layout)) {
+    if (!zr_color_bar_lay_out(bar, scale, view->width, view->height, &layout)) {
         zr_warning_list_add(arena, warnings, "colorBar: a window of %u x %u has no room for it: no bar", view->width,
                             view->height);
         return;

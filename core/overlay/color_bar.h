@@ -43,7 +43,8 @@ void zr_color_bar_paint(const struct zr_color_bar_layout *layout, const struct z
 /* The same of a scene: over frame->color where the scene asks for a bar and has room for it. */
 void zr_color_bar_draw(const struct zr_scene *scene, struct zr_frame *frame);
 
-/* What is odd about the bar that the scene asks for, where its picture is wanted at all. */
-void zr_color_bar_warn(struct zr_arena *arena, const struct zr_scene *scene, struct zr_warning_list *warnings);
+/* What is odd about the bar that the scene asks for, where the view wants the picture at all. */
+void zr_color_bar_warn(struct zr_arena *arena, const struct zr_scene *scene, const struct zr_view *view,
+                       struct zr_warning_list *warnings);
 
 #endif

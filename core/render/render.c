@@ -12,7 +12,7 @@
 #include "scene/resolved_view.h"
 #include "scene/scene.h"
 
-/* Channels of pixels' centres, and colours with them where they are in the textbook's way. */
+/* Data channels at pixel centres; and colours, if they are the textbook's. */
 static enum zr_status draw_channels(struct zr_arena *arena, struct zr_team *team, const struct zr_scene *scene,
                                     const struct zr_cancel *cancel, struct zr_frame *frame)
 {
@@ -36,9 +36,10 @@ static bool has_channels(const struct zr_frame *frame)
     return false;
 }
 
-/* No data channel knows of samples and effects. */
-static enum zr_status draw_own_passes(struct zr_arena *arena, struct zr_team *team, const struct zr_scene *scene,
-                                      const struct zr_cancel *cancel, struct zr_frame *frame)
+/* The picture has samples and effects, which no data channel has. */
+static enum zr_status draw_picture_and_channels(struct zr_arena *arena, struct zr_team *team,
+                                                const struct zr_scene *scene, const struct zr_cancel *cancel,
+                                                struct zr_frame *frame)
 {
     struct zr_frame picture = *frame;
     enum zr_status status = ZR_OK;
@@ -59,9 +60,15 @@ static enum zr_status draw_own_passes(struct zr_arena *arena, struct zr_team *te
 static enum zr_status draw_frame(struct zr_arena *arena, struct zr_team *team, const struct zr_scene *scene,
                                  const struct zr_cancel *cancel, struct zr_frame *frame)
 {
-    if (frame->color && zr_picture_has_own_passes(&scene->picture))
-        return draw_own_passes(arena, team, scene, cancel, frame);
-    return draw_channels(arena, team, scene, cancel, frame);
+    const struct zr_output *pixel = zr_view_output(frame->view, ZR_CHANNEL_FRAGMENTS);
+    const bool has_picture = frame->color && zr_picture_has_own_passes(&scene->picture);
+    enum zr_status status = ZR_OK;
+    STAGE(has_picture ? draw_picture_and_channels(arena, team, scene, cancel, frame)
+                      : draw_channels(arena, team, scene, cancel, frame));
+    if (status == ZR_OK) zr_color_bar_draw(scene, frame);
+    if (zr_layer_channels_are_wanted(frame)) STAGE(zr_layer_channels_draw(arena, team, scene, cancel, frame));
+    if (pixel) STAGE(zr_pixel_fragments_find(arena, team, scene, pixel->x, pixel->y, cancel, frame));
+    return status;
 }
 
 static enum zr_status run_pipeline(struct zr_arena *arena, struct zr_team *team, const struct zr_scene *scene,
@@ -69,15 +76,10 @@ static enum zr_status run_pipeline(struct zr_arena *arena, struct zr_team *team,
                                    struct zr_frame *frame, struct zr_error *error)
 {
     enum zr_status status = ZR_OK;
-    if (!resolved) status = zr_resolved_view_find(arena, team, scene, cancel, &resolved, error);
-    STAGE(zr_frame_make(arena, &scene->views[0], resolved, frame));
-    STAGE(zr_base_place(arena, scene, &frame->camera, &frame->base, error));
+    if (!resolved) STAGE(zr_resolved_view_find(arena, team, scene, cancel, &resolved, error));
+    STAGE(zr_frame_make(arena, resolved, frame));
+    STAGE(zr_base_place(arena, scene, frame->view, &frame->camera, &frame->base, error));
     STAGE(draw_frame(arena, team, scene, cancel, frame));
-    if (status == ZR_OK) zr_color_bar_draw(scene, frame);
-    if (status == ZR_OK && zr_layer_channels_are_wanted(frame))
-        STAGE(zr_layer_channels_draw(arena, team, scene, cancel, frame));
-    const struct zr_output *pixel = zr_view_output(&scene->views[0], ZR_CHANNEL_FRAGMENTS);
-    if (pixel) STAGE(zr_pixel_fragments_find(arena, team, scene, pixel->x, pixel->y, cancel, frame));
     return status;
 }
 

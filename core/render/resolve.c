@@ -115,16 +115,15 @@ static void normals_to_space(const zr_mat4 *world_to_eye, enum zr_space space, f
 }
 
 static void shade(const struct zr_geometry *geometry, const struct zr_scene_attributes *surfaces,
-                  const struct zr_paint *paint, const struct zr_scene *scene, uint32_t nothing,
-                  const struct zr_tile *tile, const struct zr_frame *frame)
+                  const struct zr_paint *paint, uint32_t nothing, const struct zr_tile *tile,
+                  const struct zr_frame *frame)
 {
     const struct zr_base *base = frame->base;
     struct zr_tile_targets to = {.nothing = nothing};
     for (int c = 0; c < ZR_CHANNEL_COUNT; c++)
         to.channels[c] = zr_resolve_rows(frame, tile, (enum zr_channel)c);
     if (base) to.behind = rows_in(frame, tile, (void *)(uintptr_t)base->color, 1);
-    normals_to_space(&frame->camera.world_to_eye, zr_view_space(&scene->views[0], ZR_CHANNEL_NORMALS),
-                     to.normals_to_space);
+    normals_to_space(&frame->camera.world_to_eye, zr_frame_space(frame, ZR_CHANNEL_NORMALS), to.normals_to_space);
     paint->shade(geometry, surfaces, tile, &to);
     const struct zr_pixel_rows *faces = &to.channels[ZR_CHANNEL_FACE_ID];
     for (int32_t y = 0; frame->face_id && base && y < tile->height; y++)
@@ -147,7 +146,7 @@ struct zr_resolved zr_resolve_tile(const struct zr_geometry *geometry, const str
         return resolved;
     }
     /* Depths come last: they are streamed, and what is looked up right behind them waits (fills take 7 % longer). */
-    shade(geometry, surfaces, paint, scene, nothing, tile, frame);
+    shade(geometry, surfaces, paint, nothing, tile, frame);
     if (frame->window_depth) {
         const struct zr_pixel_rows rows = zr_resolve_rows(frame, tile, ZR_CHANNEL_WINDOW_DEPTH);
         paint->depths(tile, &rows);
@@ -155,8 +154,8 @@ struct zr_resolved zr_resolve_tile(const struct zr_geometry *geometry, const str
     const bool points = zr_visible_points_are_wanted(frame);
     if (frame->depth || points) zr_halfspace_of(isa)->flush(tile); /* these look at every sample */
     if (points)
-        zr_visible_points_tile(geometry, zr_eye_depths_of(isa), paint->ends,
-                               zr_view_space(&scene->views[0], ZR_CHANNEL_POSITION), tile, frame);
+        zr_visible_points_tile(geometry, zr_eye_depths_of(isa), paint->ends, zr_frame_space(frame, ZR_CHANNEL_POSITION),
+                               tile, frame);
     if (frame->depth) resolved.deepest = resolve_depth(geometry, isa, tile, frame);
     if (frame->base) {
         const float deepest = resolve_base_runs(paint, tile, frame, lowest_pixel_of(frame, tile));

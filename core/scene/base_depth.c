@@ -21,8 +21,8 @@ static float window_depth(const struct rows *rows, float depth, uint64_t *clampe
     return window > 0.0 ? window < 1.0 ? (float)window : 1.0f : 0.0f;
 }
 
-enum zr_status zr_base_place(struct zr_arena *arena, const struct zr_scene *scene, const struct zr_camera *camera,
-                             const struct zr_base **placed, struct zr_error *error)
+enum zr_status zr_base_place(struct zr_arena *arena, const struct zr_scene *scene, const struct zr_view *view,
+                             const struct zr_camera *camera, const struct zr_base **placed, struct zr_error *error)
 {
     *placed = scene->base;
     if (!scene->base || scene->base->window_depth || !scene->base->depth) return ZR_OK;
@@ -31,7 +31,7 @@ enum zr_status zr_base_place(struct zr_arena *arena, const struct zr_scene *scen
         return zr_error_add(error, ZR_BAD_SCENE, "/base/depth",
                             "cannot be converted, since the z of this projectionMatrix depends on x and y: "
                             "give windowDepth");
-    size_t pixels = (size_t)scene->views[0].width * scene->views[0].height;
+    size_t pixels = (size_t)view->width * view->height;
     struct zr_base *base = zr_arena_alloc(arena, 1, sizeof *base);
     float *made = zr_arena_alloc(arena, pixels, sizeof *made);
     if (!zr_arena_ok(arena)) return ZR_NO_MEMORY;

@@ -61,7 +61,7 @@ struct zr_bounds zr_fit_bounds(const struct zr_points *points, const struct zr_b
 {
     struct zr_points fitted = *points;
     fitted.fitted_only = true;
-    return points->scene->views[0].fit_to_mesh ? bounds_of(&fitted) : *whole;
+    return points->view->fit_to_mesh ? bounds_of(&fitted) : *whole;
 }
 
 double zr_size_of(const struct zr_bounds *bounds)

@@ -135,7 +135,7 @@ static void fit_parallel(const struct zr_points *fitted, double size, bool free,
     double most[ZR_MEASURES], of_all[ZR_MEASURES];
     find_extent_along(fitted, axes, most);
     double nearest = most[ZR_SLOPE_NEAR];
-    if (fitted->scene->views[0].fit_to_mesh) {
+    if (fitted->view->fit_to_mesh) {
         struct zr_points all = *fitted;
         all.fitted_only = false;
         find_extent_along(&all, axes, of_all);
@@ -151,7 +151,7 @@ static void fit_parallel(const struct zr_points *fitted, double size, bool free,
 enum zr_status zr_fit_eye(const struct zr_points *points, const struct zr_bounds *bounds, struct zr_axes *axes,
                           struct zr_error *error)
 {
-    const struct zr_view *view = &points->scene->views[0];
+    const struct zr_view *view = points->view;
     struct zr_points fitted = *points;
     fitted.fitted_only = true;
     bool free = view->pose != ZR_POSE_ORBIT || !view->has_target;
@@ -168,8 +168,7 @@ enum zr_status zr_fit_eye(const struct zr_points *points, const struct zr_bounds
         fit_parallel(&fitted, zr_size_of(bounds), free, axes);
         return ZR_OK;
     }
-    struct fitting fitting = {&fitted, zr_opening_of(&points->scene->views[0]), zr_size_of(bounds),
-                              zr_rounding_of(bounds, axes->eye)};
+    struct fitting fitting = {&fitted, zr_opening_of(view), zr_size_of(bounds), zr_rounding_of(bounds, axes->eye)};
     if (!free) return fit_on_axis(&fitting, axes, error);
     fit_freely(&fitting, axes);
     return ZR_OK;

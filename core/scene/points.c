@@ -23,7 +23,7 @@ struct search {
 
 static bool is_looked_at(const struct zr_points *points, uint32_t mesh)
 {
-    const struct zr_view *view = &points->scene->views[0];
+    const struct zr_view *view = points->view;
     return !points->fitted_only || !view->fit_to_mesh || view->fit_mesh == mesh;
 }
 

@@ -15,6 +15,7 @@
 /* Which points are looked at, and by whom. */
 struct zr_points {
     const struct zr_scene *scene;
+    const struct zr_view *view;     /* that is fitted; may be NULL without fitted_only */
     struct zr_team *team;           /* may be NULL: one thread */
     const struct zr_cancel *cancel; /* may be NULL; cancelled, all below return early, with what they have */
     bool fitted_only;               /* those of the mesh that the view is fitted to, where it names one */

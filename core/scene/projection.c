@@ -118,7 +118,7 @@ static zr_mat4 orthographic(double xmag, double ymag, double n, double f)
 enum zr_status zr_camera_project(const struct zr_points *points, const struct zr_bounds *bounds,
                                  const struct zr_bounds *fitted, struct zr_camera *camera, struct zr_error *error)
 {
-    const struct zr_view *view = &points->scene->views[0];
+    const struct zr_view *view = points->view;
     if (view->projection == ZR_PROJECTION_MATRIX) { /* nothing is left to the geometry */
         camera->projection = view->projection_matrix;
         return ZR_OK;

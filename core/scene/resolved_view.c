@@ -29,7 +29,7 @@ static float fit_margin_of(const struct zr_view *view, const struct zr_bounds *f
 static enum zr_status resolve(const struct zr_points *points, const struct zr_bounds *bounds, struct zr_camera *camera,
                               struct zr_error *error)
 {
-    const struct zr_view *view = &points->scene->views[0];
+    const struct zr_view *view = points->view;
     struct zr_bounds fitted = {.valid = false};
     if (zr_view_needs_bounds(view)) fitted = zr_fit_bounds(points, bounds);
     *camera = (struct zr_camera){.world_to_eye = view->world_to_camera};
@@ -65,10 +65,11 @@ static enum zr_status refuse_odd(const struct zr_scene *scene, const struct zr_c
     return zr_error_add(error, ZR_BAD_SCENE, NULL, "%s", text);
 }
 
-enum zr_status zr_camera_resolve(const struct zr_scene *scene, const struct zr_bounds *bounds, struct zr_team *team,
-                                 const struct zr_cancel *cancel, struct zr_camera *camera, struct zr_error *error)
+enum zr_status zr_camera_resolve(const struct zr_scene *scene, const struct zr_view *view,
+                                 const struct zr_bounds *bounds, struct zr_team *team, const struct zr_cancel *cancel,
+                                 struct zr_camera *camera, struct zr_error *error)
 {
-    const struct zr_points points = {.scene = scene, .team = team, .cancel = cancel};
+    const struct zr_points points = {.scene = scene, .view = view, .team = team, .cancel = cancel};
     enum zr_status status = resolve(&points, bounds, camera, error);
     if (status == ZR_OK && zr_is_cancelled(cancel)) return ZR_CANCELLED;
     if (status == ZR_OK) status = check_range(camera, error);
@@ -79,11 +80,12 @@ enum zr_status zr_resolved_view_find(struct zr_arena *arena, struct zr_team *tea
                                      const struct zr_cancel *cancel, const struct zr_resolved_view **out,
                                      struct zr_error *error)
 {
+    const struct zr_view *view = &scene->views[0];
     struct zr_resolved_view *resolved = zr_arena_zero(arena, 1, sizeof *resolved);
     *out = resolved;
     if (!resolved) return ZR_NO_MEMORY;
-    if (zr_view_needs_bounds(&scene->views[0]) || zr_view_wants(&scene->views[0], ZR_CHANNEL_INFO) ||
-        scene->picture.is_linear)
+    resolved->view = view;
+    if (zr_view_needs_bounds(view) || zr_view_wants(view, ZR_CHANNEL_INFO) || scene->picture.is_linear)
         resolved->bounds = zr_bounds_of(scene, team, cancel);
-    return zr_camera_resolve(scene, &resolved->bounds, team, cancel, &resolved->camera, error);
+    return zr_camera_resolve(scene, view, &resolved->bounds, team, cancel, &resolved->camera, error);
 }

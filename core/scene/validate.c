@@ -60,13 +60,12 @@ static void check_lamps(const struct zr_scene *scene, struct zr_error *error)
 }
 
 /* Where the base is seen, every channel that is asked for must come from it. */
-static void check_base(const struct zr_scene *scene, struct zr_error *error)
+static void check_base(const struct zr_scene *scene, const struct zr_view *view, struct zr_error *error)
 {
     const struct zr_base *base = scene->base;
     if (!base) return;
     bool color = false, depth = false, face_id = false;
     const enum zr_channel last_of_base = ZR_CHANNEL_INFO;
-    const struct zr_view *view = &scene->views[0];
     for (uint32_t i = 0; i < view->output_count; i++) {
         enum zr_channel channel = view->outputs[i].channel;
         if (channel > last_of_base)
@@ -83,9 +82,8 @@ static void check_base(const struct zr_scene *scene, struct zr_error *error)
         zr_error_add(error, ZR_BAD_SCENE, "/base/faceId", "missing: the outputs faceId and info need it");
 }
 
-static void check_layers(const struct zr_scene *scene, struct zr_error *error)
+static void check_layers(const struct zr_scene *scene, const struct zr_view *view, struct zr_error *error)
 {
-    const struct zr_view *view = &scene->views[0];
     static const enum zr_channel channels[] = {ZR_CHANNEL_LAYERS, ZR_CHANNEL_THICKNESS, ZR_CHANNEL_FRAGMENTS};
     if (scene->algorithm != ZR_ALGORITHM_PAINTER) return;
     for (size_t i = 0; i < sizeof channels / sizeof channels[0]; i++)
@@ -108,9 +106,9 @@ static void check_pixels(const struct zr_view *view, struct zr_error *error)
     }
 }
 
-static void check_xrays(const struct zr_scene *scene, struct zr_error *error)
+static void check_xrays(const struct zr_scene *scene, const struct zr_view *view, struct zr_error *error)
 {
-    if (scene->algorithm == ZR_ALGORITHM_PAINTER && zr_view_wants(&scene->views[0], ZR_CHANNEL_COLOR) &&
+    if (scene->algorithm == ZR_ALGORITHM_PAINTER && zr_view_wants(view, ZR_CHANNEL_COLOR) &&
         zr_any_is_xray(scene->materials, scene->material_count))
         zr_error_add(error, ZR_BAD_SCENE, "/algorithm",
                      "painter keeps no fragments, which the shading xray needs; the other algorithms do");
@@ -129,14 +127,15 @@ static void check_see_through(const struct zr_scene *scene, struct zr_error *err
 
 enum zr_status zr_scene_validate(const struct zr_scene *scene, const struct zr_limits *limits, struct zr_error *error)
 {
+    const struct zr_view *view = &scene->views[0];
     size_t before = error->count;
-    check_view(&scene->views[0], limits, error);
+    check_view(view, limits, error);
     check_geometry(scene, error);
     check_lamps(scene, error);
-    check_base(scene, error);
+    check_base(scene, view, error);
     check_see_through(scene, error);
-    check_xrays(scene, error);
-    check_layers(scene, error);
-    check_pixels(&scene->views[0], error);
+    check_xrays(scene, view, error);
+    check_layers(scene, view, error);
+    check_pixels(view, error);
     return error->count > before ? ZR_BAD_SCENE : ZR_OK;
 }

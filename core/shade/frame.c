@@ -3,10 +3,11 @@
 #include "raster/tile.h"
 #include "scene/resolved_view.h"
 
-enum zr_status zr_frame_make(struct zr_arena *arena, const struct zr_view *view,
-                             const struct zr_resolved_view *resolved, struct zr_frame *frame)
+enum zr_status zr_frame_make(struct zr_arena *arena, const struct zr_resolved_view *resolved, struct zr_frame *frame)
 {
+    const struct zr_view *view = resolved->view;
     const size_t pixels = (size_t)view->width * view->height;
+    frame->view = view;
     frame->width = view->width;
     frame->height = view->height;
     frame->bounds = resolved->bounds;

@@ -34,6 +34,7 @@ struct zr_pixel_fragments {
 };
 
 struct zr_frame {
+    const struct zr_view *view; /* that it shows; NULL: it is a depth map */
     uint32_t width, height;
     union {
         void *channels[ZR_CHANNEL_COUNT]; /* scene/channels.h; NULL: not wanted */
@@ -60,8 +61,13 @@ struct zr_frame {
 struct zr_resolved_view;
 
 /* Room for the channels that the outputs are made of, and what is known of the view. ZR_OK or ZR_NO_MEMORY. */
-enum zr_status zr_frame_make(struct zr_arena *arena, const struct zr_view *view,
-                             const struct zr_resolved_view *resolved, struct zr_frame *frame);
+enum zr_status zr_frame_make(struct zr_arena *arena, const struct zr_resolved_view *resolved, struct zr_frame *frame);
+
+/* The space of a channel that the view asks for. */
+static inline enum zr_space zr_frame_space(const struct zr_frame *frame, enum zr_channel channel)
+{
+    return frame->view ? zr_view_space(frame->view, channel) : ZR_SPACE_CAMERA;
+}
 
 /* Fills in `reaches`, from which tiles show anything: tile 0 is at the window's lower left. */
 void zr_frame_find_reaches(const struct zr_frame *frame, const uint8_t *occupied);

@@ -50,7 +50,8 @@ static bool take(struct ours *ours, const struct task *task, bool lit)
         return true;
     }
     const struct zr_bounds bounds = zr_bounds_of(&subject->scene, NULL, NULL);
-    if (zr_camera_resolve(&subject->scene, &bounds, NULL, NULL, &camera, &error) != ZR_OK) return false;
+    if (zr_camera_resolve(&subject->scene, &subject->scene.views[0], &bounds, NULL, NULL, &camera, &error) != ZR_OK)
+        return false;
     subject->scene.views[0].pose = ZR_POSE_MATRIX;
     subject->scene.views[0].projection = ZR_PROJECTION_MATRIX;
     subject->scene.views[0].world_to_camera = camera.world_to_eye;

@@ -172,7 +172,7 @@ static struct zr_scene_attributes surfaces_of(bool colored, bool singly, struct 
         test.scene.views[0].outputs++;
         test.scene.views[0].output_count--;
     }
-    assert_int_equal(zr_camera_resolve(&test.scene, NULL, NULL, NULL, &camera, &error), ZR_OK);
+    assert_int_equal(zr_camera_resolve(&test.scene, &test.scene.views[0], NULL, NULL, NULL, &camera, &error), ZR_OK);
     const struct zr_attribute_wants wants = {.colors = colored};
     assert_int_equal(zr_geometry_build(&arena, NULL, &test.scene, &camera, &window, NULL, singly, geometry), ZR_OK);
     assert_int_equal(zr_scene_attributes_make(&arena, NULL, &test.scene, &camera, geometry, &wants, NULL, &surfaces),
@@ -230,7 +230,7 @@ static void points_are_there_though_their_making_was_cancelled(void **state)
     scene_of_triangles(&test, WIDTH, HEIGHT, p, 1);
     test.material.shading = ZR_SHADING_PHONG;
     const struct zr_attribute_wants wants = {.colors = true};
-    assert_int_equal(zr_camera_resolve(&test.scene, NULL, NULL, NULL, &camera, &error), ZR_OK);
+    assert_int_equal(zr_camera_resolve(&test.scene, &test.scene.views[0], NULL, NULL, NULL, &camera, &error), ZR_OK);
     assert_int_equal(zr_geometry_build(&arena, NULL, &test.scene, &camera, &window, NULL, false, &geometry), ZR_OK);
     assert_int_equal(
         zr_scene_attributes_make(&arena, NULL, &test.scene, &camera, &geometry, &wants, &cancel, &surfaces),

@@ -206,7 +206,7 @@ static enum zr_status see(struct zr_team *team, const struct zr_scene *scene, st
 {
     struct zr_error error = {.count = 0};
     const struct zr_bounds bounds = zr_bounds_of(scene, team, NULL);
-    return zr_camera_resolve(scene, &bounds, team, NULL, camera, &error);
+    return zr_camera_resolve(scene, &scene->views[0], &bounds, team, NULL, camera, &error);
 }
 
 /* The same places, none of them with a w of 1: each is looked at by itself. */

@@ -29,7 +29,8 @@ static struct zr_camera resolve(const struct test_scene *test)
     struct zr_camera camera;
     struct zr_error error = {.count = 0};
     struct zr_bounds bounds = zr_bounds_of(&test->scene, NULL, NULL);
-    assert_int_equal(zr_camera_resolve(&test->scene, &bounds, NULL, NULL, &camera, &error), ZR_OK);
+    assert_int_equal(zr_camera_resolve(&test->scene, &test->scene.views[0], &bounds, NULL, NULL, &camera, &error),
+                     ZR_OK);
     return camera;
 }
 
@@ -123,11 +124,13 @@ static void look_at_without_direction_or_up_is_refused(void **state)
     struct zr_error error = {.count = 0};
     view->pose = ZR_POSE_LOOK_AT;
     view->eye = view->target = (zr_vec3){1, 2, 3};
-    assert_int_equal(zr_camera_resolve(&test->scene, &bounds, NULL, NULL, &camera, &error), ZR_BAD_SCENE);
+    assert_int_equal(zr_camera_resolve(&test->scene, &test->scene.views[0], &bounds, NULL, NULL, &camera, &error),
+                     ZR_BAD_SCENE);
     assert_string_equal(error.items[0].pointer, "/view/eye");
     error.count = 0;
     view->eye = (zr_vec3){1, 9, 3};
-    assert_int_equal(zr_camera_resolve(&test->scene, &bounds, NULL, NULL, &camera, &error), ZR_BAD_SCENE);
+    assert_int_equal(zr_camera_resolve(&test->scene, &test->scene.views[0], &bounds, NULL, NULL, &camera, &error),
+                     ZR_BAD_SCENE);
     assert_string_equal(error.items[0].pointer, "/view/up");
 }
 
@@ -160,7 +163,8 @@ static void depth_range_given_is_kept_and_one_turned_round_is_refused(void **sta
     view->znear = 200.0f;
     struct zr_bounds bounds = zr_bounds_of(&test->scene, NULL, NULL);
     struct zr_error error = {.count = 0};
-    assert_int_equal(zr_camera_resolve(&test->scene, &bounds, NULL, NULL, &camera, &error), ZR_BAD_SCENE);
+    assert_int_equal(zr_camera_resolve(&test->scene, &test->scene.views[0], &bounds, NULL, NULL, &camera, &error),
+                     ZR_BAD_SCENE);
 }
 
 static void eye_inside_or_before_the_geometry_still_gives_a_camera(void **state)
@@ -193,7 +197,8 @@ static void view_beyond_the_range_of_numbers_is_refused(void **state)
         view->projection = i ? ZR_PROJECTION_PERSPECTIVE : ZR_PROJECTION_ORTHOGRAPHIC;
         view->xmag = view->ymag = 1e-40f;
         view->yfov_radians = 1e-42f;
-        assert_int_equal(zr_camera_resolve(&test->scene, &bounds, NULL, NULL, &camera, &error), ZR_BAD_SCENE);
+        assert_int_equal(zr_camera_resolve(&test->scene, &test->scene.views[0], &bounds, NULL, NULL, &camera, &error),
+                         ZR_BAD_SCENE);
         assert_string_equal(error.items[0].pointer, "/view");
     }
 }

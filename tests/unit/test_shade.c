@@ -208,7 +208,7 @@ static uint32_t count_early(struct zr_arena *arena, struct zr_team *team, const 
     struct zr_binned_scene visible;
     struct zr_error error = {.count = 0};
     struct zr_tile *tile = zr_arena_alloc(arena, 1, sizeof *tile);
-    assert_int_equal(zr_camera_resolve(scene, NULL, NULL, NULL, &camera, &error), ZR_OK);
+    assert_int_equal(zr_camera_resolve(scene, &scene->views[0], NULL, NULL, NULL, &camera, &error), ZR_OK);
     const uint32_t width = scene->views[0].width, height = scene->views[0].height;
     const struct zr_window window = {width, height, 1, 1.0f};
     const struct zr_attribute_wants wants = {.colors = zr_view_wants(&scene->views[0], ZR_CHANNEL_COLOR),
