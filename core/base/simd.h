@@ -55,18 +55,32 @@
 #include <stdint.h>
 #include <string.h>
 
+/* Macros, not constants: vec.h asks for them by #if. */
 #if defined ZR_KERNEL_SCALAR
-#include "base/simd/scalar.h"
-#elif defined ZR_KERNEL_AVX512
-#include "base/simd/avx512.h"
-#elif defined ZR_KERNEL_AVX2
-#include "base/simd/avx2.h"
+#define ZR_SUFFIX scalar
+#define ZR_LANES  1
 #elif defined ZR_KERNEL_SSE2
-#include "base/simd/sse2.h"
+#define ZR_SUFFIX sse2
+#define ZR_LANES  4
 #elif defined ZR_KERNEL_NEON
-#include "base/simd/neon.h"
+#define ZR_SUFFIX neon
+#define ZR_LANES  4
+#elif defined ZR_KERNEL_AVX2
+#define ZR_SUFFIX avx2
+#define ZR_LANES  8
+#elif defined ZR_KERNEL_AVX512
+#define ZR_SUFFIX    avx512
+#define ZR_LANES     16
+#define ZR_HAS_MASKS /* registers of their own */
 #else
 #error "kernels are compiled once for each instruction set, with one of ZR_KERNEL_*"
+#endif
+
+#include "base/simd/vec.h"
+#if defined ZR_KERNEL_AVX2
+#include "base/simd/avx2.h"
+#elif defined ZR_KERNEL_AVX512
+#include "base/simd/avx512.h"
 #endif
 
 #ifndef ZR_PATCH_ROWS
@@ -83,11 +97,10 @@ static inline void zr_vi_rows_of_patches(zr_vi v[ZR_PATCH_ROWS])
 }
 #endif
 
-#ifndef ZR_HAS_CROSS
-static inline zr_vi zr_vp_cross(zr_vp a, zr_vp b)
+#ifndef ZR_HAS_MASKS
+static inline void zr_vi_store_where(void *p, zr_vm m, zr_vi v)
 {
-    const zr_vi ax = (zr_vi)a << 16 >> 16, ay = (zr_vi)a >> 16, bx = (zr_vi)b << 16 >> 16, by = (zr_vi)b >> 16;
-    return ax * by - ay * bx;
+    zr_vi_store(p, zr_vi_select(m, v, zr_vi_load(p)));
 }
 #endif
 
@@ -152,11 +165,6 @@ static inline void zr_vi_put(void *p, zr_vi v, bool streamed)
         zr_vi_store(p, v);
 }
 
-static inline void zr_vi_store4(void *p, zr_vi x, zr_vi y, zr_vi z, zr_vi w)
-{
-    zr_vf_store4(p, zr_vf_bits(x), zr_vf_bits(y), zr_vf_bits(z), zr_vf_bits(w));
-}
-
 static inline void zr_vf_load_fours(const float *p, zr_vf *x, zr_vf *y, zr_vf *z, zr_vf *w)
 {
     zr_transpose4(zr_vf_load(p), zr_vf_load(p + ZR_LANES), zr_vf_load(p + 2 * ZR_LANES), zr_vf_load(p + 3 * ZR_LANES),
@@ -169,6 +177,18 @@ static inline void zr_vf_store_fours(float *p, zr_vf x, zr_vf y, zr_vf z, zr_vf 
     zr_transpose4(x, y, z, w, &v[0], &v[1], &v[2], &v[3]);
     for (int i = 0; i < 4; i++)
         zr_vf_store(p + i * ZR_LANES, v[i]);
+}
+
+#if ZR_LANES <= 4 /* whose order of lanes is the order of fours */
+static inline void zr_vf_store4(float *p, zr_vf x, zr_vf y, zr_vf z, zr_vf w)
+{
+    zr_vf_store_fours(p, x, y, z, w);
+}
+#endif
+
+static inline void zr_vi_store4(void *p, zr_vi x, zr_vi y, zr_vi z, zr_vi w)
+{
+    zr_vf_store4(p, zr_vf_bits(x), zr_vf_bits(y), zr_vf_bits(z), zr_vf_bits(w));
 }
 
 static inline void zr_vf_stream_fours(float *p, zr_vf x, zr_vf y, zr_vf z, zr_vf w)

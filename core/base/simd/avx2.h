@@ -2,51 +2,21 @@
 #ifndef ZR_SIMD_AVX2_H
 #define ZR_SIMD_AVX2_H
 
-#include "base/simd/x86.h"
-
-#define ZR_SUFFIX avx2
-enum { ZR_LANES = 8 };
 #define ZR_PATCH_ROWS 2
 
-typedef float zr_vf __attribute__((vector_size(32)));
-typedef int32_t zr_vi __attribute__((vector_size(32)));
-typedef int16_t zr_vp __attribute__((vector_size(32)));
-typedef uint32_t zr_vm __attribute__((vector_size(32))); /* all bits of a lane, or none */
+ZR_BINARY(zr_vf, zr_vf_min, zr_vf, __m256, _mm256_min_ps)
+ZR_BINARY(zr_vf, zr_vf_max, zr_vf, __m256, _mm256_max_ps)
+ZR_BINARY(zr_vi, zr_vi_min, zr_vi, __m256i, _mm256_min_epi32)
+ZR_BINARY(zr_vi, zr_vi_max, zr_vi, __m256i, _mm256_max_epi32)
+ZR_UNARY(zr_vf, zr_vf_sqrt, zr_vf, __m256, _mm256_sqrt_ps)
+ZR_UNARY(zr_vi, zr_vi_round, zr_vf, __m256, _mm256_cvtps_epi32)
+ZR_UNARY(uint32_t, zr_vm_bits, zr_vm, __m256, _mm256_movemask_ps)
+ZR_BINARY(zr_vd, zr_vd_min, zr_vd, __m256d, _mm256_min_pd)
+ZR_BINARY(zr_vd, zr_vd_max, zr_vd, __m256d, _mm256_max_pd)
+ZR_BINARY(zr_vp, zr_vp_pack, zr_vi, __m256i, _mm256_packs_epi32)
+ZR_BINARY(zr_vp, zr_vp_min, zr_vp, __m256i, _mm256_min_epi16)
+ZR_BINARY(zr_vp, zr_vp_max, zr_vp, __m256i, _mm256_max_epi16)
 
-#include "base/simd/vector_compare.h"
-
-static inline zr_vf zr_vf_set(float a)
-{
-    return (zr_vf)_mm256_set1_ps(a);
-}
-static inline zr_vi zr_vi_set(int32_t a)
-{
-    return (zr_vi)_mm256_set1_epi32(a);
-}
-static inline zr_vi zr_vi_ramp(void)
-{
-    return (zr_vi){0, 1, 2, 3, 4, 5, 6, 7};
-}
-static inline zr_vf zr_vf_ramp(void)
-{
-    return (zr_vf){0, 1, 2, 3, 4, 5, 6, 7};
-}
-static inline zr_vf zr_vf_load(const float *p)
-{
-    return (zr_vf)_mm256_loadu_ps(p);
-}
-static inline zr_vi zr_vi_load(const void *p)
-{
-    return (zr_vi)_mm256_loadu_si256((const __m256i *)p);
-}
-static inline void zr_vf_store(float *p, zr_vf v)
-{
-    _mm256_storeu_ps(p, (__m256)v);
-}
-static inline void zr_vi_store(void *p, zr_vi v)
-{
-    _mm256_storeu_si256((__m256i *)p, (__m256i)v);
-}
 static inline zr_vf zr_vf_select(zr_vm m, zr_vf a, zr_vf b)
 {
     return (zr_vf)_mm256_blendv_ps((__m256)b, (__m256)a, (__m256)m);
@@ -79,47 +49,6 @@ static inline void zr_vi_stream(void *p, zr_vi v)
 {
     _mm256_stream_si256((__m256i *)p, (__m256i)v);
 }
-static inline uint32_t zr_vm_bits(zr_vm m)
-{
-    return (uint32_t)_mm256_movemask_ps((__m256)m);
-}
-static inline zr_vm zr_vm_of(uint32_t bits)
-{
-    const zr_vi own = {1, 2, 4, 8, 16, 32, 64, 128};
-    return zr_vi_eq(zr_vi_set((int32_t)bits) & own, own);
-}
-static inline zr_vf zr_vf_min(zr_vf a, zr_vf b)
-{
-    return (zr_vf)_mm256_min_ps((__m256)a, (__m256)b);
-}
-static inline zr_vf zr_vf_max(zr_vf a, zr_vf b)
-{
-    return (zr_vf)_mm256_max_ps((__m256)a, (__m256)b);
-}
-static inline zr_vi zr_vi_min(zr_vi a, zr_vi b)
-{
-    return (zr_vi)_mm256_min_epi32((__m256i)a, (__m256i)b);
-}
-static inline zr_vi zr_vi_max(zr_vi a, zr_vi b)
-{
-    return (zr_vi)_mm256_max_epi32((__m256i)a, (__m256i)b);
-}
-static inline zr_vf zr_vf_abs(zr_vf a)
-{
-    return (zr_vf)((zr_vi)a & zr_vi_set(INT32_MAX));
-}
-static inline zr_vf zr_vf_sqrt(zr_vf a)
-{
-    return (zr_vf)_mm256_sqrt_ps((__m256)a);
-}
-static inline zr_vf zr_vf_of(zr_vi a)
-{
-    return (zr_vf)_mm256_cvtepi32_ps((__m256i)a);
-}
-static inline zr_vi zr_vi_round(zr_vf a)
-{
-    return (zr_vi)_mm256_cvtps_epi32((__m256)a);
-}
 
 /* Lanes i, i + 4 of two vectors of x, y, z, w each. */
 #define ZR_LOAD_EVERY_FOURTH(AT, i)                                                                                    \
@@ -150,18 +79,6 @@ static inline void zr_transpose4(zr_vf a0, zr_vf a1, zr_vf a2, zr_vf a3, zr_vf *
     _mm256_insertf128_ps(_mm256_castps128_ps256(zr_load_pair(AT(i), AT((i) + 1))),                                     \
                          zr_load_pair(AT((i) + 4), AT((i) + 5)), 1)
 
-static inline zr_vp zr_vp_pack(zr_vi low, zr_vi high)
-{
-    return (zr_vp)_mm256_packs_epi32((__m256i)low, (__m256i)high);
-}
-static inline zr_vp zr_vp_min(zr_vp a, zr_vp b)
-{
-    return (zr_vp)_mm256_min_epi16((__m256i)a, (__m256i)b);
-}
-static inline zr_vp zr_vp_max(zr_vp a, zr_vp b)
-{
-    return (zr_vp)_mm256_max_epi16((__m256i)a, (__m256i)b);
-}
 static inline zr_vi zr_vp_cross(zr_vp a, zr_vp b)
 {
     const __m256i y_x = _mm256_or_si256(_mm256_slli_epi32((__m256i)b, 16), _mm256_srli_epi32((__m256i)b, 16));
@@ -216,38 +133,9 @@ static inline uint32_t zr_vi_list_bits(void *p, uint32_t bits, int32_t first)
     return (uint32_t)__builtin_popcount(bits);
 }
 
-typedef double zr_vd __attribute__((vector_size(32)));
-enum { ZR_DOUBLES = 4 };
-
-static inline zr_vd zr_vd_set(double a)
-{
-    return (zr_vd)_mm256_set1_pd(a);
-}
-static inline void zr_vd_store(double *p, zr_vd v)
-{
-    _mm256_storeu_pd(p, (__m256d)v);
-}
-static inline zr_vd zr_vd_widen(const float *p)
-{
-    return (zr_vd)_mm256_cvtps_pd(_mm_loadu_ps(p));
-}
-static inline void zr_vd_narrow(float *p, zr_vd v)
-{
-    _mm_storeu_ps(p, _mm256_cvtpd_ps((__m256d)v));
-}
-static inline zr_vd zr_vd_min(zr_vd a, zr_vd b)
-{
-    return (zr_vd)_mm256_min_pd((__m256d)a, (__m256d)b);
-}
-static inline zr_vd zr_vd_max(zr_vd a, zr_vd b)
-{
-    return (zr_vd)_mm256_max_pd((__m256d)a, (__m256d)b);
-}
 static inline zr_vd zr_vd_gather(const double *p, const int32_t *i)
 {
     return (zr_vd)_mm256_i32gather_pd(p, _mm_loadu_si128((const __m128i *)(const void *)i), 8);
 }
-
-#include "base/simd/vector_masks.h"
 
 #endif

@@ -2,49 +2,20 @@
 #ifndef ZR_SIMD_AVX512_H
 #define ZR_SIMD_AVX512_H
 
-#include "base/simd/x86.h"
-
-#define ZR_SUFFIX avx512
-enum { ZR_LANES = 16 };
 #define ZR_PATCH_ROWS 4
 
-typedef float zr_vf __attribute__((vector_size(64)));
-typedef int32_t zr_vi __attribute__((vector_size(64)));
-typedef int16_t zr_vp __attribute__((vector_size(64)));
-typedef __mmask16 zr_vm;
+ZR_BINARY(zr_vf, zr_vf_min, zr_vf, __m512, _mm512_min_ps)
+ZR_BINARY(zr_vf, zr_vf_max, zr_vf, __m512, _mm512_max_ps)
+ZR_BINARY(zr_vi, zr_vi_min, zr_vi, __m512i, _mm512_min_epi32)
+ZR_BINARY(zr_vi, zr_vi_max, zr_vi, __m512i, _mm512_max_epi32)
+ZR_UNARY(zr_vf, zr_vf_sqrt, zr_vf, __m512, _mm512_sqrt_ps)
+ZR_UNARY(zr_vi, zr_vi_round, zr_vf, __m512, _mm512_cvtps_epi32)
+ZR_BINARY(zr_vd, zr_vd_min, zr_vd, __m512d, _mm512_min_pd)
+ZR_BINARY(zr_vd, zr_vd_max, zr_vd, __m512d, _mm512_max_pd)
+ZR_BINARY(zr_vp, zr_vp_pack, zr_vi, __m512i, _mm512_packs_epi32)
+ZR_BINARY(zr_vp, zr_vp_min, zr_vp, __m512i, _mm512_min_epi16)
+ZR_BINARY(zr_vp, zr_vp_max, zr_vp, __m512i, _mm512_max_epi16)
 
-static inline zr_vf zr_vf_set(float a)
-{
-    return (zr_vf)_mm512_set1_ps(a);
-}
-static inline zr_vi zr_vi_set(int32_t a)
-{
-    return (zr_vi)_mm512_set1_epi32(a);
-}
-static inline zr_vi zr_vi_ramp(void)
-{
-    return (zr_vi){0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15};
-}
-static inline zr_vf zr_vf_ramp(void)
-{
-    return (zr_vf){0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15};
-}
-static inline zr_vf zr_vf_load(const float *p)
-{
-    return (zr_vf)_mm512_loadu_ps(p);
-}
-static inline zr_vi zr_vi_load(const void *p)
-{
-    return (zr_vi)_mm512_loadu_si512(p);
-}
-static inline void zr_vf_store(float *p, zr_vf v)
-{
-    _mm512_storeu_ps(p, (__m512)v);
-}
-static inline void zr_vi_store(void *p, zr_vi v)
-{
-    _mm512_storeu_si512(p, (__m512i)v);
-}
 static inline void zr_vi_store_first(void *p, zr_vi v, uint32_t n)
 {
     _mm512_mask_storeu_epi32(p, (__mmask16)_bzhi_u32(0xffff, n), (__m512i)v);
@@ -137,46 +108,6 @@ static inline zr_vi zr_vi_select(zr_vm m, zr_vi a, zr_vi b)
 {
     return (zr_vi)_mm512_mask_blend_epi32(m, (__m512i)b, (__m512i)a);
 }
-static inline zr_vf zr_vf_min(zr_vf a, zr_vf b)
-{
-    return (zr_vf)_mm512_min_ps((__m512)a, (__m512)b);
-}
-static inline zr_vf zr_vf_max(zr_vf a, zr_vf b)
-{
-    return (zr_vf)_mm512_max_ps((__m512)a, (__m512)b);
-}
-static inline zr_vi zr_vi_min(zr_vi a, zr_vi b)
-{
-    return (zr_vi)_mm512_min_epi32((__m512i)a, (__m512i)b);
-}
-static inline zr_vi zr_vi_max(zr_vi a, zr_vi b)
-{
-    return (zr_vi)_mm512_max_epi32((__m512i)a, (__m512i)b);
-}
-static inline zr_vf zr_vf_abs(zr_vf a)
-{
-    return (zr_vf)_mm512_abs_ps((__m512)a);
-}
-static inline zr_vf zr_vf_sqrt(zr_vf a)
-{
-    return (zr_vf)_mm512_sqrt_ps((__m512)a);
-}
-static inline zr_vf zr_vf_of(zr_vi a)
-{
-    return (zr_vf)_mm512_cvtepi32_ps((__m512i)a);
-}
-static inline zr_vi zr_vi_round(zr_vf a)
-{
-    return (zr_vi)_mm512_cvtps_epi32((__m512)a);
-}
-static inline zr_vf zr_vf_bits(zr_vi a)
-{
-    return (zr_vf)a;
-}
-static inline zr_vi zr_vi_bits_of(zr_vf a)
-{
-    return (zr_vi)a;
-}
 
 /* Lanes i, i + 4, i + 8, i + 12 of four vectors of x, y, z, w each. */
 #define ZR_LOAD_EVERY_FOURTH(AT, i)                                                                                    \
@@ -225,33 +156,6 @@ static inline void zr_vf_gather_fours(const float *p, zr_vi i, zr_vf *x, zr_vf *
     *z = (zr_vf)_mm512_i32gather_ps(_mm512_slli_epi32(pair, 1), p + 2, 4);
 }
 
-typedef double zr_vd __attribute__((vector_size(64)));
-enum { ZR_DOUBLES = 8 };
-
-static inline zr_vd zr_vd_set(double a)
-{
-    return (zr_vd)_mm512_set1_pd(a);
-}
-static inline void zr_vd_store(double *p, zr_vd v)
-{
-    _mm512_storeu_pd(p, (__m512d)v);
-}
-static inline zr_vd zr_vd_widen(const float *p)
-{
-    return (zr_vd)_mm512_cvtps_pd(_mm256_loadu_ps(p));
-}
-static inline void zr_vd_narrow(float *p, zr_vd v)
-{
-    _mm256_storeu_ps(p, _mm512_cvtpd_ps((__m512d)v));
-}
-static inline zr_vd zr_vd_min(zr_vd a, zr_vd b)
-{
-    return (zr_vd)_mm512_min_pd((__m512d)a, (__m512d)b);
-}
-static inline zr_vd zr_vd_max(zr_vd a, zr_vd b)
-{
-    return (zr_vd)_mm512_max_pd((__m512d)a, (__m512d)b);
-}
 static inline zr_vd zr_vd_gather(const double *p, const int32_t *i)
 {
     return (zr_vd)_mm512_i32gather_pd(_mm256_loadu_si256((const __m256i *)(const void *)i), p, 8);
@@ -265,18 +169,6 @@ static inline zr_vd zr_vd_gather(const double *p, const int32_t *i)
                                           zr_load_pair(AT((i) + 8), AT((i) + 9)), 2),                                  \
                        zr_load_pair(AT((i) + 12), AT((i) + 13)), 3)
 
-static inline zr_vp zr_vp_pack(zr_vi low, zr_vi high)
-{
-    return (zr_vp)_mm512_packs_epi32((__m512i)low, (__m512i)high);
-}
-static inline zr_vp zr_vp_min(zr_vp a, zr_vp b)
-{
-    return (zr_vp)_mm512_min_epi16((__m512i)a, (__m512i)b);
-}
-static inline zr_vp zr_vp_max(zr_vp a, zr_vp b)
-{
-    return (zr_vp)_mm512_max_epi16((__m512i)a, (__m512i)b);
-}
 static inline zr_vi zr_vp_cross(zr_vp a, zr_vp b)
 {
     const __m512i y_x = _mm512_rol_epi32((__m512i)b, 16);
