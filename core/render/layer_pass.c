@@ -50,7 +50,7 @@ struct zr_layers *zr_layer_pass_find(const struct zr_layer_pass *pass, uint32_t 
                                      struct zr_tile *tile)
 {
     const struct zr_tile_source *tiles = &pass->pass.tiles;
-    if (!zr_tile_find_visible(tiles, number, NULL, cancel, tile)) return NULL;
+    if (!zr_tile_find_visible(tiles, number, cancel, tile)) return NULL;
     struct zr_layers *layers = zr_layers_take(tiles->layers);
     if (!layers) return NULL;
     if (tile->is_empty) zr_tile_begin(tile, NULL, 0, 0);

@@ -4,6 +4,7 @@
 
 #include "base/mutant.h"
 #include "base/rgba.h"
+#include "raster/halfspace.h"
 
 /* ---- the pool ---- */
 
@@ -36,30 +37,11 @@ static uint32_t place_of(int32_t x, int32_t y)
     return (uint32_t)(y * ZR_TILE_STRIDE + x);
 }
 
-/* Those of the window's lists that are still in front of what the tile has. */
-static void load_lists(const struct zr_samples *samples, const struct zr_fragments *from, const struct zr_tile *tile,
-                       struct zr_fragments *to)
-{
-    for (int32_t y = 0; y < tile->height; y++)
-        for (int32_t x = 0; x < tile->width; x++) {
-            const size_t at = (size_t)(tile->y + y) * samples->width + (size_t)(tile->x + x);
-            uint32_t count;
-            const uint64_t *keys = zr_fragments_of(from, (uint32_t)at, &count);
-            for (uint32_t i = 0; i < count && zr_fragment_depth(keys[i]) < tile->depth[place_of(x, y)]; i++)
-                zr_fragments_put(to, place_of(x, y), zr_fragment_depth(keys[i]), zr_fragment_owner(keys[i]));
-        }
-}
-
 static bool put_all(const struct zr_tile_source *tiles, uint32_t number, enum zr_alpha_mode mode,
                     const struct zr_cancel *cancel, struct zr_tile *tile, struct zr_fragments *fragments)
 {
-    if (tiles->samples) {
-        const struct zr_fragments *from = mode == ZR_ALPHA_MASK ? tiles->masked : tiles->blended;
-        if (from) load_lists(tiles->samples, from, tile, fragments);
-        return true;
-    }
     tile->fragments = fragments;
-    const bool complete = zr_visibility_fragments(tiles->visible, number, mode, cancel, tile);
+    const bool complete = zr_visibility_fragments(tiles->visibility, number, mode, cancel, tile);
     tile->fragments = NULL;
     return complete;
 }
@@ -111,7 +93,7 @@ void zr_layers_show(struct zr_layers *layers, uint32_t depth)
 
 static bool has_any(const struct zr_tile_source *tiles, uint32_t number, enum zr_alpha_mode mode)
 {
-    return tiles->layers && (tiles->samples || zr_visibility_has_any(tiles->visible, number, mode));
+    return tiles->layers && zr_visibility_has_any(tiles->visibility, number, mode);
 }
 
 bool zr_layers_has_blended(const struct zr_tile_source *tiles, uint32_t number)
@@ -170,11 +152,10 @@ static void count_masked(struct zr_layers_pool *pool)
 
 static void write_all(const struct zr_tile_source *tiles, struct zr_tile *tile)
 {
-    if (tiles->samples) return;
     if (tile->is_empty)
         zr_tile_begin(tile, NULL, 0, 0);
     else
-        tiles->visible->halfspace->flush(tile);
+        zr_halfspace_of(tiles->isa)->flush(tile);
     tile->knows_owners = false;
 }
 

@@ -13,39 +13,26 @@ static bool any_draw(const struct zr_geometry *geometry, enum zr_alpha_mode mode
     return false;
 }
 
-static enum zr_status make_lists(struct zr_arena *arena, const struct zr_geometry *geometry,
-                                 zr_visibility_fn *visibility, const struct zr_cancel *cancel, struct zr_pass *pass)
-{
-    struct zr_tile_source *tiles = &pass->tiles;
-    enum zr_status status = ZR_OK;
-    if (tiles->any_masked)
-        STAGE(zr_visibility_window_fragments(arena, geometry, visibility, ZR_ALPHA_MASK, cancel, &pass->samples,
-                                             &pass->masked));
-    if (tiles->any_blended)
-        STAGE(zr_visibility_window_fragments(arena, geometry, visibility, ZR_ALPHA_BLEND, cancel, &pass->samples,
-                                             &pass->blended));
-    if (tiles->any_masked) tiles->masked = &pass->masked;
-    if (tiles->any_blended) tiles->blended = &pass->blended;
-    return status;
-}
-
-/* What is blended is seen in colours, or asked for by itself. */
-static void find_see_through(struct zr_arena *arena, const struct zr_attribute_wants *wants, struct zr_pass *pass)
-{
-    struct zr_tile_source *tiles = &pass->tiles;
-    tiles->any_masked = any_draw(&pass->geometry, ZR_ALPHA_MASK);
-    tiles->any_blended =
-        (wants->colors || wants->samples || wants->layers) && any_draw(&pass->geometry, ZR_ALPHA_BLEND);
-    pass->layers = (struct zr_layers_pool){.arena = arena, .lock = PTHREAD_MUTEX_INITIALIZER};
-    if (tiles->any_masked || tiles->any_blended) tiles->layers = &pass->layers;
-}
-
 struct zr_window zr_window_of(const struct zr_scene *scene, uint32_t width, uint32_t height, uint32_t side)
 {
     const float wanted = scene->picture.line_width;
     const float line_width = ZR_MUTANT(line_width_rounded_early, wanted, floorf(wanted + 0.5f)) * (float)side;
     return (struct zr_window){width * side, height * side, line_width > 1.0f ? (int32_t)(line_width + 0.5f) : 1,
                               (float)side};
+}
+
+/* Fragments are listed of masked surfaces, and of blended ones if colours are wanted, or the lists themselves. */
+static void find_listed(const struct zr_geometry *geometry, const struct zr_attribute_wants *wants,
+                        bool listed[ZR_ALPHA_COUNT])
+{
+    listed[ZR_ALPHA_OPAQUE] = false;
+    listed[ZR_ALPHA_MASK] = any_draw(geometry, ZR_ALPHA_MASK);
+    listed[ZR_ALPHA_BLEND] = (wants->colors || wants->samples || wants->layers) && any_draw(geometry, ZR_ALPHA_BLEND);
+}
+
+static uint64_t samples_in(const struct zr_window *window)
+{
+    return (uint64_t)window->width * window->height;
 }
 
 /* Masks need the opacity of their textures in every pass. */
@@ -63,39 +50,36 @@ enum zr_status zr_pass_make(struct zr_arena *arena, struct zr_team *team, const 
                             const struct zr_cancel *cancel, struct zr_pass *pass)
 {
     const struct zr_scene *scene = desc->scene;
-    const uint32_t width = desc->window.width, height = desc->window.height;
-    zr_visibility_fn *window_at_once = zr_visibility_of(scene->algorithm); /* else tile by tile */
+    const bool in_tiles = scene->algorithm == ZR_ALGORITHM_HALFSPACE;
     const struct zr_prepaint *payloads = NULL;
+    bool listed[ZR_ALPHA_COUNT];
     struct zr_attribute_wants wants;
     enum zr_status status = ZR_OK;
     STAGE(make_textures(arena, team, desc, cancel, &wants));
-    STAGE(zr_geometry_build(arena, team, scene, desc->camera, &desc->window, cancel, window_at_once, &pass->geometry));
+    STAGE(zr_geometry_build(arena, team, scene, desc->camera, &desc->window, cancel, !in_tiles, &pass->geometry));
     STAGE(zr_scene_attributes_make(arena, team, scene, desc->camera, &pass->geometry, &wants, cancel, &pass->surfaces));
-    if (window_at_once) {
-        STAGE(zr_visibility_window(arena, &pass->geometry, window_at_once, width, height, desc->base, cancel,
-                                   &pass->samples));
-    } else {
-        if (wants.colors)
-            STAGE(zr_paint_prepare(arena, team, &pass->geometry, &pass->surfaces, (uint64_t)width * height, &payloads));
-        STAGE(zr_binned_scene_make(arena, team, &pass->geometry, payloads, width, height, cancel, &pass->visible));
-    }
+    if (in_tiles && wants.colors)
+        STAGE(zr_paint_prepare(arena, team, &pass->geometry, &pass->surfaces, samples_in(&desc->window), &payloads));
+    if (status == ZR_OK) find_listed(&pass->geometry, &wants, listed);
+    STAGE(zr_visibility_make(arena, team, &pass->geometry, scene->algorithm, payloads, listed, desc->base, cancel,
+                             &pass->visibility));
+    pass->layers = (struct zr_layers_pool){.arena = arena, .lock = PTHREAD_MUTEX_INITIALIZER};
     pass->tiles = (struct zr_tile_source){.scene = scene,
                                           .geometry = &pass->geometry,
                                           .surfaces = &pass->surfaces,
-                                          .visible = window_at_once ? NULL : &pass->visible,
-                                          .samples = window_at_once ? &pass->samples : NULL,
+                                          .visibility = pass->visibility,
                                           .isa = zr_team_isa(team)};
     if (status != ZR_OK) return status;
-    find_see_through(arena, &wants, pass);
-    pass->masked = pass->blended = (struct zr_fragments){.ends = NULL};
-    return window_at_once ? make_lists(arena, &pass->geometry, window_at_once, cancel, pass) : ZR_OK;
+    pass->tiles.any_masked = listed[ZR_ALPHA_MASK];
+    pass->tiles.any_blended = listed[ZR_ALPHA_BLEND];
+    if (listed[ZR_ALPHA_MASK] || listed[ZR_ALPHA_BLEND]) pass->tiles.layers = &pass->layers;
+    return ZR_OK;
 }
 
 struct zr_counts zr_pass_counts(const struct zr_pass *pass)
 {
     struct zr_counts counts = pass->geometry.counts;
-    for (int mode = 0; pass->tiles.visible && mode < ZR_ALPHA_COUNT; mode++)
-        zr_counts_add(&counts, &pass->visible.sorted[mode].bins.counts);
+    zr_counts_add(&counts, &pass->visibility->counts);
     counts.masked_tiles = pass->layers.masked_tiles;
     return counts;
 }

@@ -11,9 +11,7 @@
 struct zr_pass {
     struct zr_geometry geometry;
     struct zr_scene_attributes surfaces;
-    struct zr_binned_scene visible;
-    struct zr_samples samples;
-    struct zr_fragments masked, blended; /* beside samples */
+    const struct zr_visibility *visibility;
     struct zr_layers_pool layers;
     struct zr_tile_source tiles;
 };

@@ -97,7 +97,7 @@ static void draw_gbuffer_range(void *context, size_t begin, size_t end)
     const struct zr_paint *paint = zr_paint_of(zr_team_isa(g->of->team));
     struct zr_tile tile;
     for (size_t number = begin; number < end; number++) {
-        if (!zr_tile_find_visible(&g->pass->tiles, (uint32_t)number, NULL, g->of->cancel, &tile)) return;
+        if (!zr_tile_find_visible(&g->pass->tiles, (uint32_t)number, g->of->cancel, &tile)) return;
         const ptrdiff_t at = tile.y * g->out->stride + tile.x;
         struct zr_gbuffer to = *g->out;
         to.owner += at;

@@ -213,7 +213,7 @@ static void draw_range(void *context, size_t begin, size_t end)
     uint64_t covered = 0;
     for (size_t number = begin; number < end; number++) {
         struct zr_layers *blended;
-        if (!zr_tile_find_visible(&d->pass->tiles, (uint32_t)number, NULL, d->cancel, &tile) ||
+        if (!zr_tile_find_visible(&d->pass->tiles, (uint32_t)number, d->cancel, &tile) ||
             !zr_layers_blend(&d->pass->tiles, (uint32_t)number, d->cancel, &tile, !d->stages, &blended))
             return;
         if (d->stages)

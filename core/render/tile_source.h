@@ -12,14 +12,12 @@ struct zr_tile_source {
     const struct zr_scene *scene;
     const struct zr_geometry *geometry;
     const struct zr_scene_attributes *surfaces;
-    const struct zr_binned_scene *visible; /* of production, */
-    const struct zr_samples *samples; /* or of the other algorithms, which have decided the whole window; else NULL */
+    const struct zr_visibility *visibility;
     enum zr_isa isa;
 
     /* Of what is see-through. */
-    struct zr_layers_pool *layers;               /* NULL: nothing is */
-    bool any_masked, any_blended;                /* blended: and colours are wanted */
-    const struct zr_fragments *masked, *blended; /* beside samples; NULL: there are none */
+    struct zr_layers_pool *layers; /* NULL: nothing is */
+    bool any_masked, any_blended;  /* blended: and colours are wanted */
 };
 
 #endif

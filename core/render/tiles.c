@@ -34,14 +34,10 @@ static void raise_to(atomic_uint *most, float value)
         ;
 }
 
-bool zr_tile_find_visible(const struct zr_tile_source *tiles, uint32_t number, const struct zr_base *base,
-                          const struct zr_cancel *cancel, struct zr_tile *tile)
+bool zr_tile_find_visible(const struct zr_tile_source *tiles, uint32_t number, const struct zr_cancel *cancel,
+                          struct zr_tile *tile)
 {
-    if (tiles->samples)
-        zr_visibility_load(tiles->samples, number, tile);
-    else if (!zr_visibility_tile(tiles->visible, number, base, cancel, tile))
-        return false;
-    return zr_layers_mask(tiles, number, cancel, tile);
+    return zr_visibility_tile(tiles->visibility, number, cancel, tile) && zr_layers_mask(tiles, number, cancel, tile);
 }
 
 /* False where it was cancelled, or there was no memory. */
@@ -50,7 +46,7 @@ static bool draw_tile(const struct drawing *d, uint32_t number, struct zr_tile *
     const struct zr_tile_source *from = d->tiles;
     const struct zr_frame *frame = d->frame;
     struct zr_layers *blended;
-    if (!zr_tile_find_visible(from, number, frame->base, d->cancel, tile) ||
+    if (!zr_tile_find_visible(from, number, d->cancel, tile) ||
         !zr_layers_blend(from, number, d->cancel, tile, true, &blended))
         return false;
     *resolved = zr_resolve_tile(from->geometry, from->surfaces, d->isa, from->scene, tile, frame);

@@ -7,10 +7,10 @@
 #include "render/tile_source.h"
 #include "shade/frame.h"
 
-/* Tile `number`, ready to be shaded: opaque and masked surfaces; `base` may be NULL. One thread a tile. False where it
+/* Tile `number`, ready to be shaded: opaque and masked surfaces. One thread a tile. False where it
  * was cancelled, or there was no memory. */
-bool zr_tile_find_visible(const struct zr_tile_source *tiles, uint32_t number, const struct zr_base *base,
-                          const struct zr_cancel *cancel, struct zr_tile *tile);
+bool zr_tile_find_visible(const struct zr_tile_source *tiles, uint32_t number, const struct zr_cancel *cancel,
+                          struct zr_tile *tile);
 
 /* Writes all channels of the frame, and what of it is known then: reaches, covered_pixels, deepest. ZR_OK, ZR_CANCELLED
  * or ZR_NO_MEMORY. */

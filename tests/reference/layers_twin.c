@@ -312,7 +312,7 @@ uint64_t layers_twin_compare(struct zr_arena *arena, struct zr_team *team, const
         return all;
     for (uint32_t number = 0; number < zr_tile_count(width, height); number++) {
         struct zr_layers *blended;
-        if (!zr_tile_find_visible(&pass->tiles, number, NULL, NULL, tile) ||
+        if (!zr_tile_find_visible(&pass->tiles, number, NULL, tile) ||
             !zr_layers_blend(&pass->tiles, number, NULL, tile, true, &blended))
             return all;
         different += compare_tile(scene, tile, blended, picture);

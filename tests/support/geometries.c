@@ -111,9 +111,9 @@ static enum zr_status draw_tiles(struct zr_arena *arena, const struct zr_geometr
     samples->depth = zr_arena_alloc(arena, pixels, sizeof *samples->depth);
     samples->owner = zr_arena_alloc(arena, pixels, sizeof *samples->owner);
     enum zr_status status =
-        zr_binned_scene_make(arena, NULL, geometry, NULL, samples->width, samples->height, NULL, &visible);
+        zr_binned_scene_make(arena, NULL, geometry, NULL, samples->width, samples->height, NULL, NULL, &visible);
     for (uint32_t t = 0; status == ZR_OK && t < zr_tile_count(samples->width, samples->height); t++) {
-        zr_visibility_tile(&visible, t, NULL, NULL, &tile);
+        zr_visibility_tile(&visible.visibility, t, NULL, &tile);
         if (!tile.is_empty) visible.halfspace->flush(&tile);
         for (int32_t y = 0; y < tile.height; y++)
             for (int32_t x = 0; x < tile.width; x++) {

@@ -5,7 +5,8 @@
 #ifndef ZR_TEST_GEOMETRIES_H
 #define ZR_TEST_GEOMETRIES_H
 
-#include "raster/visibility.h"
+#include "raster/binned_scene.h"
+#include "raster/whole_window.h"
 
 enum { TEST_RECORDS_MAX = 4096, TEST_SHAPES_MAX = 512, TEST_EDGES_MAX = 16384 };
 

@@ -4,9 +4,9 @@
 #include <string.h>
 
 #include "json_check.h"
+#include "raster/binned_scene.h"
 #include "raster/oddeven.h"
 #include "raster/point.h"
-#include "raster/visibility.h"
 #include "support/cmocka_all.h"
 #include "support/random.h"
 #include "support/scenes.h"
@@ -109,13 +109,14 @@ static void points_have_the_pixels_of_their_edges_in_the_tiles_that_list_them(vo
         struct zr_primitive primitive;
         one_make(&one, x, y, z, size);
         zr_arena_reset(&arena, 1 << 20);
-        assert_int_equal(zr_binned_scene_make(&arena, NULL, &one.geometry, NULL, WIDTH, HEIGHT, NULL, &visible), ZR_OK);
+        assert_int_equal(zr_binned_scene_make(&arena, NULL, &one.geometry, NULL, WIDTH, HEIGHT, NULL, NULL, &visible),
+                         ZR_OK);
         zr_primitive_make(&one.geometry, &one.draw, 0, WIDTH, HEIGHT, &primitive);
         for (uint32_t number = 0; number < TILES; number++) {
             zr_tile_place(&by_edges, number, WIDTH, HEIGHT);
             zr_tile_begin(&by_edges, NULL, WIDTH, HEIGHT);
             zr_oddeven_draw(&one.geometry, &primitive, &by_edges);
-            assert_true(zr_visibility_tile(&visible, number, NULL, NULL, &by_pixels));
+            assert_true(zr_visibility_tile(&visible.visibility, number, NULL, &by_pixels));
             if (!by_pixels.is_empty) visible.halfspace->flush(&by_pixels);
             owned += assert_same_tile(&by_pixels, &by_edges);
         }

@@ -1,9 +1,10 @@
 #include <math.h>
 #include <string.h>
 
+#include "raster/binned_scene.h"
 #include "raster/halfspace.h"
 #include "raster/oddeven.h"
-#include "raster/visibility.h"
+#include "raster/whole_window.h"
 #include "support/cmocka_all.h"
 #include "support/geometries.h"
 #include "support/random.h"
@@ -31,7 +32,7 @@ static void draw(struct zr_tile *tile, const struct zr_window_vertex v[3])
 /* With all samples written. */
 static void draw_tile(const struct zr_binned_scene *visible, uint32_t number, struct zr_tile *tile)
 {
-    assert_true(zr_visibility_tile(visible, number, NULL, NULL, tile));
+    assert_true(zr_visibility_tile(&visible->visibility, number, NULL, tile));
     if (!tile->is_empty) visible->halfspace->flush(tile);
 }
 
@@ -234,7 +235,8 @@ static void lines_have_the_pixels_of_their_parallelogram_in_the_tiles_that_list_
         struct zr_binned_scene visible;
         struct zr_primitive primitive;
         zr_arena_reset(&arena, 1 << 20);
-        assert_int_equal(zr_binned_scene_make(&arena, NULL, &geometry, NULL, WIDTH, HEIGHT, NULL, &visible), ZR_OK);
+        assert_int_equal(zr_binned_scene_make(&arena, NULL, &geometry, NULL, WIDTH, HEIGHT, NULL, NULL, &visible),
+                         ZR_OK);
         zr_primitive_make(&geometry, &draw, 0, WIDTH, HEIGHT, &primitive);
         for (uint32_t number = 0; number < TILES; number++) {
             zr_tile_place(&by_edges, number, WIDTH, HEIGHT);
@@ -363,7 +365,7 @@ static void bins_lose_no_triangle_and_invent_none(enum zr_isa isa, int threads)
     struct zr_binned_scene visible;
     struct zr_team *team = zr_team_create_for(threads, isa);
     zr_arena_init(&arena, 1 << 24);
-    assert_int_equal(zr_binned_scene_make(&arena, team, &geometry, NULL, WIDTH, HEIGHT, NULL, &visible), ZR_OK);
+    assert_int_equal(zr_binned_scene_make(&arena, team, &geometry, NULL, WIDTH, HEIGHT, NULL, NULL, &visible), ZR_OK);
     assert_in_range(visible.sorted[ZR_ALPHA_OPAQUE].bins.large_count, 1, COUNT - 1);
     assert_int_equal(visible.sorted[ZR_ALPHA_OPAQUE].bins.worker_count, threads > 1 ? 2 : 1);
     for (uint32_t number = 0; number < zr_tile_count(WIDTH, HEIGHT); number++) {
@@ -418,7 +420,8 @@ static void fragments_of_far_apart_owners_keep_them(void **state)
         struct zr_team *team = zr_team_create(threads);
         zr_arena_init(&arena, 1 << 27);
         assert_int_equal(
-            zr_binned_scene_make(&arena, team, &geometry, NULL, 2 * ZR_TILE_SIZE, ZR_TILE_SIZE, NULL, &visible), ZR_OK);
+            zr_binned_scene_make(&arena, team, &geometry, NULL, 2 * ZR_TILE_SIZE, ZR_TILE_SIZE, NULL, NULL, &visible),
+            ZR_OK);
         draw_tile(&visible, 0, &tile);
         for (uint32_t p = 0; p < PIXELS; p++) {
             const uint32_t last = p - (COUNT - FEW) % PIXELS;

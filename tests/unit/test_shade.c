@@ -3,7 +3,7 @@
 #include <string.h>
 
 #include "geometry/build.h"
-#include "raster/visibility.h"
+#include "raster/binned_scene.h"
 #include "scene/resolved_view.h"
 #include "shade/paint.h"
 #include "support/isas.h"
@@ -216,8 +216,9 @@ static uint32_t count_early(struct zr_arena *arena, struct zr_team *team, const 
     assert_int_equal(zr_geometry_build(arena, team, scene, &camera, &window, NULL, false, &geometry), ZR_OK);
     assert_int_equal(zr_scene_attributes_make(arena, team, scene, &camera, &geometry, &wants, NULL, &surfaces), ZR_OK);
     assert_int_equal(zr_paint_prepare(arena, team, &geometry, &surfaces, width * height, &payloads), ZR_OK);
-    assert_int_equal(zr_binned_scene_make(arena, team, &geometry, payloads, width, height, NULL, &visible), ZR_OK);
-    assert_true(zr_visibility_tile(&visible, 0, NULL, NULL, tile));
+    assert_int_equal(zr_binned_scene_make(arena, team, &geometry, payloads, width, height, NULL, NULL, &visible),
+                     ZR_OK);
+    assert_true(zr_visibility_tile(&visible.visibility, 0, NULL, tile));
     uint32_t early = 0;
     for (int32_t i = 0; tile->has_words && i < ZR_TILE_STRIDE * tile->height; i++)
         early += tile->words[i] != 0;

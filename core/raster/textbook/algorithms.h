@@ -1,6 +1,6 @@
 /* algorithms.h - raster: the textbooks' hidden-surface algorithms, beside production's.
  *
- * Each is a zr_visibility_fn (visibility.h) in a file of its own, whose head names its
+ * Each is a zr_visibility_fn in a file of its own, whose head names its
  * source. No two of these four find an edge's crossings with the rows of samples in the same
  * way: one division a row, steps of whole columns and parts, a walk by the sign of an integer,
  * bisection. (Production's half-spaces look for none, and its oddeven.c divides too, in code of
@@ -9,7 +9,16 @@
 #ifndef ZR_ALGORITHMS_H
 #define ZR_ALGORITHMS_H
 
-#include "raster/visibility.h"
+#include "raster/samples.h"
+
+/* Draws the primitives that they take into samples that have been cleared: no owner, and the depth below which
+ * something is seen; or into their lists. One thread. ZR_OK, ZR_CANCELLED or ZR_NO_MEMORY; the painter's could also
+ * find its own proof wrong, ZR_INTERNAL. All of the geometry's draws are `counted`. */
+typedef enum zr_status zr_visibility_fn(struct zr_arena *arena, const struct zr_geometry *geometry,
+                                        const struct zr_cancel *cancel, struct zr_samples *samples);
+
+/* NULL for ZR_ALGORITHM_HALFSPACE, which works in tiles. */
+zr_visibility_fn *zr_visibility_of(enum zr_algorithm algorithm);
 
 zr_visibility_fn zr_edgelist, zr_trapezoid, zr_scanline, zr_painter;
 

@@ -1,0 +1,374 @@
+#include "raster/binned_scene.h"
+
+#include <string.h>
+
+#include "base/fast.h"
+#include "base/prefetch.h"
+#include "geometry/geometry.h"
+#include "raster/line_draw.h"
+#include "raster/oddeven.h"
+#include "raster/point.h"
+
+/* Triangles, or edges and triangles of shapes: less than a millisecond of work. */
+enum { PARTS_A_CANCEL_CHECK = 1024 };
+
+/* Blocks of a tile's fragments, or of its small triangles, from which on it keeps words: fewer pixels are
+ * sooner painted than set aside and put back, and where there are fewer small triangles they are larger than stamps. A
+ * guess, for it counts all threads' and all draws' blocks, whether they are full or have words, or not; only time
+ * depends on it. */
+enum { BLOCKS_WITH_WORDS = 3, SMALL_BLOCKS_WITH_WORDS = 9 };
+
+/* ---- large and wide triangles ---- */
+
+enum { CHOSEN_AT_ONCE = 128 };
+
+/* Triangles that touch the tile, by the nearest depths that they have there. */
+struct candidates {
+    int count;
+    float near[CHOSEN_AT_ONCE];
+    const struct zr_wide *items[CHOSEN_AT_ONCE];
+};
+
+static int nearest_of(const struct candidates *c)
+{
+    int nearest = 0;
+    for (int i = 1; i < c->count; i++)
+        if (c->near[i] < c->near[nearest]) nearest = i;
+    return nearest;
+}
+
+/* Nearest first, and only until what is left is hidden: most are never tried sample by sample, nor sorted. */
+static void draw_candidates(const struct zr_binned_scene *visible, struct candidates *c, struct zr_tile *tile)
+{
+    while (c->count > 0) {
+        const int i = ZR_FAST(nearest_first, true) ? nearest_of(c) : 0;
+        if (ZR_FAST(nearest_first, c->near[i] > tile->far)) break;
+        visible->halfspace->draw(tile, &c->items[i]->setup, c->items[i]->owner);
+        c->count--;
+        c->near[i] = c->near[c->count];
+        c->items[i] = c->items[c->count];
+    }
+    c->count = 0;
+}
+
+static void add_candidate(const struct zr_binned_scene *visible, const struct zr_wide *wide, struct candidates *c,
+                          struct zr_tile *tile)
+{
+    const struct zr_setup *setup = &wide->setup;
+    if (!zr_tile_touches(tile, (const int32_t[4]){setup->min_x, setup->min_y, setup->max_x, setup->max_y})) return;
+    const int32_t x1 = tile->x + tile->width - 1, y1 = tile->y + tile->height - 1;
+    const float near = zr_depth_range_of(&setup->depth, tile->x, tile->y, x1, y1).near;
+    if (ZR_FAST(nearest_first, near > tile->far)) return;
+    c->near[c->count] = near;
+    c->items[c->count++] = wide;
+    if (c->count == CHOSEN_AT_ONCE) draw_candidates(visible, c, tile);
+}
+
+/* Those that every tile goes through, and those that are listed in this one: the back of a cube then costs half. */
+static bool draw_wide_ones(const struct zr_binned_scene *visible, uint32_t number, const struct zr_cancel *cancel,
+                           struct zr_tile *tile)
+{
+    const struct zr_bins *bins = &visible->sorted[ZR_ALPHA_OPAQUE].bins;
+    struct candidates candidates;
+    candidates.count = 0;
+    for (uint32_t i = 0; i < bins->large_count; i++) {
+        if (i % PARTS_A_CANCEL_CHECK == 0 && zr_is_cancelled(cancel)) return false;
+        add_candidate(visible, bins->large[i], &candidates, tile);
+    }
+    for (int i = 0; i < bins->worker_count; i++)
+        for (const struct zr_bin_head *b = bins->workers[i].tiles[number].wide.first; b; b = b->next) {
+            if (zr_is_cancelled(cancel)) return false;
+            for (uint32_t k = 0; k < b->used; k++)
+                add_candidate(visible, ((const struct zr_bin_wides *)b)->items[k], &candidates, tile);
+        }
+    draw_candidates(visible, &candidates, tile);
+    return true;
+}
+
+/* ---- what is listed ---- */
+
+/* The next block is asked for before it is needed (a quarter of the time that this takes), and so is what painting will
+ * look up first: with a million triangles each pixel has a place in memory of its own (4 % of the time of these). What
+ * has its word is not looked up. */
+static void draw_fragments(const struct zr_binned_scene *visible, const struct zr_bin_fragments *block,
+                           size_t block_size, struct zr_tile *tile)
+{
+    const struct zr_geometry *geometry = visible->geometry;
+    const bool has_words = tile->has_words;
+    const uint32_t first_number = block->first_owner - 1;
+    const struct zr_draw *draw = zr_draw_of(geometry, first_number); /* of most of them */
+    const struct zr_prepaint *payload = visible->payloads ? &visible->payloads[draw - geometry->draws] : NULL;
+    const size_t step = payload ? payload->step : 0;
+    const uintptr_t first = payload ? payload->first + step * (first_number - draw->first) : (uintptr_t)block;
+    if (block->head.next) zr_prefetch(block->head.next, 0, block_size);
+    for (uint32_t i = 0; i < block->head.used; i++) {
+        const uint32_t place = block->places[i] >> ZR_BIN_OWNER_BITS;
+        const uint32_t owner = block->places[i] & ((1u << ZR_BIN_OWNER_BITS) - 1);
+        if (!zr_tile_put_at(tile, place, block->depths[i], block->first_owner + owner)) continue;
+        if (has_words)
+            tile->words[place] = block->words[i];
+        else
+            __builtin_prefetch((const void *)(first + step * owner));
+    }
+}
+
+/* Where blocks are full, a whole number of groups, whatever the instruction set. */
+enum { SMALL_AT_ONCE = 16 * ZR_BIN_NUMBERS_A_BLOCK };
+
+/* To the tile, or to its lists. From all lists of numbers in one array, so that the kernel has whole groups, and sees
+ * what is to come. */
+static bool put_small_ones(const struct zr_binned_scene *visible, const struct zr_bins *bins, uint32_t number,
+                           const struct zr_cancel *cancel, struct zr_tile *tile)
+{
+    uint32_t numbers[SMALL_AT_ONCE], count = 0;
+    for (int i = 0; i < bins->worker_count; i++)
+        for (const struct zr_bin_head *b = bins->workers[i].tiles[number].small.first; b; b = b->next) {
+            if (count + b->used > SMALL_AT_ONCE) {
+                if (zr_is_cancelled(cancel)) return false;
+                visible->draw_small(tile, visible->geometry, visible->payloads, numbers, count);
+                count = 0;
+            }
+            memcpy(numbers + count, ((const struct zr_bin_numbers *)b)->numbers, b->used * sizeof *numbers);
+            count += b->used;
+        }
+    if (zr_is_cancelled(cancel)) return false;
+    if (count > 0) visible->draw_small(tile, visible->geometry, visible->payloads, numbers, count);
+    return true;
+}
+
+static void draw_tiny_ones(const struct zr_binned_scene *visible, uint32_t number, struct zr_tile *tile)
+{
+    const struct zr_bins *bins = &visible->sorted[ZR_ALPHA_OPAQUE].bins;
+    for (int i = 0; i < bins->worker_count; i++)
+        for (const struct zr_bin_head *b = bins->workers[i].tiles[number].fragments.first; b; b = b->next)
+            draw_fragments(visible, (const struct zr_bin_fragments *)b, bins->fragments_size, tile);
+}
+
+/* ---- what is listed, of what is see-through ---- */
+
+static void list_wide(const struct zr_binned_scene *visible, const struct zr_wide *wide, struct zr_tile *tile)
+{
+    const struct zr_setup *setup = &wide->setup;
+    if (zr_tile_touches(tile, (const int32_t[4]){setup->min_x, setup->min_y, setup->max_x, setup->max_y}))
+        visible->halfspace->list(tile, setup, wide->owner);
+}
+
+static bool list_wide_ones(const struct zr_binned_scene *visible, const struct zr_bins *bins, uint32_t number,
+                           const struct zr_cancel *cancel, struct zr_tile *tile)
+{
+    for (uint32_t i = 0; i < bins->large_count; i++) {
+        if (i % PARTS_A_CANCEL_CHECK == 0 && zr_is_cancelled(cancel)) return false;
+        list_wide(visible, bins->large[i], tile);
+    }
+    for (int i = 0; i < bins->worker_count; i++)
+        for (const struct zr_bin_head *b = bins->workers[i].tiles[number].wide.first; b; b = b->next) {
+            if (zr_is_cancelled(cancel)) return false;
+            for (uint32_t k = 0; k < b->used; k++)
+                list_wide(visible, ((const struct zr_bin_wides *)b)->items[k], tile);
+        }
+    return true;
+}
+
+static void list_tiny_ones(const struct zr_bins *bins, uint32_t number, struct zr_tile *tile)
+{
+    const uint32_t owners = (1u << ZR_BIN_OWNER_BITS) - 1;
+    for (int i = 0; i < bins->worker_count; i++)
+        for (const struct zr_bin_head *b = bins->workers[i].tiles[number].fragments.first; b; b = b->next) {
+            const struct zr_bin_fragments *block = (const struct zr_bin_fragments *)b;
+            for (uint32_t k = 0; k < b->used; k++)
+                zr_tile_list_at(tile, block->places[k] >> ZR_BIN_OWNER_BITS, block->depths[k],
+                                block->first_owner + (block->places[k] & owners));
+        }
+}
+
+/* ---- shapes, lines, points, triangles with a depth offset ---- */
+
+static void draw_other(const struct zr_binned_scene *visible, const struct zr_draw *draw, uint32_t number,
+                       struct zr_tile *tile)
+{
+    const struct zr_geometry *geometry = visible->geometry;
+    if (draw->kind == ZR_DRAW_POINTS) {
+        zr_point_draw(geometry, draw, number, tile);
+        return;
+    }
+    const struct zr_triangle triangle = zr_triangle_of(geometry, draw, number);
+    if (triangle.line) {
+        zr_line_draw(geometry, &triangle, number + 1, tile);
+    } else if (triangle.shape == 0) {
+        struct zr_setup setup = zr_setup_make(geometry->vertices, &triangle);
+        visible->halfspace->draw(tile, &setup, number + 1);
+    } else {
+        struct zr_primitive primitive;
+        zr_primitive_make(geometry, draw, number, visible->width, visible->height, &primitive);
+        zr_oddeven_draw(geometry, &primitive, tile);
+    }
+}
+
+/* As every algorithm has them: triangles, too, are polygons of any shape here. */
+static void list_other(const struct zr_binned_scene *visible, const struct zr_draw *draw, uint32_t number,
+                       struct zr_tile *tile)
+{
+    struct zr_primitive primitive;
+    zr_primitive_make(visible->geometry, draw, number, visible->width, visible->height, &primitive);
+    zr_oddeven_draw(visible->geometry, &primitive, tile);
+}
+
+static uint32_t parts_of(const struct zr_geometry *geometry, const struct zr_draw *draw, uint32_t number)
+{
+    if (draw->kind != ZR_DRAW_SHAPES) return 1;
+    const struct zr_shape *shape = &geometry->shapes[draw->traits[number - draw->first] / 2];
+    return shape->edge_count + shape->triangle_count;
+}
+
+/* Points of a tile lie anywhere in memory: corners are prefetched first, and then the vertices that they name (a
+ * quarter of the time of a million points of one pixel). */
+enum { POINTS_AHEAD = 12 };
+
+static void expect_points(const struct zr_geometry *geometry, const struct zr_draw *draw, const uint32_t *numbers,
+                          size_t left)
+{
+    if (left > 2 * POINTS_AHEAD && zr_draw_holds(draw, numbers[2 * POINTS_AHEAD]))
+        zr_prefetch(&draw->corners[3 * (size_t)(numbers[2 * POINTS_AHEAD] - draw->first)], 0, sizeof *draw->corners);
+    if (left > POINTS_AHEAD && zr_draw_holds(draw, numbers[POINTS_AHEAD])) {
+        const uint32_t corner = zr_draw_corner(draw, numbers[POINTS_AHEAD] - draw->first, 0);
+        zr_prefetch(&geometry->vertices[draw->first_vertex + corner], 0, sizeof *geometry->vertices);
+    }
+}
+
+static bool draw_list(const struct zr_binned_scene *visible, const uint32_t *others, size_t count, bool may_miss,
+                      const struct zr_cancel *cancel, struct zr_tile *tile)
+{
+    const struct zr_draw *draw = &visible->geometry->draws[0];
+    uint64_t parts = PARTS_A_CANCEL_CHECK;
+    for (size_t i = 0; i < count; i++) {
+        draw = zr_draw_next(visible->geometry, draw, others[i]);
+        if (parts >= PARTS_A_CANCEL_CHECK) {
+            if (zr_is_cancelled(cancel)) return false;
+            parts = 0;
+        }
+        int32_t box[4];
+        if (draw->kind == ZR_DRAW_POINTS) expect_points(visible->geometry, draw, others + i, count - i);
+        parts += parts_of(visible->geometry, draw, others[i]);
+        if (may_miss) zr_primitive_box(visible->geometry, draw, others[i], box);
+        if (may_miss && !zr_tile_touches(tile, box)) continue;
+        if (tile->fragments)
+            list_other(visible, draw, others[i], tile);
+        else
+            draw_other(visible, draw, others[i], tile);
+    }
+    return true;
+}
+
+static bool draw_others(const struct zr_binned_scene *visible, const struct zr_misc_bins *others, uint32_t number,
+                        const struct zr_cancel *cancel, struct zr_tile *tile)
+{
+    if (others->count == 0) return true;
+    size_t begin = others->offsets[number], end = others->offsets[number + 1];
+    return draw_list(visible, others->entries + begin, end - begin, false, cancel, tile) &&
+           draw_list(visible, others->large, others->large_count, true, cancel, tile);
+}
+
+static bool any_listed(const struct zr_misc_bins *others, uint32_t number)
+{
+    return others->count > 0 && (others->large_count > 0 || others->offsets[number] < others->offsets[number + 1]);
+}
+
+/* ---- a tile ---- */
+
+/* Besides large and wide triangles. */
+static bool has_more(const struct zr_mode_bins *sorted, uint32_t number)
+{
+    const struct zr_bins *bins = &sorted->bins;
+    for (int i = 0; i < bins->worker_count; i++)
+        if (bins->workers[i].tiles[number].small.first || bins->workers[i].tiles[number].fragments.first) return true;
+    return any_listed(&sorted->others, number);
+}
+
+static const struct zr_binned_scene *visible_of(const struct zr_visibility *visibility)
+{
+    return (const struct zr_binned_scene *)visibility; /* its first member */
+}
+
+static bool has_any(const struct zr_visibility *visibility, uint32_t number, enum zr_alpha_mode mode)
+{
+    const struct zr_mode_bins *sorted = &visible_of(visibility)->sorted[mode];
+    if (sorted->bins.large_count > 0) return true;
+    for (int i = 0; i < sorted->bins.worker_count; i++)
+        if (sorted->bins.workers[i].tiles[number].wide.first) return true;
+    return has_more(sorted, number);
+}
+
+/* Whether words are kept: there are enough of them to earn that, and nothing is drawn over them. */
+static bool keeps_words(const struct zr_mode_bins *sorted, uint32_t number)
+{
+    const struct zr_bins *bins = &sorted->bins;
+    uint32_t fragments = 0, small = 0;
+    for (int i = 0; bins->has_words && i < bins->worker_count; i++) {
+        fragments += bins->workers[i].tiles[number].fragments.block_count;
+        small += bins->workers[i].tiles[number].small.block_count;
+    }
+    return (fragments >= BLOCKS_WITH_WORDS || small >= SMALL_BLOCKS_WITH_WORDS) && !any_listed(&sorted->others, number);
+}
+
+static bool draw_tile(const struct zr_visibility *visibility, uint32_t number, const struct zr_cancel *cancel,
+                      struct zr_tile *tile)
+{
+    const struct zr_binned_scene *visible = visible_of(visibility);
+    const struct zr_base *base = visible->base;
+    const struct zr_mode_bins *opaque = &visible->sorted[ZR_ALPHA_OPAQUE];
+    zr_tile_place(tile, number, visible->width, visible->height);
+    tile->has_words = false;
+    tile->is_empty = !base && !has_any(visibility, number, ZR_ALPHA_OPAQUE);
+    if (tile->is_empty) return !zr_is_cancelled(cancel);
+    if (base)
+        zr_tile_begin(tile, base, visible->width, visible->height);
+    else
+        visible->halfspace->begin(tile);
+    /* The largest first: they hide most, and they alone can leave blocks unwritten. */
+    if (!draw_wide_ones(visible, number, cancel, tile)) return false;
+    if (!has_more(opaque, number) && zr_tile_has_whole_blocks(tile)) return true;
+    visible->halfspace->flush(tile);
+    tile->knows_owners = false;
+    tile->has_words = keeps_words(opaque, number);
+    if (tile->has_words) memset(tile->words, 0, sizeof tile->words);
+    if (!put_small_ones(visible, &opaque->bins, number, cancel, tile)) return false;
+    draw_tiny_ones(visible, number, tile);
+    return draw_others(visible, &opaque->others, number, cancel, tile);
+}
+
+static bool list_fragments(const struct zr_visibility *visibility, uint32_t number, enum zr_alpha_mode mode,
+                           const struct zr_cancel *cancel, struct zr_tile *tile)
+{
+    const struct zr_binned_scene *visible = visible_of(visibility);
+    const struct zr_mode_bins *sorted = &visible->sorted[mode];
+    if (!list_wide_ones(visible, &sorted->bins, number, cancel, tile)) return false;
+    if (!put_small_ones(visible, &sorted->bins, number, cancel, tile)) return false;
+    list_tiny_ones(&sorted->bins, number, tile);
+    return draw_others(visible, &sorted->others, number, cancel, tile);
+}
+
+/* ---- sorting ---- */
+
+enum zr_status zr_binned_scene_make(struct zr_arena *arena, struct zr_team *team, const struct zr_geometry *geometry,
+                                    const struct zr_prepaint *payloads, uint32_t width, uint32_t height,
+                                    const struct zr_base *base, const struct zr_cancel *cancel,
+                                    struct zr_binned_scene *visible)
+{
+    visible->visibility = (struct zr_visibility){.tile = draw_tile, .has_any = has_any, .fragments = list_fragments};
+    visible->geometry = geometry;
+    visible->payloads = payloads;
+    visible->halfspace = zr_halfspace_of(zr_team_isa(team));
+    visible->draw_small = zr_small_of(zr_team_isa(team));
+    visible->width = width;
+    visible->height = height;
+    visible->base = base;
+    enum zr_status status = ZR_OK;
+    for (int i = 0; status == ZR_OK && i < ZR_ALPHA_COUNT; i++) {
+        const enum zr_alpha_mode mode = (enum zr_alpha_mode)i;
+        struct zr_mode_bins *sorted = &visible->sorted[mode];
+        status = zr_bins_build(arena, team, geometry, mode, payloads, width, height, cancel, &sorted->bins);
+        if (status == ZR_OK) status = zr_misc_bins_build(arena, geometry, mode, width, height, cancel, &sorted->others);
+        if (status == ZR_OK) zr_counts_add(&visible->visibility.counts, &sorted->bins.counts);
+    }
+    return status;
+}
