@@ -1,5 +1,5 @@
 /* counts.h - geometry: where polygons, triangles, lines and points went. Of draws that are not `counted` (draw.h) that
- * is known once they are sorted (raster/visibility.h), before which their triangles are counted as such alone.
+ * is known once they are sorted (raster/hidden_surface.h), before which their triangles are counted as such alone.
  *
  * Every triangle handed in is counted in exactly one of outside, clipped, culled,
  * zero_area and drawn_whole; the pieces of a clipped one are counted apart. So are lines, of

@@ -1,4 +1,4 @@
-/* visibility.h - raster, the whole floor: primitives -> visibility, tile by tile.
+/* visibility.h - raster: visibility of a window, tile by tile.
  *
  * One interface stands before two kinds of algorithms. Production sorts primitives into tiles and draws a tile when it
  * is asked for (binned_scene.h). The textbooks' algorithms, each in a file of its own behind zr_visibility_fn, decide
@@ -9,9 +9,8 @@
 #ifndef ZR_VISIBILITY_H
 #define ZR_VISIBILITY_H
 
-#include "base/team.h"
+#include "base/cancel.h"
 #include "geometry/geometry.h"
-#include "raster/prepaint.h"
 #include "raster/tile.h"
 
 /* Reentrant: one tile, one thread. Functions that return false were cancelled: the tile is then incomplete. */
@@ -31,15 +30,6 @@ struct zr_visibility {
 
     struct zr_counts counts; /* of draws that are not `counted` */
 };
-
-/* Decides the geometry's window by the algorithm, or prepares to. payloads: one per draw, for ZR_ALGORITHM_HALFSPACE
- * alone; NULL: none. listed: the modes whose fragments will be asked for. `base` may be NULL. Points into the arena, to
- * the geometry, the payloads and the base. ZR_OK, ZR_CANCELLED, ZR_NO_MEMORY, or ZR_INTERNAL where an algorithm finds
- * itself wrong. */
-enum zr_status zr_visibility_make(struct zr_arena *arena, struct zr_team *team, const struct zr_geometry *geometry,
-                                  enum zr_algorithm algorithm, const struct zr_prepaint *payloads,
-                                  const bool listed[ZR_ALPHA_COUNT], const struct zr_base *base,
-                                  const struct zr_cancel *cancel, const struct zr_visibility **visibility);
 
 static inline bool zr_visibility_tile(const struct zr_visibility *visibility, uint32_t number,
                                       const struct zr_cancel *cancel, struct zr_tile *tile)

@@ -2,6 +2,7 @@
 
 #include "base/mutant.h"
 #include "geometry/build.h"
+#include "raster/hidden_surface.h"
 #include "render/stage.h"
 #include "shade/paint.h"
 

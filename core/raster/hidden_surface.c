@@ -1,4 +1,4 @@
-#include "raster/visibility.h"
+#include "raster/hidden_surface.h"
 
 #include "raster/binned_scene.h"
 #include "raster/whole_window.h"
