@@ -56,6 +56,7 @@ enum zr_status zr_pass_make(struct zr_arena *arena, struct zr_team *team, const 
     bool listed[ZR_ALPHA_COUNT];
     struct zr_attribute_wants wants;
     enum zr_status status = ZR_OK;
+    pass->visibility = NULL;
     STAGE(make_textures(arena, team, desc, cancel, &wants));
     STAGE(zr_geometry_build(arena, team, scene, desc->camera, &desc->window, cancel, !in_tiles, &pass->geometry));
     STAGE(zr_scene_attributes_make(arena, team, scene, desc->camera, &pass->geometry, &wants, cancel, &pass->surfaces));

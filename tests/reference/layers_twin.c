@@ -298,18 +298,13 @@ uint64_t layers_twin_compare(struct zr_arena *arena, struct zr_team *team, const
                              const struct zr_camera *camera, const struct layers_picture *picture)
 {
     const uint32_t width = scene->views[0].width, height = scene->views[0].height;
-    const float line_width = scene->picture.line_width + 0.5f;
-    struct zr_pass_desc of = {.scene = scene,
-                              .camera = camera,
-                              .window = {width, height, line_width > 1.0f ? (int32_t)line_width : 1, 1.0f},
-                              .wants = {.colors = true}};
+    const struct zr_pass_desc desc = {
+        .scene = scene, .camera = camera, .window = zr_window_of(scene, width, height, 1), .wants = {.colors = true}};
     struct zr_pass *pass = zr_arena_alloc(arena, 1, sizeof *pass);
     struct zr_tile *tile = zr_arena_alloc(arena, 1, sizeof *tile);
     const uint64_t all = (uint64_t)width * height;
     uint64_t different = 0;
-    if (!pass || !tile || zr_texture_maps_make(arena, team, scene, false, NULL, &of.wants.textures) != ZR_OK ||
-        zr_pass_make(arena, team, &of, NULL, pass) != ZR_OK)
-        return all;
+    if (!pass || !tile || zr_pass_make(arena, team, &desc, NULL, pass) != ZR_OK) return all;
     for (uint32_t number = 0; number < zr_tile_count(width, height); number++) {
         struct zr_layers *blended;
         if (!zr_tile_find_visible(&pass->tiles, number, NULL, tile) ||
