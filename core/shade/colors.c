@@ -10,7 +10,7 @@
 struct coloring {
     const struct zr_scene *scene;
     const struct zr_mesh *mesh;
-    const struct zr_gl_lighting *lighting;
+    const struct zr_lights *lighting;
     struct zr_normal_matrix to_eye;
     const zr_mat4 *object_to_eye;
     const zr_vec4 *computed; /* normals of vertices; NULL where nothing needs them */
@@ -90,7 +90,7 @@ static inline uint32_t vertex_of_slot(const struct coloring *coloring, uint32_t 
 static void light_placed(const struct coloring *coloring, size_t first, const zr_vec4 *normals, const zr_vec4 *bases,
                          size_t count, zr_vec4 *front, zr_vec4 *back)
 {
-    const struct zr_gl_lighting *lighting = coloring->lighting;
+    const struct zr_lights *lighting = coloring->lighting;
     const zr_vec3 start = lighting->start;
     zr_vec4 points[LIT_AT_ONCE];
     for (size_t i = 0; i < count; i++) {
@@ -104,7 +104,7 @@ static void light_placed(const struct coloring *coloring, size_t first, const zr
 static void light_some(const struct coloring *coloring, size_t first, const zr_vec4 *normals, const zr_vec4 *bases,
                        size_t count, zr_vec4 *front, zr_vec4 *back)
 {
-    if (coloring->lighting->places)
+    if (coloring->lighting->placed_count > 0)
         light_placed(coloring, first, normals, bases, count, front, back);
     else
         zr_light_of(coloring->isa)(coloring->lighting, &coloring->to_eye, normals, bases, count, front, back);
@@ -292,7 +292,7 @@ bool zr_colors_can_be_packed(const struct zr_scene *scene, const struct zr_mesh 
 }
 
 static struct coloring coloring_make(struct zr_team *team, const struct zr_cancel *cancel, const struct zr_scene *scene,
-                                     const struct zr_mesh *mesh, const struct zr_gl_lighting *lighting,
+                                     const struct zr_mesh *mesh, const struct zr_lights *lighting,
                                      const zr_mat4 *object_to_eye)
 {
     return (struct coloring){.scene = scene,
@@ -312,7 +312,7 @@ static void make_of_faces(struct zr_team *team, struct coloring *coloring)
 
 struct zr_colors zr_colors_make_packed(struct zr_team *team, const struct zr_cancel *cancel,
                                        const struct zr_scene *scene, const struct zr_mesh *mesh,
-                                       const struct zr_gl_lighting *lighting, const zr_mat4 *object_to_eye, bool sided,
+                                       const struct zr_lights *lighting, const zr_mat4 *object_to_eye, bool sided,
                                        uint32_t *out)
 {
     struct coloring coloring = coloring_make(team, cancel, scene, mesh, lighting, object_to_eye);
@@ -325,8 +325,8 @@ struct zr_colors zr_colors_make_packed(struct zr_team *team, const struct zr_can
 
 struct zr_colors zr_colors_make(struct zr_arena *arena, struct zr_team *team, const struct zr_cancel *cancel,
                                 const struct zr_scene *scene, const struct zr_mesh *mesh,
-                                const struct zr_gl_lighting *lighting, const zr_mat4 *object_to_eye,
-                                const zr_vec4 **normals, zr_vec4 *front, zr_vec4 *back)
+                                const struct zr_lights *lighting, const zr_mat4 *object_to_eye, const zr_vec4 **normals,
+                                zr_vec4 *front, zr_vec4 *back)
 {
     enum zr_rate rate = zr_colors_rate(scene, mesh);
     struct zr_colors colors = {

@@ -49,7 +49,7 @@ bool zr_colors_can_be_packed(const struct zr_scene *scene, const struct zr_mesh 
  * Cancelled, it returns early. */
 struct zr_colors zr_colors_make_packed(struct zr_team *team, const struct zr_cancel *cancel,
                                        const struct zr_scene *scene, const struct zr_mesh *mesh,
-                                       const struct zr_gl_lighting *lighting, const zr_mat4 *object_to_eye, bool sided,
+                                       const struct zr_lights *lighting, const zr_mat4 *object_to_eye, bool sided,
                                        uint32_t *out);
 
 /* Writes them to front[] and back[], which the caller gives room for. *normals are those of the mesh's vertices
@@ -57,7 +57,7 @@ struct zr_colors zr_colors_make_packed(struct zr_team *team, const struct zr_can
  * mesh. Fails only with the arena, which they are taken from. Cancelled, it returns early. */
 struct zr_colors zr_colors_make(struct zr_arena *arena, struct zr_team *team, const struct zr_cancel *cancel,
                                 const struct zr_scene *scene, const struct zr_mesh *mesh,
-                                const struct zr_gl_lighting *lighting, const zr_mat4 *object_to_eye,
-                                const zr_vec4 **normals, zr_vec4 *front, zr_vec4 *back);
+                                const struct zr_lights *lighting, const zr_mat4 *object_to_eye, const zr_vec4 **normals,
+                                zr_vec4 *front, zr_vec4 *back);
 
 #endif

@@ -365,9 +365,10 @@ enum zr_status zr_scene_attributes_make(struct zr_arena *arena, struct zr_team *
     m.colors = all.colors || all.samples;
     *surfaces = (struct zr_scene_attributes){.eye = zr_camera_eye(camera)};
     surfaces->of_draw = zr_arena_zero(arena, (size_t)geometry->draw_count + 1, sizeof *surfaces->of_draw);
-    zr_gl_lighting_make(arena, scene, &camera->world_to_eye, &surfaces->lighting);
-    if (!wants->samples) zr_gl_lighting_place(arena, scene, camera, &surfaces->lighting);
-    surfaces->lighting.is_per_pixel = wants->samples;
+    if (wants->samples)
+        surfaces->lighting.is_per_pixel = true;
+    else
+        surfaces->lighting = zr_lights_make(arena, scene, camera);
     look_at_scene(&m);
     if (!zr_arena_ok(arena) || ((surfaces->any_late || wants->samples) && !make_points(&m))) return ZR_NO_MEMORY;
     for (uint32_t i = 0; i < geometry->draw_count; i++) {

@@ -57,7 +57,7 @@ struct zr_scene_attributes {
     struct zr_texture_maps textures;
     struct zr_fog fog;
     zr_vec4 eye; /* zr_camera_eye */
-    struct zr_gl_lighting lighting;
+    struct zr_lights lighting;
 };
 
 /* By the team's threads and instruction set. Everything points into the arena, to the scene and to the geometry. ZR_OK,

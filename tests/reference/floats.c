@@ -178,12 +178,14 @@ static void expect_math(const struct sample *s, const struct piece *piece, int32
 /* Flat: the last corner's. */
 static void expect_light(const struct sample *s, const struct piece *piece, int32_t x, int32_t y, float out[4])
 {
-    const struct zr_gl_lighting lighting = {
-        .ambient = s->ambient, .count = s->light_count, .to_light = s->to_light, .colors = s->colors};
+    struct zr_lamp lamps[LIGHTS_MAX];
+    const struct zr_lights lights = {.ambient = s->ambient, .count = s->light_count, .lamps = lamps};
     const zr_vec4 normal = {s->normals[2].x, s->normals[2].y, s->normals[2].z, 0};
     zr_vec4 front, back;
     (void)x, (void)y;
-    zr_light_scalar(&lighting, &s->to_eye, &normal, &s->values[2], 1, &front, &back);
+    for (uint32_t i = 0; i < s->light_count; i++)
+        lamps[i] = (struct zr_lamp){.to_light = s->to_light[i], .color = s->colors[i]};
+    zr_light_scalar(&lights, &s->to_eye, &normal, &s->values[2], 1, &front, &back);
     for (int k = 0; k < 4; k++)
         out[k] = channel(piece->back ? back : front, k);
 }

@@ -115,7 +115,7 @@ static zr_vec3 normal_at(const struct zr_mesh *mesh, uint32_t vertex, uint32_t s
 /* What the colours of a mesh are held against. */
 struct expected {
     const struct subject *subject;
-    struct zr_gl_lighting lighting;
+    struct zr_lights lighting;
     struct zr_normal_matrix to_eye;
     struct zr_colors got;
 };
@@ -179,7 +179,7 @@ static void colors_of_meshes_are_those_of_each_face_alone(void **state)
     zr_arena_init(&arena, 1 << 20);
     int layouts = 0, packed = 0;
     for (int round = 0; round < 500; round++) {
-        const zr_mat4 identity = zr_mat4_identity();
+        const struct zr_camera camera = {.world_to_eye = zr_mat4_identity()};
         make_look(&subject);
         make_mesh(&subject);
         const size_t size = zr_colors_count(&subject.scene, &subject.mesh) * sizeof *blank;
@@ -188,7 +188,7 @@ static void colors_of_meshes_are_those_of_each_face_alone(void **state)
         subject.mesh.indices = (const uint32_t *)(const void *)indices.bytes;
         struct expected e = {.subject = &subject, .to_eye = zr_normal_matrix_make(&subject.object_to_eye)};
         zr_arena_reset(&arena, 1 << 20);
-        zr_gl_lighting_make(&arena, &subject.scene, &identity, &e.lighting);
+        e.lighting = zr_lights_make(&arena, &subject.scene, &camera);
         const zr_vec4 *normals = NULL;
         e.got = zr_colors_make(&arena, team, NULL, &subject.scene, &subject.mesh, &e.lighting, &subject.object_to_eye,
                                &normals, (zr_vec4 *)(void *)front.bytes, (zr_vec4 *)(void *)back.bytes);

@@ -249,14 +249,13 @@ static void faces_with_corners_behind_the_eye_are_judged_as_cones(void **state)
 static void light_follows_the_cosine_and_shows_on_one_side_only(void **state)
 {
     (void)state;
-    const zr_vec3 to_light = {0, 0, 1}, color = {0.5f, 0.5f, 0.5f};
-    struct zr_gl_lighting lighting = {
-        .ambient = {0.25f, 0.25f, 0.25f}, .count = 1, .to_light = &to_light, .colors = &color};
+    const struct zr_lamp lamp = {.to_light = {0, 0, 1}, .color = {0.5f, 0.5f, 0.5f}};
+    const struct zr_lights lights = {.ambient = {0.25f, 0.25f, 0.25f}, .count = 1, .lamps = &lamp};
     zr_mat4 identity = zr_mat4_identity();
     struct zr_normal_matrix matrix = zr_normal_matrix_make(&identity);
     const zr_vec4 normals[] = {{0, 0, 7, 0}, {3, 0, 3, 0}}, bases[] = {{1, 0.5f, 0, 1}, {1, 1, 1, 1}};
     zr_vec4 front[2], back[2];
-    zr_light_of(ZR_ISA_SCALAR)(&lighting, &matrix, normals, bases, 2, front, back);
+    zr_light_of(ZR_ISA_SCALAR)(&lights, &matrix, normals, bases, 2, front, back);
     assert_true(front[0].x == 0.75f && front[0].y == 0.375f && front[0].z == 0.0f);
     assert_true(back[0].x == 0.25f && back[0].y == 0.125f);
     assert_true(fabsf(front[1].x - (0.25f + 0.5f * 0.70710678f)) < 1e-6f);

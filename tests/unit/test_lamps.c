@@ -47,18 +47,15 @@ static void make_points(struct random *r)
     }
 }
 
-static struct zr_gl_lighting make_lighting(struct zr_arena *arena, uint32_t count)
+static struct zr_lights make_lighting(struct zr_arena *arena, uint32_t count)
 {
     const struct zr_scene scene = {.lights = lights, .light_count = count, .ambient = {0.01f, 0.02f, 0.03f}};
-    struct zr_gl_lighting lighting;
-    zr_gl_lighting_make(arena, &scene, &camera.world_to_eye, &lighting);
-    zr_gl_lighting_place(arena, &scene, &camera, &lighting);
-    return lighting;
+    return zr_lights_make(arena, &scene, &camera);
 }
 
 static const struct zr_normal_matrix as_they_are = {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
 
-static void light_all(enum zr_isa isa, const struct zr_gl_lighting *lighting, int to)
+static void light_all(enum zr_isa isa, const struct zr_lights *lighting, int to)
 {
     zr_light_placed_of(isa)(lighting, &as_they_are, normals, points, bases, POINTS, fronts[to], backs[to]);
 }
@@ -130,7 +127,7 @@ static void vertices_have_the_light_of_the_formulas(void **state)
         make_points(&r);
         for (uint32_t l = 0; l < count; l++)
             lights[l] = any_light(&r, (round + l) / 2 % 2, (round + l) / 4 % 2);
-        const struct zr_gl_lighting lighting = make_lighting(&arena, count);
+        const struct zr_lights lighting = make_lighting(&arena, count);
         light_all(isa, &lighting, 0);
         check_vertices(count, (double)scale);
         zr_arena_reset(&arena, 1 << 16);
@@ -145,15 +142,15 @@ static void samples_have_the_light_of_the_formulas(void **state)
     static const struct zr_material white = {.shading = ZR_SHADING_FLAT};
     const enum zr_isa isa = isa_under_test(state);
     struct random r = random_seeded(72);
-    struct zr_placed_lamp lamp = {.lights_pbr = true, .lights_classic = true};
+    struct zr_lamp lamp = {.is_placed = true, .lights_pbr = true, .lights_classic = true};
     make_camera(1.0f);
     for (uint32_t round = 0; round < 8; round++) {
         const struct zr_light light = any_light(&r, round % 2, round / 2 % 2);
         struct zr_linear_lighting lighting = no_light(&white);
         lamp.place = zr_lamp_place_of(&light, &camera);
         lamp.color = light.color;
-        lighting.placed = &lamp;
-        lighting.placed_count = 1;
+        lighting.lights.lamps = &lamp;
+        lighting.lights.count = lighting.lights.placed_count = 1;
         samples_clear(&samples);
         for (size_t i = 0; i < SAMPLES; i++) {
             const zr_vec3 point = any3(&r, -4, 4);
@@ -184,7 +181,7 @@ static float light_at(const struct zr_light *light, double d, double degrees)
     points[0] = (zr_vec4){at.x, at.y, at.z, 0};
     normals[0] = (zr_vec4){-at.x, -at.y, -at.z, 0};
     bases[0] = (zr_vec4){1, 1, 1, 1};
-    struct zr_gl_lighting lighting = make_lighting(&arena, 1);
+    struct zr_lights lighting = make_lighting(&arena, 1);
     lighting.ambient = (zr_vec3){0, 0, 0};
     zr_light_placed_of(ZR_ISA_SCALAR)(&lighting, &as_they_are, normals, points, bases, 1, fronts[0], backs[0]);
     zr_arena_free(&arena);
@@ -255,7 +252,7 @@ static void every_instruction_set_gives_the_same_bytes(void **state)
             const zr_vec3 at = lights[0].position;
             if (i % 10 == 0) points[i] = (zr_vec4){at.x, at.y, at.z, 0};
         }
-        const struct zr_gl_lighting lighting = make_lighting(&arena, LIGHTS);
+        const struct zr_lights lighting = make_lighting(&arena, LIGHTS);
         light_all(ZR_ISA_SCALAR, &lighting, 0);
         light_all(isa, &lighting, 1);
         assert_same_light(0, 1);
@@ -281,12 +278,12 @@ static void directional_lights_are_as_without_lamps(void **state)
     make_points(&r);
     for (int l = 0; l < LIGHTS; l++)
         lights[l] = (struct zr_light){.direction = any_unit(&r), .color = any3(&r, 0, 0.5)};
-    struct zr_gl_lighting lighting = make_lighting(&arena, LIGHTS - 1);
-    assert_null(lighting.places);
+    struct zr_lights lighting = make_lighting(&arena, LIGHTS - 1);
+    assert_int_equal(lighting.placed_count, 0);
     zr_light_of(isa)(&lighting, &as_they_are, normals, bases, POINTS, fronts[0], backs[0]);
     lights[LIGHTS - 1] = (struct zr_light){.type = ZR_LIGHT_POINT};
     lighting = make_lighting(&arena, LIGHTS);
-    assert_non_null(lighting.places);
+    assert_int_equal(lighting.placed_count, 1);
     light_all(isa, &lighting, 1);
     assert_same_light(0, 1);
     zr_arena_free(&arena);

@@ -40,9 +40,9 @@ static zr_vec4 any_color(void)
 }
 
 struct lit_points {
-    struct zr_gl_lighting lighting;
+    struct zr_lights lighting;
     struct zr_normal_matrix to_eye;
-    zr_vec3 to_light[LIGHTS], colors[LIGHTS];
+    struct zr_lamp lamps[LIGHTS];
     zr_vec4 normals[MOST], bases[MOST];
 };
 
@@ -52,13 +52,12 @@ static void make_points(struct lit_points *p, uint32_t lights)
     for (int i = 0; i < 16; i++)
         matrix.m[i] = (float)random_below(&numbers, 2001) / 1000.0f - 1.0f;
     p->to_eye = zr_normal_matrix_make(&matrix);
-    p->lighting = (struct zr_gl_lighting){.ambient = {0.1f, 0.0f, 0.3f}, .count = lights};
-    p->lighting.to_light = p->to_light;
-    p->lighting.colors = p->colors;
+    p->lighting = (struct zr_lights){.ambient = {0.1f, 0.0f, 0.3f}, .count = lights, .lamps = p->lamps};
     for (uint32_t i = 0; i < LIGHTS; i++) {
         const zr_vec4 color = any_color();
-        p->to_light[i] = zr_vec3_normalize((zr_vec3){color.y - 0.5f, color.z - 0.4f, color.w - 0.3f});
-        p->colors[i] = (zr_vec3){color.x, color.y, color.z};
+        p->lamps[i] =
+            (struct zr_lamp){.to_light = zr_vec3_normalize((zr_vec3){color.y - 0.5f, color.z - 0.4f, color.w - 0.3f}),
+                             .color = {color.x, color.y, color.z}};
     }
     for (int i = 0; i < MOST; i++) {
         const zr_vec3 n = any_vector();

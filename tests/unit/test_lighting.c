@@ -11,8 +11,7 @@ enum { MATERIALS = 24, LAMPS = 4, PLACED = 3 };
 
 static struct lit_samples samples, others;
 static struct zr_material materials[MATERIALS];
-static struct zr_lamp lamps[LAMPS];
-static struct zr_placed_lamp placed[PLACED];
+static struct zr_lamp lamps[LAMPS + PLACED]; /* placed ones last */
 
 static void make_materials(struct random *r)
 {
@@ -40,7 +39,8 @@ static void make_placed(struct random *r, float scale)
                                  .inner_degrees = 20,
                                  .outer_degrees = 80};
         if (random_below(r, 4) == 0) light.position = (zr_vec3){0, 0, 0};
-        placed[i] = (struct zr_placed_lamp){.place = zr_lamp_place_of(&light, &camera),
+        lamps[LAMPS + i] = (struct zr_lamp){.is_placed = true,
+                                            .place = zr_lamp_place_of(&light, &camera),
                                             .color = light.color,
                                             .lights_pbr = i != 1,
                                             .lights_classic = i != 0};
@@ -57,12 +57,9 @@ static struct zr_linear_lighting make_lighting(struct random *r)
                                     .is_hemisphere = i % 2,
                                     .lights_pbr = i != 2,
                                     .lights_classic = i != 3};
-    lighting.ambient = any3(r, 0, 0.1);
-    lighting.lamps = lamps;
-    lighting.lamp_count = LAMPS;
+    lighting.lights =
+        (struct zr_lights){.ambient = any3(r, 0, 0.1), .count = LAMPS + PLACED, .placed_count = PLACED, .lamps = lamps};
     make_placed(r, 1.0f);
-    lighting.placed = placed;
-    lighting.placed_count = PLACED;
     lighting.has_environment = zr_environment_make(ZR_ENVIRONMENT_OUTDOOR, &lighting.environment);
     lighting.tone = ZR_TONE_NEUTRAL;
     return lighting;
@@ -320,15 +317,15 @@ static void light_from_straight_behind_changes_nothing(void **state)
     static const struct zr_material metal = {.shading = ZR_SHADING_PBR, .roughness = 0.5f, .metallic = 0.5f};
     static const struct zr_lamp behind = {.to_light = {0, 0, -1}, .color = {1, 1, 1}, .lights_pbr = true};
     struct zr_linear_lighting lighting = no_light(&metal);
-    lighting.ambient = (zr_vec3){0.5f, 0.5f, 0.5f};
+    lighting.lights.ambient = (zr_vec3){0.5f, 0.5f, 0.5f};
     lighting.is_parallel = true;
     lighting.to_eye = (zr_vec3){0, 0, 1};
-    lighting.lamps = &behind;
+    lighting.lights.lamps = &behind;
     samples_clear(&samples);
     samples_set(&samples, 0, 0, (zr_vec3){1, 1, 1}, (zr_vec3){0, 0.6f, 0.8f}, (zr_vec3){0, 0, 0});
     samples_light(&samples, isa, &lighting);
     others = samples;
-    lighting.lamp_count = 1;
+    lighting.lights.count = 1;
     samples_light(&samples, isa, &lighting);
     assert_true(samples.out[0][0] > 0.1f);
     assert_same_outs(&samples, &others, 0, 1);
@@ -381,8 +378,8 @@ static void speed(void **state)
         struct zr_linear_lighting lighting = no_light(materials);
         lighting.has_environment = zr_environment_make(look->picture.environment.name, &lighting.environment);
         lighting.tone = look->picture.tone;
-        lighting.lamps = &sun;
-        lighting.lamp_count = i == 3;
+        lighting.lights.lamps = &sun;
+        lighting.lights.count = i == 3;
         print_message("%s, %s: %.2f ns a sample\n", zr_isa_name(isa), names[i], best_time(isa, &lighting));
     }
 }

@@ -33,7 +33,7 @@ static void light(struct row *row, enum zr_isa isa, size_t count)
     struct zr_gbuffer samples = {
         .width = (int32_t)count, .height = 1, .stride = ROOM, .owner = row->owner, .material = row->material};
     struct zr_linear_lighting lighting = {.materials = &material,
-                                          .ambient = {0.5f, 0.5f, 0.5f},
+                                          .lights = {.ambient = {0.5f, 0.5f, 0.5f}},
                                           .environment_intensity = 1,
                                           .eye_to_environment = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}},
                                           .tone = ZR_TONE_NEUTRAL,

@@ -98,9 +98,9 @@ static struct zr_linear_lighting lighting_of(const struct zr_look *look)
                                     .lights_pbr = light->lit != ZR_LIT_CLASSIC,
                                     .lights_classic = light->lit != ZR_LIT_PBR};
     }
-    lighting.lamps = lamps;
-    lighting.lamp_count = look->light_count;
-    lighting.ambient = look->ambient;
+    lighting.lights.lamps = lamps;
+    lighting.lights.count = look->light_count;
+    lighting.lights.ambient = look->ambient;
     lighting.has_environment = zr_environment_make(look->picture.environment.name, &lighting.environment);
     lighting.environment_intensity = look->picture.environment.intensity;
     lighting.to_eye = (zr_vec3){0, 0, 1};

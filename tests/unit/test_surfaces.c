@@ -66,7 +66,8 @@ static d3 times_color(d3 a, zr_vec3 color)
 static d3 lamp_expected(const struct zr_linear_lighting *lighting, size_t at)
 {
     const struct reference_surface s = surface(at);
-    return times_color(reference_lamp(&s, d3_unit(d3_of(lighting->lamps->to_light))), lighting->lamps->color);
+    return times_color(reference_lamp(&s, d3_unit(d3_of(lighting->lights.lamps->to_light))),
+                       lighting->lights.lamps->color);
 }
 
 static void lamps_are_those_of_gltf(void **state)
@@ -80,8 +81,8 @@ static void lamps_are_those_of_gltf(void **state)
         make_materials(&r, ZR_SHADING_PBR);
         make_samples(&r);
         struct zr_linear_lighting lighting = no_light(materials);
-        lighting.lamps = &lamp;
-        lighting.lamp_count = 1;
+        lighting.lights.lamps = &lamp;
+        lighting.lights.count = 1;
         samples_light(&samples, isa, &lighting);
         worst = fmax(worst, worst_of(&lighting, lamp_expected, 1e-3));
     }
@@ -119,8 +120,8 @@ static void lamps_behind_and_of_others_give_nothing(void **state)
     make_materials(&r, ZR_SHADING_PBR);
     make_samples(&r);
     struct zr_linear_lighting lighting = no_light(materials);
-    lighting.lamps = lamps;
-    lighting.lamp_count = 2;
+    lighting.lights.lamps = lamps;
+    lighting.lights.count = 2;
     samples_light(&samples, isa, &lighting);
     for (size_t i = 0; i < SAMPLES; i++)
         if (samples.g.normal[2][i] >= 0.0f)
@@ -133,7 +134,7 @@ static void lamps_behind_and_of_others_give_nothing(void **state)
 static d3 around_expected(const struct zr_linear_lighting *lighting, size_t at)
 {
     const struct reference_surface s = surface(at);
-    const struct zr_lamp *lamp = lighting->lamps;
+    const struct zr_lamp *lamp = lighting->lights.lamps;
     const double intensity = (double)lighting->environment_intensity;
     const d3 directions[2] = {s.normal, reference_mirrored(&s)};
     d3 light[2];
@@ -144,7 +145,7 @@ static d3 around_expected(const struct zr_linear_lighting *lighting, size_t at)
         const double up = 0.5 + 0.5 * d3_dot(directions[i], d3_of(lamp->to_light));
         light[i] = i ? reference_radiance(&lighting->environment, e, s.roughness * s.roughness)
                      : reference_irradiance(&lighting->environment, e);
-        light[i] = d3_mad(d3_of(lighting->ambient), intensity, light[i]);
+        light[i] = d3_mad(d3_of(lighting->lights.ambient), intensity, light[i]);
         light[i] = d3_mad(light[i], 1.0, d3_mix(d3_of(lamp->ground), d3_of(lamp->color), up));
     }
     return reference_around(&s, light[0], light[1]);
@@ -166,9 +167,9 @@ static void light_from_all_around_is_as_defined(void **state)
         make_materials(&r, ZR_SHADING_PBR);
         make_samples(&r);
         struct zr_linear_lighting lighting = no_light(materials);
-        lighting.ambient = any3(&r, 0, 0.1);
-        lighting.lamps = &lamp;
-        lighting.lamp_count = 1;
+        lighting.lights.ambient = any3(&r, 0, 0.1);
+        lighting.lights.lamps = &lamp;
+        lighting.lights.count = 1;
         lighting.has_environment =
             zr_environment_make(round % 2 ? ZR_ENVIRONMENT_OUTDOOR : ZR_ENVIRONMENT_STUDIO, &lighting.environment);
         lighting.environment_intensity = any(&r, 0.1, 0.6);
@@ -214,7 +215,7 @@ static void nothing_is_lost_in_a_white_furnace(void **state)
     const enum zr_isa isa = isa_under_test(state);
     struct zr_linear_lighting ambient = no_light(materials), environment = ambient;
     double least = 1.0, most = 1.0;
-    ambient.ambient = (zr_vec3){1, 1, 1};
+    ambient.lights.ambient = (zr_vec3){1, 1, 1};
     environment.environment = uniform_environment();
     environment.has_environment = true;
     ambient.exposure = environment.exposure = 0.5f;
@@ -238,8 +239,8 @@ static void occlusion_does_not_touch_lamps(void **state)
         make_materials(&r, shadings[i]);
         make_samples(&r);
         struct zr_linear_lighting lighting = no_light(materials);
-        lighting.lamps = &lamp;
-        lighting.lamp_count = 1;
+        lighting.lights.lamps = &lamp;
+        lighting.lights.count = 1;
         samples_light(&samples, isa, &lighting);
         for (int k = 0; k < 3; k++)
             memcpy(open[k], samples.out[k], sizeof open[k]);
@@ -257,12 +258,12 @@ static d3 classic_expected(const struct zr_linear_lighting *lighting, size_t at)
 {
     const struct reference_surface s = surface(at);
     const struct zr_material *material = &materials[samples.material[at]];
-    const struct zr_lamp *sky = &lighting->lamps[0], *lamp = &lighting->lamps[1];
+    const struct zr_lamp *sky = &lighting->lights.lamps[0], *lamp = &lighting->lights.lamps[1];
     const d3 l = d3_unit(d3_of(lamp->to_light)), h = d3_unit(d3_mad(l, 1.0, s.to_eye));
     const double nl = d3_dot(s.normal, l), nh = fmax(d3_dot(s.normal, h), 0.0);
     const double up = 0.5 + 0.5 * d3_dot(s.normal, d3_of(sky->to_light));
     const bool shines = material->shading == ZR_SHADING_PHONG && nl > 0.0;
-    d3 out = d3_mad(d3_of(lighting->ambient), 1.0, d3_mix(d3_of(sky->ground), d3_of(sky->color), up));
+    d3 out = d3_mad(d3_of(lighting->lights.ambient), 1.0, d3_mix(d3_of(sky->ground), d3_of(sky->color), up));
     for (int k = 0; k < 3; k++) {
         const double color = d3_of(lamp->color).v[k], specular = d3_of(material->specular).v[k];
         out.v[k] = s.base.v[k] * (out.v[k] * reference_bounced(s.open, s.base.v[k]) + color * fmax(nl, 0.0));
@@ -288,9 +289,9 @@ static void classic_surfaces_are_as_defined(void **state)
         make_materials(&r, (enum zr_shading[]){ZR_SHADING_FLAT, ZR_SHADING_GOURAUD, ZR_SHADING_PHONG}[round % 3]);
         make_samples(&r);
         struct zr_linear_lighting lighting = no_light(materials);
-        lighting.ambient = any3(&r, 0, 0.1);
-        lighting.lamps = lamps;
-        lighting.lamp_count = 3;
+        lighting.lights.ambient = any3(&r, 0, 0.1);
+        lighting.lights.lamps = lamps;
+        lighting.lights.count = 3;
         samples_light(&samples, isa, &lighting);
         worst = fmax(worst, worst_of(&lighting, classic_expected, 0.01));
     }
@@ -344,7 +345,7 @@ static void exposure_comes_before_the_tone(void **state)
         make_samples(&r);
         struct zr_linear_lighting lighting = no_light(materials);
         lighting.has_environment = zr_environment_make(ZR_ENVIRONMENT_STUDIO, &lighting.environment);
-        lighting.lamps = &none;
+        lighting.lights.lamps = &none;
         lighting.tone = (enum zr_tone)tone;
         lighting.exposure = 0.7f;
         samples_light(&samples, isa, &lighting);

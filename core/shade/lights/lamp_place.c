@@ -32,7 +32,7 @@ struct zr_lamp_place zr_lamp_place_of(const struct zr_light *light, const struct
 {
     const zr_vec4 eye = zr_camera_eye(camera);
     const float scale = zr_eye_scale_of(camera);
-    struct zr_lamp_place place = {.is_placed = true, .angle_offset = 1.0f, .gain = scale * scale};
+    struct zr_lamp_place place = {.angle_offset = 1.0f, .gain = scale * scale};
     place.position = to_eye(light, &camera->world_to_eye, light->position, 1.0f);
     if (eye.w != 0.0f) place.position = zr_vec3_sub(place.position, (zr_vec3){eye.x, eye.y, eye.z});
     if (light->range > 0.0f) {

@@ -12,7 +12,6 @@
 #include "scene/camera.h"
 
 struct zr_lamp_place {
-    bool is_placed;   /* else the lamp has a direction alone, and nothing below is set */
     zr_vec3 position; /* of the lamp */
     zr_vec3 axis;     /* of a spot: a unit vector against its light; of a point lamp: 0 */
     float angle_scale, angle_offset;

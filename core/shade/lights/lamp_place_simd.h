@@ -39,12 +39,12 @@ static inline struct zr_arriving_v zr_arriving_from_v(const struct zr_lamp_place
     return (struct zr_arriving_v){zr_choose_v(reached, unit, some), zr_vf_select(reached, share, zero)};
 }
 
-/* From light i, whether it has a place or not. lighting->places is not NULL. */
-static inline struct zr_arriving_v zr_arriving_of_v(const struct zr_gl_lighting *lighting, uint32_t i,
-                                                    struct zr_vec3_v point)
+/* What arrives from a lamp; `placed`: it may have a place. A constant, lest others pay for the question. */
+static inline __attribute__((always_inline)) struct zr_arriving_v zr_arriving_v(const struct zr_lamp *lamp,
+                                                                                struct zr_vec3_v point, bool placed)
 {
-    if (lighting->places[i].is_placed) return zr_arriving_from_v(&lighting->places[i], point);
-    return (struct zr_arriving_v){zr_spread_v(lighting->to_light[i]), zr_vf_set(1.0f)};
+    if (placed && lamp->is_placed) return zr_arriving_from_v(&lamp->place, point);
+    return (struct zr_arriving_v){zr_spread_v(lamp->to_light), zr_vf_set(1.0f)};
 }
 
 #endif

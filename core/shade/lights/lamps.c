@@ -68,23 +68,36 @@ zr_vec3 zr_look_light_direction(const struct zr_scene *scene, const struct zr_li
     return direction_of(light, world_to_eye, environment);
 }
 
-static struct zr_lamp lamp_of(const struct zr_light *light, zr_vec3 direction)
+static struct zr_lamp lamp_of(const struct zr_light *light, const struct zr_camera *camera,
+                              const zr_vec3 environment[3])
 {
-    const bool is_hemisphere = light->type == ZR_LIGHT_HEMISPHERE;
-    return (struct zr_lamp){.to_light = is_hemisphere ? direction : zr_vec3_scale(direction, -1.0f),
-                            .color = light->color,
-                            .ground = light->ground,
-                            .is_hemisphere = is_hemisphere,
-                            .lights_pbr = light->lit != ZR_LIT_CLASSIC,
-                            .lights_classic = light->lit != ZR_LIT_PBR};
+    struct zr_lamp lamp = {.is_placed = zr_light_has_place(light),
+                           .is_hemisphere = light->type == ZR_LIGHT_HEMISPHERE,
+                           .lights_pbr = light->lit != ZR_LIT_CLASSIC,
+                           .lights_classic = light->lit != ZR_LIT_PBR,
+                           .color = light->color,
+                           .ground = light->ground};
+    if (lamp.is_placed) {
+        lamp.place = zr_lamp_place_of(light, camera);
+    } else {
+        const zr_vec3 along = direction_of(light, &camera->world_to_eye, environment);
+        lamp.to_light = lamp.is_hemisphere ? along : zr_vec3_scale(along, -1.0f);
+    }
+    return lamp;
 }
 
-static struct zr_placed_lamp placed_lamp_of(const struct zr_light *light, const struct zr_camera *camera)
+/* In the order of the scene, but placed ones last. */
+static void add_lamps(const struct zr_scene *scene, const struct zr_camera *camera, const struct zr_shadow_map *shadows,
+                      bool placed, struct zr_lamp *lamps, struct zr_linear_lighting *lighting)
 {
-    return (struct zr_placed_lamp){.place = zr_lamp_place_of(light, camera),
-                                   .color = light->color,
-                                   .lights_pbr = light->lit != ZR_LIT_CLASSIC,
-                                   .lights_classic = light->lit != ZR_LIT_PBR};
+    for (uint32_t i = 0; i < scene->light_count; i++) {
+        const struct zr_light *light = &scene->lights[i];
+        if (zr_light_has_place(light) != placed) continue;
+        struct zr_lamp *lamp = &lamps[lighting->lights.count++];
+        *lamp = lamp_of(light, camera, lighting->eye_to_environment);
+        lamp->shadow = shadows && shadows[i].depths ? &shadows[i] : NULL;
+        lighting->lights.placed_count += placed;
+    }
 }
 
 /* ---- all ---- */
@@ -95,30 +108,16 @@ void zr_linear_lighting_make(struct zr_arena *arena, const struct zr_scene *scen
     const struct zr_picture *picture = &scene->picture;
     const zr_vec4 eye = zr_camera_eye(camera);
     struct zr_lamp *lamps = zr_arena_alloc(arena, scene->light_count, sizeof *lamps);
-    struct zr_placed_lamp *placed = zr_arena_alloc(arena, scene->light_count, sizeof *placed);
     *lighting = (struct zr_linear_lighting){.materials = scene->materials,
-                                            .ambient = scene->ambient,
-                                            .lamps = lamps,
-                                            .placed = placed,
+                                            .lights = {.ambient = scene->ambient, .lamps = lamps},
                                             .environment_intensity = picture->environment.intensity,
                                             .is_parallel = eye.w == 0.0f,
                                             .to_eye = {eye.x, eye.y, eye.z},
                                             .tone = picture->tone,
                                             .exposure = picture->exposure};
     lighting->has_environment = zr_environment_make(picture->environment.name, &lighting->environment);
-    if (!lamps || !placed) return;
+    if (!lamps) return;
     turn_environment(scene, &camera->world_to_eye, lighting->eye_to_environment);
-    for (uint32_t i = 0; i < scene->light_count; i++) {
-        const struct zr_light *light = &scene->lights[i];
-        const struct zr_shadow_map *shadow = shadows && shadows[i].depths ? &shadows[i] : NULL;
-        if (zr_light_has_place(light)) {
-            struct zr_placed_lamp *lamp = &placed[lighting->placed_count++];
-            *lamp = placed_lamp_of(light, camera);
-            lamp->shadow = shadow;
-        } else {
-            struct zr_lamp *lamp = &lamps[lighting->lamp_count++];
-            *lamp = lamp_of(light, direction_of(light, &camera->world_to_eye, lighting->eye_to_environment));
-            lamp->shadow = shadow;
-        }
-    }
+    add_lamps(scene, camera, shadows, false, lamps, lighting);
+    add_lamps(scene, camera, shadows, true, lamps, lighting);
 }

@@ -5,39 +5,34 @@ static zr_vec3 upper_row(const zr_mat4 *m, int row)
     return (zr_vec3){m->m[row], m->m[4 + row], m->m[8 + row]};
 }
 
-void zr_gl_lighting_make(struct zr_arena *arena, const struct zr_scene *scene, const zr_mat4 *world_to_eye,
-                         struct zr_gl_lighting *lighting)
+/* Unit, towards the light; in Mesa's order. */
+static zr_vec3 to_light_of(const struct zr_light *light, const zr_mat4 *world_to_eye)
 {
-    zr_vec3 *to_light = zr_arena_alloc(arena, scene->light_count, sizeof *to_light);
-    zr_vec3 *colors = zr_arena_alloc(arena, scene->light_count, sizeof *colors);
-    *lighting = (struct zr_gl_lighting){.ambient = scene->ambient, .to_light = to_light, .colors = colors};
-    if (!zr_arena_ok(arena)) return;
-    lighting->count = scene->light_count;
-    for (uint32_t i = 0; i < scene->light_count; i++) {
-        const struct zr_light *light = &scene->lights[i];
-        zr_vec3 d = light->direction;
-        if (!light->camera_frame)
-            d = (zr_vec3){zr_vec3_dot(upper_row(world_to_eye, 0), d), zr_vec3_dot(upper_row(world_to_eye, 1), d),
-                          zr_vec3_dot(upper_row(world_to_eye, 2), d)};
-        to_light[i] = zr_vec3_normalize(zr_vec3_scale(d, -1.0f));
-        colors[i] = light->color;
-    }
+    zr_vec3 d = light->direction;
+    if (!light->camera_frame)
+        d = (zr_vec3){zr_vec3_dot(upper_row(world_to_eye, 0), d), zr_vec3_dot(upper_row(world_to_eye, 1), d),
+                      zr_vec3_dot(upper_row(world_to_eye, 2), d)};
+    return zr_vec3_normalize(zr_vec3_scale(d, -1.0f));
 }
 
-void zr_gl_lighting_place(struct zr_arena *arena, const struct zr_scene *scene, const struct zr_camera *camera,
-                          struct zr_gl_lighting *lighting)
+struct zr_lights zr_lights_make(struct zr_arena *arena, const struct zr_scene *scene, const struct zr_camera *camera)
 {
+    struct zr_lamp *lamps = zr_arena_zero(arena, scene->light_count, sizeof *lamps);
+    struct zr_lights lights = {.ambient = scene->ambient, .lamps = lamps};
     const zr_vec4 eye = zr_camera_eye(camera);
-    bool any = false;
-    for (uint32_t i = 0; i < scene->light_count; i++)
-        any |= zr_light_has_place(&scene->lights[i]);
-    if (!any) return;
-    struct zr_lamp_place *places = zr_arena_zero(arena, scene->light_count, sizeof *places);
-    if (!places) return;
-    for (uint32_t i = 0; i < scene->light_count; i++)
-        if (zr_light_has_place(&scene->lights[i])) places[i] = zr_lamp_place_of(&scene->lights[i], camera);
-    lighting->places = places;
-    if (eye.w != 0.0f) lighting->start = (zr_vec3){eye.x, eye.y, eye.z};
+    if (!lamps) return lights;
+    lights.count = scene->light_count;
+    for (uint32_t i = 0; i < scene->light_count; i++) {
+        const struct zr_light *light = &scene->lights[i];
+        lamps[i] = (struct zr_lamp){.is_placed = zr_light_has_place(light), .color = light->color};
+        if (lamps[i].is_placed)
+            lamps[i].place = zr_lamp_place_of(light, camera);
+        else
+            lamps[i].to_light = to_light_of(light, &camera->world_to_eye);
+        lights.placed_count += lamps[i].is_placed;
+    }
+    if (lights.placed_count > 0 && eye.w != 0.0f) lights.start = (zr_vec3){eye.x, eye.y, eye.z};
+    return lights;
 }
 
 /* Cofactors are the inverse transpose times the determinant: of it only the sign

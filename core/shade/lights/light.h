@@ -10,30 +10,15 @@
 #include "base/arena.h"
 #include "base/isa.h"
 #include "scene/scene.h"
-#include "shade/lights/lamp_place.h"
-
-struct zr_gl_lighting {
-    zr_vec3 ambient;
-    uint32_t count;
-    const zr_vec3 *to_light; /* unit vectors towards the lights */
-    const zr_vec3 *colors;
-    const struct zr_lamp_place *places; /* one a light; NULL: no light has a place */
-    zr_vec3 start;     /* where points are counted from that these light: the eye, or the origin of eye space */
-    bool is_per_pixel; /* all shadings are lit when it is known what is seen, from the surfaces' own colours */
-};
+#include "shade/lamp.h"
 
 /* How directions of one instance get to eye space. */
 struct zr_normal_matrix {
     zr_vec3 rows[3];
 };
 
-/* Turns the scene's lights into eye space. `lighting` points into the arena. */
-void zr_gl_lighting_make(struct zr_arena *arena, const struct zr_scene *scene, const zr_mat4 *world_to_eye,
-                         struct zr_gl_lighting *lighting);
-
-/* Finds out which of them have a place, and where. Fails only with the arena. */
-void zr_gl_lighting_place(struct zr_arena *arena, const struct zr_scene *scene, const struct zr_camera *camera,
-                          struct zr_gl_lighting *lighting);
+/* The scene's lights, in its order; directions are Mesa's sums. Points into the arena, and fails only with it. */
+struct zr_lights zr_lights_make(struct zr_arena *arena, const struct zr_scene *scene, const struct zr_camera *camera);
 
 /* The inverse transpose of the upper 3x3, up to a positive factor. */
 struct zr_normal_matrix zr_normal_matrix_make(const zr_mat4 *object_to_eye);
@@ -42,16 +27,16 @@ struct zr_normal_matrix zr_normal_matrix_make(const zr_mat4 *object_to_eye);
  * `normals` xyz in object space, of any length, and w, which is not looked at; `bases` the surface's own colour;
  * `front` as it is seen from the side that the normal points to, and `back` from the other; the two may be one array,
  * which is front then. A kernel. */
-typedef void zr_light_fn(const struct zr_gl_lighting *lighting, const struct zr_normal_matrix *to_eye,
-                         const zr_vec4 *normals, const zr_vec4 *bases, size_t count, zr_vec4 *front, zr_vec4 *back);
+typedef void zr_light_fn(const struct zr_lights *lights, const struct zr_normal_matrix *to_eye, const zr_vec4 *normals,
+                         const zr_vec4 *bases, size_t count, zr_vec4 *front, zr_vec4 *back);
 
 zr_light_fn zr_light_scalar, zr_light_sse2, zr_light_avx2, zr_light_avx512, zr_light_neon;
 
 zr_light_fn *zr_light_of(enum zr_isa isa);
 
-/* The same where some light has a place: lighting->places is not NULL. Of each point, too: `points` xyz in eye space,
- * counted from lighting->start. A kernel. */
-typedef void zr_light_placed_fn(const struct zr_gl_lighting *lighting, const struct zr_normal_matrix *to_eye,
+/* The same where some light has a place: lights->placed_count > 0. Of each point, too: `points` xyz in eye space,
+ * counted from lights->start. A kernel. */
+typedef void zr_light_placed_fn(const struct zr_lights *lights, const struct zr_normal_matrix *to_eye,
                                 const zr_vec4 *normals, const zr_vec4 *points, const zr_vec4 *bases, size_t count,
                                 zr_vec4 *front, zr_vec4 *back);
 

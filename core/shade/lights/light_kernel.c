@@ -30,20 +30,26 @@ static inline struct zr_vec3_v unit_normals(const struct zr_normal_matrix *to_ey
     return zr_normalize_v(n);
 }
 
-static inline void light_group(const struct zr_gl_lighting *lighting, struct zr_vec3_v n, const zr_vec4 *bases,
-                               zr_vec4 *front_out, zr_vec4 *back_out)
+/* `placed`, a constant: lamps may have a place; else `points` may be NULL. */
+static inline __attribute__((always_inline)) void light_group(const struct zr_lights *lights, bool placed,
+                                                              struct zr_vec3_v n, const zr_vec4 *points,
+                                                              const zr_vec4 *bases, zr_vec4 *front_out,
+                                                              zr_vec4 *back_out)
 {
-    struct zr_vec3_v base;
-    zr_vf alpha;
+    struct zr_vec3_v base, point = n;
+    zr_vf alpha, w;
     zr_vf_load_fours((const float *)bases, &base.x, &base.y, &base.z, &alpha);
-    struct zr_vec3_v front = zr_mul_v(zr_spread_v(lighting->ambient), base), back = front;
-    for (uint32_t i = 0; i < lighting->count; i++) {
-        const zr_vf facing = zr_dot_v(n, zr_spread_v(lighting->to_light[i]));
-        const struct zr_vec3_v diffuse = zr_mul_v(zr_spread_v(lighting->colors[i]), base);
+    if (placed) zr_vf_load_fours((const float *)points, &point.x, &point.y, &point.z, &w);
+    struct zr_vec3_v front = zr_mul_v(zr_spread_v(lights->ambient), base), back = front;
+    for (uint32_t i = 0; i < lights->count; i++) {
+        const struct zr_lamp *lamp = &lights->lamps[i];
+        const struct zr_arriving_v arriving = zr_arriving_v(lamp, point, placed);
+        const zr_vf facing = zr_dot_v(n, arriving.to_light), away = facing * zr_vf_set(-1.0f);
+        const struct zr_vec3_v diffuse = zr_mul_v(zr_spread_v(lamp->color), base);
         const zr_vm lit = zr_vf_lt(zr_vf_set(0.0f), facing);
-        front = zr_choose_v(ZR_MUTANT(lit_from_behind, lit, ZR_ALL_LANES), zr_add_v(front, zr_scale_v(diffuse, facing)),
-                            front);
-        back = zr_choose_v(lit, back, zr_add_v(back, zr_scale_v(diffuse, facing * zr_vf_set(-1.0f))));
+        const struct zr_vec3_v lit_front = zr_add_v(front, zr_scale_v(diffuse, facing * arriving.share));
+        front = zr_choose_v(ZR_MUTANT(lit_from_behind, lit, ZR_ALL_LANES), lit_front, front);
+        back = zr_choose_v(lit, back, zr_add_v(back, zr_scale_v(diffuse, away * arriving.share)));
     }
     if (back_out != front_out) store(back, alpha, back_out);
     store(front, alpha, front_out);
@@ -53,7 +59,7 @@ static inline void light_group(const struct zr_gl_lighting *lighting, struct zr_
  * on while it waits for square roots and quotients: two fifths of the time of lighting. */
 enum { GROUPS = 8 };
 
-static inline void light_groups(const struct zr_gl_lighting *lighting, const struct zr_normal_matrix *to_eye,
+static inline void light_groups(const struct zr_lights *lights, const struct zr_normal_matrix *to_eye,
                                 const zr_vec4 *normals, const zr_vec4 *bases, size_t groups, zr_vec4 *front,
                                 zr_vec4 *back)
 {
@@ -61,16 +67,16 @@ static inline void light_groups(const struct zr_gl_lighting *lighting, const str
     for (size_t g = 0; g < groups; g++)
         units[g] = unit_normals(to_eye, normals + g * ZR_LANES);
     for (size_t g = 0; g < groups; g++)
-        light_group(lighting, units[g], bases + g * ZR_LANES, front + g * ZR_LANES, back + g * ZR_LANES);
+        light_group(lights, false, units[g], NULL, bases + g * ZR_LANES, front + g * ZR_LANES, back + g * ZR_LANES);
 }
 
-void ZR_KERNEL(zr_light)(const struct zr_gl_lighting *lighting, const struct zr_normal_matrix *to_eye,
-                         const zr_vec4 *normals, const zr_vec4 *bases, size_t count, zr_vec4 *front, zr_vec4 *back)
+void ZR_KERNEL(zr_light)(const struct zr_lights *lights, const struct zr_normal_matrix *to_eye, const zr_vec4 *normals,
+                         const zr_vec4 *bases, size_t count, zr_vec4 *front, zr_vec4 *back)
 {
     size_t i = 0;
     for (size_t groups; (groups = (count - i) / ZR_LANES) > 0; i += groups * ZR_LANES) {
         if (groups > GROUPS) groups = GROUPS;
-        light_groups(lighting, to_eye, normals + i, bases + i, groups, front + i, back + i);
+        light_groups(lights, to_eye, normals + i, bases + i, groups, front + i, back + i);
     }
     if (i == count) return;
     /* What is left of a group. */
@@ -79,35 +85,14 @@ void ZR_KERNEL(zr_light)(const struct zr_gl_lighting *lighting, const struct zr_
     const size_t left = (count - i) * sizeof *front;
     memcpy(last_normals, normals + i, left);
     memcpy(last_bases, bases + i, left);
-    light_groups(lighting, to_eye, last_normals, last_bases, 1, fronts, backs);
+    light_groups(lights, to_eye, last_normals, last_bases, 1, fronts, backs);
     memcpy(back + i, backs, left);
     memcpy(front + i, fronts, left); /* last: both may be one array */
 }
 
 /* ---- lights that have a place ---- */
 
-static inline void light_placed_group(const struct zr_gl_lighting *lighting, struct zr_vec3_v n, const zr_vec4 *points,
-                                      const zr_vec4 *bases, zr_vec4 *front_out, zr_vec4 *back_out)
-{
-    struct zr_vec3_v base, point;
-    zr_vf alpha, w;
-    zr_vf_load_fours((const float *)bases, &base.x, &base.y, &base.z, &alpha);
-    zr_vf_load_fours((const float *)points, &point.x, &point.y, &point.z, &w);
-    (void)w;
-    struct zr_vec3_v front = zr_mul_v(zr_spread_v(lighting->ambient), base), back = front;
-    for (uint32_t i = 0; i < lighting->count; i++) {
-        const struct zr_arriving_v arriving = zr_arriving_of_v(lighting, i, point);
-        const zr_vf facing = zr_dot_v(n, arriving.to_light), away = facing * zr_vf_set(-1.0f);
-        const struct zr_vec3_v diffuse = zr_mul_v(zr_spread_v(lighting->colors[i]), base);
-        const zr_vm lit = zr_vf_lt(zr_vf_set(0.0f), facing);
-        front = zr_choose_v(lit, zr_add_v(front, zr_scale_v(diffuse, facing * arriving.share)), front);
-        back = zr_choose_v(lit, back, zr_add_v(back, zr_scale_v(diffuse, away * arriving.share)));
-    }
-    if (back_out != front_out) store(back, alpha, back_out);
-    store(front, alpha, front_out);
-}
-
-void ZR_KERNEL(zr_light_placed)(const struct zr_gl_lighting *lighting, const struct zr_normal_matrix *to_eye,
+void ZR_KERNEL(zr_light_placed)(const struct zr_lights *lights, const struct zr_normal_matrix *to_eye,
                                 const zr_vec4 *normals, const zr_vec4 *points, const zr_vec4 *bases, size_t count,
                                 zr_vec4 *front, zr_vec4 *back)
 {
@@ -117,7 +102,7 @@ void ZR_KERNEL(zr_light_placed)(const struct zr_gl_lighting *lighting, const str
         memcpy(in[0], normals + i, left);
         memcpy(in[1], points + i, left);
         memcpy(in[2], bases + i, left);
-        light_placed_group(lighting, unit_normals(to_eye, in[0]), in[1], in[2], fronts, backs);
+        light_group(lights, true, unit_normals(to_eye, in[0]), in[1], in[2], fronts, backs);
         memcpy(back + i, backs, left);
         memcpy(front + i, fronts, left); /* last: both may be one array */
     }

@@ -9,35 +9,13 @@
 #include "base/isa.h"
 #include "scene/scene.h"
 #include "shade/gbuffer.h"
+#include "shade/lamp.h"
 #include "shade/lights/environment.h"
-#include "shade/lights/lamp_place.h"
-
-/* Of one light of the scene that has no place. */
-struct zr_lamp {
-    zr_vec3 to_light; /* unit; of a hemisphere: its up */
-    zr_vec3 color;    /* E at normal incidence; of a hemisphere: from the sky */
-    zr_vec3 ground;   /* of a hemisphere */
-    bool is_hemisphere;
-    bool lights_pbr, lights_classic;    /* classic: flat, gouraud, phong */
-    const struct zr_shadow_map *shadow; /* shadow_map.h; NULL: it casts none */
-};
-
-/* Of one that has a place. */
-struct zr_placed_lamp {
-    struct zr_lamp_place place;
-    zr_vec3 color; /* E at normal incidence, at a distance of 1 */
-    bool lights_pbr, lights_classic;
-    const struct zr_shadow_map *shadow; /* of a spot; NULL: it casts none */
-};
 
 /* What is the same for the whole picture. */
 struct zr_linear_lighting {
     const struct zr_material *materials;
-    zr_vec3 ambient; /* E of what is lit from all sides alike, for all shadings */
-    uint32_t lamp_count;
-    const struct zr_lamp *lamps;
-    uint32_t placed_count;
-    const struct zr_placed_lamp *placed;
+    struct zr_lights lights; /* colours are E; placed lamps come last */
     bool has_environment;
     struct zr_environment_light environment;
     float environment_intensity;

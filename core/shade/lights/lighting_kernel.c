@@ -73,7 +73,7 @@ static inline struct zr_vec3_v colors_of(const struct zr_linear_lighting *lighti
 void ZR_LIGHTING_KERNEL(const struct zr_linear_lighting *lighting, const struct zr_gbuffer *samples,
                         const float *occlusion, float *const out[3])
 {
-    if (!ZR_LIGHTS_PLACED && lighting->placed_count > 0) {
+    if (!ZR_LIGHTS_PLACED && lighting->lights.placed_count > 0) {
         ZR_KERNEL(zr_look_light_placed)(lighting, samples, occlusion, out);
         return;
     }

@@ -17,49 +17,28 @@ static inline struct zr_vec3_v zr_highlight_v(const struct zr_material *material
     return zr_scale_v(zr_spread_v(specular), zr_pow_v(cosine, zr_vf_set(material->shininess)));
 }
 
-/* What lamps that have a place add: to the light that a surface is under, and as highlights. */
-static inline void zr_add_placed_v(const struct zr_linear_lighting *lighting, const struct zr_material *material,
-                                   const struct zr_shading_v *s, struct zr_vec3_v *direct, struct zr_vec3_v *shine)
-{
-    const zr_vf zero = zr_vf_set(0.0f), one = zr_vf_set(1.0f);
-    for (uint32_t i = 0; ZR_LIGHTS_PLACED && i < lighting->placed_count; i++) {
-        const struct zr_placed_lamp *lamp = &lighting->placed[i];
-        if (!lamp->lights_classic) continue;
-        const struct zr_arriving_v arriving = zr_placed_arriving_v(lamp, s);
-        const struct zr_vec3_v color = zr_scale_v(zr_spread_v(lamp->color), arriving.share);
-        const zr_vf facing = zr_vf_max(zr_dot_v(s->normal, arriving.to_light), zero);
-        *direct = zr_add_v(*direct, zr_scale_v(color, facing));
-        if (material->shading != ZR_SHADING_PHONG) continue;
-        const struct zr_vec3_v half = zr_normalize_v(zr_add_v(arriving.to_light, s->to_eye));
-        const zr_vf cosine = zr_vf_min(zr_vf_max(zr_dot_v(s->normal, half), zero), one);
-        const zr_vf lit = zr_vf_select(zr_vf_lt(zero, facing), one, zero);
-        *shine = zr_add_v(*shine, zr_mul_v(color, zr_scale_v(zr_highlight_v(material, cosine), lit)));
-    }
-}
-
 ZR_INLINED struct zr_vec3_v zr_shade_classic_v(const struct zr_linear_lighting *lighting,
                                                const struct zr_material *material, const struct zr_shading_v *s)
 {
     const zr_vf zero = zr_vf_set(0.0f), one = zr_vf_set(1.0f);
-    struct zr_vec3_v around = zr_spread_v(lighting->ambient), direct = {zero, zero, zero}, shine = direct;
-    for (uint32_t i = 0; i < lighting->lamp_count; i++) {
-        const struct zr_lamp *lamp = &lighting->lamps[i];
+    struct zr_vec3_v around = zr_spread_v(lighting->lights.ambient), direct = {zero, zero, zero}, shine = direct;
+    for (uint32_t i = 0; i < lighting->lights.count; i++) {
+        const struct zr_lamp *lamp = &lighting->lights.lamps[i];
         if (!lamp->lights_classic) continue;
         if (lamp->is_hemisphere) {
             around = zr_add_v(around, zr_hemisphere_v(lamp, s->normal));
             continue;
         }
-        const struct zr_vec3_v to_light = zr_spread_v(lamp->to_light);
-        const zr_vf facing = zr_vf_max(zr_dot_v(s->normal, to_light), zero);
-        const struct zr_vec3_v color = zr_scale_v(zr_spread_v(lamp->color), zr_lamp_share_v(lamp, s));
+        const struct zr_arriving_v arriving = zr_lit_by_v(lamp, s);
+        const zr_vf facing = zr_vf_max(zr_dot_v(s->normal, arriving.to_light), zero);
+        const struct zr_vec3_v color = zr_scale_v(zr_spread_v(lamp->color), arriving.share);
         direct = zr_add_v(direct, zr_scale_v(color, facing));
         if (material->shading != ZR_SHADING_PHONG) continue;
-        const struct zr_vec3_v half = zr_normalize_v(zr_add_v(to_light, s->to_eye));
+        const struct zr_vec3_v half = zr_normalize_v(zr_add_v(arriving.to_light, s->to_eye));
         const zr_vf cosine = zr_vf_min(zr_vf_max(zr_dot_v(s->normal, half), zero), one);
         const zr_vf lit = zr_vf_select(zr_vf_lt(zero, facing), one, zero);
         shine = zr_add_v(shine, zr_mul_v(color, zr_scale_v(zr_highlight_v(material, cosine), lit)));
     }
-    zr_add_placed_v(lighting, material, s, &direct, &shine);
     struct zr_vec3_v reaching = zr_mul_v(around, zr_bounced3_v(s->ao, s->base));
     if (s->textured) reaching = zr_scale_v(reaching, s->textured->occlusion);
     return zr_add_v(zr_mul_v(s->base, zr_add_v(reaching, direct)), shine);

@@ -55,17 +55,14 @@ static inline struct zr_vec3_v zr_hemisphere_v(const struct zr_lamp *lamp, struc
     return zr_mix3_v(zr_spread_v(lamp->ground), zr_spread_v(lamp->color), up);
 }
 
-/* The share of a lamp's light that reaches the points. */
-static inline zr_vf zr_lamp_share_v(const struct zr_lamp *lamp, const struct zr_shading_v *s)
+/* What arrives from a lamp that is no hemisphere, in its shadows and out of them. */
+static inline struct zr_arriving_v zr_lit_by_v(const struct zr_lamp *lamp, const struct zr_shading_v *s)
 {
-    return lamp->shadow ? zr_shadow_share_v(lamp->shadow, s->point, s->normal) : zr_vf_set(1.0f);
-}
-
-/* What arrives from a lamp that has a place, in its shadows and out of them. */
-static inline struct zr_arriving_v zr_placed_arriving_v(const struct zr_placed_lamp *lamp, const struct zr_shading_v *s)
-{
-    struct zr_arriving_v arriving = zr_arriving_from_v(&lamp->place, s->point);
-    if (lamp->shadow && zr_vm_any(zr_vf_lt(zr_vf_set(0.0f), arriving.share)))
+    struct zr_arriving_v arriving = zr_arriving_v(lamp, s->point, ZR_LIGHTS_PLACED);
+    if (!lamp->shadow) return arriving;
+    if (!ZR_LIGHTS_PLACED || !lamp->is_placed)
+        arriving.share = zr_shadow_share_v(lamp->shadow, s->point, s->normal);
+    else if (zr_vm_any(zr_vf_lt(zr_vf_set(0.0f), arriving.share)))
         arriving.share = arriving.share * zr_shadow_cone_share_v(lamp->shadow, s->point, s->normal);
     return arriving;
 }

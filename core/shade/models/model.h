@@ -12,7 +12,7 @@
 
 /* What is the same for the whole picture. */
 struct zr_model_context {
-    const struct zr_gl_lighting *lighting;
+    const struct zr_lights *lighting;
     bool is_parallel; /* all rays of sight are: */
     zr_vec3 to_eye;   /* a unit vector */
     zr_vec3 fog;      /* its colour; of depth d, a surface keeps d slope + start of its own, 0..1 */
@@ -20,7 +20,7 @@ struct zr_model_context {
 };
 
 /* Fog as Mesa resolves its state. */
-static inline struct zr_model_context zr_model_context_of(const struct zr_gl_lighting *lighting, zr_vec4 eye,
+static inline struct zr_model_context zr_model_context_of(const struct zr_lights *lighting, zr_vec4 eye,
                                                           const struct zr_fog *fog)
 {
     struct zr_model_context context = {lighting, eye.w == 0.0f, {eye.x, eye.y, eye.z}, fog->color, 0.0f, 1.0f};

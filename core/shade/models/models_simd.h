@@ -3,14 +3,14 @@
 #define ZR_MODELS_SIMD_H
 
 #include "shade/models/normals_simd.h"
-#include "shade/models/phong_placed_simd.h"
+#include "shade/models/phong_simd.h"
 
 static inline struct zr_vec3_v zr_model_color(const struct zr_model_context *context,
                                               const struct zr_material *material, const struct zr_model_inputs *in)
 {
     switch (material->shading) {
     case ZR_SHADING_PHONG:
-        if (context->lighting->places) {
+        if (context->lighting->placed_count > 0) {
             const struct zr_model_inputs copy = *in; /* what is handed over by its address is in no register */
             return zr_model_phong_placed(context, material, &copy);
         }

@@ -129,7 +129,7 @@ static inline struct zr_ambient_v zr_pbr_gather_v(const struct zr_linear_lightin
 {
     const zr_vf twice = zr_vf_set(2.0f) * zr_dot_v(s->normal, s->to_eye);
     const struct zr_vec3_v mirrored = zr_minus_v(zr_scale_v(s->normal, twice), s->to_eye);
-    struct zr_ambient_v out = {zr_spread_v(lighting->ambient), zr_spread_v(lighting->ambient)};
+    struct zr_ambient_v out = {zr_spread_v(lighting->lights.ambient), zr_spread_v(lighting->lights.ambient)};
     if (lighting->has_environment) {
         const struct zr_environment_light *light = &lighting->environment;
         const zr_vf intensity = zr_vf_set(lighting->environment_intensity);
@@ -140,8 +140,8 @@ static inline struct zr_ambient_v zr_pbr_gather_v(const struct zr_linear_lightin
             s->textured ? zr_gathering_of_each(pbr->alphas) : zr_gathering_of(pbr->alpha);
         out.specular = zr_add_v(out.specular, zr_scale_v(zr_environment_gathered_v(light, r, &gathering), intensity));
     }
-    for (uint32_t i = 0; i < lighting->lamp_count; i++) {
-        const struct zr_lamp *lamp = &lighting->lamps[i];
+    for (uint32_t i = 0; i < lighting->lights.count; i++) {
+        const struct zr_lamp *lamp = &lighting->lights.lamps[i];
         if (!lamp->lights_pbr || !lamp->is_hemisphere) continue;
         out.diffuse = zr_add_v(out.diffuse, zr_hemisphere_v(lamp, s->normal));
         out.specular = zr_add_v(out.specular, zr_hemisphere_v(lamp, mirrored));
@@ -223,13 +223,7 @@ static inline struct zr_vec3_v zr_pbr_from_v(struct zr_vec3_v to_light, zr_vec3 
 static inline struct zr_vec3_v zr_pbr_from_lamp_v(const struct zr_lamp *lamp, const struct zr_pbr_v *pbr,
                                                   const struct zr_shading_v *s)
 {
-    return zr_pbr_from_v(zr_spread_v(lamp->to_light), lamp->color, zr_lamp_share_v(lamp, s), pbr, s);
-}
-
-static inline struct zr_vec3_v zr_pbr_from_placed_v(const struct zr_placed_lamp *lamp, const struct zr_pbr_v *pbr,
-                                                    const struct zr_shading_v *s)
-{
-    const struct zr_arriving_v arriving = zr_placed_arriving_v(lamp, s);
+    const struct zr_arriving_v arriving = zr_lit_by_v(lamp, s);
     return zr_pbr_from_v(arriving.to_light, lamp->color, arriving.share, pbr, s);
 }
 
@@ -244,12 +238,10 @@ ZR_INLINED struct zr_vec3_v zr_shade_pbr_v(const struct zr_linear_lighting *ligh
     struct zr_vec3_v emissive = zr_spread_v(material->emissive);
     if (s->textured) emissive = zr_mul_v(emissive, s->textured->emissive);
     struct zr_vec3_v sum = zr_add_v(zr_pbr_from_around_v(lighting, columns, &pbr, s), emissive);
-    for (uint32_t i = 0; i < lighting->lamp_count; i++) {
-        const struct zr_lamp *lamp = &lighting->lamps[i];
+    for (uint32_t i = 0; i < lighting->lights.count; i++) {
+        const struct zr_lamp *lamp = &lighting->lights.lamps[i];
         if (lamp->lights_pbr && !lamp->is_hemisphere) sum = zr_add_v(sum, zr_pbr_from_lamp_v(lamp, &pbr, s));
     }
-    for (uint32_t i = 0; ZR_LIGHTS_PLACED && i < lighting->placed_count; i++)
-        if (lighting->placed[i].lights_pbr) sum = zr_add_v(sum, zr_pbr_from_placed_v(&lighting->placed[i], &pbr, s));
     return sum;
 }
 
