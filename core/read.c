@@ -5,7 +5,7 @@
 #include "input/names.h"
 #include "input/parameters.h"
 #include "input/sniff.h"
-#include "overlay/color_bar.h"
+#include "overlay/color_bar_layout.h"
 #include "scene/defaults.h"
 #include "scene/validate.h"
 #include "strict.h"
