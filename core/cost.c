@@ -41,11 +41,10 @@ static const double TEXEL_F = 21.0, LIT_TEXEL_F = 80.0;               /* of a le
 
 static double work_of_channels(const struct zr_view *view)
 {
-    static const enum zr_channel slow[] = {ZR_CHANNEL_DISTANCE, ZR_CHANNEL_POSITION, ZR_CHANNEL_BARYCENTRICS,
-                                           ZR_CHANNEL_NORMALS, ZR_CHANNEL_TEXCOORD};
     double work = 0.0;
-    for (size_t i = 0; i < sizeof slow / sizeof slow[0]; i++)
-        if (zr_view_wants(view, slow[i])) work += POINT_F;
+    for (int c = 0; c < ZR_CHANNEL_COUNT; c++)
+        if ((zr_channel_rows[c].of_points || c == ZR_CHANNEL_NORMALS) && zr_view_wants(view, (enum zr_channel)c))
+            work += POINT_F;
     return work;
 }
 
@@ -74,7 +73,7 @@ static double work_of_colors(const struct zr_scene *scene)
     double work = 0.0, textured = 0.0;
     bool phong = false;
     for (uint32_t i = 0; i < scene->material_count; i++) {
-        phong |= scene->materials[i].shading == ZR_SHADING_PHONG;
+        phong |= zr_shading_has_specular(scene->materials[i].shading);
         textured = fmax(textured, work_of_texture(scene, &scene->materials[i]));
     }
     if (scene->picture.is_linear || !zr_view_wants(&scene->views[0], ZR_CHANNEL_COLOR)) return 0.0;

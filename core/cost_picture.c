@@ -85,13 +85,13 @@ enum { LANES_MOST = 16, WORD = 64 };
 /* All lamps that light surfaces of the shading, on one sample. */
 static double cost_of_lamps(const struct zr_scene *scene, enum zr_shading shading)
 {
-    const bool is_pbr = shading == ZR_SHADING_PBR;
+    const bool is_pbr = zr_shading_is_in(shading, zr_shadings_lit(ZR_SHADED_PHYSICALLY));
     double sum = 0.0;
     for (uint32_t i = 0; i < scene->light_count; i++) {
         const struct zr_light *light = &scene->lights[i];
         const bool around = light->type == ZR_LIGHT_HEMISPHERE;
         if (light->lit == (is_pbr ? ZR_LIT_CLASSIC : ZR_LIT_PBR)) continue;
-        const double direct = is_pbr ? PBR_LAMP : shading == ZR_SHADING_PHONG ? PHONG_LAMP : OTHER_LAMP;
+        const double direct = is_pbr ? PBR_LAMP : zr_shading_has_specular(shading) ? PHONG_LAMP : OTHER_LAMP;
         sum += around ? OTHER_LAMP : direct;
         if (zr_light_has_place(light)) sum += PLACE;
         if (zr_light_casts_shadows(light)) sum += SHADOW;
@@ -101,16 +101,10 @@ static double cost_of_lamps(const struct zr_scene *scene, enum zr_shading shadin
 
 static double cost_of_shading(const struct zr_scene *scene, enum zr_shading shading)
 {
-    switch (shading) {
-    case ZR_SHADING_FLAT:
-    case ZR_SHADING_GOURAUD:
-    case ZR_SHADING_PHONG:
-        return cost_of_lamps(scene, shading);
-    case ZR_SHADING_PBR:
+    if (zr_shading_is_in(shading, zr_shadings_lit(ZR_SHADED_BY_LAMPS))) return cost_of_lamps(scene, shading);
+    if (zr_shading_is_in(shading, zr_shadings_lit(ZR_SHADED_PHYSICALLY)))
         return ENVIRONMENT + cost_of_lamps(scene, shading);
-    default:
-        return 0.0;
-    }
+    return 0.0;
 }
 
 /* The dearest of all materials. Samples are lit many at once, and anew for each material among them, of which there

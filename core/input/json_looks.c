@@ -104,7 +104,7 @@ static void use_lights(struct zr_parsed_scene *root)
     if (zr_scene_gives(root, ZR_SCENE_LIGHTS)) {
         use_own_lights(root);
         scene->ambient = has_environment ? (zr_vec3){0, 0, 0} : zr_default_ambient_of_own_lights();
-    } else if (zr_scene_gives(root, ZR_SCENE_AMBIENT) && scene->look != zr_look_textbook) {
+    } else if (zr_scene_gives(root, ZR_SCENE_AMBIENT) && scene->look != zr_look_textbook()) {
         scene->light_count = 0;
     } else {
         use_lights_of_environment(root);
@@ -116,13 +116,16 @@ static void use_lights(struct zr_parsed_scene *root)
 void zr_parsed_use_look(struct zr_parsed_scene *root)
 {
     struct zr_scene *scene = root->scene;
-    const struct zr_look *look = root->look ? root->look : zr_look_textbook;
+    const struct zr_look *look = root->look ? root->look : zr_look_textbook();
     zr_look_apply(look, scene);
     use_picture(root);
     fit_samples(root);
     use_lights(root);
     if (!zr_scene_gives(root, ZR_SCENE_VIEW)) zr_look_set_view(look, &scene->views[0]);
     if (scene->picture.z_is_up) zr_view_put_z_up(&scene->views[0], root->view_says_up);
+    scene->algorithm = (enum zr_algorithm)root->algorithm;
+    if (!root->fog_has_color)
+        scene->fog.color = (zr_vec3){scene->background.x, scene->background.y, scene->background.z};
 }
 
 /* ---- linear light ---- */
@@ -143,7 +146,7 @@ static void check_base(struct zr_parsed_scene *root, const char *linear_key)
     const struct zr_scene *scene = root->scene;
     const struct zr_json_path *path = ZR_SCENE_PATH(ZR_SCENE_BASE);
     if (!root->base) return;
-    if (scene->look != zr_look_textbook)
+    if (scene->look != zr_look_textbook())
         zr_json_fault(&root->json, path, "does not go with the look %s: textbook is the only one for it",
                       scene->look->name);
     else if (linear_key)

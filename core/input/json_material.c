@@ -211,7 +211,7 @@ static void note_oddities(struct zr_parsed_scene *root, const struct zr_style *s
     const float least = style->alpha.least * material->base_color.w, most = style->alpha.most * material->base_color.w;
     if (style->face_style.alpha_cutoff >= 0.0f && material->alpha_mode != ZR_ALPHA_MASK)
         note(root, style, ZR_ODD_CUTOFF);
-    const bool has_mode = faces->alpha_mode != ZR_UNSET || material->shading == ZR_SHADING_XRAY;
+    const bool has_mode = faces->alpha_mode != ZR_UNSET || zr_shading_is_layered(material->shading);
     if (!has_mode && (least < 1.0f || (has_outline && material->outline_color.w < 1.0f)))
         note(root, style, ZR_ODD_ALPHA);
     if (has_outline) return; /* of a colour of its own */
@@ -227,31 +227,29 @@ static void note_use(struct zr_parsed_material *given, const struct zr_style *st
     if (style->has_faces) given->shadings |= 1u << material->shading;
 }
 
-#define SHADED(word) (1u << ZR_SHADING_##word)
-#define ALL_SHADINGS ((1u << ZR_SHADING_COUNT) - 1)
-#define LIT_SHADINGS (ALL_SHADINGS & ~(SHADED(UNLIT) | SHADED(NORMALS) | SHADED(XRAY)))
-
 /* Which shadings look at a key; 0: it is for all that there is, lines too. */
 static uint32_t shadings_of(int key)
 {
+    const uint32_t by_nothing = zr_shadings_lit(ZR_SHADED_BY_NOTHING),
+                   by_normals = zr_shadings_lit(ZR_SHADED_BY_NORMALS);
     switch (key) {
     case SPECULAR:
     case SHININESS:
-        return SHADED(PHONG);
+        return ZR_SHADINGS_SPECULAR;
     case METALLIC:
     case ROUGHNESS:
     case EMISSIVE:
     case METALLIC_ROUGHNESS_TEXTURE:
     case EMISSIVE_TEXTURE:
-        return SHADED(PBR);
+        return zr_shadings_lit(ZR_SHADED_PHYSICALLY);
     case COOL:
-        return SHADED(GOOCH);
+        return zr_shadings_lit(ZR_SHADED_BY_OWN_LAMP);
     case NORMAL_TEXTURE:
-        return ALL_SHADINGS & ~(SHADED(UNLIT) | SHADED(XRAY));
+        return ZR_SHADING_ALL & ~by_nothing;
     case OCCLUSION_TEXTURE:
-        return LIT_SHADINGS;
+        return ZR_SHADING_ALL & ~(by_nothing | by_normals);
     case BASE_COLOR_TEXTURE:
-        return ALL_SHADINGS & ~SHADED(NORMALS);
+        return ZR_SHADING_ALL & ~by_normals;
     default:
         return 0;
     }
@@ -348,7 +346,8 @@ uint32_t zr_parsed_make_material(struct zr_parsed_scene *root, const struct zr_s
     const struct zr_parsed_material none = {
         .name = "", .base_color = zr_default_base_color(look, coloured), .face_style = zr_face_style_unset};
     const struct zr_parsed_material *given = has_given ? &root->materials[style->material] : &none;
-    const bool has_color = zr_json_gives(given->keys, BASE_COLOR) || (has_given && look == zr_look_textbook) ||
+    const bool has_color = zr_json_gives(given->keys, BASE_COLOR) ||
+                           (has_given && look == zr_look_textbook() && !root->is_bare) ||
                            zr_json_gives(given->keys, BASE_COLOR_TEXTURE);
     struct zr_face_style faces = zr_face_style_merge(&style->face_style, &given->face_style);
     faces = zr_face_style_merge(&faces, &root->face_style);
@@ -359,7 +358,8 @@ uint32_t zr_parsed_make_material(struct zr_parsed_scene *root, const struct zr_s
     put_textures(given, &material);
     note_oddities(root, style, &faces, &material);
     if (has_given) note_use(&root->materials[style->material], style, &material);
-    if (faces.shading >= ZR_SHADING_PBR && !root->linear_key) root->linear_key = "shading";
-    material.uniform_color = style->is_uniform && material.shading == ZR_SHADING_UNLIT;
+    if (faces.shading != ZR_UNSET && zr_shading_is_linear((enum zr_shading)faces.shading) && !root->linear_key)
+        root->linear_key = "shading";
+    material.uniform_color = style->is_uniform && zr_shading_is_at(material.shading, ZR_SHADED_NEVER);
     return zr_scene_builder_material(root->builder, &material);
 }

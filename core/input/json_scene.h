@@ -114,6 +114,7 @@ struct zr_parsed_scene {
     struct zr_scene *scene; /* the builder's */
 
     uint64_t keys; /* those of the root that are there */
+    bool is_bare;  /* a mesh with keys of a query: its material keeps the colour of the look textbook */
     int algorithm, color_management;
     zr_vec4 background, ambient;
     struct zr_face_style face_style;  /* the scene's own */
@@ -261,7 +262,7 @@ void zr_parsed_note_keys(struct zr_parsed_picture *given, const char *name, cons
 /* Into root->look and root->picture. */
 zr_json_read_fn zr_read_look, zr_read_up, zr_read_samples, zr_read_background, zr_read_environment, zr_read_occlusion,
     zr_read_edges;
-extern const struct zr_names zr_management_names, zr_tone_names;
+extern const struct zr_names zr_management_names, zr_tone_names, zr_sample_names;
 
 /* json_looks.c: what the scene does not say is as its look has it. First the picture, lamps, view and window; and, once
  * there are materials, whether light is linear, and what does not go with that. */

@@ -9,7 +9,9 @@
 #include "scene/colormap.h"
 #include "scene/looks.h"
 
-static const char *const shadings[] = {"unlit", "flat", "gouraud", "phong", "normals", "pbr", "gooch", "xray"};
+#define WORD(ID, word, ...) word,
+static const char *const shadings[] = {ZR_SHADINGS(WORD)};
+#undef WORD
 static const char *const presets[] = {"front", "back", "left", "right", "top", "bottom", "isometric"};
 static const char *const algorithms[] = {"halfspace", "edgelist", "trapezoid", "scanline", "painter"};
 static const char *const axes[] = {"y", "z"};
@@ -59,9 +61,10 @@ struct zr_names_refusal zr_names_refuse(const struct zr_names *names, const char
 /* Versions of one look have one name. */
 struct zr_names_refusal zr_looks_refuse(const char *word)
 {
-    const char *words[ZR_LOOKS];
+    enum { NAMES_MOST = 64 };
+    const char *words[NAMES_MOST];
     struct zr_names names = {.words = words};
-    for (int i = 0; i < ZR_LOOKS; i++)
+    for (int i = 0; i < zr_look_count && names.count < NAMES_MOST; i++)
         if (names.count == 0 || strcmp(words[names.count - 1], zr_looks[i].name) != 0)
             words[names.count++] = zr_looks[i].name;
     names.all = names.count;

@@ -211,7 +211,7 @@ static enum zr_status draw_light(struct drawing *d)
 /* Surfaces of the shading xray are blended, and both of their sides are drawn. */
 static void blend_xrays(struct zr_material *material)
 {
-    if (material->shading != ZR_SHADING_XRAY) return;
+    if (!zr_shading_is_layered(material->shading)) return;
     material->double_sided = true;
     material->alpha_mode = ZR_ALPHA_BLEND;
 }

@@ -11,8 +11,8 @@ void zr_scene_defaults(struct zr_scene *scene)
                      .world_to_camera = zr_mat4_identity(),
                      .projection_matrix = zr_mat4_identity()},
     };
-    zr_look_apply(zr_look_textbook, scene);
-    zr_look_set_view(zr_look_textbook, &scene->views[0]);
+    zr_look_apply(zr_look_textbook(), scene);
+    zr_look_set_view(zr_look_textbook(), &scene->views[0]);
 }
 
 zr_vec3 zr_default_ambient_of_own_lights(void)

@@ -106,7 +106,7 @@ static const struct zr_light outdoor_lights[] = {
 /* ---- the rows ---- */
 
 /* The base of studio: greys melt into a grey background, tints do not. */
-const struct zr_look zr_looks[ZR_LOOKS] = {
+const struct zr_look zr_looks[] = {
     {.name = "studio",
      .version = 1,
      .picture = {LINEAR, NEUTRAL(1), STUDIO, GRADIENT(0xf4f6f8, 0xd3dae1), GROUNDED},
@@ -180,7 +180,15 @@ const struct zr_look zr_looks[ZR_LOOKS] = {
      ISOMETRIC(0.05f)},
 };
 
-const struct zr_look *const zr_look_textbook = &zr_looks[ZR_LOOKS - 1];
+const int zr_look_count = sizeof zr_looks / sizeof zr_looks[0];
+
+const struct zr_look *zr_look_textbook(void)
+{
+    int i = zr_look_count - 1;
+    while (i > 0 && strcmp(zr_looks[i].name, "textbook") != 0)
+        i--;
+    return &zr_looks[i];
+}
 
 struct zr_look_pin zr_look_pin_of(const struct zr_look *look)
 {
@@ -192,10 +200,21 @@ struct zr_look_pin zr_look_pin_of(const struct zr_look *look)
 const struct zr_look *zr_look_find(const char *text)
 {
     const struct zr_look *found = NULL;
-    for (int i = 0; i < ZR_LOOKS; i++)
+    for (int i = 0; i < zr_look_count; i++)
         if (strcmp(zr_looks[i].name, text) == 0 || strcmp(zr_look_pin_of(&zr_looks[i]).text, text) == 0)
             found = &zr_looks[i];
     return found;
+}
+
+struct zr_look_names zr_looks_join(void)
+{
+    struct zr_look_names joined = {""};
+    for (int i = 0; i < zr_look_count; i++) {
+        const size_t used = strlen(joined.text);
+        if (i > 0 && strcmp(zr_looks[i - 1].name, zr_looks[i].name) == 0) continue;
+        snprintf(joined.text + used, sizeof joined.text - used, "%s%s", used ? ", " : "", zr_looks[i].name);
+    }
+    return joined;
 }
 
 void zr_look_apply(const struct zr_look *look, struct zr_scene *scene)

@@ -38,13 +38,12 @@ struct zr_look {
     struct zr_look_view view;
 };
 
-enum { ZR_LOOKS = 9 };
-
 /* All looks. Those of one name stand together, the oldest version first. */
-extern const struct zr_look zr_looks[ZR_LOOKS];
+extern const struct zr_look zr_looks[];
+extern const int zr_look_count;
 
-/* What a scene in JSON has that names no look: drawn as GL 2.1 would, with values that go to pixels as they are. */
-extern const struct zr_look *const zr_look_textbook;
+/* The look of a scene in JSON that names none: drawn as GL 2.1 would, with values that go to pixels as they are. */
+const struct zr_look *zr_look_textbook(void);
 
 /* "studio": its newest version; "studio@2": that one, the number without leading zeros. NULL: there is none. */
 const struct zr_look *zr_look_find(const char *text);
@@ -55,6 +54,13 @@ struct zr_look_pin {
 };
 
 struct zr_look_pin zr_look_pin_of(const struct zr_look *look);
+
+/* "studio, technical, ...": each name once. */
+struct zr_look_names {
+    char text[256];
+};
+
+struct zr_look_names zr_looks_join(void);
 
 /* The scene gets all that the look has: picture, background, lamps, ambient light; of views nothing. */
 void zr_look_apply(const struct zr_look *look, struct zr_scene *scene);

@@ -18,19 +18,8 @@
 #include "scene/colormap.h"
 #include "scene/image.h"
 #include "scene/picture.h"
+#include "scene/shadings.h"
 #include "scene/texture.h"
-
-enum zr_shading {
-    ZR_SHADING_UNLIT,   /* colours as given, interpolated where given per vertex */
-    ZR_SHADING_FLAT,    /* one lit colour a polygon; its first vertex gives the colour */
-    ZR_SHADING_GOURAUD, /* lit at each vertex, interpolated */
-    ZR_SHADING_PHONG,   /* normals interpolated, lit at each pixel */
-    ZR_SHADING_NORMALS, /* normals in camera space as colours */
-    ZR_SHADING_PBR,     /* metals and plastics, as glTF 2.0 has them */
-    ZR_SHADING_GOOCH,   /* from a cool colour to the surface's own, by the side that faces a lamp of the camera's */
-    ZR_SHADING_XRAY,    /* in pictures see-through, from both sides, least where it is seen along its surface */
-    ZR_SHADING_COUNT
-};
 
 /* How the edges of faces are drawn, as lines one pixel wide. */
 enum zr_outline {
@@ -359,13 +348,13 @@ static inline const struct zr_material *zr_material_of_face(const struct zr_scen
 /* Whether pictures show what is behind it. */
 static inline bool zr_material_is_layered(const struct zr_material *material)
 {
-    return material->alpha_mode != ZR_ALPHA_OPAQUE || material->shading == ZR_SHADING_XRAY;
+    return material->alpha_mode != ZR_ALPHA_OPAQUE || zr_shading_is_layered(material->shading);
 }
 
 static inline bool zr_any_is_xray(const struct zr_material *materials, uint32_t count)
 {
     for (uint32_t i = 0; i < count; i++)
-        if (materials[i].shading == ZR_SHADING_XRAY) return true;
+        if (zr_shading_is_layered(materials[i].shading)) return true;
     return false;
 }
 

@@ -26,8 +26,8 @@ struct coloring {
 
 bool zr_material_is_smooth(const struct zr_mesh *mesh, const struct zr_material *material)
 {
-    return material->shading >= ZR_SHADING_GOURAUD ||
-           (material->shading == ZR_SHADING_UNLIT && mesh->colors && !material->uniform_color);
+    return zr_shading_varies(material->shading) ||
+           (zr_shading_is_at(material->shading, ZR_SHADED_NEVER) && mesh->colors && !material->uniform_color);
 }
 
 /* Light evaluations of a range, between two looks at the cancellation: less than a millisecond's worth. */
@@ -216,21 +216,22 @@ static void color_faces(void *context, size_t begin, size_t end)
 }
 
 /* Most meshes that are posted by themselves are so: telling faces apart took a sixth of the time of a million. */
-static bool is_of_one_color(const struct coloring *coloring, enum zr_shading shading)
+static bool is_of_one_color(const struct coloring *coloring, enum zr_shading_rate rate)
 {
     const struct zr_mesh *mesh = coloring->mesh;
-    return !coloring->lighting->is_per_pixel && coloring->scene->materials[mesh->material].shading == shading &&
-           !mesh->face_materials && !mesh->face_colors && !mesh->colors;
+    return !coloring->lighting->is_per_pixel &&
+           zr_shading_is_at(coloring->scene->materials[mesh->material].shading, rate) && !mesh->face_materials &&
+           !mesh->face_colors && !mesh->colors;
 }
 
 static bool are_alike_triangles(const struct coloring *coloring)
 {
-    return is_of_one_color(coloring, ZR_SHADING_FLAT) && zr_mesh_is_of_triangles(coloring->mesh);
+    return is_of_one_color(coloring, ZR_SHADED_PER_FACE) && zr_mesh_is_of_triangles(coloring->mesh);
 }
 
 static bool are_alike_vertices(const struct coloring *coloring)
 {
-    return is_of_one_color(coloring, ZR_SHADING_GOURAUD) && coloring->mesh->normal_count == 0;
+    return is_of_one_color(coloring, ZR_SHADED_PER_VERTEX) && coloring->mesh->normal_count == 0;
 }
 
 /* Vertices, whose normals are computed, or triangles, for which none are. */
@@ -257,17 +258,17 @@ static void color_alike(void *context, size_t begin, size_t end)
 
 static bool needs_computed_normals(const struct zr_scene *scene, const struct zr_mesh *mesh)
 {
-    bool gouraud = false;
-    if (!mesh->face_materials) gouraud = scene->materials[mesh->material].shading == ZR_SHADING_GOURAUD;
-    for (uint32_t f = 0; mesh->face_materials && f < mesh->face_count && !gouraud; f++)
-        gouraud = zr_material_of_face(scene, mesh, f)->shading == ZR_SHADING_GOURAUD;
-    return gouraud && zr_mesh_lacks_normals(mesh);
+    bool found = false;
+    if (!mesh->face_materials) found = zr_shading_is_at(scene->materials[mesh->material].shading, ZR_SHADED_PER_VERTEX);
+    for (uint32_t f = 0; mesh->face_materials && f < mesh->face_count && !found; f++)
+        found = zr_shading_is_at(zr_material_of_face(scene, mesh, f)->shading, ZR_SHADED_PER_VERTEX);
+    return found && zr_mesh_lacks_normals(mesh);
 }
 
 static bool changes_nothing(const struct zr_material *material)
 {
     const zr_vec4 white = {1, 1, 1, 1};
-    return material->shading == ZR_SHADING_UNLIT && zr_vec4_equal(material->base_color, white);
+    return zr_shading_is_at(material->shading, ZR_SHADED_NEVER) && zr_vec4_equal(material->base_color, white);
 }
 
 bool zr_colors_are_given(const struct zr_scene *scene, const struct zr_mesh *mesh, struct zr_colors *colors)

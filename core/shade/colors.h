@@ -25,13 +25,14 @@ bool zr_material_is_smooth(const struct zr_mesh *mesh, const struct zr_material 
 /* Lit at vertices or faces, before it is known what is seen; else unlit, or lit pixel by pixel. */
 static inline bool zr_material_is_lit_before(const struct zr_material *material)
 {
-    return material->shading == ZR_SHADING_FLAT || material->shading == ZR_SHADING_GOURAUD;
+    return zr_shading_is_at(material->shading, ZR_SHADED_PER_FACE) ||
+           zr_shading_is_at(material->shading, ZR_SHADED_PER_VERTEX);
 }
 
 /* From its normals, pixel by pixel. */
 static inline bool zr_material_is_shaded_late(const struct zr_material *material)
 {
-    return material->shading == ZR_SHADING_PHONG || material->shading == ZR_SHADING_NORMALS;
+    return zr_shading_is_at(material->shading, ZR_SHADED_PER_PIXEL) && !zr_shading_is_linear(material->shading);
 }
 
 /* At which rate zr_colors_make will write, and how many colours. */

@@ -18,17 +18,11 @@ struct making {
     zr_vec4 *out;
 };
 
-/* Lit by normals of vertices wherever they come from. */
-static bool wants_smooth_normals(enum zr_shading shading)
-{
-    return shading == ZR_SHADING_GOURAUD || shading == ZR_SHADING_PHONG || shading == ZR_SHADING_NORMALS;
-}
-
 enum zr_rate zr_eye_normals_rate(const struct zr_mesh *mesh, const struct zr_material *material, bool has_creases)
 {
-    if (material->shading == ZR_SHADING_FLAT) return ZR_RATE_FACE;
+    if (zr_shading_is_at(material->shading, ZR_SHADED_PER_FACE)) return ZR_RATE_FACE;
     if (has_creases) return ZR_RATE_CORNER;
-    if (!wants_smooth_normals(material->shading) && mesh->normal_count == 0) return ZR_RATE_FACE;
+    if (!zr_shading_needs_smooth_normals(material->shading) && mesh->normal_count == 0) return ZR_RATE_FACE;
     return mesh->normal_indices ? ZR_RATE_CORNER : ZR_RATE_VERTEX;
 }
 

@@ -248,11 +248,9 @@ static void put_sample(struct points *points, const struct shown *shown, double 
 
 static void put_nothing(const struct zr_frame *frame, size_t pixel)
 {
-    static const enum zr_channel channels[] = {ZR_CHANNEL_DISTANCE, ZR_CHANNEL_POSITION, ZR_CHANNEL_BARYCENTRICS,
-                                               ZR_CHANNEL_TEXCOORD};
-    for (size_t i = 0; i < sizeof channels / sizeof channels[0]; i++) {
-        const struct zr_channel_row *row = &zr_channel_rows[channels[i]];
-        uint32_t *words = frame->channels[channels[i]];
+    for (int c = 0; c < ZR_CHANNEL_COUNT; c++) {
+        const struct zr_channel_row *row = &zr_channel_rows[c];
+        uint32_t *words = row->of_points ? frame->channels[c] : NULL;
         for (uint32_t k = 0; words && k < row->words; k++)
             words[pixel * row->words + k] = row->nothing;
     }
@@ -260,8 +258,9 @@ static void put_nothing(const struct zr_frame *frame, size_t pixel)
 
 bool zr_visible_points_are_wanted(const struct zr_frame *frame)
 {
-    return frame->channels[ZR_CHANNEL_DISTANCE] || frame->channels[ZR_CHANNEL_POSITION] ||
-           frame->channels[ZR_CHANNEL_BARYCENTRICS] || frame->channels[ZR_CHANNEL_TEXCOORD];
+    for (int c = 0; c < ZR_CHANNEL_COUNT; c++)
+        if (zr_channel_rows[c].of_points && frame->channels[c]) return true;
+    return false;
 }
 
 static struct points points_of(const struct zr_geometry *geometry, const struct zr_eye_depths *kernel,

@@ -64,7 +64,7 @@ static void take(struct ours *ours, const struct task *task, int side)
     if (task->pair->shading[side] == ZR_SHADING_UNLIT) return;
     subject->materials[0].shading = task->pair->shading[side];
     subject->materials[0].specular = (zr_vec3){0.5f, 0.5f, 0.5f};
-    subject->materials[0].shininess = zr_look_textbook->material.shininess;
+    subject->materials[0].shininess = zr_look_textbook()->material.shininess;
     subject->scene.ambient = zr_default_ambient_of_own_lights();
     subject->scene.lights = &lamp;
     subject->scene.light_count = 1;

@@ -113,7 +113,7 @@ static void give_light(struct lit *lit, enum zr_shading shading)
     }
     subject->materials[0].shading = shading;
     subject->materials[0].specular = (zr_vec3){0.5f, 0.5f, 0.5f};
-    subject->materials[0].shininess = zr_look_textbook->material.shininess;
+    subject->materials[0].shininess = zr_look_textbook()->material.shininess;
     subject->scene.ambient = zr_default_ambient_of_own_lights();
     subject->scene.lights = &lamp;
     subject->scene.light_count = 1;

@@ -65,7 +65,7 @@ static bool draw_all(struct zr_arena *arena, struct zr_team *team)
     for (int number = 0; number < GALLERY_SCENES; number++)
         for (int w = 0; w < GALLERY_WINDOWS; w++)
             if (!draw(arena, team, number, gallery_windows[w])) return false;
-    for (int i = 0; i < ZR_LOOKS; i++)
+    for (int i = 0; i < zr_look_count; i++)
         for (int number = 0; number < LOOK_SCENES; number++)
             if (!draw_look(arena, team, number, &zr_looks[i])) return false;
     return true;

@@ -75,8 +75,8 @@ static void each_row_keeps_its_pixels(void **state)
 static void each_row_is_held(void **state)
 {
     (void)state;
-    assert_int_equal(RELEASED, ZR_LOOKS);
-    for (int i = 0; i < ZR_LOOKS; i++) {
+    assert_int_equal(RELEASED, zr_look_count);
+    for (int i = 0; i < zr_look_count; i++) {
         char name[64];
         bool found = false;
         snprintf(name, sizeof name, "%s@%u", zr_looks[i].name, zr_looks[i].version);

@@ -8,6 +8,7 @@
 #include <strings.h>
 #include <sys/stat.h>
 
+#include "input/formats.h"
 #include "input/names.h"
 #include "reference/look_twin.h"
 #include "reference/page.h"
@@ -28,14 +29,10 @@ struct checking {
 
 static bool format_of(const char *path, enum zr_format *format)
 {
-    static const struct {
-        const char *suffix;
-        enum zr_format format;
-    } known[] = {{".json", ZR_FORMAT_JSON}, {".obj", ZR_FORMAT_OBJ}, {".stl", ZR_FORMAT_STL}};
     const char *dot = strrchr(path, '.');
-    for (size_t i = 0; dot && i < sizeof known / sizeof *known; i++)
-        if (strcasecmp(dot, known[i].suffix) == 0) {
-            *format = known[i].format;
+    for (int i = 0; dot && i < ZR_FORMAT_COUNT; i++)
+        if (strcasecmp(dot + 1, zr_format_rows[i].suffix) == 0) {
+            *format = (enum zr_format)i;
             return true;
         }
     return false;
@@ -155,7 +152,10 @@ static enum verdict check_path(const struct checking *c, const char *path)
     if (stat(path, &status) == 0 && S_ISDIR(status.st_mode)) return check_folder(c, path);
     if (format_of(path, &format)) return check_file(c, path, format);
     if (c->is_folder) return VERDICT_EQUAL; /* something else, which lies there too */
-    fprintf(stderr, "%s: not a .json, .obj or .stl\n", path);
+    fprintf(stderr, "%s: none of", path);
+    for (int i = 0; i < ZR_FORMAT_COUNT; i++)
+        fprintf(stderr, " .%s", zr_format_rows[i].suffix);
+    fputc('\n', stderr);
     return VERDICT_UNPROVED;
 }
 

@@ -47,7 +47,7 @@ void subject_make(struct subject *subject, const struct drawing *drawing)
                                      .face_colors = per_vertex ? NULL : drawing->face_colors,
                                      .face_materials = drawing->see_through ? drawing->face_materials : NULL};
     subject->instance = (struct zr_instance){.mesh = 0, .object_to_world = zr_mat4_identity()};
-    subject->scene = (struct zr_scene){.look = zr_look_textbook,
+    subject->scene = (struct zr_scene){.look = zr_look_textbook(),
                                        .background = {0, 0, 0, 1},
                                        .picture = {.side = drawing->side, .line_width = drawing->line_width},
                                        .ambient = drawing->ambient,

@@ -382,7 +382,7 @@ static void set_init(struct set *s, struct zr_arena *arena, uint32_t width, uint
     s->material = (struct zr_material){.base_color = {1, 1, 1, 1}, .shading = ZR_SHADING_UNLIT, .double_sided = true};
     s->mesh.name = "";
     s->instances[0].object_to_world = s->instances[1].object_to_world = zr_mat4_identity();
-    s->scene = (struct zr_scene){.look = zr_look_textbook,
+    s->scene = (struct zr_scene){.look = zr_look_textbook(),
                                  .background = {0.1f, 0.2f, 0.3f, 1},
                                  .material_count = 1,
                                  .mesh_count = 1,

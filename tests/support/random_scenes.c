@@ -7,6 +7,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "input/names.h"
+#include "scene/shadings.h"
 #include "support/random.h"
 
 enum { TEXT_SIZE = 1 << 17, MESHES = 4, SAMPLES_MOST = 150000 };
@@ -147,13 +149,18 @@ static void add_fog(void)
     add(",\"fog\":{\"color\":\"#%06x\",\"near\":%.6g,\"far\":%.6g}", color(), near, far);
 }
 
-/* The last three need linear light, and the last one of all an algorithm that keeps fragments. */
 static const char *shading(void)
 {
-    static const char *const shadings[] = {"unlit", "flat", "gouraud", "phong", "normals", "pbr", "gooch", "xray"};
-    const char *shading = shadings[random_below(&dice, is_textbook ? 5 : is_painted ? 7 : 8)];
-    has_xrays |= strcmp(shading, "xray") == 0;
-    return shading;
+    int allowed[ZR_SHADING_COUNT], count = 0;
+    for (int i = 0; i < ZR_SHADING_COUNT; i++) {
+        const enum zr_shading shading = (enum zr_shading)i;
+        if (is_textbook && zr_shading_is_linear(shading)) continue;
+        if (is_painted && zr_shading_is_layered(shading)) continue;
+        allowed[count++] = i;
+    }
+    const int picked = allowed[random_below(&dice, (uint32_t)count)];
+    has_xrays |= zr_shading_is_layered((enum zr_shading)picked);
+    return zr_shading_names.words[picked];
 }
 
 /* What looks say, now and then said by the scene. */

@@ -29,7 +29,7 @@ void scene_of_triangles(struct test_scene *test, uint32_t width, uint32_t height
     for (int i = 0; i < 4; i++)
         test->outputs[i] =
             (struct zr_output){.channel = channels[i], .encoding = i ? ZR_ENCODING_NPY : ZR_ENCODING_PNG};
-    test->scene = (struct zr_scene){.look = zr_look_textbook,
+    test->scene = (struct zr_scene){.look = zr_look_textbook(),
                                     .background = {0, 0, 0, 1},
                                     .material_count = 1,
                                     .mesh_count = 1,

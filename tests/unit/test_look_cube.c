@@ -258,15 +258,15 @@ static bool is_known_tie(const char *name, uint32_t base)
 static void faces_differ_by_12_in_a_looks_own_view(void **state)
 {
     static const uint32_t bases[] = {0x8fa3b8, 0xcc3333, 0xffffff, 0xd4d6da, 0x181818, 0x2e8b57};
-    static const char *const names[] = {"studio", "technical", "clay", "dark", "metal", "outdoor", "blueprint"};
     (void)state;
-    for (size_t l = 0; l < sizeof names / sizeof names[0]; l++)
+    for (int l = 0; l < zr_look_count; l++)
         for (size_t b = 0; b < sizeof bases / sizeof bases[0]; b++) {
-            const struct zr_look *look = zr_look_find(names[l]);
+            const struct zr_look *look = &zr_looks[l];
+            if (!look->picture.is_linear || zr_shading_is_layered(look->material.shading)) continue;
             const struct cube cube = cube_of_look(look);
             const int apart = closest(look, bases[b], &cube, apart_in_color);
-            if ((apart < 12) != is_known_tie(names[l], bases[b]))
-                fail_msg("%s, #%06x: %d", names[l], (unsigned)bases[b], apart);
+            if ((apart < 12) != is_known_tie(look->name, bases[b]))
+                fail_msg("%s, #%06x: %d", look->name, (unsigned)bases[b], apart);
         }
 }
 

@@ -39,7 +39,7 @@ static void lamps_of_the_textbook_stay_in_linear_light_and_beside_ambient(void *
     for (size_t i = 0; i < sizeof rests / sizeof rests[0]; i++) {
         struct reading *reading = read_rest(rests[i]);
         assert_read(reading);
-        assert_ptr_equal(reading->scene->lights, zr_look_textbook->lights);
+        assert_ptr_equal(reading->scene->lights, zr_look_textbook()->lights);
         assert_int_equal(reading->scene->light_count, 2);
         assert_true(reading->scene->ambient.x == 0.34f);
         reading_free(reading);

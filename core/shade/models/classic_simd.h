@@ -33,7 +33,7 @@ ZR_INLINED struct zr_vec3_v zr_shade_classic_v(const struct zr_linear_lighting *
         const zr_vf facing = zr_vf_max(zr_dot_v(s->normal, arriving.to_light), zero);
         const struct zr_vec3_v color = zr_scale_v(zr_spread_v(lamp->color), arriving.share);
         direct = zr_add_v(direct, zr_scale_v(color, facing));
-        if (material->shading != ZR_SHADING_PHONG) continue;
+        if (!zr_shading_has_specular(material->shading)) continue;
         const struct zr_vec3_v half = zr_normalize_v(zr_add_v(arriving.to_light, s->to_eye));
         const zr_vf cosine = zr_vf_min(zr_vf_max(zr_dot_v(s->normal, half), zero), one);
         const zr_vf lit = zr_vf_select(zr_vf_lt(zero, facing), one, zero);

@@ -1,7 +1,7 @@
 /* model.h - shade: how a surface is shaded from what varies over it, ZR_LANES pixels at once; for kernels.
  *
  * Space:  eye space; the normal is that of the side that is seen, of any length.
- * A model is a file in models/, a value of enum zr_shading and a line in zr_model_color (models_simd.h).
+ * A model is a file in models/, included in models_simd.h, and a row of scene/shadings.h.
  */
 #ifndef ZR_MODEL_H
 #define ZR_MODEL_H

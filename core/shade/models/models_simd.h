@@ -1,22 +1,36 @@
-/* models_simd.h - shade: the models that need more than a colour, by their names; for the kernel that shades. */
+/* models_simd.h - shade: the model of each shading, by its row (scene/shadings.h); for the kernel that shades. */
 #ifndef ZR_MODELS_SIMD_H
 #define ZR_MODELS_SIMD_H
 
 #include "shade/models/normals_simd.h"
 #include "shade/models/phong_simd.h"
 
+/* A model is zr_shade_by_NAME, in models/; colours that were made before stay as they are. */
+static inline struct zr_vec3_v zr_shade_by_colors(const struct zr_model_context *context,
+                                                  const struct zr_material *material, const struct zr_model_inputs *in)
+{
+    (void)context;
+    (void)material;
+    return in->color;
+}
+
+static inline struct zr_vec3_v zr_shade_by_phong(const struct zr_model_context *context,
+                                                 const struct zr_material *material, const struct zr_model_inputs *in)
+{
+    if (context->lighting->placed_count == 0) return zr_model_phong(context, material, in);
+    const struct zr_model_inputs copy = *in; /* what is handed over by its address is in no register */
+    return zr_model_phong_placed(context, material, &copy);
+}
+
 static inline struct zr_vec3_v zr_model_color(const struct zr_model_context *context,
                                               const struct zr_material *material, const struct zr_model_inputs *in)
 {
     switch (material->shading) {
-    case ZR_SHADING_PHONG:
-        if (context->lighting->placed_count > 0) {
-            const struct zr_model_inputs copy = *in; /* what is handed over by its address is in no register */
-            return zr_model_phong_placed(context, material, &copy);
-        }
-        return zr_model_phong(context, material, in);
-    case ZR_SHADING_NORMALS:
-        return zr_model_normals(context, material, in);
+#define ZR_MODEL_CASE(ID, word, rate, light, smooth, specular, linear, layered, model)                                 \
+    case ZR_SHADING_##ID:                                                                                              \
+        return zr_shade_by_##model(context, material, in);
+        ZR_SHADINGS(ZR_MODEL_CASE)
+#undef ZR_MODEL_CASE
     default:
         return in->color;
     }

@@ -4,8 +4,8 @@
 
 #include "shade/models/model.h"
 
-static inline struct zr_vec3_v zr_model_normals(const struct zr_model_context *context,
-                                                const struct zr_material *material, const struct zr_model_inputs *in)
+static inline struct zr_vec3_v zr_shade_by_normals(const struct zr_model_context *context,
+                                                   const struct zr_material *material, const struct zr_model_inputs *in)
 {
     const struct zr_vec3_v n = zr_normalize_v(in->normal);
     const zr_vf half = zr_vf_set(0.5f);

@@ -8,7 +8,7 @@ static inline zr_vm find_xrays(const struct zr_material *materials, const uint32
     uint32_t bits = 0;
     for (uint32_t left = zr_vm_bits(seen); left; left &= left - 1) {
         const int lane = zr_lowest_bit(left);
-        bits |= (uint32_t)(materials[numbers[lane]].shading == ZR_SHADING_XRAY) << lane;
+        bits |= (uint32_t)zr_shading_is_layered(materials[numbers[lane]].shading) << lane;
     }
     return zr_vm_of(bits);
 }

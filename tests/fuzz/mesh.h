@@ -1,0 +1,22 @@
+/* mesh.h - fuzz: the target of a format of bare meshes. Its size chooses how a mesh is drawn. */
+#ifndef ZR_FUZZ_MESH_H
+#define ZR_FUZZ_MESH_H
+
+#include "fuzz/fuzz.h"
+
+#define FUZZ_MESH(ID)                                                                                                  \
+    int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)                                                       \
+    {                                                                                                                  \
+        static const char *const presets[] = {"isometric", "front", "top"}, *const shadings[] = {"gouraud", "flat",    \
+                                                                                                 "unlit"};             \
+        fuzz_request(&(struct zr_request){.format = ZR_FORMAT_##ID,                                                    \
+                                          .bytes = (const char *)data,                                                 \
+                                          .size = size,                                                                \
+                                          .width = "48",                                                               \
+                                          .height = "32",                                                              \
+                                          .preset = presets[size % 3],                                                 \
+                                          .shading = shadings[size / 3 % 3]});                                         \
+        return 0;                                                                                                      \
+    }
+
+#endif
