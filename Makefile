@@ -279,7 +279,7 @@ $(BUILD)/%.a:
 $(BUILD)/zrasterd: $(server) $(BUILD)/libzraster.a
 	$(LINK) $(SERVER_LIBS) $(CORE_LIBS)
 
-$(BUILD)/zraster: $(client)
+$(BUILD)/zraster: $(client) $(BUILD)/core/scene/looks.o
 	$(LINK) $(CLIENT_LIBS)
 
 # Made anew when the door changes, and what was linked with the other one then is, too.

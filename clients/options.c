@@ -6,6 +6,7 @@
 #include <strings.h>
 
 #include "format_rows.h"
+#include "scene/shadings.h"
 
 enum { EXIT_USAGE = 2, SIZE_DIGITS = 7 };
 
@@ -30,7 +31,10 @@ static int unknown(const char *flag)
 /* ---- parameters ---- */
 
 enum { ANY, MESH };
-#define PARAMETER(name, of, value, help) {#name, of == MESH, value, help},
+#define KIND(ID, placeholder) static const char VALUE_##ID[] = placeholder;
+ZR_PARAMETER_KINDS(KIND)
+#undef KIND
+#define PARAMETER(name, pointer, of, kind, help) {#name, of == MESH, VALUE_##kind, help},
 const struct parameter options_parameters[OPTIONS_PARAMETERS] = {ZR_PARAMETER_ROWS(PARAMETER)};
 #undef PARAMETER
 

@@ -20,8 +20,13 @@ static const struct format FORMATS[] = {
 };
 
 /* Endings that say what is in a file, and never what the server sends. Others, such as .part, say nothing. */
-static const char *const FOREIGN[] = {"jpg", "jpeg", "gif", "tif", "tiff", "webp", "bmp", "ppm", "pgm", "exr",
-                                      "hdr", "svg",  "pdf", "npz", "gz",   "html", "txt", "csv", "obj", "stl"};
+static const char *const FOREIGN[] = {"jpg", "jpeg", "gif", "tif", "tiff", "webp", "bmp",  "ppm", "pgm",
+                                      "exr", "hdr",  "svg", "pdf", "npz",  "gz",   "html", "txt", "csv"};
+
+/* Endings of what is sent to the server; where they are those of FORMATS, too, they are found there first. */
+#define ENDING(ID, suffix, ...) suffix,
+static const char *const BODIES[] = {ZR_FORMAT_ROWS(ENDING)};
+#undef ENDING
 
 static const struct format *format_of(const char *type)
 {
@@ -50,6 +55,8 @@ static bool says_another_format(const char *ending, const struct format *format)
         if (strcasecmp(ending, FORMATS[i].ending) == 0) return true;
     for (size_t i = 0; i < sizeof FOREIGN / sizeof *FOREIGN; i++)
         if (strcasecmp(ending, FOREIGN[i]) == 0) return true;
+    for (size_t i = 0; i < sizeof BODIES / sizeof *BODIES; i++)
+        if (strcasecmp(ending, BODIES[i]) == 0) return true;
     return false;
 }
 

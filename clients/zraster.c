@@ -15,6 +15,7 @@
 #include "output.h"
 #include "post.h"
 #include "report.h"
+#include "scene/looks.h"
 #include "token.h"
 #include "version.h"
 
@@ -35,7 +36,8 @@ static void print_usage(void)
         if (p->of_mesh && !options_parameters[i - 1].of_mesh)
             puts("\nOf meshes; a scene has keys of its own for them:\n");
         const int used = printf("  %s %s", flag, p->value);
-        printf("%*s%s\n", used < 24 ? 24 - used : 1, "", p->help);
+        const bool is_look = strcmp(p->name, "look") == 0;
+        printf("%*s%s%s\n", used < 24 ? 24 - used : 1, "", is_look ? zr_looks_join().text : "", p->help);
     }
     fputs("  --size WxH            both sides of the window, such as 800x600\n"
           "\n"

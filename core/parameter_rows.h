@@ -1,35 +1,77 @@
-/* parameter_rows.h - core: what the query of a request may say, one row each: names for whoever sends and takes
- * queries. What they do is in input/parameters.c. They are read in this order: an encoding needs to know its channel,
- * and what is said goes over the look.
+/* parameter_rows.h - core: the parameters of a query, one row each, for programs that send and take queries.
+ *
+ * A parameter is a key of a scene, by its JSON Pointer, and its value is read by the reader of that key. The rows of
+ * one object stand side by side. /query has the keys that no scene has (input/parameters.c).
  */
 #ifndef ZR_PARAMETER_ROWS_H
 #define ZR_PARAMETER_ROWS_H
 
-/* ROW(name, ANY: of all bodies, or MESH: of those that are a bare mesh, what stands for a value in help,
- *     what it is in words); in brackets: it is true or false, and a command line may leave it out for true */
+/* KIND(ID, placeholder of a value in help): how a text becomes a value of JSON. In brackets: the value may be left out
+ * on a command line, which means true. */
+#define ZR_PARAMETER_KINDS(KIND)                                                                                       \
+    KIND(NAME, "NAME")                                                                                                 \
+    KIND(NAME_OR_FALSE, "NAME")                                                                                        \
+    KIND(BOOL, "[BOOL]")                                                                                               \
+    KIND(COUNT, "COUNT")     /* one of the words of the key, as a number */                                            \
+    KIND(NUMBER, "NUMBER")   /* within the range of the key */                                                         \
+    KIND(DEGREES, "DEGREES") /* likewise */                                                                            \
+    KIND(PIXELS, "PIXELS")   /* likewise */                                                                            \
+    KIND(UNITS, "UNITS")     /* greater than 0 */                                                                      \
+    KIND(SIDE, "PIXELS")     /* of the window, whole */                                                                \
+    KIND(PIXEL, "PIXELS")    /* whole, from 0 */                                                                       \
+    KIND(VECTOR, "X,Y,Z")                                                                                              \
+    KIND(COLOR, "COLOR") /* opaque */                                                                                  \
+    KIND(BACKGROUND, "COLOR")                                                                                          \
+    KIND(OUTLINE, "COLOR") /* true, false, or opaque */
+
+/* ROW(name, pointer, ANY: of all bodies, or MESH: of bare meshes, kind, help: where it is used, scene/shadings.h is
+ * included; that of looks stands behind their names) */
 #define ZR_PARAMETER_ROWS(ROW)                                                                                         \
-    ROW(channel, ANY, "NAME", "one output instead of the scene's: color, depth, normals and others")                   \
-    ROW(encoding, ANY, "NAME", "png, npy, png16 or json; each channel has a default")                                  \
-    ROW(scale, ANY, "UNITS", "scene units a step of a 16-bit depth picture")                                           \
-    ROW(x, ANY, "PIXELS", "of the pixel whose fragments are asked for; the leftmost has 0")                            \
-    ROW(y, ANY, "PIXELS", "of that pixel; the uppermost has 0")                                                        \
-    ROW(compress, ANY, "HOW", "fast (default) or small: PNGs of fewer bytes that take longer")                         \
-    ROW(strict, ANY, "[BOOL]", "true: what would be warned of is refused; false (default)")                            \
-    ROW(colorBar, ANY, "[BOOL]", "true: the colormap of a scene with its numbers over the picture; as the scene says") \
-    ROW(look, MESH, "NAME", "studio (default), technical, clay, dark, metal, outdoor, blueprint, xray or textbook")    \
-    ROW(samples, MESH, "COUNT", "for each pixel: 1, 4, 16 or 64; the look's")                                          \
-    ROW(width, MESH, "PIXELS", "of the window; 640")                                                                   \
-    ROW(height, MESH, "PIXELS", "of the window; 480")                                                                  \
-    ROW(preset, MESH, "NAME", "front, back, left, right, top, bottom or isometric; the look's")                        \
-    ROW(azimuth, MESH, "DEGREES", "seen from so far to the right of the front, instead of a preset")                   \
-    ROW(elevation, MESH, "DEGREES", "and from so far above, -90 to 90")                                                \
-    ROW(up, MESH, "AXIS", "y or z: the axis of the mesh that points up; z of STL, else y")                             \
-    ROW(projection, MESH, "NAME", "orthographic or perspective; the look's")                                           \
-    ROW(shading, MESH, "NAME", "unlit, flat, gouraud, phong, normals, pbr, gooch or xray; the look's")                 \
-    ROW(color, MESH, "COLOR", "of the mesh, such as tomato or #ff6347")                                                \
-    ROW(background, MESH, "COLOR", "the look's; transparent, too")                                                     \
-    ROW(outline, MESH, "COLOR", "of the edges of faces; or true, or false (default)")                                  \
-    ROW(fill, MESH, "[BOOL]", "true (default), or false: a wireframe")                                                 \
-    ROW(doubleSided, MESH, "[BOOL]", "true (default), or false: faces that turn away are not drawn")
+    ROW(channel, "/outputs/0/channel", ANY, NAME,                                                                      \
+        "one output instead of the scene's: color, depth, normals and others")                                         \
+    ROW(encoding, "/outputs/0/encoding", ANY, NAME, "png, npy, png16 or json (default: by channel)")                   \
+    ROW(scale, "/outputs/0/scale", ANY, UNITS, "scene units per step of a 16-bit depth picture")                       \
+    ROW(x, "/outputs/0/x", ANY, PIXEL, "column of the pixel whose fragments are listed, from the left, from 0")        \
+    ROW(y, "/outputs/0/y", ANY, PIXEL, "row of that pixel, from the top, from 0")                                      \
+    ROW(compress, "/query/compress", ANY, NAME, "fast or small: smaller PNGs that take longer (default: fast)")        \
+    ROW(strict, "/query/strict", ANY, BOOL, "warnings are errors (default: false)")                                    \
+    ROW(colorBar, "/colorBar", ANY, BOOL, "colour bar with numbers over the picture (default: the scene's)")           \
+    ROW(look, "/look", MESH, NAME, "; NAME@VERSION pins it (default: studio)")                                         \
+    ROW(samples, "/samples", MESH, COUNT, "samples per pixel: 1, 4, 16 or 64 (default: the look's)")                   \
+    ROW(width, "/window/width", MESH, SIDE, "width of the window (default: 640)")                                      \
+    ROW(height, "/window/height", MESH, SIDE, "height of the window (default: 480)")                                   \
+    ROW(preset, "/view/preset", MESH, NAME,                                                                            \
+        "front, back, left, right, top, bottom or isometric (default: the look's view)")                               \
+    ROW(azimuth, "/view/azimuthDegrees", MESH, DEGREES, "angle of the camera to the right of the front")               \
+    ROW(elevation, "/view/elevationDegrees", MESH, DEGREES, "angle of the camera above the horizon, -90 to 90")        \
+    ROW(padding, "/view/fit/padding", MESH, NUMBER, "share of the window left free on each side, 0 to 0.45")           \
+    ROW(up, "/query/up", MESH, NAME, "axis of the mesh that points up: y or z (default: z for STL, else y)")           \
+    ROW(projection, "/query/projection", MESH, NAME, "orthographic or perspective (default: the look's)")              \
+    ROW(shading, "/shading", MESH, NAME, ZR_SHADING_LIST "by default the look's")                                      \
+    ROW(color, "/materials/0/baseColorFactor", MESH, COLOR, "colour of the mesh, such as tomato or #ff6347")           \
+    ROW(metallic, "/materials/0/metallicFactor", MESH, NUMBER, "0, plastic, to 1, metal, with the shading pbr")        \
+    ROW(roughness, "/materials/0/roughnessFactor", MESH, NUMBER, "0, a mirror, to 1, rough, with the shading pbr")     \
+    ROW(doubleSided, "/materials/0/doubleSided", MESH, BOOL, "faces are drawn from both sides (default: true)")        \
+    ROW(background, "/background", MESH, BACKGROUND, "colour behind the mesh, or transparent (default: the look's)")   \
+    ROW(outline, "/outline", MESH, OUTLINE, "colour of the edges of faces, or true or false (default: false)")         \
+    ROW(lineWidth, "/lineWidth", MESH, PIXELS, "width of outlines, 0.1 to 64 (default: 1)")                            \
+    ROW(fill, "/fill", MESH, BOOL, "faces are filled; false: a wireframe (default: true)")                             \
+    ROW(creaseDegrees, "/creaseDegrees", MESH, DEGREES, "largest angle between faces that are shaded as one")          \
+    ROW(edges, "/edges", MESH, BOOL, "silhouettes and creases are drawn (default: the look's)")                        \
+    ROW(occlusion, "/occlusion", MESH, BOOL, "creases and holes get less ambient light (default: the look's)")         \
+    ROW(groundShadow, "/groundShadow", MESH, BOOL, "soft shadow on the ground (default: the look's)")                  \
+    ROW(environment, "/environment", MESH, NAME_OR_FALSE, "studio, outdoor or false (default: the look's)")            \
+    ROW(exposure, "/exposure", MESH, NUMBER, "factor of all light, 0 to 1e6 (default: the look's)")                    \
+    ROW(toneMapping, "/toneMapping", MESH, NAME, "none, khronos-neutral or neutral (default: the look's)")             \
+    ROW(ambient, "/ambient", MESH, COLOR, "ambient light instead of the look's lights")                                \
+    ROW(light, "/lights/0/type", MESH, NAME,                                                                           \
+        "directional, point, spot or hemisphere: one light instead of the look's (default: directional)")              \
+    ROW(lightDirection, "/lights/0/direction", MESH, VECTOR, "direction in which its light travels")                   \
+    ROW(lightPosition, "/lights/0/position", MESH, VECTOR, "position of a point or spot light")                        \
+    ROW(lightColor, "/lights/0/color", MESH, COLOR, "colour of the light (default: white)")                            \
+    ROW(lightIntensity, "/lights/0/intensity", MESH, NUMBER, "factor of its colour (default: 1)")                      \
+    ROW(shadows, "/lights/0/shadows", MESH, BOOL, "the light casts shadows (default: false)")                          \
+    ROW(algorithm, "/algorithm", MESH, NAME,                                                                           \
+        "halfspace, edgelist, trapezoid, scanline or painter: the same pixels (default: halfspace)")
 
 #endif

@@ -22,7 +22,7 @@
  * takes longer than to refuse a request. */
 enum {
     FRAMING_TARGET_MAX = 8192,   /* bytes of a request target */
-    FRAMING_PARAMETERS_MAX = 32, /* '&' in it */
+    FRAMING_PARAMETERS_MAX = 64, /* '&' in it: room for all of parameter_rows.h */
     FRAMING_HEADERS_MAX = 32768, /* bytes of all header lines, their ends included; of all trailer lines likewise */
     FRAMING_FIELDS_MAX = 100,    /* lines */
     FRAMING_NAME_MAX = 64,       /* bytes of a header's name */

@@ -51,19 +51,10 @@ static void warn(struct zr_parsed_scene *root, uint32_t listed)
         if (!root->assets_used[i]) zr_warn_of_unused_asset(root->builder, &root->assets[i]);
 }
 
-static void use_colors(struct zr_parsed_scene *root)
-{
-    struct zr_scene *scene = root->scene;
-    scene->algorithm = (enum zr_algorithm)root->algorithm;
-    if (!root->fog_has_color)
-        scene->fog.color = (zr_vec3){scene->background.x, scene->background.y, scene->background.z};
-}
-
 static void build(struct zr_parsed_scene *root)
 {
     struct zr_json *json = &root->json;
     zr_parsed_use_look(root);
-    use_colors(root);
     zr_parsed_sort_materials(root, ZR_SCENE_PATH(ZR_SCENE_MATERIALS));
     zr_parsed_find_textures(root, ZR_SCENE_PATH(ZR_SCENE_MATERIALS));
     const uint32_t listed = make_meshes(root);

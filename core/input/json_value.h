@@ -38,6 +38,7 @@ bool zr_json_expect(struct zr_json *json, const struct zr_json_path *path, const
 /* ---- objects ---- */
 
 struct zr_json_field;
+struct zr_json_object;
 typedef bool zr_json_read_fn(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_field *field,
                              void *out);
 
@@ -48,6 +49,7 @@ struct zr_json_field {
     size_t offset;         /* of what is read, in what the object fills */
     double low, high;      /* of a number */
     const struct zr_names *words;
+    const struct zr_json_object *object; /* of the value, or of the items of a list; NULL: it has none */
     bool required;                       /* those that are come first in their table */
     const char *unit, *otherwise, *text; /* for people: the unit, what holds where the key is not given, what it is */
 };

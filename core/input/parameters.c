@@ -1,14 +1,95 @@
 #include "input/parameters.h"
 
 #include <float.h>
+#include <stdio.h>
 #include <string.h>
 
 #include "input/color_text.h"
 #include "input/formats.h"
+#include "input/json_objects.h"
+#include "input/json_writer.h"
 #include "input/number.h"
-#include "input/outputs.h"
 #include "input/text.h"
-#include "scene/defaults.h"
+
+/* ---- the tables ---- */
+
+enum whose { ANY, MESH };
+enum kind {
+#define KIND(ID, ...) KIND_##ID,
+    ZR_PARAMETER_KINDS(KIND)
+#undef KIND
+};
+
+static const struct row {
+    const char *name, *pointer;
+    enum whose whose;
+    enum kind kind;
+    size_t offset; /* of its text in struct zr_request */
+} rows[] = {
+#define PARAMETER(name, pointer, whose, kind, help)                                                                    \
+    {#name, pointer, whose, KIND_##kind, offsetof(struct zr_request, name)},
+    ZR_PARAMETER_ROWS(PARAMETER)
+#undef PARAMETER
+};
+enum { ROWS = sizeof rows / sizeof rows[0] };
+
+/* Keys that an object must have, where a query has others of the object only. */
+static const struct {
+    const char *pointer, *value;
+} required[] = {
+    {"/outputs/0/channel", "\"color\""}, {"/materials/0/name", "\"mesh\""}, {"/lights/0/type", "\"directional\""}};
+
+static const char *const projections[] = {"orthographic", "perspective"};
+static const struct zr_names projection_names = ZR_NAMES(2, projections);
+
+/* Keys that no scene has. */
+#define AT(member) offsetof(struct zr_query, member)
+static const struct zr_json_field query_fields[] = {
+    {"compress", zr_json_choice, AT(compress), .words = &zr_compress_names, .text = "how PNGs are compressed"},
+    {"strict", zr_json_bool, AT(is_strict), .text = "warnings are errors"},
+    {"up", zr_read_up, AT(z_is_up), .words = &zr_up_names, .text = "the axis of the mesh that points up"},
+    {"projection", zr_json_choice, AT(projection), .words = &projection_names, .text = "with the angle of the look"}};
+#undef AT
+static const struct zr_json_object query_object = ZR_JSON_OBJECT_OF("query", query_fields);
+static const char query_prefix[] = "/query/";
+
+static const char *text_of(const struct zr_request *request, const struct row *row)
+{
+    return *(const char *const *)(const void *)((const char *)request + row->offset);
+}
+
+/* The field that a pointer of a scene leads to. */
+static const struct zr_json_field *field_of(const char *pointer)
+{
+    const struct zr_json_object *object = &zr_json_object_scene;
+    const struct zr_json_field *field = NULL;
+    for (const char *at = pointer; *at;) {
+        const size_t length = strcspn(++at, "/");
+        for (size_t i = 0; !zr_json_is_index(at) && i < object->count; i++) {
+            const char *key = object->fields[i].key;
+            if (strlen(key) == length && memcmp(key, at, length) == 0) field = &object->fields[i];
+        }
+        if (field->object) object = field->object;
+        at += length;
+    }
+    return field;
+}
+
+/* Before the first value in an object. */
+static void put_required(struct zr_json_writer *json, const char *pointer)
+{
+    for (size_t i = 0; i < sizeof required / sizeof *required; i++) {
+        const char *const key = required[i].pointer;
+        const size_t object = (size_t)(strrchr(key, '/') + 1 - key);
+        if (zr_json_shared(key, pointer) != object || zr_json_shared(key, json->pointer) == object ||
+            strcmp(key, pointer) == 0)
+            continue;
+        zr_json_go_to(json, key);
+        zr_json_put(json, required[i].value);
+    }
+}
+
+/* ---- values ---- */
 
 struct reading {
     const struct zr_request *request;
@@ -17,35 +98,44 @@ struct reading {
     struct zr_error *error;
 };
 
-/* ---- values ---- */
-
-static void refuse(const struct reading *r, const char *name, const char *text, const char *wanted)
+static bool refuse(const struct reading *r, const struct row *row, const char *text, const char *wanted)
 {
-    zr_error_add(r->error, ZR_BAD_REQUEST, NULL, "query parameter %s: %s is not %s", name,
+    zr_error_add(r->error, ZR_BAD_REQUEST, NULL, "query parameter %s: %s is not %s", row->name,
                  zr_quote(text, strlen(text)).text, wanted);
+    return false;
 }
 
-/* False after reporting. */
-static bool read_word(const struct reading *r, const char *name, const char *text, const struct zr_names *names,
-                      int *out)
+/* A number by itself. */
+static bool is_number(const char *text, size_t length, double *value)
 {
-    const int found = zr_names_of_query(name, names, text, r->error);
-    if (found >= 0) *out = found;
-    return found >= 0;
+    return zr_number_read(text, text + length, value) == text + length;
 }
 
-static bool read_flag(const struct reading *r, const char *name, const char *text, int *out)
+static bool put_in_range(const struct reading *r, struct zr_json_writer *json, const struct row *row, const char *text)
 {
-    static const char *const words[] = {"false", "true", "0", "1"};
-    static const struct zr_names names = ZR_NAMES(4, words);
-    int found = 0;
-    if (!read_word(r, name, text, &names, &found)) return false;
-    *out = found % 2;
+    const struct zr_json_field *field = field_of(row->pointer);
+    double value;
+    if (is_number(text, strlen(text), &value) && value >= field->low && value <= field->high) {
+        zr_json_put_number(json, value);
+        return true;
+    }
+    char wanted[120];
+    snprintf(wanted, sizeof wanted, "a number%s%s from %g to %g", field->unit ? " of " : "",
+             field->unit ? field->unit : "", field->low, field->high);
+    return refuse(r, row, text, wanted);
+}
+
+static bool put_positive(const struct reading *r, struct zr_json_writer *json, const struct row *row, const char *text)
+{
+    double value;
+    if (!is_number(text, strlen(text), &value) || !(value <= (double)FLT_MAX) || !((float)value > 0.0f))
+        return refuse(r, row, text, "a number greater than 0");
+    zr_json_put_number(json, value);
     return true;
 }
 
 /* Digits alone, at least one of them; beyond UINT32_MAX all numbers are some number that is. */
-static bool read_whole(const char *text, uint64_t *value)
+static bool is_whole(const char *text, uint64_t *value)
 {
     const char *at = text;
     for (*value = 0; *at >= '0' && *at <= '9'; at++)
@@ -53,292 +143,229 @@ static bool read_whole(const char *text, uint64_t *value)
     return *at == '\0' && at != text;
 }
 
-static void read_side(const struct reading *r, const char *name, const char *text, uint32_t *out)
+static bool put_side(const struct reading *r, struct zr_json_writer *json, const struct row *row, const char *text)
 {
     const uint32_t most = r->limits->window_side_max;
     uint64_t value;
-    if (!read_whole(text, &value) || value < 1)
-        zr_error_add(r->error, ZR_BAD_REQUEST, NULL,
-                     "query parameter %s: %s is not a whole number of pixels from 1 to %u", name,
+    char wanted[80];
+    snprintf(wanted, sizeof wanted, "a whole number of pixels from 1 to %u", most);
+    if (!is_whole(text, &value) || value < 1) return refuse(r, row, text, wanted);
+    if (value > most) { /* well-formed, but more than may be drawn: as in a scene */
+        zr_error_add(r->error, ZR_BAD_SCENE, NULL, "query parameter %s: %s pixels; 1 to %u are allowed", row->name,
                      zr_quote(text, strlen(text)).text, most);
-    else if (value > most) /* well-formed, but more than may be drawn: as in a scene */
-        zr_error_add(r->error, ZR_BAD_SCENE, NULL, "query parameter %s: %s pixels; 1 to %u are allowed", name,
-                     zr_quote(text, strlen(text)).text, most);
-    else
-        *out = (uint32_t)value;
-}
-
-static void read_degrees(const struct reading *r, const char *name, const char *text, double most, double *out)
-{
-    const char *end = text + strlen(text);
-    double value;
-    if (zr_number_read(text, end, &value) != end || !(value >= -most) || !(value <= most))
-        zr_error_add(r->error, ZR_BAD_REQUEST, NULL, "query parameter %s: %s is not a number of degrees from %g to %g",
-                     name, zr_quote(text, strlen(text)).text, -most, most);
-    else
-        *out = value;
-    r->query->view.pose = ZR_POSE_ORBIT;
-    if (r->request->preset)
-        zr_error_add(r->error, ZR_BAD_REQUEST, NULL, "query parameters preset and %s: each says where to look from",
-                     name);
-}
-
-static bool read_opaque(const struct reading *r, const char *name, const char *text, zr_vec4 *out)
-{
-    zr_vec4 color;
-    if (!zr_color_of_text(text, strlen(text), &color)) {
-        refuse(r, name, text, "a colour: #rrggbb, #rgb, or a name of CSS");
         return false;
     }
-    if (color.w < 1.0f) {
-        refuse(r, name, text, "opaque, and only the background may be transparent");
-        return false;
-    }
-    *out = color;
+    zr_json_put_number(json, (double)value);
     return true;
 }
 
-/* ---- parameters ---- */
-
-static void read_channel(const struct reading *r, const char *text)
-{
-    struct zr_output *output = &r->query->output;
-    int channel;
-    r->query->has_output = true;
-    if (!read_word(r, "channel", text, &zr_channel_names, &channel)) return;
-    output->channel = (enum zr_channel)channel;
-    output->encoding = zr_channel_rows[channel].encodings[0];
-}
-
-static void read_encoding(const struct reading *r, const char *text)
-{
-    struct zr_output *output = &r->query->output;
-    const int encoding = zr_names_find(&zr_encoding_names, text);
-    const bool is_known = encoding >= 0 && encoding < zr_encoding_names.count;
-    r->query->has_output = true;
-    if (r->error->count > 0) return; /* of which channel is not known */
-    if (is_known && zr_channel_has(output->channel, (enum zr_encoding)encoding))
-        output->encoding = (enum zr_encoding)encoding;
-    else
-        zr_error_add(r->error, ZR_BAD_REQUEST, NULL,
-                     "query parameter encoding: %s is not one that the channel %s has; allowed: %s",
-                     zr_quote(text, strlen(text)).text, zr_channel_rows[output->channel].name,
-                     zr_channel_encodings_join(output->channel).text);
-}
-
-static void read_scale(const struct reading *r, const char *text)
-{
-    const char *end = text + strlen(text);
-    double value;
-    r->query->has_output = true;
-    if (r->error->count > 0) return;
-    if (r->query->output.encoding != ZR_ENCODING_PNG16)
-        zr_error_add(r->error, ZR_BAD_REQUEST, NULL, "query parameter scale: only the encoding png16 has one");
-    else if (zr_number_read(text, end, &value) != end || !(value <= (double)FLT_MAX) || !((float)value > 0.0f))
-        refuse(r, "scale", text, "a number greater than 0");
-    else
-        r->query->output.scale = (float)value;
-}
-
-static void read_pixel(const struct reading *r, const char *name, const char *text, uint32_t *out)
+static bool put_pixel(const struct reading *r, struct zr_json_writer *json, const struct row *row, const char *text)
 {
     uint64_t value;
-    r->query->has_output = true;
-    if (r->error->count > 0) return;
-    if (r->query->output.channel != ZR_CHANNEL_FRAGMENTS)
-        zr_error_add(r->error, ZR_BAD_REQUEST, NULL, "query parameter %s: only the channel fragments has one", name);
-    else if (!read_whole(text, &value) || value > UINT32_MAX)
-        refuse(r, name, text, "the number of a pixel, counted from 0");
-    else
-        *out = (uint32_t)value;
+    if (!is_whole(text, &value) || value > UINT32_MAX)
+        return refuse(r, row, text, "the number of a pixel, counted from 0");
+    zr_json_put_number(json, (double)value);
+    return true;
 }
 
-static void read_x(const struct reading *r, const char *text)
+static bool put_vector(const struct reading *r, struct zr_json_writer *json, const struct row *row, const char *text)
 {
-    read_pixel(r, "x", text, &r->query->output.x);
+    const char *at = text;
+    for (int i = 0; i < 3; i++) {
+        const size_t length = strcspn(at, ",");
+        double value;
+        if (!is_number(at, length, &value) || !(value >= -(double)FLT_MAX && value <= (double)FLT_MAX) ||
+            at[length] != (i < 2 ? ',' : '\0'))
+            return refuse(r, row, text, "three numbers with commas between them");
+        zr_json_put(json, i == 0 ? "[" : ",");
+        zr_json_put_number(json, value);
+        at += length + 1;
+    }
+    zr_json_put(json, "]");
+    return true;
 }
 
-static void read_y(const struct reading *r, const char *text)
+static bool put_opaque(const struct reading *r, struct zr_json_writer *json, const struct row *row, const char *text)
 {
-    read_pixel(r, "y", text, &r->query->output.y);
+    zr_vec4 color;
+    if (!zr_color_of_text(text, strlen(text), &color))
+        return refuse(r, row, text, "a colour: #rrggbb, #rgb, or a name of CSS");
+    if (color.w < 1.0f) return refuse(r, row, text, "opaque, and only the background may be transparent");
+    zr_json_put_string(json, text);
+    return true;
 }
 
-static void read_compress(const struct reading *r, const char *text)
+static bool put_background(const struct reading *r, struct zr_json_writer *json, const struct row *row,
+                           const char *text)
 {
-    int compress = 0;
-    r->query->has_compress = read_word(r, "compress", text, &zr_compress_names, &compress);
-    if (r->query->has_compress) r->query->compress = (enum zr_compress)compress;
+    zr_vec4 color;
+    const char *const value = strcmp(text, "transparent") == 0 ? "#00000000" : text;
+    if (!zr_color_of_text(value, strlen(value), &color))
+        return refuse(r, row, text, "a colour: transparent, #rrggbb, #rrggbbaa, #rgb, #rgba, or a name of CSS");
+    zr_json_put_string(json, value);
+    return true;
 }
 
-static void read_strict(const struct reading *r, const char *text)
+static bool put_outline(const struct reading *r, struct zr_json_writer *json, const struct row *row, const char *text)
 {
-    int strict = 0;
-    if (read_flag(r, "strict", text, &strict)) r->query->is_strict = strict != 0;
+    if (strcmp(text, "true") != 0 && strcmp(text, "false") != 0) return put_opaque(r, json, row, text);
+    zr_json_put(json, text);
+    return true;
 }
 
-static void read_colorBar(const struct reading *r, const char *text)
+static bool put_flag(const struct reading *r, struct zr_json_writer *json, const struct row *row, const char *text)
 {
-    r->query->has_color_bar = read_flag(r, "colorBar", text, &r->query->color_bar);
-}
-
-/* Before all that goes over it. */
-static void use_look(struct zr_query *query, const struct zr_look *look)
-{
-    query->look = look;
-    query->background = look->background;
-    zr_look_set_view(look, &query->view);
-}
-
-static void read_look(const struct reading *r, const char *text)
-{
-    const struct zr_look *look = zr_look_find(text);
-    if (look)
-        use_look(r->query, look);
-    else
-        zr_error_add(r->error, ZR_BAD_REQUEST, NULL, "query parameter look: %s", zr_looks_refuse(text).text);
-}
-
-static void read_samples(const struct reading *r, const char *text)
-{
-    static const char *const words[] = {"1", "4", "16", "64"};
+    static const char *const words[] = {"false", "true", "0", "1"};
     static const struct zr_names names = ZR_NAMES(4, words);
-    int found = 0;
-    if (!read_word(r, "samples", text, &names, &found)) return;
-    r->query->picture.picture.side = UINT32_C(1) << found;
-    zr_picture_give(&r->query->picture, ZR_PICTURE_SIDE);
+    const int found = zr_names_of_query(row->name, &names, text, r->error);
+    if (found < 0) return false;
+    zr_json_put(json, words[found % 2]);
+    return true;
 }
 
-static void read_width(const struct reading *r, const char *text)
+static bool put_count(const struct reading *r, struct zr_json_writer *json, const struct row *row, const char *text)
 {
-    read_side(r, "width", text, &r->query->view.width);
+    if (zr_names_of_query(row->name, field_of(row->pointer)->words, text, r->error) < 0) return false;
+    zr_json_put(json, text);
+    return true;
 }
 
-static void read_height(const struct reading *r, const char *text)
+static bool put_name(const struct reading *r, struct zr_json_writer *json, const struct row *row, const char *text)
 {
-    read_side(r, "height", text, &r->query->view.height);
-}
-
-static void read_preset(const struct reading *r, const char *text)
-{
-    int preset;
-    if (!read_word(r, "preset", text, &zr_preset_names, &preset)) return;
-    r->query->view.preset = (enum zr_preset)preset;
-    r->query->view.pose = ZR_POSE_PRESET;
-}
-
-static void read_azimuth(const struct reading *r, const char *text)
-{
-    read_degrees(r, "azimuth", text, 1e6, &r->query->view.azimuth_degrees);
-}
-
-static void read_elevation(const struct reading *r, const char *text)
-{
-    read_degrees(r, "elevation", text, 90, &r->query->view.elevation_degrees);
-}
-
-static void read_up(const struct reading *r, const char *text)
-{
-    int axis = 0;
-    read_word(r, "up", text, &zr_up_names, &axis);
-    r->query->z_is_up = axis == 1;
-}
-
-static void read_projection(const struct reading *r, const char *text)
-{
-    static const char *const words[] = {"orthographic", "perspective"};
-    static const struct zr_names names = ZR_NAMES(2, words);
-    int projection = 0;
-    if (!read_word(r, "projection", text, &names, &projection)) return;
-    r->query->view.projection = projection == 0 ? ZR_PROJECTION_ORTHOGRAPHIC : ZR_PROJECTION_PERSPECTIVE;
-}
-
-static void read_shading(const struct reading *r, const char *text)
-{
-    read_word(r, "shading", text, &zr_shading_names, &r->query->face_style.shading);
-}
-
-static void read_color(const struct reading *r, const char *text)
-{
-    r->query->has_color = read_opaque(r, "color", text, &r->query->color);
-}
-
-static void read_background(const struct reading *r, const char *text)
-{
-    zr_picture_give(&r->query->picture, ZR_PICTURE_BACKGROUND);
-    if (strcmp(text, "transparent") == 0)
-        r->query->background = (zr_vec4){0, 0, 0, 0};
-    else if (!zr_color_of_text(text, strlen(text), &r->query->background))
-        refuse(r, "background", text, "a colour: transparent, #rrggbb, #rrggbbaa, #rgb, #rgba, or a name of CSS");
-}
-
-static void read_outline(const struct reading *r, const char *text)
-{
-    struct zr_face_style *faces = &r->query->face_style;
-    if (strcmp(text, "false") == 0)
-        faces->outline = ZR_OUTLINE_SET_OFF;
-    else if (strcmp(text, "true") == 0)
-        faces->outline = ZR_OUTLINE_SET_ON;
-    else if (read_opaque(r, "outline", text, &faces->outline_color))
-        faces->outline = ZR_OUTLINE_SET_COLOR;
-}
-
-static void read_fill(const struct reading *r, const char *text)
-{
-    read_flag(r, "fill", text, &r->query->face_style.fill);
-}
-
-static void read_doubleSided(const struct reading *r, const char *text)
-{
-    read_flag(r, "doubleSided", text, &r->query->face_style.double_sided);
-}
-
-/* ---- all of them ---- */
-
-enum whose { ANY, MESH };
-
-/* The angle of a look that is orthographic is that of scenes. */
-static void find_fov(struct zr_query *query)
-{
-    const float look = query->look->view.fov_radians;
-    zr_view_set_fov(&query->view, 0.0f);
-    if (query->view.projection != ZR_PROJECTION_PERSPECTIVE) return;
-    if (look > 0.0f)
-        zr_view_set_fov(&query->view, look);
+    (void)r;
+    if (row->kind == KIND_NAME_OR_FALSE && strcmp(text, "false") == 0)
+        zr_json_put(json, text);
     else
-        query->view.yfov_radians = ZR_YFOV;
+        zr_json_put_string(json, text);
+    return true;
+}
+
+/* False after reporting. */
+static bool put_value(const struct reading *r, struct zr_json_writer *json, const struct row *row, const char *text)
+{
+    static bool (*const by_kind[])(const struct reading *, struct zr_json_writer *, const struct row *,
+                                   const char *) = {[KIND_NAME] = put_name,
+                                                    [KIND_NAME_OR_FALSE] = put_name,
+                                                    [KIND_BOOL] = put_flag,
+                                                    [KIND_COUNT] = put_count,
+                                                    [KIND_NUMBER] = put_in_range,
+                                                    [KIND_DEGREES] = put_in_range,
+                                                    [KIND_PIXELS] = put_in_range,
+                                                    [KIND_UNITS] = put_positive,
+                                                    [KIND_SIDE] = put_side,
+                                                    [KIND_PIXEL] = put_pixel,
+                                                    [KIND_VECTOR] = put_vector,
+                                                    [KIND_COLOR] = put_opaque,
+                                                    [KIND_BACKGROUND] = put_background,
+                                                    [KIND_OUTLINE] = put_outline};
+    return by_kind[row->kind](r, json, row, text);
+}
+
+/* ---- reading ---- */
+
+/* The parameter of a fault: the first of those given whose key, or an object around it, the fault is of. */
+static const char *name_of(const struct zr_request *request, const char *pointer)
+{
+    for (int i = 0; i < ROWS; i++) {
+        const char *key = rows[i].pointer;
+        const size_t length = strlen(key) < strlen(pointer) ? strlen(key) : strlen(pointer);
+        const bool is_inside = strchr("/", key[length]) && strchr("/", pointer[length]);
+        if (text_of(request, &rows[i]) && is_inside && memcmp(key, pointer, length) == 0) return rows[i].name;
+    }
+    return "";
+}
+
+void zr_query_report(const struct zr_request *request, enum zr_status status, const struct zr_error *faults,
+                     struct zr_error *error)
+{
+    for (size_t i = 0; i < zr_error_held(faults); i++)
+        zr_error_add(error, status, NULL, "query parameter %s: %s", name_of(request, faults->items[i].pointer),
+                     faults->items[i].detail);
+}
+
+static void read_text(const struct reading *r, const struct zr_json_writer *text, bool is_of_query)
+{
+    struct zr_query *query = r->query;
+    struct zr_json *json = &query->given.json;
+    struct zr_error faults = {0};
+    uint64_t keys = 0;
+    json->error = &faults;
+    zr_json_open(json, text->text, text->used);
+    if (is_of_query) {
+        struct zr_json_text key;
+        zr_json_enter(json, '{');
+        zr_json_member(json, &key);
+        zr_json_fields(json, ZR_JSON_KEY(NULL, query_object.name), &query_object, query, &keys);
+    } else {
+        zr_json_fields(json, NULL, &zr_json_object_scene, &query->given, &keys);
+        query->given.keys |= keys;
+    }
+    zr_query_report(r->request, ZR_BAD_REQUEST, &faults, r->error);
+}
+
+/* Rows of one object. */
+static void read_rows(const struct reading *r, const struct row *row, const struct row *end)
+{
+    const bool has_view = zr_format_rows[r->request->format].has_view;
+    size_t room = 256;
+    for (const struct row *at = row; at < end; at++)
+        if (text_of(r->request, at)) room += strlen(at->pointer) + 6 * strlen(text_of(r->request, at)) + 128;
+    struct zr_json_writer json = {.text = zr_arena_alloc(r->query->given.json.arena, room, 1), .pointer = ""};
+    bool good = json.text != NULL;
+    for (const struct row *at = row; json.text && at < end; at++) {
+        const char *text = text_of(r->request, at);
+        if (!text) continue;
+        if (at->whose == MESH && has_view) {
+            zr_error_add(r->error, ZR_BAD_REQUEST, NULL,
+                         "query parameter %s belongs to bodies that are a bare mesh; a scene says it in its own keys",
+                         at->name);
+            continue;
+        }
+        put_required(&json, at->pointer);
+        zr_json_go_to(&json, at->pointer);
+        good = put_value(r, &json, at, text) && good;
+    }
+    if (!good || json.used == 0) return; /* what is not known cannot be judged */
+    zr_json_go_to(&json, "");
+    read_text(r, &json, strncmp(row->pointer, query_prefix, strlen(query_prefix)) == 0);
+}
+
+static void open_query(const struct zr_request *request, const struct zr_limits *limits,
+                       struct zr_scene_builder *builder, struct zr_query *query)
+{
+    const struct zr_format_row *format = &zr_format_rows[request->format];
+    struct zr_parsed_scene *given = &query->given;
+    *query = (struct zr_query){.request = request,
+                               .given = {.json = {.arena = builder->arena, .limits = limits},
+                                         .builder = builder,
+                                         .scene = format->has_view ? &query->others : builder->scene,
+                                         .is_bare = !format->has_view,
+                                         .face_style = zr_face_style_unset},
+                               .compress = ZR_UNSET,
+                               .projection = ZR_UNSET,
+                               .z_is_up = format->z_is_up};
+    if (format->has_view) return;
+    /* A view of the query changes that of the look, key by key. */
+    given->look = request->look ? zr_look_find(request->look) : NULL;
+    if (!given->look) given->look = zr_look_find("studio");
+    zr_look_set_view(given->look, &given->scene->views[0]);
 }
 
 enum zr_status zr_query_read(const struct zr_request *request, const struct zr_limits *limits,
-                             const struct zr_scene *defaults, struct zr_query *query, struct zr_error *error)
+                             struct zr_scene_builder *builder, struct zr_query *query, struct zr_error *error)
 {
-    const struct reading r = {request, limits, query, error};
-    const struct zr_format_row *format = &zr_format_rows[request->format];
-    *query = (struct zr_query){.output = {.channel = ZR_CHANNEL_COLOR, .encoding = ZR_ENCODING_PNG},
-                               .z_is_up = format->z_is_up,
-                               .view = defaults->views[0],
-                               .face_style = zr_face_style_unset};
-    query->face_style.double_sided = true; /* nobody said which side is meant */
-    use_look(query, zr_look_find("studio"));
-#define PARAMETER(name, of, value, words) {#name, request->name, of, read_##name},
-    const struct {
-        const char *name, *text;
-        enum whose of;
-        void (*read)(const struct reading *r, const char *text);
-    } rows[] = {ZR_PARAMETER_ROWS(PARAMETER)};
-#undef PARAMETER
-    for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++) {
-        if (!rows[i].text) continue;
-        if (rows[i].of == MESH && format->has_view)
-            zr_error_add(error, ZR_BAD_REQUEST, NULL,
-                         "query parameter %s belongs to bodies that are a bare mesh; a scene says it in its own keys",
-                         rows[i].name);
-        else
-            rows[i].read(&r, rows[i].text);
+    struct zr_limits deep = *limits;
+    const struct reading r = {request, &deep, query, error};
+    deep.json_depth_max = ZR_JSON_DEPTH_MAX;
+    open_query(request, &deep, builder, query);
+    for (int first = 0, end = 0; first < ROWS; first = end) {
+        const size_t object = 1 + strcspn(rows[first].pointer + 1, "/");
+        while (end < ROWS && strncmp(rows[end].pointer, rows[first].pointer, object) == 0 &&
+               strchr("/", rows[end].pointer[object]))
+            end++;
+        read_rows(&r, &rows[first], &rows[end]);
     }
-    find_fov(query);
-    if (error->count == 0 && query->output.channel == ZR_CHANNEL_FRAGMENTS && !(request->x && request->y))
-        zr_error_add(error, ZR_BAD_REQUEST, NULL,
-                     "query parameter %s: missing; the channel fragments is of the pixel that x and y say",
-                     request->x ? "y" : "x");
+    query->given.json.limits = limits;
+    if (!zr_arena_ok(builder->arena)) return ZR_NO_MEMORY;
     return error->count > 0 ? error->status : ZR_OK;
 }

@@ -1,36 +1,33 @@
-/* parameters.h - input: what the query of a request says (parameter_rows.h), read and checked.
+/* parameters.h - input: the query of a request (parameter_rows.h) -> values of a scene.
  *
- * A new parameter is a row there, a function here that reads it, and a test.
+ * A bare mesh is a scene whose only other keys are those of the query: each parameter becomes JSON and is read by the
+ * reader of its key, which has its range and its words. A new parameter is a row there.
  */
 #ifndef ZR_PARAMETERS_H
 #define ZR_PARAMETERS_H
 
-#include "scene/face_style.h"
-#include "scene/parsed_picture.h"
+#include "input/json_scene.h"
 #include "zraster.h"
 
-/* What it says, over what a bare mesh has where nobody says anything. */
 struct zr_query {
-    bool has_output, has_compress;
-    struct zr_output output;
-    enum zr_compress compress;
-    bool is_strict;
-    bool has_color_bar;
-    int color_bar; /* 0 or 1, where it says which */
-
-    /* Of bare meshes. */
-    const struct zr_look *look; /* studio, where none is said */
-    struct zr_parsed_picture picture;
-    struct zr_view view; /* over the look's */
-    zr_vec4 background;  /* likewise; with ZR_PICTURE_BACKGROUND where it is said */
-    bool has_color, z_is_up;
-    zr_vec4 color;
-    struct zr_face_style face_style;
+    const struct zr_request *request;
+    struct zr_parsed_scene given; /* its keys of a scene; .scene is the builder's for a bare mesh, else `others` */
+    struct zr_scene others;       /* what a scene in JSON gets of it: outputs and whether there is a colour bar */
+    int compress, projection;     /* ZR_UNSET where not given */
+    bool is_strict, z_is_up;
 };
 
-/* Fails with ZR_BAD_REQUEST, or ZR_BAD_SCENE for what is well-formed and more than may be drawn. `defaults` are of a
- * scene. */
+/* Reads the query of the request, whose format is known, before its body. builder->scene has its defaults. Fails with
+ * ZR_BAD_REQUEST, or with ZR_BAD_SCENE for a window larger than allowed. */
 enum zr_status zr_query_read(const struct zr_request *request, const struct zr_limits *limits,
-                             const struct zr_scene *defaults, struct zr_query *query, struct zr_error *error);
+                             struct zr_scene_builder *builder, struct zr_query *query, struct zr_error *error);
+
+/* Once the body is read: the keys of the query override those of a scene in JSON; a bare mesh becomes a scene. Fails
+ * with ZR_BAD_SCENE, or ZR_NO_MEMORY. */
+enum zr_status zr_query_apply(struct zr_query *query, struct zr_error *error);
+
+/* Reports faults of keys under the names of their parameters. */
+void zr_query_report(const struct zr_request *request, enum zr_status status, const struct zr_error *faults,
+                     struct zr_error *error);
 
 #endif

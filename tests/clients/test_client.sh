@@ -190,7 +190,7 @@ printf '%%PDF-1.4 and so on' >document
 check "unknown bytes are" 1 "$client" render document
 verdict "and are told what they look like" grep -q 'looks like a PDF document, which is none of: application/json, model/obj' complained
 check "an unknown type ends with 2" 2 "$client" render said --type gltf
-verdict "and is told which there are" grep -q -e '--type takes one of json, obj, stl, not: gltf' complained
+verdict "and is told which there are" grep -q -e '--type takes one of json, obj, stl.*not: gltf' complained
 check "no file ends with 2" 2 "$client" render
 check "two files end with 2" 2 "$client" render scene.json two.json
 check "another command ends with 2" 2 "$client" draw scene.json

@@ -32,7 +32,7 @@ static void bare_meshes_have_the_look_studio(void **state)
 static void every_look_dresses_a_bare_mesh(void **state)
 {
     (void)state;
-    for (int i = 0; i < ZR_LOOKS; i++) {
+    for (int i = 0; i < zr_look_count; i++) {
         char pinned[64];
         snprintf(pinned, sizeof pinned, "%s@%u", zr_looks[i].name, zr_looks[i].version);
         struct reading *reading = read_mesh((struct zr_request){.look = pinned});
@@ -83,7 +83,7 @@ static void samples_of_a_query_fit_the_window(void **state)
     reading_free(reading);
     const struct zr_request request = {.format = ZR_FORMAT_OBJ, .width = "8192", .height = "8", .samples = "16"};
     reading = read_request(request, MESH, strlen(MESH), zr_limits_default(), (size_t)1 << 24);
-    assert_complaint(reading, ZR_BAD_SCENE, "", "query parameter samples: 16; in a window of 8192 x 8 up to 4");
+    assert_complaint(reading, ZR_BAD_SCENE, "", "query parameter samples: 16 a pixel are 4 x 4: in this window up to 4");
     reading_free(reading);
 }
 

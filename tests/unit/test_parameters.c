@@ -1,5 +1,7 @@
 /* input/parameters.c: what the query of a bare mesh says. */
-#include "input_check.h"
+#include "looks_check.h"
+
+#include "input/json_objects.h"
 
 static void query_replaces_defaults(void **state)
 {
@@ -25,12 +27,12 @@ static void query_replaces_defaults(void **state)
     reading_free(reading);
 }
 
-static const char TRIANGLE[] = "v 0 0 0\nv 1 0 0\nv 0 1 0.5\nf 1 2 3\n";
+static const char MESH[] = "v 0 0 0\nv 1 0 0\nv 0 1 0.5\nf 1 2 3\n";
 
 static struct reading *read_triangle(struct zr_request request)
 {
     request.format = ZR_FORMAT_OBJ;
-    struct reading *reading = read_request(request, TRIANGLE, strlen(TRIANGLE), zr_limits_default(), 1 << 20);
+    struct reading *reading = read_request(request, MESH, strlen(MESH), zr_limits_default(), 1 << 20);
     assert_read(reading);
     return reading;
 }
@@ -97,11 +99,15 @@ static void wrong_query_gives_bad_request_naming_the_parameter(void **state)
         {{.format = ZR_FORMAT_OBJ, .channel = "colour"},
          "channel: 'colour' is unknown (did you mean color?); allowed: color, depth"},
         {{.format = ZR_FORMAT_OBJ, .channel = "overdraw"}, "channel: 'overdraw' is not supported"},
-        {{.format = ZR_FORMAT_OBJ, .channel = "depth", .encoding = "png"}, "encoding: 'png' is not one"},
+        {{.format = ZR_FORMAT_OBJ, .channel = "depth", .encoding = "png"},
+         "encoding: the channel depth cannot be had as png; allowed: npy, png16"},
         {{.format = ZR_FORMAT_OBJ, .channel = "depth", .scale = "2"}, "scale: only the encoding png16"},
         {{.format = ZR_FORMAT_OBJ, .channel = "depth", .x = "2"}, "x: only the channel fragments"},
-        {{.format = ZR_FORMAT_OBJ, .channel = "fragments"}, "x: missing"},
-        {{.format = ZR_FORMAT_OBJ, .channel = "fragments", .x = "2"}, "y: missing"},
+        {{.format = ZR_FORMAT_OBJ, .channel = "fragments"}, "channel: missing the key x"},
+        {{.format = ZR_FORMAT_OBJ, .channel = "fragments", .x = "2"}, "channel: missing the key y"},
+        {{.format = ZR_FORMAT_OBJ, .x = "2"}, "x: only the channel fragments"},
+        {{.format = ZR_FORMAT_OBJ, .channel = "1"}, "channel: '1' is unknown; allowed: color, depth"},
+        {{.format = ZR_FORMAT_OBJ, .channel = "q\"\\\x01\xff"}, "channel: 'q\"\\?"},
         {{.format = ZR_FORMAT_OBJ, .channel = "fragments", .x = "2", .y = ""}, "y: '' is not"},
         {{.format = ZR_FORMAT_OBJ, .channel = "fragments", .x = "-1", .y = "2"}, "x: '-1' is not"},
         {{.format = ZR_FORMAT_OBJ, .channel = "fragments", .x = "4294967296", .y = "2"}, "x: '4294967296' is not"},
@@ -115,6 +121,24 @@ static void wrong_query_gives_bad_request_naming_the_parameter(void **state)
         {{.format = ZR_FORMAT_STL, .look = "studio@01"}, "look: 'studio@01' is unknown"},
         {{.format = ZR_FORMAT_JSON, .look = "studio"}, "query parameter look belongs to bodies that are a bare mesh"},
         {{.format = ZR_FORMAT_OBJ, .samples = "9"}, "samples: '9' is unknown; allowed: 1, 4, 16, 64"},
+        {{.format = ZR_FORMAT_OBJ, .samples = "4.0"}, "samples: '4.0' is unknown; allowed: 1, 4, 16, 64"},
+        {{.format = ZR_FORMAT_OBJ, .samples = "016"}, "samples: '016' is unknown"},
+        {{.format = ZR_FORMAT_OBJ, .width = "+7"}, "width: '+7'"},
+        {{.format = ZR_FORMAT_OBJ, .width = "1e2"}, "width: '1e2'"},
+        {{.format = ZR_FORMAT_OBJ, .color = "1,0,0"}, "color: '1,0,0' is not a colour"},
+        {{.format = ZR_FORMAT_OBJ, .background = "0,0,1"}, "background: '0,0,1' is not a colour"},
+        {{.format = ZR_FORMAT_OBJ, .outline = "#00ff0080"}, "outline: '#00ff0080' is not opaque"},
+        {{.format = ZR_FORMAT_OBJ, .colorBar = "maybe"}, "colorBar: 'maybe' is unknown; allowed: false, true"},
+        {{.format = ZR_FORMAT_OBJ, .edges = "thick"}, "edges: 'thick' is unknown; allowed: false, true"},
+        {{.format = ZR_FORMAT_OBJ, .exposure = "-1"}, "exposure: '-1' is not a number from 0 to 1e+06"},
+        {{.format = ZR_FORMAT_OBJ, .lineWidth = "0"}, "lineWidth: '0' is not a number of pixels from 0.1 to 64"},
+        {{.format = ZR_FORMAT_OBJ, .padding = "0.5"}, "padding: '0.5' is not a number from 0 to 0.45"},
+        {{.format = ZR_FORMAT_OBJ, .environment = "true"}, "environment: 'true' is unknown; allowed: studio, outdoor"},
+        {{.format = ZR_FORMAT_OBJ, .lightDirection = "1,2"}, "lightDirection: '1,2' is not three numbers"},
+        {{.format = ZR_FORMAT_OBJ, .lightDirection = "0,0,0"}, "lightDirection: a direction of no length"},
+        {{.format = ZR_FORMAT_OBJ, .light = "spot"}, "light: direction is missing"},
+        {{.format = ZR_FORMAT_OBJ, .scale = "2e9", .channel = "depth", .encoding = "png16"},
+         "scale: 2000000000 is outside"},
         {{.format = ZR_FORMAT_JSON, .samples = "4"}, "query parameter samples belongs to bodies that are a bare mesh"},
         {{.format = ZR_FORMAT_OBJ, .compress = "best"}, "compress: 'best' is unknown; allowed: fast, small"},
         {{.format = ZR_FORMAT_JSON, .compress = ""}, "compress: '' is unknown; allowed: fast, small"},
@@ -126,7 +150,8 @@ static void wrong_query_gives_bad_request_naming_the_parameter(void **state)
         {{.format = ZR_FORMAT_OBJ, .azimuth = "1e7"}, "from -1e+06 to 1e+06"},
         {{.format = ZR_FORMAT_OBJ, .azimuth = "nan"}, "azimuth: 'nan'"},
         {{.format = ZR_FORMAT_OBJ, .elevation = "90.1"}, "elevation: '90.1' is not a number of degrees from -90 to 90"},
-        {{.format = ZR_FORMAT_OBJ, .elevation = "1", .preset = "top"}, "parameters preset and elevation: each says"},
+        {{.format = ZR_FORMAT_OBJ, .elevation = "1", .preset = "top"},
+         "preset: two poses: preset and elevationDegrees"},
         {{.format = ZR_FORMAT_OBJ, .up = "x"}, "up: 'x' is unknown; allowed: y, z"},
         {{.format = ZR_FORMAT_OBJ, .projection = "fisheye"}, "allowed: orthographic, perspective"},
         {{.format = ZR_FORMAT_OBJ, .color = "reddish"}, "color: 'reddish' is not a colour"},
@@ -158,6 +183,130 @@ static void window_beyond_the_limit_in_the_query_is_refused_as_in_a_scene(void *
     }
 }
 
+/* ---- a parameter is a key of a scene ---- */
+
+static const char SCENE[] = "{\"meshes\": [{\"positions\": [[0,0,0],[1,0,0],[0,1,0.5]], \"faces\": [[0,1,2]], "
+                            "\"doubleSided\": true}]";
+
+static bool is_same_light(const struct zr_light *a, const struct zr_light *b)
+{
+    return a->type == b->type && a->has_shadows == b->has_shadows && a->lit == b->lit &&
+           a->camera_frame == b->camera_frame && is_same_rgb(a->direction, b->direction) &&
+           is_same_rgb(a->color, b->color) && is_same_rgb(a->ground, b->ground) &&
+           is_same_rgb(a->position, b->position) && a->range == b->range;
+}
+
+static void bare_mesh_is_a_scene_with_the_keys_of_the_query(void **state)
+{
+    (void)state;
+    static const struct {
+        struct zr_request request;
+        const char *keys;
+    } cases[] = {
+        {{.edges = "true"}, "\"edges\": true"},
+        {{.edges = "0", .look = "technical"}, "\"edges\": false, \"look\": \"technical\""},
+        {{.occlusion = "false"}, "\"occlusion\": false"},
+        {{.groundShadow = "false"}, "\"groundShadow\": false"},
+        {{.exposure = "1.5"}, "\"exposure\": 1.5"},
+        {{.exposure = "+.5", .look = "outdoor"}, "\"exposure\": 0.5, \"look\": \"outdoor\""},
+        {{.toneMapping = "none"}, "\"toneMapping\": \"none\""},
+        {{.environment = "outdoor"}, "\"environment\": \"outdoor\""},
+        {{.environment = "false"}, "\"environment\": false"},
+        {{.creaseDegrees = "60"}, "\"creaseDegrees\": 60"},
+        {{.lineWidth = "3", .outline = "red"}, "\"lineWidth\": 3, \"outline\": \"red\""},
+        {{.samples = "4", .shading = "gooch"}, "\"samples\": 4, \"shading\": \"gooch\""},
+        {{.ambient = "#808080"}, "\"ambient\": \"#808080\""},
+        {{.lightDirection = "0,-1,-1"}, "\"lights\": [{\"type\": \"directional\", \"direction\": [0,-1,-1]}]"},
+        {{.light = "point", .lightPosition = "1,2,3", .lightColor = "red", .lightIntensity = "2"},
+         "\"lights\": [{\"type\": \"point\", \"position\": [1,2,3], \"color\": \"red\", \"intensity\": 2}]"},
+        {{.lightDirection = "0,0,-1", .shadows = "true"},
+         "\"lights\": [{\"type\": \"directional\", \"direction\": [0,0,-1], \"shadows\": true}]"},
+        {{.algorithm = "scanline"}, "\"algorithm\": \"scanline\""},
+        {{.edges = "true", .look = "textbook"}, "\"edges\": true, \"look\": \"textbook\""},
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        char text[1024];
+        const bool has_look = cases[i].request.look != NULL;
+        snprintf(text, sizeof text, "%s, %s%s}", SCENE, cases[i].keys, has_look ? "" : ", \"look\": \"studio\"");
+        struct reading *bare = read_triangle(cases[i].request), *scene = read_text(ZR_FORMAT_JSON, text);
+        assert_read(scene);
+        const struct zr_scene *a = bare->scene, *b = scene->scene;
+        print_message("%s\n", cases[i].keys);
+        assert_true(is_same_picture(&a->picture, &b->picture));
+        assert_true(zr_vec4_equal(a->background, b->background) && a->algorithm == b->algorithm);
+        assert_true(is_same_rgb(a->ambient, b->ambient));
+        assert_int_equal(a->light_count, b->light_count);
+        for (uint32_t k = 0; k < a->light_count; k++)
+            assert_true(is_same_light(&a->lights[k], &b->lights[k]));
+        const struct zr_material *ma = &a->materials[0], *mb = &b->materials[0];
+        assert_true(ma->shading == mb->shading && zr_vec4_equal(ma->base_color, mb->base_color));
+        assert_true(ma->outline == mb->outline && zr_vec4_equal(ma->outline_color, mb->outline_color));
+        assert_true(ma->double_sided && mb->double_sided);
+        reading_free(bare);
+        reading_free(scene);
+    }
+}
+
+static void material_of_a_query_keeps_what_it_does_not_name(void **state)
+{
+    (void)state;
+    struct reading *reading = read_triangle((struct zr_request){.metallic = "1", .roughness = "0.25"});
+    const struct zr_material *material = &reading->scene->materials[0], *look = &reading->scene->look->material;
+    assert_true(material->metallic == 1 && material->roughness == 0.25f && material->double_sided);
+    assert_true(zr_vec4_equal(material->base_color, look->base_color));
+    reading_free(reading);
+    reading = read_triangle((struct zr_request){.look = "textbook", .doubleSided = "false"});
+    material = &reading->scene->materials[0];
+    assert_true(zr_vec4_equal(material->base_color, reading->scene->look->material.base_color));
+    assert_false(material->double_sided);
+    reading_free(reading);
+    reading = read_triangle((struct zr_request){.padding = "0.25"});
+    const struct zr_view *view = &reading->scene->views[0];
+    assert_true(view->fit_padding == 0.25f && view->azimuth_degrees == 35 && view->elevation_degrees == 28);
+    assert_int_equal(view->projection, ZR_PROJECTION_PERSPECTIVE);
+    reading_free(reading);
+}
+
+/* The field that a pointer leads to; NULL: it leads to none. */
+static const struct zr_json_field *field_of(const char *pointer)
+{
+    const struct zr_json_object *object = &zr_json_object_scene;
+    const struct zr_json_field *field = NULL;
+    char copy[128];
+    snprintf(copy, sizeof copy, "%s", pointer);
+    for (char *key = strtok(copy, "/"); key; key = strtok(NULL, "/")) {
+        if (strcmp(key, "0") == 0) continue;
+        if (!object) return NULL;
+        field = NULL;
+        for (size_t i = 0; i < object->count; i++)
+            if (strcmp(object->fields[i].key, key) == 0) field = &object->fields[i];
+        if (!field) return NULL;
+        object = field->object;
+    }
+    return field;
+}
+
+static void each_parameter_leads_to_a_key_that_has_what_its_kind_needs(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *name, *pointer, *kind;
+    } rows[] = {
+#define ROW(name, pointer, whose, kind, help) {#name, pointer, #kind},
+        ZR_PARAMETER_ROWS(ROW)
+#undef ROW
+    };
+    for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++) {
+        const char *kind = rows[i].kind;
+        if (strncmp(rows[i].pointer, "/query/", strlen("/query/")) == 0) continue;
+        const struct zr_json_field *field = field_of(rows[i].pointer);
+        if (!field || !field->read) fail_msg("%s leads nowhere: %s", rows[i].name, rows[i].pointer);
+        if (strcmp(kind, "NUMBER") == 0 || strcmp(kind, "DEGREES") == 0 || strcmp(kind, "PIXELS") == 0)
+            if (!(field->low < field->high)) fail_msg("%s has no range", rows[i].name);
+        if (strcmp(kind, "COUNT") == 0) assert_non_null(field->words);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -167,6 +316,9 @@ int main(void)
         cmocka_unit_test(query_says_how_a_mesh_looks),
         cmocka_unit_test(wrong_query_gives_bad_request_naming_the_parameter),
         cmocka_unit_test(window_beyond_the_limit_in_the_query_is_refused_as_in_a_scene),
+        cmocka_unit_test(bare_mesh_is_a_scene_with_the_keys_of_the_query),
+        cmocka_unit_test(material_of_a_query_keeps_what_it_does_not_name),
+        cmocka_unit_test(each_parameter_leads_to_a_key_that_has_what_its_kind_needs),
     };
     return cmocka_run_group_tests_name("parameters", tests, NULL, NULL);
 }

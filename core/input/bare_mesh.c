@@ -1,0 +1,97 @@
+/* A bare mesh becomes a scene: {"meshes": [the body]}, with the keys of the query, by the look studio. */
+#include "input/formats.h"
+#include "input/input.h"
+#include "input/parameters.h"
+#include "scene/defaults.h"
+
+/* Turns what is up in the mesh to the y axis. */
+static zr_mat4 upright(bool z_is_up)
+{
+    if (!z_is_up) return zr_mat4_identity();
+    return (zr_mat4){{1, 0, 0, 0, 0, 0, -1, 0, 0, 1, 0, 0, 0, 0, 0, 1}};
+}
+
+static void place(struct zr_query *query)
+{
+    struct zr_scene_builder *builder = query->given.builder;
+    const uint32_t count = builder->scene->mesh_count;
+    struct zr_instance *instances = zr_arena_alloc(builder->arena, count, sizeof *instances);
+    for (uint32_t i = 0; instances && i < count; i++)
+        instances[i] = (struct zr_instance){.mesh = i, .object_to_world = upright(query->z_is_up)};
+    if (instances) zr_scene_builder_place(builder, instances, count);
+}
+
+static void make_materials(struct zr_parsed_scene *root)
+{
+    for (uint32_t i = 0; i < root->scene->mesh_count; i++) {
+        struct zr_mesh *mesh = &root->builder->meshes[i];
+        const bool is_colored = mesh->colors != NULL;
+        const struct zr_style style = {.face_style = zr_face_style_unset,
+                                       .is_open = true,
+                                       .has_faces = mesh->face_count > 0,
+                                       .number = i,
+                                       .alpha = zr_alpha_range_of(mesh->colors, mesh->position_count)};
+        mesh->material = zr_parsed_make_material(root, &style, is_colored, mesh->normal_count > 0 || is_colored);
+    }
+}
+
+/* The angle of a look that is orthographic is that of scenes. */
+static void use_projection(const struct zr_query *query)
+{
+    const struct zr_look_view *look = &query->given.scene->look->view;
+    struct zr_view *view = &query->given.scene->views[0];
+    view->projection = look->projection;
+    if (query->projection != ZR_UNSET)
+        view->projection = query->projection ? ZR_PROJECTION_PERSPECTIVE : ZR_PROJECTION_ORTHOGRAPHIC;
+    zr_view_set_fov(view, 0.0f);
+    if (view->projection != ZR_PROJECTION_PERSPECTIVE) return;
+    if (look->fov_radians > 0.0f)
+        zr_view_set_fov(view, look->fov_radians);
+    else
+        view->yfov_radians = ZR_YFOV;
+}
+
+static void warn(struct zr_parsed_scene *root, const struct zr_request *request)
+{
+    const struct zr_format_row *format = &zr_format_rows[request->format];
+    const int shading = root->face_style.shading;
+    for (size_t i = 0; i < request->asset_count; i++)
+        zr_warn_of_unused_asset(root->builder, &request->assets[i]);
+    if (format->is_soup && !root->scene->picture.is_linear && shading != ZR_UNSET &&
+        zr_shading_varies((enum zr_shading)shading))
+        zr_warning_list_add(root->json.arena, &root->builder->color_warnings,
+                            "shading=%s looks flat here: the triangles of %s share no corners; OBJ can be smooth",
+                            zr_shading_names.words[shading], format->name);
+    zr_parsed_warn_of_materials(root);
+}
+
+static enum zr_status build(struct zr_query *query, struct zr_error *error)
+{
+    struct zr_parsed_scene *root = &query->given;
+    struct zr_error faults = {0};
+    root->json.error = &faults;
+    zr_parsed_use_look(root);
+    use_projection(query);
+    make_materials(root);
+    zr_parsed_check_light(root);
+    place(query);
+    warn(root, query->request);
+    zr_query_report(query->request, ZR_BAD_SCENE, &faults, error);
+    if (faults.count > 0) return error->status;
+    return zr_arena_ok(root->json.arena) ? ZR_OK : ZR_NO_MEMORY;
+}
+
+enum zr_status zr_query_apply(struct zr_query *query, struct zr_error *error)
+{
+    struct zr_scene *scene = query->given.builder->scene;
+    const struct zr_scene *others = &query->others;
+    const bool has_view = zr_format_rows[query->request->format].has_view;
+    if (query->compress != ZR_UNSET) scene->compress = (enum zr_compress)query->compress;
+    scene->is_strict = query->is_strict;
+    if (!has_view) return build(query, error);
+    if (zr_scene_gives(&query->given, ZR_SCENE_COLOR_BAR)) scene->color_bar.is_on = others->color_bar.is_on;
+    if (!zr_scene_gives(&query->given, ZR_SCENE_OUTPUTS)) return ZR_OK;
+    scene->views[0].outputs = others->views[0].outputs;
+    scene->views[0].output_count = others->views[0].output_count;
+    return ZR_OK;
+}
