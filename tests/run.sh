@@ -95,6 +95,7 @@ for part in "$@"; do
         run make tests/make/test_make.sh
         run floors tests/make/test_floors.sh
         run contract tests/make/test_contract.sh
+        run calls tests/make/test_calls.sh "$build"
         ;;
     server)
         for test in "$build"/tests/server/test_*; do
