@@ -4,7 +4,7 @@
 #include "input/parameters.h"
 #include "scene/defaults.h"
 
-/* Turns what is up in the mesh to the y axis. */
+/* Turns the mesh so that its up axis becomes y. */
 static zr_mat4 upright(bool z_is_up)
 {
     if (!z_is_up) return zr_mat4_identity();

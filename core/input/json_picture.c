@@ -103,7 +103,7 @@ bool zr_read_background(struct zr_json *json, const struct zr_json_path *path, c
 
 /* ---- what may be false ---- */
 
-/* true, false, or an object with the values of what is on. */
+/* true, false, or an object with values, which means true. */
 static bool read_effect(struct zr_json *json, const struct zr_json_path *path, const struct zr_json_object *object,
                         struct zr_parsed_picture *given, void *effect, bool *is_on)
 {

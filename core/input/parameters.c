@@ -325,7 +325,7 @@ static void read_rows(const struct reading *r, const struct row *row, const stru
         zr_json_go_to(&json, at->pointer);
         good = put_value(r, &json, at, text) && good;
     }
-    if (!good || json.used == 0) return; /* what is not known cannot be judged */
+    if (!good || json.used == 0) return; /* an object with a wrong value is checked no further */
     zr_json_go_to(&json, "");
     read_text(r, &json, strncmp(row->pointer, query_prefix, strlen(query_prefix)) == 0);
 }

@@ -1,13 +1,13 @@
-/* sniff.h - input: the format that bytes look like, whatever their type says. */
+/* sniff.h - input: the format that bytes look like. */
 #ifndef ZR_SNIFF_H
 #define ZR_SNIFF_H
 
 #include "zraster.h"
 
-/* What the bytes look like. ZR_FORMAT_UNKNOWN: none of these. */
+/* The first row whose bytes look so; ZR_FORMAT_UNKNOWN: none. */
 enum zr_format zr_format_of_bytes(const char *bytes, size_t size);
 
-/* The same in words, what is no format included: "STL", "a PNG picture"; NULL: nothing that is known. */
+/* The same in words, foreign formats included: "STL", "a PNG picture"; NULL: unknown. */
 const char *zr_bytes_in_words(const char *bytes, size_t size);
 
 /* How many bytes of a byte order mark there are, as some editors put in front of UTF-8; it is no part of the text. */

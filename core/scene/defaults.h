@@ -1,4 +1,4 @@
-/* defaults.h - scene: what a scene is where nobody says otherwise. */
+/* defaults.h - scene: the values of a scene that gives none of its own. */
 #ifndef ZR_DEFAULTS_H
 #define ZR_DEFAULTS_H
 

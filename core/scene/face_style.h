@@ -1,4 +1,4 @@
-/* face_style.h - scene: what may be said of how faces look: by any part of a scene, and by a query of a bare mesh. */
+/* face_style.h - scene: the style of faces, as any part of a scene or a query may give it. */
 #ifndef ZR_FACE_STYLE_H
 #define ZR_FACE_STYLE_H
 

@@ -1,4 +1,4 @@
-/* parsed_picture.h - scene: what a scene or a query says of its picture, which goes before what its look has. */
+/* parsed_picture.h - scene: the keys of the picture that a scene or a query gives. They override the look. */
 #ifndef ZR_PARSED_PICTURE_H
 #define ZR_PARSED_PICTURE_H
 

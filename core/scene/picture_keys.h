@@ -7,7 +7,8 @@
 #define ZR_PICTURE_KEYS_H
 
 /* ROW(ID, object that the key belongs to, "" being the scene, key, member of struct zr_picture,
- *     whether the key needs linear light, `p` being the picture after merging). What is switched off needs nothing. */
+ *     whether the key needs linear light, `p` being the picture after merging). An effect that is off does not need it.
+ */
 #define ZR_PICTURE_KEYS(ROW)                                                                                           \
     ROW(SIDE, "", "samples", side, false)                                                                              \
     ROW(LINE_WIDTH, "", "lineWidth", line_width, false)                                                                \
