@@ -86,7 +86,9 @@
     row(texels_from_corners)        /* 31, places between texels count from their corners, not their middles */       \
     row(levels_half_off)            /* 31, which level */                                                             \
     row(tone_keeps_hue)             /* 27, what is too bright does not fade to white */                               \
-    row(upside_down)                /* the picture */
+    row(upside_down)                /* the picture */                                                                  \
+    row(ggx_from_behind)            /* 25, a highlight where N.H is not above 0 */                                     \
+    row(fog_z_from_first)           /* 21, z is summed from the first term on */
 /* clang-format on */
 
 #ifdef ZR_MUTANTS

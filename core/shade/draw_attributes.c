@@ -209,6 +209,16 @@ static bool find_normals(struct making *m, const struct zr_draw *draw, struct zr
     return true;
 }
 
+/* How deep a vertex at `p` of eye space lies, for fog: its z is summed from the last term on, as by the fixed functions
+ * of Mesa. */
+static float fog_depth(const zr_mat4 *to_eye, zr_vec4 position, zr_vec4 p)
+{
+    const float *m = to_eye->m;
+    const float z = ZR_MUTANT(fog_z_from_first,
+                              ((m[14] * position.w + m[10] * position.z) + m[6] * position.y) + m[2] * position.x, p.z);
+    return fabsf(p.w != 0.0f ? z / p.w : z);
+}
+
 /* Of all window vertices. */
 static bool make_points(struct making *m)
 {
@@ -226,7 +236,7 @@ static bool make_points(struct making *m)
             of_instance[i] = p;
             if (eye.w != 0.0f)
                 of_instance[i] = (zr_vec4){p.x - eye.x * p.w, p.y - eye.y * p.w, p.z - eye.z * p.w, 0.0f};
-            of_instance[i].w = fabsf(p.w != 0.0f ? p.z / p.w : p.z);
+            of_instance[i].w = fog_depth(&m->instance->to_eye, m->mesh->positions[i], p);
         }
         extend(m, ZR_RATE_VERTEX, m->mesh->position_count, of_instance);
     }

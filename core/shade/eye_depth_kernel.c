@@ -1,5 +1,7 @@
 #include "shade/eye_depth.h"
 
+#include <math.h>
+
 #include "base/simd.h"
 
 /* ---- many triangles ---- */
@@ -131,6 +133,38 @@ static inline void make_some(const struct zr_source_instance *instance, const st
     zr_vd_store(fronts[1], least(eye_w));
 }
 
+/* One triangle, its corners divided by their w, which changes no depth. */
+static void make_one_scaled(const struct zr_source_instance *instance, const zr_vec4 *const corners[3], double width,
+                            double height, double each[DEPTH_DOUBLES], double fronts[2])
+{
+    double some[DEPTH_DOUBLES][ZR_DOUBLES], all_fronts[2][ZR_DOUBLES];
+    struct points points;
+    for (int k = 0; k < 3; k++) {
+        const zr_vec4 p = *corners[k];
+        const float scaled[4] = {p.x / p.w, p.y / p.w, p.z / p.w, 1.0f};
+        for (int i = 0; i < 4; i++)
+            for (uint32_t lane = 0; lane < ZR_LANES; lane++)
+                points.at[k][i][lane] = scaled[i];
+    }
+    make_some(instance, &points, 0, width, height, some, all_fronts);
+    for (int d = 0; d < DEPTH_DOUBLES; d++)
+        each[d] = some[d][0];
+    for (int i = 0; i < 2; i++)
+        fronts[i] = all_fronts[i][0];
+}
+
+/* Corners that have a place each, though differences of them lost a w that is tiny beside the others. */
+static bool have_places(const zr_vec4 *const corners[3])
+{
+    bool all = true;
+    for (int k = 0; k < 3; k++) {
+        const zr_vec4 *p = corners[k];
+        const float largest = fmaxf(fabsf(p->x / p->w), fmaxf(fabsf(p->y / p->w), fabsf(p->z / p->w)));
+        all = all && p->w > 0.0f && largest < INFINITY;
+    }
+    return all;
+}
+
 static uint32_t make(const struct zr_source_instance *instance, const zr_vec4 *(*corners)[3], uint32_t count,
                      uint32_t width, uint32_t height, struct zr_eye_depth *out)
 {
@@ -145,11 +179,13 @@ static uint32_t make(const struct zr_source_instance *instance, const zr_vec4 *(
             make_some(instance, &points, (int)first, (double)width, (double)height, some, fronts);
             for (uint32_t i = 0; i < ZR_DOUBLES && group + first + i < count; i++) {
                 struct zr_eye_depth *depth = &out[group + first + i];
-                double each[DEPTH_DOUBLES];
+                double each[DEPTH_DOUBLES], front[2] = {fronts[0][i], fronts[1][i]};
                 for (int d = 0; d < DEPTH_DOUBLES; d++)
                     each[d] = some[d][i];
+                if (!(front[1] > 0.0) && have_places(corners[group + first + i]))
+                    make_one_scaled(instance, corners[group + first + i], (double)width, (double)height, each, front);
                 memcpy(depth, each, sizeof each);
-                if (fronts[0][i] > 0.0 && fronts[1][i] > 0.0) continue;
+                if (front[0] > 0.0 && front[1] > 0.0) continue;
                 zr_eye_depth_widen(depth);
                 behind++;
             }

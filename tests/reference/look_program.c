@@ -216,7 +216,7 @@ static const char *const pbr =
     "    if (nl <= 0.0) return vec3(0.0);\n"
     "    float nh = clamp(dot(n, h), 0.0, 1.0), vh = clamp(dot(v, h), 0.0, 1.0);\n"
     "    vec3 sine = cross(n, h);\n"
-    "    float s = dot(sine, sine) + nh * nh * a2, D = a2 / (pi * s * s);\n"
+    "    float s = dot(sine, sine) + nh * nh * a2, D = nh > 0.0 ? a2 / (pi * s * s) : 0.0;\n"
     "    float V = 0.5 / (nl * sqrt(nv * nv * (1.0 - a2) + a2) + nv * sqrt(nl * nl * (1.0 - a2) + a2));\n"
     "    vec3 f0 = mix(vec3(0.04), own, metal), F = f0 + (1.0 - f0) * pow(1.0 - vh, 5.0);\n"
     "    vec3 brdf = (1.0 - F) * (1.0 - metal) * own / pi + F * D * V;\n"

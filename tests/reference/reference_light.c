@@ -54,8 +54,11 @@ static const char *const source = "uniform vec3 ambient;\n"
                                   "            back += diffuse * (-facing * lamp.w);\n"
                                   "    }\n"
                                   "    gl_Position = ftransform();\n"
+                                  "    mat4 m = gl_ModelViewMatrix;\n"
                                   "    gl_TexCoord[0] = gl_MultiTexCoord0;\n"
-                                  "    gl_FogFragCoord = abs((gl_ModelViewMatrix * gl_Vertex).z);\n"
+                                  "    precise float z = ((m[3].z * gl_Vertex.w + m[2].z * gl_Vertex.z) +\n"
+                                  "                       m[1].z * gl_Vertex.y) + m[0].z * gl_Vertex.x;\n"
+                                  "    gl_FogFragCoord = abs(z);\n"
                                   "    gl_FrontColor = vec4(side == 2 ? back : front, gl_Color.a);\n"
                                   "    gl_BackColor = vec4(side == 1 ? front : back, gl_Color.a);\n"
                                   "}\n";
@@ -79,7 +82,9 @@ static const char *const late_vertex =
     "    point = eye.w == 0.0 ? p.xyz : way;\n"
     "    own_color = gl_Color.rgb;\n"
     "    opacity = gl_Color.a;\n"
-    "    depth = abs(p.z);\n"
+    "    precise float z = ((gl_Vertex.w * to_eye[3].z + gl_Vertex.z * to_eye[2].z) + gl_Vertex.y * to_eye[1].z) +\n"
+    "                      gl_Vertex.x * to_eye[0].z;\n"
+    "    depth = abs(z);\n"
     "    gl_Position = ftransform();\n"
     "}\n";
 

@@ -74,6 +74,7 @@ static inline double reference_specular_brdf(const struct reference_surface *s, 
     const d3 h = d3_unit(d3_mad(l, 1.0, s->to_eye));
     const double nh = d3_dot(s->normal, h), nl = d3_dot(s->normal, l), nv = d3_dot(s->normal, s->to_eye);
     const double f = nh * nh * (square - 1.0) + 1.0;
+    if (nh <= 0.0) return 0.0;
     return square / (pi * f * f) * 0.5 /
            (nl * sqrt(nv * nv * (1.0 - square) + square) + nv * sqrt(nl * nl * (1.0 - square) + square));
 }

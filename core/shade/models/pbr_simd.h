@@ -181,12 +181,13 @@ static inline zr_vf zr_square_sine_v(struct zr_vec3_v a, struct zr_vec3_v b)
 /* Less than `spread` is where H is a unit vector; where light comes from straight behind, H is none. */
 #define ZR_GGX_SPREAD_LEAST 1e-6f
 
-/* pi D V: of alpha^2, and 1 less that, of N.H, and 1 less its square, of N.V and N.L. */
+/* pi D V, 0 where N.H is not above 0: of alpha^2, and 1 less that, of N.H, and 1 less its square, of N.V and N.L. */
 static inline zr_vf zr_ggx_v(zr_vf square, zr_vf rest, zr_vf nh, zr_vf square_sine, zr_vf nv, zr_vf nl)
 {
     const zr_vf spread = zr_vf_max(square_sine + nh * nh * square, zr_vf_set(ZR_GGX_SPREAD_LEAST));
     const zr_vf smith = nl * zr_vf_sqrt(nv * nv * rest + square) + nv * zr_vf_sqrt(nl * nl * rest + square);
-    return square / (spread * spread) * zr_vf_set(0.5f) / smith;
+    const zr_vf reflected = square / (spread * spread) * zr_vf_set(0.5f) / smith, zero = zr_vf_set(0.0f);
+    return zr_vf_select(ZR_MUTANT(ggx_from_behind, zr_vf_lt(zero, nh), ZR_ALL_LANES), reflected, zero);
 }
 
 static inline zr_vf zr_pbr_reflected_v(zr_vf f0, zr_vf diffuse, zr_vf fresnel, zr_vf specular)
