@@ -379,7 +379,7 @@ struct zr_cost_pass zr_cost_pass_measure(const struct zr_scene *scene, const str
             mesh = &scene->meshes[instance->mesh];
             placed.object_to_world = instance->object_to_world;
             placed.object_to_clip = zr_mat4_mul(&world_to_clip, &instance->object_to_world);
-            placed.mirrored = zr_mat4_is_mirror(&instance->object_to_world);
+            placed.mirrored = zr_mat4_is_mirror(&camera->world_to_eye) != zr_mat4_is_mirror(&instance->object_to_world);
             first = end;
             end += zr_mesh_ids(mesh);
         }

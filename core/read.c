@@ -5,6 +5,7 @@
 #include "input/sniff.h"
 #include "overlay/color_bar_layout.h"
 #include "scene/defaults.h"
+#include "scene/pose_matrix.h"
 #include "scene/validate.h"
 #include "strict.h"
 
@@ -70,6 +71,7 @@ static enum zr_status read_scene(struct zr_arena *arena, struct zr_team *team, c
     if (status == ZR_OK) status = zr_query_apply(&query, error);
     if (status != ZR_OK) return status;
     zr_color_bar_warn(arena, scene, &scene->views[0], &builder.warnings);
+    zr_pose_matrix_warn(arena, &scene->views[0], &builder.warnings);
     zr_scene_builder_close(&builder);
     if (!zr_arena_ok(arena)) return ZR_NO_MEMORY;
     status = zr_scene_validate(scene, limits, error);

@@ -3,6 +3,9 @@
 
 #include <math.h>
 
+#include "input/upright.h"
+#include "scene/pose_matrix.h"
+
 /* How far R may be from a rotation: what four digits in a file may do, and no more. */
 static const double ROTATION_TOLERANCE = 1e-3;
 
@@ -76,13 +79,18 @@ static const struct form *find_form(struct zr_parsed_view *given)
 
 /* ---- each pose ---- */
 
-/* Straight up and down there is no y in the picture to be up: where nobody says what is, it
- * is as in the presets top and bottom. */
+/* y is not up in a picture that looks straight up or down. Without an `up`, such a view has that of the presets top
+ * and bottom. */
+static void find_up(struct zr_parsed_view *given)
+{
+    const zr_vec3 d = zr_view_looks_along(&given->view);
+    if (!zr_view_gives(given, ZR_VIEW_UP) && d.x == 0.0f && d.z == 0.0f && d.y != 0.0f)
+        given->view.up = (zr_vec3){0, 0, d.y < 0.0f ? -1.0f : 1.0f};
+}
+
 static void check_direction(struct zr_parsed_view *given)
 {
     const zr_vec3 d = given->view.direction;
-    if (!zr_view_gives(given, ZR_VIEW_UP) && d.x == 0.0f && d.z == 0.0f)
-        given->view.up = (zr_vec3){0, 0, d.y < 0.0f ? -1.0f : 1.0f};
     if (d.x == 0.0f && d.y == 0.0f && d.z == 0.0f)
         zr_json_fault(given->json, ZR_VIEW_PATH(given, ZR_VIEW_DIRECTION),
                       "the direction is zero: there is none to look in");
@@ -128,6 +136,17 @@ static void flip_camera(zr_mat4 *world_to_camera)
             world_to_camera->m[column * 4 + row] = 0.0f - world_to_camera->m[column * 4 + row];
 }
 
+/* A pose that scales all lengths alike, as of a camera below a scaled node, is divided by its factor: distances of the
+ * view and of its outputs are in scene units. A projectionMatrix belongs to the matrix as it is. */
+static void remove_scale(const struct zr_parsed_view *given, zr_mat4 *world_to_camera)
+{
+    const double scale = zr_pose_matrix_scale(world_to_camera);
+    if (scale == 1.0 || scale == 0.0 || zr_view_gives(given, ZR_VIEW_PROJECTION_MATRIX)) return;
+    for (int column = 0; column < 4; column++)
+        for (int row = 0; row < 3; row++)
+            world_to_camera->m[column * 4 + row] = (float)((double)world_to_camera->m[column * 4 + row] / scale);
+}
+
 static void find_matrix(struct zr_parsed_view *given)
 {
     zr_mat4 *out = &given->view.world_to_camera, inverse;
@@ -137,6 +156,7 @@ static void find_matrix(struct zr_parsed_view *given)
     if (zr_view_gives(given, ZR_VIEW_CAMERA_TO_WORLD))
         check_inverse(given, ZR_VIEW_CAMERA_TO_WORLD, &given->camera_to_world, out);
     if (given->convention == ZR_CONVENTION_OPENCV) flip_camera(out);
+    remove_scale(given, out);
 }
 
 static void check_convention(struct zr_parsed_view *given)
@@ -163,6 +183,7 @@ void zr_view_find_pose(struct zr_parsed_view *given)
     view->pose = form->pose;
     view->preset = (enum zr_preset)given->preset;
     view->has_target = view->pose == ZR_POSE_ORBIT && zr_view_gives(given, ZR_VIEW_TARGET);
+    find_up(given);
     if (view->pose == ZR_POSE_DIRECTION) check_direction(given);
     if (view->pose == ZR_POSE_MATRIX) find_matrix(given);
 }

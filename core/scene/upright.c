@@ -12,7 +12,7 @@ static const struct {
 
 void zr_view_put_z_up(struct zr_view *view, bool says_up)
 {
-    const zr_vec3 d = view->direction;
+    const zr_vec3 d = zr_view_looks_along(view);
     if (view->pose == ZR_POSE_PRESET) {
         view->pose = ZR_POSE_ORBIT;
         view->azimuth_degrees = presets[view->preset].azimuth;
@@ -23,6 +23,5 @@ void zr_view_put_z_up(struct zr_view *view, bool says_up)
     if (says_up) return;
     view->up = (zr_vec3){0, 0, 1};
     /* Straight down and up, as the presets top and bottom have it. */
-    if (view->pose == ZR_POSE_DIRECTION && d.x == 0.0f && d.y == 0.0f)
-        view->up = (zr_vec3){0, d.z < 0.0f ? 1.0f : -1.0f, 0};
+    if (d.x == 0.0f && d.y == 0.0f && d.z != 0.0f) view->up = (zr_vec3){0, d.z < 0.0f ? 1.0f : -1.0f, 0};
 }

@@ -74,13 +74,14 @@ static int count_lit(const struct setting *s)
     return count;
 }
 
-/* Cameras in whose axes all is thirty times as large, or as small. */
+/* Cameras in whose axes all is thirty times as large, or as small: with a projectionMatrix they stay so. */
 #define LARGER  "\"worldToCamera\": [[30, 0, 0, 0], [0, 30, 0, 0], [0, 0, 30, -150], [0, 0, 0, 1]]"
 #define SMALLER "\"worldToCamera\": [[0.03, 0, 0, 0], [0, 0.03, 0, 0], [0, 0, 0.03, -0.15], [0, 0, 0, 1]]"
 static const char *const views[] = {
     "\"eye\": [1, -2, 5], \"target\": [0, 0, 0], \"perspective\": {\"yfovDegrees\": 45}",
     "\"eye\": [-2, 3, 4], \"target\": [0, 0, 0], \"orthographic\": {\"xmag\": 3.2, \"ymag\": 2.4}",
-    LARGER ", \"perspective\": {\"yfovDegrees\": 50}", SMALLER ", \"perspective\": {\"yfovDegrees\": 50}"};
+    LARGER ", \"projectionMatrix\": [[1.60838,0,0,0],[0,2.14451,0,0],[0,0,-1.14286,-64.2857],[0,0,-1,0]]",
+    SMALLER ", \"projectionMatrix\": [[1.60838,0,0,0],[0,2.14451,0,0],[0,0,-1.14286,-0.0642857],[0,0,-1,0]]"};
 enum { VIEWS = sizeof views / sizeof *views };
 static const char *const shadings[] = {"flat", "phong", "pbr"};
 

@@ -246,8 +246,9 @@ static void small_arena_gives_no_memory_naming_the_ceiling(void **state)
 
 /* ---- pictures ---- */
 
-#define CUBE                                                                                                           \
-    "\"view\": {\"preset\": \"isometric\"}, \"window\": {\"width\": 64, \"height\": 64}, \"meshes\": "                 \
+#define CUBE "\"view\": {\"preset\": \"isometric\"}, " CUBE_ANYHOW
+#define CUBE_ANYHOW                                                                                                    \
+    "\"window\": {\"width\": 64, \"height\": 64}, \"meshes\": "                                                        \
     "[{\"positions\": "                                                                                                \
     "[[-1,-1,-1],[1,-1,-1],[-1,1,-1],[1,1,-1],[-1,-1,1],[1,-1,1],[-1,1,1],[1,1,1]], \"faces\": [[1,3,7,5],"            \
     "[0,4,6,2],[2,6,7,3],[0,1,5,4],[4,5,7,6],[0,2,3,1]]}], \"outputs\": [{\"channel\": \"faceId\"}]"
@@ -279,6 +280,24 @@ static void mirrored_cube_shows_its_outside(void **state)
         RIGHT | TOP | NEAR);
 }
 
+/* A camera in a mirror sees the faces that it would see without. */
+static void mirrored_camera_sees_the_outside(void **state)
+{
+    (void)state;
+    enum { RIGHT = 1, LEFT = 2, TOP = 4, BOTTOM = 8, NEAR = 16 };
+#define SEEN_BY(pose) ", \"view\": {" pose ", \"perspective\": {\"yfovDegrees\": 45}}}"
+    assert_int_equal(
+        faces_seen("{" CUBE_ANYHOW SEEN_BY("\"worldToCamera\": [[-1,0,0,2],[0,1,0,-2],[0,0,1,-6],[0,0,0,1]]")),
+        RIGHT | TOP | NEAR);
+    assert_int_equal(
+        faces_seen("{" CUBE_ANYHOW SEEN_BY("\"cameraToWorld\": [[1,0,0,-2],[0,-1,0,-2],[0,0,1,6],[0,0,0,1]]")),
+        LEFT | BOTTOM | NEAR);
+    assert_int_equal(faces_seen("{" CUBE_ANYHOW ", \"nodes\": [{\"mesh\": 0, \"scale\": [-1,1,1]}]" SEEN_BY(
+                         "\"worldToCamera\": [[-1,0,0,2],[0,1,0,-2],[0,0,1,-6],[0,0,0,1]]")),
+                     LEFT | TOP | NEAR);
+#undef SEEN_BY
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -295,6 +314,7 @@ int main(void)
         cmocka_unit_test(points_placed_beyond_the_memory_are_refused_before_they_are_walked),
         cmocka_unit_test(small_arena_gives_no_memory_naming_the_ceiling),
         cmocka_unit_test(mirrored_cube_shows_its_outside),
+        cmocka_unit_test(mirrored_camera_sees_the_outside),
     };
     return cmocka_run_group_tests_name("json_nodes", tests, NULL, NULL);
 }

@@ -48,6 +48,33 @@ static void matrices_are_rows_nested_and_columns_flat(void **state)
     assert_int_equal(view.projection, ZR_PROJECTION_PERSPECTIVE);
 }
 
+/* By one factor; what is less than a thousandth off, or depends on the direction, stays as it is. */
+static void pose_that_scales_is_made_a_rigid_one(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *view;
+        float x, z, tz; /* of the matrix: its first and its third diagonal entry, and how far it moves along z */
+    } cases[] = {
+        {"{\"worldToCamera\": [[2,0,0,1],[0,2,0,1],[0,0,2,-9],[0,0,0,1]]}", 1, 1, -4.5f},
+        {"{\"cameraToWorld\": [[0.5,0,0,1],[0,0.5,0,1],[0,0,0.5,9],[0,0,0,1]]}", 1, 1, -9},
+        {"{\"worldToCamera\": [[-2,0,0,1],[0,2,0,1],[0,0,2,-9],[0,0,0,1]]}", -1, 1, -4.5f},
+        {"{\"worldToCamera\": [[2,0,0,1],[0,2,0,1],[0,0,2,9],[0,0,0,1]], \"convention\": \"opencv\"}", 1, -1, -4.5f},
+        {"{\"worldToCamera\": [[1.0005,0,0,1],[0,1.0005,0,1],[0,0,1.0005,-9],[0,0,0,1]]}", 1.0005f, 1.0005f, -9},
+        {"{\"worldToCamera\": [[2,0,0,1],[0,2,0,1],[0,0,3,-9],[0,0,0,1]]}", 2, 3, -9},
+        {"{\"worldToCamera\": [[2,0,1,1],[0,2,0,1],[0,0,2,-9],[0,0,0,1]]}", 2, 2, -9},
+        {"{\"worldToCamera\": [[2,0,0,1],[0,2,0,1],[0,0,2,-9],[0,0,0,1]], "
+         "\"projectionMatrix\": [1,0,0,0, 0,1,0,0, 0,0,-1,0, 0,0,0,1]}",
+         2, 2, -9},
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        const struct zr_view view = view_of(cases[i].view);
+        const float *m = view.world_to_camera.m;
+        if (m[0] != cases[i].x || m[10] != cases[i].z || m[14] != cases[i].tz)
+            fail_msg("%s: %g %g %g", cases[i].view, (double)m[0], (double)m[10], (double)m[14]);
+    }
+}
+
 static void pose_written_row_by_row_is_told_so(void **state)
 {
     (void)state;
@@ -199,6 +226,14 @@ static void poses_are_read(void **state)
     assert_true(view.up.x == 0 && view.up.y == 0 && view.up.z == 1);
     view = view_of("{\"direction\": [0,-4,0], \"up\": [1,0,0]}");
     assert_true(view.up.x == 1 && view.up.z == 0);
+    view = view_of("{\"eye\": [0.5,5,0], \"target\": [0.5,0,0]}");
+    assert_true(view.up.x == 0 && view.up.y == 0 && view.up.z == -1);
+    view = view_of("{\"eye\": [0,0,0], \"target\": [0,2,0]}");
+    assert_true(view.up.x == 0 && view.up.y == 0 && view.up.z == 1);
+    view = view_of("{\"eye\": [0,5,0], \"up\": [1,0,0]}");
+    assert_true(view.up.x == 1 && view.up.z == 0);
+    view = view_of("{\"eye\": [0,5,0], \"target\": [0,5,0]}"); /* looks nowhere, and is refused later */
+    assert_true(view.up.y == 1);
     view = view_of("{\"azimuthDegrees\": -12.5}");
     assert_int_equal(view.pose, ZR_POSE_ORBIT);
     assert_int_equal(view.projection, ZR_PROJECTION_ORTHOGRAPHIC);
@@ -379,6 +414,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(views_are_read),
         cmocka_unit_test(matrices_are_rows_nested_and_columns_flat),
+        cmocka_unit_test(pose_that_scales_is_made_a_rigid_one),
         cmocka_unit_test(pose_written_row_by_row_is_told_so),
         cmocka_unit_test(projection_matrix_alone_leads_from_world_to_clip_space),
         cmocka_unit_test(bad_views_give_pointer_and_names),

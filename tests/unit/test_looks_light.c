@@ -1,6 +1,7 @@
 /* Looks: lamps, materials, views, and what needs linear light. */
 #include "looks_check.h"
 #include "scene/resolved_view.h"
+#include "shade/frame.h"
 
 /* ---- lamps ---- */
 
@@ -96,6 +97,27 @@ static void lights_are_of_two_types(void **state)
     refuses_rest("\"lights\": [{\"type\": \"hemisphere\", \"up\": [0, 0, 0]}]", "/lights/0/up", "no length");
 }
 
+/* A lamp behind a surface whose normals turn away from the eye: half way between both is behind the normals, where
+ * glTF's distribution of microfacets is 0. What is left is Lambert's light. */
+static void a_lamp_behind_has_no_highlight(void **state)
+{
+    (void)state;
+    struct reading *reading = read_scene(
+        "{\"window\": {\"width\": 8, \"height\": 8}, \"background\": \"black\", \"shading\": \"pbr\", \"ambient\": [0, "
+        "0, 0], "
+        "\"lights\": [{\"type\": \"directional\", \"direction\": [0, -0.1, 1]}], \"view\": {\"preset\": \"front\"}, "
+        "\"polygons\": [{\"vertices\": [[-1,-1,0],[1,-1,0],[0,1,0]], "
+        "\"normals\": [[0,-0.96,-0.25],[0,-0.96,-0.25],[0,-0.96,-0.25]]}]}");
+    struct zr_error error = {.count = 0};
+    const struct zr_frame *frame;
+    assert_int_equal(zr_render(&reading->arena, NULL, reading->scene, NULL, NULL, &frame, &error), ZR_OK);
+    int most = 0;
+    for (int i = 0; i < 4 * 8 * 8; i++)
+        if (i % 4 < 3 && frame->color[i] > most) most = frame->color[i];
+    assert_in_range(most, 1, 120);
+    reading_free(reading);
+}
+
 /* ---- materials ---- */
 
 static void what_a_material_says_goes_before_the_look_key_by_key(void **state)
@@ -154,6 +176,8 @@ static void views_with_z_up_are_turned_ones(void **state)
         {"{\"direction\": [0, 1, 0]}", "{\"direction\": [0, 0, 1]}"},
         {"{\"direction\": [1, -2, -3]}", "{\"direction\": [1, 3, -2]}"},
         {"{\"eye\": [1, 2, 3]}", "{\"eye\": [1, -3, 2]}"},
+        {"{\"eye\": [0, 5, 0]}", "{\"eye\": [0, 0, 5]}"},
+        {"{\"eye\": [1, -5, 0], \"target\": [1, 0, 0]}", "{\"eye\": [1, 0, -5], \"target\": [1, 0, 0]}"},
         {"{\"eye\": [1, 2, 3], \"up\": [0, 0, -1]}", "{\"eye\": [1, -3, 2], \"up\": [0, 1, 0]}"},
     };
     for (size_t i = 0; i < sizeof pairs / sizeof pairs[0]; i++) {
@@ -305,6 +329,7 @@ int main(void)
         cmocka_unit_test(lamps_of_a_scene_replace_those_of_the_look_and_its_environment),
         cmocka_unit_test(lamps_of_the_textbook_stay_in_linear_light_and_beside_ambient),
         cmocka_unit_test(lamps_go_with_the_environment),
+        cmocka_unit_test(a_lamp_behind_has_no_highlight),
         cmocka_unit_test(lights_are_of_two_types),
         cmocka_unit_test(what_a_material_says_goes_before_the_look_key_by_key),
         cmocka_unit_test(a_view_of_its_own_replaces_that_of_the_look),
