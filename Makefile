@@ -21,10 +21,10 @@ endif
 Q := $(if $(V),,@)
 JOBS := $(shell getconf _NPROCESSORS_ONLN 2>/dev/null || echo 1)
 
-CORE_LIBS := -lcjson -lpng -ljpeg -lisal -lzip -lm
+CORE_LIBS := -lcjson -lpng -ljpeg -lisal -lm
 SERVER_LIBS := -lmicrohttpd -lnettle -lz
 CLIENT_LIBS := -lcurl -lcjson
-TEST_LIBS := -lcmocka -lcurl -lz
+TEST_LIBS := -lcmocka -lcurl -lzip -lz
 reference_libs_osmesa := -lOSMesa
 reference_libs_egl := -lEGL -lOpenGL
 
@@ -35,11 +35,11 @@ REFERENCE := $(or $(REFERENCE),$(shell $(CC) -E -include GL/osmesa.h -x c /dev/n
 # FILE=PACKAGE: what each kind of target wants on the machine, and the Debian package that has it; PACKAGE?: unless there is
 # no such package.
 NEED_BUILD := cc=gcc stdlib.h=libc6-dev microhttpd.h=libmicrohttpd-dev cjson/cJSON.h=libcjson-dev png.h=libpng-dev jpeglib.h=libjpeg62-turbo-dev \
-	isa-l/igzip_lib.h=libisal-dev zip.h=libzip-dev zlib.h=zlib1g-dev nettle/sha2.h=nettle-dev curl/curl.h=libcurl4-gnutls-dev
+	isa-l/igzip_lib.h=libisal-dev zlib.h=zlib1g-dev nettle/sha2.h=nettle-dev curl/curl.h=libcurl4-gnutls-dev
 NEED_EGL := EGL/eglext.h=libegl-dev -lOpenGL=libopengl-dev /usr/share/glvnd/egl_vendor.d/50_mesa.json=libegl-mesa0 \
 	/usr/share/drirc.d/00-mesa-defaults.conf=libgl1-mesa-dri
 NEED_REFERENCE := $(need_osmesa) $(NEED_EGL)
-NEED_TEST := cmocka.h=libcmocka-dev pngcheck=pngcheck curl=curl $(NEED_REFERENCE)
+NEED_TEST := cmocka.h=libcmocka-dev zip.h=libzip-dev pngcheck=pngcheck curl=curl $(NEED_REFERENCE)
 NEED_CROSS := aarch64-linux-gnu-gcc=gcc-aarch64-linux-gnu /usr/aarch64-linux-gnu/include/stdlib.h=libc6-dev-arm64-cross \
 	qemu-aarch64=qemu-user
 NEED_EMULATED := simde/x86/avx512.h=libsimde-dev

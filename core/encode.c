@@ -171,6 +171,11 @@ static enum zr_status make_answer(struct encoding *e, struct zr_answer *answer)
             (struct zr_answer){FILE_TYPES[output->encoding].type, entries[0].bytes, entries[0].size, look, warnings};
     } else {
         struct zr_buffer out = {.arena = e->arena};
+        size_t size;
+        if (!zr_zip_size(entries, view->output_count, &size))
+            return zr_error_add(
+                e->error, ZR_BAD_SCENE, "/outputs",
+                "together they have 4 GiB or more, which is too much for one ZIP: ask for fewer at once");
         status = zr_zip_write(entries, view->output_count, &out);
         *answer = (struct zr_answer){"application/zip", out.bytes, out.size, look, warnings};
     }

@@ -1,70 +1,112 @@
 #include "output/zip.h"
 
+#include <isa-l/crc.h>
 #include <stdint.h>
-#include <zip.h>
+#include <string.h>
 
 #include "base/checked.h"
 
-/* HEADERS_SIZE: what the format adds to a file with a short name, amply. */
-enum { DOS_DATE_1980_01_01 = 0x21, HEADERS_SIZE = 512 };
+/* Source: PKWARE, APPNOTE.TXT 6.3.10, sections 4.3.7, 4.3.12 and 4.3.16: the sizes of records without their names. */
+enum { LOCAL_SIZE = 30, CENTRAL_SIZE = 46, END_SIZE = 22 };
 
-static bool add_entries(zip_t *archive, const struct zr_zip_entry *entries, size_t count)
+/* VERSION: 1.0, which knows stored files. MADE_BY: version 6.3, on Unix, whose modes are in the upper half of MODE. */
+enum { VERSION = 10, MADE_BY = 3 << 8 | 63, DOS_DATE_1980_01_01 = 0x21 };
+static const uint32_t MODE = UINT32_C(0100666) << 16;
+
+/* The next bytes of the archive. */
+struct writer {
+    unsigned char *at;
+};
+
+static void put(struct writer *w, uint32_t value, int bytes)
 {
-    for (size_t i = 0; i < count; i++) {
-        zip_source_t *source = zip_source_buffer(archive, entries[i].bytes, entries[i].size, 0);
-        if (!source) return false;
-        zip_int64_t index = zip_file_add(archive, entries[i].name, source, ZIP_FL_ENC_UTF_8);
-        if (index < 0) {
-            zip_source_free(source);
-            return false;
-        }
-        if (zip_set_file_compression(archive, (zip_uint64_t)index, ZIP_CM_STORE, 0) != 0 ||
-            zip_file_set_dostime(archive, (zip_uint64_t)index, 0, DOS_DATE_1980_01_01, 0) != 0)
-            return false;
-    }
-    return true;
+    for (; bytes > 0; bytes--, value >>= 8)
+        *w->at++ = (unsigned char)value;
 }
 
-/* Straight to the end of the buffer. */
-static bool copy_out(zip_source_t *source, struct zr_buffer *out)
+static void put_bytes(struct writer *w, const void *bytes, size_t size)
 {
-    zip_stat_t stat;
-    if (zip_source_stat(source, &stat) != 0 || zip_source_open(source) != 0) return false;
-    unsigned char *end = zr_buffer_room(out, stat.size);
-    bool ok = end && zip_source_read(source, end, stat.size) == (zip_int64_t)stat.size;
-    if (ok) out->size += stat.size;
-    zip_source_close(source);
-    return ok;
+    if (size > 0) memcpy(w->at, bytes, size);
+    w->at += size;
 }
 
-/* The archive as libzip makes it, in memory of its own; NULL where that is short. */
-static zip_source_t *make_archive(const struct zr_zip_entry *entries, size_t count)
+/* What a local header and one of the central directory have in common, from the version that is needed on. */
+static void put_file(struct writer *w, const struct zr_zip_entry *entry, uint32_t crc)
 {
-    zip_error_t error;
-    zip_error_init(&error);
-    zip_source_t *target = zip_source_buffer_create(NULL, 0, 0, &error);
-    zip_t *archive = target ? zip_open_from_source(target, ZIP_TRUNCATE, &error) : NULL;
-    zip_error_fini(&error);
-    if (!archive) {
-        if (target) zip_source_free(target);
-        return NULL;
-    }
-    zip_source_keep(target); /* outlives the archive, which writes into it as it closes */
-    if (add_entries(archive, entries, count) && zip_close(archive) == 0) return target;
-    zip_discard(archive);
-    zip_source_free(target);
-    return NULL;
+    put(w, VERSION, 2);
+    put(w, 0, 2); /* flags */
+    put(w, 0, 2); /* stored */
+    put(w, 0, 2); /* time */
+    put(w, DOS_DATE_1980_01_01, 2);
+    put(w, crc, 4);
+    put(w, (uint32_t)entry->size, 4); /* packed, */
+    put(w, (uint32_t)entry->size, 4); /* and not */
+    put(w, (uint32_t)strlen(entry->name), 2);
+    put(w, 0, 2); /* no extra field */
+}
+
+static void put_local(struct writer *w, const struct zr_zip_entry *entry, uint32_t crc)
+{
+    put(w, 0x04034b50, 4);
+    put_file(w, entry, crc);
+    put_bytes(w, entry->name, strlen(entry->name));
+    put_bytes(w, entry->bytes, entry->size);
+}
+
+static void put_central(struct writer *w, const struct zr_zip_entry *entry, uint32_t crc, uint32_t offset)
+{
+    put(w, 0x02014b50, 4);
+    put(w, MADE_BY, 2);
+    put_file(w, entry, crc);
+    put(w, 0, 2); /* comment */
+    put(w, 0, 2); /* disk */
+    put(w, 0, 2); /* internal attributes */
+    put(w, MODE, 4);
+    put(w, offset, 4);
+    put_bytes(w, entry->name, strlen(entry->name));
+}
+
+static void put_end(struct writer *w, size_t count, uint32_t size, uint32_t offset)
+{
+    put(w, 0x06054b50, 4);
+    put(w, 0, 2); /* this disk, */
+    put(w, 0, 2); /* and that of the directory */
+    put(w, (uint32_t)count, 2);
+    put(w, (uint32_t)count, 2);
+    put(w, size, 4);
+    put(w, offset, 4);
+    put(w, 0, 2); /* comment */
+}
+
+bool zr_zip_size(const struct zr_zip_entry *entries, size_t count, size_t *size)
+{
+    *size = END_SIZE;
+    for (size_t i = 0; i < count; i++)
+        if (!zr_add_size(*size, LOCAL_SIZE + CENTRAL_SIZE + 2 * strlen(entries[i].name), size) ||
+            !zr_add_size(*size, entries[i].size, size))
+            return false;
+    return *size < UINT32_MAX && count < UINT16_MAX;
 }
 
 enum zr_status zr_zip_write(const struct zr_zip_entry *entries, size_t count, struct zr_buffer *out)
 {
-    size_t charged = 0;
+    size_t size;
+    if (!zr_zip_size(entries, count, &size)) return ZR_NO_MEMORY;
+    struct {
+        uint32_t crc, offset;
+    } *files = zr_arena_alloc(out->arena, count, sizeof *files);
+    unsigned char *first = files ? zr_buffer_room(out, size) : NULL;
+    if (!first) return ZR_NO_MEMORY;
+    struct writer w = {first};
+    for (size_t i = 0; i < count; i++) {
+        files[i].offset = (uint32_t)(w.at - first);
+        files[i].crc = crc32_gzip_refl(0, entries[i].bytes, entries[i].size);
+        put_local(&w, &entries[i], files[i].crc);
+    }
+    const unsigned char *directory = w.at;
     for (size_t i = 0; i < count; i++)
-        if (!zr_add_size(charged, entries[i].size + HEADERS_SIZE, &charged)) return ZR_NO_MEMORY;
-    if (!zr_arena_charge(out->arena, charged)) return ZR_NO_MEMORY;
-    zip_source_t *archive = make_archive(entries, count);
-    bool ok = archive && copy_out(archive, out);
-    if (archive) zip_source_free(archive);
-    zr_arena_refund(out->arena, charged);
-    return ok ? ZR_OK : ZR_NO_MEMORY;
+        put_central(&w, &entries[i], files[i].crc, files[i].offset);
+    put_end(&w, count, (uint32_t)(w.at - directory), (uint32_t)(directory - first));
+    out->size += size;
+    return ZR_OK;
 }

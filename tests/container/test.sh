@@ -101,7 +101,7 @@ trap stop_engine EXIT
 check "an engine starts" eval 'unpack_engine && start_engine'
 check "a base image is there" make_base
 check "the image builds" build_image
-# 19.2 MB are Debian's libraries, a third of that OpenSSL's, which libzip loads. Ours is the daemon.
+# Most of it is Debian's libraries. Ours is the daemon.
 size=$(docker image inspect -f '{{.Size}}' zraster:test)
 check "the image is under 21 MB: $size bytes" [ "${size:-21000000}" -lt 21000000 ]
 check "it does not run as root" is_not_root

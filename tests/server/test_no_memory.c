@@ -49,7 +49,6 @@ static int start(void **state)
     snprintf(with_ours, sizeof with_ours, "%s%sverify_asan_link_order=0:allocator_may_return_null=1",
              options ? options : "", options ? ":" : "");
     setenv("ASAN_OPTIONS", with_ours, 1);
-    setenv("LSAN_OPTIONS", "suppressions=tests/server/preload/leaks-of-libzip:print_suppressions=0", 1);
     assets = folder_make();
     server = assets_start(&assets, LIST("--workers=1", "--threads=1"));
     unsetenv("LD_PRELOAD");
