@@ -86,11 +86,13 @@ static const struct zr_json_field fields[] = {
     [TYPE] = {"type", zr_json_choice, AT(type), .words = &type_names, .required = true, .text = "the kind of lamp"},
     [DIRECTION] = {"direction", read_direction, AT(direction),
                    .text = "of directional and spot: the way the light travels"},
-    [COLOR] = {"color", zr_json_color, AT(color), .otherwise = "white", .text = "of all but hemisphere: of the light"},
+    [COLOR] = {"color", zr_read_light_color, AT(color), .otherwise = "white",
+               .text = "of all but hemisphere: of the light"},
     [SHADOWS] = {"shadows", zr_json_bool, AT(has_shadows), .otherwise = "false",
                  .text = "of directional and spot: what the light does not reach is dark"},
-    [SKY] = {"sky", zr_json_color, AT(sky), .otherwise = "white", .text = "of hemisphere: of the light from above"},
-    [GROUND] = {"ground", zr_json_color, AT(ground), .otherwise = "black",
+    [SKY] = {"sky", zr_read_light_color, AT(sky), .otherwise = "white",
+             .text = "of hemisphere: of the light from above"},
+    [GROUND] = {"ground", zr_read_light_color, AT(ground), .otherwise = "black",
                 .text = "of hemisphere: of the light from below"},
     [UP] = {"up", read_direction, AT(up), .otherwise = "the scene's; y in the camera's frame",
             .text = "of hemisphere: where the sky is"},
@@ -179,22 +181,31 @@ static void check_light(struct zr_json *json, const struct zr_json_path *path, u
                       given->intensity, 0.0, most);
 }
 
-static zr_vec3 light_of(zr_vec4 color, double intensity)
+static zr_vec3 rgb(zr_vec4 color)
 {
-    return zr_vec3_scale((zr_vec3){color.x, color.y, color.z}, (float)intensity);
+    return (zr_vec3){color.x, color.y, color.z};
 }
 
-static void make_light(const struct given_light *given, struct zr_light *light)
+/* As it is where light is not linear. */
+static zr_vec3 light_of(zr_vec3 color, float intensity)
 {
+    return zr_vec3_scale(zr_light_color(color, false), intensity);
+}
+
+static void make_light(const struct given_light *given, struct zr_light *light, struct zr_parsed_light_colors *colors)
+{
+    const bool is_hemisphere = given->type == ZR_LIGHT_HEMISPHERE;
+    *colors = (struct zr_parsed_light_colors){rgb(is_hemisphere ? given->sky : given->color),
+                                              is_hemisphere ? rgb(given->ground) : (zr_vec3){0, 0, 0},
+                                              (float)given->intensity};
+    light->color = light_of(colors->color, colors->intensity);
+    light->ground = light_of(colors->ground, colors->intensity);
     light->type = (enum zr_light_type)given->type;
     light->camera_frame = given->frame == FRAME_CAMERA;
     if (light->type == ZR_LIGHT_HEMISPHERE) {
         light->direction = given->up;
-        light->color = light_of(given->sky, given->intensity);
-        light->ground = light_of(given->ground, given->intensity);
     } else {
         light->direction = given->direction;
-        light->color = light_of(given->color, given->intensity);
         light->has_shadows = given->has_shadows;
         light->position = given->position;
         light->range = given->range;
@@ -204,7 +215,7 @@ static void make_light(const struct given_light *given, struct zr_light *light)
 }
 
 static void read_light(struct zr_parsed_scene *root, struct zr_json *json, const struct zr_json_path *path,
-                       struct zr_light *light)
+                       struct zr_light *light, struct zr_parsed_light_colors *colors)
 {
     struct given_light given = {.type = -1,
                                 .color = {1, 1, 1, 1},
@@ -215,7 +226,7 @@ static void read_light(struct zr_parsed_scene *root, struct zr_json *json, const
     uint64_t keys;
     if (!zr_json_fields(json, path, &zr_json_object_light, &given, &keys) || given.type < 0) return;
     check_light(json, path, keys, &given);
-    make_light(&given, light);
+    make_light(&given, light, colors);
     if (light->type == ZR_LIGHT_HEMISPHERE) root->linear_key = "the type hemisphere of lights";
     if (light->has_shadows) root->linear_key = "the key shadows of lights";
 }
@@ -230,9 +241,10 @@ bool zr_read_lights(struct zr_json *json, const struct zr_json_path *path, const
         return zr_json_skip(json) &&
                zr_json_fault(json, path, "%zu lights; up to %d are allowed", count, ZR_LIGHTS_MAX);
     struct zr_light *lights = zr_arena_zero(json->arena, count, sizeof *lights);
-    if (!lights) return false;
+    root->light_colors = zr_arena_zero(json->arena, count, sizeof *root->light_colors);
+    if (!lights || !root->light_colors) return false;
     for (zr_json_enter(json, '['); zr_json_item(json); number++)
-        read_light(root, json, ZR_JSON_ITEM(path, number), &lights[number]);
+        read_light(root, json, ZR_JSON_ITEM(path, number), &lights[number], &root->light_colors[number]);
     root->lights = lights;
     root->light_count = (uint32_t)number;
     return true;

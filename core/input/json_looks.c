@@ -165,6 +165,7 @@ void zr_parsed_check_light(struct zr_parsed_scene *root)
                       "none does not go with %s, which needs linear light: srgb", key);
     if (is_srgb && !key) key = zr_scene_fields[ZR_SCENE_COLOR_MANAGEMENT].key;
     root->scene->picture.is_linear = key != NULL;
+    zr_parsed_decode_light(root);
     if (key && zr_scene_gives(root, ZR_SCENE_FOG))
         zr_json_fault(&root->json, ZR_SCENE_PATH(ZR_SCENE_FOG),
                       "not supported in this version together with linear light, which is needed for: %s", key);

@@ -63,7 +63,7 @@ static const struct zr_json_field fields[] = {
     [NAME] = {"name", zr_json_string, AT(name), .required = true, .text = "it is asked for by its name"},
     [BASE_COLOR] = {"baseColorFactor", zr_json_color, AT(base_color), .otherwise = "the look's; white",
                     .text = "multiplies the colours of what is drawn"},
-    [SPECULAR] = {"specular", zr_json_color, AT(specular), .otherwise = "the look's; black",
+    [SPECULAR] = {"specular", zr_read_light_color, AT(specular), .otherwise = "the look's; black",
                   .text = "the colour of highlights"},
     [SHININESS] = {"shininess", zr_json_float, AT(shininess), 0, SHININESS_MAX, .otherwise = "the look's; 32",
                    .text = "how narrow highlights are: the exponent"},

@@ -70,6 +70,12 @@ struct zr_oddity_note {
     bool is_polygon;
 };
 
+/* Colours of a lamp as they are given: see zr_read_light_color. */
+struct zr_parsed_light_colors {
+    zr_vec3 color, ground;
+    float intensity;
+};
+
 /* A mesh as the scene has it, before what it refers to is known. */
 struct zr_parsed_mesh;
 
@@ -121,7 +127,8 @@ struct zr_parsed_scene {
     const struct zr_look *look;       /* the one that it names, or NULL */
     struct zr_parsed_picture picture; /* complete once the root is read */
     uint32_t light_count;
-    struct zr_light *lights; /* without a direction: the scene's up */
+    struct zr_light *lights;                     /* without a direction: the scene's up */
+    struct zr_parsed_light_colors *light_colors; /* of each */
     bool view_says_up;
     bool fog_has_color;
     const char *fit_mesh;       /* the name of the mesh that the view is fitted to, or NULL */
@@ -254,6 +261,15 @@ void zr_parsed_find_color_bar_mesh(struct zr_parsed_scene *root, const struct zr
 
 /* Into the scene, and lights into root->lights. */
 zr_json_read_fn zr_read_fog, zr_read_lights, zr_read_outputs;
+
+/* json_light_color.c: a zr_vec4, a colour of light: numbers are linear light, and a text is sRGB-encoded, whose parts
+ * are negative until zr_light_color makes a colour of them, in linear light or, else, as it is given. */
+zr_json_read_fn zr_read_light_color;
+zr_vec3 zr_light_color(zr_vec3 given, bool is_linear);
+
+/* Makes colours of those of lamps, of `ambient` and of the specular of materials, once it is known whether light is
+ * linear. */
+void zr_parsed_decode_light(struct zr_parsed_scene *root);
 
 /* json_picture.c: notes, in `given`, which keys of an object of this name are given. */
 void zr_parsed_note_keys(struct zr_parsed_picture *given, const char *name, const struct zr_json_object *object,

@@ -44,7 +44,7 @@ const struct zr_json_field zr_scene_fields[] = {
                        .text = "a pose and a projection"},
     [ZR_SCENE_UP] = {"up", zr_read_up, PICTURE(z_is_up), .words = &zr_up_names, .otherwise = "y",
                      .text = "the axis that points up: of views, of what an environment has above, and of the ground"},
-    [ZR_SCENE_AMBIENT] = {"ambient", zr_json_color, AT(ambient), .text = "light from everywhere"},
+    [ZR_SCENE_AMBIENT] = {"ambient", zr_read_light_color, AT(ambient), .text = "light from everywhere"},
     [ZR_SCENE_LIGHTS] = {"lights", zr_read_lights, 0, .object = &zr_json_object_light, .otherwise = "the look's",
                          .text = "lamps"},
     [ZR_SCENE_ENVIRONMENT] = {"environment", zr_read_environment, 0, .object = &zr_json_object_environment,

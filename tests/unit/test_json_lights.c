@@ -1,3 +1,5 @@
+#include <math.h>
+
 #include "json_check.h"
 
 static void direction_of_a_light_may_have_any_length(void **state)
@@ -34,6 +36,43 @@ static void lights_are_normalised_and_scaled(void **state)
     assert_read(reading);
     assert_int_equal(reading->scene->light_count, 2);
     assert_true(reading->scene->ambient.y == 0.5f);
+    reading_free(reading);
+}
+
+/* "#808080" is sRGB-encoded, and 0.5 is not; names are texts, too. */
+static void texts_of_light_are_decoded_where_light_is_linear(void **state)
+{
+    (void)state;
+    static const char *const lamps =
+        "\"ambient\": \"#808080\", \"materials\": [{\"name\": \"m\", \"shading\": \"phong\", \"specular\": "
+        "\"#808080\"},"
+        "{\"name\": \"n\", \"shading\": \"phong\", \"specular\": [0.5, 0.5, 0.5]}], "
+        "\"meshes\": [{" POSITIONS ", \"faces\": [[0,1,2]], \"material\": \"m\"},"
+        "{" POSITIONS ", \"faces\": [[0,1,2]], \"material\": \"n\"}], \"lights\": ["
+        "{\"type\": \"directional\", \"direction\": [0,0,-1], \"color\": \"#808080\", \"intensity\": 2},"
+        "{\"type\": \"directional\", \"direction\": [0,0,-1], \"color\": [0.5, 0.5, 0.5]},"
+        "{\"type\": \"point\", \"position\": [0,0,1], \"color\": \"white\"}]";
+    static const char sky[] = ", \"sky\": \"#80ff00\", \"ground\": \"gray\"}]";
+    for (int is_linear = 0; is_linear < 2; is_linear++) {
+        const float grey = is_linear ? 0.21586051f : 128.0f / 255.0f;
+        char text[2048];
+        snprintf(text, sizeof text, "{%s, \"colorManagement\": \"%s\"}", lamps, is_linear ? "srgb" : "none");
+        struct reading *reading = read_scene(text);
+        const struct zr_scene *scene = reading->scene;
+        assert_true(fabsf(scene->ambient.x - grey) < 1e-6f && fabsf(scene->ambient.z - grey) < 1e-6f);
+        assert_true(fabsf(scene->lights[0].color.y - 2.0f * grey) < 1e-6f && scene->lights[1].color.y == 0.5f);
+        assert_true(scene->lights[2].color.x == 1.0f);
+        assert_true(fabsf(scene->materials[scene->meshes[0].material].specular.x - grey) < 1e-6f);
+        assert_true(scene->materials[scene->meshes[1].material].specular.x == 0.5f);
+        reading_free(reading);
+    }
+    char text[256];
+    snprintf(text, sizeof text, "\"lights\": [{\"type\": \"hemisphere\"%s", sky);
+    struct reading *reading = read_rest(text);
+    assert_read(reading);
+    const struct zr_light *light = &reading->scene->lights[0];
+    assert_true(fabsf(light->color.x - 0.21586051f) < 1e-6f && light->color.y == 1.0f && light->color.z == 0.0f);
+    assert_true(fabsf(light->ground.z - 0.21586051f) < 1e-6f);
     reading_free(reading);
 }
 
@@ -111,6 +150,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(direction_of_a_light_may_have_any_length),
+        cmocka_unit_test(texts_of_light_are_decoded_where_light_is_linear),
         cmocka_unit_test(lights_are_normalised_and_scaled),
         cmocka_unit_test(lamps_have_places_ranges_and_cones),
         cmocka_unit_test(wrong_lamps_are_refused),
