@@ -3,6 +3,8 @@
 #include <string.h>
 
 #include "base/team.h"
+#include "scene/doubled_faces.h"
+#include "scene/unused_positions.h"
 
 enum { MATERIALS_AT_FIRST = 16, IMAGES_AT_FIRST = 4, RANGE_AT_ONCE = 1 << 14 };
 
@@ -185,10 +187,16 @@ void zr_scene_builder_close(struct zr_scene_builder *builder)
     for (uint32_t i = 0; i < scene->mesh_count && zr_arena_ok(builder->arena); i++) {
         struct zr_mesh *mesh = &builder->meshes[i];
         if (!mesh->face_offsets) mesh->face_offsets = count_up(builder, (size_t)mesh->face_count + 1, 3);
+        const bool is_soup = !mesh->indices && mesh->face_count > 0;
         if (mesh->face_offsets && !mesh->indices)
             mesh->indices = count_up(builder, mesh->face_offsets[mesh->face_count], 1);
+        if (!is_soup && mesh->indices)
+            zr_unused_positions_move(builder->arena, builder->team, mesh, (zr_vec4 *)mesh->positions);
     }
     scene->materials = builder->materials;
+    if (zr_arena_ok(builder->arena) &&
+        (zr_view_wants(&scene->views[0], ZR_CHANNEL_COLOR) || zr_view_wants(&scene->views[0], ZR_CHANNEL_NORMALS)))
+        zr_doubled_faces_warn(builder->arena, scene, &builder->warnings);
     if (zr_view_wants(&scene->views[0], ZR_CHANNEL_COLOR))
         zr_warning_list_append(builder->arena, &builder->warnings, &builder->color_warnings);
     scene->warnings = builder->warnings.texts;
