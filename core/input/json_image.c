@@ -12,6 +12,7 @@ struct named {
     size_t length;
     bool is_asset;
     uint32_t image;
+    enum { UNKNOWN, OPAQUE, SEE_THROUGH } opacity; /* found when somebody asks */
     struct zr_parsed_bytes bytes;
 };
 
@@ -62,6 +63,32 @@ static bool read_named(struct zr_parsed_scene *root, const struct zr_json_path *
     const struct named *same = find_bytes(&root->images, &named->bytes);
     if (!same) return decode(root, at, named);
     named->image = same->image;
+    return true;
+}
+
+/* Whether all alphas are the most that they can be. A row at a time, so that compilers take many texels at once. */
+static bool is_opaque(const struct zr_image *image)
+{
+    for (uint32_t y = 0; y < image->height; y++) {
+        uint32_t all = UINT32_MAX;
+        const size_t first = 4 * (size_t)image->width * y;
+        for (size_t x = 0; x < image->width; x++)
+            all &= image->bits == 8 ? 0xFF00u | ((const uint8_t *)image->texels)[first + 4 * x + 3]
+                                    : ((const uint16_t *)image->texels)[first + 4 * x + 3];
+        if ((all & 0xFFFFu) != 0xFFFFu) return false;
+    }
+    return true;
+}
+
+bool zr_parsed_image_is_opaque(const struct zr_parsed_scene *root, uint32_t number)
+{
+    struct named *names = root->images.items;
+    for (size_t i = 0; i < root->images.count; i++) {
+        if (names[i].image != number) continue;
+        if (names[i].opacity == UNKNOWN)
+            names[i].opacity = is_opaque(&root->scene->images[number]) ? OPAQUE : SEE_THROUGH;
+        return names[i].opacity == OPAQUE;
+    }
     return true;
 }
 

@@ -212,8 +212,17 @@ static void note_oddities(struct zr_parsed_scene *root, const struct zr_style *s
     if (style->face_style.alpha_cutoff >= 0.0f && material->alpha_mode != ZR_ALPHA_MASK)
         note(root, style, ZR_ODD_CUTOFF);
     const bool has_mode = faces->alpha_mode != ZR_UNSET || zr_shading_is_layered(material->shading);
+    const uint32_t texture = style->has_faces ? material->textures[ZR_TEXTURE_BASE_COLOR] : 0;
+    if (!has_mode && texture && least >= 1.0f &&
+        !zr_parsed_image_is_opaque(root, root->scene->textures[texture - 1].image))
+        note(root, style, ZR_ODD_TEXTURE_ALPHA);
     if (!has_mode && (least < 1.0f || (has_outline && material->outline_color.w < 1.0f)))
         note(root, style, ZR_ODD_ALPHA);
+    const struct zr_picture *picture = &root->scene->picture;
+    if (style->has_faces && zr_shading_is_in(material->shading, zr_shadings_lit(ZR_SHADED_BY_OWN_LAMP)) &&
+        ((zr_picture_gives(&root->picture, ZR_PICTURE_EXPOSURE) && picture->exposure != 1.0f) ||
+         (zr_picture_gives(&root->picture, ZR_PICTURE_TONE) && picture->tone != ZR_TONE_NONE)))
+        note(root, style, ZR_ODD_EXPOSURE);
     if (has_outline) return; /* of a colour of its own */
     if (material->alpha_mode == ZR_ALPHA_BLEND && most <= 0.0f) note(root, style, ZR_ODD_UNSEEN);
     if (material->alpha_mode == ZR_ALPHA_MASK && zr_rgba_byte(most) < zr_rgba_byte(material->alpha_cutoff))

@@ -56,11 +56,13 @@ struct zr_parsed_material {
 /* What meshes say that shows nothing, or not what is meant: opacities that nothing is made of, or that hide all of a
  * mesh, and keys that nothing uses. Each kind is one warning, of the first mesh and how many more there are. */
 enum zr_oddity {
-    ZR_ODD_ALPHA,      /* an alpha below 1, and no word of what it is for */
-    ZR_ODD_UNSEEN,     /* BLEND, with an alpha of 0 everywhere */
-    ZR_ODD_MASKED,     /* MASK, with an alpha below the cutoff everywhere */
-    ZR_ODD_CUTOFF,     /* an alphaCutoff of its own, without MASK */
-    ZR_ODD_POINT_SIZE, /* a pointSize without points */
+    ZR_ODD_ALPHA,         /* an alpha below 1, and no word of what it is for */
+    ZR_ODD_TEXTURE_ALPHA, /* the same of a baseColorTexture */
+    ZR_ODD_UNSEEN,        /* BLEND, with an alpha of 0 everywhere */
+    ZR_ODD_MASKED,        /* MASK, with an alpha below the cutoff everywhere */
+    ZR_ODD_CUTOFF,        /* an alphaCutoff of its own, without MASK */
+    ZR_ODD_EXPOSURE,      /* gooch, and an exposure or a tone mapping of the scene's */
+    ZR_ODD_POINT_SIZE,    /* a pointSize without points */
     ZR_ODDITIES
 };
 
@@ -315,6 +317,9 @@ bool zr_parsed_read_bytes(struct zr_parsed_scene *root, struct zr_json *json, co
  * is read. */
 bool zr_parsed_find_image(struct zr_parsed_scene *root, const struct zr_json_path *path,
                           const struct zr_bytes_name *name, uint32_t *number);
+
+/* Whether no texel of the image has an alpha below 1. Looks at its texels once. */
+bool zr_parsed_image_is_opaque(const struct zr_parsed_scene *root, uint32_t number);
 
 /* json_texture.c: reads an object into a struct zr_parsed_texture: that of a normal map and that of occlusion have a
  * key more. */

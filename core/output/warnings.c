@@ -144,6 +144,36 @@ static bool has_thickness(const struct zr_frame *frame)
     return false;
 }
 
+/* Those that lie over one another, of what is blended, too. */
+static bool has_layers(const struct zr_frame *frame)
+{
+    const uint32_t *layers = frame->channels[ZR_CHANNEL_LAYERS];
+    for (size_t i = 0; layers && i < (size_t)frame->width * frame->height; i++)
+        if (layers[i] > 0) return true;
+    return frame->fragments.count > 0;
+}
+
+/* What is blended is drawn in colours only. */
+#define ONLY_BLENDED "all that is in view has the alphaMode BLEND, which color alone shows"
+
+/* The first output of pixels without any value in it; NULL: there is none. Of channels that are 0 on lines, too, none
+ * is looked at. */
+static const char *find_empty_output(const struct zr_scene *scene, const struct zr_frame *frame)
+{
+    static const enum zr_channel looked_at[] = {ZR_CHANNEL_DEPTH, ZR_CHANNEL_WINDOW_DEPTH, ZR_CHANNEL_FACE_ID,
+                                                ZR_CHANNEL_DISTANCE, ZR_CHANNEL_INSTANCE_ID};
+    for (size_t k = 0; k < sizeof looked_at / sizeof *looked_at; k++) {
+        const struct zr_channel_row *row = &zr_channel_rows[looked_at[k]];
+        const uint32_t *words = frame->channels[looked_at[k]];
+        size_t i = 0, count = (size_t)frame->width * frame->height;
+        if (!words || !zr_view_wants(&scene->views[0], looked_at[k])) continue;
+        while (i < count && words[i] == row->nothing)
+            i++;
+        if (i == count) return row->name;
+    }
+    return NULL;
+}
+
 static const char *why_nothing_is_seen(const struct zr_scene *scene, const struct zr_frame *frame)
 {
     const struct zr_counts *counts = &frame->counts;
@@ -158,6 +188,7 @@ static const char *why_nothing_is_seen(const struct zr_scene *scene, const struc
     if (outside == things && things > 0) return "all geometry is outside the view";
     if (counts->triangles > 0 && are_lines(scene)) return "the corners of each polygon are collinear, on one line";
     if (!drawn && counts->zero_area > 0) return "the polygons in view are edge-on, or smaller than 1/256 pixel";
+    if (drawn && !frame->color && any_is_blended(scene)) return ONLY_BLENDED;
     if (frame->base) return "no pixel is covered in front of the base";
     return "no pixel is covered (edge-on, smaller than a pixel, or at the far plane)";
 }
@@ -173,10 +204,13 @@ struct zr_warning_list zr_warnings_make(struct zr_arena *arena, const struct zr_
     if (zr_view_warns(&frame->camera, text)) zr_warning_list_add(arena, &w, "%s", text);
     if (misfits > 0)
         zr_warning_list_add(arena, &w, "the depth of %" PRIu64 " pixels does not fit 16 bits at this scale", misfits);
-    /* What is blended is drawn in colours only. */
-    const bool may_show = !frame->color && any_is_blended(scene);
-    if (frame->covered_pixels == 0 && frame->covered_samples == 0 && !may_show && !has_thickness(frame))
-        zr_warning_list_add(arena, &w, "nothing is seen: %s", why_nothing_is_seen(scene, frame));
+    if (frame->covered_pixels == 0 && frame->covered_samples == 0) {
+        if (!has_thickness(frame) && !has_layers(frame))
+            zr_warning_list_add(arena, &w, "nothing is seen: %s", why_nothing_is_seen(scene, frame));
+    } else if (frame->color && any_is_blended(scene)) {
+        const char *empty = find_empty_output(scene, frame);
+        if (empty) zr_warning_list_add(arena, &w, "nothing is seen in the output %s: " ONLY_BLENDED, empty);
+    }
     return w;
 }
 

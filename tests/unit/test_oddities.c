@@ -8,6 +8,25 @@
 #define PIXEL                                                                                                          \
     "{\"uri\": \"data:image/png;base64,iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAAAAAA6"                                       \
     "fptVAAAACklEQVR4nGNoAAAAggCBd81ytgAAAABJRU5ErkJggg==\"}"
+/* 2 x 2 and 2 x 1 texels of RGBA: with one alpha below the most, and without. */
+#define HALF                                                                                                           \
+    "{\"uri\": "                                                                                                       \
+    "\"data:image/png;base64,iVBORw0KGgoAAAANSUhEUgAAAAIAAAACCAYAAABytg0kAAAAEklEQVR42mP4z8DwH4QZoMQ/AEbKB/jg"         \
+    "GF9HAAAAAElFTkSuQmCC"                                                                                             \
+    "\"}"
+#define HALF_OF_16_BITS                                                                                                \
+    "{\"uri\": "                                                                                                       \
+    "\"data:image/png;base64,iVBORw0KGgoAAAANSUhEUgAAAAIAAAABEAYAAACksqPJAAAAEklEQVR42mP4/58BCCAkkP4HADTbBfoj"         \
+    "AYn1AAAAAElFTkSuQmCC"                                                                                             \
+    "\"}"
+#define FULL                                                                                                           \
+    "{\"uri\": "                                                                                                       \
+    "\"data:image/png;base64,iVBORw0KGgoAAAANSUhEUgAAAAIAAAACCAYAAABytg0kAAAAE0lEQVR42mP4z8DwH4QZGCDEfwA71gX7"         \
+    "vC6MgAAAAABJRU5ErkJggg=="                                                                                         \
+    "\"}"
+#define DOUBLED(more)                                                                                                  \
+    MESHES("{\"name\": \"box\", " POSITIONS ", \"faces\": [[0,1,2],[0,1,3,2],[1,3,2],[2,1,0],[1,0,2,3],[3,1,2]]" more  \
+           "}")
 #define TEXCOORDS  "\"texcoords\": [[0,0],[1,0],[0,1],[1,1]]"
 #define WITH(more) MESHES(FACE ", " TEXCOORDS ", \"material\": \"m\"}") ", \"materials\": [{\"name\": \"m\", " more "}]"
 #define CLEAR      "[1,0,0,0]"
@@ -43,6 +62,13 @@ static const struct {
      "material 'b' (and 1 more) is used by nothing"},
     {WITH("\"alphaCutoff\": 0.5"), true, "material 'm': alphaCutoff has no effect"},
     {WITH("\"alphaCutoff\": 0.5, \"alphaMode\": \"MASK\""), true, NULL},
+    {WITH("\"baseColorTexture\": " HALF), true, "mesh 0: its baseColorTexture has an alpha below 1"},
+    {WITH("\"baseColorTexture\": " HALF ", \"alphaMode\": \"OPAQUE\""), true, NULL},
+    {WITH("\"baseColorTexture\": " HALF ", \"alphaMode\": \"MASK\""), true, NULL},
+    {WITH("\"baseColorTexture\": " HALF ", \"baseColorFactor\": " FAINT), true,
+     "mesh 0: colours have an alpha below 1"},
+    {WITH("\"baseColorTexture\": " HALF_OF_16_BITS), true, "mesh 0: its baseColorTexture has an alpha below 1"},
+    {WITH("\"baseColorTexture\": " FULL), true, NULL},
     {WITH("\"specular\": \"white\""), true, "material 'm': no effect of specular with the shading flat"},
     {WITH("\"shading\": \"unlit\", \"specular\": \"white\", \"shininess\": 3, \"metallicFactor\": 1, "
           "\"roughnessFactor\": 1, "
@@ -72,6 +98,18 @@ static const struct {
     {MESHES(FACE ", \"material\": \"m\", \"shading\": \"phong\"}, " FACE
                  ", \"material\": \"m\"}") ", \"materials\": [{\"name\": \"m\", \"specular\": \"white\"}]",
      true, NULL},
+    {DOUBLED(", \"shading\": \"gouraud\""), true, "mesh 0 'box': each face is there twice, once with each winding"},
+    {DOUBLED(", \"shading\": \"normals\""), true, "each face is there twice"},
+    {DOUBLED(", \"shading\": \"flat\""), true, NULL},
+    {DOUBLED(", \"shading\": \"phong\", \"normals\": [[0,0,1],[0,0,1],[0,0,1],[0,0,1]]"), true, NULL},
+    {"\"shading\": \"gouraud\", " MESHES("{" POSITIONS ", \"faces\": [[0,1,2],[1,2,0]]}"), true, NULL},
+    {"\"shading\": \"gouraud\", " MESHES("{" POSITIONS ", \"faces\": [[0,1,2],[0,2,3]]}"), true, NULL},
+    {"\"shading\": \"gooch\", \"exposure\": 2, " POLYGONS, true,
+     "polygon 0: exposure and toneMapping have no effect with the shading gooch"},
+    {"\"look\": \"technical\", \"toneMapping\": \"neutral\", " MESHES(FACE "}"), true,
+     "mesh 0: exposure and toneMapping have no effect with the shading gooch"},
+    {"\"look\": \"technical\", \"toneMapping\": \"none\", \"exposure\": 1, " MESHES(FACE "}"), true, NULL},
+    {"\"look\": \"studio\", \"exposure\": 2, " MESHES(FACE "}"), true, NULL},
     {MESHES(FACE ", \"name\": \"terrain\", \"scalars\": [0,1,2,9], \"range\": [0,3]}"), true,
      "mesh 0 'terrain': 1 of 4 scalars are outside of the range"},
 };
@@ -128,6 +166,49 @@ static void assert_says(const char *text, const char *channel, const char *wante
     "[4,6,7,5],[0,4,5,1],[2,3,7,6],[0,2,6,4],[1,5,7,3]]"
 #define SMALL "\"window\": {\"width\": 16, \"height\": 16}, "
 
+static void outputs_that_show_nothing_of_what_is_blended_say_so(void **state)
+{
+    (void)state;
+    static const char glass[] = "{" SMALL "\"alphaMode\": \"BLEND\", " MESHES(CUBE "}") "%s}",
+                      both[] = "{" SMALL MESHES(CUBE ", \"alphaMode\": \"BLEND\"}, " CUBE "}") "%s}";
+    static const char why[] = "all that is in view has the alphaMode BLEND, which color alone shows";
+    static const char *const channels[] = {"depth",       "windowDepth", "faceId",       "distance", "instanceId",
+                                           "frontFacing", "position",    "barycentrics", "normals",  "info"};
+    char text[2048];
+    snprintf(text, sizeof text, glass, "");
+    for (size_t i = 0; i < sizeof channels / sizeof *channels; i++)
+        assert_says(text, channels[i], why);
+    assert_says(text, "color", NULL);
+    assert_says(text, "layers", NULL);
+    assert_says(text, "thickness", NULL);
+    snprintf(text, sizeof text, both, "");
+    assert_says(text, "depth", NULL);
+    snprintf(text, sizeof text, glass, ", \"outputs\": [{\"channel\": \"color\"}, {\"channel\": \"depth\"}]");
+    assert_says(text, NULL, "nothing is seen in the output depth: all that is in view has the alphaMode BLEND");
+    snprintf(text, sizeof text, both, ", \"outputs\": [{\"channel\": \"color\"}, {\"channel\": \"depth\"}]");
+    assert_says(text, NULL, NULL);
+    /* Outside of the view, that is the reason. */
+    snprintf(text, sizeof text, glass, ", \"view\": {\"eye\": [0,0,3], \"target\": [0,0,9]}");
+    assert_says(text, "depth", "all geometry is outside the view");
+}
+
+static void camera_that_reflects_or_stretches_is_warned_of(void **state)
+{
+    (void)state;
+#define SEEN_BY(rows) "{" SMALL MESHES(CUBE "}") ", \"view\": {\"worldToCamera\": [" rows ",[0,0,0,1]]}}"
+    static const char mirror[] = SEEN_BY("[-1,0,0,0],[0,1,0,0],[0,0,1,-4]"),
+                      scale[] = SEEN_BY("[3,0,0,0],[0,3,0,0],[0,0,3,-9]"),
+                      stretch[] = SEEN_BY("[3,0,0,0],[0,1,0,0],[0,0,0.5,-4]");
+    assert_says(mirror, "color", "the camera's pose is a reflection (its determinant is negative)");
+    assert_says(mirror, "faceId", "the camera's pose is a reflection (its determinant is negative)");
+    assert_says(scale, "depth", NULL);
+    assert_says(stretch, "color", NULL);
+    assert_says(stretch, "depth", "a length of 1 along its axes x, y and z becomes 3, 1 and 0.5");
+    assert_says(stretch, "distance", "positions in camera space are not in scene units");
+    assert_says(stretch, "position", "positions in camera space are not in scene units");
+#undef SEEN_BY
+}
+
 static void what_hides_everything_is_the_reason_given(void **state)
 {
     (void)state;
@@ -181,6 +262,8 @@ int main(void)
         cmocka_unit_test(oddities_are_warned_of_by_the_name_of_what_has_them),
         cmocka_unit_test(oddities_of_colours_do_not_refuse_data_channels),
         cmocka_unit_test(what_hides_everything_is_the_reason_given),
+        cmocka_unit_test(outputs_that_show_nothing_of_what_is_blended_say_so),
+        cmocka_unit_test(camera_that_reflects_or_stretches_is_warned_of),
         cmocka_unit_test(thickness_is_something_that_is_seen),
         cmocka_unit_test(names_of_meshes_are_cut_and_clean),
     };
