@@ -1,9 +1,11 @@
 /* Scenes with any values of the keys that pictures have: every instruction set gives, on 1, 2 and 7 threads, the bytes
- * of plain C on one. RANDOM_PICTURES=N draws so many (100 otherwise), RANDOM_PICTURES_FROM=N begins with that one. */
+ * of plain C on one; the first 100 have those of tests/scenes/random-digests.txt. RANDOM_PICTURES=N draws so many (100
+ * otherwise), RANDOM_PICTURES_FROM=N begins with that one. */
 #include <inttypes.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include "support/digests.h"
 #include "support/isas.h"
 #include "support/pictures.h"
 #include "support/random_scenes.h"
@@ -71,19 +73,23 @@ static void assert_enough(const struct seen *seen, uint64_t pictures)
 
 static void random_pictures_have_the_bytes_of_plain_c(void **state)
 {
-    enum { TEAMS = 3 };
+    enum { TEAMS = 3, DIGESTS = 100 };
     static const int threads[TEAMS] = {1, 2, 7};
     const enum zr_isa isa = isa_under_test(state);
     const uint64_t pictures = number_of("RANDOM_PICTURES", 100), from = number_of("RANDOM_PICTURES_FROM", 1);
     struct zr_team *teams[TEAMS];
     struct zr_arena arena;
     struct seen seen = {0};
+    FILE *digests = digests_open();
     zr_arena_init(&arena, (size_t)1 << 28);
     for (int t = 0; t < TEAMS; t++)
         assert_non_null(teams[t] = zr_team_create_for(threads[t], isa));
     for (uint64_t i = 0; i < pictures; i++) {
         const struct drawn_picture drawn = picture_assert_same(&arena, teams, TEAMS, random_scene(from + i));
         count(&drawn, &seen);
+        char name[32];
+        snprintf(name, sizeof name, "%" PRIu64, from + i);
+        if (from + i <= DIGESTS) digests_add(digests, name, drawn.frame);
         zr_arena_reset(&arena, SIZE_MAX);
     }
     for (int t = 0; t < TEAMS; t++)
@@ -91,6 +97,7 @@ static void random_pictures_have_the_bytes_of_plain_c(void **state)
     zr_arena_free(&arena);
     assert_true(pictures > 0);
     if (pictures >= 100) assert_enough(&seen, pictures);
+    digests_check(digests, from == 1 && pictures >= DIGESTS ? "tests/scenes/random-digests.txt" : NULL);
 }
 
 int main(void)

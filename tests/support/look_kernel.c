@@ -1,7 +1,5 @@
 #include "support/look_kernel.h"
 
-#include "shade/lights/environment_simd.h"
-#include "shade/models/linear_simd.h"
 #include "shade/srgb_color_simd.h"
 #include "shade/tone_simd.h"
 
@@ -35,24 +33,4 @@ static void tone_map(enum zr_tone tone, const float *const in[3], size_t count, 
         store3(out, i, zr_tone_v(load3(in, i), tone));
 }
 
-static void radiance(const struct zr_environment_light *light, float alpha, const float *const d[3], size_t count,
-                     float *const out[3])
-{
-    for (size_t i = 0; i < count; i += ZR_LANES)
-        store3(out, i, zr_environment_specular_v(light, load3(d, i), alpha));
-}
-
-static void irradiance(const struct zr_environment_light *light, const float *const n[3], size_t count,
-                       float *const out[3])
-{
-    for (size_t i = 0; i < count; i += ZR_LANES)
-        store3(out, i, zr_environment_diffuse_v(light, load3(n, i)));
-}
-
-static void bounced(const float *open, const float *albedo, size_t count, float *out)
-{
-    for (size_t i = 0; i < count; i += ZR_LANES)
-        zr_vf_store(out + i, zr_bounced_v(zr_vf_load(open + i), zr_vf_load(albedo + i)));
-}
-
-const struct look_parts ZR_KERNEL(look_parts) = {decode, encode, tone_map, radiance, irradiance, bounced};
+const struct look_parts ZR_KERNEL(look_parts) = {decode, encode, tone_map};

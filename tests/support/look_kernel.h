@@ -1,23 +1,17 @@
-/* look_kernel.h - support: what the light of looks is made of (core/look/..._simd.h), on arrays, for each instruction
- * set. */
+/* look_kernel.h - support: sRGB and tone mapping (core/look/..._simd.h) on arrays, for each instruction set. */
 #ifndef ZR_TEST_LOOK_KERNEL_H
 #define ZR_TEST_LOOK_KERNEL_H
 
 #include <stddef.h>
 
 #include "base/isa.h"
-#include "shade/lights/environment.h"
+#include "shade/lights/lighting.h"
 
 /* `count` is a multiple of 16. */
 struct look_parts {
     void (*decode)(const float *encoded, size_t count, float *linear);
     void (*encode)(const float *linear, size_t count, float *encoded);
     void (*tone)(enum zr_tone tone, const float *const in[3], size_t count, float *const out[3]);
-    void (*radiance)(const struct zr_environment_light *light, float alpha, const float *const d[3], size_t count,
-                     float *const out[3]);
-    void (*irradiance)(const struct zr_environment_light *light, const float *const n[3], size_t count,
-                       float *const out[3]); /* divided by pi */
-    void (*bounced)(const float *open, const float *albedo, size_t count, float *out);
 };
 
 extern const struct look_parts look_parts_scalar, look_parts_sse2, look_parts_avx2, look_parts_avx512, look_parts_neon;

@@ -1,5 +1,5 @@
-/* shadow_map_kernel.h - support: zr_shadow_share_v and zr_shadow_cone_share_v of shade/lights/shadow_map_simd.h on
- * arrays, for each instruction set. */
+/* shadow_map_kernel.h - support: zr_shadow_share_v of shade/lights/shadow_map_simd.h on arrays, for each instruction
+ * set. */
 #ifndef ZR_TEST_SHADOW_MAP_KERNEL_H
 #define ZR_TEST_SHADOW_MAP_KERNEL_H
 
@@ -13,9 +13,5 @@ typedef void shadow_shares_fn(const struct zr_shadow_map *map, const float *cons
                               const float *const normal[3], size_t count, float *out);
 
 shadow_shares_fn shadow_shares_scalar, shadow_shares_sse2, shadow_shares_avx2, shadow_shares_avx512, shadow_shares_neon;
-
-/* Of a spot's map. */
-shadow_shares_fn shadow_cone_shares_scalar, shadow_cone_shares_sse2, shadow_cone_shares_avx2, shadow_cone_shares_avx512,
-    shadow_cone_shares_neon;
 
 #endif

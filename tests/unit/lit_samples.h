@@ -1,5 +1,4 @@
-/* lit_samples.h - tests: a G-buffer of single samples, lit by a kernel, and the same surfaces for lighting_reference.h.
- */
+/* lit_samples.h - tests: a G-buffer of single samples, lit by a kernel. */
 #ifndef ZR_TESTS_LIT_SAMPLES_H
 #define ZR_TESTS_LIT_SAMPLES_H
 
@@ -67,21 +66,6 @@ static inline void samples_light(struct lit_samples *s, enum zr_isa isa, const s
 static inline d3 samples_color(const struct lit_samples *s, size_t at)
 {
     return (d3){{(double)s->out[0][at], (double)s->out[1][at], (double)s->out[2][at]}};
-}
-
-/* What the kernel is given, in double; of rays that are not parallel. */
-static inline struct reference_surface samples_surface(const struct lit_samples *s, size_t at,
-                                                       const struct zr_material *materials)
-{
-    const struct zr_material *material = &materials[s->material[at]];
-    struct reference_surface out = {.normal = d3_unit(d3_of(get3(s->g.normal, at))),
-                                    .to_eye = d3_unit(d3_scale(d3_of(get3(s->g.point, at)), -1.0)),
-                                    .open = (double)s->open[at],
-                                    .metallic = (double)material->metallic,
-                                    .roughness = (double)material->roughness};
-    for (int k = 0; k < 3; k++)
-        out.base.v[k] = reference_decode((double)s->g.base[k][at]);
-    return out;
 }
 
 /* ---- anything ---- */

@@ -147,14 +147,6 @@ static inline bool corner(double x, double y, double *z, double *slope_x, double
     return true;
 }
 
-static inline bool bowl(double x, double y, double *z, double *slope_x, double *slope_y)
-{
-    *z = 4.0 * (x * x + y * y);
-    *slope_x = 8.0 * x;
-    *slope_y = 8.0 * y;
-    return true;
-}
-
 static double tilt_x, tilt_y;
 
 static inline bool plane(double x, double y, double *z, double *slope_x, double *slope_y)
@@ -164,23 +156,5 @@ static inline bool plane(double x, double y, double *z, double *slope_x, double 
     *z = tilt_x * x + tilt_y * y;
     return true;
 }
-
-/* Two levels, one much higher than the other, with a step at x = 0.1. */
-static inline bool levels(double x, double y, double *z, double *slope_x, double *slope_y)
-{
-    (void)y;
-    *z = x < 0.1 ? 0.0 : 0.12;
-    *slope_x = *slope_y = 0.0;
-    return true;
-}
-
-/* ---- what is looked at, and from where ---- */
-
-static const struct sight sights[] = {
-    {1, 1, 0.01, 0.0},  {3, 40, 0.2, 0.0},  {16, 16, 0.35, 0.0},  {17, 5, 0.1, 2.0},    {61, 47, 0.35, 0.0},
-    {95, 90, 0.3, 2.0}, {64, 33, 0.2, 0.0}, {160, 50, 0.15, 3.0}, {33, 33, 0.002, 2.0}, {130, 131, 3.0, 0.0}};
-enum { SIGHTS = sizeof sights / sizeof sights[0] };
-static surface_fn *const surfaces[] = {bumps, levels, corner, bowl};
-enum { SURFACES = sizeof surfaces / sizeof surfaces[0] };
 
 #endif

@@ -12,7 +12,6 @@
 #include "support/scenes.h"
 
 static const struct zr_color_bar plain_bar = {.is_on = true};
-static const struct zr_color_scale unit_scale = {ZR_COLORMAP_VIRIDIS, 0, 1, false};
 
 /* ---- where ---- */
 
@@ -51,23 +50,6 @@ static void all_of_a_bar_is_in_the_window_whatever_its_size(void **state)
     assert_true(drawn > 100000);
 }
 
-static void large_windows_have_large_letters_and_small_ones_none(void **state)
-{
-    (void)state;
-    static const struct {
-        uint32_t width, height;
-        int dot; /* 0: no bar */
-    } cases[] = {{1, 1, 0},        {40, 480, 0},   {640, 60, 0},   {128, 128, 1},
-                 {320, 240, 1},    {640, 480, 2},  {1280, 720, 2}, {1920, 1080, 3},
-                 {8192, 8192, 26}, {100, 8192, 1}, {0, 0, 0},      {UINT32_MAX, UINT32_MAX, 205}};
-    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
-        struct zr_color_bar_layout l;
-        const bool fits = zr_color_bar_lay_out(&plain_bar, &unit_scale, cases[i].width, cases[i].height, &l);
-        assert_int_equal(fits, cases[i].dot > 0);
-        if (fits) assert_int_equal(l.dot, cases[i].dot);
-    }
-}
-
 /* ---- pixels ---- */
 
 enum { CANVAS_SIDE = 300 };
@@ -92,100 +74,6 @@ static void paint(const struct zr_color_bar_layout *l, uint32_t width, uint32_t 
                 x >= l->all.x && x < l->all.x + l->all.width && y >= l->all.y && y < l->all.y + l->all.height;
             if (!is_in) assert_int_equal(pixel(canvas, x, y), paper);
         }
-}
-
-static void rows_have_the_colors_of_the_map(void **state)
-{
-    (void)state;
-    for (int k = 0; k < SCALES; k++)
-        for (uint32_t side = 90; side <= CANVAS_SIDE; side += 35) {
-            struct zr_color_bar_layout l;
-            struct zr_canvas canvas;
-            const struct zr_color_scale *scale = &scales[k];
-            if (!zr_color_bar_lay_out(&bars[k % BARS], scale, side, side, &l)) continue;
-            paint(&l, side, side, 0xFF336699, &canvas);
-            for (int32_t r = 0; r < l.bar.height; r++) {
-                const double low = (double)scale->low, high = (double)scale->high;
-                const double value = low + (high - low) * r / (l.bar.height - 1);
-                const float at = low < high ? (float)((value - low) / (high - low)) : 0.5f;
-                const zr_vec4 color = zr_rgba_floats(zr_rgba_opaque(zr_colormap_color(scale->map, at)));
-                for (int32_t x = l.bar.x; x < l.bar.x + l.bar.width; x += l.bar.width - 1) {
-                    const zr_vec4 got = zr_rgba_floats(pixel(&canvas, x, l.bar.y + l.bar.height - 1 - r));
-                    const float off[] = {got.x - color.x, got.y - color.y, got.z - color.z};
-                    for (int c = 0; c < 3; c++) /* value / (high - low) is rounded once more here */
-                        assert_true(off[c] <= 1.01f / 255 && off[c] >= -1.01f / 255);
-                    assert_true(got.w == 1.0f);
-                }
-            }
-            const float first = scale->low < scale->high ? 0.0f : 0.5f, last = 1.0f - first;
-            assert_int_equal(pixel(&canvas, l.bar.x, l.bar.y + l.bar.height - 1),
-                             zr_rgba_opaque(zr_colormap_color(scale->map, first)));
-            assert_int_equal(pixel(&canvas, l.bar.x, l.bar.y), zr_rgba_opaque(zr_colormap_color(scale->map, last)));
-        }
-}
-
-/* The text at a tick's row is that of its number. */
-static void ticks_are_at_the_rows_of_their_numbers(void **state)
-{
-    (void)state;
-    struct zr_color_bar_layout l;
-    struct zr_canvas canvas;
-    assert_true(zr_color_bar_lay_out(&plain_bar, &unit_scale, 240, 200, &l));
-    paint(&l, 240, 200, 0xFFFFFFFF, &canvas);
-    assert_int_equal(l.bar.height, 140);
-    assert_int_equal(l.ticks.count, 6);
-    uint32_t label[ZR_GLYPH_CAPITAL_ROWS * 24];
-    for (int i = 0; i <= 5; i++) {
-        static const char *const texts[] = {"0", "0.2", "0.4", "0.6", "0.8", "1"};
-        const int32_t y = l.bar.y + 139 - (int32_t)(139 * 0.2 * i + 0.5);
-        for (int32_t x = 0; x < l.tick_width; x++)
-            assert_int_equal(pixel(&canvas, l.tick_x + x, y), 0xFF000000);
-        const int32_t width = zr_glyphs_width(texts[i]);
-        const struct zr_canvas small = {label, width, ZR_GLYPH_CAPITAL_ROWS};
-        zr_canvas_fill(&small, (struct zr_box){0, 0, width, ZR_GLYPH_CAPITAL_ROWS}, 0xFFFFFFFF);
-        zr_glyphs_draw(&small, texts[i], 0, 0, 1, 0, 0xFF000000);
-        for (int32_t v = 0; v < ZR_GLYPH_CAPITAL_ROWS; v++)
-            for (int32_t x = 0; x < width; x++)
-                assert_int_equal(pixel(&canvas, l.label_x + x, y - 3 + v), label[v * width + x]);
-    }
-}
-
-static uint32_t count_of(const struct zr_canvas *canvas, uint32_t color)
-{
-    uint32_t count = 0;
-    for (int32_t i = 0; i < canvas->width * canvas->height; i++)
-        count += canvas->pixels[i] == color;
-    return count;
-}
-
-static void ink_is_black_on_light_and_white_on_dark(void **state)
-{
-    (void)state;
-    const struct zr_color_scale gray = {ZR_COLORMAP_COOLWARM, 0, 1, false}; /* has neither black nor white */
-    static const uint32_t light[] = {0xFFFFFFFF, 0xFF808080, 0xFF00FFFF}, dark[] = {0xFF000000, 0xFF606060, 0xFFFF0000};
-    struct zr_color_bar_layout l;
-    struct zr_canvas canvas;
-    assert_true(zr_color_bar_lay_out(&bars[1], &gray, 200, 200, &l));
-    for (int i = 0; i < 3; i++) {
-        paint(&l, 200, 200, light[i], &canvas);
-        assert_true(count_of(&canvas, 0xFF000000) > 500);
-        paint(&l, 200, 200, dark[i], &canvas);
-        assert_true(count_of(&canvas, 0xFFFFFFFF) > 500);
-    }
-}
-
-static void what_is_drawn_on_nothing_is_opaque(void **state)
-{
-    (void)state;
-    struct zr_color_bar_layout l;
-    struct zr_canvas canvas;
-    assert_true(zr_color_bar_lay_out(&bars[1], &unit_scale, 200, 200, &l));
-    paint(&l, 200, 200, 0, &canvas);
-    for (int32_t i = 0; i < 200 * 200; i++)
-        assert_true(pixels[i] == 0 || pixels[i] >> 24 == 255);
-    assert_true(count_of(&canvas, 0xFFFFFFFF) > 500); /* the rim */
-    for (int32_t x = 0; x < l.bar.width; x++)
-        assert_int_equal(pixel(&canvas, l.bar.x + x, l.bar.y), zr_rgba_opaque(zr_colormap_color(0, 1)));
 }
 
 /* ---- scenes ---- */
@@ -409,52 +297,16 @@ static void a_bar_is_drawn_over_a_base(void **state)
     zr_arena_free(&files);
 }
 
-/* Where nothing else is in a row, too: the encoder skips what it is told to be empty. */
-static void the_png_has_what_was_drawn(void **state)
-{
-    (void)state;
-    static const char *const views[] = {
-        "\"view\": {\"preset\": \"front\"}",
-        "\"view\": {\"eye\": [-4, 3, 5], \"target\": [3, -2, 0]}", /* the mesh in a corner */
-        "\"view\": {\"eye\": [0, 0, 5], \"target\": [0, 0, 9]}"};  /* behind the eye */
-    for (size_t i = 0; i < sizeof views / sizeof views[0]; i++)
-        for (int compress = 0; compress < 2; compress++)
-            for (int look = 0; look < 3; look++) {
-                char text[1024];
-                snprintf(text, sizeof text,
-                         "{\"window\": {\"width\": 640, \"height\": 480}, " MESH "%s, %s, \"colorBar\": true}",
-                         views[i], looks[look]);
-                struct reading *reading =
-                    read_request((struct zr_request){.format = ZR_FORMAT_JSON, .compress = compress ? "small" : "fast"},
-                                 text, strlen(text), zr_limits_default(), 1 << 28);
-                assert_read(reading);
-                const struct zr_frame *frame = scene_render(&reading->arena, NULL, reading->scene);
-                const struct zr_answer answer = scene_encode(&reading->arena, NULL, reading->scene);
-                uint32_t width, height;
-                uint8_t *got = png_memory_read(answer.bytes, answer.size, PNG_AS_RGBA, &width, &height);
-                assert_true(got && width == 640 && height == 480);
-                assert_memory_equal(got, frame->color, (size_t)640 * 480 * 4);
-                free(got);
-                reading_free(reading);
-            }
-}
-
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(all_of_a_bar_is_in_the_window_whatever_its_size),
-        cmocka_unit_test(large_windows_have_large_letters_and_small_ones_none),
-        cmocka_unit_test(rows_have_the_colors_of_the_map),
-        cmocka_unit_test(ticks_are_at_the_rows_of_their_numbers),
-        cmocka_unit_test(ink_is_black_on_light_and_white_on_dark),
-        cmocka_unit_test(what_is_drawn_on_nothing_is_opaque),
         cmocka_unit_test(a_scene_says_what_the_bar_is_like),
         cmocka_unit_test(what_no_bar_can_have_is_refused),
         cmocka_unit_test(what_is_odd_about_a_bar_is_warned_of),
         cmocka_unit_test(queries_switch_bars_on_and_off),
         cmocka_unit_test(only_the_color_channel_has_the_bar_and_only_where_it_is),
         cmocka_unit_test(a_bar_is_drawn_over_a_base),
-        cmocka_unit_test(the_png_has_what_was_drawn),
     };
     return cmocka_run_group_tests_name("color_bar", tests, NULL, NULL);
 }

@@ -224,15 +224,6 @@ static void quad(const zr_vec4 points[4], zr_vec4 *corners)
         corners[k] = points[order[k]];
 }
 
-static void depth_of_a_plane_that_faces_the_camera_is_analytic(void **state)
-{
-    (void)state;
-    zr_vec4 corners[6];
-    const struct look look = {.eye = {0, 0, 2.7f}, .half_height = 1.2f};
-    quad((const zr_vec4[4]){{-1, -1, -0.3f, 1}, {1, -1, -0.3f, 1}, {1, 1, -0.3f, 1}, {-1, 1, -0.3f, 1}}, corners);
-    assert_depths_of_triangles(corners, 2, &look);
-}
-
 static void depth_of_a_tilted_quad_is_analytic(void **state)
 {
     (void)state;
@@ -305,44 +296,6 @@ static void depth_of_a_whole_sphere_is_analytic_up_to_its_silhouette(void **stat
     assert_depths_of_triangles(make_ball(1), BALL_TRIANGLES, &look);
 }
 
-static void depth_of_a_sphere_cut_by_the_near_plane_is_analytic(void **state)
-{
-    (void)state;
-    const struct look look = {.eye = {0.3f, 0.2f, 3.1f}, .half_height = 1.2f, .znear = 2.7f, .clips = true};
-    assert_depths_of_triangles(make_ball(1), BALL_TRIANGLES, &look);
-}
-
-static void depth_of_a_sphere_cut_by_the_window_is_analytic(void **state)
-{
-    (void)state;
-    const struct look look = {.eye = {0.9f, 0.2f, 1.3f}, .target = {0.8f, 0.1f, 0}, .half_height = 0.6f, .clips = true};
-    assert_depths_of_triangles(make_ball(1), BALL_TRIANGLES, &look);
-}
-
-/* A ball that is an egg, turned; another one, mirrored; and a small one in front. Meshes without anything
- * between them must not confuse who comes from where. */
-static void depth_of_instances_is_analytic(void **state)
-{
-    (void)state;
-    static struct test_scene test;
-    static const uint32_t zero = 0;
-    const struct look look = {.eye = {0.3f, 0.2f, 3.1f}, .half_height = 1, .znear = 1.75f, .clips = true};
-    static const struct zr_instance balls[3] = {
-        {0, {{0.36f, 0.48f, -0.8f, 0, -0.4f, 0.3f, 0, 0, 0.72f, 0.96f, 0.9f, 0, -0.6f, 0.1f, -0.2f, 1}}, NULL},
-        {0, {{-0.31f, 0.2f, 0.1f, 0, 0.2f, 0.33f, 0.1f, 0, 0, -0.1f, 0.7f, 0, 0.9f, -0.4f, 0.3f, 1}}, NULL},
-        {0, {{0, 0, 0.1f, 0, 0.1f, 0, 0, 0, 0, 0.1f, 0, 0, 0.3f, 0.6f, 1.3f, 1}}, NULL}};
-    const struct body body = {make_ball(2.5f), BALL_TRIANGLES, false, balls};
-    scene_of_triangles(&test, 1, 1, body.corners, body.triangles);
-    const struct zr_mesh meshes[2] = {test.mesh, {.name = "", .face_offsets = &zero}};
-    const struct zr_instance nothing = {1, zr_mat4_identity(), NULL};
-    const struct zr_instance instances[7] = {nothing, balls[0], nothing, nothing, balls[1], balls[2], nothing};
-    test.scene.meshes = meshes;
-    test.scene.mesh_count = 2;
-    test.scene.instances = instances;
-    test.scene.instance_count = 7;
-    assert_depths(&test, &body, &look);
-}
-
 /* ---- a face that is not convex ---- */
 
 /* An L with a window in it, in the plane z = x / 2 - y / 4, in which its corners are exactly. */
@@ -385,14 +338,10 @@ static void depth_of_a_tilted_face_with_a_dent_and_a_hole_is_analytic(void **sta
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(depth_of_a_plane_that_faces_the_camera_is_analytic),
         cmocka_unit_test(depth_of_a_tilted_quad_is_analytic),
         cmocka_unit_test(depth_of_grazing_planes_is_analytic),
         cmocka_unit_test(depth_of_a_floor_that_goes_on_behind_the_camera_is_analytic),
         cmocka_unit_test(depth_of_a_whole_sphere_is_analytic_up_to_its_silhouette),
-        cmocka_unit_test(depth_of_a_sphere_cut_by_the_near_plane_is_analytic),
-        cmocka_unit_test(depth_of_a_sphere_cut_by_the_window_is_analytic),
-        cmocka_unit_test(depth_of_instances_is_analytic),
         cmocka_unit_test(depth_of_a_tilted_face_with_a_dent_and_a_hole_is_analytic),
     };
     return cmocka_run_group_tests_name("depth", tests, NULL, NULL);

@@ -19,84 +19,7 @@ static float between(double low, double high)
     return (float)random_range(&numbers, low, high);
 }
 
-/* Some boxes that float, and single texels, some of which are beneath the plane. */
-static void make_heights(float heights[TEXELS], float diagonal)
-{
-    for (int i = 0; i < TEXELS; i++)
-        heights[i] = INFINITY;
-    for (int box = 0; box < 5; box++) {
-        const uint32_t x = random_below(&numbers, SIDE), y = random_below(&numbers, SIDE);
-        const uint32_t width = random_below(&numbers, 60), depth = random_below(&numbers, 60);
-        const float height = between(0.0, 0.4) * diagonal;
-        for (uint32_t j = y; j < y + depth && j < SIDE; j++)
-            for (uint32_t i = x; i < x + width && i < SIDE; i++)
-                heights[j * SIDE + i] = height;
-    }
-    for (int i = 0; i < 50; i++)
-        heights[random_below(&numbers, TEXELS)] = between(-0.01, 0.3) * diagonal;
-}
-
 /* ---- the map ---- */
-
-/* How much of the texel `offset` texels away is in a box of that half width. */
-static double overlap(double half_width, int offset)
-{
-    const double low = fmax(-half_width, (double)offset - 0.5), high = fmin(half_width, (double)offset + 0.5);
-    return fmax(0.0, high - low);
-}
-
-static void blur_line(double *line, ptrdiff_t step, double half_width)
-{
-    double out[SIDE];
-    half_width = fmax(half_width, 0.5);
-    for (int i = 0; i < SIDE; i++) {
-        out[i] = 0.0;
-        for (int j = 0; j < SIDE; j++)
-            out[i] += line[j * step] * overlap(half_width, j - i) / (2.0 * half_width);
-    }
-    for (int i = 0; i < SIDE; i++)
-        line[i * step] = out[i];
-}
-
-static void reference_light(const float heights[TEXELS], double half_size, double diagonal, double light[TEXELS])
-{
-    static const double parts[2][3] = {{0.06, 0.02, 0.55}, {0.35, 0.07, 0.45}};
-    static double near_plane[TEXELS];
-    for (int i = 0; i < TEXELS; i++)
-        light[i] = 1.0;
-    for (int part = 0; part < 2; part++) {
-        for (int i = 0; i < TEXELS; i++)
-            near_plane[i] = fmin(1.0, fmax(0.0, 1.0 - (double)heights[i] / (parts[part][0] * diagonal)));
-        const double half_width = parts[part][1] * diagonal / (2.0 * half_size / SIDE);
-        for (int pass = 0; pass < 3; pass++) {
-            for (int i = 0; i < SIDE; i++)
-                blur_line(near_plane + i * SIDE, 1, half_width);
-            for (int i = 0; i < SIDE; i++)
-                blur_line(near_plane + i, SIDE, half_width);
-        }
-        for (int i = 0; i < TEXELS; i++)
-            light[i] *= 1.0 - parts[part][2] * near_plane[i];
-    }
-}
-
-static void light_is_the_product_of_two_blurred_shadows(void **state)
-{
-    (void)state;
-    static float heights[TEXELS];
-    static double want[TEXELS];
-    static const float half_sizes[] = {0.3f, 0.65f, 1.1f, 40.0f}; /* of diagonals of 1 */
-    for (int round = 0; round < 4; round++) {
-        const float diagonal = between(0.1, 20.0), half_size = half_sizes[round] * diagonal;
-        make_heights(heights, diagonal);
-        zr_arena_reset(&arena, 0);
-        const struct zr_ground ground = zr_ground_make(&arena, NULL, heights, half_size, diagonal);
-        assert_non_null(ground.light);
-        reference_light(heights, (double)half_size, (double)diagonal, want);
-        for (int i = 0; i < TEXELS; i++)
-            if (!(fabs((double)ground.light[i] - want[i]) < 1e-6))
-                fail_msg("round %d, texel %d: %g, not %g", round, i, (double)ground.light[i], want[i]);
-    }
-}
 
 static void light_is_full_where_nothing_is_near(void **state)
 {
@@ -125,20 +48,6 @@ static void maps_of_no_size_give_numbers(void **state)
             assert_true(ground.light[i] >= 0.0f && ground.light[i] <= 1.0f);
         const float light = zr_ground_at(&ground, 0.0f, 0.0f);
         assert_true(light >= 0.0f && light <= 1.0f);
-    }
-}
-
-static void every_team_makes_the_same_map(void **state)
-{
-    (void)state;
-    static float heights[TEXELS];
-    make_heights(heights, 1.0f);
-    const struct zr_ground want = zr_ground_make(&arena, NULL, heights, 0.8f, 1.0f);
-    for (int threads = 1; threads <= 5; threads++) {
-        struct zr_team *team = zr_team_create(threads);
-        const struct zr_ground got = zr_ground_make(&arena, team, heights, 0.8f, 1.0f);
-        assert_memory_equal(got.light, want.light, TEXELS * sizeof *want.light);
-        zr_team_destroy(team);
     }
 }
 
@@ -291,33 +200,6 @@ static void rows_have_the_light_where_rays_meet_the_plane(void **state)
     assert_true(seen > 30000 && dark > 3000);
 }
 
-/* Of any width, in pages of their own; with odd rays, too: along the plane, on it, of no direction, far away. */
-static void rows_are_the_same_for_all(void **state)
-{
-    const enum zr_isa isa = isa_under_test(state);
-    enum { MOST = 70 };
-    const struct zr_ground ground = rough_ground(2.0f);
-    float blank[MOST] = {0};
-    for (int round = 0; round < 3000; round++) {
-        const int width = round % (MOST + 1), y = (int)random_below(&numbers, 50);
-        const struct zr_ground_frame frame =
-            round % 3 ? any_frame() : (struct zr_ground_frame){{0, -1, 0}, {1, 0, 0}, {0, 0, -1}, {0, 1, 0}};
-        struct zr_rays rays = any_rays(&frame, round % 2);
-        if (round % 5 == 0) rays.direction.y = 0.0f, rays.direction_x.y = 0.0f, rays.direction_y.y = 0.0f;
-        if (round % 7 == 0) rays.origin = frame.origin;
-        if (round % 11 == 0) rays.direction = rays.direction_x = rays.direction_y = (zr_vec3){0, 0, 0};
-        if (round % 13 == 0) rays.origin = (zr_vec3){3e38f, 3e38f, -3e38f};
-        float want[MOST];
-        zr_ground_row_of(ZR_ISA_SCALAR)(&ground, &frame, &rays, y, width, want);
-        struct guarded got = guarded_copy(blank, (size_t)width * sizeof *blank);
-        zr_ground_row_of(isa)(&ground, &frame, &rays, y, width, (float *)(uintptr_t)got.bytes);
-        assert_int_equal(memcmp(got.bytes, want, got.size), 0);
-        for (int x = 0; x < width; x++)
-            assert_true(want[x] >= 0.0f && want[x] <= 1.0f);
-        guarded_free(&got);
-    }
-}
-
 /* What is asked for one place is what a ray straight down has. */
 static void a_ray_straight_down_has_the_light_of_its_place(void **state)
 {
@@ -336,14 +218,11 @@ static void a_ray_straight_down_has_the_light_of_its_place(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test_setup_teardown(light_is_the_product_of_two_blurred_shadows, open_arena, close_arena),
         cmocka_unit_test_setup_teardown(light_is_full_where_nothing_is_near, open_arena, close_arena),
         cmocka_unit_test_setup_teardown(maps_of_no_size_give_numbers, open_arena, close_arena),
-        cmocka_unit_test_setup_teardown(every_team_makes_the_same_map, open_arena, close_arena),
         cmocka_unit_test(a_failed_arena_gives_no_map),
         cmocka_unit_test(places_are_between_texels),
         TEST_EACH_ISA(rows_have_the_light_where_rays_meet_the_plane),
-        TEST_EACH_ISA(rows_are_the_same_for_all),
         TEST_EACH_ISA(a_ray_straight_down_has_the_light_of_its_place),
     };
     return cmocka_run_group_tests_name("ground", tests, NULL, NULL);

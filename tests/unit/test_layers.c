@@ -107,64 +107,6 @@ static void make_sheets(const float depths[SHEETS], const zr_vec4 of[SHEETS], co
 static const zr_vec4 red = {1, 0, 0, 0.5f}, green = {0, 1, 0, 0.25f}, blue = {0, 0, 1, 1};
 static const enum zr_alpha_mode blend_all[SHEETS] = {ZR_ALPHA_BLEND, ZR_ALPHA_BLEND, ZR_ALPHA_BLEND};
 
-static void assert_pixel(const struct zr_frame *frame, double r, double g, double b)
-{
-    const uint8_t *c = frame->color + 4 * (SIDE * SIDE / 2 + SIDE / 2);
-    const double want[3] = {r, g, b};
-    for (int k = 0; k < 3; k++)
-        assert_int_equal(c[k], (int)nearbyint(want[k] * 255.0));
-}
-
-static void layers_are_blended_by_depth_in_whatever_order_they_come(void **state)
-{
-    (void)state;
-    /* White, then red, then green over it; blue lies behind and is opaque in the last of them. */
-    make_sheets((const float[]){0.5f, 0.0f, 0.9f}, (const zr_vec4[]){red, green, {0, 0, 1, 0}}, blend_all);
-    assert_pixel(scene_render(&arena, NULL, &test.scene), 0.75, 0.625, 0.375);
-    make_sheets((const float[]){0.0f, 0.5f, 0.9f}, (const zr_vec4[]){green, red, {0, 0, 1, 0}}, blend_all);
-    assert_pixel(scene_render(&arena, NULL, &test.scene), 0.75, 0.625, 0.375);
-}
-
-/* The earlier one is in front. */
-static void at_equal_depth_the_earlier_layer_is_in_front(void **state)
-{
-    (void)state;
-    make_sheets((const float[]){0.2f, 0.2f, 0.9f}, (const zr_vec4[]){green, red, {0, 0, 1, 0}}, blend_all);
-    assert_pixel(scene_render(&arena, NULL, &test.scene), 0.75, 0.625, 0.375);
-}
-
-static void what_is_opaque_hides_layers_at_its_depth_and_behind(void **state)
-{
-    (void)state;
-    static const enum zr_alpha_mode modes[] = {ZR_ALPHA_BLEND, ZR_ALPHA_OPAQUE, ZR_ALPHA_BLEND};
-    make_sheets((const float[]){0.2f, 0.2f, 0.5f}, (const zr_vec4[]){red, blue, green}, modes);
-    const struct zr_frame *frame = scene_render(&arena, NULL, &test.scene);
-    assert_pixel(frame, 0, 0, 1);
-    assert_int_equal(frame->face_id[SIDE * SIDE / 2], 2);
-}
-
-/* The data channels show what passed, and not what is blended. */
-static void masks_decide_what_is_there_in_all_channels(void **state)
-{
-    (void)state;
-    static const enum zr_alpha_mode modes[] = {ZR_ALPHA_MASK, ZR_ALPHA_MASK, ZR_ALPHA_BLEND};
-    make_sheets((const float[]){0.1f, 0.4f, 0.0f}, (const zr_vec4[]){{1, 0, 0, 0.49f}, {0, 0, 1, 0.5f}, green}, modes);
-    const struct zr_frame *frame = scene_render(&arena, NULL, &test.scene);
-    assert_int_equal(frame->face_id[SIDE * SIDE / 2], 2);
-    assert_true(frame->window_depth[SIDE * SIDE / 2] == 0.7f);
-    assert_pixel(frame, 0, 0.25, 0.75);
-}
-
-static void alpha_of_a_clear_background_is_straight(void **state)
-{
-    (void)state;
-    make_sheets((const float[]){0.5f, 0.6f, 0.9f}, (const zr_vec4[]){red, {0, 1, 0, 0}, {0, 0, 1, 0}}, blend_all);
-    test.scene.background = (zr_vec4){0, 0, 0, 0};
-    const struct zr_frame *frame = scene_render(&arena, NULL, &test.scene);
-    static const uint8_t want[4] = {255, 0, 0, 128};
-    assert_memory_equal(frame->color + 4 * (SIDE * SIDE / 2), want, 4);
-}
-
 /* Of many layers, one tile of which is more than the request may have. */
 static void layers_end_where_memory_does(void **state)
 {
@@ -291,17 +233,6 @@ static void thickness_sums_to_the_volume_of_closed_meshes(void **state)
         assert_true(want > 0.1 && fabs(got / want - 1.0) < 0.005);
         zr_arena_reset(&arena, SIZE_MAX);
     }
-}
-
-static void thickness_is_the_same_by_every_algorithm_that_keeps_fragments(void **state)
-{
-    (void)state;
-    static const struct body body = {{1.2, 0.7, 1}, 0.3, 20, 30, true};
-    uint32_t triangles;
-    const float *want = thickness_of(&body, ZR_ALGORITHM_HALFSPACE, &triangles);
-    for (int a = ZR_ALGORITHM_EDGELIST; a < ZR_ALGORITHM_PAINTER; a++)
-        assert_memory_equal(thickness_of(&body, (enum zr_algorithm)a, &triangles), want,
-                            (size_t)BODY_SIDE * BODY_SIDE * sizeof *want);
 }
 
 /* One triangle is no body. */
@@ -468,17 +399,9 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test_setup_teardown(lists_are_complete_and_sorted_by_depth_and_then_by_owner, open_arena,
                                         close_arena),
-        cmocka_unit_test_setup_teardown(layers_are_blended_by_depth_in_whatever_order_they_come, open_arena,
-                                        close_arena),
-        cmocka_unit_test_setup_teardown(at_equal_depth_the_earlier_layer_is_in_front, open_arena, close_arena),
-        cmocka_unit_test_setup_teardown(what_is_opaque_hides_layers_at_its_depth_and_behind, open_arena, close_arena),
-        cmocka_unit_test_setup_teardown(masks_decide_what_is_there_in_all_channels, open_arena, close_arena),
-        cmocka_unit_test_setup_teardown(alpha_of_a_clear_background_is_straight, open_arena, close_arena),
         cmocka_unit_test_setup_teardown(layers_are_foretold, open_arena, close_arena),
         cmocka_unit_test_setup_teardown(layers_end_where_memory_does, open_arena, close_arena),
         cmocka_unit_test_setup_teardown(thickness_sums_to_the_volume_of_closed_meshes, open_arena, close_arena),
-        cmocka_unit_test_setup_teardown(thickness_is_the_same_by_every_algorithm_that_keeps_fragments, open_arena,
-                                        close_arena),
         cmocka_unit_test_setup_teardown(points_and_lines_have_no_inside, open_arena, close_arena),
         cmocka_unit_test_setup_teardown(see_through_points_are_foretold, open_arena, close_arena),
         cmocka_unit_test_setup_teardown(fragments_of_a_pixel_tell_what_is_shown, open_arena, close_arena),

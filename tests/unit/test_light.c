@@ -1,15 +1,13 @@
-/* Lighting and normals of many at once are those of one. */
+/* Normals of many faces at once are those of one. */
 #include <math.h>
 #include <string.h>
 
 #include "guarded.h"
-#include "light_one.h"
 #include "mesh/face_normals.h"
-#include "shade/lights/light.h"
 #include "support/isas.h"
 #include "support/random.h"
 
-enum { MOST = 150, LIGHTS = 3 };
+enum { MOST = 150 };
 
 static struct random numbers = {{RANDOM_STATE_1}};
 
@@ -38,82 +36,6 @@ static zr_vec4 any_color(void)
         component[i] = (float)random_below(&numbers, 256) / 255.0f;
     return color;
 }
-
-struct lit_points {
-    struct zr_lights lighting;
-    struct zr_normal_matrix to_eye;
-    struct zr_lamp lamps[LIGHTS];
-    zr_vec4 normals[MOST], bases[MOST];
-};
-
-static void make_points(struct lit_points *p, uint32_t lights)
-{
-    zr_mat4 matrix;
-    for (int i = 0; i < 16; i++)
-        matrix.m[i] = (float)random_below(&numbers, 2001) / 1000.0f - 1.0f;
-    p->to_eye = zr_normal_matrix_make(&matrix);
-    p->lighting = (struct zr_lights){.ambient = {0.1f, 0.0f, 0.3f}, .count = lights, .lamps = p->lamps};
-    for (uint32_t i = 0; i < LIGHTS; i++) {
-        const zr_vec4 color = any_color();
-        p->lamps[i] =
-            (struct zr_lamp){.to_light = zr_vec3_normalize((zr_vec3){color.y - 0.5f, color.z - 0.4f, color.w - 0.3f}),
-                             .color = {color.x, color.y, color.z}};
-    }
-    for (int i = 0; i < MOST; i++) {
-        const zr_vec3 n = any_vector();
-        p->normals[i] = (zr_vec4){n.x, n.y, n.z, NAN};
-        p->bases[i] = any_color();
-    }
-}
-
-static void assert_same(const zr_vec4 *got, const zr_vec4 *want, const struct lit_points *p, int i, const char *side)
-{
-    if (memcmp(got, want, sizeof *got) == 0) return;
-    const zr_vec4 *n = &p->normals[i];
-    fail_msg("%s of point %d, normal %a %a %a: %a %a %a %a, not %a %a %a %a", side, i, (double)n->x, (double)n->y,
-             (double)n->z, (double)got->x, (double)got->y, (double)got->z, (double)got->w, (double)want->x,
-             (double)want->y, (double)want->z, (double)want->w);
-}
-
-/* All in their own pages, so that nothing beyond is read or written; backs apart, and none. */
-static void check_lighting(enum zr_isa isa, const struct lit_points *p, int count)
-{
-    const size_t size = (size_t)count * sizeof(zr_vec4);
-    struct guarded normals = guarded_copy(p->normals, size), bases = guarded_copy(p->bases, size),
-                   front = guarded_copy(p->bases, size), back = guarded_copy(p->bases, size),
-                   only = guarded_copy(p->bases, size);
-    const zr_vec4 *n = (const zr_vec4 *)(const void *)normals.bytes, *b = (const zr_vec4 *)(const void *)bases.bytes;
-    zr_vec4 *fronts = (zr_vec4 *)(void *)front.bytes, *backs = (zr_vec4 *)(void *)back.bytes,
-            *onlys = (zr_vec4 *)(void *)only.bytes;
-    zr_light_of(isa)(&p->lighting, &p->to_eye, n, b, (size_t)count, fronts, backs);
-    zr_light_of(isa)(&p->lighting, &p->to_eye, n, b, (size_t)count, onlys, onlys);
-    for (int i = 0; i < count; i++) {
-        zr_vec4 want_front, want_back;
-        const zr_vec3 normal = {p->normals[i].x, p->normals[i].y, p->normals[i].z};
-        light_one(&p->lighting, &p->to_eye, normal, p->bases[i], &want_front, &want_back);
-        assert_same(&fronts[i], &want_front, p, i, "front");
-        assert_same(&backs[i], &want_back, p, i, "back");
-        assert_same(&onlys[i], &want_front, p, i, "front alone");
-    }
-    guarded_free(&normals);
-    guarded_free(&bases);
-    guarded_free(&front);
-    guarded_free(&back);
-    guarded_free(&only);
-}
-
-static void points_are_lit_as_one_is(void **state)
-{
-    const enum zr_isa isa = isa_under_test(state);
-    static struct lit_points points;
-    for (int round = 0; round < 20; round++)
-        for (int count = 0; count <= MOST; count++) {
-            make_points(&points, (uint32_t)(round % (LIGHTS + 1)));
-            check_lighting(isa, &points, count);
-        }
-}
-
-/* ---- normals ---- */
 
 enum { POSITIONS = 50 };
 
@@ -193,7 +115,6 @@ static void normals_that_are_kept_are_those_of_the_face(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        TEST_EACH_ISA(points_are_lit_as_one_is),
         TEST_EACH_ISA(triangles_have_the_normals_of_faces),
         TEST_EACH_ISA(normals_that_are_kept_are_those_of_the_face),
     };

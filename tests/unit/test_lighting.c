@@ -1,8 +1,4 @@
-/* The kernel that lights samples: every instruction set gives the same bytes, whatever stands beside a sample, and no
- * input gives what is no colour. LIGHTING_SPEED=1 prints times. */
-#include <stdlib.h>
-#include <time.h>
-
+/* The kernel that lights samples: it writes its samples only, and any input gives a colour. */
 #include "lit_samples.h"
 #include "scene/looks.h"
 #include "support/isas.h"
@@ -79,29 +75,12 @@ static void make_samples(struct lit_samples *s, struct random *r)
     }
 }
 
-/* ---- the same bytes ---- */
+/* ---- what is written ---- */
 
 static void assert_same_outs(const struct lit_samples *a, const struct lit_samples *b, size_t first, size_t count)
 {
     for (int k = 0; k < 3; k++)
         assert_memory_equal(a->out[k] + first, b->out[k] + first, count * sizeof a->out[k][0]);
-}
-
-static void every_instruction_set_gives_the_same_bytes(void **state)
-{
-    const enum zr_isa isa = isa_under_test(state);
-    for (uint64_t seed = 1; seed <= 8; seed++) {
-        struct random r = random_seeded(seed);
-        make_materials(&r);
-        make_samples(&samples, &r);
-        struct zr_linear_lighting lighting = make_lighting(&r);
-        lighting.is_parallel = seed % 2;
-        lighting.to_eye = any_unit(&r);
-        others = samples; /* its planes are those of samples, its colours its own */
-        samples_light(&samples, ZR_ISA_SCALAR, &lighting);
-        samples_light(&others, isa, &lighting);
-        assert_same_outs(&samples, &others, 0, SAMPLES);
-    }
 }
 
 /* A part of all samples, as rows of their own. */
@@ -150,21 +129,6 @@ static void odd_sizes_are_part_of_all(void **state)
                 if (!may) assert_true(others.out[k][i] == -7.0f);
         }
     }
-}
-
-static void no_occlusion_is_all_open(void **state)
-{
-    const enum zr_isa isa = isa_under_test(state);
-    struct random r = random_seeded(32);
-    make_materials(&r);
-    make_samples(&samples, &r);
-    const struct zr_linear_lighting lighting = make_lighting(&r);
-    float *const out[3] = {others.out[0], others.out[1], others.out[2]};
-    for (size_t i = 0; i < ROOM; i++)
-        samples.open[i] = 1.0f;
-    samples_light(&samples, isa, &lighting);
-    zr_look_light_of(isa)(&lighting, &samples.g, NULL, out);
-    assert_same_outs(&samples, &others, 0, SAMPLES);
 }
 
 /* ---- who is not lit ---- */
@@ -331,71 +295,14 @@ static void light_from_straight_behind_changes_nothing(void **state)
     assert_same_outs(&samples, &others, 0, 1);
 }
 
-/* ---- speed ---- */
-
-static double seconds(void)
-{
-    struct timespec now;
-    clock_gettime(CLOCK_MONOTONIC, &now);
-    return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
-}
-
-/* As the tiles of a picture are: rows of 64. */
-static double best_time(enum zr_isa isa, const struct zr_linear_lighting *lighting)
-{
-    enum { ROW = 64, STRIDE = 80, ROWS = ROOM / STRIDE };
-    const struct zr_gbuffer tile = part_of(&samples.g, 0, ROW, ROWS, STRIDE);
-    float *const out[3] = {samples.out[0], samples.out[1], samples.out[2]};
-    double best = 1.0;
-    for (int round = 0; round < 400; round++) {
-        const double begin = seconds();
-        zr_look_light_of(isa)(lighting, &tile, samples.open, out);
-        best = fmin(best, seconds() - begin);
-    }
-    return 1e9 * best / (ROW * ROWS);
-}
-
-/* One material and base colour, as in most pictures of one part. */
-static void make_part(const struct zr_material *material, struct random *r)
-{
-    materials[0] = *material;
-    samples_clear(&samples);
-    for (size_t i = 0; i < SAMPLES; i++) {
-        samples_set_any(&samples, r, i, 0);
-        put3(samples.g.base, i, (zr_vec3){material->base_color.x, material->base_color.y, material->base_color.z});
-    }
-}
-
-static void speed(void **state)
-{
-    const enum zr_isa isa = isa_under_test(state);
-    static const char *const names[] = {"studio", "technical", "metal", "outdoor"};
-    for (int i = 0; i < 4; i++) {
-        const struct zr_look *look = zr_look_find(names[i]);
-        const struct zr_lamp sun = {.to_light = {0, 0.6f, 0.8f}, .color = {1, 1, 1}, .lights_pbr = true};
-        struct random r = random_seeded(1);
-        make_part(&look->material, &r);
-        struct zr_linear_lighting lighting = no_light(materials);
-        lighting.has_environment = zr_environment_make(look->picture.environment.name, &lighting.environment);
-        lighting.tone = look->picture.tone;
-        lighting.lights.lamps = &sun;
-        lighting.lights.count = i == 3;
-        print_message("%s, %s: %.2f ns a sample\n", zr_isa_name(isa), names[i], best_time(isa, &lighting));
-    }
-}
-
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        TEST_EACH_ISA(every_instruction_set_gives_the_same_bytes),
         TEST_EACH_ISA(odd_sizes_are_part_of_all),
-        TEST_EACH_ISA(no_occlusion_is_all_open),
         TEST_EACH_ISA(what_is_not_lit_is_as_given),
         TEST_EACH_ISA(all_input_gives_colors),
         TEST_EACH_ISA(strong_light_is_white),
         TEST_EACH_ISA(light_from_straight_behind_changes_nothing),
     };
-    const struct CMUnitTest timed[] = {TEST_EACH_ISA(speed)};
-    if (getenv("LIGHTING_SPEED")) return cmocka_run_group_tests_name("lighting, times", timed, NULL, NULL);
     return cmocka_run_group_tests_name("lighting", tests, NULL, NULL);
 }

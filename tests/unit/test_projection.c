@@ -19,20 +19,6 @@
 
 /* ---- poses ---- */
 
-static void look_at_shows_points_where_they_are(void **state)
-{
-    (void)state;
-    static const struct sight sights[] = {
-        /* 1 to the right, 2 up, 10 away. */
-        {EYE10 "," P90, {1, 2, 0}, {210, 80}},
-        /* Seen from +x, -z is to the right. */
-        {"\"eye\": [10,0,0]," P90, {0, 1, 2}, {180, 90}},
-        /* Looks along -z with +x up, so that -y is to the right: from the eye the point is (1, -1, -10). */
-        {"\"eye\": [1,2,3], \"target\": [1,2,-5], \"up\": [1,0,0]," P90, {2, 1, -7}, {210, 90}},
-    };
-    ASSERT_SEEN(sights);
-}
-
 /* Of (1, 0.5, 0.25), at 50 pixels a unit: 50, 25 and 12.5 pixels from the middle. */
 static const zr_vec3 POINT = {1.0f, 0.5f, 0.25f};
 static const struct pixel FRONT = {250, 75}, BACK = {150, 75} /* -x right */, LEFT = {212.5, 75} /* z right */,
@@ -40,22 +26,6 @@ static const struct pixel FRONT = {250, 75}, BACK = {150, 75} /* -x right */, LE
                           BOTTOM = {250, 87.5} /* z up */;
 /* Right is (1, 0, -1) / sqrt 2, of which the point has 0.75 / sqrt 2; up is (-1, 2, -1) / sqrt 6, -0.25 / sqrt 6. */
 static const struct pixel ISOMETRIC = {200 + 50 * 0.53033009, 100 + 50 * 0.10206207};
-
-static void presets_show_the_side_that_they_name(void **state)
-{
-    (void)state;
-    const struct sight sights[] = {
-        {"\"preset\": \"front\"," O50, POINT, FRONT},
-        {"\"preset\": \"back\"," O50, POINT, BACK},
-        {"\"preset\": \"left\"," O50, POINT, LEFT},
-        {"\"preset\": \"right\"," O50, POINT, RIGHT},
-        {"\"preset\": \"top\"," O50, POINT, TOP},
-        {"\"preset\": \"bottom\"," O50, POINT, BOTTOM},
-        {"\"preset\": \"isometric\"," O50, POINT, ISOMETRIC},
-        {O50, POINT, ISOMETRIC},
-    };
-    ASSERT_SEEN(sights);
-}
 
 static void direction_is_the_way_the_camera_looks(void **state)
 {
@@ -293,9 +263,7 @@ static void scene_of_the_full_size_is_seen_whole(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(look_at_shows_points_where_they_are),
         cmocka_unit_test(scene_of_the_full_size_is_seen_whole),
-        cmocka_unit_test(presets_show_the_side_that_they_name),
         cmocka_unit_test(direction_is_the_way_the_camera_looks),
         cmocka_unit_test(azimuth_goes_round_and_elevation_over_the_target),
         cmocka_unit_test(azimuth_goes_round_any_up),

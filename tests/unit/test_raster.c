@@ -74,105 +74,6 @@ static void assert_tiles_equal(const struct zr_tile *a, const struct zr_tile *b)
         }
 }
 
-static void left_and_bottom_edges_belong_to_a_triangle_right_and_top_do_not(void **state)
-{
-    (void)state;
-    /* A square with corners on pixel centres, as two triangles that share a diagonal. */
-    const struct zr_window_vertex lower[3] = {at(2.5f, 2.5f, 0.5f), at(6.5f, 6.5f, 0.5f), at(6.5f, 2.5f, 0.5f)};
-    const struct zr_window_vertex upper[3] = {at(2.5f, 2.5f, 0.5f), at(2.5f, 6.5f, 0.5f), at(6.5f, 6.5f, 0.5f)};
-    struct zr_tile *tile = cleared_tile();
-    draw(tile, lower);
-    int alone = owned(tile);
-    draw(tile, upper);
-    assert_int_equal(owned(tile), 16);
-    assert_int_equal(owner_at(tile, 2, 2), 1);
-    assert_int_equal(owner_at(tile, 6, 2), 0);
-    assert_int_equal(owner_at(tile, 2, 6), 0);
-    tile = cleared_tile();
-    draw(tile, upper);
-    assert_int_equal(alone + owned(tile), 16);
-}
-
-static void box_holds_the_pixel_centres_only(void **state)
-{
-    (void)state;
-    const struct zr_window_vertex v[3] = {at(2.6f, 2.6f, 0), at(3.4f, 3.4f, 0), at(3.4f, 2.6f, 0)};
-    struct zr_triangle triangle = {.v = {0, 1, 2}};
-    int32_t box[4];
-    zr_setup_box(v, &triangle, box);
-    assert_true(box[0] > box[2] && box[1] > box[3]); /* between the centres 2.5 and 3.5 */
-}
-
-static void nearer_depth_wins_and_the_earlier_triangle_keeps_a_tie(void **state)
-{
-    (void)state;
-    const zr_vec4 p[] = {{-1, -1, 0.5f, 1}, {3, -1, 0.5f, 1}, {-1, 3, 0.5f, 1}, {-1, -1, 0, 1}, {3, -1, 0, 1},
-                         {-1, 3, 0, 1},     {-1, -1, 0, 1},   {3, -1, 0, 1},    {-1, 3, 0, 1}};
-    static struct test_scene test;
-    scene_of_triangles(&test, 8, 8, p, 3);
-    struct zr_arena arena;
-    zr_arena_init(&arena, 1 << 24);
-    const struct zr_frame *frame = scene_render(&arena, NULL, &test.scene);
-    for (int i = 0; i < 64; i++) {
-        assert_int_equal(frame->face_id[i], 2);
-        assert_true(frame->window_depth[i] == 0.5f);
-    }
-    zr_arena_free(&arena);
-}
-
-static void what_lies_on_the_far_plane_is_behind_the_cleared_depth(void **state)
-{
-    (void)state;
-    const struct zr_window_vertex v[3] = {at(0, 0, 1), at(0, 60, 1), at(60, 0, 1)};
-    struct zr_tile *tile = cleared_tile();
-    draw(tile, v);
-    assert_int_equal(owned(tile), 0);
-}
-
-/* Of every instruction set that there is. The kernel's two ways agree with the definition, E > 0 at every pixel for
- * itself: for triangles of a few pixels, around the size where the ways part, and up to the largest
- * window, in tiles at its near and at its far end. */
-static void agree_with_the_edge_functions(const struct zr_halfspace *halfspace)
-{
-    struct random random = random_seeded(5);
-    const double sizes[] = {4, 60, 61, 62, 63, 64, 65, 300, 8192};
-    for (int round = 0; round < 9000; round++) {
-        double size = sizes[round % 9], far = round % 2 ? 8192 - ZR_TILE_SIZE : 0;
-        double low = size < 8192 ? far + 32 - size / 2 : 0;
-        struct zr_window_vertex v[3];
-        for (int i = 0; i < 3; i++) /* every other one reaches to the very end of its box */
-            v[i] = at((float)(low + (round % 4 < 2 ? random_range(&random, 0, size)
-                                     : i == 0      ? 0
-                                                   : size)),
-                      (float)(low + (round % 4 < 2 ? random_range(&random, 0, size)
-                                     : i == 1      ? 0
-                                                   : size)),
-                      0.25f);
-        int64_t area = zr_window_area(&v[0], &v[1], &v[2]);
-        if (area <= 0) continue;
-        struct zr_triangle triangle = {.v = {0, 1, 2}};
-        struct zr_setup setup = zr_setup_make(v, &triangle);
-        struct zr_tile *tile = cleared_tile();
-        tile->x = tile->y = (int32_t)far;
-        halfspace->draw(tile, &setup, 1);
-        for (int y = 0; y < ZR_TILE_SIZE; y++)
-            for (int x = 0; x < ZR_TILE_SIZE; x++) {
-                uint32_t inside = 1;
-                for (int k = 0; k < 3; k++)
-                    inside &=
-                        setup.edges[k].c + setup.edges[k].a * (x + tile->x) + setup.edges[k].b * (y + tile->y) > 0;
-                assert_int_equal(owner_at(tile, x, y), inside);
-            }
-    }
-}
-
-static void kernel_agrees_with_the_edge_functions_pixel_by_pixel(void **state)
-{
-    (void)state;
-    for (int isa = 0; isa < ZR_ISA_COUNT; isa++)
-        if (zr_isa_is_available((enum zr_isa)isa)) agree_with_the_edge_functions(zr_halfspace_of((enum zr_isa)isa));
-}
-
 /* Corners on a coarse grid, so that many samples lie exactly on edges and corners. */
 static void odd_even_rule_covers_the_triangle_that_the_kernel_covers(void **state)
 {
@@ -469,11 +370,6 @@ static void tiny_triangles_of_four_samples_are_all_drawn(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(left_and_bottom_edges_belong_to_a_triangle_right_and_top_do_not),
-        cmocka_unit_test(box_holds_the_pixel_centres_only),
-        cmocka_unit_test(nearer_depth_wins_and_the_earlier_triangle_keeps_a_tie),
-        cmocka_unit_test(what_lies_on_the_far_plane_is_behind_the_cleared_depth),
-        cmocka_unit_test(kernel_agrees_with_the_edge_functions_pixel_by_pixel),
         cmocka_unit_test(odd_even_rule_covers_the_triangle_that_the_kernel_covers),
         cmocka_unit_test(lines_have_the_pixels_of_their_parallelogram_in_the_tiles_that_list_them),
         cmocka_unit_test(tile_begins_with_its_base_and_nothing_else),

@@ -173,36 +173,6 @@ static void random_ranges_have_ticks_that_rise_within_them(void **state)
     }
 }
 
-static double share_of(struct zr_decimal tick, float low, float high)
-{
-    const struct zr_ticks ticks = {.count = 1, .at = {tick}};
-    return zr_tick_share(&ticks, 0, low, high);
-}
-
-/* Their few digits are another number. */
-static void ends_are_at_the_ends(void **state)
-{
-    static const float ranges[][2] = {{1e38f, 1.0000001e38f}, {1e-45f, 4e-45f}, {0.1f, 0.3f}, {16777216, 16777218}};
-    (void)state;
-    for (size_t i = 0; i < sizeof ranges / sizeof ranges[0]; i++) {
-        const struct zr_ticks ticks = zr_ticks_make(ranges[i][0], ranges[i][1], 0.125, true);
-        assert_true(ticks.count >= 2);
-        assert_true(zr_tick_share(&ticks, 0, ranges[i][0], ranges[i][1]) == 0.0);
-        assert_true(zr_tick_share(&ticks, ticks.count - 1, ranges[i][0], ranges[i][1]) == 1.0);
-    }
-}
-
-static void place_of_a_tick_is_its_share_of_the_range(void **state)
-{
-    (void)state;
-    assert_true(share_of((struct zr_decimal){5, 0}, 0, 10) == 0.5);
-    assert_true(share_of((struct zr_decimal){0, 0}, 0, 10) == 0.0);
-    assert_true(share_of((struct zr_decimal){1, 1}, 0, 10) == 1.0);
-    assert_true(share_of((struct zr_decimal){7, 0}, 7, 7) == 0.5);
-    assert_true(share_of((struct zr_decimal){1, -1}, 0.1f, 1) == 0.0); /* below the float */
-    assert_true(share_of((struct zr_decimal){0, 0}, -FLT_MAX, FLT_MAX) == 0.5);
-}
-
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -210,8 +180,6 @@ int main(void)
         cmocka_unit_test(floats_have_the_fewest_digits_that_tell_them),
         cmocka_unit_test(ticks_are_round_numbers),
         cmocka_unit_test(random_ranges_have_ticks_that_rise_within_them),
-        cmocka_unit_test(ends_are_at_the_ends),
-        cmocka_unit_test(place_of_a_tick_is_its_share_of_the_range),
     };
     return cmocka_run_group_tests_name("ticks", tests, NULL, NULL);
 }
