@@ -113,31 +113,6 @@ static void a_scene_says_what_the_bar_is_like(void **state)
     }
 }
 
-static void what_no_bar_can_have_is_refused(void **state)
-{
-    (void)state;
-    static const struct {
-        const char *bar, *pointer, *detail;
-    } cases[] = {{"1", "/colorBar", "expected true, false or an object"},
-                 {"\"right\"", "/colorBar", "expected true, false or an object"},
-                 {"null", "/colorBar", "expected true, false or an object"},
-                 {"{\"place\": \"top\"}", "/colorBar/place", "'top' is unknown"},
-                 {"{\"title\": 5}", "/colorBar/title", "string"},
-                 {"{\"titel\": \"\"}", "/colorBar/titel", "title"},
-                 {"{\"mesh\": \"sphere\"}", "/colorBar/mesh", "no mesh is named 'sphere'"},
-                 {"{\"mesh\": \"\"}", "/colorBar/mesh", "no mesh is named ''"},
-                 {"{\"mesh\": 0}", "/colorBar/mesh", "string"}};
-    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
-        char text[512];
-        snprintf(text, sizeof text, "{" MESH "\"colorBar\": %s}", cases[i].bar);
-        refuses_scene(text, cases[i].pointer, cases[i].detail);
-    }
-    refuses_scene("{\"colorBar\": {\"mesh\": \"a\"}, \"meshes\": [{\"name\": \"a\", " SCALARS
-                  "}, {\"name\": \"a\", " SCALARS "}]}",
-                  "/colorBar/mesh", "two meshes have the name 'a': 0 and 1");
-    refuses_scene("{" MESH "\"colorbar\": true}", "/colorbar", "colorBar");
-}
-
 static void what_is_odd_about_a_bar_is_warned_of(void **state)
 {
     (void)state;
@@ -302,7 +277,6 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(all_of_a_bar_is_in_the_window_whatever_its_size),
         cmocka_unit_test(a_scene_says_what_the_bar_is_like),
-        cmocka_unit_test(what_no_bar_can_have_is_refused),
         cmocka_unit_test(what_is_odd_about_a_bar_is_warned_of),
         cmocka_unit_test(queries_switch_bars_on_and_off),
         cmocka_unit_test(only_the_color_channel_has_the_bar_and_only_where_it_is),

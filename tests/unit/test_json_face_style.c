@@ -62,16 +62,6 @@ static void nearest_word_on_faces_counts(void **state)
     reading_free(reading);
 }
 
-static void styles_that_are_none_are_refused(void **state)
-{
-    (void)state;
-    refuses_rest("\"outline\": 3", "/outline", "true, false or a colour is needed");
-    refuses_rest("\"outline\": \"reddish\"", "/outline", "'reddish' is not a colour: [r,g,b] or");
-    refuses_rest("\"fill\": \"no\"", "/fill", "expected true or false");
-    refuses_rest("\"doubleSided\": true", "/doubleSided", "unknown key");
-    refuses_scene("{\"polygons\": [{" TRIANGLE ", \"outline\": [1, 2, 3]}]}", "/polygons/0/outline/1", "outside");
-}
-
 static void lines_are_pairs_of_positions(void **state)
 {
     (void)state;
@@ -84,10 +74,6 @@ static void lines_are_pairs_of_positions(void **state)
     assert_int_equal(mesh->line_count, 2);
     assert_memory_equal(mesh->lines, lines, sizeof lines);
     reading_free(reading);
-    refuses_scene("{\"meshes\": [{" POSITIONS ", \"lines\": [[0,1],[0,4]]}]}", "/meshes/0/lines/1/1", "index 4 of 4");
-    refuses_scene("{\"meshes\": [{" POSITIONS ", \"lines\": [[0,1,2]]}]}", "/meshes/0/lines/0", "a line of 3 ends");
-    refuses_scene("{\"meshes\": [{" POSITIONS ", \"lines\": [7]}]}", "/meshes/0/lines/0", "expected a list");
-    refuses_scene("{\"meshes\": [{" POSITIONS ", \"lines\": []}]}", "", "no geometry");
 }
 
 static void holes_become_rings_of_the_face(void **state)
@@ -113,17 +99,11 @@ static void colours_of_a_polygon_with_holes_count_all_its_vertices(void **state)
     assert_read(reading);
     assert_true(reading->scene->meshes[0].colors[5].z == 1);
     reading_free(reading);
-    refuses_scene("{\"polygons\": [{" TRIANGLE ", \"holes\": [" HOLE "], \"colors\": [[1,0,0],[1,0,0],[1,0,0]]}]}",
-                  "/polygons/0/colors", "3 items for 6 vertices");
 }
 
 static void bad_holes_are_refused_with_pointer_to_them(void **state)
 {
     (void)state;
-    refuses_scene("{\"polygons\": [{" QUAD ", \"holes\": [" HOLE ", [[0,0,0],[1,1,1]]]}]}", "/polygons/0/holes/1",
-                  "a ring of 2 vertices; 3 or more are needed");
-    refuses_scene("{\"polygons\": [{" QUAD ", \"holes\": 1}]}", "/polygons/0/holes", "expected a list");
-    refuses_scene("{\"polygons\": [{" QUAD ", \"holes\": [[0,1,2]]}]}", "/polygons/0/holes/0/0", "expected a list");
     struct zr_limits limits = zr_limits_default();
     limits.polygon_vertices_max = 6;
     static const char text[] = "{\"polygons\": [{" QUAD ", \"holes\": [" HOLE "]}]}";
@@ -164,7 +144,6 @@ int main(void)
         cmocka_unit_test(outline_alone_is_black_on_faces_and_their_own_colour_without),
         cmocka_unit_test(outline_may_be_a_colour),
         cmocka_unit_test(nearest_word_on_faces_counts),
-        cmocka_unit_test(styles_that_are_none_are_refused),
         cmocka_unit_test(lines_are_pairs_of_positions),
         cmocka_unit_test(holes_become_rings_of_the_face),
         cmocka_unit_test(colours_of_a_polygon_with_holes_count_all_its_vertices),

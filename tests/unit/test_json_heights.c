@@ -17,11 +17,6 @@ static struct reading *read_mesh(const char *mesh)
     return read_scene(with_mesh(mesh));
 }
 
-static void refuses_mesh(const char *mesh, const char *pointer, const char *detail)
-{
-    refuses_scene(with_mesh(mesh), pointer, detail);
-}
-
 static void assert_point(const struct zr_mesh *mesh, uint32_t number, float x, float y, float z)
 {
     assert_true(number < mesh->position_count);
@@ -114,14 +109,6 @@ static void cells_that_touch_a_hole_are_left_out_with_all_that_is_theirs(void **
     reading_free(reading);
 }
 
-static void nothing_but_holes_is_no_geometry(void **state)
-{
-    (void)state;
-    refuses_mesh("\"heights\": [[null,1],[2,3]]", "", "no geometry");
-    refuses_mesh("\"heights\": [[null,null],[null,null]], \"normals\": [[0,0,1],[0,0,1],[0,0,1],[0,0,1]]", "",
-                 "no geometry");
-}
-
 static void looks_may_be_said_otherwise(void **state)
 {
     (void)state;
@@ -139,35 +126,6 @@ static void looks_may_be_said_otherwise(void **state)
     assert_int_equal(m[1]->shading, ZR_SHADING_UNLIT);
     assert_int_equal(m[2]->shading, ZR_SHADING_FLAT);
     reading_free(reading);
-}
-
-static void bad_heights_give_pointer_to_the_fault(void **state)
-{
-    (void)state;
-    refuses_mesh("\"heights\": 3", "/meshes/0/heights", "expected a list, found a number");
-    refuses_mesh("\"heights\": []", "/meshes/0/heights", "rows: 0; a grid needs 2 or more");
-    refuses_mesh("\"heights\": [[1,2]]", "/meshes/0/heights", "rows: 1");
-    refuses_mesh("\"heights\": [[1],[2]]", "/meshes/0/heights/0", "values: 1; a grid needs 2 or more");
-    refuses_mesh("\"heights\": [1,2]", "/meshes/0/heights/0", "expected a list, found a number");
-    refuses_mesh("\"heights\": [[1,2],[3,4,5]]", "/meshes/0/heights/1", "3 values, but the first row has 2");
-    refuses_mesh("\"heights\": [[1,2],[3,\"4\"]]", "/meshes/0/heights/1/1", "expected a number, found a string");
-    refuses_mesh("\"heights\": [[1,2],[3,1e7]]", "/meshes/0/heights/1/1", "outside of -1000000 to 1000000");
-    refuses_mesh("\"heights\": {\"x\": [0,1]}", "/meshes/0/heights", "values is missing");
-    refuses_mesh("\"heights\": {\"values\": [[1,2],[3,4]], \"z\": 1}", "/meshes/0/heights/z", "unknown key");
-    refuses_mesh("\"heights\": {\"values\": [[1,2],[3]]}", "/meshes/0/heights/values/1", "values: 1");
-    refuses_mesh("\"heights\": {\"values\": [[1,2],[3,4]], \"x\": [1,1]}", "/meshes/0/heights/x",
-                 "from 1 to 1: there is nothing between");
-    refuses_mesh("\"heights\": {\"values\": [[1,2],[3,4]], \"y\": [0.1,0.1000000001]}", "/meshes/0/heights/y",
-                 "there is nothing between");
-    refuses_mesh("\"heights\": {\"values\": [[1,2],[3,4]], \"y\": [1,2,3]}", "/meshes/0/heights/y",
-                 "expected 2 numbers, the first and the last, found 3");
-    refuses_mesh("\"heights\": {\"values\": [[1,2],[3,4]], \"x\": [0,2e6]}", "/meshes/0/heights/x/1", "outside of");
-    refuses_mesh("\"heights\": [[1,2],[3,4]], " POSITIONS, "/meshes/0", "two shapes: heights and positions");
-    refuses_mesh("\"heights\": [[1,2],[3,4]], \"faces\": [[0,1,2]]", "/meshes/0", "two shapes: heights and faces");
-    refuses_mesh("\"heights\": [[1,2],[3,null]], \"normals\": [[0,0,1]]", "/meshes/0/normals",
-                 "1 items for 4 positions");
-    refuses_mesh("\"heights\": [[1,2,3],[3,4,5]], \"faceColors\": [[0,0,1]]", "/meshes/0/faceColors",
-                 "1 items for 2 faces");
 }
 
 static void rows_longer_than_coordinates_reach_need_a_range(void **state)
@@ -239,9 +197,7 @@ int main(void)
         cmocka_unit_test(ranges_spread_columns_and_rows),
         cmocka_unit_test(cells_stay_counter_clockwise_where_an_axis_runs_down),
         cmocka_unit_test(cells_that_touch_a_hole_are_left_out_with_all_that_is_theirs),
-        cmocka_unit_test(nothing_but_holes_is_no_geometry),
         cmocka_unit_test(looks_may_be_said_otherwise),
-        cmocka_unit_test(bad_heights_give_pointer_to_the_fault),
         cmocka_unit_test(rows_longer_than_coordinates_reach_need_a_range),
         cmocka_unit_test(small_arena_gives_no_memory_naming_the_ceiling),
         cmocka_unit_test(tilted_plane_has_the_depth_of_the_same_polygons),

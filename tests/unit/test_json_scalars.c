@@ -17,11 +17,6 @@ static struct reading *read_mesh(const char *mesh)
     return read_scene(with_mesh(mesh));
 }
 
-static void refuses_mesh(const char *mesh, const char *pointer, const char *detail)
-{
-    refuses_scene(with_mesh(mesh), pointer, detail);
-}
-
 static void assert_colors(const zr_vec4 *colors, enum zr_colormap map, const float *at, size_t count)
 {
     assert_non_null(colors);
@@ -78,7 +73,6 @@ static void each_map_has_its_name(void **state)
         assert_colors(reading->scene->meshes[0].colors, (enum zr_colormap)map, (float[]){0, 0.25f, 0.5f, 1}, 4);
         reading_free(reading);
     }
-    refuses_mesh(SQUARE ", \"scalars\": [0,1,2,4], \"colormap\": \"virids\"", "/meshes/0/colormap", "viridis");
 }
 
 static void what_is_outside_of_the_range_is_counted(void **state)
@@ -153,35 +147,6 @@ static void holes_have_no_share_in_the_range(void **state)
     reading_free(reading);
 }
 
-static void what_does_not_fit_is_refused(void **state)
-{
-    (void)state;
-    static const struct {
-        const char *mesh, *pointer, *detail;
-    } cases[] = {
-        {SQUARE ", \"scalars\": [1,2,3]", "/meshes/0/scalars",
-         "3 items for 4 positions and 2 faces; one for each of these or of those is needed"},
-        {SQUARE ", \"scalars\": []", "/meshes/0/scalars", "0 items for 4 positions"},
-        {SQUARE ", \"scalars\": [1,2,null,3]", "/meshes/0/scalars/2", "null"},
-        {SQUARE ", \"scalars\": [[1],2,3,4]", "/meshes/0/scalars/0", "a list"},
-        {SQUARE ", \"scalars\": [1,2,3,1e39]", "/meshes/0/scalars/3", "e+39"},
-        {SQUARE ", \"scalars\": 5", "/meshes/0/scalars", "list"},
-        {SQUARE ", \"scalars\": [1,2,3,4], \"colors\": [\"red\",\"red\",\"red\",\"red\"]", "/meshes/0/scalars",
-         "two kinds of colours: scalars and colors"},
-        {SQUARE ", \"faceColors\": [\"red\",\"red\"], \"scalars\": [1,2,3,4]", "/meshes/0/scalars",
-         "two kinds of colours: scalars and faceColors"},
-        {"\"heights\": [[0,1],[2,4]], \"colormap\": \"gray\", \"faceColors\": [\"red\"]", "/meshes/0/colormap",
-         "two kinds of colours: a colormap and faceColors"},
-        {SQUARE ", \"scalars\": [1,2,3,4], \"range\": [2,1]", "/meshes/0/range",
-         "from 2 to 1; the lower end comes first"},
-        {SQUARE ", \"scalars\": [1,2,3,4], \"range\": [2]", "/meshes/0/range", "expected 2 numbers, found 1"},
-        {SQUARE ", \"range\": [1,2]", "/meshes/0/range", "a range without scalars"},
-        {SQUARE ", \"colormap\": \"turbo\"", "/meshes/0/colormap", "a map without scalars, or heights, to colour"},
-        {"\"heights\": [[0,1],[2,4]], \"range\": [0,1]", "/meshes/0/range", "a range without scalars or a colormap"}};
-    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++)
-        refuses_mesh(cases[i].mesh, cases[i].pointer, cases[i].detail);
-}
-
 /* Numbers in forms that the quick reader does not take, and blanks. */
 static void numbers_may_have_any_form(void **state)
 {
@@ -214,7 +179,6 @@ int main(void)
         cmocka_unit_test(ranges_may_be_as_long_as_floats_are),
         cmocka_unit_test(heights_have_the_colors_of_their_z_where_a_map_is_named),
         cmocka_unit_test(holes_have_no_share_in_the_range),
-        cmocka_unit_test(what_does_not_fit_is_refused),
         cmocka_unit_test(numbers_may_have_any_form),
         cmocka_unit_test(every_ceiling_is_enough_or_fails_cleanly),
     };

@@ -18,11 +18,6 @@ static const char *scene_with(const char *texture, const char *mesh)
     return text;
 }
 
-static void refuses_texture(const char *texture, const char *pointer, const char *detail)
-{
-    refuses_scene(scene_with(texture, FACES ", " TEXCOORDS), pointer, detail);
-}
-
 static void texture_is_read_with_glTFs_defaults(void **state)
 {
     (void)state;
@@ -106,27 +101,6 @@ static void heights_have_the_image_over_all_of_them(void **state)
     reading_free(reading);
 }
 
-static void what_a_texture_cannot_be_is_refused(void **state)
-{
-    (void)state;
-    const char *const at = "/materials/0/baseColorTexture";
-    refuses_texture("\"texcoord\": 0", at, "one of uri and asset is needed");
-    refuses_texture(IMAGE ", \"asset\": \"a\"", at, "only one of uri and asset is needed");
-    refuses_texture(IMAGE ", \"texcoord\": 2", "/materials/0/baseColorTexture/texcoord",
-                    "2; 0 and 1 are allowed, for the mesh's texcoords and texcoords1");
-    refuses_texture(IMAGE ", \"texcoord\": -1", "/materials/0/baseColorTexture/texcoord",
-                    "-1; 0 and 1 are allowed, for the mesh's texcoords and texcoords1");
-    refuses_texture(IMAGE ", \"texcoord\": 0.5", "/materials/0/baseColorTexture/texcoord", "0.5; 0 and 1 are allowed");
-    refuses_texture(IMAGE ", \"sampler\": {\"magFilter\": \"linearMipmapLinear\"}",
-                    "/materials/0/baseColorTexture/sampler/magFilter",
-                    "'linearMipmapLinear' is for minFilter, which alone has mipmaps; allowed: nearest, linear");
-    refuses_texture(IMAGE ", \"sampler\": {\"magFilter\": 9987}", "/materials/0/baseColorTexture/sampler/magFilter",
-                    "9987, 'linearMipmapLinear' is for minFilter, which alone has mipmaps; allowed: nearest, linear");
-    refuses_texture(IMAGE ", \"sampler\": {\"magFilter\": 3}", "/materials/0/baseColorTexture/sampler/magFilter",
-                    "3 is none of the numbers that glTF has for nearest, linear");
-    refuses_texture(IMAGE ", \"strength\": 1", "/materials/0/baseColorTexture/strength", "unknown key");
-}
-
 /* One by one, and among many that are read at once. */
 static void tangents_have_a_sign(void **state)
 {
@@ -153,18 +127,6 @@ static void tangents_have_a_sign(void **state)
 static void meshes_lack_nothing_that_their_textures_need(void **state)
 {
     (void)state;
-    refuses_scene(scene_with(IMAGE, FACES), "/meshes/0",
-                  "baseColorTexture of its material needs texcoords, which are missing");
-    refuses_scene(scene_with(IMAGE ", \"texcoord\": 1", FACES ", " TEXCOORDS), "/meshes/0",
-                  "baseColorTexture of its material needs texcoords1, which are missing");
-    refuses_scene(scene_with(IMAGE, FACES ", \"texcoords\": [[0,0]]"), "/meshes/0/texcoords",
-                  "1 items for 4 positions; one each is needed");
-    refuses_scene(scene_with(IMAGE, FACES ", \"texcoords\": [[0,0],[0,1],[1,20000],[1,0]]"), "/meshes/0/texcoords/2/1",
-                  "20000");
-    refuses_scene("{\"materials\": [{\"name\": \"a\", \"baseColorTexture\": {" IMAGE "}}], \"polygons\": [{" TRIANGLE
-                  ", \"material\": \"a\"}]}",
-                  "/polygons/0/material",
-                  "it has textures, which need texcoords: meshes have them, and polygons have not");
     struct reading *lines = read_scene(scene_with(IMAGE, POSITIONS ", \"lines\": [[0,1]]"));
     reading_free(lines);
 }
@@ -176,7 +138,6 @@ int main(void)
                                        cmocka_unit_test(transform_scales_then_turns_then_moves),
                                        cmocka_unit_test(equal_textures_are_one),
                                        cmocka_unit_test(heights_have_the_image_over_all_of_them),
-                                       cmocka_unit_test(what_a_texture_cannot_be_is_refused),
                                        cmocka_unit_test(tangents_have_a_sign),
                                        cmocka_unit_test(meshes_lack_nothing_that_their_textures_need)};
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -75,17 +75,6 @@ static void pose_that_scales_is_made_a_rigid_one(void **state)
     }
 }
 
-static void pose_written_row_by_row_is_told_so(void **state)
-{
-    (void)state;
-    refuses_rest("\"view\": {\"cameraToWorld\": [1,0,0,5, 0,1,0,5, 0,0,1,5, 0,0,0,1]}", "/view/cameraToWorld",
-                 "the bottom row is 5 5 5 1, not 0 0 0 1 (a flat list goes column by column)");
-    refuses_rest("\"view\": {\"worldToCamera\": [2,0,0,0, 0,2,0,0, 0,0,2,0, 0,0,-6,2]}", "/view/worldToCamera",
-                 "the bottom row is 0 0 0 2");
-    refuses_rest("\"view\": {\"worldToCamera\": [0,0,0,0, 0,0,0,0, 0,0,0,0, 0,0,0,1]}", "/view/worldToCamera",
-                 "the matrix has no inverse");
-}
-
 static void projection_matrix_alone_leads_from_world_to_clip_space(void **state)
 {
     (void)state;
@@ -95,122 +84,6 @@ static void projection_matrix_alone_leads_from_world_to_clip_space(void **state)
     assert_memory_equal(&view.world_to_camera, &identity, sizeof identity);
     view = view_of("{\"preset\": \"top\", \"projectionMatrix\": [1,0,0,0, 0,1,0,0, 0,0,-1,0, 0,0,0,1]}");
     assert_int_equal(view.pose, ZR_POSE_PRESET);
-}
-
-static void bad_views_give_pointer_and_names(void **state)
-{
-    (void)state;
-    static const struct {
-        const char *view, *pointer, *detail;
-    } cases[] = {
-        {"{\"eye\": [0,0,1], \"preset\": \"top\"}", "/view", "two poses: preset and eye"},
-        {"{\"target\": [0,0,1], \"preset\": \"top\"}", "/view", "two poses: preset and target"},
-        {"{\"preset\": \"top\", \"up\": [0,0,1]}", "/view/up",
-         "belongs to the poses eye, direction and azimuthDegrees"},
-        {"{\"target\": [0,0,1]}", "/view", "target needs eye or azimuthDegrees, which is missing"},
-        {"{\"orthographic\": {}, \"perspective\": {\"yfov\": 1}}", "/view",
-         "two projections: perspective and orthographic"},
-        {"{\"perspective\": {}}", "/view/perspective",
-         "no angle; one of yfov, yfovDegrees, xfov, xfovDegrees is needed"},
-        {"{\"perspective\": {\"yfov\": 1, \"yfovDegrees\": 9}}", "/view/perspective", "two angles"},
-        {"{\"perspective\": {\"yfovDegrees\": 180}}", "/view/perspective/yfovDegrees", "180: an angle between"},
-        {"{\"perspective\": {\"yfovDegrees\": 0}}", "/view/perspective/yfovDegrees", "0: an angle between"},
-        {"{\"perspective\": {\"yfov\": 3.2}}", "/view/perspective/yfov",
-         "3.2 is more than half a turn: yfov takes radians, yfovDegrees takes degrees"},
-        {"{\"perspective\": {\"xfov\": 60}}", "/view/perspective/xfov",
-         "60 is more than half a turn: xfov takes radians, xfovDegrees takes degrees"},
-        {"{\"perspective\": {\"yfov\": 1e300}}", "/view/perspective/yfov", "is outside of 0 to"},
-        {"{\"perspective\": {\"yfov\": 3.14159265358979}}", "/view/perspective/yfov", "an angle between"},
-        {"{\"orthographic\": {\"xmag\": 1}}", "/view/orthographic", "ymag is missing"},
-        {"{\"orthographic\": {\"xmag\": 0, \"ymag\": 1}}", "/view/orthographic/xmag", "0 is not greater than 0"},
-        {"{\"orthographic\": {\"xmag\": 1e-60, \"ymag\": 1}}", "/view/orthographic/xmag", "1e-60 is not greater"},
-        {"{\"eye\": [0,0,1], \"znear\": 0}", "/view/znear", "0 is not greater than 0"},
-        {"{\"eye\": [0,0,1], \"znear\": 2, \"zfar\": 2}", "/view/zfar", "2 is not beyond znear, 2"},
-        {"{\"projectionMatrix\": [1,0,0,0,0,1,0,0,0,0,1,0,0,0,0,1], \"znear\": 1}", "/view/znear", "planes of its own"},
-        {"{\"fit\": {\"padding\": 0.5}}", "/view/fit/padding", "0.5 is outside of 0 to 0.45"},
-        {"{\"cameraToWorld\": [[1,0,0,0],[0,1,0,0],[0,0,0,0],[0,0,0,1]]}", "/view/cameraToWorld", "no inverse"},
-        {"{\"worldToCamera\": [1,2,3]}", "/view/worldToCamera", "expected 16 numbers, found 3"},
-        {"{\"worldToCamera\": [[1,0,0,0]]}", "/view/worldToCamera", "expected 4 rows, found 1"},
-        {"{\"worldToCamera\": [[1,0,0,0],[1],[],[]]}", "/view/worldToCamera/1", "expected 4 numbers, found 1"},
-        {"{\"eye\": [0,\"0\",1]}", "/view/eye/1", "expected a number, found a string"},
-        {"{\"preset\": \"up\"}", "/view/preset", "allowed: front, back, left, right, top, bottom, isometric"},
-        {"{\"name\": \"a\"}", "/view/name", "not supported in this version"},
-        {"{\"window\": {}}", "/view/window", "not supported in this version"},
-        {"{\"preset\": \"top\", \"direction\": [0,0,-1]}", "/view", "two poses: preset and direction"},
-        {"{\"eye\": [0,0,1], \"elevationDegrees\": 3}", "/view", "two poses: eye and elevationDegrees"},
-        {"{\"azimuthDegrees\": 1, \"cameraToWorld\": [1,0,0,0, 0,1,0,0, 0,0,1,0, 0,0,0,1]}", "/view",
-         "two poses: azimuthDegrees and cameraToWorld"},
-        {"{\"worldToCamera\": [1,0,0,0, 0,1,0,0, 0,0,1,0, 0,0,0,1], \"R\": [1,0,0,0,1,0,0,0,1]}", "/view",
-         "two poses: worldToCamera and R"},
-        {"{\"eye\": [0,0,1], \"distance\": 3}", "/view", "two poses: eye and distance"},
-        {"{\"eye\": [0,0,1], \"t\": [1,2,3]}", "/view", "two poses: eye and t"},
-        {"{\"direction\": [0,0,1], \"target\": [1,2,3]}", "/view", "two poses: direction and target"},
-        {"{\"R\": [1,0,0,0,1,0,0,0,1], \"target\": [1,2,3]}", "/view", "two poses: R and target"},
-        {"{\"distance\": 3}", "/view", "distance needs azimuthDegrees or elevationDegrees, which is missing"},
-        {"{\"t\": [0,0,3]}", "/view", "t needs R, which is missing"},
-        {"{\"up\": [0,0,3]}", "/view/up", "belongs to the poses eye"},
-        {"{\"R\": [1,0,0,0,1,0,0,0,1], \"up\": [0,0,3]}", "/view/up", "belongs to the poses eye"},
-        {"{\"direction\": [0,0,0]}", "/view/direction", "the direction is zero"},
-        {"{\"direction\": [0,1]}", "/view/direction", "expected 3 numbers, found 2"},
-        {"{\"azimuthDegrees\": \"3\"}", "/view/azimuthDegrees", "expected a number, found a string"},
-        {"{\"azimuthDegrees\": 2e6}", "/view/azimuthDegrees", "2000000 is outside of -1000000 to 1000000"},
-        {"{\"elevationDegrees\": 91}", "/view/elevationDegrees", "91 is outside of -90 to 90"},
-        {"{\"azimuthDegrees\": 3, \"distance\": 0}", "/view/distance", "0 is not greater than 0"},
-        {"{\"R\": [1,0,0,0,1,0,0,0]}", "/view/R", "expected 9 numbers, found 8"},
-        {"{\"R\": []}", "/view/R", "expected 9 numbers, found 0"},
-        {"{\"R\": 1}", "/view/R", "expected a matrix, found a number"},
-        {"{\"R\": [[1,0,0],[0,1,0]]}", "/view/R", "expected 3 rows, found 2"},
-        {"{\"R\": [[1,0,0],[0,1],[0,0,1]]}", "/view/R/1", "expected 3 numbers, found 2"},
-        {"{\"R\": [[1,0,0],3,[0,0,1]]}", "/view/R/1", "expected a list of numbers, found a number"},
-        {"{\"R\": [1,0,0,0,1,0,0,0,null]}", "/view/R/8", "expected a number, found null"},
-        {"{\"R\": [1,0,0,0,2,0,0,0,1]}", "/view/R", "not a rotation: row 1 has the length 2, not 1"},
-        {"{\"R\": [1,0,0,0,1,0,0,0,0]}", "/view/R", "not a rotation: row 2 has the length 0, not 1"},
-        {"{\"R\": [1,0,0,0,1,0.002,0,0,1]}", "/view/R", "not a rotation: rows 1 and 2 are not at right angles"},
-        {"{\"R\": [1,0,0,0,1,0,0,0,-1]}", "/view/R", "not a rotation but a reflection: its determinant is negative"},
-        {"{\"R\": [1,0,0,0,1,0,0,0,1], \"t\": [1,2]}", "/view/t", "expected 3 numbers, found 2"},
-        {"{\"convention\": \"opencv\"}", "/view/convention", "opencv belongs to cameraToWorld, worldToCamera and R"},
-        {"{\"convention\": \"opencv\", \"eye\": [0,0,1]}", "/view/convention", "no other pose has axes"},
-        {"{\"convention\": \"opencv\", \"preset\": \"top\"}", "/view/convention", "no other pose has axes"},
-        {"{\"convention\": \"opencv\", \"direction\": [0,0,1]}", "/view/convention", "no other pose has axes"},
-        {"{\"convention\": \"opencv\", \"azimuthDegrees\": 0}", "/view/convention", "no other pose has axes"},
-        {"{\"convention\": \"vulkan\", \"R\": [1,0,0,0,1,0,0,0,1]}", "/view/convention",
-         "'vulkan' is unknown; allowed: opengl, opencv"},
-        {"{\"perspective\": {\"xfov\": 1, \"yfov\": 1}}", "/view/perspective", "two angles: yfov and xfov"},
-        {"{\"perspective\": {\"xfov\": 1, \"xfovDegrees\": 1}}", "/view/perspective",
-         "two angles: xfov and xfovDegrees"},
-        {"{\"perspective\": {\"xfovDegrees\": 180}}", "/view/perspective/xfovDegrees", "180: an angle between"},
-        {"{\"perspective\": {\"xfov\": 3.2}}", "/view/perspective/xfov", "3.2 is more than half a turn"},
-        {"{\"intrinsics\": {\"fx\": 1}, \"K\": [9,0,3,0,9,4,0,0,1]}", "/view", "two projections: intrinsics and K"},
-        {"{\"perspective\": {\"yfov\": 1}, \"K\": [9,0,3,0,9,4,0,0,1]}", "/view", "two projections: perspective and K"},
-        {"{\"K\": [9,0,3,0,9,4,0,0,1], \"projectionMatrix\": [1,0,0,0,0,1,0,0,0,0,1,0,0,0,0,1]}", "/view",
-         "two projections: K and projectionMatrix"},
-        {"{\"intrinsics\": {\"fy\": 1}}", "/view/intrinsics", "fx is missing"},
-        {"{\"intrinsics\": {\"fx\": 0}}", "/view/intrinsics/fx", "0 is no focal length in pixels: 1e-06 and more"},
-        {"{\"intrinsics\": {\"fx\": 1, \"fy\": -3}}", "/view/intrinsics/fy", "-3 is no focal length in pixels"},
-        {"{\"intrinsics\": {\"fx\": 2e9}}", "/view/intrinsics/fx", "2000000000 is outside"},
-        {"{\"intrinsics\": {\"fx\": 2, \"cx\": \"1\"}}", "/view/intrinsics/cx", "expected a number, found a string"},
-        {"{\"intrinsics\": {\"fx\": 2, \"k1\": 1}}", "/view/intrinsics/k1", "known here: fx, fy, cx, cy, skew"},
-        {"{\"intrinsics\": []}", "/view/intrinsics", "expected an object, found a list"},
-        {"{\"K\": [9,0,3,0,9,4,0,0]}", "/view/K", "expected 9 numbers, found 8"},
-        {"{\"K\": [9,0,0,0,9,0,3,4,1]}", "/view/K", "the last row is 3 4 1, not 0 0 1 (a flat list goes row by row)"},
-        {"{\"K\": [[9,0,3],[0.5,9,4],[0,0,1]]}", "/view/K", "the second row begins with 0.5, not 0"},
-        {"{\"K\": [0,0,3,0,9,4,0,0,1]}", "/view/K", "0 is no focal length"},
-        {"{\"K\": [9,0,3,0,-9,4,0,0,1]}", "/view/K", "-9 is no focal length"},
-        {"{\"pixelCenter\": 0}", "/view/pixelCenter", "belongs to intrinsics and K only"},
-        {"{\"perspective\": {\"yfov\": 1}, \"pixelCenter\": 0.5}", "/view/pixelCenter", "belongs to intrinsics and K"},
-        {"{\"intrinsics\": {\"fx\": 1}, \"pixelCenter\": 0.25}", "/view/pixelCenter", "0.25 is neither 0 nor 0.5"},
-        {"{\"intrinsics\": {\"fx\": 1}, \"pixelCenter\": 1}", "/view/pixelCenter", "1 is outside of 0 to 0.5"},
-        {"{\"intrinsics\": {\"fx\": 1}, \"znear\": -1}", "/view/znear", "-1 is not greater than 0"},
-        {"{\"fit\": {\"mesh\": 3}}", "/view/fit/mesh", "expected a string, found a number"},
-        {"{\"fit\": {\"mesh\": \"nut\"}}", "/view/fit/mesh", "no mesh is named 'nut'"},
-        {"{\"fit\": {\"mesh\": \"\"}}", "/view/fit/mesh", "no mesh is named ''"},
-        {"{\"eye\": [0,0,1], \"fit\": {\"mesh\": \"nut\"}}", "/view/fit/mesh", "no mesh is named 'nut'"},
-    };
-    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
-        char rest[512];
-        snprintf(rest, sizeof rest, "\"view\": %s", cases[i].view);
-        refuses_rest(rest, cases[i].pointer, cases[i].detail);
-    }
 }
 
 static void poses_are_read(void **state)
@@ -320,13 +193,6 @@ static void fit_finds_its_mesh_by_name(void **state)
     assert_true(reading->scene->views[0].fit_to_mesh);
     assert_int_equal(reading->scene->views[0].fit_mesh, 1);
     reading_free(reading);
-    refuses_scene(
-        "{\"view\": {\"fit\": {\"mesh\": \"nut\"}}, \"meshes\": [" MESH("nut") ", " MESH("") ", " MESH("nut") "]}",
-        "/view/fit/mesh", "two meshes have the name 'nut': 0 and 2");
-    refuses_scene("{\"view\": {\"fit\": {\"mesh\": \"\"}}, \"meshes\": [" MESH("") "]}", "/view/fit/mesh",
-                  "no mesh is named ''");
-    refuses_scene("{\"view\": {\"fit\": {\"mesh\": \"nu\"}}, \"meshes\": [" MESH("nut") "]}", "/view/fit/mesh",
-                  "no mesh is named 'nu'");
 #undef MESH
 }
 
@@ -347,35 +213,6 @@ static void outputs_are_read(void **state)
     assert_int_equal(outputs[3].channel, ZR_CHANNEL_WINDOW_DEPTH);
     assert_true(outputs[2].scale == 0.001f);
     reading_free(reading);
-}
-
-static void bad_outputs_give_pointer_and_what_is_allowed(void **state)
-{
-    (void)state;
-    refuses_rest("\"outputs\": []", "/outputs", "an empty list");
-    refuses_rest("\"outputs\": [{}]", "/outputs/0", "channel is missing");
-    refuses_rest("\"outputs\": [{\"channel\": \"overdraw\"}]", "/outputs/0/channel", "not supported in this version");
-    refuses_rest("\"outputs\": [{\"channel\": \"depth\", \"space\": \"world\"}]", "/outputs/0/space",
-                 "the channel depth lies in no space");
-    refuses_rest("\"outputs\": [{\"channel\": \"normals\", \"space\": \"object\"}]", "/outputs/0/space",
-                 "allowed: camera, world");
-    refuses_rest("\"outputs\": [{\"channel\": \"normals\"}, {\"channel\": \"normals\", \"encoding\": \"png\","
-                 " \"space\": \"world\"}]",
-                 "/outputs/1", "another space than /outputs/0");
-    refuses_rest("\"outputs\": [{\"channel\": \"z\"}]", "/outputs/0/channel",
-                 "allowed: color, depth, windowDepth, faceId, info");
-    refuses_rest("\"outputs\": [{\"channel\": \"color\", \"encoding\": \"npy\"}]", "/outputs/0/encoding",
-                 "the channel color cannot be had as npy; allowed: png");
-    refuses_rest("\"outputs\": [{\"channel\": \"depth\", \"x\": 1}]", "/outputs/0/x", "only the channel fragments");
-    refuses_rest("\"outputs\": [{\"channel\": \"fragments\", \"x\": 1}]", "/outputs/0", "missing the key y");
-    refuses_rest("\"outputs\": [{\"channel\": \"fragments\", \"y\": 1}]", "/outputs/0", "missing the key x");
-    refuses_rest("\"outputs\": [{\"channel\": \"fragments\", \"x\": -1, \"y\": 1}]", "/outputs/0/x", "outside of 0");
-    refuses_rest("\"outputs\": [{\"channel\": \"depth\", \"scale\": 1}]", "/outputs/0/scale",
-                 "only the encoding png16");
-    refuses_rest("\"outputs\": [{\"channel\": \"depth\", \"encoding\": \"png16\", \"scale\": 0}]", "/outputs/0/scale",
-                 "0 is not greater than 0");
-    refuses_rest("\"outputs\": [{\"channel\": \"depth\"}, {\"channel\": \"color\"}, {\"channel\": \"depth\"}]",
-                 "/outputs/2", "the same file name as /outputs/0: depth");
 }
 
 static void query_output_replaces_those_of_the_scene(void **state)
@@ -415,16 +252,13 @@ int main(void)
         cmocka_unit_test(views_are_read),
         cmocka_unit_test(matrices_are_rows_nested_and_columns_flat),
         cmocka_unit_test(pose_that_scales_is_made_a_rigid_one),
-        cmocka_unit_test(pose_written_row_by_row_is_told_so),
         cmocka_unit_test(projection_matrix_alone_leads_from_world_to_clip_space),
-        cmocka_unit_test(bad_views_give_pointer_and_names),
         cmocka_unit_test(poses_are_read),
         cmocka_unit_test(conventions_differ_in_the_axes_y_and_z_of_the_camera),
         cmocka_unit_test(convention_opengl_goes_with_every_pose_and_leaves_every_bit),
         cmocka_unit_test(projections_are_read),
         cmocka_unit_test(fit_finds_its_mesh_by_name),
         cmocka_unit_test(outputs_are_read),
-        cmocka_unit_test(bad_outputs_give_pointer_and_what_is_allowed),
         cmocka_unit_test(query_output_replaces_those_of_the_scene),
         cmocka_unit_test(query_of_bare_meshes_is_refused),
     };

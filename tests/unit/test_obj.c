@@ -13,13 +13,6 @@ static struct reading *read_rest(const char *rest)
                         zr_limits_default(), (size_t)1 << 28);
 }
 
-static void refuses_rest(const char *rest, enum zr_status status, const char *detail)
-{
-    struct reading *reading = read_rest(rest);
-    assert_complaint(reading, status, "", detail);
-    reading_free(reading);
-}
-
 static void triangle_becomes_a_scene_of_the_textbook(void **state)
 {
     (void)state;
@@ -95,17 +88,6 @@ static void absolute_index_may_come_before_its_vertex(void **state)
     reading_free(reading);
 }
 
-static void bad_indices_are_refused_with_their_line(void **state)
-{
-    (void)state;
-    refuses_rest("f 1 2 4\n", ZR_BAD_SCENE, "line 4: index 4 of 3 vertices");
-    refuses_rest("\n\nf 0 1 2\n", ZR_BAD_SCENE, "line 6: index 0 of 3 vertices");
-    refuses_rest("f -1 -2 -4\n", ZR_BAD_SCENE, "line 4: relative index -4, but 3 vertices so far");
-    refuses_rest("f 1 2 99999999999999999999999\n", ZR_BAD_SCENE, "of 3 vertices");
-    refuses_rest("f 1//1 2//1 3//1\n", ZR_BAD_SCENE, "line 4: index 1 of 0 normals");
-    refuses_rest("f -3 -2 -1\nf -4 -3 -2\nv 0 0 0", ZR_BAD_SCENE, "line 5: relative index -4");
-}
-
 static void several_bad_faces_are_all_reported(void **state)
 {
     (void)state;
@@ -116,46 +98,9 @@ static void several_bad_faces_are_all_reported(void **state)
     reading_free(reading);
 }
 
-static void bad_syntax_is_refused_with_its_line(void **state)
-{
-    (void)state;
-    static const struct {
-        const char *rest, *detail;
-    } cases[] = {
-        {"f 1 2 x", "line 4: expected a corner: v, v/vt, v//vn or v/vt/vn, found 'x'"},
-        {"f 1 2 3/", "found '3/'"},
-        {"f 1 2 3//", "found '3//'"},
-        {"f 1 2 3/1/1/1", "found '3/1/1/1'"},
-        {"f 1 2 -", "found '-'"},
-        {"f 1 2 3.0", "found '3.0'"},
-        {"v 1 2", "line 4: expected 3, 4 or 6 numbers behind v, found 2"},
-        {"v 1 2 3 4 5", "found 5"},
-        {"v 1 2 3 4 5 6 7", "expected the end of the line, found '7'"},
-        {"v 1 2 z", "expected a number, found 'z'"},
-        {"v 1 2 3z", "expected a number, found '3z'"},
-        {"v 1 2 nan", "found 'nan'"},
-        {"v 1 2 -inf", "found '-inf'"},
-        {"v 0x10 2 3", "found '0x10'"},
-        {"vn 0 1", "expected 3 numbers behind vn, found 2"},
-        {"vt", "expected 1 to 3 numbers behind vt, found 0"},
-        {"vt a", "expected a number, found 'a'"},
-        {"vx 1 2 3", "expected a statement of OBJ, found 'vx'"},
-        {"hello", "found 'hello'"},
-        {"\xFF\xFE\x01 1", "found '?"
-                           "?"
-                           "?'"},
-    };
-    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++)
-        refuses_rest(cases[i].rest, ZR_BAD_SYNTAX, cases[i].detail);
-}
-
 static void limits_are_kept(void **state)
 {
     (void)state;
-    refuses_rest("v 1e6 0 0\nv 1000001 0 0\nf 1 2 3", ZR_BAD_SCENE, "line 5: '1000001' is beyond the limit of 1000000");
-    refuses_rest("v 1e999 0 0\nf 1 2 3", ZR_BAD_SCENE, "line 4: '1e999' is beyond");
-    refuses_rest("v 0 0 0 1 1 2\nf 1 2 3", ZR_BAD_SCENE, "line 4: a colour component of 2 is outside of 0 to 1");
-    refuses_rest("f 1 2\n", ZR_BAD_SCENE, "line 4: a face of 2 corners; 3 to 1024 are allowed");
     char text[8192] = "v 0 0 0\nf";
     for (int i = 0; i < 1024; i++)
         strcat(text, " 1");
@@ -163,15 +108,6 @@ static void limits_are_kept(void **state)
     assert_read(reading);
     reading_free(reading);
     strcat(text, " 1");
-    refuses(ZR_FORMAT_OBJ, text, ZR_BAD_SCENE, "", "line 2: a face of 1025 corners; 3 to 1024 are allowed");
-}
-
-static void no_face_gives_no_geometry(void **state)
-{
-    (void)state;
-    refuses(ZR_FORMAT_OBJ, "", ZR_BAD_SCENE, "", "no geometry");
-    refuses_rest("l 1 2\np 3", ZR_BAD_SCENE, "no geometry");
-    refuses(ZR_FORMAT_OBJ, "# f 1 2 3\n", ZR_BAD_SCENE, "", "no geometry");
 }
 
 static void layout_of_the_text_does_not_matter(void **state)
@@ -256,12 +192,6 @@ static void face_of_many_short_corners_is_counted(void **state)
     free(text);
 }
 
-static void line_numbers_go_on_behind_joined_lines(void **state)
-{
-    (void)state;
-    refuses(ZR_FORMAT_OBJ, "v 0 \\\n0 \\\n0\nv x 0 0\n", ZR_BAD_SYNTAX, "", "line 4: expected a number, found 'x'");
-}
-
 static void other_statements_are_passed_over(void **state)
 {
     (void)state;
@@ -309,17 +239,6 @@ static void byte_order_mark_is_passed_over(void **state)
     assert_read(reading);
     assert_int_equal(reading->scene->meshes[0].position_count, 3);
     reading_free(reading);
-    refuses(ZR_FORMAT_OBJ, "\xEF\xBB\xBF\xEF\xBB\xBFv 0 0 0\n", ZR_BAD_SYNTAX, "",
-            "line 1: expected a statement of OBJ");
-    refuses(ZR_FORMAT_OBJ, "\xEF\xBB\xBF", ZR_BAD_SCENE, "", "no geometry");
-}
-
-static void gzip_without_its_header_is_named(void **state)
-{
-    (void)state;
-    refuses(ZR_FORMAT_OBJ, "\x1F\x8B\x08\x01\x02\nv 0 0 0", ZR_BAD_SYNTAX, "", "Content-Encoding: gzip is missing");
-    refuses(ZR_FORMAT_STL, "\x1F\x8B\x08\x01\x02", ZR_BAD_SYNTAX, "", "Content-Encoding: gzip is missing");
-    refuses(ZR_FORMAT_JSON, "\x1F\x8B\x08\x01\x02", ZR_BAD_SYNTAX, "", "Content-Encoding: gzip is missing");
 }
 
 static void vertex_colors_are_read_and_white_elsewhere(void **state)
@@ -350,19 +269,14 @@ int main(void)
         cmocka_unit_test(normals_at_all_corners_need_no_zero_normal),
         cmocka_unit_test(negative_indices_count_back_from_here),
         cmocka_unit_test(absolute_index_may_come_before_its_vertex),
-        cmocka_unit_test(bad_indices_are_refused_with_their_line),
         cmocka_unit_test(several_bad_faces_are_all_reported),
-        cmocka_unit_test(bad_syntax_is_refused_with_its_line),
         cmocka_unit_test(limits_are_kept),
-        cmocka_unit_test(no_face_gives_no_geometry),
         cmocka_unit_test(layout_of_the_text_does_not_matter),
         cmocka_unit_test(faces_have_every_corner_that_they_are_written_with),
         cmocka_unit_test(face_of_many_short_corners_is_counted),
-        cmocka_unit_test(line_numbers_go_on_behind_joined_lines),
         cmocka_unit_test(other_statements_are_passed_over),
         cmocka_unit_test(what_is_not_drawn_is_warned_of),
         cmocka_unit_test(byte_order_mark_is_passed_over),
-        cmocka_unit_test(gzip_without_its_header_is_named),
         cmocka_unit_test(vertex_colors_are_read_and_white_elsewhere),
         cmocka_unit_test(small_arena_gives_no_memory_naming_the_ceiling),
     };

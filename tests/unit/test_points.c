@@ -222,20 +222,6 @@ static void points_are_indices_of_positions(void **state)
     reading_free(reading);
 }
 
-static void points_that_are_none_are_refused(void **state)
-{
-    (void)state;
-    refuses_scene("{\"meshes\": [{" POSITIONS ", \"points\": [0, 4]}]}", "/meshes/0/points/1", "index 4 of 4");
-    refuses_scene("{\"meshes\": [{\"points\": [0, 1, 5], " POSITIONS "}]}", "/meshes/0/points/2", "index 5 of 4");
-    refuses_scene("{\"meshes\": [{" POSITIONS ", \"points\": [[0]]}]}", "/meshes/0/points/0", "");
-    refuses_scene("{\"meshes\": [{" POSITIONS ", \"points\": true}]}", "/meshes/0/points", "expected a list");
-    refuses_scene("{\"meshes\": [{" POSITIONS ", \"points\": []}]}", "", "no geometry");
-    refuses_scene("{\"meshes\": [{" POSITIONS ", \"points\": [0], \"pointSize\": 0.5}]}", "/meshes/0/pointSize", "1");
-    refuses_scene("{\"meshes\": [{" POSITIONS ", \"points\": [0], \"pointSize\": 65}]}", "/meshes/0/pointSize", "64");
-    refuses_scene("{\"meshes\": [{\"heights\": [[0,1],[1,0]], \"points\": [0]}]}", "/meshes/0",
-                  "two shapes: heights and points");
-}
-
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -248,7 +234,6 @@ int main(void)
         cmocka_unit_test_setup_teardown(info_lists_points_behind_faces, open_arena, close_arena),
         cmocka_unit_test(points_cost_the_pixels_that_they_have_in_the_window),
         cmocka_unit_test(points_are_indices_of_positions),
-        cmocka_unit_test(points_that_are_none_are_refused),
     };
     return cmocka_run_group_tests_name("points", tests, NULL, NULL);
 }

@@ -181,7 +181,6 @@ static void what_is_solid_hides_layers(void **state)
 static void painter_draws_none(void **state)
 {
     (void)state;
-    refuses_scene("{" VIEW ", \"algorithm\": \"painter\", \"polygons\": [{" SQUARE "}]}", "/algorithm", "xray");
     struct drawing depths;
     draw(NULL,
          "{" VIEW ", \"algorithm\": \"painter\", \"outputs\": [{\"channel\": \"depth\"}], \"polygons\": [{" SQUARE
@@ -199,12 +198,6 @@ static void alpha_is_no_oddity(void **state)
     reading_free(reading);
 }
 
-static void they_want_linear_light(void **state)
-{
-    (void)state;
-    refuses_rest("\"shading\": \"xray\", \"colorManagement\": \"none\"", "/colorManagement", "");
-}
-
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -213,7 +206,6 @@ int main(void)
         cmocka_unit_test(what_is_solid_hides_layers),
         cmocka_unit_test(painter_draws_none),
         cmocka_unit_test(alpha_is_no_oddity),
-        cmocka_unit_test(they_want_linear_light),
     };
     return cmocka_run_group_tests_name("xray", tests, NULL, NULL);
 }

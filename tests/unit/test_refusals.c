@@ -1,0 +1,164 @@
+/* What readers refuse: every case of tests/refusals, a file per subject.
+ *
+ *     format application/json                       the first line: a media type
+ *     let NAME = text                               then names; ${NAME} stands for its text in what follows
+ *
+ *     bad scene at /view/eye: three numbers         status, place (left out if it is empty) and a part of the message
+ *     {"polygons": [], "view": {"eye": 1}}          the body, up to an empty line; ${0a} is the byte 0x0a
+ */
+#include <dirent.h>
+#include <stdio.h>
+
+#include "input/formats.h"
+#include "input_check.h"
+#include "support/files.h"
+
+enum { LETS_MAX = 16, BODY_MAX = 1 << 16, PATH_SIZE = 600 };
+
+static const char *const statuses[] = {[ZR_BAD_SYNTAX] = "bad syntax",
+                                       [ZR_BAD_TYPE] = "bad type",
+                                       [ZR_BAD_REQUEST] = "bad request",
+                                       [ZR_BAD_SCENE] = "bad scene"};
+
+struct cases {
+    const char *path;
+    int line, count, failures;
+    enum zr_format format;
+    size_t let_count;
+    char *names[LETS_MAX], *texts[LETS_MAX];
+    size_t size;
+    char body[BODY_MAX];
+};
+
+static void put(struct cases *cases, const char *bytes, size_t size)
+{
+    assert_true(cases->size + size < BODY_MAX);
+    memcpy(cases->body + cases->size, bytes, size);
+    cases->size += size;
+}
+
+/* Appends a text to the body, its names and bytes replaced. */
+static void expand(struct cases *cases, const char *text)
+{
+    for (const char *name; (name = strstr(text, "${")) != NULL; text = strchr(name, '}') + 1) {
+        size_t i = 0;
+        put(cases, text, (size_t)(name - text));
+        name += 2;
+        const size_t length = strcspn(name, "}");
+        while (i < cases->let_count &&
+               (strlen(cases->names[i]) != length || memcmp(cases->names[i], name, length) != 0))
+            i++;
+        unsigned byte = 0;
+        if (i < cases->let_count)
+            expand(cases, cases->texts[i]);
+        else if (length == 2 && sscanf(name, "%2x", &byte) == 1)
+            put(cases, (char[]){(char)byte}, 1);
+        else
+            fail_msg("%s, line %d: no name '%.*s'", cases->path, cases->line, (int)length, name);
+    }
+    put(cases, text, strlen(text));
+}
+
+static void check(struct cases *cases, const char *head, int line)
+{
+    enum zr_status status = ZR_BAD_SYNTAX;
+    while (status <= ZR_BAD_SCENE && strncmp(head, statuses[status], strlen(statuses[status])) != 0)
+        status++;
+    const char *place = "", *detail = strstr(head, ": ");
+    if (status > ZR_BAD_SCENE || !detail) fail_msg("%s, line %d: no 'STATUS at PLACE: message'", cases->path, line);
+    const char *at = head + strlen(statuses[status]);
+    if (strncmp(at, " at ", 4) == 0) place = at + 4;
+    const size_t length = *place ? (size_t)(detail - place) : 0;
+    struct reading *reading = read_bytes(cases->format, cases->body, cases->size);
+    const struct zr_error_item *item = &reading->error.items[0];
+    const bool is_refused = reading->status == status && reading->error.status == status && reading->error.count > 0 &&
+                            !reading->scene && strlen(item->pointer) == length &&
+                            memcmp(item->pointer, place, length) == 0 && strstr(item->detail, detail + 2);
+    if (!is_refused) {
+        print_error("%s, line %d: status %d at %s: %s\n", cases->path, line, (int)reading->status, item->pointer,
+                    item->detail);
+        cases->failures++;
+    }
+    cases->count++;
+    reading_free(reading);
+}
+
+/* The format and the names; returns what is behind them. */
+static char *read_head(struct cases *cases, char *text)
+{
+    char *line, *rest = text;
+    while ((line = strsep(&rest, "\n")) && *line) {
+        cases->line++;
+        char *value = strstr(line, " = ");
+        if (strncmp(line, "format ", 7) == 0)
+            cases->format = zr_format_of_type(line + 7);
+        else if (*line != '#') {
+            if (strncmp(line, "let ", 4) != 0 || !value || cases->let_count == LETS_MAX)
+                fail_msg("%s, line %d: no 'let NAME = text'", cases->path, cases->line);
+            *value = '\0';
+            cases->names[cases->let_count] = line + 4;
+            cases->texts[cases->let_count++] = value + 3;
+        }
+    }
+    cases->line++;
+    assert_true(cases->format != ZR_FORMAT_UNKNOWN);
+    return rest;
+}
+
+static void check_file(const char *path, int *count, int *failures)
+{
+    static struct cases cases;
+    char *text = file_read(path, &(size_t){0});
+    assert_non_null(text);
+    cases = (struct cases){.path = path, .format = ZR_FORMAT_UNKNOWN};
+    char *line, *rest = read_head(&cases, text), *head = NULL;
+    int head_line = 0;
+    while ((line = strsep(&rest, "\n"))) {
+        cases.line++;
+        if (*line && !head) {
+            head = line;
+            head_line = cases.line;
+            cases.size = 0;
+        } else if (*line) {
+            if (cases.size > 0) put(&cases, "\n", 1);
+            expand(&cases, line);
+        } else if (head) {
+            check(&cases, head, head_line);
+            head = NULL;
+        }
+    }
+    free(text);
+    *count += cases.count;
+    *failures += cases.failures;
+}
+
+static int is_text(const struct dirent *entry)
+{
+    const char *dot = strrchr(entry->d_name, '.');
+    return dot && strcmp(dot, ".txt") == 0;
+}
+
+static void every_case_is_refused_as_it_says(void **state)
+{
+    (void)state;
+    struct dirent **entries;
+    int cases = 0, failures = 0;
+    const int files = scandir("tests/refusals", &entries, is_text, alphasort);
+    if (files < 0) fail_msg("tests/refusals: not there; tests run from the project's top folder");
+    for (int i = 0; i < files; i++) {
+        char path[PATH_SIZE];
+        snprintf(path, sizeof path, "tests/refusals/%s", entries[i]->d_name);
+        check_file(path, &cases, &failures);
+        free(entries[i]);
+    }
+    free(entries);
+    print_message("%d cases of %d files\n", cases, files);
+    assert_true(cases > 300);
+    assert_int_equal(failures, 0);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {cmocka_unit_test(every_case_is_refused_as_it_says)};
+    return cmocka_run_group_tests_name("refusals", tests, NULL, NULL);
+}
