@@ -70,23 +70,6 @@ static void placed_mesh_equals_the_mesh_with_moved_vertices(void **state)
     assert_placed_equals_moved(solid, (zr_mat4){{2, 0, 0, 0, 0, 2, 0, 0, 0, 0, 2, 0, 0.25f, -0.5f, -0.125f, 1}}, moved);
 }
 
-/* What the mirror makes of a mesh is the mesh reflected and, so that fronts stay fronts,
- * its corners in the other direction. */
-static void mirrored_instance_keeps_its_fronts(void **state)
-{
-    (void)state;
-    zr_vec4 solid[12], moved[12];
-    make_solid(solid);
-    for (int i = 0; i < 12; i++) {
-        zr_vec4 p = solid[i % 3 == 2 ? i : i - i % 3 + 1 - i % 3];
-        moved[i] = (zr_vec4){-p.x + 0.25f, p.y, p.z, 1};
-    }
-    zr_mat4 mirror = zr_mat4_identity();
-    mirror.m[0] = -1;
-    mirror.m[12] = 0.25f;
-    assert_placed_equals_moved(solid, mirror, moved);
-}
-
 static void mirrors_are_told_by_the_determinant(void **state)
 {
     (void)state;
@@ -130,66 +113,12 @@ static void matrices_at_their_limits_draw_something_or_nothing(void **state)
     zr_arena_free(&arena);
 }
 
-/* On a sphere that is stretched to twice its width, the normal (1, 0, 1) leans to (1/2, 0, 1):
- * light along z falls on it at an angle whose cosine is 1 / sqrt(5/4). */
-static void stretched_sphere_is_lit_by_the_normals_of_an_ellipsoid(void **state)
-{
-    (void)state;
-    const zr_vec4 facet[3] = {{-0.25f, -0.5f, 0, 1}, {0.25f, -0.5f, 0, 1}, {0, 0.5f, 0, 1}};
-    const zr_vec3 normals[3] = {{1, 0, 1}, {2, 0, 2}, {0.5f, 0, 0.5f}};
-    const struct zr_light headlight = {.direction = {0, 0, -1}, .color = {1, 1, 1}, .camera_frame = true};
-    static struct test_scene test;
-    scene_of_triangles(&test, 33, 33, facet, 1);
-    test.mesh.normals = normals;
-    test.mesh.normal_count = 3;
-    test.material = (struct zr_material){.base_color = {1, 0.5f, 1, 1}, .shading = ZR_SHADING_GOURAUD};
-    test.scene.lights = &headlight;
-    test.scene.light_count = 1;
-    test.instance.object_to_world.m[0] = 2;
-    struct zr_arena arena;
-    zr_arena_init(&arena, 1 << 24);
-    const struct zr_frame *frame = scene_render(&arena, NULL, &test.scene);
-    const uint8_t *middle = frame->color + (size_t)4 * (16 * 33 + 16);
-    assert_int_equal(middle[0], 228); /* 255 * 0.894427 = 228.08 */
-    assert_int_equal(middle[1], 114);
-    assert_true(frame->face_id[23 * 33 + 10] == 1); /* stretched: beyond the facet's own width */
-    zr_arena_free(&arena);
-}
-
-static void face_ids_count_over_instances(void **state)
-{
-    (void)state;
-    zr_vec4 solid[12];
-    make_solid(solid);
-    static struct test_scene test;
-    scene_of_triangles(&test, 64, 32, solid, 4);
-    struct zr_instance instances[3];
-    for (int i = 0; i < 3; i++) {
-        instances[i] = (struct zr_instance){.object_to_world = zr_mat4_identity()};
-        instances[i].object_to_world.m[0] = 0.25f;
-        instances[i].object_to_world.m[12] = (float)i * 0.5f - 0.5f;
-    }
-    test.scene.instances = instances;
-    test.scene.instance_count = 3;
-    struct zr_arena arena;
-    zr_arena_init(&arena, 1 << 24);
-    const struct zr_frame *frame = scene_render(&arena, NULL, &test.scene);
-    for (uint32_t i = 0; i < 3; i++) {
-        uint32_t id = frame->face_id[16 * 64 + 16 * (i + 1)];
-        assert_in_range(id, 4 * i + 1, 4 * i + 4);
-    }
-    zr_arena_free(&arena);
-}
-
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(placed_mesh_equals_the_mesh_with_moved_vertices),
-        cmocka_unit_test(mirrored_instance_keeps_its_fronts),
         cmocka_unit_test(mirrors_are_told_by_the_determinant),
         cmocka_unit_test(matrices_at_their_limits_draw_something_or_nothing),
-        cmocka_unit_test(stretched_sphere_is_lit_by_the_normals_of_an_ellipsoid),
-        cmocka_unit_test(face_ids_count_over_instances),
     };
     return cmocka_run_group_tests_name("instances", tests, NULL, NULL);
 }

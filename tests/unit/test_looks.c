@@ -93,51 +93,6 @@ static void looks_are_found_by_name_and_version(void **state)
     assert_string_equal(zr_look_textbook()->name, "textbook");
 }
 
-/* A released row does not change: its newest version may have another one behind it. */
-static void version_1_has_the_values_that_it_was_released_with(void **state)
-{
-    (void)state;
-    static const struct {
-        const char *name;
-        enum zr_shading shading;
-        uint32_t base;
-        float metallic, roughness;
-        uint32_t top, bottom;
-        float exposure;
-        enum zr_tone tone;
-    } rows[] = {
-        {"studio@1", ZR_SHADING_PBR, 0x8fa3b8, 0, 0.55f, 0xf4f6f8, 0xd3dae1, 1, ZR_TONE_NEUTRAL},
-        {"clay@1", ZR_SHADING_PBR, 0xcbb29c, 0, 0.9f, 0xf7f4f0, 0xded6cc, 1, ZR_TONE_NEUTRAL},
-        {"dark@1", ZR_SHADING_PBR, 0xc9ced4, 0, 0.45f, 0x3c444d, 0x191d22, 1, ZR_TONE_NEUTRAL},
-        {"metal@1", ZR_SHADING_PBR, 0xd4d6da, 1, 0.32f, 0xf4f6f8, 0xd3dae1, 1, ZR_TONE_NEUTRAL},
-        {"outdoor@1", ZR_SHADING_PBR, 0xb9b4aa, 0, 0.55f, 0xbcd6f0, 0xefe9de, 0.78f, ZR_TONE_NEUTRAL},
-        {"technical@1", ZR_SHADING_GOOCH, 0xffffff, 0, 0.55f, 0, 0, 1, ZR_TONE_NONE},
-        {"blueprint@1", ZR_SHADING_UNLIT, 0x1d4a86, 0, 0.55f, 0, 0, 1, ZR_TONE_NONE},
-        {"xray@1", ZR_SHADING_XRAY, 0x2b6cb0, 0, 0.55f, 0xffffff, 0xf1f4f8, 1, ZR_TONE_NONE},
-    };
-    for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++) {
-        const struct zr_look *look = zr_look_find(rows[i].name);
-        const zr_vec4 base = look->material.base_color;
-        const float bytes[9] = {base.x,
-                                base.y,
-                                base.z,
-                                look->picture.top.x,
-                                look->picture.top.y,
-                                look->picture.top.z,
-                                look->picture.bottom.x,
-                                look->picture.bottom.y,
-                                look->picture.bottom.z};
-        const uint32_t wanted[3] = {rows[i].base, rows[i].top, rows[i].bottom};
-        for (int k = 0; k < 9; k++)
-            assert_true(bytes[k] == (float)(wanted[k / 3] >> (16 - 8 * (k % 3)) & 255) / 255.0f);
-        assert_int_equal(look->material.shading, rows[i].shading);
-        assert_true(look->material.metallic == rows[i].metallic && look->material.roughness == rows[i].roughness);
-        assert_true(look->picture.exposure == rows[i].exposure && look->picture.tone == rows[i].tone);
-        assert_int_equal(look->picture.has_gradient, rows[i].top != 0);
-        assert_true(look->picture.is_linear && look->picture.side == 4);
-    }
-}
-
 /* ---- scenes ---- */
 
 static void every_look_dresses_a_scene(void **state)
@@ -281,7 +236,6 @@ int main(void)
         cmocka_unit_test(effects_are_of_linear_light_only),
         cmocka_unit_test(lamps_of_an_environment_are_found_in_a_row_that_has_it),
         cmocka_unit_test(looks_are_found_by_name_and_version),
-        cmocka_unit_test(version_1_has_the_values_that_it_was_released_with),
         cmocka_unit_test(every_look_dresses_a_scene),
         cmocka_unit_test(a_scene_without_a_look_is_the_textbooks),
         cmocka_unit_test(an_upright_window_has_the_angle_across),

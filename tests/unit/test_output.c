@@ -141,33 +141,6 @@ static void depth16_counts_what_does_not_fit_and_never_wraps(void **state)
     }
 }
 
-/* Any bits at all, and much of it nothing, as in pictures. */
-static void depth16_is_the_same_from_each_instruction_set(void **state)
-{
-    (void)state;
-    enum { WIDTH = 1000 };
-    struct random random = random_seeded(5);
-    for (int round = 0; round < 200; round++) {
-        float depth[WIDTH];
-        uint16_t want[WIDTH];
-        const uint32_t begin = random_below(&random, WIDTH);
-        for (uint32_t x = 0; x < WIDTH; x++) {
-            const uint32_t bits = (uint32_t)random_next(&random);
-            memcpy(&depth[x], &bits, sizeof bits);
-            if (round % 2) depth[x] = (float)random_range(&random, 0, 70);
-            if (x - begin < 300) depth[x] = INFINITY;
-        }
-        const uint32_t misfits = zr_depth16_of(ZR_ISA_SCALAR)(depth, 0.001f, WIDTH, want);
-        assert_int_equal(want[begin], 0);
-        for (enum zr_isa isa = 0; isa < ZR_ISA_COUNT; isa++) {
-            uint16_t got[WIDTH];
-            if (!zr_isa_is_available(isa)) continue;
-            assert_int_equal(zr_depth16_of(isa)(depth, 0.001f, WIDTH, got), misfits);
-            assert_memory_equal(got, want, sizeof want);
-        }
-    }
-}
-
 /* Strips look at the row above theirs, which is made twice and counted once. */
 static void depth16_is_written_row_by_row(void **state)
 {
@@ -387,7 +360,6 @@ int main(void)
         cmocka_unit_test_setup_teardown(npy_has_the_header_that_numpy_writes, open_arena, close_arena),
         cmocka_unit_test_setup_teardown(zip_gives_back_its_files_and_is_the_same_every_time, open_arena, close_arena),
         cmocka_unit_test(depth16_counts_what_does_not_fit_and_never_wraps),
-        cmocka_unit_test(depth16_is_the_same_from_each_instruction_set),
         cmocka_unit_test_setup_teardown(depth16_is_written_row_by_row, open_arena, close_arena),
         cmocka_unit_test(depth16_scale_left_open_fits_the_far_plane),
         cmocka_unit_test_setup_teardown(depth_as_png16_has_steps_of_its_scale_and_warns_of_what_does_not_fit,

@@ -29,101 +29,6 @@ static void sizes_are_whole_pixels_half_down_and_one_at_least(void **state)
         assert_int_equal(zr_point_width(cases[i].size, cases[i].scale), cases[i].width);
 }
 
-/* One point of a mesh, in the window at x, y. */
-struct one {
-    struct zr_mesh mesh;
-    struct zr_draw draw;
-    struct zr_window_vertex vertex;
-    struct zr_geometry geometry;
-};
-
-static void one_make(struct one *one, float x, float y, float z, float size)
-{
-    static const uint32_t corners[3] = {0, 0, 0};
-    static const struct zr_material opaque = {.alpha_mode = ZR_ALPHA_OPAQUE};
-    one->mesh = (struct zr_mesh){.point_size = size};
-    one->vertex = (struct zr_window_vertex){.x = x, .y = y, .z = z, .oow = 1};
-    one->draw = (struct zr_draw){.count = 1, .kind = ZR_DRAW_POINTS, .counted = true, .corners = corners};
-    one->draw.mesh = &one->mesh;
-    one->draw.material = &opaque;
-    one->geometry = (struct zr_geometry){.window = {.line_width = 1, .point_scale = 1},
-                                         .vertices = &one->vertex,
-                                         .vertex_count = 1,
-                                         .primitive_count = 1,
-                                         .draw_count = 1,
-                                         .draws = &one->draw};
-}
-
-/* Odd ones are around the pixel that they lie in, even ones around the corner that is nearest; borders belong to what
- * is on the right and above. */
-static void squares_are_around_a_pixel_or_a_corner(void **state)
-{
-    (void)state;
-    static const struct {
-        float x, size;
-        int32_t first;
-    } cases[] = {{5.5f, 1, 5},   {5.0f, 1, 5},   {5.996f, 1, 5}, {5.9985f, 1, 6}, {0.0f, 1, 0},  {5.5f, 3, 4},
-                 {5.0f, 3, 4},   {4.996f, 3, 3}, {5.0f, 2, 4},   {5.496f, 2, 4},  {5.5f, 2, 5},  {4.5f, 2, 4},
-                 {4.496f, 2, 3}, {1.0f, 4, -1},  {2.0f, 5, 0},   {10.0f, 8, 6},   {9.49f, 8, 5}, {9.5f, 8, 6}};
-    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
-        struct one one;
-        int32_t box[4];
-        one_make(&one, cases[i].x, 3.5f, 0.5f, cases[i].size);
-        zr_point_box(&one.geometry, &one.draw, 0, box);
-        assert_int_equal(box[0], cases[i].first);
-        assert_int_equal(box[2], cases[i].first + (int32_t)cases[i].size - 1);
-        assert_int_equal(box[3] - box[1], (int32_t)cases[i].size - 1);
-    }
-}
-
-static int assert_same_tile(const struct zr_tile *got, const struct zr_tile *want)
-{
-    int owned = 0;
-    for (int y = 0; y < want->height; y++)
-        for (int x = 0; x < want->width; x++) {
-            const int i = y * ZR_TILE_STRIDE + x;
-            const uint32_t of_want = want->is_empty ? 0 : want->owner[i];
-            assert_int_equal(got->is_empty ? 0 : got->owner[i], of_want);
-            if (of_want == 0) continue;
-            assert_true(got->depth[i] == want->depth[i]);
-            owned++;
-        }
-    return owned;
-}
-
-/* In a window of three by two tiles, of all sizes: also over many tiles, and beyond the window. */
-static void points_have_the_pixels_of_their_edges_in_the_tiles_that_list_them(void **state)
-{
-    (void)state;
-    enum { WIDTH = 150, HEIGHT = 100, TILES = 6, ROUNDS = 1000 };
-    static struct zr_tile by_edges, by_pixels;
-    struct random random = random_seeded(23);
-    int owned = 0;
-    for (int round = 0; round < ROUNDS; round++) {
-        const double step = round % 3 == 0 ? 0.5 : 1.0 / 512;
-        const float x = (float)(floor(random_range(&random, -3, WIDTH + 3) / step) * step);
-        const float y = (float)(floor(random_range(&random, -3, HEIGHT + 3) / step) * step);
-        const float z = (float)random_range(&random, 0, 1), size = (float)random_range(&random, 1, round % 9 ? 9 : 300);
-        struct one one;
-        struct zr_binned_scene visible;
-        struct zr_primitive primitive;
-        one_make(&one, x, y, z, size);
-        zr_arena_reset(&arena, 1 << 20);
-        assert_int_equal(zr_binned_scene_make(&arena, NULL, &one.geometry, NULL, WIDTH, HEIGHT, NULL, NULL, &visible),
-                         ZR_OK);
-        zr_primitive_make(&one.geometry, &one.draw, 0, WIDTH, HEIGHT, &primitive);
-        for (uint32_t number = 0; number < TILES; number++) {
-            zr_tile_place(&by_edges, number, WIDTH, HEIGHT);
-            zr_tile_begin(&by_edges, NULL, WIDTH, HEIGHT);
-            zr_oddeven_draw(&one.geometry, &primitive, &by_edges);
-            assert_true(zr_visibility_tile(&visible.visibility, number, NULL, &by_pixels));
-            if (!by_pixels.is_empty) visible.halfspace->flush(&by_pixels);
-            owned += assert_same_tile(&by_pixels, &by_edges);
-        }
-    }
-    assert_true(owned > 100000);
-}
-
 /* ---- what is counted, listed and predicted ---- */
 
 /* Of the test's own mesh: a triangle and four points, of which two are in view. */
@@ -226,9 +131,6 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(sizes_are_whole_pixels_half_down_and_one_at_least),
-        cmocka_unit_test(squares_are_around_a_pixel_or_a_corner),
-        cmocka_unit_test_setup_teardown(points_have_the_pixels_of_their_edges_in_the_tiles_that_list_them, open_arena,
-                                        close_arena),
         cmocka_unit_test_setup_teardown(points_behind_the_eye_or_beside_the_window_are_outside, open_arena,
                                         close_arena),
         cmocka_unit_test_setup_teardown(info_lists_points_behind_faces, open_arena, close_arena),
