@@ -10,8 +10,12 @@
 #include "input/parts.h"
 #include "input/text.h"
 
-/* PART_BYTES are counted and read in a fifth of a millisecond, about as long as it takes to wake a thread. */
-enum { COUNT_MAX = 1 << 30, VERTEX_NUMBERS_MAX = 6, PART_BYTES = 1 << 16 };
+/* So many are counted and read in a fifth of a millisecond, about as long as it takes to wake a thread. */
+#ifndef ZR_OBJ_PART_BYTES /* a test has smaller ones (tests/unit/test_obj_parts.c) */
+#define ZR_OBJ_PART_BYTES (1 << 16)
+#endif
+
+enum { COUNT_MAX = 1 << 30, VERTEX_NUMBERS_MAX = 6 };
 
 /* Stands in for an index until the zero normal has its place. */
 #define CORNER_WITHOUT_NORMAL UINT32_MAX
@@ -60,7 +64,7 @@ struct reader {
 
 static bool cut(struct file *file, struct zr_arena *arena, const char *bytes)
 {
-    file->texts = zr_parts_cut(arena, bytes, file->end, PART_BYTES, zr_obj_cut, &file->part_count);
+    file->texts = zr_parts_cut(arena, bytes, file->end, ZR_OBJ_PART_BYTES, zr_obj_cut, &file->part_count);
     file->parts = zr_arena_zero(arena, file->part_count, sizeof *file->parts);
     return zr_arena_ok(arena);
 }

@@ -11,7 +11,9 @@
 #define TRIANGLE_TEXT "facet normal 0 0 0 outer loop vertex 0 0 0 vertex 0 0 0 vertex 0 0 0 endloop endfacet"
 
 /* Read in a fifth of a millisecond, about as long as it takes to wake a thread. */
-enum { PART_BYTES = 1 << 17 };
+#ifndef ZR_STL_PART_BYTES /* a test has smaller ones (tests/unit/test_stl_parts.c) */
+#define ZR_STL_PART_BYTES (1 << 17)
+#endif
 
 /* All but the first part begin behind a line that is nothing but "endfacet": in a solid, since a line with "solid" has
  * more, between two facets. Where somebody has written "endfacet" for a normal, the part that it ends is at
@@ -338,7 +340,7 @@ enum zr_status zr_stl_text_read(struct zr_arena *arena, struct zr_team *team, co
 {
     struct file file = {.limits = limits, .cancel = request->cancel};
     file.texts =
-        zr_parts_cut(arena, request->bytes, request->bytes + request->size, PART_BYTES, zr_stl_cut, &file.part_count);
+        zr_parts_cut(arena, request->bytes, request->bytes + request->size, ZR_STL_PART_BYTES, zr_stl_cut, &file.part_count);
     file.parts = zr_arena_zero(arena, file.part_count, sizeof *file.parts);
     if (!zr_arena_ok(arena)) return ZR_NO_MEMORY;
     if (zr_parts_read(team, file.cancel, 0, file.part_count, make_room, &file) < file.part_count) return ZR_CANCELLED;

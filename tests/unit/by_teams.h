@@ -60,41 +60,6 @@ static inline struct reading *read_by_all(enum zr_format format, const struct te
     return alone;
 }
 
-/* So many times a byte of the text is one of `bytes`, anywhere, or its end is too early: how many readings had the
- * status. */
-static inline size_t count_spoilt(enum zr_format format, struct text *text, const char *bytes, size_t times,
-                                  enum zr_status status)
-{
-    const size_t size = text->size;
-    size_t count = 0;
-    for (size_t i = 0; i < times; i++) {
-        char *byte = &text->bytes[below(size)];
-        const char was = *byte;
-        *byte = bytes[below(strlen(bytes))];
-        text->size = below(2) ? size : below(size);
-        struct reading *reading = read_by_all(format, text);
-        count += reading->status == status;
-        reading_free(reading);
-        *byte = was;
-    }
-    text->size = size;
-    return count;
-}
-
-/* All of a text in parts, one behind the other: no fewer than would be `longest` each, so there is something for
- * several threads. Who calls looks at where they end. */
-static inline const struct zr_part *cut_text(struct zr_arena *arena, const struct text *text, size_t part_size,
-                                             size_t longest, zr_cut_fn *cut, size_t *count)
-{
-    const char *at = text->bytes, *end = at + text->size;
-    const struct zr_part *parts = zr_parts_cut(arena, at, end, part_size, cut, count);
-    assert_in_range(*count, text->size / longest, text->size / part_size + 1);
-    for (size_t i = 0; i < *count; at = parts[i++].end)
-        assert_ptr_equal(parts[i].at, at);
-    assert_ptr_equal(at, end);
-    return parts;
-}
-
 /* That many, but reading ends where no more are told, of texts that contain these. */
 static inline void assert_faults(const struct reading *reading, char (*faults)[FAULT_SIZE], size_t count)
 {
