@@ -296,98 +296,6 @@ static void side_of_a_polygon_does_not_depend_on_what_the_window_cuts_off(void *
     assert_int_equal(sides, 1);
 }
 
-/* ---- by every algorithm ---- */
-
-enum { FACES_MAX = 24, SCENE_CORNERS = FACES_MAX * 60 + 64 };
-
-/* Polygons of any shape through one another, with outlines and lines. Points into itself: do not copy. */
-struct tangle {
-    struct test_scene test;
-    zr_vec4 positions[SCENE_CORNERS], colors[SCENE_CORNERS];
-    uint32_t faces[FACES_MAX + 1], face_rings[FACES_MAX + 1], rings[FACES_MAX * 3 + 1], indices[SCENE_CORNERS],
-        lines[64], face_count, ring_count, corners;
-};
-
-static void add_random_corner(struct tangle *t, struct random *r, const double plane[3], double step)
-{
-    double x = floor(random_range(r, -1.3, 1.3) / step) * step, y = floor(random_range(r, -1.3, 1.3) / step) * step;
-    double w = random_range(r, 0.5, 2), z = plane[0] + plane[1] * x + plane[2] * y;
-    t->indices[t->corners] = t->corners;
-    t->colors[t->corners] =
-        (zr_vec4){(float)random_range(r, 0, 1), (float)random_range(r, 0, 1), (float)random_range(r, 0, 1), 1};
-    t->positions[t->corners++] = (zr_vec4){(float)(x * w), (float)(y * w), (float)(z * w), (float)w};
-}
-
-static void make_tangle(struct tangle *t, struct random *r)
-{
-    static const double steps[] = {1.0 / 32, 1.0 / 1024, 0.25};
-    scene_of_triangles(&t->test, 1 + random_below(r, 140), 1 + random_below(r, 100), t->positions, 1);
-    double step = steps[random_below(r, 3)];
-    t->corners = t->ring_count = 0;
-    t->face_count = 1 + random_below(r, FACES_MAX);
-    for (uint32_t f = 0; f < t->face_count; f++) {
-        double plane[3] = {random_range(r, -0.9, 0.9), random_range(r, -0.5, 0.5), random_range(r, -0.5, 0.5)};
-        uint32_t rings = random_below(r, 3) ? 1 : 1 + random_below(r, 3);
-        t->faces[f] = t->corners;
-        t->face_rings[f] = t->ring_count;
-        for (uint32_t ring = 0; ring < rings; ring++) {
-            t->rings[t->ring_count++] = t->corners;
-            for (uint32_t k = 3 + random_below(r, 14); k > 0; k--)
-                add_random_corner(t, r, plane, step);
-        }
-    }
-    t->faces[t->face_count] = t->rings[t->ring_count] = t->corners;
-    t->face_rings[t->face_count] = t->ring_count;
-    uint32_t lines = random_below(r, 32);
-    for (uint32_t i = 0; i < 2 * lines; i++)
-        t->lines[i] = random_below(r, t->corners);
-    t->test.mesh = (struct zr_mesh){.name = "tangle",
-                                    .position_count = t->corners,
-                                    .positions = t->positions,
-                                    .face_count = t->face_count,
-                                    .face_offsets = t->faces,
-                                    .indices = t->indices,
-                                    .face_rings = t->face_rings,
-                                    .ring_offsets = t->rings,
-                                    .line_count = lines,
-                                    .lines = t->lines,
-                                    .colors = t->colors};
-    t->test.material.double_sided = random_below(r, 3) > 0;
-    t->test.material.outline = (enum zr_outline)random_below(r, 3);
-    t->test.material.unfilled = random_below(r, 4) == 0;
-}
-
-static uint32_t polygons_wanted(void)
-{
-    const char *text = getenv("ALGORITHM_TRIANGLES");
-    return text ? (uint32_t)strtoul(text, NULL, 10) / 5 : 2000;
-}
-
-static void shapes_outlines_and_lines_give_the_same_bytes_by_every_algorithm(void **state)
-{
-    (void)state;
-    static struct tangle tangle;
-    struct random random = random_seeded(34);
-    uint64_t concave = 0, lines = 0;
-    for (uint32_t polygons = 0; polygons < polygons_wanted(); polygons += tangle.face_count) {
-        make_tangle(&tangle, &random);
-        const struct zr_frame *want = scene_render(&arena, NULL, &tangle.test.scene);
-        size_t pixels = (size_t)want->width * want->height;
-        concave += want->counts.concave_polygons;
-        lines += want->counts.lines;
-        for (int a = ZR_ALGORITHM_EDGELIST; a < ZR_ALGORITHM_COUNT; a++) {
-            tangle.test.scene.algorithm = (enum zr_algorithm)a;
-            const struct zr_frame *got = scene_render(&arena, NULL, &tangle.test.scene);
-            assert_memory_equal(got->face_id, want->face_id, pixels * sizeof *want->face_id);
-            assert_memory_equal(got->window_depth, want->window_depth, pixels * sizeof *want->window_depth);
-            assert_memory_equal(got->depth, want->depth, pixels * sizeof *want->depth);
-            assert_memory_equal(got->color, want->color, pixels * 4);
-        }
-        zr_arena_reset(&arena, (size_t)1 << 28);
-    }
-    assert_true(concave > polygons_wanted() / 2 && lines > 100);
-}
-
 /* ---- corners behind the eye ---- */
 
 /* Rays around an axis, or any, in a random three-dimensional part of homogeneous space. */
@@ -462,7 +370,6 @@ int main(void)
         cmocka_unit_test(planar_polygons_of_any_shape_have_the_depth_of_their_plane),
         cmocka_unit_test(corners_on_edges_neither_lose_samples_nor_bend_the_depth),
         cmocka_unit_test(side_of_a_polygon_does_not_depend_on_what_the_window_cuts_off),
-        cmocka_unit_test(shapes_outlines_and_lines_give_the_same_bytes_by_every_algorithm),
         cmocka_unit_test(faces_with_corners_behind_the_eye_cover_what_their_parity_says),
     };
     return cmocka_run_group_tests_name("polygons", tests, open_arena, close_arena);

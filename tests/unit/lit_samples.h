@@ -2,9 +2,10 @@
 #ifndef ZR_TESTS_LIT_SAMPLES_H
 #define ZR_TESTS_LIT_SAMPLES_H
 
+#include <math.h>
 #include <string.h>
 
-#include "lighting_reference.h"
+#include "shade/lights/lighting.h"
 #include "support/cmocka_all.h"
 #include "support/random.h"
 
@@ -61,11 +62,6 @@ static inline void samples_light(struct lit_samples *s, enum zr_isa isa, const s
 {
     float *const out[3] = {s->out[0], s->out[1], s->out[2]};
     zr_look_light_of(isa)(lighting, &s->g, s->open, out);
-}
-
-static inline d3 samples_color(const struct lit_samples *s, size_t at)
-{
-    return (d3){{(double)s->out[0][at], (double)s->out[1][at], (double)s->out[2][at]}};
 }
 
 /* ---- anything ---- */

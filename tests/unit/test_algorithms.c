@@ -61,35 +61,12 @@ static void every_name_but_production_has_a_way_of_its_own(void **state)
     }
 }
 
-static void left_and_bottom_edges_belong_to_a_triangle_by_every_algorithm(void **state)
-{
-    (void)state;
-    add(at(2, 2, 0.5), at(6, 2, 0.5), at(2, 6, 0.5)); /* corners on samples */
-    struct zr_samples samples = draw_by_all(9, 9);
-    assert_int_equal(samples.owner[2 * 9 + 2], 1);
-    assert_int_equal(samples.owner[2 * 9 + 5], 1);
-    assert_int_equal(samples.owner[2 * 9 + 6], 0);
-    assert_int_equal(samples.owner[5 * 9 + 2], 1);
-    assert_int_equal(samples.owner[6 * 9 + 2], 0);
-    assert_int_equal(samples.owner[4 * 9 + 4], 0); /* on the slanted right edge */
-}
-
 static void an_empty_picture_stays_empty(void **state)
 {
     (void)state;
     struct zr_samples samples = draw_by_all(5, 3);
     for (int i = 0; i < 15; i++)
         assert_int_equal(samples.owner[i], 0);
-}
-
-static void of_equal_depths_the_earlier_is_seen(void **state)
-{
-    (void)state;
-    for (int copy = 0; copy < 3; copy++)
-        add(at(-0.5, -0.5, 0.25), at(19.5, -0.5, 0.75), at(-0.5, 19.5, 0.5));
-    struct zr_samples samples = draw_by_all(10, 10);
-    assert_int_equal(samples.owner[0], 1);
-    assert_int_equal(samples.owner[99], 1);
 }
 
 /* Two sheets that cut each other in the middle. */
@@ -151,26 +128,6 @@ static void a_long_chain_is_painted_in_its_order(void **state)
     assert_int_equal(samples.owner[2 * WIDTH + 250], 250);
     add(at(0, 0, 0.05), at(WIDTH, 0, 0.95), at(0, HEIGHT, 0.5)); /* through all of them */
     draw_by_all(WIDTH, HEIGHT);
-}
-
-/* A figure of eight with a square hole, which goes round twice. */
-static void shapes_with_holes_and_crossings_are_filled_by_the_odd_even_rule(void **state)
-{
-    (void)state;
-    const struct test_corner eight[4] = {at(1, 1, 0.5), at(31, 21, 0.5), at(31, 1, 0.5), at(1, 21, 0.5)};
-    const struct test_corner hole[4] = {at(3, 9, 0.5), at(7, 9, 0.5), at(7, 13, 0.5), at(3, 13, 0.5)};
-    geometry_begin_shape(&test);
-    geometry_add_ring(&test, eight, 4);
-    geometry_add_ring(&test, hole, 4);
-    assert_true(geometry_add_triangle(&test, eight));
-    assert_true(geometry_add_triangle(&test, eight + 1));
-    assert_true(geometry_end_shape(&test));
-    struct zr_samples samples = draw_by_all(40, 30);
-    assert_int_not_equal(samples.owner[11 * 40 + 2], 0);
-    assert_int_equal(samples.owner[11 * 40 + 5], 0);     /* in the hole */
-    assert_int_not_equal(samples.owner[11 * 40 + 9], 0); /* between hole and crossing */
-    assert_int_equal(samples.owner[2 * 40 + 16], 0);     /* beside the crossing */
-    assert_int_not_equal(samples.owner[11 * 40 + 29], 0);
 }
 
 /* A picture that is there already: depth 0.5 on its left half. */
@@ -287,15 +244,10 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(every_name_but_production_has_a_way_of_its_own),
-        cmocka_unit_test_setup_teardown(left_and_bottom_edges_belong_to_a_triangle_by_every_algorithm, open_arena,
-                                        close_arena),
         cmocka_unit_test_setup_teardown(an_empty_picture_stays_empty, open_arena, close_arena),
-        cmocka_unit_test_setup_teardown(of_equal_depths_the_earlier_is_seen, open_arena, close_arena),
         cmocka_unit_test_setup_teardown(of_two_that_cut_each_other_each_is_seen_on_its_side, open_arena, close_arena),
         cmocka_unit_test_setup_teardown(three_in_a_cycle_that_no_order_can_paint_are_cut, open_arena, close_arena),
         cmocka_unit_test_setup_teardown(a_long_chain_is_painted_in_its_order, open_arena, close_arena),
-        cmocka_unit_test_setup_teardown(shapes_with_holes_and_crossings_are_filled_by_the_odd_even_rule, open_arena,
-                                        close_arena),
         cmocka_unit_test_setup_teardown(what_is_not_nearer_than_the_start_is_not_seen, open_arena, close_arena),
         cmocka_unit_test_setup_teardown(a_request_that_is_cancelled_ends, open_arena, close_arena),
         cmocka_unit_test_setup_teardown(memory_that_ends_anywhere_is_said, open_arena, close_arena),

@@ -1,6 +1,6 @@
 /* Normals of corners of bodies that are known: sharp where they should be, and smooth elsewhere. */
 #include "crease_check.h"
-#include "support/isas.h"
+#include "support/cmocka_all.h"
 
 static struct zr_mesh soup_of(const zr_vec4 *positions, uint32_t triangles)
 {
@@ -97,26 +97,6 @@ static void positions_farther_apart_are_not(void **state)
     }
 }
 
-/* A face in the plane z = 0 and one in x = 0, with corners of given angles at the origin. */
-static void corners_weigh_their_angles_and_areas(void **state)
-{
-    (void)state;
-    for (int a = 1; a < 180; a++)
-        for (int b = 1; b < 180; b += 13) {
-            const double unit = 3.14159265358979323846 / 180.0, s = 2.0, t = 3.0;
-            const zr_vec4 positions[6] = {
-                {0, 0, 0, 1}, {(float)s, 0, 0, 1}, {(float)cos(a * unit), (float)sin(a * unit), 0, 1},
-                {0, 0, 0, 1}, {0, (float)t, 0, 1}, {0, (float)cos(b * unit), (float)sin(b * unit), 1}};
-            const struct zr_mesh mesh = soup_of(positions, 2);
-            const zr_vec4 *n = make(NULL, &mesh, 90);
-            const double z = s * sin(a * unit) * a, x = t * sin(b * unit) * b, size = sqrt(x * x + z * z);
-            assert_near(n[0], x / size, 0.0, z / size, 3e-6);
-            assert_near(n[3], x / size, 0.0, z / size, 3e-6);
-            assert_near(n[1], 0.0, 0.0, 1.0, 1e-7);
-            zr_arena_reset(&arena, ARENA_BYTES);
-        }
-}
-
 static void faces_without_area_take_what_is_around(void **state)
 {
     (void)state;
@@ -145,29 +125,6 @@ static struct zr_mesh cone_of(uint32_t faces)
         positions[3 * i + 2] = (zr_vec4){(float)cos(b), (float)sin(b), -0.5f, 1};
     }
     return soup_of(positions, faces);
-}
-
-/* Sums over groups are those over faces, but for what is in groups that the angle leads through. */
-static void tips_of_many_faces_are_smooth_along_the_side(void **state)
-{
-    static const uint32_t counts[] = {ZR_CREASE_EXACT, ZR_CREASE_EXACT + 1, 1001, ROUND_MOST};
-    struct zr_team *teams[2] = {zr_team_create_for(1, ZR_ISA_SCALAR), zr_team_create_for(3, isa_under_test(state))};
-    for (int k = 0; k < 4; k++) {
-        const struct zr_mesh mesh = cone_of(counts[k]);
-        const zr_vec4 *n = make(teams[0], &mesh, 35), *all = make(teams[0], &mesh, 180);
-        assert_memory_equal(n, make(teams[1], &mesh, 35), 3 * (size_t)counts[k] * sizeof *n);
-        /* Faces with normals (cos, sin, 2) / sqrt 5 whose turn t against this one's has 1/5 cos t + 4/5 >= cos 35. */
-        const double most = acos(5.0 * cos(35.0 * 3.14159265358979323846 / 180.0) - 4.0);
-        const double side = sin(most) / most, size = sqrt(side * side + 4.0);
-        for (uint32_t i = 0; i < counts[k]; i++) {
-            const double at = 6.283185307179586 * (i + 0.5) / counts[k];
-            assert_near(n[3 * i], cos(at) * side / size, sin(at) * side / size, 2.0 / size, 0.05);
-            assert_near(all[3 * i], 0.0, 0.0, 1.0, 1e-3);
-        }
-        zr_arena_reset(&arena, ARENA_BYTES);
-    }
-    zr_team_destroy(teams[0]);
-    zr_team_destroy(teams[1]);
 }
 
 /* ---- ends ---- */
@@ -210,11 +167,9 @@ int main(void)
 {
 #define ALONE(f) cmocka_unit_test_setup(f, empty_arena)
     const struct CMUnitTest tests[] = {
-        TEST_EACH_ISA(tips_of_many_faces_are_smooth_along_the_side),
         ALONE(cubes_are_sharp_up_to_90_degrees),
         ALONE(positions_that_nearly_agree_are_one_vertex),
         ALONE(positions_farther_apart_are_not),
-        ALONE(corners_weigh_their_angles_and_areas),
         ALONE(faces_without_area_take_what_is_around),
         ALONE(room_is_given_back),
         ALONE(without_memory_there_are_none),

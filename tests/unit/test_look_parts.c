@@ -1,4 +1,4 @@
-/* sRGB and tone mapping are those of their definitions. */
+/* sRGB is that of its definition; limits of tone mapping. */
 #include "lit_samples.h"
 #include "support/isas.h"
 #include "support/look_kernel.h"
@@ -7,7 +7,7 @@ enum { COUNT = 1 << 16 };
 
 static float in[3][COUNT], out[3][COUNT], scalar[3][COUNT];
 static const float *const ins[3] = {in[0], in[1], in[2]};
-static float *const outs[3] = {out[0], out[1], out[2]}, *const scalars[3] = {scalar[0], scalar[1], scalar[2]};
+static float *const outs[3] = {out[0], out[1], out[2]};
 
 static void assert_below(double value, double bound, const char *what)
 {
@@ -15,13 +15,19 @@ static void assert_below(double value, double bound, const char *what)
     if (!(value < bound)) fail_msg("%s: %g, not below %g", what, value, bound);
 }
 
-static void assert_same_first(int count)
+/* ---- sRGB, IEC 61966-2-1 ---- */
+
+static double reference_decode(double encoded)
 {
-    for (int k = 0; k < 3; k++)
-        assert_memory_equal(out[k], scalar[k], (size_t)count * sizeof out[k][0]);
+    const double e = fmin(fmax(encoded, 0.0), 1.0);
+    return e <= 0.04045 ? e / 12.92 : pow((e + 0.055) / 1.055, 2.4);
 }
 
-/* ---- sRGB ---- */
+static double reference_encode(double linear)
+{
+    const double l = fmin(fmax(linear, 0.0), 1.0);
+    return l <= 0.0031308 ? 12.92 * l : 1.055 * pow(l, 1.0 / 2.4) - 0.055;
+}
 
 static void fill_0_to_1(void)
 {
@@ -93,38 +99,6 @@ static void every_byte_comes_back(void **state)
 
 /* ---- tone ---- */
 
-/* Half of them dark, where the toe is; others up to a thousand times as bright as white. */
-static void fill_light(struct random *r)
-{
-    for (int i = 0; i < COUNT; i++) {
-        const double most = i % 2 ? 0.3 : i % 4 ? 2.0 : pow(10.0, random_range(r, 0, 3));
-        put3((float *const[3]){in[0], in[1], in[2]}, (size_t)i, any3(r, 0, most));
-    }
-    put3((float *const[3]){in[0], in[1], in[2]}, 0, (zr_vec3){0, 0, 0});
-}
-
-static void tones_are_as_defined(void **state)
-{
-    const struct look_parts *parts = look_parts_of(isa_under_test(state));
-    struct random r = random_seeded(11);
-    static const char *const names[] = {"none, worst difference", "khronos, worst difference",
-                                        "neutral, worst difference"};
-    fill_light(&r);
-    for (int tone = 0; tone < ZR_TONE_COUNT; tone++) {
-        double worst = 0.0;
-        parts->tone((enum zr_tone)tone, ins, COUNT, outs);
-        look_parts_scalar.tone((enum zr_tone)tone, ins, COUNT, scalars);
-        assert_same_first(COUNT);
-        for (int i = 0; i < COUNT; i++) {
-            const d3 light = {{(double)in[0][i], (double)in[1][i], (double)in[2][i]}};
-            const d3 want = reference_tone((enum zr_tone)tone, light);
-            for (int k = 0; k < 3; k++)
-                worst = fmax(worst, fabs((double)out[k][i] - want.v[k]));
-        }
-        assert_below(worst, tone == ZR_TONE_NONE ? 1e-12 : 2e-7, names[tone]);
-    }
-}
-
 static void no_tone_clamps(void **state)
 {
     const struct look_parts *parts = look_parts_of(isa_under_test(state));
@@ -167,7 +141,6 @@ int main(void)
         TEST_EACH_ISA(srgb_is_encoded_as_defined),
         TEST_EACH_ISA(what_is_beyond_srgb_is_kept_within),
         TEST_EACH_ISA(every_byte_comes_back),
-        TEST_EACH_ISA(tones_are_as_defined),
         TEST_EACH_ISA(no_tone_clamps),
         TEST_EACH_ISA(tones_rise),
         cmocka_unit_test(no_environment_is_none),

@@ -53,35 +53,10 @@ static void values_are_integrals(void **state)
     assert_true(worst < 0.004);
 }
 
-/* What lies between two columns and two rows; of near-mirrors seen edge-on, which change from 0 to 1 within a column,
- * only the mean. */
-static void values_between_are_close(void **state)
-{
-    enum { NEAR_MIRRORS = 2, CELLS = (ZR_SPLIT_SIDE - 1) * (ZR_SPLIT_SIDE - 1) * 2 };
-    double worst = 0.0, sum = 0.0;
-    (void)state;
-    for (int row = 0; row + 1 < ZR_SPLIT_SIDE; row++)
-        for (int column = 0; column + 1 < ZR_SPLIT_SIDE; column++) {
-            const double share = (column + 0.5) / (ZR_SPLIT_SIDE - 1);
-            double want[2];
-            integrate_split_sum((row + 0.5) / (ZR_SPLIT_SIDE - 1), share * share, 160, &want[0], &want[1]);
-            for (int k = 0; k < 2; k++) {
-                const float *here = zr_dfg_table[row][k], *next = zr_dfg_table[row + 1][k];
-                const double got = 0.25 * ((double)here[column] + (double)here[column + 1] + (double)next[column] +
-                                           (double)next[column + 1]);
-                sum += fabs(got - want[k]);
-                if (row >= NEAR_MIRRORS) worst = fmax(worst, fabs(got - want[k]));
-            }
-        }
-    print_message("between: mean %.5f, worst %.5f\n", sum / CELLS, worst);
-    assert_true(worst < 0.01 && sum / CELLS < 0.001);
-}
-
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(values_are_integrals),
-        cmocka_unit_test(values_between_are_close),
     };
     if (getenv("PRINT")) {
         print_table();

@@ -70,8 +70,8 @@ static void furnace(enum zr_isa isa, const struct zr_linear_lighting *lighting, 
     samples_light(&samples, isa, lighting);
     for (size_t i = 0; i < SAMPLES; i++)
         for (int k = 0; k < 3; k++) {
-            *least = fmin(*least, 2.0 * samples_color(&samples, i).v[k]);
-            *most = fmax(*most, 2.0 * samples_color(&samples, i).v[k]);
+            *least = fmin(*least, 2.0 * (double)samples.out[k][i]);
+            *most = fmax(*most, 2.0 * (double)samples.out[k][i]);
         }
 }
 
