@@ -5,6 +5,7 @@
 #include <string.h>
 #include <sys/mman.h>
 
+#include "base/cancel.h"
 #include "base/checked.h"
 #include "base/forbid.h"
 
@@ -225,8 +226,17 @@ void *zr_arena_alloc(struct zr_arena *arena, size_t count, size_t size)
 void *zr_arena_zero(struct zr_arena *arena, size_t count, size_t size)
 {
     void *result = zr_arena_alloc(arena, count, size);
-    if (result) memset(result, 0, count * size);
+    if (result && !zr_arena_clear(arena, result, count * size)) return fail(arena, 0);
     return result;
+}
+
+bool zr_arena_clear(const struct zr_arena *arena, void *bytes, size_t size)
+{
+    for (size_t at = 0; at < size; at += ZR_ARENA_BLOCK) {
+        if (at > 0 && zr_is_cancelled(arena->cancel)) return false;
+        memset((char *)bytes + at, 0, size - at < ZR_ARENA_BLOCK ? size - at : ZR_ARENA_BLOCK);
+    }
+    return true;
 }
 
 void *zr_arena_grow(struct zr_arena *arena, void *old, size_t count, size_t new_count, size_t size)

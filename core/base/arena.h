@@ -31,7 +31,7 @@ struct zr_arena {
     size_t wanted; /* what `held` would have been, where the first failure was the ceiling's; SIZE_MAX: more than can be
                       counted; 0: it was the system that had no more */
     bool is_within;                        /* bytes of somebody else's */
-    const struct zr_cancel *cancel;        /* of the request, for who has its arena and no more of it; NULL: never */
+    const struct zr_cancel *cancel;        /* of the step under way, for who has no more than its arena; NULL: never */
     struct zr_arena_block *first, *spares; /* those with allocations, and those that a reset kept */
     struct zr_arena_block *current;        /* with the newest allocation */
     size_t spare_bytes;
@@ -62,7 +62,12 @@ void zr_arena_reset(struct zr_arena *arena, size_t keep);
  * NULL once the arena has failed, also when count * size overflows. A count of 0
  * gives a pointer that must not be read. */
 void *zr_arena_alloc(struct zr_arena *arena, size_t count, size_t size);
+
+/* The same of zeros. To touch large memory for the first time takes long: once `cancel` is raised, the arena fails. */
 void *zr_arena_zero(struct zr_arena *arena, size_t count, size_t size);
+
+/* Zeros in memory that was allocated before. False where `cancel` was raised meanwhile. */
+bool zr_arena_clear(const struct zr_arena *arena, void *bytes, size_t size);
 
 /* A larger array with the first `count` objects of `old` (which may be NULL).
  * In place where `old` was the newest allocation and its block has room. */

@@ -1,5 +1,6 @@
 #include "input/jpeg_read.h"
 
+#include <inttypes.h>
 #include <setjmp.h>
 #include <string.h>
 
@@ -10,8 +11,9 @@
 #include <jerror.h>
 
 /* Bits are refined one by one, by as many scans for each of three colours, and the first has but the means: no encoder
- * makes as many. Each goes through the whole picture, however few bytes it has. */
-enum { SCANS_MAX = 200 };
+ * makes as many. Each goes through the whole picture, however few bytes it has: so the product of both is limited, too,
+ * to 16 scans of the largest picture. Arithmetic coding takes four times as long. */
+enum { SCANS_MAX = 200, SCANS_OF_LARGEST = 16, ARITHMETIC_TIMES = 4 };
 
 /* What libjpeg calls back with. */
 struct reading {
@@ -22,6 +24,7 @@ struct reading {
     struct zr_jpeg_memory memory;
     struct zr_arena *arena, *scratch;
     struct zr_reason *reason;
+    uint64_t texels_max;
     enum zr_status status;
     jmp_buf jump;
 };
@@ -114,12 +117,24 @@ static void set_source(struct reading *reading, const void *bytes, size_t size)
 
 /* ---- the picture ---- */
 
-static void look_at_progress(j_common_ptr jpeg)
+static void look_at_progress(j_common_ptr common)
 {
-    struct reading *reading = reading_of(jpeg);
+    struct reading *reading = reading_of(common);
     if (zr_is_cancelled(reading->arena->cancel)) leave(reading, ZR_CANCELLED);
-    if (reading->jpeg.input_scan_number <= SCANS_MAX) return;
-    zr_reason_give(reading->reason, "a JPEG of more than %d scans", SCANS_MAX);
+    const struct jpeg_decompress_struct *jpeg = &reading->jpeg;
+    const uint64_t texels = (uint64_t)jpeg->image_width * jpeg->image_height;
+    const uint64_t times = (uint64_t)jpeg->input_scan_number * (jpeg->arith_code ? ARITHMETIC_TIMES : 1);
+    if (jpeg->input_scan_number > SCANS_MAX)
+        zr_reason_give(reading->reason, "a JPEG of more than %d scans", SCANS_MAX);
+    else if (texels * times > SCANS_OF_LARGEST * reading->texels_max)
+        zr_reason_give(reading->reason,
+                       "a JPEG of %u x %u texels in %d scans or more%s; up to %" PRIu64
+                       " texels in all scans together are allowed, %d times what is left of imagePixelsMax",
+                       jpeg->image_width, jpeg->image_height, jpeg->input_scan_number,
+                       jpeg->arith_code ? ", of arithmetic coding, which count four times" : "",
+                       SCANS_OF_LARGEST * reading->texels_max, (int)SCANS_OF_LARGEST);
+    else
+        return;
     leave(reading, ZR_BAD_SCENE);
 }
 
@@ -192,7 +207,7 @@ static void run(struct reading *reading, const void *bytes, size_t size, uint64_
 enum zr_status zr_jpeg_read(struct zr_arena *arena, struct zr_arena *scratch, const void *bytes, size_t size,
                             uint64_t texels_max, struct zr_image *image, struct zr_reason *reason)
 {
-    struct reading reading = {.arena = arena, .scratch = scratch, .reason = reason};
+    struct reading reading = {.arena = arena, .scratch = scratch, .reason = reason, .texels_max = texels_max};
     set_errors(&reading);
     run(&reading, bytes, size, texels_max, image);
     zr_jpeg_memory_end(&reading.memory, &reading.jpeg);

@@ -112,6 +112,7 @@ static void begin_rows(png_structp png, png_infop info)
 static void take_row(png_structp png, png_bytep row, png_uint_32 number, int pass)
 {
     struct reading *reading = png_get_progressive_ptr(png);
+    if (zr_is_cancelled(reading->arena->cancel)) png_error(png, "reading was stopped"); /* few bytes may be many rows */
     if (number < reading->height) png_progressive_combine_row(png, reading->rgba + number * reading->row_bytes, row);
     reading->has_rows = pass + 1 >= reading->passes && number + 1 >= reading->height;
     reading->done = reading->has_rows && !reading->is_strict;

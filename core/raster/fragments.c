@@ -1,5 +1,8 @@
 #include "raster/fragments.h"
 
+/* Of the lists of a whole window: some milliseconds, where their memory is touched for the first time. */
+enum { PLACES_A_CANCEL_CHECK = 1 << 20 };
+
 static void *take(struct zr_arena *arena, pthread_mutex_t *lock, size_t count, size_t size)
 {
     if (lock) pthread_mutex_lock(lock);
@@ -12,7 +15,7 @@ bool zr_fragments_begin(struct zr_arena *arena, pthread_mutex_t *lock, uint32_t 
 {
     if (!fragments->ends) fragments->ends = take(arena, lock, (size_t)places + 1, sizeof *fragments->ends);
     if (!fragments->ends) return false;
-    memset(fragments->ends, 0, ((size_t)places + 1) * sizeof *fragments->ends);
+    if (!zr_arena_clear(arena, fragments->ends, ((size_t)places + 1) * sizeof *fragments->ends)) return false;
     fragments->places = places;
     fragments->is_filled_in = false;
     return true;
@@ -32,6 +35,7 @@ bool zr_fragments_prefix_sum(struct zr_arena *arena, pthread_mutex_t *lock, stru
 {
     uint64_t total = 0;
     for (uint32_t i = 0; i < fragments->places; i++) {
+        if (i % PLACES_A_CANCEL_CHECK == PLACES_A_CANCEL_CHECK - 1 && zr_is_cancelled(arena->cancel)) return false;
         const uint32_t count = fragments->ends[i + 1];
         fragments->ends[i] = (uint32_t)total; /* where list i goes on: at first, where it begins */
         total += count;
@@ -63,7 +67,12 @@ enum { FRAGMENTS_A_CANCEL_CHECK = 1 << 16 };
 void zr_fragments_sort(const struct zr_cancel *cancel, struct zr_fragments *fragments)
 {
     uint32_t next = 0;
-    memmove(fragments->ends + 1, fragments->ends, fragments->places * sizeof *fragments->ends);
+    for (uint32_t end = fragments->places; end > 0;) {
+        const uint32_t count = end % PLACES_A_CANCEL_CHECK ? end % PLACES_A_CANCEL_CHECK : PLACES_A_CANCEL_CHECK;
+        end -= count;
+        memmove(fragments->ends + end + 1, fragments->ends + end, count * sizeof *fragments->ends);
+        if (count == PLACES_A_CANCEL_CHECK && zr_is_cancelled(cancel)) return;
+    }
     fragments->ends[0] = 0;
     for (uint32_t i = 0; i < fragments->places; i++) {
         if (fragments->ends[i] >= next) {

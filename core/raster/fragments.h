@@ -66,7 +66,8 @@ static inline void zr_fragments_put(struct zr_fragments *fragments, uint32_t pla
 /* In this order: begin, put all, fill in, put all again, sort.
  *
  * `lock`: of the arena, where threads share it; or NULL. zr_fragments_begin: room for as many places as *fragments had
- * before, or had none. False where there is no memory, or are more fragments than can be counted. Cancelled,
+ * before, or had none. False where there is no memory, where arena->cancel is raised, or are more fragments than can be
+ * counted. Cancelled,
  * zr_fragments_sort leaves some lists unsorted. */
 bool zr_fragments_begin(struct zr_arena *arena, pthread_mutex_t *lock, uint32_t places, struct zr_fragments *fragments);
 bool zr_fragments_prefix_sum(struct zr_arena *arena, pthread_mutex_t *lock, struct zr_fragments *fragments);

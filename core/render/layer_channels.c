@@ -133,8 +133,8 @@ static enum zr_status draw(struct zr_arena *arena, struct zr_team *team, const s
     const enum zr_channel channel = solid ? ZR_CHANNEL_THICKNESS : ZR_CHANNEL_LAYERS;
     const bool has_rays = zr_rays_of(&frame->camera, frame->width, frame->height, &drawing.rays);
     if (!pass->pass.tiles.layers || (solid && !has_rays)) {
-        memset(frame->channels[channel], 0, (size_t)frame->width * frame->height * sizeof(uint32_t));
-        return ZR_OK;
+        const size_t bytes = (size_t)frame->width * frame->height * sizeof(uint32_t);
+        return zr_arena_clear(arena, frame->channels[channel], bytes) ? ZR_OK : ZR_CANCELLED;
     }
     zr_team_ranges(team, zr_tile_count(frame->width, frame->height), 1, draw_range, &drawing);
     if (zr_is_cancelled(cancel)) return ZR_CANCELLED;

@@ -2,6 +2,10 @@
 
 #include <math.h>
 
+#include "base/cancel.h"
+
+enum { PIXELS_A_CANCEL_CHECK = 1 << 16 };
+
 /* Of depths that lie on one of the planes, as floats: that is nobody's fault. */
 static const double rounding = 1e-5;
 
@@ -37,8 +41,10 @@ enum zr_status zr_base_place(struct zr_arena *arena, const struct zr_scene *scen
     if (!zr_arena_ok(arena)) return ZR_NO_MEMORY;
     uint64_t clamped = 0;
     const struct rows rows = {(double)m[10], (double)m[14], (double)m[11], (double)m[15]};
-    for (size_t i = 0; i < pixels; i++)
+    for (size_t i = 0; i < pixels; i++) {
+        if (i % PIXELS_A_CANCEL_CHECK == 0 && zr_is_cancelled(arena->cancel)) return ZR_CANCELLED;
         made[i] = window_depth(&rows, scene->base->depth[i], &clamped);
+    }
     *base = *scene->base;
     base->clamped_depths = clamped;
     base->window_depth = made;

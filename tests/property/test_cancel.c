@@ -389,14 +389,27 @@ static void reading_of_brackets_and_of_what_is_odd_stops(void **state)
     reading_stops("{\"polygons\":[", "{\"vertices\":[[0,0,0],[1,0,0],[0,1,0]],\"material\":{\"x\":[[]]}},");
 }
 
-static void decoding_stops(const void *bytes, size_t size)
+/* 3 GB of zeros. */
+static void touching_large_memory_stops(void **state)
+{
+    (void)state;
+    struct later later;
+    zr_arena_init(&arena, (size_t)8 << 30);
+    begin(&later, RAISED_MS);
+    arena.cancel = &later.cancel;
+    const void *zeros = zr_arena_zero(&arena, 3, (size_t)1 << 30);
+    assert_ended_soon(&later, zeros ? ZR_OK : ZR_CANCELLED);
+    zr_arena_free(&arena);
+}
+
+static void decoding_stops(const void *bytes, size_t size, double after_ms)
 {
     struct zr_arena images;
     struct zr_image image;
     struct zr_reason reason;
     struct later later;
     zr_arena_init(&images, (size_t)1 << 30);
-    begin(&later, RAISED_MS);
+    begin(&later, after_ms);
     images.cancel = &later.cancel;
     assert_ended_soon(&later, zr_image_read(&images, bytes, size, UINT64_MAX, &image, &reason));
     zr_arena_free(&images);
@@ -416,12 +429,13 @@ static void decoding_of_large_pictures_stops(void **state)
     assert_non_null(pixels);
     const struct zr_png picture = {.kind = ZR_PNG_RGBA, .width = WIDTH, .height = HEIGHT, .pixels = pixels};
     assert_int_equal(zr_png_write(&picture, NULL, NULL, &png), ZR_OK);
-    decoding_stops(png.bytes, png.size);
+    decoding_stops(png.bytes, png.size, RAISED_MS);
+    decoding_stops(png.bytes, png.size, 3 * RAISED_MS); /* amid rows, of which a few bytes are hundreds */
     for (size_t i = 0; i < sizeof kinds / sizeof kinds[0]; i++) {
         size_t size;
         uint8_t *jpeg = jpeg_memory_write(&kinds[i], pixels, WIDTH, HEIGHT, &size);
         assert_non_null(jpeg);
-        decoding_stops(jpeg, size);
+        decoding_stops(jpeg, size, RAISED_MS);
         free(jpeg);
     }
     zr_arena_free(&arena);
@@ -437,6 +451,7 @@ int main(void)
         cmocka_unit_test(face_of_very_many_corners_stops),
         cmocka_unit_test(reading_of_brackets_and_of_what_is_odd_stops),
         cmocka_unit_test(decoding_of_large_pictures_stops),
+        cmocka_unit_test(touching_large_memory_stops),
         cmocka_unit_test(every_algorithm_stops_amid_large_triangles),
         cmocka_unit_test(pictures_of_looks_stop_in_all_stages),
     };

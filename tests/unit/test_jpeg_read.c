@@ -231,6 +231,26 @@ static void endless_scans_are_refused(void **state)
     free(file.bytes);
 }
 
+/* Of fewer, the more texels there are. Arithmetic coding counts four times. */
+static void many_scans_of_large_pictures_are_refused(void **state)
+{
+    (void)state;
+    for (int arithmetic = 0; arithmetic < 2; arithmetic++) {
+        const struct jpeg_kind kind = {.colors = JPEG_GREY,
+                                       .across = 1,
+                                       .down = 1,
+                                       .is_progressive = true,
+                                       .is_arithmetic = arithmetic,
+                                       .has_refinements = true,
+                                       .quality = 90};
+        const struct file file = make_sized(&kind, 512, 256);
+        assert_refused(file.bytes, file.size,
+                       arithmetic ? "a JPEG of 512 x 256 texels in 33 scans or more, of arithmetic coding"
+                                  : "a JPEG of 512 x 256 texels in 129 scans or more; up to 16777216 texels");
+        free(file.bytes);
+    }
+}
+
 static void libjpeg_gives_back_what_it_took(void **state)
 {
     (void)state;
@@ -307,6 +327,7 @@ int main(void)
         cmocka_unit_test(what_follows_the_end_is_not_looked_at),
         cmocka_unit_test(notes_of_cameras_are_passed_over),
         cmocka_unit_test(endless_scans_are_refused),
+        cmocka_unit_test(many_scans_of_large_pictures_are_refused),
         cmocka_unit_test(libjpeg_gives_back_what_it_took),
         cmocka_unit_test(every_ceiling_is_enough_or_fails_cleanly),
         cmocka_unit_test(cancelled_reading_ends),
