@@ -2,7 +2,11 @@
  * pictures in linear light in render/picture.c. */
 #include "zraster.h"
 
+#include <inttypes.h>
+
+#include "base/cancel.h"
 #include "overlay/color_bar.h"
+#include "raster/textbook/algorithms.h"
 #include "render/layer_channels.h"
 #include "render/pass.h"
 #include "render/picture.h"
@@ -88,7 +92,15 @@ enum zr_status zr_render(struct zr_arena *arena, struct zr_team *team, const str
                          const struct zr_frame **out, struct zr_error *error)
 {
     struct zr_frame *frame = zr_arena_zero(arena, 1, sizeof *frame);
+    arena->cancel = cancel;
     enum zr_status status = frame ? run_pipeline(arena, team, scene, resolved, cancel, frame, error) : ZR_NO_MEMORY;
+    arena->cancel = NULL;
+    if (status == ZR_NO_MEMORY && zr_is_cancelled(cancel)) status = ZR_CANCELLED;
+    if (status == ZR_BAD_SCENE && error->count == 0)
+        zr_error_add(error, status, NULL,
+                     "the algorithm painter compares more than the %" PRIu64 " spans and samples that are allowed: too "
+                     "many of its faces overlap or cut one another; other algorithms, and fewer faces, take less",
+                     ZR_PAINTER_WORK_MAX);
     if (status == ZR_NO_MEMORY)
         zr_error_add(error, status, NULL, "rendering needs more than the %zu bytes a request may use%s", arena->ceiling,
                      zr_any_is_see_through(scene->materials, scene->material_count) ||

@@ -12,8 +12,9 @@
 #include "raster/samples.h"
 
 /* Draws the primitives that they take into samples that have been cleared: no owner, and the depth below which
- * something is seen; or into their lists. One thread. ZR_OK, ZR_CANCELLED or ZR_NO_MEMORY; the painter's could also
- * find its own proof wrong, ZR_INTERNAL. All of the geometry's draws are `counted`. */
+ * something is seen; or into their lists. One thread. ZR_OK, ZR_CANCELLED or ZR_NO_MEMORY; the painter's also ends
+ * with ZR_BAD_SCENE beyond its limit of work, and could find its own proof wrong, ZR_INTERNAL. All of the geometry's
+ * draws are `counted`. */
 typedef enum zr_status zr_visibility_fn(struct zr_arena *arena, const struct zr_geometry *geometry,
                                         const struct zr_cancel *cancel, struct zr_samples *samples);
 
@@ -21,6 +22,13 @@ typedef enum zr_status zr_visibility_fn(struct zr_arena *arena, const struct zr_
 zr_visibility_fn *zr_visibility_of(enum zr_algorithm algorithm);
 
 zr_visibility_fn zr_edgelist, zr_trapezoid, zr_scanline, zr_painter;
+
+/* Spans and samples that the painter compares or cuts, and pieces that it passes, at most: some 20 s of one core. */
+#define ZR_PAINTER_WORK_MAX UINT64_C(5000000000)
+
+/* The painter with another limit; ZR_BAD_SCENE beyond it. */
+enum zr_status zr_painter_within(struct zr_arena *arena, const struct zr_geometry *geometry, uint64_t work_max,
+                                 const struct zr_cancel *cancel, struct zr_samples *samples);
 
 /* Of all that has pixels in its box. */
 struct zr_primitives {

@@ -18,7 +18,8 @@
  * Every cut leaves two parts that are not empty; so it ends.
  *
  * Cost: what overlaps in depth is compared two by two, so a scene whose polygons all reach
- * through one range of depths takes time by the square of their number, and more with cuts.
+ * through one range of depths takes time by the square of their number, and more with cuts. The number of polygons
+ * does not predict the time, so work is counted and limited.
  */
 #include <assert.h>
 
@@ -197,13 +198,14 @@ static bool boxes_overlap(const struct zr_piece *p, const struct zr_piece *q)
 /* A piece that the last of the chain hides in part, or 0. What it is clear of is not looked at again. */
 static uint32_t find_hidden(struct painting *painting, struct zr_overlap *overlap)
 {
-    const struct zr_pieces *pieces = &painting->pieces;
+    struct zr_pieces *pieces = &painting->pieces;
     struct zr_piece *p = &pieces->items[painting->chain[painting->length - 1]];
     uint32_t steps = 0;
     for (uint32_t number = first_from(painting, p->clear); number > 0; number = pieces->items[number].next) {
         const struct zr_piece *q = &pieces->items[number];
         if (q->order < p->near) return 0;
         if (++steps % PIECES_A_CANCEL_CHECK == 0 && zr_is_cancelled(pieces->cancel)) return 0;
+        pieces->work++;
         if (q->far < p->near || q == p || !boxes_overlap(p, q)) continue;
         p->clear = q->rank;
         *overlap = zr_pieces_compare(pieces, p, q);
@@ -212,13 +214,14 @@ static uint32_t find_hidden(struct painting *painting, struct zr_overlap *overla
     return 0;
 }
 
-static enum zr_status paint(struct painting *painting)
+static enum zr_status paint(struct painting *painting, uint64_t work_max)
 {
     for (uint32_t first; (first = first_from(painting, 1)) > 0;) {
         struct zr_overlap overlap;
         if (painting->length == 0 && !push(painting, first)) return ZR_NO_MEMORY;
         uint32_t hidden = find_hidden(painting, &overlap);
         if (zr_is_cancelled(painting->pieces.cancel)) return ZR_CANCELLED;
+        if (painting->pieces.work > work_max) return ZR_BAD_SCENE;
         enum zr_status status = ZR_OK;
         if (hidden == 0)
             paint_last(painting);
@@ -233,12 +236,18 @@ static enum zr_status paint(struct painting *painting)
     return zr_is_cancelled(painting->pieces.cancel) ? ZR_CANCELLED : ZR_OK;
 }
 
-enum zr_status zr_painter(struct zr_arena *arena, const struct zr_geometry *geometry, const struct zr_cancel *cancel,
-                          struct zr_samples *samples)
+enum zr_status zr_painter_within(struct zr_arena *arena, const struct zr_geometry *geometry, uint64_t work_max,
+                                 const struct zr_cancel *cancel, struct zr_samples *samples)
 {
     struct painting painting = {.room = 0};
     enum zr_status status = zr_pieces_make(arena, geometry, cancel, samples, &painting.pieces);
     if (status != ZR_OK) return status;
     if (!sort(&painting.pieces) || !make_list(&painting)) return ZR_NO_MEMORY;
-    return paint(&painting);
+    return paint(&painting, work_max);
+}
+
+enum zr_status zr_painter(struct zr_arena *arena, const struct zr_geometry *geometry, const struct zr_cancel *cancel,
+                          struct zr_samples *samples)
+{
+    return zr_painter_within(arena, geometry, ZR_PAINTER_WORK_MAX, cancel, samples);
 }

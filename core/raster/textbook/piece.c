@@ -203,16 +203,18 @@ static void compare_run(const struct zr_pieces *pieces, int32_t count, struct zr
     }
 }
 
-struct zr_overlap zr_pieces_compare(const struct zr_pieces *pieces, const struct zr_piece *p, const struct zr_piece *q)
+struct zr_overlap zr_pieces_compare(struct zr_pieces *pieces, const struct zr_piece *p, const struct zr_piece *q)
 {
     struct zr_overlap overlap = {0, 0};
     uint32_t a = p->first_span, b = q->first_span;
     while (a > 0 && b > 0 && (overlap.nearer == 0 || overlap.farther == 0) && !zr_is_cancelled(pieces->cancel)) {
         const struct zr_span *s = &pieces->spans[a], *t = &pieces->spans[b];
+        pieces->work++;
         int32_t begin = s->begin > t->begin ? s->begin : t->begin, end = s->end < t->end ? s->end : t->end;
         if (s->y == t->y && begin < end) {
             find_hits(pieces, p, s->y, begin, end, pieces->hits);
             find_hits(pieces, q, s->y, begin, end, pieces->other_hits);
+            pieces->work += (uint64_t)(end - begin);
             compare_run(pieces, end - begin, &overlap);
         }
         bool s_ends_first = s->y < t->y || (s->y == t->y && s->end < t->end);
@@ -243,6 +245,7 @@ static void mark_run(struct zr_pieces *pieces, const struct zr_span *run, uint32
 
 bool zr_pieces_split(struct zr_pieces *pieces, uint32_t p, uint32_t q, bool nearer, uint32_t *inside, uint32_t *rest)
 {
+    pieces->work += pieces->items[p].size;
     uint32_t primitive = pieces->items[p].primitive, in_q = pieces->items[q].first_span;
     uint32_t last[2] = {0, 0}, parts[2] = {new_piece(pieces, primitive), new_piece(pieces, primitive)};
     if (parts[0] == 0 || parts[1] == 0) return false;

@@ -38,6 +38,7 @@ struct zr_pieces {
     struct zr_arena *arena;
     const struct zr_geometry *geometry;
     const struct zr_cancel *cancel;
+    uint64_t work; /* spans and samples that were compared or cut */
     struct zr_samples *samples;
     struct zr_primitives primitives;
     struct zr_hit *hits, *other_hits; /* of a row, */
@@ -58,7 +59,7 @@ enum zr_status zr_pieces_make(struct zr_arena *arena, const struct zr_geometry *
 struct zr_overlap {
     uint32_t nearer, farther;
 };
-struct zr_overlap zr_pieces_compare(const struct zr_pieces *pieces, const struct zr_piece *p, const struct zr_piece *q);
+struct zr_overlap zr_pieces_compare(struct zr_pieces *pieces, const struct zr_piece *p, const struct zr_piece *q);
 
 /* Two new pieces: what of p lies in q, and where `nearer` is said is nearer than q as well; and the
  * rest. p stays as it was, for the caller to free. False where the arena has failed. */
