@@ -224,6 +224,11 @@ else
 	@echo "LEFT OUT: F3D and VTK; RIVALS=1 installs (some 600 MB) and measures them" >&2
 endif
 
+.PHONY: bench-costs
+bench-costs: ## predicted times beside those taken, of all scenes and models
+	@$(MAKE) -s -j$(JOBS) $(BUILD)/tests/bench/alone/costs
+	@$(BUILD)/tests/bench/alone/costs tests/scenes/*.json $(DATA)/models/*.obj
+
 .PHONY: bench-rivals
 bench-rivals: ## the look studio beside F3D and VTK, which it installs (some 600 MB): MESH=../shared/data/models/stanford-bunny.obj
 	@.ci/need $(NEED_BUILD) f3d=f3d xvfb-run=xvfb xauth=xauth /usr/share/doc/python3-vtk9=python3-vtk9
@@ -315,6 +320,8 @@ $(BUILD)/zraster-bench: $(bench) $(filter-out %/main.o,$(reference)) $(door) $(B
 $(bench_alone): $(BUILD)/%: $(BUILD)/%.o
 $(BUILD)/tests/bench/alone/first_frame: $(reference_gl) $(door) $(BUILD)/reference-door
 	$(LINK) $(DOOR_LIBS) -lm
+$(BUILD)/tests/bench/alone/costs: $(BUILD)/libsupport.a $(BUILD)/libzraster.a
+	$(LINK) $(TEST_LIBS) $(CORE_LIBS)
 $(BUILD)/tests/bench/alone/bare_http:
 	$(LINK) -lmicrohttpd
 
@@ -332,7 +339,6 @@ $(BUILD)/tests/fuzz/seeds: $(BUILD)/tests/fuzz/seeds.o $(BUILD)/libsupport.a
 
 # Of the server's files, those that can do without a daemon around them are tested as units.
 $(BUILD)/tests/unit/test_multipart: $(BUILD)/server/multipart.o
-$(BUILD)/tests/unit/test_prediction: $(BUILD)/server/prediction.o
 $(BUILD)/tests/unit/test_framing: $(BUILD)/server/framing.o
 $(BUILD)/tests/unit/test_clients: $(BUILD)/server/clients.o
 $(BUILD)/tests/unit/test_queue: $(BUILD)/server/queue.o

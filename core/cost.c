@@ -1,201 +1,540 @@
-/* cost.c - the core: how much work a scene is, counted before any of it is done: as many passes as it takes
- * (cost_pass.h), and light (cost_picture.h).
- */
-#include "zraster.h"
+#include "cost.h"
 
 #include <math.h>
 
-#include "cost_pass.h"
-#include "cost_picture.h"
+#include "base/arena.h"
+#include "effects/ground.h"
 #include "effects/shadow_maps.h"
+#include "geometry/face.h"
+#include "raster/tile.h"
+#include "render/layers.h"
+#include "render/picture.h"
 #include "scene/resolved_view.h"
 #include "shade/lights/shadow_map.h"
 #include "shade/texture_maps.h"
+#include "zraster.h"
 
-static const double POINT_T = 0.4;          /* placed without a face, in triangles */
-static const double CREASE_T = 4.0;         /* normals averaged at a triangle's corners */
-static const double SMALL_PNG_TIMES = 30.0; /* a pixel that is compressed well, of those compressed fast */
+/* ---- a sample of faces, lines and points ---- */
 
-static double pixels_of(const struct zr_view *view)
+/* SAMPLES: things that are looked at, SAMPLED_CORNERS: about as many corners of them at most. */
+enum { SAMPLES = 1024, SAMPLED_CORNERS = 1 << 16 };
+
+/* Sums over the sample, of pixels of the window. */
+struct tally {
+    const struct zr_scene *scene;
+    double width, height, line_width, side;
+    zr_mat4 world_to_clip, object_to_clip;
+    bool is_mirrored;
+    double faces, fragments, line_fragments, layered;
+    double shape_corners, shape_samples;      /* squared corners; pixels times corners */
+    double kept, kept_squares;                /* see-through fragments that are kept for sure, for memory */
+    double lit, lamps, placed_lamps, shadows; /* fragments that are lit, times lamps of their material */
+    double textures;                          /* fragments times textures */
+    double vertex_lamps, vertex_placed_lamps; /* lit vertices and faces, times lamps */
+    double boxes_width, boxes_height;         /* of faces' boxes */
+};
+
+/* Where something lies in the window. */
+struct footprint {
+    double low[2], high[2];    /* its box, pixels */
+    double area, net;          /* |shoelace|, and with its sign: counter-clockwise is above 0 */
+    double perimeter;          /* along each edge the larger of its extents in x and y */
+    uint32_t in_front, behind; /* corners before the eye, and others */
+};
+
+static void include(const struct tally *tally, struct footprint *print, zr_vec4 position, double at[2])
 {
-    return (double)view->width * (double)view->height;
-}
-
-static void count_outputs(const struct zr_scene *scene, struct zr_cost *cost)
-{
-    const struct zr_view *view = &scene->views[0];
-    double pixels = pixels_of(view);
-    double png = scene->compress == ZR_COMPRESS_SMALL ? SMALL_PNG_TIMES : 1.0;
-    for (uint32_t i = 0; i < view->output_count; i++) {
-        enum zr_encoding encoding = view->outputs[i].encoding;
-        const double words = (double)zr_channel_rows[view->outputs[i].channel].words;
-        cost->pixels += pixels * fmax(words, 1.0);
-        if (encoding == ZR_ENCODING_PNG || encoding == ZR_ENCODING_PNG16) cost->png_pixels += pixels * png;
+    const zr_vec4 clip = zr_mat4_apply(&tally->object_to_clip, position);
+    if (!(clip.w > 0.0f)) {
+        print->behind++;
+        at[0] = at[1] = 0.0;
+        return;
+    }
+    const double w = (double)clip.w;
+    at[0] = (0.5 + 0.5 * (double)clip.x / w) * tally->width;
+    at[1] = (0.5 + 0.5 * (double)clip.y / w) * tally->height;
+    print->in_front++;
+    for (int k = 0; k < 2; k++) {
+        print->low[k] = fmin(print->low[k], at[k]);
+        print->high[k] = fmax(print->high[k], at[k]);
     }
 }
 
-/* What is done at each pixel that is seen, in fragments: about what an AVX-512 machine takes; others take no less. */
-static const double LIGHT_F = 0.6, PLACED_F = 0.5, POINT_F = 4.0;
-static const double NEAREST_F = 5.0, LINEAR_F = 8.0, LEVELS_F = 27.0; /* a texture, by how it is filtered */
-static const double TEXEL_F = 21.0, LIT_TEXEL_F = 80.0;               /* of a level that is made; in linear light */
-
-static double work_of_channels(const struct zr_view *view)
+static struct footprint footprint_of(const struct tally *tally, const struct zr_mesh *mesh, struct zr_rings rings)
 {
-    double work = 0.0;
-    for (int c = 0; c < ZR_CHANNEL_COUNT; c++)
-        if ((zr_channel_rows[c].of_points || c == ZR_CHANNEL_NORMALS) && zr_view_wants(view, (enum zr_channel)c))
-            work += POINT_F;
-    return work;
+    struct footprint print = {.low = {HUGE_VAL, HUGE_VAL}, .high = {-HUGE_VAL, -HUGE_VAL}};
+    for (uint32_t r = 0; r < rings.count; r++) {
+        const uint32_t begin = rings.offsets[r], end = rings.offsets[r + 1];
+        double doubled = 0.0, before[2], at[2];
+        struct footprint last = print;
+        include(tally, &last, mesh->positions[mesh->indices[end - 1]], before);
+        for (uint32_t i = begin; i < end; i++) {
+            include(tally, &print, mesh->positions[mesh->indices[i]], at);
+            doubled += before[0] * at[1] - at[0] * before[1];
+            print.perimeter += fmax(fabs(at[0] - before[0]), fabs(at[1] - before[1]));
+            before[0] = at[0];
+            before[1] = at[1];
+        }
+        print.area += 0.5 * fabs(doubled);
+        print.net += 0.5 * doubled;
+    }
+    return print;
 }
 
-/* How often all faces are drawn as layers, in sides. Both sides are for thickness; for one pixel, some algorithms draw
- * one tile. */
-static double sides_of_layers(const struct zr_view *view)
+/* The share of an extent that is in the window; a pixel is the least extent. */
+static double share_within(double low, double high, double size)
+{
+    const double within = fmin(high, size) - fmax(low, 0.0);
+    return within < 0.0 ? 0.0 : fmin(fmax(within, 1.0) / fmax(high - low, 1.0), 1.0);
+}
+
+/* What has a corner behind the eye may cover the whole window. */
+static double pixels_in_window(const struct tally *tally, const struct footprint *print)
+{
+    const double window = tally->width * tally->height;
+    if (print->in_front == 0) return 0.0;
+    if (print->behind > 0) return window;
+    const double pixels = print->area * share_within(print->low[0], print->high[0], tally->width) *
+                          share_within(print->low[1], print->high[1], tally->height);
+    return pixels < window ? pixels : window; /* NaN: all of it */
+}
+
+static double length_in_window(const struct tally *tally, const struct footprint *print)
+{
+    if (print->in_front == 0) return 0.0;
+    if (print->behind > 0) return tally->width + tally->height;
+    const double share = fmin(share_within(print->low[0], print->high[0], tally->width),
+                              share_within(print->low[1], print->high[1], tally->height));
+    const double most = (tally->width + tally->height) * (print->in_front);
+    return print->perimeter * share < most ? print->perimeter * share : most;
+}
+
+static void add_layers(struct tally *tally, const struct zr_material *material, double pixels, double kept)
+{
+    if (!zr_material_is_layered(material)) return;
+    tally->layered += pixels;
+    if (material->alpha_mode == ZR_ALPHA_MASK || zr_material_has_textures(material)) return;
+    tally->kept += kept;
+    tally->kept_squares += kept * kept;
+}
+
+/* What a lamp takes by the textbook, of what it takes in linear light. */
+static const double TEXTBOOK_LAMP_TIMES = 0.2;
+
+/* Lamps that light a material, and how many of these have a place, and shadows. */
+static void count_lamps(const struct zr_scene *scene, const struct zr_material *material, double *all, double *placed,
+                        double *shadows)
+{
+    const bool is_pbr = material->shading == ZR_SHADING_PBR;
+    *all = *placed = *shadows = 0.0;
+    if (material->shading == ZR_SHADING_UNLIT || material->shading == ZR_SHADING_NORMALS) return;
+    for (uint32_t i = 0; i < scene->light_count; i++) {
+        const struct zr_light *light = &scene->lights[i];
+        if (light->lit == (is_pbr ? ZR_LIT_CLASSIC : ZR_LIT_PBR)) continue;
+        *all += 1.0;
+        *placed += zr_light_has_place(light);
+        *shadows += zr_light_casts_shadows(light);
+    }
+}
+
+static void add_light(struct tally *tally, const struct zr_material *material, double pixels, double vertices)
+{
+    const double lit = tally->scene->picture.is_linear ? pixels : TEXTBOOK_LAMP_TIMES * pixels;
+    double all, placed, shadows;
+    count_lamps(tally->scene, material, &all, &placed, &shadows);
+    for (int slot = 0; slot < ZR_TEXTURE_SLOTS; slot++)
+        tally->textures += material->textures[slot] ? pixels : 0.0;
+    if (tally->scene->picture.is_linear || material->shading == ZR_SHADING_PHONG) {
+        tally->lit += material->shading == ZR_SHADING_UNLIT ? 0.0 : pixels;
+        tally->lamps += lit * all;
+        tally->placed_lamps += lit * placed;
+        tally->shadows += pixels * shadows;
+    } else if (material->shading == ZR_SHADING_FLAT || material->shading == ZR_SHADING_GOURAUD) {
+        tally->vertex_lamps += vertices * all;
+        tally->vertex_placed_lamps += vertices * placed;
+    }
+}
+
+static void add_face(struct tally *tally, const struct zr_mesh *mesh, uint32_t face)
+{
+    const struct zr_material *material = zr_material_of_face(tally->scene, mesh, face);
+    const struct zr_rings rings = zr_mesh_rings(mesh, face);
+    const struct footprint print = footprint_of(tally, mesh, rings);
+    const double corners = (double)(rings.offsets[rings.count] - rings.offsets[0]);
+    const double shared = (double)mesh->position_count / (double)mesh->face_offsets[mesh->face_count];
+    if (material->outline != ZR_OUTLINE_NONE)
+        tally->line_fragments += tally->line_width * length_in_window(tally, &print);
+    if (material->unfilled) return;
+    const bool shape = zr_face_is_shape(mesh, face);
+    const bool is_back = print.behind == 0 && (tally->is_mirrored ? print.net > 0.0 : print.net < 0.0);
+    const double pixels = is_back && !material->double_sided ? 0.0 : pixels_in_window(tally, &print);
+    const double vertices = material->shading == ZR_SHADING_FLAT ? 1.0 : corners * fmin(shared, 1.0);
+    add_light(tally, material, pixels, vertices);
+    if (shape) {
+        tally->shape_corners += corners * corners;
+        tally->shape_samples += pixels * corners;
+    }
+    if (pixels <= 0.0) return;
+    const bool is_whole = print.behind == 0 && print.low[0] >= 0.0 && print.low[1] >= 0.0 &&
+                          print.high[0] <= tally->width && print.high[1] <= tally->height && corners == 3.0;
+    add_layers(tally, material, pixels, is_whole ? fmax(pixels - 0.5 * print.perimeter, 0.0) : 0.0);
+    tally->faces += 1.0;
+    tally->fragments += pixels;
+    tally->boxes_width += fmin(print.high[0] - print.low[0], tally->width);
+    tally->boxes_height += fmin(print.high[1] - print.low[1], tally->height);
+}
+
+static void add_line(struct tally *tally, const struct zr_mesh *mesh, const uint32_t ends[2])
+{
+    const uint32_t offsets[2] = {0, 2};
+    struct zr_mesh line = *mesh;
+    line.indices = ends;
+    struct footprint print = footprint_of(tally, &line, (struct zr_rings){1, offsets});
+    print.perimeter *= 0.5; /* there and back */
+    const double pixels = tally->line_width * length_in_window(tally, &print);
+    tally->line_fragments += pixels;
+    add_layers(tally, &tally->scene->materials[mesh->material], pixels, 0.0);
+}
+
+/* A square around its middle. */
+static void add_point(struct tally *tally, const struct zr_mesh *mesh, uint32_t position)
+{
+    struct footprint print = {.low = {HUGE_VAL, HUGE_VAL}, .high = {-HUGE_VAL, -HUGE_VAL}};
+    const double size = fmax((double)mesh->point_size, 1.0);
+    double at[2];
+    include(tally, &print, mesh->positions[position], at);
+    if (print.in_front == 0) return;
+    const double across = fmin(at[0] + 0.5 * size, tally->width) - fmax(at[0] - 0.5 * size, 0.0);
+    const double up = fmin(at[1] + 0.5 * size, tally->height) - fmax(at[1] - 0.5 * size, 0.0);
+    const double pixels = fmax(across, 0.0) * fmax(up, 0.0);
+    tally->line_fragments += pixels;
+    add_layers(tally, &tally->scene->materials[mesh->material], pixels, 0.0);
+}
+
+static void add_thing(struct tally *tally, const struct zr_mesh *mesh, uint32_t number)
+{
+    if (number < mesh->face_count)
+        add_face(tally, mesh, number);
+    else if (number - mesh->face_count < mesh->line_count)
+        add_line(tally, mesh, mesh->lines + 2 * (size_t)(number - mesh->face_count));
+    else
+        add_point(tally, mesh, mesh->points[number - mesh->face_count - mesh->line_count]);
+}
+
+/* Scattered numbers, the same on every machine (Steele's splitmix64). */
+static uint64_t scatter(uint64_t n)
+{
+    n = (n + 1) * 0x9e3779b97f4a7c15u;
+    n = (n ^ (n >> 30)) * 0xbf58476d1ce4e5b9u;
+    n = (n ^ (n >> 27)) * 0x94d049bb133111ebu;
+    return n ^ (n >> 31);
+}
+
+/* One thing out of each stretch of them, at a place that no regular pattern in the scene can keep to. */
+static void walk(struct tally *tally, uint64_t things, uint64_t samples)
+{
+    const struct zr_mesh *mesh = NULL;
+    uint64_t first = 0, end = 0; /* the things of `mesh`, counted over all instances */
+    uint32_t next_instance = 0;
+    for (uint64_t k = 0; k < samples; k++) {
+        const uint64_t begin = k * things / samples, size = (k + 1) * things / samples - begin;
+        const uint64_t thing = begin + scatter(k) % size;
+        const struct zr_instance *instance = NULL;
+        while (thing >= end) {
+            instance = &tally->scene->instances[next_instance++];
+            mesh = &tally->scene->meshes[instance->mesh];
+            first = end;
+            end += zr_mesh_ids(mesh);
+        }
+        if (instance) {
+            tally->object_to_clip = zr_mat4_mul(&tally->world_to_clip, &instance->object_to_world);
+            tally->is_mirrored = zr_mat4_is_mirror(&instance->object_to_world);
+        }
+        add_thing(tally, mesh, (uint32_t)(thing - first));
+    }
+}
+
+/* ---- passes ---- */
+
+/* How often the scene is drawn, and where. */
+struct passes {
+    double centres; /* pixels' centres: for channels and, in linear light, for occlusion */
+    double samples; /* a window of `side` times the size: 0 or 1 */
+    double side;
+    double maps, map_texels; /* for shadows */
+    uint32_t lamp_maps;
+    bool makes_normals; /* averages them over faces */
+};
+
+static bool wants_channels(const struct zr_view *view)
+{
+    for (uint32_t i = 0; i < view->output_count; i++)
+        if (view->outputs[i].channel != ZR_CHANNEL_COLOR) return true;
+    return false;
+}
+
+static uint32_t count_lamp_maps(const struct zr_scene *scene, const struct zr_resolved_view *resolved)
+{
+    uint32_t count = 0;
+    struct zr_camera camera;
+    for (uint32_t i = 0; i < scene->light_count; i++)
+        count += zr_light_casts_shadows(&scene->lights[i]) &&
+                 (scene->lights[i].type == ZR_LIGHT_DIRECTIONAL ||
+                  zr_light_camera(scene, &scene->lights[i], &resolved->camera, &resolved->bounds, &camera));
+    return count;
+}
+
+static struct passes passes_of(const struct zr_scene *scene, const struct zr_resolved_view *resolved)
+{
+    const struct zr_picture *picture = &scene->picture;
+    const struct zr_view *view = &scene->views[0];
+    struct passes passes = {.centres = 1.0, .side = 1.0};
+    if (!zr_view_wants(view, ZR_CHANNEL_COLOR) || !zr_picture_has_own_passes(picture)) return passes;
+    passes.samples = 1.0;
+    passes.side = (double)picture->side;
+    passes.centres = wants_channels(view);
+    if (!picture->is_linear) return passes;
+    const bool has_maps = zr_diagonal_of(&resolved->bounds) > 0.0f;
+    const double ground = has_maps && picture->has_ground;
+    passes.centres += picture->occlusion.is_on;
+    passes.lamp_maps = has_maps ? count_lamp_maps(scene, resolved) : 0;
+    passes.maps = (double)passes.lamp_maps + ground;
+    passes.map_texels = (double)passes.lamp_maps * ((double)ZR_SHADOW_SIDE * ZR_SHADOW_SIDE) +
+                        ground * ((double)ZR_GROUND_SIDE * ZR_GROUND_SIDE);
+    passes.makes_normals = true;
+    return passes;
+}
+
+/* ---- memory ---- */
+
+/* Bytes of a pixel or a sample. EDGE_BYTES: of a tile, whose sides are kept. */
+enum {
+    WORD_BYTES = 4,
+    SAMPLE_BYTES = 8,
+    GBUFFER_BYTES = 28,
+    OCCLUSION_BYTES = 4,
+    LINEAR_BYTES = 16,
+    FRAGMENT_BYTES = 8,
+    EDGE_BYTES = 7196
+};
+
+static double bytes_of_channels(const struct zr_view *view)
+{
+    double words = 0.0;
+    for (int c = 0; c < ZR_CHANNEL_COUNT; c++)
+        if (zr_view_needs(view, (enum zr_channel)c)) words += (double)zr_channel_rows[c].words;
+    return WORD_BYTES * words;
+}
+
+/* Opaque surfaces hide layers, which are not kept then. */
+static bool may_hide_layers(const struct zr_scene *scene)
+{
+    for (uint32_t i = 0; i < scene->material_count; i++)
+        if (!zr_material_is_layered(&scene->materials[i])) return true;
+    return scene->base != NULL;
+}
+
+/* Fragments of one tile, as many as tiles have on the average; of the other algorithms, those of the window. */
+static double bytes_of_layers(const struct zr_scene *scene, double samples, double kept)
+{
+    const double tiles = fmax(samples / (ZR_TILE_SIZE * ZR_TILE_SIZE), 1.0);
+    if (kept < ZR_TILE_SIZE || may_hide_layers(scene)) return 0.0;
+    if (scene->algorithm != ZR_ALGORITHM_HALFSPACE) return kept * FRAGMENT_BYTES + samples * WORD_BYTES;
+    return (double)sizeof(struct zr_layers) + kept / tiles * FRAGMENT_BYTES;
+}
+
+/* Each as it is drawn and with a border, which are blocks of their own. */
+static double bytes_of_lamp_maps(uint32_t maps)
+{
+    const size_t drawn = ZR_SHADOW_SIDE, bordered = ZR_SHADOW_SIDE + 2 * ZR_SHADOW_BORDER;
+    return (double)maps * (double)(zr_arena_block_bytes(drawn * drawn * WORD_BYTES) +
+                                   zr_arena_block_bytes(bordered * bordered * WORD_BYTES));
+}
+
+static double window_bytes(const struct zr_scene *scene, const struct passes *passes, double kept)
+{
+    const struct zr_picture *picture = &scene->picture;
+    const struct zr_view *view = &scene->views[0];
+    const double pixels = (double)view->width * (double)view->height, samples = pixels * passes->side * passes->side;
+    double sum = pixels * bytes_of_channels(view) + bytes_of_layers(scene, samples, kept);
+    if (zr_view_wants(view, ZR_CHANNEL_COLOR)) sum += zr_texture_maps_measure(scene, picture->is_linear).bytes;
+    if (scene->algorithm != ZR_ALGORITHM_HALFSPACE) /* each of them has the whole window at once */
+        sum += SAMPLE_BYTES * (pixels * passes->centres + samples * passes->samples);
+    if (passes->samples == 0.0 || !picture->is_linear) return sum;
+    sum += pixels * LINEAR_BYTES + bytes_of_lamp_maps(passes->lamp_maps);
+    if (picture->occlusion.is_on) sum += pixels * (GBUFFER_BYTES + OCCLUSION_BYTES);
+    if (picture->edges.is_on)
+        sum += pixels * WORD_BYTES + samples * 2.0 / 8.0 + samples / (ZR_TILE_SIZE * ZR_TILE_SIZE) * EDGE_BYTES;
+    return sum;
+}
+
+/* ---- counts ---- */
+
+/* How many times longer the other algorithms take: for a triangle, and for a fragment. */
+static const struct {
+    double triangle, fragment;
+} TIMES[ZR_ALGORITHM_COUNT] = {[ZR_ALGORITHM_HALFSPACE] = {1.0, 1.0},
+                               [ZR_ALGORITHM_EDGELIST] = {4.0, 10.0},
+                               [ZR_ALGORITHM_TRAPEZOID] = {5.0, 10.0},
+                               [ZR_ALGORITHM_SCANLINE] = {6.0, 16.0},
+                               [ZR_ALGORITHM_PAINTER] = {12.0, 80.0}};
+
+/* The most that some estimate may be wrong by: six standard deviations of the mean of a sample. What is kept for sure
+ * is the sum less that. */
+static double kept_at_least(const struct tally *tally, double samples, double scale)
+{
+    if (scale <= 1.0) return tally->kept;
+    const double mean = tally->kept / samples, square = tally->kept_squares / samples;
+    return fmax(mean - 6.0 * sqrt(fmax(square - mean * mean, 0.0) / samples), 0.0) * samples * scale;
+}
+
+static void count_geometry(const struct zr_scene *scene, const struct passes *passes, double *counts)
+{
+    const double times = passes->centres + passes->samples + passes->maps;
+    for (uint32_t i = 0; i < scene->instance_count; i++) {
+        const struct zr_mesh *mesh = &scene->meshes[scene->instances[i].mesh];
+        const double triangles = (double)mesh->face_offsets[mesh->face_count] - 2.0 * (double)mesh->face_count;
+        counts[ZR_COST_INSTANCE] += times;
+        counts[ZR_COST_VERTEX] += times * (double)mesh->position_count;
+        counts[ZR_COST_TRIANGLE] += times * (triangles + 2.0 * ((double)mesh->line_count + (double)mesh->point_count)) *
+                                    TIMES[scene->algorithm].triangle;
+        const enum zr_shading shading = scene->materials[mesh->material].shading;
+        const bool is_smooth = shading == ZR_SHADING_GOURAUD || shading == ZR_SHADING_PHONG;
+        if (passes->makes_normals || (is_smooth && mesh->normal_count == 0)) counts[ZR_COST_NORMAL] += triangles;
+    }
+}
+
+/* What is computed at each pixel, in channels such as POSITION. */
+static double times_of_channel(enum zr_channel channel)
+{
+    switch (channel) {
+    case ZR_CHANNEL_DISTANCE:
+    case ZR_CHANNEL_POSITION:
+    case ZR_CHANNEL_TEXCOORD:
+        return 1.0;
+    case ZR_CHANNEL_NORMALS:
+        return 0.4;
+    case ZR_CHANNEL_BARYCENTRICS:
+        return 4.0;
+    default:
+        return 0.0;
+    }
+}
+
+static void count_outputs(const struct zr_scene *scene, double *counts)
+{
+    const struct zr_view *view = &scene->views[0];
+    const double pixels = (double)view->width * (double)view->height;
+    for (uint32_t i = 0; i < view->output_count; i++) {
+        const enum zr_encoding encoding = view->outputs[i].encoding;
+        counts[ZR_COST_OUTPUT_WORD] += pixels * fmax((double)zr_channel_rows[view->outputs[i].channel].words, 1.0);
+        counts[ZR_COST_CHANNEL_PIXEL] += pixels * times_of_channel(view->outputs[i].channel);
+        if (encoding != ZR_ENCODING_PNG && encoding != ZR_ENCODING_PNG16) continue;
+        counts[scene->compress == ZR_COMPRESS_SMALL ? ZR_COST_SMALL_PNG_PIXEL : ZR_COST_PNG_PIXEL] += pixels;
+    }
+}
+
+/* How often all see-through faces are drawn for other channels than colours. Thickness takes both sides. */
+static double layer_walks(const struct zr_view *view)
 {
     return (zr_view_wants(view, ZR_CHANNEL_LAYERS) ? 1.0 : 0.0) +
            (zr_view_wants(view, ZR_CHANNEL_THICKNESS) ? 2.0 : 0.0) +
            (zr_view_wants(view, ZR_CHANNEL_FRAGMENTS) ? 1.0 : 0.0);
 }
 
-/* The base colour's texture; 0: there is none. */
-static double work_of_texture(const struct zr_scene *scene, const struct zr_material *material)
+static void count_fragments(const struct tally *tally, const struct passes *passes, double scale, double *counts)
 {
-    const uint32_t number = material->textures[ZR_TEXTURE_BASE_COLOR];
-    if (number == 0) return 0.0;
-    const struct zr_texture *texture = &scene->textures[number - 1];
-    if (zr_filter_has_levels(texture->minify)) return LEVELS_F;
-    return zr_filter_is_linear(texture->minify) || zr_filter_is_linear(texture->magnify) ? LINEAR_F : NEAREST_F;
-}
-
-/* By the textbook. */
-static double work_of_colors(const struct zr_scene *scene)
-{
-    double work = 0.0, textured = 0.0;
-    bool phong = false;
-    for (uint32_t i = 0; i < scene->material_count; i++) {
-        phong |= zr_shading_has_specular(scene->materials[i].shading);
-        textured = fmax(textured, work_of_texture(scene, &scene->materials[i]));
+    const struct zr_scene *scene = tally->scene;
+    const struct zr_picture *picture = &scene->picture;
+    const double pixels = tally->width * tally->height, samples = pixels * passes->side * passes->side;
+    const double drawn = passes->centres + passes->samples * passes->side * passes->side;
+    const double times = drawn * scale * TIMES[scene->algorithm].fragment;
+    const double depth = scale * tally->layered / pixels;
+    counts[ZR_COST_FRAGMENT] = times * tally->fragments;
+    counts[ZR_COST_LINE_FRAGMENT] = times * tally->line_fragments;
+    counts[ZR_COST_SHAPE_CORNER] = (passes->centres + passes->samples + passes->maps) * scale * tally->shape_corners;
+    counts[ZR_COST_SHAPE_SAMPLE] = drawn * scale * tally->shape_samples;
+    counts[ZR_COST_LAYER] = drawn * scale * tally->layered * fmax(log2(depth) / 10.0, 1.0);
+    counts[ZR_COST_CHANNEL_LAYER] = layer_walks(&scene->views[0]) * scale * tally->fragments;
+    counts[ZR_COST_MAP_TEXEL] = passes->map_texels;
+    counts[ZR_COST_MAP_FRAGMENT] = passes->map_texels * scale * tally->fragments / pixels;
+    if (scene->algorithm == ZR_ALGORITHM_PAINTER && tally->faces > 0.0) {
+        const double faces = tally->faces * scale,
+                     meets_x = fmin(2.0 * tally->boxes_width / tally->faces / tally->width, 1.0),
+                     meets_y = fmin(2.0 * tally->boxes_height / tally->faces / tally->height, 1.0);
+        counts[ZR_COST_COMPARISON] =
+            0.5 * faces * faces * meets_x * meets_y * (1.0 + 0.25 * tally->fragments / tally->faces) * drawn;
     }
-    if (scene->picture.is_linear || !zr_view_wants(&scene->views[0], ZR_CHANNEL_COLOR)) return 0.0;
-    if (scene->fog.is_on) work += 1.0;
-    work += textured;
-    if (phong) work += 1.0 + LIGHT_F * (double)scene->light_count;
-    for (uint32_t i = 0; phong && i < scene->light_count; i++)
-        if (zr_light_has_place(&scene->lights[i])) work += PLACED_F;
-    return work;
+    if (!zr_view_wants(&scene->views[0], ZR_CHANNEL_COLOR)) return;
+    /* Of the fragments at one place the nearest is shaded, and each that is see-through. */
+    const double side_squared = passes->samples > 0.0 ? passes->side * passes->side : 1.0;
+    const double shaded = fmin(scale * tally->fragments, pixels) + scale * tally->layered;
+    const double share = tally->fragments > 0.0 ? side_squared * shaded / tally->fragments : 0.0;
+    counts[ZR_COST_LIT_SAMPLE] = share * tally->lit;
+    counts[ZR_COST_LAMP_SAMPLE] = share * tally->lamps;
+    counts[ZR_COST_PLACED_LAMP_SAMPLE] = share * tally->placed_lamps;
+    counts[ZR_COST_TEXTURE_SAMPLE] = share * tally->textures;
+    counts[ZR_COST_VERTEX_LAMP] = scale * tally->vertex_lamps;
+    counts[ZR_COST_VERTEX_PLACED_LAMP] = scale * tally->vertex_placed_lamps;
+    counts[picture->is_linear ? ZR_COST_LINEAR_LEVEL_TEXEL : ZR_COST_LEVEL_TEXEL] =
+        zr_texture_maps_measure(scene, picture->is_linear).texels;
+    if (passes->samples == 0.0) return;
+    counts[ZR_COST_WINDOW_SAMPLE] = samples;
+    if (!picture->is_linear) return;
+    counts[ZR_COST_LINEAR_PIXEL] = pixels;
+    counts[ZR_COST_SHADOW_SAMPLE] = share * tally->shadows;
+    if (picture->occlusion.is_on) counts[ZR_COST_OCCLUSION_PIXEL] = fmin(scale * tally->fragments, pixels);
+    if (picture->edges.is_on) {
+        counts[ZR_COST_EDGE_SAMPLE] = samples;
+        counts[ZR_COST_EDGE_WIDTH_SAMPLE] = samples * 0.5 * (double)picture->edges.width * passes->side;
+    }
 }
 
-/* Before any pass. */
-struct work {
-    double triangles, placing; /* what faces are cut into, and points without faces, too */
-    struct zr_cost_sampling sampling;
+static const struct {
+    double ns;
+    const char *words;
+} ROWS[ZR_COST_KINDS] = {
+#define COST_ROW(ID, ns, words) {ns, words},
+    ZR_COST_ROWS(COST_ROW)
+#undef COST_ROW
 };
 
-static struct work work_of(const struct zr_scene *scene, uint32_t corners_max)
+struct zr_cost_most zr_cost_most(const struct zr_cost *cost)
 {
-    uint64_t things = 0, corners = 0;
-    double points = 0.0;
-    struct work work = {.triangles = 0.0};
-    for (uint32_t i = 0; i < scene->instance_count; i++) {
-        const struct zr_mesh *mesh = &scene->meshes[scene->instances[i].mesh];
-        things += zr_mesh_ids(mesh);
-        corners += zr_mesh_corners(mesh);
-        points += (double)mesh->position_count;
-        work.triangles += (double)mesh->face_offsets[mesh->face_count] - 2.0 * (double)mesh->face_count;
-    }
-    work.placing = work.triangles + POINT_T * fmax(points - 3.0 * work.triangles, 0.0);
-    const uint64_t samples = corners > corners_max ? (uint64_t)corners_max * things / corners : things;
-    work.sampling = (struct zr_cost_sampling){things, samples > 0 || things == 0 ? samples : 1};
-    return work;
+    int most = 0;
+    for (int kind = 1; kind < ZR_COST_KINDS; kind++)
+        if (cost->counts[kind] * ROWS[kind].ns > cost->counts[most] * ROWS[most].ns) most = kind;
+    return (struct zr_cost_most){1e-6 * cost->counts[most] * ROWS[most].ns, cost->counts[most], ROWS[most].words};
 }
 
-/* `placing`: all points and triangles, by an algorithm that takes no longer than others. */
-static void add_pass(struct zr_cost *sum, const struct zr_cost_pass *pass, double placing, double times)
-{
-    const struct zr_cost *cost = &pass->cost;
-    sum->triangles += times * (placing * pass->triangle_times + cost->triangles);
-    sum->fragments += times * cost->fragments;
-    sum->shape_triangles += times * cost->shape_triangles;
-    sum->shape_fragments += times * cost->shape_fragments;
-}
-
-/* Of a map, which is about a diagonal of the bounds wide. That may be infinite, where a corner has next to no w, and
- * shares of such a map would be no numbers. */
-static double square_of_map(const struct zr_bounds *bounds)
-{
-    static const double largest = 1e60;
-    const double diagonal = (double)zr_diagonal_of(bounds);
-    return fmin(diagonal * diagonal, largest);
-}
-
-/* Drawn in the maps of spots, in which a face may cover much more than in one along a direction. Of many spots some are
- * looked at. Maps have both sides of all faces; so that closed bodies cover twice what is measured. */
-static double fragments_of_spots(const struct zr_scene *scene, const struct zr_resolved_view *resolved, uint32_t spots,
-                                 const struct zr_cancel *cancel, struct zr_cost_sampling sampling)
-{
-    enum { MEASURED_MOST = 4, SIDES = 2 };
-    const struct zr_cost_target map = {ZR_SHADOW_SIDE, ZR_SHADOW_SIDE, 1.0, 0.0};
-    const uint32_t stride = (spots + MEASURED_MOST - 1) / MEASURED_MOST;
-    double sum = 0.0, measured = 0.0;
-    uint32_t number = 0;
-    for (uint32_t i = 0; spots > 0 && i < scene->light_count; i++) {
-        const struct zr_light *light = &scene->lights[i];
-        struct zr_camera camera;
-        if (light->type != ZR_LIGHT_SPOT || !zr_light_casts_shadows(light)) continue;
-        if (!zr_light_camera(scene, light, &resolved->camera, &resolved->bounds, &camera)) continue;
-        if (number++ % stride != 0) continue;
-        measured += 1.0;
-        const struct zr_cost_pass pass = zr_cost_pass_measure(scene, &camera, map, 0.0, cancel, sampling);
-        sum += pass.covered + ZR_COST_LAYER_F * pass.masked;
-    }
-    return measured > 0.0 ? SIDES * sum * (double)spots / measured : 0.0;
-}
-
-/* What the two sizes of window come to. */
-static struct zr_cost_covered covered_by(const struct zr_view *view, uint32_t side, const struct zr_cost_pass *centres,
-                                         const struct zr_cost_pass *samples)
-{
-    const double pixels = pixels_of(view);
-    return (struct zr_cost_covered){.centres = fmin(centres->covered, pixels),
-                                    .samples = fmin(samples->covered, pixels * (double)side * (double)side),
-                                    .samples_a_face = samples->covered / fmax(samples->faces, 1.0),
-                                    .layered = samples->layered};
-}
-
-struct zr_cost zr_scene_cost(const struct zr_scene *scene, const struct zr_resolved_view *resolved,
-                             uint32_t corners_max, const struct zr_cancel *cancel)
+struct zr_cost zr_scene_cost(const struct zr_scene *scene, const struct zr_resolved_view *resolved)
 {
     const struct zr_view *view = &scene->views[0];
-    const struct zr_cost_passes passes = zr_cost_passes_of(scene, resolved);
-    const double line_width = (double)scene->picture.line_width;
-    const struct zr_cost_target window = {view->width, view->height, fmax(line_width, 1.0), 1.0},
-                                larger = {view->width * passes.side, view->height * passes.side,
-                                          fmax(line_width * (double)passes.side, 1.0), (double)passes.side};
-    const struct work work = work_of(scene, corners_max);
-    struct zr_cost cost = {.algorithm = (int)scene->algorithm};
-    count_outputs(scene, &cost);
-    /* In a map no face can cover more than it would if it faced the lamp, nor more than all of it. */
-    const double of_map = passes.maps > 0 ? square_of_map(&resolved->bounds) : 0.0;
-    const struct zr_cost_pass centres =
-        zr_cost_pass_measure(scene, &resolved->camera, window, of_map, cancel, work.sampling);
-    struct zr_cost_pass samples = centres;
-    if (passes.side > 1) samples = zr_cost_pass_measure(scene, &resolved->camera, larger, 0.0, cancel, work.sampling);
-    add_pass(&cost, &centres, work.placing, (double)passes.centres);
-    add_pass(&cost, &samples, work.placing, (double)passes.samples);
-    cost.triangles += (double)passes.maps * work.placing + (passes.makes_normals ? CREASE_T * work.triangles : 0.0);
-    const struct zr_cost_covered covered = covered_by(view, passes.side, &centres, &samples);
-    const double spot_texels = (double)passes.spot_maps * ((double)ZR_SHADOW_SIDE * ZR_SHADOW_SIDE);
-    cost.fragments += fragments_of_spots(scene, resolved, passes.spot_maps, cancel, work.sampling);
-    cost.fragments += (of_map > 0.0 ? (passes.map_texels - spot_texels) * centres.surface / of_map : 0.0) +
-                      covered.centres * work_of_channels(view) + covered.samples * work_of_colors(scene);
-    if (zr_view_wants(view, ZR_CHANNEL_COLOR))
-        cost.fragments += (scene->picture.is_linear ? LIT_TEXEL_F : TEXEL_F) *
-                          zr_texture_maps_measure(scene, scene->picture.is_linear).texels;
-    cost.triangles += ZR_COST_LAYER_T * work.triangles * sides_of_layers(view);
-    cost.fragments += ZR_COST_LAYER_F * centres.covered * sides_of_layers(view);
-    cost.samples = zr_cost_of_light(scene, &passes, &covered);
-    cost.lamp_maps = passes.lamp_maps;
-    cost.lamp_map_bytes = zr_cost_lamp_map_bytes(&passes);
-    cost.window_bytes = zr_cost_window_bytes(scene, &passes, &covered);
+    const struct passes passes = passes_of(scene, resolved);
+    struct tally tally = {.scene = scene,
+                          .width = (double)view->width,
+                          .height = (double)view->height,
+                          .line_width = fmax((double)scene->picture.line_width, 1.0),
+                          .world_to_clip = zr_mat4_mul(&resolved->camera.projection, &resolved->camera.world_to_eye)};
+    struct zr_cost cost = {.counts = {[ZR_COST_REQUEST] = 1.0}, .lamp_maps = passes.lamp_maps};
+    uint64_t things = 0, corners = 0;
+    for (uint32_t i = 0; i < scene->instance_count; i++) {
+        things += zr_mesh_ids(&scene->meshes[scene->instances[i].mesh]);
+        corners += zr_mesh_corners(&scene->meshes[scene->instances[i].mesh]);
+    }
+    const double a_thing = (double)corners / fmax((double)things, 1.0);
+    const double most = fmin(fmax(SAMPLED_CORNERS / fmax(a_thing, 1.0), 1.0), SAMPLES);
+    const uint64_t samples = things < (uint64_t)most ? things : (uint64_t)most;
+    const double scale = samples > 0 ? (double)things / (double)samples : 0.0;
+    walk(&tally, things, samples);
+    count_geometry(scene, &passes, cost.counts);
+    count_outputs(scene, cost.counts);
+    count_fragments(&tally, &passes, scale, cost.counts);
+    for (int kind = 0; kind < ZR_COST_KINDS; kind++)
+        cost.ms += 1e-6 * cost.counts[kind] * ROWS[kind].ns;
+    cost.lamp_map_bytes = bytes_of_lamp_maps(passes.lamp_maps);
+    cost.window_bytes = window_bytes(scene, &passes,
+                                     kept_at_least(&tally, (double)samples, scale) *
+                                         (passes.samples > 0.0 ? passes.side * passes.side : 1.0));
     return cost;
 }

@@ -65,6 +65,13 @@ struct zr_stored {
     void *context;
 };
 
+/* Limits for who has a few milliseconds alone. Beyond one of them reading ends with ZR_CANCELLED, and is_exceeded. */
+struct zr_quick {
+    uint64_t image_pixels_max; /* of each image of a base, and of all images of textures together */
+    uint64_t node_visits_max;  /* scene/nodes.h */
+    bool is_exceeded;
+};
+
 struct zr_request {
     enum zr_format format;
     const char *bytes;
@@ -77,6 +84,7 @@ struct zr_request {
     ZR_PARAMETER_ROWS(ZR_PARAMETER_FIELD)
 #undef ZR_PARAMETER_FIELD
     const struct zr_cancel *cancel; /* of reading; may be NULL: never */
+    struct zr_quick *quick;         /* may be NULL: reading may take as long as it takes */
 };
 
 /* ---- the four steps, and a look ahead ---- */
@@ -84,20 +92,7 @@ struct zr_request {
 struct zr_scene;         /* scene/scene.h */
 struct zr_resolved_view; /* scene/resolved_view.h */
 struct zr_frame;         /* shade/frame.h */
-
-/* Work to be expected, each kind to be weighed by whoever knows the machine. */
-struct zr_cost {
-    int algorithm;                           /* of the scene: each takes what it takes */
-    double triangles;                        /* and what takes as long: points without faces, visits of tiles */
-    double fragments;                        /* pixels of all triangles, hidden ones too; those of lines take longer */
-    double shape_triangles, shape_fragments; /* of faces that are not convex: their cuts and visits, their pixels */
-    double samples;                          /* of pictures of several or in linear light, lit ones counted manifold */
-    double pixels;                           /* of all outputs */
-    double png_pixels;     /* of those that become PNGs; times what it takes longer where they are to be small */
-    double window_bytes;   /* memory of whole windows that rendering has at once: it takes more, but no less */
-    double lamp_map_bytes; /* of these, those of the depth maps of lamps with shadows, */
-    uint32_t lamp_maps;    /* of which there are so many */
-};
+struct zr_cost;          /* cost.h */
 
 enum { ZR_WARNINGS_SIZE = 2048 }; /* of a line of warnings and the zero behind it: a header that proxies let pass */
 
@@ -123,11 +118,9 @@ enum zr_status zr_resolved_view_find(struct zr_arena *arena, struct zr_team *tea
                                      const struct zr_cancel *cancel, const struct zr_resolved_view **resolved,
                                      struct zr_error *error);
 
-/* What rendering and encoding will cost: polygons and lines are measured, up to about `corners_max` corners of them
- * (UINT32_MAX: all, which takes a fraction of the rendering's own time). `cancel` may be NULL; cancelled, it returns
- * early with too little. */
-struct zr_cost zr_scene_cost(const struct zr_scene *scene, const struct zr_resolved_view *resolved,
-                             uint32_t corners_max, const struct zr_cancel *cancel);
+/* What rendering and encoding will take (cost.h). Takes a millisecond or two at most, beside a walk over all instances.
+ */
+struct zr_cost zr_scene_cost(const struct zr_scene *scene, const struct zr_resolved_view *resolved);
 
 /* `resolved` may be NULL: it is found first. `team` may be NULL (one thread) and `cancel` may be NULL (never). The
  * frame is the same, byte for byte, for every team. Fails with ZR_BAD_SCENE, ZR_NO_MEMORY, ZR_CANCELLED or ZR_INTERNAL,

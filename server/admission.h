@@ -1,5 +1,5 @@
 /* admission.h - is there memory for more work? What the control group says, version 2 or 1,
- * where the daemon runs in one that has a limit. (Time: prediction.h.)
+ * where the daemon runs in one that has a limit. (Time: rendering.c.)
  */
 #ifndef ZRASTERD_ADMISSION_H
 #define ZRASTERD_ADMISSION_H

@@ -80,7 +80,7 @@ static const struct setting SETTINGS[] = {
     {"render-timeout-ms", NUMBER, AT(render_timeout_ms), true, 10000, 1, DAY_MS, NULL, "ms",
      "a worker may spend on a request"},
     {"cost-max-ms", NUMBER, AT(cost_max_ms), true, 20000, 1, DAY_MS, NULL, "ms",
-     "of one thread that a request may be predicted to take"},
+     "processor time that a request may be predicted to take"},
     {"drain-timeout-ms", NUMBER, AT(drain_timeout_ms), true, 30000, 0, DAY_MS, NULL, "ms",
      "for work in flight to end after SIGTERM"},
     {"json-depth-max", NUMBER, AT(json_depth_max), true, 0, 1, 512, NULL, "", "nesting of arrays and objects"},

@@ -15,6 +15,7 @@
 #include "log.h"
 #include "log_writer.h"
 #include "request.h"
+#include "slowness.h"
 #include "store.h"
 
 enum { EXIT_USAGE = 2, SPARE_FILES = 192, MMAP_BYTES = 1 << 20, TRIM_BYTES = 8 << 20 };
@@ -64,14 +65,12 @@ static int serve(const struct config *config)
     sigset_t signals;
     char message[512];
     struct service service;
-    struct prediction prediction;
     block_signals(&signals);
     tune_allocator();
     if (!log_writer_start()) {
         fprintf(stderr, "zrasterd: no thread can be had to write the log\n");
         return EXIT_FAILURE;
     }
-    prediction_init(&prediction);
     raise_file_limit(config);
     struct zr_team *team = zr_team_create_for((int)config->threads, config_isa(config));
     if (!team) {
@@ -84,14 +83,13 @@ static int serve(const struct config *config)
     struct http *http = NULL;
     if (*config->assets_dir) store = store_open(config->assets_dir, config->assets_max_bytes, message, sizeof message);
     if (store || !*config->assets_dir) {
-        service_init(&service, config, team, &prediction, store);
+        service_init(&service, config, team, slowness_measure(config_isa(config)), store);
         http = http_start(config, &service, message, sizeof message);
     }
     if (!http) {
         fprintf(stderr, "zrasterd: %s\n", message);
         store_close(store);
         zr_team_destroy(team);
-        prediction_free(&prediction);
         log_writer_stop();
         return EXIT_FAILURE;
     }
@@ -107,7 +105,6 @@ static int serve(const struct config *config)
     http_stop(http);
     store_close(store);
     zr_team_destroy(team);
-    prediction_free(&prediction);
     log_event("info", "stopped", NULL);
     log_writer_stop();
     return EXIT_SUCCESS;

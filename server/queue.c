@@ -9,7 +9,8 @@
 
 enum { STACK_BYTES = 2 << 20, SURE_A_WORKER = 2, OVERSEER_TICK_MS = 20 };
 
-/* A job that takes longer is none of the small ones, whatever it seemed to be. */
+/* A job that takes longer on a worker is none of the small ones, whatever it seemed to be. On the express it holds up
+ * the small ones, whatever it is. */
 static const int64_t SMALL_US = QUEUE_EXPRESS_MS * INT64_C(1000);
 
 struct lane {
@@ -102,13 +103,16 @@ static bool is_full(const struct queue *queue, enum queue_lane number, size_t co
     const struct lane *lane = &queue->lanes[number];
     const size_t waiting = lane->waiting + coming;
     const double more_us = (double)coming * lane->work_us / (double)queue->options.workers;
-    return waiting >= queue->options.capacity || (waiting >= SURE_A_WORKER * queue->options.workers &&
-                                                  wait_us(queue, number) + more_us > QUEUE_WAIT_MS * 1e3);
+    const bool is_behind = lane->first && clock_us() - lane->first->pushed_us > QUEUE_WAIT_MS * INT64_C(1000);
+    return waiting >= queue->options.capacity ||
+           (waiting >= SURE_A_WORKER * queue->options.workers &&
+            (is_behind || wait_us(queue, number) + more_us > QUEUE_WAIT_MS * 1e3));
 }
 
-static void learn(struct queue *queue, enum queue_lane number, int64_t took_us)
+static void learn(struct worker *worker, int64_t took_us)
 {
-    struct lane *lane = &queue->lanes[took_us > SMALL_US ? QUEUE_LARGE : number];
+    struct queue *queue = worker->queue;
+    struct lane *lane = &queue->lanes[took_us > SMALL_US && !worker->is_express ? QUEUE_LARGE : worker->lane];
     lane->work_us += ((double)took_us - lane->work_us) / (lane->work_us > 0.0 ? 8.0 : 1.0);
 }
 
@@ -234,7 +238,7 @@ static void end_job(struct worker *worker)
 {
     struct queue *queue = worker->queue;
     worker->is_busy = false;
-    learn(queue, worker->lane, clock_us() - worker->began_us);
+    learn(worker, clock_us() - worker->began_us);
     if (worker->is_express && queue->stopping) wake_all(queue);
 }
 

@@ -7,8 +7,9 @@
  * small and yet has held the express up for QUEUE_EXPRESS_MS, while another waits for it, is told to go there.
  * Who runs shares the processors by the kernel's rules.
  *
- * Bounded in time: beyond two a worker, a queue takes only what would be begun within QUEUE_WAIT_MS, by how long
- * the last jobs of its kind took; and no more than `capacity`, whatever they take.
+ * Bounded in time: beyond two a worker, a queue takes only what would be begun within QUEUE_WAIT_MS, by how long the
+ * last jobs of its kind took, and nothing while its oldest job has waited for longer than that; and no more than
+ * `capacity`, whatever they take.
  *
  * A job is a member of what it works for. It belongs to the queue from queue_push until
  * its `work` is called or queue_remove has given it back; and again from queue_put_back on.
@@ -28,8 +29,8 @@
 
 enum queue_lane { QUEUE_SMALL, QUEUE_LARGE, QUEUE_LANES };
 
-/* QUEUE_EXPRESS_MS: ten times what a small request may be predicted to take. */
-enum { QUEUE_EXPRESS_MS = 100, QUEUE_WAIT_MS = 1000 };
+/* QUEUE_EXPRESS_MS: six times what a small request may be predicted to take. */
+enum { QUEUE_EXPRESS_MS = 60, QUEUE_WAIT_MS = 1000 };
 
 struct queue;
 

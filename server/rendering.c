@@ -9,10 +9,12 @@
 #include "assets.h"
 #include "body.h"
 #include "clock.h"
+#include "cost.h"
 #include "input/formats.h"
 #include "input/nearest.h"
 #include "problem.h"
 #include "scene/resolved_view.h"
+#include "scene/scene.h"
 #include "text.h"
 
 /* ---- opening: all that can be said before the body ---- */
@@ -112,12 +114,10 @@ bool rendering_open(const struct service *service, const struct load *load, stru
 
 /* ---- working ---- */
 
-/* Corners that are measured to predict the work. COST_CORNERS: in well under a millisecond. COST_CORNERS_MORE: in
- * about half a second, for scenes that would be refused; more than most have. */
-enum { COST_CORNERS = 4096, COST_CORNERS_MORE = 1 << 22 };
-
-/* What request->small_only lets pass: 10 ms predicted, and what is read in a millisecond or two. */
+/* What request->small_only lets pass: so much predicted work, so many faces for the painter, whose time follows from
+ * no count, and what is read in some milliseconds. */
 static const double SMALL_MS = 10.0;
+enum { SMALL_PAINTER_FACES = 64, SMALL_IMAGE_PIXELS = 4 << 20, SMALL_NODE_VISITS = 100000 };
 
 /* One request on its way. */
 struct rendering {
@@ -129,6 +129,7 @@ struct rendering {
     struct zr_stored stored; /* of all assets, large ones too */
     size_t small_left;       /* bytes that a small request may still read */
     bool is_large;           /* and request->small_only: to be given up */
+    struct zr_quick quick;   /* of a small request */
     struct zr_cost cost;     /* predicted; all 0 before */
 };
 
@@ -190,30 +191,32 @@ static bool has_memory(const struct rendering *r)
     return zr_arena_charge(arena, cost->window_bytes < 1e18 ? (size_t)cost->window_bytes + 1 : SIZE_MAX);
 }
 
-/* A sample may mislead: before a scene is refused, all of it is measured. Where looking for the view was cancelled,
- * what is large has yet to be told from what is not, and pixels and triangles can be counted without. */
+static bool has_many_faces_for_the_painter(const struct zr_scene *scene)
+{
+    uint64_t faces = 0;
+    for (uint32_t i = 0; i < scene->instance_count; i++)
+        faces += scene->meshes[scene->instances[i].mesh].face_count;
+    return scene->algorithm == ZR_ALGORITHM_PAINTER && faces > SMALL_PAINTER_FACES;
+}
+
+/* Where the search for the view was cancelled, the prediction still tells whether the request is large. */
 static enum zr_status predict(struct rendering *r, const struct zr_scene *scene,
                               const struct zr_resolved_view **resolved, struct zr_error *error)
 {
-    struct zr_cost *cost = &r->cost;
-    const uint32_t samples[] = {COST_CORNERS, COST_CORNERS_MORE};
     const struct service *service = r->service;
     const enum zr_status status = zr_resolved_view_find(r->arena, service->team, scene, r->cancel, resolved, error);
     if (status != ZR_OK && status != ZR_CANCELLED) return status;
-    for (int i = 0; i < 2; i++) {
-        *cost = zr_scene_cost(scene, *resolved, samples[i], r->cancel);
-        r->times->predicted_ms = prediction_ms(service->prediction, cost);
-        if (too_large(r, r->times->predicted_ms > SMALL_MS)) return ZR_CANCELLED;
-        if (!has_memory(r)) return ZR_NO_MEMORY;
-        if (r->times->predicted_ms <= (double)service->config->cost_max_ms) return status;
-    }
-    prediction_refused(service->prediction, cost);
+    r->cost = zr_scene_cost(scene, *resolved);
+    const double predicted_ms = r->times->predicted_ms = r->cost.ms * service->slowness;
+    if (too_large(r, predicted_ms > SMALL_MS || has_many_faces_for_the_painter(scene))) return ZR_CANCELLED;
+    if (!has_memory(r)) return ZR_NO_MEMORY;
+    if (predicted_ms <= (double)service->config->cost_max_ms) return status;
+    const struct zr_cost_most most = zr_cost_most(&r->cost);
     return zr_error_add(error, ZR_BAD_SCENE, NULL,
-                        "work like that of %.0f triangles, %.3g pixels and %.3g samples is predicted to take %.3g s, "
-                        "more than costMaxMs, "
-                        "%" PRIu64 " ms",
-                        cost->triangles + cost->shape_triangles, cost->fragments + cost->shape_fragments, cost->samples,
-                        r->times->predicted_ms * 1e-3, service->config->cost_max_ms);
+                        "the work is predicted to take %.3g s of processor time, more than costMaxMs, %" PRIu64
+                        " ms; %.3g s of that are for %.3g %s: fewer of these take less",
+                        1e-3 * predicted_ms, service->config->cost_max_ms, 1e-3 * most.ms * service->slowness,
+                        most.count, most.words);
 }
 
 static enum zr_status run_steps(struct rendering *r, const struct zr_request *request, struct zr_answer *result,
@@ -228,15 +231,11 @@ static enum zr_status run_steps(struct rendering *r, const struct zr_request *re
     if (status == ZR_OK) status = predict(r, scene, &resolved, error);
     r->times->parse_ms = ms_since(&mark);
     if (status != ZR_OK) return status;
-    struct prediction_lap lap = prediction_start_lap(service->prediction);
     status = zr_render(r->arena, service->team, scene, resolved, r->cancel, &frame, error);
-    double render_ms = prediction_end_lap(service->prediction, &lap);
     r->times->render_ms = ms_since(&mark);
     if (status != ZR_OK) return status;
     status = zr_encode(r->arena, service->team, scene, frame, r->cancel, result, error);
-    double encode_ms = prediction_end_lap(service->prediction, &lap);
     r->times->encode_ms = ms_since(&mark);
-    if (status == ZR_OK) prediction_learn(service->prediction, &r->cost, render_ms, encode_ms);
     return status;
 }
 
@@ -279,9 +278,12 @@ enum request_next rendering_work(const struct service *service, const struct req
     r.small_left = REQUEST_SMALL_BYTES;
     unpacked.stored = (struct zr_stored){r.stored.read ? read_stored : NULL, &r};
     unpacked.cancel = reading;
+    r.quick = (struct zr_quick){SMALL_IMAGE_PIXELS, SMALL_NODE_VISITS, false};
+    if (request->small_only) unpacked.quick = &r.quick;
     double unpack_ms = ms_since(&mark);
     enum zr_status status = run_steps(&r, &unpacked, &result, &error);
-    if (too_large(&r, status == ZR_CANCELLED && zr_is_cancelled(cancel->parent))) return REQUEST_LARGE;
+    if (too_large(&r, r.quick.is_exceeded || (status == ZR_CANCELLED && zr_is_cancelled(cancel->parent))))
+        return REQUEST_LARGE;
     times->parse_ms += unpack_ms;
     if (status == ZR_OK) {
         answer_image(answer, &result);

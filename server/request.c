@@ -10,12 +10,12 @@
 #include "clock.h"
 #include "text.h"
 
-void service_init(struct service *service, const struct config *config, struct zr_team *team,
-                  struct prediction *prediction, struct store *store)
+void service_init(struct service *service, const struct config *config, struct zr_team *team, double slowness,
+                  struct store *store)
 {
     service->config = config;
     service->store = store;
-    service->prediction = prediction;
+    service->slowness = slowness;
     service->limits = config_limits(config);
     service->team = team;
     if (getrandom(&service->id_base, sizeof service->id_base, 0) != sizeof service->id_base)

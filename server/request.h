@@ -15,18 +15,17 @@
 #include "answer.h"
 #include "config.h"
 #include "multipart.h"
-#include "prediction.h"
 #include "step_times.h"
 #include "store.h"
 #include "zraster.h"
 
 enum { REQUEST_ID_SIZE = 129 };
 
-/* Shared by all requests; read-only but for the counter and what the store and prediction do inside. */
+/* Shared by all requests; read-only but for the counter and what the store does inside. */
 struct service {
     const struct config *config;
     struct zr_limits limits;
-    struct prediction *prediction;
+    double slowness; /* slowness.h */
     struct zr_team *team;
     struct store *store; /* NULL: no assets are kept */
     uint64_t id_base;    /* random, so that ids of two daemons differ */
@@ -34,8 +33,8 @@ struct service {
 };
 
 /* `store` may be NULL. */
-void service_init(struct service *service, const struct config *config, struct zr_team *team,
-                  struct prediction *prediction, struct store *store);
+void service_init(struct service *service, const struct config *config, struct zr_team *team, double slowness,
+                  struct store *store);
 
 /* The state of the daemon as a request meets it. */
 struct load {

@@ -125,10 +125,7 @@ enum request_next router_open(const struct service *service, const struct load *
 enum request_next router_work(const struct service *service, const struct request *request, struct zr_arena *arena,
                               const struct zr_cancel *cancel, struct step_times *times, struct answer *answer)
 {
-    prediction_begin(service->prediction);
-    const enum request_next next = request->route->work(service, request, arena, cancel, times, answer);
-    prediction_end(service->prediction);
-    return next;
+    return request->route->work(service, request, arena, cancel, times, answer);
 }
 
 void router_finish(struct answer *answer, const char *request_id)

@@ -2,7 +2,7 @@
 #ifndef ZRASTERD_STEP_TIMES_H
 #define ZRASTERD_STEP_TIMES_H
 
-/* In milliseconds; predicted_ms is what render and encode together were predicted to take on one thread. Below 0: it
+/* In milliseconds; predicted_ms is the processor time of render and encode that was predicted. Below 0: it
  * did not come to that. */
 struct step_times {
     double parse_ms, queue_ms, render_ms, encode_ms, predicted_ms;

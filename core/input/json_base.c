@@ -91,8 +91,14 @@ static void *read_numbers(struct reader *reader, int key, enum zr_npy_wanted wan
 static void read_color(struct reader *reader)
 {
     const struct zr_view *view = view_of(reader);
+    struct zr_quick *quick = reader->root->quick;
     struct zr_reason reason;
     uint8_t *rgba = NULL;
+    if (quick && count_pixels(reader) > quick->image_pixels_max) {
+        quick->is_exceeded = true;
+        zr_error_add(reader->root->json.error, ZR_CANCELLED, NULL, "reading was stopped");
+        return;
+    }
     enum zr_status status = zr_png_read(reader->root->json.arena, reader->given[COLOR].bytes, reader->given[COLOR].size,
                                         view->width, view->height, &rgba, &reason);
     if (!refuse(reader, COLOR, status, &reason)) return;

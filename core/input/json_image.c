@@ -40,11 +40,17 @@ static const struct named *find_bytes(const struct zr_growing *names, const stru
 static bool decode(struct zr_parsed_scene *root, const struct zr_json_path *path, struct named *named)
 {
     struct zr_json *json = &root->json;
-    const uint64_t most = json->limits->image_pixels_max;
+    struct zr_quick *quick = root->quick;
+    const uint64_t most = json->limits->image_pixels_max - root->image_pixels;
+    const uint64_t quick_most = quick ? quick->image_pixels_max - root->image_pixels : most;
     struct zr_image image;
     struct zr_reason reason;
-    const enum zr_status status =
-        zr_image_read(json->arena, named->bytes.bytes, named->bytes.size, most - root->image_pixels, &image, &reason);
+    enum zr_status status = zr_image_read(json->arena, named->bytes.bytes, named->bytes.size,
+                                          quick_most < most ? quick_most : most, &image, &reason);
+    if (status == ZR_BAD_SCENE && quick_most < most) {
+        quick->is_exceeded = true;
+        status = ZR_CANCELLED;
+    }
     if (status == ZR_BAD_SCENE) return zr_json_fault(json, path, "%s", reason.text);
     if (status == ZR_CANCELLED) zr_error_add(json->error, ZR_CANCELLED, NULL, "reading was stopped");
     if (status != ZR_OK) return false;

@@ -2,9 +2,11 @@
 #include "input/json_objects.h"
 #include "input/json_scene.h"
 
+#include <inttypes.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/cancel.h"
 #include "input/text.h"
 #include "scene/nodes.h"
 
@@ -206,6 +208,11 @@ static const uint32_t *read_children(struct reader *reader, uint32_t *total)
     return children;
 }
 
+static uint64_t visits_max(const struct reader *reader)
+{
+    return (uint64_t)ZR_NODES_VISITS_AN_INSTANCE * reader->json->limits->instances_max + reader->nodes.count;
+}
+
 static bool report(const struct reader *reader, const struct zr_punctual_light *placement)
 {
     struct zr_json *json = reader->json;
@@ -222,6 +229,12 @@ static bool report(const struct reader *reader, const struct zr_punctual_light *
     case ZR_NODES_TOO_MANY:
         return zr_json_fault(json, reader->path, "the nodes place more than the limit of %u instances of meshes",
                              json->limits->instances_max);
+    case ZR_NODES_TOO_MANY_VISITS:
+        return zr_json_fault(
+            json, reader->path,
+            "shared nodes are visited %" PRIu64 " times, once for each way from a root to a mesh; up to "
+            "%" PRIu64 " visits are allowed, %d for each of the %u instances of the limit",
+            placement->visits, visits_max(reader), (int)ZR_NODES_VISITS_AN_INSTANCE, json->limits->instances_max);
     case ZR_NODES_OUT_OF_RANGE:
         return zr_json_fault(json, node, "the matrix to world space has an entry beyond %g", (double)ZR_MATRIX_MAX);
     }
@@ -268,8 +281,16 @@ struct zr_instance *zr_parsed_read_nodes(struct zr_parsed_scene *root, const str
     struct zr_nodes hierarchy = {.count = reader.nodes.count, .nodes = reader.made};
     hierarchy.children = read_children(&reader, &hierarchy.child_count);
     if (!zr_arena_ok(arena) || json->error->count > 0) return NULL;
-    struct zr_punctual_light placement = zr_nodes_place(arena, &hierarchy, json->limits->instances_max);
-    if (!zr_arena_ok(arena) || !report(&reader, &placement)) return NULL;
+    struct zr_quick *quick = root->quick;
+    const uint64_t most = visits_max(&reader);
+    const uint64_t quick_most = quick && quick->node_visits_max < most ? quick->node_visits_max : most;
+    struct zr_punctual_light placement = zr_nodes_place(arena, &hierarchy, json->limits->instances_max, quick_most);
+    if (placement.fault == ZR_NODES_TOO_MANY_VISITS && placement.visits <= most) {
+        quick->is_exceeded = true;
+        zr_error_add(json->error, ZR_CANCELLED, NULL, "reading was stopped");
+        return NULL;
+    }
+    if (!zr_arena_ok(arena) || zr_is_cancelled(arena->cancel) || !report(&reader, &placement)) return NULL;
     root->unplaced_meshes = count_unplaced(arena, &reader);
     *count = placement.count;
     return placement.instances;

@@ -94,7 +94,8 @@ enum zr_status zr_read_JSON(struct zr_scene_builder *builder, const struct zr_re
                                    .face_style = zr_face_style_unset,
                                    .asset_count = request->asset_count,
                                    .assets = request->assets,
-                                   .stored = request->stored};
+                                   .stored = request->stored,
+                                   .quick = request->quick};
     struct zr_json *json = &root.json;
     zr_json_open(json, request->bytes, request->size);
     root.assets_used = zr_arena_zero(builder->arena, root.asset_count, sizeof *root.assets_used);

@@ -149,6 +149,7 @@ struct zr_parsed_scene {
     const struct zr_asset *assets;
     bool *assets_used;
     struct zr_stored stored;
+    struct zr_quick *quick;   /* the request's; may be NULL */
     struct zr_growing images; /* json_image.c's */
     uint64_t image_pixels;    /* of all of them */
 

@@ -1,8 +1,14 @@
 #include "scene/nodes.h"
 
+#include "base/cancel.h"
+
+/* About 0.1 ms of work. */
+enum { VISITS_A_CANCEL_CHECK = 4096 };
+
 /* What is known of a node once all that is below it is. */
 struct tally {
     uint64_t instances; /* that one visit leads to, this node's own included; saturates */
+    uint64_t visits;    /* of this node and of nodes below it, that one visit takes; saturates */
     uint32_t height;    /* levels from here down, this one included */
     uint32_t useful;    /* children that lead to a mesh, the first so many of its part of placing.children */
     enum { UNSEEN, OPEN, DONE } state;
@@ -11,6 +17,8 @@ struct tally {
 
 struct placing {
     const struct zr_nodes *nodes;
+    const struct zr_cancel *cancel;
+    uint32_t steps; /* visits, and child entries that were counted */
     struct tally *tallies;
     uint32_t *children; /* as in nodes, but only those that lead to a mesh */
     struct zr_punctual_light *out;
@@ -22,6 +30,11 @@ static bool fail(struct placing *placing, enum zr_nodes_fault fault, uint32_t no
     placing->out->node = node;
     placing->out->child = child;
     return false;
+}
+
+static bool is_stopped(struct placing *placing)
+{
+    return ++placing->steps % VISITS_A_CANCEL_CHECK == 0 && zr_is_cancelled(placing->cancel);
 }
 
 static uint64_t add_saturating(uint64_t a, uint64_t b)
@@ -42,11 +55,13 @@ static bool tally_up(struct placing *placing, uint32_t number)
     tally->state = DONE;
     tally->height = 1;
     tally->instances = node->mesh != ZR_NODE_NO_MESH;
+    tally->visits = 1;
     for (uint32_t i = 0; i < node->child_count; i++) {
         const struct tally *child = &placing->tallies[children[i]];
         if (child->instances == 0) continue;
         useful[tally->useful++] = children[i];
         tally->instances = add_saturating(tally->instances, child->instances);
+        tally->visits = add_saturating(tally->visits, child->visits);
         if (child->height >= tally->height) tally->height = child->height + 1;
     }
     return tally->height <= ZR_NODES_DEPTH_MAX || fail(placing, ZR_NODES_TOO_DEEP, number, 0);
@@ -72,6 +87,7 @@ static bool tally_below(struct placing *placing, uint32_t start, struct link *pa
             depth--;
             continue;
         }
+        if (is_stopped(placing)) return false;
         uint32_t entry = link->next_child++, child = placing->nodes->children[node->first_child + entry];
         struct tally *tally = &placing->tallies[child];
         if (tally->state == OPEN) return fail(placing, ZR_NODES_CYCLE, link->node, entry);
@@ -92,7 +108,9 @@ static bool tally_all(struct placing *placing, struct link *path, uint64_t *inst
     for (uint32_t i = 0; i < nodes->count; i++) {
         const struct tally *tally = &placing->tallies[i];
         if (tally->state == UNSEEN && !tally_below(placing, i, path)) return false;
-        if (!tally->is_child) *instances = add_saturating(*instances, tally->instances);
+        if (tally->is_child) continue;
+        *instances = add_saturating(*instances, tally->instances);
+        if (tally->instances > 0) placing->out->visits = add_saturating(placing->out->visits, tally->visits);
     }
     return true;
 }
@@ -131,15 +149,17 @@ static bool place_below(struct placing *placing, uint32_t root)
             continue;
         }
         uint32_t child = placing->children[placing->nodes->nodes[step->node].first_child + step->next_child++];
-        if (!enter(placing, path, depth++, child)) return false;
+        if (is_stopped(placing) || !enter(placing, path, depth++, child)) return false;
     }
     return true;
 }
 
-struct zr_punctual_light zr_nodes_place(struct zr_arena *arena, const struct zr_nodes *nodes, uint32_t instances_max)
+struct zr_punctual_light zr_nodes_place(struct zr_arena *arena, const struct zr_nodes *nodes, uint32_t instances_max,
+                                        uint64_t visits_max)
 {
     struct zr_punctual_light out = {.fault = ZR_NODES_GOOD};
     struct placing placing = {.nodes = nodes,
+                              .cancel = arena->cancel,
                               .tallies = zr_arena_zero(arena, nodes->count, sizeof *placing.tallies),
                               .children = zr_arena_alloc(arena, nodes->child_count, sizeof *placing.children),
                               .out = &out};
@@ -148,6 +168,10 @@ struct zr_punctual_light zr_nodes_place(struct zr_arena *arena, const struct zr_
     if (!zr_arena_ok(arena) || !tally_all(&placing, path, &instances)) return out;
     if (instances > instances_max) {
         fail(&placing, ZR_NODES_TOO_MANY, 0, 0);
+        return out;
+    }
+    if (out.visits > visits_max) {
+        fail(&placing, ZR_NODES_TOO_MANY_VISITS, 0, 0);
         return out;
     }
     out.instances = zr_arena_alloc(arena, (size_t)instances + 1, sizeof *out.instances);

@@ -16,9 +16,13 @@
 
 #define ZR_NODE_NO_MESH UINT32_MAX
 
-/* Nodes from a root down to a mesh: together with the limit on instances this bounds how
- * many matrices are multiplied. */
+/* Nodes from a root down to a mesh. */
 enum { ZR_NODES_DEPTH_MAX = 256 };
+
+/* A visit is one node on one way from a root to a mesh, for which one matrix is multiplied. A hierarchy without shared
+ * nodes has as many as nodes; one with shared nodes has up to so many for each instance of the limit, and as many as
+ * nodes. */
+enum { ZR_NODES_VISITS_AN_INSTANCE = 32 };
 
 struct zr_node {
     zr_mat4 local;                     /* to the parent's space; entries within ZR_MATRIX_MAX */
@@ -36,21 +40,24 @@ struct zr_nodes {
 
 enum zr_nodes_fault {
     ZR_NODES_GOOD,
-    ZR_NODES_CYCLE,       /* entry `child` of the children of `node` leads back to one of its ancestors, or itself */
-    ZR_NODES_TOO_DEEP,    /* below `node` there are more levels than ZR_NODES_DEPTH_MAX, itself counted */
-    ZR_NODES_TOO_MANY,    /* more instances than the limit */
-    ZR_NODES_OUT_OF_RANGE /* the matrix of `node` in world space is beyond ZR_MATRIX_MAX */
+    ZR_NODES_CYCLE,    /* entry `child` of the children of `node` leads back to one of its ancestors, or itself */
+    ZR_NODES_TOO_DEEP, /* below `node` there are more levels than ZR_NODES_DEPTH_MAX, itself counted */
+    ZR_NODES_TOO_MANY, /* more instances than the limit */
+    ZR_NODES_TOO_MANY_VISITS, /* more visits than the limit */
+    ZR_NODES_OUT_OF_RANGE     /* the matrix of `node` in world space is beyond ZR_MATRIX_MAX */
 };
 
 struct zr_punctual_light {
     enum zr_nodes_fault fault;
     uint32_t node, child;
     uint32_t count;                /* of instances */
+    uint64_t visits;               /* of nodes; saturates */
     struct zr_instance *instances; /* with room for one more behind them */
 };
 
-/* Everything points into the arena; check zr_arena_ok afterwards. Takes time for every node,
- * every child entry, and up to ZR_NODES_DEPTH_MAX matrices an instance. */
-struct zr_punctual_light zr_nodes_place(struct zr_arena *arena, const struct zr_nodes *nodes, uint32_t instances_max);
+/* Everything points into the arena; check zr_arena_ok afterwards. Takes time for every node, every child entry, and
+ * every visit. Once arena->cancel is raised, it ends soon, with some of the instances. */
+struct zr_punctual_light zr_nodes_place(struct zr_arena *arena, const struct zr_nodes *nodes, uint32_t instances_max,
+                                        uint64_t visits_max);
 
 #endif

@@ -66,7 +66,7 @@ struct zr_answer scene_encode(struct zr_arena *arena, struct zr_team *team, cons
     return answer;
 }
 
-struct zr_cost scene_cost(const struct zr_scene *scene, uint32_t corners_max)
+struct zr_cost scene_cost(const struct zr_scene *scene)
 {
     struct zr_error error = {.count = 0};
     const struct zr_resolved_view *resolved = NULL;
@@ -74,7 +74,7 @@ struct zr_cost scene_cost(const struct zr_scene *scene, uint32_t corners_max)
     zr_arena_init(&arena, 1 << 20);
     enum zr_status status = zr_resolved_view_find(&arena, NULL, scene, NULL, &resolved, &error);
     if (status != ZR_OK) fail_msg("status %d: %s", (int)status, error.count ? error.items[0].detail : "");
-    const struct zr_cost cost = zr_scene_cost(scene, resolved, corners_max, NULL);
+    const struct zr_cost cost = zr_scene_cost(scene, resolved);
     zr_arena_free(&arena);
     return cost;
 }

@@ -2,6 +2,7 @@
 #ifndef ZR_TEST_SCENES_H
 #define ZR_TEST_SCENES_H
 
+#include "cost.h"
 #include "scene/scene.h"
 #include "shade/frame.h"
 #include "support/look.h"
@@ -32,6 +33,6 @@ const struct zr_frame *scene_render(struct zr_arena *arena, struct zr_team *team
 struct zr_answer scene_encode(struct zr_arena *arena, struct zr_team *team, const struct zr_scene *scene);
 
 /* As zr_scene_cost; fails the running test where the scene cannot be seen. */
-struct zr_cost scene_cost(const struct zr_scene *scene, uint32_t corners_max);
+struct zr_cost scene_cost(const struct zr_scene *scene);
 
 #endif

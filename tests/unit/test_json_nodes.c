@@ -165,6 +165,27 @@ static void hierarchies_beyond_the_limits_are_refused_by_name(void **state)
     free(text);
 }
 
+/* 99 856 instances, each below 250 nodes: two times 316 children, and then a chain. */
+static void shared_nodes_below_one_another_are_refused(void **state)
+{
+    enum { TIMES = 316, LINKS = 247, SIZE = 1 << 14 };
+    (void)state;
+    char *text = malloc(SIZE);
+    assert_non_null(text);
+    int used = snprintf(text, SIZE, "{" MESHES ", \"nodes\": [");
+    for (int k = 0; k < 2; k++) {
+        used += snprintf(text + used, SIZE - (size_t)used, "{\"children\": [%d", k + 1);
+        for (int i = 1; i < TIMES; i++)
+            used += snprintf(text + used, SIZE - (size_t)used, ",%d", k + 1);
+        used += snprintf(text + used, SIZE - (size_t)used, "]},");
+    }
+    for (int k = 2; k < 2 + LINKS; k++)
+        used += snprintf(text + used, SIZE - (size_t)used, "{\"children\": [%d]},", k + 1);
+    snprintf(text + used, SIZE - (size_t)used, "{\"mesh\": 0}]}");
+    refuses_scene(text, "/nodes", "shared nodes are visited 24764605 times");
+    free(text);
+}
+
 static void points_placed_beyond_the_memory_are_refused_before_they_are_walked(void **state)
 {
     (void)state;
@@ -251,6 +272,7 @@ int main(void)
         cmocka_unit_test(nodes_without_meshes_leave_the_polygons),
         cmocka_unit_test(names_that_nothing_refers_to_need_not_be_unique),
         cmocka_unit_test(hierarchies_beyond_the_limits_are_refused_by_name),
+        cmocka_unit_test(shared_nodes_below_one_another_are_refused),
         cmocka_unit_test(points_placed_beyond_the_memory_are_refused_before_they_are_walked),
         cmocka_unit_test(small_arena_gives_no_memory_naming_the_ceiling),
         cmocka_unit_test(mirrored_cube_shows_its_outside),

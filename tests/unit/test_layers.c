@@ -269,51 +269,6 @@ static void points_and_lines_have_no_inside(void **state)
     assert_memory_equal(frame->channels[ZR_CHANNEL_THICKNESS], want, (size_t)BODY_SIDE * BODY_SIDE * sizeof *want);
 }
 
-/* Squares of 64 pixels. */
-static void see_through_points_are_foretold(void **state)
-{
-    (void)state;
-    enum { POINTS = 300 };
-    static zr_vec4 middles[POINTS];
-    static uint32_t all[POINTS];
-    for (uint32_t i = 0; i < POINTS; i++) {
-        middles[i] = (zr_vec4){0, 0, 0, 1};
-        all[i] = i;
-    }
-    scene_of_triangles(&test, 256, 256, middles, 1);
-    test.mesh.position_count = POINTS;
-    test.mesh.points = all;
-    test.mesh.point_count = POINTS;
-    test.mesh.point_size = 64.0f;
-    const struct zr_cost opaque = scene_cost(&test.scene, UINT32_MAX);
-    test.material.alpha_mode = ZR_ALPHA_BLEND;
-    const struct zr_cost blended = scene_cost(&test.scene, UINT32_MAX);
-    const double fragments = (double)POINTS * 64 * 64;
-    assert_true(blended.fragments - opaque.fragments > 39.0 * fragments);
-    assert_true(blended.fragments - opaque.fragments < 41.0 * fragments);
-}
-
-/* Work, and memory: of production, a tile's; of the others, the window's. */
-static void layers_are_foretold(void **state)
-{
-    (void)state;
-    enum { LAYERS = 1000 };
-    static zr_vec4 many[3 * LAYERS];
-    for (int i = 0; i < 3 * LAYERS; i++)
-        many[i] = (zr_vec4){i % 3 == 1 ? 4.0f : -1.5f, i % 3 == 2 ? 4.0f : -1.5f, 0, 1};
-    scene_of_triangles(&test, 256, 256, many, LAYERS);
-    const struct zr_cost opaque = scene_cost(&test.scene, UINT32_MAX);
-    test.material.alpha_mode = ZR_ALPHA_BLEND;
-    const struct zr_cost blended = scene_cost(&test.scene, UINT32_MAX);
-    test.scene.algorithm = ZR_ALGORITHM_EDGELIST;
-    const struct zr_cost listed = scene_cost(&test.scene, UINT32_MAX);
-    const double fragments = (double)LAYERS * 256 * 256;
-    assert_true(blended.fragments - opaque.fragments > 39.0 * fragments);
-    assert_true(blended.fragments - opaque.fragments < 41.0 * fragments);
-    assert_true(blended.window_bytes > opaque.window_bytes + 8.0 * LAYERS * 64 * 64);
-    assert_true(listed.window_bytes > opaque.window_bytes + 8.0 * fragments);
-}
-
 /* ---- what lies over a pixel ---- */
 
 static const struct zr_pixel_fragments *fragments_of(enum zr_algorithm algorithm, uint32_t x, uint32_t y)
@@ -399,11 +354,9 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test_setup_teardown(lists_are_complete_and_sorted_by_depth_and_then_by_owner, open_arena,
                                         close_arena),
-        cmocka_unit_test_setup_teardown(layers_are_foretold, open_arena, close_arena),
         cmocka_unit_test_setup_teardown(layers_end_where_memory_does, open_arena, close_arena),
         cmocka_unit_test_setup_teardown(thickness_sums_to_the_volume_of_closed_meshes, open_arena, close_arena),
         cmocka_unit_test_setup_teardown(points_and_lines_have_no_inside, open_arena, close_arena),
-        cmocka_unit_test_setup_teardown(see_through_points_are_foretold, open_arena, close_arena),
         cmocka_unit_test_setup_teardown(fragments_of_a_pixel_tell_what_is_shown, open_arena, close_arena),
         cmocka_unit_test_setup_teardown(fragments_are_those_of_the_channels, open_arena, close_arena),
         cmocka_unit_test_setup_teardown(what_is_open_has_no_thickness_and_still_layers, open_arena, close_arena),

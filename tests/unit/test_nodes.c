@@ -1,6 +1,7 @@
 /* Hierarchies, counted and expanded. */
 #include <math.h>
 
+#include "base/cancel.h"
 #include "scene/nodes.h"
 #include "support/cmocka_all.h"
 #include "support/random.h"
@@ -52,7 +53,7 @@ static void shift(struct tree *tree, uint32_t node, float x)
 
 static struct zr_punctual_light place(struct tree *tree, uint32_t instances_max)
 {
-    struct zr_punctual_light placement = zr_nodes_place(&tree->arena, &tree->nodes, instances_max);
+    struct zr_punctual_light placement = zr_nodes_place(&tree->arena, &tree->nodes, instances_max, UINT64_MAX);
     assert_true(zr_arena_ok(&tree->arena));
     return placement;
 }
@@ -198,7 +199,49 @@ static struct zr_punctual_light place_chain(struct zr_arena *arena, uint32_t len
         if (i != last) children[entries++] = forward ? i + 1 : i - 1;
     }
     struct zr_nodes nodes = {length, entries, made, children};
-    return zr_nodes_place(arena, &nodes, 10);
+    return zr_nodes_place(arena, &nodes, 10, UINT64_MAX);
+}
+
+/* 2 leaves below a chain of 100 nodes: 2 instances and 102 visits; below two such chains 4 and 204, and so on. */
+static void shared_nodes_are_visited_once_for_each_way_and_no_more_than_the_limit(void **state)
+{
+    (void)state;
+    struct tree *tree = tree_new();
+    add_node(tree, NONE, CHILDREN(1, 1, NONE));
+    for (uint32_t i = 1; i <= 100; i++)
+        add_node(tree, NONE, CHILDREN(i + 1, NONE));
+    add_node(tree, 0, CHILDREN(NONE));
+    add_node(tree, 0, CHILDREN(NONE)); /* alone */
+    struct zr_punctual_light placement = zr_nodes_place(&tree->arena, &tree->nodes, 10, 204);
+    assert_int_equal(placement.fault, ZR_NODES_GOOD);
+    assert_int_equal(placement.count, 3);
+    assert_int_equal(placement.visits, 204);
+    assert_int_equal(zr_nodes_place(&tree->arena, &tree->nodes, 10, 203).fault, ZR_NODES_TOO_MANY_VISITS);
+    tree_free(tree);
+}
+
+/* By the instances that were placed until then, and not by a clock. */
+static void placing_looks_at_the_flag(void **state)
+{
+    enum { CHAIN = 200, TIMES = 256 };
+    (void)state;
+    struct zr_arena arena;
+    zr_arena_init(&arena, (size_t)1 << 28);
+    struct zr_node *made = zr_arena_alloc(&arena, CHAIN + 1, sizeof *made);
+    uint32_t *children = zr_arena_alloc(&arena, TIMES + CHAIN, sizeof *children), entries = 0;
+    assert_true(zr_arena_ok(&arena));
+    for (uint32_t i = 0; i <= CHAIN; i++) {
+        const uint32_t times = i == 0 ? TIMES : i < CHAIN;
+        made[i] = (struct zr_node){zr_mat4_identity(), i == CHAIN ? 0 : ZR_NODE_NO_MESH, entries, times, NULL};
+        for (uint32_t k = 0; k < times; k++)
+            children[entries++] = i + 1;
+    }
+    const struct zr_nodes nodes = {CHAIN + 1, entries, made, children};
+    assert_int_equal(zr_nodes_place(&arena, &nodes, TIMES, UINT64_MAX).count, TIMES);
+    const struct zr_cancel cancel = {.raised = true};
+    arena.cancel = &cancel;
+    assert_true(zr_nodes_place(&arena, &nodes, TIMES, UINT64_MAX).count <= 4096 / CHAIN);
+    zr_arena_free(&arena);
 }
 
 static void chain_is_placed_up_to_the_depth_limit(void **state)
@@ -292,7 +335,7 @@ static void every_memory_ceiling_fails_cleanly_or_places_all(void **state)
     for (size_t ceiling = 0; ceiling < 8192; ceiling += 64) {
         struct zr_arena arena;
         zr_arena_init(&arena, ceiling);
-        struct zr_punctual_light placement = zr_nodes_place(&arena, &tree->nodes, 100);
+        struct zr_punctual_light placement = zr_nodes_place(&arena, &tree->nodes, 100, UINT64_MAX);
         if (zr_arena_ok(&arena)) {
             assert_int_equal(placement.count, 32);
             successes++;
@@ -315,6 +358,8 @@ int main(void)
         cmocka_unit_test(doubling_chain_is_counted_without_being_walked),
         cmocka_unit_test(paths_without_a_mesh_are_not_walked),
         cmocka_unit_test(matrix_out_of_range_names_the_node_that_leaves_it),
+        cmocka_unit_test(shared_nodes_are_visited_once_for_each_way_and_no_more_than_the_limit),
+        cmocka_unit_test(placing_looks_at_the_flag),
         cmocka_unit_test(chain_is_placed_up_to_the_depth_limit),
         cmocka_unit_test(random_hierarchies_are_placed_as_by_plain_recursion),
         cmocka_unit_test(every_memory_ceiling_fails_cleanly_or_places_all),

@@ -87,29 +87,6 @@ static void info_lists_points_behind_faces(void **state)
     cJSON_Delete(info);
 }
 
-static double fragments_of(struct test_scene *test, uint32_t side)
-{
-    test->scene.picture.side = side;
-    return scene_cost(&test->scene, UINT32_MAX).fragments;
-}
-
-static void points_cost_the_pixels_that_they_have_in_the_window(void **state)
-{
-    (void)state;
-    static struct test_scene test;
-    struct zr_mesh *mesh = scene_of_points(&test, 10);
-    const double small = fragments_of(&test, 1), sampled = fragments_of(&test, 4);
-    assert_true(sampled > small + 2 * 2 * 40 * 40); /* two points in view */
-    mesh->point_size = 20;
-    const double larger = fragments_of(&test, 1);
-    assert_true(larger > small + 2 * 300);
-    mesh->point_size = 60;
-    assert_true(fragments_of(&test, 1) < small + 2 * 2 * 64 * 64); /* no more than there is in the window */
-    mesh->point_count = 2;
-    mesh->points += 2;
-    assert_true(fragments_of(&test, 1) < small);
-}
-
 /* ---- how scenes give them ---- */
 
 static void points_are_indices_of_positions(void **state)
@@ -134,7 +111,6 @@ int main(void)
         cmocka_unit_test_setup_teardown(points_behind_the_eye_or_beside_the_window_are_outside, open_arena,
                                         close_arena),
         cmocka_unit_test_setup_teardown(info_lists_points_behind_faces, open_arena, close_arena),
-        cmocka_unit_test(points_cost_the_pixels_that_they_have_in_the_window),
         cmocka_unit_test(points_are_indices_of_positions),
     };
     return cmocka_run_group_tests_name("points", tests, NULL, NULL);

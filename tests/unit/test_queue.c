@@ -173,8 +173,6 @@ static void small_jobs_do_not_wait_for_one_that_only_seemed_to_be_small(void **s
     assert_true(endless.runs_again);
 }
 
-/* ---- bounds ---- */
-
 struct nap {
     struct queue_job job;
     sem_t *ended;
@@ -189,6 +187,56 @@ static void sleep_on(struct queue_job *job, struct zr_arena *arena)
     usleep(nap->ms * 1000);
     sem_post(ended);
 }
+
+/* What a job takes there, the small ones behind it wait for, however long that is. */
+static void what_holds_up_the_express_counts_among_small_jobs(void **state)
+{
+    enum { LONG_MS = 4 * QUEUE_EXPRESS_MS, COMING = 10 };
+    (void)state;
+    struct task large, express;
+    sem_t ended;
+    sem_init(&ended, 0, 0);
+    task_init(&large, false);
+    task_init(&express, false);
+    struct nap nap = {{.work = sleep_on}, &ended, LONG_MS};
+    struct queue *queue = queue_create(&(struct queue_options){.workers = 1, .capacity = 1000, .calm_ms = PATIENCE_MS});
+    assert_non_null(queue);
+    assert_true(queue_push(queue, &large.job, QUEUE_LARGE) && task_begins(&large));
+    assert_false(queue_is_full(queue, QUEUE_SMALL, COMING));
+    assert_true(queue_push(queue, &nap.job, QUEUE_SMALL));
+    assert_int_equal(sem_wait(&ended), 0);
+    assert_true(queue_push(queue, &express.job, QUEUE_SMALL) && task_begins(&express)); /* the queue has counted it */
+    const bool is_full = queue_is_full(queue, QUEUE_SMALL, COMING);
+    sem_post(&large.may_end);
+    sem_post(&express.may_end);
+    queue_destroy(queue);
+    assert_true(is_full);
+}
+
+/* Two a worker are taken in any case. */
+static void a_lane_takes_no_more_while_its_oldest_job_has_waited_for_too_long(void **state)
+{
+    (void)state;
+    struct task large, express, waiting[3];
+    task_init(&large, false);
+    task_init(&express, false);
+    struct queue *queue = queue_create(&(struct queue_options){.workers = 1, .capacity = 1000, .calm_ms = PATIENCE_MS});
+    assert_non_null(queue);
+    assert_true(queue_push(queue, &large.job, QUEUE_LARGE) && task_begins(&large));
+    assert_true(queue_push(queue, &express.job, QUEUE_SMALL) && task_begins(&express));
+    for (int i = 0; i < 3; i++)
+        task_init(&waiting[i], true);
+    assert_true(queue_push(queue, &waiting[0].job, QUEUE_SMALL) && queue_push(queue, &waiting[1].job, QUEUE_SMALL));
+    const bool is_full_at_once = queue_is_full(queue, QUEUE_SMALL, 0);
+    usleep((QUEUE_WAIT_MS + 100) * 1000);
+    const bool takes_more = queue_push(queue, &waiting[2].job, QUEUE_SMALL);
+    sem_post(&large.may_end);
+    sem_post(&express.may_end);
+    queue_destroy(queue);
+    assert_true(!is_full_at_once && !takes_more);
+}
+
+/* ---- bounds ---- */
 
 /* How many jobs of so many milliseconds wait at most, and for how long the queue says that one more would. */
 static size_t fill(enum queue_lane lane, unsigned ms, size_t capacity, unsigned *wait_s)
@@ -266,6 +314,8 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(small_jobs_do_not_wait_for_one_that_only_seemed_to_be_small),
+        cmocka_unit_test(what_holds_up_the_express_counts_among_small_jobs),
+        cmocka_unit_test(a_lane_takes_no_more_while_its_oldest_job_has_waited_for_too_long),
         cmocka_unit_test(as_many_wait_as_are_begun_within_a_second),
         cmocka_unit_test(what_jobs_took_is_forgotten_once_it_is_calm),
         cmocka_unit_test(memory_of_small_jobs_is_kept_for_the_next_one),

@@ -8,6 +8,7 @@
 #include "assets.h"
 #include "rendering.h"
 #include "server/assets.h"
+#include "support/base64.h"
 #include "support/cmocka_all.h"
 
 enum { ARENA_BYTES = 1 << 28, MESSAGE_SIZE = 512 };
@@ -18,7 +19,6 @@ enum { ARENA_BYTES = 1 << 28, MESSAGE_SIZE = 512 };
 struct trial {
     struct folder folder;
     struct config config;
-    struct prediction prediction;
     struct service service;
 };
 
@@ -29,14 +29,12 @@ static void trial_open(struct trial *trial)
     trial->folder = folder_make();
     struct store *store = store_open(trial->folder.path, trial->config.assets_max_bytes, message, sizeof message);
     if (!store) fail_msg("%s", message);
-    prediction_init(&trial->prediction);
-    service_init(&trial->service, &trial->config, NULL, &trial->prediction, store);
+    service_init(&trial->service, &trial->config, NULL, 1.0, store);
 }
 
 static void trial_close(struct trial *trial)
 {
     store_close(trial->service.store);
-    prediction_free(&trial->prediction);
     folder_remove(&trial->folder);
 }
 
@@ -105,6 +103,40 @@ static void request_of_much_work_is_given_up_at_whatever_time_it_is_cancelled(vo
 {
     (void)state;
     expect_of_new_service("{\"window\":{\"width\":4000,\"height\":4000}," POLYGONS "}", REQUEST_LARGE);
+}
+
+/* 100 x 100 x 30 visits of nodes; a picture of 16 million texels, of which there is but the head; 65 faces for the
+ * painter. None of them is read or drawn on the way. */
+static void request_that_nothing_but_its_work_shows_to_be_large_is_given_up(void **state)
+{
+    enum { SIZE = 1 << 14, LINKS = 30 };
+    static const unsigned char head[33] = "\x89PNG\r\n\x1a\n\0\0\0\rIHDR\0\0\x10\0\0\0\x10\0\x08\x06";
+    static char text[SIZE];
+    (void)state;
+    int used =
+        snprintf(text, SIZE, "{\"meshes\":[{\"positions\":[[0,0,0],[1,0,0],[0,1,0]],\"faces\":[[0,1,2]]}],\"nodes\":[");
+    for (int k = 0; k < 2; k++)
+        for (int i = 0; i <= 100; i++)
+            used += snprintf(text + used, SIZE - (size_t)used,
+                             i == 0    ? "{\"children\":[%d"
+                             : i < 100 ? ",%d"
+                                       : "]},",
+                             k + 1);
+    for (int k = 2; k < 2 + LINKS; k++)
+        used += snprintf(text + used, SIZE - (size_t)used, "{\"children\":[%d]},", k + 1);
+    snprintf(text + used, SIZE - (size_t)used, "{\"mesh\":0}]}");
+    expect_of_new_service(text, REQUEST_LARGE);
+    char *uri = base64_of("data:image/png;base64,", head, sizeof head);
+    snprintf(text, SIZE,
+             "{\"materials\":[{\"name\":\"m\",\"baseColorTexture\":{\"uri\":\"%s\"}}]," POLYGONS "}", uri);
+    expect_of_new_service(text, REQUEST_LARGE);
+    free(uri);
+    used = snprintf(text, SIZE, "{\"algorithm\":\"painter\",\"window\":{\"width\":16,\"height\":16},\"polygons\":[");
+    for (int i = 0; i < 65; i++)
+        used +=
+            snprintf(text + used, SIZE - (size_t)used, "%s{\"vertices\":[[0,0,%d],[1,0,0],[0,1,0]]}", i ? "," : "", i);
+    snprintf(text + used, SIZE - (size_t)used, "]}");
+    expect_of_new_service(text, REQUEST_LARGE);
 }
 
 /* Whatever it is about, and whether its client waits for it or not. */
@@ -184,6 +216,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(request_for_a_large_asset_is_given_up_at_whatever_time_it_is_cancelled),
         cmocka_unit_test(request_of_much_work_is_given_up_at_whatever_time_it_is_cancelled),
+        cmocka_unit_test(request_that_nothing_but_its_work_shows_to_be_large_is_given_up),
         cmocka_unit_test(request_that_has_taken_too_long_for_a_small_one_is_given_up),
         cmocka_unit_test(request_that_inflates_to_more_is_given_up_on_the_way),
         cmocka_unit_test(large_asset_is_not_fetched_and_a_small_one_is),

@@ -1,0 +1,72 @@
+/* cost.h - the core: how long a scene takes to draw and to encode, and how much memory at least, before either begins.
+ *
+ * How:    ms = 1e-6 * sum over all kinds of counts[kind] * ns. Most counts follow from sizes. How much of the window
+ *         faces cover follows from a sample of them.
+ * Unit:   processor time of one thread with AVX-512, such as at 2.6 GHz. Who knows the machine multiplies by a factor.
+ * Why:    the sum decides whether a request is small, large, or refused; the weights of the rows were fitted together,
+ *         to within a factor of three. No single weight is the price of one thing.
+ */
+#ifndef ZR_COST_H
+#define ZR_COST_H
+
+#include <stdint.h>
+
+/* ROW(ID, ns, words: what a client may ask for less of). A pass is one drawing of the scene: of pixels' centres, of
+ * samples, or of a depth map. */
+#define ZR_COST_ROWS(ROW)                                                                                              \
+    ROW(REQUEST, 45e3, "what any request takes")                                                                       \
+    ROW(INSTANCE, 2000.0, "instances")                                                                                 \
+    ROW(VERTEX, 25.0, "vertices")                                                                                      \
+    ROW(TRIANGLE, 38.0, "triangles")                                                                                   \
+    ROW(NORMAL, 70.0, "triangles whose normals are averaged")                                                          \
+    ROW(VERTEX_LAMP, 0.3, "vertices times lamps")                                                                      \
+    ROW(VERTEX_PLACED_LAMP, 0.9, "vertices times point and spot lamps")                                                \
+    ROW(FRAGMENT, 0.2, "pixels of faces, hidden ones too")                                                             \
+    ROW(LINE_FRAGMENT, 8.0, "pixels of lines and points")                                                              \
+    ROW(SHAPE_CORNER, 9.0, "squared corners of faces that are not convex")                                             \
+    ROW(SHAPE_SAMPLE, 0.3, "pixels times corners of faces that are not convex")                                        \
+    ROW(COMPARISON, 1.5, "pixels that the painter compares")                                                           \
+    ROW(LAYER, 45.0, "pixels of see-through faces, hidden ones too")                                                   \
+    ROW(CHANNEL_LAYER, 8.0, "pixels of faces, hidden ones too, for channels of all layers")                            \
+    ROW(WINDOW_SAMPLE, 1.5, "samples of the window")                                                                   \
+    ROW(CHANNEL_PIXEL, 18.0, "pixels of data channels that are computed")                                              \
+    ROW(LINEAR_PIXEL, 38.0, "pixels in linear light")                                                                  \
+    ROW(LIT_SAMPLE, 9.0, "samples that are lit")                                                                       \
+    ROW(LAMP_SAMPLE, 0.9, "samples times lamps")                                                                       \
+    ROW(PLACED_LAMP_SAMPLE, 4.0, "samples times point and spot lamps")                                                 \
+    ROW(SHADOW_SAMPLE, 6.0, "samples times lamps with shadows")                                                        \
+    ROW(TEXTURE_SAMPLE, 22.0, "samples times textures")                                                                \
+    ROW(OCCLUSION_PIXEL, 85.0, "pixels with occlusion")                                                                \
+    ROW(EDGE_SAMPLE, 0.1, "samples with edges")                                                                        \
+    ROW(EDGE_WIDTH_SAMPLE, 0.025, "samples times the width of edges")                                                  \
+    ROW(MAP_TEXEL, 25.0, "texels of shadow maps")                                                                      \
+    ROW(MAP_FRAGMENT, 0.24, "texels of faces in shadow maps")                                                          \
+    ROW(LEVEL_TEXEL, 4.0, "texels of textures' levels")                                                                \
+    ROW(LINEAR_LEVEL_TEXEL, 7.0, "texels of textures' levels in linear light")                                         \
+    ROW(OUTPUT_WORD, 1.6, "words of outputs")                                                                          \
+    ROW(PNG_PIXEL, 0.5, "pixels of PNG files")                                                                         \
+    ROW(SMALL_PNG_PIXEL, 18.0, "pixels of PNG files that are compressed well")
+
+enum zr_cost_kind {
+#define ZR_COST_ENUM(ID, ...) ZR_COST_##ID,
+    ZR_COST_ROWS(ZR_COST_ENUM)
+#undef ZR_COST_ENUM
+        ZR_COST_KINDS
+};
+
+struct zr_cost {
+    double ms; /* of rendering and encoding */
+    double counts[ZR_COST_KINDS];
+    double window_bytes;   /* arrays of the window's size that rendering holds at once: it holds these at least */
+    double lamp_map_bytes; /* of these, depth maps of lamps with shadows, */
+    uint32_t lamp_maps;    /* of which there are so many */
+};
+
+/* The row that most of `ms` is for. */
+struct zr_cost_most {
+    double ms, count;
+    const char *words; /* of the row */
+};
+struct zr_cost_most zr_cost_most(const struct zr_cost *cost);
+
+#endif

@@ -1,0 +1,144 @@
+/* costs - bench: predicted time (core/cost.h) beside processor time of one thread, for each scene that is named, and for
+ * each OBJ model in some looks and sizes. The last lines have the shares that are predicted to within twice and three
+ * times. `make bench-costs` runs it.
+ *
+ *     build/tests/bench/alone/costs [--counts] FILE...
+ *
+ * --counts: all counts of each, too, from which weights are fitted.
+ */
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <time.h>
+
+#include "cost.h"
+#include "scene/resolved_view.h"
+#include "scene/scene.h"
+#include "support/files.h"
+#include "zraster.h"
+
+enum { ROUNDS = 5 };
+static const double enough_ms = 60.0, least_ms = 1.0;
+
+struct share {
+    const char *name;
+    int count, within_2, within_3;
+    double under, over; /* the worst of taken / predicted, and of predicted / taken */
+};
+
+static double now_ms(void)
+{
+    struct timespec now;
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+    return 1e3 * (double)now.tv_sec + 1e-6 * (double)now.tv_nsec;
+}
+
+static double fail(const struct zr_error *error)
+{
+    fprintf(stderr, "%s: %s\n", error->items[0].pointer, error->items[0].detail);
+    return -1.0;
+}
+
+/* Rendering and encoding; below 0: they failed. */
+static double measure(struct zr_arena *arena, const struct zr_request *request, struct zr_cost *cost)
+{
+    const struct zr_limits limits = zr_limits_default();
+    const struct zr_scene *scene = NULL;
+    const struct zr_resolved_view *resolved = NULL;
+    const struct zr_frame *frame = NULL;
+    struct zr_answer answer;
+    struct zr_error error = {.count = 0};
+    zr_arena_reset(arena, SIZE_MAX);
+    if (zr_scene_read(arena, NULL, request, &limits, &scene, &error) != ZR_OK ||
+        zr_resolved_view_find(arena, NULL, scene, NULL, &resolved, &error) != ZR_OK)
+        return fail(&error);
+    *cost = zr_scene_cost(scene, resolved);
+    const double begin_ms = now_ms();
+    if (zr_render(arena, NULL, scene, resolved, NULL, &frame, &error) != ZR_OK ||
+        zr_encode(arena, NULL, scene, frame, NULL, &answer, &error) != ZR_OK)
+        return fail(&error);
+    return now_ms() - begin_ms;
+}
+
+static void add(struct share *share, double predicted_ms, double took_ms)
+{
+    const double wrong = fmax(predicted_ms / took_ms, took_ms / predicted_ms);
+    share->count++;
+    share->within_2 += wrong <= 2.0;
+    share->within_3 += wrong <= 3.0;
+    share->under = fmax(share->under, took_ms / predicted_ms);
+    share->over = fmax(share->over, predicted_ms / took_ms);
+}
+
+static void print_share(const struct share *share)
+{
+    const double all = fmax(share->count, 1.0);
+    printf("%s: %d, within 2 x %.0f %%, within 3 x %.0f %%; took up to %.1f x as long, and as little as 1/%.1f\n",
+           share->name, share->count, 100.0 * share->within_2 / all, 100.0 * share->within_3 / all, share->under,
+           share->over);
+}
+
+static void run(struct zr_arena *arena, const struct zr_request *request, const char *name, bool counts,
+                struct share shares[2])
+{
+    struct zr_cost cost;
+    double took_ms = HUGE_VAL, sum_ms = 0.0;
+    for (int i = 0; i < ROUNDS && sum_ms < enough_ms; i++) {
+        const double ms = measure(arena, request, &cost);
+        if (ms < 0.0) return;
+        took_ms = fmin(took_ms, ms);
+        sum_ms += ms;
+    }
+    add(&shares[took_ms >= least_ms], cost.ms, took_ms);
+    const struct zr_cost_most most = zr_cost_most(&cost);
+    printf("%-60s predicted %9.3f ms, took %9.3f: %5.2f; most of it %.3f ms for %.3g %s\n", name, cost.ms, took_ms,
+           cost.ms / took_ms, most.ms, most.count, most.words);
+    for (int kind = 0; counts && kind < ZR_COST_KINDS; kind++)
+        printf("%s%.6g", kind ? " " : "# ", cost.counts[kind]);
+    if (counts) putchar('\n');
+}
+
+int main(int argc, char **argv)
+{
+    static const char *const looks[] = {"textbook", "studio", "technical", "metal"};
+    static const struct {
+        const char *width, *height;
+    } sizes[] = {{"64", "48"}, {"640", "480"}, {"1920", "1080"}};
+    struct share shares[2] = {{.name = "below 1 ms"}, {.name = "1 ms and more"}};
+    struct zr_arena arena;
+    bool counts = false;
+    zr_arena_init(&arena, (size_t)1 << 30);
+    for (int i = 1; i < argc; i++) {
+        if (strcmp(argv[i], "--counts") == 0) {
+            counts = true;
+            continue;
+        }
+        size_t size = 0;
+        char *bytes = file_read(argv[i], &size);
+        const size_t length = strlen(argv[i]);
+        if (!bytes) {
+            perror(argv[i]);
+            return 1;
+        }
+        struct zr_request request = {.format = ZR_FORMAT_JSON, .bytes = bytes, .size = size};
+        if (length < 4 || strcmp(argv[i] + length - 4, ".obj") != 0) {
+            run(&arena, &request, argv[i], counts, shares);
+        } else {
+            request.format = ZR_FORMAT_OBJ;
+            for (int k = 0; k < 12; k++) {
+                char name[512];
+                request.look = looks[k / 3];
+                request.width = sizes[k % 3].width;
+                request.height = sizes[k % 3].height;
+                snprintf(name, sizeof name, "%s %s %s", argv[i], request.look, request.width);
+                run(&arena, &request, name, counts, shares);
+            }
+        }
+        free(bytes);
+    }
+    zr_arena_free(&arena);
+    for (int k = 0; k < 2; k++)
+        print_share(&shares[k]);
+    return 0;
+}
