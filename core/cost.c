@@ -26,6 +26,7 @@ struct tally {
     zr_mat4 world_to_clip, object_to_clip;
     bool is_mirrored;
     double faces, fragments, line_fragments, layered;
+    double outlines;                          /* edges that are drawn as lines */
     double shape_corners, shape_samples;      /* squared corners; pixels times corners */
     double kept, kept_squares;                /* see-through fragments that are kept for sure, for memory */
     double lit, lamps, placed_lamps, shadows; /* fragments that are lit, times lamps of their material */
@@ -162,8 +163,10 @@ static void add_face(struct tally *tally, const struct zr_mesh *mesh, uint32_t f
     const struct footprint print = footprint_of(tally, mesh, rings);
     const double corners = (double)(rings.offsets[rings.count] - rings.offsets[0]);
     const double shared = (double)mesh->position_count / (double)mesh->face_offsets[mesh->face_count];
-    if (material->outline != ZR_OUTLINE_NONE)
+    if (material->outline != ZR_OUTLINE_NONE) {
         tally->line_fragments += tally->line_width * length_in_window(tally, &print);
+        tally->outlines += corners;
+    }
     if (material->unfilled) return;
     const bool shape = zr_face_is_shape(mesh, face);
     const bool is_back = print.behind == 0 && (tally->is_mirrored ? print.net > 0.0 : print.net < 0.0);
@@ -196,6 +199,9 @@ static void add_line(struct tally *tally, const struct zr_mesh *mesh, const uint
     add_layers(tally, &tally->scene->materials[mesh->material], pixels, 0.0);
 }
 
+/* What a see-through pixel of a point takes, of what it takes in a face. */
+static const double POINT_LAYER_TIMES = 3.0;
+
 /* A square around its middle. */
 static void add_point(struct tally *tally, const struct zr_mesh *mesh, uint32_t position)
 {
@@ -208,7 +214,7 @@ static void add_point(struct tally *tally, const struct zr_mesh *mesh, uint32_t 
     const double up = fmin(at[1] + 0.5 * size, tally->height) - fmax(at[1] - 0.5 * size, 0.0);
     const double pixels = fmax(across, 0.0) * fmax(up, 0.0);
     tally->line_fragments += pixels;
-    add_layers(tally, &tally->scene->materials[mesh->material], pixels, 0.0);
+    add_layers(tally, &tally->scene->materials[mesh->material], POINT_LAYER_TIMES * pixels, 0.0);
 }
 
 static void add_thing(struct tally *tally, const struct zr_mesh *mesh, uint32_t number)
@@ -450,6 +456,7 @@ static void count_fragments(const struct tally *tally, const struct passes *pass
     const double drawn = passes->centres + passes->samples * passes->side * passes->side;
     const double times = drawn * scale * TIMES[scene->algorithm].fragment;
     const double depth = scale * tally->layered / pixels;
+    counts[ZR_COST_TRIANGLE] += 2.0 * (passes->centres + passes->samples) * scale * tally->outlines;
     counts[ZR_COST_FRAGMENT] = times * tally->fragments;
     counts[ZR_COST_LINE_FRAGMENT] = times * tally->line_fragments;
     counts[ZR_COST_SHAPE_CORNER] = (passes->centres + passes->samples + passes->maps) * scale * tally->shape_corners;

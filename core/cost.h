@@ -14,37 +14,37 @@
 /* ROW(ID, ns, words: what a client may ask for less of). A pass is one drawing of the scene: of pixels' centres, of
  * samples, or of a depth map. */
 #define ZR_COST_ROWS(ROW)                                                                                              \
-    ROW(REQUEST, 45e3, "what any request takes")                                                                       \
-    ROW(INSTANCE, 2000.0, "instances")                                                                                 \
+    ROW(REQUEST, 35e3, "what any request takes")                                                                       \
+    ROW(INSTANCE, 1600.0, "instances")                                                                                 \
     ROW(VERTEX, 25.0, "vertices")                                                                                      \
-    ROW(TRIANGLE, 38.0, "triangles")                                                                                   \
-    ROW(NORMAL, 70.0, "triangles whose normals are averaged")                                                          \
-    ROW(VERTEX_LAMP, 0.3, "vertices times lamps")                                                                      \
-    ROW(VERTEX_PLACED_LAMP, 0.9, "vertices times point and spot lamps")                                                \
-    ROW(FRAGMENT, 0.2, "pixels of faces, hidden ones too")                                                             \
-    ROW(LINE_FRAGMENT, 8.0, "pixels of lines and points")                                                              \
-    ROW(SHAPE_CORNER, 9.0, "squared corners of faces that are not convex")                                             \
+    ROW(TRIANGLE, 25.0, "triangles")                                                                                   \
+    ROW(NORMAL, 67.0, "triangles whose normals are averaged")                                                          \
+    ROW(VERTEX_LAMP, 0.25, "vertices times lamps")                                                                     \
+    ROW(VERTEX_PLACED_LAMP, 0.8, "vertices times point and spot lamps")                                                \
+    ROW(FRAGMENT, 0.25, "pixels of faces, hidden ones too")                                                            \
+    ROW(LINE_FRAGMENT, 7.0, "pixels of lines and points")                                                              \
+    ROW(SHAPE_CORNER, 5.5, "squared corners of faces that are not convex")                                             \
     ROW(SHAPE_SAMPLE, 0.3, "pixels times corners of faces that are not convex")                                        \
-    ROW(COMPARISON, 1.5, "pixels that the painter compares")                                                           \
-    ROW(LAYER, 45.0, "pixels of see-through faces, hidden ones too")                                                   \
-    ROW(CHANNEL_LAYER, 8.0, "pixels of faces, hidden ones too, for channels of all layers")                            \
+    ROW(COMPARISON, 1.0, "pixels that the painter compares")                                                           \
+    ROW(LAYER, 32.0, "pixels of see-through faces, hidden ones too")                                                   \
+    ROW(CHANNEL_LAYER, 12.0, "pixels of faces, hidden ones too, for channels of all layers")                           \
     ROW(WINDOW_SAMPLE, 1.5, "samples of the window")                                                                   \
-    ROW(CHANNEL_PIXEL, 18.0, "pixels of data channels that are computed")                                              \
-    ROW(LINEAR_PIXEL, 38.0, "pixels in linear light")                                                                  \
-    ROW(LIT_SAMPLE, 9.0, "samples that are lit")                                                                       \
-    ROW(LAMP_SAMPLE, 0.9, "samples times lamps")                                                                       \
-    ROW(PLACED_LAMP_SAMPLE, 4.0, "samples times point and spot lamps")                                                 \
-    ROW(SHADOW_SAMPLE, 6.0, "samples times lamps with shadows")                                                        \
-    ROW(TEXTURE_SAMPLE, 22.0, "samples times textures")                                                                \
-    ROW(OCCLUSION_PIXEL, 85.0, "pixels with occlusion")                                                                \
+    ROW(CHANNEL_PIXEL, 12.0, "pixels of data channels that are computed")                                              \
+    ROW(LINEAR_PIXEL, 26.0, "pixels in linear light")                                                                  \
+    ROW(LIT_SAMPLE, 10.0, "samples that are lit")                                                                      \
+    ROW(LAMP_SAMPLE, 1.0, "samples times lamps")                                                                       \
+    ROW(PLACED_LAMP_SAMPLE, 4.2, "samples times point and spot lamps")                                                 \
+    ROW(SHADOW_SAMPLE, 5.0, "samples times lamps with shadows")                                                        \
+    ROW(TEXTURE_SAMPLE, 20.0, "samples times textures")                                                                \
+    ROW(OCCLUSION_PIXEL, 42.0, "pixels with occlusion")                                                                \
     ROW(EDGE_SAMPLE, 0.1, "samples with edges")                                                                        \
-    ROW(EDGE_WIDTH_SAMPLE, 0.025, "samples times the width of edges")                                                  \
-    ROW(MAP_TEXEL, 25.0, "texels of shadow maps")                                                                      \
+    ROW(EDGE_WIDTH_SAMPLE, 0.02, "samples times the width of edges")                                                   \
+    ROW(MAP_TEXEL, 18.0, "texels of shadow maps")                                                                      \
     ROW(MAP_FRAGMENT, 0.24, "texels of faces in shadow maps")                                                          \
     ROW(LEVEL_TEXEL, 4.0, "texels of textures' levels")                                                                \
     ROW(LINEAR_LEVEL_TEXEL, 7.0, "texels of textures' levels in linear light")                                         \
     ROW(OUTPUT_WORD, 1.6, "words of outputs")                                                                          \
-    ROW(PNG_PIXEL, 0.5, "pixels of PNG files")                                                                         \
+    ROW(PNG_PIXEL, 0.4, "pixels of PNG files")                                                                         \
     ROW(SMALL_PNG_PIXEL, 18.0, "pixels of PNG files that are compressed well")
 
 enum zr_cost_kind {

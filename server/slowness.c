@@ -7,7 +7,7 @@
 #include "zraster.h"
 
 enum { ROUNDS = 5, ARENA_BYTES = 64 << 20 };
-static const double REFERENCE_MS = 3.8;
+static const double REFERENCE_MS = 5.0;
 
 static const char SCENE[] =
     "{\"look\":\"studio\",\"window\":{\"width\":160,\"height\":120},\"meshes\":[{\"heights\":[[0,1,0,1,0],[1,2,1,2,1],"

@@ -80,6 +80,26 @@ static void of_two_that_cut_each_other_each_is_seen_on_its_side(void **state)
     assert_int_equal(samples.owner[5 * 70 + 65], 2);
 }
 
+/* Ten sheets that cut one another. */
+static void the_painter_ends_beyond_its_limit_of_work(void **state)
+{
+    enum { SIDE = 40, SHEETS = 10, FEW = 2000, PLENTY = 10000000 };
+    (void)state;
+    for (int i = 0; i < SHEETS; i++)
+        add(at(-40, -40, 0.05 * i), at(120, -40, 1.0 - 0.09 * i), at(-40, 120, 0.1 + 0.07 * (i * 7 % SHEETS)));
+    for (int plenty = 0; plenty < 2; plenty++) {
+        struct zr_samples samples = {.width = SIDE,
+                                     .height = SIDE,
+                                     .depth = zr_arena_alloc(&arena, SIDE * SIDE, sizeof *samples.depth),
+                                     .owner = zr_arena_zero(&arena, SIDE * SIDE, sizeof *samples.owner)};
+        assert_true(zr_arena_ok(&arena));
+        for (int k = 0; k < SIDE * SIDE; k++)
+            samples.depth[k] = 1.0f;
+        assert_int_equal(zr_painter_within(&arena, &test.geometry, plenty ? PLENTY : FEW, NULL, &samples),
+                         plenty ? ZR_OK : ZR_BAD_SCENE);
+    }
+}
+
 /* Three long triangles around a centre, each over the next. */
 static void make_cycle(void)
 {
@@ -246,6 +266,7 @@ int main(void)
         cmocka_unit_test(every_name_but_production_has_a_way_of_its_own),
         cmocka_unit_test_setup_teardown(an_empty_picture_stays_empty, open_arena, close_arena),
         cmocka_unit_test_setup_teardown(of_two_that_cut_each_other_each_is_seen_on_its_side, open_arena, close_arena),
+        cmocka_unit_test_setup_teardown(the_painter_ends_beyond_its_limit_of_work, open_arena, close_arena),
         cmocka_unit_test_setup_teardown(three_in_a_cycle_that_no_order_can_paint_are_cut, open_arena, close_arena),
         cmocka_unit_test_setup_teardown(a_long_chain_is_painted_in_its_order, open_arena, close_arena),
         cmocka_unit_test_setup_teardown(what_is_not_nearer_than_the_start_is_not_seen, open_arena, close_arena),
