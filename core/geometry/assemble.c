@@ -6,8 +6,8 @@
 #include "geometry/shape.h"
 #include "geometry/wire.h"
 
-/* A triangle keeps the order of its corners; a larger polygon becomes the fan
- * (i-1, i, 0), as GL_POLYGON does in the reference (rule 10). */
+/* Places a triangle in the order of its corners, and a larger polygon as the fan (i-1, i, 0), as GL_POLYGON does in the
+ * reference (rule 10). */
 static void place_fan(struct zr_builder *builder, uint32_t face, const struct zr_common *common)
 {
     const struct zr_mesh *mesh = builder->mesh;
@@ -54,23 +54,23 @@ static bool has_outlines(const struct zr_builder *builder)
     return false;
 }
 
-/* What cutting the face may take. */
+/* Bounds the work of triangulating the face. */
 static uint64_t corners_squared(const struct zr_mesh *mesh, uint32_t face)
 {
     uint64_t corners = mesh->face_offsets[face + 1] - mesh->face_offsets[face];
     return corners * corners;
 }
 
-/* ---- faces that are drawn as they stand ---- */
+/* ---- faces drawn without copying ---- */
 
-/* Faces begin .. end - 1, all in one material. */
+/* Faces begin .. end - 1, all of one material. */
 struct run {
     uint32_t begin, end;
     const struct zr_material *material;
 };
 
-/* Convex and wholly in view. That its material fills it and wants no outline, which moves faces back, is seen before.
- */
+/* Returns true for a convex face wholly inside the view volume. The caller has checked that its material fills it
+ * without outlines, which would offset its depth. */
 static bool face_is_plain(const struct zr_builder *builder, const struct zr_fans *fans, uint32_t face)
 {
     const struct zr_mesh *mesh = builder->mesh;
@@ -100,8 +100,8 @@ static bool add_run(struct zr_builder *builder, const struct zr_fans *fans, cons
     return zr_builder_add_draw(builder, draw);
 }
 
-/* So few plain faces between others are placed one by one, too: a draw of their own takes longer (a third of the time
- * of a cube, half of whose triangles are cut). */
+/* Shorter runs of plain faces between others are placed one by one: a draw of their own takes longer (a third of the
+ * time of a cube, half of whose triangles are clipped). */
 enum { SHORT_RUN = 16 };
 
 static bool is_a_draw(const struct zr_mesh *mesh, const struct run *run)
@@ -110,7 +110,7 @@ static bool is_a_draw(const struct zr_mesh *mesh, const struct run *run)
     return count == mesh->face_count || count >= SHORT_RUN;
 }
 
-/* Faces one after the other: long runs of plain ones become draws, all others are placed one by one. */
+/* Processes the faces in order: long runs of plain ones become draws, all others are placed one by one. */
 static enum zr_status assemble_faces(struct zr_builder *builder, const struct zr_fans *fans)
 {
     const struct zr_mesh *mesh = builder->mesh;

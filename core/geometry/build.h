@@ -1,13 +1,14 @@
-/* build.h - geometry, the whole floor: a scene, seen by a camera -> what is drawn in the window (geometry.h). */
+/* build.h - geometry, entry point of the room: scene and camera -> draws in window space (geometry.h). */
 #ifndef ZR_BUILD_H
 #define ZR_BUILD_H
 
 #include "base/team.h"
 #include "geometry/geometry.h"
 
-/* Everything points into the arena, and to the scene. Vertices are placed by the team's threads and instruction set;
- * the draws are made by the calling thread. singly: all primitives are placed one by one, and `counted`. ZR_OK,
- * ZR_CANCELLED, or ZR_NO_MEMORY where the arena failed or there would be too much of something. */
+/* Fills `geometry`, whose arrays live in the arena; draws point to the scene's meshes and materials. The team's threads
+ * transform the vertices with the team's instruction set; the calling thread makes the draws. With `singly`, each
+ * primitive is placed by itself and all draws are `counted`. Returns ZR_OK, ZR_CANCELLED, or ZR_NO_MEMORY if the arena
+ * failed or a count would exceed ZR_GEOMETRY_MAX. */
 enum zr_status zr_geometry_build(struct zr_arena *arena, struct zr_team *team, const struct zr_scene *scene,
                                  const struct zr_camera *camera, const struct zr_window *window,
                                  const struct zr_cancel *cancel, bool singly, struct zr_geometry *geometry);

@@ -2,21 +2,22 @@
 
 #include <string.h>
 
-/* Looks are so much work apart: some milliseconds, were all of it corners of faces that are cut, squared. */
-enum { WORK_A_LOOK = 1 << 20 };
+/* Work between two checks for cancellation: a few milliseconds if all of it is squared corner counts of triangulated
+ * faces. */
+enum { WORK_A_CHECK = 1 << 20 };
 
 bool zr_builder_go_on(struct zr_builder *builder, uint64_t work)
 {
     builder->unlooked += work;
-    if (builder->unlooked < WORK_A_LOOK) return true;
+    if (builder->unlooked < WORK_A_CHECK) return true;
     builder->unlooked = 0;
     return !zr_is_cancelled(builder->cancel);
 }
 
 /* ---- room ---- */
 
-/* How many an array of `room` grows to for `more` beside `count`: at least by
- * half, so that growth costs a constant share. 0: too many. */
+/* Returns the capacity to which an array of `room` grows for `more` items beside `count`: at least by half, so that
+ * growth has constant amortized cost. 0: too many. */
 static uint64_t grown_room(uint32_t room, uint32_t count, uint64_t more)
 {
     uint64_t wanted = (uint64_t)count + more;
@@ -104,7 +105,7 @@ static bool make_room_to_place(struct zr_builder *builder)
     return p->room > 0;
 }
 
-/* True where the last draw ends with what was placed last, and goes on so. */
+/* Returns true if the last draw ends with the primitive placed last and the next one has the same properties. */
 static bool goes_on(const struct zr_builder *builder, const struct zr_common *common)
 {
     const struct zr_geometry *g = builder->geometry;
@@ -144,7 +145,7 @@ void zr_builder_place(struct zr_builder *builder, const struct zr_common *common
     p->count++;
 }
 
-/* ---- what is cut ---- */
+/* ---- clipped primitives ---- */
 
 static bool note_cut(struct zr_builder *builder, const struct zr_clipped *clipped, const struct zr_corner *corners)
 {
@@ -170,7 +171,7 @@ static bool note_cut(struct zr_builder *builder, const struct zr_clipped *clippe
     return true;
 }
 
-/* The eyes of the corners, cut as they were, to out[]. */
+/* Clips the eye depths of the corners like their positions, to out[]. */
 static void cut_eyes(const struct zr_builder *builder, const struct zr_cut *cut, struct zr_eye *out)
 {
     static const uint32_t own[3] = {0, 1, 2};

@@ -19,7 +19,7 @@ unsigned zr_clip_outcode(zr_vec4 p)
     return code;
 }
 
-/* Four terms from left to right, zeros included: that is the reference's sum. */
+/* Adds four terms from left to right, zeros included, in the reference's order. */
 static float plane_distance(int plane, zr_vec4 p)
 {
     static const zr_vec4 planes[PLANES] = {{-1, 0, 0, 1}, {1, 0, 0, 1}, {0, -1, 0, 1},
@@ -38,7 +38,7 @@ static zr_vec4 mix4(zr_vec4 o, zr_vec4 i, float t)
     return (zr_vec4){mix(o.x, i.x, t), mix(o.y, i.y, t), mix(o.z, i.z, t), mix(o.w, i.w, t)};
 }
 
-/* Behind what was made: some place between two that there are. */
+/* Appends a created vertex between two existing ones. */
 static struct zr_clip_vertex made_between(struct zr_clipped *clipped, const struct zr_clip_vertex *from,
                                           const struct zr_clip_vertex *to, float t)
 {
@@ -47,8 +47,8 @@ static struct zr_clip_vertex made_between(struct zr_clipped *clipped, const stru
     return (struct zr_clip_vertex){mix4(from->position, to->position, t), (uint8_t)id};
 }
 
-/* Where the edge between two vertices on different sides meets the plane:
- * measured from the end nearer to it, on a tie from the inner one. */
+/* Returns the point at which an edge with ends on different sides crosses the plane: measured from the nearer end, on a
+ * tie from the inner one. */
 static struct zr_clip_vertex cross_plane(struct zr_clipped *clipped, const struct zr_clip_vertex *inside,
                                          float d_inside, const struct zr_clip_vertex *outside, float d_outside)
 {
@@ -77,8 +77,8 @@ static int clip_to_plane(struct zr_clipped *clipped, int plane, const struct zr_
     return kept;
 }
 
-/* What clip_to_plane will leave of the edges: bit i goes with the edge from vertex i to the next
- * one. The edge along the plane, which starts where the polygon goes out, gets no bit. */
+/* Returns the edge bits after clip_to_plane: bit i is the edge from vertex i to the next one. The new edge along the
+ * plane, which starts where the polygon leaves the inside, gets no bit. */
 static unsigned cut_edges(int plane, const struct zr_clip_vertex *in, int count, unsigned edges)
 {
     unsigned left = 0;
@@ -118,7 +118,8 @@ int zr_clip_triangle(const zr_vec4 tri[3], unsigned outcodes, unsigned *edges, s
     return out->count = count;
 }
 
-/* How much of the line, from its end at distance d towards the one at `other`, the plane cuts off. */
+/* Returns the larger of `share` and the part that the plane cuts off a line, from its end at distance d towards
+ * `other`. */
 static float cut_share(float d, float other, float share)
 {
     if (!(d < 0.0f)) return share;

@@ -1,11 +1,11 @@
 /* counts.h - geometry: where polygons, triangles, lines and points went. Of draws that are not `counted` (draw.h) that
  * is known once they are sorted (raster/hidden_surface.h), before which their triangles are counted as such alone.
  *
- * Every triangle handed in is counted in exactly one of outside, clipped, culled,
- * zero_area and drawn_whole; the pieces of a clipped one are counted apart. So are lines, of
- * which those that have a length and are not outside are drawn, points likewise, and outlines. What has no place in the
- * window, as the corner (0, 0, 0, 0) has none, is among these, and counted as `unplaced` besides.
- */
+ * Every triangle is counted in exactly one of outside, clipped, culled, zero_area and drawn_whole; the pieces of
+ * clipped triangles have counters of their own. Lines, points and outlines are counted likewise; a line is drawn if it
+ * has a length and is not outside. A primitive without a window position, such as the corner (0, 0, 0, 0), is counted
+ * in its class and in `unplaced` as well. Draws that are not `counted` (draw.h) only count as polygons and triangles
+ * until they are binned (raster/visibility.h), which fills in the other counters. */
 #ifndef ZR_COUNTS_H
 #define ZR_COUNTS_H
 
@@ -14,27 +14,28 @@
 struct zr_counts {
     uint64_t polygons;            /* handed in */
     uint64_t degenerate_polygons; /* without three distinct corners: dropped */
-    uint64_t concave_polygons;    /* by the odd-even rule: dents, crossings, holes */
-    uint64_t triangles;           /* that polygons were cut into, as fans or by their ears */
+    uint64_t concave_polygons;    /* filled by the odd-even rule: dents, crossings, holes */
+    uint64_t triangles;           /* made from polygons, by fans or by ear clipping */
     uint64_t outside;             /* wholly outside the view volume */
     uint64_t clipped;             /* cut by the view volume */
-    uint64_t culled;              /* one-sided and turned away */
-    uint64_t zero_area;           /* no area on the subpixel grid, or no place in the window */
+    uint64_t culled;              /* one-sided and facing away */
+    uint64_t zero_area;           /* no area on the subpixel grid, or no window position */
     uint64_t drawn_whole;         /* handed to the rasterizer uncut */
-    uint64_t drawn_pieces;        /* of clipped triangles, handed to the rasterizer */
-    uint64_t culled_pieces;       /* of clipped triangles, turned away */
+    uint64_t drawn_pieces;        /* pieces of clipped triangles, handed to the rasterizer */
+    uint64_t culled_pieces;       /* pieces of clipped triangles, facing away */
     uint64_t lines;               /* handed in; outlines are not counted */
-    uint64_t degenerate_lines;    /* from a place to the same one: dropped */
-    uint64_t outside_lines;       /* wholly outside the view volume, or without a place in the window */
+    uint64_t degenerate_lines;    /* both ends at one position: dropped */
+    uint64_t outside_lines;       /* wholly outside the view volume, or without a window position */
     uint64_t clipped_lines;       /* cut by the view volume */
     uint64_t points;              /* handed in */
-    uint64_t outside_points;      /* whose middle is outside the view volume, or without a place in the window */
-    uint64_t unplaced;            /* triangles, pieces of these, lines and points with a corner that has no place */
+    uint64_t outside_points;      /* centre outside the view volume, or without a window position */
+    uint64_t unplaced;            /* triangles, pieces of them, lines and points that have a corner without a window
+                                   * position */
     uint64_t clipped_outlines;    /* triangles of outlined faces that were cut */
-    uint64_t masked_tiles;        /* where masked fragments were left out, and nothing masked was seen in their place */
+    uint64_t masked_tiles;        /* tiles in which masked fragments were dropped and none became visible */
 };
 
-/* Modulo 2^64: what is less than none is taken away. */
+/* Adds modulo 2^64, so that a wrapped negative count subtracts. */
 static inline void zr_counts_add(struct zr_counts *sum, const struct zr_counts *counts)
 {
     sum->polygons += counts->polygons;

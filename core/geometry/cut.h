@@ -1,26 +1,24 @@
-/* cut.h - geometry: what clipping made of a primitive, so that whatever varies over it can be cut alike.
+/* cut.h - geometry: record of one clipped primitive, by which its attributes are clipped later.
  *
- * Clipping knows no attribute. It writes vertices as {from, to, t}; values of any kind are extended by the same
- * arithmetic, rule 3, whoever makes them and whenever.
- */
+ * Clipping handles positions only. It records each new vertex as {from, to, t}; values of any kind are extended by the
+ * same arithmetic (rule 3) when they are needed. */
 #ifndef ZR_CUT_H
 #define ZR_CUT_H
 
 #include "geometry/clip.h"
 
 struct zr_cut {
-    uint32_t first_vertex;    /* of those that are left, which follow one another */
-    uint32_t corners[3];      /* of what was cut: positions of the mesh; of a line two */
-    uint32_t slots[3];        /* and their slots of mesh->indices; of a line of the mesh 0 */
-    uint8_t count;            /* vertices that are left: */
-    uint8_t ids[ZR_CLIP_MAX]; /* numbers of values, as in zr_clip_replay */
-    uint8_t corner_count;     /* 3, of a line 2 */
+    uint32_t first_vertex;    /* first of the remaining vertices, which are consecutive */
+    uint32_t corners[3];      /* of the clipped primitive: positions of the mesh; a line has two */
+    uint32_t slots[3];        /* of the corners, into mesh->indices; 0 for a line of the mesh */
+    uint8_t count;            /* number of remaining vertices */
+    uint8_t ids[ZR_CLIP_MAX]; /* their value numbers, as in zr_clip_replay */
+    uint8_t corner_count;     /* 3, or 2 for a line */
     uint8_t made_count;
     const struct zr_clip_made *made;
 };
 
-/* The values of the vertices that are left, to out[], from those of the corners: `values`, of which corner k has that
- * with the number numbers[k]. */
+/* Writes the values of the remaining vertices to out[]. Corner k has the value values[numbers[k]]. */
 static inline void zr_cut_values(const struct zr_cut *cut, const zr_vec4 *values, const uint32_t numbers[3],
                                  zr_vec4 *out)
 {

@@ -1,10 +1,8 @@
 /* draw.h - geometry: runs of primitives of one kind, one instance and one material.
  *
- * Most are triangles of a mesh as it is: nothing is written for them, and a draw says where their corners stand. What
- * is more than that (pieces of clipped triangles, parts of shapes, lines) has arrays of its own, and is found in the
- * same way. Numbers keep the order of the scene, over all draws: of two primitives at the same depth the one with the
- * smaller number is seen.
- */
+ * Most draws are unclipped triangles of a mesh: nothing is copied, the draw points to their corners. Pieces of clipped
+ * triangles, parts of shapes, and lines have arrays of their own, with the same layout. Primitive numbers follow the
+ * order of the scene over all draws: at equal depths, the smaller number is visible. */
 #ifndef ZR_DRAW_H
 #define ZR_DRAW_H
 
@@ -15,48 +13,45 @@
 
 enum zr_draw_kind {
     ZR_DRAW_TRIANGLES,
-    ZR_DRAW_SHAPES,   /* triangles, each of them a part of a shape (geometry.h) */
-    ZR_DRAW_OUTLINES, /* lines that are edges of faces */
+    ZR_DRAW_SHAPES,   /* triangles, each a part of a shape (geometry.h) */
+    ZR_DRAW_OUTLINES, /* edges of faces */
     ZR_DRAW_LINES,    /* lines of the mesh */
     ZR_DRAW_POINTS    /* points of the mesh */
 };
 
 struct zr_draw {
-    uint32_t first, count; /* numbers of its primitives */
+    uint32_t first, count; /* range of primitive numbers */
     enum zr_draw_kind kind;
-    bool depth_offset; /* moved back by a depth offset, so that outlines are seen on them */
-    bool counted;      /* what becomes of them is counted (counts.h), and none of them is turned away or without area */
+    bool depth_offset; /* moved back, so that outlines are visible on the faces */
+    bool counted;      /* counts.h is final for these primitives, and all of them have an area and are not culled */
     bool mirrored;
     uint32_t instance;
     const struct zr_mesh *mesh;
     const struct zr_material *material;
 
-    /* Three a primitive, counted from first_vertex: positions of the mesh, and behind them what clipping made. A line
-     * has two, and the second once more; a point has one, three times. */
+    /* Three per primitive, relative to first_vertex: positions of the mesh, followed by vertices that clipping created.
+     * A line has two, with the second repeated; a point has one, repeated twice. */
     const uint32_t *corners;
-    /* Three a primitive: slots of mesh->indices, and behind them as many as clipping made. NULL: 3 first_face and those
-     * that follow, as in a mesh of triangles. Of lines and points of the mesh they mean nothing. */
+    /* Three per primitive: slots of mesh->indices, followed by one for each clipped vertex. NULL: consecutive from 3
+     * first_face, as in a mesh of triangles. Undefined for lines and points of the mesh. */
     const uint32_t *slots;
-    /* One a primitive: faces of the mesh, behind them its lines, and then its points. NULL: first_face and those that
-     * follow. */
+    /* One per primitive: faces of the mesh, then its lines, then its points. NULL: consecutive from first_face. */
     const uint32_t *faces;
-    /* One a primitive: 2 times the number of its shape, and 1 more where it shows its back. NULL of
-     * ZR_DRAW_TRIANGLES. */
+    /* One per primitive: 2 times the number of its shape, plus 1 if its back is visible. NULL for ZR_DRAW_TRIANGLES. */
     const uint32_t *traits;
     uint32_t first_face;
-    uint32_t first_id; /* of face 0 */
+    uint32_t first_id; /* id of face 0 */
     uint32_t first_vertex;
 };
 
-/* A primitive by itself, its corners turned as rule 6 wants them, so that its area is positive; a line or a point is
- * not. */
+/* One primitive. A triangle's corners are ordered by rule 6, so that its area is positive. */
 struct zr_triangle {
     uint32_t v[3];     /* window vertices */
-    uint32_t shape;    /* 1 + the number of the shape that it is a part of; 0: it is seen wherever it covers a sample */
-    bool line;         /* from v[0] to v[1]; a point is one that has no length (zr_draw.kind) */
+    uint32_t shape;    /* 1 + the number of its shape; 0 if it is part of none and covers samples by itself */
+    bool line;         /* from v[0] to v[1]; a point has no length (zr_draw.kind) */
     bool depth_offset; /* as in zr_draw */
-    bool back;         /* seen from behind */
-    bool turned;       /* corner 0 has changed places, by rule 6 (zr_swapped_corner) */
+    bool back;         /* its back is visible */
+    bool turned;       /* corner 0 was swapped by rule 6 (zr_swapped_corner) */
 };
 
 static inline bool zr_draw_is_of_lines(const struct zr_draw *draw)
@@ -64,25 +59,26 @@ static inline bool zr_draw_is_of_lines(const struct zr_draw *draw)
     return draw->kind == ZR_DRAW_OUTLINES || draw->kind == ZR_DRAW_LINES;
 }
 
-/* Lines, or points: what has neither normals nor sides of its own. */
+/* True for lines and points, which have neither normals nor sides of their own. */
 static inline bool zr_draw_is_of_wires(const struct zr_draw *draw)
 {
     return zr_draw_is_of_lines(draw) || draw->kind == ZR_DRAW_POINTS;
 }
 
-/* All of its samples are kept, in lists (raster/fragments.h), not only the nearest ones. */
+/* True if all fragments are kept in lists (raster/fragments.h), not only the nearest ones. */
 static inline bool zr_draw_is_see_through(const struct zr_draw *draw)
 {
     return draw->material->alpha_mode != ZR_ALPHA_OPAQUE;
 }
 
-/* Triangles, and nothing more: those that can be looked at many at once. */
+/* True for triangles that are neither parts of shapes nor offset in depth: the vector kernels process these in
+ * groups. */
 static inline bool zr_draw_is_plain(const struct zr_draw *draw)
 {
     return draw->kind == ZR_DRAW_TRIANGLES && !draw->depth_offset;
 }
 
-/* Of primitive `t` of a draw, counted from its first. */
+/* Face, line or point of primitive `t`, counted from the draw's first. */
 static inline uint32_t zr_draw_face(const struct zr_draw *draw, uint32_t t)
 {
     return draw->faces ? draw->faces[t] : draw->first_face + t;
@@ -103,7 +99,7 @@ static inline bool zr_draw_holds(const struct zr_draw *draw, uint32_t number)
     return number - draw->first < draw->count;
 }
 
-/* Id of the face, line or point that a primitive belongs to. */
+/* Returns the id of the primitive's face, line or point. */
 static inline uint32_t zr_draw_id(const struct zr_draw *draw, uint32_t number)
 {
     return draw->first_id + zr_draw_face(draw, number - draw->first);

@@ -24,7 +24,7 @@ bool zr_face_is_degenerate(const struct zr_mesh *mesh, uint32_t face)
 
 /* ---- convexity ---- */
 
-/* Differences of float32 coordinates are exact in double, unless their exponents are far apart. */
+/* A vector in double. Differences of float32 coordinates are exact, unless their exponents are far apart. */
 struct exact {
     double x, y, z;
 };
@@ -79,8 +79,8 @@ static struct exact exact_normal(const struct zr_mesh *mesh, uint32_t begin, uin
     return sum;
 }
 
-/* How often one coordinate of the edges changes its sign on the way round: twice for a
- * convex ring, more often for one that goes round twice. */
+/* Counts how often one coordinate of the edges changes its sign along the ring: twice for a convex ring, more often for
+ * one that goes round twice. */
 struct turning {
     int first, last, changes;
 };
@@ -99,7 +99,8 @@ static int changes_of(const struct turning *turning)
     return turning->changes + (turning->first != turning->last);
 }
 
-/* A ring without a normal, such as a bow tie, has a side only where it has no turns. */
+/* Returns true if the corner turns against the normal. A ring without a normal, such as a bow tie, must not turn at
+ * all. */
 static bool turns_back(struct exact before, struct exact edge, struct exact normal)
 {
     struct exact turn = cross(before, edge);
@@ -109,8 +110,8 @@ static bool turns_back(struct exact before, struct exact edge, struct exact norm
 
 /* ---- convexity of cones ---- */
 
-/* A corner as a ray of homogeneous space, seen along one of its four axes: a face lies in three dimensions of it, as in
- * two of space. */
+/* Returns a corner as a ray of homogeneous space, projected along one of its four axes: a face spans three of the four
+ * dimensions, as it spans two of three in space. */
 static struct exact ray_of(const struct zr_mesh *mesh, uint32_t slot, int axis)
 {
     zr_vec4 p = mesh->positions[mesh->indices[slot]];
@@ -123,13 +124,14 @@ static double dot(struct exact a, struct exact b)
     return a.x * b.x + a.y * b.y + a.z * b.z;
 }
 
-/* The volume between three rays: its sign says which way they turn. */
+/* Returns the signed volume between three rays: its sign is the direction of their turn. */
 static double turn_of(struct exact a, struct exact b, struct exact c)
 {
     return dot(cross(a, b), c);
 }
 
-/* Twice the sum of the volumes of the fan's triangles, seen along an axis. *any: some is not 0. */
+/* Returns twice the summed volumes of the fan's triangles, projected along an axis. Sets *any if some volume is not
+ * 0. */
 static double volume_of(const struct zr_mesh *mesh, uint32_t begin, uint32_t end, int axis, bool *any)
 {
     struct exact first = ray_of(mesh, begin, axis), previous = ray_of(mesh, begin + 1, axis);
@@ -144,10 +146,10 @@ static double volume_of(const struct zr_mesh *mesh, uint32_t begin, uint32_t end
     return sum;
 }
 
-/* How far around the first corner the others have come: up to half a turn, in one direction. */
+/* Progress of the corners around the first one: up to half a turn, in one direction. */
 struct around {
     struct exact first, start, at;
-    bool has_start, away, back; /* off the plane of `first` and `start`, and in it again */
+    bool has_start, away, back; /* the path has left the plane of `first` and `start`; it has returned */
 };
 
 static bool goes_round(struct around *around, struct exact to, double side)
@@ -165,8 +167,8 @@ static bool goes_round(struct around *around, struct exact to, double side)
     return true;
 }
 
-/* Rays that point to opposite sides have no edge between them that would be seen as one: no matter what the rest is
- * like, such a face is not called convex. */
+/* Returns true if the cone of the corners' rays is not convex. Opposite rays have no well-defined edge between them, so
+ * a face with such neighbours counts as concave. */
 static bool cone_is_concave(const struct zr_mesh *mesh, uint32_t begin, uint32_t end)
 {
     double volume = 0.0;
@@ -188,7 +190,7 @@ static bool cone_is_concave(const struct zr_mesh *mesh, uint32_t begin, uint32_t
         struct exact to = slot < end ? ray_of(mesh, slot, axis) : first;
         bool along = is_zero(cross(at, to)), along_first = is_zero(cross(first, to));
         if ((along && dot(at, to) <= 0.0) || (along_first && dot(first, to) <= 0.0)) return true;
-        if (along) continue; /* the same corner again */
+        if (along) continue; /* repeated corner */
         if (side * turn_of(before, at, to) < 0.0) return true;
         if (!along_first && !goes_round(&around, to, side)) return true;
         before = at;
@@ -213,10 +215,10 @@ bool zr_face_is_concave(const struct zr_mesh *mesh, uint32_t face)
     if (ZR_MUTANT(corners_behind_divided, has_corner_behind(mesh, begin, end), false))
         return cone_is_concave(mesh, begin, end);
     struct exact normal = exact_normal(mesh, begin, end);
-    /* Seen along the axis that the face is most square to. */
+    /* Project along the axis that is most perpendicular to the face. */
     double x = fabs(normal.x), y = fabs(normal.y), z = fabs(normal.z);
     bool drop_x = x >= y && x >= z, drop_y = !drop_x && y >= z;
-    /* Repeated corners make no edge: the first corner turns from the last edge that is one. */
+    /* Repeated corners make no edge: the first corner turns from the last edge that has a length. */
     struct exact first = exact_corner(mesh, begin), at = first, before = {0, 0, 0};
     for (uint32_t slot = end - 1; slot > begin && is_zero(before); slot--)
         before = minus(first, exact_corner(mesh, slot));

@@ -1,7 +1,7 @@
 #include "geometry/geometry.h"
 
-/* Which of `count` items, `size` bytes apart, is the last whose first word is no more than `number`: 0 where none is.
- */
+/* Returns the index of the last item whose first word is at most `number`, by binary search; 0 if there is none. Items
+ * are `size` bytes apart. */
 static size_t last_up_to(const uint32_t *first_words, uint32_t count, size_t size, uint32_t number)
 {
     const size_t words = size / sizeof *first_words;
@@ -16,8 +16,10 @@ static size_t last_up_to(const uint32_t *first_words, uint32_t count, size_t siz
     return low;
 }
 
-_Static_assert(offsetof(struct zr_draw, first) == 0 && sizeof(struct zr_draw) % sizeof(uint32_t) == 0, "first words");
-_Static_assert(offsetof(struct zr_cut, first_vertex) == 0 && sizeof(struct zr_cut) % sizeof(uint32_t) == 0, "likewise");
+_Static_assert(offsetof(struct zr_draw, first) == 0 && sizeof(struct zr_draw) % sizeof(uint32_t) == 0,
+               "the first word is first");
+_Static_assert(offsetof(struct zr_cut, first_vertex) == 0 && sizeof(struct zr_cut) % sizeof(uint32_t) == 0,
+               "the first word is first_vertex");
 
 const struct zr_draw *zr_draw_of(const struct zr_geometry *geometry, uint32_t number)
 {

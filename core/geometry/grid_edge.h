@@ -1,7 +1,6 @@
-/* grid_edge.h - geometry: an edge on the snapped grid, as the odd-even rule needs it.
+/* grid_edge.h - geometry: an edge on the snapped grid, for the odd-even rule.
  *
- * Space:  snapped coordinates (geometry/viewport.h), y up.
- */
+ * Space:  snapped coordinates (geometry/viewport.h), y up. */
 #ifndef ZR_GRID_EDGE_H
 #define ZR_GRID_EDGE_H
 
@@ -12,8 +11,8 @@ struct zr_grid_edge {
     int32_t x0, y0, x1, y1; /* y0 < y1 */
 };
 
-/* Between two points, in either order. False where it is level: such an edge passes no row of samples
- * from below to above, so the odd-even rule never counts it. */
+/* Makes the edge between two points in either order. Returns false if it is horizontal: such an edge crosses no row of
+ * samples, so the odd-even rule ignores it. */
 static inline bool zr_grid_edge_make(int32_t ax, int32_t ay, int32_t bx, int32_t by, struct zr_grid_edge *edge)
 {
     *edge = ay < by ? (struct zr_grid_edge){ax, ay, bx, by} : (struct zr_grid_edge){bx, by, ax, ay};

@@ -7,19 +7,19 @@ typedef struct zr_loop_corner node;
 #define NONE UINT32_MAX
 enum { RING_MIN = 3, BRIDGES_IN_PLACE = 16 };
 
-enum { VISITS_A_LOOK = 1 << 18 };
+enum { VISITS_A_CHECK = 1 << 18 };
 
 bool zr_loops_stopped(struct zr_loops *loops, uint64_t visits)
 {
     if (visits < loops->next_look) return false;
-    loops->next_look = visits + VISITS_A_LOOK;
+    loops->next_look = visits + VISITS_A_CHECK;
     return zr_is_cancelled(loops->cancel);
 }
 
 /* ---- the plane ---- */
 
-/* False for a point that has no place beside others: with corners on both sides of w = 0, what is inside once they are
- * divided is not what the rings go around. */
+/* Divides a point by w. Returns false if the result is not usable: with corners on both sides of w = 0, the divided
+ * rings enclose another region. */
 static bool place(zr_vec4 point, double out[3])
 {
     out[0] = (double)point.x;
@@ -33,8 +33,8 @@ static bool place(zr_vec4 point, double out[3])
     return isfinite(out[0]) && isfinite(out[1]) && isfinite(out[2]) && point.w > 0.0f && isfinite(point.w);
 }
 
-/* Adds the Newell normal of a ring to `normal` and the magnitudes of its terms to `size`. Terms are
- * taken from the first corner, so that a small face far from the origin loses nothing. */
+/* Adds the Newell normal of a ring to `normal`, and the magnitudes of its terms to `size`. Terms are relative to the
+ * first corner, so that a small face far from the origin keeps its precision. */
 static bool add_normal(const zr_vec4 *points, uint32_t begin, uint32_t end, double normal[3], double size[3])
 {
     double origin[3], previous[3], current[3];
@@ -61,8 +61,8 @@ static int largest(const double v[3])
     return x > y && x > z ? 0 : y > z ? 1 : 2;
 }
 
-/* A ring whose parts cancel out, such as a bow tie, has a normal that is made of rounding only:
- * the largest terms then tell how it lies. */
+/* A ring whose parts cancel out, such as a bow tie, has a normal of rounding errors only: the largest terms then define
+ * its plane. */
 bool zr_loops_axes(const zr_vec4 *points, const uint32_t *ring_offsets, uint32_t rings, int axes[2])
 {
     double normal[3] = {0, 0, 0}, others[3] = {0, 0, 0}, size[3] = {0, 0, 0};
@@ -95,7 +95,7 @@ static void link_ring(node *nodes, const zr_vec4 *points, const int axes[2], uin
     }
 }
 
-/* Makes a ring part of the face, with its inside on the left: outer rings turn left, holes right. */
+/* Joins a ring to the face with its interior on the left: outer rings turn left, holes right. */
 static void join_ring(node *nodes, uint32_t start, bool hole)
 {
     double area = 0.0;
@@ -116,8 +116,9 @@ static void join_ring(node *nodes, uint32_t start, bool hole)
 
 /* ---- bridges ---- */
 
-/* Is `to` in the corner's angle, on the left of its edges or on them? Not so in that of a spike, which a bridge along
- * an edge leaves behind: there is nothing in it. Bridges between corners in one place are no edges. */
+/* Returns true if `to` lies in the corner's angle, to the left of its edges or on them. The angle of a spike, which a
+ * bridge along an edge leaves behind, is empty. Bridges between corners in one position are skipped: they have no
+ * length. */
 static bool faces(const node *nodes, const node *corner, const node *to)
 {
     const node *previous = &nodes[corner->previous], *next = &nodes[corner->next];
@@ -132,10 +133,10 @@ static bool faces(const node *nodes, const node *corner, const node *to)
     return !(zr_loop_corner_turn(corner, previous, to) > 0.0 && zr_loop_corner_turn(corner, to, next) > 0.0);
 }
 
-/* Looks from `m` towards +u, or where it touches something, from as little as can be next to it on the edge to
- * its neighbour `n`. Returns whether an odd number of joined edges is met, and the start of the nearest
- * one that has `m` on its inner side. Bridges are met twice, which changes nothing. */
-static bool look_right(const struct zr_loops *t, const node *m, const node *n, uint32_t *wall)
+/* Casts a ray from `m` towards +u, offset by an infinitesimal step along the edge to its neighbour `n` if it meets a
+ * corner. Returns true if it crosses an odd number of joined edges. Sets *wall to the start of the nearest edge that
+ * has `m` on its inner side. Bridges are crossed twice and do not change the parity. */
+static bool cast_right(const struct zr_loops *t, const node *m, const node *n, uint32_t *wall)
 {
     const node *nodes = t->nodes;
     bool odd = false, from_below = n->v < m->v;
@@ -157,7 +158,8 @@ static bool look_right(const struct zr_loops *t, const node *m, const node *n, u
     return odd;
 }
 
-/* Seen from `m` towards +u: is `a` less far off that direction than `b`, or as much and nearer? */
+/* Compares two corners from `m`: returns true if `a` deviates less from the direction +u than `b`, or equally and is
+ * nearer. */
 static bool is_nearer(const node *m, const node *a, const node *b)
 {
     double au = a->u - m->u, av = fabs(a->v - m->v), bu = b->u - m->u, bv = fabs(b->v - m->v);
@@ -165,10 +167,10 @@ static bool is_nearer(const node *m, const node *a, const node *b)
     return cross != 0.0 ? cross < 0.0 : au + av < bu + bv;
 }
 
-/* A corner that `m` sees. That is the end of the wall which reaches further, unless corners are in front of it:
- * in the triangle between m, the wall and its end the one least off the ray is seen. Of corners
- * in one place, those at the ends of bridges, it is the one that faces m. */
-static uint32_t seen_from(const struct zr_loops *t, const node *m, uint32_t wall)
+/* Returns a corner visible from `m`: the end of the wall with the larger u, unless other corners lie in the triangle of
+ * m, the wall and that end; then the corner nearest to the ray. At a position shared by bridge ends, it is the corner
+ * that faces m. */
+static uint32_t visible_from(const struct zr_loops *t, const node *m, uint32_t wall)
 {
     const node *nodes = t->nodes, *p = &nodes[wall], *q = &nodes[p->next];
     uint32_t best = NONE, end = p->v == m->v || (p->u > q->u && q->v != m->v) ? wall : p->next;
@@ -185,7 +187,7 @@ static uint32_t seen_from(const struct zr_loops *t, const node *m, uint32_t wall
     return best != NONE ? best : end;
 }
 
-/* From corner `r` over to the hole at `m`, around it, and back. */
+/* Connects corner `r` with the hole at `m` by an edge there and back. */
 static void build_bridge(struct zr_loops *t, uint32_t r, uint32_t m)
 {
     node *nodes = t->nodes;
@@ -200,7 +202,7 @@ static void build_bridge(struct zr_loops *t, uint32_t r, uint32_t m)
     nodes[m].previous = r;
 }
 
-/* From right to left, so that whatever is met on the right of a ring has been joined. */
+/* Sorts from right to left, so that a ray to the right only meets joined rings. */
 static void sort_rings(const node *nodes, uint32_t *rightmost, uint32_t count)
 {
     for (uint32_t i = 1; i < count; i++) {
@@ -231,8 +233,8 @@ void zr_loops_join(struct zr_loops *t, const zr_vec4 *points, const uint32_t *ri
     sort_rings(t->nodes, t->rightmost, count);
     for (uint32_t r = 0; r < count; r++) {
         uint32_t m = t->rightmost[r], wall = NONE;
-        bool hole = r > 0 && look_right(t, &t->nodes[m], &t->nodes[t->nodes[m].next], &wall) && wall != NONE;
-        uint32_t seen = hole ? seen_from(t, &t->nodes[m], wall) : NONE;
+        bool hole = r > 0 && cast_right(t, &t->nodes[m], &t->nodes[t->nodes[m].next], &wall) && wall != NONE;
+        uint32_t seen = hole ? visible_from(t, &t->nodes[m], wall) : NONE;
         t->visits += 2 * (uint64_t)t->node_count;
         if (zr_loops_stopped(t, t->visits)) return;
         join_ring(t->nodes, m, hole);

@@ -8,13 +8,13 @@ unsigned zr_outline_fan_edges(uint32_t i, uint32_t count)
     return ZR_MUTANT(outlines_of_the_fan, ring, 7u);
 }
 
-/* One piece, its three corners, and the lines it may add. */
+/* One triangle of the fan, and the edges that it may draw. */
 struct piece {
     int corner[3];
-    bool draws[3]; /* the lines 2 to 0, 0 to 1, 1 to 2: in this order */
+    bool draws[3]; /* edges 2 to 0, 0 to 1, 1 to 2, in this order */
 };
 
-/* Twice the area, positive for counterclockwise corners. */
+/* Returns twice the area, positive for counterclockwise corners. */
 static float area(const struct zr_window_vertex *v0, const struct zr_window_vertex *v1,
                   const struct zr_window_vertex *v2)
 {

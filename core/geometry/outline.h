@@ -1,11 +1,9 @@
-/* outline.h - geometry: the edges of a triangle, or of what clipping left of it, as lines.
+/* outline.h - geometry: turns the edges of a triangle, or of its clipped part, into lines.
  *
  * Space:  window space.
- * Exact:  llvmpipe's glPolygonMode(GL_FRONT_AND_BACK, GL_LINE), the reference's rule 14: the
- *         triangle is clipped as for filling, edges that the view volume made are left out,
- *         and each of the others is a line whose direction (raster/line.h) and place in the
- *         order matter: of equal depths the earlier stays.
- */
+ * Exact:  llvmpipe's glPolygonMode(GL_FRONT_AND_BACK, GL_LINE), the reference's rule 14: the triangle is clipped as for
+ *         filling, and edges along the view volume are omitted. Each remaining edge is a line whose direction
+ *         (raster/line.h) and position in the order matter: at equal depths the earlier line stays. */
 #ifndef ZR_OUTLINE_H
 #define ZR_OUTLINE_H
 
@@ -16,23 +14,22 @@ enum {
     ZR_SIDE_FRONT = 1,
     ZR_SIDE_BACK = 2,
     ZR_SIDE_BOTH = 3,
-    ZR_SIDE_MIRRORED_FRONT = 4 /* clockwise is the front: what has no area counts as back there too */
+    ZR_SIDE_MIRRORED_FRONT = 4 /* clockwise is the front; a triangle without area still counts as a back */
 };
 
 struct zr_outline_line {
     uint8_t from, to;
-    bool back; /* of a piece seen from behind: colours of the back */
+    bool back; /* its piece shows the back: colours of the back */
 };
 
-/* Which edges of the triangle (i - 1, i, 0) of a polygon of `count` corners are its own
- * and not inside of it, 2 <= i < count: for zr_clip_triangle and zr_outline_make. */
+/* Returns which edges of the fan triangle (i - 1, i, 0) lie on the outline of the polygon of `count` corners, 2 <= i <
+ * count: for zr_clip_triangle and zr_outline_make. */
 unsigned zr_outline_fan_edges(uint32_t i, uint32_t count);
 
-/* The lines of a polygon as zr_clip_triangle wrote it, or, with `clipped` false, of
- * a whole triangle. `faces` says which sides are drawn, front being counterclockwise with y
- * up: each piece (i - 1, i, 0) of the fan is judged by itself, from its floats; one without area
- * counts as back there and yet has the colours of the front. Returns how many lines.
- * The vertices must have been placed by zr_viewport_apply. */
+/* Writes the lines of a polygon clipped by zr_clip_triangle, or, with `clipped` false, of a whole triangle, and returns
+ * their number. `faces` selects the drawn sides; a front is counterclockwise with y up. Each piece (i - 1, i, 0) of the
+ * fan is classified by its own float coordinates; one without area counts as a back but has the colours of the front.
+ * zr_viewport_apply must have placed the vertices. */
 int zr_outline_make(const struct zr_window_vertex *vertices, int count, unsigned edges, bool clipped, unsigned faces,
                     struct zr_outline_line out[ZR_CLIP_MAX]);
 

@@ -19,7 +19,7 @@ bool zr_place_is_thin(const struct zr_window_vertex *v0, const struct zr_window_
     return fmin(area, snapped_area) < width * sqrt(longest);
 }
 
-/* Drops what has no area or shows its back and must not. True where it was kept. */
+/* Appends the triangle unless it has no area or is culled. Returns true if it was appended. */
 static bool append_triangle(struct zr_builder *builder, const struct zr_corner ends[3], const struct zr_common *common)
 {
     struct zr_geometry *geometry = builder->geometry;
@@ -65,7 +65,7 @@ static void clip_and_append(struct zr_builder *builder, const struct zr_corner c
         }
         if (append_triangle(builder, piece, common)) geometry->counts.drawn_pieces++;
     }
-    /* The triangle is counted once, as clipped: what became of its pieces is counted apart. */
+    /* Count the triangle once, as clipped; its pieces have counters of their own. */
     geometry->counts.culled_pieces += geometry->counts.culled - before.culled;
     geometry->counts.culled = before.culled;
     geometry->counts.zero_area = before.zero_area;

@@ -7,7 +7,7 @@
 
 /* ---- edges ---- */
 
-/* Edges while they are added. */
+/* State while edges are added. */
 struct trace {
     struct zr_builder *builder;
     bool clipped;
@@ -40,7 +40,7 @@ static void add_whole_ring(struct trace *trace, uint32_t begin, uint32_t end)
         add_edge(trace, &vertices[indices[slot]], &vertices[indices[slot + 1 < end ? slot + 1 : begin]]);
 }
 
-/* What the view volume leaves of one triangle of a ring's fan. */
+/* Adds the edges of the visible part of one triangle of a ring's fan. */
 static void add_clipped_triangle(struct trace *trace, const uint32_t corners[3])
 {
     const struct zr_builder *builder = trace->builder;
@@ -62,7 +62,7 @@ static void add_clipped_triangle(struct trace *trace, const uint32_t corners[3])
         add_edge(trace, &placed[i], &placed[i + 1 < count ? i + 1 : 0]);
 }
 
-/* Edges that two triangles of the fan share are added twice, which undoes them. */
+/* Adds the clipped triangles of a ring's fan. An edge shared by two of them is added twice, which cancels it. */
 static void add_clipped_ring(struct trace *trace, uint32_t begin, uint32_t end)
 {
     const uint32_t *indices = trace->builder->mesh->indices;
@@ -79,9 +79,9 @@ static void add_ring(struct trace *trace, uint32_t begin, uint32_t end)
         add_clipped_ring(trace, begin, end);
 }
 
-/* By the volume between the eye and the outer ring, triangle by triangle of its fan: of the whole ring, so that it
- * does not depend on what the window cuts off, and of homogeneous places, so that corners behind the eye do
- * not turn it around. A ring whose windings cancel out shows its front. */
+/* Uses the volume between the eye and the outer ring, summed over the triangles of its fan. The whole ring counts, so
+ * the result does not depend on clipping; homogeneous positions keep it correct for corners behind the eye. A ring
+ * whose windings cancel out shows its front. */
 bool zr_shape_shows_back(const struct zr_builder *builder, uint32_t face)
 {
     struct zr_rings rings = zr_mesh_rings(builder->mesh, face);
@@ -99,7 +99,7 @@ bool zr_shape_shows_back(const struct zr_builder *builder, uint32_t face)
     return volume != 0.0 && (volume < 0.0) != builder->mirrored;
 }
 
-/* By value, so that equal edges come together. */
+/* Orders by value, so that equal edges become neighbours. */
 static int compare_edges(const void *left, const void *right)
 {
     const struct zr_grid_edge *a = left, *b = right;
@@ -109,7 +109,7 @@ static int compare_edges(const void *left, const void *right)
     return a->x1 < b->x1 ? -1 : a->x1 > b->x1;
 }
 
-/* Two of the same edge undo one another: of a ring that was clipped triangle by triangle most go. */
+/* Removes pairs of equal edges, which cancel: most edges of a ring that was clipped triangle by triangle. */
 static void drop_pairs(struct zr_geometry *geometry, uint32_t first)
 {
     struct zr_grid_edge *edges = geometry->edges;
@@ -141,13 +141,13 @@ static struct zr_shape shape_of_edges(const struct zr_geometry *geometry, uint32
     return shape;
 }
 
-/* The face's corners one after the other, as triangulation wants them. */
+/* Ensures room for the face's corners in one array, as zr_triangulate takes them. */
 static bool reserve_cutting(struct zr_builder *builder, uint32_t corners, uint32_t rings)
 {
     struct zr_cutting *cutting = &builder->cutting;
     if (!zr_triangulator_reserve(builder->arena, &cutting->triangulator, corners, rings)) return false;
     if (corners <= cutting->corner_room && rings <= cutting->ring_room) return true;
-    if (corners > cutting->corner_room) cutting->corner_room = 2 * corners; /* the arena takes nothing back */
+    if (corners > cutting->corner_room) cutting->corner_room = 2 * corners; /* doubled: the arena takes nothing back */
     if (rings > cutting->ring_room) cutting->ring_room = 2 * rings;
     size_t triangles = zr_triangulate_count_max(cutting->corner_room, cutting->ring_room);
     cutting->points = zr_arena_alloc(builder->arena, cutting->corner_room, sizeof *cutting->points);

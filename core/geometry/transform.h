@@ -1,8 +1,7 @@
-/* transform.h - geometry, first step: positions -> vertices in the window. A kernel.
+/* transform.h - geometry, first step: transforms positions to window vertices. A kernel.
  *
  * Space:  object space -> clip space (one matrix) -> window space (viewport.h).
- * Exact:  the reference's rules 1, 2 and 4.
- */
+ * Exact:  the reference's rules 1, 2 and 4. */
 #ifndef ZR_TRANSFORM_H
 #define ZR_TRANSFORM_H
 
@@ -12,11 +11,11 @@
 #include "base/isa.h"
 #include "geometry/viewport.h"
 
-/* Beside the six bits of zr_clip_outcode: inside the volume, but without a place in the window. */
+/* Extends the six bits of zr_clip_outcode: inside the volume, but without a window position. */
 enum { ZR_OUTCODE_UNPLACED = 1 << 7 };
 
-/* Each position once. out[i] is undefined where outcodes[i] is not 0. Returns the OR of all outcodes.
- * written by non-temporal stores (zr_vi_stream), `out` being a multiple of 64 bytes. */
+/* Transforms each position once and returns the OR of all outcodes. out[i] is undefined if outcodes[i] is not 0. With
+ * `streamed`, `out` is written by non-temporal stores (zr_vi_stream) and must be aligned to 64 bytes. */
 typedef unsigned zr_transform_fn(const zr_mat4 *object_to_clip, const struct zr_viewport *viewport,
                                  const zr_vec4 *positions, size_t count, struct zr_window_vertex *out,
                                  uint8_t *outcodes, bool streamed);

@@ -7,7 +7,7 @@
 _Static_assert(sizeof(zr_vec4) == 4 * sizeof(float) && sizeof(struct zr_window_vertex) == 4 * sizeof(float),
                "both are loaded and stored as four floats");
 
-/* What a group of lanes is transformed by. */
+/* Matrix and viewport, broadcast to all lanes. */
 struct mapping {
     zr_vf m[16];
     zr_vf scale_x, scale_y, trans_x, trans_y;
@@ -25,7 +25,7 @@ static inline struct mapping mapping_make(const zr_mat4 *m, const struct zr_view
     return c;
 }
 
-/* As zr_mat4_row. */
+/* Equals zr_mat4_row. */
 static inline zr_vf row(const struct mapping *c, int r, zr_vf x, zr_vf y, zr_vf z, zr_vf w)
 {
     x = x * c->m[r], y = y * c->m[4 + r], z = z * c->m[8 + r], w = w * c->m[12 + r];
@@ -37,7 +37,7 @@ static inline zr_vi bit_where_not(zr_vm inside, int bit)
     return zr_vi_select(inside, zr_vi_set(0), zr_vi_set(1 << bit));
 }
 
-/* As zr_clip_outcode: NaN is outside of everything. */
+/* Equals zr_clip_outcode: NaN is outside of all planes. */
 static inline zr_vi outcode_of(zr_vf x, zr_vf y, zr_vf z, zr_vf w)
 {
     const zr_vf zero = zr_vf_set(0.0f), bound = ZR_MUTANT(guard_band, w, w + w);
@@ -46,14 +46,15 @@ static inline zr_vi outcode_of(zr_vf x, zr_vf y, zr_vf z, zr_vf w)
            bit_where_not(zr_vf_le(zero, z + w), 4) | bit_where_not(zr_vf_le(z, w), 5);
 }
 
-/* As zr_viewport_snap. */
+/* Equals zr_viewport_snap. */
 static inline zr_vf snap(zr_vf window)
 {
     const zr_vf no_fraction = zr_vf_set(12582912.0f);
     return ((window - zr_vf_set(0.5f)) * zr_vf_set((float)ZR_SUBPIXELS) + no_fraction) - no_fraction;
 }
 
-/* Lanes are in the order of fours: where each belongs is found by storing such. */
+/* Stores the outcodes in the order of positions: the lanes are in the order of zr_vf_load_fours, which storing
+ * reverts. */
 static inline unsigned store_outcodes(zr_vi codes, uint8_t *out)
 {
     float fours[4 * ZR_LANES];
@@ -73,9 +74,9 @@ struct clip_v {
     zr_vf x, y, z, w;
 };
 
-/* True only where all are inside and have a place in the window, and mostly then (not in the far corner of a window of
- * 8192x8192): few comparisons, and no outcodes (a third of the time of the bunny's vertices, with the order of fours).
- */
+/* Returns true only if all lanes are inside and have a window position. May return false for such lanes in the far
+ * corner of a window of 8192x8192. Takes few comparisons and no outcodes (a third of the time of the bunny's vertices,
+ * including their reordering). */
 static inline bool are_plain(const struct clip_v *clip, zr_vf wx, zr_vf wy, zr_vf wz)
 {
     const zr_vf most = zr_vf_set((float)(ZR_SNAP_MAX / ZR_SUBPIXELS - 1));
@@ -86,19 +87,19 @@ static inline bool are_plain(const struct clip_v *clip, zr_vf wx, zr_vf wy, zr_v
     return zr_vm_bits(zr_vm_and(inside, near)) == ZR_ALL_BITS;
 }
 
-/* As in viewport.c. */
+/* Equals over_w of viewport.c. */
 static inline zr_vf over_w(zr_vf value, zr_vf w, zr_vf oow)
 {
     return ZR_MUTANT(divided_by_w, value * oow, value / w);
 }
 
-/* Corners are snapped later (zr_viewport_snap); a mutant has a coarser grid. */
+/* Returns the coordinate unchanged: corners are snapped later (zr_viewport_snap). A mutant has a coarser grid. */
 static inline zr_vf on_grid(zr_vf window)
 {
     return ZR_MUTANT(coarse_grid, window, zr_vf_of(zr_vi_round(window * zr_vf_set(16.0f))) * zr_vf_set(1.0f / 16.0f));
 }
 
-/* ZR_LANES of them. */
+/* Transforms ZR_LANES positions. */
 static inline unsigned transform_group(const struct mapping *c, const zr_vec4 *positions, struct zr_window_vertex *out,
                                        uint8_t *outcodes, bool streamed)
 {
@@ -133,13 +134,13 @@ unsigned ZR_KERNEL(zr_transform)(const zr_mat4 *object_to_clip, const struct zr_
     unsigned any = 0;
     size_t i = 0;
     for (; i + ZR_LANES <= count; i += ZR_LANES) {
-        /* Worth a quarter of the time of many vertices. */
+        /* The prefetch saves a quarter of the time of many vertices. */
         zr_prefetch(positions + i, ZR_PAGE, ZR_LANES * sizeof *positions);
         if (!streamed) zr_prefetch_written(out + i, ZR_PAGE, ZR_LANES * sizeof *out);
         any |= transform_group(&mapping, positions + i, out + i, outcodes + i, streamed);
     }
     if (i == count) return any;
-    /* What is left of a group. */
+    /* The remaining positions, fewer than a group. */
     zr_vec4 in[ZR_LANES] = {{0, 0, 0, 1}};
     struct zr_window_vertex last[ZR_LANES];
     uint8_t codes[ZR_LANES];

@@ -4,11 +4,11 @@
 
 typedef struct zr_loop_corner node;
 
-/* What is left of the face while triangles are cut from it. */
+/* State of the face while triangles are cut from it. */
 struct cutter {
     struct zr_loops *loops;
     node *nodes;
-    uint32_t left; /* nodes of the loop */
+    uint32_t left; /* remaining nodes of the loop */
     uint32_t (*out)[3];
     uint32_t count;
     uint64_t visits;
@@ -30,7 +30,7 @@ uint32_t zr_triangulate_count_max(uint32_t corners, uint32_t rings)
     return nodes > 2 ? nodes - 2 : 0;
 }
 
-/* At least doubles, so that faces that grow one by one do not eat up the arena. */
+/* Returns a capacity of at least `wanted`, at least doubled, so that gradually growing faces do not fill the arena. */
 static uint32_t grown(uint32_t capacity, uint32_t wanted)
 {
     return capacity > wanted / 2 && capacity <= UINT32_MAX / 2 ? 2 * capacity : wanted;
@@ -54,8 +54,7 @@ bool zr_triangulator_reserve(struct zr_arena *arena, struct zr_triangulator *scr
 
 /* ---- ears ---- */
 
-/* Cuts corner b off. Corners that are one and the same, at the ends of a bridge, make no triangle:
- * its edges cancel. */
+/* Cuts corner b off. Nodes that are the same corner, at the ends of a bridge, give no triangle: its edges cancel. */
 static void cut(struct cutter *t, uint32_t b)
 {
     node *nodes = t->nodes, *at = &nodes[b];
@@ -71,7 +70,7 @@ static void cut(struct cutter *t, uint32_t b)
     nodes[a].blocked = nodes[c].blocked = false;
 }
 
-/* Does an edge lead from p, in the same place as `at`, into the angle from b to c? */
+/* Returns true if an edge leads from p, which has the position of `at`, into the angle from b to c. */
 static bool enters(const node *nodes, const node *p, const node *at, const node *b, const node *c)
 {
     const node *previous = &nodes[p->previous], *next = &nodes[p->next];
@@ -79,8 +78,8 @@ static bool enters(const node *nodes, const node *p, const node *at, const node 
            (zr_loop_corner_turn(at, b, next) > 0.0 && zr_loop_corner_turn(at, next, c) > 0.0);
 }
 
-/* Is p, which is in the box around the triangle, in its way? Of corners within it or on its edges
- * only those that turn right, or do not turn, can be: a corner that turns left touches it from outside. */
+/* Returns true if p, which is in the triangle's bounding box, prevents the ear. Among corners inside it or on its
+ * edges, only those that turn right, or do not turn, can: a corner that turns left touches it from outside. */
 static bool is_in_the_way(const node *nodes, const node *p, const node *a, const node *b, const node *c)
 {
     if (zr_loop_corner_turn(a, b, p) < 0.0 || zr_loop_corner_turn(b, c, p) < 0.0 || zr_loop_corner_turn(c, a, p) < 0.0)
@@ -91,8 +90,8 @@ static bool is_in_the_way(const node *nodes, const node *p, const node *a, const
     return zr_loop_corner_turn(&nodes[p->previous], p, &nodes[p->next]) <= 0.0;
 }
 
-/* Goes back the way that it came, or stays in one place: nothing is lost with it. A spike that points
- * outwards must go at once, lest one of its sides be taken for the side of an ear. */
+/* Returns true if the path turns back on itself at the corner, or has no length there: cutting it off loses no area. A
+ * spike that points outwards must be cut at once, so that none of its sides counts as the side of an ear. */
 static bool is_spike(const node *nodes, uint32_t at)
 {
     const node *b = &nodes[at], *a = &nodes[b->previous], *c = &nodes[b->next];
@@ -117,7 +116,7 @@ static bool is_ear(struct cutter *t, uint32_t at)
     return true;
 }
 
-/* Where no ear is left: the corner whose triangle is smallest, which may be a straight one. */
+/* Used if no ear is left: returns the corner with the smallest triangle, which may be straight. */
 static uint32_t least_bad(struct cutter *t, uint32_t at)
 {
     double smallest = (double)INFINITY;
@@ -135,15 +134,15 @@ static uint32_t least_bad(struct cutter *t, uint32_t at)
     return best;
 }
 
-/* Where to go on when the corner between a and c has been cut: over the next one, which keeps ears from
- * becoming a fan. */
+/* Returns the corner at which to continue after the corner between a and c was cut: it skips one, so that the ears do
+ * not form a fan. */
 static uint32_t after_cut(const node *nodes, uint32_t a, uint32_t c)
 {
     return is_spike(nodes, a) ? a : is_spike(nodes, c) ? c : nodes[c].next;
 }
 
-/* Goes around and cuts ears. A corner that is no ear stays none until a neighbour goes: so it is where edges do
- * not cross, and where they do, looking again has not been seen to make things better. */
+/* Cuts ears around the loop. A corner that is no ear is not tested again until a neighbour is cut: this is exact if
+ * edges do not cross; if they do, testing again has not improved results. */
 static void cut_loop(struct cutter *t, uint32_t at)
 {
     node *nodes = t->nodes;

@@ -8,7 +8,7 @@ struct zr_viewport zr_viewport_make(uint32_t width, uint32_t height)
     return (struct zr_viewport){half_width, half_height, half_width, half_height};
 }
 
-/* A coordinate of clip space over w, by its reciprocal. */
+/* Divides a clip-space coordinate by w, multiplying by its reciprocal. */
 static float over_w(float value, float w, float oow)
 {
     return ZR_MUTANT(divided_by_w, value * oow, value / w);

@@ -7,10 +7,10 @@
 #include "geometry/outline.h"
 #include "geometry/shape.h"
 
-/* A line or a point takes as long as some corners do. */
+/* Work per line or point, in corners. */
 enum { LINE_WORK = 256, POINT_WORK = 64 };
 
-/* The depth of a vertex that is a position's; those that clipping made have theirs. */
+/* Sets the eye depth of a vertex that is a position; vertices created by clipping already have theirs. */
 static void own_eye(struct zr_builder *builder, uint32_t vertex)
 {
     if (vertex < builder->mesh->position_count)
@@ -35,11 +35,11 @@ static bool are_placed(const bool *placed, int count)
 
 /* ---- outlines ---- */
 
-/* What the outline of one face is drawn with. */
+/* Settings for the outline of one face. */
 struct pen {
     struct zr_common common;
-    unsigned sides; /* of zr_outline_make */
-    bool whole;     /* all pieces show the part's side, whatever their own windings are */
+    unsigned sides; /* sides that zr_outline_make draws */
+    bool whole;     /* all pieces show the side of the shape, regardless of their own windings */
 };
 
 static void draw_triangle(struct zr_builder *builder, const struct pen *pen, const struct zr_corner ends[3],
@@ -161,7 +161,7 @@ enum zr_status zr_wire_lines(struct zr_builder *builder)
 
 /* ---- points ---- */
 
-/* What a middle may not be outside of. */
+/* Outcode bits that drop a point. */
 static unsigned outcode_of_point(const struct zr_builder *builder, uint32_t position)
 {
     const unsigned code = builder->outcodes[position];
