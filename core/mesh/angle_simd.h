@@ -1,11 +1,11 @@
-/* angle_simd.h - mesh: angles, one a lane; for kernels. */
+/* angle_simd.h - mesh: angles between vectors, one per lane; for kernels. */
 #ifndef ZR_ANGLE_SIMD_H
 #define ZR_ANGLE_SIMD_H
 
 #include "base/simd.h"
 
-/* atan2(y, x) for y >= 0: 0 .. pi, within 1e-6; 0 of 0, 0. Source: the Chebyshev series of the arc tangent, 2 (-1)^k
- * q^(2k+1) / (2k+1) T(2k+1) with q = sqrt 2 - 1, of which the terms up to T13 leave less than 3e-7 on 0..1. */
+/* Returns atan2(y, x) for y >= 0: 0 .. pi, within 1e-6; 0 for (0, 0). Source: the Chebyshev series of the arc tangent,
+ * 2 (-1)^k q^(2k+1) / (2k+1) T(2k+1) with q = sqrt 2 - 1; the terms up to T13 leave an error below 3e-7 on 0..1. */
 static inline zr_vf zr_angle_v(zr_vf y, zr_vf x)
 {
     static const float c[] = {0.999995623f,  -0.33316002f,   0.19796892f,   -0.131959022f,

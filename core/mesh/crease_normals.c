@@ -6,18 +6,18 @@
 
 enum { FACES_A_RANGE = 1 << 11, VERTICES_A_RANGE = 1 << 10 };
 
-/* Corners are sorted in chunks, by one thread each: more chunks take more memory. */
+/* Corners are sorted in chunks, one thread per chunk: more chunks take more memory. */
 enum { CHUNKS_MOST = 4, CORNERS_A_CHUNK = 1 << 14 };
 
 struct creasing {
     const struct zr_cancel *cancel;
-    struct zr_mesh mesh; /* its positions being the places */
+    struct zr_mesh mesh; /* with positions replaced by those of zr_weld_input */
     enum zr_isa isa;
-    const uint32_t *vertices; /* of positions; NULL: as numbered */
+    const uint32_t *vertices; /* vertex of each position; NULL: its own number */
     uint32_t vertex_count, corner_count, chunk_count;
-    uint32_t *counts; /* vertex_count a chunk; later where the next corner of each goes */
+    uint32_t *counts; /* vertex_count per chunk; later the slot of the next corner of each vertex */
     uint32_t *slots;
-    float cosine; /* of the crease angle, and a little more */
+    float cosine; /* of the crease angle, with a tolerance */
     zr_vec4 *corners;
 };
 
@@ -28,7 +28,7 @@ static void make_corners(void *context, size_t begin, size_t end)
     if (!zr_is_cancelled(c->cancel)) corners_of[c->isa](&c->mesh, (uint32_t)begin, end - begin, c->corners);
 }
 
-/* ---- corners by vertex: a counting sort, each chunk's corners behind those of the chunks before ---- */
+/* ---- corners by vertex: a counting sort that keeps the order of the chunks ---- */
 
 static uint32_t vertex_at(const struct creasing *c, size_t slot)
 {
@@ -78,7 +78,7 @@ static void fill_chunks(void *context, size_t begin, size_t end)
 
 /* ---- sums ---- */
 
-/* Where the last chunk's next corner of a vertex would go, the corners of the one after it begin. */
+/* Computes the normals. After the sort, the last chunk's counts are the ends of the vertices' lists. */
 static void make_sums(void *context, size_t begin, size_t end)
 {
     static zr_crease_sums_fn *const sums_of[ZR_ISA_COUNT] = ZR_KERNELS(zr_crease_sums);
@@ -94,7 +94,7 @@ static uint32_t step_of(float along, float largest)
     return step < ZR_CREASE_GROUPS_A_SIDE ? step : ZR_CREASE_GROUPS_A_SIDE - 1;
 }
 
-/* Which square of which side of a cube a direction leads through. */
+/* Returns the square, on the sides of a cube, through which a direction points. */
 static uint32_t group_of(const zr_vec4 *n)
 {
     const float at[5] = {n->x, n->y, n->z, n->x, n->y};
@@ -125,7 +125,7 @@ uint32_t zr_crease_groups(const zr_vec4 *corners, const uint32_t *slots, uint32_
     return group_count;
 }
 
-/* ---- all of it ---- */
+/* ---- the whole step ---- */
 
 static uint32_t count_chunks_of(struct zr_team *team, uint32_t corners)
 {
@@ -139,7 +139,8 @@ static size_t larger(size_t a, size_t b)
     return a > b ? a : b;
 }
 
-/* The cosine hardly changes near 0 degrees: floats that differ in their last bits are the same direction. */
+/* Returns the cosine of the crease angle, less a tolerance. Without it, normals that differ in their last bits would
+ * count as different near 0 degrees, where the cosine hardly changes. */
 static float least_cosine(float degrees)
 {
     double sine, cosine;
@@ -157,7 +158,7 @@ static void make_normals(struct zr_team *team, struct creasing *c)
     zr_team_ranges(team, c->vertex_count, VERTICES_A_RANGE, make_sums, c);
 }
 
-/* One allocation, which can be given back as the newest one. Sorting has the room that welding had. */
+/* One allocation, so that it can be trimmed as the newest one. Welding and sorting share `rest`. */
 struct rooms {
     char *all;
     size_t size;

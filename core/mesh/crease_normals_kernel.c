@@ -6,7 +6,7 @@
 
 /* ---- corners ---- */
 
-/* A vector's direction and length, or 0 where it has none, or is not finite. */
+/* Returns a vector's direction and length, or 0 for both if it is 0 or not finite. */
 static inline struct zr_vec3_v split(struct zr_vec3_v v, zr_vf *length)
 {
     const zr_vf zero = zr_vf_set(0.0f);
@@ -17,7 +17,7 @@ static inline struct zr_vec3_v split(struct zr_vec3_v v, zr_vf *length)
     return zr_choose_v(has_one, unit, none);
 }
 
-/* Corner `k` of ZR_LANES triangles, one a lane. */
+/* Loads corner `k` of ZR_LANES triangles, one per lane. */
 static inline struct zr_vec3_v load_corner(const struct zr_mesh *mesh, const uint32_t *indices, size_t k)
 {
     struct zr_vec3_v v;
@@ -29,7 +29,7 @@ static inline struct zr_vec3_v load_corner(const struct zr_mesh *mesh, const uin
     return v;
 }
 
-/* The angles of a triangle have one sine times two lengths, which is twice its area. */
+/* Writes the corners of ZR_LANES triangles. At each corner, the sine times both adjacent lengths is twice the area. */
 static inline void put_triangles(const struct zr_mesh *mesh, const uint32_t *indices, zr_vec4 *out)
 {
     const struct zr_vec3_v a = load_corner(mesh, indices, 0), b = load_corner(mesh, indices, 1),
@@ -48,10 +48,10 @@ static inline void put_triangles(const struct zr_mesh *mesh, const uint32_t *ind
     }
 }
 
-/* Triangles whose corners are on their way. */
+/* Prefetch distance, in triangles. */
 enum { AHEAD = 32 };
 
-static inline void expect_corners(const struct zr_mesh *mesh, const uint32_t *indices)
+static inline void prefetch_corners(const struct zr_mesh *mesh, const uint32_t *indices)
 {
     for (int k = 0; k < 3 * ZR_LANES; k++)
         zr_prefetch(&mesh->positions[indices[k]], 0, sizeof *mesh->positions);
@@ -64,11 +64,11 @@ static void put_all_triangles(const struct zr_mesh *mesh, uint32_t first, size_t
     zr_vec4 *out = corners + 3 * (size_t)first;
     size_t i = 0;
     for (; i + ZR_LANES <= count; i += ZR_LANES) {
-        if (i + AHEAD + ZR_LANES <= left) expect_corners(mesh, indices + 3 * (i + AHEAD));
+        if (i + AHEAD + ZR_LANES <= left) prefetch_corners(mesh, indices + 3 * (i + AHEAD));
         put_triangles(mesh, indices + 3 * i, out + 3 * i);
     }
     if (i == count) return;
-    /* What is left of a group. */
+    /* The remaining triangles, fewer than a group. */
     uint32_t last_indices[3 * ZR_LANES];
     zr_vec4 last[3 * ZR_LANES];
     for (size_t k = 0; k < 3 * ZR_LANES; k++)
@@ -77,7 +77,7 @@ static void put_all_triangles(const struct zr_mesh *mesh, uint32_t first, size_t
     memcpy(out + 3 * i, last, 3 * (count - i) * sizeof *out);
 }
 
-/* Places of corners, one a lane. */
+/* Loads the positions of corners, one per lane. */
 static inline struct zr_vec3_v load_places(const struct zr_mesh *mesh, const uint32_t slots[ZR_LANES])
 {
     struct zr_vec3_v v;
@@ -89,7 +89,7 @@ static inline struct zr_vec3_v load_places(const struct zr_mesh *mesh, const uin
     return v;
 }
 
-/* Angles of ZR_LANES corners of a ring, each being between its neighbours; beyond its end they do not matter. */
+/* Returns the angles of ZR_LANES consecutive corners of a ring; lanes beyond its end are undefined. */
 static inline zr_vf ring_angles(const struct zr_mesh *mesh, uint32_t begin, uint32_t end, uint32_t first)
 {
     uint32_t slots[ZR_LANES], before[ZR_LANES], behind[ZR_LANES];
@@ -157,7 +157,7 @@ static inline struct zr_vec3_v sum_of(struct zr_vec3_v unit, const struct zr_cre
     return sum;
 }
 
-/* Of ZR_LANES corners, or of `count` where those are fewer. */
+/* Writes the normals of ZR_LANES corners, or of `count` if that is less. */
 static inline void put_sums(const uint32_t *slots, uint32_t count, const struct zr_crease_source *sources,
                             uint32_t source_count, float cosine, zr_vec4 *corners)
 {
@@ -187,7 +187,7 @@ static inline void list_sources(const zr_vec4 *corners, const uint32_t *slots, u
     }
 }
 
-/* Rare, and its groups take 48 KB of the stack: not to be a part of the loop below. */
+/* Not inlined: it is rare, and its groups take 48 KB of stack. */
 static __attribute__((noinline)) void put_crowd(const uint32_t *slots, uint32_t count, float cosine, zr_vec4 *corners)
 {
     struct zr_crease_source groups[ZR_CREASE_GROUPS];
@@ -196,7 +196,7 @@ static __attribute__((noinline)) void put_crowd(const uint32_t *slots, uint32_t 
         put_sums(slots + i, count - i, groups, group_count, cosine, corners);
 }
 
-/* Corners that are on their way. */
+/* Prefetch distance, in corners. */
 enum { CORNERS_AHEAD = 64 };
 
 void ZR_KERNEL(zr_crease_sums)(const struct zr_vertex_corners *of, size_t begin, size_t end, float cosine,
@@ -204,13 +204,13 @@ void ZR_KERNEL(zr_crease_sums)(const struct zr_vertex_corners *of, size_t begin,
 {
     struct zr_crease_source sources[ZR_CREASE_EXACT];
     uint32_t first = begin == 0 ? 0 : of->ends[begin - 1];
-    uint32_t expected = first;
+    uint32_t prefetched = first;
     const uint32_t last = end == 0 ? 0 : of->ends[end - 1];
     for (size_t vertex = begin; vertex < end; vertex++) {
         const uint32_t count = of->ends[vertex] - first, *slots = of->slots + first;
         first += count;
-        for (; expected < last && expected < first + CORNERS_AHEAD; expected++)
-            zr_prefetch_written(&corners[of->slots[expected]], 0, sizeof *corners);
+        for (; prefetched < last && prefetched < first + CORNERS_AHEAD; prefetched++)
+            zr_prefetch_written(&corners[of->slots[prefetched]], 0, sizeof *corners);
         if (count > ZR_CREASE_EXACT) {
             put_crowd(slots, count, cosine, corners);
             continue;

@@ -7,8 +7,7 @@ static zr_vec3 corner(const struct zr_mesh *mesh, uint32_t slot)
     return zr_vec4_over_w(mesh->positions[mesh->indices[slot]]);
 }
 
-/* Cross products are taken from the first corner, so that a small face far from
- * the origin loses nothing. */
+/* Cross products are relative to the first corner, so that a small face far from the origin keeps its precision. */
 zr_vec3 zr_normal_of_face(const struct zr_mesh *mesh, uint32_t face)
 {
     uint32_t begin = mesh->face_offsets[face], end = zr_mesh_rings(mesh, face).offsets[1];

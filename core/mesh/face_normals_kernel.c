@@ -2,7 +2,7 @@
 #include "base/vec3_simd.h"
 #include "mesh/face_normals.h"
 
-/* Corner `k` of ZR_LANES triangles, one a lane. */
+/* Loads corner `k` of ZR_LANES triangles, one per lane. */
 static inline struct zr_vec3_v load_corner(const struct zr_mesh *mesh, const uint32_t *indices, size_t k)
 {
     zr_vf x, y, z, w;
@@ -15,7 +15,7 @@ static inline struct zr_vec3_v load_corner(const struct zr_mesh *mesh, const uin
     return (struct zr_vec3_v){x / w, y / w, z / w};
 }
 
-/* As zr_normal_of_face: there a sum of one. */
+/* Equals zr_normal_of_face, whose sum has a single term for a triangle. */
 static inline void put_normals(const struct zr_mesh *mesh, const uint32_t *indices, zr_vec4 *out)
 {
     const struct zr_vec3_v origin = load_corner(mesh, indices, 0);
@@ -26,10 +26,10 @@ static inline void put_normals(const struct zr_mesh *mesh, const uint32_t *indic
                  zero + (a.x * b.y - a.y * b.x), zero);
 }
 
-/* Triangles whose corners are on their way: a tenth of the time of a million normals. */
+/* Prefetch distance, in triangles: saves a tenth of the time of a million normals. */
 enum { AHEAD = 32 };
 
-static inline void expect_corners(const struct zr_mesh *mesh, const uint32_t *indices)
+static inline void prefetch_corners(const struct zr_mesh *mesh, const uint32_t *indices)
 {
     for (int k = 0; k < 3 * ZR_LANES; k++)
         zr_prefetch(&mesh->positions[indices[k]], 0, sizeof *mesh->positions);
@@ -41,11 +41,11 @@ void ZR_KERNEL(zr_triangle_normals)(const struct zr_mesh *mesh, uint32_t first, 
     const size_t left = mesh->face_count - first;
     size_t i = 0;
     for (; i + ZR_LANES <= count; i += ZR_LANES) {
-        if (i + AHEAD + ZR_LANES <= left) expect_corners(mesh, indices + 3 * (i + AHEAD));
+        if (i + AHEAD + ZR_LANES <= left) prefetch_corners(mesh, indices + 3 * (i + AHEAD));
         put_normals(mesh, indices + 3 * i, out + i);
     }
     if (i == count) return;
-    /* What is left of a group. */
+    /* The remaining triangles, fewer than a group. */
     uint32_t last_indices[3 * ZR_LANES] = {0};
     zr_vec4 last[ZR_LANES];
     memcpy(last_indices, indices + 3 * i, 3 * (count - i) * sizeof *indices);

@@ -3,10 +3,10 @@
 #include "geometry/face.h"
 #include "mesh/face_normals.h"
 
-/* So many faces' normals are held at once, in the caches: a mesh of a million has 16 MB of them. */
+/* Faces whose normals are held at once, so that they stay in the caches: those of a million faces take 16 MB. */
 enum { FACES_AT_ONCE = 1 << 14 };
 
-/* Fewer are added by one thread: each looks at all faces. */
+/* Up to this number, one thread adds all faces: each thread has to read every face. */
 enum { FACES_ALONE = 1 << 12 };
 
 enum { FACES_A_RANGE = 1 << 11, VERTICES_A_RANGE = 1 << 13 };
@@ -15,10 +15,10 @@ struct summing {
     const struct zr_mesh *mesh;
     enum zr_isa isa;
     bool only_triangles;
-    uint32_t first, count; /* the faces at hand, */
-    zr_vec4 *normals;      /* and theirs */
+    uint32_t first, count; /* current block of faces */
+    zr_vec4 *normals;      /* normals of the block */
     uint32_t part_count;
-    zr_vec4 *sums; /* of vertices */
+    zr_vec4 *sums; /* one per vertex */
 };
 
 static zr_add_normals_fn *add_normals_of(enum zr_isa isa)
@@ -78,7 +78,7 @@ static void normalize(void *context, size_t begin, size_t end)
     normalize_of(s->isa)(s->sums + begin, end - begin);
 }
 
-/* The least power of two that gives each thread one. */
+/* Returns the least power of two that gives each thread at least one part. */
 static uint32_t count_parts(struct zr_team *team, const struct zr_mesh *mesh)
 {
     uint32_t parts = 1;

@@ -2,13 +2,13 @@
 #include "base/vec3_simd.h"
 #include "mesh/vertex_normals.h"
 
-/* Triangles whose sums are asked for while those before are added to: without, a million take up to half as long
- * again. */
+/* Triangles whose sums are prefetched while the block before is added. Without this, a million triangles take up to
+ * half as long again. */
 enum { TRIANGLES_AT_ONCE = 64, CORNERS_AT_ONCE = 3 * TRIANGLES_AT_ONCE };
 
-_Static_assert(CORNERS_AT_ONCE % ZR_LANES == 0, "whole vectors of them");
+_Static_assert(CORNERS_AT_ONCE % ZR_LANES == 0, "blocks are whole vectors");
 
-/* Corners of a part. */
+/* Corners of a block that belong to one part. */
 struct own {
     uint32_t count;
     uint32_t corners[CORNERS_AT_ONCE + ZR_LANES]; /* 3 t + k of triangle t */
@@ -73,7 +73,7 @@ void ZR_KERNEL(zr_normalize)(zr_vec4 *vectors, size_t count)
     for (; i + ZR_LANES <= count; i += ZR_LANES)
         normalize_group(vectors + i);
     if (i == count) return;
-    /* What is left of a group. */
+    /* The remaining vectors, fewer than a group. */
     zr_vec4 last[ZR_LANES] = {{0, 0, 0, 0}};
     memcpy(last, vectors + i, (count - i) * sizeof *vectors);
     normalize_group(last);

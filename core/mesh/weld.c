@@ -4,13 +4,13 @@
 
 enum { POSITIONS_A_PART = 1 << 13, POSITIONS_A_RANGE = 1 << 12 };
 
-/* Positions that are looked up while memory for the next ones is on its way: without, the three million corners of a
+/* Positions looked up while memory for the next block is prefetched. Without this, the three million corners of a
  * million triangles took two thirds longer. */
 enum { AT_ONCE = 64 };
 
-/* Cells are dealt out to parts by their hashes. Each part has a hash table of its own, with linear probing, of the
- * first positions of vertices: plus 1, and the hash in the upper half, so that what is of another cell is not looked
- * at. 0 is nobody. It has twice as many slots as there are positions in the part. */
+/* Hash table of one part, with linear probing; parts divide the cells by their hashes. An entry holds the first
+ * position of a vertex, plus 1, and the hash in the upper half, which skips entries of other cells. 0 is empty. The
+ * table has at least twice as many slots as the part has positions. */
 struct table {
     uint64_t *slots;
     uint32_t count;
@@ -21,11 +21,11 @@ struct welding {
     const struct zr_weld_input *places;
     enum zr_isa isa;
     struct zr_weld_grid grid;
-    float square; /* of the tolerance */
+    float square; /* square of the tolerance */
     uint32_t part_count;
     struct table tables[ZR_WELD_PARTS_MAX];
-    uint32_t *cells;  /* of positions: hashes, and whether they are near a border */
-    uint32_t *firsts; /* of positions: the first one of their vertex */
+    uint32_t *cells;  /* per position: hash of its cell; bit 0: near a border */
+    uint32_t *firsts; /* per position: first position of its vertex */
 };
 
 static uint32_t hash_of(const struct welding *w, uint32_t position)
@@ -38,7 +38,7 @@ static uint32_t part_of(const struct welding *w, uint32_t hash)
     return (uint32_t)((uint64_t)hash * w->part_count >> 32);
 }
 
-/* Within its part, by what is left of the hash. */
+/* Returns the slot within the part's table, from the remaining bits of the hash. */
 static uint32_t slot_of(const struct welding *w, const struct table *table, uint32_t hash)
 {
     return (uint32_t)((uint64_t)(hash * w->part_count) * table->count >> 32);
@@ -55,10 +55,10 @@ static bool is_near(const struct welding *w, const zr_vec4 *a, const zr_vec4 *b)
     return (x * x + y * y) + z * z <= w->square;
 }
 
-/* The first of the vertices that begin in the cell, and not behind `position`, and are near to it; `position` where
- * there is none. *end: the empty slot behind them. Those of a cell are in no order of their own where they come from
- * the end of a table to its beginning, so all of them are looked at, but none is before one that is at the very same
- * place. */
+/* Returns the first vertex of the cell that is near `position` and not after it, or `position` if there is none. Sets
+ * *end to the empty slot after the cell's entries. Entries of a cell are out of order if they wrap around the end of
+ * the table, so all of them are compared. A vertex at the same position ends the search: no earlier one can be near
+ * it. */
 static uint32_t find(const struct welding *w, const struct table *table, uint32_t hash, uint32_t position,
                      uint32_t *end)
 {
@@ -98,7 +98,7 @@ static void count_part(void *context, size_t begin, size_t end)
     }
 }
 
-/* Positions of a part. */
+/* Positions of a block that belong to one part. */
 struct own {
     uint32_t count, positions[AT_ONCE];
 };
@@ -147,13 +147,13 @@ static void weld_part(void *context, size_t begin, size_t end)
     }
 }
 
-/* ---- beyond borders ---- */
+/* ---- across borders ---- */
 
 struct along {
-    int32_t cell, beyond; /* the neighbour's, or the same again where no border is near */
+    int32_t cell, beyond; /* the neighbour's, or the same if no border is near */
 };
 
-/* As the kernel has it; what is added is so large that it leaves a float no fraction. */
+/* Equals cell_along of the kernel. The added constant leaves a float no fraction bits. */
 static struct along along_axis(float place, float low, float cells_per_unit)
 {
     const float in_cells = (place - low) * cells_per_unit, most = (float)ZR_WELD_CELLS_MOST, no_fraction = 0x1p23f;
@@ -163,7 +163,7 @@ static struct along along_axis(float place, float low, float cells_per_unit)
     return (struct along){(int32_t)cell, (int32_t)cell + step};
 }
 
-/* Hashes of up to seven cells. */
+/* Lists the hashes of up to seven neighbouring cells and returns their number. */
 static int list_neighbours(const struct welding *w, uint32_t position, uint32_t hashes[7])
 {
     const zr_vec4 *place = &w->places->at[position];
@@ -172,12 +172,12 @@ static int list_neighbours(const struct welding *w, uint32_t position, uint32_t 
                        z = along_axis(place->z, w->grid.low.z, w->grid.cells_per_unit);
     const int axes = (x.beyond != x.cell) + 2 * (y.beyond != y.cell) + 4 * (z.beyond != z.cell);
     int count = 0;
-    for (int k = axes; k > 0; k = (k - 1) & axes) /* every choice of some of them */
+    for (int k = axes; k > 0; k = (k - 1) & axes) /* all non-empty subsets */
         hashes[count++] = zr_weld_hash(k & 1 ? x.beyond : x.cell, k & 2 ? y.beyond : y.cell, k & 4 ? z.beyond : z.cell);
     return count;
 }
 
-/* A cell in which a position is looked for. */
+/* A neighbouring cell to search for a position. */
 struct probe {
     uint32_t position, hash;
 };
@@ -200,7 +200,7 @@ static uint32_t list_probes(const struct welding *w, size_t begin, size_t end, s
     return count;
 }
 
-/* Each changes what is said of its own positions only, and probes at no others'. */
+/* Joins the positions of a range across cell borders. Threads read and write `firsts` of their own positions only. */
 static void join_range(void *context, size_t begin, size_t end)
 {
     const struct welding *w = context;
@@ -217,9 +217,9 @@ static void join_range(void *context, size_t begin, size_t end)
     }
 }
 
-/* ---- all of it ---- */
+/* ---- the whole step ---- */
 
-/* Firsts become numbers; whatever is before a position has one already. */
+/* Replaces first positions by vertex numbers, in ascending order, so that a first has its number already. */
 static uint32_t number(uint32_t *vertices, uint32_t positions)
 {
     uint32_t count = 0;

@@ -2,7 +2,7 @@
 
 #include "scene/camera_parts.h"
 
-/* Ranges of positions have results of their own, so there are no more of them than that. */
+/* Each range of positions has a result of its own, which bounds their number. */
 enum { RANGES_MOST = 64, RANGE_LEAST = 1 << 13 };
 
 struct measured {
@@ -43,7 +43,8 @@ static void measure_range(void *context, size_t begin, size_t end)
     }
 }
 
-/* Lengths whose fourth power, and that of a thousandth of them, are floats, need none. */
+/* Returns the power of two that scales lengths to about 1; 1 if the fourth powers of the diagonal, and of a thousandth
+ * of it, are floats anyway. */
 static float scale_of(double diagonal)
 {
     if (diagonal == 0.0 || (diagonal >= 0x1p-10 && diagonal <= 0x1p24)) return 1.0f;

@@ -1,7 +1,7 @@
 #include "base/simd.h"
 #include "mesh/weld.h"
 
-/* The nearest cell; *near: some border of it is. What is not a number is in the first one. */
+/* Returns the nearest cell; sets the lanes of *near that are near a border. NaN is in the first cell. */
 static inline zr_vi cell_along(zr_vf place, float low, float cells_per_unit, zr_vm *near)
 {
     const zr_vf in_cells = (place - zr_vf_set(low)) * zr_vf_set(cells_per_unit);
@@ -39,7 +39,7 @@ void ZR_KERNEL(zr_weld_cells)(const zr_vec4 *places, size_t count, const struct 
     for (; i + ZR_LANES <= count; i += ZR_LANES)
         zr_vi_store(cells + i, cells_of(places + i, grid));
     if (i == count) return;
-    /* What is left of a group. */
+    /* The remaining positions, fewer than a group. */
     zr_vec4 last[ZR_LANES] = {{0, 0, 0, 0}};
     memcpy(last, places + i, (count - i) * sizeof *last);
     zr_vi_store_first(cells + i, cells_of(last, grid), (uint32_t)(count - i));
