@@ -37,7 +37,7 @@ static uint32_t opaque_of(const uint8_t rgb[3])
     return color;
 }
 
-/* The least value that at least half of all are not above. */
+/* Returns the least value such that at least half of all are no greater. */
 static uint8_t median_of(const uint32_t counts[256], uint64_t all)
 {
     uint64_t seen = 0;
@@ -71,8 +71,8 @@ uint32_t zr_canvas_median(const struct zr_canvas *canvas, struct zr_box box)
 
 uint32_t zr_canvas_ink(uint32_t paper)
 {
-    /* A grey of 118 differs from black as much as from white by the contrast of WCAG 2, (L1 + 0.05) / (L2 + 0.05);
-     * luma as in ITU-R BT.601 is near enough for other colours. */
+    /* A grey of 118 has equal contrast to black and white by WCAG 2, (L1 + 0.05) / (L2 + 0.05). For other colours, luma
+     * as in ITU-R BT.601 is accurate enough. */
     enum { GREY = 118 };
     static const uint8_t black[3] = {0, 0, 0}, white[3] = {255, 255, 255};
     uint8_t rgb[4];

@@ -17,7 +17,7 @@ static void draw_tick(const struct zr_color_bar_layout *l, const struct zr_canva
     zr_glyphs_draw(canvas, text, l->label_x, y + (l->line - ZR_GLYPH_CAPITAL_ROWS * l->dot) / 2, l->dot, grow, color);
 }
 
-/* All but the colours of the map. */
+/* Draws everything but the colours of the map. */
 static void draw_ink(const struct zr_color_bar_layout *l, const struct zr_canvas *canvas, int32_t grow, uint32_t color)
 {
     zr_canvas_fill(canvas, zr_box_grow(l->bar, l->line + grow), color);

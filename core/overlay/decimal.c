@@ -13,7 +13,7 @@ static double power_of_ten(int exponent)
     return power;
 }
 
-/* By a power that is whole, so that what is small is exact, too. */
+/* Scales by an integer power of ten, so that small numbers are exact, too. */
 static double scale(double number, int exponent)
 {
     return exponent < 0 ? number / power_of_ten(-exponent) : number * power_of_ten(exponent);
@@ -35,7 +35,7 @@ double zr_decimal_value(struct zr_decimal number)
 struct zr_decimal zr_decimal_of_float(float value)
 {
     struct zr_decimal number = {0, 0};
-    int first = FLOAT_EXPONENT_MIN; /* the power of the first digit */
+    int first = FLOAT_EXPONENT_MIN; /* exponent of the first digit */
     if (value == 0.0f) return number;
     while (scale(1.0, first + 1) <= fabs((double)value))
         first++;
@@ -49,7 +49,7 @@ struct zr_decimal zr_decimal_of_float(float value)
 
 /* ---- writing ---- */
 
-/* The digits without their sign; returns how many. */
+/* Writes the digits without their sign and returns their number. */
 static size_t write_digits(int64_t digits, char *out)
 {
     char backwards[24];
@@ -70,7 +70,8 @@ static char *write_zeros(char *at, int count)
     return at;
 }
 
-/* The point stands behind `whole` of the digits, which may be none or fewer. */
+/* Writes the digits with the point after the first `whole`; pads with zeros if `whole` is negative or exceeds
+ * `count`. */
 static char *write_plain(char *at, const char *digits, int count, int whole)
 {
     if (whole <= 0) {

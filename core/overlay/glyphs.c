@@ -2,7 +2,7 @@
 
 enum { COLUMNS = 5, PITCH = COLUMNS + 1, A_LINE = 16, FIRST = 32, ASCII = 95, NONE = ASCII, SPACE_WIDTH = 3 };
 
-/* Sixteen glyphs a group, each five columns wide, nine rows from the top of capitals down to where g ends. */
+/* Sixteen glyphs per group, each five columns wide and nine rows high, from the top of capitals to the bottom of g. */
 /* clang-format off */
 static const char *const sheet[] = {
     /* ! " # $ % & ' ( ) * + , - . / */
@@ -78,11 +78,11 @@ static const char *const sheet[] = {
     "                                    #                                               #          "};
 /* clang-format on */
 
-/* Those of the last group, in its order. */
+/* Characters of the last group, in its order. */
 static const uint32_t others[A_LINE] = {0x00B0, 0x00B1, 0x00B9, 0x00B2, 0x00B3, 0x207B, 0x00B5, 0x00B7,
                                         0x00D7, 0x2212, 0x0394, 0x03A9, 0x00C5, 0x03BB, 0x03C1, 0x03C3};
 
-/* They look the same, and keyboards have the one or the other. */
+/* These look the same; keyboards have one or the other. */
 enum { MICRO = 0x00B5, GREEK_MU = 0x03BC };
 
 static int glyph_of(uint32_t character)
@@ -111,7 +111,7 @@ struct span {
     int begin, end;
 };
 
-/* Digits are all as wide as 0, so that numbers below one another stand in columns. */
+/* Returns the columns that a character uses. All digits are as wide as 0, so that numbers align. */
 static struct span span_of(uint32_t character)
 {
     const int glyph = glyph_of(character);
@@ -124,7 +124,7 @@ static struct span span_of(uint32_t character)
     return span.begin < span.end ? span : (struct span){0, SPACE_WIDTH};
 }
 
-/* The next character of UTF-8. A byte that begins none is one by itself, which has no glyph. */
+/* Returns the next UTF-8 character and advances *text. An invalid byte counts as a character without a glyph. */
 static uint32_t next_character(const char **text)
 {
     const uint8_t *at = (const uint8_t *)*text;
@@ -139,7 +139,7 @@ static uint32_t next_character(const char **text)
 
 int32_t zr_glyphs_width(const char *text)
 {
-    enum { LONGEST = 1 << 20 }; /* what is longer is in no window anyway */
+    enum { LONGEST = 1 << 20 }; /* longer texts fit no window */
     int32_t width = 0;
     while (*text && width < LONGEST) {
         const struct span span = span_of(next_character(&text));
@@ -155,7 +155,7 @@ bool zr_glyphs_has_all(const char *text)
     return true;
 }
 
-/* A text, how it is drawn, and the upper left corner of the glyph that is next. */
+/* A text's colour and size, and the upper left corner of the next glyph. */
 struct drawing {
     const struct zr_canvas *canvas;
     int32_t x, y, scale, grow;
@@ -167,7 +167,7 @@ static void fill(const struct drawing *d, int32_t x, int32_t y, int32_t width, i
     zr_canvas_fill(d->canvas, zr_box_grow((struct zr_box){d->x + x, d->y + y, width, height}, d->grow), d->color);
 }
 
-/* Dots side by side are one box. */
+/* Draws each run of adjacent dots as one box. */
 static void draw_dots(const struct drawing *d, int glyph, int row, struct span span)
 {
     for (int begin = span.begin, end; begin < span.end; begin = end + 1) {
@@ -177,7 +177,7 @@ static void draw_dots(const struct drawing *d, int glyph, int row, struct span s
     }
 }
 
-/* Steps of the half square, beside the corner (x, y), that lies in the direction of right and down. */
+/* Draws a staircase triangle with legs of half a dot at the corner (x, y), to its right or left and below or above. */
 static void draw_corner(const struct drawing *d, int32_t x, int32_t y, bool right, bool down)
 {
     const int32_t legs = (d->scale + 1) / 2;
@@ -185,8 +185,8 @@ static void draw_corner(const struct drawing *d, int32_t x, int32_t y, bool righ
         fill(d, right ? x : x - (legs - i), down ? y + i : y - 1 - i, legs - i, 1);
 }
 
-/* Where two dots touch by a corner alone, both empty places beside that corner are filled up to half, so that steps
- * become slopes. Source: the character rounding of the SAA5050, a circuit for teletext (Mullard, 1977). */
+/* If two dots touch at a corner only, draws a triangle in both empty squares beside that corner, so that steps become
+ * slopes. Source: the character rounding of the SAA5050, a circuit for teletext (Mullard, 1977). */
 static void draw_slopes(const struct drawing *d, int glyph, int row, struct span span)
 {
     for (int column = span.begin; column + 1 < span.end; column++) {

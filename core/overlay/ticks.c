@@ -2,14 +2,14 @@
 
 #include <math.h>
 
-/* Labels up to this length are written plainly; longer ones in the shorter way. */
+/* Longest plain label; longer ones use the shorter of both notations. */
 enum { PLAIN_LENGTH_MAX = 6 };
 
-/* Of distances: an end such as 0.8 is no exact float, and gets the step that 8 gets. */
+/* Tolerance of distances: an end such as 0.8 is no exact float, and gets the step that 8 gets. */
 #define SLACK 1e-6
 
-/* 0.1 as a float is a little more than 0.1, and that is a tick all the same: by so much of the range at most, which
- * nobody sees. */
+/* 0.1 as a float is slightly more than 0.1, but a tick nevertheless: ticks may exceed the range by this share, which is
+ * invisible. */
 #define END_SHARE 0.005
 
 /* Below the smallest step between two floats. */
@@ -38,7 +38,7 @@ static void add(struct zr_ticks *ticks, struct zr_decimal tick)
     if (ticks->count < ZR_TICKS_MAX) ticks->at[ticks->count++] = zr_decimal_trim(tick);
 }
 
-/* Digits of the longest, without its sign. */
+/* Returns the length of the longest label, without its sign. */
 static size_t longest(const struct zr_ticks *ticks, bool scientific)
 {
     size_t most = 0;
@@ -50,7 +50,7 @@ static size_t longest(const struct zr_ticks *ticks, bool scientific)
     return most;
 }
 
-/* Whether a number that is not an end itself may be a tick: within the range, or what an end became as a float. */
+/* Returns true if a multiple may be a tick: within the range, or equal to an end as a float. */
 static bool is_within(double value, float low, float high)
 {
     const double beyond = END_SHARE * ((double)high - (double)low);
@@ -67,7 +67,7 @@ static void add_multiples(struct zr_ticks *ticks, struct zr_decimal step, float 
     }
 }
 
-/* Both ends, and multiples between them that are not nearer to them than `distance`. */
+/* Adds both ends, and the multiples between them that are at least `distance` from both. */
 static void add_ends(struct zr_ticks *ticks, struct zr_decimal step, float low, float high, double distance)
 {
     const struct zr_decimal first = zr_decimal_of_float(low), last = zr_decimal_of_float(high);
@@ -97,7 +97,8 @@ struct zr_ticks zr_ticks_make(float low, float high, double apart, bool ends)
     return ticks;
 }
 
-/* The few digits of an end may be another number, and far away in a range of a few floats. */
+/* The first and last tick are exactly at the ends: their few digits may be another number, far away in a range of a few
+ * floats. */
 double zr_tick_share(const struct zr_ticks *ticks, int i, float low, float high)
 {
     if (!(low < high)) return 0.5;

@@ -14,19 +14,19 @@ enum { ZR_TICKS_MAX = 24 };
 
 struct zr_ticks {
     int count;
-    bool has_ends;      /* the first and the last are those of the range */
-    bool is_scientific; /* all are to be written so: plainly some would be long */
+    bool has_ends;      /* the first and the last tick are the ends of the range */
+    bool is_scientific; /* write all of them in scientific notation, since some would be long */
     struct zr_decimal at[ZR_TICKS_MAX];
 };
 
-/* Multiples of the smallest round step that is at least the share `apart` of the range, 0.1 <= apart, from low to high,
- * rising; what is `low` or `high` once it is a float counts as within, unless that is more than half a hundredth of the
- * range away. There are two at least where apart <= 0.2, and low < high. With `ends` both ends themselves, in the
- * fewest digits that tell them, and the multiples that are not nearer to these than `apart`. Where low == high: that
- * number alone. Both are finite, low <= high. */
+/* Returns ticks from low to high, ascending: multiples of the smallest round step that is at least `apart` (>= 0.1)
+ * times the range. A multiple that rounds to `low` or `high` as a float counts as within, unless it is farther than
+ * 0.005 of the range away. If apart <= 0.2 and low < high, there are at least two. With `ends`, returns both ends, in
+ * the fewest digits that identify them, and the multiples at least `apart` from both. If low == high, returns that
+ * number only. Both must be finite, low <= high. */
 struct zr_ticks zr_ticks_make(float low, float high, double apart, bool ends);
 
-/* Where between low and high tick `i` is: 0 to 1; 0.5 where these are equal. */
+/* Returns the position of tick `i` between low and high: 0 to 1; 0.5 if these are equal. */
 double zr_tick_share(const struct zr_ticks *ticks, int i, float low, float high);
 
 #endif
