@@ -1,6 +1,6 @@
 #include "effects/edge_marks.h"
 
-/* Corners of a triangle as it is drawn, counted from the eye, as points of samples are. */
+/* Corners of a drawn triangle, relative to the eye like the points of samples. */
 struct corners {
     zr_vec3 at[3];
 };
@@ -26,7 +26,8 @@ static bool share_a_corner(const struct corners *a, const struct corners *b)
     return false;
 }
 
-/* How far `way` leads from a plane that it begins or ends on. Of what has no area: 0. */
+/* Returns the distance from the triangle's plane after moving by `way` from a point on it; 0 for a triangle without
+ * area. */
 static float distance_from(const struct corners *c, zr_vec3 way)
 {
     const zr_vec3 normal = zr_vec3_cross(zr_vec3_sub(c->at[1], c->at[0]), zr_vec3_sub(c->at[2], c->at[0]));

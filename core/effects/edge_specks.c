@@ -1,24 +1,24 @@
-/* Connected components by runs of marked pixels in rows, joined by union-find. Bands of rows are joined by themselves,
- * then across their borders; a component and its box are the same, whatever the order. */
+/* Finds connected components as runs of marked pixels in rows, joined by union-find. Bands of rows are joined
+ * separately, then across their borders; components and boxes do not depend on the order. */
 #include "effects/edge_marks.h"
 
-enum { BAND = 16 }; /* rows of pixels that one thread takes at once */
+enum { BAND = 16 }; /* rows of pixels per task */
 
 struct run {
-    uint32_t first, last; /* columns of samples, of whole pixels */
-    uint32_t parent;      /* itself: this is the root of its component, and the box is that of all */
-    uint32_t left, right; /* columns of samples */
-    uint32_t bottom, top; /* rows of pixels */
+    uint32_t first, last; /* columns of samples, multiples of whole pixels */
+    uint32_t parent;      /* its own index for the root of a component; the root's box contains all runs */
+    uint32_t left, right; /* box: columns of samples */
+    uint32_t bottom, top; /* box: rows of pixels */
 };
 
 struct specks {
     struct zr_edge_marks *marks;
     const struct zr_cancel *cancel;
-    uint32_t *row_begin; /* of each row its first run, and behind the last row their count */
+    uint32_t *row_begin; /* first run of each row; after the last row, the number of runs */
     struct run *runs;
 };
 
-/* All bits of each `side` of which one is set. */
+/* Sets all bits of each group of `side` bits that has one set. */
 static uint64_t fill_pixels(uint64_t bits, uint32_t side)
 {
     static const uint64_t first_bits[] = {
@@ -29,7 +29,7 @@ static uint64_t fill_pixels(uint64_t bits, uint32_t side)
     return (bits & first_bits[side]) * ((1u << side) - 1);
 }
 
-/* Word i of row y of pixels, each of which is as wide as its samples. Nothing is beyond the picture. */
+/* Returns word i of pixel row y, with each pixel as wide as its samples. Bits beyond the picture are 0. */
 static uint64_t word_at(const struct specks *specks, size_t y, uint32_t i)
 {
     const struct zr_edge_marks *marks = specks->marks;
@@ -40,7 +40,7 @@ static uint64_t word_at(const struct specks *specks, size_t y, uint32_t i)
     return fill_pixels(any, marks->side);
 }
 
-/* A word of a row, and those before and behind it. */
+/* A word of a row, with the words before and after it. */
 struct window {
     uint64_t before, own, behind;
 };
@@ -50,7 +50,7 @@ static struct window first_window(const struct specks *specks, size_t y)
     return (struct window){0, 0, word_at(specks, y, 0)};
 }
 
-/* That of word i, from the one of word i - 1. */
+/* Returns the window of word i, from that of word i - 1. */
 static struct window next_window(const struct specks *specks, size_t y, uint32_t i, const struct window *last)
 {
     return (struct window){last->own, last->behind, i + 1 < specks->marks->words ? word_at(specks, y, i + 1) : 0};
@@ -92,7 +92,7 @@ static void count_runs(void *context, size_t begin, size_t end)
     }
 }
 
-/* Counts become places. */
+/* Replaces counts by their exclusive prefix sum. */
 static uint32_t add_up(uint32_t *row_begin, uint32_t rows)
 {
     uint32_t sum = 0;
@@ -123,7 +123,7 @@ static void list_row(const struct specks *specks, size_t y)
     }
 }
 
-/* Halves the way for whoever comes next. */
+/* Returns the root of a run, halving the path to it for later searches. */
 static uint32_t root_of(struct run *runs, uint32_t i)
 {
     while (runs[i].parent != i)
@@ -143,7 +143,7 @@ static void join_runs(struct run *runs, uint32_t a, uint32_t b)
     if (high->top > low->top) low->top = high->top;
 }
 
-/* Runs of row y, and of the row below it: those that touch, corners included. */
+/* Joins the runs of row y with those of the row below that touch them, corners included. */
 static void join_rows(const struct specks *specks, size_t y)
 {
     struct run *runs = specks->runs;
@@ -173,7 +173,7 @@ static void join_band(void *context, size_t begin, size_t end)
 static bool is_speck(const struct specks *specks, uint32_t i)
 {
     const struct run *runs = specks->runs;
-    while (runs[i].parent != i) /* nothing is written: other threads are here, too */
+    while (runs[i].parent != i) /* no path halving: other threads read the runs */
         i = runs[i].parent;
     const uint32_t across = runs[i].right / specks->marks->side - runs[i].left / specks->marks->side;
     return across < ZR_EDGE_SPECK_PIXELS && runs[i].top - runs[i].bottom < ZR_EDGE_SPECK_PIXELS;
@@ -206,7 +206,7 @@ bool zr_edge_specks_drop(struct zr_edge_marks *marks, struct zr_arena *arena, st
     specks.row_begin = zr_arena_alloc(arena, (size_t)marks->height + 1, sizeof *specks.row_begin);
     if (!specks.row_begin) return false;
     zr_team_ranges(team, bands_of(marks), 1, count_runs, &specks);
-    if (zr_is_cancelled(cancel)) return true; /* counts may be missing */
+    if (zr_is_cancelled(cancel)) return true; /* counts are incomplete */
     specks.runs = zr_arena_alloc(arena, add_up(specks.row_begin, marks->height), sizeof *specks.runs);
     if (!specks.runs) return false;
     zr_team_ranges(team, bands_of(marks), 1, join_band, &specks);

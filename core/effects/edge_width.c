@@ -1,28 +1,28 @@
-/* Marks are widened by a disc word by word: a row grows sideways step by step, from the disc's top to its middle, and
- * at each height of the disc it is added to the rows that far above and below. Then samples are counted pixel by pixel,
- * those of a word at once. */
+/* Marks are widened by a disc, word by word. A row grows sideways in steps, from the disc's top to its middle. At each
+ * height of the disc, it is added to the rows that far above and below. Then samples are counted per pixel, for all
+ * pixels of a word at once. */
 #include "effects/edge_marks.h"
 
-/* How much of what is beneath creases cover, where no silhouette does. */
+/* Opacity of creases, if no silhouette covers them. */
 static const float crease_opacity = 0.85f;
 
-enum { CHUNK = 64 }; /* rows of samples that one thread takes at once, at least */
+enum { CHUNK = 64 }; /* least rows of samples per task */
 
 enum { SILHOUETTES, CREASES, PLANES };
 
-/* What one thread works with. */
+/* Scratch of one thread. */
 struct room {
     uint64_t *covered[PLANES]; /* rows of a chunk */
-    uint64_t *grown[2];        /* a row, and one word before and behind it */
+    uint64_t *grown[2];        /* one row, with a word before and after it */
 };
 
 struct width {
     const struct zr_edge_marks *marks;
     const struct zr_cancel *cancel;
-    uint32_t radius;      /* of the disc, samples, rounded down */
-    uint32_t *half_width; /* of the disc at rows 0 .. radius from its middle */
-    uint32_t pixel_rows;  /* of a chunk */
-    struct room *rooms;   /* of each worker */
+    uint32_t radius;      /* of the disc, in samples, rounded down */
+    uint32_t *half_width; /* of the disc at 0 .. radius rows from its middle */
+    uint32_t pixel_rows;  /* per chunk */
+    struct room *rooms;   /* one per worker */
     float *opacity;
 };
 
@@ -31,7 +31,7 @@ struct width {
 static bool make_disc(struct width *width, struct zr_arena *arena)
 {
     const struct zr_edge_marks *marks = width->marks;
-    /* Marks are two samples wide as they are, of which half a sample lies beyond the middle of either. */
+    /* Marks are two samples wide already; each extends half a sample beyond a sample centre. */
     const float wanted = 0.5f * marks->line_width * (float)marks->side - 0.5f;
     const float radius = wanted > 0.0f ? wanted : 0.0f, square = radius * radius;
     const uint32_t most = marks->rows > marks->columns ? marks->rows : marks->columns;
@@ -47,33 +47,33 @@ static bool make_disc(struct width *width, struct zr_arena *arena)
 
 /* ---- widening ---- */
 
-/* Every mark reaches `gap` < 64 further to both sides; words begin - 1 and end are there, too. */
+/* Extends every mark by `gap` < 64 to both sides. Reads words begin - 1 to end. */
 static void grow_step(const uint64_t *in, uint32_t begin, uint32_t end, uint32_t gap, uint64_t *out)
 {
     for (ptrdiff_t i = begin; i < (ptrdiff_t)end; i++)
         out[i] = in[i] | in[i] << gap | in[i - 1] >> (64 - gap) | in[i] >> gap | in[i + 1] << (64 - gap);
 }
 
-/* A row on its way. */
+/* A row while it grows. */
 struct growth {
-    uint32_t begin, end; /* words that it may reach */
-    uint32_t half;       /* how far its marks reach */
+    uint32_t begin, end; /* words that the grown marks can touch */
+    uint32_t half;       /* current growth to either side, samples */
     uint64_t *row, *spare;
 };
 
-/* False where the row has no marks. */
+/* Returns false if the row has no marks. */
 static bool begin_growth(const struct width *width, const struct room *room, const uint64_t *marks,
                          struct growth *growth)
 {
-    const uint32_t words = width->marks->words, reach = width->radius / 64 + 1;
+    const uint32_t words = width->marks->words, margin = width->radius / 64 + 1;
     uint32_t begin = 0, end = words;
     while (begin < end && !marks[begin])
         begin++;
     if (begin == end) return false;
     while (!marks[end - 1])
         end--;
-    begin = begin > reach ? begin - reach : 0;
-    end = words - end > reach ? end + reach : words;
+    begin = begin > margin ? begin - margin : 0;
+    end = words - end > margin ? end + margin : words;
     *growth = (struct growth){begin, end, 0, room->grown[0] + 1, room->grown[1] + 1};
     memcpy(growth->row + begin, marks + begin, (end - begin) * sizeof *marks);
     growth->row[(ptrdiff_t)begin - 1] = growth->spare[(ptrdiff_t)begin - 1] = 0;
@@ -81,7 +81,7 @@ static bool begin_growth(const struct width *width, const struct room *room, con
     return true;
 }
 
-/* Steps leave no gaps: none is longer than what there is of marks. */
+/* Grows by steps of at most the current width of a mark, so that no gaps remain. */
 static void grow_to(struct growth *growth, uint32_t half)
 {
     while (growth->half < half) {
@@ -102,7 +102,7 @@ static void add_row(const struct growth *growth, uint64_t *covered)
         covered[i] |= growth->row[i];
 }
 
-/* Adds the discs around the marks of row y to rows begin .. end - 1, the first of which is at `covered`. */
+/* Adds the discs around the marks of row y to rows begin .. end - 1; `covered` points to the first of these. */
 static void widen_row(const struct width *width, const struct room *room, const uint64_t *marks, uint32_t y,
                       uint32_t begin, uint32_t end, uint64_t *covered)
 {
@@ -131,7 +131,7 @@ static void widen(const struct width *width, const struct room *room, const uint
 
 #define EACH_BYTE UINT64_C(0x0101010101010101)
 
-/* Of each `side` bits, how many are set, in their place. */
+/* Replaces each group of `side` bits by the number of its set bits. */
 static uint64_t count_bits(uint64_t bits, uint32_t side)
 {
     if (side >= 2) bits -= bits >> 1 & 0x55 * EACH_BYTE;
@@ -140,7 +140,7 @@ static uint64_t count_bits(uint64_t bits, uint32_t side)
     return bits;
 }
 
-/* Counts of a word's pixels: that of pixel i is byte i / per_byte of counts[i % per_byte]. */
+/* Counts of a word's pixels: pixel i has byte i / per_byte of counts[i % per_byte]. */
 struct counts {
     uint64_t counts[8];
 };
@@ -157,7 +157,7 @@ static uint32_t count_of(const struct counts *sum, uint32_t pixel, uint32_t per_
     return (uint32_t)(sum->counts[pixel % per_byte] >> pixel / per_byte * 8 & 0xff);
 }
 
-/* The pixels of a word, from that of their lowest row of samples on. */
+/* Writes the opacity of a word's pixels. The arguments point to their lowest row of samples. */
 static void cover_word(const uint64_t *silhouettes, const uint64_t *creases, uint32_t words, uint32_t side,
                        uint32_t pixels, float *opacity)
 {
@@ -217,7 +217,7 @@ bool zr_edge_width_cover(const struct zr_edge_marks *marks, struct zr_arena *are
 {
     struct width width = {.marks = marks, .cancel = cancel, .opacity = opacity};
     if (!make_disc(&width, arena)) return false;
-    /* Rows beside a chunk are widened once more: there are no more of them than of its own. */
+    /* Rows beside a chunk are widened again for it; this chunk size keeps them fewer than its own. */
     const uint32_t rows = 2 * width.radius > CHUNK ? 2 * width.radius : CHUNK;
     width.pixel_rows = rows / marks->side < marks->height ? rows / marks->side : marks->height;
     const size_t chunks = (marks->height + width.pixel_rows - 1) / width.pixel_rows;

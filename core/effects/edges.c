@@ -5,7 +5,7 @@
 
 enum { SIZE = ZR_TILE_SIZE };
 
-/* How far apart neighbours are that have no face in common, in sample widths. */
+/* Least distance of a silhouette from the other's plane, in sample widths. */
 static const float jump = 1.5f;
 
 static struct zr_edge_rule make_rule(const struct zr_edges *edges, const struct zr_pixel_scale *scale, uint32_t side)
@@ -50,7 +50,7 @@ void zr_edges_know_faces(struct zr_edge_marks *marks, const struct zr_geometry *
 
 /* ---- within tiles ---- */
 
-/* The tile's word of its row y. */
+/* Returns the index of the tile's word in its row y. */
 static size_t word_of(const struct zr_edge_marks *marks, uint32_t number, uint32_t y)
 {
     const uint32_t row = number / marks->words * SIZE + y;
@@ -69,7 +69,7 @@ static uint32_t columns_of(const struct zr_edge_marks *marks, uint32_t number)
     return left < SIZE ? left : SIZE;
 }
 
-/* `count` samples from `at` on, `step` apart. */
+/* Copies `count` samples from `at` on, `step` apart. */
 static void keep_side(const struct zr_gbuffer *tile, ptrdiff_t at, ptrdiff_t step, int32_t count,
                       struct zr_edge_side *side)
 {
@@ -114,8 +114,8 @@ void zr_edges_mark_empty(struct zr_edge_marks *marks, uint32_t number)
 
 static struct zr_edge_line line_of(const struct zr_edge_tile *tile, int which)
 {
-    static const struct zr_edge_side nobody;
-    const struct zr_edge_side *side = tile->is_empty ? &nobody : &tile->sides[which];
+    static const struct zr_edge_side uncovered;
+    const struct zr_edge_side *side = tile->is_empty ? &uncovered : &tile->sides[which];
     struct zr_edge_line line = {.owner = side->owner};
     for (int k = 0; k < 3; k++) {
         line.normal[k] = side->normal[k];
@@ -130,7 +130,7 @@ struct join {
     const struct zr_cancel *cancel;
 };
 
-/* What is between side `which` of one tile and the opposite one of its neighbour. */
+/* Compares side `which` of a tile with the opposite side of its neighbour. */
 static struct zr_edge_bits compare_sides(const struct join *join, uint32_t number, int which, uint32_t neighbour,
                                          uint32_t count)
 {
@@ -160,7 +160,7 @@ static void mark_column(struct zr_edge_marks *marks, uint32_t number, uint32_t x
     }
 }
 
-/* Marks the tile's own samples only: each pair is compared twice, and no two threads write to one word. */
+/* Marks the tile's own samples only: each pair is compared twice, so that no two threads write to one word. */
 static void join_tile(const struct join *join, uint32_t number)
 {
     struct zr_edge_marks *marks = join->marks;

@@ -1,16 +1,14 @@
-/* edges.h - effects: silhouettes and creases, found between neighbouring samples and widened to lines.
+/* edges.h - effects: finds silhouettes and creases between neighbouring samples and widens them to lines.
  *
  * In:     tile by tile, the G-buffer of samples (owner, normal, point). Out: the share of each pixel that edges cover.
- * How:    a silhouette is where one of two horizontal or vertical neighbours is empty, or where both points are
- *         more than 1.5 sample widths (at the one further away) from the other's plane and are on no common surface
- *         (zr_edges_know_faces); a crease is where normals differ by more than an angle and there is no silhouette.
- *         Samples without a normal, of lines, have silhouettes against nothing only. Both neighbours are marked;
- *         creases whose pixels connect, and fill a box of 12 pixels at most in both directions, are dropped; marks are
- *         widened by a disc.
+ * How:    horizontal and vertical neighbours are compared. They form a silhouette if one is uncovered. They also form
+ *         one if both points are more than 1.5 sample widths (at the farther one) from the other's plane and lie on no
+ *         common surface (zr_edges_know_faces). Otherwise they form a crease if their normals differ by more than an
+ *         angle. Samples without a normal, of lines, form silhouettes with uncovered samples only. Both neighbours are
+ *         marked. Connected creases that fit in a box of 12 x 12 pixels are dropped. Marks are widened by a disc.
  * Exact:  every instruction set, thread count and order of tiles gives the same bytes.
- * Memory: two bits a sample, and 7 KiB a tile: the rows and columns at its sides, which are compared when all are
- *         drawn.
- */
+ * Memory: two bits per sample, and 7 KiB per tile for the rows and columns at its sides, which are compared when
+ *         all tiles are drawn. */
 #ifndef ZR_EDGES_H
 #define ZR_EDGES_H
 
@@ -23,30 +21,32 @@
 #include "shade/gbuffer.h"
 #include "zraster.h"
 
-/* Marks of a picture of width x height pixels with side x side samples each. Tiles are squares of ZR_TILE_SIZE samples
- * (raster/tile.h), tile 0 at the lower left, numbered along the row. */
+/* Marks of a picture of width x height pixels with side x side samples per pixel. Tiles are squares of ZR_TILE_SIZE
+ * samples (raster/tile.h), numbered row by row from the lower left. */
 struct zr_edge_marks;
 
 struct zr_edge_marks *zr_edge_marks_make(struct zr_arena *arena, uint32_t width, uint32_t height, uint32_t side,
                                          const struct zr_edges *edges, const struct zr_pixel_scale *scale);
 
-/* Before the first tile, of the triangles that owners are numbers of: with these, parts of one surface have no
- * silhouette between them, whatever their normals are. What both point to lives until zr_edges_finish is done. */
+/* Sets the triangles that owner ids refer to, before the first tile: parts of one surface then have no silhouette
+ * between them, whatever their normals are. Both pointers must stay valid until zr_edges_finish returns. */
 void zr_edges_know_faces(struct zr_edge_marks *marks, const struct zr_geometry *geometry,
                          const struct zr_scene_attributes *surfaces);
 
-/* Marks what is found inside of tile `number`, and keeps its sides for zr_edges_finish. One thread a tile. */
+/* Marks the edges within tile `number`, and keeps its sides for zr_edges_finish. Several threads may mark different
+ * tiles. */
 void zr_edges_mark_tile(struct zr_edge_marks *marks, enum zr_isa isa, uint32_t number, const struct zr_gbuffer *tile);
 
-/* A tile in which nobody is seen. */
+/* Marks a tile without covered samples. */
 void zr_edges_mark_empty(struct zr_edge_marks *marks, uint32_t number);
 
-/* What is behind the last pixel's opacity: 0, for vectors that are loaded whole. */
+/* Zeros after the last pixel's opacity, for whole-vector loads. */
 enum { ZR_EDGE_ROOM = 15 };
 
-/* When each tile was marked, once: compares tiles' sides, drops specks, widens. Of each pixel the opacity of ink, 0..1:
- * (share of samples that are within width / 2 of a silhouette, or else 0.85 of those of a crease); row 0 is the lowest,
- * rows of `width`. NULL where the arena has failed; cancelled, it returns early. */
+/* Compares the sides of tiles, drops specks and widens. Each tile must have been marked once. Returns the opacity of
+ * the ink per pixel, 0..1: the share of samples within width / 2 of a silhouette, plus 0.85 times the share of other
+ * samples within width / 2 of a crease. Row 0 is the lowest; rows have `width` values. Returns NULL if the arena
+ * failed; if cancelled, returns early. */
 const float *zr_edges_finish(struct zr_edge_marks *marks, struct zr_arena *arena, struct zr_team *team,
                              const struct zr_cancel *cancel);
 

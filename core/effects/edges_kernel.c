@@ -6,7 +6,7 @@ static inline struct zr_vec3_v load3(const float *const v[3], int32_t at)
     return (struct zr_vec3_v){zr_vf_load(v[0] + at), zr_vf_load(v[1] + at), zr_vf_load(v[2] + at)};
 }
 
-static inline zr_vm is_nobody(const struct zr_edge_line *line, int32_t at)
+static inline zr_vm is_uncovered(const struct zr_edge_line *line, int32_t at)
 {
     return zr_vi_eq(zr_vi_load(line->owner + at), zr_vi_set(0));
 }
@@ -17,7 +17,7 @@ static inline zr_vf depth_of(const struct zr_edge_rule *rule, struct zr_vec3_v p
     return zr_dot_v(slope, p) + zr_vf_set(rule->offset);
 }
 
-/* The order of both does not matter to the last bit: differences only change their sign, and products are the same. */
+/* Compares ZR_LANES pairs, all covered. Symmetric in a and b to the last bit: differences only change their sign. */
 static inline void compare_faces(const struct zr_edge_rule *rule, const struct zr_edge_line *a,
                                  const struct zr_edge_line *b, int32_t at, zr_vm *apart, zr_vm *bent)
 {
@@ -31,13 +31,13 @@ static inline void compare_faces(const struct zr_edge_rule *rule, const struct z
     *bent = zr_vm_and(are_faces, zr_vf_lt(zr_dot_v(n1, n2), zr_vf_set(rule->cosine)));
 }
 
-/* Of ZR_LANES pairs, from `at` on. */
+/* Compares ZR_LANES pairs from `at` on. */
 static inline void compare(const struct zr_edge_rule *rule, const struct zr_edge_line *a, const struct zr_edge_line *b,
                            int32_t at, struct zr_edge_bits *bits)
 {
-    const uint32_t nobody1 = zr_vm_bits(is_nobody(a, at)), nobody2 = zr_vm_bits(is_nobody(b, at));
-    const uint32_t both = ~(nobody1 | nobody2) & (uint32_t)ZR_ALL_BITS;
-    uint32_t silhouettes = nobody1 ^ nobody2, creases = 0;
+    const uint32_t uncovered1 = zr_vm_bits(is_uncovered(a, at)), uncovered2 = zr_vm_bits(is_uncovered(b, at));
+    const uint32_t both = ~(uncovered1 | uncovered2) & (uint32_t)ZR_ALL_BITS;
+    uint32_t silhouettes = uncovered1 ^ uncovered2, creases = 0;
     if (both) {
         zr_vm apart, bent;
         compare_faces(rule, a, b, at, &apart, &bent);
@@ -50,7 +50,7 @@ static inline void compare(const struct zr_edge_rule *rule, const struct zr_edge
     bits->creases |= (uint64_t)creases << at;
 }
 
-/* Fewer pairs than lanes: a copy of the line with nobody behind its end. */
+/* Copy of a line with fewer samples than lanes, padded with uncovered samples. */
 struct short_line {
     uint32_t owner[ZR_LANES];
     float vectors[6][ZR_LANES];
@@ -77,7 +77,7 @@ static inline struct zr_edge_bits compare_lines(const struct zr_edge_rule *rule,
     if (count >= ZR_LANES) {
         for (int32_t at = 0; at + ZR_LANES <= count; at += ZR_LANES)
             compare(rule, a, b, at, &bits);
-        /* What is left, together with pairs that were compared before. */
+        /* The remaining pairs, with some that were compared before. */
         if (count % ZR_LANES) compare(rule, a, b, count - ZR_LANES, &bits);
     } else if (count > 0) {
         struct short_line copies[2];

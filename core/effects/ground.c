@@ -4,32 +4,33 @@
 
 enum { SIDE = ZR_GROUND_SIDE, TEXELS = SIDE * SIDE, PASSES = 3 };
 
-/* Columns that one thread takes at once, and that vectors go over side by side. */
+/* Columns per task, processed side by side by vectors. */
 enum { STRIP = 32 };
 _Static_assert(SIDE % STRIP == 0, "strips are whole");
 
-/* Of a soft shadow: from which height on nothing darkens, how far it is blurred (shares of the diagonal), and how dark
- * it is. */
+/* Parts of the shadow: height above which nothing darkens, blur radius (both relative to the diagonal), and
+ * strength. */
 static const struct part {
     float height, blur, strength;
 } parts[] = {{0.06f, 0.02f, 0.55f}, {0.35f, 0.07f, 0.45f}};
 enum { PARTS = sizeof parts / sizeof parts[0] };
 
-/* A box in texels: 2 whole + 1 of them, and `end` of one more at either end. */
+/* A box in texels: 2 whole + 1 full ones, and a fraction `end` of one more at either end. */
 struct box {
     int whole;
-    double end, share; /* share: 1 / width */
+    double end, share; /* share: 1 / width of the box */
 };
 
 struct blur {
     const float *heights;
-    float top[PARTS]; /* height from which on nothing darkens */
+    float top[PARTS]; /* height above which nothing darkens, scene units */
     struct box boxes[PARTS];
-    float *columns[PARTS]; /* blurred along columns; [x * SIDE + y], so that the next step goes along columns, too */
+    float *columns[PARTS]; /* blurred along columns; transposed, [x * SIDE + y], so that the next step works along
+                            * columns too */
     float *light;
 };
 
-/* Texels are cells: what is narrower than one is one. Beyond the map nothing is, so no box need be wider than that. */
+/* Makes a box of at least one texel. The map is 0 outside, so a box is limited to its width. */
 static struct box make_box(float half_width, float texel)
 {
     const double radius = (double)half_width / (double)texel;
@@ -40,8 +41,8 @@ static struct box make_box(float half_width, float texel)
     return (struct box){whole, end, 1.0 / ((double)(2 * whole + 1) + 2.0 * end)};
 }
 
-/* One pass along the columns of a strip. Sums run in double, so that what has left the box leaves nothing behind that
- * shows in a float: where nothing is, T is 1 exactly. */
+/* Blurs a strip once along its columns. Sums are kept in double, so that adding and removing a texel leaves no error
+ * that shows in a float: T is exactly 1 without anything near. */
 static void blur_pass(const struct box *box, float in[SIDE][STRIP], float out[SIDE][STRIP])
 {
     static const float nothing[STRIP];
@@ -71,15 +72,15 @@ static void blur_strip(const struct box *box, float strip[SIDE][STRIP])
     blur_pass(box, strip, other);
     memcpy(strip, other, sizeof other);
 }
-_Static_assert(PASSES == 3, "as written above");
+_Static_assert(PASSES == 3, "blur_strip makes three passes");
 
 static float near_plane(float height, float top)
 {
     const float v = 1.0f - height / top;
-    return v > 1.0f ? 1.0f : v > 0.0f ? v : 0.0f; /* not a number: 0 */
+    return v > 1.0f ? 1.0f : v > 0.0f ? v : 0.0f; /* NaN: 0 */
 }
 
-/* First step: how near the scene is to the plane, blurred along columns from `begin` on. */
+/* First step: computes the nearness of the scene to the plane, blurred along columns. */
 static void blur_columns(void *context, size_t begin, size_t end)
 {
     const struct blur *blur = context;
@@ -96,7 +97,7 @@ static void blur_columns(void *context, size_t begin, size_t end)
         }
 }
 
-/* Second step: the same along rows, and what light is left. */
+/* Second step: blurs along rows, and multiplies `light` by 1 - strength * nearness. */
 static void blur_rows(void *context, size_t begin, size_t end)
 {
     const struct blur *blur = context;
@@ -136,7 +137,8 @@ static float texel(const struct zr_ground *ground, int32_t x, int32_t y)
     return x >= 0 && x < SIDE && y >= 0 && y < SIDE ? ground->light[y * SIDE + x] : 1.0f;
 }
 
-/* In texels from the centre of the first; what is not on the map, or not a number, is clamped to where T is 1. */
+/* Converts to texels from the centre of the first. Positions off the map, and NaN, are clamped to a texel with T =
+ * 1. */
 static float texel_place(float at, float half_size)
 {
     const float place = (at / half_size + 1.0f) * (0.5f * (float)SIDE) - 0.5f;
@@ -144,7 +146,7 @@ static float texel_place(float at, float half_size)
     return most > -1.0f ? most : -1.0f;
 }
 
-/* ground_kernel.c has the same operations. */
+/* The same operations as in ground_kernel.c. */
 float zr_ground_at(const struct zr_ground *ground, float x, float y)
 {
     const float u = texel_place(x, ground->half_size), v = texel_place(y, ground->half_size);

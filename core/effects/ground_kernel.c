@@ -1,5 +1,5 @@
-/* Where rays of sight meet the plane is found in ground space, in which the plane is z = 0: along a row the three
- * coordinates of a ray's origin and direction are linear in X. */
+/* View rays are intersected with the plane in ground space, in which the plane is z = 0. Along a row, the coordinates
+ * of a ray's origin and direction are linear in X. */
 #include "effects/ground.h"
 
 #include "base/simd.h"
@@ -9,7 +9,7 @@ struct linear {
     float at, step;
 };
 
-/* Those of the rays of one row, in ground space. */
+/* Rays of one row, in ground space. */
 struct row {
     struct linear origin[3], direction[3];
 };
@@ -36,7 +36,7 @@ static inline zr_vf at(const struct linear *linear, zr_vf x)
     return zr_vf_set(linear->at) + x * zr_vf_set(linear->step);
 }
 
-/* As texel_place of ground.c. The order of operands matters: what is not a number becomes SIDE. */
+/* Equals texel_place of ground.c. The order of operands matters: NaN becomes SIDE. */
 static inline zr_vf texel_place(zr_vf place, float half_size)
 {
     const zr_vf side = zr_vf_set((float)ZR_GROUND_SIDE), one = zr_vf_set(1.0f);
@@ -61,7 +61,7 @@ static inline zr_vf texel(const struct zr_ground *ground, zr_vm inside, zr_vi x,
     return zr_vf_select(inside, zr_vf_bits(zr_vi_gather(inside, ground->light, i)), zr_vf_set(1.0f));
 }
 
-/* As zr_ground_at, u and v being in texels; 1 where not `met`. */
+/* Equals zr_ground_at, with u and v in texels; 1 for lanes not in `met`. */
 static inline zr_vf light_at(const struct zr_ground *ground, zr_vm met, zr_vf u, zr_vf v)
 {
     const zr_vi i = floor_of(u), j = floor_of(v), one = zr_vi_set(1);
@@ -77,7 +77,8 @@ static inline zr_vf light_at(const struct zr_ground *ground, zr_vm met, zr_vf u,
     return low + (high - low) * b;
 }
 
-/* A ray along the plane gives an infinite quotient, or none; what comes of these is clamped as any place far away. */
+/* A ray parallel to the plane gives an infinite quotient or NaN; the position is then clamped like any other far
+ * away. */
 static inline zr_vf light_of_rays(const struct zr_ground *ground, const struct row *row, zr_vf x)
 {
     const zr_vf distance = zr_vf_set(0.0f) - at(&row->origin[2], x) / at(&row->direction[2], x);

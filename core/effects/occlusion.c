@@ -2,12 +2,12 @@
 
 #include "base/trig.h"
 
-/* Ordered 4 x 4: neighbours differ much, and any 4 x 4 pixels have all 16. */
+/* Ordered 4 x 4 pattern: neighbours differ strongly, and each 4 x 4 pixels contain all 16 values. */
 static const int bayer[ZR_OCCLUSION_TILE][ZR_OCCLUSION_TILE] = {
     {0, 8, 2, 10}, {12, 4, 14, 6}, {3, 11, 1, 9}, {15, 7, 13, 5}};
 
-/* Pixel number i of 16 has its directions turned by i / 16 of the angle between two, and its steps shifted by another
- * order of sixteenths, so that few pixels share both. Steps are squared: many are near, and few are far. */
+/* Pixel i of 16 rotates its directions by i / 16 of the angle between two. It shifts its steps by sixteenths in another
+ * order, so that few pixels share both. Squaring puts more steps near the pixel. */
 static void set_pattern(struct zr_occlusion_work *work, int y, int x)
 {
     const int i = bayer[y][x % ZR_OCCLUSION_TILE];
@@ -23,7 +23,7 @@ static void set_pattern(struct zr_occlusion_work *work, int y, int x)
     }
 }
 
-/* The work, the kernels that do it, and who may stop it. */
+/* Parameters, kernels and cancellation of the row tasks. */
 struct job {
     struct zr_occlusion_work work;
     zr_occlusion_row_fn *points, *row, *blur;

@@ -12,19 +12,19 @@ static inline struct zr_vec3_v gather3(float *const planes[3], zr_vm where, zr_v
                               zr_vf_bits(zr_vi_gather(where, planes[2], at))};
 }
 
-/* Where anybody is seen from column x on, at [at]. */
-static inline zr_vm seen_at(const struct zr_gbuffer *pixels, int32_t x, ptrdiff_t at)
+/* Returns the lanes covered from column x on; `at` is the index of the first. */
+static inline zr_vm covered_at(const struct zr_gbuffer *pixels, int32_t x, ptrdiff_t at)
 {
-    const zr_vm nobody = zr_vi_eq(zr_vi_load(pixels->owner + at), zr_vi_set(0));
-    return zr_vm_andnot(zr_vm_first((uint32_t)(pixels->width - x)), nobody);
+    const zr_vm uncovered = zr_vi_eq(zr_vi_load(pixels->owner + at), zr_vi_set(0));
+    return zr_vm_andnot(zr_vm_first((uint32_t)(pixels->width - x)), uncovered);
 }
 
-/* ---- what is found at pixels ---- */
+/* ---- raw occlusion of pixels ---- */
 
-/* ZR_LANES pixels. Columns and rows are counted from INT32_MIN, so that one comparison sees both ends. */
+/* ZR_LANES pixels. Columns and rows are biased by INT32_MIN, so that one comparison tests both ends of the range. */
 struct centers {
     struct zr_vec3_v point, normal;
-    zr_vm seen;
+    zr_vm covered;
     zr_vi at, x, y;
     zr_vf length[ZR_OCCLUSION_STEPS]; /* of steps, in pixels */
 };
@@ -32,7 +32,7 @@ struct centers {
 /* Longer steps leave every window. */
 #define LONGEST 65536.0f
 
-/* A radius of less than 4 pixels counts as 4, in effect: steps are 1, 2, 3 and 4 pixels at least. */
+/* Sets the lengths of steps; at least 1, 2, 3 and 4 pixels, so a radius below 4 pixels counts as 4. */
 static inline void set_lengths(const struct zr_occlusion_work *work, int32_t x, int32_t y, struct centers *c)
 {
     const struct zr_pixel_scale *scale = &work->scale;
@@ -59,8 +59,8 @@ static inline struct zr_vec3_v load_points(const zr_vec4 *points, zr_vi numbers)
     return v;
 }
 
-/* How much what is seen at [at] occludes: by how far it rises over the plane, and how near it is. To leave out the root
- * and the quotient where no lane needs them costs a tenth of the time: the branch is mispredicted too often. */
+/* Returns the occlusion by the point at [at], from its elevation over the plane and its distance. Skipping the root and
+ * quotient if no lane needs them costs a tenth of the time: the branch is mispredicted too often. */
 static inline zr_vf occlude(const struct zr_occlusion_work *work, const struct centers *c, zr_vm inside, zr_vi at)
 {
     const zr_vf zero = zr_vf_set(0.0f);
@@ -72,7 +72,7 @@ static inline zr_vf occlude(const struct zr_occlusion_work *work, const struct c
     return zr_vf_select(occludes, rise * nearness, zero);
 }
 
-/* The most that any step in one direction gives. */
+/* Returns the maximum over the steps of one direction. */
 static inline zr_vf occlude_along(const struct zr_occlusion_work *work, const struct centers *c, zr_vf cosine,
                                   zr_vf sine)
 {
@@ -82,19 +82,19 @@ static inline zr_vf occlude_along(const struct zr_occlusion_work *work, const st
     zr_vf most = zr_vf_set(0.0f);
     for (int j = 0; j < ZR_OCCLUSION_STEPS; j++) {
         const zr_vi x = zr_vi_round(c->length[j] * cosine), y = zr_vi_round(c->length[j] * sine);
-        const zr_vm inside = zr_vi_lt_where(zr_vi_lt_where(c->seen, c->x + x, width), c->y + y, height);
+        const zr_vm inside = zr_vi_lt_where(zr_vi_lt_where(c->covered, c->x + x, width), c->y + y, height);
         const zr_vi at = zr_vi_select(inside, c->at + y * stride + x, zr_vi_set(0));
         most = zr_vf_max(most, occlude(work, c, inside, at));
     }
     return most;
 }
 
-static inline zr_vf find(const struct zr_occlusion_work *work, int32_t x, int32_t y, zr_vm seen)
+static inline zr_vf find(const struct zr_occlusion_work *work, int32_t x, int32_t y, zr_vm covered)
 {
     const ptrdiff_t at = y * work->pixels->stride + x;
     const zr_vf zero = zr_vf_set(0.0f), one = zr_vf_set(1.0f);
     struct centers c = {.point = load3(work->pixels->point, at), .normal = load3(work->pixels->normal, at)};
-    c.seen = seen;
+    c.covered = covered;
     c.at = zr_vi_set((int32_t)at) + zr_vi_ramp();
     c.x = zr_vi_set(INT32_MIN + x) + zr_vi_ramp();
     c.y = zr_vi_set(INT32_MIN + y);
@@ -109,8 +109,9 @@ static inline zr_vf find(const struct zr_occlusion_work *work, int32_t x, int32_
 
 /* ---- blur ---- */
 
-enum { REACH = 2 };
-static const float blur_weights[2 * REACH + 1] = {1, 2, 2, 2, 1}; /* any 4 pixels in a row weigh the same in it */
+enum { BLUR_RADIUS = 2 };
+/* Any 4 consecutive pixels of the pattern get equal weight. */
+static const float blur_weights[2 * BLUR_RADIUS + 1] = {1, 2, 2, 2, 1};
 
 struct blur {
     struct zr_vec3_v point, normal;
@@ -131,58 +132,59 @@ static inline void blur_add(struct blur *blur, float weight, zr_vm there, struct
     blur->weights = blur->weights + zr_vf_select(counts, zr_vf_set(weight), zero);
 }
 
-/* 1 where nobody is seen, and where there is no plane. */
-static inline zr_vf blur_end(const struct blur *blur, zr_vm seen)
+/* Returns the blurred value; 1 for uncovered lanes, and for those without a plane. */
+static inline zr_vf blur_end(const struct blur *blur, zr_vm covered)
 {
-    const zr_vm has_plane = zr_vf_lt_where(seen, zr_vf_set(0.0f), zr_dot_v(blur->normal, blur->normal));
+    const zr_vm has_plane = zr_vf_lt_where(covered, zr_vf_set(0.0f), zr_dot_v(blur->normal, blur->normal));
     return zr_vf_select(has_plane, blur->sum / blur->weights, zr_vf_set(1.0f));
 }
 
-static inline zr_vf blur_along(const struct zr_occlusion_work *work, int32_t x, int32_t y, zr_vm seen)
+static inline zr_vf blur_along(const struct zr_occlusion_work *work, int32_t x, int32_t y, zr_vm covered)
 {
     const struct zr_gbuffer *pixels = work->pixels;
     const ptrdiff_t start = y * pixels->stride;
-    const bool is_inside = x >= REACH && x + ZR_LANES + REACH <= pixels->width;
+    const bool is_inside = x >= BLUR_RADIUS && x + ZR_LANES + BLUR_RADIUS <= pixels->width;
     struct blur blur = blur_begin(work, start + x);
-    for (int i = -REACH; i <= REACH; i++) {
+    for (int i = -BLUR_RADIUS; i <= BLUR_RADIUS; i++) {
         const ptrdiff_t at = start + x + i;
         if (is_inside) {
-            blur_add(&blur, blur_weights[i + REACH], ZR_ALL_LANES, load3(pixels->point, at),
+            blur_add(&blur, blur_weights[i + BLUR_RADIUS], ZR_ALL_LANES, load3(pixels->point, at),
                      zr_vf_load(work->light + at));
             continue;
         }
         const zr_vi column = zr_vi_set(x + i) + zr_vi_ramp(), zero = zr_vi_set(0);
         const zr_vm there = zr_vm_andnot(zr_vi_lt(column, zr_vi_set(pixels->width)), zr_vi_lt(column, zero));
         const zr_vi each = zr_vi_select(there, zr_vi_set((int32_t)start) + column, zero);
-        blur_add(&blur, blur_weights[i + REACH], there, gather3(pixels->point, there, each),
+        blur_add(&blur, blur_weights[i + BLUR_RADIUS], there, gather3(pixels->point, there, each),
                  zr_vf_bits(zr_vi_gather(there, work->light, each)));
     }
-    return blur_end(&blur, seen);
+    return blur_end(&blur, covered);
 }
 
-static inline zr_vf blur_across(const struct zr_occlusion_work *work, int32_t x, int32_t y, zr_vm seen)
+static inline zr_vf blur_across(const struct zr_occlusion_work *work, int32_t x, int32_t y, zr_vm covered)
 {
     const struct zr_gbuffer *pixels = work->pixels;
     struct blur blur = blur_begin(work, y * pixels->stride + x);
-    for (int i = -REACH; i <= REACH; i++) {
+    for (int i = -BLUR_RADIUS; i <= BLUR_RADIUS; i++) {
         const ptrdiff_t at = (y + i) * pixels->stride + x;
         if (y + i < 0 || y + i >= pixels->height) continue;
-        blur_add(&blur, blur_weights[i + REACH], ZR_ALL_LANES, load3(pixels->point, at), zr_vf_load(work->rows + at));
+        blur_add(&blur, blur_weights[i + BLUR_RADIUS], ZR_ALL_LANES, load3(pixels->point, at),
+                 zr_vf_load(work->rows + at));
     }
-    return blur_end(&blur, seen);
+    return blur_end(&blur, covered);
 }
 
 /* ---- rows ---- */
 
-typedef zr_vf row_step(const struct zr_occlusion_work *work, int32_t x, int32_t y, zr_vm seen);
+typedef zr_vf row_step(const struct zr_occlusion_work *work, int32_t x, int32_t y, zr_vm covered);
 
 static inline __attribute__((always_inline)) void do_row(const struct zr_occlusion_work *work, int32_t y,
                                                          row_step *step, float *out)
 {
     const ptrdiff_t start = y * work->pixels->stride;
     for (int32_t x = 0; x < work->pixels->width; x += ZR_LANES) {
-        const zr_vm seen = seen_at(work->pixels, x, start + x);
-        zr_vf_store(out + start + x, zr_vm_any(seen) ? step(work, x, y, seen) : zr_vf_set(1.0f));
+        const zr_vm covered = covered_at(work->pixels, x, start + x);
+        zr_vf_store(out + start + x, zr_vm_any(covered) ? step(work, x, y, covered) : zr_vf_set(1.0f));
     }
 }
 
@@ -217,11 +219,11 @@ static void copy_pixels(const struct zr_occlusion_map *map, const struct zr_gbuf
 }
 
 static inline zr_vf light_samples(const struct zr_occlusion_map *map, const struct zr_gbuffer *samples,
-                                  const struct zr_pixel_row *row, const struct zr_pixel_column *column, zr_vm seen,
+                                  const struct zr_pixel_row *row, const struct zr_pixel_column *column, zr_vm covered,
                                   ptrdiff_t at)
 {
     const struct zr_vec3_v point = load3(samples->point, at), normal = load3(samples->normal, at);
-    const zr_vm has_plane = zr_vf_lt_where(seen, zr_vf_set(0.0f), zr_dot_v(normal, normal));
+    const zr_vm has_plane = zr_vf_lt_where(covered, zr_vf_set(0.0f), zr_dot_v(normal, normal));
     return zr_vf_select(has_plane, zr_occlusion_between_v(map, row, column, point, normal), zr_vf_set(1.0f));
 }
 
@@ -236,11 +238,11 @@ void ZR_KERNEL(zr_occlusion_samples)(const struct zr_occlusion_map *map, const s
         const struct zr_pixel_row row = zr_pixel_row_at(map->pixels, tile_y + y, (int32_t)side);
         for (int32_t x = 0; x < samples->width; x += ZR_LANES) {
             const ptrdiff_t at = y * samples->stride + x;
-            const zr_vm seen = seen_at(samples, x, at);
+            const zr_vm covered = covered_at(samples, x, at);
             zr_vf light = zr_vf_set(1.0f);
-            if (zr_vm_any(seen)) {
+            if (zr_vm_any(covered)) {
                 const struct zr_pixel_column column = zr_pixel_column_at(map->pixels, tile_x + x, (int32_t)side);
-                light = light_samples(map, samples, &row, &column, seen, at);
+                light = light_samples(map, samples, &row, &column, covered, at);
             }
             zr_vf_store(out + at, light);
         }

@@ -1,31 +1,32 @@
-/* occlusion_simd.h - effects: the occlusion of samples, from that of pixel centres; for kernels. */
+/* occlusion_simd.h - effects: interpolates occlusion from pixel centres to samples; for kernels. */
 #ifndef ZR_OCCLUSION_SIMD_H
 #define ZR_OCCLUSION_SIMD_H
 
 #include "base/vec3_simd.h"
 #include "effects/occlusion.h"
 
-/* Not where nobody is seen: a plane through the eye's side may well pass by ZR_FAR_POINT. */
+/* Returns the lanes whose point is covered. Uncovered pixels store ZR_FAR_POINT, which the plane of a point seen
+ * edge-on may pass at a small distance. */
 static inline zr_vm zr_is_near_v(zr_vm where, zr_vf point_x)
 {
     return zr_vf_lt_where(where, point_x, zr_vf_set(0.5f * ZR_FAR_POINT));
 }
 
-/* Two neighbouring pixels, for a lane or for a row: where a number lies between their centres. At the window's border
- * both are the same. */
+/* Two neighbouring pixel rows, or columns per lane, and the weight of each. At the window's border both are the
+ * same. */
 struct zr_pixel_row {
-    ptrdiff_t start[2]; /* of the rows, in the G-buffer */
+    ptrdiff_t start[2]; /* offsets of the rows in the G-buffer */
     float share[2];
 };
 
 struct zr_pixel_column {
-    int32_t base; /* column of lane 0 of vectors that have all columns */
-    zr_vi at[2];  /* columns */
+    int32_t base; /* first column of vectors that contain all columns */
+    zr_vi at[2];  /* columns, per lane */
     zr_vf share[2];
 };
 
-/* Sample number v of `side` a pixel lies between the centres of pixels n and n + 1: n, which may be -1. Centres are
- * integers here: v + 1/2 over side, less 1/2. */
+/* Returns n such that sample v, at `side` samples per pixel, lies between the centres of pixels n and n + 1; may be -1.
+ * Centres are at integers here: the sample is at (v + 1/2) / side - 1/2. */
 static inline int32_t zr_pixel_before(int32_t v, int32_t side)
 {
     return (2 * v + 1 + side) / (2 * side) - 1;
@@ -39,8 +40,8 @@ static inline struct zr_pixel_row zr_pixel_row_at(const struct zr_gbuffer *pixel
     return (struct zr_pixel_row){{low * pixels->stride, high * pixels->stride}, {1.0f - share, share}};
 }
 
-/* Of ZR_LANES neighbouring samples, at least two a pixel: between 4 lanes or more are so few pixels that one vector has
- * them all, and lanes are picked from it, which takes a third of the time of gathering. */
+/* For ZR_LANES neighbouring samples, at least two per pixel. With 4 lanes or more, one vector contains all pixels
+ * between them, and lanes are picked from it, which takes a third of the time of gathering. */
 static inline struct zr_pixel_column zr_pixel_column_at(const struct zr_gbuffer *pixels, int32_t sample_x, int32_t side)
 {
     struct zr_pixel_column column;
@@ -63,8 +64,8 @@ static inline zr_vf zr_pixel_pick(const float *row, int32_t base, zr_vi at)
     return zr_vf_pick(zr_vf_load(row + base), at - zr_vi_set(base));
 }
 
-/* The light at samples between those pixels. Weights are (bilinear + 0.001) / (0.0001 + distance^2), the distance being
- * that of the pixel's point to the sample's plane, in units of map->plane_scale; 1 where there is no weight. */
+/* Returns the interpolated occlusion. Weights are (bilinear + 0.001) / (0.0001 + distance^2), where distance is that of
+ * the pixel's point from the sample's plane, times map->plane_scale. 1 if the weights sum up to 0. */
 static inline zr_vf zr_occlusion_between_v(const struct zr_occlusion_map *map, const struct zr_pixel_row *row,
                                            const struct zr_pixel_column *column, struct zr_vec3_v point,
                                            struct zr_vec3_v normal)
