@@ -1,4 +1,4 @@
-/* buffer.h - output: bytes that grow, in the request's arena. */
+/* buffer.h - output: a growing byte buffer in the request's arena. */
 #ifndef ZR_BUFFER_H
 #define ZR_BUFFER_H
 
@@ -10,11 +10,11 @@ struct zr_buffer {
     size_t size, room;
 };
 
-/* Makes room for `size` bytes behind the last one and returns where they go; whoever
- * writes them adds to `size`. NULL once the arena has failed. */
+/* Ensures room for `size` more bytes and returns a pointer to it; the caller writes them and increases `size`. Returns
+ * NULL once the arena has failed. */
 unsigned char *zr_buffer_room(struct zr_buffer *buffer, size_t size);
 
-/* Appends, and returns false once the arena has failed. */
+/* Appends bytes. Returns false once the arena has failed. */
 bool zr_buffer_add(struct zr_buffer *buffer, const void *bytes, size_t size);
 
 #endif

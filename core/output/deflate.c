@@ -2,15 +2,15 @@
 
 #include <string.h>
 
-/* A first call with up to 16 bytes does not get into ISA-L's main loop, and by the next call the stream has begun: so
- * the fault that deflate.h tells of is never met, by nothing but what ISA-L's interface says. Costs 7 bytes a part. */
+/* A first call with up to 16 bytes does not enter ISA-L's main loop, and by the next call the stream has begun. This
+ * avoids the fault described in deflate.h through ISA-L's documented interface, and costs 7 bytes per part. */
 enum { FIRST = 8 };
 
-/* Returns whether all of them fit. */
+/* Returns true if all bytes fit. */
 static bool add(struct isal_zstream *stream, const uint8_t *bytes, size_t size, bool last)
 {
     stream->end_of_stream = last;
-    stream->flush = last ? NO_FLUSH : SYNC_FLUSH; /* to a whole byte */
+    stream->flush = last ? NO_FLUSH : SYNC_FLUSH; /* ends on a whole byte */
     stream->next_in = (uint8_t *)(uintptr_t)bytes;
     stream->avail_in = (uint32_t)size;
     return isal_deflate(stream) == COMP_OK && stream->avail_in == 0 && stream->avail_out > 0;

@@ -21,12 +21,12 @@ static void make_row(void *source, uint32_t y, void *row, bool again)
 {
     struct zr_depth16 *d = source;
     const uint32_t width = d->frame->width;
-    const struct zr_column_span reach = d->frame->reaches ? d->frame->reaches[y] : (struct zr_column_span){0, width};
+    const struct zr_column_span span = d->frame->reaches ? d->frame->reaches[y] : (struct zr_column_span){0, width};
     const float *depth = d->frame->depth + (size_t)y * width;
     uint16_t *out = row;
-    memset(out, 0, reach.begin * sizeof *out);
-    const uint32_t misfits = d->make_steps(depth + reach.begin, d->scale, reach.end - reach.begin, out + reach.begin);
-    memset(out + reach.end, 0, (width - reach.end) * sizeof *out);
+    memset(out, 0, span.begin * sizeof *out);
+    const uint32_t misfits = d->make_steps(depth + span.begin, d->scale, span.end - span.begin, out + span.begin);
+    memset(out + span.end, 0, (width - span.end) * sizeof *out);
     if (!again && misfits > 0) atomic_fetch_add_explicit(&d->misfits, misfits, memory_order_relaxed);
 }
 

@@ -7,7 +7,7 @@
 
 enum { SPAN = 64 };
 
-/* Three quarters of a picture are nothing, often: they are not divided. */
+/* Often three quarters of a picture are uncovered: this skips their division. */
 static bool is_nothing(const float *depth)
 {
     const uint32_t infinity = UINT32_C(0x7f800000);
@@ -20,11 +20,11 @@ static bool is_nothing(const float *depth)
     return different == 0;
 }
 
-/* Without branches, so that the compiler makes vectors of it; rintf would be a call. Beyond 2^22 steps the sum does not
- * round any more, and is too high anyway. */
+/* Has no branches, so that the compiler vectorizes it; rintf would be a call. From 2^22 steps on, the sum no longer
+ * rounds, but the result is clamped anyway. */
 static uint32_t make_span(const float *depth, float scale, uint32_t count, uint16_t *out)
 {
-    const float no_fraction = 12582912.0f; /* 1.5 * 2^23: to an integer, ties to even */
+    const float no_fraction = 12582912.0f; /* 1.5 * 2^23: rounds to an integer, ties to even */
     const float most = 65535.0f;
     uint32_t misfits = 0;
     for (uint32_t i = 0; i < count; i++) {

@@ -4,39 +4,39 @@
 
 #include "output/deflate.h"
 
-/* STRIP_PIXELS: large enough for what a strip costs (a history that begins anew: 0.1 % of bytes) to be lost in it,
- * small enough for its bytes to stay in the second cache, and for 8 threads to find work in 1920x1080 pixels. LANES:
- * threads that can work on one picture; each wants its own bytes and tables, up to a megabyte. WAVE: strips whose
- * streams are in memory at once. */
+/* STRIP_PIXELS: large enough to hide the cost of a strip, whose empty history takes 0.1 % more bytes. Small enough for
+ * its bytes to fit the second-level cache, and for 8 threads to find work in 1920x1080 pixels. LANES: maximum number of
+ * threads per picture; each needs buffers and tables of up to a megabyte. WAVE: strips whose streams are in memory at
+ * once. */
 enum { STRIP_PIXELS = 1 << 18, LANES = 8, WAVE = 64 };
 
-/* The two bytes that a zlib stream begins with: deflate, a window of 32 KiB, the fastest of algorithms. */
+/* The first two bytes of a zlib stream: deflate, a window of 32 KiB, the fastest algorithm. */
 static const uint8_t HEAD[2] = {0x78, 0x01};
 enum { CHECK_SUM_BYTES = 4 };
 
 _Static_assert((int)ZR_DEFLATE_TAIL >= (int)ZR_FILTER_PADDING, "the last row's padding must fit");
 
-enum { STORED_MAX = 65535, STORED_HEAD = 5 }; /* a block that is not compressed */
+enum { STORED_MAX = 65535, STORED_HEAD = 5 }; /* an uncompressed block */
 
 struct strip {
-    uint8_t *bytes; /* room for `raw` bytes in stored blocks, HEAD and the check sum */
+    uint8_t *bytes; /* room for the strip in stored blocks, HEAD and the checksum */
     size_t size;
     struct zr_adler sum;
     bool done;
 };
 
-/* What one thread works with. */
+/* Buffers of one thread. */
 struct lane {
     uint8_t *filtered;
-    uint8_t *rows[2]; /* the last two that were made */
-    uint8_t *table;   /* of matches */
+    uint8_t *rows[2]; /* the last two generated rows */
+    uint8_t *table;   /* match table */
     struct isal_zstream stream;
 };
 
 struct job {
     const struct zr_idat_image *image;
     const struct zr_cancel *cancel;
-    const uint8_t *zeros; /* what is above the first row */
+    const uint8_t *zeros; /* stands in for a row above the first */
     uint32_t strip_rows, strip_count, wave_begin, wave_end;
     struct strip strips[WAVE];
     struct lane *lanes[LANES];
@@ -132,7 +132,7 @@ static void work(void *context, size_t lane, size_t end)
     }
 }
 
-/* ---- all of them ---- */
+/* ---- all strips ---- */
 
 static struct lane *make_lane(struct zr_arena *arena, const struct zr_idat_image *image, size_t size)
 {
@@ -147,7 +147,7 @@ static struct lane *make_lane(struct zr_arena *arena, const struct zr_idat_image
     return lane;
 }
 
-/* All memory, since threads that share an arena must not allocate. */
+/* Allocates all memory beforehand, since threads that share an arena must not allocate. */
 static struct job *make_job(const struct zr_idat_image *image, struct zr_arena *arena, uint32_t threads,
                             const struct zr_cancel *cancel)
 {
@@ -178,7 +178,7 @@ static void make_wave(struct job *job, struct zr_team *team)
     zr_team_ranges(team, lanes, 1, work, job);
 }
 
-/* The whole stream's sum, behind the last strip. */
+/* Appends the checksum of the whole stream to the last strip. */
 static void end_stream(const struct zr_adler *sum, struct strip *last)
 {
     uint32_t value = sum->b << 16 | sum->a;

@@ -1,9 +1,8 @@
-/* idat.h - output: pixels -> the zlib stream of a PNG, in parts that follow one another.
+/* idat.h - output: compresses pixels to the zlib stream of a PNG, in consecutive parts.
  *
- * A picture is cut into strips by its size alone, however many threads work on it. Each strip is filtered and deflated
- * for itself and ends on a whole byte; it is a part, and the same bytes whichever thread makes it (deflate.h).
- * Idle threads take strips as they come.
- */
+ * The size of the picture alone decides how it is divided into strips. Each strip is filtered and compressed
+ * independently and ends on a whole byte. It is one part, with the same bytes for any thread (deflate.h). Idle threads
+ * take the next strip. */
 #ifndef ZR_IDAT_H
 #define ZR_IDAT_H
 
@@ -16,13 +15,13 @@ enum { ZR_IDAT_WIDTH_MAX = 1 << 20 }; /* pixels */
 struct zr_idat_image {
     enum zr_layout layout;
     uint32_t width, height; /* at least 1 */
-    const uint8_t *pixels;  /* rows follow one another without a gap; where it is NULL: */
+    const uint8_t *pixels;  /* consecutive rows without gaps; NULL: use `rows` */
     struct zr_rows rows;
-    const struct zr_column_span *reaches; /* of each row: pixels outside of it are all the same. NULL: not known */
+    const struct zr_column_span *reaches; /* per row: all pixels outside of it are equal. NULL: unknown */
 };
 
-/* Calls take(context, bytes, size) for each part, in order, on this thread; it may leave by longjmp. ZR_OK,
- * ZR_NO_MEMORY or ZR_CANCELLED. `team` and `cancel` may be NULL. */
+/* Calls take(context, bytes, size) for each part, in order, on the calling thread; it may leave by longjmp. Returns
+ * ZR_OK, ZR_NO_MEMORY or ZR_CANCELLED. `team` and `cancel` may be NULL. */
 enum zr_status zr_idat_make(const struct zr_idat_image *image, struct zr_arena *arena, struct zr_team *team,
                             const struct zr_cancel *cancel,
                             void (*take)(void *context, const uint8_t *bytes, size_t size), void *context);

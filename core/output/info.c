@@ -10,20 +10,19 @@
 #include "scene/orbit.h"
 #include "version.h"
 
-/* Pixels of one id, and the box that holds them: x1 and y1 exclusive. */
+/* Pixel count and bounding box of one id; x1 and y1 are exclusive. */
 struct patch {
     uint64_t pixels;
     uint32_t x0, y0, x1, y1;
 };
 
-/* Pinhole intrinsics in pixels, (0, 0) at the top left corner; only where the
- * projection is one. */
+/* Adds the pinhole intrinsics in pixels, (0, 0) at the top left corner, if the camera is a pinhole. */
 static void put_intrinsics(struct zr_tree *w, cJSON *object, const struct zr_frame *frame)
 {
     const float *p = frame->camera.projection.m;
     if (p[3] != 0.0f || p[7] != 0.0f || p[11] != -1.0f || p[15] != 0.0f) return;
     double x = (double)frame->width * 0.5, y = (double)frame->height * 0.5;
-    double skew = 0.0 - (double)p[4], lean = 0.0 - (double)p[1]; /* from zero, so that no zero becomes -0 */
+    double skew = 0.0 - (double)p[4], lean = 0.0 - (double)p[1]; /* subtracted from zero, so that no zero becomes -0 */
     const float rows[3][3] = {{(float)((double)p[0] * x), (float)(skew * x), (float)((1.0 - (double)p[8]) * x)},
                               {(float)(lean * y), (float)((double)p[5] * y), (float)((1.0 + (double)p[9]) * y)},
                               {0.0f, 0.0f, 1.0f}};
@@ -33,7 +32,7 @@ static void put_intrinsics(struct zr_tree *w, cJSON *object, const struct zr_fra
     zr_tree_put(w, object, "K", k);
 }
 
-/* For people: where the view leads to. */
+/* Adds the direction of the view in angles, for readers. */
 static void put_orbit(struct zr_tree *w, cJSON *object, const struct zr_camera *camera, bool z_is_up)
 {
     const struct zr_orbit orbit = zr_orbit_of(camera, z_is_up);
@@ -105,8 +104,8 @@ static uint32_t first_face_id(const struct zr_frame *frame)
     return frame->base ? frame->base->first_face_id : 1;
 }
 
-/* patches[1 + number of the face]; patches[0] is the background, and the last is the base,
- * whose ids are none of the faces' (input/json_base.c refuses the others). */
+/* Returns patches[1 + number of the face]. patches[0] is the background, and the last one is the base, whose ids are
+ * distinct from those of the faces (input/json_base.c refuses others). */
 static struct patch *patches_of(struct zr_arena *arena, const struct zr_frame *frame, uint32_t face_count)
 {
     struct patch *patches = zr_arena_zero(arena, (size_t)face_count + 2, sizeof *patches);
@@ -128,7 +127,8 @@ static void put_patch(struct zr_tree *w, cJSON *object, const struct patch *patc
     zr_tree_put(w, object, "box", zr_tree_check(w, cJSON_CreateIntArray(box, 4)));
 }
 
-/* Of a picture of several samples, of these; else of pixels, by their centres, the base's included. */
+/* Returns the covered share of samples, if the picture has several per pixel; else that of pixels, including the
+ * base's. */
 static double covered_share(const struct zr_frame *frame, uint64_t covered_pixels)
 {
     const double pixels = (double)frame->width * (double)frame->height;
@@ -136,7 +136,7 @@ static double covered_share(const struct zr_frame *frame, uint64_t covered_pixel
     return (double)frame->covered_samples / (pixels * (double)frame->samples_a_pixel);
 }
 
-/* What tells a useless picture from others. */
+/* Reports measures by which a client recognizes a useless picture. */
 static cJSON *picture_of(struct zr_tree *w, const struct zr_scene *scene, const struct zr_frame *frame,
                          const struct patch *patches, uint32_t face_count)
 {
@@ -224,7 +224,7 @@ static cJSON *build(struct zr_tree *w, const struct zr_scene *scene, const struc
     uint32_t first = first_face_id(frame);
     zr_tree_put(w, root, "meshes", meshes_of(w, scene, patches, first));
     if (face_count <= ZR_INFO_FACES_MAX) zr_tree_put(w, root, "faces", faces_of(w, patches, face_count, first));
-    static const char *const none[1]; /* cJSON takes no null pointer, of none either */
+    static const char *const none[1]; /* cJSON takes no null pointer, even for 0 strings */
     zr_tree_put(
         w, root, "warnings",
         zr_tree_check(w, cJSON_CreateStringArray(warnings->texts ? warnings->texts : none, (int)warnings->count)));

@@ -10,7 +10,7 @@ cJSON *zr_tree_check(struct zr_tree *w, cJSON *item)
     return item;
 }
 
-/* The shortest decimal that reads back as the same float. */
+/* Tries 6 to 9 digits until the text reads back as the same float. */
 cJSON *zr_tree_number(struct zr_tree *w, float value)
 {
     char text[32];

@@ -1,9 +1,8 @@
-/* json_tree.h - output: JSON that is put together with cJSON, and printed once it is whole.
+/* json_tree.h - output: builds JSON with cJSON and prints it when it is complete.
  *
- * cJSON remembers no failure, takes NULL for an item, and leaves an item that it could not add to the caller: so every
- * item is checked here, what belongs to no tree is freed, and a tree that lacks one is not printed. Its memory is none
- * of the arena's: whoever builds a tree charges the arena with it beforehand.
- */
+ * cJSON records no failure, accepts NULL as an item, and leaves an item that it could not add to the caller. So every
+ * item is checked here, items outside the tree are freed, and an incomplete tree is not printed. cJSON does not
+ * allocate from the arena: the builder of a tree charges the arena beforehand. */
 #ifndef ZR_JSON_TREE_H
 #define ZR_JSON_TREE_H
 
@@ -18,24 +17,26 @@ struct zr_tree {
     bool ok;
 };
 
-/* Bytes that cJSON may have at once for a mesh or a face beside a name, for all else beside texts, and for a byte of a
- * name or a text: one in the tree, and printed up to six in memory that doubles, beside what it was copied from. */
+/* Upper bounds of cJSON's memory, in bytes: per mesh or face without its name; for everything else without texts; and
+ * per character of a name or text. A character takes one byte in the tree, and up to six when printed, in a buffer that
+ * doubles and is copied. */
 enum { ZR_TREE_LISTED_BYTES = 2 << 10, ZR_TREE_OTHER_BYTES = 32 << 10, ZR_TREE_CHARACTER_BYTES = 1 + 3 * 6 };
 
-/* An item as cJSON made it. */
+/* Returns `item`, and records a failure if it is NULL. */
 cJSON *zr_tree_check(struct zr_tree *w, cJSON *item);
 
-/* The shortest decimal that reads back as the same float. */
+/* Returns the shortest decimal that reads back as the same float. */
 cJSON *zr_tree_number(struct zr_tree *w, float value);
 cJSON *zr_tree_numbers(struct zr_tree *w, const float *values, int count);
 cJSON *zr_tree_vec3(struct zr_tree *w, zr_vec3 v);
 
-/* The item belongs to the tree from then on, or is freed. */
+/* The tree takes ownership of the item; if that fails, the item is freed. */
 void zr_tree_put(struct zr_tree *w, cJSON *object, const char *key, cJSON *item);
 void zr_tree_put_count(struct zr_tree *w, cJSON *object, const char *key, uint64_t count);
 void zr_tree_append(struct zr_tree *w, cJSON *array, cJSON *item);
 
-/* Appends it and a line feed, and frees it. False where something is missing, or there is no memory. */
+/* Appends the text and a line feed to `out`, and frees the tree. Returns false if an item is missing or memory ran
+ * out. */
 bool zr_tree_print(struct zr_tree *w, cJSON *root, struct zr_buffer *out);
 
 #endif

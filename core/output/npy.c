@@ -3,7 +3,7 @@
 #include <stdio.h>
 #include <string.h>
 
-/* The data begin at a multiple of 64 bytes, as the format asks. */
+/* The data begin at a multiple of 64 bytes, as the format requires. */
 enum { HEADER_SIZE = 128, PREFIX_SIZE = 10 };
 
 enum zr_status zr_npy_write(enum zr_npy_type type, uint32_t width, uint32_t height, uint32_t components,

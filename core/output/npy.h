@@ -1,9 +1,8 @@
-/* npy.h - output: arrays as NumPy reads them, numpy.load(file).
+/* npy.h - output: writes arrays in NumPy's format, for numpy.load(file).
  *
- * Format 1.0, little-endian on every machine; shape (height, width), or (height, width, components) where
- * there are several; row 0 on top.
- * Source: NumPy enhancement proposal 1, "A Simple File Format for NumPy Arrays".
- */
+ * Format 1.0, little-endian on every machine; shape (height, width), or (height, width, components) for several
+ * components; row 0 on top.
+ * Source: NumPy enhancement proposal 1, "A Simple File Format for NumPy Arrays". */
 #ifndef ZR_NPY_H
 #define ZR_NPY_H
 
@@ -14,7 +13,8 @@
 
 enum zr_npy_type { ZR_NPY_FLOAT32, ZR_NPY_UINT32 };
 
-/* Appends the file to `out`. `values` are width * height * components numbers of 4 bytes. */
+/* Appends the file to `out`. `values` are width * height * components numbers of 4 bytes. Returns ZR_OK or
+ * ZR_NO_MEMORY. */
 enum zr_status zr_npy_write(enum zr_npy_type type, uint32_t width, uint32_t height, uint32_t components,
                             const void *values, struct zr_buffer *out);
 

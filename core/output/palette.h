@@ -1,9 +1,8 @@
-/* palette.h - output: the colours of a picture, where there are few of them.
+/* palette.h - output: the palette of a picture with at most 256 colours.
  *
- * Dark colours come before light ones: neighbours on a shaded surface have neighbouring indices then, whose differences
- * are small (bunny, flat: 184 KB, and 210 in the order of their appearance). Those that a few thousand pixels from all
- * over the picture do not show come last, so that indices are known when pixels are first seen.
- */
+ * Dark colours precede light ones: neighbours on a shaded surface then have neighbouring indices, whose differences are
+ * small (bunny, flat: 184 KB; in order of appearance 210). Colours that a sample of a few thousand pixels misses come
+ * last, so that the indices are known before the pixels are mapped. */
 #ifndef ZR_PALETTE_H
 #define ZR_PALETTE_H
 
@@ -17,17 +16,18 @@
 enum { ZR_PALETTE_MAX = 256 };
 
 struct zr_palette {
-    uint32_t count, transparent;       /* colours; how many of them are not opaque */
+    uint32_t count, transparent;       /* colours; number of leading colours that include all non-opaque ones */
     uint8_t colors[ZR_PALETTE_MAX][4]; /* RGBA */
-    uint8_t *indices;                  /* one a pixel */
+    uint8_t *indices;                  /* one per pixel */
 };
 
-/* Of RGBA pixels, whose alpha counts as 255 if `opaque`; `reaches` as in zr_png, or NULL. False, after a look at a few
- * thousand pixels for most pictures, where there are more than ZR_PALETTE_MAX colours, or the arena has failed. */
+/* Makes the palette of RGBA pixels; with `opaque`, alpha counts as 255. `reaches` as in zr_png, or NULL. Returns false
+ * if there are more than ZR_PALETTE_MAX colours, which a few thousand pixels show for most pictures, or if the arena
+ * failed. */
 bool zr_palette_make(struct zr_palette *palette, struct zr_arena *arena, const uint8_t *pixels, uint32_t width,
                      uint32_t height, const struct zr_column_span *reaches, bool opaque);
 
-/* How many colours; ZR_PALETTE_MAX + 1: more than ZR_PALETTE_MAX. */
+/* Returns the number of colours, or ZR_PALETTE_MAX + 1 if there are more. */
 uint32_t zr_palette_count(const uint8_t *pixels, size_t count, bool opaque);
 
 #endif

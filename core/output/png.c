@@ -8,7 +8,7 @@
 
 enum { ROWS_A_CANCEL_CHECK = 64 };
 
-/* Only errors leave a mark; libpng would print both. */
+/* Discards warnings, which libpng would print. */
 static void ignore_warning(png_structp png, png_const_charp message)
 {
     (void)png;
@@ -29,7 +29,7 @@ static png_voidp allocate(png_structp png, png_alloc_size_t size)
 
 static void keep(png_structp png, png_voidp pointer)
 {
-    (void)png; /* the arena gives it back */
+    (void)png; /* the arena frees it */
     (void)pointer;
 }
 
@@ -43,7 +43,7 @@ static void flush(png_structp png)
     (void)png;
 }
 
-/* What is written, once it is known which kind of PNG it will be. */
+/* A picture and its encoding. */
 struct writing {
     const struct zr_png *image;
     struct zr_palette *palette; /* NULL: none */
@@ -67,7 +67,7 @@ static int color_type(enum zr_layout layout)
     return types[layout];
 }
 
-/* Bits an index: small files have several in a byte. */
+/* Returns the bits per index: small files pack several into a byte. */
 static int index_bits(const struct writing *w)
 {
     uint32_t count = w->palette->count;
@@ -124,14 +124,14 @@ static enum zr_status write_fast(png_structp png, png_infop info, const struct w
                                         pixels_of(w), w->image->rows,  w->image->reaches};
     write_head(png, info, w);
     enum zr_status status = zr_idat_make(&image, out->arena, team, w->cancel, write_part, png);
-    /* Not png_write_end: it wants the picture to have gone through libpng. */
+    /* Not png_write_end, which requires that libpng wrote the pixels. */
     if (status == ZR_OK) png_write_chunk(png, (png_const_bytep) "IEND", NULL, 0);
     return status;
 }
 
 /* ---- small ---- */
 
-/* False where it was cancelled. */
+/* Returns false if cancelled. */
 static bool write_rows(png_structp png, const struct writing *w)
 {
     const size_t stride = (size_t)w->image->width * zr_layout_memory(layout_of(w));
@@ -146,10 +146,9 @@ static bool write_rows(png_structp png, const struct writing *w)
     return true;
 }
 
-/* Level 7, UP, all the memory that zlib can use: of rendered pictures the smallest but for level 9, which is 1 to 5 %
- * smaller for three to nine times the time; filters picked row by row are 5 to 10 % larger (bunny, 1920x1080: flat 334
- * KB and 63 ms, level 9 335 and 453; smooth 504 and 189, level 9 498 and 524; depth 390 and 88, level 9 389 and 176).
- */
+/* Level 7, filter UP and zlib's maximum memory give the smallest files except for level 9, which saves 1 to 5 % in
+ * three to nine times the time. Filters chosen per row give 5 to 10 % larger files. (bunny, 1920x1080: flat 334 KB and
+ * 63 ms, level 9 335 and 453; smooth 504 and 189, level 9 498 and 524; depth 390 and 88, level 9 389 and 176.) */
 static enum zr_status write_small(png_structp png, png_infop info, const struct writing *w)
 {
     enum zr_layout layout = layout_of(w);
@@ -176,7 +175,7 @@ static enum zr_status write_file(const struct writing *w, struct zr_team *team, 
         png_create_write_struct_2(PNG_LIBPNG_VER_STRING, NULL, leave, ignore_warning, out, allocate, keep);
     if (!png) return ZR_NO_MEMORY;
     png_infop info = png_create_info_struct(png);
-    /* Nothing that is set below is read after the jump; it lands here, once. */
+    /* No variable assigned below is read after the jump, which returns here at most once. */
     if (!info || setjmp(png_jmpbuf(png))) {
         png_destroy_write_struct(&png, &info);
         return zr_arena_ok(out->arena) ? ZR_INTERNAL : ZR_NO_MEMORY;

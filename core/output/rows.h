@@ -1,4 +1,4 @@
-/* rows.h - output: rows of pixels that are made when they are wanted, and are never all in memory. */
+/* rows.h - output: rows of pixels generated on demand, never all in memory. */
 #ifndef ZR_ROWS_H
 #define ZR_ROWS_H
 
@@ -6,8 +6,8 @@
 #include <stdint.h>
 
 struct zr_rows {
-    /* Writes row `y`; from any thread. `again`: it is wanted beside the row that is written, to be looked at;
-     * what is counted as rows are made is not to be counted. NULL: no such rows. */
+    /* Writes row `y`; called from any thread. `again`: the caller only compares its neighbour with the row, which is
+     * generated for output elsewhere; statistics must not count it twice. NULL: no rows. */
     void (*make)(void *source, uint32_t y, void *row, bool again);
     void *source;
 };
