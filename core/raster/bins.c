@@ -5,12 +5,12 @@
 #include "geometry/geometry.h"
 
 enum { TRIANGLES_A_RANGE = 4096, BYTES_AT_ONCE = 1 << 16 };
-_Static_assert(TRIANGLES_A_RANGE < 1 << ZR_BIN_OWNER_BITS, "as the kernel wants it");
+_Static_assert(TRIANGLES_A_RANGE < 1 << ZR_BIN_OWNER_BITS, "owners of a range fit a fragment");
 _Static_assert(TRIANGLES_A_RANGE % 32 == 0, "no two threads write to one word of a draw's backs");
 
 /* ---- lists ---- */
 
-/* NULL, and the binner has failed, where there is no memory. */
+/* Returns memory for `size` bytes. If there is none, returns NULL and marks the binner as failed. */
 static void *take(struct zr_binner *binner, size_t size)
 {
     struct zr_bins *bins = binner->bins;
@@ -28,13 +28,13 @@ static void *take(struct zr_binner *binner, size_t size)
     binner->free += size;
     return taken;
 }
-_Static_assert(sizeof(struct zr_bin_numbers) == 256, "as the header says");
+_Static_assert(sizeof(struct zr_bin_numbers) == 256, "fills a block of 256 bytes");
 
 struct zr_bin_head *zr_binner_block(struct zr_binner *binner, struct zr_bin *bin, size_t size)
 {
     struct zr_bin_head *block = take(binner, size);
     if (!block) return NULL;
-    /* What is taken next is asked for before it is written (a twentieth of a million triangles' time). */
+    /* Prefetches the next block before it is written (a twentieth of a million triangles' time). */
     zr_prefetch_written(binner->free, 0, size);
     block->next = NULL;
     block->used = 0;
@@ -54,7 +54,7 @@ void zr_binner_add_flat(struct zr_binner *binner, const struct zr_draw *draw, ui
     if (draw->counted) return;
     if (zr_face_is_degenerate(draw->mesh, zr_draw_face(draw, number - draw->first))) {
         binner->counts.degenerate_polygons++;
-        binner->counts.triangles--; /* it was counted when the draw was made */
+        binner->counts.triangles--; /* counted when the draw was made */
     } else {
         binner->counts.zero_area++;
     }
@@ -116,7 +116,7 @@ void zr_binner_add_spanning(struct zr_binner *binner, const struct zr_draw *draw
 
 /* ---- threads ---- */
 
-/* A range of one draw. */
+/* A range of one draw, the unit of work of a thread. */
 struct share {
     const struct zr_draw *draw;
     uint32_t begin, end;
@@ -179,7 +179,7 @@ static bool make_workers(struct zr_bins *bins)
     return zr_arena_ok(bins->arena);
 }
 
-/* All threads' large triangles in one array. */
+/* Collects all threads' large triangles in one array. */
 static bool gather_large(struct zr_bins *bins)
 {
     size_t count = 0;
@@ -200,9 +200,9 @@ static enum zr_status build(struct zr_team *team, const struct zr_cancel *cancel
     static zr_binning_fn *const kernels[ZR_ISA_COUNT] = ZR_KERNELS(zr_binning);
     struct sorting sorting = {.bins = bins, .cancel = cancel, .sort = kernels[zr_team_isa(team)]};
     if (!make_shares(&sorting)) return ZR_NO_MEMORY;
-    if (sorting.share_count == 0) return ZR_OK; /* no helper is woken for nothing */
+    if (sorting.share_count == 0) return ZR_OK; /* no need to wake threads */
     bins->fragments_size = bins->has_words ? sizeof(struct zr_bin_fragments) : offsetof(struct zr_bin_fragments, words);
-    /* A few are sorted before a helper is awake (a fifth of a cube's time on two threads). */
+    /* Few triangles are binned before a thread is awake (a fifth of a cube's time on two threads). */
     if (sorting.triangle_count <= TRIANGLES_A_RANGE) team = NULL;
     bins->worker_count = zr_team_size(team);
     if ((uint32_t)bins->worker_count > sorting.share_count) bins->worker_count = (int)sorting.share_count;

@@ -4,20 +4,19 @@
 #include "base/prefetch.h"
 #include "raster/tiny_simd.h"
 
-/* So many triangles are looked at before those of them that are tiny or small are drawn or listed. What is done with
- * these depends on where they lie, which the processor cannot guess: so it need not wait for corners to know it (a
- * fifth of sorting the bunny). A queue has room for a vector behind its end.
- */
+/* Triangles classified before the tiny and small ones among them are processed. That processing depends on their
+ * positions, which causes branch mispredictions; separating the steps keeps these from waiting for corners (a fifth of
+ * binning the bunny). Queues have room for a vector after their ends. */
 enum { PART = ZR_TINY_ROOM, QUEUE = PART + ZR_LANES };
 
-/* Small triangles of a part, by their numbers: those that touch one tile, and those that touch several. They are apart,
- * since the processor cannot guess which they are (1 to 3 % of the bunny at 512x512). */
+/* Small triangles of a part, by number: those that touch one tile, and those that touch several. Separate queues avoid
+ * mispredicted branches (1 to 3 % of the bunny at 512x512). */
 struct in_one_tile {
     uint32_t count, numbers[QUEUE], tiles[QUEUE];
 };
 struct in_several_tiles {
     uint32_t count, numbers[QUEUE];
-    uint32_t low[QUEUE], high[QUEUE]; /* row << 16 | column */
+    uint32_t low[QUEUE], high[QUEUE]; /* tiles, row << 16 | column */
 };
 
 struct sorter {
@@ -25,9 +24,9 @@ struct sorter {
     const struct zr_draw *draw;
     const struct zr_prepaint *payload;
     struct zr_corners corners;
-    zr_vp last; /* place of the window */
-    /* Of a part's triangles, pairs as in zr_vp: the pixel of corner 0, how far beyond that pixel's centre it is, and
-     * the ways from it to corners 1 and 2, on the snapped grid. */
+    zr_vp last; /* last pixel of the window */
+    /* Per triangle of a part, pairs as in zr_vp on the snapped grid: the pixel of corner 0, its offset from that
+     * pixel's centre, and the vectors from corner 0 to corners 1 and 2. */
     uint32_t pixel[PART], beyond[PART], way1[PART], way2[PART];
     struct zr_tiny tiny;
     struct in_one_tile in_one;
@@ -74,20 +73,21 @@ static inline void add_small(struct sorter *s, zr_vm listed, zr_vp first, zr_vp 
 }
 _Static_assert(ZR_TILE_SIZE == 1 << 6, "columns and rows of tiles are shifts");
 
-/* ---- all of a part ---- */
+/* ---- parts ---- */
 
-/* A group's corners on the snapped grid, as zr_load_corners has them. */
+/* Snapped corners of a group, in the layout of zr_load_corners. */
 struct snapped {
     zr_vi low[3], high[3];
 };
 
-/* From corner 0 to another. What is too far for 16 bits is far too long for a small triangle. */
+/* Returns the vector from corner 0 to corner k. One that exceeds 16 bits saturates, which is far too long for a small
+ * triangle. */
 static inline zr_vi way_to(const struct snapped *c, int k)
 {
     return (zr_vi)zr_vp_pack(c->low[k] - c->low[0], c->high[k] - c->high[0]);
 }
 
-/* Snaps ZR_LANES triangles whose corners begin at `corners`, and are number `at` of the part. */
+/* Snaps ZR_LANES triangles with the corner numbers `corners`, for index `at` of the part. */
 static inline void snap_group(struct sorter *s, const uint32_t *corners, uint32_t at)
 {
     zr_vf low[3], high[3];
@@ -104,14 +104,14 @@ static inline void snap_group(struct sorter *s, const uint32_t *corners, uint32_
     zr_vi_store(s->way2 + at, way_to(&c, 2));
 }
 
-/* True where corners i and j are the same place in the window: only these can be the same place of the mesh. */
+/* Returns true if corners i and j have the same window position, a precondition for the same position in the mesh. */
 static inline bool are_twins(const struct sorter *s, uint32_t t, size_t i, size_t j)
 {
     const float *a = zr_corner_at(&s->corners, t, i), *b = zr_corner_at(&s->corners, t, j);
     return a[0] == b[0] && a[1] == b[1];
 }
 
-/* Those without area and those that are not small, of a group numbered from `first`. */
+/* Processes the triangles without area, and those that are not small, of a group numbered from `first`. */
 static void add_others(struct sorter *s, uint32_t flat, uint32_t spanning, uint32_t first)
 {
     for (uint32_t bits = spanning; bits; bits &= bits - 1)
@@ -125,7 +125,7 @@ static void add_others(struct sorter *s, uint32_t flat, uint32_t spanning, uint3
     }
 }
 
-/* Of small triangles that have an area, those that show a side that is drawn (rule 6). */
+/* Returns the small triangles with an area that show a drawn side (rule 6), and counts them. */
 static inline zr_vm shown_of(struct sorter *s, zr_vm small, zr_vi area)
 {
     if (s->draw->counted) return small;
@@ -139,8 +139,8 @@ static inline zr_vm shown_of(struct sorter *s, zr_vm small, zr_vi area)
     return shown;
 }
 
-/* Painting would have to load corners of what is seen to know it. With packed colours, half of the time that the tiles
- * of a million lit triangles take, a third of the bunny's at 1920x1080. */
+/* Records backs, since shading would have to load the corners of visible triangles to find them. With packed colours,
+ * this saves half the tile time of a million lit triangles, and a third of the bunny's at 1920x1080. */
 static inline void note_backs(const struct sorter *s, zr_vm small, zr_vi area, uint32_t first)
 {
     const zr_vm backs = zr_backs_v(zr_vi_lt(area, zr_vi_set(0)), s->draw->mirrored);
@@ -148,26 +148,26 @@ static inline void note_backs(const struct sorter *s, zr_vm small, zr_vi area, u
 }
 _Static_assert(PART % 32 == 0, "the lanes of a group have their bits in one word");
 
-/* The same in both halves of each lane's word. */
+/* Returns `half` in both halves of each lane's word. */
 static inline zr_vp pairs_of(uint16_t half)
 {
     return (zr_vp)zr_vi_set((int32_t)((uint32_t)half << 16 | half));
 }
 
-/* True where neither half has any of these bits. */
+/* Returns the lanes of which neither half has any of these bits. */
 static inline zr_vm has_none(zr_vp pairs, uint16_t bits)
 {
     return zr_vi_eq((zr_vi)(pairs & pairs_of(bits)), zr_vi_set(0));
 }
 
-/* ZR_LANES triangles from number `at` of the part on, numbered from `first`. */
+/* Classifies ZR_LANES triangles from index `at` of the part on, numbered from `first`. */
 static inline void sort_group(struct sorter *s, uint32_t at, zr_vm valid, uint32_t first)
 {
     const zr_vi zero = zr_vi_set(0);
     const zr_vp none = (zr_vp)zero, way1 = (zr_vp)zr_vi_load(s->way1 + at), way2 = (zr_vp)zr_vi_load(s->way2 + at);
     const zr_vp least = zr_vp_min(zr_vp_min(way1, way2), none), most = zr_vp_max(zr_vp_max(way1, way2), none);
     const zr_vm small = zr_vm_and(valid, has_none(most - least, (uint16_t)-ZR_BIN_SMALL_SPAN));
-    const zr_vi area = zr_vp_cross(way2, way1); /* some number where a way is too far: not a small one's */
+    const zr_vi area = zr_vp_cross(way2, way1); /* undefined if a vector saturated: then the triangle is not small */
     if (s->payload && s->payload->backs) note_backs(s, small, area, first);
     const zr_vm spanning = zr_vm_andnot(valid, small), flat = zr_vm_and(small, zr_vi_eq(area, zero));
     const zr_vm shown = shown_of(s, zr_vm_andnot(small, flat), area);
@@ -178,7 +178,7 @@ static inline void sort_group(struct sorter *s, uint32_t at, zr_vm valid, uint32
     const zr_vp ahead = (beyond + least + pairs_of(ZR_SUBPIXELS - 1)) >> ZR_SUBPIXEL_BITS;
     const zr_vp first_place = zr_vp_max(pixel + ahead, none);
     const zr_vp last_place = zr_vp_min(pixel + ((beyond + most) >> ZR_SUBPIXEL_BITS), s->last);
-    const zr_vp more = last_place - first_place; /* less than 0: no pixel centre */
+    const zr_vp more = last_place - first_place; /* negative: no pixel centre */
     const zr_vm drawn = zr_vm_and(shown, has_none(more, 1u << 15));
     const zr_vm is_tiny = zr_vm_and(drawn, has_none(more, (uint16_t)-2));
     const zr_vm tiny = ZR_FAST(tiny_fragments, zr_vm_any(is_tiny)) ? is_tiny : zr_vm_of(0);
@@ -187,24 +187,25 @@ static inline void sort_group(struct sorter *s, uint32_t at, zr_vm valid, uint32
     zr_tiny_add(&s->tiny, tiny, numbers, first_place, beyond + ((pixel - first_place) << ZR_SUBPIXEL_BITS), way1, way2);
     if (zr_vm_any(listed)) add_small(s, listed, first_place, last_place, numbers);
 }
-_Static_assert((ZR_BIN_SMALL_SPAN & (ZR_BIN_SMALL_SPAN - 1)) == 0, "what is no less has one of the bits from it on");
+_Static_assert((ZR_BIN_SMALL_SPAN & (ZR_BIN_SMALL_SPAN - 1)) == 0,
+               "larger spans have one of the bits from this one on");
 
-/* Every second corner of triangles to come is asked for, whichever of its triangle's it is (without vectors, the first
- * and the last): neighbours have the others. A seventh of the time of a million triangles; with the first of each
- * triangle alone they take 4 to 8 % longer, and with all no less, but 3 % more where caches hold the mesh. Of groups of
- * 16 all are, since then none waits for a corner: half of them took 7 % longer on a Zen 5, a quarter 40 %. As far ahead
- * as a first-level cache of 32 KB holds: where it has 48, 80 took 7 % longer, 224 2 % less, and 320 18 % longer. */
-enum { EXPECTED_AHEAD = 128 /* triangles */, EXPECTED_STEP = (int)ZR_LANES > 8 ? 1 : 2 /* corners */ };
+/* Prefetches every second corner of later triangles (without vectors, the first and the last): neighbours share the
+ * others. This saves a seventh of the time of a million triangles. Prefetching the first corner of each triangle takes
+ * 4 to 8 % longer; prefetching all takes as long, and 3 % longer if the caches hold the mesh. Groups of 16 prefetch
+ * all, since none may wait for a corner: half of them took 7 % longer on a Zen 5, a quarter 40 %. The distance is what
+ * a first-level cache of 32 KB holds: with 48 KB, 80 took 7 % longer, 224 2 % less, and 320 18 % longer. */
+enum { PREFETCH_AHEAD = 128 /* triangles */, PREFETCH_STEP = (int)ZR_LANES > 8 ? 1 : 2 /* corners */ };
 
-/* Those of ZR_LANES triangles, which begin at `corners`. */
-static inline void expect_group(const struct sorter *s, const uint32_t *corners)
+/* Prefetches corners of ZR_LANES triangles with the numbers `corners`. */
+static inline void prefetch_group(const struct sorter *s, const uint32_t *corners)
 {
 #pragma GCC unroll 16 /* 5 % of a million triangles */
-    for (uint32_t i = 0; i < 3 * ZR_LANES; i += EXPECTED_STEP)
+    for (uint32_t i = 0; i < 3 * ZR_LANES; i += PREFETCH_STEP)
         __builtin_prefetch(s->corners.vertices + 4 * (size_t)corners[i]);
 }
 
-/* Triangles begin .. end - 1. What is asked for may belong to another range, which mostly is the next one (1 % of a
+/* Snaps triangles begin .. end - 1. The prefetched ones may belong to another range, mostly the next one (1 % of a
  * million triangles). */
 static void snap_part(struct sorter *s, uint32_t begin, uint32_t end)
 {
@@ -212,12 +213,12 @@ static void snap_part(struct sorter *s, uint32_t begin, uint32_t end)
     uint32_t t = begin;
     for (; t + ZR_LANES <= end; t += ZR_LANES) {
         const uint32_t *corners = all->corners + 3 * (size_t)t;
-        if (t + EXPECTED_AHEAD + ZR_LANES <= s->draw->count) expect_group(s, corners + 3 * EXPECTED_AHEAD);
-        zr_prefetch(corners, ZR_PAGE, 3 * ZR_LANES * sizeof *corners); /* 4 % of sorting */
+        if (t + PREFETCH_AHEAD + ZR_LANES <= s->draw->count) prefetch_group(s, corners + 3 * PREFETCH_AHEAD);
+        zr_prefetch(corners, ZR_PAGE, 3 * ZR_LANES * sizeof *corners); /* 4 % of binning */
         snap_group(s, corners, t - begin);
     }
     if (t == end) return;
-    uint32_t corners[3 * ZR_LANES]; /* what is missing in the last group is its first once more */
+    uint32_t corners[3 * ZR_LANES]; /* pads the last group with its first triangle */
     for (uint32_t i = 0; i < ZR_LANES; i++)
         memcpy(corners + 3 * (size_t)i, all->corners + 3 * (size_t)(t + (i < end - t ? i : 0)), 3 * sizeof *corners);
     snap_group(s, corners, t - begin);
@@ -231,7 +232,7 @@ static void sort_part(struct sorter *s, uint32_t begin, uint32_t end)
 
 void ZR_KERNEL(zr_binning)(struct zr_binner *binner, const struct zr_draw *draw, uint32_t begin, uint32_t end)
 {
-    struct sorter s; /* its queues are not cleared: a draw may be a single triangle */
+    struct sorter s; /* not cleared, since a draw may be a single triangle */
     s.binner = binner;
     s.draw = draw;
     s.payload = zr_binner_payload(binner, draw);

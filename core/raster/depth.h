@@ -1,9 +1,8 @@
-/* depth.h - raster: how deep a primitive lies at each sample.
+/* depth.h - raster: depth of a primitive at each sample.
  *
  * Space:  window space; depth is that of the z-buffer, 0 (near) to 1 (far).
- * Exact:  the reference's rule 8: the plane of the unsnapped vertices, the offset of outlined
- *         faces added after interpolation, and then clamped.
- */
+ * Exact:  the reference's rule 8: the plane of the unsnapped vertices; the offset of outlined faces is added after
+ *         interpolation, and the sum is clamped. */
 #ifndef ZR_DEPTH_H
 #define ZR_DEPTH_H
 
@@ -12,7 +11,7 @@
 
 struct zr_depth {
     struct zr_plane plane;
-    float offset; /* 0 for all but faces that make room for their outlines */
+    float offset; /* depth offset of faces with outlines, else 0 */
 };
 
 static inline struct zr_depth zr_depth_make(const struct zr_window_vertex *vertices, const struct zr_triangle *triangle)
@@ -32,7 +31,7 @@ static inline struct zr_depth zr_depth_make(const struct zr_window_vertex *verti
     return depth;
 }
 
-/* To 1 first, NaN with it, and then to 0. */
+/* Clamps to 1 first, NaN included, and then to 0. */
 static inline float zr_depth_clamp(float z)
 {
     z = z < 1.0f ? z : 1.0f;

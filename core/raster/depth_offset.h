@@ -1,14 +1,11 @@
-/* depth_offset.h - raster: how far glPolygonOffset pushes a filled triangle back.
+/* depth_offset.h - raster: computes the glPolygonOffset of a filled triangle.
  *
  * Space:  window space; depth 0..1 in a float buffer.
- * Why:    a surface drawn again, as lines on top of it, would fight with itself over
- *         each pixel; moved back by a multiple of its slope it stays behind.
- * Use:    z = clamp(zr_plane_at(depth, X, Y) + offset): added to each pixel's depth after
- *         interpolation and before it is brought to 0..1. Not added to the plane's a0,
- *         which rounds differently. Lines and outlines are not moved. Each piece of a
- *         clipped triangle has an offset of its own.
- * Exact:  llvmpipe's for a depth buffer of floats (the reference's rule 15).
- */
+ * Why:    outlines drawn on a face would z-fight with it; the face is moved back by a multiple of its slope.
+ * Use:    z = clamp(zr_plane_at(depth, X, Y) + offset): added to each pixel's depth after interpolation and before
+ *         clamping. Not added to the plane's a0, which rounds differently. Lines and outlines are not moved. Each piece
+ *         of a clipped triangle has its own offset.
+ * Exact:  llvmpipe's offset for a float depth buffer (the reference's rule 15). */
 #ifndef ZR_DEPTH_OFFSET_H
 #define ZR_DEPTH_OFFSET_H
 
@@ -16,7 +13,7 @@
 
 #include "geometry/viewport.h"
 
-/* `units` smallest steps of a float near z: 2^(exponent of z - 23), or 0 below 2^-103. */
+/* Returns the smallest step of a float near z: 2^(exponent of z - 23), or 0 below 2^-103. */
 static inline float zr_depth_offset_step(float z)
 {
     int32_t bits, exponent = 0x7f800000, shift = 23 << 23;
@@ -28,9 +25,8 @@ static inline float zr_depth_offset_step(float z)
     return step;
 }
 
-/* max(|dz/dx|, |dz/dy|) * factor + units * the step at the farthest vertex. The vertices
- * in the order of struct zr_triangle. The slopes are those of zr_plane_make but for their
- * rounding: here the area divides last. */
+/* Returns max(|dz/dx|, |dz/dy|) * factor + units * the step at the farthest vertex, for vertices in the order of struct
+ * zr_triangle. The slopes are those of zr_plane_make except for rounding: here the area divides last. */
 static inline float zr_depth_offset(const struct zr_window_vertex *v0, const struct zr_window_vertex *v1,
                                     const struct zr_window_vertex *v2, float factor, float units)
 {

@@ -21,7 +21,8 @@ bool zr_fragments_begin(struct zr_arena *arena, pthread_mutex_t *lock, uint32_t 
     return true;
 }
 
-/* A tile's lists are the next one's room: it grows by half at least, so that what is outgrown is a constant share. */
+/* Ensures room for `total` keys, which tiles share one after the other. Grows by at least half, so that the abandoned
+ * arrays are a constant share. */
 static bool make_room(struct zr_arena *arena, pthread_mutex_t *lock, uint64_t total, struct zr_fragments *fragments)
 {
     if (fragments->keys && total <= fragments->room) return true;
@@ -37,14 +38,14 @@ bool zr_fragments_prefix_sum(struct zr_arena *arena, pthread_mutex_t *lock, stru
     for (uint32_t i = 0; i < fragments->places; i++) {
         if (i % PLACES_A_CANCEL_CHECK == PLACES_A_CANCEL_CHECK - 1 && zr_is_cancelled(arena->cancel)) return false;
         const uint32_t count = fragments->ends[i + 1];
-        fragments->ends[i] = (uint32_t)total; /* where list i goes on: at first, where it begins */
+        fragments->ends[i] = (uint32_t)total; /* next key of list i: at first its start */
         total += count;
     }
     fragments->is_filled_in = true;
     return total <= UINT32_MAX / 2 && make_room(arena, lock, total, fragments);
 }
 
-/* Shell's sort: most lists are short, and the longest as long as there are primitives. Gaps: Ciura 2001. */
+/* Shell sort: most lists are short, and none is longer than the number of primitives. Gaps: Ciura 2001. */
 static void sort(uint64_t *keys, uint32_t count)
 {
     static const uint32_t gaps[] = {1398101, 345000, 86961, 21907, 5501, 1750, 701, 301, 132, 57, 23, 10, 4, 1};
@@ -61,7 +62,8 @@ static void sort(uint64_t *keys, uint32_t count)
         }
 }
 
-/* So few lists that all are short are sorted in no time; of long ones, each is looked after by itself. */
+/* Checks for cancellation once per this many fragments; short lists take little time, and a long one is followed by a
+ * check. */
 enum { FRAGMENTS_A_CANCEL_CHECK = 1 << 16 };
 
 void zr_fragments_sort(const struct zr_cancel *cancel, struct zr_fragments *fragments)

@@ -1,13 +1,12 @@
-/* fragments.h - raster: all samples that see-through primitives cover in a tile or window, in one list a pixel, sorted
- * by depth.
+/* fragments.h - raster: lists of all fragments of transparent primitives in a tile or window, one list per pixel,
+ * sorted by depth.
  *
- * What cannot be decided by the z-buffer alone is kept here: which of them are seen, and through which, is for shading
- * to say. Eight bytes a fragment, however many lie over one another; of the places, four bytes each.
- * How:    the primitives are gone through twice: their fragments are counted, which tells where each list begins, and
- *         then put there.
- * Order:  nearest first; at equal depth the primitive that is earlier in the scene is in front.
- * Source: Carpenter, "The A-buffer, an Antialiased Hidden Surface Method", 1984.
- */
+ * A z-buffer alone cannot decide these fragments; the shading stage blends or masks them. A fragment takes eight bytes,
+ * and a pixel four.
+ * How:    the primitives are drawn twice: first their fragments are counted, which gives the start of each list, and
+ *         then they are stored.
+ * Order:  nearest first; at equal depth, the earlier primitive of the scene is in front.
+ * Source: Carpenter, "The A-buffer, an Antialiased Hidden Surface Method", 1984. */
 #ifndef ZR_FRAGMENTS_H
 #define ZR_FRAGMENTS_H
 
@@ -20,16 +19,17 @@
 #include "base/cancel.h"
 
 struct zr_fragments {
-    uint32_t places;   /* pixels that have a list */
-    uint32_t room;     /* of keys */
-    uint32_t *ends;    /* where list i ends, and the next begins, at [i + 1]; until it is filled, where it goes on */
-    uint64_t *keys;    /* a depth's bits over an owner: as numbers they are in the order of the list */
-    bool is_filled_in; /* else fragments are counted */
+    uint32_t places;   /* number of pixels, each with a list */
+    uint32_t room;     /* capacity of keys */
+    uint32_t *ends;    /* ends[i + 1]: end of list i and start of the next; during the second pass, ends[i] is the next
+                        * free key of list i */
+    uint64_t *keys;    /* depth bits over owner id: their numeric order is that of the list */
+    bool is_filled_in; /* second pass: fragments are stored, not counted */
 };
 
 static inline uint64_t zr_fragment_key(float depth, uint32_t owner)
 {
-    uint32_t bits; /* of no negative number, which are as great as it is */
+    uint32_t bits; /* bits of non-negative floats have the order of the floats */
     memcpy(&bits, &depth, sizeof bits);
     return (uint64_t)bits << 32 | owner;
 }
@@ -47,14 +47,14 @@ static inline uint32_t zr_fragment_owner(uint64_t key)
     return (uint32_t)key;
 }
 
-/* A list, nearest first. */
+/* Returns a list, nearest first, and its length in *count. */
 static inline const uint64_t *zr_fragments_of(const struct zr_fragments *fragments, uint32_t place, uint32_t *count)
 {
     *count = fragments->ends[place + 1] - fragments->ends[place];
     return fragments->keys + fragments->ends[place];
 }
 
-/* Counts a fragment, or puts it where it belongs. */
+/* Counts a fragment, or stores it in its list. */
 static inline void zr_fragments_put(struct zr_fragments *fragments, uint32_t place, float depth, uint32_t owner)
 {
     if (fragments->is_filled_in)
@@ -63,7 +63,7 @@ static inline void zr_fragments_put(struct zr_fragments *fragments, uint32_t pla
         fragments->ends[place + 1]++;
 }
 
-/* In this order: begin, put all, fill in, put all again, sort.
+/* Call in this order: zr_fragments_begin, put all, zr_fragments_prefix_sum, put all again, zr_fragments_sort.
  *
  * `lock`: of the arena, where threads share it; or NULL. zr_fragments_begin: room for as many places as *fragments had
  * before, or had none. False where there is no memory, where arena->cancel is raised, or are more fragments than can be
@@ -73,7 +73,7 @@ bool zr_fragments_begin(struct zr_arena *arena, pthread_mutex_t *lock, uint32_t 
 bool zr_fragments_prefix_sum(struct zr_arena *arena, pthread_mutex_t *lock, struct zr_fragments *fragments);
 void zr_fragments_sort(const struct zr_cancel *cancel, struct zr_fragments *fragments);
 
-/* How many there are in all, once they are sorted. */
+/* Returns the total number of fragments, after sorting. */
 static inline uint32_t zr_fragments_count(const struct zr_fragments *fragments)
 {
     return fragments->ends[fragments->places];

@@ -1,9 +1,8 @@
-/* halfspace.h - raster: the kernel. Triangles into one tile.
+/* halfspace.h - raster: draws triangles into one tile. A kernel.
  *
- * Half-space rasterization: a sample is inside where all three edge functions are
- * positive (Pineda, "A Parallel Algorithm for Polygon Rasterization", 1988). Small and
- * tiny triangles have kernels of their own: small_kernel.c, bins_kernel.c.
- */
+ * Half-space rasterization: a sample is covered if all three edge functions are positive (Pineda, "A Parallel Algorithm
+ * for Polygon Rasterization", 1988). Small and tiny triangles have kernels of their own: small_kernel.c,
+ * bins_kernel.c. */
 #ifndef ZR_HALFSPACE_H
 #define ZR_HALFSPACE_H
 
@@ -12,18 +11,19 @@
 #include "raster/tile.h"
 
 struct zr_halfspace {
-    /* A placed tile without owners, depth 1: nothing is written yet (zr_tile.unwritten). */
+    /* Clears a placed tile: no owners, depth 1. Nothing is written yet (zr_tile.unwritten). */
     void (*begin)(struct zr_tile *tile);
 
-    /* Where the triangle, of any size, is seen (zr_tile_put), makes the depth its own, and the owner `owner`. A block
-     * that it covers whole, before anything else is drawn there, is not written, but told of in block_owner. */
+    /* Draws a triangle of any size: writes its depth and `owner` to the samples where it is visible (zr_tile_put). A
+     * block that it covers entirely, before anything else is drawn there, is recorded in block_owner and not
+     * written. */
     void (*draw)(struct zr_tile *tile, const struct zr_setup *setup, uint32_t owner);
 
-    /* Puts it into the tile's lists (zr_tile.fragments) wherever it is in front of what is seen; all of the tile is
-     * written. */
+    /* Adds the triangle's fragments in front of the opaque samples to the tile's lists (zr_tile.fragments). All of the
+     * tile must be written. */
     void (*list)(struct zr_tile *tile, const struct zr_setup *setup, uint32_t owner);
 
-    /* Writes what is not written yet, of any tile. */
+    /* Writes all unwritten blocks of a tile. */
     void (*flush)(struct zr_tile *tile);
 };
 
@@ -32,8 +32,8 @@ const struct zr_halfspace *zr_halfspace_of(enum zr_isa isa);
 extern const struct zr_halfspace zr_halfspace_scalar, zr_halfspace_sse2, zr_halfspace_avx2, zr_halfspace_avx512,
     zr_halfspace_neon;
 
-/* The least and the greatest that a plane's depth has at samples x0..x1, y0..y1: no bounds, but values that it has
- * at corners, since rounding is monotone. NaN where some are. */
+/* Least and greatest depth of a plane at samples x0..x1, y0..y1. Both are values at corners, since rounding is
+ * monotone. NaN if some corner is. */
 struct zr_depth_range {
     float near, far;
 };

@@ -6,15 +6,15 @@
 
 /* ---- rows of one triangle ---- */
 
-/* What a triangle is in a tile. Edges are negative outside; x0 .. y1 are samples of the tile, y1 the last row. */
+/* The part of a triangle in a tile. Edges are negative outside; x0 .. y1 are samples of the tile, y1 the last row. */
 struct piece {
-    int32_t at[3], right[3], up[3]; /* of edges, at x0, y0 */
+    int32_t at[3], right[3], up[3]; /* edge functions at x0, y0, and their steps */
     const struct zr_depth *depth;
     int32_t x0, y0, x1, y1;
     uint32_t owner;
 };
 
-/* What becomes of a sample: it is seen if it is the nearest, or the first; or it is one of many. */
+/* Operation on a sample: z-test, first write to an unwritten block, or adding to the lists. */
 enum way { NEAREST, FIRST, LISTED };
 
 static inline zr_vf put(struct zr_tile *tile, size_t i, zr_vm inside, zr_vf z, uint32_t owner, enum way way)
@@ -26,8 +26,8 @@ static inline zr_vf put(struct zr_tile *tile, size_t i, zr_vm inside, zr_vf z, u
     return z;
 }
 
-/* ZR_LANES columns from x on, which is a multiple of ZR_LANES: those of `lanes` that the edges do not keep out.
- * FIRST: nothing is written there yet. Returns each column's farthest depth in the piece's rows. */
+/* Draws ZR_LANES columns from x on, a multiple of ZR_LANES, for the given lanes. FIRST: the block is not written yet.
+ * Returns each column's farthest depth in the rows of the piece. */
 static inline zr_vf draw_columns(struct zr_tile *tile, const struct piece *p, int32_t x, zr_vm lanes, enum way way)
 {
     const zr_vi below_zero = zr_vi_set(-1), ramp = zr_vi_ramp(), skip = zr_vi_set(x - p->x0) + ramp;
@@ -53,7 +53,7 @@ static inline int32_t first_lane(int32_t x)
     return x & ~(ZR_LANES - 1);
 }
 
-/* Of ZR_LANES columns from x on, those that the piece has. */
+/* Returns the lanes that belong to the piece, among columns x .. x + ZR_LANES - 1. */
 static inline zr_vm lanes_of(const struct piece *p, int32_t x)
 {
     const zr_vi columns = zr_vi_set(x) + zr_vi_ramp();
@@ -63,9 +63,9 @@ static inline zr_vm lanes_of(const struct piece *p, int32_t x)
 
 /* ---- triangles of any size ---- */
 
-/* The edge in the piece's samples; false where it cuts off all of them. What cuts off some has its values there within
- * 2^30, divided by the 256 that all its steps are multiples of; the floor of that has the same sign. What cuts off none
- * is 0 all over. */
+/* Sets edge k for the piece's samples; returns false if it excludes all of them. An edge that excludes some has values
+ * within 2^30 there after division by 256, which divides all its steps; rounding down keeps the sign. An edge that
+ * excludes none becomes 0 everywhere. */
 static bool cut_by(const struct zr_edge *e, struct piece *p, int k)
 {
     int32_t low_x = e->a > 0 ? p->x0 : p->x1, high_x = e->a > 0 ? p->x1 : p->x0;
@@ -79,17 +79,17 @@ static bool cut_by(const struct zr_edge *e, struct piece *p, int k)
     return true;
 }
 
-/* What is known of ZR_LANES blocks before any of their samples is looked at. */
+/* Classification of ZR_LANES blocks before any sample is tested. */
 struct blocks {
-    zr_vm open;   /* some samples may be seen */
-    zr_vm whole;  /* and no end of the piece cuts it, */
-    zr_vm filled; /* nor an edge */
-    zr_vf far;    /* of the triangle in it */
+    zr_vm open;   /* some samples may be visible */
+    zr_vm whole;  /* open, and inside the piece's box */
+    zr_vm filled; /* whole, and not cut by an edge */
+    zr_vf far;    /* farthest depth of the triangle in the block */
 };
 
-/* Edges and depth grow or fall steadily, so that a block's corner has the extreme. Blocks that the piece ends in are
- * cut to it first: their edges stay in the range of cut_by. */
-static inline struct blocks look_at_blocks(const struct zr_tile *tile, const struct piece *p, int first)
+/* Classifies ZR_LANES blocks from `first` on. Edges and depth are monotone, so their extremes are at block corners. A
+ * block at the border of the piece is cut to it first, which keeps the edges in the range of cut_by. */
+static inline struct blocks classify_blocks(const struct zr_tile *tile, const struct piece *p, int first)
 {
     const zr_vi number = zr_vi_set(first) + zr_vi_ramp();
     const zr_vi x = (number & zr_vi_set(ZR_BLOCK_COLUMNS - 1)) * zr_vi_set(ZR_BLOCK_WIDTH) + zr_vi_set(tile->x);
@@ -100,7 +100,7 @@ static inline struct blocks look_at_blocks(const struct zr_tile *tile, const str
                 y1 = zr_vi_min(y + zr_vi_set(ZR_BLOCK_HEIGHT - 1), zr_vi_set(p->y1));
     const zr_vi zero = zr_vi_set(0);
     struct blocks out;
-    zr_vm cut = zr_vi_lt(zero, zero); /* by some edge; says something of whole blocks only */
+    zr_vm cut = zr_vi_lt(zero, zero); /* by some edge; defined for whole blocks only */
     zr_vi most = zero;
     for (int k = 0; k < 3; k++) {
         if ((p->right[k] | p->up[k]) == 0) continue;
@@ -130,7 +130,7 @@ static inline struct blocks look_at_blocks(const struct zr_tile *tile, const str
 _Static_assert(ZR_BLOCK_COLUMNS == 1 << 2 && ZR_BLOCKS % ZR_LANES == 0,
                "rows of blocks are a shift, lanes divide them");
 
-/* The part of the piece that lies in a block. */
+/* Returns the part of the piece within a block. */
 static inline struct piece part_of(const struct zr_tile *tile, const struct piece *p, int block)
 {
     struct piece part = *p;
@@ -145,7 +145,7 @@ static inline struct piece part_of(const struct zr_tile *tile, const struct piec
     return part;
 }
 
-/* A block that is covered whole, and has something in it that could be nearer. */
+/* Draws a block that is entirely covered and may be partly visible. */
 static inline void fill_block(struct zr_tile *tile, const struct piece *p, int block)
 {
     const zr_vi owner = zr_vi_set((int32_t)p->owner);
@@ -174,8 +174,8 @@ static inline void bound_block(struct zr_tile *tile, int block, zr_vf far)
     if (!zr_vm_any(zr_vf_le(zr_vf_set(1.0f), far))) tile->block_far[block] = farthest_of(far);
 }
 
-/* Triangles that share an edge cover a block together: then it has a bound too (a fifth of the time of large ones,
- * which clipping cuts to pieces). */
+/* Draws the piece within a block. Triangles that share an edge may cover the block together: then it gets a bound as
+ * well (a fifth of the time of large triangles that clipping divides). */
 static inline void draw_in_block(struct zr_tile *tile, const struct piece *p, int block, enum way way)
 {
     const struct piece part = part_of(tile, p, block);
@@ -188,7 +188,7 @@ static inline void draw_in_block(struct zr_tile *tile, const struct piece *p, in
     if (all) bound_block(tile, block, far);
 }
 
-/* Where all blocks have a bound, the tile has. */
+/* Updates the tile's bound from those of all blocks. */
 static inline void bound_tile(struct zr_tile *tile)
 {
     zr_vf far = zr_vf_load(tile->block_far);
@@ -197,7 +197,7 @@ static inline void bound_tile(struct zr_tile *tile)
     if (!zr_vm_any(zr_vf_le(zr_vf_set(tile->far), far))) tile->far = farthest_of(far);
 }
 
-/* Blocks, a bit each, so that single samples of them can be drawn. */
+/* Writes the unwritten ones of these blocks (one bit each), so that single samples can be drawn. */
 static inline void write_blocks(struct zr_tile *tile, uint32_t blocks)
 {
     for (uint32_t bits = blocks & tile->unwritten; bits; bits &= bits - 1)
@@ -205,7 +205,7 @@ static inline void write_blocks(struct zr_tile *tile, uint32_t blocks)
     tile->unwritten &= ~blocks;
 }
 
-/* Draws the triangle to `shared`, bits of blocks from `first` on. fresh: nothing is written there yet. */
+/* Draws the triangle to the blocks `shared`, bits relative to `first`. fresh: blocks not written yet. */
 static inline void draw_shared(struct zr_tile *tile, const struct piece *p, int first, const struct blocks *blocks,
                                uint32_t shared, uint32_t fresh)
 {
@@ -222,19 +222,19 @@ static inline void draw_shared(struct zr_tile *tile, const struct piece *p, int 
     }
 }
 
-/* Blocks `first` and so on: those that the triangle has alone are only told so, to others it is drawn. False where it
- * is seen in none. */
+/* Processes the blocks first .. first + ZR_LANES - 1: records the triangle as the owner of blocks that it fills alone,
+ * and draws it to the others. Returns false if it is visible in none. */
 static inline bool draw_blocks(struct zr_tile *tile, const struct piece *p, int first)
 {
-    const struct blocks blocks = look_at_blocks(tile, p, first);
+    const struct blocks blocks = classify_blocks(tile, p, first);
     const zr_vf far = zr_vf_load(tile->block_far + first), one = zr_vf_set(1.0f);
     const zr_vi owners = zr_vi_load(tile->block_owner + first);
-    const zr_vm nobodys = zr_vm_and(zr_vm_of(tile->unwritten >> first & ZR_ALL_BITS), zr_vi_eq(owners, zr_vi_set(0)));
-    /* Where it is nearer than 1 all over, and nothing else is seen yet. */
-    zr_vm alone = zr_vm_and(zr_vf_lt_where(blocks.filled, blocks.far, one), nobodys);
+    const zr_vm uncovered = zr_vm_and(zr_vm_of(tile->unwritten >> first & ZR_ALL_BITS), zr_vi_eq(owners, zr_vi_set(0)));
+    /* nearer than 1 everywhere, in an uncovered block */
+    zr_vm alone = zr_vm_and(zr_vf_lt_where(blocks.filled, blocks.far, one), uncovered);
     if (!ZR_FAST(owned_blocks, zr_vm_any(alone))) alone = zr_vm_of(0);
     const uint32_t owned = zr_vm_bits(alone);
-    const uint32_t shared = zr_vm_bits(blocks.open) & ~owned, fresh = zr_vm_bits(zr_vm_and(blocks.whole, nobodys));
+    const uint32_t shared = zr_vm_bits(blocks.open) & ~owned, fresh = zr_vm_bits(zr_vm_and(blocks.whole, uncovered));
     write_blocks(tile, (shared & ~fresh) << first);
     tile->unwritten &= ~(shared << first);
     const zr_vi owner = zr_vi_select(alone, zr_vi_set((int32_t)p->owner), zr_vi_set(ZR_BLOCK_SHARED));
@@ -246,7 +246,7 @@ static inline bool draw_blocks(struct zr_tile *tile, const struct piece *p, int 
     return zr_vm_any(blocks.open);
 }
 
-/* False where it is seen to have no sample in the tile. */
+/* Computes the part of the triangle in the tile; returns false if it is empty. */
 static inline bool make_piece(const struct zr_tile *tile, const struct zr_setup *setup, uint32_t owner,
                               struct piece *out)
 {
@@ -268,7 +268,7 @@ static void draw(struct zr_tile *tile, const struct zr_setup *setup, uint32_t ow
     struct piece p;
     if (!make_piece(tile, setup, owner, &p)) return;
     if (zr_depth_range_of(&setup->depth, p.x0, p.y0, p.x1, p.y1).near > tile->far) return;
-    /* Blocks below the piece and above it are not looked at. */
+    /* Skips blocks below and above the piece. */
     const int lowest = (p.y0 - tile->y) / ZR_BLOCK_HEIGHT * ZR_BLOCK_COLUMNS;
     const int end = ((p.y1 - tile->y) / ZR_BLOCK_HEIGHT + 1) * ZR_BLOCK_COLUMNS;
     bool drawn = false;
@@ -285,7 +285,7 @@ static void list(struct zr_tile *tile, const struct zr_setup *setup, uint32_t ow
         draw_columns(tile, &p, x, lanes_of(&p, x), LISTED);
 }
 
-/* ---- */
+/* ---- tile operations ---- */
 
 static void begin(struct zr_tile *tile)
 {

@@ -4,29 +4,28 @@
 
 enum { X, Y, HALF_PIXEL = ZR_SUBPIXELS / 2 };
 
-/* Subpixels from the middle of a line to its sides. */
+/* Returns the subpixels from the centre line to a side. */
 static int32_t half_of(int32_t width)
 {
     return ZR_MUTANT(wide_lines_off_middle, width * HALF_PIXEL, HALF_PIXEL);
 }
 
-/* A line as the rules below need it, by axis, so that one text serves both. */
+/* Direction of a line, by axis, so that the same code serves x-major and y-major lines. */
 struct course {
     float d[2]; /* from v1 to v0: against the direction of travel */
     int major, minor;
     float slope; /* minor over major */
 };
 
-/* One end, seen from the centre of the pixel that it lies in. */
+/* One end, relative to the centre of its pixel. */
 struct end {
     float at[2];
-    float offset[2]; /* from the centre, -1/2 .. 1/2 */
-    bool ahead[2];   /* lies in the half of the pixel that the line travels towards */
+    float offset[2]; /* -1/2 .. 1/2 */
+    bool ahead[2];   /* in the half of the pixel towards which the line travels */
     bool in_diamond;
 };
 
-/* Zero counts as positive; which of two zeros is compared differs between the axes, as in
- * the reference. */
+/* Zero counts as positive. The axes differ in the zero that they compare, as in the reference. */
 static bool is_ahead(int axis, float offset, float d)
 {
     return axis == X ? (offset >= 0.0f) == (-d >= 0.0f) : (-offset >= 0.0f) == (d >= 0.0f);
@@ -37,7 +36,7 @@ static struct end end_make(const struct zr_window_vertex *v, const struct course
     struct end end = {.at = {v->x, v->y}};
     for (int axis = X; axis <= Y; axis++)
         end.offset[axis] = end.at[axis] - floorf(end.at[axis]) - 0.5f;
-    /* On the border of two rows, and coming from the lower one: it is that one's upper border. */
+    /* The last end on the border of two rows, reached from the lower one, counts as that row's upper border. */
     float *minor = &end.offset[course->minor];
     if (last && *minor == -0.5f && course->d[course->minor] < 0.0f) *minor = 0.5f;
     for (int axis = X; axis <= Y; axis++)
@@ -46,14 +45,14 @@ static struct end end_make(const struct zr_window_vertex *v, const struct course
     return end;
 }
 
-/* Where the line, made longer, passes the pixel's centre column (or row): 0..1 inside the pixel. */
+/* Returns where the extended line crosses the pixel's centre column (or row): 0..1 inside the pixel. */
 static float crossing(const struct end *end, const struct course *course)
 {
     float minor = end->at[course->minor];
     return (minor - floorf(minor)) + end->offset[course->major] * course->slope;
 }
 
-/* Does the line leave the diamond of its first pixel? */
+/* Returns true if the line leaves the diamond of its first pixel. */
 static bool first_pixel_is_drawn(const struct end *end, const struct course *course)
 {
     if (end->in_diamond) return true;
@@ -63,7 +62,7 @@ static bool first_pixel_is_drawn(const struct end *end, const struct course *cou
     return c < 1.0f && c > 0.0f;
 }
 
-/* Has it left the diamond of its last one? */
+/* Returns true if the line has left the diamond of its last pixel. */
 static bool last_pixel_is_drawn(const struct end *end, const struct course *course)
 {
     if (end->in_diamond || !end->ahead[course->major]) return false;
@@ -72,24 +71,25 @@ static bool last_pixel_is_drawn(const struct end *end, const struct course *cour
     return c < 1.0f && c >= 0.0f;
 }
 
-/* As corners of triangles are. Mesa 22.3 rounded half away from zero. */
+/* Snaps like corners of triangles. Mesa 22.3 rounded half away from zero. */
 static int32_t snap(float window)
 {
     float v = (window - 0.5f) * (float)ZR_SUBPIXELS;
     return (int32_t)ZR_MUTANT(older_lines, zr_viewport_snap(window), v + copysignf(0.5f, v));
 }
 
-/* Does the fill rule alone give the end its pixel? `high` is the end farther up the major axis: it gets the pixel if
- * that one's centre lies below, the other end if it lies above or on it. Mesa 22.3 was wrong about an end on the centre
- * itself, but for the first end of an x-major line: a y-major line down from a centre lacked its first pixel. */
+/* Returns true if the fill rule alone draws the pixel of an end. `high` is the end farther up the major axis: it gets
+ * the pixel if the pixel's centre lies below it; the other end gets it if the centre lies above or on it. Mesa 22.3 was
+ * wrong for an end on the centre, except for the first end of an x-major line: a y-major line down from a centre lacked
+ * its first pixel. */
 static bool fill_rule_draws(float offset, const struct course *course, bool high, bool last)
 {
     bool draws = high == (offset > 0.0f);
     return ZR_MUTANT(older_lines, draws, offset == 0.0f ? last || (course->major == X) != high : draws);
 }
 
-/* The snapped end, by axis: where the fill rule does not do as `is_drawn` says, it is first
- * moved back to the border of its pixel. */
+/* Computes the snapped end, by axis. If the fill rule disagrees with `is_drawn`, the end is first moved back to the
+ * border of its pixel. */
 static void place_end(const struct end *end, const struct course *course, bool fill_draws, bool is_drawn,
                       int32_t out[2])
 {
@@ -148,9 +148,9 @@ static int64_t divide_down(int64_t numerator, int64_t denominator)
     return quotient * denominator > numerator ? quotient - 1 : quotient;
 }
 
-/* One side of the parallelogram, half its width below the middle, at the column's centre; the other one is so many
- * pixels above, and so many centres lie between. A centre on the side itself is inside where it is a left or a
- * bottom one (rule 7): of a rising line that is the upper one, else the lower. */
+/* Intersects the side half a width below the centre line with the column's centre. The other side is `width` pixels
+ * above, so that many centres lie between them. A centre on a side is inside if that is a left or a bottom side (rule
+ * 7): the upper one for a rising line, else the lower. */
 int32_t zr_line_pixel(const struct zr_line_corners *line, int32_t at)
 {
     int major = line->along_x ? X : Y, minor = Y - major;

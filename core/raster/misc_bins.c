@@ -5,16 +5,16 @@
 
 enum { PRIMITIVES_A_CANCEL_CHECK = 4096 };
 
-/* Two passes: without `entries` they are counted, with them they are filled in. */
+/* State of two passes: without `entries` they are counted, with `entries` stored. */
 struct binning {
     const struct zr_geometry *geometry;
     enum zr_alpha_mode mode;
     uint32_t width, height, columns;
-    size_t *offsets;           /* by tile: so many entries, or where the next one goes */
-    uint32_t *entries, *large; /* or NULL */
+    size_t *offsets;           /* per tile: number of entries, or index of the next one */
+    uint32_t *entries, *large; /* NULL in the first pass */
     uint32_t large_count, count;
-    const struct zr_draw *draw; /* of the primitive under way, */
-    uint32_t number;            /* and its first number */
+    const struct zr_draw *draw; /* draw of the current primitive */
+    uint32_t number;            /* first number of the current primitive */
 };
 
 static void add_to_tile(void *context, uint32_t column, uint32_t row)
@@ -35,7 +35,7 @@ static void add_box(struct binning *b)
 {
     int32_t box[4];
     zr_primitive_box(b->geometry, b->draw, b->number, box);
-    /* Clipping leaves rounding: a vertex may stand a hair outside the window. */
+    /* Clipping rounds: a vertex may lie slightly outside the window. */
     if (box[0] < 0) box[0] = 0;
     if (box[1] < 0) box[1] = 0;
     if (box[2] >= (int32_t)b->width) box[2] = (int32_t)b->width - 1;
@@ -52,7 +52,7 @@ static void add_box(struct binning *b)
             add_to_tile(b, (uint32_t)x, (uint32_t)y);
 }
 
-/* A line touches few of the tiles in its box, so it is never large. */
+/* Lists a line in its tiles. It is never large, since it touches few of the tiles in its box. */
 static void add_line(struct binning *b)
 {
     const struct zr_triangle line = zr_triangle_of(b->geometry, b->draw, b->number);
@@ -67,7 +67,7 @@ static bool is_wanted(const struct zr_draw *draw, enum zr_alpha_mode mode)
     return !zr_draw_is_plain(draw) && draw->material->alpha_mode == mode;
 }
 
-/* False where it was cancelled. */
+/* Returns false if cancelled. */
 static bool add_all(struct binning *b, const struct zr_cancel *cancel)
 {
     const struct zr_geometry *geometry = b->geometry;
@@ -89,7 +89,7 @@ static bool add_all(struct binning *b, const struct zr_cancel *cancel)
     return true;
 }
 
-/* A counting sort: counts, then offsets, then entries, each in the order of the scene. */
+/* Counting sort: counts, then offsets, then entries, each in the order of the scene. */
 enum zr_status zr_misc_bins_build(struct zr_arena *arena, const struct zr_geometry *geometry, enum zr_alpha_mode mode,
                                   uint32_t width, uint32_t height, const struct zr_cancel *cancel,
                                   struct zr_misc_bins *others)
@@ -115,7 +115,7 @@ enum zr_status zr_misc_bins_build(struct zr_arena *arena, const struct zr_geomet
     if (!zr_arena_ok(arena)) return ZR_NO_MEMORY;
     binning.large_count = 0;
     if (!add_all(&binning, cancel)) return ZR_CANCELLED;
-    /* Each offset has moved to the end of its tile, which is the begin of the next. */
+    /* Each offset has advanced to the end of its tile, the start of the next one. */
     for (size_t i = tiles; i > 0; i--)
         binning.offsets[i] = binning.offsets[i - 1];
     binning.offsets[0] = 0;

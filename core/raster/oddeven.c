@@ -11,7 +11,7 @@ struct flags {
 
 /* ---- coverage ---- */
 
-/* The first pixel whose centre is not left of the edge in row y. */
+/* Returns the first pixel whose centre is not left of the edge in row y. */
 static int64_t crossing(const struct zr_grid_edge *e, int64_t y)
 {
     int64_t rise = (int64_t)e->y1 - e->y0, run = (int64_t)e->x1 - e->x0;
@@ -21,7 +21,8 @@ static int64_t crossing(const struct zr_grid_edge *e, int64_t y)
     return ZR_MUTANT(right_edges_inside, start < numerator, start <= numerator) ? quotient + 1 : quotient;
 }
 
-/* Most edges of a large polygon pass a tile by: only those through it need to be divided out. */
+/* Flips the samples right of an edge. Most edges of a large polygon lie beside the tile: only those through it need a
+ * division. */
 static void flip(const struct zr_tile *tile, const struct zr_grid_edge *e, struct flags *flags)
 {
     int32_t left = tile->x * ZR_SUBPIXELS, right = (tile->x + ZR_TILE_SIZE - 1) * ZR_SUBPIXELS;
@@ -54,7 +55,7 @@ static int32_t lowest(uint64_t bits)
     return __builtin_ctzll(bits);
 }
 
-/* All that is still flagged sees this one triangle. */
+/* Stores the depth and owner of a single triangle at all flagged samples. */
 static void put_all(const struct zr_depth *depth, uint32_t owner, const struct flags *flags, struct zr_tile *tile)
 {
     for (int32_t row = 0; row < tile->height; row++)
@@ -64,13 +65,14 @@ static void put_all(const struct zr_depth *depth, uint32_t owner, const struct f
         }
 }
 
-/* Columns first..last of a tile, both within it. */
+/* Returns the bits of columns first..last of a tile, both within it. */
 static uint64_t column_bits(int32_t first, int32_t last)
 {
     return (~UINT64_C(0) << first) & (~UINT64_C(0) >> (ZR_TILE_SIZE - 1 - last));
 }
 
-/* What one of a shape's triangles covers of the flagged samples sees it, and is then done with. */
+/* Stores the depth and owner of one of a shape's triangles at the flagged samples that it covers, and clears their
+ * flags. */
 static void put_triangle(const struct zr_setup *setup, uint32_t owner, struct flags *flags, struct zr_tile *tile)
 {
     int32_t x0 = setup->min_x > tile->x ? setup->min_x - tile->x : 0,
@@ -88,8 +90,8 @@ static void put_triangle(const struct zr_setup *setup, uint32_t owner, struct fl
         }
 }
 
-/* Where the view volume cuts the polygon, or its triangles are thin, samples are left that none of them covers.
- * Runs of them are told at once. */
+/* Stores the remaining samples, which no triangle covers since the polygon is clipped or its triangles are thin.
+ * Processes runs of samples at once. */
 static void put_rest(const struct zr_geometry *geometry, const struct zr_primitive *primitive,
                      const struct flags *flags, struct zr_tile *tile)
 {

@@ -1,24 +1,23 @@
 /* plane.h - raster: a value that varies linearly over the window.
  *
- * Space:  window space, from the unsnapped vertices: here of an oriented triangle, in line.h of a line.
- * Exact:  the reference's rule 8. z, 1/w and every attribute times 1/w are such planes.
- */
+ * Space:  window space, from unsnapped vertices: here of an oriented triangle, in line.h of a line.
+ * Exact:  the reference's rule 8. z, 1/w and every attribute times 1/w are such planes. */
 #ifndef ZR_PLANE_H
 #define ZR_PLANE_H
 
 #include "geometry/geometry.h"
 
-/* What all planes of one triangle share. */
+/* Common terms of all planes of one triangle. */
 struct zr_plane_basis {
     float dx01, dy01, dx20, dy20; /* edge vectors over the area */
-    float x0, y0;                 /* vertex 0, from the centre of pixel (0, 0) */
+    float x0, y0;                 /* vertex 0, relative to the centre of pixel (0, 0) */
 };
 
 struct zr_plane {
     float a0, dadx, dady;
 };
 
-/* From the centre of pixel (0, 0), not from the grid. */
+/* Returns a window coordinate relative to the centre of pixel (0, 0), unsnapped. */
 static inline float zr_from_centre(float window)
 {
     return ZR_MUTANT(planes_from_the_grid, window - 0.5f, zr_viewport_snap(window) * (1.0f / ZR_SUBPIXELS));
@@ -34,7 +33,7 @@ static inline struct zr_plane_basis zr_plane_basis_make(const struct zr_window_v
                                    zr_from_centre(v0->y)};
 }
 
-/* The plane through the values p0, p1, p2 at the three vertices. */
+/* Returns the plane with the values p0, p1, p2 at the three vertices. */
 static inline struct zr_plane zr_plane_make(const struct zr_plane_basis *basis, float p0, float p1, float p2)
 {
     float d01 = p0 - p1, d20 = p2 - p0;
@@ -43,7 +42,7 @@ static inline struct zr_plane zr_plane_make(const struct zr_plane_basis *basis, 
     return (struct zr_plane){p0 - (dadx * basis->x0 + dady * basis->y0), dadx, dady};
 }
 
-/* At the centre of pixel (x, y). */
+/* Returns the value at the centre of pixel (x, y). */
 static inline float zr_plane_at(const struct zr_plane *plane, float x, float y)
 {
     return (plane->a0 + plane->dadx * x) + plane->dady * y;

@@ -5,14 +5,14 @@
 
 enum { HALF_PIXEL = ZR_SUBPIXELS / 2 };
 
-/* To a whole number of subpixels, ties to even; up, by Mesa 22.3. */
+/* Rounds to an integer number of subpixels, ties to even; Mesa 22.3 rounded ties up. */
 static int32_t subpixels_of(float size)
 {
     const float no_fraction = 12582912.0f, subpixels = size * (float)ZR_SUBPIXELS; /* 1.5 * 2^23 */
     return (int32_t)ZR_MUTANT(older_lines, (subpixels + no_fraction) - no_fraction, subpixels + 0.5f);
 }
 
-/* Half down. */
+/* Rounds half down. */
 int32_t zr_point_width(float size, float scale)
 {
     const int32_t subpixels = subpixels_of(size * scale);
@@ -26,8 +26,8 @@ static const struct zr_window_vertex *middle_of(const struct zr_geometry *geomet
     return &geometry->vertices[draw->first_vertex + zr_draw_corner(draw, number - draw->first, 0)];
 }
 
-/* Of an odd number the middle one is the pixel that the point lies in; of an even number the two in the middle meet
- * at the corner nearest to it. Snapped coordinates count from a pixel's centre (viewport.h). */
+/* Returns the first of `width` pixels. For an odd width, the middle pixel contains the point; for an even one, the two
+ * middle pixels meet at the nearest pixel corner. Snapped coordinates are relative to a pixel's centre (viewport.h). */
 static int32_t first_of(int32_t snapped, int32_t width)
 {
     const int32_t from_corner = snapped + HALF_PIXEL;

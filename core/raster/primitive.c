@@ -5,7 +5,7 @@
 
 /* ---- box ---- */
 
-/* Of a line's parallelogram; empty where it has none. */
+/* Computes the box of a line's parallelogram; empty if it has none. */
 static void line_box(const struct zr_geometry *geometry, const struct zr_triangle *line, int32_t box[4])
 {
     struct zr_line_corners c;
@@ -90,7 +90,7 @@ static void add_line_edges(struct zr_primitive *primitive, const struct zr_geome
         add_edge(primitive, c.x[k], c.y[k], c.x[(k + 1) % 4], c.y[(k + 1) % 4]);
 }
 
-/* Around the centres of its pixels, left and bottom ones on the edges. */
+/* Adds edges around the centres of the pixels; left and bottom centres lie on the edges. */
 static void add_point_edges(struct zr_primitive *primitive, const int32_t box[4])
 {
     const int32_t x0 = box[0] * ZR_SUBPIXELS, x1 = (box[2] + 1) * ZR_SUBPIXELS;
@@ -123,9 +123,9 @@ void zr_primitive_make(const struct zr_geometry *geometry, const struct zr_draw 
         add_triangle_edges(primitive, geometry->vertices, &triangle);
 }
 
-/* ---- hit ---- */
+/* ---- hits ---- */
 
-/* How far inside a triangle the sample lies, about in subpixels; below 0 outside of it. */
+/* Returns the distance of the sample from the nearest edge of a triangle, about in subpixels; negative outside. */
 static double margin_at(const struct zr_setup *setup, int32_t x, int32_t y)
 {
     double least = 0.0;
@@ -163,7 +163,7 @@ struct zr_hit zr_primitive_hit(const struct zr_geometry *geometry, const struct 
     return hit;
 }
 
-/* Those of the samples that the triangle covers and none before it did. How many they are. */
+/* Sets the hits of samples that the triangle covers and no earlier one did. Returns their number. */
 static int32_t hit_by_triangle(const struct zr_geometry *geometry, const struct zr_primitive *primitive,
                                uint32_t number, int32_t y, int32_t x0, int32_t x1, struct zr_hit *hits)
 {

@@ -1,8 +1,6 @@
-/* samples.h - raster: visibility at every sample of a window, for algorithms that do not work
- * tile by tile.
+/* samples.h - raster: visibility at every sample of a window, for algorithms that do not work tile by tile.
  *
- * Space:  window space, y up: sample x, y is at [y * width + x], row 0 the lowest.
- */
+ * Space:  window space, y up: sample x, y is at [y * width + x], row 0 the lowest. */
 #ifndef ZR_SAMPLES_H
 #define ZR_SAMPLES_H
 
@@ -12,9 +10,9 @@
 struct zr_samples {
     uint32_t width, height;
     float *depth;                   /* window depth */
-    uint32_t *owner;                /* 1 + number of the primitive, 0 where nothing is seen */
-    enum zr_alpha_mode drawn;       /* primitives of other materials are left out */
-    struct zr_fragments *fragments; /* what is put goes into these lists instead; NULL of opaque ones */
+    uint32_t *owner;                /* 1 + number of the primitive, 0 if uncovered */
+    enum zr_alpha_mode drawn;       /* alpha mode of the drawn primitives; others are skipped */
+    struct zr_fragments *fragments; /* receives fragments in place of depth and owner; NULL for opaque primitives */
 };
 
 static inline bool zr_samples_take(const struct zr_samples *samples, const struct zr_draw *draw)
@@ -22,7 +20,7 @@ static inline bool zr_samples_take(const struct zr_samples *samples, const struc
     return draw->material->alpha_mode == samples->drawn;
 }
 
-/* The z-buffer: the hit is seen where it is nearer than what is there. At equal depth the earlier stays. */
+/* The z-buffer: stores the hit if it is nearer than the sample. At equal depth, the earlier stays. */
 static inline void zr_samples_put(struct zr_samples *samples, int32_t x, int32_t y, struct zr_hit hit)
 {
     size_t i = (size_t)y * samples->width + (size_t)x;

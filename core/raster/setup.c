@@ -22,7 +22,7 @@ void zr_setup_box(const struct zr_window_vertex *vertices, const struct zr_trian
     box[3] = zr_viewport_last_centre(max3(zr_snapped_y(v0), zr_snapped_y(v1), zr_snapped_y(v2)));
 }
 
-/* Pixels exactly on an edge belong to it where it is a left or a bottom one. */
+/* Makes the edge from i to j. It includes pixel centres exactly on it if it is a left or a bottom edge. */
 static struct zr_edge edge_make(const struct zr_window_vertex *i, const struct zr_window_vertex *j)
 {
     int64_t a = zr_snapped_y(i) - zr_snapped_y(j), b = zr_snapped_x(i) - zr_snapped_x(j);

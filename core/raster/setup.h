@@ -1,14 +1,13 @@
-/* setup.h - raster: one triangle -> edge functions and its depth plane.
+/* setup.h - raster: edge functions and depth plane of one triangle.
  *
  * Space:  window space, y up; integers on the snapped grid of geometry/viewport.h.
- * Exact:  the reference's rules 7 (edges and the fill rule) and 8 (depth).
- */
+ * Exact:  the reference's rules 7 (edges and the fill rule) and 8 (depth). */
 #ifndef ZR_SETUP_H
 #define ZR_SETUP_H
 
 #include "raster/depth.h"
 
-/* Inside where c + a X + b Y > 0 for all three edges, at integer pixels X, Y. */
+/* A pixel X, Y is covered if c + a X + b Y > 0 for all three edges. */
 struct zr_edge {
     int64_t a, b, c;
 };
@@ -16,13 +15,13 @@ struct zr_edge {
 struct zr_setup {
     struct zr_edge edges[3];
     struct zr_depth depth;
-    int32_t min_x, min_y, max_x, max_y; /* pixels whose centres the bounding box holds, inclusive */
+    int32_t min_x, min_y, max_x, max_y; /* pixels whose centres are in the bounding box, inclusive */
 };
 
-/* The box alone. Empty (min > max) where no pixel centre lies inside. */
+/* Computes the box only; empty (min > max) if it contains no pixel centre. */
 void zr_setup_box(const struct zr_window_vertex *vertices, const struct zr_triangle *triangle, int32_t box[4]);
 
-/* Of a triangle. */
+/* Sets up a triangle; lines and shapes are not accepted. */
 struct zr_setup zr_setup_make(const struct zr_window_vertex *vertices, const struct zr_triangle *triangle);
 
 static inline int64_t zr_edge_at(const struct zr_edge *edge, int32_t x, int32_t y)

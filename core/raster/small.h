@@ -1,6 +1,8 @@
-/* small.h - raster: small triangles (bins.h) into one tile. A kernel: as many are set up at once as there are lanes.
- * Those in stamps (stamp_simd.h) are then drawn sample by sample, others one after the other, row by row. Where the
- * tile keeps words, what is seen gets one if its draw has some (prepaint.h) and it is in a stamp, and loses it else. */
+/* small.h - raster: draws small triangles (bins.h) into one tile. A kernel: sets up one triangle per lane.
+ *
+ * Triangles within stamps (stamp_simd.h) are drawn sample by sample, others one after the other, row by row. If the
+ * tile keeps words, a visible sample gets one if its draw has some (prepaint.h) and the triangle is in a stamp;
+ * otherwise its word becomes 0. */
 #ifndef ZR_SMALL_H
 #define ZR_SMALL_H
 
@@ -9,9 +11,9 @@
 #include "raster/prepaint.h"
 #include "raster/tile.h"
 
-/* Where the triangles, given by their numbers, are seen (zr_tile_put), writes depths and owners, or puts them into the
- * tile's lists, where it has some (zr_tile.fragments). All of the tile must be written (zr_halfspace.flush). payloads:
- * one a draw, or NULL. */
+/* Writes depths and owners to the samples where the triangles, given by number, are visible (zr_tile_put). If the tile
+ * has lists (zr_tile.fragments), adds fragments to them instead. All of the tile must be written (zr_halfspace.flush).
+ * payloads: one per draw, or NULL. */
 typedef void zr_small_fn(struct zr_tile *tile, const struct zr_geometry *geometry, const struct zr_prepaint *payloads,
                          const uint32_t *numbers, uint32_t count);
 

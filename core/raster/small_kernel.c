@@ -6,23 +6,23 @@
 #include "raster/tile_simd.h"
 #include "raster/triangle_simd.h"
 
-/* ---- many triangles ---- */
+/* ---- setup of many triangles ---- */
 
-/* ZR_LANES of them, set up. */
+/* Setup of ZR_LANES triangles. */
 struct group {
-    _Alignas(64) int32_t at[3][ZR_LANES], right[3][ZR_LANES], up[3][ZR_LANES]; /* of edges, at x0, y0 */
+    _Alignas(64) int32_t at[3][ZR_LANES], right[3][ZR_LANES], up[3][ZR_LANES]; /* edge functions at x0, y0, and their
+                                                                                * steps */
     float a0[ZR_LANES], dadx[ZR_LANES], dady[ZR_LANES];
-    int32_t x0[ZR_LANES], y0[ZR_LANES], x1[ZR_LANES], y1[ZR_LANES]; /* what they cover is between these;
-                                                                     * a stamp begins at x0, y0 */
+    int32_t x0[ZR_LANES], y0[ZR_LANES], x1[ZR_LANES], y1[ZR_LANES]; /* covered box; a stamp begins at x0, y0 */
 
-    uint32_t covered[ZR_LANES]; /* where any are in stamps: what those cover, and 0 of others */
+    uint32_t covered[ZR_LANES]; /* samples covered by triangles in stamps, 0 for others; valid if in_stamp is not 0 */
 
-    /* A bit each. */
-    uint32_t turned;   /* corners 0 and 1 have changed places (rule 6) */
-    uint32_t in_stamp; /* the box lies in a stamp, and depth does stay within 0..1; none where few are so */
+    /* One bit per triangle. */
+    uint32_t turned;   /* corners 0 and 1 are swapped (rule 6) */
+    uint32_t in_stamp; /* the box fits in a stamp and the depth stays within 0..1; 0 if few triangles qualify */
 };
 
-/* v: the corners as they stand in the mesh. */
+/* Sets up a group. v: the corners in the order of the mesh. */
 static inline void set_up(const struct zr_tile *tile, const struct zr_corner_v v[3], struct group *out)
 {
     struct zr_corner_v c[3] = {v[0], v[1], v[2]};
@@ -35,7 +35,7 @@ static inline void set_up(const struct zr_tile *tile, const struct zr_corner_v v
     const zr_vi x1 = zr_vi_min(zr_most_v(g[0].x, g[1].x, g[2].x) >> ZR_SUBPIXEL_BITS, last_x);
     const zr_vi y1 = zr_vi_min(zr_most_v(g[0].y, g[1].y, g[2].y) >> ZR_SUBPIXEL_BITS, last_y);
     const bool has_stamps = ZR_HAS_STAMPS && tile->width >= ZR_STAMP && tile->height >= ZR_STAMP;
-    if (has_stamps) { /* they end in the tile */
+    if (has_stamps) { /* keep stamps within the tile */
         x0 = zr_vi_min(x0, last_x - zr_vi_set(ZR_STAMP - 1));
         y0 = zr_vi_min(y0, last_y - zr_vi_set(ZR_STAMP - 1));
     }
@@ -64,13 +64,13 @@ static inline void set_up(const struct zr_tile *tile, const struct zr_corner_v v
     const zr_vm spans = zr_vi_lt(zr_vi_set(ZR_STAMP - 1), zr_vi_max(x1 - x0, y1 - y0));
     const zr_vm in_stamp = zr_vm_andnot(within, spans);
     out->in_stamp = has_stamps ? zr_vm_bits(in_stamp) : 0;
-    /* Where few are in stamps, setting these apart takes longer than it saves (4 % of the bunny at 1920x1080). */
+    /* With few stamps, drawing them separately costs more than it saves (4 % of the bunny at 1920x1080). */
     if (4 * __builtin_popcount(out->in_stamp) < 3 * (int)ZR_LANES) out->in_stamp = 0;
     if (!ZR_FAST(stamps, out->in_stamp != 0)) out->in_stamp = 0;
     if (out->in_stamp) zr_vi_store(out->covered, zr_vi_select(in_stamp, zr_stamp_covered(edges), zr_vi_set(0)));
 }
 
-/* True where the draw holds all of the numbers. */
+/* Returns true if the draw contains all ZR_LANES numbers. */
 static inline bool holds_all(const struct zr_draw *draw, const uint32_t *numbers)
 {
     const zr_vi t = zr_vi_load(numbers) - zr_vi_set((int32_t)draw->first);
@@ -78,7 +78,7 @@ static inline bool holds_all(const struct zr_draw *draw, const uint32_t *numbers
     return zr_vm_bits(within) == ZR_ALL_BITS;
 }
 
-/* ZR_LANES numbers of a draw -> corners. */
+/* Loads the corners of ZR_LANES triangles of a draw. */
 static inline void load_corners(const struct zr_geometry *geometry, const struct zr_draw *draw, const uint32_t *numbers,
                                 struct zr_corner_v v[3])
 {
@@ -94,21 +94,21 @@ static inline void load_corners(const struct zr_geometry *geometry, const struct
 #undef CORNER
 }
 
-/* Triangles whose corners are asked for so far ahead: when they were sorted, their numbers were in the nearer caches,
- * but much else was read since. With whole groups of one array (visibility.c), 3 to 9 % of the bunny at 512x512. */
-enum { EXPECTED_AHEAD = 48 };
+/* Prefetch distance in triangles. Since binning, the corner numbers were evicted from the nearer caches. With whole
+ * groups of one array (visibility.c), this saves 3 to 9 % of the bunny at 512x512. */
+enum { PREFETCH_AHEAD = 48 };
 
-/* `left` numbers from here on. Nothing is asked for unless all ZR_LANES that lie so far ahead are there, and the
- * draw's. */
-static inline void expect_corners(const struct zr_draw *draw, const uint32_t *numbers, uint32_t left)
+/* Prefetches corner numbers; `left` numbers remain. Does nothing unless all ZR_LANES numbers at that distance exist and
+ * belong to the draw. */
+static inline void prefetch_corners(const struct zr_draw *draw, const uint32_t *numbers, uint32_t left)
 {
-    const uint32_t *later = numbers + EXPECTED_AHEAD;
-    if (left < EXPECTED_AHEAD + ZR_LANES || !holds_all(draw, later)) return;
+    const uint32_t *later = numbers + PREFETCH_AHEAD;
+    if (left < PREFETCH_AHEAD + ZR_LANES || !holds_all(draw, later)) return;
     for (uint32_t i = 0; i < ZR_LANES; i++)
         __builtin_prefetch(draw->corners + 3 * (size_t)(later[i] - draw->first));
 }
 
-/* Of any draws. Returns the last one's. */
+/* Loads the corners of triangles of any draws. Returns the draw of the last one. */
 static inline const struct zr_draw *load_mixed_corners(const struct zr_geometry *geometry, const struct zr_draw *draw,
                                                        const uint32_t *numbers, struct zr_corner_v v[3])
 {
@@ -131,13 +131,12 @@ static inline const struct zr_draw *load_mixed_corners(const struct zr_geometry 
 
 /* ---- one triangle ---- */
 
-/* What becomes of a sample. It is seen if it is the nearest; with a word, where the tile keeps some. Or it is one of
- * many, in a list. */
+/* Operation on a sample: z-test, z-test with prepainted words, or adding to the lists. */
 enum way { SEEN, SEEN_WITH_WORDS, LISTED };
 
-/* Triangle i, in ZR_LANES columns from x on, which is a multiple of ZR_LANES: its edges keep out what is not its own,
- * and columns beyond the window, since it lies inside of the view volume.
- * All that it is made of is spread over the lanes as it is loaded (a tenth of the time). It has no words. */
+/* Draws ZR_LANES columns of triangle i from x on, a multiple of ZR_LANES. Its edges exclude samples outside of it, and
+ * columns beyond the window, since it lies in the view volume. Setup values are broadcast when they are loaded (a tenth
+ * of the time). Such triangles have no prepainted words. */
 static inline void draw_columns(struct zr_tile *tile, const struct group *g, uint32_t i, int32_t x, uint32_t owner,
                                 enum way way)
 {
@@ -174,7 +173,7 @@ static inline void draw_triangle(struct zr_tile *tile, const struct group *g, ui
 
 /* ---- a group ---- */
 
-/* Those of the first `count` that are not in stamps. */
+/* Draws those of the first `count` triangles that are not in stamps. */
 static inline void draw_one_by_one(struct zr_tile *tile, const struct group *g, const uint32_t *numbers, uint32_t count,
                                    enum way way)
 {
@@ -184,7 +183,7 @@ static inline void draw_one_by_one(struct zr_tile *tile, const struct group *g, 
     }
 }
 
-/* Where samples of stamps lie in the window. */
+/* Window positions of samples in stamps. */
 struct places {
     zr_vi lane; /* of the triangle */
     zr_vf x, y;
@@ -198,13 +197,13 @@ static inline struct places places_of(const struct group *g, const uint32_t *sam
     return (struct places){lane, zr_vf_pick(left, lane) + zr_vf_of(column), zr_vf_pick(low, lane) + zr_vf_of(row)};
 }
 
-/* What triangles that have words are made of. */
+/* Input of a group's prepainted words. */
 struct worded {
     const struct zr_prepaint *payload;
     float corners[3][3][ZR_LANES];
 };
 
-/* The words of all samples, at once. */
+/* Computes the words of all samples at once. */
 __attribute__((noinline)) static void find_words(const struct worded *of, const struct group *g,
                                                  const uint32_t *numbers, const uint32_t *samples, uint32_t count,
                                                  uint32_t *words)
@@ -220,9 +219,10 @@ __attribute__((noinline)) static void find_words(const struct worded *of, const 
     of->payload->make(of->payload, numbers, g->turned, of->corners[0][0], triangles, x, y, count, words);
 }
 
-/* Those in stamps, sample by sample: most cover two or three. All that a sample needs is made for many at once, and no
- * loop depends on how many rows or columns a triangle has, which the processor cannot guess (a fifth of the time of
- * small triangles of the bunny at 512x512). SEEN_WITH_WORDS: what is seen gets its own, or 0 where there are none. */
+/* Draws triangles in stamps sample by sample: most cover two or three samples. The inputs of many samples are computed
+ * at once. No loop depends on the rows or columns of a triangle, which would cause branch mispredictions. This saves a
+ * fifth of the time of small triangles of the bunny at 512x512. SEEN_WITH_WORDS: visible samples get their word, or 0
+ * if there is none. */
 static inline void draw_stamps(struct zr_tile *tile, const struct group *g, const uint32_t *numbers,
                                const struct worded *of, enum way way)
 {
@@ -252,8 +252,8 @@ static inline void draw_stamps(struct zr_tile *tile, const struct group *g, cons
 }
 _Static_assert(ZR_STAMP == 1 << 2 && ZR_STAMP_SAMPLES == 1 << 4, "rows and triangles are shifts");
 
-/* Not in the same function as what is drawn most: that would lose registers (a fiftieth of the bunny's time). of: the
- * group, where it has words. */
+/* A function of its own, since inlining it would cost the main path registers (a fiftieth of the bunny's time). of:
+ * words of the group, or NULL. */
 __attribute__((noinline)) static void draw_worded_group(struct zr_tile *tile, const struct group *g,
                                                         const uint32_t *numbers, uint32_t count,
                                                         const struct worded *of)
@@ -288,7 +288,7 @@ void ZR_KERNEL(zr_small)(struct zr_tile *tile, const struct zr_geometry *geometr
         uint32_t last[ZR_LANES];
         struct zr_corner_v v[3];
         struct group group;
-        if (some < ZR_LANES) { /* what is missing is the first once more */
+        if (some < ZR_LANES) { /* pads the group with the first triangle */
             for (uint32_t i = 0; i < ZR_LANES; i++)
                 last[i] = here[i < some ? i : 0];
             here = last;
@@ -300,9 +300,9 @@ void ZR_KERNEL(zr_small)(struct zr_tile *tile, const struct zr_geometry *geometr
         } else {
             draw = load_mixed_corners(geometry, draw, here, v);
         }
-        expect_corners(draw, numbers + done, count - done);
+        prefetch_corners(draw, numbers + done, count - done);
         set_up(tile, v, &group);
-        if (group.in_stamp) /* and is not drawn twice */
+        if (group.in_stamp) /* skips the padding */
             for (uint32_t i = some; i < ZR_LANES; i++)
                 group.covered[i] = 0;
         if (tile->fragments) {

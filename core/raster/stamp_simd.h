@@ -1,19 +1,18 @@
-/* stamp_simd.h - raster: what triangles cover of a stamp, many at once, for kernels.
+/* stamp_simd.h - raster: coverage of 4x4 samples by one triangle per lane, for kernels.
  *
- * Space:  a stamp is four samples across and up: what a triangle of a fine mesh covers mostly lies in one. Its samples
- *         are bits, ZR_STAMP * row + column.
- * Exact:  the reference's rule 7.
- */
+ * Space:  a stamp is 4x4 samples: the coverage of a triangle of a fine mesh mostly fits in one. Its samples are bits,
+ *         ZR_STAMP * row + column.
+ * Exact:  the reference's rule 7. */
 #ifndef ZR_STAMP_SIMD_H
 #define ZR_STAMP_SIMD_H
 
 #include "raster/triangle_simd.h"
 
 enum { ZR_STAMP = 4, ZR_STAMP_SAMPLES = ZR_STAMP * ZR_STAMP };
-enum { ZR_HAS_STAMPS = (int)ZR_LANES >= (int)ZR_STAMP }; /* of one sample at a time there is nothing to gain */
-_Static_assert((int)ZR_STAMP_SAMPLES <= 31, "a bit a sample");
+enum { ZR_HAS_STAMPS = (int)ZR_LANES >= (int)ZR_STAMP }; /* no gain with one sample at a time */
+_Static_assert((int)ZR_STAMP_SAMPLES <= 31, "one bit per sample");
 
-/* The samples that are covered, a bit each. Edges are those at the stamp's first sample. */
+/* Returns the covered samples, one bit each. Edges are those at the stamp's first sample. */
 static inline zr_vi zr_stamp_covered(const struct zr_edge_v edges[3])
 {
     zr_vi row[3], outside = zr_vi_set(0);
@@ -32,8 +31,8 @@ static inline zr_vi zr_stamp_covered(const struct zr_edge_v edges[3])
     return ~outside & zr_vi_set((1 << ZR_STAMP_SAMPLES) - 1);
 }
 
-/* Lists what ZR_LANES triangles cover: triangle * ZR_STAMP_SAMPLES + sample. Returns how many there are; the last one
- * is repeated behind itself, for a whole vector. */
+/* Lists the covered samples of ZR_LANES triangles as triangle * ZR_STAMP_SAMPLES + sample, and returns their number.
+ * Pads the list to a whole vector with its last entry. */
 enum { ZR_STAMP_LIST = ZR_STAMP_SAMPLES * ZR_LANES + ZR_LANES };
 static inline uint32_t zr_stamp_list(const uint32_t covered[ZR_LANES], uint32_t samples[ZR_STAMP_LIST])
 {

@@ -12,13 +12,13 @@ void zr_tile_place(struct zr_tile *tile, uint32_t number, uint32_t width, uint32
     tile->height = (int32_t)height - tile->y < ZR_TILE_SIZE ? (int32_t)height - tile->y : ZR_TILE_SIZE;
 }
 
-/* z < the result is z <= depth and z < 1, for depth in 0..1: the next float, by its bits,
- * which grow with the value. */
+/* Returns the next float above `depth` (in 0..1), at most 1, so that z < result means z <= depth and z < 1. The bits of
+ * non-negative floats have the order of the floats. */
 static inline float just_above(float depth)
 {
     uint32_t bits;
     memcpy(&bits, &depth, sizeof bits);
-    bits = depth > 0.0f ? bits + 1 : 1; /* -0 has bits of its own */
+    bits = depth > 0.0f ? bits + 1 : 1; /* -0 has other bits */
     float above;
     memcpy(&above, &bits, sizeof above);
     return depth < 1.0f ? above : 1.0f;
@@ -45,9 +45,9 @@ void zr_tile_begin(struct zr_tile *tile, const struct zr_base *base, uint32_t wi
     for (int i = 0; i < ZR_BLOCKS; i++)
         tile->block_far[i] = blocks >> i & 1 ? 1.0f : 0.0f;
     for (int i = 0; i < ZR_TILE_STRIDE * ZR_TILE_SIZE; i++)
-        tile->depth[i] = 1.0f; /* beyond the window too, where whole blocks are looked at */
+        tile->depth[i] = 1.0f; /* also beyond the window, since blocks are tested as a whole */
     for (int32_t row = 0; base && base->window_depth && row < tile->height; row++) {
-        /* Window space has y up, pictures have row 0 on top. */
+        /* Window space has y up; pictures have row 0 on top. */
         size_t line = (size_t)(height - 1 - (uint32_t)(tile->y + row)) * width + (size_t)tile->x;
         load_row(&tile->depth[row * ZR_TILE_STRIDE], base->window_depth + line, tile->width, base->scene_wins_ties);
     }

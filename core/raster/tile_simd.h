@@ -1,4 +1,4 @@
-/* tile_simd.h - raster: the z-buffer, ZR_LANES samples at once, and blocks of it, for kernels. */
+/* tile_simd.h - raster: z-buffer operations on ZR_LANES samples, and on blocks, for kernels. */
 #ifndef ZR_TILE_SIMD_H
 #define ZR_TILE_SIMD_H
 
@@ -6,16 +6,15 @@
 #include "raster/tile.h"
 #include "raster/triangle_simd.h"
 
-/* What became of ZR_LANES samples. */
+/* Result for ZR_LANES samples. */
 struct zr_put_v {
     zr_vm seen;
-    zr_vf nearest; /* the depths that are there now */
+    zr_vf nearest; /* the depths after the operation */
 };
 
-/* Where lanes are seen, by zr_tile_put's rule, they are written: always at a multiple of ZR_LANES, and all lanes of
- * depths, since what one triangle has stored the next one loads, and a load waits long for a store that is not the same
- * whole vector (a third of the bunny's time). Owners are loaded where depths are the same only, which is seldom (4 % of
- * the bunny). */
+/* Stores the visible lanes by zr_tile_put's rule. Addresses are multiples of ZR_LANES, and all lanes of the depths are
+ * stored. The next triangle loads them, and anything but the same whole vector would cause a store-forwarding stall (a
+ * third of the bunny's time). Owners are loaded only at equal depths, which are rare (4 % of the bunny). */
 static inline struct zr_put_v zr_tile_put_v(float *depth, uint32_t *owners, zr_vm inside, zr_vf z, zr_vi owner)
 {
     const zr_vf old = zr_vf_load(depth);
@@ -32,7 +31,7 @@ static inline struct zr_put_v zr_tile_put_v(float *depth, uint32_t *owners, zr_v
     return (struct zr_put_v){seen, nearest};
 }
 
-/* The same where nothing is written yet: lanes where it is not seen become nobody's. Returns the depths. */
+/* Same for samples not yet written: lanes that are not visible become uncovered. Returns the depths. */
 static inline zr_vf zr_tile_put_first_v(float *depth, uint32_t *owners, zr_vm inside, zr_vf z, zr_vi owner)
 {
     const zr_vf one = zr_vf_set(1.0f);
@@ -43,7 +42,7 @@ static inline zr_vf zr_tile_put_first_v(float *depth, uint32_t *owners, zr_vm in
     return nearest;
 }
 
-/* Lanes that are in front of what is seen there go into the tile's lists. `first`: the place of lane 0. */
+/* Adds lanes in front of the opaque samples to the tile's lists. `first`: index of lane 0. */
 static inline void zr_tile_list_v(struct zr_tile *tile, size_t first, zr_vm inside, zr_vf z, uint32_t owner)
 {
     float depths[ZR_LANES];
@@ -58,8 +57,7 @@ static inline void zr_tile_list_v(struct zr_tile *tile, size_t first, zr_vm insi
 
 /* ---- blocks ---- */
 
-/* Vectors across a block. What is streamed must be written row by row: non-temporal stores take whole lines, or each
- * write is one of its own. */
+/* Vectors across a block. Non-temporal stores must be made row by row: they combine to whole cache lines only then. */
 enum { ZR_BLOCK_PARTS = ZR_BLOCK_WIDTH / ZR_LANES };
 
 static inline size_t zr_block_first(int block)
@@ -68,7 +66,7 @@ static inline size_t zr_block_first(int block)
            (size_t)(block % ZR_BLOCK_COLUMNS * ZR_BLOCK_WIDTH);
 }
 
-/* The depth of ZR_LANES columns of a plane, row by row. */
+/* Depths of ZR_LANES columns of a plane, evaluated row by row. */
 struct zr_depth_columns {
     zr_vf across, dady, offset;
 };
@@ -85,8 +83,8 @@ static inline zr_vf zr_depth_columns_at(const struct zr_depth_columns *c, zr_vf 
     return zr_depth_clamp_v((c->across + c->dady * y) + c->offset);
 }
 
-/* The depths of a block that is not written, to rows of `out`, `stride` apart. Nobody's are not worked out (1 % of the
- * bunny at 512x512). */
+/* Writes the depths of an unwritten block to rows of `out`, `stride` apart. An uncovered block needs no plane (1 % of
+ * the bunny at 512x512). */
 static inline void zr_block_write_depths(const struct zr_tile *tile, int block, float *out, ptrdiff_t stride,
                                          bool streamed)
 {
@@ -107,7 +105,7 @@ static inline void zr_block_write_depths(const struct zr_tile *tile, int block, 
             zr_vi_put(out + v * ZR_LANES, zr_vi_bits_of(zr_depth_columns_at(&columns[v], fy)), streamed);
 }
 
-/* Its depths and its owners, to the tile. */
+/* Writes an unwritten block's depths and owners to the tile. */
 static inline void zr_block_write(struct zr_tile *tile, int block)
 {
     const size_t first = zr_block_first(block);

@@ -1,29 +1,28 @@
-/* tiny_simd.h - raster: triangles that hold 2x2 of the window's pixel centres at most, many at once, for the kernel
- * that sorts.
+/* tiny_simd.h - raster: rasterizes triangles with at most 2x2 pixel centres of the window, many at once, for the
+ * binning kernel.
  *
- * How:    in four steps, each of which queues what it finds for the next one: a triangle is tiny (zr_tiny_add), it
- *         covers a sample (zr_tiny_cover), the sample has a depth, and goes into its tile (both zr_tiny_draw). So
- *         vectors are full; of the samples that a box holds, most are not covered, and for these no corner and no
- *         depth is looked at (a tenth of the time of a million triangles). In how many tiles a vector's samples lie,
- *         the processor cannot guess: when it finds out, no corners and no depths wait for it any more (3 %).
- * Space:  a queued triangle stands on the snapped grid, seen from the pixel centre of its lower left sample in the
- *         window. It is a small one (ZR_BIN_SMALL_SPAN), if cut by the window's end: its coordinates fit 16 bits, and
- *         both of a place are one word.
- * Exact:  the reference's rules 6 (area, and which corners change places), 7 (edges) and 8 (depth).
- */
+ * How:    four steps, each with a queue for the next: find tiny triangles (zr_tiny_add), find covered samples
+ *         (zr_tiny_cover), compute their depths, and store them in their tiles (both zr_tiny_draw). So vectors are
+ *         full. Most samples of a box are not covered; for these, no corner is loaded and no depth computed (a tenth of
+ *         the time of a million triangles). The loop over a vector's tiles causes branch
+ *         mispredictions. It runs last, when no corners or depths are pending (3 %).
+ * Space:  a queued triangle is on the snapped grid, relative to the pixel centre of its lower left sample in the
+ *         window. It is small (ZR_BIN_SMALL_SPAN), possibly cut by the window's border: its coordinates fit 16 bits, so
+ *         that x and y share one word.
+ * Exact:  the reference's rules 6 (area and corner order), 7 (edges) and 8 (depth). */
 #ifndef ZR_TINY_SIMD_H
 #define ZR_TINY_SIMD_H
 
 #include "raster/bins.h"
 #include "raster/triangle_simd.h"
 
-/* So many are queued at most before zr_tiny_draw empties the queues. */
+/* Capacity of the queues, which zr_tiny_draw empties. */
 enum { ZR_TINY_ROOM = 512 };
 
-/* Where a draw's corners are. */
+/* Corners of a draw. */
 struct zr_corners {
-    const float *vertices;   /* of position 0 */
-    const uint32_t *corners; /* of triangle 0 of the draw */
+    const float *vertices;   /* vertex of position 0 */
+    const uint32_t *corners; /* corners of triangle 0 of the draw */
 };
 
 static inline const float *zr_corner_at(const struct zr_corners *c, uint32_t t, size_t k)
@@ -31,35 +30,34 @@ static inline const float *zr_corner_at(const struct zr_corners *c, uint32_t t, 
     return c->vertices + 4 * (size_t)c->corners[3 * (size_t)t + k];
 }
 
-/* Where the triangles of a draw that are drawn come from, and where they go. */
+/* Input and output of one range of a draw. */
 struct zr_tiny_target {
     const struct zr_draw *draw;
     const struct zr_prepaint *payload; /* NULL: none */
     const struct zr_corners *corners;
     struct zr_binner *binner;
-    uint32_t first_owner, last_owner; /* of those that may come */
+    uint32_t first_owner, last_owner; /* range of owner ids */
 };
 
-/* Four of each triangle, those that waited for more, and a vector behind the end. */
+/* Four per triangle, those left from before, and a vector after the end. */
 enum { ZR_TINY_SAMPLES_ROOM = 4 * ZR_TINY_ROOM + 2 * ZR_LANES };
 
-/* What follows a queue's end may be written, a vector at a time. */
+/* Queues. Whole vectors are written beyond their ends. */
 struct zr_tiny {
     uint32_t count, sample_count;
     uint32_t numbers[ZR_TINY_ROOM + ZR_LANES];
     uint32_t places[ZR_TINY_ROOM + ZR_LANES]; /* of the lower left sample: y << 16 | x */
-    /* Pairs of 16 bits, as zr_vp: corner 0, and the ways from it to corners 1 and 2. */
+    /* Pairs of 16 bits, as zr_vp: corner 0, and the vectors from it to corners 1 and 2. */
     uint32_t corner[ZR_TINY_ROOM + ZR_LANES], way1[ZR_TINY_ROOM + ZR_LANES], way2[ZR_TINY_ROOM + ZR_LANES];
-    /* Samples that are covered; where the upper bit of a place is set, corners 0 and 1 change places. */
+    /* Covered samples; the upper bit of a place means that corners 0 and 1 are swapped. */
     uint32_t sample_numbers[ZR_TINY_SAMPLES_ROOM], sample_places[ZR_TINY_SAMPLES_ROOM];
-    /* The same samples when they have a depth: as zr_tiny_samples, but a word of bits a group for those that are seen.
-     */
+    /* The same samples with depths, as zr_tiny_samples; one word of visibility bits per group. */
     uint32_t seen_bits[ZR_TINY_SAMPLES_ROOM / ZR_LANES];
     uint32_t tiles[ZR_TINY_SAMPLES_ROOM], words[ZR_TINY_SAMPLES_ROOM], payloads[ZR_TINY_SAMPLES_ROOM];
     float depths[ZR_TINY_SAMPLES_ROOM];
 };
 
-/* ---- which samples are covered ---- */
+/* ---- coverage ---- */
 
 static inline void zr_tiny_add(struct zr_tiny *tiny, zr_vm which, zr_vi numbers, zr_vp place, zr_vp corner, zr_vp way1,
                                zr_vp way2)
@@ -72,8 +70,8 @@ static inline void zr_tiny_add(struct zr_tiny *tiny, zr_vm which, zr_vi numbers,
     tiny->count += zr_vi_compress(tiny->numbers + count, which, numbers);
 }
 
-/* Rule 7, as zr_edge_make_v has it. An edge's way is b in the lower half of a word and a in the upper: those that keep
- * what is on them (a < 0, or a = 0 and b > 0) are no more than INT16_MAX. */
+/* Rule 7, as zr_edge_make_v. The vector of an edge has b in the lower half of a word and a in the upper. Edges that
+ * include their samples (a < 0, or a = 0 and b > 0) are those up to INT16_MAX. */
 static inline struct zr_edge_v zr_tiny_edge(zr_vp i, zr_vp j)
 {
     const zr_vi way = (zr_vi)(i - j), less = (zr_vi_set(INT16_MAX) - way) >> 31;
@@ -84,10 +82,10 @@ static inline struct zr_edge_v zr_tiny_edge(zr_vp i, zr_vp j)
 /* ZR_LANES triangles. */
 struct zr_tiny_group {
     struct zr_edge_v edges[3];
-    zr_vi numbers, places; /* of the lower left samples, as they are queued */
+    zr_vi numbers, places; /* of the lower left samples, as queued */
 };
 
-/* Queues the samples so far right of the lower left ones, and so far up, where there are any and they are covered. */
+/* Queues the covered ones among the samples at offset (right, up) from the lower left ones, for lanes in `there`. */
 static inline void zr_tiny_add_samples(struct zr_tiny *tiny, const struct zr_tiny_group *group, zr_vm there, int right,
                                        int up)
 {
@@ -104,7 +102,7 @@ static inline void zr_tiny_add_samples(struct zr_tiny *tiny, const struct zr_tin
     tiny->sample_count += zr_vi_compress(tiny->sample_numbers + count, covered, group->numbers);
 }
 
-/* Those from `from` on, ZR_LANES of which `valid` are. `last`: the window's last place. */
+/* Processes ZR_LANES triangles from `from` on, of which `valid` exist. `last`: the window's last place. */
 static inline void zr_tiny_cover_group(struct zr_tiny *tiny, uint32_t from, zr_vm valid, zr_vi last)
 {
     const zr_vi zero = zr_vi_set(0), place = zr_vi_load(tiny->places + from), beyond = last - place;
@@ -132,14 +130,14 @@ static inline void zr_tiny_cover(struct zr_tiny *tiny, zr_vi last)
     tiny->count = 0;
 }
 
-/* ---- what is seen there ---- */
+/* ---- depth and output ---- */
 
-/* A sample a lane. */
+/* One sample per lane. */
 struct zr_tiny_samples {
     zr_vm seen;
-    zr_vi tile, word; /* word: as in zr_bin_fragments */
+    zr_vi tile, word; /* word: as in zr_bin_fragments.places, before first_owner is subtracted */
     zr_vf depth;
-    zr_vi payload; /* 0: not known */
+    zr_vi payload; /* prepainted word; 0: none */
 };
 
 static inline void zr_tiny_put(struct zr_bin_fragments *block, zr_vm put, const struct zr_tiny_samples *samples,
@@ -151,7 +149,7 @@ static inline void zr_tiny_put(struct zr_bin_fragments *block, zr_vm put, const 
     block->head.used += zr_vi_compress(block->depths + block->head.used, put, zr_vi_bits_of(samples->depth));
 }
 
-/* Into the tiles that they lie in, which is mostly one. */
+/* Stores the samples in their tiles; mostly all lie in one. */
 static inline void zr_tiny_put_all(const struct zr_tiny_target *target, const struct zr_tiny_samples *samples)
 {
     struct zr_binner *binner = target->binner;
@@ -228,12 +226,12 @@ static inline struct zr_tiny_samples zr_tiny_kept(const struct zr_tiny *tiny, ui
                                     .payload = zr_vi_load(tiny->payloads + from)};
 }
 
-/* Full groups; what is left waits for more, unless this `is_end`. */
+/* Processes full groups; the rest stays queued, unless `is_end`. */
 static inline void zr_tiny_draw(struct zr_tiny *tiny, bool is_end, const struct zr_tiny_target *target)
 {
     uint32_t *numbers = tiny->sample_numbers, *places = tiny->sample_places;
     const uint32_t count = tiny->sample_count, left = is_end ? 0 : count % ZR_LANES, end = count - left;
-    for (uint32_t i = count; i % ZR_LANES != 0; i++) { /* what is missing in the last group is the first once more */
+    for (uint32_t i = count; i % ZR_LANES != 0; i++) { /* pads the last group with the first sample */
         numbers[i] = numbers[0];
         places[i] = places[0];
     }

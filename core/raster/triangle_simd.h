@@ -1,8 +1,7 @@
-/* triangle_simd.h - raster: ZR_LANES triangles at once, for kernels: corners, orientation, planes.
+/* triangle_simd.h - raster: corners, orientation and planes of ZR_LANES triangles, for kernels.
  *
- * Exact:  the reference's rules 5 (snapping), 6 (area, and which corners change places) and 8 (planes), as
- *         viewport.h, place.c and plane.h have them for one.
- */
+ * Exact:  the reference's rules 5 (snapping), 6 (area and corner order) and 8 (planes), equal to the scalar code of
+ *         viewport.h, place.c and plane.h. */
 #ifndef ZR_TRIANGLE_SIMD_H
 #define ZR_TRIANGLE_SIMD_H
 
@@ -14,7 +13,7 @@ struct zr_corner_v {
     zr_vf x, y, z, oow;
 };
 
-/* Lane i of corner k has the four floats at AT_k(i), as ZR_LOAD4 has it. */
+/* Loads the four floats at AT_k(i) into lane i of corner k, as ZR_LOAD4. */
 #define ZR_LOAD_CORNERS(c, AT_0, AT_1, AT_2)                                                                           \
     do {                                                                                                               \
         ZR_LOAD4((c)[0].x, (c)[0].y, (c)[0].z, (c)[0].oow, AT_0);                                                      \
@@ -22,7 +21,7 @@ struct zr_corner_v {
         ZR_LOAD4((c)[2].x, (c)[2].y, (c)[2].z, (c)[2].oow, AT_2);                                                      \
     } while (0)
 
-/* As zr_prepaint_fn wants them. */
+/* Stores corners in the layout of zr_prepaint_fn. */
 static inline void zr_corners_store(const struct zr_corner_v c[3], float out[3][3][ZR_LANES])
 {
     for (int k = 0; k < 3; k++) {
@@ -32,7 +31,7 @@ static inline void zr_corners_store(const struct zr_corner_v c[3], float out[3][
     }
 }
 
-/* Snapped. */
+/* Snapped coordinates. */
 struct zr_grid_v {
     zr_vi x, y;
 };
@@ -64,27 +63,27 @@ static inline zr_vi zr_most_v(zr_vi a, zr_vi b, zr_vi c)
     return zr_vi_max(zr_vi_max(a, b), c);
 }
 
-/* Rule 6. Right where corners are ZR_BIN_SMALL_SPAN apart at most; else some number. */
+/* Returns the area by rule 6; undefined if corners are more than ZR_BIN_SMALL_SPAN apart. */
 static inline zr_vi zr_area_v(const struct zr_grid_v g[3])
 {
     return (g[0].x - g[1].x) * (g[2].y - g[0].y) - (g[2].x - g[0].x) * (g[0].y - g[1].y);
 }
 
-/* From the least to the greatest of three. */
+/* Returns the difference of the greatest and the least of three. */
 static inline zr_vi zr_span_v(zr_vi a, zr_vi b, zr_vi c)
 {
     return zr_most_v(a, b, c) - zr_least_v(a, b, c);
 }
 
-/* Lanes that have the number that lane i has. */
+/* Returns the lanes whose number equals that of lane i. */
 static inline uint32_t zr_lanes_with(const int32_t *numbers, int i)
 {
     return zr_vm_bits(zr_vi_eq(zr_vi_load(numbers), zr_vi_set(numbers[i])));
 }
 
-/* Which triangles go counter-clockwise, of any size: their corners 0 and 1 are to change places (rule 6). c: what
- * stands in `vertices` at the numbers n0, n1 and n2, ZR_LANES of each. Long triangles are measured one by one, in 64
- * bits, each of them once. */
+/* Returns the counter-clockwise triangles, of any size: their corners 0 and 1 must be swapped (rule 6). c: the contents
+ * of `vertices` at ZR_LANES numbers n0, n1 and n2 each. The areas of long triangles are computed one by one, in 64
+ * bits; equal lanes share one computation. */
 static inline zr_vm zr_turned_v(const struct zr_window_vertex *vertices, const int32_t *n0, const int32_t *n1,
                                 const int32_t *n2, const struct zr_corner_v c[3])
 {
@@ -104,8 +103,7 @@ static inline zr_vm zr_turned_v(const struct zr_window_vertex *vertices, const i
     return zr_vm_of(turned);
 }
 
-/* Which triangles show their back, of those that go counter-clockwise where `turned`: as a front does, but in a mirror.
- */
+/* Returns the triangles that show their backs: a front is counter-clockwise (`turned`) unless mirrored. */
 static inline zr_vm zr_backs_v(zr_vm turned, bool mirrored)
 {
     return mirrored ? turned : zr_vm_andnot(ZR_ALL_LANES, turned);
@@ -125,7 +123,7 @@ static inline void zr_swap_vi(zr_vm where, zr_vi *a, zr_vi *b)
     *b = zr_vi_select(where, old, *b);
 }
 
-/* Rule 6: two corners change places, all but their 1/w, which depth does not depend on. */
+/* Rule 6: swaps two corners except for their 1/w, which depth does not use. */
 static inline void zr_corners_swap_v(zr_vm where, struct zr_corner_v c[3])
 {
     const int k = zr_swapped_corner();
@@ -134,7 +132,7 @@ static inline void zr_corners_swap_v(zr_vm where, struct zr_corner_v c[3])
     zr_swap_vf(where, &c[0].z, &c[k].z);
 }
 
-/* Rules 5 and 6: snaps the corners, and turns those triangles whose area is negative. Returns which. */
+/* Rules 5 and 6: snaps the corners, and swaps those of triangles with negative area. Returns these lanes. */
 static inline zr_vm zr_corners_orient_v(struct zr_corner_v c[3], struct zr_grid_v g[3])
 {
     zr_corners_snap_v(c, g);
@@ -146,13 +144,13 @@ static inline zr_vm zr_corners_orient_v(struct zr_corner_v c[3], struct zr_grid_
     return turned;
 }
 
-/* The first pixel centre that is not before a snapped coordinate. */
+/* Returns the first pixel centre at or after a snapped coordinate. */
 static inline zr_vi zr_centre_behind_v(zr_vi snapped)
 {
     return (snapped + zr_vi_set(ZR_SUBPIXELS - 1)) >> ZR_SUBPIXEL_BITS;
 }
 
-/* Rule 8: what all planes of a triangle share. */
+/* Rule 8: common terms of a triangle's planes. */
 struct zr_basis_v {
     zr_vf dx01, dy01, dx20, dy20, x0, y0;
 };
@@ -161,7 +159,7 @@ struct zr_plane_v {
     zr_vf a0, dadx, dady;
 };
 
-/* As zr_from_centre. */
+/* Equals zr_from_centre. */
 static inline zr_vf zr_from_centre_v(zr_vf window)
 {
     return ZR_MUTANT(planes_from_the_grid, window - zr_vf_set(0.5f),
@@ -188,14 +186,14 @@ static inline zr_vf zr_plane_at_v(const struct zr_plane_v *p, zr_vf x, zr_vf y)
     return (p->a0 + p->dadx * x) + p->dady * y;
 }
 
-/* Each lane has the plane of the lane that it names. */
+/* Returns, for each lane, the plane of the lane given by `lane`. */
 static inline struct zr_plane_v zr_plane_pick(const struct zr_plane_v *p, zr_vi lane)
 {
     return (struct zr_plane_v){zr_vf_pick(p->a0, lane), zr_vf_pick(p->dadx, lane), zr_vf_pick(p->dady, lane)};
 }
 
-/* The least and the greatest value at samples x0..x1, y0..y1: no bounds, but values at corners, since rounding
- * is monotone. NaN where some are. */
+/* Least and greatest value at samples x0..x1, y0..y1. Both are values at corners, since rounding is monotone. NaN if
+ * some corner is. */
 struct zr_range_v {
     zr_vf near, far;
 };
@@ -208,20 +206,20 @@ static inline struct zr_range_v zr_plane_range_v(const struct zr_plane_v *p, zr_
                                zr_plane_at_v(p, zr_vf_select(right, x1, x0), zr_vf_select(up, y1, y0))};
 }
 
-/* As zr_depth_clamp. */
+/* Equals zr_depth_clamp. */
 static inline zr_vf zr_depth_clamp_v(zr_vf z)
 {
     const zr_vf not_beyond_1 = zr_vf_min(z, zr_vf_set(1.0f));
     return ZR_MUTANT(depth_below_0, zr_vf_max(not_beyond_1, zr_vf_set(0.0f)), not_beyond_1);
 }
 
-/* Rule 7: an edge function as a step a pixel to the right, a step a pixel up, and its value less 1 at a sample, so
- * that what is inside is not negative. */
+/* Rule 7: an edge function: its step per pixel to the right, its step per pixel up, and its value at a sample, less 1,
+ * so that it is not negative inside. */
 struct zr_edge_v {
     zr_vi right, up, at;
 };
 
-/* Of the edge from i to j, whose places are given from the sample. */
+/* Makes the edge from i to j, in coordinates relative to the sample. */
 static inline struct zr_edge_v zr_edge_make_v(struct zr_grid_v i, struct zr_grid_v j)
 {
     const zr_vi zero = zr_vi_set(0), a = i.y - j.y, b = i.x - j.x;

@@ -1,23 +1,21 @@
-/* edgelist.c - raster: polygon by polygon, through lists of edges row by row, into a z-buffer.
+/* edgelist.c - raster: draws polygon by polygon into a z-buffer, by ordered edge lists.
  *
- * Each edge of a polygon enters the x where it crosses a row into that row's list; the lists
- * are sorted, and what lies between the first and second, third and fourth x is filled
- * (the ordered edge list: Rogers, "Procedural Elements for Computer Graphics", 1985, section
- * 2; Foley, van Dam, Feiner & Hughes, "Computer Graphics: Principles and Practice", 1990,
- * 3.6). The z-buffer is Catmull's (1974). The textbooks let edges carry z too; here depth is
- * the primitive's own plane at the sample, as the rule says.
+ * Each edge of a polygon adds the x at which it crosses a row to that row's list. The lists are sorted, and samples
+ * between the first and second, third and fourth x are filled (the ordered edge list: Rogers, "Procedural Elements for
+ * Computer Graphics", 1985, section 2; Foley, van Dam, Feiner & Hughes, "Computer Graphics: Principles and Practice",
+ * 1990, 3.6). The z-buffer is Catmull's (1974). The textbooks interpolate z along edges; here depth is the primitive's
+ * own plane at the sample, by the common rule.
  *
- * Exact: an x is the first sample not left of the edge, by one integer division a row, rounded
- * up. So a pair of them holds just the samples that have an odd number of edges on their left.
- */
+ * Exact:  an x is the first sample not left of the edge, by one integer division per row, rounded up. So a pair of them
+ *         encloses exactly the samples that have an odd number of edges on their left. */
 #include "raster/textbook/algorithms.h"
 
-/* The rows' lists, one behind the other. */
+/* Lists of all rows, stored one after the other. */
 struct lists {
-    uint32_t *ends; /* of the list of row y, counted from the polygon's lowest row, at [y + 1] */
+    uint32_t *ends; /* [y + 1]: end of the list of row y, relative to the polygon's lowest row */
     int32_t *xs;
-    size_t room;         /* of xs */
-    struct zr_hit *hits; /* of a row */
+    size_t room;         /* capacity of xs */
+    struct zr_hit *hits; /* of one row */
 };
 
 struct rows {
@@ -26,13 +24,13 @@ struct rows {
 
 /* ---- edges ---- */
 
-/* Rounded up. */
+/* Divides, rounding up. */
 static int64_t divide(int64_t dividend, int64_t divisor)
 {
     return dividend > 0 ? (dividend - 1) / divisor + 1 : dividend / divisor;
 }
 
-/* Those that the edge crosses, of the polygon's. */
+/* Returns the rows of the polygon that the edge crosses. */
 static struct rows rows_of(const struct zr_grid_edge *edge, const struct zr_primitive *primitive)
 {
     struct rows rows = {(int32_t)divide(edge->y0, ZR_SUBPIXELS), (int32_t)divide(edge->y1, ZR_SUBPIXELS)};
@@ -41,7 +39,7 @@ static struct rows rows_of(const struct zr_grid_edge *edge, const struct zr_prim
     return rows;
 }
 
-/* In columns of the window, or `width` where it is right of them all. */
+/* Returns the window column at which the edge crosses row y, clamped to 0 .. width. */
 static int32_t crossing(const struct zr_grid_edge *edge, int32_t y, uint32_t width)
 {
     int64_t run = (int64_t)edge->x1 - edge->x0, rise = (int64_t)edge->y1 - edge->y0;
@@ -53,7 +51,7 @@ static int32_t crossing(const struct zr_grid_edge *edge, int32_t y, uint32_t wid
 
 /* ---- lists ---- */
 
-/* Counts what each row gets, so that every list has its place. */
+/* Counts the entries of each row and computes the starts of the lists. */
 static bool make_room(struct zr_arena *arena, const struct zr_primitive *primitive, struct lists *lists)
 {
     const struct zr_grid_edge *edges = zr_primitive_edges(primitive);
@@ -65,7 +63,7 @@ static bool make_room(struct zr_arena *arena, const struct zr_primitive *primiti
         for (int32_t y = rows.begin; y < rows.end; y++)
             lists->ends[y - primitive->min_y + 1]++;
     }
-    /* Where a list begins, until its entries have moved it to where the list ends. */
+    /* Start of each list; storing entries advances it to the end. */
     uint32_t total = 0;
     for (int32_t i = 1; i <= height; i++) {
         uint32_t count = lists->ends[i];
@@ -89,7 +87,7 @@ static void enter(const struct zr_primitive *primitive, uint32_t width, struct l
     }
 }
 
-/* Shell's sort: most lists have two entries, the longest as many as a polygon has corners. */
+/* Shell sort: most lists have two entries, and none more than the polygon has corners. */
 static void sort(int32_t *xs, uint32_t count)
 {
     static const uint32_t gaps[] = {1750, 701, 301, 132, 57, 23, 10, 4, 1}; /* Ciura 2001 */
@@ -105,7 +103,7 @@ static void sort(int32_t *xs, uint32_t count)
 
 /* ---- filling ---- */
 
-/* Between the first and the second x of row y's list, the third and the fourth, and so on. */
+/* Fills between the first and second x of row y's list, the third and fourth, and so on. */
 static void fill_row(const struct zr_geometry *geometry, const struct zr_primitive *primitive, int32_t y,
                      const struct lists *lists, struct zr_samples *samples)
 {
@@ -127,7 +125,7 @@ static enum zr_status draw(struct zr_arena *arena, const struct zr_geometry *geo
     for (int32_t y = primitive->min_y; y <= primitive->max_y; y++) {
         if (zr_is_cancelled(cancel)) return ZR_CANCELLED;
         const uint32_t *ends = &lists->ends[y - primitive->min_y];
-        if (ends[0] == ends[1]) continue; /* where all lists are empty, there may be no room for any */
+        if (ends[0] == ends[1]) continue; /* if all lists are empty, xs may be NULL */
         sort(lists->xs + ends[0], ends[1] - ends[0]);
         fill_row(geometry, primitive, y, lists, samples);
     }

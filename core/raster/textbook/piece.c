@@ -4,7 +4,7 @@ enum { FIRST_ROOM = 1024 };
 
 /* ---- memory ---- */
 
-/* Room for one more; the old array is lost to the arena, so each is twice as large. */
+/* Ensures room for one more item. The arena does not reuse the old array, so the size doubles. */
 static bool reserve(struct zr_arena *arena, void **items, uint32_t count, uint32_t *room, size_t size)
 {
     if (count < *room) return true;
@@ -16,7 +16,7 @@ static bool reserve(struct zr_arena *arena, void **items, uint32_t count, uint32
     return true;
 }
 
-/* An empty piece, or 0. */
+/* Returns an empty piece, or 0 if memory ran out. */
 static uint32_t new_piece(struct zr_pieces *pieces, uint32_t primitive)
 {
     uint32_t number = pieces->free;
@@ -31,11 +31,11 @@ static uint32_t new_piece(struct zr_pieces *pieces, uint32_t primitive)
     pieces->items[number] = (struct zr_piece){.primitive = primitive,
                                               .min_x = UINT16_MAX,
                                               .min_y = UINT16_MAX,
-                                              .near = 1.0f}; /* and far 0, max 0: nothing in between */
+                                              .near = 1.0f}; /* far and max are 0: an empty range */
     return number;
 }
 
-/* A span of one sample, or 0. */
+/* Returns a span of one sample, or 0 if memory ran out. */
 static uint32_t new_span(struct zr_pieces *pieces, int32_t x, int32_t y)
 {
     uint32_t number = pieces->free_span;
@@ -76,7 +76,7 @@ static bool is_nearer(struct zr_hit a, struct zr_hit b)
     return a.depth < b.depth || (a.depth == b.depth && a.owner < b.owner);
 }
 
-/* Adds a sample to a piece whose last span is *last; samples come in the order of spans. */
+/* Adds a sample to a piece whose last span is *last. Samples must come in the order of spans. */
 static bool add(struct zr_pieces *pieces, uint32_t number, uint32_t *last, int32_t x, int32_t y, float depth)
 {
     struct zr_span *span = &pieces->spans[*last];
@@ -104,14 +104,14 @@ static bool add(struct zr_pieces *pieces, uint32_t number, uint32_t *last, int32
 
 /* ---- primitives -> pieces ---- */
 
-/* Which side of the edge a sample is on: 0 and above: not left of it. */
+/* Returns a negative number if the sample is left of the edge. */
 static int64_t side_of(const struct zr_grid_edge *edge, int32_t x, int32_t y)
 {
     int64_t along = (int64_t)y * ZR_SUBPIXELS - edge->y0, aside = (int64_t)x * ZR_SUBPIXELS - edge->x0;
     return aside * ((int64_t)edge->y1 - edge->y0) - along * ((int64_t)edge->x1 - edge->x0);
 }
 
-/* The first column of low .. high that is not left of the edge; `high` may be. By bisection. */
+/* Returns the first column of low .. high that is not left of the edge, by bisection; assumes that `high` is not. */
 static int32_t crossing(const struct zr_grid_edge *edge, int32_t y, int32_t low, int32_t high)
 {
     while (low < high) {
@@ -124,7 +124,7 @@ static int32_t crossing(const struct zr_grid_edge *edge, int32_t y, int32_t low,
     return low;
 }
 
-/* Marks the columns of the box in which the inside begins or ends. */
+/* Toggles the marks of columns in the box at which the inside begins or ends. */
 static void mark_row(const struct zr_primitive *primitive, int32_t y, bool *marks)
 {
     const struct zr_grid_edge *edges = zr_primitive_edges(primitive);
@@ -136,7 +136,7 @@ static void mark_row(const struct zr_primitive *primitive, int32_t y, bool *mark
     }
 }
 
-/* What covers a sample, but is not nearer than what is there at the start, is never seen. */
+/* Adds the samples of a run, except those not nearer than the initial depth, which are never visible. */
 static bool add_run(struct zr_pieces *pieces, uint32_t number, uint32_t *last, int32_t y, int32_t begin, int32_t end)
 {
     const float *start = pieces->samples->depth + (size_t)y * pieces->samples->width;
@@ -151,7 +151,7 @@ static bool add_run(struct zr_pieces *pieces, uint32_t number, uint32_t *last, i
 static bool add_row(struct zr_pieces *pieces, uint32_t number, uint32_t *last, int32_t y)
 {
     const struct zr_primitive *primitive = &pieces->primitives.items[pieces->items[number].primitive];
-    int32_t end = primitive->max_x + 1, begin = end; /* of the run that the sweep is in; `end`: in none */
+    int32_t end = primitive->max_x + 1, begin = end; /* start of the current run; `end`: outside */
     for (int32_t x = primitive->min_x; x <= end; x++) {
         bool ends = pieces->marks[x] || x == end;
         pieces->marks[x] = false;
@@ -185,14 +185,14 @@ enum zr_status zr_pieces_make(struct zr_arena *arena, const struct zr_geometry *
             mark_row(primitive, y, pieces->marks);
             if (!add_row(pieces, number, &last, y)) return ZR_NO_MEMORY;
         }
-        if (pieces->items[number].size == 0) pieces->count--; /* the newest: its number is free again */
+        if (pieces->items[number].size == 0) pieces->count--; /* the newest piece: its number is reused */
     }
     return ZR_OK;
 }
 
 /* ---- two pieces ---- */
 
-/* Adds what a run of samples says, up to where it is known that both are somewhere nearer. */
+/* Counts the samples of a run, until both counts are above 0. */
 static void compare_run(const struct zr_pieces *pieces, int32_t count, struct zr_overlap *overlap)
 {
     for (int32_t k = 0; k < count && (overlap->nearer == 0 || overlap->farther == 0); k++) {
@@ -226,8 +226,8 @@ struct zr_overlap zr_pieces_compare(struct zr_pieces *pieces, const struct zr_pi
     return overlap;
 }
 
-/* Marks those samples of p's run, whose hits are found, that lie in q, and are nearer where that is asked.
- * Goes on from *span to the first of q's spans that does not end before the run. */
+/* Marks the samples of p's run that lie in q, and with `nearer` those at which p is nearer as well. pieces->hits must
+ * hold the run's hits. Advances *span to the first of q's spans that does not end before the run. */
 static void mark_run(struct zr_pieces *pieces, const struct zr_span *run, uint32_t q, bool nearer, uint32_t *span)
 {
     for (int32_t x = run->begin; x < run->end; x++)
@@ -251,7 +251,7 @@ bool zr_pieces_split(struct zr_pieces *pieces, uint32_t p, uint32_t q, bool near
     if (parts[0] == 0 || parts[1] == 0) return false;
     for (uint32_t number = pieces->items[p].first_span, next; number > 0 && !zr_is_cancelled(pieces->cancel);
          number = next) {
-        const struct zr_span span = pieces->spans[number]; /* the array may move */
+        const struct zr_span span = pieces->spans[number]; /* copied, since the array may move */
         next = span.next;
         find_hits(pieces, &pieces->items[p], span.y, span.begin, span.end, pieces->hits);
         mark_run(pieces, &span, q, nearer, &in_q);

@@ -1,50 +1,45 @@
-/* scanline.c - raster: the whole picture in one pass from row to row, without a z-buffer.
+/* scanline.c - raster: draws the whole picture row by row, without a z-buffer.
  *
- * Edges wait in a table by the row that they begin in; those that a row passes are stepped from
- * row to row. Sweeping along the row, each edge says that its polygon begins or ends there; so
- * the row falls into intervals in which the same polygons are met, and in each the
- * nearest is looked for among them (Wylie, Romney, Evans & Erdahl, "Half-tone Perspective
- * Drawings by Computer", 1967; Bouknight, "A Procedure for Generation of Three-dimensional
- * Half-toned Computer Graphics Presentations", 1970; intervals as in Watkins, "A Real-time
- * Visible Surface Algorithm", 1970).
- *
- * Exact: an edge's x is walked column by column, by the sign of an integer (Bresenham,
- * "Algorithm for computer control of a digital plotter", 1965). Along a row each float
- * operation of a primitive's depth keeps to the order of its operands, so depth rises or falls
- * throughout, and an interval's two ends bound it. Where that leaves one polygon, it fills the
- * interval; where more are left, surfaces may cut each other, and each sample decides.
- *
- * Memory: all edges, and what one row needs.
- */
+ * A table holds edges by the row in which they begin; active edges are stepped from row to row. Along a row, each edge
+ * enters or leaves its polygon. So the row is divided into intervals that are covered by the same polygons, and the
+ * nearest is found in each.
+ * Source: Wylie, Romney, Evans & Erdahl, "Half-tone Perspective Drawings by Computer", 1967; Bouknight, "A Procedure
+ *         for Generation of Three-dimensional Half-toned Computer Graphics Presentations", 1970; intervals as in
+ *         Watkins, "A Real-time Visible Surface Algorithm", 1970.
+ * Exact:  an edge's x is stepped column by column, by the sign of an integer (Bresenham, "Algorithm for computer
+ *         control of a digital plotter", 1965). Along a row, each float operation of a primitive's depth is monotone,
+ *         so depth is monotone, and the two ends of an interval bound it. If one polygon remains, it fills the
+ *         interval. If more remain, they may intersect, and each sample decides.
+ * Memory: all edges, and the data of one row. */
 #include "raster/textbook/algorithms.h"
 
 enum { EDGES_A_CANCEL_CHECK = 1024 };
 
-/* An edge in the table. */
+/* An edge of the table. */
 struct entry {
     uint32_t primitive, edge;
 };
 
 struct table {
-    size_t *begins;        /* of row y's entries; height + 1 */
-    struct entry *entries; /* by the row that they begin in */
+    size_t *begins;        /* first entry of row y; height + 1 */
+    struct entry *entries; /* sorted by first row */
 };
 
-/* An edge that the row passes. */
+/* An active edge. */
 struct passing {
-    int32_t x;      /* the first column not left of it */
-    int64_t excess; /* how far x lies right of it, 0 .. column - 1 */
-    int64_t column; /* what excess grows by from column to column, */
-    int64_t row;    /* and falls by from row to row */
-    int32_t end;    /* the row that it does not pass any more */
-    uint32_t owner; /* number of the primitive */
-    size_t same_x;  /* the next in this row with the same x: 1 + number */
+    int32_t x;      /* first column not left of it */
+    int64_t excess; /* distance of x to the right of it, 0 .. column - 1 */
+    int64_t column; /* increase of excess per column */
+    int64_t row;    /* decrease of excess per row */
+    int32_t end;    /* first row that it does not cross */
+    uint32_t owner; /* primitive number */
+    size_t same_x;  /* next edge of this row with the same x: 1 + number */
 };
 
-/* A primitive that an interval meets. */
+/* A primitive that covers an interval. */
 struct layer {
     uint32_t primitive;
-    float near, far; /* its depths in the interval lie between */
+    float near, far; /* bounds of its depth in the interval */
 };
 
 struct sweep {
@@ -54,12 +49,12 @@ struct sweep {
     struct zr_samples *samples;
     struct passing *passing;
     size_t passing_count, passing_room;
-    size_t *at;       /* by column: the first edge there: 1 + number; 0: none */
-    uint32_t *inside; /* primitives that the sweep is inside of, in no order */
+    size_t *at;       /* by column: first edge there, 1 + number; 0: none */
+    uint32_t *inside; /* primitives that contain the sweep position, unordered */
     uint32_t inside_count;
-    uint32_t *places; /* by primitive: 1 + its place in `inside`, or 0 */
+    uint32_t *places; /* by primitive: 1 + its index in `inside`, or 0 */
     struct layer *layers;
-    struct zr_hit *hits, *nearest; /* of an interval */
+    struct zr_hit *hits, *nearest; /* of one interval */
 };
 
 /* ---- the table ---- */
@@ -77,7 +72,7 @@ static struct rows rows_of(const struct zr_grid_edge *edge, int32_t height)
     return rows;
 }
 
-/* A counting sort: counts, then offsets, then entries. */
+/* Counting sort: counts, then offsets, then entries. */
 static bool make_table(struct zr_arena *arena, const struct zr_primitives *primitives, int32_t height,
                        struct table *table)
 {
@@ -110,7 +105,7 @@ static bool make_table(struct zr_arena *arena, const struct zr_primitives *primi
     return true;
 }
 
-/* ---- edges that the row passes ---- */
+/* ---- active edges ---- */
 
 static void walk(struct passing *edge)
 {
@@ -120,7 +115,7 @@ static void walk(struct passing *edge)
         edge->x--;
 }
 
-/* In row y. Starts in the column of the edge's lower end, and walks. */
+/* Makes the active edge in row y: starts at the column of the edge's lower end, and steps. */
 static struct passing make_passing(const struct sweep *sweep, struct entry entry, int32_t y)
 {
     const struct zr_grid_edge *edge = &zr_primitive_edges(&sweep->primitives[entry.primitive])[entry.edge];
@@ -136,7 +131,7 @@ static struct passing make_passing(const struct sweep *sweep, struct entry entry
     return passing;
 }
 
-/* Drops those that end here; the others go on to row y. */
+/* Drops the edges that end here, and steps the others to row y. */
 static void step_row(int32_t y, struct sweep *sweep)
 {
     size_t kept = 0;
@@ -166,7 +161,7 @@ static enum zr_status begin_edges(struct zr_arena *arena, const struct table *ta
     return ZR_OK;
 }
 
-/* Hangs each edge on its column: that sorts them. What ends right of the window needs no end. */
+/* Links each edge to its column, which sorts them. Edges right of the window are not needed. */
 static void sort_row(struct sweep *sweep)
 {
     int32_t width = (int32_t)sweep->samples->width;
@@ -183,7 +178,7 @@ static void sort_row(struct sweep *sweep)
 
 /* ---- intervals ---- */
 
-/* Into the primitive, or out of it. */
+/* Enters the primitive, or leaves it. */
 static void cross(struct sweep *sweep, uint32_t primitive)
 {
     uint32_t place = sweep->places[primitive];
@@ -198,7 +193,7 @@ static void cross(struct sweep *sweep, uint32_t primitive)
     sweep->places[primitive] = 0;
 }
 
-/* A shape has several triangles, and may change from one to another anywhere. */
+/* Bounds a primitive's depth. A shape has several triangles, and may change between them anywhere. */
 static struct layer make_layer(const struct sweep *sweep, uint32_t number, int32_t y, int32_t begin, int32_t end)
 {
     const struct zr_primitive *primitive = &sweep->primitives[number];
@@ -208,7 +203,7 @@ static struct layer make_layer(const struct sweep *sweep, uint32_t number, int32
     return (struct layer){number, left < right ? left : right, left < right ? right : left};
 }
 
-/* What can be seen in the interval: all but those that lie behind the whole of another. */
+/* Lists the primitives that may be visible in the interval: all except those entirely behind another. */
 static uint32_t make_layers(struct sweep *sweep, int32_t y, int32_t begin, int32_t end)
 {
     float least_far = 1.0f;
@@ -225,7 +220,7 @@ static uint32_t make_layers(struct sweep *sweep, int32_t y, int32_t begin, int32
     return kept;
 }
 
-/* At each sample the nearest of the layers, and of equally near ones the earliest. One fills the interval. */
+/* Finds the nearest layer at each sample, on a tie the earliest. A single layer fills the interval. */
 static void resolve(struct sweep *sweep, int32_t y, int32_t begin, int32_t end)
 {
     struct zr_hit *nearest = sweep->nearest, *hits = sweep->hits;
@@ -239,10 +234,10 @@ static void resolve(struct sweep *sweep, int32_t y, int32_t begin, int32_t end)
                 nearest[k] = hits[k];
     }
     for (int32_t x = begin; x < end; x++)
-        zr_samples_put(sweep->samples, x, y, nearest[x - begin]); /* once a sample */
+        zr_samples_put(sweep->samples, x, y, nearest[x - begin]); /* once per sample */
 }
 
-/* All samples of all polygons, for lists. */
+/* Adds all samples of all polygons to the lists. */
 static void keep_all(struct sweep *sweep, int32_t y, int32_t begin, int32_t end)
 {
     for (uint32_t i = 0; i < sweep->inside_count && !zr_is_cancelled(sweep->cancel); i++) {
@@ -270,7 +265,7 @@ static void sweep_row(struct sweep *sweep, int32_t y)
         sweep->places[sweep->inside[--sweep->inside_count]] = 0;
 }
 
-/* ---- */
+/* ---- entry point ---- */
 
 enum zr_status zr_scanline(struct zr_arena *arena, const struct zr_geometry *geometry, const struct zr_cancel *cancel,
                            struct zr_samples *samples)

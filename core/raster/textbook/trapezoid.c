@@ -1,35 +1,33 @@
-/* trapezoid.c - raster: polygon by polygon, cut into trapezoids between rows, into a z-buffer.
+/* trapezoid.c - raster: draws polygon by polygon into a z-buffer, cut into trapezoids between rows.
  *
- * From row to row the edges that are passed keep their order from left to right, until one
- * begins, one ends, or two cross. In between, each pair of them bounds a trapezoid whose
- * parallel sides lie along rows, and its left and right x move by constant steps
- * (Foley, van Dam, Feiner & Hughes, "Computer Graphics: Principles and Practice", 1990, 3.6;
- * the cutting is Fournier & Montuno's, "Triangulating Simple Polygons and Equivalent Problems",
- * 1984). The z-buffer is Catmull's (1974).
- *
- * Exact: x is a whole column and the parts by which it lies right of the edge, so many to a
- * column that a step is whole columns and whole parts. Nothing is rounded, so nothing
- * drifts. With corners below 2^22 in magnitude there are less than 2^31 parts to a column.
- */
+ * From row to row, active edges keep their order from left to right until one begins, one ends, or two cross. Between
+ * such rows, each pair of edges bounds a trapezoid. Its parallel sides lie along rows, and its left and right x change
+ * by constant steps.
+ * Source: Foley, van Dam, Feiner & Hughes, "Computer Graphics: Principles and Practice", 1990, 3.6; the cutting is
+ *         Fournier & Montuno's, "Triangulating Simple Polygons and Equivalent Problems", 1984; the z-buffer is
+ *         Catmull's, 1974.
+ * Exact:  x is an integer column and a distance from the edge in parts. The number of parts per column is chosen so
+ *         that a step is an integer number of columns and parts. Nothing is rounded, so no error accumulates. With
+ *         corners below 2^22 in magnitude, a column has less than 2^31 parts. */
 #include "raster/textbook/algorithms.h"
 
-/* The rows that an edge passes, and where it crosses the one under way. */
+/* An edge: its rows, and where it crosses the current one. */
 struct side {
     int32_t begin, end;
-    int32_t x;         /* the first column not left of the edge */
+    int32_t x;         /* first column not left of the edge */
     int64_t excess;    /* parts from the edge to x: 0 .. whole - 1 */
-    int32_t step;      /* from row to row: columns, rounded down, */
-    int64_t step_rest; /* and parts: 0 .. whole - 1 */
-    int64_t whole;     /* parts to a column */
-    uint32_t next;     /* of those that begin in the same row: 1 + number, 0 behind the last */
+    int32_t step;      /* columns per row, rounded down */
+    int64_t step_rest; /* parts per row beyond `step`: 0 .. whole - 1 */
+    int64_t whole;     /* parts per column */
+    uint32_t next;     /* next side that begins in the same row: 1 + number; 0: none */
 };
 
 struct polygon {
-    uint32_t *beginning;   /* the first side that begins in a row of the window: 1 + number, or 0 */
-    struct side *sides;    /* one an edge */
-    struct side **passing; /* those that the row passes, from left to right */
+    uint32_t *beginning;   /* by row of the window: first side that begins there, 1 + number, or 0 */
+    struct side *sides;    /* one per edge */
+    struct side **passing; /* sides that cross the row, from left to right */
     uint32_t passing_count, room;
-    struct zr_hit *hits; /* of a row */
+    struct zr_hit *hits; /* of one row */
 };
 
 /* ---- sides ---- */
@@ -40,7 +38,7 @@ static int64_t floor_divide(int64_t dividend, int64_t divisor)
     return (dividend - (rest < 0 ? rest + divisor : rest)) / divisor;
 }
 
-/* Cut to the rows of the box. False where none is left. */
+/* Makes a side, cut to the rows of the box. Returns false if no rows remain. */
 static bool make_side(const struct zr_grid_edge *edge, const struct zr_primitive *box, struct side *side)
 {
     int64_t run = (int64_t)edge->x1 - edge->x0, rise = (int64_t)edge->y1 - edge->y0;
@@ -90,7 +88,7 @@ static bool make_sides(struct zr_arena *arena, const struct zr_primitive *primit
 
 /* ---- rows where trapezoids begin ---- */
 
-/* Puts the sides back in order where they begin or cross: few have to move, and not far. */
+/* Restores the order after sides begin or cross: few have to move, and not far. */
 static void sort(struct polygon *polygon)
 {
     for (uint32_t i = 1; i < polygon->passing_count; i++) {
@@ -120,7 +118,7 @@ static void begin_and_end_sides(struct polygon *polygon, int32_t y)
     sort(polygon);
 }
 
-/* The next row above y where a side begins or ends. */
+/* Returns the next row above y in which a side begins or ends. */
 static int32_t next_change(const struct polygon *polygon, int32_t y, int32_t end)
 {
     for (uint32_t i = 0; i < polygon->passing_count; i++)
@@ -142,8 +140,8 @@ static void fill(const struct zr_geometry *geometry, const struct zr_primitive *
         zr_samples_put(samples, x, y, hits[x - left]);
 }
 
-/* Draws those that lie side by side from row y on, and returns the row where they end: `end`, or
- * that in which two sides have crossed. */
+/* Draws the trapezoids from row y on, and returns the row at which they end: `end`, or that in which two sides have
+ * crossed. */
 static int32_t draw_trapezoids(const struct zr_geometry *geometry, const struct zr_primitive *primitive,
                                struct polygon *polygon, int32_t y, int32_t end, const struct zr_cancel *cancel,
                                struct zr_samples *samples)
