@@ -1,16 +1,15 @@
-/* arena.h - base: all memory of one request, given back in one step.
+/* arena.h - base: all memory of one request, freed in one step.
  *
- * Invariant: what a request holds never exceeds `ceiling` by more than what is free in one block. What it holds is what
- * was allocated, and what is left at the ends of blocks, but for the block in which the next allocation may be. It
- * does not depend on earlier requests. Once an allocation has failed, every later one fails too, so a stage may check
- * zr_arena_ok once, at its end.
+ * Invariant: the memory of a request never exceeds `ceiling` by more than the free part of one block. `held` counts
+ * allocations and the free ends of blocks, except for the current block's. It does not depend on earlier requests. Once
+ * an allocation has failed, all later ones fail too, so a stage may check zr_arena_ok once, at its end.
  *
- * Blocks survive zr_arena_reset: a worker that keeps its arena pays for first-touch page faults once. They go back to
- * the system where the next request needs the room for others. Small allocations share blocks of ZR_ARENA_BLOCK; a
- * larger one has a block of its own, at whose end there is up to an eighth of it. All are in pages of ZR_ARENA_BLOCK
- * where the system has them, but for what a block has behind its last whole one.
- * Not thread-safe: one arena belongs to one thread at a time.
- */
+ * Blocks survive zr_arena_reset: a worker that keeps its arena pays for first-touch page faults once. They are freed if
+ * a request needs new blocks that would not fit beside them. Small allocations share blocks of ZR_ARENA_BLOCK. A larger
+ * one gets a block of its own, of which up to an eighth stays free. Blocks are in huge pages of ZR_ARENA_BLOCK if the
+ * system has them, except for the part of a block after its last whole one.
+ *
+ * Not thread-safe: one arena belongs to one thread at a time. */
 #ifndef ZR_ARENA_H
 #define ZR_ARENA_H
 
@@ -23,10 +22,10 @@ struct zr_arena_block;
 struct zr_cancel;
 
 struct zr_arena {
-    size_t ceiling; /* bytes that one request may allocate */
-    size_t used;    /* bytes allocated since the last reset, padding and charges included */
-    size_t held;    /* these, and what is free in blocks, but for the current one */
-    size_t peak;    /* the most that `used` has been since then */
+    size_t ceiling; /* bytes that one request may hold */
+    size_t used;    /* bytes allocated since the last reset, including padding and charges */
+    size_t held;    /* `used`, plus the free bytes of all blocks except the current one */
+    size_t peak;    /* maximum of `used` since the last reset */
     bool failed;
     size_t wanted; /* what `held` would have been, where the first failure was the ceiling's; SIZE_MAX: more than can be
                       counted; 0: it was the system that had no more */
@@ -35,32 +34,30 @@ struct zr_arena {
     struct zr_arena_block *first, *spares; /* those with allocations, and those that a reset kept */
     struct zr_arena_block *current;        /* with the newest allocation */
     size_t spare_bytes;
-    struct zr_arena *lender; /* of a scratch arena: the one that it is beside */
+    struct zr_arena *lender; /* for a scratch arena: its parent */
 };
 
 void zr_arena_init(struct zr_arena *arena, size_t ceiling);
 void zr_arena_free(struct zr_arena *arena);
 
-/* An arena in `size` bytes that somebody else has, aligned to ZR_ARENA_ALIGN: it takes no others, and needs no
- * zr_arena_free. */
+/* Makes an arena in `size` bytes of the caller's memory, aligned to ZR_ARENA_ALIGN. It never allocates others and needs
+ * no zr_arena_free. */
 void zr_arena_init_within(struct zr_arena *arena, void *bytes, size_t size);
 
-/* Bytes that may still be allocated, charged, or be what a scratch arena has. */
+/* Returns the bytes that may still be allocated, charged, or used by a scratch arena. */
 static inline size_t zr_arena_left(const struct zr_arena *arena)
 {
     return arena->ceiling - arena->held;
 }
 
-/* What an array of that many bytes adds to `held` of an arena, where it has a block of its own. */
+/* Returns the bytes that an array of this size adds to `held` if it gets a block of its own. */
 size_t zr_arena_block_bytes(size_t bytes);
 
-/* Empties the arena, clears a failure and what was wanted, and gives blocks beyond `keep` bytes back
- * to the system. */
+/* Empties the arena, clears `failed` and `wanted`, and frees blocks beyond `keep` bytes. */
 void zr_arena_reset(struct zr_arena *arena, size_t keep);
 
-/* `count` objects of `size` bytes, aligned to ZR_ARENA_ALIGN, contents undefined.
- * NULL once the arena has failed, also when count * size overflows. A count of 0
- * gives a pointer that must not be read. */
+/* Return `count` objects of `size` bytes, aligned to ZR_ARENA_ALIGN, undefined or zero. Return NULL once the arena has
+ * failed, or if count * size overflows. A count of 0 gives a pointer that must not be read. */
 void *zr_arena_alloc(struct zr_arena *arena, size_t count, size_t size);
 
 /* The same of zeros. To touch large memory for the first time takes long: once `cancel` is raised, the arena fails. */
@@ -73,18 +70,17 @@ bool zr_arena_clear(const struct zr_arena *arena, void *bytes, size_t size);
  * In place where `old` was the newest allocation and its block has room. */
 void *zr_arena_grow(struct zr_arena *arena, void *old, size_t count, size_t new_count, size_t size);
 
-/* Gives back what an array of `count` objects has beyond the first `new_count`, where it was the newest allocation;
- * else nothing happens. */
+/* Shrinks an array of `count` objects to `new_count` if it is the newest allocation; otherwise does nothing. */
 void zr_arena_trim(struct zr_arena *arena, void *array, size_t count, size_t new_count, size_t size);
 
-/* Counts `bytes` that a library holds elsewhere on the request's behalf, until they are
- * refunded or the arena is reset. False, and the arena has failed, where they do not fit. */
+/* Counts `bytes` that a library allocates elsewhere for the request, until they are refunded or the arena is reset.
+ * Returns false, with the arena failed, if they exceed the ceiling. */
 bool zr_arena_charge(struct zr_arena *arena, size_t bytes);
 void zr_arena_refund(struct zr_arena *arena, size_t bytes);
 
-/* An arena for what one step needs and the request does not keep, such as what a library works with: it may take what
- * `arena` has left. Meanwhile that is allocated from by zr_arena_alloc_beside alone, which leaves the scratch what it
- * has. To close it gives its memory back to the system; `arena` has its peak and its failure from then on. */
+/* A scratch arena holds temporary data of one step, such as a library's, up to zr_arena_left of `arena`. While it is
+ * open, `arena` may only be used by zr_arena_alloc_beside, which counts both. Closing frees the scratch memory, and
+ * adds its peak and failure to `arena`. */
 struct zr_arena zr_arena_open_scratch(struct zr_arena *arena);
 void *zr_arena_alloc_beside(struct zr_arena *arena, struct zr_arena *scratch, size_t count, size_t size);
 void zr_arena_close_scratch(struct zr_arena *scratch, struct zr_arena *arena);

@@ -6,10 +6,10 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-/* Raised by anybody, at any time: the step under way then returns ZR_CANCELLED soon. */
+/* May be raised by any thread at any time; the current step then soon returns ZR_CANCELLED. */
 struct zr_cancel {
     atomic_bool raised;
-    const struct zr_cancel *parent; /* or NULL: where that is raised, so is this */
+    const struct zr_cancel *parent; /* or NULL; raising it raises this flag as well */
 };
 
 static inline bool zr_is_cancelled(const struct zr_cancel *cancel)

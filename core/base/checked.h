@@ -1,11 +1,11 @@
-/* checked.h - base: sizes are multiplied and added here, or not at all. */
+/* checked.h - base: size arithmetic with overflow checks. */
 #ifndef ZR_CHECKED_H
 #define ZR_CHECKED_H
 
 #include <stdbool.h>
 #include <stddef.h>
 
-/* False where the product or sum does not fit; *out is then undefined. */
+/* Return false if the product or sum overflows; *out is then undefined. */
 static inline bool zr_mul_size(size_t a, size_t b, size_t *out)
 {
     return !__builtin_mul_overflow(a, b, out);

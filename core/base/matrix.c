@@ -36,7 +36,8 @@ static void swap_rows(double rows[4][8], int i, int k)
     memcpy(rows[k], row, sizeof row);
 }
 
-/* Gauss and Jordan: the matrix and the identity beside it, by the largest entries of columns. */
+/* Gauss-Jordan elimination of the matrix with the identity beside it, with the largest entry of each column as the
+ * pivot. */
 bool zr_matrix_invert(const struct zr_matrix *m, struct zr_matrix *out)
 {
     double rows[4][8];

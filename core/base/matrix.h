@@ -1,4 +1,4 @@
-/* matrix.h - base: 4 by 4 matrices in double, column-major as zr_mat4 is. */
+/* matrix.h - base: 4 by 4 matrices in double, column-major like zr_mat4. */
 #ifndef ZR_MATRIX_H
 #define ZR_MATRIX_H
 
@@ -12,12 +12,12 @@ struct zr_matrix {
 
 struct zr_matrix zr_matrix_of(const zr_mat4 *matrix);
 
-/* a b, each sum from left to right. */
+/* Returns a b, each sum from left to right. */
 struct zr_matrix zr_matrix_mul(const struct zr_matrix *a, const struct zr_matrix *b);
 
 void zr_matrix_apply(const struct zr_matrix *m, const double v[4], double out[4]);
 
-/* False where it has no inverse: *out is then all zeros. */
+/* Inverts a matrix. Returns false if it has no inverse: *out is then all zeros. */
 bool zr_matrix_invert(const struct zr_matrix *m, struct zr_matrix *out);
 
 #endif

@@ -1,9 +1,7 @@
-/* status.h - base: how every function that can fail says so.
+/* status.h - base: status codes and error details.
  *
- * A status tells the class of a failure, and one table in the server maps it to
- * an HTTP status. A zr_error holds the details a person needs to mend the
- * input: what, and where (a JSON Pointer, or a place such as "line 12").
- */
+ * A status is the class of a failure; one table in the server maps it to an HTTP status. A zr_error holds the details
+ * that a person needs to correct the input: the cause, and the place (a JSON Pointer, or text such as "line 12"). */
 #ifndef ZR_STATUS_H
 #define ZR_STATUS_H
 
@@ -11,36 +9,35 @@
 
 enum zr_status {
     ZR_OK = 0,
-    ZR_BAD_SYNTAX,  /* the bytes are not what their type says (JSON, OBJ, STL) */
-    ZR_BAD_TYPE,    /* no type says what the bytes are, and they look like nothing that is read */
-    ZR_BAD_REQUEST, /* the parameters beside the bytes are wrong */
+    ZR_BAD_SYNTAX,  /* the bytes violate their format (JSON, OBJ, STL) */
+    ZR_BAD_TYPE,    /* the content type is missing and the format is not recognized */
+    ZR_BAD_REQUEST, /* a parameter of the request is wrong */
     ZR_BAD_SCENE,   /* well-formed, but not a scene that can be drawn */
     ZR_NO_MEMORY,   /* the request's arena reached its ceiling */
-    ZR_CANCELLED,   /* told to stop: the deadline passed or the client left */
-    ZR_INTERNAL     /* our own fault */
+    ZR_CANCELLED,   /* stopped: the deadline passed or the client disconnected */
+    ZR_INTERNAL     /* a bug of zraster */
 };
 
 enum { ZR_ERROR_ITEMS = 20, ZR_POINTER_SIZE = 160, ZR_DETAIL_SIZE = 520 };
 
 struct zr_error_item {
-    char pointer[ZR_POINTER_SIZE]; /* JSON Pointer; "" where none applies */
+    char pointer[ZR_POINTER_SIZE]; /* JSON Pointer, or "" */
     char detail[ZR_DETAIL_SIZE];
 };
 
-/* The first status reported stays; further items are kept up to ZR_ERROR_ITEMS
- * and counted beyond. Zero-initialise before use. */
+/* Keeps the first reported status, and up to ZR_ERROR_ITEMS items; counts further ones. Zero-initialize before use. */
 struct zr_error {
     enum zr_status status;
-    size_t count; /* all that were reported; may exceed ZR_ERROR_ITEMS */
+    size_t count; /* all reported items; may exceed ZR_ERROR_ITEMS */
     struct zr_error_item items[ZR_ERROR_ITEMS];
 };
 
-/* Adds an item and returns `status`, so that `return zr_error_add(...)` reads as
- * one step. `pointer` may be NULL. Texts too long are cut at a whole character. */
+/* Adds an item and returns `status`, for use as `return zr_error_add(...)`. `pointer` may be NULL. Long texts are cut
+ * at a whole character. */
 enum zr_status zr_error_add(struct zr_error *error, enum zr_status status, const char *pointer, const char *format, ...)
     __attribute__((format(printf, 4, 5)));
 
-/* The count of items that `items` really holds. */
+/* Returns the number of valid items. */
 size_t zr_error_held(const struct zr_error *error);
 
 #endif

@@ -9,15 +9,15 @@
 #include <emmintrin.h>
 #endif
 
-/* What shades has 0.2 MB there, and a thread sanitizer keeps most of one MB for itself. */
+/* Shading needs 0.2 MB of stack, and ThreadSanitizer takes most of one MB. */
 enum { STACK_BYTES = 2 << 20, YIELDS = 100, LINGERING_YIELDS = 200, PARTS_A_THREAD = 3 };
 
-/* Lives on the stack of its caller, who leaves only when `inside` is 0. */
+/* Lives on the stack of its caller, which returns only when `inside` is 0. */
 struct job {
     void (*work)(void *);
     void *context;
-    atomic_int inside; /* helpers that are in `work` now; changed under the lock */
-    bool open;         /* false once anybody came back: nothing is left to claim */
+    atomic_int inside; /* helpers currently in `work`; changed under the lock */
+    bool open;         /* false once some thread returned: no ranges are left */
     struct job *next;
 };
 
@@ -25,7 +25,7 @@ struct zr_team {
     pthread_mutex_t lock;
     pthread_cond_t job_came, helper_left;
     struct job *jobs;
-    atomic_uint jobs_ever; /* counts them, from 0 again where it overflows; changed under the lock */
+    atomic_uint jobs_ever; /* counter, may overflow; changed under the lock */
     bool stopping;
     enum zr_isa isa;
     int helper_count;
@@ -39,8 +39,8 @@ static struct job *find_open_job(struct zr_team *team)
     return NULL;
 }
 
-/* Who asked for help soon asks again: a picture is several jobs. To sleep and be woken in between takes 20 us each time
- * (6 % of the bunny at 512x512). Others may have the processor meanwhile. The lock is given up. */
+/* Polls for the next job: a picture consists of several jobs. Sleeping and waking in between would take 20 us each time
+ * (6 % of the bunny at 512x512). Yields the processor to others. Releases the lock meanwhile. */
 static void linger(struct zr_team *team)
 {
     const unsigned jobs_ever = atomic_load_explicit(&team->jobs_ever, memory_order_relaxed);
@@ -143,21 +143,21 @@ static void unlink_job(struct zr_team *team, struct job *job)
     *link = job->next;
 }
 
-/* Helpers are nearly done by now: to sleep and be woken takes longer (30 us of the 800 of a large picture). Others may
- * have the processor meanwhile. */
+/* Polls, since helpers are nearly done by now: sleeping and waking takes longer (30 us of the 800 of a large picture).
+ * Yields the processor to others. */
 static void wait_briefly(const atomic_int *inside)
 {
     for (int i = 0; i < YIELDS && atomic_load_explicit(inside, memory_order_relaxed) > 0; i++)
         sched_yield();
 }
 
-/* Calls work(context) on this thread and on every helper that is free, and returns when all of them are back. Of a team
- * that has helpers. */
+/* Calls work(context) on this thread and on every idle helper, and returns when all calls have returned. The team must
+ * have helpers. */
 static void run(struct zr_team *team, void (*work)(void *context), void *context)
 {
     struct job job = {.work = work, .context = context, .open = true};
     pthread_mutex_lock(&team->lock);
-    /* Last in the row: the oldest job gets help first. */
+    /* Append, so that the oldest job gets help first. */
     struct job **link = &team->jobs;
     while (*link)
         link = &(*link)->next;
@@ -181,16 +181,16 @@ static void run(struct zr_team *team, void (*work)(void *context), void *context
 
 struct shares {
     atomic_size_t next;
-    atomic_int workers; /* that have claimed something */
+    atomic_int workers; /* threads that have claimed a range */
     size_t count, grain;
-    size_t parts; /* of what is left, one is claimed at a time */
+    size_t parts; /* a claim takes 1 / parts of the remaining work */
     void (*work)(void *context, int worker, size_t begin, size_t end);
     void *context;
 };
 
-/* Ranges that follow one another: many at first, so that most of what a thread works on lies together, and at the end
- * single ones, so that all are ready at once (guided self-scheduling). A tenth of the time of a million triangles on
- * two threads, a fiftieth of a large picture's, against single ranges from the beginning. */
+/* Claims consecutive ranges (guided self-scheduling): many at first, so that a thread's work is contiguous, and single
+ * ones at the end, so that all threads finish together. Against single ranges throughout, this saves a tenth of the
+ * time of a million triangles on two threads, and a fiftieth of a large picture's. */
 static bool claim(struct shares *shares, size_t *begin, size_t *end)
 {
     size_t next = atomic_load_explicit(&shares->next, memory_order_relaxed), after;
@@ -207,8 +207,8 @@ static bool claim(struct shares *shares, size_t *begin, size_t *end)
     return true;
 }
 
-/* Locks do not order non-temporal stores. Once for all that a thread did: it waits for memory (a fiftieth
- * of a large picture's time, with one for each range of tiles). */
+/* Orders non-temporal stores, which locks do not. Once per thread, since it waits for memory (once per range of tiles,
+ * it took a fiftieth of a large picture's time). */
 static void finish_stores(void)
 {
 #if defined __SSE2__
@@ -219,7 +219,7 @@ static void finish_stores(void)
 static void claim_shares(void *argument)
 {
     struct shares *shares = argument;
-    int worker = -1; /* none yet: those who come too late for work are nobody */
+    int worker = -1; /* assigned with the first range; latecomers get no number */
     size_t begin, end;
     while (claim(shares, &begin, &end)) {
         if (worker < 0) worker = atomic_fetch_add_explicit(&shares->workers, 1, memory_order_relaxed);

@@ -41,17 +41,16 @@ static double tan_kernel(double x)
     return sin_kernel(x) / cos_kernel(x);
 }
 
-/* Beyond pi/4 through the complement; pi/2 in two parts, of which the first is exact in
- * the subtraction (Sterbenz), so that nothing is lost where the tangent is steepest. */
+/* Uses the complement beyond pi/4. pi/2 is split in two parts; the subtraction of the first is exact (Sterbenz), so
+ * that the result is precise where the tangent is steepest. */
 double zr_tan(double radians)
 {
     if (radians <= 0.78539816339744830962) return tan_kernel(radians);
     return 1.0 / tan_kernel((1.57079632679489655800 - radians) + 6.12323399573676603587e-17);
 }
 
-/* The turn is reduced in degrees, where that is exact, to 45 at most. What the product with
- * pi/180 rounds away is added to the sine; the cosine is too flat to feel it. fma is exact by
- * definition, so that it too is the same everywhere. */
+/* Reduces the angle in degrees, which is exact, to 45 at most. The rounding error of the product with pi/180 is added
+ * to the sine; the cosine is too flat to be affected. fma is exact by definition and therefore the same everywhere. */
 void zr_sine_cosine(double degrees, double *sine, double *cosine)
 {
     static const double unit = 0.017453292519943295;

@@ -1,8 +1,7 @@
 /* vec.h - base: small vectors and matrices, passed by value.
  *
- * Sums go in the order written; the reference's order (llvmpipe) matters to the
- * last bit wherever a result reaches a pixel, so each function states its own.
- */
+ * Sums are evaluated in the order written. Each function states its order, since the reference's order (llvmpipe)
+ * affects the last bit of every result that reaches a pixel. */
 #ifndef ZR_VEC_H
 #define ZR_VEC_H
 
@@ -13,7 +12,7 @@
 
 #include "base/mutant.h"
 
-/* The same bytes on every machine need float32 arithmetic as written. */
+/* Identical bytes on every machine require float32 arithmetic as written. */
 _Static_assert(FLT_EVAL_METHOD == 0, "floats are evaluated as floats: on x86 that takes SSE");
 #ifdef __FAST_MATH__
 #error "zraster's pixels are exact: it cannot be built with -ffast-math or -Ofast"
@@ -26,7 +25,7 @@ typedef struct {
     float x, y, z, w;
 } zr_vec4;
 
-/* Column-major, as OpenGL and glTF have it: m[column * 4 + row]. */
+/* Column-major like OpenGL and glTF: m[column * 4 + row]. */
 typedef struct {
     float m[16];
 } zr_mat4;
@@ -44,7 +43,7 @@ static inline zr_vec3 zr_vec3_scale(zr_vec3 a, float s)
     return (zr_vec3){a.x * s, a.y * s, a.z * s};
 }
 
-/* GL's order in Mesa's lighting: from z down to x. */
+/* Sums in the order of Mesa's GL lighting: from z down to x. */
 static inline float zr_vec3_dot(zr_vec3 a, zr_vec3 b)
 {
     return (a.z * b.z + a.y * b.y) + a.x * b.x;
@@ -55,8 +54,8 @@ static inline zr_vec3 zr_vec3_cross(zr_vec3 a, zr_vec3 b)
     return (zr_vec3){a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 
-/* v * (1 / sqrt(v.v)), as Mesa has it; the zero vector stays zero. Where the square
- * leaves the range of float, v is first brought to a length near 1. */
+/* Returns v * (1 / sqrt(v.v)), like Mesa; the zero vector stays zero. If the square leaves the range of float, v is
+ * first scaled to a length near 1. */
 static inline zr_vec3 zr_vec3_normalize(zr_vec3 v)
 {
     float dot = zr_vec3_dot(v, v);
@@ -70,7 +69,7 @@ static inline zr_vec3 zr_vec3_normalize(zr_vec3 v)
     return zr_vec3_scale(v, 1.0f / sqrtf(dot));
 }
 
-/* Four floats that are worked on at once; compilers do not see by themselves that those of a zr_vec4 can be. */
+/* Four floats for one vector instruction; compilers do not vectorize the members of a zr_vec4 by themselves. */
 typedef float zr_four __attribute__((vector_size(16)));
 
 static inline zr_four zr_four_load(const void *at)
@@ -90,7 +89,7 @@ static inline zr_vec4 zr_vec4_mul(zr_vec4 a, zr_vec4 b)
     return (zr_vec4){a.x * b.x, a.y * b.y, a.z * b.z, a.w * b.w};
 }
 
-/* Where a homogeneous point is; what is at infinity (w = 0) is its direction. */
+/* Returns the position of a homogeneous point; at infinity (w = 0), its direction. */
 static inline zr_vec3 zr_vec4_over_w(zr_vec4 p)
 {
     if (p.w == 1.0f || p.w == 0.0f) return (zr_vec3){p.x, p.y, p.z};
@@ -107,7 +106,7 @@ static inline zr_mat4 zr_mat4_identity(void)
     return (zr_mat4){{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1}};
 }
 
-/* a·b, each sum from left to right (tests/reference/RULES.md, rule 1). */
+/* Returns a·b, each sum from left to right (tests/reference/RULES.md, rule 1). */
 static inline zr_mat4 zr_mat4_mul(const zr_mat4 *a, const zr_mat4 *b)
 {
     zr_mat4 out;
@@ -121,7 +120,7 @@ static inline zr_mat4 zr_mat4_mul(const zr_mat4 *a, const zr_mat4 *b)
     return out;
 }
 
-/* One row of m·v: ((x·m0 + y·m1) + z·m2) + w·m3 (tests/reference/RULES.md, rule 1). */
+/* Returns one row of m·v: ((x·m0 + y·m1) + z·m2) + w·m3 (tests/reference/RULES.md, rule 1). */
 static inline float zr_mat4_row(const zr_mat4 *m, int row, zr_vec4 v)
 {
     const float x = v.x * m->m[row], y = v.y * m->m[4 + row], z = v.z * m->m[8 + row], w = v.w * m->m[12 + row];
@@ -148,12 +147,11 @@ static inline bool zr_mat4_is_within(const zr_mat4 *m, float limit)
     return true;
 }
 
-/* True where the upper 3x3 turns a right hand into a left one: where its determinant,
- * taken in double, is below zero. */
+/* Returns true if the upper 3x3 is a reflection: its determinant, in double, is negative. */
 bool zr_mat4_is_mirror(const zr_mat4 *m);
 
-/* Inverse through cofactors in double. False where the determinant is zero or
- * not finite. Reproducible: additions and products in a fixed order only. */
+/* Inverts by cofactors in double. Returns false if the determinant is zero or not finite. Reproducible: only additions
+ * and products in a fixed order. */
 bool zr_mat4_invert(const zr_mat4 *m, zr_mat4 *out);
 
 #endif

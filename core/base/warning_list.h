@@ -1,4 +1,4 @@
-/* warning_list.h - base: what is odd but drawable, as it was read and as it was drawn. */
+/* warning_list.h - base: texts of warnings about input and rendering. */
 #ifndef ZR_WARNING_LIST_H
 #define ZR_WARNING_LIST_H
 
@@ -6,16 +6,16 @@
 
 #include "base/arena.h"
 
-/* All zero to begin with. */
+/* Initially all zero. */
 struct zr_warning_list {
     size_t count, room;
     const char **texts;
 };
 
-/* Adds those of another list, which may be in another arena's memory. */
+/* Appends copies of another list's warnings, which may be in another arena. */
 void zr_warning_list_append(struct zr_arena *arena, struct zr_warning_list *list, const struct zr_warning_list *more);
 
-/* Cut to 256 bytes. Lost where the arena has failed, which is noticed anyway. */
+/* Adds a warning, cut to 256 bytes. Drops it if the arena fails, which the caller detects anyway. */
 void zr_warning_list_add(struct zr_arena *arena, struct zr_warning_list *list, const char *format, ...)
     __attribute__((format(printf, 3, 4)));
 
