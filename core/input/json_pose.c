@@ -3,8 +3,8 @@
 
 #include <math.h>
 
-#include "input/upright.h"
 #include "scene/pose_matrix.h"
+#include "scene/upright.h"
 
 /* How far R may be from a rotation: what four digits in a file may do, and no more. */
 static const double ROTATION_TOLERANCE = 1e-3;
