@@ -188,7 +188,7 @@ static const char *why_nothing_is_seen(const struct zr_scene *scene, const struc
     if (outside == things && things > 0) return "all geometry is outside the view";
     if (counts->triangles > 0 && are_lines(scene)) return "the corners of each polygon are collinear, on one line";
     if (!drawn && counts->zero_area > 0) return "the polygons in view are edge-on, or smaller than 1/256 pixel";
-    if (drawn && !frame->color && any_is_blended(scene)) return ONLY_BLENDED;
+    if (!frame->color && any_is_blended(scene)) return ONLY_BLENDED;
     if (frame->base) return "no pixel is covered in front of the base";
     return "no pixel is covered (edge-on, smaller than a pixel, or at the far plane)";
 }

@@ -15,34 +15,68 @@ static uint64_t hash_corners(const uint32_t *corners, uint32_t count, uint32_t f
     return hash ^ hash >> 29;
 }
 
-/* A face and the one that goes the other way around have numbers that add up to 0: from the least corner on, in the
- * direction of the lesser of its neighbours. */
-static uint64_t signed_hash(const uint32_t *corners, uint32_t count)
+/* A face and the one that goes the other way around have numbers that add up to 0: from the corner `least` on, which is
+ * the least, in the direction of the lesser of its neighbours. */
+static uint64_t signed_hash(const uint32_t *corners, uint32_t count, uint32_t least)
 {
+    const uint32_t next = corners[(least + 1) % count], last = corners[(least + count - 1) % count];
+    return next < last ? hash_corners(corners, count, least, 1) : 0 - hash_corners(corners, count, least, count - 1);
+}
+
+static uint64_t hash_of_face(const struct zr_mesh *mesh, uint32_t face)
+{
+    const uint32_t first = mesh->face_offsets[face], count = mesh->face_offsets[face + 1] - first;
+    const uint32_t *corners = mesh->indices + first;
     uint32_t least = 0;
     for (uint32_t i = 1; i < count; i++)
         if (corners[i] < corners[least]) least = i;
-    const uint32_t next = corners[(least + 1) % count], last = corners[(least + count - 1) % count];
-    return next < last ? hash_corners(corners, count, least, 1) : 0 - hash_corners(corners, count, least, count - 1);
+    return signed_hash(corners, count, least);
+}
+
+/* The face that has the slot. */
+static uint32_t face_at(const struct zr_mesh *mesh, uint32_t slot)
+{
+    uint32_t low = 0, high = mesh->face_count;
+    while (high - low > 1) {
+        const uint32_t middle = low + (high - low) / 2;
+        *(mesh->face_offsets[middle] <= slot ? &low : &high) = middle;
+    }
+    return low;
+}
+
+/* Whether the first face is there the other way around, too: most meshes are told by it. Its first corner is looked
+ * for, so many corners at a time that compilers compare several at once. */
+static bool first_is_doubled(const struct zr_mesh *mesh)
+{
+    enum { AT_ONCE = 64 };
+    const uint32_t *indices = mesh->indices, wanted = indices[0], end = mesh->face_offsets[mesh->face_count];
+    const uint64_t reversed = 0 - hash_of_face(mesh, 0);
+    for (uint32_t slot = mesh->face_offsets[1]; slot < end; slot += AT_ONCE) {
+        const uint32_t behind = end - slot < AT_ONCE ? end : slot + AT_ONCE;
+        uint32_t found = 0;
+        for (uint32_t i = slot; i < behind; i++)
+            found |= indices[i] == wanted;
+        for (uint32_t i = slot; found && i < behind; i++)
+            if (indices[i] == wanted && hash_of_face(mesh, face_at(mesh, i)) == reversed) return true;
+    }
+    return false;
 }
 
 bool zr_faces_are_doubled(const struct zr_mesh *mesh)
 {
     uint64_t sum = 0;
-    if (mesh->face_count == 0 || mesh->face_count % 2 != 0 || mesh->face_rings) return false;
-    for (uint32_t face = 0; face < mesh->face_count; face++) {
-        const uint32_t first = mesh->face_offsets[face];
-        sum += signed_hash(mesh->indices + first, mesh->face_offsets[face + 1] - first);
-    }
+    if (mesh->face_count == 0 || mesh->face_count % 2 != 0 || mesh->face_rings || !first_is_doubled(mesh)) return false;
+    for (uint32_t face = 0; face < mesh->face_count; face++)
+        sum += hash_of_face(mesh, face);
     return sum == 0;
 }
 
 /* Its normals are sums: by the shading's choice, and since none are given. */
 static bool sums_normals(const struct zr_scene *scene, const struct zr_mesh *mesh)
 {
+    if (mesh->face_count == 0 || mesh->normal_count > 0) return false;
     const enum zr_shading shading = zr_material_of_face(scene, mesh, 0)->shading;
-    return mesh->face_count > 0 && mesh->normal_count == 0 &&
-           (shading == ZR_SHADING_GOURAUD || shading == ZR_SHADING_PHONG || shading == ZR_SHADING_NORMALS);
+    return (shading == ZR_SHADING_GOURAUD || shading == ZR_SHADING_PHONG || shading == ZR_SHADING_NORMALS);
 }
 
 void zr_doubled_faces_warn(struct zr_arena *arena, const struct zr_scene *scene, struct zr_warning_list *warnings)

@@ -10,7 +10,7 @@
 #include "scene/scene.h"
 
 /* Moves the unused of the mesh's `positions` to the first used one. Nothing changes where all are used, or none is. Takes
- * a bit a position from the arena meanwhile; does nothing where that has failed. `team` may be NULL. */
+ * a byte a position from the arena meanwhile; does nothing where that has failed. `team` may be NULL. */
 void zr_unused_positions_move(struct zr_arena *arena, struct zr_team *team, const struct zr_mesh *mesh,
                               zr_vec4 *positions);
 

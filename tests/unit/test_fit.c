@@ -169,8 +169,9 @@ static void room_for_rounding_far_from_the_origin_is_told(void **state)
     for (size_t i = 0; i < sizeof views / sizeof *views * 4; i++) {
         const int x = far[i % 4];
         char cube[512];
-        snprintf(cube, sizeof cube, "{\"positions\": [[%d,-1,-1],[%d,-1,-1],[%d,1,1],[%d,1,1]], \"faces\": [[0,1,2]]}",
-                 x - 1, x + 1, x + 1, x - 1);
+        snprintf(cube, sizeof cube,
+                 "{\"positions\": [[%d,-1,-1],[%d,-1,-1],[%d,1,1],[%d,1,1]], \"faces\": [[0,1,2,3]]}", x - 1, x + 1,
+                 x + 1, x - 1);
         struct shot shot = shoot(SMALL, cube, views[i / 4].view);
         assert_int_equal(shot.status, ZR_OK);
         const double want = views[i / 4].fitted ? 16 * 1.1920929e-7 * (x + 1) / sqrt(12) : 0;

@@ -109,6 +109,8 @@ static const struct {
     {"\"look\": \"technical\", \"toneMapping\": \"neutral\", " MESHES(FACE "}"), true,
      "mesh 0: exposure and toneMapping have no effect with the shading gooch"},
     {"\"look\": \"technical\", \"toneMapping\": \"none\", \"exposure\": 1, " MESHES(FACE "}"), true, NULL},
+    {"\"view\": {\"worldToCamera\": [[-1,0,0,0],[0,1,0,0],[0,0,1,-4],[0,0,0,1]]}, " POLYGONS, false,
+     "the camera's pose is a reflection (its determinant is negative)"},
     {"\"look\": \"studio\", \"exposure\": 2, " MESHES(FACE "}"), true, NULL},
     {MESHES(FACE ", \"name\": \"terrain\", \"scalars\": [0,1,2,9], \"range\": [0,3]}"), true,
      "mesh 0 'terrain': 1 of 4 scalars are outside of the range"},
@@ -187,6 +189,7 @@ static void outputs_that_show_nothing_of_what_is_blended_say_so(void **state)
     assert_says(text, NULL, "nothing is seen in the output depth: all that is in view has the alphaMode BLEND");
     snprintf(text, sizeof text, both, ", \"outputs\": [{\"channel\": \"color\"}, {\"channel\": \"depth\"}]");
     assert_says(text, NULL, NULL);
+    assert_says("{" SMALL "\"alphaMode\": \"BLEND\", " MESHES("{" POSITIONS ", \"lines\": [[0,1]]}") "}", "depth", why);
     /* Outside of the view, that is the reason. */
     snprintf(text, sizeof text, glass, ", \"view\": {\"eye\": [0,0,3], \"target\": [0,0,9]}");
     assert_says(text, "depth", "all geometry is outside the view");

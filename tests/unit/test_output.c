@@ -128,6 +128,23 @@ static void zip_gives_back_its_files_and_is_the_same_every_time(void **state)
     zip_discard(archive);
 }
 
+/* The bytes of the files are not looked at. */
+static void zip_has_less_than_4_gib(void **state)
+{
+    (void)state;
+    const size_t gib = (size_t)1 << 30;
+    const struct zr_zip_entry small[2] = {{"a.npy", NULL, 2 * gib}, {"b.npy", NULL, gib}},
+                              large[2] = {{"a.npy", NULL, 2 * gib}, {"b.npy", NULL, 2 * gib}},
+                              vast[2] = {{"a.npy", NULL, SIZE_MAX - 300}, {"b.npy", NULL, 300}};
+    struct zr_buffer out = {.arena = &arena};
+    size_t size;
+    assert_true(zr_zip_size(small, 2, &size));
+    assert_int_equal(size, 3 * gib + 22 + 2 * (30 + 46 + 2 * 5));
+    assert_false(zr_zip_size(large, 2, &size));
+    assert_false(zr_zip_size(vast, 2, &size));
+    assert_int_equal(zr_zip_write(large, 2, &out), ZR_NO_MEMORY);
+}
+
 static void depth16_counts_what_does_not_fit_and_never_wraps(void **state)
 {
     (void)state;
@@ -359,6 +376,7 @@ int main(void)
         cmocka_unit_test_setup_teardown(png_without_memory_or_cancelled_fails_cleanly, open_arena, close_arena),
         cmocka_unit_test_setup_teardown(npy_has_the_header_that_numpy_writes, open_arena, close_arena),
         cmocka_unit_test_setup_teardown(zip_gives_back_its_files_and_is_the_same_every_time, open_arena, close_arena),
+        cmocka_unit_test(zip_has_less_than_4_gib),
         cmocka_unit_test(depth16_counts_what_does_not_fit_and_never_wraps),
         cmocka_unit_test_setup_teardown(depth16_is_written_row_by_row, open_arena, close_arena),
         cmocka_unit_test(depth16_scale_left_open_fits_the_far_plane),
