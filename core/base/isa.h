@@ -1,8 +1,7 @@
-/* isa.h - base: instruction sets that kernels are compiled for, and which of them this machine has.
+/* isa.h - base: the instruction sets that kernels are compiled for, and those that this machine has.
  *
- * A kernel is one source file, *_kernel.c, in terms of base/simd.h; the Makefile compiles it once
- * for each instruction set of the target, and each of these gives the same bytes. Which one runs is
- * chosen when a team is made (base/team.h).
+ * A kernel is one source file, *_kernel.c, written with base/simd.h. The Makefile compiles it once for each instruction
+ * set of the target; all of them give the same bytes. A team (base/team.h) selects one when it is created.
  */
 #ifndef ZR_ISA_H
 #define ZR_ISA_H
@@ -19,30 +18,39 @@ enum zr_isa {
     ZR_ISA_COUNT
 };
 
-/* Kernel `name` for each instruction set that the Makefile compiles kernels for, indexed by enum zr_isa; else NULL.
- * ZR_EACH_ISA(entry, name), which comes from there, is entry(AVX2, avx2, name) of each. */
-#define ZR_KERNEL_ENTRY(upper, lower, name) [ZR_ISA_##upper] = name##_##lower,
-#define ZR_KERNELS(name)                                                                                               \
+/* ZR_KERNEL_TABLE(type, name), in the header of a kernel, declares it for each instruction set that the Makefile
+ * compiles kernels for, as name_avx2 and so on, and defines their lookup: `type *name_of(enum zr_isa isa)`, where isa
+ * must be available. `type` is the function's type, or `const struct x` of functions. The source file of the kernel
+ * defines ZR_KERNEL(name) (base/simd.h). ZR_EACH_ISA(entry, name), from the Makefile, is entry(AVX2, avx2, name) of
+ * each instruction set. */
+#define ZR_KERNEL_TABLE(type, name)                                                                                    \
+    typedef type name##_kernel;                                                                                        \
+    ZR_EACH_ISA(ZR_KERNEL_DECLARATION, name)                                                                           \
+    static inline name##_kernel *name##_of(enum zr_isa isa)                                                            \
     {                                                                                                                  \
-        ZR_EACH_ISA(ZR_KERNEL_ENTRY, name)                                                                             \
+        static name##_kernel *const table[ZR_ISA_COUNT] = {ZR_EACH_ISA(ZR_KERNEL_ENTRY, name)};                        \
+        return table[isa];                                                                                             \
     }
+#define ZR_KERNEL_DECLARATION(upper, lower, name) extern name##_kernel name##_##lower;
+#define ZR_KERNEL_ENTRY(upper, lower, name)       [ZR_ISA_##upper] = &name##_##lower,
 
 /* "scalar", "sse2", "avx2", "avx512", "neon". */
 const char *zr_isa_name(enum zr_isa isa);
 
-/* False where no instruction set has that name. */
+/* False if no instruction set has that name. */
 bool zr_isa_find(const char *name, enum zr_isa *isa);
 
-/* Compiled in, and the processor and its system have it. */
+/* True if kernels are compiled for it, and the processor and the system support it. */
 bool zr_isa_is_available(enum zr_isa isa);
 
-/* The widest that is available. */
+/* The available one with the widest vectors. */
 enum zr_isa zr_isa_best(void);
 
-/* By its name, or the best by "auto". False, and *isa means nothing, where none that is available has that name. */
+/* Finds an available instruction set by name; "auto" is the best one. False if there is none; *isa is then undefined.
+ */
 bool zr_isa_choose(const char *name, enum zr_isa *isa);
 
-/* "auto, scalar, sse2": what zr_isa_choose takes, as far as there is room. */
+/* Writes the names that zr_isa_choose accepts, such as "auto, scalar, sse2", cut at `size`. */
 void zr_isa_list(char *out, size_t size);
 
 #endif

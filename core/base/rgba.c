@@ -1,11 +1,5 @@
 #include "base/rgba.h"
 
-zr_rgba_pack_fn *zr_rgba_pack_of(enum zr_isa isa)
-{
-    static zr_rgba_pack_fn *const table[ZR_ISA_COUNT] = ZR_KERNELS(zr_rgba_pack);
-    return table[isa];
-}
-
 uint8_t zr_rgba_byte(float value)
 {
     const float no_fraction = 12582912.0f; /* 1.5 * 2^23: to an integer, ties to even */

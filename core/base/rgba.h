@@ -1,7 +1,7 @@
-/* rgba.h - base: colours as four bytes, as pictures have them.
+/* rgba.h - base: colours as four bytes.
  *
- * Exact:  0..1 -> 0..255, to the nearest, ties to even, as the reference's rule 9 has it. NaN gives 0. A byte that
- *         becomes a float comes back as it was.
+ * Exact:  0..1 -> 0..255, rounded to the nearest, ties to even (tests/reference/RULES.md, rule 9). Values outside are
+ *         clamped; NaN gives 0. Bytes survive the way to floats and back.
  */
 #ifndef ZR_RGBA_H
 #define ZR_RGBA_H
@@ -14,19 +14,18 @@
 
 uint8_t zr_rgba_byte(float value);
 
-/* Four bytes in memory: red, green, blue, alpha. */
+/* A word whose bytes in memory are red, green, blue, alpha. */
 uint32_t zr_rgba_make(zr_vec4 color);
 
-/* The same of an opaque one, whatever its alpha. */
+/* The same with alpha 255. */
 uint32_t zr_rgba_opaque(zr_vec4 color);
 
+/* The inverse of zr_rgba_make. */
 zr_vec4 zr_rgba_floats(uint32_t rgba);
 
-/* Opaque ones, many at once. A kernel. */
+/* zr_rgba_opaque of `count` colours. A kernel. */
 typedef void zr_rgba_pack_fn(const zr_vec4 *colors, size_t count, uint32_t *out);
 
-zr_rgba_pack_fn zr_rgba_pack_scalar, zr_rgba_pack_sse2, zr_rgba_pack_avx2, zr_rgba_pack_avx512, zr_rgba_pack_neon;
-
-zr_rgba_pack_fn *zr_rgba_pack_of(enum zr_isa isa);
+ZR_KERNEL_TABLE(zr_rgba_pack_fn, zr_rgba_pack)
 
 #endif

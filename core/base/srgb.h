@@ -1,6 +1,6 @@
-/* srgb.h - base: sRGB-encoded values as linear light, many at once. A kernel.
+/* srgb.h - base: table of sRGB-encoded values as linear light. A kernel.
  *
- * Exact:  those of base/srgb_simd.h, on every machine.
+ * Exact:  the values of base/srgb_simd.h, the same on every machine.
  */
 #ifndef ZR_SRGB_H
 #define ZR_SRGB_H
@@ -9,11 +9,9 @@
 
 #include "base/isa.h"
 
-/* out[i] is the light of i / last, i from 0 to last; `out` has room for last + 16. */
+/* out[i] is the linear light of i / last, 0 <= i <= last. Writes up to last + 16 floats. */
 typedef void zr_srgb_ramp_fn(size_t last, float *out);
 
-zr_srgb_ramp_fn zr_srgb_ramp_scalar, zr_srgb_ramp_sse2, zr_srgb_ramp_avx2, zr_srgb_ramp_avx512, zr_srgb_ramp_neon;
-
-zr_srgb_ramp_fn *zr_srgb_ramp_of(enum zr_isa isa);
+ZR_KERNEL_TABLE(zr_srgb_ramp_fn, zr_srgb_ramp)
 
 #endif

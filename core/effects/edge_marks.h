@@ -62,8 +62,8 @@ typedef struct zr_edge_bits zr_edge_pairs_fn(const struct zr_edge_rule *rule, co
 /* Marks edges between neighbours within a tile, row by row. A kernel. */
 typedef void zr_edge_tile_fn(const struct zr_edge_rule *rule, const struct zr_gbuffer *tile, struct zr_edge_bits *rows);
 
-zr_edge_pairs_fn zr_edge_pairs_scalar, zr_edge_pairs_sse2, zr_edge_pairs_avx2, zr_edge_pairs_avx512, zr_edge_pairs_neon;
-zr_edge_tile_fn zr_edge_tile_scalar, zr_edge_tile_sse2, zr_edge_tile_avx2, zr_edge_tile_avx512, zr_edge_tile_neon;
+ZR_KERNEL_TABLE(zr_edge_pairs_fn, zr_edge_pairs)
+ZR_KERNEL_TABLE(zr_edge_tile_fn, zr_edge_tile)
 
 /* ---- marks of the picture ---- */
 

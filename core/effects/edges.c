@@ -84,9 +84,8 @@ static void keep_side(const struct zr_gbuffer *tile, ptrdiff_t at, ptrdiff_t ste
 
 void zr_edges_mark_tile(struct zr_edge_marks *marks, enum zr_isa isa, uint32_t number, const struct zr_gbuffer *tile)
 {
-    static zr_edge_tile_fn *const kernels[ZR_ISA_COUNT] = ZR_KERNELS(zr_edge_tile);
     struct zr_edge_bits bits[SIZE];
-    kernels[isa](&marks->rule, tile, bits);
+    zr_edge_tile_of(isa)(&marks->rule, tile, bits);
     for (int32_t y = 0; y < tile->height; y++) {
         const size_t word = word_of(marks, number, (uint32_t)y);
         marks->silhouettes[word] = bits[y].silhouettes;
@@ -185,12 +184,11 @@ static void join_tiles(void *context, size_t begin, size_t end)
 const float *zr_edges_finish(struct zr_edge_marks *marks, struct zr_arena *arena, struct zr_team *team,
                              const struct zr_cancel *cancel)
 {
-    static zr_edge_pairs_fn *const kernels[ZR_ISA_COUNT] = ZR_KERNELS(zr_edge_pairs);
     const size_t pixels = (size_t)marks->width * marks->height;
     float *opacity = zr_arena_alloc(arena, pixels + ZR_EDGE_ROOM, sizeof *opacity);
     if (!opacity) return NULL;
     memset(opacity + pixels, 0, ZR_EDGE_ROOM * sizeof *opacity);
-    struct join join = {marks, kernels[zr_team_isa(team)], cancel};
+    struct join join = {marks, zr_edge_pairs_of(zr_team_isa(team)), cancel};
     zr_team_ranges(team, zr_tile_count(marks->columns, marks->rows), marks->words, join_tiles, &join);
     if (!zr_edge_specks_drop(marks, arena, team, cancel) || !zr_edge_width_cover(marks, arena, team, cancel, opacity))
         return NULL;

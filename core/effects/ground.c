@@ -157,9 +157,3 @@ float zr_ground_at(const struct zr_ground *ground, float x, float y)
     const float low = t00 + (t10 - t00) * a, high = t01 + (t11 - t01) * a;
     return low + (high - low) * b;
 }
-
-zr_ground_row_fn *zr_ground_row_of(enum zr_isa isa)
-{
-    static zr_ground_row_fn *const table[ZR_ISA_COUNT] = ZR_KERNELS(zr_ground_row);
-    return table[isa];
-}

@@ -46,8 +46,6 @@ struct zr_ground_frame {
 typedef void zr_ground_row_fn(const struct zr_ground *ground, const struct zr_ground_frame *frame,
                               const struct zr_rays *rays, int32_t y, int32_t width, float *out);
 
-zr_ground_row_fn zr_ground_row_scalar, zr_ground_row_sse2, zr_ground_row_avx2, zr_ground_row_avx512, zr_ground_row_neon;
-
-zr_ground_row_fn *zr_ground_row_of(enum zr_isa isa);
+ZR_KERNEL_TABLE(zr_ground_row_fn, zr_ground_row)
 
 #endif

@@ -58,13 +58,13 @@ const float *zr_occlusion_make(struct zr_arena *arena, struct zr_team *team, con
                                const struct zr_gbuffer *pixels, const struct zr_occlusion *occlusion,
                                const struct zr_pixel_scale *scale, float diagonal)
 {
-    static zr_occlusion_row_fn *const points[ZR_ISA_COUNT] = ZR_KERNELS(zr_occlusion_points);
-    static zr_occlusion_row_fn *const row[ZR_ISA_COUNT] = ZR_KERNELS(zr_occlusion_row);
-    static zr_occlusion_row_fn *const blur[ZR_ISA_COUNT] = ZR_KERNELS(zr_occlusion_blur);
     const size_t height = (size_t)pixels->height, size = (size_t)pixels->stride * height;
     const float radius = occlusion->radius * diagonal;
     const enum zr_isa isa = zr_team_isa(team);
-    struct job job = {.points = points[isa], .row = row[isa], .blur = blur[isa], .cancel = cancel};
+    struct job job = {.points = zr_occlusion_points_of(isa),
+                      .row = zr_occlusion_row_of(isa),
+                      .blur = zr_occlusion_blur_of(isa),
+                      .cancel = cancel};
     struct zr_occlusion_work *work = &job.work;
     work->light = zr_arena_alloc(arena, size, sizeof *work->light);
     work->rows = zr_arena_alloc(arena, size, sizeof *work->rows);

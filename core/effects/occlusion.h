@@ -49,10 +49,7 @@ struct zr_occlusion_map {
 typedef void zr_occlusion_samples_fn(const struct zr_occlusion_map *map, const struct zr_gbuffer *samples,
                                      uint32_t side, int32_t tile_x, int32_t tile_y, float *out);
 
-zr_occlusion_samples_fn zr_occlusion_samples_scalar, zr_occlusion_samples_sse2, zr_occlusion_samples_avx2,
-    zr_occlusion_samples_avx512, zr_occlusion_samples_neon;
-
-zr_occlusion_samples_fn *zr_occlusion_samples_of(enum zr_isa isa);
+ZR_KERNEL_TABLE(zr_occlusion_samples_fn, zr_occlusion_samples)
 
 /* ---- kernels of zr_occlusion_make ---- */
 
@@ -77,8 +74,7 @@ struct zr_occlusion_work {
 /* Copies the points of row y to `points`. */
 typedef void zr_occlusion_row_fn(const struct zr_occlusion_work *work, int32_t y);
 
-zr_occlusion_row_fn zr_occlusion_points_scalar, zr_occlusion_points_sse2, zr_occlusion_points_avx2,
-    zr_occlusion_points_avx512, zr_occlusion_points_neon;
+ZR_KERNEL_TABLE(zr_occlusion_row_fn, zr_occlusion_points)
 
 /* Computes row y of `light`, and its blur along the row to `rows`. All points must be there. */
 zr_occlusion_row_fn zr_occlusion_row_scalar, zr_occlusion_row_sse2, zr_occlusion_row_avx2, zr_occlusion_row_avx512,

@@ -20,8 +20,6 @@ typedef unsigned zr_transform_fn(const zr_mat4 *object_to_clip, const struct zr_
                                  const zr_vec4 *positions, size_t count, struct zr_window_vertex *out,
                                  uint8_t *outcodes, bool streamed);
 
-zr_transform_fn zr_transform_scalar, zr_transform_sse2, zr_transform_avx2, zr_transform_avx512, zr_transform_neon;
-
-zr_transform_fn *zr_transform_of(enum zr_isa isa);
+ZR_KERNEL_TABLE(zr_transform_fn, zr_transform)
 
 #endif

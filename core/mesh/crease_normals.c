@@ -23,9 +23,8 @@ struct creasing {
 
 static void make_corners(void *context, size_t begin, size_t end)
 {
-    static zr_crease_corners_fn *const corners_of[ZR_ISA_COUNT] = ZR_KERNELS(zr_crease_corners);
     const struct creasing *c = context;
-    if (!zr_is_cancelled(c->cancel)) corners_of[c->isa](&c->mesh, (uint32_t)begin, end - begin, c->corners);
+    if (!zr_is_cancelled(c->cancel)) zr_crease_corners_of(c->isa)(&c->mesh, (uint32_t)begin, end - begin, c->corners);
 }
 
 /* ---- corners by vertex: a counting sort that keeps the order of the chunks ---- */
@@ -81,10 +80,9 @@ static void fill_chunks(void *context, size_t begin, size_t end)
 /* Computes the normals. After the sort, the last chunk's counts are the ends of the vertices' lists. */
 static void make_sums(void *context, size_t begin, size_t end)
 {
-    static zr_crease_sums_fn *const sums_of[ZR_ISA_COUNT] = ZR_KERNELS(zr_crease_sums);
     const struct creasing *c = context;
     const struct zr_vertex_corners of = {c->counts + (size_t)(c->chunk_count - 1) * c->vertex_count, c->slots};
-    if (!zr_is_cancelled(c->cancel)) sums_of[c->isa](&of, begin, end, c->cosine, c->corners);
+    if (!zr_is_cancelled(c->cancel)) zr_crease_sums_of(c->isa)(&of, begin, end, c->cosine, c->corners);
 }
 
 static uint32_t step_of(float along, float largest)

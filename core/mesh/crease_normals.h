@@ -27,8 +27,7 @@ zr_vec4 *zr_crease_normals_make(struct zr_arena *arena, struct zr_team *team, co
  * is indexed by slot. The positions must have w = 1. A kernel. */
 typedef void zr_crease_corners_fn(const struct zr_mesh *mesh, uint32_t first, size_t count, zr_vec4 *corners);
 
-zr_crease_corners_fn zr_crease_corners_scalar, zr_crease_corners_sse2, zr_crease_corners_avx2, zr_crease_corners_avx512,
-    zr_crease_corners_neon;
+ZR_KERNEL_TABLE(zr_crease_corners_fn, zr_crease_corners)
 
 /* Corners by vertex, in the order of slots. Vertex v has slots[v == 0 ? 0 : ends[v - 1]] .. slots[ends[v] - 1]. */
 struct zr_vertex_corners {
@@ -40,8 +39,7 @@ struct zr_vertex_corners {
 typedef void zr_crease_sums_fn(const struct zr_vertex_corners *of, size_t begin, size_t end, float cosine,
                                zr_vec4 *corners);
 
-zr_crease_sums_fn zr_crease_sums_scalar, zr_crease_sums_sse2, zr_crease_sums_avx2, zr_crease_sums_avx512,
-    zr_crease_sums_neon;
+ZR_KERNEL_TABLE(zr_crease_sums_fn, zr_crease_sums)
 
 /* One face at a vertex, or a group of similar ones: the direction to compare, and the weighted sum to add. */
 struct zr_crease_source {

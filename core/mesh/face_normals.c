@@ -21,12 +21,6 @@ zr_vec3 zr_normal_of_face(const struct zr_mesh *mesh, uint32_t face)
     return sum;
 }
 
-zr_triangle_normals_fn *zr_triangle_normals_of(enum zr_isa isa)
-{
-    static zr_triangle_normals_fn *const table[ZR_ISA_COUNT] = ZR_KERNELS(zr_triangle_normals);
-    return table[isa];
-}
-
 void zr_face_normals_begin(struct zr_face_normals *normals, enum zr_isa isa, const struct zr_mesh *mesh)
 {
     normals->mesh = mesh;

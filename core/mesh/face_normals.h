@@ -25,10 +25,7 @@ zr_vec3 zr_normal_of_face(const struct zr_mesh *mesh, uint32_t face);
  * kernel. */
 typedef void zr_triangle_normals_fn(const struct zr_mesh *mesh, uint32_t first, size_t count, zr_vec4 *out);
 
-zr_triangle_normals_fn zr_triangle_normals_scalar, zr_triangle_normals_sse2, zr_triangle_normals_avx2,
-    zr_triangle_normals_avx512, zr_triangle_normals_neon;
-
-zr_triangle_normals_fn *zr_triangle_normals_of(enum zr_isa isa);
+ZR_KERNEL_TABLE(zr_triangle_normals_fn, zr_triangle_normals)
 
 enum { ZR_NORMALS_AT_ONCE = 64 };
 

@@ -21,18 +21,6 @@ struct summing {
     zr_vec4 *sums; /* one per vertex */
 };
 
-static zr_add_normals_fn *add_normals_of(enum zr_isa isa)
-{
-    static zr_add_normals_fn *const table[ZR_ISA_COUNT] = ZR_KERNELS(zr_add_normals);
-    return table[isa];
-}
-
-static zr_normalize_fn *normalize_of(enum zr_isa isa)
-{
-    static zr_normalize_fn *const table[ZR_ISA_COUNT] = ZR_KERNELS(zr_normalize);
-    return table[isa];
-}
-
 static void make_faces(void *context, size_t begin, size_t end)
 {
     const struct summing *s = context;
@@ -66,7 +54,7 @@ static void add_parts(void *context, size_t begin, size_t end)
     for (uint32_t number = (uint32_t)begin; number < end; number++) {
         const struct zr_vertex_part part = {number, s->part_count};
         if (s->only_triangles)
-            add_normals_of(s->isa)(s->mesh->indices + 3 * (size_t)s->first, s->count, s->normals, part, s->sums);
+            zr_add_normals_of(s->isa)(s->mesh->indices + 3 * (size_t)s->first, s->count, s->normals, part, s->sums);
         else
             add_polygons(s, part);
     }
@@ -75,7 +63,7 @@ static void add_parts(void *context, size_t begin, size_t end)
 static void normalize(void *context, size_t begin, size_t end)
 {
     const struct summing *s = context;
-    normalize_of(s->isa)(s->sums + begin, end - begin);
+    zr_normalize_of(s->isa)(s->sums + begin, end - begin);
 }
 
 /* Returns the least power of two that gives each thread at least one part. */

@@ -34,12 +34,11 @@ static inline bool zr_vertex_is_of_part(uint32_t vertex, struct zr_vertex_part p
 typedef void zr_add_normals_fn(const uint32_t *indices, size_t triangles, const zr_vec4 *normals,
                                struct zr_vertex_part part, zr_vec4 *sums);
 
-zr_add_normals_fn zr_add_normals_scalar, zr_add_normals_sse2, zr_add_normals_avx2, zr_add_normals_avx512,
-    zr_add_normals_neon;
+ZR_KERNEL_TABLE(zr_add_normals_fn, zr_add_normals)
 
 /* Normalizes each vector. A kernel. */
 typedef void zr_normalize_fn(zr_vec4 *vectors, size_t count);
 
-zr_normalize_fn zr_normalize_scalar, zr_normalize_sse2, zr_normalize_avx2, zr_normalize_avx512, zr_normalize_neon;
+ZR_KERNEL_TABLE(zr_normalize_fn, zr_normalize)
 
 #endif

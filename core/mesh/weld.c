@@ -82,9 +82,8 @@ static uint32_t find(const struct welding *w, const struct table *table, uint32_
 
 static void find_cells(void *context, size_t begin, size_t end)
 {
-    static zr_weld_cells_fn *const cells_of[ZR_ISA_COUNT] = ZR_KERNELS(zr_weld_cells);
     const struct welding *w = context;
-    cells_of[w->isa](w->places->at + begin, end - begin, &w->grid, w->cells + begin);
+    zr_weld_cells_of(w->isa)(w->places->at + begin, end - begin, &w->grid, w->cells + begin);
 }
 
 static void count_part(void *context, size_t begin, size_t end)

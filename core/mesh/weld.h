@@ -48,7 +48,7 @@ enum { ZR_WELD_CELL_TOLERANCES = 16, ZR_WELD_CELLS_MOST = 1 << 18 };
 /* Writes the cell of each position, as zr_weld_hash, plus 1 if it is near a border. A kernel. */
 typedef void zr_weld_cells_fn(const zr_vec4 *places, size_t count, const struct zr_weld_grid *grid, uint32_t *cells);
 
-zr_weld_cells_fn zr_weld_cells_scalar, zr_weld_cells_sse2, zr_weld_cells_avx2, zr_weld_cells_avx512, zr_weld_cells_neon;
+ZR_KERNEL_TABLE(zr_weld_cells_fn, zr_weld_cells)
 
 /* Returns an even hash. Source: the Murmur-like finalizer that Wellons found by search ("lowbias32", 2018). */
 static inline uint32_t zr_weld_hash(int32_t x, int32_t y, int32_t z)

@@ -29,13 +29,12 @@ static void raise_one(zr_vec3 place, double most[ZR_MEASURES])
 
 static void measure_range(void *context, size_t begin, size_t end)
 {
-    static zr_fit_extent_fn *const extent_of[ZR_ISA_COUNT] = ZR_KERNELS(zr_fit_extent);
     struct measuring *m = context;
     struct measured *result = &m->results[begin / m->range];
     *result = (struct measured){.is_plain = true};
     for (int k = 0; k < ZR_MEASURES; k++)
         result->most[k] = -HUGE_VAL;
-    if (extent_of[m->isa](m->mesh->positions + begin, (uint32_t)(end - begin), result->most)) return;
+    if (zr_fit_extent_of(m->isa)(m->mesh->positions + begin, (uint32_t)(end - begin), result->most)) return;
     for (size_t i = begin; i < end; i++) {
         const zr_vec4 *p = &m->mesh->positions[i];
         result->is_plain = result->is_plain && p->w == 1.0f;

@@ -3,12 +3,6 @@
 #include <math.h>
 #include <string.h>
 
-zr_depth16_fn *zr_depth16_of(enum zr_isa isa)
-{
-    static zr_depth16_fn *const kernels[ZR_ISA_COUNT] = ZR_KERNELS(zr_depth16);
-    return kernels[isa];
-}
-
 float zr_depth16_scale(const struct zr_frame *frame, float asked)
 {
     if (asked > 0.0f) return asked;

@@ -17,9 +17,7 @@ float zr_depth16_scale(const struct zr_frame *frame, float asked);
 /* Converts a row and returns the number of clamped pixels. A kernel. */
 typedef uint32_t zr_depth16_fn(const float *depth, float scale, uint32_t width, uint16_t *out);
 
-zr_depth16_fn zr_depth16_scalar, zr_depth16_sse2, zr_depth16_avx2, zr_depth16_avx512, zr_depth16_neon;
-
-zr_depth16_fn *zr_depth16_of(enum zr_isa isa);
+ZR_KERNEL_TABLE(zr_depth16_fn, zr_depth16)
 
 /* Converts a frame's rows while they are written. */
 struct zr_depth16 {

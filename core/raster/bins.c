@@ -197,8 +197,7 @@ static bool gather_large(struct zr_bins *bins)
 
 static enum zr_status build(struct zr_team *team, const struct zr_cancel *cancel, struct zr_bins *bins)
 {
-    static zr_binning_fn *const kernels[ZR_ISA_COUNT] = ZR_KERNELS(zr_binning);
-    struct sorting sorting = {.bins = bins, .cancel = cancel, .sort = kernels[zr_team_isa(team)]};
+    struct sorting sorting = {.bins = bins, .cancel = cancel, .sort = zr_binning_of(zr_team_isa(team))};
     if (!make_shares(&sorting)) return ZR_NO_MEMORY;
     if (sorting.share_count == 0) return ZR_OK; /* no need to wake threads */
     bins->fragments_size = bins->has_words ? sizeof(struct zr_bin_fragments) : offsetof(struct zr_bin_fragments, words);

@@ -110,7 +110,7 @@ enum zr_status zr_bins_build(struct zr_arena *arena, struct zr_team *team, const
  * begin less than 1 << ZR_BIN_OWNER_BITS. Records which triangles show their backs, if zr_prepaint.backs is set. */
 typedef void zr_binning_fn(struct zr_binner *binner, const struct zr_draw *draw, uint32_t begin, uint32_t end);
 
-zr_binning_fn zr_binning_scalar, zr_binning_sse2, zr_binning_avx2, zr_binning_avx512, zr_binning_neon;
+ZR_KERNEL_TABLE(zr_binning_fn, zr_binning)
 
 /* Bins a triangle that is not small, with 64-bit edge functions. */
 void zr_binner_add_spanning(struct zr_binner *binner, const struct zr_draw *draw, uint32_t number);

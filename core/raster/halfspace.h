@@ -27,10 +27,7 @@ struct zr_halfspace {
     void (*flush)(struct zr_tile *tile);
 };
 
-const struct zr_halfspace *zr_halfspace_of(enum zr_isa isa);
-
-extern const struct zr_halfspace zr_halfspace_scalar, zr_halfspace_sse2, zr_halfspace_avx2, zr_halfspace_avx512,
-    zr_halfspace_neon;
+ZR_KERNEL_TABLE(const struct zr_halfspace, zr_halfspace)
 
 /* Least and greatest depth of a plane at samples x0..x1, y0..y1. Both are values at corners, since rounding is
  * monotone. NaN if some corner is. */

@@ -17,8 +17,6 @@
 typedef void zr_small_fn(struct zr_tile *tile, const struct zr_geometry *geometry, const struct zr_prepaint *payloads,
                          const uint32_t *numbers, uint32_t count);
 
-zr_small_fn zr_small_scalar, zr_small_sse2, zr_small_avx2, zr_small_avx512, zr_small_neon;
-
-zr_small_fn *zr_small_of(enum zr_isa isa);
+ZR_KERNEL_TABLE(zr_small_fn, zr_small)
 
 #endif

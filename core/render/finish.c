@@ -4,18 +4,6 @@
 
 enum { ROWS_A_RANGE = 8 };
 
-static zr_finish_row_fn *finish_row_of(enum zr_isa isa)
-{
-    static zr_finish_row_fn *const table[ZR_ISA_COUNT] = ZR_KERNELS(zr_finish_row);
-    return table[isa];
-}
-
-static zr_decode_fn *decode_of(enum zr_isa isa)
-{
-    static zr_decode_fn *const table[ZR_ISA_COUNT] = ZR_KERNELS(zr_decode);
-    return table[isa];
-}
-
 struct rows {
     const struct zr_post_desc *of;
     enum zr_isa isa;
@@ -57,7 +45,7 @@ static void finish_range(void *context, size_t begin, size_t end)
             row.share = shares;
         }
         if (of->ink) row.ink = of->ink + y * light->width;
-        finish_row_of(rows->isa)(&row, (uint32_t *)(void *)of->out + (size_t)(light->height - 1 - y) * light->width);
+        zr_finish_row_of(rows->isa)(&row, (uint32_t *)(void *)of->out + (size_t)(light->height - 1 - y) * light->width);
     }
 }
 
@@ -70,8 +58,8 @@ void zr_finish_picture(struct zr_team *team, const struct zr_post_desc *finishin
     const zr_vec3 top = picture->has_gradient ? picture->top : plain;
     const zr_vec3 bottom = picture->has_gradient ? picture->bottom : plain;
     const zr_vec3 ink = picture->edges.color;
-    decode_of(rows.isa)((const float[3]){top.x, top.y, top.z}, rows.top);
-    decode_of(rows.isa)((const float[3]){bottom.x, bottom.y, bottom.z}, rows.bottom);
-    decode_of(rows.isa)((const float[3]){ink.x, ink.y, ink.z}, rows.ink_color);
+    zr_decode_of(rows.isa)((const float[3]){top.x, top.y, top.z}, rows.top);
+    zr_decode_of(rows.isa)((const float[3]){bottom.x, bottom.y, bottom.z}, rows.bottom);
+    zr_decode_of(rows.isa)((const float[3]){ink.x, ink.y, ink.z}, rows.ink_color);
     zr_team_ranges(team, finishing->light->height, ROWS_A_RANGE, finish_range, &rows);
 }

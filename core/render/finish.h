@@ -33,11 +33,11 @@ struct zr_finish_row {
 
 typedef void zr_finish_row_fn(const struct zr_finish_row *row, uint32_t *out);
 
-zr_finish_row_fn zr_finish_row_scalar, zr_finish_row_sse2, zr_finish_row_avx2, zr_finish_row_avx512, zr_finish_row_neon;
+ZR_KERNEL_TABLE(zr_finish_row_fn, zr_finish_row)
 
 /* Linear light of sRGB-encoded values, three of them. A kernel. */
 typedef void zr_decode_fn(const float encoded[3], float linear[3]);
 
-zr_decode_fn zr_decode_scalar, zr_decode_sse2, zr_decode_avx2, zr_decode_avx512, zr_decode_neon;
+ZR_KERNEL_TABLE(zr_decode_fn, zr_decode)
 
 #endif

@@ -8,12 +8,6 @@
 #include "shade/models/xray.h"
 #include "shade/paint.h"
 
-const struct zr_averages *zr_averages_of(enum zr_isa isa)
-{
-    static const struct zr_averages *const table[ZR_ISA_COUNT] = ZR_KERNELS(&zr_averages);
-    return table[isa];
-}
-
 /* As of tiles.c. */
 enum { TILES_A_RANGE = 2 };
 

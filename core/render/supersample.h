@@ -54,9 +54,6 @@ struct zr_averages {
     void (*blended)(const float *const sum[4], uint32_t side, uint32_t pixels, float *const out[4]);
 };
 
-extern const struct zr_averages zr_averages_scalar, zr_averages_sse2, zr_averages_avx2, zr_averages_avx512,
-    zr_averages_neon;
-
-const struct zr_averages *zr_averages_of(enum zr_isa isa);
+ZR_KERNEL_TABLE(const struct zr_averages, zr_averages)
 
 #endif

@@ -95,7 +95,7 @@ struct zr_opening {
 /* Raises most[0], [1], [2] to x, y, z, and [3], [4], [5] to -x, -y, -z. */
 typedef bool zr_fit_extent_fn(const zr_vec4 *points, uint32_t count, double most[ZR_MEASURES]);
 
-zr_fit_extent_fn zr_fit_extent_scalar, zr_fit_extent_sse2, zr_fit_extent_avx2, zr_fit_extent_avx512, zr_fit_extent_neon;
+ZR_KERNEL_TABLE(zr_fit_extent_fn, zr_fit_extent)
 
 enum zr_slope { ZR_SLOPE_RIGHT, ZR_SLOPE_LEFT, ZR_SLOPE_TOP, ZR_SLOPE_BOTTOM, ZR_SLOPE_NEAR };
 
@@ -105,9 +105,7 @@ enum zr_slope { ZR_SLOPE_RIGHT, ZR_SLOPE_LEFT, ZR_SLOPE_TOP, ZR_SLOPE_BOTTOM, ZR
 typedef bool zr_fit_slopes_fn(const struct zr_axes *axes, const struct zr_opening *opening, const zr_vec4 *points,
                               uint32_t count, double most[ZR_MEASURES]);
 
-zr_fit_slopes_fn zr_fit_slopes_scalar, zr_fit_slopes_sse2, zr_fit_slopes_avx2, zr_fit_slopes_avx512, zr_fit_slopes_neon;
-
-zr_fit_slopes_fn *zr_fit_slopes_of(enum zr_isa isa);
+ZR_KERNEL_TABLE(zr_fit_slopes_fn, zr_fit_slopes)
 
 /* projection.c */
 static inline bool zr_view_is_perspective(const struct zr_view *view)

@@ -17,12 +17,6 @@ static zr_dvec3 along(const struct zr_axes *axes, zr_dvec3 p)
     return (zr_dvec3){zr_dvec3_dot(q, axes->right), zr_dvec3_dot(q, axes->up), zr_dvec3_dot(q, axes->back)};
 }
 
-zr_fit_slopes_fn *zr_fit_slopes_of(enum zr_isa isa)
-{
-    static zr_fit_slopes_fn *const table[ZR_ISA_COUNT] = ZR_KERNELS(zr_fit_slopes);
-    return table[isa];
-}
-
 struct slopes {
     const struct zr_axes *axes;
     const struct zr_opening *opening;

@@ -7,12 +7,6 @@
 #include "base/isa.h"
 #include "raster/prepaint.h"
 
-zr_prepaint_fn zr_early_scalar, zr_early_sse2, zr_early_avx2, zr_early_avx512, zr_early_neon;
-
-static inline zr_prepaint_fn *zr_early_of(enum zr_isa isa)
-{
-    static zr_prepaint_fn *const table[ZR_ISA_COUNT] = ZR_KERNELS(zr_early);
-    return table[isa];
-}
+ZR_KERNEL_TABLE(zr_prepaint_fn, zr_early)
 
 #endif

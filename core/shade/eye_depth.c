@@ -1,11 +1,5 @@
 #include "shade/eye_depth.h"
 
-const struct zr_eye_depths *zr_eye_depths_of(enum zr_isa isa)
-{
-    static const struct zr_eye_depths *const table[ZR_ISA_COUNT] = ZR_KERNELS(&zr_eye_depths);
-    return table[isa];
-}
-
 /* ---- depths of corners ---- */
 
 static double least(const double v[3])

@@ -66,9 +66,6 @@ struct zr_eye_depths {
                   float *out);
 };
 
-extern const struct zr_eye_depths zr_eye_depths_scalar, zr_eye_depths_sse2, zr_eye_depths_avx2, zr_eye_depths_avx512,
-    zr_eye_depths_neon;
-
-const struct zr_eye_depths *zr_eye_depths_of(enum zr_isa isa);
+ZR_KERNEL_TABLE(const struct zr_eye_depths, zr_eye_depths)
 
 #endif

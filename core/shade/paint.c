@@ -7,12 +7,6 @@
 #include "raster/line.h"
 #include "shade/early.h"
 
-const struct zr_paint *zr_paint_of(enum zr_isa isa)
-{
-    static const struct zr_paint *const table[ZR_ISA_COUNT] = ZR_KERNELS(&zr_paint);
-    return table[isa];
-}
-
 /* ---- packed colours ---- */
 
 /* Where there are fewer pixels for each colour, packing takes longer than it saves (2 % of a million triangles at

@@ -76,12 +76,9 @@ struct zr_paint {
 typedef void zr_paint_floats_fn(const struct zr_geometry *geometry, const struct zr_scene_attributes *surfaces,
                                 const struct zr_tile *tile, float *const out[4]);
 
-zr_paint_floats_fn zr_paint_floats_scalar, zr_paint_floats_sse2, zr_paint_floats_avx2, zr_paint_floats_avx512,
-    zr_paint_floats_neon;
+ZR_KERNEL_TABLE(zr_paint_floats_fn, zr_paint_floats)
 
-extern const struct zr_paint zr_paint_scalar, zr_paint_sse2, zr_paint_avx2, zr_paint_avx512, zr_paint_neon;
-
-const struct zr_paint *zr_paint_of(enum zr_isa isa);
+ZR_KERNEL_TABLE(const struct zr_paint, zr_paint)
 
 /* Whether tiny triangles are painted while they are sorted, and small ones that lie in stamps when they are drawn, in
  * tiles that keep words (visibility.c): their corners are at hand then, and those of neighbours in the mesh stand

@@ -14,12 +14,6 @@ struct look_parts {
     void (*tone)(enum zr_tone tone, const float *const in[3], size_t count, float *const out[3]);
 };
 
-extern const struct look_parts look_parts_scalar, look_parts_sse2, look_parts_avx2, look_parts_avx512, look_parts_neon;
-
-static inline const struct look_parts *look_parts_of(enum zr_isa isa)
-{
-    static const struct look_parts *const table[ZR_ISA_COUNT] = ZR_KERNELS(&look_parts);
-    return table[isa];
-}
+ZR_KERNEL_TABLE(const struct look_parts, look_parts)
 
 #endif

@@ -12,6 +12,6 @@
 typedef void shadow_shares_fn(const struct zr_shadow_map *map, const float *const point[3],
                               const float *const normal[3], size_t count, float *out);
 
-shadow_shares_fn shadow_shares_scalar, shadow_shares_sse2, shadow_shares_avx2, shadow_shares_avx512, shadow_shares_neon;
+ZR_KERNEL_TABLE(shadow_shares_fn, shadow_shares)
 
 #endif

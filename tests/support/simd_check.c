@@ -366,7 +366,6 @@ static bool is_same(const struct result *result, uint32_t got, uint32_t want)
 
 bool simd_check(enum zr_isa isa, uint64_t seed, char *message, size_t size)
 {
-    static simd_run_fn *const run[ZR_ISA_COUNT] = ZR_KERNELS(simd_run);
     static struct simd_inputs in;
     static struct simd_results got, want;
     struct random random = random_seeded(seed);
@@ -375,7 +374,7 @@ bool simd_check(enum zr_isa isa, uint64_t seed, char *message, size_t size)
     memset(got.strayed, 0, sizeof got.strayed);
     memset(got.vi_rows_of_patches, 0, sizeof got.vi_rows_of_patches);
     memset(&want, 0, sizeof want);
-    run[isa](&in, &got);
+    simd_run_of(isa)(&in, &got);
     want.lanes = got.lanes;
     want.doubles = got.doubles;
     for (int k = 0; k < SIMD_COUNT; k++) {

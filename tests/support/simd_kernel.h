@@ -73,6 +73,6 @@ struct simd_results {
 
 typedef void simd_run_fn(const struct simd_inputs *in, struct simd_results *out);
 
-simd_run_fn simd_run_scalar, simd_run_sse2, simd_run_avx2, simd_run_avx512, simd_run_neon;
+ZR_KERNEL_TABLE(simd_run_fn, simd_run)
 
 #endif

@@ -33,13 +33,13 @@ static void the_border_of_a_shadow_is_soft(void **state)
         x[i] = 494.5f + (float)i, y[i] = 512.0f, z[i] = 20.0f, up[i] = -1.0f;
     }
     const float *const point[3] = {x, y, z}, *const normal[3] = {none, none, up};
-    shares_of(isa)(&map, point, normal, 16, got);
+    shadow_shares_of(isa)(&map, point, normal, 16, got);
     static const int lit[] = {0, 0, 0, 3, 8, 15, 22, 29, 34, 37, 37, 37};
     for (int i = 0; i < 12; i++)
         assert_true(got[i] == (float)lit[i] / 37.0f);
     for (int i = 0; i < 16; i++)
         z[i] = 10.15f;
-    shares_of(isa)(&map, point, normal, 16, got);
+    shadow_shares_of(isa)(&map, point, normal, 16, got);
     for (int i = 0; i < 16; i++)
         assert_true(got[i] == 1.0f);
 }

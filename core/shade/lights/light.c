@@ -46,21 +46,3 @@ struct zr_normal_matrix zr_normal_matrix_make(const zr_mat4 *object_to_eye)
             n.rows[i] = zr_vec3_scale(n.rows[i], -1.0f);
     return n;
 }
-
-zr_light_fn *zr_light_of(enum zr_isa isa)
-{
-    static zr_light_fn *const table[ZR_ISA_COUNT] = ZR_KERNELS(zr_light);
-    return table[isa];
-}
-
-zr_light_placed_fn *zr_light_placed_of(enum zr_isa isa)
-{
-    static zr_light_placed_fn *const table[ZR_ISA_COUNT] = ZR_KERNELS(zr_light_placed);
-    return table[isa];
-}
-
-zr_to_eye_fn *zr_to_eye_of(enum zr_isa isa)
-{
-    static zr_to_eye_fn *const table[ZR_ISA_COUNT] = ZR_KERNELS(zr_to_eye);
-    return table[isa];
-}

@@ -30,9 +30,7 @@ struct zr_normal_matrix zr_normal_matrix_make(const zr_mat4 *object_to_eye);
 typedef void zr_light_fn(const struct zr_lights *lights, const struct zr_normal_matrix *to_eye, const zr_vec4 *normals,
                          const zr_vec4 *bases, size_t count, zr_vec4 *front, zr_vec4 *back);
 
-zr_light_fn zr_light_scalar, zr_light_sse2, zr_light_avx2, zr_light_avx512, zr_light_neon;
-
-zr_light_fn *zr_light_of(enum zr_isa isa);
+ZR_KERNEL_TABLE(zr_light_fn, zr_light)
 
 /* The same where some light has a place: lights->placed_count > 0. Of each point, too: `points` xyz in eye space,
  * counted from lights->start. A kernel. */
@@ -40,16 +38,11 @@ typedef void zr_light_placed_fn(const struct zr_lights *lights, const struct zr_
                                 const zr_vec4 *normals, const zr_vec4 *points, const zr_vec4 *bases, size_t count,
                                 zr_vec4 *front, zr_vec4 *back);
 
-zr_light_placed_fn zr_light_placed_scalar, zr_light_placed_sse2, zr_light_placed_avx2, zr_light_placed_avx512,
-    zr_light_placed_neon;
-
-zr_light_placed_fn *zr_light_placed_of(enum zr_isa isa);
+ZR_KERNEL_TABLE(zr_light_placed_fn, zr_light_placed)
 
 /* The first half of that: normals in object space, of any length, become unit ones in eye space, in place. A kernel. */
 typedef void zr_to_eye_fn(const struct zr_normal_matrix *to_eye, zr_vec4 *normals, size_t count);
 
-zr_to_eye_fn zr_to_eye_scalar, zr_to_eye_sse2, zr_to_eye_avx2, zr_to_eye_avx512, zr_to_eye_neon;
-
-zr_to_eye_fn *zr_to_eye_of(enum zr_isa isa);
+ZR_KERNEL_TABLE(zr_to_eye_fn, zr_to_eye)
 
 #endif

@@ -31,12 +31,9 @@ struct zr_linear_lighting {
 typedef void zr_look_light_fn(const struct zr_linear_lighting *lighting, const struct zr_gbuffer *samples,
                               const float *occlusion, float *const out[3]);
 
-zr_look_light_fn zr_look_light_scalar, zr_look_light_sse2, zr_look_light_avx2, zr_look_light_avx512, zr_look_light_neon;
+ZR_KERNEL_TABLE(zr_look_light_fn, zr_look_light)
 
 /* What those call where there are lamps that have a place. */
-zr_look_light_fn zr_look_light_placed_scalar, zr_look_light_placed_sse2, zr_look_light_placed_avx2,
-    zr_look_light_placed_avx512, zr_look_light_placed_neon;
-
-zr_look_light_fn *zr_look_light_of(enum zr_isa isa);
+ZR_KERNEL_TABLE(zr_look_light_fn, zr_look_light_placed)
 
 #endif

@@ -18,8 +18,6 @@
  * more behind each row's end may be looked at, and written. A kernel. */
 typedef void zr_xray_fn(const struct zr_linear_lighting *lighting, const struct zr_gbuffer *samples, float *opacity);
 
-zr_xray_fn zr_xray_scalar, zr_xray_sse2, zr_xray_avx2, zr_xray_avx512, zr_xray_neon;
-
-zr_xray_fn *zr_xray_of(enum zr_isa isa);
+ZR_KERNEL_TABLE(zr_xray_fn, zr_xray)
 
 #endif
