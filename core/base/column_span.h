@@ -1,15 +1,15 @@
-/* column_span.h - base: which columns of a row of pixels may show something. */
+/* column_span.h - base: spans of columns that contain all covered pixels of a row. */
 #ifndef ZR_COLUMN_SPAN_H
 #define ZR_COLUMN_SPAN_H
 
 #include <stdint.h>
 
-/* Columns begin .. end - 1. */
+/* Columns begin .. end - 1; empty if begin >= end. */
 struct zr_column_span {
     uint32_t begin, end;
 };
 
-/* What both reach. */
+/* The smallest span that contains both. */
 static inline struct zr_column_span zr_column_span_join(struct zr_column_span a, struct zr_column_span b)
 {
     if (a.begin >= a.end) return b;
@@ -17,7 +17,7 @@ static inline struct zr_column_span zr_column_span_join(struct zr_column_span a,
     return (struct zr_column_span){a.begin < b.begin ? a.begin : b.begin, a.end > b.end ? a.end : b.end};
 }
 
-/* Of row `y` and the one above it, where those of all rows are known, or NULL. */
+/* The span of rows y - 1 and y. `reaches`: one span per row, or NULL: every span is the whole width. */
 static inline struct zr_column_span zr_column_span_of_rows(const struct zr_column_span *reaches, uint32_t y,
                                                            uint32_t width)
 {

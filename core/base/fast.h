@@ -1,15 +1,15 @@
-/* fast.h - base: fast ways, special cases beside the general way that give the same bytes sooner.
+/* fast.h - base: fast paths, which give the same bytes as the general path in less time.
  *
  *     if (ZR_FAST(packed_colors, zr_colors_can_be_packed(scene, mesh))) ...
  *
- * is that condition in every build but `make MUTANTS=1` (mutant.h), whose programs may switch fast ways off and count
- * how often each was taken. tests/reference/fast.txt has a case for each: with it on it must run, with it off the same
- * pictures must be equal to the reference's. What one earns is measured against a build without it:
+ * ZR_FAST(name, condition) is the condition. In a build with `make MUTANTS=1` (mutant.h), programs can switch a fast
+ * path off and count its uses. tests/reference/fast.txt has a case for each fast path: the path must be taken, and the
+ * pictures must equal the reference's with the path on and off. This measures the time that one saves:
  *
  *     make BUILD=build/without CPPFLAGS=-DZR_WITHOUT=stamps build/without/zraster-bench build/without/zrasterd
  *     make bench ARGS='--against build/without'
  *
- * One stays only if it earns a tenth of the time of something that users meet.
+ * A fast path stays only if it saves a tenth of the time of a picture that users ask for.
  */
 #ifndef ZR_FAST_H
 #define ZR_FAST_H
@@ -17,34 +17,34 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-/* What time is lost where it is not taken: on a Zen 5 with AVX-512, each against the build with all of them. */
+/* Percent: additional time without it, on a Zen 5 with AVX-512, all others on. */
 /* clang-format off */
 #define ZR_EACH_FAST(row)                                                                                             \
-    /* geometry: a mesh that is wholly in view is one draw, its faces not looked at: bunny 512x512 +2..11 % */        \
+    /* geometry: a mesh inside the view volume is one draw, without a look at its faces: bunny 512x512 +2..11 % */    \
     row(whole_meshes)                                                                                                 \
-    /* raster: tiny triangles are drawn as they are sorted: 1.1 M triangles +60..88 % */                              \
+    /* raster: tiny triangles are drawn while they are binned: 1.1 M triangles +60..88 % */                           \
     row(tiny_fragments)                                                                                               \
-    /* raster: small triangles sample by sample, many at once: bunny 512x512 flat +12..14 % */                        \
+    /* raster: small triangles are drawn sample by sample, one per lane: bunny 512x512 flat +12..14 % */              \
     row(stamps)                                                                                                       \
-    /* raster: blocks that are nearer already are passed over: 80 000 polygons +65..98 % */                           \
+    /* raster: blocks whose pixels are all nearer are skipped: 80 000 polygons +65..98 % */                           \
     row(hidden_blocks)                                                                                                \
-    /* raster: blocks that a triangle has alone are not written: cube +66..99 %, fills +61..75 % */                   \
+    /* raster: a block that one triangle covers stores its owner alone: cube +66..99 %, fills +61..75 % */            \
     row(owned_blocks)                                                                                                 \
-    /* raster: large triangles by depth, until the rest is hidden: fill front to back +430 % */                       \
+    /* raster: large triangles are drawn nearest first, until the rest is hidden: fill front to back +430 % */        \
     row(nearest_first)                                                                                                \
-    /* shade: tiny and small triangles in colour as they are drawn: bunny 512x512 Gouraud +37 % */                    \
+    /* shade: tiny and small triangles are shaded while they are drawn: bunny 512x512 Gouraud +37 % */                \
     row(early_words)                                                                                                  \
-    /* shade: the colours that the mesh has, not copied: 16 bytes a vertex, and no time */                            \
+    /* shade: given vertex colours are not copied: 16 bytes per vertex, no time */                                    \
     row(given_colors)                                                                                                 \
-    /* shade: meshes in one colour are lit without telling faces apart: lit million +16 % */                          \
+    /* shade: meshes of one colour are lit without a look at each face: lit million +16 % */                          \
     row(alike_points)                                                                                                 \
-    /* shade: flat colours are made as bytes: lit flat bunny 1080p +77 %, once */                                     \
+    /* shade: flat colours are converted to bytes once per face: lit flat bunny 1080p +77 % */                        \
     row(packed_colors)                                                                                                \
-    /* shade: few flat colours are packed for many pixels: bunny 1080p flat +11..16 % */                              \
+    /* shade: colours are packed if many pixels share few of them: bunny 1080p flat +11..16 % */                      \
     row(packed_later)                                                                                                 \
-    /* shade: which flat triangles show backs is noted while sorted: lit flat +44..75 % */                            \
+    /* shade: binning records which flat triangles show their back: lit flat +44..75 % */                             \
     row(noted_backs)                                                                                                  \
-    /* shade: frames are written by non-temporal stores: 1080p +18..28 %, fills +33..75 % */                                          \
+    /* shade: frames are written by non-temporal stores: 1080p +18..28 %, fills +33..75 % */                          \
     row(streamed)
 /* clang-format on */
 
@@ -62,10 +62,10 @@ bool zr_fast_take(enum zr_fast fast);
 #define ZR_FAST(name, condition) (condition)
 #endif
 
-/* Switches one off. Not while another thread renders. False where this build has no such switch. */
+/* Switches a fast path off. No thread may render meanwhile. False if this build has no switch of that name. */
 bool zr_fast_forbid(const char *name);
 
-/* The name of the fast way of that number, from 0 on, and how often it was taken; NULL: this build has no more. */
+/* The name of fast path `number`, from 0 on, and its uses so far; NULL if there is none. */
 const char *zr_fast_name(int number, uint64_t *taken);
 
 #endif

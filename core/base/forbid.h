@@ -1,4 +1,4 @@
-/* forbid.h - base: bytes that AddressSanitizer is told not to let anybody touch; without it, nothing. */
+/* forbid.h - base: bytes that must not be accessed. AddressSanitizer reports any access; other builds do nothing. */
 #ifndef ZR_FORBID_H
 #define ZR_FORBID_H
 

@@ -1,4 +1,5 @@
-/* inlined.h - base: what compilers, left to themselves, call once for each number, word or line of a text. */
+/* inlined.h - base: functions that must be inlined because a call per item (a digit, a vector, a row) costs too much
+ * and compilers do not inline them by themselves. */
 #ifndef ZR_INLINED_H
 #define ZR_INLINED_H
 

@@ -15,6 +15,7 @@ struct zr_matrix zr_matrix_of(const zr_mat4 *matrix);
 /* Returns a b, each sum from left to right. */
 struct zr_matrix zr_matrix_mul(const struct zr_matrix *a, const struct zr_matrix *b);
 
+/* out = m * v. */
 void zr_matrix_apply(const struct zr_matrix *m, const double v[4], double out[4]);
 
 /* Inverts a matrix. Returns false if it has no inverse: *out is then all zeros. */

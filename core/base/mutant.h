@@ -1,12 +1,13 @@
-/* mutant.h - base: mutants, rules that are wrong on purpose, so that tests can prove that they would notice.
+/* mutant.h - base: mutants, which break a rule on purpose, to prove that tests find the fault.
  *
  *     return ZR_MUTANT(older_lines, half_to_even(v), half_away(v));
  *
- * is half_to_even(v) in every build but `make MUTANTS=1`, whose programs may choose mutants while they run.
- * `make tests` puts that build beside the other one, into build/mutant. Both expressions are compiled everywhere, so
- * that no mutant rots. A rule that is written more than once has its mutant at each place.
+ * is half_to_even(v). In a build with `make MUTANTS=1`, programs can switch to half_away(v) while they run; `make
+ * tests` puts this build into build/mutant. Every build compiles both expressions. A rule that the code applies at
+ * several places has its mutant at each of them.
  *
- * A new one needs its name in the list below, and a row in tests/reference/mutants.txt, which says what must differ.
+ * To add a mutant, add its name to the list below, and a row to tests/reference/mutants.txt with the differences that
+ * it must make.
  */
 #ifndef ZR_MUTANT_H
 #define ZR_MUTANT_H
@@ -14,7 +15,7 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-/* By the rules of tests/reference/RULES.md. */
+/* The wrong rule in short, with its number in tests/reference/RULES.md. */
 /* clang-format off */
 #define ZR_EACH_MUTANT(row)                                                                                           \
     row(sums_from_the_right)        /* 1, 4-term sums */                                                              \
@@ -101,10 +102,10 @@ extern uint64_t zr_mutants_chosen[ZR_MUTANT_COUNT / 64 + 1]; /* a bit each */
 #define ZR_MUTANT(name, right, wrong) (true ? (right) : (wrong))
 #endif
 
-/* Chooses one, or lets it go. Not while another thread renders. False where this build has no such mutant to choose. */
+/* Switches a mutant on or off. No thread may render meanwhile. False if this build has no mutant of that name. */
 bool zr_mutant_set(const char *name, bool on);
 
-/* The name of the mutant of that number, from 0 on; NULL: this build has no more. */
+/* The name of mutant `number`, from 0 on; NULL if there is none. */
 const char *zr_mutant_name(int number);
 
 #endif

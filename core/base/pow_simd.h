@@ -1,7 +1,7 @@
 /* pow_simd.h - base: powers, for kernels.
  *
- * Exact:  to the last bit what Mesa's llvmpipe has for GLSL's pow(), whose polynomials these are; so the same on every
- *         system, which libm does not promise. Within 1.5e-5 of the power.
+ * Exact:  equal to the last bit to GLSL's pow() in Mesa's llvmpipe, by its polynomials. So they are the same on every
+ *         system, which libm does not promise. The relative error is at most 1.5e-5.
  * Source: Mesa, src/gallium/auxiliary/gallivm/lp_bld_arit.c: lp_build_log2_approx, lp_build_exp2, lp_build_pow.
  */
 #ifndef ZR_POW_SIMD_H
@@ -9,7 +9,7 @@
 
 #include "base/simd.h"
 
-/* Of what is from 2^-126 up to infinity. Even and odd powers are summed apart. */
+/* log2(x) for 2^-126 <= x < infinity. Even and odd powers are summed apart, as in Mesa. */
 static inline zr_vf zr_log2_v(zr_vf x)
 {
     const zr_vi bits = zr_vi_bits_of(x);
@@ -22,7 +22,7 @@ static inline zr_vf zr_log2_v(zr_vf x)
     return y * (odd * z + even) + exponent;
 }
 
-/* Of up to 127; from -127 down: next to 0. */
+/* 2^x for x <= 127; nearly 0 for x <= -127. */
 static inline zr_vf zr_exp2_v(zr_vf x)
 {
     x = zr_vf_max(x, zr_vf_set(-126.99999f));
@@ -36,7 +36,7 @@ static inline zr_vf zr_exp2_v(zr_vf x)
     return zr_vf_bits((zr_vi_round(whole) + zr_vi_set(127)) << 23) * (odd * f + even);
 }
 
-/* x^y, and 0 where x is less than 2^-126; x up to 1, y from 0 to 2^15. */
+/* x^y for x <= 1 and 0 <= y <= 2^15; 0 for x < 2^-126. */
 static inline zr_vf zr_pow_v(zr_vf x, zr_vf y)
 {
     const zr_vf least = zr_vf_set(1.1754944e-38f);

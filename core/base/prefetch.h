@@ -1,6 +1,6 @@
-/* prefetch.h - base: memory that is asked for before it is used. Any address may be: none is touched.
+/* prefetch.h - base: prefetches of memory. Any address is allowed: a prefetch never faults.
  *
- * Why:    processors look ahead by themselves, but no farther than to the end of a page, and not along lists.
+ * Why:    hardware prefetchers stop at the end of a page and do not follow lists of indices.
  */
 #ifndef ZR_PREFETCH_H
 #define ZR_PREFETCH_H
@@ -10,14 +10,14 @@
 
 enum { ZR_CACHE_LINE = 64, ZR_PAGE = 4096 };
 
-/* Prefetches `bytes` bytes, which begin `ahead` bytes beyond p. */
+/* Prefetches for reading the `bytes` bytes from p + ahead on. */
 static inline void zr_prefetch(const void *p, size_t ahead, size_t bytes)
 {
     for (size_t at = 0; at < bytes; at += ZR_CACHE_LINE)
         __builtin_prefetch((const void *)((uintptr_t)p + ahead + at));
 }
 
-/* The same of what will be written. */
+/* The same for writing. */
 static inline void zr_prefetch_written(const void *p, size_t ahead, size_t bytes)
 {
     for (size_t at = 0; at < bytes; at += ZR_CACHE_LINE)

@@ -1,4 +1,4 @@
-/* rgba_simd.h - base: colours of lanes as four bytes each, for kernels. */
+/* rgba_simd.h - base: base/rgba.h for kernels: one colour per lane. */
 #ifndef ZR_RGBA_SIMD_H
 #define ZR_RGBA_SIMD_H
 
@@ -6,6 +6,7 @@
 #include "base/rgba.h"
 #include "base/simd.h"
 
+/* 0..255, as zr_rgba_byte. */
 static inline zr_vi zr_rgba_bytes_v(zr_vf value)
 {
     value = zr_vf_min(zr_vf_max(value, zr_vf_set(0.0f)), zr_vf_set(1.0f));
@@ -13,7 +14,7 @@ static inline zr_vi zr_rgba_bytes_v(zr_vf value)
     return zr_vi_round(ZR_MUTANT(bytes_rounded_down, exact, exact - zr_vf_set(0.49f)));
 }
 
-/* As zr_rgba_opaque: never 0. */
+/* As zr_rgba_opaque. No result is 0, since alpha is 255. */
 static inline zr_vi zr_rgba_opaque_v(zr_vf red, zr_vf green, zr_vf blue)
 {
     const zr_vi r = zr_rgba_bytes_v(red), g = zr_rgba_bytes_v(green), b = zr_rgba_bytes_v(blue);

@@ -1,11 +1,11 @@
-/* round_simd.h - base: floats to whole floats, of any size, for kernels. */
+/* round_simd.h - base: floats rounded to integers, as floats of any magnitude, for kernels. */
 #ifndef ZR_ROUND_SIMD_H
 #define ZR_ROUND_SIMD_H
 
 #include "base/simd.h"
 
-/* To the nearest, ties to even. From 2^23 on every float is whole; up to there the sum with it has no digits behind the
- * point. */
+/* To the nearest, ties to even. Adding 2^23 to a smaller magnitude rounds it to an integer; every float from 2^23 on is
+ * one. */
 static inline zr_vf zr_nearest_v(zr_vf v)
 {
     const zr_vf whole = zr_vf_set(8388608.0f), size = zr_vf_abs(v), zero = zr_vf_set(0.0f);

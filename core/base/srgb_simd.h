@@ -1,4 +1,4 @@
-/* srgb_simd.h - base: between sRGB-encoded values and linear light, for kernels: within 3e-7 of the definition.
+/* srgb_simd.h - base: sRGB-encoded values to linear light and back, for kernels; error at most 3e-7.
  * Source: IEC 61966-2-1.
  */
 #ifndef ZR_SRGB_VALUES_SIMD_H
@@ -6,7 +6,7 @@
 
 #include "base/pow_simd.h"
 
-/* Of 0..1; what is beyond is kept within. */
+/* Both clamp their argument to 0..1. */
 static inline zr_vf zr_srgb_decode_v(zr_vf encoded)
 {
     encoded = zr_vf_min(zr_vf_max(encoded, zr_vf_set(0.0f)), zr_vf_set(1.0f));

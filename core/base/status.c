@@ -4,7 +4,7 @@
 #include <stdio.h>
 #include <string.h>
 
-/* Cuts back to the last whole UTF-8 character of a text that filled its buffer. */
+/* Removes a partial UTF-8 character from the end of a text that snprintf cut: `wanted` is its result. */
 static void trim_to_character(char *text, size_t size, int wanted)
 {
     if (wanted < 0 || (size_t)wanted < size) return;

@@ -1,4 +1,4 @@
-/* team.h - base: threads that share the work of one request.
+/* team.h - base: threads that share the work of requests.
  *
  * A team is shared: several callers may run jobs at once. Each caller works on its own job, and idle helpers join any
  * open job. So a single request uses every core, and many requests share them, without configuration. Invariant:
