@@ -208,6 +208,13 @@ uninitialised: ## valgrind over every scene of tests, all channels: no value is 
 	@$(MAKE) -s -j$(JOBS) BUILD=$(BUILD)/uninitialised SAN= CFLAGS="-O1 -g" isas=scalar $(BUILD)/uninitialised/zraster-uninitialised
 	@tests/uninitialised/check.sh $(BUILD)/uninitialised/zraster-uninitialised $(JOBS) $(or $(SCENES),$(sort $(wildcard tests/scenes/*.json)))
 
+# Plain C alone, so that the count is the same on every machine; without optimisation, so that no call is inlined.
+.PHONY: walk
+walk: ## counts the functions, files and lines of core/ and server/ that the request of a flat triangle runs (gcov)
+	@.ci/need $(NEED_BUILD) curl=curl
+	@$(MAKE) -s -j$(JOBS) BUILD=$(BUILD)/walk SAN= CFLAGS="-O0 --coverage" isas=scalar $(BUILD)/walk/zrasterd
+	@tests/make/walk.sh $(BUILD)/walk $(SCENE)
+
 .PHONY: systems
 systems: ## make demo and make test in bare roots of Debian 12, 13 and testing (root); SYSTEMS=13, KEEP=1: tests/systems/run.sh
 	@.ci/need $(NEED_SYSTEMS)
